@@ -1,0 +1,69 @@
+# GSMBP: derive, emit, compile, run, plot.  GNU make; `make help` lists the targets.
+
+EXAMPLES := $(notdir $(patsubst %/,%,$(wildcard examples/*/)))
+SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
+MAXIMA_SOURCES := $(wildcard gsmbp/*.mac) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
+RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
+
+# where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given
+MAXIMA_USERDIR ?= $(HOME)/.maxima
+PREFIX  :=
+DESTDIR :=
+
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.SECONDARY:
+.SECONDEXPANSION:
+.PHONY: help packages examples test test-random bench doc install clean
+
+help:
+	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
+	@echo 'make test                  all tests; the last line is "N passed, N failed"'
+	@echo 'make test-random           40 scenes made by chance against an independent formulation (make test takes 3)'
+	@echo 'make bench                 tests/bench/report.md, report.json and figures'
+	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
+	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
+	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
+	@echo 'make clean                 removes what make generated'
+	@echo 'examples, test and bench first install the Debian packages that are missing (as root; otherwise they name them).'
+
+packages:
+	@share/make/packages
+
+examples: $(EXAMPLES:%=examples/%/out/finished)
+
+# Fortran and JSON appear whole or not at all (gsmbp_fortran writes beside and renames)
+fortran_out/%.f fortran_out/%.json: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages
+	share/make/derive $< fortran_out
+
+fortran_out/%.f fortran_out/%.json: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages
+	share/make/derive $< fortran_out
+
+# the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
+examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json examples/$$*/run.m $(RUN_SOURCES)
+	@mkdir -p $(@D)
+	@rm -f $@
+	cd examples/$* && timeout 1800 octave-cli -qf --no-history run.m </dev/null
+	@touch $@
+
+test: packages
+	@tests/run
+
+test-random: packages
+	@GSMBP_RANDOM=40 GSMBP_TEST_LIMIT=3600 tests/run test_random
+
+bench: packages
+	@mkdir -p tests/bench/out
+	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
+
+doc: share/manual/functions.txt
+
+share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
+	@mkdir -p $(@D)
+	share/make/doc gsmbp/*.mac >$@.new && mv $@.new $@
+
+install:
+	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
+
+clean:
+	rm -rf fortran_out examples/*/out tests/bench/out share/manual/functions.txt

@@ -1,0 +1,664 @@
+// The generic part of a module: takes Octave's arrays apart, checks size and
+// finiteness of every argument, calls the emitted Fortran and the run time of
+// share/fortran.  Compiled once for double and once, with GSMBP_QUAD defined,
+// for quad precision (Fortran under -freal-8-number-16): doubles in, doubles out.
+
+#include <octave/oct.h>
+#include <octave/parse.h>
+
+#include <cfloat>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "gsmbp_scene.h"
+
+#if defined (GSMBP_QUAD)
+# include <quadmath.h>
+typedef __float128 number;
+#else
+typedef double number;
+#endif
+
+typedef std::vector<number> reals;
+
+// A Fortran subroutine: the address carries no types, the call states them.
+struct fortran
+{
+  gsmbp_sub f;
+  template <typename... T> void operator () (T... a) const
+  { reinterpret_cast<void (*) (T...)> (f) (a...); }
+};
+
+extern "C"
+{
+  void gssim_ (void);
+  void gspln_ (void);
+  void gskkt_ (void);
+  void gsspd_ (void);
+  void gsleq_ (void);
+}
+
+static const gsmbp_scene& S = gsmbp_the_scene;
+
+static fortran
+routine (gsmbp_sub f, const char *name)
+{
+  if (! f)
+    error ("%s.%s: the scene was emitted without this subroutine; add it to the requests of gsmbp_fortran", S.name, name);
+  return fortran {f};
+}
+
+// ---------------------------------------------------------------- arguments
+
+class arguments
+{
+public:
+
+  arguments (const octave_value_list& a, const std::string& call)
+    : m_args (a), m_call (call), m_next (0) { }
+
+  std::string who (void) const { return std::string (S.name) + "." + m_call; }
+
+  bool more (void) const
+  { return m_next < m_args.length () && ! m_args(m_next).isempty (); }
+
+  const octave_value& value (const char *name)
+  {
+    if (m_next >= m_args.length ())
+      error ("%s: argument %s is missing", who ().c_str (), name);
+    return m_args(m_next++);
+  }
+
+  // rows < 0: any number; cols < 0: any number; a vector may lie either way
+  Matrix matrix (const char *name, int rows, int cols)
+  {
+    const octave_value& v = value (name);
+    if (! v.isnumeric () && ! v.islogical ())
+      error ("%s: argument %s: expected real numbers, found %s",
+             who ().c_str (), name, v.class_name ().c_str ());
+    if (v.iscomplex ())
+      error ("%s: argument %s: expected real numbers, found complex ones",
+             who ().c_str (), name);
+    if (v.ndims () > 2)
+      error ("%s: argument %s: expected a matrix, found %s",
+             who ().c_str (), name, v.dims ().str ().c_str ());
+    Matrix m = v.matrix_value ();
+    if (cols == 1 && m.rows () == 1 && m.columns () != 1)
+      m = m.transpose ();
+    if (rows <= 0 && cols == 1 && m.numel () == 0)
+      return Matrix (0, 1);
+    if ((rows >= 0 && m.rows () != rows) || (cols >= 0 && m.columns () != cols))
+      {
+        if (cols == 1 && rows >= 0)
+          error ("%s: argument %s: expected %d number%s, found %s", who ().c_str (),
+                 name, rows, rows == 1 ? "" : "s", v.dims ().str ().c_str ());
+        error ("%s: argument %s: expected %s x %s, found %s", who ().c_str (), name,
+               count (rows).c_str (), count (cols).c_str (),
+               v.dims ().str ().c_str ());
+      }
+    for (octave_idx_type j = 0; j < m.columns (); j++)
+      for (octave_idx_type i = 0; i < m.rows (); i++)
+        if (! (std::fabs (m(i,j)) <= 1e300))
+          {
+            std::string place, found = std::isnan (m(i,j)) ? "NaN" : m(i,j) > 0 ? "Inf" : "-Inf";
+            if (m.columns () > 1)
+              place = "(" + std::to_string (i + 1) + "," + std::to_string (j + 1) + ")";
+            else if (m.numel () > 1)
+              place = "(" + std::to_string (i + 1) + ")";
+            error ("%s: argument %s%s is not finite: %s", who ().c_str (), name,
+                   place.c_str (), found.c_str ());
+          }
+    return m;
+  }
+
+  // an array of `size` numbers, at least one place so that &x[0] exists
+  reals vector (const char *name, int size)
+  {
+    Matrix m = matrix (name, size, 1);
+    reals x (std::max<octave_idx_type> (1, m.numel ()), number (0));
+    for (octave_idx_type i = 0; i < m.numel (); i++)
+      x[i] = m.elem (i);
+    return x;
+  }
+
+  reals array (const char *name, int rows, int cols)
+  {
+    Matrix m = matrix (name, rows, cols);
+    reals x (std::max<octave_idx_type> (1, m.numel ()), number (0));
+    for (octave_idx_type i = 0; i < m.numel (); i++)
+      x[i] = m.elem (i);
+    return x;
+  }
+
+  reals vector_or_zero (const char *name, int size)
+  {
+    if (more () || size < 0)
+      return vector (name, size);
+    m_next++;
+    return reals (std::max (1, size), number (0));
+  }
+
+  number scalar (const char *name) { return vector (name, 1)[0]; }
+
+  std::vector<int> integers (const char *name, int size)
+  {
+    Matrix m = matrix (name, size, 1);
+    std::vector<int> x (std::max<octave_idx_type> (1, m.numel ()), 0);
+    for (octave_idx_type i = 0; i < m.numel (); i++)
+      x[i] = int (m.elem (i));
+    return x;
+  }
+
+  reals constants (void)
+  {
+    const octave_value& v = value ("cst");
+    uint8NDArray bytes = v.uint8_array_value ();
+    reals c (std::max (1, S.ncst), number (0));
+    if (bytes.numel () != octave_idx_type (c.size () * sizeof (number)))
+      error ("%s: the constants were made by another module", who ().c_str ());
+    std::memcpy (&c[0], bytes.data (), bytes.numel ());
+    return c;
+  }
+
+private:
+
+  static std::string count (int n) { return n < 0 ? "any" : std::to_string (n); }
+
+  octave_value_list m_args;
+  std::string m_call;
+  int m_next;
+};
+
+// ------------------------------------------------------------------ results
+
+static Matrix
+result (const reals& x, int rows, int cols = 1)
+{
+  Matrix m (rows, cols);
+  for (octave_idx_type i = 0; i < m.numel (); i++)
+    m.xelem (i) = double (x[i]);
+  return m;
+}
+
+static reals
+room (int n)
+{
+  return reals (std::max (1, n), number (0));
+}
+
+static std::string
+meaning (int info)
+{
+  if (info < 0)
+    return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range";
+  switch (info)
+    {
+    case 1: return "the mass matrix is singular or not positive definite";
+    case 2: return "the constraints have lost rank: multipliers are not unique";
+    case 3: return "the iteration did not converge";
+    default: return "numerical event";
+    }
+}
+
+// INFO becomes the output after the others if the caller takes it; otherwise
+// an error, but for lost rank (2), whose results are usable, a warning.
+static void
+finish (octave_value_list& out, int info, int nargout, const char *call)
+{
+  int place = out.length ();
+  if (nargout <= place && info != 0)
+    {
+      if (info == 2)
+        warning_with_id ("gsmbp:rank", "%s.%s: INFO = %d: %s", S.name, call, info,
+                         meaning (info).c_str ());
+      else
+        error_with_id ("gsmbp:info", "%s.%s: INFO = %d: %s", S.name, call, info,
+                       meaning (info).c_str ());
+    }
+  out.append (octave_value (info));
+}
+
+// --------------------------------------------------------------- parameters
+
+#if defined (GSMBP_QUAD)
+// the shortest decimal that reads back as x: 0.2 is one fifth
+static number
+decimal (double x)
+{
+  char text[40];
+  for (int digits = 15; digits <= 17; digits++)
+    {
+      std::snprintf (text, sizeof text, "%.*g", digits, x);
+      if (std::strtod (text, nullptr) == x)
+        break;
+    }
+  return strtoflt128 (text, nullptr);
+}
+#else
+static number decimal (double x) { return x; }
+#endif
+
+static octave_value_list
+do_par (arguments&, int)
+{
+  reals par = room (S.npar);
+  routine (S.par, "par") (&par[0]);
+  return ovl (result (par, S.npar));
+}
+
+static octave_value_list
+do_pre (arguments& a, int nargout)
+{
+  Matrix given = a.matrix ("par", S.npar, 1);
+  reals par = room (S.npar);
+  reals cst = room (S.ncst);
+  routine (S.par, "par") (&par[0]);
+  for (int i = 0; i < S.npar; i++)
+    if (double (par[i]) != given(i))
+      par[i] = decimal (given(i));
+  int info = 0;
+  routine (S.pre, "pre") (&par[0], &cst[0], &info);
+  uint8NDArray bytes (dim_vector (cst.size () * sizeof (number), 1));
+  std::memcpy (static_cast<void *> (bytes.fortran_vec ()), &cst[0], bytes.numel ());
+  octave_value_list out = ovl (bytes);
+  finish (out, info, nargout, "pre");
+  return out;
+}
+
+// ------------------------------------------------- the emitted subroutines
+
+static octave_value_list
+do_kin (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), qdot = room (S.nq);
+  routine (S.kin, "kin") (&t, &q[0], &u[0], &cst[0], &qdot[0]);
+  return ovl (result (qdot, S.nq));
+}
+
+static octave_value_list
+do_inv (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv), tau = room (S.nu);
+  routine (S.inv, "inv") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &tau[0]);
+  return ovl (result (tau, S.nu));
+}
+
+static octave_value_list
+do_mas (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), m = room (S.nu * S.nu);
+  int ld = std::max (1, S.nu);
+  routine (S.mas, "mas") (&t, &q[0], &cst[0], &m[0], &ld);
+  return ovl (result (m, S.nu, S.nu));
+}
+
+static octave_value_list
+do_bia (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv), b = room (S.nu);
+  routine (S.bia, "bia") (&t, &q[0], &u[0], &v[0], &cst[0], &b[0]);
+  return ovl (result (b, S.nu));
+}
+
+static octave_value_list
+do_fwd (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv), tau = a.vector_or_zero ("tau", S.nu);
+  reals ud = room (S.nu);
+  int info = 0;
+  routine (S.fwd, "fwd") (&t, &q[0], &u[0], &v[0], &tau[0], &cst[0], &ud[0], &info);
+  octave_value_list out = ovl (result (ud, S.nu));
+  finish (out, info, nargout, "fwd");
+  return out;
+}
+
+static octave_value_list
+do_con (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector_or_zero ("u", S.nu);
+  reals phi = room (S.nlam), phit = room (S.nlam), hc = room (S.nlam * S.nu), gam = room (S.nlam);
+  int ld = std::max (1, S.nlam), info = 0;
+  routine (S.con, "con") (&t, &q[0], &u[0], &cst[0], &phi[0], &phit[0], &hc[0], &ld, &gam[0], &info);
+  octave_value_list out = ovl (result (phi, S.nlam), result (phit, S.nlam),
+                               result (hc, S.nlam, S.nu), result (gam, S.nlam));
+  finish (out, info, nargout, "con");
+  return out;
+}
+
+static octave_value_list
+do_inl (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv);
+  reals tau = room (std::max (S.nact, S.nu)), lam = room (S.nlam);
+  int info = 0;
+  routine (S.inl, "inl") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &tau[0], &lam[0], &info);
+  octave_value_list out = ovl (result (tau, S.nact), result (lam, S.nlam));
+  finish (out, info, nargout, "inl");
+  return out;
+}
+
+static octave_value_list
+do_lin (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv);
+  int ld = std::max (1, S.nu);
+  reals m = room (ld * S.nu), b = room (ld * S.nu), c = room (ld * S.nq);
+  routine (S.lin, "lin") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &m[0], &b[0], &c[0], &ld);
+  return ovl (result (m, S.nu, S.nu), result (b, S.nu, S.nu), result (c, S.nu, S.nq));
+}
+
+static octave_value_list
+do_rhs (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), xd = room (S.nx);
+  int info = 0;
+  routine (S.rhs, "rhs") (&t, &x[0], &v[0], &cst[0], &xd[0], &info);
+  octave_value_list out = ovl (result (xd, S.nx));
+  finish (out, info, nargout, "rhs");
+  return out;
+}
+
+static octave_value_list
+do_acc (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  reals ud = room (S.nu), lam = room (S.nlam);
+  int info = 0;
+  routine (S.acc, "acc") (&t, &x[0], &v[0], &cst[0], &ud[0], &lam[0], &info);
+  octave_value_list out = ovl (result (ud, S.nu), result (lam, S.nlam));
+  finish (out, info, nargout, "acc");
+  return out;
+}
+
+static octave_value_list
+do_prj (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), res = room (2 * S.nlam + 4);
+  int info = 0;
+  routine (S.prj, "prj") (&t, &x[0], &cst[0], &res[0], &info);
+  octave_value_list out = ovl (result (x, S.nx), result (res, 2 * S.nlam + 4));
+  finish (out, info, nargout, "prj");
+  return out;
+}
+
+static octave_value_list
+do_jac (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  int ldx = std::max (1, S.nx), ldy = std::max (1, S.ny), info = 0;
+  reals A = room (S.nx * S.nx), B = room (S.nx * S.nv), C = room (S.ny * S.nx), D = room (S.ny * S.nv);
+  routine (S.jac, "jac") (&t, &x[0], &v[0], &cst[0], &A[0], &ldx, &B[0], &ldx,
+                          &C[0], &ldy, &D[0], &ldy, &info);
+  octave_value_list out = ovl (result (A, S.nx, S.nx), result (B, S.nx, S.nv),
+                               result (C, S.ny, S.nx), result (D, S.ny, S.nv));
+  finish (out, info, nargout, "jac");
+  return out;
+}
+
+static octave_value_list
+do_out (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), y = room (S.ny);
+  int info = 0;
+  routine (S.out, "out") (&t, &x[0], &v[0], &cst[0], &y[0], &info);
+  octave_value_list out = ovl (result (y, S.ny));
+  finish (out, info, nargout, "out");
+  return out;
+}
+
+static octave_value_list
+do_cmd (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.nx);
+  reals v = room (S.nv), xid = room (S.nx);
+  int info = 0;
+  routine (S.cmd, "cmd") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &info);
+  octave_value_list out = ovl (result (v, S.nv), result (xid, S.nx));
+  finish (out, info, nargout, "cmd");
+  return out;
+}
+
+static octave_value_list
+do_clo (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals qj = a.array ("qj", S.nu, S.nqj + 1), res = room (2 * S.nlam + 4);
+  int info = 0;
+  routine (S.clo, "clo") (&t, &qj[0], &cst[0], &res[0], &info);
+  octave_value_list out = ovl (result (qj, S.nu, S.nqj + 1), result (res, 2 * S.nlam + 4));
+  finish (out, info, nargout, "clo");
+  return out;
+}
+
+static octave_value_list
+do_ene (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), e = room (S.ne);
+  routine (S.ene, "ene") (&t, &x[0], &v[0], &cst[0], &e[0]);
+  return ovl (result (e, S.ne));
+}
+
+// --------------------------------------------------------------- simulation
+
+// A subroutine of the user in Octave: v = f (t, x).  An exception may not
+// cross Fortran frames; it is kept and thrown again behind the run.
+static octave_value the_input;
+static std::exception_ptr the_failure;
+
+extern "C" void
+gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
+                  const int *nv, const int *, const number *, const number *,
+                  number *v, int *info)
+{
+  *info = 0;
+  try
+    {
+      Matrix state (*nx, 1);
+      for (int i = 0; i < *nx; i++)
+        state.xelem (i) = double (x[i]);
+      octave_value_list r = octave::feval (the_input, ovl (double (*t), state), 1);
+      octave_value_list only;
+      if (r.length () > 0)
+        only.append (r(0));
+      arguments a (only, "simulate");
+      reals given = a.vector ("v, the result of the input function,", *nv);
+      for (int i = 0; i < *nv; i++)
+        v[i] = given[i];
+    }
+  catch (...)
+    {
+      the_failure = std::current_exception ();
+      *info = -1000;
+    }
+}
+
+extern "C" void gsmbp_absent (void) { }
+
+static octave_value_list
+do_sim (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t0 = a.scalar ("t0");
+  reals x0 = a.vector ("x0", S.nx);
+  reals tout = a.vector ("times", -1), tbrk = a.vector ("breaks", -1);
+  Matrix counts = a.matrix ("counts", 2, 1);
+  std::vector<int> iopt = a.integers ("iopt", 4);
+  reals ropt = a.vector ("ropt", 3), atol = a.vector ("atol", S.nx);
+  std::vector<int> ip = a.integers ("ip", -1);
+  reals rp = a.vector ("rp", -1), guess = a.vector ("guess", S.nu);
+  the_input = a.value ("input function");
+  the_failure = nullptr;
+
+  int nt = int (counts(0)), nb = int (counts(1)), info = 0;
+  int ldx = std::max (1, S.nx), ldv = std::max (1, S.nv);
+  int lw = 2 * S.nu * (ip[3] + 1) + 21 * S.nx + S.nv * S.nx + S.nv + 3 * S.nlam
+           + S.nlam * S.nu + 40;
+  reals w = room (lw), xout = room (ldx * nt), vout = room (ldv * nt);
+  reals rstat = room (10);
+  std::vector<int> istat (10, 0);
+  for (int i = 0; i < S.nu; i++)
+    w[i] = guess[i];
+
+  gsmbp_sub none = gsmbp_absent;
+  gsmbp_sub rhs = routine (S.rhs, "rhs").f;
+  gsmbp_sub prj = iopt[1] == 1 ? routine (S.prj, "prj").f : none;
+  gsmbp_sub con = iopt[2] == 1 ? routine (S.con, "con").f : none;
+  gsmbp_sub cmd = ip[0] == 2 ? routine (S.cmd, "cmd").f : none;
+  gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine (S.clo, "clo").f : none;
+  gsmbp_sub vin = none;
+  if (ip[0] == 3)
+    vin = the_input.is_function_handle ()
+          ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : routine (S.vin, "input").f;
+
+  auto begin = std::chrono::steady_clock::now ();
+  fortran {gssim_} (rhs, prj, con, cmd, clo, vin, &S.nq, &S.nu, &S.nx, &S.nv, &S.nlam,
+          &t0, &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0],
+          &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv,
+          &istat[0], &rstat[0], &w[0], &lw, &info);
+  std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
+  the_input = octave_value ();
+  if (the_failure)
+    std::rethrow_exception (the_failure);
+
+  Matrix counters (10, 1);
+  for (int i = 0; i < 10; i++)
+    counters(i) = istat[i];
+  Matrix xs = result (xout, S.nx, nt), vs = result (vout, S.nv, nt);
+  if (ldv > S.nv)
+    vs = Matrix (0, nt);
+  return ovl (xs, vs, counters, result (rstat, 10), info, took.count ());
+}
+
+// -------------------------------------------------- the run time, for tests
+
+static octave_value_list
+do_spline (arguments& a, int)
+{
+  Matrix sizes = a.matrix ("sizes", 5, 1);   // NC NP K ND SIDE
+  int nc = int (sizes(0)), np = int (sizes(1)), k = int (sizes(2)), nd = int (sizes(3));
+  int side = int (sizes(4)), ld = std::max (1, nc), info = 0;
+  reals brk = a.vector ("breaks", np + 1), coef = a.array ("coefficients", nc * np, k);
+  Matrix times = a.matrix ("t", -1, 1);
+  NDArray f (dim_vector (nc, nd + 1, times.numel ()));
+  reals one = room (ld * (nd + 1));
+  int worst = 0;
+  for (octave_idx_type j = 0; j < times.numel (); j++)
+    {
+      number t = times(j);
+      fortran {gspln_} (&nc, &np, &k, &brk[0], &coef[0], &t, &side, &nd, &one[0], &ld, &info);
+      if (info < 0)
+        error ("gspln: INFO = %d", info);
+      worst = std::max (worst, info);
+      for (int d = 0; d <= nd; d++)
+        for (int i = 0; i < nc; i++)
+          f(i, d, j) = double (one[i + ld * d]);
+    }
+  return ovl (f, worst);
+}
+
+static octave_value_list
+do_kkt (arguments& a, int)
+{
+  Matrix sizes = a.matrix ("sizes", 3, 1);   // N M repetitions
+  int n = int (sizes(0)), m = int (sizes(1)), times = int (sizes(2)), info = 0;
+  int lda = std::max (1, n), ldh = std::max (1, m);
+  reals A = a.array ("A", n, n), H = a.array ("H", m, n);
+  reals f = a.vector ("f", n), g = a.vector ("g", m);
+  reals ud = room (n), lam = room (m), w = room (n * n + n * m + m * m + 2 * n + 6 * m);
+  auto begin = std::chrono::steady_clock::now ();
+  for (int i = 0; i < times; i++)
+    fortran {gskkt_} (&n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
+  std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
+  return ovl (result (ud, n), result (lam, m), info, took.count () / std::max (1, times));
+}
+
+static octave_value_list
+do_solve (arguments& a, int)
+{
+  Matrix sizes = a.matrix ("sizes", 4, 1);   // N NRHS (1 = SPD, 2 = general) repetitions
+  int n = int (sizes(0)), nrhs = int (sizes(1)), kind = int (sizes(2));
+  int times = int (sizes(3)), ld = std::max (1, n), info = 0;
+  reals A = a.array ("A", n, n), B = a.array ("B", n, nrhs);
+  std::vector<int> iw (ld);
+  reals P = A, X = B;
+  auto begin = std::chrono::steady_clock::now ();
+  for (int i = 0; i < times; i++)
+    {
+      P = A;
+      X = B;
+      if (kind == 1)
+        fortran {gsspd_} (&n, &nrhs, &P[0], &ld, &X[0], &ld, &info);
+      else
+        fortran {gsleq_} (&n, &nrhs, &P[0], &ld, &X[0], &ld, &iw[0], &info);
+    }
+  std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
+  return ovl (result (X, n, nrhs), info, took.count () / std::max (1, times));
+}
+
+// ----------------------------------------------------------------- dispatch
+
+DEFUN_DLD (gsmbp_module, args, nargout,
+           "Called through the handles of gsmbp_build; not for direct use.")
+{
+  typedef octave_value_list (*handler) (arguments&, int);
+  static const struct { const char *name; handler call; } table[] = {
+    {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
+    {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
+    {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
+    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"sim", do_sim},
+    {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
+    {"solve", do_solve}
+  };
+  if (args.length () < 1 || ! args(0).is_string ())
+    error ("%s: expected the name of a subroutine", S.name);
+  std::string call = args(0).string_value ();
+  for (const auto& entry : table)
+    if (call == entry.name)
+      {
+        arguments a (args.slice (1, args.length () - 1), call);
+        return entry.call (a, nargout);
+      }
+  error ("%s: no subroutine %s", S.name, call.c_str ());
+}

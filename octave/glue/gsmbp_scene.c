@@ -1,0 +1,19 @@
+/* The scene's part of a module, compiled for every scene with gsmbp_sizes.h,
+   which gsmbp_build writes from the JSON:
+     GSMBP_DECLARE  extern void pendulum_par_ (void), ...;
+     GSMBP_TABLE    the members of gsmbp_scene in their order
+     GSMBP_INSTALL  Gpendulum_1a2b3c4d, the symbol that Octave looks up  */
+#include "gsmbp_scene.h"
+#include "gsmbp_sizes.h"
+
+GSMBP_DECLARE
+
+const gsmbp_scene gsmbp_the_scene = { GSMBP_TABLE };
+
+extern void *Ggsmbp_module (void *library, _Bool relative);
+
+void *
+GSMBP_INSTALL (void *library, _Bool relative)
+{
+  return Ggsmbp_module (library, relative);
+}

@@ -1,0 +1,179 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{m} =} gsmbp_build (@var{name})
+## @deftypefnx {} {@var{m} =} gsmbp_build (@var{name}, @var{option}, @var{value}, @dots{})
+## Compile the emitted Fortran of a scene and return its model.
+##
+## @file{fortran_out/@var{name}.json} says what there is,
+## @file{fortran_out/@var{name}.f} is compiled together with the run time of
+## @file{share/fortran} into a module under @file{fortran_out/build}; what is
+## newer than its sources is used as it is.
+##
+## @var{m} is a struct.  Its handles call the emitted subroutines; vectors are
+## columns (rows are taken too), units are SI, every argument is checked for
+## size and finiteness:
+## @table @code
+## @item qdot = m.kin (t, q, u)
+## rates of the @var{nq} coordinates from the @var{nu} speeds
+## @item tau = m.inv (t, q, u, ud[, v])
+## inverse dynamics of the tree, @var{nu} efforts
+## @item M = m.mas (t, q), b = m.bia (t, q, u[, v])
+## mass matrix and bias: tau = M*ud + b
+## @item [ud, info] = m.fwd (t, q, u, v, tau)
+## accelerations of the tree
+## @item [phi, phit, H, gam, info] = m.con (t, q[, u])
+## constraints: H*u + phit = 0, H*ud = gam
+## @item [tau, lam, info] = m.inl (t, q, u, ud[, v])
+## inverse dynamics with loops: efforts of the actuated coordinates, multipliers
+## @item [M, B, C] = m.lin (t, q, u, ud[, v])
+## linear model about a motion of the tree
+## @item [xd, info] = m.rhs (t, x[, v])
+## state space of the whole scene
+## @item [ud, lam, info] = m.acc (t, x[, v])
+## accelerations and multipliers of a closed chain
+## @item [x, res, info] = m.prj (t, x)
+## the state moved onto the constraints, residual before
+## @item [A, B, C, D, info] = m.jac (t, x[, v])
+## exact Jacobians
+## @item [y, info] = m.out (t, x[, v])
+## outputs
+## @item [v, xid, info] = m.cmd (t, qj[, xi])
+## inputs for a motion; @var{qj} is @var{nu} x (1 + command order)
+## @item [qj, res, info] = m.clo (t, qj)
+## completes the motion of a closed chain
+## @item e = m.ene (t, x[, v])
+## kinetic, potential, stored energy [J]; power in, power dissipated [W]
+## @end table
+## Only the subroutines that were emitted are there.  Where @var{info} is not
+## taken, @var{info} != 0 is an error (lost rank of constraints, 2, a warning).
+##
+## Other fields: @code{par} (parameter values; change them with
+## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
+## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
+## struct with the same fields), @code{sizes}, @code{actuated},
+## @code{initial} (state to start a Newton iteration from), @code{json}.
+##
+## Options:
+## @table @code
+## @item "parameters"
+## a struct of parameter values that differ from the scene's
+## @item "precision"
+## "double" (default) or "quad": the same Fortran in quad precision, called
+## with doubles and returning doubles
+## @item "directory"
+## where the .f and .json are (default: @file{fortran_out} of the repository)
+## @item "build"
+## where the modules go (default: @file{build} in that directory)
+## @item "input"
+## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/gsinp.f}),
+## used by @code{gsmbp_simulate} with input @code{"user"}
+## @end table
+##
+## @example
+## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
+## xd = m.rhs (0, [0.1; 0])
+## @end example
+## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear}
+## @end deftypefn
+
+function m = gsmbp_build (name, varargin)
+  if (nargin < 1 || ! ischar (name))
+    print_usage ();
+  endif
+  defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
+  options = gsmbp__options ("gsmbp_build", defaults, varargin);
+  if (! any (strcmp (options.precision, {"double", "quad"})))
+    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: \"%s\"", options.precision);
+  endif
+  folder = make_absolute_filename (options.directory);
+  source = fullfile (folder, [name ".f"]);
+  description = fullfile (folder, [name ".json"]);
+  for file = {source, description}
+    if (! exist (file{1}, "file"))
+      error ("gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, or `make fortran_out/%s.f`", file{1}, name);
+    endif
+  endfor
+  input = options.input;
+  if (! isempty (input))
+    input = make_absolute_filename (input);
+    if (! exist (input, "file"))
+      error ("gsmbp_build: there is no input file %s", input);
+    endif
+  endif
+  build = options.build;
+  if (isempty (build))
+    build = fullfile (folder, "build");
+  endif
+  build = make_absolute_filename (build);
+  text = fileread (description);
+  json = jsondecode (text);
+  ## Octave keeps what it has loaded, so other contents have another name
+  place = hash ("md5", [source "|" input])(1:8);
+  contents = hash ("md5", [fileread(source), text])(1:8);
+  symbol = sprintf ("gsmbp_%s_%s_%s_%s", options.precision(1), tolower (json.name), place, contents);
+  before = stat (fullfile (build, options.precision, json.name, [symbol ".oct"]));
+  file = gsmbp__compile (json, source, build, options.precision, symbol, input);
+  load_module (symbol, file, before);
+
+  m.name = json.name;
+  m.precision = options.precision;
+  m.directory = folder;
+  m.file = file;
+  m.symbol = symbol;
+  m.module = str2func (symbol);
+  m.sizes = json.dimensions;
+  for part = {"coordinates", "speeds", "states", "inputs", "outputs", "multipliers"}
+    p = part{1};
+    list = [];
+    if (isfield (json, p))
+      list = json.(p);
+    endif
+    [m.(p), m.units.(p)] = gsmbp__names (list);
+  endfor
+  m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), gsmbp__names (json.subroutines), "UniformOutput", false);
+  m.order = json.command_order;
+  m.actuated = double (json.actuated(:));
+  m.initial = zeros (m.sizes.nx, 1);
+  if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
+    m.initial = double (json.initial(:));
+  endif
+  m.json = json;
+  [names, m.units.parameters] = gsmbp__names (json.parameters);
+  m.par = cell2struct (num2cell (m.module ("par")), names, 1);
+  m = gsmbp_set (m, options.parameters);
+endfunction
+
+function folder = default_directory ()
+  folder = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "fortran_out");
+endfunction
+
+## the module under its name; one that was linked anew takes the old one's place
+function load_module (symbol, file, before)
+  now = stat (file);
+  known = autoload ();
+  if (! isempty (known) && any (strcmp ({known.function}, symbol)))
+    if (! isempty (before) && before.mtime == now.mtime && before.ino == now.ino)
+      return;
+    endif
+    autoload (symbol, file, "remove");
+    clear ("-f", symbol);
+  endif
+  autoload (symbol, file);
+endfunction
+
+%!function m = fixture (name, varargin)
+%!  root = fileparts (fileparts (which ("gsmbp_build")));
+%!  m = gsmbp_build (name, "directory", fullfile (root, "tests", "octave", "fixture"), "build", fullfile (root, "fortran_out", "build"), varargin{:});
+%!endfunction
+%!test
+%! m = fixture ("motor_pendulum");
+%! assert (m.coordinates, {"q"});
+%! assert (m.par.g, 9.81);
+%! assert (m.rhs (0, [0; 1; 0], 0), [1; -0.05/0.32; -2/0.0048], 1e-12);
+%!test
+%! m = fixture ("motor_pendulum", "parameters", struct ("b", 0));
+%! assert (m.rhs (0, [0; 1; 0])(2), 0);
+%!error <argument x: expected 3 numbers, found 2x1> fixture ("motor_pendulum").rhs (0, [0; 1])
+%!error <argument x\(2\) is not finite: NaN> fixture ("motor_pendulum").rhs (0, [0; NaN; 0])
+%!error <there is no .*nowhere.f> gsmbp_build ("nowhere")
+%!error <unknown option "quad"> gsmbp_build ("nowhere", "quad", true)
+%!error <unknown parameter "bb"> fixture ("motor_pendulum", "parameters", struct ("bb", 0))

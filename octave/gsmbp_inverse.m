@@ -1,0 +1,135 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times})
+## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @var{option}, @var{value}, @dots{})
+## Inverse dynamics along a planned motion, through loops and actuators.
+##
+## @var{motion} (of @code{gsmbp_plan}) plans the actuated coordinates of the
+## model @var{m}, or all coordinates of an open chain.  The result holds a row
+## for each of the @var{times} [s]:
+## @table @code
+## @item t, q, u, ud
+## time, coordinates, speeds, accelerations (those of a loop completed)
+## @item qj
+## nu x (1 + command order) x times: the motion with all its derivatives
+## @item tau
+## efforts of the actuated coordinates (of all, in an open chain) that the
+## inverse model needs, and @code{lambda}, the multipliers of the loops
+## @item v
+## inputs, from the inverse models of the actuators (where emitted)
+## @item x
+## the states along the motion, those of actuators included: found from the
+## condition that the right-hand side yields the planned accelerations
+## @end table
+## Options: "side": which limit to take at a break of the motion, 1 from the
+## right (default), -1 from the left; "input": @var{nv} external inputs for
+## the inverse model (default zeros); "guess": the @var{nu} coordinates where
+## Newton's method for the loops begins (default @code{m.initial}).
+##
+## If a loop cannot follow the motion it is an error that names the time.
+## @seealso{gsmbp_plan, gsmbp_simulate}
+## @end deftypefn
+
+function r = gsmbp_inverse (m, motion, times, varargin)
+  if (nargin < 3 || ! isstruct (m))
+    print_usage ();
+  endif
+  who = "gsmbp_inverse";
+  d = m.sizes;
+  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq)), varargin);
+  [pp, planned] = gsmbp__motion (who, m, motion);
+  has = @(name) any (strcmp (m.subroutines, name));
+  times = times(:)';
+  f = gsmbp_evaluate (pp, times, m.order, o.side);
+  nt = numel (times);
+  qj = zeros (d.nu, m.order + 1, nt);
+  closed = d.nlam > 0 && numel (planned) < d.nu;
+  loops = d.nlam > 0;
+  guess = o.guess(:);
+  r.t = times(:);
+  r.tau = zeros (nt, ifelse (loops, d.nact, d.nu));
+  r.lambda = zeros (nt, d.nlam);
+  r.v = zeros (nt, d.nv);
+  r.x = zeros (nt, d.nx);
+  for i = 1:nt
+    one = zeros (d.nu, m.order + 1);
+    one(:,1) = guess;
+    one(planned,:) = reshape (f(:,i,:), numel (planned), m.order + 1);
+    if (closed)
+      [one, res, info] = m.clo (times(i), one);
+      if (info != 0)
+        error ("%s: %s: the loop cannot follow the motion at t = %.9g s (INFO = %d, %.3g is left of the constraints)", who, m.name, times(i), info, res(1));
+      endif
+    endif
+    qj(:,:,i) = one;
+    guess = one(:,1);
+    if (loops)
+      [r.tau(i,:), r.lambda(i,:)] = m.inl (times(i), one(:,1), one(:,2), one(:,3), o.input);
+    elseif (has ("inv"))
+      r.tau(i,:) = m.inv (times(i), one(:,1), one(:,2), one(:,3), o.input);
+    endif
+    if (has ("cmd"))
+      r.v(i,:) = m.cmd (times(i), one);
+    endif
+    if (has ("rhs"))
+      r.x(i,:) = states (m, times(i), one, r.v(i,:)', r.x(max (i - 1, 1),:)');
+    endif
+  endfor
+  r.q = reshape (qj(:,1,:), d.nu, nt)';
+  r.u = reshape (qj(:,2,:), d.nu, nt)';
+  r.ud = reshape (qj(:,3,:), d.nu, nt)';
+  r.qj = qj;
+  if (! has ("cmd"))
+    r.v = zeros (nt, 0);
+  endif
+endfunction
+
+function y = ifelse (yes, a, b)
+  y = {b, a}{1 + yes};
+endfunction
+
+## the states of the actuators behind q and u: Newton on u' of the right-hand
+## side against the planned one (linear actuators: one step)
+function x = states (m, t, qj, v, last)
+  d = m.sizes;
+  speeds = d.nq + (1:d.nu);
+  rest = d.nq + d.nu + 1:d.nx;
+  x = [qj(:,1); qj(:,2); last(rest)];
+  if (isempty (rest))
+    return;
+  endif
+  for iteration = 1:20
+    xd = m.rhs (t, x, v);
+    miss = qj(:,3) - xd(speeds);
+    J = zeros (d.nu, numel (rest));
+    for k = 1:numel (rest)
+      y = x;
+      h = 1e-3 * max (1, abs (x(rest(k))));
+      y(rest(k)) += h;
+      J(:,k) = (m.rhs (t, y, v)(speeds) - xd(speeds)) / h;
+    endfor
+    step = pinv (J) * miss;
+    x(rest) += step;
+    if (norm (step, Inf) <= 1e-11 * max (1, norm (x(rest), Inf)))
+      break;
+    endif
+  endfor
+endfunction
+
+%!shared m, c
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! c = gsmbp_hand ("hand_crank");
+%!test <open chain with a motor>
+%! plan = gsmbp_plan ("quintic", [0.3 1], [0 1]);
+%! r = gsmbp_inverse (m, plan, [0 0.5 1]);
+%! assert (r.tau(1), 1.2 * 9.81 * 0.5 * sin (0.3), 1e-13);
+%! assert (r.x(1,3), r.tau(1) / 2, 1e-9);
+%! assert (size (r.qj), [1 4 3]);
+%!test <closed chain: power in equals the rate of energy>
+%! plan = gsmbp_plan ("septic", [0.3 2], [0 1]);
+%! r = gsmbp_inverse (c, plan, 0.5);
+%! e = @(t) [1 1 0 0 0] * c.ene (0, gsmbp_inverse (c, plan, t).x');
+%! assert (r.tau * r.u(1), (e (0.5 + 1e-4) - e (0.5 - 1e-4)) / 2e-4, 1e-6);
+%! assert (c.con (0, r.q'), [0; 0], 1e-15);
+%!error <cannot follow the motion at t = > gsmbp_inverse (gsmbp_set (c, "l2", 0.1), gsmbp_plan ("quintic", [0 3], [0 1]), 0:0.1:1)
+%!error <expected 1 components \(q1\), found 2> gsmbp_inverse (c, gsmbp_plan ("quintic", [0 3; 0 1], [0 1]), 0)

@@ -1,0 +1,41 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{m} =} gsmbp_set (@var{m}, @var{name}, @var{value}, @dots{})
+## @deftypefnx {} {@var{m} =} gsmbp_set (@var{m}, @var{values})
+## The model @var{m} of @code{gsmbp_build} with other parameter values (SI
+## units), given by name and value or as the fields of the struct @var{values}.
+##
+## What depends on the parameters alone is computed anew and the handles of the
+## result use it; the argument keeps its own.
+## @seealso{gsmbp_build}
+## @end deftypefn
+
+function m = gsmbp_set (m, varargin)
+  if (nargin < 2 || ! isstruct (m))
+    print_usage ();
+  endif
+  m.par = merged (m, varargin);
+  m = gsmbp__handles (m);
+endfunction
+
+function par = merged (m, pairs)
+  par = m.par;
+  if (numel (pairs) == 1 && isstruct (pairs{1}))
+    pairs = [fieldnames(pairs{1}), struct2cell(pairs{1})]'(:)';
+  endif
+  if (mod (numel (pairs), 2) != 0)
+    error ("gsmbp_set: expected pairs of a parameter's name and its value");
+  endif
+  for i = 1:2:numel (pairs)
+    [name, value] = pairs{i:i+1};
+    if (! ischar (name) || ! isfield (par, name))
+      if (! ischar (name))
+        name = class (name);
+      endif
+      error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
+    endif
+    if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
+      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, disp (value)(1:end-1));
+    endif
+    par.(name) = double (value);
+  endfor
+endfunction

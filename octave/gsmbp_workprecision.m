@@ -1,0 +1,122 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @var{option}, @var{value}, @dots{})
+## Speed against error: what a simulation costs and how far it is from the
+## truth, for several methods, steps and tolerances.
+##
+## The truth is the same Fortran built in quad precision, integrated by
+## Dormand-Prince 8(5,3) at a relative tolerance of 1e-22, from the same
+## @var{x0} over the same @var{times}.  The error is the largest deviation of
+## any coordinate (and, apart, of any state) at any of the @var{times}; time is
+## the shortest of several runs, divided by the simulated time.
+##
+## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "dp853" (tolerances,
+## default 10.^-(4:2:14)); "print" (default true) writes the table; "file": a
+## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
+## long each timing may take (default 0.1).  Any other option goes to
+## @code{gsmbp_simulate} (input, motion, projection, @dots{}).
+##
+## @var{w} is a struct array with the fields @code{method}, @code{step} (or
+## tolerance), @code{calls} of the right-hand side, @code{seconds} for each
+## simulated second, @code{error} (coordinates), @code{error_states};
+## @code{w(1).reference} holds the rows of the truth.
+## @seealso{gsmbp_simulate}
+## @end deftypefn
+
+function w = gsmbp_workprecision (m, x0, times, varargin)
+  if (nargin < 3 || ! isstruct (m))
+    print_usage ();
+  endif
+  own = struct ("rk4", 10 .^ -(2:0.5:4), "dp853", 10 .^ -(4:2:14), "print", true, "file", "", "seconds", 0.1);
+  rest = {};
+  pairs = {};
+  for i = 1:2:numel (varargin)
+    if (isfield (own, varargin{i}))
+      pairs(end+1:end+2) = varargin(i:i+1);
+    else
+      rest(end+1:end+2) = varargin(i:i+1);
+    endif
+  endfor
+  o = gsmbp__options ("gsmbp_workprecision", own, pairs);
+
+  [folder, build] = folders (m);
+  q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, "parameters", m.par);
+  truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", 1e-22, "atol", 1e-22, "drift", false);
+  span = times(end) - times(1);
+  w = struct ([]);
+  for step = o.rk4(:)'
+    w = measure (w, m, x0, times, o, rest, truth, "rk4", step, span);
+  endfor
+  for tol = o.dp853(:)'
+    w = measure (w, m, x0, times, o, rest, truth, "dp853", tol, span);
+  endfor
+  w(1).reference = truth.x;
+  if (o.print)
+    show (m, w, span, times(1));
+  endif
+  if (! isempty (o.file))
+    figure_of (o.file, m, w);
+  endif
+endfunction
+
+function [folder, build] = folders (m)
+  build = fileparts (fileparts (fileparts (m.file)));
+  folder = m.directory;
+endfunction
+
+function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
+  name = ifelse (strcmp (method, "rk4"), {"step", step}, {"rtol", step});
+  options = [rest, {"method", method}, name, {"drift", false}];
+  [r, info] = gsmbp_simulate (m, x0, times, options{:});
+  best = r.stats.seconds;
+  spent = best;
+  while (spent < o.seconds)
+    again = gsmbp_simulate (m, x0, times, options{:});
+    best = min (best, again.stats.seconds);
+    spent += max (again.stats.seconds, 1e-4);
+  endwhile
+  one.method = method;
+  one.step = step;
+  one.calls = r.stats.calls;
+  one.seconds = best / span;
+  miss = Inf (1, m.sizes.nx);
+  if (info == 0)
+    miss = max (abs (r.x - truth.x), [], 1);
+  endif
+  one.error = max (miss(1:m.sizes.nq));
+  one.error_states = max (miss);
+  one.reference = [];
+  w = [w, one];
+endfunction
+
+function y = ifelse (yes, a, b)
+  y = {b, a}{1 + yes};
+endfunction
+
+function show (m, w, span, t0)
+  printf ("%s: speed against error over %g s (from t = %g s); reference: quad precision\n", m.name, span, t0);
+  printf ("%-8s %-12s %10s %22s %14s %14s\n", "method", "step or tol", "calls", "microseconds/second", "error coord.", "error states");
+  for one = w
+    printf ("%-8s %-12.3g %10d %22.2f %14.2e %14.2e\n", one.method, one.step, one.calls, 1e6 * one.seconds, one.error, one.error_states);
+  endfor
+endfunction
+
+function figure_of (file, m, w)
+  methods = unique ({w.method}, "stable");
+  x = 1e6 * [w.seconds]';
+  y = NaN (numel (w), numel (methods));
+  for k = 1:numel (methods)
+    of = strcmp ({w.method}, methods{k});
+    y(of,k) = max ([w(of).error]', 1e-17);
+  endfor
+  labels = struct ("rk4", "RK4", "dp853", "DOP853");
+  names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
+  gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", "largest error of a coordinate [rad, m]", "style", "linespoints"), "xlabel",
+              "compute time for 1 s [microseconds]", "scale", "loglog", "title", [m.name ": speed against error"], "head", "microseconds_per_second");
+endfunction
+
+%!test
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [1e-3 5e-4], "dp853", 1e-12, "print", false, "seconds", 0);
+%! assert (log2 (w(1).error / w(2).error), 4, 0.2);
+%! assert (w(3).error < 1e-11);

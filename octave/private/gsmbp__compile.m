@@ -1,0 +1,146 @@
+## file = gsmbp__compile (json, source, folder, precision, symbol, input)
+## The .oct module of a scene.  JSON: the decoded description; SOURCE: its
+## Fortran; FOLDER: the build folder; PRECISION: "double" or "quad"; SYMBOL:
+## the name by which Octave will call it; INPUT: "" or the user's Fortran file
+## with SUBROUTINE GSVIN.  Each part is built only when it is older than what
+## it is made of, in a folder of its own, and then moved into place.
+
+function file = gsmbp__compile (json, source, folder, precision, symbol, input)
+  who = "gsmbp_build";
+  octave_dir = fileparts (fileparts (mfilename ("fullpath")));
+  glue = fullfile (octave_dir, "glue");
+  fortran = fullfile (fileparts (octave_dir), "share", "fortran");
+  quad = strcmp (precision, "quad");
+  ## never -ffast-math: it deletes the tests for what is no number.  The small
+  ## loops of the run time are faster without the vectorization of -O3.
+  flags = "-O3 -march=native -fopenmp-simd -fPIC";
+  common_flags = "-O2 -march=native -fPIC";
+  body = "lapack";
+  libraries = "-llapack -lblas";
+  define = "";
+  if (quad)
+    flags = common_flags = "-O2 -march=native -freal-8-real-16 -fPIC";
+    body = "plain";
+    libraries = "-lquadmath";
+    define = "-DGSMBP_QUAD";
+  endif
+  f77 = strtrim (mkoctfile ("-p", "F77"));
+
+  ## what all scenes share
+  common = fullfile (folder, precision, "common");
+  runtime = [glob(fullfile (fortran, "*.f")); glob(fullfile (fortran, body, "*.f"))];
+  archive = fullfile (common, "libgsmbp.a");
+  stamp = flags_stamp (common, [f77 " " common_flags]);
+  if (gsmbp__older (archive, [runtime; {stamp}]))
+    place = scratch (common);
+    guard = onCleanup (@() remove (place));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o && mv libgsmbp.a %s",
+                              quote (place), f77, common_flags, sprintf (" %s", cellfun (@quote, runtime, "UniformOutput", false){:}),
+                              quote (archive)));
+  endif
+  module = fullfile (common, "gsmbp_module.o");
+  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h")};
+  if (gsmbp__older (module, parts))
+    place = scratch (common);
+    guard = onCleanup (@() remove (place));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o module.o %s && mv module.o %s", quote (place),
+                              mkoctfile_command (), define, quote (parts{1}), quote (module)));
+  endif
+
+  ## the scene
+  here = fullfile (folder, precision, json.name);
+  file = fullfile (here, [symbol ".oct"]);
+  stamp = flags_stamp (here, [f77 " " flags " " input]);
+  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp; fullfile(glue, "gsmbp_scene.c"); fullfile(glue, "module.map")};
+  if (! isempty (input))
+    sources{end+1} = input;
+  endif
+  if (gsmbp__older (file, sources))
+    place = scratch (here);
+    guard = onCleanup (@() remove (place));
+    write (fullfile (place, "gsmbp_sizes.h"), sizes_header (json, symbol, ! isempty (input)));
+    cc = strtrim (mkoctfile ("-p", "CC"));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, quote (source)));
+    user = "";
+    if (! isempty (input))
+      gsmbp__run (who, sprintf ("cd %s && %s %s -c -o input.o %s", quote (place), f77, flags, quote (input)));
+      user = "input.o";
+    endif
+    gsmbp__run (who, sprintf ("cd %s && %s -O2 -fPIC -I. -I%s -c -o scene.o %s && %s -o module.oct %s scene.o scene_f.o %s %s %s -Wl,--version-script=%s && mv module.oct %s",
+                              quote (place), cc, quote (glue), quote (fullfile (glue, "gsmbp_scene.c")), mkoctfile_command (), quote (module), user, quote (archive),
+                              [libraries " " strtrim(mkoctfile ("-p", "FLIBS"))], quote (fullfile (glue, "module.map")), quote (file)));
+    ## modules of earlier contents
+    old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct"])), {file});
+    cellfun (@delete, old);
+  endif
+endfunction
+
+function text = quote (file)
+  text = ["'" strrep(file, "'", "'\\''") "'"];
+endfunction
+
+function command = mkoctfile_command ()
+  command = quote (fullfile (OCTAVE_HOME (), "bin", ["mkoctfile-" OCTAVE_VERSION]));
+  if (! exist (command(2:end-1), "file"))
+    command = "mkoctfile";
+  endif
+endfunction
+
+function place = scratch (folder)
+  place = fullfile (folder, sprintf (".new-%d-%d", getpid (), randi (1e9)));
+  mkdir (place);
+endfunction
+
+function remove (place)
+  confirm_recursive_rmdir (false, "local");
+  rmdir (place, "s");
+endfunction
+
+## a file that is as new as the last change of TEXT
+function file = flags_stamp (folder, text)
+  file = fullfile (folder, "flags");
+  if (! exist (folder, "dir"))
+    [ok, msg] = mkdir (folder);
+    if (! ok)
+      error ("gsmbp_build: cannot make the folder %s: %s", folder, msg);
+    endif
+  endif
+  if (! exist (file, "file") || ! strcmp (fileread (file), text))
+    write (file, text);
+  endif
+endfunction
+
+function write (file, text)
+  new = sprintf ("%s.%d", file, getpid ());
+  f = fopen (new, "w");
+  if (f < 0)
+    error ("gsmbp_build: cannot write %s", new);
+  endif
+  fputs (f, text);
+  fclose (f);
+  rename (new, file);
+endfunction
+
+function text = sizes_header (json, symbol, has_input)
+  d = json.dimensions;
+  counts = cellfun (@(n) d.(n), {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact"});
+  emitted = gsmbp__names (json.subroutines);
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc"};
+  table = declared = {};
+  for i = 1:numel (routines)
+    known = strcmpi (emitted, [json.name "_" routines{i}]);
+    if (any (known))
+      table{i} = [tolower(emitted{known}) "_"];
+      declared{end+1} = table{i};
+    else
+      table{i} = "0";
+    endif
+  endfor
+  table{end+1} = "0";
+  if (has_input)
+    table{end} = "gsvin_";
+    declared{end+1} = "gsvin_";
+  endif
+  text = sprintf ("#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_TABLE \"%s\",%s %s\n", symbol,
+                  sprintf ("extern void %s (void); ", declared{:}), json.name, sprintf (" %d,", counts), strjoin (table, ", "));
+endfunction

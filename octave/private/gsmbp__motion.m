@@ -1,0 +1,16 @@
+## [pp, planned] = gsmbp__motion (who, m, motion)
+## Checks a planned motion: PLANNED are the numbers of the coordinates that its
+## components mean, the actuated ones of the scene or all of an open chain.
+
+function [pp, planned] = gsmbp__motion (who, m, motion)
+  pp = gsmbp__pp (who, motion);
+  n = prod (pp.dim);
+  if (n == m.sizes.nu && (m.sizes.nlam == 0 || n == numel (m.actuated)))
+    planned = (1:n)';
+  elseif (n == numel (m.actuated))
+    planned = m.actuated;
+  else
+    wanted = strjoin (m.coordinates(m.actuated)', ", ");
+    error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, numel (m.actuated), wanted, n);
+  endif
+endfunction

@@ -1,0 +1,103 @@
+      SUBROUTINE GSINP( CMD, CLO, VIN, T, SIDE, X, NU, NX, NV, IP, RP,
+     $                  CST, V, W, INFO )
+C
+C     PURPOSE
+C     The inputs V at time T during a compiled run: constants, a table,
+C     a planned motion carried through the actuators, or a subroutine of
+C     the user; with or without linear state feedback along a reference,
+C        V = v0(T) - K(T)*( X - x0(T) ).
+C
+C     ARGUMENTS
+C     CMD     (external) <NAME>_CMD, called if IP(1) = 2.
+C     CLO     (external) <NAME>_CLO, called if IP(1) = 2 and IP(3) = 1.
+C     VIN     (external) called if IP(1) = 3:
+C                CALL VIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO ).
+C     T       (input) DOUBLE PRECISION, the time [s].
+C     SIDE    (input) INTEGER, < 0: the limit from the left at a jump.
+C     X       (input) DOUBLE PRECISION array, dimension (NX).
+C     NU      (input) INTEGER, the number of speeds.
+C     NX      (input) INTEGER, the number of states.
+C     NV      (input) INTEGER, the number of inputs.
+C     IP      (input) INTEGER array, what v0, K and x0 are:
+C             IP(1)  v0: 0 constant, 1 piecewise polynomial (a table),
+C                    2 planned motion through CMD, 3 user's VIN;
+C             IP(2)  1 for state feedback, else 0;
+C             IP(3)  1 if CLO completes the planned motion (loops);
+C             IP(4)  R, highest derivative of the motion that CMD takes;
+C             IP(5)  NA, the number of planned coordinates;
+C             IP(6..9)   v0 as NP, K, IB, IC: GSPLN's pieces, order,
+C                    and where in RP its breaks and coefficients begin
+C                    (a constant v0 begins at RP(IP(9)));
+C             IP(10..13) the planned motion, NA components;
+C             IP(14..17) the reference state x0, NX components;
+C             IP(18..21) the gain K, NV*NX components, by columns;
+C             IP(22..30) unused, zero;
+C             IP(30+I)   the number of the I-th planned coordinate;
+C             from IP(31+NA) on: the user's own.
+C     RP      (input) DOUBLE PRECISION array, breaks and coefficients.
+C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
+C     V       (output) DOUBLE PRECISION array, dimension (NV).
+C     W       (input/output) DOUBLE PRECISION workspace, dimension
+C             (2*NU*(R+1) + 5*NX + NV*NX + 20).  The first NU*(R+1)
+C             entries hold QJ(NU,0:R): on entry the guess of the
+C             dependent coordinates for CLO (any, where IP(3) = 0), on
+C             exit the whole motion.
+C     INFO    (output) INTEGER, 0 or what CMD, CLO, VIN returned.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN
+      INTEGER            SIDE, NU, NX, NV, IP(*), INFO
+      DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
+      INTEGER            I, J, R, NA, IF1, IXI, IXR, IK, IER
+C
+      INFO = 0
+      R   = IP(4)
+      NA  = IP(5)
+      IF1 = NU*( R + 1 ) + 1
+      IXI = IF1 + NU*( R + 1 )
+      IXR = IXI + 4*NX + 20
+      IK  = IXR + NX
+C
+C     -- v0
+      IF ( IP(1).EQ.0 ) THEN
+         DO 10 I = 1, NV
+            V(I) = RP(IP(9)+I-1)
+   10    CONTINUE
+      ELSE IF ( IP(1).EQ.1 ) THEN
+         CALL GSPLN( NV, IP(6), IP(7), RP(IP(8)), RP(IP(9)), T, SIDE,
+     $               0, V, MAX( 1, NV ), IER )
+         IF ( IER.LT.0 ) INFO = IER
+      ELSE IF ( IP(1).EQ.2 ) THEN
+         CALL GSPLN( NA, IP(10), IP(11), RP(IP(12)), RP(IP(13)), T,
+     $               SIDE, R, W(IF1), MAX( 1, NA ), IER )
+         IF ( IER.LT.0 ) INFO = IER
+         DO 30 J = 0, R
+            DO 20 I = 1, NA
+               W(IP(30+I)+NU*J) = W(IF1+I-1+NA*J)
+   20       CONTINUE
+   30    CONTINUE
+         IF ( INFO.EQ.0 .AND. IP(3).EQ.1 )
+     $      CALL CLO( T, W, CST, W(IXI), INFO )
+         DO 40 I = 1, NX
+            W(IXI+I-1) = 0.0D0
+   40    CONTINUE
+         IF ( INFO.EQ.0 )
+     $      CALL CMD( T, W, W(IXI), CST, V, W(IXI+NX), INFO )
+      ELSE
+         CALL VIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO )
+      END IF
+      IF ( INFO.NE.0 .OR. IP(2).EQ.0 ) RETURN
+C
+C     -- feedback
+      CALL GSPLN( NX, IP(14), IP(15), RP(IP(16)), RP(IP(17)), T, SIDE,
+     $            0, W(IXR), MAX( 1, NX ), IER )
+      IF ( IER.LT.0 ) INFO = IER
+      CALL GSPLN( NV*NX, IP(18), IP(19), RP(IP(20)), RP(IP(21)), T,
+     $            SIDE, 0, W(IK), MAX( 1, NV*NX ), IER )
+      IF ( IER.LT.0 ) INFO = IER
+      DO 60 J = 1, NX
+         DO 50 I = 1, NV
+            V(I) = V(I) - W(IK+I-1+NV*(J-1))*( X(J) - W(IXR+J-1) )
+   50    CONTINUE
+   60 CONTINUE
+      END

@@ -1,0 +1,17 @@
+## [M, c, G] = ne_terms (M, Q, U): mass matrix, velocity and gravity terms of the tree, tau = M ud + c + G, each by inverse dynamics.
+
+function [M, c, G] = ne_terms (m, q, u)
+  n = numel (m.body);
+  [m.joint.damping] = deal (0);
+  m.loop = [];
+  still = zeros (n, 1);
+  G = ne_inverse (m, q, still, still);
+  m.gravity(:) = 0;
+  c = ne_inverse (m, q, u, still);
+  M = zeros (n);
+  for j = 1:n
+    ud = still;
+    ud(j) = 1;
+    M(:, j) = ne_inverse (m, q, still, ud);
+  end
+end

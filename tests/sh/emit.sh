@@ -1,0 +1,41 @@
+# The emitter on artificial routines (tests/tools/emit_cases.mac): compiles without a warning, values against Maxima in 50 digits, in double and
+# in quad precision, operation counts against an independent counter of the text, same bytes whatever the session holds.
+root=$PWD
+flags='-std=f95 -Wall -Wextra -pedantic -fimplicit-none -Wno-unused-dummy-argument -Werror'
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+result() { if [ -s "$work/out" ]; then echo "not ok $1"; head -n 8 "$work/out"; else echo "ok $1"; fi; }
+
+mkdir "$work/a" "$work/b" "$work/quad"
+load="load(\"gsmbp/gsmbp.mac\")\$ load(\"tests/tools/emit_cases.mac\")\$"
+share/make/maxima "$work/log" "$load block([r : emit_records()], emit_write(\"$work/a\", r), emit_write_driver(\"$work/a\", r))\$ emit_time(\"$work/time\")\$" || { echo 'not ok the emitter runs'; exit; }
+share/make/maxima "$work/log" "$load records : emit_records()\$
+  [m, q, w, x, y, c, d, e, k, n, r, s, t, x1, x2, x3, sin, max, data, total, text, lines, code, args_] : makelist(i, i, 1, 24)\$
+  [fpprintprec, numer, listarith, stringdisp, display2d, exptdispflag, inflag, obase] : [4, true, false, true, false, false, true, 16]\$
+  emit_write(\"$work/b\", records)\$ obase : 10\$" || echo 'not ok the emitter runs in a session that binds everything'
+for part in f json; do cmp "$work/a/emit.$part" "$work/b/emit.$part" >"$work/out" 2>&1; result "emit.$part: same bytes in another session"; done
+
+cd "$work/a" || exit
+gfortran $flags -c emit.f >"$work/out" 2>&1; result 'compiles without a warning'
+ftnchek -library -noextern -usage=no-arg-unused emit.f 2>&1 | grep -A4 -E '^(Warning|Error)|[1-9][0-9]* (warning|syntax)' >"$work/out"; result 'clean under ftnchek'
+awk 'length > 72 || /[^ -~]/ { print FNR ": " $0 } /^     \$/ { if (++n > 19) print FNR ": too many lines" } !/^     \$/ { n = 0 }' emit.f >"$work/out"
+result 'columns and continuation lines'
+
+# counts of the header, of the JSON and of the text
+awk -f "$root/tests/tools/opcount.awk" emit.f >text
+awk '/^ +SUBROUTINE/ { name = $2; sub(/\(.*/, "", name) } / mul, .* trig/ { gsub(/[A-Za-z,]/, ""); print name $0 }' emit.f | awk '{ print $1, $2, $3, $4, $5, $6 }' >header
+{ tr -d '\n' <emit.json; echo; } | sed 's/"name": "EMIT_/\n/g' | sed -n 's/^\([A-Z_]*\)".*"mul": \([0-9]*\), "add": \([0-9]*\), "div": \([0-9]*\), "sqrt": \([0-9]*\), "trig": \([0-9]*\).*/EMIT_\1 \2 \3 \4 \5 \6/p' >json
+diff text header >"$work/out" 2>&1; result "operations of the header are those of the text ($(wc -l <text) routines)"
+diff text json >"$work/out" 2>&1; result 'operations of the JSON are those of the text'
+[ "$(wc -l <text)" -eq 8 ] && echo 'ok eight routines' || echo 'not ok eight routines'
+
+# Values.  In double precision the random expressions (powers of powers) lose up to six digits; quad shows that no digit is lost in the text.
+for file in emit driver; do
+  gfortran -c $file.f && gfortran -freal-8-real-16 -c $file.f -o "$work/quad/$file.o" || echo "not ok $file.f compiles"
+done
+gfortran emit.o driver.o -o double && ./double | sed 's/$/ 1E-9 double/' >values
+gfortran "$work"/quad/*.o -o quad && ./quad | sed 's/$/ 1E-27 quad/' >>values
+awk '{ print ($2 + 0 <= $3 + 0 ? "ok " : "not ok ") $1 " in " $4 " precision: error " $2 " (at most " $3 ")" }' values
+[ "$(wc -l <values)" -eq 14 ] && echo 'ok all routines ran' || echo 'not ok all routines ran'
+
+awk '{ print ($1 < 8 ? "ok " : "not ok ") "3000 assignments (" $2 " lines) emitted in " $1 " s (at most 8; 2 on an idle machine)" }' "$work/time"

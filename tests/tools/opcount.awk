@@ -1,0 +1,41 @@
+# Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div sqrt trig.
+# X**3 is two mul, unary minus, ABS, MAX and MIN are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent.
+BEGIN {
+  split("SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP", list, " "); for (i in list) trig[list[i]] = 1
+  split("SQRT ABS MAX MIN", list, " "); for (i in list) free[list[i]] = 1
+}
+/^[Cc*!]/ || /^ *$/ { next }
+substr($0, 6, 1) !~ /[ 0]/ && length($0) > 5 { statement = statement substr($0, 7); next }
+{ count(statement); statement = substr($0, 7) }
+END { count(statement); report() }
+
+function report() { if (name != "") print name, mul + 0, add + 0, div + 0, root + 0, calls + 0; mul = add = div = root = calls = 0 }
+
+# the token at the head of text, taken off it
+function token() {
+  sub(/^ +/, "", text)
+  if (!match(text, /^([0-9]+\.?[0-9]*([DE][-+]?[0-9]+)?|[A-Z][A-Z0-9_]*|\*\*|\.[A-Z]+\.|.)/)) return ""
+  tok = substr(text, 1, RLENGTH); text = substr(text, RLENGTH + 1)
+  return tok
+}
+
+# text loses everything up to the parenthesis that closes the one at its head
+function skip(   depth) {
+  do { tok = token(); depth += (tok == "(") - (tok == ")") } while (depth > 0 && tok != "")
+}
+
+function count(s,   t, before) {
+  text = toupper(s)
+  if (match(text, /^ *(SUBROUTINE|[A-Z ]*FUNCTION) +[A-Z0-9_]+/)) { report(); name = substr(text, 1, RLENGTH); sub(/.* /, "", name); return }
+  if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
+  token()
+  if (text ~ /^ *\(/) skip()
+  if (token() != "=") return
+  for (before = "="; (t = token()) != ""; before = t) {
+    if (t == "*") mul++
+    else if (t == "/") div++
+    else if (t ~ /^[-+]$/) { if (before !~ /^[=(,]$/) add++ }
+    else if (t == "**") { if (match(text, /^ *[0-9]+/) && substr(text, RLENGTH + 1, 1) != ".") mul += substr(text, 1, RLENGTH) - 1; else calls++ }
+    else if (t ~ /^[A-Z]/ && text ~ /^ *\(/) { if (t == "SQRT") root++; else if (t in trig) calls++; else if (!(t in free)) { skip(); t = ")" } }
+  }
+}
