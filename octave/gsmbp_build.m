@@ -108,7 +108,11 @@ function m = gsmbp_build (name, varargin)
   json = jsondecode (text);
   ## Octave keeps what it has loaded, so other contents have another name
   place = hash ("md5", [source "|" input])(1:8);
-  contents = hash ("md5", [fileread(source), text])(1:8);
+  contents = [fileread(source), text];
+  if (! isempty (input))
+    contents = [contents, fileread(input)];
+  endif
+  contents = hash ("md5", contents)(1:8);
   symbol = sprintf ("gsmbp_%s_%s_%s_%s", options.precision(1), tolower (json.name), place, contents);
   before = stat (fullfile (build, options.precision, json.name, [symbol ".oct"]));
   file = gsmbp__compile (json, source, build, options.precision, symbol, input);

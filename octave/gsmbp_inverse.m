@@ -46,7 +46,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   loops = d.nlam > 0;
   guess = o.guess(:);
   r.t = times(:);
-  r.tau = zeros (nt, ifelse (loops, d.nact, d.nu));
+  r.tau = zeros (nt, merge (loops, d.nact, d.nu));
   r.lambda = zeros (nt, d.nlam);
   r.v = zeros (nt, d.nv);
   r.x = zeros (nt, d.nx);
@@ -55,10 +55,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     one(:,1) = guess;
     one(planned,:) = reshape (f(:,i,:), numel (planned), m.order + 1);
     if (closed)
-      [one, res, info] = m.clo (times(i), one);
-      if (info != 0)
-        error ("%s: %s: the loop cannot follow the motion at t = %.9g s (INFO = %d, %.3g is left of the constraints)", who, m.name, times(i), info, res(1));
-      endif
+      one = follow (who, m, times(i), guess, one, planned);
     endif
     qj(:,:,i) = one;
     guess = one(:,1);
@@ -83,8 +80,27 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   endif
 endfunction
 
-function y = ifelse (yes, a, b)
-  y = {b, a}{1 + yes};
+## the loops closed along short steps from the guess to the planned position,
+## so that Newton's method stays on its branch; then the whole motion there
+function one = follow (who, m, t, guess, one, planned)
+  from = guess(planned);
+  way = one(planned,1) - from;
+  steps = max (1, ceil (max (abs (way)) / 0.1));
+  for k = 1:steps
+    here = zeros (size (one));
+    if (k == steps)
+      here = one;
+    endif
+    here(:,1) = guess;
+    here(planned,1) = from + way * (k / steps);
+    [here, res, info] = m.clo (t, here);
+    if (info != 0)
+      at = sprintf (" %.6g", from + way * (k / steps));
+      error ("%s: %s: the loop cannot follow the motion at t = %.9g s: it does not close at%s (INFO = %d)", who, m.name, t, at, info);
+    endif
+    guess = here(:,1);
+  endfor
+  one = here;
 endfunction
 
 ## the states of the actuators behind q and u: Newton on u' of the right-hand

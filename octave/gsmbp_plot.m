@@ -94,8 +94,12 @@ function draw (file, panels, o)
   n = numel (panels);
   new = sprintf ("%s-%d.png", file(1:end-4), getpid ());
   table = [file(1:end-4) ".csv"];
+  tight = "";
+  if (any (strcmp (o.scale, {"linear", "semilogy"})))
+    tight = "set autoscale xfix";
+  endif
   lines = {sprintf("set terminal pngcairo noenhanced size 1000,%d font 'FreeSans,12'", 90 + 270 * n), sprintf("set output %s", quote (new)), ...
-           "set datafile separator comma", "set datafile missing 'NaN'", "set grid lc rgb '#bbbbbb'", ifelse (any (strcmp (o.scale, {"linear", "semilogy"})), "set autoscale xfix", ""), ...
+           "set datafile separator comma", "set datafile missing 'NaN'", "set grid lc rgb '#bbbbbb'", tight, ...
            "set lmargin at screen 0.1", "set rmargin at screen 0.80", axes_of(o.scale)};
   top = 1 - 45 / (90 + 270 * n);
   bottom = 60 / (90 + 270 * n);
@@ -134,10 +138,6 @@ function draw (file, panels, o)
   fprintf (f, "%s\n", lines{:});
   fclose (f);
   gsmbp__run ("gsmbp_plot", sprintf ("gnuplot '%s' && mv '%s' '%s'", script, strrep (new, "'", "'\\''"), strrep (file, "'", "'\\''")));
-endfunction
-
-function y = ifelse (yes, a, b)
-  y = {b, a}{1 + yes};
 endfunction
 
 function text = quote (text)

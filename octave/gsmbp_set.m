@@ -39,3 +39,13 @@ function par = merged (m, pairs)
     par.(name) = double (value);
   endfor
 endfunction
+
+%!shared m
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%!assert (gsmbp_set (m, "g", 1.62).inv (0, pi/2, 0, 0), 1.2 * 1.62 * 0.5, 1e-15)
+%!assert (gsmbp_set (m, struct ("l", 1, "g", 1)).par.l, 1)
+%!assert (m.par.l, 0.5)
+%!error <unknown parameter "G"> gsmbp_set (m, "G", 1)
+%!error <parameter g must be one finite number> gsmbp_set (m, "g", [1 2])
+%!error <PRE|pre> gsmbp_set (m, "J", -1)

@@ -27,12 +27,24 @@ typedef double number;
 
 typedef std::vector<number> reals;
 
+// how often the next call is repeated to be timed (0: once, untimed), and the time of all
+static long the_repeats = 0;
+static double the_seconds = 0;
+
 // A Fortran subroutine: the address carries no types, the call states them.
 struct fortran
 {
   gsmbp_sub f;
   template <typename... T> void operator () (T... a) const
-  { reinterpret_cast<void (*) (T...)> (f) (a...); }
+  {
+    auto call = reinterpret_cast<void (*) (T...)> (f);
+    if (the_repeats == 0)
+      return call (a...);
+    auto begin = std::chrono::steady_clock::now ();
+    for (long i = 0; i < the_repeats; i++)
+      call (a...);
+    the_seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+  }
 };
 
 extern "C"
@@ -409,7 +421,7 @@ do_prj (arguments& a, int nargout)
   reals x = a.vector ("x", S.nx), res = room (2 * S.nlam + 4);
   int info = 0;
   routine (S.prj, "prj") (&t, &x[0], &cst[0], &res[0], &info);
-  octave_value_list out = ovl (result (x, S.nx), result (res, 2 * S.nlam + 4));
+  octave_value_list out = ovl (result (x, S.nx), result (res, 1));
   finish (out, info, nargout, "prj");
   return out;
 }
@@ -465,7 +477,7 @@ do_clo (arguments& a, int nargout)
   reals qj = a.array ("qj", S.nu, S.nqj + 1), res = room (2 * S.nlam + 4);
   int info = 0;
   routine (S.clo, "clo") (&t, &qj[0], &cst[0], &res[0], &info);
-  octave_value_list out = ovl (result (qj, S.nu, S.nqj + 1), result (res, 2 * S.nlam + 4));
+  octave_value_list out = ovl (result (qj, S.nu, S.nqj + 1), result (res, 1));
   finish (out, info, nargout, "clo");
   return out;
 }
@@ -639,8 +651,8 @@ do_solve (arguments& a, int)
 
 // ----------------------------------------------------------------- dispatch
 
-DEFUN_DLD (gsmbp_module, args, nargout,
-           "Called through the handles of gsmbp_build; not for direct use.")
+static octave_value_list
+dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
   typedef octave_value_list (*handler) (arguments&, int);
   static const struct { const char *name; handler call; } table[] = {
@@ -651,14 +663,39 @@ DEFUN_DLD (gsmbp_module, args, nargout,
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}
   };
-  if (args.length () < 1 || ! args(0).is_string ())
-    error ("%s: expected the name of a subroutine", S.name);
-  std::string call = args(0).string_value ();
   for (const auto& entry : table)
     if (call == entry.name)
       {
-        arguments a (args.slice (1, args.length () - 1), call);
+        arguments a (args, call);
         return entry.call (a, nargout);
       }
   error ("%s: no subroutine %s", S.name, call.c_str ());
+}
+
+// ("time", repetitions, call, its arguments ...): seconds for one call of the
+// emitted subroutine, Octave's part not in it
+static octave_value_list
+do_time (const octave_value_list& args)
+{
+  if (args.length () < 3 || ! args(2).is_string ())
+    error ("%s.time: expected repetitions, the name of a subroutine, its arguments", S.name);
+  std::string call = args(2).string_value ();
+  long repeats = args(1).long_value ();
+  if (repeats < 1 || call == "sim")
+    error ("%s.time: cannot time %ld calls of %s", S.name, repeats, call.c_str ());
+  struct guard { ~guard () { the_repeats = 0; } } back_to_normal;
+  the_repeats = repeats;
+  dispatch (call, args.slice (3, args.length () - 3), 9);
+  return ovl (the_seconds / repeats);
+}
+
+DEFUN_DLD (gsmbp_module, args, nargout,
+           "Called through the handles of gsmbp_build; not for direct use.")
+{
+  if (args.length () < 1 || ! args(0).is_string ())
+    error ("%s: expected the name of a subroutine", S.name);
+  std::string call = args(0).string_value ();
+  if (call == "time")
+    return do_time (args);
+  return dispatch (call, args.slice (1, args.length () - 1), nargout);
 }

@@ -1,5 +1,6 @@
 ;;; What a Maxima session holds: session_snapshot() remembers the value and the rules of every user-visible symbol,
-;;; session_changes(snapshot) lists the names whose value or rules differ now. Names of GSMBP and the labels of a session are left out.
+;;; session_changes(snapshot) lists the names whose value or rules differ now. Names of GSMBP, labels, and what Maxima itself notes down
+;;; (the last error, the last part taken, the options that any block has bound) are left out.
 
 (in-package :maxima)
 
@@ -10,13 +11,13 @@
          (not (search "GSMBP" (string-upcase name)))
          (not (every (lambda (c) (or (digit-char-p c) (find c "$%ioIO"))) name))   ; labels %i1, %o1
          (not (member name '("$_" "$__" "$%" "$%%" "$LABELS" "$LINENUM" "$VALUES" "$FUNCTIONS" "$STRUCTURES" "$PROPS" "$LOAD_PATHNAME" "$SNAPSHOT"
-                             "$ARRAYS" "$MACROS") :test #'string=)))))
+                             "$ARRAYS" "$MACROS" "$PIECE" "$MYOPTIONS" "$ERROR") :test #'string=)))))
 
 (defun session-state (symbol)
   (with-standard-io-syntax
     (let ((*print-circle* t) (*print-readably* nil))
       (prin1-to-string (list (if (boundp symbol) (symbol-value symbol) 'unbound)
-                             (mapcar (lambda (indicator) (get symbol indicator)) '(operators opers grad evfun evflag bindtest noun verb)))))))
+                             (mapcar (lambda (indicator) (get symbol indicator)) '(operators opers grad evfun evflag bindtest)))))))
 
 (defun $session_snapshot ()
   (let ((table (make-hash-table :test 'eq)))

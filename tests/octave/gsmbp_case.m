@@ -5,7 +5,10 @@ function [m, ref, tab] = gsmbp_case (name)
   here = fileparts (mfilename ("fullpath"));
   addpath (fullfile (here, "independent"));
   folder = fullfile (here, "..", "data", name);
-  m = ne_read (fullfile (folder, "spec.json"));
+  m = [];
+  if (! isempty (strfind (fileread (fullfile (folder, "spec.json")), '"bodies"')))   # 17a has none
+    m = ne_read (fullfile (folder, "spec.json"));
+  end
   ref = jsondecode (fileread (fullfile (folder, "reference.json")), "makeValidName", false);
   tab = struct ();
   table = fullfile (folder, "reference.csv");

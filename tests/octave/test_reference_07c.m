@@ -14,7 +14,7 @@ function test_reference_07c ()
   gsmbp_check ("07c accelerations, 26 states", (ud - wanted) / max (abs (wanted(:))), 1e-13);
   gsmbp_check ("07c energy", (energy - tab.energy) / max (abs (tab.energy)), 1e-13);
   found = gsmbp_run (m, tab.t, x(1, :)', []);
-  ## the motion is irregular: an error grows by about 1e3 in 5 s
-  gsmbp_check ("07c motion over 5 s, rad", found(:, 1:3) - x(:, 1:3), 1e-9);
-  gsmbp_check ("07c speeds over 5 s, rad/s", found(:, 4:6) - x(:, 4:6), 1e-8);
+  ## measured 5e-13 and 3e-12; the motion is irregular, another machine's rounding may grow to some ten times that
+  gsmbp_check ("07c motion over 5 s, rad", found(:, 1:3) - x(:, 1:3), 1e-11);
+  gsmbp_check ("07c speeds over 5 s, rad/s", found(:, 4:6) - x(:, 4:6), 1e-10);
 end

@@ -22,11 +22,20 @@ awk 'length > 72 || /[^ -~]/ { print FNR ": " $0 } /^     \$/ { if (++n > 19) pr
 result 'columns and continuation lines'
 
 # counts of the header, of the JSON and of the text
+json_counts() {
+  { tr -d '\n' <"$1"; echo; } | sed 's/"name": "\([A-Z_0-9]*\)", *"arg/\n@\1 "arg/g' |
+    sed -n 's/^@\([A-Z_0-9]*\) .*"mul": \([0-9]*\), "add": \([0-9]*\), "div": \([0-9]*\), "sqrt": \([0-9]*\), "trig": \([0-9]*\).*/\1 \2 \3 \4 \5 \6/p'
+}
 awk -f "$root/tests/tools/opcount.awk" emit.f >text
+json_counts emit.json >json
 awk '/^ +SUBROUTINE/ { name = $2; sub(/\(.*/, "", name) } / mul, .* trig/ { gsub(/[A-Za-z,]/, ""); print name $0 }' emit.f | awk '{ print $1, $2, $3, $4, $5, $6 }' >header
-{ tr -d '\n' <emit.json; echo; } | sed 's/"name": "EMIT_/\n/g' | sed -n 's/^\([A-Z_]*\)".*"mul": \([0-9]*\), "add": \([0-9]*\), "div": \([0-9]*\), "sqrt": \([0-9]*\), "trig": \([0-9]*\).*/EMIT_\1 \2 \3 \4 \5 \6/p' >json
 diff text header >"$work/out" 2>&1; result "operations of the header are those of the text ($(wc -l <text) routines)"
 diff text json >"$work/out" 2>&1; result 'operations of the JSON are those of the text'
+for file in "${GSMBP_TEST_DIR:-/nowhere}"/fortran_out/*.f; do
+  [ -f "$file" ] || continue
+  awk -f "$root/tests/tools/opcount.awk" "$file" >scene; json_counts "${file%.f}.json" >json
+  diff scene json >"$work/out" 2>&1; result "operations of $(basename "$file") ($(wc -l <json) routines)"
+done
 [ "$(wc -l <text)" -eq 8 ] && echo 'ok eight routines' || echo 'not ok eight routines'
 
 # Values.  In double precision the random expressions (powers of powers) lose up to six digits; quad shows that no digit is lost in the text.
@@ -39,3 +48,17 @@ awk '{ print ($2 + 0 <= $3 + 0 ? "ok " : "not ok ") $1 " in " $4 " precision: er
 [ "$(wc -l <values)" -eq 14 ] && echo 'ok all routines ran' || echo 'not ok all routines ran'
 
 awk '{ print ($1 < 8 ? "ok " : "not ok ") "3000 assignments (" $2 " lines) emitted in " $1 " s (at most 8; 2 on an idle machine)" }' "$work/time"
+
+# files appear whole or not at all: an error while a line is written leaves what was there, and no new file
+cd "$root" || exit
+mkdir "$work/files"; echo old >"$work/files/kept.f"
+share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ dir : \"$work/files/\"\$
+  fails(paths, lines) := errcatch(gsmbp__write_files(map(\"[\", map(lambda([p], sconcat(dir, p)), paths), lines))) = []\$
+  whole : fails([\"kept.f\", \"new.json\"], [[\"new\"], 5])\$
+  nowhere : fails([\"kept.f\", \"no/such/new.f\"], [[\"new\"], [\"new\"]])\$
+  gsmbp__write_files([[sconcat(dir, \"pair.f\"), [\"a~a\", \"b\"]], [sconcat(dir, \"pair\"), [\"c\"]]])\$
+  printf(true, \"~%answers ~a ~a~%\", is(whole), is(nowhere))\$" && grep -q '^answers true true' "$work/log" && echo 'ok a bad line or place is an error' || echo 'not ok a bad line or place is an error'
+grep -q "there is no directory .*/no/such/" "$work/log" && echo 'ok the error names the directory' || echo 'not ok the error names the directory'
+cd "$work/files" || exit
+[ "$(ls | tr '\n' ' ')" = 'kept.f pair pair.f ' ] && [ "$(cat kept.f)" = old ] && echo 'ok nothing is left or changed' || { echo 'not ok nothing is left or changed'; ls; }
+printf 'a~a\nb\n' | cmp - pair.f >"$work/out" 2>&1; result 'a file holds its lines'

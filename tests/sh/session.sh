@@ -19,3 +19,13 @@ sconcat(\"an error changes \", session_changes(snapshot));
 for what in loading using 'an error'; do
   grep -q "^ *$what changes \[\]" "$work/log" && echo "ok $what changes nothing" || { echo "not ok $what changes nothing"; grep -A2 "changes \[" "$work/log"; }
 done
+
+# nor does what the session holds change the result: functions with names that a careless program would call by
+for name in case_03a case_02a_motor; do
+  share/make/maxima "$work/log" "
+    f(x) := x^2\$ g([x]) := 7\$ h(x) := error(\"mine\")\$ value(x) := 7\$ key(x) := 7\$ test(x) := 7\$ draft(x) := 7\$ way(x) := 7\$ rate(x) := 7\$
+    load(\"gsmbp/gsmbp.mac\")\$ load(\"tests/scenes/$name.mac\")\$
+    gsmbp_fortran(scene, all, ['directory = \"$work\"])\$" &&
+    cmp "$GSMBP_TEST_DIR/fortran_out/$name.f" "$work/$name.f" && echo "ok $name: functions of the session do not matter" ||
+    echo "not ok $name: functions of the session do not matter"
+done

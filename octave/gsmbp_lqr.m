@@ -1,0 +1,70 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{design} =} gsmbp_lqr (@var{m}, @var{motion}, @var{times}, @var{Q}, @var{R})
+## Linear state feedback that holds an open chain about a planned motion.
+##
+## At each of the @var{times} [s] the exact linear model of the scene about the
+## nominal states of the planned @var{motion} (@code{gsmbp_inverse}) is given
+## to @code{lqr} of the control package with the weights @var{Q} (@var{nx} x
+## @var{nx}) and @var{R} (@var{nv} x @var{nv}).  The gains are scheduled
+## linearly between the times (two or more); one time gives a constant gain.
+##
+## @var{design} has the fields @code{gain} and @code{reference}, to be handed
+## to @code{gsmbp_simulate} under these names together with "motion", and
+## @code{poles}: the closed poles [1/s], a column for each time.
+##
+## @example
+## d = gsmbp_lqr (m, plan, 0:0.1:1, Q, R);
+## r = gsmbp_simulate (m, x0, 0:0.01:1, "motion", plan,
+##                     "gain", d.gain, "reference", d.reference);
+## @end example
+## @seealso{gsmbp_linear, gsmbp_simulate, lqr}
+## @end deftypefn
+
+function design = gsmbp_lqr (m, motion, times, Q, R)
+  if (nargin != 5 || ! isstruct (m))
+    print_usage ();
+  endif
+  d = m.sizes;
+  if (d.nlam > 0)
+    error ("gsmbp_lqr: %s has loops: its %d states are not independent; choose independent ones first", m.name, d.nx);
+  endif
+  if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [d.nv d.nv]))
+    error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d", m.name, d.nx, d.nx, d.nv, d.nv);
+  endif
+  if (isempty (which ("lqr")))
+    pkg load control
+  endif
+  times = gsmbp__times ("gsmbp_lqr", times);
+  nominal = gsmbp_inverse (m, motion, times);
+  nt = numel (times);
+  gains = zeros (nt, d.nv * d.nx);
+  design.poles = zeros (d.nx, nt);
+  for i = 1:nt
+    [A, B] = m.jac (times(i), nominal.x(i,:)', nominal.v(i,:)');
+    ## balanced, so that currents and angles are numbers of like size
+    [T, ~] = balance (A);
+    [K, ~, poles] = lqr (T \ A * T, T \ B, T' * Q * T, R);
+    gains(i,:) = (K / T)(:)';
+    design.poles(:,i) = poles;
+  endfor
+  if (nt == 1)
+    design.gain = reshape (gains, d.nv, d.nx);
+  else
+    design.gain = gsmbp_plan ("table", times, gains, 1);
+  endif
+  ## the states along the motion, close enough that the spline between them does not matter
+  breaks = motion.breaks;
+  fine = unique ([linspace(breaks(1), breaks(end), 401), breaks]);
+  design.reference = gsmbp_plan ("table", fine, gsmbp_inverse (m, motion, fine).x, 3);
+endfunction
+
+%!testif ; ! isempty (pkg ("list", "control"))
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! plan = gsmbp_plan ("septic", [0 2], [0 1]);
+%! d = gsmbp_lqr (m, plan, 0:0.25:1, diag ([100 1 0]), 0.01);
+%! assert (all (real (d.poles(:)) < 0));
+%! start = gsmbp_inverse (m, plan, 0).x' + [0.1; 0; 0];
+%! r = gsmbp_simulate (m, start, [0 1], "motion", plan, "gain", d.gain, "reference", d.reference);
+%! assert (r.x(2,1), 2, 5e-3);
+%!error <expected Q as 3 x 3> gsmbp_lqr (gsmbp_hand ("motor_pendulum"), [], 0, 1, 1)

@@ -1,0 +1,83 @@
+## -*- texinfo -*-
+## @deftypefn  {} {@var{s} =} gsmbp_timing (@var{m}, @var{t}, @var{x})
+## @deftypefnx {} {@var{s} =} gsmbp_timing (@var{m}, @var{t}, @var{x}, "input", @var{v}, "qj", @var{qj}, "seconds", @var{seconds}, "print", @var{yes})
+## Time for one call of each emitted subroutine of the model @var{m}, called
+## again and again within compiled code at the time @var{t}, the states @var{x}
+## and the inputs @var{v} (zeros by default).
+##
+## @var{qj} is the motion for CMD and CLO (of @code{gsmbp_inverse}); without it
+## they are left out.  Every subroutine is repeated for about @var{seconds}
+## (default 0.02), three times; the shortest counts.  PRJ and CLO work in
+## place: from the second call on they find a state that is already consistent,
+## which is the cost behind each step of an integration.
+##
+## @var{s} is a struct of seconds for each call: @code{s.rhs} and so on.
+## "print" (default true) also writes the table with the operation counts of
+## the .json.
+## @seealso{gsmbp_build, gsmbp_workprecision}
+## @end deftypefn
+
+function s = gsmbp_timing (m, t, x, varargin)
+  if (nargin < 3 || ! isstruct (m))
+    print_usage ();
+  endif
+  d = m.sizes;
+  o = gsmbp__options ("gsmbp_timing", struct ("input", zeros (d.nv, 1), "qj", [], "seconds", 0.02, "print", true), varargin);
+  q = x(1:d.nq);
+  u = x(d.nq + (1:d.nu));
+  zero = zeros (d.nu, 1);
+  calls.kin = {t, q, u};
+  calls.inv = {t, q, u, zero};
+  calls.mas = {t, q};
+  calls.bia = {t, q, u};
+  calls.fwd = {t, q, u, zeros(d.nv, 1), zero};
+  calls.con = {t, q, u};
+  calls.inl = {t, q, u, zero};
+  calls.lin = {t, q, u, zero};
+  calls.acc = calls.rhs = calls.jac = calls.out = calls.ene = {t, x, o.input};
+  calls.prj = {t, x};
+  calls.cmd = calls.clo = {t, o.qj};
+  known = fieldnames (calls)';
+  if (isempty (o.qj))
+    known = setdiff (known, {"cmd", "clo"});
+  endif
+  s = struct ();
+  for name = intersect (m.subroutines', known, "stable")
+    s.(name{1}) = one_call (m, o.seconds, name{1}, calls.(name{1}));
+  endfor
+  if (o.print)
+    show (m, s);
+  endif
+endfunction
+
+function best = one_call (m, seconds, name, given)
+  module = m.module;
+  per_call = @(n) module ("time", n, name, m.cst, given{:});
+  n = 100;
+  while (n * per_call (n) < seconds / 4 && n < 1e8)
+    n *= 4;
+  endwhile
+  best = min (arrayfun (@(k) per_call (n), 1:3));
+endfunction
+
+function show (m, s)
+  names = cellfun (@(one) tolower (one(numel (m.name)+2:end)), {m.json.subroutines.name}, "UniformOutput", false);
+  printf ("%s: operations of the emitted subroutines, nanoseconds for one call\n", m.name);
+  printf ("%-10s %6s %6s %5s %5s %5s %9s\n", "subroutine", "mul", "add", "div", "sqrt", "trig", "ns/call");
+  for k = 1:numel (names)
+    c = m.json.subroutines(k).operations;
+    time = "-";
+    if (isfield (s, names{k}))
+      time = sprintf ("%.0f", 1e9 * s.(names{k}));
+    endif
+    printf ("%-10s %6d %6d %5d %5d %5d %9s\n", toupper (names{k}), c.mul, c.add, c.div, c.sqrt, c.trig, time);
+  endfor
+endfunction
+
+%!test
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! s = gsmbp_timing (m, 0, [0.3 1 0], "seconds", 1e-4, "print", false);
+%! assert (s.rhs > 1e-10 && s.rhs < 1e-4);
+%! assert (m.rhs (0, [0; 1; 0], 0)(1), 1);
+%!error <motor_pendulum.rhs: argument x: expected 3 numbers> gsmbp_timing (gsmbp_hand ("motor_pendulum"), 0, [0.3 1], "print", false)
