@@ -37,7 +37,9 @@ struct fortran
   gsmbp_sub f;
   template <typename... T> void operator () (T... a) const
   {
-    auto call = reinterpret_cast<void (*) (T...)> (f);
+    // volatile: the compiler may not look behind the pointer, whose declared type has no arguments
+    gsmbp_sub volatile hidden = f;
+    auto call = reinterpret_cast<void (*) (T...)> (hidden);
     if (the_repeats == 0)
       return call (a...);
     auto begin = std::chrono::steady_clock::now ();
@@ -496,8 +498,10 @@ do_ene (arguments& a, int)
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
 // cross Fortran frames; it is kept and thrown again behind the run.
-static octave_value the_input;
-static std::exception_ptr the_failure;
+// Only while a run lasts do these point to something: a static octave_value
+// would be destroyed after the interpreter.
+static const octave_value *the_input = nullptr;
+static std::exception_ptr *the_failure = nullptr;
 
 extern "C" void
 gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
@@ -510,7 +514,7 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
       Matrix state (*nx, 1);
       for (int i = 0; i < *nx; i++)
         state.xelem (i) = double (x[i]);
-      octave_value_list r = octave::feval (the_input, ovl (double (*t), state), 1);
+      octave_value_list r = octave::feval (*the_input, ovl (double (*t), state), 1);
       octave_value_list only;
       if (r.length () > 0)
         only.append (r(0));
@@ -521,7 +525,7 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
     }
   catch (...)
     {
-      the_failure = std::current_exception ();
+      *the_failure = std::current_exception ();
       *info = -1000;
     }
 }
@@ -540,8 +544,10 @@ do_sim (arguments& a, int)
   reals ropt = a.vector ("ropt", 3), atol = a.vector ("atol", S.nx);
   std::vector<int> ip = a.integers ("ip", -1);
   reals rp = a.vector ("rp", -1), guess = a.vector ("guess", S.nu);
-  the_input = a.value ("input function");
-  the_failure = nullptr;
+  octave_value input = a.value ("input function");
+  std::exception_ptr failure;
+  the_input = &input;
+  the_failure = &failure;
 
   int nt = int (counts(0)), nb = int (counts(1)), info = 0;
   int ldx = std::max (1, S.nx), ldv = std::max (1, S.nv);
@@ -561,7 +567,7 @@ do_sim (arguments& a, int)
   gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine (S.clo, "clo").f : none;
   gsmbp_sub vin = none;
   if (ip[0] == 3)
-    vin = the_input.is_function_handle ()
+    vin = input.is_function_handle ()
           ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : routine (S.vin, "input").f;
 
   auto begin = std::chrono::steady_clock::now ();
@@ -570,9 +576,8 @@ do_sim (arguments& a, int)
           &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv,
           &istat[0], &rstat[0], &w[0], &lw, &info);
   std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
-  the_input = octave_value ();
-  if (the_failure)
-    std::rethrow_exception (the_failure);
+  if (failure)
+    std::rethrow_exception (failure);
 
   Matrix counters (10, 1);
   for (int i = 0; i < 10; i++)

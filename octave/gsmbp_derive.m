@@ -1,0 +1,44 @@
+## -*- texinfo -*-
+## @deftypefn  {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene})
+## @deftypefnx {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene}, @var{folder})
+## Derive the scene file @var{scene} (.mac) by Maxima and write its Fortran and
+## .json into @var{folder}; without one they are only derived, to measure it.
+##
+## @var{cpu} and @var{wall} are seconds of processor and clock; Maxima's start
+## and the loading of GSMBP are in them.
+## @seealso{gsmbp_build}
+## @end deftypefn
+
+function [cpu, wall] = gsmbp_derive (scene, folder)
+  if (nargin < 1 || ! ischar (scene))
+    print_usage ();
+  endif
+  if (! exist (scene, "file"))
+    error ("gsmbp_derive: there is no scene file %s", scene);
+  endif
+  if (nargin < 2)
+    folder = tempname ();
+    guard = onCleanup (@() remove (folder));
+  endif
+  command = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "share", "make", "derive");
+  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], {command, make_absolute_filename(scene), make_absolute_filename(folder)}, "UniformOutput", false);
+  start = tic ();
+  [status, text] = system (sprintf ("%s && times", strjoin (quoted, " ")));
+  wall = toc (start);
+  if (status != 0)
+    error ("gsmbp_derive: %s:\n%s", scene, text);
+  endif
+  ## the last line of the shell's `times`: user and system seconds of what it started
+  spent = regexp (text, '(\d+)m([\d.]+)s\s+(\d+)m([\d.]+)s\s*$', "tokens"){1};
+  spent = str2double (spent);
+  cpu = [60 1 60 1] * spent(:);
+endfunction
+
+function remove (folder)
+  if (exist (folder, "dir"))
+    confirm_recursive_rmdir (false, "local");
+    rmdir (folder, "s");
+  endif
+endfunction
+
+%!error <there is no scene file nowhere.mac> gsmbp_derive ("nowhere.mac")
