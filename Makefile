@@ -66,4 +66,4 @@ install:
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out examples/*/out tests/bench/out share/manual/functions.txt
+	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* share/manual/functions.txt

@@ -38,6 +38,7 @@ function m = random_scene (seed, kind, file)
   end
   fid = fopen (file, "w");
   fprintf (fid, "%s\nscene : apply(gsmbp_scene, [\"%s\",\n  %s])$\n", helpers (), name, strjoin (elements, ",\n  "));
+  fprintf (fid, "requests : [%s]$\n", {"mass, inverse, forward, rhs, energy", "constraints, rhs"}{1 + loop});
   fclose (fid);
 end
 
