@@ -12,6 +12,7 @@ function p = panel (y, names, label)
 endfunction
 
 cd (fileparts (mfilename ("fullpath")));
+pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
 addpath (fullfile (pwd (), "..", "..", "octave"));
 if (! exist ("out", "dir"))
   mkdir ("out");
