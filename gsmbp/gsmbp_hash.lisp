@@ -1,4 +1,4 @@
-;; gsmbp_hash.lisp: hash tables on expressions, in three lines of Lisp (Maxima's own hashed arrays are ten times slower).
+;; gsmbp_hash.lisp: hash tables on expressions, in Lisp (Maxima's own hashed arrays are ten times slower).
 ;; gsmbp__get gives false for a key that is not there.
 (in-package :maxima)
 (defun $gsmbp__new_hash () (make-hash-table :test #'equal))
@@ -7,3 +7,22 @@
 ;; e without the marks that functions like ratsimp leave on it, so that equal expressions are equal lists
 (defun $gsmbp__unmarked (e)
   (if (atom e) e (cons (if (member 'array (cdar e)) (list (caar e) 'simp 'array) (list (caar e) 'simp)) (mapcar #'$gsmbp__unmarked (cdr e)))))
+;; true if the table h holds one of the symbols of a list
+(defun $gsmbp__holds_one (h symbols)
+  (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
+;; e with every symbol that the table h holds replaced by what it holds; simplified, not evaluated
+(defun $gsmbp__replace (h e)
+  (cond ((symbolp e) (or (gethash e h) e))
+        ((or (atom e) (eq (caar e) 'rat)) e)
+        (t (let ((a nil))
+             (dolist (x (cdr e)) (push ($gsmbp__replace h x) a))
+             (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
+;; entries of a tape that symbols need, oldest first; an entry is [name, expression, block, number, symbols]
+(defun $gsmbp__reach_symbols (entry nature symbols constants)
+  (let ((seen (make-hash-table :test #'equal)) (found nil) (todo (cdr symbols)))
+    (do () ((null todo) (cons '(mlist simp) (sort found #'< :key #'fifth)))
+      (let* ((s (pop todo)) (e (and (not (gethash s seen)) (gethash s entry))))
+        (setf (gethash s seen) t)
+        (when (and e (or constants (not (eq (gethash s nature) '$constant))))
+          (push e found)
+          (setq todo (append (cdr (sixth e)) todo)))))))

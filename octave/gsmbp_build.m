@@ -42,6 +42,9 @@
 ## completes the motion of a closed chain
 ## @item e = m.ene (t, x[, v])
 ## kinetic, potential, stored energy [J]; power in, power dissipated [W]
+## @item P = m.ske (t, q)
+## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
+## body (@code{m.skeleton})
 ## @end table
 ## Only the subroutines that were emitted are there.  Where @var{info} is not
 ## taken, @var{info} != 0 is an error (lost rank of constraints, 2, a warning).
@@ -50,7 +53,11 @@
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
-## @code{initial} (state to start a Newton iteration from), @code{json}.
+## @code{initial} (state to start a Newton iteration from), @code{json},
+## @code{skeleton} (a struct of columns, a row for each body, ground first:
+## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
+## @code{joints}, how many of these, the first ones, are where joints stand: a
+## point behind them is the mass centre).
 ##
 ## Options:
 ## @table @code
@@ -72,7 +79,7 @@
 ## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
 ## xd = m.rhs (0, [0.1; 0])
 ## @end example
-## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear}
+## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear, gsmbp_animate}
 ## @end deftypefn
 
 function m = gsmbp_build (name, varargin)
@@ -140,6 +147,7 @@ function m = gsmbp_build (name, varargin)
   if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
     m.initial = double (json.initial(:));
   endif
+  m.skeleton = gsmbp__skeleton (json);
   m.json = json;
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
@@ -176,6 +184,11 @@ endfunction
 %!test
 %! m = fixture ("motor_pendulum", "parameters", struct ("b", 0));
 %! assert (m.rhs (0, [0; 1; 0])(2), 0);
+%!test
+%! m = fixture ("hand_crank");
+%! assert (m.skeleton.body, {"ground"; "crank"; "rod"; "slider"});
+%! assert (m.ske (0, [pi/2; 0; 0.3]), [0 0 0 0 0 0.5 0.25 0.3; 0 0 0.2 0.1 0.2 0.2 0.2 0; 0 0 0 0 0 0 0 0], 1e-15);
+%!error <argument q: expected 3 numbers> fixture ("hand_crank").ske (0, 1)
 %!error <argument x: expected 3 numbers, found 2x1> fixture ("motor_pendulum").rhs (0, [0; 1])
 %!error <argument x\(2\) is not finite: NaN> fixture ("motor_pendulum").rhs (0, [0; NaN; 0])
 %!error <there is no .*nowhere.f> gsmbp_build ("nowhere")

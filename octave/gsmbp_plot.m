@@ -90,22 +90,20 @@ endfunction
 
 ## gnuplot draws from the .csv itself, so figure and numbers are the same
 function draw (file, panels, o)
-  colors = {"#00459a", "#cc3318", "#1a7f37", "#80339a", "#d98c00", "#3399b3", "#4d4d4d"};
   n = numel (panels);
-  new = sprintf ("%s-%d.png", file(1:end-4), getpid ());
   table = [file(1:end-4) ".csv"];
   tight = "";
   if (any (strcmp (o.scale, {"linear", "semilogy"})))
     tight = "set autoscale xfix";
   endif
-  lines = {sprintf("set terminal pngcairo noenhanced size 1000,%d font 'FreeSans,12'", 90 + 270 * n), sprintf("set output %s", quote (new)), ...
-           "set datafile separator comma", "set datafile missing 'NaN'", "set grid lc rgb '#bbbbbb'", tight, ...
+  terminal = sprintf ("pngcairo noenhanced size 1000,%d font 'FreeSans,12'", 90 + 270 * n);
+  lines = {"set datafile separator comma", "set datafile missing 'NaN'", "set grid lc rgb '#bbbbbb'", tight, ...
            "set lmargin at screen 0.1", "set rmargin at screen 0.80", axes_of(o.scale)};
   top = 1 - 45 / (90 + 270 * n);
   bottom = 60 / (90 + 270 * n);
   lines{end+1} = "set multiplot";
   if (! isempty (o.title))
-    lines{end+1} = sprintf ("set label 1 %s at screen 0.45,%.4f center font ',14'", quote (o.title), 1 - 22 / (90 + 270 * n));
+    lines{end+1} = sprintf ("set label 1 %s at screen 0.45,%.4f center font ',14'", gsmbp__quoted (o.title), 1 - 22 / (90 + 270 * n));
   endif
   column = 2;
   for i = 1:n
@@ -118,30 +116,21 @@ function draw (file, panels, o)
     lines{end+1} = sprintf ("set tmargin at screen %.4f", top - (i - 1) * height);
     lines{end+1} = sprintf ("set bmargin at screen %.4f", top - i * height + 0.16 * height * (i < n));
     lines{end+1} = sprintf ("set key at screen 0.81,%.4f left top vertical Left reverse samplen 2", top - (i - 1) * height);
-    lines{end+1} = sprintf ("set ylabel %s", quote (p.label));
+    lines{end+1} = sprintf ("set ylabel %s", gsmbp__quoted (p.label));
     if (i == n)
-      lines{end+1} = sprintf ("set xlabel %s", quote (o.xlabel));
+      lines{end+1} = sprintf ("set xlabel %s", gsmbp__quoted (o.xlabel));
     endif
     curves = {};
+    colors = gsmbp__colors (columns (p.y));
     for k = 1:columns (p.y)
-      color = colors{mod(k - 1, numel (colors)) + 1};
-      curves{k} = sprintf ("%s using 1:%d skip 1 with %s lw 2 pt 7 ps 1 lc rgb '%s' title %s", quote (table), column, style, color, quote (p.names{k}));
+      curves{k} = sprintf ("%s using 1:%d skip 1 with %s lw 2 pt 7 ps 1 lc rgb '%s' title %s", gsmbp__quoted (table), column, style, colors{k}, gsmbp__quoted (p.names{k}));
       column++;
     endfor
     lines{end+1} = ["plot " strjoin(curves, ", ")];
     lines{end+1} = "unset label 1";
   endfor
   lines{end+1} = "unset multiplot";
-  script = [tempname() ".gp"];
-  guard = onCleanup (@() delete (script));
-  f = fopen (script, "w");
-  fprintf (f, "%s\n", lines{:});
-  fclose (f);
-  gsmbp__run ("gsmbp_plot", sprintf ("gnuplot '%s' && mv '%s' '%s'", script, strrep (new, "'", "'\\''"), strrep (file, "'", "'\\''")));
-endfunction
-
-function text = quote (text)
-  text = ["'" strrep(text, "'", "''") "'"];
+  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines);
 endfunction
 
 function text = axes_of (scale)

@@ -35,6 +35,7 @@ function s = gsmbp_timing (m, t, x, varargin)
   calls.inl = {t, q, u, zero};
   calls.lin = {t, q, u, zero};
   calls.acc = calls.rhs = calls.jac = calls.out = calls.ene = {t, x, o.input};
+  calls.ske = {t, q};
   calls.prj = {t, x};
   calls.cmd = calls.clo = {t, o.qj};
   known = fieldnames (calls)';

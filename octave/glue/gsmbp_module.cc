@@ -494,6 +494,16 @@ do_ene (arguments& a, int)
   return ovl (result (e, S.ne));
 }
 
+static octave_value_list
+do_ske (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), p = room (3 * S.np);
+  routine (S.ske, "ske") (&t, &q[0], &cst[0], &p[0]);
+  return ovl (result (p, 3, S.np));
+}
+
 // --------------------------------------------------------------- simulation
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
@@ -664,7 +674,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
-    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"sim", do_sim},
+    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske}, {"sim", do_sim},
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}
   };

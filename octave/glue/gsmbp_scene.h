@@ -10,9 +10,9 @@ typedef void (*gsmbp_sub) (void);
 typedef struct
 {
   const char *name;
-  int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact;
+  int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, np;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
-            out, cmd, clo, ene, acc, vin;
+            out, cmd, clo, ene, acc, ske, vin;
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

@@ -124,8 +124,9 @@ endfunction
 function text = sizes_header (json, symbol, has_input)
   d = json.dimensions;
   counts = cellfun (@(n) d.(n), {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact"});
+  counts(end+1) = sum (gsmbp__skeleton (json).points);
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

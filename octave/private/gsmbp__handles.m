@@ -22,6 +22,7 @@ function m = gsmbp__handles (m)
   calls.cmd = @(t, qj, varargin) f ("cmd", cst, t, qj, varargin{:});
   calls.clo = @(t, qj) f ("clo", cst, t, qj);
   calls.ene = @(t, x, varargin) f ("ene", cst, t, x, varargin{:});
+  calls.ske = @(t, q) f ("ske", cst, t, q);
   for [call, name] = calls
     if (has (name))
       m.(name) = call;

@@ -1,0 +1,14 @@
+## s = gsmbp__skeleton (json)
+## The bodies of the skeletal diagram, ground first, in the order of the columns
+## of SKE: columns BODY (names), POINTS (how many), JOINTS (how many of them,
+## the first ones, are where joints stand).  Empty without SKE.
+
+function s = gsmbp__skeleton (json)
+  s = struct ("body", {cell(0, 1)}, "points", zeros (0, 1), "joints", zeros (0, 1));
+  if (isfield (json, "skeleton") && ! isempty (json.skeleton))
+    list = json.skeleton(:);
+    s.body = {list.body}(:);
+    s.points = double ([list.points](:));
+    s.joints = double ([list.joints](:));
+  endif
+endfunction
