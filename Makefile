@@ -43,7 +43,8 @@ fortran_out/%.f fortran_out/%.json: tests/bench/systems/%.mac $(MAXIMA_SOURCES) 
 examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json examples/$$*/run.m $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
-	cd examples/$* && timeout 1800 octave-cli -qf --no-history run.m </dev/null
+	timeout 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
+	dot -Tpng fortran_out/$*.dot -o examples/$*/out/graph.png
 	@touch $@
 
 test: packages

@@ -17,8 +17,8 @@
 ##
 ## A link is a thick line through its joints and, where it has but one, to its
 ## mass centre; a link that is a single point is a square.  Joints are circles,
-## mass centres small crosses (none where it stands in a joint), joints on the
-## ground stand on a hatched support.  All axes have the same scale.  If all
+## mass centres small crosses (none where it stands in a joint; a thin line
+## leads there from its link), joints on the ground stand on a hatched support.  All axes have the same scale.  If all
 ## points stay in one coordinate plane the picture is flat, otherwise isometric
 ## with a grey shadow below.
 ##
@@ -201,19 +201,17 @@ function s = stage (p, path, o)
   s.high = high(s.axes) + 0.07 * extent;
   s.low(end) -= s.mark;
   room = s.high - s.low;
-  key = 190;
-  height = 0.8 * o.width;
+  height = 0.85 * o.width;
   if (numel (s.axes) == 2)
-    height = 110 + (o.width - key - 70) * room(2) / room(1);
+    height = (o.width - 110) * room(2) / room(1) + 130;
   endif
-  s.pixels = round ([o.width, min(max (height, 300), 1.1 * o.width)]);
-  s.key = 1 - key / o.width;
+  s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
 endfunction
 
 function lines = axes_of (s, o)
   letters = "xyz"(s.axes);
-  lines = {"set grid lc rgb '#dddddd'", "set key at screen 0.99,0.93 right top vertical Left reverse samplen 2 spacing 1.2", "set tics nomirror", ...
-           sprintf("set rmargin at screen %.4f", s.key), "set style fill solid 1 noborder"};
+  lines = {"set grid lt 1 lc rgb '#cccccc'", "set key bmargin center horizontal Left reverse samplen 2 spacing 1.2", "set tics nomirror", ...
+           "set tics scale 0.6"};
   for k = 1:numel (letters)
     c = "xyz"(k);
     lines{end+1} = sprintf ("set %slabel '%s [m]'; set %srange [%.9g:%.9g]", c, letters(k), c, s.low(k), s.high(k));
@@ -222,9 +220,8 @@ function lines = axes_of (s, o)
   if (numel (letters) == 2)
     lines{end+1} = "set size ratio -1";
   else
-    lines = [lines, {sprintf("set view %.4g,%.4g; set view equal xyz", o.view), sprintf("set xyplane at %.9g", s.low(3)), ...
-                     "set border 127 lc rgb '#888888'", "set xtics offset 0,-0.3", "set ytics offset 0,-0.3", "set lmargin at screen 0.02", ...
-                     "set tmargin at screen 0.93", "set bmargin at screen 0.05"}];
+    lines = [lines, {sprintf("set view %.4g,%.4g,%.4g; set view equal xyz", o.view, str2double (getenv ('SC'))), sprintf("set xyplane at %.9g", s.low(3)), ...
+                     "set border 127 lc rgb '#888888'", "set xtics offset 0,-0.3", "set ytics offset 0,-0.3"}];
   endif
 endfunction
 
@@ -248,7 +245,7 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
     for b = 2:numel (skeleton.body)
       q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b));
       q(3,:) = s.low(3);
-      d = add (d, q, s, "lines lw 3 lc rgb '#dddddd'");
+      d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
     endfor
   endif
   for k = 1:columns (supports)
@@ -262,8 +259,12 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
     for b = 2:numel (skeleton.body)
       q = here(:,first(b) + (1:skeleton.points(b)));
       q = outline (q, skeleton.joints(b));
-      style = {"lines lw 5", "points pt 5 ps 2.6"}{1 + (columns (q) == 1)};
+      style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
       style = sprintf ("%s lc rgb '%s'", style, lighter (colors{b-1}, shades(k)));
+      if (skeleton.points(b) > skeleton.joints(b) && skeleton.joints(b) > 1)
+        arm = [mean(q, 2), here(:,first(b) + skeleton.points(b))];
+        d = add (d, arm, s, sprintf ("lines lw 1.2 lc rgb '%s'", lighter (colors{b-1}, shades(k))));
+      endif
       d = add (d, q, s, style);
       if (k == numel (shades))
         d.keys{end+1} = sprintf ("keyentry with %s title %s", style, gsmbp__quoted (skeleton.body{b}));
@@ -311,7 +312,7 @@ function d = add (d, q, s, style)
   endif
   name = sprintf ("$D%d", numel (d.data) + 1);
   text = sprintf ([repmat("%.7g ", 1, d.dims) "\n"], q(s.axes,:));
-  text = regexprep (text, "(?m)^NaN.*$", "");
+  text = regexprep (text, "NaN[^\n]*", "");
   d.data{end+1} = sprintf ("%s << EOD\n%sEOD", name, text);
   d.plots{end+1} = sprintf ("%s with %s notitle", name, style);
 endfunction
@@ -372,7 +373,7 @@ endfunction
 %!  bytes = fread (f, Inf, "uint8=>uint8")';
 %!  fclose (f);
 %!  assert (char (bytes(1:6)), "GIF89a");
-%!  n = numel (strfind (bytes, uint8 ([33 249 4])));
+%!  n = numel (strfind (char (bytes), char ([33 249 4])));
 %!endfunction
 %!function moves (folder)
 %!  [m, r] = pendulum (0);
