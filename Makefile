@@ -6,7 +6,7 @@ MAXIMA_SOURCES := $(wildcard gsmbp/*.mac) $(shell find share -name '*.mac' -o -n
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given
-MAXIMA_USERDIR ?= $(HOME)/.maxima
+MAXIMA_USERDIR ?= $(if $(HOME),$(HOME)/.maxima)
 PREFIX  :=
 DESTDIR :=
 

@@ -73,7 +73,7 @@ function gsmbp_animate (m, result, file, varargin)
   endif
 
   gsmbp_csv ([file(1:end-4) ".csv"], heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
-  s = stage (p, path, o);
+  s = stage (p, path, o, numel (m.skeleton.body) + 1 + ! isempty (path));
   lines = axes_of (s, o);
   n = numel (rows_drawn);
   if (moving)
@@ -186,7 +186,7 @@ endfunction
 ## ------------------------------------------------------------ where it stands
 
 ## s.axes: the two or three coordinates drawn; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture
-function s = stage (p, path, o)
+function s = stage (p, path, o, entries)
   all_points = [reshape(p, 3, []), path];
   low = min (all_points, [], 2);
   high = max (all_points, [], 2);
@@ -201,16 +201,27 @@ function s = stage (p, path, o)
   s.high = high(s.axes) + 0.07 * extent;
   s.low(end) -= s.mark;
   room = s.high - s.low;
-  height = 0.85 * o.width;
   if (numel (s.axes) == 2)
-    height = (o.width - 110) * room(2) / room(1) + 130;
+    height = (o.width - 110) * room(2) / room(1) + 80 + 20 * ceil (entries / 2);
+    s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
+    return;
   endif
-  s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
+  ## set view equal xyz: the longer of x and y spans the lesser side of what the margins leave, its middle in theirs
+  wide = room(1) * abs (cosd (o.view(2))) + room(2) * abs (sind (o.view(2)));
+  tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
+  scale = min ([(o.width - 170) / wide, 0.75 * o.width / tall, o.width / max(room(1:2))]);
+  lines = ceil (entries / 2);
+  below = 75 + 22 * lines;
+  s.pixels = round ([o.width, scale * tall + below + 60]);
+  half = scale * max (room(1:2)) / 2;
+  middle = below + scale * tall / 2;
+  s.key = [(10 + 22 * lines) / s.pixels(2), lines];
+  s.margins = [o.width/2 - half, o.width/2 + half, middle - half, middle + half] ./ s.pixels([1 1 2 2]);
 endfunction
 
 function lines = axes_of (s, o)
   letters = "xyz"(s.axes);
-  lines = {"set grid lt 1 lc rgb '#cccccc'", "set key bmargin center horizontal Left reverse samplen 2 spacing 1.2", "set tics nomirror", ...
+  lines = {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", "set key bmargin center horizontal Left reverse samplen 2 spacing 1.2", "set tics nomirror", ...
            "set tics scale 0.6"};
   for k = 1:numel (letters)
     c = "xyz"(k);
@@ -220,8 +231,12 @@ function lines = axes_of (s, o)
   if (numel (letters) == 2)
     lines{end+1} = "set size ratio -1";
   else
-    lines = [lines, {sprintf("set view %.4g,%.4g,%.4g; set view equal xyz", o.view, str2double (getenv ('SC'))), sprintf("set xyplane at %.9g", s.low(3)), ...
-                     "set border 127 lc rgb '#888888'", "set xtics offset 0,-0.3", "set ytics offset 0,-0.3"}];
+    sides = {"l", "r", "b", "t"};
+    for k = 1:4
+      lines{end+1} = sprintf ("set %smargin at screen %.5f", sides{k}, s.margins(k));
+    endfor
+    lines = [lines, {sprintf("set key at screen 0.5,%.5f top center vertical maxrows %d width 2", s.key), sprintf("set view %.4g,%.4g; set view equal xyz", o.view), ...
+                     sprintf("set xyplane at %.9g", s.low(3)), "set border 127 lc rgb '#888888'"}];
   endif
 endfunction
 
@@ -289,7 +304,7 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
     d.keys{end+1} = ["keyentry with lines lw 1.5 lc rgb '#999999' title " gsmbp__quoted(o.traced)];
   endif
   command = {"plot ", "splot "}{d.dims - 1};
-  lines = [{["set title " gsmbp__quoted(strtrim (title))]}, d.data, {[command strjoin([d.plots, d.keys], ", ")]}];
+  lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), 1 - 20 / s.pixels(2))}, d.data, {[command strjoin([d.plots, d.keys], ", ")]}];
 endfunction
 
 ## the corners of a link: its joints (a closed polygon from three on), or its only joint and the mass centre
@@ -311,7 +326,7 @@ function d = add (d, q, s, style)
     return;
   endif
   name = sprintf ("$D%d", numel (d.data) + 1);
-  text = sprintf ([repmat("%.7g ", 1, d.dims) "\n"], q(s.axes,:));
+  text = sprintf ([repmat("%.9g ", 1, d.dims) "\n"], q(s.axes,:));
   text = regexprep (text, "NaN[^\n]*", "");
   d.data{end+1} = sprintf ("%s << EOD\n%sEOD", name, text);
   d.plots{end+1} = sprintf ("%s with %s notitle", name, style);

@@ -134,3 +134,7 @@ gsmbp_timing (m, 0.4, at.x', "input", at.v, "qj", at.qj);
 puts ("\n");
 gsmbp_workprecision (m, x0, [0 0.5 1], "motion", plan, "rk4", [5e-3 2e-3 1e-3 5e-4 1e-4], "dp853", 10 .^ -(2:2:12), "file", "out/speed_error.png", "seconds", 0.05);
 diary off
+
+## ------------------------------------------------------ what it looks like
+gsmbp_animate (m, r, "out/skeleton.png", "trace", "link3", "title", "PUMA 560");
+gsmbp_animate (m, r, "out/motion.gif", "speed", 0.5, "trace", "link3", "title", "PUMA 560, half speed");

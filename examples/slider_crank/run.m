@@ -101,3 +101,7 @@ gsmbp_timing (m, 2.5, at.x', "input", at.v, "qj", at.qj);
 puts ("\n");
 gsmbp_workprecision (m, x0, [0 1 2 6], "motion", plan, "rk4", [5e-3 2e-3 1e-3 5e-4 1e-4], "dp853", 10 .^ -(4:2:12), "file", "out/speed_error.png", "seconds", 0.05);
 diary off
+
+## ------------------------------------------------------ what it looks like
+gsmbp_animate (m, r, "out/skeleton.png", "times", [1 1.6 2], "trace", "rod", "title", "Slider-crank");
+gsmbp_animate (m, r, "out/motion.gif", "times", 0:0.05:4, "trace", "rod", "title", "Slider-crank");
