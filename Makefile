@@ -2,7 +2,7 @@
 
 EXAMPLES := $(notdir $(patsubst %/,%,$(wildcard examples/*/)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
-MAXIMA_SOURCES := $(wildcard gsmbp/*.mac) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
+MAXIMA_SOURCES := $(wildcard gsmbp/*.mac gsmbp/*.lisp) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given

@@ -10,9 +10,10 @@ cat >gsmbp/gsmbp.mac <<'E1'
 gsmbp_fortran(name, requests, options) := block([folder : rhs(first(options))],
   with_stdout(sconcat(folder, "/", name, ".json"), print("{}")),
   with_stdout(sconcat(folder, "/", name, ".f"), print("      END")))$
+gsmbp_graph_picture(name, file) := with_stdout(file, print("digraph { a -> b }"))$
 E1
 echo 'scene : "demo"$' >examples/demo/demo.mac
-echo 'fid = fopen ("out/table.csv", "a"); fdisp (fid, 1); fclose (fid);' >examples/demo/run.m
+echo 'fid = fopen ("examples/demo/out/table.csv", "a"); fdisp (fid, 1); fclose (fid);' >examples/demo/run.m
 
 check() { what=$1; shift; if "$@"; then echo "ok $what"; else echo "not ok $what"; tail -n 5 out.txt; fi; }
 make_() { make --no-print-directory "$@" >out.txt 2>&1; }
