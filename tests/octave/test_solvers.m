@@ -9,7 +9,6 @@ function test_solvers ()
     singular (f, name);
     constraints (f, name);
   end
-  speed (bodies.double);
 end
 
 function x = solve (f, kind, A, b)
@@ -106,15 +105,4 @@ function constraints (f, name)
   gsmbp_check ([name, " GSKKT vanishing rows: the free motion"], [A * found - F; lam; info - 2], 1e-13);
   [found, lam, info] = kkt (f, A(1:2,1:2), [1, 0; 0, 1; 1, 1], F(1:2), [1; 2; 3]);
   gsmbp_check ([name, " GSKKT more rows than coordinates"], [found - [1; 2]; info - 2], 1e-14);
-end
-
-function speed (f)
-  A = [2, 0.3, 0; 0.3, 1, 0.1; 0, 0.1, 1.5];
-  H = [1, 0.5, -1; 0.2, 1, 0];
-  best = Inf;
-  for k = 1:5
-    [~, ~, ~, s] = f ("kkt", [3, 2, 20000], A, H, [1; 2; 3], [0.1; 0.2]);
-    best = min (best, s);
-  end
-  gsmbp_check (sprintf ("GSKKT with 3 coordinates and 2 constraints takes %.0f ns, s", 1e9 * best), best, 2e-6);
 end
