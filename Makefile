@@ -33,14 +33,14 @@ packages:
 examples: $(EXAMPLES:%=examples/%/out/finished)
 
 # Fortran and JSON appear whole or not at all (gsmbp_fortran writes beside and renames)
-fortran_out/%.f fortran_out/%.json: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages
+fortran_out/%.f fortran_out/%.json fortran_out/%.dot: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages
 	share/make/derive $< fortran_out
 
-fortran_out/%.f fortran_out/%.json: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages
+fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages
 	share/make/derive $< fortran_out
 
 # the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
-examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json examples/$$*/run.m $(RUN_SOURCES)
+examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
 	timeout 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null

@@ -61,6 +61,11 @@ function save_text (file, text)
   rename ([file ".new"], file);
 end
 
+## the parts that all modules share are compiled once, ahead of the measurements
+gsmbp_derive (fullfile (here, "systems", "pend2.mac"), out);
+gsmbp_build ("pend2", "directory", out);
+gsmbp_build ("pend2", "directory", out, "precision", "quad");
+
 results = cell (1, numel (systems));
 for k = 1:numel (systems)
   printf ("%s ...\n", systems{k});
