@@ -1,4 +1,4 @@
-;; gsmbp_hash.lisp: hash tables on expressions, in Lisp (Maxima's own hashed arrays are ten times slower).
+;; gsmbp_hash.lisp: hash tables on expressions, in Lisp.
 ;; gsmbp__get gives false for a key that is not there.
 (in-package :maxima)
 (defun $gsmbp__new_hash () (make-hash-table :test #'equal))
