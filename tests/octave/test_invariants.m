@@ -8,7 +8,9 @@ function test_invariants ()
     m = gsmbp_fixture (name);
     d = m.sizes;
     mass (name, m, d);
-    power (name, m, d);
+    if (! strcmp (name, "variants"))   # qs1 balances to the order of L only: rtest_actuators
+      power (name, m, d);
+    end
     jacobians (name, m, d);
     motion_model (name, m, d);
     if (d.nlam > 0)
