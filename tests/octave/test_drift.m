@@ -1,4 +1,4 @@
-## A million steps: the slider-crank started at 12 rad/s and left free, classical Runge-Kutta, 1 ms. The bounds are the issue's.
+## A million steps: the slider-crank started at 12 rad/s and left free, classical Runge-Kutta, 1 ms. 
 
 function test_drift ()
   m = gsmbp_fixture ("free_crank");
