@@ -1,11 +1,12 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{design} =} gsmbp_lqr (@var{m}, @var{motion}, @var{times}, @var{Q}, @var{R})
-## Linear state feedback that holds an open chain about a planned motion.
+## Linear state feedback that holds a scene about a planned motion.
 ##
 ## At each of the @var{times} [s] the exact linear model of the scene about the
 ## nominal states of the planned @var{motion} (@code{gsmbp_inverse}) is given
 ## to @code{lqr} of the control package with the weights @var{Q} (@var{nx} x
-## @var{nx}) and @var{R} (@var{nv} x @var{nv}).  The gains are scheduled
+## @var{nx}) and @var{R} (@var{nv} x @var{nv}).  Of a closed chain the model in
+## independent states is taken, and only these are fed back.  The gains are scheduled
 ## linearly between the times (two or more); one time gives a constant gain.
 ##
 ## @var{design} has the fields @code{gain} and @code{reference}, to be handed
@@ -25,9 +26,6 @@ function design = gsmbp_lqr (m, motion, times, Q, R)
     print_usage ();
   endif
   d = m.sizes;
-  if (d.nlam > 0)
-    error ("gsmbp_lqr: %s has loops: its %d states are not independent; choose independent ones first", m.name, d.nx);
-  endif
   if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [d.nv d.nv]))
     error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d", m.name, d.nx, d.nx, d.nv, d.nv);
   endif
@@ -38,13 +36,20 @@ function design = gsmbp_lqr (m, motion, times, Q, R)
   nominal = gsmbp_inverse (m, motion, times);
   nt = numel (times);
   gains = zeros (nt, d.nv * d.nx);
-  design.poles = zeros (d.nx, nt);
+  chosen = "auto";
   for i = 1:nt
-    [A, B] = m.jac (times(i), nominal.x(i,:)', nominal.v(i,:)');
-    ## balanced, so that currents and angles are numbers of like size
-    [T, ~] = balance (A);
-    [K, ~, poles] = lqr (T \ A * T, T \ B, T' * Q * T, R);
-    gains(i,:) = (K / T)(:)';
+    [sys, T, states] = gsmbp_linear (m, times(i), nominal.x(i,:)', nominal.v(i,:)', "reduced", chosen);
+    if (numel (states) < d.nx)
+      chosen = m.states(states(states <= d.nq + d.nu));   # the same ones at all times
+    endif
+    ## balanced, so that currents and angles are numbers of like size; rounding errors must not take part
+    A = sys.a;
+    A(abs (A) < 1e-13 * max (abs (A(:)))) = 0;
+    [S, ~] = balance (A);
+    [K, ~, poles] = lqr (S \ A * S, S \ sys.b, (T * S)' * Q * (T * S), R);
+    all_states = zeros (d.nv, d.nx);
+    all_states(:,states) = K / S;
+    gains(i,:) = all_states(:)';
     design.poles(:,i) = poles;
   endfor
   if (nt == 1)
