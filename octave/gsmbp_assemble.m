@@ -1,18 +1,26 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{x} =} gsmbp_assemble (@var{m}, @var{guess})
 ## @deftypefnx {} {@var{x} =} gsmbp_assemble (@var{m}, @var{guess}, "hold", @var{names}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{X} =} gsmbp_assemble (@var{m}, @var{guess}, "branches", @var{n}, @dots{})
 ## A state of the scene that fulfils its constraints, from a rough one.
 ##
 ## @var{guess} are the @var{nx} states (or the @var{nq} coordinates alone; the
 ## speeds are then zero); the result is a column.  Coordinates and speeds are
 ## moved as little as possible in the metric of the mass matrix (subroutine
 ## PRJ), or, where "hold" names some of the coordinates, the named ones and
-## their speeds stay as they are and the others follow by Newton's method.
-## @var{t} is the time, 0 by default.
+## the speeds that move them stay as they are and the others follow by Newton's
+## method.  Euler parameters are normalized.  @var{t} is the time, 0 by default.
 ##
 ## If the loop does not close it is an error that says by how much it fails:
 ## the largest |phi| that is left, above @var{tol} (default 1e-10, in the
 ## unit of the constraint).
+##
+## With "branches" the guess and @var{n} more around it are tried (angles up to
+## half a turn away, lengths by the size of the mechanism, any orientation; the
+## same ones at every call), and all the different states that were found
+## come back as columns of @var{X}, the nearest to the guess first.  Hold the
+## independent coordinates: otherwise every guess finds another place of the
+## same motion.  It is an error if none of them closes the loop.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 
@@ -21,7 +29,7 @@ function x = gsmbp_assemble (m, guess, varargin)
     print_usage ();
   endif
   who = "gsmbp_assemble";
-  o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10), varargin);
+  o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10, "branches", 0), varargin);
   d = m.sizes;
   x = double (guess(:));
   if (numel (x) == d.nq)
@@ -33,58 +41,83 @@ function x = gsmbp_assemble (m, guess, varargin)
     error ("%s: %s: the guess of %s is not finite", who, m.name, m.states{find(! isfinite (x), 1)});
   endif
   if (d.nlam == 0)
+    if (d.nq > d.nu)
+      x = normalized (m, x);
+    endif
     return;
   endif
-  if (isempty (o.hold))
-    [x, ~, info] = m.prj (o.time, x);
+  held = held_coordinates (who, m, o.hold);
+  if (! (isscalar (o.branches) && o.branches >= 0 && o.branches == fix (o.branches)))
+    error ("%s: option branches must be a whole number", who);
+  endif
+  if (o.branches == 0)
+    [x, complaint] = close_loops (m, x, o, held);
+    if (! isempty (complaint))
+      error ("%s: %s: %s", who, m.name, complaint);
+    endif
   else
-    x = solve (who, m, x, o);
-  endif
-  q = x(1:d.nq);
-  u = x(d.nq + (1:d.nu));
-  if (all (isfinite (x)))
-    [phi, phit, H, ~, ~] = m.con (o.time, q, u);
-    rate = H * u + phit;
-  else
-    phi = rate = Inf (d.nlam, 1);
-  endif
-  [gap, k] = max (abs (phi));
-  if (! (gap <= o.tolerance))
-    error ("%s: %s: the loop does not close: %s = %.6g is left of the constraints (tolerance %g); try another guess or check the lengths", who, m.name,
-           label (m, k), phi(k), o.tolerance);
-  endif
-  [gap, k] = max (abs (rate));
-  if (! (gap <= o.tolerance * max (1, norm (u))))
-    error ("%s: %s: the speeds do not fit the constraints: the rate of %s is %.6g", who, m.name, label (m, k), rate(k));
+    x = branches (who, m, x, o, held);
   endif
 endfunction
 
-## Newton on the coordinates that are not held, then their speeds
-function x = solve (who, m, x, o)
-  d = m.sizes;
-  held = cellstr (o.hold);
-  free = true (1, d.nq);
-  for i = 1:numel (held)
-    k = strcmp (m.coordinates, held{i});
-    if (! any (k))
-      error ("%s: %s has no coordinate \"%s\"; it has %s", who, m.name, held{i}, strjoin (m.coordinates', ", "));
+function held = held_coordinates (who, m, names)
+  held = false (m.sizes.nq, 1);
+  for name = cellstr (names)(:)'
+    if (isempty (name{1}))
+      continue;
     endif
-    free(k) = false;
+    k = strcmp (m.coordinates, name{1});
+    if (! any (k))
+      error ("%s: %s has no coordinate \"%s\"; it has %s", who, m.name, name{1}, strjoin (m.coordinates', ", "));
+    endif
+    held |= k(:);
   endfor
-  free = find (free);
+endfunction
+
+## the state from one guess; COMPLAINT says why it is none, or is empty
+function [x, complaint] = close_loops (m, x, o, held)
+  d = m.sizes;
+  if (any (held))
+    x = solve (m, x, o, held);
+  else
+    [x, ~, info] = m.prj (o.time, x);
+  endif
+  phi = rate = Inf (d.nlam, 1);
+  if (all (isfinite (x)))
+    u = x(d.nq + (1:d.nu));
+    [phi, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
+    rate = H * u + phit;
+  endif
+  complaint = "";
+  [gap, k] = max (abs (phi));
+  [slip, j] = max (abs (rate));
+  if (! (gap <= o.tolerance))
+    complaint = sprintf ("the loop does not close: %s = %.6g is left of the constraints (tolerance %g); try another guess or check the lengths", label (m, k), phi(k), o.tolerance);
+  elseif (! (slip <= o.tolerance * max (1, norm (u))))
+    complaint = sprintf ("the speeds do not fit the constraints: the rate of %s is %.6g", label (m, j), rate(j));
+  endif
+endfunction
+
+## Newton on what is not held, by displacements of the speeds; then the speeds
+function x = solve (m, x, o, held)
+  d = m.sizes;
+  x = normalized (m, x);
   u = x(d.nq + (1:d.nu));
+  rows = setdiff (1:d.nlam, m.speed_rows);   # the others have no phi
   least = Inf;
-  for iteration = 1:50
+  for iteration = 1:60
     q = x(1:d.nq);
     [phi, ~, H, ~, ~] = m.con (o.time, q, u);
     if (norm (phi, Inf) < least)
       least = norm (phi, Inf);
       best = x;
     endif
-    step = -pinv (H(:,free)) * phi;
-    limit = max (1, max (abs (step)));
-    x(free) += step / limit;
-    if (norm (step, Inf) <= 1e-15 * max (1, norm (q, Inf)) || norm (phi, Inf) == 0)
+    [K, free] = moves (m, o.time, q, held);
+    step = -pinv (H(rows,free)) * phi(rows);
+    move = K(:,free) * step / max (1, max (abs (step)));
+    x(1:d.nq) += move;
+    x = normalized (m, x);
+    if (norm (move, Inf) <= 1e-15 * max (1, norm (q, Inf)) || norm (phi, Inf) == 0)
       break;
     endif
   endfor
@@ -92,8 +125,116 @@ function x = solve (who, m, x, o)
     x = best;
   endif
   [~, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
+  [~, free] = moves (m, o.time, x(1:d.nq), held);
   u(free) -= pinv (H(:,free)) * (H * u + phit);
   x(d.nq + (1:d.nu)) = u;
+endfunction
+
+## q' = K*u, and which speeds move nothing that is held
+function [K, free] = moves (m, t, q, held)
+  d = m.sizes;
+  if (d.nq == d.nu && ! isfield (m, "kin"))
+    K = eye (d.nu);
+  else
+    e = eye (d.nu);
+    for j = d.nu:-1:1
+      K(:,j) = m.kin (t, q, e(:,j));
+    endfor
+  endif
+  free = all (abs (K(held,:)) <= 1e-12, 1);
+endfunction
+
+## Euler parameters of length one
+function x = normalized (m, x)
+  for set = m.orientation'
+    n = norm (x(set));
+    if (n > 0)
+      x(set) /= n;
+    endif
+  endfor
+  if (isempty (m.orientation) && m.sizes.nq > m.sizes.nu && m.sizes.nlam == 0)
+    x = m.prj (0, x);
+  endif
+endfunction
+
+## all different states from many guesses, as columns
+function found = branches (who, m, guess, o, held)
+  before = rand ("twister");
+  unwind_protect
+    rand ("twister", 7);
+    guesses = [guess, around(m, guess, held, o.branches)];
+  unwind_protect_cleanup
+    rand ("twister", before);
+  end_unwind_protect
+  found = zeros (numel (guess), 0);
+  first = "";
+  for x = guesses
+    try
+      [x, complaint] = close_loops (m, x, o, held);
+    catch err
+      complaint = err.message;
+    end_try_catch
+    if (isempty (complaint))
+      x = wound (m, x, guess);
+      if (isempty (found) || all (max (abs (difference (m, found, x)), [], 1) > 1e-6 * max (1, norm (x(1:m.sizes.nq), Inf))))
+        found(:,end+1) = x;
+      endif
+    elseif (isempty (first))
+      first = complaint;
+    endif
+  endfor
+  if (isempty (found))
+    error ("%s: %s: none of %d guesses: %s", who, m.name, columns (guesses), first);
+  endif
+  [~, order] = sort (max (abs (difference (m, found, guess)), [], 1));
+  found = found(:,order);
+endfunction
+
+## N guesses: angles by up to half a turn, lengths by up to the largest one, orientations at random
+function guesses = around (m, guess, held, n)
+  d = m.sizes;
+  unit = m.units.coordinates;
+  size = pi * ones (d.nq, 1);
+  long = ! strcmp (unit, "rad") & ! euler (m);
+  lengths = struct2cell (m.par)(strcmp (m.units.parameters, "m"));
+  size(long) = max ([1e-3; abs(guess(long)); abs([lengths{:}]')]);
+  size(held) = 0;
+  guesses = repmat (guess, 1, n);
+  guesses(1:d.nq,:) += size .* (2 * rand (d.nq, n) - 1);
+  for set = m.orientation'
+    if (! any (held(set)))
+      e = sqrt (-2 * log (rand (4, n))) .* cos (2 * pi * rand (4, n));
+      guesses(set,:) = e ./ sqrt (sumsq (e, 1));
+    endif
+  endfor
+endfunction
+
+function yes = euler (m)
+  yes = false (m.sizes.nq, 1);
+  yes(m.orientation(:)) = true;
+endfunction
+
+## angles within half a turn of the guess, the sign of Euler parameters as there
+function x = wound (m, x, guess)
+  turning = find (strcmp (m.units.coordinates, "rad") & ! euler (m));
+  x(turning) -= 2 * pi * round ((x(turning) - guess(turning)) / (2 * pi));
+  for set = m.orientation'
+    if (x(set)' * guess(set) < 0)
+      x(set) *= -1;
+    endif
+  endfor
+endfunction
+
+## coordinates of the columns of FOUND less those of X, turns and signs aside
+function e = difference (m, found, x)
+  e = found(1:m.sizes.nq,:) - x(1:m.sizes.nq);
+  turning = strcmp (m.units.coordinates, "rad") & ! euler (m);
+  e(turning,:) -= 2 * pi * round (e(turning,:) / (2 * pi));
+  for set = m.orientation'
+    other = found(set,:) + x(set);
+    swap = max (abs (other), [], 1) < max (abs (e(set,:)), [], 1);
+    e(set,swap) = other(:,swap);
+  endfor
 endfunction
 
 function text = label (m, k)
@@ -115,6 +256,11 @@ endfunction
 %! x = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0], "hold", "q1");
 %! assert (x([1 4]), [0.3; 12]);
 %! assert (x(2), asin (-0.2 * sin (0.3) / 0.5), 1e-14);
+%!test <both branches of the slider-crank>
+%! x = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0], "hold", "q1", "branches", 20);
+%! assert (x(1,:), [0.3 0.3]);
+%! assert (x(3,:), 0.2 * cos (0.3) + [1 -1] * sqrt (0.25 - 0.04 * sin (0.3)^2), 1e-14);
+%!error <none of 6 guesses: the loop does not close> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1", "branches", 5)
 %!error <loop does not close: phi of C\.y = 0.1[0-9]* is left> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1")
 %!error <has no coordinate "q9"> gsmbp_assemble (c, [0.3 -0.1 0.7], "hold", "q9")
 %!error <expected a guess of 6 states or 3> gsmbp_assemble (c, [0.3 -0.1])

@@ -30,6 +30,12 @@
 ## state space of the whole scene
 ## @item [ud, lam, info] = m.acc (t, x[, v])
 ## accelerations and multipliers of a closed chain
+## @item [ud, lam, info] = m.acd (t, x, v, way)
+## the same by one of the ways of solution: 1 multipliers, 2 null space,
+## 3 zero-eigenvalue theorem, 4 Kane with dependent speeds
+## @item [P, R] = m.tan (t, x)
+## derivatives of the constraints and of their rates by the coordinates,
+## @var{nlam} x @var{nq}
 ## @item [x, res, info] = m.prj (t, x)
 ## the state moved onto the constraints, residual before
 ## @item [A, B, C, D, info] = m.jac (t, x[, v])
@@ -57,7 +63,12 @@
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
 ## @code{joints}, how many of these, the first ones, are where joints stand: a
-## point behind them is the mass centre).
+## point behind them is the mass centre), @code{removed} (constraint rows that
+## were left out: a struct array with @code{row} and @code{reason}),
+## @code{mobility} (a struct: Gruebler's count and what it is made of),
+## @code{orientation} (a row of four numbers of coordinates for each set of
+## Euler parameters), @code{angles} (joints whose orientation is in angles),
+## @code{speed_rows} (numbers of the constraints on speeds alone).
 ##
 ## Options:
 ## @table @code
@@ -148,10 +159,38 @@ function m = gsmbp_build (name, varargin)
     m.initial = double (json.initial(:));
   endif
   m.skeleton = gsmbp__skeleton (json);
+  m = loops (m, json);
   m.json = json;
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
   m = gsmbp_set (m, options.parameters);
+endfunction
+
+## what the JSON says of loops and orientations, empty where it says nothing
+function m = loops (m, json)
+  m.removed = m.mobility = struct ([]);
+  m.orientation = zeros (0, 4);
+  m.angles = cell (0, 1);
+  m.speed_rows = zeros (0, 1);
+  if (isfield (json, "removed") && ! isempty (json.removed))
+    m.removed = json.removed;
+  endif
+  if (isfield (json, "mobility"))
+    m.mobility = json.mobility;
+  endif
+  if (isfield (json, "orientation") && ! isempty (json.orientation))
+    list = json.orientation;
+    if (iscell (list))
+      list = cell2mat (cellfun (@(row) row(:)', list, "UniformOutput", false));
+    endif
+    m.orientation = reshape (double (list'), 4, [])';
+  endif
+  if (isfield (json, "angles"))
+    m.angles = gsmbp__names (json.angles);
+  endif
+  if (isfield (json, "speed_rows"))
+    m.speed_rows = double (json.speed_rows(:));
+  endif
 endfunction
 
 function folder = default_directory ()

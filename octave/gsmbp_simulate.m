@@ -20,12 +20,38 @@
 ## one for each state in its unit, default @code{rtol}
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
+## @item "loops"
+## the way of the loops (and of Euler parameters), a word of the table below
 ## @item "projection"
-## true: the state is moved onto the constraints after every step (default
-## where the scene has constraints).  False leaves it to Baumgarte's terms,
-## whose constants are parameters (@code{gsmbp_set}).
+## true and false are other words for "loops", "projection" and "baumgarte"
 ## @item "drift"
-## false: do not record the drift of the constraints
+## false: drift and rank of the constraints are not watched.  This is faster, but
+## singular positions are then neither reported nor taken with care, and
+## redundant constraints need the way "partitioning".
+## @end table
+##
+## The ways of the loops:
+## @table @code
+## @item "projection"
+## (default) equations with multipliers; the state is moved onto the
+## constraints after every step
+## @item "baumgarte"
+## equations with multipliers; drift is left to Baumgarte's terms, whose
+## constants are parameters (@code{gsmbp_set}).  Euler parameters are not
+## normalized in this way.
+## @item "partitioning"
+## coordinate partitioning: before every call of the right-hand side the
+## dependent coordinates and speeds are computed from the independent ones,
+## which are chosen anew when they become ill-conditioned
+## @item "nullspace"
+## accelerations without multipliers in the null space of the constraints (QR);
+## the state is moved onto the constraints after every step
+## @item "svd"
+## the same by the zero-eigenvalue theorem (singular values)
+## @item "kane"
+## Kane's equations with dependent speeds; these are computed from the
+## independent ones before every call, positions are moved onto the
+## constraints after every step
 ## @end table
 ##
 ## Inputs (where nothing is said, zero):
@@ -51,8 +77,30 @@
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
 ## @code{v} (the inputs; from the left where they jump) and @code{stats}:
-## calls of the right-hand side, steps accepted and rejected, seconds of
-## compiled run, drift (largest |phi|, |phidot| after any step, and when).
+## @table @code
+## @item calls, accepted, rejected, repeated, projections, seconds
+## calls of the right-hand side, steps (@code{repeated}: those that could not
+## be moved onto the constraints, or only by a jump), compiled run [s]
+## @item drift
+## a struct: largest |phi|, |phidot| after any step, and when
+## @item rank_losses, rank_loss_times
+## calls where the constraints were dependent (all, if the scene has redundant
+## ones); first and last time [s]
+## @item singular_positions, singular_times
+## positions passed where the constraints lose rank (dead centres, change
+## points: the mechanism may go on in more than one way), as the pivots after
+## the steps show it; first and last time [s].  This is a printed warning too.
+## @item least_pivot, least_pivot_at
+## how near it came: the least pivot of the constraint Jacobian beside the
+## largest, and when [s]
+## @item angle_singularities, angle_times
+## calls within 0.05 rad of a singularity of orientation angles; first and last time [s].
+## This is a printed warning too: Euler parameters have no singularity.
+## @item partition_changes
+## how often other independent speeds were chosen (also where another way
+## borrows from "partitioning": close to singular positions and where
+## constraints are redundant)
+## @end table
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
@@ -65,11 +113,12 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   who = "gsmbp_simulate";
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
-  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "projection", has ("prj") && d.nlam > 0,
+  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "loops", "", "projection", [],
                      "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "breaks", []);
   o = gsmbp__options (who, defaults, varargin);
   times = gsmbp__times (who, times);
-  [iopt, ropt, atol] = integration (who, o, d, m);
+  [m, way] = loops (who, o, m);
+  [iopt, ropt, atol] = integration (who, o, d, m, way);
   [ip, rp, breaks, callback] = inputs (who, o, m);
   t0 = times(1);
   breaks = unique ([breaks, o.breaks(:)']);
@@ -88,19 +137,83 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.calls = counts(1);
   s.accepted = counts(2);
   s.rejected = counts(3);
+  s.repeated = counts(12);
   s.projections = counts(4);
   s.rank_losses = counts(8);
+  s.rank_loss_times = values(10:11)';
+  s.singular_positions = counts(11);
+  s.singular_times = values(16:17)';
+  s.least_pivot = values(14);
+  s.least_pivot_at = values(15);
+  s.angle_singularities = counts(9);
+  s.angle_times = values(12:13)';
+  s.partition_changes = counts(10);
   s.smallest_step = values(6);
   s.largest_step = values(7);
   s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", values(4), "before_projection", values(5));
   s.reached = values(8);
   result.stats = s;
+  warn (who, m, s);
   if (info != 0 && nargout < 2)
     error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (info, counts, values));
   endif
 endfunction
 
-function [iopt, ropt, atol] = integration (who, o, d, m)
+## the way of the loops: its number, and the model with its parameter loop_method
+function [m, way] = loops (who, o, m)
+  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"};
+  d = m.sizes;
+  has = @(name) any (strcmp (m.subroutines, name));
+  euler = d.nq > d.nu;
+  word = o.loops;
+  if (isempty (word))
+    word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
+    if (! isempty (o.projection))
+      word = words{1 + logical(o.projection)};
+    endif
+  elseif (! isempty (o.projection))
+    error ("%s: give \"loops\" or \"projection\", not both", who);
+  endif
+  way = find (strcmp (word, words));
+  if (isempty (way))
+    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), strtrim (disp (word)));
+  endif
+  if (d.nlam == 0 && isempty (o.projection))
+    way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
+  endif
+  method = max (1, way - 2);
+  if (isfield (m.par, "loop_method"))
+    if (m.par.loop_method != method)
+      m = gsmbp_set (m, "loop_method", method);
+    endif
+  elseif (method > 1)
+    error ("%s: %s was derived without the ways nullspace, svd and kane (it has no parameter loop_method): derive the scene again", who, m.name);
+  endif
+  needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, {"con", "kin", "prj"}}{way};
+  for name = needs
+    if (! has (name{1}))
+      error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, words{way}, toupper (name{1}), m.name);
+    endif
+  endfor
+endfunction
+
+## what the result does not show by itself
+function warn (who, m, s)
+  if (s.singular_positions > 0)
+    warning ("gsmbp:singular", "%s: %s passed %d position%s where its constraints lose rank, the first at t = %.6g s: it may go on in more than one way there", who, m.name,
+             s.singular_positions, {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1));
+  endif
+  if (s.angle_singularities > 0)
+    joints = "";
+    if (! isempty (m.angles))
+      joints = [" of " strjoin(m.angles(:)', ", ")];
+    endif
+    warning ("gsmbp:angles", "%s: %s came within 0.05 rad of a singularity of its orientation angles%s at t = %.6g s: choose another sequence of axes or Euler parameters", who, m.name,
+             joints, s.angle_times(1));
+  endif
+endfunction
+
+function [iopt, ropt, atol] = integration (who, o, d, m, way)
   methods = struct ("rk4", 4, "dp853", 8);
   if (! (ischar (o.method) && isfield (methods, o.method)))
     error ("%s: method must be \"rk4\" or \"dp853\"", who);
@@ -128,13 +241,10 @@ function [iopt, ropt, atol] = integration (who, o, d, m)
   if (numel (atol) != d.nx || ! all (atol(:) >= 0))
     error ("%s: option atol: expected one number or %d numbers, all >= 0", who, d.nx);
   endif
-  for name = {"projection", "drift"}
-    subroutine = {"prj", "con"}{1 + strcmp(name{1}, "drift")};
-    if (o.(name{1}) && ! any (strcmp (m.subroutines, subroutine)))
-      error ("%s: option %s needs the subroutine %s, which %s was emitted without", who, name{1}, toupper (subroutine), m.name);
-    endif
-  endfor
-  iopt = [methods.(o.method), logical(o.projection), logical(o.drift), o.maxsteps];
+  if (o.drift && ! any (strcmp (m.subroutines, "con")))
+    error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
+  endif
+  iopt = [methods.(o.method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
   ropt = [o.step, o.rtol, o.maxstep];
 endfunction
 
@@ -214,8 +324,11 @@ function text = failure (info, counts, values)
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
-      routine = {"the inputs", "RHS", "PRJ", "CON"}{counts(7)};
+      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s", routine, counts(6), at);
+      if (any (counts(7) == [3, 5]) && counts(6) == 3)
+        text = [text ": no position that closes the loops was found nearby; the mechanism may be at the end of its range"];
+      endif
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
     otherwise
@@ -239,5 +352,14 @@ endfunction
 %!error <argument x0\(1\) is not finite> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
 %!error <method must be> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
+%!test <six words, of which hand_crank knows three>
+%! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
+%! for word = {"baumgarte", "projection", "partitioning"}
+%!   r = gsmbp_simulate (c, x0, [0 0.5], "loops", word{1});
+%!   assert (r.x(2,:), gsmbp_simulate (c, x0, [0 0.5], "rtol", 1e-13).x(2,:), 1e-7);
+%! endfor
+%!error <derive the scene again> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd")
+%!error <option loops must be one of baumgarte> gsmbp_simulate (c, c.initial, [0 1], "loops", "none")
+%!error <not both> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd", "projection", true)
 %!error <needs the subroutine PRJ> gsmbp_simulate (m, [0 0 0], [0 1], "projection", true)
 %!error <input: expected 1 finite> gsmbp_simulate (m, [0 0 0], [0 1], "input", [1 2])

@@ -54,6 +54,7 @@ extern "C"
   void gssim_ (void);
   void gspln_ (void);
   void gskkt_ (void);
+  void gsacc_ (void);
   void gsspd_ (void);
   void gsleq_ (void);
 }
@@ -416,6 +417,31 @@ do_acc (arguments& a, int nargout)
 }
 
 static octave_value_list
+do_acd (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  int way = a.integers ("way", 1)[0], info = 0;
+  reals ud = room (S.nu), lam = room (S.nlam);
+  routine (S.acd, "acd") (&t, &x[0], &v[0], &cst[0], &way, &ud[0], &lam[0], &info);
+  octave_value_list out = ovl (result (ud, S.nu), result (lam, S.nlam));
+  finish (out, info, nargout, "acd");
+  return out;
+}
+
+static octave_value_list
+do_tan (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), dp = room (S.nlam * S.nq), dv = room (S.nlam * S.nq);
+  int ld = std::max (1, S.nlam);
+  routine (S.tan, "tan") (&t, &x[0], &cst[0], &dp[0], &ld, &dv[0], &ld);
+  return ovl (result (dp, S.nlam, S.nq), result (dv, S.nlam, S.nq));
+}
+
+static octave_value_list
 do_prj (arguments& a, int nargout)
 {
   reals cst = a.constants ();
@@ -550,7 +576,13 @@ do_sim (arguments& a, int)
   reals x0 = a.vector ("x0", S.nx);
   reals tout = a.vector ("times", -1), tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
-  std::vector<int> iopt = a.integers ("iopt", 4);
+  std::vector<int> iopt = a.integers ("iopt", -1);   // method, way of the loops, drift, steps; from 7 on constraints on speeds
+  if (iopt.size () < 6)
+    error ("%s: iopt is too short", a.who ().c_str ());
+  for (std::size_t i = 6; i < iopt.size (); i++)
+    if (iopt[i] < 1 || iopt[i] > S.nlam)
+      error ("%s: there is no constraint %d", a.who ().c_str (), iopt[i]);
+  iopt[5] = int (iopt.size ()) - 6;
   reals ropt = a.vector ("ropt", 3), atol = a.vector ("atol", S.nx);
   std::vector<int> ip = a.integers ("ip", -1);
   reals rp = a.vector ("rp", -1), guess = a.vector ("guess", S.nu);
@@ -561,18 +593,23 @@ do_sim (arguments& a, int)
 
   int nt = int (counts(0)), nb = int (counts(1)), info = 0;
   int ldx = std::max (1, S.nx), ldv = std::max (1, S.nv);
-  int lw = 2 * S.nu * (ip[3] + 1) + 21 * S.nx + S.nv * S.nx + S.nv + 3 * S.nlam
-           + S.nlam * S.nu + 40;
+  int lw = 2 * S.nu * (ip[3] + 1) + 20 * S.nx + S.nv * S.nx + S.nv + 8 * S.nu + 10 * S.nq
+           + 7 * S.nlam + 2 * S.nlam * S.nu + 60;
   reals w = room (lw), xout = room (ldx * nt), vout = room (ldv * nt);
-  reals rstat = room (10);
-  std::vector<int> istat (10, 0);
+  const int statistics = 20;
+  reals rstat = room (statistics);
+  std::vector<int> istat (statistics, 0);
   for (int i = 0; i < S.nu; i++)
     w[i] = guess[i];
 
   gsmbp_sub none = gsmbp_absent;
   gsmbp_sub rhs = routine (S.rhs, "rhs").f;
-  gsmbp_sub prj = iopt[1] == 1 ? routine (S.prj, "prj").f : none;
-  gsmbp_sub con = iopt[2] == 1 ? routine (S.con, "con").f : none;
+  bool loops = S.nlam > 0, partition = loops && (iopt[1] == 3 || iopt[1] == 6);
+  bool project = iopt[1] != 1 && (iopt[1] == 3 ? S.nq > S.nu : loops || S.nq > S.nu);
+  gsmbp_sub prj = project ? routine (S.prj, "prj").f : none;
+  gsmbp_sub con = partition || (loops && iopt[2] == 1) ? routine (S.con, "con").f : none;
+  iopt[4] = loops && iopt[2] == 1 && S.kin;
+  gsmbp_sub kin = partition || iopt[4] ? routine (S.kin, "kin").f : none;
   gsmbp_sub cmd = ip[0] == 2 ? routine (S.cmd, "cmd").f : none;
   gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine (S.clo, "clo").f : none;
   gsmbp_sub vin = none;
@@ -581,7 +618,7 @@ do_sim (arguments& a, int)
           ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : routine (S.vin, "input").f;
 
   auto begin = std::chrono::steady_clock::now ();
-  fortran {gssim_} (rhs, prj, con, cmd, clo, vin, &S.nq, &S.nu, &S.nx, &S.nv, &S.nlam,
+  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, &S.nq, &S.nu, &S.nx, &S.nv, &S.nlam,
           &t0, &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0],
           &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv,
           &istat[0], &rstat[0], &w[0], &lw, &info);
@@ -589,13 +626,13 @@ do_sim (arguments& a, int)
   if (failure)
     std::rethrow_exception (failure);
 
-  Matrix counters (10, 1);
-  for (int i = 0; i < 10; i++)
+  Matrix counters (statistics, 1);
+  for (int i = 0; i < statistics; i++)
     counters(i) = istat[i];
   Matrix xs = result (xout, S.nx, nt), vs = result (vout, S.nv, nt);
   if (ldv > S.nv)
     vs = Matrix (0, nt);
-  return ovl (xs, vs, counters, result (rstat, 10), info, took.count ());
+  return ovl (xs, vs, counters, result (rstat, statistics), info, took.count ());
 }
 
 // -------------------------------------------------- the run time, for tests
@@ -628,15 +665,19 @@ do_spline (arguments& a, int)
 static octave_value_list
 do_kkt (arguments& a, int)
 {
-  Matrix sizes = a.matrix ("sizes", 3, 1);   // N M repetitions
-  int n = int (sizes(0)), m = int (sizes(1)), times = int (sizes(2)), info = 0;
+  Matrix sizes = a.matrix ("sizes", 4, 1);   // N M repetitions way (0: GSKKT)
+  int n = int (sizes(0)), m = int (sizes(1)), times = int (sizes(2)), way = int (sizes(3)), info = 0;
   int lda = std::max (1, n), ldh = std::max (1, m);
   reals A = a.array ("A", n, n), H = a.array ("H", m, n);
   reals f = a.vector ("f", n), g = a.vector ("g", m);
-  reals ud = room (n), lam = room (m), w = room (n * n + n * m + m * m + 2 * n + 6 * m);
+  reals ud = room (n), lam = room (m);
+  reals w = room (way == 0 ? n * n + n * m + m * m + 2 * n + 6 * m : 2 * n * n + n * m + m * m + 4 * n + 8 * m);
   auto begin = std::chrono::steady_clock::now ();
   for (int i = 0; i < times; i++)
-    fortran {gskkt_} (&n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
+    if (way == 0)
+      fortran {gskkt_} (&n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
+    else
+      fortran {gsacc_} (&way, &n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
   std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
   return ovl (result (ud, n), result (lam, m), info, took.count () / std::max (1, times));
 }
@@ -674,7 +715,8 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
-    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske}, {"sim", do_sim},
+    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
+    {"acd", do_acd}, {"tan", do_tan}, {"sim", do_sim},
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}
   };

@@ -12,7 +12,7 @@ typedef struct
   const char *name;
   int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, np;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
-            out, cmd, clo, ene, acc, ske, vin;
+            out, cmd, clo, ene, acc, ske, acd, tan, vin;
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
-      SUBROUTINE GSDP8( RHS, CMD, CLO, VIN, T, TN, SIDE, H, X, NU, NX,
-     $                  NV, IP, RP, CST, V, RTOL, ATOL, XN, ERR, W, WI,
-     $                  ISTAT, INFO )
+      SUBROUTINE GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RTOL,
+     $                  ATOL, XN, ERR, W, WI, P, ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
 C     One trial step of the Runge-Kutta method of Dormand and Prince of
@@ -22,6 +22,7 @@ C     XN      (output) DOUBLE PRECISION array, dimension (NX): the state
 C             at TN.  May not share storage with X.
 C     ERR     (output) DOUBLE PRECISION, the estimated error divided by
 C             the tolerance: the step is to be accepted if ERR <= 1.
+C             States that are completed from others do not count.
 C     W       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 holds the right-hand side at (T,X).
 C     WI      (input/output) the W of GSINP.
@@ -41,11 +42,14 @@ C     Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
 C     I, section II.5 (method) and II.10 (error estimate).
 C
       IMPLICIT NONE
-      EXTERNAL           RHS, CMD, CLO, VIN
-      INTEGER            SIDE, NU, NX, NV, IP(*), ISTAT(*), INFO
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+     $                   INFO
       DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), RTOL,
-     $                   ATOL(*), XN(*), ERR, W(NX,13), WI(*)
-      INTEGER            I
+     $                   ATOL(*), XN(*), ERR, W(NX,13), WI(*), P(*),
+     $                   RSTAT(*)
+      EXTERNAL           GSFUN
+      INTEGER            I, N
       DOUBLE PRECISION   S, E5, E3, D5, D3
       DOUBLE PRECISION   C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, A21,
      $                   A31, A32, A41, A43, A51, A53, A54, A61, A64,
@@ -141,82 +145,94 @@ C     -- stages 2 to 12
       DO 10 I = 1, NX
          W(I,13) = X(I) + H*( A21*W(I,1) )
    10 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C2*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,2), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C2*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,2), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 20 I = 1, NX
          W(I,13) = X(I) + H*( A31*W(I,1) + A32*W(I,2) )
    20 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C3*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,3), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C3*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,3), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 30 I = 1, NX
          W(I,13) = X(I) + H*( A41*W(I,1) + A43*W(I,3) )
    30 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C4*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,4), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C4*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,4), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 40 I = 1, NX
          W(I,13) = X(I) + H*( A51*W(I,1) + A53*W(I,3) + A54*W(I,4) )
    40 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C5*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,5), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C5*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,5), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 50 I = 1, NX
          W(I,13) = X(I) + H*( A61*W(I,1) + A64*W(I,4) + A65*W(I,5) )
    50 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C6*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,6), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C6*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,6), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 60 I = 1, NX
          W(I,13) = X(I) + H*( A71*W(I,1) + A74*W(I,4) + A75*W(I,5)
      $              + A76*W(I,6) )
    60 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C7*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,7), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C7*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,7), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 70 I = 1, NX
          W(I,13) = X(I) + H*( A81*W(I,1) + A84*W(I,4) + A85*W(I,5)
      $              + A86*W(I,6) + A87*W(I,7) )
    70 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C8*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,8), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C8*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,8), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 80 I = 1, NX
          W(I,13) = X(I) + H*( A91*W(I,1) + A94*W(I,4) + A95*W(I,5)
      $              + A96*W(I,6) + A97*W(I,7) + A98*W(I,8) )
    80 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C9*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,9), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C9*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,9), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 90 I = 1, NX
          W(I,13) = X(I) + H*( A101*W(I,1) + A104*W(I,4) + A105*W(I,5)
      $              + A106*W(I,6) + A107*W(I,7) + A108*W(I,8)
      $              + A109*W(I,9) )
    90 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C10*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,10), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C10*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,10), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 100 I = 1, NX
          W(I,13) = X(I) + H*( A111*W(I,1) + A114*W(I,4) + A115*W(I,5)
      $              + A116*W(I,6) + A117*W(I,7) + A118*W(I,8)
      $              + A119*W(I,9) + A1110*W(I,10) )
   100 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + C11*H, 1, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,11), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + C11*H, 1, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,11), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 110 I = 1, NX
          W(I,13) = X(I) + H*( A121*W(I,1) + A124*W(I,4) + A125*W(I,5)
      $              + A126*W(I,6) + A127*W(I,7) + A128*W(I,8)
      $              + A129*W(I,9) + A1210*W(I,10) + A1211*W(I,11) )
   110 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, TN, SIDE, W(1,13), NU, NX,
-     $            NV, IP, RP, CST, V, W(1,12), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, W(1,13),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,12), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
 C
 C     -- the result and the error
       E5 = 0.0D0
       E3 = 0.0D0
+      N  = NX
       DO 200 I = 1, NX
          S = B1*W(I,1) + B6*W(I,6) + B7*W(I,7) + B8*W(I,8) + B9*W(I,9)
      $     + B10*W(I,10) + B11*W(I,11) + B12*W(I,12)
@@ -225,6 +241,13 @@ C     -- the result and the error
          D5 = E1*W(I,1) + E6*W(I,6) + E7*W(I,7) + E8*W(I,8)
      $      + E9*W(I,9) + E10*W(I,10) + E11*W(I,11) + E12*W(I,12)
          S  = ATOL(I) + RTOL*MAX( ABS( X(I) ), ABS( XN(I) ) )
+         IF ( P(1).GT.0.0D0 .AND. I.LE.NQ + NU ) THEN
+            IF ( P(14+NU+I).LE.0.0D0 ) THEN
+               N = N - 1
+               D3 = 0.0D0
+               D5 = 0.0D0
+            END IF
+         END IF
          IF ( S.GT.0.0D0 ) THEN
             E3 = E3 + ( D3/S )**2
             E5 = E5 + ( D5/S )**2
@@ -234,5 +257,5 @@ C     -- the result and the error
   200 CONTINUE
       S = E5 + 0.01D0*E3
       IF ( .NOT.( S.GT.0.0D0 ) ) S = 1.0D0
-      ERR = ABS( H )*E5/SQRT( DBLE( NX )*S )
+      ERR = ABS( H )*E5/SQRT( DBLE( MAX( 1, N ) )*S )
       END

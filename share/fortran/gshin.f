@@ -1,5 +1,6 @@
-      SUBROUTINE GSHIN( RHS, CMD, CLO, VIN, T, HMAX, X, NU, NX, NV, IP,
-     $                  RP, CST, V, RTOL, ATOL, W, WI, ISTAT, H, INFO )
+      SUBROUTINE GSHIN( RHS, CON, KIN, CMD, CLO, VIN, T, HMAX, X, NQ,
+     $                  NU, NX, NV, NLAM, IP, RP, CST, V, RTOL, ATOL, W,
+     $                  WI, P, ISTAT, RSTAT, H, INFO )
 C
 C     PURPOSE
 C     A first step for GSDP8, from the size of the first and the second
@@ -15,10 +16,11 @@ C     Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
 C     I, section II.4 (starting step size).
 C
       IMPLICIT NONE
-      EXTERNAL           RHS, CMD, CLO, VIN
-      INTEGER            NU, NX, NV, IP(*), ISTAT(*), INFO
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), INFO
       DOUBLE PRECISION   T, HMAX, X(*), RP(*), CST(*), V(*), RTOL,
-     $                   ATOL(*), W(NX,*), WI(*), H
+     $                   ATOL(*), W(NX,*), WI(*), P(*), RSTAT(*), H
+      EXTERNAL           GSFUN
       INTEGER            I
       DOUBLE PRECISION   S, D0, D1, D2, TINY
       PARAMETER          ( TINY = 1.0D-200 )
@@ -36,8 +38,9 @@ C
       DO 20 I = 1, NX
          W(I,3) = X(I) + H*W(I,1)
    20 CONTINUE
-      CALL GSFUN( RHS, CMD, CLO, VIN, T + H, -1, W(1,3), NU, NX, NV, IP,
-     $            RP, CST, V, W(1,2), WI, ISTAT, INFO )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + H, -1, W(1,3),
+     $            NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W(1,2), WI,
+     $            P, ISTAT, RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       D2 = 0.0D0
       DO 30 I = 1, NX

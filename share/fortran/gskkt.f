@@ -8,8 +8,9 @@ C     ARGUMENTS
 C     N       (input) INTEGER, the order of A, N >= 0.
 C     M       (input) INTEGER, the number of constraints, M >= 0.
 C     A       (input) DOUBLE PRECISION array, dimension (LDA,N), the
-C             mass matrix, symmetric positive definite (its lower
-C             triangle is used).
+C             mass matrix, symmetric and positive definite, or only
+C             positive semidefinite (massless links) if no motion that
+C             H allows is without mass.  Its lower triangle is used.
 C     LDA     (input) INTEGER, LDA >= MAX(1,N).
 C     H       (input) DOUBLE PRECISION array, dimension (LDH,N), the
 C             constraint Jacobian, M rows.
@@ -28,11 +29,15 @@ C     R'*w = G, R*LAM = w - Q'*inv(L)*F and UD follows.  Y'*Y, whose
 C     condition is the square of that of Y, is never formed.  Dependent
 C     constraints are left out of UD; LAM is then the multiplier of
 C     least norm.
+C     Where a pivot of L is tiny, A is replaced by A + H'*D*H and F by
+C     F + H'*D*G, which has the same solution: D is diagonal, of the
+C     size of A.
 C
 C     ERROR INDICATOR
 C     INFO = 0   ok;
 C     INFO = -i  argument i is out of range;
-C     INFO = 1   A is not positive definite: UD, LAM are zero;
+C     INFO = 1   A is not positive definite, not even on the motions
+C                that H allows: UD, LAM are zero;
 C     INFO = 2   the constraints are dependent (to about 1D-11): UD
 C                fulfils the independent ones (and the others if they
 C                are consistent), LAM is one of many.
@@ -42,9 +47,9 @@ C
       DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
      $                   W(*)
       DOUBLE PRECISION   GSEPS, S, TOL
-      EXTERNAL           GSEPS, GSCHF, GSTRS, GSQRP, GSQMV
-      INTEGER            I, J, K, R, R2, IY, IT, IZ, IP, IB, IS, IC, IQ,
-     $                   LD, LM
+      EXTERNAL           GSEPS, GSCHF, GSTRS, GSQRP, GSQMV, GSAUG,
+     $                   GSLNM
+      INTEGER            I, J, K, R, IY, IT, IZ, IP, IB, IS, IC, IQ, LD
 C
       INFO = 0
       IF ( N.LT.0 ) INFO = -1
@@ -55,7 +60,6 @@ C
 C
 C     -- workspace: L, Y, T, z, pivots, beta, sizes, w, spare
       LD = MAX( 1, N )
-      LM = MAX( 1, M )
       IY = 1 + N*N
       IT = IY + N*M
       IZ = IT + M*M
@@ -76,14 +80,24 @@ C     -- A = L*L'
          LAM(J) = 0.0D0
    30 CONTINUE
       CALL GSCHF( N, W, LD, INFO )
-      IF ( INFO.NE.0 ) THEN
-         INFO = 1
-         RETURN
+      TOL = 1.0D4*DBLE( N )*GSEPS()
+      K = INFO
+      DO 35 J = 1, N
+         IF ( INFO.EQ.0 ) THEN
+            IF ( W(J+N*(J-1))**2.LE.TOL*A(J,J) ) K = J
+         END IF
+         W(IZ+J-1) = F(J)
+   35 CONTINUE
+      IF ( K.NE.0 ) THEN
+         CALL GSAUG( N, M, A, LDA, H, LDH, G, W, LD, W(IZ), INFO )
+         IF ( INFO.NE.0 ) THEN
+            INFO = 1
+            RETURN
+         END IF
       END IF
 C
 C     -- z = inv(L)*F, Y = inv(L)*H' = Q*R
       DO 50 I = 1, N
-         W(IZ+I-1) = F(I)
          DO 40 J = 1, M
             W(IY+I-1+N*(J-1)) = H(J,I)
    40    CONTINUE
@@ -127,28 +141,97 @@ C     -- R*y = c, LAM = P*y
          RETURN
       END IF
 C
-C     -- fewer: T = (R rows)' = Q2*R2, y = Q2*inv(R2')*c
+C     -- fewer
       INFO = 2
-      IF ( R.EQ.0 ) RETURN
-      DO 130 J = 1, R
-         DO 120 I = 1, M
-            W(IT+I-1+M*(J-1)) = 0.0D0
-            IF ( I.GE.J ) W(IT+I-1+M*(J-1)) = W(IY+J-1+N*(I-1))
-  120    CONTINUE
+      CALL GSLNM( M, R, W(IY), LD, W(IP), W(IC), LAM, W(IT), W(IQ),
+     $            W(IB), W(IS) )
+      END
+      SUBROUTINE GSAUG( N, M, A, LDA, H, LDH, G, L, LDL, Z, INFO )
+C
+C     PURPOSE
+C     L*L' = A + H'*D*H and Z := Z + H'*D*G for GSKKT, where A alone has
+C     no safe factor; D = max(A(j,j))/max(H(i,j)**2) row by row.
+C
+C     ARGUMENTS
+C     As GSKKT, and
+C     L       (input/output) DOUBLE PRECISION array, dimension (LDL,N):
+C             on entry the factor of A alone if INFO = 0.  It is kept,
+C             and Z as well, if its worst pivot is the better one.
+C     Z       (input/output) DOUBLE PRECISION array, dimension (2*N):
+C             the second half is workspace.
+C     INFO    (input/output) INTEGER, on entry that of GSCHF on A alone,
+C             on exit 0, or > 0 if neither matrix is positive definite.
+C
+      IMPLICIT NONE
+      INTEGER            N, M, LDA, LDH, LDL, INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), G(*), L(LDL,*), Z(*)
+      DOUBLE PRECISION   GSEPS, S, D, BIG, FIRST, WORST, TOL
+      EXTERNAL           GSEPS, GSCHF
+      INTEGER            I, J, K
+C
+C     -- the worst pivot of A alone, the size of A
+      FIRST = 0.0D0
+      BIG   = 0.0D0
+      IF ( INFO.EQ.0 ) FIRST = 1.0D0
+      DO 20 J = 1, N
+         BIG = MAX( BIG, A(J,J) )
+         IF ( INFO.EQ.0 ) FIRST = MIN( FIRST, L(J,J)**2/A(J,J) )
+         DO 10 I = J, N
+            L(I,J) = A(I,J)
+   10    CONTINUE
+   20 CONTINUE
+      IF ( .NOT.( BIG.GT.0.0D0 ) ) BIG = 1.0D0
+C
+C     -- with the constraints
+      DO 60 K = 1, M
+         S = 0.0D0
+         DO 30 J = 1, N
+            S = MAX( S, ABS( H(K,J) ) )
+   30    CONTINUE
+         IF ( S.GT.1.0D-150 ) THEN
+            D = ( BIG/S )/S
+            DO 50 J = 1, N
+               S = D*H(K,J)
+               Z(J) = Z(J) + S*G(K)
+               DO 40 I = J, N
+                  L(I,J) = L(I,J) + S*H(K,I)
+   40          CONTINUE
+   50       CONTINUE
+         END IF
+   60 CONTINUE
+      DO 70 J = 1, N
+         Z(N+J) = L(J,J)
+   70 CONTINUE
+      CALL GSCHF( N, L, LDL, INFO )
+      WORST = 0.0D0
+      IF ( INFO.EQ.0 ) THEN
+         WORST = 1.0D0
+         DO 80 J = 1, N
+            WORST = MIN( WORST, L(J,J)**2/Z(N+J) )
+   80    CONTINUE
+      END IF
+      INFO = 0
+      TOL = 1.0D2*DBLE( N )*GSEPS()
+      IF ( WORST.GE.FIRST .AND. WORST.GT.TOL ) RETURN
+C
+C     -- they do not help: A alone
+      DO 100 J = 1, N
+         DO 90 I = J, N
+            L(I,J) = A(I,J)
+   90    CONTINUE
+  100 CONTINUE
+      CALL GSCHF( N, L, LDL, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      DO 130 K = 1, M
+         S = 0.0D0
+         DO 110 J = 1, N
+            S = MAX( S, ABS( H(K,J) ) )
+  110    CONTINUE
+         IF ( S.GT.1.0D-150 ) THEN
+            D = ( BIG/S )/S*G(K)
+            DO 120 J = 1, N
+               Z(J) = Z(J) - D*H(K,J)
+  120       CONTINUE
+         END IF
   130 CONTINUE
-      CALL GSQRP( M, R, W(IT), LM, 0.0D0, W(IQ), W(IB), W(IS), R2 )
-      DO 150 K = 1, R
-         S = W(IC+NINT( W(IQ+K-1) )-1)
-         DO 140 I = 1, K - 1
-            S = S - W(IT+I-1+M*(K-1))*W(IS+I-1)
-  140    CONTINUE
-         W(IS+K-1) = S/W(IT+K-1+M*(K-1))
-  150 CONTINUE
-      DO 160 K = R + 1, M
-         W(IS+K-1) = 0.0D0
-  160 CONTINUE
-      CALL GSQMV( M, R, W(IT), LM, W(IB), W(IS), 0 )
-      DO 170 K = 1, M
-         LAM(NINT( W(IP+K-1) )) = W(IS+K-1)
-  170 CONTINUE
       END

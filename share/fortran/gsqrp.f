@@ -94,6 +94,87 @@ C        -- the reflection
   100    CONTINUE
   110 CONTINUE
       END
+      SUBROUTINE GSQRC( N, M, Y, LDY, TOL, PIV, BETA, SIZ, RANK )
+C
+C     PURPOSE
+C     As GSQRP, but the next column is the one of which most is left in
+C     its own unit: the first RANK columns are far from dependent, and
+C     inv(R11)*R12 has no large entries.  A column is dependent if what
+C     is left of it is not above TOL times the largest column.
+C
+      IMPLICIT NONE
+      INTEGER            N, M, LDY, RANK
+      DOUBLE PRECISION   Y(LDY,*), TOL, PIV(*), BETA(*), SIZ(*)
+      DOUBLE PRECISION   S, D, BIG
+      EXTERNAL           GSHRF
+      INTEGER            I, J, K, P
+C
+      BIG = 0.0D0
+      DO 10 J = 1, M
+         PIV(J) = DBLE( J )
+   10 CONTINUE
+      RANK = 0
+      DO 60 K = 1, MIN( N, M )
+         P = K
+         D = -1.0D0
+         DO 30 J = K, M
+            S = 0.0D0
+            DO 20 I = K, N
+               S = S + Y(I,J)*Y(I,J)
+   20       CONTINUE
+            IF ( S.GT.D*( 1.0D0 + 1.0D-8 ) ) THEN
+               P = J
+               D = S
+            END IF
+   30    CONTINUE
+         IF ( K.EQ.1 ) BIG = D
+         IF ( .NOT.( D.GT.TOL*TOL*BIG ) ) RETURN
+         IF ( P.NE.K ) THEN
+            DO 40 I = 1, N
+               S = Y(I,K)
+               Y(I,K) = Y(I,P)
+               Y(I,P) = S
+   40       CONTINUE
+            S = PIV(K)
+            PIV(K) = PIV(P)
+            PIV(P) = S
+         END IF
+         RANK = K
+         SIZ(K) = SQRT( D )
+         CALL GSHRF( N, M, K, Y, LDY, D, BETA(K) )
+   60 CONTINUE
+      END
+      SUBROUTINE GSHRF( N, M, K, Y, LDY, D, BETA )
+C
+C     PURPOSE
+C     The K-th Householder reflection, as in GSQRP: D is the squared
+C     length of rows K to N of column K.
+C
+      IMPLICIT NONE
+      INTEGER            N, M, K, LDY
+      DOUBLE PRECISION   Y(LDY,*), D, BETA
+      DOUBLE PRECISION   R, S
+      INTEGER            I, J
+C
+      R = -SIGN( SQRT( D ), Y(K,K) )
+      BETA = ( R - Y(K,K) )/R
+      S = 1.0D0/( Y(K,K) - R )
+      DO 10 I = K + 1, N
+         Y(I,K) = Y(I,K)*S
+   10 CONTINUE
+      Y(K,K) = R
+      DO 40 J = K + 1, M
+         S = Y(K,J)
+         DO 20 I = K + 1, N
+            S = S + Y(I,K)*Y(I,J)
+   20    CONTINUE
+         S = S*BETA
+         Y(K,J) = Y(K,J) - S
+         DO 30 I = K + 1, N
+            Y(I,J) = Y(I,J) - S*Y(I,K)
+   30    CONTINUE
+   40 CONTINUE
+      END
       SUBROUTINE GSQMV( N, K, Y, LDY, BETA, B, TRANS )
 C
 C     PURPOSE

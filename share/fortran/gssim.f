@@ -1,7 +1,7 @@
-      SUBROUTINE GSSIM( RHS, PRJ, CON, CMD, CLO, VIN, NQ, NU, NX, NV,
-     $                  NLAM, T0, X0, NT, TOUT, NB, TBRK, IOPT, ROPT,
-     $                  ATOL, IP, RP, CST, XOUT, LDX, VOUT, LDV, ISTAT,
-     $                  RSTAT, W, LW, INFO )
+      SUBROUTINE GSSIM( RHS, PRJ, CON, KIN, CMD, CLO, VIN, NQ, NU, NX,
+     $                  NV, NLAM, T0, X0, NT, TOUT, NB, TBRK, IOPT,
+     $                  ROPT, ATOL, IP, RP, CST, XOUT, LDX, VOUT, LDV,
+     $                  ISTAT, RSTAT, W, LW, INFO )
 C
 C     PURPOSE
 C     A simulation whose whole loop is compiled: integrates
@@ -11,9 +11,12 @@ C
 C     ARGUMENTS
 C     RHS     (external) <NAME>_RHS( T, X, V, CST, XD, INFO ).
 C     PRJ     (external) <NAME>_PRJ( T, X, CST, RES, INFO ), called if
-C             IOPT(2) = 1.
+C             IOPT(2) is not 1, nor 3 where NQ = NU.
 C     CON     (external) <NAME>_CON( T, Q, U, CST, PHI, PHIT, HC, LDH,
-C             GAM, INFO ), called if IOPT(3) = 1.
+C             GAM, INFO ), called if NLAM > 0 and IOPT(3) = 1 or
+C             IOPT(2) = 3 or 6.
+C     KIN     (external) <NAME>_KIN( T, Q, U, CST, QDOT ), called if
+C             NLAM > 0 and IOPT(5) = 1 or IOPT(2) = 3 or 6.
 C     CMD, CLO, VIN (external) the inputs, see GSINP.
 C     NQ, NU  (input) INTEGER, the numbers of coordinates and of speeds:
 C             X begins with the coordinates, then the speeds.
@@ -30,13 +33,33 @@ C     TBRK    (input) DOUBLE PRECISION array, dimension (NB), rising:
 C             times at which the inputs may jump.  The integration stops
 C             there, with the limits from the left, and starts again
 C             with the limits from the right.
-C     IOPT    (input) INTEGER array, dimension (4):
+C     IOPT    (input) INTEGER array, dimension (6+IOPT(6)):
 C             (1) method: 4 classical Runge-Kutta, fixed step;
 C                         8 Dormand-Prince 8(5,3), step controlled;
-C             (2) 1: X is moved onto the constraints (PRJ) after T0 and
-C                 after every step, else 0;
+C             (2) the way of the loops:
+C                 1 X is left to the terms of Baumgarte within RHS;
+C                 2 X is moved onto the constraints (PRJ) at T0 and
+C                   after every step;
+C                 3 coordinate partitioning: before every call of RHS
+C                   the dependent coordinates and speeds are computed
+C                   from the independent ones (GSPRT), whose errors
+C                   alone steer the step;
+C                 4 null space, 5 zero-eigenvalue theorem: as 2 (that
+C                   RHS solves in this way is a parameter in CST);
+C                 6 Kane with dependent speeds: as 2, and before every
+C                   call of RHS the dependent speeds are computed from
+C                   the independent ones;
+C                 Euler parameters (NQ > NU) are normalized by PRJ, that
+C                 is, not in the way 1;
 C             (3) 1: the drift of the constraints is recorded, else 0;
-C             (4) the largest number of steps, 0 for no limit.
+C             (4) the largest number of steps, 0 for no limit;
+C             (5) 1: positions where the constraints lose rank are
+C                 watched for, and close to them (method 8) or where
+C                 constraints are redundant the ways 2, 4, 5 and 6
+C                 borrow from the way 3 (needs CON, KIN and IOPT(3) =
+C                 1), else 0;
+C             (6) how many constraints are on speeds alone (they have no
+C                 phi): their numbers follow.
 C     ROPT    (input) DOUBLE PRECISION array, dimension (3):
 C             (1) step [s].  Method 4: the largest step; the way to each
 C                 stop (output time or break) is cut into equal steps.
@@ -53,28 +76,56 @@ C     LDX     (input) INTEGER, LDX >= NX.
 C     VOUT    (output) DOUBLE PRECISION array, dimension (LDV,NT): the
 C             inputs (the limit from the left, but at T0).
 C     LDV     (input) INTEGER, LDV >= MAX(1,NV).
-C     ISTAT   (output) INTEGER array, dimension (10):
+C     ISTAT   (output) INTEGER array, dimension (20):
 C             (1) calls of RHS; (2) accepted steps; (3) rejected steps;
 C             (4) projections; (5) output times reached; (6) INFO of the
 C             routine that failed; (7) which one: 1 inputs, 2 RHS,
-C             3 PRJ, 4 CON; (8) calls of RHS where the constraints lost
-C             rank; (9), (10) zero.
-C     RSTAT   (output) DOUBLE PRECISION array, dimension (10):
+C             3 PRJ, 4 CON, 5 GSPRT; (8) calls of RHS where the
+C             constraints lost rank; (9) calls of RHS close to a
+C             singularity of orientation angles; (10) choices of other
+C             independent speeds; (11) positions passed where the
+C             constraints lose rank: where the least pivot, looked for
+C             between the steps (GSPAS), falls below a hundredth of its
+C             largest value; (12) steps among (3) that were repeated
+C             because X could not be moved onto the constraints, or only
+C             by a jump, or was too close to a singular position; (13) to (20) zero.
+C     RSTAT   (output) DOUBLE PRECISION array, dimension (20):
 C             (1) largest |phi| and (2) largest |HC*u + phit| after any
 C             step; (3) and (4) when; (5) largest |phi| before a
 C             projection (as PRJ reports it); (6) smallest and (7)
 C             largest step; (8) time reached; (9) the next step that
-C             method 8 would take; (10) zero.
+C             method 8 would take; (10) first and (11) last time of
+C             ISTAT(8), (12) and (13) of ISTAT(9); (14) the least pivot
+C             of the constraints beside the largest, as GSPRC (0 where
+C             the rank is lower than elsewhere) and (15) when; (16) first and (17) last time of ISTAT(11);
+C             (18) to (20) zero.
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
-C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 21*NX + NV*NX + NV
-C             + 3*NLAM + NLAM*NU + 40, where R = IP(4).
+C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 20*NX + NV*NX + NV
+C             + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU + 60, where R = IP(4).
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
 C     Every stop (output time or break) is met exactly.  Time is
 C     t0 + k*h within each way from stop to stop, never a running sum.
+C     A step of method 8 after which X cannot be moved onto the
+C     constraints, or only by a jump (more than a tenth of the step's
+C     own move and 100 times the tolerance: another branch), is repeated
+C     with a quarter of its length.
+C     Close to a position where the constraints lose rank, and where
+C     some of them are redundant, the stages of a step, which do not lie
+C     on the constraints, have accelerations of no use.  Where the
+C     constraints at T0 are dependent, and where the least pivot has
+C     fallen to a twentieth of its largest value, or to a quarter and a
+C     step was rejected, the stages are completed by GSPRT (there until
+C     it has risen to a quarter again).
+C     Rounding errors of the accelerations grow with the inverse square
+C     of the least pivot: below a quarter of its largest value the
+C     relative tolerance is no less than eps**(2/3), 3.7D-11, and a step
+C     that ends where rounding errors pass it is repeated with 0.7 of
+C     its length, five times at most, so that such a place is stepped
+C     over.
 C
 C     ERROR INDICATOR
 C     INFO = 0   all output times reached;
@@ -86,56 +137,59 @@ C     INFO = 4   the state is no longer finite.
 C     In the cases 1 to 4 the first ISTAT(5) columns of XOUT are valid.
 C
       IMPLICIT NONE
-      EXTERNAL           RHS, PRJ, CON, CMD, CLO, VIN
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, IOPT(*), IP(*),
-     $                   LDX, LDV, ISTAT(10), LW, INFO
+     $                   LDX, LDV, ISTAT(20), LW, INFO
       DOUBLE PRECISION   T0, X0(*), TOUT(*), TBRK(*), ROPT(*), ATOL(*),
      $                   RP(*), CST(*), XOUT(LDX,*), VOUT(LDV,*),
-     $                   RSTAT(10), W(*)
+     $                   RSTAT(20), W(*)
       INTEGER            GSFIN
-      EXTERNAL           GSFIN, GSINP, GSRK4, GSDP8, GSHIN, GSCHK
+      EXTERNAL           GSFIN, GSFUN, GSINP, GSRK4, GSDP8, GSHIN,
+     $                   GSCHK, GSJMP, GSPNW
       INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, K, N, SIDE,
-     $                   IER
+     $                   NTRY, IER
       LOGICAL            FRESH
-      DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, GSEPS,
-     $                   EPS
+      DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
+     $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS
       EXTERNAL           GSEPS
 C
 C     -- arguments
       INFO = 0
-      IF ( NQ.LT.0 ) INFO = -7
-      IF ( NU.LT.0 ) INFO = -8
-      IF ( NX.LT.MAX( 1, NQ + NU ) ) INFO = -9
-      IF ( NV.LT.0 ) INFO = -10
-      IF ( NLAM.LT.0 ) INFO = -11
-      IF ( NT.LT.1 ) INFO = -14
-      IF ( NB.LT.0 ) INFO = -16
-      IF ( LDX.LT.NX ) INFO = -25
-      IF ( LDV.LT.MAX( 1, NV ) ) INFO = -27
-      I = 2*NU*( IP(4) + 1 ) + 21*NX + NV*NX + NV + 3*NLAM + NLAM*NU
-      IF ( LW.LT.I + 40 ) INFO = -31
+      IF ( NQ.LT.0 ) INFO = -8
+      IF ( NU.LT.0 ) INFO = -9
+      IF ( NX.LT.MAX( 1, NQ + NU ) ) INFO = -10
+      IF ( NV.LT.0 ) INFO = -11
+      IF ( NLAM.LT.0 ) INFO = -12
+      IF ( NT.LT.1 ) INFO = -15
+      IF ( NB.LT.0 ) INFO = -17
+      IF ( LDX.LT.NX ) INFO = -26
+      IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
+      I = 2*NU*( IP(4) + 1 ) + 20*NX + NV*NX + NV + 8*NU + 10*NQ
+     $    + 7*NLAM + 2*NLAM*NU
+      IF ( LW.LT.I + 60 ) INFO = -32
       IF ( INFO.NE.0 ) RETURN
-      IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -12
-      IF ( GSFIN( NX, X0 ).NE.0 ) INFO = -13
-      IF ( GSFIN( NT, TOUT ).NE.0 ) INFO = -15
-      IF ( GSFIN( NB, TBRK ).NE.0 ) INFO = -17
-      IF ( IOPT(1).NE.4 .AND. IOPT(1).NE.8 ) INFO = -18
-      IF ( IOPT(1).EQ.4 .AND. .NOT.( ROPT(1).GT.0.0D0 ) ) INFO = -19
+      IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -13
+      IF ( GSFIN( NX, X0 ).NE.0 ) INFO = -14
+      IF ( GSFIN( NT, TOUT ).NE.0 ) INFO = -16
+      IF ( GSFIN( NB, TBRK ).NE.0 ) INFO = -18
+      IF ( IOPT(1).NE.4 .AND. IOPT(1).NE.8 ) INFO = -19
+      IF ( IOPT(2).LT.1 .OR. IOPT(2).GT.6 ) INFO = -19
+      IF ( IOPT(1).EQ.4 .AND. .NOT.( ROPT(1).GT.0.0D0 ) ) INFO = -20
       IF ( IOPT(1).EQ.8 .AND. .NOT.( ROPT(2).GT.0.0D0 .AND.
-     $     ROPT(1).GE.0.0D0 .AND. ROPT(3).GE.0.0D0 ) ) INFO = -19
+     $     ROPT(1).GE.0.0D0 .AND. ROPT(3).GE.0.0D0 ) ) INFO = -20
       IF ( INFO.NE.0 ) RETURN
       IF ( IOPT(1).EQ.4 .AND. ( TOUT(NT) - T0 )/ROPT(1).GT.2.0D9 )
-     $   INFO = -19
-      IF ( TOUT(1).LT.T0 ) INFO = -15
+     $   INFO = -20
+      IF ( TOUT(1).LT.T0 ) INFO = -16
       DO 10 I = 2, NT
-         IF ( TOUT(I).LE.TOUT(I-1) ) INFO = -15
+         IF ( TOUT(I).LE.TOUT(I-1) ) INFO = -16
    10 CONTINUE
       DO 20 I = 2, NB
-         IF ( TBRK(I).LE.TBRK(I-1) ) INFO = -17
+         IF ( TBRK(I).LE.TBRK(I-1) ) INFO = -18
    20 CONTINUE
       IF ( IOPT(1).EQ.8 ) THEN
          DO 30 I = 1, NX
-            IF ( .NOT.( ATOL(I).GE.0.0D0 ) ) INFO = -20
+            IF ( .NOT.( ATOL(I).GE.0.0D0 ) ) INFO = -21
    30    CONTINUE
       END IF
       IF ( INFO.NE.0 ) RETURN
@@ -145,12 +199,35 @@ C     -- workspace: inputs, states, constraints, stages
       IXN = IX + NX
       IV  = IXN + NX
       IC  = IV + MAX( 1, NV )
-      IK  = IC + 3*NLAM + NLAM*NU + 10
+      IK  = IC + 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
       EPS = GSEPS()
-      DO 40 I = 1, 10
+      COARSE = EPS**( 2.0D0/3.0D0 )
+      DO 40 I = 1, 20
          ISTAT(I) = 0
          RSTAT(I) = 0.0D0
    40 CONTINUE
+      RSTAT(14) = 1.0D0
+      DO 45 I = IC, IK - 1
+         W(I) = 0.0D0
+   45 CONTINUE
+      W(IC+1) = -1.0D0
+      N = IC + 13 + 3*NU + NQ + NLAM
+      DO 46 I = 1, NLAM
+         W(N+I) = 1.0D0
+   46 CONTINUE
+      DO 47 I = 1, IOPT(6)
+         W(N+IOPT(6+I)) = 0.0D0
+         W(IC+11) = 1.0D0
+   47 CONTINUE
+      JOB = 0.0D0
+      IF ( NLAM.GT.0 .AND. IOPT(2).EQ.3 ) JOB = 2.0D0
+      IF ( NLAM.GT.0 .AND. IOPT(2).EQ.6 ) JOB = 1.0D0
+      W(IC) = JOB
+      NEAR = 0.05D0
+      NOJUMP(1) = 0.0D0
+      NOJUMP(2) = 0.0D0
+      NOJUMP(3) = 0.0D0
+      NTRY = 0
       DO 50 I = 1, NX
          W(IX+I-1) = X0(I)
    50 CONTINUE
@@ -165,9 +242,20 @@ C     -- the start
       HMAX  = TOUT(NT) - T0
       IF ( ROPT(3).GT.0.0D0 ) HMAX = MIN( HMAX, ROPT(3) )
       RSTAT(6) = HMAX
-      CALL GSCHK( PRJ, CON, T, W(IX), NQ, NU, NX, NLAM, IOPT, CST,
-     $            W(IC), ISTAT, RSTAT, IER )
+      CALL GSCHK( PRJ, CON, KIN, T, W(IX), NQ, NU, NX, NLAM, IOPT,
+     $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
       IF ( IER.NE.0 ) GO TO 903
+C
+C     -- dependent constraints: see METHOD
+      IF ( NLAM.GT.0 .AND. IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND.
+     $     JOB.LT.2.0D0 .AND. W(IC+2).LT.DBLE( NLAM ) ) THEN
+         JOB = 2.0D0
+         W(IC) = JOB
+         CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
+         ISTAT(6) = IER
+         ISTAT(7) = 4
+         IF ( IER.NE.0 ) GO TO 903
+      END IF
       CALL GSINP( CMD, CLO, VIN, T, 1, W(IX), NU, NX, NV, IP, RP, CST,
      $            W(IV), W, IER )
       ISTAT(6) = IER
@@ -219,8 +307,9 @@ C     -- classical Runge-Kutta, N equal steps
             I  = SIDE
          END IF
          IF ( IOPT(4).GT.0 .AND. ISTAT(2).GE.IOPT(4) ) GO TO 901
-         CALL GSRK4( RHS, CMD, CLO, VIN, T, TN, I, H, W(IX), NU, NX, NV,
-     $               IP, RP, CST, W(IV), W(IXN), W(IK), W, ISTAT, IER )
+         CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX),
+     $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), W(IXN),
+     $               W(IK), W, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
          I   = IX
          IX  = IXN
@@ -228,11 +317,9 @@ C     -- classical Runge-Kutta, N equal steps
          RSTAT(8) = TN
          IF ( GSFIN( NX, W(IX) ).NE.0 ) GO TO 904
          ISTAT(2) = ISTAT(2) + 1
-         IF ( IOPT(2).EQ.1 .OR. IOPT(3).EQ.1 ) THEN
-            CALL GSCHK( PRJ, CON, TN, W(IX), NQ, NU, NX, NLAM, IOPT,
-     $                  CST, W(IC), ISTAT, RSTAT, IER )
-            IF ( IER.NE.0 ) GO TO 903
-         END IF
+         CALL GSCHK( PRJ, CON, KIN, TN, W(IX), NQ, NU, NX, NLAM, IOPT,
+     $               NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) GO TO 903
   210 CONTINUE
       T = TB
       GO TO 400
@@ -240,14 +327,16 @@ C
 C     -- Dormand-Prince 8(5,3)
   300 CONTINUE
       IF ( FRESH ) THEN
-         CALL GSFUN( RHS, CMD, CLO, VIN, T, 1, W(IX), NU, NX, NV, IP,
-     $               RP, CST, W(IV), W(IK), W, ISTAT, IER )
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, W(IX), NQ, NU,
+     $               NX, NV, NLAM, IP, RP, CST, W(IV), W(IK), W, W(IC),
+     $               ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
          FRESH = .FALSE.
          IF ( HN.LE.0.0D0 ) THEN
-            CALL GSHIN( RHS, CMD, CLO, VIN, T, MIN( HMAX, TB - T ),
-     $                  W(IX), NU, NX, NV, IP, RP, CST, W(IV), ROPT(2),
-     $                  ATOL, W(IK), W, ISTAT, HN, IER )
+            CALL GSHIN( RHS, CON, KIN, CMD, CLO, VIN, T,
+     $                  MIN( HMAX, TB - T ), W(IX), NQ, NU, NX, NV,
+     $                  NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK),
+     $                  W, W(IC), ISTAT, RSTAT, HN, IER )
             IF ( IER.NE.0 ) GO TO 903
          END IF
       END IF
@@ -262,12 +351,38 @@ C     -- Dormand-Prince 8(5,3)
          H  = 0.5D0*( TB - T )
          TN = T + H
       END IF
+      IF ( NLAM.GT.0 .AND. IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND.
+     $     W(IC).LT.2.0D0 .AND. W(IC+12).LT.NEAR*W(IC+13) ) THEN
+         W(IC)   = 2.0D0
+         W(IC+1) = -1.0D0
+      END IF
+      IF ( W(IC).GT.0.0D0 .AND. W(IC+1).LT.0.0D0 ) THEN
+         ISTAT(10) = ISTAT(10) + 1
+         CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
+         ISTAT(6) = IER
+         ISTAT(7) = 4
+         IF ( IER.NE.0 ) GO TO 903
+         ISTAT(7) = 0
+      END IF
       IF ( IOPT(4).GT.0 .AND. ISTAT(2) + ISTAT(3).GE.IOPT(4) ) GO TO 901
       IF ( H.LE.16.0D0*EPS*MAX( ABS( T ), ABS( TB ) ) .AND. TN.LT.TB )
      $   GO TO 902
-      CALL GSDP8( RHS, CMD, CLO, VIN, T, TN, I, H, W(IX), NU, NX, NV,
-     $            IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN), ERR, W(IK),
-     $            W, ISTAT, IER )
+      CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX), NQ,
+     $            NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
+     $            W(IXN), ERR, W(IK), W, W(IC), ISTAT, RSTAT, IER )
+      IF ( IOPT(5).EQ.1 .AND. W(IC+12).LT.0.25D0*W(IC+13) )
+     $   ERR = ERR*ROPT(2)/MAX( ROPT(2), COARSE )
+C
+C     -- a good step: onto the constraints with it
+      IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
+         CALL GSJMP( NQ, NU, W(IX), W(IXN), ROPT(2), ATOL, JUMP )
+         JUMP(3) = 0.0D0
+         IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND. NTRY.LT.5 .AND.
+     $        TN.LT.TB ) JUMP(3) = SQRT( EPS/MAX( ROPT(2), COARSE ) )
+         CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
+     $               JUMP, CST, W(IC), ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) ISTAT(12) = ISTAT(12) + 1
+      END IF
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
          FAC = 6.0D0
          IF ( ERR.GT.0.0D0 ) FAC = MIN( FAC, 0.9D0*ERR**(-0.125D0) )
@@ -284,12 +399,13 @@ C     -- Dormand-Prince 8(5,3)
          ISTAT(2) = ISTAT(2) + 1
          ISTAT(6) = 0
          ISTAT(7) = 0
-         IF ( IOPT(2).EQ.1 .OR. IOPT(3).EQ.1 ) THEN
-            CALL GSCHK( PRJ, CON, T, W(IX), NQ, NU, NX, NLAM, IOPT, CST,
-     $                  W(IC), ISTAT, RSTAT, IER )
-            IF ( IER.NE.0 ) GO TO 903
-         END IF
          FRESH = .TRUE.
+         NEAR  = 0.05D0
+         NTRY  = 0
+         IF ( W(IC).GT.JOB .AND. W(IC+12).GE.0.25D0*W(IC+13) ) THEN
+            W(IC)   = JOB
+            W(IC+1) = -1.0D0
+         END IF
          IF ( T.LT.TB ) GO TO 300
       ELSE
          ISTAT(3) = ISTAT(3) + 1
@@ -299,6 +415,12 @@ C     -- Dormand-Prince 8(5,3)
          HN = H*FAC
          IF ( IER.NE.0 .AND.
      $        HN.LE.1.0D3*EPS*MAX( ABS( T ), ABS( TB ) ) ) GO TO 903
+         IF ( IER.NE.0 ) W(IC+1) = -1.0D0
+         IF ( IER.EQ.4 .AND. ISTAT(7).EQ.3 ) THEN
+            HN   = 0.7D0*H
+            NTRY = NTRY + 1
+         END IF
+         NEAR = 0.25D0
          GO TO 300
       END IF
 C
@@ -319,58 +441,29 @@ C
       RETURN
   904 INFO = 4
       END
-      SUBROUTINE GSCHK( PRJ, CON, T, X, NQ, NU, NX, NLAM, IOPT, CST, W,
-     $                  ISTAT, RSTAT, INFO )
+      SUBROUTINE GSJMP( NQ, NU, X, XN, RTOL, ATOL, JUMP )
 C
 C     PURPOSE
-C     After a step: projection of X onto the constraints, and the drift
-C     that is left.  Arguments as GSSIM; W has 3*NLAM + NLAM*NU + 10
-C     entries.
+C     How far a coordinate, JUMP(1), and a speed, JUMP(2), may be moved
+C     after the step from X to XN, so that it is no jump: a tenth of the
+C     step's own move, or 100 times the tolerance of the largest, or
+C     what rounding does to it close to a singular position (its root).
 C
       IMPLICIT NONE
-      EXTERNAL           PRJ, CON
-      INTEGER            NQ, NU, NX, NLAM, IOPT(*), ISTAT(*), INFO
-      DOUBLE PRECISION   T, X(*), CST(*), W(*), RSTAT(*)
-      INTEGER            I, J, IPT, IG, IHC
-      DOUBLE PRECISION   S
+      INTEGER            NQ, NU
+      DOUBLE PRECISION   X(*), XN(*), RTOL, ATOL(*), JUMP(2)
+      DOUBLE PRECISION   GSEPS, ROOT
+      EXTERNAL           GSEPS
+      INTEGER            I, K
 C
-      INFO = 0
-      IF ( NLAM.EQ.0 .AND. NQ.EQ.NU ) RETURN
-      IF ( IOPT(2).EQ.1 ) THEN
-         CALL PRJ( T, X, CST, W, INFO )
-         ISTAT(4) = ISTAT(4) + 1
-         IF ( INFO.EQ.2 ) INFO = 0
-         IF ( INFO.NE.0 ) THEN
-            ISTAT(6) = INFO
-            ISTAT(7) = 3
-            RETURN
-         END IF
-         RSTAT(5) = MAX( RSTAT(5), ABS( W(1) ) )
-      END IF
-      IF ( IOPT(3).NE.1 .OR. NLAM.EQ.0 ) RETURN
-      IPT = NLAM + 1
-      IG  = IPT + NLAM
-      IHC = IG + NLAM
-      CALL CON( T, X, X(NQ+1), CST, W, W(IPT), W(IHC), NLAM, W(IG),
-     $          INFO )
-      IF ( INFO.EQ.2 ) INFO = 0
-      IF ( INFO.NE.0 ) THEN
-         ISTAT(6) = INFO
-         ISTAT(7) = 4
-         RETURN
-      END IF
-      DO 20 I = 1, NLAM
-         S = W(IPT+I-1)
-         DO 10 J = 1, NU
-            S = S + W(IHC+I-1+NLAM*(J-1))*X(NQ+J)
-   10    CONTINUE
-         IF ( ABS( W(I) ).GT.RSTAT(1) ) THEN
-            RSTAT(1) = ABS( W(I) )
-            RSTAT(3) = T
-         END IF
-         IF ( ABS( S ).GT.RSTAT(2) ) THEN
-            RSTAT(2) = ABS( S )
-            RSTAT(4) = T
-         END IF
-   20 CONTINUE
+      ROOT    = 10.0D0*SQRT( GSEPS() )
+      JUMP(1) = ROOT
+      JUMP(2) = 0.0D0
+      DO 10 I = 1, NQ + NU
+         K = 1
+         IF ( I.GT.NQ ) K = 2
+         JUMP(K) = MAX( JUMP(K), 0.1D0*ABS( XN(I) - X(I) ),
+     $             1.0D2*( ATOL(I) + RTOL*ABS( X(I) ) ),
+     $             ROOT*ABS( X(I) ) )
+   10 CONTINUE
       END

@@ -1,4 +1,4 @@
-## m = gsmbp_hand (NAME, OPTIONS): a model written by hand by the contract of the emitted Fortran (tests/octave/fixture): motor_pendulum, hand_crank.
+## m = gsmbp_hand (NAME, OPTIONS): a model written by hand by the contract of the emitted Fortran (tests/octave/fixture): motor_pendulum, hand_crank, hand_fourbar.
 
 function m = gsmbp_hand (name, varargin)
   here = fileparts (mfilename ("fullpath"));

@@ -58,7 +58,7 @@ function singular (f, name)
 end
 
 function [ud, lam, info] = kkt (f, A, H, F, g)
-  [ud, lam, info] = f ("kkt", [rows(A), rows(H), 1], A, H, F, g);
+  [ud, lam, info] = f ("kkt", [rows(A), rows(H), 1, 0], A, H, F, g);
 end
 
 function constraints (f, name)
