@@ -14,13 +14,14 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages examples test test-random bench doc install clean
+.PHONY: help packages examples test test-random bench bench-loops doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
 	@echo 'make test-random           40 scenes made by chance against an independent formulation (make test takes 3)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures'
+	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
@@ -57,6 +58,10 @@ bench: packages
 	@mkdir -p tests/bench/out
 	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
 
+bench-loops: packages
+	@mkdir -p tests/bench/out
+	timeout 14400 octave-cli -qf --no-history tests/bench/loops.m </dev/null
+
 doc: share/manual/functions.txt
 
 share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
@@ -67,4 +72,4 @@ install:
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* share/manual/functions.txt
+	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json share/manual/functions.txt
