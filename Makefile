@@ -41,7 +41,7 @@ fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac 
 	share/make/derive $< fortran_out
 
 # the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
-examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $(RUN_SOURCES)
+examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac) $(wildcard examples/*.m) $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
 	timeout 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
