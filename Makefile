@@ -58,9 +58,10 @@ bench: packages
 	@mkdir -p tests/bench/out
 	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
 
-bench-loops: packages
+bench-loops:
+	@share/make/packages bench-loops
 	@mkdir -p tests/bench/out
-	timeout 14400 octave-cli -qf --no-history tests/bench/loops.m </dev/null
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
 
 doc: share/manual/functions.txt
 
