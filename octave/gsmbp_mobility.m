@@ -37,7 +37,7 @@ function r = gsmbp_mobility (m, x, t = 0)
   endif
   d = m.sizes;
   q = x(1:d.nq)(:);
-  one = struct ("gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", {{}}, "singular", []);
+  one = struct ("gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
   if (isfield (m, "mobility") && isstruct (m.mobility))
     one.gruebler = m.mobility.gruebler;
     one.removed = m.removed;
@@ -70,7 +70,7 @@ function show (m, r)
   printf ("%s: mobility %d by the rank of its constraints here, %d by counting (Gruebler)\n", m.name, r.mobility, r.gruebler);
   printf ("  %d constraint rows, %d independent, %d redundant\n", r.rows, r.rank, r.redundant);
   for k = 1:numel (r.removed)
-    printf ("  %s is left out: %s\n", r.removed{k}.row, r.removed{k}.reason);
+    printf ("  %s is left out: %s\n", r.removed(k).row, r.removed(k).reason);
   endfor
   if (r.redundant > 0)
     printf ("  not unique: %s\n", strjoin (m.multipliers(! r.unique), ", "));
