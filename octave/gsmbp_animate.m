@@ -15,12 +15,16 @@
 ## several poses in one picture, the earlier the lighter: start, middle, end
 ## @end table
 ##
-## A link is a thick line through its joints and, where it has but one, to its
-## mass centre; a link that is a single point is a square.  Joints are circles,
-## mass centres small crosses (none where it stands in a joint; a thin line
-## leads there from its link), joints on the ground stand on a hatched support.  All axes have the same scale.  If all
-## points stay in one coordinate plane the picture is flat, otherwise isometric
-## with a grey shadow below.
+## A link is a thick line through its joints (from three on a plate with these
+## corners) and, where it has but one, to its mass centre; a link that is a
+## single point is a square.  Joints are circles, where the model knows their
+## types a mark for each type; mass centres are small crosses (none where it
+## stands in a joint; a thin line leads there from its link).  Joints on the
+## ground stand on a hatched support; in space a thin grey line joins them.  All axes have the same scale and stand still.  If
+## all points stay in one coordinate plane the picture is flat, otherwise
+## isometric, what is near over what is far, with a grey shadow below.  Of more
+## than seven links, those whose names differ in their last digits alone have
+## one colour and one entry in the legend.
 ##
 ## The points of the poses drawn go into the .csv beside the picture, a row for
 ## each pose: @var{t}, then x, y, z of each column of @code{m.ske} [m].
@@ -40,6 +44,10 @@
 ## text above
 ## @item "view"
 ## spatial scenes: [tilt, turn] of gnuplot's @code{set view} [degrees]
+## @item "centres"
+## false: no marks for mass centres
+## @item "up"
+## spatial scenes: the axis that points upwards, "x", "y" or "z" (default)
 ## @item "width"
 ## of the picture, in pixels: default 720
 ## @end table
@@ -55,7 +63,7 @@ function gsmbp_animate (m, result, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_animate";
-  defaults = struct ("times", [], "speed", 1, "fps", 20, "trace", [], "title", "", "view", [54.7, 130], "width", 720);
+  defaults = struct ("times", [], "speed", 1, "fps", 20, "trace", [], "title", "", "view", [54.7, 130], "up", "z", "centres", true, "width", 720);
   o = gsmbp__options (who, defaults, varargin);
   moving = numel (file) > 4 && strcmpi (file(end-3:end), ".gif");
   if (! moving && ! (numel (file) > 4 && strcmpi (file(end-3:end), ".png")))
@@ -73,12 +81,16 @@ function gsmbp_animate (m, result, file, varargin)
   endif
 
   gsmbp_csv ([file(1:end-4) ".csv"], heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
-  s = stage (p, path, o, numel (m.skeleton.body) + 1 + ! isempty (path));
+  [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
+  m.skeleton.marks = marks (m.skeleton, o.centres);
+  named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
+  s = stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), max (cellfun (@numel, [named, {o.traced, "mass centre"}])));
   lines = axes_of (s, o);
   n = numel (rows_drawn);
   if (moving)
+    digits = max (2, ceil (-log10 (min ([diff(t(rows_drawn))(:); 1]) + 1e-12)));
     for k = 1:n
-      lines = [lines, picture(m.skeleton, p(:,:,k), 1, path, s, sprintf("%s   t = %.2f s", o.title, t(rows_drawn(k))), o)];
+      lines = [lines, picture(m.skeleton, p(:,:,k), 1, path, s, sprintf("%s   t = %.*f s", o.title, digits, t(rows_drawn(k))), o)];
     endfor
     terminal = sprintf ("gif animate optimize delay %d loop 0 noenhanced size %d,%d font 'FreeSans,11'", o.delay, s.pixels);
   else
@@ -126,6 +138,9 @@ function o = checked (who, o, skeleton, t)
     error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
   endif
   o.view(2) = mod (o.view(2), 360);
+  if (! (ischar (o.up) && any (strcmp (o.up, {"x", "y", "z"}))))
+    error ("%s: option up must be \"x\", \"y\" or \"z\"", who);
+  endif
   if (! ischar (o.title))
     error ("%s: option title must be a string, found a %s", who, class (o.title));
   endif
@@ -156,7 +171,10 @@ function [column, name] = traced (who, wanted, skeleton)
   endif
   if (! isempty (column))
     inside = column - last(k) + skeleton.points(k);
-    name = sprintf ("path of %s, %s", skeleton.body{k}, {"mass centre", sprintf("joint %d", inside)}{1 + (inside <= skeleton.joints(k))});
+    name = ["path of " skeleton.body{k}];
+    if (skeleton.points(k) > 1)
+      name = sprintf ("%s, %s", name, {"mass centre", sprintf("joint %d", inside)}{1 + (inside <= skeleton.joints(k))});
+    endif
   endif
 endfunction
 
@@ -185,16 +203,17 @@ endfunction
 
 ## ------------------------------------------------------------ where it stands
 
-## s.axes: the two or three coordinates drawn; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture
-function s = stage (p, path, o, entries)
+## s.axes: the two or three coordinates drawn, the last one upwards; s.eye: towards the eye, in ground axes; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture;
+## ENTRIES: of the legend, the longest one of LETTERS
+function s = stage (p, path, o, entries, letters)
   all_points = [reshape(p, 3, []), path];
   low = min (all_points, [], 2);
   high = max (all_points, [], 2);
   extent = max (max (high - low), 1e-3);
   flat = find (high - low <= 1e-9 * extent);
-  s.axes = 1:3;
+  s.axes = circshift (1:3, find ("zyx" == o.up) - 1);   # the last one upwards
   if (! isempty (flat))
-    s.axes(flat(end)) = [];
+    s.axes = setdiff (1:3, flat(end));
   endif
   s.mark = 0.05 * extent;
   s.low = low(s.axes) - 0.07 * extent;
@@ -206,11 +225,13 @@ function s = stage (p, path, o, entries)
     s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
     return;
   endif
+  s.eye = zeros (3, 1);
+  s.eye(s.axes) = [sind(o.view(1)) * sind(o.view(2)), -sind(o.view(1)) * cosd(o.view(2)), cosd(o.view(1))];
   ## set view equal xyz: the longer of x and y spans the lesser side of what the margins leave, its middle in theirs
   wide = room(1) * abs (cosd (o.view(2))) + room(2) * abs (sind (o.view(2)));
   tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
   scale = min ([(o.width - 170) / wide, 0.75 * o.width / tall, o.width / max(room(1:2))]);
-  lines = ceil (entries / 2);
+  lines = ceil (entries / (1 + (2 * (7.5 * letters + 60) <= o.width)));
   below = 75 + 22 * lines;
   s.pixels = round ([o.width, scale * tall + below + 60]);
   half = scale * max (room(1:2)) / 2;
@@ -253,70 +274,162 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
   d.data = d.plots = d.keys = {};
   d.dims = numel (s.axes);
   first = [0; cumsum(skeleton.points)(1:end-1)];
-  colors = gsmbp__colors (numel (skeleton.body) - 1);
-  joints = centres = supports = zeros (3, 0);
+  bodies = 2:numel (skeleton.body);
   supports = p(:,1:skeleton.joints(1),end);
+  corners = arrayfun (@(b) around (p(:,first(b) + (1:skeleton.joints(b)),1)), 1:numel (skeleton.body), "UniformOutput", false);
   if (d.dims == 3)
-    for b = 2:numel (skeleton.body)
-      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b));
-      q(3,:) = s.low(3);
+    for b = bodies
+      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
+      q(s.axes(3),:) = s.low(3);
       d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
     endfor
+    if (columns (supports) >= 2)
+      d = add (d, outline (supports, columns (supports), corners{1}), s, "lines lw 1.5 lc rgb '#888888'");
+    endif
   endif
   for k = 1:columns (supports)
     d = support (d, supports(:,k), s);
   endfor
-  if (! isempty (path))
-    d = add (d, path, s, "lines lw 1.5 lc rgb '#999999'");
+  track = "lines lw 1.5 lc rgb '#999999'";
+  if (d.dims == 2)
+    d = add (d, path, s, track);
   endif
   for k = 1:numel (shades)
     here = p(:,:,k);
-    for b = 2:numel (skeleton.body)
-      q = here(:,first(b) + (1:skeleton.points(b)));
-      q = outline (q, skeleton.joints(b));
-      style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
-      style = sprintf ("%s lc rgb '%s'", style, lighter (colors{b-1}, shades(k)));
-      if (skeleton.points(b) > skeleton.joints(b) && skeleton.joints(b) > 1)
-        arm = [mean(q, 2), here(:,first(b) + skeleton.points(b))];
-        d = add (d, arm, s, sprintf ("lines lw 1.2 lc rgb '%s'", lighter (colors{b-1}, shades(k))));
-      endif
-      d = add (d, q, s, style);
-      if (k == numel (shades))
-        d.keys{end+1} = sprintf ("keyentry with %s title %s", style, gsmbp__quoted (skeleton.body{b}));
+    order = bodies;
+    if (d.dims == 3)   # the far ones first
+      depth = arrayfun (@(b) mean (s.eye' * here(:,first(b) + (1:skeleton.points(b)))), bodies);
+      order = bodies(nthargout (2, @sort, depth));
+    endif
+    for b = order
+      own = first(b) + (1:skeleton.points(b));
+      d = link (d, here(:,own), skeleton.joints(b), corners{b}, s, skeleton.color{b}, shades(k), o.centres);
+      if (d.dims == 3)   # a nearer link hides them
+        d = marked (d, here, own, skeleton.marks.list, s, shades(k));
       endif
     endfor
-    is_joint = true (1, columns (here));
-    for b = 1:numel (skeleton.body)
-      is_joint(first(b) + (skeleton.joints(b)+1:skeleton.points(b))) = false;
-    endfor
-    dark = lighter ("#222222", shades(k));
-    round_mark = {"points pt 7 ps 1.3 lc rgb 'white'", sprintf("points pt 6 ps 1.3 lw 1.6 lc rgb '%s'", dark)};
-    cross = sprintf ("points pt 2 ps 1.1 lw 1.6 lc rgb '%s'", dark);
-    d = add (d, here(:,is_joint), s, round_mark{1});
-    d = add (d, here(:,is_joint), s, round_mark{2});
-    d = add (d, here(:,! is_joint), s, cross);
+    if (d.dims == 2)
+      d = marked (d, here, 1:columns (here), skeleton.marks.list, s, shades(k));
+    endif
   endfor
-  d.keys{end+1} = ["keyentry with " round_mark{2} " title 'joint'"];
-  if (! all (is_joint))
-    d.keys{end+1} = ["keyentry with " cross " title 'mass centre'"];
+  if (d.dims == 3)
+    d = add (d, path, s, track);
   endif
+  for b = bodies
+    if (! isempty (skeleton.entry{b}))
+      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
+      d.keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", line_of (q), skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
+    endif
+  endfor
+  d.keys = [d.keys, skeleton.marks.key];
   if (! isempty (path))
-    d.keys{end+1} = ["keyentry with lines lw 1.5 lc rgb '#999999' title " gsmbp__quoted(o.traced)];
+    d.keys{end+1} = ["keyentry with " track " title " gsmbp__quoted(o.traced)];
   endif
   command = {"plot ", "splot "}{d.dims - 1};
   lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), 1 - 20 / s.pixels(2))}, d.data, {[command strjoin([d.plots, d.keys], ", ")]}];
 endfunction
 
+## the marks of the points OWN of a pose
+function d = marked (d, here, own, list, s, shade)
+  for mark = list
+    q = here(:,intersect (mark.columns, own));
+    d = add (d, q, s, mark.under);
+    d = add (d, q, s, sprintf ("%s lc rgb '%s'", mark.over, lighter ("#222222", shade)));
+  endfor
+endfunction
+
+## one link in one pose: plate, arm to the mass centre, line
+function d = link (d, here, joints, corners, s, color, shade, centres)
+  q = outline (here, joints, corners);
+  if (columns (q) > 3)
+    d = add (d, q, s, sprintf ("%s fc rgb '%s'", {"filledcurves closed", "polygons fs solid noborder"}{d.dims - 1}, lighter (color, 0.25 * shade)));
+  endif
+  if (centres && columns (here) > joints && joints > 1)
+    d = add (d, [mean(here(:,1:joints), 2), here(:,end)], s, sprintf ("lines lw 1.2 lc rgb '%s'", lighter (color, shade)));
+  endif
+  d = add (d, q, s, sprintf ("%s lc rgb '%s'", line_of (q), lighter (color, shade)));
+endfunction
+
+function style = line_of (q)
+  style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
+endfunction
+
+## colour of each body, and what it is called in the legend (nothing if one before it speaks for both)
+function [color, entry] = entries (body)
+  family = entry = body(:)';
+  if (numel (body) > 8)
+    family = regexprep (family, '\d+$', "");
+  endif
+  kinds = unique (family, "stable");
+  group = cellfun (@(f) find (strcmp (f, kinds)), family);
+  color = [{"#888888"}, gsmbp__colors(max (group) - 1)](group);
+  for g = 2:max (group)
+    k = find (group == g);
+    if (numel (k) > 1)
+      entry{k(1)} = sprintf ("%s ... %s", body{k([1 end])});
+      entry(k(2:end)) = {""};
+    endif
+  endfor
+  entry{1} = "";
+endfunction
+
+## how points are marked: a list of structs with the columns of m.ske, what is drawn under and over them; key: the entries of the legend
+function m = marks (skeleton, centres)
+  column = 0;
+  of = {};
+  for b = 1:numel (skeleton.body)
+    for k = 1:skeleton.points(b)
+      column++;
+      of{column} = "mass centre";
+      if (k <= skeleton.joints(b))
+        of{column} = "joint";
+        if (isfield (skeleton, "types"))
+          of{column} = skeleton.types{b}{k};
+        endif
+      endif
+    endfor
+  endfor
+  ## type, gnuplot's point below (white or dark) and above
+  table = {"joint", 7, 6; "revolute", 7, 6; "prismatic", 5, 4; "cylindrical", 11, 10; "helical", 13, 12; "universal", 15, 14; "spherical", 7, 7; "planar", 9, 8; "fixed", 5, 5};
+  m.list = struct ("columns", {}, "under", {}, "over", {});
+  m.key = {};
+  for row = table'
+    columns = find (strcmp (of, row{1}));
+    if (! isempty (columns))
+      size = 1.3 - 0.4 * strcmp (row{1}, "fixed");
+      m.list(end+1) = struct ("columns", columns, "under", sprintf ("points pt %d ps %g lc rgb 'white'", row{2}, 1.3), "over", sprintf ("points pt %d ps %g lw 1.6", row{3}, size));
+      m.key{end+1} = sprintf ("keyentry with %s lc rgb '#222222' title '%s'", m.list(end).over, row{1});
+    endif
+  endfor
+  columns = find (strcmp (of, "mass centre"));
+  if (centres && ! isempty (columns))
+    m.list(end+1) = struct ("columns", columns, "under", "dots lc rgb 'white'", "over", "points pt 2 ps 1.1 lw 1.6");
+    m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
+  endif
+endfunction
+
 ## the corners of a link: its joints (a closed polygon from three on), or its only joint and the mass centre
-function q = outline (q, joints)
+function q = outline (q, joints, corners)
   if (joints >= 2)
-    q = q(:,1:joints);
+    q = q(:,corners);
   endif
   if (joints >= 3)
     q(:,end+1) = q(:,1);
   endif
   if (all (max (q, [], 2) - min (q, [], 2) <= 1e-12))
     q = q(:,1);
+  endif
+endfunction
+
+## the order of points around their middle, so that a plate does not cross itself
+function order = around (q)
+  order = 1:columns (q);
+  if (columns (q) > 3)
+    [U, S, ~] = svd (q - mean (q, 2));
+    if (S(2,2) > 1e-6 * S(1,1))
+      flat = U(:,1:2)' * (q - mean (q, 2));
+      [~, order] = sort (atan2 (flat(2,:), flat(1,:)));
+    endif
   endif
 endfunction
 
@@ -345,7 +458,8 @@ function d = support (d, at, s)
   if (d.dims == 2)
     body = [at, foot - 0.6*h*side, foot + 0.6*h*side, at];
   else
-    deep = [0; 1; 0];
+    deep = zeros (3, 1);
+    deep(s.axes(2)) = 1;
     c = [foot - 0.5*h*(side + deep), foot + 0.5*h*(side - deep), foot + 0.5*h*(side + deep), foot - 0.5*h*(side - deep)];
     body = [c(:,[1:4 1]), gap, c(:,1), at, c(:,3), gap, c(:,2), at, c(:,4)];
   endif
@@ -409,6 +523,25 @@ endfunction
 %!  assert (dlmread (fullfile (folder, "o'ne.csv"), ",", 1, 0)(:,1), [0; 0.3; 1], 1e-15);
 %!  assert (stat (file).size > 3000);
 %!endfunction
+%!function spatial (folder)
+%!  ## a plate on seven legs, joints of all types
+%!  m = struct ("name", "plate", "sizes", struct ("nq", 1));
+%!  m.skeleton = struct ("body", {["ground"; "plate"; arrayfun(@(k) sprintf ("leg%d", k), (1:7)', "UniformOutput", false)]}, "points", [7; 8; 2*ones(7, 1)], "joints", [7; 7; 2*ones(7, 1)]);
+%!  words = {"revolute", "prismatic", "cylindrical", "helical", "universal", "planar", "fixed"};
+%!  m.skeleton.types = [{words; repmat({"spherical"}, 1, 7)}; cellfun(@(w) {w, "spherical"}, words', "UniformOutput", false)];
+%!  base = [cos(2*(1:7)); sin(2*(1:7)); zeros(1, 7)];
+%!  up = @(q) base .* [0.5; 0.5; 0] + [0; 0; 1 + q];
+%!  m.ske = @(t, q) [base, up(q), [0; 0; 1.2], reshape([base; up(q)], 3, [])];
+%!  r = struct ("t", [0; 1], "q", [0; 0.2]);
+%!  file = fullfile (folder, "plate.png");
+%!  gsmbp_animate (m, r, file, "up", "y", "centres", false, "view", [70, 20]);
+%!  assert (stat (file).size > 3000);
+%!  m.skeleton = rmfield (m.skeleton, "types");
+%!  gsmbp_animate (m, r, fullfile (folder, "plate.gif"), "times", [0 1]);
+%!  assert (frames (fullfile (folder, "plate.gif")), 2);
+%!endfunction
+%!test # a plate on many legs, types of joints, another axis upwards
+%! inside (@spatial);
 %!test # moving: pictures, their times, the table beside
 %! inside (@moves);
 %!test # standing, spatial, from states
@@ -419,6 +552,7 @@ endfunction
 %!error <argument result must be a struct> gsmbp_animate (pendulum (0), 1, "a.png")
 %!error <argument result: expected q with 21 rows and the 2 coordinates of pendulum, found 21 x 1> [m, r] = pendulum (0); r.q = r.q(:,1); gsmbp_animate (m, r, "a.png")
 %!error <option fps must be at most 50> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.gif", "fps", 60)
+%!error <option up must be "x", "y" or "z"> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
 %!error <option times must lie within the result, from 0 to 1 s> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "times", 2)
 %!error <no link "rod"; known: upper, lower> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", "rod")
 %!error <a column of m.ske, 1 to 6> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", 7)

@@ -1,7 +1,8 @@
 ## s = gsmbp__skeleton (json)
 ## The bodies of the skeletal diagram, ground first, in the order of the columns
 ## of SKE: columns BODY (names), POINTS (how many), JOINTS (how many of them,
-## the first ones, are where joints stand).  Empty without SKE.
+## the first ones, are where joints stand) and, if the JSON tells them, TYPES
+## (of these joints, a cell array of words each).  Empty without SKE.
 
 function s = gsmbp__skeleton (json)
   s = struct ("body", {cell(0, 1)}, "points", zeros (0, 1), "joints", zeros (0, 1));
@@ -10,5 +11,8 @@ function s = gsmbp__skeleton (json)
     s.body = {list.body}(:);
     s.points = double ([list.points](:));
     s.joints = double ([list.joints](:));
+    if (isfield (list, "types"))
+      s.types = cellfun (@cellstr, {list.types}(:), "UniformOutput", false);
+    endif
   endif
 endfunction
