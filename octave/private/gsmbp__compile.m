@@ -13,13 +13,13 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   quad = strcmp (precision, "quad");
   ## never -ffast-math: it deletes the tests for what is no number.  The small
   ## loops of the run time are faster without the vectorization of -O3.
-  flags = "-O3 -march=native -fopenmp-simd -fPIC";
-  common_flags = "-O2 -march=native -fPIC";
+  flags = "-O3 -march=native -fopenmp-simd -frecursive -fPIC";
+  common_flags = "-O2 -march=native -frecursive -fPIC";
   body = "lapack";
   libraries = "-llapack -lblas";
   define = "";
   if (quad)
-    flags = common_flags = "-O2 -march=native -freal-8-real-16 -fPIC";
+    flags = common_flags = "-O2 -march=native -freal-8-real-16 -frecursive -fPIC";
     body = "plain";
     libraries = "-lquadmath";
     define = "-DGSMBP_QUAD";

@@ -1,5 +1,5 @@
 ## What holds for every model, at random states: symmetry and definiteness of M, N against M (Mdot - 2C skew), power balance, constraints and their
-## rates, linear models against differences. (Against quad precision: test_quad.m.)
+## rates, linear models against differences. (Against quad precision: test_quad.m.) A scene is judged by what it was emitted with.
 
 function test_invariants ()
   rand ("twister", 2);
@@ -7,12 +7,19 @@ function test_invariants ()
     [~, name] = fileparts (scene.name);
     m = gsmbp_fixture (name);
     d = m.sizes;
-    mass (name, m, d);
+    if (isfield (m, "mas") && isfield (m, "inv"))
+      mass (name, m, d);
+    end
     if (! strcmp (name, "variants"))   # qs1 balances to the order of L only: rtest_actuators
       power (name, m, d);
     end
-    jacobians (name, m, d);
-    motion_model (name, m, d);
+    ## where rows are redundant the right-hand side is smooth along the motion only
+    if (isfield (m, "jac") && m.json.mobility.rank == d.nlam)
+      jacobians (name, m, d);
+    end
+    if (isfield (m, "lin"))
+      motion_model (name, m, d);
+    end
     if (d.nlam > 0)
       constraints (name, m, d);
     end
@@ -23,18 +30,31 @@ function x = uniform (n)
   x = 2 * rand (n, 1) - 1;
 end
 
-## a state; loops are closed by the model's own projection
+## Euler parameters among the coordinates made a unit vector
+function q = unit (m, q)
+  for set = reshape (m.json.orientation, [], 4 * ! isempty (m.json.orientation))'
+    q(set) /= norm (q(set));
+  end
+end
+
+## a state around the start; loops are closed by the model's own projection
 function x = state (m, d)
   x = uniform (d.nx);
   x(d.nq + (1:d.nu)) *= 2;
   if (d.nlam > 0)
-    x(1:d.nq) = start (m, d) + 0.1 * uniform (d.nq);
+    x(1:d.nq) = unit (m, m.initial(1:d.nq) + 0.1 * uniform (d.nq));
     x = m.prj (0, x);
+  else
+    x(1:d.nq) = unit (m, m.initial(1:d.nq) + x(1:d.nq));
   end
 end
 
-function q = start (m, d)
-  q = m.initial(1:d.nq);
+## q' for speeds u (a scene without KIN has q' = u)
+function qd = rates (m, q, u)
+  qd = u;
+  if (isfield (m, "kin"))
+    qd = m.kin (0, q, u);
+  end
 end
 
 ## fourth-order central difference along each coordinate of x, columns; step chosen for errors near 1e-12 of the function's size
@@ -45,41 +65,61 @@ function J = differences (f, x, h)
   end
 end
 
+## T' = u' (M u' + N) makes u' (Mdot u - 2 N) = 0 for speeds of any kind; Christoffel's symbols belong to u = q'
 function mass (name, m, d)
   worst = zeros (1, 4);
-  definite = true;
+  definite = plain = true;
   for trial = 1:20
-    q = pi * uniform (d.nq);
+    q = unit (m, pi * uniform (d.nq));
     u = 2 * uniform (d.nu);
     v = zeros (d.nv, 1);
     M = m.mas (0, q);
     [~, fails] = chol (M);
     definite &= ! fails;
-    dM = reshape (differences (@(q) m.mas (0, q)(:), q, 1e-3), d.nu, d.nu, d.nq);
-    Mdot = sum (dM .* reshape (u, 1, 1, []), 3);
-    C = (Mdot + squeeze (sum (dM .* reshape (u, 1, [], 1), 2)) - squeeze (sum (dM .* reshape (u, 1, [], 1), 2))') / 2;
+    qd = rates (m, q, u);
+    Mdot = reshape (differences (@(s) m.mas (0, q + s * qd)(:), 0, 1e-3), d.nu, d.nu);
     passive = (m.bia (0, q, u, v) - m.bia (0, q, -u, v)) / 2;
     N = m.bia (0, q, u, v) - m.bia (0, q, 0 * u, v) - passive;
-    worst = max (worst, [norm(M - M'), abs(u' * (Mdot * u - 2 * N)) / norm(M), norm(C * u - N) / norm(M), norm(m.inv (0, q, u, u, v) - M * u - m.bia (0, q, u, v)) / norm(M)]);
+    bias = m.bia (0, q, u, v);
+    worst(1:3) = max (worst(1:3), [norm(M - M'), abs(u' * (Mdot * u - 2 * N)) / norm(M), norm(m.inv (0, q, u, u, v) - M * u - bias) / (norm(M) + norm(bias))]);
+    if (d.nq == d.nu && isequal (qd, u))
+      dM = reshape (differences (@(q) m.mas (0, q)(:), q, 1e-3), d.nu, d.nu, d.nq);
+      along = reshape (sum (dM .* reshape (u, 1, [], 1), 2), d.nu, d.nu);
+      worst(4) = max (worst(4), norm ((Mdot + along - along') / 2 * u - N) / norm (M));
+    else
+      plain = false;
+    end
   end
-  gsmbp_check ([name " M symmetric"], worst(1), 0);
-  gsmbp_check ([name " M positive definite"], definite);
-  gsmbp_check ([name " u' (Mdot - 2C) u = 0"], worst(2), 1e-10);
-  gsmbp_check ([name " N = C u with the Christoffel symbols of M"], worst(3), 1e-10);
-  gsmbp_check ([name " inverse dynamics = M u' + bias"], worst(4), 1e-13);
+  gsmbp_check ([name " M symmetric"], worst(1), 1e-16 * ! plain);
+  if (! any (strcmp (name, {"massless_bars", "close_jack"})))   # their trees hold links without mass
+    gsmbp_check ([name " M positive definite"], definite);
+  end
+  gsmbp_check ([name " u' (Mdot - 2C) u = 0"], worst(2), 1e-9);
+  gsmbp_check ([name " inverse dynamics = M u' + bias"], worst(3), 1e-13);
+  if (plain)
+    gsmbp_check ([name " N = C u with the Christoffel symbols of M"], worst(4), 1e-9);
+  end
 end
 
-## (T + V + E)' = power in - power dissipated
+## (T + V + E)' = power in - power dissipated - lambda' phit, the last one for constraints that move by themselves
 function power (name, m, d)
   worst = 0;
   for trial = 1:20
     x = state (m, d);
     v = uniform (d.nv);
-    xd = m.rhs (0, x, v);
-    energy = @(s) [1, 1, 1, 0, 0] * m.ene (0, x + s * xd, v)(:);
+    [xd, ~] = m.rhs (0, x, v);
+    drives = 0;
+    if (d.nlam > 0)
+      [~, phit] = m.con (0, x(1:d.nq), x(d.nq + (1:d.nu)));
+      if (any (phit))
+        [~, lam, ~] = m.acc (0, x, v);
+        drives = lam' * phit;
+      end
+    end
+    energy = @(s) [1, 1, 1, 0, 0] * m.ene (s, x + s * xd, v)(:);
     E = m.ene (0, x, v);
     rate = differences (energy, 0, 1e-4 / (1 + norm (xd)) ^ 0.5);
-    worst = max (worst, abs (rate - E(4) + E(5)) / max (1, abs (E(4)) + abs (E(5)) + norm (xd)));
+    worst = max (worst, abs (rate - E(4) + E(5) + drives) / max (1, abs (E(4)) + abs (E(5)) + norm (xd)));
   end
   gsmbp_check ([name " power balance"], worst, 1e-9);
 end
@@ -96,16 +136,24 @@ function jacobians (name, m, d)
     [A, B, C, D] = m.jac (0, x, v);
     exact = [A, B; C, D];
     both = @(z) [m.rhs(0, z(1:d.nx), z(d.nx+1:end)); output(z(1:d.nx), z(d.nx+1:end))];
-    worst = max (worst, norm (exact - differences (both, [x; v], 1e-3)) / norm (exact));
+    worst = max (worst, norm ((exact - differences (both, [x; v], 3e-4)) * tangent (m, x, d)) / norm (exact));
   end
   gsmbp_check ([name " Jacobians of the state space against differences"], worst, 1e-8);
 end
 
-## the paper's linear model about a motion: M, B = dN/dq', C = d(M q'' + N + G)/dq
+## Off the unit sphere of Euler parameters nothing is promised: the part of a change that leads off is taken away.
+function P = tangent (m, x, d)
+  P = eye (d.nx + d.nv);
+  for set = reshape (m.json.orientation, [], 4 * ! isempty (m.json.orientation))'
+    P(set, set) -= x(set) * x(set)';
+  end
+end
+
+## the paper's linear model about a motion: M, B = dN/du, C = d(M u' + N + G)/dq
 function motion_model (name, m, d)
   worst = zeros (1, 3);
   for trial = 1:10
-    q = uniform (d.nq);
+    q = unit (m, uniform (d.nq));
     u = 2 * uniform (d.nu);
     ud = 5 * uniform (d.nu);
     v = uniform (d.nv);
@@ -120,25 +168,28 @@ function motion_model (name, m, d)
   end
 end
 
-## HC is the gradient of phi, GAM = -(HC u + PHIT)' at u' = 0, and a projected state satisfies all
+## HC u is the rate of phi (but of constraints on speeds), GAM = -(HC u + PHIT)' at u' = 0, and a projected state satisfies all
 function constraints (name, m, d)
   worst = zeros (1, 4);
+  holonomic = setdiff (1:d.nlam, m.json.speed_rows(:)');
   for trial = 1:20
-    q = uniform (d.nq);
+    q = unit (m, m.initial(1:d.nq) + 0.5 * uniform (d.nq));
     u = 2 * uniform (d.nu);
     [phi, phit, H, gam] = m.con (0, q, u);
-    rate = @(s) velocity_rows (m, s, q + s * u, u);
-    worst(1) = max (worst(1), norm (H - differences (@(q) m.con (0, q, u), q, 1e-3)));
+    qd = rates (m, q, u);
+    move = differences (@(s) m.con (0, q + s * qd, u), 0, 1e-3);
+    worst(1) = max ([worst(1); abs(H * u - move)(holonomic)]);
+    rate = @(s) velocity_rows (m, s, q + s * qd, u);
     worst(2) = max (worst(2), norm (gam + differences (rate, 0, 1e-3)) / max (1, norm (gam)));
     x = state (m, d);
     [phi, phit, H] = m.con (0, x(1:d.nq), x(d.nq + (1:d.nu)));
     worst(3) = max (worst(3), norm (phi));
     worst(4) = max (worst(4), norm (H * x(d.nq + (1:d.nu)) + phit));
   end
-  gsmbp_check ([name " constraint Jacobian against differences"], worst(1), 1e-10);
-  gsmbp_check ([name " constraint right-hand side against differences"], worst(2), 1e-9);
-  gsmbp_check ([name " projected state closes the loop"], worst(3), 1e-13);
-  gsmbp_check ([name " projected speeds keep it closed"], worst(4), 1e-13);
+  gsmbp_check ([name " constraint Jacobian against differences"], worst(1), 1e-9);
+  gsmbp_check ([name " constraint right-hand side against differences"], worst(2), 1e-8);
+  gsmbp_check ([name " projected state closes the loop"], worst(3), 1e-12);
+  gsmbp_check ([name " projected speeds keep it closed"], worst(4), 1e-12);
 end
 
 function r = velocity_rows (m, t, q, u)

@@ -6,13 +6,14 @@ C     y' = y*cos(t), z' = -2*t*z**2: errors at t = 1 with N and 2*N
 C     steps of each method, and the order between the two
       PROGRAM ORDER
       IMPLICIT NONE
-      INTEGER            N, K, I, J, IST(10), INFO, IP(31)
+      INTEGER            N, K, I, J, IST(20), INFO, IP(31)
       DOUBLE PRECISION   X(2), XN(2), W(2,13), WI(100), V(1), CST(1),
-     $                   RP(1), ATOL(2), ERR, T, H, E(2)
+     $                   RP(1), ATOL(2), ERR, T, H, E(2), P(9), RST(20)
       EXTERNAL           RHS, NONE
       DO 10 I = 1, 31
          IP(I) = 0
    10 CONTINUE
+      P(1)    = 0.0D0
       ATOL(1) = 1.0D0
       ATOL(2) = 1.0D0
       DO 50 K = 4, 8, 4
@@ -24,14 +25,15 @@ C     steps of each method, and the order between the two
             DO 30 I = 1, N
                T = DBLE( I - 1 )*H
                IF ( K.EQ.4 ) THEN
-                  CALL GSRK4( RHS, NONE, NONE, NONE, T, T + H, 1, H, X,
-     $                        1, 2, 0, IP, RP, CST, V, XN, W, WI, IST,
-     $                        INFO )
+                  CALL GSRK4( RHS, NONE, NONE, NONE, NONE, NONE, T,
+     $                        T + H, 1, H, X, 1, 1, 2, 0, 0, IP, RP,
+     $                        CST, V, XN, W, WI, P, IST, RST, INFO )
                ELSE
                   CALL RHS( T, X, V, CST, W, INFO )
-                  CALL GSDP8( RHS, NONE, NONE, NONE, T, T + H, 1, H, X,
-     $                        1, 2, 0, IP, RP, CST, V, 1.0D0, ATOL, XN,
-     $                        ERR, W, WI, IST, INFO )
+                  CALL GSDP8( RHS, NONE, NONE, NONE, NONE, NONE, T,
+     $                        T + H, 1, H, X, 1, 1, 2, 0, 0, IP, RP,
+     $                        CST, V, 1.0D0, ATOL, XN, ERR, W, WI, P,
+     $                        IST, RST, INFO )
                END IF
                X(1) = XN(1)
                X(2) = XN(2)

@@ -1,9 +1,9 @@
 ## m = ne_read (FILE): a case of tests/data (spec.json) as plain numbers, for the independent Newton-Euler formulation ne_*.
 ##
 ## Everything is in world axes in the configuration q = 0, where every body frame coincides with the world's:
-##   m.gravity 3x1; m.body(b): name, mass, com 3x1, inertia 3x3 about com; m.joint(j): name, type, parent, child (0 is ground), point, axis, damping;
-##   m.loop(l): name, bodyA, bodyB, pointA, pointB, directions 3xk along which the points coincide; or, not in a file, the type and axis of a whole
-##   revolute or prismatic joint.  Parents come before children; m.spec is the file as it stands.
+##   m.gravity 3x1; m.body(b): name, mass, com 3x1, inertia 3x3 about com; m.joint(j): tree joints, as ne_joint makes them; m.loop(l): the same, either
+##   a whole joint or only `directions` 3xk along which the points coincide.  Tree joint b leads to body b (drawn to it or from it), from a body before it;
+##   m.spec is the file as it stands. A model may have more, see random_scene: m.user, m.given, m.spring.
 ## Nothing here or in the other ne_ files uses GSMBP.
 
 function m = ne_read (file)
@@ -22,17 +22,16 @@ function m = ne_read (file)
     damping = @(name) ne_numbers (spec.damping.(name));
   end
   for s = items (spec, "joints")
-    axis = ne_numbers (s{1}.axis);
-    m.joint = [m.joint, struct("name", s{1}.name, "type", s{1}.type, "parent", number (s{1}.parent), "child", number (s{1}.child), ...
-                               "point", ne_numbers (s{1}.point), "axis", axis / norm (axis), "damping", damping (s{1}.name))];
+    m.joint = [m.joint, ne_joint(s{1}.name, s{1}.type, number (s{1}.parent), number (s{1}.child), "point", ne_numbers (s{1}.point), ...
+                                 "axis", ne_numbers (s{1}.axis), "damping", damping (s{1}.name))];
   end
   for s = items (spec, "loop_joints")
     directions = eye (3);
     if (isfield (s{1}, "directions"))
       directions = ne_numbers (s{1}.directions)';
     end
-    m.loop = [m.loop, struct("name", s{1}.name, "bodyA", number (s{1}.bodyA), "bodyB", number (s{1}.bodyB), ...
-                             "pointA", ne_numbers (s{1}.pointA), "pointB", ne_numbers (s{1}.pointB), "directions", directions, "type", "", "axis", [])];
+    m.loop = [m.loop, ne_joint(s{1}.name, "spherical", number (s{1}.bodyA), number (s{1}.bodyB), "point_a", ne_numbers (s{1}.pointA), ...
+                               "point_b", ne_numbers (s{1}.pointB), "directions", directions)];
   end
 end
 
