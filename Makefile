@@ -19,7 +19,7 @@ DESTDIR :=
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
-	@echo 'make test-random           40 scenes made by chance against an independent formulation (make test takes 3)'
+	@echo 'make test-random           2000 mechanisms made by chance against an independent formulation (make test takes 40)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
@@ -52,7 +52,7 @@ test: packages
 	@tests/run
 
 test-random: packages
-	@GSMBP_RANDOM=40 GSMBP_TEST_LIMIT=3600 tests/run test_random
+	@tests/random/run
 
 bench: packages
 	@mkdir -p tests/bench/out
