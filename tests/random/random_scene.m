@@ -370,9 +370,13 @@ function list = way (m, b)
   end
 end
 
-## true if the rows are independent at the position q, and something can move still
+## true if the rows are independent at the position q, and something can move still; a disc that lies flat has no rows
 function yes = mobile (m, q)
   H = ne_jacobian (ne_rows (m, q));
+  if (! all (isfinite (H(:))))
+    yes = false;
+    return;
+  end
   s = svd (H);
   yes = rows (H) < columns (H) && s(end) > 1e-2 * max (s(1), 1);
 end
