@@ -23,7 +23,12 @@ function [q, left] = ne_assemble (m, guess, t, steps)
       break;
     end
     left = now;
-    [U, S, V] = svd (ne_jacobian (k), "econ");
+    H = ne_jacobian (k);
+    if (! all (isfinite ([H(:); gap])))   # a disc that lies flat
+      left = Inf;
+      return;
+    end
+    [U, S, V] = svd (H, "econ");
     s = diag (S);
     keep = s > small * max ([1; s]);
     dx = -V(:, keep) * ((U(:, keep)' * gap) ./ s(keep));
