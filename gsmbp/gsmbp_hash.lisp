@@ -26,3 +26,8 @@
         (when (and e (or constants (not (eq (gethash s nature) '$constant))))
           (push e found)
           (setq todo (append (cdr (sixth e)) todo)))))))
+;; files: is there one of that name; names (without folder and extension) of those that match, in order
+(defun $gsmbp__file_exists (name) (and (probe-file name) t))
+(defun $gsmbp__file_names (pattern) (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
+;; the folder of that name, seen from everywhere
+(defun $gsmbp__whole_path (name) (namestring (truename name)))

@@ -43,6 +43,7 @@
 ## @item [y, info] = m.out (t, x[, v])
 ## outputs
 ## @item [v, xid, info] = m.cmd (t, qj[, xi])
+## @item [v, xid, xa, margins, info] = m.cmx (t, qj[, xi])
 ## inputs for a motion; @var{qj} is @var{nu} x (1 + command order)
 ## @item [qj, res, info] = m.clo (t, qj)
 ## completes the motion of a closed chain
@@ -68,7 +69,9 @@
 ## @code{mobility} (a struct: Gruebler's count and what it is made of),
 ## @code{orientation} (a row of four numbers of coordinates for each set of
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),
-## @code{speed_rows} (numbers of the constraints on speeds alone).
+## @code{speed_rows} (numbers of the constraints on speeds alone),
+## @code{internal} (numbers of the states that the inverse of the devices
+## integrates), @code{margins} (what must be above 0 for a command).
 ##
 ## Options:
 ## @table @code
@@ -157,6 +160,14 @@ function m = gsmbp_build (name, varargin)
   m.initial = zeros (m.sizes.nx, 1);
   if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
     m.initial = double (json.initial(:));
+  endif
+  m.internal = zeros (0, 1);
+  m.margins = cell (0, 1);
+  if (isfield (json, "internal") && ! isempty (json.internal))
+    m.internal = double (json.internal(:));
+  endif
+  if (isfield (json, "margins") && ! isempty (json.margins))
+    m.margins = cellstr (json.margins)(:);
   endif
   m.skeleton = gsmbp__skeleton (json);
   m = loops (m, json);

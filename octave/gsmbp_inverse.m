@@ -15,15 +15,23 @@
 ## efforts of the actuated coordinates (of all, in an open chain) that the
 ## inverse model needs, and @code{lambda}, the multipliers of the loops
 ## @item v
-## inputs, from the inverse models of the actuators (where emitted)
+## inputs, from the inverse models of the devices (where emitted)
 ## @item x
-## the states along the motion, those of actuators included: found from the
-## condition that the right-hand side yields the planned accelerations
+## the states along the motion, those of devices included: from the inverse
+## models, internal ones integrated by their own rates from the option "internal"; without an
+## inverse model, from the condition that the right-hand side yields the
+## planned accelerations
+## @item margins
+## times x number of margins, above 0 where the command can be given
+## @item violations
+## a struct array, empty if all is well: @code{text} of the margin, @code{time}
+## of its first violation, @code{least} value
 ## @end table
 ## Options: "side": which limit to take at a break of the motion, 1 from the
 ## right (default), -1 from the left; "input": @var{nv} external inputs for
 ## the inverse model (default zeros); "guess": the @var{nu} coordinates where
-## Newton's method for the loops begins (default @code{m.initial}).
+## Newton's method for the loops begins (default @code{m.initial}); "internal":
+## states of the devices at the first time (default @code{m.initial}).
 ##
 ## If a loop cannot follow the motion it is an error that names the time.
 ## @seealso{gsmbp_plan, gsmbp_simulate}
@@ -35,11 +43,10 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   endif
   who = "gsmbp_inverse";
   d = m.sizes;
-  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq)), varargin);
+  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq), "internal", m.initial(d.nq+d.nu+1:end)), varargin);
   [pp, planned] = gsmbp__motion (who, m, motion);
   has = @(name) any (strcmp (m.subroutines, name));
   times = times(:)';
-  f = gsmbp_evaluate (pp, times, m.order, o.side);
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
   closed = d.nlam > 0 && numel (planned) < d.nu;
@@ -50,13 +57,14 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.lambda = zeros (nt, d.nlam);
   r.v = zeros (nt, d.nv);
   r.x = zeros (nt, d.nx);
+  r.margins = zeros (nt, numel (m.margins));
+  motion_at = @(t, side, guess) whole_motion (who, m, pp, planned, closed, t, side, guess);
+  xi = o.internal(:);
   for i = 1:nt
-    one = zeros (d.nu, m.order + 1);
-    one(:,1) = guess;
-    one(planned,:) = reshape (f(:,i,:), numel (planned), m.order + 1);
-    if (closed)
-      one = follow (who, m, times(i), guess, one, planned);
+    if (i > 1 && has ("cmx") && ! isempty (m.internal))
+      xi = carried (m, motion_at, guess, xi, times(i-1), times(i));
     endif
+    one = motion_at (times(i), o.side, guess);
     qj(:,:,i) = one;
     guess = one(:,1);
     if (loops)
@@ -64,13 +72,19 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     elseif (has ("inv"))
       r.tau(i,:) = m.inv (times(i), one(:,1), one(:,2), one(:,3), o.input);
     endif
-    if (has ("cmd"))
-      r.v(i,:) = m.cmd (times(i), one);
-    endif
-    if (has ("rhs"))
-      r.x(i,:) = states (m, times(i), one, r.v(i,:)', r.x(max (i - 1, 1),:)');
+    if (has ("cmx"))
+      [r.v(i,:), xid, xa, r.margins(i,:)] = m.cmx (times(i), one, xi);
+      r.x(i,:) = [one(:,1); one(:,2); xa];
+    else
+      if (has ("cmd"))
+        r.v(i,:) = m.cmd (times(i), one);
+      endif
+      if (has ("rhs"))
+        r.x(i,:) = states (m, times(i), one, r.v(i,:)', r.x(max (i - 1, 1),:)');
+      endif
     endif
   endfor
+  r.violations = violations (m.margins, r.t, r.margins);
   r.q = reshape (qj(:,1,:), d.nu, nt)';
   r.u = reshape (qj(:,2,:), d.nu, nt)';
   r.ud = reshape (qj(:,3,:), d.nu, nt)';
@@ -78,6 +92,53 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   if (! has ("cmd"))
     r.v = zeros (nt, 0);
   endif
+endfunction
+
+## q, u, ... of all coordinates at a time
+function one = whole_motion (who, m, pp, planned, closed, t, side, guess)
+  one = zeros (m.sizes.nu, m.order + 1);
+  one(:,1) = guess;
+  one(planned,:) = reshape (gsmbp_evaluate (pp, t, m.order, side), numel (planned), m.order + 1);
+  if (closed)
+    one = follow (who, m, t, guess, one, planned);
+  endif
+endfunction
+
+## internal states from one time to another, by Octave's stiff solver: its
+## tolerance is far below what a plot or a table of the command shows
+function xi = carried (m, motion_at, guess, xi, from, to)
+  here = m.internal - m.sizes.nq - m.sizes.nu;
+  rates = @(y, t) internal_rates (m, motion_at, guess, xi, here, t, y);
+  old = {lsode_options("relative tolerance"), lsode_options("absolute tolerance")};
+  unwind_protect
+    lsode_options ("relative tolerance", 1e-11);
+    lsode_options ("absolute tolerance", 1e-13 * max (1, norm (xi(here), Inf)));
+    [y, state, text] = lsode (rates, xi(here), [from to]);
+  unwind_protect_cleanup
+    lsode_options ("relative tolerance", old{1});
+    lsode_options ("absolute tolerance", old{2});
+  end_unwind_protect
+  if (state != 2)
+    error ("gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g s to %.9g s: %s", m.name, from, to, text);
+  endif
+  xi(here) = y(end,:)';
+endfunction
+
+function yd = internal_rates (m, motion_at, guess, xi, here, t, y)
+  xi(here) = y;
+  [v, xid] = m.cmx (t, motion_at (t, 1, guess), xi);
+  yd = xid(here);
+endfunction
+
+## margins that are not above 0: text, first time, least value
+function list = violations (texts, t, margins)
+  list = struct ("text", {}, "time", {}, "least", {});
+  for k = 1:numel (texts)
+    bad = find (! (margins(:,k) > 0));
+    if (! isempty (bad))
+      list(end+1) = struct ("text", texts{k}, "time", t(bad(1)), "least", min (margins(:,k)));
+    endif
+  endfor
 endfunction
 
 ## the loops closed along short steps from the guess to the planned position,

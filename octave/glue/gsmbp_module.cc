@@ -488,12 +488,26 @@ do_cmd (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.nx);
-  reals v = room (S.nv), xid = room (S.nx);
+  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.na);
+  reals v = room (S.nv), xid = room (S.na);
   int info = 0;
   routine (S.cmd, "cmd") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &info);
-  octave_value_list out = ovl (result (v, S.nv), result (xid, S.nx));
+  octave_value_list out = ovl (result (v, S.nv), result (xid, S.na));
   finish (out, info, nargout, "cmd");
+  return out;
+}
+
+static octave_value_list
+do_cmx (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.na);
+  reals v = room (S.nv), xid = room (S.na), xa = room (S.na), g = room (S.nmar);
+  int info = 0;
+  routine (S.cmx, "cmx") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &xa[0], &g[0], &info);
+  octave_value_list out = ovl (result (v, S.nv), result (xid, S.na), result (xa, S.na), result (g, S.nmar));
+  finish (out, info, nargout, "cmx");
   return out;
 }
 
@@ -715,7 +729,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
-    {"cmd", do_cmd}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
+    {"cmd", do_cmd}, {"cmx", do_cmx}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
     {"acd", do_acd}, {"tan", do_tan}, {"sim", do_sim},
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}

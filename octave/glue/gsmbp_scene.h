@@ -10,9 +10,11 @@ typedef void (*gsmbp_sub) (void);
 typedef struct
 {
   const char *name;
-  int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, np;
+  int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, na, nmar, nxk,
+      nctl, nev, nmode, np;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
-            out, cmd, clo, ene, acc, ske, acd, tan, vin;
+            out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
+            rst, rha, vin;
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

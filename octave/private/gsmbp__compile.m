@@ -121,12 +121,21 @@ function write (file, text)
   rename (new, file);
 endfunction
 
+## a size, 0 where the JSON does not say
+function n = size_of (d, name)
+  n = 0;
+  if (isfield (d, name))
+    n = d.(name);
+  endif
+endfunction
+
 function text = sizes_header (json, symbol, has_input)
   d = json.dimensions;
-  counts = cellfun (@(n) d.(n), {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact"});
+  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", "nmar", "nxk", "nctl", "nev", "nmode"};
+  counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

@@ -22,6 +22,7 @@ function m = gsmbp__handles (m)
   calls.jac = @(t, x, varargin) f ("jac", cst, t, x, varargin{:});
   calls.out = @(t, x, varargin) f ("out", cst, t, x, varargin{:});
   calls.cmd = @(t, qj, varargin) f ("cmd", cst, t, qj, varargin{:});
+  calls.cmx = @(t, qj, varargin) f ("cmx", cst, t, qj, varargin{:});
   calls.clo = @(t, qj) f ("clo", cst, t, qj);
   calls.ene = @(t, x, varargin) f ("ene", cst, t, x, varargin{:});
   calls.ske = @(t, q) f ("ske", cst, t, q);

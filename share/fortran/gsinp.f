@@ -31,7 +31,9 @@ C                    (a constant v0 begins at RP(IP(9)));
 C             IP(10..13) the planned motion, NA components;
 C             IP(14..17) the reference state x0, NX components;
 C             IP(18..21) the gain K, NV*NX components, by columns;
-C             IP(22..30) unused, zero;
+C             IP(22)     where in X the states of the devices begin, of
+C                    which CMD reads the internal ones (XI); 0: none;
+C             IP(23..30) unused, zero;
 C             IP(30+I)   the number of the I-th planned coordinate;
 C             from IP(31+NA) on: the user's own.
 C     RP      (input) DOUBLE PRECISION array, breaks and coefficients.
@@ -80,6 +82,8 @@ C     -- v0
      $      CALL CLO( T, W, CST, W(IXI), INFO )
          DO 40 I = 1, NX
             W(IXI+I-1) = 0.0D0
+            IF ( IP(22).GT.0 .AND. IP(22)+I-1.LE.NX )
+     $         W(IXI+I-1) = X(IP(22)+I-1)
    40    CONTINUE
          IF ( INFO.EQ.0 )
      $      CALL CMD( T, W, W(IXI), CST, V, W(IXI+NX), INFO )
