@@ -54,12 +54,14 @@ puts ("10 s from rest in the cube's edges, by the six ways (DOP853)\n");
 printf ("%-14s %8s %20s %12s %16s %10s %12s %16s\n", "way", "rtol", "energy [J/J]", "|phi| [m]", "|phidot| [m/s]", "calls", "ms for 1 s", "q1(10 s) [rad]");
 for rtol = [1e-6 1e-9 1e-12]
   for way = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"}
-    run = gsmbp_simulate (m, x0, 0:0.25:10, "loops", way{1}, "rtol", rtol);
+    simulate = @() gsmbp_simulate (m, x0, 0:0.25:10, "loops", way{1}, "rtol", rtol);
+    run = simulate ();
     s = run.stats;
-    printf ("%-14s %8.0e %20.1e %12.1e %16.1e %10d %12.3f %16.9f\n", way{1}, rtol, worst (energies (run)), s.drift.phi, s.drift.phidot, s.calls, 100 * s.seconds, run.x(end,1));
+    seconds = min (arrayfun (@(k) simulate ().stats.seconds, 1:100));
+    printf ("%-14s %8.0e %20.1e %12.1e %16.1e %10d %12.3f %16.9f\n", way{1}, rtol, worst (energies (run)), s.drift.phi, s.drift.phidot, s.calls, 100 * seconds, run.x(end,1));
   endfor
 endfor
-puts ("(energy: largest change of the total, over the potential energy exchanged)\n");
+puts ("(energy: largest change of the total, over the potential energy exchanged; time: the shortest of 100 runs)\n");
 
 r = gsmbp_simulate (m, x0, t);
 e = energies (r);

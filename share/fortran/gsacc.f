@@ -2,20 +2,40 @@
      $                  INFO )
 C
 C     PURPOSE
+C     GSACR for rows that are measured each by itself and known to
+C     rounding errors: INFO = 2 where they are dependent to about 1D-11.
+C
+      IMPLICIT NONE
+      INTEGER            WAY, N, M, LDA, LDH, INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
+     $                   W(*)
+      DOUBLE PRECISION   GSEPS
+      INTEGER            GRP(1)
+      EXTERNAL           GSEPS, GSACR
+C
+      GRP(1) = 0
+      CALL GSACR( WAY, N, M, A, LDA, H, LDH, F, G, 5.0D4*GSEPS(), GRP,
+     $            UD, LAM, W, INFO )
+      END
+      SUBROUTINE GSACR( WAY, N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD,
+     $                  LAM, W, INFO )
+C
+C     PURPOSE
 C     Accelerations and multipliers of a system with constraints,
 C        A*UD - H'*LAM = F,   H*UD = G,
 C     in one of four ways.
 C
 C     ARGUMENTS
 C     WAY     (input) INTEGER:
-C             1  multipliers (GSKKT);
+C             1  multipliers (GSKKR);
 C             2  null space of H, the orthogonal complement of its rows,
 C                from a QR factorization of H';
 C             3  eigenvectors of H'*H to the eigenvalue zero (zero-
 C                eigenvalue theorem), from singular values of H;
 C             4  Kane's equations with dependent speeds: a set of
 C                independent ones chosen by size, the others eliminated.
-C     N, M, A, LDA, H, LDH, F, G, UD, LAM (as GSKKT)
+C     N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM (as GSKKR, but in
+C             the ways 2, 3, 4 without the metric of A)
 C     W       (workspace) DOUBLE PRECISION array, dimension
 C             (2*N*N + N*M + M*M + 4*N + 8*M).
 C     INFO    (output) INTEGER, see below.
@@ -24,7 +44,7 @@ C     METHOD
 C     2, 3, 4: UD = p + K*z, H*K = 0, H*p = G;
 C     K'*A*K*z = K'*( F - A*p ).  LAM is the solution of least norm of
 C     H'*LAM = A*UD - F.  A may be semidefinite as long as K'*A*K is
-C     definite.  3 and 4 scale the rows of H to size one first.
+C     definite.  3 and 4 divide the rows of H by their sizes first.
 C
 C     REFERENCES
 C     1 Ju and Hsu 1991, (25).
@@ -39,15 +59,15 @@ C     INFO = 0   ok;
 C     INFO = -i  argument i is out of range;
 C     INFO = 1   A is not positive definite on the motions that H
 C                allows: UD, LAM are zero;
-C     INFO = 2   the constraints are dependent (to about 1D-11): UD
+C     INFO = 2   the constraints are dependent (to TOL): UD
 C                fulfils the independent ones (and the others if they
 C                are consistent), LAM is one of many.
 C
       IMPLICIT NONE
-      INTEGER            WAY, N, M, LDA, LDH, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
-     $                   W(*)
-      EXTERNAL           GSKKT, GSNUL, GSZEV, GSKDS
+      INTEGER            WAY, N, M, LDA, LDH, GRP(*), INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), TOL, UD(*),
+     $                   LAM(*), W(*)
+      EXTERNAL           GSKKR, GSNUL, GSZEV, GSKDS
       INTEGER            I
 C
       INFO = 0
@@ -58,13 +78,17 @@ C
       IF ( LDH.LT.MAX( 1, M ) ) INFO = -7
       IF ( INFO.NE.0 ) RETURN
       IF ( WAY.EQ.1 .OR. N.EQ.0 .OR. M.EQ.0 ) THEN
-         CALL GSKKT( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+         CALL GSKKR( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $               W, INFO )
       ELSE IF ( WAY.EQ.2 ) THEN
-         CALL GSNUL( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+         CALL GSNUL( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $               W, INFO )
       ELSE IF ( WAY.EQ.3 ) THEN
-         CALL GSZEV( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+         CALL GSZEV( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $               W, INFO )
       ELSE
-         CALL GSKDS( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+         CALL GSKDS( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $               W, INFO )
       END IF
       IF ( INFO.EQ.1 ) THEN
          DO 10 I = 1, N
@@ -75,18 +99,19 @@ C
    20    CONTINUE
       END IF
       END
-      SUBROUTINE GSNUL( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+      SUBROUTINE GSNUL( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $                  W, INFO )
 C
 C     PURPOSE
 C     The way 2 of GSACC.  H'*P = Q*R, Q = (Q1,Q2), K = Q2; with
 C     UD = Q*(w,z): R1'*w = P'*G, and R*P'*LAM = Q1'*( A*UD - F ).
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
-     $                   W(*)
-      DOUBLE PRECISION   GSEPS, S
-      EXTERNAL           GSEPS, GSQRP, GSQMV, GSMUL, GSRED, GSLNM
+      INTEGER            N, M, LDA, LDH, GRP(*), INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), TOL, UD(*),
+     $                   LAM(*), W(*)
+      DOUBLE PRECISION   S
+      EXTERNAL           GSQRG, GSQMV, GSMUL, GSRED, GSLNM
       INTEGER            I, J, R, IY, IC, IZ, IT, IP, IB, IS, IQ
 C
 C     -- workspace: reduced matrix, Y, c, w, T, pivots, beta, sizes,
@@ -106,8 +131,7 @@ C
    10    CONTINUE
          W(IZ+I-1) = 0.0D0
    20 CONTINUE
-      CALL GSQRP( N, M, W(IY), N, 5.0D4*GSEPS(), W(IP), W(IB), W(IS),
-     $            R )
+      CALL GSQRG( N, M, W(IY), N, TOL, GRP, W(IP), W(IB), W(IS), R )
 C
 C     -- w, and c = Q'*( F - A*Q1*w )
       DO 40 J = 1, R
@@ -217,7 +241,8 @@ C
          IF ( .NOT.( B(J,J)*B(J,J).GT.TOL ) ) INFO = 1
    20 CONTINUE
       END
-      SUBROUTINE GSZEV( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+      SUBROUTINE GSZEV( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $                  W, INFO )
 C
 C     PURPOSE
 C     The way 3 of GSACC.  D*H*V = U*S (D scales the rows), V = (V1,V2)
@@ -225,11 +250,11 @@ C     with S2 = 0: p = V1*inv(S1)*U1'*D*G, K = V2, and
 C     LAM = D*U1*inv(S1)*V1'*( A*UD - F ) if the rank is full.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
-     $                   W(*)
-      DOUBLE PRECISION   GSEPS, S
-      EXTERNAL           GSEPS, GSSVD, GSROW, GSMUL, GSRED, GSLAM
+      INTEGER            N, M, LDA, LDH, GRP(*), INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), TOL, UD(*),
+     $                   LAM(*), W(*)
+      DOUBLE PRECISION   S
+      EXTERNAL           GSSVD, GSROW, GSMUL, GSRED, GSLAM
       INTEGER            I, J, K, R, IV, IH, IC, IZ, IS, ID
 C
 C     -- workspace: reduced matrix, V, D*H, A*v, F - A*p, singular
@@ -240,8 +265,8 @@ C        values and then the reduced right side, scales
       IZ = IC + N
       IS = IZ + N
       ID = IS + N
-      CALL GSROW( N, M, H, LDH, W(IH), W(ID) )
-      CALL GSSVD( M, N, W(IH), M, W(IV), N, W(IS), 5.0D4*GSEPS(), R )
+      CALL GSROW( N, M, H, LDH, GRP, W(IH), W(ID) )
+      CALL GSSVD( M, N, W(IH), M, W(IV), N, W(IS), TOL, R )
 C
 C     -- p, and F - A*p
       DO 10 I = 1, N
@@ -288,7 +313,7 @@ C     -- the reduced equations
 C
 C     -- multipliers
       IF ( R.LT.M ) THEN
-         CALL GSLAM( N, M, A, LDA, H, LDH, F, UD, LAM, W )
+         CALL GSLAM( N, M, A, LDA, H, LDH, F, TOL, GRP, UD, LAM, W )
          INFO = 2
          RETURN
       END IF
@@ -307,18 +332,18 @@ C     -- multipliers
   140    CONTINUE
   150 CONTINUE
       END
-      SUBROUTINE GSROW( N, M, H, LDH, Y, D )
+      SUBROUTINE GSROW( N, M, H, LDH, GRP, Y, D )
 C
 C     PURPOSE
-C     Y = diag(D)*H with rows of length one; a row that is nothing to
-C     working precision beside the longest is divided by that one's
-C     length.  Y is M by N.
+C     Y = diag(D)*H, rows divided by their sizes (see GSQRG); a size
+C     that is nothing to working precision beside the largest is
+C     replaced by that.  Y is M by N.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDH
+      INTEGER            N, M, LDH, GRP(*)
       DOUBLE PRECISION   H(LDH,*), Y(M,*), D(*)
       DOUBLE PRECISION   GSEPS, TOL, S, BIG
-      EXTERNAL           GSEPS
+      EXTERNAL           GSEPS, GSGRP
       INTEGER            I, J
 C
       TOL = 1.0D2*GSEPS()
@@ -331,6 +356,7 @@ C
          D(I) = SQRT( S )
          BIG  = MAX( BIG, D(I) )
    20 CONTINUE
+      CALL GSGRP( M, GRP, 1.0D-3, D )
       IF ( .NOT.( BIG.GT.0.0D0 ) ) BIG = 1.0D0
       DO 40 I = 1, M
          S = D(I)
@@ -341,17 +367,17 @@ C
    30    CONTINUE
    40 CONTINUE
       END
-      SUBROUTINE GSLAM( N, M, A, LDA, H, LDH, F, UD, LAM, W )
+      SUBROUTINE GSLAM( N, M, A, LDA, H, LDH, F, TOL, GRP, UD, LAM, W )
 C
 C     PURPOSE
 C     The solution LAM of least norm of H'*LAM = A*UD - F, where the
 C     constraints are dependent.  Arguments as GSACC.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), UD(*), LAM(*), W(*)
-      DOUBLE PRECISION   GSEPS
-      EXTERNAL           GSEPS, GSQRP, GSQMV, GSMUL, GSLNM
+      INTEGER            N, M, LDA, LDH, GRP(*)
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), TOL, UD(*), LAM(*),
+     $                   W(*)
+      EXTERNAL           GSQRG, GSQMV, GSMUL, GSLNM
       INTEGER            I, J, R, IC, IT, IP, IB, IS, IQ
 C
       IC = 1 + N*M
@@ -367,12 +393,13 @@ C
             W(I+N*(J-1)) = H(J,I)
    20    CONTINUE
    30 CONTINUE
-      CALL GSQRP( N, M, W, N, 5.0D4*GSEPS(), W(IP), W(IB), W(IS), R )
+      CALL GSQRG( N, M, W, N, TOL, GRP, W(IP), W(IB), W(IS), R )
       CALL GSQMV( N, R, W, N, W(IB), W(IC), 1 )
       CALL GSLNM( M, R, W, N, W(IP), W(IC), LAM, W(IT), W(IQ), W(IB),
      $            W(IS) )
       END
-      SUBROUTINE GSKDS( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
+      SUBROUTINE GSKDS( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $                  W, INFO )
 C
 C     PURPOSE
 C     The way 4 of GSACC.  D*H*P = Q*(R1,R2) (D scales the rows, columns
@@ -384,11 +411,11 @@ C           = F2 + C'*F1 - ( A21 + C'*A11 )*d,
 C     LAM = D*Q1*inv(R1')*( A*UD - F )1 if the rank is full.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
-     $                   W(*)
-      DOUBLE PRECISION   GSEPS, S
-      EXTERNAL           GSEPS, GSROW, GSQRC, GSQMV, GSRED, GSLAM
+      INTEGER            N, M, LDA, LDH, GRP(*), INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), TOL, UD(*),
+     $                   LAM(*), W(*)
+      DOUBLE PRECISION   S
+      EXTERNAL           GSROW, GSQRC, GSQMV, GSRED, GSLAM
       INTEGER            I, J, K, R, NF, IE, IH, IB, IP, IS, IC, ID, IG,
      $                   IA, IX
 C
@@ -402,12 +429,11 @@ C        side, scales, D*G
       IC = IS + N
       ID = IC + N
       IG = ID + M
-      CALL GSROW( N, M, H, LDH, W(IH), W(ID) )
+      CALL GSROW( N, M, H, LDH, GRP, W(IH), W(ID) )
       DO 10 K = 1, M
          W(IG+K-1) = W(ID+K-1)*G(K)
    10 CONTINUE
-      CALL GSQRC( M, N, W(IH), M, 5.0D4*GSEPS(), W(IP), W(IB), W(IS),
-     $            R )
+      CALL GSQRC( M, N, W(IH), M, TOL, W(IP), W(IB), W(IS), R )
       CALL GSQMV( M, R, W(IH), M, W(IB), W(IG), 1 )
       NF = N - R
 C
@@ -482,7 +508,7 @@ C     -- all speeds; what acts on the dependent ones: A*UD - F
          UD(NINT( W(IP+I-1) )) = S
   150 CONTINUE
       IF ( R.LT.M ) THEN
-         CALL GSLAM( N, M, A, LDA, H, LDH, F, UD, LAM, W )
+         CALL GSLAM( N, M, A, LDA, H, LDH, F, TOL, GRP, UD, LAM, W )
          INFO = 2
          RETURN
       END IF

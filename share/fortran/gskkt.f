@@ -1,6 +1,25 @@
       SUBROUTINE GSKKT( N, M, A, LDA, H, LDH, F, G, UD, LAM, W, INFO )
 C
 C     PURPOSE
+C     GSKKR for rows that are measured each by itself and known to
+C     rounding errors: INFO = 2 where they are dependent to about 1D-11.
+C
+      IMPLICIT NONE
+      INTEGER            N, M, LDA, LDH, INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
+     $                   W(*)
+      DOUBLE PRECISION   GSEPS
+      INTEGER            GRP(1)
+      EXTERNAL           GSEPS, GSKKR
+C
+      GRP(1) = 0
+      CALL GSKKR( N, M, A, LDA, H, LDH, F, G, 5.0D4*GSEPS(), GRP, UD,
+     $            LAM, W, INFO )
+      END
+      SUBROUTINE GSKKR( N, M, A, LDA, H, LDH, F, G, TOL, GRP, UD, LAM,
+     $                  W, INFO )
+C
+C     PURPOSE
 C     Accelerations and multipliers of a system with constraints,
 C        A*UD - H'*LAM = F,   H*UD = G.
 C
@@ -17,6 +36,14 @@ C             constraint Jacobian, M rows.
 C     LDH     (input) INTEGER, LDH >= MAX(1,M).
 C     F       (input) DOUBLE PRECISION array, dimension (N).
 C     G       (input) DOUBLE PRECISION array, dimension (M).
+C     TOL     (input) DOUBLE PRECISION: a row of H of which no more than
+C             TOL times its size is left beside those before it, in the
+C             metric of the inverse of A, is dependent (GSRTL).
+C     GRP     (input) INTEGER array, dimension (M): the size of a row is
+C             the largest length in its group, see GSQRG.  The
+C             components of one vector of a joint are a group: a short
+C             one of them is known no better than the longest.
+C             GRP(1) = 0: every row is measured by itself.
 C     UD      (output) DOUBLE PRECISION array, dimension (N).
 C     LAM     (output) DOUBLE PRECISION array, dimension (M).
 C     W       (workspace) DOUBLE PRECISION array, dimension
@@ -38,16 +65,16 @@ C     INFO = 0   ok;
 C     INFO = -i  argument i is out of range;
 C     INFO = 1   A is not positive definite, not even on the motions
 C                that H allows: UD, LAM are zero;
-C     INFO = 2   the constraints are dependent (to about 1D-11): UD
+C     INFO = 2   the constraints are dependent (to TOL): UD
 C                fulfils the independent ones (and the others if they
 C                are consistent), LAM is one of many.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
-     $                   W(*)
-      DOUBLE PRECISION   GSEPS, S, TOL
-      EXTERNAL           GSEPS, GSCHF, GSTRS, GSQRP, GSQMV, GSAUG,
+      INTEGER            N, M, LDA, LDH, GRP(*), INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), TOL, UD(*),
+     $                   LAM(*), W(*)
+      DOUBLE PRECISION   GSEPS, S, SMALL
+      EXTERNAL           GSEPS, GSCHF, GSTRS, GSQRG, GSQMV, GSAUG,
      $                   GSLNM
       INTEGER            I, J, K, R, IY, IT, IZ, IP, IB, IS, IC, IQ, LD
 C
@@ -80,11 +107,11 @@ C     -- A = L*L'
          LAM(J) = 0.0D0
    30 CONTINUE
       CALL GSCHF( N, W, LD, INFO )
-      TOL = 1.0D4*DBLE( N )*GSEPS()
+      SMALL = 1.0D4*DBLE( N )*GSEPS()
       K = INFO
       DO 35 J = 1, N
          IF ( INFO.EQ.0 ) THEN
-            IF ( W(J+N*(J-1))**2.LE.TOL*A(J,J) ) K = J
+            IF ( W(J+N*(J-1))**2.LE.SMALL*A(J,J) ) K = J
          END IF
          W(IZ+J-1) = F(J)
    35 CONTINUE
@@ -106,8 +133,7 @@ C     -- z = inv(L)*F, Y = inv(L)*H' = Q*R
       R = 0
       IF ( M.GT.0 ) THEN
          CALL GSTRS( N, M, W, LD, W(IY), LD, 0 )
-         TOL = 5.0D4*GSEPS()
-         CALL GSQRP( N, M, W(IY), LD, TOL, W(IP), W(IB), W(IS), R )
+         CALL GSQRG( N, M, W(IY), LD, TOL, GRP, W(IP), W(IB), W(IS), R )
          CALL GSQMV( N, R, W(IY), LD, W(IB), W(IZ), 1 )
       END IF
 C

@@ -2,6 +2,22 @@
 C
 C     PURPOSE
 C     Rank-revealing factorization Y*P = Q*R by Householder reflections
+C     with column interchanges; every column is measured by itself
+C     (GSQRG with GRP = 0).
+C
+      IMPLICIT NONE
+      INTEGER            N, M, LDY, RANK
+      DOUBLE PRECISION   Y(LDY,*), TOL, PIV(*), BETA(*), SIZ(*)
+      INTEGER            GRP(1)
+      EXTERNAL           GSQRG
+C
+      GRP(1) = 0
+      CALL GSQRG( N, M, Y, LDY, TOL, GRP, PIV, BETA, SIZ, RANK )
+      END
+      SUBROUTINE GSQRG( N, M, Y, LDY, TOL, GRP, PIV, BETA, SIZ, RANK )
+C
+C     PURPOSE
+C     Rank-revealing factorization Y*P = Q*R by Householder reflections
 C     with column interchanges.
 C
 C     ARGUMENTS
@@ -13,7 +29,12 @@ C             I - BETA(K)*v*v', v(K) = 1.
 C     LDY     (input) INTEGER, LDY >= MAX(1,N).
 C     TOL     (input) DOUBLE PRECISION: a column is dependent on those
 C             before it if what is left of it is not above TOL times its
-C             own size (or if it is not above TOL/500 times the largest).
+C             size (or if that is not above TOL/500 or 4D-14 times the
+C             largest).
+C     GRP     (input) INTEGER array, dimension (M): the group of every
+C             column, named by its first one.  The size of a column is
+C             the largest length in its group, or a thousandth of the
+C             largest of all where that is more; GRP(1) = 0: its own.
 C     PIV     (output) DOUBLE PRECISION array, dimension (M): column K
 C             of Y*P is column PIV(K) of Y (a whole number).
 C     BETA    (output) DOUBLE PRECISION array, dimension (MIN(N,M)).
@@ -21,9 +42,10 @@ C     SIZ     (workspace) DOUBLE PRECISION array, dimension (M).
 C     RANK    (output) INTEGER, the rank found.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDY, RANK
+      INTEGER            N, M, LDY, GRP(*), RANK
       DOUBLE PRECISION   Y(LDY,*), TOL, PIV(*), BETA(*), SIZ(*)
-      DOUBLE PRECISION   S, D, BIG, BEST
+      DOUBLE PRECISION   GSEPS, S, D, BIG, BEST, SMALL
+      EXTERNAL           GSEPS, GSGRP
       INTEGER            I, J, K, P
 C
       BIG = 0.0D0
@@ -36,6 +58,8 @@ C
          PIV(J) = DBLE( J )
          BIG = MAX( BIG, S )
    20 CONTINUE
+      CALL GSGRP( M, GRP, 1.0D-6, SIZ )
+      SMALL = MIN( TOL/5.0D2, 2.0D2*GSEPS() )
 C
       RANK = 0
       DO 110 K = 1, MIN( N, M )
@@ -45,7 +69,7 @@ C        -- the column of which most is left, relative to its size
          D = 0.0D0
          BEST = TOL*TOL
          DO 40 J = K, M
-            IF ( SIZ(J).GT.4.0D-6*TOL*TOL*BIG ) THEN
+            IF ( SIZ(J).GT.SMALL*SMALL*BIG ) THEN
                S = 0.0D0
                DO 30 I = K, N
                   S = S + Y(I,J)*Y(I,J)
@@ -93,6 +117,30 @@ C        -- the reflection
    90       CONTINUE
   100    CONTINUE
   110 CONTINUE
+      END
+      SUBROUTINE GSGRP( M, GRP, PART, SIZ )
+C
+C     PURPOSE
+C     Every entry of SIZ (dimension M) becomes the largest of its group,
+C     and no less than PART times the largest of all: GRP(I) is the
+C     first member of the group of I.  GRP(1) = 0: all stay what they
+C     are.
+C
+      IMPLICIT NONE
+      INTEGER            M, GRP(*)
+      DOUBLE PRECISION   PART, SIZ(*)
+      DOUBLE PRECISION   BIG
+      INTEGER            I
+C
+      IF ( GRP(1).EQ.0 ) RETURN
+      BIG = 0.0D0
+      DO 10 I = 1, M
+         SIZ(GRP(I)) = MAX( SIZ(GRP(I)), SIZ(I) )
+         BIG = MAX( BIG, SIZ(I) )
+   10 CONTINUE
+      DO 20 I = 1, M
+         SIZ(I) = MAX( SIZ(GRP(I)), PART*BIG )
+   20 CONTINUE
       END
       SUBROUTINE GSQRC( N, M, Y, LDY, TOL, PIV, BETA, SIZ, RANK )
 C
