@@ -14,7 +14,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages examples test test-random bench bench-loops doc install clean
+.PHONY: help packages examples test test-random bench bench-loops bench-devices doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
@@ -22,6 +22,7 @@ help:
 	@echo 'make test-random           2000 mechanisms made by chance against an independent formulation (make test takes 40)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
+	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
@@ -62,6 +63,10 @@ bench-loops:
 	@share/make/packages bench-loops
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
+
+bench-devices: packages
+	@mkdir -p tests/bench/out
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
 
 doc: share/manual/functions.txt
 
