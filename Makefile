@@ -60,7 +60,7 @@ bench: packages
 	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
 
 bench-loops:
-	@share/make/packages bench-loops
+	@share/make/packages
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
 

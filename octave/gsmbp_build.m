@@ -45,6 +45,13 @@
 ## @item [v, xid, info] = m.cmd (t, qj[, xi])
 ## @item [v, xid, xa, margins, info] = m.cmx (t, qj[, xi])
 ## inputs for a motion; @var{qj} is @var{nu} x (1 + command order)
+## @item [v, xk] = m.ctl (k, t, y, xk, v)
+## one sample of device @var{k} of @code{m.controllers} (0: of all in their order):
+## held outputs in the inputs @var{v} and memory @var{xk} after it, @var{y} from m.out
+## @item g = m.evt (t, x, v, mode)
+## event functions of @code{m.events}, above 0 where nothing happens
+## @item [x, mode, v, info] = m.rst (t, x, v, mode, k)
+## what happens at event @var{k}; 0: the modes that belong to a state
 ## @item [qj, res, info] = m.clo (t, qj)
 ## completes the motion of a closed chain
 ## @item e = m.ene (t, x[, v])
@@ -60,7 +67,8 @@
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
-## @code{initial} (state to start a Newton iteration from), @code{json},
+## @code{initial} (state to start a Newton iteration from), @code{nominal} (the
+## usual size of each state in its unit), @code{json},
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
 ## @code{joints}, how many of these, the first ones, are where joints stand: a
@@ -71,7 +79,14 @@
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),
 ## @code{speed_rows} (numbers of the constraints on speeds alone),
 ## @code{internal} (numbers of the states that the inverse of the devices
-## integrates), @code{margins} (what must be above 0 for a command).
+## integrates), @code{margins} (what must be above 0 for a command),
+## @code{controllers} (the sampled devices, a struct array: @code{name},
+## @code{entry}, @code{period} and @code{delay} (a number or an expression in
+## parameters), @code{memory} (names), @code{starts}, @code{outputs} (numbers of the
+## inputs that they hold), @code{reads} (numbers of the outputs that they read)),
+## @code{events} (ports that stick or hit stops, a struct array: @code{name},
+## @code{entry}, @code{kind} ("stick", "stop"), @code{input}, the number of the input
+## that is the mode: 1, -1, 0).
 ##
 ## Options:
 ## @table @code
@@ -161,6 +176,7 @@ function m = gsmbp_build (name, varargin)
   if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
     m.initial = double (json.initial(:));
   endif
+  m.nominal = nominal (json);
   m.internal = zeros (0, 1);
   m.margins = cell (0, 1);
   if (isfield (json, "internal") && ! isempty (json.internal))
@@ -169,12 +185,26 @@ function m = gsmbp_build (name, varargin)
   if (isfield (json, "margins") && ! isempty (json.margins))
     m.margins = cellstr (json.margins)(:);
   endif
+  m.controllers = controllers (json);
+  m.events = struct ("name", {}, "entry", {}, "kind", {}, "input", {});
+  if (isfield (json, "events") && ! isempty (json.events))
+    m.events = json.events(:)';
+  endif
   m.skeleton = gsmbp__skeleton (json);
   m = loops (m, json);
   m.json = json;
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
   m = gsmbp_set (m, options.parameters);
+endfunction
+
+## the usual sizes of the states, 1 where the JSON says nothing
+function sizes = nominal (json)
+  sizes = ones (json.dimensions.nx, 1);
+  if (isfield (json, "nominal") && numel (json.nominal) == numel (sizes))
+    sizes = double (json.nominal(:));
+    sizes(! (sizes > 0)) = 1;
+  endif
 endfunction
 
 ## what the JSON says of loops and orientations, empty where it says nothing
@@ -201,6 +231,20 @@ function m = loops (m, json)
   endif
   if (isfield (json, "speed_rows"))
     m.speed_rows = double (json.speed_rows(:));
+  endif
+endfunction
+
+## the sampled devices, a struct array
+function list = controllers (json)
+  list = struct ("name", {}, "entry", {}, "period", {}, "delay", {}, "memory", {}, "starts", {}, "outputs", {}, "reads", {}, "again", {});
+  if (isfield (json, "controllers") && ! isempty (json.controllers))
+    list = json.controllers(:)';
+    for k = 1:numel (list)
+      list(k).memory = cellstr (list(k).memory)(:);
+      for name = {"starts", "outputs", "reads"}
+        list(k).(name{1}) = double (list(k).(name{1})(:));
+      endfor
+    endfor
   endif
 endfunction
 

@@ -10,16 +10,23 @@
 ## Integration:
 ## @table @code
 ## @item "method"
-## "dp853" (default): Dormand-Prince 8(5,3) with step control, or "rk4":
-## classical Runge-Kutta with fixed step
+## "dp853" (default): Dormand-Prince 8(5,3) with step control; "rk4": classical
+## Runge-Kutta with fixed step; "cvode": for stiff scenes, BDF with the exact
+## Jacobian (CVODE of SUNDIALS, Debian package libsundials-dev); "auto": dp853
+## that goes on with cvode where its steps are found to be bound by stability
 ## @item "step"
 ## rk4: the step [s], default 1e-3 (shortened so that whole steps lead to each
-## output time); dp853: the first step, default automatic
+## output time); else the first step, default automatic
 ## @item "rtol", "atol"
-## dp853: relative tolerance, default 1e-10; absolute tolerance, one number or
-## one for each state in its unit, default @code{rtol}
+## all but rk4: relative tolerance, default 1e-10; absolute tolerance, one number or
+## one for each state in its unit, default @code{rtol} times the usual size of
+## each state (@code{m.nominal})
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
+## @item "maxorder"
+## cvode: the largest order, 1 to 5 (default).  Above 2 BDF is unstable for fast
+## oscillations with hardly any damping: where cvode takes steps as small as these
+## although they have died out, take 2.
 ## @item "loops"
 ## the way of the loops (and of Euler parameters), a word of the table below
 ## @item "projection"
@@ -54,6 +61,16 @@
 ## constraints after every step
 ## @end table
 ##
+## @table @code
+## @item "audit"
+## an energy [J] that is usual in the scene: powers in and lost are integrated
+## with the states (to @code{rtol} and that energy times it), and the result has
+## the field @code{audit}, a struct: @code{balance} (a row for each time: energy
+## less what came in and was lost [J]), @code{passed} (integral of the moduli of
+## these powers [J]), @code{error}, the largest |balance| beside what passed or
+## is stored.  Not with events or feedback.
+## @end table
+##
 ## Inputs (where nothing is said, zero):
 ## @table @code
 ## @item "input"
@@ -73,6 +90,26 @@
 ## @item "breaks"
 ## further times at which an input jumps.  At these and at the breaks of all
 ## piecewise polynomials the integration stops and starts again.
+## @end table
+##
+## Sampled devices (digital controllers, encoders) act within the compiled run: the
+## integration meets their instants, k times the period (k = 0, 1, @dots{}), exactly
+## and starts again there.  The inputs that are their held outputs are theirs:
+## "input" may leave them out, or tell their values before the first sample.
+## @table @code
+## @item "memory"
+## their memory at @var{times}(1), @var{nxk} numbers, default as the entries say
+## @item "samples"
+## false: no record of the instants is kept
+## @end table
+##
+## Events (variant @code{event} of friction and of stops) are met exactly as well,
+## with dp853 and rk4; their modes are inputs that belong to the run, "input" may
+## leave them out.
+## @table @code
+## @item "modes"
+## the modes at @var{times}(1), one for each of @code{m.events}; default: as the
+## state says
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
@@ -100,7 +137,23 @@
 ## how often other independent speeds were chosen (also where another way
 ## borrows from "partitioning": close to singular positions and where
 ## constraints are redundant)
+## @item stiff
+## a struct: where steps of an explicit method were found to be bound by
+## stability, not by accuracy, @code{time} [s] (NaN: nowhere), @code{eigenvalue}
+## (its modulus [1/s]), @code{state} (where it shows most), @code{step} [s].
+## This is a printed warning too.
+## @item method, jacobians, newton
+## the method of the last step; cvode: evaluations of the Jacobian, iterations
+## of Newton's method
 ## @end table
+## With sampled devices also @code{y} (the outputs of the scene, a row for each
+## time), @code{memory} (theirs at the end; what is on its way to an output then
+## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
+## @code{xk} (memory), @code{v} (inputs), both after it.
+## With events also @code{events}, a struct with a row for each (10000 at most):
+## @code{t} [s], @code{number} (of @code{m.events}), @code{device}, @code{mode} (after
+## it), @code{loss} (of mechanical energy at an impact [J]), @code{before} and
+## @code{after} (states).
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
@@ -113,26 +166,53 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   who = "gsmbp_simulate";
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
-  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "loops", "", "projection", [],
-                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "breaks", []);
+  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
+                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "breaks", [],
+                     "memory", [], "samples", true, "modes", [], "audit", []);
   o = gsmbp__options (who, defaults, varargin);
   times = gsmbp__times (who, times);
   [m, way] = loops (who, o, m);
-  [iopt, ropt, atol] = integration (who, o, d, m, way);
+  [iopt, ropt, atol, method] = integration (who, o, d, m, way);
+  o.input = gsmbp__all_inputs (m, o.input);
   [ip, rp, breaks, callback] = inputs (who, o, m);
+  [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
+  ip = gsmbp__event_plan (who, m, o, ip);
+  [x0, atol] = audit_states (who, m, o, x0, atol);
   t0 = times(1);
   breaks = unique ([breaks, o.breaks(:)']);
   breaks = breaks(breaks > t0 & breaks < times(end));
+  library = "";
+  if (any (strcmp (method, {"cvode", "auto"})))
+    library = gsmbp__cvode (who, m);
+  endif
   guess = zeros (d.nu, 1);
   if (d.nq == d.nu && numel (x0) == d.nx)
     guess = x0(1:d.nq);
   endif
-  [x, v, counts, values, info, seconds] = m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, atol, ip, rp, guess, callback);
+  [x, v, counts, values, info, seconds, text, sampled, events, number] = m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, atol,
+                                                                   ip, rp, guess, callback, library, o.maxorder);
+  if (strcmp (method, "auto"))
+    method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
+  endif
 
   reached = counts(5);
   result.t = times(1:reached)';
-  result.x = x(:,1:reached)';
+  result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
+  if (! isempty (o.audit))
+    result.audit = audit (m, result, x(d.nx+1:end,1:reached)');
+  endif
+  if (isstruct (sampled))
+    result.y = sampled.y';
+    result.memory = sampled.memory;
+    record = sampled.record';
+    result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", record(:,2+d.nxk:end));
+    s.instants = sampled.instants;
+  endif
+  if (! isempty (m.events))
+    result.events = gsmbp__event_list (m, events);
+    s.events = number;
+  endif
   s.seconds = seconds;
   s.calls = counts(1);
   s.accepted = counts(2);
@@ -148,6 +228,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.angle_singularities = counts(9);
   s.angle_times = values(12:13)';
   s.partition_changes = counts(10);
+  s.method = method;
+  s.jacobians = counts(16) * strcmp (method, "cvode");
+  s.newton = counts(17) * strcmp (method, "cvode");
+  s.stiff = stiffness (m, counts, values);
   s.smallest_step = values(6);
   s.largest_step = values(7);
   s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", values(4), "before_projection", values(5));
@@ -155,7 +239,42 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
-    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (info, counts, values));
+    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (info, counts, values, text));
+  endif
+endfunction
+
+## the two states of an audit and their tolerances
+function [x0, atol] = audit_states (who, m, o, x0, atol)
+  if (isempty (o.audit))
+    return;
+  endif
+  if (! (isnumeric (o.audit) && isscalar (o.audit) && o.audit > 0))
+    error ("%s: audit must be an energy above 0 [J]", who);
+  elseif (! any (strcmp (m.subroutines, "rha")))
+    error ("%s: option audit needs the subroutine RHA (request audit), which %s was emitted without", who, m.name);
+  elseif (! isempty (o.gain) || ! isempty (m.events))
+    error ("%s: no audit with state feedback from outside or with events", who);
+  elseif (numel (x0) != m.sizes.nx)
+    error ("%s: expected %d states, found %d", who, m.sizes.nx, numel (x0));
+  endif
+  x0 = [x0(:); 0; 0];
+  atol = [atol(:); o.rtol * o.audit * [1; 1]];
+endfunction
+
+function a = audit (m, r, w)
+  stored = zeros (rows (r.x), 1);
+  for k = 1:rows (r.x)
+    stored(k) = sum (m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3));
+  endfor
+  a.balance = stored - stored(1) - w(:,1);
+  a.passed = w(:,2);
+  a.error = max (abs (a.balance)) / max ([w(end,2); abs(stored - stored(1))]);
+endfunction
+
+function s = stiffness (m, counts, values)
+  s = struct ("time", NaN, "eigenvalue", NaN, "state", "", "step", NaN);
+  if (counts(14) > 0)
+    s = struct ("time", values(18), "eigenvalue", values(19), "state", m.states{counts(15)}, "step", values(20));
   endif
 endfunction
 
@@ -211,12 +330,25 @@ function warn (who, m, s)
     warning ("gsmbp:angles", "%s: %s came within 0.05 rad of a singularity of its orientation angles%s at t = %.6g s: choose another sequence of axes or Euler parameters", who, m.name,
              joints, s.angle_times(1));
   endif
+  f = s.stiff;
+  remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
+  if (strcmp (s.method, "rk4") && ! isnan (f.time))
+    warning ("gsmbp:stiff", "%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, of %s): %s", who, m.name,
+             f.time, f.step, 2.78 / f.eigenvalue, f.eigenvalue, f.state, remedy);
+  elseif (strcmp (s.method, "dp853") && ! isnan (f.time))
+    warning ("gsmbp:stiff", "%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by stability, not by accuracy (largest eigenvalue about %.3g 1/s, of %s): %s", who, m.name,
+             f.time, f.step, f.eigenvalue, f.state, remedy);
+  endif
 endfunction
 
-function [iopt, ropt, atol] = integration (who, o, d, m, way)
-  methods = struct ("rk4", 4, "dp853", 8);
+function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
+  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
   if (! (ischar (o.method) && isfield (methods, o.method)))
-    error ("%s: method must be \"rk4\" or \"dp853\"", who);
+    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\"", who);
+  endif
+  method = o.method;
+  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
+    error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, m.name);
   endif
   rk4 = strcmp (o.method, "rk4");
   if (isempty (o.step))
@@ -233,7 +365,7 @@ function [iopt, ropt, atol] = integration (who, o, d, m, way)
   endif
   atol = o.atol;
   if (isempty (atol))
-    atol = o.rtol;
+    atol = o.rtol * m.nominal;
   endif
   if (isscalar (atol))
     atol = repmat (atol, d.nx, 1);
@@ -241,10 +373,13 @@ function [iopt, ropt, atol] = integration (who, o, d, m, way)
   if (numel (atol) != d.nx || ! all (atol(:) >= 0))
     error ("%s: option atol: expected one number or %d numbers, all >= 0", who, d.nx);
   endif
+  if (! any (o.maxorder == 1:5))
+    error ("%s: option maxorder must be 1, 2, 3, 4 or 5", who);
+  endif
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
   endif
-  iopt = [methods.(o.method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
+  iopt = [methods.(method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
   ropt = [o.step, o.rtol, o.maxstep];
 endfunction
 
@@ -263,6 +398,7 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
     ip(1) = 2;
     ip(3) = d.nlam > 0 && numel (planned) < d.nu;
     ip(5) = numel (planned);
+    ip(22) = d.nq + d.nu + 1;
     ip(30 + (1:numel (planned))) = planned;
     [ip, rp, breaks] = put (ip, rp, breaks, 10, pp);
   elseif (isempty (o.input))
@@ -316,7 +452,7 @@ function pp = as_pp (who, value, dims, what)
   endif
 endfunction
 
-function text = failure (info, counts, values)
+function text = failure (info, counts, values, said)
   at = sprintf ("at t = %.9g s", values(8));
   switch (info)
     case 1
@@ -324,16 +460,23 @@ function text = failure (info, counts, values)
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
-      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates"}{counts(7)};
+      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s", routine, counts(6), at);
       if (any (counts(7) == [3, 5]) && counts(6) == 3)
         text = [text ": no position that closes the loops was found nearby; the mechanism may be at the end of its range"];
       endif
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
+    case 6
+      text = sprintf ("CVODE stopped %s with flag %d: %s", at, counts(19), said);
+    case 7
+      text = "there was no memory for CVODE";
     otherwise
       text = sprintf ("GSSIM: INFO = %d", info);
   endswitch
+  if (info != 1 && counts(14) > 0)
+    text = [text "; the steps are bound by stability"];
+  endif
 endfunction
 
 %!shared m, c
@@ -348,6 +491,13 @@ endfunction
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
 %! r = gsmbp_simulate (c, x0, [0 1], "method", "rk4", "step", 1e-3);
 %! assert (r.stats.drift.phi < 1e-12 && r.stats.projections == 1001);
+%!test <a stiff motor: BDF with a hundredth of the calls>
+%! f = gsmbp_set (m, "L_a", 1e-5);
+%! warning ("off", "gsmbp:stiff", "local");
+%! r = gsmbp_simulate (f, [0.2 0 0], [0 1], "input", 3, "method", "cvode");
+%! e = gsmbp_simulate (f, [0.2 0 0], [0 1], "input", 3);
+%! assert (r.x, e.x, 1e-8);
+%! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\) is not finite> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])

@@ -16,7 +16,10 @@
 #include <string>
 #include <vector>
 
+#include <dlfcn.h>
+
 #include "gsmbp_scene.h"
+#include "gsmbp_cvode.h"
 
 #if defined (GSMBP_QUAD)
 # include <quadmath.h>
@@ -57,6 +60,13 @@ extern "C"
   void gsacc_ (void);
   void gsspd_ (void);
   void gsleq_ (void);
+  void gsfun_ (void);
+  void gsinp_ (void);
+  void gschk_ (void);
+  void gsjmp_ (void);
+  void gspst_ (void);
+  void gspnw_ (void);
+  void gsdue_ (void);
 }
 
 static const gsmbp_scene& S = gsmbp_the_scene;
@@ -512,6 +522,55 @@ do_cmx (arguments& a, int nargout)
 }
 
 static octave_value_list
+do_ctl (arguments& a, int)
+{
+  reals cst = a.constants ();
+  int k = a.integers ("k", 1)[0];
+  number t = a.scalar ("t");
+  reals y = a.vector ("y", S.ny), xk = a.vector ("xk", S.nxk), v = a.vector_or_zero ("v", S.nv);
+  if (k < 0 || k > S.nctl)
+    error ("%s: argument k: expected 0 to %d, found %d", a.who ().c_str (), S.nctl, k);
+  routine (S.ctl, "ctl") (&k, &t, &y[0], &xk[0], &cst[0], &v[0]);
+  return ovl (result (v, S.nv), result (xk, S.nxk));
+}
+
+static octave_value_list
+do_evt (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector ("v", S.nv), g = room (S.nev);
+  std::vector<int> mode = a.integers ("mode", S.nmode);
+  routine (S.evt, "evt") (&t, &x[0], &v[0], &mode[0], &cst[0], &g[0]);
+  return ovl (result (g, S.nev));
+}
+
+static octave_value_list
+do_rst (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.vector ("x", S.nx), v = a.vector ("v", S.nv);
+  std::vector<int> mode = a.integers ("mode", S.nmode);
+  int k = a.integers ("k", 1)[0], info = 0;
+  routine (S.rst, "rst") (&t, &x[0], &v[0], &mode[0], &k, &cst[0], &info);
+  Matrix modes (S.nmode, 1);
+  for (int i = 0; i < S.nmode; i++)
+    modes(i) = mode[i];
+  octave_value_list out = ovl (result (x, S.nx), modes, result (v, S.nv));
+  finish (out, info, nargout, "rst");
+  return out;
+}
+
+static octave_value_list
+do_ctp (arguments& a, int)
+{
+  reals cst = a.constants (), period = room (S.nctl), delay = room (S.nctl);
+  routine (S.ctp, "ctp") (&cst[0], &period[0], &delay[0]);
+  return ovl (result (period, S.nctl), result (delay, S.nctl));
+}
+
+static octave_value_list
 do_clo (arguments& a, int nargout)
 {
   reals cst = a.constants ();
@@ -582,12 +641,110 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
 
 extern "C" void gsmbp_absent (void) { }
 
+// The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies behind the memory
+static void
+set_samples (reals& cst, std::vector<int>& ip, reals& rp)
+{
+  if (ip.size () < 30)
+    error ("%s.sim: ip is too short", S.name);
+  if (ip[25] <= 0)
+    return;
+  const int *is = &ip[ip[25] - 1];
+  int nc = is[0], nh = is[3], np = is[4], ns = is[5], first = ip[26] - 1;
+  if (nc != S.nctl || is[1] != S.nxk || is[2] != S.ny)
+    error ("%s.sim: the plan of the samples is not of this scene", S.name);
+  rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh) + std::size_t (ns) * (1 + S.nxk + S.nv), number (0));
+  routine (S.ctp, "ctp") (&cst[0], &rp[first], &rp[first + nc]);
+}
+
+// after a run: a struct of the outputs at the output times, the record of the samples, the memory at the end
+static octave_value
+samples (reals& cst, const std::vector<int>& ip, const reals& rp, const reals& tout, const reals& xout, const reals& vout, int ldx, int ldv, int reached)
+{
+  if (ip[25] <= 0)
+    return Matrix ();
+  const int *is = &ip[ip[25] - 1];
+  int nc = is[0], nh = is[3], np = is[4], ns = std::min (is[5], is[6]), width = 1 + S.nxk + S.nv;
+  const number *s = &rp[ip[26] - 1];
+  octave_scalar_map r;
+  Matrix y (S.ny, reached), memory (S.nxk, 1), record (width, ns);
+  reals one = room (S.ny);
+  for (int k = 0; k < reached && S.ny > 0; k++)
+    {
+      int info = 0;
+      routine (S.out, "out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k], &cst[0], &one[0], &info);
+      for (int i = 0; i < S.ny; i++)
+        y(i, k) = double (one[i]);
+    }
+  s += 2 * nc + nh;
+  for (int i = 0; i < S.nxk; i++)
+    memory(i) = double (s[i]);
+  s += S.nxk + S.ny + S.nv + np * (1 + nh);
+  for (octave_idx_type i = 0; i < record.numel (); i++)
+    record.xelem (i) = double (s[i]);
+  r.assign ("y", y);
+  r.assign ("memory", memory);
+  r.assign ("record", record);
+  r.assign ("instants", is[6]);
+  return octave_value (r);
+}
+
+// The plan of the events (see GSRES): room in RP
+static void
+set_events (std::vector<int>& ip, reals& rp)
+{
+  if (ip[27] <= 0)
+    return;
+  const int *ie = &ip[ip[27] - 1];
+  if (ie[0] != S.nev)
+    error ("%s.sim: the plan of the events is not of this scene", S.name);
+  ip[28] = int (rp.size ()) + 1;
+  rp.resize (rp.size () + 3 * (ie[0] + S.nx) + std::size_t (ie[1]) * (3 + 2 * S.nx), number (0));
+}
+
+// after a run: the record of the events, a column for each: time, number, mode after, states before, states after; how many there were
+static octave_value_list
+events (const std::vector<int>& ip, const reals& rp)
+{
+  if (ip[27] <= 0)
+    return ovl (Matrix (), 0);
+  const int *ie = &ip[ip[27] - 1];
+  Matrix record (3 + 2 * S.nx, std::min (ie[1], ie[2]));
+  for (octave_idx_type i = 0; i < record.numel (); i++)
+    record.xelem (i) = double (rp[ip[28] - 1 + 3 * (ie[0] + S.nx) + i]);
+  return ovl (record, ie[2]);
+}
+
+#if ! defined (GSMBP_QUAD)
+// the run by CVODE, in a library of its own
+static int
+run_cvode (const std::string& library, const gsmbp_run& r)
+{
+  static gsmbp_run_function *run = nullptr;
+  static std::string loaded;
+  if (loaded != library)
+    {
+      void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
+      void *address = handle ? dlsym (handle, "gsmbp_cvode") : nullptr;
+      if (! address)
+        error ("gsmbp_simulate: cannot load %s: %s", library.c_str (), dlerror ());
+      run = reinterpret_cast<gsmbp_run_function *> (address);
+      loaded = library;
+    }
+  return run (&r);
+}
+#endif
+
 static octave_value_list
 do_sim (arguments& a, int)
 {
   reals cst = a.constants ();
   number t0 = a.scalar ("t0");
-  reals x0 = a.vector ("x0", S.nx);
+  reals x0 = a.vector ("x0", -1);
+  const int nx = int (x0.size ());   // with the two states of an audit or without
+  const bool audit = nx == S.nx + 2;
+  if (nx != S.nx && ! audit)
+    error ("%s: x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
   reals tout = a.vector ("times", -1), tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
   std::vector<int> iopt = a.integers ("iopt", -1);   // method, way of the loops, drift, steps; from 7 on constraints on speeds
@@ -597,17 +754,21 @@ do_sim (arguments& a, int)
     if (iopt[i] < 1 || iopt[i] > S.nlam)
       error ("%s: there is no constraint %d", a.who ().c_str (), iopt[i]);
   iopt[5] = int (iopt.size ()) - 6;
-  reals ropt = a.vector ("ropt", 3), atol = a.vector ("atol", S.nx);
+  reals ropt = a.vector ("ropt", 3), atol = a.vector ("atol", nx);
   std::vector<int> ip = a.integers ("ip", -1);
   reals rp = a.vector ("rp", -1), guess = a.vector ("guess", S.nu);
   octave_value input = a.value ("input function");
+  std::string library = a.value ("library").string_value ();   // of CVODE; "": GSSIM alone
+  int order = a.integers ("largest order", 1)[0];
+  set_samples (cst, ip, rp);
+  set_events (ip, rp);
   std::exception_ptr failure;
   the_input = &input;
   the_failure = &failure;
 
   int nt = int (counts(0)), nb = int (counts(1)), info = 0;
-  int ldx = std::max (1, S.nx), ldv = std::max (1, S.nv);
-  int lw = 2 * S.nu * (ip[3] + 1) + 20 * S.nx + S.nv * S.nx + S.nv + 8 * S.nu + 10 * S.nq
+  int ldx = std::max (1, nx), ldv = std::max (1, S.nv);
+  int lw = 2 * S.nu * (ip[3] + 1) + 20 * nx + S.nv * nx + S.nv + 8 * S.nu + 10 * S.nq
            + 7 * S.nlam + 2 * S.nlam * S.nu + 60;
   reals w = room (lw), xout = room (ldx * nt), vout = room (ldv * nt);
   const int statistics = 20;
@@ -617,25 +778,46 @@ do_sim (arguments& a, int)
     w[i] = guess[i];
 
   gsmbp_sub none = gsmbp_absent;
-  gsmbp_sub rhs = routine (S.rhs, "rhs").f;
+  gsmbp_sub rhs = audit ? routine (S.rha, "rha").f : routine (S.rhs, "rhs").f;
   bool loops = S.nlam > 0, partition = loops && (iopt[1] == 3 || iopt[1] == 6);
   bool project = iopt[1] != 1 && (iopt[1] == 3 ? S.nq > S.nu : loops || S.nq > S.nu);
+  if (! library.empty ())
+    project = iopt[1] != 1 && (loops || S.nq > S.nu);   // by PRJ in every way
   gsmbp_sub prj = project ? routine (S.prj, "prj").f : none;
   gsmbp_sub con = partition || (loops && iopt[2] == 1) ? routine (S.con, "con").f : none;
   iopt[4] = loops && iopt[2] == 1 && S.kin;
   gsmbp_sub kin = partition || iopt[4] ? routine (S.kin, "kin").f : none;
   gsmbp_sub cmd = ip[0] == 2 ? routine (S.cmd, "cmd").f : none;
   gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine (S.clo, "clo").f : none;
+  gsmbp_sub out = ip[25] > 0 && S.ny > 0 ? routine (S.out, "out").f : none;
+  gsmbp_sub ctl = ip[25] > 0 ? routine (S.ctl, "ctl").f : none;
+  gsmbp_sub evt = ip[27] > 0 ? routine (S.evt, "evt").f : none;
+  gsmbp_sub rst = ip[27] > 0 ? routine (S.rst, "rst").f : none;
   gsmbp_sub vin = none;
   if (ip[0] == 3)
     vin = input.is_function_handle ()
           ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : routine (S.vin, "input").f;
 
   auto begin = std::chrono::steady_clock::now ();
-  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, &S.nq, &S.nu, &S.nx, &S.nv, &S.nlam,
-          &t0, &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0],
-          &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv,
-          &istat[0], &rstat[0], &w[0], &lw, &info);
+  std::vector<char> text (400, 0);
+  bool stiff = iopt[0] == 0;
+  if (! stiff)
+    fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, &S.nq, &S.nu, &nx, &S.nv, &S.nlam,
+            &t0, &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0],
+            &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv,
+            &istat[0], &rstat[0], &w[0], &lw, out, ctl, evt, rst, &info);
+#if ! defined (GSMBP_QUAD)
+  if (stiff || info == 5)   // found to be bound by stability
+    {
+      int resume = ! stiff;
+      gsmbp_run r = {rhs, prj, con, kin, cmd, clo, vin, out, ctl, S.jac,
+                     gsfun_, gsinp_, gschk_, gsjmp_, gspst_, gspnw_, gsdue_,
+                     S.nq, S.nu, nx, S.nv, S.ny, S.nlam, resume, order, t0, &x0[0], nt, nb, &tout[0], &tbrk[0],
+                     &iopt[0], &ropt[0], &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &vout[0], ldx, ldv,
+                     &istat[0], &rstat[0], &w[0], &text[0], int (text.size ())};
+      info = run_cvode (library, r);
+    }
+#endif
   std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
   if (failure)
     std::rethrow_exception (failure);
@@ -643,10 +825,13 @@ do_sim (arguments& a, int)
   Matrix counters (statistics, 1);
   for (int i = 0; i < statistics; i++)
     counters(i) = istat[i];
-  Matrix xs = result (xout, S.nx, nt), vs = result (vout, S.nv, nt);
+  Matrix xs = result (xout, nx, nt), vs = result (vout, S.nv, nt);
   if (ldv > S.nv)
     vs = Matrix (0, nt);
-  return ovl (xs, vs, counters, result (rstat, statistics), info, took.count ());
+  octave_value_list results = ovl (xs, vs, counters, result (rstat, statistics), info, took.count (), std::string (&text[0]));
+  results.append (samples (cst, ip, rp, tout, xout, vout, ldx, ldv, istat[4]));
+  results.append (events (ip, rp));
+  return results;
 }
 
 // -------------------------------------------------- the run time, for tests
@@ -729,7 +914,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
-    {"cmd", do_cmd}, {"cmx", do_cmx}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
+    {"cmd", do_cmd}, {"cmx", do_cmx}, {"ctl", do_ctl}, {"ctp", do_ctp}, {"evt", do_evt}, {"rst", do_rst}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
     {"acd", do_acd}, {"tan", do_tan}, {"sim", do_sim},
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}

@@ -39,7 +39,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
                               quote (archive)));
   endif
   module = fullfile (common, "gsmbp_module.o");
-  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h")};
+  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h"), fullfile(glue, "gsmbp_cvode.h")};
   if (gsmbp__older (module, parts))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
@@ -135,7 +135,7 @@ function text = sizes_header (json, symbol, has_input)
   counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

@@ -33,10 +33,18 @@ C             IP(14..17) the reference state x0, NX components;
 C             IP(18..21) the gain K, NV*NX components, by columns;
 C             IP(22)     where in X the states of the devices begin, of
 C                    which CMD reads the internal ones (XI); 0: none;
-C             IP(23..30) unused, zero;
+C             IP(23)     the number of inputs that are held outputs of
+C                    sampled devices; IP(24) where in IP their numbers
+C                    and IP(25) where in RP their values begin;
+C             IP(26)     where in IP and IP(27) where in RP the plan of
+C                    the samples begins (GSSMP); 0: there is none;
+C             IP(28)     where in IP and IP(29) where in RP the plan of
+C                    the events begins (GSRES); 0: there is none;
+C             IP(30)     unused, zero;
 C             IP(30+I)   the number of the I-th planned coordinate;
 C             from IP(31+NA) on: the user's own.
-C     RP      (input) DOUBLE PRECISION array, breaks and coefficients.
+C     RP      (input) DOUBLE PRECISION array, breaks and coefficients,
+C             held outputs.
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     V       (output) DOUBLE PRECISION array, dimension (NV).
 C     W       (input/output) DOUBLE PRECISION workspace, dimension
@@ -90,7 +98,8 @@ C     -- v0
       ELSE
          CALL VIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO )
       END IF
-      IF ( INFO.NE.0 .OR. IP(2).EQ.0 ) RETURN
+      IF ( INFO.NE.0 ) RETURN
+      IF ( IP(2).EQ.0 ) GO TO 70
 C
 C     -- feedback
       CALL GSPLN( NX, IP(14), IP(15), RP(IP(16)), RP(IP(17)), T, SIDE,
@@ -104,4 +113,15 @@ C     -- feedback
             V(I) = V(I) - W(IK+I-1+NV*(J-1))*( X(J) - W(IXR+J-1) )
    50    CONTINUE
    60 CONTINUE
+C
+C     -- what is held, modes
+   70 DO 80 I = 1, IP(23)
+         V(IP(IP(24)+I-1)) = RP(IP(25)+I-1)
+   80 CONTINUE
+      IF ( IP(28).LE.0 ) RETURN
+      NA = IP(IP(28))
+      J  = IP(28) + 10
+      DO 90 I = 1, NA
+         V(IP(J+NA+I-1)) = DBLE( IP(J+I-1) )
+   90 CONTINUE
       END

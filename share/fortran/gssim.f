@@ -1,7 +1,7 @@
       SUBROUTINE GSSIM( RHS, PRJ, CON, KIN, CMD, CLO, VIN, NQ, NU, NX,
      $                  NV, NLAM, T0, X0, NT, TOUT, NB, TBRK, IOPT,
      $                  ROPT, ATOL, IP, RP, CST, XOUT, LDX, VOUT, LDV,
-     $                  ISTAT, RSTAT, W, LW, INFO )
+     $                  ISTAT, RSTAT, W, LW, OUT, CTL, EVT, RST, INFO )
 C
 C     PURPOSE
 C     A simulation whose whole loop is compiled: integrates
@@ -36,6 +36,8 @@ C             with the limits from the right.
 C     IOPT    (input) INTEGER array, dimension (6+IOPT(6)):
 C             (1) method: 4 classical Runge-Kutta, fixed step;
 C                         8 Dormand-Prince 8(5,3), step controlled;
+C                         9 as 8, but it ends where steps are found to
+C                           be bound by stability (INFO = 5);
 C             (2) the way of the loops:
 C                 1 X is left to the terms of Baumgarte within RHS;
 C                 2 X is moved onto the constraints (PRJ) at T0 and
@@ -68,7 +70,9 @@ C             (2) method 8: relative tolerance;
 C             (3) method 8: the largest step [s], or 0 for none.
 C     ATOL    (input) DOUBLE PRECISION array, dimension (NX), method 8:
 C             absolute tolerances, in the units of the states.
-C     IP, RP  (input) the inputs, see GSINP.
+C     IP, RP  (input/output) the inputs and the plans of the samples and
+C             of the events, see GSINP, GSSMP and GSRES: next samples,
+C             held outputs, memories and modes go on.
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     XOUT    (output) DOUBLE PRECISION array, dimension (LDX,NT): the
 C             states, a column for every output time.
@@ -80,15 +84,19 @@ C     ISTAT   (output) INTEGER array, dimension (20):
 C             (1) calls of RHS; (2) accepted steps; (3) rejected steps;
 C             (4) projections; (5) output times reached; (6) INFO of the
 C             routine that failed; (7) which one: 1 inputs, 2 RHS,
-C             3 PRJ, 4 CON, 5 GSPRT; (8) calls of RHS where the
-C             constraints lost rank; (9) calls of RHS close to a
-C             singularity of orientation angles; (10) choices of other
+C             3 PRJ, 4 CON, 5 GSPRT, 6 OUT or GSSMP, 7 RST or GSRES;
+C             (8) calls of RHS where the constraints lost rank; (9)
+C             calls of RHS close to a singularity of orientation angles; (10) choices of other
 C             independent speeds; (11) positions passed where the
 C             constraints lose rank: where the least pivot, looked for
 C             between the steps (GSPAS), falls below a hundredth of its
 C             largest value; (12) steps among (3) that were repeated
 C             because X could not be moved onto the constraints, or only
-C             by a jump, or was too close to a singular position; (13) to (20) zero.
+C             by a jump, or was too close to a singular position; (13)
+C             calls of RHS beside those in (1) that looked for bounds of
+C             stability; (14) 1 if steps are bound by stability (GSSTD)
+C             and (15) which state the eigenvalue belongs to; (16) to
+C             (18) memory of GSSTD; (19), (20) zero.
 C     RSTAT   (output) DOUBLE PRECISION array, dimension (20):
 C             (1) largest |phi| and (2) largest |HC*u + phit| after any
 C             step; (3) and (4) when; (5) largest |phi| before a
@@ -97,17 +105,23 @@ C             largest step; (8) time reached; (9) the next step that
 C             method 8 would take; (10) first and (11) last time of
 C             ISTAT(8), (12) and (13) of ISTAT(9); (14) the least pivot
 C             of the constraints beside the largest, as GSPRC (0 where
-C             the rank is lower than elsewhere) and (15) when; (16) first and (17) last time of ISTAT(11);
-C             (18) to (20) zero.
+C             the rank is lower than elsewhere) and (15) when; (16) the
+C             first and (17) the last time of ISTAT(11); where ISTAT(14)
+C             is 1 (18) the time, (19) the largest eigenvalue [1/s] and
+C             (20) the step [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
 C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 20*NX + NV*NX + NV
 C             + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU + 60, where R = IP(4).
+C     OUT, CTL (external) the sampled devices, see GSSMP; called if
+C             IP(26) > 0.
+C     EVT, RST (external) the events, see GSRES; called if IP(28) > 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
-C     Every stop (output time or break) is met exactly.  Time is
+C     Every stop (output time, break or sample) is met exactly, and so
+C     is every event; there the integration starts again.  Time is
 C     t0 + k*h within each way from stop to stop, never a running sum.
 C     A step of method 8 after which X cannot be moved onto the
 C     constraints, or only by a jump (more than a tenth of the step's
@@ -133,11 +147,14 @@ C     INFO = -i  argument i is out of range;
 C     INFO = 1   more than IOPT(4) steps;
 C     INFO = 2   the step became too small (method 8);
 C     INFO = 3   a routine failed: see ISTAT(6) and ISTAT(7);
-C     INFO = 4   the state is no longer finite.
-C     In the cases 1 to 4 the first ISTAT(5) columns of XOUT are valid.
+C     INFO = 4   the state is no longer finite;
+C     INFO = 5   steps are bound by stability (method 9): the state at
+C                RSTAT(8) is in column ISTAT(5)+1 of XOUT.
+C     In the cases 1 to 5 the first ISTAT(5) columns of XOUT are valid.
 C
       IMPLICIT NONE
-      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL,
+     $                   EVT, RST
       INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, IOPT(*), IP(*),
      $                   LDX, LDV, ISTAT(20), LW, INFO
       DOUBLE PRECISION   T0, X0(*), TOUT(*), TBRK(*), ROPT(*), ATOL(*),
@@ -145,12 +162,14 @@ C
      $                   RSTAT(20), W(*)
       INTEGER            GSFIN
       EXTERNAL           GSFIN, GSFUN, GSINP, GSRK4, GSDP8, GSHIN,
-     $                   GSCHK, GSJMP, GSPNW
+     $                   GSCHK, GSJMP, GSPNW, GSPST, GSSTD, GSDUE,
+     $                   GSEVN, GSEVR
       INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, K, N, SIDE,
-     $                   NTRY, IER
-      LOGICAL            FRESH
+     $                   NTRY, EVENT, IER
+      LOGICAL            FRESH, AFTER
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
-     $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS
+     $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
+     $                   TS, HR
       EXTERNAL           GSEPS
 C
 C     -- arguments
@@ -172,10 +191,11 @@ C     -- arguments
       IF ( GSFIN( NX, X0 ).NE.0 ) INFO = -14
       IF ( GSFIN( NT, TOUT ).NE.0 ) INFO = -16
       IF ( GSFIN( NB, TBRK ).NE.0 ) INFO = -18
-      IF ( IOPT(1).NE.4 .AND. IOPT(1).NE.8 ) INFO = -19
+      IF ( IOPT(1).NE.4 .AND. IOPT(1).NE.8 .AND. IOPT(1).NE.9 )
+     $   INFO = -19
       IF ( IOPT(2).LT.1 .OR. IOPT(2).GT.6 ) INFO = -19
       IF ( IOPT(1).EQ.4 .AND. .NOT.( ROPT(1).GT.0.0D0 ) ) INFO = -20
-      IF ( IOPT(1).EQ.8 .AND. .NOT.( ROPT(2).GT.0.0D0 .AND.
+      IF ( IOPT(1).GE.8 .AND. .NOT.( ROPT(2).GT.0.0D0 .AND.
      $     ROPT(1).GE.0.0D0 .AND. ROPT(3).GE.0.0D0 ) ) INFO = -20
       IF ( INFO.NE.0 ) RETURN
       IF ( IOPT(1).EQ.4 .AND. ( TOUT(NT) - T0 )/ROPT(1).GT.2.0D9 )
@@ -187,7 +207,7 @@ C     -- arguments
       DO 20 I = 2, NB
          IF ( TBRK(I).LE.TBRK(I-1) ) INFO = -18
    20 CONTINUE
-      IF ( IOPT(1).EQ.8 ) THEN
+      IF ( IOPT(1).GE.8 ) THEN
          DO 30 I = 1, NX
             IF ( .NOT.( ATOL(I).GE.0.0D0 ) ) INFO = -21
    30    CONTINUE
@@ -207,22 +227,8 @@ C     -- workspace: inputs, states, constraints, stages
          RSTAT(I) = 0.0D0
    40 CONTINUE
       RSTAT(14) = 1.0D0
-      DO 45 I = IC, IK - 1
-         W(I) = 0.0D0
-   45 CONTINUE
-      W(IC+1) = -1.0D0
-      N = IC + 13 + 3*NU + NQ + NLAM
-      DO 46 I = 1, NLAM
-         W(N+I) = 1.0D0
-   46 CONTINUE
-      DO 47 I = 1, IOPT(6)
-         W(N+IOPT(6+I)) = 0.0D0
-         W(IC+11) = 1.0D0
-   47 CONTINUE
-      JOB = 0.0D0
-      IF ( NLAM.GT.0 .AND. IOPT(2).EQ.3 ) JOB = 2.0D0
-      IF ( NLAM.GT.0 .AND. IOPT(2).EQ.6 ) JOB = 1.0D0
-      W(IC) = JOB
+      CALL GSPST( NQ, NU, NLAM, IOPT, W(IC) )
+      JOB = W(IC)
       NEAR = 0.05D0
       NOJUMP(1) = 0.0D0
       NOJUMP(2) = 0.0D0
@@ -239,6 +245,7 @@ C     -- the start
       IB = 1
       HN = ROPT(1)
       FRESH = .TRUE.
+      AFTER = .FALSE.
       HMAX  = TOUT(NT) - T0
       IF ( ROPT(3).GT.0.0D0 ) HMAX = MIN( HMAX, ROPT(3) )
       RSTAT(6) = HMAX
@@ -262,8 +269,14 @@ C     -- dependent constraints: see METHOD
       ISTAT(7) = 1
       IF ( IER.NE.0 ) GO TO 903
       ISTAT(7) = 0
+      CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IX), NU, NX, NV, IP, RP,
+     $            CST, W(IV), W, ISTAT, 0, IER )
+      IF ( IER.NE.0 ) GO TO 903
+      CALL GSDUE( OUT, CTL, CMD, CLO, VIN, T, W(IX), NU, NX, NV, IP, RP,
+     $            CST, W(IV), W, ISTAT, TS, I, IER )
+      IF ( IER.NE.0 ) GO TO 903
 C
-C     -- the next stop, TB; SIDE < 0 where it is a break
+C     -- the next stop, TB; SIDE < 0 where it is a break or a sample
   100 CONTINUE
       RSTAT(8) = T
       IF ( T.GE.TOUT(IT) ) THEN
@@ -281,9 +294,23 @@ C     -- the next stop, TB; SIDE < 0 where it is a break
          IF ( TBRK(IB).LE.T ) THEN
             IB = IB + 1
             FRESH = .TRUE.
+            AFTER = .FALSE.
             GO TO 130
          END IF
       END IF
+C
+C     -- samples; TS is the time of the next ones
+      CALL GSDUE( OUT, CTL, CMD, CLO, VIN, T, W(IX), NU, NX, NV, IP, RP,
+     $            CST, W(IV), W, ISTAT, TS, I, IER )
+      IF ( IER.NE.0 ) GO TO 903
+      IF ( I.EQ.1 ) THEN
+         FRESH = .TRUE.
+         AFTER = .FALSE.
+      END IF
+      CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IX), NU, NX, NV, IP, RP,
+     $            CST, W(IV), W, ISTAT, -1, IER )
+      IF ( IER.NE.0 ) GO TO 903
+C
       TA = T
       TB = TOUT(IT)
       SIDE = 1
@@ -291,10 +318,17 @@ C     -- the next stop, TB; SIDE < 0 where it is a break
          IF ( TBRK(IB).LE.TB ) SIDE = -1
          TB = MIN( TB, TBRK(IB) )
       END IF
-      IF ( IOPT(1).EQ.8 ) GO TO 300
+      IF ( TS.LE.TB + 8.0D0*EPS*ABS( TB ) ) THEN
+         SIDE = -1
+         IF ( TS.LT.TB - 8.0D0*EPS*ABS( TB ) ) TB = TS
+      END IF
+      EVENT = 0
+      IF ( IOPT(1).GE.8 ) GO TO 300
 C
-C     -- classical Runge-Kutta, N equal steps
-      N = MAX( 1, INT( ( TB - TA )/ROPT(1)*( 1.0D0 - 1.0D-9 ) ) + 1 )
+C     -- classical Runge-Kutta, N equal steps of at most HR
+      HR = ROPT(1)
+  200 CONTINUE
+      N = MAX( 1, INT( ( TB - TA )/HR*( 1.0D0 - 1.0D-9 ) ) + 1 )
       H = ( TB - TA )/DBLE( N )
       RSTAT(6) = MIN( RSTAT(6), H )
       RSTAT(7) = MAX( RSTAT(7), H )
@@ -307,10 +341,26 @@ C     -- classical Runge-Kutta, N equal steps
             I  = SIDE
          END IF
          IF ( IOPT(4).GT.0 .AND. ISTAT(2).GE.IOPT(4) ) GO TO 901
+         CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, H, W(IX),
+     $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2),
+     $               ATOL, W(IK), W, W(IC), ISTAT, RSTAT )
          CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX),
      $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), W(IXN),
      $               W(IK), W, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
+         IF ( IP(28).GT.0 ) THEN
+            CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
+     $                  IOPT(2), T, TN, I, H, W(IX), NQ, NU, NX, NV,
+     $                  NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN),
+     $                  W(IK), W, W(IC), ISTAT, RSTAT, IP(IP(28)),
+     $                  RP(IP(29)), EVENT, IER )
+            IF ( IER.NE.0 ) GO TO 903
+            IF ( EVENT.LT.0 ) THEN
+               TA = T
+               HR = 0.1D0*H
+               GO TO 200
+            END IF
+         END IF
          I   = IX
          IX  = IXN
          IXN = I
@@ -320,6 +370,15 @@ C     -- classical Runge-Kutta, N equal steps
          CALL GSCHK( PRJ, CON, KIN, TN, W(IX), NQ, NU, NX, NLAM, IOPT,
      $               NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
+         IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, TN,
+     $      W(IX), NU, NX, NV, IP, RP, CST, W(IV), W, ISTAT, EVENT, IER
+     $      )
+         IF ( IER.NE.0 ) GO TO 903
+         IF ( TN.LT.TB .AND. ( EVENT.GT.0 .OR. HR.LT.ROPT(1) ) ) THEN
+            TA = TN
+            HR = ROPT(1)
+            GO TO 200
+         END IF
   210 CONTINUE
       T = TB
       GO TO 400
@@ -332,6 +391,12 @@ C     -- Dormand-Prince 8(5,3)
      $               ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
          FRESH = .FALSE.
+         IF ( AFTER ) THEN
+            CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, H,
+     $                  W(IX), NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV),
+     $                  ROPT(2), ATOL, W(IK), W, W(IC), ISTAT, RSTAT )
+            IF ( ISTAT(14).GT.0 .AND. IOPT(1).EQ.9 ) GO TO 905
+         END IF
          IF ( HN.LE.0.0D0 ) THEN
             CALL GSHIN( RHS, CON, KIN, CMD, CLO, VIN, T,
      $                  MIN( HMAX, TB - T ), W(IX), NQ, NU, NX, NV,
@@ -373,6 +438,17 @@ C     -- Dormand-Prince 8(5,3)
       IF ( IOPT(5).EQ.1 .AND. W(IC+12).LT.0.25D0*W(IC+13) )
      $   ERR = ERR*ROPT(2)/MAX( ROPT(2), COARSE )
 C
+C     -- up to an event, if there is one within a good step
+      EVENT = 0
+      IF ( IP(28).GT.0 .AND. IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
+         CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
+     $               IOPT(2), T, TN, I, H, W(IX), NQ, NU, NX, NV, NLAM,
+     $               IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN), W(IK),
+     $               W, W(IC), ISTAT, RSTAT, IP(IP(28)), RP(IP(29)),
+     $               EVENT, IER )
+         IF ( EVENT.LT.0 ) ERR = 1.0D10
+      END IF
+C
 C     -- a good step: onto the constraints with it
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
          CALL GSJMP( NQ, NU, W(IX), W(IXN), ROPT(2), ATOL, JUMP )
@@ -400,11 +476,18 @@ C     -- a good step: onto the constraints with it
          ISTAT(6) = 0
          ISTAT(7) = 0
          FRESH = .TRUE.
+         AFTER = .TRUE.
          NEAR  = 0.05D0
          NTRY  = 0
          IF ( W(IC).GT.JOB .AND. W(IC+12).GE.0.25D0*W(IC+13) ) THEN
             W(IC)   = JOB
             W(IC+1) = -1.0D0
+         END IF
+         IF ( EVENT.GT.0 ) THEN
+            AFTER = .FALSE.
+            CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IX), NU, NX, NV,
+     $                  IP, RP, CST, W(IV), W, ISTAT, EVENT, IER )
+            IF ( IER.NE.0 ) GO TO 903
          END IF
          IF ( T.LT.TB ) GO TO 300
       ELSE
@@ -440,6 +523,11 @@ C
   903 INFO = 3
       RETURN
   904 INFO = 4
+      RETURN
+  905 INFO = 5
+      DO 910 I = 1, NX
+         XOUT(I,ISTAT(5)+1) = W(IX+I-1)
+  910 CONTINUE
       END
       SUBROUTINE GSJMP( NQ, NU, X, XN, RTOL, ATOL, JUMP )
 C

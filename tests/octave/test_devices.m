@@ -44,6 +44,9 @@ function test_devices ()
   s = gsmbp_simulate (m, r.x(1,:)', t, "motion", plan, "rtol", 1e-10, "atol", 1e-12);
   gsmbp_check ("ports: forward after inverse [rad]", s.x(:,1:3) - r.q, 1e-9);
   gsmbp_check ("ports: states of the motors along the motion [A]", s.x(:,7:end) - r.x(:,7:end), 1e-6);
+  a = gsmbp_simulate (m, r.x(1,:)', t, "motion", plan, "rtol", 1e-10, "audit", 1);
+  gsmbp_check ("ports: audit of the run's energy", a.audit.error, 1e-8);
+  gsmbp_check ("ports: energy has passed", a.audit.passed(end) > 1);
   ## the two motors of joint C1 give two thirds and one third of its effort
   p = m.par;
   i_one = r.x(:,strcmp (m.states, "one.i"));

@@ -1,0 +1,37 @@
+/* A run by CVODE: what the generic part of a module hands to the library of gsmbp_cvode.c, which is built when method "cvode" is first asked for, so
+   that nothing else needs SUNDIALS. Everything but the members said below means what the argument of GSSIM with that name means. */
+#ifndef GSMBP_CVODE_H
+#define GSMBP_CVODE_H
+#include "gsmbp_scene.h"
+#ifdef __cplusplus
+extern "C" {
+#endif
+typedef struct
+{
+  gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
+            jac,                                               /* a null pointer: difference quotients */
+            gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gsdue;   /* of the run time */
+  int nq, nu, nx, nv, ny, nlam;
+  int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
+      order;        /* the largest order of BDF, 1 to 5 */
+  double t0, *x0;
+  int nt, nb;
+  double *tout, *tbrk;
+  int *iopt;
+  double *ropt, *atol;
+  int *ip;
+  double *rp, *cst, *xout, *vout;
+  int ldx, ldv;
+  int *istat;       /* (16) evaluations of the Jacobian, (17) Newton iterations, (18) those that did not converge, (19) the flag of CVODE */
+  double *rstat, *w;
+  char *text;       /* what CVODE said when it failed */
+  int length;       /* room in TEXT */
+} gsmbp_run;
+
+/* INFO as GSSIM, or 6 if CVODE failed, 7 if there was no memory */
+typedef int gsmbp_run_function (const gsmbp_run *);
+extern gsmbp_run_function gsmbp_cvode;
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,18 @@
+## list = gsmbp__event_list (m, record)
+## The events of a run from their record (a column each, see the module): a
+## struct with rows t, number, device, mode (after it), loss (of mechanical
+## energy [J]), before and after (states).
+
+function list = gsmbp__event_list (m, record)
+  nx = m.sizes.nx;
+  n = columns (record);
+  list = struct ("t", record(1,:)', "number", record(2,:)', "device", {cell(n, 1)}, "mode", record(3,:)', "loss", zeros (n, 1), ...
+                 "before", record(3 + (1:nx),:)', "after", record(3 + nx + (1:nx),:)');
+  for k = 1:n
+    list.device{k} = m.events(list.number(k)).name;
+    if (isfield (m, "ene") && ! isequal (list.before(k,:), list.after(k,:)))
+      energy = @(x) sum (m.ene (list.t(k), x')(1:3));
+      list.loss(k) = energy (list.before(k,:)) - energy (list.after(k,:));
+    endif
+  endfor
+endfunction

@@ -1,0 +1,257 @@
+      SUBROUTINE GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $                  WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM,
+     $                  IP, RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT,
+     $                  RSTAT, IE, RE, FOUND, INFO )
+C
+C     PURPOSE
+C     Looks for the first event within a step; if there is one, the step
+C     is done again up to it.
+C
+C     ARGUMENTS
+C     As GSDP8, GSRK4 (H is the whole step, W of either), GSRES, and
+C     METHOD  (input) INTEGER, 4 or 8: the step from (T,X) was GSRK4's or
+C             GSDP8's.
+C     WAY     (input) INTEGER, the way of the loops, see GSSIM.
+C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
+C             exit the time of the event where there is one.
+C     XN      (input/output) DOUBLE PRECISION array, dimension (NX), the
+C             state at TN.
+C     FOUND   (output) INTEGER, the number of the event function; 0:
+C             none; -1: the step is too long to see what happens just
+C             after the last event.
+C     INFO    (output) INTEGER, 0 or the INFO of what failed.
+C
+C     METHOD
+C     Six points of the cubic polynomial through both ends tell whether
+C     an event function falls to 0; its zero by the method of Illinois.
+C     From there on the step itself is made as long as it must be, by
+C     the secant method, so that the state at the event is as accurate
+C     as any other.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
+      INTEGER            METHOD, WAY, SIDE, NQ, NU, NX, NV, NLAM, IP(*),
+     $                   ISTAT(*), IE(*), FOUND, INFO
+      DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
+     $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
+     $                   RSTAT(*), RE(*)
+      INTEGER            NE, JM, JK, JA, JL, KG, KD, KZ, KX, I, J, K, S,
+     $                   NS, KEPT
+      DOUBLE PRECISION   A, B, C, GA, GB, GC, TH, OLD, GOLD, SLOPE, TE,
+     $                   HE, ERR, D, EPS, GSEPS
+      PARAMETER          ( NS = 6 )
+      LOGICAL            HELD
+      EXTERNAL           GSEPS, GSFUN, GSEVH, GSEVV, GSDP8, GSRK4
+C
+      FOUND = 0
+      INFO  = 0
+      EPS = GSEPS()
+      NE = IE(1)
+      JM = 10
+      JK = 10 + 2*NE
+      JA = 10 + 3*NE
+      JL = 10 + 4*NE
+      KG = 1 + NE
+      KD = 1 + 3*NE
+      KZ = KD + NX
+      KX = KZ + NX
+      IF ( METHOD.EQ.4 ) THEN
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, X, NQ, NU, NX,
+     $               NV, NLAM, IP, RP, CST, V, W, WI, P, ISTAT, RSTAT,
+     $               INFO )
+         IF ( INFO.NE.0 ) RETURN
+      END IF
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, V, RE(KD), WI, P, ISTAT,
+     $            RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      DO 10 I = 1, NE
+         IE(JL+I) = IE(JA+I)
+   10 CONTINUE
+C
+C     -- the first function that falls to 0
+      TH = 2.0D0
+      DO 50 J = 1, NS
+         B = DBLE( J )/DBLE( NS )
+         S = 1
+         IF ( J.EQ.NS ) S = SIDE
+         CALL GSEVH( NX, H, B, X, W, XN, RE(KD), RE(KZ) )
+         CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, S, RE(KZ), NU, NX, NV,
+     $               IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
+         IF ( INFO.NE.0 ) GO TO 900
+         DO 20 I = 1, NE
+            RE(2*NE+I) = RE(KG+I-1)
+   20    CONTINUE
+         DO 40 I = 1, NE
+            IF ( RE(2*NE+I).GT.0.0D0 ) THEN
+               IE(JL+I) = 1
+            ELSE IF ( IE(JL+I).EQ.1 ) THEN
+C              a zero between A and B
+               A  = DBLE( J - 1 )/DBLE( NS )
+               C  = B
+               GB = RE(2*NE+I)
+               CALL GSEVH( NX, H, A, X, W, XN, RE(KD), RE(KZ) )
+               CALL GSEVV( CMD, CLO, VIN, EVT, T + A*H, 1, RE(KZ), NU,
+     $                     NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG),
+     $                     INFO )
+               IF ( INFO.NE.0 ) GO TO 900
+               GA = MAX( RE(KG+I-1), 0.0D0 )
+               KEPT = 0
+               DO 30 K = 1, 60
+                  IF ( C - A.LE.1.0D-12 .OR. GA - GB.LE.0.0D0 ) GO TO 35
+                  D = ( GA*C - GB*A )/( GA - GB )
+                  IF ( .NOT.( D.GT.A .AND. D.LT.C ) )
+     $               D = 0.5D0*( A + C )
+                  CALL GSEVH( NX, H, D, X, W, XN, RE(KD), RE(KZ) )
+                  CALL GSEVV( CMD, CLO, VIN, EVT, T + D*H, 1, RE(KZ),
+     $                        NU, NX, NV, IP, RP, CST, V, WI, IE(JM+1),
+     $                        RE(KG), INFO )
+                  IF ( INFO.NE.0 ) GO TO 900
+                  GC = RE(KG+I-1)
+                  IF ( GC.GT.0.0D0 ) THEN
+                     A  = D
+                     GA = GC
+                     IF ( KEPT.EQ.1 ) GB = 0.5D0*GB
+                     KEPT = 1
+                  ELSE
+                     C  = D
+                     GB = GC
+                     IF ( KEPT.EQ.-1 ) GA = 0.5D0*GA
+                     KEPT = -1
+                     IF ( .NOT.( GC.LT.0.0D0 ) ) A = C
+                  END IF
+   30          CONTINUE
+   35          CONTINUE
+               IF ( C.LT.TH ) THEN
+                  TH = C
+                  FOUND = I
+               END IF
+            END IF
+   40    CONTINUE
+         IF ( FOUND.GT.0 ) GO TO 100
+   50 CONTINUE
+C
+C     -- functions that have not risen above 0 since their last event
+      DO 60 I = 1, NE
+         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
+         IF ( IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
+     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
+   60 CONTINUE
+      IF ( FOUND.EQ.0 ) THEN
+         DO 70 I = 1, NE
+            IE(JA+I) = IE(JL+I)
+   70    CONTINUE
+         IE(4) = 0
+      ELSE IF ( ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+         FOUND = -1
+      END IF
+      RETURN
+C
+C     -- the step, as long as it must be
+  100 CONTINUE
+      I = FOUND
+      D = MIN( 1.0D-3, 0.5D0*TH )
+      CALL GSEVH( NX, H, TH - D, X, W, XN, RE(KD), RE(KZ) )
+      CALL GSEVV( CMD, CLO, VIN, EVT, T + ( TH - D )*H, 1, RE(KZ), NU,
+     $            NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
+      IF ( INFO.NE.0 ) GO TO 900
+      SLOPE = 0.0D0
+      IF ( D.GT.0.0D0 ) SLOPE = -RE(KG+I-1)/D
+      OLD  = 0.0D0
+      GOLD = 0.0D0
+      DO 130 K = 1, 12
+         TE = T + TH*H
+         S  = 1
+         IF ( TH.GE.1.0D0 ) THEN
+            TE = TN
+            S  = SIDE
+         END IF
+         HE = TH*H
+         IF ( METHOD.EQ.4 ) THEN
+            CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W,
+     $                  WI, P, ISTAT, RSTAT, INFO )
+         ELSE
+            CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RTOL,
+     $                  ATOL, RE(KX), ERR, W, WI, P, ISTAT, RSTAT, INFO
+     $                  )
+         END IF
+         IF ( INFO.NE.0 ) RETURN
+         IF ( WAY.NE.1 .AND. ( NQ.GT.NU .OR. ( NLAM.GT.0 .AND.
+     $        WAY.NE.3 ) ) ) THEN
+            CALL PRJ( TE, RE(KX), CST, C, INFO )
+            ISTAT(4) = ISTAT(4) + 1
+            IF ( INFO.EQ.2 ) INFO = 0
+            IF ( INFO.NE.0 ) THEN
+               ISTAT(6) = INFO
+               ISTAT(7) = 3
+               RETURN
+            END IF
+         END IF
+         CALL GSEVV( CMD, CLO, VIN, EVT, TE, S, RE(KX), NU, NX, NV, IP,
+     $               RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
+         IF ( INFO.NE.0 ) GO TO 900
+         GC = RE(KG+I-1)
+         IF ( K.GT.1 .AND. ABS( TH - OLD ).GT.0.0D0 .AND.
+     $        ABS( GC - GOLD ).GT.0.0D0 )
+     $      SLOPE = ( GC - GOLD )/( TH - OLD )
+         OLD  = TH
+         GOLD = GC
+         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 140
+         D = GC/SLOPE
+         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 140
+         IF ( ABS( D*H ).LE.2.0D0*EPS*MAX( ABS( T ), ABS( TN ) ) )
+     $      GO TO 140
+         IF ( K.LT.12 ) TH = MIN( 1.0D0, MAX( 0.0D0, TH - D ) )
+         IF ( .NOT.( ABS( TH - OLD ).GT.0.0D0 ) ) GO TO 140
+  130 CONTINUE
+  140 CONTINUE
+      TN = TE
+      DO 150 I = 1, NX
+         XN(I) = RE(KX+I-1)
+  150 CONTINUE
+      RETURN
+C
+  900 ISTAT(6) = INFO
+      ISTAT(7) = 1
+      END
+      SUBROUTINE GSEVH( NX, H, B, X, XD, XN, XDN, Z )
+C
+C     PURPOSE
+C     The cubic polynomial through the ends of a step, at the fraction B
+C     of it; XN itself at its end.
+C
+      IMPLICIT NONE
+      INTEGER            NX
+      DOUBLE PRECISION   H, B, X(NX), XD(NX), XN(NX), XDN(NX), Z(NX)
+      DOUBLE PRECISION   P, Q, R
+      INTEGER            I
+C
+      P = B*B*( 3.0D0 - 2.0D0*B )
+      Q = H*B*( 1.0D0 - B )*( 1.0D0 - B )
+      R = H*B*B*( B - 1.0D0 )
+      DO 10 I = 1, NX
+         Z(I) = X(I) + P*( XN(I) - X(I) ) + Q*XD(I) + R*XDN(I)
+   10 CONTINUE
+      IF ( B.LT.1.0D0 ) RETURN
+      DO 20 I = 1, NX
+         Z(I) = XN(I)
+   20 CONTINUE
+      END
+      SUBROUTINE GSEVV( CMD, CLO, VIN, EVT, T, SIDE, X, NU, NX, NV, IP,
+     $                  RP, CST, V, W, MODE, GV, INFO )
+C
+C     PURPOSE
+C     Event functions under the inputs of a run (GSINP).
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT, GSINP
+      INTEGER            SIDE, NU, NX, NV, IP(*), MODE(*), INFO
+      DOUBLE PRECISION   T, X(NX), RP(*), CST(*), V(*), W(*), GV(*)
+C
+      INFO = 0
+      IF ( IP(1).NE.0 .OR. IP(2).NE.0 ) CALL GSINP( CMD, CLO, VIN, T,
+     $   SIDE, X, NU, NX, NV, IP, RP, CST, V, W, INFO )
+      IF ( INFO.EQ.0 ) CALL EVT( T, X, V, MODE, CST, GV )
+      END

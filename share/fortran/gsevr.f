@@ -1,0 +1,32 @@
+      SUBROUTINE GSEVR( CMD, CLO, VIN, EVT, RST, T, X, NU, NX, NV, IP,
+     $                  RP, CST, V, W, ISTAT, K, INFO )
+C
+C     PURPOSE
+C     GSRES under the inputs of a run, from the right; nothing where the
+C     scene has no events.
+C
+C     ARGUMENTS
+C     As GSINP and GSRES, and
+C     ISTAT   (input/output) INTEGER array, GSSIM's statistics.
+C     INFO    (output) INTEGER, 0 or the INFO of what failed, which
+C             ISTAT(6) and ISTAT(7) tell as well.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT, RST
+      INTEGER            NU, NX, NV, IP(*), ISTAT(*), K, INFO
+      DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
+      EXTERNAL           GSINP, GSRES
+C
+      INFO = 0
+      IF ( IP(28).LE.0 ) RETURN
+      CALL GSINP( CMD, CLO, VIN, T, 1, X, NU, NX, NV, IP, RP, CST, V, W,
+     $            INFO )
+      ISTAT(6) = INFO
+      ISTAT(7) = 1
+      IF ( INFO.NE.0 ) RETURN
+      CALL GSRES( EVT, RST, T, X, NX, V, CST, K, IP(IP(28)), RP(IP(29)),
+     $            INFO )
+      ISTAT(6) = INFO
+      ISTAT(7) = 7
+      IF ( INFO.EQ.0 ) ISTAT(7) = 0
+      END

@@ -1,0 +1,107 @@
+      SUBROUTINE GSRES( EVT, RST, T, X, NX, V, CST, K, IE, RE, INFO )
+C
+C     PURPOSE
+C     An event of a compiled run, and those that follow from it at the
+C     same instant.
+C
+C     ARGUMENTS
+C     EVT     (external) <NAME>_EVT( T, X, V, MODE, CST, GV ).
+C     RST     (external) <NAME>_RST( T, X, V, MODE, K, CST, INFO ).
+C     T       (input) DOUBLE PRECISION, the time [s].
+C     X       (input/output) DOUBLE PRECISION array, dimension (NX).
+C     V       (input/output) DOUBLE PRECISION array, the inputs at T; the
+C             modes in it are set.
+C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
+C     K       (input) INTEGER, the number of the event function; 0: the
+C             start, modes are found; -1: inputs may have jumped.
+C     IE      (input/output) INTEGER array, the plan of the events:
+C             IE(1)  NE, the number of event functions (and modes);
+C             IE(2)  NR, places for a record;
+C             IE(3)  events so far;
+C             IE(4)  events since the time went on;
+C             IE(5)  1 if the modes at the start are given;
+C             IE(6..10) zero;
+C             then NE modes, NE numbers of inputs that are the modes,
+C             NE kinds (see GSEVT), NE marks, 1 where the function was
+C             above 0 since its last event, and 2*NE workspace.
+C     RE      (input/output) DOUBLE PRECISION array: 3*NE and 3*NX
+C             workspace (GSEVN); then NR records: time, number, mode
+C             after, NX states before, NX after.
+C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
+C             more at one instant.
+C
+C     METHOD
+C     Where an event changes accelerations, ports that are held may no
+C     longer be: they are let go, the most violated first.
+C
+      IMPLICIT NONE
+      EXTERNAL           EVT, RST
+      INTEGER            NX, K, IE(*), INFO
+      DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
+      INTEGER            NE, JM, JK, JA, I, L, N, R
+      DOUBLE PRECISION   LEAST
+      LOGICAL            HELD
+C
+      INFO = 0
+      NE = IE(1)
+      JM = 10
+      JK = 10 + 2*NE
+      JA = 10 + 3*NE
+      L  = K
+      IF ( L.EQ.0 .AND. IE(5).EQ.1 ) L = -1
+   10 CONTINUE
+      IF ( L.GE.0 ) THEN
+         R = 0
+         IF ( L.GT.0 ) THEN
+            IE(4) = IE(4) + 1
+            IF ( IE(4).GT.100 ) THEN
+               INFO = 9
+               RETURN
+            END IF
+            IE(3) = IE(3) + 1
+            IF ( IE(3).LE.IE(2) ) R = 3*NE + 3*NX
+     $                                + ( IE(3) - 1 )*( 3 + 2*NX )
+         END IF
+         IF ( R.GT.0 ) THEN
+            RE(R+1) = T
+            RE(R+2) = DBLE( L )
+            DO 20 I = 1, NX
+               RE(R+3+I) = X(I)
+   20       CONTINUE
+         END IF
+         CALL RST( T, X, V, IE(JM+1), L, CST, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         IF ( R.GT.0 ) THEN
+            RE(R+3) = DBLE( IE(JM+L) )
+            DO 30 I = 1, NX
+               RE(R+3+NX+I) = X(I)
+   30       CONTINUE
+         END IF
+      END IF
+      CALL EVT( T, X, V, IE(JM+1), CST, RE )
+C
+C     -- ports that cannot be held; other stops that are hit just now
+      N = 0
+      LEAST = 0.0D0
+      DO 40 I = 1, NE
+         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
+         IF ( HELD .AND. RE(I).LT.LEAST ) THEN
+            N = I
+            LEAST = RE(I)
+         END IF
+   40 CONTINUE
+      DO 50 I = 1, NE
+         IF ( N.EQ.0 .AND. I.NE.L .AND. IE(JK+I).EQ.2 .AND.
+     $        IE(JM+I).EQ.0 .AND. IE(JA+I).EQ.1 .AND.
+     $        RE(I).LE.0.0D0 ) N = I
+   50 CONTINUE
+      IF ( L.GT.0 ) IE(JA+L) = 0
+      IF ( N.GT.0 ) THEN
+         L = N
+         GO TO 10
+      END IF
+      DO 60 I = 1, NE
+         IE(JA+I) = 0
+         IF ( RE(I).GT.0.0D0 ) IE(JA+I) = 1
+   60 CONTINUE
+      END
