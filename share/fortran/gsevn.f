@@ -22,8 +22,13 @@ C             after the last event.
 C     INFO    (output) INTEGER, 0 or the INFO of what failed.
 C
 C     METHOD
-C     Six points of the cubic polynomial through both ends tell whether
-C     an event function falls to 0; its zero by the method of Illinois.
+C     Eight points of the cubic polynomial through both ends, not evenly
+C     spaced (what repeats itself would hide between them), tell whether
+C     an event function falls to 0, and up to 2048 where it has a lowest
+C     value that they do not resolve (ports that stick let steps grow,
+C     whatever the inputs do); its zero by the method of Illinois. The
+C     part before it is looked at again in the same way: there may be an
+C     earlier one.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
 C     as any other.
@@ -36,12 +41,12 @@ C
      $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
      $                   RSTAT(*), RE(*)
       INTEGER            NE, JM, JK, JA, JL, KG, KD, KZ, KX, I, J, K, S,
-     $                   NS, KEPT
+     $                   NS, KEPT, FIRST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, TH, OLD, GOLD, SLOPE, TE,
-     $                   HE, ERR, D, EPS, GSEPS
-      PARAMETER          ( NS = 6 )
-      LOGICAL            HELD
-      EXTERNAL           GSEPS, GSFUN, GSEVH, GSEVV, GSDP8, GSRK4
+     $                   HE, ERR, D, EPS, GSEPS, BE, THF,
+     $                   GSEVP
+      LOGICAL            HELD, FINE
+      EXTERNAL           GSEPS, GSEVP, GSFUN, GSEVH, GSEVV, GSDP8, GSRK4
 C
       FOUND = 0
       INFO  = 0
@@ -52,7 +57,11 @@ C
       JA = 10 + 3*NE
       JL = 10 + 4*NE
       KG = 1 + NE
-      KD = 1 + 3*NE
+      KD = 1 + 5*NE
+      NS = 8
+      BE = 1.0D0
+      THF = 2.0D0
+      FIRST = 0
       KZ = KD + NX
       KX = KZ + NX
       IF ( METHOD.EQ.4 ) THEN
@@ -65,29 +74,46 @@ C
      $            NX, NV, NLAM, IP, RP, CST, V, RE(KD), WI, P, ISTAT,
      $            RSTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
-      DO 10 I = 1, NE
-         IE(JL+I) = IE(JA+I)
-   10 CONTINUE
 C
 C     -- the first function that falls to 0
+    5 CONTINUE
+      DO 10 I = 1, NE
+         IE(JL+I) = IE(JA+I)
+         RE(3*NE+I) = RE(I)
+         RE(4*NE+I) = -1.0D0
+   10 CONTINUE
+      FINE = .FALSE.
       TH = 2.0D0
       DO 50 J = 1, NS
-         B = DBLE( J )/DBLE( NS )
+         B = BE*GSEVP( J, NS )
+         A = B - BE*GSEVP( J - 1, NS )
+         C = B - A - BE*GSEVP( MAX( 0, J - 2 ), NS )
          S = 1
-         IF ( J.EQ.NS ) S = SIDE
+         IF ( J.EQ.NS .AND. FIRST.EQ.0 ) S = SIDE
          CALL GSEVH( NX, H, B, X, W, XN, RE(KD), RE(KZ) )
          CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, S, RE(KZ), NU, NX, NV,
      $               IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
          IF ( INFO.NE.0 ) GO TO 900
          DO 20 I = 1, NE
             RE(2*NE+I) = RE(KG+I-1)
+            GA = RE(4*NE+I)
+            GC = RE(3*NE+I)
+            GB = RE(2*NE+I)
+            IF ( GA.GT.0.0D0 .AND. GC.GT.0.0D0 .AND. GB.GT.0.0D0 ) THEN
+               OLD   = ( GC - GA )/C
+               SLOPE = ( GB - GC )/A
+               IF ( OLD.LT.0.0D0 .AND. SLOPE.GT.0.0D0 .AND.
+     $              0.5D0*( SLOPE - OLD )*( A + C ).GT.GC ) FINE=.TRUE.
+            END IF
+            RE(4*NE+I) = GC
+            RE(3*NE+I) = GB
    20    CONTINUE
          DO 40 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
                IE(JL+I) = 1
             ELSE IF ( IE(JL+I).EQ.1 ) THEN
 C              a zero between A and B
-               A  = DBLE( J - 1 )/DBLE( NS )
+               A  = BE*GSEVP( J - 1, NS )
                C  = B
                GB = RE(2*NE+I)
                CALL GSEVH( NX, H, A, X, W, XN, RE(KD), RE(KZ) )
@@ -128,8 +154,27 @@ C              a zero between A and B
                END IF
             END IF
    40    CONTINUE
-         IF ( FOUND.GT.0 ) GO TO 100
+         IF ( FOUND.GT.0 ) GO TO 55
    50 CONTINUE
+   55 CONTINUE
+      IF ( FINE .AND. NS.LT.2048 ) THEN
+         FOUND = 0
+         NS = 2*NS
+         GO TO 5
+      END IF
+      IF ( FOUND.GT.0 .AND. TH.LT.0.999D0*THF ) THEN
+         FIRST = FOUND
+         FOUND = 0
+         THF = TH
+         BE = TH*( 1.0D0 - 1.0D-9 )
+         NS = 8
+         GO TO 5
+      END IF
+      IF ( FIRST.GT.0 ) THEN
+         FOUND = FIRST
+         TH = THF
+         GO TO 100
+      END IF
 C
 C     -- functions that have not risen above 0 since their last event
       DO 60 I = 1, NE
@@ -140,6 +185,7 @@ C     -- functions that have not risen above 0 since their last event
       IF ( FOUND.EQ.0 ) THEN
          DO 70 I = 1, NE
             IE(JA+I) = IE(JL+I)
+            RE(I) = RE(2*NE+I)
    70    CONTINUE
          IE(4) = 0
       ELSE IF ( ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
@@ -215,6 +261,18 @@ C     -- the step, as long as it must be
 C
   900 ISTAT(6) = INFO
       ISTAT(7) = 1
+      END
+      DOUBLE PRECISION FUNCTION GSEVP( J, NS )
+C
+C     PURPOSE
+C     The J-th of NS points of the step, as a fraction of it: their
+C     distances grow evenly, threefold from the first to the last.
+C
+      IMPLICIT NONE
+      INTEGER            J, NS
+      DOUBLE PRECISION   B
+      B = DBLE( J )/DBLE( NS )
+      GSEVP = 0.5D0*B*( 1.0D0 + B )
       END
       SUBROUTINE GSEVH( NX, H, B, X, XD, XN, XDN, Z )
 C

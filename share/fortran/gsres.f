@@ -24,8 +24,8 @@ C             IE(6..10) zero;
 C             then NE modes, NE numbers of inputs that are the modes,
 C             NE kinds (see GSEVT), NE marks, 1 where the function was
 C             above 0 since its last event, and 2*NE workspace.
-C     RE      (input/output) DOUBLE PRECISION array: 3*NE and 3*NX
-C             workspace (GSEVN); then NR records: time, number, mode
+C     RE      (input/output) DOUBLE PRECISION array: NE event functions,
+C             4*NE and 3*NX workspace (GSEVN); then NR records: time, number, mode
 C             after, NX states before, NX after.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
 C             more at one instant.
@@ -59,7 +59,7 @@ C
                RETURN
             END IF
             IE(3) = IE(3) + 1
-            IF ( IE(3).LE.IE(2) ) R = 3*NE + 3*NX
+            IF ( IE(3).LE.IE(2) ) R = 5*NE + 3*NX
      $                                + ( IE(3) - 1 )*( 3 + 2*NX )
          END IF
          IF ( R.GT.0 ) THEN

@@ -1,4 +1,4 @@
-      DOUBLE PRECISION FUNCTION GSRTL( N, M, H, LDH, PHI, GRP, W )
+      SUBROUTINE GSRTL( N, M, H, LDH, PHI, GRP, TOL, W )
 C
 C     PURPOSE
 C     The tolerance within which constraints are dependent (GSKKR) at a
@@ -12,6 +12,7 @@ C     LDH     (input) INTEGER, LDH >= MAX(1,M).
 C     PHI     (input) DOUBLE PRECISION array, dimension (M), the values
 C             of the constraints, 0 for one on speeds alone.
 C     GRP     (input) INTEGER array, dimension (M), see GSQRG.
+C     TOL     (output) DOUBLE PRECISION, the tolerance.
 C     W       (workspace) DOUBLE PRECISION array, dimension (M).
 C
 C     METHOD
@@ -33,7 +34,7 @@ C     equations in several variables, 12.6.
 C
       IMPLICIT NONE
       INTEGER            N, M, LDH, GRP(*)
-      DOUBLE PRECISION   H(LDH,*), PHI(*), W(*)
+      DOUBLE PRECISION   H(LDH,*), PHI(*), TOL, W(*)
       DOUBLE PRECISION   GSEPS, D, S
       EXTERNAL           GSEPS, GSGRP
       INTEGER            I, J
@@ -50,5 +51,5 @@ C
       DO 30 I = 1, M
          IF ( W(I).GT.0.0D0 ) D = MAX( D, ABS( PHI(I) )/W(I) )
    30 CONTINUE
-      GSRTL = MIN( 1.0D-2, MAX( 5.0D4*GSEPS(), SQRT( D ) ) )
+      TOL = MIN( 1.0D-2, MAX( 5.0D4*GSEPS(), SQRT( D ) ) )
       END
