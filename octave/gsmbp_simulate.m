@@ -68,7 +68,7 @@
 ## the field @code{audit}, a struct: @code{balance} (a row for each time: energy
 ## less what came in and was lost [J]), @code{passed} (integral of the moduli of
 ## these powers [J]), @code{error}, the largest |balance| beside what passed or
-## is stored.  Not with events or feedback.
+## is stored.  What impacts take counts as lost.  Not with feedback.
 ## @end table
 ##
 ## Inputs (where nothing is said, zero):
@@ -199,9 +199,6 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
-  if (! isempty (o.audit))
-    result.audit = audit (m, result, x(d.nx+1:end,1:reached)');
-  endif
   if (isstruct (sampled))
     result.y = sampled.y';
     result.memory = sampled.memory;
@@ -212,6 +209,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (! isempty (m.events))
     result.events = gsmbp__event_list (m, events);
     s.events = number;
+  endif
+  if (! isempty (o.audit))
+    result.audit = audit (m, result, x(d.nx+1:end,1:reached)');
   endif
   s.seconds = seconds;
   s.calls = counts(1);
@@ -252,8 +252,8 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
     error ("%s: audit must be an energy above 0 [J]", who);
   elseif (! any (strcmp (m.subroutines, "rha")))
     error ("%s: option audit needs the subroutine RHA (request audit), which %s was emitted without", who, m.name);
-  elseif (! isempty (o.gain) || ! isempty (m.events))
-    error ("%s: no audit with state feedback from outside or with events", who);
+  elseif (! isempty (o.gain))
+    error ("%s: no audit with state feedback from outside", who);
   elseif (numel (x0) != m.sizes.nx)
     error ("%s: expected %d states, found %d", who, m.sizes.nx, numel (x0));
   endif
@@ -266,9 +266,13 @@ function a = audit (m, r, w)
   for k = 1:rows (r.x)
     stored(k) = sum (m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3));
   endfor
-  a.balance = stored - stored(1) - w(:,1);
-  a.passed = w(:,2);
-  a.error = max (abs (a.balance)) / max ([w(end,2); abs(stored - stored(1))]);
+  lost = zeros (rows (r.x), 1);   # in impacts
+  if (isfield (r, "events"))
+    lost = sum (r.events.loss' .* (r.events.t' <= r.t), 2);
+  endif
+  a.balance = stored - stored(1) - w(:,1) + lost - lost(1);
+  a.passed = w(:,2) + lost;
+  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1))]);
 endfunction
 
 function s = stiffness (m, counts, values)
@@ -462,6 +466,9 @@ function text = failure (info, counts, values, said)
     case 3
       routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s", routine, counts(6), at);
+      if (counts(7) == 7 && counts(6) == 9)
+        text = [text ": more than 100 events at one instant"];
+      endif
       if (any (counts(7) == [3, 5]) && counts(6) == 3)
         text = [text ": no position that closes the loops was found nearby; the mechanism may be at the end of its range"];
       endif

@@ -691,7 +691,7 @@ samples (reals& cst, const std::vector<int>& ip, const reals& rp, const reals& t
 
 // The plan of the events (see GSRES): room in RP
 static void
-set_events (std::vector<int>& ip, reals& rp)
+set_events (std::vector<int>& ip, reals& rp, int nx)
 {
   if (ip[27] <= 0)
     return;
@@ -699,19 +699,19 @@ set_events (std::vector<int>& ip, reals& rp)
   if (ie[0] != S.nev)
     error ("%s.sim: the plan of the events is not of this scene", S.name);
   ip[28] = int (rp.size ()) + 1;
-  rp.resize (rp.size () + 3 * (ie[0] + S.nx) + std::size_t (ie[1]) * (3 + 2 * S.nx), number (0));
+  rp.resize (rp.size () + 5 * ie[0] + 3 * nx + std::size_t (ie[1]) * (3 + 2 * nx), number (0));
 }
 
 // after a run: the record of the events, a column for each: time, number, mode after, states before, states after; how many there were
 static octave_value_list
-events (const std::vector<int>& ip, const reals& rp)
+events (const std::vector<int>& ip, const reals& rp, int nx)
 {
   if (ip[27] <= 0)
     return ovl (Matrix (), 0);
   const int *ie = &ip[ip[27] - 1];
-  Matrix record (3 + 2 * S.nx, std::min (ie[1], ie[2]));
+  Matrix record (3 + 2 * nx, std::min (ie[1], ie[2]));
   for (octave_idx_type i = 0; i < record.numel (); i++)
-    record.xelem (i) = double (rp[ip[28] - 1 + 3 * (ie[0] + S.nx) + i]);
+    record.xelem (i) = double (rp[ip[28] - 1 + 5 * ie[0] + 3 * nx + i]);
   return ovl (record, ie[2]);
 }
 
@@ -761,7 +761,7 @@ do_sim (arguments& a, int)
   std::string library = a.value ("library").string_value ();   // of CVODE; "": GSSIM alone
   int order = a.integers ("largest order", 1)[0];
   set_samples (cst, ip, rp);
-  set_events (ip, rp);
+  set_events (ip, rp, nx);
   std::exception_ptr failure;
   the_input = &input;
   the_failure = &failure;
@@ -830,7 +830,7 @@ do_sim (arguments& a, int)
     vs = Matrix (0, nt);
   octave_value_list results = ovl (xs, vs, counters, result (rstat, statistics), info, took.count (), std::string (&text[0]));
   results.append (samples (cst, ip, rp, tout, xout, vout, ldx, ldv, istat[4]));
-  results.append (events (ip, rp));
+  results.append (events (ip, rp, nx));
   return results;
 }
 

@@ -7,6 +7,9 @@ function ip = gsmbp__event_plan (who, m, o, ip)
   if (n == 0)
     return;
   endif
+  if (! any (strcmp (m.subroutines, "evt")))
+    error ("%s: %s has events, but was emitted without the subroutines EVT, RST (request events)", who, m.name);
+  endif
   if (! any (strcmp (o.method, {"dp853", "rk4"})))
     error ("%s: %s has events (%s): method must be \"dp853\" or \"rk4\"", who, m.name, m.events(1).name);
   endif

@@ -10,6 +10,9 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
   if (nc == 0)
     return;
   endif
+  if (! any (strcmp (m.subroutines, "ctl")))
+    error ("%s: %s has sampled devices, but was emitted without the subroutine CTL (request control)", who, m.name);
+  endif
   [period, delay] = m.module ("ctp", m.cst);
   if (! all (period > 0) || ! all (delay >= 0))
     k = find (! (period > 0) | ! (delay >= 0), 1);

@@ -107,6 +107,7 @@ function power (name, m, d)
   for trial = 1:20
     x = state (m, d);
     v = uniform (d.nv);
+    v([m.events.input]) = strcmp ({m.events.kind}, "stick");   # friction slides, stops are free
     [xd, ~] = m.rhs (0, x, v);
     drives = 0;
     if (d.nlam > 0)

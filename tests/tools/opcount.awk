@@ -1,8 +1,8 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div sqrt trig.
-# X**3 is two mul, unary minus, ABS, MAX and MIN are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent.
+# X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent.
 BEGIN {
   split("SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP", list, " "); for (i in list) trig[list[i]] = 1
-  split("SQRT ABS MAX MIN", list, " "); for (i in list) free[list[i]] = 1
+  split("SQRT ABS MAX MIN ANINT GSFLR", list, " "); for (i in list) free[list[i]] = 1
 }
 /^[Cc*!]/ || /^ *$/ { next }
 substr($0, 6, 1) !~ /[ 0]/ && length($0) > 5 { statement = statement substr($0, 7); next }
