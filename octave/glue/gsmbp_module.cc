@@ -744,7 +744,7 @@ do_sim (arguments& a, int)
   const int nx = int (x0.size ());   // with the two states of an audit or without
   const bool audit = nx == S.nx + 2;
   if (nx != S.nx && ! audit)
-    error ("%s: x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
+    error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
   reals tout = a.vector ("times", -1), tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
   std::vector<int> iopt = a.integers ("iopt", -1);   // method, way of the loops, drift, steps; from 7 on constraints on speeds

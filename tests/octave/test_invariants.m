@@ -17,7 +17,7 @@ function test_invariants ()
     if (isfield (m, "jac") && m.json.mobility.rank == d.nlam)
       jacobians (name, m, d);
     end
-    if (isfield (m, "lin"))
+    if (isfield (m, "lin") && isfield (m, "inv"))
       motion_model (name, m, d);
     end
     if (d.nlam > 0)
