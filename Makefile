@@ -20,9 +20,9 @@ help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
 	@echo 'make test-random           2000 mechanisms made by chance against an independent formulation (make test takes 40)'
-	@echo 'make bench                 tests/bench/report.md, report.json and figures'
+	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
-	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error'
+	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
@@ -42,7 +42,7 @@ fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac 
 	share/make/derive $< fortran_out
 
 # the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
-examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac) $(wildcard examples/*.m) $(RUN_SOURCES)
+examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac examples/$$*/*.m) $(wildcard examples/*.m) $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
 	timeout 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null

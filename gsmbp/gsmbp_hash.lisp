@@ -17,15 +17,6 @@
         (t (let ((a nil))
              (dolist (x (cdr e)) (push ($gsmbp__replace h x) a))
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
-;; entries of a tape that symbols need, oldest first; an entry is [name, expression, block, number, symbols]
-(defun $gsmbp__reach_symbols (entry nature symbols constants)
-  (let ((seen (make-hash-table :test #'equal)) (found nil) (todo (cdr symbols)))
-    (do () ((null todo) (cons '(mlist simp) (sort found #'< :key #'fifth)))
-      (let* ((s (pop todo)) (e (and (not (gethash s seen)) (gethash s entry))))
-        (setf (gethash s seen) t)
-        (when (and e (or constants (not (eq (gethash s nature) '$constant))))
-          (push e found)
-          (setq todo (append (cdr (sixth e)) todo)))))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in order
 (defun $gsmbp__file_exists (name) (and (probe-file name) t))
 (defun $gsmbp__file_names (pattern) (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))

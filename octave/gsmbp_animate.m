@@ -220,9 +220,13 @@ function s = stage (p, path, o, entries, letters)
   s.high = high(s.axes) + 0.07 * extent;
   s.low(end) -= s.mark;
   room = s.high - s.low;
+  lines = ceil (entries / min (3, 1 + floor (o.width / (7.5 * letters + 60) / 2)));
+  below = 75 + 22 * lines;
   if (numel (s.axes) == 2)
-    height = (o.width - 110) * room(2) / room(1) + 80 + 20 * ceil (entries / 2);
+    height = (o.width - 110) * room(2) / room(1) + 40 + below;
     s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
+    s.key = [(10 + 22 * lines) / s.pixels(2), lines];
+    s.below = below / s.pixels(2);
     return;
   endif
   s.eye = zeros (3, 1);
@@ -231,8 +235,6 @@ function s = stage (p, path, o, entries, letters)
   wide = room(1) * abs (cosd (o.view(2))) + room(2) * abs (sind (o.view(2)));
   tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
   scale = min ([(o.width - 170) / wide, 0.75 * o.width / tall, o.width / max(room(1:2))]);
-  lines = ceil (entries / (1 + (2 * (7.5 * letters + 60) <= o.width)));
-  below = 75 + 22 * lines;
   s.pixels = round ([o.width, scale * tall + below + 60]);
   half = scale * max (room(1:2)) / 2;
   middle = below + scale * tall / 2;
@@ -242,21 +244,21 @@ endfunction
 
 function lines = axes_of (s, o)
   letters = "xyz"(s.axes);
-  lines = {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", "set key bmargin center horizontal Left reverse samplen 2 spacing 1.2", "set tics nomirror", ...
-           "set tics scale 0.6"};
+  lines = {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", "set key Left reverse samplen 2 spacing 1.2", "set tics nomirror", "set tics scale 0.6", ...
+           sprintf("set key at screen 0.5,%.5f top center vertical maxrows %d width 2", s.key)};
   for k = 1:numel (letters)
     c = "xyz"(k);
     lines{end+1} = sprintf ("set %slabel '%s [m]'; set %srange [%.9g:%.9g]", c, letters(k), c, s.low(k), s.high(k));
     lines{end+1} = sprintf ("set %stics %.9g", c, tick (max (s.high - s.low) / 7));
   endfor
   if (numel (letters) == 2)
-    lines{end+1} = "set size ratio -1";
+    lines = [lines, {"set size ratio -1", sprintf("set bmargin at screen %.5f", s.below)}];
   else
     sides = {"l", "r", "b", "t"};
     for k = 1:4
       lines{end+1} = sprintf ("set %smargin at screen %.5f", sides{k}, s.margins(k));
     endfor
-    lines = [lines, {sprintf("set key at screen 0.5,%.5f top center vertical maxrows %d width 2", s.key), sprintf("set view %.4g,%.4g; set view equal xyz", o.view), ...
+    lines = [lines, {sprintf("set view %.4g,%.4g; set view equal xyz", o.view), ...
                      sprintf("set xyplane at %.9g", s.low(3)), "set border 127 lc rgb '#888888'"}];
   endif
 endfunction

@@ -67,8 +67,9 @@
 ## with the states (to @code{rtol} and that energy times it), and the result has
 ## the field @code{audit}, a struct: @code{balance} (a row for each time: energy
 ## less what came in and was lost [J]), @code{passed} (integral of the moduli of
-## these powers [J]), @code{error}, the largest |balance| beside what passed or
-## is stored.  What impacts take counts as lost.  Not with feedback.
+## these powers [J]), @code{error}, the largest |balance| beside the largest of what
+## passed, what is stored, and how far the kinetic energy swings (at @var{times}).
+## What impacts take counts as lost.  Not with feedback.
 ## @end table
 ##
 ## Inputs (where nothing is said, zero):
@@ -186,7 +187,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     library = gsmbp__cvode (who, m);
   endif
   guess = zeros (d.nu, 1);
-  if (d.nq == d.nu && numel (x0) == d.nx)
+  if (d.nq == d.nu && numel (x0) >= d.nx)   # with two more in an audit
     guess = x0(1:d.nq);
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, atol,
@@ -262,17 +263,22 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
 endfunction
 
 function a = audit (m, r, w)
-  stored = zeros (rows (r.x), 1);
+  if (isempty (r.x))
+    a = struct ("balance", [], "passed", [], "error", NaN);
+    return;
+  endif
+  energy = zeros (rows (r.x), 3);   # kinetic, potential, in devices
   for k = 1:rows (r.x)
-    stored(k) = sum (m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3));
+    energy(k,:) = m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3);
   endfor
+  stored = sum (energy, 2);
   lost = zeros (rows (r.x), 1);   # in impacts
   if (isfield (r, "events"))
     lost = sum (r.events.loss' .* (r.events.t' <= r.t), 2);
   endif
   a.balance = stored - stored(1) - w(:,1) + lost - lost(1);
   a.passed = w(:,2) + lost;
-  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1))]);
+  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1)); range(energy(:,1))]);
 endfunction
 
 function s = stiffness (m, counts, values)

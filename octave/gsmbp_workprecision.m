@@ -10,7 +10,8 @@
 ## the shortest of several runs, divided by the simulated time.
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "dp853" (tolerances,
-## default 10.^-(4:2:14)); "print" (default true) writes the table; "file": a
+## default 10.^-(4:2:14)), "cvode" (tolerances, default none);
+## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
 ## @code{gsmbp_simulate} (input, motion, projection, @dots{}).
@@ -26,7 +27,7 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
   if (nargin < 3 || ! isstruct (m))
     print_usage ();
   endif
-  own = struct ("rk4", 10 .^ -(2:0.5:4), "dp853", 10 .^ -(4:2:14), "print", true, "file", "", "seconds", 0.1, "reference", 1e-18);
+  own = struct ("rk4", 10 .^ -(2:0.5:4), "dp853", 10 .^ -(4:2:14), "cvode", [], "print", true, "file", "", "seconds", 0.1, "reference", 1e-18);
   rest = {};
   pairs = {};
   for i = 1:2:numel (varargin)
@@ -43,11 +44,10 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
   truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, "atol", o.reference, "drift", false);
   span = times(end) - times(1);
   w = struct ([]);
-  for step = o.rk4(:)'
-    w = measure (w, m, x0, times, o, rest, truth, "rk4", step, span);
-  endfor
-  for tol = o.dp853(:)'
-    w = measure (w, m, x0, times, o, rest, truth, "dp853", tol, span);
+  for method = {"rk4", "dp853", "cvode"}
+    for step = o.(method{1})(:)'   # or tolerance
+      w = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
+    endfor
   endfor
   w(1).reference = truth.x;
   if (o.print)
@@ -64,7 +64,7 @@ function [folder, build] = folders (m)
 endfunction
 
 function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
-  name = struct ("rk4", "step", "dp853", "rtol").(method);
+  name = struct ("rk4", "step", "dp853", "rtol", "cvode", "rtol").(method);
   options = [rest, {"method", method, name, step, "drift", false}];
   [r, info] = gsmbp_simulate (m, x0, times, options{:});
   best = r.stats.seconds;
@@ -104,7 +104,7 @@ function figure_of (file, m, w)
     of = strcmp ({w.method}, methods{k});
     y(of,k) = max ([w(of).error]', 1e-17);
   endfor
-  labels = struct ("rk4", "RK4", "dp853", "DOP853");
+  labels = struct ("rk4", "RK4", "dp853", "DOP853", "cvode", "CVODE");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
   gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", "largest error of a coordinate [rad, m]", "style", "linespoints"), "xlabel",
               "compute time for 1 s [microseconds]", "scale", "loglog", "title", [m.name ": speed against error"], "head", "microseconds_per_second");
@@ -116,3 +116,6 @@ endfunction
 %! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [1e-3 5e-4], "dp853", 1e-12, "print", false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
+%! s = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [], "dp853", [], "cvode", [1e-5 1e-8], "print", false, "seconds", 0);
+%! assert ({s.method}, {"cvode", "cvode"});
+%! assert (s(2).error < 0.1 * s(1).error && s(2).error < 1e-7);

@@ -29,19 +29,8 @@ function E = energy_by_hand (p, theta, w)
   E = T + V;
 endfunction
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 [cpu, wall] = gsmbp_derive ("four_bar.mac");

@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## a shaft in ground axes: from the point `from` of its axis to `to` (link axes), a fork of half width r at each joint: [x of the joint, direction of the arms]
 function p = shaft (origin, R, from, to, joints, r, reach)
   p = [from, to; 0, 0; 0, 0];
@@ -25,15 +21,8 @@ function R = turn (axis, angle)
   R = struct ("x", [1, 0, 0; 0, c, -s; 0, s, c], "y", [c, 0, s; 0, 1, 0; -s, 0, c], "z", [c, -s, 0; s, c, 0; 0, 0, 1]).(axis);
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"), fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 degree = pi / 180;

@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## From rest to rest at the columns of Q, with five derivatives zero there: the command of a cylinder with the spool's dynamics asks for so many.
 function motion = smooth (q, times)
   pieces = numel (times) - 1;
@@ -28,16 +24,19 @@ function [l, arm] = cylinders (q)
   arm = real ([lift, fold] .* conj (1i * [turn(q(:,1), 1, -0.1), turn(q(:,2), 0.4, -0.05)])) ./ l;
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-addpath (fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+## power that the balance of variant pl leaves over (share/actuators/hydraulic_cylinder.mac), both cylinders: volumes of the chambers, stiffness, speed
+function d = defect (p, x)
+  [a1, a2] = deal (3.117e-3, 2.099e-3);
+  [l, arm] = cylinders (x(:,1:2));
+  s = l - [0.95, 1.1];
+  V1 = p.lift_vd1 + a1 * s;
+  V2 = p.lift_vd2 + a2 * ([0.75, 0.6] - s);
+  K = p.lift_beta * (a1^2 ./ V1 + a2^2 ./ V2);
+  d = sum ((a1 * x(:,5:6) ./ K) .^ 2 .* p.lift_beta .* (a1^3 ./ V1.^2 - a2^3 ./ V2.^2) .* arm .* x(:,3:4) / 2, 2);
+endfunction
+
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the models
 [cpu, wall] = gsmbp_derive ("hydraulic_crane.mac");
@@ -110,8 +109,11 @@ gsmbp_plot ("out/shut.png", s, panel (full.x(:,[5 6]) / 1e6, {"lift, cap side", 
 ## ------------------------------------------------ what the short model is worth
 puts ("\nload-pressure model (one state a cylinder, no spool)\n");
 own = gsmbp_inverse (short, plan, t);
-r = gsmbp_simulate (short, own.x(1,:)', t, "motion", plan, "method", "cvode", "rtol", 1e-10);
+r = gsmbp_simulate (short, own.x(1,:)', t, "motion", plan, "method", "cvode", "rtol", 1e-10, "audit", 1e4);
 printf ("under its own command: at most %.1e rad from the plan, %d calls in %.4f s\n", max (max (abs (r.x(:,1:2) - own.q))), r.stats.calls, r.stats.seconds);
+left = cumtrapz (t', defect (p, r.x));
+printf ("energy audit: up to %.3f J left over of %.0f kJ that passed, %.1e of it; the entry's formula for what its balance leaves over gives %.3f J (apart at most %.1e J)\n", ...
+        max (abs (r.audit.balance)), r.audit.passed(end) / 1e3, r.audit.error, max (abs (left)), max (abs (left - r.audit.balance)));
 full = gsmbp_simulate (m, command.x(1,:)', t, "input", gsmbp_plan ("table", t, own.v, 3), "method", "cvode", "rtol", 1e-9);
 away = max (abs (full.x(:,1:2) - command.q));
 printf ("its command drives the full model %.2e rad (boom) and %.2e rad (jib) away from the plan: %.1e and %.1e of their way\n", away, away ./ range (command.q));

@@ -3,25 +3,14 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## integral of equidistant samples (an odd number) by Simpson's rule
 function s = simpson (y, h)
   s = h / 3 * (y(1,:) + 4 * sum (y(2:2:end-1,:), 1) + 2 * sum (y(3:2:end-2,:), 1) + y(end,:));
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-addpath (fullfile (pwd (), "..", "..", "octave"), fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 cpu = gsmbp_derive ("lead_screw.mac");

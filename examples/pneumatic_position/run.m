@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## inputs at samples T apart: place as planned, areas beside the controller's, held (a row for each sample)
 function p = inputs (t, place, bias)
   a = gsmbp_plan ("table", t, place(:), 3);
@@ -83,28 +79,8 @@ function x = states_of (x, k)
   endif
 endfunction
 
-## the table of gsmbp_choose
-function choice (arguments)
-  root = fullfile (pwd (), "..", "..");
-  log = fullfile ("out", "choice.log");
-  status = system (sprintf ("'%s/share/make/maxima' %s 'load(\"%s/gsmbp/gsmbp.mac\")$ load(\"%s/pneumatic_axis.mac\")$ gsmbp_choose(scene, %s)$'", root, log, root, pwd (), arguments));
-  if (status != 0)
-    error ("run: gsmbp_choose failed, see %s", log);
-  endif
-  text = fileread (log);
-  puts (text(strfind (text, "device, variant"):strfind (text, "gsmbp__exit") - 1));
-endfunction
-
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-addpath (fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, choice, film
+open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 printf ("derivation: %.1f s of processor time, Maxima's start included\n\n", gsmbp_derive ("pneumatic_position.mac"));
@@ -201,9 +177,9 @@ gsmbp_plot ("out/sampling.png", t, panel ([lost{1}, lost{3}, lost{5}], {"1 ms", 
 ## ------------------------------------------------------ models of the gas
 ## each under the command that the full model needs, for a fast and a slow motion; Fs = Fc, or slow motions would stick and slip in open loop
 puts ("\nmodels of the gas; estimates for the fast motion (40 mm in 0.4 s), for the slow one (40 mm in 12 s)\n");
-choice ("0.01, [omega_c = 17.5, amplitude = 0.04]");
+choice ("pneumatic_axis.mac", "0.01, [omega_c = 17.5, amplitude = 0.04]");
 puts ("\n");
-choice ("0.01, [omega_c = 0.58, amplitude = 0.04]");
+choice ("pneumatic_axis.mac", "0.01, [omega_c = 0.58, amplitude = 0.04]");
 durations = [0.4 12];
 names = {"full", "polytropic", "isothermal", "adiabatic"};
 exponents = [NaN, 1.2, 1, 1.4];

@@ -7,20 +7,9 @@ function t = titles (before)
   t = arrayfun (@(k) sprintf ("%s%d", before, k), 1:3, "UniformOutput", false);
 endfunction
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
-cd (fileparts (mfilename ("fullpath")));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 [cpu, wall] = gsmbp_derive ("puma560.mac");

@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## least time of some runs [s], for one second of motion
 function s = seconds_of (m, x0, duration, varargin)
   s = Inf;
@@ -24,18 +20,6 @@ function m = changed (name, before, after)
   fclose (fid);
   gsmbp_derive (file, "out");
   m = gsmbp_build (name, "directory", "out");
-endfunction
-
-## the table of gsmbp_choose
-function choice (arguments)
-  root = fullfile (pwd (), "..", "..");
-  log = fullfile ("out", "choice.log");
-  status = system (sprintf ("'%s/share/make/maxima' %s 'load(\"%s/gsmbp/gsmbp.mac\")$ load(\"%s/robot_joint.mac\")$ gsmbp_choose(scene, %s)$'", root, log, root, pwd (), arguments));
-  if (status != 0)
-    error ("run: gsmbp_choose failed, see %s", log);
-  endif
-  text = fileread (log);
-  puts (text(strfind (text, "device, variant"):strfind (text, "gsmbp__exit") - 1));
 endfunction
 
 ## angle of the wave generator where it is at rest at the start of a plan
@@ -67,15 +51,8 @@ function run = controlled (kind, model, x0, theta, held, input, options)
   endif
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, choice, film
+open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 printf ("derivation: %.1f s of processor time, Maxima's start included\n\n", gsmbp_derive ("robot_joint.mac"));
@@ -109,7 +86,7 @@ printf ("energy: %.2f J came in or were lost, %.2f J lifted; not found %.1e of w
 ## ------------------------------------------------------ reduced variants
 ## each under the voltage that the model without kinematic error needs; the estimates are the library's, for the bandwidth of this plan (jerk over acceleration)
 puts ("variants for 10 mrad of accuracy\n");
-choice ("0.01, [omega_c = 7, amplitude = 1.2]");
+choice ("robot_joint.mac", "0.01, [omega_c = 7, amplitude = 1.2]");
 points = [0:0.001:0.1, 0.11:0.01:0.89, 0.9:0.001:1, 1.001:0.001:1.02, 1.05:0.05:1.5];   # friction rises within a millisecond
 wide = gsmbp_plan ("septic", [0 1.2 1.2], [0 1 1.5]);
 plain = gsmbp_set (m, "ke", 0);
@@ -138,7 +115,7 @@ puts ("\n");
 ## --------------------------------------------------------------- control
 ## the motor follows n times the plan of the joint; or the motor angle that the inverse model gives, with the voltage that it asks for beside the controller's.
 ## The inverse model knows friction and twist, but not the kinematic error
-ends = (0:0.005:1.5)';
+ends = (0:0.001:1.5)';
 q = gsmbp_evaluate (wide, ends)';
 cases = {"plan alone", reference(wide, n); "inverse model", gsmbp_plan("table", points, [known.x(:,3:4), known.v], 3)};
 ## at the start the arm is held: by the integral part, or by the voltage beside the controller's
@@ -158,7 +135,7 @@ for k = 1:2
 endfor
 printf ("continuous and sampled controller are %.1e rad apart at most\n", 1e-3 * max (abs (away{1,1} - away{2,1})));
 gsmbp_plot ("out/control.png", ends, panel ([away{2,1}, away{2,2}], {"plan alone", "inverse model"}, "error of the joint [mrad]"), ...
-            panel ([current{1,2}, current{2,2}], {"continuous", "sampled"}, "current [A]"), "title", "Cascade over the encoder of the motor");
+            panel ([current{2,2}, current{1,2}], {"sampled", "continuous"}, "current [A]"), "title", "Cascade over the encoder of the motor");
 printf ("energy audits of these runs: not found %.1e of what passed, at most\n", max (defect(:)));
 
 ## --------------------------------------------------------- slow reversals

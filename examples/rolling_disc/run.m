@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## state of the disc that touches the plane at the origin and rolls along x: leaning by LEAN (rotation about x), turning about z at TURN, leaning
 ## further at FALL, rotating about its axis at ROLL besides
 function x = start (r, lean, turn, fall, roll)
@@ -41,16 +37,9 @@ function [n, f, e] = forces (m, x)
   endfor
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-addpath (fullfile (pwd (), "..", "..", "octave"), fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 cpu = gsmbp_derive ("rolling_disc.mac");

@@ -7,15 +7,8 @@ function row (format, values)
   printf (format, values'(:));
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 [cpu, wall] = gsmbp_derive ("slider_crank.mac");

@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## outputs at the rows of a run
 function y = outputs (m, r)
   y = cell2mat (arrayfun (@(k) m.out (r.t(k), r.x(k,:)', r.v(k,:)'), 1:numel (r.t), "UniformOutput", false))';
@@ -47,15 +43,8 @@ function audit (m, x0, t_end, n, input, varargin)
           diff (E), abs (diff (E) - gone (e(4,:)) + gone (e(5,:))) / gone (e(4,:)), numel (t), 1e3 * seconds / t_end);
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 [cpu, wall] = gsmbp_derive ("slider_crank_induction.mac");

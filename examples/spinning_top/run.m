@@ -3,10 +3,6 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
 ## state of the top tilted by THETA about x, turned about z at the rate PHID, its spin (all of w3) S
 function x = start (theta, phid, s)
   x = [cos(theta / 2); sin(theta / 2); 0; 0; 0; phid * sin(theta); s];
@@ -44,15 +40,8 @@ function [limits, period, advance] = closed_form (p, x)
   advance = 2 * quadgk (@(s) (c(2) - c(3) * at (s)) ./ (I * (1 - at (s) .^ 2)) ./ sqrt (2 * mgl / I * (u(3) - at (s))), 0, pi);
 endfunction
 
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"), fullfile (pwd (), ".."));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 cpu = gsmbp_derive ("spinning_top.mac");

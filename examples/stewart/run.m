@@ -3,86 +3,19 @@
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-## points of the legs on the base and on the platform, 3 x 6
-function [base, top] = points (p)
-  turn = @(k) [cosd(120*k), -sind(120*k), 0; sind(120*k), cosd(120*k), 0; 0, 0, 1];
-  base = [turn(0) * [p.rb p.rb; p.wb -p.wb; 0 0], turn(1) * [p.rb p.rb; p.wb -p.wb; 0 0], turn(2) * [p.rb p.rb; p.wb -p.wb; 0 0]];
-  top = [turn(2) * [-p.rp; p.wp; 0], turn(1) * [-p.rp; -p.wp; 0], turn(0) * [-p.rp; p.wp; 0], turn(2) * [-p.rp; -p.wp; 0], turn(1) * [-p.rp; p.wp; 0], turn(0) * [-p.rp; -p.wp; 0]];
-endfunction
-
-## a pose [x; y; z; roll; pitch; yaw] with its rates and accelerations, R = Rx(roll) Ry(pitch) Rz(yaw): Euler parameters, angular velocity and
-## acceleration in platform axes
-function [e, w, wd, R] = turning (pose, rate, acc)
-  c = cos (pose(4:6) / 2);
-  s = sin (pose(4:6) / 2);
-  times = @(a, b) [a(1)*b(1) - a(2:4)'*b(2:4); a(1)*b(2:4) + b(1)*a(2:4) + cross(a(2:4), b(2:4))];
-  e = times (times ([c(1); s(1); 0; 0], [c(2); 0; s(2); 0]), [c(3); 0; 0; s(3)]);
-  R = eye (3) + 2 * e(1) * hat (e(2:4)) + 2 * hat (e(2:4)) ^ 2;
-  [t, u] = deal (pose(5), pose(6));
-  [td, ud] = deal (rate(5), rate(6));
-  B = [cos(t)*cos(u), sin(u), 0; -cos(t)*sin(u), cos(u), 0; sin(t), 0, 1];
-  Bd = [-td*sin(t)*cos(u) - ud*cos(t)*sin(u), ud*cos(u), 0; td*sin(t)*sin(u) - ud*cos(t)*cos(u), -ud*sin(u), 0; td*cos(t), 0, 0];
-  w = B * rate(4:6);
-  wd = B * acc(4:6) + Bd * rate(4:6);
-endfunction
-
-function H = hat (v)
-  H = [0 -v(3) v(2); v(3) 0 -v(1); -v(2) v(1) 0];
-endfunction
-
-## closed inverse kinematics: angles a, b and stroke s of each leg (3 x 6), speed and acceleration of the strokes (6 x 1), directions
-function [q, sd, sdd, n] = legs_by_hand (p, pose, rate, acc)
-  [base, top] = points (p);
-  [~, w, wd, R] = turning (pose, rate, acc);
-  D = pose(1:3) + R * top - base;
-  V = rate(1:3) + R * hat (w) * top;
-  A = acc(1:3) + R * (hat (wd) + hat (w) ^ 2) * top;
-  L = sqrt (sum (D .^ 2));
-  n = D ./ L;
-  q = [atan2(-n(2,:), n(3,:)); asin(n(1,:)); L - p.lc - p.lr];
-  sd = sum (n .* V)';
-  sdd = (sum (n .* A) + (sum (V .^ 2) - sd' .^ 2) ./ L)';
-endfunction
-
 ## forces along the legs, if these have no mass: Newton and Euler for the platform
 function f = forces_by_hand (p, pose, rate, acc)
-  [~, top] = points (p);
-  [~, w, wd, R] = turning (pose, rate, acc);
-  [~, ~, ~, n] = legs_by_hand (p, pose, rate, acc);
+  [~, w, wd, R, ~, Rdd] = stewart_turning (pose, rate, acc);
+  [~, ~, ~, n, top] = stewart_legs (p, pose, rate, acc);
   c = [0; 0; p.hp];
   J = diag ([p.jx, p.jx, p.jz]);
-  pull = p.mp * (acc(1:3) + R * (hat (wd) + hat (w) ^ 2) * c + [0; 0; p.g]);
+  pull = p.mp * (acc(1:3) + Rdd * c + [0; 0; p.g]);
   turn = R * (J * wd + cross (w, J * w));
   f = [n; cross(R * (top - c), n)] \ [pull; turn];
 endfunction
 
-## coordinates, speeds and accelerations of the whole scene for a motion of the platform; the legs' rates from the constraints
-function [q, u, ud, wrong] = whole (m, pose, rate, acc)
-  [e, w, wd, ~] = turning (pose, rate, acc);
-  [legs, sd, sdd] = legs_by_hand (m.par, pose, rate, acc);
-  q = [pose(1:3); e; legs(:)];
-  u = [rate(1:3); w; zeros(18, 1)];
-  ud = [acc(1:3); wd; zeros(18, 1)];
-  [~, ~, H] = m.con (0, q, u);
-  u(7:24) = -H(:,7:24) \ (H(:,1:6) * u(1:6));
-  [phi, ~, H, gam] = m.con (0, q, u);
-  ud(7:24) = H(:,7:24) \ (gam - H(:,1:6) * ud(1:6));
-  wrong = [max(abs (phi)), max(abs (u(9:3:24) - sd)), max(abs (ud(9:3:24) - sdd))];
-endfunction
-
-function p = panel (y, names, label)
-  p = struct ("y", y, "names", {names}, "label", label);
-endfunction
-
-cd (fileparts (mfilename ("fullpath")));
-addpath (fullfile (pwd (), "..", "..", "octave"));
-if (! exist ("out", "dir"))
-  mkdir ("out");
-endif
-if (exist (fullfile ("out", "report.txt"), "file"))
-  delete (fullfile ("out", "report.txt"));
-endif
-diary (fullfile ("out", "report.txt"));
+addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
+open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 [cpu, wall] = gsmbp_derive ("stewart.mac");
@@ -98,9 +31,9 @@ puts ("\nplatform to legs: the program's loops closed with the platform held, ag
 printf ("%-46s %16s %40s\n", "x, y, z [m], roll, pitch, yaw [degrees]", "difference", "strokes [mm]");
 for pose = [0 0 0.8 0 0 0; 0.1 0 0.8 0 0 0; 0 0 0.85 15 0 0; 0.05 -0.05 0.75 0 -12 20]'
   pose(4:6) *= pi / 180;
-  e = turning (pose, zeros (6, 1), zeros (6, 1));
+  e = stewart_turning (pose, zeros (6, 1), zeros (6, 1));
   x = gsmbp_assemble (m, [pose(1:3); e; x0(8:25)], "hold", {"x", "y", "z", "e0", "e1", "e2", "e3"});
-  q = legs_by_hand (m.par, pose, zeros (6, 1), zeros (6, 1));
+  q = stewart_legs (m.par, pose, zeros (6, 1), zeros (6, 1));
   printf ("%-46s %16.1e %10.2f %7.2f %7.2f %7.2f %7.2f %7.2f\n", sprintf ("%5.2f ", pose(1:3), 180 / pi * pose(4:6)), max (abs (x(8:25) - q(:))), 1e3 * q(3,:));
 endfor
 X = gsmbp_assemble (m, x0, "hold", strokes, "branches", 60);
@@ -112,32 +45,17 @@ places = sortrows ([X(1:3,own)', 360 / pi * acos(min (X(4,own)', 1))], [-3, -1, 
 printf ("%10.4f %10.4f %10.4f %26.3f\n", (round (1e9 * places) / 1e9 + 0)');
 
 ## --------------------------------------------------------------- the motion
-## in 6 s: up by 5 cm, twice round a circle of 10 cm leaning inwards by 10 degrees, back; the motion is the cubic spline through these knots
-knots = 0:0.05:6;
-blend = gsmbp_evaluate (gsmbp_plan ("septic", [0 1 1 0], [0.5 1.5 4.5 5.5]), knots);
-turns = 2 * pi * 2 * gsmbp_evaluate (gsmbp_plan ("septic", [0 1], [0.75 5.25]), knots);
-lean = 10 * pi / 180;
-plan = gsmbp_plan ("table", knots, [0.1 * blend .* cos(turns); 0.1 * blend .* sin(turns); m.par.h + 0.05 * blend; ...
-                                    lean * blend .* sin(turns); -lean * blend .* cos(turns); zeros(1, numel (knots))]', 3);
-t = (0:0.005:6)';
+[t, x, force, f, ud, wrong] = stewart_plan (m);
 nt = numel (t);
-f = gsmbp_evaluate (plan, t, 2);
-x = zeros (nt, 49);
-force = zeros (nt, 6);
-power = zeros (nt, 2);
-wrong = zeros (nt, 4);
+own = zeros (24, 6);
+own(9:3:24,:) = eye (6);
 light = gsmbp_set (m, "mc", 0, "jc", 0, "mr", 0, "jr", 0, "kc", 0);
 for k = 1:nt
-  [q, u, ud, wrong(k,1:3)] = whole (m, f(:,k,1), f(:,k,2), f(:,k,3));
-  [~, ~, H] = m.con (t(k), q, u);
-  own = zeros (24, 6);
-  own(9:3:24,:) = eye (6);
-  solved = [own, H'] \ m.inv (t(k), q, u, ud, zeros (6, 1));   # tree's efforts = drives' + H' lambda
-  x(k,:) = [q; u];
-  force(k,:) = solved(1:6);
+  [q, u] = deal (x(k,1:25)', x(k,26:49)');
   e = m.ene (t(k), x(k,:)', force(k,:)');
-  power(k,:) = [sum(e(1:3)), u(9:3:24)' * solved(1:6)];
-  without = [own, H'] \ light.inv (t(k), q, u, ud, zeros (6, 1));
+  power(k,:) = [sum(e(1:3)), u(9:3:24)' * force(k,:)'];
+  [~, ~, H] = m.con (t(k), q, u);
+  without = [own, H'] \ light.inv (t(k), q, u, ud(k,:)', zeros (6, 1));
   wrong(k,4) = max (abs (without(1:6) - forces_by_hand (m.par, f(:,k,1), f(:,k,2), f(:,k,3))));
 endfor
 printf ("\nthe motion: loops %.0e m; strokes' speeds and accelerations against the closed form %.0e m/s, %.0e m/s^2\n", max (wrong(:,1:3)));

@@ -9,10 +9,12 @@
 #include <cfloat>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,8 @@
 
 #include "gsmbp_scene.h"
 #include "gsmbp_cvode.h"
+
+class columns;
 
 #if defined (GSMBP_QUAD)
 # include <quadmath.h>
@@ -180,6 +184,33 @@ public:
     return x;
   }
 
+  // the number of columns of the next argument
+  int states (const char *name, int rows)
+  {
+    if (m_next >= m_args.length ())
+      error ("%s: argument %s is missing", who ().c_str (), name);
+    const octave_value& v = m_args(m_next);
+    if (! v.is_real_matrix () && ! v.is_real_scalar () && ! v.is_range ())
+      error ("%s: argument %s: expected a real matrix", who ().c_str (), name);
+    if (v.rows () != rows || v.ndims () > 2)
+      error ("%s: argument %s: expected %d row%s, a column for each state, found %s",
+             who ().c_str (), name, rows, rows == 1 ? "" : "s", v.dims ().str ().c_str ());
+    return int (v.columns ());
+  }
+
+  // the number of states in the argument behind the next one
+  int states_behind (const char *name, int rows)
+  {
+    m_next++;
+    int k = states (name, rows);
+    m_next--;
+    return k;
+  }
+
+  // the next argument, rows x K, with the state first; one column is of all states, nothing given is zero.
+  // What is not finite is let through: it is the matter of its state.
+  void batch (const char *name, int rows, int k, columns& x, bool needed);
+
   reals constants (void)
   {
     const octave_value& v = value ("cst");
@@ -209,6 +240,73 @@ result (const reals& x, int rows, int cols = 1)
   for (octave_idx_type i = 0; i < m.numel (); i++)
     m.xelem (i) = double (x[i]);
   return m;
+}
+
+// An array over K states, the state first, where it lies best (see the header of INV_V): columns begin at multiples of 64 bytes
+// that are none of 4096.
+class columns
+{
+public:
+
+  columns (int k, int n, number value = 0)
+    : m_k (k), m_n (n), m_ld (leading (k)), m_room (std::size_t (m_ld) * std::max (1, n) + 8, value), m_first (0)
+  {
+    while (reinterpret_cast<std::uintptr_t> (&m_room[m_first]) % 64 != 0 && m_first < 7)
+      m_first++;
+  }
+
+  static int leading (int k)
+  {
+    int ld = 8 * std::max (1, (k + 7) / 8);
+    return ld % 512 == 0 ? ld + 8 : ld;
+  }
+
+  number *data (void) { return &m_room[m_first]; }
+
+  // f (place of a number, its row, its state), eight states at a time: a line of memory here, a few columns there
+  template <typename F> void each (F f)
+  {
+    for (int k0 = 0; k0 < m_k; k0 += 8)
+      for (int i = 0; i < m_n; i++)
+        {
+          number *x = data () + k0 + std::size_t (m_ld) * i;
+          int end = std::min (m_k - k0, 8);
+          for (int k = 0; k < end; k++)
+            f (x[k], i, k0 + k);
+        }
+  }
+
+  // a column for each state
+  NDArray matrix (const dim_vector& dims)
+  {
+    NDArray a (dims);
+    double *to = a.fortran_vec ();
+    each ([&] (number& x, int i, int k) { to[i + std::size_t (m_n) * k] = double (x); });
+    return a;
+  }
+
+private:
+
+  int m_k, m_n, m_ld;
+  reals m_room;
+  int m_first;
+};
+
+void
+arguments::batch (const char *name, int rows, int k, columns& x, bool needed)
+{
+  if (! needed && ! more ())
+    {
+      m_next++;
+      return;
+    }
+  int given = states (name, rows);
+  if (given != k && given != 1)
+    error ("%s: argument %s: expected %d columns (or one for all), found %d", who ().c_str (), name, k, given);
+  Matrix m = m_args(m_next++).matrix_value ();
+  const double *from = m.data ();
+  std::size_t step = given == 1 ? 0 : rows;
+  x.each ([&] (number& y, int i, int j) { y = from[i + step * j]; });
 }
 
 static reals
@@ -603,6 +701,104 @@ do_ske (arguments& a, int)
   return ovl (result (p, 3, S.np));
 }
 
+// ------------------------------------------------------ batches of K states
+
+static const number no_number = std::numeric_limits<double>::quiet_NaN ();
+
+// The indicators are the last output; without it a state that has one is an error.
+static void
+finish_batch (octave_value_list& out, const std::vector<int>& info, int k, int nargout, const char *call)
+{
+  RowVector r (k);
+  int worst = -1;
+  for (int i = k - 1; i >= 0; i--)
+    {
+      r(i) = info[i];
+      if (info[i] != 0)
+        worst = i;
+    }
+  if (nargout <= out.length () && worst >= 0)
+    error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1, info[worst],
+                   meaning (info[worst]).c_str ());
+  out.append (octave_value (r));
+}
+
+// what all of them begin with: time, coordinates, speeds
+struct batch
+{
+  reals cst;
+  int k, ld;
+  columns t, q, u;
+  batch (arguments& a, bool speeds)
+    : cst (a.constants ()), k (a.states_behind ("q", S.nq)), ld (columns::leading (k)), t (k, 1), q (k, S.nq), u (k, speeds ? S.nu : 0)
+  {
+    a.batch ("t", 1, k, t, true);
+    a.batch ("q", S.nq, k, q, true);
+    if (speeds)
+      a.batch ("u", S.nu, k, u, true);
+  }
+};
+
+static octave_value_list
+do_inv_v (arguments& a, int)
+{
+  batch b (a, true);
+  columns ud (b.k, S.nu), v (b.k, S.nv), tau (b.k, S.nu);
+  a.batch ("ud", S.nu, b.k, ud, true);
+  a.batch ("v", S.nv, b.k, v, false);
+  routine (S.inv_v, "inv_v") (b.t.data (), b.q.data (), b.u.data (), ud.data (), v.data (), &b.cst[0], tau.data (), &b.k, &b.ld);
+  return ovl (tau.matrix (dim_vector (S.nu, b.k)));
+}
+
+static octave_value_list
+do_mas_v (arguments& a, int)
+{
+  batch b (a, false);
+  columns m (b.k, S.nu * S.nu);
+  routine (S.mas_v, "mas_v") (b.t.data (), b.q.data (), &b.cst[0], m.data (), &b.k, &b.ld);
+  return ovl (m.matrix (dim_vector (S.nu, S.nu, b.k)));
+}
+
+static octave_value_list
+do_bia_v (arguments& a, int)
+{
+  batch b (a, true);
+  columns v (b.k, S.nv), bias (b.k, S.nu);
+  a.batch ("v", S.nv, b.k, v, false);
+  routine (S.bia_v, "bia_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), &b.cst[0], bias.data (), &b.k, &b.ld);
+  return ovl (bias.matrix (dim_vector (S.nu, b.k)));
+}
+
+static octave_value_list
+do_fwd_v (arguments& a, int nargout)
+{
+  batch b (a, true);
+  columns v (b.k, S.nv), tau (b.k, S.nu), ud (b.k, S.nu, no_number);
+  a.batch ("v", S.nv, b.k, v, false);
+  a.batch ("tau", S.nu, b.k, tau, false);
+  std::vector<int> info (b.ld, 0);
+  routine (S.fwd_v, "fwd_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), tau.data (), &b.cst[0], ud.data (), &info[0], &b.k, &b.ld);
+  octave_value_list out = ovl (ud.matrix (dim_vector (S.nu, b.k)));
+  finish_batch (out, info, b.k, nargout, "fwd_v");
+  return out;
+}
+
+static octave_value_list
+do_rhs_v (arguments& a, int nargout)
+{
+  reals cst = a.constants ();
+  int k = a.states_behind ("x", S.nx), ld = columns::leading (k);
+  columns t (k, 1), x (k, S.nx), v (k, S.nv), xd (k, S.nx, no_number);
+  a.batch ("t", 1, k, t, true);
+  a.batch ("x", S.nx, k, x, true);
+  a.batch ("v", S.nv, k, v, false);
+  std::vector<int> info (ld, 0);
+  routine (S.rhs_v, "rhs_v") (t.data (), x.data (), v.data (), &cst[0], xd.data (), &info[0], &k, &ld);
+  octave_value_list out = ovl (xd.matrix (dim_vector (S.nx, k)));
+  finish_batch (out, info, k, nargout, "rhs_v");
+  return out;
+}
+
 // --------------------------------------------------------------- simulation
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
@@ -915,6 +1111,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
     {"cmd", do_cmd}, {"cmx", do_cmx}, {"ctl", do_ctl}, {"ctp", do_ctp}, {"evt", do_evt}, {"rst", do_rst}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
+    {"inv_v", do_inv_v}, {"mas_v", do_mas_v}, {"bia_v", do_bia_v}, {"fwd_v", do_fwd_v}, {"rhs_v", do_rhs_v},
     {"acd", do_acd}, {"tan", do_tan}, {"sim", do_sim},
     {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
     {"solve", do_solve}

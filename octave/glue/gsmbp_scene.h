@@ -14,7 +14,7 @@ typedef struct
       nctl, nev, nmode, np;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
             out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
-            rst, rha, ctp, vin;
+            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, vin;
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

@@ -11,10 +11,12 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   glue = fullfile (octave_dir, "glue");
   fortran = fullfile (fileparts (octave_dir), "share", "fortran");
   quad = strcmp (precision, "quad");
+  f77 = strtrim (mkoctfile ("-p", "F77"));
   ## never -ffast-math: it deletes the tests for what is no number.  The small
   ## loops of the run time are faster without the vectorization of -O3.
-  flags = "-O3 -march=native -fopenmp-simd -frecursive -fPIC";
-  common_flags = "-O2 -march=native -frecursive -fPIC";
+  ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
+  flags = ["-O3 -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
+  common_flags = ["-O2" flags(4:end)];
   body = "lapack";
   libraries = "-llapack -lblas";
   define = "";
@@ -24,8 +26,6 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     libraries = "-lquadmath";
     define = "-DGSMBP_QUAD";
   endif
-  f77 = strtrim (mkoctfile ("-p", "F77"));
-
   ## what all scenes share
   common = fullfile (folder, precision, "common");
   runtime = [glob(fullfile (fortran, "*.f")); glob(fullfile (fortran, body, "*.f"))];
@@ -72,6 +72,15 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     ## modules of earlier contents
     old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct"])), {file});
     cellfun (@delete, old);
+  endif
+endfunction
+
+## gcc prefers vectors of 256 bits where the processor has 512; an option of
+## the x86 compilers only
+function option = widest ()
+  option = "";
+  if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
+    option = " -mprefer-vector-width=512";
   endif
 endfunction
 
@@ -135,7 +144,7 @@ function text = sizes_header (json, symbol, has_input)
   counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

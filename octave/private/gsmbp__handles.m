@@ -29,6 +29,11 @@ function m = gsmbp__handles (m)
   calls.clo = @(t, qj) f ("clo", cst, t, qj);
   calls.ene = @(t, x, varargin) f ("ene", cst, t, x, varargin{:});
   calls.ske = @(t, q) f ("ske", cst, t, q);
+  calls.inv_v = @(t, q, u, ud, varargin) f ("inv_v", cst, t, q, u, ud, varargin{:});
+  calls.mas_v = @(t, q) f ("mas_v", cst, t, q);
+  calls.bia_v = @(t, q, u, varargin) f ("bia_v", cst, t, q, u, varargin{:});
+  calls.fwd_v = @(t, q, u, varargin) f ("fwd_v", cst, t, q, u, varargin{:});
+  calls.rhs_v = @(t, x, varargin) f ("rhs_v", cst, t, x, varargin{:});
   for [call, name] = calls
     if (has (name))
       m.(name) = call;

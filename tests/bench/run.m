@@ -1,94 +1,54 @@
-## run.m: the benchmark, called by `make bench`. Writes report.md and report.json beside itself.
+## run.m: the benchmark, called by `make bench`. Writes report.md and report.json beside itself, figures into out/.
 ##
-## For every system of systems/: derivation and compilation in seconds, operations of the emitted text (mul + add + div), time for one call, and
-## the relative error of torques and accelerations (2-norm, worst of 200 random states) against the same Fortran in quad precision.
-## Then the bench of the symbols. A yardstick, as many sines and cosines as the system has angles, tells what machine this was.
+## Every system of systems/ (BENCH_SYSTEMS="puma3 puma6": these only) is derived in both modes and pass by pass, compiled and timed; its torques and
+## accelerations are compared with the same Fortran in quad precision on random and on hard states, and that with Newton-Euler equations of its own.
+## PEERS=1: SymPy, CasADi, Pinocchio and MuJoCo from PyPI on the same states in the same run; BENCH_CAP: seconds for one of their derivations (60).
+## The steps are the functions of speed/, in the order in which they are called here; the bench of the symbols follows.
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, "octave"));
-systems = {"puma3", "puma6", "spat2", "spat3", "spat4", "spat5", "spat6", "spat8", "pend2", "pend4", "pend8", "pend16"};
-if (! isempty (getenv ("BENCH_SYSTEMS")))
-  systems = strsplit (getenv ("BENCH_SYSTEMS"));
-end
-out = fullfile (here, "out");
+addpath (fullfile (root, "octave"), fullfile (here, "speed"), fullfile (here, "loops"));
+out = fullfile (here, "out", "speed");
+peers = fullfile (here, "out", "peers");
 [~, ~] = mkdir (out);
+with_peers = any (strcmp (getenv ("PEERS"), {"1", "yes"}));
+cap = str2double (getenv ("BENCH_CAP"));
+if (isnan (cap))
+  cap = 60;
+end
+if (with_peers)
+  speed_cpu (sprintf ("'%s' '%s'", fullfile (here, "rivals", "setup"), peers));
+end
 
-function [rows, m] = measure (name, here, out)
-  [cpu, wall] = gsmbp_derive (fullfile (here, "systems", [name ".mac"]), out);
-  start = tic ();
-  m = gsmbp_build (name, "directory", out);
-  compile = toc (start);
-  rand ("twister", 1);
-  [torque, acceleration] = errors (m, gsmbp_build (name, "directory", out, "precision", "quad"));
-  n = m.sizes.nq;
-  s = gsmbp_timing (m, 0, [rand(n, 1); rand(n, 1)], "print", false);
-  rows = struct ("system", name, "n", n, "derive_cpu", cpu, "compile", compile, "error_torque", torque, "error_acceleration", acceleration);
-  for one = {"inv", "mas", "fwd", "lin"}
-    k = strcmp ({m.json.subroutines.name}, upper ([name "_" one{1}]));
-    c = m.json.subroutines(k).operations;
-    rows.(one{1}) = struct ("operations", c.mul + c.add + c.div, "mul", c.mul, "add", c.add, "div", c.div, "trig", c.trig, "ns", 1e9 * s.(one{1}));
+results = skipped = {};
+for name = speed_names (here)
+  printf ("%s ...\n", name{1});
+  try
+    s = speed_system (name{1}, out);
+    [jobs, s.compile] = speed_build (s, out);
+    s.made = [];
+    if (with_peers)
+      [more, s.made] = speed_rivals (s, peers, cap);
+      jobs = [jobs, more];
+    end
+    s.times = speed_times (s, jobs);
+    s.errors = speed_errors (s, jobs, {"random", "fast", "singular"}, 1000);
+    results{end+1} = s;
+  catch problem
+    skipped{end+1} = sprintf ("* %s failed: %s", name{1}, strjoin (strsplit (problem.message, "\n"), " "));
+    disp (skipped{end});
   end
 end
+results = [results{:}];
+save ("-binary", fullfile (out, "results.bin"), "results");
+bench_save (fullfile (here, "report.json"), speed_json (results));
+speed_figures (results, out);
+text = [speed_report(results, peers, with_peers), sprintf("%s\n", skipped{:}), speed_examples(root)];
 
-function [torque, acceleration] = errors (m, exact)
-  n = m.sizes.nq;
-  torque = acceleration = 0;
-  for k = 1:200
-    q = 2 * pi * (rand (n, 1) - 0.5);
-    u = 4 * (rand (n, 1) - 0.5);
-    a = 10 * (rand (n, 1) - 0.5);
-    reference = exact.inv (0, q, u, a);
-    torque = max (torque, norm (m.inv (0, q, u, a) - reference) / norm (reference));
-    reference = exact.fwd (0, q, u, [], a);
-    acceleration = max (acceleration, norm (m.fwd (0, q, u, [], a) - reference) / norm (reference));
-  end
-end
-
-## what one sine and one cosine cost here, in nanoseconds
-function ns = yardstick ()
-  x = linspace (-3, 3, 1e6);
-  sin (x); cos (x);
-  start = tic ();
-  sin (x); cos (x);
-  ns = 1e9 * toc (start) / numel (x);
-end
-
-function save_text (file, text)
-  fid = fopen ([file ".new"], "w");
-  fputs (fid, text);
-  fclose (fid);
-  rename ([file ".new"], file);
-end
-
-## the parts that all modules share are compiled once, ahead of the measurements
-gsmbp_derive (fullfile (here, "systems", "pend2.mac"), out);
-gsmbp_build ("pend2", "directory", out);
-gsmbp_build ("pend2", "directory", out, "precision", "quad");
-
-results = cell (1, numel (systems));
-for k = 1:numel (systems)
-  printf ("%s ...\n", systems{k});
-  results{k} = measure (systems{k}, here, out);
-end
-table = fullfile (out, "symbols.md");
+table = fullfile (here, "out", "symbols.md");
 if (system (sprintf ("'%s' '%s'", fullfile (here, "symbols"), table)) != 0)
   error ("bench: tests/bench/symbols failed");
 end
-
-text = sprintf (["# Benchmark\n\nWritten by `make bench`: compare ratios, not times of other machines. One sine and one cosine, in a vector: %.1f ns.\n\n" ...
-  "Operations are mul + add + div of the executed Fortran, parameters literal; sines and cosines apart. Seconds of derivation are of processor time, Maxima's\n" ...
-  "start and everything that the scene can have included. Errors: relative, 2-norm, worst of 200 random states against quad precision.\n\n" ...
-  "| system | derive s | compile s | inverse | ns | mass | ns | forward | ns | linear | ns | error torque | error acceleration |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n"], yardstick ());
-for r = [results{:}]
-  text = [text, sprintf("| %s | %.2f | %.2f | %d | %.0f | %d | %.0f | %d | %.0f | %d | %.0f | %.1e | %.1e |\n", r.system, r.derive_cpu, r.compile, r.inv.operations, r.inv.ns, ...
-    r.mas.operations, r.mas.ns, r.fwd.operations, r.fwd.ns, r.lin.operations, r.lin.ns, r.error_torque, r.error_acceleration)];
-end
-text = [text, "\n## Derivation of the examples\n\nProcessor seconds, best of three, Maxima's start included; the aim is below 3.\n\n| example | derive s |\n|---|---|\n"];
-for name = {"puma560", "slider_crank"}
-  cpu = min (arrayfun (@(k) gsmbp_derive (fullfile (root, "examples", name{1}, [name{1} ".mac"])), 1:3));
-  text = [text, sprintf("| %s | %.2f |\n", name{1}, cpu)];
-end
-save_text (fullfile (here, "report.md"), [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")]);
-save_text (fullfile (here, "report.json"), jsonencode ([results{:}]));
+text = [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")];
+bench_save (fullfile (here, "report.md"), text);
 puts (text);

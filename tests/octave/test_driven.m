@@ -29,6 +29,10 @@ function test_driven ()
   gsmbp_check ("driven: accelerations", ud_error, 1e-10);
   gsmbp_check ("driven: effort of the drive", effort, 1e-9);
   gsmbp_check ("driven: it is the moment in the crank's bearing", moment, 1e-11);
+  ## the drive is all that gives power: u.H' lambda is its effort times its speed (RHA)
+  r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], linspace (0, 2, 41), "rtol", 1e-11, "audit", 1);
+  gsmbp_check ("driven: energy passes through the drive, J", r.audit.passed(end) > 1);
+  gsmbp_check ("driven: energy audit", r.audit.error, 1e-8);
   t = linspace (0, 2, 41)';
   for way = {"projection", "baumgarte", "partitioning"}
     r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], t, "rtol", 1e-11, "atol", 1e-11, "loops", way{1});

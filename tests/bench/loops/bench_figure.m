@@ -1,8 +1,9 @@
 ## bench_figure (file, panels, xlabel): speed against error, a panel for each mechanism, three in a row, the names of the curves below.
+## bench_figure (file, panels, xlabel, ylabel, style): the same for other quantities, in gnuplot's style (default linespoints).
 ##
 ## panels: struct array with title and curves, a struct array with name, color, x (time), y (error). The numbers go into the .csv beside FILE.
 
-function bench_figure (file, panels, xlabel)
+function bench_figure (file, panels, xlabel, ylabel = "largest error [rad, m]", style = "linespoints")
   columns = min (3, numel (panels));
   lines = ceil (numel (panels) / columns);
   [width, height] = deal (380, 320);
@@ -13,15 +14,15 @@ function bench_figure (file, panels, xlabel)
   foot = 25 + 22 * ceil (numel (names) / floor (columns * width / 130));
   tall = lines * height + foot;
   text = {sprintf("set terminal pngcairo noenhanced size %d,%d font 'FreeSans,11'", columns * width, tall), sprintf("set output '%s.new'", file), ...
-          "set logscale xy", "set format xy '%.0e'", "set grid lc rgb '#cccccc'", "set multiplot", "unset key", "set xtics font ',9'", "set ytics font ',9'"};
-  csv = "mechanism,way,time_s,error\n";
+          "set logscale xy", ["set format xy '" {"%.0e", "%g"}{1 + (nargin > 3)} "'"], "set grid lc rgb '#cccccc'", "set multiplot", "unset key", "set xtics font ',9'", "set ytics font ',9'"};
+  csv = {"mechanism,way,time_s,error\n", sprintf("panel,curve,%s,%s\n", xlabel, ylabel)}{1 + (nargin > 3)};
   names = colors = {};
   for k = 1:numel (panels)
     left = mod (k - 1, columns) * width;
     top = tall - floor ((k - 1) / columns) * height;
     text{end+1} = sprintf ("set title \"%s\"\nset lmargin at screen %g\nset rmargin at screen %g\nset tmargin at screen %g\nset bmargin at screen %g", panels(k).title,
                            (left + 75) / (columns * width), (left + width - 15) / (columns * width), (top - 30) / tall, (top - height + 55) / tall);
-    text{end+1} = sprintf ("set xlabel '%s'\nset ylabel '%s'", xlabel, {"largest error [rad, m]", ""}{1 + (mod (k - 1, columns) > 0)});
+    text{end+1} = sprintf ("set xlabel '%s'\nset ylabel '%s'", xlabel, {ylabel, ""}{1 + (mod (k - 1, columns) > 0)});
     plots = data = {};
     for one = panels(k).curves
       good = isfinite (one.x) & isfinite (one.y);
@@ -32,7 +33,7 @@ function bench_figure (file, panels, xlabel)
         colors{end+1} = one.color;
       end
       if (any (good))
-        plots{end+1} = sprintf ("'-' with linespoints lw 2 pt 7 ps 0.8 lc rgb '%s'", one.color);
+        plots{end+1} = sprintf ("'-' with %s %spt 7 ps 0.8 lc rgb '%s'", style, {"lw 2 ", ""}{1 + strcmp(style, "points")}, one.color);
         data{end+1} = [sprintf("%g %g\n", rows), "e"];
       end
     end

@@ -1,0 +1,171 @@
+;;; gsmbp_naming.lisp: the tape's names (see gsmbp_namer.mac), in Lisp: every scalar of a derivation passes through here.
+;;; An operand is a name: a symbol or a number, or one with a minus. An entry is an operation on names; same operation, same name.
+(in-package :maxima)
+
+;;; fields of the structure gsmbp__tape
+(defmacro gsmbp-table (tp) `(nth 1 ,tp))
+(defmacro gsmbp-entries (tp) `(nth 2 ,tp))
+(defmacro gsmbp-nature (tp) `(nth 3 ,tp))
+(defmacro gsmbp-used (tp) `(nth 4 ,tp))
+(defmacro gsmbp-numbers (tp) `(nth 5 ,tp))
+(defmacro gsmbp-count (tp) `(nth 7 ,tp))
+(defmacro gsmbp-block (tp) `(nth 8 ,tp))
+
+(defun gsmbp-sum-p (e) (and (consp e) (eq (caar e) 'mplus)))
+(defun gsmbp-product-p (e) (and (consp e) (eq (caar e) 'mtimes)))
+(defun gsmbp-name-or-number-p (e) (or (atom e) (eq (caar e) 'rat)))
+(defun gsmbp-multiply (l) (if (cdr l) (muln l t) (if l (car l) 1)))
+
+;;; -------------------------------------------------------------------------------------------------------------- tables
+
+;;; The table of the operations. Lisp's own hash of a list looks at its first few conses only, so that sums would share a place.
+(defconstant gsmbp-key-size 8388593)
+(defun gsmbp-key (e)
+  (cond ((symbolp e) (mod (sxhash e) gsmbp-key-size))
+        ((integerp e) (mod e gsmbp-key-size))
+        ((consp e) (let ((k (gsmbp-key (caar e)))) (dolist (x (cdr e) k) (setq k (mod (+ (* 31 k) (gsmbp-key x)) gsmbp-key-size)))))
+        (t 0)))
+(defun gsmbp-find (tp e key) (cdr (assoc e (gethash key (gsmbp-table tp)) :test #'equal)))
+(defun gsmbp-keep (tp e key name) (push (cons e name) (gethash key (gsmbp-table tp))) name)
+
+;;; true if an expression holds parameters and numbers only
+(defun $gsmbp__constantp (tp e) (gsmbp-constant-p (gsmbp-nature tp) e))
+(defun gsmbp-constant-p (nature e)
+  (cond ((symbolp e) (or (eq (gethash e nature) '$constant) ($constantp e)))
+        ((atom e) t)
+        ((eq (caar e) 'rat) t)
+        (t (dolist (x (cdr e) t) (unless (gsmbp-constant-p nature x) (return nil))))))
+
+;;; the symbols of an expression or a list that are no constants of Maxima, each once
+(defun $gsmbp__symbols (e)
+  (let ((l nil) (seen (if (and (consp e) (eq (caar e) 'mlist)) (make-hash-table :test #'eq))))
+    (labels ((walk (e)
+               (cond ((consp e) (mapc #'walk (cdr e)))
+                     ((or (not (symbolp e)) (if seen (gethash e seen) (member e l :test #'eq)) ($constantp e)) nil)
+                     (t (when seen (setf (gethash e seen) t))
+                        (push e l)))))
+      (walk e)
+      (gsmbp-list (nreverse l)))))
+
+;;; ---------------------------------------------------------------------------------------------------------------- signs
+
+;;; true if the first term of e is negative: then e = -1*(something that starts positive)
+(defun $gsmbp__starts_negative (e)
+  (cond ((atom e) (and (numberp e) (minusp e)))
+        ((mnump e) (minusp (cadr e)))
+        ((eq (caar e) 'mtimes) (and (mnump (cadr e)) ($gsmbp__starts_negative (cadr e))))
+        ((eq (caar e) 'mplus) ($gsmbp__starts_negative (cadr e)))))
+(defun $gsmbp__negate (e)
+  (if (gsmbp-sum-p e) (addn (mapcar #'gsmbp-minus (cdr e)) t) (gsmbp-minus e)))
+
+;;; ---------------------------------------------------------------------------------------------------------------- names
+
+;;; The name of an expression on the tape tp; hint: text for it, or (text . text).
+(defun $gsmbp__tape_name (tp e hint)
+  (cond ((gsmbp-name-or-number-p e) e)
+        (($gsmbp__starts_negative e) (gsmbp-minus ($gsmbp__tape_name tp ($gsmbp__negate e) hint)))
+        ((gsmbp-constant-p (gsmbp-nature tp) e) ($gsmbp__tape_entry tp ($gsmbp__unmarked e) "" '$constant))
+        ((gsmbp-sum-p e) (gsmbp-tape-sum tp (cdr e) hint))
+        ((gsmbp-product-p e) (gsmbp-tape-product tp (cdr e) hint))
+        (t ($gsmbp__tape_entry tp (simplifya (cons (list (caar e)) (mapcar #'(lambda (x) ($gsmbp__tape_name tp x "")) (cdr e))) t) hint '$variable))))
+
+;;; the name of an operation on names
+(defun $gsmbp__tape_entry (tp e hint nature)
+  (cond ((gsmbp-name-or-number-p e) e)
+        (($gsmbp__starts_negative e) (gsmbp-minus ($gsmbp__tape_entry tp ($gsmbp__negate e) hint nature)))
+        (t (let ((key (gsmbp-key e)))
+             (or (gsmbp-find tp e key)
+                 (let ((v ($gsmbp__tape_symbol tp (if (eq nature '$constant) "k" hint))))
+                   (setf (gethash v (gsmbp-nature tp)) nature)
+                   ($gsmbp__tape_write tp v e)
+                   (gsmbp-keep tp e key v)))))))
+
+(defun $gsmbp__tape_write (tp v e)
+  (incf (gsmbp-count tp))
+  (setf (gethash v (gsmbp-entries tp)) (gsmbp-list (list v e (gsmbp-block tp) (gsmbp-count tp) ($gsmbp__symbols e)))))
+
+;;; a new symbol: the hint itself if it is free, else the hint with a number; no hint is z, and z and k always have a number
+(defun $gsmbp__tape_symbol (tp hint)
+  (let* ((stem (if (consp hint) (concatenate 'string (car hint) (cdr hint)) (if (string= hint "") "z" hint)))
+         (numbered (member stem '("z" "k") :test #'string=))
+         (n (or (gethash stem (gsmbp-numbers tp)) (if numbered 1 0)))
+         (text nil))
+    (loop
+      (setq text (gsmbp-numbered stem n numbered))
+      (unless (gethash (string-downcase text) (gsmbp-used tp)) (return))
+      (incf n))
+    (setf (gethash stem (gsmbp-numbers tp)) (1+ n) (gethash (string-downcase text) (gsmbp-used tp)) t)
+    (intern-invert-case (concatenate 'string "$" text))))
+(defun gsmbp-numbered (stem n numbered)
+  (cond ((= n 0) stem)
+        (numbered (format nil "~a~d" stem n))
+        (t (format nil (if (digit-char-p (char stem (1- (length stem)))) "~a_~d" "~a~d") stem (1+ n)))))
+
+;;; -------------------------------------------------------------------------------------------------------------- products
+
+;;; a product: its constants as one constant, its variables two by two, the sign in front
+(defun gsmbp-tape-product (tp factors hint)
+  (let ((c 1) (x nil))
+    (dolist (f factors)
+      (if (gsmbp-constant-p (gsmbp-nature tp) f) (setq c (gsmbp-times c f))
+        (let ((g (gsmbp-tape-factor tp f)))
+          (when ($gsmbp__starts_negative g) (setq c (gsmbp-minus c) g (gsmbp-minus g)))
+          (push g x))))
+    (let ((k ($gsmbp__tape_name tp c "")))
+      (gsmbp-tape-times tp k (gsmbp-tape-fold tp (nreverse x) (if (or (eql c 1) (eql c -1)) hint "")) hint))))
+
+;;; constant times name
+(defun gsmbp-tape-times (tp c v hint)
+  (if (or (member c '(1 -1 0)) (eql v 1)) (gsmbp-times c v) ($gsmbp__tape_entry tp (gsmbp-times c v) hint '$variable)))
+
+;;; x1*x2*x3 ... as ((x1*x2)*x3) ...
+(defun gsmbp-tape-fold (tp x hint)
+  (let ((v (car x)))
+    (do ((l (cdr x) (cdr l))) ((null l) v)
+      (setq v ($gsmbp__tape_entry tp (gsmbp-times v (car l)) (if (cdr l) "" hint) '$variable)))))
+
+;;; a factor: a name, or the name of a power of a name
+(defun gsmbp-tape-factor (tp f)
+  (cond ((atom f) f)
+        ((eq (caar f) 'mexpt) ($gsmbp__tape_entry tp (power ($gsmbp__tape_name tp (cadr f) "") ($gsmbp__tape_name tp (caddr f) "")) "" '$variable))
+        (t ($gsmbp__tape_name tp f ""))))
+
+;;; ------------------------------------------------------------------------------------------------------------------ sums
+
+;;; a term as (values constant-factor variable-factor)
+(defun gsmbp-split-term (tp e)
+  (let ((nature (gsmbp-nature tp)))
+    (cond ((gsmbp-constant-p nature e) (values e 1))
+          ((not (gsmbp-product-p e)) (values 1 e))
+          (t (let ((c nil) (x nil))
+               (dolist (f (cdr e)) (if (gsmbp-constant-p nature f) (push f c) (push f x)))
+               (if c (values (gsmbp-multiply c) (gsmbp-multiply x)) (values 1 e)))))))
+
+;;; a sum: terms with the same variable part are one term; the constants of a term are one constant
+(defun gsmbp-tape-sum (tp terms hint)
+  (let ((parts nil))
+    (dolist (e terms)
+      (multiple-value-bind (c x) (gsmbp-split-term tp e)
+        (setq x ($gsmbp__tape_name tp x ""))
+        (when ($gsmbp__starts_negative x) (setq x (gsmbp-minus x) c (gsmbp-minus c)))
+        (let ((old (assoc x parts)))
+          (if old (setf (cdr old) ($expand (gsmbp-sum (cdr old) c))) (push (cons x c) parts)))))
+    ($gsmbp__tape_entry tp
+      (gsmbp-plus (mapcar #'(lambda (p) (gsmbp-tape-times tp ($gsmbp__tape_name tp (cdr p) "") (car p) "")) parts))
+      hint '$variable)))
+
+;;; ----------------------------------------------------------------------------------------------------- vectors, matrices
+
+(defun gsmbp-hinted (hint more) (if (string= hint "") "" (cons hint more)))
+(defun gsmbp-name-one (nm e hint)        ; nm: the structure gsmbp__namer(kind, rules, tape, registry)
+  (cond ((atom e) e)
+        ((eq (nth 1 nm) '$tape) ($gsmbp__tape_name (nth 3 nm) e hint))
+        (t (mfuncall '$gsmbp__name nm e (if (consp hint) (concatenate 'string (car hint) (cdr hint)) hint)))))
+(defun $gsmbp__name_vector (nm v hint)
+  (gsmbp-list (mapcar #'(lambda (e axis) (gsmbp-name-one nm e (gsmbp-hinted hint axis))) (cdr v) '("x" "y" "z"))))
+(defun $gsmbp__name_matrix (nm a hint)
+  (let ((i 0) (j 0))
+    (gsmbp-list (mapcar #'(lambda (r)
+                            (incf i) (setq j 0)
+                            (gsmbp-list (mapcar #'(lambda (e) (incf j) (gsmbp-name-one nm e (gsmbp-hinted hint (format nil "~d~d" i j)))) (cdr r))))
+                        (cdr a)))))

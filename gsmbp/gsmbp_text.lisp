@@ -1,0 +1,293 @@
+;;; gsmbp_text.lisp: the printer of gsmbp_emit.mac: expressions as text of Fortran 77, counted as they are printed; statements as lines.
+;;; The state of an emission (gsmbp__emission) is held in variables of Maxima.
+(in-package :maxima)
+
+(declaim (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own
+                  $gsmbp__taken))
+
+(defun gsmbp-text (&rest parts) (apply #'concatenate 'string parts))
+(defun gsmbp-joined (parts between)
+  (if (and (string= between "") (null (nthcdr 40 parts))) (apply #'concatenate 'string parts)
+    (with-output-to-string (s)
+      (do ((l parts (cdr l))) ((null l))
+        (write-string (car l) s)
+        (when (cdr l) (write-string between s))))))
+
+(defun $gsmbp__tally () (gsmbp-list (list $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig)))
+(defun $gsmbp__set_tally (tally)
+  (destructuring-bind (m a d s f) (cdr tally) (setq $gsmbp__mul m $gsmbp__add a $gsmbp__div d $gsmbp__sqrt s $gsmbp__trig f)))
+
+;;; -------------------------------------------------------------------------------------------------------------- numbers
+
+(defun gsmbp-rational (r) (if (integerp r) r (/ (cadr r) (caddr r))))
+
+;;; [n, k] with r = n/10^k and n not divisible by 10 if the rational r > 0 has a finite decimal fraction; else false
+(defun $gsmbp__finite_decimal (r)
+  (let* ((q (gsmbp-rational r)) (d (denominator q)) (k 0))
+    (flet ((times-of (p) (do ((n 0 (1+ n))) ((plusp (mod d p)) n) (setq d (/ d p)))))
+      (setq k (max (times-of 2) (times-of 5)))
+      (when (= d 1)
+        (let ((n (* q (expt 10 k))))
+          (do () ((plusp (mod n 10))) (setq n (/ n 10) k (1- k)))
+          (gsmbp-list (list n k)))))))
+;;; true if 1e-300 < r < 1e300
+(defvar *gsmbp-largest* (expt 10 300))
+(defun $gsmbp__representable (r)
+  (let ((q (gsmbp-rational r))) (and (< (numerator q) (* *gsmbp-largest* (denominator q))) (< (denominator q) (* *gsmbp-largest* (numerator q))))))
+
+;;; n/10^k (n > 0, not divisible by 10) as text: plain, or with an exponent behind `mark` when it is small or large
+(defun $gsmbp__decimal_text (n k mark)
+  (let* ((s (format nil "~d" n)) (p (- (length s) k)))          ; the number is 0.s * 10^p
+    (flet ((zeros (n) (make-string (max 0 n) :initial-element #\0)))
+      (cond ((or (< p -1) (> p 7)) (gsmbp-text (gsmbp-pointed s 1) mark (format nil "~d" (1- p))))
+            ((<= p 0) (gsmbp-text "0." (zeros (- p)) s))
+            (t (gsmbp-pointed (gsmbp-text s (zeros (- p (length s)))) p))))))
+;;; the digits s with a point behind the p-th and at least one digit behind the point
+(defun gsmbp-pointed (s p) (gsmbp-text (subseq s 0 p) "." (if (> (length s) p) (subseq s p) "0")))
+
+;;; [n, k] as a DOUBLE PRECISION constant
+(defun $gsmbp__constant (d)
+  (let ((text ($gsmbp__decimal_text (cadr d) (caddr d) "D"))) (if (find #\D text) text (gsmbp-text text "D0"))))
+
+;;; ------------------------------------------------------------------------------------------------- sums, terms, factors
+
+;;; any expression: a sum with a positive term ahead if it has one
+(defun $gsmbp__sum_text (e)
+  (if (symbolp e) (gsmbp-name-text e) (gsmbp-joined (cdr ($gsmbp__signed_pieces ($gsmbp__signed_terms e))) "")))
+
+;;; the summands of e (one, if e is no sum) as [sign, text, summand], sign "+" or "-"; the first positive one ahead
+(defun $gsmbp__signed_terms (e)
+  (if (not (gsmbp-sum-p e)) (gsmbp-list (list (gsmbp-signed-term e)))
+    (let* ((terms (mapcar #'gsmbp-signed-term (cdr e))) (lead (find "+" terms :key #'cadr :test #'string=)))
+      (incf $gsmbp__add (1- (length terms)))
+      (gsmbp-list (if (or (null lead) (eq lead (car terms))) terms (cons lead (remove lead terms :test #'eq)))))))
+
+;;; terms as pieces of text: "A", " + B*C", " - D"
+(defun $gsmbp__signed_pieces (terms)
+  (destructuring-bind (first &rest others) (cdr terms)
+    (gsmbp-list (cons (if (string= (cadr first) "-") (gsmbp-text "-" (caddr first)) (caddr first))
+                      (mapcar #'(lambda (x) (gsmbp-text " " (cadr x) " " (caddr x))) others)))))
+
+(defun gsmbp-signed-term (e)
+  (cond ((symbolp e) (gsmbp-list (list "+" (gsmbp-name-text e) e)))
+        ((mnump e) (gsmbp-signed e (gsmbp-number-text (gsmbp-magnitude e)) e))
+        ((gsmbp-product-p e)
+         (let ((c (cadr e)))
+           (if (mnump c) (gsmbp-signed c (gsmbp-product-text (gsmbp-magnitude c) (cddr e)) e)
+             (gsmbp-signed 1 (gsmbp-product-text 1 (cdr e)) e))))
+        (t (gsmbp-signed 1 (if (gsmbp-power-p e) (gsmbp-product-text 1 (list e)) (gsmbp-factor-text e)) e))))
+(defun gsmbp-signed (number text e) (gsmbp-list (list (if (gsmbp-negative-p number) "-" "+") text e)))
+
+(defun gsmbp-power-p (e) (and (consp e) (eq (caar e) 'mexpt)))
+(defun gsmbp-negative-p (number) ($gsmbp__starts_negative number))
+(defun gsmbp-magnitude (number) (if (gsmbp-negative-p number) (gsmbp-minus number) number))
+(defun gsmbp-exact (number) (if (or (integerp number) (ratnump number)) number (mfuncall '$gsmbp__exact number)))
+
+;;; a number >= 0 as constants: one, or two whose quotient it is; as a term (its division is counted)
+(defun gsmbp-number-parts (r)
+  (cdr (or (gethash r $gsmbp__numbers) (setf (gethash r $gsmbp__numbers) (mfuncall '$gsmbp__constants (gsmbp-exact r))))))
+(defun gsmbp-number-text (r)
+  (let ((p (gsmbp-number-parts r)))
+    (when (cdr p) (incf $gsmbp__div))
+    (gsmbp-joined p "/")))
+
+;;; a number c > 0 times factors; powers with a negative exponent become divisors
+(defun gsmbp-product-text (c factors)
+  (let ((above nil) (below nil))
+    (dolist (f factors)
+      (cond ((symbolp f) (push (gsmbp-name-text f) above))
+            ((not (gsmbp-power-p f)) (push (gsmbp-factor-text f) above))
+            ((and (mnump (caddr f)) (gsmbp-negative-p (caddr f)) (not (eq (cadr f) '$%e)))
+             (setq below (append (gsmbp-power-texts (cadr f) (gsmbp-minus (caddr f))) below)))
+            (t (setq above (append (gsmbp-power-texts (cadr f) (caddr f)) above)))))
+    (if (eql c 1) (gsmbp-fraction-text (reverse above) (reverse below))
+      (gsmbp-scaled-text (gsmbp-exact c) (reverse above) (reverse below)))))
+
+;;; the same with texts of the factors: a decimal fraction is a factor, 1/3 a divisor, 2/3 a factor (2.0D0/3.0D0)
+(defun gsmbp-scaled-text (c above below)
+  (let ((k (gsmbp-number-parts c)))
+    (cond ((eql c 1) (gsmbp-fraction-text above below))
+          ((null (cdr k)) (gsmbp-fraction-text (cons (car k) above) below))
+          ((eql (cadr c) 1) (gsmbp-fraction-text above (cons (cadr k) below)))
+          (below (gsmbp-fraction-text (cons (car k) above) (cons (cadr k) below)))
+          (t (incf $gsmbp__div)
+             (gsmbp-fraction-text (cons (gsmbp-text "(" (car k) "/" (cadr k) ")") above) nil)))))
+
+(defun gsmbp-fraction-text (above below)
+  (let ((text (if above (gsmbp-joined above "*") "1.0D0")))
+    (when (cdr above) (incf $gsmbp__mul (1- (length above))))
+    (cond ((null below) text)
+          (t (incf $gsmbp__div) (incf $gsmbp__mul (1- (length below)))
+             (if (cdr below) (gsmbp-text text "/(" (gsmbp-joined below "*") ")") (gsmbp-text text "/" (car below)))))))
+
+;;; b^n as factors in reverse order; n > 0 if it is a number
+(defun gsmbp-power-texts (b n)
+  (if (eq b '$%e) (progn (incf $gsmbp__trig) (list (gsmbp-text "EXP(" ($gsmbp__sum_text n) ")")))
+    (let ((h (if (mnump n) (gsmbp-times 2 (gsmbp-exact n)))))
+      (cond ((not (integerp h)) (incf $gsmbp__trig) (list (gsmbp-text (gsmbp-base-text b) "**" (gsmbp-factor-text n))))
+            ((evenp h) (gsmbp-integer-power b (/ h 2)))
+            (t (incf $gsmbp__sqrt)
+               (cons (gsmbp-text "SQRT(" ($gsmbp__sum_text b) ")") (gsmbp-integer-power b (/ (1- h) 2))))))))
+
+(defun gsmbp-integer-power (b n)
+  (case n
+    (0 nil)
+    (1 (list (gsmbp-factor-text b)))
+    (t (incf $gsmbp__mul (1- n)) (list (gsmbp-text (gsmbp-base-text b) "**" (format nil "~d" n))))))
+(defun gsmbp-base-text (b) (if (gsmbp-power-p b) (gsmbp-text "(" ($gsmbp__sum_text b) ")") (gsmbp-factor-text b)))
+
+(defun gsmbp-factor-text (e)
+  (cond ((mnump e) (gsmbp-number-factor e))
+        ((atom e) (gsmbp-name-text e))
+        ((or (gsmbp-sum-p e) (gsmbp-product-p e)) (gsmbp-text "(" ($gsmbp__sum_text e) ")"))
+        ((gsmbp-power-p e) (gsmbp-power-factor (cadr e) (caddr e) e))
+        (t (mfuncall '$gsmbp__call_text ($op e) ($args e)))))
+
+(defun gsmbp-number-factor (e)
+  (let* ((d $gsmbp__div) (s (gsmbp-number-text (gsmbp-magnitude e))))
+    (cond ((gsmbp-negative-p e) (gsmbp-text "(-" s ")")) ((> $gsmbp__div d) (gsmbp-text "(" s ")")) (t s))))
+
+;;; a power where one factor is wanted: x^2, sqrt(x) and exp(x) are one; 1/x and x*sqrt(x) need parentheses
+(defun gsmbp-power-factor (b n e)
+  (if (and (mnump n) (gsmbp-negative-p n) (not (eq b '$%e))) (gsmbp-text "(" (gsmbp-product-text 1 (list e)) ")")
+    (let ((l (gsmbp-power-texts b n)))
+      (incf $gsmbp__mul (1- (length l)))
+      (if (cdr l) (gsmbp-text "(" (gsmbp-joined (reverse l) "*") ")") (car l)))))
+
+;;; the name of a symbol, which from now on counts as used
+(defun gsmbp-name-text (x)
+  (setf (gethash x $gsmbp__used) t)
+  (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))
+
+;;; ---------------------------------------------------------------------------------------------------------------- lines
+
+;;; A statement given in pieces, broken between them where that will do, as lines of fixed form.
+(defun $gsmbp__packed_lines (pieces)
+  (let ((lines nil) (line (list "      ")) (width 66))
+    (dolist (p (cdr pieces) (gsmbp-list (nreverse (cons (gsmbp-joined (nreverse line) "") lines))))
+      (cond ((<= (length p) width) (push p line) (decf width (length p)))
+            (t (push (gsmbp-joined (nreverse line) "") lines)
+               (setq p (string-left-trim " " p) line (list p "     $   ") width (- 63 (length p)))
+               (when (< width 0) (return (mfuncall '$gsmbp__statement_lines (gsmbp-joined (cdr pieces) "") "" 0))))))))
+
+(defun $gsmbp__push (lines) (dolist (l (cdr lines)) (setq $gsmbp__body (gsmbp-list (cons l (cdr $gsmbp__body))))))
+
+;;; target = expression, as one statement if 20 lines hold it
+(defun $gsmbp__assign (target e)
+  (let* ((tally ($gsmbp__tally)) (lines ($gsmbp__assignment target ($gsmbp__signed_pieces ($gsmbp__signed_terms e)))))
+    (cond ((<= (length (cdr lines)) 20) ($gsmbp__push lines))
+          (t ($gsmbp__set_tally tally) (mfuncall '$gsmbp__assign_long target e)))))
+(defun $gsmbp__assignment (target pieces)
+  ($gsmbp__packed_lines (gsmbp-list (cons (gsmbp-text target " = " (cadr pieces)) (cddr pieces)))))
+
+;;; the lines of one entry [target, expression, block] of the code
+(defun gsmbp-code-line (c)
+  (destructuring-bind (s e heading) (cdr c)
+    (unless (equal heading $gsmbp__block) (mfuncall '$gsmbp__open_block heading))
+    (if (and s (symbolp s) (not (stringp e)))
+      (let ((n (gethash s $gsmbp__names)))
+        (unless n (setq n ($gsmbp__fresh s)) ($gsmbp__own_name n))
+        ($gsmbp__assign n e)
+        (setf (gethash s $gsmbp__names) n))
+      (mfuncall '$gsmbp__code_text s e))))
+(defun $gsmbp__code_lines (code) (dolist (c (cdr code)) (gsmbp-code-line c)))
+(defun $gsmbp__own_name (n) (setq $gsmbp__own (gsmbp-list (cons n (cdr $gsmbp__own)))))
+
+;;; the right sides that are text
+(defun $gsmbp__code_texts (code) (gsmbp-list (remove-if-not #'stringp (mapcar #'caddr (cdr code)))))
+
+;;; the code with the sines and cosines ahead whose arguments are known at once
+(defun $gsmbp__trig_first (load code)
+  (let ((ready (make-hash-table :test #'eq)) (front nil) (back nil))
+    (dolist (l (cdr load)) (setf (gethash (cadr l) ready) t))
+    (dolist (c (cdr code) (gsmbp-list (append (reverse front) (reverse back))))
+      (destructuring-bind (s e heading) (cdr c)
+        (cond ((and (member heading '($trig "trig") :test #'equal) (every #'(lambda (x) (gethash x ready)) (cdr ($gsmbp__symbols e))))
+               (push c front)
+               (setf (gethash s ready) t))
+              (t (push c back)))))))
+
+;;; ---------------------------------------------------------------------------------------------------------------- names
+
+;;; Names for the loaded symbols [symbol, source]; a source that is an argument itself is used as it stands.
+(defun $gsmbp__name_loads (load arguments)
+  (dolist (l (cdr load))
+    (let ((source (string-upcase (caddr l))))
+      (setf (gethash (cadr l) $gsmbp__names) (if (member source (cdr arguments) :test #'string=) source ($gsmbp__fresh (cadr l)))))))
+
+;;; the assignments of those whose symbol was printed or whose name the hash table raw holds
+(defun $gsmbp__loads (load raw)
+  (let ((lines nil))
+    (dolist (l (cdr load) (gsmbp-list (nreverse lines)))
+      (let ((n (gethash (cadr l) $gsmbp__names)))
+        (when (and (string/= n (string-upcase (caddr l))) (or (gethash (cadr l) $gsmbp__used) (gethash n raw)))
+          ($gsmbp__own_name n)
+          (push (gsmbp-text "      " n " = " (caddr l)) lines))))))
+
+;;; A free name for a symbol: its own in capitals, else with _ behind it, else _2, _3, ...
+(defun $gsmbp__fresh (symbol)
+  (let* ((base (gsmbp-fit (string-upcase ($sconcat symbol)))) (n base) (k 1))
+    (loop
+      (unless (gethash n $gsmbp__taken) (return))
+      (setq n (if (= k 1) (gsmbp-text base "_") (format nil "~a_~d" base k)) k (1+ k)))
+    (setf (gethash n $gsmbp__taken) t)
+    n))
+
+;;; letters, digits and _ only, a letter first, at most 26 characters (a rename needs five)
+(defun gsmbp-letter-p (c) (and (< (char-code c) 128) (alpha-char-p c)))
+(defun gsmbp-word-character-p (c) (or (gsmbp-letter-p c) (digit-char-p c) (char= c #\_)))
+(defun gsmbp-fit (s)
+  (let ((c (substitute-if-not #\_ #'gsmbp-word-character-p s)))
+    (unless (gsmbp-letter-p (char c 0)) (setq c (gsmbp-text "X" c)))
+    (subseq c 0 (min 26 (length c)))))
+(defun $gsmbp__is_fit (s) (and (<= 1 (length s) 24) (gsmbp-letter-p (char s 0)) (every #'gsmbp-word-character-p s)))
+
+;;; ---------------------------------------------------------------------------------------------------------------- JSON
+
+;;; a string in quotes; quote, backslash and control characters escaped
+(defun $gsmbp__json_string (s)
+  (with-output-to-string (o)
+    (write-char #\" o)
+    (dotimes (i (length s) (write-char #\" o))
+      (let* ((c (char s i)) (n (char-code c)))
+        (cond ((member n '(34 92)) (write-char #\\ o) (write-char c o))
+              ((= n 10) (write-string "\\n" o))
+              ((= n 9) (write-string "\\t" o))
+              ((< n 32) (format o "\\u00~(~2,'0x~)" n))
+              (t (write-char c o)))))))
+
+;;; a value on one line
+(defun $gsmbp__json_inline (v)
+  (cond ((stringp v) ($gsmbp__json_string v))
+        ((null v) "false")
+        ((eq v t) "true")
+        ((and (symbolp v) (not ($constantp v))) ($gsmbp__json_string ($sconcat v)))
+        (($gsmbp__json_objectp v) (gsmbp-text "{" (gsmbp-joined (mapcar #'gsmbp-json-pair (cdr v)) ", ") "}"))
+        (($listp v) (gsmbp-text "[" (gsmbp-joined (mapcar #'$gsmbp__json_inline (cdr v)) ", ") "]"))
+        (t (or (gsmbp-json-decimal v) (mfuncall '$gsmbp__json_number v)))))
+
+;;; a number that is a short integer or decimal fraction, else nil
+(defun gsmbp-json-decimal (v)
+  (cond ((integerp v) (and (< (abs v) (expt 10 16)) (format nil "~d" v)))
+        ((ratnump v)
+         (let ((d ($gsmbp__finite_decimal (gsmbp-magnitude v))))
+           (and d (< (cadr d) (expt 10 20))
+                (gsmbp-text (if (gsmbp-negative-p v) "-" "") ($gsmbp__decimal_text (cadr d) (caddr d) "e")))))))
+
+(defun gsmbp-json-key (e) (gsmbp-text ($gsmbp__json_string ($sconcat (cadr e))) ": "))
+(defun gsmbp-json-pair (e) (gsmbp-text (gsmbp-json-key e) ($gsmbp__json_inline (caddr e))))
+(defun $gsmbp__json_objectp (v)
+  (and (consp v)
+       (or (and (eq (caar v) '$set) (null (cdr v)))
+           (and ($listp v) (cdr v) (every #'(lambda (e) (and (consp e) (eq (caar e) 'mequal))) (cdr v))))))
+
+;;; the lines of v: `lead` (a key) ahead of it, `tail` (a comma) behind it
+(defun $gsmbp__json_block (indent v lead tail) (gsmbp-list (gsmbp-json-lines indent v lead tail)))
+(defun gsmbp-json-lines (indent v lead tail)
+  (let* ((object ($gsmbp__json_objectp v)) (parts (and (or object ($listp v)) (cdr v)))
+         (text (if (or (null parts) (string/= indent "")) (gsmbp-text indent lead ($gsmbp__json_inline v) tail))))
+    (if (and text (or (null parts) (<= (length text) 150))) (list text)
+      (let ((lines (list (gsmbp-text indent lead (if object "{" "[")))) (inner (gsmbp-text indent "  ")))
+        (do ((l parts (cdr l))) ((null l))
+          (setq lines (revappend (gsmbp-json-lines inner (if object (caddr (car l)) (car l)) (if object (gsmbp-json-key (car l)) "") (if (cdr l) "," "")) lines)))
+        (reverse (cons (gsmbp-text indent (if object "}" "]") tail) lines))))))

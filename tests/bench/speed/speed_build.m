@@ -1,0 +1,59 @@
+## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for driver.c; CPU seconds of the compiler for each mode.
+##
+## jobs: struct array with who, mode, word (id, fd, mm, lin), library, start (file of its init), symbol, outputs. The last is the quad build.
+## Flags as for CasADi's code, -O3 -march=native; what gsmbp_build adds for the batches (lit_v, num_v) does nothing to the rest.
+
+function [jobs, seconds] = speed_build (s, out)
+  here = fileparts (mfilename ("fullpath"));
+  jobs = speed_job ();
+  seconds = struct ();
+  for mode = s.modes
+    m = mode{1};
+    library = fullfile (s.folder, [m ".so"]);
+    seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", "", runtime (out, "double"));
+    n = s.n;
+    for one = {"id", n; "fd", n; "mm", n^2; "lin", 3*n^2}'
+      jobs(end+1) = speed_job ("gsmbp", m, one{1}, library, s.model, one{1}, one{2});
+    end
+  end
+  for mode = s.modes(1:end * ! s.loop)
+    m = [mode{1} "_v"];
+    library = fullfile (s.folder, [m ".so"]);
+    seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", "-DBATCH", runtime (out, "double"));
+    for one = {"id", n; "fd", n; "mm", n^2}'
+      jobs(end+1) = speed_job ("gsmbp_batch", mode{1}, one{1}, library, s.model, [one{1} "_v"], one{2});
+    end
+  end
+  library = fullfile (s.folder, "quad.so");
+  compile (s, "lit", "quad", library, "-O1 -freal-8-real-16", "-DQUAD", runtime (out, "quad"));
+  for word = {"id", "fd"}
+    jobs(end+1) = speed_job ("gsmbp", "quad", word{1}, library, s.model, word{1}, 2 * s.n);
+  end
+end
+
+function seconds = compile (s, mode, precision, library, flags, define, archive)
+  here = fileparts (mfilename ("fullpath"));
+  d = jsondecode (fileread (fullfile (s.folder, mode, [s.scene ".json"]))).dimensions;
+  object = [library(1:end-3) ".o"];
+  seconds = speed_cpu (sprintf ("gfortran %s -fPIC -c '%s' -o '%s'", flags, fullfile (s.folder, mode, [s.scene ".f"]), object));
+  if (s.loop)
+    define = [define " -DLOOP"];
+  end
+  libraries = {"-llapack -lblas -lgfortran -lmvec", "-lgfortran -lquadmath"}{1 + strcmp (precision, "quad")};
+  speed_cpu (sprintf ("gcc -O3 -march=native -fPIC -shared %s -DNAME=%s -DN=%d -DNCST=%d -DNPAR=%d '%s' '%s' '%s' %s -lm -Wl,-Bsymbolic -o '%s'", define, tolower (s.scene), s.n,
+    d.ncst, d.npar, fullfile (here, "ours.c"), object, archive, libraries, library));
+end
+
+## what all scenes share, compiled once
+function archive = runtime (out, precision)
+  root = fileparts (fileparts (fileparts (fileparts (mfilename ("fullpath")))));
+  folder = fullfile (out, ["runtime_" precision]);
+  archive = fullfile (folder, "runtime.a");
+  quad = strcmp (precision, "quad");
+  body = {"lapack", "plain"}{1 + quad};
+  if (! exist (archive, "file"))
+    [~, ~] = mkdir (folder);
+    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -march=native -fPIC %s -c %s/share/fortran/*.f %s/share/fortran/%s/*.f && ar rcs runtime.a *.o", folder,
+      {"", "-freal-8-real-16"}{1 + quad}, root, root, body));
+  end
+end

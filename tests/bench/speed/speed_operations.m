@@ -1,0 +1,22 @@
+## [c, n, loop] = speed_operations (file): mul add div sqrt trig of the routines inv mas fwd lin in the description FILE of a scene, its speeds, and whether it has loops.
+
+function [c, n, loop] = speed_operations (file)
+  d = jsondecode (fileread (file));
+  n = d.dimensions.nu;
+  loop = d.dimensions.nlam > 0;
+  c = struct ();
+  list = d.subroutines;
+  if (isstruct (list))
+    list = num2cell (list);
+  end
+  for word = {"inv", "mas", "fwd", "lin"}
+    is_it = cellfun (@(s) strcmpi (s.name, [d.name "_" word{1}]), list);
+    if (strcmp (word{1}, "fwd") && d.dimensions.nlam > 0)
+      is_it = cellfun (@(s) strcmpi (s.name, [d.name "_acc"]), list);    # forward dynamics of the loop
+    end
+    if (any (is_it))
+      o = list{is_it}.operations;
+      c.(word{1}) = [o.mul o.add o.div o.sqrt o.trig];
+    end
+  end
+end

@@ -1,0 +1,30 @@
+## Every example on the motion of its driver at the default tolerance: what the energy audit cannot find is below 1e-8 of the energy that passed.
+
+function test_audits ()
+  root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
+  addpath (fullfile (root, "examples", "stewart"));
+  own = fullfile (getenv ("GSMBP_TEST_DIR"), "audits");
+  others = {"hooke/hooke_double", "pneumatic_position/pneumatic_axis", "robot_joint/robot_joint_sampled"};   # in no other test
+  for k = 1:numel (others)
+    [status, text] = system (sprintf ("%s %s %s 2>&1", fullfile (root, "share", "make", "derive"), fullfile (root, "examples", [others{k} ".mac"]), own));
+    gsmbp_check ([others{k} " derives"], status == 0);
+    [~, others{k}] = fileparts (others{k});
+  end
+  folders = dir (fullfile (root, "examples"));
+  names = {folders([folders.isdir]).name};
+  names = [names(cellfun (@(n) n(1) != ".", names)), others];
+  warning ("off", "gsmbp:stiff", "local");
+  for name = names
+    [m, x0, t, options, what] = example_motion (name{1}, @(n) build (n, others, own));
+    r = gsmbp_simulate (m, x0, t, options{:});
+    gsmbp_check (sprintf ("%s, %s: energy audit", name{1}, what), r.audit.error, 1e-8);
+  end
+end
+
+function m = build (name, others, own)
+  if (any (strcmp (name, others)))
+    m = gsmbp_build (name, "directory", own);
+  else
+    m = gsmbp_build (name);
+  end
+end
