@@ -19,6 +19,9 @@
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in order
 (defun $gsmbp__file_exists (name) (and (probe-file name) t))
+(defun $gsmbp__directoryp (name) (and (directory name) t))
 (defun $gsmbp__file_names (pattern) (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
+;; the file gets a new name, in the place of one that has it
+(defun $gsmbp__rename_file (old new) #+ecl (rename-file old new :if-exists t) #-ecl (rename-file old new) t)
 ;; the folder of that name, seen from everywhere
 (defun $gsmbp__whole_path (name) (namestring (truename name)))

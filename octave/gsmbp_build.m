@@ -18,6 +18,9 @@
 ## inverse dynamics of the tree, @var{nu} efforts
 ## @item M = m.mas (t, q), b = m.bia (t, q, u[, v])
 ## mass matrix and bias: tau = M*ud + b
+## @item [Y, p, r] = m.reg (t, q, u, ud[, v])
+## regressor: tau = Y*p + r, @var{p} the base parameters
+## (@code{m.json.base_parameters}); emitted where @code{regressor} is requested
 ## @item [ud, info] = m.fwd (t, q, u, v, tau)
 ## accelerations of the tree
 ## @item [phi, phit, H, gam, info] = m.con (t, q[, u])
@@ -28,6 +31,13 @@
 ## linear model about a motion of the tree
 ## @item [xd, info] = m.rhs (t, x[, v])
 ## state space of the whole scene
+## @item m.inv_v, m.mas_v, m.bia_v, m.fwd_v, m.rhs_v
+## the same as inv, mas, bia, fwd, rhs with a column for each of @var{K} states
+## in every argument and result (mas_v: @var{nu} x @var{nu} x @var{K}, @var{info}:
+## 1 x @var{K}, @var{t}: 1 x @var{K}); @var{t}, @var{v} and others given as one
+## column are the same for all states.  Emitted by the requests
+## @code{[all, batch]} of @code{gsmbp_fortran}, vectorized.  A state that is no
+## number has its own @var{info} < 0 and NaN as its results
 ## @item [ud, lam, info] = m.acc (t, x[, v])
 ## accelerations and multipliers of a closed chain
 ## @item [ud, lam, info] = m.acd (t, x, v, way)

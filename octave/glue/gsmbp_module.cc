@@ -418,6 +418,18 @@ do_inv (arguments& a, int)
 }
 
 static octave_value_list
+do_reg (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals v = a.vector_or_zero ("v", S.nv), y = room (S.nu * S.nbase), p = room (S.nbase), r = room (S.nu);
+  int ld = std::max (1, S.nu);
+  routine (S.reg, "reg") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &y[0], &ld, &p[0], &r[0]);
+  return ovl (result (y, S.nu, S.nbase), result (p, S.nbase), result (r, S.nu));
+}
+
+static octave_value_list
 do_mas (arguments& a, int)
 {
   reals cst = a.constants ();
@@ -1107,7 +1119,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
   typedef octave_value_list (*handler) (arguments&, int);
   static const struct { const char *name; handler call; } table[] = {
-    {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas},
+    {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas}, {"reg", do_reg},
     {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
     {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
     {"cmd", do_cmd}, {"cmx", do_cmx}, {"ctl", do_ctl}, {"ctp", do_ctp}, {"evt", do_evt}, {"rst", do_rst}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},

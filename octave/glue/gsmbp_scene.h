@@ -11,10 +11,10 @@ typedef struct
 {
   const char *name;
   int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, na, nmar, nxk,
-      nctl, nev, nmode, np;
+      nctl, nev, nmode, np, nbase;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
             out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
-            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, vin;
+            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, reg, vin;
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

@@ -143,8 +143,12 @@ function text = sizes_header (json, symbol, has_input)
   sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", "nmar", "nxk", "nctl", "nev", "nmode"};
   counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
+  counts(end+1) = 0;
+  if (isfield (json, "base_parameters"))
+    counts(end) = numel (json.base_parameters);
+  endif
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", "reg"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

@@ -9,6 +9,7 @@ function m = gsmbp__handles (m)
   calls.kin = @(t, q, u) f ("kin", cst, t, q, u);
   calls.inv = @(t, q, u, ud, varargin) f ("inv", cst, t, q, u, ud, varargin{:});
   calls.mas = @(t, q) f ("mas", cst, t, q);
+  calls.reg = @(t, q, u, ud, varargin) f ("reg", cst, t, q, u, ud, varargin{:});
   calls.bia = @(t, q, u, varargin) f ("bia", cst, t, q, u, varargin{:});
   calls.fwd = @(t, q, u, varargin) f ("fwd", cst, t, q, u, varargin{:});
   calls.con = @(t, q, varargin) f ("con", cst, t, q, varargin{:});

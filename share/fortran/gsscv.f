@@ -16,9 +16,10 @@ C     X = F*pi/2 + Y + E, |Y| <= pi/4: pi/2 is taken off in three parts,
 C     the first two of 33 bits, so that F*P1 and F*P2 are exact; E is
 C     what rounding left of Y. Then polynomials in Y, and the quadrant
 C     F - 4*NINT( F/4 ) says which is which, with which sign. The error
-C     is below one unit in the last place up to |X| = 1D5. Where an
-C     angle is larger or no number, and in a precision beyond double,
-C     all are left to SIN and COS.
+C     is below one unit in the last place up to |X| = 1D5. Where a sum
+C     of F**2 over X(I,:) shows a larger one (it is above 4D9) or one
+C     that is no number, and in a precision beyond double, all are left
+C     to SIN and COS.
 C
 C     REFERENCES
 C     FDLIBM 5.3 (Sun Microsystems, 1993): e_rem_pio2.c, k_sin.c,
@@ -30,7 +31,7 @@ C
      $                   MORE, P1, P2, P3, S1, S2, S3, S4, S5, S6, C1,
      $                   C2, C3, C4, C5, C6, OUT(8), F, D, R, W,
      $                   Y, E, Z, SY, CY, T
-      PARAMETER          ( BIG = 1.0D5, ROUND = 6755399441055744.0D0,
+      PARAMETER          ( BIG = 4.0D9, ROUND = 6755399441055744.0D0,
      $                     TWOPI = 0.636619772367581382433D0,
      $                     MORE = 1.0D0 + 1.0D-20,
      $                     P1 = 1.5707963267341256D0,
@@ -56,8 +57,8 @@ C$OMP SIMD
       DO 30 J = 1, N
 C$OMP SIMD
          DO 20 I = 1, 8
-            IF ( .NOT.( ABS( X(I,J) ).LE.BIG ) ) OUT(I) = 1.0D0
             F = ( X(I,J)*TWOPI + ROUND ) - ROUND
+            OUT(I) = OUT(I) + F*F
             R = X(I,J) - F*P1
             W = F*P2
             Y = R - W
@@ -83,7 +84,7 @@ C$OMP SIMD
    20    CONTINUE
    30 CONTINUE
       DO 40 I = 1, 8
-         IF ( OUT(I).GT.0.0D0 ) GO TO 50
+         IF ( .NOT.( OUT(I).LE.BIG ) ) GO TO 50
    40 CONTINUE
       RETURN
    50 CONTINUE

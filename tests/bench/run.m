@@ -44,11 +44,11 @@ save ("-binary", fullfile (out, "results.bin"), "results");
 bench_save (fullfile (here, "report.json"), speed_json (results));
 speed_figures (results, out);
 text = [speed_report(results, peers, with_peers), sprintf("%s\n", skipped{:}), speed_examples(root)];
+bench_save (fullfile (here, "report.md"), text);
+puts (text);
 
 table = fullfile (here, "out", "symbols.md");
 if (system (sprintf ("'%s' '%s'", fullfile (here, "symbols"), table)) != 0)
-  error ("bench: tests/bench/symbols failed");
+  error ("bench: tests/bench/symbols failed; report.md is without its tables");
 end
-text = [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")];
-bench_save (fullfile (here, "report.md"), text);
-puts (text);
+bench_save (fullfile (here, "report.md"), [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")]);

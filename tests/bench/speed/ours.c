@@ -1,6 +1,6 @@
 /* ours.c: the emitted subroutines of a scene behind the interface of driver.c. -DNAME=puma3 -DN=3 -DNCST=48 -DNPAR=18, and -DQUAD where the Fortran was built
    in quad precision: then every result is two numbers, the double nearest to it and what is left. -DLOOP: fd is of the closed chain, its first torque the input.
-   -DBATCH: of the forms for many states. */
+   -DBATCH: of the forms for many states; -DLIN: of the linear model alone. */
 #define GLUE(name, word) name##_##word##_
 #define PASTE(name, word) GLUE(name, word)
 #define F(word) PASTE(NAME, word)
@@ -34,6 +34,8 @@ static int infos[4096];
 void id_v(int k, const real *q, const real *v, const real *a, real *o) { F(inv_v)(zeros, q, v, a, none, cst, o, &k, &k); }
 void fd_v(int k, const real *q, const real *v, const real *tau, real *o) { F(fwd_v)(zeros, q, v, none, tau, cst, o, infos, &k, &k); }
 void mm_v(int k, const real *q, const real *v, const real *a, real *o) { F(mas_v)(zeros, q, cst, o, &k, &k); }
+#elif defined LIN
+void lin(const double *q, const double *v, const double *a, double *o) { F(lin)(&t, q, v, a, none, cst, o, o + N * N, o + 2 * N * N, &n); }
 #else
 static void forward(const real *q, const real *v, const real *tau, real *a) {
   int info;
@@ -56,6 +58,5 @@ void fd(const double *q, const double *v, const double *tau, double *o) { take(q
 void id(const double *q, const double *v, const double *a, double *o) { F(inv)(&t, q, v, a, none, cst, o); }
 void fd(const double *q, const double *v, const double *tau, double *o) { forward(q, v, tau, o); }
 void mm(const double *q, const double *v, const double *a, double *o) { F(mas)(&t, q, cst, o, &n); }
-void lin(const double *q, const double *v, const double *a, double *o) { F(lin)(&t, q, v, a, none, cst, o, o + N * N, o + 2 * N * N, &n); }
 #endif
 #endif

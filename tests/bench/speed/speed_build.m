@@ -4,24 +4,25 @@
 ## Flags as for CasADi's code, -O3 -march=native; what gsmbp_build adds for the batches (lit_v, num_v) does nothing to the rest.
 
 function [jobs, seconds] = speed_build (s, out)
-  here = fileparts (mfilename ("fullpath"));
   jobs = speed_job ();
   seconds = struct ();
-  for mode = s.modes
-    m = mode{1};
-    library = fullfile (s.folder, [m ".so"]);
-    seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", "", runtime (out, "double"));
-    n = s.n;
-    for one = {"id", n; "fd", n; "mm", n^2; "lin", 3*n^2}'
-      jobs(end+1) = speed_job ("gsmbp", m, one{1}, library, s.model, one{1}, one{2});
-    end
+  n = s.n;
+  parts = {"", "gsmbp", {"id", n, "fd", n, "mm", n^2}};
+  if (any (strcmp ({s.derive.requests}, "LIN")))
+    parts(end+1,:) = {"_lin", "gsmbp", {"lin", 3 * n^2}};
   end
-  for mode = s.modes(1:end * ! s.loop)
-    m = [mode{1} "_v"];
-    library = fullfile (s.folder, [m ".so"]);
-    seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", "-DBATCH", runtime (out, "double"));
-    for one = {"id", n; "fd", n; "mm", n^2}'
-      jobs(end+1) = speed_job ("gsmbp_batch", mode{1}, one{1}, library, s.model, [one{1} "_v"], one{2});
+  if (any (strcmp ({s.derive.requests}, "batch")))
+    parts(end+1,:) = {"_v", "gsmbp_batch", {"id", n, "fd", n, "mm", n^2}};
+  end
+  for mode = s.modes
+    for part = parts'
+      m = [mode{1} part{1}];
+      library = fullfile (s.folder, [m ".so"]);
+      define = {"", "-DLIN", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_v"})};
+      seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", define, runtime (out, "double"));
+      for one = reshape (part{3}, 2, [])
+        jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
+      end
     end
   end
   library = fullfile (s.folder, "quad.so");

@@ -40,23 +40,43 @@ end
 function text = summary (results)
   rows = {};
   for s = results
-    d = @(r) s.derive(strcmp ({s.derive.mode}, "lit") & strcmp ({s.derive.requests}, r)).cpu;
+    d = @(r) seconds (s, r);
     m = s.modes{end};
     o = s.operations.lit;
     e = speed_pick (s.errors, "gsmbp", "lit", "id")(1);
     f = speed_pick (s.errors, "gsmbp", "lit", "fd")(1);
-    row = {s.name, sprintf("%d", s.n), sprintf("%.2f", d("M+bias")), sprintf("%.2f", d("all")), sprintf("%.2f", s.compile.lit), ...
-      sprintf("%d / %d / %d / %d", total (o.inv), total (o.mas), total (o.fwd), total (o.lin)), ...
+    row = {s.name, sprintf("%d", s.n), number("%.2f", d("M+bias")), number("%.2f", d("all")), number("%.2f", d("LIN")), compilation(s, "lit"), ...
+      strjoin(cellfun (@(w) number ("%d", total (o.(w))), {"inv", "mas", "fwd", "lin"}, "UniformOutput", false), " / "), ...
       ns(s, "id"), ns(s, "mm"), ns(s, "fd"), ns(s, "lin"), sprintf("%.1e, %.1e", e.median, e.worst), sprintf("%.1e, %.1e", f.median, f.worst)};
     rows{end+1} = row;
   end
-  text = speed_table ("Summary", ["Derivation: processor seconds of Maxima with the scene's reading, without Maxima's start, for M and bias (what the rivals' figures are for) and for everything\n" ...
-    "(ID, M, bias, FD, LIN); compilation of everything. Operations: mul + add + div of ID / M / FD / LIN, lit. Times in ns, lit / num. Errors: median, worst of random states."],
-    {"system", "n", "M+bias s", "all s", "compile s", "operations", "ID ns", "M ns", "FD ns", "LIN ns", "error ID", "error FD"}, rows);
+  text = speed_table ("Summary", ["Derivation: processor seconds of Maxima with the scene's reading, without Maxima's start, for M and bias (what the rivals' figures are for), for\n" ...
+    "ID, M, bias and FD, for LIN (up to 16 links); compilation of ID, M, bias and FD + LIN. Operations: mul + add + div of ID / M / FD / LIN, lit. Times in ns, lit / num. Errors: median, worst of random states."],
+    {"system", "n", "M+bias s", "all s", "LIN s", "compile s", "operations", "ID ns", "M ns", "FD ns", "LIN ns", "error ID", "error FD"}, rows);
 end
 
 function t = ns (s, word)
-  t = strjoin (cellfun (@(m) sprintf ("%.4g", speed_pick (s.times, "gsmbp", m, word)(1).median), s.modes, "UniformOutput", false), " / ");
+  t = strjoin (cellfun (@(m) number ("%.4g", first_of (speed_pick (s.times, "gsmbp", m, word))), s.modes, "UniformOutput", false), " / ");
+end
+
+## the median of what was picked; NaN where there is none
+function t = first_of (picked)
+  t = NaN;
+  if (! isempty (picked))
+    t = picked(1).median;
+  end
+end
+
+## seconds of derivation of a part, lit; NaN where it was left out
+function t = seconds (s, part)
+  t = [s.derive(strcmp ({s.derive.mode}, "lit") & strcmp ({s.derive.requests}, part)).cpu, NaN](1);
+end
+
+function t = compilation (s, mode)
+  t = sprintf ("%.2f", s.compile.(mode));
+  if (isfield (s.compile, [mode "_lin"]))
+    t = sprintf ("%s + %.2f", t, s.compile.([mode "_lin"]));
+  end
 end
 
 ## the least totals published or measured of any generator (OpenSYMORO's base parameters, SymPyBotics, CasADi), parameters literal
@@ -75,7 +95,7 @@ function text = against_best (results)
         sprintf("%.2f %s %.2f", c(1) / best.(s.name)(k), {"<=", "**>**"}{1 + (c(1) > required.(s.name)(k) * best.(s.name)(k))}, required.(s.name)(k))}];
     end
     o = s.operations.lit;
-    rows{end+1} = [row, {sprintf("%.2f", total (o.lin) / total (o.inv))}];
+    rows{end+1} = [row, {number("%.2f", total (o.lin) / total (o.inv))}];
   end
   text = speed_table ("Operations against the best rival", ["The rivals' totals are a table: OpenSYMORO with base parameters (ID, M of arms), SymPyBotics (FD of arms), CasADi (FD of longer chains). Ours lit / num; the\n" ...
     "ratio is lit's, beside the one required."], {"system", "ID best", "ID", "ratio", "M best", "M", "ratio", "FD best", "FD", "ratio", "LIN : ID"}, rows);
@@ -88,7 +108,7 @@ function text = counts (results)
       o = s.operations.(m{1});
       row = {s.name, m{1}};
       for w = {"inv", "mas", "fwd", "lin"}
-        row{end+1} = sprintf ("%d/%d/%d/%d/%d", o.(w{1}));
+        row{end+1} = strrep (sprintf ("%d/%d/%d/%d/%d", o.(w{1})), "NaN/NaN/NaN/NaN/NaN", "-");
       end
       rows{end+1} = row;
     end
@@ -194,17 +214,17 @@ function text = errors (results)
         lines{end+1} = row;
       end
     end
-    text = [text, speed_table(["Errors, " kind{1} " states"], ["Relative errors (2-norm) against the quad build: median, worst; " kind{2} ". Bold: worst of ours more than a tenth above that of " kind{3} ".\n" ...
+    text = [text, speed_table(["Errors, " kind{1} " states"], ["Relative errors (2-norm) against the quad build: median, worst; " kind{2} ". Bold: worst of ours above 1e-15 and more than a tenth above that of " kind{3} ".\n" ...
       "The last column: the quad build itself against Newton-Euler equations of their own in quad precision."],
       {"system", "", "ours lit", "ours num", "batch", "CasADi lit", "CasADi num", "SymPy", "Pinocchio", "MuJoCo", "quad build"}, lines)];
   end
 end
 
-## what the worst error of column K may be: a tenth above CasADi's in the same mode on random states, else above the best rival's
+## what the worst error of column K may be: 1e-15, or a tenth above CasADi's in the same mode on random states, else above the best rival's
 function b = bound (kind, worst, k)
-  b = 1.1 * min (worst(4:8));
+  b = max (1e-15, 1.1 * min (worst(4:8)));
   if (strcmp (kind, "random"))
-    b = 1.1 * worst([4 5 4](k));
+    b = max (1e-15, 1.1 * worst([4 5 4](k)));
   end
 end
 
@@ -223,32 +243,28 @@ function text = growth (results)
     for k = 2:numel (list)
       a = list(k-1);
       b = list(k);
-      p = @(x, y) sprintf ("%.1f", log (y / x) / log (b.n / a.n));
+      p = @(x, y) number ("%.1f", log (y / x) / log (b.n / a.n));
       o = @(s, w) total (s.operations.lit.(w));
-      t = @(s, w) speed_pick (s.times, "gsmbp", "lit", w).median;
-      rows{end+1} = {sprintf("%s to %s", a.name, b.name), p(a.derive(3).cpu, b.derive(3).cpu), p(a.compile.lit, b.compile.lit), p(o(a, "inv"), o(b, "inv")), p(o(a, "mas"), o(b, "mas")), ...
+      t = @(s, w) first_of (speed_pick (s.times, "gsmbp", "lit", w));
+      rows{end+1} = {sprintf("%s to %s", a.name, b.name), p(seconds (a, "all"), seconds (b, "all")), p(seconds (a, "LIN"), seconds (b, "LIN")), p(a.compile.lit, b.compile.lit), p(o(a, "inv"), o(b, "inv")), p(o(a, "mas"), o(b, "mas")), ...
         p(o(a, "fwd"), o(b, "fwd")), p(o(a, "lin"), o(b, "lin")), p(t(a, "id"), t(b, "id")), p(t(a, "fd"), t(b, "fd")), p(t(a, "lin"), t(b, "lin"))};
     end
   end
-  text = speed_table ("Growth with n", "Exponents of n between neighbours: 1 is linear.", {"", "derivation of all", "compilation", "ID operations", "M", "FD", "LIN", "ID time", "FD time", "LIN time"}, rows);
+  text = speed_table ("Growth with n", "Exponents of n between neighbours: 1 is linear.", {"", "derivation", "of LIN", "compilation", "ID operations", "M", "FD", "LIN", "ID time", "FD time", "LIN time"}, rows);
 end
 
 function text = passes (results)
   rows = {};
+  words = {"inv", "mas", "fwd", "lin"};
   for s = results
     for k = 1:numel (s.passes)
-      p = s.passes(k);
-      row = {s.name, p.word, sprintf("%d", p.inv), sprintf("%d", p.mas), sprintf("%d", p.fwd)};
+      gain = repmat ({""}, 1, 4);
       if (k > 1)
-        b = s.passes(k-1);
-        for w = {"inv", "mas", "fwd"}
-          row{end+1} = sprintf ("%+d", p.(w{1}) - b.(w{1}));
-        end
-      else
-        row = [row, {"", "", ""}];
+        gain = cellfun (@(w) number ("%+d", s.passes(k).(w) - s.passes(k-1).(w)), words, "UniformOutput", false);
       end
-      rows{end+1} = row;
+      rows{end+1} = [{s.name, s.passes(k).word}, cellfun(@(w) number ("%d", s.passes(k).(w)), words, "UniformOutput", false), gain];
     end
   end
-  text = speed_table ("Pass by pass", "Operations (lit) with one pass after the other switched on.", {"system", "pass", "ID", "M", "FD", "ID gain", "M gain", "FD gain"}, rows);
+  text = speed_table ("Pass by pass", "Operations (lit) with one pass after the other switched on, and what each adds.",
+    {"system", "pass", "ID", "M", "FD", "LIN", "ID by it", "M by it", "FD by it", "LIN by it"}, rows);
 end

@@ -1,8 +1,8 @@
 ## s = speed_system (name, out): the system of systems/NAME.mac derived, in both modes and pass by pass, and its numbers as OUT/NAME/model.txt.
 ##
 ## s: name, scene (its name in Fortran), n, loop (whether it has loops: then no model.txt), folder, model; derive: mode, requests
-## (M+bias, FD, all), CPU seconds; modes ("lit": parameters at run time, "num": compiled in);
-## operations.MODE.WORD: mul add div sqrt trig (words inv mas fwd lin); passes: word and operations of inv mas fwd without trig, the passes added up.
+## (M+bias, FD, all: ID, M, bias, FD; LIN, batch), CPU seconds; modes ("lit": parameters at run time, "num": compiled in);
+## operations.MODE.WORD: mul add div sqrt trig (words inv mas fwd lin); passes: word and operations of inv mas fwd lin (NaN: not asked for) without trig, the passes added up.
 
 function s = speed_system (name, out)
   here = fileparts (mfilename ("fullpath"));
@@ -13,8 +13,7 @@ function s = speed_system (name, out)
   [~, ~] = mkdir (s.folder);
   s.derive = struct ("mode", {}, "requests", {}, "cpu", {});
   for mode = {"lit", "num"}
-    [~, ~] = mkdir (fullfile (s.folder, mode{1}));
-    [~, ~] = mkdir (fullfile (s.folder, [mode{1} "_v"]));
+    cellfun (@(part) mkdir (fullfile (s.folder, [mode{1} part])), {"", "_lin", "_v"}, "UniformOutput", false);
     [spent, named] = maxima (here, s.folder, sprintf ("speed_derive(\"%s\", \"%s\", \"%s\")$ speed_model(\"%s\", \"%s\")$", scene, s.folder, mode{1}, scene, s.model),
       'SPEED (\S+) (\S+) ([\d.]+)', 'NAME (\S+)');
     s.scene = named{1}{1};
@@ -29,11 +28,18 @@ function s = speed_system (name, out)
   end
   for mode = s.modes
     [s.operations.(mode{1}), s.n, s.loop] = speed_operations (fullfile (s.folder, mode{1}, [s.scene ".json"]));
+    s.operations.(mode{1}).lin = NaN (1, 5);
+    if (any (strcmp ({s.derive.requests}, "LIN")))
+      s.operations.(mode{1}).lin = speed_operations (fullfile (s.folder, [mode{1} "_lin"], [s.scene ".json"])).lin;
+    end
   end
-  s.passes = struct ("word", {}, "inv", {}, "mas", {}, "fwd", {});
+  s.passes = struct ("word", {}, "inv", {}, "mas", {}, "fwd", {}, "lin", {});
   for one = maxima (here, s.folder, sprintf ("speed_passes(\"%s\", \"%s\")$", scene, s.folder), 'PASS (\d+) (\S+)')
     c = speed_operations (fullfile (s.folder, "passes", one{1}{1}, [s.scene ".json"]));
-    s.passes(end+1) = struct ("word", one{1}{2}, "inv", sum (c.inv(1:3)), "mas", sum (c.mas(1:3)), "fwd", sum (c.fwd(1:3)));
+    if (! isfield (c, "lin"))
+      c.lin = NaN (1, 5);
+    end
+    s.passes(end+1) = struct ("word", one{1}{2}, "inv", sum (c.inv(1:3)), "mas", sum (c.mas(1:3)), "fwd", sum (c.fwd(1:3)), "lin", sum (c.lin(1:3)));
   end
 end
 
