@@ -2,8 +2,13 @@
 ;; gsmbp__get gives false for a key that is not there.
 (in-package :maxima)
 (defun $gsmbp__new_hash () (make-hash-table :test #'equal))
-(defun $gsmbp__get (h k) (values (gethash k h)))
-(defun $gsmbp__put (h k v) (setf (gethash k h) v))
+(defun $gsmbp__get (h k) (values (gethash (if (atom k) k (gsmbp-bare k)) h)))
+(defun $gsmbp__put (h k v) (setf (gethash (if (atom k) k (gsmbp-bare k)) h) v))
+;; a list or an expression without the heads and marks of Maxima, which are not always the same (and Lisp's hash sees little beyond the first)
+(defun gsmbp-bare (k)
+  (cond ((atom k) k)
+        ((eq (caar k) 'mlist) (mapcar #'gsmbp-bare (cdr k)))
+        (t (cons (list (caar k)) (mapcar #'gsmbp-bare (cdr k))))))
 ;; e without the marks that functions like ratsimp leave on it, so that equal expressions are equal lists
 (defun $gsmbp__unmarked (e)
   (if (atom e) e (cons (if (member 'array (cdar e)) (list (caar e) 'simp 'array) (list (caar e) 'simp)) (mapcar #'$gsmbp__unmarked (cdr e)))))

@@ -1,6 +1,7 @@
 ;;; gsmbp_naming.lisp: the tape's names (see gsmbp_namer.mac), in Lisp: every scalar of a derivation passes through here.
 ;;; An operand is a name: a symbol or a number, or one with a minus. An entry is an operation on names; same operation, same name.
 (in-package :maxima)
+(defvar $gsmbp_passes)
 
 ;;; fields of the structure gsmbp__tape
 (defmacro gsmbp-table (tp) `(nth 1 ,tp))
@@ -25,13 +26,15 @@
         ((integerp e) (mod e gsmbp-key-size))
         ((consp e) (let ((k (gsmbp-key (caar e)))) (dolist (x (cdr e) k) (setq k (mod (+ (* 31 k) (gsmbp-key x)) gsmbp-key-size)))))
         (t 0)))
-(defun gsmbp-find (tp e key) (cdr (assoc e (gethash key (gsmbp-table tp)) :test #'equal)))
+;;; a pass that is off: every operation a new name (share), nothing depends on parameters alone (hoist)
+(defun gsmbp-on (pass) (member pass (cdr $gsmbp_passes) :test #'eq))
+(defun gsmbp-find (tp e key) (if (gsmbp-on '$share) (cdr (assoc e (gethash key (gsmbp-table tp)) :test #'equal))))
 (defun gsmbp-keep (tp e key name) (push (cons e name) (gethash key (gsmbp-table tp))) name)
 
 ;;; true if an expression holds parameters and numbers only
 (defun $gsmbp__constantp (tp e) (gsmbp-constant-p (gsmbp-nature tp) e))
 (defun gsmbp-constant-p (nature e)
-  (cond ((symbolp e) (or (eq (gethash e nature) '$constant) ($constantp e)))
+  (cond ((symbolp e) (or (and (eq (gethash e nature) '$constant) (gsmbp-on '$hoist)) ($constantp e)))
         ((atom e) t)
         ((eq (caar e) 'rat) t)
         (t (dolist (x (cdr e) t) (unless (gsmbp-constant-p nature x) (return nil))))))

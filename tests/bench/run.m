@@ -34,13 +34,13 @@ for name = speed_names (here)
     s.times = speed_times (s, jobs);
     s.errors = speed_errors (s, jobs, {"random", "fast", "singular"}, 1000);
     results{end+1} = s;
+    save ("-binary", fullfile (out, "results.bin"), "results");
   catch problem
     skipped{end+1} = sprintf ("* %s failed: %s", name{1}, strjoin (strsplit (problem.message, "\n"), " "));
     disp (skipped{end});
   end
 end
 results = [results{:}];
-save ("-binary", fullfile (out, "results.bin"), "results");
 bench_save (fullfile (here, "report.json"), speed_json (results));
 speed_figures (results, out);
 text = [speed_report(results, peers, with_peers), sprintf("%s\n", skipped{:}), speed_examples(root)];

@@ -79,8 +79,3 @@
     (and x (cons '(mlist simp) x))))
 
 (mapc #'compile '(doubles-number doubles-power doubles-value doubles-system doubles-solve $gsmbp__doubles))
-
-;; what gsmbp_hash.lisp defines, compiled
-(defun $gsmbp__compile_hash ()
-  (mapc #'compile '($gsmbp__get $gsmbp__put $gsmbp__unmarked $gsmbp__holds_one $gsmbp__replace $gsmbp__reach_symbols))
-  t)

@@ -6,3 +6,9 @@ for f in $twice; do
   [ "$n" -gt 1 ] && calls="$calls $f"
 done
 [ -z "$calls" ] && echo "ok no function is defined twice" || echo "not ok defined twice:$calls"
+
+# Nor is a function defined both in Lisp and in Maxima, or twice in Lisp.
+lisp=$(grep -hoE '^\(def(un|macro) \$?[A-Za-z_0-9-]+' gsmbp/*.lisp | sed 's/^(def[a-z]* //' | sort)
+twice=$(echo "$lisp" | uniq -d)
+both=$(for f in $(echo "$lisp" | sed -n 's/^\$//p'); do grep -lE "^ *$f\(.*:=" gsmbp/*.mac share/*/*.mac | sed "s/^/$f in /"; done)
+[ -z "$twice$both" ] && echo "ok no function of Lisp is defined again" || echo "not ok defined again: $twice $both"

@@ -4,7 +4,8 @@ function text = speed_report (results, peers, with_peers)
   text = ["# Benchmark\n\nWritten by `make bench`. Times are of one processor, one pinned thread, median of 41 rounds in which all jobs take turns [10 %, 90 %]; ratios are medians of\n" ...
     "the ratios within a round. Compare ratios, not times of other machines. All code that is compiled here has -O3 -march=native. ID inverse dynamics, M mass\nmatrix, FD forward dynamics, LIN the matrices M, B, C of the linear model; " ...
     "lit: parameters at run time, num: their numbers compiled in.\n", versions(peers, with_peers)];
-  text = [text, summary(results), against_best(results), counts(results), times(results), rivals(results), batches(results), errors(results), growth(results), passes(results)];
+  text = [text, summary(results), against_best(results), counts(results), times(results), rivals(results), batches(results), errors(results), ...
+          growth(results), passes(results)];
   text = [text, "\n![time of a call against the number of links](out/speed/growth.png)\n\n![speed against error](out/speed/error.png)\n"];
 end
 

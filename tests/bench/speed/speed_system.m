@@ -34,7 +34,11 @@ function s = speed_system (name, out)
     end
   end
   s.passes = struct ("word", {}, "inv", {}, "mas", {}, "fwd", {}, "lin", {});
-  for one = maxima (here, s.folder, sprintf ("speed_passes(\"%s\", \"%s\")$", scene, s.folder), 'PASS (\d+) (\S+)')
+  for one = maxima (here, s.folder, sprintf ("speed_passes(\"%s\", \"%s\")$", scene, s.folder), 'PASS (\d+|-) (\S+)')
+    if (strcmp (one{1}{1}, "-"))
+      s.passes(end+1) = struct ("word", [one{1}{2} " (failed)"], "inv", NaN, "mas", NaN, "fwd", NaN, "lin", NaN);
+      continue;
+    end
     c = speed_operations (fullfile (s.folder, "passes", one{1}{1}, [s.scene ".json"]));
     if (! isfield (c, "lin"))
       c.lin = NaN (1, 5);
