@@ -14,7 +14,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages examples test test-random bench bench-loops bench-devices doc install clean
+.PHONY: help packages examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
@@ -23,6 +23,7 @@ help:
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
+	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
@@ -69,6 +70,10 @@ bench-devices: packages
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
 
+bench-abbreviate: packages
+	@mkdir -p tests/bench/out
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
+
 doc: share/manual/functions.txt
 
 share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
@@ -79,4 +84,4 @@ install:
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json share/manual/functions.txt
+	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/abbreviate.md share/manual/functions.txt

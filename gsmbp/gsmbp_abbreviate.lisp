@@ -2,6 +2,9 @@
 ;;; An entry is [name, expression, block, number, symbols]. A vector holds a number for every state; what does not change is one number.
 (in-package :maxima)
 
+(defvar *gsi-entries* nil)              ; name -> entry, to find the products of a sum
+(defvar *gsi-trig* nil)                 ; name -> [partner, angle, sin or cos]
+
 ;;; ------------------------------------------------------------------------------------------------------------ vectors
 
 (defun gsv-vector (n x) (make-array n :element-type 'double-float :initial-element x))
@@ -195,9 +198,6 @@
                                 (if (zerop d) 0d0 (* d (abs (coerce n 'double-float)) (if (eql n 2) (gsi-size wide) (gsi-size (gsi-power wide (1- n) e)))))))))
              (t (multiple-value-bind (a d) (gsi-value x r (cadr e))
                   (values (gsi-function (caar e) a e) (if (zerop d) 0d0 (* d (gsi-slope (caar e) (cons (- (car a) d) (+ (cdr a) d)) e))))))))))
-
-(defvar *gsi-entries* nil)              ; name -> entry, to find the products of a sum
-(defvar *gsi-trig* nil)                 ; name -> [partner, angle, sin or cos]
 
 ;;; A sum. Two products with the sine and the cosine of one angle are together at most the length of the vector that they turn.
 (defun gsi-sum (x r terms)

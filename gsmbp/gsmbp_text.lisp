@@ -2,7 +2,7 @@
 ;;; The state of an emission (gsmbp__emission) is held in variables of Maxima.
 (in-package :maxima)
 
-(declaim (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own
+(declaim (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own $gsmbp__where
                   $gsmbp__taken))
 
 (defun gsmbp-text (&rest parts) (apply #'concatenate 'string parts))
@@ -155,9 +155,19 @@
       (if (cdr l) (gsmbp-text "(" (gsmbp-joined (reverse l) "*") ")") (car l)))))
 
 ;;; the name of a symbol, which from now on counts as used
+(defvar *gsmbp-counting* nil)            ; true: the text does not matter
 (defun gsmbp-name-text (x)
-  (setf (gethash x $gsmbp__used) t)
-  (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))
+  (cond (*gsmbp-counting* "X")
+        (t (setf (gethash x $gsmbp__used) t)
+           (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))))
+
+;;; [mul, add, div, sqrt, trig] of one expression as it is printed
+(defvar *gsmbp-numbers-counted* (make-hash-table :test #'equal))
+(defun $gsmbp__expression_count (x)
+  (let ((*gsmbp-counting* t) ($gsmbp__numbers *gsmbp-numbers-counted*) ($gsmbp__where "gsmbp__expression_count") ($inflag t)
+        ($gsmbp__mul 0) ($gsmbp__add 0) ($gsmbp__div 0) ($gsmbp__sqrt 0) ($gsmbp__trig 0))
+    ($gsmbp__sum_text x)
+    ($gsmbp__tally)))
 
 ;;; ---------------------------------------------------------------------------------------------------------------- lines
 

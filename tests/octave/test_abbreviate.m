@@ -17,9 +17,9 @@ function test_abbreviate ()
     back = max (back, norm (gone) / norm (ud) * min (eig (M)) / max (eig (M)));
   end
   largest = max (abs (tau), [], 2);
-  ## other states than those it was made with, which came within a tenth of the limit
-  gsmbp_check ("INV over the largest effort of each row, the limit is 1 %", max (abs (other - tau), [], 2) ./ largest, 0.0105);
-  gsmbp_check ("M*ud + BIA over the largest effort", max (abs (split - tau), [], 2) ./ largest, 0.0105);
+  ## other states than those it was made with, where it keeps to nine tenths of the limit
+  gsmbp_check ("INV over the largest effort of each row, the limit is 1 %", max (abs (other - tau), [], 2) ./ largest, 0.01);
+  gsmbp_check ("M*ud + BIA over the largest effort", max (abs (split - tau), [], 2) ./ largest, 0.01);
   gsmbp_check ("something was dropped", max (abs (other - tau)(:)) > 0);
   gsmbp_check (sprintf ("M is positive definite, lowest to highest eigenvalue %.1e", lowest), lowest > 0);
   gsmbp_check ("FWD is the inverse of M*ud + BIA, error over the condition of M", back, 1e-14);
