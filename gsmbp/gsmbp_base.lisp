@@ -19,6 +19,27 @@
 (defun gsmbp-exact-p (x) (or (integerp x) (and (consp x) (eq (caar x) 'rat))))
 (defun gsmbp-double (x) (let ((y ($float x))) (coerce y 'double-float)))
 
+;;; Values of outputs in the field of the prime, where code (all entries that they need) holds sums, products and whole powers only and the point
+;;; [symbol = rational, ...] says the rest; else false.
+(defun $gsmbp__tape_residues (code outputs point)
+  (let ((h (make-hash-table :test #'eq)))
+    (catch 'other
+      (dolist (e (cdr point)) (setf (gethash (cadr e) h) (gsmbp-residue-value h (caddr e))))
+      (dolist (e (cdr code))
+        (unless (gethash (gsmbp-entry-name e) h) (setf (gethash (gsmbp-entry-name e) h) (gsmbp-residue-value h (gsmbp-entry-expression e)))))
+      (cons '(mlist) (mapcar #'(lambda (e) (gsmbp-residue-value h e)) (cdr outputs))))))
+(defun gsmbp-residue-value (h e)
+  (cond ((gsmbp-exact-p e) (gsmbp-residue e))
+        ((symbolp e) (or (gethash e h) (throw 'other nil)))
+        ((atom e) (throw 'other nil))
+        ((eq (caar e) 'mplus) (let ((s 0)) (dolist (x (cdr e) s) (setq s (mod (+ s (gsmbp-residue-value h x)) gsmbp-prime)))))
+        ((eq (caar e) 'mtimes) (let ((s 1)) (dolist (x (cdr e) s) (setq s (mod (* s (gsmbp-residue-value h x)) gsmbp-prime)))))
+        ((and (eq (caar e) 'mexpt) (integerp (caddr e)))
+         (let ((x (gsmbp-residue-value h (cadr e))) (s 1))
+           (dotimes (k (abs (caddr e))) (setq s (mod (* s x) gsmbp-prime)))
+           (if (plusp (caddr e)) s (gsmbp-inverse s))))
+        (t (throw 'other nil))))
+
 ;;; By elimination: every row carries the combination of rows that it has become (a list number -> factor as a vector).
 (defun gsmbp-relations (rows pivot minus over shown)
   (let ((basis nil) (kept nil) (others nil) (number 0) (m (length rows)))

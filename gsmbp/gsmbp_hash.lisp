@@ -30,3 +30,11 @@
 (defun $gsmbp__rename_file (old new) #+ecl (rename-file old new :if-exists t) #-ecl (rename-file old new) t)
 ;; the folder of that name, seen from everywhere
 (defun $gsmbp__whole_path (name) (namestring (truename name)))
+;; the rules of "^" in this session, as one thing that Maxima does not look into; and back to them where no others are on top
+(defun $gsmbp__power_rules () (vector (get 'mexpt 'operators) (mget 'mexpt 'rulenum) (mget 'mexpt 'oldrules)))
+(defun $gsmbp__power_rules_back (before)
+  (dolist (s '($gsmbp__s $gsmbp__n)) (delete s $myoptions))
+  (when (equal (get 'mexpt 'operators) (svref before 0))
+    (mputprop 'mexpt (svref before 1) 'rulenum)
+    (unless (svref before 2) (mremprop 'mexpt 'oldrules)))
+  t)

@@ -1,7 +1,7 @@
 ## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for driver.c; CPU seconds of the compiler for each mode.
 ##
 ## jobs: struct array with who, mode, word (id, fd, mm, lin), library, start (file of its init), symbol, outputs. The last is the quad build.
-## Flags as for CasADi's code, -O3 -march=native; what gsmbp_build adds for the batches (lit_v, num_v) does nothing to the rest.
+## Flags as for CasADi's code, -O3 -march=native; the batches (lit_v, num_v) have what gsmbp_build adds for them.
 
 function [jobs, seconds] = speed_build (s, out)
   jobs = speed_job ();
@@ -19,7 +19,8 @@ function [jobs, seconds] = speed_build (s, out)
       m = [mode{1} part{1}];
       library = fullfile (s.folder, [m ".so"]);
       define = {"", "-DLIN", "-DBATCH"}{strcmp(part{1}, {"", "_lin", "_v"})};
-      seconds.(m) = compile (s, m, "double", library, "-O3 -march=native -fopenmp-simd", define, runtime (out, "double"));
+      flags = ["-O3 -march=native" {"", batch_flags()}{1 + strcmp(part{1}, "_v")}];
+      seconds.(m) = compile (s, m, "double", library, flags, define, runtime (out, "double"));
       for one = reshape (part{3}, 2, [])
         jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
       end
@@ -45,16 +46,26 @@ function seconds = compile (s, mode, precision, library, flags, define, archive)
     d.ncst, d.npar, fullfile (here, "ours.c"), object, archive, libraries, library));
 end
 
-## what all scenes share, compiled once
+## what gsmbp_build adds for the batches: loops marked C$OMP SIMD in the widest vectors
+function flags = batch_flags ()
+  flags = " -fopenmp-simd";
+  if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
+    flags = [flags " -mprefer-vector-width=512"];
+  end
+end
+
+## what all scenes share, compiled when it is older than its sources
 function archive = runtime (out, precision)
   root = fileparts (fileparts (fileparts (fileparts (mfilename ("fullpath")))));
   folder = fullfile (out, ["runtime_" precision]);
   archive = fullfile (folder, "runtime.a");
   quad = strcmp (precision, "quad");
   body = {"lapack", "plain"}{1 + quad};
-  if (! exist (archive, "file"))
+  sources = [glob(fullfile (root, "share", "fortran", "*.f")); glob(fullfile (root, "share", "fortran", body, "*.f"))];
+  if (! exist (archive, "file") || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
+    [~, ~] = unlink (archive);
     [~, ~] = mkdir (folder);
-    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -march=native -fPIC %s -c %s/share/fortran/*.f %s/share/fortran/%s/*.f && ar rcs runtime.a *.o", folder,
-      {"", "-freal-8-real-16"}{1 + quad}, root, root, body));
+    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -march=native -fPIC %s -c%s && ar rcs runtime.a *.o", folder,
+      {batch_flags(), "-freal-8-real-16"}{1 + quad}, sprintf (" '%s'", sources{:})));
   end
 end

@@ -13,7 +13,9 @@ function s = speed_system (name, out)
   [~, ~] = mkdir (s.folder);
   s.derive = struct ("mode", {}, "requests", {}, "cpu", {});
   for mode = {"lit", "num"}
-    cellfun (@(part) mkdir (fullfile (s.folder, [mode{1} part])), {"", "_lin", "_v"}, "UniformOutput", false);
+    for part = {"", "_lin", "_v"}
+      [~, ~] = mkdir (fullfile (s.folder, [mode{1} part{1}]));
+    end
     [spent, named] = maxima (here, s.folder, sprintf ("speed_derive(\"%s\", \"%s\", \"%s\")$ speed_model(\"%s\", \"%s\")$", scene, s.folder, mode{1}, scene, s.model),
       'SPEED (\S+) (\S+) ([\d.]+)', 'NAME (\S+)');
     s.scene = named{1}{1};
