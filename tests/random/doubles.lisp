@@ -29,6 +29,8 @@
              (mexpt (doubles-power (doubles-value (cadr e)) (caddr e)))
              (%sin (sin (doubles-value (cadr e))))
              (%cos (cos (doubles-value (cadr e))))
+             ((%atan $atan) (atan (doubles-value (cadr e))))
+             ((%atan2 $atan2) (atan (doubles-value (cadr e)) (doubles-value (caddr e))))
              (%sqrt (sqrt (doubles-value (cadr e))))
              (mabs (abs (doubles-value (cadr e))))
              (mminus (- (doubles-value (cadr e))))
