@@ -316,10 +316,8 @@ room (int n)
 }
 
 static std::string
-meaning (int info, const std::string& call)
+meaning (int info)
 {
-  if (info > 0 && call == "pre")
-    return "a constant is not finite: a parameter that others are divided by is 0";
   if (info < 0)
     return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range";
   switch (info)
@@ -341,10 +339,10 @@ finish (octave_value_list& out, int info, int nargout, const char *call)
     {
       if (info == 2)
         warning_with_id ("gsmbp:rank", "%s.%s: INFO = %d: %s", S.name, call, info,
-                         meaning (info, call).c_str ());
+                         meaning (info).c_str ());
       else
         error_with_id ("gsmbp:info", "%s.%s: INFO = %d: %s", S.name, call, info,
-                       meaning (info, call).c_str ());
+                       meaning (info).c_str ());
     }
   out.append (octave_value (info));
 }
@@ -733,7 +731,7 @@ finish_batch (octave_value_list& out, const std::vector<int>& info, int k, int n
     }
   if (nargout <= out.length () && worst >= 0)
     error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1, info[worst],
-                   meaning (info[worst], call).c_str ());
+                   meaning (info[worst]).c_str ());
   out.append (octave_value (r));
 }
 

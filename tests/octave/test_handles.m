@@ -84,7 +84,6 @@ function wrong (m, c)
   gsmbp_check ("INFO as last output is no error", info == 3 && abs (res(1) - 0.1) < 1e-15);
   says (@() short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]), "hand_crank.clo: INFO = 3: the iteration did not converge");
   says (@() gsmbp_set (c, "l2", -1), "hand_crank.pre: INFO = -1");
-  says (@() gsmbp_set (gsmbp_fixture ("case_01a"), "a2", 0), "case_01a.pre: INFO = 1: a constant is not finite: a parameter that others are divided by is 0");
 end
 
 function says (f, text)
