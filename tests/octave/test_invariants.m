@@ -2,7 +2,6 @@
 ## rates, linear models against differences. (Against quad precision: test_quad.m.) A scene is judged by what it was emitted with.
 
 function test_invariants ()
-  rand ("twister", 2);
   for scene = dir (fullfile (fileparts (mfilename ("fullpath")), "..", "scenes", "*.mac"))'
     [~, name] = fileparts (scene.name);
     if (strcmp (name, "base_robot_less"))   # abbreviated: holds to its tolerance, test_abbreviate.m
@@ -10,6 +9,7 @@ function test_invariants ()
     end
     m = gsmbp_fixture (name);
     d = m.sizes;
+    rand ("twister", double (name));   # states of its own: a new scene changes no other's
     if (isfield (m, "mas") && isfield (m, "inv"))
       mass (name, m, d);
     end
@@ -136,8 +136,11 @@ function jacobians (name, m, d)
     output = @(x, v) m.out (0, x, v);
   end
   for trial = 1:10
-    x = state (m, d);
-    v = uniform (d.nv);
+    do   # away from what the equations themselves tell: orientation angles near their singularity
+      x = state (m, d);
+      v = uniform (d.nv);
+      [~, info] = m.rhs (0, x, v);
+    until (info != 3)
     [A, B, C, D] = m.jac (0, x, v);
     exact = [A, B; C, D];
     both = @(z) [m.rhs(0, z(1:d.nx), z(d.nx+1:end)); output(z(1:d.nx), z(d.nx+1:end))];
@@ -156,6 +159,7 @@ end
 
 ## the paper's linear model about a motion: M, B = dN/du, C = d(M u' + N + G)/dq
 function motion_model (name, m, d)
+  left_out = 0;
   worst = zeros (1, 3);
   for trial = 1:10
     q = unit (m, uniform (d.nq));
@@ -165,7 +169,14 @@ function motion_model (name, m, d)
     [M, B, C] = m.lin (0, q, u, ud, v);
     B_wanted = differences (@(u) m.inv (0, q, u, ud, v), u, 1e-2);
     C_wanted = differences (@(q) m.inv (0, q, u, ud, v), q, 1e-3);
+    if (norm (C_wanted - differences (@(q) m.inv (0, q, u, ud, v), q, 5e-4)) > 1e-6 * max (1, norm (C_wanted)))
+      left_out++;   # a stop begins within the step
+      continue;
+    end
     worst = max (worst, [norm(M - m.mas (0, q)) / norm(M), norm(B - B_wanted) / max(1, norm (B_wanted)), norm(C - C_wanted) / max(1, norm (C_wanted))]);
+  end
+  if (left_out > 2)
+    gsmbp_check ([name " linear model about a motion: states left out"], left_out, 2);
   end
   names = {"M", "B", "C"};
   for k = 1:3
