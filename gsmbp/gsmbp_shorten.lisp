@@ -35,12 +35,14 @@
 (defun gsp-sign (c) (if (gsp-negative-p c) -1 1))
 (defun gsp-abs (c) (if (gsp-negative-p c) (gsp-times -1 c) c))
 
+;; the parts of a product with those of the size of the number c
+(defun gsp-scaled (c parts) (if (eql (gsp-abs c) 1) parts (cons (cons (gsp-name-of (gsp-abs c)) 1) parts)))
+
 ;; The node of an expression; put: keeps a new node under a new name, which it returns.
 (defun gsp-node (e block number put)
   (let ((const nil) (parts nil) (op (and (consp e) (caar e))))
     (labels ((node (kind const parts) (make-gsp :kind kind :const const :parts parts :block block :number number))
-             (other () (return-from gsp-node (node 'other e nil)))
-             (scaled (c parts) (if (member (gsp-abs c) '(1)) parts (cons (cons (gsp-name-of (gsp-abs c)) 1) parts))))
+             (other () (return-from gsp-node (node 'other e nil))))
       (case op
         (mplus (setq const 0)
                (dolist (x (cdr e))
@@ -48,12 +50,12 @@
                    (cond ((gsp-number-p x) (setq const (gsp-plus const x)))
                          ((null p) (other))
                          ((member (cdr p) '(1 -1)) (push p parts))
-                         (t (push (cons (funcall put (node 'product 1 (scaled (cdr p) (list (cons (car p) 1))))) (gsp-sign (cdr p))) parts))))))
+                         (t (push (cons (funcall put (node 'product 1 (gsp-scaled (cdr p) (list (cons (car p) 1))))) (gsp-sign (cdr p))) parts))))))
         (mtimes (setq const 1)
                 (dolist (x (cdr e)) (cond ((gsp-number-p x) (setq const (gsp-times const x)))
                                           ((symbolp x) (push (cons x 1) parts))
                                           (t (other))))
-                (setq parts (scaled const parts) const (gsp-sign const)))
+                (setq parts (gsp-scaled const parts) const (gsp-sign const)))
         (t (other)))
       (node (if (eq op 'mplus) 'sum 'product) const (nreverse parts)))))
 
@@ -96,14 +98,19 @@
                       (gsp-parts n)))
         (gsp-merge n)))))
 
-;; equal names of a sum are one term
+;; equal names of a sum are one term, the numbers of a product one number
 (defun gsp-merge (n)
-  (when (eq (gsp-kind n) 'sum)
+  (if (eq (gsp-kind n) 'sum)
     (let ((l nil))
       (dolist (p (gsp-parts n))
         (let ((old (assoc (car p) l)))
           (if old (setf (cdr old) (gsp-plus (cdr old) (cdr p))) (push (cons (car p) (cdr p)) l))))
-      (setf (gsp-parts n) (nreverse (remove-if #'(lambda (p) (eql (cdr p) 0)) l))))))
+      (setf (gsp-parts n) (nreverse (remove-if #'(lambda (p) (eql (cdr p) 0)) l))))
+    (let ((numbers (remove-if-not #'(lambda (p) (gethash (car p) *gsp-numbers*)) (gsp-parts n))))
+      (when (cdr numbers)
+        (let ((c 1))
+          (dolist (p numbers) (setq c (gsp-times c (gsp-value (car p)))))
+          (setf (gsp-parts n) (gsp-scaled c (remove-if #'(lambda (p) (member p numbers)) (gsp-parts n)))))))))
 
 ;; one round over a sum: the name that is a factor of most of its products that are used once is taken out of them; new nodes by `fresh`
 (defun gsp-factor-sum (n nodes uses fixed fresh put)
@@ -116,7 +123,7 @@
                     (let ((c (assoc x count))) (if c (incf (cdr c)) (push (cons x 1) count)))))))
       (dolist (c (reverse count)) (if (and (> (cdr c) 1) (or (null best) (> (cdr c) (cdr best)))) (setq best c)))
       (when best
-        (let ((inner nil) (others nil) (x (car best)) (s (funcall fresh)) (v (funcall fresh)))
+        (let ((inner nil) (others nil) (x (car best)) (s (funcall fresh)) (v (funcall fresh)) (sign 1))
           (dolist (p (gsp-parts n))
             (let ((m (free p)))
               (if (and m (assoc x (gsp-parts m)))
@@ -126,10 +133,14 @@
                   (push p others))))
           (let ((const 0))                              ; c*a is a*(c + ...)
             (dolist (i inner) (if (null (car i)) (setq const (gsp-plus const (cdr i)))))
-            (funcall put s (make-gsp :kind 'sum :const const :parts (nreverse (remove nil inner :key #'car)) :block (gsp-block n) :number (gsp-number n))))
-          (funcall put v (make-gsp :kind 'product :const 1 :parts (list (cons x 1) (cons s 1)) :block (gsp-block n) :number (gsp-number n)))
-          (setf (gethash s uses) 1 (gethash v uses) 1)
-          (setf (gsp-parts n) (cons (cons v 1) (nreverse others)))
+            (setq inner (nreverse (remove nil inner :key #'car)))
+            (cond ((or inner (not (member const '(0 1 -1))))
+                   (funcall put s (make-gsp :kind 'sum :const const :parts inner :block (gsp-block n) :number (gsp-number n)))
+                   (funcall put v (make-gsp :kind 'product :const 1 :parts (list (cons x 1) (cons s 1)) :block (gsp-block n) :number (gsp-number n)))
+                   (setf (gethash s uses) 1 (gethash v uses) 1))
+                  (t (setq v x sign const))))           ; a, -a or nothing is left
+          (setf (gsp-parts n) (cons (cons v sign) (nreverse others)))
+          (gsp-merge n)
           t)))))
 
 ;; pairs of terms of sums as ((a . b) . ratio), of factors as (a . b)
