@@ -194,12 +194,35 @@
 (defun gsmbp-code-line (c)
   (destructuring-bind (s e heading) (cdr c)
     (unless (equal heading $gsmbp__block) (mfuncall '$gsmbp__open_block heading))
-    (if (and s (symbolp s) (not (stringp e)))
-      (let ((n (gethash s $gsmbp__names)))
-        (unless n (setq n ($gsmbp__fresh s)) ($gsmbp__own_name n))
-        ($gsmbp__assign n e)
-        (setf (gethash s $gsmbp__names) n))
-      (mfuncall '$gsmbp__code_text s e))))
+    (cond ((consp s) (gsmbp-sine-call s e))
+          ((and s (symbolp s) (not (stringp e)))
+           (let ((n (gsmbp-target s)))
+             ($gsmbp__assign n e)
+             (setf (gethash s $gsmbp__names) n)))
+          (t (mfuncall '$gsmbp__code_text s e)))))
+;;; the variable of a symbol, a new one if it has none
+(defun gsmbp-target (s)
+  (or (gethash s $gsmbp__names)
+      (let ((n ($gsmbp__fresh s))) ($gsmbp__own_name n) n)))
+
+;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
+(defun gsmbp-sine-call (pair angle)
+  (let ((names (mapcar #'gsmbp-target (cdr pair))))
+    (incf $gsmbp__trig (count '$idle (cdr pair) :test-not #'eq))
+    ($gsmbp__push ($gsmbp__packed_lines (gsmbp-list (list (gsmbp-text "CALL GSSC( " ($gsmbp__sum_text angle) ", ") (car names) ", " (cadr names) " )"))))
+    (mapc #'(lambda (s n) (setf (gethash s $gsmbp__names) n)) (cdr pair) names)))
+
+;;; The code with [[sine, cosine], angle, block] in the place of the first of the entries under the heading trig that are the sine or cosine of an angle.
+(defun $gsmbp__sine_pairs (code)
+  (let ((pairs nil) (kept nil))
+    (dolist (c (cdr code) (gsmbp-list (nreverse kept)))
+      (destructuring-bind (s e heading) (cdr c)
+        (if (not (and (eq heading '$trig) (consp e) (member (caar e) '(%sin %cos)))) (push c kept)
+          (let ((p (assoc (cadr e) pairs :test #'alike1)))
+            (unless p
+              (push (setq p (cons (cadr e) (gsmbp-list (list '$idle '$idle)))) pairs)
+              (push (gsmbp-list (list (cdr p) (cadr e) heading)) kept))
+            (setf (nth (if (eq (caar e) '%sin) 1 2) (cdr p)) s)))))))
 (defun $gsmbp__code_lines (code) (dolist (c (cdr code)) (gsmbp-code-line c)))
 (defun $gsmbp__own_name (n) (setq $gsmbp__own (gsmbp-list (cons n (cdr $gsmbp__own)))))
 

@@ -65,7 +65,7 @@ function archive = runtime (out, precision)
   if (! exist (archive, "file") || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
     [~, ~] = unlink (archive);
     [~, ~] = mkdir (folder);
-    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -march=native -fPIC %s -c%s && ar rcs runtime.a *.o", folder,
+    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -fno-tree-slp-vectorize -march=native -fPIC %s -c%s && ar rcs runtime.a *.o", folder,
       {batch_flags(), "-freal-8-real-16"}{1 + quad}, sprintf (" '%s'", sources{:})));
   end
 end
