@@ -1,4 +1,4 @@
-;; gsmbp_shorten.lisp: a straight-line program with fewer operations: what sums and products share in part, common factors.
+;; gsmbp_shorten.lisp: a straight-line program with fewer operations: what sums and products share in part, common factors; its order.
 ;;
 ;; ($gsmbp__fewer code outputs fixed fresh): code: Maxima list of entries [name, expression, block, number, symbols], oldest first;
 ;; outputs: expressions; fixed: hash table, names that must stay (sines and cosines); fresh: function that gives a new symbol.
@@ -243,3 +243,35 @@
                                           (list '(mlist simp) v e (gsp-block n) (gsp-number n) (gsp-symbol-list e))))
                           (gsp-ordered names nodes outs)))
             outputs))))
+
+;;; ---------------------------------------------------------------------------------------------------------------- order
+
+;; How many entries may stand between an entry and its first use.
+(defconstant gsp-far 40)
+
+;; The code (entries [name, expression, block]) with each entry whose first use is further behind it just ahead of that, and under its heading:
+;; a number waits in a register, not in memory.
+(defun $gsmbp__sunk (code)
+  (let* ((all (coerce (cdr code) 'vector)) (n (length all)) (place (make-array n)) (position (make-hash-table :test #'eq)) (user (make-hash-table :test #'eq)))
+    (dotimes (i n) (setf (gethash (second (aref all i)) position) i))
+    (loop for i from (1- n) downto 0 do
+      (let* ((e (aref all i)) (u (gethash (second e) user)) (p (if (and u (> (- (aref place u) i) gsp-far)) u)))
+        (setf (aref place i) (if p (aref place p) i))
+        (if p (setf (aref all i) (list (car e) (second e) (third e) (fourth (aref all p)))))
+        (dolist (s (cdr ($gsmbp__symbols (third e))))
+          (let ((old (gethash s user)))
+            (when (and (gethash s position) (or (null old) (< (aref place i) (aref place old)))) (setf (gethash s user) i))))))
+    (cons '(mlist simp)
+          (mapcar #'(lambda (i) (aref all i))
+                  (sort (loop for i below n collect i)
+                        #'(lambda (i j) (or (< (aref place i) (aref place j)) (and (= (aref place i) (aref place j)) (< i j)))))))))
+
+;; Everything on a tape (its table of entries and natures) that can be formed of what is known, constants apart, oldest first.
+(defun $gsmbp__everything (entries nature known)
+  (let ((ready (make-hash-table :test #'eq)) (all nil) (found nil))
+    (dolist (s (cdr known)) (setf (gethash s ready) t))
+    (maphash #'(lambda (s e) (unless (eq (gethash s nature) '$constant) (push e all))) entries)
+    (dolist (e (sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
+      (when (every #'(lambda (s) (or (gethash s ready) (eq (gethash s nature) '$constant))) (cdr (sixth e)))
+        (setf (gethash (second e) ready) t)
+        (push e found)))))
