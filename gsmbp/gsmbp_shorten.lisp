@@ -246,25 +246,19 @@
 
 ;;; ---------------------------------------------------------------------------------------------------------------- order
 
-;; How many entries may stand between an entry and its first use.
-(defconstant gsp-far 40)
-
-;; The code (entries [name, expression, block]) with each entry whose first use is further behind it just ahead of that, and under its heading:
-;; a number waits in a register, not in memory.
-(defun $gsmbp__sunk (code)
-  (let* ((all (coerce (cdr code) 'vector)) (n (length all)) (place (make-array n)) (position (make-hash-table :test #'eq)) (user (make-hash-table :test #'eq)))
-    (dotimes (i n) (setf (gethash (second (aref all i)) position) i))
-    (loop for i from (1- n) downto 0 do
-      (let* ((e (aref all i)) (u (gethash (second e) user)) (p (if (and u (> (- (aref place u) i) gsp-far)) u)))
-        (setf (aref place i) (if p (aref place p) i))
-        (if p (setf (aref all i) (list (car e) (second e) (third e) (fourth (aref all p)))))
-        (dolist (s (cdr ($gsmbp__symbols (third e))))
-          (let ((old (gethash s user)))
-            (when (and (gethash s position) (or (null old) (< (aref place i) (aref place old)))) (setf (gethash s user) i))))))
-    (cons '(mlist simp)
-          (mapcar #'(lambda (i) (aref all i))
-                  (sort (loop for i below n collect i)
-                        #'(lambda (i j) (or (< (aref place i) (aref place j)) (and (= (aref place i) (aref place j)) (< i j)))))))))
+;; The code (entries [name, expression, block]) in the order in which the results ask for it, each entry behind what it needs. Long recursions take
+;; more time in that order than link by link, as the tape has them.
+(defun $gsmbp__by_need (code results)
+  (let ((entry (make-hash-table :test #'eq)) (found nil))
+    (dolist (e (cdr code)) (setf (gethash (second e) entry) e))
+    (labels ((visit (x) (dolist (s (cdr ($gsmbp__symbols x)))
+                          (let ((e (gethash s entry)))
+                            (when e
+                              (remhash s entry)
+                              (visit (third e))
+                              (push e found))))))
+      (mapc #'visit (cdr results)))
+    (cons '(mlist simp) (nreverse found))))
 
 ;; Everything on a tape (its table of entries and natures) that can be formed of what is known, constants apart, oldest first.
 (defun $gsmbp__everything (entries nature known)

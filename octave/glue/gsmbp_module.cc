@@ -325,6 +325,7 @@ meaning (int info)
     case 1: return "the mass matrix is singular or not positive definite";
     case 2: return "the constraints have lost rank: multipliers are not unique";
     case 3: return "the iteration did not converge";
+    case 4: return "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of gsmbp_passes)";
     default: return "numerical event";
     }
 }

@@ -12,12 +12,13 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   fortran = fullfile (fileparts (octave_dir), "share", "fortran");
   quad = strcmp (precision, "quad");
   f77 = strtrim (mkoctfile ("-p", "F77"));
-  ## never -ffast-math: it deletes the tests for what is no number.  The small
-  ## loops of the run time are faster without the vectorization of -O3, its sines
-  ## (GSSC) without that of statements.
+  ## never -ffast-math: it deletes the tests for what is no number.  Statements
+  ## are not packed into vectors: a copy of a number that is computed so may
+  ## differ in its last bit (M would not be symmetric), and GSSC is slower.  The
+  ## small loops of the run time are faster without the vectorization of -O3.
   ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
-  flags = ["-O3 -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
-  common_flags = ["-O2 -fno-tree-slp-vectorize" flags(4:end)];
+  flags = ["-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
+  common_flags = ["-O2" flags(4:end)];
   body = "lapack";
   libraries = "-llapack -lblas";
   define = "";

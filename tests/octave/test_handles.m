@@ -84,6 +84,7 @@ function wrong (m, c)
   gsmbp_check ("INFO as last output is no error", info == 3 && abs (res(1) - 0.1) < 1e-15);
   says (@() short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]), "hand_crank.clo: INFO = 3: the iteration did not converge");
   says (@() gsmbp_set (c, "l2", -1), "hand_crank.pre: INFO = -1");
+  says (@() gsmbp_set (gsmbp_fixture ("case_03a"), "la", 0), "case_03a.pre: INFO = 4: a length is 0 by which the equations were divided");
 end
 
 function says (f, text)

@@ -1,5 +1,6 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div sqrt trig.
-# X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent.
+# X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent;
+# CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
 BEGIN {
   split("SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP", list, " "); for (i in list) trig[list[i]] = 1
   split("SQRT ABS MAX MIN ANINT GSFLR", list, " "); for (i in list) free[list[i]] = 1
@@ -27,10 +28,13 @@ function skip(   depth) {
 function count(s,   t, before) {
   text = toupper(s)
   if (match(text, /^ *(SUBROUTINE|[A-Z ]*FUNCTION) +[A-Z0-9_]+/)) { report(); name = substr(text, 1, RLENGTH); sub(/.* /, "", name); return }
-  if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
-  token()
-  if (text ~ /^ *\(/) skip()
-  if (token() != "=") return
+  if (sub(/^ *CALL +GSSC *\(/, "", text)) calls += 2 - (text ~ /, *IDLE *[,)]/)
+  else {
+    if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
+    token()
+    if (text ~ /^ *\(/) skip()
+    if (token() != "=") return
+  }
   for (before = "="; (t = token()) != ""; before = t) {
     if (t == "*") mul++
     else if (t == "/") div++
