@@ -8,7 +8,7 @@ function [jobs, seconds] = speed_build (s, out)
   seconds = struct ();
   n = s.n;
   parts = {"", "gsmbp", {"id", n, "fd", n, "mm", n^2}};
-  if (any (strcmp ({s.derive.requests}, "LIN")))
+  if (any (strcmp ({s.derive.requests}, "LIN")) && n <= 16)    # gfortran takes minutes beyond
     parts(end+1,:) = {"_lin", "gsmbp", {"lin", 3 * n^2}};
   end
   if (any (strcmp ({s.derive.requests}, "batch")))

@@ -52,7 +52,7 @@ function text = summary (results)
     rows{end+1} = row;
   end
   text = speed_table ("Summary", ["Derivation: processor seconds of Maxima with the scene's reading, without Maxima's start, for M and bias (what the rivals' figures are for), for\n" ...
-    "ID, M, bias and FD, for LIN (up to 16 links); compilation of ID, M, bias and FD + LIN. Operations: mul + add + div of ID / M / FD / LIN, lit. Times in ns, lit / num. Errors: median, worst of random states."],
+    "ID, M, bias and FD, for LIN; compilation of ID, M, bias and FD + LIN (compiled and timed up to 16 links). Operations: mul + add + div of ID / M / FD / LIN, lit. Times in ns, lit / num. Errors: median, worst of random states."],
     {"system", "n", "M+bias s", "all s", "LIN s", "compile s", "operations", "ID ns", "M ns", "FD ns", "LIN ns", "error ID", "error FD"}, rows);
 end
 
@@ -260,12 +260,12 @@ function text = passes (results)
   for s = results
     for k = 1:numel (s.passes)
       gain = repmat ({""}, 1, 4);
-      if (k > 1)
+      if (k > 1 && strcmp (s.passes(k).mode, s.passes(k-1).mode))
         gain = cellfun (@(w) number ("%+d", s.passes(k).(w) - s.passes(k-1).(w)), words, "UniformOutput", false);
       end
-      rows{end+1} = [{s.name, s.passes(k).word}, cellfun(@(w) number ("%d", s.passes(k).(w)), words, "UniformOutput", false), gain];
+      rows{end+1} = [{s.name, s.passes(k).mode, s.passes(k).word}, cellfun(@(w) number ("%d", s.passes(k).(w)), words, "UniformOutput", false), gain];
     end
   end
-  text = speed_table ("Pass by pass", "Operations (lit) with one pass after the other switched on, and what each adds.",
-    {"system", "pass", "ID", "M", "FD", "LIN", "ID by it", "M by it", "FD by it", "LIN by it"}, rows);
+  text = speed_table ("Pass by pass", "Operations with one pass after the other switched on, and what each adds.",
+    {"system", "mode", "pass", "ID", "M", "FD", "LIN", "ID by it", "M by it", "FD by it", "LIN by it"}, rows);
 end

@@ -2,7 +2,7 @@
 ##
 ## s: name, scene (its name in Fortran), n, loop (whether it has loops: then no model.txt), folder, model; derive: mode, requests
 ## (M+bias, FD, all: ID, M, bias, FD; LIN, batch), CPU seconds; modes ("lit": parameters at run time, "num": compiled in);
-## operations.MODE.WORD: mul add div sqrt trig (words inv mas fwd lin); passes: word and operations of inv mas fwd lin (NaN: not asked for) without trig, the passes added up.
+## operations.MODE.WORD: mul add div sqrt trig (words inv mas fwd lin); passes: mode, word and operations of inv mas fwd lin (NaN: not asked for) without trig, the passes added up.
 
 function s = speed_system (name, out)
   here = fileparts (mfilename ("fullpath"));
@@ -35,17 +35,19 @@ function s = speed_system (name, out)
       s.operations.(mode{1}).lin = speed_operations (fullfile (s.folder, [mode{1} "_lin"], [s.scene ".json"])).lin;
     end
   end
-  s.passes = struct ("word", {}, "inv", {}, "mas", {}, "fwd", {}, "lin", {});
-  for one = maxima (here, s.folder, sprintf ("speed_passes(\"%s\", \"%s\")$", scene, s.folder), 'PASS (\d+|-) (\S+)')
-    if (strcmp (one{1}{1}, "-"))
-      s.passes(end+1) = struct ("word", [one{1}{2} " (failed)"], "inv", NaN, "mas", NaN, "fwd", NaN, "lin", NaN);
-      continue;
+  s.passes = struct ("mode", {}, "word", {}, "inv", {}, "mas", {}, "fwd", {}, "lin", {});
+  for mode = s.modes
+    for one = maxima (here, s.folder, sprintf ("speed_passes(\"%s\", \"%s\", \"%s\")$", scene, s.folder, mode{1}), 'PASS (\d+|-) (\S+)')
+      if (strcmp (one{1}{1}, "-"))
+        s.passes(end+1) = struct ("mode", mode{1}, "word", [one{1}{2} " (failed)"], "inv", NaN, "mas", NaN, "fwd", NaN, "lin", NaN);
+        continue;
+      end
+      c = speed_operations (fullfile (s.folder, "passes", mode{1}, one{1}{1}, [s.scene ".json"]));
+      if (! isfield (c, "lin"))
+        c.lin = NaN (1, 5);
+      end
+      s.passes(end+1) = struct ("mode", mode{1}, "word", one{1}{2}, "inv", sum (c.inv(1:3)), "mas", sum (c.mas(1:3)), "fwd", sum (c.fwd(1:3)), "lin", sum (c.lin(1:3)));
     end
-    c = speed_operations (fullfile (s.folder, "passes", one{1}{1}, [s.scene ".json"]));
-    if (! isfield (c, "lin"))
-      c.lin = NaN (1, 5);
-    end
-    s.passes(end+1) = struct ("word", one{1}{2}, "inv", sum (c.inv(1:3)), "mas", sum (c.mas(1:3)), "fwd", sum (c.fwd(1:3)), "lin", sum (c.lin(1:3)));
   end
 end
 
