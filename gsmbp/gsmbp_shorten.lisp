@@ -7,6 +7,7 @@
 ;; A node is (kind constant . parts): sum: constant + sum of c*name, parts ((name . c) ...); product: constant * product of names,
 ;; parts ((name . 1) ...); other: an expression that is left alone.
 ;;   flatten   a sum (product) used once in a sum (product) is written there;
+;;   cancel    x - b with x = a + b is a: one sum less, and no cancellation of rounded numbers;
 ;;   factor    a*x + a*y, the products used once, is a*(x + y);
 ;;   pairs     two terms (factors) that stand together in two or more sums (products) get a name, the most frequent first.
 (in-package :maxima)
@@ -79,6 +80,15 @@
     (dolist (e outputs) (dolist (s (gsp-symbols e)) (incf (gethash s uses 0) 2)))
     uses))
 
+;; the names (oldest first) that the outputs need; the nodes of the others go
+(defun gsp-needed (names nodes outputs fixed)
+  (let ((used (make-hash-table :test #'eq)) (kept nil))
+    (flet ((use (l) (dolist (s l) (setf (gethash s used) t))))
+      (dolist (e outputs) (use (gsp-symbols e)))
+      (dolist (v (reverse names) kept)
+        (cond ((or (gethash v used) (gethash v fixed)) (use (gsp-operands (gethash v nodes))) (push v kept))
+              (t (remhash v nodes)))))))
+
 ;; a sum or product used once, in one of its kind, is written there
 (defun gsp-flatten (names nodes uses fixed)
   (dolist (v names)
@@ -111,6 +121,26 @@
         (let ((c 1))
           (dolist (p numbers) (setq c (gsp-times c (gsp-value (car p)))))
           (setf (gsp-parts n) (gsp-scaled c (remove-if #'(lambda (p) (member p numbers)) (gsp-parts n)))))))))
+
+;; c*x in a sum whose other terms take away again one of the two terms of x = a + b: what is left of it
+(defun gsp-cancel (names nodes)
+  (dolist (v names)
+    (let ((n (gethash v nodes)))
+      (when (eq (gsp-kind n) 'sum)
+        (loop for found = (gsp-cancelled n nodes) while found
+              do (destructuring-bind (x other left) found
+                   (setf (gsp-parts n) (cons left (remove other (remove x (gsp-parts n) :test #'eq) :test #'eq)))
+                   (gsp-merge n)))))))
+;; (term, the term that cancels a part of it, what is left of it) of a sum, or nil
+(defun gsp-cancelled (n nodes)
+  (dolist (x (gsp-parts n))
+    (let ((m (gethash (car x) nodes)))
+      (when (and m (eq (gsp-kind m) 'sum) (eql (gsp-const m) 0) (= (length (gsp-parts m)) 2))
+        (dolist (p (gsp-parts m))
+          (let ((other (assoc (car p) (gsp-parts n))))
+            (when (and other (equal (cdr other) (gsp-times -1 (gsp-times (cdr x) (cdr p)))))
+              (let ((q (if (eq p (car (gsp-parts m))) (cadr (gsp-parts m)) (car (gsp-parts m)))))
+                (return-from gsp-cancelled (list x other (cons (car q) (gsp-times (cdr x) (cdr q)))))))))))))
 
 ;; one round over a sum: the name that is a factor of most of its products that are used once is taken out of them; new nodes by `fresh`
 (defun gsp-factor-sum (n nodes uses fixed fresh put)
@@ -227,6 +257,11 @@
       (let ((passes (cdr passes)))
         (gsp-flatten (gsp-ordered names nodes outs) nodes (gsp-uses names nodes outs) fixed)
         (live)
+        (when (member '$cancel passes)
+          (gsp-cancel (gsp-ordered names nodes outs) nodes)
+          (setq names (gsp-needed (gsp-ordered names nodes outs) nodes outs fixed))
+          (gsp-flatten (gsp-ordered names nodes outs) nodes (gsp-uses names nodes outs) fixed)
+          (live))
         (when (member '$factor passes)
           (let ((uses (gsp-uses names nodes outs)))
             (dolist (v (old-first))

@@ -25,7 +25,7 @@ check 'and says that the sources are loaded' grep -q 'uncompiled' "$work/out.txt
 check 'nothing is left behind' fails sh -c 'ls gsmbp/compiled/*/gsmbp.* >/dev/null 2>&1'
 
 compile
-if grep -q 'no compiler' "$work/out.txt"; then echo 'ok this Lisp cannot compile here: only the sources were tested'; exit 0; fi
+if grep -q 'compilation failed' "$work/out.txt"; then echo 'ok this Lisp cannot compile here: only the sources were tested'; exit 0; fi
 check 'compiled files are loaded' used
 check 'with compiled files: the same text' same compiled
 file=$(ls gsmbp/compiled/*/gsmbp.*)
