@@ -14,7 +14,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
+.PHONY: help packages compiled examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
@@ -34,13 +34,17 @@ help:
 packages:
 	@share/make/packages
 
+# the Lisp files of the package as one compiled file; does nothing if it is newer than they are
+compiled: | packages
+	@share/make/compile
+
 examples: $(EXAMPLES:%=examples/%/out/finished)
 
 # Fortran and JSON appear whole or not at all (gsmbp_fortran writes beside and renames)
-fortran_out/%.f fortran_out/%.json fortran_out/%.dot: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages
+fortran_out/%.f fortran_out/%.json fortran_out/%.dot: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages compiled
 	share/make/derive $< fortran_out
 
-fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages
+fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages compiled
 	share/make/derive $< fortran_out
 
 # the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
@@ -54,23 +58,22 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 test: packages
 	@tests/run
 
-test-random: packages
+test-random: packages compiled
 	@tests/random/run
 
-bench: packages
+bench: packages compiled
 	@mkdir -p tests/bench/out
 	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
 
-bench-loops:
-	@share/make/packages
+bench-loops: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
 
-bench-devices: packages
+bench-devices: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
 
-bench-abbreviate: packages
+bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
 
@@ -81,7 +84,8 @@ share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
 	share/make/doc gsmbp/*.mac >$@.new && mv $@.new $@
 
 install:
+	@share/make/compile
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/abbreviate.md share/manual/functions.txt
+	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/abbreviate.md share/manual/functions.txt

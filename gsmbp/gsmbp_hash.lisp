@@ -16,11 +16,12 @@
 (defun $gsmbp__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
 ;; e with every symbol that the table h holds replaced by what it holds; simplified, not evaluated
-(defun $gsmbp__replace (h e)
+(defun $gsmbp__replace (h e) (if (zerop (hash-table-count h)) e (gsmbp-replace h e)))
+(defun gsmbp-replace (h e)
   (cond ((symbolp e) (or (gethash e h) e))
         ((or (atom e) (eq (caar e) 'rat)) e)
         (t (let ((a nil))
-             (dolist (x (cdr e)) (push ($gsmbp__replace h x) a))
+             (dolist (x (cdr e)) (push (gsmbp-replace h x) a))
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in order
 (defun $gsmbp__file_exists (name) (and (probe-file name) t))

@@ -192,9 +192,13 @@
 ;; The most frequent pair is taken first, of several the one that is needed first. Where a pair stands can only become less while another
 ;; is taken, so a pair that comes to the top of the heap is looked at again.
 (defun gsp-share-pairs (kind names nodes fresh put)
-  (let ((where (make-hash-table :test #'equal)) (two (make-hash-table :test #'equal)) (heap nil))
-    (labels ((each-pair (n f) (do ((l (gsp-parts n) (cdr l))) ((null (cdr l)))
-                                (dolist (q (cdr l)) (unless (eq (caar l) (car q)) (funcall f (gsp-pair kind (car l) q))))))
+  (let ((where (make-hash-table :test #'eq)) (two (make-hash-table :test #'eq)) (ids (make-hash-table :test #'eq)) (pairs (make-hash-table)) (heap nil))
+    (labels ((id (s) (or (gethash s ids) (setf (gethash s ids) (hash-table-count ids))))
+             (pair (p q)                 ; one list for each pair: Lisp's own hash of a list of names lets thousands share a place
+               (let* ((k (gsp-pair kind p q)) (n (+ (* 16777216 (id (first k))) (id (second k)))))
+                 (or (find (third k) (gethash n pairs) :key #'third :test #'equal) (progn (push k (gethash n pairs)) k))))
+             (each-pair (n f) (do ((l (gsp-parts n) (cdr l))) ((null (cdr l)))
+                                (dolist (q (cdr l)) (unless (eq (caar l) (car q)) (funcall f (pair (car l) q))))))
              (add (n) (when (< (length (gsp-parts n)) 40) (each-pair n #'(lambda (k) (pushnew n (gethash k where))))))
              (del (n) (when (< (length (gsp-parts n)) 40) (each-pair n #'(lambda (k) (setf (gethash k where) (delete n (gethash k where)))))))
              (standing (k)               ; (count number pair) of a pair that stands in two places or more
@@ -207,7 +211,7 @@
       ;; sums of two are sought too: their pair exists already
       (dolist (v names) (let ((n (gethash v nodes)))
                           (when (and n (eq (gsp-kind n) kind) (= (length (gsp-parts n)) 2) (eql (gsp-const n) (if (eq kind 'sum) 0 1)))
-                            (setf (gethash (gsp-pair kind (first (gsp-parts n)) (second (gsp-parts n))) two) v))))
+                            (setf (gethash (pair (first (gsp-parts n)) (second (gsp-parts n))) two) v))))
       (maphash #'(lambda (k l) (declare (ignore l)) (note k)) where)
       (do () ((null heap))
         (let* ((top (car heap)) (best (third top)))

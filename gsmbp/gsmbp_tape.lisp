@@ -106,3 +106,37 @@
   (if (or (atom e) (eq (caar e) 'rat)) 1
     (let ((f (if (member (caar e) '(mtimes mexpt)) (nformat e) e)) (n 1))
       (if (atom f) 1 (dolist (x (cdr f) n) (incf n (gsmbp-size x)))))))
+
+;;; --------------------------------------------------------------------------------------------------------------- sines
+
+;;; The code with the sine and cosine of a sum of two angles made of those of both where the code has these: three products and sums
+;;; each instead of a call. An angle of which the code has one of the two gets the other: one call gives both.
+(defun $gsmbp__fewer_sines (tp code)
+  (let ((trig (nth 6 tp)) (known (make-hash-table :test #'eq)) (sums (make-hash-table :test #'eq)) (there (make-hash-table :test #'eq)) (more nil) (made nil))
+    (dolist (e (cdr code))
+      (let* ((name (gsmbp-entry-name e)) (x (gsmbp-entry-expression e)) (w (gethash name trig)))
+        (cond (w (setf (gethash name there) t)
+                 (when (symbolp (cadr x)) (setf (gethash (cadr x) known) (if (eq (cadddr w) '%sin) (list name (cadr w)) (list (cadr w) name)))))
+              ((gsmbp-sum-p x) (setf (gethash name sums) x)))))
+    (dolist (e (cdr code) (gsmbp-list (append more (nreverse made))))
+      (let* ((w (gethash (gsmbp-entry-name e) trig)) (sc (if w (gsmbp-sum-of-known known sums (cadr (gsmbp-entry-expression e))))))
+        (cond ((null sc) (push e made))
+              (t (dolist (s sc) (unless (gethash s there) (setf (gethash s there) t) (push (gethash s (gsmbp-entries tp)) more)))
+                 (destructuring-bind (sa ca sb cb) sc
+                   (let ((x (if (eq (cadddr w) '%sin) (gsmbp-sum (gsmbp-times sa cb) (gsmbp-times ca sb)) (gsmbp-difference (gsmbp-times ca cb) (gsmbp-times sa sb)))))
+                     (push (gsmbp-list (list (gsmbp-entry-name e) x (gsmbp-entry-block e) (gsmbp-entry-number e) ($gsmbp__symbols x))) made)))))))))
+;;; (sine cosine sine cosine) of the two angles whose sum `angle` is, or nil
+(defun gsmbp-sum-of-known (known sums angle)
+  (let ((s (and (symbolp angle) (gethash angle sums))))
+    (when (and s (null (cdddr s)))
+      (destructuring-bind (a b) (cdr ($args s))
+        (when (and (symbolp a) (symbolp b))
+          (let ((x (gethash a known)) (y (gethash b known))) (when (and x y) (append x y))))))))
+
+;;; true if one of the code sets a pair at once
+(defun $gsmbp__sets_pairs (code) (and (find-if #'(lambda (e) ($listp (cadr e))) (cdr code)) t))
+
+;;; the code as it is written: numbers of the table `known` put in, sines and cosines marked
+(defun $gsmbp__written_code (known code)
+  (gsmbp-list (mapcar #'(lambda (e) (gsmbp-list (list (cadr e) ($gsmbp__replace known (caddr e)) (if (equal (cadddr e) "sines and cosines") '$trig (cadddr e)))))
+                      (cdr code))))

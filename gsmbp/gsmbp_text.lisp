@@ -226,6 +226,42 @@
 (defun $gsmbp__code_lines (code) (dolist (c (cdr code)) (gsmbp-code-line c)))
 (defun $gsmbp__own_name (n) (setq $gsmbp__own (gsmbp-list (cons n (cdr $gsmbp__own)))))
 
+;;; the declaration of some names, or several if one would need more than 20 lines
+(defun $gsmbp__declaration (type names) (gsmbp-list (gsmbp-declared type (cdr names))))
+(defun gsmbp-declared (type names)
+  (let* ((n (length names)) (half (floor n 2))
+         (lines (if (<= 1 n 200)
+                  (cdr ($gsmbp__packed_lines (gsmbp-list (cons (gsmbp-text type (car names) (if (cdr names) "," ""))
+                                                               (maplist #'(lambda (l) (gsmbp-text " " (car l) (if (cdr l) "," ""))) (cdr names)))))))))
+    (cond ((null names) nil)
+          ((and lines (<= (length lines) 20)) lines)
+          (t (append (gsmbp-declared type (subseq names 0 half)) (gsmbp-declared type (nthcdr half names)))))))
+
+;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list; [["NAME(1,1)", e], ...] of a matrix, by columns
+(defun gsmbp-places (name n base) (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
+(defun $gsmbp__s_list (symbols name base) (gsmbp-list (mapcar #'(lambda (s p) (gsmbp-list (list s p))) (cdr symbols) (gsmbp-places name (length (cdr symbols)) base))))
+(defun $gsmbp__r_list (name l base) (gsmbp-list (mapcar #'(lambda (e p) (gsmbp-list (list p e))) (cdr l) (gsmbp-places name (length (cdr l)) base))))
+
+(defun $gsmbp__r_matrix (name a)
+  (let ((j 0) (l nil))
+    (dolist (c (if (cdr a) (cdr ($gsmbp__transpose a))) (gsmbp-list (nreverse l)))
+      (let ((i 0)) (incf j) (dolist (e (cdr c)) (incf i) (push (gsmbp-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))
+
+;;; a text filled into lines of at most 72 characters: `head` ahead of the first, `tail` ahead of the others
+(defun $gsmbp__filled (text head tail)
+  (let ((lines nil) (line (list head)) (width (length head)))
+    (dolist (w (gsmbp-split text) (gsmbp-list (nreverse (cons (string-right-trim " " (gsmbp-joined (nreverse line) "")) lines))))
+      (cond ((null (cdr line)) (push w line) (incf width (length w)))
+            ((<= (+ width 1 (length w)) 72) (push " " line) (push w line) (incf width (1+ (length w))))
+            (t (push (gsmbp-joined (nreverse line) "") lines) (setq line (list w tail) width (+ (length tail) (length w))))))))
+(defun gsmbp-split (text)                ; its words
+  (let ((words nil) (from 0))
+    (loop
+      (let ((to (position #\Space text :start from)))
+        (unless (eql from (or to (length text))) (push (subseq text from to) words))
+        (unless to (return (nreverse words)))
+        (setq from (1+ to))))))
+
 ;;; the right sides that are text
 (defun $gsmbp__code_texts (code) (gsmbp-list (remove-if-not #'stringp (mapcar #'caddr (cdr code)))))
 
