@@ -156,9 +156,15 @@
 
 ;;; the name of a symbol, which from now on counts as used
 (defvar *gsmbp-counting* nil)            ; true: the text does not matter
+(defvar $gsmbp__late nil)                ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them; or false
+(defvar *gsmbp-due* nil)                 ; (name . source) of those that wait for the next statement
 (defun gsmbp-name-text (x)
   (cond (*gsmbp-counting* "X")
         (t (setf (gethash x $gsmbp__used) t)
+           (let ((source (and $gsmbp__late (gethash x $gsmbp__late))))
+             (when source
+               (remhash x $gsmbp__late)
+               (push (cons (gethash x $gsmbp__names) source) *gsmbp-due*)))
            (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))))
 
 ;;; [mul, add, div, sqrt, trig] of one expression as it is printed
@@ -180,7 +186,15 @@
                (setq p (string-left-trim " " p) line (list p "     $   ") width (- 63 (length p)))
                (when (< width 0) (return (mfuncall '$gsmbp__statement_lines (gsmbp-joined (cdr pieces) "") "" 0))))))))
 
-(defun $gsmbp__push (lines) (dolist (l (cdr lines)) (setq $gsmbp__body (gsmbp-list (cons l (cdr $gsmbp__body))))))
+(defun $gsmbp__push (lines)
+  (let ((due (reverse *gsmbp-due*)))
+    (setq *gsmbp-due* nil)
+    (dolist (d due) (gsmbp-push-line (gsmbp-load-line (car d) (cdr d)))))
+  (dolist (l (cdr lines)) (gsmbp-push-line l)))
+(defun gsmbp-push-line (l) (setq $gsmbp__body (gsmbp-list (cons l (cdr $gsmbp__body)))))
+(defun gsmbp-load-line (name source)
+  ($gsmbp__own_name name)
+  (gsmbp-text "      " name " = " source))
 
 ;;; target = expression, as one statement if 20 lines hold it
 (defun $gsmbp__assign (target e)
@@ -290,8 +304,14 @@
     (dolist (l (cdr load) (gsmbp-list (nreverse lines)))
       (let ((n (gethash (cadr l) $gsmbp__names)))
         (when (and (string/= n (string-upcase (caddr l))) (or (gethash (cadr l) $gsmbp__used) (gethash n raw)))
-          ($gsmbp__own_name n)
-          (push (gsmbp-text "      " n " = " (caddr l)) lines))))))
+          (push (gsmbp-load-line n (caddr l)) lines))))))
+
+;;; hash table, symbol -> source, of the loaded symbols but those whose name the hash table raw holds
+(defun $gsmbp__to_load_late (load raw)
+  (let ((h (make-hash-table :test #'eq)))
+    (dolist (l (cdr load) h)
+      (let ((n (gethash (cadr l) $gsmbp__names)))
+        (unless (or (string= n (string-upcase (caddr l))) (gethash n raw)) (setf (gethash (cadr l) h) (caddr l)))))))
 
 ;;; A free name for a symbol: its own in capitals, else with _ behind it, else _2, _3, ...
 (defun $gsmbp__fresh (symbol)

@@ -26,7 +26,7 @@ last = gsmbp_inverse (m, plan, 1, "side", -1);   # the motion ends there, its je
 r.tau(end,:) = last.tau;
 r.v(end,:) = last.v;
 gsmbp_csv ("out/inverse_dynamics.csv", [{"t"}, titles("q"), titles("tau"), titles("v")], [t, r.q, r.tau, r.v]);
-gsmbp_plot ("out/figure_10.png", t, panel (r.q, titles ("q"), "joint angle [rad]"), "title", "Figure 10: planned motion");
+gsmbp_plot ("out/figure_10.png", t, panel (r.q(:,1:2), {"q1 and q3", "q2"}, "joint angle [rad]"), "title", "Figure 10: planned motion");   # q1 and q3 move alike
 gsmbp_plot ("out/figure_11.png", t, panel (r.v, titles ("motor "), "voltage [V]"), panel (r.tau, titles ("joint "), "torque [N m]"), "title", "Figure 11: voltages and torques along the motion");
 
 puts ("inverse dynamics: torques at the joints (rotor inertia and motor friction in them), voltages of the motors\n");
