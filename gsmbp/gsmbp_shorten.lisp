@@ -299,12 +299,13 @@
       (mapc #'visit (cdr results)))
     (cons '(mlist simp) (nreverse found))))
 
-;; Everything on a tape (its table of entries and natures) that can be formed of what is known, constants apart, oldest first.
-(defun $gsmbp__everything (entries nature known)
-  (let ((ready (make-hash-table :test #'eq)) (all nil) (found nil))
+;; Everything on a tape (its table of entries and natures) that can be formed of what is known, constants apart, and what is needed, oldest first.
+(defun $gsmbp__everything (entries nature known needed)
+  (let ((ready (make-hash-table :test #'eq)) (wanted (make-hash-table :test #'eq)) (all nil) (found nil))
+    (dolist (e (cdr needed)) (setf (gethash (second e) wanted) t))
     (dolist (s (cdr known)) (setf (gethash s ready) t))
     (maphash #'(lambda (s e) (unless (eq (gethash s nature) '$constant) (push e all))) entries)
     (dolist (e (sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
-      (when (every #'(lambda (s) (or (gethash s ready) (eq (gethash s nature) '$constant))) (cdr (sixth e)))
+      (when (or (gethash (second e) wanted) (every #'(lambda (s) (or (gethash s ready) (eq (gethash s nature) '$constant))) (cdr (sixth e))))
         (setf (gethash (second e) ready) t)
         (push e found)))))
