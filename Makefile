@@ -28,7 +28,7 @@ help:
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
 	@echo 'make clean                 removes what make generated'
-	@echo 'MAXIMA=maxima-sage make ... derives with Maxima on ECL instead of the default `maxima` (GCL): the same text, four times slower'
+	@echo 'MAXIMA=maxima-sage make ... derives with Maxima on ECL instead of the default `maxima` (GCL): the same text, several times slower'
 	@echo 'examples, test and bench first install the Debian packages that are missing (as root; otherwise they name them).'
 
 packages:

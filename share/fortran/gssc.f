@@ -1,8 +1,7 @@
       SUBROUTINE GSSC( X, S, C )
 C
 C     PURPOSE
-C     Sine and cosine of an angle: a third to a half of the time that
-C     two calls of the library take.
+C     Sine and cosine of an angle.
 C
 C     ARGUMENTS
 C     X       (input) DOUBLE PRECISION, angle [rad].
