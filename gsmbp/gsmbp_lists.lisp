@@ -10,6 +10,12 @@
       (setq all (revappend (cdr x) all)))))
 (defun $gsmbp__sum (l) (addn (cdr l) nil))
 
+;;; [the first n of l, the others]; the nthcdr of GCL is recursive, and with it Maxima's firstn and rest: they fail beyond some thousand elements
+(defun $gsmbp__cut_at (l n)
+  (let ((front nil) (back (cdr l)))
+    (dotimes (k n) (push (pop back) front))
+    (gsmbp-list (list (gsmbp-list (nreverse front)) (gsmbp-list back)))))
+
 (defun $gsmbp__zero_matrix () (gsmbp-list (loop repeat 3 collect (gsmbp-list (list 0 0 0)))))
 (defun $gsmbp__identity () (gsmbp-list (list (gsmbp-list (list 1 0 0)) (gsmbp-list (list 0 1 0)) (gsmbp-list (list 0 0 1)))))
 

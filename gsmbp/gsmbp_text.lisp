@@ -249,7 +249,7 @@
                                                                (maplist #'(lambda (l) (gsmbp-text " " (car l) (if (cdr l) "," ""))) (cdr names)))))))))
     (cond ((null names) nil)
           ((and lines (<= (length lines) 20)) lines)
-          (t (append (gsmbp-declared type (subseq names 0 half)) (gsmbp-declared type (nthcdr half names)))))))
+          (t (mapcan #'(lambda (part) (gsmbp-declared type (cdr part))) (cdr ($gsmbp__cut_at (gsmbp-list names) half)))))))
 
 ;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list; [["NAME(1,1)", e], ...] of a matrix, by columns
 (defun gsmbp-places (name n base) (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
