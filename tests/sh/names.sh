@@ -12,3 +12,7 @@ lisp=$(grep -hoE '^\(def(un|macro) \$?[A-Za-z_0-9-]+' gsmbp/*.lisp | sed 's/^(de
 twice=$(echo "$lisp" | uniq -d)
 both=$(for f in $(echo "$lisp" | sed -n 's/^\$//p'); do grep -lE "^ *$f\(.*:=" gsmbp/*.mac share/*/*.mac | sed "s/^/$f in /"; done)
 [ -z "$twice$both" ] && echo "ok no function of Lisp is defined again" || echo "not ok defined again: $twice $both"
+
+# A function that is kept in a local variable has a name of the package: Maxima would call a user's function of the same name instead.
+local=$(grep -noE '(^|[^A-Za-z_0-9@])[A-Za-z_0-9]+ : lambda\(' gsmbp/*.mac share/*/*.mac | grep -vE 'gsmbp__[A-Za-z_0-9]+ : lambda')
+[ -z "$local" ] && echo "ok no local function has a user's name" || echo "not ok local functions: $local"
