@@ -51,7 +51,7 @@ fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac 
 examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac examples/$$*/*.m) $(wildcard examples/*.m) $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
-	timeout 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
+	timeout -k 10 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
 	dot -Tpng fortran_out/$*.dot -o examples/$*/out/graph.png
 	@touch $@
 
@@ -63,19 +63,19 @@ test-random: packages compiled
 
 bench: packages compiled
 	@mkdir -p tests/bench/out
-	timeout 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
+	timeout -k 10 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
 
 bench-loops: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
 
 bench-devices: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
 
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
+	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
 
 doc: share/manual/functions.txt
 

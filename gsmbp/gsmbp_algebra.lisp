@@ -3,7 +3,11 @@
 (in-package :maxima)
 
 (defun gsmbp-list (l) (cons '(mlist simp) l))
-(defun gsmbp-times (a b) (cond ((eql a 0) 0) ((eql b 0) 0) ((eql a 1) b) ((eql b 1) a) (t (mul2 a b))))
+;;; the product of two different symbols is put together here: Maxima's simplifier takes several times as long for it
+(defun gsmbp-times (a b)
+  (cond ((eql a 0) 0) ((eql b 0) 0) ((eql a 1) b) ((eql b 1) a)
+        ((and a b (symbolp a) (symbolp b) (not (eq a b))) (if (great a b) (list '(mtimes simp) b a) (list '(mtimes simp) a b)))
+        (t (mul2 a b))))
 (defun gsmbp-minus (a) (if (numberp a) (- a) (mul2 -1 a)))
 (defun gsmbp-plus (terms)                ; the sum of a Lisp list, made in one call
   (let ((l (remove 0 terms)))

@@ -184,6 +184,12 @@
                         (cdr a)))))
 (defun $gsmbp__name_list (nm l) (gsmbp-list (mapcar #'(lambda (e) (gsmbp-name-one nm e "")) (cdr l))))
 
+;;; A wrench [f, n], turned by R, about a point that lies at -s: [R f, R n + s x R f]
+(defun $gsmbp__carried_wrench (nm r s fn force-hint moment-hint)
+  (destructuring-bind (f n) (cdr fn)
+    (setq f ($gsmbp__name_vector nm ($gsmbp__matvec r f) force-hint) n ($gsmbp__name_vector nm ($gsmbp__matvec r n) ""))
+    (gsmbp-list (list f ($gsmbp__name_vector nm ($gsmbp__vadd n ($gsmbp__cross s f)) moment-hint)))))
+
 ;;; a symmetric matrix, its upper half named
 (defun $gsmbp__symmetric (nm a hint)
   (let ((i 0) (upper nil) (rows nil))
@@ -196,6 +202,13 @@
       (let ((row nil))
         (dotimes (l k) (push (nth (- k l) (nth l upper)) row))
         (push (gsmbp-list (append (nreverse row) (nth k upper))) rows)))))
+
+;;; The entries of M that a column, the wrench [f, n] of the direction d, has with the screws [direction, factor of f, factor of n], in place
+(defun $gsmbp__add_screw_entries (nm m d screws fn)
+  (let ((column (append (cdr (cadr fn)) (cdr (caddr fn)))))
+    (dolist (o (cdr screws) m)
+      (destructuring-bind (direction a b) (cdr o)
+        ($gsmbp__add_to_matrix m d direction (gsmbp-name-one nm (gsmbp-inner (append (cdr a) (cdr b)) column) ""))))))
 
 ;;; The entries of M that the directions d and o of joints share (a mass matrix by rate), more by v, in place: see gsmbp__directions
 (defun $gsmbp__add_to_matrix (m d o v)

@@ -12,7 +12,7 @@
 ;;   pairs     two terms (factors) that stand together in two or more sums (products) get a name, the most frequent first.
 (in-package :maxima)
 
-(defstruct gsp kind const parts block number)
+(defstruct gsp kind const parts block number form)   ; form: (expression constant . parts) as it came, or nil
 
 (defun gsp-number-p (e) (or (numberp e) (and (consp e) (eq (caar e) 'rat))))
 (defun gsp-plus (a b) (if (and (numberp a) (numberp b)) (+ a b) (simplifya (list '(mplus) a b) nil)))
@@ -58,9 +58,15 @@
                                           (t (other))))
                 (setq parts (gsp-scaled const parts) const (gsp-sign const)))
         (t (other)))
-      (node (if (eq op 'mplus) 'sum 'product) const (nreverse parts)))))
+      (let ((n (node (if (eq op 'mplus) 'sum 'product) const (nreverse parts))))
+        (setf (gsp-form n) (list* e const (gsp-parts n)))
+        n))))
 
 (defun gsp-expression (n)
+  (if (and (gsp-form n) (eql (gsp-const n) (cadr (gsp-form n))) (equal (gsp-parts n) (cddr (gsp-form n))))
+    (car (gsp-form n))
+    (gsp-new-expression n)))
+(defun gsp-new-expression (n)
   (case (gsp-kind n)
     (other (gsp-const n))
     (sum (simplifya (list* '(mplus) (gsp-const n) (mapcar #'(lambda (p) (gsp-times (cdr p) (gsp-value (car p)))) (gsp-parts n))) nil))

@@ -112,7 +112,7 @@ C             (20) the step [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
-C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 20*NX + NV*NX + NV
+C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + NV
 C             + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU + 60, where R = IP(4).
 C     OUT, CTL (external) the sampled devices, see GSSMP; called if
 C             IP(26) > 0.
@@ -134,12 +134,16 @@ C     constraints at T0 are dependent, and where the least pivot has
 C     fallen to a twentieth of its largest value, or to a quarter and a
 C     step was rejected, the stages are completed by GSPRT (there until
 C     it has risen to a quarter again).
-C     Rounding errors of the accelerations grow with the inverse square
-C     of the least pivot: below a quarter of its largest value the
-C     relative tolerance is no less than eps**(2/3), 3.7D-11, and a step
-C     that ends where rounding errors pass it is repeated with 0.7 of
-C     its length, five times at most, so that such a place is stepped
-C     over.
+C     Rounding errors of coordinates, speeds and accelerations that are
+C     completed grow with the inverse of the least pivot, its square and
+C     its cube: below a quarter of its largest value the relative
+C     tolerance is no less than eps**(2/3), 3.7D-11, and a step that
+C     ends where rounding errors pass it is repeated with 0.7 of its
+C     length, five times at most, so that such a place is stepped over.
+C     After a rejected step one of another length is tried, with the
+C     place amid the stages (GSOVER): ever shorter steps would come ever
+C     closer.  It may pass output times (but no break, sample or event),
+C     whose states then come from an interpolation of degree 5 (GSBTW).
 C
 C     ERROR INDICATOR
 C     INFO = 0   all output times reached;
@@ -163,14 +167,15 @@ C
       INTEGER            GSFIN
       EXTERNAL           GSFIN, GSFUN, GSINP, GSRK4, GSDP8, GSHIN,
      $                   GSCHK, GSJMP, GSPNW, GSPST, GSSTD, GSDUE,
-     $                   GSEVN, GSEVR
-      INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, K, N, SIDE,
-     $                   NTRY, EVENT, IER
-      LOGICAL            FRESH, AFTER
+     $                   GSEVN, GSEVR, GSBTW
+      INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, IO, K, N, SIDE,
+     $                   NTRY, NLEAP, EVENT, IER
+      LOGICAL            FRESH, AFTER, OLD
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
-     $                   TS, HR
-      EXTERNAL           GSEPS
+     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND,
+     $                   HPAST, CLOSE
+      EXTERNAL           GSEPS, GSOVER
 C
 C     -- arguments
       INFO = 0
@@ -183,7 +188,7 @@ C     -- arguments
       IF ( NB.LT.0 ) INFO = -17
       IF ( LDX.LT.NX ) INFO = -26
       IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
-      I = 2*NU*( IP(4) + 1 ) + 20*NX + NV*NX + NV + 8*NU + 10*NQ
+      I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + NV + 8*NU + 10*NQ
      $    + 7*NLAM + 2*NLAM*NU
       IF ( LW.LT.I + 60 ) INFO = -32
       IF ( INFO.NE.0 ) RETURN
@@ -220,8 +225,10 @@ C     -- workspace: inputs, states, constraints, stages
       IV  = IXN + NX
       IC  = IV + MAX( 1, NV )
       IK  = IC + 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
+      IO  = IK + 13*NX
       EPS = GSEPS()
       COARSE = EPS**( 2.0D0/3.0D0 )
+      CLOSE  = 0.25D0*( EPS/MAX( ROPT(2), COARSE ) )**( 1.0D0/3.0D0 )
       DO 40 I = 1, 20
          ISTAT(I) = 0
          RSTAT(I) = 0.0D0
@@ -234,6 +241,11 @@ C     -- workspace: inputs, states, constraints, stages
       NOJUMP(2) = 0.0D0
       NOJUMP(3) = 0.0D0
       NTRY = 0
+      OLD  = .FALSE.
+      TOLD = T0
+      HFAR = 0.0D0
+      LEAP = 0.0D0
+      NLEAP = 0
       DO 50 I = 1, NX
          W(IX+I-1) = X0(I)
    50 CONTINUE
@@ -322,6 +334,8 @@ C
          SIDE = -1
          IF ( TS.LT.TB - 8.0D0*EPS*ABS( TB ) ) TB = TS
       END IF
+      TEND = MIN( TOUT(NT), TS )
+      IF ( IB.LE.NB ) TEND = MIN( TEND, TBRK(IB) )
       EVENT = 0
       IF ( IOPT(1).GE.8 ) GO TO 300
 C
@@ -385,6 +399,7 @@ C     -- classical Runge-Kutta, N equal steps of at most HR
 C
 C     -- Dormand-Prince 8(5,3)
   300 CONTINUE
+      IF ( .NOT.AFTER ) OLD = .FALSE.
       IF ( FRESH ) THEN
          CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, W(IX), NQ, NU,
      $               NX, NV, NLAM, IP, RP, CST, W(IV), W(IK), W, W(IC),
@@ -405,14 +420,21 @@ C     -- Dormand-Prince 8(5,3)
             IF ( IER.NE.0 ) GO TO 903
          END IF
       END IF
+      HPAST = TB - T
+      IF ( OLD .AND. IP(28).LE.0 .AND. W(IC+12).LT.4.0D0*CLOSE*W(IC+13)
+     $   ) HPAST = MAX( HPAST, 0.98D0*( TEND - T ) )
       H  = MIN( HN, HMAX )
+      IF ( LEAP.GT.0.0D0 ) H = LEAP
       TN = T + H
       I  = 1
-      IF ( T + 1.01D0*H.GE.TB ) THEN
+      IF ( LEAP.GT.0.0D0 .AND. T + 0.99D0*H.GT.TB ) THEN
+C        over an output time: see GSOVER
+         CONTINUE
+      ELSE IF ( T + 1.01D0*H.GE.TB ) THEN
          H  = TB - T
          TN = TB
          I  = SIDE
-      ELSE IF ( T + 2.0D0*H.GT.TB ) THEN
+      ELSE IF ( T + 2.0D0*H.GT.TB .AND. LEAP.LE.0.0D0 ) THEN
          H  = 0.5D0*( TB - T )
          TN = T + H
       END IF
@@ -454,7 +476,7 @@ C     -- a good step: onto the constraints with it
          CALL GSJMP( NQ, NU, W(IX), W(IXN), ROPT(2), ATOL, JUMP )
          JUMP(3) = 0.0D0
          IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND. NTRY.LT.5 .AND.
-     $        TN.LT.TB ) JUMP(3) = SQRT( EPS/MAX( ROPT(2), COARSE ) )
+     $        ( TN.NE.TB .OR. OLD .AND. TEND.GT.TB ) ) JUMP(3) = CLOSE
          CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
      $               JUMP, CST, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) ISTAT(12) = ISTAT(12) + 1
@@ -464,6 +486,28 @@ C     -- a good step: onto the constraints with it
          IF ( ERR.GT.0.0D0 ) FAC = MIN( FAC, 0.9D0*ERR**(-0.125D0) )
          FAC = MAX( FAC, 1.0D0/3.0D0 )
          IF ( H.GE.0.99D0*HN .OR. H*FAC.GT.HN ) HN = H*FAC
+         IF ( TN.GT.TB ) THEN
+            CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, 1, W(IXN), NQ,
+     $                  NU, NX, NV, NLAM, IP, RP, CST, W(IV),
+     $                  W(IO+2*NX), W, W(IC), ISTAT, RSTAT, IER )
+            IF ( IER.NE.0 ) GO TO 903
+            ISTAT(7) = 1
+            CALL GSBTW( CMD, CLO, VIN, NU, NX, NV, IP, RP, CST, TOLD,
+     $                  W(IO), T, W(IX), W(IK), TN, W(IXN), W(IO+2*NX),
+     $                  TOUT, IT, XOUT, LDX, VOUT, LDV, W, ISTAT(6) )
+            IF ( ISTAT(6).NE.0 ) GO TO 903
+            ISTAT(5) = IT - 1
+            TB   = TN
+            SIDE = 1
+         END IF
+         IF ( .NOT.OLD .OR. H.GE.0.3D0*( T - TOLD ) ) THEN
+            OLD  = .TRUE.
+            TOLD = T
+            DO 310 I = 1, NX
+               W(IO+I-1)    = W(IX+I-1)
+               W(IO+NX+I-1) = W(IK+I-1)
+  310       CONTINUE
+         END IF
          I   = IX
          IX  = IXN
          IXN = I
@@ -479,6 +523,9 @@ C     -- a good step: onto the constraints with it
          AFTER = .TRUE.
          NEAR  = 0.05D0
          NTRY  = 0
+         LEAP  = 0.0D0
+         NLEAP = 0
+         IF ( W(IC+12).GE.0.25D0*W(IC+13) ) HFAR = HN
          IF ( W(IC).GT.JOB .AND. W(IC+12).GE.0.25D0*W(IC+13) ) THEN
             W(IC)   = JOB
             W(IC+1) = -1.0D0
@@ -504,6 +551,14 @@ C     -- a good step: onto the constraints with it
             NTRY = NTRY + 1
          END IF
          NEAR = 0.25D0
+C
+C        -- over a singular position at one go: a few trials from here
+         IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 ) THEN
+            IF ( LEAP.GT.0.0D0 ) HN = MIN( HN, HBACK )
+            HBACK = HN
+            CALL GSOVER( W(IC), MIN( MAX( H, HFAR ), HPAST ), NLEAP,
+     $                   LEAP )
+         END IF
          GO TO 300
       END IF
 C
@@ -528,6 +583,76 @@ C
       DO 910 I = 1, NX
          XOUT(I,ISTAT(5)+1) = W(IX+I-1)
   910 CONTINUE
+      END
+      SUBROUTINE GSOVER( P, HMAX, N, H )
+C
+C     PURPOSE
+C     A step H <= HMAX of GSDP8 that passes the next singular position
+C     between two stages that are far apart; another at each call; 0 if
+C     there is none.  P as GSPRT: from its last two pivots follows where
+C     the pivot vanishes.  N (input/output) counts, 0 for the first.
+C
+      IMPLICIT NONE
+      INTEGER            N
+      DOUBLE PRECISION   P(*), HMAX, H
+      DOUBLE PRECISION   D, AMID(4)
+      SAVE               AMID
+C
+C     -- the middles of the widest gaps between the stages
+      DATA               AMID / 0.467D0, 0.184D0, 0.754D0, 0.929D0 /
+C
+      H = 0.0D0
+      IF ( P(4).LT.2.0D0 .OR. P(10).GE.P(8) .OR. P(10).GE.0.25D0*P(14) )
+     $   RETURN
+      D = P(10)*( P(9) - P(7) )/( P(8) - P(10) )
+   10 IF ( N.GE.4 ) RETURN
+      N = N + 1
+      IF ( D/AMID(N).GT.HMAX ) GO TO 10
+      H = D/AMID(N)
+      END
+      SUBROUTINE GSBTW( CMD, CLO, VIN, NU, NX, NV, IP, RP, CST, T0, X0,
+     $                  T1, X1, XD1, T2, X2, XD2, TOUT, IT, XOUT, LDX,
+     $                  VOUT, LDV, W, INFO )
+C
+C     PURPOSE
+C     The states and inputs at the output times TOUT(IT), ... before T2,
+C     and IT behind them, from the states X0, X1, X2 at T0 < T1 < T2 and
+C     their rates (those of X0 stand behind it): by the polynomial of
+C     degree 5 that has all of them.  As GSSIM; INFO as GSINP.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN
+      INTEGER            NU, NX, NV, IP(*), IT, LDX, LDV, INFO
+      DOUBLE PRECISION   RP(*), CST(*), T0, X0(NX,2), T1, X1(*), XD1(*),
+     $                   T2, X2(*), XD2(*), TOUT(*), XOUT(LDX,*),
+     $                   VOUT(LDV,*), W(*)
+      EXTERNAL           GSINP
+      INTEGER            I
+      DOUBLE PRECISION   G, S, S0, W0, A, B, C, D, E
+C
+      INFO = 0
+      G  = T2 - T1
+      S0 = ( T0 - T1 )/G
+      W0 = ( S0*( S0 - 1.0D0 ) )**2
+   10 IF ( TOUT(IT).GE.T2 ) RETURN
+      S = ( TOUT(IT) - T1 )/G
+      DO 20 I = 1, NX
+C        the cubic X1 + S*(A + S*(B + S*C)), and what it lacks at T0
+         D = X2(I) - X1(I)
+         A = G*XD1(I)
+         B = 3.0D0*D - 2.0D0*A - G*XD2(I)
+         C = A + G*XD2(I) - 2.0D0*D
+         D = ( X0(I,1) - X1(I) - S0*( A + S0*( B + S0*C ) ) )/W0
+         E = ( G*X0(I,2) - A - S0*( 2.0D0*B + 3.0D0*S0*C ) )/W0
+     $       - 2.0D0*( 1.0D0/S0 + 1.0D0/( S0 - 1.0D0 ) )*D
+         XOUT(I,IT) = X1(I) + S*( A + S*( B + S*C )
+     $                + S*( S - 1.0D0 )**2*( D + E*( S - S0 ) ) )
+   20 CONTINUE
+      CALL GSINP( CMD, CLO, VIN, TOUT(IT), 1, XOUT(1,IT), NU, NX, NV,
+     $            IP, RP, CST, VOUT(1,IT), W, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      IT = IT + 1
+      GO TO 10
       END
       SUBROUTINE GSJMP( NQ, NU, X, XN, RTOL, ATOL, JUMP )
 C

@@ -12,6 +12,7 @@ function test_ways ()
   end
   agree ();
   change_points ();
+  outputs_at_change_points ();
   end_of_range ();
   emitted ();
   words ();
@@ -171,14 +172,24 @@ function change_points ()
       name = "crank as long as its rod";
     end
     m = build ();
-    exact = gsmbp_simulate (build ("precision", "quad"), x0, t, "loops", "partitioning", "rtol", 1e-14, "atol", 1e-14).x;
-    gsmbp_check ([name ": the reference keeps its branch"], exact(:,2) + (k - 1) * exact(:,1), 1e-15);
+    starts = exacts = {};
+    for faster = [1, 1.01, 1.02, 1.03, 1.04]
+      starts{end+1} = [x0(1:3); faster * x0(4:6)];
+      exacts{end+1} = gsmbp_simulate (build ("precision", "quad"), starts{end}, t, "loops", "partitioning", "rtol", 1e-14, "atol", 1e-14).x;
+      gsmbp_check (sprintf ("%s: the reference keeps its branch, start %d", name, numel (starts)), exacts{end}(:,2) + (k - 1) * exacts{end}(:,1), 1e-15);
+    end
+    exact = exacts{1};
     for w = ways(2:end)
       for rtol = [1e-6, 1e-10, 1e-13]
-        r = gsmbp_simulate (m, x0, t, "loops", w{1}, "rtol", rtol);
+        for j = numel (starts):-1:1
+          r = gsmbp_simulate (m, starts{j}, t, "loops", w{1}, "rtol", rtol);
+          error_(j) = max (abs (r.x - exacts{j})(:));
+        end
         what = sprintf ("%s, %s, rtol %.0e", name, w{1}, rtol);
-        ## near the flat positions the tolerance is held at 4e-11, and rounding passes on 1e-16 over the square of the least pivot
-        gsmbp_check ([what ": passed"], r.x - exact, max (1e3 * rtol, 1e-7));
+        ## near the flat positions the tolerance is held at 4e-11, and rounding passes on 1e-16 over the cube of the least pivot: what comes out
+        ## is a matter of chance, one run in ten is ten times worse than the median
+        gsmbp_check ([what ": passed, median of 5 starts"], median (error_), max (1e3 * rtol, 1e-7));
+        gsmbp_check ([what ": passed, the worst"], max (error_), max (1e3 * rtol, 1e-5));
         ## at 1e-6 a step is an eighth of a turn: the first position may lie within the first two steps
         gsmbp_check (sprintf ("%s: %d positions reported", what, r.stats.singular_positions), abs (r.stats.singular_positions - passes) <= (rtol > 1e-8));
       end
@@ -195,6 +206,30 @@ function change_points ()
   lastwarn ("");
   evalc ("gsmbp_simulate (m, x0, [0, 0.3]);");
   gsmbp_check ("a warning says so", ! isempty (strfind (lastwarn (), "hand_crank passed 1 position where its constraints lose rank, the first at t = 0.2118")));
+end
+
+## output times near the flat position, within rounding errors of it among them: the run goes on, and no output keeps it from passing
+function outputs_at_change_points ()
+  flat = {"l1", 0.3, "l3", 0.3, "l2", 0.7, "l4", 0.7};
+  warning ("off", "gsmbp:singular", "local");
+  m = gsmbp_set (gsmbp_hand ("hand_fourbar"), flat{:});
+  x0 = [0.6; 0; 0.6; 9; 0; 9];
+  near = 0.31726 + [-5e-4, -1e-5, 0, 4e-6, 5e-6, 1e-4];
+  exact = gsmbp_simulate (gsmbp_set (gsmbp_hand ("hand_fourbar", "precision", "quad"), flat{:}), x0, [0, near, 0.4], "loops", "partitioning", "rtol", 1e-13).x;
+  for w = all_ways ()(2:end)
+    there = behind = rejected = 0;
+    for h = 0.01 ./ (1:8)
+      for k = 1:numel (near)
+        t = unique ([0:h:0.4, 0.4, near(k)]);
+        r = gsmbp_simulate (m, x0, t, "loops", w{1}, "maxsteps", 3000);
+        there = max (there, norm (r.x(t == near(k),1:3) - exact(k+1,1:3), Inf));
+        behind = max (behind, norm (r.x(end,:) - exact(end,:), Inf));
+        rejected = max (rejected, r.stats.rejected);
+      end
+    end
+    gsmbp_check (sprintf ("parallelogram, %s: outputs at the flat position, at most %d steps rejected", w{1}, rejected), there, 1e-6);
+    gsmbp_check (sprintf ("parallelogram, %s: the motion behind it", w{1}), behind, 1e-5);
+  end
 end
 
 ## when q1 first passes half a turn (parallelogram) or a quarter (slider-crank)
