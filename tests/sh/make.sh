@@ -47,6 +47,10 @@ check 'a syntax error stops make' fails make_ fortran_out/demo.f
 echo 'scene : "omed"$' >examples/demo/demo.mac
 rm -rf fortran_out
 check 'a scene of another name stops make' fails make_ fortran_out/demo.f
+mkdir -p tests/bench/systems && echo 'scene : "pend_r1em06"$' >tests/bench/systems/pend_r1e-06.mac
+check 'a name that Fortran cannot have is that of the files' make_ fortran_out/pend_r1e-06.f
+check 'all of them, and no others' test "$(cd fortran_out && echo pend*)" = 'pend_r1e-06.dot pend_r1e-06.f pend_r1e-06.json pend_r1e-06.log'
+rm -rf tests
 echo 'do 1$' >examples/demo/demo.mac
 make --no-print-directory fortran_out/demo.f >out.txt 2>&1 & child=$!
 sleep 2; kill -TERM $child; wait $child
