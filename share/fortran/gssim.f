@@ -142,14 +142,18 @@ C     ends where rounding errors pass it is repeated with 0.7 of its
 C     length, five times at most, so that such a place is stepped over.
 C     After a rejected step one of another length is tried, with the
 C     place amid the stages (GSOVER): ever shorter steps would come ever
-C     closer.  It may pass output times (but no break, sample or event),
-C     whose states then come from an interpolation of degree 5 (GSBTW).
+C     closer.  It may pass output times, whose states then come from an
+C     interpolation of degree 5 (GSBTW), but no break, sample or event:
+C     where one of these lies within rounding errors of the place, the
+C     run ends with INFO = 2 or 3.
 C
 C     ERROR INDICATOR
 C     INFO = 0   all output times reached;
 C     INFO = -i  argument i is out of range;
 C     INFO = 1   more than IOPT(4) steps;
-C     INFO = 2   the step became too small (method 8);
+C     INFO = 2   the step became too small (method 8), also where 20000
+C                steps one after the other are a ten thousandth of what
+C                they were far from a singular position;
 C     INFO = 3   a routine failed: see ISTAT(6) and ISTAT(7);
 C     INFO = 4   the state is no longer finite;
 C     INFO = 5   steps are bound by stability (method 9): the state at
@@ -169,7 +173,7 @@ C
      $                   GSCHK, GSJMP, GSPNW, GSPST, GSSTD, GSDUE,
      $                   GSEVN, GSEVR, GSBTW
       INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, IO, K, N, SIDE,
-     $                   NTRY, NLEAP, EVENT, IER
+     $                   NTRY, NLEAP, NSLOW, EVENT, IER
       LOGICAL            FRESH, AFTER, OLD
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
@@ -244,8 +248,10 @@ C     -- workspace: inputs, states, constraints, stages
       OLD  = .FALSE.
       TOLD = T0
       HFAR = 0.0D0
+      HBACK = 0.0D0
       LEAP = 0.0D0
       NLEAP = 0
+      NSLOW = 0
       DO 50 I = 1, NX
          W(IX+I-1) = X0(I)
    50 CONTINUE
@@ -454,6 +460,10 @@ C        over an output time: see GSOVER
       IF ( IOPT(4).GT.0 .AND. ISTAT(2) + ISTAT(3).GE.IOPT(4) ) GO TO 901
       IF ( H.LE.16.0D0*EPS*MAX( ABS( T ), ABS( TB ) ) .AND. TN.LT.TB )
      $   GO TO 902
+      NSLOW = NSLOW + 1
+      IF ( LEAP.LE.0.0D0 .AND. ( IOPT(5).NE.1 .OR. H.GT.1.0D-4*HFAR .OR.
+     $     W(IC+12).GE.0.25D0*W(IC+13) ) ) NSLOW = 0
+      IF ( NSLOW.GT.20000 ) GO TO 902
       CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX), NQ,
      $            NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
      $            W(IXN), ERR, W(IK), W, W(IC), ISTAT, RSTAT, IER )
@@ -476,7 +486,8 @@ C     -- a good step: onto the constraints with it
          CALL GSJMP( NQ, NU, W(IX), W(IXN), ROPT(2), ATOL, JUMP )
          JUMP(3) = 0.0D0
          IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND. NTRY.LT.5 .AND.
-     $        ( TN.NE.TB .OR. OLD .AND. TEND.GT.TB ) ) JUMP(3) = CLOSE
+     $        ( TN.LT.TB .OR. TN.GT.TB .OR. ( OLD .AND. TEND.GT.TB ) ) )
+     $        JUMP(3) = CLOSE
          CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
      $               JUMP, CST, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) ISTAT(12) = ISTAT(12) + 1

@@ -230,6 +230,16 @@ function outputs_at_change_points ()
     gsmbp_check (sprintf ("parallelogram, %s: outputs at the flat position, at most %d steps rejected", w{1}, rejected), there, 1e-6);
     gsmbp_check (sprintf ("parallelogram, %s: the motion behind it", w{1}), behind, 1e-5);
   end
+  ## a break there must be met: the run passes, or it ends and says why
+  for stop = [0.3172, 0.31726, 0.3172646, 0.3173]
+    try
+      r = gsmbp_simulate (m, x0, [0, 0.4], "loops", "partitioning", "breaks", stop);
+      gsmbp_check (sprintf ("parallelogram, a break at %g s: passed", stop), r.x(end,:) - exact(end,:), 1e-5);
+    catch problem
+      said = regexp (problem.message, "a singularity|no position that closes the loops", "once");
+      gsmbp_check (sprintf ("parallelogram, a break at %g s: %s", stop, problem.message), ! isempty (said));
+    end
+  end
 end
 
 ## when q1 first passes half a turn (parallelogram) or a quarter (slider-crank)
