@@ -189,7 +189,7 @@ function change_points ()
         ## near the flat positions the tolerance is held at 4e-11, and rounding passes on 1e-16 over the cube of the least pivot: what comes out
         ## is a matter of chance, one run in ten is ten times worse than the median
         gsmbp_check ([what ": passed, median of 15 starts"], median (error_), max (1e3 * rtol, 1e-7));
-        gsmbp_check ([what ": passed, the worst"], max (error_), max (1e3 * rtol, 1e-5));
+        gsmbp_check ([what ": passed, the worst"], max (error_), max (1e4 * rtol, 1e-5));
         ## at 1e-6 a step is an eighth of a turn: the first position may lie within the first two steps
         gsmbp_check (sprintf ("%s: %d positions reported", what, r.stats.singular_positions), abs (r.stats.singular_positions - passes) <= (rtol > 1e-8));
       end
