@@ -177,8 +177,7 @@ C
       LOGICAL            FRESH, AFTER, OLD
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
-     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND,
-     $                   HPAST, CLOSE
+     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE
       EXTERNAL           GSEPS, GSOVER
 C
 C     -- arguments
@@ -426,9 +425,6 @@ C     -- Dormand-Prince 8(5,3)
             IF ( IER.NE.0 ) GO TO 903
          END IF
       END IF
-      HPAST = TB - T
-      IF ( OLD .AND. IP(28).LE.0 .AND. W(IC+12).LT.4.0D0*CLOSE*W(IC+13)
-     $   ) HPAST = MAX( HPAST, 0.98D0*( TEND - T ) )
       H  = MIN( HN, HMAX )
       IF ( LEAP.GT.0.0D0 ) H = LEAP
       TN = T + H
@@ -511,7 +507,8 @@ C     -- a good step: onto the constraints with it
             TB   = TN
             SIDE = 1
          END IF
-         IF ( .NOT.OLD .OR. H.GE.0.3D0*( T - TOLD ) ) THEN
+         IF ( IOPT(5).EQ.1 .AND.
+     $        ( .NOT.OLD .OR. H.GE.0.3D0*( T - TOLD ) ) ) THEN
             OLD  = .TRUE.
             TOLD = T
             DO 310 I = 1, NX
@@ -567,8 +564,11 @@ C        -- over a singular position at one go: a few trials from here
          IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 ) THEN
             IF ( LEAP.GT.0.0D0 ) HN = MIN( HN, HBACK )
             HBACK = HN
-            CALL GSOVER( W(IC), MIN( MAX( H, HFAR ), HPAST ), NLEAP,
-     $                   LEAP )
+            HR = TB - T
+            IF ( OLD .AND. IP(28).LE.0 .AND.
+     $           W(IC+12).LT.4.0D0*CLOSE*W(IC+13) )
+     $         HR = MAX( HR, 0.98D0*( TEND - T ) )
+            CALL GSOVER( W(IC), MIN( MAX( H, HFAR ), HR ), NLEAP, LEAP )
          END IF
          GO TO 300
       END IF
