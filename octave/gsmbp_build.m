@@ -70,8 +70,10 @@
 ## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
 ## body (@code{m.skeleton})
 ## @end table
-## Only the subroutines that were emitted are there.  Where @var{info} is not
-## taken, @var{info} != 0 is an error (lost rank of constraints, 2, a warning).
+## A handle whose subroutine was not emitted (@code{m.subroutines} names those that
+## were) is an error that names the request.  Where @var{info} is not taken,
+## @var{info} != 0 is an error (lost rank of constraints, 2, a warning, which comes
+## once a model where constraints are redundant everywhere).
 ##
 ## Other fields: @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
@@ -220,7 +222,7 @@ endfunction
 ## what the JSON says of loops and orientations, empty where it says nothing
 function m = loops (m, json)
   m.removed = m.mobility = struct ([]);
-  m.orientation = zeros (0, 4);
+  m.orientation = gsmbp__orientation (json);
   m.angles = cell (0, 1);
   m.speed_rows = zeros (0, 1);
   if (isfield (json, "removed") && ! isempty (json.removed))
@@ -228,13 +230,6 @@ function m = loops (m, json)
   endif
   if (isfield (json, "mobility"))
     m.mobility = json.mobility;
-  endif
-  if (isfield (json, "orientation") && ! isempty (json.orientation))
-    list = json.orientation;
-    if (iscell (list))
-      list = cell2mat (cellfun (@(row) row(:)', list, "UniformOutput", false));
-    endif
-    m.orientation = reshape (double (list'), 4, [])';
   endif
   if (isfield (json, "angles"))
     m.angles = gsmbp__names (json.angles);
