@@ -130,16 +130,19 @@ function m = gsmbp_build (name, varargin)
   defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
   options = gsmbp__options ("gsmbp_build", defaults, varargin);
   if (! any (strcmp (options.precision, {"double", "quad"})))
-    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: \"%s\"", options.precision);
+    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: %s", gsmbp__shown (options.precision));
+  endif
+  for option = {"directory", "build", "input"}
+    if (! ischar (options.(option{1})))
+      error ("gsmbp_build: option %s: expected a path, found %s", option{1}, gsmbp__shown (options.(option{1})));
+    endif
+  endfor
+  if (! (isstruct (options.parameters) && isscalar (options.parameters)))
+    error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
   endif
   folder = make_absolute_filename (options.directory);
   source = fullfile (folder, [name ".f"]);
   description = fullfile (folder, [name ".json"]);
-  for file = {source, description}
-    if (! exist (file{1}, "file"))
-      error ("gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, or `make fortran_out/%s.f`", file{1}, name);
-    endif
-  endfor
   input = options.input;
   if (! isempty (input))
     input = make_absolute_filename (input);
@@ -152,11 +155,10 @@ function m = gsmbp_build (name, varargin)
     build = fullfile (folder, "build");
   endif
   build = make_absolute_filename (build);
-  text = fileread (description);
-  json = jsondecode (text);
+  [json, texts] = gsmbp__scene_files (name, source, description);
   ## Octave keeps what it has loaded, so other contents have another name
   place = hash ("md5", [source "|" input])(1:8);
-  contents = [fileread(source), text];
+  contents = [texts{:}];
   if (! isempty (input))
     contents = [contents, fileread(input)];
   endif

@@ -33,8 +33,8 @@
 ## all but rk4: relative tolerance, default 1e-10; absolute tolerance, one number or
 ## one for each state in its unit, default @code{rtol} times the usual size of
 ## each state (@code{m.nominal}).  Both are at least ten units of rounding of the
-## build's precision (2.2e-15; quad 1.9e-33), @code{atol} times @code{m.nominal}: what is
-## below is raised to that, with a warning
+## build's precision (2.2e-15; quad 1.9e-33), a hundred with cvode, @code{atol} times
+## @code{m.nominal}: what is below is raised to that, with a warning
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
 ## @item "maxorder"
@@ -406,7 +406,7 @@ function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   if (rk4 && o.step == 0)
     error ("%s: option step: expected a number above 0, found 0", who);
   endif
-  [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, ! rk4);
+  [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
   if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
     error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, gsmbp__shown (o.maxorder));
   endif

@@ -111,10 +111,19 @@ public:
     error ("%s: argument %s is missing; expected %s", who ().c_str (), name, typed ().c_str ());
   }
 
-  // the constants come first and are not the user's
-  void no_more_than_usage (void) const
+  // As many arguments as the usage says: the ones before the first bracket are needed.  The constants, which come first, are not the user's.
+  void count_given (void) const
   {
-    int most = m_usage.empty () ? 0 : 1 + std::count (m_usage.begin (), m_usage.end (), ',');
+    int given = int (m_args.length ()) - 1;
+    std::string needed = m_usage.substr (0, m_usage.find ('['));
+    for (std::size_t begin = 0; ! needed.empty () && begin < std::string::npos; given--)
+      {
+        std::size_t end = needed.find (',', begin);
+        if (given <= 0)
+          missing (needed.substr (begin, end - begin).c_str ());
+        begin = end == std::string::npos ? end : end + 2;
+      }
+    int most = m_usage.empty () ? 0 : 1 + int (std::count (m_usage.begin (), m_usage.end (), ','));
     if (m_args.length () > most + 1)
       error ("%s: expected %s, at most %d argument%s, found %d", who ().c_str (), typed ().c_str (), most, most == 1 ? "" : "s", int (m_args.length ()) - 1);
   }
@@ -1300,7 +1309,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
         if (entry.sub && ! (S.*(entry.sub)))
           absent (call, entry.request);
         if (entry.sub)
-          a.no_more_than_usage ();
+          a.count_given ();
         return entry.call (a, nargout);
       }
   error ("%s: no subroutine %s", S.name, call.c_str ());
