@@ -9,7 +9,8 @@
 ## moved as little as possible in the metric of the mass matrix (subroutine
 ## PRJ), or, where "hold" names some of the coordinates, the named ones and
 ## the speeds that move them stay as they are and the others follow by Newton's
-## method.  Euler parameters are normalized.  @var{t} is the time, 0 by default.
+## method.  Euler parameters are normalized; of a set all four may be held (the
+## orientation) or none.  @var{t} is the time, 0 by default.
 ##
 ## If the loop does not close it is an error that says by how much it fails:
 ## the largest |phi| that is left, above @var{tol} (default 1e-10, in the
@@ -30,25 +31,15 @@ function x = gsmbp_assemble (m, guess, varargin)
   endif
   who = "gsmbp_assemble";
   o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10, "branches", 0), varargin);
-  d = m.sizes;
-  x = double (guess(:));
-  if (numel (x) == d.nq)
-    x = [x; zeros(d.nx - d.nq, 1)];
-  elseif (numel (x) != d.nx)
-    error ("%s: %s: expected a guess of %d states or %d coordinates, found %d numbers", who, m.name, d.nx, d.nq, numel (x));
-  endif
-  if (! all (isfinite (x)))
-    error ("%s: %s: the guess of %s is not finite", who, m.name, m.states{find(! isfinite (x), 1)});
-  endif
-  if (d.nlam == 0)
-    if (d.nq > d.nu)
+  x = guessed (who, m, guess);
+  held = held_coordinates (who, m, o.hold);
+  whole_orientations (who, m, held);
+  options_fit (who, o);
+  if (m.sizes.nlam == 0)
+    if (m.sizes.nq > m.sizes.nu)
       x = normalized (m, x);
     endif
     return;
-  endif
-  held = held_coordinates (who, m, o.hold);
-  if (! (isscalar (o.branches) && o.branches >= 0 && o.branches == fix (o.branches)))
-    error ("%s: option branches must be a whole number", who);
   endif
   if (o.branches == 0)
     [x, complaint] = close_loops (m, x, o, held);
@@ -60,7 +51,53 @@ function x = gsmbp_assemble (m, guess, varargin)
   endif
 endfunction
 
+function x = guessed (who, m, guess)
+  d = m.sizes;
+  if (! (isnumeric (guess) && isreal (guess) && any (numel (guess) == [d.nq, d.nx])))
+    error ("%s: %s: expected a guess of %d states or %d coordinates, found %s", who, m.name, d.nx, d.nq, gsmbp__shown (guess));
+  endif
+  x = double (guess(:));
+  if (numel (x) == d.nq)
+    x = [x; zeros(d.nx - d.nq, 1)];
+  endif
+  if (! all (isfinite (x)))
+    error ("%s: %s: the guess of %s is not finite", who, m.name, m.states{find(! isfinite (x), 1)});
+  endif
+  for set = m.orientation'
+    if (! any (x(set)))
+      error ("%s: %s: expected a guess of the Euler parameters (%s), found zeros, which are no orientation", who, m.name, strjoin (m.coordinates(set)', ", "));
+    endif
+  endfor
+endfunction
+
+function options_fit (who, o)
+  for name = {"time", "tolerance", "branches"}
+    value = o.(name{1});
+    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value)))
+      error ("%s: option %s: expected a number, found %s", who, name{1}, gsmbp__shown (value));
+    endif
+  endfor
+  if (! (o.tolerance > 0))
+    error ("%s: option tolerance: expected a number above 0, found %g", who, o.tolerance);
+  elseif (! (o.branches >= 0 && o.branches == fix (o.branches)))
+    error ("%s: option branches must be a whole number, found %g", who, o.branches);
+  endif
+endfunction
+
+## one Euler parameter cannot stay while the orientation changes: each speed moves all four
+function whole_orientations (who, m, held)
+  for set = m.orientation'
+    if (any (held(set)) && ! all (held(set)))
+      error ("%s: %s: option hold: %s is one of the Euler parameters (%s) of one orientation: hold all four, or none (one alone would freeze the orientation)", who, m.name,
+             m.coordinates{set(find (held(set), 1))}, strjoin (m.coordinates(set)', ", "));
+    endif
+  endfor
+endfunction
+
 function held = held_coordinates (who, m, names)
+  if (! (ischar (names) || iscellstr (names)))
+    error ("%s: option hold: expected names of coordinates, found %s", who, gsmbp__shown (names));
+  endif
   held = false (m.sizes.nq, 1);
   for name = cellstr (names)(:)'
     if (isempty (name{1}))
@@ -68,7 +105,7 @@ function held = held_coordinates (who, m, names)
     endif
     k = strcmp (m.coordinates, name{1});
     if (! any (k))
-      error ("%s: %s has no coordinate \"%s\"; it has %s", who, m.name, name{1}, strjoin (m.coordinates', ", "));
+      error ("%s: option hold: %s has no coordinate \"%s\"; it has %s", who, m.name, name{1}, strjoin (m.coordinates', ", "));
     endif
     held |= k(:);
   endfor
@@ -133,7 +170,7 @@ endfunction
 ## q' = K*u, and which speeds move nothing that is held
 function [K, free] = moves (m, t, q, held)
   d = m.sizes;
-  if (d.nq == d.nu && ! isfield (m, "kin"))
+  if (d.nq == d.nu && ! any (strcmp (m.subroutines, "kin")))
     K = eye (d.nu);
   else
     e = eye (d.nu);

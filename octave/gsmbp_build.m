@@ -70,8 +70,10 @@
 ## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
 ## body (@code{m.skeleton})
 ## @end table
-## Only the subroutines that were emitted are there.  Where @var{info} is not
-## taken, @var{info} != 0 is an error (lost rank of constraints, 2, a warning).
+## A handle whose subroutine was not emitted (@code{m.subroutines} names those that
+## were) is an error that names the request.  Where @var{info} is not taken,
+## @var{info} != 0 is an error (lost rank of constraints, 2, a warning, which comes
+## once a model where constraints are redundant everywhere).
 ##
 ## Other fields: @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
@@ -128,16 +130,19 @@ function m = gsmbp_build (name, varargin)
   defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
   options = gsmbp__options ("gsmbp_build", defaults, varargin);
   if (! any (strcmp (options.precision, {"double", "quad"})))
-    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: \"%s\"", options.precision);
+    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: %s", gsmbp__shown (options.precision));
+  endif
+  for option = {"directory", "build", "input"}
+    if (! ischar (options.(option{1})))
+      error ("gsmbp_build: option %s: expected a path, found %s", option{1}, gsmbp__shown (options.(option{1})));
+    endif
+  endfor
+  if (! (isstruct (options.parameters) && isscalar (options.parameters)))
+    error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
   endif
   folder = make_absolute_filename (options.directory);
   source = fullfile (folder, [name ".f"]);
   description = fullfile (folder, [name ".json"]);
-  for file = {source, description}
-    if (! exist (file{1}, "file"))
-      error ("gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, or `make fortran_out/%s.f`", file{1}, name);
-    endif
-  endfor
   input = options.input;
   if (! isempty (input))
     input = make_absolute_filename (input);
@@ -150,11 +155,10 @@ function m = gsmbp_build (name, varargin)
     build = fullfile (folder, "build");
   endif
   build = make_absolute_filename (build);
-  text = fileread (description);
-  json = jsondecode (text);
+  [json, texts] = gsmbp__scene_files (name, source, description);
   ## Octave keeps what it has loaded, so other contents have another name
   place = hash ("md5", [source "|" input])(1:8);
-  contents = [fileread(source), text];
+  contents = [texts{:}];
   if (! isempty (input))
     contents = [contents, fileread(input)];
   endif
@@ -220,7 +224,7 @@ endfunction
 ## what the JSON says of loops and orientations, empty where it says nothing
 function m = loops (m, json)
   m.removed = m.mobility = struct ([]);
-  m.orientation = zeros (0, 4);
+  m.orientation = gsmbp__orientation (json);
   m.angles = cell (0, 1);
   m.speed_rows = zeros (0, 1);
   if (isfield (json, "removed") && ! isempty (json.removed))
@@ -228,13 +232,6 @@ function m = loops (m, json)
   endif
   if (isfield (json, "mobility"))
     m.mobility = json.mobility;
-  endif
-  if (isfield (json, "orientation") && ! isempty (json.orientation))
-    list = json.orientation;
-    if (iscell (list))
-      list = cell2mat (cellfun (@(row) row(:)', list, "UniformOutput", false));
-    endif
-    m.orientation = reshape (double (list'), 4, [])';
   endif
   if (isfield (json, "angles"))
     m.angles = gsmbp__names (json.angles);

@@ -3,7 +3,8 @@
 ## Write the matrix @var{data} as comma-separated values under the column heads
 ## @var{names} (a cell array of strings), each number with 17 digits.
 ##
-## Written beside and then renamed, so that @var{file} is whole or not there.
+## Written beside and then renamed, so that @var{file} is whole or as it was before;
+## a disk that is full is an error.
 ## The folder is made if it does not exist.
 ## @seealso{gsmbp_plot}
 ## @end deftypefn
@@ -12,23 +13,13 @@ function gsmbp_csv (file, names, data)
   if (nargin != 3 || ! ischar (file) || ! iscellstr (names))
     print_usage ();
   endif
-  if (numel (names) != columns (data))
+  if (! (isnumeric (data) || islogical (data)) || ! isreal (data) || ndims (data) > 2)
+    error ("gsmbp_csv: %s: argument data: expected a real matrix, found %s", file, gsmbp__shown (data));
+  elseif (numel (names) != columns (data))
     error ("gsmbp_csv: %s: %d column heads for %d columns", file, numel (names), columns (data));
   endif
-  folder = fileparts (file);
-  if (! isempty (folder) && ! exist (folder, "dir"))
-    mkdir (folder);
-  endif
-  new = sprintf ("%s.%d", file, getpid ());
-  f = fopen (new, "w");
-  if (f < 0)
-    error ("gsmbp_csv: cannot write %s", new);
-  endif
-  fprintf (f, "%s\n", strjoin (names(:)', ","));
   row = [repmat("%.17g,", 1, columns (data))(1:end-1) "\n"];
-  fprintf (f, row, data');
-  fclose (f);
-  rename (new, file);
+  gsmbp__write ("gsmbp_csv", file, [strjoin(names(:)', ","), "\n", sprintf(row, data')]);
 endfunction
 
 %!test

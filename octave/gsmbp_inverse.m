@@ -45,13 +45,14 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   d = m.sizes;
   o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq), "internal", m.initial(d.nq+d.nu+1:end)), varargin);
   [pp, planned] = gsmbp__motion (who, m, motion);
+  o = checked (who, m, o);
+  times = gsmbp__vector (who, "times", times, numel (times))';
   has = @(name) any (strcmp (m.subroutines, name));
-  times = times(:)';
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
   closed = d.nlam > 0 && numel (planned) < d.nu;
   loops = d.nlam > 0;
-  guess = o.guess(:);
+  guess = o.guess;
   r.t = times(:);
   r.tau = zeros (nt, merge (loops, d.nact, d.nu));
   r.lambda = zeros (nt, d.nlam);
@@ -59,7 +60,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.x = zeros (nt, d.nx);
   r.margins = zeros (nt, numel (m.margins));
   motion_at = @(t, side, guess) whole_motion (who, m, pp, planned, closed, t, side, guess);
-  xi = o.internal(:);
+  xi = o.internal;
   for i = 1:nt
     if (i > 1 && has ("cmx") && ! isempty (m.internal))
       xi = carried (m, motion_at, guess, xi, times(i-1), times(i));
@@ -101,6 +102,29 @@ function one = whole_motion (who, m, pp, planned, closed, t, side, guess)
   one(planned,:) = reshape (gsmbp_evaluate (pp, t, m.order, side), numel (planned), m.order + 1);
   if (closed)
     one = follow (who, m, t, guess, one, planned);
+  elseif (m.sizes.nlam > 0)
+    consistent (who, m, t, one);
+  endif
+endfunction
+
+## a motion of all coordinates of a closed chain must fulfil its constraints
+function consistent (who, m, t, one)
+  [names, scaled, found] = gsmbp__residuals (m, t, [one(:,1); one(:,2); zeros(m.sizes.nx - 2 * m.sizes.nu, 1)]);
+  if (! all (abs (scaled) <= 1e-6))
+    error ("gsmbp:start", "%s: %s: expected a planned motion on the constraints, found at t = %.9g s %s", who, m.name, t, gsmbp__worst (names, scaled, found, 1e-6));
+  endif
+endfunction
+
+function o = checked (who, m, o)
+  d = m.sizes;
+  if (d.nq != d.nu)
+    error ("%s: %s has Euler parameters: a planned motion cannot state its %d coordinates by %d speeds; derive it with angles of orientation", who, m.name, d.nq, d.nu);
+  endif
+  o.guess = gsmbp__vector (who, "guess", o.guess, d.nq);
+  o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu);
+  o.input = gsmbp__vector (who, "input", o.input, d.nv);
+  if (! (isscalar (o.side) && any (o.side == [-1, 1])))
+    error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
   endif
 endfunction
 
@@ -157,7 +181,7 @@ function one = follow (who, m, t, guess, one, planned)
     [here, res, info] = m.clo (t, here);
     if (info != 0)
       at = sprintf (" %.6g", from + way * (k / steps));
-      error ("%s: %s: the loop cannot follow the motion at t = %.9g s: it does not close at%s (INFO = %d)", who, m.name, t, at, info);
+      error ("%s: %s: the loop cannot follow the motion at t = %.9g s: it does not close at%s (%s)", who, m.name, t, at, gsmbp__info (m, "clo", info));
     endif
     guess = here(:,1);
   endfor

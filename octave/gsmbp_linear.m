@@ -7,7 +7,9 @@
 ## The model @var{m} (of @code{gsmbp_build}) is linearized at the time @var{t}
 ## [s], the @var{nx} states @var{x} and the @var{nv} inputs @var{v} (zeros by
 ## default): deviations obey dx' = A dx + B dv, dy = C dx + D dv.  Where the
-## scene has no outputs they are its states.
+## scene has no outputs they are its states.  The state must fulfil the constraints:
+## one that does not, to 1e-6, is an error, unless "start", "project" is given
+## (as in @code{gsmbp_simulate}); below, it is moved onto them.
 ##
 ## With loops (or Euler parameters) the states are not independent.  The option
 ## "reduced" gives the model in independent ones: the coordinates @var{names}
@@ -23,14 +25,18 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   if (nargin < 3 || ! isstruct (m))
     print_usage ();
   endif
-  if (! isfield (m, "jac"))
+  if (! any (strcmp (m.subroutines, "jac")))
     error ("gsmbp_linear: %s was emitted without the subroutine JAC", m.name);
   endif
   if (nargin < 4 || isempty (v))
     v = zeros (m.sizes.nv, 1);
   endif
   d = m.sizes;
-  o = gsmbp__options ("gsmbp_linear", struct ("reduced", "auto"), varargin);
+  who = "gsmbp_linear";
+  o = gsmbp__options (who, struct ("reduced", "auto", "start", "check"), varargin);
+  t = gsmbp__vector (who, "t", t, 1);
+  x = gsmbp__start (who, m, t, x, o.start);
+  v = gsmbp__vector (who, "v", v, d.nv);
   if (isempty (which ("ss")))
     pkg load control
   endif
@@ -44,7 +50,7 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   T = eye (d.nx);
   independent = 1:d.nx;
   if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
-    [T, independent] = tangent (m, t, x(:), o.reduced);
+    [T, independent] = tangent (m, t, x, o.reduced);
   endif
   sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", m.states(independent), "InputName", m.inputs, "OutputName", outputs);
 endfunction
@@ -97,11 +103,13 @@ endfunction
 function [q, u] = chosen (m, names, P, H)
   if (ischar (names))
     names = {names};
+  elseif (! iscellstr (names))
+    error ("gsmbp_linear: option reduced: expected names of coordinates, \"auto\" or \"none\", found %s", gsmbp__shown (names));
   endif
   d = m.sizes;
   [found, k] = ismember (names, m.states);
   if (! all (found))
-    error ("gsmbp_linear: option \"reduced\": %s is no state of %s", names{find (! found, 1)}, m.name);
+    error ("gsmbp_linear: option \"reduced\": %s is no state of %s; it has %s", names{find (! found, 1)}, m.name, strjoin (m.states', ", "));
   endif
   q = sort (k(k <= d.nq))(:)';
   u = sort (k(k > d.nq & k <= d.nq + d.nu) - d.nq)(:)';

@@ -7,6 +7,18 @@
 ## @var{times}(1) [s]; the states at all @var{times} (strictly increasing, each
 ## met exactly) come back as rows.
 ##
+## The start must fulfil the constraints: phi = 0, their rates, Euler parameters of
+## length one.  A start that misses one of them by more than 1e-6 (each beside what
+## the usual sizes of the states, @code{m.nominal}, make of it) is an error that names
+## the rows; @code{gsmbp_assemble} closes a rough guess, with coordinates held if
+## wanted.  Below, it is moved onto the constraints, in the same way whatever the
+## option "loops" is, and @code{stats.start} tells by how much.
+## @table @code
+## @item "start"
+## "check" (default), as above; "project": any start is moved onto the constraints by
+## the shortest way in the metric of the mass matrix, which need not be near
+## @end table
+##
 ## Integration:
 ## @table @code
 ## @item "method"
@@ -20,7 +32,9 @@
 ## @item "rtol", "atol"
 ## all but rk4: relative tolerance, default 1e-10; absolute tolerance, one number or
 ## one for each state in its unit, default @code{rtol} times the usual size of
-## each state (@code{m.nominal})
+## each state (@code{m.nominal}).  Both are at least ten units of rounding of the
+## build's precision (2.2e-15; quad 1.9e-33), a hundred with cvode, @code{atol} times
+## @code{m.nominal}: what is below is raised to that, with a warning
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
 ## @item "maxorder"
@@ -119,8 +133,14 @@
 ## @item calls, accepted, rejected, repeated, projections, seconds
 ## calls of the right-hand side, steps (@code{repeated}: those that could not
 ## be moved onto the constraints, or only by a jump), compiled run [s]
+## @item start
+## a struct: the largest @code{residual} of the constraints in @var{x0} (beside
+## @code{m.nominal}), its @code{row}, by how much the start was @code{moved} onto them at
+## most (beside @code{m.nominal}), and in which @code{state}; 0 and empty where it fulfilled them
 ## @item drift
-## a struct: largest |phi|, |phidot| after any step, and when
+## a struct: @code{phi} and @code{phidot}, the largest |phi|, |phidot| after any step,
+## @code{phi_at} and @code{phidot_at}, when [s]; @code{before_projection}, the largest
+## |phi| (or error of the length of Euler parameters) before the state was moved
 ## @item rank_losses, rank_loss_times
 ## calls where the constraints were dependent (all, if the scene has redundant
 ## ones); first and last time [s]
@@ -146,6 +166,12 @@
 ## @item method, jacobians, newton
 ## the method of the last step; cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
+## @item rtol, atol
+## the tolerances that were kept to
+## @item smallest_step, largest_step, reached
+## of the accepted steps [s]; the time to which the run came [s]
+## @item events, instants
+## how many events and instants of sampled devices there were, in scenes that have such
 ## @end table
 ## With sampled devices also @code{y} (the outputs of the scene, a row for each
 ## time), @code{memory} (theirs at the end; what is on its way to an output then
@@ -169,7 +195,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   has = @(name) any (strcmp (m.subroutines, name));
   defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
                      "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "breaks", [],
-                     "memory", [], "samples", true, "modes", [], "audit", []);
+                     "memory", [], "samples", true, "modes", [], "audit", [], "start", "check");
   o = gsmbp__options (who, defaults, varargin);
   times = gsmbp__times (who, times);
   [m, way] = loops (who, o, m);
@@ -178,16 +204,20 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [ip, rp, breaks, callback] = inputs (who, o, m);
   [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
   ip = gsmbp__event_plan (who, m, o, ip);
-  [x0, atol] = audit_states (who, m, o, x0, atol);
   t0 = times(1);
-  breaks = unique ([breaks, o.breaks(:)']);
+  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
+  [x0, atol] = audit_states (who, m, o, x0, atol);
+  if (! (isnumeric (o.breaks) && isreal (o.breaks) && all (isfinite (o.breaks(:)))))
+    error ("%s: option breaks: expected finite times, found %s", who, gsmbp__shown (o.breaks));
+  endif
+  breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
   if (any (strcmp (method, {"cvode", "auto"})))
     library = gsmbp__cvode (who, m);
   endif
   guess = zeros (d.nu, 1);
-  if (d.nq == d.nu && numel (x0) >= d.nx)   # with two more in an audit
+  if (d.nq == d.nu)
     guess = x0(1:d.nq);
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, atol,
@@ -218,6 +248,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.calls = counts(1);
   s.accepted = counts(2);
   s.rejected = counts(3);
+  s.rtol = ropt(2);
+  s.atol = atol(1:d.nx);
   s.repeated = counts(12);
   s.projections = counts(4);
   s.rank_losses = counts(8);
@@ -240,7 +272,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
-    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (info, counts, values, text));
+    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (m, info, counts, values, text));
   endif
 endfunction
 
@@ -255,8 +287,6 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
     error ("%s: option audit needs the subroutine RHA (request audit), which %s was emitted without", who, m.name);
   elseif (! isempty (o.gain))
     error ("%s: no audit with state feedback from outside", who);
-  elseif (numel (x0) != m.sizes.nx)
-    error ("%s: expected %d states, found %d", who, m.sizes.nx, numel (x0));
   endif
   x0 = [x0(:); 0; 0];
   atol = [atol(:); o.rtol * o.audit * [1; 1]];
@@ -298,6 +328,9 @@ function [m, way] = loops (who, o, m)
   if (isempty (word))
     word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
     if (! isempty (o.projection))
+      if (! (isscalar (o.projection) && any (o.projection == [0 1])))
+        error ("%s: option projection: expected true or false, found %s", who, gsmbp__shown (o.projection));
+      endif
       word = words{1 + logical(o.projection)};
     endif
   elseif (! isempty (o.projection))
@@ -305,7 +338,7 @@ function [m, way] = loops (who, o, m)
   endif
   way = find (strcmp (word, words));
   if (isempty (way))
-    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), strtrim (disp (word)));
+    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), gsmbp__shown (word));
   endif
   if (d.nlam == 0 && isempty (o.projection))
     way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
@@ -354,7 +387,7 @@ endfunction
 function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
   if (! (ischar (o.method) && isfield (methods, o.method)))
-    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\"", who);
+    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, gsmbp__shown (o.method));
   endif
   method = o.method;
   if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
@@ -364,28 +397,24 @@ function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   if (isempty (o.step))
     o.step = 1e-3 * rk4;
   endif
-  for name = {"step", "rtol", "maxstep", "maxsteps"}
+  for name = {"step", "maxstep", "maxsteps"}
     value = o.(name{1});
-    if (! (isnumeric (value) && isscalar (value) && isfinite (value) && value >= 0))
-      error ("%s: option %s must be a number >= 0", who, name{1});
+    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) && value >= 0))
+      error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
     endif
   endfor
-  if (rk4 && o.step == 0 || ! rk4 && o.rtol == 0)
-    error ("%s: option %s must be above 0", who, {"rtol", "step"}{1 + rk4});
+  if (rk4 && o.step == 0)
+    error ("%s: option step: expected a number above 0, found 0", who);
   endif
-  atol = o.atol;
-  if (isempty (atol))
-    atol = o.rtol * m.nominal;
+  [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
+  if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
+    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, gsmbp__shown (o.maxorder));
   endif
-  if (isscalar (atol))
-    atol = repmat (atol, d.nx, 1);
-  endif
-  if (numel (atol) != d.nx || ! all (atol(:) >= 0))
-    error ("%s: option atol: expected one number or %d numbers, all >= 0", who, d.nx);
-  endif
-  if (! any (o.maxorder == 1:5))
-    error ("%s: option maxorder must be 1, 2, 3, 4 or 5", who);
-  endif
+  for name = {"drift", "samples"}
+    if (! (isscalar (o.(name{1})) && (islogical (o.(name{1})) || any (o.(name{1}) == [0 1]))))
+      error ("%s: option %s: expected true or false, found %s", who, name{1}, gsmbp__shown (o.(name{1})));
+    endif
+  endfor
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
   endif
@@ -427,8 +456,8 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
     ip(1) = 3;
   else
     constants = o.input;
-    if (! (isnumeric (constants) && numel (constants) == d.nv && all (isfinite (constants(:)))))
-      error ("%s: input: expected %d finite numbers, found %s", who, d.nv, disp (constants)(1:end-1));
+    if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv && all (isfinite (constants(:)))))
+      error ("%s: input: expected %d finite numbers (%s), a piecewise polynomial, a function handle or \"user\", found %s", who, d.nv, strjoin (m.inputs', ", "), gsmbp__shown (constants));
     endif
     ip(9) = 1;
     rp = double (constants(:)');
@@ -462,7 +491,7 @@ function pp = as_pp (who, value, dims, what)
   endif
 endfunction
 
-function text = failure (info, counts, values, said)
+function text = failure (m, info, counts, values, said)
   at = sprintf ("at t = %.9g s", values(8));
   switch (info)
     case 1
@@ -471,13 +500,7 @@ function text = failure (info, counts, values, said)
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
       routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
-      text = sprintf ("%s failed with INFO = %d %s", routine, counts(6), at);
-      if (counts(7) == 7 && counts(6) == 9)
-        text = [text ": more than 100 events at one instant"];
-      endif
-      if (any (counts(7) == [3, 5]) && counts(6) == 3)
-        text = [text ": no position that closes the loops was found nearby; the mechanism may be at the end of its range"];
-      endif
+      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at, cause (m, counts(7), counts(6)));
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
     case 6
@@ -489,6 +512,18 @@ function text = failure (info, counts, values, said)
   endswitch
   if (info != 1 && counts(14) > 0)
     text = [text "; the steps are bound by stability"];
+  endif
+endfunction
+
+## the sentence for INFO of the routine with that number (ISTAT(6), ISTAT(7) of GSSIM)
+function text = cause (m, number, info)
+  if (number == 7 && info == 9)
+    text = "more than 100 events at one instant";
+  elseif (any (number == [3, 5]) && info == 3)
+    text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
+  else
+    names = {"cmd", "rhs", "prj", "con", "prj", "out", "rst"};
+    text = m.module ("meaning", names{number}, info);
   endif
 endfunction
 

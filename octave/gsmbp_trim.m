@@ -28,7 +28,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   who = "gsmbp_trim";
   d = m.sizes;
   o = gsmbp__options (who, struct ("hold", {{}}, "free", {{}}, "time", 0, "tolerance", 1e-9), varargin);
-  if (! isfield (m, "jac"))
+  if (! any (strcmp (m.subroutines, "jac")))
     error ("%s: %s was emitted without the subroutine JAC", who, m.name);
   endif
   x = [x(:); zeros(d.nx - numel (x), 1)];

@@ -6,6 +6,8 @@
 #include <octave/oct.h>
 #include <octave/parse.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cfloat>
 #include <chrono>
 #include <cmath>
@@ -79,7 +81,7 @@ static fortran
 routine (gsmbp_sub f, const char *name)
 {
   if (! f)
-    error ("%s.%s: the scene was emitted without this subroutine; add it to the requests of gsmbp_fortran", S.name, name);
+    error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the requests of gsmbp_fortran", S.name, name, S.name, name);
   return fortran {f};
 }
 
@@ -89,18 +91,47 @@ class arguments
 {
 public:
 
-  arguments (const octave_value_list& a, const std::string& call)
-    : m_args (a), m_call (call), m_next (0) { }
+  // usage: the arguments of the handle as its user types them, "t, q[, u]"
+  arguments (const octave_value_list& a, const std::string& call, const std::string& usage = "")
+    : m_args (a), m_call (call), m_usage (usage), m_next (0) { }
 
   std::string who (void) const { return std::string (S.name) + "." + m_call; }
 
   bool more (void) const
   { return m_next < m_args.length () && ! m_args(m_next).isempty (); }
 
+  // how the handle is called
+  std::string typed (void) const
+  { return "m." + m_call + " (" + m_usage + ")"; }
+
+  void missing (const char *name) const
+  {
+    if (m_usage.empty ())
+      error ("%s: argument %s is missing", who ().c_str (), name);
+    error ("%s: argument %s is missing; expected %s", who ().c_str (), name, typed ().c_str ());
+  }
+
+  // As many arguments as the usage says: the ones before the first bracket are needed.  The constants, which come first, are not the user's.
+  void count_given (void) const
+  {
+    int given = int (m_args.length ()) - 1;
+    std::string needed = m_usage.substr (0, m_usage.find ('['));
+    for (std::size_t begin = 0; ! needed.empty () && begin < std::string::npos; given--)
+      {
+        std::size_t end = needed.find (',', begin);
+        if (given <= 0)
+          missing (needed.substr (begin, end - begin).c_str ());
+        begin = end == std::string::npos ? end : end + 2;
+      }
+    int most = m_usage.empty () ? 0 : 1 + int (std::count (m_usage.begin (), m_usage.end (), ','));
+    if (m_args.length () > most + 1)
+      error ("%s: expected %s, at most %d argument%s, found %d", who ().c_str (), typed ().c_str (), most, most == 1 ? "" : "s", int (m_args.length ()) - 1);
+  }
+
   const octave_value& value (const char *name)
   {
     if (m_next >= m_args.length ())
-      error ("%s: argument %s is missing", who ().c_str (), name);
+      missing (name);
     return m_args(m_next++);
   }
 
@@ -175,23 +206,66 @@ public:
 
   number scalar (const char *name) { return vector (name, 1)[0]; }
 
+  // coordinates, alone or before speeds and others; Euler parameters that are all zero are no orientation
+  reals coordinates (const char *name, int size)
+  {
+    reals x = vector (name, size);
+    for (int k = 0; k < S.nsets; k++)
+      if (no_orientation (&x[0], k, 1))
+        error ("%s: argument %s: expected Euler parameters of length 1 in %s(%d), %s(%d), %s(%d), %s(%d), found zeros, which are no orientation", who ().c_str (), name,
+               name, S.sets[4*k], name, S.sets[4*k+1], name, S.sets[4*k+2], name, S.sets[4*k+3]);
+    return x;
+  }
+
+  static bool no_orientation (const number *x, int set, std::size_t step)
+  {
+    for (int i = 0; i < 4; i++)
+      if (x[step * (S.sets[4*set+i] - 1)] != 0)
+        return false;
+    return true;
+  }
+
   std::vector<int> integers (const char *name, int size)
   {
     Matrix m = matrix (name, size, 1);
     std::vector<int> x (std::max<octave_idx_type> (1, m.numel ()), 0);
     for (octave_idx_type i = 0; i < m.numel (); i++)
-      x[i] = int (m.elem (i));
+      {
+        if (! (m.elem (i) == std::floor (m.elem (i)) && std::fabs (m.elem (i)) <= 2e9))
+          error ("%s: argument %s: expected whole numbers, found %g", who ().c_str (), name, m.elem (i));
+        x[i] = int (m.elem (i));
+      }
     return x;
+  }
+
+  int integer_within (const char *name, int low, int high)
+  {
+    int k = integers (name, 1)[0];
+    if (k < low || k > high)
+      error ("%s: argument %s: expected %d to %d, found %d", who ().c_str (), name, low, high, k);
+    return k;
+  }
+
+  // the modes of devices with events
+  std::vector<int> modes (void)
+  {
+    std::vector<int> mode = integers ("mode", S.nmode);
+    for (int i = 0; i < S.nmode; i++)
+      if (mode[i] < -1 || mode[i] > 1)
+        error ("%s: argument mode(%d): expected -1, 0 or 1, found %d", who ().c_str (), i + 1, mode[i]);
+    return mode;
   }
 
   // the number of columns of the next argument
   int states (const char *name, int rows)
   {
     if (m_next >= m_args.length ())
-      error ("%s: argument %s is missing", who ().c_str (), name);
+      missing (name);
     const octave_value& v = m_args(m_next);
-    if (! v.is_real_matrix () && ! v.is_real_scalar () && ! v.is_range ())
-      error ("%s: argument %s: expected a real matrix", who ().c_str (), name);
+    if (v.is_string () || ! (v.isnumeric () || v.islogical ()))
+      error ("%s: argument %s: expected real numbers, found %s", who ().c_str (), name, v.class_name ().c_str ());
+    if (v.iscomplex ())
+      error ("%s: argument %s: expected real numbers, found complex ones", who ().c_str (), name);
     if (v.rows () != rows || v.ndims () > 2)
       error ("%s: argument %s: expected %d row%s, a column for each state, found %s",
              who ().c_str (), name, rows, rows == 1 ? "" : "s", v.dims ().str ().c_str ());
@@ -227,7 +301,7 @@ private:
   static std::string count (int n) { return n < 0 ? "any" : std::to_string (n); }
 
   octave_value_list m_args;
-  std::string m_call;
+  std::string m_call, m_usage;
   int m_next;
 };
 
@@ -276,6 +350,15 @@ public:
         }
   }
 
+  // states of which Euler parameters are all zero, no orientation, become no numbers
+  void without_orientation (int k, bool coordinates)
+  {
+    for (int set = 0; coordinates && set < S.nsets; set++)
+      for (int j = 0; j < k; j++)
+        if (arguments::no_orientation (data () + j, set, m_ld))
+          data ()[j + std::size_t (m_ld) * (S.sets[4*set] - 1)] = std::numeric_limits<double>::quiet_NaN ();
+  }
+
   // a column for each state
   NDArray matrix (const dim_vector& dims)
   {
@@ -307,6 +390,8 @@ arguments::batch (const char *name, int rows, int k, columns& x, bool needed)
   const double *from = m.data ();
   std::size_t step = given == 1 ? 0 : rows;
   x.each ([&] (number& y, int i, int j) { y = from[i + step * j]; });
+  if (rows == S.nq || rows == S.nx)
+    x.without_orientation (k, name[0] == 'q' || name[0] == 'x');
 }
 
 static reals
@@ -315,19 +400,51 @@ room (int n)
   return reals (std::max (1, n), number (0));
 }
 
+// The error indicators of the emitted subroutines as sentences: the one place where they stand (also of gsmbp_simulate
+// and others, by the call "meaning").  An entry without a subroutine holds for those that are not named.
 static std::string
-meaning (int info)
+meaning (const std::string& call, int info)
 {
+  static const struct { int info; const char *calls, *text; } table[] = {
+    {1, " clo ", "a singular position: the dependent coordinates cannot be found from the independent ones"},
+    {1, "", "the mass matrix is singular or not positive definite"},
+    {2, " clo ", "the loops do not close at these independent coordinates"},
+    {2, "", "the constraints have lost rank: multipliers are not unique"},
+    {3, " rhs rha acc acd out jac evt rst rhs_v ", "orientation angles are within 0.05 rad of their singularity: choose another sequence of axes or Euler parameters"},
+    {3, " prj ", "no position that closes the loops was found near this one"},
+    {3, "", "the iteration did not converge"},
+    {4, "", "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of gsmbp_passes)"}
+  };
+  if (info == 0)
+    return "ok";
   if (info < 0)
-    return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range";
-  switch (info)
-    {
-    case 1: return "the mass matrix is singular or not positive definite";
-    case 2: return "the constraints have lost rank: multipliers are not unique";
-    case 3: return "the iteration did not converge";
-    case 4: return "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of gsmbp_passes)";
-    default: return "numerical event";
-    }
+    return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range or not finite";
+  if (! call.compare ("inl") || ! call.compare (0, 2, "cm"))
+    return "a singular position for these actuators: they cannot give the motion here";
+  for (const auto& entry : table)
+    if (entry.info == info && (! *entry.calls || std::strstr (entry.calls, (" " + call + " ").c_str ())))
+      return entry.text;
+  return "a numerical event that has no name";
+}
+
+static octave_value_list
+do_meaning (arguments& a, int)
+{
+  std::string call = a.value ("subroutine").string_value ();
+  return ovl (meaning (call, a.integers ("info", 1)[0]));
+}
+
+// Lost rank is news where it is not so everywhere: of a scene that has redundant constraints it is said once a model.
+static bool the_rank_said = false, the_rank_full = false;
+
+static void
+say_rank (const char *call)
+{
+  if (the_rank_said && ! the_rank_full)
+    return;
+  the_rank_said = true;
+  warning_with_id ("gsmbp:rank", "%s.%s: INFO = 2: %s%s", S.name, call, meaning (call, 2).c_str (),
+                   the_rank_full ? "" : "; this is said once a model: gsmbp_mobility tells which ones are");
 }
 
 // INFO becomes the output after the others if the caller takes it; otherwise
@@ -336,14 +453,15 @@ static void
 finish (octave_value_list& out, int info, int nargout, const char *call)
 {
   int place = out.length ();
+  if (info == 0 && S.nlam > 0 && (! std::strcmp (call, "acc") || ! std::strcmp (call, "acd")))
+    the_rank_full = true;
   if (nargout <= place && info != 0)
     {
-      if (info == 2)
-        warning_with_id ("gsmbp:rank", "%s.%s: INFO = %d: %s", S.name, call, info,
-                         meaning (info).c_str ());
+      if (info == 2 && std::strstr (" rhs acc acd out jac evt rst prj con ", (" " + std::string (call) + " ").c_str ()))
+        say_rank (call);
       else
         error_with_id ("gsmbp:info", "%s.%s: INFO = %d: %s", S.name, call, info,
-                       meaning (info).c_str ());
+                       meaning (call, info).c_str ());
     }
   out.append (octave_value (info));
 }
@@ -373,6 +491,7 @@ do_par (arguments&, int)
 {
   reals par = room (S.npar);
   routine (S.par, "par") (&par[0]);
+  the_rank_said = the_rank_full = false;   // a new model: gsmbp_build asks for its parameters
   return ovl (result (par, S.npar));
 }
 
@@ -402,7 +521,7 @@ do_kin (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), qdot = room (S.nq);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), qdot = room (S.nq);
   routine (S.kin, "kin") (&t, &q[0], &u[0], &cst[0], &qdot[0]);
   return ovl (result (qdot, S.nq));
 }
@@ -412,7 +531,7 @@ do_inv (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
   reals v = a.vector_or_zero ("v", S.nv), tau = room (S.nu);
   routine (S.inv, "inv") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &tau[0]);
   return ovl (result (tau, S.nu));
@@ -423,7 +542,7 @@ do_reg (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
   reals v = a.vector_or_zero ("v", S.nv), y = room (S.nu * S.nbase), p = room (S.nbase), r = room (S.nu);
   int ld = std::max (1, S.nu);
   routine (S.reg, "reg") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &y[0], &ld, &p[0], &r[0]);
@@ -435,7 +554,7 @@ do_mas (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), m = room (S.nu * S.nu);
+  reals q = a.coordinates ("q", S.nq), m = room (S.nu * S.nu);
   int ld = std::max (1, S.nu);
   routine (S.mas, "mas") (&t, &q[0], &cst[0], &m[0], &ld);
   return ovl (result (m, S.nu, S.nu));
@@ -446,7 +565,7 @@ do_bia (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu);
   reals v = a.vector_or_zero ("v", S.nv), b = room (S.nu);
   routine (S.bia, "bia") (&t, &q[0], &u[0], &v[0], &cst[0], &b[0]);
   return ovl (result (b, S.nu));
@@ -457,7 +576,7 @@ do_fwd (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu);
   reals v = a.vector_or_zero ("v", S.nv), tau = a.vector_or_zero ("tau", S.nu);
   reals ud = room (S.nu);
   int info = 0;
@@ -472,7 +591,7 @@ do_con (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector_or_zero ("u", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector_or_zero ("u", S.nu);
   reals phi = room (S.nlam), phit = room (S.nlam), hc = room (S.nlam * S.nu), gam = room (S.nlam);
   int ld = std::max (1, S.nlam), info = 0;
   routine (S.con, "con") (&t, &q[0], &u[0], &cst[0], &phi[0], &phit[0], &hc[0], &ld, &gam[0], &info);
@@ -487,7 +606,7 @@ do_inl (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
   reals v = a.vector_or_zero ("v", S.nv);
   reals tau = room (std::max (S.nact, S.nu)), lam = room (S.nlam);
   int info = 0;
@@ -502,7 +621,7 @@ do_lin (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
+  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
   reals v = a.vector_or_zero ("v", S.nv);
   int ld = std::max (1, S.nu);
   reals m = room (ld * S.nu), b = room (ld * S.nu), c = room (ld * S.nq);
@@ -515,7 +634,7 @@ do_rhs (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), xd = room (S.nx);
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), xd = room (S.nx);
   int info = 0;
   routine (S.rhs, "rhs") (&t, &x[0], &v[0], &cst[0], &xd[0], &info);
   octave_value_list out = ovl (result (xd, S.nx));
@@ -528,7 +647,7 @@ do_acc (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
   reals ud = room (S.nu), lam = room (S.nlam);
   int info = 0;
   routine (S.acc, "acc") (&t, &x[0], &v[0], &cst[0], &ud[0], &lam[0], &info);
@@ -542,8 +661,8 @@ do_acd (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
-  int way = a.integers ("way", 1)[0], info = 0;
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  int way = a.integer_within ("way", 1, 4), info = 0;
   reals ud = room (S.nu), lam = room (S.nlam);
   routine (S.acd, "acd") (&t, &x[0], &v[0], &cst[0], &way, &ud[0], &lam[0], &info);
   octave_value_list out = ovl (result (ud, S.nu), result (lam, S.nlam));
@@ -556,7 +675,7 @@ do_tan (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), dp = room (S.nlam * S.nq), dv = room (S.nlam * S.nq);
+  reals x = a.coordinates ("x", S.nx), dp = room (S.nlam * S.nq), dv = room (S.nlam * S.nq);
   int ld = std::max (1, S.nlam);
   routine (S.tan, "tan") (&t, &x[0], &cst[0], &dp[0], &ld, &dv[0], &ld);
   return ovl (result (dp, S.nlam, S.nq), result (dv, S.nlam, S.nq));
@@ -567,7 +686,7 @@ do_prj (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), res = room (2 * S.nlam + 4);
+  reals x = a.coordinates ("x", S.nx), res = room (2 * S.nlam + 4);
   int info = 0;
   routine (S.prj, "prj") (&t, &x[0], &cst[0], &res[0], &info);
   octave_value_list out = ovl (result (x, S.nx), result (res, 1));
@@ -580,7 +699,7 @@ do_jac (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
   int ldx = std::max (1, S.nx), ldy = std::max (1, S.ny), info = 0;
   reals A = room (S.nx * S.nx), B = room (S.nx * S.nv), C = room (S.ny * S.nx), D = room (S.ny * S.nv);
   routine (S.jac, "jac") (&t, &x[0], &v[0], &cst[0], &A[0], &ldx, &B[0], &ldx,
@@ -596,7 +715,7 @@ do_out (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), y = room (S.ny);
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), y = room (S.ny);
   int info = 0;
   routine (S.out, "out") (&t, &x[0], &v[0], &cst[0], &y[0], &info);
   octave_value_list out = ovl (result (y, S.ny));
@@ -636,11 +755,9 @@ static octave_value_list
 do_ctl (arguments& a, int)
 {
   reals cst = a.constants ();
-  int k = a.integers ("k", 1)[0];
+  int k = a.integer_within ("k", 0, S.nctl);
   number t = a.scalar ("t");
   reals y = a.vector ("y", S.ny), xk = a.vector ("xk", S.nxk), v = a.vector_or_zero ("v", S.nv);
-  if (k < 0 || k > S.nctl)
-    error ("%s: argument k: expected 0 to %d, found %d", a.who ().c_str (), S.nctl, k);
   routine (S.ctl, "ctl") (&k, &t, &y[0], &xk[0], &cst[0], &v[0]);
   return ovl (result (v, S.nv), result (xk, S.nxk));
 }
@@ -650,8 +767,8 @@ do_evt (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector ("v", S.nv), g = room (S.nev);
-  std::vector<int> mode = a.integers ("mode", S.nmode);
+  reals x = a.coordinates ("x", S.nx), v = a.vector ("v", S.nv), g = room (S.nev);
+  std::vector<int> mode = a.modes ();
   routine (S.evt, "evt") (&t, &x[0], &v[0], &mode[0], &cst[0], &g[0]);
   return ovl (result (g, S.nev));
 }
@@ -661,9 +778,9 @@ do_rst (arguments& a, int nargout)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector ("v", S.nv);
-  std::vector<int> mode = a.integers ("mode", S.nmode);
-  int k = a.integers ("k", 1)[0], info = 0;
+  reals x = a.coordinates ("x", S.nx), v = a.vector ("v", S.nv);
+  std::vector<int> mode = a.modes ();
+  int k = a.integer_within ("k", 0, S.nev), info = 0;
   routine (S.rst, "rst") (&t, &x[0], &v[0], &mode[0], &k, &cst[0], &info);
   Matrix modes (S.nmode, 1);
   for (int i = 0; i < S.nmode; i++)
@@ -699,7 +816,7 @@ do_ene (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals x = a.vector ("x", S.nx), v = a.vector_or_zero ("v", S.nv), e = room (S.ne);
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), e = room (S.ne);
   routine (S.ene, "ene") (&t, &x[0], &v[0], &cst[0], &e[0]);
   return ovl (result (e, S.ne));
 }
@@ -709,7 +826,7 @@ do_ske (arguments& a, int)
 {
   reals cst = a.constants ();
   number t = a.scalar ("t");
-  reals q = a.vector ("q", S.nq), p = room (3 * S.np);
+  reals q = a.coordinates ("q", S.nq), p = room (3 * S.np);
   routine (S.ske, "ske") (&t, &q[0], &cst[0], &p[0]);
   return ovl (result (p, 3, S.np));
 }
@@ -732,7 +849,7 @@ finish_batch (octave_value_list& out, const std::vector<int>& info, int k, int n
     }
   if (nargout <= out.length () && worst >= 0)
     error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1, info[worst],
-                   meaning (info[worst]).c_str ());
+                   meaning (call, info[worst]).c_str ());
   out.append (octave_value (r));
 }
 
@@ -1115,24 +1232,84 @@ do_solve (arguments& a, int)
 
 // ----------------------------------------------------------------- dispatch
 
+static std::string
+upper (std::string text)
+{
+  for (char& c : text)
+    c = char (std::toupper (static_cast<unsigned char> (c)));
+  return text;
+}
+
+static void
+absent (const std::string& call, const char *request)
+{
+  std::string reason;
+  auto is = [&] (const char *calls) { return std::strstr (calls, (" " + call + " ").c_str ()) != nullptr; };
+  if (S.nlam == 0 && is (" con inl clo acc acd tan "))
+    reason = "it has no loops";
+  else if (S.nlam == 0 && S.nq == S.nu && is (" prj "))
+    reason = "it has neither loops nor Euler parameters";
+  else if (S.nctl == 0 && is (" ctl ctp "))
+    reason = "it has no sampled devices";
+  else if (S.nev == 0 && is (" evt rst "))
+    reason = "it has no events";
+  else if (S.ny == 0 && is (" out "))
+    reason = "it has no outputs";
+  else
+    reason = std::string ("derive it with the request ") + request + " of gsmbp_fortran";
+  error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s: %s", S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
+}
+
+// The handles of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments behind the constants as they are
+// typed.  The calls without a request are for the functions of octave/ and for tests.
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
   typedef octave_value_list (*handler) (arguments&, int);
-  static const struct { const char *name; handler call; } table[] = {
-    {"rhs", do_rhs}, {"inv", do_inv}, {"fwd", do_fwd}, {"mas", do_mas}, {"reg", do_reg},
-    {"bia", do_bia}, {"kin", do_kin}, {"con", do_con}, {"inl", do_inl},
-    {"lin", do_lin}, {"prj", do_prj}, {"jac", do_jac}, {"out", do_out},
-    {"cmd", do_cmd}, {"cmx", do_cmx}, {"ctl", do_ctl}, {"ctp", do_ctp}, {"evt", do_evt}, {"rst", do_rst}, {"clo", do_clo}, {"ene", do_ene}, {"acc", do_acc}, {"ske", do_ske},
-    {"inv_v", do_inv_v}, {"mas_v", do_mas_v}, {"bia_v", do_bia_v}, {"fwd_v", do_fwd_v}, {"rhs_v", do_rhs_v},
-    {"acd", do_acd}, {"tan", do_tan}, {"sim", do_sim},
-    {"par", do_par}, {"pre", do_pre}, {"spline", do_spline}, {"kkt", do_kkt},
-    {"solve", do_solve}
+  typedef gsmbp_sub gsmbp_scene::*member;
+  static const struct { const char *name; handler call; member sub; const char *request, *usage; } table[] = {
+    {"rhs", do_rhs, &gsmbp_scene::rhs, "rhs", "t, x[, v]"},
+    {"inv", do_inv, &gsmbp_scene::inv, "inverse", "t, q, u, ud[, v]"},
+    {"fwd", do_fwd, &gsmbp_scene::fwd, "forward", "t, q, u[, v[, tau]]"},
+    {"mas", do_mas, &gsmbp_scene::mas, "mass", "t, q"},
+    {"reg", do_reg, &gsmbp_scene::reg, "regressor", "t, q, u, ud[, v]"},
+    {"bia", do_bia, &gsmbp_scene::bia, "bias", "t, q, u[, v]"},
+    {"kin", do_kin, &gsmbp_scene::kin, "kinematics", "t, q, u"},
+    {"con", do_con, &gsmbp_scene::con, "constraints", "t, q[, u]"},
+    {"inl", do_inl, &gsmbp_scene::inl, "inverse_loops", "t, q, u, ud[, v]"},
+    {"lin", do_lin, &gsmbp_scene::lin, "linear", "t, q, u, ud[, v]"},
+    {"prj", do_prj, &gsmbp_scene::prj, "projection", "t, x"},
+    {"jac", do_jac, &gsmbp_scene::jac, "jacobian", "t, x[, v]"},
+    {"out", do_out, &gsmbp_scene::out, "output", "t, x[, v]"},
+    {"cmd", do_cmd, &gsmbp_scene::cmd, "command", "t, qj[, xi]"},
+    {"cmx", do_cmx, &gsmbp_scene::cmx, "command_states", "t, qj[, xi]"},
+    {"ctl", do_ctl, &gsmbp_scene::ctl, "control", "k, t, y, xk[, v]"},
+    {"ctp", do_ctp, &gsmbp_scene::ctp, "control", ""},
+    {"evt", do_evt, &gsmbp_scene::evt, "events", "t, x, v, mode"},
+    {"rst", do_rst, &gsmbp_scene::rst, "events", "t, x, v, mode, k"},
+    {"clo", do_clo, &gsmbp_scene::clo, "closure", "t, qj"},
+    {"ene", do_ene, &gsmbp_scene::ene, "energy", "t, x[, v]"},
+    {"acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]"},
+    {"acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way"},
+    {"tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x"},
+    {"ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q"},
+    {"inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]"},
+    {"mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q"},
+    {"bia_v", do_bia_v, &gsmbp_scene::bia_v, "batch", "t, q, u[, v]"},
+    {"fwd_v", do_fwd_v, &gsmbp_scene::fwd_v, "batch", "t, q, u[, v[, tau]]"},
+    {"rhs_v", do_rhs_v, &gsmbp_scene::rhs_v, "batch", "t, x[, v]"},
+    {"sim", do_sim, nullptr, "", ""}, {"par", do_par, nullptr, "", ""}, {"pre", do_pre, nullptr, "", ""},
+    {"meaning", do_meaning, nullptr, "", ""}, {"spline", do_spline, nullptr, "", ""}, {"kkt", do_kkt, nullptr, "", ""},
+    {"solve", do_solve, nullptr, "", ""}
   };
   for (const auto& entry : table)
     if (call == entry.name)
       {
-        arguments a (args, call);
+        arguments a (args, call, entry.usage);
+        if (entry.sub && ! (S.*(entry.sub)))
+          absent (call, entry.request);
+        if (entry.sub)
+          a.count_given ();
         return entry.call (a, nargout);
       }
   error ("%s: no subroutine %s", S.name, call.c_str ());
@@ -1163,5 +1340,9 @@ DEFUN_DLD (gsmbp_module, args, nargout,
   std::string call = args(0).string_value ();
   if (call == "time")
     return do_time (args);
-  return dispatch (call, args.slice (1, args.length () - 1), nargout);
+  octave_value_list results = dispatch (call, args.slice (1, args.length () - 1), nargout);
+  int most = int (results.length ());
+  if (nargout > most)
+    error ("%s.%s: expected at most %d result%s, found %d", S.name, call.c_str (), most, most == 1 ? "" : "s", nargout);
+  return results;
 }

@@ -1,14 +1,16 @@
 /* The scene's part of a module, compiled for every scene with gsmbp_sizes.h,
    which gsmbp_build writes from the JSON:
      GSMBP_DECLARE  extern void pendulum_par_ (void), ...;
-     GSMBP_TABLE    the members of gsmbp_scene in their order
+     GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
+     GSMBP_TABLE    the members of gsmbp_scene in their order, but for the last
      GSMBP_INSTALL  Gpendulum_1a2b3c4d, the symbol that Octave looks up  */
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
 
 GSMBP_DECLARE
 
-const gsmbp_scene gsmbp_the_scene = { GSMBP_TABLE };
+static const int sets[] = { GSMBP_SETS };
+const gsmbp_scene gsmbp_the_scene = { GSMBP_TABLE, sets };
 
 extern void *Ggsmbp_module (void *library, _Bool relative);
 

@@ -15,6 +15,8 @@ typedef struct
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
             out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
             rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, reg, vin;
+  int nsets;         /* of Euler parameters */
+  const int *sets;   /* ... four numbers of coordinates each */
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

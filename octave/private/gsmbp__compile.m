@@ -60,7 +60,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   if (gsmbp__older (file, sources))
     place = scratch (here);
     guard = onCleanup (@() remove (place));
-    write (fullfile (place, "gsmbp_sizes.h"), sizes_header (json, symbol, ! isempty (input)));
+    gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), sizes_header (json, symbol, ! isempty (input)));
     cc = strtrim (mkoctfile ("-p", "CC"));
     gsmbp__run (who, sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, quote (source)));
     user = "";
@@ -99,7 +99,7 @@ endfunction
 
 function place = scratch (folder)
   place = fullfile (folder, sprintf (".new-%d-%d", getpid (), randi (1e9)));
-  mkdir (place);
+  gsmbp__folder ("gsmbp_build", place);
 endfunction
 
 function remove (place)
@@ -110,26 +110,9 @@ endfunction
 ## a file that is as new as the last change of TEXT
 function file = flags_stamp (folder, text)
   file = fullfile (folder, "flags");
-  if (! exist (folder, "dir"))
-    [ok, msg] = mkdir (folder);
-    if (! ok)
-      error ("gsmbp_build: cannot make the folder %s: %s", folder, msg);
-    endif
-  endif
   if (! exist (file, "file") || ! strcmp (fileread (file), text))
-    write (file, text);
+    gsmbp__write ("gsmbp_build", file, text);
   endif
-endfunction
-
-function write (file, text)
-  new = sprintf ("%s.%d", file, getpid ());
-  f = fopen (new, "w");
-  if (f < 0)
-    error ("gsmbp_build: cannot write %s", new);
-  endif
-  fputs (f, text);
-  fclose (f);
-  rename (new, file);
 endfunction
 
 ## a size, 0 where the JSON does not say
@@ -166,6 +149,7 @@ function text = sizes_header (json, symbol, has_input)
     table{end} = "gsvin_";
     declared{end+1} = "gsvin_";
   endif
-  text = sprintf ("#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_TABLE \"%s\",%s %s\n", symbol,
-                  sprintf ("extern void %s (void); ", declared{:}), json.name, sprintf (" %d,", counts), strjoin (table, ", "));
+  sets = gsmbp__orientation (json);
+  text = sprintf ("#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_SETS %s\n#define GSMBP_TABLE \"%s\",%s %s, %d\n", symbol,
+                  sprintf ("extern void %s (void); ", declared{:}), sprintf ("%d, ", [sets'(:)', 0])(1:end-2), json.name, sprintf (" %d,", counts), strjoin (table, ", "), rows (sets));
 endfunction

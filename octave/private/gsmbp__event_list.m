@@ -11,7 +11,7 @@ function list = gsmbp__event_list (m, record)
                  "before", record(3 + (1:nx),:)', "after", record(3 + all + (1:nx),:)');
   for k = 1:n
     list.device{k} = m.events(list.number(k)).name;
-    if (isfield (m, "ene") && ! isequal (list.before(k,:), list.after(k,:)))
+    if (any (strcmp (m.subroutines, "ene")) && ! isequal (list.before(k,:), list.after(k,:)))
       energy = @(x) sum (m.ene (list.t(k), x')(1:3));
       list.loss(k) = energy (list.before(k,:)) - energy (list.after(k,:));
     endif

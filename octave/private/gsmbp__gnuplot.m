@@ -1,25 +1,34 @@
 ## gsmbp__gnuplot (who, file, terminal, lines)
 ## Runs gnuplot on the cell array LINES; TERMINAL draws into FILE, which appears
-## whole or not at all.  An error of WHO shows what gnuplot wrote.
+## whole or not at all: gnuplot itself does not notice a full disk.  An error of WHO
+## shows what gnuplot wrote.
 
 function gsmbp__gnuplot (who, file, terminal, lines)
   [folder, ~, kind] = fileparts (file);
-  if (! isempty (folder) && ! exist (folder, "dir"))
-    mkdir (folder);
-  endif
+  gsmbp__folder (who, folder);
   new = sprintf ("%s-%d%s", file(1:end-numel (kind)), getpid (), kind);
   script = [tempname() ".gp"];
-  guard = onCleanup (@() unlink (script));
-  f = fopen (script, "w");
-  if (f < 0)
-    error ("%s: cannot write %s", who, script);
+  guards = {onCleanup(@() gsmbp__discard (script)), onCleanup(@() gsmbp__discard (new))};
+  gsmbp__write (who, script, sprintf ("%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], lines{:}));
+  gsmbp__run (who, ["gnuplot '" strrep(script, "'", "'\\''") "'"]);
+  if (! whole (new, kind))
+    error ("%s: cannot write %s: gnuplot left a part of it (is the disk full?); what was there before is as it was", who, file);
   endif
-  fprintf (f, "%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], lines{:});
+  [failed, reason] = rename (new, file);
+  if (failed)
+    error ("%s: cannot write %s: %s", who, file, reason);
+  endif
+endfunction
+
+## does the picture end as its format says?
+function yes = whole (file, kind)
+  f = fopen (file, "r");
+  if (f < 0)
+    yes = false;
+    return;
+  endif
+  fseek (f, -8, "eof");
+  last = fread (f, 8, "uint8=>char")';
   fclose (f);
-  shell = @(text) ["'" strrep(text, "'", "'\\''") "'"];
-  unwind_protect
-    gsmbp__run (who, sprintf ("gnuplot %s && mv %s %s", shell (script), shell (new), shell (file)));
-  unwind_protect_cleanup
-    [~, ~] = unlink (new);   # there only if gnuplot failed
-  end_unwind_protect
+  yes = numel (last) == 8 && (strcmpi (kind, ".gif") && last(8) == ";" || strcmpi (kind, ".png") && strcmp (last(1:4), "IEND"));
 endfunction

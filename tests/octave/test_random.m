@@ -240,7 +240,7 @@ function found = called (model, m, s, joints)
   found = struct ("M", model.mas (t, q), "bias", model.bia (t, q, u), "tau", model.inv (t, q, u, ud), "qdot", model.kin (t, q, u), "E", model.ene (t, x), ...
                   "xd", xd, "wrench", zeros (6, numel (joints)));
   [found.phi, found.phit, found.H, found.gamma] = deal (zeros (0, 1), zeros (0, 1), zeros (0, numel (u)), zeros (0, 1));
-  if (isfield (model, "con"))
+  if (any (strcmp (model.subroutines, "con")))
     [found.phi, found.phit, found.H, found.gamma] = model.con (t, q, u);
   end
   [y, ~] = model.out (t, x);

@@ -1,0 +1,15 @@
+## text = gsmbp__shown (value)
+## A value of the user in an error, in one line: a short one as it is typed, else
+## its class and size.
+
+function text = gsmbp__shown (value)
+  if (ischar (value) && rows (value) <= 1 && numel (value) <= 60)
+    text = ["\"" value "\""];
+  elseif ((isnumeric (value) || islogical (value)) && numel (value) <= 6 && ndims (value) == 2)
+    text = mat2str (double (value), 6);
+  elseif (is_function_handle (value))
+    text = "a function handle";
+  else
+    text = sprintf ("a %s of size %s", class (value), strjoin (arrayfun (@(n) sprintf ("%d", n), size (value), "UniformOutput", false), "x"));
+  endif
+endfunction
