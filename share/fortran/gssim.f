@@ -113,7 +113,7 @@ C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
 C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + NV
-C             + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU + 60, where R = IP(4).
+C             + 8*NU + 10*NQ + 7*NLAM + 3*NLAM*NU + 60, where R = IP(4).
 C     OUT, CTL (external) the sampled devices, see GSSMP; called if
 C             IP(26) > 0.
 C     EVT, RST (external) the events, see GSRES; called if IP(28) > 0.
@@ -177,8 +177,12 @@ C
       LOGICAL            FRESH, AFTER, OLD
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
-     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE
-      EXTERNAL           GSEPS, GSOVER
+     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE,
+     $                   HLIM, HLAST, TC, D, SKIP, SHRINK, EIT, TMIN,
+     $                   SMIN, TSEEN, B(12), C(12), WT(12)
+      INTEGER            IQ, LOPT(6), NPASS
+      EXTERNAL           GSEPS, GSOVER, GSAHD, GSPSG, GSGLN, GSGLQ,
+     $                   GSPTH, GSPRD
 C
 C     -- arguments
       INFO = 0
@@ -192,7 +196,7 @@ C     -- arguments
       IF ( LDX.LT.NX ) INFO = -26
       IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
       I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + NV + 8*NU + 10*NQ
-     $    + 7*NLAM + 2*NLAM*NU
+     $    + 7*NLAM + 3*NLAM*NU
       IF ( LW.LT.I + 60 ) INFO = -32
       IF ( INFO.NE.0 ) RETURN
       IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -13
@@ -229,6 +233,7 @@ C     -- workspace: inputs, states, constraints, stages
       IC  = IV + MAX( 1, NV )
       IK  = IC + 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
       IO  = IK + 13*NX
+      IQ  = IO + 3*NX
       EPS = GSEPS()
       COARSE = EPS**( 2.0D0/3.0D0 )
       CLOSE  = 0.25D0*( EPS/MAX( ROPT(2), COARSE ) )**( 1.0D0/3.0D0 )
@@ -251,6 +256,10 @@ C     -- workspace: inputs, states, constraints, stages
       LEAP = 0.0D0
       NLEAP = 0
       NSLOW = 0
+      SKIP   = -1.0D300
+      TSEEN  = -1.0D300
+      SHRINK = 1.0D0
+      HLAST  = 0.0D0
       DO 50 I = 1, NX
          W(IX+I-1) = X0(I)
    50 CONTINUE
@@ -425,7 +434,142 @@ C     -- Dormand-Prince 8(5,3)
             IF ( IER.NE.0 ) GO TO 903
          END IF
       END IF
-      H  = MIN( HN, HMAX )
+C
+C     -- a singular position ahead?
+      HLIM = 1.0D300
+      IF ( NLAM.EQ.0 .OR. IOPT(5).NE.1 .OR. IOPT(2).EQ.1 .OR.
+     $     IP(28).GT.0 .OR. T.LT.SKIP ) GO TO 309
+      H = MIN( HN, HMAX )
+      I = 0
+      IF ( W(IC+3).LT.3.0D0 .OR. H.GT.1.5D0*HLAST .OR.
+     $     W(IC+12).LT.0.25D0*W(IC+13) ) I = 1
+      IF ( W(IC+9).LT.W(IC+7) .AND. W(IC+9)*( W(IC+8) - W(IC+6) ).LT.
+     $     3.0D0*H*( W(IC+7) - W(IC+9) ) ) I = 1
+      IF ( I.EQ.0 ) GO TO 309
+      HLIM = H
+      CALL GSAHD( CON, KIN, T, W(IX), HLIM, NQ, NU, NX, NLAM, CST,
+     $            W(IK), W(IXN), W(IQ), W(IC), TC, D )
+      IF ( D.LE.0.0D0 .OR. T.GT.TC + 0.5D0*D ) GO TO 309
+      D = SHRINK*D
+      NPASS = 0
+  301 IF ( T.LT.TC - 1.05D0*D ) THEN
+         HLIM = MIN( HLIM, TC - D - T )
+         GO TO 309
+      END IF
+      D = MAX( D, TC - T )
+      NPASS = NPASS + 1
+C
+C     -- the partition that holds at the far end
+      W(IC)   = 2.0D0
+      W(IC+1) = -1.0D0
+      IF ( ABS( T - TC ).GT.0.6D0*D ) THEN
+         CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
+      ELSE
+         TMIN = TC + SIGN( D, TC - T )
+         CALL GSPRD( KIN, T, W(IX), TC, D, NQ, NX, CST, W(IK), W(IXN) )
+         CALL GSGLN( C, WT )
+         CALL GSGLQ( C, WT, ( T - TC )/D, ( TMIN - TC )/D, B )
+         CALL GSPTH( NX, NX, W(IX), D, B, W(IK), W(IXN) )
+         CALL GSPNW( CON, KIN, TMIN, W(IXN), NQ, NU, NLAM, CST, W(IC),
+     $               IER )
+      END IF
+      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
+     $            W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR,
+     $            EIT, TMIN, SMIN, IER )
+      W(IC)   = JOB
+      W(IC+1) = -1.0D0
+      IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
+         TC = TMIN
+         IF ( T.LT.TC - D .AND. T.GT.TC - 1.4D0*D ) D = TC - T
+         GO TO 301
+      END IF
+      IF ( IER.EQ.0 .AND. ( ERR.LE.1.0D0 .OR. ERR.LE.3.0D0*EIT .OR.
+     $     ( SHRINK.LT.0.3D0 .AND. ERR.LE.1.0D4 ) ) ) GO TO 302
+      IF ( SHRINK.LT.0.3D0 .OR. IER.EQ.1 ) THEN
+         SKIP   = TC + D
+         SHRINK = 1.0D0
+         GO TO 309
+      END IF
+      SHRINK = 0.6D0*SHRINK
+      IF ( ABS( T - TC ).LT.0.6D0*D .AND. T.GT.TC - D )
+     $   SHRINK = MIN( SHRINK, 0.25D0 )
+      D = 0.6D0*D
+      GO TO 301
+C
+C     -- to its end or to the next break, sample or end of the run
+  302 TN = TC + D
+      CALL GSGLN( C, WT )
+      I = 0
+      IF ( TEND.LE.TN ) THEN
+         TN = TEND
+         I  = 1
+      END IF
+      CALL GSGLQ( C, WT, ( T - TC )/D, ( TN - TC )/D, B )
+      CALL GSPTH( NX, NX, W(IX), D, B, W(IK), W(IXN) )
+      DO 303 K = 1, 6
+         LOPT(K) = IOPT(K)
+  303 CONTINUE
+      W(IC+3) = 0.0D0
+      IF ( TN.LT.TC + 0.6D0*D ) THEN
+         LOPT(2) = 1
+         W(IC)   = 0.0D0
+      END IF
+      CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, LOPT,
+     $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
+      W(IC)   = JOB
+      W(IC+1) = -1.0D0
+      IF ( IER.NE.0 ) THEN
+         SKIP = TC + D
+         GO TO 309
+      END IF
+  304 IF ( TOUT(IT).LT.TN ) THEN
+         CALL GSGLQ( C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
+         CALL GSPTH( NX, NX, W(IX), D, B, W(IK), XOUT(1,IT) )
+         CALL GSINP( CMD, CLO, VIN, TOUT(IT), 1, XOUT(1,IT), NU, NX, NV,
+     $               IP, RP, CST, VOUT(1,IT), W, ISTAT(6) )
+         ISTAT(7) = 1
+         IF ( ISTAT(6).NE.0 ) GO TO 903
+         ISTAT(5) = IT
+         IT = IT + 1
+         GO TO 304
+      END IF
+      TB   = TN
+      SIDE = 1
+      IF ( I.EQ.1 ) THEN
+         IF ( IB.LE.NB ) THEN
+            IF ( TBRK(IB).LE.TN ) SIDE = -1
+         END IF
+         IF ( TS.LE.TN ) SIDE = -1
+      END IF
+      IF ( SMIN.LT.0.01D0*W(IC+13) .AND. TMIN.GE.T .AND. TMIN.LE.TN
+     $     .AND. TMIN.GT.TSEEN ) THEN
+         ISTAT(11) = ISTAT(11) + 1
+         IF ( ISTAT(11).EQ.1 ) RSTAT(16) = TMIN
+         RSTAT(17) = TMIN
+         TSEEN = TMIN + 0.1D0*D
+      END IF
+      IF ( TN.GE.TC + D ) SKIP = TC + D
+      SHRINK = 1.0D0
+      H = TN - T
+      HLAST = H
+      I   = IX
+      IX  = IXN
+      IXN = I
+      T   = TN
+      RSTAT(7) = MAX( RSTAT(7), H )
+      RSTAT(8) = T
+      ISTAT(2) = ISTAT(2) + 1
+      ISTAT(6) = 0
+      ISTAT(7) = 0
+      FRESH = .TRUE.
+      AFTER = .FALSE.
+      OLD   = .FALSE.
+      NPASS  = 0
+      IF ( T.LT.TB ) GO TO 300
+      GO TO 400
+C
+  309 H  = MIN( HN, HMAX, HLIM )
       IF ( LEAP.GT.0.0D0 ) H = LEAP
       TN = T + H
       I  = 1
@@ -527,6 +671,7 @@ C     -- a good step: onto the constraints with it
          ISTAT(2) = ISTAT(2) + 1
          ISTAT(6) = 0
          ISTAT(7) = 0
+         HLAST = H
          FRESH = .TRUE.
          AFTER = .TRUE.
          NEAR  = 0.05D0

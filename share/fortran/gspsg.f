@@ -1,0 +1,567 @@
+      SUBROUTINE GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, NQ,
+     $                  NU, NX, NV, NLAM, IP, RP, CST, V, RTOL, ATOL,
+     $                  F, XN, FN, WI, P, ISTAT, RSTAT, ERR, EIT, TS,
+     $                  SMIN, INFO )
+C
+C     PURPOSE
+C     The motion through a position where the constraints lose rank, in
+C     one step of an implicit method whose stages keep away from it.
+C
+C     ARGUMENTS
+C     As GSDP8, and
+C     X       (input) DOUBLE PRECISION array, dimension (NX), the state
+C             at T, which may lie anywhere between TC-D and TC+D, at the
+C             singular position as well.
+C     TC, D   (input) DOUBLE PRECISION: the step is from TC-D to TC+D;
+C             the singular position ought to lie at TC.
+C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
+C             on entry column 1 is the right-hand side at (T,X), on exit
+C             the others are that at the stages: GSPTH then has the
+C             state at all times of the step.
+C     XN, FN  (workspace) DOUBLE PRECISION arrays, dimension (NX).
+C     P       (input/output) DOUBLE PRECISION array, see GSPRT, with the
+C             partition of the step.
+C     ERR     (output) DOUBLE PRECISION, the estimated error divided by
+C             the tolerance, of the states that are not completed, and
+C     EIT     (output) DOUBLE PRECISION, what the last iteration moved
+C             them: rounding errors, if it is not below 0.02.
+C     TS      (output) DOUBLE PRECISION, where the least pivot of the
+C             constraints is least [s], and
+C     SMIN    (output) DOUBLE PRECISION, its value there.
+C     INFO    (output) INTEGER: 0; 1 if the singular position lies too
+C             far from TC: another step is to be tried, about TS; 2 if
+C             the iteration does not converge; 3 if a stage failed.
+C
+C     METHOD
+C     Collocation at the twelve points of Gauss, an even number: none is
+C     nearer to TC than D/8.  The stages are completed by GSPRT.  First
+C     every stage is predicted from those before it, then all of them
+C     are iterated.  On the branch that the mechanism takes the motion
+C     is a smooth function of time, but what follows from the
+C     constraints at a position close to the singular one is not known:
+C     an error e of theirs is one of e/s in completed coordinates, e/s**2
+C     in speeds, e/s**3 in accelerations, s being the least pivot.
+C
+C     REFERENCE
+C     Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+C     I, section II.7 (collocation).
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), INFO
+      DOUBLE PRECISION   T, X(*), TC, D, RP(*), CST(*), V(*), RTOL,
+     $                   ATOL(*), F(NX,13), XN(*), FN(*), WI(*), P(*),
+     $                   RSTAT(*), ERR, EIT, TS, SMIN
+      INTEGER            I, J, K, L, ORDER(12)
+      DOUBLE PRECISION   C(12), WT(12), B(12), C0, CS, S, OLD, GSEPS,
+     $                   TOL
+      EXTERNAL           GSEPS, GSGLN, GSGLQ, GSPSF, GSPMN, GSFUN,
+     $                   GSPER, GSPTH, GSLGP
+C
+      CALL GSGLN( C, WT )
+      C0  = ( T - TC )/D
+      ERR = 0.0D0
+      EIT = 0.0D0
+      CALL GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, V, F, XN, WI, P, ISTAT,
+     $            RSTAT, ORDER, INFO )
+      IF ( INFO.NE.0 ) THEN
+         INFO = 3
+         RETURN
+      END IF
+      CALL GSPMN( CON, T, X, TC, D, -0.7D0, 0.7D0, NQ, NU, NX, NLAM,
+     $            CST, F, XN, P, CS, SMIN )
+      TS = TC + CS*D
+      IF ( ABS( CS ).GT.0.03D0 ) THEN
+         INFO = 1
+         RETURN
+      END IF
+C
+C     -- iterations
+      TOL = MAX( RTOL, 1.0D3*GSEPS() )
+      OLD = 1.0D300
+      DO 60 L = 1, 40
+         EIT = 0.0D0
+         DO 50 J = 1, 12
+            K = ORDER(J)
+            CALL GSGLQ( C, WT, C0, C(K), B )
+            CALL GSPTH( NX, NX, X, D, B, F, XN )
+            CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, 1,
+     $                  XN, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, FN,
+     $                  WI, P, ISTAT, RSTAT, INFO )
+            IF ( INFO.NE.0 ) THEN
+               INFO = 3
+               RETURN
+            END IF
+            DO 40 I = 1, NX
+               S = F(I,K+1)
+               F(I,K+1) = FN(I)
+               FN(I) = D*WT(K)*( FN(I) - S )
+   40       CONTINUE
+            CALL GSPER( NQ, NU, NX, X, FN, TOL, ATOL, RTOL, P, S )
+            EIT = EIT + S
+   50    CONTINUE
+         IF ( .NOT.( EIT.LE.1.0D300 ) ) GO TO 70
+         IF ( EIT.LE.0.02D0 ) GO TO 80
+         IF ( L.GT.2 .AND. EIT.GT.0.5D0*OLD .AND. EIT.LE.1.0D3 )
+     $      GO TO 80
+         OLD = EIT
+   60 CONTINUE
+   70 INFO = 2
+      RETURN
+C
+C     -- the last two coefficients of the polynomial
+   80 DO 110 J = 10, 11
+         DO 90 I = 1, NX
+            FN(I) = 0.0D0
+   90    CONTINUE
+         DO 105 K = 1, 12
+            CALL GSLGP( 12, C(K), B )
+            S = D*WT(K)*B(J+1)*0.5D0
+            DO 100 I = 1, NX
+               FN(I) = FN(I) + S*F(I,K+1)
+  100       CONTINUE
+  105    CONTINUE
+         CALL GSPER( NQ, NU, NX, X, FN, TOL, ATOL, RTOL, P, S )
+         ERR = MAX( ERR, S )
+  110 CONTINUE
+      CALL GSPMN( CON, T, X, TC, D, -0.2D0, 0.2D0, NQ, NU, NX, NLAM,
+     $            CST, F, XN, P, CS, SMIN )
+      TS = TC + CS*D
+      END
+      SUBROUTINE GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, F, XN, WI,
+     $                  P, ISTAT, RSTAT, ORDER, INFO )
+C
+C     PURPOSE
+C     The stages of GSPSG for the first time, from C0 outwards (their
+C     ORDER), each by the polynomial through up to seven of those that
+C     are known already.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+     $                   ORDER(12), INFO
+      DOUBLE PRECISION   X(*), TC, D, C0, C(12), RP(*), CST(*), V(*),
+     $                   F(NX,13), XN(*), WI(*), P(*), RSTAT(*)
+      INTEGER            I, J, K, L, N, KNOWN(13), NK
+      DOUBLE PRECISION   Z(13), FROM, B(13)
+      EXTERNAL           GSFUN, GSLGI
+C
+      N = 0
+      DO 10 K = 1, 12
+         IF ( C(K).GT.C0 ) THEN
+            N = N + 1
+            ORDER(N) = K
+         END IF
+   10 CONTINUE
+      NK = N
+      DO 20 K = 12, 1, -1
+         IF ( C(K).LE.C0 ) THEN
+            N = N + 1
+            ORDER(N) = K
+         END IF
+   20 CONTINUE
+C
+C     -- close to the singular position its own rates are of no use
+C        once there are others
+      Z(1) = C0
+      KNOWN(1) = 1
+      N = 1
+      DO 60 J = 1, 12
+         K = ORDER(J)
+         IF ( J.EQ.1 .OR. J.EQ.NK+1 ) THEN
+            FROM = C0
+            DO 30 I = 1, NX
+               XN(I) = X(I)
+   30       CONTINUE
+         END IF
+         IF ( J.EQ.2 .AND. ABS( C0 ).LT.0.1D0 ) THEN
+            Z(1) = Z(2)
+            KNOWN(1) = KNOWN(2)
+            N = 1
+         END IF
+         CALL GSLGI( N, Z, FROM, C(K), B )
+         DO 50 I = 1, NX
+            DO 40 L = 1, N
+               XN(I) = XN(I) + D*B(L)*F(I,KNOWN(L))
+   40       CONTINUE
+   50    CONTINUE
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, 1, XN,
+     $               NQ, NU, NX, NV, NLAM, IP, RP, CST, V, F(1,K+1), WI,
+     $               P, ISTAT, RSTAT, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         FROM = C(K)
+         N = N + 1
+         Z(N) = C(K)
+         KNOWN(N) = K + 1
+   60 CONTINUE
+      END
+      SUBROUTINE GSPER( NQ, NU, NX, X, D, TOL, ATOL, RTOL, P, ERR )
+C
+C     PURPOSE
+C     The size of D beside the tolerance, states that are completed from
+C     others left out, as in GSDP8 but with TOL >= RTOL for RTOL.
+C
+      IMPLICIT NONE
+      INTEGER            NQ, NU, NX
+      DOUBLE PRECISION   X(*), D(*), TOL, ATOL(*), RTOL, P(*), ERR
+      DOUBLE PRECISION   S
+      INTEGER            I, N
+C
+      ERR = 0.0D0
+      N   = 0
+      DO 10 I = 1, NX
+         S = 1.0D0
+         IF ( I.LE.NQ + NU ) S = P(14+NU+I)
+         IF ( S.GT.0.0D0 ) THEN
+            N = N + 1
+            S = ( ATOL(I)/RTOL + ABS( X(I) ) )*TOL
+            IF ( S.GT.0.0D0 ) ERR = ERR + ( D(I)/S )**2
+         END IF
+   10 CONTINUE
+      ERR = SQRT( ERR/DBLE( MAX( 1, N ) ) )
+      END
+      SUBROUTINE GSPTH( N, LDF, X, D, B, F, XT )
+C
+C     PURPOSE
+C     XT = X + D*F(1..N,2..13)*B, the first N states at the place of B
+C     (GSGLQ) in a step of GSPSG.
+C
+      IMPLICIT NONE
+      INTEGER            N, LDF
+      DOUBLE PRECISION   X(*), D, B(12), F(LDF,13), XT(*)
+      DOUBLE PRECISION   S
+      INTEGER            I, K
+C
+      DO 20 I = 1, N
+         S = 0.0D0
+         DO 10 K = 1, 12
+            S = S + B(K)*F(I,K+1)
+   10    CONTINUE
+         XT(I) = X(I) + D*S
+   20 CONTINUE
+      END
+      SUBROUTINE GSPMN( CON, T, X, TC, D, CA, CB, NQ, NU, NX, NLAM, CST,
+     $                  F, XT, P, CS, SMIN )
+C
+C     PURPOSE
+C     The least pivot of the constraints, SMIN, and its place CS between
+C     CA and CB, on the path of GSPSG from X at T with the rates F.
+C     XT is workspace of NX entries.  SMIN = 0 where the rank is lower
+C     than elsewhere.
+C
+      IMPLICIT NONE
+      EXTERNAL           CON
+      INTEGER            NQ, NU, NX, NLAM
+      DOUBLE PRECISION   T, X(*), TC, D, CA, CB, CST(*), F(NX,13),
+     $                   XT(*), P(*), CS, SMIN
+      DOUBLE PRECISION   S, Z, SP, W
+      EXTERNAL           GSPVT
+      INTEGER            K, L
+C
+      SMIN = 1.0D300
+      CS   = 0.5D0*( CA + CB )
+      W    = ( CB - CA )/12.0D0
+      DO 20 L = 1, 5
+         Z = CS
+         DO 10 K = -6, 6
+            S = Z + DBLE( K )*W
+            IF ( S.GE.CA - 0.1D0*W .AND. S.LE.CB + 0.1D0*W ) THEN
+               CALL GSPVT( CON, T, X, TC, D, S, NQ, NU, NX, NLAM, CST,
+     $                     F, XT, P, SP )
+               IF ( SP.LT.SMIN ) THEN
+                  SMIN = SP
+                  CS   = S
+               END IF
+            END IF
+   10    CONTINUE
+         W = 0.2D0*W
+   20 CONTINUE
+      END
+      SUBROUTINE GSPVT( CON, T, X, TC, D, CT, NQ, NU, NX, NLAM, CST, F,
+     $                  XT, P, SP )
+C
+C     PURPOSE
+C     The least pivot SP of the constraints at TC + CT*D on the path of
+C     GSPMN, beside the largest; 1D300 where CON fails.
+C
+      IMPLICIT NONE
+      EXTERNAL           CON
+      INTEGER            NQ, NU, NX, NLAM
+      DOUBLE PRECISION   T, X(*), TC, D, CT, CST(*), F(NX,13), XT(*),
+     $                   P(*), SP
+      DOUBLE PRECISION   C(12), WT(12), B(12)
+      EXTERNAL           GSGLN, GSGLQ, GSPTH, GSLPV
+      INTEGER            I, IM, IW, IH, IY, IB, IP, IS, RANK, INFO
+C
+      IM = 15 + 2*NU + NQ
+      IW = IM + NU + 2*NLAM
+      IH = IW + 3*NLAM + 10
+      IY = IH + NLAM*NU
+      IB = IY + NLAM*NU
+      IP = IB + NU
+      IS = IP + NU
+      SP = 1.0D300
+      CALL GSGLN( C, WT )
+      CALL GSGLQ( C, WT, ( T - TC )/D, CT, B )
+      CALL GSPTH( NQ, NX, X, D, B, F, XT )
+      CALL CON( TC + CT*D, XT, X(NQ+1), CST, P(IW), P(IW+NLAM), P(IH),
+     $          NLAM, P(IW+2*NLAM), INFO )
+      IF ( INFO.NE.0 .AND. INFO.NE.2 ) RETURN
+      CALL GSLPV( NU, NLAM, P(IH), P(IM), P(IY), P(IP), P(IB), P(IS),
+     $            RANK, SP )
+      SP = 0.0D0
+      I  = NINT( P(3) )
+      IF ( I.GT.0 .AND. RANK.GE.I ) SP = P(IS+I-1)/P(IS)
+      END
+      SUBROUTINE GSGLN( C, WT )
+C
+C     PURPOSE
+C     The twelve points C and weights WT of Gauss between -1 and 1, the
+C     points rising.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   C(12), WT(12)
+      DOUBLE PRECISION   P(13), PI, D
+      EXTERNAL           GSLGP
+      INTEGER            K, L
+C
+      PI = 4.0D0*ATAN( 1.0D0 )
+      DO 20 K = 1, 6
+         C(K) = -COS( PI*( DBLE( K ) - 0.25D0 )/12.5D0 )
+         DO 10 L = 1, 6
+            CALL GSLGP( 13, C(K), P )
+            D    = 12.0D0*( P(12) - C(K)*P(13) )/( 1.0D0 - C(K)**2 )
+            C(K) = C(K) - P(13)/D
+   10    CONTINUE
+         WT(K)    = 2.0D0/( ( 1.0D0 - C(K)**2 )*D*D )
+         C(13-K)  = -C(K)
+         WT(13-K) = WT(K)
+   20 CONTINUE
+      END
+      SUBROUTINE GSLGP( N, X, P )
+C
+C     PURPOSE
+C     The polynomials of Legendre of degrees 0 to N-1 at X, N >= 2.
+C
+      IMPLICIT NONE
+      INTEGER            N
+      DOUBLE PRECISION   X, P(N)
+      INTEGER            J
+C
+      P(1) = 1.0D0
+      P(2) = X
+      DO 10 J = 2, N - 1
+         P(J+1) = ( DBLE( 2*J - 1 )*X*P(J) - DBLE( J - 1 )*P(J-1) )
+     $            /DBLE( J )
+   10 CONTINUE
+      END
+      SUBROUTINE GSGLQ( C, WT, CA, CB, B )
+C
+C     PURPOSE
+C     B, so that the sum of B(K)*F(C(K)) is the integral from CA to CB
+C     of the polynomial of degree 11 through F at the points of GSGLN.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   C(12), WT(12), CA, CB, B(12)
+      DOUBLE PRECISION   P(12), PA(13), PB(13), S
+      EXTERNAL           GSLGP
+      INTEGER            J, K
+C
+      CALL GSLGP( 13, CA, PA )
+      CALL GSLGP( 13, CB, PB )
+      DO 20 K = 1, 12
+         CALL GSLGP( 12, C(K), P )
+         S = CB - CA
+         DO 10 J = 2, 12
+            S = S + P(J)*( ( PB(J+1) - PB(J-1) )
+     $                   - ( PA(J+1) - PA(J-1) ) )
+   10    CONTINUE
+         B(K) = 0.5D0*WT(K)*S
+   20 CONTINUE
+      END
+      SUBROUTINE GSLGI( N, Z, CA, CB, B )
+C
+C     PURPOSE
+C     B, so that the sum of B(K)*F(Z(K)) is the integral from CA to CB
+C     of the polynomial through F at those of the N places Z that are
+C     nearest to CB, seven at most; the other B are 0.
+C
+      IMPLICIT NONE
+      INTEGER            N
+      DOUBLE PRECISION   Z(*), CA, CB, B(*)
+      DOUBLE PRECISION   G(4), WG(4), S, X
+      INTEGER            I, J, K, M, NEAR(7)
+C
+C     -- the nearest ones
+      M = 0
+      DO 20 K = 1, N
+         B(K) = 0.0D0
+         I = 0
+         DO 10 J = 1, N
+            IF ( ABS( Z(J) - CB ).LT.ABS( Z(K) - CB ) ) I = I + 1
+            IF ( ABS( Z(J) - CB ).EQ.ABS( Z(K) - CB ) .AND. J.LT.K )
+     $         I = I + 1
+   10    CONTINUE
+         IF ( I.LT.7 ) THEN
+            M = M + 1
+            NEAR(M) = K
+         END IF
+   20 CONTINUE
+C
+C     -- four points of Gauss
+      G(4)  = SQRT( 3.0D0/7.0D0 + 2.0D0/7.0D0*SQRT( 1.2D0 ) )
+      G(3)  = SQRT( 3.0D0/7.0D0 - 2.0D0/7.0D0*SQRT( 1.2D0 ) )
+      WG(4) = 0.5D0 - SQRT( 30.0D0 )/36.0D0
+      WG(3) = 0.5D0 + SQRT( 30.0D0 )/36.0D0
+      DO 30 I = 1, 2
+         G(I)  = -G(5-I)
+         WG(I) = WG(5-I)
+   30 CONTINUE
+      DO 60 I = 1, 4
+         X = 0.5D0*( CA + CB ) + 0.5D0*( CB - CA )*G(I)
+         DO 50 K = 1, M
+            S = 0.5D0*( CB - CA )*WG(I)
+            DO 40 J = 1, M
+               IF ( J.NE.K ) S = S*( X - Z(NEAR(J)) )
+     $                            /( Z(NEAR(K)) - Z(NEAR(J)) )
+   40       CONTINUE
+            B(NEAR(K)) = B(NEAR(K)) + S
+   50    CONTINUE
+   60 CONTINUE
+      END
+      SUBROUTINE GSAHD( CON, KIN, T, X, H, NQ, NU, NX, NLAM, CST, F,
+     $                  XT, HC, P, TC, D )
+C
+C     PURPOSE
+C     Looks for a position where the constraints lose rank, from T on
+C     for a step H and half of it, or where T lies close to one, before
+C     and behind.
+C
+C     ARGUMENTS
+C     As GSPSG, and
+C     H       (input/output) DOUBLE PRECISION, the next step, on exit no
+C             more than what turns the constraints by about 1 rad.
+C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
+C             on entry column 1 is the right-hand side at (T,X), on exit
+C             the others are a path on from there for GSPTH, by rates of
+C             the coordinates that are linear in time, for TC, D.
+C     HC      (workspace) DOUBLE PRECISION array, dimension (NLAM,NU).
+C     TC, D   (output) DOUBLE PRECISION, see GSPSG: D > 0 if there is
+C             one at TC, and D before it (or behind it) the least pivot
+C             is half of its largest value.
+C
+      IMPLICIT NONE
+      EXTERNAL           CON, KIN
+      INTEGER            NQ, NU, NX, NLAM
+      DOUBLE PRECISION   T, X(*), H, CST(*), F(NX,13), XT(*),
+     $                   HC(NLAM,*), P(*), TC, D
+      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, TURN, REACH, BIG
+      EXTERNAL           GSPVT, GSPMN, GSPRD, GSPCH
+      INTEGER            I, K
+C
+C     -- how far one can see
+      D = 0.0D0
+      S = 0.01D0*H
+      DO 10 I = 1, 12
+         CALL GSPRD( KIN, T, X, T, S, NQ, NX, CST, F, XT )
+         CALL GSPVT( CON, T, X, T, S, 0.0D0, NQ, NU, NX, NLAM, CST, F,
+     $               XT, P, S0 )
+         CALL GSPCH( NQ, NU, NLAM, P, HC, 0, TURN )
+         CALL GSPVT( CON, T, X, T, S, 1.0D0, NQ, NU, NX, NLAM, CST, F,
+     $               XT, P, S1 )
+         CALL GSPCH( NQ, NU, NLAM, P, HC, 1, TURN )
+         IF ( TURN.LE.0.3D0 ) GO TO 20
+         S = 0.1D0*S
+   10 CONTINUE
+   20 TURN = 1.2D0*S/MAX( TURN, 1.0D-10 )
+      H = MIN( H, TURN )
+      REACH = MIN( 1.5D0*H, TURN )
+      IF ( S0.LT.0.5D0*P(14) ) REACH = TURN
+      CALL GSPRD( KIN, T, X, T, REACH, NQ, NX, CST, F, XT )
+      BIG = P(14)
+C
+C     -- the next least pivot
+      IF ( S0.LT.0.3D0*P(14) ) THEN
+         CALL GSPMN( CON, T, X, T, REACH, -0.6D0, 1.0D0, NQ, NU, NX,
+     $               NLAM, CST, F, XT, P, CS, SMIN )
+      ELSE
+         S1 = S0
+         DO 30 K = 1, 9
+            CALL GSPVT( CON, T, X, T, REACH, 0.125D0*DBLE( K ), NQ, NU,
+     $                  NX, NLAM, CST, F, XT, P, S2 )
+            IF ( K.GT.1 .AND. S1.LT.S0 .AND. S1.LE.S2 ) GO TO 40
+            S0 = S1
+            S1 = S2
+   30    CONTINUE
+         RETURN
+   40    CALL GSPMN( CON, T, X, T, REACH, 0.125D0*DBLE( K-2 ),
+     $               0.125D0*DBLE( K ), NQ, NU, NX, NLAM, CST, F, XT, P,
+     $               CS, SMIN )
+      END IF
+      IF ( SMIN.GT.0.2D0*BIG ) RETURN
+C
+C     -- where it is half of its largest value
+      TC = T + CS*REACH
+      S1 = SIGN( 0.2D0, CS )
+      IF ( CS.EQ.0.0D0 ) S1 = 0.2D0
+      DO 50 K = 1, 4
+         CALL GSPVT( CON, T, X, T, REACH, CS - S1, NQ, NU, NX, NLAM,
+     $               CST, F, XT, P, S2 )
+         S1 = S1*MIN( 2.0D0, MAX( 0.5D0, 0.5D0*BIG/MAX( S2,
+     $        1.0D-3*BIG ) ) )
+         S1 = MIN( 0.7D0, MAX( -0.7D0, S1 ) )
+   50 CONTINUE
+      D = MIN( ABS( S1 )*REACH, 0.7D0*TURN )
+      END
+      SUBROUTINE GSPRD( KIN, T, X, TC, D, NQ, NX, CST, F, XT )
+C
+C     PURPOSE
+C     The rates F of GSPSG for a path from X at T with the rates F(*,1),
+C     those of the coordinates being linear in time.
+C
+      IMPLICIT NONE
+      EXTERNAL           KIN
+      INTEGER            NQ, NX
+      DOUBLE PRECISION   T, X(*), TC, D, CST(*), F(NX,13), XT(*)
+      DOUBLE PRECISION   C(12), WT(12)
+      EXTERNAL           GSGLN
+      INTEGER            I, K
+C
+      CALL GSGLN( C, WT )
+      CALL KIN( T, X, F(NQ+1,1), CST, XT )
+      DO 30 K = 1, 12
+         DO 10 I = 1, NX
+            F(I,K+1) = F(I,1)
+   10    CONTINUE
+         DO 20 I = 1, NQ
+            F(I,K+1) = F(I,K+1) + ( TC + C(K)*D - T )*XT(I)
+   20    CONTINUE
+   30 CONTINUE
+      END
+      SUBROUTINE GSPCH( NQ, NU, NLAM, P, HC, JOB, TURN )
+C
+C     PURPOSE
+C     JOB = 0: HC becomes the Jacobian that P holds (GSPVT); JOB = 1:
+C     TURN becomes how far that one differs from HC, beside the length
+C     of its row, the largest of the rows.
+C
+      IMPLICIT NONE
+      INTEGER            NQ, NU, NLAM, JOB
+      DOUBLE PRECISION   P(*), HC(NLAM,*), TURN
+      DOUBLE PRECISION   S
+      INTEGER            I, J, IM, IH
+C
+      IM = 14 + 2*NU + NQ
+      IH = IM + NU + 5*NLAM + 11
+      TURN = 0.0D0
+      DO 20 I = 1, NLAM
+         S = 0.0D0
+         DO 10 J = 1, NU
+            IF ( JOB.EQ.0 ) HC(I,J) = P(IH+I-1+NLAM*(J-1))
+            S = S + ( HC(I,J) - P(IH+I-1+NLAM*(J-1)) )**2
+   10    CONTINUE
+         IF ( S.GT.0.0D0 ) TURN = MAX( TURN, SQRT( S )/P(IM+I) )
+   20 CONTINUE
+      END
