@@ -16,11 +16,11 @@ from compare import Comparison, Mixed, LIMITS, error
 from emitted import Code, compiled, run_time
 from mechanics import State
 from scenes import Scene
-from session import derive
+from session import derive, dies_with_parent
 from ways import Way
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-CHUNK = 24
+CHUNK = 16
 STATES = 3
 REFUSALS = {   # beginnings of the reasons that a generator cannot foresee, and when they are justified
     'nothing in it moves': lambda scene: scene.m.nu == 0}
@@ -38,7 +38,8 @@ class Call:
             words.remove('output')
         self.requests = sorted(set(words))
         self.points, self.literal = '[]', None
-        if self.way.literal and not m.mixing and 0 < m.nu < 5 and self.way.numbers == 'literal':
+        plain = not any('b' in j.letters() for j in m.tree)   # distances of Euler parameters fill pages
+        if self.way.literal and plain and not m.mixing and 0 < m.nu < 5 and self.way.numbers == 'literal':
             self.literal_point()
 
     def literal_point(self):
@@ -173,7 +174,8 @@ def main():
         while waiting and len(running) < jobs:
             seeds = waiting.pop(0)
             command = [sys.executable, __file__, '--chunk', folder, str(seeds[0]), str(len(seeds))]
-            running.append((subprocess.Popen(command, env={**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}), seeds))
+            env = {**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}
+            running.append((subprocess.Popen(command, env=env, preexec_fn=dies_with_parent), seeds))
         for p, seeds in list(running):
             if p.poll() is not None:
                 running.remove((p, seeds))

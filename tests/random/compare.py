@@ -77,8 +77,8 @@ class Comparison:
             raise ValueError('names: %s %s, expected %s %s' % (q, u, m.names(), natural_speeds(m)))
         self.q_order = [m.names().index(n) for n in q]
         self.u_order = [natural_speeds(m).index(n) for n in u]
-        self.x_names = [x['name'] for x in js['states']][len(q) + len(u):]
-        self.v_names = [x['name'] for x in js['inputs']]
+        self.x_names = [x['name'].replace('.', '_') for x in js['states']][len(q) + len(u):]
+        self.v_names = [x['name'].replace('.', '_') for x in js['inputs']]
         self.loops = js['dimensions']['nlam'] > 0
 
     def note(self, what, value):

@@ -357,7 +357,7 @@ class Scene:
             return Expression('2*sin(3*t)')
         if kind == 'coordinate' and o:
             x, y = r.choice(o)[0], r.choice(o)[0]
-            return Expression('3*sin(%s) - 0.5*%s_d + %s*%s' % (x, y, x, y))
+            return Expression('3*sin(%s) - 0.5*%s_d + 0.7*%s*%s' % (x, y, x, y))
         return Expression(repr(round(r.uniform(-5, 5), 2)))
 
     def force(self, name):

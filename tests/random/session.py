@@ -1,10 +1,17 @@
 """Maxima sessions that derive scenes one after the other: a crash or a hang is that of one scene, the others go on."""
+import ctypes
 import os
 import subprocess
 import time
 
 CPU_LIMIT = 60.
 TICKS = os.sysconf('SC_CLK_TCK')
+
+
+def dies_with_parent():
+    """no session outlives who started it (PR_SET_PDEATHSIG, SIGKILL)"""
+    os.setpgid(0, 0)
+    ctypes.CDLL(None).prctl(1, 9)
 
 
 def cpu_of_group(pid):
@@ -52,7 +59,7 @@ def session(root, folder, calls, lisp, log, found):
         f.write('\n'.join(command(root, folder, c) for c in calls) + '\n')
     with open(log, 'w') as out:
         p = subprocess.Popen(['maxima-sage' if lisp == 'ECL' else 'maxima', '--very-quiet', '--init=none', '-b', batch],
-                             stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, start_new_session=True,
+                             stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, preexec_fn=dies_with_parent,
                              env={**os.environ, 'GCL_GC_ALLOC_MIN': '0.5'})
     watch(p, calls, log, found)
 
