@@ -141,7 +141,7 @@ def said(call, folder):
 
 
 def report(results):
-    """prints the counts; the number of those that are wrong"""
+    """prints the counts; returns those that are wrong"""
     bad = [r for r in results if r['verdict'] not in ('right', 'refused rightly')]
     for title, key in (('ways', 'way'), ('elements', 'tags')):
         count = collections.Counter(w for r in results if r['verdict'] == 'right' for w in r[key])
@@ -160,7 +160,22 @@ def report(results):
     print('longest derivations: ' + ', '.join('%s %.1f s' % (r['name'], r['seconds']) for r in slow))
     verdicts = collections.Counter(r['verdict'] for r in results)
     print('%d scenes: %s' % (len(results), ', '.join('%s %d' % x for x in verdicts.items())))
-    return len(bad)
+    enough(results, routines)
+    say(not bad, '%d scenes of chance are right' % len(results))
+    return bad
+
+
+def enough(results, routines):
+    """in a long run every way and every routine must have had its turn"""
+    if len(results) < 2000:
+        return
+    ways = collections.Counter(w for r in results for w in r['way'] if not w.startswith('without '))
+    few = [k for k in list(ways) if ways[k] < 200] + [k for k in LIMITS if routines[k] < 200]
+    say(not few, 'every way and every routine at least 200 times ' + ', '.join(few))
+
+
+def say(good, what):
+    print(('ok ' if good else 'not ok ') + what)
 
 
 def main():
@@ -181,7 +196,7 @@ def main():
                 running.remove((p, seeds))
                 results += collected(folder, seeds)
         time.sleep(.2)
-    sys.exit(report(results) > 0)
+    sys.exit(1 if report(results) else 0)
 
 
 def collected(folder, seeds):

@@ -198,7 +198,7 @@ class Scene:
                     j.options['start'] = q[0] if len(q) == 1 else listed(q)
 
     def independent(self, more):
-        """whether the mechanism with one more joint or condition still moves, and the rank of its rows is beyond doubt"""
+        """whether the mechanism still moves, the rank of its rows is beyond doubt, and the last condition is no consequence"""
         m = self.m
         m.number()
         s = State(0., self.start.q, np.zeros(m.nu), self.start.own, {}, {})
@@ -208,8 +208,11 @@ class Scene:
         sv = np.linalg.svd(G, compute_uv=False)
         rank = int(np.sum(sv > .02*sv[0])) if len(sv) else 0
         doubt = rank < len(sv) and sv[rank] > 1e-9*sv[0]
+        new = len(m.conditions[-1].rows(m, s, m.bodies(s)).gamma) if m.conditions else 0
+        before = np.linalg.svd(G[:len(G) - new], compute_uv=False)
+        depends = new and rank - int(np.sum(before > .02*sv[0])) < new
         redundant = rank < len(G)
-        if doubt or G.shape[1] - rank < more or (redundant and not (m.cuts and self.redundant)):
+        if doubt or depends or G.shape[1] - rank < more or (redundant and not (m.cuts and self.redundant)):
             return False
         self.tags |= {'redundant'} if redundant else set()
         return True
