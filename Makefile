@@ -14,12 +14,12 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages compiled examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
+.PHONY: help packages packages-test compiled examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
-	@echo 'make test-random           2000 mechanisms made by chance against an independent formulation (make test takes 40)'
+	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
@@ -33,6 +33,10 @@ help:
 
 packages:
 	@share/make/packages
+
+# with numpy, which nothing else needs
+packages-test:
+	@share/make/packages test
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
 compiled: | packages
@@ -55,10 +59,10 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 	dot -Tpng fortran_out/$*.dot -o examples/$*/out/graph.png
 	@touch $@
 
-test: packages
+test: packages-test
 	@tests/run
 
-test-random: packages compiled
+test-random: packages-test compiled
 	@tests/random/run
 
 bench: packages compiled

@@ -72,6 +72,7 @@ chmod +x bin/*
 PATH=$work/bin:$PATH
 check 'without root a missing package stops make' fails make_ examples
 check 'the message names the packages and no others' grep -q 'no-install-recommends maxima-share ghostscript$' out.txt
+check 'the tests need numpy, nothing else does' sh -c 'share/make/packages list | grep -qv numpy && share/make/packages list test | grep -q numpy'
 printf '#!/bin/sh\necho 0\n' >bin/id
 printf '#!/bin/sh\necho "apt-get $*" >>%s/apt.txt\n' "$work" >bin/apt-get
 chmod +x bin/*

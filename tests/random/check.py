@@ -1,0 +1,220 @@
+#!/usr/bin/python3
+"""check.py FOLDER FIRST COUNT [JOBS]: COUNT scenes made by chance from the seed FIRST on, against the independent formulation.
+
+Each is derived by the way that its seed draws (ways.py), compiled and compared (compare.py). Prints a line for each that is wrong, refused, crashed
+or hangs, and counts by way, element and routine. Exit code 0 only if all that was not refused for a good reason is right.
+"""
+import collections
+import json
+import os
+import random
+import subprocess
+import sys
+import time
+import numpy as np
+from compare import Comparison, Mixed, LIMITS, error
+from emitted import Code, compiled, run_time
+from mechanics import State
+from scenes import Scene
+from session import derive, dies_with_parent
+from ways import Way
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+CHUNK = 16
+STATES = 3
+REFUSALS = {   # beginnings of the reasons that a generator cannot foresee, and when they are justified
+    'nothing in it moves': lambda scene: scene.m.nu == 0}
+
+
+class Call:
+    """what a session is asked for one scene"""
+    def __init__(self, seed):
+        self.way = Way(seed)
+        self.scene = Scene(seed, self.way.numbers == 'compiled')
+        m, words = self.scene.m, ['kinematics', 'inverse', 'mass', 'bias', 'forward'] + self.way.requests
+        if m.cuts or m.conditions:
+            words += ['constraints', 'rhs']
+        if 'output(' not in self.scene.text and 'output' in words:
+            words.remove('output')
+        self.requests = sorted(set(words))
+        self.points, self.literal = '[]', None
+        plain = not any('b' in j.letters() for j in m.tree)   # distances of Euler parameters fill pages
+        if self.way.literal and plain and not m.mixing and 0 < m.nu < 5 and self.way.numbers == 'literal':
+            self.literal_point()
+
+    def literal_point(self):
+        scene, m, r = self.scene, self.scene.m, random.Random(self.scene.seed + 5)
+        machines = [e.machine for e in m.elements if hasattr(e, 'machine')]
+        x = {n: r.uniform(-1, 1) for k in machines for n in k.states}
+        v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open}
+        s = State(.3, scene.somewhere().q, np.array([r.gauss(0, 1) for _ in range(m.nu)]), {
+            j.name: (np.zeros(j.nq()), np.zeros(j.nu())) for j in m.cuts}, x, v)
+        from compare import natural_speeds
+        values = [('t', s.t), *zip(m.names(), s.q), *zip(natural_speeds(m), s.u), *x.items(), *v.items(),
+                  *scene.run.items()]
+        self.points = '[[' + ', '.join('%s = %r' % (n, float(a)) for n, a in values) + ']]'
+        self.literal = s
+
+    def literal_error(self, folder):
+        """of M and of N + G - P"""
+        m, numbers = self.scene.m, np.array([float(line) for line in open(self.path(folder) + '.literal')])
+        n = m.nu
+        M, B, drive, _ = m.projected(self.literal)
+        N, G, P = numbers[n*n:].reshape(3, n)
+        return {'literal M': error(numbers[:n*n].reshape(n, n), M),
+                'literal N+G-P': error(N + G - P, B - drive, 1e-3*max(1., np.max(np.abs([N, G, P]))))}
+
+    def path(self, folder):
+        return os.path.join(folder, self.scene.name)
+
+
+def judged(call, folder, library):
+    """{'worst': errors, 'notes': ...} of a scene that was derived"""
+    scene = call.scene
+    path, said = compiled(folder, scene.name, library)
+    if not path:
+        return {'verdict': 'does not compile', 'said': said}
+    with open(call.path(folder) + '.json') as f:
+        code = Code(path, json.load(f), scene.run)
+    if code.info:
+        return {'verdict': 'wrong', 'said': 'PRE gives INFO = %d' % code.info}
+    c = Comparison(scene, code, call.requests)
+    states = c.run(STATES)
+    if call.literal and os.path.exists(call.path(folder) + '.literal'):
+        c.worst.update(call.literal_error(folder))
+    wrong = [k for k, e in c.worst.items() if not e <= LIMITS[k]]
+    return {'verdict': 'wrong' if wrong else 'right', 'worst': c.worst, 'notes': c.notes, 'states': states,
+            'said': ' '.join('%s %.1e' % (k, c.worst[k]) for k in wrong)}
+
+
+def apart(call, folder, library):
+    """judged in a process of its own: emitted code may end it"""
+    path = call.path(folder) + '.result'
+    pid = os.fork()
+    if pid == 0:
+        code = 1
+        try:
+            with open(path, 'w') as f:
+                json.dump(judged(call, folder, library), f)
+            code = 0
+        except Exception:
+            import traceback
+            text = traceback.format_exc()
+            with open(path, 'w') as f:
+                json.dump({'verdict': 'wrong', 'said': text.strip().split('\n')[-1] + ' ' + text.split('\n')[-4]}, f)
+            code = 0
+        os._exit(code)
+    _, status = os.waitpid(pid, 0)
+    if status:
+        return {'verdict': 'crash of the emitted code', 'said': 'status %d' % status}
+    with open(path) as f:
+        return json.load(f)
+
+
+def chunk(folder, seeds):
+    """results of some scenes as lines of JSON in chunk_<first>.out"""
+    os.makedirs(folder, exist_ok=True)
+    library, calls = run_time(ROOT, folder), [Call(s) for s in seeds]
+    for c in calls:
+        with open(c.path(folder) + '.mac', 'w') as f:
+            f.write(c.scene.text)
+    derived = {}
+    for lisp in ('GCL', 'ECL'):
+        derived.update(derive(ROOT, folder, [c for c in calls if c.way.lisp == lisp], lisp))
+    with open(os.path.join(folder, 'chunk_%d.out' % seeds[0]), 'w') as out:
+        for c in calls:
+            verdict, seconds = derived[c.scene.name]
+            r = apart(c, folder, library) if verdict == 'done' else {'verdict': verdict, 'said': said(c, folder)}
+            if r['verdict'] == 'refused' and any(k in r['said'] and f(c.scene) for k, f in REFUSALS.items()):
+                r['verdict'] = 'refused rightly'
+            way = c.way.names() + (['not by articulated bodies'] if os.path.exists(c.path(folder) + '.cheapest') else [])
+            r.update({'name': c.scene.name, 'seconds': seconds, 'way': way, 'tags': sorted(c.scene.tags)})
+            out.write(json.dumps(r) + '\n')
+            out.flush()
+
+
+def said(call, folder):
+    try:
+        return ' '.join(open(call.path(folder) + '.error').read().split())[:400]
+    except OSError:
+        return ''
+
+
+def report(results):
+    """prints the counts; returns those that are wrong"""
+    bad = [r for r in results if r['verdict'] not in ('right', 'refused rightly')]
+    for title, key in (('ways', 'way'), ('elements', 'tags')):
+        count = collections.Counter(w for r in results if r['verdict'] == 'right' for w in r[key])
+        print('%s: %s' % (title, ', '.join('%s %d' % x for x in sorted(count.items()))))
+    routines, worst = collections.Counter(), {}
+    for r in results:
+        for k, e in r.get('worst', {}).items():
+            routines[k] += 1
+            if r['verdict'] == 'right' and e >= worst.get(k, (-1, ''))[0]:
+                worst[k] = (e, r['name'])
+    for k in sorted(worst):
+        print('%s: %d scenes, worst %.1e (%s), may be %.0e' % (k, routines[k], worst[k][0], worst[k][1], LIMITS[k]))
+    notes = collections.Counter(n.split('(')[0] for r in results for n in r.get('notes', []))
+    print('notes: ' + ', '.join('%s %d' % x for x in notes.items()))
+    slow = sorted(results, key=lambda r: -r['seconds'])[:5]
+    print('longest derivations: ' + ', '.join('%s %.1f s' % (r['name'], r['seconds']) for r in slow))
+    verdicts = collections.Counter(r['verdict'] for r in results)
+    print('%d scenes: %s' % (len(results), ', '.join('%s %d' % x for x in verdicts.items())))
+    enough(results, routines)
+    say(not bad, '%d scenes of chance are right' % len(results))
+    return bad
+
+
+def enough(results, routines):
+    """in a long run every way and every routine must have had its turn"""
+    if len(results) < 2000:
+        return
+    ways = collections.Counter(w for r in results for w in r['way'] if not w.startswith('without '))
+    few = [k for k in list(ways) if ways[k] < 200] + [k for k in LIMITS if routines[k] < 200]
+    say(not few, 'every way and every routine at least 200 times ' + ', '.join(few))
+
+
+def say(good, what):
+    print(('ok ' if good else 'not ok ') + what)
+
+
+def main():
+    folder, first, count = os.path.abspath(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3])
+    jobs = int(sys.argv[4]) if len(sys.argv) > 4 else 2
+    os.makedirs(folder, exist_ok=True)
+    run_time(ROOT, folder)
+    waiting = [range(s, min(s + CHUNK, first + count)) for s in range(first, first + count, CHUNK)]
+    running, results = [], []
+    while waiting or running:
+        while waiting and len(running) < jobs:
+            seeds = waiting.pop(0)
+            command = [sys.executable, __file__, '--chunk', folder, str(seeds[0]), str(len(seeds))]
+            env = {**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}
+            running.append((subprocess.Popen(command, env=env, preexec_fn=dies_with_parent), seeds))
+        for p, seeds in list(running):
+            if p.poll() is not None:
+                running.remove((p, seeds))
+                results += collected(folder, seeds)
+        time.sleep(.2)
+    sys.exit(1 if report(results) else 0)
+
+
+def collected(folder, seeds):
+    path = os.path.join(folder, 'chunk_%d.out' % seeds[0])
+    found = [json.loads(line) for line in open(path)] if os.path.exists(path) else []
+    for r in found:
+        if r['verdict'] != 'right':
+            print('%s %s: %s [%s] {%s}' % (r['verdict'], r['name'], r['said'], ', '.join(r['way']), ', '.join(r['tags'])))
+    if len(found) < len(seeds):
+        lost = {'verdict': 'lost', 'name': 'chunk %d' % seeds[0], 'said': '', 'way': [], 'tags': [], 'seconds': 0.}
+        found += [lost]*(len(seeds) - len(found))
+        print('lost: %d scenes of the chunk %d' % (len(seeds) - len(found), seeds[0]))
+    sys.stdout.flush()
+    return found
+
+
+if __name__ == '__main__':
+    if sys.argv[1] == '--chunk':
+        chunk(sys.argv[2], range(int(sys.argv[3]), int(sys.argv[3]) + int(sys.argv[4])))
+    else:
+        main()
