@@ -31,8 +31,9 @@
 (defun gsmbp-find (tp e key) (if (gsmbp-on '$share) (cdr (assoc e (gethash key (gsmbp-table tp)) :test #'equal))))
 (defun gsmbp-keep (tp e key name) (push (cons e name) (gethash key (gsmbp-table tp))) name)
 
-;;; true if an expression holds parameters and numbers only
-(defun $gsmbp__constantp (tp e) (gsmbp-constant-p (gsmbp-nature tp) e))
+;;; True if an expression holds parameters and numbers only. (What Maxima gets must be true or false: it takes any other list for an
+;;; expression, and on GCL looks into it until it crashes.)
+(defun $gsmbp__constantp (tp e) (and (gsmbp-constant-p (gsmbp-nature tp) e) t))
 (defun gsmbp-constant-p (nature e)
   (cond ((symbolp e) (or (and (eq (gethash e nature) '$constant) (gsmbp-on '$hoist)) ($constantp e)))
         ((atom e) t)
