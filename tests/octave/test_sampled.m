@@ -176,7 +176,8 @@ function y = by_exponentials (p, x, stop, reference)
         d(k) = (c.Tf * d(k) + n(k) * c.Kd * (e - e0(k))) / (c.Tf + T);
         raw = c.Kp * e + I(k) + d(k);
         given = c.qu * floor (max (-c.umax, min (c.umax, raw)) / c.qu + 0.5);
-        I(k) += c.Ki * T * e + T / c.Tt * (given - raw);
+        draw = (c.Ki * c.Tt)^2 / ((c.Ki * c.Tt)^2 + (c.Kp / 100)^2);
+        I(k) += c.Ki * T * e + draw * T / c.Tt * (given - raw);
         e0(k) = e;
         n(k) = 1;
         if (k == 1)
