@@ -56,7 +56,7 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 	@mkdir -p $(@D)
 	@rm -f $@
 	timeout -k 10 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
-	dot -Tpng fortran_out/$*.dot -o examples/$*/out/graph.png
+	share/make/picture fortran_out/$*.dot examples/$*/out/graph.png
 	@touch $@
 
 test: packages-test
@@ -85,7 +85,7 @@ doc: share/manual/functions.txt
 
 share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
 	@mkdir -p $(@D)
-	share/make/doc gsmbp/*.mac >$@.new && mv $@.new $@
+	share/make/doc gsmbp/*.mac >$@.new && mv $@.new $@ || { rm -f $@.new; exit 1; }
 
 install:
 	@share/make/compile

@@ -29,6 +29,21 @@
 (defun $gsmbp__file_names (pattern) (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
 ;; the file gets a new name, in the place of one that has it
 (defun $gsmbp__rename_file (old new) #+ecl (rename-file old new :if-exists t) #-ecl (rename-file old new) t)
+;; the file has these lines and nothing else: `nil`, or the number of the first line that is not as it should be. Lines may hold line ends.
+(defun $gsmbp__first_wrong_line (name lines)
+  (let ((in ($openr name)) (n 0))
+    (unwind-protect
+        (flet ((same (text from to)
+                 (let ((got (read-line in nil nil)))
+                   (incf n)
+                   (and got (string= got text :start2 from :end2 to)))))
+          (dolist (line (cdr lines))
+            (do* ((from 0 (1+ to))
+                  (to (position #\newline line) (position #\newline line :start from)))
+                 ((null to) (unless (same line from nil) (return-from $gsmbp__first_wrong_line n)))
+              (unless (same line from to) (return-from $gsmbp__first_wrong_line n))))
+          (and (read-line in nil nil) (1+ n)))
+      (close in))))
 ;; the folder of that name, seen from everywhere
 (defun $gsmbp__whole_path (name) (namestring (truename name)))
 ;; the rules of "^" in this session, as one thing that Maxima does not look into; and back to them where no others are on top

@@ -1,5 +1,6 @@
-;;; An exit code for Maxima 5.46, whose quit() takes no argument.
+;;; An exit code for Maxima 5.46, whose quit() takes no argument. A log without the last line was cut short: the disk is full.
 (defun $gsmbp__exit (code)
+  (format t "~&end of the run~%")
   (finish-output)
   #+gcl (system:quit code)
   #+ecl (ext:quit code)

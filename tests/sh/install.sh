@@ -6,7 +6,7 @@ check() { what=$1; shift; if "$@" >"$work/out.txt" 2>&1; then echo "ok $what"; e
 session() { cd "$work" && timeout 60 maxima --very-quiet --userdir="$1" --batch-string="$2" </dev/null | grep -q "$3"; }
 
 check 'make install' make -C "$root" --no-print-directory install HOME="$work" MAXIMA_USERDIR="$work/.maxima"
-check 'load("gsmbp") by name' session "$work/.maxima" 'load("gsmbp")$ print(loaded_is, not emptyp(sublist(functions, lambda([f], op(f) = gsmbp_scene))))$' 'loaded_is true'
+check 'load("gsmbp") by name' session "$work/.maxima" 'load("gsmbp")$ print(loaded_is, not emptyp(sublist(functions, lambda([f], op(f) = gsmbp_fortran))))$' 'loaded_is true'
 check 'the run time came along' test -d "$work/.maxima/gsmbp-files/share/fortran"
 check 'the Octave functions came along' test -s "$work/.maxima/gsmbp-files/octave/gsmbp_build.m"
 check 'installing twice' make -C "$root" --no-print-directory install MAXIMA_USERDIR="$work/.maxima"
