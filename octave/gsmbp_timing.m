@@ -61,12 +61,20 @@ function best = one_call (m, seconds, name, given)
   best = min (arrayfun (@(k) per_call (n), 1:3));
 endfunction
 
+## the operations of the text of a subroutine, without those of what it calls
+function c = own (subroutine)
+  c = subroutine.operations;
+  if (isfield (subroutine, "own_operations"))
+    c = subroutine.own_operations;
+  endif
+endfunction
+
 function show (m, s)
   names = cellfun (@(one) tolower (one(numel (m.name)+2:end)), {m.json.subroutines.name}, "UniformOutput", false);
   printf ("%s: operations of the emitted subroutines, nanoseconds for one call\n", m.name);
   printf ("%-10s %6s %6s %5s %5s %5s %9s\n", "subroutine", "mul", "add", "div", "sqrt", "trig", "ns/call");
   for k = 1:numel (names)
-    c = m.json.subroutines(k).operations;
+    c = own (m.json.subroutines(k));
     time = "-";
     if (isfield (s, names{k}))
       time = sprintf ("%.0f", 1e9 * s.(names{k}));

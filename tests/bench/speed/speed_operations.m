@@ -1,4 +1,4 @@
-## [c, n, loop] = speed_operations (file): mul add div sqrt trig of the routines inv mas fwd lin in the description FILE of a scene, its speeds, and whether it has loops.
+## [c, n, loop] = speed_operations (file): mul add div sqrt trig of the text of the routines inv mas fwd lin in the description FILE of a scene, its speeds, and whether it has loops.
 
 function [c, n, loop] = speed_operations (file)
   d = jsondecode (fileread (file));
@@ -15,7 +15,7 @@ function [c, n, loop] = speed_operations (file)
       is_it = cellfun (@(s) strcmpi (s.name, [d.name "_acc"]), list);    # forward dynamics of the loop
     end
     if (any (is_it))
-      o = list{is_it}.operations;
+      o = list{is_it}.own_operations;
       c.(word{1}) = [o.mul o.add o.div o.sqrt o.trig];
     end
   end
