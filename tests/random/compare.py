@@ -2,6 +2,7 @@
 import random
 import numpy as np
 from emitted import zeros
+from joints import Joint
 from mechanics import State, closed, displaced, maximal, moving
 
 # what a difference may be, relative to the largest number beside it
@@ -64,6 +65,19 @@ def natural_speeds(m):
     return names
 
 
+def with_nut(m, start, j):
+    """a thread that is cut and counts its turns: the scene has its nut as a link without mass, tied to the child"""
+    nut, tie = j.name + '_nut', Joint(j.name + '_tie', 'fixed', j.name + '_nut', j.child)
+    m.links.append({'name': nut, 'm': 0., 'centre': np.zeros(3), 'I': np.zeros((3, 3))})
+    tie.at = tie.child_at = j.child_at
+    tie.R = tie.child_R = j.child_R
+    tie.cut, j.cut, j.child = True, False, nut
+    m.joints.append(tie)
+    m.number()
+    start.q = np.concatenate([start.q, start.own.pop(j.name)[0]])
+    start.own[tie.name] = (np.zeros(0), np.zeros(0))
+
+
 class Comparison:
     def __init__(self, scene, code, requests):
         self.scene, self.m, self.code, self.requests = scene, scene.m, code, requests
@@ -73,6 +87,9 @@ class Comparison:
     def names_agree(self):
         m, js = self.m, self.code.js
         q, u = [c['name'] for c in js['coordinates']], [c['name'] for c in js['speeds']]
+        for j in list(m.cuts):
+            if j.type == 'helical' and j.names[0] in q:
+                with_nut(m, self.scene.start, j)
         if sorted(q) != sorted(m.names()) or sorted(u) != sorted(natural_speeds(m)):
             raise ValueError('names: %s %s, expected %s %s' % (q, u, m.names(), natural_speeds(m)))
         self.q_order = [m.names().index(n) for n in q]
