@@ -1,8 +1,11 @@
 #!/usr/bin/python3
-"""check.py FOLDER FIRST COUNT [JOBS]: COUNT scenes made by chance from the seed FIRST on, against the independent formulation.
+"""check.py FOLDER FIRST COUNT [JOBS]: COUNT scenes made by chance from the seed FIRST on, against
+the independent formulation.
 
-Each is derived by the way that its seed draws (ways.py), compiled and compared (compare.py). Prints a line for each that is wrong, refused, crashed
-or hangs, and counts by way, element and routine. Exit code 0 only if all that was not refused for a good reason is right.
+Each is derived by the way that its seed draws (ways.py), compiled and compared (compare.py).
+Prints a line for each that is wrong, refused, crashed
+or hangs, and counts by way, element and routine. Exit code 0 only if all that was not refused for
+a good reason is right.
 """
 import collections
 import json
@@ -22,23 +25,28 @@ from ways import Way
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CHUNK = 16
 STATES = 3
-REFUSALS = {   # beginnings of the reasons that a generator cannot foresee, and when they are justified
-    'nothing in it moves': lambda scene: scene.m.nu == 0}
+# beginnings of the reasons that a generator cannot foresee, and when they are justified
+REFUSALS = {
+    'nothing in it moves': lambda scene: scene.m.nu == 0
+}
 
 
 class Call:
     """what a session is asked for one scene"""
+
     def __init__(self, seed):
         self.way = Way(seed)
         self.scene = Scene(seed, self.way.numbers == 'compiled')
-        m, words = self.scene.m, ['kinematics', 'inverse', 'mass', 'bias', 'forward'] + self.way.requests
+        m, words = self.scene.m, ['kinematics', 'inverse', 'mass', 'bias', 'forward'
+                                  ] + self.way.requests
         if m.cuts or m.conditions:
             words += ['constraints', 'rhs']
         if 'output(' not in self.scene.text and 'output' in words:
             words.remove('output')
         self.requests = sorted(set(words))
         self.points, self.literal = '[]', None
-        plain = not any('b' in j.letters() for j in m.tree)   # distances of Euler parameters fill pages
+        plain = not any('b' in j.letters()
+                        for j in m.tree)  # distances of Euler parameters fill pages
         if self.way.literal and plain and not m.mixing and 0 < m.nu < 5 and self.way.numbers == 'literal':
             self.literal_point()
 
@@ -47,22 +55,27 @@ class Call:
         machines = [e.machine for e in m.elements if hasattr(e, 'machine')]
         x = {n: r.uniform(-1, 1) for k in machines for n in k.states}
         v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open}
-        s = State(.3, scene.somewhere().q, np.array([r.gauss(0, 1) for _ in range(m.nu)]), {
-            j.name: (np.zeros(j.nq()), np.zeros(j.nu())) for j in m.cuts}, x, v)
+        s = State(.3,
+                  scene.somewhere().q, np.array([r.gauss(0, 1) for _ in range(m.nu)]),
+                  {j.name: (np.zeros(j.nq()), np.zeros(j.nu()))
+                   for j in m.cuts}, x, v)
         from compare import natural_speeds
-        values = [('t', s.t), *zip(m.names(), s.q), *zip(natural_speeds(m), s.u), *x.items(), *v.items(),
-                  *scene.run.items()]
+        values = [('t', s.t), *zip(m.names(), s.q), *zip(natural_speeds(m), s.u), *x.items(),
+                  *v.items(), *scene.run.items()]
         self.points = '[[' + ', '.join('%s = %r' % (n, float(a)) for n, a in values) + ']]'
         self.literal = s
 
     def literal_error(self, folder):
         """of M and of N + G - P"""
-        m, numbers = self.scene.m, np.array([float(line) for line in open(self.path(folder) + '.literal')])
+        m, numbers = self.scene.m, np.array(
+            [float(line) for line in open(self.path(folder) + '.literal')])
         n = m.nu
         M, B, drive, _ = m.projected(self.literal)
         N, G, P = numbers[n*n:].reshape(3, n)
-        return {'literal M': error(numbers[:n*n].reshape(n, n), M),
-                'literal N+G-P': error(N + G - P, B - drive, 1e-3*max(1., np.max(np.abs([N, G, P]))))}
+        return {
+            'literal M': error(numbers[:n*n].reshape(n, n), M), 'literal N+G-P': error(
+                N + G - P, B - drive, 1e-3*max(1., np.max(np.abs([N, G, P]))))
+        }
 
     def path(self, folder):
         return os.path.join(folder, self.scene.name)
@@ -83,8 +96,10 @@ def judged(call, folder, library):
     if call.literal and os.path.exists(call.path(folder) + '.literal'):
         c.worst.update(call.literal_error(folder))
     wrong = [k for k, e in c.worst.items() if not e <= LIMITS[k]]
-    return {'verdict': 'wrong' if wrong else 'right', 'worst': c.worst, 'notes': c.notes, 'states': states,
-            'said': ' '.join('%s %.1e' % (k, c.worst[k]) for k in wrong)}
+    return {
+        'verdict': 'wrong' if wrong else 'right', 'worst': c.worst, 'notes': c.notes, 'states':
+        states, 'said': ' '.join('%s %.1e' % (k, c.worst[k]) for k in wrong)
+    }
 
 
 def apart(call, folder, library):
@@ -101,7 +116,11 @@ def apart(call, folder, library):
             import traceback
             text = traceback.format_exc()
             with open(path, 'w') as f:
-                json.dump({'verdict': 'wrong', 'said': text.strip().split('\n')[-1] + ' ' + text.split('\n')[-4]}, f)
+                json.dump(
+                    {
+                        'verdict': 'wrong', 'said':
+                        text.strip().split('\n')[-1] + ' ' + text.split('\n')[-4]
+                    }, f)
             code = 0
         os._exit(code)
     _, status = os.waitpid(pid, 0)
@@ -124,11 +143,17 @@ def chunk(folder, seeds):
     with open(os.path.join(folder, 'chunk_%d.out' % seeds[0]), 'w') as out:
         for c in calls:
             verdict, seconds = derived[c.scene.name]
-            r = apart(c, folder, library) if verdict == 'done' else {'verdict': verdict, 'said': said(c, folder)}
-            if r['verdict'] == 'refused' and any(k in r['said'] and f(c.scene) for k, f in REFUSALS.items()):
+            r = apart(c, folder, library) if verdict == 'done' else {
+                'verdict': verdict, 'said': said(c, folder)
+            }
+            if r['verdict'] == 'refused' and any(k in r['said'] and f(c.scene)
+                                                 for k, f in REFUSALS.items()):
                 r['verdict'] = 'refused rightly'
-            way = c.way.names() + (['not by articulated bodies'] if os.path.exists(c.path(folder) + '.cheapest') else [])
-            r.update({'name': c.scene.name, 'seconds': seconds, 'way': way, 'tags': sorted(c.scene.tags)})
+            way = c.way.names() + (['not by articulated bodies']
+                                   if os.path.exists(c.path(folder) + '.cheapest') else [])
+            r.update({
+                'name': c.scene.name, 'seconds': seconds, 'way': way, 'tags': sorted(c.scene.tags)
+            })
             out.write(json.dumps(r) + '\n')
             out.flush()
 
@@ -153,11 +178,13 @@ def report(results):
             if r['verdict'] == 'right' and e >= worst.get(k, (-1, ''))[0]:
                 worst[k] = (e, r['name'])
     for k in sorted(worst):
-        print('%s: %d scenes, worst %.1e (%s), may be %.0e' % (k, routines[k], worst[k][0], worst[k][1], LIMITS[k]))
+        print('%s: %d scenes, worst %.1e (%s), may be %.0e' %
+              (k, routines[k], worst[k][0], worst[k][1], LIMITS[k]))
     notes = collections.Counter(n.split('(')[0] for r in results for n in r.get('notes', []))
     print('notes: ' + ', '.join('%s %d' % x for x in notes.items()))
     slow = sorted(results, key=lambda r: -r['seconds'])[:5]
-    print('longest derivations: ' + ', '.join('%s %.1f s' % (r['name'], r['seconds']) for r in slow))
+    print('longest derivations: ' + ', '.join('%s %.1f s' % (r['name'], r['seconds'])
+                                              for r in slow))
     verdicts = collections.Counter(r['verdict'] for r in results)
     print('%d scenes: %s' % (len(results), ', '.join('%s %d' % x for x in verdicts.items())))
     enough(results, routines)
@@ -204,9 +231,13 @@ def collected(folder, seeds):
     found = [json.loads(line) for line in open(path)] if os.path.exists(path) else []
     for r in found:
         if r['verdict'] != 'right':
-            print('%s %s: %s [%s] {%s}' % (r['verdict'], r['name'], r['said'], ', '.join(r['way']), ', '.join(r['tags'])))
+            print('%s %s: %s [%s] {%s}' %
+                  (r['verdict'], r['name'], r['said'], ', '.join(r['way']), ', '.join(r['tags'])))
     if len(found) < len(seeds):
-        lost = {'verdict': 'lost', 'name': 'chunk %d' % seeds[0], 'said': '', 'way': [], 'tags': [], 'seconds': 0.}
+        lost = {
+            'verdict': 'lost', 'name': 'chunk %d' % seeds[0], 'said': '', 'way': [], 'tags': [],
+            'seconds': 0.
+        }
         found += [lost]*(len(seeds) - len(found))
         print('lost: %d scenes of the chunk %d' % (len(seeds) - len(found), seeds[0]))
     sys.stdout.flush()

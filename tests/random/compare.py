@@ -2,14 +2,18 @@
 import random
 import numpy as np
 from emitted import zeros
+from joints import Joint
 from mechanics import State, closed, displaced, maximal, moving
 
 # what a difference may be, relative to the largest number beside it
-LIMITS = {'KIN': 1e-10, 'MAS': 1e-9, 'INV': 1e-9, 'BIA': 1e-9, 'FWD': 1e-9, 'CON phi': 1e-9, 'CON rates': 1e-9,
-          'CON space': 1e-7, 'CON gamma': 1e-7, 'ACC': 1e-7, 'ACC balance': 1e-8, 'RHS': 1e-7, 'OUT': 1e-7, 'ENE': 1e-9,
-          'LIN': 1e-7, 'JAC': 1e-6, 'JAC outputs': 1e-6, 'literal M': 1e-9, 'literal N+G-P': 1e-9, 'INV_V': 1e-11,
-          'MAS_V': 1e-11, 'BIA_V': 1e-11, 'FWD_V': 1e-10, 'RHS_V': 1e-10}
-STEP = 1e-3   # of the differences of fourth order
+LIMITS = {
+    'KIN': 1e-10, 'MAS': 1e-9, 'INV': 1e-9, 'BIA': 1e-9, 'FWD': 1e-9, 'CON phi': 1e-9, 'CON rates':
+    1e-9, 'CON space': 1e-7, 'CON gamma': 1e-7, 'ACC': 1e-7, 'ACC balance': 1e-8, 'RHS': 1e-7,
+    'OUT': 1e-7, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6, 'JAC outputs': 1e-6, 'literal M': 1e-9,
+    'literal N+G-P': 1e-9, 'INV_V': 1e-11, 'MAS_V': 1e-11, 'BIA_V': 1e-11, 'FWD_V': 1e-10, 'RHS_V':
+    1e-10
+}
+STEP = 1e-3  # of the differences of fourth order
 
 
 def error(found, wanted, scale=1e-9):
@@ -22,7 +26,9 @@ def error(found, wanted, scale=1e-9):
 
 
 class Mixed:
-    """the scene's own speeds A u, their rates A ud + rest; P: from the order of the mechanism to that of the code"""
+    """the scene's own speeds A u, their rates A ud + rest; P: from the order of the mechanism to
+    that of the code"""
+
     def __init__(self, m, s, order):
         self.A, self.rest = np.eye(m.nu), np.zeros(m.nu)
         if m.mixing:
@@ -60,11 +66,27 @@ def natural_speeds(m):
         names += [n + '_d' for n in (j.names[:-4] if ball else j.names)]
         names += [j.name + '_w' + w for w in 'xyz'] if ball else []
     if m.mixing:
-        names[names.index(m.mixing[0] + '_d')], names[names.index(m.mixing[1] + '_d')] = 'mix1', 'mix2'
+        names[names.index(m.mixing[0] + '_d')], names[names.index(m.mixing[1] +
+                                                                  '_d')] = 'mix1', 'mix2'
     return names
 
 
+def with_nut(m, start, j):
+    """a thread that is cut and counts its turns: the scene has its nut as a link without mass,
+    tied to the child"""
+    nut, tie = j.name + '_nut', Joint(j.name + '_tie', 'fixed', j.name + '_nut', j.child)
+    m.links.append({'name': nut, 'm': 0., 'centre': np.zeros(3), 'I': np.zeros((3, 3))})
+    tie.at = tie.child_at = j.child_at
+    tie.R = tie.child_R = j.child_R
+    tie.cut, j.cut, j.child = True, False, nut
+    m.joints.append(tie)
+    m.number()
+    start.q = np.concatenate([start.q, start.own.pop(j.name)[0]])
+    start.own[tie.name] = (np.zeros(0), np.zeros(0))
+
+
 class Comparison:
+
     def __init__(self, scene, code, requests):
         self.scene, self.m, self.code, self.requests = scene, scene.m, code, requests
         self.r, self.worst, self.notes = random.Random(scene.seed + 1), {}, []
@@ -73,6 +95,9 @@ class Comparison:
     def names_agree(self):
         m, js = self.m, self.code.js
         q, u = [c['name'] for c in js['coordinates']], [c['name'] for c in js['speeds']]
+        for j in list(m.cuts):
+            if j.type == 'helical' and j.names[0] in q:
+                with_nut(m, self.scene.start, j)
         if sorted(q) != sorted(m.names()) or sorted(u) != sorted(natural_speeds(m)):
             raise ValueError('names: %s %s, expected %s %s' % (q, u, m.names(), natural_speeds(m)))
         self.q_order = [m.names().index(n) for n in q]
@@ -87,7 +112,8 @@ class Comparison:
     # --------------------------------------------------------------------------------------------------------- states
 
     def state(self):
-        """closed, with speeds that keep it so; and what is known of its freedom. None where none is found"""
+        """closed, with speeds that keep it so; and what is known of its freedom. None where none
+        is found"""
         m, r = self.m, self.r
         x, v = ({n: r.uniform(-1, 1) for n in names} for names in (self.x_names, self.v_names))
         start = self.scene.start
@@ -173,13 +199,15 @@ class Comparison:
         scale = self.scale(s, mixed)
         self.note('MAS', error(found, M))
         self.note('BIA', error(bias, B, scale))
-        self.note('INV', error(tau, M @ wd + B, scale))
+        self.note('INV', error(tau, M@wd + B, scale))
 
     def scale(self, s, mixed):
         """of efforts: what single bodies need, which may cancel"""
         M, B, _, _ = self.m.projected(s)
-        parts = [np.abs(b.J).T @ np.abs(self.m.inertia(l, b)[1]) for l in self.m.links
-                 for b in [self.m.bodies(s)[l['name']]]]
+        parts = [
+            np.abs(b.J).T @ np.abs(self.m.inertia(l, b)[1]) for l in self.m.links
+            for b in [self.m.bodies(s)[l['name']]]
+        ]
         return 1e-3*max([1e-3] + [np.max(p) for p in parts if p.size])
 
     def forward(self, s, q, w, v, M, B):
@@ -187,8 +215,9 @@ class Comparison:
         tau, wd = np.array([self.r.uniform(-5, 5) for _ in range(m.nu)]), zeros(m.nu)
         info = code.call('fwd', s.t, q, w, v, tau, code.cst, wd, 99)
         wanted = np.linalg.solve(M, tau - B)
-        wanted += np.linalg.solve(M, tau - B - M @ wanted)
-        self.note('FWD', error(wd, wanted)/max(1, self.condition*1e-4) if info == 0 else float('inf'))
+        wanted += np.linalg.solve(M, tau - B - M@wanted)
+        self.note('FWD',
+                  error(wd, wanted)/max(1, self.condition*1e-4) if info == 0 else float('inf'))
 
     def x(self, s, q, w):
         return np.concatenate([q, w, [s.x[n] for n in self.x_names]])
@@ -208,7 +237,8 @@ class Comparison:
                 self.accelerations(s, x, v, wd, M, B - drive, H, loose)
         elif (m.cuts or m.conditions) and f.rank:
             self.note('CON space', float('inf'))
-        wanted = np.concatenate([m.rates(s)[self.q_order], wd, [sol.loads.rates[n] for n in self.x_names]])
+        wanted = np.concatenate(
+            [m.rates(s)[self.q_order], wd, [sol.loads.rates[n] for n in self.x_names]])
         if code.has('rhs'):
             self.state_space('rhs', s, x, v, wanted, loose, f.rank < f.rows)
         if code.has('out'):
@@ -222,11 +252,12 @@ class Comparison:
         code.call('con', s.t, q, w, code.cst, phi, phit, H, nl, gamma, 99)
         self.note('CON phi', float(np.max(np.abs(phi))))
         size = max(1., np.max(np.abs(w)), np.max(np.abs(wd)))*max(1., np.max(np.abs(H)))
-        self.note('CON rates', float(np.max(np.abs(H @ w + phit)))/size)
-        self.note('CON gamma', float(np.max(np.abs(H @ wd - gamma)))/size/loose)
+        self.note('CON rates', float(np.max(np.abs(H@w + phit)))/size)
+        self.note('CON gamma', float(np.max(np.abs(H@wd - gamma)))/size/loose)
         free = self.free_directions(s, mixed)
         rank = np.linalg.matrix_rank(H, 1e-9*max(1., np.max(np.abs(H))))
-        self.note('CON space', float(np.max(np.abs(H @ free), initial=0.)) + (m.nu - rank != free.shape[1]))
+        self.note('CON space',
+                  float(np.max(np.abs(H @ free), initial=0.)) + (m.nu - rank != free.shape[1]))
         return H
 
     def free_directions(self, s, mixed):
@@ -250,8 +281,9 @@ class Comparison:
                 self.note(word, float('inf'))
                 continue
             self.note(word, error(found, wd, 1.)/loose)
-            pull = M @ found + B
-            self.note('ACC balance', float(np.max(np.abs(pull - H.T @ lam)))/max(1., np.max(np.abs(pull)))/loose)
+            pull = M@found + B
+            self.note('ACC balance',
+                      float(np.max(np.abs(pull - H.T @ lam)))/max(1., np.max(np.abs(pull)))/loose)
         code.set({'loop_method': 1.})
 
     def state_space(self, word, s, x, v, wanted, loose, deficient):
@@ -308,13 +340,14 @@ class Comparison:
             p = displaced_tree(m, s, h*step, h*more)
             mixed = Mixed(m, p, self.u_order)
             M, B, _, _ = m.projected(p)
-            ud = mixed.natural(wd0*(1 + h))
-            return p.q[self.q_order], mixed.speeds(p.u), wd0*(1 + h), mixed.efforts(M @ ud + B)
+            ud = mixed.natural(wd0*(1+h))
+            return p.q[self.q_order], mixed.speeds(p.u), wd0*(1+h), mixed.efforts(M@ud + B)
+
         dq, dw, dwd, dtau = slopes(at)
         M, B, C = zeros(m.nu, m.nu), zeros(m.nu, m.nu), zeros(m.nu, m.nq)
         q, w, wd, tau = at(0.)
         code.call('lin', s.t, q, w, wd, self.inputs(s), code.cst, M, B, C, n)
-        found = M @ dwd + B @ dw + C @ dq
+        found = M@dwd + B@dw + C@dq
         self.note('LIN', error(found, dtau, .01*max(1., np.max(np.abs(B)), np.max(np.abs(C)))))
 
     def jacobian(self, s):
@@ -330,6 +363,7 @@ class Comparison:
             p, _ = closed(m, p)
             p, _ = moving(m, p, wish + h*more)
             return self.point(p)
+
         (X, V, XD, Y), (dX, dV, dXD, dY) = at(0.), slopes(at)
         nx, nv, ny = len(X), len(V), len(Y)
         A, B, C, D = zeros(nx, nx), zeros(nx, nv), zeros(ny, nx), zeros(ny, nv)
@@ -338,19 +372,23 @@ class Comparison:
             self.note('JAC', float('inf'))
             return
         size = .01*max(1., np.max(np.abs(A)), np.max(np.abs(C)))
-        self.note('JAC', error(A @ dX + B @ dV, dXD, size))
+        self.note('JAC', error(A@dX + B@dV, dXD, size))
         if ny and not np.any(np.isnan(dY)):
-            self.note('JAC outputs', error((C @ dX + D @ dV)[:ny], dY, size))
+            self.note('JAC outputs', error((C@dX + D@dV)[:ny], dY, size))
 
     def point(self, p):
         """states, inputs, their rates, outputs at a point of a curve"""
         m = self.m
         sol, mixed = maximal(m, p, np.zeros(m.nu)), Mixed(m, p, self.u_order)
         q, w = p.q[self.q_order], mixed.speeds(p.u)
-        xd = np.concatenate([m.rates(p)[self.q_order], mixed.rates(sol.ud), [sol.loads.rates[n] for n in self.x_names]])
+        xd = np.concatenate([
+            m.rates(p)[self.q_order],
+            mixed.rates(sol.ud), [sol.loads.rates[n] for n in self.x_names]
+        ])
         wanted = self.wanted_outputs(p, sol)
         names = [o['name'] for o in self.code.js['outputs']]
-        y = np.array([float('nan') if sol.missing and k.startswith('r_') else wanted[k] for k in names])
+        y = np.array(
+            [float('nan') if sol.missing and k.startswith('r_') else wanted[k] for k in names])
         return self.x(p, q, w), self.inputs(p), xd, y
 
     # -------------------------------------------------------------------------------------------------------- batches
@@ -369,25 +407,27 @@ class Comparison:
             rows[k] = [[self.r.gauss(0, 2) for _ in range(max(1, m.nu))] for _ in some]
         many = {k: wide(a, LD) for k, a in rows.items()}
         n, nx = m.nu, len(rows['X'][0])
-        self.batch('inv', ['T', 'Q', 'U', 'UD', 'V'], (n,), False, rows, many, K, LD)
-        self.batch('bia', ['T', 'Q', 'U', 'V'], (n,), False, rows, many, K, LD)
+        self.batch('inv', ['T', 'Q', 'U', 'UD', 'V'], (n, ), False, rows, many, K, LD)
+        self.batch('bia', ['T', 'Q', 'U', 'V'], (n, ), False, rows, many, K, LD)
         self.batch('mas', ['T', 'Q'], (n, n), False, rows, many, K, LD)
         if self.condition < 1e10:
-            self.batch('fwd', ['T', 'Q', 'U', 'V', 'TAU'], (n,), True, rows, many, K, LD)
+            self.batch('fwd', ['T', 'Q', 'U', 'V', 'TAU'], (n, ), True, rows, many, K, LD)
             if code.has('rhs'):
-                self.batch('rhs', ['T', 'X', 'V'], (nx,), True, rows, many, K, LD)
+                self.batch('rhs', ['T', 'X', 'V'], (nx, ), True, rows, many, K, LD)
 
     def batch(self, word, given, shape, tells, rows, many, K, LD):
         import ctypes
         code = self.code
         out, info = zeros(LD, *shape), np.zeros(LD, dtype=np.int32)
         k, ld = ctypes.c_int(K), ctypes.c_int(LD)
-        arrays = [many[g].ctypes for g in given] + [code.cst.ctypes, out.ctypes] + ([info.ctypes] if tells else [])
+        arrays = [many[g].ctypes
+                  for g in given] + [code.cst.ctypes, out.ctypes] + ([info.ctypes] if tells else [])
         code.function(word + '_v')(*arrays, ctypes.byref(k), ctypes.byref(ld))
         worst = 0.
         for i in range(K):
             one = zeros(*shape)
-            args = [float(rows['T'][i][0])] + [np.array(rows[g][i], float) for g in given[1:]] + [code.cst, one]
+            args = [float(rows['T'][i][0])] + [np.array(rows[g][i], float)
+                                               for g in given[1:]] + [code.cst, one]
             code.call(word, *args, *([99] if tells else [shape[0]] if word == 'mas' else []))
             worst = max(worst, error(out[i], one))
         self.note(word.upper() + '_V', worst)
@@ -402,7 +442,7 @@ def wide(rows, ld):
 def slopes(at):
     """derivatives of a tuple of arrays at 0, of fourth order"""
     a, b, c, d = at(STEP), at(-STEP), at(2*STEP), at(-2*STEP)
-    return [(8*(p - q) - (u - v))/(12*STEP) for p, q, u, v in zip(a, b, c, d)]
+    return [(8*(p-q) - (u-v))/(12*STEP) for p, q, u, v in zip(a, b, c, d)]
 
 
 def displaced_tree(m, s, step, more):

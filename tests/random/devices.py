@@ -1,34 +1,45 @@
-"""The machines of the library from their laws, written without its files: what each gives at its port, and its rates.
+"""The machines of the library from their laws, written without its files: what each gives at its
+port, and its rates.
 
-A machine has words: its elements as the scene writes them; states; given: {input: formula}; at(x, v, s, w) => Result.
+A machine has words: its elements as the scene writes them; states; given: {input: formula}; at(x,
+v, s, w) => Result.
 """
 import math
 
 
 class Result:
-    """drive: effort of the source; passive: friction; mass: of -s''; rates of states; stored, power, lost: energies"""
+    """drive: effort of the source; passive: friction; mass: of -s''; rates of states; stored,
+    power, lost: energies"""
+
     def __init__(self, drive=0., passive=0., mass=0., rates=None, stored=0., power=0., lost=0.):
         self.drive, self.passive, self.mass, self.rates = drive, passive, mass, rates or {}
         self.stored, self.power, self.lost = stored, power, lost
 
 
 class Machine:
+
     def __init__(self, words, states, law, given):
         self.words, self.states, self.at, self.given = words, states, law, given
 
 
 def motor(name, k, v, rates):
-    """(torque, power in, lost, stored) of the armature; k: numbers; v(x, inputs): voltage; rates get the current's"""
+    """(torque, power in, lost, stored) of the armature; k: numbers; v(x, inputs): voltage; rates
+    get the current's"""
+
     def at(x, inputs, w):
         i, volts = x[name + '_i'], v(x, inputs)
         rates[name + '_i'] = (volts - k['R']*i - k['K']*w)/k['L']
         return k['K']*i, volts*i, k['R']*i*i + k['B']*w*w, k['L']*i*i/2
+
     return at
 
 
 def motor_numbers(r):
-    return {'R': round(r.uniform(.5, 2), 2), 'L': round(r.uniform(.01, .1), 3), 'K': round(r.uniform(.1, .9), 2),
-            'J': round(r.uniform(.01, .2), 3), 'B': round(r.uniform(.01, .2), 3)}
+    return {
+        'R': round(r.uniform(.5, 2), 2), 'L': round(r.uniform(.01, .1), 3), 'K': round(
+            r.uniform(.1, .9), 2), 'J': round(r.uniform(.01, .2), 3), 'B': round(
+                r.uniform(.01, .2), 3)
+    }
 
 
 def options(k):
@@ -38,7 +49,8 @@ def options(k):
 def dc_motor(r, name, stand, source):
     k = motor_numbers(r)
     variant = r.choice(['full', 'full', 'full', 'ideal', 'qs0', 'current'])
-    word, given = source(r, {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant], name)
+    word, given = source(r, {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant],
+                         name)
     form = '' if variant == 'full' else ', variant = ' + variant
     text = 'dc_motor(%s, %s%s%s%s)' % (name, stand, options(k), form, word)
     read = reader(given, name, {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant])
@@ -48,14 +60,24 @@ def dc_motor(r, name, stand, source):
         if variant == 'ideal':
             return Result(v, rub, k['J'], stored=spin, power=v*w, lost=k['B']*w*w)
         if variant == 'current':
-            return Result(k['K']*v, rub, k['J'], stored=spin, power=v*(k['R']*v + k['K']*w),
+            return Result(k['K']*v,
+                          rub,
+                          k['J'],
+                          stored=spin,
+                          power=v*(k['R']*v + k['K']*w),
                           lost=k['R']*v*v + k['B']*w*w)
         if variant == 'qs0':
             i = (v - k['K']*w)/k['R']
-            return Result(k['K']*i, rub, k['J'], stored=spin, power=v*i, lost=k['R']*i*i + k['B']*w*w)
+            return Result(k['K']*i,
+                          rub,
+                          k['J'],
+                          stored=spin,
+                          power=v*i,
+                          lost=k['R']*i*i + k['B']*w*w)
         rates = {}
         torque, power, lost, field = motor(name, k, lambda x, u: read(u), rates)(x, inputs, w)
         return Result(torque, rub, k['J'], rates, field + spin, power, lost)
+
     return Machine([text], [name + '_i'] if variant == 'full' else [], at, given)
 
 
@@ -71,29 +93,36 @@ def geared_motor(r, name, stand, source):
     g, k, n = name + 'g', motor_numbers(r), r.choice([2, 3, 5.5])
     J, B = round(r.uniform(.01, .1), 3), round(r.uniform(.01, .1), 3)
     word, given = source(r, 'v', name)
-    more = {'pinion_gear': {}, 'lossy_gear': {'eta': .8, 'Tc': .2, 'w0': 1.5},
-            'harmonic_drive': {'K': 90., 'kappa': 1.5, 'c': 3., 'ke': .02, 'eta': .8, 'Tc': .2, 'w0': 1.5},
-            'backlash': {'b': .2, 'K': 60., 'vd': 1.5, 'eps': .3}}[kind]
-    texts = ['%s(%s, %s%s)' % (kind, g, stand, options({'n': n, 'J': J, 'B': B, **more})),
-             'dc_motor(%s, shaft = %s%s%s)' % (name, g, options(k), word)]
+    more = {
+        'pinion_gear': {}, 'lossy_gear': {'eta': .8, 'Tc': .2, 'w0': 1.5}, 'harmonic_drive':
+        {'K': 90., 'kappa': 1.5, 'c': 3., 'ke': .02, 'eta': .8, 'Tc': .2, 'w0':
+         1.5}, 'backlash': {'b': .2, 'K': 60., 'vd': 1.5, 'eps': .3}
+    }[kind]
+    texts = [
+        '%s(%s, %s%s)' % (kind, g, stand, options({'n': n, 'J': J, 'B': B, **more})),
+        'dc_motor(%s, shaft = %s%s%s)' % (name, g, options(k), word)
+    ]
     read = reader(given, name, 'v')
-    law = {'pinion_gear': rigid, 'lossy_gear': rigid, 'harmonic_drive': harmonic, 'backlash': backlash}[kind]
+    law = {
+        'pinion_gear': rigid, 'lossy_gear': rigid, 'harmonic_drive': harmonic, 'backlash': backlash
+    }[kind]
     at = law(name, g, {**more, 'n': n, 'J': J, 'B': B}, k, read)
     own = [g + '_theta', g + '_omega'] if kind in ('harmonic_drive', 'backlash') else []
-    return Machine(texts, own + [name + '_i'], at, given)
+    return Machine(texts, own + [name+'_i'], at, given)
 
 
 def rigid(name, g, p, k, read):
     """tooth load x of a mesh with friction, T = x + h*sqrt((mu*x)^2 + Tc^2), found by halving"""
+
     def tooth(T, omega):
         if 'eta' not in p:
             return T
         h, mu = math.tanh(omega/p['w0']), 1/p['eta'] - 1
         lo, hi = -4*abs(T) - 9, 4*abs(T) + 9
         for _ in range(200):
-            x = (lo + hi)/2
+            x = (lo+hi)/2
             lo, hi = (x, hi) if x + h*math.sqrt((mu*x)**2 + p['Tc']**2) < T else (lo, x)
-        return (lo + hi)/2
+        return (lo+hi)/2
 
     def at(x, inputs, s, w):
         n, rates = p['n'], {}
@@ -102,7 +131,8 @@ def rigid(name, g, p, k, read):
         load = tooth(own, n*w)
         J = p['J'] + k['J']
         return Result(n*load, -n*n*p['B']*w, n*n*J, rates, field + J*(n*w)**2/2, power,
-                      lost + (own - load)*n*w + p['B']*(n*w)**2)
+                      lost + (own-load)*n*w + p['B']*(n*w)**2)
+
     return at
 
 
@@ -116,6 +146,7 @@ def wave(p, x, g, s, w):
 
 
 def harmonic(name, g, p, k, read):
+
     def at(x, inputs, s, w):
         omega, rates = x[g + '_omega'], {}
         load, slope, twist, slip = wave(p, x, g, s, w)
@@ -127,48 +158,57 @@ def harmonic(name, g, p, k, read):
         spring = p['K']*((1 + p['kappa']*twist**2)**1.5 - 1)/(3*p['kappa'])
         return Result(load, 0., 0., rates, field + J*omega**2/2 + spring, power,
                       lost + p['c']*slip**2 + omega*rub + p['B']*omega**2)
+
     return at
 
 
 def flank(x, eps):
     """force and energy of a smooth one-sided spring of stiffness 1 at the depth x"""
     root = math.sqrt(x*x + eps*eps)
-    positive = (x + root)/2
+    positive = (x+root)/2
     return positive**2/root, positive**2/2
 
 
 def backlash(name, g, p, k, read):
+
     def at(x, inputs, s, w):
         theta, omega, rates = x[g + '_theta'], x[g + '_omega'], {}
         gap, slip = theta/p['n'] - s, omega/p['n'] - w
         (ahead, e1), (behind, e2) = flank(gap - p['b'], p['eps']), flank(-gap - p['b'], p['eps'])
         side = math.tanh(slip/p['vd'])
-        load = p['K']*(ahead*(1 + side) - behind*(1 - side))
+        load = p['K']*(ahead*(1+side) - behind*(1-side))
         torque, power, lost, field = motor(name, k, lambda x, u: read(u), rates)(x, inputs, omega)
         rates[g + '_theta'] = omega
         J = p['J'] + k['J']
         rates[g + '_omega'] = (torque - k['B']*omega - load/p['n'] - p['B']*omega)/J
-        return Result(load, 0., 0., rates, field + J*omega**2/2 + p['K']*(e1 + e2), power,
-                      lost + p['K']*(ahead + behind)*slip*side + p['B']*omega**2)
+        return Result(load, 0., 0., rates, field + J*omega**2/2 + p['K']*(e1+e2), power,
+                      lost + p['K']*(ahead+behind)*slip*side + p['B']*omega**2)
+
     return at
 
 
 def pmsm(r, name, stand, source):
-    k = {'Rs': .9, 'Ld': .04, 'Lq': .07, 'flux': round(r.uniform(.1, .5), 2), 'np': r.choice([2, 3]),
-         'J': round(r.uniform(.01, .2), 3), 'B': .05}
+    k = {
+        'Rs': .9, 'Ld': .04, 'Lq': .07, 'flux': round(r.uniform(.1, .5), 2), 'np': r.choice([2, 3]),
+        'J': round(r.uniform(.01, .2), 3), 'B': .05
+    }
     (w1, g1), (w2, g2) = source(r, 'vd', name), source(r, 'vq', name)
     read_d, read_q = reader(g1, name, 'vd'), reader(g2, name, 'vq')
 
     def at(x, inputs, s, w):
         d, q, vd, vq = x[name + '_id'], x[name + '_iq'], read_d(inputs), read_q(inputs)
         pole = k['np']*w
-        rates = {name + '_id': (vd - k['Rs']*d + pole*k['Lq']*q)/k['Ld'],
-                 name + '_iq': (vq - k['Rs']*q - pole*(k['Ld']*d + k['flux']))/k['Lq']}
+        rates = {
+            name + '_id': (vd - k['Rs']*d + pole*k['Lq']*q)/k['Ld'], name + '_iq':
+            (vq - k['Rs']*q - pole*(k['Ld']*d + k['flux']))/k['Lq']
+        }
         torque = 1.5*k['np']*(k['flux']*q + (k['Ld'] - k['Lq'])*d*q)
-        return Result(torque, -k['B']*w, k['J'], rates, .75*(k['Ld']*d*d + k['Lq']*q*q) + k['J']*w*w/2,
-                      1.5*(vd*d + vq*q), 1.5*k['Rs']*(d*d + q*q) + k['B']*w*w)
-    return Machine(['pmsm(%s, %s%s%s%s)' % (name, stand, options(k), w1, w2)], [name + '_id', name + '_iq'], at,
-                   {**g1, **g2})
+        return Result(torque, -k['B']*w, k['J'], rates,
+                      .75*(k['Ld']*d*d + k['Lq']*q*q) + k['J']*w*w/2, 1.5*(vd*d + vq*q),
+                      1.5*k['Rs']*(d*d + q*q) + k['B']*w*w)
+
+    return Machine(['pmsm(%s, %s%s%s%s)' % (name, stand, options(k), w1, w2)],
+                   [name + '_id', name + '_iq'], at, {**g1, **g2})
 
 
 def drive(r, name, stand, source):
@@ -186,23 +226,29 @@ def controlled(r, name, stand, source):
     """motor, amplifier with lag and limit, PID controller of the port's own coordinate"""
     k, a, c = motor_numbers(r), name + 'a', name + 'c'
     amp = {'gain': 1.5, 'ta': .05, 'Vm': 9.}
-    pid = {'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .1, 'Tt': .3, 'umax': 4., 'bp': .7, 'bd': .2}
+    pid = {
+        'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .1, 'Tt': .3, 'umax': 4., 'bp': .7,
+        'bd': .2
+    }
     measured = source.measured
     reference = '0.5*sin(2*t)'
-    texts = ['dc_motor(%s, %s%s, v = %s)' % (name, stand, options(k), a),
-             'amplifier(%s, u = %s%s)' % (a, c, options(amp)),
-             'pid(%s, reference = %s, measured = %s%s)' % (c, reference, measured, options(pid))]
+    texts = [
+        'dc_motor(%s, %s%s, v = %s)' % (name, stand, options(k), a),
+        'amplifier(%s, u = %s%s)' % (a, c, options(amp)),
+        'pid(%s, reference = %s, measured = %s%s)' % (c, reference, measured, options(pid))
+    ]
 
     def at(x, v, s, w):
         ref, meas, rates = v[c + '_reference'], v[c + '_measured'], {}
         e = pid['bd']*ref - meas - x[c + '_xd']
         raw = pid['Kp']*(pid['bp']*ref - meas) + x[c + '_I'] + pid['Kd']*e/pid['Tf']
         out = saturated(raw, pid['umax'])
-        rates[c + '_I'] = pid['Ki']*(ref - meas) + (out - raw)/pid['Tt']
+        rates[c + '_I'] = pid['Ki']*(ref-meas) + (out-raw)/pid['Tt']
         rates[c + '_xd'] = e/pid['Tf']
         rates[a + '_x'] = (saturated(amp['gain']*out, amp['Vm']) - x[a + '_x'])/amp['ta']
         torque, power, lost, field = motor(name, k, lambda x, u: x[a + '_x'], rates)(x, v, w)
         return Result(torque, -k['B']*w, k['J'], rates, field + k['J']*w*w/2, power, lost)
+
     given = {c + '_reference': reference, c + '_measured': measured}
     return Machine(texts, [name + '_i', a + '_x', c + '_I', c + '_xd'], at, given)
 
@@ -217,8 +263,10 @@ def rubbing(r, name, stand, source):
         dry = k['Fc'] + (k['Fs'] - k['Fc'])*math.exp(-(w/k['vs'])**2)
         if variant == 'lugre':
             return bristles(k, name, x[name + '_z'], dry, w)
-        force = {'smooth': dry, 'coulomb': k['Fc'], 'viscous': 0.}[variant]*math.tanh(w/k['vc']) + k['Fv']*w
+        force = {'smooth': dry, 'coulomb': k['Fc'], 'viscous': 0.}[variant]*math.tanh(
+            w/k['vc']) + k['Fv']*w
         return Result(passive=-force, lost=force*w)
+
     form = '' if variant == 'smooth' else ', variant = ' + variant
     return Machine(['friction(%s, %s%s%s)' % (name, stand, options(k), form)],
                    [name + '_z'] if variant == 'lugre' else [], at, {})
@@ -240,11 +288,13 @@ def stop(r, name, stand, source):
     def at(x, v, s, w):
         (above, e1), (below, e2) = flank(s - k['hi'], k['eps']), flank(k['lo'] - s, k['eps'])
         side = math.tanh(w/k['vd']) if variant == 'full' else 0.
-        force = k['K']*(below*(1 - side) - above*(1 + side))
-        return Result(passive=force, stored=k['K']*(e1 + e2), lost=k['K']*(above + below)*w*side)
+        force = k['K']*(below*(1-side) - above*(1+side))
+        return Result(passive=force, stored=k['K']*(e1+e2), lost=k['K']*(above+below)*w*side)
+
     if variant == 'elastic':
         words = {n: k[n] for n in ('lo', 'hi', 'K', 'eps')}
-        return Machine(['stop(%s, %s%s, variant = elastic)' % (name, stand, options(words))], [], at, {})
+        return Machine(['stop(%s, %s%s, variant = elastic)' % (name, stand, options(words))], [],
+                       at, {})
     return Machine(['stop(%s, %s%s)' % (name, stand, options(k))], [], at, {})
 
 
@@ -253,10 +303,12 @@ def duffing(r, name, stand, source):
 
     def at(x, v, s, w):
         d = s - k['s0']
-        return Result(passive=-k['k1']*d - k['k3']*d**3 - k['c']*w, stored=k['k1']*d*d/2 + k['k3']*d**4/4,
+        return Result(passive=-k['k1']*d - k['k3']*d**3 - k['c']*w,
+                      stored=k['k1']*d*d/2 + k['k3']*d**4/4,
                       lost=k['c']*w*w)
+
     return Machine(['duffing_spring(%s, %s%s)' % (name, stand, options(k))], [], at, {})
 
 
-TURNING = [dc_motor, dc_motor, geared_motor, geared_motor, pmsm, controlled]   # ports that turn
+TURNING = [dc_motor, dc_motor, geared_motor, geared_motor, pmsm, controlled]  # ports that turn
 ANY = [drive, rubbing, stop, duffing]

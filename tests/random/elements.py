@@ -7,6 +7,7 @@ from mechanics import GROUND
 
 class Expression:
     """A formula of the scene, evaluated in Python: t, coordinates c, rates c_d, inputs"""
+
     def __init__(self, text):
         self.text = text
         self.code = compile(text.replace('^', '**'), text, 'eval')
@@ -29,8 +30,11 @@ def place_of(m, name):
 
 # ------------------------------------------------------------------------------------------------------------- ports
 
+
 class Port:
-    """s, its rate w; g: how body accelerations (wrench {link: 6}) and accelerations of coordinates enter s''; bend: rest"""
+    """s, its rate w; g: how body accelerations (wrench {link: 6}) and accelerations of
+    coordinates enter s''; bend: rest"""
+
     def in_tree(self, bodies):
         g, bend = self.on_speeds.copy(), self.bend
         for name, row in self.on_bodies.items():
@@ -70,7 +74,7 @@ def distance_port(m, s, bodies, ends):
     v = B.twist[:3] + cross(B.twist[3:], rb) - A.twist[:3] - cross(A.twist[3:], ra)
     p.w = v @ e
     fall = cross(B.twist[3:], cross(B.twist[3:], rb)) - cross(A.twist[3:], cross(A.twist[3:], ra))
-    p.bend = e @ fall + (v - e*p.w) @ v/p.s
+    p.bend = e@fall + (v - e*p.w) @ v/p.s
     p.on_bodies = {a: -np.concatenate([e, cross(ra, e)]), b: np.concatenate([e, cross(rb, e)])}
     p.on_speeds = np.zeros(m.nu)
     return p
@@ -91,6 +95,7 @@ def length_port(m, s, form):
 
 class Stand:
     """where a spring or device stands: coordinate, ends or form, and its ratio"""
+
     def __init__(self, coordinate=None, ends=None, form=None, ratio=1.):
         self.coordinate, self.ends, self.form, self.ratio = coordinate, ends, form, ratio
 
@@ -104,7 +109,9 @@ class Stand:
 
 # ------------------------------------------------------------------------------------------------------------- loads
 
+
 class Force:
+
     def __init__(self, link, frame, at, vector, torque=False):
         self.link, self.frame, self.at, self.vector, self.torque = link, frame, at, vector, torque
 
@@ -120,6 +127,7 @@ class Force:
 
 
 class Gyroscope:
+
     def __init__(self, link, axis, momentum):
         self.link, self.axis, self.momentum = link, axis, momentum
 
@@ -129,6 +137,7 @@ class Gyroscope:
 
 
 class Spring:
+
     def __init__(self, stand, stiffness, rest):
         self.stand, self.stiffness, self.rest = stand, stiffness, rest
 
@@ -139,6 +148,7 @@ class Spring:
 
 
 class Damper:
+
     def __init__(self, stand, damping):
         self.stand, self.damping = stand, damping
 
@@ -149,7 +159,9 @@ class Damper:
 
 
 class Device:
-    """machine: see devices.py; its inputs are formulas, or inputs of the scene under their own names"""
+    """machine: see devices.py; its inputs are formulas, or inputs of the scene under their own
+    names"""
+
     def __init__(self, machine, stand):
         self.machine, self.stand = machine, stand
 
@@ -169,10 +181,14 @@ class Device:
 
 # -------------------------------------------------------------------------------------------------------- conditions
 
+
 class Rows:
-    """gap; rows on the bodies {link: k x 6} and on the speeds; wanted: their rates; gamma: their values of the second"""
+    """gap; rows on the bodies {link: k x 6} and on the speeds; wanted: their rates; gamma: their
+    values of the second"""
+
     def __init__(self, gap, on_bodies, on_speeds, wanted, gamma):
-        self.gap, self.on_bodies, self.on_speeds = np.array(gap, float), on_bodies, np.atleast_2d(on_speeds)
+        self.gap, self.on_bodies, self.on_speeds = np.array(
+            gap, float), on_bodies, np.atleast_2d(on_speeds)
         self.wanted, self.gamma = np.array(wanted, float), np.array(gamma, float)
 
     def in_tree(self, bodies, n):
@@ -192,6 +208,7 @@ class Rows:
 
 class Law:
     """x = c + b*t + a*sin(w*t)"""
+
     def __init__(self, name, c, b, a, w):
         self.name, self.c, self.b, self.a, self.w = name, c, b, a, w
         self.text = '%r + (%r)*t + (%r)*sin(%r*t)' % (c, b, a, w)
@@ -206,6 +223,7 @@ class Law:
 
 class Holonomic:
     """a*x + b*y + d*x*y = c"""
+
     def __init__(self, x, y, a, b, d, c):
         self.x, self.y, self.a, self.b, self.d, self.c = x, y, a, b, d, c
         self.text = '%r*%s + (%r)*%s + (%r)*%s*%s - (%r)' % (a, x, b, y, d, x, y, c)
@@ -220,6 +238,7 @@ class Holonomic:
 
 class OfSpeeds:
     """a*x' + (b + d*sin(x))*y' = 0"""
+
     def __init__(self, x, y, a, b, d):
         self.x, self.y, self.a, self.b, self.d = x, y, a, b, d
         self.text = '%r*%s_d + (%r + (%r)*sin(%s))*%s_d' % (a, x, b, d, x, y)
@@ -232,7 +251,9 @@ class OfSpeeds:
 
 
 class Rolling:
-    """the disc (centre, axis, radius) of a link rolls on the plane (at, normal) of another, without slip"""
+    """the disc (centre, axis, radius) of a link rolls on the plane (at, normal) of another,
+    without slip"""
+
     def __init__(self, plane, at, normal, disc, centre, axis, radius):
         self.plane, self.at, self.normal = plane, at, normal
         self.disc, self.centre, self.axis, self.radius = disc, centre, axis, radius
@@ -242,10 +263,10 @@ class Rolling:
         P, D = bodies[self.plane], bodies[self.disc]
         n, a = P.R @ self.normal, D.R @ self.axis
         nd, ad = cross(P.twist[3:], n), cross(D.twist[3:], a)
-        d = (n @ a)*a - n
-        dd = (nd @ a + n @ ad)*a + (n @ a)*ad - nd
+        d = (n@a)*a - n
+        dd = (nd@a + n@ad)*a + (n@a)*ad - nd
         e = d/np.linalg.norm(d)
-        return self.radius*e, self.radius*(dd - e*(e @ dd))/np.linalg.norm(d), n
+        return self.radius*e, self.radius*(dd - e*(e@dd))/np.linalg.norm(d), n
 
     def rows(self, m, s, bodies):
         P, D = bodies[self.plane], bodies[self.disc]
@@ -261,5 +282,5 @@ class Rolling:
         gamma = -W @ (cross(wd, rd_rate) - cross(wp, rp_rate))
         gap = n @ (rp - P.R @ self.at)
         wrench = lambda r: np.array([np.concatenate([w, cross(r, w)]) for w in W])
-        return Rows([gap, 0., 0.], {self.disc: wrench(rd), self.plane: -wrench(rp)}, np.zeros((3, m.nu)),
-                    [0., 0., 0.], gamma)
+        return Rows([gap, 0., 0.], {self.disc: wrench(rd), self.plane: -wrench(rp)},
+                    np.zeros((3, m.nu)), [0., 0., 0.], gamma)

@@ -12,9 +12,11 @@ def run_time(root, folder):
     """the library of share/fortran as one shared object, made once"""
     target = os.path.join(folder, 'libgs.so')
     if not os.path.exists(target):
-        sources = glob.glob(root + '/share/fortran/*.f') + glob.glob(root + '/share/fortran/lapack/*.f')
+        sources = glob.glob(root + '/share/fortran/*.f') + glob.glob(root +
+                                                                     '/share/fortran/lapack/*.f')
         new = '%s.%d' % (target, os.getpid())
-        subprocess.run(['gfortran', '-O1'] + FLAGS[1:] + ['-shared', '-o', new] + sources + ['-llapack', '-lblas'],
+        subprocess.run(['gfortran', '-O1'] + FLAGS[1:] + ['-shared', '-o', new] + sources +
+                       ['-llapack', '-lblas'],
                        check=True)
         os.replace(new, target)
     return target
@@ -23,8 +25,12 @@ def run_time(root, folder):
 def compiled(folder, name, library):
     """the shared object of a scene, and what gfortran said"""
     out = os.path.join(folder, name + '.so')
-    r = subprocess.run(['gfortran'] + FLAGS + ['-shared', '-o', out, os.path.join(folder, name + '.f'), library,
-                        '-Wl,-rpath,' + os.path.dirname(library)], capture_output=True, text=True)
+    r = subprocess.run(['gfortran'] + FLAGS + [
+        '-shared', '-o', out,
+        os.path.join(folder, name + '.f'), library, '-Wl,-rpath,' + os.path.dirname(library)
+    ],
+                       capture_output=True,
+                       text=True)
     return (out, '') if r.returncode == 0 else (None, r.stderr[-300:])
 
 
@@ -34,6 +40,7 @@ def zeros(*shape):
 
 class Code:
     """the subroutines of a scene; description: its JSON"""
+
     def __init__(self, path, description, values):
         self.lib, self.js, self.d = ctypes.CDLL(path), description, description['dimensions']
         self.prefix = description['name'].lower() + '_'
@@ -75,5 +82,6 @@ class Code:
         info, c = ctypes.c_int(99), ctypes.c_double(t)
         sizes = [ctypes.c_int(a.shape[0]) for a in (A, B, C, D)]
         arrays = [p for a, n in zip((A, B, C, D), sizes) for p in (a.ctypes, ctypes.byref(n))]
-        self.function('jac')(ctypes.byref(c), x.ctypes, v.ctypes, self.cst.ctypes, *arrays, ctypes.byref(info))
+        self.function('jac')(ctypes.byref(c), x.ctypes, v.ctypes, self.cst.ctypes, *arrays,
+                             ctypes.byref(info))
         return info.value

@@ -1,12 +1,16 @@
-"""Joints as chains of elementary motions: pose, partial velocities, velocity, bias of the acceleration."""
+"""Joints as chains of elementary motions: pose, partial velocities, velocity, bias of the
+acceleration."""
 import math
 import numpy as np
 
 AXES = {'x': np.array([1., 0, 0]), 'y': np.array([0, 1., 0]), 'z': np.array([0, 0, 1.])}
-# one letter a coordinate: s slides, t turns about the axis, h screws, u turns about the second axis, b: a ball with
+# one letter a coordinate: s slides, t turns about the axis, h screws, u turns about the second
+# axis, b: a ball with
 # Euler parameters (four coordinates, three speeds: the angular velocity in axes of the child)
-LETTERS = {'revolute': 't', 'prismatic': 's', 'helical': 'h', 'cylindrical': 'st', 'universal': 'tu',
-           'planar': 'sst', 'fixed': '', 'spherical': 'b', 'free': 'sssb'}
+LETTERS = {
+    'revolute': 't', 'prismatic': 's', 'helical': 'h', 'cylindrical': 'st', 'universal': 'tu',
+    'planar': 'sst', 'fixed': '', 'spherical': 'b', 'free': 'sssb'
+}
 
 
 def skew(a):
@@ -24,11 +28,12 @@ def rodrigues(axis, angle):
 
 def of_quaternion(e):
     v = e[1:]
-    return (e[0]*e[0] - v @ v)*np.eye(3) + 2*np.outer(v, v) + 2*e[0]*skew(v)
+    return (e[0]*e[0] - v@v)*np.eye(3) + 2*np.outer(v, v) + 2*e[0]*skew(v)
 
 
 def quaternion_product(p, q):
-    return np.concatenate([[p[0]*q[0] - p[1:] @ q[1:]], p[0]*q[1:] + q[0]*p[1:] + cross(p[1:], q[1:])])
+    return np.concatenate([[p[0]*q[0] - p[1:] @ q[1:]],
+                           p[0]*q[1:] + q[0]*p[1:] + cross(p[1:], q[1:])])
 
 
 def rotation_vector(R):
@@ -37,7 +42,9 @@ def rotation_vector(R):
 
 
 class Chain:
-    """A frame that elementary motions carry along: R, p; S: columns [v; w] a speed; twist; bias of its rate."""
+    """A frame that elementary motions carry along: R, p; S: columns [v; w] a speed; twist; bias
+    of its rate."""
+
     def __init__(self):
         self.R, self.p = np.eye(3), np.zeros(3)
         self.columns, self.twist, self.bias = [], np.zeros(6), np.zeros(6)
@@ -85,11 +92,13 @@ class Chain:
 
 class Joint:
     """A joint with numbers; names: of its coordinates; options: what the scene writes of it."""
+
     def __init__(self, name, type, parent, child):
         self.name, self.type, self.parent, self.child = name, type, parent, child
         self.pitch, self.orientation, self.cut = 0., None, False
         self.axis, self.second = AXES['z'], AXES['x']
-        self.at, self.child_at, self.R, self.child_R = np.zeros(3), np.zeros(3), np.eye(3), np.eye(3)
+        self.at, self.child_at, self.R, self.child_R = np.zeros(3), np.zeros(3), np.eye(3), np.eye(
+            3)
         self.names, self.options = [], {}
 
     def letters(self):
@@ -107,7 +116,7 @@ class Joint:
         if self.type == 'planar':
             n = next(w for w in 'xyz' if AXES[w] @ self.axis == 1)
             turn = 'xyz'.index(n)
-            return [AXES['xyz'[(turn + 1) % 3]], AXES['xyz'[(turn + 2) % 3]], self.axis]
+            return [AXES['xyz'[(turn+1) % 3]], AXES['xyz'[(turn+2) % 3]], self.axis]
         axes = list(AXES.values()) if self.type == 'free' else []
         if self.orientation:
             return axes + [AXES[w] for w in self.orientation]
@@ -140,7 +149,8 @@ class Joint:
         return np.concatenate([u[:-3], half])
 
     def advanced(self, q, du):
-        """the position that the small displacement du leads to (exact in the first order, of norm 1)"""
+        """the position that the small displacement du leads to (exact in the first order, of norm
+        1)"""
         q = q + self.rates(q, du)
         if 'b' in self.letters():
             q[-4:] = q[-4:]/np.linalg.norm(q[-4:])

@@ -1,4 +1,5 @@
-"""Newton and Euler for bodies that are free in space, a wrench for each joint, and the same projected on the speeds."""
+"""Newton and Euler for bodies that are free in space, a wrench for each joint, and the same
+projected on the speeds."""
 import numpy as np
 from joints import cross, skew, rotation_vector
 
@@ -6,20 +7,26 @@ GROUND = 'ground'
 
 
 class Body:
-    """Motion of a link: R, p; J: columns [v; w] a speed of the tree; twist; bias: its rate where no speed changes."""
+    """Motion of a link: R, p; J: columns [v; w] a speed of the tree; twist; bias: its rate where
+    no speed changes."""
+
     def __init__(self, n):
         self.R, self.p = np.eye(3), np.zeros(3)
         self.J, self.twist, self.bias = np.zeros((6, n)), np.zeros(6), np.zeros(6)
 
 
 class Relation:
-    """A joint in ground axes: r from parent's to child's origin, S, relative twist, bias of the child's acceleration."""
+    """A joint in ground axes: r from parent's to child's origin, S, relative twist, bias of the
+    child's acceleration."""
+
     def __init__(self, parent_R, w, chain):
         turned = np.kron(np.eye(2), parent_R)
         self.R, self.r, self.S = chain.R, parent_R @ chain.p, turned @ chain.partial()
         self.twist, own = turned @ chain.twist, turned @ chain.bias
         self.bias = np.concatenate([
-            cross(w, cross(w, self.r)) + 2*cross(w, self.twist[:3]) + own[:3], cross(w, self.twist[3:]) + own[3:]])
+            cross(w, cross(w, self.r)) + 2*cross(w, self.twist[:3]) + own[:3],
+            cross(w, self.twist[3:]) + own[3:]
+        ])
         self.shift = np.eye(6)
         self.shift[:3, 3:] = -skew(self.r)
 
@@ -46,22 +53,29 @@ def parent_of(C, chain, columns):
 
 
 class State:
-    """t, coordinates q and natural speeds u of the tree, own: {cut joint: (q, u)}, x: states of devices, v: inputs"""
+    """t, coordinates q and natural speeds u of the tree, own: {cut joint: (q, u)}, x: states of
+    devices, v: inputs"""
+
     def __init__(self, t, q, u, own, x, v):
         self.t, self.q, self.u, self.own, self.x, self.v = t, q, u, own, x, v
 
     def with_speeds(self, u):
-        return State(self.t, self.q, u, {k: (q, 0*w) for k, (q, w) in self.own.items()}, self.x, self.v)
+        return State(self.t, self.q, u, {k: (q, 0*w)
+                                         for k, (q, w) in self.own.items()}, self.x, self.v)
 
 
 class Mechanism:
-    """links: dicts name, m, centre, I; joints; elements: what loads it (elements.py); conditions: laws, constraints"""
+    """links: dicts name, m, centre, I; joints; elements: what loads it (elements.py); conditions:
+    laws, constraints"""
+
     def __init__(self):
-        self.links, self.joints, self.elements, self.conditions, self.gravity = [], [], [], [], np.zeros(3)
+        self.links, self.joints, self.elements, self.conditions, self.gravity = [], [], [], [], np.zeros(
+            3)
         self.mixing = None
 
     def number(self):
-        self.tree, self.cuts = [j for j in self.joints if not j.cut], [j for j in self.joints if j.cut]
+        self.tree, self.cuts = [j for j in self.joints
+                                if not j.cut], [j for j in self.joints if j.cut]
         self.q_of, self.u_of, i, k = {}, {}, 0, 0
         for j in self.tree:
             self.q_of[j.name], self.u_of[j.name] = slice(i, i + j.nq()), slice(k, k + j.nu())
@@ -101,7 +115,7 @@ class Mechanism:
         """6x6 mass of a link about its origin, what its motion needs beside, its weight"""
         c, m = b.R @ link['centre'], link['m']
         C, w, turned = skew(c), b.twist[3:], b.R @ link['I'] @ b.R.T
-        M = np.block([[m*np.eye(3), -m*C], [m*C, turned - m*C @ C]])
+        M = np.block([[m*np.eye(3), -m*C], [m*C, turned - m*C@C]])
         pull = m*cross(w, cross(w, c))
         beside = np.concatenate([pull, cross(w, turned @ w) + cross(c, pull)])
         return M, beside, np.concatenate([m*self.gravity, cross(c, m*self.gravity)])
@@ -126,8 +140,11 @@ class Mechanism:
 
 
 class Loads:
-    """wrench, driven: on links about their origins, given and passive, and of drives; passive, drive: on the coordinates;
-    added: [(mass, port)]; rates of device states; energies [potential of springs, stored, power in, power lost]"""
+    """wrench, driven: on links about their origins, given and passive, and of drives; passive,
+    drive: on the coordinates;
+    added: [(mass, port)]; rates of device states; energies [potential of springs, stored, power
+    in, power lost]"""
+
     def __init__(self, m):
         self.wrench = {l['name']: np.zeros(6) for l in m.links}
         self.wrench[GROUND] = np.zeros(6)
@@ -144,7 +161,8 @@ class Loads:
 
 
 class Solution:
-    """ud of the tree, reactions {joint: force and moment on the child at its joint point}, free: whether unique"""
+    """ud of the tree, reactions {joint: force and moment on the child at its joint point}, free:
+    whether unique"""
 
 
 def maximal(m, s, tau):
@@ -157,9 +175,9 @@ def maximal(m, s, tau):
     As, Bs = A/scale[:, None], B/scale
     x, _, rank, sv = np.linalg.lstsq(As, Bs, rcond=1e-12)
     for _ in range(2):
-        x = x + np.linalg.lstsq(As, Bs - As @ x, rcond=1e-12)[0]
+        x = x + np.linalg.lstsq(As, Bs - As@x, rcond=1e-12)[0]
     r = Solution()
-    r.residual = np.max(np.abs(As @ x - Bs))/max(1, np.max(np.abs(Bs)))
+    r.residual = np.max(np.abs(As@x - Bs))/max(1, np.max(np.abs(Bs)))
     r.ud, r.missing, r.loads = x[place['ud']:place['ud'] + m.nu], len(x) - rank, loads
     r.gap = sv[rank - 1]/sv[0]
     r.reactions = {}
@@ -187,8 +205,8 @@ def maximal_equations(m, s, bodies, loads, tau):
     for i, j in enumerate(m.joints):
         column = own if j.cut else place['ud'] + m.u_of[j.name].start
         own += j.nu() if j.cut else 0
-        joint_equations(A, B, link, place['wrench'] + 6*i, column, j, Relation(
-            bodies[j.parent].R, bodies[j.parent].twist[3:], m.chain(j, s)))
+        joint_equations(A, B, link, place['wrench'] + 6*i, column, j,
+                        Relation(bodies[j.parent].R, bodies[j.parent].twist[3:], m.chain(j, s)))
     for k, port in loads.added:
         g = port.in_all(link, place['ud'], N)
         A += k*np.outer(g, g)
@@ -203,7 +221,8 @@ def maximal_equations(m, s, bodies, loads, tau):
 
 
 def joint_equations(A, B, link, row, column, j, s):
-    """rows: child's acceleration from the parent's; columns: the wrench on the child, its opposite on the parent"""
+    """rows: child's acceleration from the parent's; columns: the wrench on the child, its
+    opposite on the parent"""
     n = s.S.shape[1]
     k = slice(row, row + 6)
     if j.child in link:
@@ -267,19 +286,21 @@ def displaced(m, s, step):
 
 
 class Freedom:
-    """how speeds may be: free directions, rank, smallest kept over largest singular value, whether the rows are met"""
+    """how speeds may be: free directions, rank, smallest kept over largest singular value,
+    whether the rows are met"""
 
 
 def moving(m, s, wish):
-    """s with speeds nearest to wish (tree, then cut joints) that keep the loops closed, and its Freedom"""
+    """s with speeds nearest to wish (tree, then cut joints) that keep the loops closed, and its
+    Freedom"""
     _, G, wanted = closing_rows(m, s.with_speeds(0*s.u), m.bodies(s.with_speeds(0*s.u)))
     f = Freedom()
     if len(G):
         sv = np.linalg.svd(G, compute_uv=False)
         f.rank = int(np.sum(sv > 1e-9*sv[0]))
         f.gap, f.lowest = sv[f.rank - 1]/sv[0] if f.rank else 1., sv[f.rank - 1] if f.rank else 1.
-        wish = wish - np.linalg.lstsq(G, G @ wish - wanted, rcond=1e-9)[0]
-        f.met = np.max(np.abs(G @ wish - wanted)) < 1e-9*max(1, np.max(np.abs(wish)))
+        wish = wish - np.linalg.lstsq(G, G@wish - wanted, rcond=1e-9)[0]
+        f.met = np.max(np.abs(G@wish - wanted)) < 1e-9*max(1, np.max(np.abs(wish)))
     else:
         f.rank, f.gap, f.lowest, f.met = 0, 1., 1., True
     f.free, f.rows = len(wish) - f.rank, len(G)

@@ -3,12 +3,18 @@ import math
 import random
 import numpy as np
 import devices
-from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic, OfSpeeds, Rolling)
+from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic,
+                      OfSpeeds, Rolling)
 from joints import AXES, Joint, rodrigues
 from mechanics import GROUND, Mechanism, State, closed, closing_rows
 
-TYPES = ['revolute']*5 + ['prismatic']*3 + ['helical', 'cylindrical', 'universal', 'planar', 'spherical', 'fixed', 'free']
-CUT_TYPES = ['revolute', 'prismatic', 'helical', 'cylindrical', 'universal', 'planar', 'spherical', 'fixed', 'spherical']
+TYPES = ['revolute']*5 + ['prismatic']*3 + [
+    'helical', 'cylindrical', 'universal', 'planar', 'spherical', 'fixed', 'free'
+]
+CUT_TYPES = [
+    'revolute', 'prismatic', 'helical', 'cylindrical', 'universal', 'planar', 'spherical', 'fixed',
+    'spherical'
+]
 KINDS = ['tree']*9 + ['loop']*7 + ['rolling']*2 + ['constrained']*2
 
 
@@ -21,13 +27,17 @@ def exact(x):
 
 
 class Scene:
-    """name, text, m: Mechanism, start: State, run: parameter values at run time, tags: what is in it"""
+    """name, text, m: Mechanism, start: State, run: parameter values at run time, tags: what is in
+    it"""
+
     def __init__(self, seed, compiled):
         self.r, self.seed, self.compiled = random.Random(seed), seed, compiled
         self.kind = self.r.choice(KINDS)
         self.name = 'r%s%d' % (self.kind[0], seed)
-        self.m, self.parameters, self.run, self.tags, self.words = Mechanism(), {}, {}, {self.kind}, []
-        self.open, self.inputs, self.symbolic, self.redundant = [], [], self.r.choice([0, .2, .5, 1]), self.r.random() < .3
+        self.m, self.parameters, self.run, self.tags, self.words = Mechanism(), {}, {}, {self.kind
+                                                                                         }, []
+        self.open, self.inputs, self.symbolic, self.redundant = [], [], self.r.choice(
+            [0, .2, .5, 1]), self.r.random() < .3
         self.bodies_and_joints()
         self.closures()
         self.loads()
@@ -36,7 +46,8 @@ class Scene:
     # ------------------------------------------------------------------------------------------------------ numbers
 
     def number(self, lo, hi, zero=.15, fixed=False, digits=2):
-        """text and value at run time; fixed: what it is in the scene too (a scene with loops must close as it stands)"""
+        """text and value at run time; fixed: what it is in the scene too (a scene with loops must
+        close as it stands)"""
         r = self.r
         v = 0. if r.random() < zero else round(r.uniform(lo, hi), digits)
         if r.random() < self.symbolic and len(self.parameters) < 12:
@@ -44,7 +55,8 @@ class Scene:
             keep = self.compiled or r.random() < .4 or (fixed and self.kind != 'tree')
             self.parameters[n], self.run[n] = v, v if keep else round(r.uniform(lo, hi), digits)
             return n, self.run[n]
-        return ('%d/100' % round(v*100), round(v*100)/100) if v and r.random() < .2 else (repr(v), v)
+        return ('%d/100' % round(v*100), round(v*100)/100) if v and r.random() < .2 else (repr(v),
+                                                                                          v)
 
     def vector(self, lo, hi, zero=.35, fixed=False):
         t = [self.number(lo, hi, zero, fixed) for _ in range(3)]
@@ -89,7 +101,8 @@ class Scene:
             if r.random() < .25:
                 ends.reverse()
                 self.tags.add('towards ground')
-            self.joint('J%d' % b, r.choice(TYPES if b != light else ['revolute', 'prismatic']), ends)
+            self.joint('J%d' % b, r.choice(TYPES if b != light else ['revolute', 'prismatic']),
+                       ends)
         m.number()
         if not m.nu:
             self.kind = 'tree'
@@ -98,8 +111,10 @@ class Scene:
         r = self.r
         if light:
             self.tags.add('without mass')
-            self.m.links.append({'name': name, 'm': 0., 'centre': np.zeros(3), 'I': np.zeros((3, 3)),
-                                 'text': 'link(%s, mass = 0)' % name})
+            self.m.links.append({
+                'name': name, 'm': 0., 'centre': np.zeros(3), 'I': np.zeros((3, 3)), 'text':
+                'link(%s, mass = 0)' % name
+            })
             return
         (mass, m), (centre, c) = self.number(.2, 4, 0), self.vector(-.5, .5)
         points = np.array([[round(r.uniform(-.5, .5), 2) for _ in range(3)] for _ in range(3)])
@@ -108,12 +123,20 @@ class Scene:
         form = r.choice(['three', 'six', 'matrix'])
         if form == 'three':
             I = np.diag(np.diag(I))
-        entries = {'three': np.diag(I), 'six': I[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]], 'matrix': []}[form]
+        entries = {
+            'three': np.diag(I), 'six': I[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]], 'matrix': []
+        }[form]
         text = listed([exact(x) for x in entries])
         if form == 'matrix':
             text = 'matrix(%s)' % ', '.join(listed([exact(x) for x in row]) for row in I)
-        self.m.links.append({'name': name, 'm': m, 'centre': c, 'I': I, 'text':
-                             'link(%s, mass = %s, centre = %s, inertia = %s)' % (name, mass, centre, text)})
+        self.m.links.append({
+            'name':
+            name, 'm':
+            m, 'centre':
+            c, 'I':
+            I, 'text':
+            'link(%s, mass = %s, centre = %s, inertia = %s)' % (name, mass, centre, text)
+        })
 
     def joint(self, name, type, ends):
         r, j = self.r, Joint(name, type, *ends)
@@ -182,7 +205,7 @@ class Scene:
         self.start = self.somewhere()
         if self.kind == 'loop':
             for k in range(self.r.choice([1, 1, 1, 2])):
-                self.close_loop('L%d' % (k + 1))
+                self.close_loop('L%d' % (k+1))
         if self.kind == 'rolling':
             self.roll()
         if self.kind == 'constrained' or self.r.random() < .1:
@@ -198,7 +221,8 @@ class Scene:
                     j.options['start'] = q[0] if len(q) == 1 else listed(q)
 
     def independent(self, more):
-        """whether the mechanism still moves, the rank of its rows is beyond doubt, and the last condition is no consequence"""
+        """whether the mechanism still moves, the rank of its rows is beyond doubt, and the last
+        condition is no consequence"""
         m = self.m
         m.number()
         s = State(0., self.start.q, np.zeros(m.nu), self.start.own, {}, {})
@@ -212,7 +236,8 @@ class Scene:
         before = np.linalg.svd(G[:len(G) - new], compute_uv=False)
         depends = new and rank - int(np.sum(before > .02*sv[0])) < new
         redundant = rank < len(G)
-        if doubt or depends or G.shape[1] - rank < more or (redundant and not (m.cuts and self.redundant)):
+        if doubt or depends or G.shape[1] - rank < more or (redundant
+                                                            and not (m.cuts and self.redundant)):
             return False
         self.tags |= {'redundant'} if redundant else set()
         return True
@@ -248,7 +273,8 @@ class Scene:
         c = j.relative(q, np.zeros(j.nu()))
         R, p = P.R @ c.R, P.p + P.R @ c.p
         j.child_R, j.child_at = C.R.T @ R, C.R.T @ (p - C.p)
-        o['child_rotation'] = 'matrix(%s)' % ', '.join(listed([exact(x) for x in row]) for row in j.child_R)
+        o['child_rotation'] = 'matrix(%s)' % ', '.join(
+            listed([exact(x) for x in row]) for row in j.child_R)
         texts = [exact(x) for x in j.child_at]
         if self.symbolic and self.r.random() < .5:
             names = ['w%s%d' % (j.name[1:], i) for i in range(3)]
@@ -277,15 +303,18 @@ class Scene:
             one.at = P.R.T @ (D.p + D.R @ c + one.contact(bodies)[0] - P.p)
             m.conditions.append(one)
             if self.independent(1):
-                self.words.append('rolling(roll, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius = %r)' % (
-                    plane, disc, listed([exact(x) for x in one.at]), centre, normal, axis, radius))
+                self.words.append(
+                    'rolling(roll, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius = %r)'
+                    % (plane, disc, listed([exact(x)
+                                            for x in one.at]), centre, normal, axis, radius))
                 self.tags.add('rolls')
                 return
             m.conditions.pop()
 
     def ordinary(self):
         """[(coordinate, letter, joint)] that are no Euler parameters"""
-        return [(n, k, j) for j in self.m.tree if 'b' not in j.letters() for n, k in zip(j.names, j.letters())]
+        return [(n, k, j) for j in self.m.tree if 'b' not in j.letters()
+                for n, k in zip(j.names, j.letters())]
 
     def coordinate(self, name):
         return float(self.start.q[self.m.names().index(name)])
@@ -316,13 +345,15 @@ class Scene:
         m.number()
         for _ in range(6 if self.ordinary() else 0):
             name, _, j = r.choice(self.ordinary())
-            law = Law(name, self.coordinate(name), round(r.uniform(-1, 1), 2), .3, float(r.randint(1, 4)))
+            law = Law(name, self.coordinate(name), round(r.uniform(-1, 1), 2), .3,
+                      float(r.randint(1, 4)))
             m.conditions.append(law)
             if self.independent(0 if r.random() < .3 else 1):
                 if r.random() < .5 and j.nq() == 1:
                     j.options['motion'] = law.text
                 else:
-                    self.words.append('motion(law%d, coordinate = %s, law = %s)' % (len(m.conditions), name, law.text))
+                    self.words.append('motion(law%d, coordinate = %s, law = %s)' %
+                                      (len(m.conditions), name, law.text))
                 self.tags.add('driven')
                 return
             m.conditions.pop()
@@ -365,21 +396,26 @@ class Scene:
 
     def force(self, name):
         r, m = self.r, self.m
-        link, kind = r.choice(m.links)['name'], r.choice(['force', 'torque', 'force', 'gyroscope', 'gyroscope'])
+        link, kind = r.choice(m.links)['name'], r.choice(
+            ['force', 'torque', 'force', 'gyroscope', 'gyroscope'])
         self.tags.add(kind)
         if kind == 'gyroscope':
             (axis, a), (text, h) = self.axis(), self.number(.3, 2, 0)
             m.elements.append(Gyroscope(link, a, h))
-            self.words.append('gyroscope(%s, %s, axis = %s, momentum = %s)' % (name, link, axis, text))
+            self.words.append(
+                'gyroscope(%s, %s, axis = %s, momentum = %s)' % (name, link, axis, text))
             return
-        vector, frame, at, point = [self.formula() for _ in range(3)], r.choice(['ground', 'link']), '', np.zeros(3)
+        vector, frame, at, point = [self.formula() for _ in range(3)], r.choice(
+            ['ground', 'link']), '', np.zeros(3)
         if kind == 'force' and r.random() < .7:
             text, point = self.vector(-.5, .5)
             at = ', at = ' + text
         m.elements.append(Force(link, frame, point, vector, kind == 'torque'))
         word = ', frame = ' + frame if frame == 'link' or r.random() < .3 else ''
         self.tags.add(kind + ' in axes of ' + frame)
-        self.words.append('%s(%s, %s, vector = %s%s%s)' % (kind, name, link, listed([e.text for e in vector]), at, word))
+        self.words.append(
+            '%s(%s, %s, vector = %s%s%s)' % (kind, name, link, listed([e.text
+                                                                       for e in vector]), at, word))
 
     def ends(self):
         """text and data of two points that are not near each other"""
@@ -424,7 +460,8 @@ class Scene:
         elif way == 'length' and len(o) > 1:
             (x, _, _), (y, _, _) = r.sample(o, 2)
             form = (x, y, r.choice([1., -2.]), r.choice([0., .5]))
-            where, stand, turning = 'length = %r*%s + (%r)*%s*%s' % (form[2], x, form[3], x, y), Stand(form=form), False
+            where, stand, turning = 'length = %r*%s + (%r)*%s*%s' % (form[2], x, form[3], x,
+                                                                     y), Stand(form=form), False
         else:
             where, ends = self.ends()
             stand, turning = Stand(ends=ends), False
@@ -440,7 +477,8 @@ class Scene:
         self.tags |= {'device ' + w.split('(')[0] for w in machine.words} | {'device on ' + way}
 
     def source(self, r, word, name):
-        """option and formula of an input of a device: of the scene's own, a formula, or left open"""
+        """option and formula of an input of a device: of the scene's own, a formula, or left
+        open"""
         kind = r.choice(['open', 'input', 'formula'])
         if kind == 'open':
             self.open.append(name + '_' + word)
@@ -456,7 +494,8 @@ class Scene:
         (x, _, _), (y, _, _) = self.r.sample(self.ordinary(), 2)
         a, b = round(self.r.uniform(-.5, .5), 2), round(self.r.uniform(-.5, .5), 2)
         self.m.mixing = (x, y, a, b)
-        self.words.append('speeds = [mix1 = %s_d + (%r)*%s_d, mix2 = %s_d + (%r)*sin(%s)*%s_d]' % (x, a, y, y, b, x, x))
+        self.words.append('speeds = [mix1 = %s_d + (%r)*%s_d, mix2 = %s_d + (%r)*sin(%s)*%s_d]' %
+                          (x, a, y, y, b, x, x))
         self.tags.add('speeds of its own')
 
     # ----------------------------------------------------------------------------------------------------------- text
@@ -464,12 +503,14 @@ class Scene:
     def write(self):
         r, m = self.r, self.m
         links = [l['text'] for l in m.links]
-        r.shuffle(links)      # the order of links need not be the tree's
+        r.shuffle(links)  # the order of links need not be the tree's
         texts = links
         for j in m.joints:
             o = list(j.options.items())
             r.shuffle(o)
-            texts.append('%s(%s, %s, %s%s)' % (j.type, j.name, j.parent, j.child, ''.join(', %s = %s' % x for x in o)))
+            texts.append(
+                '%s(%s, %s, %s%s)' % (j.type, j.name, j.parent, j.child, ''.join(', %s = %s' % x
+                                                                                 for x in o)))
         self.reactions = r.random() < .5
         if self.reactions:
             texts += ['output(r_%s, reaction(%s))' % (j.name, j.name) for j in m.joints]

@@ -1,4 +1,5 @@
-"""Maxima sessions that derive scenes one after the other: a crash or a hang is that of one scene, the others go on."""
+"""Maxima sessions that derive scenes one after the other: a crash or a hang is that of one scene,
+the others go on."""
 import ctypes
 import os
 import subprocess
@@ -32,7 +33,8 @@ def command(root, folder, call):
     words = {'passes': call.way.passes, 'requests': call.requests}
     listed = {k: '[' + ', '.join(v) + ']' for k, v in words.items()}
     return 'random_derive("%s", "%s", \'%s, \'%s, \'%s, \'%s, %s)$' % (
-        folder, call.scene.name, listed['passes'], call.way.forward, call.way.numbers, listed['requests'], call.points)
+        folder, call.scene.name, listed['passes'], call.way.forward, call.way.numbers,
+        listed['requests'], call.points)
 
 
 def derive(root, folder, calls, lisp):
@@ -58,14 +60,20 @@ def session(root, folder, calls, lisp, log, found):
         f.write('load("%s/gsmbp/gsmbp.mac")$\nload("%s/tests/random/derive.mac")$\n' % (root, root))
         f.write('\n'.join(command(root, folder, c) for c in calls) + '\n')
     with open(log, 'w') as out:
-        p = subprocess.Popen(['maxima-sage' if lisp == 'ECL' else 'maxima', '--very-quiet', '--init=none', '-b', batch],
-                             stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, preexec_fn=dies_with_parent,
+        p = subprocess.Popen([
+            'maxima-sage' if lisp == 'ECL' else 'maxima', '--very-quiet', '--init=none', '-b', batch
+        ],
+                             stdin=subprocess.DEVNULL,
+                             stdout=out,
+                             stderr=subprocess.STDOUT,
+                             preexec_fn=dies_with_parent,
                              env={**os.environ, 'GCL_GC_ALLOC_MIN': '0.5'})
     watch(p, calls, log, found)
 
 
 def watch(p, calls, log, found):
-    """follows the log until the session ends; the scene that was begun and not done is the one that ended it"""
+    """follows the log until the session ends; the scene that was begun and not done is the one
+    that ended it"""
     began, name = {}, None
     while True:
         over = p.poll() is not None
