@@ -12,6 +12,18 @@
 ;; e without the marks that functions like ratsimp leave on it, so that equal expressions are equal lists
 (defun $gsmbp__unmarked (e)
   (if (atom e) e (cons (if (member 'array (cdar e)) (list (caar e) 'simp 'array) (list (caar e) 'simp)) (mapcar #'$gsmbp__unmarked (cdr e)))))
+;; a table with the same values; of a tape's `numbers` also the pairs in them, which change
+(defun $gsmbp__copied_hash (h)
+  (let ((c (make-hash-table :test #'equal))) (maphash #'(lambda (k v) (setf (gethash k c) v)) h) c))
+(defun $gsmbp__copied_numbers (h)
+  (let ((c (make-hash-table :test #'equal))) (maphash #'(lambda (k v) (setf (gethash k c) (copy-tree v))) h) c))
+;; the passes that are on, as a number: part of the key of what a scene remembers
+(defvar $gsmbp_passes)
+(defvar *gsmbp-pass-lists* (make-hash-table :test #'equal))
+(defun $gsmbp__passes_key ()
+  (let ((l (if (consp $gsmbp_passes) (cdr $gsmbp_passes) $gsmbp_passes)))
+    (or (gethash l *gsmbp-pass-lists*)
+        (setf (gethash l *gsmbp-pass-lists*) (1+ (hash-table-count *gsmbp-pass-lists*))))))
 ;; true if the table h holds one of the symbols of a list
 (defun $gsmbp__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
