@@ -1,7 +1,7 @@
 ;;; gsmbp_span.lisp: can an expression have a real, finite value at all?
 ;;;
-;;; Interval arithmetic: a span (lo . hi) holds every real value that an expression can have; symbols
-;;; have the span of their value, or any. Where nothing is left (the root or logarithm of what is
+;;; Interval arithmetic: a span (lo . hi) holds every real value that an expression can have;
+;;; symbols have the span of their value, or any. Where nothing is left (the root or logarithm of what is
 ;;; negative, a division by zero, %i, inf) the value is not real and finite. Values above
 ;;; gsmbp-span-huge count as endless. What is wrong by rounding alone is not refused.
 (in-package :maxima)
@@ -58,7 +58,8 @@
 
 (defun gsmbp-span-function (o a)
   (case o
-    (%log (and (> (cdr a) 0) (gsmbp-span-between (gsmbp-span-log (car a)) (gsmbp-span-log (cdr a)))))
+    (%log (and (> (cdr a) 0)
+            (gsmbp-span-between (gsmbp-span-log (car a)) (gsmbp-span-log (cdr a)))))
     (%sin (gsmbp-span-at #'cl:sin a (cons -1d0 1d0)))
     (%cos (gsmbp-span-at #'cl:cos a (cons -1d0 1d0)))
     (%tan (gsmbp-span-at #'cl:tan a gsmbp-span-any))
@@ -73,10 +74,13 @@
 (defun gsmbp-span-log (x) (if (> x 1d-150) (cl:log x) (- gsmbp-span-huge)))
 ;;; of a function of which only the value at a point is of interest
 (defun gsmbp-span-at (f s wide)
-  (if (and (gsmbp-span-point-p s) (< (abs (car s)) 1d9)) (gsmbp-span-between (funcall f (car s))) wide))
+  (if (and (gsmbp-span-point-p s) (< (abs (car s)) 1d9))
+    (gsmbp-span-between (funcall f (car s)))
+    wide))
 ;;; endless times zero: the end is not reached, so zero
 (defun gsmbp-span-times (a b)
-  (gsmbp-span-between (* (car a) (car b)) (* (car a) (cdr b)) (* (cdr a) (car b)) (* (cdr a) (cdr b))))
+  (gsmbp-span-between (* (car a) (car b)) (* (car a) (cdr b))
+    (* (cdr a) (car b)) (* (cdr a) (cdr b))))
 
 ;;; a^b, b being the exponent e as it is written: a whole number, another number, or anything
 (defun gsmbp-span-power (a b e)

@@ -4,6 +4,9 @@
 ## Derive the scene file @var{scene} (.mac) by Maxima and write its Fortran and
 ## .json into @var{folder}; without one they are only derived, to measure it.
 ##
+## Maxima's warnings about the scene are warnings here
+## (@code{warning ("off", "gsmbp:derive")} silences them).
+##
 ## @var{cpu} and @var{wall} are seconds of processor and clock; Maxima's start
 ## and the loading of GSMBP are in them.
 ## @seealso{gsmbp_build}
@@ -23,11 +26,14 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   command = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "share", "make", "derive");
   quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], {command, make_absolute_filename(scene), make_absolute_filename(folder)}, "UniformOutput", false);
   start = tic ();
-  [status, text] = system (sprintf ("%s && times", strjoin (quoted, " ")));
+  [status, text] = system (sprintf ("%s 2>&1 && times", strjoin (quoted, " ")));
   wall = toc (start);
   if (status != 0)
     error ("gsmbp_derive: %s:\n%s", scene, text);
   endif
+  for line = regexp (text, '^gsmbp\w*: [^\n]*', "match", "lineanchors")
+    warning ("gsmbp:derive", "gsmbp_derive: %s: %s", scene, line{1});
+  endfor
   ## the last line of the shell's `times`: user and system seconds of what it started
   spent = regexp (text, '(\d+)m([\d.]+)s\s+(\d+)m([\d.]+)s\s*$', "tokens"){1};
   spent = str2double (spent);

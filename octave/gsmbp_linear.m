@@ -107,9 +107,9 @@ function [q, u] = chosen (m, names, P, H)
     error ("gsmbp_linear: option reduced: expected names of coordinates, \"auto\" or \"none\", found %s", gsmbp__shown (names));
   endif
   d = m.sizes;
-  [found, k] = ismember (names, m.states);
-  if (! all (found))
-    error ("gsmbp_linear: option \"reduced\": %s is no state of %s; it has %s", names{find (! found, 1)}, m.name, strjoin (m.states', ", "));
+  k = gsmbp__which (names, m.states);
+  if (! all (k))
+    error ("gsmbp_linear: option \"reduced\": %s is no state of %s; it has %s", names{find (! k, 1)}, m.name, strjoin (m.states', ", "));
   endif
   q = sort (k(k <= d.nq))(:)';
   u = sort (k(k > d.nq & k <= d.nq + d.nu) - d.nq)(:)';

@@ -5,7 +5,9 @@
 ## units), given by name and value or as the fields of the struct @var{values}.
 ##
 ## What depends on the parameters alone is computed anew and the handles of the
-## result use it; the argument keeps its own.
+## result use it; the argument keeps its own.  What the scene would refuse is an
+## error here: a negative mass, an inertia that no body has, a value out of the
+## range of a device.
 ## @seealso{gsmbp_build}
 ## @end deftypefn
 
@@ -14,6 +16,7 @@ function m = gsmbp_set (m, varargin)
     print_usage ();
   endif
   m.par = merged (m, varargin);
+  gsmbp__check_values (m);
   m = gsmbp__handles (m);
 endfunction
 
@@ -34,10 +37,19 @@ function par = merged (m, pairs)
       error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
-      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, disp (value)(1:end-1));
+      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, shown (value));
     endif
     par.(name) = double (value);
   endfor
+endfunction
+
+## a value in one line
+function text = shown (value)
+  if (isempty (value))
+    text = sprintf ("an empty %s", class (value));
+  else
+    text = regexprep (strtrim (disp (value)), '\s*\n\s*', "; ");
+  endif
 endfunction
 
 %!shared m
@@ -48,4 +60,7 @@ endfunction
 %!assert (m.par.l, 0.5)
 %!error <unknown parameter "G"> gsmbp_set (m, "G", 1)
 %!error <parameter g must be one finite number> gsmbp_set (m, "g", [1 2])
+%!error <must be one finite number, found: an empty double> gsmbp_set (m, "g", [])
+%!error <must be one finite number, found: NaN> gsmbp_set (m, "g", NaN)
+%!error <must be one finite number, found: 1 \+ 2i> gsmbp_set (m, "g", 1 + 2i)
 %!error <PRE|pre> gsmbp_set (m, "J", -1)

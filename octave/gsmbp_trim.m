@@ -460,10 +460,10 @@ function k = places (who, names, all_names, option, what)
   if (ischar (names))
     names = {names};
   endif
-  [found, k] = ismember (names, all_names);
-  if (! all (found))
+  k = gsmbp__which (names, all_names);
+  if (! all (k))
     error ("%s: option \"%s\": %s is not %s; expected one of %s", who, option,
-           names{find (! found, 1)}, what, strjoin (all_names, ", "));
+           names{find (! k, 1)}, what, strjoin (all_names, ", "));
   endif
 endfunction
 
