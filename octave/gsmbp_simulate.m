@@ -102,6 +102,12 @@
 ## @var{nv} x @var{nx}, or a piecewise polynomial with @var{nv}*@var{nx}
 ## components (columns of K one after the other); x0 is a state or a piecewise
 ## polynomial with @var{nx} components
+## @item "limits"
+## with "gain": what the actuators can give.  The inputs, v0 and feedback together,
+## stop there: one number (each input between its negative and it), @var{nv}
+## numbers, or @var{nv} x 2 (lower and upper; Inf: none).  Where a limit is
+## reached the equations have a corner; step control finds it.  Held outputs of
+## sampled devices and modes have no limits here.
 ## @item "breaks"
 ## further times at which an input jumps.  At these and at the breaks of all
 ## piecewise polynomials the integration stops and starts again.
@@ -194,7 +200,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
-                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "breaks", [],
+                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "limits", [], "breaks", [],
                      "memory", [], "samples", true, "modes", [], "audit", [], "start", "check");
   o = gsmbp__options (who, defaults, varargin);
   times = gsmbp__times (who, times);
@@ -471,6 +477,38 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
     [ip, rp, breaks] = put (ip, rp, breaks, 14, as_pp (who, o.reference, [d.nx 1], "the reference"));
     [ip, rp, breaks] = put (ip, rp, breaks, 18, as_pp (who, o.gain, [d.nv d.nx], "the gain"));
   endif
+  [ip, rp] = limits (who, m, o, ip, rp);
+endfunction
+
+## what bounds the inputs of a state feedback, behind RP
+function [ip, rp] = limits (who, m, o, ip, rp)
+  given = o.limits;
+  nv = m.sizes.nv;
+  if (isempty (given))
+    return;
+  elseif (isempty (o.gain))
+    error (["%s: option limits bounds what a state feedback gives and needs option gain; " ...
+            "without feedback give an input that keeps to its limits"], who);
+  elseif (! isnumeric (given) || any (isnan (given(:))) || ! isreal (given))
+    error ("%s: option limits: expected real numbers", who);
+  endif
+  if (isscalar (given))
+    given = repmat (given, nv, 1);
+  endif
+  if (numel (given) == nv && (nv != 2 || isvector (given)))
+    given = [-given(:), given(:)];
+  endif
+  if (! isequal (size (given), [nv 2]))
+    error ("%s: option limits: expected 1, %d or %d x 2 numbers, found %d x %d", who, nv, nv, ...
+           size (o.limits));
+  endif
+  k = find (! (given(:,1) < given(:,2)), 1);
+  if (! isempty (k))
+    error ("%s: option limits: of %s the lower limit must be below the upper one; found %g and %g",
+           who, m.inputs{k}, given(k,1), given(k,2));
+  endif
+  ip(30) = numel (rp) + 1;
+  rp = [rp, max(min (given, realmax), -realmax)(:)'];
 endfunction
 
 ## a piecewise polynomial into RP, its description into IP(PLACE:PLACE+3)
@@ -560,4 +598,18 @@ endfunction
 %!error <option loops must be one of baumgarte> gsmbp_simulate (c, c.initial, [0 1], "loops", "none")
 %!error <not both> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd", "projection", true)
 %!error <needs the subroutine PRJ> gsmbp_simulate (m, [0 0 0], [0 1], "projection", true)
+%!test <a feedback that stops at its limits: full voltage until late, and it arrives>
+%! K = [400, 10, 0];
+%! r = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", 12);
+%! assert (max (abs (r.v)), 12);
+%! free = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0]);
+%! assert (max (abs (free.v)) > 100 && abs (free.x(end,1) - r.x(end,1)) < 1e-6);
+%! e = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "input", @(t, x) min (12, max (-12, -K * (x - [0.5; 0; 0]))));
+%! assert (r.x, e.x, 1e-8);
+%! c = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", [-12 12], "method", "cvode");
+%! assert (r.x, c.x, 1e-5);
+%!error <needs option gain> gsmbp_simulate (m, [0 0 0], [0 1], "limits", 12)
+%!error <the lower limit must be below> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 -1])
+%!error <expected 1, 1 or 1 x 2 numbers> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
+%!error <expected real numbers> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
 %!error <input: expected 1 finite> gsmbp_simulate (m, [0 0 0], [0 1], "input", [1 2])

@@ -5,7 +5,8 @@ C     PURPOSE
 C     The inputs V at time T during a compiled run: constants, a table,
 C     a planned motion carried through the actuators, or a subroutine of
 C     the user; with or without linear state feedback along a reference,
-C        V = v0(T) - K(T)*( X - x0(T) ).
+C        V = v0(T) - K(T)*( X - x0(T) ),
+C     within limits where these are given.
 C
 C     ARGUMENTS
 C     CMD     (external) <NAME>_CMD, called if IP(1) = 2.
@@ -40,7 +41,8 @@ C             IP(26)     where in IP and IP(27) where in RP the plan of
 C                    the samples begins (GSSMP); 0: there is none;
 C             IP(28)     where in IP and IP(29) where in RP the plan of
 C                    the events begins (GSRES); 0: there is none;
-C             IP(30)     unused, zero;
+C             IP(30)     where in RP the limits of V begin, NV lower and NV
+C                    upper ones, which hold with feedback; 0: none;
 C             IP(30+I)   the number of the I-th planned coordinate;
 C             from IP(31+NA) on: the user's own.
 C     RP      (input) DOUBLE PRECISION array, breaks and coefficients,
@@ -113,6 +115,10 @@ C     -- feedback
             V(I) = V(I) - W(IK+I-1+NV*(J-1))*( X(J) - W(IXR+J-1) )
    50    CONTINUE
    60 CONTINUE
+      IF ( IP(30).LE.0 ) GO TO 70
+      DO 65 I = 1, NV
+         V(I) = MIN( MAX( V(I), RP(IP(30)+I-1) ), RP(IP(30)+NV+I-1) )
+   65 CONTINUE
 C
 C     -- what is held, modes
    70 DO 80 I = 1, IP(23)
