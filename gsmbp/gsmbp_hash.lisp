@@ -28,7 +28,7 @@
 (defun $gsmbp__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
 ;; e with every symbol that the table h holds replaced by what it holds; simplified, not evaluated
-(defun $gsmbp__replace (h e) (if (zerop (hash-table-count h)) e (gsmbp-replace h e)))
+(defun $gsmbp__replace (h e) (gsmbp-tick) (if (zerop (hash-table-count h)) e (gsmbp-replace h e)))
 (defun gsmbp-replace (h e)
   (cond ((symbolp e) (or (gethash e h) e))
         ((or (atom e) (eq (caar e) 'rat)) e)

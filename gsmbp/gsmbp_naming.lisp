@@ -85,6 +85,7 @@
                    (gsmbp-keep tp e key v)))))))
 
 (defun $gsmbp__tape_write (tp v e)
+  (gsmbp-tick)
   (incf (gsmbp-count tp))
   (setf (gethash v (gsmbp-entries tp)) (gsmbp-list (list v e (gsmbp-block tp) (gsmbp-count tp) ($gsmbp__symbols e)))))
 

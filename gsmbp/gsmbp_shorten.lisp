@@ -259,7 +259,7 @@
   (let ((nodes (make-hash-table :test #'eq)) (names nil) (outs (cdr outputs))
         (*gsp-names* (make-hash-table :test #'equal)) (*gsp-numbers* (make-hash-table :test #'eq)))
     (labels ((put (v n) (setf (gethash v nodes) n) (push v names))
-             (new () (mfuncall fresh))
+             (new () (gsmbp-tick) (mfuncall fresh))
              (live () (setq names (remove-if-not #'(lambda (v) (gethash v nodes)) names)))
              (old-first () (live) (sort (copy-list names) #'< :key #'(lambda (v) (gsp-number (gethash v nodes))))))
       (dolist (e (cdr code))

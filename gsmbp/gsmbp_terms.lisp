@@ -12,6 +12,7 @@
   (cond ((null factors) 1) ((null (cdr factors)) (car factors)) (t (cons '(mtimes simp) factors))))
 
 (defun $gsmbp__trig_classes (e table)
+  (gsmbp-tick)
   (let ((classes (make-hash-table :test #'equal)) (keys nil))
     (mapc #'(lambda (term)
               (let ((own nil) (beside nil))

@@ -187,6 +187,7 @@
                (when (< width 0) (return (mfuncall '$gsmbp__statement_lines (gsmbp-joined (cdr pieces) "") "" 0))))))))
 
 (defun $gsmbp__push (lines)
+  (gsmbp-tick)
   (let ((due (reverse *gsmbp-due*)))
     (setq *gsmbp-due* nil)
     (dolist (d due) (gsmbp-push-line (gsmbp-load-line (car d) (cdr d)))))
