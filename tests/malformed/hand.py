@@ -1,4 +1,4 @@
-"""300 malformed or odd scenes: CASES, a list of [class, element that an error must name, text of the scene]."""
+"""CASES, 300 malformed or odd scenes: [class, element that an error must name, text]."""
 C = []
 def add(cls, name, text): C.append([cls, name, text])
 B = 'link(body, mass = 1, inertia = [1, 1, 1]), revolute(A, ground, body, axis = z, coordinate = q1)'

@@ -1,8 +1,8 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3 -B
 """Malformed scenes: each is valid (derives, compiles, gives a finite result), warned, or refused by one clear error.
 
-  judge.py hand [STEP]          every STEP-th of the 300 scenes of hand.py, against the verdicts of table.txt
-  judge.py table                writes table.txt
+  judge.py hand [STEP [FROM]]   every STEP-th of the 300 scenes of hand.py, against the verdicts of table.txt
+  judge.py table [STEP [FROM]]  lines for table.txt
   judge.py mutants SEED COUNT   mutants of the examples and of tests/scenes: request [mass], no verdicts to compare with
 
 Verdicts: valid, warned, refused; syntax: Maxima's parser, GSMBP never saw it. The others are faults: unnamed (an error
@@ -100,10 +100,10 @@ class Fortran:
         start = [x if d['loops'] or d['orientation'] else x + 0.3 for x in d['initial']]
         text = '\n'.join('      X(%d) = %.15E' % (k + 1, x) for k, x in enumerate(start)).replace('E', 'D')
         sizes = tuple(max(1, s[k]) for k in ('npar', 'ncst', 'nx', 'nv', 'nx'))
-        open(folder + '/main.f', 'w').write(MAIN % (sizes + (n, n, text, max(1, s['nv']), n, s['nx'])))
-        if self.run(['gfortran', '-O0', '-w', 'main.f', file + '.f', '-L' + self.folder + '/lib', '-lgs', '-llapack',
-                     '-lblas', '-o', 'main'], folder): return False
-        return self.run(['./main'], folder) == 0
+        open(folder + '/gsmbp-runs.f', 'w').write(MAIN % (sizes + (n, n, text, max(1, s['nv']), n, s['nx'])))
+        if self.run(['gfortran', '-O0', '-w', 'gsmbp-runs.f', file + '.f', '-L' + self.folder + '/lib', '-lgs', '-llapack',
+                     '-lblas', '-o', 'gsmbp-runs'], folder): return False
+        return self.run(['./gsmbp-runs'], folder) == 0
 
 def judged(cases, request, folder, fortran):
     """(verdict, what was printed) of each case"""
@@ -134,18 +134,17 @@ def main(args, folder):
             if v not in GOOD: print('not ok', v, case[0], case[1], '|', text[:300], flush=True)
         print('ok %d mutants:' % len(cases), count)
     else:
-        step = int(args[1]) if len(args) > 1 else 1
-        chosen = list(range(0, len(CASES), step))
-        told = {} if args[0] == 'table' else {int(l[:3]): l.split()[1] for l in open(TABLE) if l[:3].isdigit()}
-        lines = []
-        for k, (v, text) in zip(chosen, judged([CASES[k] for k in chosen], 'all', folder, Fortran(folder))):
-            lines.append(line(k, CASES[k], v, text))
-            if args[0] == 'hand': print('ok' if v == told.get(k) else 'not ok: expected %s, found' % told.get(k), lines[-1], flush=True)
-        if args[0] == 'table':
-            open(TABLE, 'w').write('# scene of hand.py, verdict (judge.py), class, element, reason\n' + '\n'.join(lines) + '\n')
-    return 0
+        step, first = (list(map(int, args[1:])) + [1, 0][len(args) - 1:])[:2]
+        chosen = range(first, len(CASES), step)
+        told = {}
+        if args[0] == 'hand': told = {int(l[:3]): l.split()[1] for l in open(TABLE) if l[:3].isdigit()}
+        results = judged([CASES[k] for k in chosen], 'all', folder, Fortran(folder))
+        for k, (v, text) in zip(chosen, results):
+            mark = ''
+            if told: mark = 'ok ' if v == told.get(k) else 'not ok: expected %s, found ' % told.get(k)
+            print(mark + line(k, CASES[k], v, text), flush=True)
 
 if __name__ == '__main__':
     place = tempfile.mkdtemp()
-    try: sys.exit(main(sys.argv[1:], place))
+    try: main(sys.argv[1:], place)
     finally: shutil.rmtree(place, ignore_errors=True)
