@@ -14,12 +14,13 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random bench bench-loops bench-devices bench-abbreviate doc install clean
+.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-devices bench-abbreviate doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
 	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10)'
+	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
@@ -64,6 +65,13 @@ test: packages-test
 
 test-random: packages-test compiled
 	@tests/random/run
+
+# SEED and COUNT: other mutants
+SEED  ?= 1
+COUNT ?= 300
+test-malformed: packages-test compiled
+	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(COUNT); } | tee /dev/stderr | \
+	  awk '/^ok / { n++ } /^not ok / { bad++ } END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
 
 bench: packages compiled
 	@mkdir -p tests/bench/out

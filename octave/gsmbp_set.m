@@ -37,19 +37,10 @@ function par = merged (m, pairs)
       error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
-      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, shown (value));
+      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, gsmbp__shown (value));
     endif
     par.(name) = double (value);
   endfor
-endfunction
-
-## a value in one line
-function text = shown (value)
-  if (isempty (value))
-    text = sprintf ("an empty %s", class (value));
-  else
-    text = regexprep (strtrim (disp (value)), '\s*\n\s*', "; ");
-  endif
 endfunction
 
 %!shared m
