@@ -174,7 +174,8 @@ function digital ()
     speed = count * (angle - old) / 1e-3;
     raw = 3 * (10 * (0.5 - angle) - speed + I);
     u = 0.01 * floor (max (-30, min (30, raw)) / 0.01 + 0.5);
-    I += 1e-3 * (10 * (0.5 - angle) - speed) / 0.1 + 1e-3 * (u - raw) / (3 * 0.1);
+    draw = 1 / (1 + 1e-4);   # Ti = Tt
+    I += 1e-3 * (10 * (0.5 - angle) - speed) / 0.1 + draw * 1e-3 * (u - raw) / (3 * 0.1);
     old = angle;
     ## PID, every second time; its output comes half a millisecond later
     next = held;
@@ -183,7 +184,8 @@ function digital ()
       d = (0.01 * d + count * 4 * (e - ep)) / 0.012;
       raw = 60 * e + Ip + d;
       next = q12 * floor (max (-50, min (50, raw)) / q12 + 0.5);
-      Ip += 100 * 0.002 * e + 0.002 / 0.3 * (next - raw);
+      draw = (100 * 0.3)^2 / ((100 * 0.3)^2 + (60 / 100)^2);
+      Ip += 100 * 0.002 * e + draw * 0.002 / 0.3 * (next - raw);
       ep = e;
     end
     cart = half(1:3,:) * [cart; held];
