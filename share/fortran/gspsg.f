@@ -1,7 +1,7 @@
       SUBROUTINE GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, NQ,
-     $                  NU, NX, NV, NLAM, IP, RP, CST, V, RTOL, ATOL,
-     $                  F, XN, FN, WI, P, ISTAT, RSTAT, ERR, EIT, TS,
-     $                  SMIN, INFO )
+     $                  NU, NX, NS, NV, NLAM, IP, RP, CST, V, RTOL,
+     $                  ATOL, F, XN, FN, WI, P, ISTAT, RSTAT, ERR, EIT,
+     $                  TS, SMIN, INFO )
 C
 C     PURPOSE
 C     The motion through a position where the constraints lose rank, in
@@ -14,9 +14,10 @@ C             at T, which may lie anywhere between TC-D and TC+D, at the
 C             singular position as well.
 C     TC, D   (input) DOUBLE PRECISION: the step is from TC-D to TC+D;
 C             the singular position ought to lie at TC.
+C     NS      (input) INTEGER, the number of stages, 8 or 12.
 C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 is the right-hand side at (T,X), on exit
-C             the others are that at the stages: GSPTH then has the
+C             the next NS are that at the stages: GSPTH then has the
 C             state at all times of the step.
 C     XN, FN  (workspace) DOUBLE PRECISION arrays, dimension (NX).
 C     P       (input/output) DOUBLE PRECISION array, see GSPRT, with the
@@ -33,14 +34,14 @@ C             far from TC: another step is to be tried, about TS; 2 if
 C             the iteration does not converge; 3 if a stage failed.
 C
 C     METHOD
-C     Collocation at the twelve points of Gauss, an even number: none is
-C     nearer to TC than D/8.  The stages are completed by GSPRT.  First
-C     every stage is predicted from those before it, then all of them
-C     are iterated.  On the branch that the mechanism takes the motion
+C     Collocation at the points of Gauss, an even number: none of 8 is
+C     nearer to TC than 0.18*D, none of 12 nearer than 0.12*D.  The
+C     stages are completed by GSPRT.  First every stage is predicted
+C     from those before it, then all of them are iterated.  On the branch that the mechanism takes the motion
 C     is a smooth function of time, but what follows from the
 C     constraints at a position close to the singular one is not known:
-C     an error e of theirs is one of e/s in completed coordinates, e/s**2
-C     in speeds, e/s**3 in accelerations, s being the least pivot.
+C     an error e of theirs is one of e/s in completed coordinates,
+C     e/s**2 in speeds, e/s**3 in accelerations, s being the least pivot.
 C
 C     REFERENCE
 C     Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
@@ -48,7 +49,7 @@ C     I, section II.7 (collocation).
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
-      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), INFO
+      INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*), INFO
       DOUBLE PRECISION   T, X(*), TC, D, RP(*), CST(*), V(*), RTOL,
      $                   ATOL(*), F(NX,13), XN(*), FN(*), WI(*), P(*),
      $                   RSTAT(*), ERR, EIT, TS, SMIN
@@ -58,18 +59,18 @@ C
       EXTERNAL           GSEPS, GSGLN, GSGLQ, GSPSF, GSPMN, GSFUN,
      $                   GSPER, GSPTH, GSLGP
 C
-      CALL GSGLN( C, WT )
+      CALL GSGLN( NS, C, WT )
       C0  = ( T - TC )/D
       ERR = 0.0D0
       EIT = 0.0D0
       CALL GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, F, XN, WI, P, ISTAT,
+     $            NX, NS, NV, NLAM, IP, RP, CST, V, F, XN, WI, P, ISTAT,
      $            RSTAT, ORDER, INFO )
       IF ( INFO.NE.0 ) THEN
          INFO = 3
          RETURN
       END IF
-      CALL GSPMN( CON, T, X, TC, D, -0.7D0, 0.7D0, NQ, NU, NX, NLAM,
+      CALL GSPMN( CON, T, X, TC, D, -0.7D0, 0.7D0, NQ, NU, NX, NS, NLAM,
      $            CST, F, XN, P, CS, SMIN )
       TS = TC + CS*D
       IF ( ABS( CS ).GT.0.03D0 ) THEN
@@ -78,14 +79,14 @@ C
       END IF
 C
 C     -- iterations
-      TOL = MAX( RTOL, 1.0D3*GSEPS() )
+      TOL = MAX( RTOL, 5.0D3*GSEPS() )
       OLD = 1.0D300
       DO 60 L = 1, 40
          EIT = 0.0D0
-         DO 50 J = 1, 12
+         DO 50 J = 1, NS
             K = ORDER(J)
-            CALL GSGLQ( C, WT, C0, C(K), B )
-            CALL GSPTH( NX, NX, X, D, B, F, XN )
+            CALL GSGLQ( NS, C, WT, C0, C(K), B )
+            CALL GSPTH( NX, NS, NX, X, D, B, F, XN )
             CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, 1,
      $                  XN, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, FN,
      $                  WI, P, ISTAT, RSTAT, INFO )
@@ -110,28 +111,31 @@ C     -- iterations
    70 INFO = 2
       RETURN
 C
-C     -- the last two coefficients of the polynomial
-   80 DO 110 J = 10, 11
+C     -- how the last coefficients of the polynomial fall
+   80 OLD = 0.0D0
+      DO 110 J = NS - 4, NS - 1
          DO 90 I = 1, NX
             FN(I) = 0.0D0
    90    CONTINUE
-         DO 105 K = 1, 12
-            CALL GSLGP( 12, C(K), B )
+         DO 105 K = 1, NS
+            CALL GSLGP( NS, C(K), B )
             S = D*WT(K)*B(J+1)*0.5D0
             DO 100 I = 1, NX
                FN(I) = FN(I) + S*F(I,K+1)
   100       CONTINUE
   105    CONTINUE
          CALL GSPER( NQ, NU, NX, X, FN, TOL, ATOL, RTOL, P, S )
-         ERR = MAX( ERR, S )
+         IF ( J.LT.NS - 2 ) OLD = MAX( OLD, S )
+         IF ( J.GE.NS - 2 ) ERR = MAX( ERR, S )
   110 CONTINUE
-      CALL GSPMN( CON, T, X, TC, D, -0.2D0, 0.2D0, NQ, NU, NX, NLAM,
+      IF ( ERR.LT.OLD ) ERR = ERR*( ERR/OLD )
+      CALL GSPMN( CON, T, X, TC, D, -0.1D0, 0.1D0, NQ, NU, NX, NS, NLAM,
      $            CST, F, XN, P, CS, SMIN )
       TS = TC + CS*D
       END
       SUBROUTINE GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C,
-     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, F, XN, WI,
-     $                  P, ISTAT, RSTAT, ORDER, INFO )
+     $                  NQ, NU, NX, NS, NV, NLAM, IP, RP, CST, V, F, XN,
+     $                  WI, P, ISTAT, RSTAT, ORDER, INFO )
 C
 C     PURPOSE
 C     The stages of GSPSG for the first time, from C0 outwards (their
@@ -140,7 +144,7 @@ C     are known already.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
-      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+      INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*),
      $                   ORDER(12), INFO
       DOUBLE PRECISION   X(*), TC, D, C0, C(12), RP(*), CST(*), V(*),
      $                   F(NX,13), XN(*), WI(*), P(*), RSTAT(*)
@@ -149,14 +153,14 @@ C
       EXTERNAL           GSFUN, GSLGI
 C
       N = 0
-      DO 10 K = 1, 12
+      DO 10 K = 1, NS
          IF ( C(K).GT.C0 ) THEN
             N = N + 1
             ORDER(N) = K
          END IF
    10 CONTINUE
       NK = N
-      DO 20 K = 12, 1, -1
+      DO 20 K = NS, 1, -1
          IF ( C(K).LE.C0 ) THEN
             N = N + 1
             ORDER(N) = K
@@ -168,7 +172,7 @@ C        once there are others
       Z(1) = C0
       KNOWN(1) = 1
       N = 1
-      DO 60 J = 1, 12
+      DO 60 J = 1, NS
          K = ORDER(J)
          IF ( J.EQ.1 .OR. J.EQ.NK+1 ) THEN
             FROM = C0
@@ -222,28 +226,28 @@ C
    10 CONTINUE
       ERR = SQRT( ERR/DBLE( MAX( 1, N ) ) )
       END
-      SUBROUTINE GSPTH( N, LDF, X, D, B, F, XT )
+      SUBROUTINE GSPTH( N, NS, LDF, X, D, B, F, XT )
 C
 C     PURPOSE
 C     XT = X + D*F(1..N,2..13)*B, the first N states at the place of B
 C     (GSGLQ) in a step of GSPSG.
 C
       IMPLICIT NONE
-      INTEGER            N, LDF
+      INTEGER            N, LDF, NS
       DOUBLE PRECISION   X(*), D, B(12), F(LDF,13), XT(*)
       DOUBLE PRECISION   S
       INTEGER            I, K
 C
       DO 20 I = 1, N
          S = 0.0D0
-         DO 10 K = 1, 12
+         DO 10 K = 1, NS
             S = S + B(K)*F(I,K+1)
    10    CONTINUE
          XT(I) = X(I) + D*S
    20 CONTINUE
       END
-      SUBROUTINE GSPMN( CON, T, X, TC, D, CA, CB, NQ, NU, NX, NLAM, CST,
-     $                  F, XT, P, CS, SMIN )
+      SUBROUTINE GSPMN( CON, T, X, TC, D, CA, CB, NQ, NU, NX, NS, NLAM,
+     $                  CST, F, XT, P, CS, SMIN )
 C
 C     PURPOSE
 C     The least pivot of the constraints, SMIN, and its place CS between
@@ -253,7 +257,7 @@ C     than elsewhere.
 C
       IMPLICIT NONE
       EXTERNAL           CON
-      INTEGER            NQ, NU, NX, NLAM
+      INTEGER            NQ, NU, NX, NS, NLAM
       DOUBLE PRECISION   T, X(*), TC, D, CA, CB, CST(*), F(NX,13),
      $                   XT(*), P(*), CS, SMIN
       DOUBLE PRECISION   S, Z, SP, W
@@ -263,13 +267,13 @@ C
       SMIN = 1.0D300
       CS   = 0.5D0*( CA + CB )
       W    = ( CB - CA )/12.0D0
-      DO 20 L = 1, 5
+      DO 20 L = 1, 4
          Z = CS
          DO 10 K = -6, 6
             S = Z + DBLE( K )*W
             IF ( S.GE.CA - 0.1D0*W .AND. S.LE.CB + 0.1D0*W ) THEN
-               CALL GSPVT( CON, T, X, TC, D, S, NQ, NU, NX, NLAM, CST,
-     $                     F, XT, P, SP )
+               CALL GSPVT( CON, T, X, TC, D, S, NQ, NU, NX, NS, NLAM,
+     $               CST, F, XT, P, SP )
                IF ( SP.LT.SMIN ) THEN
                   SMIN = SP
                   CS   = S
@@ -279,8 +283,8 @@ C
          W = 0.2D0*W
    20 CONTINUE
       END
-      SUBROUTINE GSPVT( CON, T, X, TC, D, CT, NQ, NU, NX, NLAM, CST, F,
-     $                  XT, P, SP )
+      SUBROUTINE GSPVT( CON, T, X, TC, D, CT, NQ, NU, NX, NS, NLAM, CST,
+     $                  F, XT, P, SP )
 C
 C     PURPOSE
 C     The least pivot SP of the constraints at TC + CT*D on the path of
@@ -288,7 +292,7 @@ C     GSPMN, beside the largest; 1D300 where CON fails.
 C
       IMPLICIT NONE
       EXTERNAL           CON
-      INTEGER            NQ, NU, NX, NLAM
+      INTEGER            NQ, NU, NX, NS, NLAM
       DOUBLE PRECISION   T, X(*), TC, D, CT, CST(*), F(NX,13), XT(*),
      $                   P(*), SP
       DOUBLE PRECISION   C(12), WT(12), B(12)
@@ -303,9 +307,9 @@ C
       IP = IB + NU
       IS = IP + NU
       SP = 1.0D300
-      CALL GSGLN( C, WT )
-      CALL GSGLQ( C, WT, ( T - TC )/D, CT, B )
-      CALL GSPTH( NQ, NX, X, D, B, F, XT )
+      CALL GSGLN( NS, C, WT )
+      CALL GSGLQ( NS, C, WT, ( T - TC )/D, CT, B )
+      CALL GSPTH( NQ, NS, NX, X, D, B, F, XT )
       CALL CON( TC + CT*D, XT, X(NQ+1), CST, P(IW), P(IW+NLAM), P(IH),
      $          NLAM, P(IW+2*NLAM), INFO )
       IF ( INFO.NE.0 .AND. INFO.NE.2 ) RETURN
@@ -315,29 +319,31 @@ C
       I  = NINT( P(3) )
       IF ( I.GT.0 .AND. RANK.GE.I ) SP = P(IS+I-1)/P(IS)
       END
-      SUBROUTINE GSGLN( C, WT )
+      SUBROUTINE GSGLN( NS, C, WT )
 C
 C     PURPOSE
-C     The twelve points C and weights WT of Gauss between -1 and 1, the
-C     points rising.
+C     The NS points C and weights WT of Gauss between -1 and 1, the
+C     points rising; NS even, 12 at most.
 C
       IMPLICIT NONE
+      INTEGER            NS
       DOUBLE PRECISION   C(12), WT(12)
       DOUBLE PRECISION   P(13), PI, D
       EXTERNAL           GSLGP
       INTEGER            K, L
 C
       PI = 4.0D0*ATAN( 1.0D0 )
-      DO 20 K = 1, 6
-         C(K) = -COS( PI*( DBLE( K ) - 0.25D0 )/12.5D0 )
+      DO 20 K = 1, NS/2
+         C(K) = -COS( PI*( DBLE( K ) - 0.25D0 )/( DBLE( NS ) + 0.5D0 ) )
          DO 10 L = 1, 6
-            CALL GSLGP( 13, C(K), P )
-            D    = 12.0D0*( P(12) - C(K)*P(13) )/( 1.0D0 - C(K)**2 )
-            C(K) = C(K) - P(13)/D
+            CALL GSLGP( NS + 1, C(K), P )
+            D    = DBLE( NS )*( P(NS) - C(K)*P(NS+1) )
+     $             /( 1.0D0 - C(K)**2 )
+            C(K) = C(K) - P(NS+1)/D
    10    CONTINUE
-         WT(K)    = 2.0D0/( ( 1.0D0 - C(K)**2 )*D*D )
-         C(13-K)  = -C(K)
-         WT(13-K) = WT(K)
+         WT(K)       = 2.0D0/( ( 1.0D0 - C(K)**2 )*D*D )
+         C(NS+1-K)  = -C(K)
+         WT(NS+1-K) = WT(K)
    20 CONTINUE
       END
       SUBROUTINE GSLGP( N, X, P )
@@ -357,24 +363,25 @@ C
      $            /DBLE( J )
    10 CONTINUE
       END
-      SUBROUTINE GSGLQ( C, WT, CA, CB, B )
+      SUBROUTINE GSGLQ( NS, C, WT, CA, CB, B )
 C
 C     PURPOSE
 C     B, so that the sum of B(K)*F(C(K)) is the integral from CA to CB
-C     of the polynomial of degree 11 through F at the points of GSGLN.
+C     of the polynomial of degree NS-1 through F at the points of GSGLN.
 C
       IMPLICIT NONE
+      INTEGER            NS
       DOUBLE PRECISION   C(12), WT(12), CA, CB, B(12)
       DOUBLE PRECISION   P(12), PA(13), PB(13), S
       EXTERNAL           GSLGP
       INTEGER            J, K
 C
-      CALL GSLGP( 13, CA, PA )
-      CALL GSLGP( 13, CB, PB )
-      DO 20 K = 1, 12
-         CALL GSLGP( 12, C(K), P )
+      CALL GSLGP( NS + 1, CA, PA )
+      CALL GSLGP( NS + 1, CB, PB )
+      DO 20 K = 1, NS
+         CALL GSLGP( NS, C(K), P )
          S = CB - CA
-         DO 10 J = 2, 12
+         DO 10 J = 2, NS
             S = S + P(J)*( ( PB(J+1) - PB(J-1) )
      $                   - ( PA(J+1) - PA(J-1) ) )
    10    CONTINUE
@@ -431,13 +438,13 @@ C     -- four points of Gauss
    50    CONTINUE
    60 CONTINUE
       END
-      SUBROUTINE GSAHD( CON, KIN, T, X, H, NQ, NU, NX, NLAM, CST, F,
-     $                  XT, HC, P, TC, D )
+      SUBROUTINE GSAHD( CON, KIN, T, X, H, NQ, NU, NX, NS, NLAM, CST, F,
+     $                  XT, HC, P, TC, D, TURN )
 C
 C     PURPOSE
 C     Looks for a position where the constraints lose rank, from T on
-C     for a step H and half of it, or where T lies close to one, before
-C     and behind.
+C     until they have turned by 1.2 rad, or where T lies close to one,
+C     before and behind.
 C
 C     ARGUMENTS
 C     As GSPSG, and
@@ -449,15 +456,16 @@ C             the others are a path on from there for GSPTH, by rates of
 C             the coordinates that are linear in time, for TC, D.
 C     HC      (workspace) DOUBLE PRECISION array, dimension (NLAM,NU).
 C     TC, D   (output) DOUBLE PRECISION, see GSPSG: D > 0 if there is
-C             one at TC, and D before it (or behind it) the least pivot
-C             is half of its largest value.
+C             one at TC; until D behind it the constraints turn by
+C             about 1 rad.
+C     TURN    (output) DOUBLE PRECISION, the time of 1.2 rad.
 C
       IMPLICIT NONE
       EXTERNAL           CON, KIN
-      INTEGER            NQ, NU, NX, NLAM
+      INTEGER            NQ, NU, NX, NS, NLAM
       DOUBLE PRECISION   T, X(*), H, CST(*), F(NX,13), XT(*),
-     $                   HC(NLAM,*), P(*), TC, D
-      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, TURN, REACH, BIG
+     $                   HC(NLAM,*), P(*), TC, D, TURN
+      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG
       EXTERNAL           GSPVT, GSPMN, GSPRD, GSPCH
       INTEGER            I, K
 C
@@ -465,57 +473,45 @@ C     -- how far one can see
       D = 0.0D0
       S = 0.01D0*H
       DO 10 I = 1, 12
-         CALL GSPRD( KIN, T, X, T, S, NQ, NX, CST, F, XT )
-         CALL GSPVT( CON, T, X, T, S, 0.0D0, NQ, NU, NX, NLAM, CST, F,
-     $               XT, P, S0 )
+         CALL GSPRD( KIN, T, X, T, S, NQ, NX, NS, CST, F, XT )
+         CALL GSPVT( CON, T, X, T, S, 0.0D0, NQ, NU, NX, NS, NLAM, CST,
+     $         F, XT, P, S0 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 0, TURN )
-         CALL GSPVT( CON, T, X, T, S, 1.0D0, NQ, NU, NX, NLAM, CST, F,
-     $               XT, P, S1 )
+         CALL GSPVT( CON, T, X, T, S, 1.0D0, NQ, NU, NX, NS, NLAM, CST,
+     $         F, XT, P, S1 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 1, TURN )
          IF ( TURN.LE.0.3D0 ) GO TO 20
          S = 0.1D0*S
    10 CONTINUE
    20 TURN = 1.2D0*S/MAX( TURN, 1.0D-10 )
       H = MIN( H, TURN )
-      REACH = MIN( 1.5D0*H, TURN )
-      IF ( S0.LT.0.5D0*P(14) ) REACH = TURN
-      CALL GSPRD( KIN, T, X, T, REACH, NQ, NX, CST, F, XT )
+      CALL GSPRD( KIN, T, X, T, TURN, NQ, NX, NS, CST, F, XT )
       BIG = P(14)
 C
 C     -- the next least pivot
       IF ( S0.LT.0.3D0*P(14) ) THEN
-         CALL GSPMN( CON, T, X, T, REACH, -0.6D0, 1.0D0, NQ, NU, NX,
+         CALL GSPMN( CON, T, X, T, TURN, -0.6D0, 1.0D0, NQ, NU, NX, NS,
      $               NLAM, CST, F, XT, P, CS, SMIN )
       ELSE
          S1 = S0
          DO 30 K = 1, 9
-            CALL GSPVT( CON, T, X, T, REACH, 0.125D0*DBLE( K ), NQ, NU,
-     $                  NX, NLAM, CST, F, XT, P, S2 )
+            CALL GSPVT( CON, T, X, T, TURN, 0.125D0*DBLE( K ), NQ, NU,
+     $                  NX, NS, NLAM, CST, F, XT, P, S2 )
             IF ( K.GT.1 .AND. S1.LT.S0 .AND. S1.LE.S2 ) GO TO 40
             S0 = S1
             S1 = S2
    30    CONTINUE
          RETURN
-   40    CALL GSPMN( CON, T, X, T, REACH, 0.125D0*DBLE( K-2 ),
-     $               0.125D0*DBLE( K ), NQ, NU, NX, NLAM, CST, F, XT, P,
-     $               CS, SMIN )
+   40    CALL GSPMN( CON, T, X, T, TURN, 0.125D0*DBLE( K-2 ),
+     $               0.125D0*DBLE( K ), NQ, NU, NX, NS, NLAM, CST, F,
+     $               XT, P, CS, SMIN )
       END IF
       IF ( SMIN.GT.0.2D0*BIG ) RETURN
 C
-C     -- where it is half of its largest value
-      TC = T + CS*REACH
-      S1 = SIGN( 0.2D0, CS )
-      IF ( CS.EQ.0.0D0 ) S1 = 0.2D0
-      DO 50 K = 1, 4
-         CALL GSPVT( CON, T, X, T, REACH, CS - S1, NQ, NU, NX, NLAM,
-     $               CST, F, XT, P, S2 )
-         S1 = S1*MIN( 2.0D0, MAX( 0.5D0, 0.5D0*BIG/MAX( S2,
-     $        1.0D-3*BIG ) ) )
-         S1 = MIN( 0.7D0, MAX( -0.7D0, S1 ) )
-   50 CONTINUE
-      D = MIN( ABS( S1 )*REACH, 0.7D0*TURN )
+      TC = T + CS*TURN
+      D  = 0.8D0*TURN
       END
-      SUBROUTINE GSPRD( KIN, T, X, TC, D, NQ, NX, CST, F, XT )
+      SUBROUTINE GSPRD( KIN, T, X, TC, D, NQ, NX, NS, CST, F, XT )
 C
 C     PURPOSE
 C     The rates F of GSPSG for a path from X at T with the rates F(*,1),
@@ -523,15 +519,15 @@ C     those of the coordinates being linear in time.
 C
       IMPLICIT NONE
       EXTERNAL           KIN
-      INTEGER            NQ, NX
+      INTEGER            NQ, NX, NS
       DOUBLE PRECISION   T, X(*), TC, D, CST(*), F(NX,13), XT(*)
       DOUBLE PRECISION   C(12), WT(12)
       EXTERNAL           GSGLN
       INTEGER            I, K
 C
-      CALL GSGLN( C, WT )
+      CALL GSGLN( NS, C, WT )
       CALL KIN( T, X, F(NQ+1,1), CST, XT )
-      DO 30 K = 1, 12
+      DO 30 K = 1, NS
          DO 10 I = 1, NX
             F(I,K+1) = F(I,1)
    10    CONTINUE

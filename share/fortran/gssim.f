@@ -179,8 +179,8 @@ C
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE,
      $                   HLIM, HLAST, TC, D, SKIP, SHRINK, EIT, TMIN,
-     $                   SMIN, TSEEN, B(12), C(12), WT(12)
-      INTEGER            IQ, LOPT(6), NPASS
+     $                   SMIN, TSEEN, DFULL, TURN, B(12), C(12), WT(12)
+      INTEGER            IQ, LOPT(6), NPASS, NS
       EXTERNAL           GSEPS, GSOVER, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD
 C
@@ -260,6 +260,8 @@ C     -- workspace: inputs, states, constraints, stages
       TSEEN  = -1.0D300
       SHRINK = 1.0D0
       HLAST  = 0.0D0
+      TURN   = 0.0D0
+      NS     = 8
       DO 50 I = 1, NX
          W(IX+I-1) = X0(I)
    50 CONTINUE
@@ -441,16 +443,18 @@ C     -- a singular position ahead?
      $     IP(28).GT.0 .OR. T.LT.SKIP ) GO TO 309
       H = MIN( HN, HMAX )
       I = 0
-      IF ( W(IC+3).LT.3.0D0 .OR. H.GT.1.5D0*HLAST .OR.
+      IF ( W(IC+3).LT.3.0D0 .OR. H.GT.0.25D0*TURN .OR.
      $     W(IC+12).LT.0.25D0*W(IC+13) ) I = 1
       IF ( W(IC+9).LT.W(IC+7) .AND. W(IC+9)*( W(IC+8) - W(IC+6) ).LT.
-     $     3.0D0*H*( W(IC+7) - W(IC+9) ) ) I = 1
+     $     MAX( 3.0D0*H, TURN )*( W(IC+7) - W(IC+9) ) ) I = 1
       IF ( I.EQ.0 ) GO TO 309
       HLIM = H
-      CALL GSAHD( CON, KIN, T, W(IX), HLIM, NQ, NU, NX, NLAM, CST,
-     $            W(IK), W(IXN), W(IQ), W(IC), TC, D )
+      CALL GSAHD( CON, KIN, T, W(IX), HLIM, NQ, NU, NX, NS, NLAM, CST,
+     $            W(IK), W(IXN), W(IQ), W(IC), TC, D, TURN )
       IF ( D.LE.0.0D0 .OR. T.GT.TC + 0.5D0*D ) GO TO 309
-      D = SHRINK*D
+      DFULL = SHRINK*D
+      D     = DFULL
+      IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
       NPASS = 0
   301 IF ( T.LT.TC - 1.05D0*D ) THEN
          HLIM = MIN( HLIM, TC - D - T )
@@ -466,17 +470,18 @@ C     -- the partition that holds at the far end
          CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
       ELSE
          TMIN = TC + SIGN( D, TC - T )
-         CALL GSPRD( KIN, T, W(IX), TC, D, NQ, NX, CST, W(IK), W(IXN) )
-         CALL GSGLN( C, WT )
-         CALL GSGLQ( C, WT, ( T - TC )/D, ( TMIN - TC )/D, B )
-         CALL GSPTH( NX, NX, W(IX), D, B, W(IK), W(IXN) )
+         CALL GSPRD( KIN, T, W(IX), TC, D, NQ, NX, NS, CST, W(IK),
+     $         W(IXN) )
+         CALL GSGLN( NS, C, WT )
+         CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TMIN - TC )/D, B )
+         CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
          CALL GSPNW( CON, KIN, TMIN, W(IXN), NQ, NU, NLAM, CST, W(IC),
      $               IER )
       END IF
       CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
-     $            W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR,
-     $            EIT, TMIN, SMIN, IER )
+     $      NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK),
+     $      W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT, TMIN, SMIN,
+     $      IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
       IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
@@ -484,29 +489,36 @@ C     -- the partition that holds at the far end
          IF ( T.LT.TC - D .AND. T.GT.TC - 1.4D0*D ) D = TC - T
          GO TO 301
       END IF
+      FAC = 0.5D0
+      IF ( IER.EQ.0 )
+     $   FAC = 0.9D0*MAX( ERR, 1.0D-8 )**( -1.0D0/DBLE( NS + 1 ) )
       IF ( IER.EQ.0 .AND. ( ERR.LE.1.0D0 .OR. ERR.LE.3.0D0*EIT .OR.
-     $     ( SHRINK.LT.0.3D0 .AND. ERR.LE.1.0D4 ) ) ) GO TO 302
-      IF ( SHRINK.LT.0.3D0 .OR. IER.EQ.1 ) THEN
+     $     ( SHRINK.LT.0.15D0 .AND. ERR.LE.1.0D4 ) ) ) GO TO 302
+      IF ( SHRINK.LT.0.15D0 .OR. IER.EQ.1 ) THEN
          SKIP   = TC + D
          SHRINK = 1.0D0
          GO TO 309
       END IF
-      SHRINK = 0.6D0*SHRINK
-      IF ( ABS( T - TC ).LT.0.6D0*D .AND. T.GT.TC - D )
-     $   SHRINK = MIN( SHRINK, 0.25D0 )
-      D = 0.6D0*D
+      IF ( NS.EQ.8 .AND. FAC.LT.0.8D0 ) THEN
+         NS = 12
+         GO TO 301
+      END IF
+      FAC    = MAX( 0.25D0, FAC )
+      SHRINK = FAC*SHRINK*MIN( 1.0D0, D/DFULL )
+      D      = FAC*D
       GO TO 301
 C
 C     -- to its end or to the next break, sample or end of the run
-  302 TN = TC + D
-      CALL GSGLN( C, WT )
+  302 SHRINK = MIN( 1.0D0, SHRINK*MIN( 1.5D0, MAX( 1.0D0, FAC ) ) )
+      TN = TC + D
+      CALL GSGLN( NS, C, WT )
       I = 0
       IF ( TEND.LE.TN ) THEN
          TN = TEND
          I  = 1
       END IF
-      CALL GSGLQ( C, WT, ( T - TC )/D, ( TN - TC )/D, B )
-      CALL GSPTH( NX, NX, W(IX), D, B, W(IK), W(IXN) )
+      CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
+      CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
       DO 303 K = 1, 6
          LOPT(K) = IOPT(K)
   303 CONTINUE
@@ -524,8 +536,8 @@ C     -- to its end or to the next break, sample or end of the run
          GO TO 309
       END IF
   304 IF ( TOUT(IT).LT.TN ) THEN
-         CALL GSGLQ( C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
-         CALL GSPTH( NX, NX, W(IX), D, B, W(IK), XOUT(1,IT) )
+         CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
+         CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), XOUT(1,IT) )
          CALL GSINP( CMD, CLO, VIN, TOUT(IT), 1, XOUT(1,IT), NU, NX, NV,
      $               IP, RP, CST, VOUT(1,IT), W, ISTAT(6) )
          ISTAT(7) = 1
@@ -550,7 +562,6 @@ C     -- to its end or to the next break, sample or end of the run
          TSEEN = TMIN + 0.1D0*D
       END IF
       IF ( TN.GE.TC + D ) SKIP = TC + D
-      SHRINK = 1.0D0
       H = TN - T
       HLAST = H
       I   = IX
