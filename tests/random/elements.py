@@ -51,7 +51,8 @@ class Port:
         return g
 
     def times(self, n):
-        self.s, self.w, self.bend, self.on_speeds = n*self.s, n*self.w, n*self.bend, n*self.on_speeds
+        self.s, self.w, self.bend = n*self.s, n*self.w, n*self.bend
+        self.on_speeds = n*self.on_speeds
         self.on_bodies = {k: n*v for k, v in self.on_bodies.items()}
         return self
 
