@@ -14,6 +14,7 @@ import random
 import subprocess
 import sys
 import time
+import traceback
 import numpy as np
 from compare import Comparison, Mixed, LIMITS, error
 from emitted import Code, compiled, run_time
@@ -36,7 +37,8 @@ class Call:
 
     def __init__(self, seed):
         self.way = Way(seed)
-        self.scene = Scene(seed, self.way.numbers == 'compiled')
+        literal = self.way.literal and self.way.numbers == 'literal'
+        self.scene = Scene(seed, self.way.numbers == 'compiled', literal)
         m, words = self.scene.m, ['kinematics', 'inverse', 'mass', 'bias', 'forward'
                                   ] + self.way.requests
         if m.cuts or m.conditions:
@@ -47,7 +49,7 @@ class Call:
         self.points, self.literal = '[]', None
         plain = not any('b' in j.letters()
                         for j in m.tree)  # distances of Euler parameters fill pages
-        if self.way.literal and plain and not m.mixing and 0 < m.nu < 5 and self.way.numbers == 'literal':
+        if literal and plain and not m.mixing and 0 < m.nu < 5:
             self.literal_point()
 
     def literal_point(self):
@@ -107,27 +109,22 @@ def apart(call, folder, library):
     path = call.path(folder) + '.result'
     pid = os.fork()
     if pid == 0:
-        code = 1
-        try:
-            with open(path, 'w') as f:
-                json.dump(judged(call, folder, library), f)
-            code = 0
-        except Exception:
-            import traceback
-            text = traceback.format_exc()
-            with open(path, 'w') as f:
-                json.dump(
-                    {
-                        'verdict': 'wrong', 'said':
-                        text.strip().split('\n')[-1] + ' ' + text.split('\n')[-4]
-                    }, f)
-            code = 0
-        os._exit(code)
+        with open(path, 'w') as f:
+            json.dump(judged_or_failed(call, folder, library), f)
+        os._exit(0)
     _, status = os.waitpid(pid, 0)
     if status:
         return {'verdict': 'crash of the emitted code', 'said': 'status %d' % status}
     with open(path) as f:
         return json.load(f)
+
+
+def judged_or_failed(call, folder, library):
+    try:
+        return judged(call, folder, library)
+    except Exception:
+        text = traceback.format_exc().strip().split('\n')
+        return {'verdict': 'wrong', 'said': text[-1] + ' at ' + text[-2].strip()}
 
 
 def chunk(folder, seeds):
@@ -142,20 +139,23 @@ def chunk(folder, seeds):
         derived.update(derive(ROOT, folder, [c for c in calls if c.way.lisp == lisp], lisp))
     with open(os.path.join(folder, 'chunk_%d.out' % seeds[0]), 'w') as out:
         for c in calls:
-            verdict, seconds = derived[c.scene.name]
-            r = apart(c, folder, library) if verdict == 'done' else {
-                'verdict': verdict, 'said': said(c, folder)
-            }
-            if r['verdict'] == 'refused' and any(k in r['said'] and f(c.scene)
-                                                 for k, f in REFUSALS.items()):
-                r['verdict'] = 'refused rightly'
-            way = c.way.names() + (['not by articulated bodies']
-                                   if os.path.exists(c.path(folder) + '.cheapest') else [])
-            r.update({
-                'name': c.scene.name, 'seconds': seconds, 'way': way, 'tags': sorted(c.scene.tags)
-            })
-            out.write(json.dumps(r) + '\n')
+            out.write(json.dumps(result(c, folder, library, *derived[c.scene.name])) + '\n')
             out.flush()
+
+
+def result(call, folder, library, verdict, seconds):
+    r = {'verdict': verdict, 'said': said(call, folder)}
+    if verdict == 'done':
+        r = apart(call, folder, library)
+    if verdict == 'refused' and any(k in r['said'] and f(call.scene) for k, f in REFUSALS.items()):
+        r['verdict'] = 'refused rightly'
+    way = call.way.names()
+    if os.path.exists(call.path(folder) + '.cheapest'):
+        way = [w.replace('forward: articulated', 'forward: cheapest') for w in way]
+        way += ['forward: not as asked']
+    r.update({'name': call.scene.name, 'seconds': seconds, 'way': way})
+    r['tags'] = sorted(call.scene.tags)
+    return r
 
 
 def said(call, folder):

@@ -109,7 +109,7 @@ class Comparison:
     def note(self, what, value):
         self.worst[what] = max(self.worst.get(what, 0.), value) if value == value else float('inf')
 
-    # --------------------------------------------------------------------------------------------------------- states
+    # --------------------------------------------------------------------------------------- states
 
     def state(self):
         """closed, with speeds that keep it so; and what is known of its freedom. None where none
@@ -145,7 +145,7 @@ class Comparison:
                     return False
         return True
 
-    # ------------------------------------------------------------------------------------------------------ everything
+    # ----------------------------------------------------------------------------------- everything
 
     def run(self, count):
         m, done = self.m, []
@@ -329,7 +329,7 @@ class Comparison:
         wanted = [kinetic + rotor, fall, loads.stored - rotor, loads.power, loads.lost]
         self.note('ENE', error(E, wanted, 1.))
 
-    # ---------------------------------------------------------------------------------------------------- derivatives
+    # ---------------------------------------------------------------------------------- derivatives
 
     def linear(self, s):
         """along a curve through the state: M wd' + B w' + C q' = tau'"""
@@ -391,7 +391,7 @@ class Comparison:
             [float('nan') if sol.missing and k.startswith('r_') else wanted[k] for k in names])
         return self.x(p, q, w), self.inputs(p), xd, y
 
-    # -------------------------------------------------------------------------------------------------------- batches
+    # -------------------------------------------------------------------------------------- batches
 
     def batches(self, states):
         """eleven states at once against one by one"""

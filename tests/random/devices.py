@@ -49,36 +49,29 @@ def options(k):
 def dc_motor(r, name, stand, source):
     k = motor_numbers(r)
     variant = r.choice(['full', 'full', 'full', 'ideal', 'qs0', 'current'])
-    word, given = source(r, {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant],
-                         name)
+    key = {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant]
+    word, given = source(r, key, name)
     form = '' if variant == 'full' else ', variant = ' + variant
     text = 'dc_motor(%s, %s%s%s%s)' % (name, stand, options(k), form, word)
-    read = reader(given, name, {'full': 'v', 'qs0': 'v', 'ideal': 'tau', 'current': 'ic'}[variant])
+    read = reader(given, name, key)
 
     def at(x, inputs, s, w):
-        v, rub, spin = read(inputs), -k['B']*w, k['J']*w*w/2
-        if variant == 'ideal':
-            return Result(v, rub, k['J'], stored=spin, power=v*w, lost=k['B']*w*w)
-        if variant == 'current':
-            return Result(k['K']*v,
-                          rub,
-                          k['J'],
-                          stored=spin,
-                          power=v*(k['R']*v + k['K']*w),
-                          lost=k['R']*v*v + k['B']*w*w)
-        if variant == 'qs0':
-            i = (v - k['K']*w)/k['R']
-            return Result(k['K']*i,
-                          rub,
-                          k['J'],
-                          stored=spin,
-                          power=v*i,
-                          lost=k['R']*i*i + k['B']*w*w)
-        rates = {}
+        rub, spin, rates = -k['B']*w, k['J']*w*w/2, {}
+        if variant != 'full':
+            torque, power, lost = without_inductance(variant, k, read(inputs), w)
+            return Result(torque, rub, k['J'], {}, spin, power, lost)
         torque, power, lost, field = motor(name, k, lambda x, u: read(u), rates)(x, inputs, w)
         return Result(torque, rub, k['J'], rates, field + spin, power, lost)
 
     return Machine([text], [name + '_i'] if variant == 'full' else [], at, given)
+
+
+def without_inductance(variant, k, v, w):
+    """torque, power in, power lost; v: the torque, the current or the voltage that is given"""
+    if variant == 'ideal':
+        return v, v*w, k['B']*w*w
+    i = v if variant == 'current' else (v - k['K']*w)/k['R']
+    return k['K']*i, (k['R']*i + k['K']*w)*i, k['R']*i*i + k['B']*w*w
 
 
 def reader(given, name, word):
@@ -237,6 +230,13 @@ def controlled(r, name, stand, source):
         'amplifier(%s, u = %s%s)' % (a, c, options(amp)),
         'pid(%s, reference = %s, measured = %s%s)' % (c, reference, measured, options(pid))
     ]
+    given = {c + '_reference': reference, c + '_measured': measured}
+    return Machine(texts, [name + '_i', a + '_x', c + '_I', c + '_xd'],
+                   control(name, k, amp, pid), given)
+
+
+def control(name, k, amp, pid):
+    a, c = name + 'a', name + 'c'
 
     def at(x, v, s, w):
         ref, meas, rates = v[c + '_reference'], v[c + '_measured'], {}
@@ -249,8 +249,7 @@ def controlled(r, name, stand, source):
         torque, power, lost, field = motor(name, k, lambda x, u: x[a + '_x'], rates)(x, v, w)
         return Result(torque, -k['B']*w, k['J'], rates, field + k['J']*w*w/2, power, lost)
 
-    given = {c + '_reference': reference, c + '_measured': measured}
-    return Machine(texts, [name + '_i', a + '_x', c + '_I', c + '_xd'], at, given)
+    return at
 
 
 def rubbing(r, name, stand, source):

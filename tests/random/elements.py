@@ -28,7 +28,7 @@ def place_of(m, name):
     return m.q_of[j.name].start + i, m.u_of[j.name].start + i
 
 
-# ------------------------------------------------------------------------------------------------------------- ports
+# -------------------------------------------------------------------------------------------- ports
 
 
 class Port:
@@ -51,7 +51,8 @@ class Port:
         return g
 
     def times(self, n):
-        self.s, self.w, self.bend, self.on_speeds = n*self.s, n*self.w, n*self.bend, n*self.on_speeds
+        self.s, self.w, self.bend = n*self.s, n*self.w, n*self.bend
+        self.on_speeds = n*self.on_speeds
         self.on_bodies = {k: n*v for k, v in self.on_bodies.items()}
         return self
 
@@ -107,7 +108,7 @@ class Stand:
         return length_port(m, s, self.form).times(self.ratio)
 
 
-# ------------------------------------------------------------------------------------------------------------- loads
+# -------------------------------------------------------------------------------------------- loads
 
 
 class Force:
@@ -179,7 +180,7 @@ class Device:
         loads.lost += r.lost
 
 
-# -------------------------------------------------------------------------------------------------------- conditions
+# --------------------------------------------------------------------------------------- conditions
 
 
 class Rows:

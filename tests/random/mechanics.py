@@ -69,8 +69,8 @@ class Mechanism:
     laws, constraints"""
 
     def __init__(self):
-        self.links, self.joints, self.elements, self.conditions, self.gravity = [], [], [], [], np.zeros(
-            3)
+        self.links, self.joints, self.elements, self.conditions = [], [], [], []
+        self.gravity = np.zeros(3)
         self.mixing = None
 
     def number(self):
@@ -205,19 +205,25 @@ def maximal_equations(m, s, bodies, loads, tau):
     for i, j in enumerate(m.joints):
         column = own if j.cut else place['ud'] + m.u_of[j.name].start
         own += j.nu() if j.cut else 0
+        P = bodies[j.parent]
         joint_equations(A, B, link, place['wrench'] + 6*i, column, j,
-                        Relation(bodies[j.parent].R, bodies[j.parent].twist[3:], m.chain(j, s)))
+                        Relation(P.R, P.twist[3:], m.chain(j, s)))
+    add_conditions(A, B, link, place, loads, rows)
+    return A, B, place
+
+
+def add_conditions(A, B, link, place, loads, rows):
+    """added masses of devices; rows of laws and constraints with their multipliers"""
     for k, port in loads.added:
-        g = port.in_all(link, place['ud'], N)
+        g = port.in_all(link, place['ud'], len(B))
         A += k*np.outer(g, g)
         B -= k*g*port.bend
     more = place['more']
     for r in rows:
-        G = r.in_all(link, place['ud'], N)
+        G = r.in_all(link, place['ud'], len(B))
         k = slice(more, more + len(r.gamma))
         A[k], A[:, k], B[k] = A[k] + G, A[:, k] - G.T, r.gamma
         more += len(r.gamma)
-    return A, B, place
 
 
 def joint_equations(A, B, link, row, column, j, s):

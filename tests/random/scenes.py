@@ -30,8 +30,9 @@ class Scene:
     """name, text, m: Mechanism, start: State, run: parameter values at run time, tags: what is in
     it"""
 
-    def __init__(self, seed, compiled):
+    def __init__(self, seed, compiled, plain=False):
         self.r, self.seed, self.compiled = random.Random(seed), seed, compiled
+        self.plain = plain   # its literal equations are asked for: axes and angles that a paper has
         self.kind = self.r.choice(KINDS)
         self.name = 'r%s%d' % (self.kind[0], seed)
         self.m, self.parameters, self.run, self.tags, self.words = Mechanism(), {}, {}, {self.kind
@@ -43,7 +44,7 @@ class Scene:
         self.loads()
         self.write()
 
-    # ------------------------------------------------------------------------------------------------------ numbers
+    # -------------------------------------------------------------------------------------- numbers
 
     def number(self, lo, hi, zero=.15, fixed=False, digits=2):
         """text and value at run time; fixed: what it is in the scene too (a scene with loops must
@@ -63,7 +64,7 @@ class Scene:
         return listed([x[0] for x in t]), np.array([x[1] for x in t])
 
     def axis(self):
-        if self.r.random() < .75:
+        if self.r.random() < .75 or self.plain:
             a = self.r.choice('xyz')
             return a, AXES[a]
         a = [self.r.randint(-3, 3) for _ in range(3)]
@@ -75,8 +76,8 @@ class Scene:
         r, R, parts = self.r, np.eye(3), []
         for _ in range(r.choice([0, 0, 1, 1, 2])):
             a = r.choice('xyz')
-            if r.random() < .5:
-                k, d = r.choice([-2, -1, 1, 2, 3, 4]), r.choice([2, 2, 6])
+            if r.random() < .5 or self.plain:
+                k, d = r.choice([-2, -1, 1, 2, 3, 4]), r.choice([2, 2, 2 if self.plain else 6])
                 text, v = '%d*%%pi/%d' % (k, d), k*math.pi/d
             else:
                 text, v = self.number(-3, 3, fixed=True)
@@ -84,7 +85,7 @@ class Scene:
             R = R @ rodrigues(AXES[a], v)
         return (listed(parts) if parts else None), R
 
-    # ----------------------------------------------------------------------------------------------- links and joints
+    # ----------------------------------------------------------------------------- links and joints
 
     def bodies_and_joints(self):
         r, m = self.r, self.m
@@ -117,26 +118,24 @@ class Scene:
             })
             return
         (mass, m), (centre, c) = self.number(.2, 4, 0), self.vector(-.5, .5)
+        I, text = self.inertia()
+        text = 'link(%s, mass = %s, centre = %s, inertia = %s)' % (name, mass, centre, text)
+        self.m.links.append({'name': name, 'm': m, 'centre': c, 'I': I, 'text': text})
+
+    def inertia(self):
+        """of points by chance, in one of three forms"""
+        r = self.r
         points = np.array([[round(r.uniform(-.5, .5), 2) for _ in range(3)] for _ in range(3)])
         points = points @ points.T
         I = np.round(np.trace(points)*np.eye(3) - points + .02*np.eye(3), 4)
         form = r.choice(['three', 'six', 'matrix'])
+        if form == 'matrix':
+            rows = ', '.join(listed([exact(x) for x in row]) for row in I)
+            return I, 'matrix(%s)' % rows
         if form == 'three':
             I = np.diag(np.diag(I))
-        entries = {
-            'three': np.diag(I), 'six': I[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]], 'matrix': []
-        }[form]
-        text = listed([exact(x) for x in entries])
-        if form == 'matrix':
-            text = 'matrix(%s)' % ', '.join(listed([exact(x) for x in row]) for row in I)
-        self.m.links.append({
-            'name':
-            name, 'm':
-            m, 'centre':
-            c, 'I':
-            I, 'text':
-            'link(%s, mass = %s, centre = %s, inertia = %s)' % (name, mass, centre, text)
-        })
+            return I, listed([exact(x) for x in np.diag(I)])
+        return I, listed([exact(x) for x in I[[0, 1, 2, 0, 1, 0], [0, 1, 2, 1, 2, 2]]])
 
     def joint(self, name, type, ends):
         r, j = self.r, Joint(name, type, *ends)
@@ -179,7 +178,7 @@ class Scene:
             j.orientation = r.choice(['xyz', 'zyx', 'zxz', 'yxz', 'xzx'])
             o['orientation'] = listed(list(j.orientation))
 
-    # ------------------------------------------------------------------------------------------------------ positions
+    # ------------------------------------------------------------------------------------ positions
 
     def position(self, j):
         """of a joint, not near the singularity of its angles"""
@@ -289,27 +288,29 @@ class Scene:
         r, m = self.r, self.m
         for _ in range(25):
             plane, disc = r.sample([GROUND] + [l['name'] for l in m.links], 2)
-            if disc == GROUND:
-                continue
-            (normal, n), (axis, a), (centre, c) = self.axis(), self.axis(), self.vector(-.5, .5)
-            radius = round(r.uniform(.2, .8), 2)
-            m.number()
-            self.start.u = np.zeros(m.nu)
-            bodies = m.bodies(self.start)
-            P, D = bodies[plane], bodies[disc]
-            one = Rolling(plane, np.zeros(3), n, disc, c, a, radius)
-            if abs((P.R @ n) @ (D.R @ a)) > .95:
-                continue
-            one.at = P.R.T @ (D.p + D.R @ c + one.contact(bodies)[0] - P.p)
-            m.conditions.append(one)
-            if self.independent(1):
-                self.words.append(
-                    'rolling(roll, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius = %r)'
-                    % (plane, disc, listed([exact(x)
-                                            for x in one.at]), centre, normal, axis, radius))
+            if disc != GROUND and self.roll_on(plane, disc):
                 self.tags.add('rolls')
                 return
+
+    def roll_on(self, plane, disc):
+        r, m = self.r, self.m
+        (normal, n), (axis, a), (centre, c) = self.axis(), self.axis(), self.vector(-.5, .5)
+        one = Rolling(plane, np.zeros(3), n, disc, c, a, round(r.uniform(.2, .8), 2))
+        m.number()
+        self.start.u = np.zeros(m.nu)
+        bodies = m.bodies(self.start)
+        P, D = bodies[plane], bodies[disc]
+        if abs((P.R @ n) @ (D.R @ a)) > .95:
+            return False
+        one.at = P.R.T @ (D.p + D.R @ c + one.contact(bodies)[0] - P.p)
+        m.conditions.append(one)
+        if not self.independent(1):
             m.conditions.pop()
+            return False
+        word = 'rolling(roll, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius = %r)'
+        at = listed([exact(x) for x in one.at])
+        self.words.append(word % (plane, disc, at, centre, normal, axis, one.radius))
+        return True
 
     def ordinary(self):
         """[(coordinate, letter, joint)] that are no Euler parameters"""
@@ -358,7 +359,7 @@ class Scene:
                 return
             m.conditions.pop()
 
-    # ---------------------------------------------------------------------------------------------------------- loads
+    # ---------------------------------------------------------------------------------------- loads
 
     def loads(self):
         r, m = self.r, self.m
@@ -449,32 +450,36 @@ class Scene:
             self.m.elements.append(Damper(stand, k))
 
     def device(self, name):
-        r, o, ratio = self.r, self.ordinary(), 1.
-        way = r.choice(['joint', 'joint', 'joint', 'ends', 'length'])
-        if way == 'joint' and o:
-            where, x, letter = self.at_coordinate()
-            ratio = r.choice([1., 1., 3., -2.5])
-            stand, turning = Stand(x, ratio=ratio), letter != 's'
-            if ratio != 1:
-                where += ', ratio = %r' % ratio
-        elif way == 'length' and len(o) > 1:
-            (x, _, _), (y, _, _) = r.sample(o, 2)
-            form = (x, y, r.choice([1., -2.]), r.choice([0., .5]))
-            where, stand, turning = 'length = %r*%s + (%r)*%s*%s' % (form[2], x, form[3], x,
-                                                                     y), Stand(form=form), False
-        else:
-            where, ends = self.ends()
-            stand, turning = Stand(ends=ends), False
+        r = self.r
+        where, stand, letter, measured = self.stand()
+        turning = letter and letter != 's'
         make = r.choice(devices.TURNING + devices.ANY if turning else devices.ANY)
-        if make in devices.ANY and ratio != 1:
+        if make in devices.ANY and stand.ratio != 1:
             return
-        source = self.source
-        source.__func__.measured = x if turning else ''
-        machine = make(r, name, where, source)
+        self.source.__func__.measured = measured
+        machine = make(r, name, where, self.source)
         machine.given = {k: Expression(e) for k, e in machine.given.items()}
         self.m.elements.append(Device(machine, stand))
         self.words += machine.words
-        self.tags |= {'device ' + w.split('(')[0] for w in machine.words} | {'device on ' + way}
+        self.tags |= {'device ' + w.split('(')[0] for w in machine.words}
+
+    def stand(self):
+        """text and data of where a device stands; letter and name of the joint's coordinate"""
+        r, o = self.r, self.ordinary()
+        way = r.choice(['joint', 'joint', 'joint', 'ends', 'length'])
+        if way == 'joint' and o:
+            where, x, letter = self.at_coordinate()
+            ratio = r.choice([1., 1., 3., -2.5]) if letter != 's' else 1.
+            self.tags.add('device on a joint')
+            return where + (', ratio = %r' % ratio)*(ratio != 1), Stand(x, ratio=ratio), letter, x
+        if way == 'length' and len(o) > 1:
+            (x, _, _), (y, _, _) = r.sample(o, 2)
+            a, b = r.choice([1., -2.]), r.choice([0., .5])
+            self.tags.add('device on an expression')
+            return 'length = %r*%s + (%r)*%s*%s' % (a, x, b, x, y), Stand(form=(x, y, a, b)), '', ''
+        where, ends = self.ends()
+        self.tags.add('device between points')
+        return where, Stand(ends=ends), '', ''
 
     def source(self, r, word, name):
         """option and formula of an input of a device: of the scene's own, a formula, or left
@@ -498,7 +503,7 @@ class Scene:
                           (x, a, y, y, b, x, x))
         self.tags.add('speeds of its own')
 
-    # ----------------------------------------------------------------------------------------------------------- text
+    # ----------------------------------------------------------------------------------------- text
 
     def write(self):
         r, m = self.r, self.m

@@ -72,19 +72,12 @@ def session(root, folder, calls, lisp, log, found):
 
 
 def watch(p, calls, log, found):
-    """follows the log until the session ends; the scene that was begun and not done is the one
-    that ended it"""
+    """follows the log until the session ends; what was begun and not done is what ended it"""
     began, name = {}, None
     while True:
         over = p.poll() is not None
-        for line in open(log, errors='replace').read().split('\n'):
-            word = line.split()
-            if len(word) == 2 and word[0] == 'BEGIN' and word[1] not in began:
-                if name and name not in found:
-                    found[name] = ('Lisp error', 0.)
-                name, began[word[1]] = word[1], cpu_of_group(p.pid)
-            if len(word) == 3 and word[0] == 'DONE':
-                found[word[1]] = ('done', float(word[2]))
+        with open(log, errors='replace') as f:
+            name = followed(f.read(), p.pid, began, name, found)
         if over:
             break
         if name and name not in found and cpu_of_group(p.pid) - began[name] > CPU_LIMIT:
@@ -94,8 +87,19 @@ def watch(p, calls, log, found):
             return
         time.sleep(.2)
     name = name or calls[0].scene.name
-    if name not in found:
-        found[name] = ('crashed', 0.)
-    elif not all(c.scene.name in found for c in calls):
-        next_one = next(c for c in calls if c.scene.name not in found)
-        found[next_one.scene.name] = ('crashed', 0.)
+    if name in found and any(c.scene.name not in found for c in calls):
+        name = next(c.scene.name for c in calls if c.scene.name not in found)
+    found.setdefault(name, ('crashed', 0.))
+
+
+def followed(text, pid, began, name, found):
+    """the scene that was begun last; began: processor time at that, found: what is done"""
+    for line in text.split('\n'):
+        word = line.split()
+        if len(word) == 2 and word[0] == 'BEGIN' and word[1] not in began:
+            if name and name not in found:
+                found[name] = ('Lisp error', 0.)
+            name, began[word[1]] = word[1], cpu_of_group(pid)
+        if len(word) == 3 and word[0] == 'DONE':
+            found[word[1]] = ('done', float(word[2]))
+    return name

@@ -1,9 +1,8 @@
 """The way in which a scene is derived and written, drawn by its seed."""
 import random
 
-PASSES = (
-    'zeros share dead hoist angles frames slide group phase spin station short tangents sines cancel factor pairs '
-    'once order gauge unit').split()
+PASSES = ('zeros share dead hoist angles frames slide group phase spin station short tangents '
+          'sines cancel factor pairs once order gauge unit').split()
 OPTIONAL = ['gauge', 'unit']
 REQUESTS = ['rhs', 'linear', 'jacobian', 'output', 'energy',
             'batch']  # each drawn; the others are always there
