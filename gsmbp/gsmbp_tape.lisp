@@ -136,7 +136,7 @@
 ;;; true if one of the code sets a pair at once
 (defun $gsmbp__sets_pairs (code) (and (find-if #'(lambda (e) ($listp (cadr e))) (cdr code)) t))
 
-;;; the code as it is written: what the table `known` holds put in for names, sines and cosines marked
+;;; the code as it is written: what the table `known` holds put in for names
 (defun $gsmbp__written_code (known code)
-  (gsmbp-list (mapcar #'(lambda (e) (gsmbp-list (list (or (gethash (cadr e) known) (cadr e)) ($gsmbp__replace known (caddr e)) (if (equal (cadddr e) "sines and cosines") '$trig (cadddr e)))))
+  (gsmbp-list (mapcar #'(lambda (e) (gsmbp-list (list (or (gethash (cadr e) known) (cadr e)) ($gsmbp__replace known (caddr e)) (cadddr e))))
                       (cdr code))))
