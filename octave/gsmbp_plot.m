@@ -39,10 +39,18 @@ function gsmbp_plot (file, t, varargin)
   if (isempty (first))
     first = numel (varargin) + 1;
   endif
-  o = gsmbp__options (who, struct ("title", "", "xlabel", "time [s]", "scale", "linear", "head", "t"), varargin(first:end));
+  o = gsmbp__options (who, struct ("title", "", "xlabel", "time [s]", "scale", "linear", "head", "t"), varargin(first:end),
+                      struct ("title", "text", "xlabel", "text", "head", "text", "scale", {{"linear", "semilogy", "semilogx", "loglog"}}));
   panels = varargin(1:first-1);
   if (isstruct (t))
+    gsmbp__model (who, t);
+    if (! (isstruct (panels{1}) && all (isfield (panels{1}, {"t", "x", "v"}))))
+      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, gsmbp__shown (panels{1}));
+    endif
     [t, panels] = by_unit (t, panels{1});
+  endif
+  if (! (isnumeric (t) && isreal (t)))
+    error ("%s: argument t: expected real numbers, found %s", who, gsmbp__shown (t));
   endif
   t = t(:);
   check (who, t, panels);
@@ -78,6 +86,12 @@ function check (who, t, panels)
     p = panels{i};
     if (! (isstruct (p) && isscalar (p) && all (isfield (p, {"y", "names", "label"}))))
       error ("%s: panel %d must be a struct with the fields y, names, label", who, i);
+    endif
+    if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
+      error ("%s: panel %d: expected numbers y, a list of names and a text label, found %s, %s and %s", who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), gsmbp__shown (p.label));
+    endif
+    if (isfield (p, "style"))
+      gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, {"lines", "linespoints", "points", "steps"});
     endif
     if (rows (p.y) != numel (t))
       error ("%s: panel %d: expected %d rows, found %d", who, i, numel (t), rows (p.y));

@@ -10,9 +10,10 @@
 ## @end deftypefn
 
 function m = gsmbp_set (m, varargin)
-  if (nargin < 2 || ! isstruct (m))
+  if (nargin < 2)
     print_usage ();
   endif
+  gsmbp__model ("gsmbp_set", m);
   m.par = merged (m, varargin);
   m = gsmbp__handles (m);
 endfunction

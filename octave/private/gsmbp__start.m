@@ -6,9 +6,6 @@
 ## START: a struct, see the help of gsmbp_simulate.
 
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
-  if (! (ischar (wanted) && any (strcmp (wanted, {"check", "project"}))))
-    error ("%s: option start: expected \"check\" or \"project\", found %s", who, gsmbp__shown (wanted));
-  endif
   d = m.sizes;
   x = gsmbp__vector (who, "x0"(1:1+strcmp (who, "gsmbp_simulate")), x, d.nx, sprintf (" (the states of %s)", m.name));
   start = struct ("residual", 0, "row", "", "moved", 0, "state", "");
