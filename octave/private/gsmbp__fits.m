@@ -12,15 +12,24 @@ function gsmbp__fits (who, what, value, kind)
     fits = ischar (value) && any (strcmp (value, kind));
     wanted = ["one of \"" strjoin(kind, "\", \"") "\""];
   else
-    all_kinds = {"flag", "true or false", one && any (value == [0, 1]); ...
-                 "number", "a finite number", one; ...
-                 "positive", "a finite number above 0", one && value > 0; ...
-                 "whole", "a whole number >= 0", one && value >= 0 && value == fix (value); ...
-                 "numbers", "finite numbers", numbers; ...
-                 "text", "a text", ischar (value) && rows (value) <= 1; ...
-                 "names", "a name or a list of names", ischar (value) || iscellstr (value)};
-    k = strcmp (kind, all_kinds(:,1));
-    [wanted, fits] = all_kinds{k,2:3};
+    switch (kind)
+      case "flag"
+        [wanted, fits] = deal ("true or false", one && any (value == [0, 1]));
+      case "number"
+        [wanted, fits] = deal ("a finite number", one);
+      case "positive"
+        [wanted, fits] = deal ("a finite number above 0", one && value > 0);
+      case "whole"
+        whole = one && value >= 0 && value == fix (value);
+        [wanted, fits] = deal ("a whole number >= 0", whole);
+      case "numbers"
+        [wanted, fits] = deal ("finite numbers", numbers);
+      case "text"
+        [wanted, fits] = deal ("a text", ischar (value) && rows (value) <= 1);
+      case "names"
+        listed = ischar (value) || iscellstr (value);
+        [wanted, fits] = deal ("a name or a list of names", listed);
+    endswitch
   endif
   if (! fits)
     error ("%s: %s: expected %s, found %s", who, what, wanted, gsmbp__shown (value));
