@@ -81,7 +81,8 @@ function gsmbp_animate (m, result, file, varargin)
     path = reshape (points (rows_traced)(:,o.trace,:), 3, []);
   endif
 
-  gsmbp_csv ([file(1:end-4) ".csv"], heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
+  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  gsmbp_csv (table, heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
   m.skeleton.marks = marks (m.skeleton, o.centres);
   named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
@@ -102,7 +103,7 @@ function gsmbp_animate (m, result, file, varargin)
     lines = [lines, picture(m.skeleton, p, shades, path, s, sprintf("%s   t = %s s%s", o.title, instants, order), o)];
     terminal = sprintf ("pngcairo noenhanced size %d,%d font 'FreeSans,12'", s.pixels);
   endif
-  gsmbp__gnuplot (who, file, terminal, lines);
+  gsmbp__gnuplot (who, file, terminal, lines, table);
 endfunction
 
 ## ------------------------------------------------------- what is to be drawn

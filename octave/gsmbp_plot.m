@@ -61,8 +61,9 @@ function gsmbp_plot (file, t, varargin)
     data = [data, panels{i}.y];
     heads = [heads, panels{i}.names(:)'];
   endfor
-  gsmbp_csv ([file(1:end-4) ".csv"], heads, data);
-  draw (file, panels, o);
+  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  gsmbp_csv (table, heads, data);
+  draw (file, table, panels, o);
 endfunction
 
 ## one panel for each unit, in the order in which the units appear
@@ -103,9 +104,8 @@ function check (who, t, panels)
 endfunction
 
 ## gnuplot draws from the .csv itself, so figure and numbers are the same
-function draw (file, panels, o)
+function draw (file, table, panels, o)
   n = numel (panels);
-  table = [file(1:end-4) ".csv"];
   tight = "";
   if (any (strcmp (o.scale, {"linear", "semilogy"})))
     tight = "set autoscale xfix";
@@ -144,7 +144,7 @@ function draw (file, panels, o)
     lines{end+1} = "unset label 1";
   endfor
   lines{end+1} = "unset multiplot";
-  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines);
+  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines, table);
 endfunction
 
 function text = axes_of (scale)
