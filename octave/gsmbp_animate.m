@@ -82,6 +82,7 @@ function gsmbp_animate (m, result, file, varargin)
   endif
 
   table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
   m.skeleton.marks = marks (m.skeleton, o.centres);

@@ -62,6 +62,7 @@ function gsmbp_plot (file, t, varargin)
     heads = [heads, panels{i}.names(:)'];
   endfor
   table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
   draw (file, table, panels, o);
 endfunction

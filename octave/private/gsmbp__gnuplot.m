@@ -14,7 +14,8 @@ function gsmbp__gnuplot (who, file, terminal, lines, table)
   gsmbp__write (who, script, sprintf ("%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], lines{:}));
   gsmbp__run (who, ["gnuplot '" strrep(script, "'", "'\\''") "'"]);
   if (! whole (new, kind))
-    error ("%s: cannot write %s: gnuplot left a part of it (is the disk full?); what was there before is as it was", who, file);
+    error (["%s: cannot write %s: gnuplot left a part of it (is the disk full?); " ...
+            "what was there before is as it was"], who, file);
   endif
   for pair = {table, new; [file(1:end-numel (kind)) ".csv"], file}
     [failed, reason] = rename (pair{:});
