@@ -23,7 +23,9 @@ function options = gsmbp__options (who, defaults, pairs, kinds = struct ())
     if (! any (strcmp (name, known)))
       error ("%s: unknown option \"%s\"; known: %s", who, name, strjoin (sort (known)', ", "));
     endif
-    if (isfield (kinds, name) && ! (isempty (value) && isempty (defaults.(name))))
+    left_out = isempty (value) && isempty (defaults.(name)) ...
+               && (isequal (value, []) || strcmp (class (value), class (defaults.(name))));
+    if (isfield (kinds, name) && ! left_out)
       gsmbp__fits (who, ["option " name], value, kinds.(name));
     endif
     options.(name) = value;
