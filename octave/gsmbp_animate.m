@@ -64,7 +64,8 @@ function gsmbp_animate (m, result, file, varargin)
   endif
   who = "gsmbp_animate";
   defaults = struct ("times", [], "speed", 1, "fps", 20, "trace", [], "title", "", "view", [54.7, 130], "up", "z", "centres", true, "width", 720);
-  o = gsmbp__options (who, defaults, varargin);
+  kinds = struct ("speed", "positive", "fps", "positive", "width", "positive", "title", "text", "centres", "flag", "up", {{"x", "y", "z"}}, "view", "numbers", "times", "numbers");
+  o = gsmbp__options (who, defaults, varargin, kinds);
   moving = numel (file) > 4 && strcmpi (file(end-3:end), ".gif");
   if (! moving && ! (numel (file) > 4 && strcmpi (file(end-3:end), ".png")))
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
@@ -80,7 +81,9 @@ function gsmbp_animate (m, result, file, varargin)
     path = reshape (points (rows_traced)(:,o.trace,:), 3, []);
   endif
 
-  gsmbp_csv ([file(1:end-4) ".csv"], heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
+  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  guard = onCleanup (@() gsmbp__discard (table));
+  gsmbp_csv (table, heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
   m.skeleton.marks = marks (m.skeleton, o.centres);
   named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
@@ -101,7 +104,7 @@ function gsmbp_animate (m, result, file, varargin)
     lines = [lines, picture(m.skeleton, p, shades, path, s, sprintf("%s   t = %s s%s", o.title, instants, order), o)];
     terminal = sprintf ("pngcairo noenhanced size %d,%d font 'FreeSans,12'", s.pixels);
   endif
-  gsmbp__gnuplot (who, file, terminal, lines);
+  gsmbp__gnuplot (who, file, terminal, lines, table);
 endfunction
 
 ## ------------------------------------------------------- what is to be drawn
@@ -124,12 +127,6 @@ function [t, q] = motion (who, m, result)
 endfunction
 
 function o = checked (who, o, skeleton, t)
-  for name = {"speed", "fps", "width"}
-    value = o.(name{1});
-    if (! (isnumeric (value) && isscalar (value) && isfinite (value) && value > 0))
-      error ("%s: option %s must be a number > 0", who, name{1});
-    endif
-  endfor
   if (o.fps > 50)
     error ("%s: option fps must be at most 50 (a GIF counts hundredths of a second), found: %g", who, o.fps);
   endif
@@ -138,12 +135,6 @@ function o = checked (who, o, skeleton, t)
     error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
   endif
   o.view(2) = mod (o.view(2), 360);
-  if (! (ischar (o.up) && any (strcmp (o.up, {"x", "y", "z"}))))
-    error ("%s: option up must be \"x\", \"y\" or \"z\"", who);
-  endif
-  if (! ischar (o.title))
-    error ("%s: option title must be a string, found a %s", who, class (o.title));
-  endif
   slack = 1e-9 * (1 + abs (t(end)) + abs (t(1)));
   if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) && all (o.times(:) <= t(end) + slack)))
     error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
@@ -554,7 +545,7 @@ endfunction
 %!error <argument result must be a struct> gsmbp_animate (pendulum (0), 1, "a.png")
 %!error <argument result: expected q with 21 rows and the 2 coordinates of pendulum, found 21 x 1> [m, r] = pendulum (0); r.q = r.q(:,1); gsmbp_animate (m, r, "a.png")
 %!error <option fps must be at most 50> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.gif", "fps", 60)
-%!error <option up must be "x", "y" or "z"> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
+%!error <option up: expected one of "x", "y", "z", found "w"> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
 %!error <option times must lie within the result, from 0 to 1 s> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "times", 2)
 %!error <no link "rod"; known: upper, lower> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", "rod")
 %!error <a column of m.ske, 1 to 6> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", 7)

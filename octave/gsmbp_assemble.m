@@ -26,15 +26,16 @@
 ## @end deftypefn
 
 function x = gsmbp_assemble (m, guess, varargin)
-  if (nargin < 2 || ! isstruct (m))
+  if (nargin < 2)
     print_usage ();
   endif
   who = "gsmbp_assemble";
-  o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10, "branches", 0), varargin);
+  gsmbp__model (who, m);
+  kinds = struct ("hold", "names", "time", "number", "tolerance", "positive", "branches", "whole");
+  o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10, "branches", 0), varargin, kinds);
   x = guessed (who, m, guess);
   held = held_coordinates (who, m, o.hold);
   whole_orientations (who, m, held);
-  options_fit (who, o);
   if (m.sizes.nlam == 0)
     if (m.sizes.nq > m.sizes.nu)
       x = normalized (m, x);
@@ -70,20 +71,6 @@ function x = guessed (who, m, guess)
   endfor
 endfunction
 
-function options_fit (who, o)
-  for name = {"time", "tolerance", "branches"}
-    value = o.(name{1});
-    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value)))
-      error ("%s: option %s: expected a number, found %s", who, name{1}, gsmbp__shown (value));
-    endif
-  endfor
-  if (! (o.tolerance > 0))
-    error ("%s: option tolerance: expected a number above 0, found %g", who, o.tolerance);
-  elseif (! (o.branches >= 0 && o.branches == fix (o.branches)))
-    error ("%s: option branches must be a whole number, found %g", who, o.branches);
-  endif
-endfunction
-
 ## one Euler parameter cannot stay while the orientation changes: each speed moves all four
 function whole_orientations (who, m, held)
   for set = m.orientation'
@@ -95,9 +82,6 @@ function whole_orientations (who, m, held)
 endfunction
 
 function held = held_coordinates (who, m, names)
-  if (! (ischar (names) || iscellstr (names)))
-    error ("%s: option hold: expected names of coordinates, found %s", who, gsmbp__shown (names));
-  endif
   held = false (m.sizes.nq, 1);
   for name = cellstr (names)(:)'
     if (isempty (name{1}))

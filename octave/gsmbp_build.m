@@ -128,15 +128,8 @@ function m = gsmbp_build (name, varargin)
     print_usage ();
   endif
   defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
-  options = gsmbp__options ("gsmbp_build", defaults, varargin);
-  if (! any (strcmp (options.precision, {"double", "quad"})))
-    error ("gsmbp_build: option precision must be \"double\" or \"quad\", found: %s", gsmbp__shown (options.precision));
-  endif
-  for option = {"directory", "build", "input"}
-    if (! ischar (options.(option{1})))
-      error ("gsmbp_build: option %s: expected a path, found %s", option{1}, gsmbp__shown (options.(option{1})));
-    endif
-  endfor
+  kinds = struct ("precision", {{"double", "quad"}}, "directory", "text", "build", "text", "input", "text");
+  options = gsmbp__options ("gsmbp_build", defaults, varargin, kinds);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
     error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
   endif
@@ -146,7 +139,7 @@ function m = gsmbp_build (name, varargin)
   input = options.input;
   if (! isempty (input))
     input = make_absolute_filename (input);
-    if (! exist (input, "file"))
+    if (exist (input, "file") != 2)
       error ("gsmbp_build: there is no input file %s", input);
     endif
   endif

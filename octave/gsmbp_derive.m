@@ -16,6 +16,9 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   if (nargin < 1 || ! ischar (scene))
     print_usage ();
   endif
+  if (nargin > 1)
+    gsmbp__fits ("gsmbp_derive", "argument folder", folder, "text");
+  endif
   if (! exist (scene, "file"))
     error ("gsmbp_derive: there is no scene file %s", scene);
   endif

@@ -17,6 +17,9 @@ function f = gsmbp_evaluate (motion, times, nd = 0, side = 1)
     print_usage ();
   endif
   motion = gsmbp__pp ("gsmbp_evaluate", motion);
+  gsmbp__fits ("gsmbp_evaluate", "argument times", times, "numbers");
+  gsmbp__fits ("gsmbp_evaluate", "argument nd", nd, "whole");
+  gsmbp__fits ("gsmbp_evaluate", "argument side", side, "number");
   n = prod (motion.dim);
   k = motion.order;
   breaks = motion.breaks;

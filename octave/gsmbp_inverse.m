@@ -38,12 +38,13 @@
 ## @end deftypefn
 
 function r = gsmbp_inverse (m, motion, times, varargin)
-  if (nargin < 3 || ! isstruct (m))
+  if (nargin < 3)
     print_usage ();
   endif
   who = "gsmbp_inverse";
+  gsmbp__model (who, m);
   d = m.sizes;
-  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq), "internal", m.initial(d.nq+d.nu+1:end)), varargin);
+  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq), "internal", m.initial(d.nq+d.nu+1:end)), varargin, struct ("side", "number"));
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';

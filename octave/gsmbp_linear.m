@@ -22,9 +22,11 @@
 ## @end deftypefn
 
 function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
-  if (nargin < 3 || ! isstruct (m))
+  if (nargin < 3)
     print_usage ();
   endif
+  who = "gsmbp_linear";
+  gsmbp__model (who, m);
   if (! any (strcmp (m.subroutines, "jac")))
     error ("gsmbp_linear: %s was emitted without the subroutine JAC", m.name);
   endif
@@ -32,8 +34,8 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
     v = zeros (m.sizes.nv, 1);
   endif
   d = m.sizes;
-  who = "gsmbp_linear";
-  o = gsmbp__options (who, struct ("reduced", "auto", "start", "check"), varargin);
+  kinds = struct ("reduced", "names", "start", {{"check", "project"}});
+  o = gsmbp__options (who, struct ("reduced", "auto", "start", "check"), varargin, kinds);
   t = gsmbp__vector (who, "t", t, 1);
   x = gsmbp__start (who, m, t, x, o.start);
   v = gsmbp__vector (who, "v", v, d.nv);
@@ -103,8 +105,6 @@ endfunction
 function [q, u] = chosen (m, names, P, H)
   if (ischar (names))
     names = {names};
-  elseif (! iscellstr (names))
-    error ("gsmbp_linear: option reduced: expected names of coordinates, \"auto\" or \"none\", found %s", gsmbp__shown (names));
   endif
   d = m.sizes;
   k = gsmbp__which (names, m.states);

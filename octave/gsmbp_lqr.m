@@ -22,9 +22,12 @@
 ## @end deftypefn
 
 function design = gsmbp_lqr (m, motion, times, Q, R)
-  if (nargin != 5 || ! isstruct (m))
+  if (nargin != 5)
     print_usage ();
   endif
+  gsmbp__model ("gsmbp_lqr", m);
+  gsmbp__fits ("gsmbp_lqr", "argument Q", Q, "numbers");
+  gsmbp__fits ("gsmbp_lqr", "argument R", R, "numbers");
   d = m.sizes;
   if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [d.nv d.nv]))
     error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d", m.name, d.nx, d.nx, d.nv, d.nv);

@@ -32,20 +32,30 @@
 ## @end deftypefn
 
 function r = gsmbp_mobility (m, x, t = 0)
-  if (nargin < 2 || ! isstruct (m))
+  if (nargin < 2)
     print_usage ();
   endif
+  who = "gsmbp_mobility";
+  gsmbp__model (who, m);
   d = m.sizes;
-  q = x(1:d.nq)(:);
+  t = gsmbp__vector (who, "t", t, 1);
+  if (isnumeric (x) && numel (x) == d.nq)
+    x = [x(:); zeros(d.nx - d.nq, 1)];
+  endif
+  q = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s, or its %d coordinates)", m.name, d.nq))(1:d.nq);
   one = struct ("gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
   if (isfield (m, "mobility") && isstruct (m.mobility))
     one.gruebler = m.mobility.gruebler;
     one.removed = m.removed;
   endif
   if (d.nlam > 0)
-    [phi, ~, H] = m.con (t, q, zeros (d.nu, 1));
-    if (max (abs (phi)) > 1e-6)
-      error ("gsmbp_mobility: %s: expected a closed state, found %s = %g", m.name, m.multipliers{find (abs (phi) > 1e-6, 1)}, max (abs (phi)));
+    [~, ~, H] = m.con (t, q, zeros (d.nu, 1));
+    ## the rows on positions: speeds do not matter here
+    [names, scaled, found] = gsmbp__residuals (m, t, [q; zeros(d.nx - d.nq, 1)]);
+    places = cellfun (@isempty, strfind (names, "rate of "));
+    if (! all (abs (scaled(places)) <= 1e-6))
+      error ("gsmbp:start", "gsmbp_mobility: %s: expected a closed state at t = %.9g s, found %s; close it by gsmbp_assemble", m.name, t,
+             gsmbp__worst (names(places), scaled(places), found(places), 1e-6));
     endif
     ## rows have units of their own: a row counts by its direction
     size_ = sqrt (sum (H .^ 2, 2));

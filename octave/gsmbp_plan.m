@@ -42,10 +42,11 @@ function motion = gsmbp_plan (kind, varargin)
     print_usage ();
   endif
   switch (kind)
-    case "quintic"
-      motion = moves (varargin{:}, [6 -15 10 0 0 0]);
-    case "septic"
-      motion = moves (varargin{:}, [-20 70 -84 35 0 0 0 0]);
+    case {"quintic", "septic"}
+      if (numel (varargin) != 2)
+        error ("gsmbp_plan: %s: expected positions and times, found %d arguments", kind, numel (varargin));
+      endif
+      motion = moves (varargin{:}, struct ("quintic", [6 -15 10 0 0 0], "septic", [-20 70 -84 35 0 0 0 0]).(kind));
     case "profile"
       motion = profile (varargin{:});
     case "table"
@@ -78,7 +79,8 @@ function motion = profile (rate, order = 1, start = [])
   if (! (isstruct (rate) && isfield (rate, "form") && strcmp (rate.form, "pp")))
     error ("gsmbp_plan: the profile must be a piecewise polynomial, as of mkpp");
   endif
-  if (! (isscalar (order) && any (order == [1 2 3])))
+  gsmbp__fits ("gsmbp_plan", "argument start", start, "numbers");
+  if (! (isnumeric (order) && isscalar (order) && any (order == [1 2 3])))
     error ("gsmbp_plan: the order of the profile must be 1 (velocity), 2 (acceleration) or 3 (jerk)");
   endif
   n = prod (rate.dim);
@@ -117,6 +119,7 @@ function motion = table (times, values, order = 1)
   if (rows (values) != nt || nt < 2)
     error ("gsmbp_plan: expected a row of values for each of the %d times (two or more), found %d x %d", nt, rows (values), columns (values));
   endif
+  gsmbp__fits ("gsmbp_plan", "argument order", order, "whole");
   n = columns (values);
   h = diff (times)';
   switch (order)

@@ -39,10 +39,18 @@ function gsmbp_plot (file, t, varargin)
   if (isempty (first))
     first = numel (varargin) + 1;
   endif
-  o = gsmbp__options (who, struct ("title", "", "xlabel", "time [s]", "scale", "linear", "head", "t"), varargin(first:end));
+  o = gsmbp__options (who, struct ("title", "", "xlabel", "time [s]", "scale", "linear", "head", "t"), varargin(first:end),
+                      struct ("title", "text", "xlabel", "text", "head", "text", "scale", {{"linear", "semilogy", "semilogx", "loglog"}}));
   panels = varargin(1:first-1);
   if (isstruct (t))
+    gsmbp__model (who, t);
+    if (! (isstruct (panels{1}) && all (isfield (panels{1}, {"t", "x", "v"}))))
+      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, gsmbp__shown (panels{1}));
+    endif
     [t, panels] = by_unit (t, panels{1});
+  endif
+  if (! (isnumeric (t) && isreal (t)))
+    error ("%s: argument t: expected real numbers, found %s", who, gsmbp__shown (t));
   endif
   t = t(:);
   check (who, t, panels);
@@ -53,8 +61,10 @@ function gsmbp_plot (file, t, varargin)
     data = [data, panels{i}.y];
     heads = [heads, panels{i}.names(:)'];
   endfor
-  gsmbp_csv ([file(1:end-4) ".csv"], heads, data);
-  draw (file, panels, o);
+  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  guard = onCleanup (@() gsmbp__discard (table));
+  gsmbp_csv (table, heads, data);
+  draw (file, table, panels, o);
 endfunction
 
 ## one panel for each unit, in the order in which the units appear
@@ -79,6 +89,12 @@ function check (who, t, panels)
     if (! (isstruct (p) && isscalar (p) && all (isfield (p, {"y", "names", "label"}))))
       error ("%s: panel %d must be a struct with the fields y, names, label", who, i);
     endif
+    if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
+      error ("%s: panel %d: expected numbers y, a list of names and a text label, found %s, %s and %s", who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), gsmbp__shown (p.label));
+    endif
+    if (isfield (p, "style"))
+      gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, {"lines", "linespoints", "points", "steps"});
+    endif
     if (rows (p.y) != numel (t))
       error ("%s: panel %d: expected %d rows, found %d", who, i, numel (t), rows (p.y));
     endif
@@ -89,9 +105,8 @@ function check (who, t, panels)
 endfunction
 
 ## gnuplot draws from the .csv itself, so figure and numbers are the same
-function draw (file, panels, o)
+function draw (file, table, panels, o)
   n = numel (panels);
-  table = [file(1:end-4) ".csv"];
   tight = "";
   if (any (strcmp (o.scale, {"linear", "semilogy"})))
     tight = "set autoscale xfix";
@@ -130,7 +145,7 @@ function draw (file, panels, o)
     lines{end+1} = "unset label 1";
   endfor
   lines{end+1} = "unset multiplot";
-  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines);
+  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines, table);
 endfunction
 
 function text = axes_of (scale)

@@ -12,9 +12,10 @@
 ## @end deftypefn
 
 function m = gsmbp_set (m, varargin)
-  if (nargin < 2 || ! isstruct (m))
+  if (nargin < 2)
     print_usage ();
   endif
+  gsmbp__model ("gsmbp_set", m);
   m.par = merged (m, varargin);
   gsmbp__check_values (m);
   m = gsmbp__handles (m);

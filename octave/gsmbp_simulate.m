@@ -193,16 +193,19 @@
 ## @end deftypefn
 
 function [result, info] = gsmbp_simulate (m, x0, times, varargin)
-  if (nargin < 3 || ! isstruct (m) || ! isfield (m, "module"))
+  if (nargin < 3)
     print_usage ();
   endif
   who = "gsmbp_simulate";
+  gsmbp__model (who, m);
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
                      "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "limits", [], "breaks", [],
                      "memory", [], "samples", true, "modes", [], "audit", [], "start", "check");
-  o = gsmbp__options (who, defaults, varargin);
+  kinds = struct ("projection", "flag", "drift", "flag", "samples", "flag", "breaks", "numbers",
+                  "start", {{"check", "project"}});
+  o = gsmbp__options (who, defaults, varargin, kinds);
   times = gsmbp__times (who, times);
   [m, way] = loops (who, o, m);
   [iopt, ropt, atol, method] = integration (who, o, d, m, way);
@@ -213,9 +216,6 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   [x0, atol] = audit_states (who, m, o, x0, atol);
-  if (! (isnumeric (o.breaks) && isreal (o.breaks) && all (isfinite (o.breaks(:)))))
-    error ("%s: option breaks: expected finite times, found %s", who, gsmbp__shown (o.breaks));
-  endif
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
@@ -334,9 +334,6 @@ function [m, way] = loops (who, o, m)
   if (isempty (word))
     word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
     if (! isempty (o.projection))
-      if (! (isscalar (o.projection) && any (o.projection == [0 1])))
-        error ("%s: option projection: expected true or false, found %s", who, gsmbp__shown (o.projection));
-      endif
       word = words{1 + logical(o.projection)};
     endif
   elseif (! isempty (o.projection))
@@ -416,11 +413,6 @@ function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
     error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, gsmbp__shown (o.maxorder));
   endif
-  for name = {"drift", "samples"}
-    if (! (isscalar (o.(name{1})) && (islogical (o.(name{1})) || any (o.(name{1}) == [0 1]))))
-      error ("%s: option %s: expected true or false, found %s", who, name{1}, gsmbp__shown (o.(name{1})));
-    endif
-  endfor
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
   endif
@@ -469,6 +461,9 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
     rp = double (constants(:)');
   endif
 
+  if (isempty (o.gain) && ! isempty (o.reference))
+    error ("%s: a reference needs a gain, with which the inputs follow it", who);
+  endif
   if (! isempty (o.gain))
     if (isempty (o.reference))
       error ("%s: a gain needs a reference, the state about which it acts", who);

@@ -24,12 +24,16 @@
 ## @end deftypefn
 
 function w = gsmbp_workprecision (m, x0, times, varargin)
-  if (nargin < 3 || ! isstruct (m))
+  if (nargin < 3)
     print_usage ();
   endif
+  gsmbp__model ("gsmbp_workprecision", m);
   own = struct ("rk4", 10 .^ -(2:0.5:4), "dp853", 10 .^ -(4:2:14), "cvode", [], "print", true, "file", "", "seconds", 0.1, "reference", 1e-18);
   rest = {};
   pairs = {};
+  if (mod (numel (varargin), 2) != 0 || ! iscellstr (varargin(1:2:end)))
+    error ("gsmbp_workprecision: options must be name-value pairs");
+  endif
   for i = 1:2:numel (varargin)
     if (isfield (own, varargin{i}))
       pairs(end+1:end+2) = varargin(i:i+1);
@@ -37,7 +41,8 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
       rest(end+1:end+2) = varargin(i:i+1);
     endif
   endfor
-  o = gsmbp__options ("gsmbp_workprecision", own, pairs);
+  kinds = struct ("rk4", "numbers", "dp853", "numbers", "cvode", "numbers", "print", "flag", "file", "text", "seconds", "number", "reference", "positive");
+  o = gsmbp__options ("gsmbp_workprecision", own, pairs, kinds);
 
   [folder, build] = folders (m);
   q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, "parameters", m.par);

@@ -5,6 +5,9 @@
 function ip = gsmbp__event_plan (who, m, o, ip)
   n = numel (m.events);
   if (n == 0)
+    if (! isempty (o.modes))
+      error ("%s: option modes: %s has no events", who, m.name);
+    endif
     return;
   endif
   if (! any (strcmp (m.subroutines, "evt")))

@@ -1,23 +1,28 @@
-## gsmbp__gnuplot (who, file, terminal, lines)
+## gsmbp__gnuplot (who, file, terminal, lines, table)
 ## Runs gnuplot on the cell array LINES; TERMINAL draws into FILE, which appears
 ## whole or not at all: gnuplot itself does not notice a full disk.  An error of WHO
-## shows what gnuplot wrote.
+## shows what gnuplot wrote.  TABLE, a file with the numbers, takes its place beside
+## FILE (.csv) together with it.
 
-function gsmbp__gnuplot (who, file, terminal, lines)
+function gsmbp__gnuplot (who, file, terminal, lines, table)
   [folder, ~, kind] = fileparts (file);
   gsmbp__folder (who, folder);
   new = sprintf ("%s-%d%s", file(1:end-numel (kind)), getpid (), kind);
   script = [tempname() ".gp"];
-  guards = {onCleanup(@() gsmbp__discard (script)), onCleanup(@() gsmbp__discard (new))};
+  guards = {onCleanup(@() gsmbp__discard (script)), onCleanup(@() gsmbp__discard (new)), ...
+            onCleanup(@() gsmbp__discard (table))};
   gsmbp__write (who, script, sprintf ("%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], lines{:}));
   gsmbp__run (who, ["gnuplot '" strrep(script, "'", "'\\''") "'"]);
   if (! whole (new, kind))
-    error ("%s: cannot write %s: gnuplot left a part of it (is the disk full?); what was there before is as it was", who, file);
+    error (["%s: cannot write %s: gnuplot left a part of it (is the disk full?); " ...
+            "what was there before is as it was"], who, file);
   endif
-  [failed, reason] = rename (new, file);
-  if (failed)
-    error ("%s: cannot write %s: %s", who, file, reason);
-  endif
+  for pair = {table, new; [file(1:end-numel (kind)) ".csv"], file}
+    [failed, reason] = rename (pair{:});
+    if (failed)
+      error ("%s: cannot write %s: %s", who, pair{2}, reason);
+    endif
+  endfor
 endfunction
 
 ## does the picture end as its format says?

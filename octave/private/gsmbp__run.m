@@ -6,7 +6,8 @@ function gsmbp__run (who, command)
   [status, text] = system (["exec 2>&1; " command]);
   if (status != 0)
     full = "";
-    if (! isempty (regexp (text, 'No space left|File size limit|File too large', "once")) || status == 153)
+    words = 'No space left|File size limit|File too large';
+    if (status == 153 || ! isempty (regexp (text, words, "once")))
       full = ", the disk is full";
     endif
     lines = strsplit (text, "\n");

@@ -8,6 +8,9 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
   d = m.sizes;
   nc = numel (m.controllers);
   if (nc == 0)
+    if (! isempty (o.memory))
+      error ("%s: option memory: %s has no sampled devices", who, m.name);
+    endif
     return;
   endif
   if (! any (strcmp (m.subroutines, "ctl")))

@@ -3,12 +3,12 @@
 ## where one of them is cut off, or where they are not of one derivation of that scene.
 
 function [json, texts] = gsmbp__scene_files (name, source, description)
-  again = "derive the scene again (gsmbp_fortran)";
   for file = {source, description}
     if (! exist (file{1}, "file"))
-      error ("gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, or `make fortran_out/%s.f`", file{1}, name);
+      error (["gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, " ...
+              "or `make fortran_out/%s.f`"], file{1}, name);
     elseif (stat (file{1}).size == 0)
-      error ("gsmbp_build: %s is empty: %s", file{1}, again);
+      refuse ("%s is empty", file{1});
     endif
   endfor
   texts = {fileread(source), fileread(description)};
@@ -17,58 +17,72 @@ function [json, texts] = gsmbp__scene_files (name, source, description)
   catch
     json = [];
   end_try_catch
+  check_description (json, description, name);
+  check_fortran (json, source, texts{1});
+endfunction
+
+function refuse (template, varargin)
+  error (["gsmbp_build: " template "; derive the scene again (gsmbp_fortran)"], varargin{:});
+endfunction
+
+function check_description (json, description, name)
   needed = {"name", "dimensions", "subroutines", "parameters", "command_order", "actuated"};
   if (! (isstruct (json) && isscalar (json) && all (isfield (json, needed))))
-    error ("gsmbp_build: %s is no whole description of a scene (JSON with %s): %s", description, strjoin (needed, ", "), again);
+    refuse ("%s is no whole description of a scene (JSON with %s)", description,
+            strjoin (needed, ", "));
   endif
   plain = strrep (strrep (name, "+", ""), "-", "m");   # as share/make/derive names files
   if (! (ischar (json.name) && strcmp (json.name, plain)))
-    error ("gsmbp_build: %s describes the scene %s, expected %s: %s", description, gsmbp__shown (json.name), plain, again);
+    refuse ("%s describes the scene %s, expected %s", description, gsmbp__shown (json.name),
+            plain);
   endif
-  check_fortran (json, source, texts{1}, again);
 endfunction
 
 ## every subroutine that the description names is there with its arguments, and ends
-function check_fortran (json, source, text, again)
+function check_fortran (json, source, text)
   text = strrep (strrep (text, "\r", ""), "\t", " ");
   code = regexprep (text, "\n     [^ \n]", "");   # continuation lines
   heads = regexp (code, '^ +SUBROUTINE +(\w+) *\(([^)]*)\)', "tokens", "lineanchors");
   names = cellfun (@(h) h{1}, heads, "UniformOutput", false);
   list = json.subroutines;
-  if (isstruct (list))
-    list = num2cell (list);
+  if (! isstruct (list))
+    list = struct ("name", {});
   endif
-  for k = 1:numel (list)
-    one = list{k};
-    if (! isstruct (one) || ! isfield (one, "name"))
-      continue;
-    endif
+  for one = list(:)'
     here = find (strcmpi (names, one.name), 1);
     if (isempty (here))
-      error ("gsmbp_build: %s has no SUBROUTINE %s, which the .json beside it names: one of them is cut off or of another derivation; %s", source, one.name, again);
+      refuse (["%s has no SUBROUTINE %s, which the .json beside it names: " ...
+               "one of them is cut off or of another derivation"], source, one.name);
     endif
-    given = strtrim (strsplit (heads{here}{2}, ","));
-    if (isfield (one, "arguments") && ! isequal (upper (given), upper (cellstr (one.arguments)(:)')))
-      error ("gsmbp_build: %s: SUBROUTINE %s has the arguments (%s), the .json beside it says (%s): they are of two derivations; %s", source, one.name,
-             strjoin (given, ", "), strjoin (cellstr (one.arguments)(:)', ", "), again);
+    if (isfield (one, "arguments"))
+      same_arguments (source, one, strtrim (strsplit (heads{here}{2}, ",")));
     endif
   endfor
   if (isempty (regexp (code, '\n +END *\n*$', "once")))
-    error ("gsmbp_build: %s is cut off: expected END in its last line; %s", source, again);
+    refuse ("%s is cut off: expected END in its last line", source);
   endif
-  for size_ = {"PAR", "npar"; "CST", "ncst"}'
-    same_size (json, source, code, size_{1}, size_{2}, again);
-  endfor
+  same_size (json, source, code, "PAR", "npar", "parameters");
+  same_size (json, source, code, "CST", "ncst", "constants");
+endfunction
+
+function same_arguments (source, one, given)
+  told = cellstr (one.arguments)(:)';
+  if (! isequal (upper (given), upper (told)))
+    refuse (["%s: SUBROUTINE %s has the arguments (%s), the .json beside it says (%s): " ...
+             "they are of two derivations"], source, one.name, strjoin (given, ", "),
+            strjoin (told, ", "));
+  endif
 endfunction
 
 ## the arrays of parameters and constants are as long as the description says
-function same_size (json, source, code, array, field, again)
+function same_size (json, source, code, array, field, what)
   found = regexp (code, ['DOUBLE PRECISION[^\n]*\<' array '\((\d+)\)'], "tokens", "once");
   if (isempty (found) || ! isfield (json.dimensions, field))
     return;
   endif
-  if (str2double (found{1}) != max (1, json.dimensions.(field)))
-    error ("gsmbp_build: %s has %s %s, the .json beside it says %d: they are of two derivations; %s", source, found{1}, {"parameters", "constants"}{1 + strcmp(array, "CST")},
-           json.dimensions.(field), again);
+  told = json.dimensions.(field);
+  if (str2double (found{1}) != max (1, told))
+    refuse ("%s has %s %s, the .json beside it says %d: they are of two derivations", source,
+            found{1}, what, told);
   endif
 endfunction

@@ -10,6 +10,6 @@ function text = gsmbp__shown (value)
   elseif (is_function_handle (value))
     text = "a function handle";
   else
-    text = sprintf ("a %s of size %s", class (value), strjoin (arrayfun (@(n) sprintf ("%d", n), size (value), "UniformOutput", false), "x"));
+    text = sprintf ("a %s of size %s", class (value), sprintf ("%dx", size (value))(1:end-1));
   endif
 endfunction

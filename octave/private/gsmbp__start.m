@@ -6,11 +6,9 @@
 ## START: a struct, see the help of gsmbp_simulate.
 
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
-  if (! (ischar (wanted) && any (strcmp (wanted, {"check", "project"}))))
-    error ("%s: option start: expected \"check\" or \"project\", found %s", who, gsmbp__shown (wanted));
-  endif
   d = m.sizes;
-  x = gsmbp__vector (who, "x0"(1:1+strcmp (who, "gsmbp_simulate")), x, d.nx, sprintf (" (the states of %s)", m.name));
+  argument = {"x", "x0"}{1 + strcmp(who, "gsmbp_simulate")};
+  x = gsmbp__vector (who, argument, x, d.nx, sprintf (" (the states of %s)", m.name));
   start = struct ("residual", 0, "row", "", "moved", 0, "state", "");
   if (d.nlam == 0 && d.nq == d.nu)
     return;
@@ -19,44 +17,67 @@ function [x, start] = gsmbp__start (who, m, t, x, wanted)
   [names, scaled, found] = gsmbp__residuals (m, t, x);
   [start.residual, k] = max ([abs(scaled); 0]);
   start.row = [names; {""}]{k};
-  if (! (start.residual <= 1e-6) && strcmp (wanted, "check"))
-    error ("gsmbp:start", "%s: %s: expected a state on the constraints at t = %.9g s, found %s; close it by gsmbp_assemble, or have it moved: \"start\", \"project\"", who,
-           m.name, t, gsmbp__worst (names, scaled, found, 1e-6));
+  check = strcmp (wanted, "check");
+  if (check && ! (start.residual <= 1e-6))
+    refuse (who, m, t, ["found " gsmbp__worst(names, scaled, found, 1e-6)]);
   endif
   ## what is closed to rounding stays as it is
-  if (start.residual > 100 * eps || (strcmp (wanted, "project") && ! any (strcmp (m.subroutines, "con"))))
-    [x, start] = moved (who, m, t, x, wanted, start);
+  seen = d.nlam == 0 || any (strcmp (m.subroutines, "con"));
+  if (start.residual > 100 * eps || ! (check || seen))
+    [x, start] = moved (who, m, t, x, check, start);
   endif
+endfunction
+
+function refuse (who, m, t, found)
+  error ("gsmbp:start",
+         ["%s: %s: expected a state on the constraints at t = %.9g s, %s; " ...
+          "close it by gsmbp_assemble, or have it moved: \"start\", \"project\""],
+         who, m.name, t, found);
 endfunction
 
 function no_zero_orientation (who, m, x)
   for set = m.orientation'
     if (! (norm (x(set)) > 1e-3))
-      error ("%s: %s: expected Euler parameters of length 1, found (%s) = (%s), which is no orientation", who, m.name, strjoin (m.coordinates(set)', ", "),
-             strjoin (arrayfun (@(e) sprintf ("%g", e), x(set)', "UniformOutput", false), ", "));
+      error (["%s: %s: expected Euler parameters of length 1, found (%s) = %s, " ...
+              "which is no orientation"],
+             who, m.name, strjoin (m.coordinates(set)', ", "), mat2str (x(set)', 6));
     endif
   endfor
 endfunction
 
 ## X on the constraints, and by how much it was moved
-function [y, start] = moved (who, m, t, x, wanted, start)
+function [y, start] = moved (who, m, t, x, check, start)
   y = x;
   if (! any (strcmp (m.subroutines, "prj")))
-    if (strcmp (wanted, "project"))
-      error ("%s: \"start\", \"project\" needs the subroutine PRJ (request projection), which %s was emitted without", who, m.name);
+    if (! check)
+      error (["%s: \"start\", \"project\" needs the subroutine PRJ (request projection), " ...
+              "which %s was emitted without"], who, m.name);
     endif
     return;
   endif
   [y, ~, info] = m.prj (t, x);
-  [names, scaled, found] = gsmbp__residuals (m, t, y);
-  if (! (all (isfinite (y)) && all (abs (scaled) <= 1e-6)) || ! any (info == [0, 2]))
-    error ("gsmbp:start", "%s: %s: no state on the constraints was found near this one at t = %.9g s (%s); found %s; try gsmbp_assemble with another guess, or check the lengths", who,
-           m.name, t, gsmbp__info (m, "prj", info), gsmbp__worst (names, scaled, found, 1e-6));
-  endif
+  on_them (who, m, t, y, info);
   [start.moved, k] = max (abs (y - x) ./ m.nominal);
   start.state = m.states{k};
-  if (start.moved > 1e-3 && strcmp (wanted, "check"))
-    error ("gsmbp:start", "%s: %s: expected a state on the constraints at t = %.9g s, found one that %s puts off them by %.3g only, but that must be moved by %.3g in %s (close to a singular position); close it by gsmbp_assemble, or have it moved: \"start\", \"project\"",
-           who, m.name, t, start.row, start.residual, start.moved, start.state);
+  if (start.moved > 1e-3 && check)
+    refuse (who, m, t, sprintf (["found one that %s puts off them by %.3g only, but that must " ...
+                                 "be moved by %.3g in %s (close to a singular position)"],
+                                start.row, start.residual, start.moved, start.state));
+  endif
+endfunction
+
+function on_them (who, m, t, y, info)
+  scaled = NaN;
+  names = {"a state that is not finite"};
+  found = NaN;
+  if (all (isfinite (y)))
+    [names, scaled, found] = gsmbp__residuals (m, t, y);
+  endif
+  if (! all (abs (scaled) <= 1e-6) || ! any (info == [0, 2]))
+    error ("gsmbp:start",
+           ["%s: %s: no state on the constraints was found near this one at t = %.9g s (%s); " ...
+            "found %s; try gsmbp_assemble with another guess, or check the lengths"],
+           who, m.name, t, gsmbp__info (m, "prj", info),
+           gsmbp__worst (names, scaled, found, 1e-6));
   endif
 endfunction

@@ -8,11 +8,11 @@
 ## warning; rk4 has no tolerances.
 
 function [rtol, atol] = gsmbp__tolerances (who, m, rtol, atol, method)
-  if (! (isnumeric (rtol) && isreal (rtol) && isscalar (rtol) && isfinite (rtol) && rtol > 0))
-    error ("%s: option rtol: expected a number above 0, found %s", who, gsmbp__shown (rtol));
-  endif
-  if (! (isnumeric (atol) && isreal (atol) && any (numel (atol) == [0, 1, m.sizes.nx]) && all (atol(:) >= 0) && all (isfinite (atol(:)))))
-    error ("%s: option atol: expected one number or %d numbers, finite and >= 0, found %s", who, m.sizes.nx, gsmbp__shown (atol));
+  gsmbp__fits (who, "option rtol", rtol, "positive");
+  fits = isnumeric (atol) && isreal (atol) && any (numel (atol) == [0, 1, m.sizes.nx]);
+  if (! (fits && all (atol(:) >= 0) && all (isfinite (atol(:)))))
+    error ("%s: option atol: expected one number or %d numbers, finite and >= 0, found %s", who,
+           m.sizes.nx, gsmbp__shown (atol));
   endif
   rounding = struct ("double", eps, "quad", 2 ^ -112).(m.precision);
   least = 10 * rounding;
@@ -34,6 +34,8 @@ function [rtol, atol] = gsmbp__tolerances (who, m, rtol, atol, method)
     atol(low) = least * m.nominal(low);
   endif
   if (! isempty (small) && ! strcmp (method, "rk4"))
-    warning ("gsmbp:tolerance", "%s: %s: %s is below what %s precision can keep; it was raised to %.2g (atol: times m.nominal)", who, m.name, strjoin (small, ", "), m.precision, least);
+    warning ("gsmbp:tolerance", ["%s: %s: %s is below what %s precision can keep; " ...
+                                 "it was raised to %.2g (atol: times m.nominal)"],
+             who, m.name, strjoin (small, ", "), m.precision, least);
   endif
 endfunction

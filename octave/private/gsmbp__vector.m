@@ -13,7 +13,8 @@ function x = gsmbp__vector (who, name, x, n, what)
     endif
     error ("%s: argument %s: expected %d real numbers%s, found %s", who, name, n, what, found);
   elseif (numel (x) != n || (n > 0 && ! isvector (x)))
-    error ("%s: argument %s: expected %d number%s%s, found %s", who, name, n, {"s", ""}{1 + (n == 1)}, what, strjoin (cellfun (@num2str, num2cell (size (x)), "UniformOutput", false), "x"));
+    error ("%s: argument %s: expected %d number%s%s, found %s", who, name, n,
+           {"s", ""}{1 + (n == 1)}, what, sprintf ("%dx", size (x))(1:end-1));
   endif
   x = double (x(:));
   k = find (! isfinite (x), 1);

@@ -12,7 +12,8 @@ function text = gsmbp__worst (names, scaled, found, limit)
   [size_, order] = sort (size_, "descend");
   n = max (1, sum (size_ > limit));
   shown = order(1:min (n, 6))';
-  text = strjoin (arrayfun (@(k) sprintf ("%s = %.6g", names{k}, found(k)), shown, "UniformOutput", false), ", ");
+  one = @(k) sprintf ("%s = %.6g", names{k}, found(k));
+  text = strjoin (arrayfun (one, shown, "UniformOutput", false), ", ");
   if (n > 6)
     text = sprintf ("%s and %d more", text, n - 6);
   endif

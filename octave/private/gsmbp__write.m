@@ -16,7 +16,8 @@ function gsmbp__write (who, file, text)
   ## neither says reliably that the disk is full
   there = stat (new);
   if (isempty (there) || there.size != numel (text))
-    error ("%s: cannot write %s: %d of %d bytes were written (is the disk full?); what was there before is as it was", who, file, size_of (there), numel (text));
+    error (["%s: cannot write %s: %d of %d bytes were written (is the disk full?); " ...
+            "what was there before is as it was"], who, file, size_of (there), numel (text));
   endif
   [failed, reason] = rename (new, file);
   if (failed)

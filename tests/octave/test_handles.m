@@ -77,7 +77,7 @@ function wrong (m, c)
   says (@() m.inv (0, ones (1, 1, 2), 0, 0), "motor_pendulum.inv: argument q: expected a matrix, found 1x1x2");
   says (@() gsmbp_set (m, "mass", 1), "unknown parameter \"mass\"; known: g, l, m,");
   says (@() gsmbp_set (m, "g", NaN), "parameter g must be one finite number, found: NaN");
-  says (@() gsmbp_build ("motor_pendulum", "precision", "half"), "precision must be \"double\" or \"quad\", found: \"half\"");
+  says (@() gsmbp_build ("motor_pendulum", "precision", "half"), "option precision: expected one of \"double\", \"quad\", found \"half\"");
   says (@() gsmbp_simulate (c, gsmbp_assemble (c, [0.3, -0.1, 0.7]), [0, 1], "motion", gsmbp_plan ("quintic", [0, 1; 0, 1], [0, 1])),
         "expected 1 components (q1), found 2");
   short = gsmbp_set (c, "l2", 0.1);

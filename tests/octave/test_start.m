@@ -157,7 +157,7 @@ function others ()
   a = gsmbp_linear (m, 0.3, bad, [], "start", "project", "reduced", "none");
   b = gsmbp_linear (m, 0.3, m.prj (0.3, bad), [], "reduced", "none");
   gsmbp_check ("gsmbp_linear about the state moved", a.a - b.a, 0);
-  says (@() gsmbp_simulate (m, bad, [0.3, 1], "start", "guess"), "option start: expected \"check\" or \"project\", found \"guess\"");
+  says (@() gsmbp_simulate (m, bad, [0.3, 1], "start", "guess"), "option start: expected one of \"check\", \"project\", found \"guess\"");
   says (@() gsmbp_simulate (m, bad(1:2), [0.3, 1]), "gsmbp_simulate: argument x0: expected 6 numbers (the states of driven_fourbar), found 2x1");
   s = gsmbp_fixture ("rolling_disc");
   x = s.initial;

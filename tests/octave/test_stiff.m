@@ -268,7 +268,7 @@ function failures (m)
   gsmbp_check ("states that cease to be finite: the rows before are kept", info != 0 && numel (r.t) == 6 && all (isfinite (r.x(:))));
   said = "";
   try
-    stiff (m, [1; 0; 0], [0, 1], "atol", [0, 0, 1e-10]);
+    stiff (m, [1; 0; 0], [0, 1], "input", @(t, x) 1e300);
   catch err
     said = err.message;
   end

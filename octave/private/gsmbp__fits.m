@@ -1,0 +1,37 @@
+## gsmbp__fits (who, what, value, kind)
+## An error of WHO about WHAT unless VALUE is of that KIND: "flag", "number" (real,
+## finite), "positive", "whole" (a whole number >= 0), "numbers" (an array of real,
+## finite ones), "text", "names" (a text or a cell array of texts), or one of the words
+## of a cell array.
+
+function gsmbp__fits (who, what, value, kind)
+  numbers = (isnumeric (value) || islogical (value)) && isreal (value) ...
+            && all (isfinite (value(:)));
+  one = numbers && isscalar (value);
+  if (iscell (kind))
+    fits = ischar (value) && any (strcmp (value, kind));
+    wanted = ["one of \"" strjoin(kind, "\", \"") "\""];
+  else
+    switch (kind)
+      case "flag"
+        [wanted, fits] = deal ("true or false", one && any (value == [0, 1]));
+      case "number"
+        [wanted, fits] = deal ("a finite number", one);
+      case "positive"
+        [wanted, fits] = deal ("a finite number above 0", one && value > 0);
+      case "whole"
+        whole = one && value >= 0 && value == fix (value);
+        [wanted, fits] = deal ("a whole number >= 0", whole);
+      case "numbers"
+        [wanted, fits] = deal ("finite numbers", numbers);
+      case "text"
+        [wanted, fits] = deal ("a text", ischar (value) && rows (value) <= 1);
+      case "names"
+        listed = ischar (value) || iscellstr (value);
+        [wanted, fits] = deal ("a name or a list of names", listed);
+    endswitch
+  endif
+  if (! fits)
+    error ("%s: %s: expected %s, found %s", who, what, wanted, gsmbp__shown (value));
+  endif
+endfunction

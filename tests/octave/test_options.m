@@ -1,0 +1,106 @@
+## Wrong values of options and arguments of the functions of octave/, one after the other: each is taken, or is an error in one line that begins with the
+## name of the function (or of the handle) and is none of Octave's own; an option that is not known is told with those that are.
+
+function test_options ()
+  warning ("off", "all", "local");
+  m = gsmbp_hand ("motor_pendulum");
+  c = gsmbp_hand ("hand_crank");
+  x = [0.1, 0, 0];
+  xc = gsmbp_assemble (c, c.initial);
+  r = gsmbp_simulate (c, xc, [0, 0.1, 0.2]);
+  plan = gsmbp_plan ("quintic", [0, 1], [0, 1]);
+  panel = struct ("y", [1; 2], "names", {{"a"}}, "label", "b");
+  folder = tempname ();
+  png = fullfile (folder, "a.png");
+  mkdir (folder);
+  before = cd (folder);   # a name of a file may be any text
+  guard = onCleanup (@() leave (before, folder));
+  options (@(varargin) gsmbp_simulate (m, x, [0, 0.01], varargin{:}), {"method", "step", "rtol", "atol", "maxstep", "maxsteps", "maxorder", "loops", "projection", "drift", ...
+           "input", "motion", "gain", "reference", "breaks", "memory", "samples", "modes", "audit", "start"});
+  options (@(varargin) gsmbp_assemble (c, xc, varargin{:}), {"hold", "time", "tolerance", "branches"});
+  options (@(varargin) gsmbp_linear (m, 0, x, 0, varargin{:}), {"reduced", "start"});
+  options (@(varargin) gsmbp_inverse (c, plan, 0, varargin{:}), {"side", "input", "guess", "internal"});
+  options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, "print", false, varargin{:}), {"input", "qj", "print"});
+  options (@(varargin) gsmbp_hand ("motor_pendulum", varargin{:}), {"parameters", "precision", "directory"});
+  options (@(varargin) gsmbp_plot (png, [1, 2], panel, varargin{:}), {"xlabel", "scale"});
+  options (@(varargin) gsmbp_animate (c, r, png, varargin{:}), {"times", "fps", "trace", "view", "up"});
+  arguments_of (@gsmbp_simulate, {m, x, [0, 0.01]});
+  arguments_of (@gsmbp_assemble, {c, xc});
+  arguments_of (@gsmbp_linear, {m, 0, x, 0});
+  arguments_of (@gsmbp_inverse, {c, plan, 0});
+  arguments_of (@gsmbp_mobility, {c, xc, 0});
+  arguments_of (@gsmbp_set, {m, "g", 1});
+  arguments_of (@gsmbp_evaluate, {plan, 0, 0, 1});
+  arguments_of (@gsmbp_plan, {"quintic", [0, 1], [0, 1]});
+  arguments_of (@gsmbp_plan, {"profile", mkpp([0, 1], 1), 1, 0});
+  arguments_of (@gsmbp_plan, {"table", [0, 1], [1; 2], 1});
+  arguments_of (@gsmbp_csv, {fullfile(folder, "a.csv"), {"a"}, 1});
+  arguments_of (@gsmbp_plot, {png, [1, 2], panel});
+end
+
+function leave (before, folder)
+  cd (before);
+  confirm_recursive_rmdir (false, "local");
+  rmdir (folder, "s");
+end
+
+function list = wrong_values ()
+  list = {NaN, -1, {}, "x", struct("a", 1), [], 1i, @sin, ones(3, 3), "", {1}, Inf, true(1, 2), int8(3)};
+end
+
+function options (f, names)
+  bad = {};
+  for name = names
+    for value = wrong_values ()
+      if (strcmp (name{1}, "input") && is_function_handle (value{1}))
+        continue;   # an input that a function gives is rightly called
+      end
+      bad{end+1} = judged (f, {name{1}, value{1}});
+    end
+  end
+  bad{end+1} = judged (f, {names{1}});
+  bad{end+1} = judged (f, {1, 2});
+  found = complaint (f, {"nonsense", 1});
+  bad{end+1} = {"", "an unknown option"}{1 + isempty(regexp (found, '^gsmbp_\w+: unknown option "nonsense"; known: \w+, ', "once"))};
+  report (func2str (f), bad);
+end
+
+function arguments_of (f, good)
+  bad = {};
+  for k = 1:numel (good)
+    for value = wrong_values ()
+      given = good;
+      given{k} = value{1};
+      bad{end+1} = judged (f, given);
+    end
+  end
+  report (func2str (f), bad);
+end
+
+function report (what, bad)
+  bad = bad(! cellfun (@isempty, bad));
+  word = regexp (what, 'gsmbp_\w+', "match", "once");
+  if (! gsmbp_check (sprintf ("%s: wrong values", word), isempty (bad)))
+    printf ("  %s\n", bad{:});
+  end
+end
+
+## "" where it is taken or told well
+function text = judged (f, given)
+  text = complaint (f, given);
+  own = ! isempty (regexp (text, '^(gsmbp_\w+|motor_pendulum\.\w+|hand_crank\.\w+): ', "once")) && ! any (text == "\n");
+  if (own || strcmp (text, "") || strncmp (text, "Invalid call to gsmbp_", 22))
+    text = "";
+  else
+    text = sprintf ("%s: %s", strtrim (regexprep (disp (given), '\s+', " ")), text);
+  end
+end
+
+function text = complaint (f, given)
+  text = "";
+  try
+    evalc ("f (given{:});");
+  catch err
+    text = err.message;
+  end
+end
