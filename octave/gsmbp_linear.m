@@ -13,7 +13,8 @@
 ##
 ## With loops (or Euler parameters) the states are not independent.  The option
 ## "reduced" gives the model in independent ones: the coordinates @var{names}
-## and their speeds ("auto", the default where there are constraints: chosen by
+## and their speeds (with constraints of speeds alone, rolling or sleds, there are
+## more independent coordinates than speeds: name the speeds too) ("auto", the default where there are constraints: chosen by
 ## the Jacobian) and the actuator states.  Then dx = @var{T} dz for the reduced
 ## deviations dz, which are the states of the numbers @var{independent}.  It is
 ## exact: on the constraints' tangent space T the full model and the

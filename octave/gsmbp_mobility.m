@@ -19,7 +19,15 @@
 ## @item redundant
 ## @code{rows} - @code{rank}: so many multipliers may be chosen at will
 ## @item unique
-## for every multiplier: true where the motion determines it
+## for every multiplier: true where the motion determines it, among the rows
+## that were left out too (@qcode{"unique"} of @code{m.json.multipliers}) and at
+## @var{x}
+## @item reactions
+## for every @code{output (name, reaction (J))} of the scene: @code{output},
+## @code{joint}, and the names of its components (@code{x}, @code{y}, @code{z}:
+## force, @code{mx}, @code{my}, @code{mz}: moment) that are @code{unique} and
+## @code{not_unique}, in positions near the start.  This does not depend on where
+## the loop is cut; the values of the others do
 ## @item removed
 ## rows that were left out of the equations, with the reason
 ## @item singular
@@ -43,7 +51,7 @@ function r = gsmbp_mobility (m, x, t = 0)
     x = [x(:); zeros(d.nx - d.nq, 1)];
   endif
   q = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s, or its %d coordinates)", m.name, d.nq))(1:d.nq);
-  one = struct ("gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
+  one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
   if (isfield (m, "mobility") && isstruct (m.mobility))
     one.gruebler = m.mobility.gruebler;
     one.removed = m.removed;
@@ -67,12 +75,38 @@ function r = gsmbp_mobility (m, x, t = 0)
     one.rank = sum (s > 1e-7 * max ([s; eps]));
     one.mobility = d.nu - one.rank;
     one.redundant = one.rows - one.rank;
-    one.unique = (sqrt (sum (U(:,one.rank+1:end) .^ 2, 2)) < 1e-6)';
+    one.unique = (sqrt (sum (U(:,one.rank+1:end) .^ 2, 2)) < 1e-6)' & determined (m);
   endif
   if (nargout > 0)
     r = one;
   else
     show (m, one);
+  endif
+endfunction
+
+## what the scene's description says of the multipliers, rows that were left out counted
+function u = determined (m)
+  u = true (1, m.sizes.nlam);
+  if (isfield (m, "json") && isfield (m.json, "multipliers") && isfield (m.json.multipliers, "unique"))
+    u = logical ([m.json.multipliers.unique]);
+  endif
+endfunction
+
+function r = reactions_of (m)
+  r = struct ("output", {}, "joint", {}, "unique", {}, "not_unique", {});
+  if (isfield (m, "json") && isfield (m.json, "reactions") && isstruct (m.json.reactions))
+    for one = m.json.reactions(:)'
+      r(end+1) = struct ("output", one.output, "joint", one.joint, "unique", {names(one.unique)}, "not_unique", {names(one.not_unique)});
+    endfor
+  endif
+endfunction
+
+## a list of names as it comes out of JSON
+function l = names (l)
+  if (isempty (l))
+    l = cell (1, 0);
+  else
+    l = cellstr (l)(:)';
   endif
 endfunction
 
@@ -82,7 +116,7 @@ function show (m, r)
   for k = 1:numel (r.removed)
     printf ("  %s is left out: %s\n", r.removed(k).row, r.removed(k).reason);
   endfor
-  if (r.redundant > 0)
+  if (any (! r.unique))
     printf ("  not unique: %s\n", strjoin (m.multipliers(! r.unique), ", "));
     unique_ = m.multipliers(r.unique);
     if (isempty (unique_))
@@ -90,6 +124,11 @@ function show (m, r)
     endif
     printf ("  unique: %s\n", strjoin (unique_, ", "));
   endif
+  for one = r.reactions
+    if (! isempty (one.not_unique))
+      printf ("  reaction in %s (%s): not unique: %s; unique: %s\n", one.joint, one.output, strjoin (one.not_unique, ", "), strjoin ([one.unique, {"none"}(isempty (one.unique))], ", "));
+    endif
+  endfor
 endfunction
 
 %!error <Invalid call> gsmbp_mobility ()

@@ -35,6 +35,7 @@ function par = merged (m, pairs)
       if (! ischar (name))
         name = class (name);
       endif
+      made_of_others (m, name);
       error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
@@ -44,6 +45,17 @@ function par = merged (m, pairs)
   endfor
 endfunction
 
+## an error for a parameter that the scene makes of others
+function made_of_others (m, name)
+  if (! isfield (m.json, "dependent") || isempty (m.json.dependent))
+    return;
+  endif
+  k = find (strcmp (name, {m.json.dependent.name}), 1);
+  if (! isempty (k))
+    error ("gsmbp_set: %s: parameter %s is made of others, %s: expected one of these", m.name, name, m.json.dependent(k).expression);
+  endif
+endfunction
+
 %!shared m
 %! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
 %! m = gsmbp_hand ("motor_pendulum");
@@ -51,6 +63,10 @@ endfunction
 %!assert (gsmbp_set (m, struct ("l", 1, "g", 1)).par.l, 1)
 %!assert (m.par.l, 0.5)
 %!error <unknown parameter "G"> gsmbp_set (m, "G", 1)
+%!test
+%! n = m;
+%! n.json.dependent = struct ("name", "mr", "expression", "rho*l", "value", 1, "unit", "kg");
+%! fail ('gsmbp_set (n, "mr", 1)', "parameter mr is made of others, rho\\*l: expected one of these");
 %!error <parameter g must be one finite number> gsmbp_set (m, "g", [1 2])
 %!error <must be one finite number, found: an empty double> gsmbp_set (m, "g", [])
 %!error <must be one finite number, found: NaN> gsmbp_set (m, "g", NaN)
