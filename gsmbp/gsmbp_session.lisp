@@ -11,7 +11,7 @@
     $macros $arrays $props $structures $rules $gradefs $dependencies $let_rule_packages $current_let_rule_package
     $default_let_rule_package $context $contexts $activecontexts $error $error_syms $error_size $errormsg $debugmode $backtrace
     $display2d $linel $ttyoff $showtime $prompt $inchar $linechar $outchar $leftjust $announce_rules_firing $setcheck
-    $setcheckbreak $refcheck $storenum $disptime $timer $trace $ratprint $prederror_ $tempdir $logfile))
+    $optionset $ratprint munbindp $setcheckbreak $refcheck $storenum $disptime $timer $trace $tempdir $logfile))
 (defvar *gsmbp-kept-stems*
   '("$FILE" "$MAXIMA_" "$LOAD" "$GNUPLOT" "$PLOT" "$TESTSUITE" "$SHARE_TESTSUITE" "$TRACE" "$TIMER" "$GSMBP" "$TTY" "$IN_NETMATH" "$DRAW"))
 
@@ -95,7 +95,7 @@
 
 (defun gsmbp-apart (f)
   (if *gsmbp-apart* (funcall f)
-    (let ((*gsmbp-apart* t) (*print-base* 10) (*read-base* 10) (declared nil) (mark (cons bindlist loclist)) (changed (gsmbp-changed-options)))
+    (let ((*gsmbp-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil) (mark (cons bindlist loclist)) (changed (gsmbp-changed-options)))
       (unwind-protect
         (progn
           (mbind (car changed) (cdr changed) nil)

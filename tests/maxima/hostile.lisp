@@ -22,3 +22,9 @@
         (mapc (lambda (s v) (unless (equal (symbol-value s) (hostile-value v)) (push s changed))) names before))
       (mapc (lambda (s v) (setf (symbol-value s) v)) names before))
     (list '(mlist) value (cons '(mlist) changed))))
+
+(defun $same_bytes (a b)
+  (and (probe-file a) (probe-file b)
+       (with-open-file (x a) (with-open-file (y b)
+         (loop (let ((l (read-line x nil :end)) (m (read-line y nil :end)))
+                 (cond ((not (equal l m)) (return nil)) ((eq l :end) (return t)))))))))

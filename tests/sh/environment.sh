@@ -12,29 +12,28 @@ arm() := gsmbp_scene("arm", gravity = [0, -g, 0], link(a, mass = m1, centre = [0
   output(y, atan2(sin(q1), cos(q2)), unit = rad), parameters = [g = 9.81*m/s^2, m1 = 3*kg, d0 = 0])$
 loop() := block([scene], load("tests/scenes/case_02a_motor.mac"), scene)$
 emit(folder, s, requests) := (gsmbp_fortran(s, requests, directory = sconcat(work, "/", folder)), 'done)$
-same(folder, name) := is(?system(sconcat("cmp -s ", work, "/plain/", name, ".f ", work, "/", folder, "/", name, ".f && cmp -s ", work, "/plain/",
-  name, ".json ", work, "/", folder, "/", name, ".json")) = 0)$
+same(folder, name) := every(lambda([e], same_bytes(sconcat(work, "/plain/", name, e), sconcat(work, "/", folder, "/", name, e))), [".f", ".json"])$
 told(what, good) := printf(true, "~a ~a~%", if good then "ok" else "not ok", what)$
 M
 prelude="work : \"$work\"\$ load(\"gsmbp/gsmbp.mac\")\$ batchload(\"$work/scenes.mac\")\$"
 
 share/make/maxima "$work/log" "$prelude
-emit(\"plain\", arm(), [all, batch])\$ emit(\"plain\", loop(), all)\$
+emit(\"plain\", arm(), [inverse, rhs])\$ emit(\"plain\", loop(), [rhs, jacobian, command])\$
 options : hostile_options()\$
 told(\"there are options to turn round\", length(options) > 100)\$
 /* many at once */
-for k thru 4 do block([l : makelist(options[i], i, k, length(options), 4), r],
-  r : errcatch(with_hostile(l, emit(\"many\", arm(), '[all, batch]))),
+for k thru 2 do block([l : makelist(options[i], i, k, length(options), 2), r],
+  r : errcatch(with_hostile(l, emit(\"many\", arm(), '[inverse, rhs]))),
   told(sconcat(\"options, part \", k, \": the same bytes\"), r # [] and same(\"many\", \"arm\")),
   told(sconcat(\"options, part \", k, \": as they were\"), r # [] and second(first(r)) = []))\$
-block([r : errcatch(with_hostile(options, emit(\"all\", loop(), 'all)))],
+block([r : errcatch(with_hostile(options, emit(\"all\", loop(), '[rhs, jacobian, command])))],
   told(\"all options, a scene with a loop and a motor: the same bytes, as they were\", r # [] and second(first(r)) = [] and same(\"all\", \"case_02a_motor\")))\$
 " || echo "not ok options: $(tail -n 1 "$work/log")"
 grep -E '^(not )?ok ' "$work/log"
 
 # one at a time, as a user sets them: word, value; in both the scene is read and derived
 one() {
-  printf 'block([r : errcatch(block([%s : %s], emit("one", arm(), [all, batch])))], told("%s = %s: the same bytes", r # [] and same("one", "arm")))$\n' "$1" "$2" "$1" "$2"
+  printf 'block([r : errcatch(block([%s : %s], emit("one", arm(), [inverse, rhs])))], told("%s = %s: the same bytes", r # [] and same("one", "arm")))$\n' "$1" "$2" "$1" "$2"
 }
 {
   for o in exponentialize numer float negdistrib_ demoivre halfangles trigexpand keepfloat algebraic ratfac bftorat radexpand_ logexpand_ \
@@ -43,7 +42,7 @@ one() {
   done
   one obase 16; one ibase 8; one domain "'complex"; one radexpand "'all"; one logexpand "'super"; one expop 3; one fpprec 60; one fpprintprec 4
 } >"$work/ones.mac"
-share/make/maxima "$work/log" "$prelude emit(\"plain\", arm(), [all, batch])\$ snapshot : session_snapshot()\$
+share/make/maxima "$work/log" "$prelude emit(\"plain\", arm(), [inverse, rhs])\$ snapshot : session_snapshot()\$
 batchload(\"$work/ones.mac\")\$ told(\"options one at a time: the session is as it was\", session_changes(snapshot) = [])\$" ||
   echo "not ok options one at a time: $(tail -n 1 "$work/log")"
 grep -E '^(not )?ok ' "$work/log"
@@ -54,7 +53,7 @@ declare(q1, constant, m1, mainvar, q2, integer, f, nonscalar, d0, bindtest, J1, 
 matchdeclare(mm, true)\$ tellsimpafter(foo(mm), 7)\$ gradef(bar(x), 7)\$ newcontext(mine)\$ assume(q1 < 0)\$ context : 'initial\$ activate(mine)\$
 load(\"tests/maxima/session.lisp\")\$ numer : true\$ exponentialize : true\$ obase : 12\$ ibase : 8\$ load(\"gsmbp/gsmbp.mac\")\$ obase : 12\$ ibase : 12\$ numer : false\$
 batchload(\"$work/scenes.mac\")\$ snapshot : session_snapshot()\$ facts_before : [facts(), facts(mine), activecontexts, context, properties(q1), properties(m1)]\$
-emit(\"facts\", arm(), [all, batch])\$ errcatch(gsmbp_scene(\"bad\", link(a, mas = 1)))\$
+emit(\"facts\", arm(), [inverse, rhs])\$ errcatch(gsmbp_scene(\"bad\", link(a, mas = 1)))\$
 told(\"facts, properties, derivatives: the same bytes\", same(\"facts\", \"arm\"))\$
 told(\"facts, properties, derivatives: as they were\", [facts(), facts(mine), activecontexts, context, properties(q1), properties(m1)] = facts_before)\$
 told(\"facts, properties, derivatives: the session is as it was\", session_changes(snapshot) = [])\$" ||
