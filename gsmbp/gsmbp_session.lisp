@@ -11,14 +11,15 @@
     $macros $arrays $props $structures $rules $gradefs $dependencies $let_rule_packages $current_let_rule_package
     $default_let_rule_package $context $contexts $activecontexts $error $error_syms $error_size $errormsg $debugmode $backtrace
     $display2d $linel $ttyoff $showtime $prompt $inchar $linechar $outchar $leftjust $announce_rules_firing $setcheck
-    $optionset $ratprint munbindp $setcheckbreak $refcheck $storenum $disptime $timer $trace $tempdir $logfile))
+    $optionset $ratprint $setcheckbreak $refcheck $storenum $disptime $timer $trace $tempdir $logfile))
 (defvar *gsmbp-kept-stems*
   '("$FILE" "$MAXIMA_" "$LOAD" "$GNUPLOT" "$PLOT" "$TESTSUITE" "$SHARE_TESTSUITE" "$TRACE" "$TIMER" "$GSMBP" "$TTY" "$IN_NETMATH" "$DRAW"))
 
 (defun gsmbp-kept-p (s)
   (or (member s *gsmbp-kept-options* :test #'eq)
       (let ((name (symbol-name s)))
-        (some #'(lambda (stem) (and (<= (length stem) (length name)) (string-equal stem name :end2 (length stem)))) *gsmbp-kept-stems*))))
+        (or (not (or (find (char name 0) "$%") (eq s 'modulus)))   ; variables of Maxima's own
+            (some #'(lambda (stem) (and (<= (length stem) (length name)) (string-equal stem name :end2 (length stem)))) *gsmbp-kept-stems*)))))
 
 ;;; the options whose values are not those that Maxima starts with, as (names . first values); Maxima's reset() uses the same table
 (defun gsmbp-changed-options ()

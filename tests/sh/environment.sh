@@ -19,14 +19,14 @@ prelude="work : \"$work\"\$ load(\"gsmbp/gsmbp.mac\")\$ batchload(\"$work/scenes
 
 share/make/maxima "$work/log" "$prelude
 emit(\"plain\", arm(), [inverse, rhs])\$ emit(\"plain\", loop(), [rhs, jacobian, command])\$
-options : hostile_options()\$
+options : hostile_options()\$ scene1 : arm()\$ scene2 : loop()\$
 told(\"there are options to turn round\", length(options) > 100)\$
 /* many at once */
 for k thru 2 do block([l : makelist(options[i], i, k, length(options), 2), r],
-  r : errcatch(with_hostile(l, emit(\"many\", arm(), '[inverse, rhs]))),
+  r : errcatch(with_hostile(l, emit(\"many\", scene1, '[inverse, rhs]))),
   told(sconcat(\"options, part \", k, \": the same bytes\"), r # [] and same(\"many\", \"arm\")),
   told(sconcat(\"options, part \", k, \": as they were\"), r # [] and second(first(r)) = []))\$
-block([r : errcatch(with_hostile(options, emit(\"all\", loop(), '[rhs, jacobian, command])))],
+block([r : errcatch(with_hostile(options, emit(\"all\", scene2, '[rhs, jacobian, command])))],
   told(\"all options, a scene with a loop and a motor: the same bytes, as they were\", r # [] and second(first(r)) = [] and same(\"all\", \"case_02a_motor\")))\$
 " || echo "not ok options: $(tail -n 1 "$work/log")"
 grep -E '^(not )?ok ' "$work/log"
