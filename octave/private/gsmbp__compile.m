@@ -62,6 +62,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     guard = onCleanup (@() remove (place));
     gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), sizes_header (json, symbol, ! isempty (input)));
     cc = strtrim (mkoctfile ("-p", "CC"));
+    say_if_long (who, source);
     gsmbp__run (who, sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, quote (source)));
     user = "";
     if (! isempty (input))
@@ -83,6 +84,15 @@ function option = widest ()
   option = "";
   if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
     option = " -mprefer-vector-width=512";
+  endif
+endfunction
+
+## gfortran takes some 0.7 ms a line: what will take more than 10 s says so
+function say_if_long (who, source)
+  lines = sum (fileread (source) == "\n");
+  if (lines > 14000)
+    printf ("%s: %s has %d lines; compiling it takes about %d s\n", who, source, lines, 10 * ceil (lines / 14000));
+    fflush (stdout);
   endif
 endfunction
 

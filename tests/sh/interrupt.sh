@@ -1,0 +1,29 @@
+# Ctrl-C (SIGINT) in a derivation: the session answers, nothing is half-written, and the next derivation writes what a fresh session writes.
+root=$PWD
+work=$(mktemp -d)
+maxima=
+trap '[ -z "$maxima" ] || kill -KILL "$maxima" 2>/dev/null; rm -rf "$work"' EXIT
+say() { if [ "$2" -eq 0 ]; then echo "ok $1"; else echo "not ok $1"; tail -n 20 "$work/log"; fi; }
+# waits until the log holds a text, two minutes at most
+until_said() { n=0; while ! grep -q "$1" "$work/log" && [ $n -lt 600 ]; do sleep 0.2; n=$((n + 1)); done; grep -q "$1" "$work/log"; }
+
+mkfifo "$work/in"
+"${MAXIMA:-maxima}" --very-quiet <"$work/in" >"$work/log" 2>&1 &
+maxima=$!
+exec 3>"$work/in"
+mkdir "$work/cut" "$work/whole" "$work/fresh"
+load="load(\"$root/gsmbp/gsmbp.mac\")\$ load(\"$root/tests/bench/systems/spat5.mac\")\$"
+echo "$load print(\"RE\",\"ADY\")\$" >&3
+until_said 'RE ADY'; say 'the session begins' $?
+echo "print(\"BE\",\"GUN\")\$ for k thru 100 do gsmbp_fortran(scene, all, directory = \"$work/cut\")\$" >&3
+until_said 'BE GUN'
+sleep 1
+kill -INT "$maxima"
+echo "print(\"AL\",\"IVE\")\$ gsmbp_fortran(scene, all, directory = \"$work/whole\")\$ print(\"DO\",\"NE\")\$" >&3
+until_said 'AL IVE'; say 'the session answers after an interrupt' $?
+grep -qi interrupt "$work/log"; say 'it was an interrupt that ended the derivation' $?
+! ls "$work"/cut/*tmp >/dev/null 2>&1; say 'nothing half-written' $?
+until_said 'DO NE'
+exec 3>&-
+share/make/maxima "$work/fresh/log" "$load gsmbp_fortran(scene, all, directory = \"$work/fresh\")\$"
+for part in f json; do cmp "$work/whole/spat5.$part" "$work/fresh/spat5.$part"; say "spat5.$part: what a fresh session writes" $?; done
