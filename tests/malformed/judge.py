@@ -124,7 +124,7 @@ def judged(cases, request, folder, fortran):
 
 def line(k, case, v, text):
     reason = re.sub(r'^gsmbp_scene: ', '', text)[:110] if v != 'valid' else 'derives, compiles, finite'
-    return '%03d %-8s %-15s %-24s %s' % (k, v, case[0], case[1][:24], reason)
+    return '%03d %-8s %-15s %-24s %s' % (k, v, case[0], ' '.join(case[1].split())[:24], reason)
 
 def main(args, folder):
     if args[0] == 'mutants':

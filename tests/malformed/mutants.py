@@ -95,5 +95,6 @@ def mutants(seed, count):
     sources = [x for x in map(scene_of, files) if x]
     while len(cases) < count:
         m = mutate(r, r.choice(sources))
-        if m: cases.append([m[2], m[1], 'scene : gsmbp_scene(%s)$' % ',\n  '.join(m[0])])
+        named = '' if m and m[2] == 'bad_name' else m and m[1]   # what is no name is shown as Maxima writes it
+        if m: cases.append([m[2], named, 'scene : gsmbp_scene(%s)$' % ',\n  '.join(m[0])])
     return cases
