@@ -20,6 +20,7 @@ function f = gsmbp_evaluate (motion, times, nd = 0, side = 1)
   gsmbp__fits ("gsmbp_evaluate", "argument times", times, "numbers");
   gsmbp__fits ("gsmbp_evaluate", "argument nd", nd, "whole");
   gsmbp__fits ("gsmbp_evaluate", "argument side", side, "number");
+  [times, nd, side] = deal (double (times), double (nd), double (side));
   n = prod (motion.dim);
   k = motion.order;
   breaks = motion.breaks;

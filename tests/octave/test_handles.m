@@ -144,6 +144,10 @@ function built_once ()
     f = fopen (source, "w");
     fputs (f, "      this is no Fortran\n");
     fclose (f);
+    says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), "motor_pendulum.f has no SUBROUTINE MOTOR_PENDULUM_PAR");
+    f = fopen (source, "w");
+    fputs (f, strrep (text, "PAR(1) = 1.62D0", "this is no Fortran"));
+    fclose (f);
     says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), "Unclassifiable statement");
     delete (m.file);
   unwind_protect_cleanup
