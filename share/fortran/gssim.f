@@ -465,7 +465,8 @@ C     -- a singular position ahead?
       D     = DFULL
       IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
       NPASS = 0
-  301 IF ( T.LT.TC - 1.05D0*D ) THEN
+  301 IF ( T.GT.TC + 0.5D0*D .OR. NPASS.GT.12 ) GO TO 309
+      IF ( T.LT.TC - 1.05D0*D ) THEN
          HLIM = MIN( HLIM, TC - D - T )
          GO TO 309
       END IF
