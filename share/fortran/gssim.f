@@ -527,6 +527,10 @@ C     -- to its end or to the next break, sample or end of the run
          TN = TEND
          I  = 1
       END IF
+      IF ( TN.LE.T + 0.01D0*D .AND. I.EQ.0 ) THEN
+         SKIP = T + D
+         GO TO 309
+      END IF
       CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
       CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
       DO 303 K = 1, 6
