@@ -154,6 +154,9 @@
 ## positions passed where the constraints lose rank (dead centres, change
 ## points: the mechanism may go on in more than one way), as the pivots after
 ## the steps show it; first and last time [s].  This is a printed warning too.
+## @item loose
+## steps close to such positions whose estimated error is above the tolerance: there
+## it could not be kept.  A step through one keeps 1e-12 at best.
 ## @item least_pivot, least_pivot_at
 ## how near it came: the least pivot of the constraint Jacobian beside the
 ## largest, and when [s]
@@ -262,6 +265,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.rank_loss_times = values(10:11)';
   s.singular_positions = counts(11);
   s.singular_times = values(16:17)';
+  s.loose = counts(20);
   s.least_pivot = values(14);
   s.least_pivot_at = values(15);
   s.angle_singularities = counts(9);

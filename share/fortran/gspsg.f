@@ -37,11 +37,13 @@ C     METHOD
 C     Collocation at the points of Gauss, an even number: none of 8 is
 C     nearer to TC than 0.18*D, none of 12 nearer than 0.12*D.  The
 C     stages are completed by GSPRT.  First every stage is predicted
-C     from those before it, then all of them are iterated.  On the branch that the mechanism takes the motion
-C     is a smooth function of time, but what follows from the
+C     from those before it, then all of them are iterated.
+C     On the branch that the mechanism takes the motion is a smooth
+C     function of time, but what follows from the
 C     constraints at a position close to the singular one is not known:
 C     an error e of theirs is one of e/s in completed coordinates,
-C     e/s**2 in speeds, e/s**3 in accelerations, s being the least pivot.
+C     e/s**2 in speeds, e/s**3 in accelerations, s being the least
+C     pivot.
 C
 C     REFERENCE
 C     Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
@@ -104,7 +106,7 @@ C     -- iterations
    50    CONTINUE
          IF ( .NOT.( EIT.LE.1.0D300 ) ) GO TO 70
          IF ( EIT.LE.0.02D0 ) GO TO 80
-         IF ( L.GT.2 .AND. EIT.GT.0.5D0*OLD .AND. EIT.LE.1.0D3 )
+         IF ( L.GT.2 .AND. EIT.GT.0.5D0*OLD .AND. EIT.LE.3.0D1 )
      $      GO TO 80
          OLD = EIT
    60 CONTINUE

@@ -96,7 +96,9 @@ C             by a jump, or was too close to a singular position; (13)
 C             calls of RHS beside those in (1) that looked for bounds of
 C             stability; (14) 1 if steps are bound by stability (GSSTD)
 C             and (15) which state the eigenvalue belongs to; (16) to
-C             (18) memory of GSSTD; (19), (20) zero.
+C             (18) memory of GSSTD; (19) zero; (20) steps close to
+C             singular positions whose estimated error is above the
+C             tolerance.
 C     RSTAT   (output) DOUBLE PRECISION array, dimension (20):
 C             (1) largest |phi| and (2) largest |HC*u + phit| after any
 C             step; (3) and (4) when; (5) largest |phi| before a
@@ -127,8 +129,15 @@ C     A step of method 8 after which X cannot be moved onto the
 C     constraints, or only by a jump (more than a tenth of the step's
 C     own move and 100 times the tolerance: another branch), is repeated
 C     with a quarter of its length.
-C     Close to a position where the constraints lose rank, and where
-C     some of them are redundant, the stages of a step, which do not lie
+C     Where the constraints lose rank ahead, before they have turned by
+C     1.2 rad (GSAHD), the position is passed by one step of collocation
+C     whose stages keep away from it (GSPSG), from an output, a break or
+C     a sample in it as well; all output times within it are taken from
+C     its polynomial, breaks, samples and the end stop it.  Its relative
+C     tolerance is no less than 5D3*eps.
+C     Where that step cannot be had (events, an error that stays above
+C     the tolerance) and close to such a position, and where some
+C     constraints are redundant, the stages of a step, which do not lie
 C     on the constraints, have accelerations of no use.  Where the
 C     constraints at T0 are dependent, and where the least pivot has
 C     fallen to a twentieth of its largest value, or to a quarter and a
@@ -180,7 +189,7 @@ C
      $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE,
      $                   HLIM, HLAST, TC, D, SKIP, SHRINK, EIT, TMIN,
      $                   SMIN, TSEEN, DFULL, TURN, B(12), C(12), WT(12)
-      INTEGER            IQ, LOPT(6), NPASS, NS
+      INTEGER            IQ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSOVER, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD
 C
@@ -456,7 +465,8 @@ C     -- a singular position ahead?
       D     = DFULL
       IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
       NPASS = 0
-  301 IF ( T.LT.TC - 1.05D0*D ) THEN
+  301 IF ( T.GT.TC + 0.5D0*D .OR. NPASS.GT.12 ) GO TO 309
+      IF ( T.LT.TC - 1.05D0*D ) THEN
          HLIM = MIN( HLIM, TC - D - T )
          GO TO 309
       END IF
@@ -517,6 +527,10 @@ C     -- to its end or to the next break, sample or end of the run
          TN = TEND
          I  = 1
       END IF
+      IF ( TN.LE.T + 0.01D0*D .AND. I.EQ.0 ) THEN
+         SKIP = T + D
+         GO TO 309
+      END IF
       CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
       CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
       DO 303 K = 1, 6
@@ -562,6 +576,7 @@ C     -- to its end or to the next break, sample or end of the run
          TSEEN = TMIN + 0.1D0*D
       END IF
       IF ( TN.GE.TC + D ) SKIP = TC + D
+      IF ( MAX( ERR, EIT ).GT.1.0D0 ) ISTAT(20) = ISTAT(20) + 1
       H = TN - T
       HLAST = H
       I   = IX
@@ -618,8 +633,11 @@ C        over an output time: see GSOVER
       CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX), NQ,
      $            NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
      $            W(IXN), ERR, W(IK), W, W(IC), ISTAT, RSTAT, IER )
+      FAC = ERR
       IF ( IOPT(5).EQ.1 .AND. W(IC+12).LT.0.25D0*W(IC+13) )
      $   ERR = ERR*ROPT(2)/MAX( ROPT(2), COARSE )
+      LOOSE = 0
+      IF ( FAC.GT.1.0D0 .AND. ERR.LE.1.0D0 ) LOOSE = 1
 C
 C     -- up to an event, if there is one within a good step
       EVENT = 0
@@ -682,6 +700,7 @@ C     -- a good step: onto the constraints with it
          ISTAT(2) = ISTAT(2) + 1
          ISTAT(6) = 0
          ISTAT(7) = 0
+         ISTAT(20) = ISTAT(20) + LOOSE
          HLAST = H
          FRESH = .TRUE.
          AFTER = .TRUE.
