@@ -315,7 +315,13 @@ C
       CALL CON( TC + CT*D, XT, X(NQ+1), CST, P(IW), P(IW+NLAM), P(IH),
      $          NLAM, P(IW+2*NLAM), INFO )
       IF ( INFO.NE.0 .AND. INFO.NE.2 ) RETURN
-      CALL GSLPV( NU, NLAM, P(IH), P(IM), P(IY), P(IP), P(IB), P(IS),
+C
+C     -- with lengths of rows of its own: those of P are of states that
+C        the motion had
+      DO 10 I = 1, NLAM
+         P(IW+I-1) = P(IM+I-1)
+   10 CONTINUE
+      CALL GSLPV( NU, NLAM, P(IH), P(IW), P(IY), P(IP), P(IB), P(IS),
      $            RANK, SP )
       SP = 0.0D0
       I  = NINT( P(3) )
@@ -409,8 +415,9 @@ C     -- the nearest ones
          B(K) = 0.0D0
          I = 0
          DO 10 J = 1, N
-            IF ( ABS( Z(J) - CB ).LT.ABS( Z(K) - CB ) ) I = I + 1
-            IF ( ABS( Z(J) - CB ).EQ.ABS( Z(K) - CB ) .AND. J.LT.K )
+            IF ( J.LT.K .AND. ABS( Z(J) - CB ).LE.ABS( Z(K) - CB ) )
+     $         I = I + 1
+            IF ( J.GT.K .AND. ABS( Z(J) - CB ).LT.ABS( Z(K) - CB ) )
      $         I = I + 1
    10    CONTINUE
          IF ( I.LT.7 ) THEN
@@ -467,19 +474,20 @@ C
       INTEGER            NQ, NU, NX, NS, NLAM
       DOUBLE PRECISION   T, X(*), H, CST(*), F(NX,13), XT(*),
      $                   HC(NLAM,*), P(*), TC, D, TURN
-      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG
+      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG, T0
       EXTERNAL           GSPVT, GSPMN, GSPRD, GSPCH
       INTEGER            I, K
 C
 C     -- how far one can see
-      D = 0.0D0
+      D  = 0.0D0
+      T0 = T
       S = 0.01D0*H
       DO 10 I = 1, 12
-         CALL GSPRD( KIN, T, X, T, S, NQ, NX, NS, CST, F, XT )
-         CALL GSPVT( CON, T, X, T, S, 0.0D0, NQ, NU, NX, NS, NLAM, CST,
+         CALL GSPRD( KIN, T, X, T0, S, NQ, NX, NS, CST, F, XT )
+         CALL GSPVT( CON, T, X, T0, S, 0.0D0, NQ, NU, NX, NS, NLAM, CST,
      $         F, XT, P, S0 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 0, TURN )
-         CALL GSPVT( CON, T, X, T, S, 1.0D0, NQ, NU, NX, NS, NLAM, CST,
+         CALL GSPVT( CON, T, X, T0, S, 1.0D0, NQ, NU, NX, NS, NLAM, CST,
      $         F, XT, P, S1 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 1, TURN )
          IF ( TURN.LE.0.3D0 ) GO TO 20
@@ -487,24 +495,24 @@ C     -- how far one can see
    10 CONTINUE
    20 TURN = 1.2D0*S/MAX( TURN, 1.0D-10 )
       H = MIN( H, TURN )
-      CALL GSPRD( KIN, T, X, T, TURN, NQ, NX, NS, CST, F, XT )
+      CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, NS, CST, F, XT )
       BIG = P(14)
 C
 C     -- the next least pivot
       IF ( S0.LT.0.3D0*P(14) ) THEN
-         CALL GSPMN( CON, T, X, T, TURN, -0.6D0, 1.0D0, NQ, NU, NX, NS,
+         CALL GSPMN( CON, T, X, T0, TURN, -0.6D0, 1.0D0, NQ, NU, NX, NS,
      $               NLAM, CST, F, XT, P, CS, SMIN )
       ELSE
          S1 = S0
          DO 30 K = 1, 9
-            CALL GSPVT( CON, T, X, T, TURN, 0.125D0*DBLE( K ), NQ, NU,
+            CALL GSPVT( CON, T, X, T0, TURN, 0.125D0*DBLE( K ), NQ, NU,
      $                  NX, NS, NLAM, CST, F, XT, P, S2 )
             IF ( K.GT.1 .AND. S1.LT.S0 .AND. S1.LE.S2 ) GO TO 40
             S0 = S1
             S1 = S2
    30    CONTINUE
          RETURN
-   40    CALL GSPMN( CON, T, X, T, TURN, 0.125D0*DBLE( K-2 ),
+   40    CALL GSPMN( CON, T, X, T0, TURN, 0.125D0*DBLE( K-2 ),
      $               0.125D0*DBLE( K ), NQ, NU, NX, NS, NLAM, CST, F,
      $               XT, P, CS, SMIN )
       END IF

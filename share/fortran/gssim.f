@@ -187,9 +187,9 @@ C
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE,
-     $                   HLIM, HLAST, TC, D, SKIP, SHRINK, EIT, TMIN,
+     $                   HLIM, TC, D, SKIP, SHRINK, EIT, TMIN,
      $                   SMIN, TSEEN, DFULL, TURN, B(12), C(12), WT(12)
-      INTEGER            IQ, LOPT(6), NPASS, NS, LOOSE
+      INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSOVER, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD
 C
@@ -268,7 +268,6 @@ C     -- workspace: inputs, states, constraints, stages
       SKIP   = -1.0D300
       TSEEN  = -1.0D300
       SHRINK = 1.0D0
-      HLAST  = 0.0D0
       TURN   = 0.0D0
       NS     = 8
       DO 50 I = 1, NX
@@ -485,8 +484,16 @@ C     -- the partition that holds at the far end
          CALL GSGLN( NS, C, WT )
          CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TMIN - TC )/D, B )
          CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
+         ISZ = IC + 14 + 2*NU + NQ
+         DO 305 I = 1, NLAM
+            W(IQ+I-1) = W(ISZ+I-1)
+  305    CONTINUE
          CALL GSPNW( CON, KIN, TMIN, W(IXN), NQ, NU, NLAM, CST, W(IC),
      $               IER )
+C        lengths of rows are those of states that the motion had
+         DO 306 I = 1, NLAM
+            W(ISZ+I-1) = W(IQ+I-1)
+  306    CONTINUE
       END IF
       CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, NQ, NU,
      $      NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK),
@@ -498,6 +505,13 @@ C     -- the partition that holds at the far end
          TC = TMIN
          IF ( T.LT.TC - D .AND. T.GT.TC - 1.4D0*D ) D = TC - T
          GO TO 301
+      END IF
+C
+C     -- where the rank is kept after all the usual steps do better
+      IF ( IER.EQ.0 .AND. SMIN.GT.1.0D-3*W(IC+13) ) THEN
+         SKIP   = TC + D
+         SHRINK = 1.0D0
+         GO TO 309
       END IF
       FAC = 0.5D0
       IF ( IER.EQ.0 )
@@ -578,7 +592,6 @@ C     -- to its end or to the next break, sample or end of the run
       IF ( TN.GE.TC + D ) SKIP = TC + D
       IF ( MAX( ERR, EIT ).GT.1.0D0 ) ISTAT(20) = ISTAT(20) + 1
       H = TN - T
-      HLAST = H
       I   = IX
       IX  = IXN
       IXN = I
@@ -701,7 +714,6 @@ C     -- a good step: onto the constraints with it
          ISTAT(6) = 0
          ISTAT(7) = 0
          ISTAT(20) = ISTAT(20) + LOOSE
-         HLAST = H
          FRESH = .TRUE.
          AFTER = .TRUE.
          NEAR  = 0.05D0
