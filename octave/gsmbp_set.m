@@ -68,7 +68,7 @@ endfunction
 %! n.json.dependent = struct ("name", "mr", "expression", "rho*l", "value", 1, "unit", "kg");
 %! fail ('gsmbp_set (n, "mr", 1)', "parameter mr is made of others, rho\\*l: expected one of these");
 %!error <parameter g must be one finite number> gsmbp_set (m, "g", [1 2])
-%!error <must be one finite number, found: an empty double> gsmbp_set (m, "g", [])
+%!error <must be one finite number, found: \[\]> gsmbp_set (m, "g", [])
 %!error <must be one finite number, found: NaN> gsmbp_set (m, "g", NaN)
-%!error <must be one finite number, found: 1 \+ 2i> gsmbp_set (m, "g", 1 + 2i)
+%!error <must be one finite number, found: 1\+2i> gsmbp_set (m, "g", 1 + 2i)
 %!error <PRE|pre> gsmbp_set (m, "J", -1)

@@ -558,6 +558,8 @@ function text = cause (m, number, info)
     text = "more than 100 events at one instant";
   elseif (any (number == [3, 5]) && info == 3)
     text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
+  elseif (number == 3 && info == 4)
+    text = "no step leads away from a position where the constraints lose rank";
   else
     names = {"cmd", "rhs", "prj", "con", "prj", "out", "rst"};
     text = m.module ("meaning", names{number}, info);
