@@ -73,11 +73,13 @@
         (t (loop for x in (cdr e) sum (gsmbp-typed-numbers x)))))
 ;;; The elements are neither evaluated nor simplified before their decimals are exact, which no function of Maxima's language can do.
 (defmspec $gsmbp_scene (form)
-  (let (($numer nil) ($float nil) (elements (mapcar #'(lambda (x) (gsmbp-typed x nil)) (cddr form))))
+  (let ((elements (mapcar #'(lambda (x) (gsmbp-typed x nil)) (cddr form))))
     (unless (cdr form)
       ($gsmbp__raise "gsmbp_scene: expected gsmbp_scene(name, element, ...); found no argument"))
-    (gsmbp-need-simple elements)
-    (mfuncall '$gsmbp__scene_typed (meval (cadr form)) (simplify (cons '(mlist) elements)))))
+    (gsmbp-apart
+      #'(lambda ()
+          (gsmbp-need-simple elements)
+          (mfuncall '$gsmbp__scene_typed (meval (cadr form)) (simplify (cons '(mlist) elements)))))))
 
 ;;; ------------------------------------------------------------------------------------------------- freedoms of a joint
 
