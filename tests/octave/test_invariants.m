@@ -4,7 +4,9 @@
 function test_invariants ()
   for scene = dir (fullfile (fileparts (mfilename ("fullpath")), "..", "scenes", "*.mac"))'
     [~, name] = fileparts (scene.name);
-    if (strcmp (name, "base_robot_less"))   # abbreviated: holds to its tolerance, test_abbreviate.m
+    ## abbreviated: holds to its tolerance, test_abbreviate; springs of 1e10 N/m: differences see
+    ## their rounding alone, test_trim
+    if (any (strcmp (name, {"base_robot_less", "trim_stiff"})))
       continue;
     end
     m = gsmbp_fixture (name);
@@ -14,7 +16,7 @@ function test_invariants ()
       mass (name, m, d);
     end
     ## pressures need states and steps of their own size: test_fluid, test_library
-    fluid = strncmp (name, "fluid_", 6) || strcmp (name, "library_ports");
+    fluid = strncmp (name, "fluid_", 6) || any (strcmp (name, {"library_ports", "trim_pneumatic"}));
     if (any (strcmp (m.subroutines, "rhs")) && ! fluid && ! any (strcmp (name, {"variants", "electric_reduced"})))   # these balance to their order only: rtest_actuators, rtest_electric
       power (name, m, d);
     end
@@ -145,7 +147,9 @@ function jacobians (name, m, d)
     [A, B, C, D] = m.jac (0, x, v);
     exact = [A, B; C, D];
     both = @(z) [m.rhs(0, z(1:d.nx), z(d.nx+1:end)); output(z(1:d.nx), z(d.nx+1:end))];
-    worst = max (worst, norm ((exact - differences (both, [x; v], 3e-4)) * tangent (m, x, d)) / norm (exact));
+    ## the longer step for rounding, the shorter one beside steep places (outputs at their bounds)
+    off = @(h) norm ((exact - differences (both, [x; v], h)) * tangent (m, x, d)) / norm (exact);
+    worst = max (worst, min (off (3e-4), off (3e-5)));
   end
   gsmbp_check ([name " Jacobians of the state space against differences"], worst, 1e-8);
 end
