@@ -17,7 +17,7 @@ function test_invariants ()
     end
     ## pressures need states and steps of their own size: test_fluid, test_library
     fluid = strncmp (name, "fluid_", 6) || any (strcmp (name, {"library_ports", "trim_pneumatic"}));
-    if (any (strcmp (m.subroutines, "rhs")) && ! fluid && ! any (strcmp (name, {"variants", "electric_reduced"})))   # these balance to their order only: rtest_actuators, rtest_electric
+    if (all (ismember ({"rhs", "ene"}, m.subroutines)) && ! fluid && ! any (strcmp (name, {"variants", "electric_reduced"})))   # these balance to their order only: rtest_actuators, rtest_electric
       power (name, m, d);
     end
     ## where rows are redundant the right-hand side is smooth along the motion only
