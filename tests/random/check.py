@@ -26,9 +26,18 @@ from ways import Way
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 CHUNK = 16
 STATES = 3
-# beginnings of the reasons that a generator cannot foresee, and when they are justified
+
+
+def massless_end(scene):
+    """a link without mass that one joint of the tree holds"""
+    ends = [n for j in scene.m.joints if not j.cut for n in (j.parent, j.child)]
+    return any(link['m'] == 0 and ends.count(link['name']) == 1 for link in scene.m.links)
+
+
+# what the reasons say that a generator cannot foresee, and when they are justified
 REFUSALS = {
-    'nothing in it moves': lambda scene: scene.m.nu == 0
+    'nothing in it moves': lambda scene: scene.m.nu == 0,
+    'a massless end link': massless_end
 }
 
 

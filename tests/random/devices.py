@@ -243,7 +243,10 @@ def control(name, k, amp, pid):
         e = pid['bd']*ref - meas - x[c + '_xd']
         raw = pid['Kp']*(pid['bp']*ref - meas) + x[c + '_I'] + pid['Kd']*e/pid['Tf']
         out = saturated(raw, pid['umax'])
-        rates[c + '_I'] = pid['Ki']*(ref-meas) + (out-raw)/pid['Tt']
+        # drawn back only as far as the integral could come back by itself
+        own = (pid['Ki']*pid['Tt'])**2
+        back = own/(own + (pid['Kp']/100)**2)
+        rates[c + '_I'] = pid['Ki']*(ref-meas) + back*(out-raw)/pid['Tt']
         rates[c + '_xd'] = e/pid['Tf']
         rates[a + '_x'] = (saturated(amp['gain']*out, amp['Vm']) - x[a + '_x'])/amp['ta']
         torque, power, lost, field = motor(name, k, lambda x, u: x[a + '_x'], rates)(x, v, w)
