@@ -51,7 +51,7 @@ function each_way (m)
     slight = good + 1e-9 * (good - bad) / 0.01;
     first = [];
     for w = ways (m)
-      found = complaint (@() gsmbp_simulate (m, bad, t, "loops", w{1}));
+      found = gsmbp_complaint (@() gsmbp_simulate (m, bad, t, "loops", w{1}));
       there = cellfun (@(n) ! isempty (strfind (found, [n " = "])), names);
       named = isempty (found) == isempty (names) && sum (there) == min (numel (names), 6);   # six are shown
       moved = gsmbp_simulate (m, bad, t, "loops", w{1}, "start", "project");
@@ -102,17 +102,9 @@ function [names, largest] = rows_off (m, t, x)
   largest = max ([largest; abs(phi); abs(rate)]);
 end
 
-function text = complaint (f)
-  text = "";
-  try
-    f ();
-  catch err
-    text = err.message;
-  end
-end
 
 function says (f, text)
-  found = complaint (f);
+  found = gsmbp_complaint (f);
   if (! gsmbp_check (sprintf ("message: %s", text), ! isempty (strfind (found, text))))
     printf ("  found: %s\n", found);
   end
@@ -127,22 +119,22 @@ function scaled ()
     m = gsmbp_set (m, given{:});
     x = gsmbp_assemble (m, m.initial, "tolerance", 1e-10 * size_);
     x(2) += 1e-5;
-    gsmbp_check (sprintf ("%g times as large: 1e-5 rad off is an error", size_), ! isempty (complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
+    gsmbp_check (sprintf ("%g times as large: 1e-5 rad off is an error", size_), ! isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
     x(2) -= 1e-5 - 1e-8;
-    gsmbp_check (sprintf ("%g times as large: 1e-8 rad off is none", size_), isempty (complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
+    gsmbp_check (sprintf ("%g times as large: 1e-8 rad off is none", size_), isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
   end
   x = closed (m);
   m.nominal(4:6) = 1e4;   # speeds of ten thousand are usual: one of 1e-3 off is nothing
   x = gsmbp_assemble (m, x);
   x(5) += 1e-3;
-  gsmbp_check ("speeds count beside m.nominal", isempty (complaint (@() gsmbp_simulate (m, x, [0, 1e-4]))));
+  gsmbp_check ("speeds count beside m.nominal", isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 1e-4]))));
 end
 
 ## at a dead centre a small residual may hide a large move
 function singular ()
   c = gsmbp_hand ("hand_crank", "parameters", struct ("l1", 0.2, "l2", 0.5));
   x = [0; 0; 0.7; 0; 0; 0];
-  gsmbp_check ("a start in a dead centre is taken", isempty (complaint (@() gsmbp_simulate (c, x, [0, 0.01]))));
+  gsmbp_check ("a start in a dead centre is taken", isempty (gsmbp_complaint (@() gsmbp_simulate (c, x, [0, 0.01]))));
 end
 
 ## the same rule where else a state comes in

@@ -18,7 +18,7 @@ function fluids ()
   gsmbp_check ("hydraulic axis: rates, of the usual sizes", rates (m, r), 1e-9);
   gsmbp_check ("hydraulic axis: it may stand anywhere, and stays where it was",
                isequal (r.indifferent, {"x"}) && r.x(1) == 0.3);
-  said = complaint (@() gsmbp_trim (m, m.initial, 0));
+  said = gsmbp_complaint (@() gsmbp_trim (m, m.initial, 0));
   words = {"rate of C.p1 = ", " Pa/s", "these inputs act on it: C.u"};
   gsmbp_check ("hydraulic axis, valve as it is: the rows that are left and the input that helps",
                all (cellfun (@(w) any (strfind (said, w)), words)));
@@ -52,10 +52,10 @@ end
 ## a block that is driven, or begins to move, is not at rest; one whose drive stands still is
 function moving ()
   m = gsmbp_fixture ("case_19a");
-  said = complaint (@() gsmbp_trim (m, m.initial, []));
+  said = gsmbp_complaint (@() gsmbp_trim (m, m.initial, []));
   gsmbp_check ("driven block at 3 m/s: refused, with the constraint and its rate",
                any (strfind (said, "the constraint P.motion moves at -3/s")));
-  said = complaint (@() gsmbp_trim (m, m.initial, [], "time", pi / 120));
+  said = gsmbp_complaint (@() gsmbp_trim (m, m.initial, [], "time", pi / 120));
   gsmbp_check ("driven block where it turns back: refused",
                any (strfind (said, "P.motion starts with an acceleration of 180/s^2")));
   r = gsmbp_trim (gsmbp_set (m, "w", 0), [0; 2.9], []);
@@ -72,13 +72,4 @@ function far ()
     left(end+1) = max (abs ([r.ud; r.phi]));
   end
   gsmbp_check ("four-bar from twelve guesses: accelerations and gaps", left, 2e-12);
-end
-
-function text = complaint (f)
-  text = "";
-  try
-    f ();
-  catch err
-    text = err.message;
-  end
 end
