@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""structure.py [ROOT] [--where FIGURE]: figures of how far the sources are from their goals.
+
+One line `FIGURE NUMBER` each, or with --where the places behind one figure:
+  circle      files of gsmbp/ in the largest circle of uses (1: no two files use each other)
+  backward    uses between files against the order in which gsmbp.mac loads them
+  wide        lines of source over 100 columns, in gsmbp octave share examples tests
+  long        functions of gsmbp/ over 25 lines
+  double      names of gsmbp/ that are defined more than once
+  unnamed     namings of a step with an empty hint
+  indices     parts taken by a number, a[2], in .mac files
+  ordinals    parts taken by third ... tenth
+  positional  structures of more than five fields made by position
+tests/sh/structure.sh holds them against tests/data/structure.txt.
+"""
+import contextlib
+import io
+import os
+import re
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import deps
+
+SOURCES = ('.mac', '.lisp', '.m', '.py', '.sh', '.f', '.F', '.cc', '.c', '.h', '.awk')
+DATA = ('tests/data/', 'tests/malformed/', 'tests/bench/peers/')
+INDEX = re.compile(r'(?<![\w%])[\w%]+_?(?:\[\d+\])+')
+ORDINAL = re.compile(r'\b(?:third|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\s*\(')
+
+
+def package(root):
+    """the definitions of gsmbp/, and its files with the uses between them"""
+    with contextlib.redirect_stdout(io.StringIO()):
+        definitions, names, _, edges = deps.report_package(root, None, True)
+    return definitions, names, edges
+
+
+def circles(edges):
+    nodes = sorted({f for edge in edges for f in edge})
+    return deps.tarjan(nodes, lambda v: [b for a, b in edges if a == v])
+
+
+def backward(root, edges):
+    order = [n + '.mac' for n in deps.loads_in_order(root)]
+    place = {}
+    for k, loaded in enumerate(order):
+        place[loaded] = place['gsmbp_' + loaded] = k
+        place[loaded[:-4]] = k
+    return [(a, b) for a, b in edges if a in place and b in place and place[b] > place[a]]
+
+
+def wide(root):
+    for top in ('gsmbp', 'octave', 'share', 'examples', 'tests'):
+        for folder, _, files in os.walk(os.path.join(root, top)):
+            for f in sorted(files):
+                path = os.path.relpath(os.path.join(folder, f), root)
+                if not is_source(path):
+                    continue
+                with open(os.path.join(root, path), errors='replace') as lines:
+                    for k, line in enumerate(lines, 1):
+                        if len(line.rstrip('\n')) > 100:
+                            yield '%s:%d' % (path, k)
+
+
+def is_source(path):
+    script = '.' not in os.path.basename(path) and '/make/' in '/' + path
+    made = '/out/' in path or '/compiled/' in path or '/build/' in path
+    return (path.endswith(SOURCES) or script) and not path.startswith(DATA) and not made
+
+
+def fields_of(structure):
+    return len(re.findall(r'\w+', structure.body.split('(', 2)[-1])) if structure else 0
+
+
+def constructions(definitions, names):
+    """the calls new(structure(a, b, ...)) of structures with more than five fields"""
+    for d in definitions:
+        for m in re.finditer(r'\bnew\s*\(\s*(\w+)\s*\(', d.body):
+            made = [x for x in names.get(m.group(1), []) if x.kind == 'struct']
+            if made and fields_of(made[0]) > 5:
+                yield place(d)
+
+
+def place(definition):
+    return '%s:%d %s' % (definition.file, definition.line, definition.name)
+
+
+def found(root):
+    definitions, names, edges = package(root)
+    mac = [d for d in definitions if d.file.endswith('.mac')]
+    code = [d for d in definitions if d.kind in ('function', 'macro')]
+    largest = max(circles(edges), key=len, default=[])
+    every = lambda pattern, part: [place(d) for d in mac for _ in re.findall(pattern, part(d))]
+    return {
+        'circle': sorted(largest),
+        'backward': ['%s uses %s' % e for e in sorted(backward(root, edges))],
+        'wide': list(wide(root)),
+        'long': ['%s %d' % (place(d), d.lines) for d in code if d.lines > deps.LONG_LINES],
+        'double': [n for n, ds in names.items() if len(ds) > 1],
+        'unnamed': every(r'name\w*\([^;$]*?,\s*""\)|, ""\)', lambda d: d.raw if 'name' in d.raw else ''),
+        'indices': every(INDEX, lambda d: d.body),
+        'ordinals': every(ORDINAL, lambda d: d.body),
+        'positional': list(constructions(definitions, names)),
+    }
+
+
+def main():
+    words = [w for w in sys.argv[1:] if not w.startswith('--')]
+    where = '--where' in sys.argv and words.pop()
+    figures = found(words[0] if words else '.')
+    if where:
+        print('\n'.join(figures[where]))
+    else:
+        for name, places in figures.items():
+            print(name, len(places))
+
+
+if __name__ == '__main__':
+    main()
