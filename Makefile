@@ -14,7 +14,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-devices bench-abbreviate doc install clean
+.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-devices bench-abbreviate same doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
@@ -25,6 +25,7 @@ help:
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
 	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
+	@echo 'make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
 	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
 	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
@@ -88,6 +89,10 @@ bench-devices: packages compiled
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
+
+# PATTERN: only the scenes whose path holds it
+same: | packages
+	@tests/tools/same '$(BASE)' '$(PATTERN)'
 
 doc: share/manual/functions.txt
 
