@@ -45,12 +45,14 @@
     (do () ((<= (expt 10 d) r) d) (decf d))))
 
 ;;; The expression e with every float and bigfloat in it replaced by its exact decimal; lists, matrices and equations are entered as well.
-;;; Nothing is evaluated. What is rare is done by gsmbp__exact_rest.
+;;; Nothing is evaluated.
 (defun $gsmbp__exact (e)
   (cond ((floatp e) (let ((q (gsmbp-decimal e))) (if (integerp q) q (list '(rat simp) (numerator q) (denominator q)))))
         ((or (atom e) (not (gsmbp-inexact-p e))) e)
-        ((member (caar e) '(mlist mplus mtimes mexpt)) (simplifya (cons (list (caar e)) (mapcar #'$gsmbp__exact (cdr e))) nil))
-        (t (mfuncall '$gsmbp__exact_rest e))))
+        ((eq (caar e) 'bigfloat) (mfuncall '$gsmbp__decimal e))
+        ((eq (caar e) 'mrat) ($gsmbp__exact ($ratdisrep e)))
+        (($mapatom e) e)
+        (t (simplifya (cons (list (caar e)) (mapcar #'$gsmbp__exact (cdr e))) nil))))
 (defun gsmbp-inexact-p (e)
   (cond ((atom e) (floatp e))
         ((member (caar e) '(bigfloat mrat)) t)

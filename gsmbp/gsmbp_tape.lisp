@@ -59,7 +59,17 @@
          (let ((r ($gsmbp__rate h (cadr e))))
            (if (eql r 0) 0 (muln (list (caddr e) (power (cadr e) (gsmbp-difference (caddr e) 1)) r) t))))
         ((eq (caar e) '%tanh) (gsmbp-times (sub 1 (power e 2)) ($gsmbp__rate h (cadr e))))   ; Maxima writes sech, which Fortran has not
-        (t (mfuncall '$gsmbp__function_rate h e))))
+        (t (gsmbp-function-rate h ($op e) (cdr e)))))
+
+;;; rate of any other function: Maxima's derivative with respect to each argument, through symbols
+;;; that nothing else has
+(defun gsmbp-function-rate (h f arguments)
+  (let* ((symbols (loop for k from 1 to (length arguments) collect ($concat '$gsmbp__arg k)))
+         (value (mfuncall '$apply f (gsmbp-list symbols)))
+         (places (gsmbp-list (mapcar #'(lambda (s a) (list '(mequal simp) s a)) symbols arguments))))
+    (gsmbp-plus
+      (loop for a in arguments for s in symbols for r = ($gsmbp__rate h a)
+            unless (eql r 0) collect (mul r ($subst places ($diff value s)))))))
 
 (defun gsmbp-product-rate (h factors)
   (let ((terms nil))

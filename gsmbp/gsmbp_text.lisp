@@ -3,7 +3,7 @@
 (in-package :maxima)
 
 (declaim (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own $gsmbp__where
-                  $gsmbp__taken))
+                  $gsmbp__taken $gsmbp__parts))
 
 (defun gsmbp-text (&rest parts) (apply #'concatenate 'string parts))
 (defun gsmbp-joined (parts between)
@@ -78,11 +78,6 @@
         (t (gsmbp-signed 1 (if (gsmbp-power-p e) (gsmbp-product-text 1 (list e)) (gsmbp-factor-text e)) e))))
 (defun gsmbp-signed (number text e) (gsmbp-list (list (if (gsmbp-negative-p number) "-" "+") text e)))
 
-(defun gsmbp-power-p (e) (and (consp e) (eq (caar e) 'mexpt)))
-(defun gsmbp-negative-p (number) ($gsmbp__starts_negative number))
-(defun gsmbp-magnitude (number) (if (gsmbp-negative-p number) (gsmbp-minus number) number))
-(defun gsmbp-exact (number) (if (or (integerp number) (ratnump number)) number (mfuncall '$gsmbp__exact number)))
-
 ;;; a number >= 0 as constants: one, or two whose quotient it is; as a term (its division is counted)
 (defun gsmbp-number-parts (r)
   (cdr (or (gethash r $gsmbp__numbers) (setf (gethash r $gsmbp__numbers) (mfuncall '$gsmbp__constants (gsmbp-exact r))))))
@@ -141,7 +136,19 @@
         ((atom e) (gsmbp-name-text e))
         ((or (gsmbp-sum-p e) (gsmbp-product-p e)) (gsmbp-text "(" ($gsmbp__sum_text e) ")"))
         ((gsmbp-power-p e) (gsmbp-power-factor (cadr e) (caddr e) e))
-        (t (mfuncall '$gsmbp__call_text ($op e) ($args e)))))
+        (t (gsmbp-call-text ($op e) (cdr e)))))
+
+;;; a call of a function with its arguments
+(defun gsmbp-call-text (f arguments)
+  (let ((e (mfuncall '$assoc f (mfuncall '$gsmbp__functions))) (n (length arguments)))
+    (unless e (mfuncall '$gsmbp__error $gsmbp__where "Fortran 77 has no function " f))
+    (destructuring-bind (name arity) (cdr e)
+      (when (if (eql arity 0) (< n 2) (/= n arity))
+        (mfuncall '$gsmbp__error $gsmbp__where "wrong number of arguments of " f ": " n))
+      (cond ((string= name "SQRT") (incf $gsmbp__sqrt))
+            ((not (member name '("ABS" "MAX" "MIN" "ANINT" "GSFLR") :test #'string=))
+             (incf $gsmbp__trig)))
+      (gsmbp-text name "(" (gsmbp-joined (mapcar #'$gsmbp__sum_text arguments) ", ") ")"))))
 
 (defun gsmbp-number-factor (e)
   (let* ((d $gsmbp__div) (s (gsmbp-number-text (gsmbp-magnitude e))))
@@ -155,25 +162,15 @@
       (if (cdr l) (gsmbp-text "(" (gsmbp-joined (reverse l) "*") ")") (car l)))))
 
 ;;; the name of a symbol, which from now on counts as used
-(defvar *gsmbp-counting* nil)            ; true: the text does not matter
 (defvar $gsmbp__late nil)                ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them; or false
 (defvar *gsmbp-due* nil)                 ; (name . source) of those that wait for the next statement
 (defun gsmbp-name-text (x)
-  (cond (*gsmbp-counting* "X")
-        (t (setf (gethash x $gsmbp__used) t)
-           (let ((source (and $gsmbp__late (gethash x $gsmbp__late))))
-             (when source
-               (remhash x $gsmbp__late)
-               (push (cons (gethash x $gsmbp__names) source) *gsmbp-due*)))
-           (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))))
-
-;;; [mul, add, div, sqrt, trig] of one expression as it is printed
-(defvar *gsmbp-numbers-counted* (make-hash-table :test #'equal))
-(defun $gsmbp__expression_count (x)
-  (let ((*gsmbp-counting* t) ($gsmbp__numbers *gsmbp-numbers-counted*) ($gsmbp__where "gsmbp__expression_count") ($inflag t)
-        ($gsmbp__mul 0) ($gsmbp__add 0) ($gsmbp__div 0) ($gsmbp__sqrt 0) ($gsmbp__trig 0))
-    ($gsmbp__sum_text x)
-    ($gsmbp__tally)))
+  (setf (gethash x $gsmbp__used) t)
+  (let ((source (and $gsmbp__late (gethash x $gsmbp__late))))
+    (when source
+      (remhash x $gsmbp__late)
+      (push (cons (gethash x $gsmbp__names) source) *gsmbp-due*)))
+  (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))
 
 ;;; ---------------------------------------------------------------------------------------------------------------- lines
 
@@ -201,24 +198,99 @@
 (defun $gsmbp__assign (target e)
   (let* ((tally ($gsmbp__tally)) (lines ($gsmbp__assignment target ($gsmbp__signed_pieces ($gsmbp__signed_terms e)))))
     (cond ((<= (length (cdr lines)) 20) ($gsmbp__push lines))
-          (t ($gsmbp__set_tally tally) (mfuncall '$gsmbp__assign_long target e)))))
+          (t ($gsmbp__set_tally tally) (gsmbp-assign-long target e)))))
 (defun $gsmbp__assignment (target pieces)
   ($gsmbp__packed_lines (gsmbp-list (cons (gsmbp-text target " = " (cadr pieces)) (cddr pieces)))))
 
 ;;; the lines of one entry [target, expression, block] of the code
 (defun gsmbp-code-line (c)
   (destructuring-bind (s e heading) (cdr c)
-    (unless (equal heading $gsmbp__block) (mfuncall '$gsmbp__open_block heading))
+    (unless (equal heading $gsmbp__block) (gsmbp-open-block heading))
     (cond ((consp s) (gsmbp-sine-call s e))
           ((and s (symbolp s) (not (stringp e)))
            (let ((n (gsmbp-target s)))
              ($gsmbp__assign n e)
              (setf (gethash s $gsmbp__names) n)))
-          (t (mfuncall '$gsmbp__code_text s e)))))
+          (t (gsmbp-code-text s e)))))
 ;;; the variable of a symbol, a new one if it has none
 (defun gsmbp-target (s)
   (or (gethash s $gsmbp__names)
       (let ((n ($gsmbp__fresh s))) ($gsmbp__own_name n) n)))
+
+;;; a comment line where another block begins
+(defun gsmbp-open-block (heading)
+  (when (member heading '($trig "trig") :test #'equal) (setq heading "sines and cosines"))
+  (when (and (stringp heading) (string/= heading "") (not (equal heading $gsmbp__block)))
+    ($gsmbp__push ($gsmbp__filled heading "C     -- " "C        ")))
+  (setq $gsmbp__block heading))
+
+;;; an assignment to what is given as text, or a right side or a statement that is text
+(defun gsmbp-code-text (s e)
+  (let ((n (if (and s (not (stringp s))) (setf (gethash s $gsmbp__names) (gsmbp-target s)) s)))
+    (cond ((not (stringp e)) ($gsmbp__assign n e))
+          (t (when s (setq e (gsmbp-text n " = " e)))
+             (mfuncall '$gsmbp__count_raw (gsmbp-list (list e)))
+             ($gsmbp__push (mfuncall '$gsmbp__raw_lines e))))))
+
+;;; ------------------------------------------------------------------------ long statements
+
+(defun gsmbp-assign-long (target e)
+  (if (gsmbp-sum-p e) (gsmbp-assign-sum target e) ($gsmbp__assign target (gsmbp-shortened e))))
+
+;;; length of an expression as text; counts nothing
+(defun gsmbp-text-length (e)
+  (let ((tally ($gsmbp__tally)))
+    (prog1 (length ($gsmbp__sum_text e)) ($gsmbp__set_tally tally))))
+
+;;; a new symbol whose variable holds the expression
+(defun gsmbp-part (e)
+  (let* ((k (incf $gsmbp__parts)) (s ($concat '$gsmbp__part_ k))
+         (n ($gsmbp__fresh (gsmbp-text "PART" (format nil "~d" k)))))
+    ($gsmbp__own_name n)
+    ($gsmbp__assign n e)
+    (setf (gethash s $gsmbp__names) n)
+    s))
+
+;;; A long sum in partial sums of some 700 characters, in the target itself: 20 lines hold that,
+;;; whatever the names are.
+(defun gsmbp-assign-sum (target e)
+  (let ((e (gsmbp-mapped #'(lambda (x) (if (> (gsmbp-text-length x) 600) (gsmbp-part x) x)) e))
+        (chunk nil) (size 0) (so-far nil))
+    (if (not (gsmbp-sum-p e)) ($gsmbp__assign target e)
+      (dolist (x (cdr ($gsmbp__signed_terms e)) (gsmbp-push-sum target so-far (reverse chunk)))
+        (let ((wide (length (caddr x))))
+          (when (> (+ size wide) 700)
+            (gsmbp-push-sum target so-far (reverse chunk))
+            (setq so-far target chunk nil size 0))
+          (push x chunk)
+          (incf size (+ wide 3)))))))
+(defun gsmbp-mapped (f e) (simplifya (cons (list (caar e)) (mapcar f (cdr e))) nil))
+
+;;; a partial sum, as several statements where one would need more than 20 lines
+(defun gsmbp-push-sum (target so-far terms)
+  (let ((lines (gsmbp-partial-sum target so-far terms)) (n (length terms)))
+    (if (or (<= (length (cdr lines)) 20) (= n 1)) ($gsmbp__push lines)
+      (let ((half (floor n 2)))
+        (gsmbp-push-sum target so-far (subseq terms 0 half))
+        (gsmbp-push-sum target target (subseq terms half))))))
+(defun gsmbp-partial-sum (target so-far terms)
+  (let ((terms (if so-far (cons (gsmbp-list (list "+" so-far)) terms) terms)))
+    ($gsmbp__assignment target ($gsmbp__signed_pieces (gsmbp-list terms)))))
+
+;;; a product, power or call whose long parts are variables
+(defun gsmbp-shortened (e)
+  (let ((n (length (cdr e))))
+    (if (and (gsmbp-product-p e) (> n 12))
+        (let ((half (floor n 2)))
+          (mul (gsmbp-part (muln (subseq (cdr e) 0 half) nil))
+               (gsmbp-part (muln (subseq (cdr e) half) nil))))
+      (gsmbp-mapped #'(lambda (x)
+                        (cond ((or ($mapatom x) (<= (gsmbp-text-length x) 31)) x)
+                              ((gsmbp-power-p x) (gsmbp-shortened x))
+                              (t (gsmbp-part x))))
+                    e))))
+
+;;; --------------------------------------------------------------------- sines and cosines
 
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gsmbp-sine-call (pair angle)
