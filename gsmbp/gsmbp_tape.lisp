@@ -69,7 +69,7 @@
          (places (gsmbp-list (mapcar #'(lambda (s a) (list '(mequal simp) s a)) symbols arguments))))
     (gsmbp-plus
       (loop for a in arguments for s in symbols for r = ($gsmbp__rate h a)
-            unless (eql r 0) collect (mul r ($subst places ($diff value s)))))))
+            unless (eql r 0) collect (mul r ($substitute places ($diff value s)))))))
 
 (defun gsmbp-product-rate (h factors)
   (let ((terms nil))
