@@ -127,9 +127,12 @@ function m = gsmbp_build (name, varargin)
   if (nargin < 1 || ! ischar (name))
     print_usage ();
   endif
-  defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
-  kinds = struct ("precision", {{"double", "quad"}}, "directory", "text", "build", "text", "input", "text");
-  options = gsmbp__options ("gsmbp_build", defaults, varargin, kinds);
+  table = {"parameters", struct(), "any"
+           "precision", "double", {"double", "quad"}
+           "directory", default_directory(), "text"
+           "build", "", "text"
+           "input", "", "text"};
+  options = gsmbp__options ("gsmbp_build", table, varargin);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
     error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
   endif

@@ -203,21 +203,16 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   gsmbp__model (who, m);
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
-  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
-                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "limits", [], "breaks", [],
-                     "memory", [], "samples", true, "modes", [], "audit", [], "start", "check");
-  kinds = struct ("projection", "flag", "drift", "flag", "samples", "flag", "breaks", "numbers",
-                  "start", {{"check", "project"}});
-  o = gsmbp__options (who, defaults, varargin, kinds);
+  o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
   times = gsmbp__times (who, times);
   [m, way] = loops (who, o, m);
   [iopt, ropt, atol, method] = integration (who, o, d, m, way);
-  o.input = gsmbp__all_inputs (m, o.input);
+  t0 = times(1);
+  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
+  o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
   [ip, rp, breaks, callback] = inputs (who, o, m);
   [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
   ip = gsmbp__event_plan (who, m, o, ip);
-  t0 = times(1);
-  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   [x0, atol] = audit_states (who, m, o, x0, atol);
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
@@ -282,7 +277,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
-    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (m, info, counts, values, text));
+    error ("gsmbp:info", "%s: %s: %s", who, m.name,
+           gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
   endif
 endfunction
 
@@ -528,41 +524,11 @@ function pp = as_pp (who, value, dims, what)
   endif
 endfunction
 
-function text = failure (m, info, counts, values, said)
-  at = sprintf ("at t = %.9g s", values(8));
-  switch (info)
-    case 1
-      text = ["more steps than option maxsteps allows, " at];
-    case 2
-      text = ["the step became too small " at ": a singularity, or too small a tolerance"];
-    case 3
-      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
-      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at, cause (m, counts(7), counts(6)));
-    case 4
-      text = ["the state is no longer finite " at ": take smaller steps"];
-    case 6
-      text = sprintf ("CVODE stopped %s with flag %d: %s", at, counts(19), said);
-    case 7
-      text = "there was no memory for CVODE";
-    otherwise
-      text = sprintf ("GSSIM: INFO = %d", info);
-  endswitch
-  if (info != 1 && counts(14) > 0)
-    text = [text "; the steps are bound by stability"];
-  endif
-endfunction
-
-## the sentence for INFO of the routine with that number (ISTAT(6), ISTAT(7) of GSSIM)
-function text = cause (m, number, info)
-  if (number == 7 && info == 9)
-    text = "more than 100 events at one instant";
-  elseif (any (number == [3, 5]) && info == 3)
-    text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
-  elseif (number == 3 && info == 4)
-    text = "no step leads away from a position where the constraints lose rank";
-  else
-    names = {"cmd", "rhs", "prj", "con", "prj", "out", "rst"};
-    text = m.module ("meaning", names{number}, info);
+## where a run ended before its time
+function last = last_state (m, reached, x, v)
+  last = [];
+  if (reached < columns (x) && all (isfinite ([x(:,reached+1); v(:,reached+1)])))
+    last = struct ("x", x(1:m.sizes.nx,reached+1), "v", v(:,reached+1));
   endif
 endfunction
 
@@ -588,7 +554,7 @@ endfunction
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\) is not finite> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <method must be> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
+%!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler"> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
 %! for word = {"baumgarte", "projection", "partitioning"}

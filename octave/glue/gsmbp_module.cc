@@ -954,7 +954,7 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
       if (r.length () > 0)
         only.append (r(0));
       arguments a (only, "simulate");
-      reals given = a.vector ("v, the result of the input function,", *nv);
+      reals given = a.vector ("v", *nv);
       for (int i = 0; i < *nv; i++)
         v[i] = given[i];
     }

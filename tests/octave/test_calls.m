@@ -145,7 +145,7 @@ function absent (models)
     m = models{k};
     said = true (1, 0);
     for name = setdiff (fieldnames (signatures ()), m.subroutines)'
-      found = complaint (@() m.(name{1}) (0));
+      found = gsmbp_complaint (@() m.(name{1}) (0));
       said(end+1) = ! isempty (regexp (found, sprintf ("^%s\\.%s: the scene was emitted without the subroutine %s: (%s)$", m.name, name{1}, upper (name{1}), reasons), "once"));
       if (! said(end))
         printf ("  %s\n", found);
@@ -161,7 +161,7 @@ function no_orientation (m, batch)
   q = x(1:m.sizes.nq);
   calls = struct ("rhs", {{0, x}}, "mas", {{0, q}}, "prj", {{0, x}}, "con", {{0, q}}, "jac", {{0, x}}, "ene", {{0, x}}, "ske", {{0, q}});
   for [given, name] = calls
-    found = complaint (@() m.(name) (given{:}));
+    found = gsmbp_complaint (@() m.(name) (given{:}));
     gsmbp_check (["Euler parameters that are all zero: " name], ! isempty (regexp (found, sprintf ("^%s\\.%s: argument [qx]: expected Euler parameters of length 1 in [qx]\\(4\\), .*found zeros", m.name, name), "once")));
   end
   if (! isempty (batch.orientation))
@@ -195,16 +195,7 @@ function meanings (m)
   gsmbp_check ("INFO of CLO and of RHS differ", ! isempty (strfind (say ("clo", 2), "loops do not close")) && ! isempty (strfind (say ("rhs", 2), "lost rank"))
                && ! isempty (strfind (say ("rhs", 3), "orientation angles")) && ! isempty (strfind (say ("prj", 3), "no position")) && ! isempty (strfind (say ("cmd", 5), "actuators")));
   short = gsmbp_set (m, "l2", 0.1);
-  gsmbp_check ("gsmbp_inverse", ! isempty (strfind (complaint (@() gsmbp_inverse (short, gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), "(CLO: INFO = 3: the iteration did not converge)")));
-end
-
-function text = complaint (f)
-  text = "no error";
-  try
-    f ();
-  catch err
-    text = err.message;
-  end
+  gsmbp_check ("gsmbp_inverse", ! isempty (strfind (gsmbp_complaint (@() gsmbp_inverse (short, gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), "(CLO: INFO = 3: the iteration did not converge)")));
 end
 
 ## what is cut off, empty or of another derivation is an error that names the file
@@ -233,7 +224,7 @@ function damaged ()
     for k = 1:rows (cases)
       put (source, cases{k,2});
       put (description, cases{k,3});
-      found = complaint (@() gsmbp_build ("hand_crank", "directory", folder));
+      found = gsmbp_complaint (@() gsmbp_build ("hand_crank", "directory", folder));
       if (! gsmbp_check (["files: " cases{k,1}], ! isempty (regexp (found, ["^gsmbp_build: .*" cases{k,4}], "once")) && ! any (found == "\n")))
         printf ("  %s\n", found);
       end
