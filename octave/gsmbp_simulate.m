@@ -172,6 +172,10 @@
 ## stability, not by accuracy, @code{time} [s] (NaN: nowhere), @code{eigenvalue}
 ## (its modulus [1/s]), @code{state} (where it shows most), @code{step} [s].
 ## This is a printed warning too.
+## @item margins
+## a struct array, empty if all is well: margins of devices (a stroke, a pressure) that are
+## not kept at some of @var{times}: @code{text}, @code{time} of the first one [s],
+## @code{least} value.  This is a printed warning too.
 ## @item method, jacobians, newton
 ## the method of the last step; cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
@@ -274,6 +278,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.largest_step = values(7);
   s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", values(4), "before_projection", values(5));
   s.reached = values(8);
+  s.margins = gsmbp__margins (m, result.t, result.x, result.v);
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
@@ -376,6 +381,10 @@ function warn (who, m, s)
     warning ("gsmbp:angles", "%s: %s came within 0.05 rad of a singularity of its orientation angles%s at t = %.6g s: choose another sequence of axes or Euler parameters", who, m.name,
              joints, s.angle_times(1));
   endif
+  for one = s.margins
+    warning ("gsmbp:margin", "%s: %s: %s: expected above 0, found %.6g at the least, first at t = %.6g s",
+             who, m.name, one.text, one.least, one.time);
+  endfor
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
   if (strcmp (s.method, "rk4") && ! isnan (f.time))

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{r} =} gsmbp_trim (@var{m}, @var{x}, @var{v})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "hold", @var{names}, "free", @var{inputs})
-## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol}, "margins", @var{word})
 ## An equilibrium of a scene: a state at rest, with loops closed, in which
 ## nothing is accelerated.
 ##
@@ -28,7 +28,9 @@
 ##
 ## An equilibrium that is not found is an error that names the equations that
 ## do not vanish, and inputs that could make them; so is a constraint that
-## moves with time.  One that holds at the time @var{t} only (default 0) is a
+## moves with time, and one in which a margin of a device is below 0 (a cylinder out of
+## its stroke, a pressure below the tank's; @code{m.state_margins}), unless "margins",
+## "ignore" is given.  One that holds at the time @var{t} only (default 0) is a
 ## warning.  Of several equilibria the one near the guess is found.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
 ## @end deftypefn
@@ -44,8 +46,10 @@ function r = gsmbp_trim (m, x, v, varargin)
   table = {"hold", {}, "names"
            "free", {}, "names"
            "time", 0, "number"
-           "tolerance", 1e-9, "tolerance"};
-  p = problem (m, x, v, gsmbp__options ("gsmbp_trim", table, varargin));
+           "tolerance", 1e-9, "tolerance"
+           "margins", "check", {"check", "ignore"}};
+  o = gsmbp__options ("gsmbp_trim", table, varargin);
+  p = problem (m, x, v, o);
   check_rest (p, p.z);
   [z, way] = solve (p);
   check_rest (p, z);
@@ -56,6 +60,9 @@ function r = gsmbp_trim (m, x, v, varargin)
   [p, z] = nearest (p, z, free);
   check_time (p, z);
   r = result (p, z, way);
+  if (strcmp (o.margins, "check"))
+    check_margins (p, r);
+  endif
   r.indifferent = unknowns (p)(max (abs (free), [], 2) > 1e-6)(:)';
 endfunction
 
@@ -339,6 +346,19 @@ function check_rest (p, z)
              p.who, p.m.name, p.t, p.m.multipliers{k}, rate);
     endif
   endfor
+endfunction
+
+## no device may be where its laws do not hold
+function check_margins (p, r)
+  list = gsmbp__margins (p.m, p.t, r.x', r.v');
+  if (isempty (list))
+    return;
+  endif
+  one = @(m) sprintf ("%s (%.6g)", m.text, m.least);
+  error ("gsmbp:margin",
+         ["%s: %s: an equilibrium was found, but it is outside margins of devices, which must " ...
+          "be above 0: %s; try another guess, or take it as it is: \"margins\", \"ignore\""],
+         p.who, p.m.name, strjoin (arrayfun (one, list, "UniformOutput", false), ", "));
 endfunction
 
 ## the same state some other times

@@ -822,6 +822,17 @@ do_ene (arguments& a, int)
 }
 
 static octave_value_list
+do_mar (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  reals g = room (S.nsm), sizes = room (S.nsm);
+  routine (S.mar, "mar") (&t, &x[0], &v[0], &cst[0], &g[0], &sizes[0]);
+  return ovl (result (g, S.nsm), result (sizes, S.nsm));
+}
+
+static octave_value_list
 do_ske (arguments& a, int)
 {
   reals cst = a.constants ();
@@ -1253,6 +1264,8 @@ absent (const std::string& call, const char *request)
     reason = "it has no sampled devices";
   else if (S.nev == 0 && is (" evt rst "))
     reason = "it has no events";
+  else if (S.nsm == 0 && is (" mar "))
+    reason = "no device of it has a margin that its state decides";
   else if (S.ny == 0 && is (" out "))
     reason = "it has no outputs";
   else
@@ -1292,6 +1305,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]"},
     {"acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way"},
     {"tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x"},
+    {"mar", do_mar, &gsmbp_scene::mar, "margins", "t, x[, v]"},
     {"ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q"},
     {"inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]"},
     {"mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q"},

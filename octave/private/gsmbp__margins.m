@@ -8,12 +8,12 @@ function list = gsmbp__margins (m, t, x, v)
   if (! any (strcmp (m.subroutines, "mar")))
     return;
   endif
-  g = zeros (numel (t), numel (m.state_margins));
+  g = s = zeros (numel (t), numel (m.state_margins));
   for k = 1:numel (t)
-    g(k,:) = m.mar (t(k), x(k,:)', v(k,:)');
+    [g(k,:), s(k,:)] = m.mar (t(k), x(k,:)', v(k,:)');
   endfor
   for k = 1:columns (g)
-    bad = find (! (g(:,k) >= 0));
+    bad = find (! (g(:,k) >= -1e-9 * s(:,k)));   # below that is no rounding error
     if (! isempty (bad))
       list(end+1) = struct ("text", m.state_margins{k}, "time", t(bad(1)), "least", min (g(:,k)));
     endif

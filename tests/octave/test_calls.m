@@ -3,7 +3,7 @@
 
 function test_calls ()
   models = {gsmbp_hand("hand_crank"), gsmbp_fixture("redundant_bricard"), gsmbp_fixture("batch_arm"), gsmbp_fixture("sampled_drive"), gsmbp_fixture("event_arm"), ...
-            gsmbp_fixture("rolling_disc"), gsmbp_fixture("base_tree")};
+            gsmbp_fixture("rolling_disc"), gsmbp_fixture("base_tree"), gsmbp_fixture("trim_hydraulic")};
   called = {};
   for k = 1:numel (models)
     called = union (called, every_handle (models{k}));
@@ -14,6 +14,8 @@ function test_calls ()
   rank_once (gsmbp_fixture ("redundant_bricard"));
   meanings (models{1});
   damaged ();
+  cut_modules ();
+  altered ();
 end
 
 ## the arguments of each handle; those from the second number on may be left out
@@ -21,7 +23,7 @@ function s = signatures ()
   s = struct ("kin", {{"t q u", 3}}, "inv", {{"t q u ud v", 4}}, "mas", {{"t q", 2}}, "reg", {{"t q u ud v", 4}}, "bia", {{"t q u v", 3}}, "fwd", {{"t q u v tau", 3}},
               "con", {{"t q u", 2}}, "inl", {{"t q u ud v", 4}}, "lin", {{"t q u ud v", 4}}, "rhs", {{"t x v", 2}}, "acc", {{"t x v", 2}}, "acd", {{"t x v way", 4}},
               "tan", {{"t x", 2}}, "prj", {{"t x", 2}}, "jac", {{"t x v", 2}}, "out", {{"t x v", 2}}, "cmd", {{"t qj xi", 2}}, "cmx", {{"t qj xi", 2}},
-              "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "rst", {{"t x v mode k", 5}}, "clo", {{"t qj", 2}}, "ene", {{"t x v", 2}}, "ske", {{"t q", 2}},
+              "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "rst", {{"t x v mode k", 5}}, "clo", {{"t qj", 2}}, "ene", {{"t x v", 2}}, "ske", {{"t q", 2}}, "mar", {{"t x v", 2}},
               "inv_v", {{"t q u ud v", 4}}, "mas_v", {{"t q", 2}}, "bia_v", {{"t q u v", 3}}, "fwd_v", {{"t q u v tau", 3}}, "rhs_v", {{"t x v", 2}});
 end
 
@@ -140,7 +142,7 @@ end
 
 ## a handle of a subroutine that the scene was emitted without says why, or what to ask for
 function absent (models)
-  reasons = "it has no loops|it has neither loops nor Euler parameters|it has no sampled devices|it has no events|it has no outputs|derive it with the request \\w+ of gsmbp_fortran";
+  reasons = "it has no loops|no device of it has a margin that its state decides|it has neither loops nor Euler parameters|it has no sampled devices|it has no events|it has no outputs|derive it with the request \\w+ of gsmbp_fortran";
   for k = 1:numel (models)
     m = models{k};
     said = true (1, 0);
@@ -240,4 +242,60 @@ function put (file, text)
   f = fopen (file, "w");
   fputs (f, text);
   fclose (f);
+end
+
+## a module (or a part that all modules share) that is cut short or altered is built anew; loaded
+## as it is it would end Octave
+function cut_modules ()
+  folder = tempname ();
+  guard = onCleanup (@() rmdir_all (folder));
+  mkdir (folder);
+  here = fullfile (fileparts (mfilename ("fullpath")), "fixture");
+  build = @() gsmbp_build ("motor_pendulum", "directory", here, "build", folder);
+  m = build ();
+  xd = m.rhs (0, [0.1; 0; 0], 1);
+  common = fullfile (folder, "double", "common");
+  stiff = @(m) gsmbp_simulate (m, [0; 0; 0], [0, 0.1], "method", "cvode").x(end,:);
+  x = stiff (m);
+  for file = {m.file, fullfile(common, "libgsmbp.a"), fullfile(common, "gsmbp_module.o"), ...
+              fullfile(common, "libgsmbp_cvode.so")}
+    text = fileread (file{1});
+    for part = {text(1:round (end / 2)), "", [text(1:end-100), zeros(1, 100)]}
+      delete (file{1});   # what is loaded now must not change
+      put (file{1}, part{1});
+      if (! strcmp (file{1}, m.file))
+        delete (m.file);
+      end
+      clear ("-f", m.symbol);
+      n = build ();
+      same = isequal (n.rhs (0, [0.1; 0; 0], 1), xd) && isequal (stiff (n), x);
+      [~, name, kind] = fileparts (file{1});
+      gsmbp_check (sprintf ("%s of %d bytes of %d: built anew", strrep ([name kind], m.symbol, "module"),
+                            numel (part{1}), numel (text)), same);
+    end
+  end
+end
+
+function rmdir_all (folder)
+  confirm_recursive_rmdir (false, "local");
+  rmdir (folder, "s");
+end
+
+## a name of a parameter, state or subroutine that was changed in one of the two files
+function altered ()
+  folder = tempname ();
+  guard = onCleanup (@() rmdir_all (folder));
+  mkdir (folder);
+  source = fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out", "trim_hydraulic");
+  f = fileread ([source ".f"]);
+  j = fileread ([source ".json"]);
+  put (fullfile (folder, "trim_hydraulic.f"), f);
+  for pair = {"\"name\": \"fl\"", "\"name\": \"fk\""; "\"value\": 5000", "\"value\": 5001"; ...
+              "\"C_a1\"", "\"C_a9\""}'
+    put (fullfile (folder, "trim_hydraulic.json"), strrep (j, pair{:}));
+    changed = ! strcmp (strrep (j, pair{:}), j);
+    said = gsmbp_complaint (@() gsmbp_build ("trim_hydraulic", "directory", folder));
+    gsmbp_check (sprintf ("JSON with %s for %s: %s", pair{2}, pair{1}, said),
+                 changed && any (strfind (said, "they are of two derivations")) && ! any (said == "\n"));
+  end
 end
