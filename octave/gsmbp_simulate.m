@@ -561,7 +561,7 @@ endfunction
 %! assert (r.x, e.x, 1e-8);
 %! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
-%!error <argument x0\(1\) is not finite> gsmbp_simulate (m, [NaN 0 0], [0 1])
+%!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
 %!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler"> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
