@@ -400,6 +400,25 @@ room (int n)
   return reals (std::max (1, n), number (0));
 }
 
+// the k-th argument of an emitted subroutine, as its handle calls it
+static std::string
+fortran_argument (const std::string& call, int k)
+{
+  static const struct { const char *calls, *names[5]; } table[] = {
+    {" rhs rha acc acd jac out evt rst rhs_v ", {"t", "x (the states)", "v (the inputs)", "", ""}},
+    {" inl ", {"t", "q (the coordinates)", "u (the speeds)", "ud (the accelerations)", "v (the inputs)"}},
+    {" fwd fwd_v ", {"t", "q (the coordinates)", "u (the speeds)", "v (the inputs)", "tau (the efforts)"}},
+    {" con ", {"t", "q (the coordinates)", "u (the speeds)", "", ""}},
+    {" prj ", {"t", "x (the states)", "", "", ""}},
+    {" cmd cmx clo ", {"t", "qj (the motion)", "", "", ""}},
+    {" pre ", {"par (the parameters)", "", "", "", ""}}
+  };
+  for (const auto& entry : table)
+    if (k <= 5 && *entry.names[k-1] && std::strstr (entry.calls, (" " + call + " ").c_str ()))
+      return std::string ("argument ") + entry.names[k-1];
+  return "argument " + std::to_string (k) + " of the Fortran subroutine";
+}
+
 // The error indicators of the emitted subroutines as sentences: the one place where they stand (also of gsmbp_simulate
 // and others, by the call "meaning").  An entry without a subroutine holds for those that are not named.
 static std::string
@@ -418,7 +437,7 @@ meaning (const std::string& call, int info)
   if (info == 0)
     return "ok";
   if (info < 0)
-    return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range or not finite";
+    return fortran_argument (call, -info) + " is out of range or not finite";
   if (! call.compare ("inl") || ! call.compare (0, 2, "cm"))
     return "a singular position for these actuators: they cannot give the motion here";
   for (const auto& entry : table)

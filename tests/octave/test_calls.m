@@ -199,6 +199,8 @@ function meanings (m)
   say = @(name, info) m.module ("meaning", name, info);
   gsmbp_check ("INFO of CLO and of RHS differ", ! isempty (strfind (say ("clo", 2), "loops do not close")) && ! isempty (strfind (say ("rhs", 2), "lost rank"))
                && ! isempty (strfind (say ("rhs", 3), "orientation angles")) && ! isempty (strfind (say ("prj", 3), "no position")) && ! isempty (strfind (say ("cmd", 5), "actuators")));
+  gsmbp_check ("arguments of the Fortran by their names", ! isempty (strfind (say ("rhs", -2), "argument x (the states) is")) && ! isempty (strfind (say ("fwd", -5), "argument tau (the efforts) is"))
+               && ! isempty (strfind (say ("con", -3), "argument u (the speeds) is")) && ! isempty (strfind (say ("prj", -2), "argument x")) && ! isempty (strfind (say ("clo", -2), "argument qj")));
   short = gsmbp_set (m, "l2", 0.1);
   gsmbp_check ("gsmbp_inverse", ! isempty (strfind (gsmbp_complaint (@() gsmbp_inverse (short, gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), "(CLO: INFO = 3: the iteration did not converge)")));
 end
