@@ -63,9 +63,16 @@ function gsmbp_animate (m, result, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_animate";
-  defaults = struct ("times", [], "speed", 1, "fps", 20, "trace", [], "title", "", "view", [54.7, 130], "up", "z", "centres", true, "width", 720);
-  kinds = struct ("speed", "positive", "fps", "positive", "width", "positive", "title", "text", "centres", "flag", "up", {{"x", "y", "z"}}, "view", "numbers", "times", "numbers");
-  o = gsmbp__options (who, defaults, varargin, kinds);
+  table = {"times", [], "numbers"
+           "speed", 1, "positive"
+           "fps", 20, "positive"
+           "trace", [], "any"
+           "title", "", "text"
+           "view", [54.7, 130], "numbers"
+           "up", "z", {"x", "y", "z"}
+           "centres", true, "flag"
+           "width", 720, "positive"};
+  o = gsmbp__options (who, table, varargin);
   moving = numel (file) > 4 && strcmpi (file(end-3:end), ".gif");
   if (! moving && ! (numel (file) > 4 && strcmpi (file(end-3:end), ".png")))
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);

@@ -31,8 +31,11 @@ function x = gsmbp_assemble (m, guess, varargin)
   endif
   who = "gsmbp_assemble";
   gsmbp__model (who, m);
-  kinds = struct ("hold", "names", "time", "number", "tolerance", "positive", "branches", "whole");
-  o = gsmbp__options (who, struct ("hold", {{}}, "time", 0, "tolerance", 1e-10, "branches", 0), varargin, kinds);
+  table = {"hold", {}, "names"
+           "time", 0, "number"
+           "tolerance", 1e-10, "positive"
+           "branches", 0, "whole"};
+  o = gsmbp__options (who, table, varargin);
   x = guessed (who, m, guess);
   held = held_coordinates (who, m, o.hold);
   whole_orientations (who, m, held);
@@ -54,16 +57,7 @@ endfunction
 
 function x = guessed (who, m, guess)
   d = m.sizes;
-  if (! (isnumeric (guess) && isreal (guess) && any (numel (guess) == [d.nq, d.nx])))
-    error ("%s: %s: expected a guess of %d states or %d coordinates, found %s", who, m.name, d.nx, d.nq, gsmbp__shown (guess));
-  endif
-  x = double (guess(:));
-  if (numel (x) == d.nq)
-    x = [x; zeros(d.nx - d.nq, 1)];
-  endif
-  if (! all (isfinite (x)))
-    error ("%s: %s: the guess of %s is not finite", who, m.name, m.states{find(! isfinite (x), 1)});
-  endif
+  x = gsmbp__guess (who, m, "guess", guess, zeros (d.nx - d.nq, 1));
   for set = m.orientation'
     if (! any (x(set)))
       error ("%s: %s: expected a guess of the Euler parameters (%s), found zeros, which are no orientation", who, m.name, strjoin (m.coordinates(set)', ", "));
@@ -89,7 +83,8 @@ function held = held_coordinates (who, m, names)
     endif
     k = strcmp (m.coordinates, name{1});
     if (! any (k))
-      error ("%s: option hold: %s has no coordinate \"%s\"; it has %s", who, m.name, name{1}, strjoin (m.coordinates', ", "));
+      error ("%s: option hold: %s has no coordinate %s", who, m.name,
+             gsmbp__unknown (name{1}, m.coordinates));
     endif
     held |= k(:);
   endfor
@@ -104,7 +99,7 @@ function [x, complaint] = close_loops (m, x, o, held)
     [x, ~, info] = m.prj (o.time, x);
   endif
   phi = rate = Inf (d.nlam, 1);
-  if (all (isfinite (x)))
+  if (all (abs (x) <= 1e300))
     u = x(d.nq + (1:d.nu));
     [phi, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
     rate = H * u + phit;
@@ -284,4 +279,4 @@ endfunction
 %!error <none of 6 guesses: the loop does not close> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1", "branches", 5)
 %!error <loop does not close: phi of C\.y = 0.1[0-9]* is left> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1")
 %!error <has no coordinate "q9"> gsmbp_assemble (c, [0.3 -0.1 0.7], "hold", "q9")
-%!error <expected a guess of 6 states or 3> gsmbp_assemble (c, [0.3 -0.1])
+%!error <argument guess: expected 6 numbers \(the states of hand_crank, or its 3 coordinates\), found 1x2> gsmbp_assemble (c, [0.3 -0.1])

@@ -66,6 +66,9 @@
 ## completes the motion of a closed chain
 ## @item e = m.ene (t, x[, v])
 ## kinetic, potential, stored energy [J]; power in, power dissipated [W]
+## @item [g, s] = m.mar (t, x[, v])
+## margins of the devices (@code{m.state_margins}: strokes, pressures), above 0 where
+## their laws hold, and the sizes of these numbers (of their terms)
 ## @item P = m.ske (t, q)
 ## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
 ## body (@code{m.skeleton})
@@ -91,7 +94,8 @@
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),
 ## @code{speed_rows} (numbers of the constraints on speeds alone),
 ## @code{internal} (numbers of the states that the inverse of the devices
-## integrates), @code{margins} (what must be above 0 for a command),
+## integrates), @code{margins} (what must be above 0 for a command), @code{state_margins} (what
+## must be above 0 in a state),
 ## @code{controllers} (the sampled devices, a struct array: @code{name},
 ## @code{entry}, @code{period} and @code{delay} (a number or an expression in
 ## parameters), @code{memory} (names), @code{starts}, @code{outputs} (numbers of the
@@ -127,9 +131,12 @@ function m = gsmbp_build (name, varargin)
   if (nargin < 1 || ! ischar (name))
     print_usage ();
   endif
-  defaults = struct ("parameters", struct (), "precision", "double", "directory", default_directory (), "build", "", "input", "");
-  kinds = struct ("precision", {{"double", "quad"}}, "directory", "text", "build", "text", "input", "text");
-  options = gsmbp__options ("gsmbp_build", defaults, varargin, kinds);
+  table = {"parameters", struct(), "any"
+           "precision", "double", {"double", "quad"}
+           "directory", default_directory(), "text"
+           "build", "", "text"
+           "input", "", "text"};
+  options = gsmbp__options ("gsmbp_build", table, varargin);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
     error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
   endif
@@ -191,6 +198,10 @@ function m = gsmbp_build (name, varargin)
   endif
   if (isfield (json, "margins") && ! isempty (json.margins))
     m.margins = cellstr (json.margins)(:);
+  endif
+  m.state_margins = cell (0, 1);
+  if (isfield (json, "state_margins") && ! isempty (json.state_margins))
+    m.state_margins = cellstr (json.state_margins)(:);
   endif
   m.controllers = controllers (json);
   m.events = struct ("name", {}, "entry", {}, "kind", {}, "input", {});

@@ -44,7 +44,11 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   who = "gsmbp_inverse";
   gsmbp__model (who, m);
   d = m.sizes;
-  o = gsmbp__options (who, struct ("side", 1, "input", zeros (d.nv, 1), "guess", m.initial(1:d.nq), "internal", m.initial(d.nq+d.nu+1:end)), varargin, struct ("side", "number"));
+  table = {"side", 1, "number"
+           "input", zeros(d.nv, 1), "numbers"
+           "guess", m.initial(1:d.nq), "numbers"
+           "internal", m.initial(d.nq+d.nu+1:end), "numbers"};
+  o = gsmbp__options (who, table, varargin);
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';
@@ -121,9 +125,10 @@ function o = checked (who, m, o)
   if (d.nq != d.nu)
     error ("%s: %s has Euler parameters: a planned motion cannot state its %d coordinates by %d speeds; derive it with angles of orientation", who, m.name, d.nq, d.nu);
   endif
-  o.guess = gsmbp__vector (who, "guess", o.guess, d.nq);
-  o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu);
-  o.input = gsmbp__vector (who, "input", o.input, d.nv);
+  o.guess = gsmbp__vector (who, "guess", o.guess, d.nq, "", m.coordinates);
+  o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu, "",
+                              m.states(d.nq+d.nu+1:end));
+  o.input = gsmbp__vector (who, "input", o.input, d.nv, "", m.inputs);
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
     error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
   endif

@@ -35,11 +35,13 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
     v = zeros (m.sizes.nv, 1);
   endif
   d = m.sizes;
-  kinds = struct ("reduced", "names", "start", {{"check", "project"}});
-  o = gsmbp__options (who, struct ("reduced", "auto", "start", "check"), varargin, kinds);
+  table = {"reduced", "auto", "names"
+           "start", "check", {"check", "project"}};
+  o = gsmbp__options (who, table, varargin);
   t = gsmbp__vector (who, "t", t, 1);
   x = gsmbp__start (who, m, t, x, o.start);
-  v = gsmbp__vector (who, "v", v, d.nv);
+  v = gsmbp__vector (who, "v", v, d.nv, sprintf (" (the inputs %s)", strjoin (m.inputs', ", ")),
+                     m.inputs);
   if (isempty (which ("ss")))
     pkg load control
   endif
@@ -52,8 +54,15 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   endif
   T = eye (d.nx);
   independent = 1:d.nx;
+  named = ! (ischar (o.reduced) && any (strcmp (o.reduced, {"auto", "none"})));
+  if (named)
+    o.reduced = state_numbers (m, o.reduced);
+  endif
   if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
     [T, independent] = tangent (m, t, x, o.reduced);
+  elseif (named && ! all (ismember (1:d.nq, o.reduced)))
+    error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
+            "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
   endif
   sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", m.states(independent), "InputName", m.inputs, "OutputName", outputs);
 endfunction
@@ -82,7 +91,7 @@ function [T, independent] = tangent (m, t, x, names)
       u = others (H, 1:d.nu);
     endif
   else
-    [q, u] = chosen (m, names, P, H);
+    [q, u] = chosen (m, names, H);
   endif
   independent = [q, d.nq + u, d.nq + d.nu + 1:d.nx];
   N = null (K, 1e-9);
@@ -103,15 +112,19 @@ function k = others (H, all_columns)
   endif
 endfunction
 
-function [q, u] = chosen (m, names, P, H)
-  if (ischar (names))
-    names = {names};
-  endif
-  d = m.sizes;
+## where the NAMES of the option "reduced" stand among the states
+function k = state_numbers (m, names)
+  names = cellstr (names);
   k = gsmbp__which (names, m.states);
-  if (! all (k))
-    error ("gsmbp_linear: option \"reduced\": %s is no state of %s; it has %s", names{find (! k, 1)}, m.name, strjoin (m.states', ", "));
+  if (! all (k) || isempty (k))
+    error ("gsmbp_linear: option \"reduced\": %s has no state %s", m.name,
+           gsmbp__unknown ([names(! k)(:); {""}]{1}, m.states));
   endif
+endfunction
+
+## numbers of coordinates and speeds among the states K
+function [q, u] = chosen (m, k, H)
+  d = m.sizes;
   q = sort (k(k <= d.nq))(:)';
   u = sort (k(k > d.nq & k <= d.nq + d.nu) - d.nq)(:)';
   if (isempty (u) && d.nq == d.nu)

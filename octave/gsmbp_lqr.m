@@ -28,6 +28,7 @@ function design = gsmbp_lqr (m, motion, times, Q, R)
   gsmbp__model ("gsmbp_lqr", m);
   gsmbp__fits ("gsmbp_lqr", "argument Q", Q, "numbers");
   gsmbp__fits ("gsmbp_lqr", "argument R", R, "numbers");
+  [Q, R] = deal (double (Q), double (R));
   d = m.sizes;
   if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [d.nv d.nv]))
     error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d", m.name, d.nx, d.nx, d.nv, d.nv);

@@ -47,10 +47,7 @@ function r = gsmbp_mobility (m, x, t = 0)
   gsmbp__model (who, m);
   d = m.sizes;
   t = gsmbp__vector (who, "t", t, 1);
-  if (isnumeric (x) && numel (x) == d.nq)
-    x = [x(:); zeros(d.nx - d.nq, 1)];
-  endif
-  q = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s, or its %d coordinates)", m.name, d.nq))(1:d.nq);
+  q = gsmbp__guess (who, m, "x", x, zeros (d.nx - d.nq, 1))(1:d.nq);
   one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
   if (isfield (m, "mobility") && isfield (m.mobility, "gruebler"))
     one.gruebler = m.mobility.gruebler;

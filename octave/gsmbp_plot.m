@@ -39,8 +39,11 @@ function gsmbp_plot (file, t, varargin)
   if (isempty (first))
     first = numel (varargin) + 1;
   endif
-  o = gsmbp__options (who, struct ("title", "", "xlabel", "time [s]", "scale", "linear", "head", "t"), varargin(first:end),
-                      struct ("title", "text", "xlabel", "text", "head", "text", "scale", {{"linear", "semilogy", "semilogx", "loglog"}}));
+  table = {"title", "", "text"
+           "xlabel", "time [s]", "text"
+           "scale", "linear", {"linear", "semilogy", "semilogx", "loglog"}
+           "head", "t", "text"};
+  o = gsmbp__options (who, table, varargin(first:end));
   panels = varargin(1:first-1);
   if (isstruct (t))
     gsmbp__model (who, t);

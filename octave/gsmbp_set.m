@@ -23,20 +23,13 @@ endfunction
 
 function par = merged (m, pairs)
   par = m.par;
-  if (numel (pairs) == 1 && isstruct (pairs{1}))
-    pairs = [fieldnames(pairs{1}), struct2cell(pairs{1})]'(:)';
-  endif
-  if (mod (numel (pairs), 2) != 0)
-    error ("gsmbp_set: expected pairs of a parameter's name and its value");
-  endif
-  for i = 1:2:numel (pairs)
-    [name, value] = pairs{i:i+1};
-    if (! ischar (name) || ! isfield (par, name))
-      if (! ischar (name))
-        name = class (name);
-      endif
+  [names, values] = gsmbp__pairs (["gsmbp_set: " m.name], "parameter", pairs);
+  for i = 1:numel (names)
+    [name, value] = deal (names{i}, values{i});
+    if (! isfield (par, name))
       made_of_others (m, name);
-      error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
+      error ("gsmbp_set: %s: unknown parameter %s", m.name,
+             gsmbp__unknown (name, fieldnames (par)'));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
       error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, gsmbp__shown (value));

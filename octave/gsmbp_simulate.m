@@ -172,6 +172,10 @@
 ## stability, not by accuracy, @code{time} [s] (NaN: nowhere), @code{eigenvalue}
 ## (its modulus [1/s]), @code{state} (where it shows most), @code{step} [s].
 ## This is a printed warning too.
+## @item margins
+## a struct array, empty if all is well: margins of devices (a stroke, a pressure) that are
+## not kept at some of @var{times}: @code{text}, @code{time} of the first one [s],
+## @code{least} value.  This is a printed warning too.
 ## @item method, jacobians, newton
 ## the method of the last step; cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
@@ -203,21 +207,16 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   gsmbp__model (who, m);
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
-  defaults = struct ("method", "dp853", "step", [], "rtol", 1e-10, "atol", [], "maxstep", 0, "maxsteps", 0, "maxorder", 5, "loops", "", "projection", [],
-                     "drift", has ("con") && d.nlam > 0, "input", [], "motion", [], "gain", [], "reference", [], "limits", [], "breaks", [],
-                     "memory", [], "samples", true, "modes", [], "audit", [], "start", "check");
-  kinds = struct ("projection", "flag", "drift", "flag", "samples", "flag", "breaks", "numbers",
-                  "start", {{"check", "project"}});
-  o = gsmbp__options (who, defaults, varargin, kinds);
+  o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
   times = gsmbp__times (who, times);
   [m, way] = loops (who, o, m);
   [iopt, ropt, atol, method] = integration (who, o, d, m, way);
-  o.input = gsmbp__all_inputs (m, o.input);
+  t0 = times(1);
+  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
+  o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
   [ip, rp, breaks, callback] = inputs (who, o, m);
   [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
   ip = gsmbp__event_plan (who, m, o, ip);
-  t0 = times(1);
-  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   [x0, atol] = audit_states (who, m, o, x0, atol);
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
@@ -279,10 +278,12 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.largest_step = values(7);
   s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", values(4), "before_projection", values(5));
   s.reached = values(8);
+  s.margins = gsmbp__margins (m, result.t, result.x, result.v);
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
-    error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (m, info, counts, values, text));
+    error ("gsmbp:info", "%s: %s: %s", who, m.name,
+           gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
   endif
 endfunction
 
@@ -380,6 +381,10 @@ function warn (who, m, s)
     warning ("gsmbp:angles", "%s: %s came within 0.05 rad of a singularity of its orientation angles%s at t = %.6g s: choose another sequence of axes or Euler parameters", who, m.name,
              joints, s.angle_times(1));
   endif
+  for one = s.margins
+    warning ("gsmbp:margin", "%s: %s: %s: expected above 0, found %.6g at the least, first at t = %.6g s",
+             who, m.name, one.text, one.least, one.time);
+  endfor
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
   if (strcmp (s.method, "rk4") && ! isnan (f.time))
@@ -528,41 +533,11 @@ function pp = as_pp (who, value, dims, what)
   endif
 endfunction
 
-function text = failure (m, info, counts, values, said)
-  at = sprintf ("at t = %.9g s", values(8));
-  switch (info)
-    case 1
-      text = ["more steps than option maxsteps allows, " at];
-    case 2
-      text = ["the step became too small " at ": a singularity, or too small a tolerance"];
-    case 3
-      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
-      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at, cause (m, counts(7), counts(6)));
-    case 4
-      text = ["the state is no longer finite " at ": take smaller steps"];
-    case 6
-      text = sprintf ("CVODE stopped %s with flag %d: %s", at, counts(19), said);
-    case 7
-      text = "there was no memory for CVODE";
-    otherwise
-      text = sprintf ("GSSIM: INFO = %d", info);
-  endswitch
-  if (info != 1 && counts(14) > 0)
-    text = [text "; the steps are bound by stability"];
-  endif
-endfunction
-
-## the sentence for INFO of the routine with that number (ISTAT(6), ISTAT(7) of GSSIM)
-function text = cause (m, number, info)
-  if (number == 7 && info == 9)
-    text = "more than 100 events at one instant";
-  elseif (any (number == [3, 5]) && info == 3)
-    text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
-  elseif (number == 3 && info == 4)
-    text = "no step leads away from a position where the constraints lose rank";
-  else
-    names = {"cmd", "rhs", "prj", "con", "prj", "out", "rst"};
-    text = m.module ("meaning", names{number}, info);
+## where a run ended before its time
+function last = last_state (m, reached, x, v)
+  last = [];
+  if (reached < columns (x) && all (isfinite ([x(:,reached+1); v(:,reached+1)])))
+    last = struct ("x", x(1:m.sizes.nx,reached+1), "v", v(:,reached+1));
   endif
 endfunction
 
@@ -586,9 +561,9 @@ endfunction
 %! assert (r.x, e.x, 1e-8);
 %! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
-%!error <argument x0\(1\) is not finite> gsmbp_simulate (m, [NaN 0 0], [0 1])
+%!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <method must be> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
+%!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler"> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
 %! for word = {"baumgarte", "projection", "partitioning"}

@@ -24,11 +24,14 @@ function s = gsmbp_timing (m, t, x, varargin)
   who = "gsmbp_timing";
   gsmbp__model (who, m);
   d = m.sizes;
-  kinds = struct ("seconds", "positive", "print", "flag");
-  o = gsmbp__options (who, struct ("input", zeros (d.nv, 1), "qj", [], "seconds", 0.02, "print", true), varargin, kinds);
+  table = {"input", zeros(d.nv, 1), "numbers"
+           "qj", [], "numbers"
+           "seconds", 0.02, "positive"
+           "print", true, "flag"};
+  o = gsmbp__options (who, table, varargin);
   t = gsmbp__vector (who, "t", t, 1);
-  x = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s)", m.name));
-  o.input = gsmbp__vector (who, "input", o.input, d.nv);
+  x = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s)", m.name), m.states);
+  o.input = gsmbp__vector (who, "input", o.input, d.nv, "", m.inputs);
   q = x(1:d.nq);
   u = x(d.nq + (1:d.nu));
   zero = zeros (d.nu, 1);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{r} =} gsmbp_trim (@var{m}, @var{x}, @var{v})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "hold", @var{names}, "free", @var{inputs})
-## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol}, "margins", @var{word})
 ## An equilibrium of a scene: a state at rest, with loops closed, in which
 ## nothing is accelerated.
 ##
@@ -28,20 +28,28 @@
 ##
 ## An equilibrium that is not found is an error that names the equations that
 ## do not vanish, and inputs that could make them; so is a constraint that
-## moves with time.  One that holds at the time @var{t} only (default 0) is a
+## moves with time, and one in which a margin of a device is below 0 (a cylinder out of
+## its stroke, a pressure below the tank's; @code{m.state_margins}), unless "margins",
+## "ignore" is given.  One that holds at the time @var{t} only (default 0) is a
 ## warning.  Of several equilibria the one near the guess is found.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
 ## @end deftypefn
 
 function r = gsmbp_trim (m, x, v, varargin)
-  if (nargin < 2 || ! isstruct (m))
+  if (nargin < 2)
     print_usage ();
   endif
+  gsmbp__model ("gsmbp_trim", m);
   if (nargin < 3)
     v = [];
   endif
-  defaults = struct ("hold", {{}}, "free", {{}}, "time", 0, "tolerance", 1e-9);
-  p = problem (m, x, v, gsmbp__options ("gsmbp_trim", defaults, varargin));
+  table = {"hold", {}, "names"
+           "free", {}, "names"
+           "time", 0, "number"
+           "tolerance", 1e-9, "tolerance"
+           "margins", "check", {"check", "ignore"}};
+  o = gsmbp__options ("gsmbp_trim", table, varargin);
+  p = problem (m, x, v, o);
   check_rest (p, p.z);
   [z, way] = solve (p);
   check_rest (p, z);
@@ -52,6 +60,9 @@ function r = gsmbp_trim (m, x, v, varargin)
   [p, z] = nearest (p, z, free);
   check_time (p, z);
   r = result (p, z, way);
+  if (strcmp (o.margins, "check"))
+    check_margins (p, r);
+  endif
   r.indifferent = unknowns (p)(max (abs (free), [], 2) > 1e-6)(:)';
 endfunction
 
@@ -96,11 +107,13 @@ function p = problem (m, x, v, o)
   if (! any (strcmp (m.subroutines, "jac")))
     error ("%s: %s was emitted without the subroutine JAC", p.who, m.name);
   endif
-  x = guess (p, x);
-  v = [v(:); zeros(d.nv - numel (v), 1)];
-  if (numel (v) != d.nv || ! all (isfinite (v)))
-    error ("%s: %s: expected %d finite inputs", p.who, m.name, d.nv);
+  x = gsmbp__guess (p.who, m, "x", x, m.initial(d.nq + 1:d.nx));
+  x(d.nq + (1:d.nu)) = 0;
+  if (isempty (v))
+    v = zeros (d.nv, 1);
   endif
+  named = sprintf (" (the inputs %s)", strjoin (m.inputs', ", "));
+  v = gsmbp__vector (p.who, "v", v, d.nv, named, m.inputs);
   held = places (p.who, o.hold, m.states, "hold", "a state");
   p.inputs = places (p.who, o.free, m.inputs, "free", "an input")(:)';
   p.own = setdiff ([1:d.nq, d.nq + d.nu + 1:d.nx], held);
@@ -115,22 +128,6 @@ function p = problem (m, x, v, o)
   p.size = [m.nominal(p.own); ones(numel (p.inputs), 1)];
   p.usual = [m.nominal(d.nq + 1:d.nx); ones(d.nlam + rows (m.orientation), 1)];
   p.size = sizes (p);
-endfunction
-
-function x = guess (p, x)
-  d = p.m.sizes;
-  x = double (x(:));
-  if (numel (x) == d.nq)
-    x = [x; p.m.initial(d.nq + 1:d.nx)];
-  elseif (numel (x) != d.nx)
-    error ("%s: %s: expected a guess of %d states or %d coordinates, found %d numbers", p.who,
-           p.m.name, d.nx, d.nq, numel (x));
-  endif
-  if (! all (isfinite (x)))
-    error ("%s: %s: the guess of %s is not finite", p.who, p.m.name,
-           p.m.states{find (! isfinite (x), 1)});
-  endif
-  x(d.nq + (1:d.nu)) = 0;
 endfunction
 
 ## a free input counts by what moves the rates as much as the usual sizes of the states do
@@ -351,6 +348,19 @@ function check_rest (p, z)
   endfor
 endfunction
 
+## no device may be where its laws do not hold
+function check_margins (p, r)
+  list = gsmbp__margins (p.m, p.t, r.x', r.v');
+  if (isempty (list))
+    return;
+  endif
+  one = @(m) sprintf ("%s (%.6g)", m.text, m.least);
+  error ("gsmbp:margin",
+         ["%s: %s: an equilibrium was found, but it is outside margins of devices, which must " ...
+          "be above 0: %s; try another guess, or take it as it is: \"margins\", \"ignore\""],
+         p.who, p.m.name, strjoin (arrayfun (one, list, "UniformOutput", false), ", "));
+endfunction
+
 ## the same state some other times
 function check_time (p, z)
   [f, J] = equations (p, z);
@@ -457,13 +467,11 @@ function names = unknowns (p)
 endfunction
 
 function k = places (who, names, all_names, option, what)
-  if (ischar (names))
-    names = {names};
-  endif
+  names = cellstr (names)(! cellfun (@isempty, cellstr (names)));
   k = gsmbp__which (names, all_names);
   if (! all (k))
-    error ("%s: option \"%s\": %s is not %s; expected one of %s", who, option,
-           names{find (! k, 1)}, what, strjoin (all_names, ", "));
+    error ("%s: option \"%s\": expected the name of %s, found %s", who, option, what,
+           gsmbp__unknown (names{find (! k, 1)}, all_names));
   endif
 endfunction
 
@@ -474,7 +482,7 @@ endfunction
 %! assert (r.x(1), 0.3);
 %! assert (max (abs (m.rhs (0, r.x, r.v))) < 1e-9);
 %! assert (isempty (r.indifferent));
-%!error <is not a state> gsmbp_trim (gsmbp_hand ("motor_pendulum"), [0;0;0], 0, "hold", "nobody")
+%!error <expected the name of a state, found "nobody"; known: > gsmbp_trim (gsmbp_hand ("motor_pendulum"), [0;0;0], 0, "hold", "nobody")
 %!test <what does not vanish, and what could help>
 %! m = gsmbp_hand ("motor_pendulum");
 %! fail ("gsmbp_trim (m, [0.3; 0; 0], 0, \"hold\", m.states{1})", "acceleration of .* rad/s\\^2; these");

@@ -28,22 +28,7 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_workprecision", m);
-  own = struct ("rk4", 10 .^ -(2:0.5:4), "dp853", 10 .^ -(4:2:14), "cvode", [], "print", true, "file", "", "seconds", 0.1, "reference", 1e-18);
-  rest = {};
-  pairs = {};
-  if (mod (numel (varargin), 2) != 0 || ! iscellstr (varargin(1:2:end)))
-    error ("gsmbp_workprecision: options must be name-value pairs");
-  endif
-  for i = 1:2:numel (varargin)
-    if (isfield (own, varargin{i}))
-      pairs(end+1:end+2) = varargin(i:i+1);
-    else
-      rest(end+1:end+2) = varargin(i:i+1);
-    endif
-  endfor
-  kinds = struct ("rk4", "numbers", "dp853", "numbers", "cvode", "numbers", "print", "flag", "file", "text", "seconds", "number", "reference", "positive");
-  o = gsmbp__options ("gsmbp_workprecision", own, pairs, kinds);
-
+  [o, rest] = read_options (varargin);
   [folder, build] = folders (m);
   q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, "parameters", m.par);
   truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, "atol", o.reference, "drift", false);
@@ -61,6 +46,32 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
   if (! isempty (o.file))
     figure_of (o.file, m, w);
   endif
+endfunction
+
+## its own options, and those for gsmbp_simulate
+function [o, rest] = read_options (pairs)
+  who = "gsmbp_workprecision";
+  table = {"rk4", 10 .^ -(2:0.5:4), "numbers"
+           "dp853", 10 .^ -(4:2:14), "numbers"
+           "cvode", [], "numbers"
+           "print", true, "flag"
+           "file", "", "text"
+           "seconds", 0.1, "nonnegative"
+           "reference", 1e-18, "tolerance"};
+  [names, values] = gsmbp__pairs (who, "option", pairs);
+  measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
+  if (! isempty (measured))
+    error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
+            "\"rk4\", \"dp853\", \"cvode\""], who, measured{1});
+  endif
+  own = ismember (names, table(:,1));
+  known = sort ([table(:,1); gsmbp__simulate_options(false)(:,1)])';
+  k = find (! ismember (names, known), 1);
+  if (! isempty (k))
+    error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));
+  endif
+  o = gsmbp__options (who, table, [names(own); values(own)](:)');
+  rest = [names(! own); values(! own)](:)';
 endfunction
 
 function [folder, build] = folders (m)

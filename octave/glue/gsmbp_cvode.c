@@ -540,7 +540,14 @@ gsmbp_cvode (const gsmbp_run *r)
   if (r->length > 0)
     r->text[0] = 0;
   if (allocate (&s))
-    info = go (&s);
+    {
+      info = go (&s);
+      if (info != FINISHED && r->istat[4] < r->nt)   /* the last state, as GSSIM leaves it */
+        {
+          memcpy (r->xout + (size_t) r->ldx * r->istat[4], s.x, sizeof (double) * r->nx);
+          memcpy (r->vout + (size_t) r->ldv * r->istat[4], s.v, sizeof (double) * r->nv);
+        }
+    }
   release (&s);
   return info;
 }

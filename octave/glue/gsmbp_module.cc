@@ -400,6 +400,25 @@ room (int n)
   return reals (std::max (1, n), number (0));
 }
 
+// the k-th argument of an emitted subroutine, as its handle calls it
+static std::string
+fortran_argument (const std::string& call, int k)
+{
+  static const struct { const char *calls, *names[5]; } table[] = {
+    {" rhs rha acc acd jac out evt rst rhs_v ", {"t", "x (the states)", "v (the inputs)", "", ""}},
+    {" inl ", {"t", "q (the coordinates)", "u (the speeds)", "ud (the accelerations)", "v (the inputs)"}},
+    {" fwd fwd_v ", {"t", "q (the coordinates)", "u (the speeds)", "v (the inputs)", "tau (the efforts)"}},
+    {" con ", {"t", "q (the coordinates)", "u (the speeds)", "", ""}},
+    {" prj ", {"t", "x (the states)", "", "", ""}},
+    {" cmd cmx clo ", {"t", "qj (the motion)", "", "", ""}},
+    {" pre ", {"par (the parameters)", "", "", "", ""}}
+  };
+  for (const auto& entry : table)
+    if (k <= 5 && *entry.names[k-1] && std::strstr (entry.calls, (" " + call + " ").c_str ()))
+      return std::string ("argument ") + entry.names[k-1];
+  return "argument " + std::to_string (k) + " of the Fortran subroutine";
+}
+
 // The error indicators of the emitted subroutines as sentences: the one place where they stand (also of gsmbp_simulate
 // and others, by the call "meaning").  An entry without a subroutine holds for those that are not named.
 static std::string
@@ -418,7 +437,7 @@ meaning (const std::string& call, int info)
   if (info == 0)
     return "ok";
   if (info < 0)
-    return "argument " + std::to_string (-info) + " of the Fortran subroutine is out of range or not finite";
+    return fortran_argument (call, -info) + " is out of range or not finite";
   if (! call.compare ("inl") || ! call.compare (0, 2, "cm"))
     return "a singular position for these actuators: they cannot give the motion here";
   for (const auto& entry : table)
@@ -822,6 +841,17 @@ do_ene (arguments& a, int)
 }
 
 static octave_value_list
+do_mar (arguments& a, int)
+{
+  reals cst = a.constants ();
+  number t = a.scalar ("t");
+  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
+  reals g = room (S.nsm), sizes = room (S.nsm);
+  routine (S.mar, "mar") (&t, &x[0], &v[0], &cst[0], &g[0], &sizes[0]);
+  return ovl (result (g, S.nsm), result (sizes, S.nsm));
+}
+
+static octave_value_list
 do_ske (arguments& a, int)
 {
   reals cst = a.constants ();
@@ -954,7 +984,7 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
       if (r.length () > 0)
         only.append (r(0));
       arguments a (only, "simulate");
-      reals given = a.vector ("v, the result of the input function,", *nv);
+      reals given = a.vector ("v", *nv);
       for (int i = 0; i < *nv; i++)
         v[i] = given[i];
     }
@@ -1253,6 +1283,8 @@ absent (const std::string& call, const char *request)
     reason = "it has no sampled devices";
   else if (S.nev == 0 && is (" evt rst "))
     reason = "it has no events";
+  else if (S.nsm == 0 && is (" mar "))
+    reason = "no device of it has a margin that its state decides";
   else if (S.ny == 0 && is (" out "))
     reason = "it has no outputs";
   else
@@ -1292,6 +1324,7 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
     {"acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]"},
     {"acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way"},
     {"tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x"},
+    {"mar", do_mar, &gsmbp_scene::mar, "margins", "t, x[, v]"},
     {"ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q"},
     {"inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]"},
     {"mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q"},

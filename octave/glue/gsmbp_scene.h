@@ -11,10 +11,10 @@ typedef struct
 {
   const char *name;
   int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, na, nmar, nxk,
-      nctl, nev, nmode, np, nbase;
+      nctl, nev, nmode, nsm, np, nbase;
   gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
             out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
-            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, reg, vin;
+            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, reg, mar, vin;
   int nsets;         /* of Euler parameters */
   const int *sets;   /* ... four numbers of coordinates each */
 } gsmbp_scene;

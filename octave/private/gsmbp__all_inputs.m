@@ -1,18 +1,20 @@
-## input = gsmbp__all_inputs (m, input)
+## input = gsmbp__all_inputs (who, m, input, t, x)
 ## INPUT (numbers, a piecewise polynomial or a function) for the inputs of the
 ## scene M that no sampled device holds and that are no modes, as one for all
 ## inputs, 0 in the other places.
-## What is given for all inputs already comes back as it is.
+## What is given for all inputs already comes back as it is.  A function is called at the time
+## T and the state X to see that it gives what it must.
 
-function input = gsmbp__all_inputs (m, input)
+function input = gsmbp__all_inputs (who, m, input, t, x)
   nv = m.sizes.nv;
   free = setdiff (1:nv, [vertcat(m.controllers.outputs); vertcat(m.events.input)]);
   n = numel (free);
-  if (n == nv)
-    return;
-  endif
   if (is_function_handle (input))
-    input = @(t, x) spread (input (t, x), free, nv);
+    f = input;
+    input = @(t, x) called (who, m, f, free, t, x);
+    input (t, x);
+  elseif (n == nv)
+    return;
   elseif (isnumeric (input) && ! isempty (input))
     input = spread (input, free, nv);
   elseif (isstruct (input) && isfield (input, "form") && strcmp (input.form, "pp") && prod (input.dim) == n)
@@ -28,4 +30,32 @@ function v = spread (given, free, nv)
     v = zeros (nv, 1);
     v(free) = given;
   endif
+endfunction
+
+## what the user's function gives, in all places
+function v = called (who, m, f, free, t, x)
+  [nx, nv] = deal (m.sizes.nx, m.sizes.nv);
+  try
+    v = f (t, x(1:nx));
+  catch err
+    said = strtrim (strrep (err.message, "\n", " "));
+    refuse (who, m, free, t, sprintf ("it ends with the error \"%s\"", said));
+  end_try_catch
+  if (! (isnumeric (v) || islogical (v)) || ! isreal (v))
+    refuse (who, m, free, t, ["it gives " gsmbp__shown(v)]);
+  elseif (! any (numel (v) == [numel(free), nv]))
+    refuse (who, m, free, t, ["it gives " gsmbp__shown(v)]);
+  elseif (! all (abs (double (v(:))) <= 1e300))
+    refuse (who, m, free, t, ["it gives " gsmbp__shown(v) ", which is not finite"]);
+  endif
+  v = spread (double (v(:)), free, nv);
+endfunction
+
+function refuse (who, m, free, t, found)
+  n = numel (free);
+  names = {sprintf(" (%s)", strjoin (m.inputs(free)', ", ")), ""}{1 + (n == 0)};
+  error ("gsmbp:input",
+         ["%s: option input: expected a function v = f (t, x) of the time and the %d states " ...
+          "that gives %d finite number%s%s; found at t = %.9g s: %s"],
+         who, m.sizes.nx, n, {"s", ""}{1 + (n == 1)}, names, t, found);
 endfunction

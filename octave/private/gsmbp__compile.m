@@ -36,17 +36,17 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   if (gsmbp__older (archive, [runtime; {stamp}]))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o && mv libgsmbp.a %s",
-                              quote (place), f77, common_flags, sprintf (" %s", cellfun (@quote, runtime, "UniformOutput", false){:}),
-                              quote (archive)));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), f77, common_flags,
+                              sprintf (" %s", cellfun (@quote, runtime, "UniformOutput", false){:})));
+    gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
   parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h"), fullfile(glue, "gsmbp_cvode.h")};
   if (gsmbp__older (module, parts))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o module.o %s && mv module.o %s", quote (place),
-                              mkoctfile_command (), define, quote (parts{1}), quote (module)));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o module.o %s", quote (place), mkoctfile_command (), define, quote (parts{1})));
+    gsmbp__put_in_place (who, fullfile (place, "module.o"), module);
   endif
 
   ## the scene
@@ -69,11 +69,12 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
       gsmbp__run (who, sprintf ("cd %s && %s %s -c -o input.o %s", quote (place), f77, flags, quote (input)));
       user = "input.o";
     endif
-    gsmbp__run (who, sprintf ("cd %s && %s -O2 -fPIC -I. -I%s -c -o scene.o %s && %s -o module.oct %s scene.o scene_f.o %s %s %s -Wl,--version-script=%s && mv module.oct %s",
+    gsmbp__run (who, sprintf ("cd %s && %s -O2 -fPIC -I. -I%s -c -o scene.o %s && %s -o module.oct %s scene.o scene_f.o %s %s %s -Wl,--version-script=%s",
                               quote (place), cc, quote (glue), quote (fullfile (glue, "gsmbp_scene.c")), mkoctfile_command (), quote (module), user, quote (archive),
-                              [libraries " " strtrim(mkoctfile ("-p", "FLIBS"))], quote (fullfile (glue, "module.map")), quote (file)));
+                              [libraries " " strtrim(mkoctfile ("-p", "FLIBS"))], quote (fullfile (glue, "module.map"))));
+    gsmbp__put_in_place (who, fullfile (place, "module.oct"), file);
     ## modules of earlier contents
-    old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct"])), {file});
+    old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct*"])), {file; [file ".md5"]});
     cellfun (@delete, old);
   endif
 endfunction
@@ -135,7 +136,7 @@ endfunction
 
 function text = sizes_header (json, symbol, has_input)
   d = json.dimensions;
-  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", "nmar", "nxk", "nctl", "nev", "nmode"};
+  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", "nmar", "nxk", "nctl", "nev", "nmode", "nsm"};
   counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
   counts(end+1) = 0;
@@ -143,7 +144,7 @@ function text = sizes_header (json, symbol, has_input)
     counts(end) = numel (json.base_parameters);
   endif
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", "reg"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", "reg", "mar"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);

@@ -16,8 +16,9 @@ function library = gsmbp__cvode (who, m)
   endif
   new = sprintf ("%s.%d", library, getpid ());
   unwind_protect
-    gsmbp__run (who, sprintf ("%s -std=gnu11 -O2 -march=native -fPIC -shared -o %s %s -lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm && mv %s %s",
-                              cc, quote (new), quote (sources{1}), quote (new), quote (library)));
+    gsmbp__run (who, sprintf ("%s -std=gnu11 -O2 -march=native -fPIC -shared -o %s %s -lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm",
+                              cc, quote (new), quote (sources{1})));
+    gsmbp__put_in_place (who, new, library);
   unwind_protect_cleanup
     [~, ~] = unlink (new);   # there only if the command failed
   end_unwind_protect

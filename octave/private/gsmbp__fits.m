@@ -2,13 +2,17 @@
 ## An error of WHO about WHAT unless VALUE is of that KIND: "flag", "number" (real,
 ## finite), "positive", "whole" (a whole number >= 0), "numbers" (an array of real,
 ## finite ones), "text", "names" (a text or a cell array of texts), or one of the words
-## of a cell array.
+## of a cell array; [low, high]: a number within; "tolerance": a number above 0 and below 1;
+## "nonnegative": a finite number >= 0; "any": WHO looks at it later.
 
 function gsmbp__fits (who, what, value, kind)
   numbers = (isnumeric (value) || islogical (value)) && isreal (value) ...
             && all (isfinite (value(:)));
   one = numbers && isscalar (value);
-  if (iscell (kind))
+  if (isnumeric (kind))
+    wanted = sprintf ("a number from %g to %g", kind);
+    fits = one && value >= kind(1) && value <= kind(2);
+  elseif (iscell (kind))
     fits = ischar (value) && any (strcmp (value, kind));
     wanted = ["one of \"" strjoin(kind, "\", \"") "\""];
   else
@@ -19,6 +23,12 @@ function gsmbp__fits (who, what, value, kind)
         [wanted, fits] = deal ("a finite number", one);
       case "positive"
         [wanted, fits] = deal ("a finite number above 0", one && value > 0);
+      case "nonnegative"
+        [wanted, fits] = deal ("a finite number >= 0", one && value >= 0);
+      case "tolerance"
+        [wanted, fits] = deal ("a number above 0 and below 1", one && value > 0 && value < 1);
+      case "any"
+        [wanted, fits] = deal ("", true);
       case "whole"
         whole = one && value >= 0 && value == fix (value);
         [wanted, fits] = deal ("a whole number >= 0", whole);

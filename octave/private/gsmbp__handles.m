@@ -7,7 +7,7 @@ function m = gsmbp__handles (m)
   cst = m.cst;
   ## what is wrong with the arguments, or that a subroutine was not emitted, the module says
   for name = {"kin", "inv", "mas", "reg", "bia", "fwd", "con", "inl", "lin", "rhs", "acc", "acd", "tan", "prj", "jac", "out", "cmd", "cmx", "ctl", "evt", "rst", "clo", ...
-              "ene", "ske", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v"}
+              "ene", "ske", "mar", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v"}
     call = name{1};
     m.(call) = @(varargin) f (call, cst, varargin{:});
   endfor

@@ -19,6 +19,7 @@ function [json, texts] = gsmbp__scene_files (name, source, description)
   end_try_catch
   check_description (json, description, name);
   check_fortran (json, source, texts{1});
+  same_description (source, description, texts{:});
 endfunction
 
 function refuse (template, varargin)
@@ -35,6 +36,22 @@ function check_description (json, description, name)
   if (! (ischar (json.name) && strcmp (json.name, plain)))
     refuse ("%s describes the scene %s, expected %s", description, gsmbp__shown (json.name),
             plain);
+  endif
+endfunction
+
+## the sum of the description that the head of the Fortran states (Adler-32, of ASCII characters)
+function same_description (source, description, fortran, text)
+  told = regexp (fortran, '^C     Checksum of the \.json that describes it: (\d+) (\d+)\.', ...
+                 "tokens", "once", "lineanchors");
+  if (isempty (told))
+    return;
+  endif
+  text = strrep (text, "\r", "");
+  a = mod (cumsum ([1, double(text(text < 128))]), 65521);
+  b = mod (sum (a(2:end)), 65521);
+  if (! isequal (str2double (told(:)'), [b, a(end)]))
+    refuse ("%s is not the description that %s was emitted with: they are of two derivations", ...
+            description, source);
   endif
 endfunction
 

@@ -4,7 +4,7 @@
 
 function text = gsmbp__shown (value)
   if (ischar (value) && rows (value) <= 1 && numel (value) <= 60)
-    text = ["\"" value "\""];
+    text = ["\"" undo_string_escapes(value) "\""];
   elseif ((isnumeric (value) || islogical (value)) && numel (value) <= 6 && ndims (value) == 2)
     text = mat2str (double (value), 6);
   elseif (is_function_handle (value))

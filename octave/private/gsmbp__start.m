@@ -8,7 +8,9 @@
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
   d = m.sizes;
   argument = {"x", "x0"}{1 + strcmp(who, "gsmbp_simulate")};
-  x = gsmbp__vector (who, argument, x, d.nx, sprintf (" (the states of %s)", m.name));
+  x = gsmbp__vector (who, argument, x, d.nx, sprintf (" (the states of %s)", m.name),
+                     m.states);
+  no_lost_angle (who, argument, m, x);
   start = struct ("residual", 0, "row", "", "moved", 0, "state", "");
   if (d.nlam == 0 && d.nq == d.nu)
     return;
@@ -33,6 +35,15 @@ function refuse (who, m, t, found)
          ["%s: %s: expected a state on the constraints at t = %.9g s, %s; " ...
           "close it by gsmbp_assemble, or have it moved: \"start\", \"project\""],
          who, m.name, t, found);
+endfunction
+
+## an angle beyond 1e15 rad has lost its sine to rounding
+function no_lost_angle (who, argument, m, x)
+  k = find (strcmp (m.units.coordinates, "rad") & abs (x(1:m.sizes.nq)) > 1e15, 1);
+  if (! isempty (k))
+    error ("%s: argument %s(%d), %s: expected an angle of at most 1e15 rad, found %g", who,
+           argument, k, m.coordinates{k}, x(k));
+  endif
 endfunction
 
 function no_zero_orientation (who, m, x)
@@ -70,7 +81,7 @@ function on_them (who, m, t, y, info)
   scaled = NaN;
   names = {"a state that is not finite"};
   found = NaN;
-  if (all (isfinite (y)))
+  if (all (abs (y) <= 1e300))
     [names, scaled, found] = gsmbp__residuals (m, t, y);
   endif
   if (! all (abs (scaled) <= 1e-6) || ! any (info == [0, 2]))

@@ -1,11 +1,9 @@
-## x = gsmbp__vector (who, name, x, n, what)
-## X as a column of N finite real numbers; an error of WHO about the argument NAME
-## otherwise.  WHAT (may be left out) says what the numbers are.
+## x = gsmbp__vector (who, name, x, n, what, names)
+## X as a column of N finite real numbers, none above 1e300 in size (which the emitted Fortran
+## does not take); an error of WHO about the argument NAME otherwise.  WHAT (may be left out)
+## says what the numbers are, NAMES (a cell array, may be left out) what each is called.
 
-function x = gsmbp__vector (who, name, x, n, what)
-  if (nargin < 5)
-    what = "";
-  endif
+function x = gsmbp__vector (who, name, x, n, what = "", names = {})
   if (! (isnumeric (x) || islogical (x)) || ! isreal (x))
     found = class (x);
     if (isnumeric (x))
@@ -17,8 +15,13 @@ function x = gsmbp__vector (who, name, x, n, what)
            {"s", ""}{1 + (n == 1)}, what, sprintf ("%dx", size (x))(1:end-1));
   endif
   x = double (x(:));
-  k = find (! isfinite (x), 1);
+  k = find (! (abs (x) <= 1e300), 1);
   if (! isempty (k))
-    error ("%s: argument %s(%d) is not finite: %g", who, name, k, x(k));
+    called = "";
+    if (numel (names) == n)
+      called = [", " names{k}];
+    endif
+    said = {"is not finite", "is too large (at most 1e300)"}{1 + isfinite (x(k))};
+    error ("%s: argument %s(%d)%s %s: %g", who, name, k, called, said, x(k));
   endif
 endfunction

@@ -420,7 +420,7 @@ C     -- the nearest ones
             IF ( J.GT.K .AND. ABS( Z(J) - CB ).LT.ABS( Z(K) - CB ) )
      $         I = I + 1
    10    CONTINUE
-         IF ( I.LT.7 ) THEN
+         IF ( I.LT.7 .AND. M.LT.7 ) THEN
             M = M + 1
             NEAR(M) = K
          END IF

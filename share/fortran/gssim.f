@@ -165,9 +165,12 @@ C                steps one after the other are a ten thousandth of what
 C                they were far from a singular position;
 C     INFO = 3   a routine failed: see ISTAT(6) and ISTAT(7);
 C     INFO = 4   the state is no longer finite;
-C     INFO = 5   steps are bound by stability (method 9): the state at
-C                RSTAT(8) is in column ISTAT(5)+1 of XOUT.
-C     In the cases 1 to 5 the first ISTAT(5) columns of XOUT are valid.
+C     INFO = 5   steps are bound by stability (method 9);
+C     INFO = 8   a rate of the states is not finite at the start or behind
+C                a stop.
+C     In the cases 1 to 5 and 8 the first ISTAT(5) columns of XOUT are
+C     valid; where there is another it holds the state at RSTAT(8), and
+C     that of VOUT the inputs.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL,
@@ -403,7 +406,10 @@ C     -- classical Runge-Kutta, N equal steps of at most HR
          IX  = IXN
          IXN = I
          RSTAT(8) = TN
-         IF ( GSFIN( NX, W(IX) ).NE.0 ) GO TO 904
+         IF ( GSFIN( NX, W(IX) ).NE.0 ) THEN
+            IX = IXN
+            GO TO 904
+         END IF
          ISTAT(2) = ISTAT(2) + 1
          CALL GSCHK( PRJ, CON, KIN, TN, W(IX), NQ, NU, NX, NLAM, IOPT,
      $               NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
@@ -429,6 +435,7 @@ C     -- Dormand-Prince 8(5,3)
      $               NX, NV, NLAM, IP, RP, CST, W(IV), W(IK), W, W(IC),
      $               ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) GO TO 903
+         IF ( GSFIN( NX, W(IK) ).NE.0 ) GO TO 908
          FRESH = .FALSE.
          IF ( AFTER ) THEN
             CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, H,
@@ -459,7 +466,7 @@ C     -- a singular position ahead?
       HLIM = H
       CALL GSAHD( CON, KIN, T, W(IX), HLIM, NQ, NU, NX, NS, NLAM, CST,
      $            W(IK), W(IXN), W(IQ), W(IC), TC, D, TURN )
-      IF ( D.LE.0.0D0 .OR. T.GT.TC + 0.5D0*D ) GO TO 309
+      IF ( .NOT.( D.GT.0.0D0 .AND. T.LE.TC + 0.5D0*D ) ) GO TO 309
       DFULL = SHRINK*D
       D     = DFULL
       IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
@@ -770,17 +777,23 @@ C     -- the inputs at the stop, from the left, for the record
       GO TO 903
 C
   901 INFO = 1
-      RETURN
+      GO TO 909
   902 INFO = 2
-      RETURN
+      GO TO 909
   903 INFO = 3
-      RETURN
+      GO TO 909
   904 INFO = 4
-      RETURN
+      GO TO 909
   905 INFO = 5
+      GO TO 909
+  908 INFO = 8
+  909 IF ( ISTAT(5).GE.NT ) RETURN
       DO 910 I = 1, NX
          XOUT(I,ISTAT(5)+1) = W(IX+I-1)
   910 CONTINUE
+      DO 920 I = 1, NV
+         VOUT(I,ISTAT(5)+1) = W(IV+I-1)
+  920 CONTINUE
       END
       SUBROUTINE GSOVER( P, HMAX, N, H )
 C

@@ -3,17 +3,22 @@
 
 function test_calls ()
   models = {gsmbp_hand("hand_crank"), gsmbp_fixture("redundant_bricard"), gsmbp_fixture("batch_arm"), gsmbp_fixture("sampled_drive"), gsmbp_fixture("event_arm"), ...
-            gsmbp_fixture("rolling_disc"), gsmbp_fixture("base_tree")};
+            gsmbp_fixture("rolling_disc"), gsmbp_fixture("base_tree"), gsmbp_fixture("trim_hydraulic")};
   called = {};
   for k = 1:numel (models)
     called = union (called, every_handle (models{k}));
   end
+  fields = fieldnames (models{1})(structfun (@is_function_handle, models{1}));
+  others = setxor (fields, [fieldnames(signatures ()); {"module"}]);
+  gsmbp_check (["all functions of a model are called: ", strjoin(others', ", ")], isempty (others));
   gsmbp_check (sprintf ("each handle was called wrongly: %s", strjoin (setdiff (fieldnames (signatures ()), called), ", ")), isequal (called(:), sort (fieldnames (signatures ()))));
   absent (models);
   no_orientation (gsmbp_fixture ("rolling_disc"), gsmbp_fixture ("batch_arm"));
   rank_once (gsmbp_fixture ("redundant_bricard"));
   meanings (models{1});
   damaged ();
+  cut_modules ();
+  altered ();
 end
 
 ## the arguments of each handle; those from the second number on may be left out
@@ -21,7 +26,7 @@ function s = signatures ()
   s = struct ("kin", {{"t q u", 3}}, "inv", {{"t q u ud v", 4}}, "mas", {{"t q", 2}}, "reg", {{"t q u ud v", 4}}, "bia", {{"t q u v", 3}}, "fwd", {{"t q u v tau", 3}},
               "con", {{"t q u", 2}}, "inl", {{"t q u ud v", 4}}, "lin", {{"t q u ud v", 4}}, "rhs", {{"t x v", 2}}, "acc", {{"t x v", 2}}, "acd", {{"t x v way", 4}},
               "tan", {{"t x", 2}}, "prj", {{"t x", 2}}, "jac", {{"t x v", 2}}, "out", {{"t x v", 2}}, "cmd", {{"t qj xi", 2}}, "cmx", {{"t qj xi", 2}},
-              "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "rst", {{"t x v mode k", 5}}, "clo", {{"t qj", 2}}, "ene", {{"t x v", 2}}, "ske", {{"t q", 2}},
+              "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "rst", {{"t x v mode k", 5}}, "clo", {{"t qj", 2}}, "ene", {{"t x v", 2}}, "ske", {{"t q", 2}}, "mar", {{"t x v", 2}},
               "inv_v", {{"t q u ud v", 4}}, "mas_v", {{"t q", 2}}, "bia_v", {{"t q u v", 3}}, "fwd_v", {{"t q u v tau", 3}}, "rhs_v", {{"t x v", 2}});
 end
 
@@ -140,12 +145,12 @@ end
 
 ## a handle of a subroutine that the scene was emitted without says why, or what to ask for
 function absent (models)
-  reasons = "it has no loops|it has neither loops nor Euler parameters|it has no sampled devices|it has no events|it has no outputs|derive it with the request \\w+ of gsmbp_fortran";
+  reasons = "it has no loops|no device of it has a margin that its state decides|it has neither loops nor Euler parameters|it has no sampled devices|it has no events|it has no outputs|derive it with the request \\w+ of gsmbp_fortran";
   for k = 1:numel (models)
     m = models{k};
     said = true (1, 0);
     for name = setdiff (fieldnames (signatures ()), m.subroutines)'
-      found = complaint (@() m.(name{1}) (0));
+      found = gsmbp_complaint (@() m.(name{1}) (0));
       said(end+1) = ! isempty (regexp (found, sprintf ("^%s\\.%s: the scene was emitted without the subroutine %s: (%s)$", m.name, name{1}, upper (name{1}), reasons), "once"));
       if (! said(end))
         printf ("  %s\n", found);
@@ -161,7 +166,7 @@ function no_orientation (m, batch)
   q = x(1:m.sizes.nq);
   calls = struct ("rhs", {{0, x}}, "mas", {{0, q}}, "prj", {{0, x}}, "con", {{0, q}}, "jac", {{0, x}}, "ene", {{0, x}}, "ske", {{0, q}});
   for [given, name] = calls
-    found = complaint (@() m.(name) (given{:}));
+    found = gsmbp_complaint (@() m.(name) (given{:}));
     gsmbp_check (["Euler parameters that are all zero: " name], ! isempty (regexp (found, sprintf ("^%s\\.%s: argument [qx]: expected Euler parameters of length 1 in [qx]\\(4\\), .*found zeros", m.name, name), "once")));
   end
   if (! isempty (batch.orientation))
@@ -194,17 +199,10 @@ function meanings (m)
   say = @(name, info) m.module ("meaning", name, info);
   gsmbp_check ("INFO of CLO and of RHS differ", ! isempty (strfind (say ("clo", 2), "loops do not close")) && ! isempty (strfind (say ("rhs", 2), "lost rank"))
                && ! isempty (strfind (say ("rhs", 3), "orientation angles")) && ! isempty (strfind (say ("prj", 3), "no position")) && ! isempty (strfind (say ("cmd", 5), "actuators")));
+  gsmbp_check ("arguments of the Fortran by their names", ! isempty (strfind (say ("rhs", -2), "argument x (the states) is")) && ! isempty (strfind (say ("fwd", -5), "argument tau (the efforts) is"))
+               && ! isempty (strfind (say ("con", -3), "argument u (the speeds) is")) && ! isempty (strfind (say ("prj", -2), "argument x")) && ! isempty (strfind (say ("clo", -2), "argument qj")));
   short = gsmbp_set (m, "l2", 0.1);
-  gsmbp_check ("gsmbp_inverse", ! isempty (strfind (complaint (@() gsmbp_inverse (short, gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), "(CLO: INFO = 3: the iteration did not converge)")));
-end
-
-function text = complaint (f)
-  text = "no error";
-  try
-    f ();
-  catch err
-    text = err.message;
-  end
+  gsmbp_check ("gsmbp_inverse", ! isempty (strfind (gsmbp_complaint (@() gsmbp_inverse (short, gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), "(CLO: INFO = 3: the iteration did not converge)")));
 end
 
 ## what is cut off, empty or of another derivation is an error that names the file
@@ -233,7 +231,7 @@ function damaged ()
     for k = 1:rows (cases)
       put (source, cases{k,2});
       put (description, cases{k,3});
-      found = complaint (@() gsmbp_build ("hand_crank", "directory", folder));
+      found = gsmbp_complaint (@() gsmbp_build ("hand_crank", "directory", folder));
       if (! gsmbp_check (["files: " cases{k,1}], ! isempty (regexp (found, ["^gsmbp_build: .*" cases{k,4}], "once")) && ! any (found == "\n")))
         printf ("  %s\n", found);
       end
@@ -249,4 +247,60 @@ function put (file, text)
   f = fopen (file, "w");
   fputs (f, text);
   fclose (f);
+end
+
+## a module (or a part that all modules share) that is cut short or altered is built anew; loaded
+## as it is it would end Octave
+function cut_modules ()
+  folder = tempname ();
+  guard = onCleanup (@() rmdir_all (folder));
+  mkdir (folder);
+  here = fullfile (fileparts (mfilename ("fullpath")), "fixture");
+  build = @() gsmbp_build ("motor_pendulum", "directory", here, "build", folder);
+  m = build ();
+  xd = m.rhs (0, [0.1; 0; 0], 1);
+  common = fullfile (folder, "double", "common");
+  stiff = @(m) gsmbp_simulate (m, [0; 0; 0], [0, 0.1], "method", "cvode").x(end,:);
+  x = stiff (m);
+  for file = {m.file, fullfile(common, "libgsmbp.a"), fullfile(common, "gsmbp_module.o"), ...
+              fullfile(common, "libgsmbp_cvode.so")}
+    text = fileread (file{1});
+    for part = {text(1:round (end / 2)), "", [text(1:end-100), zeros(1, 100)]}
+      delete (file{1});   # what is loaded now must not change
+      put (file{1}, part{1});
+      if (! strcmp (file{1}, m.file))
+        delete (m.file);
+      end
+      clear ("-f", m.symbol);
+      n = build ();
+      same = isequal (n.rhs (0, [0.1; 0; 0], 1), xd) && isequal (stiff (n), x);
+      [~, name, kind] = fileparts (file{1});
+      gsmbp_check (sprintf ("%s of %d bytes of %d: built anew", strrep ([name kind], m.symbol, "module"),
+                            numel (part{1}), numel (text)), same);
+    end
+  end
+end
+
+function rmdir_all (folder)
+  confirm_recursive_rmdir (false, "local");
+  rmdir (folder, "s");
+end
+
+## a name of a parameter, state or subroutine that was changed in one of the two files
+function altered ()
+  folder = tempname ();
+  guard = onCleanup (@() rmdir_all (folder));
+  mkdir (folder);
+  source = fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out", "trim_hydraulic");
+  f = fileread ([source ".f"]);
+  j = fileread ([source ".json"]);
+  put (fullfile (folder, "trim_hydraulic.f"), f);
+  for pair = {"\"name\": \"fl\"", "\"name\": \"fk\""; "\"value\": 5000", "\"value\": 5001"; ...
+              "\"C_a1\"", "\"C_a9\""}'
+    put (fullfile (folder, "trim_hydraulic.json"), strrep (j, pair{:}));
+    changed = ! strcmp (strrep (j, pair{:}), j);
+    said = gsmbp_complaint (@() gsmbp_build ("trim_hydraulic", "directory", folder));
+    gsmbp_check (sprintf ("JSON with %s for %s: %s", pair{2}, pair{1}, said),
+                 changed && any (strfind (said, "they are of two derivations")) && ! any (said == "\n"));
+  end
 end

@@ -15,18 +15,25 @@ function test_options ()
   mkdir (folder);
   before = cd (folder);   # a name of a file may be any text
   guard = onCleanup (@() leave (before, folder));
-  options (@(varargin) gsmbp_simulate (m, x, [0, 0.01], varargin{:}), {"method", "step", "rtol", "atol", "maxstep", "maxsteps", "maxorder", "loops", "projection", "drift", ...
+  options (@(varargin) gsmbp_simulate (m, x, [0, 0.01], varargin{:}), {"rtol", "method", "step", "atol", "maxstep", "maxsteps", "maxorder", "loops", "projection", "drift", ...
            "input", "motion", "gain", "reference", "breaks", "memory", "samples", "modes", "audit", "start"});
   options (@(varargin) gsmbp_assemble (c, xc, varargin{:}), {"hold", "time", "tolerance", "branches"});
   options (@(varargin) gsmbp_linear (m, 0, x, 0, varargin{:}), {"reduced", "start"});
   options (@(varargin) gsmbp_inverse (c, plan, 0, varargin{:}), {"side", "input", "guess", "internal"});
-  options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, "print", false, varargin{:}), {"input", "qj", "print"});
-  options (@(varargin) gsmbp_hand ("motor_pendulum", varargin{:}), {"parameters", "precision", "directory"});
-  options (@(varargin) gsmbp_plot (png, [1, 2], panel, varargin{:}), {"xlabel", "scale"});
-  options (@(varargin) gsmbp_animate (c, r, png, varargin{:}), {"times", "fps", "trace", "view", "up"});
+  options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, varargin{:}), {"input", "qj", "print"});
+  options (@(varargin) gsmbp_trim (m, x, 0, varargin{:}), {"hold", "free", "time", "tolerance", "margins"});
+  options (@(varargin) gsmbp_workprecision (m, x, [0, 0.01], "seconds", 0, varargin{:}), {"rk4", "dp853", "cvode", "print", "file", "reference"});
+  options (@(varargin) gsmbp_hand ("motor_pendulum", varargin{:}), {"precision", "parameters"});
+  options (@(varargin) gsmbp_plot (png, [1, 2], panel, varargin{:}), {"scale", "xlabel", "title", "head"});
+  options (@(varargin) gsmbp_animate (c, r, png, varargin{:}), {"times", "fps", "trace", "view", "up", "speed", "width", "centres", "title"});
   arguments_of (@gsmbp_simulate, {m, x, [0, 0.01]});
   arguments_of (@gsmbp_assemble, {c, xc});
   arguments_of (@gsmbp_linear, {m, 0, x, 0});
+  arguments_of (@gsmbp_trim, {m, x, 0});
+  arguments_of (@gsmbp_timing, {m, 0, x});
+  arguments_of (@gsmbp_lqr, {m, plan, [0, 0.5], eye(3), 1});
+  arguments_of (@gsmbp_animate, {c, r, png});
+  arguments_of (@gsmbp_derive, {"nowhere.mac", folder});
   arguments_of (@gsmbp_inverse, {c, plan, 0});
   arguments_of (@gsmbp_mobility, {c, xc, 0});
   arguments_of (@gsmbp_set, {m, "g", 1});
@@ -60,6 +67,9 @@ function options (f, names)
   end
   bad{end+1} = judged (f, {names{1}});
   bad{end+1} = judged (f, {1, 2});
+  bad{end+1} = told (f, {names{1}, 1, names{1}, 1}, ["option \"" names{1} "\" is given twice"]);
+  near = names{1}([1:end, end]);
+  bad{end+1} = told (f, {near, 1}, ["\", did you mean \"" names{1} "\"\\?; known: "]);
   found = complaint (f, {"nonsense", 1});
   bad{end+1} = {"", "an unknown option"}{1 + isempty(regexp (found, '^gsmbp_\w+: unknown option "nonsense"; known: \w+, ', "once"))};
   report (func2str (f), bad);
@@ -85,6 +95,14 @@ function report (what, bad)
   end
 end
 
+## "" where the error says WHAT
+function text = told (f, given, what)
+  text = complaint (f, given);
+  if (! isempty (regexp (text, what, "once")))
+    text = "";
+  end
+end
+
 ## "" where it is taken or told well
 function text = judged (f, given)
   text = complaint (f, given);
@@ -97,10 +115,9 @@ function text = judged (f, given)
 end
 
 function text = complaint (f, given)
-  text = "";
-  try
-    evalc ("f (given{:});");
-  catch err
-    text = err.message;
-  end
+  text = gsmbp_complaint (@() quiet (f, given));
+end
+
+function quiet (f, given)
+  evalc ("f (given{:});");
 end

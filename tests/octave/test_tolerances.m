@@ -50,8 +50,8 @@ function text = warned (f)
 end
 
 function wrong (m)
-  for value = {-1e-6, NaN, Inf, 0, [1e-6, 1e-6, 1e-6], 1e-6i, "tight", {}, []}
-    says (m, "rtol", value{1}, "option rtol: expected a finite number above 0, found ");
+  for value = {-1e-6, NaN, Inf, 0, 1, 2, [1e-6, 1e-6, 1e-6], 1e-6i, "tight", {}, []}
+    says (m, "rtol", value{1}, "option rtol: expected a number above 0 and below 1, found ");
   end
   for value = {-1e-6, NaN, Inf, [1e-6, 1e-6], [1, -1, 1], 1e-6i, "tight", {1, 2, 3}}
     says (m, "atol", value{1}, "option atol: expected one number or 3 numbers, finite and >= 0, found ");

@@ -6,6 +6,37 @@ function test_trim ()
   stiff ();
   moving ();
   far ();
+  margins ();
+end
+
+## a cylinder out of its stroke is no equilibrium; a run that leaves the stroke, or ends there,
+## names the margin
+function margins ()
+  m = gsmbp_fixture ("trim_hydraulic");
+  out = "C: piston within its stroke, rod out";
+  x = m.initial;
+  x(1) = 1.5;
+  said = gsmbp_complaint (@() gsmbp_trim (m, x, 0, "free", "C.u"));
+  gsmbp_check ("piston 0.8 m out of its stroke: refused, with device, margin and value",
+               any (strfind (said, [out " (-0.8)"])));
+  r = gsmbp_trim (m, x, 0, "free", "C.u", "margins", "ignore");
+  gsmbp_check ("... or taken as it is", r.x(1) - 1.5, 1e-12);
+  [g, s] = m.mar (0, r.x, r.v);
+  gsmbp_check ("m.mar: what is above 0, and its size",
+               [g([5, 6]) - [1.5; -0.8]; s(6) - norm([0.7, 1.5])], 1e-12);
+  said = gsmbp_complaint (@() gsmbp_simulate (m, m.initial, [0, 30], "input", 5e-4));
+  gsmbp_check ("a run that ends out of the stroke: where, and which margin",
+               any (strfind (said, "outside a margin: C: piston within its stroke")));
+  lastwarn ("", "");
+  r = gsmbp_simulate (m, m.initial, 0:0.05:0.75, "input", 5e-4, "method", "cvode", "rtol", 1e-8);
+  [text, id] = lastwarn ();
+  over = r.stats.margins(strcmp ({r.stats.margins.text}, out));
+  first = r.t(find (r.x(:,1) > 0.7, 1));
+  gsmbp_check ("a run that leaves the stroke: a warning", strcmp (id, "gsmbp:margin"));
+  gsmbp_check ("... when first, and how far",
+               [over.time - first, over.least - (0.7 - max (r.x(:,1)))], 1e-12);
+  r = gsmbp_simulate (m, m.initial, 0:0.1:0.5, "input", 1e-4);
+  gsmbp_check ("a run within all margins: none", isempty (r.stats.margins));
 end
 
 ## the cylinders hold their loads; what the valve must be open for, follows

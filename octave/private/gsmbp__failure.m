@@ -1,0 +1,73 @@
+## text = gsmbp__failure (m, info, counts, values, said, last)
+## Why a run of the model M ended: INFO, ISTAT (COUNTS) and RSTAT (VALUES) of GSSIM, what CVODE
+## SAID, and the LAST state, a struct with x and v (empty where there is none).
+
+function text = gsmbp__failure (m, info, counts, values, said, last)
+  at = sprintf ("at t = %.9g s", values(8));
+  switch (info)
+    case 1
+      text = ["more steps than option maxsteps allows, " at];
+    case 2
+      text = ["the step became too small " at ": a singularity, or too small a tolerance"];
+    case 3
+      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
+                 "OUT or a sampled device", "an event"}{counts(7)};
+      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
+                      cause (m, counts(7), counts(6)));
+    case 4
+      text = ["the state is no longer finite " at ": take smaller steps"];
+    case 6
+      text = sprintf ("CVODE stopped %s with flag %d: %s", at, counts(19), said);
+    case 7
+      text = "there was no memory for CVODE";
+    case 8
+      text = ["a rate of the states is not finite " at];
+    otherwise
+      text = sprintf ("GSSIM: INFO = %d", info);
+  endswitch
+  if (info != 1 && counts(14) > 0)
+    text = [text "; the steps are bound by stability"];
+  endif
+  text = [text, fastest(m, values(8), last, info), outside(m, values(8), last)];
+endfunction
+
+## the sentence for INFO of the routine with that number (ISTAT(6), ISTAT(7) of GSSIM)
+function text = cause (m, number, info)
+  if (number == 7 && info == 9)
+    text = "more than 100 events at one instant";
+  elseif (any (number == [3, 5]) && info == 3)
+    text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
+  elseif (number == 3 && info == 4)
+    text = "no step leads away from a position where the constraints lose rank";
+  else
+    names = {"cmd", "rhs", "prj", "con", "prj", "out", "rst"};
+    text = m.module ("meaning", names{number}, info);
+  endif
+endfunction
+
+## the state that changes fastest beside its size, where the steps or the numbers gave out
+function text = fastest (m, t, last, info)
+  text = "";
+  if (isempty (last) || ! any (info == [2, 4, 6, 8]) || ! any (strcmp (m.subroutines, "rhs")))
+    return;
+  endif
+  [rate, ~] = m.rhs (t, last.x, last.v);
+  share = abs (rate) ./ max (m.nominal, abs (last.x));
+  share(! isfinite (share)) = Inf;
+  [~, k] = max (share);
+  unit = {m.units.states{k}, "1"}{1 + isempty(m.units.states{k})};
+  per_second = regexprep ([unit "/s"], "/s/s$", "/s^2");
+  text = sprintf ("; there %s = %.6g %s has the rate %.6g %s", m.states{k}, last.x(k), unit,
+                  rate(k), per_second);
+endfunction
+
+## the margins of devices that are passed there
+function text = outside (m, t, last)
+  text = "";
+  if (! isempty (last))
+    list = gsmbp__margins (m, t, last.x', last.v');
+    for one = list
+      text = [text, sprintf("; outside a margin: %s (%.6g)", one.text, one.least)];
+    endfor
+  endif
+endfunction

@@ -1,0 +1,26 @@
+## table = gsmbp__simulate_options (drift)
+## The options of gsmbp_simulate: name, default (DRIFT for "drift"), kind.
+
+function table = gsmbp__simulate_options (drift)
+  table = {"method", "dp853", {"dp853", "rk4", "cvode", "auto"}
+           "step", [], "nonnegative"
+           "rtol", 1e-10, "tolerance"
+           "atol", [], "any"
+           "maxstep", 0, "nonnegative"
+           "maxsteps", 0, "whole"
+           "maxorder", 5, [1, 5]
+           "loops", "", "any"
+           "projection", [], "flag"
+           "drift", drift, "flag"
+           "input", [], "any"
+           "motion", [], "any"
+           "gain", [], "any"
+           "reference", [], "any"
+           "limits", [], "any"
+           "breaks", [], "numbers"
+           "memory", [], "numbers"
+           "samples", true, "flag"
+           "modes", [], "numbers"
+           "audit", [], "positive"
+           "start", "check", {"check", "project"}};
+endfunction
