@@ -282,6 +282,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
+    if (info == 3 && counts(7) == 8)
+      no_beginning (who, m, t0, x0, counts(6));
+    endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (m, info, counts, values, text));
   endif
 endfunction
@@ -526,6 +529,23 @@ function pp = as_pp (who, value, dims, what)
   else
     error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial", who, what, dims);
   endif
+endfunction
+
+## a start where the constraints lose rank, and why the run does not begin there
+function no_beginning (who, m, t, x, why)
+  d = m.sizes;
+  [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
+  [U, S] = svd (H);
+  s = [diag(S); zeros(d.nlam - min (size (S)), 1)];
+  lost = s <= 1e-3 * max (s);
+  rows = any (abs (U(:,lost)) > 0.1, 2);
+  reasons = {"only method \"dp853\" begins there", ...
+             "at rest it may go on in more than one way", ...
+             "no motion with these speeds was found that leaves it"};
+  error ("gsmbp:start",
+         ["%s: %s: expected a start where the constraints are independent; at t = %.9g s they " ...
+          "lose rank, found in rows %s: %s; start beside that position"],
+         who, m.name, t, strjoin (gsmbp__row_names (m)(rows)', ", "), reasons{why});
 endfunction
 
 function text = failure (m, info, counts, values, said)
