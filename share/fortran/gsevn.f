@@ -17,8 +17,8 @@ C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
 C             exit the time of the event where there is one.
 C     XN      (input/output) DOUBLE PRECISION array, dimension (NX), the
 C             state at TN.
-C     GAUSS   (input) DOUBLE PRECISION array, dimension (3): TC, D, NS of
-C             GSPSG, for METHOD = 12.
+C     GAUSS   (input) DOUBLE PRECISION array, dimension (3): TC, D, NS
+C             of GSPSG, for METHOD = 12.
 C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
 C             after the last event.

@@ -1,5 +1,5 @@
-      SUBROUTINE GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, NQ,
-     $                  NU, NX, NS, NV, NLAM, IP, RP, CST, V, RTOL,
+      SUBROUTINE GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, TV,
+     $                  NQ, NU, NX, NS, NV, NLAM, IP, RP, CST, V, RTOL,
      $                  ATOL, F, XN, FN, WI, P, ISTAT, RSTAT, ERR, EIT,
      $                  TS, SMIN, INFO )
 C
@@ -14,6 +14,8 @@ C             at T, which may lie anywhere between TC-D and TC+D, at the
 C             singular position as well.
 C     TC, D   (input) DOUBLE PRECISION: the step is from TC-D to TC+D;
 C             the singular position ought to lie at TC.
+C     TV      (input) DOUBLE PRECISION array, dimension (2): the last
+C             jump of the inputs before T and the first one behind it.
 C     NS      (input) INTEGER, the number of stages, 8 or 12.
 C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 is the right-hand side at (T,X), on exit
@@ -52,22 +54,22 @@ C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*), INFO
-      DOUBLE PRECISION   T, X(*), TC, D, RP(*), CST(*), V(*), RTOL,
-     $                   ATOL(*), F(NX,13), XN(*), FN(*), WI(*), P(*),
-     $                   RSTAT(*), ERR, EIT, TS, SMIN
+      DOUBLE PRECISION   T, X(*), TC, D, TV(2), RP(*), CST(*), V(*),
+     $                   RTOL, ATOL(*), F(NX,13), XN(*), FN(*), WI(*),
+     $                   P(*), RSTAT(*), ERR, EIT, TS, SMIN
       INTEGER            I, J, K, L, ORDER(12)
       DOUBLE PRECISION   C(12), WT(12), B(12), C0, CS, S, OLD, GSEPS,
      $                   TOL
-      EXTERNAL           GSEPS, GSGLN, GSGLQ, GSPSF, GSPMN, GSFUN,
+      EXTERNAL           GSEPS, GSGLN, GSGLQ, GSPSF, GSPMN, GSPSR,
      $                   GSPER, GSPTH, GSLGP
 C
       CALL GSGLN( NS, C, WT )
       C0  = ( T - TC )/D
       ERR = 0.0D0
       EIT = 0.0D0
-      CALL GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C, NQ, NU,
-     $            NX, NS, NV, NLAM, IP, RP, CST, V, F, XN, WI, P, ISTAT,
-     $            RSTAT, ORDER, INFO )
+      CALL GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, TV, C0, C, NQ,
+     $            NU, NX, NS, NV, NLAM, IP, RP, CST, V, F, XN, WI, P,
+     $            ISTAT, RSTAT, ORDER, INFO )
       IF ( INFO.NE.0 ) THEN
          INFO = 3
          RETURN
@@ -89,7 +91,7 @@ C     -- iterations
             K = ORDER(J)
             CALL GSGLQ( NS, C, WT, C0, C(K), B )
             CALL GSPTH( NX, NS, NX, X, D, B, F, XN )
-            CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, 1,
+            CALL GSPSR( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, TV,
      $                  XN, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, FN,
      $                  WI, P, ISTAT, RSTAT, INFO )
             IF ( INFO.NE.0 ) THEN
@@ -135,9 +137,9 @@ C     -- how the last coefficients of the polynomial fall
      $            CST, F, XN, P, CS, SMIN )
       TS = TC + CS*D
       END
-      SUBROUTINE GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, C0, C,
-     $                  NQ, NU, NX, NS, NV, NLAM, IP, RP, CST, V, F, XN,
-     $                  WI, P, ISTAT, RSTAT, ORDER, INFO )
+      SUBROUTINE GSPSF( RHS, CON, KIN, CMD, CLO, VIN, X, TC, D, TV, C0,
+     $                  C, NQ, NU, NX, NS, NV, NLAM, IP, RP, CST, V, F,
+     $                  XN, WI, P, ISTAT, RSTAT, ORDER, INFO )
 C
 C     PURPOSE
 C     The stages of GSPSG for the first time, from C0 outwards (their
@@ -148,11 +150,11 @@ C
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*),
      $                   ORDER(12), INFO
-      DOUBLE PRECISION   X(*), TC, D, C0, C(12), RP(*), CST(*), V(*),
-     $                   F(NX,13), XN(*), WI(*), P(*), RSTAT(*)
+      DOUBLE PRECISION   X(*), TC, D, TV(2), C0, C(12), RP(*), CST(*),
+     $                   V(*), F(NX,13), XN(*), WI(*), P(*), RSTAT(*)
       INTEGER            I, J, K, L, N, KNOWN(13), NK
       DOUBLE PRECISION   Z(13), FROM, B(13)
-      EXTERNAL           GSFUN, GSLGI
+      EXTERNAL           GSPSR, GSLGI
 C
       N = 0
       DO 10 K = 1, NS
@@ -193,7 +195,7 @@ C        once there are others
                XN(I) = XN(I) + D*B(L)*F(I,KNOWN(L))
    40       CONTINUE
    50    CONTINUE
-         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, 1, XN,
+         CALL GSPSR( RHS, CON, KIN, CMD, CLO, VIN, TC + C(K)*D, TV, XN,
      $               NQ, NU, NX, NV, NLAM, IP, RP, CST, V, F(1,K+1), WI,
      $               P, ISTAT, RSTAT, INFO )
          IF ( INFO.NE.0 ) RETURN
@@ -202,6 +204,29 @@ C        once there are others
          Z(N) = C(K)
          KNOWN(N) = K + 1
    60 CONTINUE
+      END
+      SUBROUTINE GSPSR( RHS, CON, KIN, CMD, CLO, VIN, T, TV, X, NQ, NU,
+     $                  NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT,
+     $                  RSTAT, INFO )
+C
+C     PURPOSE
+C     The right-hand side of a stage of GSPSG; beyond a jump of the
+C     inputs, at TV(1) or TV(2), with those up to it.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), INFO
+      DOUBLE PRECISION   T, TV(2), X(*), RP(*), CST(*), V(*), XD(*),
+     $                   W(*), P(*), RSTAT(*)
+      EXTERNAL           GSFUT
+      INTEGER            SIDE
+C
+      SIDE = 1
+      IF ( T.GE.TV(2) ) SIDE = -1
+      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T,
+     $            MIN( MAX( T, TV(1) ), TV(2) ), SIDE, X, NQ, NU, NX,
+     $            NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT, RSTAT,
+     $            INFO )
       END
       SUBROUTINE GSPER( NQ, NU, NX, X, D, TOL, ATOL, RTOL, P, ERR )
 C

@@ -187,7 +187,7 @@ C
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, TEND, CLOSE, HLIM, TC, D, SKIP,
      $                   SHRINK, EIT, TMIN, GAUSS(3), SMIN, TSEEN,
-     $                   DFULL, TURN, B(12), C(12), WT(12)
+     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12)
       INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD, GSPBG, GSPBC
@@ -513,10 +513,14 @@ C        lengths of rows are those of states that the motion had
             W(ISZ+I-1) = W(IQ+I-1)
   306    CONTINUE
       END IF
-      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, NQ, NU,
-     $      NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK),
-     $      W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT, TMIN, SMIN,
-     $      IER )
+      TV(1) = T0
+      TV(2) = 1.0D300
+      IF ( IB.GT.1 ) TV(1) = TBRK(IB-1)
+      IF ( IB.LE.NB ) TV(2) = TBRK(IB)
+      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, TV, NQ,
+     $      NU, NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
+     $      W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT,
+     $      TMIN, SMIN, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
       IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
