@@ -282,7 +282,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
-    if (info == 3 && counts(7) == 8)
+    if (info == 3 && counts(7) == 8 && counts(6) < 4)
       no_beginning (who, m, t0, x0, counts(6));
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name, failure (m, info, counts, values, text));
@@ -556,6 +556,11 @@ function text = failure (m, info, counts, values, said)
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
+      if (counts(7) == 8)
+        text = sprintf (["an event %s, where the constraints lose rank: no motion with the speeds " ...
+                         "that it leaves was found, how it goes on is not determined"], at);
+        return;
+      endif
       routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at, cause (m, counts(7), counts(6)));
     case 4

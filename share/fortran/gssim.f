@@ -87,7 +87,7 @@ C             routine that failed; (7) which one: 1 inputs, 2 RHS,
 C             3 PRJ, 4 CON, 5 GSPRT, 6 OUT or GSSMP, 7 RST or GSRES,
 C             8 the start in a singular position: (6) is 1 where method
 C             4 does not begin there, 2 at rest, 3 where no motion with
-C             these speeds leaves it;
+C             these speeds leaves it, 4 so after an event;
 C             (8) calls of RHS where the constraints lost rank; (9)
 C             calls of RHS close to a singularity of orientation angles; (10) choices of other
 C             independent speeds; (11) positions passed where the
@@ -556,11 +556,14 @@ C     -- where the rank is kept after all the usual steps do better
 C
 C     -- to its end or to the next break, sample or end of the run
   302 SHRINK = MIN( 1.0D0, SHRINK*MIN( 1.5D0, MAX( 1.0D0, FAC ) ) )
-      IF ( BEGIN.EQ.1 ) THEN
+      IF ( BEGIN.NE.0 ) THEN
+C        are the speeds those of a motion that leads out of it?
          CALL GSPBC( KIN, T, W(IX), TC, D, NQ, NX, NS, CST, W(IK),
      $               W(IXN), H )
-         BEGIN = 3
-         IF ( H.GT.1.0D-6 + 1.0D2*ROPT(2) ) GO TO 906
+         IF ( H.GT.1.0D-6 + 1.0D2*ROPT(2) ) THEN
+            BEGIN = 4 - MAX( 0, BEGIN )
+            GO TO 906
+         END IF
       END IF
       TN = TC + D
       CALL GSGLN( NS, C, WT )
@@ -611,7 +614,7 @@ C     -- to its end or to the next break, sample or end of the run
          SKIP = TC + D
          GO TO 309
       END IF
-      BEGIN = 0
+      BEGIN = -MIN( 1, EVENT )
   304 IF ( TOUT(IT).LT.TN ) THEN
          CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
          CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), XOUT(1,IT) )
@@ -657,7 +660,7 @@ C     -- to its end or to the next break, sample or end of the run
       IF ( IER.NE.0 ) GO TO 903
       GO TO 400
 C
-  309 IF ( BEGIN.NE.0 ) THEN
+  309 IF ( BEGIN.GT.0 ) THEN
          BEGIN = 3
          GO TO 906
       END IF
@@ -739,6 +742,7 @@ C     -- a good step: onto the constraints with it
          ISTAT(6) = 0
          ISTAT(7) = 0
          ISTAT(20) = ISTAT(20) + LOOSE
+         BEGIN = -MIN( 1, EVENT )
          FRESH = .TRUE.
          AFTER = .TRUE.
          NEAR  = 0.05D0
