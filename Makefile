@@ -23,7 +23,7 @@ help:
 	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
-	@echo 'make bench-passages        tests/bench/passages.md: positions where constraints lose rank, passed ten times; RUNS=1600: all pairs of 40 first steps and 40 grids; SEED'
+	@echo 'make bench-passages        tests/bench/passages.md: ten passages of singular positions; RUNS=1600: all; SEED'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
 	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
@@ -84,7 +84,8 @@ bench-loops: packages compiled
 
 bench-passages: packages compiled
 	@mkdir -p tests/bench/out
-	RUNS='$(RUNS)' SEED='$(SEED)' OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 21600 octave-cli -qf --no-history tests/bench/passages.m </dev/null
+	RUNS='$(RUNS)' SEED='$(SEED)' OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
+	timeout -k 10 21600 octave-cli -qf --no-history tests/bench/passages.m </dev/null
 
 bench-devices: packages compiled
 	@mkdir -p tests/bench/out

@@ -13,6 +13,8 @@
 ## the rows; @code{gsmbp_assemble} closes a rough guess, with coordinates held if
 ## wanted.  Below, it is moved onto the constraints, in the same way whatever the
 ## option "loops" is, and @code{stats.start} tells by how much.
+## In a position where the constraints lose rank a run starts with dp853 alone, and if
+## the speeds lead out of it on one of the ways that it may go: else it is an error.
 ## @table @code
 ## @item "start"
 ## "check" (default), as above; "project": any start is moved onto the constraints by
@@ -156,7 +158,7 @@
 ## the steps show it; first and last time [s].  This is a printed warning too.
 ## @item loose
 ## steps close to such positions whose estimated error is above the tolerance: there
-## it could not be kept.  A step through one keeps 1e-12 at best.
+## it could not be kept.  A step through one keeps some 1e-13 at best.
 ## @item least_pivot, least_pivot_at
 ## how near it came: the least pivot of the constraint Jacobian beside the
 ## largest, and when [s]
@@ -557,8 +559,8 @@ function text = failure (m, info, counts, values, said)
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
       if (counts(7) == 8)
-        text = sprintf (["an event %s, where the constraints lose rank: no motion with the speeds " ...
-                         "that it leaves was found, how it goes on is not determined"], at);
+        text = sprintf (["an event %s, where the constraints lose rank: no motion with the " ...
+                         "speeds that it leaves was found, how it goes on is not determined"], at);
         return;
       endif
       routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", "OUT or a sampled device", "an event"}{counts(7)};

@@ -32,8 +32,9 @@ typedef void jmp_type (const int *nq, const int *nu, const double *x, const doub
 typedef void pst_type (const int *nq, const int *nu, const int *nlam, const int *iopt, double *p);
 typedef void pnw_type (gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq, const int *nu, const int *nlam, double *cst, double *p,
                        int *info);
-typedef void pbg_type (gsmbp_sub con, gsmbp_sub kin, const double *t, const double *x, const double *hmax, const int *nq, const int *nu,
-                       const int *nlam, double *cst, const double *f, double *xt, double *xw, double *hc, double *siz, double *p, int *state);
+typedef void pbg_type (gsmbp_sub con, gsmbp_sub kin, const double *t, const double *x,
+                       const double *hmax, const int *nq, const int *nu, const int *nlam,
+                       double *cst, const double *f, double *xt, double *xw, double *hc, double *siz, double *p, int *state);
 typedef void due_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t, const double *x, const int *nu,
                        const int *nx, const int *nv, int *ip, double *rp, double *cst, double *v, double *w, int *istat, double *ts, int *acted,
                        int *info);

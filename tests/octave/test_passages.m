@@ -1,5 +1,5 @@
-## Positions where the constraints lose rank: ten passages of them, a sample of `make bench-passages`;
-## starts in them; friction, a stop and samples by them.
+## Positions where the constraints lose rank: ten passages of them, a sample of
+## `make bench-passages`; starts in them; friction, a stop and samples by them.
 
 function test_passages ()
   warning ("off", "gsmbp:singular", "local");
@@ -63,8 +63,9 @@ function starts ()
         x0 = beside (s{1}, off);
         r = gsmbp_simulate (s{1}.m, x0, [0, 0.1, 0.3], "loops", way{1}, "rtol", 1e-12);
         lost(end+1) = energy (s{1}.m, r.x(3,:)) / energy (s{1}.m, x0) - 1;
-        b = r.x(3,2) - r.x(1,2) - (r.x(3,1) - r.x(1,1)) * x0(s{1}.m.sizes.nq+2) / x0(s{1}.m.sizes.nq+1);
-        apart(end+1) = b;
+        moved = r.x(3,1:2) - r.x(1,1:2);
+        nq = s{1}.m.sizes.nq;
+        apart(end+1) = moved(2) - moved(1) * x0(nq+2) / x0(nq+1);
       end
       what = sprintf ("%s, %s, starts in and beside the position", s{1}.m.name, way{1});
       gsmbp_check ([what ": energy"], lost, 2e-12);
@@ -90,7 +91,8 @@ function refused ()
     says (@() gsmbp_simulate (m, x, [0 1], "method", method{1}), [lost ": only method \"dp853\""]);
     says (@() gsmbp_simulate (m, beside (s, 1e-7), [0 1], "method", method{1}), lost);
     r = gsmbp_simulate (m, beside (s, 1e-2), [0 0.3], "method", method{1});
-    gsmbp_check ([method{1} " begins 0.01 rad beside"], energy (m, r.x(2,:)) / energy (m, x) - 1, 1e-9);
+    gsmbp_check ([method{1} " begins 0.01 rad beside"], ...
+                 energy (m, r.x(2,:)) / energy (m, x) - 1, 1e-9);
   end
   rest = [x(1:3); 0; 0; 0];
   for method = {"dp853", "rk4", "cvode"}
@@ -105,7 +107,7 @@ function refused ()
   says (@() gsmbp_simulate (m, [x(1:3); u], [0 1]), [lost ": no motion with these speeds"]);
 end
 
-## a torque that jumps in, at and beside the position, against small steps of rk4 (away from which it is good to 1e-10)
+## a torque that jumps in, at and beside the position, against small steps of rk4
 function jump_of_the_input ()
   s = passage_scene ("parallelogram", gsmbp_hand ("hand_fourbar"));
   first = (pi - 1) / 6;
@@ -137,7 +139,8 @@ function events ()
     e = min (t, w / a)';
     what = sprintf ("friction and samples through three positions, rtol %.0e", rtol);
     gsmbp_check (what, r.x(:,1) - (1 + w * e - a * e .^ 2 / 2), 1e-11);
-    gsmbp_check ([what ": reported, sticks"], [r.stats.singular_positions, r.stats.events] - [3, 1], 0);
+    seen = [r.stats.singular_positions, r.stats.events];
+    gsmbp_check ([what ": positions, events"], seen - [3, 1], 0);
     gsmbp_check ([what ": it stays a parallelogram"], (r.x(:,1) - r.x(:,2)), 1e-12);
     for beyond = [-0.3, -0.05, -1e-3, 1e-3, 0.05, 2*pi + 0.1]
       hit = when (pi + beyond);
@@ -146,7 +149,8 @@ function events ()
       s = t - hit;
       e = pi + beyond - 0.7 * (w - a * hit) * s + a / 2 * s .^ 2;
       e(s < 0) = (1 + w * t - a / 2 * t .^ 2)(s < 0);
-      gsmbp_check (sprintf ("a stop %g rad behind the position, rtol %.0e", beyond, rtol), r.x(:,1) - e', 1e-10);
+      what = sprintf ("a stop %g rad behind the position, rtol %.0e", beyond, rtol);
+      gsmbp_check (what, r.x(:,1) - e', 1e-10);
     end
   end
 end
@@ -154,5 +158,6 @@ end
 function stop_in_the_position ()
   m = gsmbp_set (gsmbp_fixture ("passage_events"), "fc", 0.2, "hi", pi);
   sign_ = 2 * strncmp (m.coordinates, "q", 1)(:) - 1;
-  says (@() gsmbp_simulate (m, [sign_; 6 * sign_], [0, 1]), "where the constraints lose rank: no motion with the speeds that it leaves");
+  says (@() gsmbp_simulate (m, [sign_; 6 * sign_], [0, 1]), ...
+        "where the constraints lose rank: no motion with the speeds that it leaves");
 end

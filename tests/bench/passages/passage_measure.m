@@ -1,9 +1,9 @@
-## r = passage_measure (S, RTOL, PAIRS, SEED): the motions of passage_scene at the relative tolerance
-## RTOL.  PAIRS: a row for each run, the numbers of first step and grid of passage_draw.
-## r: energy (largest relative change, a number a run), smooth (median of that of the motion without
-## singular positions), limit (the larger of 100 times that and 1e-12 a passage), calls (beside those
-## of the smooth motion with the same step and grid), found (positions reported), loose (largest),
-## failed (messages).
+## r = passage_measure (S, RTOL, PAIRS, SEED): the motions of passage_scene at the relative
+## tolerance RTOL.  PAIRS: a row for each run, the numbers of first step and grid of passage_draw.
+## r: energy (largest relative change, a number a run), smooth (median of that of the motion
+## without singular positions), limit (the larger of 100 times that and 1e-12 a passage), calls
+## (beside those of the smooth motion with the same step and grid), found (positions reported),
+## loose (largest), failed (messages).
 
 function r = passage_measure (s, rtol, pairs, seed)
   [steps, grids] = passage_draw (s.last, seed);
