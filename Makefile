@@ -14,7 +14,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-devices bench-abbreviate same doc install clean
+.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-passages bench-devices bench-abbreviate same doc install clean
 
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
@@ -23,6 +23,7 @@ help:
 	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
+	@echo 'make bench-passages        tests/bench/passages.md: ten passages of singular positions; RUNS=1600: all; SEED'
 	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
 	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
 	@echo 'make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?'
@@ -82,6 +83,11 @@ bench-loops: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
 
+bench-passages: packages compiled
+	@mkdir -p tests/bench/out
+	RUNS='$(RUNS)' SEED='$(SEED)' OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
+	timeout -k 10 21600 octave-cli -qf --no-history tests/bench/passages.m </dev/null
+
 bench-devices: packages compiled
 	@mkdir -p tests/bench/out
 	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
@@ -105,4 +111,4 @@ install:
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/abbreviate.md share/manual/functions.txt
+	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/passages.md tests/bench/abbreviate.md share/manual/functions.txt

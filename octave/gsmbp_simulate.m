@@ -13,6 +13,8 @@
 ## the rows; @code{gsmbp_assemble} closes a rough guess, with coordinates held if
 ## wanted.  Below, it is moved onto the constraints, in the same way whatever the
 ## option "loops" is, and @code{stats.start} tells by how much.
+## In a position where the constraints lose rank a run starts with dp853 alone, and if
+## the speeds lead out of it on one of the ways that it may go: else it is an error.
 ## @table @code
 ## @item "start"
 ## "check" (default), as above; "project": any start is moved onto the constraints by
@@ -156,7 +158,7 @@
 ## the steps show it; first and last time [s].  This is a printed warning too.
 ## @item loose
 ## steps close to such positions whose estimated error is above the tolerance: there
-## it could not be kept.  A step through one keeps 1e-12 at best.
+## it could not be kept.  A step through one keeps some 1e-13 at best.
 ## @item least_pivot, least_pivot_at
 ## how near it came: the least pivot of the constraint Jacobian beside the
 ## largest, and when [s]
@@ -282,6 +284,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats = s;
   warn (who, m, s);
   if (info != 0 && nargout < 2)
+    if (info == 3 && counts(7) == 8 && counts(6) < 4)
+      no_beginning (who, m, t0, x0, counts(6));
+    endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
   endif
@@ -531,6 +536,23 @@ function pp = as_pp (who, value, dims, what)
   else
     error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial", who, what, dims);
   endif
+endfunction
+
+## a start where the constraints lose rank, and why the run does not begin there
+function no_beginning (who, m, t, x, why)
+  d = m.sizes;
+  [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
+  [U, S] = svd (H);
+  s = [diag(S); zeros(d.nlam - min (size (S)), 1)];
+  lost = s <= 1e-3 * max (s);
+  rows = any (abs (U(:,lost)) > 0.1, 2);
+  reasons = {"only method \"dp853\" begins there", ...
+             "at rest it may go on in more than one way", ...
+             "no motion with these speeds was found that leaves it"};
+  error ("gsmbp:start",
+         ["%s: %s: expected a start where the constraints are independent; at t = %.9g s they " ...
+          "lose rank, found in rows %s: %s; start beside that position"],
+         who, m.name, t, strjoin (gsmbp__row_names (m)(rows)', ", "), reasons{why});
 endfunction
 
 ## where a run ended before its time

@@ -32,13 +32,16 @@ typedef void jmp_type (const int *nq, const int *nu, const double *x, const doub
 typedef void pst_type (const int *nq, const int *nu, const int *nlam, const int *iopt, double *p);
 typedef void pnw_type (gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq, const int *nu, const int *nlam, double *cst, double *p,
                        int *info);
+typedef void pbg_type (gsmbp_sub con, gsmbp_sub kin, const double *t, const double *x,
+                       const double *hmax, const int *nq, const int *nu, const int *nlam,
+                       double *cst, const double *f, double *xt, double *xw, double *hc, double *siz, double *p, int *state);
 typedef void due_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t, const double *x, const int *nu,
                        const int *nx, const int *nv, int *ip, double *rp, double *cst, double *v, double *w, int *istat, double *ts, int *acted,
                        int *info);
 typedef void jac_type (const double *t, const double *x, const double *v, double *cst, double *a, const int *lda, double *b, const int *ldb,
                        double *c, const int *ldc, double *d, const int *ldd, int *info);
 
-enum { INPUTS = 1, RHS, PRJ, CON, PARTITION };   /* ISTAT(7) */
+enum { INPUTS = 1, RHS, PRJ, CON, PARTITION, BEGINNING = 8 };   /* ISTAT(7) */
 enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, CVODE_FAILED = 6, MEMORY };   /* INFO */
 
 typedef struct
@@ -319,6 +322,41 @@ start (run *s)
   r->rstat[7] = r->t0;
 }
 
+/* does the run start where the constraints lose rank? BDF does not begin there: INFO */
+static int
+singular_start (run *s)
+{
+  const gsmbp_run *r = s->r;
+  double hmax = r->tout[r->nt - 1] - s->t;
+  size_t room = r->nx + 2 * (size_t) r->nq + (size_t) r->nlam * (r->nu + 1);
+  int state = 0, side = 1, info = 0;
+  if (r->nlam == 0 || r->iopt[4] != 1 || r->iopt[1] == 1 || r->resume)
+    return FINISHED;
+  double *f = calloc (room, sizeof (double));
+  if (! f)
+    return MEMORY;
+  double *xt = f + r->nx, *xw = xt + r->nq, *siz = xw + r->nq, *hc = siz + r->nlam;
+  pbg_type *look = (pbg_type *) r->gspbg;
+  look (r->con, r->kin, &s->t, s->x, &hmax, &r->nq, &r->nu, &r->nlam, r->cst, f, xt, xw, hc, siz,
+        s->p, &state);
+  if (state < 0)   /* at rest: by the accelerations */
+    {
+      ((fun_type *) r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &s->t, &side, s->x,
+                               &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, r->ip, r->rp, r->cst, s->v,
+                               f, r->w, s->p, r->istat, r->rstat, &info);
+      if (info == 0)
+        look (r->con, r->kin, &s->t, s->x, &hmax, &r->nq, &r->nu, &r->nlam, r->cst, f, xt, xw, hc,
+              siz, s->p, &state);
+    }
+  free (f);
+  if (info == 0 && state > 0)
+    {
+      r->istat[5] = state;
+      r->istat[6] = BEGINNING;
+    }
+  return info != 0 || state > 0 ? ROUTINE : FINISHED;
+}
+
 /* the start, as GSSIM; INFO */
 static int
 begin (run *s)
@@ -327,12 +365,19 @@ begin (run *s)
   int info, acted;
   start (s);
   ((pst_type *) r->gspst) (&r->nq, &r->nu, &r->nlam, r->iopt, s->p);
+  double job = s->p[0];
+  s->p[0] = 0;   /* completed from others it would be moved close to a singular position */
   if (check (s, r->iopt, s->t, s->x, no_jump) != 0)
     return ROUTINE;
+  s->p[0] = job;
+  if (inputs (s, s->t, 1, s->x, s->v) != 0)
+    return ROUTINE;
+  if ((info = singular_start (s)) != 0)
+    return info;
   if (r->nlam > 0 && r->iopt[4] == 1 && r->iopt[1] != 1 && s->p[0] < 2 && s->p[2] < r->nlam)
+    s->p[0] = 2;   /* dependent constraints: see METHOD of GSSIM */
+  if (s->p[0] > 0)
     {
-      /* dependent constraints: see METHOD of GSSIM */
-      s->p[0] = 2;
       ((pnw_type *) r->gspnw) (r->con, r->kin, &s->t, s->x, &r->nq, &r->nu, &r->nlam, r->cst, s->p, &info);
       if (info != 0)
         {
@@ -341,8 +386,6 @@ begin (run *s)
           return ROUTINE;
         }
     }
-  if (inputs (s, s->t, 1, s->x, s->v) != 0)
-    return ROUTINE;
   r->istat[6] = 0;
   return samples (s, &acted);
 }

@@ -10,7 +10,7 @@ typedef struct
 {
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
             jac,                                               /* a null pointer: difference quotients */
-            gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gsdue;   /* of the run time */
+            gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue;   /* of the run time */
   int nq, nu, nx, nv, ny, nlam;
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
       order;        /* the largest order of BDF, 1 to 5 */

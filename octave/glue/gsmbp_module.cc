@@ -72,6 +72,7 @@ extern "C"
   void gsjmp_ (void);
   void gspst_ (void);
   void gspnw_ (void);
+  void gspbg_ (void);
   void gsdue_ (void);
 }
 
@@ -1167,7 +1168,7 @@ do_sim (arguments& a, int)
     {
       int resume = ! stiff;
       gsmbp_run r = {rhs, prj, con, kin, cmd, clo, vin, out, ctl, S.jac,
-                     gsfun_, gsinp_, gschk_, gsjmp_, gspst_, gspnw_, gsdue_,
+                     gsfun_, gsinp_, gschk_, gsjmp_, gspst_, gspnw_, gspbg_, gsdue_,
                      S.nq, S.nu, nx, S.nv, S.ny, S.nlam, resume, order, t0, &x0[0], nt, nb, &tout[0], &tbrk[0],
                      &iopt[0], &ropt[0], &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &vout[0], ldx, ldv,
                      &istat[0], &rstat[0], &w[0], &text[0], int (text.size ())};

@@ -10,6 +10,11 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
+      if (counts(7) == 8)
+        text = sprintf (["an event %s, where the constraints lose rank: no motion with the " ...
+                         "speeds that it leaves was found, how it goes on is not determined"], at);
+        return;
+      endif
       routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
                  "OUT or a sampled device", "an event"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,

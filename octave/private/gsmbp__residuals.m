@@ -25,7 +25,7 @@ function [names, scaled, found] = gsmbp__residuals (m, t, x)
   size_ = sized (sqrt ((H .^ 2) * (usual .^ 2)));
   fast = max ([size_, abs(H) * abs(u), abs(phit)], [], 2);
   have_phi = setdiff ((1:d.nlam)', m.speed_rows);
-  label = row_names (m);
+  label = gsmbp__row_names (m);
   names = [names; label(have_phi); strcat("rate of {}", label)];
   names = strrep (names, "{}", "");
   found = [found; phi(have_phi); rate];
@@ -36,11 +36,4 @@ endfunction
 function s = sized (s)
   s = max (s, 1e-3 * max (s));
   s(! (s > 0)) = 1;
-endfunction
-
-function label = row_names (m)
-  label = arrayfun (@(k) sprintf ("phi(%d)", k), (1:m.sizes.nlam)', "UniformOutput", false);
-  if (numel (m.multipliers) == m.sizes.nlam)
-    label = m.multipliers(:);
-  endif
 endfunction

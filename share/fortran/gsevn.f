@@ -1,7 +1,7 @@
       SUBROUTINE GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
      $                  WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM,
      $                  IP, RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT,
-     $                  RSTAT, IE, RE, FOUND, INFO )
+     $                  RSTAT, IE, RE, GAUSS, FOUND, INFO )
 C
 C     PURPOSE
 C     Looks for the first event within a step; if there is one, the step
@@ -9,20 +9,24 @@ C     is done again up to it.
 C
 C     ARGUMENTS
 C     As GSDP8, GSRK4 (H is the whole step, W of either), GSRES, and
-C     METHOD  (input) INTEGER, 4 or 8: the step from (T,X) was GSRK4's or
-C             GSDP8's.
+C     METHOD  (input) INTEGER, 4, 8 or 12: the step from (T,X) was
+C             GSRK4's, GSDP8's or GSPSG's, whose polynomial has the
+C             states within it: it is not done again.
 C     WAY     (input) INTEGER, the way of the loops, see GSSIM.
 C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
 C             exit the time of the event where there is one.
 C     XN      (input/output) DOUBLE PRECISION array, dimension (NX), the
 C             state at TN.
+C     GAUSS   (input) DOUBLE PRECISION array, dimension (3): TC, D, NS
+C             of GSPSG, for METHOD = 12.
 C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
 C             after the last event.
 C     INFO    (output) INTEGER, 0 or the INFO of what failed.
 C
 C     METHOD
-C     Eight points of the cubic polynomial through both ends, not evenly
+C     Eight points of the cubic polynomial through both ends (or of that
+C     of GSPSG), not evenly
 C     spaced (what repeats itself would hide between them), tell whether
 C     an event function falls to 0, and up to 2048 where it has a lowest
 C     value that they do not resolve (ports that stick let steps grow,
@@ -39,14 +43,14 @@ C
      $                   ISTAT(*), IE(*), FOUND, INFO
       DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
      $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
-     $                   RSTAT(*), RE(*)
+     $                   RSTAT(*), RE(*), GAUSS(3)
       INTEGER            NE, JM, JK, JA, JL, KG, KD, KZ, KX, I, J, K, S,
      $                   NS, KEPT, FIRST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, TH, OLD, GOLD, SLOPE, TE,
      $                   HE, ERR, D, EPS, GSEPS, BE, THF,
      $                   GSEVP
       LOGICAL            HELD, FINE
-      EXTERNAL           GSEPS, GSEVP, GSFUN, GSEVH, GSEVV, GSDP8, GSRK4
+      EXTERNAL           GSEPS, GSEVP, GSFUN, GSEVX, GSEVV, GSDP8, GSRK4
 C
       FOUND = 0
       INFO  = 0
@@ -70,10 +74,12 @@ C
      $               INFO )
          IF ( INFO.NE.0 ) RETURN
       END IF
-      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, RE(KD), WI, P, ISTAT,
-     $            RSTAT, INFO )
-      IF ( INFO.NE.0 ) RETURN
+      IF ( METHOD.NE.12 ) THEN
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
+     $               NX, NV, NLAM, IP, RP, CST, V, RE(KD), WI, P, ISTAT,
+     $               RSTAT, INFO )
+         IF ( INFO.NE.0 ) RETURN
+      END IF
 C
 C     -- the first function that falls to 0
     5 CONTINUE
@@ -90,7 +96,8 @@ C     -- the first function that falls to 0
          C = B - A - BE*GSEVP( MAX( 0, J - 2 ), NS )
          S = 1
          IF ( J.EQ.NS .AND. FIRST.EQ.0 ) S = SIDE
-         CALL GSEVH( NX, H, B, X, W, XN, RE(KD), RE(KZ) )
+         CALL GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, RE(KD),
+     $               RE(KZ) )
          CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, S, RE(KZ), NU, NX, NV,
      $               IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
          IF ( INFO.NE.0 ) GO TO 900
@@ -116,7 +123,8 @@ C              a zero between A and B
                A  = BE*GSEVP( J - 1, NS )
                C  = B
                GB = RE(2*NE+I)
-               CALL GSEVH( NX, H, A, X, W, XN, RE(KD), RE(KZ) )
+               CALL GSEVX( METHOD, GAUSS, T, H, A, NX, X, W, XN, RE(KD),
+     $                     RE(KZ) )
                CALL GSEVV( CMD, CLO, VIN, EVT, T + A*H, 1, RE(KZ), NU,
      $                     NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG),
      $                     INFO )
@@ -128,7 +136,8 @@ C              a zero between A and B
                   D = ( GA*C - GB*A )/( GA - GB )
                   IF ( .NOT.( D.GT.A .AND. D.LT.C ) )
      $               D = 0.5D0*( A + C )
-                  CALL GSEVH( NX, H, D, X, W, XN, RE(KD), RE(KZ) )
+                  CALL GSEVX( METHOD, GAUSS, T, H, D, NX, X, W, XN,
+     $                        RE(KD), RE(KZ) )
                   CALL GSEVV( CMD, CLO, VIN, EVT, T + D*H, 1, RE(KZ),
      $                        NU, NX, NV, IP, RP, CST, V, WI, IE(JM+1),
      $                        RE(KG), INFO )
@@ -197,7 +206,8 @@ C     -- the step, as long as it must be
   100 CONTINUE
       I = FOUND
       D = MIN( 1.0D-3, 0.5D0*TH )
-      CALL GSEVH( NX, H, TH - D, X, W, XN, RE(KD), RE(KZ) )
+      CALL GSEVX( METHOD, GAUSS, T, H, TH - D, NX, X, W, XN, RE(KD),
+     $            RE(KZ) )
       CALL GSEVV( CMD, CLO, VIN, EVT, T + ( TH - D )*H, 1, RE(KZ), NU,
      $            NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
       IF ( INFO.NE.0 ) GO TO 900
@@ -217,6 +227,9 @@ C     -- the step, as long as it must be
             CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
      $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W,
      $                  WI, P, ISTAT, RSTAT, INFO )
+         ELSE IF ( METHOD.EQ.12 ) THEN
+            CALL GSEVX( METHOD, GAUSS, T, H, TH, NX, X, W, XN, RE(KD),
+     $                  RE(KX) )
          ELSE
             CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
      $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RTOL,
@@ -224,8 +237,8 @@ C     -- the step, as long as it must be
      $                  )
          END IF
          IF ( INFO.NE.0 ) RETURN
-         IF ( WAY.NE.1 .AND. ( NQ.GT.NU .OR. ( NLAM.GT.0 .AND.
-     $        WAY.NE.3 ) ) ) THEN
+         IF ( METHOD.NE.12 .AND. WAY.NE.1 .AND. ( NQ.GT.NU .OR.
+     $        ( NLAM.GT.0 .AND. WAY.NE.3 ) ) ) THEN
             CALL PRJ( TE, RE(KX), CST, C, INFO )
             ISTAT(4) = ISTAT(4) + 1
             IF ( INFO.EQ.2 ) INFO = 0
@@ -273,6 +286,29 @@ C
       DOUBLE PRECISION   B
       B = DBLE( J )/DBLE( NS )
       GSEVP = 0.5D0*B*( 1.0D0 + B )
+      END
+      SUBROUTINE GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, XDN, Z )
+C
+C     PURPOSE
+C     The state Z at the fraction B of the step of GSEVN.
+C
+      IMPLICIT NONE
+      INTEGER            METHOD, NX
+      DOUBLE PRECISION   GAUSS(3), T, H, B, X(NX), W(NX,*), XN(NX),
+     $                   XDN(NX), Z(NX)
+      DOUBLE PRECISION   C(12), WT(12), Q(12)
+      INTEGER            NS
+      EXTERNAL           GSEVH, GSGLN, GSGLQ, GSPTH
+C
+      IF ( METHOD.NE.12 ) THEN
+         CALL GSEVH( NX, H, B, X, W, XN, XDN, Z )
+         RETURN
+      END IF
+      NS = NINT( GAUSS(3) )
+      CALL GSGLN( NS, C, WT )
+      CALL GSGLQ( NS, C, WT, ( T - GAUSS(1) )/GAUSS(2),
+     $            ( T + B*H - GAUSS(1) )/GAUSS(2), Q )
+      CALL GSPTH( NX, NS, NX, X, GAUSS(2), Q, W, Z )
       END
       SUBROUTINE GSEVH( NX, H, B, X, XD, XN, XDN, Z )
 C

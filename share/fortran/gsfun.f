@@ -36,6 +36,26 @@ C
      $                   INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), XD(*), W(*),
      $                   P(*), RSTAT(*)
+      EXTERNAL           GSFUT
+C
+      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, T, SIDE, X, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT, RSTAT,
+     $            INFO )
+      END
+      SUBROUTINE GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, TV, SIDE, X,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, XD, W, P,
+     $                  ISTAT, RSTAT, INFO )
+C
+C     PURPOSE
+C     GSFUN with the inputs of the time TV: the stages of GSPSG that lie
+C     beyond a jump of the inputs have those before it.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+     $                   INFO
+      DOUBLE PRECISION   T, TV, X(*), RP(*), CST(*), V(*), XD(*), W(*),
+     $                   P(*), RSTAT(*)
       EXTERNAL           GSINP, GSPRT
       INTEGER            K
 C
@@ -49,8 +69,8 @@ C
          END IF
       END IF
       IF ( IP(1).NE.0 .OR. IP(2).NE.0 ) THEN
-         CALL GSINP( CMD, CLO, VIN, T, SIDE, X, NU, NX, NV, IP, RP, CST,
-     $               V, W, INFO )
+         CALL GSINP( CMD, CLO, VIN, TV, SIDE, X, NU, NX, NV, IP, RP,
+     $               CST, V, W, INFO )
          IF ( INFO.NE.0 ) THEN
             ISTAT(6) = INFO
             ISTAT(7) = 1

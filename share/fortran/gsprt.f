@@ -109,8 +109,8 @@ C        -- the displacement that closes the loops
          DO 50 I = 1, NQ
             X(I) = X(I) + S*P(ID+I-1)
    50    CONTINUE
-         IF ( D.LE.1.0D3*EPS*BIG ) GO TO 110
-         IF ( K.GT.3 .AND. D.GE.0.25D0*OLD .AND. D.LE.1.0D-8*BIG )
+         IF ( D.LE.4.0D0*EPS*BIG ) GO TO 110
+         IF ( K.GT.1 .AND. D.GE.0.25D0*OLD .AND. D.LE.1.0D-8*BIG )
      $      GO TO 110
          OLD = D
   100 CONTINUE

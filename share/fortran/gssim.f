@@ -84,7 +84,10 @@ C     ISTAT   (output) INTEGER array, dimension (20):
 C             (1) calls of RHS; (2) accepted steps; (3) rejected steps;
 C             (4) projections; (5) output times reached; (6) INFO of the
 C             routine that failed; (7) which one: 1 inputs, 2 RHS,
-C             3 PRJ, 4 CON, 5 GSPRT, 6 OUT or GSSMP, 7 RST or GSRES;
+C             3 PRJ, 4 CON, 5 GSPRT, 6 OUT or GSSMP, 7 RST or GSRES,
+C             8 the start in a singular position: (6) is 1 where method
+C             4 does not begin there, 2 at rest, 3 where no motion with
+C             these speeds leaves it, 4 so after an event;
 C             (8) calls of RHS where the constraints lost rank; (9)
 C             calls of RHS close to a singularity of orientation angles; (10) choices of other
 C             independent speeds; (11) positions passed where the
@@ -135,8 +138,10 @@ C     whose stages keep away from it (GSPSG), from an output, a break or
 C     a sample in it as well; all output times within it are taken from
 C     its polynomial, breaks, samples and the end stop it.  Its relative
 C     tolerance is no less than 5D3*eps.
-C     Where that step cannot be had (events, an error that stays above
-C     the tolerance) and close to such a position, and where some
+C     A run of method 8 may start in such a position, by such a step, if
+C     its speeds lead out of it (GSPBG, GSPBC).
+C     Where that step cannot be had (an error that stays above the
+C     tolerance) and close to such a position, and where some
 C     constraints are redundant, the stages of a step, which do not lie
 C     on the constraints, have accelerations of no use.  Where the
 C     constraints at T0 are dependent, and where the least pivot has
@@ -149,12 +154,6 @@ C     its cube: below a quarter of its largest value the relative
 C     tolerance is no less than eps**(2/3), 3.7D-11, and a step that
 C     ends where rounding errors pass it is repeated with 0.7 of its
 C     length, five times at most, so that such a place is stepped over.
-C     After a rejected step one of another length is tried, with the
-C     place amid the stages (GSOVER): ever shorter steps would come ever
-C     closer.  It may pass output times, whose states then come from an
-C     interpolation of degree 5 (GSBTW), but no break, sample or event:
-C     where one of these lies within rounding errors of the place, the
-C     run ends with INFO = 2 or 3.
 C
 C     ERROR INDICATOR
 C     INFO = 0   all output times reached;
@@ -183,18 +182,18 @@ C
       INTEGER            GSFIN
       EXTERNAL           GSFIN, GSFUN, GSINP, GSRK4, GSDP8, GSHIN,
      $                   GSCHK, GSJMP, GSPNW, GSPST, GSSTD, GSDUE,
-     $                   GSEVN, GSEVR, GSBTW
+     $                   GSEVN, GSEVR
       INTEGER            I, IB, IT, IX, IXN, IV, IC, IK, IO, K, N, SIDE,
-     $                   NTRY, NLEAP, NSLOW, EVENT, IER
-      LOGICAL            FRESH, AFTER, OLD
+     $                   NTRY, NSLOW, EVENT, BEGIN, IER
+      LOGICAL            FRESH, AFTER
       DOUBLE PRECISION   TA, TB, T, TN, H, HN, ERR, FAC, HMAX, JOB,
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
-     $                   TS, HR, HFAR, HBACK, LEAP, TOLD, TEND, CLOSE,
-     $                   HLIM, TC, D, SKIP, SHRINK, EIT, TMIN,
-     $                   SMIN, TSEEN, DFULL, TURN, B(12), C(12), WT(12)
+     $                   TS, HR, HFAR, TEND, CLOSE, HLIM, TC, D, SKIP,
+     $                   SHRINK, EIT, TMIN, GAUSS(3), SMIN, TSEEN,
+     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12)
       INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
-      EXTERNAL           GSEPS, GSOVER, GSAHD, GSPSG, GSGLN, GSGLQ,
-     $                   GSPTH, GSPRD
+      EXTERNAL           GSEPS, GSAHD, GSPSG, GSGLN, GSGLQ,
+     $                   GSPTH, GSPRD, GSPBG, GSPBC
 C
 C     -- arguments
       INFO = 0
@@ -261,12 +260,7 @@ C     -- workspace: inputs, states, constraints, stages
       NOJUMP(2) = 0.0D0
       NOJUMP(3) = 0.0D0
       NTRY = 0
-      OLD  = .FALSE.
-      TOLD = T0
       HFAR = 0.0D0
-      HBACK = 0.0D0
-      LEAP = 0.0D0
-      NLEAP = 0
       NSLOW = 0
       SKIP   = -1.0D300
       TSEEN  = -1.0D300
@@ -288,20 +282,12 @@ C     -- the start
       HMAX  = TOUT(NT) - T0
       IF ( ROPT(3).GT.0.0D0 ) HMAX = MIN( HMAX, ROPT(3) )
       RSTAT(6) = HMAX
+C     (completed from others it would be moved close to such a position)
+      W(IC) = 0.0D0
       CALL GSCHK( PRJ, CON, KIN, T, W(IX), NQ, NU, NX, NLAM, IOPT,
      $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
+      W(IC) = JOB
       IF ( IER.NE.0 ) GO TO 903
-C
-C     -- dependent constraints: see METHOD
-      IF ( NLAM.GT.0 .AND. IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND.
-     $     JOB.LT.2.0D0 .AND. W(IC+2).LT.DBLE( NLAM ) ) THEN
-         JOB = 2.0D0
-         W(IC) = JOB
-         CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
-         ISTAT(6) = IER
-         ISTAT(7) = 4
-         IF ( IER.NE.0 ) GO TO 903
-      END IF
       CALL GSINP( CMD, CLO, VIN, T, 1, W(IX), NU, NX, NV, IP, RP, CST,
      $            W(IV), W, IER )
       ISTAT(6) = IER
@@ -314,6 +300,39 @@ C     -- dependent constraints: see METHOD
       CALL GSDUE( OUT, CTL, CMD, CLO, VIN, T, W(IX), NU, NX, NV, IP, RP,
      $            CST, W(IV), W, ISTAT, TS, I, IER )
       IF ( IER.NE.0 ) GO TO 903
+C
+C     -- a start in a singular position? by its speeds, or at rest
+      BEGIN = 0
+      IF ( NLAM.EQ.0 .OR. IOPT(5).NE.1 .OR. IOPT(2).EQ.1 ) GO TO 90
+      DO 60 I = 1, NX
+         W(IK+I-1) = 0.0D0
+   60 CONTINUE
+      CALL GSPBG( CON, KIN, T, W(IX), HMAX, NQ, NU, NLAM, CST, W(IK),
+     $            W(IXN), W(IO), W(IQ), W(IK+NX), W(IC), BEGIN )
+      IF ( BEGIN.LT.0 ) THEN
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, W(IX), NQ, NU,
+     $               NX, NV, NLAM, IP, RP, CST, W(IV), W(IK), W, W(IC),
+     $               ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) GO TO 903
+         CALL GSPBG( CON, KIN, T, W(IX), HMAX, NQ, NU, NLAM, CST, W(IK),
+     $               W(IXN), W(IO), W(IQ), W(IK+NX), W(IC), BEGIN )
+         BEGIN = MAX( 0, BEGIN )
+      END IF
+      IF ( BEGIN.EQ.2 .OR. ( BEGIN.EQ.1 .AND. IOPT(1).EQ.4 ) )
+     $   GO TO 906
+C
+C     -- dependent constraints: see METHOD
+      IF ( JOB.LT.2.0D0 .AND. W(IC+2).LT.DBLE( NLAM ) ) THEN
+         JOB   = 2.0D0
+         W(IC) = JOB
+      END IF
+   90 IF ( JOB.GT.0.0D0 .AND. BEGIN.EQ.0 ) THEN
+         CALL GSPNW( CON, KIN, T, W(IX), NQ, NU, NLAM, CST, W(IC), IER )
+         ISTAT(6) = IER
+         ISTAT(7) = 4
+         IF ( IER.NE.0 ) GO TO 903
+         ISTAT(7) = 0
+      END IF
 C
 C     -- the next stop, TB; SIDE < 0 where it is a break or a sample
   100 CONTINUE
@@ -394,7 +413,7 @@ C     -- classical Runge-Kutta, N equal steps of at most HR
      $                  IOPT(2), T, TN, I, H, W(IX), NQ, NU, NX, NV,
      $                  NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN),
      $                  W(IK), W, W(IC), ISTAT, RSTAT, IP(IP(28)),
-     $                  RP(IP(29)), EVENT, IER )
+     $                  RP(IP(29)), GAUSS, EVENT, IER )
             IF ( IER.NE.0 ) GO TO 903
             IF ( EVENT.LT.0 ) THEN
                TA = T
@@ -429,7 +448,6 @@ C     -- classical Runge-Kutta, N equal steps of at most HR
 C
 C     -- Dormand-Prince 8(5,3)
   300 CONTINUE
-      IF ( .NOT.AFTER ) OLD = .FALSE.
       IF ( FRESH ) THEN
          CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, W(IX), NQ, NU,
      $               NX, NV, NLAM, IP, RP, CST, W(IV), W(IK), W, W(IC),
@@ -455,7 +473,7 @@ C
 C     -- a singular position ahead?
       HLIM = 1.0D300
       IF ( NLAM.EQ.0 .OR. IOPT(5).NE.1 .OR. IOPT(2).EQ.1 .OR.
-     $     IP(28).GT.0 .OR. T.LT.SKIP ) GO TO 309
+     $     T.LT.SKIP ) GO TO 309
       H = MIN( HN, HMAX )
       I = 0
       IF ( W(IC+3).LT.3.0D0 .OR. H.GT.0.25D0*TURN .OR.
@@ -502,10 +520,14 @@ C        lengths of rows are those of states that the motion had
             W(ISZ+I-1) = W(IQ+I-1)
   306    CONTINUE
       END IF
-      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, NQ, NU,
-     $      NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK),
-     $      W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT, TMIN, SMIN,
-     $      IER )
+      TV(1) = T0
+      TV(2) = 1.0D300
+      IF ( IB.GT.1 ) TV(1) = TBRK(IB-1)
+      IF ( IB.LE.NB ) TV(2) = TBRK(IB)
+      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, TV, NQ,
+     $      NU, NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
+     $      W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT,
+     $      TMIN, SMIN, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
       IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
@@ -541,6 +563,15 @@ C     -- where the rank is kept after all the usual steps do better
 C
 C     -- to its end or to the next break, sample or end of the run
   302 SHRINK = MIN( 1.0D0, SHRINK*MIN( 1.5D0, MAX( 1.0D0, FAC ) ) )
+      IF ( BEGIN.NE.0 ) THEN
+C        are the speeds those of a motion that leads out of it?
+         CALL GSPBC( KIN, T, W(IX), TC, D, NQ, NX, NS, CST, W(IK),
+     $               W(IXN), H )
+         IF ( H.GT.1.0D-6 + 1.0D2*ROPT(2) ) THEN
+            BEGIN = 4 - MAX( 0, BEGIN )
+            GO TO 906
+         END IF
+      END IF
       TN = TC + D
       CALL GSGLN( NS, C, WT )
       I = 0
@@ -552,8 +583,28 @@ C     -- to its end or to the next break, sample or end of the run
          SKIP = T + D
          GO TO 309
       END IF
-      CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
+      GAUSS(1) = TC
+      GAUSS(2) = D
+      GAUSS(3) = DBLE( NS )
+      EVENT = 0
+  307 CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
       CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), W(IXN) )
+      IF ( IP(28).GT.0 ) THEN
+         K = 1
+         IF ( I.EQ.1 ) K = -1
+         H  = TN - T
+         CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, 12,
+     $               IOPT(2), T, TN, K, H, W(IX), NQ, NU, NX, NV, NLAM,
+     $               IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN), W(IK),
+     $               W, W(IC), ISTAT, RSTAT, IP(IP(28)), RP(IP(29)),
+     $               GAUSS, EVENT, IER )
+         IF ( IER.NE.0 ) GO TO 903
+         IF ( EVENT.NE.0 ) I = 0
+         IF ( EVENT.LT.0 ) THEN
+            TN = T + 0.1D0*H
+            GO TO 307
+         END IF
+      END IF
       DO 303 K = 1, 6
          LOPT(K) = IOPT(K)
   303 CONTINUE
@@ -570,6 +621,7 @@ C     -- to its end or to the next break, sample or end of the run
          SKIP = TC + D
          GO TO 309
       END IF
+      BEGIN = -MIN( 1, EVENT )
   304 IF ( TOUT(IT).LT.TN ) THEN
          CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
          CALL GSPTH( NX, NS, NX, W(IX), D, B, W(IK), XOUT(1,IT) )
@@ -610,23 +662,23 @@ C     -- to its end or to the next break, sample or end of the run
       ISTAT(7) = 0
       FRESH = .TRUE.
       AFTER = .FALSE.
-      OLD   = .FALSE.
-      NPASS  = 0
-      IF ( T.LT.TB ) GO TO 300
+      IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IX),
+     $   NU, NX, NV, IP, RP, CST, W(IV), W, ISTAT, EVENT, IER )
+      IF ( IER.NE.0 ) GO TO 903
       GO TO 400
 C
-  309 H  = MIN( HN, HMAX, HLIM )
-      IF ( LEAP.GT.0.0D0 ) H = LEAP
+  309 IF ( BEGIN.GT.0 ) THEN
+         BEGIN = 3
+         GO TO 906
+      END IF
+      H  = MIN( HN, HMAX, HLIM )
       TN = T + H
       I  = 1
-      IF ( LEAP.GT.0.0D0 .AND. T + 0.99D0*H.GT.TB ) THEN
-C        over an output time: see GSOVER
-         CONTINUE
-      ELSE IF ( T + 1.01D0*H.GE.TB ) THEN
+      IF ( T + 1.01D0*H.GE.TB ) THEN
          H  = TB - T
          TN = TB
          I  = SIDE
-      ELSE IF ( T + 2.0D0*H.GT.TB .AND. LEAP.LE.0.0D0 ) THEN
+      ELSE IF ( T + 2.0D0*H.GT.TB ) THEN
          H  = 0.5D0*( TB - T )
          TN = T + H
       END IF
@@ -647,8 +699,8 @@ C        over an output time: see GSOVER
       IF ( H.LE.16.0D0*EPS*MAX( ABS( T ), ABS( TB ) ) .AND. TN.LT.TB )
      $   GO TO 902
       NSLOW = NSLOW + 1
-      IF ( LEAP.LE.0.0D0 .AND. ( IOPT(5).NE.1 .OR. H.GT.1.0D-4*HFAR .OR.
-     $     W(IC+12).GE.0.25D0*W(IC+13) ) ) NSLOW = 0
+      IF ( IOPT(5).NE.1 .OR. H.GT.1.0D-4*HFAR .OR.
+     $     W(IC+12).GE.0.25D0*W(IC+13) ) NSLOW = 0
       IF ( NSLOW.GT.20000 ) GO TO 902
       CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, I, H, W(IX), NQ,
      $            NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
@@ -666,7 +718,7 @@ C     -- up to an event, if there is one within a good step
      $               IOPT(2), T, TN, I, H, W(IX), NQ, NU, NX, NV, NLAM,
      $               IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN), W(IK),
      $               W, W(IC), ISTAT, RSTAT, IP(IP(28)), RP(IP(29)),
-     $               EVENT, IER )
+     $               GAUSS, EVENT, IER )
          IF ( EVENT.LT.0 ) ERR = 1.0D10
       END IF
 C
@@ -675,8 +727,7 @@ C     -- a good step: onto the constraints with it
          CALL GSJMP( NQ, NU, W(IX), W(IXN), ROPT(2), ATOL, JUMP )
          JUMP(3) = 0.0D0
          IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND. NTRY.LT.5 .AND.
-     $        ( TN.LT.TB .OR. TN.GT.TB .OR. ( OLD .AND. TEND.GT.TB ) ) )
-     $        JUMP(3) = CLOSE
+     $        TN.LT.TB ) JUMP(3) = CLOSE
          CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
      $               JUMP, CST, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) ISTAT(12) = ISTAT(12) + 1
@@ -686,29 +737,6 @@ C     -- a good step: onto the constraints with it
          IF ( ERR.GT.0.0D0 ) FAC = MIN( FAC, 0.9D0*ERR**(-0.125D0) )
          FAC = MAX( FAC, 1.0D0/3.0D0 )
          IF ( H.GE.0.99D0*HN .OR. H*FAC.GT.HN ) HN = H*FAC
-         IF ( TN.GT.TB ) THEN
-            CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, 1, W(IXN), NQ,
-     $                  NU, NX, NV, NLAM, IP, RP, CST, W(IV),
-     $                  W(IO+2*NX), W, W(IC), ISTAT, RSTAT, IER )
-            IF ( IER.NE.0 ) GO TO 903
-            ISTAT(7) = 1
-            CALL GSBTW( CMD, CLO, VIN, NU, NX, NV, IP, RP, CST, TOLD,
-     $                  W(IO), T, W(IX), W(IK), TN, W(IXN), W(IO+2*NX),
-     $                  TOUT, IT, XOUT, LDX, VOUT, LDV, W, ISTAT(6) )
-            IF ( ISTAT(6).NE.0 ) GO TO 903
-            ISTAT(5) = IT - 1
-            TB   = TN
-            SIDE = 1
-         END IF
-         IF ( IOPT(5).EQ.1 .AND.
-     $        ( .NOT.OLD .OR. H.GE.0.3D0*( T - TOLD ) ) ) THEN
-            OLD  = .TRUE.
-            TOLD = T
-            DO 310 I = 1, NX
-               W(IO+I-1)    = W(IX+I-1)
-               W(IO+NX+I-1) = W(IK+I-1)
-  310       CONTINUE
-         END IF
          I   = IX
          IX  = IXN
          IXN = I
@@ -721,12 +749,11 @@ C     -- a good step: onto the constraints with it
          ISTAT(6) = 0
          ISTAT(7) = 0
          ISTAT(20) = ISTAT(20) + LOOSE
+         BEGIN = -MIN( 1, EVENT )
          FRESH = .TRUE.
          AFTER = .TRUE.
          NEAR  = 0.05D0
          NTRY  = 0
-         LEAP  = 0.0D0
-         NLEAP = 0
          IF ( W(IC+12).GE.0.25D0*W(IC+13) ) HFAR = HN
          IF ( W(IC).GT.JOB .AND. W(IC+12).GE.0.25D0*W(IC+13) ) THEN
             W(IC)   = JOB
@@ -753,17 +780,6 @@ C     -- a good step: onto the constraints with it
             NTRY = NTRY + 1
          END IF
          NEAR = 0.25D0
-C
-C        -- over a singular position at one go: a few trials from here
-         IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 ) THEN
-            IF ( LEAP.GT.0.0D0 ) HN = MIN( HN, HBACK )
-            HBACK = HN
-            HR = TB - T
-            IF ( OLD .AND. IP(28).LE.0 .AND.
-     $           W(IC+12).LT.4.0D0*CLOSE*W(IC+13) )
-     $         HR = MAX( HR, 0.98D0*( TEND - T ) )
-            CALL GSOVER( W(IC), MIN( MAX( H, HFAR ), HR ), NLEAP, LEAP )
-         END IF
          GO TO 300
       END IF
 C
@@ -784,6 +800,10 @@ C
       GO TO 909
   904 INFO = 4
       GO TO 909
+  906 INFO = 3
+      ISTAT(6) = BEGIN
+      ISTAT(7) = 8
+      GO TO 909
   905 INFO = 5
       GO TO 909
   908 INFO = 8
@@ -794,76 +814,6 @@ C
       DO 920 I = 1, NV
          VOUT(I,ISTAT(5)+1) = W(IV+I-1)
   920 CONTINUE
-      END
-      SUBROUTINE GSOVER( P, HMAX, N, H )
-C
-C     PURPOSE
-C     A step H <= HMAX of GSDP8 that passes the next singular position
-C     between two stages that are far apart; another at each call; 0 if
-C     there is none.  P as GSPRT: from its last two pivots follows where
-C     the pivot vanishes.  N (input/output) counts, 0 for the first.
-C
-      IMPLICIT NONE
-      INTEGER            N
-      DOUBLE PRECISION   P(*), HMAX, H
-      DOUBLE PRECISION   D, AMID(4)
-      SAVE               AMID
-C
-C     -- the middles of the widest gaps between the stages
-      DATA               AMID / 0.467D0, 0.184D0, 0.754D0, 0.929D0 /
-C
-      H = 0.0D0
-      IF ( P(4).LT.2.0D0 .OR. P(10).GE.P(8) .OR. P(10).GE.0.25D0*P(14) )
-     $   RETURN
-      D = P(10)*( P(9) - P(7) )/( P(8) - P(10) )
-   10 IF ( N.GE.4 ) RETURN
-      N = N + 1
-      IF ( D/AMID(N).GT.HMAX ) GO TO 10
-      H = D/AMID(N)
-      END
-      SUBROUTINE GSBTW( CMD, CLO, VIN, NU, NX, NV, IP, RP, CST, T0, X0,
-     $                  T1, X1, XD1, T2, X2, XD2, TOUT, IT, XOUT, LDX,
-     $                  VOUT, LDV, W, INFO )
-C
-C     PURPOSE
-C     The states and inputs at the output times TOUT(IT), ... before T2,
-C     and IT behind them, from the states X0, X1, X2 at T0 < T1 < T2 and
-C     their rates (those of X0 stand behind it): by the polynomial of
-C     degree 5 that has all of them.  As GSSIM; INFO as GSINP.
-C
-      IMPLICIT NONE
-      EXTERNAL           CMD, CLO, VIN
-      INTEGER            NU, NX, NV, IP(*), IT, LDX, LDV, INFO
-      DOUBLE PRECISION   RP(*), CST(*), T0, X0(NX,2), T1, X1(*), XD1(*),
-     $                   T2, X2(*), XD2(*), TOUT(*), XOUT(LDX,*),
-     $                   VOUT(LDV,*), W(*)
-      EXTERNAL           GSINP
-      INTEGER            I
-      DOUBLE PRECISION   G, S, S0, W0, A, B, C, D, E
-C
-      INFO = 0
-      G  = T2 - T1
-      S0 = ( T0 - T1 )/G
-      W0 = ( S0*( S0 - 1.0D0 ) )**2
-   10 IF ( TOUT(IT).GE.T2 ) RETURN
-      S = ( TOUT(IT) - T1 )/G
-      DO 20 I = 1, NX
-C        the cubic X1 + S*(A + S*(B + S*C)), and what it lacks at T0
-         D = X2(I) - X1(I)
-         A = G*XD1(I)
-         B = 3.0D0*D - 2.0D0*A - G*XD2(I)
-         C = A + G*XD2(I) - 2.0D0*D
-         D = ( X0(I,1) - X1(I) - S0*( A + S0*( B + S0*C ) ) )/W0
-         E = ( G*X0(I,2) - A - S0*( 2.0D0*B + 3.0D0*S0*C ) )/W0
-     $       - 2.0D0*( 1.0D0/S0 + 1.0D0/( S0 - 1.0D0 ) )*D
-         XOUT(I,IT) = X1(I) + S*( A + S*( B + S*C )
-     $                + S*( S - 1.0D0 )**2*( D + E*( S - S0 ) ) )
-   20 CONTINUE
-      CALL GSINP( CMD, CLO, VIN, TOUT(IT), 1, XOUT(1,IT), NU, NX, NV,
-     $            IP, RP, CST, VOUT(1,IT), W, INFO )
-      IF ( INFO.NE.0 ) RETURN
-      IT = IT + 1
-      GO TO 10
       END
       SUBROUTINE GSJMP( NQ, NU, X, XN, RTOL, ATOL, JUMP )
 C
