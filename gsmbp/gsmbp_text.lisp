@@ -170,7 +170,7 @@
 ;;; [mul, add, div, sqrt, trig] of one expression as it is printed
 (defvar *gsmbp-numbers-counted* (make-hash-table :test #'equal))
 (defun $gsmbp__expression_count (x)
-  (let ((*gsmbp-counting* t) ($gsmbp__numbers *gsmbp-numbers-counted*) ($gsmbp__where "gsmbp__expression_count") ($inflag t)
+  (let ((*gsmbp-counting* t) ($gsmbp__numbers *gsmbp-numbers-counted*) ($gsmbp__where "gsmbp_fortran") ($inflag t)
         ($gsmbp__mul 0) ($gsmbp__add 0) ($gsmbp__div 0) ($gsmbp__sqrt 0) ($gsmbp__trig 0))
     ($gsmbp__sum_text x)
     ($gsmbp__tally)))

@@ -31,10 +31,9 @@ function par = merged (m, pairs)
   endif
   for i = 1:2:numel (pairs)
     [name, value] = pairs{i:i+1};
-    if (! ischar (name) || ! isfield (par, name))
-      if (! ischar (name))
-        name = class (name);
-      endif
+    if (! ischar (name))
+      error ("gsmbp_set: %s: expected the name of a parameter, a string; found: %s", m.name, gsmbp__shown (name));
+    elseif (! isfield (par, name))
       made_of_others (m, name);
       error ("gsmbp_set: %s: unknown parameter \"%s\"; known: %s", m.name, name, strjoin (fieldnames (par)', ", "));
     endif
