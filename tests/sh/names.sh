@@ -20,3 +20,7 @@ local=$(grep -noE '(^|[^A-Za-z_0-9@])[A-Za-z_0-9]+ : lambda\(' gsmbp/*.mac share
 # No message names a private function: it means nothing to a user.
 private=$(grep -nE '(error|wrong|merror|emission|where)[^;]*"gsmbp__[a-z_]+[":]' gsmbp/*.mac gsmbp/*.lisp)
 [ -z "$private" ] && echo "ok no message names a private function" || echo "not ok messages with a private name: $private"
+
+# Nor is a variable of the package given a value twice while it is loaded: the second would silently win.
+twice=$(grep -hoE '^gsmbp_[A-Za-z_0-9]+ *: ' gsmbp/*.mac | sort | uniq -d)
+[ -z "$twice" ] && echo "ok no variable is set twice" || echo "not ok set twice: $twice"
