@@ -6,7 +6,7 @@
 (defun $gsmbp__flat (l)
   (let ((all nil))
     (dolist (x (cdr l) (gsmbp-list (nreverse all)))
-      (unless ($listp x) (merror "gsmbp__flat: a list of lists is expected; found: ~M" x))
+      (unless ($listp x) (merror "gsmbp: a list of lists is expected; found: ~M" x))
       (setq all (revappend (cdr x) all)))))
 (defun $gsmbp__sum (l) (addn (cdr l) nil))
 

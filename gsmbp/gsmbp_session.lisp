@@ -90,6 +90,26 @@
 (defun gsmbp-ordered-p () (or (and (boundp 'lessorder) (symbol-value 'lessorder)) (and (boundp 'greatorder) (symbol-value 'greatorder))
                               (and (boundp '*lessorder*) (symbol-value '*lessorder*)) (and (boundp '*greatorder*) (symbol-value '*greatorder*))))
 
+;;; ---------------------------------------------------------------------------------------------------------- interrupts
+
+;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any other: errcatch, and Maxima's own
+;;; handlers in charat, substring and float, would take it for a failure of what they try, and go on.
+#+gcl
+(defun gsmbp-interruptible (f)
+  (let ((before (symbol-function 'si::terminal-interrupt)))
+    (unwind-protect
+      (progn
+        (setf (symbol-function 'si::terminal-interrupt)
+              #'(lambda (&rest args) (declare (ignore args))
+                  (setf (symbol-function 'si::terminal-interrupt) before)
+                  (fresh-line *standard-output*)
+                  (format t "gsmbp: interrupted~%")
+                  (throw 'macsyma-quit 'maxima-error)))
+        (funcall f))
+      (setf (symbol-function 'si::terminal-interrupt) before))))
+#-gcl
+(defun gsmbp-interruptible (f) (funcall f))
+
 ;;; ------------------------------------------------------------------------------------------------------ the environment
 
 (defvar *gsmbp-apart* nil)
@@ -103,7 +123,7 @@
           (gsmbp-check-session)
           (setq declared (gsmbp-declared-symbols))
           (dolist (d declared) (setf (symbol-plist (car d)) (gsmbp-undeclared (cdr d))))
-          (gsmbp-without-facts f))
+          (gsmbp-interruptible #'(lambda () (gsmbp-without-facts f))))
         (errlfun1 mark)
         (dolist (d declared) (setf (symbol-plist (car d)) (cdr d)))))))
 

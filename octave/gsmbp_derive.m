@@ -32,7 +32,15 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   [status, text] = system (sprintf ("%s 2>&1 && times", strjoin (quoted, " ")));
   wall = toc (start);
   if (status != 0)
-    error ("gsmbp_derive: %s:\n%s", scene, text);
+    lines = regexp (text, '^derive: ([^\n]*)', "tokens", "lineanchors");
+    if (isempty (lines))
+      error ("gsmbp_derive: %s: %s", scene, strtrim (text));
+    endif
+    text = lines{end}{1};
+    if (nargin < 2)
+      text = regexprep (text, ' \(log: [^()]*\)$', "");   # it goes with the folder
+    endif
+    error ("gsmbp_derive: %s", text);
   endif
   for line = regexp (text, '^gsmbp\w*: [^\n]*', "match", "lineanchors")
     warning ("gsmbp:derive", "gsmbp_derive: %s: %s", scene, line{1});

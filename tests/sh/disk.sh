@@ -27,8 +27,8 @@ E1
 }
 for lisp in maxima maxima-sage; do
   session $lisp
-  check "$lisp: a file that is cut short is an error" says 'case_03a.f.tmp: expected 20000 lines on the disk, found'
-  check "$lisp: so is a folder that cannot be written" says '/proc/no.f.tmp: expected a file that can be written'
+  check "$lisp: a file that is cut short is an error" says 'case_03a.f: expected 20000 lines on the disk, found'
+  check "$lisp: so is a folder that cannot be written" says '/proc/no.f: expected a file that can be written'
   check "$lisp: the old files are kept" kept "$work/write"
   check "$lisp: what fits is written as it is" test "$(cat "$work/write/other.f")" = "$(printf 'one\ntwo\n\npart\npart')"
   check "$lisp: nothing else is left behind" alone "$work/write" 4

@@ -16,3 +16,11 @@ both=$(for f in $(echo "$lisp" | sed -n 's/^\$//p'); do grep -lE "^ *$f\(.*:=" g
 # A function that is kept in a local variable has a name of the package: Maxima would call a user's function of the same name instead.
 local=$(grep -noE '(^|[^A-Za-z_0-9@])[A-Za-z_0-9]+ : lambda\(' gsmbp/*.mac share/*/*.mac | grep -vE 'gsmbp__[A-Za-z_0-9]+ : lambda')
 [ -z "$local" ] && echo "ok no local function has a user's name" || echo "not ok local functions: $local"
+
+# No message names a private function: it means nothing to a user.
+private=$(grep -nE '(error|wrong|merror|emission|where)[^;]*"gsmbp__[a-z_]+[":]' gsmbp/*.mac gsmbp/*.lisp)
+[ -z "$private" ] && echo "ok no message names a private function" || echo "not ok messages with a private name: $private"
+
+# Nor is a variable of the package given a value twice while it is loaded: the second would silently win.
+twice=$(grep -hoE '^gsmbp_[A-Za-z_0-9]+ *: ' gsmbp/*.mac | sort | uniq -d)
+[ -z "$twice" ] && echo "ok no variable is set twice" || echo "not ok set twice: $twice"
