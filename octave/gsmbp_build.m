@@ -79,7 +79,8 @@
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
-## @code{initial} (state to start a Newton iteration from), @code{nominal} (the
+## @code{initial} (the start that the scene states: coordinates, a guess where there are
+## loops; speeds zero; states of devices, filters of sensors and observers settled), @code{nominal} (the
 ## usual size of each state in its unit), @code{json},
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
@@ -179,10 +180,6 @@ function m = gsmbp_build (name, varargin)
   m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), gsmbp__names (json.subroutines), "UniformOutput", false);
   m.order = json.command_order;
   m.actuated = double (json.actuated(:));
-  m.initial = zeros (m.sizes.nx, 1);
-  if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
-    m.initial = double (json.initial(:));
-  endif
   m.nominal = nominal (json);
   m.internal = zeros (0, 1);
   m.margins = cell (0, 1);
@@ -202,6 +199,8 @@ function m = gsmbp_build (name, varargin)
   m.json = json;
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
+  m = gsmbp__handles (m);
+  m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
 endfunction
 

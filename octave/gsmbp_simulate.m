@@ -12,11 +12,13 @@
 ## the usual sizes of the states, @code{m.nominal}, make of it) is an error that names
 ## the rows; @code{gsmbp_assemble} closes a rough guess, with coordinates held if
 ## wanted.  Below, it is moved onto the constraints, in the same way whatever the
-## option "loops" is, and @code{stats.start} tells by how much.
+## option "loops" is, and @code{stats.start} tells by how much.  A state where a device
+## cannot be (a pressure beyond its supply's, a sensor beyond its range) is an error.
 ## @table @code
 ## @item "start"
 ## "check" (default), as above; "project": any start is moved onto the constraints by
-## the shortest way in the metric of the mass matrix, which need not be near
+## the shortest way in the metric of the mass matrix, which need not be near; devices
+## are taken as they are
 ## @end table
 ##
 ## Integration:

@@ -29,7 +29,8 @@
 ## An equilibrium that is not found is an error that names the equations that
 ## do not vanish, and inputs that could make them; so is a constraint that
 ## moves with time.  One that holds at the time @var{t} only (default 0) is a
-## warning.  Of several equilibria the one near the guess is found.
+## warning, as is one where a device cannot be (a pressure beyond its supply's).
+## Of several equilibria the one near the guess is found.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
 ## @end deftypefn
 
@@ -53,6 +54,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   check_time (p, z);
   r = result (p, z, way);
   r.indifferent = unknowns (p)(max (abs (free), [], 2) > 1e-6)(:)';
+  gsmbp__check_start ("gsmbp_trim", m, r.x, @(text) warning ("gsmbp:margin", "%s", text));
 endfunction
 
 function [best, word] = solve (p)
