@@ -77,7 +77,9 @@
 ##
 ## Other fields: @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
-## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
+## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{unique} (a struct
+## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
+## others are one of many values and depend on where a loop is cut), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
 ## @code{initial} (the start that the scene states: coordinates, a guess where there are
 ## loops; speeds zero; states of devices, filters of sensors and observers settled), @code{nominal} (the
@@ -197,6 +199,7 @@ function m = gsmbp_build (name, varargin)
   m.skeleton = gsmbp__skeleton (json);
   m = loops (m, json);
   m.json = json;
+  m.unique = gsmbp__unique (m);
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
   m = gsmbp__handles (m);

@@ -13,7 +13,8 @@
 ## nu x (1 + command order) x times: the motion with all its derivatives
 ## @item tau
 ## efforts of the actuated coordinates (of all, in an open chain) that the
-## inverse model needs, and @code{lambda}, the multipliers of the loops
+## inverse model needs, and @code{lambda}, the multipliers of the loops; @code{unique}
+## tells which of these the motion determines (the others are one of many values)
 ## @item v
 ## inputs, from the inverse models of the devices (where emitted)
 ## @item x
@@ -57,6 +58,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.t = times(:);
   r.tau = zeros (nt, merge (loops, d.nact, d.nu));
   r.lambda = zeros (nt, d.nlam);
+  r.unique = m.unique.multipliers;
   r.v = zeros (nt, d.nv);
   r.x = zeros (nt, d.nx);
   r.margins = zeros (nt, numel (m.margins));
@@ -172,9 +174,13 @@ endfunction
 ## else Newton's method may have met another branch, and half the step is tried.
 function one = follow (who, m, t, guess, one, planned)
   way = one(planned,1) - guess(planned);
-  [at, slope, info] = closed_at (m, t, guess, planned, guess(planned), way);
-  done = 0;
   step = 1;
+  for done = [0, 1e-3, 1e-2, 0.1, 1]   # the guess itself may be singular
+    [at, slope, info] = closed_at (m, t, guess, planned, guess(planned) + done * way, way);
+    if (info == 0)
+      break;
+    endif
+  endfor
   while (info == 0 && done < 1)
     step = min (step, 1 - done);
     target = guess(planned) + way * (done + step);

@@ -185,7 +185,9 @@
 ## how many events and instants of sampled devices there were, in scenes that have such
 ## @end table
 ## With sampled devices also @code{y} (the outputs of the scene, a row for each
-## time), @code{memory} (theirs at the end; what is on its way to an output then
+## time), @code{unique} (which of them the motion determines: not all reactions are in
+## scenes with more constraints than their motion needs; @code{m.unique} tells it of
+## every scene), @code{memory} (theirs at the end; what is on its way to an output then
 ## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
 ## @code{xk} (memory), @code{v} (inputs), both after it.
 ## With events also @code{events}, a struct with a row for each (10000 at most):
@@ -243,6 +245,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.v = v(:,1:reached)';
   if (isstruct (sampled))
     result.y = sampled.y';
+    result.unique = m.unique.outputs;
     result.memory = sampled.memory;
     record = sampled.record';
     result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", record(:,2+d.nxk:end));
