@@ -24,7 +24,7 @@ help:
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
 	@echo 'make bench-passages        tests/bench/passages.md: ten passages of singular positions; RUNS=1600: all; SEED'
-	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed'
+	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed, global error'
 	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
 	@echo 'make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?'
 	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'

@@ -12,6 +12,9 @@
 ## method.  Euler parameters are normalized; of a set all four may be held (the
 ## orientation) or none.  @var{t} is the time, 0 by default.
 ##
+## States of devices that the guess does not hold are as in @code{m.initial}; filters
+## and observers that are settled in the guess are settled in the result.
+##
 ## If the loop does not close it is an error that says by how much it fails:
 ## the largest |phi| that is left, above @var{tol} (default 1e-10, in the
 ## unit of the constraint).
@@ -37,15 +40,14 @@ function x = gsmbp_assemble (m, guess, varargin)
            "branches", 0, "whole"};
   o = gsmbp__options (who, table, varargin);
   x = guessed (who, m, guess);
+  settled = isequal (numel (guess), m.sizes.nq) || is_settled (m, o.time, x);
   held = held_coordinates (who, m, o.hold);
   whole_orientations (who, m, held);
   if (m.sizes.nlam == 0)
     if (m.sizes.nq > m.sizes.nu)
       x = normalized (m, x);
     endif
-    return;
-  endif
-  if (o.branches == 0)
+  elseif (o.branches == 0)
     [x, complaint] = close_loops (m, x, o, held);
     if (! isempty (complaint))
       error ("%s: %s: %s", who, m.name, complaint);
@@ -53,11 +55,22 @@ function x = gsmbp_assemble (m, guess, varargin)
   else
     x = branches (who, m, x, o, held);
   endif
+  if (settled)
+    for k = 1:columns (x)
+      x(:,k) = gsmbp__settle (m, o.time, x(:,k));
+    endfor
+  endif
+endfunction
+
+## filters of sensors and observers are where their rates vanish
+function yes = is_settled (m, t, x)
+  y = gsmbp__settle (m, t, x);
+  yes = all (abs (y - x) <= 1e-9 * (m.nominal + abs (x)));
 endfunction
 
 function x = guessed (who, m, guess)
   d = m.sizes;
-  x = gsmbp__guess (who, m, "guess", guess, zeros (d.nx - d.nq, 1));
+  x = gsmbp__guess (who, m, "guess", guess, m.initial(d.nq + 1:d.nx));
   for set = m.orientation'
     if (! any (x(set)))
       error ("%s: %s: expected a guess of the Euler parameters (%s), found zeros, which are no orientation", who, m.name, strjoin (m.coordinates(set)', ", "));

@@ -80,9 +80,12 @@
 ##
 ## Other fields: @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
-## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{units} (a
+## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{unique} (a struct
+## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
+## others are one of many values and depend on where a loop is cut), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
-## @code{initial} (state to start a Newton iteration from), @code{nominal} (the
+## @code{initial} (the start that the scene states: coordinates, a guess where there are
+## loops; speeds zero; states of devices, filters of sensors and observers settled), @code{nominal} (the
 ## usual size of each state in its unit), @code{json},
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
@@ -186,10 +189,6 @@ function m = gsmbp_build (name, varargin)
   m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), gsmbp__names (json.subroutines), "UniformOutput", false);
   m.order = json.command_order;
   m.actuated = double (json.actuated(:));
-  m.initial = zeros (m.sizes.nx, 1);
-  if (isfield (json, "initial") && numel (json.initial) == m.sizes.nx)
-    m.initial = double (json.initial(:));
-  endif
   m.nominal = nominal (json);
   m.internal = zeros (0, 1);
   m.margins = cell (0, 1);
@@ -211,8 +210,11 @@ function m = gsmbp_build (name, varargin)
   m.skeleton = gsmbp__skeleton (json);
   m = loops (m, json);
   m.json = json;
+  m.unique = gsmbp__unique (m);
   [names, m.units.parameters] = gsmbp__names (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
+  m = gsmbp__handles (m);
+  m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
 endfunction
 

@@ -13,7 +13,8 @@
 ## nu x (1 + command order) x times: the motion with all its derivatives
 ## @item tau
 ## efforts of the actuated coordinates (of all, in an open chain) that the
-## inverse model needs, and @code{lambda}, the multipliers of the loops
+## inverse model needs, and @code{lambda}, the multipliers of the loops; @code{unique}
+## tells which of these the motion determines (the others are one of many values)
 ## @item v
 ## inputs, from the inverse models of the devices (where emitted)
 ## @item x
@@ -61,6 +62,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.t = times(:);
   r.tau = zeros (nt, merge (loops, d.nact, d.nu));
   r.lambda = zeros (nt, d.nlam);
+  r.unique = m.unique.multipliers;
   r.v = zeros (nt, d.nv);
   r.x = zeros (nt, d.nx);
   r.margins = zeros (nt, numel (m.margins));
@@ -171,27 +173,61 @@ function list = violations (texts, t, margins)
   endfor
 endfunction
 
-## the loops closed along short steps from the guess to the planned position,
-## so that Newton's method stays on its branch; then the whole motion there
+## the loops closed along the straight way from the guess to the planned position,
+## then the whole motion there.  A step of the way counts if the dependent coordinates
+## move by the mean of their slopes at both ends, but for a tenth of the larger one:
+## else Newton's method may have met another branch, and half the step is tried.
 function one = follow (who, m, t, guess, one, planned)
-  from = guess(planned);
-  way = one(planned,1) - from;
-  steps = max (1, ceil (max (abs (way)) / 0.1));
-  for k = 1:steps
-    here = zeros (size (one));
-    if (k == steps)
-      here = one;
+  way = one(planned,1) - guess(planned);
+  step = 1;
+  for done = [0, 1e-3, 1e-2, 0.1, 1]   # the guess itself may be singular
+    [at, slope, info] = closed_at (m, t, guess, planned, guess(planned) + done * way, way);
+    if (info == 0)
+      break;
     endif
-    here(:,1) = guess;
-    here(planned,1) = from + way * (k / steps);
-    [here, res, info] = m.clo (t, here);
-    if (info != 0)
-      at = sprintf (" %.6g", from + way * (k / steps));
-      error ("%s: %s: the loop cannot follow the motion at t = %.9g s: it does not close at%s (%s)", who, m.name, t, at, gsmbp__info (m, "clo", info));
-    endif
-    guess = here(:,1);
   endfor
-  one = here;
+  while (info == 0 && done < 1)
+    step = min (step, 1 - done);
+    target = guess(planned) + way * (done + step);
+    [next, after, missed] = closed_at (m, t, at + step * slope, planned, target, way);
+    gap = abs (next - at - step * (slope + after) / 2);
+    if (missed == 0 && all (gap <= 0.1 * step * max (abs (slope), abs (after)) + 1e-6))
+      [at, slope, done, step] = deal (next, after, done + step, 2 * step);
+    elseif (step > 1e-9)
+      step /= 2;
+    else
+      info = max (missed, 2 * (missed == 0));
+    endif
+  endwhile
+  if (info == 0)
+    here = one;
+    here(:,1) = at;
+    here(planned,1) = one(planned,1);
+    [one, res, info] = m.clo (t, here);
+  endif
+  if (info != 0)
+    place = sprintf (" %.6g", guess(planned) + way * min (1, done + step));
+    error ("%s: %s: the loop cannot follow the motion at t = %.9g s: it does not close at%s (%s)",
+           who, m.name, t, place, gsmbp__info (m, "clo", info));
+  endif
+endfunction
+
+## coordinates Q closed near a guess with the planned ones at TARGET, and their slopes
+## along WAY (their rates less those that they have while the planned ones rest)
+function [q, slope, info] = closed_at (m, t, guess, planned, target, way)
+  here = zeros (m.sizes.nu, m.order + 1);
+  here(:,1) = guess;
+  here(planned,1) = target;
+  [rest, ~, info] = m.clo (t, here);
+  slope = 0 * guess;
+  q = rest(:,1);
+  if (info == 0)
+    rest(:,2:end) = 0;
+    rest(planned,2) = way;
+    [moving, ~, info] = m.clo (t, rest);
+    rest(planned,2) = 0;
+    slope = moving(:,2) - m.clo (t, rest)(:,2);
+  endif
 endfunction
 
 ## the states of the actuators behind q and u: Newton on u' of the right-hand

@@ -5,7 +5,8 @@
 ## units), given by name and value or as the fields of the struct @var{values}.
 ##
 ## What depends on the parameters alone is computed anew and the handles of the
-## result use it; the argument keeps its own.  What the scene would refuse is an
+## result use it; the argument keeps its own.  A start that the scene states by
+## parameters, and filters and observers that start settled, follow in @code{m.initial}.  What the scene would refuse is an
 ## error here: a negative mass, an inertia that no body has, a value out of the
 ## range of a device.
 ## @seealso{gsmbp_build}
@@ -16,9 +17,21 @@ function m = gsmbp_set (m, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_set", m);
+  old = m;
   m.par = merged (m, varargin);
   gsmbp__check_values (m);
   m = gsmbp__handles (m);
+  if (! isequal (m.par, old.par))
+    m.initial = moved (old, m);
+  endif
+endfunction
+
+## the start that the scene states, where it was as stated
+function x = moved (old, m)
+  [before, after] = deal (gsmbp__initial (old), gsmbp__initial (m));
+  x = old.initial;
+  stated = abs (x - before) <= 1e-9 * (m.nominal + abs (before));
+  x(stated) = after(stated);
 endfunction
 
 function par = merged (m, pairs)

@@ -12,13 +12,15 @@
 ## the usual sizes of the states, @code{m.nominal}, make of it) is an error that names
 ## the rows; @code{gsmbp_assemble} closes a rough guess, with coordinates held if
 ## wanted.  Below, it is moved onto the constraints, in the same way whatever the
-## option "loops" is, and @code{stats.start} tells by how much.
+## option "loops" is, and @code{stats.start} tells by how much.  A state where a device
+## cannot be (a pressure beyond its supply's, a sensor beyond its range) is an error.
 ## In a position where the constraints lose rank a run starts with dp853 alone, and if
 ## the speeds lead out of it on one of the ways that it may go: else it is an error.
 ## @table @code
 ## @item "start"
 ## "check" (default), as above; "project": any start is moved onto the constraints by
-## the shortest way in the metric of the mass matrix, which need not be near
+## the shortest way in the metric of the mass matrix, which need not be near; devices
+## are taken as they are
 ## @end table
 ##
 ## Integration:
@@ -189,7 +191,9 @@
 ## how many events and instants of sampled devices there were, in scenes that have such
 ## @end table
 ## With sampled devices also @code{y} (the outputs of the scene, a row for each
-## time), @code{memory} (theirs at the end; what is on its way to an output then
+## time), @code{unique} (which of them the motion determines: not all reactions are in
+## scenes with more constraints than their motion needs; @code{m.unique} tells it of
+## every scene), @code{memory} (theirs at the end; what is on its way to an output then
 ## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
 ## @code{xk} (memory), @code{v} (inputs), both after it.
 ## With events also @code{events}, a struct with a row for each (10000 at most):
@@ -242,6 +246,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.v = v(:,1:reached)';
   if (isstruct (sampled))
     result.y = sampled.y';
+    result.unique = m.unique.outputs;
     result.memory = sampled.memory;
     record = sampled.record';
     result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", record(:,2+d.nxk:end));

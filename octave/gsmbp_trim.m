@@ -20,7 +20,8 @@
 ## hides the rest.
 ##
 ## @var{r} has the fields @code{x}, @code{v}, @code{ud} (accelerations that are
-## left, zero to rounding), @code{lambda} (multipliers), @code{phi},
+## left, zero to rounding), @code{lambda} (multipliers), @code{unique} (which
+## of them the equilibrium determines), @code{phi},
 ## @code{residual} (the largest of rates and constraints, of these sizes),
 ## @code{way} ("newton", "levenberg" or "transient": what was needed) and
 ## @code{indifferent}: names of the states and free inputs that can be moved
@@ -60,6 +61,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   [p, z] = nearest (p, z, free);
   check_time (p, z);
   r = result (p, z, way);
+  r.unique = m.unique.multipliers';
   if (strcmp (o.margins, "check"))
     check_margins (p, r);
   endif

@@ -473,7 +473,7 @@ static void
 finish (octave_value_list& out, int info, int nargout, const char *call)
 {
   int place = out.length ();
-  if (info == 0 && S.nlam > 0 && (! std::strcmp (call, "acc") || ! std::strcmp (call, "acd")))
+  if (info == 0 && S.nlam > 0 && std::strstr (" rhs acc acd ", (" " + std::string (call) + " ").c_str ()))
     the_rank_full = true;
   if (nargout <= place && info != 0)
     {

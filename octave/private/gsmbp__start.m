@@ -3,6 +3,7 @@
 ## the constraints, with Euler parameters of length one.  WANTED: "check", an error
 ## of WHO that names rows and residuals where one is above 1e-6 (scaled by m.nominal);
 ## "project", moved onto the constraints (subroutine PRJ) from wherever it is.
+## Where devices cannot be (gsmbp__check_start) is an error of "check", too.
 ## START: a struct, see the help of gsmbp_simulate.
 
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
@@ -12,6 +13,9 @@ function [x, start] = gsmbp__start (who, m, t, x, wanted)
                      m.states);
   no_lost_angle (who, argument, m, x);
   start = struct ("residual", 0, "row", "", "moved", 0, "state", "");
+  if (strcmp (wanted, "check"))
+    gsmbp__check_start (who, m, x, @impossible);
+  endif
   if (d.nlam == 0 && d.nq == d.nu)
     return;
   endif
@@ -28,6 +32,10 @@ function [x, start] = gsmbp__start (who, m, t, x, wanted)
   if (start.residual > 100 * eps || ! (check || seen))
     [x, start] = moved (who, m, t, x, check, start);
   endif
+endfunction
+
+function impossible (text)
+  error ("gsmbp:start", "%s; \"start\", \"project\" takes devices as they are", text);
 endfunction
 
 function refuse (who, m, t, found)

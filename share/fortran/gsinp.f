@@ -53,7 +53,9 @@ C     W       (input/output) DOUBLE PRECISION workspace, dimension
 C             (2*NU*(R+1) + 5*NX + NV*NX + 20).  The first NU*(R+1)
 C             entries hold QJ(NU,0:R): on entry the guess of the
 C             dependent coordinates for CLO (any, where IP(3) = 0), on
-C             exit the whole motion.
+C             exit the whole motion. Where IP(3) = 1 the next one is the
+C             time of QJ and the one after it 1, or 0 if QJ is a guess:
+C             the motion is followed from there to T (GSFOL).
 C     INFO    (output) INTEGER, 0 or what CMD, CLO, VIN returned.
 C
       IMPLICIT NONE
@@ -80,16 +82,13 @@ C     -- v0
      $               0, V, MAX( 1, NV ), IER )
          IF ( IER.LT.0 ) INFO = IER
       ELSE IF ( IP(1).EQ.2 ) THEN
-         CALL GSPLN( NA, IP(10), IP(11), RP(IP(12)), RP(IP(13)), T,
-     $               SIDE, R, W(IF1), MAX( 1, NA ), IER )
-         IF ( IER.LT.0 ) INFO = IER
-         DO 30 J = 0, R
-            DO 20 I = 1, NA
-               W(IP(30+I)+NU*J) = W(IF1+I-1+NA*J)
-   20       CONTINUE
-   30    CONTINUE
-         IF ( INFO.EQ.0 .AND. IP(3).EQ.1 )
-     $      CALL CLO( T, W, CST, W(IXI), INFO )
+         IF ( IP(3).EQ.1 ) THEN
+            CALL GSFOL( CLO, T, SIDE, NU, R, NA, IP(31), IP(10), IP(11),
+     $                  RP(IP(12)), RP(IP(13)), CST, W, W(IF1), INFO )
+         ELSE
+            CALL GSPPL( T, SIDE, NU, R, NA, IP(31), IP(10), IP(11),
+     $                  RP(IP(12)), RP(IP(13)), W(IF1), W, INFO )
+         END IF
          DO 40 I = 1, NX
             W(IXI+I-1) = 0.0D0
             IF ( IP(22).GT.0 .AND. IP(22)+I-1.LE.NX )

@@ -253,6 +253,7 @@ C     -- workspace: inputs, states, constraints, stages
          RSTAT(I) = 0.0D0
    40 CONTINUE
       RSTAT(14) = 1.0D0
+      W(NU*( IP(4) + 1 )+2) = 0.0D0
       CALL GSPST( NQ, NU, NLAM, IOPT, W(IC) )
       JOB = W(IC)
       NEAR = 0.05D0

@@ -25,8 +25,43 @@ function test_mobility ()
   info = m.json.subroutines(strcmp ({m.json.subroutines.name}, "REDUNDANT_FOURBAR_RHS")).info;
   gsmbp_check ("INFO of RHS in sentences", any ([info.code] == 1) && ! isempty (strfind (info([info.code] == 2).meaning, "constraints are dependent")));
   gsmbp_check ("what all leaves out", ! isempty (strfind (m.json.left_out(strcmp ({m.json.left_out.request}, "command")).reason, "no actuators")));
+  marks (gsmbp_fixture ("react_change"));
+  once (gsmbp_fixture ("redundant_bricard"));
 end
 
 function x = closed (m)
   x = gsmbp_assemble (m, m.json.initial);
+end
+
+## what is said beside results, in a scene that starts in a change position
+function marks (m)
+  for one = gsmbp_mobility (m, gsmbp_assemble (m, [0.7; -0.7; 0.7], "hold", "q1")).reactions
+    gsmbp_check ([one.joint " from a change position: force in the plane, moment about the axis"], ...
+                 isequal (one.unique, {"x", "y"}) || isequal (one.unique, {"x", "y", "mz"}));
+  end
+  want = cellfun (@isempty, regexp (m.outputs(:)', '\.(z|mx|my)$|^sum_z$'));
+  gsmbp_check ("m.unique.outputs: expressions in reactions, too", isequal (m.unique.outputs, want));
+  r = gsmbp_inverse (m, gsmbp_plan ("quintic", [0.7, 1.2], [0, 1]), [0, 1], ...
+                     "guess", [0.7; -0.7; 0.7]);
+  gsmbp_check ("gsmbp_inverse from a guess in the change position goes on", ...
+               isfinite (gsmbp_inverse (m, gsmbp_plan ("quintic", [0.7, 1.2], [0, 1]), 0).q));
+  gsmbp_check ("gsmbp_inverse: unique beside lambda", isequal (r.unique, m.unique.multipliers));
+  r = gsmbp_trim (m, [-pi/2; pi/2; -pi/2; 0; 0; 0]);
+  gsmbp_check ("gsmbp_trim: unique beside lambda", isequal (size (r.unique), size (r.lambda)));
+end
+
+## lost rank of a redundant scene is said once a model, whatever else is called
+function once (m)
+  x = gsmbp_assemble (m, m.initial);
+  said = 0;
+  warning ("on", "gsmbp:rank", "local");
+  for k = 1:4
+    lastwarn ("", "");
+    m.kin (0, x(1:m.sizes.nq), x(m.sizes.nq+1:end));
+    m.con (0, x(1:m.sizes.nq), x(m.sizes.nq+1:end));
+    m.acc (0, x, zeros (m.sizes.nv, 1));
+    [~, id] = lastwarn ();
+    said += strcmp (id, "gsmbp:rank");
+  end
+  gsmbp_check (sprintf ("m.acc of %s: the warning came %d times of four", m.name, said), said <= 1);
 end

@@ -1,0 +1,18 @@
+## x = gsmbp__initial (m)
+## The start that the scene states for the parameters m.par: coordinates (a guess where
+## there are loops), speeds zero, states of devices, of which those that the JSON calls
+## settled (filters of sensors, observers) are where their rates vanish.
+
+function x = gsmbp__initial (m)
+  x = zeros (m.sizes.nx, 1);
+  if (isfield (m.json, "initial") && numel (m.json.initial) == m.sizes.nx)
+    x = double (m.json.initial(:));
+  endif
+  for row = gsmbp__rows (m.json, "starts")
+    value = gsmbp__value (m, row{1}, []);
+    if (isreal (value) && isfinite (value))
+      x(row{1}.state) = value;
+    endif
+  endfor
+  x = gsmbp__settle (m, 0, x);
+endfunction

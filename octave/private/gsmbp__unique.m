@@ -1,0 +1,23 @@
+## unique = gsmbp__unique (m)
+## Which multipliers and outputs of the model M the motion determines, as the JSON says
+## (in general positions): a struct of two logical rows.  What is not unique is one of
+## many values that rigid bodies allow.
+
+function unique = gsmbp__unique (m)
+  unique = struct ("multipliers", true (1, m.sizes.nlam), "outputs", true (1, m.sizes.ny));
+  rows = gsmbp__rows (m.json, "multipliers");
+  if (numel (rows) == m.sizes.nlam && m.sizes.nlam > 0 && isfield (rows{1}, "unique"))
+    unique.multipliers = cellfun (@(row) logical (row.unique), rows);
+  endif
+  bad = cell (1, 0);
+  if (isfield (m.json, "indeterminate_outputs") && ! isempty (m.json.indeterminate_outputs))
+    bad = cellstr (m.json.indeterminate_outputs)(:)';
+  endif
+  for row = gsmbp__rows (m.json, "reactions")
+    if (! isempty (row{1}.not_unique))
+      parts = cellstr (row{1}.not_unique)(:)';
+      bad = [bad, cellfun(@(part) [row{1}.output "." part], parts, "UniformOutput", false)];
+    endif
+  endfor
+  unique.outputs(ismember (m.outputs(:)', bad)) = false;
+endfunction
