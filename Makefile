@@ -63,14 +63,13 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 test: packages-test
 	@tests/run
 
+# SEED and COUNT: other scenes or mutants, and how many
+SEED ?= 1
 test-random: packages-test compiled
-	@tests/random/run
+	@tests/random/run $(or $(COUNT),2000) $(SEED)
 
-# SEED and COUNT: other mutants
-SEED  ?= 1
-COUNT ?= 300
 test-malformed: packages-test compiled
-	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(COUNT); } | tee /dev/stderr | \
+	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | tee /dev/stderr | \
 	  awk '/^ok / { n++ } /^not ok / { bad++ } END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
 
 bench: packages compiled

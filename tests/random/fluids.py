@@ -73,7 +73,7 @@ def fluid(kind, r, name, stand, source, variants, numbers, inputs, states, law, 
 def cylinder_numbers(r):
     return {
         **VALVE, **SPOOL, **LEAKS, 'a1': round(r.uniform(.6, 1.2), 2), 'a2': round(
-            r.uniform(.3, .6), 2), 'vd1': 3., 'vd2': 4., 'l0': -40., 'h': 80., 'beta': 50., 'bv': .4
+            r.uniform(.3, .6), 2), 'vd1': 40., 'vd2': 50., 'l0': .1, 'h': .7, 'beta': 50., 'bv': .4
     }
 
 
@@ -224,8 +224,7 @@ def chamber(k, form, valve, p, t, V, swept):
 
 def gas_cylinder_numbers(r):
     return {
-        **GAS, 'a1': round(r.uniform(.6, 1.2), 2), 'a2': round(r.uniform(.3, .6), 2), 'vd1': 3., 'vd2': 4., 'l0':
-        -40., 'h': 80., 'ha': .3, 'bv': .4, 'ain': 1.35, 'aout': 1.1, 'al': 1.2
+        **GAS, 'a1': round(r.uniform(.6, 1.2), 2), 'a2': round(r.uniform(.3, .6), 2), 'vd1': 40., 'vd2': 50., 'l0': .1, 'h': .7, 'ha': .3, 'bv': .4, 'ain': 1.35, 'aout': 1.1, 'al': 1.2
     }
 
 
