@@ -24,7 +24,7 @@ from session import derive, dies_with_parent
 from ways import Way, every_way
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-CHUNK = 40
+CHUNK = 20
 STATES = 3
 
 
@@ -75,7 +75,8 @@ class Call:
         scene, m, r = self.scene, self.scene.m, random.Random(self.scene.seed + 5)
         machines = [e.machine for e in m.elements if hasattr(e, 'machine')]
         x = {n: r.uniform(*scene.ranges.get(n, (-1, 1))) for k in machines for n in k.states}
-        v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open}
+        held = [n for k in machines for n in getattr(k, 'held', [])]
+        v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open + held}
         s = State(.3,
                   scene.somewhere().q, np.array([r.gauss(0, 1) for _ in range(m.nu)]),
                   {j.name: (np.zeros(j.nq()), np.zeros(j.nu()))

@@ -109,7 +109,7 @@ class Scene:
         r, m = self.r, self.m
         text, m.gravity = self.vector(-9.9, 9.9, .3)
         self.words.append('gravity = ' + text)
-        many = [1, 1, 2, 2, 3, 3, 4, 5] if self.kind == 'tree' else [2, 2, 2, 3, 3, 4]
+        many = [1, 1, 2, 2, 2, 3, 3, 4, 5] if self.kind == 'tree' else [2, 2, 2, 2, 3, 3, 4]
         n = r.choice([k for k in many if k < 3] if self.few else many)
         light = r.randint(1, n - 1) if n > 2 and r.random() < .1 else 0
         for b in range(1, n + 1):
@@ -345,9 +345,12 @@ class Scene:
         if len(self.ordinary()) < 3 - (self.kind == 'constrained'):
             return
         for _ in range(10):
-            (x, _, _), (y, _, _) = r.sample(self.ordinary(), 2)
+            (x, k, _), (y, l, _) = r.sample(self.ordinary(), 2)
+            if (k == 's') != (l == 's'):  # lengths and angles do not add up
+                continue
             a, b, d = r.choice([1., -2., .5]), r.choice([1., .7, -1.3]), r.choice([0., .4])
             if r.random() < .5:
+                d *= k != 's'
                 q = self.coordinate(x), self.coordinate(y)
                 one, word = Holonomic(x, y, a, b, d, a*q[0] + b*q[1] + d*q[0]*q[1]), 'holonomic'
             else:

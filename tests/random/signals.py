@@ -325,7 +325,7 @@ def computer(r, name, stand, source):
         return res
 
     m = Machine(words, [], at, given)
-    m.sampled = c, keys, law
+    m.sampled, m.held = (c, keys, law), [out]
     return m
 
 

@@ -12,8 +12,8 @@ FORWARD = {'cheapest': 22, 'mass': 13, 'articulated': 15}
 NUMBERS = {'literal': 37, 'compiled': 13}
 KINDS = {'default': 13, 'all': 8, 'none': 8, 'no closed form': 8, 'one off': 13}
 # asked for beside what is always there
-REQUESTS = {'rhs': 25, 'linear': 13, 'jacobian': 13, 'output': 15, 'energy': 15, 'batch': 9}
-LITERAL = 30
+REQUESTS = {'rhs': 25, 'linear': 10, 'jacobian': 10, 'output': 13, 'energy': 13, 'batch': 8}
+LITERAL = 24
 
 
 def card(deck, seed, word):
@@ -45,9 +45,10 @@ class Way:
         }[self.kind]
         self.off = off if self.kind == 'one off' else ''
         self.requests = [w for w, n in REQUESTS.items() if drawn(n, seed, w)]
-        self.literal = self.numbers == 'literal' and drawn(LITERAL, seed, 'equations')
         # without these the code is many times as long: scenes of few links say as much
         self.long = any(p not in self.passes for p in ('share', 'dead', 'zeros'))
+        self.literal = (self.numbers == 'literal' and not self.long
+                        and drawn(LITERAL, seed, 'equations'))
 
     def names(self):
         off = ['without ' + self.off] if self.off else []
