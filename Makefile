@@ -19,7 +19,7 @@ DESTDIR :=
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
-	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10)'
+	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10); SEED=1 COUNT=2000: others'
 	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
