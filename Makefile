@@ -19,7 +19,7 @@ DESTDIR :=
 help:
 	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
 	@echo 'make test                  all tests; the last line is "N passed, N failed"'
-	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10)'
+	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10); SEED=1 COUNT=2000: others'
 	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
 	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
 	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
@@ -65,14 +65,13 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 test: packages-test
 	@tests/run
 
+# SEED and COUNT: other scenes or mutants, and how many
+SEED ?= 1
 test-random: packages-test compiled
-	@tests/random/run
+	@tests/random/run $(or $(COUNT),2000) $(SEED)
 
-# SEED and COUNT: other mutants
-SEED  ?= 1
-COUNT ?= 300
 test-malformed: packages-test compiled
-	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(COUNT); } | tee /dev/stderr | \
+	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | tee /dev/stderr | \
 	  awk '/^ok / { n++ } /^not ok / { bad++ } END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
 
 bench: packages compiled

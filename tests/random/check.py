@@ -18,13 +18,13 @@ import traceback
 import numpy as np
 from compare import Comparison, Mixed, LIMITS, error
 from emitted import Code, compiled, run_time
-from mechanics import State
+from mechanics import State, closing_rows
 from scenes import Scene
 from session import derive, dies_with_parent
-from ways import Way
+from ways import Way, every_way
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-CHUNK = 16
+CHUNK = 20
 STATES = 3
 
 
@@ -41,18 +41,28 @@ REFUSALS = {
 }
 
 
+def holds(m, start):
+    """whether loops and conditions take any freedom from the tree"""
+    _, G, _ = closing_rows(m, start, m.bodies(start))
+    sv, V = np.linalg.svd(G)[1:]
+    free = V[int(np.sum(sv > 1e-9*sv[0])):, :m.nu]
+    return m.nu > 0 and np.linalg.matrix_rank(free, 1e-9) < m.nu
+
+
 class Call:
     """what a session is asked for one scene"""
 
     def __init__(self, seed):
         self.way = Way(seed)
-        literal = self.way.literal and self.way.numbers == 'literal'
-        self.scene = Scene(seed, self.way.numbers == 'compiled', literal)
+        literal = self.way.literal
+        self.scene = Scene(seed, self.way.numbers == 'compiled', literal, self.way.long)
         m, words = self.scene.m, ['kinematics', 'inverse', 'mass', 'bias', 'forward'
                                   ] + self.way.requests
         if m.cuts or m.conditions:
-            words += ['constraints', 'rhs']
-        if 'output(' not in self.scene.text and 'output' in words:
+            words += ['constraints', 'rhs'] if holds(m, self.scene.start) else ['rhs']
+        if any(hasattr(getattr(e, 'machine', None), 'sampled') for e in m.elements):
+            words += ['control', 'output']
+        elif 'output(' not in self.scene.text and 'output' in words:
             words.remove('output')
         self.requests = sorted(set(words))
         self.points, self.literal = '[]', None
@@ -64,8 +74,9 @@ class Call:
     def literal_point(self):
         scene, m, r = self.scene, self.scene.m, random.Random(self.scene.seed + 5)
         machines = [e.machine for e in m.elements if hasattr(e, 'machine')]
-        x = {n: r.uniform(-1, 1) for k in machines for n in k.states}
-        v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open}
+        x = {n: r.uniform(*scene.ranges.get(n, (-1, 1))) for k in machines for n in k.states}
+        held = [n for k in machines for n in getattr(k, 'held', [])]
+        v = {n: r.uniform(-1, 1) for n in scene.inputs + scene.open + held}
         s = State(.3,
                   scene.somewhere().q, np.array([r.gauss(0, 1) for _ in range(m.nu)]),
                   {j.name: (np.zeros(j.nq()), np.zeros(j.nu()))
@@ -164,6 +175,11 @@ def result(call, folder, library, verdict, seconds):
         way += ['forward: not as asked']
     r.update({'name': call.scene.name, 'seconds': seconds, 'way': way})
     r['tags'] = sorted(call.scene.tags)
+    if call.way.literal and not call.literal:
+        r['literal'] = 'left out'
+    if r['verdict'] == 'right':
+        for end in ('.f', '.so'):
+            os.remove(call.path(folder) + end)
     return r
 
 
@@ -174,12 +190,28 @@ def said(call, folder):
         return ''
 
 
+def failed(r):
+    return r['verdict'] not in ('right', 'refused rightly')
+
+
+def table(results):
+    """what became of the scenes of each way"""
+    print('%-26s %7s %8s %7s   %s' % ('', 'judged', 'refused', 'failed', 'longest derivation'))
+    for way in sorted({w for r in results for w in r['way']}):
+        own = [r for r in results if way in r['way']]
+        slow = max(own, key=lambda r: r['seconds'])
+        count = collections.Counter(r['verdict'] for r in own)
+        right, refused = count['right'], count['refused rightly']
+        print('%-26s %7d %8d %7d   %.1f s (%s)' % (way, right, refused, len(own) - right - refused,
+                                                   slow['seconds'], slow['name']))
+
+
 def report(results):
     """prints the counts; returns those that are wrong"""
-    bad = [r for r in results if r['verdict'] not in ('right', 'refused rightly')]
-    for title, key in (('ways', 'way'), ('elements', 'tags')):
-        count = collections.Counter(w for r in results if r['verdict'] == 'right' for w in r[key])
-        print('%s: %s' % (title, ', '.join('%s %d' % x for x in sorted(count.items()))))
+    bad = [r for r in results if failed(r)]
+    right = [r for r in results if r['verdict'] == 'right']
+    count = collections.Counter(w for r in right for w in r['tags'])
+    print('elements: ' + ', '.join('%s %d' % x for x in sorted(count.items())))
     routines, worst = collections.Counter(), {}
     for r in results:
         for k, e in r.get('worst', {}).items():
@@ -191,23 +223,35 @@ def report(results):
               (k, routines[k], worst[k][0], worst[k][1], LIMITS[k]))
     notes = collections.Counter(n.split('(')[0] for r in results for n in r.get('notes', []))
     print('notes: ' + ', '.join('%s %d' % x for x in notes.items()))
-    slow = sorted(results, key=lambda r: -r['seconds'])[:5]
-    print('longest derivations: ' + ', '.join('%s %.1f s' % (r['name'], r['seconds'])
-                                              for r in slow))
+    table(results)
     verdicts = collections.Counter(r['verdict'] for r in results)
-    print('%d scenes: %s' % (len(results), ', '.join('%s %d' % x for x in verdicts.items())))
-    enough(results, routines)
-    say(not bad, '%d scenes of chance are right' % len(results))
-    return bad
+    left = sum(r.get('literal', '') == 'left out' for r in results)
+    print('%d scenes: %s; literal equations left out of %d that have Euler parameters or speeds '
+          'of their own' % (len(results), ', '.join('%s %d' % x for x in verdicts.items()), left))
+    return bad + enough(right, routines, count)
 
 
-def enough(results, routines):
-    """in a long run every way and every routine must have had its turn"""
-    if len(results) < 2000:
-        return
-    ways = collections.Counter(w for r in results for w in r['way'] if not w.startswith('without '))
-    few = [k for k in list(ways) if ways[k] < 200] + [k for k in LIMITS if routines[k] < 200]
-    say(not few, 'every way and every routine at least 200 times ' + ', '.join(few))
+def entries():
+    """the library's, by the names of their files"""
+    groups = ('actuators', 'amplifiers', 'controllers', 'passive', 'sensors', 'transmissions')
+    return sorted(f[:-4] for g in groups for f in os.listdir(os.path.join(ROOT, 'share', g))
+                  if f.endswith('.mac'))
+
+
+def enough(right, routines, elements):
+    """in a long run every way has a tenth of what was judged, every entry of the library and
+    every routine its turn; returns what was too seldom"""
+    if len(right) < 1500:
+        return []
+    ways = collections.Counter(w for r in right for w in r['way'])
+    wanted = {w: len(right)/10 for w in every_way()}
+    few = ['%s %d' % (w, ways[w]) for w, n in wanted.items() if ways[w] < n]
+    few += ['%s %d' % (k, routines[k]) for k in LIMITS if routines[k] < (10 if k == 'CTL' else 100)]
+    few += ['%s %d' % (e, elements['device ' + e]) for e in entries()
+            if elements['device ' + e] < 10]
+    say(not few, 'every way, every routine and every entry of the library often enough ' +
+        ', '.join(few))
+    return few
 
 
 def say(good, what):
@@ -219,37 +263,48 @@ def main():
     jobs = int(sys.argv[4]) if len(sys.argv) > 4 else 2
     os.makedirs(folder, exist_ok=True)
     run_time(ROOT, folder)
-    waiting = [range(s, min(s + CHUNK, first + count)) for s in range(first, first + count, CHUNK)]
-    running, results = [], []
+    size, end = min(CHUNK, -(-count//jobs)), first + count
+    waiting = [range(s, min(s + size, end)) for s in range(first, end, size)]
+    running, results, began = [], [], time.time()
     while waiting or running:
         while waiting and len(running) < jobs:
-            seeds = waiting.pop(0)
-            command = [sys.executable, __file__, '--chunk', folder, str(seeds[0]), str(len(seeds))]
-            env = {**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}
-            running.append((subprocess.Popen(command, env=env, preexec_fn=dies_with_parent), seeds))
+            running.append(started(folder, waiting.pop(0)))
         for p, seeds in list(running):
             if p.poll() is not None:
                 running.remove((p, seeds))
                 results += collected(folder, seeds)
+                progress(results, count, began)
         time.sleep(.2)
-    sys.exit(1 if report(results) else 0)
+    bad = report(results)
+    say(not bad, '%d scenes of chance are right' % len(results))
+    sys.exit(1 if bad else 0)
+
+
+def started(folder, seeds):
+    command = [sys.executable, __file__, '--chunk', folder, str(seeds[0]), str(len(seeds))]
+    env = {**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}
+    return subprocess.Popen(command, env=env, preexec_fn=dies_with_parent), seeds
+
+
+def progress(results, count, began):
+    used, n = os.times(), len(results)
+    bad = sum(failed(r) for r in results)
+    print('%d of %d scenes, %d failed; %.1f CPU seconds a scene, %.0f min' %
+          (n, count, bad, (used.children_user + used.children_system)/n, (time.time()-began)/60))
+    sys.stdout.flush()
 
 
 def collected(folder, seeds):
+    """results of a chunk; those that its process did not reach are lost"""
     path = os.path.join(folder, 'chunk_%d.out' % seeds[0])
     found = [json.loads(line) for line in open(path)] if os.path.exists(path) else []
+    for seed in list(seeds)[len(found):]:
+        found.append({'verdict': 'lost', 'name': 'seed %d' % seed, 'said': '', 'way': [],
+                      'tags': [], 'seconds': 0.})
     for r in found:
-        if r['verdict'] != 'right':
+        if failed(r):
             print('%s %s: %s [%s] {%s}' %
                   (r['verdict'], r['name'], r['said'], ', '.join(r['way']), ', '.join(r['tags'])))
-    if len(found) < len(seeds):
-        lost = {
-            'verdict': 'lost', 'name': 'chunk %d' % seeds[0], 'said': '', 'way': [], 'tags': [],
-            'seconds': 0.
-        }
-        found += [lost]*(len(seeds) - len(found))
-        print('lost: %d scenes of the chunk %d' % (len(seeds) - len(found), seeds[0]))
-    sys.stdout.flush()
     return found
 
 

@@ -9,9 +9,10 @@ from mechanics import State, closed, displaced, maximal, moving
 LIMITS = {
     'KIN': 1e-10, 'MAS': 1e-9, 'INV': 1e-9, 'BIA': 1e-9, 'FWD': 1e-9, 'CON phi': 1e-9, 'CON rates':
     1e-9, 'CON space': 1e-7, 'CON gamma': 1e-7, 'ACC': 1e-7, 'ACC balance': 1e-8, 'RHS': 1e-7,
-    'OUT': 1e-7, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6, 'JAC outputs': 1e-6, 'literal M': 1e-9,
-    'literal N+G-P': 1e-9, 'INV_V': 1e-11, 'MAS_V': 1e-11, 'BIA_V': 1e-11, 'FWD_V': 1e-10, 'RHS_V':
-    1e-10
+    'OUT': 1e-7, 'CTL': 1e-12, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6, 'JAC outputs': 1e-6, 'literal M': 1e-9,
+    'literal N+G-P': 1e-9, 'INV_V': 1e-9, 'MAS_V': 1e-9, 'BIA_V': 1e-9, 'FWD_V': 1e-9, 'RHS_V':
+    1e-7, 'INV_V beside single': 1e-11, 'MAS_V beside single': 1e-11, 'BIA_V beside single':
+    1e-11, 'FWD_V beside single': 1e-10, 'RHS_V beside single': 1e-10
 }
 STEP = 1e-3  # of the differences of fourth order
 
@@ -115,7 +116,8 @@ class Comparison:
         """closed, with speeds that keep it so; and what is known of its freedom. None where none
         is found"""
         m, r = self.m, self.r
-        x, v = ({n: r.uniform(-1, 1) for n in names} for names in (self.x_names, self.v_names))
+        x = {n: r.uniform(*self.scene.ranges.get(n, (-1, 1))) for n in self.x_names}
+        v = {n: r.uniform(-1, 1) for n in self.v_names}
         start = self.scene.start
         s = State(0., start.q, np.zeros(m.nu), start.own, x, v)
         if not m.cuts and not m.conditions:
@@ -154,8 +156,7 @@ class Comparison:
             if s is None or not f.met or f.gap < 1e-4:
                 self.notes.append('no state' if s is None else 'near a singular position')
                 continue
-            self.one(s, f)
-            done.append(s)
+            done.append((s, self.one(s, f)))
         if done and 'batch' in self.requests:
             self.batches(done)
         return len(done)
@@ -167,6 +168,7 @@ class Comparison:
         q, w, v = s.q[self.q_order].copy(), mixed.speeds(s.u), self.inputs(s)
         B_own = mixed.efforts(B - M @ mixed.back @ mixed.rest)
         M_own = mixed.back.T @ M @ mixed.back
+        self.effort_size, self.loose = self.scale(s, mixed), 1.
         self.kinematics(s, q, w)
         self.tree(s, mixed, q, w, v, M_own, B_own)
         sv = np.linalg.svd(M_own, compute_uv=False) if m.nu else np.ones(1)
@@ -174,12 +176,13 @@ class Comparison:
         if self.condition < 1e10 and m.nu:
             self.forward(s, q, w, v, M_own, B_own)
         elif not (m.cuts or m.conditions):
-            return
-        self.whole(s, f, mixed, q, w, v, M_own, B_own, mixed.efforts(drive), loads)
+            return M_own, B_own, None
+        xd = self.whole(s, f, mixed, q, w, v, M_own, B_own, mixed.efforts(drive), loads)
         if 'linear' in self.requests:
             self.linear(s)
         if 'jacobian' in self.requests and f.rank == f.rows:
             self.jacobian(s)
+        return M_own, B_own, xd
 
     def inputs(self, s):
         return np.array([s.v[n] for n in self.v_names] or [0.])
@@ -227,15 +230,15 @@ class Comparison:
         m, code = self.m, self.code
         sol = maximal(m, s, np.zeros(m.nu))
         wd, x = mixed.rates(sol.ud), self.x(s, q, w)
-        loose = max(1., 1e-4/f.gap, 1e-5/max(sol.gap, 1e-12))
+        loose = self.loose = max(1., 1e-4/f.gap, 1e-5/max(sol.gap, 1e-12))
         if sol.residual > 1e-8:
             self.notes.append('the independent equations have no solution (%.0e)' % sol.residual)
-            return
+            return None
         if self.loops:
             H = self.constraints(s, f, mixed, q, w, wd, loose)
             if code.has('acc'):
                 self.accelerations(s, x, v, wd, M, B - drive, H, loose)
-        elif (m.cuts or m.conditions) and f.rank:
+        elif (m.cuts or m.conditions) and self.free_directions(s, mixed).shape[1] < m.nu:
             self.note('CON space', float('inf'))
         wanted = np.concatenate(
             [m.rates(s)[self.q_order], wd, [sol.loads.rates[n] for n in self.x_names]])
@@ -243,8 +246,11 @@ class Comparison:
             self.state_space('rhs', s, x, v, wanted, loose, f.rank < f.rows)
         if code.has('out'):
             self.outputs(s, x, v, sol, loose)
+        if code.has('ctl'):
+            self.samples(s, v)
         if code.has('ene'):
             self.energies(s, x, v, M, w, loads)
+        return wanted
 
     def constraints(self, s, f, mixed, q, w, wd, loose):
         m, code, nl = self.m, self.code, self.code.d['nlam']
@@ -297,8 +303,32 @@ class Comparison:
         code.call('out', s.t, x, v, code.cst, y, 99)
         self.note('OUT', self.output_error(y, self.wanted_outputs(s, sol), sol)/loose)
 
+    def samples(self, s, v):
+        """what sampled devices give, and what they keep, of any reading and memory"""
+        code, names = self.code, [o['name'] for o in self.code.js['outputs']]
+        y = np.array([self.r.uniform(-1, 1) for _ in names] or [0.])
+        keeps = [n for d in code.js['controllers'] for n in d['memory']]
+        kept = np.array([self.r.uniform(-1, 1) for _ in keeps] or [0.])
+        for i, n in enumerate(keeps):
+            if n.endswith('.count'):
+                kept[i] = self.r.choice([0., 1.])
+        held, wanted_held, wanted = v.copy(), v.copy(), kept.copy()
+        for e in self.m.elements:
+            if hasattr(getattr(e, 'machine', None), 'sampled'):
+                name, keys, law = e.machine.sampled
+                given = {k: y[names.index(name + '.' + k)] for k in keys}
+                memory = {n.split('.')[1]: a for n, a in zip(keeps, kept)
+                          if n.startswith(name + '.')}
+                out, new = law(given, memory)
+                for k, a in out.items():
+                    wanted_held[self.v_names.index(name + '_' + k)] = a
+                for k, a in new.items():
+                    wanted[keeps.index(name + '.' + k)] = a
+        code.call('ctl', np.zeros(1, dtype=np.int32), s.t, y, kept, code.cst, held)
+        self.note('CTL', max(error(held, wanted_held), error(kept, wanted)))
+
     def wanted_outputs(self, s, sol):
-        wanted = {}
+        wanted = dict(sol.loads.signals)
         if self.scene.reactions:
             for j in self.m.joints:
                 parts = zip(('x', 'y', 'z', 'mx', 'my', 'mz'), sol.reactions[j.name])
@@ -327,7 +357,9 @@ class Comparison:
             fall -= l['m']*m.gravity @ (b.p + b.R @ l['centre'])
         rotor = sum(k*p.w**2/2 for k, p in loads.added)
         wanted = [kinetic + rotor, fall, loads.stored - rotor, loads.power, loads.lost]
-        self.note('ENE', error(E, wanted, 1.))
+        # what a reduced variant loses is not told by its law: there the balance has a defect
+        known = 5 if loads.lost == loads.lost else 4
+        self.note('ENE', error(E[:known], wanted[:known], 1.))
 
     # ---------------------------------------------------------------------------------- derivatives
 
@@ -393,44 +425,52 @@ class Comparison:
 
     # -------------------------------------------------------------------------------------- batches
 
-    def batches(self, states):
-        """eleven states at once against one by one"""
+    def batches(self, done):
+        """eleven states at once: each against the independent values and against the single
+        routine; done: [(state, judged)]"""
         m, code, K, LD = self.m, self.code, 11, 12
-        some = [states[k % len(states)] for k in range(K)]
-        rows = {'T': [], 'Q': [], 'U': [], 'V': [], 'X': []}
-        for s in some:
+        some = [done[k % len(done)] for k in range(K)]
+        rows = {k: [] for k in ('T', 'Q', 'U', 'UD', 'V', 'X', 'TAU')}
+        wanted = {k: [] for k in ('inv', 'bia', 'mas', 'fwd', 'rhs')}
+        for s, (M, B, xd) in some:
             mixed = Mixed(m, s, self.u_order)
             q, w = s.q[self.q_order], mixed.speeds(s.u)
-            for k, a in zip('TQUVX', ([s.t], q, w, self.inputs(s), self.x(s, q, w))):
+            wd, tau = (np.array([self.r.gauss(0, 2) for _ in range(max(1, m.nu))]) for _ in '12')
+            for k, a in zip(rows, ([s.t], q, w, wd, self.inputs(s), self.x(s, q, w), tau)):
                 rows[k].append(a)
-        for k in ('UD', 'TAU'):
-            rows[k] = [[self.r.gauss(0, 2) for _ in range(max(1, m.nu))] for _ in some]
+            n = m.nu
+            accelerations = np.linalg.solve(M, tau[:n] - B) if self.condition < 1e10 else None
+            for k, a in zip(wanted, (M @ wd[:n] + B, B, M, accelerations, xd)):
+                wanted[k].append(a)
         many = {k: wide(a, LD) for k, a in rows.items()}
         n, nx = m.nu, len(rows['X'][0])
-        self.batch('inv', ['T', 'Q', 'U', 'UD', 'V'], (n, ), False, rows, many, K, LD)
-        self.batch('bia', ['T', 'Q', 'U', 'V'], (n, ), False, rows, many, K, LD)
-        self.batch('mas', ['T', 'Q'], (n, n), False, rows, many, K, LD)
+        self.batch('inv', ['T', 'Q', 'U', 'UD', 'V'], (n, ), rows, many, wanted, K, LD)
+        self.batch('bia', ['T', 'Q', 'U', 'V'], (n, ), rows, many, wanted, K, LD)
+        self.batch('mas', ['T', 'Q'], (n, n), rows, many, wanted, K, LD)
         if self.condition < 1e10:
-            self.batch('fwd', ['T', 'Q', 'U', 'V', 'TAU'], (n, ), True, rows, many, K, LD)
+            self.batch('fwd', ['T', 'Q', 'U', 'V', 'TAU'], (n, ), rows, many, wanted, K, LD)
             if code.has('rhs'):
-                self.batch('rhs', ['T', 'X', 'V'], (nx, ), True, rows, many, K, LD)
+                self.batch('rhs', ['T', 'X', 'V'], (nx, ), rows, many, wanted, K, LD)
 
-    def batch(self, word, given, shape, tells, rows, many, K, LD):
+    def batch(self, word, given, shape, rows, many, wanted, K, LD):
         import ctypes
-        code = self.code
+        code, tells = self.code, word in ('fwd', 'rhs')
         out, info = zeros(LD, *shape), np.zeros(LD, dtype=np.int32)
         k, ld = ctypes.c_int(K), ctypes.c_int(LD)
         arrays = [many[g].ctypes
                   for g in given] + [code.cst.ctypes, out.ctypes] + ([info.ctypes] if tells else [])
         code.function(word + '_v')(*arrays, ctypes.byref(k), ctypes.byref(ld))
-        worst = 0.
         for i in range(K):
             one = zeros(*shape)
             args = [float(rows['T'][i][0])] + [np.array(rows[g][i], float)
                                                for g in given[1:]] + [code.cst, one]
             code.call(word, *args, *([99] if tells else [shape[0]] if word == 'mas' else []))
-            worst = max(worst, error(out[i], one))
-        self.note(word.upper() + '_V', worst)
+            self.note(word.upper() + '_V beside single', error(out[i], one))
+            true = wanted[word][i]
+            if true is not None and self.m.nu:
+                size = 1. if word == 'rhs' else self.effort_size if word in ('inv', 'bia') else 1e-9
+                loose = {'fwd': max(1, self.condition*1e-4), 'rhs': self.loose}.get(word, 1)
+                self.note(word.upper() + '_V', error(out[i], true, size)/loose)
 
 
 def wide(rows, ld):

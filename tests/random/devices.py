@@ -18,8 +18,18 @@ class Result:
 
 class Machine:
 
-    def __init__(self, words, states, law, given):
+    def __init__(self, words, states, law, given, ranges=None):
         self.words, self.states, self.at, self.given = words, states, law, given
+        self.ranges = ranges or {}  # of states that cannot be anywhere in -1 .. 1
+
+
+def given_by(r, name, source, keys):
+    """words and formulas of several inputs, and what reads their values"""
+    words, given = '', {}
+    for key in keys:
+        word, own = source(r, key, name)
+        words, given = words + word, {**given, **own}
+    return words, given, lambda inputs: [inputs[name + '_' + key] for key in keys]
 
 
 def motor(name, k, v, rates):
@@ -80,28 +90,38 @@ def reader(given, name, word):
     return lambda inputs: inputs[key]
 
 
+GEARS = {
+    'pinion_gear': {}, 'lossy_gear': {'eta': .8, 'Tc': .2, 'w0': 1.5}, 'harmonic_drive':
+    {'K': 90., 'kappa': 1.5, 'c': 3., 'ke': .02, 'eta': .8, 'Tc': .2, 'w0': 1.5}, 'backlash':
+    {'b': .2, 'K': 60., 'vd': 1.5, 'eps': .3}
+}
+# variants, with what each leaves out of its entry's numbers
+LESS = {
+    'pinion_gear': {'full': [], 'massless': ['J']}, 'lossy_gear': {'full': [], 'ideal': ['eta']},
+    'harmonic_drive': {'full': [], 'elastic': ['c', 'ke'], 'rigid': []}, 'backlash':
+    {'full': [], 'tight': []}
+}
+
+
 def geared_motor(r, name, stand, source):
-    """a motor on the shaft of a gear: rigid, with loss in the mesh, or a harmonic drive"""
-    kind = r.choice(['pinion_gear', 'lossy_gear', 'harmonic_drive', 'backlash'])
+    """a motor on the shaft of a gear: rigid, with loss in the mesh, compliant, or with play"""
+    kind = r.choice(list(GEARS))
     g, k, n = name + 'g', motor_numbers(r), r.choice([2, 3, 5.5])
-    J, B = round(r.uniform(.01, .1), 3), round(r.uniform(.01, .1), 3)
+    p = {'n': n, 'J': round(r.uniform(.01, .1), 3), 'B': round(r.uniform(.01, .1), 3), **GEARS[kind]}
+    variant = r.choice(['full', r.choice(list(LESS[kind]))])
     word, given = source(r, 'v', name)
-    more = {
-        'pinion_gear': {}, 'lossy_gear': {'eta': .8, 'Tc': .2, 'w0': 1.5}, 'harmonic_drive':
-        {'K': 90., 'kappa': 1.5, 'c': 3., 'ke': .02, 'eta': .8, 'Tc': .2, 'w0':
-         1.5}, 'backlash': {'b': .2, 'K': 60., 'vd': 1.5, 'eps': .3}
-    }[kind]
     texts = [
-        '%s(%s, %s%s)' % (kind, g, stand, options({'n': n, 'J': J, 'B': B, **more})),
+        '%s(%s, %s%s, variant = %s)' % (kind, g, stand, options(p), variant),
         'dc_motor(%s, shaft = %s%s%s)' % (name, g, options(k), word)
     ]
-    read = reader(given, name, 'v')
-    law = {
-        'pinion_gear': rigid, 'lossy_gear': rigid, 'harmonic_drive': harmonic, 'backlash': backlash
-    }[kind]
-    at = law(name, g, {**more, 'n': n, 'J': J, 'B': B}, k, read)
-    own = [g + '_theta', g + '_omega'] if kind in ('harmonic_drive', 'backlash') else []
-    return Machine(texts, own + [name+'_i'], at, given)
+    elastic = kind in ('harmonic_drive', 'backlash') and variant not in ('rigid', 'tight')
+    for left in LESS[kind][variant]:
+        p[left] = 1. if left == 'eta' else 0.
+    if variant == 'ideal':
+        p['Tc'] = 0.
+    law = rigid if not elastic else harmonic if kind == 'harmonic_drive' else backlash
+    own = [g + '_theta', g + '_omega'] if elastic else []
+    return Machine(texts, own + [name + '_i'], law(name, g, p, k, reader(given, name, 'v')), given)
 
 
 def rigid(name, g, p, k, read):
@@ -285,18 +305,20 @@ def bristles(k, name, z, dry, w):
 
 def stop(r, name, stand, source):
     k = {'lo': -.3, 'hi': .4, 'K': round(r.uniform(5, 50), 1), 'vd': 1.2, 'eps': .2}
-    variant = r.choice(['full', 'elastic'])
+    variant = r.choice(['full', 'elastic', 'none'])
 
     def at(x, v, s, w):
+        if variant == 'none':
+            return Result()
         (above, e1), (below, e2) = flank(s - k['hi'], k['eps']), flank(k['lo'] - s, k['eps'])
         side = math.tanh(w/k['vd']) if variant == 'full' else 0.
         force = k['K']*(below*(1-side) - above*(1+side))
         return Result(passive=force, stored=k['K']*(e1+e2), lost=k['K']*(above+below)*w*side)
 
-    if variant == 'elastic':
+    if variant != 'full':
         words = {n: k[n] for n in ('lo', 'hi', 'K', 'eps')}
-        return Machine(['stop(%s, %s%s, variant = elastic)' % (name, stand, options(words))], [],
-                       at, {})
+        text = 'stop(%s, %s%s, variant = %s)' % (name, stand, options(words), variant)
+        return Machine([text], [], at, {})
     return Machine(['stop(%s, %s%s)' % (name, stand, options(k))], [], at, {})
 
 

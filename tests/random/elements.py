@@ -175,6 +175,7 @@ class Device:
             if r.mass:
                 loads.added.append((r.mass, p))
         loads.rates.update(r.rates)
+        loads.signals.update(getattr(r, 'signals', {}))
         loads.stored += r.stored
         loads.power += r.power
         loads.lost += r.lost

@@ -150,6 +150,7 @@ class Loads:
         self.wrench[GROUND] = np.zeros(6)
         self.driven = {k: np.zeros(6) for k in self.wrench}
         self.passive, self.drive, self.added, self.rates = np.zeros(m.nu), np.zeros(m.nu), [], {}
+        self.signals = {}  # of sensors, controllers, amplifiers
         self.potential = self.stored = self.power = self.lost = 0.
 
     def at_port(self, port, passive, drive=0.):

@@ -3,9 +3,13 @@ import math
 import random
 import numpy as np
 import devices
+import electric
+import fluids
+import signals
 from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic,
                       OfSpeeds, Rolling)
 from joints import AXES, Joint, rodrigues
+from ways import card
 from mechanics import GROUND, Mechanism, State, closed, closing_rows
 
 TYPES = ['revolute']*5 + ['prismatic']*3 + [
@@ -15,6 +19,18 @@ CUT_TYPES = [
     'revolute', 'prismatic', 'helical', 'cylindrical', 'universal', 'planar', 'spherical', 'fixed',
     'spherical'
 ]
+LINEAR = [fluids.hydraulic_cylinder, fluids.pneumatic_cylinder, fluids.bellows]
+# cards of the deck from which the first device of a scene comes; those that need a shaft that turns
+TURNING = {
+    devices.dc_motor: 3, devices.geared_motor: 5, devices.pmsm: 1, devices.controlled: 1,
+    electric.warm_motor: 2, electric.synchronous: 3, electric.stepping_motor: 4,
+    electric.induction_motor: 4, fluids.hydraulic_motor: 4, fluids.pneumatic_motor: 2,
+    signals.axis: 8, signals.computer: 4
+}
+ANY = {
+    devices.drive: 1, devices.rubbing: 2, devices.stop: 1, devices.duffing: 1,
+    fluids.hydraulic_cylinder: 2, fluids.pneumatic_cylinder: 1, fluids.bellows: 1
+}
 KINDS = ['tree']*9 + ['loop']*7 + ['rolling']*2 + ['constrained']*2
 
 
@@ -30,13 +46,15 @@ class Scene:
     """name, text, m: Mechanism, start: State, run: parameter values at run time, tags: what is in
     it"""
 
-    def __init__(self, seed, compiled, plain=False):
+    def __init__(self, seed, compiled, plain=False, few=False):
         self.r, self.seed, self.compiled = random.Random(seed), seed, compiled
         self.plain = plain   # its literal equations are asked for: axes and angles that a paper has
+        self.few = few       # links
         self.kind = self.r.choice(KINDS)
         self.name = 'r%s%d' % (self.kind[0], seed)
         self.m, self.parameters, self.run, self.tags, self.words = Mechanism(), {}, {}, {self.kind
                                                                                          }, []
+        self.ranges = {}   # of states of devices that cannot be anywhere in -1 .. 1
         self.open, self.inputs, self.symbolic, self.redundant = [], [], self.r.choice(
             [0, .2, .5, 1]), self.r.random() < .3
         self.bodies_and_joints()
@@ -91,8 +109,9 @@ class Scene:
         r, m = self.r, self.m
         text, m.gravity = self.vector(-9.9, 9.9, .3)
         self.words.append('gravity = ' + text)
-        n = r.choice([1, 2, 2, 3, 3, 4, 5]) if self.kind == 'tree' else r.choice([2, 2, 3, 3, 4])
-        light = r.randint(1, n - 1) if n > 2 and r.random() < .15 else 0
+        many = [1, 1, 2, 2, 2, 3, 3, 4, 5] if self.kind == 'tree' else [2, 2, 2, 2, 3, 3, 4]
+        n = r.choice([k for k in many if k < 3] if self.few else many)
+        light = r.randint(1, n - 1) if n > 2 and r.random() < .1 else 0
         for b in range(1, n + 1):
             self.link('b%d' % b, b == light)
         for b in range(1, n + 1):
@@ -326,9 +345,12 @@ class Scene:
         if len(self.ordinary()) < 3 - (self.kind == 'constrained'):
             return
         for _ in range(10):
-            (x, _, _), (y, _, _) = r.sample(self.ordinary(), 2)
+            (x, k, _), (y, l, _) = r.sample(self.ordinary(), 2)
+            if (k == 's') != (l == 's'):  # lengths and angles do not add up
+                continue
             a, b, d = r.choice([1., -2., .5]), r.choice([1., .7, -1.3]), r.choice([0., .4])
             if r.random() < .5:
+                d *= k != 's'
                 q = self.coordinate(x), self.coordinate(y)
                 one, word = Holonomic(x, y, a, b, d, a*q[0] + b*q[1] + d*q[0]*q[1]), 'holonomic'
             else:
@@ -371,7 +393,7 @@ class Scene:
             self.force('F%d' % k)
         for k in range(r.choice([0, 0, 1, 2])):
             self.spring('S%d' % k)
-        for k in range(r.choice([0, 0, 1, 1, 2])):
+        for k in range(r.choice([0, 1, 1, 1, 2])):
             self.device('D%d' % k)
         if r.random() < .12 and len(self.ordinary()) > 1 and self.kind != 'rolling':
             self.mix()
@@ -425,9 +447,9 @@ class Scene:
         (at, p), (to, q) = self.vector(-.9, .9, .1), self.vector(-.9, .9, .1)
         return 'parent = %s, at = %s, child = %s, child_at = %s' % (a, at, b, to), ((a, p), (b, q))
 
-    def at_coordinate(self):
+    def at_coordinate(self, some=None):
         """text, name and letter of a coordinate of a joint"""
-        name, letter, j = self.r.choice(self.ordinary())
+        name, letter, j = self.r.choice(some or self.ordinary())
         more = ', coordinate = ' + name if j.nq() > 1 or self.r.random() < .3 else ''
         return 'joint = %s%s' % (j.name, more), name, letter
 
@@ -451,27 +473,40 @@ class Scene:
 
     def device(self, name):
         r = self.r
-        where, stand, letter, measured = self.stand()
+        wish = card({**TURNING, **ANY}, self.seed, 'device') if name == 'D0' else None
+        where, stand, letter, measured = self.stand(wish in TURNING)
         turning = letter and letter != 's'
-        make = r.choice(devices.TURNING + devices.ANY if turning else devices.ANY)
-        if make in devices.ANY and stand.ratio != 1:
-            return
+        make = r.choice(list(TURNING if turning and r.random() < .7 else ANY))
+        if wish in ANY or turning and wish:
+            make = wish
+        if turning and make in LINEAR:  # an arm, from the angle to the length
+            where, stand.ratio = where + ', ratio = 1.5', 1.5
+        elif turning and make in TURNING and r.random() < .5:
+            stand.ratio = r.choice([3., -2.5])
+            where += ', ratio = %r' % stand.ratio
         self.source.__func__.measured = measured
         machine = make(r, name, where, self.source)
         machine.given = {k: Expression(e) for k, e in machine.given.items()}
         self.m.elements.append(Device(machine, stand))
         self.words += machine.words
-        self.tags |= {'device ' + w.split('(')[0] for w in machine.words}
+        self.ranges.update(machine.ranges)
+        for w in machine.words:
+            kind, variant = w.split('(')[0], w.split('variant = ')
+            if kind != 'output':
+                self.tags.add('device ' + kind)
+                self.tags.add('variant %s %s' % (kind, variant[1].split(',')[0].rstrip(')')
+                                                 if variant[1:] else 'full'))
 
-    def stand(self):
-        """text and data of where a device stands; letter and name of the joint's coordinate"""
+    def stand(self, turning):
+        """text and data of where a device stands; letter and name of the joint's coordinate;
+        turning: on one that turns if there is any"""
         r, o = self.r, self.ordinary()
-        way = r.choice(['joint', 'joint', 'joint', 'ends', 'length'])
+        shafts = [one for one in o if one[1] != 's'] if turning else []
+        way = 'joint' if shafts else r.choice(['joint', 'joint', 'joint', 'ends', 'length'])
         if way == 'joint' and o:
-            where, x, letter = self.at_coordinate()
-            ratio = r.choice([1., 1., 3., -2.5]) if letter != 's' else 1.
+            where, x, letter = self.at_coordinate(shafts or o)
             self.tags.add('device on a joint')
-            return where + (', ratio = %r' % ratio)*(ratio != 1), Stand(x, ratio=ratio), letter, x
+            return where, Stand(x), letter, x
         if way == 'length' and len(o) > 1:
             (x, _, _), (y, _, _) = r.sample(o, 2)
             a, b = r.choice([1., -2.]), r.choice([0., .5])
