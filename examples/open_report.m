@@ -1,5 +1,6 @@
-## open_report (FILE): for the driver FILE of an example: go to its folder, make out/, put the package on the path, and write all that is printed from here on to
-## out/report.txt too (until `diary off`).
+## open_report (FILE): for the driver FILE of an example: go to its folder, make out/, put the
+## package on the path, and write all that is printed from here on to out/report.txt too (until
+## `diary off`).
 
 function open_report (file)
   cd (fileparts (file));

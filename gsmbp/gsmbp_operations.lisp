@@ -16,7 +16,8 @@
 
 (defun gsmbp-negative-p (number) ($gsmbp__starts_negative number))
 (defun gsmbp-magnitude (number) (if (gsmbp-negative-p number) (gsmbp-minus number) number))
-(defun gsmbp-exact (number) (if (or (integerp number) (ratnump number)) number (mfuncall '$gsmbp__exact number)))
+(defun gsmbp-exact (number)
+  (if (or (integerp number) (ratnump number)) number (mfuncall '$gsmbp__exact number)))
 (defun gsmbp-power-p (e) (and (consp e) (eq (caar e) 'mexpt)))
 
 (defun gsmbp-count-sum (e)

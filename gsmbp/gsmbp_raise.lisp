@@ -24,7 +24,8 @@
   (let ((text (with-output-to-string (*standard-output*) ($errormsg))))
     (string-trim " " (substitute #\Space #\Newline text))))
 
-;;; Stops at the first of the elements, as typed, that Maxima cannot simplify: mass = 1/0, sin(q, q).
+;;; Stops at the first of the elements, as typed, that Maxima cannot simplify: mass = 1/0, sin(q,
+;;; q).
 (defun gsmbp-need-simple (elements)
   (let* ((e (find-if-not #'gsmbp-simplifies elements)) (option (and e (eq (caar e) 'mequal))))
     (when e
@@ -32,9 +33,11 @@
         ($gsmbp__no_last_error)
         (gsmbp-simplifies part)
         ($gsmbp__raise
-          (format nil "gsmbp_scene: ~:[~a ~;~*~]~a: expected values that can be worked out; found: ~a (~a)"
-            option (gsmbp-as-written (caar e)) (gsmbp-as-written (cadr e))
-            (gsmbp-as-written part) ($gsmbp__last_error)))))))
+          (format nil
+                  "gsmbp_scene: ~:[~a ~;~*~]~a: expected values that can be worked out; ~
+                   found: ~a (~a)"
+                  option (gsmbp-as-written (caar e)) (gsmbp-as-written (cadr e))
+                  (gsmbp-as-written part) ($gsmbp__last_error)))))))
 (defvar gsmbp-tried nil)
 (defun $gsmbp__try_to_simplify () (simplify (copy-tree gsmbp-tried)) t)
 (defun gsmbp-simplifies (e)

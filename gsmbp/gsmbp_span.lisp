@@ -1,8 +1,8 @@
 ;;; gsmbp_span.lisp: can an expression have a real, finite value at all?
 ;;;
 ;;; Interval arithmetic: a span (lo . hi) holds every real value that an expression can have;
-;;; symbols have the span of their value, or any. Where nothing is left (the root or logarithm of what is
-;;; negative, a division by zero, %i, inf) the value is not real and finite. Values above
+;;; symbols have the span of their value, or any. Where nothing is left (the root or logarithm of
+;;; what is negative, a division by zero, %i, inf) the value is not real and finite. Values above
 ;;; gsmbp-span-huge count as endless. What is wrong by rounding alone is not refused.
 (in-package :maxima)
 

@@ -1,4 +1,5 @@
-;;; gsmbp_stage.lisp: a derivation that takes long says on the terminal what it is doing, a line a stage; a quick one says nothing.
+;;; gsmbp_stage.lisp: a derivation that takes long says on the terminal what it is doing, a line a
+;;; stage; a quick one says nothing.
 (in-package :maxima)
 
 (defvar *gsmbp-patience* 10)             ; seconds until the first word, half of that until another
@@ -8,11 +9,14 @@
 (defvar *gsmbp-stage* nil)               ; the stage of which nothing has been said yet
 (defvar *gsmbp-ticks* 0)
 
-;;; gsmbp__telling(who, f): f(); meanwhile a stage is told, once, where nothing has been said for so long
+;;; gsmbp__telling(who, f): f(); meanwhile a stage is told, once, where nothing has been said for so
+;;; long
 (defun $gsmbp__telling (who f)
-  (if *gsmbp-began* (mfuncall f)
-    (let ((*gsmbp-began* (get-internal-real-time)) (*gsmbp-who* who) (*gsmbp-stage* nil) (*gsmbp-ticks* 0) (*gsmbp-next* *gsmbp-patience*))
-      (mfuncall f))))
+  (if *gsmbp-began*
+      (mfuncall f)
+      (let ((*gsmbp-began* (get-internal-real-time)) (*gsmbp-who* who) (*gsmbp-stage* nil)
+            (*gsmbp-ticks* 0) (*gsmbp-next* *gsmbp-patience*))
+        (mfuncall f))))
 ;;; gsmbp__stage(text): what comes now
 (defun $gsmbp__stage (text)
   (setq *gsmbp-stage* text)

@@ -1,4 +1,5 @@
-;;; gsmbp_tape.lisp: tape code (lists of entries [name, expression, block, number, symbols]) in Lisp: what gsmbp_tape.mac does with every entry.
+;;; gsmbp_tape.lisp: tape code (lists of entries [name, expression, block, number, symbols]) in
+;;; Lisp: what gsmbp_tape.mac does with every entry.
 (in-package :maxima)
 
 (defun gsmbp-entry-name (e) (nth 1 e))
@@ -31,9 +32,10 @@
       (dolist (code (cdr codes)) (dolist (e (cdr code)) (mapc #'take (gsmbp-entry-symbols e)))))
     (gsmbp-list (mapcar #'gsmbp-entry-name (sort found #'< :key #'gsmbp-entry-number)))))
 
-;;; --------------------------------------------------------------------------------------------------------- derivatives
+;;; ------------------------------------------------------------------------------------ derivatives
 
-;;; Rates of the outputs on the tape of the namer nm, from those of symbols: seeds [symbol = rate, ...]; code: the entries that they need.
+;;; Rates of the outputs on the tape of the namer nm, from those of symbols: seeds [symbol = rate,
+;;; ...]; code: the entries that they need.
 (defun $gsmbp__code_diff (nm code outputs seeds)
   (let ((h (make-hash-table :test #'eq)) (trig (nth 6 (nth 3 nm))))
     (dolist (s (cdr seeds)) (setf (gethash (cadr s) h) (caddr s)))
@@ -57,8 +59,11 @@
         ((gsmbp-product-p e) (gsmbp-product-rate h (cdr e)))
         ((and (gsmbp-power-p e) (mnump (caddr e)))
          (let ((r ($gsmbp__rate h (cadr e))))
-           (if (eql r 0) 0 (muln (list (caddr e) (power (cadr e) (gsmbp-difference (caddr e) 1)) r) t))))
-        ((eq (caar e) '%tanh) (gsmbp-times (sub 1 (power e 2)) ($gsmbp__rate h (cadr e))))   ; Maxima writes sech, which Fortran has not
+           (if (eql r 0)
+               0
+               (muln (list (caddr e) (power (cadr e) (gsmbp-difference (caddr e) 1)) r) t))))
+        ; Maxima writes sech, which Fortran has not
+        ((eq (caar e) '%tanh) (gsmbp-times (sub 1 (power e 2)) ($gsmbp__rate h (cadr e))))
         (t (gsmbp-function-rate h ($op e) (cdr e)))))
 
 ;;; rate of any other function: Maxima's derivative with respect to each argument, through symbols
@@ -66,33 +71,56 @@
 (defun gsmbp-function-rate (h f arguments)
   (let* ((symbols (loop for k from 1 to (length arguments) collect ($concat '$gsmbp__arg k)))
          (value (mfuncall '$apply f (gsmbp-list symbols)))
-         (places (gsmbp-list (mapcar #'(lambda (s a) (list '(mequal simp) s a)) symbols arguments))))
+         (places (gsmbp-list
+                   (mapcar #'(lambda (s a) (list '(mequal simp) s a)) symbols arguments))))
     (gsmbp-plus
-      (loop for a in arguments for s in symbols for r = ($gsmbp__rate h a)
-            unless (eql r 0) collect (mul r ($substitute places ($diff value s)))))))
+      (loop
+        for
+        a
+        in
+        arguments
+        for
+        s
+        in
+        symbols
+        for
+        r
+        =
+        ($gsmbp__rate h a)
+        unless
+        (eql r 0)
+        collect
+        (mul r ($substitute places ($diff value s)))))))
 
 (defun gsmbp-product-rate (h factors)
   (let ((terms nil))
     (dolist (f factors (gsmbp-plus (nreverse terms)))
       (let ((r ($gsmbp__rate h f)))
-        (unless (eql r 0) (push (gsmbp-times r (gsmbp-multiply (remove f factors :test #'eq :count 1))) terms))))))
+        (unless (eql r 0)
+          (push (gsmbp-times r (gsmbp-multiply (remove f factors :test #'eq :count 1))) terms))))))
 
-;;; ----------------------------------------------------------------------------------------------------------------- tidy
+;;; ------------------------------------------------------------------------------------------- tidy
 
-;;; Code and outputs with every name that is used once (sines and cosines apart) written where it is used: [[[name, expression, block], ...], outputs].
+;;; Code and outputs with every name that is used once (sines and cosines apart) written where it is
+;;; used: [[[name, expression, block], ...], outputs].
 (defun $gsmbp__write_once (tp code outputs)
-  (let ((uses (make-hash-table :test #'eq)) (inline (make-hash-table :test #'eq)) (trig (nth 6 tp)) (kept nil))
-    (dolist (e (cdr code)) (gsmbp-count-uses uses (gsmbp-entry-expression e) (gsmbp-entry-symbols e)))
+  (let ((uses (make-hash-table :test #'eq)) (inline (make-hash-table :test #'eq)) (trig (nth 6 tp))
+        (kept nil))
+    (dolist (e (cdr code))
+      (gsmbp-count-uses uses (gsmbp-entry-expression e) (gsmbp-entry-symbols e)))
     (dolist (x (cdr outputs)) (gsmbp-count-uses uses x (cdr ($gsmbp__symbols x))))
     (dolist (e (cdr code))
-      (let ((x (gsmbp-put-in inline (gsmbp-entry-expression e) (gsmbp-entry-symbols e))) (name (gsmbp-entry-name e)))
+      (let ((x (gsmbp-put-in inline (gsmbp-entry-expression e) (gsmbp-entry-symbols e)))
+            (name (gsmbp-entry-name e)))
         (if (and (eql (gethash name uses) 1) (not (gethash name trig)) (<= (gsmbp-size x) 24))
-          (setf (gethash name inline) x)
-          (push (list name x (gsmbp-entry-block e)) kept))))
-    (setq outputs (mapcar #'(lambda (x) (gsmbp-put-in inline x (cdr ($gsmbp__symbols x)))) (cdr outputs)))
+            (setf (gethash name inline) x)
+            (push (list name x (gsmbp-entry-block e)) kept))))
+    (setq outputs
+          (mapcar #'(lambda (x) (gsmbp-put-in inline x (cdr ($gsmbp__symbols x)))) (cdr outputs)))
     (gsmbp-list (list (gsmbp-list (gsmbp-still-used kept outputs)) (gsmbp-list outputs)))))
 
-;;; the entries (newest first) that the outputs still use, oldest first: what was put in may have cancelled
+;;; the entries (newest first) that the outputs still use, oldest first: what was put in may have
+;;; cancelled
 (defun gsmbp-still-used (kept outputs)
   (let ((used (make-hash-table :test #'eq)) (l nil))
     (flet ((use (x) (dolist (s (cdr ($gsmbp__symbols x))) (setf (gethash s used) t))))
@@ -106,9 +134,14 @@
 (defun gsmbp-put-in (inline e symbols)
   (if (dolist (s symbols) (when (gethash s inline) (return t))) ($gsmbp__replace inline e) e))
 
-;;; operands of an entry are names, each once; a power or a quotient counts as two uses, a root as one
+;;; operands of an entry are names, each once; a power or a quotient counts as two uses, a root as
+;;; one
 (defun gsmbp-count-uses (uses e symbols)
-  (let ((k (if (and (consp e) (member (caar e) '(mexpt mtimes)) (member (caar (nformat e)) '(mexpt mquotient))) 2 1)))
+  (let ((k (if (and (consp e)
+                    (member (caar e) '(mexpt mtimes))
+                    (member (caar (nformat e)) '(mexpt mquotient)))
+               2
+               1)))
     (dolist (s symbols) (setf (gethash s uses) (+ k (gethash s uses 0))))))
 
 ;;; number of nodes as Maxima displays an expression
@@ -117,24 +150,39 @@
     (let ((f (if (member (caar e) '(mtimes mexpt)) (nformat e) e)) (n 1))
       (if (atom f) 1 (dolist (x (cdr f) n) (incf n (gsmbp-size x)))))))
 
-;;; --------------------------------------------------------------------------------------------------------------- sines
+;;; ------------------------------------------------------------------------------------------ sines
 
-;;; The code with the sine and cosine of a sum of two angles made of those of both where the code has these: three products and sums
-;;; each instead of a call. An angle of which the code has one of the two gets the other: one call gives both.
+;;; The code with the sine and cosine of a sum of two angles made of those of both where the code
+;;; has these: three products and sums each instead of a call. An angle of which the code has one of
+;;; the two gets the other: one call gives both.
 (defun $gsmbp__fewer_sines (tp code)
-  (let ((trig (nth 6 tp)) (known (make-hash-table :test #'eq)) (sums (make-hash-table :test #'eq)) (there (make-hash-table :test #'eq)) (more nil) (made nil))
+  (let ((trig (nth 6 tp)) (known (make-hash-table :test #'eq)) (sums (make-hash-table :test #'eq))
+        (there (make-hash-table :test #'eq)) (more nil) (made nil))
     (dolist (e (cdr code))
       (let* ((name (gsmbp-entry-name e)) (x (gsmbp-entry-expression e)) (w (gethash name trig)))
         (cond (w (setf (gethash name there) t)
-                 (when (symbolp (cadr x)) (setf (gethash (cadr x) known) (if (eq (cadddr w) '%sin) (list name (cadr w)) (list (cadr w) name)))))
+                 (when (symbolp (cadr x))
+                   (setf (gethash (cadr x) known)
+                         (if (eq (cadddr w) '%sin) (list name (cadr w)) (list (cadr w) name)))))
               ((gsmbp-sum-p x) (setf (gethash name sums) x)))))
     (dolist (e (cdr code) (gsmbp-list (append more (nreverse made))))
-      (let* ((w (gethash (gsmbp-entry-name e) trig)) (sc (if w (gsmbp-sum-of-known known sums (cadr (gsmbp-entry-expression e))))))
+      (let* ((w (gethash (gsmbp-entry-name e) trig))
+             (sc (if w (gsmbp-sum-of-known known sums (cadr (gsmbp-entry-expression e))))))
         (cond ((null sc) (push e made))
-              (t (dolist (s sc) (unless (gethash s there) (setf (gethash s there) t) (push (gethash s (gsmbp-entries tp)) more)))
+              (t (dolist (s sc)
+                   (unless (gethash s there)
+                     (setf (gethash s there) t)
+                     (push (gethash s (gsmbp-entries tp)) more)))
                  (destructuring-bind (sa ca sb cb) sc
-                   (let ((x (if (eq (cadddr w) '%sin) (gsmbp-sum (gsmbp-times sa cb) (gsmbp-times ca sb)) (gsmbp-difference (gsmbp-times ca cb) (gsmbp-times sa sb)))))
-                     (push (gsmbp-list (list (gsmbp-entry-name e) x (gsmbp-entry-block e) (gsmbp-entry-number e) ($gsmbp__symbols x))) made)))))))))
+                   (let ((x (if (eq (cadddr w) '%sin)
+                                (gsmbp-sum (gsmbp-times sa cb) (gsmbp-times ca sb))
+                                (gsmbp-difference (gsmbp-times ca cb) (gsmbp-times sa sb)))))
+                     (push (gsmbp-list
+                             (list (gsmbp-entry-name e)
+                                   x
+                                   (gsmbp-entry-block e)
+                                   (gsmbp-entry-number e)
+                                   ($gsmbp__symbols x))) made)))))))))
 ;;; (sine cosine sine cosine) of the two angles whose sum `angle` is, or nil
 (defun gsmbp-sum-of-known (known sums angle)
   (let ((s (and (symbolp angle) (gethash angle sums))))
@@ -148,5 +196,9 @@
 
 ;;; the code as it is written: what the table `known` holds put in for names
 (defun $gsmbp__written_code (known code)
-  (gsmbp-list (mapcar #'(lambda (e) (gsmbp-list (list (or (gethash (cadr e) known) (cadr e)) ($gsmbp__replace known (caddr e)) (cadddr e))))
-                      (cdr code))))
+  (gsmbp-list
+    (mapcar #'(lambda (e)
+                (gsmbp-list
+                  (list (or (gethash (cadr e) known) (cadr e))
+                        ($gsmbp__replace known (caddr e))
+                        (cadddr e)))) (cdr code))))

@@ -1,9 +1,12 @@
-;;; gsmbp_text.lisp: the printer of gsmbp_emit.mac: expressions as text of Fortran 77, counted as they are printed; statements as lines.
-;;; The state of an emission (gsmbp__emission) is held in variables of Maxima.
+;;; gsmbp_text.lisp: the printer of gsmbp_emit.mac: expressions as text of Fortran 77, counted as
+;;; they are printed; statements as lines. The state of an emission (gsmbp__emission) is held in
+;;; variables of Maxima.
 (in-package :maxima)
 
-(declaim (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own $gsmbp__where
-                  $gsmbp__taken $gsmbp__parts))
+(declaim
+  (special $gsmbp__names $gsmbp__used $gsmbp__numbers $gsmbp__mul $gsmbp__add $gsmbp__div
+           $gsmbp__sqrt $gsmbp__trig $gsmbp__body $gsmbp__block $gsmbp__own $gsmbp__where
+           $gsmbp__taken $gsmbp__parts))
 
 (defun gsmbp-text (&rest parts) (apply #'concatenate 'string parts))
 (defun gsmbp-joined (parts between)
@@ -13,11 +16,14 @@
         (write-string (car l) s)
         (when (cdr l) (write-string between s))))))
 
-(defun $gsmbp__tally () (gsmbp-list (list $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig)))
+(defun $gsmbp__tally ()
+  (gsmbp-list (list $gsmbp__mul $gsmbp__add $gsmbp__div $gsmbp__sqrt $gsmbp__trig)))
 (defun $gsmbp__set_tally (tally)
-  (destructuring-bind (m a d s f) (cdr tally) (setq $gsmbp__mul m $gsmbp__add a $gsmbp__div d $gsmbp__sqrt s $gsmbp__trig f)))
+  (destructuring-bind (m a d s f) (cdr tally)
+    (setq $gsmbp__mul m $gsmbp__add a $gsmbp__div d $gsmbp__sqrt s $gsmbp__trig f)))
 
-;;; Sum of a list of lines as Adler-32 forms it (RFC 1950), of their ASCII characters and a newline each: "b a" in decimal digits
+;;; Sum of a list of lines as Adler-32 forms it (RFC 1950), of their ASCII characters and a newline
+;;; each: "b a" in decimal digits
 (defun $gsmbp__checksum (lines)
   (let ((a 1) (b 0))
     (declare (fixnum a b))
@@ -29,11 +35,12 @@
         (add 10)))
     (format nil "~d ~d" b a)))
 
-;;; -------------------------------------------------------------------------------------------------------------- numbers
+;;; ---------------------------------------------------------------------------------------- numbers
 
 (defun gsmbp-rational (r) (if (integerp r) r (/ (cadr r) (caddr r))))
 
-;;; [n, k] with r = n/10^k and n not divisible by 10 if the rational r > 0 has a finite decimal fraction; else false
+;;; [n, k] with r = n/10^k and n not divisible by 10 if the rational r > 0 has a finite decimal
+;;; fraction; else false
 (defun $gsmbp__finite_decimal (r)
   (let* ((q (gsmbp-rational r)) (d (denominator q)) (k 0))
     (flet ((times-of (p) (do ((n 0 (1+ n))) ((plusp (mod d p)) n) (setq d (/ d p)))))
@@ -45,9 +52,12 @@
 ;;; true if 1e-300 < r < 1e300
 (defvar *gsmbp-largest* (expt 10 300))
 (defun $gsmbp__representable (r)
-  (let ((q (gsmbp-rational r))) (and (< (numerator q) (* *gsmbp-largest* (denominator q))) (< (denominator q) (* *gsmbp-largest* (numerator q))))))
+  (let ((q (gsmbp-rational r)))
+    (and (< (numerator q) (* *gsmbp-largest* (denominator q)))
+         (< (denominator q) (* *gsmbp-largest* (numerator q))))))
 
-;;; n/10^k (n > 0, not divisible by 10) as text: plain, or with an exponent behind `mark` when it is small or large
+;;; n/10^k (n > 0, not divisible by 10) as text: plain, or with an exponent behind `mark` when it is
+;;; small or large
 (defun $gsmbp__decimal_text (n k mark)
   (let* ((s (format nil "~d" n)) (p (- (length s) k)))          ; the number is 0.s * 10^p
     (flet ((zeros (n) (make-string (max 0 n) :initial-element #\0)))
@@ -59,20 +69,29 @@
 
 ;;; [n, k] as a DOUBLE PRECISION constant
 (defun $gsmbp__constant (d)
-  (let ((text ($gsmbp__decimal_text (cadr d) (caddr d) "D"))) (if (find #\D text) text (gsmbp-text text "D0"))))
+  (let ((text ($gsmbp__decimal_text (cadr d) (caddr d) "D")))
+    (if (find #\D text) text (gsmbp-text text "D0"))))
 
-;;; ------------------------------------------------------------------------------------------------- sums, terms, factors
+;;; --------------------------------------------------------------------------- sums, terms, factors
 
 ;;; any expression: a sum with a positive term ahead if it has one
 (defun $gsmbp__sum_text (e)
-  (if (symbolp e) (gsmbp-name-text e) (gsmbp-joined (cdr ($gsmbp__signed_pieces ($gsmbp__signed_terms e))) "")))
+  (if (symbolp e)
+      (gsmbp-name-text e)
+      (gsmbp-joined (cdr ($gsmbp__signed_pieces ($gsmbp__signed_terms e))) "")))
 
-;;; the summands of e (one, if e is no sum) as [sign, text, summand], sign "+" or "-"; the first positive one ahead
+;;; the summands of e (one, if e is no sum) as [sign, text, summand], sign "+" or "-"; the first
+;;; positive one ahead
 (defun $gsmbp__signed_terms (e)
-  (if (not (gsmbp-sum-p e)) (gsmbp-list (list (gsmbp-signed-term e)))
-    (let* ((terms (mapcar #'gsmbp-signed-term (cdr e))) (lead (find "+" terms :key #'cadr :test #'string=)))
-      (incf $gsmbp__add (1- (length terms)))
-      (gsmbp-list (if (or (null lead) (eq lead (car terms))) terms (cons lead (remove lead terms :test #'eq)))))))
+  (if (not (gsmbp-sum-p e))
+      (gsmbp-list (list (gsmbp-signed-term e)))
+      (let* ((terms (mapcar #'gsmbp-signed-term (cdr e)))
+             (lead (find "+" terms :key #'cadr :test #'string=)))
+        (incf $gsmbp__add (1- (length terms)))
+        (gsmbp-list
+          (if (or (null lead) (eq lead (car terms)))
+              terms
+              (cons lead (remove lead terms :test #'eq)))))))
 
 ;;; terms as pieces of text: "A", " + B*C", " - D"
 (defun $gsmbp__signed_pieces (terms)
@@ -85,14 +104,19 @@
         ((mnump e) (gsmbp-signed e (gsmbp-number-text (gsmbp-magnitude e)) e))
         ((gsmbp-product-p e)
          (let ((c (cadr e)))
-           (if (mnump c) (gsmbp-signed c (gsmbp-product-text (gsmbp-magnitude c) (cddr e)) e)
-             (gsmbp-signed 1 (gsmbp-product-text 1 (cdr e)) e))))
-        (t (gsmbp-signed 1 (if (gsmbp-power-p e) (gsmbp-product-text 1 (list e)) (gsmbp-factor-text e)) e))))
-(defun gsmbp-signed (number text e) (gsmbp-list (list (if (gsmbp-negative-p number) "-" "+") text e)))
+           (if (mnump c)
+               (gsmbp-signed c (gsmbp-product-text (gsmbp-magnitude c) (cddr e)) e)
+               (gsmbp-signed 1 (gsmbp-product-text 1 (cdr e)) e))))
+        (t (gsmbp-signed
+             1 (if (gsmbp-power-p e) (gsmbp-product-text 1 (list e)) (gsmbp-factor-text e)) e))))
+(defun gsmbp-signed (number text e)
+  (gsmbp-list (list (if (gsmbp-negative-p number) "-" "+") text e)))
 
-;;; a number >= 0 as constants: one, or two whose quotient it is; as a term (its division is counted)
+;;; a number >= 0 as constants: one, or two whose quotient it is; as a term (its division is
+;;; counted)
 (defun gsmbp-number-parts (r)
-  (cdr (or (gethash r $gsmbp__numbers) (setf (gethash r $gsmbp__numbers) (mfuncall '$gsmbp__constants (gsmbp-exact r))))))
+  (cdr (or (gethash r $gsmbp__numbers)
+           (setf (gethash r $gsmbp__numbers) (mfuncall '$gsmbp__constants (gsmbp-exact r))))))
 (defun gsmbp-number-text (r)
   (let ((p (gsmbp-number-parts r)))
     (when (cdr p) (incf $gsmbp__div))
@@ -110,7 +134,8 @@
     (if (eql c 1) (gsmbp-fraction-text (reverse above) (reverse below))
       (gsmbp-scaled-text (gsmbp-exact c) (reverse above) (reverse below)))))
 
-;;; the same with texts of the factors: a decimal fraction is a factor, 1/3 a divisor, 2/3 a factor (2.0D0/3.0D0)
+;;; the same with texts of the factors: a decimal fraction is a factor, 1/3 a divisor, 2/3 a factor
+;;; (2.0D0/3.0D0)
 (defun gsmbp-scaled-text (c above below)
   (let ((k (gsmbp-number-parts c)))
     (cond ((eql c 1) (gsmbp-fraction-text above below))
@@ -125,23 +150,30 @@
     (when (cdr above) (incf $gsmbp__mul (1- (length above))))
     (cond ((null below) text)
           (t (incf $gsmbp__div) (incf $gsmbp__mul (1- (length below)))
-             (if (cdr below) (gsmbp-text text "/(" (gsmbp-joined below "*") ")") (gsmbp-text text "/" (car below)))))))
+             (if (cdr below)
+                 (gsmbp-text text "/(" (gsmbp-joined below "*") ")")
+                 (gsmbp-text text "/" (car below)))))))
 
 ;;; b^n as factors in reverse order; n > 0 if it is a number
 (defun gsmbp-power-texts (b n)
-  (if (eq b '$%e) (progn (incf $gsmbp__trig) (list (gsmbp-text "EXP(" ($gsmbp__sum_text n) ")")))
-    (let ((h (if (mnump n) (gsmbp-times 2 (gsmbp-exact n)))))
-      (cond ((not (integerp h)) (incf $gsmbp__trig) (list (gsmbp-text (gsmbp-base-text b) "**" (gsmbp-factor-text n))))
-            ((evenp h) (gsmbp-integer-power b (/ h 2)))
-            (t (incf $gsmbp__sqrt)
-               (cons (gsmbp-text "SQRT(" ($gsmbp__sum_text b) ")") (gsmbp-integer-power b (/ (1- h) 2))))))))
+  (if (eq b '$%e)
+      (progn (incf $gsmbp__trig) (list (gsmbp-text "EXP(" ($gsmbp__sum_text n) ")")))
+      (let ((h (if (mnump n) (gsmbp-times 2 (gsmbp-exact n)))))
+        (cond ((not (integerp h))
+               (incf $gsmbp__trig)
+               (list (gsmbp-text (gsmbp-base-text b) "**" (gsmbp-factor-text n))))
+              ((evenp h) (gsmbp-integer-power b (/ h 2)))
+              (t (incf $gsmbp__sqrt)
+                 (cons (gsmbp-text "SQRT(" ($gsmbp__sum_text b) ")")
+                       (gsmbp-integer-power b (/ (1- h) 2))))))))
 
 (defun gsmbp-integer-power (b n)
   (case n
     (0 nil)
     (1 (list (gsmbp-factor-text b)))
     (t (incf $gsmbp__mul (1- n)) (list (gsmbp-text (gsmbp-base-text b) "**" (format nil "~d" n))))))
-(defun gsmbp-base-text (b) (if (gsmbp-power-p b) (gsmbp-text "(" ($gsmbp__sum_text b) ")") (gsmbp-factor-text b)))
+(defun gsmbp-base-text (b)
+  (if (gsmbp-power-p b) (gsmbp-text "(" ($gsmbp__sum_text b) ")") (gsmbp-factor-text b)))
 
 (defun gsmbp-factor-text (e)
   (cond ((mnump e) (gsmbp-number-factor e))
@@ -164,17 +196,23 @@
 
 (defun gsmbp-number-factor (e)
   (let* ((d $gsmbp__div) (s (gsmbp-number-text (gsmbp-magnitude e))))
-    (cond ((gsmbp-negative-p e) (gsmbp-text "(-" s ")")) ((> $gsmbp__div d) (gsmbp-text "(" s ")")) (t s))))
+    (cond ((gsmbp-negative-p e) (gsmbp-text "(-" s ")"))
+          ((> $gsmbp__div d) (gsmbp-text "(" s ")"))
+          (t s))))
 
-;;; a power where one factor is wanted: x^2, sqrt(x) and exp(x) are one; 1/x and x*sqrt(x) need parentheses
+;;; a power where one factor is wanted: x^2, sqrt(x) and exp(x) are one; 1/x and x*sqrt(x) need
+;;; parentheses
 (defun gsmbp-power-factor (b n e)
-  (if (and (mnump n) (gsmbp-negative-p n) (not (eq b '$%e))) (gsmbp-text "(" (gsmbp-product-text 1 (list e)) ")")
-    (let ((l (gsmbp-power-texts b n)))
-      (incf $gsmbp__mul (1- (length l)))
-      (if (cdr l) (gsmbp-text "(" (gsmbp-joined (reverse l) "*") ")") (car l)))))
+  (if (and (mnump n) (gsmbp-negative-p n) (not (eq b '$%e)))
+      (gsmbp-text "(" (gsmbp-product-text 1 (list e)) ")")
+      (let ((l (gsmbp-power-texts b n)))
+        (incf $gsmbp__mul (1- (length l)))
+        (if (cdr l) (gsmbp-text "(" (gsmbp-joined (reverse l) "*") ")") (car l)))))
 
 ;;; the name of a symbol, which from now on counts as used
-(defvar $gsmbp__late nil)                ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them; or false
+; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
+; or false
+(defvar $gsmbp__late nil)
 (defvar *gsmbp-due* nil)                 ; (name . source) of those that wait for the next statement
 (defun gsmbp-name-text (x)
   (setf (gethash x $gsmbp__used) t)
@@ -184,7 +222,7 @@
       (push (cons (gethash x $gsmbp__names) source) *gsmbp-due*)))
   (or (gethash x $gsmbp__names) (mfuncall '$gsmbp__nameless_text x)))
 
-;;; ---------------------------------------------------------------------------------------------------------------- lines
+;;; ------------------------------------------------------------------------------------------ lines
 
 ;;; A statement given in pieces, broken between them where that will do, as lines of fixed form.
 (defun $gsmbp__packed_lines (pieces)
@@ -193,7 +231,9 @@
       (cond ((<= (length p) width) (push p line) (decf width (length p)))
             (t (push (gsmbp-joined (nreverse line) "") lines)
                (setq p (string-left-trim " " p) line (list p "     $   ") width (- 63 (length p)))
-               (when (< width 0) (return (mfuncall '$gsmbp__statement_lines (gsmbp-joined (cdr pieces) "") "" 0))))))))
+               (when (< width 0)
+                 (return (mfuncall '$gsmbp__statement_lines (gsmbp-joined (cdr pieces) "") ""
+                                   0))))))))
 
 (defun $gsmbp__push (lines)
   (gsmbp-tick)
@@ -208,7 +248,8 @@
 
 ;;; target = expression, as one statement if 20 lines hold it
 (defun $gsmbp__assign (target e)
-  (let* ((tally ($gsmbp__tally)) (lines ($gsmbp__assignment target ($gsmbp__signed_pieces ($gsmbp__signed_terms e)))))
+  (let* ((tally ($gsmbp__tally))
+         (lines ($gsmbp__assignment target ($gsmbp__signed_pieces ($gsmbp__signed_terms e)))))
     (cond ((<= (length (cdr lines)) 20) ($gsmbp__push lines))
           (t ($gsmbp__set_tally tally) (gsmbp-assign-long target e)))))
 (defun $gsmbp__assignment (target pieces)
@@ -308,10 +349,18 @@
 (defun gsmbp-sine-call (pair angle)
   (let ((names (mapcar #'gsmbp-target (cdr pair))))
     (incf $gsmbp__trig (count '$idle (cdr pair) :test-not #'eq))
-    ($gsmbp__push ($gsmbp__packed_lines (gsmbp-list (list (gsmbp-text "CALL GSSC( " ($gsmbp__sum_text angle) ", ") (car names) ", " (cadr names) " )"))))
+    ($gsmbp__push
+      ($gsmbp__packed_lines
+        (gsmbp-list
+          (list (gsmbp-text "CALL GSSC( " ($gsmbp__sum_text angle) ", ")
+                (car names)
+                ", "
+                (cadr names)
+                " )"))))
     (mapc #'(lambda (s n) (setf (gethash s $gsmbp__names) n)) (cdr pair) names)))
 
-;;; The code with [[sine, cosine], angle, block] in the place of the first of the entries under the heading trig that are the sine or cosine of an angle.
+;;; The code with [[sine, cosine], angle, block] in the place of the first of the entries under the
+;;; heading trig that are the sine or cosine of an angle.
 (defun $gsmbp__sine_pairs (code)
   (let ((pairs nil) (kept nil))
     (dolist (c (cdr code) (gsmbp-list (nreverse kept)))
@@ -330,29 +379,53 @@
 (defun gsmbp-declared (type names)
   (let* ((n (length names)) (half (floor n 2))
          (lines (if (<= 1 n 200)
-                  (cdr ($gsmbp__packed_lines (gsmbp-list (cons (gsmbp-text type (car names) (if (cdr names) "," ""))
-                                                               (maplist #'(lambda (l) (gsmbp-text " " (car l) (if (cdr l) "," ""))) (cdr names)))))))))
+                    (cdr ($gsmbp__packed_lines
+                           (gsmbp-list
+                             (cons (gsmbp-text type (car names) (if (cdr names) "," ""))
+                                   (maplist #'(lambda (l)
+                                                (gsmbp-text " " (car l) (if (cdr l) "," "")))
+                                            (cdr names)))))))))
     (cond ((null names) nil)
           ((and lines (<= (length lines) 20)) lines)
-          (t (mapcan #'(lambda (part) (gsmbp-declared type (cdr part))) (cdr ($gsmbp__cut_at (gsmbp-list names) half)))))))
+          (t (mapcan #'(lambda (part) (gsmbp-declared type (cdr part)))
+                     (cdr ($gsmbp__cut_at (gsmbp-list names) half)))))))
 
-;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list; [["NAME(1,1)", e], ...] of a matrix, by columns
-(defun gsmbp-places (name n base) (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
-(defun $gsmbp__s_list (symbols name base) (gsmbp-list (mapcar #'(lambda (s p) (gsmbp-list (list s p))) (cdr symbols) (gsmbp-places name (length (cdr symbols)) base))))
-(defun $gsmbp__r_list (name l base) (gsmbp-list (mapcar #'(lambda (e p) (gsmbp-list (list p e))) (cdr l) (gsmbp-places name (length (cdr l)) base))))
+;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list;
+;;; [["NAME(1,1)", e], ...] of a matrix, by columns
+(defun gsmbp-places (name n base)
+  (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
+(defun $gsmbp__s_list (symbols name base)
+  (gsmbp-list
+    (mapcar #'(lambda (s p) (gsmbp-list (list s p))) (cdr symbols)
+            (gsmbp-places name (length (cdr symbols)) base))))
+(defun $gsmbp__r_list (name l base)
+  (gsmbp-list
+    (mapcar #'(lambda (e p) (gsmbp-list (list p e))) (cdr l)
+            (gsmbp-places name (length (cdr l)) base))))
 
 (defun $gsmbp__r_matrix (name a)
   (let ((j 0) (l nil))
     (dolist (c (if (cdr a) (cdr ($gsmbp__transpose a))) (gsmbp-list (nreverse l)))
-      (let ((i 0)) (incf j) (dolist (e (cdr c)) (incf i) (push (gsmbp-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))
+      (let ((i 0))
+        (incf j)
+        (dolist (e (cdr c))
+          (incf i)
+          (push (gsmbp-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))
 
-;;; a text filled into lines of at most 72 characters: `head` ahead of the first, `tail` ahead of the others
+;;; a text filled into lines of at most 72 characters: `head` ahead of the first, `tail` ahead of
+;;; the others
 (defun $gsmbp__filled (text head tail)
   (let ((lines nil) (line (list head)) (width (length head)))
-    (dolist (w (gsmbp-split text) (gsmbp-list (nreverse (cons (string-right-trim " " (gsmbp-joined (nreverse line) "")) lines))))
+    (dolist (w (gsmbp-split text)
+               (gsmbp-list
+                 (nreverse (cons (string-right-trim " " (gsmbp-joined (nreverse line) "")) lines))))
       (cond ((null (cdr line)) (push w line) (incf width (length w)))
-            ((<= (+ width 1 (length w)) 72) (push " " line) (push w line) (incf width (1+ (length w))))
-            (t (push (gsmbp-joined (nreverse line) "") lines) (setq line (list w tail) width (+ (length tail) (length w))))))))
+            ((<= (+ width 1 (length w)) 72)
+             (push " " line)
+             (push w line)
+             (incf width (1+ (length w))))
+            (t (push (gsmbp-joined (nreverse line) "") lines)
+               (setq line (list w tail) width (+ (length tail) (length w))))))))
 (defun gsmbp-split (text)                ; its words
   (let ((words nil) (from 0))
     (loop
@@ -370,33 +443,39 @@
     (dolist (l (cdr load)) (setf (gethash (cadr l) ready) t))
     (dolist (c (cdr code) (gsmbp-list (append (reverse front) (reverse back))))
       (destructuring-bind (s e heading) (cdr c)
-        (cond ((and (member heading '($trig "trig") :test #'equal) (every #'(lambda (x) (gethash x ready)) (cdr ($gsmbp__symbols e))))
+        (cond ((and (member heading '($trig "trig") :test #'equal)
+                    (every #'(lambda (x) (gethash x ready)) (cdr ($gsmbp__symbols e))))
                (push c front)
                (setf (gethash s ready) t))
               (t (push c back)))))))
 
-;;; ---------------------------------------------------------------------------------------------------------------- names
+;;; ------------------------------------------------------------------------------------------ names
 
-;;; Names for the loaded symbols [symbol, source]; a source that is an argument itself is used as it stands.
+;;; Names for the loaded symbols [symbol, source]; a source that is an argument itself is used as it
+;;; stands.
 (defun $gsmbp__name_loads (load arguments)
   (dolist (l (cdr load))
     (let ((source (string-upcase (caddr l))))
-      (setf (gethash (cadr l) $gsmbp__names) (if (member source (cdr arguments) :test #'string=) source ($gsmbp__fresh (cadr l)))))))
+      (setf (gethash (cadr l) $gsmbp__names)
+            (if (member source (cdr arguments) :test #'string=) source ($gsmbp__fresh (cadr l)))))))
 
 ;;; the assignments of those whose symbol was printed or whose name the hash table raw holds
 (defun $gsmbp__loads (load raw)
   (let ((lines nil))
     (dolist (l (cdr load) (gsmbp-list (nreverse lines)))
       (let ((n (gethash (cadr l) $gsmbp__names)))
-        (when (and (string/= n (string-upcase (caddr l))) (or (gethash (cadr l) $gsmbp__used) (gethash n raw)))
+        (when (and (string/= n (string-upcase (caddr l)))
+                   (or (gethash (cadr l) $gsmbp__used) (gethash n raw)))
           (push (gsmbp-load-line n (caddr l)) lines))))))
 
-;;; hash table, symbol -> source, of the loaded symbols but those whose name the hash table raw holds
+;;; hash table, symbol -> source, of the loaded symbols but those whose name the hash table raw
+;;; holds
 (defun $gsmbp__to_load_late (load raw)
   (let ((h (make-hash-table :test #'eq)))
     (dolist (l (cdr load) h)
       (let ((n (gethash (cadr l) $gsmbp__names)))
-        (unless (or (string= n (string-upcase (caddr l))) (gethash n raw)) (setf (gethash (cadr l) h) (caddr l)))))))
+        (unless (or (string= n (string-upcase (caddr l))) (gethash n raw))
+          (setf (gethash (cadr l) h) (caddr l)))))))
 
 ;;; A free name for a symbol: its own in capitals, else with _ behind it, else _2, _3, ...
 (defun $gsmbp__fresh (symbol)
@@ -414,9 +493,10 @@
   (let ((c (substitute-if-not #\_ #'gsmbp-word-character-p s)))
     (unless (gsmbp-letter-p (char c 0)) (setq c (gsmbp-text "X" c)))
     (subseq c 0 (min 26 (length c)))))
-(defun $gsmbp__is_fit (s) (and (<= 1 (length s) 24) (gsmbp-letter-p (char s 0)) (every #'gsmbp-word-character-p s)))
+(defun $gsmbp__is_fit (s)
+  (and (<= 1 (length s) 24) (gsmbp-letter-p (char s 0)) (every #'gsmbp-word-character-p s)))
 
-;;; ---------------------------------------------------------------------------------------------------------------- JSON
+;;; ------------------------------------------------------------------------------------------- JSON
 
 ;;; a string in quotes; quote, backslash and control characters escaped
 (defun $gsmbp__json_string (s)
@@ -436,7 +516,8 @@
         ((null v) "false")
         ((eq v t) "true")
         ((and (symbolp v) (not ($constantp v))) ($gsmbp__json_string ($sconcat v)))
-        (($gsmbp__json_objectp v) (gsmbp-text "{" (gsmbp-joined (mapcar #'gsmbp-json-pair (cdr v)) ", ") "}"))
+        (($gsmbp__json_objectp v)
+         (gsmbp-text "{" (gsmbp-joined (mapcar #'gsmbp-json-pair (cdr v)) ", ") "}"))
         (($listp v) (gsmbp-text "[" (gsmbp-joined (mapcar #'$gsmbp__json_inline (cdr v)) ", ") "]"))
         (t (or (gsmbp-json-decimal v) (mfuncall '$gsmbp__json_number v)))))
 
@@ -445,23 +526,36 @@
   (cond ((integerp v) (and (< (abs v) (expt 10 16)) (format nil "~d" v)))
         ((ratnump v)
          (let ((d ($gsmbp__finite_decimal (gsmbp-magnitude v))))
-           (and d (< (cadr d) (expt 10 20))
-                (gsmbp-text (if (gsmbp-negative-p v) "-" "") ($gsmbp__decimal_text (cadr d) (caddr d) "e")))))))
+           (and d
+                (< (cadr d) (expt 10 20))
+                (gsmbp-text
+                  (if (gsmbp-negative-p v) "-" "")
+                  ($gsmbp__decimal_text (cadr d) (caddr d) "e")))))))
 
 (defun gsmbp-json-key (e) (gsmbp-text ($gsmbp__json_string ($sconcat (cadr e))) ": "))
 (defun gsmbp-json-pair (e) (gsmbp-text (gsmbp-json-key e) ($gsmbp__json_inline (caddr e))))
 (defun $gsmbp__json_objectp (v)
   (and (consp v)
        (or (and (eq (caar v) '$set) (null (cdr v)))
-           (and ($listp v) (cdr v) (every #'(lambda (e) (and (consp e) (eq (caar e) 'mequal))) (cdr v))))))
+           (and ($listp v)
+                (cdr v)
+                (every #'(lambda (e) (and (consp e) (eq (caar e) 'mequal))) (cdr v))))))
 
 ;;; the lines of v: `lead` (a key) ahead of it, `tail` (a comma) behind it
 (defun $gsmbp__json_block (indent v lead tail) (gsmbp-list (gsmbp-json-lines indent v lead tail)))
 (defun gsmbp-json-lines (indent v lead tail)
   (let* ((object ($gsmbp__json_objectp v)) (parts (and (or object ($listp v)) (cdr v)))
-         (text (if (or (null parts) (string/= indent "")) (gsmbp-text indent lead ($gsmbp__json_inline v) tail))))
-    (if (and text (or (null parts) (<= (length text) 150))) (list text)
-      (let ((lines (list (gsmbp-text indent lead (if object "{" "[")))) (inner (gsmbp-text indent "  ")))
-        (do ((l parts (cdr l))) ((null l))
-          (setq lines (revappend (gsmbp-json-lines inner (if object (caddr (car l)) (car l)) (if object (gsmbp-json-key (car l)) "") (if (cdr l) "," "")) lines)))
-        (reverse (cons (gsmbp-text indent (if object "}" "]") tail) lines))))))
+         (text (if (or (null parts) (string/= indent ""))
+                   (gsmbp-text indent lead ($gsmbp__json_inline v) tail))))
+    (if (and text (or (null parts) (<= (length text) 150)))
+        (list text)
+        (let ((lines (list (gsmbp-text indent lead (if object "{" "["))))
+              (inner (gsmbp-text indent "  ")))
+          (do ((l parts (cdr l)))
+              ((null l))
+            (setq lines
+                  (revappend
+                    (gsmbp-json-lines
+                      inner (if object (caddr (car l)) (car l))
+                      (if object (gsmbp-json-key (car l)) "") (if (cdr l) "," "")) lines)))
+          (reverse (cons (gsmbp-text indent (if object "}" "]") tail) lines))))))

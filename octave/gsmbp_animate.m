@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {} gsmbp_animate (@var{m}, @var{result}, @var{file})
-## @deftypefnx {} {} gsmbp_animate (@var{m}, @var{result}, @var{file}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {} gsmbp_animate (@var{m}, @var{result}, @var{file}, @var{options}, @dots{})
 ## Draw the skeletal diagram of a scene along a motion, without a screen.
 ##
 ## @var{m} is a model of @code{gsmbp_build} with the handle @code{m.ske};
@@ -20,8 +20,8 @@
 ## single point is a square.  Joints are circles, where the model knows their
 ## types a mark for each type; mass centres are small crosses (none where it
 ## stands in a joint; a thin line leads there from its link).  Joints on the
-## ground stand on a hatched support; in space a thin grey line joins them.  All axes have the same scale and stand still.  If
-## all points stay in one coordinate plane the picture is flat, otherwise
+## ground stand on a hatched support; in space a thin grey line joins them. All axes have the same
+## scale and stand still. If all points stay in one coordinate plane the picture is flat, otherwise
 ## isometric, what is near over what is far, with a grey shadow below.  Of more
 ## than seven links, those whose names differ in their last digits alone have
 ## one colour and one entry in the legend.
@@ -81,7 +81,8 @@ function gsmbp_animate (m, result, file, varargin)
   o = checked (who, o, m.skeleton, t);
   rows_drawn = poses (t, o, moving);
   rows_traced = unique ([rows_drawn, round(linspace (1, numel (t), min (numel (t), 1000)))]);
-  points = @(list) cell2mat (reshape (arrayfun (@(k) m.ske (t(k), q(k,:)'), list, "UniformOutput", false), 1, 1, []));
+  points = @(list) cell2mat (reshape (arrayfun (@(k) m.ske (t(k), q(k,:)'), list, ...
+                                        "UniformOutput", false), 1, 1, []));
   p = points (rows_drawn);
   path = zeros (3, 0);
   if (! isempty (o.trace))
@@ -94,21 +95,28 @@ function gsmbp_animate (m, result, file, varargin)
   [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
   m.skeleton.marks = marks (m.skeleton, o.centres);
   named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
-  s = stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), max (cellfun (@numel, [named, {o.traced, "mass centre"}])));
+  s = stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), ...
+             max (cellfun (@numel, [named, {o.traced, "mass centre"}])));
   lines = axes_of (s, o);
   n = numel (rows_drawn);
   if (moving)
     digits = max (2, ceil (-log10 (min ([diff(t(rows_drawn))(:); 1]) + 1e-12)));
     for k = 1:n
-      lines = [lines, picture(m.skeleton, p(:,:,k), 1, path, s, sprintf("%s   t = %.*f s", o.title, digits, t(rows_drawn(k))), o)];
+      lines = [lines, ...
+               picture(m.skeleton, p(:,:,k), 1, path, s, ...
+                       sprintf("%s   t = %.*f s", o.title, digits, t(rows_drawn(k))), o)];
     endfor
-    terminal = sprintf ("gif animate optimize delay %d loop 0 noenhanced size %d,%d font 'FreeSans,11'", o.delay, s.pixels);
+    terminal = sprintf (["gif animate optimize delay %d loop 0 noenhanced size %d,%d font " ...
+                         "'FreeSans,11'"], o.delay, s.pixels);
   else
-    instants = strjoin (arrayfun (@(x) sprintf ("%.4g", x), t(rows_drawn)', "UniformOutput", false), ", ");
+    instants = strjoin (arrayfun (@(x) sprintf ("%.4g", x), t(rows_drawn)', "UniformOutput", ...
+                                  false), ", ");
     shades = linspace (1 - 0.7 * (n > 1), 1, n);
     shades(end) = 1;
     order = {"", ", light to dark"}{1 + (n > 1)};
-    lines = [lines, picture(m.skeleton, p, shades, path, s, sprintf("%s   t = %s s%s", o.title, instants, order), o)];
+    lines = [lines, ...
+             picture(m.skeleton, p, shades, path, s, ...
+                     sprintf("%s   t = %s s%s", o.title, instants, order), o)];
     terminal = sprintf ("pngcairo noenhanced size %d,%d font 'FreeSans,12'", s.pixels);
   endif
   gsmbp__gnuplot (who, file, terminal, lines, table);
@@ -119,31 +127,39 @@ endfunction
 ## times and coordinates of the result
 function [t, q] = motion (who, m, result)
   if (! isfield (m, "ske") || ! isfield (m, "skeleton") || isempty (m.skeleton.points))
-    error ("%s: argument m has no handle ske: emit the scene with the request skeleton (gsmbp_fortran)", who);
+    error (["%s: argument m has no handle ske: emit the scene with the request " ...
+            "skeleton (gsmbp_fortran)"], who);
   endif
-  if (! (isstruct (result) && isscalar (result) && isfield (result, "t") && any (isfield (result, {"q", "x"}))))
-    error ("%s: argument result must be a struct with the fields t and q or x, found: %s", who, class (result));
+  if (! (isstruct (result) && isscalar (result) && isfield (result, "t") ...
+           && any (isfield (result, {"q", "x"}))))
+    error (["%s: argument result must be a struct with the fields t and q or x, found: " "%s"], ...
+           who, class (result));
   endif
   t = gsmbp__times (who, result.t)';
   field = {"x", "q"}{1 + isfield(result, "q")};
   q = result.(field);
-  if (rows (q) != numel (t) || columns (q) < m.sizes.nq || (field == "q" && columns (q) != m.sizes.nq))
-    error ("%s: argument result: expected %s with %d rows and the %d coordinates of %s, found %d x %d", who, field, numel (t), m.sizes.nq, m.name, size (q));
+  if (rows (q) != numel (t) || columns (q) < m.sizes.nq ...
+        || (field == "q" && columns (q) != m.sizes.nq))
+    error (["%s: argument result: expected %s with %d rows and the %d coordinates of " ...
+            "%s, found %d x %d"], who, field, numel (t), m.sizes.nq, m.name, size (q));
   endif
   q = q(:,1:m.sizes.nq);
 endfunction
 
 function o = checked (who, o, skeleton, t)
   if (o.fps > 50)
-    error ("%s: option fps must be at most 50 (a GIF counts hundredths of a second), found: %g", who, o.fps);
+    error (["%s: option fps must be at most 50 (a GIF counts hundredths of a second), " ...
+            "found: %g"], who, o.fps);
   endif
   o.delay = round (100 / o.fps);
-  if (! (isnumeric (o.view) && numel (o.view) == 2 && all (isfinite (o.view)) && o.view(1) >= 0 && o.view(1) <= 180))
+  if (! (isnumeric (o.view) && numel (o.view) == 2 && all (isfinite (o.view)) && o.view(1) >= 0 ...
+           && o.view(1) <= 180))
     error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
   endif
   o.view(2) = mod (o.view(2), 360);
   slack = 1e-9 * (1 + abs (t(end)) + abs (t(1)));
-  if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) && all (o.times(:) <= t(end) + slack)))
+  if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) ...
+           && all (o.times(:) <= t(end) + slack)))
     error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
   endif
   [o.trace, o.traced] = traced (who, o.trace, skeleton);
@@ -157,12 +173,14 @@ function [column, name] = traced (who, wanted, skeleton)
   if (ischar (wanted) && ! isempty (wanted))
     k = find (strcmp (skeleton.body, wanted));
     if (isempty (k) || skeleton.points(k) == 0)
-      error ("%s: option trace: no link \"%s\"; known: %s", who, wanted, strjoin (skeleton.body(2:end)', ", "));
+      error ("%s: option trace: no link \"%s\"; known: %s", who, wanted, ...
+             strjoin (skeleton.body(2:end)', ", "));
     endif
     column = last(k);
   elseif (! isempty (wanted))
     if (! (isnumeric (wanted) && isscalar (wanted) && any (wanted == 1:last(end))))
-      error ("%s: option trace must be the name of a link or a column of m.ske, 1 to %d", who, last(end));
+      error ("%s: option trace must be the name of a link or a column of m.ske, 1 to %d", who, ...
+             last(end));
     endif
     column = wanted;
     k = find (column <= last, 1);
@@ -171,7 +189,9 @@ function [column, name] = traced (who, wanted, skeleton)
     inside = column - last(k) + skeleton.points(k);
     name = ["path of " skeleton.body{k}];
     if (skeleton.points(k) > 1)
-      name = sprintf ("%s, %s", name, {"mass centre", sprintf("joint %d", inside)}{1 + (inside <= skeleton.joints(k))});
+      name = sprintf ("%s, %s", name, ...
+                      {"mass centre", sprintf("joint %d", inside)}{1 ...
+                          + (inside <= skeleton.joints(k))});
     endif
   endif
 endfunction
@@ -194,14 +214,17 @@ function names = heads (skeleton)
   names = {"t"};
   for b = 1:numel (skeleton.body)
     for k = 1:skeleton.points(b)
-      names = [names, cellfun(@(c) sprintf ("%s.%d.%s", skeleton.body{b}, k, c), {"x", "y", "z"}, "UniformOutput", false)];
+      names = [names, ...
+               cellfun(@(c) sprintf ("%s.%d.%s", skeleton.body{b}, k, c), {"x", "y", "z"}, ...
+                       "UniformOutput", false)];
     endfor
   endfor
 endfunction
 
 ## ------------------------------------------------------------ where it stands
 
-## s.axes: the two or three coordinates drawn, the last one upwards; s.eye: towards the eye, in ground axes; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture;
+## s.axes: the two or three coordinates drawn, the last one upwards; s.eye: towards the eye, in
+## ground axes; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture;
 ## ENTRIES: of the legend, the longest one of LETTERS
 function s = stage (p, path, o, entries, letters)
   all_points = [reshape(p, 3, []), path];
@@ -228,25 +251,32 @@ function s = stage (p, path, o, entries, letters)
     return;
   endif
   s.eye = zeros (3, 1);
-  s.eye(s.axes) = [sind(o.view(1)) * sind(o.view(2)), -sind(o.view(1)) * cosd(o.view(2)), cosd(o.view(1))];
-  ## set view equal xyz: the longer of x and y spans the lesser side of what the margins leave, its middle in theirs
+  s.eye(s.axes) = [sind(o.view(1)) * sind(o.view(2)), -sind(o.view(1)) * cosd(o.view(2)), ...
+                   cosd(o.view(1))];
+  ## set view equal xyz: the longer of x and y spans the lesser side of what the margins leave, its
+  ## middle in theirs
   wide = room(1) * abs (cosd (o.view(2))) + room(2) * abs (sind (o.view(2)));
-  tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
+  tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) ...
+      * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
   scale = min ([(o.width - 170) / wide, 0.75 * o.width / tall, o.width / max(room(1:2))]);
   s.pixels = round ([o.width, scale * tall + below + 60]);
   half = scale * max (room(1:2)) / 2;
   middle = below + scale * tall / 2;
   s.key = [(10 + 22 * lines) / s.pixels(2), lines];
-  s.margins = [o.width/2 - half, o.width/2 + half, middle - half, middle + half] ./ s.pixels([1 1 2 2]);
+  s.margins = [o.width/2 - half, o.width/2 + half, middle - half, middle + half] ./ s.pixels([1 ...
+          1 2 2]);
 endfunction
 
 function lines = axes_of (s, o)
   letters = "xyz"(s.axes);
-  lines = {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", "set key Left reverse samplen 2 spacing 1.2", "set tics nomirror", "set tics scale 0.6", ...
+  lines = ...
+      {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", ...
+       "set key Left reverse samplen 2 spacing 1.2", "set tics nomirror", "set tics scale 0.6", ...
            sprintf("set key at screen 0.5,%.5f top center vertical maxrows %d width 2", s.key)};
   for k = 1:numel (letters)
     c = "xyz"(k);
-    lines{end+1} = sprintf ("set %slabel '%s [m]'; set %srange [%.9g:%.9g]", c, letters(k), c, s.low(k), s.high(k));
+    lines{end+1} = sprintf ("set %slabel '%s [m]'; set %srange [%.9g:%.9g]", c, letters(k), c, ...
+                            s.low(k), s.high(k));
     lines{end+1} = sprintf ("set %stics %.9g", c, tick (max (s.high - s.low) / 7));
   endfor
   if (numel (letters) == 2)
@@ -276,7 +306,8 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
   first = [0; cumsum(skeleton.points)(1:end-1)];
   bodies = 2:numel (skeleton.body);
   supports = p(:,1:skeleton.joints(1),end);
-  corners = arrayfun (@(b) around (p(:,first(b) + (1:skeleton.joints(b)),1)), 1:numel (skeleton.body), "UniformOutput", false);
+  corners = arrayfun (@(b) around (p(:,first(b) + (1:skeleton.joints(b)),1)), ...
+                      1:numel (skeleton.body), "UniformOutput", false);
   if (d.dims == 3)
     for b = bodies
       q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
@@ -284,7 +315,8 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
       d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
     endfor
     if (columns (supports) >= 2)
-      d = add (d, outline (supports, columns (supports), corners{1}), s, "lines lw 1.5 lc rgb '#888888'");
+      d = add (d, outline (supports, columns (supports), corners{1}), s, ...
+               "lines lw 1.5 lc rgb '#888888'");
     endif
   endif
   for k = 1:columns (supports)
@@ -303,7 +335,8 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
     endif
     for b = order
       own = first(b) + (1:skeleton.points(b));
-      d = link (d, here(:,own), skeleton.joints(b), corners{b}, s, skeleton.color{b}, shades(k), o.centres);
+      d = link (d, here(:,own), skeleton.joints(b), corners{b}, s, skeleton.color{b}, shades(k), ...
+                o.centres);
       if (d.dims == 3)   # a nearer link hides them
         d = marked (d, here, own, skeleton.marks.list, s, shades(k));
       endif
@@ -318,7 +351,8 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
   for b = bodies
     if (! isempty (skeleton.entry{b}))
       q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
-      d.keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", line_of (q), skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
+      d.keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", line_of (q), ...
+                               skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
     endif
   endfor
   d.keys = [d.keys, skeleton.marks.key];
@@ -326,7 +360,9 @@ function lines = picture (skeleton, p, shades, path, s, title, o)
     d.keys{end+1} = ["keyentry with " track " title " gsmbp__quoted(o.traced)];
   endif
   command = {"plot ", "splot "}{d.dims - 1};
-  lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), 1 - 20 / s.pixels(2))}, d.data, {[command strjoin([d.plots, d.keys], ", ")]}];
+  lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), ...
+                    1 - 20 / s.pixels(2))}, d.data, ...
+           {[command strjoin([d.plots, d.keys], ", ")]}];
 endfunction
 
 ## the marks of the points OWN of a pose
@@ -342,10 +378,14 @@ endfunction
 function d = link (d, here, joints, corners, s, color, shade, centres)
   q = outline (here, joints, corners);
   if (columns (q) > 3)
-    d = add (d, q, s, sprintf ("%s fc rgb '%s'", {"filledcurves closed", "polygons fs solid noborder"}{d.dims - 1}, lighter (color, 0.25 * shade)));
+    d = add (d, q, s, ...
+             sprintf ("%s fc rgb '%s'", ...
+                      {"filledcurves closed", "polygons fs solid noborder"}{d.dims - 1}, ...
+                      lighter (color, 0.25 * shade)));
   endif
   if (centres && columns (here) > joints && joints > 1)
-    d = add (d, [mean(here(:,1:joints), 2), here(:,end)], s, sprintf ("lines lw 1.2 lc rgb '%s'", lighter (color, shade)));
+    d = add (d, [mean(here(:,1:joints), 2), here(:,end)], s, ...
+             sprintf ("lines lw 1.2 lc rgb '%s'", lighter (color, shade)));
   endif
   d = add (d, q, s, sprintf ("%s lc rgb '%s'", line_of (q), lighter (color, shade)));
 endfunction
@@ -354,7 +394,8 @@ function style = line_of (q)
   style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
 endfunction
 
-## colour of each body, and what it is called in the legend (nothing if one before it speaks for both)
+## colour of each body, and what it is called in the legend (nothing if one before it speaks for
+## both)
 function [color, entry] = entries (body)
   family = entry = body(:)';
   if (numel (body) > 8)
@@ -373,7 +414,8 @@ function [color, entry] = entries (body)
   entry{1} = "";
 endfunction
 
-## how points are marked: a list of structs with the columns of m.ske, what is drawn under and over them; key: the entries of the legend
+## how points are marked: a list of structs with the columns of m.ske, what is drawn under and over
+## them; key: the entries of the legend
 function m = marks (skeleton, centres)
   column = 0;
   of = {};
@@ -390,25 +432,31 @@ function m = marks (skeleton, centres)
     endfor
   endfor
   ## type, gnuplot's point below (white or dark) and above
-  table = {"joint", 7, 6; "revolute", 7, 6; "prismatic", 5, 4; "cylindrical", 11, 10; "helical", 13, 12; "universal", 15, 14; "spherical", 7, 7; "planar", 9, 8; "fixed", 5, 5};
+  table = {"joint", 7, 6; "revolute", 7, 6; "prismatic", 5, 4; "cylindrical", 11, 10; "helical", ...
+           13, 12; "universal", 15, 14; "spherical", 7, 7; "planar", 9, 8; "fixed", 5, 5};
   m.list = struct ("columns", {}, "under", {}, "over", {});
   m.key = {};
   for row = table'
     columns = find (strcmp (of, row{1}));
     if (! isempty (columns))
       size = 1.3 - 0.4 * strcmp (row{1}, "fixed");
-      m.list(end+1) = struct ("columns", columns, "under", sprintf ("points pt %d ps %g lc rgb 'white'", row{2}, 1.3), "over", sprintf ("points pt %d ps %g lw 1.6", row{3}, size));
-      m.key{end+1} = sprintf ("keyentry with %s lc rgb '#222222' title '%s'", m.list(end).over, row{1});
+      m.list(end+1) = struct ("columns", columns, "under", ...
+                              sprintf ("points pt %d ps %g lc rgb 'white'", row{2}, 1.3), ...
+                              "over", sprintf ("points pt %d ps %g lw 1.6", row{3}, size));
+      m.key{end+1} = sprintf ("keyentry with %s lc rgb '#222222' title '%s'", m.list(end).over, ...
+                              row{1});
     endif
   endfor
   columns = find (strcmp (of, "mass centre"));
   if (centres && ! isempty (columns))
-    m.list(end+1) = struct ("columns", columns, "under", "dots lc rgb 'white'", "over", "points pt 2 ps 1.1 lw 1.6");
+    m.list(end+1) = struct ("columns", columns, "under", "dots lc rgb 'white'", "over", ...
+                            "points pt 2 ps 1.1 lw 1.6");
     m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
   endif
 endfunction
 
-## the corners of a link: its joints (a closed polygon from three on), or its only joint and the mass centre
+## the corners of a link: its joints (a closed polygon from three on), or its only joint and the
+## mass centre
 function q = outline (q, joints, corners)
   if (joints >= 2)
     q = q(:,corners);
@@ -460,7 +508,8 @@ function d = support (d, at, s)
   else
     deep = zeros (3, 1);
     deep(s.axes(2)) = 1;
-    c = [foot - 0.5*h*(side + deep), foot + 0.5*h*(side - deep), foot + 0.5*h*(side + deep), foot - 0.5*h*(side - deep)];
+    c = [foot - 0.5*h*(side + deep), foot + 0.5*h*(side - deep), foot + 0.5*h*(side + deep), ...
+         foot - 0.5*h*(side - deep)];
     body = [c(:,[1:4 1]), gap, c(:,1), at, c(:,3), gap, c(:,2), at, c(:,4)];
   endif
   hatch = [foot - h*side, foot + h*side, gap];
@@ -478,7 +527,8 @@ endfunction
 
 %!function [m, r] = pendulum (spatial)
 %!  m = struct ("name", "pendulum", "sizes", struct ("nq", 2));
-%!  m.skeleton = struct ("body", {{"ground"; "upper"; "lower"}}, "points", [1; 3; 2], "joints", [1; 2; 1]);
+%!  m.skeleton = struct ("body", {{"ground"; "upper"; "lower"}}, "points", [1; 3; 2], "joints", ...
+%!                       [1; 2; 1]);
 %!  e = @(a) [sin(a); spatial * a; -cos(a)];
 %!  m.ske = @(t, q) [zeros(3, 2), e(q(1)), e(q(1))/2, e(q(1)), e(q(1)) + e(q(2))];
 %!  t = (0:0.05:1)';
@@ -519,16 +569,22 @@ endfunction
 %!function stands (folder)
 %!  [m, r] = pendulum (0.3);
 %!  file = fullfile (folder, "o'ne.png");
-%!  gsmbp_animate (m, struct ("t", r.t, "x", [r.q, r.q]), file, "times", [0 0.31 1], "title", "it's", "trace", 3);
+%!  gsmbp_animate (m, struct ("t", r.t, "x", [r.q, r.q]), file, "times", [0 0.31 1], "title", ...
+%!                 "it's", "trace", 3);
 %!  assert (dlmread (fullfile (folder, "o'ne.csv"), ",", 1, 0)(:,1), [0; 0.3; 1], 1e-15);
 %!  assert (stat (file).size > 3000);
 %!endfunction
 %!function spatial (folder)
 %!  ## a plate on seven legs, joints of all types
 %!  m = struct ("name", "plate", "sizes", struct ("nq", 1));
-%!  m.skeleton = struct ("body", {["ground"; "plate"; arrayfun(@(k) sprintf ("leg%d", k), (1:7)', "UniformOutput", false)]}, "points", [7; 8; 2*ones(7, 1)], "joints", [7; 7; 2*ones(7, 1)]);
+%!  m.skeleton = struct ("body", ...
+%!                       {["ground"; "plate"; ...
+%!                         arrayfun(@(k) sprintf ("leg%d", k), (1:7)', "UniformOutput", ...
+%!                                  false)]}, "points", [7; 8; 2*ones(7, 1)], "joints", ...
+%!                       [7; 7; 2*ones(7, 1)]);
 %!  words = {"revolute", "prismatic", "cylindrical", "helical", "universal", "planar", "fixed"};
-%!  m.skeleton.types = [{words; repmat({"spherical"}, 1, 7)}; cellfun(@(w) {w, "spherical"}, words', "UniformOutput", false)];
+%!  m.skeleton.types = [{words; repmat({"spherical"}, 1, 7)}; ...
+%!                      cellfun(@(w) {w, "spherical"}, words', "UniformOutput", false)];
 %!  base = [cos(2*(1:7)); sin(2*(1:7)); zeros(1, 7)];
 %!  up = @(q) base .* [0.5; 0.5; 0] + [0; 0; 1 + q];
 %!  m.ske = @(t, q) [base, up(q), [0; 0; 1.2], reshape([base; up(q)], 3, [])];
@@ -547,12 +603,19 @@ endfunction
 %!test # standing, spatial, from states
 %! inside (@stands);
 %!error <Invalid call> gsmbp_animate (1)
-%!error <argument file must end in .gif or .png, found: a.pdf> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.pdf")
-%!error <argument m has no handle ske> [m, r] = pendulum (0); gsmbp_animate (rmfield (m, "ske"), r, "a.png")
+%!error <argument file must end in .gif or .png, found: a.pdf>
+%! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.pdf")
+%!error <argument m has no handle ske>
+%! [m, r] = pendulum (0); gsmbp_animate (rmfield (m, "ske"), r, "a.png")
 %!error <argument result must be a struct> gsmbp_animate (pendulum (0), 1, "a.png")
-%!error <argument result: expected q with 21 rows and the 2 coordinates of pendulum, found 21 x 1> [m, r] = pendulum (0); r.q = r.q(:,1); gsmbp_animate (m, r, "a.png")
-%!error <option fps must be at most 50> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.gif", "fps", 60)
-%!error <option up: expected one of "x", "y", "z", found "w"> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
-%!error <option times must lie within the result, from 0 to 1 s> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "times", 2)
-%!error <no link "rod"; known: upper, lower> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", "rod")
+%!error <argument result: expected q with 21 rows and the 2 coordinates of pendulum, found 21 x 1>
+%! [m, r] = pendulum (0); r.q = r.q(:,1); gsmbp_animate (m, r, "a.png")
+%!error <option fps must be at most 50>
+%! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.gif", "fps", 60)
+%!error <option up: expected one of "x", "y", "z", found "w">
+%! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
+%!error <option times must lie within the result, from 0 to 1 s>
+%! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "times", 2)
+%!error <no link "rod"; known: upper, lower>
+%! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", "rod")
 %!error <a column of m.ske, 1 to 6> [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", 7)

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{x} =} gsmbp_assemble (@var{m}, @var{guess})
-## @deftypefnx {} {@var{x} =} gsmbp_assemble (@var{m}, @var{guess}, "hold", @var{names}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{x} =} gsmbp_assemble (@dots{}, "hold", @var{names}, "time", @var{t})
+## @deftypefnx {} {@var{x} =} gsmbp_assemble (@dots{}, "tolerance", @var{tol})
 ## @deftypefnx {} {@var{X} =} gsmbp_assemble (@var{m}, @var{guess}, "branches", @var{n}, @dots{})
 ## A state of the scene that fulfils its constraints, from a rough one.
 ##
@@ -73,7 +74,8 @@ function x = guessed (who, m, guess)
   x = gsmbp__guess (who, m, "guess", guess, m.initial(d.nq + 1:d.nx));
   for set = m.orientation'
     if (! any (x(set)))
-      error ("%s: %s: expected a guess of the Euler parameters (%s), found zeros, which are no orientation", who, m.name, strjoin (m.coordinates(set)', ", "));
+      error (["%s: %s: expected a guess of the Euler parameters (%s), found zeros, which " ...
+              "are no orientation"], who, m.name, strjoin (m.coordinates(set)', ", "));
     endif
   endfor
 endfunction
@@ -82,7 +84,8 @@ endfunction
 function whole_orientations (who, m, held)
   for set = m.orientation'
     if (any (held(set)) && ! all (held(set)))
-      error ("%s: %s: option hold: %s is one of the Euler parameters (%s) of one orientation: hold all four, or none (one alone would freeze the orientation)", who, m.name,
+      error (["%s: %s: option hold: %s is one of the Euler parameters (%s) of one orientation: " ...
+              "hold all four, or none (one alone would freeze the orientation)"], who, m.name,
              m.coordinates{set(find (held(set), 1))}, strjoin (m.coordinates(set)', ", "));
     endif
   endfor
@@ -121,9 +124,13 @@ function [x, complaint] = close_loops (m, x, o, held)
   [gap, k] = max (abs (phi));
   [slip, j] = max (abs (rate));
   if (! (gap <= o.tolerance))
-    complaint = sprintf ("the loop does not close: %s = %.6g is left of the constraints (tolerance %g); try another guess or check the lengths", label (m, k), phi(k), o.tolerance);
+    complaint = sprintf (["the loop does not close: %s = %.6g is left of the constraints " ...
+                          "(tolerance " ...
+                          "%g); try another guess or check the lengths"], label (m, k), phi(k), ...
+                         o.tolerance);
   elseif (! (slip <= o.tolerance * max (1, norm (u))))
-    complaint = sprintf ("the speeds do not fit the constraints: the rate of %s is %.6g", label (m, j), rate(j));
+    complaint = sprintf ("the speeds do not fit the constraints: the rate of %s is %.6g", ...
+                         label (m, j), rate(j));
   endif
 endfunction
 
@@ -205,7 +212,9 @@ function found = branches (who, m, guess, o, held)
     end_try_catch
     if (isempty (complaint))
       x = wound (m, x, guess);
-      if (isempty (found) || all (max (abs (difference (m, found, x)), [], 1) > 1e-6 * max (1, norm (x(1:m.sizes.nq), Inf))))
+      if (isempty (found) ...
+            || all (max (abs (difference (m, found, x)), [], 1) > 1e-6 ...
+                      * max (1, norm (x(1:m.sizes.nq), Inf))))
         found(:,end+1) = x;
       endif
     elseif (isempty (first))
@@ -289,7 +298,10 @@ endfunction
 %! x = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0], "hold", "q1", "branches", 20);
 %! assert (x(1,:), [0.3 0.3]);
 %! assert (x(3,:), 0.2 * cos (0.3) + [1 -1] * sqrt (0.25 - 0.04 * sin (0.3)^2), 1e-14);
-%!error <none of 6 guesses: the loop does not close> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1", "branches", 5)
-%!error <loop does not close: phi of C\.y = 0.1[0-9]* is left> gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1")
+%!error <none of 6 guesses: the loop does not close>
+%! gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1", "branches", 5)
+%!error <loop does not close: phi of C\.y = 0.1[0-9]* is left>
+%! gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1")
 %!error <has no coordinate "q9"> gsmbp_assemble (c, [0.3 -0.1 0.7], "hold", "q9")
-%!error <argument guess: expected 6 numbers \(the states of hand_crank, or its 3 coordinates\), found 1x2> gsmbp_assemble (c, [0.3 -0.1])
+%!error <argument guess: expected 6 numbers .*, found 1x2>
+%! gsmbp_assemble (c, [0.3 -0.1])

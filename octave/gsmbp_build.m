@@ -85,8 +85,8 @@
 ## others are one of many values and depend on where a loop is cut), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},
 ## @code{initial} (the start that the scene states: coordinates, a guess where there are
-## loops; speeds zero; states of devices, filters of sensors and observers settled), @code{nominal} (the
-## usual size of each state in its unit), @code{json},
+## loops; speeds zero; states of devices, filters of sensors and observers settled), @code{nominal}
+## (the usual size of each state in its unit), @code{json},
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
 ## @code{joints}, how many of these, the first ones, are where joints stand: a
@@ -141,7 +141,8 @@ function m = gsmbp_build (name, varargin)
            "input", "", "text"};
   options = gsmbp__options ("gsmbp_build", table, varargin);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
-    error ("gsmbp_build: option parameters: expected a struct of names and values, found %s", gsmbp__shown (options.parameters));
+    error (["gsmbp_build: option parameters: expected a struct of names and values, " ...
+            "found %s"], gsmbp__shown (options.parameters));
   endif
   folder = make_absolute_filename (options.directory);
   source = fullfile (folder, [name ".f"]);
@@ -166,7 +167,8 @@ function m = gsmbp_build (name, varargin)
     contents = [contents, fileread(input)];
   endif
   contents = hash ("md5", contents)(1:8);
-  symbol = sprintf ("gsmbp_%s_%s_%s_%s", options.precision(1), tolower (json.name), place, contents);
+  symbol = sprintf ("gsmbp_%s_%s_%s_%s", options.precision(1), tolower (json.name), place, ...
+                    contents);
   before = stat (fullfile (build, options.precision, json.name, [symbol ".oct"]));
   file = gsmbp__compile (json, source, build, options.precision, symbol, input);
   load_module (symbol, file, before);
@@ -186,7 +188,8 @@ function m = gsmbp_build (name, varargin)
     endif
     [m.(p), m.units.(p)] = gsmbp__names (list);
   endfor
-  m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), gsmbp__names (json.subroutines), "UniformOutput", false);
+  m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), ...
+                           gsmbp__names (json.subroutines), "UniformOutput", false);
   m.order = json.command_order;
   m.actuated = double (json.actuated(:));
   m.nominal = nominal (json);
@@ -249,7 +252,8 @@ endfunction
 
 ## the sampled devices, a struct array
 function list = controllers (json)
-  list = struct ("name", {}, "entry", {}, "period", {}, "delay", {}, "memory", {}, "starts", {}, "outputs", {}, "reads", {}, "again", {});
+  list = struct ("name", {}, "entry", {}, "period", {}, "delay", {}, "memory", {}, "starts", {}, ...
+                 "outputs", {}, "reads", {}, "again", {});
   if (isfield (json, "controllers") && ! isempty (json.controllers))
     list = json.controllers(:)';
     for k = 1:numel (list)
@@ -281,7 +285,8 @@ endfunction
 
 %!function m = fixture (name, varargin)
 %!  root = fileparts (fileparts (which ("gsmbp_build")));
-%!  m = gsmbp_build (name, "directory", fullfile (root, "tests", "octave", "fixture"), "build", fullfile (root, "fortran_out", "build"), varargin{:});
+%!  m = gsmbp_build (name, "directory", fullfile (root, "tests", "octave", "fixture"), "build", ...
+%!                   fullfile (root, "fortran_out", "build"), varargin{:});
 %!endfunction
 %!test
 %! m = fixture ("motor_pendulum");
@@ -294,7 +299,8 @@ endfunction
 %!test
 %! m = fixture ("hand_crank");
 %! assert (m.skeleton.body, {"ground"; "crank"; "rod"; "slider"});
-%! assert (m.ske (0, [pi/2; 0; 0.3]), [0 0 0 0 0 0.5 0.25 0.3; 0 0 0.2 0.1 0.2 0.2 0.2 0; 0 0 0 0 0 0 0 0], 1e-15);
+%! assert (m.ske (0, [pi/2; 0; 0.3]), ...
+%!         [0 0 0 0 0 0.5 0.25 0.3; 0 0 0.2 0.1 0.2 0.2 0.2 0; 0 0 0 0 0 0 0 0], 1e-15);
 %!error <argument q: expected 3 numbers> fixture ("hand_crank").ske (0, 1)
 %!error <argument x: expected 3 numbers, found 2x1> fixture ("motor_pendulum").rhs (0, [0; 1])
 %!error <argument x\(2\) is not finite: NaN> fixture ("motor_pendulum").rhs (0, [0; NaN; 0])

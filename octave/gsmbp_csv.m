@@ -14,7 +14,8 @@ function gsmbp_csv (file, names, data)
     print_usage ();
   endif
   if (! (isnumeric (data) || islogical (data)) || ! isreal (data) || ndims (data) > 2)
-    error ("gsmbp_csv: %s: argument data: expected a real matrix, found %s", file, gsmbp__shown (data));
+    error ("gsmbp_csv: %s: argument data: expected a real matrix, found %s", file, ...
+           gsmbp__shown (data));
   elseif (numel (names) != columns (data))
     error ("gsmbp_csv: %s: %d column heads for %d columns", file, numel (names), columns (data));
   endif

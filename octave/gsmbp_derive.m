@@ -27,7 +27,9 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
     guard = onCleanup (@() remove (folder));
   endif
   command = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "share", "make", "derive");
-  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], {command, make_absolute_filename(scene), make_absolute_filename(folder)}, "UniformOutput", false);
+  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], ...
+                    {command, make_absolute_filename(scene), make_absolute_filename(folder)}, ...
+                    "UniformOutput", false);
   start = tic ();
   [status, text] = system (sprintf ("%s 2>&1 && times", strjoin (quoted, " ")));
   wall = toc (start);

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times})
-## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @var{options}, @dots{})
 ## Inverse dynamics along a planned motion, through loops and actuators.
 ##
 ## @var{motion} (of @code{gsmbp_plan}) plans the actuated coordinates of the
@@ -116,16 +116,21 @@ endfunction
 
 ## a motion of all coordinates of a closed chain must fulfil its constraints
 function consistent (who, m, t, one)
-  [names, scaled, found] = gsmbp__residuals (m, t, [one(:,1); one(:,2); zeros(m.sizes.nx - 2 * m.sizes.nu, 1)]);
+  [names, scaled, found] = gsmbp__residuals (m, t, ...
+      [one(:,1); one(:,2); zeros(m.sizes.nx - 2 * m.sizes.nu, 1)]);
   if (! all (abs (scaled) <= 1e-6))
-    error ("gsmbp:start", "%s: %s: expected a planned motion on the constraints, found at t = %.9g s %s", who, m.name, t, gsmbp__worst (names, scaled, found, 1e-6));
+    error ("gsmbp:start", ...
+           ["%s: %s: expected a planned motion on the constraints, found at t = %.9g s " "%s"], ...
+           who, m.name, t, gsmbp__worst (names, scaled, found, 1e-6));
   endif
 endfunction
 
 function o = checked (who, m, o)
   d = m.sizes;
   if (d.nq != d.nu)
-    error ("%s: %s has Euler parameters: a planned motion cannot state its %d coordinates by %d speeds; derive it with angles of orientation", who, m.name, d.nq, d.nu);
+    error (["%s: %s has Euler parameters: a planned motion cannot state its %d " ...
+            "coordinates by %d speeds; derive it with angles of orientation"], who, m.name, ...
+           d.nq, d.nu);
   endif
   o.guess = gsmbp__vector (who, "guess", o.guess, d.nq, "", m.coordinates);
   o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu, "",
@@ -151,7 +156,8 @@ function xi = carried (m, motion_at, guess, xi, from, to)
     lsode_options ("absolute tolerance", old{2});
   end_unwind_protect
   if (state != 2)
-    error ("gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g s to %.9g s: %s", m.name, from, to, text);
+    error (["gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g " ...
+            "s to %.9g s: %s"], m.name, from, to, text);
   endif
   xi(here) = y(end,:)';
 endfunction
@@ -274,5 +280,7 @@ endfunction
 %! e = @(t) [1 1 0 0 0] * c.ene (0, gsmbp_inverse (c, plan, t).x');
 %! assert (r.tau * r.u(1), (e (0.5 + 1e-4) - e (0.5 - 1e-4)) / 2e-4, 1e-6);
 %! assert (c.con (0, r.q'), [0; 0], 1e-15);
-%!error <cannot follow the motion at t = > gsmbp_inverse (gsmbp_set (c, "l2", 0.1), gsmbp_plan ("quintic", [0 3], [0 1]), 0:0.1:1)
-%!error <expected 1 components \(q1\), found 2> gsmbp_inverse (c, gsmbp_plan ("quintic", [0 3; 0 1], [0 1]), 0)
+%!error <cannot follow the motion at t = >
+%! gsmbp_inverse (gsmbp_set (c, "l2", 0.1), gsmbp_plan ("quintic", [0 3], [0 1]), 0:0.1:1)
+%!error <expected 1 components \(q1\), found 2>
+%! gsmbp_inverse (c, gsmbp_plan ("quintic", [0 3; 0 1], [0 1]), 0)

@@ -1,6 +1,6 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{sys} =} gsmbp_linear (@var{m}, @var{t}, @var{x}, @var{v})
-## @deftypefnx {} {[@var{sys}, @var{T}, @var{independent}] =} gsmbp_linear (@dots{}, "reduced", @var{names})
+## @deftypefnx {} {[@var{sys}, @var{T}, @var{free}] =} gsmbp_linear (@dots{}, "reduced", @var{q})
 ## The exact linear model of a scene as an @code{ss} object of the control
 ## package, with StateName, InputName and OutputName.
 ##
@@ -14,9 +14,10 @@
 ## With loops (or Euler parameters) the states are not independent.  The option
 ## "reduced" gives the model in independent ones: the coordinates @var{names}
 ## and their speeds (with constraints of speeds alone, rolling or sleds, there are
-## more independent coordinates than speeds: name the speeds too) ("auto", the default where there are constraints: chosen by
+## more independent coordinates than speeds: name the speeds too) ("auto", the default where there
+## are constraints: chosen by
 ## the Jacobian) and the actuator states.  Then dx = @var{T} dz for the reduced
-## deviations dz, which are the states of the numbers @var{independent}.  It is
+## deviations dz, which are the states of the numbers @var{free}.  It is
 ## exact: on the constraints' tangent space T the full model and the
 ## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
 ## @seealso{gsmbp_build, gsmbp_trim, ss, lqr}
@@ -64,7 +65,8 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
     error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
             "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
   endif
-  sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", m.states(independent), "InputName", m.inputs, "OutputName", outputs);
+  sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", ...
+            m.states(independent), "InputName", m.inputs, "OutputName", outputs);
 endfunction
 
 ## columns: the tangent vectors of the constraints that change one independent state each
@@ -96,7 +98,8 @@ function [T, independent] = tangent (m, t, x, names)
   independent = [q, d.nq + u, d.nq + d.nu + 1:d.nx];
   N = null (K, 1e-9);
   if (columns (N) != numel (independent) || rcond (N(independent,:)) < 1e-10)
-    error ("gsmbp_linear: %s: %s do not determine the motion here: the constraints leave %d free states, %d are chosen", m.name,
+    error (["gsmbp_linear: %s: %s do not determine the motion here: the constraints leave %d " ...
+            "free states, %d are chosen"], m.name,
            strjoin (m.states(independent), ", "), columns (N), numel (independent));
   endif
   T = N / N(independent,:);

@@ -42,11 +42,13 @@ function design = gsmbp_lqr (m, motion, times, Q, R)
   gains = zeros (nt, d.nv * d.nx);
   chosen = "auto";
   for i = 1:nt
-    [sys, T, states] = gsmbp_linear (m, times(i), nominal.x(i,:)', nominal.v(i,:)', "reduced", chosen);
+    [sys, T, states] = gsmbp_linear (m, times(i), nominal.x(i,:)', nominal.v(i,:)', "reduced", ...
+                                     chosen);
     if (numel (states) < d.nx)
       chosen = m.states(states(states <= d.nq + d.nu));   # the same ones at all times
     endif
-    ## balanced, so that currents and angles are numbers of like size; rounding errors must not take part
+    ## balanced, so that currents and angles are numbers of like size; rounding errors must not take
+    ## part
     A = sys.a;
     A(abs (A) < 1e-13 * max (abs (A(:)))) = 0;
     [S, ~] = balance (A);

@@ -48,7 +48,9 @@ function r = gsmbp_mobility (m, x, t = 0)
   d = m.sizes;
   t = gsmbp__vector (who, "t", t, 1);
   q = gsmbp__guess (who, m, "x", x, zeros (d.nx - d.nq, 1))(1:d.nq);
-  one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), "singular", []);
+  one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, ...
+                "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), ...
+                "singular", []);
   if (isfield (m, "mobility") && isfield (m.mobility, "gruebler"))
     one.gruebler = m.mobility.gruebler;
     one.removed = m.removed;
@@ -59,7 +61,8 @@ function r = gsmbp_mobility (m, x, t = 0)
     [names, scaled, found] = gsmbp__residuals (m, t, [q; zeros(d.nx - d.nq, 1)]);
     places = cellfun (@isempty, strfind (names, "rate of "));
     if (! all (abs (scaled(places)) <= 1e-6))
-      error ("gsmbp:start", "gsmbp_mobility: %s: expected a closed state at t = %.9g s, found %s; close it by gsmbp_assemble", m.name, t,
+      error ("gsmbp:start", ["gsmbp_mobility: %s: expected a closed state at t = %.9g s, found " ...
+                             "%s; close it by gsmbp_assemble"], m.name, t,
              gsmbp__worst (names(places), scaled(places), found(places), 1e-6));
     endif
     ## rows have units of their own: a row counts by its direction
@@ -84,7 +87,8 @@ endfunction
 ## what the scene's description says of the multipliers, rows that were left out counted
 function u = determined (m)
   u = true (1, m.sizes.nlam);
-  if (isfield (m, "json") && isfield (m.json, "multipliers") && isfield (m.json.multipliers, "unique"))
+  if (isfield (m, "json") && isfield (m.json, "multipliers") ...
+        && isfield (m.json.multipliers, "unique"))
     u = logical ([m.json.multipliers.unique]);
   endif
 endfunction
@@ -93,7 +97,8 @@ function r = reactions_of (m)
   r = struct ("output", {}, "joint", {}, "unique", {}, "not_unique", {});
   if (isfield (m, "json") && isfield (m.json, "reactions") && isstruct (m.json.reactions))
     for one = m.json.reactions(:)'
-      r(end+1) = struct ("output", one.output, "joint", one.joint, "unique", {names(one.unique)}, "not_unique", {names(one.not_unique)});
+      r(end+1) = struct ("output", one.output, "joint", one.joint, "unique", ...
+                         {names(one.unique)}, "not_unique", {names(one.not_unique)});
     endfor
   endif
 endfunction
@@ -108,7 +113,8 @@ function l = names (l)
 endfunction
 
 function show (m, r)
-  printf ("%s: mobility %d by the rank of its constraints here, %d by counting (Gruebler)\n", m.name, r.mobility, r.gruebler);
+  printf (["%s: mobility %d by the rank of its constraints here, %d by counting " ...
+           "(Gruebler)\n"], m.name, r.mobility, r.gruebler);
   printf ("  %d constraint rows, %d independent, %d redundant\n", r.rows, r.rank, r.redundant);
   for k = 1:numel (r.removed)
     printf ("  %s is left out: %s\n", r.removed(k).row, r.removed(k).reason);
@@ -123,7 +129,9 @@ function show (m, r)
   endif
   for one = r.reactions
     if (! isempty (one.not_unique))
-      printf ("  reaction in %s (%s): not unique: %s; unique: %s\n", one.joint, one.output, strjoin (one.not_unique, ", "), strjoin ([one.unique, {"none"}(isempty (one.unique))], ", "));
+      printf ("  reaction in %s (%s): not unique: %s; unique: %s\n", one.joint, one.output, ...
+              strjoin (one.not_unique, ", "), ...
+              strjoin ([one.unique, {"none"}(isempty (one.unique))], ", "));
     endif
   endfor
 endfunction

@@ -44,15 +44,19 @@ function motion = gsmbp_plan (kind, varargin)
   switch (kind)
     case {"quintic", "septic"}
       if (numel (varargin) != 2)
-        error ("gsmbp_plan: %s: expected positions and times, found %d arguments", kind, numel (varargin));
+        error ("gsmbp_plan: %s: expected positions and times, found %d arguments", kind, ...
+               numel (varargin));
       endif
-      motion = moves (varargin{:}, struct ("quintic", [6 -15 10 0 0 0], "septic", [-20 70 -84 35 0 0 0 0]).(kind));
+      motion = moves (varargin{:}, ...
+                      struct ("quintic", [6 -15 10 0 0 0], "septic", ...
+                              [-20 70 -84 35 0 0 0 0]).(kind));
     case "profile"
       motion = profile (varargin{:});
     case "table"
       motion = table (varargin{:});
     otherwise
-      error ("gsmbp_plan: kind must be \"quintic\", \"septic\", \"profile\" or \"table\", found: \"%s\"", kind);
+      error (["gsmbp_plan: kind must be \"quintic\", \"septic\", \"profile\" or " ...
+              "\"table\", found: \"%s\""], kind);
   endswitch
 endfunction
 
@@ -61,7 +65,8 @@ function motion = moves (q, times, shape)
   times = gsmbp__times ("gsmbp_plan", times);
   numbers (q, "the positions");
   if (columns (q) != numel (times) || numel (times) < 2)
-    error ("gsmbp_plan: expected a column of positions for each of the %d times (two or more), found %d x %d", numel (times), rows (q), columns (q));
+    error (["gsmbp_plan: expected a column of positions for each of the %d times (two " ...
+            "or more), found %d x %d"], numel (times), rows (q), columns (q));
   endif
   n = rows (q);
   k = numel (shape);
@@ -81,14 +86,16 @@ function motion = profile (rate, order = 1, start = [])
   endif
   gsmbp__fits ("gsmbp_plan", "argument start", start, "numbers");
   if (! (isnumeric (order) && isscalar (order) && any (order == [1 2 3])))
-    error ("gsmbp_plan: the order of the profile must be 1 (velocity), 2 (acceleration) or 3 (jerk)");
+    error (["gsmbp_plan: the order of the profile must be 1 (velocity), 2 " ...
+            "(acceleration) or 3 (jerk)"]);
   endif
   n = prod (rate.dim);
   if (isempty (start))
     start = zeros (n, order);
   endif
   if (! isequal (size (start), [n order]))
-    error ("gsmbp_plan: expected the start as %d x %d (a row for each coordinate), found %d x %d", n, order, rows (start), columns (start));
+    error (["gsmbp_plan: expected the start as %d x %d (a row for each coordinate), " ...
+            "found %d x %d"], n, order, rows (start), columns (start));
   endif
   motion = rate;
   for i = order:-1:1
@@ -117,7 +124,8 @@ function motion = table (times, values, order = 1)
     values = values.';
   endif
   if (rows (values) != nt || nt < 2)
-    error ("gsmbp_plan: expected a row of values for each of the %d times (two or more), found %d x %d", nt, rows (values), columns (values));
+    error (["gsmbp_plan: expected a row of values for each of the %d times (two or " ...
+            "more), found %d x %d"], nt, rows (values), columns (values));
   endif
   gsmbp__fits ("gsmbp_plan", "argument order", order, "whole");
   n = columns (values);

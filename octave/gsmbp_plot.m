@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {} gsmbp_plot (@var{file}, @var{t}, @var{panel}, @dots{})
 ## @deftypefnx {} {} gsmbp_plot (@var{file}, @var{m}, @var{result})
-## @deftypefnx {} {} gsmbp_plot (@dots{}, "title", @var{text}, "xlabel", @var{text}, "scale", @var{kind})
+## @deftypefnx {} {} gsmbp_plot (@dots{}, "title", @var{text}, "xlabel", @var{text})
+## @deftypefnx {} {} gsmbp_plot (@dots{}, "scale", @var{kind})
 ## Draw a figure without a screen: @var{file} is a PNG, and the same numbers go
 ## into the .csv beside it.
 ##
@@ -48,7 +49,8 @@ function gsmbp_plot (file, t, varargin)
   if (isstruct (t))
     gsmbp__model (who, t);
     if (! (isstruct (panels{1}) && all (isfield (panels{1}, {"t", "x", "v"}))))
-      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, gsmbp__shown (panels{1}));
+      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, ...
+             gsmbp__shown (panels{1}));
     endif
     [t, panels] = by_unit (t, panels{1});
   endif
@@ -93,10 +95,13 @@ function check (who, t, panels)
       error ("%s: panel %d must be a struct with the fields y, names, label", who, i);
     endif
     if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
-      error ("%s: panel %d: expected numbers y, a list of names and a text label, found %s, %s and %s", who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), gsmbp__shown (p.label));
+      error (["%s: panel %d: expected numbers y, a list of names and a text label, found " ...
+              "%s, %s and %s"], who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), ...
+             gsmbp__shown (p.label));
     endif
     if (isfield (p, "style"))
-      gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, {"lines", "linespoints", "points", "steps"});
+      gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, ...
+                   {"lines", "linespoints", "points", "steps"});
     endif
     if (rows (p.y) != numel (t))
       error ("%s: panel %d: expected %d rows, found %d", who, i, numel (t), rows (p.y));
@@ -115,13 +120,16 @@ function draw (file, table, panels, o)
     tight = "set autoscale xfix";
   endif
   terminal = sprintf ("pngcairo noenhanced size 1000,%d font 'FreeSans,12'", 90 + 270 * n);
-  lines = {"set datafile separator comma", "set datafile missing 'NaN'", "set grid lc rgb '#bbbbbb'", tight, ...
+  lines = ...
+      {"set datafile separator comma", "set datafile missing 'NaN'", ...
+       "set grid lc rgb '#bbbbbb'", tight, ...
            "set lmargin at screen 0.1", "set rmargin at screen 0.80", axes_of(o.scale)};
   top = 1 - 45 / (90 + 270 * n);
   bottom = 60 / (90 + 270 * n);
   lines{end+1} = "set multiplot";
   if (! isempty (o.title))
-    lines{end+1} = sprintf ("set label 1 %s at screen 0.45,%.4f center font ',14'", gsmbp__quoted (o.title), 1 - 22 / (90 + 270 * n));
+    lines{end+1} = sprintf ("set label 1 %s at screen 0.45,%.4f center font ',14'", ...
+                            gsmbp__quoted (o.title), 1 - 22 / (90 + 270 * n));
   endif
   column = 2;
   for i = 1:n
@@ -132,8 +140,11 @@ function draw (file, table, panels, o)
     endif
     height = (top - bottom) / n;
     lines{end+1} = sprintf ("set tmargin at screen %.4f", top - (i - 1) * height);
-    lines{end+1} = sprintf ("set bmargin at screen %.4f", top - i * height + 0.16 * height * (i < n));
-    lines{end+1} = sprintf ("set key at screen 0.81,%.4f left top vertical Left reverse samplen 2", top - (i - 1) * height);
+    lines{end+1} = sprintf ("set bmargin at screen %.4f", ...
+                            top - i * height + 0.16 * height * (i < n));
+    lines{end+1} = sprintf (["set key at screen 0.81,%.4f left top vertical Left reverse " ...
+                             "samplen 2"], ...
+                            top - (i - 1) * height);
     lines{end+1} = sprintf ("set ylabel %s", gsmbp__quoted (p.label));
     if (i == n)
       lines{end+1} = sprintf ("set xlabel %s", gsmbp__quoted (o.xlabel));
@@ -141,7 +152,9 @@ function draw (file, table, panels, o)
     curves = {};
     colors = gsmbp__colors (columns (p.y));
     for k = 1:columns (p.y)
-      curves{k} = sprintf ("%s using 1:%d skip 1 with %s lw 2 pt 7 ps 1 lc rgb '%s' title %s", gsmbp__quoted (table), column, style, colors{k}, gsmbp__quoted (p.names{k}));
+      curves{k} = sprintf ("%s using 1:%d skip 1 with %s lw 2 pt 7 ps 1 lc rgb '%s' title %s", ...
+                           gsmbp__quoted (table), column, style, colors{k}, ...
+                           gsmbp__quoted (p.names{k}));
       column++;
     endfor
     lines{end+1} = ["plot " strjoin(curves, ", ")];
@@ -152,7 +165,8 @@ function draw (file, table, panels, o)
 endfunction
 
 function text = axes_of (scale)
-  text = struct ("linear", "", "semilogy", "set logscale y; set format y '%.0e'", "semilogx", "set logscale x", "loglog", "set logscale xy; set format y '%.0e'");
+  text = struct ("linear", "", "semilogy", "set logscale y; set format y '%.0e'", "semilogx", ...
+                 "set logscale x", "loglog", "set logscale xy; set format y '%.0e'");
   if (! isfield (text, scale))
     error ("gsmbp_plot: scale must be linear, semilogy, semilogx or loglog, found: \"%s\"", scale);
   endif
@@ -167,7 +181,9 @@ endfunction
 %! mkdir (folder);
 %! t = (0:0.1:1)';
 %! unwind_protect
-%!   gsmbp_plot (fullfile (folder, "a.png"), t, struct ("y", [sin(t), cos(t)], "names", {{"a_1", "b"}}, "label", "angle [rad]"));
+%!   gsmbp_plot (fullfile (folder, "a.png"), t, ...
+%!               struct ("y", [sin(t), cos(t)], "names", {{"a_1", "b"}}, "label", ...
+%!                       "angle [rad]"));
 %!   assert (fileread (fullfile (folder, "a.csv"))(1:13), "t,a_1,b\n0,0,1");
 %!   assert (stat (fullfile (folder, "a.png")).size > 3000);
 %! unwind_protect_cleanup
@@ -175,4 +191,5 @@ endfunction
 %!   rmdir (folder, "s");
 %! end_unwind_protect
 %!error <must end in .png> gsmbp_plot ("a.pdf", 1, struct ())
-%!error <panel 1: expected 2 rows, found 1> gsmbp_plot ("a.png", [1 2], struct ("y", 1, "names", {{"a"}}, "label", "b"))
+%!error <panel 1: expected 2 rows, found 1>
+%! gsmbp_plot ("a.png", [1 2], struct ("y", 1, "names", {{"a"}}, "label", "b"))

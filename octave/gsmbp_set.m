@@ -6,9 +6,9 @@
 ##
 ## What depends on the parameters alone is computed anew and the handles of the
 ## result use it; the argument keeps its own.  A start that the scene states by
-## parameters, and filters and observers that start settled, follow in @code{m.initial}.  What the scene would refuse is an
-## error here: a negative mass, an inertia that no body has, a value out of the
-## range of a device.
+## parameters, and filters and observers that start settled, follow in @code{m.initial}. What the
+## scene would refuse is an error here: a negative mass, an inertia that no body has, a value out of
+## the range of a device.
 ## @seealso{gsmbp_build}
 ## @end deftypefn
 
@@ -45,7 +45,8 @@ function par = merged (m, pairs)
              gsmbp__unknown (name, fieldnames (par)'));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
-      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, gsmbp__shown (value));
+      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, ...
+             gsmbp__shown (value));
     endif
     par.(name) = double (value);
   endfor
@@ -58,7 +59,8 @@ function made_of_others (m, name)
   endif
   k = find (strcmp (name, {m.json.dependent.name}), 1);
   if (! isempty (k))
-    error ("gsmbp_set: %s: parameter %s is made of others, %s: expected one of these", m.name, name, m.json.dependent(k).expression);
+    error ("gsmbp_set: %s: parameter %s is made of others, %s: expected one of these", m.name, ...
+           name, m.json.dependent(k).expression);
   endif
 endfunction
 
@@ -72,7 +74,8 @@ endfunction
 %!test
 %! n = m;
 %! n.json.dependent = struct ("name", "mr", "expression", "rho*l", "value", 1, "unit", "kg");
-%! fail ('gsmbp_set (n, "mr", 1)', "parameter mr is made of others, rho\\*l: expected one of these");
+%! fail ('gsmbp_set (n, "mr", 1)', ...
+%!       "parameter mr is made of others, rho\\*l: expected one of these");
 %!error <parameter g must be one finite number> gsmbp_set (m, "g", [1 2])
 %!error <must be one finite number, found: \[\]> gsmbp_set (m, "g", [])
 %!error <must be one finite number, found: NaN> gsmbp_set (m, "g", NaN)

@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn  {} {@var{result} =} gsmbp_simulate (@var{m}, @var{x0}, @var{times}, @var{option}, @var{value}, @dots{})
+## @deftypefn  {} {@var{result} =} gsmbp_simulate (@var{m}, @var{x0}, @var{times}, @var{options}, @dots{})
 ## @deftypefnx {} {[@var{result}, @var{info}] =} gsmbp_simulate (@dots{})
 ## Simulate a scene; the whole loop runs compiled.
 ##
@@ -234,8 +234,11 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (d.nq == d.nu)
     guess = x0(1:d.nq);
   endif
-  [x, v, counts, values, info, seconds, text, sampled, events, number] = m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, atol,
-                                                                   ip, rp, guess, callback, library, o.maxorder);
+  [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
+      m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), ...
+      numel(breaks)], iopt, ropt, atol,
+                                                                   ip, rp, guess, callback, ...
+                                                                       library, o.maxorder);
   if (strcmp (method, "auto"))
     method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
   endif
@@ -249,7 +252,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     result.unique = m.unique.outputs;
     result.memory = sampled.memory;
     record = sampled.record';
-    result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", record(:,2+d.nxk:end));
+    result.samples = struct ("t", record(:,1), "xk", record(:,2:1+d.nxk), "v", ...
+                             record(:,2+d.nxk:end));
     s.instants = sampled.instants;
   endif
   if (! isempty (m.events))
@@ -283,7 +287,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   s.stiff = stiffness (m, counts, values);
   s.smallest_step = values(6);
   s.largest_step = values(7);
-  s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", values(4), "before_projection", values(5));
+  s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", ...
+                    values(4), "before_projection", values(5));
   s.reached = values(8);
   s.margins = gsmbp__margins (m, result.t, result.x, result.v);
   result.stats = s;
@@ -305,7 +310,8 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
   if (! (isnumeric (o.audit) && isscalar (o.audit) && o.audit > 0))
     error ("%s: audit must be an energy above 0 [J]", who);
   elseif (! any (strcmp (m.subroutines, "rha")))
-    error ("%s: option audit needs the subroutine RHA (request audit), which %s was emitted without", who, m.name);
+    error (["%s: option audit needs the subroutine RHA (request audit), which %s was " ...
+            "emitted without"], who, m.name);
   elseif (! isempty (o.gain))
     error ("%s: no audit with state feedback from outside", who);
   endif
@@ -329,13 +335,15 @@ function a = audit (m, r, w)
   endif
   a.balance = stored - stored(1) - w(:,1) + lost - lost(1);
   a.passed = w(:,2) + lost;
-  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1)); range(energy(:,1))]);
+  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1)); ...
+        range(energy(:,1))]);
 endfunction
 
 function s = stiffness (m, counts, values)
   s = struct ("time", NaN, "eigenvalue", NaN, "state", "", "step", NaN);
   if (counts(14) > 0)
-    s = struct ("time", values(18), "eigenvalue", values(19), "state", m.states{counts(15)}, "step", values(20));
+    s = struct ("time", values(18), "eigenvalue", values(19), "state", m.states{counts(15)}, ...
+                "step", values(20));
   endif
 endfunction
 
@@ -356,7 +364,8 @@ function [m, way] = loops (who, o, m)
   endif
   way = find (strcmp (word, words));
   if (isempty (way))
-    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), gsmbp__shown (word));
+    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
+           gsmbp__shown (word));
   endif
   if (d.nlam == 0 && isempty (o.projection))
     way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
@@ -367,12 +376,15 @@ function [m, way] = loops (who, o, m)
       m = gsmbp_set (m, "loop_method", method);
     endif
   elseif (method > 1)
-    error ("%s: %s was derived without the ways nullspace, svd and kane (it has no parameter loop_method): derive the scene again", who, m.name);
+    error (["%s: %s was derived without the ways nullspace, svd and kane (it has no " ...
+            "parameter loop_method): derive the scene again"], who, m.name);
   endif
-  needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, {"con", "kin", "prj"}}{way};
+  needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, ...
+           {"con", "kin", "prj"}}{way};
   for name = needs
     if (! has (name{1}))
-      error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, words{way}, toupper (name{1}), m.name);
+      error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, ...
+             words{way}, toupper (name{1}), m.name);
     endif
   endfor
 endfunction
@@ -380,7 +392,9 @@ endfunction
 ## what the result does not show by itself
 function warn (who, m, s)
   if (s.singular_positions > 0)
-    warning ("gsmbp:singular", "%s: %s passed %d position%s where its constraints lose rank, the first at t = %.6g s: it may go on in more than one way there", who, m.name,
+    warning ("gsmbp:singular", ["%s: %s passed %d position%s where its constraints lose rank, " ...
+                                "the first at t = %.6g s: it may go on in more than one way " ...
+                                "there"], who, m.name,
              s.singular_positions, {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1));
   endif
   if (s.angle_singularities > 0)
@@ -388,20 +402,27 @@ function warn (who, m, s)
     if (! isempty (m.angles))
       joints = [" of " strjoin(m.angles(:)', ", ")];
     endif
-    warning ("gsmbp:angles", "%s: %s came within 0.05 rad of a singularity of its orientation angles%s at t = %.6g s: choose another sequence of axes or Euler parameters", who, m.name,
+    warning ("gsmbp:angles", ["%s: %s came within 0.05 rad of a singularity of its orientation " ...
+                              "angles%s at t = %.6g s: choose another sequence of axes or " ...
+                              "Euler parameters"], who, m.name,
              joints, s.angle_times(1));
   endif
   for one = s.margins
-    warning ("gsmbp:margin", "%s: %s: %s: expected above 0, found %.6g at the least, first at t = %.6g s",
+    warning ("gsmbp:margin", ["%s: %s: %s: expected above 0, found %.6g at the least, first at " ...
+                              "t = %.6g s"],
              who, m.name, one.text, one.least, one.time);
   endfor
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
   if (strcmp (s.method, "rk4") && ! isnan (f.time))
-    warning ("gsmbp:stiff", "%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, of %s): %s", who, m.name,
+    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...
+                             "limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, " ...
+                             "of %s): %s"], who, m.name,
              f.time, f.step, 2.78 / f.eigenvalue, f.eigenvalue, f.state, remedy);
   elseif (strcmp (s.method, "dp853") && ! isnan (f.time))
-    warning ("gsmbp:stiff", "%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by stability, not by accuracy (largest eigenvalue about %.3g 1/s, of %s): %s", who, m.name,
+    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by " ...
+                             "stability, not by accuracy (largest eigenvalue about %.3g 1/s, " ...
+                             "of %s): %s"], who, m.name,
              f.time, f.step, f.eigenvalue, f.state, remedy);
   endif
 endfunction
@@ -409,11 +430,13 @@ endfunction
 function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
   if (! (ischar (o.method) && isfield (methods, o.method)))
-    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, gsmbp__shown (o.method));
+    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, ...
+           gsmbp__shown (o.method));
   endif
   method = o.method;
   if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
-    error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, m.name);
+    error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
+           m.name);
   endif
   rk4 = strcmp (o.method, "rk4");
   if (isempty (o.step))
@@ -421,7 +444,8 @@ function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   endif
   for name = {"step", "maxstep", "maxsteps"}
     value = o.(name{1});
-    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) && value >= 0))
+    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) ...
+             && value >= 0))
       error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
     endif
   endfor
@@ -430,7 +454,8 @@ function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
   if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
-    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, gsmbp__shown (o.maxorder));
+    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, ...
+           gsmbp__shown (o.maxorder));
   endif
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
@@ -473,8 +498,11 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
     ip(1) = 3;
   else
     constants = o.input;
-    if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv && all (isfinite (constants(:)))))
-      error ("%s: input: expected %d finite numbers (%s), a piecewise polynomial, a function handle or \"user\", found %s", who, d.nv, strjoin (m.inputs', ", "), gsmbp__shown (constants));
+    if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv ...
+             && all (isfinite (constants(:)))))
+      error (["%s: input: expected %d finite numbers (%s), a piecewise polynomial, a " ...
+              "function handle or \"user\", found %s"], who, d.nv, strjoin (m.inputs', ", "), ...
+             gsmbp__shown (constants));
     endif
     ip(9) = 1;
     rp = double (constants(:)');
@@ -488,7 +516,8 @@ function [ip, rp, breaks, callback] = inputs (who, o, m)
       error ("%s: a gain needs a reference, the state about which it acts", who);
     endif
     ip(2) = 1;
-    [ip, rp, breaks] = put (ip, rp, breaks, 14, as_pp (who, o.reference, [d.nx 1], "the reference"));
+    [ip, rp, breaks] = put (ip, rp, breaks, 14, ...
+                            as_pp (who, o.reference, [d.nx 1], "the reference"));
     [ip, rp, breaks] = put (ip, rp, breaks, 18, as_pp (who, o.gain, [d.nv d.nx], "the gain"));
   endif
   [ip, rp] = limits (who, m, o, ip, rp);
@@ -536,7 +565,10 @@ endfunction
 function pp = as_pp (who, value, dims, what)
   if (isstruct (value))
     pp = gsmbp__pp (who, value, prod (dims), what);
-  elseif (isnumeric (value) && (isequal (size (value), dims) || (dims(2) == 1 && isequal (size (value), dims([2 1])))) && all (isfinite (value(:))))
+  elseif (isnumeric (value) ...
+            && (isequal (size (value), dims) ...
+                  || (dims(2) == 1 && isequal (size (value), dims([2 1])))) ...
+            && all (isfinite (value(:))))
     pp = mkpp ([0 1], double (value(:)), numel (value));
   else
     error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial", who, what, dims);
@@ -590,7 +622,8 @@ endfunction
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler"> gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
+%!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler">
+%! gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
 %! for word = {"baumgarte", "projection", "partitioning"}
@@ -598,7 +631,8 @@ endfunction
 %!   assert (r.x(2,:), gsmbp_simulate (c, x0, [0 0.5], "rtol", 1e-13).x(2,:), 1e-7);
 %! endfor
 %!error <derive the scene again> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd")
-%!error <option loops must be one of baumgarte> gsmbp_simulate (c, c.initial, [0 1], "loops", "none")
+%!error <option loops must be one of baumgarte>
+%! gsmbp_simulate (c, c.initial, [0 1], "loops", "none")
 %!error <not both> gsmbp_simulate (c, c.initial, [0 1], "loops", "svd", "projection", true)
 %!error <needs the subroutine PRJ> gsmbp_simulate (m, [0 0 0], [0 1], "projection", true)
 %!test <a feedback that stops at its limits: full voltage until late, and it arrives>
@@ -607,12 +641,17 @@ endfunction
 %! assert (max (abs (r.v)), 12);
 %! free = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0]);
 %! assert (max (abs (free.v)) > 100 && abs (free.x(end,1) - r.x(end,1)) < 1e-6);
-%! e = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "input", @(t, x) min (12, max (-12, -K * (x - [0.5; 0; 0]))));
+%! e = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "input", ...
+%!                     @(t, x) min (12, max (-12, -K * (x - [0.5; 0; 0]))));
 %! assert (r.x, e.x, 1e-8);
-%! c = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", [-12 12], "method", "cvode");
+%! c = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", ...
+%!                     [-12 12], "method", "cvode");
 %! assert (r.x, c.x, 1e-5);
 %!error <needs option gain> gsmbp_simulate (m, [0 0 0], [0 1], "limits", 12)
-%!error <the lower limit must be below> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 -1])
-%!error <expected 1, 1 or 1 x 2 numbers> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
-%!error <expected real numbers> gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
+%!error <the lower limit must be below>
+%! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 -1])
+%!error <expected 1, 1 or 1 x 2 numbers>
+%! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
+%!error <expected real numbers>
+%! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
 %!error <input: expected 1 finite> gsmbp_simulate (m, [0 0 0], [0 1], "input", [1 2])

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{s} =} gsmbp_timing (@var{m}, @var{t}, @var{x})
-## @deftypefnx {} {@var{s} =} gsmbp_timing (@var{m}, @var{t}, @var{x}, "input", @var{v}, "qj", @var{qj}, "seconds", @var{seconds}, "print", @var{yes})
+## @deftypefnx {} {@var{s} =} gsmbp_timing (@dots{}, "input", @var{v}, "qj", @var{qj})
+## @deftypefnx {} {@var{s} =} gsmbp_timing (@dots{}, "seconds", @var{seconds}, "print", @var{yes})
 ## Time for one call of each emitted subroutine of the model @var{m}, called
 ## again and again within compiled code at the time @var{t}, the states @var{x}
 ## and the inputs @var{v} (zeros by default).
@@ -79,9 +80,11 @@ function c = own (subroutine)
 endfunction
 
 function show (m, s)
-  names = cellfun (@(one) tolower (one(numel (m.name)+2:end)), {m.json.subroutines.name}, "UniformOutput", false);
+  names = cellfun (@(one) tolower (one(numel (m.name)+2:end)), {m.json.subroutines.name}, ...
+                   "UniformOutput", false);
   printf ("%s: operations of the emitted subroutines, nanoseconds for one call\n", m.name);
-  printf ("%-10s %6s %6s %5s %5s %5s %9s\n", "subroutine", "mul", "add", "div", "sqrt", "trig", "ns/call");
+  printf ("%-10s %6s %6s %5s %5s %5s %9s\n", "subroutine", "mul", "add", "div", "sqrt", "trig", ...
+          "ns/call");
   for k = 1:numel (names)
     c = struct ("mul", -1, "add", -1, "div", -1, "sqrt", -1, "trig", -1);   # written by hand
     if (isfield (m.json.subroutines, "operations"))
@@ -91,7 +94,8 @@ function show (m, s)
     if (isfield (s, names{k}))
       time = sprintf ("%.0f", 1e9 * s.(names{k}));
     endif
-    printf ("%-10s %6d %6d %5d %5d %5d %9s\n", toupper (names{k}), c.mul, c.add, c.div, c.sqrt, c.trig, time);
+    printf ("%-10s %6d %6d %5d %5d %5d %9s\n", toupper (names{k}), c.mul, c.add, c.div, c.sqrt, ...
+            c.trig, time);
   endfor
 endfunction
 
@@ -101,4 +105,5 @@ endfunction
 %! s = gsmbp_timing (m, 0, [0.3 1 0], "seconds", 1e-4, "print", false);
 %! assert (s.rhs > 1e-10 && s.rhs < 1e-4);
 %! assert (m.rhs (0, [0; 1; 0], 0)(1), 1);
-%!error <gsmbp_timing: argument x: expected 3 numbers> gsmbp_timing (gsmbp_hand ("motor_pendulum"), 0, [0.3 1], "print", false)
+%!error <gsmbp_timing: argument x: expected 3 numbers>
+%! gsmbp_timing (gsmbp_hand ("motor_pendulum"), 0, [0.3 1], "print", false)

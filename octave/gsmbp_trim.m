@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{r} =} gsmbp_trim (@var{m}, @var{x}, @var{v})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "hold", @var{names}, "free", @var{inputs})
-## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol}, "margins", @var{word})
+## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "margins", @var{word})
 ## An equilibrium of a scene: a state at rest, with loops closed, in which
 ## nothing is accelerated.
 ##
@@ -343,7 +344,8 @@ function check_rest (p, z)
     k = find (! (abs (found{1}) <= p.tolerance), 1);
     if (! isempty (k))
       rate = sprintf ([found{2} "%s%s"], found{1}(k), constraint_unit (p.m, k), found{3});
-      error (["%s: %s: no state at rest at t = %g s: with all speeds zero the constraint %s %s, " ...
+      error (["%s: %s: no state at rest at t = %g s: with all speeds zero the constraint %s " ...
+              "%s, " ...
               "it is driven with time; take a time at which it rests (option \"time\")"],
              p.who, p.m.name, p.t, p.m.multipliers{k}, rate);
     endif
@@ -484,7 +486,9 @@ endfunction
 %! assert (r.x(1), 0.3);
 %! assert (max (abs (m.rhs (0, r.x, r.v))) < 1e-9);
 %! assert (isempty (r.indifferent));
-%!error <expected the name of a state, found "nobody"; known: > gsmbp_trim (gsmbp_hand ("motor_pendulum"), [0;0;0], 0, "hold", "nobody")
+%!error <expected the name of a state, found "nobody"; known: >
+%! gsmbp_trim (gsmbp_hand ("motor_pendulum"), [0;0;0], 0, "hold", "nobody")
 %!test <what does not vanish, and what could help>
 %! m = gsmbp_hand ("motor_pendulum");
-%! fail ("gsmbp_trim (m, [0.3; 0; 0], 0, \"hold\", m.states{1})", "acceleration of .* rad/s\\^2; these");
+%! fail ("gsmbp_trim (m, [0.3; 0; 0], 0, \"hold\", m.states{1})", ...
+%!       "acceleration of .* rad/s\\^2; these");

@@ -1,5 +1,5 @@
 ## -*- texinfo -*-
-## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @var{option}, @var{value}, @dots{})
+## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @var{options}, @dots{})
 ## Speed against error: what a simulation costs and how far it is from the
 ## truth, for several methods, steps and tolerances.
 ##
@@ -30,8 +30,10 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
   gsmbp__model ("gsmbp_workprecision", m);
   [o, rest] = read_options (varargin);
   [folder, build] = folders (m);
-  q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, "parameters", m.par);
-  truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, "atol", o.reference, "drift", false);
+  q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, ...
+                   "parameters", m.par);
+  truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, "atol", ...
+                          o.reference, "drift", false);
   span = times(end) - times(1);
   w = struct ([]);
   for method = {"rk4", "dp853", "cvode"}
@@ -105,10 +107,13 @@ function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
 endfunction
 
 function show (m, w, span, t0)
-  printf ("%s: speed against error over %g s (from t = %g s); reference: quad precision\n", m.name, span, t0);
-  printf ("%-8s %-12s %10s %22s %14s %14s\n", "method", "step or tol", "calls", "microseconds/second", "error coord.", "error states");
+  printf (["%s: speed against error over %g s (from t = %g s); reference: quad " "precision\n"], ...
+          m.name, span, t0);
+  printf ("%-8s %-12s %10s %22s %14s %14s\n", "method", "step or tol", "calls", ...
+          "microseconds/second", "error coord.", "error states");
   for one = w
-    printf ("%-8s %-12.3g %10d %22.2f %14.2e %14.2e\n", one.method, one.step, one.calls, 1e6 * one.seconds, one.error, one.error_states);
+    printf ("%-8s %-12.3g %10d %22.2f %14.2e %14.2e\n", one.method, one.step, one.calls, ...
+            1e6 * one.seconds, one.error, one.error_states);
   endfor
 endfunction
 
@@ -122,16 +127,21 @@ function figure_of (file, m, w)
   endfor
   labels = struct ("rk4", "RK4", "dp853", "DOP853", "cvode", "CVODE");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
-  gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", "largest error of a coordinate [rad, m]", "style", "linespoints"), "xlabel",
-              "compute time for 1 s [microseconds]", "scale", "loglog", "title", [m.name ": speed against error"], "head", "microseconds_per_second");
+  gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", ...
+                               "largest error of a coordinate [rad, m]", "style", ...
+                               "linespoints"), "xlabel",
+              "compute time for 1 s [microseconds]", "scale", "loglog", "title", [m.name ...
+                    ": speed against error"], "head", "microseconds_per_second");
 endfunction
 
 %!test
 %! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
 %! m = gsmbp_hand ("motor_pendulum");
-%! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [1e-3 5e-4], "dp853", 1e-12, "print", false, "seconds", 0);
+%! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [1e-3 5e-4], "dp853", 1e-12, "print", ...
+%!                          false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
-%! s = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [], "dp853", [], "cvode", [1e-5 1e-8], "print", false, "seconds", 0);
+%! s = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [], "dp853", [], "cvode", [1e-5 1e-8], ...
+%!                          "print", false, "seconds", 0);
 %! assert ({s.method}, {"cvode", "cvode"});
 %! assert (s(2).error < 0.1 * s(1).error && s(2).error < 1e-7);

@@ -1,10 +1,11 @@
-## A thin disc rolls without slipping: circles, the speed at which it stays upright by itself, a coin that wobbles; what the plane must hold, and what is
-## conserved; everything goes into out/.
+## A thin disc rolls without slipping: circles, the speed at which it stays upright by itself, a
+## coin that wobbles; what the plane must hold, and what is conserved; everything goes into out/.
 
 warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
 
-## state of the disc that touches the plane at the origin and rolls along x: leaning by LEAN (rotation about x), turning about z at TURN, leaning
-## further at FALL, rotating about its axis at ROLL besides
+## state of the disc that touches the plane at the origin and rolls along x: leaning by LEAN
+## (rotation about x), turning about z at TURN, leaning further at FALL, rotating about its axis at
+## ROLL besides
 function x = start (r, lean, turn, fall, roll)
   axis = [0; cos(lean); sin(lean)];
   centre = r * [0; -sin(lean); cos(lean)];
@@ -15,7 +16,8 @@ endfunction
 
 function R = turning (e)
   v = e(2:4)(:);
-  R = (2 * e(1) ^ 2 - 1) * eye (3) + 2 * (v * v') + 2 * e(1) * [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
+  R = (2 * e(1) ^ 2 - 1) * eye (3) + 2 * (v * v') + 2 * e(1) ...
+      * [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
 endfunction
 
 ## axis of the disc and point of contact (rows) from states (rows)
@@ -44,17 +46,22 @@ open_report (mfilename ("fullpath"));
 ## --------------------------------------------------------------- the models
 cpu = gsmbp_derive ("rolling_disc.mac");
 cpu2 = gsmbp_derive ("rolling_disc_angles.mac", "out");
-printf ("derivation: %.1f s of processor time; in angles %.1f s; Maxima's start included\n", cpu, cpu2);
+printf (["derivation: %.1f s of processor time; in angles %.1f s; Maxima's start " ...
+         "included\n"], cpu, cpu2);
 m = gsmbp_build ("rolling_disc");
 angles = gsmbp_build ("rolling_disc_angles", "directory", "out");
-printf ("%d coordinates, %d speeds, %d constraints, of them %d on speeds alone; true mobility %d\n\n", m.sizes.nq, m.sizes.nu, m.sizes.nlam, numel (m.speed_rows), m.mobility.true);
+printf (["%d coordinates, %d speeds, %d constraints, of them %d on speeds alone; " ...
+         "true mobility %d\n\n"], m.sizes.nq, m.sizes.nu, m.sizes.nlam, numel (m.speed_rows), ...
+        m.mobility.true);
 p = m.par;
 tight = {"rtol", 1e-13, "atol", 1e-13};
 
 ## -------------------------------------------------------------- circles
-## lean and radius of the centre's circle fix the speed:  W^2 = g tan (lean) / (3/2 rho + 1/4 r sin (lean)),  W: turns about z, rho: radius
+## lean and radius of the centre's circle fix the speed: W^2 = g tan (lean) / (3/2 rho + 1/4 r sin
+## (lean)), W: turns about z, rho: radius
 puts ("steady circles of the centre: closed form beside ten rounds of the model\n");
-printf ("%12s %12s %14s %18s %18s %14s %14s\n", "lean [deg]", "radius [m]", "round in [s]", "off the circle [m]", "lean changes [rad]", "normal/weight", "friction/normal");
+printf ("%12s %12s %14s %18s %18s %14s %14s\n", "lean [deg]", "radius [m]", "round in [s]", ...
+        "off the circle [m]", "lean changes [rad]", "normal/weight", "friction/normal");
 circles = [10, 0.5; 20, 0.3; 45, 0.1; 75, 0];
 for k = 1:rows (circles)
   lean = circles(k,1) * pi / 180;
@@ -65,13 +72,16 @@ for k = 1:rows (circles)
   off = hypot (r.x(:,1) - x0(1), r.x(:,2) - x0(2) + rho) - rho;
   [n, f] = forces (m, r.x(end,:));
   a = seen (p.r, r.x);
-  printf ("%12.0f %12.2f %14.6f %18.1e %18.1e %14.6f %14.6f\n", circles(k,:), 2 * pi / W, max (abs (off)), max (abs (asin (a(:,3)) - lean)), n / (p.m * p.g), f / n);
+  printf ("%12.0f %12.2f %14.6f %18.1e %18.1e %14.6f %14.6f\n", circles(k,:), 2 * pi / W, ...
+          max (abs (off)), max (abs (asin (a(:,3)) - lean)), n / (p.m * p.g), f / n);
 endfor
-puts ("(closed form of the last column: W^2 rho / g; the last row is a coin that wobbles about its own centre)\n\n");
+puts (["(closed form of the last column: W^2 rho / g; the last row is a coin that " ...
+       "wobbles about its own centre)\n\n"]);
 
 ## ---------------------------------------- upright: when does it stay so?
 critical = sqrt (p.g / (3 * p.r));
-printf ("upright rolling: stable above sqrt (g / 3 r) = %.4f rad/s = %.4f m/s\n", critical, critical * p.r);
+printf ("upright rolling: stable above sqrt (g / 3 r) = %.4f rad/s = %.4f m/s\n", critical, ...
+        critical * p.r);
 printf ("%14s %34s %34s\n", "rate/critical", "of the linear model [1/s]", "closed form [1/s]");
 for ratio = [0.5 0.9 0.99 1.01 1.1 2]
   w = ratio * critical;
@@ -82,12 +92,14 @@ for ratio = [0.5 0.9 0.99 1.01 1.1 2]
   found = poles(k);
   wanted = sqrt (0.8 * (p.g / p.r - 3 * w ^ 2));
   kind = {"grows at", "swings at"}{1 + (w > critical)};
-  printf ("%14.2f %20s %13.8f %20s %13.8f\n", ratio, kind, max (abs ([real(found), imag(found)])), kind, abs (wanted));
+  printf ("%14.2f %20s %13.8f %20s %13.8f\n", ratio, kind, ...
+          max (abs ([real(found), imag(found)])), kind, abs (wanted));
 endfor
 w = 0.9 * critical;
 r = gsmbp_simulate (m, start (p.r, 1e-12, 0, 0, w), [0 4 5], tight{:});
 a = seen (p.r, r.x);
-printf ("the whole model, leaning by 1e-12 at 0.9 of it: grows at %.6f/s (closed form %.6f/s)\n\n", log (a(3,3) / a(2,3)), sqrt (0.8 * (p.g / p.r - 3 * w ^ 2)));
+printf (["the whole model, leaning by 1e-12 at 0.9 of it: grows at %.6f/s (closed " ...
+         "form %.6f/s)\n\n"], log (a(3,3) / a(2,3)), sqrt (0.8 * (p.g / p.r - 3 * w ^ 2)));
 
 t = (0:0.005:6)';
 ratios = [0.5 0.9 1.1 2];
@@ -98,7 +110,8 @@ for k = 1:4
   path{k} = c';
 endfor
 names = arrayfun (@(x) sprintf ("%g of critical", x), ratios, "UniformOutput", false);
-gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [degrees]"), "title", "A disc pushed by 1.1 degrees, slow and fast");
+gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [degrees]"), "title", ...
+            "A disc pushed by 1.1 degrees, slow and fast");
 
 ## --------------------------------------------------------- the coin wobbles
 flat = 10 * pi / 180;   # its plane against the floor
@@ -108,30 +121,40 @@ t2 = linspace (0, 2, 2001)';
 r = gsmbp_simulate (m, x0, t2, tight{:});
 [~, c] = seen (p.r, r.x);
 round = unwrap (atan2 (c(:,2) - x0(2), c(:,1) - x0(1)));
-printf ("coin at %.0f degrees: its contact goes round at %.6f rad/s, closed form sqrt (4 g / r sin) = %.6f; the picture on it turns at %.4f rad/s only\n", flat * 180 / pi, ...
+printf (["coin at %.0f degrees: its contact goes round at %.6f rad/s, closed form sqrt (4 g / " ...
+         "r sin) = %.6f; the picture on it turns at %.4f rad/s only\n"], flat ...
+    * 180 / pi, ...
         (round(end) - round(1)) / 2, W, W * (1 - cos (flat)));
 moved = gsmbp_assemble (m, x0 + [zeros(10, 1); 4; 0; 2]);
 r = gsmbp_simulate (m, moved, t2, tight{:});
 a = seen (p.r, r.x);
 [n, f] = forces (m, r.x);
-printf ("disturbed: its plane at %.2f to %.2f degrees, normal force %.2f to %.2f of the weight, friction up to %.3f of the normal force\n\n", min (acos (a(:,3))) * 180 / pi, ...
+printf (["disturbed: its plane at %.2f to %.2f degrees, normal force %.2f to %.2f of the " ...
+         "weight, friction up to %.3f of the normal force\n\n"], min (acos (a(:, ...
+          3))) * 180 / pi, ...
         max (acos (a(:,3))) * 180 / pi, min (n) / (p.m * p.g), max (n) / (p.m * p.g), max (f ./ n));
-gsmbp_plot ("out/figure_coin.png", t2, panel (acos (a(:,3)) * 180 / pi, {"plane of the coin"}, "inclination [degrees]"), ...
-            panel ([n / (p.m * p.g), f ./ n], {"normal / weight", "friction / normal"}, "force [1]"), "title", "A wobbling coin, disturbed");
+gsmbp_plot ("out/figure_coin.png", t2, panel (acos (a(:,3)) * 180 / pi, {"plane of the coin"}, ...
+    "inclination [degrees]"), ...
+            panel ([n / (p.m * p.g), f ./ n], {"normal / weight", "friction / normal"}, ...
+                   "force [1]"), "title", "A wobbling coin, disturbed");
 
 ## ------------------------------------------------------ what is conserved
 x0 = start (p.r, 0.5, 1, 0, 8);
 t3 = linspace (0, 60, 601)';
-printf ("60 s, %s: energy, and the constraints, by the way of solution\n", "leaning by 0.5 rad at 8 rad/s");
-printf ("%-14s %14s %16s %16s %10s %10s\n", "way", "energy [1]", "height [m]", "slip [m/s]", "calls", "s");
+printf ("60 s, %s: energy, and the constraints, by the way of solution\n", ...
+        "leaning by 0.5 rad at 8 rad/s");
+printf ("%-14s %14s %16s %16s %10s %10s\n", "way", "energy [1]", "height [m]", "slip [m/s]", ...
+        "calls", "s");
 for way = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"}
   r = gsmbp_simulate (m, x0, t3, "loops", way{1});
   [~, ~, e] = forces (m, r.x([1 end],:));
-  printf ("%-14s %14.1e %16.1e %16.1e %10d %10.3f\n", way{1}, abs (e(2) / e(1) - 1), r.stats.drift.phi, r.stats.drift.phidot, r.stats.calls, r.stats.seconds);
+  printf ("%-14s %14.1e %16.1e %16.1e %10d %10.3f\n", way{1}, abs (e(2) / e(1) - 1), ...
+          r.stats.drift.phi, r.stats.drift.phidot, r.stats.calls, r.stats.seconds);
 endfor
 s = gsmbp_timing (m, 0, x0, "print", false);
 z = gsmbp_timing (angles, 0, [0; 0; p.r; 0; 0; 0; p.r; 0; 0; 0; 0; 1], "print", false);
-printf ("\none call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 * s.rhs, 1e9 * z.rhs);
+printf ("\none call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 * s.rhs, ...
+        1e9 * z.rhs);
 diary off
 
 ## ------------------------------------------------------ what it looks like
@@ -154,7 +177,10 @@ r = gsmbp_simulate (m, slow, 0:0.04:3.6);
 for k = 1:rows (r.x) - 1
   R = turning (r.x(k,4:7));
   centre = r.x(k,1:3)';
-  frames{k} = {c(1:max(2, 4*k - 3),:)', "lines lw 1.5 lc rgb '#cc3318'", "track"; centre + R * spokes, "lines lw 1 lc rgb '#00459a'", ""; centre + R * rim, "lines lw 3 lc rgb '#00459a'", "disc"};
+  frames{k} = {c(1:max(2, 4*k - 3),:)', "lines lw 1.5 lc rgb '#cc3318'", "track"; ...
+               centre + R * spokes, "lines lw 1 lc rgb '#00459a'", ""; centre + R * rim, ...
+               "lines lw 3 lc rgb '#00459a'", "disc"};
   titles{k} = sprintf ("t = %.2f s", r.t(k));
 endfor
-film ("out/motion.gif", frames, "view", [20, 30], "fps", 25, "width", 440, "axis", 0.1, "titles", titles);
+film ("out/motion.gif", frames, "view", [20, 30], "fps", 25, "width", 440, "axis", 0.1, ...
+      "titles", titles);

@@ -1,5 +1,6 @@
-## [e, w, wd, R, Rd, Rdd] = stewart_turning (POSE, RATE, ACC): of the platform at a pose [x; y; z; roll; pitch; yaw] with its rates and accelerations,
-## R = Rx(roll) Ry(pitch) Rz(yaw): Euler parameters, angular velocity and acceleration in platform axes; R and its derivatives.
+## [e, w, wd, R, Rd, Rdd] = stewart_turning (POSE, RATE, ACC): of the platform at a pose [x; y; z;
+## roll; pitch; yaw] with its rates and accelerations, R = Rx(roll) Ry(pitch) Rz(yaw): Euler
+## parameters, angular velocity and acceleration in platform axes; R and its derivatives.
 
 function [e, w, wd, R, Rd, Rdd] = stewart_turning (pose, rate, acc)
   c = cos (pose(4:6) / 2);
@@ -9,7 +10,8 @@ function [e, w, wd, R, Rd, Rdd] = stewart_turning (pose, rate, acc)
   [t, u] = deal (pose(5), pose(6));
   [td, ud] = deal (rate(5), rate(6));
   B = [cos(t)*cos(u), sin(u), 0; -cos(t)*sin(u), cos(u), 0; sin(t), 0, 1];
-  Bd = [-td*sin(t)*cos(u) - ud*cos(t)*sin(u), ud*cos(u), 0; td*sin(t)*sin(u) - ud*cos(t)*cos(u), -ud*sin(u), 0; td*cos(t), 0, 0];
+  Bd = [-td*sin(t)*cos(u) - ud*cos(t)*sin(u), ud*cos(u), 0; td*sin(t)*sin(u) - ud*cos(t)*cos(u), ...
+        -ud*sin(u), 0; td*cos(t), 0, 0];
   w = B * rate(4:6);
   wd = B * acc(4:6) + Bd * rate(4:6);
   R = eye (3) + 2 * e(1) * hat (e(2:4)) + 2 * hat (e(2:4)) ^ 2;

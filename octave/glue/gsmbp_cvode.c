@@ -1,8 +1,10 @@
-/* Stiff scenes: the run of GSSIM (stops at breaks, inputs, loops, statistics; the same routines of share/fortran), integrated by BDF of variable order
-   and step, CVODE of SUNDIALS, with the emitted Jacobian.
+/* Stiff scenes: the run of GSSIM (stops at breaks, inputs, loops, statistics; the same routines of
+   share/fortran), integrated by BDF of variable order and step, CVODE of SUNDIALS, with the emitted
+   Jacobian.
 
-   Loops: the state is moved onto the constraints within every step (CVodeSetProjFn), before its error is tested. Output times lie between the steps:
-   there the state comes from the polynomial that BDF keeps and is moved onto the constraints as well. */
+   Loops: the state is moved onto the constraints within every step (CVodeSetProjFn), before its
+   error is tested. Output times lie between the steps: there the state comes from the polynomial
+   that BDF keeps and is moved onto the constraints as well. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -21,25 +23,35 @@
 #endif
 
 /* the Fortran routines: the addresses carry no types, these do */
-typedef void fun_type (gsmbp_sub rhs, gsmbp_sub con, gsmbp_sub kin, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t, const int *side,
-                       double *x, const int *nq, const int *nu, const int *nx, const int *nv, const int *nlam, int *ip, double *rp, double *cst,
-                       double *v, double *xd, double *w, double *p, int *istat, double *rstat, int *info);
-typedef void inp_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t, const int *side, const double *x, const int *nu, const int *nx,
-                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w, int *info);
-typedef void chk_type (gsmbp_sub prj, gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq, const int *nu, const int *nx,
-                       const int *nlam, const int *iopt, const double *jump, double *cst, double *p, int *istat, double *rstat, int *info);
-typedef void jmp_type (const int *nq, const int *nu, const double *x, const double *xn, const double *rtol, const double *atol, double *jump);
-typedef void pst_type (const int *nq, const int *nu, const int *nlam, const int *iopt, double *p);
-typedef void pnw_type (gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq, const int *nu, const int *nlam, double *cst, double *p,
+typedef void fun_type (gsmbp_sub rhs, gsmbp_sub con, gsmbp_sub kin, gsmbp_sub cmd, gsmbp_sub clo,
+                       gsmbp_sub vin, const double *t, const int *side, double *x, const int *nq,
+                       const int *nu, const int *nx, const int *nv, const int *nlam, int *ip,
+                       double *rp, double *cst, double *v, double *xd, double *w, double *p,
+                       int *istat, double *rstat, int *info);
+typedef void inp_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t,
+                       const int *side, const double *x, const int *nu, const int *nx,
+                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w,
                        int *info);
+typedef void chk_type (gsmbp_sub prj, gsmbp_sub con, gsmbp_sub kin, const double *t, double *x,
+                       const int *nq, const int *nu, const int *nx, const int *nlam,
+                       const int *iopt, const double *jump, double *cst, double *p, int *istat,
+                       double *rstat, int *info);
+typedef void jmp_type (const int *nq, const int *nu, const double *x, const double *xn,
+                       const double *rtol, const double *atol, double *jump);
+typedef void pst_type (const int *nq, const int *nu, const int *nlam, const int *iopt, double *p);
+typedef void pnw_type (gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq,
+                       const int *nu, const int *nlam, double *cst, double *p, int *info);
 typedef void pbg_type (gsmbp_sub con, gsmbp_sub kin, const double *t, const double *x,
                        const double *hmax, const int *nq, const int *nu, const int *nlam,
-                       double *cst, const double *f, double *xt, double *xw, double *hc, double *siz, double *p, int *state);
-typedef void due_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t, const double *x, const int *nu,
-                       const int *nx, const int *nv, int *ip, double *rp, double *cst, double *v, double *w, int *istat, double *ts, int *acted,
-                       int *info);
-typedef void jac_type (const double *t, const double *x, const double *v, double *cst, double *a, const int *lda, double *b, const int *ldb,
-                       double *c, const int *ldc, double *d, const int *ldd, int *info);
+                       double *cst, const double *f, double *xt, double *xw, double *hc,
+                       double *siz, double *p, int *state);
+typedef void due_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin,
+                       const double *t, const double *x, const int *nu, const int *nx,
+                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w,
+                       int *istat, double *ts, int *acted, int *info);
+typedef void jac_type (const double *t, const double *x, const double *v, double *cst, double *a,
+                       const int *lda, double *b, const int *ldb, double *c, const int *ldc,
+                       double *d, const int *ldd, int *info);
 
 enum { INPUTS = 1, RHS, PRJ, CON, PARTITION, BEGINNING = 8 };   /* ISTAT(7) */
 enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, CVODE_FAILED = 6, MEMORY };   /* INFO */
@@ -52,7 +64,8 @@ typedef struct
   int still;             /* steps in succession that hardly move the time */
   double t;              /* the last step's end, and the state there */
   double *x, *trial, *v, *p, *b, *c, *d, *dv;
-  int *project, *watch;  /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
+  int *project,
+      *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
   SUNContext context;
   N_Vector y, atol, dense;
   SUNMatrix matrix;
@@ -83,7 +96,8 @@ inputs (run *s, double t, int side, const double *x, double *v)
 {
   const gsmbp_run *r = s->r;
   int info = 0;
-  ((inp_type *) r->gsinp) (r->cmd, r->clo, r->vin, &t, &side, x, &r->nu, &r->nx, &r->nv, r->ip, r->rp, r->cst, v, r->w, &info);
+  ((inp_type *)r->gsinp) (r->cmd, r->clo, r->vin, &t, &side, x, &r->nu, &r->nx, &r->nv, r->ip,
+                          r->rp, r->cst, v, r->w, &info);
   if (info != 0)
     {
       r->istat[5] = info;
@@ -98,11 +112,13 @@ check (run *s, const int *options, double t, double *x, const double *jump)
 {
   const gsmbp_run *r = s->r;
   int info = 0;
-  ((chk_type *) r->gschk) (r->prj, r->con, r->kin, &t, x, &r->nq, &r->nu, &r->nx, &r->nlam, options, jump, r->cst, s->p, r->istat, r->rstat, &info);
+  ((chk_type *)r->gschk) (r->prj, r->con, r->kin, &t, x, &r->nq, &r->nu, &r->nx, &r->nlam, options,
+                          jump, r->cst, s->p, r->istat, r->rstat, &info);
   return info;
 }
 
-/* ----------------------------------------------------------------------------------------------------- what CVODE calls */
+/* ------------------------------------------------------------
+ * what CVODE calls */
 
 /* A positive result: CVODE tries a smaller step. */
 static int
@@ -119,12 +135,14 @@ rate (realtype t, N_Vector y, N_Vector yd, void *data)
   int side = side_at (s, t), info = 0;
   double *xd = N_VGetArrayPointer (yd);
   memcpy (s->trial, N_VGetArrayPointer (y), sizeof (double) * r->nx);   /* GSFUN may complete it */
-  ((fun_type *) r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &t, &side, s->trial, &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, r->ip, r->rp,
-                           r->cst, s->v, xd, r->w, s->p, r->istat, r->rstat, &info);
+  ((fun_type *)r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &t, &side, s->trial,
+                          &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, r->ip, r->rp, r->cst, s->v, xd,
+                          r->w, s->p, r->istat, r->rstat, &info);
   return info != 0 ? outcome (info) : ! all_finite (r->nx, xd);
 }
 
-/* A += B dV/dX: the inputs follow the state by a gain or by the user's routine; by differences, exact for a gain */
+/* A += B dV/dX: the inputs follow the state by a gain or by the user's routine; by differences,
+ * exact for a gain */
 static int
 add_feedback (run *s, double t, double *x, double *A)
 {
@@ -132,7 +150,8 @@ add_feedback (run *s, double t, double *x, double *A)
   int side = side_at (s, t), n = r->nx;
   for (int j = 0; j < n; j++)
     {
-      double old = x[j], h = (s->r->ip[0] == 3 ? 1e-7 : 1) * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
+      double old = x[j], h = (s->r->ip[0] == 3 ? 1e-7 : 1)
+                             * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
       if (! (h > 0))
         h = 1e-7;
       x[j] = old + h;
@@ -152,7 +171,8 @@ add_feedback (run *s, double t, double *x, double *A)
 }
 
 static int
-jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2, N_Vector t3)
+jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
+          N_Vector t3)
 {
   run *s = data;
   const gsmbp_run *r = s->r;
@@ -162,10 +182,13 @@ jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector
   memcpy (s->trial, N_VGetArrayPointer (y), sizeof (double) * r->nx);
   if ((r->ip[0] != 0 || r->ip[1] != 0) && (info = inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
-  ((jac_type *) r->jac) (&t, s->trial, s->v, r->cst, A, &r->nx, s->b, &r->nx, s->c, &ldy, s->d, &ldy, &info);
-  if (info != 0 && info != 2 && info != 3)   /* lost rank, a singularity of angles: usable, as with RHS */
+  ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &r->nx, s->b, &r->nx, s->c, &ldy, s->d, &ldy,
+                        &info);
+  if (info != 0 && info != 2
+      && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
     return outcome (info);
-  if (r->nv > 0 && (r->ip[0] == 3 || r->ip[1] == 1) && (info = add_feedback (s, t, s->trial, A)) != 0)
+  if (r->nv > 0 && (r->ip[0] == 3 || r->ip[1] == 1)
+      && (info = add_feedback (s, t, s->trial, A)) != 0)
     return info;
   return ! all_finite (r->nx * r->nx, A);
 }
@@ -200,13 +223,15 @@ said (int code, const char *module, const char *function, char *message, void *d
     snprintf (r->text, r->length, "%s", message);
 }
 
-/* --------------------------------------------------------------------------------------------------------------- the run */
+/* ------------------------------------------------------------
+ * the run */
 
 static int
 allocate (run *s)
 {
   const gsmbp_run *r = s->r;
-  size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1, np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
+  size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1,
+         np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
   int n = 6 + r->iopt[5];
   s->x = calloc (2 * nx + 2 * nv + np + nx * nv + ny * nx + ny * nv, sizeof (double));
   s->project = calloc (2 * n, sizeof (int));
@@ -261,8 +286,9 @@ projects (const gsmbp_run *r)
   return r->iopt[1] != 1 && (r->nlam > 0 || r->nq > r->nu);
 }
 
-/* What CVODE is told of the tolerances.  Its error test is one of a step: over a run, and in the steps of low order after every start, errors
-   of BDF add up to some 100 times what is asked for, those of GSDP8 do not. */
+/* What CVODE is told of the tolerances.  Its error test is one of a step: over a run, and in the
+   steps of low order after every start, errors of BDF add up to some 100 times what is asked for,
+   those of GSDP8 do not. */
 static const double tight = 0.1, finest = 1e-14;
 
 /* CVODE at the time and state of the run; its flag */
@@ -278,14 +304,17 @@ set_up (run *s)
     N_VGetArrayPointer (s->atol)[i] = rtol / r->ropt[1] * r->atol[i];
   if ((flag = CVodeSetErrHandlerFn (m, said, s)) < 0 || (flag = CVodeInit (m, rate, s->t, s->y)) < 0
       || (flag = CVodeSetUserData (m, s)) < 0 || (flag = CVodeSVtolerances (m, rtol, s->atol)) < 0
-      || (flag = CVodeSetLinearSolver (m, s->solver, s->matrix)) < 0 || (flag = CVodeSetMaxNumSteps (m, -1)) < 0
-      || (flag = CVodeSetMaxHnilWarns (m, -1)) < 0 || (flag = CVodeSetInitStep (m, r->resume ? 0 : r->ropt[0])) < 0
+      || (flag = CVodeSetLinearSolver (m, s->solver, s->matrix)) < 0
+      || (flag = CVodeSetMaxNumSteps (m, -1)) < 0 || (flag = CVodeSetMaxHnilWarns (m, -1)) < 0
+      || (flag = CVodeSetInitStep (m, r->resume ? 0 : r->ropt[0])) < 0
       || (flag = CVodeSetMaxStep (m, r->ropt[2])) < 0 || (flag = CVodeSetMaxOrd (m, r->order)) < 0)
     return flag;
   /* the Jacobian of states that GSFUN completes is not the emitted one */
   if (r->jac && s->p[0] == 0 && (flag = CVodeSetJacFn (m, jacobian)) < 0)
     return flag;
-  if (projects (r) && ((flag = CVodeSetProjFn (m, projection)) < 0 || (flag = CVodeSetProjErrEst (m, SUNFALSE)) < 0))
+  if (projects (r)
+      && ((flag = CVodeSetProjFn (m, projection)) < 0
+          || (flag = CVodeSetProjErrEst (m, SUNFALSE)) < 0))
     return flag;
   return 0;
 }
@@ -296,8 +325,9 @@ samples (run *s, int *acted)
 {
   const gsmbp_run *r = s->r;
   int info = 0;
-  ((due_type *) r->gsdue) (r->out, r->ctl, r->cmd, r->clo, r->vin, &s->t, s->x, &r->nu, &r->nx, &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
-                           &s->sample, acted, &info);
+  ((due_type *)r->gsdue) (r->out, r->ctl, r->cmd, r->clo, r->vin, &s->t, s->x, &r->nu, &r->nx,
+                          &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &s->sample, acted,
+                          &info);
   return info != 0 ? ROUTINE : FINISHED;
 }
 
@@ -378,7 +408,8 @@ begin (run *s)
     s->p[0] = 2;   /* dependent constraints: see METHOD of GSSIM */
   if (s->p[0] > 0)
     {
-      ((pnw_type *) r->gspnw) (r->con, r->kin, &s->t, s->x, &r->nq, &r->nu, &r->nlam, r->cst, s->p, &info);
+      ((pnw_type *)r->gspnw) (r->con, r->kin, &s->t, s->x, &r->nq, &r->nu, &r->nlam, r->cst, s->p,
+                              &info);
       if (info != 0)
         {
           r->istat[5] = info;
@@ -464,7 +495,8 @@ accept (run *s)
     return SMALL;
   memcpy (s->x, y, sizeof (double) * r->nx);
   memcpy (s->trial, y, sizeof (double) * r->nx);
-  if (r->nlam > 0 && (r->iopt[2] == 1 || s->p[0] > 0) && check (s, s->watch, s->t, s->trial, no_jump) != 0)
+  if (r->nlam > 0 && (r->iopt[2] == 1 || s->p[0] > 0)
+      && check (s, s->watch, s->t, s->trial, no_jump) != 0)
     return ROUTINE;
   return put_out_all (s);
 }
@@ -516,7 +548,8 @@ failed:
   return flag == CV_MEM_FAIL ? MEMORY : r->istat[6] != 0 ? ROUTINE : CVODE_FAILED;
 }
 
-/* stop at T, a break or a sample, unless the stop is nearer; times that differ by rounding are one */
+/* stop at T, a break or a sample, unless the stop is nearer; times that differ by rounding are one
+ */
 static void
 next_stop (run *s, double t)
 {
@@ -563,7 +596,8 @@ go (run *s)
         {
           count (s);
           memcpy (N_VGetArrayPointer (s->y), s->x, sizeof (double) * r->nx);
-          if ((flag = CVodeReInit (s->memory, s->t, s->y)) < 0 || (flag = CVodeSetInitStep (s->memory, 0)) < 0)
+          if ((flag = CVodeReInit (s->memory, s->t, s->y)) < 0
+              || (flag = CVodeSetInitStep (s->memory, 0)) < 0)
             {
               r->istat[18] = flag;
               return CVODE_FAILED;

@@ -1,5 +1,6 @@
-/* A run by CVODE: what the generic part of a module hands to the library of gsmbp_cvode.c, which is built when method "cvode" is first asked for, so
-   that nothing else needs SUNDIALS. Everything but the members said below means what the argument of GSSIM with that name means. */
+/* A run by CVODE: what the generic part of a module hands to the library of gsmbp_cvode.c, which is
+   built when method "cvode" is first asked for, so that nothing else needs SUNDIALS. Everything but
+   the members said below means what the argument of GSSIM with that name means. */
 #ifndef GSMBP_CVODE_H
 #define GSMBP_CVODE_H
 #include "gsmbp_scene.h"
@@ -9,8 +10,8 @@ extern "C" {
 typedef struct
 {
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
-            jac,                                               /* a null pointer: difference quotients */
-            gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue;   /* of the run time */
+      jac, /* a null pointer: difference quotients */
+      gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue; /* of the run time */
   int nq, nu, nx, nv, ny, nlam;
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
       order;        /* the largest order of BDF, 1 to 5 */
@@ -22,7 +23,8 @@ typedef struct
   int *ip;
   double *rp, *cst, *xout, *vout;
   int ldx, ldv;
-  int *istat;       /* (16) evaluations of the Jacobian, (17) Newton iterations, (18) those that did not converge, (19) the flag of CVODE */
+  int *istat; /* (16) evaluations of the Jacobian, (17) Newton iterations, (18) those that did not
+                 converge, (19) the flag of CVODE */
   double *rstat, *w;
   char *text;       /* what CVODE said when it failed */
   int length;       /* room in TEXT */

@@ -54,7 +54,8 @@ struct fortran
     auto begin = std::chrono::steady_clock::now ();
     for (long i = 0; i < the_repeats; i++)
       call (a...);
-    the_seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+    the_seconds
+        = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   }
 };
 
@@ -82,7 +83,10 @@ static fortran
 routine (gsmbp_sub f, const char *name)
 {
   if (! f)
-    error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the requests of gsmbp_fortran", S.name, name, S.name, name);
+    error_with_id ("gsmbp:absent",
+                   "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the "
+                   "requests of gsmbp_fortran",
+                   S.name, name, S.name, name);
   return fortran {f};
 }
 
@@ -112,7 +116,8 @@ public:
     error ("%s: argument %s is missing; expected %s", who ().c_str (), name, typed ().c_str ());
   }
 
-  // As many arguments as the usage says: the ones before the first bracket are needed.  The constants, which come first, are not the user's.
+  // As many arguments as the usage says: the ones before the first bracket are needed.  The
+  // constants, which come first, are not the user's.
   void count_given (void) const
   {
     int given = int (m_args.length ()) - 1;
@@ -126,7 +131,8 @@ public:
       }
     int most = m_usage.empty () ? 0 : 1 + int (std::count (m_usage.begin (), m_usage.end (), ','));
     if (m_args.length () > most + 1)
-      error ("%s: expected %s, at most %d argument%s, found %d", who ().c_str (), typed ().c_str (), most, most == 1 ? "" : "s", int (m_args.length ()) - 1);
+      error ("%s: expected %s, at most %d argument%s, found %d", who ().c_str (), typed ().c_str (),
+             most, most == 1 ? "" : "s", int (m_args.length ()) - 1);
   }
 
   const octave_value& value (const char *name)
@@ -207,14 +213,17 @@ public:
 
   number scalar (const char *name) { return vector (name, 1)[0]; }
 
-  // coordinates, alone or before speeds and others; Euler parameters that are all zero are no orientation
+  // coordinates, alone or before speeds and others; Euler parameters that are all zero are no
+  // orientation
   reals coordinates (const char *name, int size)
   {
     reals x = vector (name, size);
     for (int k = 0; k < S.nsets; k++)
       if (no_orientation (&x[0], k, 1))
-        error ("%s: argument %s: expected Euler parameters of length 1 in %s(%d), %s(%d), %s(%d), %s(%d), found zeros, which are no orientation", who ().c_str (), name,
-               name, S.sets[4*k], name, S.sets[4*k+1], name, S.sets[4*k+2], name, S.sets[4*k+3]);
+        error ("%s: argument %s: expected Euler parameters of length 1 in %s(%d), %s(%d), %s(%d), "
+               "%s(%d), found zeros, which are no orientation",
+               who ().c_str (), name, name, S.sets[4 * k], name, S.sets[4 * k + 1], name,
+               S.sets[4 * k + 2], name, S.sets[4 * k + 3]);
     return x;
   }
 
@@ -233,7 +242,8 @@ public:
     for (octave_idx_type i = 0; i < m.numel (); i++)
       {
         if (! (m.elem (i) == std::floor (m.elem (i)) && std::fabs (m.elem (i)) <= 2e9))
-          error ("%s: argument %s: expected whole numbers, found %g", who ().c_str (), name, m.elem (i));
+          error ("%s: argument %s: expected whole numbers, found %g", who ().c_str (), name,
+                 m.elem (i));
         x[i] = int (m.elem (i));
       }
     return x;
@@ -253,7 +263,8 @@ public:
     std::vector<int> mode = integers ("mode", S.nmode);
     for (int i = 0; i < S.nmode; i++)
       if (mode[i] < -1 || mode[i] > 1)
-        error ("%s: argument mode(%d): expected -1, 0 or 1, found %d", who ().c_str (), i + 1, mode[i]);
+        error ("%s: argument mode(%d): expected -1, 0 or 1, found %d", who ().c_str (), i + 1,
+               mode[i]);
     return mode;
   }
 
@@ -264,7 +275,8 @@ public:
       missing (name);
     const octave_value& v = m_args(m_next);
     if (v.is_string () || ! (v.isnumeric () || v.islogical ()))
-      error ("%s: argument %s: expected real numbers, found %s", who ().c_str (), name, v.class_name ().c_str ());
+      error ("%s: argument %s: expected real numbers, found %s", who ().c_str (), name,
+             v.class_name ().c_str ());
     if (v.iscomplex ())
       error ("%s: argument %s: expected real numbers, found complex ones", who ().c_str (), name);
     if (v.rows () != rows || v.ndims () > 2)
@@ -282,8 +294,8 @@ public:
     return k;
   }
 
-  // the next argument, rows x K, with the state first; one column is of all states, nothing given is zero.
-  // What is not finite is let through: it is the matter of its state.
+  // the next argument, rows x K, with the state first; one column is of all states, nothing given
+  // is zero. What is not finite is let through: it is the matter of its state.
   void batch (const char *name, int rows, int k, columns& x, bool needed);
 
   reals constants (void)
@@ -317,14 +329,14 @@ result (const reals& x, int rows, int cols = 1)
   return m;
 }
 
-// An array over K states, the state first, where it lies best (see the header of INV_V): columns begin at multiples of 64 bytes
-// that are none of 4096.
+// An array over K states, the state first, where it lies best (see the header of INV_V): columns
+// begin at multiples of 64 bytes that are none of 4096.
 class columns
 {
 public:
-
   columns (int k, int n, number value = 0)
-    : m_k (k), m_n (n), m_ld (leading (k)), m_room (std::size_t (m_ld) * std::max (1, n) + 8, value), m_first (0)
+      : m_k (k), m_n (n), m_ld (leading (k)),
+        m_room (std::size_t (m_ld) * std::max (1, n) + 8, value), m_first (0)
   {
     while (reinterpret_cast<std::uintptr_t> (&m_room[m_first]) % 64 != 0 && m_first < 7)
       m_first++;
@@ -338,7 +350,8 @@ public:
 
   number *data (void) { return &m_room[m_first]; }
 
-  // f (place of a number, its row, its state), eight states at a time: a line of memory here, a few columns there
+  // f (place of a number, its row, its state), eight states at a time: a line of memory here, a few
+  // columns there
   template <typename F> void each (F f)
   {
     for (int k0 = 0; k0 < m_k; k0 += 8)
@@ -357,7 +370,8 @@ public:
     for (int set = 0; coordinates && set < S.nsets; set++)
       for (int j = 0; j < k; j++)
         if (arguments::no_orientation (data () + j, set, m_ld))
-          data ()[j + std::size_t (m_ld) * (S.sets[4*set] - 1)] = std::numeric_limits<double>::quiet_NaN ();
+          data ()[j + std::size_t (m_ld) * (S.sets[4 * set] - 1)]
+              = std::numeric_limits<double>::quiet_NaN ();
   }
 
   // a column for each state
@@ -386,7 +400,8 @@ arguments::batch (const char *name, int rows, int k, columns& x, bool needed)
     }
   int given = states (name, rows);
   if (given != k && given != 1)
-    error ("%s: argument %s: expected %d columns (or one for all), found %d", who ().c_str (), name, k, given);
+    error ("%s: argument %s: expected %d columns (or one for all), found %d", who ().c_str (), name,
+           k, given);
   Matrix m = m_args(m_next++).matrix_value ();
   const double *from = m.data ();
   std::size_t step = given == 1 ? 0 : rows;
@@ -405,35 +420,46 @@ room (int n)
 static std::string
 fortran_argument (const std::string& call, int k)
 {
-  static const struct { const char *calls, *names[5]; } table[] = {
-    {" rhs rha acc acd jac out evt rst rhs_v ", {"t", "x (the states)", "v (the inputs)", "", ""}},
-    {" inl ", {"t", "q (the coordinates)", "u (the speeds)", "ud (the accelerations)", "v (the inputs)"}},
-    {" fwd fwd_v ", {"t", "q (the coordinates)", "u (the speeds)", "v (the inputs)", "tau (the efforts)"}},
-    {" con ", {"t", "q (the coordinates)", "u (the speeds)", "", ""}},
-    {" prj ", {"t", "x (the states)", "", "", ""}},
-    {" cmd cmx clo ", {"t", "qj (the motion)", "", "", ""}},
-    {" pre ", {"par (the parameters)", "", "", "", ""}}
-  };
+  static const struct { const char *calls, *names[5];
+  } table[] = { { " rhs rha acc acd jac out evt rst rhs_v ",
+                  { "t", "x (the states)", "v (the inputs)", "", "" } },
+                { " inl ",
+                  { "t", "q (the coordinates)", "u (the speeds)", "ud (the accelerations)",
+                    "v (the inputs)" } },
+                { " fwd fwd_v ",
+                  { "t", "q (the coordinates)", "u (the speeds)", "v (the inputs)",
+                    "tau (the efforts)" } },
+                { " con ", { "t", "q (the coordinates)", "u (the speeds)", "", "" } },
+                { " prj ", { "t", "x (the states)", "", "", "" } },
+                { " cmd cmx clo ", { "t", "qj (the motion)", "", "", "" } },
+                { " pre ", { "par (the parameters)", "", "", "", "" } } };
   for (const auto& entry : table)
     if (k <= 5 && *entry.names[k-1] && std::strstr (entry.calls, (" " + call + " ").c_str ()))
       return std::string ("argument ") + entry.names[k-1];
   return "argument " + std::to_string (k) + " of the Fortran subroutine";
 }
 
-// The error indicators of the emitted subroutines as sentences: the one place where they stand (also of gsmbp_simulate
-// and others, by the call "meaning").  An entry without a subroutine holds for those that are not named.
+// The error indicators of the emitted subroutines as sentences: the one place where they stand
+// (also of gsmbp_simulate and others, by the call "meaning").  An entry without a subroutine holds
+// for those that are not named.
 static std::string
 meaning (const std::string& call, int info)
 {
-  static const struct { int info; const char *calls, *text; } table[] = {
-    {1, " clo ", "a singular position: the dependent coordinates cannot be found from the independent ones"},
-    {1, "", "the mass matrix is singular or not positive definite"},
-    {2, " clo ", "the loops do not close at these independent coordinates"},
-    {2, "", "the constraints have lost rank: multipliers are not unique"},
-    {3, " rhs rha acc acd out jac evt rst rhs_v ", "orientation angles are within 0.05 rad of their singularity: choose another sequence of axes or Euler parameters"},
-    {3, " prj ", "no position that closes the loops was found near this one"},
-    {3, "", "the iteration did not converge"},
-    {4, "", "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of gsmbp_passes)"}
+  static const struct { int info; const char *calls, *text;
+  } table[] = {
+    { 1, " clo ",
+      "a singular position: the dependent coordinates cannot be found from the independent ones" },
+    { 1, "", "the mass matrix is singular or not positive definite" },
+    { 2, " clo ", "the loops do not close at these independent coordinates" },
+    { 2, "", "the constraints have lost rank: multipliers are not unique" },
+    { 3, " rhs rha acc acd out jac evt rst rhs_v ",
+      "orientation angles are within 0.05 rad of their singularity: choose another sequence of "
+      "axes or Euler parameters" },
+    { 3, " prj ", "no position that closes the loops was found near this one" },
+    { 3, "", "the iteration did not converge" },
+    { 4, "",
+      "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of "
+      "gsmbp_passes)" }
   };
   if (info == 0)
     return "ok";
@@ -442,7 +468,8 @@ meaning (const std::string& call, int info)
   if (! call.compare ("inl") || ! call.compare (0, 2, "cm"))
     return "a singular position for these actuators: they cannot give the motion here";
   for (const auto& entry : table)
-    if (entry.info == info && (! *entry.calls || std::strstr (entry.calls, (" " + call + " ").c_str ())))
+    if (entry.info == info
+        && (!*entry.calls || std::strstr (entry.calls, (" " + call + " ").c_str ())))
       return entry.text;
   return "a numerical event that has no name";
 }
@@ -454,7 +481,8 @@ do_meaning (arguments& a, int)
   return ovl (meaning (call, a.integers ("info", 1)[0]));
 }
 
-// Lost rank is news where it is not so everywhere: of a scene that has redundant constraints it is said once a model.
+// Lost rank is news where it is not so everywhere: of a scene that has redundant constraints it is
+// said once a model.
 static bool the_rank_said = false, the_rank_full = false;
 
 static void
@@ -463,8 +491,9 @@ say_rank (const char *call)
   if (the_rank_said && ! the_rank_full)
     return;
   the_rank_said = true;
-  warning_with_id ("gsmbp:rank", "%s.%s: INFO = 2: %s%s", S.name, call, meaning (call, 2).c_str (),
-                   the_rank_full ? "" : "; this is said once a model: gsmbp_mobility tells which ones are");
+  warning_with_id (
+      "gsmbp:rank", "%s.%s: INFO = 2: %s%s", S.name, call, meaning (call, 2).c_str (),
+      the_rank_full ? "" : "; this is said once a model: gsmbp_mobility tells which ones are");
 }
 
 // INFO becomes the output after the others if the caller takes it; otherwise
@@ -473,11 +502,14 @@ static void
 finish (octave_value_list& out, int info, int nargout, const char *call)
 {
   int place = out.length ();
-  if (info == 0 && S.nlam > 0 && std::strstr (" rhs acc acd ", (" " + std::string (call) + " ").c_str ()))
+  if (info == 0 && S.nlam > 0
+      && std::strstr (" rhs acc acd ", (" " + std::string (call) + " ").c_str ()))
     the_rank_full = true;
   if (nargout <= place && info != 0)
     {
-      if (info == 2 && std::strstr (" rhs acc acd out jac evt rst prj con ", (" " + std::string (call) + " ").c_str ()))
+      if (info == 2
+          && std::strstr (" rhs acc acd out jac evt rst prj con ",
+                          (" " + std::string (call) + " ").c_str ()))
         say_rank (call);
       else
         error_with_id ("gsmbp:info", "%s.%s: INFO = %d: %s", S.name, call, info,
@@ -563,7 +595,8 @@ do_reg (arguments& a, int)
   reals cst = a.constants ();
   number t = a.scalar ("t");
   reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv), y = room (S.nu * S.nbase), p = room (S.nbase), r = room (S.nu);
+  reals v = a.vector_or_zero ("v", S.nv), y = room (S.nu * S.nbase), p = room (S.nbase),
+        r = room (S.nu);
   int ld = std::max (1, S.nu);
   routine (S.reg, "reg") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &y[0], &ld, &p[0], &r[0]);
   return ovl (result (y, S.nu, S.nbase), result (p, S.nbase), result (r, S.nu));
@@ -614,7 +647,8 @@ do_con (arguments& a, int nargout)
   reals q = a.coordinates ("q", S.nq), u = a.vector_or_zero ("u", S.nu);
   reals phi = room (S.nlam), phit = room (S.nlam), hc = room (S.nlam * S.nu), gam = room (S.nlam);
   int ld = std::max (1, S.nlam), info = 0;
-  routine (S.con, "con") (&t, &q[0], &u[0], &cst[0], &phi[0], &phit[0], &hc[0], &ld, &gam[0], &info);
+  routine (S.con, "con") (&t, &q[0], &u[0], &cst[0], &phi[0], &phit[0], &hc[0], &ld, &gam[0],
+                          &info);
   octave_value_list out = ovl (result (phi, S.nlam), result (phit, S.nlam),
                                result (hc, S.nlam, S.nu), result (gam, S.nlam));
   finish (out, info, nargout, "con");
@@ -721,7 +755,8 @@ do_jac (arguments& a, int nargout)
   number t = a.scalar ("t");
   reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
   int ldx = std::max (1, S.nx), ldy = std::max (1, S.ny), info = 0;
-  reals A = room (S.nx * S.nx), B = room (S.nx * S.nv), C = room (S.ny * S.nx), D = room (S.ny * S.nv);
+  reals A = room (S.nx * S.nx), B = room (S.nx * S.nv), C = room (S.ny * S.nx),
+        D = room (S.ny * S.nv);
   routine (S.jac, "jac") (&t, &x[0], &v[0], &cst[0], &A[0], &ldx, &B[0], &ldx,
                           &C[0], &ldy, &D[0], &ldy, &info);
   octave_value_list out = ovl (result (A, S.nx, S.nx), result (B, S.nx, S.nv),
@@ -766,7 +801,8 @@ do_cmx (arguments& a, int nargout)
   reals v = room (S.nv), xid = room (S.na), xa = room (S.na), g = room (S.nmar);
   int info = 0;
   routine (S.cmx, "cmx") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &xa[0], &g[0], &info);
-  octave_value_list out = ovl (result (v, S.nv), result (xid, S.na), result (xa, S.na), result (g, S.nmar));
+  octave_value_list out
+      = ovl (result (v, S.nv), result (xid, S.na), result (xa, S.na), result (g, S.nmar));
   finish (out, info, nargout, "cmx");
   return out;
 }
@@ -868,7 +904,8 @@ static const number no_number = std::numeric_limits<double>::quiet_NaN ();
 
 // The indicators are the last output; without it a state that has one is an error.
 static void
-finish_batch (octave_value_list& out, const std::vector<int>& info, int k, int nargout, const char *call)
+finish_batch (octave_value_list &out, const std::vector<int> &info, int k, int nargout,
+              const char *call)
 {
   RowVector r (k);
   int worst = -1;
@@ -879,8 +916,8 @@ finish_batch (octave_value_list& out, const std::vector<int>& info, int k, int n
         worst = i;
     }
   if (nargout <= out.length () && worst >= 0)
-    error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1, info[worst],
-                   meaning (call, info[worst]).c_str ());
+    error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1,
+                   info[worst], meaning (call, info[worst]).c_str ());
   out.append (octave_value (r));
 }
 
@@ -890,8 +927,9 @@ struct batch
   reals cst;
   int k, ld;
   columns t, q, u;
-  batch (arguments& a, bool speeds)
-    : cst (a.constants ()), k (a.states_behind ("q", S.nq)), ld (columns::leading (k)), t (k, 1), q (k, S.nq), u (k, speeds ? S.nu : 0)
+  batch (arguments &a, bool speeds)
+      : cst (a.constants ()), k (a.states_behind ("q", S.nq)), ld (columns::leading (k)), t (k, 1),
+        q (k, S.nq), u (k, speeds ? S.nu : 0)
   {
     a.batch ("t", 1, k, t, true);
     a.batch ("q", S.nq, k, q, true);
@@ -907,7 +945,8 @@ do_inv_v (arguments& a, int)
   columns ud (b.k, S.nu), v (b.k, S.nv), tau (b.k, S.nu);
   a.batch ("ud", S.nu, b.k, ud, true);
   a.batch ("v", S.nv, b.k, v, false);
-  routine (S.inv_v, "inv_v") (b.t.data (), b.q.data (), b.u.data (), ud.data (), v.data (), &b.cst[0], tau.data (), &b.k, &b.ld);
+  routine (S.inv_v, "inv_v") (b.t.data (), b.q.data (), b.u.data (), ud.data (), v.data (),
+                              &b.cst[0], tau.data (), &b.k, &b.ld);
   return ovl (tau.matrix (dim_vector (S.nu, b.k)));
 }
 
@@ -926,7 +965,8 @@ do_bia_v (arguments& a, int)
   batch b (a, true);
   columns v (b.k, S.nv), bias (b.k, S.nu);
   a.batch ("v", S.nv, b.k, v, false);
-  routine (S.bia_v, "bia_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), &b.cst[0], bias.data (), &b.k, &b.ld);
+  routine (S.bia_v, "bia_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), &b.cst[0],
+                              bias.data (), &b.k, &b.ld);
   return ovl (bias.matrix (dim_vector (S.nu, b.k)));
 }
 
@@ -938,7 +978,8 @@ do_fwd_v (arguments& a, int nargout)
   a.batch ("v", S.nv, b.k, v, false);
   a.batch ("tau", S.nu, b.k, tau, false);
   std::vector<int> info (b.ld, 0);
-  routine (S.fwd_v, "fwd_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), tau.data (), &b.cst[0], ud.data (), &info[0], &b.k, &b.ld);
+  routine (S.fwd_v, "fwd_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), tau.data (),
+                              &b.cst[0], ud.data (), &info[0], &b.k, &b.ld);
   octave_value_list out = ovl (ud.matrix (dim_vector (S.nu, b.k)));
   finish_batch (out, info, b.k, nargout, "fwd_v");
   return out;
@@ -954,7 +995,8 @@ do_rhs_v (arguments& a, int nargout)
   a.batch ("x", S.nx, k, x, true);
   a.batch ("v", S.nv, k, v, false);
   std::vector<int> info (ld, 0);
-  routine (S.rhs_v, "rhs_v") (t.data (), x.data (), v.data (), &cst[0], xd.data (), &info[0], &k, &ld);
+  routine (S.rhs_v, "rhs_v") (t.data (), x.data (), v.data (), &cst[0], xd.data (), &info[0], &k,
+                              &ld);
   octave_value_list out = ovl (xd.matrix (dim_vector (S.nx, k)));
   finish_batch (out, info, k, nargout, "rhs_v");
   return out;
@@ -998,7 +1040,8 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
 
 extern "C" void gsmbp_absent (void) { }
 
-// The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies behind the memory
+// The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies
+// behind the memory
 static void
 set_samples (reals& cst, std::vector<int>& ip, reals& rp)
 {
@@ -1010,13 +1053,17 @@ set_samples (reals& cst, std::vector<int>& ip, reals& rp)
   int nc = is[0], nh = is[3], np = is[4], ns = is[5], first = ip[26] - 1;
   if (nc != S.nctl || is[1] != S.nxk || is[2] != S.ny)
     error ("%s.sim: the plan of the samples is not of this scene", S.name);
-  rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh) + std::size_t (ns) * (1 + S.nxk + S.nv), number (0));
+  rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh)
+                 + std::size_t (ns) * (1 + S.nxk + S.nv),
+             number (0));
   routine (S.ctp, "ctp") (&cst[0], &rp[first], &rp[first + nc]);
 }
 
-// after a run: a struct of the outputs at the output times, the record of the samples, the memory at the end
+// after a run: a struct of the outputs at the output times, the record of the samples, the memory
+// at the end
 static octave_value
-samples (reals& cst, const std::vector<int>& ip, const reals& rp, const reals& tout, const reals& xout, const reals& vout, int ldx, int ldv, int reached)
+samples (reals &cst, const std::vector<int> &ip, const reals &rp, const reals &tout,
+         const reals &xout, const reals &vout, int ldx, int ldv, int reached)
 {
   if (ip[25] <= 0)
     return Matrix ();
@@ -1029,7 +1076,8 @@ samples (reals& cst, const std::vector<int>& ip, const reals& rp, const reals& t
   for (int k = 0; k < reached && S.ny > 0; k++)
     {
       int info = 0;
-      routine (S.out, "out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k], &cst[0], &one[0], &info);
+      routine (S.out, "out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k],
+                              &cst[0], &one[0], &info);
       for (int i = 0; i < S.ny; i++)
         y(i, k) = double (one[i]);
     }
@@ -1059,7 +1107,8 @@ set_events (std::vector<int>& ip, reals& rp, int nx)
   rp.resize (rp.size () + 5 * ie[0] + 3 * nx + std::size_t (ie[1]) * (3 + 2 * nx), number (0));
 }
 
-// after a run: the record of the events, a column for each: time, number, mode after, states before, states after; how many there were
+// after a run: the record of the events, a column for each: time, number, mode after, states
+// before, states after; how many there were
 static octave_value_list
 events (const std::vector<int>& ip, const reals& rp, int nx)
 {
@@ -1104,7 +1153,8 @@ do_sim (arguments& a, int)
     error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
   reals tout = a.vector ("times", -1), tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
-  std::vector<int> iopt = a.integers ("iopt", -1);   // method, way of the loops, drift, steps; from 7 on constraints on speeds
+  std::vector<int> iopt = a.integers (
+      "iopt", -1); // method, way of the loops, drift, steps; from 7 on constraints on speeds
   if (iopt.size () < 6)
     error ("%s: iopt is too short", a.who ().c_str ());
   for (std::size_t i = 6; i < iopt.size (); i++)
@@ -1167,11 +1217,53 @@ do_sim (arguments& a, int)
   if (stiff || info == 5)   // found to be bound by stability
     {
       int resume = ! stiff;
-      gsmbp_run r = {rhs, prj, con, kin, cmd, clo, vin, out, ctl, S.jac,
-                     gsfun_, gsinp_, gschk_, gsjmp_, gspst_, gspnw_, gspbg_, gsdue_,
-                     S.nq, S.nu, nx, S.nv, S.ny, S.nlam, resume, order, t0, &x0[0], nt, nb, &tout[0], &tbrk[0],
-                     &iopt[0], &ropt[0], &atol[0], &ip[0], &rp[0], &cst[0], &xout[0], &vout[0], ldx, ldv,
-                     &istat[0], &rstat[0], &w[0], &text[0], int (text.size ())};
+      gsmbp_run r = { rhs,
+                      prj,
+                      con,
+                      kin,
+                      cmd,
+                      clo,
+                      vin,
+                      out,
+                      ctl,
+                      S.jac,
+                      gsfun_,
+                      gsinp_,
+                      gschk_,
+                      gsjmp_,
+                      gspst_,
+                      gspnw_,
+                      gspbg_,
+                      gsdue_,
+                      S.nq,
+                      S.nu,
+                      nx,
+                      S.nv,
+                      S.ny,
+                      S.nlam,
+                      resume,
+                      order,
+                      t0,
+                      &x0[0],
+                      nt,
+                      nb,
+                      &tout[0],
+                      &tbrk[0],
+                      &iopt[0],
+                      &ropt[0],
+                      &atol[0],
+                      &ip[0],
+                      &rp[0],
+                      &cst[0],
+                      &xout[0],
+                      &vout[0],
+                      ldx,
+                      ldv,
+                      &istat[0],
+                      &rstat[0],
+                      &w[0],
+                      &text[0],
+                      int (text.size ()) };
       info = run_cvode (library, r);
     }
 #endif
@@ -1185,7 +1277,8 @@ do_sim (arguments& a, int)
   Matrix xs = result (xout, nx, nt), vs = result (vout, S.nv, nt);
   if (ldv > S.nv)
     vs = Matrix (0, nt);
-  octave_value_list results = ovl (xs, vs, counters, result (rstat, statistics), info, took.count (), std::string (&text[0]));
+  octave_value_list results = ovl (xs, vs, counters, result (rstat, statistics), info,
+                                   took.count (), std::string (&text[0]));
   results.append (samples (cst, ip, rp, tout, xout, vout, ldx, ldv, istat[4]));
   results.append (events (ip, rp, nx));
   return results;
@@ -1222,18 +1315,22 @@ static octave_value_list
 do_kkt (arguments& a, int)
 {
   Matrix sizes = a.matrix ("sizes", 4, 1);   // N M repetitions way (0: GSKKT)
-  int n = int (sizes(0)), m = int (sizes(1)), times = int (sizes(2)), way = int (sizes(3)), info = 0;
+  int n = int (sizes (0)), m = int (sizes (1)), times = int (sizes (2)), way = int (sizes (3)),
+      info = 0;
   int lda = std::max (1, n), ldh = std::max (1, m);
   reals A = a.array ("A", n, n), H = a.array ("H", m, n);
   reals f = a.vector ("f", n), g = a.vector ("g", m);
   reals ud = room (n), lam = room (m);
-  reals w = room (way == 0 ? n * n + n * m + m * m + 2 * n + 6 * m : 2 * n * n + n * m + m * m + 4 * n + 8 * m);
+  reals w = room (way == 0 ? n * n + n * m + m * m + 2 * n + 6 * m
+                           : 2 * n * n + n * m + m * m + 4 * n + 8 * m);
   auto begin = std::chrono::steady_clock::now ();
   for (int i = 0; i < times; i++)
     if (way == 0)
-      fortran {gskkt_} (&n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
+      fortran{ gskkt_ }(&n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0],
+                        &info);
     else
-      fortran {gsacc_} (&way, &n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0], &w[0], &info);
+      fortran{ gsacc_ }(&way, &n, &m, &A[0], &lda, &H[0], &ldh, &f[0], &g[0], &ud[0], &lam[0],
+                        &w[0], &info);
   std::chrono::duration<double> took = std::chrono::steady_clock::now () - begin;
   return ovl (result (ud, n), result (lam, m), info, took.count () / std::max (1, times));
 }
@@ -1275,7 +1372,8 @@ static void
 absent (const std::string& call, const char *request)
 {
   std::string reason;
-  auto is = [&] (const char *calls) { return std::strstr (calls, (" " + call + " ").c_str ()) != nullptr; };
+  auto is = [&] (const char *calls)
+    { return std::strstr (calls, (" " + call + " ").c_str ()) != nullptr; };
   if (S.nlam == 0 && is (" con inl clo acc acd tan "))
     reason = "it has no loops";
   else if (S.nlam == 0 && S.nq == S.nu && is (" prj "))
@@ -1290,52 +1388,62 @@ absent (const std::string& call, const char *request)
     reason = "it has no outputs";
   else
     reason = std::string ("derive it with the request ") + request + " of gsmbp_fortran";
-  error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s: %s", S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
+  error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s: %s",
+                 S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
 }
 
-// The handles of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments behind the constants as they are
-// typed.  The calls without a request are for the functions of octave/ and for tests.
+// The handles of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments
+// behind the constants as they are typed.  The calls without a request are for the functions of
+// octave/ and for tests.
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
   typedef octave_value_list (*handler) (arguments&, int);
   typedef gsmbp_sub gsmbp_scene::*member;
-  static const struct { const char *name; handler call; member sub; const char *request, *usage; } table[] = {
-    {"rhs", do_rhs, &gsmbp_scene::rhs, "rhs", "t, x[, v]"},
-    {"inv", do_inv, &gsmbp_scene::inv, "inverse", "t, q, u, ud[, v]"},
-    {"fwd", do_fwd, &gsmbp_scene::fwd, "forward", "t, q, u[, v[, tau]]"},
-    {"mas", do_mas, &gsmbp_scene::mas, "mass", "t, q"},
-    {"reg", do_reg, &gsmbp_scene::reg, "regressor", "t, q, u, ud[, v]"},
-    {"bia", do_bia, &gsmbp_scene::bia, "bias", "t, q, u[, v]"},
-    {"kin", do_kin, &gsmbp_scene::kin, "kinematics", "t, q, u"},
-    {"con", do_con, &gsmbp_scene::con, "constraints", "t, q[, u]"},
-    {"inl", do_inl, &gsmbp_scene::inl, "inverse_loops", "t, q, u, ud[, v]"},
-    {"lin", do_lin, &gsmbp_scene::lin, "linear", "t, q, u, ud[, v]"},
-    {"prj", do_prj, &gsmbp_scene::prj, "projection", "t, x"},
-    {"jac", do_jac, &gsmbp_scene::jac, "jacobian", "t, x[, v]"},
-    {"out", do_out, &gsmbp_scene::out, "output", "t, x[, v]"},
-    {"cmd", do_cmd, &gsmbp_scene::cmd, "command", "t, qj[, xi]"},
-    {"cmx", do_cmx, &gsmbp_scene::cmx, "command_states", "t, qj[, xi]"},
-    {"ctl", do_ctl, &gsmbp_scene::ctl, "control", "k, t, y, xk[, v]"},
-    {"ctp", do_ctp, &gsmbp_scene::ctp, "control", ""},
-    {"evt", do_evt, &gsmbp_scene::evt, "events", "t, x, v, mode"},
-    {"rst", do_rst, &gsmbp_scene::rst, "events", "t, x, v, mode, k"},
-    {"clo", do_clo, &gsmbp_scene::clo, "closure", "t, qj"},
-    {"ene", do_ene, &gsmbp_scene::ene, "energy", "t, x[, v]"},
-    {"acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]"},
-    {"acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way"},
-    {"tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x"},
-    {"mar", do_mar, &gsmbp_scene::mar, "margins", "t, x[, v]"},
-    {"ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q"},
-    {"inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]"},
-    {"mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q"},
-    {"bia_v", do_bia_v, &gsmbp_scene::bia_v, "batch", "t, q, u[, v]"},
-    {"fwd_v", do_fwd_v, &gsmbp_scene::fwd_v, "batch", "t, q, u[, v[, tau]]"},
-    {"rhs_v", do_rhs_v, &gsmbp_scene::rhs_v, "batch", "t, x[, v]"},
-    {"sim", do_sim, nullptr, "", ""}, {"par", do_par, nullptr, "", ""}, {"pre", do_pre, nullptr, "", ""},
-    {"meaning", do_meaning, nullptr, "", ""}, {"spline", do_spline, nullptr, "", ""}, {"kkt", do_kkt, nullptr, "", ""},
-    {"solve", do_solve, nullptr, "", ""}
-  };
+  static const struct
+  {
+    const char *name;
+    handler call;
+    member sub;
+    const char *request, *usage;
+  } table[] = { { "rhs", do_rhs, &gsmbp_scene::rhs, "rhs", "t, x[, v]" },
+                { "inv", do_inv, &gsmbp_scene::inv, "inverse", "t, q, u, ud[, v]" },
+                { "fwd", do_fwd, &gsmbp_scene::fwd, "forward", "t, q, u[, v[, tau]]" },
+                { "mas", do_mas, &gsmbp_scene::mas, "mass", "t, q" },
+                { "reg", do_reg, &gsmbp_scene::reg, "regressor", "t, q, u, ud[, v]" },
+                { "bia", do_bia, &gsmbp_scene::bia, "bias", "t, q, u[, v]" },
+                { "kin", do_kin, &gsmbp_scene::kin, "kinematics", "t, q, u" },
+                { "con", do_con, &gsmbp_scene::con, "constraints", "t, q[, u]" },
+                { "inl", do_inl, &gsmbp_scene::inl, "inverse_loops", "t, q, u, ud[, v]" },
+                { "lin", do_lin, &gsmbp_scene::lin, "linear", "t, q, u, ud[, v]" },
+                { "prj", do_prj, &gsmbp_scene::prj, "projection", "t, x" },
+                { "jac", do_jac, &gsmbp_scene::jac, "jacobian", "t, x[, v]" },
+                { "out", do_out, &gsmbp_scene::out, "output", "t, x[, v]" },
+                { "cmd", do_cmd, &gsmbp_scene::cmd, "command", "t, qj[, xi]" },
+                { "cmx", do_cmx, &gsmbp_scene::cmx, "command_states", "t, qj[, xi]" },
+                { "ctl", do_ctl, &gsmbp_scene::ctl, "control", "k, t, y, xk[, v]" },
+                { "ctp", do_ctp, &gsmbp_scene::ctp, "control", "" },
+                { "evt", do_evt, &gsmbp_scene::evt, "events", "t, x, v, mode" },
+                { "rst", do_rst, &gsmbp_scene::rst, "events", "t, x, v, mode, k" },
+                { "clo", do_clo, &gsmbp_scene::clo, "closure", "t, qj" },
+                { "ene", do_ene, &gsmbp_scene::ene, "energy", "t, x[, v]" },
+                { "acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]" },
+                { "acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way" },
+                { "tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x" },
+                { "mar", do_mar, &gsmbp_scene::mar, "margins", "t, x[, v]" },
+                { "ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q" },
+                { "inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]" },
+                { "mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q" },
+                { "bia_v", do_bia_v, &gsmbp_scene::bia_v, "batch", "t, q, u[, v]" },
+                { "fwd_v", do_fwd_v, &gsmbp_scene::fwd_v, "batch", "t, q, u[, v[, tau]]" },
+                { "rhs_v", do_rhs_v, &gsmbp_scene::rhs_v, "batch", "t, x[, v]" },
+                { "sim", do_sim, nullptr, "", "" },
+                { "par", do_par, nullptr, "", "" },
+                { "pre", do_pre, nullptr, "", "" },
+                { "meaning", do_meaning, nullptr, "", "" },
+                { "spline", do_spline, nullptr, "", "" },
+                { "kkt", do_kkt, nullptr, "", "" },
+                { "solve", do_solve, nullptr, "", "" } };
   for (const auto& entry : table)
     if (call == entry.name)
       {
@@ -1377,6 +1485,7 @@ DEFUN_DLD (gsmbp_module, args, nargout,
   octave_value_list results = dispatch (call, args.slice (1, args.length () - 1), nargout);
   int most = int (results.length ());
   if (nargout > most)
-    error ("%s.%s: expected at most %d result%s, found %d", S.name, call.c_str (), most, most == 1 ? "" : "s", nargout);
+    error ("%s.%s: expected at most %d result%s, found %d", S.name, call.c_str (), most,
+           most == 1 ? "" : "s", nargout);
   return results;
 }

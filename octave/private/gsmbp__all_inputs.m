@@ -17,7 +17,8 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
     return;
   elseif (isnumeric (input) && ! isempty (input))
     input = spread (input, free, nv);
-  elseif (isstruct (input) && isfield (input, "form") && strcmp (input.form, "pp") && prod (input.dim) == n)
+  elseif (isstruct (input) && isfield (input, "form") && strcmp (input.form, "pp") ...
+            && prod (input.dim) == n)
     coefs = zeros (nv, input.pieces, input.order);
     coefs(free,:,:) = reshape (input.coefs, n, input.pieces, input.order);
     input = mkpp (input.breaks, reshape (coefs, nv * input.pieces, input.order), nv);

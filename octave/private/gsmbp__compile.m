@@ -36,16 +36,21 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   if (gsmbp__older (archive, [runtime; {stamp}]))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), f77, common_flags,
-                              sprintf (" %s", cellfun (@quote, runtime, "UniformOutput", false){:})));
+    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), ...
+                              f77, common_flags,
+                              sprintf (" %s", ...
+                                  cellfun (@quote, runtime, "UniformOutput", false){:})));
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
-  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h"), fullfile(glue, "gsmbp_cvode.h")};
+  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h"), ...
+           fullfile(glue, "gsmbp_cvode.h")};
   if (gsmbp__older (module, parts))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o module.o %s", quote (place), mkoctfile_command (), define, quote (parts{1})));
+    gsmbp__run (who, ...
+                sprintf ("cd %s && %s %s -c -o module.o %s", quote (place), ...
+                         mkoctfile_command (), define, quote (parts{1})));
     gsmbp__put_in_place (who, fullfile (place, "module.o"), module);
   endif
 
@@ -53,25 +58,36 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   here = fullfile (folder, precision, json.name);
   file = fullfile (here, [symbol ".oct"]);
   stamp = flags_stamp (here, [f77 " " flags " " input]);
-  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp; fullfile(glue, "gsmbp_scene.c"); fullfile(glue, "module.map")};
+  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp; ...
+             fullfile(glue, "gsmbp_scene.c"); fullfile(glue, "module.map")};
   if (! isempty (input))
     sources{end+1} = input;
   endif
   if (gsmbp__older (file, sources))
     place = scratch (here);
     guard = onCleanup (@() remove (place));
-    gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), sizes_header (json, symbol, ! isempty (input)));
+    gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
+                  sizes_header (json, symbol, ! isempty (input)));
     cc = strtrim (mkoctfile ("-p", "CC"));
     say_if_long (who, source);
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, quote (source)));
+    gsmbp__run (who, ...
+                sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, ...
+                         quote (source)));
     user = "";
     if (! isempty (input))
-      gsmbp__run (who, sprintf ("cd %s && %s %s -c -o input.o %s", quote (place), f77, flags, quote (input)));
+      gsmbp__run (who, ...
+                  sprintf ("cd %s && %s %s -c -o input.o %s", quote (place), f77, flags, ...
+                           quote (input)));
       user = "input.o";
     endif
-    gsmbp__run (who, sprintf ("cd %s && %s -O2 -fPIC -I. -I%s -c -o scene.o %s && %s -o module.oct %s scene.o scene_f.o %s %s %s -Wl,--version-script=%s",
-                              quote (place), cc, quote (glue), quote (fullfile (glue, "gsmbp_scene.c")), mkoctfile_command (), quote (module), user, quote (archive),
-                              [libraries " " strtrim(mkoctfile ("-p", "FLIBS"))], quote (fullfile (glue, "module.map"))));
+    gsmbp__run (who, sprintf (["cd %s && %s -O2 -fPIC -I. -I%s -c -o scene.o %s && %s -o " ...
+                               "module.oct %s scene.o scene_f.o %s %s %s -Wl,--version-script=%s"],
+                              quote (place), cc, quote (glue), quote (fullfile (glue, ...
+                                    "gsmbp_scene.c")), mkoctfile_command (), quote (module), ...
+                                        user, quote (archive),
+                              [libraries " " ...
+                                 strtrim(mkoctfile ("-p", "FLIBS"))], quote (fullfile (glue, ...
+                                    "module.map"))));
     gsmbp__put_in_place (who, fullfile (place, "module.oct"), file);
     ## modules of earlier contents
     old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct*"])), {file; [file ".md5"]});
@@ -92,7 +108,8 @@ endfunction
 function say_if_long (who, source)
   lines = sum (fileread (source) == "\n");
   if (lines > 14000)
-    printf ("%s: %s has %d lines; compiling it takes about %d s\n", who, source, lines, 10 * ceil (lines / 14000));
+    printf ("%s: %s has %d lines; compiling it takes about %d s\n", who, source, lines, ...
+            10 * ceil (lines / 14000));
     fflush (stdout);
   endif
 endfunction
@@ -136,7 +153,8 @@ endfunction
 
 function text = sizes_header (json, symbol, has_input)
   d = json.dimensions;
-  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", "nmar", "nxk", "nctl", "nev", "nmode", "nsm"};
+  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", ...
+           "nmar", "nxk", "nctl", "nev", "nmode", "nsm"};
   counts = cellfun (@(n) size_of (d, n), sizes);
   counts(end+1) = sum (gsmbp__skeleton (json).points);
   counts(end+1) = 0;
@@ -144,7 +162,10 @@ function text = sizes_header (json, symbol, has_input)
     counts(end) = numel (json.base_parameters);
   endif
   emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", "reg", "mar"};
+  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", ...
+              "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", ...
+              "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", ...
+              "reg", "mar"};
   table = declared = {};
   for i = 1:numel (routines)
     known = strcmpi (emitted, [json.name "_" routines{i}]);
@@ -161,6 +182,10 @@ function text = sizes_header (json, symbol, has_input)
     declared{end+1} = "gsvin_";
   endif
   sets = gsmbp__orientation (json);
-  text = sprintf ("#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_SETS %s\n#define GSMBP_TABLE \"%s\",%s %s, %d\n", symbol,
-                  sprintf ("extern void %s (void); ", declared{:}), sprintf ("%d, ", [sets'(:)', 0])(1:end-2), json.name, sprintf (" %d,", counts), strjoin (table, ", "), rows (sets));
+  text = ...
+      sprintf (["#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_SETS " ...
+                "%s\n#define GSMBP_TABLE \"%s\",%s %s, %d\n"], symbol,
+                  sprintf ("extern void %s (void); ", declared{:}), sprintf ("%d, ", ...
+                      [sets'(:)', 0])(1:end-2), json.name, sprintf (" %d,", ...
+                      counts), strjoin (table, ", "), rows (sets));
 endfunction

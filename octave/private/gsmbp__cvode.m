@@ -5,18 +5,23 @@
 function library = gsmbp__cvode (who, m)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
   glue = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue");
-  sources = cellfun (@(name) fullfile (glue, name), {"gsmbp_cvode.c", "gsmbp_cvode.h", "gsmbp_scene.h"}, "UniformOutput", false);
+  sources = cellfun (@(name) fullfile (glue, name), ...
+                     {"gsmbp_cvode.c", "gsmbp_cvode.h", "gsmbp_scene.h"}, "UniformOutput", ...
+                     false);
   library = fullfile (fileparts (fileparts (m.file)), "common", "libgsmbp_cvode.so");
   if (! gsmbp__older (library, sources))
     return;
   endif
   cc = strtrim (mkoctfile ("-p", "CC"));
   if (system (["echo '#include <cvode/cvode.h>' | " cc " -E - >/dev/null 2>&1"]) != 0)
-    error ("%s: method \"cvode\" needs SUNDIALS, which is not installed (Debian: libsundials-dev)", who);
+    error (["%s: method \"cvode\" needs SUNDIALS, which is not installed (Debian: " ...
+            "libsundials-dev)"], who);
   endif
   new = sprintf ("%s.%d", library, getpid ());
   unwind_protect
-    gsmbp__run (who, sprintf ("%s -std=gnu11 -O2 -march=native -fPIC -shared -o %s %s -lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm",
+    gsmbp__run (who, sprintf (["%s -std=gnu11 -O2 -march=native -fPIC -shared -o %s %s " ...
+                               "-lsundials_cvode -lsundials_nvecserial " ...
+                               "-lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm"],
                               cc, quote (new), quote (sources{1})));
     gsmbp__put_in_place (who, new, library);
   unwind_protect_cleanup

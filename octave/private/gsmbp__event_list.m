@@ -7,7 +7,8 @@ function list = gsmbp__event_list (m, record)
   nx = m.sizes.nx;
   all = (rows (record) - 3) / 2;   # with the two states of an audit or without
   n = columns (record);
-  list = struct ("t", record(1,:)', "number", record(2,:)', "device", {cell(n, 1)}, "mode", record(3,:)', "loss", zeros (n, 1), ...
+  list = struct ("t", record(1,:)', "number", record(2,:)', "device", {cell(n, ...
+        1)}, "mode", record(3,:)', "loss", zeros (n, 1), ...
                  "before", record(3 + (1:nx),:)', "after", record(3 + all + (1:nx),:)');
   for k = 1:n
     list.device{k} = m.events(list.number(k)).name;

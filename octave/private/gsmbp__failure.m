@@ -15,7 +15,8 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
                          "speeds that it leaves was found, how it goes on is not determined"], at);
         return;
       endif
-      routine = {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
+      routine = ...
+          {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
                  "OUT or a sampled device", "an event"}{counts(7)};
       text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
                       cause (m, counts(7), counts(6)));
@@ -41,7 +42,9 @@ function text = cause (m, number, info)
   if (number == 7 && info == 9)
     text = "more than 100 events at one instant";
   elseif (any (number == [3, 5]) && info == 3)
-    text = "no position that closes the loops was found nearby; the mechanism may be at the end of its range";
+    text = ...
+        ["no position that closes the loops was found nearby; the mechanism may be at the end " ...
+         "of its range"];
   elseif (number == 3 && info == 4)
     text = "no step leads away from a position where the constraints lose rank";
   else

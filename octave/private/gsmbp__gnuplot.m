@@ -11,7 +11,9 @@ function gsmbp__gnuplot (who, file, terminal, lines, table)
   script = [tempname() ".gp"];
   guards = {onCleanup(@() gsmbp__discard (script)), onCleanup(@() gsmbp__discard (new)), ...
             onCleanup(@() gsmbp__discard (table))};
-  gsmbp__write (who, script, sprintf ("%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], lines{:}));
+  gsmbp__write (who, script, ...
+                sprintf ("%s\n", ["set terminal " terminal], ["set output " gsmbp__quoted(new)], ...
+                         lines{:}));
   gsmbp__run (who, ["gnuplot '" strrep(script, "'", "'\\''") "'"]);
   if (! whole (new, kind))
     error (["%s: cannot write %s: gnuplot left a part of it (is the disk full?); " ...
@@ -35,5 +37,7 @@ function yes = whole (file, kind)
   fseek (f, -8, "eof");
   last = fread (f, 8, "uint8=>char")';
   fclose (f);
-  yes = numel (last) == 8 && (strcmpi (kind, ".gif") && last(8) == ";" || strcmpi (kind, ".png") && strcmp (last(1:4), "IEND"));
+  yes = numel (last) == 8 ...
+      && (strcmpi (kind, ".gif") && last(8) == ";" || strcmpi (kind, ".png") ...
+            && strcmp (last(1:4), "IEND"));
 endfunction

@@ -11,6 +11,7 @@ function [pp, planned] = gsmbp__motion (who, m, motion)
     planned = m.actuated;
   else
     wanted = strjoin (m.coordinates(m.actuated)', ", ");
-    error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, numel (m.actuated), wanted, n);
+    error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, ...
+           numel (m.actuated), wanted, n);
   endif
 endfunction

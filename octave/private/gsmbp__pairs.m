@@ -16,7 +16,8 @@ function [names, values] = gsmbp__pairs (who, what, pairs)
   for i = 1:numel (names)
     name = names{i};
     if (! (ischar (name) && rows (name) == 1))
-      error ("%s: expected the name of %s %s, found %s", who, article (what), what, gsmbp__shown (name));
+      error ("%s: expected the name of %s %s, found %s", who, article (what), what, ...
+             gsmbp__shown (name));
     elseif (i > numel (values))
       error ("%s: %s \"%s\" has no value; expected pairs of a name and a value", who, what, name);
     elseif (any (strcmp (name, names(1:i-1))))

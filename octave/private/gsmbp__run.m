@@ -14,6 +14,7 @@ function gsmbp__run (who, command)
     if (numel (lines) > 25)
       lines = [lines(1:25), {sprintf("... and %d more lines", numel (lines) - 25)}];
     endif
-    error ("%s: this command failed (status %d%s)\n%s\n%s", who, status, full, command, strjoin (lines, "\n"));
+    error ("%s: this command failed (status %d%s)\n%s\n%s", who, status, full, command, ...
+           strjoin (lines, "\n"));
   endif
 endfunction

@@ -14,12 +14,14 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
     return;
   endif
   if (! any (strcmp (m.subroutines, "ctl")))
-    error ("%s: %s has sampled devices, but was emitted without the subroutine CTL (request control)", who, m.name);
+    error (["%s: %s has sampled devices, but was emitted without the subroutine CTL " ...
+            "(request control)"], who, m.name);
   endif
   [period, delay] = m.module ("ctp", m.cst);
   if (! all (period > 0) || ! all (delay >= 0))
     k = find (! (period > 0) | ! (delay >= 0), 1);
-    error ("%s: %s: period and delay must be > 0 and >= 0; found %g s and %g s", who, m.controllers(k).name, period(k), delay(k));
+    error ("%s: %s: period and delay must be > 0 and >= 0; found %g s and %g s", who, ...
+           m.controllers(k).name, period(k), delay(k));
   endif
   memory = o.memory;
   if (isempty (memory))
@@ -43,7 +45,8 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
   endif
   again = double ([m.controllers.again])(:);
   counts = cellfun (@numel, {m.controllers.outputs})(:);
-  plan = [nc; d.nxk; d.ny; numel(held); places; instants; 0; 0; 0; 0; k; counts; again; held; zeros(places, 1)];
+  plan = [nc; d.nxk; d.ny; numel(held); places; instants; 0; 0; 0; 0; k; counts; again; held; ...
+          zeros(places, 1)];
   first = numel (ip) + 1;
   ip(23:27) = [numel(held), first + 10 + 3 * nc, numel(rp) + 2 * nc + 1, first, numel(rp) + 1];
   ip = [ip, plan'];

@@ -8,6 +8,7 @@ function times = gsmbp__times (who, times)
   times = double (times(:)');
   if (any (diff (times) <= 0))
     k = find (diff (times) <= 0, 1);
-    error ("%s: the times must be strictly increasing; number %d is %.15g, the next %.15g", who, k, times(k), times(k+1));
+    error (["%s: the times must be strictly increasing; number %d is %.15g, the next " "%.15g"], ...
+           who, k, times(k), times(k+1));
   endif
 endfunction

@@ -1,4 +1,5 @@
-;;; An exit code for Maxima 5.46, whose quit() takes no argument. A log without the last line was cut short: the disk is full.
+;;; An exit code for Maxima 5.46, whose quit() takes no argument. A log without the last line was
+;;; cut short: the disk is full.
 (defun $gsmbp__exit (code)
   (format t "~&end of the run~%")
   (finish-output)

@@ -1,8 +1,11 @@
-## loops.m: the bench of the loops, called by `make bench-loops`. Writes loops.md and loops.json beside itself, figures into out/.
+## loops.m: the bench of the loops, called by `make bench-loops`. Writes loops.md and loops.json
+## beside itself, figures into out/.
 ##
-## Every mechanism of loops/bench_cases.m that has a scene, every way to integrate its loops, five tolerances: time, error against quad precision, drift,
-## energy. Then Andrews' squeezer against SUNDIALS IDA, the ladder of four-bars through its singular positions, ten seconds of Bricard's six-bar.
-## BENCH_LOOPS="andrews bricard" takes these mechanisms only; BENCH_LADDER="2 5" other ladders.
+## Every mechanism of loops/bench_cases.m that has a scene, every way to integrate its loops, five
+## tolerances: time, error against quad precision, drift, energy. Then Andrews' squeezer against
+## SUNDIALS IDA, the ladder of four-bars through its singular positions, ten seconds of Bricard's
+## six-bar. BENCH_LOOPS="andrews bricard" takes these mechanisms only; BENCH_LADDER="2 5" other
+## ladders.
 
 here = fileparts (mfilename ("fullpath"));
 addpath (fullfile (fileparts (fileparts (here)), "octave"));
@@ -39,7 +42,9 @@ for c = bench_cases ()
     skipped{end+1} = sprintf ("%s: %s", c.name, strtok (problem.message, "\n"));
     continue;
   end
-  truths = [truths, struct("name", c.name, "what", c.what, "span", c.times(end) - c.times(1), "known", known, "way", way, "rows", m.sizes.nlam, "coordinates", m.sizes.nq)];
+  truths = [truths, ...
+            struct("name", c.name, "what", c.what, "span", c.times(end) - c.times(1), "known", ...
+                   known, "way", way, "rows", m.sizes.nlam, "coordinates", m.sizes.nq)];
   all = [all, runs];
 end
 andrews = struct ("own", [], "ida", []);
@@ -56,8 +61,11 @@ if (isempty (wanted{1}) || any (strncmp (wanted, "ladder", 6)))
   puts ("ladders ...\n");
   ladder = bench_ladder (out, ladders);
 end
-save ("-binary", fullfile (out, "loops.bin"), "truths", "all", "skipped", "andrews", "ladder", "bricard");
+save ("-binary", fullfile (out, "loops.bin"), "truths", "all", "skipped", "andrews", "ladder", ...
+      "bricard");
 text = bench_text (truths, all, skipped, andrews, ladder, bricard, out);
 bench_save (fullfile (here, "loops.md"), text);
-bench_save (fullfile (here, "loops.json"), jsonencode (struct ("mechanisms", {truths}, "runs", {all}, "andrews", andrews, "ladder", {ladder}, "bricard", {bricard})));
+bench_save (fullfile (here, "loops.json"), ...
+            jsonencode (struct ("mechanisms", {truths}, "runs", {all}, "andrews", andrews, ...
+                                "ladder", {ladder}, "bricard", {bricard})));
 puts (text);

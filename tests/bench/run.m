@@ -1,9 +1,12 @@
-## run.m: the benchmark, called by `make bench`. Writes report.md and report.json beside itself, figures into out/.
+## run.m: the benchmark, called by `make bench`. Writes report.md and report.json beside itself,
+## figures into out/.
 ##
-## Every system of systems/ (BENCH_SYSTEMS="puma3 puma6": these only) is derived in both modes and pass by pass, compiled and timed; its torques and
-## accelerations are compared with the same Fortran in quad precision on random and on hard states, and that with Newton-Euler equations of its own.
-## PEERS=1: SymPy, CasADi, Pinocchio and MuJoCo from PyPI on the same states in the same run; BENCH_CAP: seconds for one of their derivations (60).
-## The steps are the functions of speed/, in the order in which they are called here; the bench of the symbols follows.
+## Every system of systems/ (BENCH_SYSTEMS="puma3 puma6": these only) is derived in both modes and
+## pass by pass, compiled and timed; its torques and accelerations are compared with the same
+## Fortran in quad precision on random and on hard states, and that with Newton-Euler equations of
+## its own. PEERS=1: SymPy, CasADi, Pinocchio and MuJoCo from PyPI on the same states in the same
+## run; BENCH_CAP: seconds for one of their derivations (60). The steps are the functions of speed/,
+## in the order in which they are called here; the bench of the symbols follows.
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
@@ -36,14 +39,16 @@ for name = speed_names (here)
     results{end+1} = s;
     save ("-binary", fullfile (out, "results.bin"), "results");
   catch problem
-    skipped{end+1} = sprintf ("* %s failed: %s", name{1}, strjoin (strsplit (problem.message, "\n"), " "));
+    skipped{end+1} = sprintf ("* %s failed: %s", name{1}, ...
+                              strjoin (strsplit (problem.message, "\n"), " "));
     disp (skipped{end});
   end
 end
 results = [results{:}];
 bench_save (fullfile (here, "report.json"), speed_json (results));
 speed_figures (results, out);
-text = [speed_report(results, peers, with_peers), sprintf("%s\n", skipped{:}), speed_examples(root)];
+text = [speed_report(results, peers, with_peers), sprintf("%s\n", skipped{:}), ...
+        speed_examples(root)];
 bench_save (fullfile (here, "report.md"), text);
 puts (text);
 
@@ -51,4 +56,5 @@ table = fullfile (here, "out", "symbols.md");
 if (system (sprintf ("'%s' '%s'", fullfile (here, "symbols"), table)) != 0)
   error ("bench: tests/bench/symbols failed; report.md is without its tables");
 end
-bench_save (fullfile (here, "report.md"), [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")]);
+bench_save (fullfile (here, "report.md"), ...
+            [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")]);

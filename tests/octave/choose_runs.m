@@ -1,5 +1,7 @@
-## [full, less, truth] = choose_runs (M_FULL, M_LESS): the same voltages, those that the full motors need for the quintic of examples/puma560, given to both
-## models through a spline of ten pieces: handles run (rtol, method) with the result of gsmbp_simulate at 21 times, and the full model's motion at a tight tolerance.
+## [full, less, truth] = choose_runs (M_FULL, M_LESS): the same voltages, those that the full motors
+## need for the quintic of examples/puma560, given to both models through a spline of ten pieces:
+## handles run (rtol, method) with the result of gsmbp_simulate at 21 times, and the full model's
+## motion at a tight tolerance.
 
 function [full, less, truth] = choose_runs (m_full, m_less)
   plan = gsmbp_plan ("quintic", [0.5, 0; -0.75, 0; 0.5, 0], [0, 1]);
@@ -14,7 +16,9 @@ function [full, less, truth] = choose_runs (m_full, m_less)
   c(:,2:end,2:2:6) = given(:,1:end-1,:) .* (v.order-1:-1:1);
   both = mkpp (v.breaks, reshape (permute (c, [3 1 2]), 6 * v.pieces, v.order), 6);
   times = linspace (0, 1, 21);
-  full = @(rtol, method) gsmbp_simulate (m_full, r.x(1,:)', times, "input", v, "rtol", rtol, "method", method);
-  less = @(rtol, method) gsmbp_simulate (m_less, r.x(1,1:6)', times, "input", both, "rtol", rtol, "method", method);
+  full = @(rtol, method) gsmbp_simulate (m_full, r.x(1,:)', times, "input", v, "rtol", rtol, ...
+      "method", method);
+  less = @(rtol, method) gsmbp_simulate (m_less, r.x(1,1:6)', times, "input", both, "rtol", ...
+      rtol, "method", method);
   truth = full (1e-11, "dp853").x(:,1:3);
 end

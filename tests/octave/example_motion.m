@@ -1,5 +1,7 @@
-## [m, x0, t, options, what] = example_motion (NAME, BUILD): the main run of an example's driver (examples/*/run.m), for each scene NAME of the examples:
-## model, start, times, options of gsmbp_simulate, one of which tells a usual energy ("audit" [J]), and the motion in words. BUILD (name) gives a model.
+## [m, x0, t, options, what] = example_motion (NAME, BUILD): the main run of an example's driver
+## (examples/*/run.m), for each scene NAME of the examples: model, start, times, options of
+## gsmbp_simulate, one of which tells a usual energy ("audit" [J]), and the motion in words. BUILD
+## (name) gives a model.
 
 function [m, x0, t, options, what] = example_motion (name, build)
   m = build (name);
@@ -7,17 +9,22 @@ function [m, x0, t, options, what] = example_motion (name, build)
   switch (name)
     case "andrews"
       m.nominal(8:14) = 1000;   # the driver's absolute tolerance: speeds reach 1425 rad/s
-      [x0, t, joules, what] = deal (gsmbp_assemble (m, m.initial, "hold", "beta"), 0:0.001:0.03, 1, "0.03 s of the benchmark");
+      [x0, t, joules, what] = deal (gsmbp_assemble (m, m.initial, "hold", "beta"), 0:0.001:0.03, ...
+                                    1, "0.03 s of the benchmark");
     case "bricard"
       [x0, t, joules, what] = deal (m.initial, 0:0.25:10, 10, "falls for 10 s");
     case "four_bar"
       options = {"motion", mkpp([0, 10], [2*pi, 0])};
       [x0, t, joules, what] = deal ([], 0:0.25:10, 1, "ten turns by computed torque");
     case "hooke"
-      [x0, t, options, joules, what] = deal (m.initial, 0:0.05:1.5, {"input", 16}, 10, "run-up on 16 V");
+      [x0, t, options, joules, what] = deal (m.initial, 0:0.05:1.5, {"input", 16}, 10, ...
+          "run-up on 16 V");
     case "hooke_double"
-      m = gsmbp_set (m, "b2", 15 * pi / 180);   # with equal bends the ends turn evenly: hardly any energy passes
-      [x0, t, joules, what] = deal (gsmbp_assemble (m, [0 0 0 0 20 0 0 0], "hold", "theta"), linspace (0, pi / 10, 9), 1, "a turn at 20 rad/s, bends 30, 15");
+      ## with equal bends the ends turn evenly: hardly any energy passes
+      m = gsmbp_set (m, "b2", 15 * pi / 180);
+      [x0, t, joules, what] = deal (gsmbp_assemble (m, [0 0 0 0 20 0 0 0], "hold", "theta"), ...
+                                    linspace (0, pi / 10, 9), 1, ...
+                                    "a turn at 20 rad/s, bends 30, 15");
     case {"hydraulic_crane", "hydraulic_crane_pl"}
       options = {"motion", at_rest([0.2 0.8 0.8 0.2; -1 -1.2 -0.6 -1], [0 4 7 12])};
       [x0, t, joules, what] = deal ([], 0:0.5:12, 1e4, "the cycle by the valves' commands");
@@ -37,7 +44,8 @@ function [m, x0, t, options, what] = example_motion (name, build)
       coefs = zeros (3, 1800, 4);
       coefs(1,:,:) = place.coefs;
       coefs(2:3,:,4) = at.v' .* ones (1, 1800);
-      [x0, t, options, joules, what] = deal (at.x', 0:0.1:1.8, {"input", mkpp(ticks, coefs, 3)}, 1, "forth and back under the digital PID, 1 kHz");
+      [x0, t, options, joules, what] = deal (at.x', 0:0.1:1.8, {"input", mkpp(ticks, coefs, 3)}, ...
+          1, "forth and back under the digital PID, 1 kHz");
     case "puma560"
       options = {"motion", gsmbp_plan("quintic", [0.5, 0; -0.75, 0; 0.5, 0], [0, 1])};
       [x0, t, joules, what] = deal ([], 0:0.1:1, 100, "the quintic by computed voltages");
@@ -51,20 +59,26 @@ function [m, x0, t, options, what] = example_motion (name, build)
       x0 = [centre; cos(lean / 2); sin(lean / 2); 0; 0; cross(w, centre); R' * w];
       [t, joules, what] = deal (0:0.5:60, 1, "60 s, leaning by 0.5 rad at 8 rad/s");
     case "rolling_disc_angles"
-      x0 = gsmbp_assemble (m, [0; -m.par.r * sin(0.5); m.par.r * cos(0.5); 0; 0.5; 0; 0; 0; 0; 1; 0; 8], "hold", {"heading", "lean", "roll"});
+      x0 = gsmbp_assemble (m, ...
+                           [0; -m.par.r * sin(0.5); m.par.r * cos(0.5); 0; 0.5; 0; 0; 0; 0; 1; ...
+                            0; 8], "hold", {"heading", "lean", "roll"});
       [t, joules, what] = deal (0:0.5:60, 1, "60 s, leaning by 0.5 rad at 8 rad/s");
     case "slider_crank"
       options = {"motion", gsmbp_plan("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2)};
       [x0, t, joules, what] = deal ([], 0:0.25:6, 10, "the profile by computed voltage");
     case "slider_crank_induction"
-      [x0, t, options, joules, what] = deal (m.initial, 0:0.05:1.5, {"input", [220 * sqrt(2/3); 0; 377]}, 1000, "start on the mains");
+      [x0, t, options, joules, what] = deal (m.initial, 0:0.05:1.5, ...
+          {"input", [220 * sqrt(2/3); 0; 377]}, 1000, "start on the mains");
     case "spinning_top"
-      [x0, t, joules, what] = deal ([cos(pi/12); sin(pi/12); 0; 0; 0; 0; 250], 0:0.1:10, 1, "10 s, released without precession");
+      [x0, t, joules, what] = deal ([cos(pi/12); sin(pi/12); 0; 0; 0; 0; 250], 0:0.1:10, 1, ...
+                                    "10 s, released without precession");
     case "spinning_top_angles"
-      [x0, t, joules, what] = deal ([0; pi/6; 0; 0; 0; 250], 0:0.1:10, 1, "10 s, released without precession");
+      [x0, t, joules, what] = deal ([0; pi/6; 0; 0; 0; 250], 0:0.1:10, 1, ...
+                                    "10 s, released without precession");
     case "stewart"
       [t, x, force] = stewart_plan (m);
-      [x0, options, joules, what] = deal (x(1,:)', {"input", gsmbp_plan("table", t, force, 3)}, 10, "6 s by computed force, a table of 5 ms");
+      [x0, options, joules, what] = deal (x(1,:)', {"input", gsmbp_plan("table", t, force, 3)}, ...
+          10, "6 s by computed force, a table of 5 ms");
       t = 0:0.25:6;
     otherwise
       error ("example_motion: %s has no line here", name);
@@ -79,7 +93,10 @@ end
 function motion = at_rest (q, times)
   coefs = zeros (rows (q), columns (q) - 1, 12);
   for k = 1:columns (q) - 1
-    coefs(:,k,1:6) = reshape (diff (q(:,k:k+1), 1, 2) * ([-252 1386 -3080 3465 -1980 462] ./ diff (times(k:k+1)) .^ (11:-1:6)), rows (q), 1, 6);
+    coefs(:,k,1:6) = reshape (diff (q(:,k:k+1), 1, 2) ...
+                                * ([-252 1386 -3080 3465 -1980 ...
+                                      462] ./ diff (times(k:k+1)) .^ (11:-1:6)), rows (q), 1, ...
+                              6);
     coefs(:,k,12) = q(:,k);
   end
   motion = mkpp (times, coefs, rows (q));
@@ -89,7 +106,8 @@ function plan = slide ()
   plan = gsmbp_plan ("septic", [0.02 0.06 0.06 0.02 0.02], [0 0.4 0.8 1.2 1.8]);
 end
 
-## the joint by its voltage, or under its cascade: 1.2 rad in 1 s from rest, the arm held by the controller's integral part
+## the joint by its voltage, or under its cascade: 1.2 rad in 1 s from rest, the arm held by the
+## controller's integral part
 function [x0, t, options, what] = joint_run (m, name, build)
   free = build ("robot_joint");
   plan = gsmbp_plan ("septic", [0 1.2 1.2], [0 1 1.5]);
@@ -102,10 +120,13 @@ function [x0, t, options, what] = joint_run (m, name, build)
   t = 0:0.1:1.5;
   switch (name)
     case "robot_joint"
-      [options, t, what] = deal ({"motion", gsmbp_plan("septic", [0 1.2], [0 1])}, 0:0.1:1, "1.2 rad by computed voltage");
+      [options, t, what] = deal ({"motion", gsmbp_plan("septic", [0 1.2], [0 1])}, 0:0.1:1, ...
+                                 "1.2 rad by computed voltage");
     case "robot_joint_continuous"
-      [x0, options, what] = deal ([x0; begin; held / m.par.ks; held], {"input", reference}, "1.2 rad under the cascade");
+      [x0, options, what] = deal ([x0; begin; held / m.par.ks; held], {"input", reference}, ...
+                                  "1.2 rad under the cascade");
     case "robot_joint_sampled"
-      [options, what] = deal ({"input", reference, "memory", [begin; 1; held / m.par.ks]}, "1.2 rad under the digital cascade, 1 kHz");
+      [options, what] = deal ({"input", reference, "memory", [begin; 1; held / m.par.ks]}, ...
+                              "1.2 rad under the digital cascade, 1 kHz");
   end
 end

@@ -1,5 +1,6 @@
-## y = gragg (F, T, H, N, X): x' = F(t, x) from X at T(1), a column for each of the times T: steps of H, modified midpoint rule with 2, 4, .. 2*N substeps,
-## extrapolated (Gragg, Bulirsch and Stoer). Written for the tests, apart from the run time's integrators.
+## y = gragg (F, T, H, N, X): x' = F(t, x) from X at T(1), a column for each of the times T: steps
+## of H, modified midpoint rule with 2, 4, .. 2*N substeps, extrapolated (Gragg, Bulirsch and
+## Stoer). Written for the tests, apart from the run time's integrators.
 
 function y = gragg (f, t, h, n, x)
   y = x;

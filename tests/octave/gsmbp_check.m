@@ -1,5 +1,6 @@
-## gsmbp_check (WHAT, ERROR, TOLERANCE): one test; passes when every |ERROR| <= TOLERANCE (a NaN or an empty one fails). Prints what was measured.
-## gsmbp_check (WHAT, TRUTH): passes when every entry is true.
+## gsmbp_check (WHAT, ERROR, TOLERANCE): one test; passes when every |ERROR| <= TOLERANCE (a NaN or
+## an empty one fails). Prints what was measured. gsmbp_check (WHAT, TRUTH): passes when every entry
+## is true.
 
 function passed = gsmbp_check (what, value, tolerance)
   word = {"not ok", "ok"};

@@ -1,5 +1,5 @@
-## m = gsmbp_fixture (NAME, ...): the model of tests/scenes/NAME.mac, derived (by the test runner, or here) and compiled once;
-## options as of gsmbp_build.
+## m = gsmbp_fixture (NAME, ...): the model of tests/scenes/NAME.mac, derived (by the test runner,
+## or here) and compiled once; options as of gsmbp_build.
 
 function m = gsmbp_fixture (name, varargin)
   folder = fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out");

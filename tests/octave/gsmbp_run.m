@@ -1,4 +1,5 @@
-## x = gsmbp_run (m, t, x0, v): states (rows) at the times t under constant inputs v, Dormand-Prince at a tolerance of 1e-13, projected on the loops.
+## x = gsmbp_run (m, t, x0, v): states (rows) at the times t under constant inputs v, Dormand-Prince
+## at a tolerance of 1e-13, projected on the loops.
 
 function x = gsmbp_run (m, t, x0, v)
   options = {};

@@ -1,4 +1,5 @@
-## run_tests (FILE): calls the test function of FILE (test_x.m); its checks print `ok` or `not ok` (gsmbp_check). An error is one more failure.
+## run_tests (FILE): calls the test function of FILE (test_x.m); its checks print `ok` or `not ok`
+## (gsmbp_check). An error is one more failure.
 
 function run_tests (file)
   [folder, name] = fileparts (file);

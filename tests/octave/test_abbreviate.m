@@ -1,4 +1,5 @@
-## An abbreviated model (gsmbp_abbreviate) as it runs: its errors over the ranges it was made for, M and its forward dynamics, and its length.
+## An abbreviated model (gsmbp_abbreviate) as it runs: its errors over the ranges it was made for, M
+## and its forward dynamics, and its length.
 
 function test_abbreviate ()
   rand ("twister", 3);
@@ -18,10 +19,13 @@ function test_abbreviate ()
   end
   largest = max (abs (tau), [], 2);
   ## other states than those it was made with, where it keeps to nine tenths of the limit
-  gsmbp_check ("INV over the largest effort of each row, the limit is 1 %", max (abs (other - tau), [], 2) ./ largest, 0.01);
-  gsmbp_check ("M*ud + BIA over the largest effort", max (abs (split - tau), [], 2) ./ largest, 0.01);
+  gsmbp_check ("INV over the largest effort of each row, the limit is 1 %", ...
+               max (abs (other - tau), [], 2) ./ largest, 0.01);
+  gsmbp_check ("M*ud + BIA over the largest effort", max (abs (split - tau), [], 2) ./ largest, ...
+               0.01);
   gsmbp_check ("something was dropped", max (abs (other - tau)(:)) > 0);
-  gsmbp_check (sprintf ("M is positive definite, lowest to highest eigenvalue %.1e", lowest), lowest > 0);
+  gsmbp_check (sprintf ("M is positive definite, lowest to highest eigenvalue %.1e", lowest), ...
+               lowest > 0);
   gsmbp_check ("FWD is the inverse of M*ud + BIA, error over the condition of M", back, 1e-14);
   for word = {"inv", "mas", "bia", "fwd"}
     n = [operations(whole, word{1}), operations(less, word{1})];

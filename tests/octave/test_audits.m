@@ -1,12 +1,17 @@
-## Every example on the motion of its driver at the default tolerance: what the energy audit cannot find is below 1e-8 of the energy that passed.
+## Every example on the motion of its driver at the default tolerance: what the energy audit cannot
+## find is below 1e-8 of the energy that passed.
 
 function test_audits ()
   root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
   addpath (fullfile (root, "examples", "stewart"));
   own = fullfile (getenv ("GSMBP_TEST_DIR"), "audits");
-  others = {"hooke/hooke_double", "pneumatic_position/pneumatic_axis", "robot_joint/robot_joint_sampled"};   # in no other test
+  ## in no other test
+  others = {"hooke/hooke_double", "pneumatic_position/pneumatic_axis", ...
+            "robot_joint/robot_joint_sampled"};
   for k = 1:numel (others)
-    [status, text] = system (sprintf ("%s %s %s 2>&1", fullfile (root, "share", "make", "derive"), fullfile (root, "examples", [others{k} ".mac"]), own));
+    [status, text] = system (sprintf ("%s %s %s 2>&1", ...
+                                      fullfile (root, "share", "make", "derive"), ...
+                                      fullfile (root, "examples", [others{k} ".mac"]), own));
     gsmbp_check ([others{k} " derives"], status == 0);
     [~, others{k}] = fileparts (others{k});
   end

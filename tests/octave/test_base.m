@@ -1,4 +1,5 @@
-## Base parameters and regressor (REG): Y*p + r against INV, the rank of Y by singular values, motion of mass that the joints cannot feel.
+## Base parameters and regressor (REG): Y*p + r against INV, the rank of Y by singular values,
+## motion of mass that the joints cannot feel.
 
 function test_base ()
   rand ("twister", 5);
@@ -10,13 +11,17 @@ function test_base ()
     gsmbp_check (sprintf ("%s: Y*p + r is INV", name{1}), e, 1e-13);
     gsmbp_check (sprintf ("%s: columns of Y have a common size", name{1}), columns (Y) == n);
     s = svd (Y ./ norm (Y, "columns"));
-    gsmbp_check (sprintf ("%s: %d base parameters, singular values from %.1e to %.1e", name{1}, n, s(1), s(end)), s(end) > 1e-6 * s(1));
+    gsmbp_check (sprintf ("%s: %d base parameters, singular values from %.1e to %.1e", name{1}, ...
+                          n, s(1), s(end)), s(end) > 1e-6 * s(1));
     p = arrayfun (@(b) b.value, m.json.base_parameters(:));
     [~, q] = first_state (m);
-    gsmbp_check (sprintf ("%s: values in the JSON", name{1}), (p - q) ./ max (abs (q), 1e-3), 1e-14);
+    gsmbp_check (sprintf ("%s: values in the JSON", name{1}), (p - q) ./ max (abs (q), 1e-3), ...
+                 1e-14);
   end
-  ## 7 (n - 1) + 1 parameters of a chain of n revolute joints, the first vertical (Gautier and Khalil 1990)
-  gsmbp_check ("six revolute joints, the first vertical: 36", numel (gsmbp_fixture ("base_robot").json.base_parameters) == 36);
+  ## 7 (n - 1) + 1 parameters of a chain of n revolute joints, the first vertical (Gautier and
+  ## Khalil 1990)
+  gsmbp_check ("six revolute joints, the first vertical: 36", ...
+               numel (gsmbp_fixture ("base_robot").json.base_parameters) == 36);
   unfelt (gsmbp_fixture ("base_robot"));
 end
 
@@ -49,7 +54,8 @@ function [Y, p] = first_state (m)
   [Y, p] = m.reg (0, q, u, ud, v);
 end
 
-## mass of link 1 on its axis, which stands still; mass on the third axis, moved from one side of the joint to the other
+## mass of link 1 on its axis, which stands still; mass on the third axis, moved from one side of
+## the joint to the other
 function unfelt (m)
   [q, u, ud] = state (m);
   tau = m.inv (0, q, u, ud);
@@ -57,5 +63,6 @@ function unfelt (m)
   gsmbp_check ("a mass on an axis that stands still is not felt", other.inv (0, q, u, ud) == tau);
   other = gsmbp_set (m, struct ("w2", 0.1, "w3", 0.6));
   ## the constants round anew
-  gsmbp_check ("nor is mass moved through the axis that two links share", (other.inv (0, q, u, ud) - tau) / norm (tau), 1e-14);
+  gsmbp_check ("nor is mass moved through the axis that two links share", ...
+               (other.inv (0, q, u, ud) - tau) / norm (tau), 1e-14);
 end

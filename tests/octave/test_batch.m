@@ -1,5 +1,6 @@
-## The routines for many states at once (INV_V, MAS_V, BIA_V, FWD_V, RHS_V): against those for one state and against the quad-precision build, batches of every kind of
-## size, large angles, states that are no numbers, events.
+## The routines for many states at once (INV_V, MAS_V, BIA_V, FWD_V, RHS_V): against those for one
+## state and against the quad-precision build, batches of every kind of size, large angles, states
+## that are no numbers, events.
 
 function test_batch ()
   rand ("twister", 11);
@@ -17,7 +18,8 @@ function test_batch ()
   arguments (gsmbp_fixture ("batch_arm"));
 end
 
-## K states, a column each: angles of half a turn to both sides; those of a closed chain on its constraints
+## K states, a column each: angles of half a turn to both sides; those of a closed chain on its
+## constraints
 function s = states (m, K)
   d = m.sizes;
   half = @(n) 2 * rand (n, K) - 1;
@@ -62,7 +64,8 @@ function r = singles (m, s)
   end
 end
 
-## largest error over the states, relative in the 2-norm of each state's result, row by row: inv, mas, bia, fwd, rhs
+## largest error over the states, relative in the 2-norm of each state's result, row by row: inv,
+## mas, bia, fwd, rhs
 function e = distance (a, b)
   e = [];
   for name = {"inv", "mas", "bia", "fwd", "rhs"}
@@ -71,8 +74,10 @@ function e = distance (a, b)
   end
 end
 
-## inv mas bia fwd rhs. The rounding of batch and single differs in the sines (below one unit here, about a half in the library) and by what the compiler contracts: some
-## units of 1.1e-16 in a result of some hundred operations, more where its terms cancel. Solutions: that times the condition of M (the arm's is 1e4) or of the loop.
+## inv mas bia fwd rhs. The rounding of batch and single differs in the sines (below one unit here,
+## about a half in the library) and by what the compiler contracts: some units of 1.1e-16 in a
+## result of some hundred operations, more where its terms cancel. Solutions: that times the
+## condition of M (the arm's is 1e4) or of the loop.
 function t = tolerance ()
   t = [2e-14; 3e-15; 2e-14; 1e-12; 1e-12];
 end
@@ -82,32 +87,40 @@ function sizes (name, m)
   for K = [1 7 8 9 63 64 65 1000]
     s = states (m, K);
     [a, b] = deal (batches (m, s), singles (m, s));
-    gsmbp_check (sprintf ("%s: %d states at once against one by one, in tolerances", name, K), distance (a, b) ./ tolerance (), 1);
-    gsmbp_check (sprintf ("%s: indicators of %d states", name, K), isequal (a.fwd_info, b.fwd_info) && isequal (a.rhs_info, b.rhs_info));
+    gsmbp_check (sprintf ("%s: %d states at once against one by one, in tolerances", name, K), ...
+                 distance (a, b) ./ tolerance (), 1);
+    gsmbp_check (sprintf ("%s: indicators of %d states", name, K), ...
+                 isequal (a.fwd_info, b.fwd_info) && isequal (a.rhs_info, b.rhs_info));
   end
 end
 
-## The error against quad precision is not beyond that of the routine for one state: sines good to 0.8 units instead of 0.55 may make it a half larger, and the worst of
-## 1000 states is a matter of luck.
+## The error against quad precision is not beyond that of the routine for one state: sines good to
+## 0.8 units instead of 0.55 may make it a half larger, and the worst of 1000 states is a matter of
+## luck.
 function rounding (name, m, exact)
   s = states (m, 1000);
   best = batches (exact, s);
   [many, one] = deal (distance (batches (m, s), best), distance (singles (m, s), best));
-  printf ("   %s: inv mas bia fwd rhs, batch %s, single %s\n", name, sprintf (" %.1e", many), sprintf (" %.1e", one));
-  gsmbp_check ([name ": error against quad precision over that of one state at a time"], many ./ max (one, eps), 3);
+  printf ("   %s: inv mas bia fwd rhs, batch %s, single %s\n", name, sprintf (" %.1e", many), ...
+          sprintf (" %.1e", one));
+  gsmbp_check ([name ": error against quad precision over that of one state at a time"], ...
+               many ./ max (one, eps), 3);
 end
 
-## Angles as they stand after many turns, up to where a unit in the last place is many turns: beyond 1e5 rad GSSCV leaves them to the library. Sums of angles round alike.
+## Angles as they stand after many turns, up to where a unit in the last place is many turns: beyond
+## 1e5 rad GSSCV leaves them to the library. Sums of angles round alike.
 function large_angles (m)
   for size = [1e3 1e5 1.1e5 1e8 1e15]
     s = states (m, 64);
     s.q = s.q * size;
     s.x(1:m.sizes.nq, :) *= size;
-    gsmbp_check (sprintf ("angles of %.1e rad, in tolerances", size), distance (batches (m, s), singles (m, s)) ./ tolerance (), 1);
+    gsmbp_check (sprintf ("angles of %.1e rad, in tolerances", size), ...
+                 distance (batches (m, s), singles (m, s)) ./ tolerance (), 1);
   end
   s = states (m, 64);
   s.q(3, 20) = 1e9;
-  gsmbp_check ("one large angle among small ones, in tolerances", distance (batches (m, s), singles (m, s)) ./ tolerance (), 1);
+  gsmbp_check ("one large angle among small ones, in tolerances", ...
+               distance (batches (m, s), singles (m, s)) ./ tolerance (), 1);
 end
 
 ## a state that is no number: its own result and indicator, no other
@@ -120,11 +133,18 @@ function bad_states (name, m)
   s.x(end, 20) = -Inf;
   r = batches (m, s);
   others = setdiff (1:21, [5 20]);
-  pick = @(r) struct ("inv", r.inv(:, others), "mas", r.mas(:, others), "bia", r.bia(:, others), "fwd", r.fwd(:, others), "rhs", r.rhs(:, others));
-  gsmbp_check ([name ": the states beside one that is no number, in tolerances"], distance (pick (r), pick (good)) ./ tolerance (), 1);
-  gsmbp_check ([name ": their indicators"], all (r.fwd_info(others) == 0) && isequal (r.rhs_info(others), good.rhs_info(others)));
-  gsmbp_check ([name ": indicators of the bad states"], isequal (r.fwd_info([5 20]), [-2 -3]) && isequal (r.rhs_info([5 20]), [-2 -2]));
-  gsmbp_check ([name ": results of the bad states are no numbers"], all (isnan (r.fwd(:, 5))) && all (isnan (r.rhs(:, 20))) && any (isnan (r.inv(:, 5))));
+  pick = @(r) struct ("inv", r.inv(:, others), "mas", r.mas(:, others), "bia", r.bia(:, others), ...
+                      "fwd", r.fwd(:, others), "rhs", r.rhs(:, others));
+  gsmbp_check ([name ": the states beside one that is no number, in tolerances"], ...
+               distance (pick (r), pick (good)) ./ tolerance (), 1);
+  gsmbp_check ([name ": their indicators"], ...
+               all (r.fwd_info(others) == 0) ...
+                 && isequal (r.rhs_info(others), good.rhs_info(others)));
+  gsmbp_check ([name ": indicators of the bad states"], ...
+               isequal (r.fwd_info([5 20]), [-2 -3]) && isequal (r.rhs_info([5 20]), [-2 -2]));
+  gsmbp_check ([name ": results of the bad states are no numbers"], ...
+               all (isnan (r.fwd(:, 5))) && all (isnan (r.rhs(:, 20))) ...
+                 && any (isnan (r.inv(:, 5))));
 end
 
 ## one state where the constraints lose rank: its indicator is 2, results as one by one
@@ -135,7 +155,8 @@ function lost_rank (m)
   for k = 19:-1:1
     [b(:, k), ib(k)] = m.rhs (s.t(k), s.x(:, k), s.v(:, k));
   end
-  gsmbp_check ("lost rank is told of its state alone", isequal (ia, ib) && ia(11) == 2 && sum (ia == 2) == 1);
+  gsmbp_check ("lost rank is told of its state alone", ...
+               isequal (ia, ib) && ia(11) == 2 && sum (ia == 2) == 1);
   gsmbp_check ("results beside it", max (max (abs (a - b)) ./ max (abs (b))), 1e-10);
 end
 
@@ -149,12 +170,24 @@ end
 ## one column for all states, nothing for zero, no state; what does not fit
 function arguments (m)
   s = states (m, 12);
-  gsmbp_check ("one time and one input for all", m.inv_v (0.5, s.q, s.u, s.ud, [2; 1]) == m.inv_v (0.5 * ones (1, 12), s.q, s.u, s.ud, [2; 1] * ones (1, 12)));
+  gsmbp_check ("one time and one input for all", ...
+               m.inv_v (0.5, s.q, s.u, s.ud, [2; 1]) == m.inv_v (0.5 * ones (1, 12), s.q, s.u, ...
+                 s.ud, [2; 1] * ones (1, 12)));
   gsmbp_check ("no input is zero", m.bia_v (0.5, s.q, s.u) == m.bia_v (0.5, s.q, s.u, [0; 0]));
-  gsmbp_check ("no state", isequal (size (m.inv_v (0, zeros (6, 0), zeros (6, 0), zeros (6, 0))), [6 0]) && isequal (size (m.mas_v (0, zeros (6, 0))), [6 6 0]));
-  gsmbp_check ("a row short is an error", ! isempty (strfind (gsmbp_complaint (@() m.inv_v (0, s.q(1:5, :), s.u, s.ud)), "argument q: expected 6 rows, a column for each state, found 5x12")));
-  gsmbp_check ("a state short is an error", ! isempty (strfind (gsmbp_complaint (@() m.inv_v (0, s.q, s.u(:, 1:11), s.ud)), "argument u: expected 12 columns (or one for all), found 11")));
+  gsmbp_check ("no state", ...
+               isequal (size (m.inv_v (0, zeros (6, 0), zeros (6, 0), zeros (6, 0))), [6 0]) ...
+                 && isequal (size (m.mas_v (0, zeros (6, 0))), [6 6 0]));
+  gsmbp_check ("a row short is an error", ...
+               ! isempty (strfind (gsmbp_complaint (@() m.inv_v (0, s.q(1:5, :), s.u, s.ud)), ...
+                                   ["argument q: expected 6 rows, a column for each state, " ...
+                                    "found 5x12"])));
+  gsmbp_check ("a state short is an error", ...
+               ! isempty (strfind (gsmbp_complaint (@() m.inv_v (0, s.q, s.u(:, 1:11), s.ud)), ...
+                                   "argument u: expected 12 columns (or one for all), found 11")));
   s.q(2, 7) = NaN;
-  gsmbp_check ("an indicator that is not taken is an error", ! isempty (strfind (gsmbp_complaint (@() m.fwd_v (0, s.q, s.u, [], s.tau)), "state 7: INFO = -2")));
-  gsmbp_check ("not emitted unless asked for", ! any (strcmp (gsmbp_fixture ("case_03a").subroutines, "inv_v")));
+  gsmbp_check ("an indicator that is not taken is an error", ...
+               ! isempty (strfind (gsmbp_complaint (@() m.fwd_v (0, s.q, s.u, [], s.tau)), ...
+                                   "state 7: INFO = -2")));
+  gsmbp_check ("not emitted unless asked for", ...
+               ! any (strcmp (gsmbp_fixture ("case_03a").subroutines, "inv_v")));
 end

@@ -1,4 +1,5 @@
-## Change points: the passage of positions where the constraints lose rank by dp853, ends, outputs and breaks in, at and beside them.
+## Change points: the passage of positions where the constraints lose rank by dp853, ends, outputs
+## and breaks in, at and beside them.
 
 function test_change_points ()
   warning ("off", "gsmbp:singular", "local");

@@ -1,7 +1,9 @@
-## Every joint as the cut joint of a loop, against closed forms: positions, speeds, accelerations of the loop along its motion, the motion itself under
-## its forces, assembly from a rough guess. Nothing here is computed by GSMBP but what is judged.
+## Every joint as the cut joint of a loop, against closed forms: positions, speeds, accelerations of
+## the loop along its motion, the motion itself under its forces, assembly from a rough guess.
+## Nothing here is computed by GSMBP but what is judged.
 ##
-## A loop of one freedom is a set of poses over one coordinate th: with I(th) = sum m |c'|^2 + w J w (c', w by th) and the potential V(th)
+## A loop of one freedom is a set of poses over one coordinate th: with I(th) = sum m |c'|^2 + w J w
+## (c', w by th) and the potential V(th)
 ##   I th'' = Q - V' - I' th'^2 / 2          (poses/pose_*.m).
 
 function test_closures ()
@@ -18,7 +20,7 @@ function test_closures ()
   free_bodies ();
 end
 
-## ------------------------------------------------------------------------------------------------------------- closed loops
+## ------------------------------------------------------------------------------------ closed loops
 
 ## Bennett: tan(q1/2) tan(q2/2) = sin((be+al)/2) / sin((be-al)/2), opposite angles opposite
 function bennett ()
@@ -26,17 +28,21 @@ function bennett ()
   [a, b, al, be] = deal (0.2, 0.4, pi/6, pi/2);
   q2 = @(th) 2 * atan (sin ((be + al) / 2) / sin ((be - al) / 2) / tan (th / 2));
   closed = @(th) [th; q2(th); -q2(th)];
-  place = @(th) cat (3, along (th, 0), along (th, 0) * tilt (al, a) * along (q2(th), 0), inv (tilt (al, a) * along (-q2(th), 0) * tilt (be, b)));
+  place = @(th) cat (3, along (th, 0), along (th, 0) * tilt (al, a) * along (q2(th), 0), ...
+                     inv (tilt (al, a) * along (-q2(th), 0) * tilt (be, b)));
   body = pose_bodies ([1, 1.5, 1.2], [0.1, 0.2, 0.1; 0, 0.02, 0; 0.01, 0, 0], ...
-                      {diag([0.001, 0.004, 0.004]), diag([0.002, 0.03, 0.03]), diag([0.001, 0.004, 0.004])});
+                      {diag([0.001, 0.004, 0.004]), diag([0.002, 0.03, 0.03]), ...
+                       diag([0.001, 0.004, 0.004])});
   along_motion ("hinge (Bennett)", m, closed, [0.5, 1, 2, 3, 4.5, 5.5], 1);
-  under_forces ("hinge (Bennett)", m, closed, place, body, [0; -9.81; 0], @(th, w) 0.5, [0.5, 1, 2, 3, 4.5, 5.5], 1);
+  under_forces ("hinge (Bennett)", m, closed, place, body, [0; -9.81; 0], @(th, w) 0.5, ...
+                [0.5, 1, 2, 3, 4.5, 5.5], 1);
   in_time ("hinge (Bennett)", m, closed, 1, 3, [0, 2], 0.5);
   assembled ("hinge (Bennett)", m, closed, "q1", 1, [0; 0.2; -0.2]);
   balance (m, closed, place, body, 1, 1);
 end
 
-## bar 2 of Bennett's linkage under the forces of its two hinges, which are not unique: Newton and Euler hold whatever they are
+## bar 2 of Bennett's linkage under the forces of its two hinges, which are not unique: Newton and
+## Euler hold whatever they are
 function balance (m, closed, place, body, th, w)
   x = [closed(th); pose_slope(closed, th) * w];
   [xd, ~] = m.rhs (0, x);
@@ -50,8 +56,10 @@ function balance (m, closed, place, body, th, w)
   L = @(th) second (pose_momentum (place, body, th));
   acceleration = pose_bend (c, th) * w ^ 2 + pose_slope (c, th) * xd(4);
   turning = pose_slope (L, th) * w ^ 2 + L(th) * xd(4);
-  gsmbp_check ("hinge (Bennett): Newton's law for bar 2, N", F2 - F3 + 1.5 * [0; -9.81; 0] - 1.5 * acceleration, 1e-10);
-  gsmbp_check ("hinge (Bennett): Euler's law for bar 2, N m", M2 - M3 + cross (p2 - c(th), F2) - cross (p3 - c(th), F3) - turning, 1e-10);
+  gsmbp_check ("hinge (Bennett): Newton's law for bar 2, N", ...
+               F2 - F3 + 1.5 * [0; -9.81; 0] - 1.5 * acceleration, 1e-10);
+  gsmbp_check ("hinge (Bennett): Euler's law for bar 2, N m", ...
+               M2 - M3 + cross (p2 - c(th), F2) - cross (p3 - c(th), F3) - turning, 1e-10);
 end
 
 ## crank a about the origin, guide about (-d, 0): the guide points from there to the tip
@@ -61,18 +69,22 @@ function inverted_crank ()
   psi = @(th) atan2 (a * sin (th), a * cos (th) + d);
   closed = @(th) [th; psi(th) - th; psi(th)];
   tip = @(th) [a * cos(th); a * sin(th); 0];
-  place = @(th) cat (3, pose_turn (3, th), pose_go (tip (th)) * pose_turn (3, psi(th)), pose_go ([-d; 0; 0]) * pose_turn (3, psi(th)));
-  body = pose_bodies ([0.9, 0.4, 1.4], [0.1, 0.01, 0.3; 0, 0.02, 0; 0, 0, 0], {diag([0.0002, 0.006, 0.006]), 0.0003 * eye(3), diag([0.0004, 0.04, 0.04])});
+  place = @(th) cat (3, pose_turn (3, th), pose_go (tip (th)) * pose_turn (3, psi(th)), ...
+                     pose_go ([-d; 0; 0]) * pose_turn (3, psi(th)));
+  body = pose_bodies ([0.9, 0.4, 1.4], [0.1, 0.01, 0.3; 0, 0.02, 0; 0, 0, 0], ...
+                      {diag([0.0002, 0.006, 0.006]), 0.0003 * eye(3), ...
+                       diag([0.0004, 0.04, 0.04])});
   th = [-3, -1, 0, 0.5, 1, 2.5];
   gsmbp_check ("prismatic: two rows are left in the plane", m.sizes.nlam == 2);
   along_motion ("prismatic (inverted crank)", m, closed, th, 1);
-  under_forces ("prismatic (inverted crank)", m, closed, place, body, [0; -9.81; 0], @(th, w) 2, th, 1);
+  under_forces ("prismatic (inverted crank)", m, closed, place, body, [0; -9.81; 0], @(th, w) 2, ...
+                th, 1);
   in_time ("prismatic (inverted crank)", m, closed, 1, 10, [0, 1], 2);
   assembled ("prismatic (inverted crank)", m, closed, "theta", 1, [0; 0.3; -0.2]);
 end
 
-## RCCC. Principle of transference: what holds for the angles of the spherical four-bar holds for dual numbers angle + eps*displacement; eps is an
-## imaginary step here.
+## RCCC. Principle of transference: what holds for the angles of the spherical four-bar holds for
+## dual numbers angle + eps*displacement; eps is an imaginary step here.
 function four_cylinders ()
   m = gsmbp_fixture ("close_cylindrical");
   [al, a, s1] = deal ([0.5, 1.2, 1.1, 1.4], [0.1, 0.3, 0.25, 0.35], 0.05);
@@ -80,10 +92,14 @@ function four_cylinders ()
   angles = @(th) spherical_four_bar (th, al);
   shifts = @(th) imag (spherical_four_bar (th + 1i * step * s1, al + 1i * step * a)) / step;
   closed = @(th) [th; shifts(th)(2); angles(th)(2); shifts(th)(4); angles(th)(4)];
-  last = @(th) inv (tilt (al(3), a(3)) * along (angles (th)(4), shifts (th)(4)) * tilt (al(4), a(4)));
-  place = @(th) cat (3, along (th, s1), along (th, s1) * tilt (al(1), a(1)) * along (angles (th)(2), shifts (th)(2)), last (th));
+  last = @(th) inv (tilt (al(3), a(3)) * along (angles (th)(4), shifts (th)(4)) ...
+                      * tilt (al(4), a(4)));
+  place = @(th) cat (3, along (th, s1), ...
+                     along (th, s1) * tilt (al(1), a(1)) ...
+                       * along (angles (th)(2), shifts (th)(2)), last (th));
   body = pose_bodies ([1, 1.5, 1.2], [0.05, 0.15, 0.1; 0.01, 0, -0.02; 0.02, 0.05, 0], ...
-                      {diag([0.001, 0.004, 0.004]), diag([0.002, 0.03, 0.03]), diag([0.001, 0.004, 0.004])});
+                      {diag([0.001, 0.004, 0.004]), diag([0.002, 0.03, 0.03]), ...
+                       diag([0.001, 0.004, 0.004])});
   th = [-3, -1, 0.3, 1.9, 4];
   gsmbp_check ("cylindrical: four rows", m.sizes.nlam == 4);
   along_motion ("cylindrical (RCCC)", m, closed, th, 1);
@@ -92,7 +108,8 @@ function four_cylinders ()
   assembled ("cylindrical (RCCC)", m, closed, "q1", 1.9, [0; 0.02; -0.15; 0.05; 0.2]);
 end
 
-## angles t of Z(t1) X(al1) Z(t2) X(al2) Z(t3) X(al3) Z(t4) X(al4) = 1, one branch; analytic in all its arguments
+## angles t of Z(t1) X(al1) Z(t2) X(al2) Z(t3) X(al3) Z(t4) X(al4) = 1, one branch; analytic in all
+## its arguments
 function t = spherical_four_bar (t1, al)
   k = [0; 0; 1];
   second = turn_z (t1) * turn_x (al(1)) * k;
@@ -122,9 +139,11 @@ function bent_shaft ()
     closed = @(th) [th; cross_angles(th, phi (th), b1); psi(th)];
     n = [cos(b1); sin(b1); 0];
     out = [cos(b1 + b2); sin(b1 + b2); 0];
-    place = @(th) cat (3, pose_turn (1, th), pose_turn (n, phi (th)), pose_go (0.4 * n) * pose_turn (out, psi (th)));
+    place = @(th) cat (3, pose_turn (1, th), pose_turn (n, phi (th)), ...
+                       pose_go (0.4 * n) * pose_turn (out, psi (th)));
     middle = 0.003 * n * n' + 0.02 * (eye (3) - n * n');
-    body = pose_bodies ([2, 1, 3], [[-0.2; 0; 0], 0.2 * n, zeros(3, 1)], {diag([0.02, 0.05, 0.05]), middle, 0.05 * eye(3)});
+    body = pose_bodies ([2, 1, 3], [[-0.2; 0; 0], 0.2 * n, zeros(3, 1)], ...
+                        {diag([0.02, 0.05, 0.05]), middle, 0.05 * eye(3)});
     th = [-2.5, -1, 0, 0.7, 1.4, 3];
     along_motion (name, shaft, closed, th, 1);
     under_forces (name, shaft, closed, place, body, zeros (3, 1), @(th, w) 0.8, th, 1);
@@ -158,9 +177,11 @@ function crank_rod_rocker ()
     ball = @(th) D + c * [sin(psi (th)); 0; cos(psi (th))];
     rod = @(th) (ball (th) - tip (th)) / l;
     closed = @(th) [th; rod_angles(pose_turn(3, -th)(1:3, 1:3) * rod(th)); psi(th)];
-    place = @(th) cat (3, pose_turn (3, th), rod_frame (closed (th), tip (th)), pose_go (D) * pose_turn (2, psi (th)));
+    place = @(th) cat (3, pose_turn (3, th), rod_frame (closed (th), tip (th)), ...
+                       pose_go (D) * pose_turn (2, psi (th)));
     J = 1.1 * l ^ 2 / 12;
-    body = pose_bodies ([0.8, 1.1, 1.3], [a/2, l/2, 0; 0, 0, 0; 0, 0, c/2], {diag([0, 0.002, 0.002]), diag([0, J, J]), diag([0.01, 0.01, 0])});
+    body = pose_bodies ([0.8, 1.1, 1.3], [a/2, l/2, 0; 0, 0, 0; 0, 0, c/2], ...
+                        {diag([0, 0.002, 0.002]), diag([0, J, J]), diag([0.01, 0.01, 0])});
     name = sprintf ("spherical (RUSR, branch %+d)", branch);
     th = [-3, -1.5, 0, 0.4, 1, 2.5];
     along_motion (name, m, closed, th, 1);
@@ -171,7 +192,8 @@ function crank_rod_rocker ()
 end
 
 function psi = rocker_angle (e, l, c, branch)
-  psi = atan2 (e(1), e(3)) + branch * acos ((l ^ 2 - c ^ 2 - e' * e) / (2 * c * hypot (e(1), e(3))));
+  psi = atan2 (e(1), e(3)) + branch ...
+      * acos ((l ^ 2 - c ^ 2 - e' * e) / (2 * c * hypot (e(1), e(3))));
 end
 
 function u = rod_angles (d)
@@ -182,7 +204,8 @@ function T = rod_frame (q, tip)
   T = pose_go (tip) * pose_turn (3, q(1) + q(2)) * pose_turn (2, q(3));
 end
 
-## lead screw: displacement -h*theta (the nut turns back against the screw), (J + m h^2) theta'' = tau - c theta' + m g h
+## lead screw: displacement -h*theta (the nut turns back against the screw), (J + m h^2) theta'' =
+## tau - c theta' + m g h
 function lead_screw ()
   m = gsmbp_fixture ("close_helical");
   h = 0.005 / (2 * pi);
@@ -199,12 +222,15 @@ function lead_screw ()
   speed = Q / c * (1 - exp (-c / J * t));
   angle = Q / c * (t - J / c * (1 - exp (-c / J * t)));
   printf ("   (%.0f turns)\n", angle(end) / (2 * pi));
-  gsmbp_check ("helical (lead screw): angle in closed form, of the last", (x(:, 1) - angle) / angle(end), 1e-11);
-  gsmbp_check ("helical (lead screw): speed in closed form, of the last", (x(:, 3) - speed) / speed(end), 1e-11);
+  gsmbp_check ("helical (lead screw): angle in closed form, of the last", ...
+               (x(:, 1) - angle) / angle(end), 1e-11);
+  gsmbp_check ("helical (lead screw): speed in closed form, of the last", ...
+               (x(:, 3) - speed) / speed(end), 1e-11);
   gsmbp_check ("helical (lead screw): the nut keeps step, m", x(:, 2) + h * x(:, 1), 1e-13);
 end
 
-## arm, screw and ground are a triangle whose third side is l0 - h*turn; the thread's own coordinate, which counts the turns, is -turn
+## arm, screw and ground are a triangle whose third side is l0 - h*turn; the thread's own
+## coordinate, which counts the turns, is -turn
 function jack ()
   m = gsmbp_fixture ("close_jack");
   [a, D, l0, h] = deal (0.5, [0.4; 0; 0], 0.45, 0.001);
@@ -213,21 +239,27 @@ function jack ()
   direction = @(th) atan2 (side (th)(2), side (th)(1));
   turn = @(th) (l0 - norm (side (th))) / h;
   closed = @(th) [th; direction(th) - th; turn(th); direction(th); -turn(th)];
-  ## the screw spins too fast for differences of its pose: its inertia 0.0005 about its axis is a mass that goes `turn` metres sideways
-  place = @(th) cat (3, pose_turn (3, th), pose_go (tip (th)) * pose_turn (3, direction (th)), pose_go (tip (th)) * pose_turn (3, direction (th)), ...
+  ## the screw spins too fast for differences of its pose: its inertia 0.0005 about its axis is a
+  ## mass that goes `turn` metres sideways
+  place = @(th) cat (3, pose_turn (3, th), pose_go (tip (th)) ...
+      * pose_turn (3, direction (th)), pose_go (tip (th)) * pose_turn (3, direction (th)), ...
                      pose_go (D) * pose_turn (3, direction (th)), pose_go ([turn(th); 0; 0]));
-  body = pose_bodies ([6, 0.5, 1, 0.7, 0.0005], [0.3, 0, 0.2, 0, 0; 0.05, 0, 0, 0, 0; 0, 0, 0, 0, 0], ...
-                      {diag([0.01, 0.3, 0.3]), 0.001 * eye(3), diag([0, 0.02, 0.02]), 0.001 * eye(3), zeros(3)});
+  body = pose_bodies ([6, 0.5, 1, 0.7, 0.0005], [0.3, 0, 0.2, 0, 0; 0.05, 0, 0, 0, 0; 0, 0, 0, ...
+      0, 0], ...
+                      {diag([0.01, 0.3, 0.3]), 0.001 * eye(3), diag([0, 0.02, 0.02]), ...
+                       0.001 * eye(3), zeros(3)});
   friction = @(th, w) -0.02 * pose_slope (turn, th) ^ 2 * w;
   th = [0.7, 1, 1.3, 1.6];
-  printf ("   (%.0f turns from %.1f to %.1f rad)\n", (turn (th(1)) - turn (th(end))) / (2 * pi), th(1), th(end));
+  printf ("   (%.0f turns from %.1f to %.1f rad)\n", (turn (th(1)) - turn (th(end))) / (2 * pi), ...
+          th(1), th(end));
   along_motion ("helical (jack)", m, closed, th, 1);
   ## turn = side/h: the differences of 500 rad are good to 1e-12 of them
   under_forces ("helical (jack)", m, closed, place, body, [0; -9.81; 0], friction, th, 10);
   in_time ("helical (jack)", m, closed, 1.6, -0.1, [0, 5], []);
 end
 
-## swash plate: the piston stands at s = -r tan(b) cos(theta), the slipper's axis is the plate's; its spin about that axis stays
+## swash plate: the piston stands at s = -r tan(b) cos(theta), the slipper's axis is the plate's;
+## its spin about that axis stays
 function swash_plate ()
   m = gsmbp_fixture ("close_planar");
   gsmbp_check ("planar: three rows", m.sizes.nlam == 3);
@@ -241,18 +273,21 @@ function swash_plate ()
     gap(:, end+1) = phi;
     rate(:, end+1) = H * x(7:11) + phit;
     xd = m.rhs (0, x);
-    acceleration(end+1) = xd(7) - (0.3 - mass * 9.81 * r * tan (b) * sin (th) - dI (th) * w ^ 2 / 2) / I (th);
+    acceleration(end+1) = xd(7) ...
+        - (0.3 - mass * 9.81 * r * tan (b) * sin (th) - dI (th) * w ^ 2 / 2) / I (th);
   end
   gsmbp_check ("planar (swash plate): closed, m", gap, 1e-14);
   gsmbp_check ("planar (swash plate): closed speeds, m/s", rate, 1e-14);
   gsmbp_check ("planar (swash plate): acceleration, rad/s^2", acceleration, 1e-11);
   t = linspace (0, 1, 21);
   x = gsmbp_run (m, t, swash_state (0.7, 5, 0, spin, b, r), []);
-  energy = @(x) (I (x(1)) * x(7) ^ 2 + jk * spin ^ 2) / 2 + mass * 9.81 * (-r * tan (b) * cos (x(1))) - 0.3 * x(1);
+  energy = @(x) (I (x(1)) * x(7) ^ 2 + jk * spin ^ 2) / 2 + mass * 9.81 ...
+      * (-r * tan (b) * cos (x(1))) - 0.3 * x(1);
   for i = 1:numel (t)
     n = pose_turn (3, x(i, 1))(1:3, 1:3) * [sin(b); 0; cos(b)];
     R = pose_rotation (x(i, 3:6));
-    kept(i, :) = [energy(x(i, :)) - energy(x(1, :)), n' * R * x(i, 9:11)' - spin, norm(R(:, 3) - n)];
+    kept(i, :) = [energy(x(i, :)) - energy(x(1, :)), n' * R * x(i, 9:11)' - spin, ...
+                  norm(R(:, 3) - n)];
   end
   printf ("   (%.1f turns)\n", (x(end, 1) - x(1, 1)) / (2 * pi));
   gsmbp_check ("planar (swash plate): piston, m", x(:, 2) + r * tan (b) * cos (x(:, 1)), 1e-12);
@@ -268,11 +303,13 @@ function x = swash_state (th, w, sigma, spin, b, r)
   x = [th; -r * tan(b) * cos(th); pose_quaternion(R); w; r * tan(b) * sin(th) * w; R' * omega];
 end
 
-## welded halves: one pendulum; the weld's moment about the common line is what keeps the halves together
+## welded halves: one pendulum; the weld's moment about the common line is what keeps the halves
+## together
 function weld ()
   m = gsmbp_fixture ("close_fixed");
   closed = @(th) [th; th];
-  place = @(th) cat (3, pose_go ([0; -0.2; 0]) * pose_turn (2, th), pose_go ([0; 0.3; 0]) * pose_turn (2, th));
+  place = @(th) cat (3, pose_go ([0; -0.2; 0]) * pose_turn (2, th), ...
+                     pose_go ([0; 0.3; 0]) * pose_turn (2, th));
   J1 = [0.025, 0.001, 0.002; 0.001, 0.03, 0; 0.002, 0, 0.015];
   J2 = [0.04, 0, 0; 0, 0.05, -0.002; 0, -0.002, 0.03];
   body = pose_bodies ([2, 3], [0.1, -0.05; -0.1, 0.2; -0.3, -0.2], {J1, J2});
@@ -288,19 +325,23 @@ function weld ()
   own = 0.05 + 3 * (0.05 ^ 2 + 0.2 ^ 2);
   weight = cross (R * [-0.05; 0.2; -0.2], 3 * [0; 0; -9.81]);
   arm = cross (R * [0.1; -0.3; -0.3], F);
-  gsmbp_check ("fixed (weld): its moment about the line of the hinges, N m", own * xd(4) - weight(2) - M(2) - arm(2), 1e-12);
+  gsmbp_check ("fixed (weld): its moment about the line of the hinges, N m", ...
+               own * xd(4) - weight(2) - M(2) - arm(2), 1e-12);
 end
 
-## ------------------------------------------------------------------------------------------------------ bodies bound to the ground
+## ---------------------------------------------------------------------- bodies bound to the ground
 
-## A body free in space and bound by a cut joint. Its possible motions: the joint's point moves by V du, the body turns by W du; what must happen
-## is M a = F + forces that do no work on these (principle of virtual power).
+## A body free in space and bound by a cut joint. Its possible motions: the joint's point moves by V
+## du, the body turns by W du; what must happen is M a = F + forces that do no work on these
+## (principle of virtual power).
 function free_bodies ()
   m = gsmbp_fixture ("close_free");
   types = {"revolute", "prismatic", "cylindrical", "universal", "spherical", "planar", "helical"};
-  gsmbp_check ("free bodies: 50 coordinates (one counts the screw's turns), 43 speeds, 30 rows", m.sizes.nq == 50 && m.sizes.nu == 43 && m.sizes.nlam == 30);
+  gsmbp_check (["free bodies: 50 coordinates (one counts the screw's turns), 43 speeds, 30 " ...
+                "rows"], m.sizes.nq == 50 && m.sizes.nu == 43 && m.sizes.nlam == 30);
   ## ten whole turns of the screw among the displacements
-  freedoms = {0.8, 0.35, [0.2; -0.6], [0.5; -0.4], [0.3; 0.8; -0.2], [0.1; -0.2; 0.7], 20 * pi + 0.6};
+  freedoms = {0.8, 0.35, [0.2; -0.6], [0.5; -0.4], [0.3; 0.8; -0.2], [0.1; -0.2; 0.7], ...
+              20 * pi + 0.6};
   rates = {1.5, -0.7, [0.9; 2], [1.2; -0.8], [2; -1; 0.5], [0.6; 0.4; -1.3], 25};
   x = zeros (m.sizes.nx, 1);
   for k = 1:7
@@ -317,7 +358,8 @@ function free_bodies ()
   for k = 1:7
     [~, iu] = places (m, types{k});
     found = [eye(3), zeros(3); zeros(3), b(k).R] * xd(iu);
-    gsmbp_check (sprintf ("free body bound by a %s joint: accelerations", types{k}), found - b(k).a, 1e-11);
+    gsmbp_check (sprintf ("free body bound by a %s joint: accelerations", types{k}), ...
+                 found - b(k).a, 1e-11);
   end
   t = linspace (0, 2, 41);
   r = gsmbp_simulate (m, x, t, "rtol", 1e-12, "atol", 1e-12, "maxsteps", 100000);
@@ -353,7 +395,8 @@ function screw (x)
   end
   angle = unwrap (angle);
   printf ("   (%.1f turns)\n", (angle(end) - angle(1)) / (2 * pi));
-  gsmbp_check ("free body on a screw: displacement = pitch*angle, m", d - d(1) - 0.02 * (angle - angle(1)), 1e-11);
+  gsmbp_check ("free body on a screw: displacement = pitch*angle, m", ...
+               d - d(1) - 0.02 * (angle - angle(1)), 1e-11);
 end
 
 function [found, wanted] = slid (x, t)
@@ -372,10 +415,12 @@ function [P, C, p, c] = placement ()
   c = [-0.1; 0.05; 0.2];
 end
 
-## pose (origin p, axes R), speeds (of the origin v, angular w, ground axes) and accelerations a (origin, angular) of a body on a joint
+## pose (origin p, axes R), speeds (of the origin v, angular w, ground axes) and accelerations a
+## (origin, angular) of a body on a joint
 function b = bound_body (type, q, u)
   [P, C, p, c] = placement ();
-  [J, mass, centre] = deal ([0.05, 0.01, 0.008; 0.01, 0.06, -0.005; 0.008, -0.005, 0.07], 2, [0.1; -0.05; 0.08]);
+  [J, mass, centre] = deal ([0.05, 0.01, 0.008; 0.01, 0.06, -0.005; 0.008, -0.005, 0.07], 2, ...
+                            [0.1; -0.05; 0.08]);
   [turn, d, W, V, bias] = motion_of (type, q, u);
   b.R = P * turn * C';
   [W, V, bias] = deal (P * W, P * V, P * bias);
@@ -392,7 +437,8 @@ function b = bound_body (type, q, u)
   b.a = [a(1:3) + cross(a(4:6), back) + cross(b.w, cross (b.w, back)); a(4:6)];
 end
 
-## in joint axes: turn and displacement d, their rates W u and V u, and what of the angular acceleration is not W u'
+## in joint axes: turn and displacement d, their rates W u and V u, and what of the angular
+## acceleration is not W u'
 function [turn, d, W, V, bias] = motion_of (type, q, u)
   [x, y, z] = deal ([1; 0; 0], [0; 1; 0], [0; 0; 1]);
   turn = eye (3);
@@ -427,9 +473,10 @@ function [turn, d, W, V, bias] = motion_of (type, q, u)
   end
 end
 
-## --------------------------------------------------------------------------------------------------------------- judging
+## ----------------------------------------------------------------------------------------- judging
 
-## positions, speeds and accelerations of the closed form against the constraints; one freedom. Rates come from differences: see pose_slope, pose_bend.
+## positions, speeds and accelerations of the closed form against the constraints; one freedom.
+## Rates come from differences: see pose_slope, pose_bend.
 function along_motion (name, m, closed, angles, scale)
   [gap, rate, bent, spare] = deal ([]);
   w = 2;
@@ -462,10 +509,12 @@ function under_forces (name, m, closed, place, body, gravity, effort, angles, sc
   gsmbp_check ([name ": acceleration under its forces"], away, 1e-9 * scale);
 end
 
-## the emitted motion stays on the closed form; it is smooth, and its steps show that; the energy grows by the work of the TORQUE ([]: there is friction)
+## the emitted motion stays on the closed form; it is smooth, and its steps show that; the energy
+## grows by the work of the TORQUE ([]: there is friction)
 function in_time (name, m, closed, th, w, span, torque)
   t = linspace (span(1), span(2), 21);
-  [r, info] = gsmbp_simulate (m, [closed(th); pose_slope(closed, th) * w], t, "rtol", 1e-11, "atol", 1e-11, "maxsteps", 20000);
+  [r, info] = gsmbp_simulate (m, [closed(th); pose_slope(closed, th) * w], t, "rtol", 1e-11, ...
+                              "atol", 1e-11, "maxsteps", 20000);
   n = m.sizes.nq;
   away = [];
   for i = 1:rows (r.x)
@@ -473,21 +522,25 @@ function in_time (name, m, closed, th, w, span, torque)
     away(:, end+1) = sin ((r.x(i, 1:n)' - wanted) / 2) * 2 ./ max (1, abs (wanted));
   end
   steps = r.stats.accepted + r.stats.rejected;
-  gsmbp_check (sprintf ("%s: %g s of motion in %d steps", name, span(2), steps), info == 0 && steps < 2000);
+  gsmbp_check (sprintf ("%s: %g s of motion in %d steps", name, span(2), steps), ...
+               info == 0 && steps < 2000);
   gsmbp_check ([name ": motion on the closed form"], away, 1e-10);
   gsmbp_check ([name ": drift of the loop"], r.stats.drift.phi, 1e-11);
   if (! isempty (torque))
     E = arrayfun (@(i) sum (m.ene (0, r.x(i, :)')(1:2)) - torque * r.x(i, 1), 1:rows (r.x));
     ## some hundred steps at 1e-11 each
-    gsmbp_check ([name ": energy less the work of the drive, relative"], (E - E(1)) / m.ene (0, r.x(1, :)')(1), 1e-8);
+    gsmbp_check ([name ": energy less the work of the drive, relative"], ...
+                 (E - E(1)) / m.ene (0, r.x(1, :)')(1), 1e-8);
   end
   last = [];
   ways = {"partitioning", "nullspace", "svd", "kane", "baumgarte"};
-  if (m.json.mobility.rank < m.sizes.nlam)   # drift makes redundant rows contradict each other: Baumgarte alone is no way for them
+  ## drift makes redundant rows contradict each other: Baumgarte alone is no way for them
+  if (m.json.mobility.rank < m.sizes.nlam)
     ways(end) = [];
   end
   for way = ways
-    [o, info] = gsmbp_simulate (m, r.x(1, :)', t, "rtol", 1e-10, "atol", 1e-10, "maxsteps", 20000, "loops", way{1});
+    [o, info] = gsmbp_simulate (m, r.x(1, :)', t, "rtol", 1e-10, "atol", 1e-10, "maxsteps", ...
+                                20000, "loops", way{1});
     last(:, end+1) = [(o.x(end, :) - r.x(end, :)) ./ max(1, abs (r.x(end, :))), info]';
   end
   ## integrations at 1e-10 a step, of motions that magnify what is added to them
@@ -501,7 +554,7 @@ function assembled (name, m, closed, held, th, off)
   gsmbp_check ([name ": assembled from a rough guess"], sin (x(1:m.sizes.nq) - closed (th)), 1e-12);
 end
 
-## ---------------------------------------------------------------------------------------------------- placements of Denavit and Hartenberg
+## ------------------------------------------------------------ placements of Denavit and Hartenberg
 
 ## turn about and go along z; go along and tilt about x
 function T = along (angle, d)

@@ -1,11 +1,13 @@
-## Devices on every kind of port: power balance at random states, mass matrix against kinetic energy, exact Jacobians, inverse and forward.
+## Devices on every kind of port: power balance at random states, mass matrix against kinetic
+## energy, exact Jacobians, inverse and forward.
 
 function test_devices ()
   m = gsmbp_fixture ("devices_ports");
   rand ("twister", 5);
   nx = m.sizes.nx;
   for k = 1:5
-    x = m.initial + [0.4 * (rand (3, 1) - 0.5); 4 * (rand (3, 1) - 0.5); 3 * (rand (nx - 6, 1) - 0.5)];
+    x = m.initial ...
+        + [0.4 * (rand (3, 1) - 0.5); 4 * (rand (3, 1) - 0.5); 3 * (rand (nx - 6, 1) - 0.5)];
     v = 10 * (rand (m.sizes.nv, 1) - 0.5);
     xd = m.rhs (0, x, v);
     e = m.ene (0, x, v);
@@ -43,7 +45,8 @@ function test_devices ()
   r = gsmbp_inverse (m, plan, t);
   s = gsmbp_simulate (m, r.x(1,:)', t, "motion", plan, "rtol", 1e-10, "atol", 1e-12);
   gsmbp_check ("ports: forward after inverse [rad]", s.x(:,1:3) - r.q, 1e-9);
-  gsmbp_check ("ports: states of the motors along the motion [A]", s.x(:,7:end) - r.x(:,7:end), 1e-6);
+  gsmbp_check ("ports: states of the motors along the motion [A]", s.x(:,7:end) - r.x(:,7:end), ...
+               1e-6);
   a = gsmbp_simulate (m, r.x(1,:)', t, "motion", plan, "rtol", 1e-10, "audit", 1);
   gsmbp_check ("ports: audit of the run's energy", a.audit.error, 1e-8);
   gsmbp_check ("ports: energy has passed", a.audit.passed(end) > 1);

@@ -1,4 +1,5 @@
-## A driven crank: the four-bar follows the law of time, and the drive's effort is that of the closed form. (A driven pivot: test_reference_19a.)
+## A driven crank: the four-bar follows the law of time, and the drive's effort is that of the
+## closed form. (A driven pivot: test_reference_19a.)
 
 function test_driven ()
   addpath (fullfile (fileparts (mfilename ("fullpath")), "poses"));
@@ -6,7 +7,8 @@ function test_driven ()
   law = @(t) [1.1 + 5 * t + 0.3 * sin(7 * t); 5 + 2.1 * cos(7 * t); -14.7 * sin(7 * t)];
   place = @(th) places (th);
   angles = @(th) [th; phi_of(th) - th; psi_of(th)];
-  body = pose_bodies ([0.9, 2.1, 1.4], [0.1, 0.33, 0.26; 0, 0.05, 0; 0, 0, 0], {diag([0, 0.006, 0.006]), diag([0, 0.09, 0.09]), diag([0, 0.03, 0.03])});
+  body = pose_bodies ([0.9, 2.1, 1.4], [0.1, 0.33, 0.26; 0, 0.05, 0; 0, 0, 0], ...
+                      {diag([0, 0.006, 0.006]), diag([0, 0.09, 0.09]), diag([0, 0.03, 0.03])});
   drive = strcmp (m.multipliers, "A.motion");
   gsmbp_check ("driven: the drive has a multiplier", sum (drive) == 1);
   gsmbp_check ("driven: no freedom is left", m.json.mobility.true == 0);
@@ -30,12 +32,14 @@ function test_driven ()
   gsmbp_check ("driven: effort of the drive", effort, 1e-9);
   gsmbp_check ("driven: it is the moment in the crank's bearing", moment, 1e-11);
   ## the drive is all that gives power: u.H' lambda is its effort times its speed (RHA)
-  r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], linspace (0, 2, 41), "rtol", 1e-11, "audit", 1);
+  r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], linspace (0, 2, 41), ...
+                      "rtol", 1e-11, "audit", 1);
   gsmbp_check ("driven: energy passes through the drive, J", r.audit.passed(end) > 1);
   gsmbp_check ("driven: energy audit", r.audit.error, 1e-8);
   t = linspace (0, 2, 41)';
   for way = {"projection", "baumgarte", "partitioning"}
-    r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], t, "rtol", 1e-11, "atol", 1e-11, "loops", way{1});
+    r = gsmbp_simulate (m, [angles(1.1); pose_slope(angles, 1.1) * 7.1], t, "rtol", 1e-11, ...
+                        "atol", 1e-11, "loops", way{1});
     for i = 1:numel (t)
       away(i, :) = sin (r.x(i, 1:3)' - angles (law (t(i))(1)));
     end
@@ -45,7 +49,8 @@ end
 
 function T = places (th)
   [phi, psi, B] = deal (phi_of (th), psi_of (th), 0.25 * [cos(th); sin(th); 0]);
-  T = cat (3, pose_turn (3, th), pose_go (B) * pose_turn (3, phi), pose_go ([0.6; 0; 0]) * pose_turn (3, psi));
+  T = cat (3, pose_turn (3, th), pose_go (B) * pose_turn (3, phi), ...
+           pose_go ([0.6; 0; 0]) * pose_turn (3, psi));
 end
 
 function phi = phi_of (th)

@@ -1,4 +1,5 @@
-## Events: friction that sticks, rigid stops. Closed forms, laws of impact in trees and loops, energy with what impacts take, both methods, samples between.
+## Events: friction that sticks, rigid stops. Closed forms, laws of impact in trees and loops,
+## energy with what impacts take, both methods, samples between.
 
 function test_events ()
   slide ();
@@ -11,22 +12,28 @@ function test_events ()
   blocks ();
 end
 
-## 1 kg under 1.5 sin (pi t) N against Coulomb friction of 1 N, from rest: it slides from p = asin (2/3)/pi until its speed is 0, then sticks until p + 1
+## 1 kg under 1.5 sin (pi t) N against Coulomb friction of 1 N, from rest: it slides from p = asin
+## (2/3)/pi until its speed is 0, then sticks until p + 1
 function slide ()
   m = gsmbp_fixture ("event_slide");
   p = asin (2/3) / pi;
   speed = @(t) 1.5 / pi * (cos (pi * p) - cos (pi * t)) - (t - p);
-  way = @(t) 1.5 / pi * cos (pi * p) * (t - p) - 1.5 / pi ^ 2 * (sin (pi * t) - sin (pi * p)) - (t - p) ^ 2 / 2;
+  way = @(t) 1.5 / pi * cos (pi * p) * (t - p) - 1.5 / pi ^ 2 * (sin (pi * t) - sin (pi * p)) ...
+      - (t - p) ^ 2 / 2;
   stops = fzero (speed, [1, 1.2], optimset ("TolX", 1e-16));
   wanted = [way(1); way(stops) - way(1); way(1); way(stops) - way(1)];   # at 1, 2, 9, 10 s
   for method = {"dp853", "rk4"}
     r = gsmbp_simulate (m, [0 0], [0 1 2 9 10], "method", method{1}, "input", 0);
     what = ["stick and slip, " method{1}];
     gsmbp_check ([what ": position at 1, 2, 9 and 10 s"], r.x(2:end,1) - wanted, 1e-10);
-    gsmbp_check ([what ": the end is 1.9713 mm, to the digits of the table"], r.x(end,1) - 1.9713e-3, 5e-8);
-    gsmbp_check ([what ": times of the 19 events"], r.events.t - [p; reshape([stops; p + 1] + (0:8), [], 1)](1:19), 1e-10);
-    gsmbp_check ([what ": speed is exactly 0 where it sticks"], r.events.after(r.events.mode == 0,2), 0);
-    printf ("   %s: %d calls of the right-hand side, %d steps\n", what, r.stats.calls, r.stats.accepted);
+    gsmbp_check ([what ": the end is 1.9713 mm, to the digits of the table"], ...
+                 r.x(end,1) - 1.9713e-3, 5e-8);
+    gsmbp_check ([what ": times of the 19 events"], ...
+                 r.events.t - [p; reshape([stops; p + 1] + (0:8), [], 1)](1:19), 1e-10);
+    gsmbp_check ([what ": speed is exactly 0 where it sticks"], ...
+                 r.events.after(r.events.mode == 0,2), 0);
+    printf ("   %s: %d calls of the right-hand side, %d steps\n", what, r.stats.calls, ...
+            r.stats.accepted);
   end
 end
 
@@ -45,10 +52,12 @@ function breakaway ()
   ## a step of the push at a break is seen at once; steps to and fro
   r = gsmbp_simulate (m, [0 0], [0 1 2 3], "input", mkpp (0:3, [0; 4; 0]));
   gsmbp_check ("a push that jumps to 4 N at 1 s: it moves from then on", r.events.t(1) - 1, 0);
-  gsmbp_check ("a mode that is given stays: forward at rest under a push", gsmbp_simulate (m, [0 0], [0 1], "input", 4, "modes", 1).x(end,1) > 0.1);
+  gsmbp_check ("a mode that is given stays: forward at rest under a push", ...
+               gsmbp_simulate (m, [0 0], [0 1], "input", 4, "modes", 1).x(end,1) > 0.1);
 end
 
-## falls from 1 m, restitution 0.8: impact n at t1*(1 + 2*(e + .. + e^n)), heights e^(2 n); rests at last
+## falls from 1 m, restitution 0.8: impact n at t1*(1 + 2*(e + .. + e^n)), heights e^(2 n); rests at
+## last
 function ball ()
   m = gsmbp_fixture ("event_ball");
   g = 9.81;
@@ -59,17 +68,26 @@ function ball ()
     n = (0:numel (t) - 1)';
     t1 = sqrt (2 / g);
     what = ["ball, " method{1}];
-    gsmbp_check ([what ": times of the impacts"], t - t1 * (1 + 2 * 0.8 * (1 - 0.8 .^ n) / 0.2), 1e-11);
-    gsmbp_check ([what ": heights between impacts e^(2 n)"], r.events.after(on,3)(1:end-1) .^ 2 / (2 * g) ./ 0.64 .^ (n(1:end-1) + 1) - 1, 1e-9);   # of the smallest: 4e-10 m
-    gsmbp_check ([what ": loses 1 - e^2 of its energy at each, J of 20"], r.events.loss(on)(1:end-1) - 0.36 * 2 * g * 0.64 .^ n(1:end-1), 1e-12);
-    gsmbp_check ([what ": number of impacts until the rebound is below 1e-4 m/s"], numel (t) - ceil (log (1e-4 / sqrt (2 * g)) / log (0.8)), 0);
+    gsmbp_check ([what ": times of the impacts"], t - t1 * (1 + 2 * 0.8 * (1 - 0.8 .^ n) / 0.2), ...
+                 1e-11);
+    ## of the smallest: 4e-10 m
+    gsmbp_check ([what ": heights between impacts e^(2 n)"], ...
+                 r.events.after(on,3)(1:end-1) .^ 2 / (2 * g) ./ 0.64 .^ (n(1:end-1) + 1) - 1, ...
+                 1e-9);
+    gsmbp_check ([what ": loses 1 - e^2 of its energy at each, J of 20"], ...
+                 r.events.loss(on)(1:end-1) - 0.36 * 2 * g * 0.64 .^ n(1:end-1), 1e-12);
+    gsmbp_check ([what ": number of impacts until the rebound is below 1e-4 m/s"], ...
+                 numel (t) - ceil (log (1e-4 / sqrt (2 * g)) / log (0.8)), 0);
     gsmbp_check ([what ": rests on the floor"], [r.x(end,[1, 3]), r.v(end,1) + 1], 1e-12);
-    gsmbp_check ([what ": all its energy is accounted for"], sum (r.events.loss(on)) - 2 * g, 1e-10);
+    gsmbp_check ([what ": all its energy is accounted for"], sum (r.events.loss(on)) - 2 * g, ...
+                 1e-10);
     off = r.events.number == 2;
-    gsmbp_check ([what ": puck between walls, e = 1: every second"], r.events.t(off) - (2/3:5.9)', 1e-11);
+    gsmbp_check ([what ": puck between walls, e = 1: every second"], ...
+                 r.events.t(off) - (2/3:5.9)', 1e-11);
   end
   r = gsmbp_simulate (gsmbp_set (m, "e1", 0), [1 0 0 3], [0 1], "input", []);
-  gsmbp_check ("e = 0: one impact, then contact", [sum(r.events.number == 1) - 1, r.x(end,[1, 3])], 1e-13);
+  gsmbp_check ("e = 0: one impact, then contact", ...
+               [sum(r.events.number == 1) - 1, r.x(end,[1, 3])], 1e-13);
   ## resting from the start; thrown up again by nothing; no weight: contact or not, it stays
   r = gsmbp_simulate (m, [0 0 0 0], [0 2]);
   gsmbp_check ("a ball laid on the floor stays", [r.x(end,:), r.stats.events], 0);
@@ -80,14 +98,18 @@ function pendulum ()
   m = gsmbp_fixture ("event_pendulum");
   I = 0.04 + 2 * 0.09;
   G = 2 * 9.81 * 0.3;
-  swing = @(w) 2 * sqrt (I / G) * ellipke (I * w ^ 2 / (4 * G));   # up and back: half a period, sin^2 (amplitude/2) = I w^2/(4 G)
+  ## up and back: half a period, sin^2 (amplitude/2) = I w^2/(4 G)
+  swing = @(w) 2 * sqrt (I / G) * ellipke (I * w ^ 2 / (4 * G));
   w0 = sqrt (2 * G / I * (1 - cos (2)));
   r = gsmbp_simulate (m, [2 0 0 0], [0 8], "rtol", 1e-12);
   on = strcmp (r.events.device, "S");
   n = (0:sum (on) - 1)';
-  gsmbp_check ("pendulum against a stop: speeds of impact e^n*w0", r.events.before(on,3) ./ (w0 * 0.7 .^ n) + 1, 1e-9);
-  gsmbp_check ("pendulum against a stop: times between impacts", diff (r.events.t(on)) - arrayfun (swing, w0 * 0.7 .^ (n(1:end-1) + 1)), 1e-9);
-  gsmbp_check ("pendulum against a stop: loss (1 - e^2)*I*w^2/2", r.events.loss(on) ./ (0.5 * I * (w0 * 0.7 .^ n) .^ 2) - 0.51, 1e-9);
+  gsmbp_check ("pendulum against a stop: speeds of impact e^n*w0", ...
+               r.events.before(on,3) ./ (w0 * 0.7 .^ n) + 1, 1e-9);
+  gsmbp_check ("pendulum against a stop: times between impacts", ...
+               diff (r.events.t(on)) - arrayfun (swing, w0 * 0.7 .^ (n(1:end-1) + 1)), 1e-9);
+  gsmbp_check ("pendulum against a stop: loss (1 - e^2)*I*w^2/2", ...
+               r.events.loss(on) ./ (0.5 * I * (w0 * 0.7 .^ n) .^ 2) - 0.51, 1e-9);
 end
 
 ## double pendulum, stops at the elbow, friction in both joints
@@ -99,14 +121,18 @@ function arm ()
   r = gsmbp_simulate (m, x0, t, "input", 0, "rtol", 1e-12);
   s = gsmbp_simulate (m, x0, t, "input", 0, "rtol", 1e-8);
   gsmbp_check ("arm: tolerances of 1e-12 and 1e-8", r.x - s.x, 1e-4);
-  gsmbp_check ("arm: the same events", isequal (r.events.number, s.events.number) && isequal (r.events.mode, s.events.mode));
+  gsmbp_check ("arm: the same events", ...
+               isequal (r.events.number, s.events.number) ...
+                 && isequal (r.events.mode, s.events.mode));
   k = gsmbp_simulate (m, x0, t, "input", 0, "method", "rk4", "step", 5e-4);
   gsmbp_check ("arm: rk4 against dp853", r.x - k.x, 1e-6);
   gsmbp_check ("arm: stops are never passed", [r.x(:,2) - 1; -0.5 - r.x(:,2)] <= 1e-12);
   mode = r.v(:,[3, 4]);
   gsmbp_check ("arm: a joint that slides moves as its mode says, one that sticks does not", ...
-               all ((mode .* r.x(:,3:4))(:) >= -1e-9) && all (abs (r.x(:,3:4)(mode == 0)) <= 1e-13));
-  printf ("   arm: %d events, %d calls of the right-hand side, %.0f times faster than real time\n", r.stats.events, r.stats.calls, 6 / r.stats.seconds);
+               all ((mode .* r.x(:,3:4))(:) >= -1e-9) ...
+                   && all (abs (r.x(:,3:4)(mode == 0)) <= 1e-13));
+  printf (["   arm: %d events, %d calls of the right-hand side, %.0f times faster " ...
+           "than real time\n"], r.stats.events, r.stats.calls, 6 / r.stats.seconds);
   audit ("arm", m, x0, 6, 0, r);
   a = gsmbp_simulate (m, x0, t, "input", 0, "audit", 10).audit;
   gsmbp_check ("arm: audit within the run", a.error, 1e-8);
@@ -134,15 +160,18 @@ function crank ()
   gsmbp_check ("slider-crank: pressed on the stop at last", [r.x(end,3) + 0.2, r.x(end,6)], 1e-9);
   audit ("slider-crank", m, x0, 4, 8, gsmbp_simulate (m, x0, [0 4], "input", 8, "rtol", 1e-12));
   r = gsmbp_simulate (m, x0, [0 4], "input", 2, "rtol", 1e-12);
-  gsmbp_check ("slider-crank: friction in the guide holds it under 2 N m", [r.x(end,:) - x0', r.stats.events], 1e-11);
+  gsmbp_check ("slider-crank: friction in the guide holds it under 2 N m", ...
+               [r.x(end,:) - x0', r.stats.events], 1e-11);
 end
 
-## each impact: the port's speed is -e times the one before (or 0, contact), momentum changes only along the constraints and the port
+## each impact: the port's speed is -e times the one before (or 0, contact), momentum changes only
+## along the constraints and the port
 function impact_law (what, m, r, e)
   d = m.sizes;
   u = d.nq + (1:d.nu);
   S = find (strcmp ({m.events.kind}, "stop"));
-  port = d.nq + d.nu * (strcmp (m.name, "event_arm") * 0) + find (strcmp (m.coordinates, {"q2", "s"}{1 + (d.nlam > 0)}));
+  port = d.nq + d.nu * (strcmp (m.name, "event_arm") * 0) ...
+      + find (strcmp (m.coordinates, {"q2", "s"}{1 + (d.nlam > 0)}));
   rows = find (r.events.number == S & any (r.events.before(:,u) != r.events.after(:,u), 2))';
   speed = momentum = [];
   for k = rows
@@ -160,14 +189,17 @@ function impact_law (what, m, r, e)
       speed(end+1) = r.events.after(k,port) / r.events.before(k,port) + e;
     end
   end
-  gsmbp_check (sprintf ("%s: %d impacts, speed after is -e times that before", what, numel (speed)), speed, 1e-9);
+  gsmbp_check (sprintf ("%s: %d impacts, speed after is -e times that before", what, ...
+                        numel (speed)), speed, 1e-9);
   gsmbp_check ([what ": impulses act on the port and the constraints alone"], momentum, 1e-9);
   gsmbp_check ([what ": every impact takes energy"], r.events.loss(rows) > 0);
 end
 
-## energy: kinetic and potential at the end, what went in, what friction took between the events (Gauss' rule of five points), what impacts took
+## energy: kinetic and potential at the end, what went in, what friction took between the events
+## (Gauss' rule of five points), what impacts took
 function audit (what, m, x0, stop, input, first)
-  [V, D] = eig (diag ((1:4) ./ sqrt (4 * (1:4) .^ 2 - 1), 1) + diag ((1:4) ./ sqrt (4 * (1:4) .^ 2 - 1), -1));
+  [V, D] = eig (diag ((1:4) ./ sqrt (4 * (1:4) .^ 2 - 1), 1) ...
+                  + diag ((1:4) ./ sqrt (4 * (1:4) .^ 2 - 1), -1));
   node = (1 + diag (D)) / 2;
   weight = V(1,:)' .^ 2;
   edges = unique ([0:0.002:stop, first.events.t', stop]);
@@ -176,11 +208,14 @@ function audit (what, m, x0, stop, input, first)
   h = diff (edges);
   at = edges(1:end-1) + h .* node;
   r = gsmbp_simulate (m, x0, [0, at(:)', stop], "input", input, "rtol", 1e-12);
-  e = cell2mat (arrayfun (@(i) m.ene (r.t(i), r.x(i,:)', r.v(i,:)')(:), 1:numel (r.t), "UniformOutput", false));
+  e = cell2mat (arrayfun (@(i) m.ene (r.t(i), r.x(i,:)', r.v(i,:)')(:), 1:numel (r.t), ...
+                          "UniformOutput", false));
   gone = @(p) sum (h .* (weight' * reshape (p(2:end-1), numel (node), [])));
   E = sum (e(1:3,:));
   passed = gone (abs (e(4,:))) + gone (e(5,:)) + sum (r.events.loss);
-  gsmbp_check ([what ": energy audit, losses of impacts counted in"], (E(end) - E(1) - gone (e(4,:)) + gone (e(5,:)) + sum (r.events.loss)) / passed, 1e-8);
+  gsmbp_check ([what ": energy audit, losses of impacts counted in"], ...
+               (E(end) - E(1) - gone (e(4,:)) + gone (e(5,:)) + sum (r.events.loss)) / passed, ...
+               1e-8);
   gsmbp_check ([what ": friction never gives energy"], e(5,:) >= -1e-9);
 end
 
@@ -203,7 +238,9 @@ function blocks ()
   mode = r.v(:,[m.events.input]);
   u = r.x(:,7:12);
   gsmbp_check ("six masses: they stick and slide", [any(mode == 0), any(mode == 1)]);
-  gsmbp_check ("six masses: what slides moves as its mode says, what sticks does not", all ((mode .* u)(:) >= -1e-9) && all (u(mode == 0) == 0));
+  gsmbp_check ("six masses: what slides moves as its mode says, what sticks does not", ...
+               all ((mode .* u)(:) >= -1e-9) && all (u(mode == 0) == 0));
   gsmbp_check ("six masses: audit through all events", r.audit.error, 1e-8);
-  printf ("   six masses: %d events in 100 s, %.0f times faster than real time\n", r.stats.events, 100 / r.stats.seconds);
+  printf ("   six masses: %d events in 100 s, %.0f times faster than real time\n", ...
+          r.stats.events, 100 / r.stats.seconds);
 end

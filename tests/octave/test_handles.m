@@ -1,4 +1,5 @@
-## The handles of a model: the subroutines against each other, double against quad, parameters, what a wrong argument is told, what is built anew.
+## The handles of a model: the subroutines against each other, double against quad, parameters, what
+## a wrong argument is told, what is built anew.
 
 function test_handles ()
   m = gsmbp_hand ("motor_pendulum");
@@ -26,10 +27,14 @@ function each_other (m)
     numeric(:,k) = (m.rhs (0, x + e, 1) - m.rhs (0, x - e, 1)) / (2 * h);
     outputs(:,k) = (m.out (0, x + e, 1) - m.out (0, x - e, 1)) / (2 * h);
   end
-  gsmbp_check ("jac against differences of rhs and out", [A - numeric; C - outputs] ./ max (1, norm (A)), 1e-9);
+  gsmbp_check ("jac against differences of rhs and out", ...
+               [A - numeric; C - outputs] ./ max (1, norm (A)), 1e-9);
   gsmbp_check ("sizes of B and D", isequal (size (B), [3, 1]) && isequal (size (D), [1, 1]));
   sys = gsmbp_linear (m, 0, x, 1);
-  gsmbp_check ("gsmbp_linear has the names", isequal (get (sys, "stname"), m.states) && isequal (get (sys, "inname"), m.inputs) && isequal (get (sys, "outname"), m.outputs));
+  gsmbp_check ("gsmbp_linear has the names", ...
+               isequal (get (sys, "stname"), m.states) ...
+                 && isequal (get (sys, "inname"), m.inputs) ...
+                 && isequal (get (sys, "outname"), m.outputs));
   [a, b, c] = ssdata (sys);
   gsmbp_check ("gsmbp_linear has the matrices", [a - A, b - B; c - C, 0], 0);
   gsmbp_check ("row or column, the same", m.rhs (0, x', 1) - m.rhs (0, x, 1), 0);
@@ -42,11 +47,16 @@ function precision (m, name)
   v = 0.3 * ones (m.sizes.nv, 1);
   d = m.sizes;
   [q0, u0] = deal (x(1:d.nq), x(d.nq + (1:d.nu)));
-  gsmbp_check ([name, " rhs in double against quad"], relative (m.rhs (0, x, v), q.rhs (0, x, v)), 1e-14);
-  gsmbp_check ([name, " inv in double against quad"], relative (m.inv (0, q0, u0, u0, v), q.inv (0, q0, u0, u0, v)), 1e-15);
-  gsmbp_check ([name, " mas in double against quad"], relative (m.mas (0, q0), q.mas (0, q0)), 1e-15);
+  gsmbp_check ([name, " rhs in double against quad"], ...
+               relative (m.rhs (0, x, v), q.rhs (0, x, v)), 1e-14);
+  gsmbp_check ([name, " inv in double against quad"], ...
+               relative (m.inv (0, q0, u0, u0, v), q.inv (0, q0, u0, u0, v)), 1e-15);
+  gsmbp_check ([name, " mas in double against quad"], relative (m.mas (0, q0), q.mas (0, q0)), ...
+               1e-15);
   par = [fieldnames(m.par)'(1:2); {0.3, 0.7}];
-  gsmbp_check ([name, " new parameters in double against quad"], relative (gsmbp_set (m, par{:}).rhs (0, x, v), gsmbp_set (q, par{:}).rhs (0, x, v)), 1e-14);
+  gsmbp_check ([name, " new parameters in double against quad"], ...
+               relative (gsmbp_set (m, par{:}).rhs (0, x, v), ...
+                         gsmbp_set (q, par{:}).rhs (0, x, v)), 1e-14);
 end
 
 function e = relative (a, b)
@@ -64,26 +74,36 @@ end
 ## every mistake: an error that names the argument, what was expected and what was found
 function wrong (m, c)
   says (@() m.rhs (0, [1; 2]), "motor_pendulum.rhs: argument x: expected 3 numbers, found 2x1");
-  says (@() m.rhs (0, [1; 2; 3], [1, 2]), "motor_pendulum.rhs: argument v: expected 1 number, found 1x2");
+  says (@() m.rhs (0, [1; 2; 3], [1, 2]), ...
+        "motor_pendulum.rhs: argument v: expected 1 number, found 1x2");
   says (@() m.rhs (NaN, [1; 2; 3]), "motor_pendulum.rhs: argument t is not finite: NaN");
   says (@() m.rhs (0, [1; -Inf; 3]), "motor_pendulum.rhs: argument x(2) is not finite: -Inf");
   says (@() m.rhs (0, {1}), "motor_pendulum.rhs: argument x: expected real numbers, found cell");
-  says (@() m.rhs (0, [1; 2i; 3]), "motor_pendulum.rhs: argument x: expected real numbers, found complex");
-  says (@() m.inv (0, 1, 2, [1; 2]), "motor_pendulum.inv: argument ud: expected 1 number, found 2x1");
-  says (@() m.fwd (0, 1, 2, 0, "a"), "motor_pendulum.fwd: argument tau: expected real numbers, found char");
-  says (@() c.con (0, [1; 2], [1; 2; 3]), "hand_crank.con: argument q: expected 3 numbers, found 2x1");
+  says (@() m.rhs (0, [1; 2i; 3]), ...
+        "motor_pendulum.rhs: argument x: expected real numbers, found complex");
+  says (@() m.inv (0, 1, 2, [1; 2]), ...
+        "motor_pendulum.inv: argument ud: expected 1 number, found 2x1");
+  says (@() m.fwd (0, 1, 2, 0, "a"), ...
+        "motor_pendulum.fwd: argument tau: expected real numbers, found char");
+  says (@() c.con (0, [1; 2], [1; 2; 3]), ...
+        "hand_crank.con: argument q: expected 3 numbers, found 2x1");
   says (@() c.cmd (0, zeros (3, 2)), "hand_crank.cmd: argument qj: expected 3 x 3, found 3x2");
-  says (@() c.clo (0, [1, 0, 0; NaN, 0, 0; 0, 0, 0]), "hand_crank.clo: argument qj(2,1) is not finite: NaN");
-  says (@() m.inv (0, ones (1, 1, 2), 0, 0), "motor_pendulum.inv: argument q: expected a matrix, found 1x1x2");
+  says (@() c.clo (0, [1, 0, 0; NaN, 0, 0; 0, 0, 0]), ...
+        "hand_crank.clo: argument qj(2,1) is not finite: NaN");
+  says (@() m.inv (0, ones (1, 1, 2), 0, 0), ...
+        "motor_pendulum.inv: argument q: expected a matrix, found 1x1x2");
   says (@() gsmbp_set (m, "mass", 1), "unknown parameter \"mass\"; known: g, l, m,");
   says (@() gsmbp_set (m, "g", NaN), "parameter g must be one finite number, found: NaN");
-  says (@() gsmbp_build ("motor_pendulum", "precision", "half"), "option precision: expected one of \"double\", \"quad\", found \"half\"");
-  says (@() gsmbp_simulate (c, gsmbp_assemble (c, [0.3, -0.1, 0.7]), [0, 1], "motion", gsmbp_plan ("quintic", [0, 1; 0, 1], [0, 1])),
+  says (@() gsmbp_build ("motor_pendulum", "precision", "half"), ...
+        "option precision: expected one of \"double\", \"quad\", found \"half\"");
+  says (@() gsmbp_simulate (c, gsmbp_assemble (c, [0.3, -0.1, 0.7]), [0, 1], "motion", ...
+                            gsmbp_plan ("quintic", [0, 1; 0, 1], [0, 1])),
         "expected 1 components (q1), found 2");
   short = gsmbp_set (c, "l2", 0.1);
   [qj, res, info] = short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]);
   gsmbp_check ("INFO as last output is no error", info == 3 && abs (res(1) - 0.1) < 1e-15);
-  says (@() short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]), "hand_crank.clo: INFO = 3: the iteration did not converge");
+  says (@() short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]), ...
+        "hand_crank.clo: INFO = 3: the iteration did not converge");
   says (@() gsmbp_set (c, "l2", -1), "hand_crank.pre: INFO = -1");
 end
 
@@ -94,7 +114,10 @@ function divided ()
   models = {};
   for passes = {"gsmbp_passes", "gsmbp_all_passes"}
     place = fullfile (folder, passes{1});
-    [status, text] = system (sprintf ("'%s/share/make/maxima' '%s/log' 'load(\"%s/gsmbp/gsmbp.mac\")$ load(\"%s/tests/bench/systems/pend2.mac\")$ gsmbp_passes : %s$ gsmbp_fortran(scene, [inverse], [directory = \"%s\"])$' 2>&1",
+    [status, text] = ...
+        system (sprintf (["'%s/share/make/maxima' '%s/log' 'load(\"%s/gsmbp/gsmbp.mac\")$ " ...
+                          "load(\"%s/tests/bench/systems/pend2.mac\")$ gsmbp_passes : %s$ " ...
+                          "gsmbp_fortran(scene, [inverse], [directory = \"%s\"])$' 2>&1"],
                                       root, place, root, root, passes{1}, place));
     if (! gsmbp_check ([passes{1} ": derived"], status == 0))
       puts (text);
@@ -105,8 +128,10 @@ function divided ()
   given = {0, [0.3; -1.2], [0.7; 2], [-1; 0.4]};
   efforts = cellfun (@(m) m.inv (given{:}), models, "UniformOutput", false);
   gsmbp_check ("gauge and unit change no efforts", relative (efforts{2}, efforts{1}), 1e-15);
-  says (@() gsmbp_set (models{2}, "a2", 0), "pend2.pre: INFO = 4: a length is 0 by which the equations were divided");
-  gsmbp_check ("without them the length may be 0", all (isfinite (gsmbp_set (models{1}, "a2", 0).inv (given{:}))));
+  says (@() gsmbp_set (models{2}, "a2", 0), ...
+        "pend2.pre: INFO = 4: a length is 0 by which the equations were divided");
+  gsmbp_check ("without them the length may be 0", ...
+               all (isfinite (gsmbp_set (models{1}, "a2", 0).inv (given{:}))));
 end
 
 function says (f, text)
@@ -122,7 +147,8 @@ function says (f, text)
   end
 end
 
-## a second build takes nothing but a look at the files; a newer source is compiled and takes the place of the old one
+## a second build takes nothing but a look at the files; a newer source is compiled and takes the
+## place of the old one
 function built_once ()
   folder = tempname ();
   mkdir (folder);
@@ -134,7 +160,8 @@ function built_once ()
     m = gsmbp_build ("motor_pendulum", "directory", folder, "build", build);
     before = stat (m.file);
     m = gsmbp_build ("motor_pendulum", "directory", folder, "build", build);
-    gsmbp_check ("a second build compiles nothing", stat (m.file).mtime == before.mtime && stat (m.file).ino == before.ino);
+    gsmbp_check ("a second build compiles nothing", ...
+                 stat (m.file).mtime == before.mtime && stat (m.file).ino == before.ino);
     text = strrep (fileread (source), "PAR(1) = 9.81D0", "PAR(1) = 1.62D0");
     f = fopen (source, "w");
     fputs (f, text);
@@ -144,11 +171,13 @@ function built_once ()
     f = fopen (source, "w");
     fputs (f, "      this is no Fortran\n");
     fclose (f);
-    says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), "motor_pendulum.f has no SUBROUTINE MOTOR_PENDULUM_PAR");
+    says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), ...
+          "motor_pendulum.f has no SUBROUTINE MOTOR_PENDULUM_PAR");
     f = fopen (source, "w");
     fputs (f, strrep (text, "PAR(1) = 1.62D0", "this is no Fortran"));
     fclose (f);
-    says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), "Unclassifiable statement");
+    says (@() gsmbp_build ("motor_pendulum", "directory", folder, "build", build), ...
+          "Unclassifiable statement");
     delete (m.file);
   unwind_protect_cleanup
     confirm_recursive_rmdir (false, "local");

@@ -1,7 +1,10 @@
-## Every compiled reference case against the independent Newton-Euler formulation at random states (seeded), in double precision on both sides.
+## Every compiled reference case against the independent Newton-Euler formulation at random states
+## (seeded), in double precision on both sides.
 
 function test_independent_models ()
-  cases = {"case_01a", "01a_puma560_akb_3link"; "case_02a", "02a_slidercrank_inverse"; "case_03a", "03a_fourbar";
+  cases = ...
+      {"case_01a", "01a_puma560_akb_3link"; "case_02a", "02a_slidercrank_inverse"; "case_03a", ...
+       "03a_fourbar";
            "case_07c", "07c_spatial_triple_pendulum"; "case_15a", "15a_cart_pole_linear"};
   rand ("twister", 1);
   for k = 1:rows (cases)
@@ -39,7 +42,8 @@ end
 
 ## loops at closed states: accelerations and multipliers of a free motion
 function loop (name, m, ne)
-  guess = {[], [0.3; -0.4; 0.1], [1.1; -0.74; 1.23]}{1 + strcmp(name, "case_02a") + 2 * strcmp(name, "case_03a")};
+  guess = {[], [0.3; -0.4; 0.1], [1.1; -0.74; 1.23]}{1 + strcmp(name, "case_02a") + 2 ...
+        * strcmp(name, "case_03a")};
   worst = zeros (1, 4);
   for trial = 1:50
     start = guess + 0.2 * (rand (3, 1) - 0.5);
@@ -50,9 +54,12 @@ function loop (name, m, ne)
     [ud, lam] = ne_forward (ne, q, u, zeros (3, 1));
     [phi, phit, HC, gam] = m.con (0, q, u);
     xd = m.rhs (0, [q; u], 0);
-    worst = max (worst, [norm(phi), norm(HC - H), norm(gam - gamma) / max(1, norm (gamma)), norm(xd(4:6) - ud) / norm(ud)]);
+    worst = max (worst, ...
+                 [norm(phi), norm(HC - H), norm(gam - gamma) / max(1, norm (gamma)), ...
+                  norm(xd(4:6) - ud) / norm(ud)]);
   end
-  names = {"loop closed", "constraint Jacobian", "constraint right-hand side", "accelerations with the loop"};
+  names = {"loop closed", "constraint Jacobian", "constraint right-hand side", ...
+           "accelerations with the loop"};
   for k = 1:4
     gsmbp_check ([name " " names{k} ", 50 random states, Newton-Euler"], worst(k), 1e-12);
   end

@@ -1,4 +1,5 @@
-## Orders of the two integrators measured, step control, time without accumulation, jumps of inputs, inputs of every kind.
+## Orders of the two integrators measured, step control, time without accumulation, jumps of inputs,
+## inputs of every kind.
 
 function test_integrators ()
   m = gsmbp_hand ("motor_pendulum");
@@ -23,16 +24,20 @@ function orders (m, q)
   exact = gsmbp_simulate (q, x0, [0, 1], "input", 3, "rtol", 1e-26, "atol", 1e-26).x(2,:);
   h = [0.02, 0.01, 0.005];
   for k = 1:3
-    e(k) = norm (gsmbp_simulate (m, x0, [0, 1], "input", 3, "method", "rk4", "step", h(k)).x(2,:) - exact);
+    e(k) = norm (gsmbp_simulate (m, x0, [0, 1], "input", 3, "method", "rk4", "step", h(k)).x(2, ...
+                     :) - exact);
   end
-  gsmbp_check (sprintf ("RK4: order %.2f %.2f, less 4", log2 (e(1:2) ./ e(2:3))), log2 (e(1:2) ./ e(2:3)) - 4, 0.15);
+  gsmbp_check (sprintf ("RK4: order %.2f %.2f, less 4", log2 (e(1:2) ./ e(2:3))), ...
+               log2 (e(1:2) ./ e(2:3)) - 4, 0.15);
   ## steps of Dormand-Prince held fixed by maxstep; in quad the order shows over the whole range
   h = [0.25, 0.125, 0.0625];
   for k = 1:3
-    r = gsmbp_simulate (q, x0, 0:h(k):1, "input", 3, "rtol", 1, "atol", 1, "maxstep", h(k), "step", h(k));
+    r = gsmbp_simulate (q, x0, 0:h(k):1, "input", 3, "rtol", 1, "atol", 1, "maxstep", h(k), ...
+                        "step", h(k));
     e(k) = norm (r.x(end,:) - exact);
   end
-  gsmbp_check (sprintf ("DOP853: order %.2f %.2f, less 8", log2 (e(1:2) ./ e(2:3))), log2 (e(1:2) ./ e(2:3)) - 8, 1);
+  gsmbp_check (sprintf ("DOP853: order %.2f %.2f, less 8", log2 (e(1:2) ./ e(2:3))), ...
+               log2 (e(1:2) ./ e(2:3)) - 8, 1);
   gsmbp_check ("DOP853: twelve calls a step", r.stats.calls - 12 * r.stats.accepted - 1, 1);
 end
 
@@ -47,9 +52,12 @@ function tolerance (m, q)
     e(k) = norm (r.x(2,:) - exact) / tols(k);
     calls(k) = r.stats.calls;
   end
-  gsmbp_check (sprintf ("DOP853: error over tolerance, 1e-4 to 1e-12 (calls %s)", num2str (calls)), e, 100);
-  gsmbp_check ("DOP853: from 1e-4 to 1e-12 the error falls by six decades or more", e(end) * tols(end) < 1e-6 * e(1) * tols(1));
-  gsmbp_check ("DOP853: double at 1e-14 against quad", gsmbp_simulate (m, x0, [0, 2], "rtol", 1e-14).x(2,:) - exact, 2e-14);
+  gsmbp_check (sprintf ("DOP853: error over tolerance, 1e-4 to 1e-12 (calls %s)", ...
+                        num2str (calls)), e, 100);
+  gsmbp_check ("DOP853: from 1e-4 to 1e-12 the error falls by six decades or more", ...
+               e(end) * tols(end) < 1e-6 * e(1) * tols(1));
+  gsmbp_check ("DOP853: double at 1e-14 against quad", ...
+               gsmbp_simulate (m, x0, [0, 2], "rtol", 1e-14).x(2,:) - exact, 2e-14);
   ## output times are met exactly and do not steer the result
   a = gsmbp_simulate (m, x0, [0, 2], "rtol", 1e-13).x(2,:);
   b = gsmbp_simulate (m, x0, 0:0.01:2, "rtol", 1e-13).x(end,:);
@@ -67,9 +75,11 @@ function jumps (m, q)
   x0 = [0.2; 0; 0];
   exact = gsmbp_simulate (q, x0, [0, 1], "input", wave, "rtol", 1e-24, "atol", 1e-24).x(2,:);
   for k = 1:2
-    e(k) = norm (gsmbp_simulate (m, x0, [0, 1], "input", wave, "method", "rk4", "step", 2e-3 / 2^k).x(2,:) - exact);
+    e(k) = norm (gsmbp_simulate (m, x0, [0, 1], "input", wave, "method", "rk4", "step", ...
+                                 2e-3 / 2^k).x(2,:) - exact);
   end
-  gsmbp_check (sprintf ("RK4 with jumps of the input: order %.2f, less 4", log2 (e(1) / e(2))), log2 (e(1) / e(2)) - 4, 0.3);
+  gsmbp_check (sprintf ("RK4 with jumps of the input: order %.2f, less 4", log2 (e(1) / e(2))), ...
+               log2 (e(1) / e(2)) - 4, 0.3);
   r = gsmbp_simulate (m, x0, [0, 0.131, 1], "input", wave, "rtol", 1e-12);
   gsmbp_check ("DOP853 with jumps of the input", r.x(3,:) - exact, 1e-11);
   gsmbp_check ("inputs are recorded from the left at a jump", r.v' - [5, 5, 0], 0);
@@ -86,18 +96,25 @@ function kinds_of_input (m)
   gsmbp_check ("input by callback and by a cubic table", callback.x - table.x, 1e-9);
   gsmbp_check ("input is recorded", callback.v - v (t'), 1e-15);
   linear = gsmbp_simulate (m, x0, t, "input", gsmbp_plan ("table", s, v (s), 1), "rtol", 1e-12);
-  gsmbp_check ("input by a linear table: off by h^2/8*v''", max (abs (linear.x(:,1) - callback.x(:,1))) < 2e-5);
+  gsmbp_check ("input by a linear table: off by h^2/8*v''", ...
+               max (abs (linear.x(:,1) - callback.x(:,1))) < 2e-5);
   constant = gsmbp_simulate (m, x0, t, "input", 2);
   same = gsmbp_simulate (m, x0, t, "input", @(t, x) 2);
   gsmbp_check ("constant input", constant.x - same.x, 0);
   ## compiled subroutine of the user
   source = [tempname(), ".f"];
   file = fopen (source, "w");
-  fprintf (file, "      SUBROUTINE GSVIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO )\n      INTEGER SIDE, NX, NV, IP(*), INFO\n");
-  fprintf (file, "      DOUBLE PRECISION T, X(NX), RP(*), CST(*), V(NV)\n      INFO = 0\n      V(1) = 3.0D0*SIN( 5.0D0*T )\n      END\n");
+  fprintf (file, ...
+           ["      SUBROUTINE GSVIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO )\n      " ...
+            "INTEGER SIDE, NX, NV, IP(*), INFO\n"]);
+  fprintf (file, ...
+           ["      DOUBLE PRECISION T, X(NX), RP(*), CST(*), V(NV)\n      INFO = 0\n   " ...
+            "   V(1) = 3.0D0*SIN( 5.0D0*T )\n      END\n"]);
   fclose (file);
   own = gsmbp_hand ("motor_pendulum", "input", source);
-  gsmbp_check ("input by a Fortran subroutine", gsmbp_simulate (own, x0, t, "input", "user", "rtol", 1e-12).x - callback.x, 1e-12);
+  gsmbp_check ("input by a Fortran subroutine", ...
+               gsmbp_simulate (own, x0, t, "input", "user", "rtol", 1e-12).x - callback.x, ...
+               1e-12);
   delete (source);
   failed = false;
   try
@@ -110,7 +127,8 @@ function kinds_of_input (m)
   plan = gsmbp_plan ("septic", [0.2, 1.5], [0, 1]);
   start = gsmbp_inverse (m, plan, 0).x';
   r = gsmbp_simulate (m, start, t, "motion", plan, "rtol", 1e-12);
-  gsmbp_check ("open loop along a planned motion, rad", r.x(:,1)' - gsmbp_evaluate (plan, t), 1e-11);
+  gsmbp_check ("open loop along a planned motion, rad", r.x(:,1)' - gsmbp_evaluate (plan, t), ...
+               1e-11);
 end
 
 ## lqr about a planned motion: an error at the start dies out
@@ -123,22 +141,29 @@ function feedback (m)
   start = nominal.x(1,:)' + [0.1; 0; 0];
   options = {"motion", plan, "rtol", 1e-10};
   open = gsmbp_simulate (m, start, t, options{:});
-  closed = gsmbp_simulate (m, start, t, options{:}, "gain", K, "reference", gsmbp_plan ("table", t, nominal.x, 3));
-  gsmbp_check (sprintf ("state feedback along a trajectory: 0.1 rad becomes %.4f, in open loop %.4f", closed.x(end,1) - 2, open.x(end,1) - 2),
+  closed = gsmbp_simulate (m, start, t, options{:}, "gain", K, "reference", ...
+                           gsmbp_plan ("table", t, nominal.x, 3));
+  gsmbp_check (sprintf (["state feedback along a trajectory: 0.1 rad becomes %.4f, in open " ...
+                         "loop %.4f"], ...
+                        closed.x(end,1) - 2, open.x(end,1) - 2),
                abs (closed.x(end,1) - 2) < 0.2 * abs (open.x(end,1) - 2));
   ## the same gain from a table; and the formula itself at the record
-  tabled = gsmbp_simulate (m, start, t, options{:}, "gain", mkpp ([0, 0.4, 1], repmat (K, 2, 1)'(:), 3), "reference", gsmbp_plan ("table", t, nominal.x, 3));
+  tabled = gsmbp_simulate (m, start, t, options{:}, "gain", ...
+                           mkpp ([0, 0.4, 1], repmat (K, 2, 1)'(:), 3), "reference", ...
+                           gsmbp_plan ("table", t, nominal.x, 3));
   gsmbp_check ("gain constant and tabulated", tabled.x - closed.x, 1e-8);
   gsmbp_check ("v = v0 - K*(x - x0)", closed.v - nominal.v + (closed.x - nominal.x) * K', 1e-9);
 end
 
 function drift (c)
   x0 = gsmbp_assemble (c, [0.3, -0.1, 0.7, 12, 0, 0], "hold", "q1");
-  for [mode, name] = struct ("free", {{0, false}}, "baumgarte", {{5, false}}, "projection", {{0, true}})
+  for [mode, name] = struct ("free", {{0, false}}, "baumgarte", {{5, false}}, "projection", ...
+                             {{0, true}})
     b = gsmbp_set (c, "alpha", mode{1}, "beta", mode{1});
     r = gsmbp_simulate (b, x0, [0, 50], "method", "rk4", "step", 1e-3, "projection", mode{2});
     d.(name) = r.stats.drift;
-    printf ("drift of the loop, 5e4 steps of 1 ms, %s: |phi| %.1e m, |phidot| %.1e m/s\n", name, r.stats.drift.phi, r.stats.drift.phidot);
+    printf (["drift of the loop, 5e4 steps of 1 ms, %s: |phi| %.1e m, |phidot| %.1e " "m/s\n"], ...
+            name, r.stats.drift.phi, r.stats.drift.phidot);
   end
   gsmbp_check ("Baumgarte keeps the loop better than nothing", d.baumgarte.phi < 0.01 * d.free.phi);
   gsmbp_check ("projection keeps the loop closed, m", d.projection.phi, 1e-13);
@@ -150,13 +175,15 @@ function closed_plan (c)
   t = 0:0.1:1.5;
   start = gsmbp_inverse (c, plan, 0).x';
   r = gsmbp_simulate (c, start, t, "motion", plan, "rtol", 1e-12);
-  gsmbp_check ("closed chain, open loop along a planned motion, rad", r.x(:,1)' - gsmbp_evaluate (plan, t), 1e-9);
+  gsmbp_check ("closed chain, open loop along a planned motion, rad", ...
+               r.x(:,1)' - gsmbp_evaluate (plan, t), 1e-9);
 end
 
 function failures (m)
   fast = gsmbp_set (m, "L_a", 1e-5);
   [r, info] = gsmbp_simulate (fast, [1; 0; 0], 0:0.1:1, "input", 2, "method", "rk4", "step", 0.01);
-  gsmbp_check ("RK4 beyond its stability is reported", info == 4 && numel (r.t) < 11 && all (isfinite (r.x(:))));
+  gsmbp_check ("RK4 beyond its stability is reported", ...
+               info == 4 && numel (r.t) < 11 && all (isfinite (r.x(:))));
   [r, info] = gsmbp_simulate (m, [1; 0; 0], [0, 1], "maxsteps", 5);
   gsmbp_check ("the limit of steps is reported", info == 1);
   seen = false;

@@ -1,5 +1,6 @@
-## What holds for every model, at random states: symmetry and definiteness of M, N against M (Mdot - 2C skew), power balance, constraints and their
-## rates, linear models against differences. (Against quad precision: test_quad.m.) A scene is judged by what it was emitted with.
+## What holds for every model, at random states: symmetry and definiteness of M, N against M (Mdot -
+## 2C skew), power balance, constraints and their rates, linear models against differences. (Against
+## quad precision: test_quad.m.) A scene is judged by what it was emitted with.
 
 function test_invariants ()
   for scene = dir (fullfile (fileparts (mfilename ("fullpath")), "..", "scenes", "*.mac"))'
@@ -17,7 +18,9 @@ function test_invariants ()
     end
     ## pressures need states and steps of their own size: test_fluid, test_library
     fluid = strncmp (name, "fluid_", 6) || any (strcmp (name, {"library_ports", "trim_pneumatic"}));
-    if (all (ismember ({"rhs", "ene"}, m.subroutines)) && ! fluid && ! any (strcmp (name, {"variants", "electric_reduced"})))   # these balance to their order only: rtest_actuators, rtest_electric
+    ## these balance to their order only: rtest_actuators, rtest_electric
+    if (all (ismember ({"rhs", "ene"}, m.subroutines)) && ! fluid ...
+          && ! any (strcmp (name, {"variants", "electric_reduced"})))
       power (name, m, d);
     end
     ## where rows are redundant the right-hand side is smooth along the motion only
@@ -64,7 +67,8 @@ function qd = rates (m, q, u)
   end
 end
 
-## fourth-order central difference along each coordinate of x, columns; step chosen for errors near 1e-12 of the function's size
+## fourth-order central difference along each coordinate of x, columns; step chosen for errors near
+## 1e-12 of the function's size
 function J = differences (f, x, h)
   for k = 1:numel (x)
     e = h * (1:numel (x) == k)';
@@ -72,7 +76,8 @@ function J = differences (f, x, h)
   end
 end
 
-## T' = u' (M u' + N) makes u' (Mdot u - 2 N) = 0 for speeds of any kind; Christoffel's symbols belong to u = q'
+## T' = u' (M u' + N) makes u' (Mdot u - 2 N) = 0 for speeds of any kind; Christoffel's symbols
+## belong to u = q'
 function mass (name, m, d)
   worst = zeros (1, 4);
   definite = plain = true;
@@ -88,7 +93,9 @@ function mass (name, m, d)
     passive = (m.bia (0, q, u, v) - m.bia (0, q, -u, v)) / 2;
     N = m.bia (0, q, u, v) - m.bia (0, q, 0 * u, v) - passive;
     bias = m.bia (0, q, u, v);
-    worst(1:3) = max (worst(1:3), [norm(M - M'), abs(u' * (Mdot * u - 2 * N)) / norm(M), norm(m.inv (0, q, u, u, v) - M * u - bias) / (norm(M) + norm(bias))]);
+    worst(1:3) = max (worst(1:3), ...
+                      [norm(M - M'), abs(u' * (Mdot * u - 2 * N)) / norm(M), ...
+                       norm(m.inv (0, q, u, u, v) - M * u - bias) / (norm(M) + norm(bias))]);
     if (d.nq == d.nu && isequal (qd, u))
       dM = reshape (differences (@(q) m.mas (0, q)(:), q, 1e-3), d.nu, d.nu, d.nq);
       along = reshape (sum (dM .* reshape (u, 1, [], 1), 2), d.nu, d.nu);
@@ -98,7 +105,8 @@ function mass (name, m, d)
     end
   end
   gsmbp_check ([name " M symmetric"], worst(1), 1e-16 * ! plain);
-  if (! any (strcmp (name, {"massless_bars", "close_jack"})))   # their trees hold links without mass
+  ## their trees hold links without mass
+  if (! any (strcmp (name, {"massless_bars", "close_jack"})))
     gsmbp_check ([name " M positive definite"], definite);
   end
   gsmbp_check ([name " u' (Mdot - 2C) u = 0"], worst(2), 1e-9);
@@ -108,7 +116,8 @@ function mass (name, m, d)
   end
 end
 
-## (T + V + E)' = power in - power dissipated - lambda' phit, the last one for constraints that move by themselves
+## (T + V + E)' = power in - power dissipated - lambda' phit, the last one for constraints that move
+## by themselves
 function power (name, m, d)
   worst = 0;
   for trial = 1:20
@@ -127,7 +136,9 @@ function power (name, m, d)
     energy = @(s) [1, 1, 1, 0, 0] * m.ene (s, x + s * xd, v)(:);
     E = m.ene (0, x, v);
     rate = differences (energy, 0, 1e-4 / (1 + norm (xd)) ^ 0.5);
-    worst = max (worst, abs (rate - E(4) + E(5) + drives) / max (1, abs (E(4)) + abs (E(5)) + norm (xd)));
+    worst = max (worst, ...
+                 abs (rate - E(4) + E(5) + drives) / max (1, ...
+                   abs (E(4)) + abs (E(5)) + norm (xd)));
   end
   gsmbp_check ([name " power balance"], worst, 1e-9);
 end
@@ -154,7 +165,8 @@ function jacobians (name, m, d)
   gsmbp_check ([name " Jacobians of the state space against differences"], worst, 1e-8);
 end
 
-## Off the unit sphere of Euler parameters nothing is promised: the part of a change that leads off is taken away.
+## Off the unit sphere of Euler parameters nothing is promised: the part of a change that leads off
+## is taken away.
 function P = tangent (m, x, d)
   P = eye (d.nx + d.nv);
   for set = reshape (m.json.orientation, [], 4 * ! isempty (m.json.orientation))'
@@ -174,22 +186,28 @@ function motion_model (name, m, d)
     [M, B, C] = m.lin (0, q, u, ud, v);
     B_wanted = differences (@(u) m.inv (0, q, u, ud, v), u, 1e-2);
     C_wanted = differences (@(q) m.inv (0, q, u, ud, v), q, 1e-3);
-    if (norm (C_wanted - differences (@(q) m.inv (0, q, u, ud, v), q, 5e-4)) > 1e-6 * max (1, norm (C_wanted)))
+    if (norm (C_wanted - differences (@(q) m.inv (0, q, u, ud, v), q, 5e-4)) > 1e-6 ...
+          * max (1, norm (C_wanted)))
       left_out++;   # a stop begins within the step
       continue;
     end
-    worst = max (worst, [norm(M - m.mas (0, q)) / norm(M), norm(B - B_wanted) / max(1, norm (B_wanted)), norm(C - C_wanted) / max(1, norm (C_wanted))]);
+    worst = max (worst, ...
+                 [norm(M - m.mas (0, q)) / norm(M), ...
+                  norm(B - B_wanted) / max(1, norm (B_wanted)), ...
+                  norm(C - C_wanted) / max(1, norm (C_wanted))]);
   end
   if (left_out > 2)
     gsmbp_check ([name " linear model about a motion: states left out"], left_out, 2);
   end
   names = {"M", "B", "C"};
   for k = 1:3
-    gsmbp_check ([name " linear model about a motion, " names{k}], worst(k), [1e-14, 1e-10, 1e-10](k));
+    gsmbp_check ([name " linear model about a motion, " names{k}], worst(k), ...
+                 [1e-14, 1e-10, 1e-10](k));
   end
 end
 
-## HC u is the rate of phi (but of constraints on speeds), GAM = -(HC u + PHIT)' at u' = 0, and a projected state satisfies all
+## HC u is the rate of phi (but of constraints on speeds), GAM = -(HC u + PHIT)' at u' = 0, and a
+## projected state satisfies all
 function constraints (name, m, d)
   worst = zeros (1, 4);
   holonomic = setdiff (1:d.nlam, m.json.speed_rows(:)');

@@ -1,4 +1,5 @@
-## A million steps of a spatial loop (crank, rod on a universal and a ball joint, rocker): classical Runge-Kutta, 1 ms, no drive.
+## A million steps of a spatial loop (crank, rod on a universal and a ball joint, rocker): classical
+## Runge-Kutta, 1 ms, no drive.
 
 function test_long ()
   m = gsmbp_set (gsmbp_fixture ("close_spherical"), "tau", 0);
@@ -9,6 +10,8 @@ function test_long ()
   gsmbp_check ("1e6 steps of a spatial loop", run.stats.accepted == 1e6);
   ## projected after each step: what Newton leaves
   gsmbp_check ("1e6 steps of a spatial loop: drift, m", run.stats.drift.phi, 1e-11);
-  gsmbp_check ("1e6 steps of a spatial loop: drift of the speeds, m/s", run.stats.drift.phidot, 1e-11);
-  gsmbp_check ("1e6 steps of a spatial loop: energy, relative", [E(run.x(2, :)'), E(run.x(3, :)')] / E (x0) - 1, 1e-5);
+  gsmbp_check ("1e6 steps of a spatial loop: drift of the speeds, m/s", run.stats.drift.phidot, ...
+               1e-11);
+  gsmbp_check ("1e6 steps of a spatial loop: energy, relative", ...
+               [E(run.x(2, :)'), E(run.x(3, :)')] / E (x0) - 1, 1e-5);
 end

@@ -1,4 +1,5 @@
-## Gears, friction, stops, sensors and controllers in scenes: closed forms, energy, inverse then forward, behaviour at the hazards.
+## Gears, friction, stops, sensors and controllers in scenes: closed forms, energy, inverse then
+## forward, behaviour at the hazards.
 
 function test_mechanical ()
   slides ();
@@ -17,15 +18,20 @@ function slides ()
   wanted = stick_slip (10);
   away = [];
   for vc = [1e-2, 1e-3, 1e-4, 1e-5]
-    r = gsmbp_simulate (gsmbp_set (m, "vc", vc, "k0", 1e5, "k1", 300, "vb", 1e-6), zeros (5, 1), [0 10], "input", [1.5; 0], "method", "cvode", "rtol", 1e-8, "atol", 1e-12);
+    r = gsmbp_simulate (gsmbp_set (m, "vc", vc, "k0", 1e5, "k1", 300, "vb", 1e-6), zeros (5, 1), ...
+                        [0 10], "input", [1.5; 0], "method", "cvode", "rtol", 1e-8, "atol", ...
+                        1e-12);
     away(end+1) = r.x(end,1) / wanted - 1;
   end
-  printf ("stick and slip over 10 s: the mass ends %s %% too far for vc = 1e-2, 1e-3, 1e-4, 1e-5 m/s\n", mat2str (100 * away, 2));
+  printf (["stick and slip over 10 s: the mass ends %s %% too far for vc = 1e-2, " ...
+           "1e-3, 1e-4, 1e-5 m/s\n"], mat2str (100 * away, 2));
   ## the first three are known figures; the error falls with vc*log (1/vc)
-  gsmbp_check ("friction: stick and slip, smooth against exact: 68, 7.5, 0.9 and 0.11 %", away ./ [0.68, 0.075, 0.009, 0.0011] - 1, 0.05);
+  gsmbp_check ("friction: stick and slip, smooth against exact: 68, 7.5, 0.9 and 0.11 %", ...
+               away ./ [0.68, 0.075, 0.009, 0.0011] - 1, 0.05);
   gsmbp_check ("bristles: stick and slip, against exact", (r.x(end,2) - wanted) / wanted, 0.03);
 
-  ## below breakaway: creep with vc*atanh (F/Fc). The bristles bend by F/k0, over a way of -log (1 - F/Fc)*Fc/k0, and come back over log (1 + F/Fc)*Fc/k0
+  ## below breakaway: creep with vc*atanh (F/Fc). The bristles bend by F/k0, over a way of -log (1 -
+  ## F/Fc)*Fc/k0, and come back over log (1 + F/Fc)*Fc/k0
   m = gsmbp_set (m, "vc", 1e-3, "k0", 1e4, "k1", 400, "vb", 1e-9);
   r = gsmbp_simulate (m, zeros (5, 1), [0 5], "input", [0; 0.6], "method", "cvode");
   gsmbp_check ("friction: creep under 0.6 of Fc, m/s", r.x(end,3) - 1e-3 * atanh (0.6), 1e-10);
@@ -57,7 +63,8 @@ function x = stick_slip (t)
       to = min (t, fzero (v, grid(k - [1, 0])));
     end
     s = to - from;
-    x += 1.5 / pi * cos (pi * from) * s - 1.5 / pi ^ 2 * (sin (pi * to) - sin (pi * from)) - d * s ^ 2 / 2;
+    x += 1.5 / pi * cos (pi * from) * s - 1.5 / pi ^ 2 * (sin (pi * to) - sin (pi * from)) - d ...
+        * s ^ 2 / 2;
     ## the next slip begins where the push next exceeds the friction
     f = 1.5 * sin (pi * to);
     from = to;
@@ -69,13 +76,15 @@ function x = stick_slip (t)
   end
 end
 
-## impact: rebound speed from the integral of v/(1 + tanh (v/vd)) on the way in and of v/(1 - tanh (v/vd)) on the way out, equal for every width of the corner
+## impact: rebound speed from the integral of v/(1 + tanh (v/vd)) on the way in and of v/(1 - tanh
+## (v/vd)) on the way out, equal for every width of the corner
 function stops ()
   m = gsmbp_set (gsmbp_fixture ("mech_clearance"), "g", 0, "ks", 1e5, "vd", 2, "eps_s", 1e-4);
   half = @(v, k) v ^ 2 / 4 + quadgk (@(y) y .* exp (k * 2 * y / 2) / 2, 0, v);
   away = restitution = [];
   for v0 = [0.1, 1, 5]
-    r = gsmbp_simulate (m, [0; 0.1; 0; -v0; 0; 0], [0, 0.4 / v0 + 0.1 / v0], "rtol", 1e-11, "atol", 1e-13);
+    r = gsmbp_simulate (m, [0; 0.1; 0; -v0; 0; 0], [0, 0.4 / v0 + 0.1 / v0], "rtol", 1e-11, ...
+                        "atol", 1e-13);
     wanted = fzero (@(v) half (v, 1) - half (v0, -1), [0, v0]);
     away(end+1) = r.x(end,4) / wanted - 1;
     restitution(end+1) = wanted / v0;
@@ -104,10 +113,13 @@ function clearance ()
   m = gsmbp_set (gsmbp_fixture ("mech_clearance"), "g", 0, "b", 0.01, "eps", 1e-3, "G_B", 0);
   v = 0.01;   # N m
   r = gsmbp_simulate (m, [0; 1; 0; 0; 0; 0], [0 0.05], "input", v);
-  ## until the flank is reached the pinion turns alone: v t^2/(2 J), the gap of 5*0.01 rad lasts 32 ms
+  ## until the flank is reached the pinion turns alone: v t^2/(2 J), the gap of 5*0.01 rad lasts 32
+  ## ms
   free = gsmbp_simulate (m, [0; 1; 0; 0; 0; 0], [0 0.02], "input", v);
-  gsmbp_check ("backlash: the pinion turns alone in the gap", free.x(end,5) / (v * 0.02 ^ 2 / 2 / m.par.G_J) - 1, 1e-3);
-  gsmbp_check ("backlash: the wheel waits, rad", free.x(end,1), 1e-6);   # eps^4/(16 x^3) of the flanks' stiffness
+  gsmbp_check ("backlash: the pinion turns alone in the gap", ...
+               free.x(end,5) / (v * 0.02 ^ 2 / 2 / m.par.G_J) - 1, 1e-3);
+  ## eps^4/(16 x^3) of the flanks' stiffness
+  gsmbp_check ("backlash: the wheel waits, rad", free.x(end,1), 1e-6);
   gsmbp_check ("backlash: and takes the wheel with it behind the gap", r.x(end,1) > 1e-3);
   finite ("backlash, edge of the gap", m, [0; 1; 0; 0; 0.05; 0], 0);
   finite ("backlash, middle of the gap", m, [0; 1; 0; 0; 0; 0], 0);
@@ -118,33 +130,40 @@ end
 function joint ()
   m = gsmbp_fixture ("mech_joint");
   finite ("harmonic drive at rest", gsmbp_set (m, "w0", 1e-3, "vc", 1e-4), zeros (5, 1), 0);
-  audit ("harmonic drive, friction, stop", gsmbp_set (m, "vc", 0.05, "eps", 0.02, "w0", 2), [1.8; 3; 90; 150; 0], 0.5, 5);
-  forward_after_inverse ("harmonic drive with damping", m, gsmbp_plan ("septic", [0 1 0.2], [0 1 2]));
+  audit ("harmonic drive, friction, stop", gsmbp_set (m, "vc", 0.05, "eps", 0.02, "w0", 2), ...
+         [1.8; 3; 90; 150; 0], 0.5, 5);
+  forward_after_inverse ("harmonic drive with damping", m, ...
+                         gsmbp_plan ("septic", [0 1 0.2], [0 1 2]));
 end
 
 function elastic ()
   m = gsmbp_fixture ("mech_elastic");
-  forward_after_inverse ("elastic drive and lossy gear", m, gsmbp_plan ("septic", [0 1; 0 -0.5], [0 1]));
+  forward_after_inverse ("elastic drive and lossy gear", m, ...
+                         gsmbp_plan ("septic", [0 1; 0 -0.5], [0 1]));
   finite ("lossy gear at rest", gsmbp_set (m, "w0", 1e-4), zeros (7, 1), [0; 0]);
 end
 
 function control ()
   m = gsmbp_fixture ("mech_control");
-  forward_after_inverse ("analogue controllers", m, gsmbp_plan ("septic", [0 1; 0 -0.5; 0 0.2], [0 1]));
-  ## at rest: the accelerometer feels the weight, the load cell carries it, the integral part holds the arm
+  forward_after_inverse ("analogue controllers", m, ...
+                         gsmbp_plan ("septic", [0 1; 0 -0.5; 0 0.2], [0 1]));
+  ## at rest: the accelerometer feels the weight, the load cell carries it, the integral part holds
+  ## the arm
   x = zeros (m.sizes.nx, 1);
   hold = 2 * 9.81 * 0.2;
   x(strcmp (m.states, "ACC.y")) = 0.1 * 9.81;
   x(strcmp (m.states, "CELL.y")) = 0.01 * 2 * 9.81;
   x(strcmp (m.states, "PID.I")) = hold / (1 - (hold / 30) ^ 8) ^ (1/8);
   ## the filters multiply a few units in the last place of 0.98 by wn^2 = 9e4
-  gsmbp_check ("sensors and PID at rest: nothing moves", m.rhs (0, x, zeros (5, 1))(! strcmp (m.states, "PID.I")), 9e4 * 4 * eps);
+  gsmbp_check ("sensors and PID at rest: nothing moves", ...
+               m.rhs (0, x, zeros (5, 1))(! strcmp (m.states, "PID.I")), 9e4 * 4 * eps);
   ## far beyond the bounds
   finite ("controllers at their bounds", m, 1e6 * ones (17, 1), 1e6 * ones (5, 1));
 end
 
-## encoder with cascade at 1 kHz, PID at 500 Hz with a delay: against the difference equations written down here, between the samples Runge-Kutta for the
-## arm and the exact solution for cart and sensor
+## encoder with cascade at 1 kHz, PID at 500 Hz with a delay: against the difference equations
+## written down here, between the samples Runge-Kutta for the arm and the exact solution for cart
+## and sensor
 function digital ()
   m = gsmbp_fixture ("mech_digital");
   v = zeros (m.sizes.nv, 1);
@@ -203,8 +222,10 @@ function digital ()
   end
   wanted(end,:) = [arm(1), cart(1), arm(2), cart(2), cart(3)];
   ## Runge-Kutta's steps of 0.05 ms: 1e-13; the states move by up to 0.5 rad and 1.5 V
-  gsmbp_check ("sampled controllers, encoder, converters, delay: against their difference equations", (found - wanted) ./ max (abs (wanted)), 1e-9);
-  gsmbp_check ("sampled controllers: what is commanded is reached", found(end,[1, 5]) ./ [0.5, 1.5] - 1, 0.1);
+  gsmbp_check (["sampled controllers, encoder, converters, delay: against their difference " ...
+                "equations"], (found - wanted) ./ max (abs (wanted)), 1e-9);
+  gsmbp_check ("sampled controllers: what is commanded is reached", ...
+               found(end,[1, 5]) ./ [0.5, 1.5] - 1, 0.1);
 end
 
 ## a rotor as a body that a motion turns, and as a constant angular momentum
@@ -214,9 +235,11 @@ function gyroscope ()
   x0(8) = m.par.w;
   t = linspace (0, 2, 21);
   r = gsmbp_simulate (m, x0, t, "rtol", 1e-11, "atol", 1e-12);
-  gsmbp_check ("gyroscope: precession and nutation as those of a body, rad", r.x(:,1:2) - r.x(:,4:5), 1e-9);
+  gsmbp_check ("gyroscope: precession and nutation as those of a body, rad", ...
+               r.x(:,1:2) - r.x(:,4:5), 1e-9);
   y = m.out (2, r.x(end,:)', []);
-  gsmbp_check ("gyroscope: reaction as that of a body, relative", (y(1:6) - y(7:12)) / norm (y(1:6)), 1e-9);
+  gsmbp_check ("gyroscope: reaction as that of a body, relative", ...
+               (y(1:6) - y(7:12)) / norm (y(1:6)), 1e-9);
 end
 
 ## the command for a planned motion, then the motion under that command
@@ -226,7 +249,8 @@ function forward_after_inverse (what, m, plan)
   gsmbp_check ([what ": margins"], isempty (r.violations));
   tol = 1e-9;
   f = gsmbp_simulate (m, r.x', t, "motion", plan, "rtol", tol, "atol", tol);
-  gsmbp_check ([what ": motion after its command, coordinates"], f.x(:,1:m.sizes.nq) - gsmbp_evaluate (plan, t)', 10 * tol);
+  gsmbp_check ([what ": motion after its command, coordinates"], ...
+               f.x(:,1:m.sizes.nq) - gsmbp_evaluate (plan, t)', 10 * tol);
 end
 
 ## right-hand side and Jacobian are finite

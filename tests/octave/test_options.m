@@ -1,5 +1,6 @@
-## Wrong values of options and arguments of the functions of octave/, one after the other: each is taken, or is an error in one line that begins with the
-## name of the function (or of the handle) and is none of Octave's own; an option that is not known is told with those that are.
+## Wrong values of options and arguments of the functions of octave/, one after the other: each is
+## taken, or is an error in one line that begins with the name of the function (or of the handle)
+## and is none of Octave's own; an option that is not known is told with those that are.
 
 function test_options ()
   warning ("off", "all", "local");
@@ -15,17 +16,27 @@ function test_options ()
   mkdir (folder);
   before = cd (folder);   # a name of a file may be any text
   guard = onCleanup (@() leave (before, folder));
-  options (@(varargin) gsmbp_simulate (m, x, [0, 0.01], varargin{:}), {"rtol", "method", "step", "atol", "maxstep", "maxsteps", "maxorder", "loops", "projection", "drift", ...
-           "input", "motion", "gain", "reference", "breaks", "memory", "samples", "modes", "audit", "start"});
-  options (@(varargin) gsmbp_assemble (c, xc, varargin{:}), {"hold", "time", "tolerance", "branches"});
+  options (@(varargin) gsmbp_simulate (m, x, [0, 0.01], ...
+      varargin{:}), {"rtol", "method", "step", "atol", "maxstep", "maxsteps", "maxorder", ...
+                     "loops", "projection", "drift", ...
+           "input", "motion", "gain", "reference", "breaks", "memory", "samples", "modes", ...
+               "audit", "start"});
+  options (@(varargin) gsmbp_assemble (c, xc, varargin{:}), ...
+           {"hold", "time", "tolerance", "branches"});
   options (@(varargin) gsmbp_linear (m, 0, x, 0, varargin{:}), {"reduced", "start"});
-  options (@(varargin) gsmbp_inverse (c, plan, 0, varargin{:}), {"side", "input", "guess", "internal"});
-  options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, varargin{:}), {"input", "qj", "print"});
-  options (@(varargin) gsmbp_trim (m, x, 0, varargin{:}), {"hold", "free", "time", "tolerance", "margins"});
-  options (@(varargin) gsmbp_workprecision (m, x, [0, 0.01], "seconds", 0, varargin{:}), {"rk4", "dp853", "cvode", "print", "file", "reference"});
+  options (@(varargin) gsmbp_inverse (c, plan, 0, varargin{:}), ...
+           {"side", "input", "guess", "internal"});
+  options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, varargin{:}), ...
+           {"input", "qj", "print"});
+  options (@(varargin) gsmbp_trim (m, x, 0, varargin{:}), ...
+           {"hold", "free", "time", "tolerance", "margins"});
+  options (@(varargin) gsmbp_workprecision (m, x, [0, 0.01], "seconds", 0, varargin{:}), ...
+           {"rk4", "dp853", "cvode", "print", "file", "reference"});
   options (@(varargin) gsmbp_hand ("motor_pendulum", varargin{:}), {"precision", "parameters"});
-  options (@(varargin) gsmbp_plot (png, [1, 2], panel, varargin{:}), {"scale", "xlabel", "title", "head"});
-  options (@(varargin) gsmbp_animate (c, r, png, varargin{:}), {"times", "fps", "trace", "view", "up", "speed", "width", "centres", "title"});
+  options (@(varargin) gsmbp_plot (png, [1, 2], panel, varargin{:}), ...
+           {"scale", "xlabel", "title", "head"});
+  options (@(varargin) gsmbp_animate (c, r, png, varargin{:}), ...
+           {"times", "fps", "trace", "view", "up", "speed", "width", "centres", "title"});
   arguments_of (@gsmbp_simulate, {m, x, [0, 0.01]});
   arguments_of (@gsmbp_assemble, {c, xc});
   arguments_of (@gsmbp_linear, {m, 0, x, 0});
@@ -52,7 +63,8 @@ function leave (before, folder)
 end
 
 function list = wrong_values ()
-  list = {NaN, -1, {}, "x", struct("a", 1), [], 1i, @sin, ones(3, 3), "", {1}, Inf, true(1, 2), int8(3)};
+  list = {NaN, -1, {}, "x", struct("a", 1), [], 1i, @sin, ones(3, 3), "", {1}, Inf, true(1, 2), ...
+          int8(3)};
 end
 
 function options (f, names)
@@ -71,7 +83,9 @@ function options (f, names)
   near = names{1}([1:end, end]);
   bad{end+1} = told (f, {near, 1}, ["\", did you mean \"" names{1} "\"\\?; known: "]);
   found = complaint (f, {"nonsense", 1});
-  bad{end+1} = {"", "an unknown option"}{1 + isempty(regexp (found, '^gsmbp_\w+: unknown option "nonsense"; known: \w+, ', "once"))};
+  bad{end+1} = {"", "an unknown option"}{1 ...
+        + isempty(regexp (found, '^gsmbp_\w+: unknown option "nonsense"; known: \w+, ', ...
+                          "once"))};
   report (func2str (f), bad);
 end
 
@@ -106,7 +120,8 @@ end
 ## "" where it is taken or told well
 function text = judged (f, given)
   text = complaint (f, given);
-  own = ! isempty (regexp (text, '^(gsmbp_\w+|motor_pendulum\.\w+|hand_crank\.\w+): ', "once")) && ! any (text == "\n");
+  own = ! isempty (regexp (text, '^(gsmbp_\w+|motor_pendulum\.\w+|hand_crank\.\w+): ', "once")) ...
+      && ! any (text == "\n");
   if (own || strcmp (text, "") || strncmp (text, "Invalid call to gsmbp_", 22))
     text = "";
   else

@@ -1,4 +1,5 @@
-## Rounding error: the same Fortran built in double and in quad precision, at random states; error relative to the largest entry of each result.
+## Rounding error: the same Fortran built in double and in quad precision, at random states; error
+## relative to the largest entry of each result.
 
 function test_quad ()
   rand ("twister", 3);
@@ -7,7 +8,8 @@ function test_quad ()
     exact = gsmbp_fixture (name{1}, "precision", "quad");
     gsmbp_check ([name{1} " static routines against quad precision"], statics (m, exact), 1e-13);
     ## forward dynamics: rounding times the condition of M or of the loop
-    gsmbp_check ([name{1} " right-hand side and Jacobians against quad precision"], dynamics (m, exact), 1e-12);
+    gsmbp_check ([name{1} " right-hand side and Jacobians against quad precision"], ...
+                 dynamics (m, exact), 1e-12);
   end
 end
 
@@ -19,11 +21,14 @@ function worst = statics (m, exact)
   d = m.sizes;
   worst = 0;
   for trial = 1:20
-    [q, u, ud, v] = deal (2 * rand (d.nq, 1) - 1, 4 * rand (d.nu, 1) - 2, 4 * rand (d.nu, 1) - 2, 2 * rand (d.nv, 1) - 1);
+    [q, u, ud, v] = deal (2 * rand (d.nq, 1) - 1, 4 * rand (d.nu, 1) - 2, ...
+                          4 * rand (d.nu, 1) - 2, 2 * rand (d.nv, 1) - 1);
     [M, B, C] = m.lin (0, q, u, ud, v);
     [Mq, Bq, Cq] = exact.lin (0, q, u, ud, v);
-    worst = max ([worst, compare(m.mas (0, q), exact.mas (0, q)), compare(m.bia (0, q, u, v), exact.bia (0, q, u, v)), ...
-                  compare(m.inv (0, q, u, ud, v), exact.inv (0, q, u, ud, v)), compare(B, Bq), compare(C, Cq)]);
+    worst = max ([worst, compare(m.mas (0, q), exact.mas (0, q)), compare(m.bia (0, q, u, v), ...
+        exact.bia (0, q, u, v)), ...
+                  compare(m.inv (0, q, u, ud, v), exact.inv (0, q, u, ud, v)), compare(B, ...
+                      Bq), compare(C, Cq)]);
   end
 end
 
@@ -38,6 +43,7 @@ function worst = dynamics (m, exact)
     v = 2 * rand (d.nv, 1) - 1;
     [A, B] = m.jac (0, x, v);
     [Aq, Bq] = exact.jac (0, x, v);
-    worst = max ([worst, compare(m.rhs (0, x, v), exact.rhs (0, x, v)), compare(A, Aq), compare(B, Bq)]);
+    worst = max ([worst, compare(m.rhs (0, x, v), exact.rhs (0, x, v)), compare(A, Aq), ...
+                  compare(B, Bq)]);
   end
 end

@@ -1,10 +1,13 @@
-## Mechanisms made by chance (seeded): trees and loops of all joint types, their tape evaluated in double precision by Maxima (tests/random/batch.mac)
-## against the independent Newton-Euler formulation in maximal coordinates (independent/ne_*), at states drawn by chance.
+## Mechanisms made by chance (seeded): trees and loops of all joint types, their tape evaluated in
+## double precision by Maxima (tests/random/batch.mac) against the independent Newton-Euler
+## formulation in maximal coordinates (independent/ne_*), at states drawn by chance.
 ##
-## GSMBP_RANDOM is the number of mechanisms (default 40), GSMBP_RANDOM_LINKS how many links they may have (default 3), GSMBP_RANDOM_FIRST the seed of the
-## first (default 1). tests/random/run COUNT FIRST LINKS sets them; make test-random asks for 2000 of up to 6 links.
-## A residual may be 1e-10, times cond/1e6 where the matrix of the equations of motion is ill-conditioned (cond: of its nonzero singular values).
-## At most one mechanism of a hundred may be left out, each with its reason printed.
+## GSMBP_RANDOM is the number of mechanisms (default 40), GSMBP_RANDOM_LINKS how many links they may
+## have (default 3), GSMBP_RANDOM_FIRST the seed of the first (default 1). tests/random/run COUNT
+## FIRST LINKS sets them; make test-random asks for 2000 of up to 6 links. A residual may be 1e-10,
+## times cond/1e6 where the matrix of the equations of motion is ill-conditioned (cond: of its
+## nonzero singular values). At most one mechanism of a hundred may be left out, each with its
+## reason printed.
 
 function test_random ()
   here = fileparts (mfilename ("fullpath"));
@@ -14,12 +17,14 @@ function test_random ()
   first = number_of ("GSMBP_RANDOM_FIRST", 1);
   work = fullfile (getenv ("GSMBP_TEST_DIR"), "random");
   [~, ~] = mkdir (work);
-  tally = struct ("done", 0, "joints", struct ("tree", struct (), "cut", struct ()), "loops", zeros (1, 3), "worst", struct (), "excluded", {{}}, ...
+  tally = struct ("done", 0, "joints", struct ("tree", struct (), "cut", ...
+      struct ()), "loops", zeros (1, 3), "worst", struct (), "excluded", {{}}, ...
                   "failed", {{}}, "removed", 0);
   waiting = {};
   step = max (1, min (50, ceil (count / 2)));
   for seed = first:step:first+count-1     # Maxima derives two lots while Octave makes the next one
-    lot = prepared (seed:min (seed + step, first + count) - 1, work, number_of ("GSMBP_RANDOM_LINKS", 3));
+    lot = prepared (seed:min (seed + step, first + count) - 1, work, ...
+                    number_of ("GSMBP_RANDOM_LINKS", 3));
     if (numel (waiting) == 2)
       tally = judged (waiting{1}, tally, work);
       waiting(1) = [];
@@ -42,11 +47,13 @@ function n = number_of (name, default)
   end
 end
 
-## The independent formulation against differences of its own positions, for a chain of all joints: on the way with constant speeds, points of every body
-## (central differences in h and 2h combined: error h^4, rounding 1e-16/h^2; measured 1e-9).
+## The independent formulation against differences of its own positions, for a chain of all joints:
+## on the way with constant speeds, points of every body (central differences in h and 2h combined:
+## error h^4, rounding 1e-16/h^2; measured 1e-9).
 function itself ()
   rand ("twister", 1);
-  types = {"free", "helical", "cylindrical", "universal", "planar", "spherical", "spherical", "revolute", "prismatic", "fixed"};
+  types = {"free", "helical", "cylindrical", "universal", "planar", "spherical", "spherical", ...
+           "revolute", "prismatic", "fixed"};
   m = struct ("gravity", zeros (3, 1), "body", [], "joint", [], "loop", []);
   for b = 1:numel (types)
     m.body = [m.body, struct("mass", 1, "com", rand (3, 1), "inertia", eye (3))];
@@ -55,7 +62,8 @@ function itself ()
       more = {"orientation", eye(3)(:, [3, 1, 3])};
     end
     ends = {[b - 1, b], [b, b - 1]}{1 + (b == 4)};
-    m.joint = [m.joint, ne_joint("", types{b}, ends(1), ends(2), "point_a", rand (3, 1), "point_b", rand (3, 1), "frame_a", ne_turn (rand (1, 4)), ...
+    m.joint = [m.joint, ne_joint("", types{b}, ends(1), ends(2), "point_a", rand (3, ...
+        1), "point_b", rand (3, 1), "frame_a", ne_turn (rand (1, 4)), ...
                                  "frame_b", ne_turn (rand (1, 4)), "pitch", 0.3, more{:})];
   end
   [nq, nu] = ne_sizes (m);
@@ -71,7 +79,8 @@ function itself ()
   for b = 1:numel (types)
     for e = [zeros(3, 1), k.R(:, :, b)]
       velocity = [velocity, k.v(:, b) + cross(k.w(:, b), e)];
-      acceleration = [acceleration, a(1:3, b) + cross(a(4:6, b), e) + cross(k.w(:, b), cross (k.w(:, b), e))];
+      acceleration = [acceleration, ...
+                      a(1:3, b) + cross(a(4:6, b), e) + cross(k.w(:, b), cross (k.w(:, b), e))];
     end
   end
   gsmbp_check ("independent formulation: velocities, a chain of all joints", v - velocity, 1e-8);
@@ -86,12 +95,13 @@ function x = seen (k)
   end
 end
 
-## ---------------------------------------------------------------------------------------------------- to Maxima and back
+## ------------------------------------------------------------------------------ to Maxima and back
 
 ## mechanisms of the seeds with their states, their scenes written
 function lot = prepared (seeds, work, most)
   lot.items = {};
-  kinds = {"tree", "loop", "tree", "loop", "parallel", "tree", "loop", "loop", "tree", "loop", "tree", "loop", "spherical", "tree", "loop", "parallel"};
+  kinds = {"tree", "loop", "tree", "loop", "parallel", "tree", "loop", "loop", "tree", "loop", ...
+           "tree", "loop", "spherical", "tree", "loop", "parallel"};
   for seed = seeds
     m = random_scene (seed, kinds{mod(seed - 1, numel (kinds)) + 1}, most);
     m.reactions = mod (seed, 3) == 0;     # one of three with the forces in all joints
@@ -108,7 +118,9 @@ function write_scene (m, states, file)
   fid = fopen (file, "w");
   joints = {[m.joint, m.loop].name};
   joints = joints(! strcmp ({[m.joint, m.loop].type}, "rolling") & m.reactions);
-  fprintf (fid, "%s\nrandom_reactions : %s$\nrandom_q : %s$\nrandom_u : %s$\nrandom_states : [\n", m.text, names (joints), names ([m.q, m.loop_q]), ...
+  fprintf (fid, ["%s\nrandom_reactions : %s$\nrandom_q : %s$\nrandom_u : %s$\nrandom_states : " ...
+                 "[\n"], m.text, names (joints), names ([m.q, ...
+        m.loop_q]), ...
            names ([m.u_own, m.loop_u]));
   lines = arrayfun (@(s) state_text (m, s), states, "UniformOutput", false);
   fprintf (fid, "%s]$\n", strjoin (lines, ",\n"));
@@ -117,7 +129,8 @@ end
 
 function text = state_text (m, s)
   [A, Adu] = own_speeds (m, s.q, s.u);
-  text = sprintf ("[%s, %s, %s, %s]", exact (s.t), list ([s.q; s.loop_q]), list ([A * s.u; s.loop_u]), list ([A * s.ud + Adu; 0 * s.loop_u]));
+  text = sprintf ("[%s, %s, %s, %s]", exact (s.t), list ([s.q; s.loop_q]), ...
+                  list ([A * s.u; s.loop_u]), list ([A * s.ud + Adu; 0 * s.loop_u]));
 end
 
 ## the scene's speeds are A u, their rates A ud + Adu
@@ -139,12 +152,17 @@ function text = list (x)
 end
 
 function lot = started (lot, work, here)
-  names = cellfun (@(x) ["\"" x.m.name "\""], lot.items(cellfun (@(x) isempty (x.reason), lot.items)), "UniformOutput", false);
+  names = cellfun (@(x) ["\"" x.m.name "\""], ...
+                   lot.items(cellfun (@(x) isempty (x.reason), lot.items)), "UniformOutput", ...
+                   false);
   lot.log = fullfile (work, sprintf ("%s.log", lot.items{1}.m.name));
   root = fullfile (here, "..", "..");
-  files = sprintf (["load(\"" root "/%s\")$ "], "gsmbp/gsmbp.mac", "tests/random/doubles.lisp", "tests/random/batch.mac");
+  files = sprintf (["load(\"" root "/%s\")$ "], "gsmbp/gsmbp.mac", "tests/random/doubles.lisp", ...
+                   "tests/random/batch.mac");
   statements = sprintf ("%sgsmbp__random_batch(\"%s\", [%s])$", files, work, strjoin (names, ", "));
-  lot.pid = system (sprintf ("exec env GSMBP_TIMEOUT=1200 '%s/share/make/maxima' '%s' '%s' >'%s.sh' 2>&1", root, lot.log, statements, lot.log), false, "async");
+  lot.pid = system (sprintf (["exec env GSMBP_TIMEOUT=1200 '%s/share/make/maxima' '%s' '%s' " ...
+                              ">'%s.sh' 2>&1"], ...
+                             root, lot.log, statements, lot.log), false, "async");
 end
 
 function tally = judged (lot, tally, work)
@@ -188,7 +206,8 @@ function [found, names] = read_values (file, states)
   numbers = numbers(1:2:end) .* 2 .^ numbers(2:2:end);
   wrenches = reshape (numbers(end-6*numel (names.reactions)*states+1:end), 6, [], states);
   numbers = reshape (numbers(1:end-numel (wrenches)), [], states);
-  sizes = {"M", nu, nu; "bias", nu, 1; "tau", nu, 1; "qdot", nq, 1; "phi", m, 1; "phit", m, 1; "H", nu, m; "gamma", m, 1; "E", 5, 1};
+  sizes = {"M", nu, nu; "bias", nu, 1; "tau", nu, 1; "qdot", nq, 1; "phi", m, 1; "phit", m, 1; ...
+           "H", nu, m; "gamma", m, 1; "E", 5, 1};
   for s = 1:states
     first = 0;
     for k = 1:rows (sizes)
@@ -201,7 +220,7 @@ function [found, names] = read_values (file, states)
   end
 end
 
-## ------------------------------------------------------------------------------------------------------ emitted Fortran
+## --------------------------------------------------------------------------------- emitted Fortran
 
 ## one mechanism derived, compiled and compared, with the forces in all joints as outputs
 function tally = compiled (tally, kind, seed)
@@ -209,21 +228,28 @@ function tally = compiled (tally, kind, seed)
   m.name = ["compiled_" m.name];
   states = random_states (m, 3);
   joints = {[m.joint, m.loop].name};
-  outputs = cellfun (@(j) sprintf (",\n  output(r_%s, reaction(%s))", j, j), joints, "UniformOutput", false);
+  outputs = cellfun (@(j) sprintf (",\n  output(r_%s, reaction(%s))", j, j), joints, ...
+                     "UniformOutput", false);
   file = fullfile (getenv ("GSMBP_TEST_DIR"), [m.name ".mac"]);
   fid = fopen (file, "w");
-  fputs (fid, strrep (strrep (m.text, "])$", [outputs{:} "])$"]), ["\"" kind], ["\"compiled_" kind]));
+  fputs (fid, ...
+         strrep (strrep (m.text, "])$", [outputs{:} "])$"]), ["\"" kind], ...
+                 ["\"compiled_" kind]));
   closed = ! isempty (m.loop) || ! isempty (m.user);
-  fprintf (fid, "requests : [kinematics, mass, bias, inverse, rhs, energy, output%s]$\n", {"", ", constraints"}{1 + closed});
+  fprintf (fid, "requests : [kinematics, mass, bias, inverse, rhs, energy, output%s]$\n", ...
+           {"", ", constraints"}{1 + closed});
   fclose (fid);
   derive = fullfile (fileparts (mfilename ("fullpath")), "..", "..", "share", "make", "derive");
-  [code, text] = system (sprintf ("'%s' '%s' '%s' 2>&1", derive, file, fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out")));
+  [code, text] = system (sprintf ("'%s' '%s' '%s' 2>&1", derive, file, ...
+                                  fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out")));
   if (code)
     error ("%s: %s", m.name, text);
   end
   model = gsmbp_fixture (m.name);
   for s = states
-    tally = compared (tally, m, s, struct ("q", {model.coordinates(:)'}, "u", {model.speeds(:)'}, "reactions", {joints}), called (model, m, s, joints));
+    tally = compared (tally, m, s, ...
+                      struct ("q", {model.coordinates(:)'}, "u", {model.speeds(:)'}, ...
+                              "reactions", {joints}), called (model, m, s, joints));
   end
 end
 
@@ -234,12 +260,15 @@ function found = called (model, m, s, joints)
   sorted = @(names, x, wanted) x(cellfun (@(n) find (strcmp (n, names)), wanted(:)'));
   q = sorted ([m.q, m.loop_q], [s.q; s.loop_q], model.coordinates);
   names = [m.u_own, m.loop_u];
-  [u, ud] = deal (sorted (names, [A * s.u; s.loop_u], model.speeds), sorted (names, [A * s.ud + Adu; 0 * s.loop_u], model.speeds));
+  [u, ud] = deal (sorted (names, [A * s.u; s.loop_u], model.speeds), ...
+                  sorted (names, [A * s.ud + Adu; 0 * s.loop_u], model.speeds));
   x = [q; u];
   [xd, ~] = model.rhs (t, x);             # angles near their singularity are no error
-  found = struct ("M", model.mas (t, q), "bias", model.bia (t, q, u), "tau", model.inv (t, q, u, ud), "qdot", model.kin (t, q, u), "E", model.ene (t, x), ...
+  found = struct ("M", model.mas (t, q), "bias", model.bia (t, q, u), "tau", model.inv (t, q, u, ...
+      ud), "qdot", model.kin (t, q, u), "E", model.ene (t, x), ...
                   "xd", xd, "wrench", zeros (6, numel (joints)));
-  [found.phi, found.phit, found.H, found.gamma] = deal (zeros (0, 1), zeros (0, 1), zeros (0, numel (u)), zeros (0, 1));
+  [found.phi, found.phit, found.H, found.gamma] = deal (zeros (0, 1), zeros (0, 1), ...
+      zeros (0, numel (u)), zeros (0, 1));
   if (any (strcmp (model.subroutines, "con")))
     [found.phi, found.phit, found.H, found.gamma] = model.con (t, q, u);
   end
@@ -251,7 +280,7 @@ function found = called (model, m, s, joints)
   end
 end
 
-## ------------------------------------------------------------------------------------------------------------- residuals
+## --------------------------------------------------------------------------------------- residuals
 
 ## everything in the scene's own speeds v = A u
 function tally = compared (tally, m, state, names, found)
@@ -269,9 +298,11 @@ function tally = compared (tally, m, state, names, found)
   if (isfield (found, "xd"))
     r.right_hand_side = norm (found.xd(end-numel (free)+1:end) - free) / max (norm (free), 1);
   end
-  r.energies = norm (found.E([1, 2, 4, 5])(:) - [T; V; given; lost]) / (abs (T) + abs (V) + abs (given) + abs (lost) + 1);
+  r.energies = norm (found.E([1, 2, 4, 5])(:) - [T; V; given; lost]) / (abs (T) + abs (V) ...
+        + abs (given) + abs (lost) + 1);
   r.kinetic_form = abs (speeds' * found.M * speeds / 2 - T) / (T + 1);
-  own = order <= numel (u);               # a screw that is cut may bring its angle as a coordinate more
+  ## a screw that is cut may bring its angle as a coordinate more
+  own = order <= numel (u);
   if (! m.auto)                           # the same tree on both sides
     tree = setfield (setfield (m, "loop", []), "user", {});
     effort = @(ud) [A' \ ne_inverse(tree, q, u, ud); 0 * state.loop_u](order);
@@ -283,7 +314,8 @@ function tally = compared (tally, m, state, names, found)
     r.inverse = norm (found.tau - tau) / (norm (tau) + norm (M) * norm (ud) + 1);
     r.bias = norm (found.bias - bias) / (norm (bias) + 1);
     qdot = [ne_rates(m, q, u); 0 * state.loop_q](order_q);
-    r.rates = norm (found.qdot(order_q <= numel (q)) - qdot(order_q <= numel (q))) / (norm (qdot) + 1);
+    r.rates = norm (found.qdot(order_q <= numel (q)) ...
+                      - qdot(order_q <= numel (q))) / (norm (qdot) + 1);
   end
   if (! isempty (found.phi))
     H = found.H;
@@ -293,12 +325,14 @@ function tally = compared (tally, m, state, names, found)
     r.gamma = norm (H * free - found.gamma) / (scale * norm (free) + norm (found.gamma) + 1);
     if (! m.auto && all (own))
       wanted = (ne_jacobian (k) / A)(:, order);
-      r.jacobian = norm (H * null (wanted)) / scale + (rank (wanted, 1e-9 * max (1, norm (wanted))) != rank_found);
+      r.jacobian = norm (H * null (wanted)) / scale ...
+          + (rank (wanted, 1e-9 * max (1, norm (wanted))) != rank_found);
     end
   elseif (! isempty (m.loop) || ! isempty (m.user))
     r.rows_lost = norm (ne_jacobian (k)) > 1e-9;
   end
-  if (! isempty (names.reactions) && ! (rows (k.L) + rows (k.U) && ne_redundant (k)))   # else they are not unique
+  ## else they are not unique
+  if (! isempty (names.reactions) && ! (rows (k.L) + rows (k.U) && ne_redundant (k)))
     order = cellfun (@(x) find (strcmp (x, {[m.joint, m.loop].name})), names.reactions);
     wrench = wrench(:, order);
     r.reactions = norm (found.wrench - wrench) / (norm (wrench) + 1);
@@ -313,12 +347,14 @@ function tally = compared (tally, m, state, names, found)
       tally.worst.(name{1}) = {now, m.name};
     end
     if (! (now <= 1))
-      tally.failed{end + 1} = sprintf ("%s: %s %.1e (at most %.0e, condition %.0e)", m.name, name{1}, r.(name{1}), limit, condition);
+      tally.failed{end + 1} = sprintf ("%s: %s %.1e (at most %.0e, condition %.0e)", m.name, ...
+          name{1}, r.(name{1}), limit, condition);
     end
   end
 end
 
-## accelerations by the equations with multipliers, least norm where rows depend on each other; the condition without the zeros
+## accelerations by the equations with multipliers, least norm where rows depend on each other; the
+## condition without the zeros
 function [ud, condition, r] = solved (found)
   [m, n] = size (found.H);
   n = rows (found.M);
@@ -340,7 +376,7 @@ function [ud, condition, r] = solved (found)
   ud = x(1:n);
 end
 
-## --------------------------------------------------------------------------------------------------------------- report
+## ------------------------------------------------------------------------------------------ report
 
 function tally = counted (tally, m)
   for place = {"tree", "cut"}
@@ -361,13 +397,21 @@ function report (tally, count)
   cellfun (@(x) printf ("failed: %s\n", x), tally.failed);
   for place = {"tree", "cut"}
     types = sort (fieldnames (tally.joints.(place{1})))';
-    counts = strjoin (cellfun (@(t) sprintf ("%s %d", t, tally.joints.(place{1}).(t)), types, "UniformOutput", false), ", ");
-    gsmbp_check (sprintf ("%s joints: %s", place{1}, counts), numel (types) == 9 || count < 200);   # cut: no free joint, but rolling
+    counts = strjoin (cellfun (@(t) sprintf ("%s %d", t, tally.joints.(place{1}).(t)), types, ...
+                               "UniformOutput", false), ", ");
+    ## cut: no free joint, but rolling
+    gsmbp_check (sprintf ("%s joints: %s", place{1}, counts), numel (types) == 9 || count < 200);
   end
-  gsmbp_check (sprintf ("one, two, three loops: %d, %d, %d mechanisms", tally.loops), sum (tally.loops) > 0 || count < 8);
+  gsmbp_check (sprintf ("one, two, three loops: %d, %d, %d mechanisms", tally.loops), ...
+               sum (tally.loops) > 0 || count < 8);
   for name = fieldnames (tally.worst)'
-    gsmbp_check (sprintf ("%s, worst of all in units of its limit (%s)", strrep (name{1}, "_", " "), tally.worst.(name{1}){2}), tally.worst.(name{1}){1}, 1);
+    gsmbp_check (sprintf ("%s, worst of all in units of its limit (%s)", ...
+                          strrep (name{1}, "_", " "), tally.worst.(name{1}){2}), ...
+                 tally.worst.(name{1}){1}, 1);
   end
-  gsmbp_check (sprintf ("%d mechanisms by chance agree with Newton and Euler in maximal coordinates", count), tally.done == count && isempty (tally.failed));
-  gsmbp_check (sprintf ("%d left out, at most one of a hundred", numel (tally.excluded)), numel (tally.excluded) <= 0.01 * count);
+  gsmbp_check (sprintf (["%d mechanisms by chance agree with Newton and Euler in maximal " ...
+                         "coordinates"], ...
+                        count), tally.done == count && isempty (tally.failed));
+  gsmbp_check (sprintf ("%d left out, at most one of a hundred", numel (tally.excluded)), ...
+               numel (tally.excluded) <= 0.01 * count);
 end

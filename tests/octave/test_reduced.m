@@ -1,4 +1,5 @@
-## Linear models of closed chains in independent coordinates, and equilibria: reference 03a, and differences of the closed motion itself.
+## Linear models of closed chains in independent coordinates, and equilibria: reference 03a, and
+## differences of the closed motion itself.
 
 function test_reduced ()
   m = gsmbp_fixture ("case_03a");
@@ -10,30 +11,36 @@ function test_reduced ()
   gsmbp_check ("03a equilibrium, rad", r.x(1:3) - wanted, 1e-9);
   gsmbp_check ("03a equilibrium: accelerations left", r.ud, 1e-8);
   [phi, ~, H] = m.con (0, r.x(1:3), zeros (3, 1));
-  gsmbp_check ("03a equilibrium: multipliers carry the weight", m.inv (0, r.x(1:3), zeros (3, 1), r.ud, 0) - H' * r.lambda, 1e-9);
+  gsmbp_check ("03a equilibrium: multipliers carry the weight", ...
+               m.inv (0, r.x(1:3), zeros (3, 1), r.ud, 0) - H' * r.lambda, 1e-9);
   [sys, T, k] = gsmbp_linear (m, 0, [wanted; 0; 0; 0], 0, "reduced", "theta");
   gsmbp_check ("03a reduced states are the crank's", isequal (k, [1 4]));
   gsmbp_check ("03a reduced A", (sys.a - number("A")) / max (abs (number("A")(:))), 1e-12);
   gsmbp_check ("03a reduced B", (sys.b - number("B")(:)) / max (abs (number("B"))), 1e-12);
   auto = gsmbp_linear (m, 0, [wanted; 0; 0; 0], 0);
-  gsmbp_check ("03a poles do not depend on the choice of coordinates", sort (eig (auto.a)) - sort (eig (sys.a)), 1e-10);
+  gsmbp_check ("03a poles do not depend on the choice of coordinates", ...
+               sort (eig (auto.a)) - sort (eig (sys.a)), 1e-10);
   along_motion (m);
   feedback ();
 end
 
-## a slider-crank with its motor: a state feedback designed on the reduced model brings a closed state beside the plan back to it
+## a slider-crank with its motor: a state feedback designed on the reduced model brings a closed
+## state beside the plan back to it
 function feedback ()
   m = gsmbp_fixture ("case_02a_motor");
   plan = gsmbp_plan ("septic", [0.3, 1.1], [0, 1]);
   design = gsmbp_lqr (m, plan, 0:0.25:1, diag ([100, 0, 0, 1, 0, 0, 0.01]), 0.01);
-  gsmbp_check ("slider-crank: three poles, those of crank and current", rows (design.poles) == 3 && all (real (design.poles(:)) < 0));
+  gsmbp_check ("slider-crank: three poles, those of crank and current", ...
+               rows (design.poles) == 3 && all (real (design.poles(:)) < 0));
   start = gsmbp_inverse (m, plan, 0).x';
   start(1) += 0.05;
   start = gsmbp_assemble (m, start, "hold", {"theta"});
   late = @(r) abs (r.x(end,1) - 1.1);
   alone = late (gsmbp_simulate (m, start, [0, 1], "motion", plan));
-  held = late (gsmbp_simulate (m, start, [0, 1], "motion", plan, "gain", design.gain, "reference", design.reference));
-  gsmbp_check (sprintf ("slider-crank: %.1e rad off at the end with feedback, %.1e without", held, alone), held < alone / 20);
+  held = late (gsmbp_simulate (m, start, [0, 1], "motion", plan, "gain", design.gain, ...
+                               "reference", design.reference));
+  gsmbp_check (sprintf ("slider-crank: %.1e rad off at the end with feedback, %.1e without", ...
+                        held, alone), held < alone / 20);
 end
 
 ## in motion: the model against central differences over the closed states themselves

@@ -1,4 +1,5 @@
-## Slider-crank on the velocity profile of the paper's figure 7: motion, drive torque, pin force, motor current and voltage.
+## Slider-crank on the velocity profile of the paper's figure 7: motion, drive torque, pin force,
+## motor current and voltage.
 
 function test_reference_02a ()
   [~, ~, tab] = gsmbp_case ("02a_slidercrank_inverse");
@@ -25,8 +26,10 @@ function statics (tab)
     alpha(i, 1) = xd(4);
   end
   gsmbp_check ("02a loop closed at the reference positions, m", gap, 1e-15);
-  gsmbp_check ("02a slider speed and acceleration", moves ./ max (abs ([tab.v_slider, tab.a_slider])), 1e-13);
-  gsmbp_check ("02a crank acceleration under the reference torque", (alpha - tab.alpha) / max (abs (tab.alpha)), 1e-13);
+  gsmbp_check ("02a slider speed and acceleration", ...
+               moves ./ max (abs ([tab.v_slider, tab.a_slider])), 1e-13);
+  gsmbp_check ("02a crank acceleration under the reference torque", ...
+               (alpha - tab.alpha) / max (abs (tab.alpha)), 1e-13);
 end
 
 function motor (tab)
@@ -44,7 +47,8 @@ function motor (tab)
   torque = K * current - J * tab.alpha - B * tab.omega;
   scaled = @(found, wanted) (found - wanted) / max (abs (wanted));
   gsmbp_check ("02a drive torque", scaled (torque, tab.torque), 1e-13);
-  gsmbp_check ("02a pin force on the slider", scaled (lam, [tab.pin_fx_on_slider, tab.pin_fy_on_slider]), 1e-13);
+  gsmbp_check ("02a pin force on the slider", ...
+               scaled (lam, [tab.pin_fx_on_slider, tab.pin_fy_on_slider]), 1e-13);
   gsmbp_check ("02a motor current", scaled (current, tab.current), 1e-13);
   regular = ! isnan (tab.voltage);
   gsmbp_check ("02a motor voltage", scaled (voltage(regular), tab.voltage(regular)), 1e-13);

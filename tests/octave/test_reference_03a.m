@@ -1,4 +1,5 @@
-## Four-bar: accelerations and pin force at the reference states, motion over 3 s, linear model about rest.
+## Four-bar: accelerations and pin force at the reference states, motion over 3 s, linear model
+## about rest.
 
 function test_reference_03a ()
   m = gsmbp_fixture ("case_03a");
@@ -17,13 +18,15 @@ function test_reference_03a ()
       x0 = [q(1, :)'; u];
     end
   end
-  gsmbp_check ("03a crank acceleration, 31 states", (alpha - tab.alpha) / max (abs (tab.alpha)), 1e-13);
+  gsmbp_check ("03a crank acceleration, 31 states", (alpha - tab.alpha) / max (abs (tab.alpha)), ...
+               1e-13);
   force = [tab.lam_x, tab.lam_y];
   gsmbp_check ("03a pin force on the rocker", (pin(:, 1:2) - force) / max (abs (force(:))), 1e-13);
   gsmbp_check ("03a energy", (energy - tab.energy) / max (abs (tab.energy)), 1e-13);
 
   x = gsmbp_run (m, tab.t, x0, 0);
-  ## the free motion multiplies an error made at the start by a few hundred over 3 s; the integrator works at 1e-13 a step
+  ## the free motion multiplies an error made at the start by a few hundred over 3 s; the integrator
+  ## works at 1e-13 a step
   gsmbp_check ("03a motion over 3 s, rad", x(:, 1:3) - q, 1e-9);
   gsmbp_check ("03a crank speed over 3 s, rad/s", x(:, 4) - tab.omega, 1e-8);
   linear (m, ref.linearization);
@@ -42,5 +45,6 @@ function linear (m, ref)
   gsmbp_check ("03a at rest", m.rhs (0, [q; zeros(3, 1)], 0), 1e-13);
   gsmbp_check ("03a linear model A", (reduced - wanted) / max (abs (wanted(:))), 1e-13);
   gsmbp_check ("03a linear model B", (B([1, 4]) - number("B")) / max (abs (number("B"))), 1e-13);
-  gsmbp_check ("03a natural frequency", sqrt (-reduced(2, 1)) / number("natural_frequency_rad_s") - 1, 1e-13);
+  gsmbp_check ("03a natural frequency", ...
+               sqrt (-reduced(2, 1)) / number("natural_frequency_rad_s") - 1, 1e-13);
 end

@@ -1,4 +1,5 @@
-## Spatial triple pendulum with skew axes: accelerations and energy at the reference states, motion over 5 s.
+## Spatial triple pendulum with skew axes: accelerations and energy at the reference states, motion
+## over 5 s.
 
 function test_reference_07c ()
   m = gsmbp_fixture ("case_07c");
@@ -14,7 +15,8 @@ function test_reference_07c ()
   gsmbp_check ("07c accelerations, 26 states", (ud - wanted) / max (abs (wanted(:))), 1e-13);
   gsmbp_check ("07c energy", (energy - tab.energy) / max (abs (tab.energy)), 1e-13);
   found = gsmbp_run (m, tab.t, x(1, :)', []);
-  ## measured 5e-13 and 3e-12; the motion is irregular, another machine's rounding may grow to some ten times that
+  ## measured 5e-13 and 3e-12; the motion is irregular, another machine's rounding may grow to some
+  ## ten times that
   gsmbp_check ("07c motion over 5 s, rad", found(:, 1:3) - x(:, 1:3), 1e-11);
   gsmbp_check ("07c speeds over 5 s, rad/s", found(:, 4:6) - x(:, 4:6), 1e-10);
 end

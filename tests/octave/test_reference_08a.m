@@ -1,4 +1,5 @@
-## Heavy top: spin axis, angular velocity and invariants over 1 s, in Euler parameters and in three angles.
+## Heavy top: spin axis, angular velocity and invariants over 1 s, in Euler parameters and in three
+## angles.
 
 function test_reference_08a ()
   [~, ref, tab] = gsmbp_case ("08a_heavy_top");
@@ -9,7 +10,8 @@ function test_reference_08a ()
   x0 = [cos(0.2); 0; sin(0.2); 0; w0];
   gsmbp_check ("08a the scene's start", m.initial - [x0(1:4); 0; 0; 0], 1e-15);
   compare ("08a Euler parameters", m, gsmbp_run (m, tab.t, x0, []), @by_parameters, tab);
-  gsmbp_check ("08a mass matrix in Euler parameters is the inertia about the pivot", m.mas (0, x0(1:4)) - diag ([0.0039, 0.0039, 0.0004]), 1e-17);
+  gsmbp_check ("08a mass matrix in Euler parameters is the inertia about the pivot", ...
+               m.mas (0, x0(1:4)) - diag ([0.0039, 0.0039, 0.0004]), 1e-17);
 
   m = gsmbp_fixture ("case_08a_angles");
   q0 = [0; 0.4; 0];
@@ -17,11 +19,13 @@ function test_reference_08a ()
   compare ("08a angles about x, y, z", m, gsmbp_run (m, tab.t, [q0; W \ w0], []), @by_angles, tab);
 end
 
-## e3 and the angular velocity in ground axes from a state, W: angular velocity in body axes by the rates (of angles)
+## e3 and the angular velocity in ground axes from a state, W: angular velocity in body axes by the
+## rates (of angles)
 function [R, w] = by_parameters (x)
   e = x(1:4);
   v = e(2:4);
-  R = (2 * e(1) ^ 2 - 1) * eye (3) + 2 * v * v' + 2 * e(1) * [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
+  R = (2 * e(1) ^ 2 - 1) * eye (3) + 2 * v * v' + 2 * e(1) ...
+      * [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
   w = R * x(5:7);
 end
 
@@ -47,6 +51,8 @@ function compare (name, m, x, seen, tab)
   end
   ## 1 s is 16 turns; steps of some 1e-3 s at 1e-13 each
   gsmbp_check ([name ", spin axis over 1 s"], axis - [tab.e3x, tab.e3y, tab.e3z], 1e-11);
-  gsmbp_check ([name ", angular velocity over 1 s, of 100 rad/s"], (omega - [tab.wx, tab.wy, tab.wz]) / 100, 1e-11);
-  gsmbp_check ([name ", energy and two angular momenta"], kept ./ [tab.energy, tab.Lz, tab.L3] - 1, 1e-11);
+  gsmbp_check ([name ", angular velocity over 1 s, of 100 rad/s"], ...
+               (omega - [tab.wx, tab.wy, tab.wz]) / 100, 1e-11);
+  gsmbp_check ([name ", energy and two angular momenta"], ...
+               kept ./ [tab.energy, tab.Lz, tab.L3] - 1, 1e-11);
 end

@@ -9,7 +9,8 @@ function test_reference_15a ()
     [A, B, C, D] = m.jac (0, x, 0);
     A_wanted = ne_numbers (wanted.A);
     gsmbp_check (["15a A " place{1}], (A - A_wanted) / max (abs (A_wanted(:))), 1e-13);
-    gsmbp_check (["15a B " place{1}], (B - ne_numbers (wanted.B)) / max (abs (ne_numbers (wanted.B))), 1e-13);
+    gsmbp_check (["15a B " place{1}], ...
+                 (B - ne_numbers (wanted.B)) / max (abs (ne_numbers (wanted.B))), 1e-13);
     gsmbp_check (["15a C, D " place{1}], [C - eye(2, 4), D], 0);
     poles = ordered (ne_numbers (wanted.eig));
     found = ordered ([real(eig (A)), imag(eig (A))]);

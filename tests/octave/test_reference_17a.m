@@ -3,7 +3,8 @@
 function test_reference_17a ()
   m = gsmbp_fixture ("case_17a");
   [~, ref, tab] = gsmbp_case ("17a_dc_motor_step");
-  gsmbp_check ("17a states are angle, speed, current", isequal (m.states(1:2)(:)', {"theta", "theta_d"}) && numel (m.states) == 3);
+  gsmbp_check ("17a states are angle, speed, current", ...
+               isequal (m.states(1:2)(:)', {"theta", "theta_d"}) && numel (m.states) == 3);
   x = gsmbp_run (m, tab.t, zeros (3, 1), 24);
   wanted = [tab.theta, tab.omega, tab.i];
   ## 300 steps or so at a tolerance of 1e-13 each

@@ -3,7 +3,8 @@
 function test_reference_19a ()
   m = gsmbp_fixture ("case_19a");
   [~, ~, tab] = gsmbp_case ("19a_rheonomic_pivot_pendulum");
-  gsmbp_check ("19a one multiplier, the drive's", m.sizes.nlam == 1 && ! isempty (strfind (m.multipliers{1}, "P")));
+  gsmbp_check ("19a one multiplier, the drive's", ...
+               m.sizes.nlam == 1 && ! isempty (strfind (m.multipliers{1}, "P")));
   y = @(t) 0.05 * [sin(60 * t), 60 * cos(60 * t), -3600 * sin(60 * t)];
   for i = 1:numel (tab.t)
     t = tab.t(i);
@@ -16,8 +17,11 @@ function test_reference_19a ()
   end
   gsmbp_check ("19a constraint and its rate at the reference states", gap, 1e-14);
   ## sin(60*t) is evaluated at t rounded to double: 60*2 rad have an error of 1e-14 rad
-  gsmbp_check ("19a acceleration of the block", (acceleration(:, 1) - cell2mat (arrayfun (y, tab.t, "UniformOutput", false))(:, 3)) / 180, 1e-13);
-  gsmbp_check ("19a angular acceleration", (acceleration(:, 2) - tab.thetaddot) / max (abs (tab.thetaddot)), 1e-13);
+  gsmbp_check ("19a acceleration of the block", ...
+               (acceleration(:, 1) ...
+                  - cell2mat (arrayfun (y, tab.t, "UniformOutput", false))(:, 3)) / 180, 1e-13);
+  gsmbp_check ("19a angular acceleration", ...
+               (acceleration(:, 2) - tab.thetaddot) / max (abs (tab.thetaddot)), 1e-13);
   gsmbp_check ("19a force of the drive", (force - tab.lam) / max (abs (tab.lam)), 1e-13);
   x = gsmbp_run (m, tab.t, [0; 2.9; 3; 0], []);
   gsmbp_check ("19a motion over 2 s", x(:, 1:2) - [tab.y_pivot, tab.theta], 1e-10);

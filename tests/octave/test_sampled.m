@@ -1,5 +1,6 @@
-## Digital controllers in compiled runs: against exact difference equations (matrix exponentials between the instants, the controllers written anew here),
-## with converters, delays, several periods; order of instants, continuation, reproducibility, speed.
+## Digital controllers in compiled runs: against exact difference equations (matrix exponentials
+## between the instants, the controllers written anew here), with converters, delays, several
+## periods; order of instants, continuation, reproducibility, speed.
 
 function test_sampled ()
   single_step ();
@@ -23,17 +24,21 @@ function single_step ()
     [v, xk] = m.ctl (1, 0, y, zeros (m.sizes.nxk, 1));
     away(end+1) = v(k ("E.angle")) - count * floor (n + 0.5);
   end
-  gsmbp_check ("encoder: count of angles from -3 to 7 counts, halves among them", away(abs (mod ([-3, -2.5, -0.5, -0.4, 0, 0.5, 1.49, 7], 1) - 0.5) > 1e-6), 1e-15);
+  gsmbp_check ("encoder: count of angles from -3 to 7 counts, halves among them", ...
+               away(abs (mod ([-3, -2.5, -0.5, -0.4, 0, 0.5, 1.49, 7], 1) - 0.5) > 1e-6), ...
+               1e-15);
   y(reads) = 0.3;
   [v1, xk1] = m.ctl (1, 0, y, zeros (m.sizes.nxk, 1));
   [v2, xk2] = m.ctl (2, 0, y, xk1, v1);
   [v3, xk3] = m.ctl (3, 0, y, xk2, v2);
   [v, xk] = m.ctl (0, 0, y, zeros (m.sizes.nxk, 1));
   gsmbp_check ("CTL: K = 0 is all devices in their order", isequal (v, v3) && isequal (xk, xk3));
-  gsmbp_check ("CTL: a device leaves the others alone", isequal (v1(k ("A.out")), 0) && isequal (xk1(3:end), zeros (8, 1)));
+  gsmbp_check ("CTL: a device leaves the others alone", ...
+               isequal (v1(k ("A.out")), 0) && isequal (xk1(3:end), zeros (8, 1)));
 end
 
-## A wheel of 10 kg m^2 (the drive of the Modelica library's clocked examples: PI of 110 N m s/rad, 0.1 s): w+ = w + T*u/J, exact
+## A wheel of 10 kg m^2 (the drive of the Modelica library's clocked examples: PI of 110 N m s/rad,
+## 0.1 s): w+ = w + T*u/J, exact
 function drive ()
   m = gsmbp_fixture ("sampled_drive");
   T = 0.1;
@@ -49,26 +54,32 @@ function drive ()
   t = (0:n) * T;
   for method = {"dp853", "rk4"}
     r = gsmbp_simulate (m, [0 0], t, "input", 1, "method", method{1});
-    gsmbp_check (["drive, " method{1} ": speed at the samples against the exact difference equation"], r.x(:,2) - w', 1e-12);
+    gsmbp_check (["drive, " method{1} ...
+                    ": speed at the samples against the exact difference equation"], ...
+                 r.x(:,2) - w', 1e-12);
     gsmbp_check (["drive, " method{1} ": torque"], r.samples.v(:,end) - u', 1e-9);
     gsmbp_check (["drive, " method{1} ": memory"], r.samples.xk(:,1) - I(2:n+1)', 1e-9);
   end
-  gsmbp_check ("drive: instants", [r.samples.t - t(1:n)'; numel(r.samples.t) - n; r.stats.instants - n], 0);
+  gsmbp_check ("drive: instants", ...
+               [r.samples.t - t(1:n)'; numel(r.samples.t) - n; r.stats.instants - n], 0);
   gsmbp_check ("drive: outputs are those before the instants", r.y(2:end,1) - u', 1e-9);
 
   ## other output times, a start between the samples, continuation with memory and held outputs
   q = gsmbp_simulate (m, [0 0], sort ([t, 0.033:0.0777:3.9]), "input", 1);
-  gsmbp_check ("drive: samples do not depend on the output times", [q.samples.t - r.samples.t; q.samples.v(:,end) - r.samples.v(:,end)], 1e-9);
+  gsmbp_check ("drive: samples do not depend on the output times", ...
+               [q.samples.t - r.samples.t; q.samples.v(:,end) - r.samples.v(:,end)], 1e-9);
   a = gsmbp_simulate (m, [0 0], [0 1.23], "input", 1);
   b = gsmbp_simulate (m, a.x(end,:), [1.23, t(end)], "input", a.v(end,:), "memory", a.memory);
   gsmbp_check ("drive: two runs, the second from 1.23 s, are one", b.x(end,:) - r.x(end,:), 1e-9);
   gsmbp_check ("drive: the second run's first sample is at 1.3 s", b.samples.t(1) - 1.3, 0);
   b = gsmbp_simulate (m, [0 0], [0 t(end)], "input", 1);
-  gsmbp_check ("drive: the same run gives the same bits", isequal (b.samples, gsmbp_simulate (m, [0 0], [0 t(end)], "input", 1).samples));
+  gsmbp_check ("drive: the same run gives the same bits", ...
+               isequal (b.samples, gsmbp_simulate (m, [0 0], [0 t(end)], "input", 1).samples));
 
   ## the reference as a table with a step at a sample: the sample sees the step
   s = gsmbp_simulate (m, [0 0], [0 0.5 0.6], "input", mkpp ([0 0.5 1], [0 1]));
-  gsmbp_check ("drive: a step of the reference at a sample is seen there", [s.samples.v(5:6,end) - [0; 110]; s.x(3,2) - 1.1], 1e-9);
+  gsmbp_check ("drive: a step of the reference at a sample is seen there", ...
+               [s.samples.v(5:6,end) - [0; 110]; s.x(3,2) - 1.1], 1e-9);
   s = gsmbp_simulate (m, [0 0], [0 0.5 0.6], "input", @(t, x) double (t >= 0.5), "breaks", 0.5);
   gsmbp_check ("drive: the same by a function", s.samples.v(5:6,end) - [0; 110], 1e-9);
 
@@ -99,7 +110,8 @@ function delays ()
     end
     c = gsmbp_set (m, "late", late, "kp", kp, "ki", ki);
     r = gsmbp_simulate (c, [0 0], (0:n) * T, "input", 1);
-    gsmbp_check (sprintf ("drive, delay of %g s: speed at the samples", late), r.x(:,2) - w', 1e-12);
+    gsmbp_check (sprintf ("drive, delay of %g s: speed at the samples", late), r.x(:,2) - w', ...
+                 1e-12);
   end
   try
     gsmbp_simulate (gsmbp_set (m, "period", 0), [0 0], [0 1]);
@@ -109,7 +121,8 @@ function delays ()
   end
 end
 
-## encoder and two quantized controllers at 2, 5 and 3 ms: the exact motion between all instants, the devices as their entries say
+## encoder and two quantized controllers at 2, 5 and 3 ms: the exact motion between all instants,
+## the devices as their entries say
 function rates ()
   m = gsmbp_fixture ("sampled_rates");
   for delay = {[0, 0], [0.7e-3, 4.2e-3]}
@@ -119,11 +132,14 @@ function rates ()
     what = sprintf ("three periods, delays of %g and %g ms", 1e3 * delay{1});
     gsmbp_check ([what ": states against matrix exponentials"], r.x(end,:)' - y.x, 1e-10);
     last = r.samples.t < 1 - 1e-9;
-    gsmbp_check ([what ": outputs of the controllers at the last instant"], r.samples.v(find (last)(end),[4, 6]) - y.out, 1e-12);
+    gsmbp_check ([what ": outputs of the controllers at the last instant"], ...
+                 r.samples.v(find (last)(end),[4, 6]) - y.out, 1e-12);
     gsmbp_check ([what ": number of instants"], sum (last) - y.instants, 0);
   end
   ## the encoder's counts are counts, the outputs are steps of their converters
-  gsmbp_check ("outputs are multiples of the converter's step", [r.samples.v(:,4) / 0.02, r.samples.v(:,6) / 0.005] - round ([r.samples.v(:,4) / 0.02, r.samples.v(:,6) / 0.005]), 1e-9);
+  gsmbp_check ("outputs are multiples of the converter's step", ...
+               [r.samples.v(:,4) / 0.02, r.samples.v(:,6) / 0.005] ...
+                 - round ([r.samples.v(:,4) / 0.02, r.samples.v(:,6) / 0.005]), 1e-9);
 end
 
 function y = by_exponentials (p, x, stop, reference)
@@ -149,7 +165,8 @@ function y = by_exponentials (p, x, stop, reference)
   t = 0;
   waiting = cell (1, 3);
   times = [];
-  pid = struct ("Kp", {4, 6}, "Ki", {20, 15}, "Kd", {0.2, 0.3}, "Tf", {0.01, 0.02}, "Tt", {0.2, 0.1}, "umax", {3, 4}, "qm", {0.01, 0.001}, "qu", {0.02, 0.005});
+  pid = struct ("Kp", {4, 6}, "Ki", {20, 15}, "Kd", {0.2, 0.3}, "Tf", {0.01, 0.02}, "Tt", ...
+                {0.2, 0.1}, "umax", {3, 4}, "qm", {0.01, 0.001}, "qu", {0.02, 0.005});
   for i = 1:rows (list)
     if (list(i,1) >= stop)
       break;
@@ -213,14 +230,18 @@ function crank ()
   x0 = gsmbp_assemble (m, [0.3; -0.1; 0; 0; 0; 0]);
   reference = mkpp ([0 1], [6, 0.3; 0, 6], 2);   # angle 6*t + 0.3, speed 6
   r = gsmbp_simulate (m, x0, 0:0.001:1, "input", reference);
-  gsmbp_check ("slider-crank under a computer: loop stays closed", [r.stats.drift.phi, r.stats.drift.phidot], 1e-12);
-  gsmbp_check ("slider-crank: its angle follows 6*t within 0.05 rad at the end", r.x(end,1) - 6.3, 0.05);
+  gsmbp_check ("slider-crank under a computer: loop stays closed", ...
+               [r.stats.drift.phi, r.stats.drift.phidot], 1e-12);
+  gsmbp_check ("slider-crank: its angle follows 6*t within 0.05 rad at the end", ...
+               r.x(end,1) - 6.3, 0.05);
   seen = r.samples.v(1:1000,strcmp (m.inputs, "E.angle"));
-  gsmbp_check ("slider-crank: the encoder is half a count from the angle at most", (seen - r.x(1:1000,1)) / (2 * pi / 4096), 0.5 + 1e-6);
+  gsmbp_check ("slider-crank: the encoder is half a count from the angle at most", ...
+               (seen - r.x(1:1000,1)) / (2 * pi / 4096), 0.5 + 1e-6);
   away = [];
   k = strcmp (m.inputs, "felt.angle");
   for i = 101:100:901
-    before = r.samples.v(i-1,:)';   # the torque of the sample before is still there when the devices look
+    ## the torque of the sample before is still there when the devices look
+    before = r.samples.v(i-1,:)';
     before(m.controllers(1).outputs) = r.samples.v(i,m.controllers(1).outputs);
     ud = m.acc (r.t(i), r.x(i,:)', before);
     away(end+1) = (r.samples.v(i,k) - ud(3)) / 0.01;
@@ -232,8 +253,10 @@ end
 function speed ()
   m = gsmbp_fixture ("mech_digital");
   r = gsmbp_simulate (m, zeros (5, 1), [0 10], "input", [0.5; 0; 0.2]);
-  printf ("   two axes, cascade at 1 kHz and PID at 500 Hz: %.0f times faster than real time\n", 10 / r.stats.seconds);
-  gsmbp_check ("two axes under 1 kHz: at least 10 times faster than real time", 10 / r.stats.seconds >= 10);
+  printf (["   two axes, cascade at 1 kHz and PID at 500 Hz: %.0f times faster than " ...
+           "real time\n"], 10 / r.stats.seconds);
+  gsmbp_check ("two axes under 1 kHz: at least 10 times faster than real time", ...
+               10 / r.stats.seconds >= 10);
   s = gsmbp_simulate (m, zeros (5, 1), [0 10], "input", [0.5; 0; 0.2], "samples", false);
   gsmbp_check ("without a record the run is the same", isequal (s.x, r.x) && isempty (s.samples.t));
 end

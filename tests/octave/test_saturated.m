@@ -1,5 +1,5 @@
-## Controllers that ask for more than their bounds give: they arrive at the reference with and without
-## integral, bound or not.
+## Controllers that ask for more than their bounds give: they arrive at the reference with and
+## without integral, bound or not.
 
 function test_saturated ()
   m = gsmbp_fixture ("saturated");

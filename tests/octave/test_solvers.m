@@ -1,8 +1,10 @@
-## The solvers of share/fortran against Octave's own, on easy and on hard matrices; both bodies (LAPACK, plain) through the double and the quad build.
+## The solvers of share/fortran against Octave's own, on easy and on hard matrices; both bodies
+## (LAPACK, plain) through the double and the quad build.
 
 function test_solvers ()
   rand ("seed", 1);
-  bodies = struct ("double", gsmbp_hand ("motor_pendulum").module, "quad", gsmbp_hand ("motor_pendulum", "precision", "quad").module);
+  bodies = struct ("double", gsmbp_hand ("motor_pendulum").module, "quad", ...
+                   gsmbp_hand ("motor_pendulum", "precision", "quad").module);
   for [f, name] = bodies
     against_octave (f, name);
     small_pivots (f, name);
@@ -23,9 +25,13 @@ function against_octave (f, name)
     b = rand (n, 3);
     x = solve (f, 1, P, b);
     ## backward error, a modest multiple of n*eps
-    gsmbp_check (sprintf ("%s GSSPD order %d, backward error", name, n), norm (P * x - b, Inf) / (norm (P, Inf) * norm (x, Inf)), 1e-15 * sqrt (n) + 1e-15);
+    gsmbp_check (sprintf ("%s GSSPD order %d, backward error", name, n), ...
+                 norm (P * x - b, Inf) / (norm (P, Inf) * norm (x, Inf)), ...
+                 1e-15 * sqrt (n) + 1e-15);
     x = solve (f, 2, A, b);
-    gsmbp_check (sprintf ("%s GSLEQ order %d, backward error", name, n), norm (A * x - b, Inf) / (norm (A, Inf) * norm (x, Inf)), 1e-15 * sqrt (n) + 1e-15);
+    gsmbp_check (sprintf ("%s GSLEQ order %d, backward error", name, n), ...
+                 norm (A * x - b, Inf) / (norm (A, Inf) * norm (x, Inf)), ...
+                 1e-15 * sqrt (n) + 1e-15);
   end
 end
 
@@ -43,7 +49,8 @@ function small_pivots (f, name)
   M = S' * diag (10 .^ (-6 * mod (0:9, 2))) * S;
   b = M * ones (10, 1);
   x = solve (f, 1, M, b);
-  gsmbp_check ([name, " GSSPD, masses 1 and 1e-6, backward error"], norm (M * x - b) / norm (b), 1e-15);
+  gsmbp_check ([name, " GSSPD, masses 1 and 1e-6, backward error"], norm (M * x - b) / norm (b), ...
+               1e-15);
 end
 
 function singular (f, name)
@@ -71,10 +78,12 @@ function constraints (f, name)
     g = rand (m, 1);
     [ud, lam, info] = kkt (f, A, H, F, g);
     residual = [A * ud - H' * lam - F; H * ud - g] / norm ([ud; lam]);
-    gsmbp_check (sprintf ("%s GSKKT %d coordinates, %d constraints", name, n, m), [residual; info], 1e-13);
+    gsmbp_check (sprintf ("%s GSKKT %d coordinates, %d constraints", name, n, m), ...
+                 [residual; info], 1e-13);
   end
 
-  ## redundant rows (one twice, one scaled by 2^-20, a sum): the same accelerations, least-norm multipliers
+  ## redundant rows (one twice, one scaled by 2^-20, a sum): the same accelerations, least-norm
+  ## multipliers
   n = 6;
   A = A(1:n,1:n);
   H = round (1024 * H(1:3,1:n)) / 1024;   # few bits: the sums below are exact
@@ -86,11 +95,13 @@ function constraints (f, name)
   gsmbp_check ([name, " GSKKT redundant rows are reported"], info == 2);
   gsmbp_check ([name, " GSKKT redundant rows, accelerations"], found - ud, 1e-12);
   gsmbp_check ([name, " GSKKT redundant rows, balance"], A * found - (mix * H)' * lam - F, 1e-12);
-  gsmbp_check ([name, " GSKKT redundant rows, multipliers of least norm"], lam - pinv ((mix * H)') * (A * found - F), 1e-12);
+  gsmbp_check ([name, " GSKKT redundant rows, multipliers of least norm"], ...
+               lam - pinv ((mix * H)') * (A * found - F), 1e-12);
 
   ## rows of different size (metres and radians) are no redundancy
   [found, lam, info] = kkt (f, A, diag ([1e-6, 1, 1e6]) * H, F, diag ([1e-6, 1, 1e6]) * g);
-  gsmbp_check ([name, " GSKKT rows of sizes 1e-6 to 1e6, accelerations"], [found - ud; info], 1e-11);
+  gsmbp_check ([name, " GSKKT rows of sizes 1e-6 to 1e6, accelerations"], [found - ud; info], ...
+               1e-11);
 
   ## nearly dependent rows are solved to their condition: no squaring of it
   e = 1e-7;
@@ -102,7 +113,8 @@ function constraints (f, name)
   [~, ~, info] = kkt (f, -A, H, F, g);
   gsmbp_check ([name, " GSKKT reports a mass matrix that is not positive"], info == 1);
   [found, lam, info] = kkt (f, A, zeros (2, n), F, [0; 0]);
-  gsmbp_check ([name, " GSKKT vanishing rows: the free motion"], [A * found - F; lam; info - 2], 1e-13);
+  gsmbp_check ([name, " GSKKT vanishing rows: the free motion"], [A * found - F; lam; info - 2], ...
+               1e-13);
   [found, lam, info] = kkt (f, A(1:2,1:2), [1, 0; 0, 1; 1, 1], F(1:2), [1; 2; 3]);
   gsmbp_check ([name, " GSKKT more rows than coordinates"], [found - [1; 2]; info - 2], 1e-14);
 end

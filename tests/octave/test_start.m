@@ -1,9 +1,11 @@
-## The start of a calculation: a state off its constraints is an error that names the rows, in each way of the loops alike, or is moved onto them where
-## that is asked for; below 1e-6 it is moved by as much as the statistics say, to one state for all ways. Rows on positions and on speeds, driven rows,
-## lengths of Euler parameters; lengths in millimetres as in metres.
+## The start of a calculation: a state off its constraints is an error that names the rows, in each
+## way of the loops alike, or is moved onto them where that is asked for; below 1e-6 it is moved by
+## as much as the statistics say, to one state for all ways. Rows on positions and on speeds, driven
+## rows, lengths of Euler parameters; lengths in millimetres as in metres.
 
 function test_start ()
-  for name = {"four_bar", "driven_fourbar", "rolling_disc", "free_crank", "speeds_body", "close_spherical"}
+  for name = {"four_bar", "driven_fourbar", "rolling_disc", "free_crank", "speeds_body", ...
+              "close_spherical"}
     m = model (name{1});
     each_way (m);
   end
@@ -42,7 +44,9 @@ function each_way (m)
   t = [0.3, 0.31];
   good = closed (m);
   r = gsmbp_simulate (m, good, t);
-  gsmbp_check ([m.name ": a closed start is left as it is"], norm (r.x(1,:)' - good, Inf) <= 1e-14 && r.stats.start.moved <= 1e-14 && r.stats.start.residual <= 1e-13);
+  gsmbp_check ([m.name ": a closed start is left as it is"], ...
+               norm (r.x(1,:)' - good, Inf) <= 1e-14 && r.stats.start.moved <= 1e-14 ...
+                 && r.stats.start.residual <= 1e-13);
   d = m.sizes;
   for k = 1:d.nq + d.nu
     bad = good;
@@ -53,7 +57,8 @@ function each_way (m)
     for w = ways (m)
       found = gsmbp_complaint (@() gsmbp_simulate (m, bad, t, "loops", w{1}));
       there = cellfun (@(n) ! isempty (strfind (found, [n " = "])), names);
-      named = isempty (found) == isempty (names) && sum (there) == min (numel (names), 6);   # six are shown
+      ## six are shown
+      named = isempty (found) == isempty (names) && sum (there) == min (numel (names), 6);
       moved = gsmbp_simulate (m, bad, t, "loops", w{1}, "start", "project");
       [~, left] = rows_off (m, 0.3, moved.x(1,:)');
       small = gsmbp_simulate (m, slight, t, "loops", w{1});
@@ -62,14 +67,18 @@ function each_way (m)
       end
       same = norm (first - [moved.x(1,:), small.x(1,:)], Inf);
       told = small.stats.start.moved - max (abs (small.x(1,:)' - slight) ./ m.nominal);
-      passed = named && left <= 1e-10 && same <= 1e-12 && abs (told) <= 1e-14 && small.stats.start.moved <= 1e-7 && norm (moved.x(1,:)' - bad, Inf) < 1;
+      passed = named && left <= 1e-10 && same <= 1e-12 && abs (told) <= 1e-14 ...
+          && small.stats.start.moved <= 1e-7 && norm (moved.x(1,:)' - bad, Inf) < 1;
       if (! passed)
-        printf ("%s %s %d: named %d left %g same %g told %g; %s | expected %s\n", m.name, w{1}, k, named, left, same, told, found, strjoin (names, ", "));
+        printf ("%s %s %d: named %d left %g same %g told %g; %s | expected %s\n", m.name, w{1}, ...
+                k, named, left, same, told, found, strjoin (names, ", "));
       end
       ok(k, find (strcmp (w{1}, ways (m)))) = passed;
     end
   end
-  gsmbp_check (sprintf ("%s: %d states off, %d ways: an error that names the rows, one state where it is moved, and by how much", m.name, rows (ok), columns (ok)), ok);
+  gsmbp_check (sprintf (["%s: %d states off, %d ways: an error that names the rows, one state " ...
+                         "where " ...
+                         "it is moved, and by how much"], m.name, rows (ok), columns (ok)), ok);
 end
 
 ## the rows that are off, by their names, formed here by CON and the lengths
@@ -119,22 +128,26 @@ function scaled ()
     m = gsmbp_set (m, given{:});
     x = gsmbp_assemble (m, m.initial, "tolerance", 1e-10 * size_);
     x(2) += 1e-5;
-    gsmbp_check (sprintf ("%g times as large: 1e-5 rad off is an error", size_), ! isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
+    gsmbp_check (sprintf ("%g times as large: 1e-5 rad off is an error", size_), ...
+                 ! isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
     x(2) -= 1e-5 - 1e-8;
-    gsmbp_check (sprintf ("%g times as large: 1e-8 rad off is none", size_), isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
+    gsmbp_check (sprintf ("%g times as large: 1e-8 rad off is none", size_), ...
+                 isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 0.01]))));
   end
   x = closed (m);
   m.nominal(4:6) = 1e4;   # speeds of ten thousand are usual: one of 1e-3 off is nothing
   x = gsmbp_assemble (m, x);
   x(5) += 1e-3;
-  gsmbp_check ("speeds count beside m.nominal", isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 1e-4]))));
+  gsmbp_check ("speeds count beside m.nominal", ...
+               isempty (gsmbp_complaint (@() gsmbp_simulate (m, x, [0, 1e-4]))));
 end
 
 ## at a dead centre a small residual may hide a large move
 function singular ()
   c = gsmbp_hand ("hand_crank", "parameters", struct ("l1", 0.2, "l2", 0.5));
   x = [0; 0; 0.7; 0; 0; 0];
-  gsmbp_check ("a start in a dead centre is taken", isempty (gsmbp_complaint (@() gsmbp_simulate (c, x, [0, 0.01]))));
+  gsmbp_check ("a start in a dead centre is taken", ...
+               isempty (gsmbp_complaint (@() gsmbp_simulate (c, x, [0, 0.01]))));
 end
 
 ## the same rule where else a state comes in
@@ -144,13 +157,19 @@ function others ()
   bad = x;
   bad(2) += 0.1;
   gsmbp_linear (m, 0.3, x);
-  says (@() gsmbp_linear (m, 0.3, bad), "gsmbp_linear: driven_fourbar: expected a state on the constraints at t = 0.3 s, found ");
-  says (@() gsmbp_linear (m, 0, x), "expected a state on the constraints at t = 0 s");   # the drive has moved since
+  says (@() gsmbp_linear (m, 0.3, bad), ...
+        ["gsmbp_linear: driven_fourbar: expected a state on the constraints at t = " ...
+         "0.3 s, found "]);
+  ## the drive has moved since
+  says (@() gsmbp_linear (m, 0, x), "expected a state on the constraints at t = 0 s");
   a = gsmbp_linear (m, 0.3, bad, [], "start", "project", "reduced", "none");
   b = gsmbp_linear (m, 0.3, m.prj (0.3, bad), [], "reduced", "none");
   gsmbp_check ("gsmbp_linear about the state moved", a.a - b.a, 0);
-  says (@() gsmbp_simulate (m, bad, [0.3, 1], "start", "guess"), "option start: expected one of \"check\", \"project\", found \"guess\"");
-  says (@() gsmbp_simulate (m, bad(1:2), [0.3, 1]), "gsmbp_simulate: argument x0: expected 6 numbers (the states of driven_fourbar), found 2x1");
+  says (@() gsmbp_simulate (m, bad, [0.3, 1], "start", "guess"), ...
+        "option start: expected one of \"check\", \"project\", found \"guess\"");
+  says (@() gsmbp_simulate (m, bad(1:2), [0.3, 1]), ...
+        ["gsmbp_simulate: argument x0: expected 6 numbers (the states of " ...
+         "driven_fourbar), found 2x1"]);
   s = gsmbp_fixture ("rolling_disc");
   x = s.initial;
   x(s.orientation(1,:)) = 0;
@@ -161,8 +180,11 @@ end
 function held_parameter ()
   m = gsmbp_fixture ("rolling_disc");
   for k = m.orientation(1,:)
-    says (@() gsmbp_assemble (m, m.initial, "hold", m.coordinates{k}), sprintf ("option hold: %s is one of the Euler parameters (e0, e1, e2, e3) of one orientation: hold all four, or none", m.coordinates{k}));
+    says (@() gsmbp_assemble (m, m.initial, "hold", m.coordinates{k}), ...
+          sprintf (["option hold: %s is one of the Euler parameters (e0, e1, e2, e3) of one " ...
+                    "orientation: hold all four, or none"], m.coordinates{k}));
   end
   x = gsmbp_assemble (m, m.initial, "hold", m.coordinates(m.orientation(1,:)));
-  gsmbp_check ("all four may be held", x(m.orientation(1,:)) - m.initial(m.orientation(1,:)), 1e-15);
+  gsmbp_check ("all four may be held", x(m.orientation(1,:)) - m.initial(m.orientation(1,:)), ...
+               1e-15);
 end

@@ -27,7 +27,8 @@ function settled (m, at, phi)
   rates = m.rhs (0, m.initial, zeros (m.sizes.nv, 1));
   gsmbp_check ("their rates vanish, 1/s", rates(own) ./ m.nominal(own), 1e-9);
   x = gsmbp_assemble (m, m.initial(1:m.sizes.nq) + 0.05);
-  gsmbp_check ("gsmbp_assemble settles them, rad", x(strcmp (m.states, "observer.xe")) - phi - 0.05, 1e-12);
+  gsmbp_check ("gsmbp_assemble settles them, rad", ...
+               x(strcmp (m.states, "observer.xe")) - phi - 0.05, 1e-12);
 end
 
 function impossible (m)
@@ -36,10 +37,16 @@ function impossible (m)
   text = 'device ram|hydraulic_cylinder ram';
   for call = {@(m, x) gsmbp_simulate(m, x, [0, 1e-3]), @(m, x) gsmbp_linear(m, 0, x)}
     said = gsmbp_complaint (@() call{1}(m, bad));
-    gsmbp_check (["refused: " said], ! isempty (regexp (said, [text '.*below the supply''s; found ram.p1 = 3e\+07, ram_ps = ', '.*"project"'])));
+    gsmbp_check (["refused: " said], ...
+                 ! isempty (regexp (said, ...
+                                    [text ...
+                                     '.*below the supply''s; found ram.p1 = 3e\+07, ', ...
+                                     'ram_ps = ', ...
+                                     '.*"project"'])));
     low = gsmbp_set (m, "ram_ps", 4.5e6);
     said = gsmbp_complaint (@() call{1}(low, low.initial));
-    gsmbp_check (["refused after gsmbp_set: " said], ! isempty (strfind (said, "found ram.p1 = 5e+06, ram_ps = 4.5e+06")));
+    gsmbp_check (["refused after gsmbp_set: " said], ...
+                 ! isempty (strfind (said, "found ram.p1 = 5e+06, ram_ps = 4.5e+06")));
   end
   r = gsmbp_simulate (m, bad, [0, 1e-3], "start", "project", "method", "cvode", "rtol", 1e-6);
   gsmbp_check ("\"project\" takes it", isfinite (r.x(:)));

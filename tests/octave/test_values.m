@@ -1,4 +1,5 @@
-## What a scene refuses gsmbp_set refuses, with the element in the message; a signal has one name with a dot or an underscore.
+## What a scene refuses gsmbp_set refuses, with the element in the message; a signal has one name
+## with a dot or an underscore.
 
 function test_values ()
   m = gsmbp_fixture ("value_rules");
@@ -20,17 +21,22 @@ function test_values ()
     found = told (@() gsmbp_set (m, bad{i,1}{:}));
     gsmbp_check (sprintf ("values: %s", bad{i,2}), strfind (found, [m.name ": " bad{i,2}]) == 12);
   endfor
-  found = told (@() gsmbp_build (m.name, "directory", m.directory, "parameters", struct ("mc", -1)));
-  gsmbp_check ("values: gsmbp_build refuses them, too", ! isempty (strfind (found, "mass must not be negative")));
+  found = told (@() gsmbp_build (m.name, "directory", m.directory, "parameters", ...
+                                 struct ("mc", -1)));
+  gsmbp_check ("values: gsmbp_build refuses them, too", ...
+               ! isempty (strfind (found, "mass must not be negative")));
   good = gsmbp_set (m, "mc", 3, "j1", 0.8, "al", 0.3, "be", 0.3, "M_J", 0, "n", -2);
   gsmbp_check ("values: what the scene would take is taken", good.par.mc == 3 && good.par.n == -2);
   lastwarn ("", "");
   gsmbp_set (m, "k", -1);
   [text, id] = lastwarn ();
-  gsmbp_check ("values: a negative stiffness is a warning", strcmp (id, "gsmbp:negative") && ! isempty (strfind (text, "spring S: stiffness")));
+  gsmbp_check ("values: a negative stiffness is a warning", ...
+               strcmp (id, "gsmbp:negative") ...
+                 && ! isempty (strfind (text, "spring S: stiffness")));
   dots = told (@() gsmbp_trim (m, m.initial, 0, "hold", {"M.i"}, "free", {"no"}));
   lines = told (@() gsmbp_trim (m, m.initial, 0, "hold", {"M_i"}, "free", {"no"}));
-  gsmbp_check ("values: M_i is M.i", strcmp (dots, lines) && ! isempty (strfind (dots, "no is not an input")));
+  gsmbp_check ("values: M_i is M.i", ...
+               strcmp (dots, lines) && ! isempty (strfind (dots, "no is not an input")));
 endfunction
 
 function text = told (f)

@@ -1,6 +1,7 @@
 ;; doubles.lisp: a tape evaluated in double precision.
-;; gsmbp__doubles(entries, names, values, outputs): values of the outputs (expressions of tape symbols) where the symbols `names` have the `values`
-;; (exact numbers); entries as gsmbp__reach gives them, oldest first. A list of doubles.
+;; gsmbp__doubles(entries, names, values, outputs): values of the outputs (expressions of tape
+;; symbols) where the symbols `names` have the `values` (exact numbers); entries as gsmbp__reach
+;; gives them, oldest first. A list of doubles.
 (in-package :maxima)
 
 (defvar *doubles* (make-hash-table :test #'eq))
@@ -23,8 +24,10 @@
          (or (gethash e *doubles*)
              (case e ($%pi pi) (t (merror "gsmbp__doubles: no value: ~M" e)))))
         (t (case (caar e)
-             (mplus (let ((s (doubles-value (cadr e)))) (dolist (x (cddr e) s) (setq s (+ s (doubles-value x))))))
-             (mtimes (let ((s (doubles-value (cadr e)))) (dolist (x (cddr e) s) (setq s (* s (doubles-value x))))))
+             (mplus (let ((s (doubles-value (cadr e))))
+                      (dolist (x (cddr e) s) (setq s (+ s (doubles-value x))))))
+             (mtimes (let ((s (doubles-value (cadr e))))
+                       (dolist (x (cddr e) s) (setq s (* s (doubles-value x))))))
              (rat (float (/ (cadr e) (caddr e)) 1d0))
              (mexpt (doubles-power (doubles-value (cadr e)) (caddr e)))
              (%sin (sin (doubles-value (cadr e))))
@@ -41,15 +44,17 @@
   (clrhash *doubles*)
   (mapc #'(lambda (s v) (setf (gethash s *doubles*) (doubles-number v))) (cdr names) (cdr values))
   (dolist (e (cdr entries))
-    (unless (gethash (cadr e) *doubles*) (setf (gethash (cadr e) *doubles*) (doubles-value (caddr e)))))
+    (unless (gethash (cadr e) *doubles*)
+      (setf (gethash (cadr e) *doubles*) (doubles-value (caddr e)))))
   (cons '(mlist simp) (mapcar #'doubles-value (cdr outputs))))
 
 ;; a double without rounding: mantissa and exponent of two
 (defun $gsmbp__print_double (stream x)
   (multiple-value-bind (m e s) (integer-decode-float x) (format stream "~d ~d~%" (* s m) e)))
 
-;; gsmbp__solved_doubles(n, m, numbers, at): accelerations and multipliers of [M, -H'; H, 0] x = [-bias; gamma]; the numbers begin with M by rows and bias,
-;; H by rows and gamma begin at number `at`. false if a pivot is small.
+;; gsmbp__solved_doubles(n, m, numbers, at): accelerations and multipliers of [M, -H'; H, 0] x =
+;; [-bias; gamma]; the numbers begin with M by rows and bias, H by rows and gamma begin at number
+;; `at`. false if a pivot is small.
 (defun doubles-system (n m l at)
   (let* ((k (+ n m)) (v (coerce l 'vector)) (a (make-array (list k (1+ k)) :initial-element 0d0)))
     (dotimes (i n) (dotimes (j n) (setf (aref a i j) (aref v (+ (* i n) j)))))
@@ -68,10 +73,13 @@
         (do ((i c (1+ i))) ((= i k)) (when (> (abs (aref a i c)) (abs (aref a p c))) (setq p i)))
         (when (< (abs (aref a p c)) 1d-9) (return-from doubles-solve nil))
         (do ((j c (1+ j))) ((> j k)) (rotatef (aref a p j) (aref a c j)))
-        (do ((i (1+ c) (1+ i))) ((= i k))
+        (do ((i (1+ c) (1+ i)))
+            ((= i k))
           (let ((f (/ (aref a i c) (aref a c c))))
-            (unless (= f 0d0) (do ((j c (1+ j))) ((> j k)) (decf (aref a i j) (* f (aref a c j)))))))))
-    (do ((i (1- k) (1- i))) ((< i 0) (coerce x 'list))
+            (unless (= f 0d0)
+              (do ((j c (1+ j))) ((> j k)) (decf (aref a i j) (* f (aref a c j)))))))))
+    (do ((i (1- k) (1- i)))
+        ((< i 0) (coerce x 'list))
       (let ((s (aref a i k)))
         (do ((j (1+ i) (1+ j))) ((= j k)) (decf s (* (aref a i j) (aref x j))))
         (setf (aref x i) (/ s (aref a i i)))))))
@@ -80,4 +88,5 @@
   (let ((x (doubles-solve (doubles-system n m (cdr l) at) (+ n m))))
     (and x (cons '(mlist simp) x))))
 
-(mapc #'compile '(doubles-number doubles-power doubles-value doubles-system doubles-solve $gsmbp__doubles))
+(mapc #'compile
+      '(doubles-number doubles-power doubles-value doubles-system doubles-solve $gsmbp__doubles))

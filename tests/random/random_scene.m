@@ -1,23 +1,29 @@
-## m = random_scene (SEED, KIND, MOST): a mechanism made by chance, as data of the independent formulation (ne_*, world axes) and as the text of a scene.
+## m = random_scene (SEED, KIND, MOST): a mechanism made by chance, as data of the independent
+## formulation (ne_*, world axes) and as the text of a scene.
 ##
-## KIND: "tree": one to MOST links (default 6), branches, joints of all types; "loop": besides one to three loops, closed by construction near a
-## position drawn by chance;
-## "parallel": a ring whose axes are parallel (planar, or with screws along the axes), closed where all coordinates are zero; "spherical": a ring of
-## revolutes whose axes meet in one point; both are overconstrained.
+## KIND: "tree": one to MOST links (default 6), branches, joints of all types; "loop": besides one
+## to three loops, closed by construction near a position drawn by chance; "parallel": a ring whose
+## axes are parallel (planar, or with screws along the axes), closed where all coordinates are zero;
+## "spherical": a ring of revolutes whose axes meet in one point; both are overconstrained.
 ##
-## Link and joint frames are turned by chance with quaternions of integers, so that every placement of the language is used with exact numbers; nothing of the
-## scene's frames enters m. Fields beside those of ne_read: m.user {functions}, m.given, m.spring; m.name; m.q, m.u names of the coordinates and speeds
-## of the tree joints; m.start a position that is closed; m.auto true if the scene leaves to GSMBP what to cut (m.loop_q, m.loop_u name the loop
-## joints' coordinates then); m.text the scene. m.speeds (q, u): [A, A' u] of the scene's own speeds A u, m.u_own their names.
+## Link and joint frames are turned by chance with quaternions of integers, so that every placement
+## of the language is used with exact numbers; nothing of the scene's frames enters m. Fields beside
+## those of ne_read: m.user {functions}, m.given, m.spring; m.name; m.q, m.u names of the
+## coordinates and speeds of the tree joints; m.start a position that is closed; m.auto true if the
+## scene leaves to GSMBP what to cut (m.loop_q, m.loop_u name the loop joints' coordinates then);
+## m.text the scene. m.speeds (q, u): [A, A' u] of the scene's own speeds A u, m.u_own their names.
 
 function m = random_scene (seed, kind, most)
   if (nargin < 3)
     most = 6;
   end
-  types = {"revolute", "prismatic", "helical", "cylindrical", "universal", "spherical", "planar", "free", "fixed"};
+  types = {"revolute", "prismatic", "helical", "cylindrical", "universal", "spherical", ...
+           "planar", "free", "fixed"};
   rand ("twister", 1000 * seed + sum (kind));
-  m = struct ("name", sprintf ("%s_%d", kind, seed), "kind", kind, "gravity", decimals (3, 10), "body", [], "joint", [], "loop", [], "user", {{}}, ...
-              "given", [], "spring", [], "auto", false, "redundant", false, "elements", {{}}, "turns", [], "origins", [], "loop_q", {{}}, ...
+  m = struct ("name", sprintf ("%s_%d", kind, seed), "kind", kind, "gravity", decimals (3, ...
+      10), "body", [], "joint", [], "loop", [], "user", {{}}, ...
+              "given", [], "spring", [], "auto", false, "redundant", false, "elements", {{}}, ...
+                  "turns", [], "origins", [], "loop_q", {{}}, ...
               "loop_u", {{}}, "cut_link", zeros (1, 0), "speeds", []);
   switch (kind)
     case "tree"
@@ -54,7 +60,7 @@ function m = random_scene (seed, kind, most)
   m = random_text (m);
 end
 
-## ------------------------------------------------------------------------------------------------------------ numbers
+## ----------------------------------------------------------------------------------------- numbers
 
 function x = decimals (n, size)
   x = round (100 * size * (2 * rand (n, 1) - 1)) / 100;
@@ -77,16 +83,19 @@ function w = quaternion ()
   end
 end
 
-## ------------------------------------------------------------------------------------------------- bodies and the tree
+## ----------------------------------------------------------------------------- bodies and the tree
 
 function m = bodies (m, n)
   m.turns = [1, 0, 0, 0];                 # the ground's frame is the world's
   m.origins = zeros (1, 3);
   for b = 1:n
     shape = reshape (decimals (9, 1), 3, 3);
-    shape = round (100 * (shape * shape' + eye (3) / 10)) / 100;   # integral of r r' dm, positive definite
-    m.body = [m.body, struct("name", sprintf ("b%d", b), "mass", round (50 + 200 * rand) / 100, "com", decimals (3, 1), ...
-                             "inertia", trace (shape) * eye (3) - shape, "parameter", chance (0.2))];
+    ## integral of r r' dm, positive definite
+    shape = round (100 * (shape * shape' + eye (3) / 10)) / 100;
+    m.body = [m.body, struct("name", sprintf ("b%d", b), "mass", round (50 + 200 ...
+          * rand) / 100, "com", decimals (3, 1), ...
+                             "inertia", trace (shape) * eye (3) ...
+                                 - shape, "parameter", chance (0.2))];
     m.turns(b + 1, :) = quaternion ();
     m.origins(b + 1, :) = decimals (3, 1);
   end
@@ -107,7 +116,9 @@ function m = tree (m, types, branch)
       type = pick (setdiff (types, "fixed"));
     end
     ends = {[parent, b], [b, parent]}{1 + chance (0.25)};     # drawn from ground on, or towards it
-    m.joint = [m.joint, with_frames(joint_of_type (sprintf ("j%d", b), type, ends(1), ends(2)), decimals (3, 1), quaternion ())];
+    m.joint = [m.joint, ...
+               with_frames(joint_of_type (sprintf ("j%d", b), type, ends(1), ends(2)), ...
+                           decimals (3, 1), quaternion ())];
   end
 end
 
@@ -120,7 +131,8 @@ end
 ## a joint with axes, pitch and orientation drawn by chance
 function joint = joint_of_type (name, type, parent, child)
   units = {[1, 0, 0], [0, 1, 0], [0, 0, 1]};
-  more = {-[1, 0, 0], -[0, 1, 0], -[0, 0, 1], [1, 2, 2], [2, -3, 6], [3, 0, -4], [1, 0, 1], randi([1, 2], 1, 3)};
+  more = {-[1, 0, 0], -[0, 1, 0], -[0, 0, 1], [1, 2, 2], [2, -3, 6], [3, 0, -4], [1, 0, 1], ...
+          randi([1, 2], 1, 3)};
   axis = pick ([units, units, more]);
   if (strcmp (type, "planar"))
     axis = pick (units);
@@ -137,7 +149,8 @@ function joint = joint_of_type (name, type, parent, child)
     second = pick ([units, more]);
   end
   sequence = eye (3)(:, orientation);
-  joint = ne_joint (name, type, parent, child, "axis", axis', "second", second', "pitch", (2 * chance (0.5) - 1) * round (5 + 25 * rand) / 100, ...
+  joint = ne_joint (name, type, parent, child, "axis", axis', "second", second', "pitch", (2 ...
+          * chance (0.5) - 1) * round (5 + 25 * rand) / 100, ...
                     "orientation", sequence, "radius", round (30 + 70 * rand) / 100);
   joint.whole_axis = axis;
   joint.whole_second = second;
@@ -164,7 +177,8 @@ function m = closed_ring (m, most)
     new = add_loop (new, closing);
     H = ne_jacobian (ne_rows (new, new.start));
     s = svd (H);
-    if (sum (s > 1e-9) < columns (H) && s(2) > 0.2 && ! any (s > 1e-9 & s < 0.2))   # it moves, and not at a dead centre
+    ## it moves, and not at a dead centre
+    if (sum (s > 1e-9) < columns (H) && s(2) > 0.2 && ! any (s > 1e-9 & s < 0.2))
       break;
     end
   end
@@ -175,7 +189,8 @@ end
 function m = ring (m)
   wide = chance (0.5);                    # all screws along the direction; else motion in a plane
   along = quaternion ();
-  kinds = {{"revolute", "prismatic", "planar"}, {"revolute", "helical", "cylindrical", "prismatic"}}{1 + wide};
+  kinds = {{"revolute", "prismatic", "planar"}, ...
+           {"revolute", "helical", "cylindrical", "prismatic"}}{1 + wide};
   for b = 1:numel (m.body) + 1
     [parent, child] = deal (b - 1, b * (b <= numel (m.body)));
     type = pick (kinds);
@@ -198,7 +213,9 @@ function m = meeting (m)
   centre = decimals (3, 1);
   for b = 1:numel (m.body) + 1
     joint = joint_of_type (sprintf ("j%d", b), "revolute", b - 1, b * (b <= numel (m.body)));
-    m.joint = [m.joint, with_frames(joint, centre + joint.whole_axis' * round (10 + 30 * rand) / 100, [1, 0, 0, 0])];
+    m.joint = [m.joint, ...
+               with_frames(joint, centre + joint.whole_axis' * round (10 + 30 * rand) / 100, ...
+                           [1, 0, 0, 0])];
   end
 end
 
@@ -206,7 +223,7 @@ function r = product (p, q)
   r = [p(1) * q(1) - p(2:4) * q(2:4)', p(1) * q(2:4) + q(1) * p(2:4) + cross(p(2:4), q(2:4))];
 end
 
-## -------------------------------------------------------------------------------------------------------------- names
+## ------------------------------------------------------------------------------------------- names
 
 ## default names for some joints, names of the scene's own for the others
 function m = names (m)
@@ -244,7 +261,7 @@ function [q, u] = joint_names (joint, named)
   end
 end
 
-## ---------------------------------------------------------------------------------------------------------- positions
+## --------------------------------------------------------------------------------------- positions
 
 function q = rest (m)
   q = zeros (0, 1);
@@ -263,7 +280,7 @@ function q = somewhere (m)
   q = ne_advance (m, rest (m), 2 * rand (sum (nthargout (2, @ne_sizes, m)), 1) - 1);
 end
 
-## -------------------------------------------------------------------------------------------------------------- loops
+## ------------------------------------------------------------------------------------------- loops
 
 ## up to `wanted` loops that close near m.start and leave the mechanism mobile
 function m = loops (m, types, wanted)
@@ -276,7 +293,9 @@ function m = loops (m, types, wanted)
     if (strcmp (type, "rolling"))
       bodies = sort (bodies);             # ground is no disc
     end
-    [joint, whole] = closed (m, joint_of_type (sprintf ("c%d", numel (m.loop) + 1), type, bodies(1), bodies(2)));
+    [joint, whole] = closed (m, ...
+                             joint_of_type (sprintf ("c%d", numel (m.loop) + 1), type, ...
+                               bodies(1), bodies(2)));
     if (mobile (add_loop (m, whole), m.start))
       new = add_loop (m, joint);
       [new.start, left] = ne_assemble (new, m.start, 0, 15);
@@ -287,7 +306,8 @@ function m = loops (m, types, wanted)
   end
 end
 
-## the joint's place in its child such that it stands at coordinates drawn by chance while the tree stands at m.start: with rounded numbers, and as it is
+## the joint's place in its child such that it stands at coordinates drawn by chance while the tree
+## stands at m.start: with rounded numbers, and as it is
 function [joint, whole] = closed (m, joint)
   if (strcmp (joint.type, "rolling"))
     [joint, whole] = touching (m, joint);
@@ -305,7 +325,9 @@ function [joint, whole] = closed (m, joint)
   whole.point_b = RB' * (x - xB);
   whole.frame_b = RB' * RA * joint.frame_a * R;
   joint.point_b = round (100 * whole.point_b) / 100;
-  joint.quaternion_b = round (8 * ne_measure (ne_joint ("", "spherical", 0, 1), zeros (3, 1), whole.frame_b)');
+  joint.quaternion_b = round (8 ...
+                                * ne_measure (ne_joint ("", "spherical", 0, 1), zeros (3, 1), ...
+                                  whole.frame_b)');
   joint.frame_b = ne_turn (joint.quaternion_b);
 end
 
@@ -355,8 +377,11 @@ function yes = parallel (m, joint)
     for b = way (m, side{1}{1})
       own = m.joint(b);
       [R, ~] = pose (k, own.parent);
-      yes &= any (strcmp (own.type, {"prismatic", "fixed"})) || (any (strcmp (own.type, {"revolute", "helical", "cylindrical", "planar"})) ...
-                                                                && norm (cross (axis, R * own.frame_a * own.axis)) < 1e-9);
+      yes &= any (strcmp (own.type, {"prismatic", "fixed"})) ...
+          || (any (strcmp (own.type, {"revolute", "helical", "cylindrical", "planar"})) ...
+                                                                && norm (cross (axis, ...
+                                                                      R * own.frame_a ...
+                                                                        * own.axis)) < 1e-9);
     end
   end
 end
@@ -370,7 +395,8 @@ function list = way (m, b)
   end
 end
 
-## true if the rows are independent at the position q, and something can move still; a disc that lies flat has no rows
+## true if the rows are independent at the position q, and something can move still; a disc that
+## lies flat has no rows
 function yes = mobile (m, q)
   H = ne_jacobian (ne_rows (m, q));
   if (! all (isfinite (H(:))))
@@ -381,7 +407,7 @@ function yes = mobile (m, q)
   yes = rows (H) < columns (H) && s(end) > 1e-2 * max (s(1), 1);
 end
 
-## ------------------------------------------------------------------------------------------- forces, springs, constraints
+## -------------------------------------------------------------------- forces, springs, constraints
 
 function m = efforts (m)
   for b = 1:numel (m.joint)
@@ -396,20 +422,28 @@ function m = efforts (m)
       if (chance (0.1))
         more = round (100 * rand) / 100;
         m.joint(b).damping(k) += more;
-        m.elements{end + 1} = sprintf ("damper(d%d, joint = %s%s, damping = %s)", numel (m.elements), joint.name, of_coordinate (joint, k), ...
+        m.elements{end + 1} = ...
+            sprintf ("damper(d%d, joint = %s%s, damping = %s)", numel (m.elements), joint.name, ...
+                     of_coordinate (joint, ...
+            k), ...
                                        hundredths (more));
       end
       if (chance (0.15))
         m.joint(b).stiffness(k) = round (500 * rand) / 100;
         m.joint(b).rest(k) = decimals (1, 1);
-        m.elements{end + 1} = sprintf ("spring(s%d, joint = %s%s, stiffness = %s, rest = %s)", numel (m.elements), joint.name, of_coordinate (joint, k), ...
-                                       hundredths (m.joint(b).stiffness(k)), hundredths (m.joint(b).rest(k)));
+        m.elements{end + 1} = ...
+            sprintf ("spring(s%d, joint = %s%s, stiffness = %s, rest = %s)", numel (m.elements), ...
+                     joint.name, of_coordinate (joint, ...
+            k), ...
+                                       hundredths (m.joint(b).stiffness(k)), ...
+                                           hundredths (m.joint(b).rest(k)));
       end
     end
   end
   if (chance (0.2))
     body = randi (numel (m.body));
-    f = struct ("body", body, "point", decimals (3, 1), "force", decimals (3, 5), "torque", zeros (3, 1), "frame", pick ({"ground", "link"}));
+    f = struct ("body", body, "point", decimals (3, 1), "force", decimals (3, 5), "torque", ...
+                zeros (3, 1), "frame", pick ({"ground", "link"}));
     if (chance (0.4))
       [f.force, f.torque] = deal (zeros (3, 1), f.force);
     end
@@ -422,8 +456,10 @@ function m = efforts (m)
   end
   if (chance (0.15))
     b = randperm (numel (m.body) + 1)(1:2) - 1;
-    m.spring = struct ("a", b(1), "point_a", decimals (3, 1), "b", b(2), "point_b", decimals (3, 1) + [3; 0; 0], "stiffness", round (500 * rand) / 100, ...
-                       "rest", round (100 * rand) / 100, "damping", round (100 * rand) / 100 * chance (0.5));
+    m.spring = struct ("a", b(1), "point_a", decimals (3, 1), "b", b(2), "point_b", decimals (3, ...
+          1) + [3; 0; 0], "stiffness", round (500 * rand) / 100, ...
+                       "rest", round (100 * rand) / 100, "damping", round (100 * rand) / 100 ...
+                           * chance (0.5));
   end
 end
 
@@ -448,7 +484,8 @@ function m = laws (m)
     c = round (100 * (m.start(kq) - a * sin (w * m.start_time))) / 100;
     law = sprintf ("%s + %s*sin(%s*t)", hundredths (c), hundredths (a), hundredths (w));
     before = numel (m.user);
-    m = with_user (m, @(t, q, u) driven (c, a, w, kq, ku, t, q, u), sprintf ("motion(law%d, coordinate = %s, law = %s)", i, m.q{kq}, law));
+    m = with_user (m, @(t, q, u) driven (c, a, w, kq, ku, t, q, u), ...
+                   sprintf ("motion(law%d, coordinate = %s, law = %s)", i, m.q{kq}, law));
     if (numel (m.user) > before && chance (0.5))   # as an option of the joint
       m.elements(end) = [];
       m = with_motion (m, kq, law);
@@ -463,16 +500,20 @@ function m = laws (m)
     c = round (100 * (a(1) * q(1) + a(2) * q(2) + a(3) * q(1) * q(2))) / 100;
     x = m.q(kq);
     m = with_user (m, @(t, q, u) holonomic (a, c, kq, ku, q, u), ...
-                   sprintf ("constraint(hol, %s*%s + %s*%s + %s*%s*%s - %s)", hundredths (a(1)), x{1}, hundredths (a(2)), x{2}, hundredths (a(3)), x{:}, ...
+                   sprintf ("constraint(hol, %s*%s + %s*%s + %s*%s*%s - %s)", hundredths (a(1)), ...
+                            x{1}, hundredths (a(2)), x{2}, hundredths (a(3)), x{:}, ...
                             hundredths (c)));
   end
   if (numel (ordinary) > 0 && numel (m.u) > 2 && chance (0.12))
     i = randi (numel (ordinary));
-    [kq, ku] = deal (ordinary(i), [of_speed(i), pick(num2cell (setdiff (1:numel (m.u), of_speed(i))))]);   # angular velocities too
+    ## angular velocities too
+    [kq, ku] = deal (ordinary(i), ...
+                     [of_speed(i), pick(num2cell (setdiff (1:numel (m.u), of_speed(i))))]);
     a = decimals (3, 1);
     a(1) += ! a(1);
     m = with_user (m, @(t, q, u) of_speeds (a, kq, ku, q, u), ...
-                   sprintf ("constraint(non, %s*%s + (%s + %s*%s)*%s)", hundredths (a(1)), m.u{ku(1)}, hundredths (a(2)), hundredths (a(3)), m.q{kq}, ...
+                   sprintf ("constraint(non, %s*%s + (%s + %s*%s)*%s)", hundredths (a(1)), ...
+                            m.u{ku(1)}, hundredths (a(2)), hundredths (a(3)), m.q{kq}, ...
                             m.u{ku(2)}));
   end
 end
@@ -486,7 +527,9 @@ function m = own_speeds (m)
   i = randperm (numel (kq))(1:2);
   [kq, ku, a] = deal (kq(i), ku(i), decimals (2, 0.5));
   m.speeds = @(q, u) mixed (a, kq, ku, q, u);
-  text = sprintf ("speeds = [mix1 = %s + %s*%s, mix2 = %s + %s*sin(%s)*%s]", m.u{ku(1)}, hundredths (a(1)), m.u{ku(2)}, m.u{ku(2)}, hundredths (a(2)), ...
+  text = ...
+      sprintf ("speeds = [mix1 = %s + %s*%s, mix2 = %s + %s*sin(%s)*%s]", m.u{ku(1)}, ...
+               hundredths (a(1)), m.u{ku(2)}, m.u{ku(2)}, hundredths (a(2)), ...
                   m.q{kq(1)}, m.u{ku(1)});
   [m.elements{end + 1}, m.u_own(ku)] = deal (text, {"mix1", "mix2"});
 end
@@ -539,7 +582,8 @@ function m = with_user (m, f, text)
   [q, left] = ne_assemble (new, m.start, m.start_time, 15);
   H = ne_jacobian (ne_rows (new, q, "still", m.start_time));
   s = svd (H);
-  if (left < 1e-12 && rank (H) == rank (ne_jacobian (ne_rows (m, q, "still", m.start_time))) + 1 && s(end) > 1e-3 * s(1) ...
+  if (left < 1e-12 && rank (H) == rank (ne_jacobian (ne_rows (m, q, "still", m.start_time))) + 1 ...
+      && s(end) > 1e-3 * s(1) ...
       && rows (H) < columns (H))
     m = new;
     m.start = q;

@@ -1,6 +1,7 @@
-## [states, reason] = random_states (M, COUNT): states of a mechanism of random_scene drawn by chance: structs t, q, u, ud; u obeys all constraints, ud is
-## free; loop_q, loop_u: of the loop joints' own freedoms.
-## REASON: empty, or why there is none (a loop that does not close away from its start, say).
+## [states, reason] = random_states (M, COUNT): states of a mechanism of random_scene drawn by
+## chance: structs t, q, u, ud; u obeys all constraints, ud is free; loop_q, loop_u: of the loop
+## joints' own freedoms. REASON: empty, or why there is none (a loop that does not close away from
+## its start, say).
 
 function [states, reason] = random_states (m, count)
   states = [];
@@ -15,7 +16,9 @@ function [states, reason] = random_states (m, count)
         q = ne_advance (m, m.start, 2 * (2 * rand (n, 1) - 1));
         left = 0;
       else
-        [q, left] = ne_assemble (m, ne_advance (m, m.start, reach / draw * (2 * rand (n, 1) - 1)), t);
+        [q, left] = ne_assemble (m, ...
+                                 ne_advance (m, m.start, reach / draw * (2 * rand (n, 1) - 1)), ...
+                                 t);
       end
       if (left < 1e-12)
         break;
@@ -31,7 +34,9 @@ function [states, reason] = random_states (m, count)
     if (rows (H))
       u -= pinv (H, 1e-9 * max (1, norm (H))) * (H * u - [zeros(rows (k.L), 1); k.rate_user]);
     end
-    states = [states, struct("t", t, "q", q, "u", u, "ud", 4 * rand(n, 1) - 2, "loop_q", [], "loop_u", [])];
+    states = [states, ...
+              struct("t", t, "q", q, "u", u, "ud", 4 * rand(n, 1) - 2, "loop_q", [], "loop_u", ...
+                     [])];
     [states(end).loop_q, states(end).loop_u] = ne_own (m, ne_rows (m, q, u, t));
   end
 end

@@ -1,4 +1,5 @@
-## m = random_text (M): the text of the scene of a mechanism of random_scene, in m.text. Masses are parameters here and there.
+## m = random_text (M): the text of the scene of a mechanism of random_scene, in m.text. Masses are
+## parameters here and there.
 
 function m = random_text (m)
   m.parameters = {};
@@ -11,7 +12,8 @@ function m = random_text (m)
     if (j <= numel (m.joint))
       elements{end + 1} = joint_text (m, m.joint(j), tree_options (m, m.joint(j)));
     else
-      elements{end + 1} = joint_text (m, m.loop(j - numel (m.joint)), {", cut = true", ""}{1 + m.auto});
+      elements{end + 1} = joint_text (m, m.loop(j - numel (m.joint)), ...
+                                      {", cut = true", ""}{1 + m.auto});
     end
   end
   elements = [elements, m.elements];
@@ -19,20 +21,26 @@ function m = random_text (m)
     elements{end + 1} = force_text (m, f);
   end
   for s = m.spring
-    elements{end + 1} = spring_text (m, s, "spring(sp, %s, stiffness = %s, rest = %s)", {hundredths(s.stiffness), hundredths(s.rest)});
+    elements{end + 1} = spring_text (m, s, "spring(sp, %s, stiffness = %s, rest = %s)", ...
+                                     {hundredths(s.stiffness), hundredths(s.rest)});
     if (s.damping)
-      elements{end + 1} = spring_text (m, s, "damper(dp, %s, damping = %s)", {hundredths(s.damping)});
+      elements{end + 1} = spring_text (m, s, "damper(dp, %s, damping = %s)", ...
+          {hundredths(s.damping)});
     end
   end
   if (! isempty (m.parameters))
     elements{end + 1} = sprintf ("parameters = [%s]", strjoin (m.parameters, ", "));
   end
-  m.text = sprintf ("%s\nscene : apply(gsmbp_scene, [\"%s\",\n  %s])$\n", helpers (), m.name, strjoin (elements, ",\n  "));
+  m.text = sprintf ("%s\nscene : apply(gsmbp_scene, [\"%s\",\n  %s])$\n", helpers (), m.name, ...
+                    strjoin (elements, ",\n  "));
 end
 
-## Maxima: rotation of a quaternion of integers, points and vectors of the world in the axes of a link
+## Maxima: rotation of a quaternion of integers, points and vectors of the world in the axes of a
+## link
 function text = helpers ()
-  text = ["turn(a, b, c, d) := matrix([a^2+b^2-c^2-d^2, 2*(b*c-a*d), 2*(b*d+a*c)], [2*(b*c+a*d), a^2-b^2+c^2-d^2, 2*(c*d-a*b)],\n" ...
+  text = ...
+      ["turn(a, b, c, d) := matrix([a^2+b^2-c^2-d^2, 2*(b*c-a*d), 2*(b*d+a*c)], [2*(b*c+a*d), " ...
+       "a^2-b^2+c^2-d^2, 2*(c*d-a*b)],\n" ...
           "  [2*(b*d-a*c), 2*(c*d+a*b), a^2-b^2-c^2+d^2]) / (a^2+b^2+c^2+d^2)$\n" ...
           "seen(R, x) := flatten(args(transpose(R) . transpose(matrix(x))))$\n"];
 end
@@ -75,20 +83,30 @@ function [text, m] = link_text (m, b)
   if (! isempty (m.cut_link) && m.cut_link == b)
     more = [", cut = " m.joint(b).name];
   end
-  text = sprintf ("link(%s, mass = %s, centre = %s, inertia = transpose(%s) . matrix(%s) . %s%s)", body.name, mass, point_text (m, b, body.com), ...
+  text = ...
+      sprintf ("link(%s, mass = %s, centre = %s, inertia = transpose(%s) . matrix(%s) . %s%s)", ...
+               body.name, mass, point_text (m, ...
+      b, body.com), ...
                   R, rows, R, more);
 end
 
 function text = joint_text (m, joint, options)
   if (strcmp (joint.type, "rolling"))
-    text = sprintf ("rolling(%s, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius = %s)", joint.name, body_name (joint.parent), ...
-                    body_name (joint.child), point_text (m, joint.parent, joint.point_a), point_text (m, joint.child, joint.point_b), ...
-                    integers (joint.whole_second), integers (joint.whole_axis), hundredths (joint.radius));
+    text = ...
+        sprintf (["rolling(%s, %s, %s, at = %s, child_at = %s, normal = %s, axis = %s, radius " ...
+                  "= %s)"], joint.name, body_name (joint.parent), ...
+                    body_name (joint.child), point_text (m, joint.parent, ...
+                        joint.point_a), point_text (m, joint.child, joint.point_b), ...
+                    integers (joint.whole_second), integers (joint.whole_axis), ...
+                        hundredths (joint.radius));
     return;
   end
-  place = @(word, b, x, w) sprintf (", %sat = %s, %srotation = transpose(%s) . %s", word, point_text (m, b, x), word, turn (m.turns(b + 1, :)), turn (w));
+  place = @(word, b, x, w) sprintf (", %sat = %s, %srotation = transpose(%s) . %s", word, ...
+                                    point_text (m, b, x), word, turn (m.turns(b + 1, :)), ...
+                                    turn (w));
   own = "";
-  if (any (strcmp (joint.type, {"revolute", "prismatic", "helical", "cylindrical", "universal", "planar"})))
+  if (any (strcmp (joint.type, ...
+                   {"revolute", "prismatic", "helical", "cylindrical", "universal", "planar"})))
     own = [", axis = " integers(joint.whole_axis)];
   end
   switch (joint.type)
@@ -101,8 +119,11 @@ function text = joint_text (m, joint, options)
         own = [", orientation = [" strjoin({"x", "y", "z"}(joint.sequence), ", ") "]"];
       end
   end
-  text = sprintf ("%s(%s, %s, %s%s%s%s%s)", joint.type, joint.name, body_name (joint.parent), body_name (joint.child), ...
-                  place ("", joint.parent, joint.point_a, joint.quaternion_a), place ("child_", joint.child, joint.point_b, joint.quaternion_b), own, options);
+  text = ...
+      sprintf ("%s(%s, %s, %s%s%s%s%s)", joint.type, joint.name, body_name (joint.parent), ...
+               body_name (joint.child), ...
+                  place ("", joint.parent, joint.point_a, joint.quaternion_a), place ("child_", ...
+                      joint.child, joint.point_b, joint.quaternion_b), own, options);
 end
 
 function text = tree_options (m, joint)
@@ -118,7 +139,8 @@ function text = tree_options (m, joint)
     end
   end
   if (any (joint.friction))
-    text = [text ", friction = " one_or_list(arrayfun (@hundredths, joint.friction', "UniformOutput", false))];
+    text = [text ", friction = " ...
+              one_or_list(arrayfun (@hundredths, joint.friction', "UniformOutput", false))];
   end
   if (any (cellfun (@ischar, joint.motion)))
     texts = joint.motion;
@@ -140,11 +162,15 @@ function text = force_text (m, f)
   if (any (f.torque))
     [word, at] = deal ("torque", "");
   end
-  text = sprintf ("%s(given, %s, vector = %s, frame = %s%s)", word, body_name (f.body), list (f.vector), f.frame, at);
+  text = sprintf ("%s(given, %s, vector = %s, frame = %s%s)", word, body_name (f.body), ...
+                  list (f.vector), f.frame, at);
 end
 
 function text = spring_text (m, s, form, numbers)
-  ends = sprintf ("parent = %s, at = %s, child = %s, child_at = %s", body_name (s.a), point_text (m, s.a, s.point_a), body_name (s.b), ...
+  ends = ...
+      sprintf ("parent = %s, at = %s, child = %s, child_at = %s", body_name (s.a), ...
+               point_text (m, ...
+      s.a, s.point_a), body_name (s.b), ...
                   point_text (m, s.b, s.point_b));
   text = sprintf (form, ends, numbers{:});
 end

@@ -1,19 +1,24 @@
-/* andrews_ida FORM RTOL TEND REPEATS Q U: Andrews' squeezer by SUNDIALS IDA (BDF), to compare with GSMBP's own integration.
+/* andrews_ida FORM RTOL TEND REPEATS Q U: Andrews' squeezer by SUNDIALS IDA (BDF), to compare with
+   GSMBP's own integration.
 
-   M u' + b comes from the emitted Fortran (INV, its exact derivatives from LIN); the three plane loops are written here by hand, as complex
-   numbers, with all derivatives that a Jacobian needs; they are compared with the emitted CON before anything is timed. FORM is
+   M u' + b comes from the emitted Fortran (INV, its exact derivatives from LIN); the three plane
+   loops are written here by hand, as complex numbers, with all derivatives that a Jacobian needs;
+   they are compared with the emitted CON before anything is timed. FORM is
 
-   ode      x' = f(x), x = [q, u]: f is the emitted RHS, its Jacobian the emitted JAC; Baumgarte's constants are zero
-   index1   q' = u, M u' + b = H' lam, H u' = gamma                      y = [q, u, lam]
-   index2   q' = u, M u' + b = H' lam, H u = 0                           y = [q, u, lam]
-   ggl      q' = u - H' mu, M u' + b = H' lam, H u = 0, phi = 0          y = [q, u, lam, mu]
+   ode      x' = f(x), x = [q, u]: f is the emitted RHS, its Jacobian the emitted JAC; Baumgarte's
+   constants are zero index1   q' = u, M u' + b = H' lam, H u' = gamma                      y = [q,
+   u, lam] index2   q' = u, M u' + b = H' lam, H u = 0                           y = [q, u, lam] ggl
+   q' = u - H' mu, M u' + b = H' lam, H u = 0, phi = 0          y = [q, u, lam, mu]
 
-   with exact Jacobians, compared with central differences before anything is timed. A letter s behind FORM (ggls) leaves the multipliers out of
-   the error test; a number (ggl4) is the largest order of BDF. Q, U: the state at t = 0. Written on one line: seconds of processor time (the best of
-   REPEATS runs, from IDAReInit to the end), steps, residuals, Jacobians, failures of the error test, failures of Newton's method, then q and u at TEND.
+   with exact Jacobians, compared with central differences before anything is timed. A letter s
+   behind FORM (ggls) leaves the multipliers out of the error test; a number (ggl4) is the largest
+   order of BDF. Q, U: the state at t = 0. Written on one line: seconds of processor time (the best
+   of REPEATS runs, from IDAReInit to the end), steps, residuals, Jacobians, failures of the error
+   test, failures of Newton's method, then q and u at TEND.
 
-   Tolerances: relative RTOL; absolute RTOL rad, 1e3*RTOL rad/s, 1e3*RTOL N. mu is zero but for what Newton's method leaves, divided by the step:
-   weighed 1e9*RTOL it does not stop the run. The first step is 1e-6 s; IDA's own, much smaller, loses the digits of phi/h and then fails.       */
+   Tolerances: relative RTOL; absolute RTOL rad, 1e3*RTOL rad/s, 1e3*RTOL N. mu is zero but for what
+   Newton's method leaves, divided by the step: weighed 1e9*RTOL it does not stop the run. The first
+   step is 1e-6 s; IDA's own, much smaller, loses the digits of phi/h and then fails.       */
 #include <complex.h>
 #include <math.h>
 #include <stdio.h>
@@ -30,25 +35,34 @@ enum form { ODE, INDEX1, INDEX2, GGL };
 
 void andrews_par_ (double *);
 void andrews_pre_ (const double *, double *, int *);
-void andrews_inv_ (const double *, const double *, const double *, const double *, const double *, const double *, double *);
-void andrews_lin_ (const double *, const double *, const double *, const double *, const double *, const double *, double *, double *, double *, const int *);
-void andrews_con_ (const double *, const double *, const double *, const double *, double *, double *, double *, const int *, double *, int *);
-void andrews_acc_ (const double *, const double *, const double *, const double *, double *, double *, int *);
+void andrews_inv_(const double *, const double *, const double *, const double *, const double *,
+                  const double *, double *);
+void andrews_lin_(const double *, const double *, const double *, const double *, const double *,
+                  const double *, double *, double *, double *, const int *);
+void andrews_con_(const double *, const double *, const double *, const double *, double *,
+                  double *, double *, const int *, double *, int *);
+void andrews_acc_(const double *, const double *, const double *, const double *, double *,
+                  double *, int *);
 void andrews_rhs_ (const double *, const double *, const double *, const double *, double *, int *);
-void andrews_jac_ (const double *, const double *, const double *, const double *, double *, const int *, double *, const int *, double *, const int *,
-                   double *, const int *, int *);
+void andrews_jac_(const double *, const double *, const double *, const double *, double *,
+                  const int *, double *, const int *, double *, const int *, double *, const int *,
+                  int *);
 
 static double cst[NCST], start[2 * N];
 static const double none[1] = { 0 };
 static const int n7 = N, n14 = 2 * N, m6 = M, ny = NY + 1;
 
-/* ------------------------------------------------------------------------------------------------------------ the loops */
+/* ------------------------------------------------------------
+ * the loops */
 
-/* Arms of the loops as drawn at q = 0 [m], and which of q = [be, th, ga, de, ph, ep, om] turn them. */
-static const double complex drawn[ARMS] = { 0.007, -0.028, -0.035 * I, 0.04, -0.02 * I, -0.04 * I, 0.02 };
-static const int turned_by[ARMS][2] = { { 0, -1 }, { 0, 1 }, { 2, -1 }, { 3, -1 }, { 3, 4 }, { 5, -1 }, { 5, 6 } };
+/* Arms of the loops as drawn at q = 0 [m], and which of q = [be, th, ga, de, ph, ep, om] turn them.
+ */
+static const double complex drawn[ARMS] = {0.007,     -0.028,    -0.035 * I, 0.04,
+                                           -0.02 * I, -0.04 * I, 0.02};
+static const int turned_by[ARMS][2] = {{0, -1}, {0, 1}, {2, -1}, {3, -1}, {3, 4}, {5, -1}, {5, 6}};
 /* phi of a loop: base + arms - (crank arm + link arm) */
-static const double complex base[L] = { -0.03635 + 0.03273 * I, -0.06934 - 0.00227 * I, -0.06934 - 0.00227 * I };
+static const double complex base[L] = {-0.03635 + 0.03273 * I, -0.06934 - 0.00227 * I,
+                                       -0.06934 - 0.00227 * I};
 static const int arms[L][2] = { { 2, -1 }, { 3, 4 }, { 5, 6 } };
 
 /* sum of v over the coordinates that turn an arm */
@@ -73,9 +87,10 @@ static double complex closed (int l, const double complex *c)
   return arms[l][1] < 0 ? s : s + c[arms[l][1]];
 }
 
-/* Adds to the rows ROW + 2l, ROW + 2l + 1 of A, from column COL on, the derivatives of the arms' sums: c[k] for a unit turn of arm k. */
-static void add_columns (double *A, int ld, int row, int col, const double complex *c, double factor)
-{
+/* Adds to the rows ROW + 2l, ROW + 2l + 1 of A, from column COL on, the derivatives of the arms'
+ * sums: c[k] for a unit turn of arm k. */
+static void add_columns(double *A, int ld, int row, int col, const double complex *c,
+                        double factor) {
   for (int l = 0; l < L; l++)
     for (int i = 0; i < 4; i++)
       {
@@ -100,7 +115,8 @@ static void add_pull (double *r, const double complex *z, const double *lam, dou
         int k = i < 2 ? i : arms[l][i - 2];
         if (k < 0)
           continue;
-        double d = (i < 2 ? -factor : factor) * (creal (z[k]) * lam[2 * l + 1] - cimag (z[k]) * lam[2 * l]);
+        double d =
+            (i < 2 ? -factor : factor) * (creal(z[k]) * lam[2 * l + 1] - cimag(z[k]) * lam[2 * l]);
         for (int j = 0; j < 2; j++)
           if (turned_by[k][j] >= 0)
             r[turned_by[k][j]] += d;
@@ -108,8 +124,8 @@ static void add_pull (double *r, const double complex *z, const double *lam, dou
 }
 
 /* A(ROW.., COL..) += factor * H' and factor * d(H' lam)/dq */
-static void add_transposed (double *A, int ld, int row, int col, const double complex *z, double factor)
-{
+static void add_transposed(double *A, int ld, int row, int col, const double complex *z,
+                           double factor) {
   double H[M * N] = { 0 };
   double complex c[ARMS];
   for (int k = 0; k < ARMS; k++)
@@ -120,22 +136,24 @@ static void add_transposed (double *A, int ld, int row, int col, const double co
       A[row + j + (size_t) ld * (col + i)] += H[i + M * j];
 }
 
-static void add_pull_derivative (double *A, int ld, int row, int col, const double complex *z, const double *lam, double factor)
-{
+static void add_pull_derivative(double *A, int ld, int row, int col, const double complex *z,
+                                const double *lam, double factor) {
   for (int l = 0; l < L; l++)
     for (int i = 0; i < 4; i++)
       {
         int k = i < 2 ? i : arms[l][i - 2];
         if (k < 0)
           continue;
-        double d = (i < 2 ? factor : -factor) * (creal (z[k]) * lam[2 * l] + cimag (z[k]) * lam[2 * l + 1]);
+        double d =
+            (i < 2 ? factor : -factor) * (creal(z[k]) * lam[2 * l] + cimag(z[k]) * lam[2 * l + 1]);
         for (int j = 0; j < 4; j++)
           if (turned_by[k][j / 2] >= 0 && turned_by[k][j % 2] >= 0)
             A[row + turned_by[k][j / 2] + (size_t) ld * (col + turned_by[k][j % 2])] += d;
       }
 }
 
-/* The loops of this file against the emitted ones, at a state far from closed: the sign of phi, or 0 where they differ. */
+/* The loops of this file against the emitted ones, at a state far from closed: the sign of phi, or
+ * 0 where they differ. */
 static int emitted_sign (void)
 {
   double q[N], u[N], phi[M], phit[M], H[M * N], mine[M * N] = { 0 }, gam[M], t = 0, s = 0, miss = 0;
@@ -167,12 +185,14 @@ static int emitted_sign (void)
   return miss < 1e-14 ? (int) s : 0;
 }
 
-/* -------------------------------------------------------------------------------------------------- residual and Jacobian */
+/* ------------------------------------------------------------
+ * residual and Jacobian */
 
 static int residual (realtype t, N_Vector yy, N_Vector yp, N_Vector rr, void *data)
 {
   enum form form = *(enum form *) data;
-  const double *y = N_VGetArrayPointer (yy), *d = N_VGetArrayPointer (yp), *lam = y + 2 * N, *mu = lam + M;
+  const double *y = N_VGetArrayPointer(yy), *d = N_VGetArrayPointer(yp), *lam = y + 2 * N,
+               *mu = lam + M;
   double *r = N_VGetArrayPointer (rr);
   double complex z[ARMS], c[ARMS];
   int info;
@@ -213,10 +233,11 @@ static int residual (realtype t, N_Vector yy, N_Vector yp, N_Vector rr, void *da
 }
 
 /* dF/dy + cj dF/dy' */
-static int jacobian (realtype t, realtype cj, N_Vector yy, N_Vector yp, N_Vector rr, SUNMatrix JJ, void *data, N_Vector t1, N_Vector t2, N_Vector t3)
-{
+static int jacobian(realtype t, realtype cj, N_Vector yy, N_Vector yp, N_Vector rr, SUNMatrix JJ,
+                    void *data, N_Vector t1, N_Vector t2, N_Vector t3) {
   enum form form = *(enum form *) data;
-  const double *y = N_VGetArrayPointer (yy), *d = N_VGetArrayPointer (yp), *lam = y + 2 * N, *mu = lam + M;
+  const double *y = N_VGetArrayPointer(yy), *d = N_VGetArrayPointer(yp), *lam = y + 2 * N,
+               *mu = lam + M;
   double *J = SUNDenseMatrix_Data (JJ), W[N * N], B[N * N], C[N * N], Y[2 * N * (NY + 1)];
   double complex z[ARMS], c[ARMS], e[ARMS];
   int n = (int) SUNDenseMatrix_Rows (JJ), info;
@@ -263,10 +284,11 @@ static int jacobian (realtype t, realtype cj, N_Vector yy, N_Vector yp, N_Vector
   return 0;
 }
 
-/* the largest entry of the Jacobian that differs from a central difference, relative to the largest of its column */
-static double wrong_jacobian (enum form form, int n, N_Vector y, N_Vector d, N_Vector r, SUNMatrix J)
-{
-  double worst = 0, cj = 1e3, *py = N_VGetArrayPointer (y), *pd = N_VGetArrayPointer (d), plus[MOST];
+/* the largest entry of the Jacobian that differs from a central difference, relative to the largest
+ * of its column */
+static double wrong_jacobian(enum form form, int n, N_Vector y, N_Vector d, N_Vector r,
+                             SUNMatrix J) {
+  double worst = 0, cj = 1e3, *py = N_VGetArrayPointer(y), *pd = N_VGetArrayPointer(d), plus[MOST];
   jacobian (0, cj, y, d, r, J, &form, NULL, NULL, NULL);
   for (int j = 0; j < n; j++)
     {
@@ -291,7 +313,8 @@ static double wrong_jacobian (enum form form, int n, N_Vector y, N_Vector d, N_V
   return worst;
 }
 
-/* ---------------------------------------------------------------------------------------------------------------- a run */
+/* ------------------------------------------------------------
+ * a run */
 
 /* consistent start: u' and lam from the emitted ACC, mu = 0 */
 static void begin (enum form form, int sign, double *y, double *d)
@@ -356,7 +379,8 @@ int main (int argc, char **argv)
 
   SUNContext context;
   SUNContext_Create (NULL, &context);
-  N_Vector y = N_VNew_Serial (n, context), d = N_VClone (y), r = N_VClone (y), atol = N_VClone (y), id = N_VClone (y);
+  N_Vector y = N_VNew_Serial(n, context), d = N_VClone(y), r = N_VClone(y), atol = N_VClone(y),
+           id = N_VClone(y);
   SUNMatrix J = SUNDenseMatrix (n, n, context);
   SUNLinearSolver solver = SUNLinSol_Dense (y, J, context);
   void *ida = IDACreate (context);

@@ -1,4 +1,5 @@
-## r = bench_compare (c, m, x0, truth, tolerances): every way at every tolerance; a struct array of bench_run's with way and rtol.
+## r = bench_compare (c, m, x0, truth, tolerances): every way at every tolerance; a struct array of
+## bench_run's with way and rtol.
 
 function r = bench_compare (c, m, x0, truth, tolerances)
   r = struct ([]);

@@ -1,4 +1,5 @@
-## program = bench_ida (m, out): andrews_ida.c linked with the emitted Fortran of Andrews' squeezer, compiled as gsmbp_build compiles it; "" without SUNDIALS.
+## program = bench_ida (m, out): andrews_ida.c linked with the emitted Fortran of Andrews' squeezer,
+## compiled as gsmbp_build compiles it; "" without SUNDIALS.
 
 function program = bench_ida (m, out)
   here = fileparts (mfilename ("fullpath"));
@@ -12,10 +13,13 @@ function program = bench_ida (m, out)
     alpha = 0;
   end
   gfortran = strtrim (mkoctfile ("-p", "F77"));
-  run ("cd '%s' && %s -O3 -march=native -fopenmp-simd -c -o andrews_ida_f.o andrews.f", out, gfortran);
-  run (["cd '%s' && gcc -std=gnu11 -O3 -march=native -fcx-limited-range -Wall -DNCST=%d -DNPAR=%d -DNY=%d -DBAUMGARTE=%d -c -o andrews_ida.o '%s'"],
+  run (["cd '%s' && %s -O3 -march=native -fopenmp-simd -c -o andrews_ida_f.o " "andrews.f"], ...
+       out, gfortran);
+  run (["cd '%s' && gcc -std=gnu11 -O3 -march=native -fcx-limited-range -Wall -DNCST=%d " ...
+        "-DNPAR=%d -DNY=%d -DBAUMGARTE=%d -c -o andrews_ida.o '%s'"],
        out, m.sizes.ncst, m.sizes.npar, m.sizes.ny, alpha - 1, fullfile (here, "andrews_ida.c"));
-  run (["cd '%s' && %s -o andrews_ida andrews_ida.o andrews_ida_f.o build/double/common/libgsmbp.a -llapack -lblas -lsundials_ida -lsundials_nvecserial " ...
+  run (["cd '%s' && %s -o andrews_ida andrews_ida.o andrews_ida_f.o " ...
+        "build/double/common/libgsmbp.a -llapack -lblas -lsundials_ida -lsundials_nvecserial " ...
         "-lsundials_sunlinsoldense -lsundials_sunmatrixdense -lm"], out, gfortran);
 end
 

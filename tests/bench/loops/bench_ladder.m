@@ -1,6 +1,8 @@
-## l = bench_ladder (out, sizes): ladders of four-bars through their singular positions for 10 s, started upright with 1 m/s at the tips; energy at every
-## 0.1 s. A struct array of bench_run's with loops (their number), way, rtol, total [J] (energy at the start, heights from the ground), loss (largest
-## change beside that), passed (times that all rods lay in one line), apart (largest difference of two cranks at the end [rad]), rhs, prj (seconds of one call).
+## l = bench_ladder (out, sizes): ladders of four-bars through their singular positions for 10 s,
+## started upright with 1 m/s at the tips; energy at every 0.1 s. A struct array of bench_run's with
+## loops (their number), way, rtol, total [J] (energy at the start, heights from the ground), loss
+## (largest change beside that), passed (times that all rods lay in one line), apart (largest
+## difference of two cranks at the end [rad]), rhs, prj (seconds of one call).
 
 function l = bench_ladder (out, sizes)
   l = struct ([]);
@@ -9,7 +11,8 @@ function l = bench_ladder (out, sizes)
     c = struct ("speeds", {{"q", -1, "p", 1}}, "hold", {{}});
     m = bench_scene (name, out);
     x0 = bench_start (m, c);
-    later = gsmbp_simulate (m, x0, [0 0.2]).x(end,:)';   # at the start some pivots vanish by symmetry
+    ## at the start some pivots vanish by symmetry
+    later = gsmbp_simulate (m, x0, [0 0.2]).x(end,:)';
     time = gsmbp_timing (m, 0.2, later, "print", false);
     for way = {"projection", "partitioning"}
       for rtol = [1e-6 1e-8 1e-10]

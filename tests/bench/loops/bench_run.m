@@ -1,16 +1,21 @@
 ## r = bench_run (m, x0, times, options, seconds, truth)
 ##
-## One simulation with the OPTIONS of gsmbp_simulate, repeated for SECONDS and at least seven times (not at all if SECONDS is 0 or a run takes long); a struct: info, failure (text, empty if all went well), seconds for each
-## simulated second (the shortest run), calls, phi, phidot (largest after any step), energy (largest change of kinetic + potential + stored energy
-## beside what a case without supply and losses exchanges; NaN with supply or losses), error (largest deviation of a coordinate from the rows TRUTH;
-## NaN if TRUTH is []), steps, rejected, rank_losses (calls), singular (positions that were reported), exchanged [J], last (state at the end).
+## One simulation with the OPTIONS of gsmbp_simulate, repeated for SECONDS and at least seven times
+## (not at all if SECONDS is 0 or a run takes long); a struct: info, failure (text, empty if all
+## went well), seconds for each simulated second (the shortest run), calls, phi, phidot (largest
+## after any step), energy (largest change of kinetic + potential + stored energy beside what a case
+## without supply and losses exchanges; NaN with supply or losses), error (largest deviation of a
+## coordinate from the rows TRUTH; NaN if TRUTH is []), steps, rejected, rank_losses (calls),
+## singular (positions that were reported), exchanged [J], last (state at the end).
 
 function r = bench_run (m, x0, times, options, seconds, truth)
   try
     [s, info] = gsmbp_simulate (m, x0, times, options{:});
   catch problem
-    r = struct ("info", -1, "failure", regexprep (problem.message, "^gsmbp_simulate: *|\n", ""), "seconds", NaN, "calls", NaN, "steps", NaN, "rejected", NaN,
-                "rank_losses", NaN, "singular", NaN, "phi", NaN, "phidot", NaN, "energy", NaN, "exchanged", NaN, "error", NaN, "last", []);
+    r = struct ("info", -1, "failure", regexprep (problem.message, "^gsmbp_simulate: *|\n", ...
+        ""), "seconds", NaN, "calls", NaN, "steps", NaN, "rejected", NaN,
+                "rank_losses", NaN, "singular", NaN, "phi", NaN, "phidot", NaN, "energy", NaN, ...
+                    "exchanged", NaN, "error", NaN, "last", []);
     return;
   end
   best = s.stats.seconds;
@@ -51,7 +56,8 @@ function [drift, exchanged] = energy (m, s)
   if (! any (strcmp (m.subroutines, "ene")))
     return;
   end
-  e = cell2mat (arrayfun (@(i) m.ene (s.t(i), s.x(i,:)', s.v(i,:)'), 1:numel (s.t), "UniformOutput", false));
+  e = cell2mat (arrayfun (@(i) m.ene (s.t(i), s.x(i,:)', s.v(i,:)'), 1:numel (s.t), ...
+                          "UniformOutput", false));
   exchanged = max (range (e(1,:)), range (sum (e(2:3,:), 1)));
   if (! any (any (e(4:5,:))))
     total = sum (e(1:3,:), 1);

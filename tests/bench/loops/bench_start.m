@@ -1,5 +1,6 @@
-## x0 = bench_start (m, c): the start of case C: the scene's start values and the speeds of the case, moved onto the constraints.
-## C.speeds: pairs of what the names of some speeds begin with, and a speed.
+## x0 = bench_start (m, c): the start of case C: the scene's start values and the speeds of the
+## case, moved onto the constraints. C.speeds: pairs of what the names of some speeds begin with,
+## and a speed.
 
 function x0 = bench_start (m, c)
   x0 = m.initial;

@@ -1,4 +1,5 @@
-## [words, colors] = bench_ways (): the ways to integrate a loop, as gsmbp_simulate names them, and the colours of their curves.
+## [words, colors] = bench_ways (): the ways to integrate a loop, as gsmbp_simulate names them, and
+## the colours of their curves.
 
 function [words, colors] = bench_ways ()
   words = {"projection", "baumgarte", "partitioning", "nullspace", "svd", "kane"};

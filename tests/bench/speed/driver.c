@@ -1,11 +1,15 @@
-/* driver: calls of compiled equations of motion, ours and the rivals', on the same states: their time or their values.
+/* driver: calls of compiled equations of motion, ours and the rivals', on the same states: their
+   time or their values.
 
-   driver STATES N JOBS time ROUNDS     on each line the ns of one call, a number for each round; the jobs take turns within a round
-   driver STATES N JOBS values OUT      OUT: the results of all calls, job by job, doubles
+   driver STATES N JOBS time ROUNDS     on each line the ns of one call, a number for each round;
+   the jobs take turns within a round driver STATES N JOBS values OUT      OUT: the results of all
+   calls, job by job, doubles
 
-   STATES: doubles q, v, a, tau of N each, state after state. A line of JOBS: the library (- for the yardstick), the file for its init (-: none), the function,
-   how many doubles it returns. Functions are f(q, v, x, out), x = tau where the name begins with fd, else a; names that end in _v are batches,
-   f(states, q, v, x, out) with arrays of states x N, the state running first; `sincos` with a count m is a loop of m sines and m cosines.       */
+   STATES: doubles q, v, a, tau of N each, state after state. A line of JOBS: the library (- for the
+   yardstick), the file for its init (-: none), the function, how many doubles it returns. Functions
+   are f(q, v, x, out), x = tau where the name begins with fd, else a; names that end in _v are
+   batches, f(states, q, v, x, out) with arrays of states x N, the state running first; `sincos`
+   with a count m is a loop of m sines and m cosines.       */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <math.h>
@@ -21,9 +25,16 @@ struct job { void *f; char name[64]; int outputs, is_batch; long calls; };
 static double *states, *columns, *out, sum;
 static int n, count;
 
-static double now(void) { struct timespec t; clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return t.tv_sec + 1e-9 * t.tv_nsec;
+}
 
-static void fail(const char *what, const char *which) { fprintf(stderr, "driver: %s %s\n", what, which); exit(1); }
+static void fail(const char *what, const char *which) {
+  fprintf(stderr, "driver: %s %s\n", what, which);
+  exit(1);
+}
 
 /* where the third argument of a job stands: 3 tau, 2 a */
 static int third(const struct job *j) { return strncmp(j->name, "fd", 2) ? 2 : 3; }
@@ -77,7 +88,9 @@ static int read_jobs(const char *name, struct job *jobs, int most) {
   char library[4096], start[4096];
   int number = 0, size = 4 * n;
   if (!file) fail("cannot read", name);
-  for (struct job *j = jobs; number < most && fscanf(file, "%4095s %4095s %63s %d", library, start, j->name, &j->outputs) == 4; j++, number++) {
+  for (struct job *j = jobs; number < most && fscanf(file, "%4095s %4095s %63s %d", library, start,
+                                                     j->name, &j->outputs) == 4;
+       j++, number++) {
     if (j->outputs > size) size = j->outputs;
     if (!strcmp(library, "-")) continue;
     void *h = dlopen(library, RTLD_NOW);
@@ -101,9 +114,11 @@ static void time_jobs(struct job *jobs, int number, int rounds) {
     while (t < 5e-4) t = passes(jobs + k, jobs[k].calls *= 2);
   }
   for (int r = 0; r < rounds; r++)
-    for (int k = 0; k < number; k++) ns[k * rounds + r] = 1e9 * passes(jobs + k, jobs[k].calls) / jobs[k].calls / count;
+    for (int k = 0; k < number; k++)
+      ns[k * rounds + r] = 1e9 * passes(jobs + k, jobs[k].calls) / jobs[k].calls / count;
   for (int k = 0; k < number; k++)
-    for (int r = 0; r < rounds; r++) printf(r + 1 < rounds ? "%.4g " : "%.4g\n", ns[k * rounds + r]);
+    for (int r = 0; r < rounds; r++)
+      printf(r + 1 < rounds ? "%.4g " : "%.4g\n", ns[k * rounds + r]);
 }
 
 static void write_values(struct job *jobs, int number, const char *name) {
@@ -125,7 +140,8 @@ int main(int arguments, char **v) {
   n = atoi(v[2]);
   read_states(v[1]);
   int number = read_jobs(v[3], jobs, 200);
-  if (!strcmp(v[4], "time")) time_jobs(jobs, number, atoi(v[5])); else write_values(jobs, number, v[5]);
+  if (!strcmp(v[4], "time")) time_jobs(jobs, number, atoi(v[5]));
+  else write_values(jobs, number, v[5]);
   fprintf(stderr, "%g\n", sum);
   return 0;
 }

@@ -1,5 +1,6 @@
-/* newton_euler.c: what the quad build is checked against: the recursive Newton-Euler equations of a chain or tree, in quad precision and link axes, from
-   the numbers of model.txt (rivals/model.hpp) alone; accelerations from columns of M by the same recursion and Gauss. Results as in ours.c.   */
+/* newton_euler.c: what the quad build is checked against: the recursive Newton-Euler equations of a
+   chain or tree, in quad precision and link axes, from the numbers of model.txt (rivals/model.hpp)
+   alone; accelerations from columns of M by the same recursion and Gauss. Results as in ours.c. */
 #include <quadmath.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,25 +19,43 @@ static void numbers(FILE *file, real *x, int k) {
 void init(const char *path) {
   FILE *file = fopen(path, "r");
   char type[8];
-  if (!file || fscanf(file, "%d", &n) != 1 || n > MOST) { fprintf(stderr, "newton_euler: cannot read %s\n", path); exit(1); }
+  if (!file || fscanf(file, "%d", &n) != 1 || n > MOST) {
+    fprintf(stderr, "newton_euler: cannot read %s\n", path);
+    exit(1);
+  }
   numbers(file, gravity, 3);
   for (struct link *l = links; l < links + n; l++) {
     if (fscanf(file, "%d %7s", &l->parent, type) != 2) exit(1);
     l->sliding = *type == 'P';
-    numbers(file, l->R, 9); numbers(file, l->p, 3); numbers(file, &l->m, 1); numbers(file, l->c, 3); numbers(file, l->J, 6);
+    numbers(file, l->R, 9);
+    numbers(file, l->p, 3);
+    numbers(file, &l->m, 1);
+    numbers(file, l->c, 3);
+    numbers(file, l->J, 6);
   }
   fclose(file);
 }
 
 /* o += a x b */
-static void cross(const real *a, const real *b, real *o) { for (int i = 0; i < 3; i++) { int j = (i + 1) % 3, k = (i + 2) % 3; o[i] += a[j] * b[k] - a[k] * b[j]; } }
+static void cross(const real *a, const real *b, real *o) {
+  for (int i = 0; i < 3; i++) {
+    int j = (i + 1) % 3, k = (i + 2) % 3;
+    o[i] += a[j] * b[k] - a[k] * b[j];
+  }
+}
 
 /* o = R' a;  o += R a */
-static void into(const real R[9], const real *a, real *o) { for (int i = 0; i < 3; i++) o[i] = R[i] * a[0] + R[3 + i] * a[1] + R[6 + i] * a[2]; }
-static void back(const real R[9], const real *a, real *o) { for (int i = 0; i < 3; i++) o[i] += R[3 * i] * a[0] + R[3 * i + 1] * a[1] + R[3 * i + 2] * a[2]; }
+static void into(const real R[9], const real *a, real *o) {
+  for (int i = 0; i < 3; i++) o[i] = R[i] * a[0] + R[3 + i] * a[1] + R[6 + i] * a[2];
+}
+static void back(const real R[9], const real *a, real *o) {
+  for (int i = 0; i < 3; i++) o[i] += R[3 * i] * a[0] + R[3 * i + 1] * a[1] + R[3 * i + 2] * a[2];
+}
 
 static void inertia(const real J[6], const real *w, real *o) {
-  o[0] = J[0] * w[0] + J[3] * w[1] + J[5] * w[2]; o[1] = J[3] * w[0] + J[1] * w[1] + J[4] * w[2]; o[2] = J[5] * w[0] + J[4] * w[1] + J[2] * w[2];
+  o[0] = J[0] * w[0] + J[3] * w[1] + J[5] * w[2];
+  o[1] = J[3] * w[0] + J[1] * w[1] + J[4] * w[2];
+  o[2] = J[5] * w[0] + J[4] * w[1] + J[2] * w[2];
 }
 
 /* tau of q, v, a; without gravity where g = 0 */
@@ -48,7 +67,9 @@ static void recursion(const real *q, const real *v, const real *a, int g, real *
     real zero[3] = {0}, up[3], c = l->sliding ? 1 : cosq(q[i]), s = l->sliding ? 0 : sinq(q[i]);
     for (int k = 0; k < 3; k++) {
       real x = l->R[3 * k], y = l->R[3 * k + 1];
-      R[i][3 * k] = c * x + s * y; R[i][3 * k + 1] = c * y - s * x; R[i][3 * k + 2] = l->R[3 * k + 2];
+      R[i][3 * k] = c * x + s * y;
+      R[i][3 * k + 1] = c * y - s * x;
+      R[i][3 * k + 2] = l->R[3 * k + 2];
       p[i][k] = l->p[k] + (l->sliding ? q[i] * l->R[3 * k + 2] : 0);
       up[k] = g ? -gravity[k] : 0;
     }
@@ -76,7 +97,12 @@ static void recursion(const real *q, const real *v, const real *a, int g, real *
 }
 
 static void quads(const double *x, real *y) { for (int i = 0; i < n; i++) y[i] = x[i]; }
-static void give(const real *y, double *o) { for (int i = 0; i < n; i++) { o[i] = y[i]; o[n + i] = y[i] - o[i]; } }
+static void give(const real *y, double *o) {
+  for (int i = 0; i < n; i++) {
+    o[i] = y[i];
+    o[n + i] = y[i] - o[i];
+  }
+}
 
 void id(const double *q, const double *v, const double *a, double *o) {
   real Q[MOST], V[MOST], A[MOST], tau[MOST];

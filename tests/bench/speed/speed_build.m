@@ -1,7 +1,9 @@
-## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for driver.c; CPU seconds of the compiler for each mode.
+## [jobs, seconds] = speed_build (s, out): the emitted Fortran of a system compiled, as jobs for
+## driver.c; CPU seconds of the compiler for each mode.
 ##
-## jobs: struct array with who, mode, word (id, fd, mm, lin), library, start (file of its init), symbol, outputs. The last is the quad build.
-## Flags as for CasADi's code, -O3 -march=native; the batches (lit_v, num_v) have what gsmbp_build adds for them.
+## jobs: struct array with who, mode, word (id, fd, mm, lin), library, start (file of its init),
+## symbol, outputs. The last is the quad build. Flags as for CasADi's code, -O3 -march=native; the
+## batches (lit_v, num_v) have what gsmbp_build adds for them.
 
 function [jobs, seconds] = speed_build (s, out)
   jobs = speed_job ();
@@ -22,7 +24,8 @@ function [jobs, seconds] = speed_build (s, out)
       flags = ["-O3 -march=native" {"", batch_flags()}{1 + strcmp(part{1}, "_v")}];
       seconds.(m) = compile (s, m, "double", library, flags, define, runtime (out, "double"));
       for one = reshape (part{3}, 2, [])
-        jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
+        jobs(end+1) = speed_job (part{2}, mode{1}, one{1}, library, s.model, ...
+                                 [one{1} {"", "_v"}{1 + strcmp(part{1}, "_v")}], one{2});
       end
     end
   end
@@ -37,12 +40,16 @@ function seconds = compile (s, mode, precision, library, flags, define, archive)
   here = fileparts (mfilename ("fullpath"));
   d = jsondecode (fileread (fullfile (s.folder, mode, [s.scene ".json"]))).dimensions;
   object = [library(1:end-3) ".o"];
-  seconds = speed_cpu (sprintf ("gfortran %s -fPIC -c '%s' -o '%s'", flags, fullfile (s.folder, mode, [s.scene ".f"]), object));
+  seconds = speed_cpu (sprintf ("gfortran %s -fPIC -c '%s' -o '%s'", flags, ...
+                                fullfile (s.folder, mode, [s.scene ".f"]), object));
   if (s.loop)
     define = [define " -DLOOP"];
   end
-  libraries = {"-llapack -lblas -lgfortran -lmvec", "-lgfortran -lquadmath"}{1 + strcmp (precision, "quad")};
-  speed_cpu (sprintf ("gcc -O3 -march=native -fPIC -shared %s -DNAME=%s -DN=%d -DNCST=%d -DNPAR=%d '%s' '%s' '%s' %s -lm -Wl,-Bsymbolic -o '%s'", define, tolower (s.scene), s.n,
+  libraries = {"-llapack -lblas -lgfortran -lmvec", "-lgfortran -lquadmath"}{1 + strcmp ...
+        (precision, "quad")};
+  speed_cpu (sprintf (["gcc -O3 -march=native -fPIC -shared %s -DNAME=%s -DN=%d -DNCST=%d " ...
+                       "-DNPAR=%d '%s' '%s' '%s' %s -lm -Wl,-Bsymbolic -o '%s'"], define, ...
+                           tolower (s.scene), s.n,
     d.ncst, d.npar, fullfile (here, "ours.c"), object, archive, libraries, library));
 end
 
@@ -61,11 +68,14 @@ function archive = runtime (out, precision)
   archive = fullfile (folder, "runtime.a");
   quad = strcmp (precision, "quad");
   body = {"lapack", "plain"}{1 + quad};
-  sources = [glob(fullfile (root, "share", "fortran", "*.f")); glob(fullfile (root, "share", "fortran", body, "*.f"))];
-  if (! exist (archive, "file") || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
+  sources = [glob(fullfile (root, "share", "fortran", "*.f")); ...
+             glob(fullfile (root, "share", "fortran", body, "*.f"))];
+  if (! exist (archive, "file") ...
+        || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
     [~, ~] = unlink (archive);
     [~, ~] = mkdir (folder);
-    speed_cpu (sprintf ("cd '%s' && gfortran -O2 -fno-tree-slp-vectorize -march=native -fPIC %s -c%s && ar rcs runtime.a *.o", folder,
+    speed_cpu (sprintf (["cd '%s' && gfortran -O2 -fno-tree-slp-vectorize -march=native -fPIC " ...
+                         "%s -c%s && ar rcs runtime.a *.o"], folder,
       {batch_flags(), "-freal-8-real-16"}{1 + quad}, sprintf (" '%s'", sources{:})));
   end
 end

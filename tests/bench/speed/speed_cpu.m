@@ -1,4 +1,5 @@
-## [seconds, text, status] = speed_cpu (command): processor seconds of a shell command and what it wrote; without status asked for, failing is an error.
+## [seconds, text, status] = speed_cpu (command): processor seconds of a shell command and what it
+## wrote; without status asked for, failing is an error.
 
 function [seconds, text, status] = speed_cpu (command)
   [status, text] = system (sprintf ("{ %s\n} 2>&1; code=$?; times; exit $code", command));

@@ -1,7 +1,8 @@
-## e = speed_errors (s, jobs, kinds, count): relative errors (2-norm) of the torques and accelerations of the jobs against the quad build.
+## e = speed_errors (s, jobs, kinds, count): relative errors (2-norm) of the torques and
+## accelerations of the jobs against the quad build.
 ##
-## e: struct array with kind (of the states), who, mode, word, median, worst. who = "newton_euler": the quad build itself against newton_euler.c, on
-## fewer states where the system is large.
+## e: struct array with kind (of the states), who, mode, word, median, worst. who = "newton_euler":
+## the quad build itself against newton_euler.c, on fewer states where the system is large.
 
 function e = speed_errors (s, jobs, kinds, count)
   jobs = jobs(ismember ({jobs.word}, {"id", "fd"}));
@@ -15,7 +16,8 @@ function e = speed_errors (s, jobs, kinds, count)
   for kind = kinds
     X = speed_states (s, kind{1}, count);
     e = [e, compared(kind{1}, jobs, speed_run (s, X, jobs, "values"), s.n), ...
-         compared(kind{1}, check, speed_run (s, X(:,:,1:ceil (count / s.n^2)), check, "values"), s.n)];
+         compared(kind{1}, check, speed_run (s, X(:,:,1:ceil (count / s.n^2)), check, "values"), ...
+                  s.n)];
   end
 end
 
@@ -29,7 +31,8 @@ function e = compared (kind, jobs, values, n)
       d = values{k}(1:n,:) - exact(1:n,:) + (values{k}(n+1:end,:) - exact(n+1:end,:));
     end
     r = norm (d, "columns") ./ norm (exact(1:n,:), "columns");
-    e(end+1) = struct ("kind", kind, "who", jobs(k).who, "mode", jobs(k).mode, "word", jobs(k).word, "median", median (r), "worst", max (r));
+    e(end+1) = struct ("kind", kind, "who", jobs(k).who, "mode", jobs(k).mode, "word", ...
+                       jobs(k).word, "median", median (r), "worst", max (r));
   end
 end
 

@@ -1,10 +1,16 @@
-## speed_figures (results, out): OUT/growth.png, time of a call against n, and OUT/error.png, speed against error; their numbers beside them as .csv.
+## speed_figures (results, out): OUT/growth.png, time of a call against n, and OUT/error.png, speed
+## against error; their numbers beside them as .csv.
 
 function speed_figures (results, out)
-  colors = struct ("gsmbp", "#000000", "gsmbp_batch", "#888888", "casadi", "#d62728", "pinocchio", "#1f77b4", "mujoco_lean", "#2ca02c", "sympy", "#ff7f0e", "yardstick", "#bbbbbb");
+  colors = struct ("gsmbp", "#000000", "gsmbp_batch", "#888888", "casadi", "#d62728", ...
+                   "pinocchio", "#1f77b4", "mujoco_lean", "#2ca02c", "sympy", "#ff7f0e", ...
+                   "yardstick", "#bbbbbb");
   panels = struct ("title", {}, "curves", {});
-  for one = {"spat", "id", "general chain, inverse dynamics"; "spat", "fd", "general chain, forward dynamics"; "spat", "lin", "general chain, linear model"
-             "pend", "id", "planar chain, inverse dynamics"; "pend", "fd", "planar chain, forward dynamics"; "pend", "lin", "planar chain, linear model"}'
+  for one = ...
+      {"spat", "id", "general chain, inverse dynamics"; "spat", "fd", ...
+       "general chain, forward dynamics"; "spat", "lin", "general chain, linear model"
+             "pend", "id", "planar chain, inverse dynamics"; "pend", "fd", ...
+                 "planar chain, forward dynamics"; "pend", "lin", "planar chain, linear model"}'
     list = results(cellfun (@(n) ! isempty (regexp (n, ['^' one{1} '\d+$'])), {results.name}));
     panels = add (panels, one{3}, list, colors, @(s, who) [s.n; median_of(s, who, one{2})]);
   end
@@ -12,10 +18,14 @@ function speed_figures (results, out)
     bench_figure (fullfile (out, "growth.png"), panels, "links", "time of a call [ns]");
   end
   panels = struct ("title", {}, "curves", {});
-  for one = {"random", "fd", "random states"; "fast", "fd", "speeds of 2e4 rad/s"; "singular", "fd", "singular poses"}'
-    panels = add (panels, one{3}, results, colors, @(s, who) [median_of(s, who, one{2}) / s.n; worst_of(s, who, one{1}, one{2})]);
+  for one = {"random", "fd", "random states"; "fast", "fd", "speeds of 2e4 rad/s"; "singular", ...
+             "fd", "singular poses"}'
+    panels = add (panels, one{3}, results, colors, ...
+                  @(s, who) [median_of(s, who, one{2}) / s.n; ...
+                             worst_of(s, who, one{1}, one{2})]);
   end
-  bench_figure (fullfile (out, "error.png"), panels, "time of forward dynamics / links [ns]", "worst relative error of accelerations", "points");
+  bench_figure (fullfile (out, "error.png"), panels, "time of forward dynamics / links [ns]", ...
+                "worst relative error of accelerations", "points");
 end
 
 function panels = add (panels, title, list, colors, point)
@@ -24,7 +34,8 @@ function panels = add (panels, title, list, colors, point)
     p = arrayfun (@(s) point (s, who{1}), list, "UniformOutput", false);
     p = [p{:}];
     if (! isempty (p) && any (all (isfinite (p))))
-      curves(end+1) = struct ("name", strrep (who{1}, "mujoco_lean", "mujoco"), "color", colors.(who{1}), "x", p(1,:), "y", p(2,:));
+      curves(end+1) = struct ("name", strrep (who{1}, "mujoco_lean", "mujoco"), "color", ...
+                              colors.(who{1}), "x", p(1,:), "y", p(2,:));
     end
   end
   if (! isempty (curves))

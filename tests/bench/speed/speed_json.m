@@ -4,7 +4,8 @@ function text = speed_json (results)
   for k = 1:numel (results)
     for name = fieldnames (results)'
       if (isempty (results(k).(name{1})))
-        results(k).(name{1}) = [];    # jsonencode (Octave 7) stumbles over a struct array without elements
+        ## jsonencode (Octave 7) stumbles over a struct array without elements
+        results(k).(name{1}) = [];
       end
     end
   end

@@ -1,11 +1,13 @@
-## names = speed_names (bench): the systems of the folder systems/ of BENCH, or those of BENCH_SYSTEMS; by family and size, the hard ones last.
+## names = speed_names (bench): the systems of the folder systems/ of BENCH, or those of
+## BENCH_SYSTEMS; by family and size, the hard ones last.
 
 function names = speed_names (bench)
   names = strsplit (strtrim (getenv ("BENCH_SYSTEMS")));
   if (! isempty (names{1}))
     return;
   end
-  [~, names] = cellfun (@fileparts, glob (fullfile (bench, "systems", "*.mac"))', "UniformOutput", false);
+  [~, names] = cellfun (@fileparts, glob (fullfile (bench, "systems", "*.mac"))', ...
+                        "UniformOutput", false);
   names = names(! strncmp (names, "ladder", 6));    # of the bench of the loops
   [~, order] = sort (cellfun (@key, names, "UniformOutput", false));
   names = names(order);
@@ -18,5 +20,6 @@ function text = key (name)
   if (any (name == "_"))
     family = 5;
   end
-  text = sprintf ("%d%s%03d%s", family, kind, str2double (["0" regexp(name, '\d+', "match", "once")]), name);
+  text = sprintf ("%d%s%03d%s", family, kind, ...
+                  str2double (["0" regexp(name, '\d+', "match", "once")]), name);
 end

@@ -1,4 +1,5 @@
-## [c, n, loop] = speed_operations (file): mul add div sqrt trig of the text of the routines inv mas fwd lin in the description FILE of a scene, its speeds, and whether it has loops.
+## [c, n, loop] = speed_operations (file): mul add div sqrt trig of the text of the routines inv mas
+## fwd lin in the description FILE of a scene, its speeds, and whether it has loops.
 
 function [c, n, loop] = speed_operations (file)
   d = jsondecode (fileread (file));
@@ -12,7 +13,8 @@ function [c, n, loop] = speed_operations (file)
   for word = {"inv", "mas", "fwd", "lin"}
     is_it = cellfun (@(s) strcmpi (s.name, [d.name "_" word{1}]), list);
     if (strcmp (word{1}, "fwd") && d.dimensions.nlam > 0)
-      is_it = cellfun (@(s) strcmpi (s.name, [d.name "_acc"]), list);    # forward dynamics of the loop
+      ## forward dynamics of the loop
+      is_it = cellfun (@(s) strcmpi (s.name, [d.name "_acc"]), list);
     end
     if (any (is_it))
       o = list{is_it}.own_operations;

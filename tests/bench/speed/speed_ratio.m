@@ -1,4 +1,5 @@
-## r = speed_ratio (times, a, b, word): time of A over time of B, each {who, mode}: median of the ratios within the rounds; NaN where one is missing.
+## r = speed_ratio (times, a, b, word): time of A over time of B, each {who, mode}: median of the
+## ratios within the rounds; NaN where one is missing.
 
 function r = speed_ratio (times, a, b, word)
   x = speed_pick (times, a{:}, word);

@@ -1,5 +1,6 @@
-## X = speed_states (s, kind, count): states by chance, n x 4 x COUNT: q [rad], q' [rad/s], q'' [rad/s^2], tau [N*m].
-## kind "random"; "fast", speeds up to 2e4 rad/s; "singular", all joints within 1e-7 of stretched or folded.
+## X = speed_states (s, kind, count): states by chance, n x 4 x COUNT: q [rad], q' [rad/s], q''
+## [rad/s^2], tau [N*m]. kind "random"; "fast", speeds up to 2e4 rad/s; "singular", all joints
+## within 1e-7 of stretched or folded.
 
 function X = speed_states (s, kind, count)
   n = s.n;

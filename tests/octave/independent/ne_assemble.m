@@ -1,6 +1,7 @@
-## [q, left] = ne_assemble (M, GUESS, T, STEPS): coordinates near GUESS that close all loops and satisfy what is given on them, by Newton's
-## method with steps of least norm (half a unit at most); rows may depend on each other (only near a closed position, if m.redundant is true).
-## LEFT: the largest gap that is left after STEPS (default 60).
+## [q, left] = ne_assemble (M, GUESS, T, STEPS): coordinates near GUESS that close all loops and
+## satisfy what is given on them, by Newton's method with steps of least norm (half a unit at most);
+## rows may depend on each other (only near a closed position, if m.redundant is true). LEFT: the
+## largest gap that is left after STEPS (default 60).
 
 function [q, left] = ne_assemble (m, guess, t, steps)
   if (nargin < 3)

@@ -1,5 +1,7 @@
-## [q, u, ud] = ne_close (M, GUESS, INDEPENDENT, U, UD): the motion that closes the loops: coordinates INDEPENDENT keep their values in GUESS (and in U, UD), the
-## others follow by Newton's method and by the linear loop conditions on speeds and accelerations. Joints without Euler parameters.
+## [q, u, ud] = ne_close (M, GUESS, INDEPENDENT, U, UD): the motion that closes the loops:
+## coordinates INDEPENDENT keep their values in GUESS (and in U, UD), the others follow by Newton's
+## method and by the linear loop conditions on speeds and accelerations. Joints without Euler
+## parameters.
 
 function [q, u, ud] = ne_close (m, guess, independent, u, ud)
   n = numel (guess);

@@ -1,4 +1,5 @@
-## [d, rate] = ne_distance (K, SPRING): distance of the ends of a spring between two points, and its rate, from k = ne_rows (...).
+## [d, rate] = ne_distance (K, SPRING): distance of the ends of a spring between two points, and its
+## rate, from k = ne_rows (...).
 
 function [d, rate] = ne_distance (k, spring)
   [xA, vA] = point (k, spring.a, spring.point_a);

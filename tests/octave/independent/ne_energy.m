@@ -1,5 +1,6 @@
-## [kinetic, potential, dissipated, given] = ne_energy (M, Q, U): summed over the bodies, and springs; potential of gravity zero where the mass centres are at
-## the world's origin; the power that dampers take, and that given forces bring.
+## [kinetic, potential, dissipated, given] = ne_energy (M, Q, U): summed over the bodies, and
+## springs; potential of gravity zero where the mass centres are at the world's origin; the power
+## that dampers take, and that given forces bring.
 
 function [kinetic, potential, dissipated, given] = ne_energy (m, q, u)
   k = ne_rows (m, q, u);

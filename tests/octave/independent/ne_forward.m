@@ -1,7 +1,10 @@
-## [ud, lam, wrench, ud_loop] = ne_forward (M, Q, U, TAU, T): joint accelerations and loop forces (on body B) under the joint efforts TAU, dampers
-## and springs of the case included. One linear system of all body accelerations and all constraint forces; no mass matrix of joint coordinates is formed.
-## Rows that depend on others are allowed: the forces are then those of least norm. wrench: 6 rows, a column a joint (tree joints, then loop joints): force
-## and moment about the child's joint point that the parent exerts on the child, world axes. ud_loop: accelerations of the loop joints' own coordinates.
+## [ud, lam, wrench, ud_loop] = ne_forward (M, Q, U, TAU, T): joint accelerations and loop forces
+## (on body B) under the joint efforts TAU, dampers and springs of the case included. One linear
+## system of all body accelerations and all constraint forces; no mass matrix of joint coordinates
+## is formed. Rows that depend on others are allowed: the forces are then those of least norm.
+## wrench: 6 rows, a column a joint (tree joints, then loop joints): force and moment about the
+## child's joint point that the parent exerts on the child, world axes. ud_loop: accelerations of
+## the loop joints' own coordinates.
 
 function [ud, lam, wrench, ud_loop] = ne_forward (m, q, u, tau, t)
   if (nargin < 5)

@@ -1,5 +1,6 @@
-## [s, R, E, bias] = ne_freedom (JOINT, Q, U): where the coordinates Q put the child's joint axes, seen from the parent's joint axes: displacement s and
-## rotation R; with the speeds U: [s'; angular velocity] = E U, [s''; its rate] = E U' + bias, all in the parent's joint axes.
+## [s, R, E, bias] = ne_freedom (JOINT, Q, U): where the coordinates Q put the child's joint axes,
+## seen from the parent's joint axes: displacement s and rotation R; with the speeds U: [s'; angular
+## velocity] = E U, [s''; its rate] = E U' + bias, all in the parent's joint axes.
 
 function [s, R, E, bias] = ne_freedom (joint, q, u)
   s = w = zeros (3, 1);

@@ -1,6 +1,7 @@
-## [tau, lam] = ne_inverse (M, Q, U, UD, ACTUATED): efforts that the motion needs, by Newton-Euler in maximal coordinates (see ne_rows).
-## ACTUATED lists the speeds that carry an effort (default all; with loops as many as are independent). LAM are the loop forces on body B.
-## The motion must close the loops. Dampers and springs of the case are passive efforts of every joint.
+## [tau, lam] = ne_inverse (M, Q, U, UD, ACTUATED): efforts that the motion needs, by Newton-Euler
+## in maximal coordinates (see ne_rows). ACTUATED lists the speeds that carry an effort (default
+## all; with loops as many as are independent). LAM are the loop forces on body B. The motion must
+## close the loops. Dampers and springs of the case are passive efforts of every joint.
 
 function [tau, lam] = ne_inverse (m, q, u, ud, actuated)
   k = ne_rows (m, q, u);

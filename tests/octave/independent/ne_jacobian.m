@@ -1,5 +1,5 @@
-## H = ne_jacobian (K): all constraints of a model on its joint speeds, from k = ne_rows (...): loops, then what is given on the speeds.
-## [H, GAMMA] = ne_jacobian (K): and H ud = GAMMA.
+## H = ne_jacobian (K): all constraints of a model on its joint speeds, from k = ne_rows (...):
+## loops, then what is given on the speeds. [H, GAMMA] = ne_jacobian (K): and H ud = GAMMA.
 
 function [H, gamma] = ne_jacobian (k)
   H = [k.L * (k.J \ k.E); k.U];

@@ -1,5 +1,7 @@
-## q = ne_measure (JOINT, S, R, NEAR): the coordinates of a joint whose child's axes stand at displacement S with rotation R, the inverse of
-## ne_freedom; what the joint forbids is overlooked. NEAR (optional) picks the sign of Euler parameters, the turn of angles and the start for three angles.
+## q = ne_measure (JOINT, S, R, NEAR): the coordinates of a joint whose child's axes stand at
+## displacement S with rotation R, the inverse of ne_freedom; what the joint forbids is overlooked.
+## NEAR (optional) picks the sign of Euler parameters, the turn of angles and the start for three
+## angles.
 
 function q = ne_measure (joint, s, R, near)
   [nq, ~] = ne_sizes (joint);

@@ -1,5 +1,6 @@
-## moves = ne_moves (JOINT): the freedoms of a joint one after the other, from the parent on: a cell row of {kind, direction}, kind slide, turn,
-## screw or ball (Euler parameters; the angular velocity in the child's joint axes for speeds), direction in joint axes.
+## moves = ne_moves (JOINT): the freedoms of a joint one after the other, from the parent on: a cell
+## row of {kind, direction}, kind slide, turn, screw or ball (Euler parameters; the angular velocity
+## in the child's joint axes for speeds), direction in joint axes.
 
 function moves = ne_moves (joint)
   e = joint.axis;

@@ -1,5 +1,6 @@
-## x = ne_numbers (TEXT): the number(s) of a decimal or exact string such as "0.1", "1/12", "(0.8)*(0.7)**2/12", or of nested lists of them:
-## a list is a column, a list of lists a matrix with a row for each.
+## x = ne_numbers (TEXT): the number(s) of a decimal or exact string such as "0.1", "1/12",
+## "(0.8)*(0.7)**2/12", or of nested lists of them: a list is a column, a list of lists a matrix
+## with a row for each.
 
 function x = ne_numbers (text)
   if (isnumeric (text))

@@ -1,5 +1,6 @@
-## [q, u, ud] = ne_own (M, K, A): coordinates, speeds and accelerations of the freedoms of all loop joints, as if they were tree joints; from k = ne_rows (...)
-## and the accelerations of the bodies A.
+## [q, u, ud] = ne_own (M, K, A): coordinates, speeds and accelerations of the freedoms of all loop
+## joints, as if they were tree joints; from k = ne_rows (...) and the accelerations of the bodies
+## A.
 
 function [q, u, ud] = ne_own (m, k, a)
   q = u = ud = zeros (0, 1);

@@ -1,4 +1,5 @@
-## qd = ne_rates (M, Q, U): rates of the coordinates: U itself, except for Euler parameters e, whose rate is e o [0; w]/2 (w in the child's joint axes).
+## qd = ne_rates (M, Q, U): rates of the coordinates: U itself, except for Euler parameters e, whose
+## rate is e o [0; w]/2 (w in the child's joint axes).
 
 function qd = ne_rates (m, q, u)
   [nq, nu] = ne_sizes (m);

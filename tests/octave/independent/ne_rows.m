@@ -1,16 +1,21 @@
-## k = ne_rows (M, Q, U, T): maximal coordinates at the joint state Q, U: six velocities [v of the mass centre; w] a body, in world axes.
+## k = ne_rows (M, Q, U, T): maximal coordinates at the joint state Q, U: six velocities [v of the
+## mass centre; w] a body, in world axes.
 ##
-## k.com 3xn, k.R 3x3xn positions and orientations (by recursion from the ground), k.w 3xn, k.v 3xn velocities.
-## Every joint compares its two axes: displacement of the child's point in the parent's joint axes, and rotation. A tree joint writes six rows:
+## k.com 3xn, k.R 3x3xn positions and orientations (by recursion from the ground), k.w 3xn, k.v 3xn
+## velocities. Every joint compares its two axes: displacement of the child's point in the parent's
+## joint axes, and rotation. A tree joint writes six rows:
 ##   k.J a = k.gamma + k.E ud;
-## a loop joint the rows that its freedoms leave:  k.L a = k.gamma_loop    (k.gap is what is still open);
-## what is given on the speeds themselves:         k.U ud = k.gamma_user   (k.U u = k.rate_user, k.gap_user).
-## The transposed rows carry the forces on body B by body A: six of every joint, k.E' times them are the joint efforts.
-## k.mass (6n x 6n, about the mass centres) and k.force (gravity, gyroscopic moments, given forces, springs between points) close Newton and
-## Euler: mass a = force + rows' * efforts. k.passive: efforts of joint dampers and springs.
+## a loop joint the rows that its freedoms leave: k.L a = k.gamma_loop (k.gap is what is still
+## open);
+## what is given on the speeds themselves: k.U ud = k.gamma_user (k.U u = k.rate_user, k.gap_user).
+## The transposed rows carry the forces on body B by body A: six of every joint, k.E' times them are
+## the joint efforts. k.mass (6n x 6n, about the mass centres) and k.force (gravity, gyroscopic
+## moments, given forces, springs between points) close Newton and Euler: mass a = force + rows' *
+## efforts. k.passive: efforts of joint dampers and springs.
 ##
-## k.wrench{j}, k.wrench{number of joints + l}: what the rows' forces of a joint are as force and moment about the child's point, in world axes.
-## k.own{l}: the relative motion of a loop joint (see ne_own). Without U (or with U = "still") only positions: com, R, J, E, L, gap, U.
+## k.wrench{j}, k.wrench{number of joints + l}: what the rows' forces of a joint are as force and
+## moment about the child's point, in world axes. k.own{l}: the relative motion of a loop joint (see
+## ne_own). Without U (or with U = "still") only positions: com, R, J, E, L, gap, U.
 
 function k = ne_rows (m, q, u, t)
   if (nargin < 4)
@@ -38,7 +43,8 @@ function k = ne_rows (m, q, u, t)
     k.E(six, first_u(j) + (1:nu(j))) = E;
     k.J(six, :) = six_rows (k, n, joint);
     own = nu(j) - 3 * (nq(j) > nu(j));    # Euler parameters have no dampers and springs
-    k.passive(first_u(j) + (1:own)) = -joint.damping(1:own) .* uj(1:own) - joint.stiffness(1:own) .* (qj(1:own) - joint.rest(1:own));
+    k.passive(first_u(j) + (1:own)) = -joint.damping(1:own) .* uj(1:own) ...
+        - joint.stiffness(1:own) .* (qj(1:own) - joint.rest(1:own));
     k.wrench{j} = twice (frame_a (k, joint));
   end
   velocity = zeros (6, n);
@@ -72,7 +78,8 @@ function k = ne_rows (m, q, u, t)
   end
 end
 
-## rows of the relative motion at the child's point, in the parent's joint axes: three of translation, three of rotation
+## rows of the relative motion at the child's point, in the parent's joint axes: three of
+## translation, three of rotation
 function rows = six_rows (k, n, joint)
   x = at (k, joint.child, joint.point_b);
   P = frame_a (k, joint);
@@ -81,24 +88,29 @@ function rows = six_rows (k, n, joint)
   rows = both (rows, k, joint.parent, x, -P');
 end
 
-## rows with those of the velocity of the point x of body b, and of its angular velocity, turned by R, in the body's columns
+## rows with those of the velocity of the point x of body b, and of its angular velocity, turned by
+## R, in the body's columns
 function rows = both (rows, k, b, x, R)
   if (b)
     d = x - k.com(:, b);
-    rows(:, 6 * b - (5:-1:0)) = [R, -R * [0, -d(3), d(2); d(3), 0, -d(1); -d(2), d(1), 0]; zeros(3), R];
+    rows(:, 6 * b - (5:-1:0)) = [R, -R * [0, -d(3), d(2); d(3), 0, -d(1); -d(2), d(1), 0]; ...
+                                 zeros(3), R];
   end
 end
 
-## what these rows give of the accelerations besides the second rates: rows a = second rates + this; rate = rows * velocity
+## what these rows give of the accelerations besides the second rates: rows a = second rates + this;
+## rate = rows * velocity
 function c = turning (k, joint, rate)
   x = at (k, joint.child, joint.point_b);
   P = frame_a (k, joint);
   [wA, centripetal_A] = spin (k, joint.parent, x);
   [~, centripetal_B] = spin (k, joint.child, x);
-  c = [P' * (centripetal_A - centripetal_B + 2 * ne_cross(wA, P * rate(1:3))); P' * ne_cross(wA, P * rate(4:6))];
+  c = [P' * (centripetal_A - centripetal_B + 2 * ne_cross(wA, P * rate(1:3))); ...
+       P' * ne_cross(wA, P * rate(4:6))];
 end
 
-## rows, right-hand side and gap of a loop joint: by its `directions` (points coincide along them), or whole by its type
+## rows, right-hand side and gap of a loop joint: by its `directions` (points coincide along them),
+## or whole by its type
 function [rows, gamma, gap, wrench, own] = loop_rows (k, n, joint, velocity, angle)
   own = [];
   if (! isempty (joint.directions))
@@ -106,7 +118,8 @@ function [rows, gamma, gap, wrench, own] = loop_rows (k, n, joint, velocity, ang
     xB = at (k, joint.child, joint.point_b);
     [~, centripetal_A] = spin (k, joint.parent, xA);
     [~, centripetal_B] = spin (k, joint.child, xB);
-    rows = joint.directions' * (point_rows (k, n, joint.child, xB) - point_rows (k, n, joint.parent, xA))(1:3, :);
+    rows = joint.directions' ...
+        * (point_rows (k, n, joint.child, xB) - point_rows (k, n, joint.parent, xA))(1:3, :);
     gamma = joint.directions' * (centripetal_A - centripetal_B);
     gap = joint.directions' * (xB - xA);
     wrench = [joint.directions; zeros(3, columns (joint.directions))];
@@ -144,7 +157,8 @@ function [rows, gamma, gap, wrench, own] = loop_rows (k, n, joint, velocity, ang
   wrench = twice (P) * N;
 end
 
-## The angle of a helical loop joint, turns counted on the straight way from q = 0 (joints without Euler parameters).
+## The angle of a helical loop joint, turns counted on the straight way from q = 0 (joints without
+## Euler parameters).
 function angle = followed (m, q, first_q, joint)
   angle = 0;
   for part = 0:1/16:1
@@ -154,8 +168,9 @@ function angle = followed (m, q, first_q, joint)
   end
 end
 
-## A thin disc: its centre is the child's point, its axis the joint's `axis` in the child, its plane goes through the parent's point with the joint's
-## `second` for normal, all in the joint axes. The point r from the centre that touches does not slip (three rows), and is not off the plane (gap).
+## A thin disc: its centre is the child's point, its axis the joint's `axis` in the child, its plane
+## goes through the parent's point with the joint's `second` for normal, all in the joint axes. The
+## point r from the centre that touches does not slip (three rows), and is not off the plane (gap).
 function [rows, gamma, gap, wrench] = rolling_rows (k, joint, six, rate)
   P = frame_a (k, joint);
   n = joint.second;
@@ -169,10 +184,13 @@ function [rows, gamma, gap, wrench] = rolling_rows (k, joint, six, rate)
   wrench = [eye(3); 0, -r(3), r(2); r(3), 0, -r(1); -r(2), r(1), 0];
   rows = wrench' * six;
   gamma = wrench' * turning (k, joint, rate) - ne_cross (w, rd);
-  gap = n * (n' * P' * (at (k, joint.child, joint.point_b) - at (k, joint.parent, joint.point_a)) - joint.radius * s);
+  gap = n ...
+      * (n' * P' * (at (k, joint.child, joint.point_b) - at (k, joint.parent, joint.point_a)) ...
+           - joint.radius * s);
 end
 
-## laws of motion and constraints that the user writes: each one a function that gives [gap, row, rate, gamma]
+## laws of motion and constraints that the user writes: each one a function that gives [gap, row,
+## rate, gamma]
 function k = on_speeds (k, m, q, u, t)
   k.U = zeros (0, columns (k.E));
   k.gap_user = k.rate_user = k.gamma_user = zeros (0, 1);
@@ -214,7 +232,8 @@ function k = forces (k, m)
       d = norm (xB - xA);
       e = (xB - xA) / d;
       rows = point_rows (k, n, s.b, xB)(1:3, :) - point_rows (k, n, s.a, xA)(1:3, :);
-      k.force -= rows' * e * (s.stiffness * (d - s.rest) + s.damping * (e' * (rows * [k.v; k.w](:))));
+      k.force -= rows' * e ...
+          * (s.stiffness * (d - s.rest) + s.damping * (e' * (rows * [k.v; k.w](:))));
     end
   end
 end
@@ -235,7 +254,8 @@ function R = turned (k, b)
   end
 end
 
-## positions: x(X) = origin + R X for the point that was at X in the reference configuration; joint b leads to body b, drawn to it or from it
+## positions: x(X) = origin + R X for the point that was at X in the reference configuration; joint
+## b leads to body b, drawn to it or from it
 function k = place (m, q, first_q)
   n = numel (m.body);
   k.R = zeros (3, 3, n);

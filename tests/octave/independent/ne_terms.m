@@ -1,4 +1,5 @@
-## [M, c, G] = ne_terms (M, Q, U): mass matrix, velocity and gravity terms of the tree, tau = M ud + c + G, each by inverse dynamics.
+## [M, c, G] = ne_terms (M, Q, U): mass matrix, velocity and gravity terms of the tree, tau = M ud +
+## c + G, each by inverse dynamics.
 
 function [M, c, G] = ne_terms (m, q, u)
   [~, nu] = ne_sizes (m);

@@ -1,4 +1,5 @@
-## R = ne_turn (AXIS, ANGLE): rotation by an angle about a unit vector.  R = ne_turn (E): by Euler parameters E (four; made a unit).
+## R = ne_turn (AXIS, ANGLE): rotation by an angle about a unit vector. R = ne_turn (E): by Euler
+## parameters E (four; made a unit).
 
 function R = ne_turn (axis, angle)
   if (nargin == 1)

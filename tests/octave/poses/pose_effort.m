@@ -1,5 +1,6 @@
-## Q = pose_effort (PLACE, BODY, GRAVITY, TH, W, ALPHA): the force on the coordinate th that bodies need to move on the poses PLACE (th) with speed W and
-## acceleration ALPHA: I th'' + I' th'^2 / 2 + V', where I is pose_metric and V the potential of gravity.
+## Q = pose_effort (PLACE, BODY, GRAVITY, TH, W, ALPHA): the force on the coordinate th that bodies
+## need to move on the poses PLACE (th) with speed W and acceleration ALPHA: I th'' + I' th'^2 / 2 +
+## V', where I is pose_metric and V the potential of gravity.
 
 function Q = pose_effort (place, body, gravity, th, w, alpha)
   I = @(th) pose_metric (place, body, th);

@@ -1,4 +1,5 @@
-## L = pose_momentum (PLACE, BODY, TH): angular momenta about the mass centres (a column for each body) of the poses PLACE (th) for a rate of 1.
+## L = pose_momentum (PLACE, BODY, TH): angular momenta about the mass centres (a column for each
+## body) of the poses PLACE (th) for a rate of 1.
 
 function L = pose_momentum (place, body, th)
   T = place (th);

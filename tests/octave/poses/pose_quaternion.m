@@ -1,4 +1,5 @@
-## E = pose_quaternion (R): Euler parameters of a rotation matrix, scalar first (of the two signs any).
+## E = pose_quaternion (R): Euler parameters of a rotation matrix, scalar first (of the two signs
+## any).
 
 function e = pose_quaternion (R)
   z = [R(3, 2) - R(2, 3); R(1, 3) - R(3, 1); R(2, 1) - R(1, 2)];

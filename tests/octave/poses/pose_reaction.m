@@ -1,4 +1,5 @@
-## [F, M] = pose_reaction (m, Y, NAME): force and moment of the output NAME = reaction(...) among the outputs Y of the model m; components left out are zero.
+## [F, M] = pose_reaction (m, Y, NAME): force and moment of the output NAME = reaction(...) among
+## the outputs Y of the model m; components left out are zero.
 
 function [F, M] = pose_reaction (m, y, name)
   parts = {"x", "y", "z", "mx", "my", "mz"};

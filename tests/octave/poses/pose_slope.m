@@ -1,5 +1,5 @@
-## D = pose_slope (F, X): derivative of F (values of any size) by its scalar argument: differences of eighth order, step 0.02; good to 1e-14 of F for
-## functions that change over lengths of one.
+## D = pose_slope (F, X): derivative of F (values of any size) by its scalar argument: differences
+## of eighth order, step 0.02; good to 1e-14 of F for functions that change over lengths of one.
 
 function d = pose_slope (f, x)
   h = 0.02;

@@ -1,4 +1,5 @@
-## W = pose_spin (PLACE, TH): angular velocities (a column for each body) of the poses PLACE (th) for a rate of 1.
+## W = pose_spin (PLACE, TH): angular velocities (a column for each body) of the poses PLACE (th)
+## for a rate of 1.
 
 function w = pose_spin (place, th)
   T = place (th);

@@ -1,4 +1,5 @@
-## T = pose_turn (AXIS, ANGLE): the placement (4 x 4) of a frame turned by ANGLE about AXIS, one of 1, 2, 3 or a unit vector, through the origin.
+## T = pose_turn (AXIS, ANGLE): the placement (4 x 4) of a frame turned by ANGLE about AXIS, one of
+## 1, 2, 3 or a unit vector, through the origin.
 
 function T = pose_turn (axis, angle)
   e = axis(:);
