@@ -278,15 +278,16 @@ class Comparison:
 
     def accelerations(self, s, x, v, wd, M, B, H, loose):
         m, code = self.m, self.code
+        if 'loop_method' not in code.names:
+            raise ValueError('no parameter loop_method')
         for way in (1, 2, 3, 4):
             code.set({'loop_method': float(way)})
             found, lam = zeros(m.nu), zeros(code.d['nlam'])
             info = code.call('acc', s.t, x, v, code.cst, found, lam, 99)
-            word = 'ACC' if way == 1 else 'ACC'
             if info not in (0, 2):
-                self.note(word, float('inf'))
+                self.note('ACC', float('inf'))
                 continue
-            self.note(word, error(found, wd, 1.)/loose)
+            self.note('ACC', error(found, wd, 1.)/loose)
             pull = M@found + B
             self.note('ACC balance',
                       float(np.max(np.abs(pull - H.T @ lam)))/max(1., np.max(np.abs(pull)))/loose)
