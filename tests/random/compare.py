@@ -14,7 +14,7 @@ LIMITS = {
     1e-7, 'INV_V beside single': 1e-11, 'MAS_V beside single': 1e-11, 'BIA_V beside single':
     1e-11, 'FWD_V beside single': 1e-10, 'RHS_V beside single': 1e-10
 }
-STEP = 1e-3  # of the differences of fourth order
+STEP = 1e-3  # the longer one of the differences
 
 
 def error(found, wanted, scale=1e-9):
@@ -481,9 +481,16 @@ def wide(rows, ld):
 
 
 def slopes(at):
-    """derivatives of a tuple of arrays at 0, of fourth order"""
-    a, b, c, d = at(STEP), at(-STEP), at(2*STEP), at(-2*STEP)
-    return [(8*(p-q) - (u-v))/(12*STEP) for p, q, u, v in zip(a, b, c, d)]
+    """derivatives of a tuple of arrays at 0, of sixth order: extrapolated from two steps, as some
+    curves are steep"""
+    return [(256*fine - coarse)/255
+            for fine, coarse in zip(differences(at, STEP/4), differences(at, STEP))]
+
+
+def differences(at, step):
+    """of fourth order"""
+    a, b, c, d = at(step), at(-step), at(2*step), at(-2*step)
+    return [(8*(p-q) - (u-v))/(12*step) for p, q, u, v in zip(a, b, c, d)]
 
 
 def displaced_tree(m, s, step, more):
