@@ -58,7 +58,8 @@ C     constraints are left out of UD; LAM is then the multiplier of
 C     least norm.
 C     Where a pivot of L is tiny, A is replaced by A + H'*D*H and F by
 C     F + H'*D*G, which has the same solution: D is diagonal, of the
-C     size of A.
+C     size of A.  Where constraints are dependent as well, G may not fit
+C     all of them: LAM then follows from UD and A, F alone (GSLAM).
 C
 C     ERROR INDICATOR
 C     INFO = 0   ok;
@@ -75,8 +76,9 @@ C
      $                   LAM(*), W(*)
       DOUBLE PRECISION   GSEPS, S, SMALL
       EXTERNAL           GSEPS, GSCHF, GSTRS, GSQRG, GSQMV, GSAUG,
-     $                   GSLNM
-      INTEGER            I, J, K, R, IY, IT, IZ, IP, IB, IS, IC, IQ, LD
+     $                   GSLNM, GSLAM
+      INTEGER            I, J, K, TINY, R, IY, IT, IZ, IP, IB, IS, IC,
+     $                   IQ, LD
 C
       INFO = 0
       IF ( N.LT.0 ) INFO = -1
@@ -108,15 +110,16 @@ C     -- A = L*L'
    30 CONTINUE
       CALL GSCHF( N, W, LD, INFO )
       SMALL = 1.0D4*DBLE( N )*GSEPS()
-      K = INFO
+      TINY = INFO
       DO 35 J = 1, N
          IF ( INFO.EQ.0 ) THEN
-            IF ( W(J+N*(J-1))**2.LE.SMALL*A(J,J) ) K = J
+            IF ( W(J+N*(J-1))**2.LE.SMALL*A(J,J) ) TINY = J
          END IF
          W(IZ+J-1) = F(J)
    35 CONTINUE
-      IF ( K.NE.0 ) THEN
-         CALL GSAUG( N, M, A, LDA, H, LDH, G, W, LD, W(IZ), INFO )
+      IF ( TINY.NE.0 ) THEN
+         CALL GSAUG( N, M, A, LDA, H, LDH, G, GRP, W, LD, W(IZ), W(IY),
+     $               W(IS), INFO )
          IF ( INFO.NE.0 ) THEN
             INFO = 1
             RETURN
@@ -169,30 +172,38 @@ C     -- R*y = c, LAM = P*y
 C
 C     -- fewer
       INFO = 2
-      CALL GSLNM( M, R, W(IY), LD, W(IP), W(IC), LAM, W(IT), W(IQ),
-     $            W(IB), W(IS) )
+      IF ( TINY.NE.0 ) THEN
+         CALL GSLAM( N, M, A, LDA, H, LDH, F, TOL, GRP, UD, LAM, W )
+      ELSE
+         CALL GSLNM( M, R, W(IY), LD, W(IP), W(IC), LAM, W(IT), W(IQ),
+     $               W(IB), W(IS) )
+      END IF
       END
-      SUBROUTINE GSAUG( N, M, A, LDA, H, LDH, G, L, LDL, Z, INFO )
+      SUBROUTINE GSAUG( N, M, A, LDA, H, LDH, G, GRP, L, LDL, Z, Y, D,
+     $                  INFO )
 C
 C     PURPOSE
-C     L*L' = A + H'*D*H and Z := Z + H'*D*G for GSKKT, where A alone has
-C     no safe factor; D = max(A(j,j))/max(H(i,j)**2) row by row.
+C     L*L' = A + H'*D*D*H and Z := Z + H'*D*D*G for GSKKR, where A alone
+C     has no safe factor; D(i)**2 = max(A(j,j))/size(i)**2, the sizes of
+C     GSROW: a row of rounding errors must not count as a constraint.
 C
 C     ARGUMENTS
-C     As GSKKT, and
+C     As GSKKR, and
 C     L       (input/output) DOUBLE PRECISION array, dimension (LDL,N):
 C             on entry the factor of A alone if INFO = 0.  It is kept,
 C             and Z as well, if its worst pivot is the better one.
 C     Z       (input/output) DOUBLE PRECISION array, dimension (2*N):
 C             the second half is workspace.
+C     Y, D    (workspace) DOUBLE PRECISION arrays, dimension (M,N), (M).
 C     INFO    (input/output) INTEGER, on entry that of GSCHF on A alone,
 C             on exit 0, or > 0 if neither matrix is positive definite.
 C
       IMPLICIT NONE
-      INTEGER            N, M, LDA, LDH, LDL, INFO
-      DOUBLE PRECISION   A(LDA,*), H(LDH,*), G(*), L(LDL,*), Z(*)
-      DOUBLE PRECISION   GSEPS, S, D, BIG, FIRST, WORST, TOL
-      EXTERNAL           GSEPS, GSCHF
+      INTEGER            N, M, LDA, LDH, GRP(*), LDL, INFO
+      DOUBLE PRECISION   A(LDA,*), H(LDH,*), G(*), L(LDL,*), Z(*),
+     $                   Y(M,*), D(*)
+      DOUBLE PRECISION   GSEPS, S, BIG, FIRST, WORST, TOL
+      EXTERNAL           GSEPS, GSCHF, GSROW
       INTEGER            I, J, K
 C
 C     -- the worst pivot of A alone, the size of A
@@ -209,21 +220,15 @@ C     -- the worst pivot of A alone, the size of A
       IF ( .NOT.( BIG.GT.0.0D0 ) ) BIG = 1.0D0
 C
 C     -- with the constraints
+      CALL GSROW( N, M, H, LDH, GRP, Y, D )
       DO 60 K = 1, M
-         S = 0.0D0
-         DO 30 J = 1, N
-            S = MAX( S, ABS( H(K,J) ) )
-   30    CONTINUE
-         IF ( S.GT.1.0D-150 ) THEN
-            D = ( BIG/S )/S
-            DO 50 J = 1, N
-               S = D*H(K,J)
-               Z(J) = Z(J) + S*G(K)
-               DO 40 I = J, N
-                  L(I,J) = L(I,J) + S*H(K,I)
-   40          CONTINUE
-   50       CONTINUE
-         END IF
+         DO 50 J = 1, N
+            S = BIG*Y(K,J)
+            Z(J) = Z(J) + S*D(K)*G(K)
+            DO 40 I = J, N
+               L(I,J) = L(I,J) + S*Y(K,I)
+   40       CONTINUE
+   50    CONTINUE
    60 CONTINUE
       DO 70 J = 1, N
          Z(N+J) = L(J,J)
@@ -249,15 +254,8 @@ C     -- they do not help: A alone
       CALL GSCHF( N, L, LDL, INFO )
       IF ( INFO.NE.0 ) RETURN
       DO 130 K = 1, M
-         S = 0.0D0
-         DO 110 J = 1, N
-            S = MAX( S, ABS( H(K,J) ) )
-  110    CONTINUE
-         IF ( S.GT.1.0D-150 ) THEN
-            D = ( BIG/S )/S*G(K)
-            DO 120 J = 1, N
-               Z(J) = Z(J) - D*H(K,J)
-  120       CONTINUE
-         END IF
+         DO 120 J = 1, N
+            Z(J) = Z(J) - BIG*Y(K,J)*D(K)*G(K)
+  120    CONTINUE
   130 CONTINUE
       END

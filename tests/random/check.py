@@ -8,6 +8,8 @@ or hangs, and counts by way, element and routine. Exit code 0 only if all that w
 a good reason is right.
 """
 import collections
+import glob
+import hashlib
 import json
 import os
 import random
@@ -147,8 +149,32 @@ def judged_or_failed(call, folder, library):
         return {'verdict': 'wrong', 'said': text[-1] + ' at ' + text[-2].strip()}
 
 
-def chunk(folder, seeds):
-    """results of some scenes as lines of JSON in chunk_<first>.out"""
+def sources():
+    """a word that changes with the package, the library, the Fortran and this comparison"""
+    ends = ('gsmbp/*.mac', 'gsmbp/*.lisp', 'share/*/*.mac', 'share/fortran/**/*.f',
+            'tests/random/*')
+    word = hashlib.sha256()
+    for path in sorted(p for e in ends for p in glob.glob(os.path.join(ROOT, e), recursive=True)):
+        if os.path.isfile(path):
+            word.update(path[len(ROOT):].encode() + open(path, 'rb').read())
+    return word.hexdigest()[:12]
+
+
+SOURCES = sources()
+
+
+def results_file(folder, seeds):
+    return os.path.join(folder, 'chunk_%d_%d_%s.out' % (seeds[0], len(seeds), SOURCES))
+
+
+def judged_before(folder, seeds):
+    """whether an earlier run on the same sources has left the results of every scene"""
+    path = results_file(folder, seeds)
+    return os.path.exists(path) and len(open(path).readlines()) == len(seeds)
+
+
+def chunk(folder, seeds, path):
+    """results of some scenes as lines of JSON"""
     os.makedirs(folder, exist_ok=True)
     library, calls = run_time(ROOT, folder), [Call(s) for s in seeds]
     for c in calls:
@@ -157,7 +183,7 @@ def chunk(folder, seeds):
     derived = {}
     for lisp in ('GCL', 'ECL'):
         derived.update(derive(ROOT, folder, [c for c in calls if c.way.lisp == lisp], lisp))
-    with open(os.path.join(folder, 'chunk_%d.out' % seeds[0]), 'w') as out:
+    with open(path, 'w') as out:
         for c in calls:
             out.write(json.dumps(result(c, folder, library, *derived[c.scene.name])) + '\n')
             out.flush()
@@ -265,7 +291,13 @@ def main():
     run_time(ROOT, folder)
     size, end = min(CHUNK, -(-count//jobs)), first + count
     waiting = [range(s, min(s + size, end)) for s in range(first, end, size)]
-    running, results, began = [], [], time.time()
+    done = [seeds for seeds in waiting if judged_before(folder, seeds)]
+    waiting = [seeds for seeds in waiting if seeds not in done]
+    running = []
+    results = [r for seeds in done for r in collected(folder, seeds)]
+    if done:
+        print('%d scenes were judged before' % len(results))
+    progress = Progress(len(results), count)
     while waiting or running:
         while waiting and len(running) < jobs:
             running.append(started(folder, waiting.pop(0)))
@@ -273,7 +305,7 @@ def main():
             if p.poll() is not None:
                 running.remove((p, seeds))
                 results += collected(folder, seeds)
-                progress(results, count, began)
+                progress.show(results)
         time.sleep(.2)
     bad = report(results)
     say(not bad, '%d scenes of chance are right' % len(results))
@@ -281,22 +313,33 @@ def main():
 
 
 def started(folder, seeds):
-    command = [sys.executable, __file__, '--chunk', folder, str(seeds[0]), str(len(seeds))]
+    command = [
+        sys.executable, __file__, '--chunk', folder,
+        str(seeds[0]),
+        str(len(seeds)),
+        results_file(folder, seeds)
+    ]
     env = {**os.environ, 'OMP_NUM_THREADS': '1', 'OPENBLAS_NUM_THREADS': '1'}
     return subprocess.Popen(command, env=env, preexec_fn=dies_with_parent), seeds
 
 
-def progress(results, count, began):
-    used, n = os.times(), len(results)
-    bad = sum(failed(r) for r in results)
-    print('%d of %d scenes, %d failed; %.1f CPU seconds a scene, %.0f min' %
-          (n, count, bad, (used.children_user + used.children_system)/n, (time.time()-began)/60))
-    sys.stdout.flush()
+class Progress:
+
+    def __init__(self, before, count):
+        self.before, self.count, self.began = before, count, time.time()
+
+    def show(self, results):
+        used, n = os.times(), len(results)
+        print('%d of %d scenes, %d failed; %.1f CPU seconds a scene, %.0f min' %
+              (n, self.count, sum(failed(r) for r in results),
+               (used.children_user + used.children_system)/(n - self.before),
+               (time.time() - self.began)/60))
+        sys.stdout.flush()
 
 
 def collected(folder, seeds):
     """results of a chunk; those that its process did not reach are lost"""
-    path = os.path.join(folder, 'chunk_%d.out' % seeds[0])
+    path = results_file(folder, seeds)
     found = [json.loads(line) for line in open(path)] if os.path.exists(path) else []
     for seed in list(seeds)[len(found):]:
         found.append({'verdict': 'lost', 'name': 'seed %d' % seed, 'said': '', 'way': [],
@@ -310,6 +353,7 @@ def collected(folder, seeds):
 
 if __name__ == '__main__':
     if sys.argv[1] == '--chunk':
-        chunk(sys.argv[2], range(int(sys.argv[3]), int(sys.argv[3]) + int(sys.argv[4])))
+        chunk(sys.argv[2], range(int(sys.argv[3]), int(sys.argv[3]) + int(sys.argv[4])),
+              sys.argv[5])
     else:
         main()

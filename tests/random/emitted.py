@@ -9,11 +9,11 @@ FLAGS = ['-O0', '-fPIC', '-frecursive', '-w']
 
 
 def run_time(root, folder):
-    """the library of share/fortran as one shared object, made once"""
+    """the library of share/fortran as one shared object, made where it is older than its sources"""
     target = os.path.join(folder, 'libgs.so')
-    if not os.path.exists(target):
-        sources = glob.glob(root + '/share/fortran/*.f') + glob.glob(root +
-                                                                     '/share/fortran/lapack/*.f')
+    sources = glob.glob(root + '/share/fortran/*.f') + glob.glob(root + '/share/fortran/lapack/*.f')
+    newest = max(os.path.getmtime(f) for f in sources)
+    if not os.path.exists(target) or os.path.getmtime(target) < newest:
         new = '%s.%d' % (target, os.getpid())
         subprocess.run(['gfortran', '-O1'] + FLAGS[1:] + ['-shared', '-o', new] + sources +
                        ['-llapack', '-lblas'],

@@ -304,17 +304,19 @@ def sampled_encoder(r):
 
 
 def computer(r, name, stand, source):
-    """an ideal drive that a sampled device commands"""
+    """an ideal drive that a sampled device commands; or one beside an encoder, which gives no effort"""
     c, q = name + 'c', source.measured
     kind, k, variant, keys, law = r.choice([sampled_pid, sampled_cascade, sampled_encoder])(r)
     wired = {
         'reference': '0.5*sin(2*t)', 'measured': q, 'measure': q, 'speed': q + '_d', 'forward':
         'cos(2*t)'
     }
-    out = c + ('_angle' if kind == 'encoder' else '_out')
+    out, effort = c + '_out', c
+    if kind == 'encoder':
+        out = effort = '2*sin(3*t) + 0.5'
     words = [
         entry(kind, c, k, ''.join(', %s = %s' % (n, wired[n]) for n in keys), variant),
-        'drive(%s, %s, effort = %s)' % (name, stand, c)
+        'drive(%s, %s, effort = %s)' % (name, stand, effort)
     ]
     given = {c + '_' + n: wired[n] for n in keys}
     given[name + '_effort'] = out
@@ -325,7 +327,7 @@ def computer(r, name, stand, source):
         return res
 
     m = Machine(words, [], at, given)
-    m.sampled, m.held = (c, keys, law), [out]
+    m.sampled, m.held = (c, keys, law), [c + '_angle' if kind == 'encoder' else out]
     return m
 
 
