@@ -2,7 +2,7 @@
 
 EXAMPLES := $(notdir $(patsubst %/,%,$(wildcard examples/*/)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
-MAXIMA_SOURCES := $(wildcard gsmbp/*.mac gsmbp/*.lisp) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
+MAXIMA_SOURCES := $(wildcard gsmbp/*.mac gsmbp/*.lisp gsmbp/*/*.mac gsmbp/*/*.lisp) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given
@@ -101,9 +101,9 @@ same: | packages
 
 doc: share/manual/functions.txt
 
-share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac)
+share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac gsmbp/*/*.mac)
 	@mkdir -p $(@D)
-	share/make/doc gsmbp/*.mac >$@.new && mv $@.new $@ || { rm -f $@.new; exit 1; }
+	share/make/doc gsmbp/*.mac gsmbp/*/*.mac >$@.new && mv $@.new $@ || { rm -f $@.new; exit 1; }
 
 install:
 	@share/make/compile

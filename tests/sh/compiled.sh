@@ -32,7 +32,7 @@ file=$(ls gsmbp/compiled/*/gsmbp.*)
 compile
 check 'what is up to date is not compiled again' test "$(ls -i gsmbp/compiled/*/gsmbp.*)" = "$(ls -i "$file")"
 before=$(ls -i "$file")
-touch gsmbp/gsmbp_tape.lisp
+touch gsmbp/tape/code.lisp
 check 'not used once a source is newer' fails used
 compile
 check 'compiled again' test "$(ls -i "$file")" != "$before"

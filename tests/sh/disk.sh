@@ -46,16 +46,16 @@ check 'derive: nothing else is left behind, killed too' alone "$work/derive"
 check 'maxima: a log that is cut short is no success' fails full 4 share/make/maxima "$work/cut.log" 'for i thru 1000 do print(i)$ "a statement that fails"$'
 check 'maxima: and says so' says 'cut.log is cut short: is the disk full'
 
-mkdir -p "$work/tree/gsmbp" "$work/home"
-cp -R --preserve=timestamps share Makefile LICENSE octave "$work/tree"
-cp --preserve=timestamps gsmbp/*.mac gsmbp/*.lisp "$work/tree/gsmbp"
+mkdir -p "$work/tree" "$work/home"
+cp -R --preserve=timestamps gsmbp share Makefile LICENSE octave "$work/tree"
+rm -rf "$work/tree/gsmbp/compiled"
 cd "$work/tree" || exit 1
 mkdir -p share/manual; echo old >share/manual/functions.txt; touch -d '2000-01-01' share/manual/functions.txt
 check 'doc: a full disk is an error' fails full 2 make --no-print-directory doc
 check 'doc: the old file is kept' test "$(cat share/manual/functions.txt)" = old -a ! -e share/manual/functions.txt.new
 full 40 share/make/compile
 check 'compile: what is cut short is not used' fails sh -c 'ls gsmbp/compiled/*/gsmbp.*'
-check 'compile: and says so' says 'compile: Maxima will load gsmbp/\*.lisp uncompiled'
+check 'compile: and says so' says 'compile: Maxima will load the Lisp files uncompiled'
 share/make/install "$work/home" '' '' >"$work/out.txt" && echo old >"$work/home/gsmbp-files/LICENSE"
 check 'install: a full disk is an error' fails full 8 share/make/install "$work/home" '' ''
 check 'install: what was installed is kept' test "$(cat "$work/home/gsmbp-files/LICENSE")" = old -a ! -e "$work/home/gsmbp-files.new"

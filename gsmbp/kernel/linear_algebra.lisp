@@ -1,0 +1,99 @@
+;;; kernel/linear_algebra.lisp: small pieces of linear algebra, for the rank of constraints and the
+;;; closing of loops while a scene is derived. Matrices are Maxima lists of rows. (What runs later
+;;; is Fortran; this only has to be quick enough.)
+(in-package :maxima)
+
+(defun gsmbp-rows (m)
+  (mapcar #'(lambda (r)
+              (coerce (mapcar #'(lambda (x) (coerce x 'double-float)) (cdr r)) 'simple-vector))
+          (cdr m)))
+
+(defun gsmbp-dot (a b)
+  (let ((s 0.0d0))
+    (dotimes (i (length a) s) (incf s (* (svref a i) (svref b i))))))
+
+;;; gsmbp__damped(J, phi, mu): -J' (J J' + mu 1)^-1 phi, the shortest damped step towards phi = 0.
+(defun $gsmbp__damped (j phi mu)
+  (let* ((rows (coerce (gsmbp-rows j) 'simple-vector)) (m (length rows)) (n (length (svref rows 0)))
+         (c (make-array (list m m) :initial-element 0.0d0))
+         (y (coerce (mapcar #'(lambda (x) (- (coerce x 'double-float))) (cdr phi)) 'simple-vector))
+         (dx (make-array n :initial-element 0.0d0)))
+    (dotimes (i m)
+      (do ((k 0 (1+ k)))
+          ((> k i))
+        (setf (aref c i k)
+              (+ (gsmbp-dot (svref rows i) (svref rows k))
+                 (if (= i k) (coerce mu 'double-float) 0.0d0)))))
+    (dotimes (k m)  ; Cholesky, in place
+      (do ((l 0 (1+ l)))
+          ((>= l k))
+        (do ((i k (1+ i))) ((>= i m)) (decf (aref c i k) (* (aref c i l) (aref c k l)))))
+      (let ((d (sqrt (max (aref c k k) 1.0d-300))))
+        (do ((i k (1+ i))) ((>= i m)) (setf (aref c i k) (/ (aref c i k) d)))))
+    (dotimes (k m)
+      (setf (svref y k) (/ (svref y k) (aref c k k)))
+      (do ((i (1+ k) (1+ i))) ((>= i m)) (decf (svref y i) (* (aref c i k) (svref y k)))))
+    (do ((k (1- m) (1- k)))
+        ((< k 0))
+      (do ((i (1+ k) (1+ i))) ((>= i m)) (decf (svref y k) (* (aref c i k) (svref y i))))
+      (setf (svref y k) (/ (svref y k) (aref c k k))))
+    (dotimes (i m) (dotimes (k n) (incf (svref dx k) (* (svref y i) (svref (svref rows i) k)))))
+    (cons '(mlist) (coerce dx 'list))))
+
+;;; The numbers of the rows that do not depend on those before them, by elimination: `pivot` gives
+;;; the place of a row's pivot, or false where nothing is left of it; x less s times y is (minus x s
+;;; y), y over d (over y d). Zeros are passed over.
+(defun gsmbp-independent (rows pivot minus over)
+  (let ((basis nil) (kept nil) (number 0))
+    (dolist (r rows)
+      (incf number)
+      (let ((before (copy-seq r)))
+        (dolist (b (reverse basis))
+          (let ((s (svref r (car b))))
+            (unless (zerop s)
+              (dolist (e (cdr b))
+                (setf (svref r (car e)) (funcall minus (svref r (car e)) s (cdr e))))
+              (setf (svref r (car b)) 0))))
+        (let ((p (funcall pivot r before)) (entries nil))
+          (when p
+            (dotimes (i (length r))
+              (unless (zerop (svref r i))
+                (push (cons i (funcall over (svref r i) (svref r p))) entries)))
+            (push (cons p entries) basis)
+            (push number kept)))))
+    (cons '(mlist) (nreverse kept))))
+
+(defun gsmbp-largest (r)
+  (let ((p 0))
+    (dotimes (i (length r) p) (when (> (abs (svref r i)) (abs (svref r p))) (setq p i)))))
+
+;;; gsmbp__independent_rows(A, tol), floats: what is left of a row must be above tol times its size.
+(defun $gsmbp__independent_rows (a tol)
+  (gsmbp-independent
+    (gsmbp-rows a)
+    #'(lambda (r before)
+        (let ((p (gsmbp-largest r)))
+          (and (> (abs (svref r p)) (* tol (abs (svref before (gsmbp-largest before))))) p)))
+    #'(lambda (x s y) (- x (* s y))) #'/))
+
+;;; gsmbp__exact_independent(A), rational numbers: in the field of a prime, where they do not grow.
+;;; (A rank found too small would need a minor that the prime 2^31 - 1 divides.)
+(defconstant gsmbp-prime 2147483647)
+
+(defun gsmbp-inverse (x)                ; Fermat
+  (let ((y 1) (n (- gsmbp-prime 2)))
+    (do () ((zerop n) y)
+      (when (oddp n) (setq y (mod (* y x) gsmbp-prime)))
+      (setq x (mod (* x x) gsmbp-prime) n (ash n -1)))))
+
+(defun gsmbp-residue (x)
+  (if (consp x)
+      (mod (* (mod (cadr x) gsmbp-prime) (gsmbp-inverse (mod (caddr x) gsmbp-prime))) gsmbp-prime)
+      (mod x gsmbp-prime)))
+
+(defun $gsmbp__exact_independent (a)
+  (gsmbp-independent
+    (mapcar #'(lambda (r) (coerce (mapcar #'gsmbp-residue (cdr r)) 'simple-vector)) (cdr a))
+    #'(lambda (r before) (declare (ignore before)) (position-if-not #'zerop r))
+    #'(lambda (x s y) (mod (- x (* s y)) gsmbp-prime))
+    #'(lambda (y d) (mod (* y (gsmbp-inverse d)) gsmbp-prime))))

@@ -1,0 +1,176 @@
+;;; kernel/session.lisp: every public function runs in an environment of its own: the options of
+;;; Maxima have their first values, facts that were assumed and properties that were declared do not
+;;; hold. The session is afterwards as it was, also after an error. What cannot be put aside, rules
+;;; on the operators of arithmetic and an order of symbols, is an error.
+(in-package :maxima)
+
+;;; ---------------------------------------------------------------------------------------- options
+
+;;; Options that say nothing about expressions and stay the user's: what is shown and where, where
+;;; files are, what Maxima notes down.
+(defvar *gsmbp-kept-options*
+  '($_ $__ $% $%% $piece $askexp $linenum $labels tr-unique $values $infolists $aliases $features
+       $myoptions $notes $functions $macros $arrays $props $structures $rules $gradefs $dependencies
+       $let_rule_packages $current_let_rule_package $default_let_rule_package $context $contexts
+       $activecontexts $error $error_syms $error_size $errormsg $debugmode $backtrace $display2d
+       $linel $ttyoff $showtime $prompt $inchar $linechar $outchar $leftjust $announce_rules_firing
+       $setcheck $optionset $ratprint $setcheckbreak $refcheck $storenum $disptime $timer $trace
+       $tempdir $logfile))
+(defvar *gsmbp-kept-stems*
+  '("$FILE" "$MAXIMA_" "$LOAD" "$GNUPLOT" "$PLOT" "$TESTSUITE" "$SHARE_TESTSUITE" "$TRACE" "$TIMER"
+            "$GSMBP" "$TTY" "$IN_NETMATH" "$DRAW"))
+
+(defun gsmbp-kept-p (s)
+  (or (member s *gsmbp-kept-options* :test #'eq)
+      (let ((name (symbol-name s)))
+        (or ; variables of Maxima's own
+            (not (or (find (char name 0) "$%") (eq s 'modulus)))
+            (some #'(lambda (stem)
+                      (and (<= (length stem) (length name))
+                           (string-equal stem name :end2 (length stem)))) *gsmbp-kept-stems*)))))
+
+;;; the options whose values are not those that Maxima starts with, as (names . first values);
+;;; Maxima's reset() uses the same table
+(defun gsmbp-changed-options ()
+  (let ((names nil) (values nil))
+    (maphash
+      #'(lambda (s v)
+          (unless (or (not (boundp s)) (equal (symbol-value s) v) (gsmbp-kept-p s))
+            (push s names)
+            (push v values)))
+      *variable-initial-values*)
+    (cons names values)))
+
+;;; ------------------------------------------------------------------------------------- properties
+
+;;; what declare, depends and gradef leave on a symbol: of its properties, of those of Maxima's own
+;;; list
+(defvar *gsmbp-declared* '(bindtest evflag evfun))
+(defvar *gsmbp-declared-more*
+  '($mainvar $scalar $nonscalar $constant $nonarray depends $atomgrad atvalues))
+
+(defun gsmbp-without (plist keys)
+  (loop for (k v) on plist by #'cddr unless (member k keys :test #'eq) append (list k v)))
+(defun gsmbp-undeclared (plist)
+  (let ((mprops (getf plist 'mprops)) (rest (gsmbp-without plist (cons 'mprops *gsmbp-declared*))))
+    (if mprops
+        (list* 'mprops (cons (car mprops) (gsmbp-without (cdr mprops) *gsmbp-declared-more*)) rest)
+        rest)))
+
+;;; the symbols to which the user has given properties, each with these
+(defun gsmbp-declared-symbols ()
+  (let ((found nil))
+    (flet ((note (s)
+             (when (and (symbolp s)
+                        (not (assoc s found))
+                        (not (eql 0 (search "$GSMBP" (string-upcase (symbol-name s))))))
+               (push (cons s (symbol-plist s)) found))))
+      (mapc #'note (cdr $props))
+      (dolist (d (cdr $dependencies)) (note (caar d))))
+    found))
+
+;;; ------------------------------------------------------------------------------------------ facts
+
+(defun gsmbp-facts-p ()
+  (or (cdr $activecontexts)
+      (some #'(lambda (c) (and (not (eq c '$global)) (cdr ($facts c)))) (cdr $contexts))))
+
+;;; f called where no fact holds but those that Maxima begins with
+(defun gsmbp-without-facts (f)
+  (if (not (gsmbp-facts-p)) (funcall f)
+    (let ((before $context) (active (cdr $activecontexts)) (own (gensym "$GSMBP__FACTS")))
+      (dolist (c active) ($deactivate c))
+      ($supcontext own '$global)
+      (unwind-protect (funcall f)
+        (mset '$context before)
+        ($killcontext own)
+        (dolist (c (reverse active)) ($activate c))))))
+
+;;; ----------------------------------------------------------------------------- what is in the way
+
+(defvar *gsmbp-operators*
+  '(mplus mtimes mexpt mminus mquotient mabs rat %sin %cos %tan %asin %acos %atan $atan2 %atan2
+          %sinh %cosh %tanh %log %exp %sqrt $max $min %max %min %signum mequal mlist))
+
+(defun gsmbp-refuse (what)
+  (mfuncall '$gsmbp__error "gsmbp" (concatenate 'string "expected a session without " what)))
+(defun gsmbp-shown (op)
+  (let ((s (or (get op 'op) (get op 'reversealias) op)))
+    (if (stringp s) (format nil "\"~a\"" s) (coerce (mstring s) 'string))))
+
+(defun gsmbp-check-session ()
+  (dolist (r (cdr $rules))
+    (let ((op (mget r 'ruleof)))
+      (when (member op *gsmbp-operators* :test #'eq)
+        (gsmbp-refuse
+          (format nil "rules of tellsimp on ~a; remrule(~a, all) takes ~a away" (gsmbp-shown op)
+                  (gsmbp-shown op) (coerce (mstring r) 'string))))))
+  (dolist (g (cdr $gradefs))
+    (when (member (caar g) *gsmbp-operators* :test #'eq)
+      (gsmbp-refuse (format nil "a gradef of ~a of your own" (gsmbp-shown (caar g))))))
+  (when (gsmbp-ordered-p)
+    (gsmbp-refuse "an order of symbols by orderless or ordergreat; unorder() takes it away")))
+;;; Maxima gives ordered symbols other names, _101q1
+(defun gsmbp-ordered-p ()
+  (or (and (boundp 'lessorder) (symbol-value 'lessorder))
+      (and (boundp 'greatorder) (symbol-value 'greatorder))
+      (and (boundp '*lessorder*) (symbol-value '*lessorder*))
+      (and (boundp '*greatorder*) (symbol-value '*greatorder*))))
+
+;;; ------------------------------------------------------------------------------------- interrupts
+
+;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any
+;;; other: errcatch, and Maxima's own handlers in charat, substring and float, would take it for a
+;;; failure of what they try, and go on.
+#+gcl
+(defun gsmbp-interruptible (f)
+  (let ((before (symbol-function 'si::terminal-interrupt)))
+    (unwind-protect
+      (progn
+        (setf (symbol-function 'si::terminal-interrupt)
+              #'(lambda (&rest args) (declare (ignore args))
+                  (setf (symbol-function 'si::terminal-interrupt) before)
+                  (fresh-line *standard-output*)
+                  (format t "gsmbp: interrupted~%")
+                  (throw 'macsyma-quit 'maxima-error)))
+        (funcall f))
+      (setf (symbol-function 'si::terminal-interrupt) before))))
+
+#-gcl
+
+(defun gsmbp-interruptible (f) (funcall f))
+
+;;; -------------------------------------------------------------------------------- the environment
+
+(defvar *gsmbp-apart* nil)
+
+(defun gsmbp-apart (f)
+  (if *gsmbp-apart*
+      (funcall f)
+      (let ((*gsmbp-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
+            (mark (cons bindlist loclist)) (changed (gsmbp-changed-options)))
+        (unwind-protect (progn
+          (mbind (car changed) (cdr changed) nil)
+          (gsmbp-check-session)
+          (setq declared (gsmbp-declared-symbols))
+          (dolist (d declared) (setf (symbol-plist (car d)) (gsmbp-undeclared (cdr d))))
+          (gsmbp-interruptible #'(lambda () (gsmbp-without-facts f))))
+          (errlfun1 mark)
+          (dolist (d declared) (setf (symbol-plist (car d)) (cdr d)))))))
+
+;;; gsmbp__apart(e): e evaluated in that environment
+(defmspec $gsmbp__apart (form) (let ((e (cadr form))) (gsmbp-apart #'(lambda () (meval e)))))
+
+;;; The public functions of the package, each with its body in that environment: what is called with
+;;; an expression sees it as the user gave it.
+(defun $gsmbp__set_apart ()
+  (dolist (f (cdr $functions))
+    (let* ((name (caar f)) (text (string-upcase (symbol-name name))) (e (mget name 'mexpr)))
+      (when (and (eql 0 (search "$GSMBP_" text)) (not (eql 0 (search "$GSMBP__" text))) e)
+        (unless (and (consp (caddr e)) (eq (caar (caddr e)) '$gsmbp__apart))
+          (mputprop name
+                    (list (car e)
+                          (cadr e)
+                          (list '($gsmbp__apart)
+                                (if (cdddr e) (cons '(mprogn) (cddr e)) (caddr e)))) 'mexpr)))))
+  '$done)

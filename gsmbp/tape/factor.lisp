@@ -1,0 +1,440 @@
+;; tape/factor.lisp: a straight-line program with fewer operations: what sums and products share
+;; in part, common factors; its order.
+;;
+;; ($gsmbp__fewer code outputs fixed fresh): code: Maxima list of entries [name, expression, block,
+;; number, symbols], oldest first; outputs: expressions; fixed: hash table, names that must stay
+;; (sines and cosines); fresh: function that gives a new symbol. Result: [code, outputs], the code
+;; in an order in which it can be executed.
+;;
+;; A node is (kind constant . parts): sum: constant + sum of c*name, parts ((name . c) ...);
+;; product: constant * product of names, parts ((name . 1) ...); other: an expression that is left
+;; alone.
+;;   flatten   a sum (product) used once in a sum (product) is written there;
+;;   cancel    x - b with x = a + b is a: one sum less, and no cancellation of rounded numbers;
+;;   factor    a*x + a*y, the products used once, is a*(x + y);
+;; pairs two terms (factors) that stand together in two or more sums (products) get a name, the most
+;; frequent first.
+(in-package :maxima)
+
+; form: (expression constant . parts) as it came, or nil
+(defstruct gsp kind const parts block number form)
+
+(defun gsp-number-p (e) (or (numberp e) (and (consp e) (eq (caar e) 'rat))))
+(defun gsp-plus (a b)
+  (if (and (numberp a) (numberp b)) (+ a b) (simplifya (list '(mplus) a b) nil)))
+(defun gsp-times (a b)
+  (if (and (numberp a) (numberp b)) (* a b) (simplifya (list '(mtimes) a b) nil)))
+
+;; (name . coefficient) of a term c*name, or nil
+(defun gsp-term (e)
+  (cond ((symbolp e) (cons e 1))
+        ((and (consp e)
+              (eq (caar e) 'mtimes)
+              (= (length e) 3)
+              (gsp-number-p (cadr e))
+              (symbolp (caddr e)))
+         (cons (caddr e) (cadr e)))))
+
+;; A number in a product is kept under a name of its own, so that the passes see it as they see a
+;; parameter.
+(defvar *gsp-names*)                          ; number -> its name
+(defvar *gsp-numbers*)                        ; name -> number
+(defun gsp-name-of (c)
+  (let ((key (format nil "~s" c)))
+    (or (gethash key *gsp-names*)
+        (let ((s (make-symbol key)))
+          (setf (gethash s *gsp-numbers*) c (gethash key *gsp-names*) s)))))
+(defun gsp-value (s) (or (gethash s *gsp-numbers*) s))
+(defun gsp-negative-p (c) (if (numberp c) (minusp c) (minusp (cadr c))))
+(defun gsp-sign (c) (if (gsp-negative-p c) -1 1))
+(defun gsp-abs (c) (if (gsp-negative-p c) (gsp-times -1 c) c))
+
+;; the parts of a product with those of the size of the number c
+(defun gsp-scaled (c parts)
+  (if (eql (gsp-abs c) 1) parts (cons (cons (gsp-name-of (gsp-abs c)) 1) parts)))
+
+;; The node of an expression; put: keeps a new node under a new name, which it returns.
+(defun gsp-node (e block number put)
+  (let ((const nil) (parts nil) (op (and (consp e) (caar e))))
+    (labels ((node (kind const parts)
+               (make-gsp :kind kind :const const :parts parts :block block :number number))
+             (other () (return-from gsp-node (node 'other e nil))))
+      (case op
+        (mplus (setq const 0)
+               (dolist (x (cdr e))
+                 (let ((p (gsp-term x)))
+                   (cond ((gsp-number-p x) (setq const (gsp-plus const x)))
+                         ((null p) (other))
+                         ((member (cdr p) '(1 -1)) (push p parts))
+                         (t (push (cons (funcall put
+                                                 (node 'product 1
+                                                       (gsp-scaled
+                                                         (cdr p) (list (cons (car p) 1)))))
+                                        (gsp-sign (cdr p))) parts))))))
+        (mtimes (setq const 1)
+                (dolist (x (cdr e))
+                  (cond ((gsp-number-p x) (setq const (gsp-times const x)))
+                        ((symbolp x) (push (cons x 1) parts))
+                        (t (other)))) (setq parts (gsp-scaled const parts) const (gsp-sign const)))
+        (t (other)))
+      (let ((n (node (if (eq op 'mplus) 'sum 'product) const (nreverse parts))))
+        (setf (gsp-form n) (list* e const (gsp-parts n)))
+        n))))
+
+(defun gsp-expression (n)
+  (if (and (gsp-form n)
+           (eql (gsp-const n) (cadr (gsp-form n)))
+           (equal (gsp-parts n) (cddr (gsp-form n))))
+      (car (gsp-form n))
+      (gsp-new-expression n)))
+(defun gsp-new-expression (n)
+  (case (gsp-kind n)
+    (other (gsp-const n))
+    (sum (simplifya
+           (list* '(mplus) (gsp-const n)
+                  (mapcar #'(lambda (p) (gsp-times (cdr p) (gsp-value (car p)))) (gsp-parts n)))
+           nil))
+    (t (simplifya
+         (list* '(mtimes) (gsp-const n) (mapcar #'(lambda (p) (gsp-value (car p))) (gsp-parts n)))
+         nil))))
+
+(defun gsp-symbols (e) (cdr (gsp-symbol-list e)))
+(defun gsp-symbol-list (e)
+  (let ((l nil))
+    (labels ((walk (x)
+               (cond ((symbolp x) (unless (or (null x) ($constantp x)) (pushnew x l)))
+                     ((consp x) (mapc #'walk (cdr x))))))
+      (walk e))
+    (cons '(mlist simp) l)))
+(defun gsp-operands (n)
+  (if (eq (gsp-kind n) 'other) (gsp-symbols (gsp-const n)) (mapcar #'car (gsp-parts n))))
+
+(defun gsp-uses (names nodes outputs)
+  (let ((uses (make-hash-table :test #'eq)))
+    (dolist (v names) (dolist (s (gsp-operands (gethash v nodes))) (incf (gethash s uses 0))))
+    (dolist (e outputs) (dolist (s (gsp-symbols e)) (incf (gethash s uses 0) 2)))
+    uses))
+
+;; the names (oldest first) that the outputs need; the nodes of the others go
+(defun gsp-needed (names nodes outputs fixed)
+  (let ((used (make-hash-table :test #'eq)) (kept nil))
+    (flet ((use (l) (dolist (s l) (setf (gethash s used) t))))
+      (dolist (e outputs) (use (gsp-symbols e)))
+      (dolist (v (reverse names) kept)
+        (cond ((or (gethash v used) (gethash v fixed))
+               (use (gsp-operands (gethash v nodes)))
+               (push v kept))
+              (t (remhash v nodes)))))))
+
+;; a sum or product used once, in one of its kind, is written there
+(defun gsp-flatten (names nodes uses fixed)
+  (dolist (v names)
+    (let ((n (gethash v nodes)))
+      (unless (eq (gsp-kind n) 'other)
+        (setf (gsp-parts n)
+              (mapcan #'(lambda (p)
+                          (let ((m (gethash (car p) nodes)))
+                            (cond ((and m
+                                        (eq (gsp-kind m) (gsp-kind n))
+                                        (= (gethash (car p) uses 0) 1)
+                                        (not (gethash (car p) fixed)))
+                                   (remhash (car p) nodes)
+                                   (cond ((eq (gsp-kind n) 'sum)
+                                          (setf (gsp-const n)
+                                                (gsp-plus (gsp-const n)
+                                                  (gsp-times (cdr p) (gsp-const m))))
+                                          (mapcar #'(lambda (q)
+                                                      (cons (car q) (gsp-times (cdr p) (cdr q))))
+                                                  (gsp-parts m)))
+                                         (t (setf (gsp-const n)
+                                                  (gsp-times (gsp-const n) (gsp-const m)))
+                                            (copy-list (gsp-parts m)))))
+                                  (t (list p))))) (gsp-parts n)))
+        (gsp-merge n)))))
+
+;; equal names of a sum are one term, the numbers of a product one number
+(defun gsp-merge (n)
+  (if (eq (gsp-kind n) 'sum)
+      (let ((l nil))
+        (dolist (p (gsp-parts n))
+          (let ((old (assoc (car p) l)))
+            (if old (setf (cdr old) (gsp-plus (cdr old) (cdr p))) (push (cons (car p) (cdr p)) l))))
+        (setf (gsp-parts n) (nreverse (remove-if #'(lambda (p) (eql (cdr p) 0)) l))))
+      (let ((numbers (remove-if-not #'(lambda (p) (gethash (car p) *gsp-numbers*)) (gsp-parts n))))
+        (when (cdr numbers)
+          (let ((c 1))
+            (dolist (p numbers) (setq c (gsp-times c (gsp-value (car p)))))
+            (setf (gsp-parts n)
+                  (gsp-scaled c (remove-if #'(lambda (p) (member p numbers)) (gsp-parts n)))))))))
+
+;; c*x in a sum whose other terms take away again one of the two terms of x = a + b: what is left of
+;; it
+(defun gsp-cancel (names nodes)
+  (dolist (v names)
+    (let ((n (gethash v nodes)))
+      (when (eq (gsp-kind n) 'sum)
+        (loop
+          for
+          found
+          =
+          (gsp-cancelled n nodes)
+          while
+          found
+          do
+          (destructuring-bind (x other left) found
+            (setf (gsp-parts n)
+                  (cons left (remove other (remove x (gsp-parts n) :test #'eq) :test #'eq)))
+            (gsp-merge n)))))))
+;; (term, the term that cancels a part of it, what is left of it) of a sum, or nil
+(defun gsp-cancelled (n nodes)
+  (dolist (x (gsp-parts n))
+    (let ((m (gethash (car x) nodes)))
+      (when (and m (eq (gsp-kind m) 'sum) (eql (gsp-const m) 0) (= (length (gsp-parts m)) 2))
+        (dolist (p (gsp-parts m))
+          (let ((other (assoc (car p) (gsp-parts n))))
+            (when (and other (equal (cdr other) (gsp-times -1 (gsp-times (cdr x) (cdr p)))))
+              (let ((q (if (eq p (car (gsp-parts m))) (cadr (gsp-parts m)) (car (gsp-parts m)))))
+                (return-from
+                  gsp-cancelled (list x other (cons (car q) (gsp-times (cdr x) (cdr q)))))))))))))
+
+;; one round over a sum: the name that is a factor of most of its products that are used once is
+;; taken out of them; new nodes by `fresh`
+(defun gsp-factor-sum (n nodes uses fixed fresh put)
+  (let ((count nil) (best nil))
+    (flet ((free (p)
+             (let ((m (gethash (car p) nodes)))
+               (and m
+                    (eq (gsp-kind m) 'product)
+                    (= (gethash (car p) uses 0) 1)
+                    (not (gethash (car p) fixed))
+                    m))))
+      (dolist (p (gsp-parts n))
+        (let ((m (free p)))
+          (when m
+            (dolist (x (remove-duplicates (mapcar #'car (gsp-parts m))))
+              (let ((c (assoc x count))) (if c (incf (cdr c)) (push (cons x 1) count)))))))
+      (dolist (c (reverse count))
+        (if (and (> (cdr c) 1) (or (null best) (> (cdr c) (cdr best)))) (setq best c)))
+      (when best
+        (let ((inner nil) (others nil) (x (car best)) (s (funcall fresh)) (v (funcall fresh))
+              (sign 1))
+          (dolist (p (gsp-parts n))
+            (let ((m (free p)))
+              (if (and m (assoc x (gsp-parts m)))
+                  (let ((parts (remove x (gsp-parts m) :key #'car :count 1))
+                        (c (gsp-times (cdr p) (gsp-const m))))
+                    (cond ((null (cdr parts))
+                           (remhash (car p) nodes)
+                           (push (cons (if parts (caar parts) nil) c) inner))
+                          (t (setf (gsp-parts m) parts (gsp-const m) 1)
+                             (push (cons (car p) c) inner))))
+                  (push p others))))
+          ; a, -a or nothing is left
+          (let ((const 0))
+            (dolist (i inner) (if (null (car i)) (setq const (gsp-plus const (cdr i)))))
+            (setq inner (nreverse (remove nil inner :key #'car)))
+            (cond ((or inner (not (member const '(0 1 -1))))
+                   (funcall put s
+                            (make-gsp :kind 'sum :const const :parts inner :block (gsp-block n)
+                                      :number (gsp-number n)))
+                   (funcall put v
+                            (make-gsp :kind 'product :const 1 :parts (list (cons x 1) (cons s 1))
+                                      :block (gsp-block n) :number (gsp-number n)))
+                   (setf (gethash s uses) 1 (gethash v uses) 1))
+                  (t (setq v x sign const))))
+          (setf (gsp-parts n) (cons (cons v sign) (nreverse others)))
+          (gsp-merge n)
+          t)))))
+
+;; pairs of terms of sums as ((a . b) . ratio), of factors as (a . b)
+(defun gsp-pair (kind p q)
+  (if (string> (symbol-name (car p)) (symbol-name (car q))) (rotatef p q))
+  (if (eq kind 'sum)
+      (list (car p) (car q) (gsp-times (cdr q) (gsp-inverse (cdr p))))
+      (list (car p) (car q) 1)))
+(defun gsp-inverse (c) (if (or (eql c 1) (eql c -1)) c (simplifya (list '(mexpt) c -1) nil)))
+
+;; A heap (best-item . heaps); the worse of two goes below the better.
+(defun gsp-meld (a b better)
+  (cond ((null a) b) ((null b) a)
+        ((funcall better (car a) (car b)) (list* (car a) b (cdr a)))
+        (t (list* (car b) a (cdr b)))))
+(defun gsp-rest (heap better)
+  (let ((pairs nil) (all nil))
+    (do ((l (cdr heap) (cddr l))) ((null l)) (push (gsp-meld (car l) (cadr l) better) pairs))
+    (dolist (h pairs all) (setq all (gsp-meld all h better)))))
+
+;; The most frequent pair is taken first, of several the one that is needed first. Where a pair
+;; stands can only become less while another is taken, so a pair that comes to the top of the heap
+;; is looked at again.
+(defun gsp-share-pairs (kind names nodes fresh put)
+  (let ((where (make-hash-table :test #'eq)) (two (make-hash-table :test #'eq))
+        (ids (make-hash-table :test #'eq)) (pairs (make-hash-table)) (heap nil))
+    (labels ((id (s) (or (gethash s ids) (setf (gethash s ids) (hash-table-count ids))))
+             ;; one list for each pair: Lisp's own hash of a list of names lets thousands share
+             ;; a place
+             (pair (p q)
+               (let* ((k (gsp-pair kind p q)) (n (+ (* 16777216 (id (first k))) (id (second k)))))
+                 (or (find (third k) (gethash n pairs) :key #'third :test #'equal)
+                     (progn (push k (gethash n pairs)) k))))
+             (each-pair (n f)
+               (do ((l (gsp-parts n) (cdr l)))
+                   ((null (cdr l)))
+                 (dolist (q (cdr l)) (unless (eq (caar l) (car q)) (funcall f (pair (car l) q))))))
+             (add (n)
+               (when (< (length (gsp-parts n)) 40)
+                 (each-pair n #'(lambda (k) (pushnew n (gethash k where))))))
+             (del (n)
+               (when (< (length (gsp-parts n)) 40)
+                 (each-pair
+                   n #'(lambda (k) (setf (gethash k where) (delete n (gethash k where)))))))
+             (standing (k)  ; (count number pair) of a pair that stands in two places or more
+               (let* ((l (gethash k where)) (c (+ (length l) (if (gethash k two) 1 0))))
+                 (and l (> c 1) (list c (reduce #'min (mapcar #'gsp-number l)) k))))
+             (better (a b)
+               (or (> (first a) (first b))
+                   (and (= (first a) (first b))
+                        (or (< (second a) (second b))
+                            (and (= (second a) (second b)) (gsp-before (third a) (third b)))))))
+             (note (k)
+               (let ((r (standing k))) (when r (setq heap (gsp-meld (list r) heap #'better))))))
+      (dolist (v names)
+        (let ((n (gethash v nodes)))
+          (when (and n (eq (gsp-kind n) kind) (cddr (gsp-parts n))) (add n))))
+      ;; sums of two are sought too: their pair exists already
+      (dolist (v names)
+        (let ((n (gethash v nodes)))
+          (when (and n
+                     (eq (gsp-kind n) kind)
+                     (= (length (gsp-parts n)) 2)
+                     (eql (gsp-const n) (if (eq kind 'sum) 0 1)))
+            (setf (gethash (pair (first (gsp-parts n)) (second (gsp-parts n))) two) v))))
+      (maphash #'(lambda (k l) (declare (ignore l)) (note k)) where)
+      (do ()
+          ((null heap))
+        (let* ((top (car heap)) (best (third top)))
+          (setq heap (gsp-rest heap #'better))
+          (if (not (equal top (standing best)))
+              (note best)
+              (let* ((l (sort (copy-list (gethash best where)) #'< :key #'gsp-number))
+                     (v (gethash best two)) (m (and v (gethash v nodes))))
+                (unless m
+                  (setq v (funcall fresh)
+                        m (make-gsp :kind kind :const (if (eq kind 'sum) 0 1) :parts
+                                    (list (cons (first best) 1) (cons (second best) (third best)))
+                                    :block (gsp-block (car l)) :number (gsp-number (car l))))
+                  (funcall put v m)
+                  (setf (gethash best two) v))
+                (dolist (n l)
+                  (del n)
+                  (let* ((p (assoc (first best) (gsp-parts n)))
+                         (c (gsp-times
+                              (cdr p) (gsp-inverse (cdr (assoc (first best) (gsp-parts m)))))))
+                    (setf (gsp-parts n)
+                          (cons (cons v (if (eq kind 'sum) c 1))
+                                (remove (second best)
+                                        (remove (first best) (gsp-parts n) :key #'car :count 1) :key
+                                        #'car :count 1))))
+                  (when (cddr (gsp-parts n)) (add n)))
+                (dolist (n l)
+                  (when (cddr (gsp-parts n))
+                    (each-pair
+                      n
+                      #'(lambda (k)
+                          (when (or (eq (first k) v) (eq (second k) v)) (note k)))))))))))))
+(defun gsp-before (a b)
+  (let ((u (symbol-name (first a))) (v (symbol-name (first b))) (x (symbol-name (second a)))
+        (y (symbol-name (second b))))
+    (cond ((string/= u v) (string< u v))
+          ((string/= x y) (string< x y))
+          (t (string< (format nil "~a" (third a)) (format nil "~a" (third b)))))))
+
+;; names in an order in which each stands behind its operands, the oldest first
+(defun gsp-ordered (names nodes outputs)
+  (let ((done (make-hash-table :test #'eq)) (l nil))
+    (labels ((visit (v)
+               (let ((n (gethash v nodes)))
+                 (when (and n (not (gethash v done)))
+                   (setf (gethash v done) t)
+                   (mapc #'visit (gsp-operands n))
+                   (push v l)))))
+      (dolist (v (sort (copy-list names) #'< :key
+                       #'(lambda (v) (let ((n (gethash v nodes))) (if n (gsp-number n) 0)))))
+        (visit v))
+      (dolist (e outputs) (mapc #'visit (gsp-symbols e))))
+    (nreverse l)))
+
+(defun $gsmbp__fewer (code outputs fixed fresh passes)
+  (let ((nodes (make-hash-table :test #'eq)) (names nil) (outs (cdr outputs))
+        (*gsp-names* (make-hash-table :test #'equal)) (*gsp-numbers* (make-hash-table :test #'eq)))
+    (labels ((put (v n) (setf (gethash v nodes) n) (push v names))
+             (new () (gsmbp-tick) (mfuncall fresh))
+             (live () (setq names (remove-if-not #'(lambda (v) (gethash v nodes)) names)))
+             (old-first ()
+               (live)
+               (sort (copy-list names) #'< :key #'(lambda (v) (gsp-number (gethash v nodes))))))
+      (dolist (e (cdr code))
+        (put (second e)
+             (gsp-node (third e) (fourth e) (fifth e)
+                       #'(lambda (n) (let ((v (new))) (put v n) v)))))
+      (let ((passes (cdr passes)))
+        (gsp-flatten (gsp-ordered names nodes outs) nodes (gsp-uses names nodes outs) fixed)
+        (live)
+        (when (member '$cancel passes)
+          (gsp-cancel (gsp-ordered names nodes outs) nodes)
+          (setq names (gsp-needed (gsp-ordered names nodes outs) nodes outs fixed))
+          (gsp-flatten (gsp-ordered names nodes outs) nodes (gsp-uses names nodes outs) fixed)
+          (live))
+        (when (member '$factor passes)
+          (let ((uses (gsp-uses names nodes outs)))
+            (dolist (v (old-first))
+              (let ((n (gethash v nodes)))
+                (when (and n (eq (gsp-kind n) 'sum))
+                  (loop while (gsp-factor-sum n nodes uses fixed #'new #'put)))))))
+        (when (member '$pairs passes)
+          (gsp-share-pairs 'sum (old-first) nodes #'new #'put)
+          (gsp-share-pairs 'product (old-first) nodes #'new #'put)))
+      (live)
+      (list '(mlist simp)
+            (cons '(mlist simp)
+                  (mapcar #'(lambda (v)
+                              (let* ((n (gethash v nodes)) (e (gsp-expression n)))
+                                (list '(mlist simp)
+                                      v
+                                      e
+                                      (gsp-block n)
+                                      (gsp-number n)
+                                      (gsp-symbol-list e)))) (gsp-ordered names nodes outs)))
+            outputs))))
+
+;;; ------------------------------------------------------------------------------------------ order
+
+;; The code (entries [name, expression, block]) in the order in which the results ask for it, each
+;; entry behind what it needs. Long recursions take more time in that order than link by link, as
+;; the tape has them.
+(defun $gsmbp__by_need (code results)
+  (let ((entry (make-hash-table :test #'eq)) (found nil))
+    (dolist (e (cdr code)) (setf (gethash (second e) entry) e))
+    (labels ((visit (x) (dolist (s (cdr ($gsmbp__symbols x)))
+                          (let ((e (gethash s entry)))
+                            (when e
+                              (remhash s entry)
+                              (visit (third e))
+                              (push e found))))))
+      (mapc #'visit (cdr results)))
+    (cons '(mlist simp) (nreverse found))))
+
+;; Everything on a tape (its table of entries and natures) that can be formed of what is known,
+;; constants apart, and what is needed, oldest first.
+(defun $gsmbp__everything (entries nature known needed)
+  (let ((ready (make-hash-table :test #'eq)) (wanted (make-hash-table :test #'eq)) (all nil)
+        (found nil))
+    (dolist (e (cdr needed)) (setf (gethash (second e) wanted) t))
+    (dolist (s (cdr known)) (setf (gethash s ready) t))
+    (maphash #'(lambda (s e) (unless (eq (gethash s nature) '$constant) (push e all))) entries)
+    (dolist (e (sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
+      (when (or (gethash (second e) wanted)
+                (every #'(lambda (s) (or (gethash s ready) (eq (gethash s nature) '$constant)))
+                       (cdr (sixth e))))
+        (setf (gethash (second e) ready) t)
+        (push e found)))))

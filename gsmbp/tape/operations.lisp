@@ -1,0 +1,111 @@
+;;; tape/operations.lisp: the operations of an expression, counted on its tree as it will be
+;;; printed: a quotient of numbers is a division, x^3 two multiplications.
+(in-package :maxima)
+
+(defvar *gsmbp-muls* 0)
+(defvar *gsmbp-adds* 0)
+(defvar *gsmbp-divs* 0)
+(defvar *gsmbp-sqrts* 0)
+(defvar *gsmbp-calls* 0)
+
+;;; [mul, add, div, sqrt, trig] of one expression
+(defun $gsmbp__expression_count (e)
+  (let ((*gsmbp-muls* 0) (*gsmbp-adds* 0) (*gsmbp-divs* 0) (*gsmbp-sqrts* 0) (*gsmbp-calls* 0))
+    (gsmbp-count-sum e)
+    (gsmbp-list (list *gsmbp-muls* *gsmbp-adds* *gsmbp-divs* *gsmbp-sqrts* *gsmbp-calls*))))
+
+(defun gsmbp-negative-p (number) ($gsmbp__starts_negative number))
+(defun gsmbp-magnitude (number) (if (gsmbp-negative-p number) (gsmbp-minus number) number))
+(defun gsmbp-exact (number)
+  (if (or (integerp number) (ratnump number)) number (mfuncall '$gsmbp__exact number)))
+
+(defun gsmbp-count-sum (e)
+  (cond ((symbolp e))
+        ((gsmbp-sum-p e)
+         (incf *gsmbp-adds* (1- (length (cdr e))))
+         (mapc #'gsmbp-count-term (cdr e)))
+        (t (gsmbp-count-term e))))
+
+(defun gsmbp-count-term (e)
+  (cond ((symbolp e))
+        ((mnump e) (gsmbp-count-number e))
+        ((gsmbp-product-p e)
+         (if (mnump (cadr e))
+             (gsmbp-count-product (gsmbp-magnitude (cadr e)) (cddr e))
+             (gsmbp-count-product 1 (cdr e))))
+        ((gsmbp-power-p e) (gsmbp-count-product 1 (list e)))
+        (t (gsmbp-count-factor e))))
+
+;;; a number is one constant, or the quotient of two
+(defun gsmbp-count-number (r)
+  (when (gsmbp-quotient-p (gsmbp-magnitude r)) (incf *gsmbp-divs*)))
+
+;;; c > 0 times factors; powers with a negative exponent are divisors
+(defun gsmbp-count-product (c factors)
+  (let ((above 0) (below 0))
+    (dolist (f factors)
+      (cond ((symbolp f) (incf above))
+            ((not (gsmbp-power-p f)) (gsmbp-count-factor f) (incf above))
+            ((gsmbp-divisor-p f)
+             (incf below (gsmbp-count-power (cadr f) (gsmbp-minus (caddr f)))))
+            (t (incf above (gsmbp-count-power (cadr f) (caddr f))))))
+    (cond ((eql c 1))
+          ((not (gsmbp-quotient-p c)) (incf above))
+          ((eql (cadr (gsmbp-exact c)) 1) (incf below))
+          ((plusp below) (incf above) (incf below))
+          (t (incf *gsmbp-divs*) (incf above)))
+    (incf *gsmbp-muls* (max 0 (1- above)))
+    (when (plusp below)
+      (incf *gsmbp-divs*)
+      (incf *gsmbp-muls* (1- below)))))
+
+;;; the number of factors of b^n; n > 0 if it is a number
+(defun gsmbp-count-power (b n)
+  (if (eq b '$%e)
+      (progn (incf *gsmbp-calls*) (gsmbp-count-sum n) 1)
+      (let ((h (if (mnump n) (gsmbp-times 2 (gsmbp-exact n)))))
+        (cond ((not (integerp h))
+               (incf *gsmbp-calls*)
+               (gsmbp-count-base b)
+               (gsmbp-count-factor n)
+               1)
+              ((evenp h) (gsmbp-count-integer-power b (/ h 2)))
+              (t (incf *gsmbp-sqrts*)
+                 (gsmbp-count-sum b)
+                 (1+ (gsmbp-count-integer-power b (/ (1- h) 2))))))))
+
+(defun gsmbp-count-integer-power (b n)
+  (case n
+    (0 0)
+    (1 (gsmbp-count-factor b) 1)
+    (t (incf *gsmbp-muls* (1- n)) (gsmbp-count-base b) 1)))
+(defun gsmbp-count-base (b) (if (gsmbp-power-p b) (gsmbp-count-sum b) (gsmbp-count-factor b)))
+
+(defun gsmbp-count-factor (e)
+  (cond ((mnump e) (gsmbp-count-number e))
+        ((atom e))
+        ((or (gsmbp-sum-p e) (gsmbp-product-p e)) (gsmbp-count-sum e))
+        ((gsmbp-power-p e)
+         (if (gsmbp-divisor-p e)
+             (gsmbp-count-product 1 (list e))
+             (incf *gsmbp-muls* (1- (gsmbp-count-power (cadr e) (caddr e))))))
+        (t (gsmbp-count-call (caar e))
+           (mapc #'gsmbp-count-sum (cdr e)))))
+
+;;; Is a number > 0 printed as the quotient of two constants? A decimal fraction of up to 36 digits
+;;; is one constant.
+(defun gsmbp-quotient-p (number)
+  (let* ((r (gsmbp-exact number)) (q (gsmbp-rational r)))
+    (unless (integerp q)
+      (let ((d ($gsmbp__finite_decimal r)))
+        (not (or (and d (< (cadr d) (expt 10 36)))
+                 (>= (numerator q) (expt 2 53))
+                 (>= (denominator q) (expt 2 53))))))))
+;;; is a factor printed below a fraction line?
+(defun gsmbp-divisor-p (power)
+  (let ((n (caddr power)))
+    (and (mnump n) (gsmbp-negative-p n) (not (eq (cadr power) '$%e)))))
+(defun gsmbp-count-call (function)
+  (cond ((member function '(%sqrt $sqrt)) (incf *gsmbp-sqrts*))
+        ((member function '(mabs %abs $abs $max %max $min %min $round %round $gsmbp__floor)))
+        (t (incf *gsmbp-calls*))))

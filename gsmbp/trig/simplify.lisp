@@ -1,0 +1,34 @@
+;; trig/simplify.lisp: the terms of an expanded sum by what stands beside their sines and cosines
+;; (twenty times faster than in Maxima). ((mlist) ((mlist) c t1 t2 ...) ...) with e = sum of c*(t1 +
+;; t2 + ...); a t is a number times powers of symbols in the hash table.
+(in-package :maxima)
+
+(defun gsmbp-trig-factor-p (f table)
+  (cond ((numberp f) t)
+        ((symbolp f) (gethash f table))
+        ((eq (caar f) 'rat) t)
+        ((eq (caar f) 'mexpt)
+         (and (symbolp (cadr f)) (integerp (caddr f)) (gethash (cadr f) table)))))
+
+(defun gsmbp-product (factors)   ; of factors that stood in this order in a simplified product
+  (cond ((null factors) 1) ((null (cdr factors)) (car factors)) (t (cons '(mtimes simp) factors))))
+
+(defun $gsmbp__trig_classes (e table)
+  (gsmbp-tick)
+  (let ((classes (make-hash-table :test #'equal)) (keys nil))
+    (mapc #'(lambda (term)
+              (let ((own nil) (beside nil))
+                (mapc #'(lambda (f)
+                          (if (consp f) (setq f ($gsmbp__unmarked f)))
+                          (if (gsmbp-trig-factor-p f table)
+                              (setq own (cons f own))
+                              (setq beside (cons f beside))))
+                      (if (and (consp term) (eq (caar term) 'mtimes)) (cdr term) (list term)))
+                (setq own (gsmbp-product (reverse own)) beside (gsmbp-product (reverse beside)))
+                (let ((others (gethash beside classes)))
+                  (if (null others) (setq keys (cons beside keys)))
+                  (setf (gethash beside classes) (cons own others)))))
+          (if (and (consp e) (eq (caar e) 'mplus)) (cdr e) (list e)))
+    (cons '(mlist simp)
+          (mapcar #'(lambda (k) (cons '(mlist simp) (cons k (reverse (gethash k classes)))))
+                  (reverse keys)))))
