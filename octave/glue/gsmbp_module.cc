@@ -1392,59 +1392,78 @@ absent (const std::string& call, const char *request)
                  S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
 }
 
-// The handles of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments
-// behind the constants as they are typed.  The calls without a request are for the functions of
-// octave/ and for tests.
+// A handle of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments behind
+// the constants as they are typed; those without a request are for the functions of octave/ and
+// for tests.
+struct handle
+{
+  const char *name;
+  octave_value_list (*call) (arguments&, int);
+  gsmbp_sub gsmbp_scene::*sub;
+  const char *request, *usage;
+};
+#define HANDLE(name, request, usage) { #name, do_##name, &gsmbp_scene::name, request, usage }
+#define CALL(name) { #name, do_##name, nullptr, "", "" }
+static octave_value_list do_calls (arguments&, int);
+
+static const handle handles[]
+    = {
+        HANDLE (rhs, "rhs", "t, x[, v]"),
+        HANDLE (inv, "inverse", "t, q, u, ud[, v]"),
+        HANDLE (fwd, "forward", "t, q, u[, v[, tau]]"),
+        HANDLE (mas, "mass", "t, q"),
+        HANDLE (reg, "regressor", "t, q, u, ud[, v]"),
+        HANDLE (bia, "bias", "t, q, u[, v]"),
+        HANDLE (kin, "kinematics", "t, q, u"),
+        HANDLE (con, "constraints", "t, q[, u]"),
+        HANDLE (inl, "inverse_loops", "t, q, u, ud[, v]"),
+        HANDLE (lin, "linear", "t, q, u, ud[, v]"),
+        HANDLE (prj, "projection", "t, x"),
+        HANDLE (jac, "jacobian", "t, x[, v]"),
+        HANDLE (out, "output", "t, x[, v]"),
+        HANDLE (cmd, "command", "t, qj[, xi]"),
+        HANDLE (cmx, "command_states", "t, qj[, xi]"),
+        HANDLE (ctl, "control", "k, t, y, xk[, v]"),
+        HANDLE (ctp, "control", ""),
+        HANDLE (evt, "events", "t, x, v, mode"),
+        HANDLE (rst, "events", "t, x, v, mode, k"),
+        HANDLE (clo, "closure", "t, qj"),
+        HANDLE (ene, "energy", "t, x[, v]"),
+        HANDLE (acc, "accelerations", "t, x[, v]"),
+        HANDLE (acd, "dense", "t, x, v, way"),
+        HANDLE (tan, "tangent", "t, x"),
+        HANDLE (mar, "margins", "t, x[, v]"),
+        HANDLE (ske, "skeleton", "t, q"),
+        HANDLE (inv_v, "batch", "t, q, u, ud[, v]"),
+        HANDLE (mas_v, "batch", "t, q"),
+        HANDLE (bia_v, "batch", "t, q, u[, v]"),
+        HANDLE (fwd_v, "batch", "t, q, u[, v[, tau]]"),
+        HANDLE (rhs_v, "batch", "t, x[, v]"),
+        CALL (sim),
+        CALL (par),
+        CALL (pre),
+        CALL (meaning),
+        CALL (spline),
+        CALL (kkt),
+        CALL (solve),
+        CALL (calls)
+      };
+
+// the names of the handles that a user may call
+static octave_value_list
+do_calls (arguments&, int)
+{
+  string_vector names;
+  for (const auto& entry : handles)
+    if (entry.usage[0])
+      names.append (std::string (entry.name));
+  return octave_value (Cell (names));
+}
+
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
-  typedef octave_value_list (*handler) (arguments&, int);
-  typedef gsmbp_sub gsmbp_scene::*member;
-  static const struct
-  {
-    const char *name;
-    handler call;
-    member sub;
-    const char *request, *usage;
-  } table[] = { { "rhs", do_rhs, &gsmbp_scene::rhs, "rhs", "t, x[, v]" },
-                { "inv", do_inv, &gsmbp_scene::inv, "inverse", "t, q, u, ud[, v]" },
-                { "fwd", do_fwd, &gsmbp_scene::fwd, "forward", "t, q, u[, v[, tau]]" },
-                { "mas", do_mas, &gsmbp_scene::mas, "mass", "t, q" },
-                { "reg", do_reg, &gsmbp_scene::reg, "regressor", "t, q, u, ud[, v]" },
-                { "bia", do_bia, &gsmbp_scene::bia, "bias", "t, q, u[, v]" },
-                { "kin", do_kin, &gsmbp_scene::kin, "kinematics", "t, q, u" },
-                { "con", do_con, &gsmbp_scene::con, "constraints", "t, q[, u]" },
-                { "inl", do_inl, &gsmbp_scene::inl, "inverse_loops", "t, q, u, ud[, v]" },
-                { "lin", do_lin, &gsmbp_scene::lin, "linear", "t, q, u, ud[, v]" },
-                { "prj", do_prj, &gsmbp_scene::prj, "projection", "t, x" },
-                { "jac", do_jac, &gsmbp_scene::jac, "jacobian", "t, x[, v]" },
-                { "out", do_out, &gsmbp_scene::out, "output", "t, x[, v]" },
-                { "cmd", do_cmd, &gsmbp_scene::cmd, "command", "t, qj[, xi]" },
-                { "cmx", do_cmx, &gsmbp_scene::cmx, "command_states", "t, qj[, xi]" },
-                { "ctl", do_ctl, &gsmbp_scene::ctl, "control", "k, t, y, xk[, v]" },
-                { "ctp", do_ctp, &gsmbp_scene::ctp, "control", "" },
-                { "evt", do_evt, &gsmbp_scene::evt, "events", "t, x, v, mode" },
-                { "rst", do_rst, &gsmbp_scene::rst, "events", "t, x, v, mode, k" },
-                { "clo", do_clo, &gsmbp_scene::clo, "closure", "t, qj" },
-                { "ene", do_ene, &gsmbp_scene::ene, "energy", "t, x[, v]" },
-                { "acc", do_acc, &gsmbp_scene::acc, "accelerations", "t, x[, v]" },
-                { "acd", do_acd, &gsmbp_scene::acd, "dense", "t, x, v, way" },
-                { "tan", do_tan, &gsmbp_scene::tan, "tangent", "t, x" },
-                { "mar", do_mar, &gsmbp_scene::mar, "margins", "t, x[, v]" },
-                { "ske", do_ske, &gsmbp_scene::ske, "skeleton", "t, q" },
-                { "inv_v", do_inv_v, &gsmbp_scene::inv_v, "batch", "t, q, u, ud[, v]" },
-                { "mas_v", do_mas_v, &gsmbp_scene::mas_v, "batch", "t, q" },
-                { "bia_v", do_bia_v, &gsmbp_scene::bia_v, "batch", "t, q, u[, v]" },
-                { "fwd_v", do_fwd_v, &gsmbp_scene::fwd_v, "batch", "t, q, u[, v[, tau]]" },
-                { "rhs_v", do_rhs_v, &gsmbp_scene::rhs_v, "batch", "t, x[, v]" },
-                { "sim", do_sim, nullptr, "", "" },
-                { "par", do_par, nullptr, "", "" },
-                { "pre", do_pre, nullptr, "", "" },
-                { "meaning", do_meaning, nullptr, "", "" },
-                { "spline", do_spline, nullptr, "", "" },
-                { "kkt", do_kkt, nullptr, "", "" },
-                { "solve", do_solve, nullptr, "", "" } };
-  for (const auto& entry : table)
+  for (const auto& entry : handles)
     if (call == entry.name)
       {
         arguments a (args, call, entry.usage);

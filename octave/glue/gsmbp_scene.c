@@ -2,7 +2,7 @@
    which gsmbp_build writes from the JSON:
      GSMBP_DECLARE  extern void pendulum_par_ (void), ...;
      GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
-     GSMBP_TABLE    the members of gsmbp_scene in their order, but for the last
+     GSMBP_TABLE    the members of gsmbp_scene by name: .name = "pendulum", .nq = 1, ...
      GSMBP_INSTALL  Gpendulum_1a2b3c4d, the symbol that Octave looks up  */
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
@@ -10,7 +10,7 @@
 GSMBP_DECLARE
 
 static const int sets[] = { GSMBP_SETS };
-const gsmbp_scene gsmbp_the_scene = { GSMBP_TABLE, sets };
+const gsmbp_scene gsmbp_the_scene = { GSMBP_TABLE, .sets = sets };
 
 extern void *Ggsmbp_module (void *library, _Bool relative);
 

@@ -7,14 +7,27 @@
 extern "C" {
 #endif
 typedef void (*gsmbp_sub) (void);
+
+/* The sizes, as the JSON's "dimensions" name them, and the subroutines by the ends of their names:
+   the one place where they are listed. gsmbp__compile.m writes an initializer by name for each. */
+#define GSMBP_SIZES(X)                                                                             \
+  X (nq) X (nu) X (nv) X (nx) X (ny) X (ne) X (nlam) X (ncst) X (npar) X (nqj) X (nact) X (na)     \
+  X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm)
+#define GSMBP_SUBROUTINES(X)                                                                       \
+  X (par) X (pre) X (kin) X (inv) X (mas) X (bia) X (fwd) X (con) X (inl) X (lin) X (rhs) X (prj)  \
+  X (jac) X (out) X (cmd) X (clo) X (ene) X (acc) X (ske) X (acd) X (tan) X (cmx) X (ctl) X (evt)  \
+  X (rst) X (rha) X (ctp) X (inv_v) X (mas_v) X (bia_v) X (fwd_v) X (rhs_v) X (reg) X (mar)
+
+#define GSMBP_SIZE(name) int name;
+#define GSMBP_SUBROUTINE(name) gsmbp_sub name;
 typedef struct
 {
   const char *name;
-  int nq, nu, nv, nx, ny, ne, nlam, ncst, npar, nqj, nact, na, nmar, nxk,
-      nctl, nev, nmode, nsm, np, nbase;
-  gsmbp_sub par, pre, kin, inv, mas, bia, fwd, con, inl, lin, rhs, prj, jac,
-            out, cmd, clo, ene, acc, ske, acd, tan, cmx, ctl, evt,
-            rst, rha, ctp, inv_v, mas_v, bia_v, fwd_v, rhs_v, reg, mar, vin;
+  GSMBP_SIZES (GSMBP_SIZE)
+  int np;            /* points of the skeleton */
+  int nbase;         /* base parameters */
+  GSMBP_SUBROUTINES (GSMBP_SUBROUTINE)
+  gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const int *sets;   /* ... four numbers of coordinates each */
 } gsmbp_scene;

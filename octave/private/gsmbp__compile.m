@@ -151,41 +151,46 @@ function n = size_of (d, name)
   endif
 endfunction
 
+## the macros of gsmbp_scene.c; sizes and subroutines are those that gsmbp_scene.h lists
 function text = sizes_header (json, symbol, has_input)
-  d = json.dimensions;
-  sizes = {"nq", "nu", "nv", "nx", "ny", "ne", "nlam", "ncst", "npar", "nqj", "nact", "na", ...
-           "nmar", "nxk", "nctl", "nev", "nmode", "nsm"};
-  counts = cellfun (@(n) size_of (d, n), sizes);
-  counts(end+1) = sum (gsmbp__skeleton (json).points);
-  counts(end+1) = 0;
-  if (isfield (json, "base_parameters"))
-    counts(end) = numel (json.base_parameters);
-  endif
-  emitted = gsmbp__names (json.subroutines);
-  routines = {"par", "pre", "kin", "inv", "mas", "bia", "fwd", "con", "inl", "lin", "rhs", ...
-              "prj", "jac", "out", "cmd", "clo", "ene", "acc", "ske", "acd", "tan", "cmx", ...
-              "ctl", "evt", "rst", "rha", "ctp", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v", ...
-              "reg", "mar"};
-  table = declared = {};
-  for i = 1:numel (routines)
-    known = strcmpi (emitted, [json.name "_" routines{i}]);
-    if (any (known))
-      table{i} = [tolower(emitted{known}) "_"];
-      declared{end+1} = table{i};
-    else
-      table{i} = "0";
-    endif
+  header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
+                               "gsmbp_scene.h"));
+  members = {[".name = \"" json.name "\""]};
+  for name = listed (header, "GSMBP_SIZES")
+    members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor
-  table{end+1} = "0";
-  if (has_input)
-    table{end} = "gsvin_";
-    declared{end+1} = "gsvin_";
+  base = 0;
+  if (isfield (json, "base_parameters"))
+    base = numel (json.base_parameters);
   endif
   sets = gsmbp__orientation (json);
-  text = ...
-      sprintf (["#define GSMBP_INSTALL G%s\n#define GSMBP_DECLARE %s\n#define GSMBP_SETS " ...
-                "%s\n#define GSMBP_TABLE \"%s\",%s %s, %d\n"], symbol,
-                  sprintf ("extern void %s (void); ", declared{:}), sprintf ("%d, ", ...
-                      [sets'(:)', 0])(1:end-2), json.name, sprintf (" %d,", ...
-                      counts), strjoin (table, ", "), rows (sets));
+  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", ...
+                            sum (gsmbp__skeleton (json).points), base, rows (sets));
+  [members, declared] = subroutines (json, header, members, has_input);
+  text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
+          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
+          "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
+          "#define GSMBP_TABLE ", strjoin(members, ", "), "\n"];
+endfunction
+
+function [members, declared] = subroutines (json, header, members, has_input)
+  declared = {};
+  emitted = tolower (gsmbp__names (json.subroutines));
+  for name = listed (header, "GSMBP_SUBROUTINES")
+    full = [tolower(json.name) "_" name{1}];
+    if (any (strcmp (emitted, full)))
+      declared{end+1} = [full "_"];
+      members{end+1} = sprintf (".%s = %s_", name{1}, full);
+    endif
+  endfor
+  if (has_input)
+    declared{end+1} = "gsvin_";
+    members{end+1} = ".vin = gsvin_";
+  endif
+endfunction
+
+## the names that a macro LIST(X) of a header lists: X (one) X (two) ...
+function names = listed (header, list)
+  body = regexp (header, ["#define " list '\(X\)((?:[^\n]*\\\n)*[^\n]*)'], "tokens", "once"){1};
+  names = [regexp(body, 'X \((\w+)\)', "tokens"){:}];
 endfunction

@@ -6,10 +6,7 @@ function m = gsmbp__handles (m)
   m.cst = f ("pre", struct2array_of (m.par));
   cst = m.cst;
   ## what is wrong with the arguments, or that a subroutine was not emitted, the module says
-  for name = ...
-      {"kin", "inv", "mas", "reg", "bia", "fwd", "con", "inl", "lin", "rhs", "acc", "acd", ...
-       "tan", "prj", "jac", "out", "cmd", "cmx", "ctl", "evt", "rst", "clo", ...
-              "ene", "ske", "mar", "inv_v", "mas_v", "bia_v", "fwd_v", "rhs_v"}
+  for name = f ("calls")'
     call = name{1};
     m.(call) = @(varargin) f (call, cst, varargin{:});
   endfor
