@@ -137,7 +137,10 @@ C     1.2 rad (GSAHD), the position is passed by one step of collocation
 C     whose stages keep away from it (GSPSG), from an output, a break or
 C     a sample in it as well; all output times within it are taken from
 C     its polynomial, breaks, samples and the end stop it.  Its relative
-C     tolerance is no less than 5D3*eps.
+C     tolerance is no less than 5D3*eps.  Where the position that it
+C     finds does not settle, the iteration does not converge or the
+C     estimated error is too large, it is tried again with more stages
+C     and shorter, from where that length begins.
 C     A run of method 8 may start in such a position, by such a step, if
 C     its speeds lead out of it (GSPBG, GSPBC).
 C     Where that step cannot be had (an error that stays above the
@@ -190,7 +193,8 @@ C
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, TEND, CLOSE, HLIM, TC, D, SKIP,
      $                   SHRINK, EIT, TMIN, GAUSS(3), SMIN, TSEEN,
-     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12)
+     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12),
+     $                   MOVED
       INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD, GSPBG, GSPBC
@@ -490,6 +494,7 @@ C     -- a singular position ahead?
       D     = DFULL
       IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
       NPASS = 0
+      MOVED = 1.0D300
   301 IF ( T.GT.TC + 0.5D0*D .OR. NPASS.GT.12 ) GO TO 309
       IF ( T.LT.TC - 1.05D0*D ) THEN
          HLIM = MIN( HLIM, TC - D - T )
@@ -531,11 +536,13 @@ C        lengths of rows are those of states that the motion had
      $      TMIN, SMIN, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
-      IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
+      IF ( IER.EQ.1 .AND. ABS( TMIN - TC ).LT.0.7D0*MOVED ) THEN
+         MOVED = ABS( TMIN - TC )
          TC = TMIN
          IF ( T.LT.TC - D .AND. T.GT.TC - 1.4D0*D ) D = TC - T
          GO TO 301
       END IF
+      MOVED = 1.0D300
 C
 C     -- where the rank is kept after all the usual steps do better
       IF ( IER.EQ.0 .AND. SMIN.GT.1.0D-3*W(IC+13) ) THEN
@@ -548,7 +555,7 @@ C     -- where the rank is kept after all the usual steps do better
      $   FAC = 0.9D0*MAX( ERR, 1.0D-8 )**( -1.0D0/DBLE( NS + 1 ) )
       IF ( IER.EQ.0 .AND. ( ERR.LE.1.0D0 .OR. ERR.LE.3.0D0*EIT .OR.
      $     ( SHRINK.LT.0.15D0 .AND. ERR.LE.1.0D4 ) ) ) GO TO 302
-      IF ( SHRINK.LT.0.15D0 .OR. IER.EQ.1 ) THEN
+      IF ( SHRINK.LT.0.02D0 ) THEN
          SKIP   = TC + D
          SHRINK = 1.0D0
          GO TO 309
@@ -618,7 +625,11 @@ C        are the speeds those of a motion that leads out of it?
      $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
-      IF ( IER.NE.0 ) THEN
+      IF ( IER.NE.0 .AND. SHRINK.GT.0.15D0 ) THEN
+         SHRINK = 0.25D0*SHRINK
+         D      = 0.25D0*D
+         GO TO 301
+      ELSE IF ( IER.NE.0 ) THEN
          SKIP = TC + D
          GO TO 309
       END IF

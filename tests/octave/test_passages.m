@@ -5,6 +5,7 @@ function test_passages ()
   warning ("off", "gsmbp:singular", "local");
   addpath (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "bench", "passages"));
   ten_passages ();
+  seen_from_afar ();
   starts ();
   refused ();
   jump_of_the_input ();
@@ -28,6 +29,19 @@ function ten_passages ()
       gsmbp_check ([what ": ten positions or more are reported"], r.found >= 10);
     end
   end
+end
+
+## a first step of the passage that begins 1.5 rad before the position, as an output time wants it
+function seen_from_afar ()
+  s = passage_scene ("slider-crank", gsmbp_hand ("hand_crank"));
+  lost = found = [];
+  for first = [0.0925:1e-4:0.093, 0.1031:1e-4:0.1037, 0.1094]
+    r = gsmbp_simulate (s.m, s.x0, [0, first, 0.6], "rtol", 1e-13);
+    lost(end+1) = energy (s.m, r.x(3,:)) / energy (s.m, s.x0) - 1;
+    found(end+1) = r.stats.singular_positions;
+  end
+  gsmbp_check ("slider-crank, a position seen from afar: energy", lost, 1e-12);
+  gsmbp_check ("slider-crank, a position seen from afar: reported", found - 1, 0);
 end
 
 ## the state of S beside its position by OFF radians of the crank, behind it for OFF > 0
