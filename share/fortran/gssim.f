@@ -117,7 +117,7 @@ C             (20) the step [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
-C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + NV
+C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + 2*NV
 C             + 8*NU + 10*NQ + 7*NLAM + 3*NLAM*NU + 60, where R = IP(4).
 C     OUT, CTL (external) the sampled devices, see GSSMP; called if
 C             IP(26) > 0.
@@ -136,7 +136,8 @@ C     Where the constraints lose rank ahead, before they have turned by
 C     1.2 rad (GSAHD), the position is passed by one step of collocation
 C     whose stages keep away from it (GSPSG), from an output, a break or
 C     a sample in it as well; all output times within it are taken from
-C     its polynomial, breaks, samples and the end stop it.  Its relative
+C     its polynomial, breaks, samples and the end stop it: the inputs
+C     before a break are continued beyond it (GSINC).  Its relative
 C     tolerance is no less than 5D3*eps.  Where the position that it
 C     finds does not settle, the iteration does not converge or the
 C     estimated error is too large, it is tried again with more stages
@@ -193,7 +194,7 @@ C
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, TEND, CLOSE, HLIM, TC, D, SKIP,
      $                   SHRINK, EIT, TMIN, GAUSS(3), SMIN, TSEEN,
-     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12),
+     $                   DFULL, TURN, TV(3), B(12), C(12), WT(12),
      $                   MOVED
       INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSAHD, GSPSG, GSGLN, GSGLQ,
@@ -210,8 +211,8 @@ C     -- arguments
       IF ( NB.LT.0 ) INFO = -17
       IF ( LDX.LT.NX ) INFO = -26
       IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
-      I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + NV + 8*NU + 10*NQ
-     $    + 7*NLAM + 3*NLAM*NU
+      I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + 2*NV + 8*NU
+     $    + 10*NQ + 7*NLAM + 3*NLAM*NU
       IF ( LW.LT.I + 60 ) INFO = -32
       IF ( INFO.NE.0 ) RETURN
       IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -13
@@ -245,7 +246,7 @@ C     -- workspace: inputs, states, constraints, stages
       IX  = 2*NU*( IP(4) + 1 ) + 5*NX + NV*NX + 21
       IXN = IX + NX
       IV  = IXN + NX
-      IC  = IV + MAX( 1, NV )
+      IC  = IV + MAX( 1, 2*NV )
       IK  = IC + 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
       IO  = IK + 13*NX
       IQ  = IO + 3*NX
@@ -527,9 +528,12 @@ C        lengths of rows are those of states that the motion had
   306    CONTINUE
       END IF
       TV(1) = T0
-      TV(2) = 1.0D300
+      TV(2) = TOUT(NT)
       IF ( IB.GT.1 ) TV(1) = TBRK(IB-1)
       IF ( IB.LE.NB ) TV(2) = TBRK(IB)
+      TV(3) = 0.0D0
+      IF ( MAX( TV(1) - TC, TC - TV(2) ) + D.GT.TV(2) - TV(1) )
+     $   TV(3) = TV(2) - TV(1)
       CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, TV, NQ,
      $      NU, NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
      $      W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT,
