@@ -8,6 +8,7 @@ function test_passages ()
   seen_from_afar ();
   starts ();
   refused ();
+  stepped_over ();
   jump_of_the_input ();
   events ();
   stop_in_the_position ();
@@ -119,6 +120,35 @@ function refused ()
   N = null (H);
   u = N * (N' * [6; 2; 5]);   # fits the rates of the constraints, but no branch
   says (@() gsmbp_simulate (m, [x(1:3); u], [0 1]), [lost ": no motion with these speeds"]);
+end
+
+## rk4 and cvode report the position whatever their steps: long ones pass it within one of them
+function stepped_over ()
+  warning ("on", "gsmbp:singular", "local");
+  bar = passage_scene ("parallelogram", gsmbp_hand ("hand_fourbar"));
+  row = passage_scene ("parallelograms", gsmbp_fixture ("parallelograms3"));
+  crank = passage_scene ("slider-crank", gsmbp_hand ("hand_crank"));
+  when = [(pi - 1) / 6, (pi - 1) / 6, 0.374504];
+  runs = [repmat({"rk4", "step"}, 5, 1), num2cell([1e-3; 3e-3; 0.01; 0.03; 0.1])
+          repmat({"cvode", "rtol"}, 5, 1), num2cell(10 .^ -[4; 5; 6; 8; 10])]';
+  seen = told = [];
+  apart = -Inf;
+  for k = 1:3
+    s = {bar, row, crank}{k};
+    for run = runs
+      lastwarn ("");
+      evalc ('r = gsmbp_simulate (s.m, s.x0, [0, 0.6], "method", run{:});');
+      seen(end+1) = r.stats.singular_positions;
+      apart = max (apart, abs (r.stats.singular_times(1) - when(k)));
+      text = ["than one way there, and " run{1} ", unlike dp853, does not watch its accuracy"];
+      told(end+1) = ! isempty (strfind (lastwarn (), text));
+    end
+  end
+  gsmbp_check ("rk4 and cvode report the position that they step over", seen - 1, 0);
+  gsmbp_check ("rk4 and cvode: when, in seconds", apart, 2e-3);
+  gsmbp_check ("rk4 and cvode: a warning says so", told - 1, 0);
+  r = gsmbp_simulate (bar.smooth, bar.xs, [0, 2], "method", "cvode");
+  gsmbp_check ("none is reported where there is none", r.stats.singular_positions, 0);
 end
 
 ## a torque that jumps in, at and beside the position, against small steps of rk4: pieces that are
