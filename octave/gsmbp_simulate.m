@@ -162,7 +162,9 @@
 ## such positions: how accurate rk4 and cvode pass one is left to chance.
 ## @item loose
 ## steps close to such positions whose estimated error is above the tolerance: there
-## it could not be kept.  A step through one keeps some 1e-13 at best.
+## it could not be kept.  A step through one keeps some 1e-13 at best.  rk4 and cvode:
+## steps that end where the least pivot is below a hundredth of its largest value.
+## They are a printed warning even where no such position was passed.
 ## @item least_pivot, least_pivot_at
 ## how near it came: the least pivot of the constraint Jacobian beside the
 ## largest, and when [s]
@@ -388,6 +390,10 @@ function warn (who, m, s)
     endif
     warning ("gsmbp:singular", "%s: %s passed %d position%s where its constraints lose rank, the first at t = %.6g s: it may go on in more than one way there%s", who, m.name,
              s.singular_positions, {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1), care);
+  endif
+  if (s.singular_positions == 0 && s.loose > 0 && ! strcmp (s.method, "dp853"))
+    warning ("gsmbp:singular", "%s: %s came close to a position where its constraints lose rank at t = %.6g s: %s, unlike dp853, does not watch its accuracy there", who, m.name,
+             s.least_pivot_at, s.method);
   endif
   if (s.angle_singularities > 0)
     joints = "";

@@ -101,7 +101,8 @@ C             stability; (14) 1 if steps are bound by stability (GSSTD)
 C             and (15) which state the eigenvalue belongs to; (16) to
 C             (18) memory of GSSTD; (19) zero; (20) steps close to
 C             singular positions whose estimated error is above the
-C             tolerance.
+C             tolerance; method 4: that end where the least pivot is
+C             below a hundredth of its largest value.
 C     RSTAT   (output) DOUBLE PRECISION array, dimension (20):
 C             (1) largest |phi| and (2) largest |HC*u + phit| after any
 C             step; (3) and (4) when; (5) largest |phi| before a

@@ -147,6 +147,19 @@ function stepped_over ()
   gsmbp_check ("rk4 and cvode report the position that they step over", seen - 1, 0);
   gsmbp_check ("rk4 and cvode: when, in seconds", apart, 2e-3);
   gsmbp_check ("rk4 and cvode: a warning says so", told - 1, 0);
+  for run = {"rk4", "cvode"; "step", "rtol"; 1e-3, 1e-9}
+    for off = [0, -1e-12, 1e-9, -1e-6, 1e-4]
+      at = when(1) + off;
+      lastwarn ("");
+      evalc ('gsmbp_simulate (bar.m, bar.x0, [0, at], "method", run{:});');
+      text = sprintf ("lose rank at t = %.6g s: %s, unlike dp853", at, run{1});
+      if (! isempty (strfind (lastwarn (), "passed 1 position")))
+        text = "unlike dp853, does not watch its accuracy there";
+      end
+      what = sprintf ("%s ends %g s beside the position: a warning", run{1}, off);
+      gsmbp_check (what, ! isempty (strfind (lastwarn (), text)));
+    end
+  end
   r = gsmbp_simulate (bar.smooth, bar.xs, [0, 2], "method", "cvode");
   gsmbp_check ("none is reported where there is none", r.stats.singular_positions, 0);
 end
