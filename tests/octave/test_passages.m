@@ -182,7 +182,8 @@ function jump_of_the_input ()
         worst(end+1) = away / max (rtol, 1e-12);
       end
     end
-    what = sprintf ("a jump of the torque by the position, pieces of order %d", columns (pieces{1}));
+    order = columns (pieces{1});
+    what = sprintf ("a jump of the torque by the position, pieces of order %d", order);
     gsmbp_check ([what ", beside the tolerance"], worst, 3);
   end
 end
