@@ -157,10 +157,14 @@
 ## @item singular_positions, singular_times
 ## positions passed where the constraints lose rank (dead centres, change
 ## points: the mechanism may go on in more than one way), as the pivots after
-## the steps show it; first and last time [s].  This is a printed warning too.
+## the steps and within long ones show it (of several within one step: one); first
+## and last time [s].  This is a printed warning too.  Only dp853 looks ahead for
+## such positions: how accurate rk4 and cvode pass one is left to chance.
 ## @item loose
 ## steps close to such positions whose estimated error is above the tolerance: there
-## it could not be kept.  A step through one keeps some 1e-13 at best.
+## it could not be kept.  A step through one keeps some 1e-13 at best.  rk4 and cvode:
+## steps that end where the least pivot is below a hundredth of its largest value.
+## They are a printed warning even where no such position was passed.
 ## @item least_pivot, least_pivot_at
 ## how near it came: the least pivot of the constraint Jacobian beside the
 ## largest, and when [s]
@@ -392,10 +396,19 @@ endfunction
 ## what the result does not show by itself
 function warn (who, m, s)
   if (s.singular_positions > 0)
+    care = "";
+    if (! strcmp (s.method, "dp853"))
+      care = sprintf (", and %s, unlike dp853, does not watch its accuracy there", s.method);
+    endif
     warning ("gsmbp:singular", ["%s: %s passed %d position%s where its constraints lose rank, " ...
                                 "the first at t = %.6g s: it may go on in more than one way " ...
-                                "there"], who, m.name,
-             s.singular_positions, {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1));
+                                "there%s"], who, m.name, s.singular_positions, ...
+             {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1), care);
+  endif
+  if (s.singular_positions == 0 && s.loose > 0 && ! strcmp (s.method, "dp853"))
+    warning ("gsmbp:singular", ["%s: %s came close to a position where its constraints lose " ...
+                                "rank at t = %.6g s: %s, unlike dp853, does not watch its " ...
+                                "accuracy there"], who, m.name, s.least_pivot_at, s.method);
   endif
   if (s.angle_singularities > 0)
     joints = "";

@@ -1175,7 +1175,7 @@ do_sim (arguments& a, int)
 
   int nt = int (counts(0)), nb = int (counts(1)), info = 0;
   int ldx = std::max (1, nx), ldv = std::max (1, S.nv);
-  int lw = 2 * S.nu * (ip[3] + 1) + 24 * nx + S.nv * nx + S.nv + 8 * S.nu + 10 * S.nq
+  int lw = 2 * S.nu * (ip[3] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu + 10 * S.nq
            + 7 * S.nlam + 3 * S.nlam * S.nu + 60;
   reals w = room (lw), xout = room (ldx * nt), vout = room (ldv * nt);
   const int statistics = 20;

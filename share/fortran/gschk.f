@@ -121,6 +121,8 @@ C     -- rank and partition
       P(3)  = MAX( P(3), DBLE( J ) )
       P(13) = LEAST
       P(14) = MAX( P(14), LEAST )
+      IF ( IOPT(1).EQ.4 .AND. IOPT(5).EQ.1 .AND.
+     $     LEAST.LT.0.01D0*P(14) ) ISTAT(20) = ISTAT(20) + 1
       TMIN = T
       IF ( IOPT(5).EQ.1 ) THEN
          CALL GSPAS( CON, KIN, T, X, NQ, NU, NLAM, CST, P, TMIN, S )

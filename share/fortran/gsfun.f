@@ -38,25 +38,27 @@ C
      $                   P(*), RSTAT(*)
       EXTERNAL           GSFUT
 C
-      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, T, SIDE, X, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT, RSTAT,
-     $            INFO )
+      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, T, T, SIDE, X, NQ,
+     $            NU, NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT,
+     $            RSTAT, INFO )
       END
-      SUBROUTINE GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, TV, SIDE, X,
-     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, XD, W, P,
-     $                  ISTAT, RSTAT, INFO )
+      SUBROUTINE GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, TV, TF, SIDE,
+     $                  X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, XD, W,
+     $                  P, ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
-C     GSFUN with the inputs of the time TV: the stages of GSPSG that lie
-C     beyond a jump of the inputs have those before it.
+C     GSFUN with the inputs as they go on from the time TV to TF: the
+C     stages of GSPSG that lie beyond a jump of the inputs, at TV, have
+C     those before it, continued.  Where TF and TV differ V has 2*NV
+C     entries.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
      $                   INFO
-      DOUBLE PRECISION   T, TV, X(*), RP(*), CST(*), V(*), XD(*), W(*),
-     $                   P(*), RSTAT(*)
-      EXTERNAL           GSINP, GSPRT
+      DOUBLE PRECISION   T, TV, TF, X(*), RP(*), CST(*), V(*), XD(*),
+     $                   W(*), P(*), RSTAT(*)
+      EXTERNAL           GSINP, GSINC, GSPRT
       INTEGER            K
 C
       INFO = 0
@@ -69,8 +71,13 @@ C
          END IF
       END IF
       IF ( IP(1).NE.0 .OR. IP(2).NE.0 ) THEN
-         CALL GSINP( CMD, CLO, VIN, TV, SIDE, X, NU, NX, NV, IP, RP,
-     $               CST, V, W, INFO )
+         IF ( TF.GE.TV .AND. TF.LE.TV ) THEN
+            CALL GSINP( CMD, CLO, VIN, TV, SIDE, X, NU, NX, NV, IP, RP,
+     $                  CST, V, W, INFO )
+         ELSE
+            CALL GSINC( CMD, CLO, VIN, TV, TF, X, NU, NX, NV, IP, RP,
+     $                  CST, V, V(NV+1), W, INFO )
+         END IF
          IF ( INFO.NE.0 ) THEN
             ISTAT(6) = INFO
             ISTAT(7) = 1
@@ -89,4 +96,40 @@ C
          ISTAT(6) = INFO
          ISTAT(7) = 2
       END IF
+      END
+      SUBROUTINE GSINC( CMD, CLO, VIN, TV, TF, X, NU, NX, NV, IP, RP,
+     $                  CST, V, VK, W, INFO )
+C
+C     PURPOSE
+C     The inputs V at TF as those on the other side of TV go on there:
+C     by the polynomial of degree 5 through six values as far from TV as
+C     TF at most, so that five derivatives are continuous at TV.
+C     VK is workspace of NV entries, the rest as GSINP.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN
+      INTEGER            NU, NX, NV, IP(*), INFO
+      DOUBLE PRECISION   TV, TF, X(*), RP(*), CST(*), V(*), VK(*), W(*)
+      DOUBLE PRECISION   Z(6), S
+      EXTERNAL           GSINP
+      INTEGER            I, J, K
+C
+      DO 10 K = 1, 6
+         Z(K) = -SIN( ATAN( 1.0D0 )*DBLE( 2*K - 1 )/6.0D0 )**2
+   10 CONTINUE
+      DO 20 I = 1, NV
+         V(I) = 0.0D0
+   20 CONTINUE
+      DO 50 K = 1, 6
+         CALL GSINP( CMD, CLO, VIN, TV + Z(K)*( TF - TV ), 1, X, NU, NX,
+     $               NV, IP, RP, CST, VK, W, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         S = 1.0D0
+         DO 30 J = 1, 6
+            IF ( J.NE.K ) S = S*( 1.0D0 - Z(J) )/( Z(K) - Z(J) )
+   30    CONTINUE
+         DO 40 I = 1, NV
+            V(I) = V(I) + S*VK(I)
+   40    CONTINUE
+   50 CONTINUE
       END

@@ -396,11 +396,14 @@ C
 C     PURPOSE
 C     Follows the least pivot of the constraints from step to step and,
 C     where it has passed a minimum, looks for that between the steps,
-C     on the cubics through positions and their rates.
+C     on the cubics through positions and their rates.  Where the
+C     constraints turn by more than 0.3 rad in a step the minimum may
+C     lie within, unseen at its ends, and is looked for in every case.
 C
 C     ARGUMENTS
 C     As GSPRT, and
-C     P       (input/output) as GSPRT; on entry P(13) belongs to X.
+C     P       (input/output) as GSPRT; on entry P(13) and HC belong to
+C             X.
 C     TMIN    (output) DOUBLE PRECISION, when [s].
 C     SMIN    (output) DOUBLE PRECISION, the least pivot there (as
 C             P(13)), or -1 if no minimum has been passed.
@@ -409,10 +412,10 @@ C
       EXTERNAL           CON, KIN
       INTEGER            NQ, NU, NLAM
       DOUBLE PRECISION   T, X(*), CST(*), P(*), TMIN, SMIN
-      DOUBLE PRECISION   H, S, TS, W, Z
-      EXTERNAL           GSLPV
+      DOUBLE PRECISION   H, S, TS, W, Z, TURN
+      EXTERNAL           GSLPV, GSPCH
       INTEGER            I, J, K, L, IM, IW, IH, IY, IB, IP, IS, IQ, IR,
-     $                   I1, I2, N, RANK
+     $                   I1, I2, N, RANK, FIRST
 C
       IM = 15 + 2*NU + NQ
       IW = IM + NU + 2*NLAM
@@ -440,17 +443,30 @@ C        positions with rates
    30 CONTINUE
       CALL KIN( T, X, X(NQ+1), CST, P(IQ+5*NQ) )
       SMIN = -1.0D0
-      IF ( P(4).LT.3.0D0 ) RETURN
-      IF ( P(8).GT.P(6) .OR. P(8).GE.P(10) .OR. P(8).GT.0.5D0*P(14) )
-     $   RETURN
+      IF ( P(4).LT.2.0D0 ) RETURN
 C
-C     -- the minimum: samples of both steps, then finer and finer
+C     -- passed between the last steps, or within the last one?
+      FIRST = 5
+      IF ( P(4).LT.3.0D0 .OR. P(8).GT.P(6) .OR. P(8).GE.P(10) .OR.
+     $     P(8).GT.0.5D0*P(14) ) THEN
+         FIRST = 7
+         CALL GSPCH( NQ, NU, NLAM, P, P(IY), 0, TURN )
+         CALL CON( P(7), P(IQ+2*NQ), X(NQ+1), CST, P(IW), P(IW+NLAM),
+     $             P(IH), NLAM, P(IW+2*NLAM), J )
+         IF ( J.NE.0 .AND. J.NE.2 ) RETURN
+         CALL GSPCH( NQ, NU, NLAM, P, P(IY), 1, TURN )
+         IF ( TURN.LE.0.3D0 ) RETURN
+      END IF
+C
+C     -- the minimum: samples of these steps, then finer and finer
       SMIN = P(8)
-      TMIN = P(7)
+      IF ( FIRST.EQ.7 ) SMIN = 0.9D0*MIN( P(8), P(10) )
+      TMIN = P(9)
+      IF ( FIRST.EQ.5 ) TMIN = P(7)
       DO 80 L = 1, 4
          IF ( L.EQ.1 ) THEN
-            Z = P(5)
-            W = ( P(9) - P(5) )/16.0D0
+            Z = P(FIRST)
+            W = ( P(9) - P(FIRST) )/16.0D0
          ELSE
             Z = TMIN - W
             W = 0.125D0*W
@@ -482,4 +498,11 @@ C     -- the minimum: samples of both steps, then finer and finer
             END IF
    70    CONTINUE
    80 CONTINUE
+      IF ( FIRST.EQ.5 ) RETURN
+      IF ( TMIN.LT.P(9) ) THEN
+C        the steps that follow find others
+         P(4) = 1.0D0
+      ELSE
+         SMIN = -1.0D0
+      END IF
       END

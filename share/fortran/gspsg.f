@@ -14,9 +14,12 @@ C             at T, which may lie anywhere between TC-D and TC+D, at the
 C             singular position as well.
 C     TC, D   (input) DOUBLE PRECISION: the step is from TC-D to TC+D;
 C             the singular position ought to lie at TC.
-C     TV      (input) DOUBLE PRECISION array, dimension (2): the last
-C             jump of the inputs before T and the first one behind it.
+C     TV      (input) DOUBLE PRECISION array, dimension (3): the last
+C             jump of the inputs before T and the first one behind it;
+C             if TV(3) > 0 inputs are continued beyond them by no more
+C             than that time.
 C     NS      (input) INTEGER, the number of stages, 8 or 12.
+C     V       (workspace) DOUBLE PRECISION array, dimension (2*NV).
 C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 is the right-hand side at (T,X), on exit
 C             the next NS are that at the stages: GSPTH then has the
@@ -54,7 +57,7 @@ C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*), INFO
-      DOUBLE PRECISION   T, X(*), TC, D, TV(2), RP(*), CST(*), V(*),
+      DOUBLE PRECISION   T, X(*), TC, D, TV(3), RP(*), CST(*), V(*),
      $                   RTOL, ATOL(*), F(NX,13), XN(*), FN(*), WI(*),
      $                   P(*), RSTAT(*), ERR, EIT, TS, SMIN
       INTEGER            I, J, K, L, ORDER(12)
@@ -150,7 +153,7 @@ C
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NS, NV, NLAM, IP(*), ISTAT(*),
      $                   ORDER(12), INFO
-      DOUBLE PRECISION   X(*), TC, D, TV(2), C0, C(12), RP(*), CST(*),
+      DOUBLE PRECISION   X(*), TC, D, TV(3), C0, C(12), RP(*), CST(*),
      $                   V(*), F(NX,13), XN(*), WI(*), P(*), RSTAT(*)
       INTEGER            I, J, K, L, N, KNOWN(13), NK
       DOUBLE PRECISION   Z(13), FROM, B(13)
@@ -211,22 +214,25 @@ C        once there are others
 C
 C     PURPOSE
 C     The right-hand side of a stage of GSPSG; beyond a jump of the
-C     inputs, at TV(1) or TV(2), with those up to it.
+C     inputs, at TV(1) or TV(2), with those up to it, continued.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), INFO
-      DOUBLE PRECISION   T, TV(2), X(*), RP(*), CST(*), V(*), XD(*),
+      DOUBLE PRECISION   T, TV(3), X(*), RP(*), CST(*), V(*), XD(*),
      $                   W(*), P(*), RSTAT(*)
+      DOUBLE PRECISION   TE, TF
       EXTERNAL           GSFUT
       INTEGER            SIDE
 C
       SIDE = 1
       IF ( T.GE.TV(2) ) SIDE = -1
-      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T,
-     $            MIN( MAX( T, TV(1) ), TV(2) ), SIDE, X, NQ, NU, NX,
-     $            NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT, RSTAT,
-     $            INFO )
+      TE = MIN( MAX( T, TV(1) ), TV(2) )
+      TF = T
+      IF ( TV(3).GT.0.0D0 ) TF = TE + TV(3)*TANH( ( T - TE )/TV(3) )
+      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, TE, TF, SIDE, X, NQ,
+     $            NU, NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT,
+     $            RSTAT, INFO )
       END
       SUBROUTINE GSPER( NQ, NU, NX, X, D, TOL, ATOL, RTOL, P, ERR )
 C

@@ -101,7 +101,8 @@ C             stability; (14) 1 if steps are bound by stability (GSSTD)
 C             and (15) which state the eigenvalue belongs to; (16) to
 C             (18) memory of GSSTD; (19) zero; (20) steps close to
 C             singular positions whose estimated error is above the
-C             tolerance.
+C             tolerance; method 4: that end where the least pivot is
+C             below a hundredth of its largest value.
 C     RSTAT   (output) DOUBLE PRECISION array, dimension (20):
 C             (1) largest |phi| and (2) largest |HC*u + phit| after any
 C             step; (3) and (4) when; (5) largest |phi| before a
@@ -117,7 +118,7 @@ C             (20) the step [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
-C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + NV
+C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + 2*NV
 C             + 8*NU + 10*NQ + 7*NLAM + 3*NLAM*NU + 60, where R = IP(4).
 C     OUT, CTL (external) the sampled devices, see GSSMP; called if
 C             IP(26) > 0.
@@ -136,8 +137,12 @@ C     Where the constraints lose rank ahead, before they have turned by
 C     1.2 rad (GSAHD), the position is passed by one step of collocation
 C     whose stages keep away from it (GSPSG), from an output, a break or
 C     a sample in it as well; all output times within it are taken from
-C     its polynomial, breaks, samples and the end stop it.  Its relative
-C     tolerance is no less than 5D3*eps.
+C     its polynomial, breaks, samples and the end stop it: the inputs
+C     before a break are continued beyond it (GSINC).  Its relative
+C     tolerance is no less than 5D3*eps.  Where the position that it
+C     finds does not settle, the iteration does not converge or the
+C     estimated error is too large, it is tried again with more stages
+C     and shorter, from where that length begins.
 C     A run of method 8 may start in such a position, by such a step, if
 C     its speeds lead out of it (GSPBG, GSPBC).
 C     Where that step cannot be had (an error that stays above the
@@ -190,7 +195,8 @@ C
      $                   COARSE, NEAR, JUMP(3), NOJUMP(3), GSEPS, EPS,
      $                   TS, HR, HFAR, TEND, CLOSE, HLIM, TC, D, SKIP,
      $                   SHRINK, EIT, TMIN, GAUSS(3), SMIN, TSEEN,
-     $                   DFULL, TURN, TV(2), B(12), C(12), WT(12)
+     $                   DFULL, TURN, TV(3), B(12), C(12), WT(12),
+     $                   MOVED
       INTEGER            IQ, ISZ, LOPT(6), NPASS, NS, LOOSE
       EXTERNAL           GSEPS, GSAHD, GSPSG, GSGLN, GSGLQ,
      $                   GSPTH, GSPRD, GSPBG, GSPBC
@@ -206,8 +212,8 @@ C     -- arguments
       IF ( NB.LT.0 ) INFO = -17
       IF ( LDX.LT.NX ) INFO = -26
       IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
-      I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + NV + 8*NU + 10*NQ
-     $    + 7*NLAM + 3*NLAM*NU
+      I = 2*NU*( IP(4) + 1 ) + 24*NX + NV*NX + 2*NV + 8*NU
+     $    + 10*NQ + 7*NLAM + 3*NLAM*NU
       IF ( LW.LT.I + 60 ) INFO = -32
       IF ( INFO.NE.0 ) RETURN
       IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -13
@@ -241,7 +247,7 @@ C     -- workspace: inputs, states, constraints, stages
       IX  = 2*NU*( IP(4) + 1 ) + 5*NX + NV*NX + 21
       IXN = IX + NX
       IV  = IXN + NX
-      IC  = IV + MAX( 1, NV )
+      IC  = IV + MAX( 1, 2*NV )
       IK  = IC + 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
       IO  = IK + 13*NX
       IQ  = IO + 3*NX
@@ -490,6 +496,7 @@ C     -- a singular position ahead?
       D     = DFULL
       IF ( T.LT.TC - 0.5D0*D ) D = MIN( D, TC - T )
       NPASS = 0
+      MOVED = 1.0D300
   301 IF ( T.GT.TC + 0.5D0*D .OR. NPASS.GT.12 ) GO TO 309
       IF ( T.LT.TC - 1.05D0*D ) THEN
          HLIM = MIN( HLIM, TC - D - T )
@@ -522,20 +529,25 @@ C        lengths of rows are those of states that the motion had
   306    CONTINUE
       END IF
       TV(1) = T0
-      TV(2) = 1.0D300
+      TV(2) = TOUT(NT)
       IF ( IB.GT.1 ) TV(1) = TBRK(IB-1)
       IF ( IB.LE.NB ) TV(2) = TBRK(IB)
+      TV(3) = 0.0D0
+      IF ( MAX( TV(1) - TC, TC - TV(2) ) + D.GT.TV(2) - TV(1) )
+     $   TV(3) = TV(2) - TV(1)
       CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IX), TC, D, TV, NQ,
      $      NU, NX, NS, NV, NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL,
      $      W(IK), W(IXN), W(IO), W, W(IC), ISTAT, RSTAT, ERR, EIT,
      $      TMIN, SMIN, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
-      IF ( IER.EQ.1 .AND. NPASS.LE.5 ) THEN
+      IF ( IER.EQ.1 .AND. ABS( TMIN - TC ).LT.0.7D0*MOVED ) THEN
+         MOVED = ABS( TMIN - TC )
          TC = TMIN
          IF ( T.LT.TC - D .AND. T.GT.TC - 1.4D0*D ) D = TC - T
          GO TO 301
       END IF
+      MOVED = 1.0D300
 C
 C     -- where the rank is kept after all the usual steps do better
       IF ( IER.EQ.0 .AND. SMIN.GT.1.0D-3*W(IC+13) ) THEN
@@ -548,7 +560,7 @@ C     -- where the rank is kept after all the usual steps do better
      $   FAC = 0.9D0*MAX( ERR, 1.0D-8 )**( -1.0D0/DBLE( NS + 1 ) )
       IF ( IER.EQ.0 .AND. ( ERR.LE.1.0D0 .OR. ERR.LE.3.0D0*EIT .OR.
      $     ( SHRINK.LT.0.15D0 .AND. ERR.LE.1.0D4 ) ) ) GO TO 302
-      IF ( SHRINK.LT.0.15D0 .OR. IER.EQ.1 ) THEN
+      IF ( SHRINK.LT.0.02D0 ) THEN
          SKIP   = TC + D
          SHRINK = 1.0D0
          GO TO 309
@@ -618,7 +630,11 @@ C        are the speeds those of a motion that leads out of it?
      $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
       W(IC)   = JOB
       W(IC+1) = -1.0D0
-      IF ( IER.NE.0 ) THEN
+      IF ( IER.NE.0 .AND. SHRINK.GT.0.15D0 ) THEN
+         SHRINK = 0.25D0*SHRINK
+         D      = 0.25D0*D
+         GO TO 301
+      ELSE IF ( IER.NE.0 ) THEN
          SKIP = TC + D
          GO TO 309
       END IF
