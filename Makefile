@@ -5,7 +5,8 @@ SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
 MAXIMA_SOURCES := $(wildcard gsmbp/*.mac gsmbp/*.lisp gsmbp/*/*.mac gsmbp/*/*.lisp) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
-# where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given
+# where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
+# PREFIX is given
 MAXIMA_USERDIR ?= $(if $(HOME),$(HOME)/.maxima)
 PREFIX  :=
 DESTDIR :=
@@ -54,7 +55,8 @@ fortran_out/%.f fortran_out/%.json fortran_out/%.dot: examples/$$*/$$*.mac $(MAX
 fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages compiled
 	share/make/derive $< fortran_out
 
-# the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
+# the driver of an example writes its tables and figures; `finished` comes last, so a broken run is
+# never trusted
 examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac examples/$$*/*.m) $(wildcard examples/*.m) $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@

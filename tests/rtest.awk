@@ -1,4 +1,5 @@
-# The output of Maxima's run_testsuite on one file as lines `ok`, `not ok`; variable name: the file's.
+# The output of Maxima's run_testsuite on one file as lines `ok`, `not ok`; variable name: the
+# file's.
 match($0, /[0-9]+\/[0-9]+ tests passed/) { split(substr($0, RSTART, RLENGTH), n, "[/ ]"); passed = n[1] + 0; all = n[2] + 0; seen = 1 }
 /^No unexpected errors found/   { clean = 1 }
 /^The following .* failed:/    { bad = $0; sub(/.*failed: /, "", bad); gsub(/[()]/, "", bad); split(bad, number, " ") }

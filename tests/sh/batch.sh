@@ -1,4 +1,5 @@
-# Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines and cosines, against quad precision. Needs the scenes derived (tests/run does that).
+# Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines
+# and cosines, against quad precision. Needs the scenes derived (tests/run does that).
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -20,7 +21,8 @@ grep -q 'One state after the other by BATCH_STOP_RHS' "$GSMBP_TEST_DIR/fortran_o
 gfortran -O2 -march=native -fopenmp-simd -fopt-info-vec -c "$root/share/fortran/gsscv.f" >report 2>&1
 grep -q 'loop vectorized' report && echo 'ok GSSCV is vectorized' || { echo 'not ok GSSCV is vectorized'; cat report; }
 
-# errors in units of the last place of the result: angles of either sign up to a size, then the numbers next to multiples of pi/2, where all digits of pi count
+# errors in units of the last place of the result: angles of either sign up to a size, then the
+# numbers next to multiples of pi/2, where all digits of pi count
 cat >sines.f90 <<'F'
 program sines
   implicit none

@@ -1,5 +1,5 @@
-# The compiled Lisp files: what is emitted is the same text with them and without; none is used that is not newer than every source, and where nothing
-# can be compiled the sources are loaded.
+# The compiled Lisp files: what is emitted is the same text with them and without; none is used that
+# is not newer than every source, and where nothing can be compiled the sources are loaded.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 check() { what=$1; shift; if "$@"; then echo "ok $what"; else echo "not ok $what"; tail -n 5 "$work/out.txt"; fi; }

@@ -1,4 +1,5 @@
-# What goes wrong in a derivation is one line that names the file and what is the matter: share/make/derive, make, gsmbp_derive in Octave.
+# What goes wrong in a derivation is one line that names the file and what is the matter:
+# share/make/derive, make, gsmbp_derive in Octave.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 body='link(a, mass = 1, inertia = [1, 1, 1]), revolute(J, ground, a, axis = z))$'

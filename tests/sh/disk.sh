@@ -1,6 +1,7 @@
-# A disk that is full: what is written appears whole or not at all, what stood there before is kept, and the message says so. The disk is
-# made full by a limit on the size of files whose signal is ignored (a write fails then as on a full disk, without a message of the system
-# in between), and by a small file system where one may be mounted.
+# A disk that is full: what is written appears whole or not at all, what stood there before is kept,
+# and the message says so. The disk is made full by a limit on the size of files whose signal is
+# ignored (a write fails then as on a full disk, without a message of the system in between), and by
+# a small file system where one may be mounted.
 root=$PWD
 work=$(mktemp -d)
 trap 'umount "$work/small" 2>/dev/null; rm -rf "$work"' EXIT

@@ -1,4 +1,5 @@
-# Every public name of the Maxima package is in what `make doc` writes, with a comment. (Those of elsewhere.mac only say that they are Octave's.)
+# Every public name of the Maxima package is in what `make doc` writes, with a comment. (Those of
+# elsewhere.mac only say that they are Octave's.)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 share/make/doc gsmbp/*.mac gsmbp/*/*.mac >"$work/functions.txt"

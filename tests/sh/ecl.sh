@@ -1,4 +1,5 @@
-# Maxima on another Lisp (Debian's maxima-sage is built on ECL, maxima on GCL) derives the same text, byte by byte.
+# Maxima on another Lisp (Debian's maxima-sage is built on ECL, maxima on GCL) derives the same
+# text, byte by byte.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 one=${MAXIMA:-maxima}

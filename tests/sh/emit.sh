@@ -1,5 +1,6 @@
-# The emitter on artificial routines (tests/tools/emit_cases.mac): compiles without a warning, values against Maxima in 50 digits, in double and
-# in quad precision, operation counts against an independent counter of the text, same bytes whatever the session holds.
+# The emitter on artificial routines (tests/tools/emit_cases.mac): compiles without a warning,
+# values against Maxima in 50 digits, in double and in quad precision, operation counts against an
+# independent counter of the text, same bytes whatever the session holds.
 root=$PWD
 flags='-std=f95 -Wall -Wextra -pedantic -fimplicit-none -Wno-unused-dummy-argument -Werror'
 work=$(mktemp -d)
@@ -38,7 +39,8 @@ for file in "${GSMBP_TEST_DIR:-/nowhere}"/fortran_out/*.f; do
 done
 [ "$(wc -l <text)" -eq 8 ] && echo 'ok eight routines' || echo 'not ok eight routines'
 
-# Values.  In double precision the random expressions (powers of powers) lose up to six digits; quad shows that no digit is lost in the text.
+# Values.  In double precision the random expressions (powers of powers) lose up to six digits; quad
+# shows that no digit is lost in the text.
 for file in emit driver; do
   gfortran -c $file.f && gfortran -freal-8-real-16 -c $file.f -o "$work/quad/$file.o" || echo "not ok $file.f compiles"
 done
@@ -49,7 +51,8 @@ awk '{ print ($2 + 0 <= $3 + 0 ? "ok " : "not ok ") $1 " in " $4 " precision: er
 
 awk '{ print ($2 > 3000 ? "ok " : "not ok ") "3000 assignments: " $2 " lines" }' "$work/time"
 
-# files appear whole or not at all: an error while a line is written leaves what was there, and no new file
+# files appear whole or not at all: an error while a line is written leaves what was there, and no
+# new file
 cd "$root" || exit
 mkdir "$work/files"; echo old >"$work/files/kept.f"
 share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ dir : \"$work/files/\"\$

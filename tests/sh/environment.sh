@@ -1,5 +1,5 @@
-# What is derived and emitted does not depend on the options, facts and declared properties of the session, and they are afterwards as they were;
-# what cannot be put aside is one error.
+# What is derived and emitted does not depend on the options, facts and declared properties of the
+# session, and they are afterwards as they were; what cannot be put aside is one error.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

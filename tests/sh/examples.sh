@@ -1,5 +1,6 @@
-# A sample of the examples, the paper's two among them: made from the working tree, a second make does nothing; the others are derived. make examples
-# runs them all. Numbers of the paper's two: test_examples.m.
+# A sample of the examples, the paper's two among them: made from the working tree, a second make
+# does nothing; the others are derived. make examples runs them all. Numbers of the paper's two:
+# test_examples.m.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 few='slider_crank puma560 four_bar slider_crank_induction'

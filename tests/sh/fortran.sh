@@ -1,4 +1,5 @@
-# The Fortran: what is emitted for the scenes of the tests, and the run time of share/fortran. Needs the scenes derived (tests/run does that).
+# The Fortran: what is emitted for the scenes of the tests, and the run time of share/fortran. Needs
+# the scenes derived (tests/run does that).
 root=$PWD
 flags='-std=f95 -frecursive -Wall -Wextra -pedantic -fimplicit-none -Wno-unused-dummy-argument'
 work=$(mktemp -d)
@@ -29,7 +30,8 @@ for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/
   ' "$file" >"$work/out"
   result "$name keeps to the fixed form"
 
-  # workspace handed on by its first element, routines called from other files, and IAND (MIL-STD-1753, Fortran 95) are the run time's custom
+  # workspace handed on by its first element, routines called from other files, and IAND
+  # (MIL-STD-1753, Fortran 95) are the run time's custom
   custom= more=
   [ $emitted = no ] && custom='-array=none' more=',no-intrinsic'
   ftnchek -nopretty -noextern $custom -f77=all,no-long-name,no-name-underscore,no-implicit-none$more \

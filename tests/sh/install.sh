@@ -1,4 +1,5 @@
-# make install in a fresh home: load("gsmbp") works by name, from any folder, with the actuator library and the Fortran run time in place.
+# make install in a fresh home: load("gsmbp") works by name, from any folder, with the actuator
+# library and the Fortran run time in place.
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

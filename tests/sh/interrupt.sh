@@ -1,4 +1,5 @@
-# Ctrl-C (SIGINT) in a derivation: the session answers, nothing is half-written, and the next derivation writes what a fresh session writes.
+# Ctrl-C (SIGINT) in a derivation: the session answers, nothing is half-written, and the next
+# derivation writes what a fresh session writes.
 root=$PWD
 work=$(mktemp -d)
 maxima=

@@ -1,4 +1,5 @@
-# The Makefile on a small project of its own: a stand-in package and one example. What changed is redone, what broke is never trusted.
+# The Makefile on a small project of its own: a stand-in package and one example. What changed is
+# redone, what broke is never trusted.
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

@@ -1,4 +1,5 @@
-# Every twelfth of 300 malformed scenes against its verdict (make test-malformed takes them all); warnings reach the caller of derive.
+# Every twelfth of 300 malformed scenes against its verdict (make test-malformed takes them all);
+# warnings reach the caller of derive.
 PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 tests/malformed/judge.py hand 12 5
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT

@@ -1,5 +1,6 @@
-# What Octave writes on a disk that is full (a limit of file sizes; where mounting is allowed also a file system of 64 kB): an error that names the file,
-# the old file as it was, nothing half-written beside it. Tables, figures, moving pictures, what gsmbp_build compiles.
+# What Octave writes on a disk that is full (a limit of file sizes; where mounting is allowed also a
+# file system of 64 kB): an error that names the file, the old file as it was, nothing half-written
+# beside it. Tables, figures, moving pictures, what gsmbp_build compiles.
 root=$PWD
 work=$(mktemp -d)
 small=
@@ -33,7 +34,8 @@ function says (what, f)
 end
 END
 
-# check HOW FOLDER: the outcome of a second writing, after a first one of little into the same folder
+# check HOW FOLDER: the outcome of a second writing, after a first one of little into the same
+# folder
 check() {
   for what in table figure 'figure alone' picture module; do
     grep -q "^$what: gsmbp_[a-z]*: .*\(full\|cannot\|failed\)" "$work/second" && echo "ok $1: $what: an error" || { echo "not ok $1: $what: an error"; cat "$work/second"; }

@@ -1,4 +1,5 @@
-# The integrators built in quad precision: their orders down to errors of 1e-28, which only coefficients good to 30 digits give.
+# The integrators built in quad precision: their orders down to errors of 1e-28, which only
+# coefficients good to 30 digits give.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/order.f" <<'F'

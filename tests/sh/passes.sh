@@ -1,4 +1,5 @@
-# Without some of the passes, and without any, every routine of a scene with a loop, a device and inputs is Fortran that compiles.
+# Without some of the passes, and without any, every routine of a scene with a loop, a device and
+# inputs is Fortran that compiles.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/scene.mac" <<'E2'

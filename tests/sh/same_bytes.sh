@@ -1,5 +1,6 @@
-# The same scene with the same switches gives the same bytes, whatever the session was asked for before: one session
-# derives a list of files, a second one the same list from the end, others one each from nothing.
+# The same scene with the same switches gives the same bytes, whatever the session was asked for
+# before: one session derives a list of files, a second one the same list from the end, others one
+# each from nothing.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 

@@ -1,6 +1,7 @@
-# Scenes of 128 links: derived, emitted, compiled and run; the efforts of the inverse dynamics are those of Newton and Euler in ground axes
-# (tests/tools/scale.mac), and the accelerations of the forward dynamics need these efforts. Both sum in double precision, in another order:
-# 1e-13 of the largest effort leaves a factor of a hundred.
+# Scenes of 128 links: derived, emitted, compiled and run; the efforts of the inverse dynamics are
+# those of Newton and Euler in ground axes (tests/tools/scale.mac), and the accelerations of the
+# forward dynamics need these efforts. Both sum in double precision, in another order: 1e-13 of the
+# largest effort leaves a factor of a hundred.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for kind in spat tree pend; do

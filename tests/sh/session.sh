@@ -1,4 +1,5 @@
-# Loading GSMBP, and using it, changes no option, rule, operator or derivative of the user's session (tests/maxima/session.lisp tells).
+# Loading GSMBP, and using it, changes no option, rule, operator or derivative of the user's session
+# (tests/maxima/session.lisp tells).
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 share/make/maxima "$work/log" "
@@ -20,7 +21,8 @@ for what in loading using 'an error'; do
   grep -q "^ *$what changes \[\]" "$work/log" && echo "ok $what changes nothing" || { echo "not ok $what changes nothing"; grep -A2 "changes \[" "$work/log"; }
 done
 
-# nor does what the session holds change the result: functions with names that a careless program would call by
+# nor does what the session holds change the result: functions with names that a careless program
+# would call by
 for name in case_03a case_02a_motor; do
   share/make/maxima "$work/log" "
     f(x) := x^2\$ g([x]) := 7\$ h(x) := error(\"mine\")\$ value(x) := 7\$ key(x) := 7\$ test(x) := 7\$ draft(x) := 7\$ way(x) := 7\$ rate(x) := 7\$
