@@ -275,8 +275,7 @@ def sampled_pid(r):
 def sampled_cascade(r):
     k = {
         'T': .1, 'delay': .05, 'kp': 1.4, 'ks': .8, 'Ti': .5, 'Tt': r.choice([.3, .004]),
-        'umax': 3.,
-        'qu': .017
+        'umax': 3., 'qu': .017
     }
     variant = r.choice(['full', 'plain', 'p'])
 

@@ -21,6 +21,7 @@ emit(folder, s, requests) :=
 emitted(folder, name, e) := sconcat(work, "/", folder, "/", name, e)$
 same(folder, name) := every(
   lambda([e], same_bytes(emitted("plain", name, e), emitted(folder, name, e))), [".f", ".json"])$
+told(what, good) := printf(true, "~a ~a~%", if good then "ok" else "not ok", what)$
 M
 prelude="work : \"$work\"\$ load(\"gsmbp/gsmbp.mac\")\$ batchload(\"$work/scenes.mac\")\$"
 

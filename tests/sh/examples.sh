@@ -10,7 +10,8 @@ few='slider_crank puma560 four_bar slider_crank_induction'
 check 'make examples' make_ examples EXAMPLES="$few"
 make_ examples EXAMPLES="$few"
 check 'a second make examples does nothing' fails grep -q 'share/make\|octave-cli' "$report"
-check 'all examples derive' make_ $(ls -d examples/*/ | sed 's,examples/,fortran_out/,; s,/$,.f,')
+check 'all examples derive' \
+  make_ $(ls examples/*/run.m | sed 's,examples/,fortran_out/,; s,/run.m$,.f,')
 
 for name in puma560 slider_crank; do
   for file in inverse_dynamics.csv open_loop.csv; do
