@@ -98,7 +98,8 @@ test-random: packages-test compiled
 	@tests/random/run $(or $(COUNT),2000) $(SEED)
 
 test-malformed: packages-test compiled
-	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
+	@{ tests/malformed/judge.py hand; \
+	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
 	  tee /dev/stderr | awk '/^ok / { n++ } /^not ok / { bad++ } \
 	    END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
 

@@ -1,4 +1,4 @@
-## The opening of the driver of an example: begin.m is sourced in its first line. It puts this folder
+## The opening of the driver of an example, which sources it in its first line: it puts this folder
 ## on the path and opens the driver's report.
 
 addpath (fileparts (mfilename ("fullpath")));
