@@ -1,11 +1,13 @@
 # GSMBP: derive, emit, compile, run, plot.  GNU make; `make help` lists the targets.
 
-EXAMPLES := $(notdir $(patsubst %/,%,$(wildcard examples/*/)))
+EXAMPLES := $(notdir $(patsubst %/run.m,%,$(wildcard examples/*/run.m)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
-MAXIMA_SOURCES := $(wildcard gsmbp/*.mac gsmbp/*.lisp gsmbp/*/*.mac gsmbp/*/*.lisp) $(shell find share -name '*.mac' -o -name '*.lisp') share/make/maxima share/make/derive
+MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | grep -v '/compiled/') \
+                  share/make/maxima share/make/derive
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
-# where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when PREFIX is given
+# where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
+# PREFIX is given
 MAXIMA_USERDIR ?= $(if $(HOME),$(HOME)/.maxima)
 PREFIX  :=
 DESTDIR :=
@@ -14,25 +16,45 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed bench bench-loops bench-passages bench-devices bench-abbreviate same doc install clean
+.PHONY: help packages packages-test compiled examples test test-random test-malformed \
+        bench bench-loops bench-passages bench-devices bench-abbreviate same doc install clean
+
+define HELP
+make examples              derive, emit, compile, run and plot the examples
+make test                  all tests; the last line is "N passed, N failed"
+make test-random           2000 scenes made by chance against each of two independent formulations
+                           (make test takes 40 and 10); SEED=1 COUNT=2000: others
+make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
+                           (make test takes 25)
+make bench                 tests/bench/report.md, report.json and figures
+                           PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside
+                           BENCH_SYSTEMS="puma3 puma6": these only
+make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with
+                           loops, hard cases, SUNDIALS beside
+make bench-passages        tests/bench/passages.md: ten passages of singular positions
+                           RUNS=1600: all; SEED
+make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error;
+                           every example: energy audit, speed, global error
+make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
+                           error beside the whole
+make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
+make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
+make doc                   share/manual/functions.txt: the public functions with their comments
+make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR));
+                           or PREFIX=/usr/local, DESTDIR=...
+make clean                 removes what make generated
+MAXIMA=maxima-sage make ...
+                           derives with Maxima on ECL instead of the default `maxima` (GCL): the
+                           same text, several times slower
+examples, test and bench first install the Debian packages that are missing (as root; otherwise
+they name them).
+Examples: $(EXAMPLES).
+Systems: $(SYSTEMS).
+endef
+export HELP
 
 help:
-	@echo 'make examples              derive, emit, compile, run and plot: $(EXAMPLES)'
-	@echo 'make test                  all tests; the last line is "N passed, N failed"'
-	@echo 'make test-random           2000 scenes made by chance against each of two independent formulations (make test takes 40 and 10); SEED=1 COUNT=2000: others'
-	@echo 'make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples (make test takes 25)'
-	@echo 'make bench                 tests/bench/report.md, report.json and figures; PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside; BENCH_SYSTEMS="puma3 puma6": these only'
-	@echo 'make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with loops, hard cases, SUNDIALS beside'
-	@echo 'make bench-passages        tests/bench/passages.md: ten passages of singular positions; RUNS=1600: all; SEED'
-	@echo 'make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error; every example: energy audit, speed, global error'
-	@echo 'make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and error beside the whole'
-	@echo 'make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?'
-	@echo 'make fortran_out/NAME.f    Fortran and JSON of one system: $(EXAMPLES) $(SYSTEMS)'
-	@echo 'make doc                   share/manual/functions.txt: the public functions with their comments'
-	@echo 'make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR)); or PREFIX=/usr/local, DESTDIR=...'
-	@echo 'make clean                 removes what make generated'
-	@echo 'MAXIMA=maxima-sage make ... derives with Maxima on ECL instead of the default `maxima` (GCL): the same text, several times slower'
-	@echo 'examples, test and bench first install the Debian packages that are missing (as root; otherwise they name them).'
+	@printf '%s\n' "$$HELP" | fold -s -w 100
 
 packages:
 	@share/make/packages
@@ -48,17 +70,22 @@ compiled: | packages
 examples: $(EXAMPLES:%=examples/%/out/finished)
 
 # Fortran and JSON appear whole or not at all (gsmbp_fortran writes beside and renames)
-fortran_out/%.f fortran_out/%.json fortran_out/%.dot: examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages compiled
+DERIVED := fortran_out/%.f fortran_out/%.json fortran_out/%.dot
+
+$(DERIVED): examples/$$*/$$*.mac $(MAXIMA_SOURCES) | packages compiled
 	share/make/derive $< fortran_out
 
-fortran_out/%.f fortran_out/%.json fortran_out/%.dot: tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages compiled
+$(DERIVED): tests/bench/systems/%.mac $(MAXIMA_SOURCES) | packages compiled
 	share/make/derive $< fortran_out
 
-# the driver of an example writes its tables and figures; `finished` comes last, so a broken run is never trusted
-examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot examples/$$*/run.m $$(wildcard examples/$$*/*.mac examples/$$*/*.m) $(wildcard examples/*.m) $(RUN_SOURCES)
+# the driver of an example writes its tables and figures; `finished` comes last, so a broken run is
+# never trusted
+examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.dot \
+                         examples/$$*/run.m $$(wildcard examples/$$*/*.mac examples/$$*/*.m) \
+                         $(wildcard examples/common/*.m) $(RUN_SOURCES)
 	@mkdir -p $(@D)
 	@rm -f $@
-	timeout -k 10 1800 octave-cli -qf --no-history examples/$*/run.m </dev/null
+	timeout -k 10 1800 $(OCTAVE) examples/$*/run.m </dev/null
 	share/make/picture fortran_out/$*.dot examples/$*/out/graph.png
 	@touch $@
 
@@ -71,29 +98,34 @@ test-random: packages-test compiled
 	@tests/random/run $(or $(COUNT),2000) $(SEED)
 
 test-malformed: packages-test compiled
-	@{ tests/malformed/judge.py hand; tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | tee /dev/stderr | \
-	  awk '/^ok / { n++ } /^not ok / { bad++ } END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
+	@{ tests/malformed/judge.py hand; \
+	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
+	  tee /dev/stderr | awk '/^ok / { n++ } /^not ok / { bad++ } \
+	    END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
+
+OCTAVE := octave-cli -qf --no-history
+ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 bench: packages compiled
 	@mkdir -p tests/bench/out
-	timeout -k 10 7200 octave-cli -qf --no-history tests/bench/run.m </dev/null
+	timeout -k 10 7200 $(OCTAVE) tests/bench/run.m </dev/null
 
 bench-loops: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/loops.m </dev/null
+	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/loops.m </dev/null
 
 bench-passages: packages compiled
 	@mkdir -p tests/bench/out
-	RUNS='$(RUNS)' SEED='$(SEED)' OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 \
-	timeout -k 10 21600 octave-cli -qf --no-history tests/bench/passages.m </dev/null
+	RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
+	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
 
 bench-devices: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/devices.m </dev/null
+	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/devices.m </dev/null
 
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
-	OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 timeout -k 10 7200 octave-cli -qf --no-history tests/bench/abbreviate.m </dev/null
+	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
 
 # PATTERN: only the scenes whose path holds it
 same: | packages
@@ -110,4 +142,6 @@ install:
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
-	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out tests/bench/report.* tests/bench/loops.md tests/bench/loops.json tests/bench/passages.md tests/bench/abbreviate.md share/manual/functions.txt
+	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out share/manual/functions.txt
+	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
+	rm -rf tests/bench/passages.md tests/bench/abbreviate.md

@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times})
-## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @var{options}, @dots{})
+## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @
+## @var{options}, @dots{})
 ## Inverse dynamics along a planned motion, through loops and actuators.
 ##
 ## @var{motion} (of @code{gsmbp_plan}) plans the actuated coordinates of the

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn  {} {@var{result} =} gsmbp_simulate (@var{m}, @var{x0}, @var{times}, @var{options}, @dots{})
+## @deftypefn  {} {@var{result} =} gsmbp_simulate (@var{m}, @var{x0}, @var{times}, @
+## @var{options}, @dots{})
 ## @deftypefnx {} {[@var{result}, @var{info}] =} gsmbp_simulate (@dots{})
 ## Simulate a scene; the whole loop runs compiled.
 ##

@@ -1,5 +1,6 @@
 ## -*- texinfo -*-
-## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @var{options}, @dots{})
+## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @
+## @var{options}, @dots{})
 ## Speed against error: what a simulation costs and how far it is from the
 ## truth, for several methods, steps and tolerances.
 ##

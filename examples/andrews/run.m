@@ -1,16 +1,10 @@
 ## Andrews' squeezing mechanism over its 0.03 s: against the published solution and a reference of
 ## 27 digits, by six ways; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
-
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("andrews.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n"], cpu, wall);
-m = gsmbp_build ("andrews");
+m = derived_model ("andrews");
 
 ## ------------------------------------------- where it starts: the loops close
 published = ...

@@ -1,7 +1,7 @@
 ## Bricard's orthogonal six-bar falls for ten seconds: five equations for its loop of which four are
 ## independent; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## the hinges (3 x 6) for the angle q1: the odd angles are equal, the even ones fulfil sin q1 + sin
 ## q2 + sin q1 sin q2 = 0
@@ -29,14 +29,8 @@ function [J, V] = by_hand (q1)
   V = 9.81 * sum (y(1:5) + y(2:6)) / 2;
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("bricard.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n"], cpu, wall);
-m = gsmbp_build ("bricard");
+m = derived_model ("bricard");
 x0 = m.initial;
 gsmbp_mobility (m, x0);
 puts ("\n");

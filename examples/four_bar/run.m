@@ -1,7 +1,7 @@
 ## Hoeken's four-bar: both branches, the coupler curve, transmission angle, torque and pin forces at
 ## constant speed, dead centres, change points, beside closed formulas; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## the loop equation solved by hand: angles [beta, psi] for crank angles THETA (column); SIDE 1: C
 ## left of the line from B to D, -1: right of it
@@ -34,14 +34,8 @@ function E = energy_by_hand (p, theta, w)
   E = T + V;
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("four_bar.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n"], cpu, wall);
-m = gsmbp_build ("four_bar");
+m = derived_model ("four_bar");
 gsmbp_mobility (m, gsmbp_assemble (m, m.initial, "hold", "theta"));
 puts ("\n");
 p = m.par;

@@ -2,7 +2,7 @@
 ## joints, and when they undo each other. Ratio, moments in the joint, a run-up on the motor; four
 ## ways to mount a shaft with two joints; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## a shaft in ground axes: from the point `from` of its axis to `to` (link axes), a fork of half
 ## width r at each joint: [x of the joint, direction of the arms]
@@ -23,9 +23,6 @@ function R = turn (axis, angle)
   R = struct ("x", [1, 0, 0; 0, c, -s; 0, s, c], "y", [c, 0, s; 0, 1, 0; -s, 0, c], "z", ...
               [c, -s, 0; s, c, 0; 0, 0, 1]).(axis);
 endfunction
-
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 degree = pi / 180;

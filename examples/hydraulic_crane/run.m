@@ -2,7 +2,7 @@
 ## energy goes, what happens when the valves shut, and what the load-pressure model of the cylinders
 ## is worth; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## From rest to rest at the columns of Q, with five derivatives zero there: the command of a
 ## cylinder with the spool's dynamics asks for so many.
@@ -41,15 +41,10 @@ function d = defect (p, x)
              .* x(:,3:4) / 2, 2);
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the models
-[cpu, wall] = gsmbp_derive ("hydraulic_crane.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n\n"], cpu, wall);
+m = derived_model ("hydraulic_crane");
+puts ("\n");
 gsmbp_derive ("hydraulic_crane_pl.mac", "out");
-m = gsmbp_build ("hydraulic_crane");
 short = gsmbp_build ("hydraulic_crane_pl", "directory", "out");
 p = m.par;
 col = @(name) find (strcmp (m.states, name));

@@ -2,16 +2,14 @@
 ## thread loses, a feed motion by voltage, and what happens when the power is off, for four screws;
 ## everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## integral of equidistant samples (an odd number) by Simpson's rule
 function s = simpson (y, h)
   s = h / 3 * (y(1,:) + 4 * sum (y(2:2:end-1,:), 1) + 2 * sum (y(3:2:end-2,:), 1) + y(end,:));
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
 cpu = gsmbp_derive ("lead_screw.mac");

@@ -2,7 +2,7 @@
 ## valves, how the controller follows with and without that command, what sampling and delay do,
 ## what the thermal models of the gas are worth; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## inputs at samples T apart: place as planned, areas beside the controller's, held (a row for each
 ## sample)
@@ -82,9 +82,6 @@ function x = states_of (x, k)
     x = x([1 2 3 5]);
   endif
 endfunction
-
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, choice, film
-open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 printf ("derivation: %.1f s of processor time, Maxima's start included\n\n", ...

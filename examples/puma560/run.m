@@ -2,21 +2,17 @@
 ## pose in one second. Figures 10 to 12 of the paper, their numbers, a state feedback, and what the
 ## program itself costs; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 function t = titles (before)
   t = arrayfun (@(k) sprintf ("%s%d", before, k), 1:3, "UniformOutput", false);
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-open_report (mfilename ("fullpath"));
 
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("puma560.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n\n"], cpu, wall);
-m = gsmbp_build ("puma560");
+m = derived_model ("puma560");
+puts ("\n");
 q0 = [0.5; -0.75; 0.5];
 plan = gsmbp_plan ("quintic", [q0, zeros(3, 1)], [0 1]);
 t = (0:0.01:1)';

@@ -2,7 +2,7 @@
 ## rigid model of the drive misses, and the same motion under a cascade controller with an encoder,
 ## continuous and sampled each millisecond; slow reversals. Everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## least time of some runs [s], for one second of motion
 function s = seconds_of (m, x0, duration, varargin)
@@ -53,9 +53,6 @@ function run = controlled (kind, model, x0, theta, held, input, options)
     run{2} = [x0; theta; held / m.par.ks; held];
   endif
 endfunction
-
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, choice, film
-open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 printf ("derivation: %.1f s of processor time, Maxima's start included\n\n", ...

@@ -1,7 +1,7 @@
 ## A thin disc rolls without slipping: circles, the speed at which it stays upright by itself, a
 ## coin that wobbles; what the plane must hold, and what is conserved; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## state of the disc that touches the plane at the origin and rolls along x: leaning by LEAN
 ## (rotation about x), turning about z at TURN, leaning further at FALL, rotating about its axis at
@@ -39,9 +39,7 @@ function [n, f, e] = forces (m, x)
   endfor
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
 pkg load control   # before gsmbp_build: Octave calls a module slowly once its load path has changed
-open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 cpu = gsmbp_derive ("rolling_disc.mac");

@@ -2,20 +2,15 @@
 ## Figures 7 to 9 of the paper, their numbers, and what the program itself costs; everything goes
 ## into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 function row (format, values)
   printf (format, values'(:));
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("slider_crank.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n\n"], cpu, wall);
-m = gsmbp_build ("slider_crank");
+m = derived_model ("slider_crank");
+puts ("\n");
 
 ## the crank's acceleration: up linearly to 4 rad/s^2 in 1 s, down to zero at 2 s, then constant
 ## speed

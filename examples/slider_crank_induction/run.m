@@ -2,7 +2,7 @@
 ## torque against speed, reduced variants of the motor, the voltages and frequencies that an
 ## inverter needs for a planned motion; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## outputs at the rows of a run
 function y = outputs (m, r)
@@ -49,14 +49,9 @@ function audit (m, x0, t_end, n, input, varargin)
                 :)), numel (t), 1e3 * seconds / t_end);
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("slider_crank_induction.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n\n"], cpu, wall);
-m = gsmbp_build ("slider_crank_induction");
+m = derived_model ("slider_crank_induction");
+puts ("\n");
 p = m.par;
 
 ## -------------------------------------- on the mains: 220 V, 60 Hz, at rest

@@ -2,7 +2,7 @@
 ## conserved and for how long, the sleeping top, and the same top in Euler's angles where these are
 ## singular; everything goes into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## state of the top tilted by THETA about x, turned about z at the rate PHID, its spin (all of w3) S
 function x = start (theta, phid, s)
@@ -47,9 +47,6 @@ function [limits, period, advance] = closed_form (p, x)
       * quadgk (@(s) (c(2) - c(3) * at (s)) ./ (I * (1 - at (s) .^ 2)) ./ sqrt (2 * mgl / I ...
                     * (u(3) - at (s))), 0, pi);
 endfunction
-
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
 
 ## --------------------------------------------------------------- the models
 cpu = gsmbp_derive ("spinning_top.mac");

@@ -2,7 +2,7 @@
 ## forces that a motion needs, the motion under computed force and under control; everything goes
 ## into out/.
 
-warning ("off", "Octave:shadowed-function");   # this file has the name of a function of Octave
+source (fullfile (fileparts (mfilename ("fullpath")), "..", "common", "begin.m"));
 
 ## forces along the legs, if these have no mass: Newton and Euler for the platform
 function f = forces_by_hand (p, pose, rate, acc)
@@ -15,14 +15,8 @@ function f = forces_by_hand (p, pose, rate, acc)
   f = [n; cross(R * (top - c), n)] \ [pull; turn];
 endfunction
 
-addpath (fullfile (fileparts (mfilename ("fullpath")), ".."));   # open_report, panel, film
-open_report (mfilename ("fullpath"));
-
 ## ---------------------------------------------------------------- the model
-[cpu, wall] = gsmbp_derive ("stewart.mac");
-printf (["derivation: %.1f s of processor time, %.1f s by the clock, Maxima's start " ...
-         "included\n"], cpu, wall);
-m = gsmbp_build ("stewart");
+m = derived_model ("stewart");
 x0 = m.initial;
 gsmbp_mobility (m, x0);
 strokes = arrayfun (@(k) sprintf ("s%d", k), 1:6, "UniformOutput", false);

@@ -1,14 +1,18 @@
 #!/usr/bin/python3 -B
-"""Malformed scenes: each is valid (derives, compiles, gives a finite result), warned, or refused by one clear error.
+"""Malformed scenes: each is valid (derives, compiles, gives a finite result), warned, or refused by
+one clear error.
 
-  judge.py hand [STEP [FROM]]   every STEP-th of the 300 scenes of hand.py, against the verdicts of table.txt
+  judge.py hand [STEP [FROM]]   every STEP-th of the 300 scenes of hand.py, against the verdicts of
+                                table.txt
   judge.py table [STEP [FROM]]  lines for table.txt
-  judge.py mutants SEED COUNT   mutants of the examples and of tests/scenes: request [mass], no verdicts to compare with
+  judge.py mutants SEED COUNT   mutants of the examples and of tests/scenes: request [mass], no
+                                verdicts to compare with
 
-Verdicts: valid, warned, refused; syntax: Maxima's parser, GSMBP never saw it. The others are faults: unnamed (an error
-of GSMBP that does not name the element), raw (Maxima's own error, or a routine's name), trace (Maxima's list of the
-functions that were being called), lisp, hang (40 s), asked (a question), half (half of a pair of files), wrong (accepted,
-but it does not compile or its result is not finite).
+Verdicts: valid, warned, refused; syntax: Maxima's parser, GSMBP never saw it. The others are
+faults: unnamed (an error of GSMBP that does not name the element), raw (Maxima's own error, or a routine's
+name), trace (Maxima's list of the functions that were being called), lisp, hang (40 s), asked (a
+question), half (half of a pair of files), wrong (accepted, but it does not compile or its result is
+not finite).
 """
 import json, os, re, select, shutil, subprocess, sys, tempfile, time
 from hand import CASES
@@ -16,7 +20,8 @@ from mutants import mutants, ROOT
 HERE = os.path.dirname(os.path.abspath(__file__))
 TABLE = HERE + '/table.txt'
 GOOD = ('valid', 'warned', 'refused', 'syntax')
-QUESTION = rb'positive, negative|Acceptable answers|positive or negative|zero or nonzero|an integer\?|;ask'
+QUESTION = (rb'positive, negative|Acceptable answers|positive or negative|zero or nonzero|'
+            rb'an integer\?|;ask')
 
 class Maxima:
     """a session that is asked again and again, and started anew when it hangs"""
@@ -24,8 +29,9 @@ class Maxima:
         self.folder, self.count = folder, 0
         self.start()
     def start(self):
-        self.p = subprocess.Popen([os.environ.get('MAXIMA', 'maxima'), '--very-quiet', '--init=none'], cwd=self.folder,
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, bufsize=0)
+        command = [os.environ.get('MAXIMA', 'maxima'), '--very-quiet', '--init=none']
+        self.p = subprocess.Popen(command, cwd=self.folder, stdin=subprocess.PIPE,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, bufsize=0)
         self.ask('load("%s/gsmbp/gsmbp.mac")$' % ROOT, 120)
     def stop(self):
         self.p.kill(); self.p.wait(); self.p.stdin.close(); self.p.stdout.close()
@@ -59,7 +65,8 @@ def verdict(out, fault, name, files):
     o = ' '.join(out.split())
     if fault: return fault
     if any(f.endswith(('.tmp', '_tmp')) for f in files): return 'half'
-    if sum(f.endswith('.f') for f in files) != sum(f.endswith('.json') for f in files): return 'half'
+    if sum(f.endswith('.f') for f in files) != sum(f.endswith('.json') for f in files):
+        return 'half'
     if re.search('Lisp error|MACSYMA restart|Unrecoverable|bind stack', o): return 'lisp'
     if '-- an error' in o or 'incorrect syntax' in o: return first_error(o, name)
     return 'warned' if re.search(r'warning: |removed: ', o) else 'valid'
@@ -88,7 +95,8 @@ class Fortran:
     def __init__(self, folder):
         self.folder = folder
         os.makedirs(folder + '/lib')
-        sources = [os.path.join(d, f) for d, _, l in os.walk(ROOT + '/share/fortran') for f in l if f.endswith('.f')]
+        sources = [os.path.join(d, f) for d, _, l in os.walk(ROOT + '/share/fortran')
+                   for f in l if f.endswith('.f')]
         self.run(['gfortran', '-O0', '-w', '-c'] + sources, folder + '/lib')
         self.run(['sh', '-c', 'ar cr libgs.a *.o'], folder + '/lib')
     def run(self, command, folder):
@@ -98,11 +106,14 @@ class Fortran:
         d = json.load(open('%s/%s.json' % (folder, file)))
         s, n = d['dimensions'], d['name'].upper()
         start = [x if d['loops'] or d['orientation'] else x + 0.3 for x in d['initial']]
-        text = '\n'.join('      X(%d) = %.15E' % (k + 1, x) for k, x in enumerate(start)).replace('E', 'D')
+        text = '\n'.join('      X(%d) = %.15E' % (k + 1, x) for k, x in enumerate(start))
+        text = text.replace('E', 'D')
         sizes = tuple(max(1, s[k]) for k in ('npar', 'ncst', 'nx', 'nv', 'nx'))
-        open(folder + '/gsmbp-runs.f', 'w').write(MAIN % (sizes + (n, n, text, max(1, s['nv']), n, s['nx'])))
-        if self.run(['gfortran', '-O0', '-w', 'gsmbp-runs.f', file + '.f', '-L' + self.folder + '/lib', '-lgs', '-llapack',
-                     '-lblas', '-o', 'gsmbp-runs'], folder): return False
+        main = MAIN % (sizes + (n, n, text, max(1, s['nv']), n, s['nx']))
+        open(folder + '/gsmbp-runs.f', 'w').write(main)
+        if self.run(['gfortran', '-O0', '-w', 'gsmbp-runs.f', file + '.f', '-o', 'gsmbp-runs',
+                     '-L' + self.folder + '/lib', '-lgs', '-llapack', '-lblas'], folder):
+            return False
         return self.run(['./gsmbp-runs'], folder) == 0
 
 def judged(cases, request, folder, fortran):
@@ -112,18 +123,22 @@ def judged(cases, request, folder, fortran):
         d = '%s/c%03d' % (folder, k)
         os.makedirs(d)
         open(d + '/case.mac', 'w').write(text + '\n')
-        out, fault = m.ask('kill(scene)$ load("%s/case.mac")$\ngsmbp_fortran(scene, %s, directory = "%s/fo")$' % (d, request, d))
-        out = re.split(r'gsmbp_fortran: (?:expected a scene|the first argument)', out)[0]   # the load failed
+        out, fault = m.ask('kill(scene)$ load("%s/case.mac")$\n'
+                           'gsmbp_fortran(scene, %s, directory = "%s/fo")$' % (d, request, d))
+        # the load failed
+        out = re.split(r'gsmbp_fortran: (?:expected a scene|the first argument)', out)[0]
         files = os.listdir(d + '/fo') if os.path.isdir(d + '/fo') else []
         v = verdict(out, fault, name, files)
         made = [f[:-2] for f in files if f.endswith('.f')]
-        if v == 'valid' and fortran and not (made and fortran.is_finite(d + '/fo', made[0])): v = 'wrong'
+        if v == 'valid' and fortran and not (made and fortran.is_finite(d + '/fo', made[0])):
+            v = 'wrong'
         shutil.rmtree(d, ignore_errors=True)
         yield v, ' '.join(re.split(r'#0:|-- an error', out)[0].split())
     m.stop()
 
 def line(k, case, v, text):
-    reason = re.sub(r'^gsmbp_scene: ', '', text)[:110] if v != 'valid' else 'derives, compiles, finite'
+    said = re.sub(r'^gsmbp_scene: ', '', text)[:110]
+    reason = said if v != 'valid' else 'derives, compiles, finite'
     return '%03d %-8s %-15s %-24s %s' % (k, v, case[0], ' '.join(case[1].split())[:24], reason)
 
 def main(args, folder):
@@ -137,11 +152,13 @@ def main(args, folder):
         step, first = (list(map(int, args[1:])) + [1, 0][len(args) - 1:])[:2]
         chosen = range(first, len(CASES), step)
         told = {}
-        if args[0] == 'hand': told = {int(l[:3]): l.split()[1] for l in open(TABLE) if l[:3].isdigit()}
+        if args[0] == 'hand':
+            told = {int(l[:3]): l.split()[1] for l in open(TABLE) if l[:3].isdigit()}
         results = judged([CASES[k] for k in chosen], 'all', folder, Fortran(folder))
         for k, (v, text) in zip(chosen, results):
             mark = ''
-            if told: mark = 'ok ' if v == told.get(k) else 'not ok: expected %s, found ' % told.get(k)
+            if told:
+                mark = 'ok ' if v == told.get(k) else 'not ok: expected %s, found ' % told.get(k)
             print(mark + line(k, CASES[k], v, text), flush=True)
 
 if __name__ == '__main__':

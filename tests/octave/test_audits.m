@@ -15,9 +15,9 @@ function test_audits ()
     gsmbp_check ([others{k} " derives"], status == 0);
     [~, others{k}] = fileparts (others{k});
   end
-  folders = dir (fullfile (root, "examples"));
-  names = {folders([folders.isdir]).name};
-  names = [names(cellfun (@(n) n(1) != ".", names)), others];
+  drivers = glob (fullfile (root, "examples", "*", "run.m"))';
+  [~, names] = cellfun (@(f) fileparts (fileparts (f)), drivers, "UniformOutput", false);
+  names = [names, others];
   warning ("off", "gsmbp:stiff", "local");
   for name = names
     [m, x0, t, options, what] = example_motion (name{1}, @(n) build (n, others, own));

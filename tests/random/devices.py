@@ -107,7 +107,8 @@ def geared_motor(r, name, stand, source):
     """a motor on the shaft of a gear: rigid, with loss in the mesh, compliant, or with play"""
     kind = r.choice(list(GEARS))
     g, k, n = name + 'g', motor_numbers(r), r.choice([2, 3, 5.5])
-    p = {'n': n, 'J': round(r.uniform(.01, .1), 3), 'B': round(r.uniform(.01, .1), 3), **GEARS[kind]}
+    p = {'n': n, 'J': round(r.uniform(.01, .1), 3), 'B': round(r.uniform(.01, .1), 3),
+         **GEARS[kind]}
     variant = r.choice(['full', r.choice(list(LESS[kind]))])
     word, given = source(r, 'v', name)
     texts = [

@@ -87,7 +87,8 @@ def park(variant, k, x, v, s, w):
 
 def stepping_motor(r, name, stand, source):
     numbers = lambda r: {
-        **rotor(r), 'R': .8, 'L': .3, 'Km': round(r.uniform(.2, .9), 2), 'Nr': 3, 'Td': .2, 'Ip': 1.4
+        **rotor(r), 'R': .8, 'L': .3, 'Km': round(r.uniform(.2, .9), 2), 'Nr': 3,
+        'Td': .2, 'Ip': 1.4
     }
     forms = {
         'full': (['va', 'vb'], ['ia', 'ib']), 'dq': (['vd', 'vq'], ['id', 'iq']), 'qs':
@@ -123,8 +124,8 @@ def steps(variant, k, x, v, s, w):
 
 def induction_motor(r, name, stand, source):
     numbers = lambda r: {
-        **rotor(r), 'Rs': .6, 'Rr': .7, 'Lls': .2, 'Llr': .3, 'Lm': round(r.uniform(.5, 2), 2), 'np':
-        2, 'flux': .8, 'ti': .4
+        **rotor(r), 'Rs': .6, 'Rr': .7, 'Lls': .2, 'Llr': .3, 'Lm': round(r.uniform(.5, 2), 2),
+        'np': 2, 'flux': .8, 'ti': .4
     }
     both = ['vd', 'vq', 'wk']
     forms = {

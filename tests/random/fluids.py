@@ -63,8 +63,9 @@ def fluid(kind, r, name, stand, source, variants, numbers, inputs, states, law, 
     words, given, read = given_by(r, name, source, inputs(variant))
     k, own = numbers(r), states(variant)
     begin = ['%s = %r' % (n, start[n]) for n in own if n in start]
-    text = '%s(%s, %s%s%s%s, variant = %s)' % (kind, name, stand, options(k), words, ', start = [%s]' %
-                                               ', '.join(begin) if begin else '', variant)
+    start_option = ', start = [%s]' % ', '.join(begin) if begin else ''
+    text = '%s(%s, %s%s%s%s, variant = %s)' % (kind, name, stand, options(k), words, start_option,
+                                               variant)
     at = lambda x, v, s, w: law(variant, k, name, x, read(v), s, w)
     return Machine([text], [name + '_' + n for n in own], at, given,
                    {name + '_' + n: ranges[n] for n in own if n in ranges})
@@ -132,8 +133,8 @@ def one_pressure(variant, k, name, x, u, w, volumes):
 
 def motor_numbers(r):
     return {
-        **VALVE, **SPOOL, **LEAKS, 'd': round(r.uniform(.3, .9), 2), 'v1': 3., 'v2': 4., 'beta': 50., 'cf':
-        .1, 'wc': 1.5, 'bv': .2, 'jr': round(r.uniform(.02, .2), 2)
+        **VALVE, **SPOOL, **LEAKS, 'd': round(r.uniform(.3, .9), 2), 'v1': 3., 'v2': 4.,
+        'beta': 50., 'cf': .1, 'wc': 1.5, 'bv': .2, 'jr': round(r.uniform(.02, .2), 2)
     }
 
 
@@ -224,7 +225,8 @@ def chamber(k, form, valve, p, t, V, swept):
 
 def gas_cylinder_numbers(r):
     return {
-        **GAS, 'a1': round(r.uniform(.6, 1.2), 2), 'a2': round(r.uniform(.3, .6), 2), 'vd1': 40., 'vd2': 50., 'l0': .1, 'h': .7, 'ha': .3, 'bv': .4, 'ain': 1.35, 'aout': 1.1, 'al': 1.2
+        **GAS, 'a1': round(r.uniform(.6, 1.2), 2), 'a2': round(r.uniform(.3, .6), 2), 'vd1': 40.,
+        'vd2': 50., 'l0': .1, 'h': .7, 'ha': .3, 'bv': .4, 'ain': 1.35, 'aout': 1.1, 'al': 1.2
     }
 
 
@@ -260,8 +262,8 @@ def gas_cylinder(variant, k, name, x, u, s, w):
 
 def gas_motor_numbers(r):
     return {
-        **GAS, 'd': round(r.uniform(.3, .9), 2), 'v1': 3., 'v2': 4., 'ha': .3, 'wc': 1.5, 'bv': .2, 'jr':
-        round(r.uniform(.02, .2), 2)
+        **GAS, 'd': round(r.uniform(.3, .9), 2), 'v1': 3., 'v2': 4., 'ha': .3, 'wc': 1.5, 'bv': .2,
+        'jr': round(r.uniform(.02, .2), 2)
     }
 
 
@@ -303,8 +305,8 @@ def gas_motor(variant, k, name, x, u, s, w):
 
 def bellows_numbers(r):
     return {
-        **GAS, 'ae': .8, 'da': .05, 'v0': 40., 'l0': .1, 'kw': round(r.uniform(1, 9), 1), 'bw': .4, 'ha':
-        .3, 'p0': 2.5, 'n': 1.2
+        **GAS, 'ae': .8, 'da': .05, 'v0': 40., 'l0': .1, 'kw': round(r.uniform(1, 9), 1), 'bw': .4,
+        'ha': .3, 'p0': 2.5, 'n': 1.2
     }
 
 

@@ -65,8 +65,8 @@ def encoder(r, name, x):
 
 def pid(r, name):
     k = {
-        'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .3, 'Tt': .3, 'umax': 4., 'bp': .7, 'bd':
-        .2
+        'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .3, 'Tt': .3, 'umax': 4., 'bp': .7,
+        'bd': .2
     }
     variant = r.choice(['full', 'linear', 'pid', 'pd', 'pi', 'p'])
     integral, slope = variant not in ('pd', 'p'), variant not in ('pi', 'p')
@@ -152,8 +152,8 @@ def slow_cascade(r, name):
         raw = k['ks']*(ev + x['I'] - k['T']/2*rates['I'])
         return delayed(raw, x['z'], k['delay'] + k['T']/2, rates)
 
-    return 'digital_cascade', k, 'continuous', ['I', 'z'
-                                                ], ['reference', 'measured', 'speed', 'forward'], law
+    keys = ['reference', 'measured', 'speed', 'forward']
+    return 'digital_cascade', k, 'continuous', ['I', 'z'], keys, law
 
 
 CONTROLLERS = [pid, pid, cascade, state_feedback, slow_pid, slow_cascade]
@@ -248,8 +248,8 @@ def within(x, most):
 
 def sampled_pid(r):
     k = {
-        'T': .1, 'delay': .05, 'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .3, 'Tt': .3, 'umax':
-        4., 'qm': .013, 'qu': .017
+        'T': .1, 'delay': .05, 'Kp': 2., 'Ki': r.choice([0, 1.5]), 'Kd': .4, 'Tf': .3, 'Tt': .3,
+        'umax': 4., 'qm': .013, 'qu': .017
     }
     variant = r.choice(['full', 'plain', 'pid', 'pd', 'pi', 'p'])
     integral, slope = variant not in ('pd', 'p'), variant not in ('pi', 'p')
@@ -274,8 +274,8 @@ def sampled_pid(r):
 
 def sampled_cascade(r):
     k = {
-        'T': .1, 'delay': .05, 'kp': 1.4, 'ks': .8, 'Ti': .5, 'Tt': r.choice([.3, .004]), 'umax': 3., 'qu':
-        .017
+        'T': .1, 'delay': .05, 'kp': 1.4, 'ks': .8, 'Ti': .5, 'Tt': r.choice([.3, .004]),
+        'umax': 3., 'qu': .017
     }
     variant = r.choice(['full', 'plain', 'p'])
 
@@ -304,7 +304,8 @@ def sampled_encoder(r):
 
 
 def computer(r, name, stand, source):
-    """an ideal drive that a sampled device commands; or one beside an encoder, which gives no effort"""
+    """an ideal drive that a sampled device commands; or one beside an encoder, which gives no
+    effort"""
     c, q = name + 'c', source.measured
     kind, k, variant, keys, law = r.choice([sampled_pid, sampled_cascade, sampled_encoder])(r)
     wired = {

@@ -1,31 +1,47 @@
-# Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines and cosines, against quad precision. Needs the scenes derived (tests/run does that).
+# Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines
+# and cosines, against quad precision. Needs the scenes derived (tests/run does that).
+. tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit
 
-# the loop with the whole of a routine, by its report: line of the loop or of its first statement
+vectorize='-march=native -fopenmp-simd -fopt-info-vec'
+emitted=$GSMBP_TEST_DIR/fortran_out
+
+# loop_line ROUTINE FILE: of the loop with the whole of a routine
+loop_line() {
+  awk -v name="$1(" '/^      SUBROUTINE/ { inside = index($0, name) }
+    inside && /DO 62 IS = 1, 8/ { print FNR }' "$2"
+}
+
+# the loop by its report: its own line, or that of its first statement
 for scene in batch_arm batch_bars; do
-  file=$GSMBP_TEST_DIR/fortran_out/$scene.f
-  gfortran -O3 -march=native -fopenmp-simd -frecursive -fopt-info-vec -c "$file" -o object.o >report 2>&1
+  file=$emitted/$scene.f
+  gfortran -O3 $vectorize -frecursive -c "$file" -o object.o >report 2>&1
   for routine in INV MAS BIA FWD RHS; do
-    line=$(awk -v name="${routine}_V(" '/^      SUBROUTINE/ { inside = index($0, name) } inside && /DO 62 IS = 1, 8/ { print FNR }' "$file")
-    if [ -n "$line" ] && grep -qE ":($line|$((line + 1))):[0-9]+: optimized: loop vectorized" report
-    then echo "ok $scene: ${routine}_V is vectorized"; else echo "not ok $scene: ${routine}_V is vectorized (line ${line:-?})"; grep "$line" report; fi
+    line=$(loop_line "${routine}_V" "$file")
+    [ -n "$line" ] &&
+      grep -qE ":($line|$((line + 1))):[0-9]+: optimized: loop vectorized" report
+    told $? "$scene: ${routine}_V is vectorized" report
   done
-  grep -c 'One state after the other' "$file" | grep -qx 0 && echo "ok $scene: nothing state by state" || echo "not ok $scene: nothing state by state"
+  [ -s "$file" ] && ! grep -q 'One state after the other' "$file"
+  told $? "$scene: nothing state by state"
 done
-grep -q 'One state after the other by BATCH_STOP_RHS' "$GSMBP_TEST_DIR/fortran_out/batch_stop.f" && echo 'ok batch_stop says that RHS_V goes state by state' || echo 'not ok batch_stop says that RHS_V goes state by state'
+check 'batch_stop says that RHS_V goes state by state' \
+  grep -q 'One state after the other by BATCH_STOP_RHS' "$emitted/batch_stop.f"
 
-gfortran -O2 -march=native -fopenmp-simd -fopt-info-vec -c "$root/share/fortran/gsscv.f" >report 2>&1
-grep -q 'loop vectorized' report && echo 'ok GSSCV is vectorized' || { echo 'not ok GSSCV is vectorized'; cat report; }
+gfortran -O2 $vectorize -c "$root/share/fortran/gsscv.f" >report 2>&1
+grep -q 'loop vectorized' report; told $? 'GSSCV is vectorized' report
 
-# errors in units of the last place of the result: angles of either sign up to a size, then the numbers next to multiples of pi/2, where all digits of pi count
+# errors in units of the last place of the result: angles of either sign up to a size, then the
+# numbers next to multiples of pi/2, where all digits of pi count
 cat >sines.f90 <<'F'
 program sines
   implicit none
   integer, parameter :: n = 20000
-  real(8) :: x(8,n), s(8,n), c(8,n), size(8) = [0.7d0, 4d0, 1d2, 1d4, 1d5, 1.1d5, 1d9, 1d22], worst, half
+  real(8) :: x(8,n), s(8,n), c(8,n), worst, half
+  real(8) :: size(8) = [0.7d0, 4d0, 1d2, 1d4, 1d5, 1.1d5, 1d9, 1d22]
   integer :: i, k, j, near, way
   half = acos(-1d0)/2
   do way = 0, 3
@@ -45,7 +61,8 @@ program sines
       end if
       worst = 0
       do j = 1, n
-        worst = max(worst, maxval(off(s(:,j), sin(real(x(:,j), 16)))), maxval(off(c(:,j), cos(real(x(:,j), 16)))))
+        worst = max(worst, maxval(off(s(:,j), sin(real(x(:,j), 16)))), &
+                    maxval(off(c(:,j), cos(real(x(:,j), 16)))))
       end do
       print '(es8.1,i2,f8.3,a)', size(k), near, worst, merge(' GSSCV', ' GSSC ', way < 2)
     end do
@@ -55,11 +72,13 @@ program sines
   print '(a,l2)', 'zeros', s(1,1) == 0 .and. c(1,1) == 1 .and. s(6,1) == x(6,1)
   x(3,1) = 1/(x(1,1)*0)
   call gsscv(1, x, s, c)
-  print '(a,l2)', 'others', c(1,1) == 1 .and. s(3,1) /= s(3,1) .and. abs(s(7,1) - sin(-2d0)) < 1d-15
+  print '(a,l2)', 'others', c(1,1) == 1 .and. s(3,1) /= s(3,1) &
+    .and. abs(s(7,1) - sin(-2d0)) < 1d-15
   call gssc(-0d0, s(1,1), c(1,1))
   call gssc(x(3,1), s(3,1), c(3,1))
   call gssc(x(6,1), s(6,1), c(6,1))
-  print '(a,l2)', 'one_angle', s(1,1) == 0 .and. c(1,1) == 1 .and. s(3,1) /= s(3,1) .and. c(3,1) /= c(3,1) .and. s(6,1) == x(6,1)
+  print '(a,l2)', 'one_angle', s(1,1) == 0 .and. c(1,1) == 1 &
+    .and. s(3,1) /= s(3,1) .and. c(3,1) /= c(3,1) .and. s(6,1) == x(6,1)
 contains
   elemental real(8) function off(x, y)
     real(8), intent(in) :: x
@@ -68,7 +87,13 @@ contains
   end function
 end program
 F
-gfortran -O2 -march=native -c "$root/share/fortran/gssc.f" "$root/share/fortran/gsscl.f" && gfortran -O1 -o sines sines.f90 gsscv.o gssc.o gsscl.o && ./sines >values || echo 'not ok the program runs'
-awk 'NF == 4 { print ($3 < 1 ? "ok" : "not ok") " " $4 ": sines and cosines up to " $1 " rad" ($2 ? " at multiples of pi/2" : "") ": error " $3 " units (below 1)" }
-     NF == 2 { print ($2 == "T" ? "ok" : "not ok") " " $1 }' values
-[ "$(wc -l <values)" -eq 35 ] && echo 'ok all ranges' || echo 'not ok all ranges'
+gfortran -O2 -march=native -c "$root/share/fortran/gssc.f" "$root/share/fortran/gsscl.f" &&
+  gfortran -O1 -o sines sines.f90 gsscv.o gssc.o gsscl.o && ./sines >values ||
+  echo 'not ok the program runs'
+awk 'NF == 4 {
+    printf "%s %s: sines and cosines up to %s rad%s: ", $3 < 1 ? "ok" : "not ok", $4, $1,
+      $2 ? " at multiples of pi/2" : ""
+    print "error " $3 " units (below 1)"
+  }
+  NF == 2 { print ($2 == "T" ? "ok" : "not ok") " " $1 }' values
+check 'all ranges' test "$(wc -l <values)" -eq 35

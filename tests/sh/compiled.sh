@@ -1,13 +1,16 @@
-# The compiled Lisp files: what is emitted is the same text with them and without; none is used that is not newer than every source, and where nothing
-# can be compiled the sources are loaded.
+# The compiled Lisp files: what is emitted is the same text with them and without; none is used that
+# is not newer than every source, and where nothing can be compiled the sources are loaded.
+. tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-check() { what=$1; shift; if "$@"; then echo "ok $what"; else echo "not ok $what"; tail -n 5 "$work/out.txt"; fi; }
-fails() { ! "$@"; }
+report=$work/out.txt
 compile() { share/make/compile >"$work/out.txt" 2>&1; }
 derive() { share/make/derive tests/scenes/case_03a.mac "$work/$1"; }
 same() { derive "$1" && cmp "$GSMBP_TEST_DIR/fortran_out/case_03a.f" "$work/$1/case_03a.f"; }
-used() { share/make/maxima "$work/out.txt" 'load("gsmbp/gsmbp.mac")$ if gsmbp__is_compiled("gsmbp/") then gsmbp__exit(86)$ gsmbp__exit(1)$' 2>"$work/errors"; }
+used() {
+  share/make/maxima "$work/out.txt" 'load("gsmbp/gsmbp.mac")$
+    if gsmbp__is_compiled("gsmbp/") then gsmbp__exit(86)$ gsmbp__exit(1)$' 2>"$work/errors"
+}
 
 mkdir "$work/tree"
 cp -R --preserve=timestamps gsmbp share "$work/tree"
@@ -19,18 +22,25 @@ check 'without compiled files: the same text' same sources
 check 'the sources are loaded' fails used
 
 mkdir "$work/bin"   # no C compiler
-for name in gcc cc; do printf '#!/bin/sh\nexit 1\n' >"$work/bin/$name"; chmod +x "$work/bin/$name"; done
+for name in gcc cc; do
+  printf '#!/bin/sh\nexit 1\n' >"$work/bin/$name"
+  chmod +x "$work/bin/$name"
+done
 PATH=$work/bin:$PATH check 'without a compiler share/make/compile does not fail' compile
 check 'and says that the sources are loaded' grep -q 'uncompiled' "$work/out.txt"
 check 'nothing is left behind' fails sh -c 'ls gsmbp/compiled/*/gsmbp.* >/dev/null 2>&1'
 
 compile
-if grep -q 'compilation failed' "$work/out.txt"; then echo 'ok this Lisp cannot compile here: only the sources were tested'; exit 0; fi
+if grep -q 'compilation failed' "$work/out.txt"; then
+  echo 'ok this Lisp cannot compile here: only the sources were tested'
+  exit 0
+fi
 check 'compiled files are loaded' used
 check 'with compiled files: the same text' same compiled
 file=$(ls gsmbp/compiled/*/gsmbp.*)
 compile
-check 'what is up to date is not compiled again' test "$(ls -i gsmbp/compiled/*/gsmbp.*)" = "$(ls -i "$file")"
+check 'what is up to date is not compiled again' \
+  test "$(ls -i gsmbp/compiled/*/gsmbp.*)" = "$(ls -i "$file")"
 before=$(ls -i "$file")
 touch gsmbp/tape/code.lisp
 check 'not used once a source is newer' fails used

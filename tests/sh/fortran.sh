@@ -1,10 +1,35 @@
-# The Fortran: what is emitted for the scenes of the tests, and the run time of share/fortran. Needs the scenes derived (tests/run does that).
+# The Fortran: what is emitted for the scenes of the tests, and the run time of share/fortran. Needs
+# the scenes derived (tests/run does that).
+. tests/tools/check.sh
 root=$PWD
 flags='-std=f95 -frecursive -Wall -Wextra -pedantic -fimplicit-none -Wno-unused-dummy-argument'
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-: >"$work/out"
-result() { if [ -s "$work/out" ]; then echo "not ok $1"; head -n 8 "$work/out"; else echo "ok $1"; fi; }
+report=$work/out
+: >"$report"
+
+# what is not of the fixed form; variable emitted: yes or no
+cat >"$work/fixed_form.awk" <<'A'
+function fault(text) { print FNR ": " text }
+/^[Cc*]/           { next }
+length($0) > 72    { fault("beyond column 72: " $0) }
+/\t/               { fault("a tab: " $0) }
+/^     [^ 0]/      { if (++lines == 20) fault("more than 19 continuation lines") }
+!/^     [^ 0]/     { lines = 0 }
+{
+  text = " " toupper(substr($0, 7)) " "
+  if (text ~ /[^A-Z0-9_.][0-9]+\.[0-9]*(E|[^0-9D.A-Z])/) fault("a constant without D: " $0)
+  forbidden = "^ *(COMMON|SAVE|WRITE|READ|PRINT|STOP|OPEN|DATA|ENTRY|GO ?TO)[ (*]"
+  if (emitted == "yes" && text ~ forbidden) fault("not in emitted code: " $0)
+  line = toupper($0)
+  gsub(/[^A-Z0-9_]+/, " ", line)
+  n = split(line, word, " ")
+  for (i = 1; i <= n; i++)
+    if (word[i] ~ /^[A-Z]/ && length(word[i]) > 31) fault("more than 31 characters: " word[i])
+}
+A
+standard=all,no-long-name,no-name-underscore,no-implicit-none
+usage=no-arg-unused,no-ext-unused,no-arg-array-alias
 
 for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/*.f; do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
@@ -12,35 +37,26 @@ for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/
   emitted=no
   case $file in "$GSMBP_TEST_DIR"/*) emitted=yes ;; esac
 
-  gfortran $flags -O2 -c "$file" -o "$work/object.o" >"$work/out" 2>&1
+  gfortran $flags -O2 -c "$file" -o "$work/object.o" >"$report" 2>&1
   result "$name compiles without a warning"
 
-  awk -v emitted=$emitted '
-    /^[Cc*]/ { next }
-    length($0) > 72               { print FNR ": beyond column 72: " $0 }
-    /\t/                          { print FNR ": a tab: " $0 }
-    /^     [^ 0]/                 { if (++lines == 20) print FNR ": more than 19 continuation lines" }
-    !/^     [^ 0]/                { lines = 0 }
-    { text = " " toupper(substr($0, 7)) " "
-      if (text ~ /[^A-Z0-9_.][0-9]+\.[0-9]*(E|[^0-9D.A-Z])/) print FNR ": a constant without D: " $0 }
-    emitted == "yes" && text ~ /^ *(COMMON|SAVE|WRITE|READ|PRINT|STOP|OPEN|DATA|ENTRY|GO ?TO)[ (*]/ { print FNR ": not in emitted code: " $0 }
-    { line = toupper($0); gsub(/[^A-Z0-9_]+/, " ", line); n = split(line, word, " ")
-      for (i = 1; i <= n; i++) if (word[i] ~ /^[A-Z]/ && length(word[i]) > 31) print FNR ": more than 31 characters: " word[i] }
-  ' "$file" >"$work/out"
+  awk -v emitted=$emitted -f "$work/fixed_form.awk" "$file" >"$report"
   result "$name keeps to the fixed form"
 
-  # workspace handed on by its first element, routines called from other files, and IAND (MIL-STD-1753, Fortran 95) are the run time's custom
+  # workspace handed on by its first element, routines called from other files, and IAND
+  # (MIL-STD-1753, Fortran 95) are the run time's custom
   custom= more=
   [ $emitted = no ] && custom='-array=none' more=',no-intrinsic'
-  ftnchek -nopretty -noextern $custom -f77=all,no-long-name,no-name-underscore,no-implicit-none$more \
-    -usage=no-arg-unused,no-ext-unused,no-arg-array-alias "$file" 2>&1 | grep -E -A4 '^(Warning|Error)|Nonstandard|[1-9][0-9]* (warning|syntax error)' >"$work/out"
+  ftnchek -nopretty -noextern $custom -f77=$standard$more -usage=$usage "$file" 2>&1 |
+    grep -E -A4 '^(Warning|Error)|Nonstandard|[1-9][0-9]* (warning|syntax error)' >"$report"
   result "$name is clean under ftnchek"
 done
 
 for name in case_01a case_02a_motor; do
-  share/make/derive tests/scenes/$name.mac "$work/again" >/dev/null 2>&1 || echo "derive failed" >"$work/out"
+  share/make/derive tests/scenes/$name.mac "$work/again" >/dev/null 2>&1 ||
+    echo "derive failed" >"$report"
   for part in f json; do
-    cmp "$GSMBP_TEST_DIR/fortran_out/$name.$part" "$work/again/$name.$part" >>"$work/out" 2>&1
+    cmp "$GSMBP_TEST_DIR/fortran_out/$name.$part" "$work/again/$name.$part" >>"$report" 2>&1
   done
   result "$name: same scene, same bytes"
 done

@@ -1,4 +1,6 @@
-# The Makefile on a small project of its own: a stand-in package and one example. What changed is redone, what broke is never trusted.
+# The Makefile on a small project of its own: a stand-in package and one example. What changed is
+# redone, what broke is never trusted.
+. tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -13,13 +15,14 @@ gsmbp_fortran(name, requests, options) := block([folder : rhs(first(options))],
 gsmbp_graph_picture(name, file) := with_stdout(file, print("digraph { a -> b }"))$
 E1
 echo 'scene : "demo"$' >examples/demo/demo.mac
-echo 'fid = fopen ("examples/demo/out/table.csv", "a"); fdisp (fid, 1); fclose (fid);' >examples/demo/run.m
+cat >examples/demo/run.m <<'M'
+fid = fopen ("examples/demo/out/table.csv", "a"); fdisp (fid, 1); fclose (fid);
+M
 
-check() { what=$1; shift; if "$@"; then echo "ok $what"; else echo "not ok $what"; tail -n 5 out.txt; fi; }
+report=out.txt
 make_() { make --no-print-directory "$@" >out.txt 2>&1; }
 derives() { grep -q 'share/make/derive' out.txt; }
 runs() { grep -q 'octave-cli' out.txt; }
-fails() { ! "$@"; }
 later() { sleep 1.1; touch "$@"; }   # file times may have a grain of a second
 
 check 'help is the default target' sh -c 'make | grep "make examples" >out.txt'
@@ -49,7 +52,8 @@ rm -rf fortran_out
 check 'a scene of another name stops make' fails make_ fortran_out/demo.f
 mkdir -p tests/bench/systems && echo 'scene : "pend_r1em06"$' >tests/bench/systems/pend_r1e-06.mac
 check 'a name that Fortran cannot have is that of the files' make_ fortran_out/pend_r1e-06.f
-check 'all of them, and no others' test "$(cd fortran_out && echo pend*)" = 'pend_r1e-06.dot pend_r1e-06.f pend_r1e-06.json pend_r1e-06.log'
+check 'all of them, and no others' test "$(cd fortran_out && echo pend*)" = \
+  'pend_r1e-06.dot pend_r1e-06.f pend_r1e-06.json pend_r1e-06.log'
 rm -rf tests
 echo 'do 1$' >examples/demo/demo.mac
 make --no-print-directory fortran_out/demo.f >out.txt 2>&1 & child=$!
@@ -71,8 +75,11 @@ printf '#!/bin/sh\necho 1000\n' >bin/id
 chmod +x bin/*
 PATH=$work/bin:$PATH
 check 'without root a missing package stops make' fails make_ examples
-check 'the message names the packages and no others' grep -q 'no-install-recommends maxima-share ghostscript$' out.txt
-check 'the tests need numpy, nothing else does' sh -c 'share/make/packages list | grep -qv numpy && share/make/packages list test | grep -q numpy'
+check 'the message names the packages and no others' \
+  grep -q 'no-install-recommends maxima-share ghostscript$' out.txt
+names_numpy() { share/make/packages list "$@" | grep -q numpy; }
+check 'the tests need numpy' names_numpy test
+check 'nothing else does' fails names_numpy
 printf '#!/bin/sh\necho 0\n' >bin/id
 printf '#!/bin/sh\necho "apt-get $*" >>%s/apt.txt\n' "$work" >bin/apt-get
 chmod +x bin/*

@@ -1,10 +1,15 @@
-# What Octave writes on a disk that is full (a limit of file sizes; where mounting is allowed also a file system of 64 kB): an error that names the file,
-# the old file as it was, nothing half-written beside it. Tables, figures, moving pictures, what gsmbp_build compiles.
+# What Octave writes on a disk that is full (a limit of file sizes; where mounting is allowed also a
+# file system of 64 kB): an error that names the file, the old file as it was, nothing half-written
+# beside it. Tables, figures, moving pictures, what gsmbp_build compiles.
+. tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)
 small=
 trap '[ -n "$small" ] && umount "$work/small"; rm -rf "$work"' EXIT
-octave_run() { timeout 200 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" --eval "$1" </dev/null; }
+octave_run() {
+  timeout 200 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" \
+    --eval "addpath (\"$work\"); $1" </dev/null
+}
 
 cat >"$work/gsmbp_write_all.m" <<'END'
 ## write everything into FOLDER, N numbers; the errors are printed
@@ -33,16 +38,20 @@ function says (what, f)
 end
 END
 
-# check HOW FOLDER: the outcome of a second writing, after a first one of little into the same folder
-check() {
-  for what in table figure 'figure alone' picture module; do
-    grep -q "^$what: gsmbp_[a-z]*: .*\(full\|cannot\|failed\)" "$work/second" && echo "ok $1: $what: an error" || { echo "not ok $1: $what: an error"; cat "$work/second"; }
+# sums FOLDER: of all its files but those of the scene
+sums() { (cd "$1" && find . -type f ! -path './scene/*' | sort | xargs md5sum); }
+
+# outcome HOW FOLDER: of a second writing, after a first one of little into the same folder
+outcome() {
+  for item in table figure 'figure alone' picture module; do
+    grep -q "^$item: gsmbp_[a-z]*: .*\(full\|cannot\|failed\)" "$work/second"
+    told $? "$1: $item: an error" "$work/second"
   done
-  (cd "$2" && find . -type f ! -path './scene/*' | sort | xargs md5sum) >"$work/after"
-  cmp -s "$work/before" "$work/after" && echo "ok $1: the old files are as they were, and nothing else is there" ||
-    { echo "not ok $1: the old files are as they were, and nothing else is there"; diff "$work/before" "$work/after"; }
-  left=$(find "$2" -name '*.new*' -o -name '.new*' | wc -l)
-  [ "$left" -eq 0 ] && echo "ok $1: no part is left" || { echo "not ok $1: no part is left"; find "$2"; }
+  sums "$2" >"$work/after"
+  diff "$work/before" "$work/after" >"$work/changed"
+  told $? "$1: the old files are as they were, and nothing else is there" "$work/changed"
+  find "$2" -name '*.new*' -o -name '.new*' >"$work/left"
+  [ ! -s "$work/left" ]; told $? "$1: no part is left" "$work/left"
 }
 mkdir "$work/limit" "$work/small"
 cp -r tests/octave/fixture "$work/scene"
@@ -50,18 +59,21 @@ octave_run "gsmbp_hand (\"hand_crank\");" >/dev/null   # compiled before the lim
 export TMPDIR="$work"
 
 cp -r "$work/scene" "$work/limit/scene"
-octave_run "addpath (\"$work\"); gsmbp_csv (\"$work/limit/a.csv\", {\"t\"}, 1); gsmbp_csv (\"$work/limit/b.png\", {\"t\"}, 1); gsmbp_csv (\"$work/limit/b.csv\", {\"t\"}, 1); gsmbp_csv (\"$work/limit/c.gif\", {\"t\"}, 1); gsmbp_csv (\"$work/limit/c.csv\", {\"t\"}, 1);"
-(cd "$work/limit" && find . -type f ! -path './scene/*' | sort | xargs md5sum) >"$work/before"
-(ulimit -f 10; trap '' XFSZ; octave_run "addpath (\"$work\"); gsmbp_write_all (\"$work/limit\", 20000);") >"$work/second" 2>&1
-check 'limit of file sizes' "$work/limit"
+octave_run "for f = {'a.csv', 'b.png', 'b.csv', 'c.gif', 'c.csv'}, \
+  gsmbp_csv (['$work/limit/' f{1}], {'t'}, 1); end"
+sums "$work/limit" >"$work/before"
+(ulimit -f 10; trap '' XFSZ; octave_run "gsmbp_write_all (\"$work/limit\", 20000);") \
+  >"$work/second" 2>&1
+outcome 'limit of file sizes' "$work/limit"
 
 if mount -t tmpfs -o size=64k tmpfs "$work/small" 2>/dev/null; then
   small=yes
   cp -r "$work/scene/motor_pendulum.f" "$work/scene/motor_pendulum.json" "$work"
-  mkdir "$work/small/scene" && cp "$work/motor_pendulum.f" "$work/motor_pendulum.json" "$work/small/scene"
+  mkdir "$work/small/scene"
+  cp "$work/motor_pendulum.f" "$work/motor_pendulum.json" "$work/small/scene"
   for file in a.csv b.png b.csv c.gif c.csv; do echo old >"$work/small/$file"; done
   head -c 1000000 /dev/zero >"$work/small/filler" 2>/dev/null   # no room at all
-  (cd "$work/small" && find . -type f ! -path './scene/*' | sort | xargs md5sum) >"$work/before"
-  octave_run "addpath (\"$work\"); gsmbp_write_all (\"$work/small\", 300);" >"$work/second" 2>&1
-  check 'full file system' "$work/small"
+  sums "$work/small" >"$work/before"
+  octave_run "gsmbp_write_all (\"$work/small\", 300);" >"$work/second" 2>&1
+  outcome 'full file system' "$work/small"
 fi

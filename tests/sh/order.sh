@@ -1,4 +1,5 @@
-# The integrators built in quad precision: their orders down to errors of 1e-28, which only coefficients good to 30 digits give.
+# The integrators built in quad precision: their orders down to errors of 1e-28, which only
+# coefficients good to 30 digits give.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/order.f" <<'F'
@@ -56,7 +57,10 @@ C     steps of each method, and the order between the two
       SUBROUTINE NONE
       END
 F
-gfortran -O2 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/*.f share/fortran/plain/*.f 2>"$work/log" || { echo "not ok quad build"; cat "$work/log"; exit 1; }
+gfortran -O2 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/*.f \
+  share/fortran/plain/*.f 2>"$work/log" || { echo "not ok quad build"; cat "$work/log"; exit 1; }
 "$work/order" | awk '
-  { order = $1 == 4 ? 4 : 8; good = ($4 > order - 0.1 && $4 < order + 0.1 && (order == 4 || $3 < 1e-24))
-    printf "%s quad precision, method of order %d: errors %s and %s, order %s\n", good ? "ok" : "not ok", order, $2, $3, $4 }'
+  { order = $1 == 4 ? 4 : 8
+    good = $4 > order - 0.1 && $4 < order + 0.1 && (order == 4 || $3 < 1e-24)
+    printf "%s quad precision, method of order %d: ", good ? "ok" : "not ok", order
+    printf "errors %s and %s, order %s\n", $2, $3, $4 }'

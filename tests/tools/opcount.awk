@@ -1,21 +1,31 @@
-# Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div sqrt trig.
-# X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not count; trig is every other intrinsic call, and a power with a broken exponent;
-# CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
+# Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div
+# sqrt trig. X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not
+# count; trig is every other intrinsic call, and a power with a broken exponent; CALL GSSC is a sine
+# and a cosine, what it leaves in IDLE apart.
 BEGIN {
-  split("SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP", list, " "); for (i in list) trig[list[i]] = 1
-  split("SQRT ABS MAX MIN ANINT GSFLR", list, " "); for (i in list) free[list[i]] = 1
+  set(trig, "SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP")
+  set(free, "SQRT ABS MAX MIN ANINT GSFLR")
 }
 /^[Cc*!]/ || /^ *$/ { next }
 substr($0, 6, 1) !~ /[ 0]/ && length($0) > 5 { statement = statement substr($0, 7); next }
 { count(statement); statement = substr($0, 7) }
 END { count(statement); report() }
 
-function report() { if (name != "") print name, mul + 0, add + 0, div + 0, root + 0, calls + 0; mul = add = div = root = calls = 0 }
+function set(words, text,   list, i) {
+  split(text, list, " ")
+  for (i in list) words[list[i]] = 1
+}
+
+function report() {
+  if (name != "") print name, mul + 0, add + 0, div + 0, root + 0, calls + 0
+  mul = add = div = root = calls = 0
+}
 
 # the token at the head of text, taken off it
 function token() {
   sub(/^ +/, "", text)
-  if (!match(text, /^([0-9]+\.?[0-9]*([DE][-+]?[0-9]+)?|[A-Z][A-Z0-9_]*|\*\*|\.[A-Z]+\.|.)/)) return ""
+  number = "[0-9]+\\.?[0-9]*([DE][-+]?[0-9]+)?"
+  if (!match(text, "^(" number "|[A-Z][A-Z0-9_]*|\\*\\*|\\.[A-Z]+\\.|.)")) return ""
   tok = substr(text, 1, RLENGTH); text = substr(text, RLENGTH + 1)
   return tok
 }
@@ -25,9 +35,29 @@ function skip(   depth) {
   do { tok = token(); depth += (tok == "(") - (tok == ")") } while (depth > 0 && tok != "")
 }
 
+# a whole power is so many factors less one
+function power() {
+  if (match(text, /^ *[0-9]+/) && substr(text, RLENGTH + 1, 1) != ".")
+    mul += substr(text, 1, RLENGTH) - 1
+  else calls++
+}
+
+# an intrinsic function, or the subscripts of an array, which do not count
+function application(word) {
+  if (word == "SQRT") root++
+  else if (word in trig) calls++
+  else if (!(word in free)) { skip(); return ")" }
+  return word
+}
+
 function count(s,   t, before) {
   text = toupper(s)
-  if (match(text, /^ *(SUBROUTINE|[A-Z ]*FUNCTION) +[A-Z0-9_]+/)) { report(); name = substr(text, 1, RLENGTH); sub(/.* /, "", name); return }
+  if (match(text, /^ *(SUBROUTINE|[A-Z ]*FUNCTION) +[A-Z0-9_]+/)) {
+    report()
+    name = substr(text, 1, RLENGTH)
+    sub(/.* /, "", name)
+    return
+  }
   if (sub(/^ *CALL +GSSC *\(/, "", text)) calls += 2 - (text ~ /, *IDLE *[,)]/)
   else {
     if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
@@ -39,7 +69,7 @@ function count(s,   t, before) {
     if (t == "*") mul++
     else if (t == "/") div++
     else if (t ~ /^[-+]$/) { if (before !~ /^[=(,]$/) add++ }
-    else if (t == "**") { if (match(text, /^ *[0-9]+/) && substr(text, RLENGTH + 1, 1) != ".") mul += substr(text, 1, RLENGTH) - 1; else calls++ }
-    else if (t ~ /^[A-Z]/ && text ~ /^ *\(/) { if (t == "SQRT") root++; else if (t in trig) calls++; else if (!(t in free)) { skip(); t = ")" } }
+    else if (t == "**") power()
+    else if (t ~ /^[A-Z]/ && text ~ /^ *\(/) t = application(t)
   }
 }

@@ -1,7 +1,9 @@
-// CasADi: Pinocchio's algorithms traced with CasADi's symbols (as pinocchio.casadi does), its common subexpressions, its C code.
+// CasADi: Pinocchio's algorithms traced with CasADi's symbols (as pinocchio.casadi does), its
+// common subexpressions, its C code.
 //
-// casadi MODEL.txt lit|num FOLDER: writes FOLDER/id.c, fd.c, mm.c, each with f_<word>, and par.c, the parameters' values (lit: numbers that are not 0
-// are parameters). Prints a line for each: word, CPU seconds of graph, cse and C code, mul, add, div, sqrt, trig.
+// casadi MODEL.txt lit|num FOLDER: writes FOLDER/id.c, fd.c, mm.c, each with f_<word>, and par.c,
+// the parameters' values (lit: numbers that are not 0 are parameters). Prints a line for each:
+// word, CPU seconds of graph, cse and C code, mul, add, div, sqrt, trig.
 #include <pinocchio/autodiff/casadi.hpp>
 #include "model.hpp"
 #include <pinocchio/algorithm/rnea.hpp>
@@ -16,10 +18,16 @@ typedef Eigen::Matrix<S, Eigen::Dynamic, 1> Vector;
 
 static double cpu() { return double(clock()) / CLOCKS_PER_SEC; }
 
-static S column(const Vector &v) { return S::vertcat(std::vector<S>(v.data(), v.data() + v.size())); }
+static S column(const Vector &v) {
+  return S::vertcat(std::vector<S>(v.data(), v.data() + v.size()));
+}
 
 // the entries of a column of symbols
-static Vector entries(const S &s, int n) { Vector v(n); for (int i = 0; i < n; i++) v(i) = s(i); return v; }
+static Vector entries(const S &s, int n) {
+  Vector v(n);
+  for (int i = 0; i < n; i++) v(i) = s(i);
+  return v;
+}
 
 static void count(const ::casadi::Function &f, int c[5]) {
   for (int k = 0; k < f.n_instructions(); k++) switch (f.instruction_id(k)) {
@@ -64,7 +72,9 @@ int main(int, char **argv) {
     ::casadi::CodeGenerator code("f_" + word + ".c");
     code.add(f);
     std::ofstream(folder + "/" + word + ".c") << code.dump() << "extern double p[];\nvoid " << word
-      << "(const double *q, const double *v, const double *a, double *o) { const double *in[4] = {q, v, a, p}; double *out[1] = {o}; f_" << word << "(in, out, 0, 0, 0); }\n";
+      << "(const double *q, const double *v, const double *a, double *o) { "
+      << "const double *in[4] = {q, v, a, p}; double *out[1] = {o}; f_" << word
+      << "(in, out, 0, 0, 0); }\n";
     const double seconds = reading + cpu() - start;
     int c[5] = {0};
     count(f, c);

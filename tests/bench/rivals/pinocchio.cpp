@@ -1,4 +1,5 @@
-// Pinocchio behind the common interface: init(model.txt); id, mm; fd by articulated bodies in world axes, in link axes, by mass matrix and Cholesky.
+// Pinocchio behind the common interface: init(model.txt); id, mm; fd by articulated bodies in world
+// axes, in link axes, by mass matrix and Cholesky.
 #include "model.hpp"
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/algorithm/aba.hpp>
@@ -12,13 +13,22 @@ static Data *data;
 static int n;
 
 extern "C" {
-void init(const char *path) { model = read_model<double>(path, n, [](double x) { return x; }); data = new Data(model); }
+void init(const char *path) {
+  model = read_model<double>(path, n, [](double x) { return x; });
+  data = new Data(model);
+}
 
-void id(const double *q, const double *v, const double *a, double *o) { Out(o, n) = rnea(model, *data, In(q, n), In(v, n), In(a, n)); }
+void id(const double *q, const double *v, const double *a, double *o) {
+  Out(o, n) = rnea(model, *data, In(q, n), In(v, n), In(a, n));
+}
 
-void fd(const double *q, const double *v, const double *tau, double *o) { Out(o, n) = aba(model, *data, In(q, n), In(v, n), In(tau, n), Convention::WORLD); }
+void fd(const double *q, const double *v, const double *tau, double *o) {
+  Out(o, n) = aba(model, *data, In(q, n), In(v, n), In(tau, n), Convention::WORLD);
+}
 
-void fd_local(const double *q, const double *v, const double *tau, double *o) { Out(o, n) = aba(model, *data, In(q, n), In(v, n), In(tau, n), Convention::LOCAL); }
+void fd_local(const double *q, const double *v, const double *tau, double *o) {
+  Out(o, n) = aba(model, *data, In(q, n), In(v, n), In(tau, n), Convention::LOCAL);
+}
 
 void fd_mass(const double *q, const double *v, const double *tau, double *o) {
   Out x(o, n);

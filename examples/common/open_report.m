@@ -3,6 +3,7 @@
 ## `diary off`).
 
 function open_report (file)
+  warning ("off", "Octave:shadowed-function");   # run.m has the name of a function of Octave
   cd (fileparts (file));
   addpath (fullfile (pwd (), "..", "..", "octave"));
   [~, ~] = mkdir ("out");
