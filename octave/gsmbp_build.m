@@ -174,6 +174,7 @@ function m = gsmbp_build (name, varargin)
   load_module (symbol, file, before);
 
   m.name = json.name;
+  [m.gsmbp_version, m.scene_hash] = origin (json);
   m.precision = options.precision;
   m.directory = folder;
   m.file = file;
@@ -219,6 +220,18 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp__handles (m);
   m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
+endfunction
+
+## the version of GSMBP that emitted the scene and the hash of the scene, "" where the JSON (one
+## written by hand) says nothing
+function [number, scene] = origin (json)
+  number = scene = "";
+  if (isfield (json, "gsmbp_version"))
+    number = json.gsmbp_version;
+  endif
+  if (isfield (json, "scene_hash"))
+    scene = json.scene_hash;
+  endif
 endfunction
 
 ## the usual sizes of the states, 1 where the JSON says nothing
