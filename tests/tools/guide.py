@@ -138,6 +138,20 @@ def check_named_files():
     report('files that comments and guides name exist', set(wrong))
 
 
+def check_named_functions():
+    """a private function that the guide names is defined"""
+    sources = files_of('gsmbp/*.mac', 'gsmbp/*.lisp', 'gsmbp/*/*.mac', 'gsmbp/*/*.lisp')
+    defined = set()
+    for path in sources:
+        text = without_comments(path)
+        defined |= set(re.findall(r'(?m)^ *(gsmbp_\w+) *(?:\(|:)', text))
+        defined |= set(re.findall(r'\(def\w+ \$(gsmbp_\w+)', text))
+        defined |= set(re.findall(r'define_variable\((gsmbp_\w+)', text))
+    named = set(re.findall(r'`(gsmbp_\w+)[`(]', text_of('gsmbp/README.md')))
+    report('functions that gsmbp/README.md names are defined',
+           {n for n in named - defined if not files_of('octave/%s.m' % n)})
+
+
 def check_version():
     version = re.search(r'gsmbp_version, "([^"]*)"', text_of('gsmbp/kernel/version.mac')).group(1)
     cited = re.search(r'(?m)^version: "?([^"\n]*)', text_of('CITATION.cff')).group(1)
@@ -161,4 +175,5 @@ else:
     check_fortran()
     check_heads()
     check_named_files()
+    check_named_functions()
     check_version()
