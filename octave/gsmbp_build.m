@@ -78,7 +78,9 @@
 ## @var{info} != 0 is an error (lost rank of constraints, 2, a warning, which comes
 ## once a model where constraints are redundant everywhere).
 ##
-## Other fields: @code{par} (parameter values; change them with
+## Other fields: @code{gsmbp_version} and @code{scene_hash} (the version of GSMBP that
+## emitted the scene, and a hash of what was written in it; "" where the JSON has none),
+## @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{unique} (a struct
 ## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
@@ -305,6 +307,7 @@ endfunction
 %! m = fixture ("motor_pendulum");
 %! assert (m.coordinates, {"q"});
 %! assert (m.par.g, 9.81);
+%! assert ({m.gsmbp_version, m.scene_hash}, {"", ""});   # the JSON was written by hand
 %! assert (m.rhs (0, [0; 1; 0], 0), [1; -0.05/0.32; -2/0.0048], 1e-12);
 %!test
 %! m = fixture ("motor_pendulum", "parameters", struct ("b", 0));
