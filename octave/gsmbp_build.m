@@ -78,7 +78,9 @@
 ## @var{info} != 0 is an error (lost rank of constraints, 2, a warning, which comes
 ## once a model where constraints are redundant everywhere).
 ##
-## Other fields: @code{par} (parameter values; change them with
+## Other fields: @code{gsmbp_version} and @code{scene_hash} (the version of GSMBP that
+## emitted the scene, and a hash of what was written in it; "" where the JSON has none),
+## @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{unique} (a struct
 ## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
@@ -174,6 +176,7 @@ function m = gsmbp_build (name, varargin)
   load_module (symbol, file, before);
 
   m.name = json.name;
+  [m.gsmbp_version, m.scene_hash] = origin (json);
   m.precision = options.precision;
   m.directory = folder;
   m.file = file;
@@ -219,6 +222,18 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp__handles (m);
   m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
+endfunction
+
+## the version of GSMBP that emitted the scene and the hash of the scene, "" where the JSON (one
+## written by hand) says nothing
+function [number, scene] = origin (json)
+  number = scene = "";
+  if (isfield (json, "gsmbp_version"))
+    number = json.gsmbp_version;
+  endif
+  if (isfield (json, "scene_hash"))
+    scene = json.scene_hash;
+  endif
 endfunction
 
 ## the usual sizes of the states, 1 where the JSON says nothing
@@ -292,6 +307,7 @@ endfunction
 %! m = fixture ("motor_pendulum");
 %! assert (m.coordinates, {"q"});
 %! assert (m.par.g, 9.81);
+%! assert ({m.gsmbp_version, m.scene_hash}, {"", ""});   # the JSON was written by hand
 %! assert (m.rhs (0, [0; 1; 0], 0), [1; -0.05/0.32; -2/0.0048], 1e-12);
 %!test
 %! m = fixture ("motor_pendulum", "parameters", struct ("b", 0));

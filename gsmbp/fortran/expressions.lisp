@@ -14,19 +14,6 @@
   (destructuring-bind (m a d s f) (cdr tally)
     (setq $gsmbp__mul m $gsmbp__add a $gsmbp__div d $gsmbp__sqrt s $gsmbp__trig f)))
 
-;;; Sum of a list of lines as Adler-32 forms it (RFC 1950), of their ASCII characters and a newline
-;;; each: "b a" in decimal digits
-(defun $gsmbp__checksum (lines)
-  (let ((a 1) (b 0))
-    (declare (fixnum a b))
-    (flet ((add (code)
-             (declare (fixnum code))
-             (when (< code 128) (setq a (mod (+ a code) 65521) b (mod (+ b a) 65521)))))
-      (dolist (line (cdr lines))
-        (map nil (lambda (c) (add (char-code c))) line)
-        (add 10)))
-    (format nil "~d ~d" b a)))
-
 ;;; --------------------------------------------------------------------------- sums, terms, factors
 
 ;;; any expression: a sum with a positive term ahead if it has one

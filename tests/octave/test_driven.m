@@ -1,5 +1,5 @@
 ## A driven crank: the four-bar follows the law of time, and the drive's effort is that of the
-## closed form. (A driven pivot: test_reference_19a.)
+## closed form. (A driven pivot: test_reference_driven_pivot.)
 
 function test_driven ()
   addpath (fullfile (fileparts (mfilename ("fullpath")), "poses"));

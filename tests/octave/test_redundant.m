@@ -1,6 +1,6 @@
 ## More constraints than needed: a plane four-bar of spatial hinges in general position, Bricard's
 ## six-bar, a parallelogram through its change points; what the scene's description says of it.
-## (Hooke: test_reference_09a; Bennett, a weld, a shaft of two universal joints: test_closures.)
+## (Hooke: test_reference_hooke; Bennett, a weld, a shaft of two universal joints: test_closures.)
 
 function test_redundant ()
   addpath (fullfile (fileparts (mfilename ("fullpath")), "poses"));

@@ -3,6 +3,12 @@
 
 function test_values ()
   m = gsmbp_fixture ("value_rules");
+  head = fileread (fullfile (m.directory, [m.name ".f"]))(1:200);
+  gsmbp_check ("values: the model tells the version that the head of the Fortran tells", ...
+               ! isempty (m.gsmbp_version) ...
+               && ! isempty (strfind (head, ["emitted by GSMBP " m.gsmbp_version "."])));
+  gsmbp_check ("values: and the hash of the scene", numel (m.scene_hash) == 16 ...
+               && ! isempty (strfind (head, ["Hash of the scene: " m.scene_hash "."])));
   bad = {{"mc", -1}, "link a: mass must not be negative; found: mc = -1"
          {"mc", 1}, "link b: mass must not be negative; found: mc = 1"
          {"j1", -1}, "link a: inertia must have no negative eigenvalue"

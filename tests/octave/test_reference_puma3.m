@@ -1,7 +1,7 @@
 ## PUMA 560, three links: GSMBP against the reference's 25 states. Error: largest difference of an
 ## array over its largest entry.
 
-function test_reference_01a ()
+function test_reference_puma3 ()
   m = gsmbp_fixture ("case_01a");
   weightless = gsmbp_set (m, "g", 0);
   [~, ref] = gsmbp_case ("01a_puma560_akb_3link");
@@ -20,6 +20,6 @@ function test_reference_01a ()
   names = {"mass matrix", "velocity terms", "gravity", "inverse dynamics", "forward dynamics", ...
            "kinetic energy", "potential energy"};
   for k = 1:7
-    gsmbp_check (["01a " names{k} ", 25 states"], worst(k), 1e-13);
+    gsmbp_check (["puma3: " names{k} ", 25 states"], worst(k), 1e-13);
   end
 end

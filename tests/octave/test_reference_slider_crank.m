@@ -1,7 +1,7 @@
 ## Slider-crank on the velocity profile of the paper's figure 7: motion, drive torque, pin force,
 ## motor current and voltage.
 
-function test_reference_02a ()
+function test_reference_slider_crank ()
   [~, ~, tab] = gsmbp_case ("02a_slidercrank_inverse");
   statics (tab);
   motor (tab);
@@ -25,10 +25,10 @@ function statics (tab)
     xd = m.rhs (0, [q; u], tab.torque(i));
     alpha(i, 1) = xd(4);
   end
-  gsmbp_check ("02a loop closed at the reference positions, m", gap, 1e-15);
-  gsmbp_check ("02a slider speed and acceleration", ...
+  gsmbp_check ("slider_crank: loop closed at the reference positions, m", gap, 1e-15);
+  gsmbp_check ("slider_crank: slider speed and acceleration", ...
                moves ./ max (abs ([tab.v_slider, tab.a_slider])), 1e-13);
-  gsmbp_check ("02a crank acceleration under the reference torque", ...
+  gsmbp_check ("slider_crank: crank acceleration under the reference torque", ...
                (alpha - tab.alpha) / max (abs (tab.alpha)), 1e-13);
 end
 
@@ -46,10 +46,11 @@ function motor (tab)
   end
   torque = K * current - J * tab.alpha - B * tab.omega;
   scaled = @(found, wanted) (found - wanted) / max (abs (wanted));
-  gsmbp_check ("02a drive torque", scaled (torque, tab.torque), 1e-13);
-  gsmbp_check ("02a pin force on the slider", ...
+  gsmbp_check ("slider_crank: drive torque", scaled (torque, tab.torque), 1e-13);
+  gsmbp_check ("slider_crank: pin force on the slider", ...
                scaled (lam, [tab.pin_fx_on_slider, tab.pin_fy_on_slider]), 1e-13);
-  gsmbp_check ("02a motor current", scaled (current, tab.current), 1e-13);
+  gsmbp_check ("slider_crank: motor current", scaled (current, tab.current), 1e-13);
   regular = ! isnan (tab.voltage);
-  gsmbp_check ("02a motor voltage", scaled (voltage(regular), tab.voltage(regular)), 1e-13);
+  gsmbp_check ("slider_crank: motor voltage", ...
+               scaled (voltage(regular), tab.voltage(regular)), 1e-13);
 end

@@ -1,22 +1,24 @@
 ## Heavy top: spin axis, angular velocity and invariants over 1 s, in Euler parameters and in three
 ## angles.
 
-function test_reference_08a ()
+function test_reference_heavy_top ()
   [~, ref, tab] = gsmbp_case ("08a_heavy_top");
   w0 = [0; 0; 100] + 2 * [-sin(0.4); 0; cos(0.4)];   # 100 e3 + 2 ez in the axes of the top
 
   m = gsmbp_fixture ("case_08a");
-  gsmbp_check ("08a four Euler parameters, three speeds", m.sizes.nq == 4 && m.sizes.nu == 3);
+  gsmbp_check ("heavy_top: four Euler parameters, three speeds", ...
+               m.sizes.nq == 4 && m.sizes.nu == 3);
   x0 = [cos(0.2); 0; sin(0.2); 0; w0];
-  gsmbp_check ("08a the scene's start", m.initial - [x0(1:4); 0; 0; 0], 1e-15);
-  compare ("08a Euler parameters", m, gsmbp_run (m, tab.t, x0, []), @by_parameters, tab);
-  gsmbp_check ("08a mass matrix in Euler parameters is the inertia about the pivot", ...
+  gsmbp_check ("heavy_top: the scene's start", m.initial - [x0(1:4); 0; 0; 0], 1e-15);
+  compare ("heavy_top: Euler parameters", m, gsmbp_run (m, tab.t, x0, []), @by_parameters, tab);
+  gsmbp_check ("heavy_top: mass matrix in Euler parameters is the inertia about the pivot", ...
                m.mas (0, x0(1:4)) - diag ([0.0039, 0.0039, 0.0004]), 1e-17);
 
   m = gsmbp_fixture ("case_08a_angles");
   q0 = [0; 0.4; 0];
   [~, ~, W] = by_angles ([q0; 0; 0; 0]);
-  compare ("08a angles about x, y, z", m, gsmbp_run (m, tab.t, [q0; W \ w0], []), @by_angles, tab);
+  compare ("heavy_top: angles about x, y, z", ...
+           m, gsmbp_run (m, tab.t, [q0; W \ w0], []), @by_angles, tab);
 end
 
 ## e3 and the angular velocity in ground axes from a state, W: angular velocity in body axes by the
