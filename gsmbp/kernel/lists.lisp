@@ -1,7 +1,6 @@
 ;;; kernel/lists.lisp: small functions on lists and exact numbers that a derivation calls thousands
 ;;; of times (see kernel/errors.mac), in Lisp.
 (in-package :maxima)
-(defvar $gsmbp__joint_table)
 
 ;;; the lists of a list, one behind the other; the sum of a list of terms
 (defun $gsmbp__flat (l)

@@ -122,8 +122,9 @@
 ;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any
 ;;; other: errcatch, and Maxima's own handlers in charat, substring and float, would take it for a
 ;;; failure of what they try, and go on.
-#+gcl
 (defun gsmbp-interruptible (f)
+  #-gcl (funcall f)
+  #+gcl
   (let ((before (symbol-function 'si::terminal-interrupt)))
     (unwind-protect
       (progn
@@ -135,10 +136,6 @@
                   (throw 'macsyma-quit 'maxima-error)))
         (funcall f))
       (setf (symbol-function 'si::terminal-interrupt) before))))
-
-#-gcl
-
-(defun gsmbp-interruptible (f) (funcall f))
 
 ;;; -------------------------------------------------------------------------------- the environment
 

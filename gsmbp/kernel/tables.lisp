@@ -25,10 +25,9 @@
     (maphash #'(lambda (k v) (setf (gethash k c) (copy-tree v))) h)
     c))
 ;; the passes that are on, as a number: part of the key of what a scene remembers
-(defvar $gsmbp_passes)
 (defvar *gsmbp-pass-lists* (make-hash-table :test #'equal))
 (defun $gsmbp__passes_key ()
-  (let ((l (if (consp $gsmbp_passes) (cdr $gsmbp_passes) $gsmbp_passes)))
+  (let* ((passes (symbol-value '$gsmbp_passes)) (l (if (consp passes) (cdr passes) passes)))
     (or (gethash l *gsmbp-pass-lists*)
         (setf (gethash l *gsmbp-pass-lists*) (1+ (hash-table-count *gsmbp-pass-lists*))))))
 ;; true if the table h holds one of the symbols of a list

@@ -6,7 +6,7 @@
 ;;; j: gsmbp__joint(name, type, ..., axis, second_, pitch_, orientation_, coordinates, speeds, ...)
 (defun $gsmbp__freedom_kinds (j)
   (let ((l nil) (orientation (nth 12 j)))
-    (dolist (f (cdr (nth 4 ($gsmbp__row_of $gsmbp__joint_table (nth 2 j))))
+    (dolist (f (cdr (nth 4 ($gsmbp__row_of (symbol-value '$gsmbp__joint_table) (nth 2 j))))
                (gsmbp-list (nreverse l)))
       (destructuring-bind (kind word) (cdr f)
         (cond ((not (eq kind '$orient)) (push (gsmbp-list (list kind (gsmbp-direction j word))) l))

@@ -55,31 +55,37 @@
 
 ;; The node of an expression; put: keeps a new node under a new name, which it returns.
 (defun gsp-node (e block number put)
-  (let ((const nil) (parts nil) (op (and (consp e) (caar e))))
-    (labels ((node (kind const parts)
-               (make-gsp :kind kind :const const :parts parts :block block :number number))
-             (other () (return-from gsp-node (node 'other e nil))))
-      (case op
-        (mplus (setq const 0)
-               (dolist (x (cdr e))
-                 (let ((p (gsp-term x)))
-                   (cond ((gsp-number-p x) (setq const (gsp-plus const x)))
-                         ((null p) (other))
-                         ((member (cdr p) '(1 -1)) (push p parts))
-                         (t (push (cons (funcall put
-                                                 (node 'product 1
-                                                       (gsp-scaled
-                                                         (cdr p) (list (cons (car p) 1)))))
-                                        (gsp-sign (cdr p))) parts))))))
-        (mtimes (setq const 1)
-                (dolist (x (cdr e))
-                  (cond ((gsp-number-p x) (setq const (gsp-times const x)))
-                        ((symbolp x) (push (cons x 1) parts))
-                        (t (other)))) (setq parts (gsp-scaled const parts) const (gsp-sign const)))
-        (t (other)))
-      (let ((n (node (if (eq op 'mplus) 'sum 'product) const (nreverse parts))))
-        (setf (gsp-form n) (list* e const (gsp-parts n)))
-        n))))
+  (flet ((node (kind const parts)
+           (make-gsp :kind kind :const const :parts parts :block block :number number)))
+    (let* ((op (and (consp e) (caar e)))
+           (n (case op
+                (mplus (gsp-sum-of (cdr e) #'node put))
+                (mtimes (gsp-product-of (cdr e) #'node)))))
+      (cond (n (setf (gsp-form n) (list* e (gsp-const n) (gsp-parts n)))
+               n)
+            (t (node 'other e nil))))))
+
+;; the node of a sum of numbers and terms c*name, or nil; a c that is not 1 or -1 goes into a
+;; product of its own
+(defun gsp-sum-of (terms node put)
+  (let ((const 0) (parts nil))
+    (dolist (x terms (funcall node 'sum const (nreverse parts)))
+      (let ((p (gsp-term x)))
+        (cond ((gsp-number-p x) (setq const (gsp-plus const x)))
+              ((null p) (return nil))
+              ((member (cdr p) '(1 -1)) (push p parts))
+              (t (let ((scaled (gsp-scaled (cdr p) (list (cons (car p) 1)))))
+                   (push (cons (funcall put (funcall node 'product 1 scaled)) (gsp-sign (cdr p)))
+                         parts))))))))
+
+;; the node of a product of numbers and names, or nil
+(defun gsp-product-of (factors node)
+  (let ((const 1) (parts nil))
+    (dolist (x factors
+               (funcall node 'product (gsp-sign const) (nreverse (gsp-scaled const parts))))
+      (cond ((gsp-number-p x) (setq const (gsp-times const x)))
+            ((symbolp x) (push (cons x 1) parts))
+            (t (return nil))))))
 
 (defun gsp-expression (n)
   (if (and (gsp-form n)
@@ -197,54 +203,73 @@
                 (return-from
                   gsp-cancelled (list x other (cons (car q) (gsp-times (cdr x) (cdr q)))))))))))))
 
+;; the product, used once, that the term p of a sum stands for, or nil
+(defun gsp-product-used-once (p nodes uses fixed)
+  (let ((m (gethash (car p) nodes)))
+    (and m
+         (eq (gsp-kind m) 'product)
+         (= (gethash (car p) uses 0) 1)
+         (not (gethash (car p) fixed))
+         m)))
+
+;; the name that is a factor of most products of a sum that are used once, of two or more; or nil
+(defun gsp-commonest-factor (n nodes uses fixed)
+  (let ((count nil) (best nil))
+    (dolist (p (gsp-parts n))
+      (let ((m (gsp-product-used-once p nodes uses fixed)))
+        (when m
+          (dolist (x (remove-duplicates (mapcar #'car (gsp-parts m))))
+            (let ((c (assoc x count))) (if c (incf (cdr c)) (push (cons x 1) count)))))))
+    (dolist (c (reverse count) (car best))
+      (if (and (> (cdr c) 1) (or (null best) (> (cdr c) (cdr best)))) (setq best c)))))
+
+;; the term p, the product m, without its factor x: (name . c), the name nil if only c is left
+(defun gsp-without-factor (x p m nodes)
+  (let ((parts (remove x (gsp-parts m) :key #'car :count 1))
+        (c (gsp-times (cdr p) (gsp-const m))))
+    (cond ((null (cdr parts))
+           (remhash (car p) nodes)
+           (cons (if parts (caar parts) nil) c))
+          (t (setf (gsp-parts m) parts (gsp-const m) 1)
+             (cons (car p) c)))))
+
+;; (the terms of a sum that hold x, without it; the others), each list the last first
+(defun gsp-split-at-factor (x n nodes uses fixed)
+  (let ((inner nil) (others nil))
+    (dolist (p (gsp-parts n) (list inner others))
+      (let ((m (gsp-product-used-once p nodes uses fixed)))
+        (if (and m (assoc x (gsp-parts m)))
+            (push (gsp-without-factor x p m nodes) inner)
+            (push p others))))))
+
+;; the term of the sum n that stands for x*(inner): a new product v of x and a new sum s; where a,
+;; -a or nothing is left, x with that sign
+(defun gsp-factored (x inner n s v uses put)
+  (let ((const 0))
+    (dolist (i inner) (if (null (car i)) (setq const (gsp-plus const (cdr i)))))
+    (setq inner (nreverse (remove nil inner :key #'car)))
+    (flet ((keep (name kind const parts)
+             (funcall put name
+                      (make-gsp :kind kind :const const :parts parts :block (gsp-block n)
+                                :number (gsp-number n)))
+             (setf (gethash name uses) 1)))
+      (cond ((or inner (not (member const '(0 1 -1))))
+             (keep s 'sum const inner)
+             (keep v 'product 1 (list (cons x 1) (cons s 1)))
+             (cons v 1))
+            (t (cons x const))))))
+
 ;; one round over a sum: the name that is a factor of most of its products that are used once is
 ;; taken out of them; new nodes by `fresh`
 (defun gsp-factor-sum (n nodes uses fixed fresh put)
-  (let ((count nil) (best nil))
-    (flet ((free (p)
-             (let ((m (gethash (car p) nodes)))
-               (and m
-                    (eq (gsp-kind m) 'product)
-                    (= (gethash (car p) uses 0) 1)
-                    (not (gethash (car p) fixed))
-                    m))))
-      (dolist (p (gsp-parts n))
-        (let ((m (free p)))
-          (when m
-            (dolist (x (remove-duplicates (mapcar #'car (gsp-parts m))))
-              (let ((c (assoc x count))) (if c (incf (cdr c)) (push (cons x 1) count)))))))
-      (dolist (c (reverse count))
-        (if (and (> (cdr c) 1) (or (null best) (> (cdr c) (cdr best)))) (setq best c)))
-      (when best
-        (let ((inner nil) (others nil) (x (car best)) (s (funcall fresh)) (v (funcall fresh))
-              (sign 1))
-          (dolist (p (gsp-parts n))
-            (let ((m (free p)))
-              (if (and m (assoc x (gsp-parts m)))
-                  (let ((parts (remove x (gsp-parts m) :key #'car :count 1))
-                        (c (gsp-times (cdr p) (gsp-const m))))
-                    (cond ((null (cdr parts))
-                           (remhash (car p) nodes)
-                           (push (cons (if parts (caar parts) nil) c) inner))
-                          (t (setf (gsp-parts m) parts (gsp-const m) 1)
-                             (push (cons (car p) c) inner))))
-                  (push p others))))
-          ; a, -a or nothing is left
-          (let ((const 0))
-            (dolist (i inner) (if (null (car i)) (setq const (gsp-plus const (cdr i)))))
-            (setq inner (nreverse (remove nil inner :key #'car)))
-            (cond ((or inner (not (member const '(0 1 -1))))
-                   (funcall put s
-                            (make-gsp :kind 'sum :const const :parts inner :block (gsp-block n)
-                                      :number (gsp-number n)))
-                   (funcall put v
-                            (make-gsp :kind 'product :const 1 :parts (list (cons x 1) (cons s 1))
-                                      :block (gsp-block n) :number (gsp-number n)))
-                   (setf (gethash s uses) 1 (gethash v uses) 1))
-                  (t (setq v x sign const))))
-          (setf (gsp-parts n) (cons (cons v sign) (nreverse others)))
-          (gsp-merge n)
-          t)))))
+  (let ((x (gsp-commonest-factor n nodes uses fixed)))
+    (when x
+      (let* ((s (funcall fresh)) (v (funcall fresh))
+             (split (gsp-split-at-factor x n nodes uses fixed)))
+        (setf (gsp-parts n)
+              (cons (gsp-factored x (first split) n s v uses put) (nreverse (second split))))
+        (gsp-merge n)
+        t))))
 
 ;; pairs of terms of sums as ((a . b) . ratio), of factors as (a . b)
 (defun gsp-pair (kind p q)
@@ -397,15 +422,12 @@
       (live)
       (list '(mlist simp)
             (cons '(mlist simp)
-                  (mapcar #'(lambda (v)
-                              (let* ((n (gethash v nodes)) (e (gsp-expression n)))
-                                (list '(mlist simp)
-                                      v
-                                      e
-                                      (gsp-block n)
-                                      (gsp-number n)
-                                      (gsp-symbol-list e)))) (gsp-ordered names nodes outs)))
+                  (mapcar #'(lambda (v) (gsp-entry v (gethash v nodes)))
+                          (gsp-ordered names nodes outs)))
             outputs))))
+(defun gsp-entry (v n)
+  (let ((e (gsp-expression n)))
+    (list '(mlist simp) v e (gsp-block n) (gsp-number n) (gsp-symbol-list e))))
 
 ;;; ------------------------------------------------------------------------------------------ order
 

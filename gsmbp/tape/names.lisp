@@ -2,7 +2,6 @@
 ;;; passes through here. An operand is a name: a symbol or a number, or one with a minus. An entry
 ;;; is an operation on names; same operation, same name.
 (in-package :maxima)
-(defvar $gsmbp_passes)
 
 ;;; fields of the structure gsmbp__tape
 (defmacro gsmbp-table (tp) `(nth 1 ,tp))
@@ -28,7 +27,7 @@
         (t 0)))
 ;;; a pass that is off: every operation a new name (share), nothing depends on parameters alone
 ;;; (hoist)
-(defun gsmbp-on (pass) (member pass (cdr $gsmbp_passes) :test #'eq))
+(defun gsmbp-on (pass) (member pass (cdr (symbol-value '$gsmbp_passes)) :test #'eq))
 (defun gsmbp-find (tp e key)
   (if (gsmbp-on '$share) (cdr (assoc e (gethash key (gsmbp-table tp)) :test #'equal))))
 (defun gsmbp-keep (tp e key name) (push (cons e name) (gethash key (gsmbp-table tp))) name)

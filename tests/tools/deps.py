@@ -586,7 +586,7 @@ def report_package(root, outdir, brief):
     print('\n-- structures: where made, in how many files their constructor stands')
     st = collections.defaultdict(set)
     for d in defs:
-        for m in re.finditer(r'\bnew\s*\(\s*(gsmbp__\w+)', d.body):
+        for m in re.finditer(r'\b(?:new|gsmbp__record)\s*\(\s*(gsmbp__\w+)', d.body):
             st[m.group(1)].add(d.file)
     for n in sorted(st):
         print(
