@@ -408,9 +408,8 @@ function warn (who, m, s)
              joints, s.angle_times(1));
   endif
   for one = s.margins
-    warning ("gsmbp:margin", ["%s: %s: %s: expected above 0, found %.6g at the least, first at " ...
-                              "t = %.6g s"],
-             who, m.name, one.text, one.least, one.time);
+    warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
+             one.said, one.time);
   endfor
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
