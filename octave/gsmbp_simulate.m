@@ -179,7 +179,9 @@
 ## @item margins
 ## a struct array, empty if all is well: margins of devices (a stroke, a pressure) that are
 ## not kept at some of @var{times}: @code{text}, @code{time} of the first one [s],
-## @code{least} value.  This is a printed warning too.
+## @code{least} value, @code{said}, a sentence with the states and parameters that it is made of.
+## This is a printed warning too.  Only @var{times} are looked at, not what is between them:
+## take them as close as the motion changes.
 ## @item method, jacobians, newton
 ## the method of the last step; cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
