@@ -184,7 +184,9 @@
 ## @item margins
 ## a struct array, empty if all is well: margins of devices (a stroke, a pressure) that are
 ## not kept at some of @var{times}: @code{text}, @code{time} of the first one [s],
-## @code{least} value.  This is a printed warning too.
+## @code{least} value, @code{said}, a sentence with the states and parameters that it is made of.
+## This is a printed warning too.  Only @var{times} are looked at, not what is between them:
+## take them as close as the motion changes.
 ## @item method, jacobians, newton
 ## the method of the last step; cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
@@ -422,9 +424,8 @@ function warn (who, m, s)
              joints, s.angle_times(1));
   endif
   for one = s.margins
-    warning ("gsmbp:margin", ["%s: %s: %s: expected above 0, found %.6g at the least, first at " ...
-                              "t = %.6g s"],
-             who, m.name, one.text, one.least, one.time);
+    warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
+             one.said, one.time);
   endfor
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";

@@ -358,11 +358,10 @@ function check_margins (p, r)
   if (isempty (list))
     return;
   endif
-  one = @(m) sprintf ("%s (%.6g)", m.text, m.least);
   error ("gsmbp:margin",
-         ["%s: %s: an equilibrium was found, but it is outside margins of devices, which must " ...
-          "be above 0: %s; try another guess, or take it as it is: \"margins\", \"ignore\""],
-         p.who, p.m.name, strjoin (arrayfun (one, list, "UniformOutput", false), ", "));
+         ["%s: %s: an equilibrium was found, but a device cannot be there: %s; try another " ...
+          "guess, or take it as it is: \"margins\", \"ignore\""],
+         p.who, p.m.name, strjoin ({list.said}, "; "));
 endfunction
 
 ## the same state some other times

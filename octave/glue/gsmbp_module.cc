@@ -471,7 +471,7 @@ meaning (const std::string& call, int info)
     if (entry.info == info
         && (!*entry.calls || std::strstr (entry.calls, (" " + call + " ").c_str ())))
       return entry.text;
-  return "a numerical event that has no name";
+  return "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
 }
 
 static octave_value_list

@@ -75,7 +75,7 @@ function text = outside (m, t, last)
   if (! isempty (last))
     list = gsmbp__margins (m, t, last.x', last.v');
     for one = list
-      text = [text, sprintf("; outside a margin: %s (%.6g)", one.text, one.least)];
+      text = [text "; outside a margin: " one.said];
     endfor
   endif
 endfunction

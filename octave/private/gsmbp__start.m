@@ -3,7 +3,7 @@
 ## the constraints, with Euler parameters of length one.  WANTED: "check", an error
 ## of WHO that names rows and residuals where one is above 1e-6 (scaled by m.nominal);
 ## "project", moved onto the constraints (subroutine PRJ) from wherever it is.
-## Where devices cannot be (gsmbp__check_start) is an error of "check", too.
+## A state outside a margin of a device (gsmbp__margins) is an error of "check", too.
 ## START: a struct, see the help of gsmbp_simulate.
 
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
@@ -13,17 +13,31 @@ function [x, start] = gsmbp__start (who, m, t, x, wanted)
                      m.states);
   no_lost_angle (who, argument, m, x);
   start = struct ("residual", 0, "row", "", "moved", 0, "state", "");
-  if (strcmp (wanted, "check"))
-    gsmbp__check_start (who, m, x, @impossible);
+  check = strcmp (wanted, "check");
+  if (d.nlam > 0 || d.nq != d.nu)
+    [x, start] = closed (who, m, t, x, check, start);
   endif
-  if (d.nlam == 0 && d.nq == d.nu)
-    return;
+  if (check)
+    within_margins (who, m, t, x);
   endif
+endfunction
+
+function within_margins (who, m, t, x)
+  list = gsmbp__margins (m, t, x', zeros (1, m.sizes.nv));
+  if (! isempty (list))
+    error ("gsmbp:start",
+           "%s: %s: a device cannot be there: %s; \"start\", \"project\" takes devices as they are",
+           who, m.name, strjoin ({list.said}, "; "));
+  endif
+endfunction
+
+## X on the constraints
+function [x, start] = closed (who, m, t, x, check, start)
+  d = m.sizes;
   no_zero_orientation (who, m, x);
   [names, scaled, found] = gsmbp__residuals (m, t, x);
   [start.residual, k] = max ([abs(scaled); 0]);
   start.row = [names; {""}]{k};
-  check = strcmp (wanted, "check");
   if (check && ! (start.residual <= 1e-6))
     refuse (who, m, t, ["found " gsmbp__worst(names, scaled, found, 1e-6)]);
   endif
@@ -32,10 +46,6 @@ function [x, start] = gsmbp__start (who, m, t, x, wanted)
   if (start.residual > 100 * eps || ! (check || seen))
     [x, start] = moved (who, m, t, x, check, start);
   endif
-endfunction
-
-function impossible (text)
-  error ("gsmbp:start", "%s; \"start\", \"project\" takes devices as they are", text);
 endfunction
 
 function refuse (who, m, t, found)

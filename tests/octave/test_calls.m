@@ -23,6 +23,8 @@ function test_calls ()
   no_orientation (gsmbp_fixture ("rolling_disc"), gsmbp_fixture ("batch_arm"));
   rank_once (gsmbp_fixture ("redundant_bricard"));
   meanings (models{1});
+  sentences (models);
+  provoked (models{1});
   damaged ();
   cut_modules ();
   altered ();
@@ -249,6 +251,65 @@ function meanings (m)
                ! isempty (strfind (gsmbp_complaint (@() gsmbp_inverse (short, ...
                                        gsmbp_plan ("quintic", [0, 3], [0, 1]), 0:0.1:1)), ...
                                    "(CLO: INFO = 3: the iteration did not converge)")));
+end
+
+## each number above 0 that the text of a subroutine sets is told in the JSON, and what the JSON
+## tells, the handles and the integrators have a sentence for
+function sentences (models)
+  said = unsaid = untold = {};
+  for k = 2:numel (models)
+    m = models{k};
+    file = fullfile (getenv ("GSMBP_TEST_DIR"), "fortran_out", [m.name ".f"]);
+    parts = regexp (fileread (file), "\n      SUBROUTINE ", "split")(2:end);
+    rows = m.json.subroutines;
+    if (! iscell (rows))
+      rows = num2cell (rows);
+    end
+    for row = rows(:)'
+      told = codes_of (row{1});
+      call = lower (row{1}.name(numel (m.name)+2:end));
+      own = parts(strncmp (parts, [row{1}.name "("], numel (row{1}.name) + 1)){1};
+      own = strjoin (regexp (own, "^ .*$", "match", "lineanchors", "dotexceptnewline"), "\n");
+      set = unique (str2double ([regexp(own, "INFO = (\\d+)", "tokens"){:}]));
+      for info = setdiff (set(set > 0), told)
+        untold{end+1} = sprintf ("%s %d", row{1}.name, info);
+      end
+      for info = told(told > 0)
+        text = m.module ("meaning", call, info);
+        said{end+1} = call;
+        if (! isempty (regexp (text, "no sentence")) || numel (strsplit (text)) < 5)
+          unsaid{end+1} = sprintf ("%s %d: %s", row{1}.name, info, text);
+        end
+      end
+    end
+  end
+  gsmbp_check (["INFO that is set is told in the JSON: " strjoin(untold, ", ")], isempty (untold));
+  gsmbp_check (["INFO that is told has a sentence: " strjoin(unsaid, ", ")], isempty (unsaid));
+  gsmbp_check (["... of " strjoin(unique (said), " ")], numel (unique (said)) >= 10);
+end
+
+function list = codes_of (row)
+  list = zeros (1, 0);
+  if (isfield (row, "info") && ! isempty (row.info))
+    list = [row.info.code];
+  end
+end
+
+## events that a user meets, as the errors of the handles
+function provoked (crank)
+  has = @(f, text) any (strfind (gsmbp_complaint (f), text));
+  short = gsmbp_set (crank, "l2", 0.1);
+  gsmbp_check ("CLO, loops that do not close", has (@() short.clo (0, [pi/2, 0, 0; zeros(2, 3)]), ...
+                                                    "clo: INFO = "));
+  light = gsmbp_set (crank, "m1", 0, "m2", 0, "m3", 0);
+  massless = "INFO = 1: the mass matrix is singular";
+  gsmbp_check ("FWD, RHS without mass", ...
+               [has(@() light.fwd (0, crank.initial(1:3), zeros (3, 1)), massless), ...
+                has(@() light.rhs (0, crank.initial), massless)]);
+  gsmbp_check ("PRJ, no position nearby", has (@() crank.prj (0, [0; 50; 100; 0; 0; 0]), ...
+                                               "INFO = 3: no position that closes the loops"));
+  gsmbp_check ("numbers without a sentence say where to look", ...
+               any (strfind (crank.module ("meaning", "rhs", 77), "ERROR INDICATOR")));
 end
 
 ## what is cut off, empty or of another derivation is an error that names the file
