@@ -250,7 +250,7 @@ allocate (run *s)
   s->project[1] = 2;
   s->project[2] = 0;
   s->watch[1] = s->watch[2] = 1;
-  s->watch[0] = 4;   /* as method 4, steps are not steered by how close they come to singular positions */
+  s->watch[0] = 4;   /* as method 4: steps are not steered by singular positions */
   s->y = N_VNew_Serial (nx, s->context);
   s->dense = N_VNew_Serial (nx, s->context);
   s->atol = N_VNew_Serial (nx, s->context);
