@@ -9,10 +9,10 @@ one clear error.
                                 verdicts to compare with
 
 Verdicts: valid, warned, refused; syntax: Maxima's parser, GSMBP never saw it. The others are
-faults: unnamed (an error of GSMBP that does not name the element), raw (Maxima's own error, or a routine's
-name), trace (Maxima's list of the functions that were being called), lisp, hang (40 s), asked (a
-question), half (half of a pair of files), wrong (accepted, but it does not compile or its result is
-not finite).
+faults: unnamed (an error of GSMBP that does not name the element), raw (Maxima's own error, or a
+routine's name), trace (Maxima's list of the functions that were being called), lisp, hang (40 s),
+asked (a question), half (half of a pair of files), wrong (accepted, but it does not compile or its
+result is not finite).
 """
 import json, os, re, select, shutil, subprocess, sys, tempfile, time
 from hand import CASES

@@ -86,7 +86,7 @@ share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ dir : \"$work/files/\
   printf(true, \"~%answers ~a ~a~%\", whole, nowhere)\$" &&
   grep -q '^answers true true' "$work/log"
 told $? 'a bad line or place is an error' "$work/log"
-check 'the error names the directory' grep -q "there is no directory .*/no/such/" "$work/log"
+check 'the error names the folder' grep -q "there is no folder .*/no/such/" "$work/log"
 cd "$work/files" || exit
 ls >"$report"
 [ "$(tr '\n' ' ' <"$report")" = 'kept.f pair pair.f ' ] && [ "$(cat kept.f)" = old ]

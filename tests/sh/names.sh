@@ -13,8 +13,9 @@ for f in $twice; do
 done
 none 'function is defined twice' "$calls"
 
-# Nor is a function defined both in Lisp and in Maxima, or twice in Lisp.
-defined=$(grep -hoE '^\(def(un|macro) \$?[A-Za-z_0-9-]+' $lisp | sed 's/^(def[a-z]* //' | sort)
+# Nor is a function defined both in Lisp and in Maxima, or twice in Lisp (but behind #+ and #-).
+defined=$(awk '/^#-/ { other = 1 }
+  /^\(def(un|macro) / { if (!other) print $2; other = 0 }' $lisp | sort)
 twice=$(echo "$defined" | uniq -d)
 both=$(for f in $(echo "$defined" | sed -n 's/^\$//p'); do
   grep -lE "^ *$f\(.*:=" $maxima | sed "s/^/$f in /"
