@@ -299,8 +299,8 @@ end
 function provoked (crank)
   has = @(f, text) any (strfind (gsmbp_complaint (f), text));
   short = gsmbp_set (crank, "l2", 0.1);
-  gsmbp_check ("CLO, loops that do not close", has (@() short.clo (0, [pi/2, 0, 0; zeros(2, 3)]), ...
-                                                    "clo: INFO = "));
+  open = [pi/2, 0, 0; zeros(2, 3)];
+  gsmbp_check ("CLO, loops that do not close", has (@() short.clo (0, open), "clo: INFO = "));
   light = gsmbp_set (crank, "m1", 0, "m2", 0, "m3", 0);
   massless = "INFO = 1: the mass matrix is singular";
   gsmbp_check ("FWD, RHS without mass", ...
