@@ -299,14 +299,14 @@ end
 function provoked (crank)
   has = @(f, text) any (strfind (gsmbp_complaint (f), text));
   short = gsmbp_set (crank, "l2", 0.1);
-  gsmbp_check ("CLO, loops that do not close",
-               has (@() short.clo (0, [pi/2, 0, 0; zeros(2, 3)]), "clo: INFO = "));
+  open = [pi/2, 0, 0; zeros(2, 3)];
+  gsmbp_check ("CLO, loops that do not close", has (@() short.clo (0, open), "clo: INFO = "));
   light = gsmbp_set (crank, "m1", 0, "m2", 0, "m3", 0);
   massless = "INFO = 1: the mass matrix is singular";
   gsmbp_check ("FWD, RHS without mass", ...
                [has(@() light.fwd (0, crank.initial(1:3), zeros (3, 1)), massless), ...
                 has(@() light.rhs (0, crank.initial), massless)]);
-  gsmbp_check ("PRJ, no position nearby", has (@() crank.prj (0, [0; 50; 100; 0; 0; 0]), ...
+  gsmbp_check ("PRJ, no position nearby", has (@() light.prj (0, [0; 50; 100; 0; 0; 0]), ...
                                                "INFO = 3: no position that closes the loops"));
   gsmbp_check ("numbers without a sentence say where to look", ...
                any (strfind (crank.module ("meaning", "rhs", 77), "ERROR INDICATOR")));
