@@ -159,15 +159,37 @@
 (defmspec $gsmbp__apart (form) (let ((e (cadr form))) (gsmbp-apart #'(lambda () (meval e)))))
 
 ;;; The public functions of the package, each with its body in that environment: what is called with
-;;; an expression sees it as the user gave it.
+;;; an expression sees it as the user gave it. They take any number of arguments, which
+;;; gsmbp__called counts.
 (defun $gsmbp__set_apart ()
   (dolist (f (cdr $functions))
     (let* ((name (caar f)) (text (string-upcase (symbol-name name))) (e (mget name 'mexpr)))
       (when (and (eql 0 (search "$GSMBP_" text)) (not (eql 0 (search "$GSMBP__" text))) e)
         (unless (and (consp (caddr e)) (eq (caar (caddr e)) '$gsmbp__apart))
+          (mputprop name e 'gsmbp-own)
           (mputprop name
                     (list (car e)
-                          (cadr e)
-                          (list '($gsmbp__apart)
-                                (if (cdddr e) (cons '(mprogn) (cddr e)) (caddr e)))) 'mexpr)))))
+                          '((mlist) ((mlist) $gsmbp__given))
+                          `(($gsmbp__apart)
+                            (($gsmbp__called) ((mquote) ,name) $gsmbp__given))) 'mexpr)))))
   '$done)
+
+;;; The own body of a public function on arguments that are as many as it takes, the first a scene
+;;; where it is one.
+(defun $gsmbp__called (name given)
+  (let* ((e (mget name 'gsmbp-own)) (args (cdr given)) (params (cdr (cadr e)))
+         (least (count-if #'atom params)))
+    (when (or (< (length args) least) (and (> (length args) least) (= least (length params))))
+      (gsmbp-miscounted name params least (length args)))
+    (when (eq (car params) '$scene)
+      (mfuncall '$gsmbp__need_scene (gsmbp-as-written name) (car args)))
+    (mapply1 e args name nil)))
+(defun gsmbp-miscounted (name params least found)
+  (mfuncall '$gsmbp__error (gsmbp-as-written name)
+    (format nil "expected ~:[~;at least ~]~a argument~:p, ~a(~{~a~^, ~}); found ~a"
+            (/= least (length params)) least (gsmbp-as-written name)
+            (mapcar #'(lambda (p) (if (atom p) (gsmbp-parameter p) "...")) params) found)))
+;;; a parameter as its function's comment has it
+(defun gsmbp-parameter (p)
+  (let ((text (gsmbp-as-written p)))
+    (if (eql 0 (search "gsmbp__" text)) "expression" text)))
