@@ -87,7 +87,9 @@ def pid(r, name):
             rates['I'] = k['Ki']*(ref-meas) + g/(1+g)*(out-raw)/k['Tt']
         return out
 
-    return 'pid', k, variant, own, ['reference', 'measured'], law
+    unused = ['Ki', 'Tt']*(not integral) + ['Kd', 'Tf', 'bd']*(not slope)
+    told = {x: k[x] for x in k if x not in unused}  # a gain that a variant does not use is refused
+    return 'pid', told, variant, own, ['reference', 'measured'], law
 
 
 def cascade(r, name):
@@ -104,7 +106,8 @@ def cascade(r, name):
         return out
 
     own = [] if variant == 'p' else ['I']
-    return 'cascade', k, variant, own, ['reference', 'measured', 'speed', 'forward'], law
+    told = {x: k[x] for x in k if variant != 'p' or x not in ('Ti', 'Tt')}
+    return 'cascade', told, variant, own, ['reference', 'measured', 'speed', 'forward'], law
 
 
 def state_feedback(r, name):
@@ -269,7 +272,9 @@ def sampled_pid(r):
             new['I'] = m['I'] + k['Ki']*k['T']*e + g/(1+g)*k['T']/k['Tt']*(out-raw)
         return {'out': out}, new
 
-    return 'digital_pid', k, variant, ['reference', 'measured'], law
+    unused = ['Ki', 'Tt']*(not integral) + ['Kd', 'Tf']*(not slope)
+    told = {x: k[x] for x in k if x not in unused}
+    return 'digital_pid', told, variant, ['reference', 'measured'], law
 
 
 def sampled_cascade(r):
@@ -289,7 +294,8 @@ def sampled_cascade(r):
             new['I'] = m['I'] + k['T']*(ev/k['Ti'] + g/(1+g)*(out-raw)/(k['ks']*k['Tt']))
         return {'out': out, 'error': v['reference'] - v['measured']}, new
 
-    return 'digital_cascade', k, variant, ['reference', 'measured', 'speed', 'forward'], law
+    told = {x: k[x] for x in k if variant != 'p' or x not in ('Ti', 'Tt')}
+    return 'digital_cascade', told, variant, ['reference', 'measured', 'speed', 'forward'], law
 
 
 def sampled_encoder(r):
