@@ -37,8 +37,11 @@ C
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), XD(*), W(*),
      $                   P(*), RSTAT(*)
       EXTERNAL           GSFUT
+      DOUBLE PRECISION   TV, TF
 C
-      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, T, T, SIDE, X, NQ,
+      TV = T
+      TF = T
+      CALL GSFUT( RHS, CON, KIN, CMD, CLO, VIN, T, TV, TF, SIDE, X, NQ,
      $            NU, NX, NV, NLAM, IP, RP, CST, V, XD, W, P, ISTAT,
      $            RSTAT, INFO )
       END

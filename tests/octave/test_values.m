@@ -42,7 +42,8 @@ function test_values ()
   dots = told (@() gsmbp_trim (m, m.initial, 0, "hold", {"M.i"}, "free", {"no"}));
   lines = told (@() gsmbp_trim (m, m.initial, 0, "hold", {"M_i"}, "free", {"no"}));
   gsmbp_check ("values: M_i is M.i", ...
-               strcmp (dots, lines) && ! isempty (strfind (dots, "no is not an input")));
+               strcmp (dots, lines) ...
+               && ! isempty (strfind (dots, "expected the name of an input, found \"no\"")));
 endfunction
 
 function text = told (f)
