@@ -132,7 +132,7 @@ worst = back.audit.error;
 slides = {{"mass", 1}, {"mass", 1.5, "fc", 1.4, "fs", 2.1, "fv", 26}};
 still = repmat (rest, numel (t), 1);
 command = held (axis_, plan, t);
-off = {"kp", 0, "ki", 0, "kd", 0};
+off = {"kp", 1e-20, "ki", 0, "kd", 0};   # a proportional gain must be above 0
 cases = {"controller alone", {}, still; "command alone", off, command; "both", {}, command};
 printf ("\nfollowing the plan, sampled each %g ms, %g ms late\n", 1e3 * [m.par.period, m.par.late]);
 printf ("%-18s %22s %16s %22s %16s %12s %18s\n", "", "as planned: error [mm]", "at 1.8 s [mm]", ...
