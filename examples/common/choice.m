@@ -12,5 +12,5 @@ function choice (file, arguments)
     error ("choice: gsmbp_choose failed, see %s", log);
   endif
   text = fileread (log);
-  puts (text(strfind (text, "device, variant"):strfind (text, "gsmbp__exit") - 1));
+  puts (text(strfind (text, "device, variant"):strfind (text, "gs__exit") - 1));
 endfunction

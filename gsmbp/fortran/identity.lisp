@@ -3,7 +3,7 @@
 
 ;;; Sum of a list of lines as Adler-32 forms it (RFC 1950), of their ASCII characters and a newline
 ;;; each: "b a" in decimal digits
-(defun $gsmbp__checksum (lines)
+(defun $gs__checksum (lines)
   (let ((a 1) (b 0))
     (declare (fixnum a b))
     (flet ((add (code)
@@ -17,7 +17,7 @@
 ;;; Hash of an expression as FNV-1a forms it (64 bits; Fowler, Noll, Vo; prime 1099511628211), of
 ;;; the names, numbers and texts in it and the parentheses around its operators and arguments: 16
 ;;; hexadecimal digits. Flags that the simplifier leaves on an operator do not count.
-(defun $gsmbp__tree_hash (expression)
+(defun $gs__tree_hash (expression)
   (let ((hash #xcbf29ce484222325))
     (labels ((add (text)
                (map nil
@@ -35,10 +35,10 @@
                       (add ")"))
                      ((symbolp e) (add (symbol-name e)) (add " "))
                      ((stringp e) (add "\"") (add e) (add "\""))
-                     (t (add (gsmbp-hashed-number e)) (add " ")))))
+                     (t (add (gs-hashed-number e)) (add " ")))))
       (walk expression))
     (format nil "~(~16,'0x~)" hash)))
 
 ;;; the digits of a number, whatever base the session prints in
-(defun gsmbp-hashed-number (x)
+(defun gs-hashed-number (x)
   (with-standard-io-syntax (prin1-to-string (if (floatp x) (rational x) x))))

@@ -3,11 +3,11 @@
 (in-package :maxima)
 
 ;;; what an entry [symbol, expression, block] of the code sets: a symbol, or the two of a pair
-(defun gsmbp-set-by (entry)
+(defun gs-set-by (entry)
   (let ((s (cadr entry))) (if (consp s) (remove '$idle (cdr s)) (list s))))
 
 ;;; true if the code is assignments to symbols only
-(defun $gsmbp__is_straight (code)
+(defun $gs__is_straight (code)
   (every #'(lambda (c) (and (cadr c) (not (stringp (cadr c))) (not (stringp (caddr c)))))
          (cdr code)))
 
@@ -15,24 +15,24 @@
 ;;; most `size` assignments: [words, [code, results, loads], ...]. What a later part needs is a
 ;;; result of the part that finds it and a load [symbol, place] of the other: in the place of a
 ;;; result where it is one, else in WRK(1 ... words).
-(defun $gsmbp__cut_code (code results size)
+(defun $gs__cut_code (code results size)
   (let* ((code (coerce (cdr code) 'simple-vector)) (n (length code))
          (found (make-hash-table :test #'eq)) (last (make-hash-table :test #'eq))
          (due (make-array n :initial-element nil)))
-    (dotimes (i n) (dolist (s (gsmbp-set-by (svref code i))) (setf (gethash s found) i)))
+    (dotimes (i n) (dolist (s (gs-set-by (svref code i))) (setf (gethash s found) i)))
     (flet ((needs (e i)
-             (dolist (s (cdr ($gsmbp__symbols e)))
+             (dolist (s (cdr ($gs__symbols e)))
                (when (gethash s found) (setf (gethash s last) (max i (gethash s last 0)))))))
       (dotimes (i n) (needs (caddr (svref code i)) i))
       (dolist (r (cdr results))
         (let ((i 0))
-          (dolist (s (cdr ($gsmbp__symbols (caddr r)))) (setq i (max i (gethash s found 0))))
+          (dolist (s (cdr ($gs__symbols (caddr r)))) (setq i (max i (gethash s found 0))))
           (needs (caddr r) i)
           (push r (svref due i)))))
-    (gsmbp-parts code due found last (gsmbp-cuts due (gsmbp-crossing n found last) size))))
+    (gs-parts code due found last (gs-cuts due (gs-crossing n found last) size))))
 
 ;;; how many symbols cross between the entries i and i + 1, by i
-(defun gsmbp-crossing (n found last)
+(defun gs-crossing (n found last)
   (let ((live (make-array (1+ n) :initial-element 0)) (sum 0))
     (maphash
       #'(lambda (s i)
@@ -42,7 +42,7 @@
 
 ;;; For every entry the number of its part. A cut lies where least crosses between six tenths of a
 ;;; part and a whole one.
-(defun gsmbp-cuts (due live size)
+(defun gs-cuts (due live size)
   (let* ((n (length due)) (part (make-array n)) (weight (make-array (1+ n) :initial-element 0))
          (from 0) (k 0))
     (dotimes (i n) (setf (svref weight (1+ i)) (+ (svref weight i) 1 (length (svref due i)))))
@@ -61,7 +61,7 @@
           (when (= from n) (return part)))))))
 
 ;;; the parts themselves
-(defun gsmbp-parts (code due found last part)
+(defun gs-parts (code due found last part)
   (let* ((n (length code)) (count (1+ (svref part (1- n)))) (words 0)
          (place (make-hash-table :test #'eq)) (codes (make-array count :initial-element nil))
          (results (make-array count :initial-element nil))
@@ -73,26 +73,26 @@
              (dolist (s symbols)
                (let ((i (gethash s found)))
                  (when (and i (< (svref part i) k))
-                   (pushnew (gsmbp-list (list s (gethash s place))) (svref loads k) :key
+                   (pushnew (gs-list (list s (gethash s place))) (svref loads k) :key
                             #'cadr))))))
       (dotimes (i n)
         (let ((k (svref part i)))
           (push (svref code i) (svref codes k))
-          (load-into k (cdr ($gsmbp__symbols (caddr (svref code i)))))
+          (load-into k (cdr ($gs__symbols (caddr (svref code i)))))
           (dolist (r (reverse (svref due i)))
             (let ((e (caddr r)))
               (push r (svref results k))
-              (load-into k (cdr ($gsmbp__symbols e)))
+              (load-into k (cdr ($gs__symbols e)))
               (when (and (symbolp e)
                          (crosses e)
                          (not (gethash e place))
                          (= k (svref part (gethash e found))))
                 (setf (gethash e place) (cadr r)))))
-          (dolist (s (gsmbp-set-by (svref code i)))
+          (dolist (s (gs-set-by (svref code i)))
             (when (and (crosses s) (not (gethash s place)))
               (setf (gethash s place) (format nil "WRK(~d)" (incf words)))
-              (push (gsmbp-list (list (gethash s place) s)) (svref results k)))))))
-    (gsmbp-list
+              (push (gs-list (list (gethash s place) s)) (svref results k)))))))
+    (gs-list
       (cons words
             (loop
               for
@@ -100,6 +100,6 @@
               below
               count
               collect
-              (gsmbp-list
-                (mapcar #'(lambda (l) (gsmbp-list (reverse (svref l k))))
+              (gs-list
+                (mapcar #'(lambda (l) (gs-list (reverse (svref l k))))
                         (list codes results loads))))))))

@@ -2,126 +2,126 @@
 (in-package :maxima)
 
 ;;; target = expression, as one statement if 20 lines hold it
-(defun $gsmbp__assign (target e)
-  (let* ((tally ($gsmbp__tally))
-         (lines ($gsmbp__assignment target ($gsmbp__signed_pieces ($gsmbp__signed_terms e)))))
-    (cond ((<= (length (cdr lines)) 20) ($gsmbp__push lines))
-          (t ($gsmbp__set_tally tally) (gsmbp-assign-long target e)))))
+(defun $gs__assign (target e)
+  (let* ((tally ($gs__tally))
+         (lines ($gs__assignment target ($gs__signed_pieces ($gs__signed_terms e)))))
+    (cond ((<= (length (cdr lines)) 20) ($gs__push lines))
+          (t ($gs__set_tally tally) (gs-assign-long target e)))))
 
 ;;; the lines of one entry [target, expression, block] of the code
-(defun gsmbp-code-line (c)
+(defun gs-code-line (c)
   (destructuring-bind (s e heading) (cdr c)
-    (unless (equal heading $gsmbp__block) (gsmbp-open-block heading))
-    (cond ((consp s) (gsmbp-sine-call s e))
+    (unless (equal heading $gs__block) (gs-open-block heading))
+    (cond ((consp s) (gs-sine-call s e))
           ((and s (symbolp s) (not (stringp e)))
-           (let ((n (gsmbp-target s)))
-             ($gsmbp__assign n e)
-             (setf (gethash s $gsmbp__names) n)))
-          (t (gsmbp-code-text s e)))))
+           (let ((n (gs-target s)))
+             ($gs__assign n e)
+             (setf (gethash s $gs__names) n)))
+          (t (gs-code-text s e)))))
 
 ;;; the variable of a symbol, a new one if it has none
-(defun gsmbp-target (s)
-  (or (gethash s $gsmbp__names)
-      (let ((n ($gsmbp__fresh s))) ($gsmbp__own_name n) n)))
+(defun gs-target (s)
+  (or (gethash s $gs__names)
+      (let ((n ($gs__fresh s))) ($gs__own_name n) n)))
 
 ;;; a comment line where another block begins
-(defun gsmbp-open-block (heading)
+(defun gs-open-block (heading)
   (when (member heading '($trig "trig") :test #'equal) (setq heading "sines and cosines"))
-  (when (and (stringp heading) (string/= heading "") (not (equal heading $gsmbp__block)))
-    ($gsmbp__push ($gsmbp__filled heading "C     -- " "C        ")))
-  (setq $gsmbp__block heading))
+  (when (and (stringp heading) (string/= heading "") (not (equal heading $gs__block)))
+    ($gs__push ($gs__filled heading "C     -- " "C        ")))
+  (setq $gs__block heading))
 
 ;;; an assignment to what is given as text, or a right side or a statement that is text
-(defun gsmbp-code-text (s e)
-  (let ((n (if (and s (not (stringp s))) (setf (gethash s $gsmbp__names) (gsmbp-target s)) s)))
-    (cond ((not (stringp e)) ($gsmbp__assign n e))
-          (t (when s (setq e (gsmbp-text n " = " e)))
-             (mfuncall '$gsmbp__count_raw (gsmbp-list (list e)))
-             ($gsmbp__push (mfuncall '$gsmbp__raw_lines e))))))
+(defun gs-code-text (s e)
+  (let ((n (if (and s (not (stringp s))) (setf (gethash s $gs__names) (gs-target s)) s)))
+    (cond ((not (stringp e)) ($gs__assign n e))
+          (t (when s (setq e (gs-text n " = " e)))
+             (mfuncall '$gs__count_raw (gs-list (list e)))
+             ($gs__push (mfuncall '$gs__raw_lines e))))))
 
-(defun gsmbp-assign-long (target e)
-  (if (gsmbp-sum-p e) (gsmbp-assign-sum target e) ($gsmbp__assign target (gsmbp-shortened e))))
+(defun gs-assign-long (target e)
+  (if (gs-sum-p e) (gs-assign-sum target e) ($gs__assign target (gs-shortened e))))
 
 ;;; length of an expression as text; counts nothing
-(defun gsmbp-text-length (e)
-  (let ((tally ($gsmbp__tally)))
-    (prog1 (length ($gsmbp__sum_text e)) ($gsmbp__set_tally tally))))
+(defun gs-text-length (e)
+  (let ((tally ($gs__tally)))
+    (prog1 (length ($gs__sum_text e)) ($gs__set_tally tally))))
 
 ;;; a new symbol whose variable holds the expression
-(defun gsmbp-part (e)
-  (let* ((k (incf $gsmbp__parts)) (s ($concat '$gsmbp__part_ k))
-         (n ($gsmbp__fresh (gsmbp-text "PART" (format nil "~d" k)))))
-    ($gsmbp__own_name n)
-    ($gsmbp__assign n e)
-    (setf (gethash s $gsmbp__names) n)
+(defun gs-part (e)
+  (let* ((k (incf $gs__parts)) (s ($concat '$gs__part_ k))
+         (n ($gs__fresh (gs-text "PART" (format nil "~d" k)))))
+    ($gs__own_name n)
+    ($gs__assign n e)
+    (setf (gethash s $gs__names) n)
     s))
 
 ;;; A long sum in partial sums of some 700 characters, in the target itself: 20 lines hold that,
 ;;; whatever the names are.
-(defun gsmbp-assign-sum (target e)
-  (let ((e (gsmbp-mapped #'(lambda (x) (if (> (gsmbp-text-length x) 600) (gsmbp-part x) x)) e))
+(defun gs-assign-sum (target e)
+  (let ((e (gs-mapped #'(lambda (x) (if (> (gs-text-length x) 600) (gs-part x) x)) e))
         (chunk nil) (size 0) (so-far nil))
-    (if (not (gsmbp-sum-p e)) ($gsmbp__assign target e)
-      (dolist (x (cdr ($gsmbp__signed_terms e)) (gsmbp-push-sum target so-far (reverse chunk)))
+    (if (not (gs-sum-p e)) ($gs__assign target e)
+      (dolist (x (cdr ($gs__signed_terms e)) (gs-push-sum target so-far (reverse chunk)))
         (let ((wide (length (caddr x))))
           (when (> (+ size wide) 700)
-            (gsmbp-push-sum target so-far (reverse chunk))
+            (gs-push-sum target so-far (reverse chunk))
             (setq so-far target chunk nil size 0))
           (push x chunk)
           (incf size (+ wide 3)))))))
 
-(defun gsmbp-mapped (f e) (simplifya (cons (list (caar e)) (mapcar f (cdr e))) nil))
+(defun gs-mapped (f e) (simplifya (cons (list (caar e)) (mapcar f (cdr e))) nil))
 
 ;;; a partial sum, as several statements where one would need more than 20 lines
-(defun gsmbp-push-sum (target so-far terms)
-  (let ((lines (gsmbp-partial-sum target so-far terms)) (n (length terms)))
-    (if (or (<= (length (cdr lines)) 20) (= n 1)) ($gsmbp__push lines)
+(defun gs-push-sum (target so-far terms)
+  (let ((lines (gs-partial-sum target so-far terms)) (n (length terms)))
+    (if (or (<= (length (cdr lines)) 20) (= n 1)) ($gs__push lines)
       (let ((half (floor n 2)))
-        (gsmbp-push-sum target so-far (subseq terms 0 half))
-        (gsmbp-push-sum target target (subseq terms half))))))
+        (gs-push-sum target so-far (subseq terms 0 half))
+        (gs-push-sum target target (subseq terms half))))))
 
-(defun gsmbp-partial-sum (target so-far terms)
-  (let ((terms (if so-far (cons (gsmbp-list (list "+" so-far)) terms) terms)))
-    ($gsmbp__assignment target ($gsmbp__signed_pieces (gsmbp-list terms)))))
+(defun gs-partial-sum (target so-far terms)
+  (let ((terms (if so-far (cons (gs-list (list "+" so-far)) terms) terms)))
+    ($gs__assignment target ($gs__signed_pieces (gs-list terms)))))
 
 ;;; a product, power or call whose long parts are variables
-(defun gsmbp-shortened (e)
+(defun gs-shortened (e)
   (let ((n (length (cdr e))))
-    (if (and (gsmbp-product-p e) (> n 12))
+    (if (and (gs-product-p e) (> n 12))
         (let ((half (floor n 2)))
-          (mul (gsmbp-part (muln (subseq (cdr e) 0 half) nil))
-               (gsmbp-part (muln (subseq (cdr e) half) nil))))
-      (gsmbp-mapped #'(lambda (x)
-                        (cond ((or ($mapatom x) (<= (gsmbp-text-length x) 31)) x)
-                              ((gsmbp-power-p x) (gsmbp-shortened x))
-                              (t (gsmbp-part x))))
-                    e))))
+          (mul (gs-part (muln (subseq (cdr e) 0 half) nil))
+               (gs-part (muln (subseq (cdr e) half) nil))))
+      (gs-mapped #'(lambda (x)
+                     (cond ((or ($mapatom x) (<= (gs-text-length x) 31)) x)
+                           ((gs-power-p x) (gs-shortened x))
+                           (t (gs-part x))))
+                 e))))
 
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
-(defun gsmbp-sine-call (pair angle)
-  (let ((names (mapcar #'gsmbp-target (cdr pair))))
-    (incf $gsmbp__trig (count '$idle (cdr pair) :test-not #'eq))
-    ($gsmbp__push
-      ($gsmbp__packed_lines
-        (gsmbp-list
-          (list (gsmbp-text "CALL GSSC( " ($gsmbp__sum_text angle) ", ")
+(defun gs-sine-call (pair angle)
+  (let ((names (mapcar #'gs-target (cdr pair))))
+    (incf $gs__trig (count '$idle (cdr pair) :test-not #'eq))
+    ($gs__push
+      ($gs__packed_lines
+        (gs-list
+          (list (gs-text "CALL GSSC( " ($gs__sum_text angle) ", ")
                 (car names)
                 ", "
                 (cadr names)
                 " )"))))
-    (mapc #'(lambda (s n) (setf (gethash s $gsmbp__names) n)) (cdr pair) names)))
+    (mapc #'(lambda (s n) (setf (gethash s $gs__names) n)) (cdr pair) names)))
 
 ;;; The code with [[sine, cosine], angle, block] in the place of the first of the entries under the
 ;;; heading trig that are the sine or cosine of an angle.
-(defun $gsmbp__sine_pairs (code)
+(defun $gs__sine_pairs (code)
   (let ((pairs nil) (kept nil))
-    (dolist (c (cdr code) (gsmbp-list (nreverse kept)))
+    (dolist (c (cdr code) (gs-list (nreverse kept)))
       (destructuring-bind (s e heading) (cdr c)
         (if (not (and (eq heading '$trig) (consp e) (member (caar e) '(%sin %cos)))) (push c kept)
           (let ((p (assoc (cadr e) pairs :test #'alike1)))
             (unless p
-              (push (setq p (cons (cadr e) (gsmbp-list (list '$idle '$idle)))) pairs)
-              (push (gsmbp-list (list (cdr p) (cadr e) heading)) kept))
+              (push (setq p (cons (cadr e) (gs-list (list '$idle '$idle)))) pairs)
+              (push (gs-list (list (cdr p) (cadr e) heading)) kept))
             (setf (nth (if (eq (caar e) '%sin) 1 2) (cdr p)) s)))))))
 
-(defun $gsmbp__code_lines (code) (dolist (c (cdr code)) (gsmbp-code-line c)))
+(defun $gs__code_lines (code) (dolist (c (cdr code)) (gs-code-line c)))

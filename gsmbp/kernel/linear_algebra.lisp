@@ -3,18 +3,18 @@
 ;;; is Fortran; this only has to be quick enough.)
 (in-package :maxima)
 
-(defun gsmbp-rows (m)
+(defun gs-rows (m)
   (mapcar #'(lambda (r)
               (coerce (mapcar #'(lambda (x) (coerce x 'double-float)) (cdr r)) 'simple-vector))
           (cdr m)))
 
-(defun gsmbp-dot (a b)
+(defun gs-dot (a b)
   (let ((s 0.0d0))
     (dotimes (i (length a) s) (incf s (* (svref a i) (svref b i))))))
 
-;;; gsmbp__damped(J, phi, mu): -J' (J J' + mu 1)^-1 phi, the shortest damped step towards phi = 0.
-(defun $gsmbp__damped (j phi mu)
-  (let* ((rows (coerce (gsmbp-rows j) 'simple-vector)) (m (length rows)) (n (length (svref rows 0)))
+;;; gs__damped(J, phi, mu): -J' (J J' + mu 1)^-1 phi, the shortest damped step towards phi = 0.
+(defun $gs__damped (j phi mu)
+  (let* ((rows (coerce (gs-rows j) 'simple-vector)) (m (length rows)) (n (length (svref rows 0)))
          (c (make-array (list m m) :initial-element 0.0d0))
          (y (coerce (mapcar #'(lambda (x) (- (coerce x 'double-float))) (cdr phi)) 'simple-vector))
          (dx (make-array n :initial-element 0.0d0)))
@@ -22,7 +22,7 @@
       (do ((k 0 (1+ k)))
           ((> k i))
         (setf (aref c i k)
-              (+ (gsmbp-dot (svref rows i) (svref rows k))
+              (+ (gs-dot (svref rows i) (svref rows k))
                  (if (= i k) (coerce mu 'double-float) 0.0d0)))))
     (dotimes (k m)  ; Cholesky, in place
       (do ((l 0 (1+ l)))
@@ -43,7 +43,7 @@
 ;;; The numbers of the rows that do not depend on those before them, by elimination: `pivot` gives
 ;;; the place of a row's pivot, or false where nothing is left of it; x less s times y is (minus x s
 ;;; y), y over d (over y d). Zeros are passed over.
-(defun gsmbp-independent (rows pivot minus over)
+(defun gs-independent (rows pivot minus over)
   (let ((basis nil) (kept nil) (number 0))
     (dolist (r rows)
       (incf number)
@@ -63,37 +63,37 @@
             (push number kept)))))
     (cons '(mlist) (nreverse kept))))
 
-(defun gsmbp-largest (r)
+(defun gs-largest (r)
   (let ((p 0))
     (dotimes (i (length r) p) (when (> (abs (svref r i)) (abs (svref r p))) (setq p i)))))
 
-;;; gsmbp__independent_rows(A, tol), floats: what is left of a row must be above tol times its size.
-(defun $gsmbp__independent_rows (a tol)
-  (gsmbp-independent
-    (gsmbp-rows a)
+;;; gs__independent_rows(A, tol), floats: what is left of a row must be above tol times its size.
+(defun $gs__independent_rows (a tol)
+  (gs-independent
+    (gs-rows a)
     #'(lambda (r before)
-        (let ((p (gsmbp-largest r)))
-          (and (> (abs (svref r p)) (* tol (abs (svref before (gsmbp-largest before))))) p)))
+        (let ((p (gs-largest r)))
+          (and (> (abs (svref r p)) (* tol (abs (svref before (gs-largest before))))) p)))
     #'(lambda (x s y) (- x (* s y))) #'/))
 
-;;; gsmbp__exact_independent(A), rational numbers: in the field of a prime, where they do not grow.
+;;; gs__exact_independent(A), rational numbers: in the field of a prime, where they do not grow.
 ;;; (A rank found too small would need a minor that the prime 2^31 - 1 divides.)
-(defconstant gsmbp-prime 2147483647)
+(defconstant gs-prime 2147483647)
 
-(defun gsmbp-inverse (x)                ; Fermat
-  (let ((y 1) (n (- gsmbp-prime 2)))
+(defun gs-inverse (x)                ; Fermat
+  (let ((y 1) (n (- gs-prime 2)))
     (do () ((zerop n) y)
-      (when (oddp n) (setq y (mod (* y x) gsmbp-prime)))
-      (setq x (mod (* x x) gsmbp-prime) n (ash n -1)))))
+      (when (oddp n) (setq y (mod (* y x) gs-prime)))
+      (setq x (mod (* x x) gs-prime) n (ash n -1)))))
 
-(defun gsmbp-residue (x)
+(defun gs-residue (x)
   (if (consp x)
-      (mod (* (mod (cadr x) gsmbp-prime) (gsmbp-inverse (mod (caddr x) gsmbp-prime))) gsmbp-prime)
-      (mod x gsmbp-prime)))
+      (mod (* (mod (cadr x) gs-prime) (gs-inverse (mod (caddr x) gs-prime))) gs-prime)
+      (mod x gs-prime)))
 
-(defun $gsmbp__exact_independent (a)
-  (gsmbp-independent
-    (mapcar #'(lambda (r) (coerce (mapcar #'gsmbp-residue (cdr r)) 'simple-vector)) (cdr a))
+(defun $gs__exact_independent (a)
+  (gs-independent
+    (mapcar #'(lambda (r) (coerce (mapcar #'gs-residue (cdr r)) 'simple-vector)) (cdr a))
     #'(lambda (r before) (declare (ignore before)) (position-if-not #'zerop r))
-    #'(lambda (x s y) (mod (- x (* s y)) gsmbp-prime))
-    #'(lambda (y d) (mod (* y (gsmbp-inverse d)) gsmbp-prime))))
+    #'(lambda (x s y) (mod (- x (* s y)) gs-prime))
+    #'(lambda (y d) (mod (* y (gs-inverse d)) gs-prime))))

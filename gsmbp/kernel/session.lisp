@@ -8,7 +8,7 @@
 
 ;;; Options that say nothing about expressions and stay the user's: what is shown and where, where
 ;;; files are, what Maxima notes down.
-(defvar *gsmbp-kept-options*
+(defvar *gs-kept-options*
   '($_ $__ $% $%% $piece $askexp $linenum $labels tr-unique $values $infolists $aliases $features
        $myoptions $notes $functions $macros $arrays $props $structures $rules $gradefs $dependencies
        $let_rule_packages $current_let_rule_package $default_let_rule_package $context $contexts
@@ -16,26 +16,26 @@
        $linel $ttyoff $showtime $prompt $inchar $linechar $outchar $leftjust $announce_rules_firing
        $setcheck $optionset $ratprint $setcheckbreak $refcheck $storenum $disptime $timer $trace
        $tempdir $logfile))
-(defvar *gsmbp-kept-stems*
+(defvar *gs-kept-stems*
   '("$FILE" "$MAXIMA_" "$LOAD" "$GNUPLOT" "$PLOT" "$TESTSUITE" "$SHARE_TESTSUITE" "$TRACE" "$TIMER"
             "$GSMBP" "$TTY" "$IN_NETMATH" "$DRAW"))
 
-(defun gsmbp-kept-p (s)
-  (or (member s *gsmbp-kept-options* :test #'eq)
+(defun gs-kept-p (s)
+  (or (member s *gs-kept-options* :test #'eq)
       (let ((name (symbol-name s)))
         (or ; variables of Maxima's own
             (not (or (find (char name 0) "$%") (eq s 'modulus)))
             (some #'(lambda (stem)
                       (and (<= (length stem) (length name))
-                           (string-equal stem name :end2 (length stem)))) *gsmbp-kept-stems*)))))
+                           (string-equal stem name :end2 (length stem)))) *gs-kept-stems*)))))
 
 ;;; the options whose values are not those that Maxima starts with, as (names . first values);
 ;;; Maxima's reset() uses the same table
-(defun gsmbp-changed-options ()
+(defun gs-changed-options ()
   (let ((names nil) (values nil))
     (maphash
       #'(lambda (s v)
-          (unless (or (not (boundp s)) (equal (symbol-value s) v) (gsmbp-kept-p s))
+          (unless (or (not (boundp s)) (equal (symbol-value s) v) (gs-kept-p s))
             (push s names)
             (push v values)))
       *variable-initial-values*)
@@ -45,20 +45,20 @@
 
 ;;; what declare, depends and gradef leave on a symbol: of its properties, of those of Maxima's own
 ;;; list
-(defvar *gsmbp-declared* '(bindtest evflag evfun))
-(defvar *gsmbp-declared-more*
+(defvar *gs-declared* '(bindtest evflag evfun))
+(defvar *gs-declared-more*
   '($mainvar $scalar $nonscalar $constant $nonarray depends $atomgrad atvalues))
 
-(defun gsmbp-without (plist keys)
+(defun gs-without (plist keys)
   (loop for (k v) on plist by #'cddr unless (member k keys :test #'eq) append (list k v)))
-(defun gsmbp-undeclared (plist)
-  (let ((mprops (getf plist 'mprops)) (rest (gsmbp-without plist (cons 'mprops *gsmbp-declared*))))
+(defun gs-undeclared (plist)
+  (let ((mprops (getf plist 'mprops)) (rest (gs-without plist (cons 'mprops *gs-declared*))))
     (if mprops
-        (list* 'mprops (cons (car mprops) (gsmbp-without (cdr mprops) *gsmbp-declared-more*)) rest)
+        (list* 'mprops (cons (car mprops) (gs-without (cdr mprops) *gs-declared-more*)) rest)
         rest)))
 
 ;;; the symbols to which the user has given properties, each with these
-(defun gsmbp-declared-symbols ()
+(defun gs-declared-symbols ()
   (let ((found nil))
     (flet ((note (s)
              (when (and (symbolp s)
@@ -71,13 +71,13 @@
 
 ;;; ------------------------------------------------------------------------------------------ facts
 
-(defun gsmbp-facts-p ()
+(defun gs-facts-p ()
   (or (cdr $activecontexts)
       (some #'(lambda (c) (and (not (eq c '$global)) (cdr ($facts c)))) (cdr $contexts))))
 
 ;;; f called where no fact holds but those that Maxima begins with
-(defun gsmbp-without-facts (f)
-  (if (not (gsmbp-facts-p)) (funcall f)
+(defun gs-without-facts (f)
+  (if (not (gs-facts-p)) (funcall f)
     (let ((before $context) (active (cdr $activecontexts)) (own (gensym "$GSMBP__FACTS")))
       (dolist (c active) ($deactivate c))
       ($supcontext own '$global)
@@ -88,30 +88,30 @@
 
 ;;; ----------------------------------------------------------------------------- what is in the way
 
-(defvar *gsmbp-operators*
+(defvar *gs-operators*
   '(mplus mtimes mexpt mminus mquotient mabs rat %sin %cos %tan %asin %acos %atan $atan2 %atan2
           %sinh %cosh %tanh %log %exp %sqrt $max $min %max %min %signum mequal mlist))
 
-(defun gsmbp-refuse (what)
-  (mfuncall '$gsmbp__error "gsmbp" (concatenate 'string "expected a session without " what)))
-(defun gsmbp-shown (op)
+(defun gs-refuse (what)
+  (mfuncall '$gs__error "gsmbp" (concatenate 'string "expected a session without " what)))
+(defun gs-shown (op)
   (let ((s (or (get op 'op) (get op 'reversealias) op)))
     (if (stringp s) (format nil "\"~a\"" s) (coerce (mstring s) 'string))))
 
-(defun gsmbp-check-session ()
+(defun gs-check-session ()
   (dolist (r (cdr $rules))
     (let ((op (mget r 'ruleof)))
-      (when (member op *gsmbp-operators* :test #'eq)
-        (gsmbp-refuse
-          (format nil "rules of tellsimp on ~a; remrule(~a, all) takes ~a away" (gsmbp-shown op)
-                  (gsmbp-shown op) (coerce (mstring r) 'string))))))
+      (when (member op *gs-operators* :test #'eq)
+        (gs-refuse
+          (format nil "rules of tellsimp on ~a; remrule(~a, all) takes ~a away" (gs-shown op)
+                  (gs-shown op) (coerce (mstring r) 'string))))))
   (dolist (g (cdr $gradefs))
-    (when (member (caar g) *gsmbp-operators* :test #'eq)
-      (gsmbp-refuse (format nil "a gradef of ~a of your own" (gsmbp-shown (caar g))))))
-  (when (gsmbp-ordered-p)
-    (gsmbp-refuse "an order of symbols by orderless or ordergreat; unorder() takes it away")))
+    (when (member (caar g) *gs-operators* :test #'eq)
+      (gs-refuse (format nil "a gradef of ~a of your own" (gs-shown (caar g))))))
+  (when (gs-ordered-p)
+    (gs-refuse "an order of symbols by orderless or ordergreat; unorder() takes it away")))
 ;;; Maxima gives ordered symbols other names, _101q1
-(defun gsmbp-ordered-p ()
+(defun gs-ordered-p ()
   (or (and (boundp 'lessorder) (symbol-value 'lessorder))
       (and (boundp 'greatorder) (symbol-value 'greatorder))
       (and (boundp '*lessorder*) (symbol-value '*lessorder*))
@@ -122,7 +122,7 @@
 ;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any
 ;;; other: errcatch, and Maxima's own handlers in charat, substring and float, would take it for a
 ;;; failure of what they try, and go on.
-(defun gsmbp-interruptible (f)
+(defun gs-interruptible (f)
   #-gcl (funcall f)
   #+gcl
   (let ((before (symbol-function 'si::terminal-interrupt)))
@@ -139,57 +139,57 @@
 
 ;;; -------------------------------------------------------------------------------- the environment
 
-(defvar *gsmbp-apart* nil)
+(defvar *gs-apart* nil)
 
-(defun gsmbp-apart (f)
-  (if *gsmbp-apart*
+(defun gs-apart (f)
+  (if *gs-apart*
       (funcall f)
-      (let ((*gsmbp-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
-            (mark (cons bindlist loclist)) (changed (gsmbp-changed-options)))
+      (let ((*gs-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
+            (mark (cons bindlist loclist)) (changed (gs-changed-options)))
         (unwind-protect (progn
           (mbind (car changed) (cdr changed) nil)
-          (gsmbp-check-session)
-          (setq declared (gsmbp-declared-symbols))
-          (dolist (d declared) (setf (symbol-plist (car d)) (gsmbp-undeclared (cdr d))))
-          (gsmbp-interruptible #'(lambda () (gsmbp-without-facts f))))
+          (gs-check-session)
+          (setq declared (gs-declared-symbols))
+          (dolist (d declared) (setf (symbol-plist (car d)) (gs-undeclared (cdr d))))
+          (gs-interruptible #'(lambda () (gs-without-facts f))))
           (errlfun1 mark)
           (dolist (d declared) (setf (symbol-plist (car d)) (cdr d)))))))
 
-;;; gsmbp__apart(e): e evaluated in that environment
-(defmspec $gsmbp__apart (form) (let ((e (cadr form))) (gsmbp-apart #'(lambda () (meval e)))))
+;;; gs__apart(e): e evaluated in that environment
+(defmspec $gs__apart (form) (let ((e (cadr form))) (gs-apart #'(lambda () (meval e)))))
 
 ;;; The public functions of the package, each with its body in that environment: what is called with
 ;;; an expression sees it as the user gave it. They take any number of arguments, which
-;;; gsmbp__called counts.
-(defun $gsmbp__set_apart ()
+;;; gs__called counts.
+(defun $gs__set_apart ()
   (dolist (f (cdr $functions))
     (let* ((name (caar f)) (text (string-upcase (symbol-name name))) (e (mget name 'mexpr)))
       (when (and (eql 0 (search "$GSMBP_" text)) (not (eql 0 (search "$GSMBP__" text))) e)
-        (unless (and (consp (caddr e)) (eq (caar (caddr e)) '$gsmbp__apart))
-          (mputprop name e 'gsmbp-own)
+        (unless (and (consp (caddr e)) (eq (caar (caddr e)) '$gs__apart))
+          (mputprop name e 'gs-own)
           (mputprop name
                     (list (car e)
-                          '((mlist) ((mlist) $gsmbp__given))
-                          `(($gsmbp__apart)
-                            (($gsmbp__called) ((mquote) ,name) $gsmbp__given))) 'mexpr)))))
+                          '((mlist) ((mlist) $gs__given))
+                          `(($gs__apart)
+                            (($gs__called) ((mquote) ,name) $gs__given))) 'mexpr)))))
   '$done)
 
 ;;; The own body of a public function on arguments that are as many as it takes, the first a scene
 ;;; where it is one.
-(defun $gsmbp__called (name given)
-  (let* ((e (mget name 'gsmbp-own)) (args (cdr given)) (params (cdr (cadr e)))
+(defun $gs__called (name given)
+  (let* ((e (mget name 'gs-own)) (args (cdr given)) (params (cdr (cadr e)))
          (least (count-if #'atom params)))
     (when (or (< (length args) least) (and (> (length args) least) (= least (length params))))
-      (gsmbp-miscounted name params least (length args)))
+      (gs-miscounted name params least (length args)))
     (when (eq (car params) '$scene)
-      (mfuncall '$gsmbp__need_scene (gsmbp-as-written name) (car args)))
+      (mfuncall '$gs__need_scene (gs-as-written name) (car args)))
     (mapply1 e args name nil)))
-(defun gsmbp-miscounted (name params least found)
-  (mfuncall '$gsmbp__error (gsmbp-as-written name)
+(defun gs-miscounted (name params least found)
+  (mfuncall '$gs__error (gs-as-written name)
     (format nil "expected ~:[~;at least ~]~a argument~:p, ~a(~{~a~^, ~}); found ~a"
-            (/= least (length params)) least (gsmbp-as-written name)
-            (mapcar #'(lambda (p) (if (atom p) (gsmbp-parameter p) "...")) params) found)))
+            (/= least (length params)) least (gs-as-written name)
+            (mapcar #'(lambda (p) (if (atom p) (gs-parameter p) "...")) params) found)))
 ;;; a parameter as its function's comment has it
-(defun gsmbp-parameter (p)
-  (let ((text (gsmbp-as-written p)))
-    (if (eql 0 (search "gsmbp__" text)) "expression" text)))
+(defun gs-parameter (p)
+  (let ((text (gs-as-written p)))
+    (if (eql 0 (search "gs__" text)) "expression" text)))

@@ -1,54 +1,54 @@
 ;; kernel/tables.lisp: hash tables on expressions, in Lisp.
-;; gsmbp__get gives false for a key that is not there.
+;; gs__get gives false for a key that is not there.
 (in-package :maxima)
-(defun $gsmbp__new_hash () (make-hash-table :test #'equal))
-(defun $gsmbp__get (h k) (values (gethash (if (atom k) k (gsmbp-bare k)) h)))
-(defun $gsmbp__put (h k v) (setf (gethash (if (atom k) k (gsmbp-bare k)) h) v))
+(defun $gs__new_hash () (make-hash-table :test #'equal))
+(defun $gs__get (h k) (values (gethash (if (atom k) k (gs-bare k)) h)))
+(defun $gs__put (h k v) (setf (gethash (if (atom k) k (gs-bare k)) h) v))
 ;; a list or an expression without the heads and marks of Maxima, which are not always the same (and
 ;; Lisp's hash sees little beyond the first)
-(defun gsmbp-bare (k)
+(defun gs-bare (k)
   (cond ((atom k) k)
-        ((eq (caar k) 'mlist) (mapcar #'gsmbp-bare (cdr k)))
-        (t (cons (list (caar k)) (mapcar #'gsmbp-bare (cdr k))))))
+        ((eq (caar k) 'mlist) (mapcar #'gs-bare (cdr k)))
+        (t (cons (list (caar k)) (mapcar #'gs-bare (cdr k))))))
 ;; e without the marks that functions like ratsimp leave on it, so that equal expressions are equal
 ;; lists
-(defun $gsmbp__unmarked (e)
+(defun $gs__unmarked (e)
   (if (atom e)
       e
       (cons (if (member 'array (cdar e)) (list (caar e) 'simp 'array) (list (caar e) 'simp))
-            (mapcar #'$gsmbp__unmarked (cdr e)))))
+            (mapcar #'$gs__unmarked (cdr e)))))
 ;; a table with the same values; of a tape's `numbers` also the pairs in them, which change
-(defun $gsmbp__copied_hash (h)
+(defun $gs__copied_hash (h)
   (let ((c (make-hash-table :test #'equal))) (maphash #'(lambda (k v) (setf (gethash k c) v)) h) c))
-(defun $gsmbp__copied_numbers (h)
+(defun $gs__copied_numbers (h)
   (let ((c (make-hash-table :test #'equal)))
     (maphash #'(lambda (k v) (setf (gethash k c) (copy-tree v))) h)
     c))
 ;; the passes that are on, as a number: part of the key of what a scene remembers
-(defvar *gsmbp-pass-lists* (make-hash-table :test #'equal))
-(defun $gsmbp__passes_key ()
+(defvar *gs-pass-lists* (make-hash-table :test #'equal))
+(defun $gs__passes_key ()
   (let* ((passes (symbol-value '$gsmbp_passes)) (l (if (consp passes) (cdr passes) passes)))
-    (or (gethash l *gsmbp-pass-lists*)
-        (setf (gethash l *gsmbp-pass-lists*) (1+ (hash-table-count *gsmbp-pass-lists*))))))
+    (or (gethash l *gs-pass-lists*)
+        (setf (gethash l *gs-pass-lists*) (1+ (hash-table-count *gs-pass-lists*))))))
 ;; true if the table h holds one of the symbols of a list
-(defun $gsmbp__holds_one (h symbols)
+(defun $gs__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
 ;; e with every symbol that the table h holds replaced by what it holds; simplified, not evaluated
-(defun $gsmbp__replace (h e) (gsmbp-tick) (if (zerop (hash-table-count h)) e (gsmbp-replace h e)))
-(defun gsmbp-replace (h e)
+(defun $gs__replace (h e) (gs-tick) (if (zerop (hash-table-count h)) e (gs-replace h e)))
+(defun gs-replace (h e)
   (cond ((symbolp e) (or (gethash e h) e))
         ((or (atom e) (eq (caar e) 'rat)) e)
         (t (let ((a nil))
-             (dolist (x (cdr e)) (push (gsmbp-replace h x) a))
+             (dolist (x (cdr e)) (push (gs-replace h x) a))
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in
 ;; order
-(defun $gsmbp__file_exists (name) (and (probe-file name) t))
-(defun $gsmbp__directoryp (name) (and (directory name) t))
-(defun $gsmbp__file_names (pattern)
+(defun $gs__file_exists (name) (and (probe-file name) t))
+(defun $gs__directoryp (name) (and (directory name) t))
+(defun $gs__file_names (pattern)
   (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
 ;; the file gets a new name, in the place of one that has it
-(defun $gsmbp__rename_file (old new)
+(defun $gs__rename_file (old new)
   #+ecl
   (rename-file old new :if-exists t)
   #-ecl
@@ -56,7 +56,7 @@
   t)
 ;; the file has these lines and nothing else: `nil`, or the number of the first line that is not as
 ;; it should be. Lines may hold line ends.
-(defun $gsmbp__first_wrong_line (name lines)
+(defun $gs__first_wrong_line (name lines)
   (let ((in ($openr name)) (n 0))
     (unwind-protect
         (flet ((same (text from to)
@@ -66,18 +66,18 @@
           (dolist (line (cdr lines))
             (do* ((from 0 (1+ to))
                   (to (position #\newline line) (position #\newline line :start from)))
-                 ((null to) (unless (same line from nil) (return-from $gsmbp__first_wrong_line n)))
-              (unless (same line from to) (return-from $gsmbp__first_wrong_line n))))
+                 ((null to) (unless (same line from nil) (return-from $gs__first_wrong_line n)))
+              (unless (same line from to) (return-from $gs__first_wrong_line n))))
           (and (read-line in nil nil) (1+ n)))
       (close in))))
 ;; the folder of that name, seen from everywhere
-(defun $gsmbp__whole_path (name) (namestring (truename name)))
+(defun $gs__whole_path (name) (namestring (truename name)))
 ;; the rules of "^" in this session, as one thing that Maxima does not look into; and back to them
 ;; where no others are on top
-(defun $gsmbp__power_rules ()
+(defun $gs__power_rules ()
   (vector (get 'mexpt 'operators) (mget 'mexpt 'rulenum) (mget 'mexpt 'oldrules)))
-(defun $gsmbp__power_rules_back (before)
-  (dolist (s '($gsmbp__s $gsmbp__n)) (delete s $myoptions))
+(defun $gs__power_rules_back (before)
+  (dolist (s '($gs__s $gs__n)) (delete s $myoptions))
   (when (equal (get 'mexpt 'operators) (svref before 0))
     (mputprop 'mexpt (svref before 1) 'rulenum)
     (unless (svref before 2) (mremprop 'mexpt 'oldrules)))

@@ -2,55 +2,55 @@
 ;;; factors.
 (in-package :maxima)
 
-;;; gsmbp__row_relations(A, tol): [numbers of the independent rows, [[number, [[number of a row
+;;; gs__row_relations(A, tol): [numbers of the independent rows, [[number, [[number of a row
 ;;; before, factor], ...]], ...]] of the others. Rational numbers are taken in the field of the
 ;;; prime (a factor is then an integer between -p/2 and p/2), others as floats.
-(defun $gsmbp__row_relations (a tol)
-  (if (every #'(lambda (r) (every #'gsmbp-exact-p (cdr r))) (cdr a))
-    (gsmbp-relations (mapcar #'(lambda (r) (mapcar #'gsmbp-residue (cdr r))) (cdr a))
+(defun $gs__row_relations (a tol)
+  (if (every #'(lambda (r) (every #'gs-exact-p (cdr r))) (cdr a))
+    (gs-relations (mapcar #'(lambda (r) (mapcar #'gs-residue (cdr r))) (cdr a))
       #'(lambda (row) (position-if-not #'zerop row))
-      #'(lambda (x s y) (mod (- x (* s y)) gsmbp-prime))
-      #'(lambda (x d) (mod (* x (gsmbp-inverse d)) gsmbp-prime))
-      #'(lambda (x) (if (> x (ash gsmbp-prime -1)) (- x gsmbp-prime) x)))
-    (gsmbp-relations (mapcar #'(lambda (r) (mapcar #'gsmbp-double (cdr r))) (cdr a))
-      #'(lambda (row) (let ((p (gsmbp-largest row))) (and (> (abs (svref row p)) tol) p)))
+      #'(lambda (x s y) (mod (- x (* s y)) gs-prime))
+      #'(lambda (x d) (mod (* x (gs-inverse d)) gs-prime))
+      #'(lambda (x) (if (> x (ash gs-prime -1)) (- x gs-prime) x)))
+    (gs-relations (mapcar #'(lambda (r) (mapcar #'gs-double (cdr r))) (cdr a))
+      #'(lambda (row) (let ((p (gs-largest row))) (and (> (abs (svref row p)) tol) p)))
       #'(lambda (x s y) (- x (* s y)))
       #'/
       #'(lambda (x) (let ((n (round x))) (cond ((< (abs (- x n)) tol) n) (t x)))))))
 
-(defun gsmbp-exact-p (x) (or (integerp x) (and (consp x) (eq (caar x) 'rat))))
-(defun gsmbp-double (x) (let ((y ($float x))) (coerce y 'double-float)))
+(defun gs-exact-p (x) (or (integerp x) (and (consp x) (eq (caar x) 'rat))))
+(defun gs-double (x) (let ((y ($float x))) (coerce y 'double-float)))
 
 ;;; Values of outputs in the field of the prime, where code (all entries that they need) holds sums,
 ;;; products and whole powers only and the point [symbol = rational, ...] says the rest; else false.
-(defun $gsmbp__tape_residues (code outputs point)
+(defun $gs__tape_residues (code outputs point)
   (let ((h (make-hash-table :test #'eq)))
     (catch 'other
-      (dolist (e (cdr point)) (setf (gethash (cadr e) h) (gsmbp-residue-value h (caddr e))))
+      (dolist (e (cdr point)) (setf (gethash (cadr e) h) (gs-residue-value h (caddr e))))
       (dolist (e (cdr code))
-        (unless (gethash (gsmbp-entry-name e) h)
-          (setf (gethash (gsmbp-entry-name e) h)
-                (gsmbp-residue-value h (gsmbp-entry-expression e)))))
-      (cons '(mlist) (mapcar #'(lambda (e) (gsmbp-residue-value h e)) (cdr outputs))))))
-(defun gsmbp-residue-value (h e)
-  (cond ((gsmbp-exact-p e) (gsmbp-residue e))
+        (unless (gethash (gs-entry-name e) h)
+          (setf (gethash (gs-entry-name e) h)
+                (gs-residue-value h (gs-entry-expression e)))))
+      (cons '(mlist) (mapcar #'(lambda (e) (gs-residue-value h e)) (cdr outputs))))))
+(defun gs-residue-value (h e)
+  (cond ((gs-exact-p e) (gs-residue e))
         ((symbolp e) (or (gethash e h) (throw 'other nil)))
         ((atom e) (throw 'other nil))
         ((eq (caar e) 'mplus)
          (let ((s 0))
-           (dolist (x (cdr e) s) (setq s (mod (+ s (gsmbp-residue-value h x)) gsmbp-prime)))))
+           (dolist (x (cdr e) s) (setq s (mod (+ s (gs-residue-value h x)) gs-prime)))))
         ((eq (caar e) 'mtimes)
          (let ((s 1))
-           (dolist (x (cdr e) s) (setq s (mod (* s (gsmbp-residue-value h x)) gsmbp-prime)))))
+           (dolist (x (cdr e) s) (setq s (mod (* s (gs-residue-value h x)) gs-prime)))))
         ((and (eq (caar e) 'mexpt) (integerp (caddr e)))
-         (let ((x (gsmbp-residue-value h (cadr e))) (s 1))
-           (dotimes (k (abs (caddr e))) (setq s (mod (* s x) gsmbp-prime)))
-           (if (plusp (caddr e)) s (gsmbp-inverse s))))
+         (let ((x (gs-residue-value h (cadr e))) (s 1))
+           (dotimes (k (abs (caddr e))) (setq s (mod (* s x) gs-prime)))
+           (if (plusp (caddr e)) s (gs-inverse s))))
         (t (throw 'other nil))))
 
 ;;; By elimination: every row carries the combination of rows that it has become (a list number ->
 ;;; factor as a vector).
-(defun gsmbp-relations (rows pivot minus over shown)
+(defun gs-relations (rows pivot minus over shown)
   (let ((basis nil) (kept nil) (others nil) (number 0) (m (length rows)))
     (dolist (row rows
                  (list '(mlist) (cons '(mlist) (nreverse kept)) (cons '(mlist) (nreverse others))))
@@ -69,10 +69,10 @@
                      (dotimes (k (length r)) (setf (svref r k) (funcall over (svref r k) d)))
                      (dotimes (k (1+ m)) (setf (svref w k) (funcall over (svref w k) d))))
                    (push (list p r w) basis) (push number kept))
-                (t (push (list '(mlist) number (gsmbp-factors w number minus shown)) others))))))))
+                (t (push (list '(mlist) number (gs-factors w number minus shown)) others))))))))
 
 ;;; row = sum of factors times rows before it, where w is its combination that is zero
-(defun gsmbp-factors (w number minus shown)
+(defun gs-factors (w number minus shown)
   (let ((l nil))
     (do ((k (1- number) (1- k))) ((< k 1) (cons '(mlist) l))
       (let ((x (funcall shown (funcall minus 0 1 (svref w k)))))

@@ -3,24 +3,24 @@
 
 ;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list;
 ;;; [["NAME(1,1)", e], ...] of a matrix, by columns
-(defun gsmbp-places (name n base)
+(defun gs-places (name n base)
   (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
 
-(defun $gsmbp__s_list (symbols name base)
-  (gsmbp-list
-    (mapcar #'(lambda (s p) (gsmbp-list (list s p))) (cdr symbols)
-            (gsmbp-places name (length (cdr symbols)) base))))
+(defun $gs__s_list (symbols name base)
+  (gs-list
+    (mapcar #'(lambda (s p) (gs-list (list s p))) (cdr symbols)
+            (gs-places name (length (cdr symbols)) base))))
 
-(defun $gsmbp__r_list (name l base)
-  (gsmbp-list
-    (mapcar #'(lambda (e p) (gsmbp-list (list p e))) (cdr l)
-            (gsmbp-places name (length (cdr l)) base))))
+(defun $gs__r_list (name l base)
+  (gs-list
+    (mapcar #'(lambda (e p) (gs-list (list p e))) (cdr l)
+            (gs-places name (length (cdr l)) base))))
 
-(defun $gsmbp__r_matrix (name a)
+(defun $gs__r_matrix (name a)
   (let ((j 0) (l nil))
-    (dolist (c (if (cdr a) (cdr ($gsmbp__transpose a))) (gsmbp-list (nreverse l)))
+    (dolist (c (if (cdr a) (cdr ($gs__transpose a))) (gs-list (nreverse l)))
       (let ((i 0))
         (incf j)
         (dolist (e (cdr c))
           (incf i)
-          (push (gsmbp-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))
+          (push (gs-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))

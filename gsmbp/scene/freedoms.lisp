@@ -3,38 +3,38 @@
 
 ;;; Kinds and directions of the freedoms of a joint (scene/joints.mac), orient resolved: [[kind,
 ;;; unit vector], ...]
-;;; j: gsmbp__joint(name, type, ..., axis, second_, pitch_, orientation_, coordinates, speeds, ...)
-(defun $gsmbp__freedom_kinds (j)
+;;; j: gs__joint(name, type, ..., axis, second_, pitch_, orientation_, coordinates, speeds, ...)
+(defun $gs__freedom_kinds (j)
   (let ((l nil) (orientation (nth 12 j)))
-    (dolist (f (cdr (nth 4 ($gsmbp__row_of (symbol-value '$gsmbp__joint_table) (nth 2 j))))
-               (gsmbp-list (nreverse l)))
+    (dolist (f (cdr (nth 4 ($gs__row_of (symbol-value '$gs__joint_table) (nth 2 j))))
+               (gs-list (nreverse l)))
       (destructuring-bind (kind word) (cdr f)
-        (cond ((not (eq kind '$orient)) (push (gsmbp-list (list kind (gsmbp-direction j word))) l))
+        (cond ((not (eq kind '$orient)) (push (gs-list (list kind (gs-direction j word))) l))
               ((eq orientation '$euler_parameters)
-               (push (gsmbp-list (list '$ball (gsmbp-list (list 0 0 1)))) l))
-              (t (dolist (e (cdr orientation)) (push (gsmbp-list (list '$turn e)) l))))))))
+               (push (gs-list (list '$spherical (gs-list (list 0 0 1)))) l))
+              (t (dolist (e (cdr orientation)) (push (gs-list (list '$turn e)) l))))))))
 
-(defun gsmbp-direction (j word)
-  (case word ($axis (nth 9 j)) ($second (nth 10 j)) (t (mfuncall '$gsmbp__joint_direction j word))))
+(defun gs-direction (j word)
+  (case word ($axis (nth 9 j)) ($second (nth 10 j)) (t (mfuncall '$gs__joint_direction j word))))
 
-;;; Freedoms of a joint, structures gsmbp__freedom(kind, direction, coordinates, speeds, pitch_),
+;;; Freedoms of a joint, structures gs__freedom(kind, direction, coordinates, speeds, pitch_),
 ;;; from the parent on.
-(defun $gsmbp__freedoms (j)
+(defun $gs__freedoms (j)
   (let ((q (cdr (nth 13 j))))
-    (flet ((take (n) (gsmbp-list (loop repeat n while q collect (pop q)))))
-      (gsmbp-list
+    (flet ((take (n) (gs-list (loop repeat n while q collect (pop q)))))
+      (gs-list
         (mapcar #'(lambda (f)
                     (destructuring-bind (kind direction) (cdr f)
-                      (if (eq kind '$ball)
-                          (list '($gsmbp__freedom simp)
+                      (if (eq kind '$spherical)
+                          (list '($gs__freedom simp)
                                 kind
                                 direction
                                 (take 4)
                                 (nth 14 j)
                                 (nth 11 j))
-                          (list '($gsmbp__freedom simp)
+                          (list '($gs__freedom simp)
                                 kind
                                 direction
                                 (take 1)
-                                (gsmbp-list nil)
-                                (nth 11 j))))) (cdr ($gsmbp__freedom_kinds j)))))))
+                                (gs-list nil)
+                                (nth 11 j))))) (cdr ($gs__freedom_kinds j)))))))

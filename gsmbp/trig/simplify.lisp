@@ -3,28 +3,28 @@
 ;; t2 + ...); a t is a number times powers of symbols in the hash table.
 (in-package :maxima)
 
-(defun gsmbp-trig-factor-p (f table)
+(defun gs-trig-factor-p (f table)
   (cond ((numberp f) t)
         ((symbolp f) (gethash f table))
         ((eq (caar f) 'rat) t)
         ((eq (caar f) 'mexpt)
          (and (symbolp (cadr f)) (integerp (caddr f)) (gethash (cadr f) table)))))
 
-(defun gsmbp-product (factors)   ; of factors that stood in this order in a simplified product
+(defun gs-product (factors)   ; of factors that stood in this order in a simplified product
   (cond ((null factors) 1) ((null (cdr factors)) (car factors)) (t (cons '(mtimes simp) factors))))
 
-(defun $gsmbp__trig_classes (e table)
-  (gsmbp-tick)
+(defun $gs__trig_classes (e table)
+  (gs-tick)
   (let ((classes (make-hash-table :test #'equal)) (keys nil))
     (mapc #'(lambda (term)
               (let ((own nil) (beside nil))
                 (mapc #'(lambda (f)
-                          (if (consp f) (setq f ($gsmbp__unmarked f)))
-                          (if (gsmbp-trig-factor-p f table)
+                          (if (consp f) (setq f ($gs__unmarked f)))
+                          (if (gs-trig-factor-p f table)
                               (setq own (cons f own))
                               (setq beside (cons f beside))))
                       (if (and (consp term) (eq (caar term) 'mtimes)) (cdr term) (list term)))
-                (setq own (gsmbp-product (reverse own)) beside (gsmbp-product (reverse beside)))
+                (setq own (gs-product (reverse own)) beside (gs-product (reverse beside)))
                 (let ((others (gethash beside classes)))
                   (if (null others) (setq keys (cons beside keys)))
                   (setf (gethash beside classes) (cons own others)))))

@@ -1,6 +1,6 @@
 ;; doubles.lisp: a tape evaluated in double precision.
-;; gsmbp__doubles(entries, names, values, outputs): values of the outputs (expressions of tape
-;; symbols) where the symbols `names` have the `values` (exact numbers); entries as gsmbp__reach
+;; gs__doubles(entries, names, values, outputs): values of the outputs (expressions of tape
+;; symbols) where the symbols `names` have the `values` (exact numbers); entries as gs__reach
 ;; gives them, oldest first. A list of doubles.
 (in-package :maxima)
 
@@ -9,7 +9,7 @@
 (defun doubles-number (x)
   (cond ((numberp x) (float x 1d0))
         ((eq (caar x) 'rat) (float (/ (cadr x) (caddr x)) 1d0))
-        (t (merror "gsmbp__doubles: not a number: ~M" x))))
+        (t (merror "gs__doubles: not a number: ~M" x))))
 
 (defun doubles-power (b e)
   (cond ((and (integerp e) (< 0 e 9)) (let ((r b)) (dotimes (i (1- e) r) (setq r (* r b)))))
@@ -22,7 +22,7 @@
   (cond ((numberp e) (float e 1d0))
         ((symbolp e)
          (or (gethash e *doubles*)
-             (case e ($%pi pi) (t (merror "gsmbp__doubles: no value: ~M" e)))))
+             (case e ($%pi pi) (t (merror "gs__doubles: no value: ~M" e)))))
         (t (case (caar e)
              (mplus (let ((s (doubles-value (cadr e))))
                       (dolist (x (cddr e) s) (setq s (+ s (doubles-value x))))))
@@ -38,9 +38,9 @@
              (mabs (abs (doubles-value (cadr e))))
              (mminus (- (doubles-value (cadr e))))
              (mquotient (/ (doubles-value (cadr e)) (doubles-value (caddr e))))
-             (t (merror "gsmbp__doubles: cannot evaluate: ~M" e))))))
+             (t (merror "gs__doubles: cannot evaluate: ~M" e))))))
 
-(defun $gsmbp__doubles (entries names values outputs)
+(defun $gs__doubles (entries names values outputs)
   (clrhash *doubles*)
   (mapc #'(lambda (s v) (setf (gethash s *doubles*) (doubles-number v))) (cdr names) (cdr values))
   (dolist (e (cdr entries))
@@ -49,10 +49,10 @@
   (cons '(mlist simp) (mapcar #'doubles-value (cdr outputs))))
 
 ;; a double without rounding: mantissa and exponent of two
-(defun $gsmbp__print_double (stream x)
+(defun $gs__print_double (stream x)
   (multiple-value-bind (m e s) (integer-decode-float x) (format stream "~d ~d~%" (* s m) e)))
 
-;; gsmbp__solved_doubles(n, m, numbers, at): accelerations and multipliers of [M, -H'; H, 0] x =
+;; gs__solved_doubles(n, m, numbers, at): accelerations and multipliers of [M, -H'; H, 0] x =
 ;; [-bias; gamma]; the numbers begin with M by rows and bias, H by rows and gamma begin at number
 ;; `at`. false if a pivot is small.
 (defun doubles-system (n m l at)
@@ -84,9 +84,9 @@
         (do ((j (1+ i) (1+ j))) ((= j k)) (decf s (* (aref a i j) (aref x j))))
         (setf (aref x i) (/ s (aref a i i)))))))
 
-(defun $gsmbp__solved_doubles (n m l at)
+(defun $gs__solved_doubles (n m l at)
   (let ((x (doubles-solve (doubles-system n m (cdr l) at) (+ n m))))
     (and x (cons '(mlist simp) x))))
 
 (mapc #'compile
-      '(doubles-number doubles-power doubles-value doubles-system doubles-solve $gsmbp__doubles))
+      '(doubles-number doubles-power doubles-value doubles-system doubles-solve $gs__doubles))

@@ -9,7 +9,7 @@ derive() { share/make/derive tests/scenes/case_03a.mac "$work/$1"; }
 same() { derive "$1" && cmp "$GSMBP_TEST_DIR/fortran_out/case_03a.f" "$work/$1/case_03a.f"; }
 used() {
   share/make/maxima "$work/out.txt" 'load("gsmbp/gsmbp.mac")$
-    if gsmbp__is_compiled("gsmbp/") then gsmbp__exit(86)$ gsmbp__exit(1)$' 2>"$work/errors"
+    if gs__is_compiled("gsmbp/") then gs__exit(86)$ gs__exit(1)$' 2>"$work/errors"
 }
 
 mkdir "$work/tree"

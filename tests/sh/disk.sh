@@ -22,11 +22,11 @@ session() {
   cat >"$work/write.mac" <<E1
 load("$root/gsmbp/gsmbp.mac")\$
 lines : makelist(sconcat("      X(", i, ") = 0"), i, 1, 20000)\$
-errcatch(gsmbp__write_files([["$work/write/case_03a.json", ["short"]],
+errcatch(gs__write_files([["$work/write/case_03a.json", ["short"]],
   ["$work/write/case_03a.f", lines]]))\$
-gsmbp__write_files([["$work/write/other.f", ["one", "two", "", "part
+gs__write_files([["$work/write/other.f", ["one", "two", "", "part
 part"]]])\$
-errcatch(gsmbp__write_files([["/proc/no.f", ["one"]]]))\$
+errcatch(gs__write_files([["/proc/no.f", ["one"]]]))\$
 E1
   full 64 timeout 100 "$1" --very-quiet -b "$work/write.mac" </dev/null
 }

@@ -4,8 +4,8 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 share/make/doc gsmbp/*.mac gsmbp/*/*.mac >"$work/functions.txt"
 share/make/maxima "$work/log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
-public(s) := is(ssearch(\"gsmbp_\", s) = 1) and is(ssearch(\"gsmbp__\", s) # 1)\$
-listed(f) := public(string(op(f))) and not member(op(f), gsmbp__octave_functions)\$
+public(s) := is(ssearch(\"gsmbp_\", s) = 1) and is(ssearch(\"gs__\", s) # 1)\$
+listed(f) := public(string(op(f))) and not member(op(f), gs__octave_functions)\$
 with_stdout(\"$work/public\",
   for f in functions do if listed(f) then printf(true, \"~a~%\", op(f)))\$"
 {

@@ -79,10 +79,10 @@ cd "$root" || exit
 mkdir "$work/files"; echo old >"$work/files/kept.f"
 share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ dir : \"$work/files/\"\$
   pairs(paths, lines) := map(lambda([p, l], [sconcat(dir, p), l]), paths, lines)\$
-  fails(paths, lines) := is(errcatch(gsmbp__write_files(pairs(paths, lines))) = [])\$
+  fails(paths, lines) := is(errcatch(gs__write_files(pairs(paths, lines))) = [])\$
   whole : fails([\"kept.f\", \"new.json\"], [[\"new\"], 5])\$
   nowhere : fails([\"kept.f\", \"no/such/new.f\"], [[\"new\"], [\"new\"]])\$
-  gsmbp__write_files(pairs([\"pair.f\", \"pair\"], [[\"a~a\", \"b\"], [\"c\"]]))\$
+  gs__write_files(pairs([\"pair.f\", \"pair\"], [[\"a~a\", \"b\"], [\"c\"]]))\$
   printf(true, \"~%answers ~a ~a~%\", whole, nowhere)\$" &&
   grep -q '^answers true true' "$work/log"
 told $? 'a bad line or place is an error' "$work/log"

@@ -25,11 +25,11 @@ none 'function of Lisp is defined again' "$twice$both"
 # A function that is kept in a local variable has a name of the package: Maxima would call a user's
 # function of the same name instead.
 users=$(grep -noE '(^|[^A-Za-z_0-9@])[A-Za-z_0-9]+ : lambda\(' $maxima |
-  grep -vE 'gsmbp__[A-Za-z_0-9]+ : lambda')
+  grep -vE 'gs__[A-Za-z_0-9]+ : lambda')
 none "local function has a user's name" "$users"
 
 # No message names a private function: it means nothing to a user.
-private=$(grep -nE '(error|wrong|merror|emission|where)[^;]*"gsmbp__[a-z_]+[":]' $package $lisp)
+private=$(grep -nE '(error|wrong|merror|emission|where)[^;]*"gs__[a-z_]+[":]' $package $lisp)
 none 'message names a private function' "$private"
 
 # Nor is a variable of the package given a value twice while it is loaded: the second would silently

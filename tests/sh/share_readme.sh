@@ -5,7 +5,7 @@ sed -n '/^```maxima$/,/^```$/p' share/README.md | sed '/^```/d' >"$dir/entry.mac
 sed -n '/^    coil : /,/;$\|\$$/p' share/README.md >"$dir/scene.mac"
 share/make/maxima "$dir/log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
   load(\"$dir/entry.mac\")\$ load(\"$dir/scene.mac\")\$
-  gsmbp__check_entry(voice_coil, gsmbp__entry(voice_coil))\$
+  gs__check_entry(voice_coil, gs__entry(voice_coil))\$
   gsmbp_fortran(coil, all, ['directory = \"$dir\"])\$
   printf(true, \"mass ~a rates ~a~%\", gsmbp_mass_matrix(coil)[1,1],
     rhs(gsmbp_statespace(coil)[7]))\$" >/dev/null

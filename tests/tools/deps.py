@@ -197,11 +197,11 @@ def read_package(root):
                     if r:
                         kind, name = ('macro' if r.group(1) == '::=' else 'function'), m.group(1)
                 if kind is None:
-                    m = re.match(r'(gsmbp_\w*)\s*(\[.*?\])?\s*:(?![:=])', body)
+                    m = re.match(r'(gs(?:mbp)?_\w*)\s*(\[.*?\])?\s*:(?![:=])', body)
                     if m:
                         kind, name = 'variable', m.group(1)
-                    elif re.match(r'gsmbp_\w*\s*\[.*?\]\s*:=', body):
-                        kind, name = 'function', re.match(r'gsmbp_\w*', body).group(0)
+                    elif re.match(r'gs(?:mbp)?_\w*\s*\[.*?\]\s*:=', body):
+                        kind, name = 'function', re.match(r'gs(?:mbp)?_\w*', body).group(0)
                 if kind:
                     defs.append(Def(name, f, line, end, kind, body, raw))
                 elif body.strip():
@@ -233,7 +233,7 @@ def read_package(root):
 
 
 def canon(name):
-    """one spelling for Maxima and Lisp: $gsmbp__x is gsmbp__x; gsmbp-x stays."""
+    """one spelling for Maxima and Lisp: $gs__x is gs__x; gs-x stays."""
     return name[1:] if name.startswith('$') else name
 
 
@@ -478,7 +478,7 @@ def report_package(root, outdir, brief):
         if not p.startswith(('README', 'examples/')) or p.endswith('.mac') or p.endswith('.m')
     }
     toks = {
-        p: set(re.findall(r'gsmbp_\w+|gsmbp-[\w-]+', t.replace('\\', '')))
+        p: set(re.findall(r'gs(?:mbp)?_\w+|gs-[\w-]+', t.replace('\\', '')))
         for p, t in code_out.items()
     }
     dead, tests_only, one_other, own_other = [], [], [], []
@@ -571,7 +571,7 @@ def report_package(root, outdir, brief):
         ' '.join(d.body for d in defs if d.file.endswith('.mac')),
     )
     pc = re.findall(
-        r'\bnew\s*\(\s*(gsmbp__\w+)', ' '.join(d.body for d in defs if d.file.endswith('.mac'))
+        r'\bnew\s*\(\s*(gs__\w+)', ' '.join(d.body for d in defs if d.file.endswith('.mac'))
     )
     print(
         '   numeric indices %d, first..tenth( %d, @field %d, positional new(...) %d'
@@ -586,7 +586,7 @@ def report_package(root, outdir, brief):
     print('\n-- structures: where made, in how many files their constructor stands')
     st = collections.defaultdict(set)
     for d in defs:
-        for m in re.finditer(r'\b(?:new|gsmbp__record)\s*\(\s*(gsmbp__\w+)', d.body):
+        for m in re.finditer(r'\b(?:new|gs__record)\s*\(\s*(gs__\w+)', d.body):
             st[m.group(1)].add(d.file)
     for n in sorted(st):
         print(

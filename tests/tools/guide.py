@@ -144,10 +144,10 @@ def check_named_functions():
     defined = set()
     for path in sources:
         text = without_comments(path)
-        defined |= set(re.findall(r'(?m)^ *(gsmbp_\w+) *(?:\(|:)', text))
-        defined |= set(re.findall(r'\(def\w+ \$(gsmbp_\w+)', text))
+        defined |= set(re.findall(r'(?m)^ *(gs(?:mbp)?_\w+) *(?:\(|:)', text))
+        defined |= set(re.findall(r'\(def\w+ \$(gs(?:mbp)?_\w+)', text))
         defined |= set(re.findall(r'define_variable\((gsmbp_\w+)', text))
-    named = set(re.findall(r'`(gsmbp_\w+)[`(]', text_of('gsmbp/README.md')))
+    named = set(re.findall(r'`(gs(?:mbp)?_\w+)[`(]', text_of('gsmbp/README.md')))
     report('functions that gsmbp/README.md names are defined',
            {n for n in named - defined if not files_of('octave/%s.m' % n)})
 
