@@ -17,8 +17,8 @@
     (dotimes (k n) (push (pop back) front))
     (gs-list (list (gs-list (nreverse front)) (gs-list back)))))
 
-;;; f of the parts of every row: each(lambda([name, unit], ...), [[q1, "rad"], ...]); and the rows of
-;;; whose parts f is true
+;;; f of the parts of every row, gs__each(lambda([name, unit], ...), [[q1, "rad"], ...]); and the
+;;; rows of whose parts f is true
 (defun $gs__each (f rows) (gs-list (mapcar #'(lambda (row) (gs-of-parts f row)) (cdr rows))))
 (defun $gs__rows_that (f rows)
   (gs-list (remove-if-not #'(lambda (row) (definitely-so (gs-of-parts f row))) (cdr rows))))
