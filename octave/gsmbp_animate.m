@@ -58,7 +58,7 @@
 ##
 ## Errors: a result without t and q or x of one size; a model without the
 ## handle ske; a file that is neither .gif nor .png or cannot be written; an
-## option that is unknown or out of its range; gnuplot or ImageMagick missing.
+## option that is unknown or out of its range; gnuplot missing.
 ## Source: own; the drawing is gnuplot's.
 ## @seealso{gsmbp_build, gsmbp_simulate, gsmbp_inverse, gsmbp_plot}
 ## @end deftypefn
