@@ -121,7 +121,7 @@
 ## @item "build"
 ## where the modules go (default: @file{build} in that directory)
 ## @item "input"
-## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/gsinp.f}),
+## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/inputs/gsinp.f}),
 ## used by @code{gsmbp_simulate} with input @code{"user"}
 ## @end table
 ##

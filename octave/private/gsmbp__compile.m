@@ -30,7 +30,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   endif
   ## what all scenes share
   common = fullfile (folder, precision, "common");
-  runtime = [glob(fullfile (fortran, "*.f")); glob(fullfile (fortran, body, "*.f"))];
+  runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
   archive = fullfile (common, "libgsmbp.a");
   stamp = flags_stamp (common, [f77 " " common_flags]);
   if (gsmbp__older (archive, [runtime; {stamp}]))

@@ -31,7 +31,7 @@ A
 standard=all,no-long-name,no-name-underscore,no-implicit-none
 usage=no-arg-unused,no-ext-unused,no-arg-array-alias
 
-for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/*.f; do
+for file in "$GSMBP_TEST_DIR"/fortran_out/*.f $(find share/fortran -name "*.f"); do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
   name=${file##*/}
   emitted=no
