@@ -35,6 +35,6 @@ section == "CONSTANTS" && /^C     [A-Z][A-Z0-9_]* / { legend[$2] = 1 }
 /^ +[A-Z]+\([0-9,]+\) = -[A-Z][A-Z0-9_]*$/ {
   array = $1; sub(/\(.*/, "", array)
   value = substr($3, 2); sub(/[0-9_]*$/, "", value)
-  if (value == array && value != "Z") fault($0 " is the negative of what has its name")
+  if (value == array && value !~ /^[ZK]$/) fault($0 " is the negative of what has its name")
 }
 !/^C/ && /GS__/ { fault("private name: " $0) }
