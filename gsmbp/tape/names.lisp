@@ -260,9 +260,10 @@
           m d direction (gs-name-one nm (gs-inner (append (cdr a) (cdr b)) column) ""))))))
 
 ;;; The entries of M that the directions d and o of joints share (a mass matrix by rate), more by v,
-;;; in place: see gs__directions
+;;; in place: see gs__directions. A direction is known by its kind and rates: without the pass
+;;; `share` its vector has other names each time.
 (defun $gs__add_to_matrix (m d o v)
-  (let ((apart (not (alike1 d o))))
+  (let ((apart (not (and (alike1 (nth 1 d) (nth 1 o)) (alike1 (nth 3 d) (nth 3 o))))))
     (flet ((add (k l s)
              (let ((row (nth k m)))
                (setf (nth l row) (gs-plus (list (nth l row) (gs-times s v)))))))
