@@ -129,6 +129,12 @@
 ## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
 ## xd = m.rhs (0, [0.1; 0])
 ## @end example
+##
+## Errors: a .json or .f that is missing, cut short or of another emission; a
+## compiler that fails (what it says is shown); an unknown option or
+## parameter, a value that the scene refuses; a handle called with an argument
+## of the wrong size, one that is not finite, or without its subroutine.
+## Source: own; every subroutine names its method in its head.
 ## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear, gsmbp_animate}
 ## @end deftypefn
 
