@@ -377,7 +377,7 @@ class Comparison:
             ud = mixed.natural(wd0*(1+h))
             return p.q[self.q_order], mixed.speeds(p.u), wd0*(1+h), mixed.efforts(M@ud + B)
 
-        dq, dw, dwd, dtau = slopes(at)
+        (dq, dw, dwd, dtau), _ = slopes(at)
         M, B, C = zeros(m.nu, m.nu), zeros(m.nu, m.nu), zeros(m.nu, m.nq)
         q, w, wd, tau = at(0.)
         code.call('lin', s.t, q, w, wd, self.inputs(s), code.cst, M, B, C, n)
@@ -398,7 +398,10 @@ class Comparison:
             p, _ = moving(m, p, wish + h*more)
             return self.point(p)
 
-        (X, V, XD, Y), (dX, dV, dXD, dY) = at(0.), slopes(at)
+        (X, V, XD, Y), ((dX, dV, dXD, dY), apart) = at(0.), slopes(at)
+        if apart > .01:
+            self.notes.append('too steep for differences')
+            return
         nx, nv, ny = len(X), len(V), len(Y)
         A, B, C, D = zeros(nx, nx), zeros(nx, nv), zeros(ny, nx), zeros(ny, nv)
         info = code.call_jac(s.t, X, V, A, B, C, D)
@@ -483,9 +486,11 @@ def wide(rows, ld):
 
 def slopes(at):
     """derivatives of a tuple of arrays at 0, of sixth order: extrapolated from two steps, as some
-    curves are steep"""
-    return [(256*fine - coarse)/255
-            for fine, coarse in zip(differences(at, STEP/4), differences(at, STEP))]
+    curves are steep; and what they leave open beside the largest: of a curve beside a singular
+    position, much"""
+    fine, coarse = differences(at, STEP/4), differences(at, STEP)
+    apart = max(error(c, f, 1.) for f, c in zip(fine, coarse) if f.size and np.all(np.isfinite(f)))
+    return [(256*f - c)/255 for f, c in zip(fine, coarse)], apart
 
 
 def differences(at, step):
