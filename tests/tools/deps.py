@@ -17,6 +17,21 @@ LONG_LINES, WIDE = 25, 160  # a function over either is listed
 
 
 # ---------------------------------------------------------------------- text
+def blank(out, start, end):
+    """out[start:end] blanked, its lines kept"""
+    for k in range(start, min(end, len(out))):
+        if out[k] != '\n':
+            out[k] = ' '
+
+
+def string_end(t, i):
+    """the place of the quote that closes the string whose opening quote is at i"""
+    j = i + 1
+    while j < len(t) and t[j] != '"':
+        j += 2 if t[j] == '\\' else 1
+    return j
+
+
 def strip_mac(t):
     """Maxima text with comments and the inside of strings blanked, same length and lines."""
     out, i, n, depth = list(t), 0, len(t), 0
@@ -32,17 +47,11 @@ def strip_mac(t):
                     j += 2
                 else:
                     j += 1
-            for k in range(i, j):
-                if out[k] != '\n':
-                    out[k] = ' '
+            blank(out, i, j)
             i = j
         elif t[i] == '"':
-            j = i + 1
-            while j < n and t[j] != '"':
-                j += 2 if t[j] == '\\' else 1
-            for k in range(i + 1, min(j, n)):
-                if out[k] != '\n':
-                    out[k] = ' '
+            j = string_end(t, i)
+            blank(out, i + 1, j)
             i = j + 1
         else:
             i += 2 if t[i] == '\\' else 1
@@ -59,19 +68,13 @@ def strip_lisp(t):
         elif t.startswith('#|', i):
             j = t.find('|#', i)
             j = n if j < 0 else j + 2
-            for k in range(i, j):
-                if out[k] != '\n':
-                    out[k] = ' '
+            blank(out, i, j)
             i = j
         elif t.startswith('#\\', i):
             i += 3
         elif t[i] == '"':
-            j = i + 1
-            while j < n and t[j] != '"':
-                j += 2 if t[j] == '\\' else 1
-            for k in range(i + 1, min(j, n)):
-                if out[k] != '\n':
-                    out[k] = ' '
+            j = string_end(t, i)
+            blank(out, i + 1, j)
             i = j + 1
         else:
             i += 1
