@@ -275,8 +275,8 @@
         (unless (or (string= n (string-upcase (caddr l))) (gethash n raw))
           (setf (gethash (cadr l) h) (caddr l)))))))
 
-;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind it,
-;;; else _2, _3, ...
+;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind
+;;; it, else _2, _3, ...
 (defun $gs__fresh (symbol)
   (let* ((base (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))) (n base) (k 1))
     (loop

@@ -225,14 +225,6 @@
 (defun $gs__name_list (nm l)
   (gs-list (mapcar #'(lambda (e) (gs-name-one nm e "")) (cdr l))))
 
-;;; A wrench [f, n], turned by R, about a point that lies at -s: [R f, R n + s x R f]
-(defun $gs__carried_wrench (nm r s fn force-hint moment-hint)
-  (destructuring-bind (f n) (cdr fn)
-    (setq f ($gs__name_vector nm ($gs__matvec r f) force-hint)
-          n ($gs__name_vector nm ($gs__matvec r n) ""))
-    (gs-list
-      (list f ($gs__name_vector nm ($gs__vadd n ($gs__cross s f)) moment-hint)))))
-
 ;;; a symmetric matrix, its upper half named
 (defun $gs__symmetric (nm a hint)
   (let ((i 0) (upper nil) (rows nil))
@@ -249,15 +241,6 @@
       (let ((row nil))
         (dotimes (l k) (push (nth (- k l) (nth l upper)) row))
         (push (gs-list (append (nreverse row) (nth k upper))) rows)))))
-
-;;; The entries of M that a column, the wrench [f, n] of the direction d, has with the screws
-;;; [direction, factor of f, factor of n], in place
-(defun $gs__add_screw_entries (nm m d screws fn)
-  (let ((column (append (cdr (cadr fn)) (cdr (caddr fn)))))
-    (dolist (o (cdr screws) m)
-      (destructuring-bind (direction a b) (cdr o)
-        ($gs__add_to_matrix
-          m d direction (gs-name-one nm (gs-inner (append (cdr a) (cdr b)) column) ""))))))
 
 ;;; The entries of M that the directions d and o of joints share (a mass matrix by rate), more by v,
 ;;; in place: see gs__directions. A direction is known by its kind and rates: without the pass

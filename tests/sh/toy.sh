@@ -5,16 +5,20 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 report=$work/out
 
-cp -R gsmbp octave share "$work"
-check 'the diff of two files applies' \
-  sh -c "cd '$work' && [ \$(grep -c '^diff' '$PWD/tests/data/toy.diff') = 2 ] &&
-    patch -p1 <'$PWD/tests/data/toy.diff'" >>"$report" 2>&1
+# what is compiled already is taken along
+cp -Rp gsmbp octave share "$work"
+common=${GSMBP_TEST_DIR:-fortran_out}/fortran_out/build/double/common
+[ -d "$common" ] && mkdir -p "$work/fortran_out/build/double" &&
+  cp -Rp "$common" "$work/fortran_out/build/double"
+[ "$(grep -c '^diff' tests/data/toy.diff)" = 2 ] &&
+  patch -d "$work" -p1 <tests/data/toy.diff >"$report" 2>&1
+told $? 'the diff of two files applies' "$report"
 (cd "$work" && share/make/compile) >"$report" 2>&1
 cp examples/slider_crank/slider_crank.mac "$work/toy.mac"
 sed -i 's/"slider_crank"/"toy"/' "$work/toy.mac"
 echo "requests : [kinetic, energy]\$" >>"$work/toy.mac"
-check 'the routine is derived' sh -c "cd '$work' && share/make/derive toy.mac fortran_out" \
-  >"$report" 2>&1
+(cd "$work" && share/make/derive toy.mac fortran_out) >"$report" 2>&1
+told $? 'the routine is derived' "$report"
 cat >"$work/toy.m" <<'A'
 m = gsmbp_build ("toy");
 q = [0.3; -0.2; 0.5]; u = [1; -2; 0.7];
