@@ -1351,7 +1351,7 @@ do_calls (arguments&, int)
 
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
-    = { { "sim", do_sim },       { "par", do_par }, { "pre", do_pre },     { "meaning", do_meaning },
+    = { { "sim", do_sim }, { "par", do_par }, { "pre", do_pre }, { "meaning", do_meaning },
         { "spline", do_spline }, { "kkt", do_kkt }, { "solve", do_solve }, { "calls", do_calls } };
 
 // the k-th argument of an emitted subroutine, as its handle calls it

@@ -113,6 +113,10 @@ function wrong (m, c)
   says (@() gsmbp_simulate (c, gsmbp_assemble (c, [0.3, -0.1, 0.7]), [0, 1], "motion", ...
                             gsmbp_plan ("quintic", [0, 1; 0, 1], [0, 1])),
         "expected 1 components (q1), found 2");
+  says (@() gsmbp_simulate (m, [0; 0; 0], [0, 1], "audit", true), ...
+        "gsmbp_simulate: option audit: expected a finite number above 0, found true");
+  says (@() gsmbp_simulate (m, [0; 0; 0], [0, 1], "maxorder", true), ...
+        "gsmbp_simulate: option maxorder: expected a number from 1 to 5, found true");
   short = gsmbp_set (c, "l2", 0.1);
   [qj, res, info] = short.clo (0, [pi/2, 0, 0; 0, 0, 0; 0, 0, 0]);
   gsmbp_check ("INFO as last output is no error", info == 3 && abs (res(1) - 0.1) < 1e-15);

@@ -126,16 +126,8 @@ function inputs (m)
   v = @(t) 3 * sin (5 * t);
   s = (0:0.001:1)';
   table = gsmbp_plan ("table", s, v (s), 3);
-  source = [tempname(), ".f"];
+  source = user_input ();
   guard = onCleanup (@() unlink (source));
-  file = fopen (source, "w");
-  fprintf (file, ...
-           ["      SUBROUTINE GSVIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO )\n      " ...
-            "INTEGER SIDE, NX, NV, IP(*), INFO\n"]);
-  fprintf (file, ...
-           ["      DOUBLE PRECISION T, X(NX), RP(*), CST(*), V(NV)\n      INFO = 0\n   " ...
-            "   V(1) = 3.0D0*SIN( 5.0D0*T )\n      END\n"]);
-  fclose (file);
   own = fast (gsmbp_hand ("motor_pendulum", "input", source));
   exact = truth (own, x0, t, "input", "user");
   gsmbp_check ("inputs: by a Fortran subroutine", ...
