@@ -155,7 +155,7 @@ endfunction
 function text = sizes_header (json, symbol, has_input)
   header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
                                "gsmbp_scene.h"));
-  members = {[".name = \"" json.name "\""]};
+  members = {[".name = \"" json.name "\""], [".left_out = \"" left_out(json) "\""]};
   for name = listed (header, "GSMBP_SIZES")
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor
@@ -171,6 +171,17 @@ function text = sizes_header (json, symbol, has_input)
           "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
           "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
           "#define GSMBP_TABLE ", strjoin(members, ", "), "\n"];
+endfunction
+
+## the requests that were asked for and are not there, with their reasons, as a constant of C
+function text = left_out (json)
+  text = "";
+  if (isfield (json, "left_out") && isstruct (json.left_out))
+    for one = json.left_out(:)'
+      text = [text, "\n", one.request, ": ", one.reason];
+    endfor
+  endif
+  text = strrep (undo_string_escapes ([text "\n"]), "?", "\\?");
 endfunction
 
 function [members, declared] = subroutines (json, header, members, has_input)
