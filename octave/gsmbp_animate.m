@@ -55,6 +55,11 @@
 ## @example
 ## gsmbp_animate (m, gsmbp_simulate (m, x0, 0:0.02:2), "out/motion.gif", "trace", "rod")
 ## @end example
+##
+## Errors: a result without t and q or x of one size; a model without the
+## handle ske; a file that is neither .gif nor .png or cannot be written; an
+## option that is unknown or out of its range; gnuplot missing.
+## Source: own; the drawing is gnuplot's.
 ## @seealso{gsmbp_build, gsmbp_simulate, gsmbp_inverse, gsmbp_plot}
 ## @end deftypefn
 
@@ -78,7 +83,7 @@ function gsmbp_animate (m, result, file, varargin)
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
   endif
   [t, q] = motion (who, m, result);
-  o = checked (who, o, m.skeleton, t);
+  o = gsmbp__animation_options (who, o, m.skeleton, t);
   rows_drawn = poses (t, o, moving);
   rows_traced = unique ([rows_drawn, round(linspace (1, numel (t), min (numel (t), 1000)))]);
   points = @(list) cell2mat (reshape (arrayfun (@(k) m.ske (t(k), q(k,:)'), list, ...
@@ -92,18 +97,18 @@ function gsmbp_animate (m, result, file, varargin)
   table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
-  [m.skeleton.color, m.skeleton.entry] = entries (m.skeleton.body);
-  m.skeleton.marks = marks (m.skeleton, o.centres);
+  [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);
+  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres);
   named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
-  s = stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), ...
+  s = gsmbp__stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), ...
              max (cellfun (@numel, [named, {o.traced, "mass centre"}])));
-  lines = axes_of (s, o);
+  lines = gsmbp__axes (s, o);
   n = numel (rows_drawn);
   if (moving)
     digits = max (2, ceil (-log10 (min ([diff(t(rows_drawn))(:); 1]) + 1e-12)));
     for k = 1:n
       lines = [lines, ...
-               picture(m.skeleton, p(:,:,k), 1, path, s, ...
+               gsmbp__picture(m.skeleton, p(:,:,k), 1, path, s, ...
                        sprintf("%s   t = %.*f s", o.title, digits, t(rows_drawn(k))), o)];
     endfor
     terminal = sprintf (["gif animate optimize delay %d loop 0 noenhanced size %d,%d font " ...
@@ -115,7 +120,7 @@ function gsmbp_animate (m, result, file, varargin)
     shades(end) = 1;
     order = {"", ", light to dark"}{1 + (n > 1)};
     lines = [lines, ...
-             picture(m.skeleton, p, shades, path, s, ...
+             gsmbp__picture(m.skeleton, p, shades, path, s, ...
                      sprintf("%s   t = %s s%s", o.title, instants, order), o)];
     terminal = sprintf ("pngcairo noenhanced size %d,%d font 'FreeSans,12'", s.pixels);
   endif
@@ -146,56 +151,6 @@ function [t, q] = motion (who, m, result)
   q = q(:,1:m.sizes.nq);
 endfunction
 
-function o = checked (who, o, skeleton, t)
-  if (o.fps > 50)
-    error (["%s: option fps must be at most 50 (a GIF counts hundredths of a second), " ...
-            "found: %g"], who, o.fps);
-  endif
-  o.delay = round (100 / o.fps);
-  if (! (isnumeric (o.view) && numel (o.view) == 2 && all (isfinite (o.view)) && o.view(1) >= 0 ...
-           && o.view(1) <= 180))
-    error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
-  endif
-  o.view(2) = mod (o.view(2), 360);
-  slack = 1e-9 * (1 + abs (t(end)) + abs (t(1)));
-  if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) ...
-           && all (o.times(:) <= t(end) + slack)))
-    error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
-  endif
-  [o.trace, o.traced] = traced (who, o.trace, skeleton);
-endfunction
-
-## the column of m.ske that option trace means, and its name
-function [column, name] = traced (who, wanted, skeleton)
-  column = [];
-  name = "";
-  last = cumsum (skeleton.points);
-  if (ischar (wanted) && ! isempty (wanted))
-    k = find (strcmp (skeleton.body, wanted));
-    if (isempty (k) || skeleton.points(k) == 0)
-      error ("%s: option trace: no link \"%s\"; known: %s", who, wanted, ...
-             strjoin (skeleton.body(2:end)', ", "));
-    endif
-    column = last(k);
-  elseif (! isempty (wanted))
-    if (! (isnumeric (wanted) && isscalar (wanted) && any (wanted == 1:last(end))))
-      error ("%s: option trace must be the name of a link or a column of m.ske, 1 to %d", who, ...
-             last(end));
-    endif
-    column = wanted;
-    k = find (column <= last, 1);
-  endif
-  if (! isempty (column))
-    inside = column - last(k) + skeleton.points(k);
-    name = ["path of " skeleton.body{k}];
-    if (skeleton.points(k) > 1)
-      name = sprintf ("%s, %s", name, ...
-                      {"mass centre", sprintf("joint %d", inside)}{1 ...
-                          + (inside <= skeleton.joints(k))});
-    endif
-  endif
-endfunction
-
 ## the rows of the result that are drawn
 function list = poses (t, o, moving)
   at = o.times(:)';
@@ -222,308 +177,6 @@ function names = heads (skeleton)
 endfunction
 
 ## ------------------------------------------------------------ where it stands
-
-## s.axes: the two or three coordinates drawn, the last one upwards; s.eye: towards the eye, in
-## ground axes; s.low, s.high: the room; s.mark: size of a support; s.pixels: of the picture;
-## ENTRIES: of the legend, the longest one of LETTERS
-function s = stage (p, path, o, entries, letters)
-  all_points = [reshape(p, 3, []), path];
-  low = min (all_points, [], 2);
-  high = max (all_points, [], 2);
-  extent = max (max (high - low), 1e-3);
-  flat = find (high - low <= 1e-9 * extent);
-  s.axes = circshift (1:3, find ("zyx" == o.up) - 1);   # the last one upwards
-  if (! isempty (flat))
-    s.axes = setdiff (1:3, flat(end));
-  endif
-  s.mark = 0.05 * extent;
-  s.low = low(s.axes) - 0.07 * extent;
-  s.high = high(s.axes) + 0.07 * extent;
-  s.low(end) -= s.mark;
-  room = s.high - s.low;
-  lines = ceil (entries / min (3, 1 + floor (o.width / (7.5 * letters + 60) / 2)));
-  below = 75 + 22 * lines;
-  if (numel (s.axes) == 2)
-    height = (o.width - 110) * room(2) / room(1) + 40 + below;
-    s.pixels = round ([o.width, min(max (height, 300), 1.2 * o.width)]);
-    s.key = [(10 + 22 * lines) / s.pixels(2), lines];
-    s.below = below / s.pixels(2);
-    return;
-  endif
-  s.eye = zeros (3, 1);
-  s.eye(s.axes) = [sind(o.view(1)) * sind(o.view(2)), -sind(o.view(1)) * cosd(o.view(2)), ...
-                   cosd(o.view(1))];
-  ## set view equal xyz: the longer of x and y spans the lesser side of what the margins leave, its
-  ## middle in theirs
-  wide = room(1) * abs (cosd (o.view(2))) + room(2) * abs (sind (o.view(2)));
-  tall = (room(1) * abs (sind (o.view(2))) + room(2) * abs (cosd (o.view(2)))) ...
-      * abs (cosd (o.view(1))) + room(3) * sind (o.view(1));
-  scale = min ([(o.width - 170) / wide, 0.75 * o.width / tall, o.width / max(room(1:2))]);
-  s.pixels = round ([o.width, scale * tall + below + 60]);
-  half = scale * max (room(1:2)) / 2;
-  middle = below + scale * tall / 2;
-  s.key = [(10 + 22 * lines) / s.pixels(2), lines];
-  s.margins = [o.width/2 - half, o.width/2 + half, middle - half, middle + half] ./ s.pixels([1 ...
-          1 2 2]);
-endfunction
-
-function lines = axes_of (s, o)
-  letters = "xyz"(s.axes);
-  lines = ...
-      {"set tmargin 2.5", "set grid lt 1 lc rgb '#cccccc'", ...
-       "set key Left reverse samplen 2 spacing 1.2", "set tics nomirror", "set tics scale 0.6", ...
-           sprintf("set key at screen 0.5,%.5f top center vertical maxrows %d width 2", s.key)};
-  for k = 1:numel (letters)
-    c = "xyz"(k);
-    lines{end+1} = sprintf ("set %slabel '%s [m]'; set %srange [%.9g:%.9g]", c, letters(k), c, ...
-                            s.low(k), s.high(k));
-    lines{end+1} = sprintf ("set %stics %.9g", c, tick (max (s.high - s.low) / 7));
-  endfor
-  if (numel (letters) == 2)
-    lines = [lines, {"set size ratio -1", sprintf("set bmargin at screen %.5f", s.below)}];
-  else
-    sides = {"l", "r", "b", "t"};
-    for k = 1:4
-      lines{end+1} = sprintf ("set %smargin at screen %.5f", sides{k}, s.margins(k));
-    endfor
-    lines = [lines, {sprintf("set view %.4g,%.4g; set view equal xyz", o.view), ...
-                     sprintf("set xyplane at %.9g", s.low(3)), "set border 127 lc rgb '#888888'"}];
-  endif
-endfunction
-
-## 1, 2 or 5 times a power of ten, not below x
-function step = tick (x)
-  power = 10 ^ floor (log10 (x));
-  step = [1 2 5 10](find ([1 2 5 10] * power >= x * (1 - 1e-9), 1)) * power;
-endfunction
-
-## -------------------------------------------------------------- the drawing
-
-## gnuplot's lines for one picture: poses P(:,:,k) in SHADES(k), the last one full
-function lines = picture (skeleton, p, shades, path, s, title, o)
-  d.data = d.plots = d.keys = {};
-  d.dims = numel (s.axes);
-  first = [0; cumsum(skeleton.points)(1:end-1)];
-  bodies = 2:numel (skeleton.body);
-  supports = p(:,1:skeleton.joints(1),end);
-  corners = arrayfun (@(b) around (p(:,first(b) + (1:skeleton.joints(b)),1)), ...
-                      1:numel (skeleton.body), "UniformOutput", false);
-  if (d.dims == 3)
-    for b = bodies
-      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
-      q(s.axes(3),:) = s.low(3);
-      d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
-    endfor
-    if (columns (supports) >= 2)
-      d = add (d, outline (supports, columns (supports), corners{1}), s, ...
-               "lines lw 1.5 lc rgb '#888888'");
-    endif
-  endif
-  for k = 1:columns (supports)
-    d = support (d, supports(:,k), s);
-  endfor
-  track = "lines lw 1.5 lc rgb '#999999'";
-  if (d.dims == 2)
-    d = add (d, path, s, track);
-  endif
-  for k = 1:numel (shades)
-    here = p(:,:,k);
-    order = bodies;
-    if (d.dims == 3)   # the far ones first
-      depth = arrayfun (@(b) mean (s.eye' * here(:,first(b) + (1:skeleton.points(b)))), bodies);
-      order = bodies(nthargout (2, @sort, depth));
-    endif
-    for b = order
-      own = first(b) + (1:skeleton.points(b));
-      d = link (d, here(:,own), skeleton.joints(b), corners{b}, s, skeleton.color{b}, shades(k), ...
-                o.centres);
-      if (d.dims == 3)   # a nearer link hides them
-        d = marked (d, here, own, skeleton.marks.list, s, shades(k));
-      endif
-    endfor
-    if (d.dims == 2)
-      d = marked (d, here, 1:columns (here), skeleton.marks.list, s, shades(k));
-    endif
-  endfor
-  if (d.dims == 3)
-    d = add (d, path, s, track);
-  endif
-  for b = bodies
-    if (! isempty (skeleton.entry{b}))
-      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
-      d.keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", line_of (q), ...
-                               skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
-    endif
-  endfor
-  d.keys = [d.keys, skeleton.marks.key];
-  if (! isempty (path))
-    d.keys{end+1} = ["keyentry with " track " title " gsmbp__quoted(o.traced)];
-  endif
-  command = {"plot ", "splot "}{d.dims - 1};
-  lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), ...
-                    1 - 20 / s.pixels(2))}, d.data, ...
-           {[command strjoin([d.plots, d.keys], ", ")]}];
-endfunction
-
-## the marks of the points OWN of a pose
-function d = marked (d, here, own, list, s, shade)
-  for mark = list
-    q = here(:,intersect (mark.columns, own));
-    d = add (d, q, s, mark.under);
-    d = add (d, q, s, sprintf ("%s lc rgb '%s'", mark.over, lighter ("#222222", shade)));
-  endfor
-endfunction
-
-## one link in one pose: plate, arm to the mass centre, line
-function d = link (d, here, joints, corners, s, color, shade, centres)
-  q = outline (here, joints, corners);
-  if (columns (q) > 3)
-    d = add (d, q, s, ...
-             sprintf ("%s fc rgb '%s'", ...
-                      {"filledcurves closed", "polygons fs solid noborder"}{d.dims - 1}, ...
-                      lighter (color, 0.25 * shade)));
-  endif
-  if (centres && columns (here) > joints && joints > 1)
-    d = add (d, [mean(here(:,1:joints), 2), here(:,end)], s, ...
-             sprintf ("lines lw 1.2 lc rgb '%s'", lighter (color, shade)));
-  endif
-  d = add (d, q, s, sprintf ("%s lc rgb '%s'", line_of (q), lighter (color, shade)));
-endfunction
-
-function style = line_of (q)
-  style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
-endfunction
-
-## colour of each body, and what it is called in the legend (nothing if one before it speaks for
-## both)
-function [color, entry] = entries (body)
-  family = entry = body(:)';
-  if (numel (body) > 8)
-    family = regexprep (family, '\d+$', "");
-  endif
-  kinds = unique (family, "stable");
-  group = cellfun (@(f) find (strcmp (f, kinds)), family);
-  color = [{"#888888"}, gsmbp__colors(max (group) - 1)](group);
-  for g = 2:max (group)
-    k = find (group == g);
-    if (numel (k) > 1)
-      entry{k(1)} = sprintf ("%s ... %s", body{k([1 end])});
-      entry(k(2:end)) = {""};
-    endif
-  endfor
-  entry{1} = "";
-endfunction
-
-## how points are marked: a list of structs with the columns of m.ske, what is drawn under and over
-## them; key: the entries of the legend
-function m = marks (skeleton, centres)
-  column = 0;
-  of = {};
-  for b = 1:numel (skeleton.body)
-    for k = 1:skeleton.points(b)
-      column++;
-      of{column} = "mass centre";
-      if (k <= skeleton.joints(b))
-        of{column} = "joint";
-        if (isfield (skeleton, "types"))
-          of{column} = skeleton.types{b}{k};
-        endif
-      endif
-    endfor
-  endfor
-  ## type, gnuplot's point below (white or dark) and above
-  table = {"joint", 7, 6; "revolute", 7, 6; "prismatic", 5, 4; "cylindrical", 11, 10; "helical", ...
-           13, 12; "universal", 15, 14; "spherical", 7, 7; "planar", 9, 8; "fixed", 5, 5};
-  m.list = struct ("columns", {}, "under", {}, "over", {});
-  m.key = {};
-  for row = table'
-    columns = find (strcmp (of, row{1}));
-    if (! isempty (columns))
-      size = 1.3 - 0.4 * strcmp (row{1}, "fixed");
-      m.list(end+1) = struct ("columns", columns, "under", ...
-                              sprintf ("points pt %d ps %g lc rgb 'white'", row{2}, 1.3), ...
-                              "over", sprintf ("points pt %d ps %g lw 1.6", row{3}, size));
-      m.key{end+1} = sprintf ("keyentry with %s lc rgb '#222222' title '%s'", m.list(end).over, ...
-                              row{1});
-    endif
-  endfor
-  columns = find (strcmp (of, "mass centre"));
-  if (centres && ! isempty (columns))
-    m.list(end+1) = struct ("columns", columns, "under", "dots lc rgb 'white'", "over", ...
-                            "points pt 2 ps 1.1 lw 1.6");
-    m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
-  endif
-endfunction
-
-## the corners of a link: its joints (a closed polygon from three on), or its only joint and the
-## mass centre
-function q = outline (q, joints, corners)
-  if (joints >= 2)
-    q = q(:,corners);
-  endif
-  if (joints >= 3)
-    q(:,end+1) = q(:,1);
-  endif
-  if (all (max (q, [], 2) - min (q, [], 2) <= 1e-12))
-    q = q(:,1);
-  endif
-endfunction
-
-## the order of points around their middle, so that a plate does not cross itself
-function order = around (q)
-  order = 1:columns (q);
-  if (columns (q) > 3)
-    [U, S, ~] = svd (q - mean (q, 2));
-    if (S(2,2) > 1e-6 * S(1,1))
-      flat = U(:,1:2)' * (q - mean (q, 2));
-      [~, order] = sort (atan2 (flat(2,:), flat(1,:)));
-    endif
-  endif
-endfunction
-
-## points Q as a data block of gnuplot and what draws them; NaN separates pieces
-function d = add (d, q, s, style)
-  if (isempty (q))
-    return;
-  endif
-  name = sprintf ("$D%d", numel (d.data) + 1);
-  text = sprintf ([repmat("%.9g ", 1, d.dims) "\n"], q(s.axes,:));
-  text = regexprep (text, "NaN[^\n]*", "");
-  d.data{end+1} = sprintf ("%s << EOD\n%sEOD", name, text);
-  d.plots{end+1} = sprintf ("%s with %s notitle", name, style);
-endfunction
-
-## the support below a joint of the ground: triangle or pyramid, and hatching
-function d = support (d, at, s)
-  h = s.mark;
-  gap = NaN (3, 1);
-  up = zeros (3, 1);
-  up(s.axes(end)) = 1;
-  side = zeros (3, 1);
-  side(s.axes(1)) = 1;
-  foot = at - h * up;
-  grey = "lines lw 1.5 lc rgb '#444444'";
-  if (d.dims == 2)
-    body = [at, foot - 0.6*h*side, foot + 0.6*h*side, at];
-  else
-    deep = zeros (3, 1);
-    deep(s.axes(2)) = 1;
-    c = [foot - 0.5*h*(side + deep), foot + 0.5*h*(side - deep), foot + 0.5*h*(side + deep), ...
-         foot - 0.5*h*(side - deep)];
-    body = [c(:,[1:4 1]), gap, c(:,1), at, c(:,3), gap, c(:,2), at, c(:,4)];
-  endif
-  hatch = [foot - h*side, foot + h*side, gap];
-  for x = linspace (-0.7, 1, 5)
-    hatch = [hatch, foot + x*h*side, foot + (x - 0.3)*h*side - 0.35*h*up, gap];
-  endfor
-  d = add (d, [body, gap, hatch], s, grey);
-endfunction
-
-## a colour mixed with white: SHADE 1 is the colour itself
-function color = lighter (color, shade)
-  rgb = hex2dec ({color(2:3), color(4:5), color(6:7)})';
-  color = sprintf ("#%02x%02x%02x", round (255 - shade * (255 - rgb)));
-endfunction
 
 %!function [m, r] = pendulum (spatial)
 %!  m = struct ("name", "pendulum", "sizes", struct ("nq", 2));

@@ -26,6 +26,13 @@
 ## come back as columns of @var{X}, the nearest to the guess first.  Hold the
 ## independent coordinates: otherwise every guess finds another place of the
 ## same motion.  It is an error if none of them closes the loop.
+##
+## Errors: a loop that does not close, or a guess that no branch closes; a
+## coordinate in "hold" that the model has not, or one alone of four Euler
+## parameters; a guess of another size, not finite, or with zeros for Euler
+## parameters.
+## Source: own: projection in the metric of the mass matrix (PRJ), else
+## Newton's method.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 
@@ -46,10 +53,10 @@ function x = gsmbp_assemble (m, guess, varargin)
   whole_orientations (who, m, held);
   if (m.sizes.nlam == 0)
     if (m.sizes.nq > m.sizes.nu)
-      x = normalized (m, x);
+      x = gsmbp__unit_orientations (m, x);
     endif
   elseif (o.branches == 0)
-    [x, complaint] = close_loops (m, x, o, held);
+    [x, complaint] = gsmbp__close_loops (m, x, o, held);
     if (! isempty (complaint))
       error ("%s: %s: %s", who, m.name, complaint);
     endif
@@ -106,93 +113,6 @@ function held = held_coordinates (who, m, names)
   endfor
 endfunction
 
-## the state from one guess; COMPLAINT says why it is none, or is empty
-function [x, complaint] = close_loops (m, x, o, held)
-  d = m.sizes;
-  if (any (held))
-    x = solve (m, x, o, held);
-  else
-    [x, ~, info] = m.prj (o.time, x);
-  endif
-  phi = rate = Inf (d.nlam, 1);
-  if (all (abs (x) <= 1e300))
-    u = x(d.nq + (1:d.nu));
-    [phi, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
-    rate = H * u + phit;
-  endif
-  complaint = "";
-  [gap, k] = max (abs (phi));
-  [slip, j] = max (abs (rate));
-  if (! (gap <= o.tolerance))
-    complaint = sprintf (["the loop does not close: %s = %.6g is left of the constraints " ...
-                          "(tolerance " ...
-                          "%g); try another guess or check the lengths"], label (m, k), phi(k), ...
-                         o.tolerance);
-  elseif (! (slip <= o.tolerance * max (1, norm (u))))
-    complaint = sprintf ("the speeds do not fit the constraints: the rate of %s is %.6g", ...
-                         label (m, j), rate(j));
-  endif
-endfunction
-
-## Newton on what is not held, by displacements of the speeds; then the speeds
-function x = solve (m, x, o, held)
-  d = m.sizes;
-  x = normalized (m, x);
-  u = x(d.nq + (1:d.nu));
-  rows = setdiff (1:d.nlam, m.speed_rows);   # the others have no phi
-  least = Inf;
-  for iteration = 1:60
-    q = x(1:d.nq);
-    [phi, ~, H, ~, ~] = m.con (o.time, q, u);
-    if (norm (phi, Inf) < least)
-      least = norm (phi, Inf);
-      best = x;
-    endif
-    [K, free] = moves (m, o.time, q, held);
-    step = -pinv (H(rows,free)) * phi(rows);
-    move = K(:,free) * step / max (1, max (abs (step)));
-    x(1:d.nq) += move;
-    x = normalized (m, x);
-    if (norm (move, Inf) <= 1e-15 * max (1, norm (q, Inf)) || norm (phi, Inf) == 0)
-      break;
-    endif
-  endfor
-  if (norm (m.con (o.time, x(1:d.nq), u), Inf) > least)
-    x = best;
-  endif
-  [~, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
-  [~, free] = moves (m, o.time, x(1:d.nq), held);
-  u(free) -= pinv (H(:,free)) * (H * u + phit);
-  x(d.nq + (1:d.nu)) = u;
-endfunction
-
-## q' = K*u, and which speeds move nothing that is held
-function [K, free] = moves (m, t, q, held)
-  d = m.sizes;
-  if (d.nq == d.nu && ! any (strcmp (m.subroutines, "kin")))
-    K = eye (d.nu);
-  else
-    e = eye (d.nu);
-    for j = d.nu:-1:1
-      K(:,j) = m.kin (t, q, e(:,j));
-    endfor
-  endif
-  free = all (abs (K(held,:)) <= 1e-12, 1);
-endfunction
-
-## Euler parameters of length one
-function x = normalized (m, x)
-  for set = m.orientation'
-    n = norm (x(set));
-    if (n > 0)
-      x(set) /= n;
-    endif
-  endfor
-  if (isempty (m.orientation) && m.sizes.nq > m.sizes.nu && m.sizes.nlam == 0)
-    x = m.prj (0, x);
-  endif
-endfunction
-
 ## all different states from many guesses, as columns
 function found = branches (who, m, guess, o, held)
   before = rand ("twister");
@@ -206,7 +126,7 @@ function found = branches (who, m, guess, o, held)
   first = "";
   for x = guesses
     try
-      [x, complaint] = close_loops (m, x, o, held);
+      [x, complaint] = gsmbp__close_loops (m, x, o, held);
     catch err
       complaint = err.message;
     end_try_catch
@@ -273,13 +193,6 @@ function e = difference (m, found, x)
     swap = max (abs (other), [], 1) < max (abs (e(set,:)), [], 1);
     e(set,swap) = other(:,swap);
   endfor
-endfunction
-
-function text = label (m, k)
-  text = sprintf ("phi(%d)", k);
-  if (numel (m.multipliers) >= k)
-    text = sprintf ("phi of %s", m.multipliers{k});
-  endif
 endfunction
 
 %!shared c

@@ -129,6 +129,12 @@
 ## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
 ## xd = m.rhs (0, [0.1; 0])
 ## @end example
+##
+## Errors: a .json or .f that is missing, cut short or of another emission; a
+## compiler that fails (what it says is shown); an unknown option or
+## parameter, a value that the scene refuses; a handle called with an argument
+## of the wrong size, one that is not finite, or without its subroutine.
+## Source: own; every subroutine names its method in its head.
 ## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear, gsmbp_animate}
 ## @end deftypefn
 
@@ -173,48 +179,14 @@ function m = gsmbp_build (name, varargin)
                     contents);
   before = stat (fullfile (build, options.precision, json.name, [symbol ".oct"]));
   file = gsmbp__compile (json, source, build, options.precision, symbol, input);
-  load_module (symbol, file, before);
+  gsmbp__load_module (symbol, file, before);
 
-  m.name = json.name;
-  [m.gsmbp_version, m.scene_hash] = origin (json);
+  m = gsmbp__described (json);
   m.precision = options.precision;
   m.directory = folder;
   m.file = file;
   m.symbol = symbol;
   m.module = str2func (symbol);
-  m.sizes = json.dimensions;
-  for part = {"coordinates", "speeds", "states", "inputs", "outputs", "multipliers"}
-    p = part{1};
-    list = [];
-    if (isfield (json, p))
-      list = json.(p);
-    endif
-    [m.(p), m.units.(p)] = gsmbp__names (list);
-  endfor
-  m.subroutines = cellfun (@(s) tolower (s(numel (json.name)+2:end)), ...
-                           gsmbp__names (json.subroutines), "UniformOutput", false);
-  m.order = json.command_order;
-  m.actuated = double (json.actuated(:));
-  m.nominal = nominal (json);
-  m.internal = zeros (0, 1);
-  m.margins = cell (0, 1);
-  if (isfield (json, "internal") && ! isempty (json.internal))
-    m.internal = double (json.internal(:));
-  endif
-  if (isfield (json, "margins") && ! isempty (json.margins))
-    m.margins = cellstr (json.margins)(:);
-  endif
-  m.state_margins = cell (0, 1);
-  if (isfield (json, "state_margins") && ! isempty (json.state_margins))
-    m.state_margins = cellstr (json.state_margins)(:);
-  endif
-  m.controllers = controllers (json);
-  m.events = struct ("name", {}, "entry", {}, "kind", {}, "input", {});
-  if (isfield (json, "events") && ! isempty (json.events))
-    m.events = json.events(:)';
-  endif
-  m.skeleton = gsmbp__skeleton (json);
-  m = loops (m, json);
   m.json = json;
   m.unique = gsmbp__unique (m);
   [names, m.units.parameters] = gsmbp__names (json.parameters);
@@ -224,78 +196,8 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp_set (m, options.parameters);
 endfunction
 
-## the version of GSMBP that emitted the scene and the hash of the scene, "" where the JSON (one
-## written by hand) says nothing
-function [number, scene] = origin (json)
-  number = scene = "";
-  if (isfield (json, "gsmbp_version"))
-    number = json.gsmbp_version;
-  endif
-  if (isfield (json, "scene_hash"))
-    scene = json.scene_hash;
-  endif
-endfunction
-
-## the usual sizes of the states, 1 where the JSON says nothing
-function sizes = nominal (json)
-  sizes = ones (json.dimensions.nx, 1);
-  if (isfield (json, "nominal") && numel (json.nominal) == numel (sizes))
-    sizes = double (json.nominal(:));
-    sizes(! (sizes > 0)) = 1;
-  endif
-endfunction
-
-## what the JSON says of loops and orientations, empty where it says nothing
-function m = loops (m, json)
-  m.removed = m.mobility = struct ([]);
-  m.orientation = gsmbp__orientation (json);
-  m.angles = cell (0, 1);
-  m.speed_rows = zeros (0, 1);
-  if (isfield (json, "removed") && ! isempty (json.removed))
-    m.removed = json.removed;
-  endif
-  if (isfield (json, "mobility"))
-    m.mobility = json.mobility;
-  endif
-  if (isfield (json, "angles"))
-    m.angles = gsmbp__names (json.angles);
-  endif
-  if (isfield (json, "speed_rows"))
-    m.speed_rows = double (json.speed_rows(:));
-  endif
-endfunction
-
-## the sampled devices, a struct array
-function list = controllers (json)
-  list = struct ("name", {}, "entry", {}, "period", {}, "delay", {}, "memory", {}, "starts", {}, ...
-                 "outputs", {}, "reads", {}, "again", {});
-  if (isfield (json, "controllers") && ! isempty (json.controllers))
-    list = json.controllers(:)';
-    for k = 1:numel (list)
-      list(k).memory = cellstr (list(k).memory)(:);
-      for name = {"starts", "outputs", "reads"}
-        list(k).(name{1}) = double (list(k).(name{1})(:));
-      endfor
-    endfor
-  endif
-endfunction
-
 function folder = default_directory ()
   folder = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "fortran_out");
-endfunction
-
-## the module under its name; one that was linked anew takes the old one's place
-function load_module (symbol, file, before)
-  now = stat (file);
-  known = autoload ();
-  if (! isempty (known) && any (strcmp ({known.function}, symbol)))
-    if (! isempty (before) && before.mtime == now.mtime && before.ino == now.ino)
-      return;
-    endif
-    autoload (symbol, file, "remove");
-    clear ("-f", symbol);
-  endif
-  autoload (symbol, file);
 endfunction
 
 %!function m = fixture (name, varargin)

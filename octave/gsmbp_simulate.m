@@ -209,6 +209,13 @@
 ## @code{after} (states).
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
+##
+## Errors: a start that does not fulfil the constraints, or a state where a
+## device cannot be; an argument or option that is unknown, of another size or
+## not finite; a run that fails, unless info is taken.
+## Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I
+## (dp853, rk4); SUNDIALS (cvode); the ways of the loops and the rest are own,
+## as the heads in share/fortran say.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
 ## @end deftypefn
 
@@ -222,12 +229,12 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   has = @(name) any (strcmp (m.subroutines, name));
   o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
   times = gsmbp__times (who, times);
-  [m, way] = loops (who, o, m);
-  [iopt, ropt, atol, method] = integration (who, o, d, m, way);
+  [m, way] = gsmbp__loop_way (who, o, m);
+  [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
-  [ip, rp, breaks, callback] = inputs (who, o, m);
+  [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m);
   [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
   ip = gsmbp__event_plan (who, m, o, ip);
   [x0, atol] = audit_states (who, m, o, x0, atol);
@@ -242,10 +249,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     guess = x0(1:d.nq);
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
-      m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), ...
-      numel(breaks)], iopt, ropt, atol,
-                                                                   ip, rp, guess, callback, ...
-                                                                       library, o.maxorder);
+      m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, ...
+                atol, ip, rp, guess, callback, library, o.maxorder);
   if (strcmp (method, "auto"))
     method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
   endif
@@ -268,41 +273,16 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     s.events = number;
   endif
   if (! isempty (o.audit))
-    result.audit = audit (m, result, x(d.nx+1:end,1:reached)');
+    result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
   endif
-  s.seconds = seconds;
-  s.calls = counts(1);
-  s.accepted = counts(2);
-  s.rejected = counts(3);
-  s.rtol = ropt(2);
-  s.atol = atol(1:d.nx);
-  s.repeated = counts(12);
-  s.projections = counts(4);
-  s.rank_losses = counts(8);
-  s.rank_loss_times = values(10:11)';
-  s.singular_positions = counts(11);
-  s.singular_times = values(16:17)';
-  s.loose = counts(20);
-  s.least_pivot = values(14);
-  s.least_pivot_at = values(15);
-  s.angle_singularities = counts(9);
-  s.angle_times = values(12:13)';
-  s.partition_changes = counts(10);
-  s.method = method;
-  s.jacobians = counts(16) * strcmp (method, "cvode");
-  s.newton = counts(17) * strcmp (method, "cvode");
-  s.stiff = stiffness (m, counts, values);
-  s.smallest_step = values(6);
-  s.largest_step = values(7);
-  s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", ...
-                    values(4), "before_projection", values(5));
-  s.reached = values(8);
-  s.margins = gsmbp__margins (m, result.t, result.x, result.v);
-  result.stats = s;
-  warn (who, m, s);
+  result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
+  result.stats.seconds = seconds;
+  result.stats.rtol = ropt(2);
+  result.stats.atol = atol(1:d.nx);
+  gsmbp__run_warnings (who, m, result.stats);
   if (info != 0 && nargout < 2)
     if (info == 3 && counts(7) == 8 && counts(6) < 4)
-      no_beginning (who, m, t0, x0, counts(6));
+      gsmbp__no_beginning (who, m, t0, x0, counts(6));
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
@@ -314,9 +294,7 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
   if (isempty (o.audit))
     return;
   endif
-  if (! (isnumeric (o.audit) && isscalar (o.audit) && o.audit > 0))
-    error ("%s: audit must be an energy above 0 [J]", who);
-  elseif (! any (strcmp (m.subroutines, "rha")))
+  if (! any (strcmp (m.subroutines, "rha")))
     error (["%s: option audit needs the subroutine RHA (request audit), which %s was " ...
             "emitted without"], who, m.name);
   elseif (! isempty (o.gain))
@@ -324,287 +302,6 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
   endif
   x0 = [x0(:); 0; 0];
   atol = [atol(:); o.rtol * o.audit * [1; 1]];
-endfunction
-
-function a = audit (m, r, w)
-  if (isempty (r.x))
-    a = struct ("balance", [], "passed", [], "error", NaN);
-    return;
-  endif
-  energy = zeros (rows (r.x), 3);   # kinetic, potential, in devices
-  for k = 1:rows (r.x)
-    energy(k,:) = m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3);
-  endfor
-  stored = sum (energy, 2);
-  lost = zeros (rows (r.x), 1);   # in impacts
-  if (isfield (r, "events"))
-    lost = sum (r.events.loss' .* (r.events.t' <= r.t), 2);
-  endif
-  a.balance = stored - stored(1) - w(:,1) + lost - lost(1);
-  a.passed = w(:,2) + lost;
-  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1)); ...
-        range(energy(:,1))]);
-endfunction
-
-function s = stiffness (m, counts, values)
-  s = struct ("time", NaN, "eigenvalue", NaN, "state", "", "step", NaN);
-  if (counts(14) > 0)
-    s = struct ("time", values(18), "eigenvalue", values(19), "state", m.states{counts(15)}, ...
-                "step", values(20));
-  endif
-endfunction
-
-## the way of the loops: its number, and the model with its parameter loop_method
-function [m, way] = loops (who, o, m)
-  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"};
-  d = m.sizes;
-  has = @(name) any (strcmp (m.subroutines, name));
-  euler = d.nq > d.nu;
-  word = o.loops;
-  if (isempty (word))
-    word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
-    if (! isempty (o.projection))
-      word = words{1 + logical(o.projection)};
-    endif
-  elseif (! isempty (o.projection))
-    error ("%s: give \"loops\" or \"projection\", not both", who);
-  endif
-  way = find (strcmp (word, words));
-  if (isempty (way))
-    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
-           gsmbp__shown (word));
-  endif
-  if (d.nlam == 0 && isempty (o.projection))
-    way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
-  endif
-  method = max (1, way - 2);
-  if (isfield (m.par, "loop_method"))
-    if (m.par.loop_method != method)
-      m = gsmbp_set (m, "loop_method", method);
-    endif
-  elseif (method > 1)
-    error (["%s: %s was derived without the ways nullspace, svd and kane (it has no " ...
-            "parameter loop_method): derive the scene again"], who, m.name);
-  endif
-  needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, ...
-           {"con", "kin", "prj"}}{way};
-  for name = needs
-    if (! has (name{1}))
-      error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, ...
-             words{way}, toupper (name{1}), m.name);
-    endif
-  endfor
-endfunction
-
-## what the result does not show by itself
-function warn (who, m, s)
-  if (s.singular_positions > 0)
-    care = "";
-    if (! strcmp (s.method, "dp853"))
-      care = sprintf (", and %s, unlike dp853, does not watch its accuracy there", s.method);
-    endif
-    warning ("gsmbp:singular", ["%s: %s passed %d position%s where its constraints lose rank, " ...
-                                "the first at t = %.6g s: it may go on in more than one way " ...
-                                "there%s"], who, m.name, s.singular_positions, ...
-             {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1), care);
-  endif
-  if (s.singular_positions == 0 && s.loose > 0 && ! strcmp (s.method, "dp853"))
-    warning ("gsmbp:singular", ["%s: %s came close to a position where its constraints lose " ...
-                                "rank at t = %.6g s: %s, unlike dp853, does not watch its " ...
-                                "accuracy there"], who, m.name, s.least_pivot_at, s.method);
-  endif
-  if (s.angle_singularities > 0)
-    joints = "";
-    if (! isempty (m.angles))
-      joints = [" of " strjoin(m.angles(:)', ", ")];
-    endif
-    warning ("gsmbp:angles", ["%s: %s came within 0.05 rad of a singularity of its orientation " ...
-                              "angles%s at t = %.6g s: choose another sequence of axes or " ...
-                              "Euler parameters"], who, m.name,
-             joints, s.angle_times(1));
-  endif
-  for one = s.margins
-    warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
-             one.said, one.time);
-  endfor
-  f = s.stiff;
-  remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
-  if (strcmp (s.method, "rk4") && ! isnan (f.time))
-    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...
-                             "limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, " ...
-                             "of %s): %s"], who, m.name,
-             f.time, f.step, 2.78 / f.eigenvalue, f.eigenvalue, f.state, remedy);
-  elseif (strcmp (s.method, "dp853") && ! isnan (f.time))
-    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by " ...
-                             "stability, not by accuracy (largest eigenvalue about %.3g 1/s, " ...
-                             "of %s): %s"], who, m.name,
-             f.time, f.step, f.eigenvalue, f.state, remedy);
-  endif
-endfunction
-
-function [iopt, ropt, atol, method] = integration (who, o, d, m, way)
-  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
-  if (! (ischar (o.method) && isfield (methods, o.method)))
-    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, ...
-           gsmbp__shown (o.method));
-  endif
-  method = o.method;
-  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
-    error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
-           m.name);
-  endif
-  rk4 = strcmp (o.method, "rk4");
-  if (isempty (o.step))
-    o.step = 1e-3 * rk4;
-  endif
-  for name = {"step", "maxstep", "maxsteps"}
-    value = o.(name{1});
-    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) ...
-             && value >= 0))
-      error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
-    endif
-  endfor
-  if (rk4 && o.step == 0)
-    error ("%s: option step: expected a number above 0, found 0", who);
-  endif
-  [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
-  if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
-    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, ...
-           gsmbp__shown (o.maxorder));
-  endif
-  if (o.drift && ! any (strcmp (m.subroutines, "con")))
-    error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
-  endif
-  iopt = [methods.(method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
-  ropt = [o.step, o.rtol, o.maxstep];
-endfunction
-
-## the arrays IP, RP of GSINP, the breaks, the function to call back
-function [ip, rp, breaks, callback] = inputs (who, o, m)
-  d = m.sizes;
-  ip = zeros (1, 30);
-  ip(4) = m.order;
-  rp = breaks = [];
-  callback = 0;
-  if (! isempty (o.motion))
-    if (! isempty (o.input))
-      error ("%s: give \"input\" or \"motion\", not both", who);
-    endif
-    [pp, planned] = gsmbp__motion (who, m, o.motion);
-    ip(1) = 2;
-    ip(3) = d.nlam > 0 && numel (planned) < d.nu;
-    ip(5) = numel (planned);
-    ip(22) = d.nq + d.nu + 1;
-    ip(30 + (1:numel (planned))) = planned;
-    [ip, rp, breaks] = put (ip, rp, breaks, 10, pp);
-  elseif (isempty (o.input))
-    ip(9) = 1;
-    rp = zeros (1, d.nv);
-  elseif (isstruct (o.input))
-    ip(1) = 1;
-    [ip, rp, breaks] = put (ip, rp, breaks, 6, gsmbp__pp (who, o.input, d.nv, "the input"));
-  elseif (is_function_handle (o.input))
-    ip(1) = 3;
-    callback = o.input;
-  elseif (ischar (o.input))
-    if (! strcmp (o.input, "user"))
-      error ("%s: input \"%s\" is not known; only \"user\" is a word here", who, o.input);
-    endif
-    ip(1) = 3;
-  else
-    constants = o.input;
-    if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv ...
-             && all (isfinite (constants(:)))))
-      error (["%s: input: expected %d finite numbers (%s), a piecewise polynomial, a " ...
-              "function handle or \"user\", found %s"], who, d.nv, strjoin (m.inputs', ", "), ...
-             gsmbp__shown (constants));
-    endif
-    ip(9) = 1;
-    rp = double (constants(:)');
-  endif
-
-  if (isempty (o.gain) && ! isempty (o.reference))
-    error ("%s: a reference needs a gain, with which the inputs follow it", who);
-  endif
-  if (! isempty (o.gain))
-    if (isempty (o.reference))
-      error ("%s: a gain needs a reference, the state about which it acts", who);
-    endif
-    ip(2) = 1;
-    [ip, rp, breaks] = put (ip, rp, breaks, 14, ...
-                            as_pp (who, o.reference, [d.nx 1], "the reference"));
-    [ip, rp, breaks] = put (ip, rp, breaks, 18, as_pp (who, o.gain, [d.nv d.nx], "the gain"));
-  endif
-  [ip, rp] = limits (who, m, o, ip, rp);
-endfunction
-
-## what bounds the inputs of a state feedback, behind RP
-function [ip, rp] = limits (who, m, o, ip, rp)
-  given = o.limits;
-  nv = m.sizes.nv;
-  if (isempty (given))
-    return;
-  elseif (isempty (o.gain))
-    error (["%s: option limits bounds what a state feedback gives and needs option gain; " ...
-            "without feedback give an input that keeps to its limits"], who);
-  elseif (! isnumeric (given) || any (isnan (given(:))) || ! isreal (given))
-    error ("%s: option limits: expected real numbers", who);
-  endif
-  if (isscalar (given))
-    given = repmat (given, nv, 1);
-  endif
-  if (numel (given) == nv && (nv != 2 || isvector (given)))
-    given = [-given(:), given(:)];
-  endif
-  if (! isequal (size (given), [nv 2]))
-    error ("%s: option limits: expected 1, %d or %d x 2 numbers, found %d x %d", who, nv, nv, ...
-           size (o.limits));
-  endif
-  k = find (! (given(:,1) < given(:,2)), 1);
-  if (! isempty (k))
-    error ("%s: option limits: of %s the lower limit must be below the upper one; found %g and %g",
-           who, m.inputs{k}, given(k,1), given(k,2));
-  endif
-  ip(30) = numel (rp) + 1;
-  rp = [rp, max(min (given, realmax), -realmax)(:)'];
-endfunction
-
-## a piecewise polynomial into RP, its description into IP(PLACE:PLACE+3)
-function [ip, rp, breaks] = put (ip, rp, breaks, place, pp)
-  ip(place:place+3) = [pp.pieces, pp.order, numel(rp) + 1, numel(rp) + numel(pp.breaks) + 1];
-  rp = [rp, pp.breaks(:)', pp.coefs(:)'];
-  breaks = [breaks, pp.breaks(2:end-1)(:)'];
-endfunction
-
-## a constant array as a piecewise polynomial of one piece
-function pp = as_pp (who, value, dims, what)
-  if (isstruct (value))
-    pp = gsmbp__pp (who, value, prod (dims), what);
-  elseif (isnumeric (value) ...
-            && (isequal (size (value), dims) ...
-                  || (dims(2) == 1 && isequal (size (value), dims([2 1])))) ...
-            && all (isfinite (value(:))))
-    pp = mkpp ([0 1], double (value(:)), numel (value));
-  else
-    error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial", who, what, dims);
-  endif
-endfunction
-
-## a start where the constraints lose rank, and why the run does not begin there
-function no_beginning (who, m, t, x, why)
-  d = m.sizes;
-  [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
-  [U, S] = svd (H);
-  s = [diag(S); zeros(d.nlam - min (size (S)), 1)];
-  lost = s <= 1e-3 * max (s);
-  rows = any (abs (U(:,lost)) > 0.1, 2);
-  reasons = {"only method \"dp853\" begins there", ...
-             "at rest it may go on in more than one way", ...
-             "no motion with these speeds was found that leaves it"};
-  error ("gsmbp:start",
-         ["%s: %s: expected a start where the constraints are independent; at t = %.9g s they " ...
-          "lose rank, found in rows %s: %s; start beside that position"],
-         who, m.name, t, strjoin (gsmbp__row_names (m)(rows)', ", "), reasons{why});
 endfunction
 
 ## where a run ended before its time

@@ -56,3 +56,15 @@
             (gs-list (list z 0 (gs-minus x)))
             (gs-list (list (gs-minus y) x 0))))))
 (defun $gs__outer (a b) (gs-list (mapcar #'(lambda (x) ($gs__vscale x b)) (cdr a))))
+
+(defun $gs__trace (a) ; in three dimensions
+  (destructuring-bind (x y z) (cdr a)
+    (gs-plus (list (cadr x) (caddr y) (cadddr z)))))
+;;; the axial vector of a matrix: vec(A), A r - A' r = vec(A) x r
+(defun $gs__axial (a)
+  (destructuring-bind ((xx xy xz) (yx yy yz) (zx zy zz)) (mapcar #'cdr (cdr a))
+    (declare (ignore xx yy zz))
+    (gs-list (list (gs-difference zy yz) (gs-difference xz zx) (gs-difference yx xy)))))
+;;; (v.r) 1 - v r'
+(defun $gs__spread_tensor (v r)
+  ($gs__madd ($gs__mscale ($gs__dot v r) ($gs__identity)) ($gs__mscale -1 ($gs__outer v r))))

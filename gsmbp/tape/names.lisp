@@ -71,7 +71,8 @@
 ;;; The name of an expression on the tape tp; hint: text for it, or (text . text).
 (defun $gs__tape_name (tp e hint)
   (cond ((gs-name-or-number-p e) e)
-        (($gs__starts_negative e) (gs-minus ($gs__tape_name tp ($gs__negate e) hint)))
+        (($gs__starts_negative e)
+         (gs-minus ($gs__tape_name tp ($gs__negate e) (gs-negative-hint hint))))
         ((gs-constant-p (gs-nature tp) e)
          ($gs__tape_entry tp ($gs__unmarked e) "" '$constant))
         ((gs-sum-p e) (gs-tape-sum tp (cdr e) hint))
@@ -82,11 +83,18 @@
                (cons (list (caar e)) (mapcar #'(lambda (x) ($gs__tape_name tp x "")) (cdr e))) t)
              hint '$variable))))
 
+;;; the hint of what is named in place of its negative: tau2 becomes neg_tau2, and back
+(defun gs-negative-hint (hint)
+  (let ((text (if (consp hint) (concatenate 'string (car hint) (cdr hint)) hint)))
+    (cond ((string= text "") "")
+          ((eql (search "neg_" text) 0) (subseq text 4))
+          (t (concatenate 'string "neg_" text)))))
+
 ;;; the name of an operation on names
 (defun $gs__tape_entry (tp e hint nature)
   (cond ((gs-name-or-number-p e) e)
         (($gs__starts_negative e)
-         (gs-minus ($gs__tape_entry tp ($gs__negate e) hint nature)))
+         (gs-minus ($gs__tape_entry tp ($gs__negate e) (gs-negative-hint hint) nature)))
         (t (let ((key (gs-key e)))
              (or (gs-find tp e key)
                  (let ((v ($gs__tape_symbol tp (if (eq nature '$constant) "k" hint))))
@@ -139,7 +147,8 @@
             (push g x))))
     (let ((k ($gs__tape_name tp c "")))
       (gs-tape-times
-        tp k (gs-tape-fold tp (nreverse x) (if (or (eql c 1) (eql c -1)) hint "")) hint))))
+        tp k (gs-tape-fold tp (nreverse x)
+                           (case c (1 hint) (-1 (gs-negative-hint hint)) (t ""))) hint))))
 
 ;;; constant times name
 (defun gs-tape-times (tp c v hint)
@@ -216,14 +225,6 @@
 (defun $gs__name_list (nm l)
   (gs-list (mapcar #'(lambda (e) (gs-name-one nm e "")) (cdr l))))
 
-;;; A wrench [f, n], turned by R, about a point that lies at -s: [R f, R n + s x R f]
-(defun $gs__carried_wrench (nm r s fn force-hint moment-hint)
-  (destructuring-bind (f n) (cdr fn)
-    (setq f ($gs__name_vector nm ($gs__matvec r f) force-hint)
-          n ($gs__name_vector nm ($gs__matvec r n) ""))
-    (gs-list
-      (list f ($gs__name_vector nm ($gs__vadd n ($gs__cross s f)) moment-hint)))))
-
 ;;; a symmetric matrix, its upper half named
 (defun $gs__symmetric (nm a hint)
   (let ((i 0) (upper nil) (rows nil))
@@ -240,15 +241,6 @@
       (let ((row nil))
         (dotimes (l k) (push (nth (- k l) (nth l upper)) row))
         (push (gs-list (append (nreverse row) (nth k upper))) rows)))))
-
-;;; The entries of M that a column, the wrench [f, n] of the direction d, has with the screws
-;;; [direction, factor of f, factor of n], in place
-(defun $gs__add_screw_entries (nm m d screws fn)
-  (let ((column (append (cdr (cadr fn)) (cdr (caddr fn)))))
-    (dolist (o (cdr screws) m)
-      (destructuring-bind (direction a b) (cdr o)
-        ($gs__add_to_matrix
-          m d direction (gs-name-one nm (gs-inner (append (cdr a) (cdr b)) column) ""))))))
 
 ;;; The entries of M that the directions d and o of joints share (a mass matrix by rate), more by v,
 ;;; in place: see gs__directions. A direction is known by its kind and rates: without the pass

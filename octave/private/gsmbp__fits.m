@@ -6,8 +6,7 @@
 ## "nonnegative": a finite number >= 0; "any": WHO looks at it later.
 
 function gsmbp__fits (who, what, value, kind)
-  numbers = (isnumeric (value) || islogical (value)) && isreal (value) ...
-            && all (isfinite (value(:)));
+  numbers = isnumeric (value) && isreal (value) && all (isfinite (value(:)));
   one = numbers && isscalar (value);
   if (isnumeric (kind))
     wanted = sprintf ("a number from %g to %g", kind);
@@ -18,7 +17,8 @@ function gsmbp__fits (who, what, value, kind)
   else
     switch (kind)
       case "flag"
-        [wanted, fits] = deal ("true or false", one && any (value == [0, 1]));
+        truth = one || (islogical (value) && isscalar (value));
+        [wanted, fits] = deal ("true or false", truth && any (value == [0, 1]));
       case "number"
         [wanted, fits] = deal ("a finite number", one);
       case "positive"

@@ -6,7 +6,10 @@ function text = gsmbp__shown (value)
   if (ischar (value) && rows (value) <= 1 && numel (value) <= 60)
     text = ["\"" undo_string_escapes(value) "\""];
   elseif ((isnumeric (value) || islogical (value)) && numel (value) <= 6 && ndims (value) == 2)
-    text = mat2str (double (value), 6);
+    if (! islogical (value))
+      value = double (value);
+    endif
+    text = mat2str (value, 6);
   elseif (is_function_handle (value))
     text = "a function handle";
   else

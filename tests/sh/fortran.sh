@@ -43,6 +43,11 @@ for file in "$GSMBP_TEST_DIR"/fortran_out/*.f $(find share/fortran -name "*.f");
   awk -v emitted=$emitted -f "$work/fixed_form.awk" "$file" >"$report"
   result "$name keeps to the fixed form"
 
+  if [ $emitted = yes ]; then
+    awk -f tests/tools/emitted_text.awk "$file" >"$report"
+    result "$name says what its arguments and constants are, and its methods"
+  fi
+
   # workspace handed on by its first element, routines called from other files, and IAND
   # (MIL-STD-1753, Fortran 95) are the run time's custom
   custom= more=

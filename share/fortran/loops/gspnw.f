@@ -20,6 +20,24 @@ C
       P(2) = -1.0D0
       CALL GSPRC( KIN, T, X, NQ, NU, NLAM, CST, P, RANK, LEAST, CHANGE )
       END
+      SUBROUTINE GSPCN( CON, KIN, T, X, NQ, NU, NLAM, CST, P, ISTAT,
+     $                  INFO )
+C
+C     PURPOSE
+C     GSPNW within a run: ISTAT(6) and ISTAT(7) of GSSIM tell if CON
+C     fails.
+C
+      IMPLICIT NONE
+      EXTERNAL           CON, KIN
+      INTEGER            NQ, NU, NLAM, ISTAT(*), INFO
+      DOUBLE PRECISION   T, X(*), CST(*), P(*)
+      EXTERNAL           GSPNW
+C
+      CALL GSPNW( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
+      ISTAT(6) = INFO
+      ISTAT(7) = 4
+      IF ( INFO.EQ.0 ) ISTAT(7) = 0
+      END
       SUBROUTINE GSPRC( KIN, T, X, NQ, NU, NLAM, CST, P, RANK, LEAST,
      $                  CHANGE )
 C

@@ -1,0 +1,52 @@
+## o = gsmbp__animation_options (who, o, skeleton, t)
+## The options O of gsmbp_animate, checked; T: the times of the motion.
+
+function o = gsmbp__animation_options (who, o, skeleton, t)
+  if (o.fps > 50)
+    error (["%s: option fps must be at most 50 (a GIF counts hundredths of a second), " ...
+            "found: %g"], who, o.fps);
+  endif
+  o.delay = round (100 / o.fps);
+  if (! (isnumeric (o.view) && numel (o.view) == 2 && all (isfinite (o.view)) && o.view(1) >= 0 ...
+           && o.view(1) <= 180))
+    error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
+  endif
+  o.view(2) = mod (o.view(2), 360);
+  slack = 1e-9 * (1 + abs (t(end)) + abs (t(1)));
+  if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) ...
+           && all (o.times(:) <= t(end) + slack)))
+    error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
+  endif
+  [o.trace, o.traced] = traced (who, o.trace, skeleton);
+endfunction
+
+## the column of m.ske that option trace means, and its name
+function [column, name] = traced (who, wanted, skeleton)
+  column = [];
+  name = "";
+  last = cumsum (skeleton.points);
+  if (ischar (wanted) && ! isempty (wanted))
+    k = find (strcmp (skeleton.body, wanted));
+    if (isempty (k) || skeleton.points(k) == 0)
+      error ("%s: option trace: no link \"%s\"; known: %s", who, wanted, ...
+             strjoin (skeleton.body(2:end)', ", "));
+    endif
+    column = last(k);
+  elseif (! isempty (wanted))
+    if (! (isnumeric (wanted) && isscalar (wanted) && any (wanted == 1:last(end))))
+      error ("%s: option trace must be the name of a link or a column of m.ske, 1 to %d", who, ...
+             last(end));
+    endif
+    column = wanted;
+    k = find (column <= last, 1);
+  endif
+  if (! isempty (column))
+    inside = column - last(k) + skeleton.points(k);
+    name = ["path of " skeleton.body{k}];
+    if (skeleton.points(k) > 1)
+      name = sprintf ("%s, %s", name, ...
+                      {"mass centre", sprintf("joint %d", inside)}{1 ...
+                          + (inside <= skeleton.joints(k))});
+    endif
+  endif
+endfunction

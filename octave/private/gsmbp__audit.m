@@ -1,0 +1,22 @@
+## a = gsmbp__audit (m, r, w)
+## The energy audit of the run R of the model M: W has its two states, a row for each time.
+
+function a = gsmbp__audit (m, r, w)
+  if (isempty (r.x))
+    a = struct ("balance", [], "passed", [], "error", NaN);
+    return;
+  endif
+  energy = zeros (rows (r.x), 3);   # kinetic, potential, in devices
+  for k = 1:rows (r.x)
+    energy(k,:) = m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3);
+  endfor
+  stored = sum (energy, 2);
+  lost = zeros (rows (r.x), 1);   # in impacts
+  if (isfield (r, "events"))
+    lost = sum (r.events.loss' .* (r.events.t' <= r.t), 2);
+  endif
+  a.balance = stored - stored(1) - w(:,1) + lost - lost(1);
+  a.passed = w(:,2) + lost;
+  a.error = max (abs (a.balance)) / max ([a.passed(end); abs(stored - stored(1)); ...
+        range(energy(:,1))]);
+endfunction

@@ -1,0 +1,40 @@
+## [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way)
+## The arrays IOPT and ROPT of share/fortran/integrate/gssim.f, the absolute tolerances and the
+## method.  O: the options of gsmbp_simulate, D: the sizes of the model M, WAY: of the loops.
+
+function [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way)
+  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
+  if (! (ischar (o.method) && isfield (methods, o.method)))
+    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, ...
+           gsmbp__shown (o.method));
+  endif
+  method = o.method;
+  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
+    error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
+           m.name);
+  endif
+  rk4 = strcmp (o.method, "rk4");
+  if (isempty (o.step))
+    o.step = 1e-3 * rk4;
+  endif
+  for name = {"step", "maxstep", "maxsteps"}
+    value = o.(name{1});
+    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) ...
+             && value >= 0))
+      error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
+    endif
+  endfor
+  if (rk4 && o.step == 0)
+    error ("%s: option step: expected a number above 0, found 0", who);
+  endif
+  [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
+  if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
+    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, ...
+           gsmbp__shown (o.maxorder));
+  endif
+  if (o.drift && ! any (strcmp (m.subroutines, "con")))
+    error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
+  endif
+  iopt = [methods.(method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
+  ropt = [o.step, o.rtol, o.maxstep];
+endfunction

@@ -1,0 +1,44 @@
+## [m, way] = gsmbp__loop_way (who, o, m)
+## The way of the loops: its number, and the model M with its parameter loop_method.  O: the options
+## of gsmbp_simulate.
+
+function [m, way] = gsmbp__loop_way (who, o, m)
+  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"};
+  d = m.sizes;
+  has = @(name) any (strcmp (m.subroutines, name));
+  euler = d.nq > d.nu;
+  word = o.loops;
+  if (isempty (word))
+    word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
+    if (! isempty (o.projection))
+      word = words{1 + logical(o.projection)};
+    endif
+  elseif (! isempty (o.projection))
+    error ("%s: give \"loops\" or \"projection\", not both", who);
+  endif
+  way = find (strcmp (word, words));
+  if (isempty (way))
+    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
+           gsmbp__shown (word));
+  endif
+  if (d.nlam == 0 && isempty (o.projection))
+    way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
+  endif
+  method = max (1, way - 2);
+  if (isfield (m.par, "loop_method"))
+    if (m.par.loop_method != method)
+      m = gsmbp_set (m, "loop_method", method);
+    endif
+  elseif (method > 1)
+    error (["%s: %s was derived without the ways nullspace, svd and kane (it has no " ...
+            "parameter loop_method): derive the scene again"], who, m.name);
+  endif
+  needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, ...
+           {"con", "kin", "prj"}}{way};
+  for name = needs
+    if (! has (name{1}))
+      error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, ...
+             words{way}, toupper (name{1}), m.name);
+    endif
+  endfor
+endfunction

@@ -1,0 +1,71 @@
+## p = gsmbp__rest_problem (m, x, v, o)
+## What gsmbp_trim solves: unknowns, sizes, what is held; O: its options.
+
+function p = gsmbp__rest_problem (m, x, v, o)
+  p = struct ("who", "gsmbp_trim", "m", m, "t", o.time, "tolerance", o.tolerance);
+  d = m.sizes;
+  if (! any (strcmp (m.subroutines, "jac")))
+    error ("%s: %s was emitted without the subroutine JAC", p.who, m.name);
+  endif
+  x = gsmbp__guess (p.who, m, "x", x, m.initial(d.nq + 1:d.nx));
+  x(d.nq + (1:d.nu)) = 0;
+  if (isempty (v))
+    v = zeros (d.nv, 1);
+  endif
+  named = sprintf (" (the inputs %s)", strjoin (m.inputs', ", "));
+  v = gsmbp__vector (p.who, "v", v, d.nv, named, m.inputs);
+  held = places (p.who, o.hold, m.states, "hold", "a state");
+  p.inputs = places (p.who, o.free, m.inputs, "free", "an input")(:)';
+  p.own = setdiff ([1:d.nq, d.nq + d.nu + 1:d.nx], held);
+  p.held = held;
+  if (d.nlam > 0 || d.nq > d.nu)
+    x = closed (m, x, held, o.time);
+  endif
+  p.x = x;
+  p.v = v;
+  p.fixed = [];   # unknowns that stay where they are
+  p.z = [x(p.own); v(p.inputs)];
+  p.size = [m.nominal(p.own); ones(numel (p.inputs), 1)];
+  p.usual = [m.nominal(d.nq + 1:d.nx); ones(d.nlam + rows (m.orientation), 1)];
+  p.size = sizes (p);
+endfunction
+
+## a free input counts by what moves the rates as much as the usual sizes of the states do
+function s = sizes (p)
+  s = p.size;
+  n = numel (p.own);
+  [~, J] = gsmbp__rest_equations (p, p.z);
+  if (! all (isfinite (J(:))))
+    return;
+  endif
+  row = abs (J(:,1:n)) * s(1:n);
+  for k = n + (1:numel (p.inputs))
+    reach = max (row, p.usual) ./ abs (J(:,k));
+    least = min (reach(isfinite (reach) & reach > 0));
+    if (! isempty (least))
+      s(k) = max (least, abs (p.z(k)));
+    endif
+  endfor
+endfunction
+
+## a closed state with the held coordinates where they are, if that can be had
+function x = closed (m, x, held, t)
+  held = held(held <= m.sizes.nq);
+  try
+    if (isempty (held))
+      x = gsmbp_assemble (m, x, "time", t);
+    else
+      x = gsmbp_assemble (m, x, "time", t, "hold", m.states(held));
+    endif
+  end_try_catch
+  x(m.sizes.nq + (1:m.sizes.nu)) = 0;
+endfunction
+
+function k = places (who, names, all_names, option, what)
+  names = cellstr (names)(! cellfun (@isempty, cellstr (names)));
+  k = gsmbp__which (names, all_names);
+  if (! all (k))
+    error ("%s: option \"%s\": expected the name of %s, found %s", who, option, what,
+           gsmbp__unknown (names{find (! k, 1)}, all_names));
+  endif
+endfunction

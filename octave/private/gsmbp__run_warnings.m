@@ -1,0 +1,47 @@
+## gsmbp__run_warnings (who, m, s)
+## What the result of a run of M does not show by itself: S, its statistics, as warnings.
+
+function gsmbp__run_warnings (who, m, s)
+  if (s.singular_positions > 0)
+    care = "";
+    if (! strcmp (s.method, "dp853"))
+      care = sprintf (", and %s, unlike dp853, does not watch its accuracy there", s.method);
+    endif
+    warning ("gsmbp:singular", ["%s: %s passed %d position%s where its constraints lose rank, " ...
+                                "the first at t = %.6g s: it may go on in more than one way " ...
+                                "there%s"], who, m.name, s.singular_positions, ...
+             {"", "s"}{1 + (s.singular_positions > 1)}, s.singular_times(1), care);
+  endif
+  if (s.singular_positions == 0 && s.loose > 0 && ! strcmp (s.method, "dp853"))
+    warning ("gsmbp:singular", ["%s: %s came close to a position where its constraints lose " ...
+                                "rank at t = %.6g s: %s, unlike dp853, does not watch its " ...
+                                "accuracy there"], who, m.name, s.least_pivot_at, s.method);
+  endif
+  if (s.angle_singularities > 0)
+    joints = "";
+    if (! isempty (m.angles))
+      joints = [" of " strjoin(m.angles(:)', ", ")];
+    endif
+    warning ("gsmbp:angles", ["%s: %s came within 0.05 rad of a singularity of its orientation " ...
+                              "angles%s at t = %.6g s: choose another sequence of axes or " ...
+                              "Euler parameters"], who, m.name,
+             joints, s.angle_times(1));
+  endif
+  for one = s.margins
+    warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
+             one.said, one.time);
+  endfor
+  f = s.stiff;
+  remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
+  if (strcmp (s.method, "rk4") && ! isnan (f.time))
+    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...
+                             "limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, " ...
+                             "of %s): %s"], who, m.name,
+             f.time, f.step, 2.78 / f.eigenvalue, f.eigenvalue, f.state, remedy);
+  elseif (strcmp (s.method, "dp853") && ! isnan (f.time))
+    warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the steps of dp853, %.3g s, are bound by " ...
+                             "stability, not by accuracy (largest eigenvalue about %.3g 1/s, " ...
+                             "of %s): %s"], who, m.name,
+             f.time, f.step, f.eigenvalue, f.state, remedy);
+  endif
+endfunction
