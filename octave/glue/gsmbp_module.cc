@@ -1221,6 +1221,21 @@ upper (std::string text)
   return text;
 }
 
+// why the scene has not what is asked for by a request; or how to have it
+static std::string
+left_out (const char *request)
+{
+  std::string all = S.left_out, head = std::string ("\n") + request + ": ";
+  std::size_t at = all.find (head), from = at + head.size ();
+  if (at != std::string::npos)
+    {
+      std::string reason = all.substr (from, all.find ('\n', from) - from);
+      if (reason.find ("made on request") == std::string::npos)
+        return reason;
+    }
+  return std::string ("derive it with the request ") + request + " of gsmbp_fortran";
+}
+
 static void
 absent (const std::string& call, const char *request)
 {
@@ -1240,7 +1255,7 @@ absent (const std::string& call, const char *request)
   else if (S.ny == 0 && is (" out "))
     reason = "it has no outputs";
   else
-    reason = std::string ("derive it with the request ") + request + " of gsmbp_fortran";
+    reason = left_out (request);
   error_with_id ("gsmbp:absent", "%s.%s: the scene was emitted without the subroutine %s: %s",
                  S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
 }

@@ -151,11 +151,22 @@ function n = size_of (d, name)
   endif
 endfunction
 
+## the requests that were asked for and are not there, with their reasons, as a constant of C
+function text = left_out (json)
+  text = "";
+  if (isfield (json, "left_out") && isstruct (json.left_out))
+    for one = json.left_out(:)'
+      text = [text, "\n", one.request, ": ", one.reason];
+    endfor
+  endif
+  text = strrep (undo_string_escapes ([text "\n"]), "?", "\\?");
+endfunction
+
 ## the macros of gsmbp_scene.c; sizes are those that gsmbp_scene.h lists
 function text = sizes_header (json, symbol, has_input)
   header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
                                "gsmbp_scene.h"));
-  members = {[".name = \"" json.name "\""]};
+  members = {[".name = \"" json.name "\""], [".left_out = \"" left_out(json) "\""]};
   for name = sizes_in (header)
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor

@@ -7,6 +7,8 @@ function [json, texts] = gsmbp__scene_files (name, source, description)
     if (! exist (file{1}, "file"))
       error (["gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, " ...
               "or `make fortran_out/%s.f`"], file{1}, name);
+    elseif (isfolder (file{1}))
+      error ("gsmbp_build: %s: expected a file, found a folder of this name", file{1});
     elseif (stat (file{1}).size == 0)
       refuse ("%s is empty", file{1});
     endif

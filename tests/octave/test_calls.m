@@ -177,17 +177,31 @@ function absent (models)
   for k = 1:numel (models)
     m = models{k};
     said = true (1, 0);
+    [impossible, why] = left_out (m);
     for name = setdiff (fieldnames (signatures ()), m.subroutines)'
       found = gsmbp_complaint (@() m.(name{1}) (0));
-      said(end+1) = ! isempty (regexp (found, ...
-                                 sprintf (["^%s\\.%s: the scene was emitted without the " ...
-                                           "subroutine %s: (%s)$"], ...
-                                   m.name, name{1}, upper (name{1}), reasons), "once"));
+      told = regexp (found, sprintf (["^%s\\.%s: the scene was emitted without the " ...
+                                      "subroutine %s: (%s)$"], m.name, name{1}, ...
+                                     upper (name{1}), strjoin ([{reasons}, why], "|")), ...
+                     "once");
+      asked = regexp (found, 'request (\w+) of gsmbp_fortran', "tokens", "once");
+      said(end+1) = ! isempty (told) && ! any (ismember (asked, impossible));
       if (! said(end))
         printf ("  %s\n", found);
       end
     end
     gsmbp_check (sprintf ("%s: %d handles without a subroutine", m.name, numel (said)), all (said));
+  end
+end
+
+## requests that the scene cannot have, and the reasons as regular expressions
+function [requests, reasons] = left_out (m)
+  [requests, reasons] = deal ({});
+  for one = m.json.left_out(:)'
+    if (isempty (strfind (one.reason, "made on request")))
+      requests{end+1} = one.request;
+      reasons{end+1} = regexptranslate ("escape", one.reason);
+    end
   end
 end
 

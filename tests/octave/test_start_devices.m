@@ -23,6 +23,8 @@ function settled (m, at, phi)
   gsmbp_check ("observer, rad", at (m, "observer.xe") - phi, 1e-12);
   gsmbp_check ("sensor of second order, V", [at(m, "fast.y") - 2 * phi, at(m, "fast.v")], 1e-12);
   gsmbp_check ("sensor of first order, V", at (m, "slow.y") - 0.1, 1e-12);
+  gsmbp_check ("filter of a derivative, rad", at (m, "law.xd") - (0.05 - phi), 1e-12);
+  gsmbp_check ("integrals, V", [at(m, "law.I"), at(m, "lag.I")], 0);
   own = m.json.settled;
   rates = m.rhs (0, m.initial, zeros (m.sizes.nv, 1));
   gsmbp_check ("their rates vanish, 1/s", rates(own) ./ m.nominal(own), 1e-9);
