@@ -29,19 +29,30 @@
          (caddr name))))
 (defun gs-marked (nm name hint index)
   (when (eq (nth 1 nm) '$tape)
-    (let ((tp (nth 3 nm)) (s (gs-symbol-of name)))
-      (when (and s (not (gethash s (gs-labels tp))) (gethash s (gs-entries tp))
-                 (not (gethash s (nth 6 tp))) (not (eq (gethash s (gs-nature tp)) '$constant)))
-        (setf (gethash s (gs-labels tp))
-              (list hint (if (consp index) nil (gs-subject tp)) index)))))
+    (let ((tp (nth 3 nm)))
+      (gs-put-label tp name (list hint (if (consp index) nil (gs-subject tp)) index))))
   name)
+(defun gs-put-label (tp name label)
+  (let ((s (gs-symbol-of name)))
+    (when (and s (not (gethash s (gs-labels tp))) (gethash s (gs-entries tp))
+               (not (gethash s (nth 6 tp))) (not (eq (gethash s (gs-nature tp)) '$constant)))
+      (setf (gethash s (gs-labels tp)) label))))
+;;; the derivative of a name: its label is made of that of the name and of what moves: the symbol
+;;; of the only seed, or time
+(defun gs-mark-rate (tp rate name seeds)
+  (gs-put-label tp rate (list name (if (cdr seeds) '$t (cadr (car seeds))) 'rate)))
 
 ;;; the text of a label: w3 and "x" is w3x; j, of link 2, and "12" is j2_12; mm and (1 2) is mm12;
 ;;; nil if there is none, or a long one
 (defun gs-label-text (tp s)
   (let ((label (gethash s (gs-labels tp))))
-    (when label
-      (destructuring-bind (hint subject index) label
+    (cond
+      ((null label) nil)
+      ((eq (third label) 'rate)
+       (let ((text (gs-label-text tp (first label))))
+         (and text (<= (length text) 8)
+              (string-downcase (gs-text "d" text "_" (gs-shown-name (second label)))))))
+      (t (destructuring-bind (hint subject index) label
         (let* ((stem (if (or (null subject) (some #'digit-char-p hint))
                          hint
                          ($sconcat hint subject)))
@@ -50,7 +61,8 @@
                               (digit-char-p (char stem (1- (length stem)))))
                          (gs-text stem "_" tail)
                          (gs-text stem tail))))
-          (and (<= (length text) 20) (string-downcase text)))))))
+          (and (<= (length text) 20) (string-downcase text))))))))
+(defun gs-shown-name (s) (coerce (mstring s) 'string))
 (defun gs-index-text (index)
   (cond ((null index) "")
         ((stringp index) index)
@@ -59,12 +71,39 @@
 ;;; those of the symbols that have no label
 (defun $gs__without_label (tp symbols)
   (gs-list (remove-if #'(lambda (s) (gs-label-text tp s)) (cdr symbols))))
-;;; Symbols for the temporaries of a routine: those of their labels where they have any; a second
-;;; of the same label has _2 behind it. taken: table of the symbols that are in use.
-(defun $gs__put_labels (tp table taken symbols)
-  (dolist (s (cdr symbols) table)
-    (let ((text (gs-label-text tp s)))
-      (when text (setf (gethash s table) (gs-free-symbol taken text))))))
+;;; Symbols for the temporaries of a routine, code its entries [name, expression, ...]: those of
+;;; their labels where they have any (a second of the same label has _2 behind it), else of what
+;;; they are. taken: table of the symbols that are in use.
+(defun $gs__put_labels (tp table taken code)
+  (dolist (e (cdr code))
+    (let ((text (gs-label-text tp (cadr e))))
+      (when text (setf (gethash (cadr e) table) (gs-free-symbol taken text)))))
+  (dolist (e (cdr code)) (gs-label-half tp table taken (cadr e) (caddr e)))
+  (dolist (e (cdr code) table) (gs-label-product tp table taken (cadr e) (caddr e))))
+;;; a temporary of which s is a half
+(defun gs-label-half (tp table taken s e)
+  (when (and (gethash s table) (gs-product-p e) (alike1 (cadr e) '((rat simp) 1 2)) (symbolp (caddr e))
+             (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
+    (setf (gethash (caddr e) table)
+          (gs-free-symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
+;;; cq2*cq3 is cq2cq3, cq2^2 is cq2cq2
+(defun gs-label-product (tp table taken s e)
+  (let ((factors (cond ((atom e) nil)
+                       ((gs-product-p e) (cdr e))
+                       ((and (gs-power-p e) (eql (caddr e) 2)) (list (cadr e) (cadr e))))))
+    (when (and factors (null (cddr factors)) (every #'symbolp factors)
+               (gs-numbered-p tp table s)
+               (notany #'(lambda (x) (gs-numbered-p tp table x)) factors))
+      (let ((text (format nil "~{~a~}"
+                          (mapcar #'(lambda (x) (gs-shown-name (or (gethash x table) x)))
+                                  factors))))
+        (when (<= (length text) 12)
+          (setf (gethash s table) (gs-free-symbol taken (string-downcase text))))))))
+;;; a temporary z1, z2, ... without a name of its own
+(defun gs-numbered-p (tp table s)
+  (let ((text (gs-shown-name s)))
+    (and (gethash s (gs-nature tp)) (not (gethash s table))
+         (char= (char text 0) #\z) (every #'digit-char-p (subseq text 1)))))
 (defun gs-free-symbol (taken text)
   (do* ((k 1 (1+ k)) (s (gs-symbol-named text) (gs-symbol-named (format nil "~a_~d" text k))))
       ((not (gethash s taken)) (setf (gethash s taken) t) s)))
