@@ -55,6 +55,11 @@
 ## @example
 ## gsmbp_animate (m, gsmbp_simulate (m, x0, 0:0.02:2), "out/motion.gif", "trace", "rod")
 ## @end example
+##
+## Errors: a result without t and q or x of one size; a model without the
+## handle ske; a file that is neither .gif nor .png or cannot be written; an
+## option that is unknown or out of its range; gnuplot missing.
+## Source: own; the drawing is gnuplot's.
 ## @seealso{gsmbp_build, gsmbp_simulate, gsmbp_inverse, gsmbp_plot}
 ## @end deftypefn
 

@@ -26,6 +26,13 @@
 ## come back as columns of @var{X}, the nearest to the guess first.  Hold the
 ## independent coordinates: otherwise every guess finds another place of the
 ## same motion.  It is an error if none of them closes the loop.
+##
+## Errors: a loop that does not close, or a guess that no branch closes; a
+## coordinate in "hold" that the model has not, or one alone of four Euler
+## parameters; a guess of another size, not finite, or with zeros for Euler
+## parameters.
+## Source: own: projection in the metric of the mass matrix (PRJ), else
+## Newton's method.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 

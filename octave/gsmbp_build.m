@@ -121,7 +121,7 @@
 ## @item "build"
 ## where the modules go (default: @file{build} in that directory)
 ## @item "input"
-## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/gsinp.f}),
+## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/inputs/gsinp.f}),
 ## used by @code{gsmbp_simulate} with input @code{"user"}
 ## @end table
 ##
@@ -129,6 +129,12 @@
 ## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
 ## xd = m.rhs (0, [0.1; 0])
 ## @end example
+##
+## Errors: a .json or .f that is missing, cut short or of another emission; a
+## compiler that fails (what it says is shown); an unknown option or
+## parameter, a value that the scene refuses; a handle called with an argument
+## of the wrong size, one that is not finite, or without its subroutine.
+## Source: own; every subroutine names its method in its head.
 ## @seealso{gsmbp_set, gsmbp_simulate, gsmbp_inverse, gsmbp_linear, gsmbp_animate}
 ## @end deftypefn
 

@@ -6,6 +6,10 @@
 ## Written beside and then renamed, so that @var{file} is whole or as it was before;
 ## a disk that is full is an error.
 ## The folder is made if it does not exist.
+##
+## Errors: data that are no real matrix; another number of heads than columns;
+## a file that cannot be written.
+## Source: own.
 ## @seealso{gsmbp_plot}
 ## @end deftypefn
 

@@ -9,6 +9,9 @@
 ##
 ## @var{cpu} and @var{wall} are seconds of processor and clock; Maxima's start
 ## and the loading of GSMBP are in them.
+##
+## Errors: a scene file that is not there; Maxima's error in one line.
+## Source: own.
 ## @seealso{gsmbp_build}
 ## @end deftypefn
 

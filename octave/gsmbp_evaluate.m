@@ -9,6 +9,10 @@
 ## (default 1) tells which limit to take at a break: -1 from the left, 1 from
 ## the right.  Before the first and after the last break the value is held and
 ## the derivatives are zero.
+##
+## Errors: a motion that is no piecewise polynomial; times, nd or side that
+## are no such numbers.
+## Source: own; Horner's scheme.
 ## @seealso{gsmbp_plan, ppval}
 ## @end deftypefn
 

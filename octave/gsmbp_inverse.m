@@ -36,6 +36,11 @@
 ## states of the devices at the first time (default @code{m.initial}).
 ##
 ## If a loop cannot follow the motion it is an error that names the time.
+##
+## Errors: a motion of other components than the actuated coordinates; a loop
+## that cannot follow it (the time is said); a missing subroutine; an option
+## that is unknown or of another size.
+## Source: Ju and Hsu (1991), inverse dynamics with multipliers.
 ## @seealso{gsmbp_plan, gsmbp_simulate}
 ## @end deftypefn
 

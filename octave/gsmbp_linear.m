@@ -20,6 +20,12 @@
 ## deviations dz, which are the states of the numbers @var{free}.  It is
 ## exact: on the constraints' tangent space T the full model and the
 ## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
+##
+## Errors: a model without the subroutine JAC; a state that does not fulfil
+## the constraints; coordinates in "reduced" that are unknown or do not
+## determine the motion.
+## Source: own: the Jacobians of _JAC are exact; the reduced model lives on
+## the tangent space of the constraints.
 ## @seealso{gsmbp_build, gsmbp_trim, ss, lqr}
 ## @end deftypefn
 

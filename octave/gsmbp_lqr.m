@@ -18,6 +18,11 @@
 ## r = gsmbp_simulate (m, x0, 0:0.01:1, "motion", plan,
 ##                     "gain", d.gain, "reference", d.reference);
 ## @end example
+##
+## Errors: Q or R of another size; the control package missing; a motion that
+## the scene cannot follow.
+## Source: Riccati's equation, by lqr of the control package, at each time;
+## gains scheduled linearly.
 ## @seealso{gsmbp_linear, gsmbp_simulate, lqr}
 ## @end deftypefn
 

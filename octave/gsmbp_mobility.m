@@ -36,6 +36,11 @@
 ##
 ## Without an output argument this is printed.  Reactions that are not unique
 ## come out of the simulation as the least of all that fit.
+##
+## Errors: a state of another size, or one that does not fulfil the
+## constraints.
+## Source: own: the rank of the constraint Jacobian by singular values;
+## Gruebler's count.
 ## @seealso{gsmbp_assemble, gsmbp_linear}
 ## @end deftypefn
 

@@ -34,6 +34,11 @@
 ## motion = gsmbp_plan ("quintic", [0.5 0; -0.75 0; 0.5 0], [0 1]);
 ## speed  = gsmbp_plan ("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2);
 ## @end example
+##
+## Errors: an unknown kind; positions, times or values of other sizes or not
+## finite; an order that the kind has not.
+## Source: polynomials of order 5 and 7 with given end values; splines as in
+## Octave.
 ## @seealso{gsmbp_evaluate, gsmbp_inverse, gsmbp_simulate}
 ## @end deftypefn
 

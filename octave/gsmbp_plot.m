@@ -25,6 +25,10 @@
 ## Options: "xlabel" (default "time [s]"), "title", "scale": "linear"
 ## (default), "semilogy", "semilogx" or "loglog"; "head": column head of
 ## @var{t} in the .csv, default "t".
+##
+## Errors: a file that does not end in .png or cannot be written; a panel
+## without y, names and label of fitting sizes; an unknown scale or option.
+## Source: own; the drawing is gnuplot's.
 ## @seealso{gsmbp_csv, gsmbp_simulate, gsmbp_workprecision}
 ## @end deftypefn
 

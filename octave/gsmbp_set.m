@@ -9,6 +9,10 @@
 ## parameters, and filters and observers that start settled, follow in @code{m.initial}. What the
 ## scene would refuse is an error here: a negative mass, an inertia that no body has, a value out of
 ## the range of a device.
+##
+## Errors: an unknown parameter, one that is made of others, a value that is
+## no finite number or that the scene refuses.
+## Source: own.
 ## @seealso{gsmbp_build}
 ## @end deftypefn
 

@@ -209,6 +209,13 @@
 ## @code{after} (states).
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
+##
+## Errors: a start that does not fulfil the constraints, or a state where a
+## device cannot be; an argument or option that is unknown, of another size or
+## not finite; a run that fails, unless info is taken.
+## Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I
+## (dp853, rk4); SUNDIALS (cvode); the ways of the loops and the rest are own,
+## as the heads in share/fortran say.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
 ## @end deftypefn
 

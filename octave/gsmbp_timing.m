@@ -15,6 +15,9 @@
 ## @var{s} is a struct of seconds for each call: @code{s.rhs} and so on.
 ## "print" (default true) also writes the table with the operation counts of
 ## the .json.
+##
+## Errors: arguments of other sizes, an unknown option.
+## Source: own; the least of three repetitions.
 ## @seealso{gsmbp_build, gsmbp_workprecision}
 ## @end deftypefn
 

@@ -34,6 +34,12 @@
 ## its stroke, a pressure below the tank's; @code{m.state_margins}), unless "margins",
 ## "ignore" is given.  One that holds at the time @var{t} only (default 0) is a
 ## warning.  Of several equilibria the one near the guess is found.
+##
+## Errors: no equilibrium is found (the equations that do not vanish are
+## named); a constraint that moves with time; a margin of a device below 0; an
+## unknown name in "hold" or "free".
+## Source: own: Newton's method with the exact Jacobians, Levenberg's and a
+## transient where it fails.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
 ## @end deftypefn
 

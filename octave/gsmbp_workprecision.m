@@ -21,6 +21,10 @@
 ## tolerance), @code{calls} of the right-hand side, @code{seconds} for each
 ## simulated second, @code{error} (coordinates), @code{error_states};
 ## @code{w(1).reference} holds the rows of the truth.
+##
+## Errors: an option that is measured itself or unknown; a reference that
+## fails.
+## Source: own; Hairer's work-precision diagram.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 

@@ -275,14 +275,17 @@
         (unless (or (string= n (string-upcase (caddr l))) (gethash n raw))
           (setf (gethash (cadr l) h) (caddr l)))))))
 
-;;; A free name for a symbol: its own in capitals, else with _ behind it, else _2, _3, ...
+;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind it,
+;;; else _2, _3, ...
 (defun $gs__fresh (symbol)
-  (let* ((base (gs-fit (string-upcase ($sconcat symbol)))) (n base) (k 1))
+  (let* ((base (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))) (n base) (k 1))
     (loop
       (unless (gethash n $gs__occupied) (return))
       (setq n (if (= k 1) (gs-text base "_") (format nil "~a_~d" base k)) k (1+ k)))
     (setf (gethash n $gs__occupied) t)
     n))
+(defun gs-public-text (s)
+  (if (eql (search "GS__" s) 0) (subseq s 4) s))
 (defun gs-fit (s)
   (let ((c (substitute-if-not #\_ #'gs-word-character-p s)))
     (unless (gs-letter-p (char c 0)) (setq c (gs-text "X" c)))

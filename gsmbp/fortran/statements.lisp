@@ -125,3 +125,9 @@
             (setf (nth (if (eq (caar e) '%sin) 1 2) (cdr p)) s)))))))
 
 (defun $gs__code_lines (code) (dolist (c (cdr code)) (gs-code-line c)))
+
+;;; the headings of the code, each once
+(defun $gs__headings (code)
+  (let ((l nil))
+    (dolist (c (cdr code) (gs-list (nreverse l)))
+      (pushnew (cadddr c) l :test #'equal))))

@@ -3,10 +3,13 @@
 ;;; is Fortran; this only has to be quick enough.)
 (in-package :maxima)
 
+(defun gs-real (x)                   ; the root of a coordinate may be imaginary, far from the start
+  (if (realp x)
+      (coerce x 'double-float)
+      ($gs__raise "gsmbp: the constraints are not real at a position near the start")))
+
 (defun gs-rows (m)
-  (mapcar #'(lambda (r)
-              (coerce (mapcar #'(lambda (x) (coerce x 'double-float)) (cdr r)) 'simple-vector))
-          (cdr m)))
+  (mapcar #'(lambda (r) (coerce (mapcar #'gs-real (cdr r)) 'simple-vector)) (cdr m)))
 
 (defun gs-dot (a b)
   (let ((s 0.0d0))
@@ -16,7 +19,7 @@
 (defun $gs__damped (j phi mu)
   (let* ((rows (coerce (gs-rows j) 'simple-vector)) (m (length rows)) (n (length (svref rows 0)))
          (c (make-array (list m m) :initial-element 0.0d0))
-         (y (coerce (mapcar #'(lambda (x) (- (coerce x 'double-float))) (cdr phi)) 'simple-vector))
+         (y (coerce (mapcar #'(lambda (x) (- (gs-real x))) (cdr phi)) 'simple-vector))
          (dx (make-array n :initial-element 0.0d0)))
     (dotimes (i m)
       (do ((k 0 (1+ k)))

@@ -17,6 +17,13 @@
     (dotimes (k n) (push (pop back) front))
     (gs-list (list (gs-list (nreverse front)) (gs-list back)))))
 
+;;; f of the parts of every row, gs__each(lambda([name, unit], ...), [[q1, "rad"], ...]); and the
+;;; rows of whose parts f is true
+(defun $gs__each (f rows) (gs-list (mapcar #'(lambda (row) (gs-of-parts f row)) (cdr rows))))
+(defun $gs__rows_that (f rows)
+  (gs-list (remove-if-not #'(lambda (row) (definitely-so (gs-of-parts f row))) (cdr rows))))
+(defun gs-of-parts (f row) (mapply1 f (cdr row) f row))
+
 (defun $gs__zero_matrix () (gs-list (loop repeat 3 collect (gs-list (list 0 0 0)))))
 (defun $gs__identity ()
   (gs-list (list (gs-list (list 1 0 0)) (gs-list (list 0 1 0)) (gs-list (list 0 0 1)))))
@@ -64,7 +71,8 @@
 ;;; true if the list of texts holds s, whatever the case
 (defun $gs__holds_text (texts s) (and (member s (cdr texts) :test #'string-equal) t))
 
-;;; The first two of the names [symbol, ...] that are the same when case is ignored, or false
+;;; The first two of the names (records whose first field is the name) that are the same when case
+;;; is ignored, or false
 (defun $gs__first_collision (names)
   (let ((known (make-hash-table)))
     (dolist (x (cdr names))

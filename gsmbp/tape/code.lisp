@@ -7,6 +7,8 @@
 (defun gs-entry-block (e) (nth 3 e))
 (defun gs-entry-number (e) (nth 4 e))
 (defun gs-entry-symbols (e) (cdr (nth 5 e)))
+(defun $gs__entry_block (e) (gs-entry-block e))
+(defun $gs__entry_symbols (e) (nth 5 e))
 
 ;;; entries of a tape that symbols need, oldest first
 (defun $gs__reach_symbols (entry nature symbols constants)

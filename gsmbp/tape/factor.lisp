@@ -54,7 +54,7 @@
   (if (eql (gs-abs c) 1) parts (cons (cons (gs-name-of (gs-abs c)) 1) parts)))
 
 ;; The node of an expression; put: keeps a new node under a new name, which it returns.
-(defun gs-node (e block number put)
+(defun gs-enter-node (e block number put)
   (flet ((node (kind const parts)
            (make-gs-node :kind kind :const const :parts parts :block block :number number)))
     (let* ((op (and (consp e) (caar e)))
@@ -411,8 +411,8 @@
                (sort (copy-list names) #'< :key #'(lambda (v) (gs-node-number (gethash v nodes))))))
       (dolist (e (cdr code))
         (put (second e)
-             (gs-node (third e) (fourth e) (fifth e)
-                      #'(lambda (n) (let ((v (new))) (put v n) v)))))
+             (gs-enter-node (third e) (fourth e) (fifth e)
+                            #'(lambda (n) (let ((v (new))) (put v n) v)))))
       (let ((passes (cdr passes)))
         (gs-flatten (gs-ordered names nodes outs) nodes (gs-uses names nodes outs) fixed)
         (live)

@@ -71,7 +71,8 @@
 ;;; The name of an expression on the tape tp; hint: text for it, or (text . text).
 (defun $gs__tape_name (tp e hint)
   (cond ((gs-name-or-number-p e) e)
-        (($gs__starts_negative e) (gs-minus ($gs__tape_name tp ($gs__negate e) hint)))
+        (($gs__starts_negative e)
+         (gs-minus ($gs__tape_name tp ($gs__negate e) (gs-negative-hint hint))))
         ((gs-constant-p (gs-nature tp) e)
          ($gs__tape_entry tp ($gs__unmarked e) "" '$constant))
         ((gs-sum-p e) (gs-tape-sum tp (cdr e) hint))
@@ -82,11 +83,18 @@
                (cons (list (caar e)) (mapcar #'(lambda (x) ($gs__tape_name tp x "")) (cdr e))) t)
              hint '$variable))))
 
+;;; the hint of what is named in place of its negative: tau2 becomes neg_tau2, and back
+(defun gs-negative-hint (hint)
+  (let ((text (if (consp hint) (concatenate 'string (car hint) (cdr hint)) hint)))
+    (cond ((string= text "") "")
+          ((eql (search "neg_" text) 0) (subseq text 4))
+          (t (concatenate 'string "neg_" text)))))
+
 ;;; the name of an operation on names
 (defun $gs__tape_entry (tp e hint nature)
   (cond ((gs-name-or-number-p e) e)
         (($gs__starts_negative e)
-         (gs-minus ($gs__tape_entry tp ($gs__negate e) hint nature)))
+         (gs-minus ($gs__tape_entry tp ($gs__negate e) (gs-negative-hint hint) nature)))
         (t (let ((key (gs-key e)))
              (or (gs-find tp e key)
                  (let ((v ($gs__tape_symbol tp (if (eq nature '$constant) "k" hint))))
@@ -139,7 +147,8 @@
             (push g x))))
     (let ((k ($gs__tape_name tp c "")))
       (gs-tape-times
-        tp k (gs-tape-fold tp (nreverse x) (if (or (eql c 1) (eql c -1)) hint "")) hint))))
+        tp k (gs-tape-fold tp (nreverse x)
+                           (case c (1 hint) (-1 (gs-negative-hint hint)) (t ""))) hint))))
 
 ;;; constant times name
 (defun gs-tape-times (tp c v hint)
@@ -234,9 +243,10 @@
         (push (gs-list (append (nreverse row) (nth k upper))) rows)))))
 
 ;;; The entries of M that the directions d and o of joints share (a mass matrix by rate), more by v,
-;;; in place: see gs__directions
+;;; in place: see gs__directions. A direction is known by its kind and rates: without the pass
+;;; `share` its vector has other names each time.
 (defun $gs__add_to_matrix (m d o v)
-  (let ((apart (not (alike1 d o))))
+  (let ((apart (not (and (alike1 (nth 1 d) (nth 1 o)) (alike1 (nth 3 d) (nth 3 o))))))
     (flet ((add (k l s)
              (let ((row (nth k m)))
                (setf (nth l row) (gs-plus (list (nth l row) (gs-times s v)))))))

@@ -37,10 +37,12 @@
     (when (and s (not (gethash s (gs-labels tp))) (gethash s (gs-entries tp))
                (not (gethash s (nth 6 tp))) (not (eq (gethash s (gs-nature tp)) '$constant)))
       (setf (gethash s (gs-labels tp)) label))))
-;;; the derivative of a name: its label is made of that of the name and of what moves: the symbol
-;;; of the only seed, or time
+;;; The derivative of a name that has a label, not as a derivative: its label is made of that of the
+;;; name and of what moves: the symbol of the only seed, or time.
 (defun gs-mark-rate (tp rate name seeds)
-  (gs-put-label tp rate (list name (if (cdr seeds) '$t (cadr (car seeds))) 'rate)))
+  (let ((label (gethash name (gs-labels tp))))
+    (when (and label (not (eq (third label) 'rate)))
+      (gs-put-label tp rate (list name (if (cdr seeds) '$t (cadr (car seeds))) 'rate)))))
 
 ;;; the text of a label: w3 and "x" is w3x; j, of link 2, and "12" is j2_12; mm and (1 2) is mm12;
 ;;; nil if there is none, or a long one

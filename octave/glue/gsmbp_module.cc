@@ -17,7 +17,9 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -79,15 +81,26 @@ extern "C"
 
 static const gsmbp_scene& S = gsmbp_the_scene;
 
-static fortran
-routine (gsmbp_sub f, const char *name)
+// an emitted subroutine by the end of its name, a null pointer where there is none
+static const gsmbp_routine *
+emitted (const std::string& name)
 {
-  if (! f)
+  for (const gsmbp_routine *r = S.routines; r->name; r++)
+    if (name == r->name)
+      return r;
+  return nullptr;
+}
+
+static fortran
+routine (const char *name)
+{
+  const gsmbp_routine *r = emitted (name);
+  if (! r)
     error_with_id ("gsmbp:absent",
                    "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the "
                    "requests of gsmbp_fortran",
                    S.name, name, S.name, name);
-  return fortran {f};
+  return fortran {r->sub};
 }
 
 // ---------------------------------------------------------------- arguments
@@ -101,6 +114,8 @@ public:
     : m_args (a), m_call (call), m_usage (usage), m_next (0) { }
 
   std::string who (void) const { return std::string (S.name) + "." + m_call; }
+
+  const std::string& call (void) const { return m_call; }
 
   bool more (void) const
   { return m_next < m_args.length () && ! m_args(m_next).isempty (); }
@@ -416,63 +431,170 @@ room (int n)
   return reals (std::max (1, n), number (0));
 }
 
-// the k-th argument of an emitted subroutine, as its handle calls it
-static std::string
-fortran_argument (const std::string& call, int k)
+// ---------------------------------------------------- what a subroutine takes
+
+// An argument of an emitted subroutine.
+struct slot
 {
-  static const struct { const char *calls, *names[5];
-  } table[] = { { " rhs rha acc acd jac out evt rst rhs_v ",
-                  { "t", "x (the states)", "v (the inputs)", "", "" } },
-                { " inl ",
-                  { "t", "q (the coordinates)", "u (the speeds)", "ud (the accelerations)",
-                    "v (the inputs)" } },
-                { " fwd fwd_v ",
-                  { "t", "q (the coordinates)", "u (the speeds)", "v (the inputs)",
-                    "tau (the efforts)" } },
-                { " con ", { "t", "q (the coordinates)", "u (the speeds)", "", "" } },
-                { " prj ", { "t", "x (the states)", "", "", "" } },
-                { " cmd cmx clo ", { "t", "qj (the motion)", "", "", "" } },
-                { " pre ", { "par (the parameters)", "", "", "", "" } } };
-  for (const auto& entry : table)
-    if (k <= 5 && *entry.names[k-1] && std::strstr (entry.calls, (" " + call + " ").c_str ()))
-      return std::string ("argument ") + entry.names[k-1];
-  return "argument " + std::to_string (k) + " of the Fortran subroutine";
+  enum kind { real, whole, modes, constants, leading, states, indicator } what;
+  bool in, out, needed;
+  std::string name;
+  int rows, cols, room;   // numbers of the array, and places that the subroutine writes
+  int low, high;          // of a whole number
+};
+
+// All of them in the order of the Fortran, the numbers of those that the handle gives back, and how
+// the handle is typed, "t, q[, u]".
+struct signature
+{
+  std::vector<slot> slots;
+  std::vector<std::size_t> results;
+  std::string usage;
+  bool batch, tells;   // many states at once; INFO is among them
+};
+
+const std::size_t most_slots = 24;
+
+// a size by its name in the JSON, or a number
+static int
+size_of (const std::string& word)
+{
+#define GSMBP_NAMED(size) { #size, S.size },
+  static const struct { const char *name; int value; } sizes[]
+      = { GSMBP_SIZES (GSMBP_NAMED)
+          { "np", S.np },
+          { "nbase", S.nbase },
+          { "norders", S.nqj + 1 },            // a motion and its derivatives
+          { "nresidual", 2 * S.nlam + 4 } };   // what PRJ and CLO need to tell one
+  for (const auto& entry : sizes)
+    if (word == entry.name)
+      return entry.value;
+  return std::atoi (word.c_str ());
 }
 
-// The error indicators of the emitted subroutines as sentences: the one place where they stand
-// (also of gsmbp_simulate and others, by the call "meaning").  An entry without a subroutine holds
-// for those that are not named.
-static std::string
-meaning (const std::string& call, int info)
+// what the arguments of that name always are
+static const struct { const char *name, *rows, *meaning; } quantities[]
+    = { { "t", "1", "" },
+        { "q", "nq", "the coordinates" },
+        { "u", "nu", "the speeds" },
+        { "ud", "nu", "the accelerations" },
+        { "x", "nx", "the states" },
+        { "v", "nv", "the inputs" },
+        { "tau", "nu", "the efforts" },
+        { "xi", "na", "the internal states" },
+        { "qj", "nu,norders", "the motion" },
+        { "par", "npar", "the parameters" } };
+
+static std::vector<std::string>
+words (const std::string& text)
 {
-  static const struct { int info; const char *calls, *text;
-  } table[] = {
-    { 1, " clo ",
-      "a singular position: the dependent coordinates cannot be found from the independent ones" },
-    { 1, "", "the mass matrix is singular or not positive definite" },
-    { 2, " clo ", "the loops do not close at these independent coordinates" },
-    { 2, "", "the constraints have lost rank: multipliers are not unique" },
-    { 3, " rhs rha acc acd out jac evt rst rhs_v ",
-      "orientation angles are within 0.05 rad of their singularity: choose another sequence of "
-      "axes or Euler parameters" },
-    { 3, " prj ", "no position that closes the loops was found near this one" },
-    { 3, "", "the iteration did not converge" },
-    { 4, "",
-      "a length is 0 by which the equations were divided (passes gauge and unit: leave them out of "
-      "gsmbp_passes)" }
-  };
-  if (info == 0)
-    return "ok";
-  if (info < 0)
-    return fortran_argument (call, -info) + " is out of range or not finite";
-  if (! call.compare ("inl") || ! call.compare (0, 2, "cm"))
-    return "a singular position for these actuators: they cannot give the motion here";
-  for (const auto& entry : table)
-    if (entry.info == info
-        && (!*entry.calls || std::strstr (entry.calls, (" " + call + " ").c_str ())))
-      return entry.text;
-  return "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
+  std::vector<std::string> list;
+  std::istringstream from (text);
+  for (std::string word; from >> word; )
+    list.push_back (word);
+  return list;
 }
+
+// the sizes of SHAPE, "nu", "nu,nq" or "1/nresidual" (one number of so many places)
+static void
+shape (slot& s, std::string text)
+{
+  if (text.empty ())
+    for (const auto& q : quantities)
+      if (s.name == q.name)
+        text = q.rows;
+  std::size_t comma = text.find (','), slash = text.find ('/');
+  s.rows = text.empty () ? 1 : size_of (text.substr (0, std::min (comma, slash)));
+  s.cols = comma == std::string::npos ? 1 : size_of (text.substr (comma + 1));
+  s.room = slash == std::string::npos ? s.rows * s.cols : size_of (text.substr (slash + 1));
+}
+
+// A word of a row of the table `known` (see there).
+static slot
+slot_of (const std::string& word)
+{
+  slot s = { slot::real, true, false, true, "", 1, 1, 1, 0, 0 };
+  static const struct { const char *name; slot::kind what; } plain[]
+      = { { "cst", slot::constants }, { "ld", slot::leading }, { "k", slot::states },
+          { "info", slot::indicator } };
+  for (const auto& entry : plain)
+    if (word == entry.name)
+      {
+        s.what = entry.what;
+        s.in = false;
+        return s;
+      }
+  std::size_t begin = word.find_first_not_of ("?<>"), end = word.find_first_of ("([");
+  std::string marks = word.substr (0, begin), inside;
+  if (end != std::string::npos)
+    inside = word.substr (end + 1, word.size () - end - 2);
+  s.name = word.substr (begin, end == std::string::npos ? end : end - begin);
+  s.in = marks.find ('>') == std::string::npos;
+  s.out = marks.find_first_of ("<>") != std::string::npos;
+  s.needed = marks.find ('?') == std::string::npos;
+  if (s.name == "mode")
+    s.what = slot::modes;
+  else if (word.find ('[') != std::string::npos)
+    {
+      s.what = slot::whole;
+      s.low = size_of (inside.substr (0, inside.find (':')));
+      s.high = size_of (inside.substr (inside.find (':') + 1));
+    }
+  else
+    shape (s, inside);
+  return s;
+}
+
+// what the user types: "t, q, u[, v[, tau]]"
+static std::string
+usage_of (const std::vector<slot>& slots)
+{
+  std::string text, close;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < slots.size (); i++)
+    if (slots[i].in && slots[i].needed)
+      last = i;
+  for (std::size_t i = 0; i < slots.size (); i++)
+    if (slots[i].in)
+      {
+        if (i > last)
+          close += "]";
+        text += (i > last ? "[" : "") + std::string (text.empty () ? "" : ", ") + slots[i].name;
+      }
+  return text + close;
+}
+
+// a row of the table as a signature; RESULTS: names in the order of the handle, "" for that of the
+// Fortran
+static signature
+signature_of (const std::string& text, const std::string& results)
+{
+  signature g;
+  g.batch = g.tells = false;
+  for (const std::string& word : words (text))
+    {
+      slot s = slot_of (word);
+      if (s.what == slot::leading && ! g.slots.empty ())
+        s.rows = std::max (1, g.slots.back ().rows);
+      g.batch = g.batch || s.what == slot::states;
+      g.tells = g.tells || s.what == slot::indicator;
+      g.slots.push_back (s);
+    }
+  for (std::size_t i = 0; results.empty () && i < g.slots.size (); i++)
+    if (g.slots[i].out)
+      g.results.push_back (i);
+  for (const std::string& name : words (results))
+    for (std::size_t i = 0; i < g.slots.size (); i++)
+      if (g.slots[i].name == name)
+        g.results.push_back (i);
+  if (g.slots.size () > most_slots)
+    error ("%s: a subroutine with %d arguments: expected at most %d", S.name,
+           int (g.slots.size ()), int (most_slots));
+  g.usage = usage_of (g.slots);
+  return g;
+}
+
+static std::string meaning (const std::string& call, int info);
 
 static octave_value_list
 do_meaning (arguments& a, int)
@@ -542,7 +664,7 @@ static octave_value_list
 do_par (arguments&, int)
 {
   reals par = room (S.npar);
-  routine (S.par, "par") (&par[0]);
+  routine ("par") (&par[0]);
   the_rank_said = the_rank_full = false;   // a new model: gsmbp_build asks for its parameters
   return ovl (result (par, S.npar));
 }
@@ -553,12 +675,12 @@ do_pre (arguments& a, int nargout)
   Matrix given = a.matrix ("par", S.npar, 1);
   reals par = room (S.npar);
   reals cst = room (S.ncst);
-  routine (S.par, "par") (&par[0]);
+  routine ("par") (&par[0]);
   for (int i = 0; i < S.npar; i++)
     if (double (par[i]) != given(i))
       par[i] = decimal (given(i));
   int info = 0;
-  routine (S.pre, "pre") (&par[0], &cst[0], &info);
+  routine ("pre") (&par[0], &cst[0], &info);
   uint8NDArray bytes (dim_vector (cst.size () * sizeof (number), 1));
   std::memcpy (static_cast<void *> (bytes.fortran_vec ()), &cst[0], bytes.numel ());
   octave_value_list out = ovl (bytes);
@@ -568,334 +690,100 @@ do_pre (arguments& a, int nargout)
 
 // ------------------------------------------------- the emitted subroutines
 
-static octave_value_list
-do_kin (arguments& a, int)
+// f (p[0], p[1], ...)
+template <std::size_t... I>
+static void
+spread (gsmbp_sub f, void **p, std::index_sequence<I...>)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), qdot = room (S.nq);
-  routine (S.kin, "kin") (&t, &q[0], &u[0], &cst[0], &qdot[0]);
-  return ovl (result (qdot, S.nq));
+  fortran {f} (p[I]...);
 }
 
-static octave_value_list
-do_inv (arguments& a, int)
+template <std::size_t N>
+static void
+call_with (gsmbp_sub f, void **p)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv), tau = room (S.nu);
-  routine (S.inv, "inv") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &tau[0]);
-  return ovl (result (tau, S.nu));
+  spread (f, p, std::make_index_sequence<N> ());
 }
 
-static octave_value_list
-do_reg (arguments& a, int)
+template <std::size_t... N>
+static void
+call_any (gsmbp_sub f, void **p, std::size_t n, std::index_sequence<N...>)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv), y = room (S.nu * S.nbase), p = room (S.nbase),
-        r = room (S.nu);
-  int ld = std::max (1, S.nu);
-  routine (S.reg, "reg") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &y[0], &ld, &p[0], &r[0]);
-  return ovl (result (y, S.nu, S.nbase), result (p, S.nbase), result (r, S.nu));
+  static void (*const by_number[]) (gsmbp_sub, void **) = { call_with<N>... };
+  by_number[n] (f, p);
 }
 
-static octave_value_list
-do_mas (arguments& a, int)
+static void
+call (gsmbp_sub f, void **p, std::size_t n)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), m = room (S.nu * S.nu);
-  int ld = std::max (1, S.nu);
-  routine (S.mas, "mas") (&t, &q[0], &cst[0], &m[0], &ld);
-  return ovl (result (m, S.nu, S.nu));
+  call_any (f, p, n, std::make_index_sequence<most_slots + 1> ());
 }
 
-static octave_value_list
-do_bia (arguments& a, int)
+static reals
+read (arguments& a, const slot& s)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv), b = room (S.nu);
-  routine (S.bia, "bia") (&t, &q[0], &u[0], &v[0], &cst[0], &b[0]);
-  return ovl (result (b, S.nu));
+  const char *name = s.name.c_str ();
+  if (s.cols > 1)
+    return a.array (name, s.rows, s.cols);
+  if (! s.needed)
+    return a.vector_or_zero (name, s.rows);
+  bool coordinates = s.name == "q" || s.name == "x";
+  return coordinates ? a.coordinates (name, s.rows) : a.vector (name, s.rows);
 }
 
-static octave_value_list
-do_fwd (arguments& a, int nargout)
+static Matrix
+modes_after (const std::vector<int>& mode)
 {
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv), tau = a.vector_or_zero ("tau", S.nu);
-  reals ud = room (S.nu);
-  int info = 0;
-  routine (S.fwd, "fwd") (&t, &q[0], &u[0], &v[0], &tau[0], &cst[0], &ud[0], &info);
-  octave_value_list out = ovl (result (ud, S.nu));
-  finish (out, info, nargout, "fwd");
-  return out;
-}
-
-static octave_value_list
-do_con (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector_or_zero ("u", S.nu);
-  reals phi = room (S.nlam), phit = room (S.nlam), hc = room (S.nlam * S.nu), gam = room (S.nlam);
-  int ld = std::max (1, S.nlam), info = 0;
-  routine (S.con, "con") (&t, &q[0], &u[0], &cst[0], &phi[0], &phit[0], &hc[0], &ld, &gam[0],
-                          &info);
-  octave_value_list out = ovl (result (phi, S.nlam), result (phit, S.nlam),
-                               result (hc, S.nlam, S.nu), result (gam, S.nlam));
-  finish (out, info, nargout, "con");
-  return out;
-}
-
-static octave_value_list
-do_inl (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv);
-  reals tau = room (std::max (S.nact, S.nu)), lam = room (S.nlam);
-  int info = 0;
-  routine (S.inl, "inl") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &tau[0], &lam[0], &info);
-  octave_value_list out = ovl (result (tau, S.nact), result (lam, S.nlam));
-  finish (out, info, nargout, "inl");
-  return out;
-}
-
-static octave_value_list
-do_lin (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), u = a.vector ("u", S.nu), ud = a.vector ("ud", S.nu);
-  reals v = a.vector_or_zero ("v", S.nv);
-  int ld = std::max (1, S.nu);
-  reals m = room (ld * S.nu), b = room (ld * S.nu), c = room (ld * S.nq);
-  routine (S.lin, "lin") (&t, &q[0], &u[0], &ud[0], &v[0], &cst[0], &m[0], &b[0], &c[0], &ld);
-  return ovl (result (m, S.nu, S.nu), result (b, S.nu, S.nu), result (c, S.nu, S.nq));
-}
-
-static octave_value_list
-do_rhs (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), xd = room (S.nx);
-  int info = 0;
-  routine (S.rhs, "rhs") (&t, &x[0], &v[0], &cst[0], &xd[0], &info);
-  octave_value_list out = ovl (result (xd, S.nx));
-  finish (out, info, nargout, "rhs");
-  return out;
-}
-
-static octave_value_list
-do_acc (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
-  reals ud = room (S.nu), lam = room (S.nlam);
-  int info = 0;
-  routine (S.acc, "acc") (&t, &x[0], &v[0], &cst[0], &ud[0], &lam[0], &info);
-  octave_value_list out = ovl (result (ud, S.nu), result (lam, S.nlam));
-  finish (out, info, nargout, "acc");
-  return out;
-}
-
-static octave_value_list
-do_acd (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
-  int way = a.integer_within ("way", 1, 4), info = 0;
-  reals ud = room (S.nu), lam = room (S.nlam);
-  routine (S.acd, "acd") (&t, &x[0], &v[0], &cst[0], &way, &ud[0], &lam[0], &info);
-  octave_value_list out = ovl (result (ud, S.nu), result (lam, S.nlam));
-  finish (out, info, nargout, "acd");
-  return out;
-}
-
-static octave_value_list
-do_tan (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), dp = room (S.nlam * S.nq), dv = room (S.nlam * S.nq);
-  int ld = std::max (1, S.nlam);
-  routine (S.tan, "tan") (&t, &x[0], &cst[0], &dp[0], &ld, &dv[0], &ld);
-  return ovl (result (dp, S.nlam, S.nq), result (dv, S.nlam, S.nq));
-}
-
-static octave_value_list
-do_prj (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), res = room (2 * S.nlam + 4);
-  int info = 0;
-  routine (S.prj, "prj") (&t, &x[0], &cst[0], &res[0], &info);
-  octave_value_list out = ovl (result (x, S.nx), result (res, 1));
-  finish (out, info, nargout, "prj");
-  return out;
-}
-
-static octave_value_list
-do_jac (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
-  int ldx = std::max (1, S.nx), ldy = std::max (1, S.ny), info = 0;
-  reals A = room (S.nx * S.nx), B = room (S.nx * S.nv), C = room (S.ny * S.nx),
-        D = room (S.ny * S.nv);
-  routine (S.jac, "jac") (&t, &x[0], &v[0], &cst[0], &A[0], &ldx, &B[0], &ldx,
-                          &C[0], &ldy, &D[0], &ldy, &info);
-  octave_value_list out = ovl (result (A, S.nx, S.nx), result (B, S.nx, S.nv),
-                               result (C, S.ny, S.nx), result (D, S.ny, S.nv));
-  finish (out, info, nargout, "jac");
-  return out;
-}
-
-static octave_value_list
-do_out (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), y = room (S.ny);
-  int info = 0;
-  routine (S.out, "out") (&t, &x[0], &v[0], &cst[0], &y[0], &info);
-  octave_value_list out = ovl (result (y, S.ny));
-  finish (out, info, nargout, "out");
-  return out;
-}
-
-static octave_value_list
-do_cmd (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.na);
-  reals v = room (S.nv), xid = room (S.na);
-  int info = 0;
-  routine (S.cmd, "cmd") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &info);
-  octave_value_list out = ovl (result (v, S.nv), result (xid, S.na));
-  finish (out, info, nargout, "cmd");
-  return out;
-}
-
-static octave_value_list
-do_cmx (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals qj = a.array ("qj", S.nu, S.nqj + 1), xi = a.vector_or_zero ("xi", S.na);
-  reals v = room (S.nv), xid = room (S.na), xa = room (S.na), g = room (S.nmar);
-  int info = 0;
-  routine (S.cmx, "cmx") (&t, &qj[0], &xi[0], &cst[0], &v[0], &xid[0], &xa[0], &g[0], &info);
-  octave_value_list out
-      = ovl (result (v, S.nv), result (xid, S.na), result (xa, S.na), result (g, S.nmar));
-  finish (out, info, nargout, "cmx");
-  return out;
-}
-
-static octave_value_list
-do_ctl (arguments& a, int)
-{
-  reals cst = a.constants ();
-  int k = a.integer_within ("k", 0, S.nctl);
-  number t = a.scalar ("t");
-  reals y = a.vector ("y", S.ny), xk = a.vector ("xk", S.nxk), v = a.vector_or_zero ("v", S.nv);
-  routine (S.ctl, "ctl") (&k, &t, &y[0], &xk[0], &cst[0], &v[0]);
-  return ovl (result (v, S.nv), result (xk, S.nxk));
-}
-
-static octave_value_list
-do_evt (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector ("v", S.nv), g = room (S.nev);
-  std::vector<int> mode = a.modes ();
-  routine (S.evt, "evt") (&t, &x[0], &v[0], &mode[0], &cst[0], &g[0]);
-  return ovl (result (g, S.nev));
-}
-
-static octave_value_list
-do_rst (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector ("v", S.nv);
-  std::vector<int> mode = a.modes ();
-  int k = a.integer_within ("k", 0, S.nev), info = 0;
-  routine (S.rst, "rst") (&t, &x[0], &v[0], &mode[0], &k, &cst[0], &info);
-  Matrix modes (S.nmode, 1);
+  Matrix m (S.nmode, 1);
   for (int i = 0; i < S.nmode; i++)
-    modes(i) = mode[i];
-  octave_value_list out = ovl (result (x, S.nx), modes, result (v, S.nv));
-  finish (out, info, nargout, "rst");
+    m(i) = mode[i];
+  return m;
+}
+
+// a subroutine at one state
+static octave_value_list
+call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
+{
+  std::size_t n = g.slots.size ();
+  reals numbers[most_slots];
+  int wholes[most_slots] = { };
+  void *places[most_slots];
+  std::vector<int> mode;
+  reals cst = a.constants ();
+  for (std::size_t i = 0; i < n; i++)
+    {
+      const slot& s = g.slots[i];
+      if (s.what == slot::real)
+        {
+          numbers[i] = s.in ? read (a, s) : room (s.room);
+          places[i] = numbers[i].data ();
+        }
+      else if (s.what == slot::modes)
+        {
+          mode = a.modes ();
+          places[i] = mode.data ();
+        }
+      else if (s.what == slot::constants)
+        places[i] = cst.data ();
+      else
+        {
+          wholes[i] = s.what == slot::whole ? a.integer_within (s.name.c_str (), s.low, s.high)
+                                            : s.what == slot::leading ? s.rows : 0;
+          places[i] = &wholes[i];
+        }
+    }
+  call (f, places, n);
+  octave_value_list out (g.results.size ());
+  for (std::size_t k = 0; k < g.results.size (); k++)
+    {
+      std::size_t i = g.results[k];
+      const slot& s = g.slots[i];
+      out(k) = s.what == slot::modes ? modes_after (mode) : result (numbers[i], s.rows, s.cols);
+    }
+  for (std::size_t i = 0; i < n; i++)
+    if (g.slots[i].what == slot::indicator)
+      finish (out, wholes[i], nargout, a.call ().c_str ());
   return out;
-}
-
-static octave_value_list
-do_ctp (arguments& a, int)
-{
-  reals cst = a.constants (), period = room (S.nctl), delay = room (S.nctl);
-  routine (S.ctp, "ctp") (&cst[0], &period[0], &delay[0]);
-  return ovl (result (period, S.nctl), result (delay, S.nctl));
-}
-
-static octave_value_list
-do_clo (arguments& a, int nargout)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals qj = a.array ("qj", S.nu, S.nqj + 1), res = room (2 * S.nlam + 4);
-  int info = 0;
-  routine (S.clo, "clo") (&t, &qj[0], &cst[0], &res[0], &info);
-  octave_value_list out = ovl (result (qj, S.nu, S.nqj + 1), result (res, 1));
-  finish (out, info, nargout, "clo");
-  return out;
-}
-
-static octave_value_list
-do_ene (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv), e = room (S.ne);
-  routine (S.ene, "ene") (&t, &x[0], &v[0], &cst[0], &e[0]);
-  return ovl (result (e, S.ne));
-}
-
-static octave_value_list
-do_mar (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals x = a.coordinates ("x", S.nx), v = a.vector_or_zero ("v", S.nv);
-  reals g = room (S.nsm), sizes = room (S.nsm);
-  routine (S.mar, "mar") (&t, &x[0], &v[0], &cst[0], &g[0], &sizes[0]);
-  return ovl (result (g, S.nsm), result (sizes, S.nsm));
-}
-
-static octave_value_list
-do_ske (arguments& a, int)
-{
-  reals cst = a.constants ();
-  number t = a.scalar ("t");
-  reals q = a.coordinates ("q", S.nq), p = room (3 * S.np);
-  routine (S.ske, "ske") (&t, &q[0], &cst[0], &p[0]);
-  return ovl (result (p, 3, S.np));
 }
 
 // ------------------------------------------------------ batches of K states
@@ -921,84 +809,39 @@ finish_batch (octave_value_list &out, const std::vector<int> &info, int k, int n
   out.append (octave_value (r));
 }
 
-// what all of them begin with: time, coordinates, speeds
-struct batch
-{
-  reals cst;
-  int k, ld;
-  columns t, q, u;
-  batch (arguments &a, bool speeds)
-      : cst (a.constants ()), k (a.states_behind ("q", S.nq)), ld (columns::leading (k)), t (k, 1),
-        q (k, S.nq), u (k, speeds ? S.nu : 0)
-  {
-    a.batch ("t", 1, k, t, true);
-    a.batch ("q", S.nq, k, q, true);
-    if (speeds)
-      a.batch ("u", S.nu, k, u, true);
-  }
-};
-
+// a subroutine at K states, of which the second argument tells how many
 static octave_value_list
-do_inv_v (arguments& a, int)
+call_batch (const signature& g, gsmbp_sub f, arguments& a, int nargout)
 {
-  batch b (a, true);
-  columns ud (b.k, S.nu), v (b.k, S.nv), tau (b.k, S.nu);
-  a.batch ("ud", S.nu, b.k, ud, true);
-  a.batch ("v", S.nv, b.k, v, false);
-  routine (S.inv_v, "inv_v") (b.t.data (), b.q.data (), b.u.data (), ud.data (), v.data (),
-                              &b.cst[0], tau.data (), &b.k, &b.ld);
-  return ovl (tau.matrix (dim_vector (S.nu, b.k)));
-}
-
-static octave_value_list
-do_mas_v (arguments& a, int)
-{
-  batch b (a, false);
-  columns m (b.k, S.nu * S.nu);
-  routine (S.mas_v, "mas_v") (b.t.data (), b.q.data (), &b.cst[0], m.data (), &b.k, &b.ld);
-  return ovl (m.matrix (dim_vector (S.nu, S.nu, b.k)));
-}
-
-static octave_value_list
-do_bia_v (arguments& a, int)
-{
-  batch b (a, true);
-  columns v (b.k, S.nv), bias (b.k, S.nu);
-  a.batch ("v", S.nv, b.k, v, false);
-  routine (S.bia_v, "bia_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), &b.cst[0],
-                              bias.data (), &b.k, &b.ld);
-  return ovl (bias.matrix (dim_vector (S.nu, b.k)));
-}
-
-static octave_value_list
-do_fwd_v (arguments& a, int nargout)
-{
-  batch b (a, true);
-  columns v (b.k, S.nv), tau (b.k, S.nu), ud (b.k, S.nu, no_number);
-  a.batch ("v", S.nv, b.k, v, false);
-  a.batch ("tau", S.nu, b.k, tau, false);
-  std::vector<int> info (b.ld, 0);
-  routine (S.fwd_v, "fwd_v") (b.t.data (), b.q.data (), b.u.data (), v.data (), tau.data (),
-                              &b.cst[0], ud.data (), &info[0], &b.k, &b.ld);
-  octave_value_list out = ovl (ud.matrix (dim_vector (S.nu, b.k)));
-  finish_batch (out, info, b.k, nargout, "fwd_v");
-  return out;
-}
-
-static octave_value_list
-do_rhs_v (arguments& a, int nargout)
-{
+  std::size_t n = g.slots.size ();
   reals cst = a.constants ();
-  int k = a.states_behind ("x", S.nx), ld = columns::leading (k);
-  columns t (k, 1), x (k, S.nx), v (k, S.nv), xd (k, S.nx, no_number);
-  a.batch ("t", 1, k, t, true);
-  a.batch ("x", S.nx, k, x, true);
-  a.batch ("v", S.nv, k, v, false);
+  int k = a.states_behind (g.slots[1].name.c_str (), g.slots[1].rows), ld = columns::leading (k);
   std::vector<int> info (ld, 0);
-  routine (S.rhs_v, "rhs_v") (t.data (), x.data (), v.data (), &cst[0], xd.data (), &info[0], &k,
-                              &ld);
-  octave_value_list out = ovl (xd.matrix (dim_vector (S.nx, k)));
-  finish_batch (out, info, k, nargout, "rhs_v");
+  std::vector<columns> numbers;
+  numbers.reserve (n);
+  void *places[most_slots];
+  for (std::size_t i = 0; i < n; i++)
+    {
+      const slot& s = g.slots[i];
+      bool real = s.what == slot::real;
+      numbers.emplace_back (real ? k : 0, real ? s.rows * s.cols : 0,
+                            s.out && g.tells ? no_number : number (0));
+      if (s.in)
+        a.batch (s.name.c_str (), s.rows, k, numbers[i], s.needed);
+      places[i] = s.what == slot::constants ? static_cast<void *> (cst.data ())
+                  : s.what == slot::states ? &k
+                  : s.what == slot::leading ? &ld
+                  : s.what == slot::indicator ? static_cast<void *> (info.data ())
+                                              : numbers[i].data ();
+    }
+  call (f, places, n);
+  octave_value_list out;
+  for (std::size_t i : g.results)
+    out.append (numbers[i].matrix (g.slots[i].cols > 1
+                                   ? dim_vector (g.slots[i].rows, g.slots[i].cols, k)
+                                   : dim_vector (g.slots[i].rows, k)));
+  if (g.tells)
+    finish_batch (out, info, k, nargout, a.call ().c_str ());
   return out;
 }
 
@@ -1040,6 +883,15 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
 
 extern "C" void gsmbp_absent (void) { }
 
+static gsmbp_sub
+user_input (void)
+{
+  if (! S.vin)
+    error_with_id ("gsmbp:absent",
+                   "%s.input: the model was built without option \"input\" of gsmbp_build", S.name);
+  return S.vin;
+}
+
 // The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies
 // behind the memory
 static void
@@ -1056,7 +908,7 @@ set_samples (reals& cst, std::vector<int>& ip, reals& rp)
   rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh)
                  + std::size_t (ns) * (1 + S.nxk + S.nv),
              number (0));
-  routine (S.ctp, "ctp") (&cst[0], &rp[first], &rp[first + nc]);
+  routine ("ctp") (&cst[0], &rp[first], &rp[first + nc]);
 }
 
 // after a run: a struct of the outputs at the output times, the record of the samples, the memory
@@ -1076,7 +928,7 @@ samples (reals &cst, const std::vector<int> &ip, const reals &rp, const reals &t
   for (int k = 0; k < reached && S.ny > 0; k++)
     {
       int info = 0;
-      routine (S.out, "out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k],
+      routine ("out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k],
                               &cst[0], &one[0], &info);
       for (int i = 0; i < S.ny; i++)
         y(i, k) = double (one[i]);
@@ -1185,25 +1037,25 @@ do_sim (arguments& a, int)
     w[i] = guess[i];
 
   gsmbp_sub none = gsmbp_absent;
-  gsmbp_sub rhs = audit ? routine (S.rha, "rha").f : routine (S.rhs, "rhs").f;
+  gsmbp_sub rhs = audit ? routine ("rha").f : routine ("rhs").f;
   bool loops = S.nlam > 0, partition = loops && (iopt[1] == 3 || iopt[1] == 6);
   bool project = iopt[1] != 1 && (iopt[1] == 3 ? S.nq > S.nu : loops || S.nq > S.nu);
   if (! library.empty ())
     project = iopt[1] != 1 && (loops || S.nq > S.nu);   // by PRJ in every way
-  gsmbp_sub prj = project ? routine (S.prj, "prj").f : none;
-  gsmbp_sub con = partition || (loops && iopt[2] == 1) ? routine (S.con, "con").f : none;
-  iopt[4] = loops && iopt[2] == 1 && S.kin;
-  gsmbp_sub kin = partition || iopt[4] ? routine (S.kin, "kin").f : none;
-  gsmbp_sub cmd = ip[0] == 2 ? routine (S.cmd, "cmd").f : none;
-  gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine (S.clo, "clo").f : none;
-  gsmbp_sub out = ip[25] > 0 && S.ny > 0 ? routine (S.out, "out").f : none;
-  gsmbp_sub ctl = ip[25] > 0 ? routine (S.ctl, "ctl").f : none;
-  gsmbp_sub evt = ip[27] > 0 ? routine (S.evt, "evt").f : none;
-  gsmbp_sub rst = ip[27] > 0 ? routine (S.rst, "rst").f : none;
+  gsmbp_sub prj = project ? routine ("prj").f : none;
+  gsmbp_sub con = partition || (loops && iopt[2] == 1) ? routine ("con").f : none;
+  iopt[4] = loops && iopt[2] == 1 && emitted ("kin");
+  gsmbp_sub kin = partition || iopt[4] ? routine ("kin").f : none;
+  gsmbp_sub cmd = ip[0] == 2 ? routine ("cmd").f : none;
+  gsmbp_sub clo = ip[0] == 2 && ip[2] == 1 ? routine ("clo").f : none;
+  gsmbp_sub out = ip[25] > 0 && S.ny > 0 ? routine ("out").f : none;
+  gsmbp_sub ctl = ip[25] > 0 ? routine ("ctl").f : none;
+  gsmbp_sub evt = ip[27] > 0 ? routine ("evt").f : none;
+  gsmbp_sub rst = ip[27] > 0 ? routine ("rst").f : none;
   gsmbp_sub vin = none;
   if (ip[0] == 3)
     vin = input.is_function_handle ()
-          ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : routine (S.vin, "input").f;
+          ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input) : user_input ();
 
   auto begin = std::chrono::steady_clock::now ();
   std::vector<char> text (400, 0);
@@ -1217,6 +1069,7 @@ do_sim (arguments& a, int)
   if (stiff || info == 5)   // found to be bound by stability
     {
       int resume = ! stiff;
+      const gsmbp_routine *jac = emitted ("jac");
       gsmbp_run r = { rhs,
                       prj,
                       con,
@@ -1226,7 +1079,7 @@ do_sim (arguments& a, int)
                       vin,
                       out,
                       ctl,
-                      S.jac,
+                      jac ? jac->sub : nullptr,
                       gsfun_,
                       gsinp_,
                       gschk_,
@@ -1392,86 +1245,165 @@ absent (const std::string& call, const char *request)
                  S.name, call.c_str (), upper (call).c_str (), reason.c_str ());
 }
 
-// A handle of gsmbp_build: subroutine, what it is asked for by in gsmbp_fortran, arguments behind
-// the constants as they are typed; those without a request are for the functions of octave/ and
-// for tests.
+// The emitted subroutines that gsmbp_fortran knows: end of the name, what it is asked for by, the
+// arguments in the order of the Fortran:
+//   q         read, of the shape of `quantities`; q(nq), m(nu,nu): of this one
+//   ?v        may be left out, then zero
+//   >tau(nu)  a result; <x: read and a result; >res(1/n): one number, n places to work in
+//   way[1:4]  a whole number from 1 to 4; mode: the modes
+//   cst, ld, k, info: the constants, the leading dimension of the array before it (of all arrays,
+//             behind k, the number of states), the number of states, the indicator
+// and the results in the order of the handle where that is another.  A subroutine that is not here
+// has its arguments from the JSON (gsmbp__signature.m); the table says what that does not.  What
+// nobody asks for (PRE) is no handle.
+struct known_routine { const char *name, *request, *slots, *results; };
+static const known_routine known[]
+    = {
+        { "rhs", "rhs", "t x ?v cst >xd(nx) info", "" },
+        { "inv", "inverse", "t q u ud ?v cst >tau", "" },
+        { "fwd", "forward", "t q u ?v ?tau cst >ud info", "" },
+        { "mas", "mass", "t q cst >m(nu,nu) ld", "" },
+        { "reg", "regressor", "t q u ud ?v cst >y(nu,nbase) ld >p(nbase) >r(nu)", "" },
+        { "bia", "bias", "t q u ?v cst >b(nu)", "" },
+        { "kin", "kinematics", "t q u cst >qdot(nq)", "" },
+        { "con", "constraints",
+          "t q ?u cst >phi(nlam) >phit(nlam) >hc(nlam,nu) ld >gam(nlam) info", "" },
+        { "inl", "inverse_loops", "t q u ud ?v cst >tau(nact) >lam(nlam) info", "" },
+        { "lin", "linear", "t q u ud ?v cst >m(nu,nu) >b(nu,nu) >c(nu,nq) ld", "" },
+        { "prj", "projection", "t <x cst >res(1/nresidual) info", "" },
+        { "jac", "jacobian",
+          "t x ?v cst >a(nx,nx) ld >b(nx,nv) ld >c(ny,nx) ld >d(ny,nv) ld info", "" },
+        { "out", "output", "t x ?v cst >y(ny) info", "" },
+        { "cmd", "command", "t qj ?xi cst >v >xid(na) info", "" },
+        { "cmx", "command_states", "t qj ?xi cst >v >xid(na) >xa(na) >g(nmar) info", "" },
+        { "ctl", "control", "k[0:nctl] t y(ny) <xk(nxk) cst ?<v", "v xk" },
+        { "ctp", "control", "cst >period(nctl) >delay(nctl)", "" },
+        { "evt", "events", "t x v mode cst >g(nev)", "" },
+        { "rst", "events", "t <x <v <mode k[0:nev] cst info", "x mode v" },
+        { "clo", "closure", "t <qj cst >res(1/nresidual) info", "" },
+        { "ene", "energy", "t x ?v cst >e(ne)", "" },
+        { "acc", "accelerations", "t x ?v cst >ud >lam(nlam) info", "" },
+        { "acd", "dense", "t x ?v cst way[1:4] >ud >lam(nlam) info", "" },
+        { "tan", "tangent", "t x cst >dp(nlam,nq) ld >dv(nlam,nq) ld", "" },
+        { "mar", "margins", "t x ?v cst >g(nsm) >sizes(nsm)", "" },
+        { "ske", "skeleton", "t q cst >p(3,np)", "" },
+        { "inv_v", "batch", "t q u ud ?v cst >tau k ld", "" },
+        { "mas_v", "batch", "t q cst >m(nu,nu) k ld", "" },
+        { "bia_v", "batch", "t q u ?v cst >b(nu) k ld", "" },
+        { "fwd_v", "batch", "t q u ?v ?tau cst >ud info k ld", "" },
+        { "rhs_v", "batch", "t x ?v cst >xd(nx) info k ld", "" },
+        { "pre", "", "par cst info", "" }
+      };
+
+static const known_routine *
+known_by (const std::string& name)
+{
+  for (const known_routine& row : known)
+    if (name == row.name)
+      return &row;
+  return nullptr;
+}
+
+// A handle of gsmbp_build.
 struct handle
 {
-  const char *name;
-  octave_value_list (*call) (arguments&, int);
-  gsmbp_sub gsmbp_scene::*sub;
-  const char *request, *usage;
-};
-#define HANDLE(name, request, usage) { #name, do_##name, &gsmbp_scene::name, request, usage }
-#define CALL(name) { #name, do_##name, nullptr, "", "" }
-static octave_value_list do_calls (arguments&, int);
+  std::string name;
+  const known_routine *row;   // a null pointer where the JSON alone knows it
+  const gsmbp_routine *code;  // a null pointer where it was not emitted
+  signature g;
 
-static const handle handles[]
-    = {
-        HANDLE (rhs, "rhs", "t, x[, v]"),
-        HANDLE (inv, "inverse", "t, q, u, ud[, v]"),
-        HANDLE (fwd, "forward", "t, q, u[, v[, tau]]"),
-        HANDLE (mas, "mass", "t, q"),
-        HANDLE (reg, "regressor", "t, q, u, ud[, v]"),
-        HANDLE (bia, "bias", "t, q, u[, v]"),
-        HANDLE (kin, "kinematics", "t, q, u"),
-        HANDLE (con, "constraints", "t, q[, u]"),
-        HANDLE (inl, "inverse_loops", "t, q, u, ud[, v]"),
-        HANDLE (lin, "linear", "t, q, u, ud[, v]"),
-        HANDLE (prj, "projection", "t, x"),
-        HANDLE (jac, "jacobian", "t, x[, v]"),
-        HANDLE (out, "output", "t, x[, v]"),
-        HANDLE (cmd, "command", "t, qj[, xi]"),
-        HANDLE (cmx, "command_states", "t, qj[, xi]"),
-        HANDLE (ctl, "control", "k, t, y, xk[, v]"),
-        HANDLE (ctp, "control", ""),
-        HANDLE (evt, "events", "t, x, v, mode"),
-        HANDLE (rst, "events", "t, x, v, mode, k"),
-        HANDLE (clo, "closure", "t, qj"),
-        HANDLE (ene, "energy", "t, x[, v]"),
-        HANDLE (acc, "accelerations", "t, x[, v]"),
-        HANDLE (acd, "dense", "t, x, v, way"),
-        HANDLE (tan, "tangent", "t, x"),
-        HANDLE (mar, "margins", "t, x[, v]"),
-        HANDLE (ske, "skeleton", "t, q"),
-        HANDLE (inv_v, "batch", "t, q, u, ud[, v]"),
-        HANDLE (mas_v, "batch", "t, q"),
-        HANDLE (bia_v, "batch", "t, q, u[, v]"),
-        HANDLE (fwd_v, "batch", "t, q, u[, v[, tau]]"),
-        HANDLE (rhs_v, "batch", "t, x[, v]"),
-        CALL (sim),
-        CALL (par),
-        CALL (pre),
-        CALL (meaning),
-        CALL (spline),
-        CALL (kkt),
-        CALL (solve),
-        CALL (calls)
-      };
+  bool asked_for (void) const { return ! row || row->request[0]; }
+};
+
+static handle
+handle_of (const std::string& name, const known_routine *row, const gsmbp_routine *code)
+{
+  return handle { name, row, code, signature_of (row ? row->slots : code->arguments,
+                                                 row ? row->results : "") };
+}
+
+// those of the table, and what else was emitted whose arguments the JSON tells
+static const std::vector<handle>&
+handles (void)
+{
+  static std::vector<handle> list;
+  if (list.empty ())
+    {
+      for (const known_routine& row : known)
+        list.push_back (handle_of (row.name, &row, emitted (row.name)));
+      for (const gsmbp_routine *r = S.routines; r->name; r++)
+        if (r->arguments[0] && ! known_by (r->name))
+          list.push_back (handle_of (r->name, nullptr, r));
+    }
+  return list;
+}
 
 // the names of the handles that a user may call
 static octave_value_list
 do_calls (arguments&, int)
 {
   string_vector names;
-  for (const auto& entry : handles)
-    if (entry.usage[0])
-      names.append (std::string (entry.name));
+  for (const handle& h : handles ())
+    if (h.asked_for () && ! h.g.usage.empty ())
+      names.append (h.name);
   return octave_value (Cell (names));
+}
+
+// for the functions of octave/ and for tests
+static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
+    = { { "sim", do_sim },       { "par", do_par }, { "pre", do_pre },     { "meaning", do_meaning },
+        { "spline", do_spline }, { "kkt", do_kkt }, { "solve", do_solve }, { "calls", do_calls } };
+
+// the k-th argument of an emitted subroutine, as its handle calls it
+static std::string
+fortran_argument (const std::string& call, int k)
+{
+  for (const handle& h : handles ())
+    if (call == h.name && k <= int (h.g.slots.size ()) && h.g.slots[k-1].in)
+      {
+        std::string name = h.g.slots[k-1].name;
+        for (const auto& q : quantities)
+          if (name == q.name && *q.meaning)
+            return "argument " + name + " (" + q.meaning + ")";
+        return "argument " + name;
+      }
+  return "argument " + std::to_string (k) + " of the Fortran subroutine";
+}
+
+// The error indicators of the emitted subroutines as sentences, those of the JSON (also for
+// gsmbp_simulate and others, by the call "meaning"): of the greatest number that is not above.
+static std::string
+meaning (const std::string& call, int info)
+{
+  if (info == 0)
+    return "ok";
+  if (info < 0)
+    return fortran_argument (call, -info) + " is out of range or not finite";
+  const gsmbp_meaning *found = nullptr;
+  for (const gsmbp_meaning *m = S.meanings; m->name; m++)
+    if (call == m->name && (m->info == info || (m->and_above && m->info < info)))
+      found = m;
+  return found ? found->text
+               : "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
 }
 
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)
 {
-  for (const auto& entry : handles)
-    if (call == entry.name)
+  for (const handle& h : handles ())
+    if (call == h.name && h.asked_for ())
       {
-        arguments a (args, call, entry.usage);
-        if (entry.sub && ! (S.*(entry.sub)))
-          absent (call, entry.request);
-        if (entry.sub)
-          a.count_given ();
-        return entry.call (a, nargout);
+        if (! h.code)
+          absent (call, h.row->request);
+        arguments a (args, call, h.g.usage);
+        a.count_given ();
+        return (h.g.batch ? call_batch : call_once) (h.g, h.code->sub, a, nargout);
+      }
+  for (const auto& service : services)
+    if (call == service.name)
+      {
+        arguments a (args, call, "");
+        return service.call (a, nargout);
       }
   error ("%s: no subroutine %s", S.name, call.c_str ());
 }

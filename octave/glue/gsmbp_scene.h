@@ -1,6 +1,5 @@
 /* The table that the scene's part of a module hands to the generic part:
-   sizes from the JSON and the addresses of the emitted subroutines, a null
-   pointer where one was not emitted. */
+   sizes from the JSON and the emitted subroutines. */
 #ifndef GSMBP_SCENE_H
 #define GSMBP_SCENE_H
 #ifdef __cplusplus
@@ -8,28 +7,41 @@ extern "C" {
 #endif
 typedef void (*gsmbp_sub) (void);
 
-/* The sizes, as the JSON's "dimensions" name them, and the subroutines by the ends of their names:
-   the one place where they are listed. gsmbp__compile.m writes an initializer by name for each. */
+/* The sizes, as the JSON's "dimensions" name them: the one place where they are listed.
+   gsmbp__compile.m writes an initializer by name for each. */
 #define GSMBP_SIZES(X)                                                                             \
   X (nq) X (nu) X (nv) X (nx) X (ny) X (ne) X (nlam) X (ncst) X (npar) X (nqj) X (nact) X (na)     \
   X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm)
-#define GSMBP_SUBROUTINES(X)                                                                       \
-  X (par) X (pre) X (kin) X (inv) X (mas) X (bia) X (fwd) X (con) X (inl) X (lin) X (rhs) X (prj)  \
-  X (jac) X (out) X (cmd) X (clo) X (ene) X (acc) X (ske) X (acd) X (tan) X (cmx) X (ctl) X (evt)  \
-  X (rst) X (rha) X (ctp) X (inv_v) X (mas_v) X (bia_v) X (fwd_v) X (rhs_v) X (reg) X (mar)
-
 #define GSMBP_SIZE(name) int name;
-#define GSMBP_SUBROUTINE(name) gsmbp_sub name;
+
+/* an emitted subroutine: the end of its name, and its arguments as gsmbp_module.cc reads them, ""
+   where the JSON does not tell their shapes */
+typedef struct
+{
+  const char *name;
+  gsmbp_sub sub;
+  const char *arguments;
+} gsmbp_routine;
+
+/* what its INFO says; and_above: every greater number says so too */
+typedef struct
+{
+  const char *name;
+  int info, and_above;
+  const char *text;
+} gsmbp_meaning;
+
 typedef struct
 {
   const char *name;
   GSMBP_SIZES (GSMBP_SIZE)
   int np;            /* points of the skeleton */
   int nbase;         /* base parameters */
-  GSMBP_SUBROUTINES (GSMBP_SUBROUTINE)
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const int *sets;   /* ... four numbers of coordinates each */
+  const gsmbp_routine *routines;   /* as they were emitted; the last has no name */
+  const gsmbp_meaning *meanings;   /* the last has no name */
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 #ifdef __cplusplus

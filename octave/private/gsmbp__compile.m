@@ -30,7 +30,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   endif
   ## what all scenes share
   common = fullfile (folder, precision, "common");
-  runtime = [glob(fullfile (fortran, "*.f")); glob(fullfile (fortran, body, "*.f"))];
+  runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
   archive = fullfile (common, "libgsmbp.a");
   stamp = flags_stamp (common, [f77 " " common_flags]);
   if (gsmbp__older (archive, [runtime; {stamp}]))
@@ -151,12 +151,12 @@ function n = size_of (d, name)
   endif
 endfunction
 
-## the macros of gsmbp_scene.c; sizes and subroutines are those that gsmbp_scene.h lists
+## the macros of gsmbp_scene.c; sizes are those that gsmbp_scene.h lists
 function text = sizes_header (json, symbol, has_input)
   header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
                                "gsmbp_scene.h"));
   members = {[".name = \"" json.name "\""]};
-  for name = listed (header, "GSMBP_SIZES")
+  for name = sizes_in (header)
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor
   base = 0;
@@ -166,31 +166,46 @@ function text = sizes_header (json, symbol, has_input)
   sets = gsmbp__orientation (json);
   members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", ...
                             sum (gsmbp__skeleton (json).points), base, rows (sets));
-  [members, declared] = subroutines (json, header, members, has_input);
-  text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
-          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
-          "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
-          "#define GSMBP_TABLE ", strjoin(members, ", "), "\n"];
-endfunction
-
-function [members, declared] = subroutines (json, header, members, has_input)
-  declared = {};
-  emitted = tolower (gsmbp__names (json.subroutines));
-  for name = listed (header, "GSMBP_SUBROUTINES")
-    full = [tolower(json.name) "_" name{1}];
-    if (any (strcmp (emitted, full)))
-      declared{end+1} = [full "_"];
-      members{end+1} = sprintf (".%s = %s_", name{1}, full);
-    endif
-  endfor
+  [routines, meanings, declared] = subroutines (json);
   if (has_input)
     declared{end+1} = "gsvin_";
     members{end+1} = ".vin = gsvin_";
   endif
+  text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
+          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
+          "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
+          "#define GSMBP_TABLE ", strjoin(members, ", "), "\n", ...
+          "#define GSMBP_ROUTINES ", routines{:}, "\n#define GSMBP_MEANINGS ", meanings{:}, "\n"];
 endfunction
 
-## the names that a macro LIST(X) of a header lists: X (one) X (two) ...
-function names = listed (header, list)
-  body = regexp (header, ["#define " list '\(X\)((?:[^\n]*\\\n)*[^\n]*)'], "tokens", "once"){1};
+## rows of C: the emitted subroutines by the ends of their names, the sentences of their INFO
+function [routines, meanings, declared] = subroutines (json)
+  routines = meanings = declared = {};
+  list = json.subroutines;
+  if (! iscell (list))
+    list = num2cell (list);
+  endif
+  for row = list(:)'
+    full = tolower (row{1}.name);
+    name = full(numel (json.name)+2:end);
+    declared{end+1} = [full "_"];
+    routines{end+1} = sprintf ("{ \"%s\", %s_, \"%s\" }, ", name, full, gsmbp__signature (row{1}));
+    if (isfield (row{1}, "info") && ! isempty (row{1}.info))
+      told = row{1}.info([row{1}.info.code] > 0)(:)';
+      meanings = [meanings, arrayfun(@(one) sentence (name, one), told, "UniformOutput", false)];
+    endif
+  endfor
+endfunction
+
+function row = sentence (name, info)
+  above = " (and so does every greater INFO)";
+  row = sprintf ("{ \"%s\", %d, %d, \"%s\" }, ", name, info.code, ...
+                 ! isempty (strfind (info.meaning, above)), ...
+                 regexprep (strrep (info.meaning, above, ""), '(["\\])', '\\$1'));
+endfunction
+
+## the names in the list X (one) X (two) ... of a header
+function names = sizes_in (header)
+  body = regexp (header, '#define GSMBP_SIZES\(X\)((?:[^\n]*\\\n)*[^\n]*)', "tokens", "once"){1};
   names = [regexp(body, 'X \((\w+)\)', "tokens"){:}];
 endfunction

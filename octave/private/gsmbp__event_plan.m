@@ -1,5 +1,5 @@
 ## ip = gsmbp__event_plan (who, m, o, ip)
-## The plan of the events (share/fortran/gsres.f) behind the array IP of gsinp.f,
+## The plan of the events (share/fortran/events/gsres.f) behind the array IP of gsinp.f,
 ## where the scene M has events.  O: the options of gsmbp_simulate.
 
 function ip = gsmbp__event_plan (who, m, o, ip)

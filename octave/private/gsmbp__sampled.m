@@ -1,5 +1,5 @@
 ## [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
-## The plan of the samples (share/fortran/gssmp.f) behind the arrays IP and RP of
+## The plan of the samples (share/fortran/inputs/gssmp.f) behind the arrays IP and RP of
 ## gsinp.f, where the scene M has sampled devices.  O: the options of
 ## gsmbp_simulate (memory, held, samples); periods and delays are filled in by
 ## the module.

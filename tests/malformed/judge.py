@@ -14,7 +14,7 @@ routine's name), trace (Maxima's list of the functions that were being called), 
 asked (a question), half (half of a pair of files), wrong (accepted, but it does not compile or its
 result is not finite).
 """
-import json, os, re, select, shutil, subprocess, sys, tempfile, time
+import glob, json, os, re, select, shutil, subprocess, sys, tempfile, time
 from hand import CASES
 from mutants import mutants, ROOT
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -95,8 +95,8 @@ class Fortran:
     def __init__(self, folder):
         self.folder = folder
         os.makedirs(folder + '/lib')
-        sources = [os.path.join(d, f) for d, _, l in os.walk(ROOT + '/share/fortran')
-                   for f in l if f.endswith('.f')]
+        sources = [f for place in ('*', 'solve/plain')
+                   for f in glob.glob('%s/share/fortran/%s/*.f' % (ROOT, place))]
         self.run(['gfortran', '-O0', '-w', '-c'] + sources, folder + '/lib')
         self.run(['sh', '-c', 'ar cr libgs.a *.o'], folder + '/lib')
     def run(self, command, folder):

@@ -9,8 +9,22 @@ function test_handles ()
   precision (c, "hand_crank");
   parameters (m);
   wrong (m, c);
+  of_the_json (m);
   divided ();
   built_once ();
+end
+
+## a subroutine that no table knows has the handle that its row in the JSON tells
+function of_the_json (m)
+  [told, info] = m.toy (0, 0.7, -0.4);
+  kinetic = m.mas (0, 0.7) * 0.4 ^ 2 / 2;
+  gsmbp_check ("a handle from the JSON alone", [told(1) - kinetic; info], 1e-15);
+  gsmbp_check ("... in quad precision", ...
+               gsmbp_hand ("motor_pendulum", "precision", "quad").toy (0, 0.7, -0.4) - told, 1e-15);
+  says (@() m.toy (0, 0.7), ...
+        "motor_pendulum.toy: argument u is missing; expected m.toy (t, q, u[, v])");
+  says (@() m.toy (0, [1; 2], 0), "motor_pendulum.toy: argument q: expected 1 number, found 2x1");
+  says (@() m.toy (0, 3, 0), "motor_pendulum.toy: INFO = 1: the pendulum stands on its head");
 end
 
 function each_other (m)
@@ -129,7 +143,7 @@ function divided ()
   efforts = cellfun (@(m) m.inv (given{:}), models, "UniformOutput", false);
   gsmbp_check ("gauge and unit change no efforts", relative (efforts{2}, efforts{1}), 1e-15);
   says (@() gsmbp_set (models{2}, "a2", 0), ...
-        "pend2.pre: INFO = 4: a length is 0 by which the equations were divided");
+        "pend2.pre: INFO = 4: a length is 0 by which these equations divide");
   gsmbp_check ("without them the length may be 0", ...
                all (isfinite (gsmbp_set (models{1}, "a2", 0).inv (given{:}))));
 end

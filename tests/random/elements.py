@@ -95,10 +95,11 @@ def length_port(m, s, form):
 
 
 class Stand:
-    """where a spring or device stands: coordinate, ends or form, and its ratio"""
+    """where a spring or device stands: coordinate, ends or form (angle: in rad), and its ratio"""
 
     def __init__(self, coordinate=None, ends=None, form=None, ratio=1.):
         self.coordinate, self.ends, self.form, self.ratio = coordinate, ends, form, ratio
+        self.angle = False  # whether the form is one
 
     def port(self, m, s, bodies):
         if self.coordinate:

@@ -11,7 +11,8 @@ FLAGS = ['-O0', '-fPIC', '-frecursive', '-w']
 def run_time(root, folder):
     """the library of share/fortran as one shared object, made where it is older than its sources"""
     target = os.path.join(folder, 'libgs.so')
-    sources = glob.glob(root + '/share/fortran/*.f') + glob.glob(root + '/share/fortran/lapack/*.f')
+    sources = [f for folder in ('*', 'solve/lapack')
+               for f in glob.glob('%s/share/fortran/%s/*.f' % (root, folder))]
     newest = max(os.path.getmtime(f) for f in sources)
     if not os.path.exists(target) or os.path.getmtime(target) < newest:
         new = '%s.%d' % (target, os.getpid())

@@ -479,7 +479,7 @@ class Scene:
         make = r.choice(list(TURNING if turning and r.random() < .7 else ANY))
         if wish in ANY or turning and wish:
             make = wish
-        if turning and make in LINEAR:  # an arm, from the angle to the length
+        if (turning or stand.angle) and make in LINEAR:  # an arm, from the angle to the length
             where, stand.ratio = where + ', ratio = 1.5', 1.5
         elif turning and make in TURNING and r.random() < .5:
             stand.ratio = r.choice([3., -2.5])
@@ -508,10 +508,12 @@ class Scene:
             self.tags.add('device on a joint')
             return where, Stand(x), letter, x
         if way == 'length' and len(o) > 1:
-            (x, _, _), (y, _, _) = r.sample(o, 2)
+            (x, kind, _), (y, _, _) = r.sample(o, 2)
             a, b = r.choice([1., -2.]), r.choice([0., .5])
             self.tags.add('device on an expression')
-            return 'length = %r*%s + (%r)*%s*%s' % (a, x, b, x, y), Stand(form=(x, y, a, b)), '', ''
+            stand = Stand(form=(x, y, a, b))
+            stand.angle = kind != 's'
+            return 'length = %r*%s + (%r)*%s*%s' % (a, x, b, x, y), stand, '', ''
         where, ends = self.ends()
         self.tags.add('device between points')
         return where, Stand(ends=ends), '', ''

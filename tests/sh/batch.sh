@@ -1,7 +1,7 @@
 # Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines
 # and cosines, against quad precision. Needs the scenes derived (tests/run does that).
 . tests/tools/check.sh
-root=$PWD
+functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit
@@ -31,7 +31,7 @@ done
 check 'batch_stop says that RHS_V goes state by state' \
   grep -q 'One state after the other by BATCH_STOP_RHS' "$emitted/batch_stop.f"
 
-gfortran -O2 $vectorize -c "$root/share/fortran/gsscv.f" >report 2>&1
+gfortran -O2 $vectorize -c "$functions/gsscv.f" >report 2>&1
 grep -q 'loop vectorized' report; told $? 'GSSCV is vectorized' report
 
 # errors in units of the last place of the result: angles of either sign up to a size, then the
@@ -87,7 +87,7 @@ contains
   end function
 end program
 F
-gfortran -O2 -march=native -c "$root/share/fortran/gssc.f" "$root/share/fortran/gsscl.f" &&
+gfortran -O2 -march=native -c "$functions/gssc.f" "$functions/gsscl.f" &&
   gfortran -O1 -o sines sines.f90 gsscv.o gssc.o gsscl.o && ./sines >values ||
   echo 'not ok the program runs'
 awk 'NF == 4 {

@@ -19,3 +19,37 @@ done)
   echo 'ok every public name is listed' || echo "not ok not listed:" $missing
 silent=$(awk '/^gsmbp_/ { name = $0; getline; if ($0 == "") print name }' "$work/functions.txt")
 [ -z "$silent" ] && echo 'ok each has a comment' || echo "not ok without a comment:" $silent
+
+# the words that FILE lacks in the comment of a function, a line `NAME WORD` each; FILE has a
+# function on a line of its own, its comment on the indented lines behind it
+lacking() { # WORDS <FILE
+  awk -v words="$1" '
+    function tell(   k) {
+      for (k in word) if (name != "" && index(text, word[k] ":") == 0) print name, word[k]
+    }
+    BEGIN { split(words, word) }
+    /^[^ ]/ { tell(); name = $0 ~ /^gsmbp_.*\(/ ? $0 : ""; text = "" }
+    { text = text " " $0 }
+    END { tell() }'
+}
+# shape, unit, frame, errors and source, of all of them
+silent=$(lacking 'Result Units Frame Errors Source' <"$work/functions.txt")
+[ -z "$silent" ] && echo 'ok each says result, units, frame, errors and source' ||
+  echo "not ok not said:" $silent
+printf 'gsmbp_x(a)\n  Result: a. Units: m. Errors: none. Source: own.\n\ngsmbp_y(b)\n  b.\n' \
+  >"$work/poor.txt"
+[ "$(lacking 'Result Frame' <"$work/poor.txt" | sort | tr '\n' ' ')" = \
+  'gsmbp_x(a) Frame gsmbp_y(b) Frame gsmbp_y(b) Result ' ] &&
+  echo 'ok what is not said is found' || echo 'not ok what is not said is found'
+grep -h -A 2 '^== ' "$work/functions.txt" | awk '/^== / && last ~ /^== / { bad = 1 }
+  $0 != "" && $0 != "--" { last = $0 } END { exit bad || last ~ /^== / }' &&
+  echo 'ok no heading is empty' || echo 'not ok a heading is empty'
+# the help of every function of Octave
+silent=$(for file in octave/*.m; do
+  for word in Errors Source; do
+    sed -n '/^## -\*- texinfo/,/^## @end deftypefn/p' "$file" | grep -q "^## $word: " ||
+      echo "$file $word"
+  done
+done)
+[ -z "$silent" ] && echo 'ok each help of Octave says errors and source' ||
+  echo "not ok not said:" $silent

@@ -31,7 +31,7 @@ A
 standard=all,no-long-name,no-name-underscore,no-implicit-none
 usage=no-arg-unused,no-ext-unused,no-arg-array-alias
 
-for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/*.f; do
+for file in "$GSMBP_TEST_DIR"/fortran_out/*.f $(find share/fortran -name "*.f"); do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
   name=${file##*/}
   emitted=no
@@ -42,6 +42,11 @@ for file in "$GSMBP_TEST_DIR"/fortran_out/*.f share/fortran/*.f share/fortran/*/
 
   awk -v emitted=$emitted -f "$work/fixed_form.awk" "$file" >"$report"
   result "$name keeps to the fixed form"
+
+  if [ $emitted = yes ]; then
+    awk -f tests/tools/emitted_text.awk "$file" >"$report"
+    result "$name says what its arguments and constants are, and its methods"
+  fi
 
   # workspace handed on by its first element, routines called from other files, and IAND
   # (MIL-STD-1753, Fortran 95) are the run time's custom

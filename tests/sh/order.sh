@@ -57,8 +57,9 @@ C     steps of each method, and the order between the two
       SUBROUTINE NONE
       END
 F
-gfortran -O2 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/*.f \
-  share/fortran/plain/*.f 2>"$work/log" || { echo "not ok quad build"; cat "$work/log"; exit 1; }
+gfortran -O2 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/*/*.f \
+  share/fortran/solve/plain/*.f 2>"$work/log" ||
+  { echo "not ok quad build"; cat "$work/log"; exit 1; }
 "$work/order" | awk '
   { order = $1 == 4 ? 4 : 8
     good = $4 > order - 0.1 && $4 < order + 0.1 && (order == 4 || $3 < 1e-24)

@@ -3,7 +3,7 @@
 # forward dynamics need these efforts. Both sum in double precision, in another order: 1e-13 of the
 # largest effort leaves a factor of a hundred.
 . tests/tools/check.sh
-fortran=$PWD/share/fortran
+functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 for kind in spat tree pend; do
@@ -12,7 +12,7 @@ for kind in spat tree pend; do
     gsmbp_fortran(scale_scene(\"$kind\", 128), [inverse, forward], ['directory = \"$work\"])\$
     scale_driver(\"$kind\", 128, \"$work/driver.f\")\$" &&
     (cd "$work" && gfortran -O0 -o run "${kind}128.f" driver.f \
-      "$fortran/gsfin.f" "$fortran/gssc.f" "$fortran/gsscl.f" && ./run) >"$work/out" 2>&1
+      "$functions/gsfin.f" "$functions/gssc.f" "$functions/gsscl.f" && ./run) >"$work/out" 2>&1
   for what in ERROR:efforts FORWARD:accelerations; do
     awk -v word="${what%:*}" '$1 == word { good = $2 < 1e-13 } END { exit !good }' "$work/out"
     told $? "$kind: 128 links, ${what#*:}" "$work/out"

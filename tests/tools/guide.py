@@ -40,7 +40,7 @@ def report(what, problems):
 def routines():
     """(name, file) of every program unit of share/fortran, and its text without comments"""
     found = {}
-    for path in files_of('share/fortran/*.f', 'share/fortran/*/*.f'):
+    for path in files_of('share/fortran/*/*.f', 'share/fortran/*/*/*.f'):
         for part in re.split(r'(?m)^(?= +(?:SUBROUTINE|[A-Z ]+FUNCTION) )', without_comments(path)):
             head = re.match(r' +(?:SUBROUTINE|[A-Z ]+FUNCTION) +(\w+)', part)
             if head:
@@ -69,9 +69,15 @@ def callers(units):
 
 def index_of_fortran():
     """{(name, file): who calls it} as share/fortran/README.md has it"""
-    rows = re.findall(r'(?m)^\| `(\w+)` \| `([\w/.]+)` \|.*\| ([^|]*) \|$',
-                      text_of('share/fortran/README.md'))
-    return {(name, file): {w.strip() for w in who.split(',')} - {''} for name, file, who in rows}
+    folder, index = '', {}
+    for line in text_of('share/fortran/README.md').splitlines():
+        heading = re.match(r'## `(\w+/)`', line)
+        folder = heading.group(1) if heading else folder
+        row = re.match(r'\| `(\w+)` \| `([\w/.]+)` \|.*\| ([^|]*) \|$', line)
+        if row:
+            index[row.group(1), folder + row.group(2)] = (
+                {who.strip() for who in row.group(3).split(',')} - {''})
+    return index
 
 
 def check_fortran():
@@ -131,7 +137,7 @@ def check_named_files():
                        'gsmbp/README.md', 'tests/README.md', 'share/fortran/README.md', 'CHANGES')
     for path in sources:
         for name in re.findall(r'\b([a-z]\w*/[\w/]+\.(?:mac|lisp|f|m|md|sh|py))\b', text_of(path)):
-            places = ['', 'gsmbp', 'share', 'share/fortran', os.path.dirname(path)]
+            places = ['', 'gsmbp', 'share', 'share/fortran/solve', os.path.dirname(path)]
             made = 'fortran_out' in name or 'any/where' in name
             if not made and not any(files_of(os.path.join(p, name)) for p in places):
                 wrong.append('%s names %s' % (path, name))

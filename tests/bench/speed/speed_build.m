@@ -68,8 +68,8 @@ function archive = runtime (out, precision)
   archive = fullfile (folder, "runtime.a");
   quad = strcmp (precision, "quad");
   body = {"lapack", "plain"}{1 + quad};
-  sources = [glob(fullfile (root, "share", "fortran", "*.f")); ...
-             glob(fullfile (root, "share", "fortran", body, "*.f"))];
+  sources = [glob(fullfile (root, "share", "fortran", "*", "*.f")); ...
+             glob(fullfile (root, "share", "fortran", "solve", body, "*.f"))];
   if (! exist (archive, "file") ...
         || stat (archive).mtime < max (cellfun (@(f) stat (f).mtime, sources)))
     [~, ~] = unlink (archive);

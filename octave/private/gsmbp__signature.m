@@ -1,0 +1,50 @@
+## text = gsmbp__signature (row)
+## The arguments of an emitted subroutine as glue/gsmbp_module.cc reads them, "t q(2) cst >e(3)",
+## from its ROW of the JSON's "subroutines".  "" where ROW has no shapes, or a handle needs more than
+## they tell (the range of a number, a leading dimension): such a subroutine has a row in the table
+## of the module, or no handle.
+
+function text = gsmbp__signature (row)
+  text = "";
+  if (! isfield (row, "shapes") || isempty (row.shapes))
+    return;
+  endif
+  names = tolower (cellstr (row.arguments)(:)');
+  words = cellfun (@word, names, cellstr (row.shapes)(:)', "UniformOutput", false);
+  if (any (strcmp (names, "cst")) && ! any (cellfun (@isempty, words)))
+    text = strjoin (optional (words), " ");
+  endif
+endfunction
+
+## "t(1)", ">e(3)", "cst"; "" where it cannot be told.  SHAPE: "in", "out(3)", "integer in"
+function text = word (name, shape)
+  text = "";
+  part = regexp (shape, '^(in|out|inout)((?:\(.*\))?)$', "tokens", "once");
+  if (any (strcmp (name, {"cst", "info"})))
+    text = name;
+  elseif (! isempty (part) && isempty (regexp (shape, '[*:]', "once")))
+    text = [mark(part{1}), name, dimensions(part{2})];
+  elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
+    text = name;   # none in this scene
+  endif
+endfunction
+
+function text = mark (intent)
+  text = struct ("in", "", "out", ">", "inout", "<").(intent);
+endfunction
+
+function text = dimensions (text)
+  if (isempty (text))
+    text = "(1)";
+  endif
+endfunction
+
+## what may be left out: inputs and states of the inverse model that nothing is read behind
+function words = optional (words)
+  for k = find (strcmp (words, "cst"), 1)-1:-1:1
+    if (isempty (regexp (words{k}, '^(v|xi)\>', "once")))
+      break;
+    endif
+    words{k} = ["?" words{k}];
+  endfor
+endfunction

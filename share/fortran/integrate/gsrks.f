@@ -1,0 +1,109 @@
+      SUBROUTINE GSRKS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $                  TB, SIDE, NQ, NU, NX, NV, NLAM, IOPT, ROPT,
+     $                  ATOL, IP, RP, CST, IW, W, ISTAT, RSTAT, INFO )
+C
+C     PURPOSE
+C     From one stop to the next by the classical method of Runge and
+C     Kutta, in equal steps of at most ROPT(1).
+C
+C     ARGUMENTS
+C     As GSSIM, and
+C     T       (input/output) DOUBLE PRECISION, the time, TB on exit [s].
+C     TB      (input) DOUBLE PRECISION, the time of the stop [s].
+C     SIDE    (input) INTEGER, the side from which the inputs are taken
+C             there, see GSINP.
+C     IW      (input/output) INTEGER array, dimension (7), the places of
+C             (1) the state, (2) the next state, which change places,
+C             (3) inputs, (4) partition, (5) stages in W.
+C     INFO    (output) INTEGER, as GSSIM: 0, 1, 3 or 4.
+C
+C     METHOD
+C     Time is TA + k*H, TA being the last place where the length of the
+C     steps changed.  GSEVN may want shorter steps: a tenth, until the
+C     event or the stop is there.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
+      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IOPT(*), IP(*),
+     $                   IW(7), ISTAT(*), INFO
+      DOUBLE PRECISION   T, TB, ROPT(*), ATOL(*), RP(*), CST(*), W(*),
+     $                   RSTAT(*)
+      INTEGER            GSFIN
+      EXTERNAL           GSFIN, GSSTD, GSRK4, GSEVN, GSCHK, GSEVR
+      DOUBLE PRECISION   TA, TN, H, HR, GAUSS(3), NOJUMP(3)
+      INTEGER            I, K, N, AT, EVENT, IX, IXN, IV, IC, IK, IER
+C
+      IV = IW(3)
+      IC = IW(4)
+      IK = IW(5)
+      DO 10 I = 1, 3
+         GAUSS(I)  = 0.0D0
+         NOJUMP(I) = 0.0D0
+   10 CONTINUE
+      EVENT = 0
+      TA = T
+      HR = ROPT(1)
+C
+   20 N = MAX( 1, INT( ( TB - TA )/HR*( 1.0D0 - 1.0D-9 ) ) + 1 )
+      H = ( TB - TA )/DBLE( N )
+      RSTAT(6) = MIN( RSTAT(6), H )
+      RSTAT(7) = MAX( RSTAT(7), H )
+      DO 30 K = 1, N
+         IX  = IW(1)
+         IXN = IW(2)
+         T  = TA + DBLE( K - 1 )*H
+         TN = TA + DBLE( K )*H
+         AT = 1
+         IF ( K.EQ.N ) THEN
+            TN = TB
+            AT = SIDE
+         END IF
+         INFO = 1
+         IF ( IOPT(4).GT.0 .AND. ISTAT(2).GE.IOPT(4) ) RETURN
+         INFO = 3
+         CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, H, W(IX),
+     $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2),
+     $               ATOL, W(IK), W, W(IC), ISTAT, RSTAT )
+         CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, W(IX),
+     $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), W(IXN),
+     $               W(IK), W, W(IC), ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) RETURN
+         IF ( IP(28).GT.0 ) THEN
+            CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
+     $                  IOPT(2), T, TN, AT, H, W(IX), NQ, NU, NX, NV,
+     $                  NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN),
+     $                  W(IK), W, W(IC), ISTAT, RSTAT, IP(IP(28)),
+     $                  RP(IP(29)), GAUSS, EVENT, IER )
+            IF ( IER.NE.0 ) RETURN
+            IF ( EVENT.LT.0 ) THEN
+               TA = T
+               HR = 0.1D0*H
+               GO TO 20
+            END IF
+         END IF
+C
+C        -- the step is good
+         RSTAT(8) = TN
+         IF ( GSFIN( NX, W(IXN) ).NE.0 ) THEN
+            INFO = 4
+            RETURN
+         END IF
+         IW(1) = IXN
+         IW(2) = IX
+         ISTAT(2) = ISTAT(2) + 1
+         CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
+     $               NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) RETURN
+         IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, TN,
+     $      W(IXN), NU, NX, NV, IP, RP, CST, W(IV), W, ISTAT, EVENT, IER
+     $      )
+         IF ( IER.NE.0 ) RETURN
+         IF ( TN.LT.TB .AND. ( EVENT.GT.0 .OR. HR.LT.ROPT(1) ) ) THEN
+            TA = TN
+            HR = ROPT(1)
+            GO TO 20
+         END IF
+   30 CONTINUE
+      INFO = 0
+      T = TB
+      END
