@@ -84,8 +84,8 @@
   (dolist (e (cdr code) table) (gs-label-product tp table taken (cadr e) (caddr e))))
 ;;; a temporary of which s is a half
 (defun gs-label-half (tp table taken s e)
-  (when (and (gethash s table) (gs-product-p e) (alike1 (cadr e) '((rat simp) 1 2)) (symbolp (caddr e))
-             (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
+  (when (and (gethash s table) (gs-product-p e) (alike1 (cadr e) '((rat simp) 1 2))
+             (symbolp (caddr e)) (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
     (setf (gethash (caddr e) table)
           (gs-free-symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
 ;;; cq2*cq3 is cq2cq3, cq2^2 is cq2cq2
