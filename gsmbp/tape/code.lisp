@@ -44,6 +44,7 @@
     (dolist (e (cdr code))
       (when (dolist (s (gs-entry-symbols e)) (when (gethash s h) (return t)))
         (let ((d (gs-name-one nm (gs-entry-rate h e (gethash (gs-entry-name e) trig)) "")))
+          (gs-mark-rate (nth 3 nm) d (gs-entry-name e) (cdr seeds))
           (unless (eql d 0) (setf (gethash (gs-entry-name e) h) d)))))
     (gs-list (mapcar #'(lambda (x) (gs-name-one nm ($gs__rate h x) "")) (cdr outputs)))))
 

@@ -15,24 +15,154 @@
 (defun gs-stem (hint)
   (if (or (some #'digit-char-p hint) (member hint *gs-lettered* :test #'string=)) hint ""))
 
-;;; the name of a quantity: a scalar (index: text for which of several), a 3-vector, or a matrix
-;;; (rows)
+;;; ----------------------------------------------------------------------------------------- labels
+
+;;; What a name on the tape is called in a routine, (hint subject index), kept under its symbol: the
+;;; first label stays. subject: what the block is about (gs__of_link), nil of a matrix or list by
+;;; rates. Parameters' constants have places in CST instead.
+(defmacro gs-subject (tp) `(nth 9 ,tp))
+(defmacro gs-labels (tp) `(nth 10 ,tp))
+(defun gs-symbol-of (name)   ; s of s and -s, or nil
+  (cond ((symbolp name) name)
+        ((and (consp name) (eq (caar name) 'mtimes) (eql (cadr name) -1) (null (cdddr name))
+              (symbolp (caddr name)))
+         (caddr name))))
+(defun gs-marked (nm name hint index)
+  (when (eq (nth 1 nm) '$tape)
+    (let ((tp (nth 3 nm)))
+      (gs-put-label tp name (list hint (if (consp index) nil (gs-subject tp)) index))))
+  name)
+(defun gs-put-label (tp name label)
+  (let ((s (gs-symbol-of name)))
+    (when (and s (not (gethash s (gs-labels tp))) (gethash s (gs-entries tp))
+               (not (gethash s (nth 6 tp))) (not (eq (gethash s (gs-nature tp)) '$constant)))
+      (setf (gethash s (gs-labels tp)) label))))
+;;; The derivative of a name that has a label, not as a derivative: its label is made of that of the
+;;; name and of what moves: the symbol of the only seed, or time.
+(defun gs-mark-rate (tp rate name seeds)
+  (let ((label (gethash name (gs-labels tp))))
+    (when (and label (not (eq (third label) 'rate)))
+      (gs-put-label tp rate (list name (if (cdr seeds) '$t (cadr (car seeds))) 'rate)))))
+
+;;; the text of a label: w3 and "x" is w3x; j, of link 2, and "12" is j2_12; mm and (1 2) is mm12;
+;;; nil if there is none, or a long one
+(defun gs-label-text (tp s)
+  (let ((label (gethash s (gs-labels tp))))
+    (cond
+      ((null label) nil)
+      ((eq (third label) 'rate)
+       (let ((text (gs-label-text tp (first label))))
+         (and text (<= (length text) 8)
+              (string-downcase (gs-text "d" text "_" (gs-shown-name (second label)))))))
+      (t (destructuring-bind (hint subject index) label
+        (let* ((stem (if (or (null subject) (some #'digit-char-p hint))
+                         hint
+                         ($sconcat hint subject)))
+               (tail (gs-index-text index))
+               (text (if (and (string/= tail "") (digit-char-p (char tail 0))
+                              (digit-char-p (char stem (1- (length stem)))))
+                         (gs-text stem "_" tail)
+                         (gs-text stem tail))))
+          (and (<= (length text) 20) (string-downcase text))))))))
+(defun gs-shown-name (s) (coerce (mstring s) 'string))
+(defun gs-index-text (index)
+  (cond ((null index) "")
+        ((stringp index) index)
+        (t (format nil (if (some #'(lambda (k) (> k 9)) index) "~{~d~^_~}" "~{~d~}") index))))
+
+;;; those of the symbols that have no label
+(defun $gs__without_label (tp symbols)
+  (gs-list (remove-if #'(lambda (s) (gs-label-text tp s)) (cdr symbols))))
+;;; Symbols for the temporaries of a routine, code its entries [name, expression, ...]: those of
+;;; their labels where they have any (a second of the same label has _2 behind it), else of what
+;;; they are. taken: table of the symbols that are in use.
+(defun $gs__put_labels (tp table taken code)
+  (dolist (e (cdr code))
+    (let ((text (gs-label-text tp (cadr e))))
+      (when text (setf (gethash (cadr e) table) (gs-free-symbol taken text)))))
+  (dolist (e (cdr code)) (gs-label-half tp table taken (cadr e) (caddr e)))
+  (dolist (e (cdr code) table) (gs-label-product tp table taken (cadr e) (caddr e))))
+;;; a temporary of which s is a half
+(defun gs-label-half (tp table taken s e)
+  (when (and (gethash s table) (gs-product-p e) (alike1 (cadr e) '((rat simp) 1 2))
+             (symbolp (caddr e)) (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
+    (setf (gethash (caddr e) table)
+          (gs-free-symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
+;;; cq2*cq3 is cq2cq3, cq2^2 is cq2cq2
+(defun gs-label-product (tp table taken s e)
+  (let ((factors (cond ((atom e) nil)
+                       ((gs-product-p e) (cdr e))
+                       ((and (gs-power-p e) (eql (caddr e) 2)) (list (cadr e) (cadr e))))))
+    (when (and factors (null (cddr factors)) (every #'symbolp factors)
+               (gs-numbered-p tp table s)
+               (notany #'(lambda (x) (gs-numbered-p tp table x)) factors))
+      (let ((text (format nil "~{~a~}"
+                          (mapcar #'(lambda (x) (gs-shown-name (or (gethash x table) x)))
+                                  factors))))
+        (when (<= (length text) 12)
+          (setf (gethash s table) (gs-free-symbol taken (string-downcase text))))))))
+;;; a temporary z1, z2, ... without a name of its own
+(defun gs-numbered-p (tp table s)
+  (let ((text (gs-shown-name s)))
+    (and (gethash s (gs-nature tp)) (not (gethash s table))
+         (char= (char text 0) #\z) (every #'digit-char-p (subseq text 1)))))
+(defun gs-free-symbol (taken text)
+  (do* ((k 1 (1+ k)) (s (gs-symbol-named text) (gs-symbol-named (format nil "~a_~d" text k))))
+      ((not (gethash s taken)) (setf (gethash s taken) t) s)))
+(defun gs-symbol-named (text) (intern-invert-case (concatenate 'string "$" text)))
+
+;;; ------------------------------------------------------------------------------------- quantities
+
+(defun gs-name-marked (nm e hint index)
+  (gs-marked nm
+             (gs-name-one nm e
+                          (gs-hinted (gs-stem hint)
+                                     (if (consp index) (format nil "~{~d~}" index) index)))
+             hint index))
+
+;;; The name of a quantity: a scalar, a 3-vector, or a matrix (rows). index: of a scalar which of
+;;; several it is, text of axes, or a list of the numbers of rates; of a matrix `rates`, if its rows
+;;; are.
 (defun $gs__named (hint e &optional index)
-  (declare (ignore index))
-  (let ((nm (gs-naming)) (stem (gs-stem hint)))
-    (cond ((not ($listp e)) (gs-name-one nm e stem))
-          ((and (cdr e) ($listp (cadr e))) ($gs__name_matrix nm e stem))
-          (t ($gs__name_vector nm e stem)))))
+  (let ((nm (gs-naming)))
+    (cond ((not ($listp e))
+           (gs-marked nm (gs-name-one nm e (gs-stem hint)) hint
+                      (if ($listp index) (cdr index) index)))
+          ((and (cdr e) ($listp (cadr e))) (gs-named-matrix nm hint e index))
+          (t (gs-list
+               (mapcar #'(lambda (x axis) (gs-name-marked nm x hint axis)) (cdr e)
+                       '("x" "y" "z")))))))
+
+(defun gs-entry-index (i j index) (if index (list i j) (format nil "~d~d" i j)))
+(defun gs-named-matrix (nm hint a index)
+  (gs-list
+    (loop for r in (cdr a) for i from 1
+          collect (gs-list
+                    (loop for e in (cdr r) for j from 1
+                          collect (if (atom e)
+                                      e
+                                      (gs-name-marked nm e hint (gs-entry-index i j index))))))))
 
 ;;; a symmetric matrix, its upper half named
 (defun $gs__named_symmetric (hint a &optional index)
-  (declare (ignore index))
-  ($gs__symmetric (gs-naming) a (gs-stem hint)))
+  (let* ((nm (gs-naming)) (n (length (cdr a))) (rows (make-array (list n n))))
+    (loop for r in (cdr a) for i from 0
+          do (loop for e in (nthcdr (1+ i) r) for j from i
+                   do (setf (aref rows i j)
+                            (if (atom e)
+                                e
+                                (gs-name-marked nm e hint
+                                                (gs-entry-index (1+ i) (1+ j) index))))))
+    (gs-list
+      (loop for i below n
+            collect (gs-list (loop for j below n collect (aref rows (min i j) (max i j))))))))
 
 ;;; a list of scalars, told apart by their numbers in it
 (defun $gs__named_list (hint l)
-  (declare (ignore hint))
-  ($gs__name_list (gs-naming) l))
+  (let ((nm (gs-naming)) (k 0))
+    (gs-list
+      (mapcar #'(lambda (e) (incf k) (gs-marked nm (gs-name-one nm e "") hint (list k)))
+              (cdr l)))))
 
 ;;; The entries of M that a column, the wrench [f, n] of the direction d, has with the screws
 ;;; [direction, factor of f, factor of n], in place
