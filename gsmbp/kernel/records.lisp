@@ -34,3 +34,15 @@
 (defun gs-record-error (structure what found)
   ($gs__raise (format nil "gs__record: ~a: ~a ~a" (gs-record-word structure) what
                       (gs-record-word found))))
+
+;;; r@field of one of our structures is what the field holds. (Maxima takes a field that holds a
+;;; symbol of its own name for one that was never set and leaves r@field as it is: a scene may well
+;;; have a parameter called mass.)
+(defun gs-own-structure-p (name)
+  (and (get name 'defstruct-template) (eql 0 (search "$GS__" (symbol-name name)))))
+(defun gs-field (form)
+  (let* ((in (meval (cadr form)))
+         (field (caddr form))
+         (value ($@-function in field)))
+    (if (and (eq value field) (not (gs-own-structure-p (caar in)))) form value)))
+(setf (get '$@ 'mfexpr*) #'gs-field)
