@@ -3,6 +3,7 @@
 ;;; is required: F : gs__named("f", gs__cross(e, h)).
 (in-package :maxima)
 
+(defvar $gs__naming)                     ; the namer of a stage; unbound outside
 (defun gs-naming ()
   (if (boundp '$gs__naming)
       (symbol-value '$gs__naming)

@@ -12,7 +12,7 @@
         (when (and (boundp s)
                    (not (get s 'assign))
                    (or (member v '(t nil)) (and (integerp v) (< 0 v 100)))
-                   (not (gsmbp-kept-p s)))
+                   (not (gs-kept-p s)))
           (push s l)))
       *variable-initial-values*)
     (cons '(mlist) (sort l #'string< :key #'symbol-name))))
