@@ -7,7 +7,7 @@
 (defun gs-naming ()
   (if (boundp '$gs__naming)
       (symbol-value '$gs__naming)
-      (mfuncall '$gs__error "gs__named" "no namer is bound for this stage")))
+      (mfuncall '$gs__error "model" "a quantity is named outside of a stage that has a namer")))
 
 ;;; Quantities whose symbols on the tape begin with their letters, as those with a number do (w3):
 ;;; the others have numbers, z1, z2, ... Symbols decide which of equal choices the passes take
