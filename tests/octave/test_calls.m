@@ -197,6 +197,9 @@ end
 ## requests that the scene cannot have, and the reasons as regular expressions
 function [requests, reasons] = left_out (m)
   [requests, reasons] = deal ({});
+  if (! isfield (m.json, "left_out"))
+    return
+  end
   for one = m.json.left_out(:)'
     if (isempty (strfind (one.reason, "made on request")))
       requests{end+1} = one.request;
