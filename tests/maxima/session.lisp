@@ -10,6 +10,7 @@
     (and (> (length name) 1)
          (find (char name 0) "$%&")
          (not (search "GSMBP" (string-upcase name)))
+         (not (search "GS__" (string-upcase name)))
          ; labels %i1, %o1
          (not (every (lambda (c) (or (digit-char-p c) (find c "$%ioIO"))) name))
          (not (member name
