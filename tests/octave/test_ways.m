@@ -329,7 +329,7 @@ function end_of_range ()
     says (@() gsmbp_simulate (open, open.initial, [0, 1], "loops", w{1}), ...
           "expected a state on the constraints at t = 0 s, found C.x = -1.28");
     says (@() gsmbp_simulate (open, open.initial, [0, 1], "loops", w{1}, "start", "project"), ...
-          "no position that closes the loops was found near");
+          "no position near X satisfies the constraints");
   end
 end
 
