@@ -159,7 +159,8 @@ def read(file):
                 if title.startswith('names'):
                     name = Reader(l, None).symbol()
                     symbols.define(name, value)
-                    key = [k for k in wanted if k.replace('_', '') in ''.join(name[:1]) + name[1]][0]
+                    spelt = ''.join(name[:1]) + name[1]
+                    key = [k for k in wanted if k.replace('_', '') in spelt][0]
                 elif title.startswith('rates of the coordinates'):
                     rates += 1; key = 'rates%d' % rates
                     symbol = Reader(l, None).symbol()
