@@ -47,3 +47,12 @@ check 'not used once a source is newer' fails used
 compile
 check 'compiled again' test "$(ls -i "$file")" != "$before"
 check 'and used' used
+parsed=$(ls gsmbp/compiled/*/statements)
+printf 'gsmbp_marked : 7$\n' >>gsmbp/elsewhere.mac
+check 'a statement that is new in a .mac file is seen' \
+  share/make/maxima "$work/out.txt" 'load("gsmbp/gsmbp.mac")$ if gsmbp_marked # 7 then gs__exit(1)$'
+compile
+check 'statements are read anew' grep -q GSMBP_MARKED "$parsed"
+sleep 1.1
+head -c 20000 "$parsed" >"$work/cut" && cp "$work/cut" "$parsed"
+check 'what is cut short is not used' same short

@@ -69,7 +69,7 @@ old_alone() { holds "$1" old && [ ! -e "${2:-$1}.new" ]; }   # old_alone FILE [W
 check 'doc: the old file is kept' old_alone share/manual/functions.txt
 full 40 share/make/compile
 check 'compile: what is cut short is not used' fails sh -c 'ls gsmbp/compiled/*/gsmbp.*'
-check 'compile: and says so' says 'compile: Maxima will load the Lisp files uncompiled'
+check 'compile: and says so' says 'compile: Maxima will load the files uncompiled'
 share/make/install "$work/home" '' '' >"$work/out.txt" && echo old >"$work/home/gsmbp-files/LICENSE"
 check 'install: a full disk is an error' fails full 8 share/make/install "$work/home" '' ''
 check 'install: what was installed is kept' \

@@ -1,0 +1,58 @@
+;;; kernel/statements.lisp: the statements of the .mac files as Maxima has read them. To read them
+;;; takes Maxima longer than all else that loading does; share/make/compile does it once and leaves
+;;; them beside the compiled Lisp files (kernel/compiled.mac), each file's with its name.
+(in-package :maxima)
+
+;;; name of a file, without .mac -> its statements, and the time of the file that held them
+(defvar *gs-statements* nil)
+(defvar *gs-statements-time* 0)
+
+(defmacro gs-with-plain-syntax (&body body)
+  `(let ((*package* (find-package :maxima))
+         (*print-pretty* nil)
+         (*print-level* nil)
+         (*print-length* nil)
+         (*print-circle* nil)
+         (*print-base* 10)
+         (*print-radix* nil)
+         (*print-case* :upcase)
+         (*print-escape* t)
+         (*read-base* 10)
+         (*read-default-float-format* 'double-float))
+     ,@body))
+
+(defun gs-source (here name) (concatenate 'string here name ".mac"))
+(defun gs-statements-of (path)
+  (with-open-file (in path)
+    (loop for form = (mread-raw in in) until (eq form in) collect (third form))))
+
+;;; the statements of the files of the list `names` below the folder `here`, as the file `path`; its
+;;; last form tells that it is whole
+(defun $gs__write_statements (here names path)
+  (with-open-file (out path :direction :output :if-exists :supersede)
+    (gs-with-plain-syntax
+      (dolist (name (cdr names))
+        (prin1 (cons name (gs-statements-of (gs-source here name))) out)
+        (terpri out))
+      (prin1 :whole out)))
+  '$done)
+
+(defun $gs__read_statements (path)
+  (setq *gs-statements* nil *gs-statements-time* 0)
+  (when (probe-file path)
+    (gs-with-plain-syntax
+      (with-open-file (in path)
+        (let ((read (loop for form = (read in nil) while form collect form)))
+          (when (eq (car (last read)) :whole)
+            (setq *gs-statements* (butlast read) *gs-statements-time* (file-write-date path)))))))
+  '$done)
+
+;;; gs__load_source(here, name): the file `name`.mac of the folder `here`, its statements as they
+;;; were read before if it has not changed since
+(defun $gs__load_source (here name)
+  (let* ((path (gs-source here name))
+         (known (assoc name *gs-statements* :test #'string=)))
+    (if (and known (< (file-write-date path) *gs-statements-time*))
+        (mapc #'meval* (cdr known))
+        ($load path))
+    '$done))
