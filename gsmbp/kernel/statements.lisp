@@ -22,9 +22,15 @@
      ,@body))
 
 (defun gs-source (here name) (concatenate 'string here name ".mac"))
+;;; an expression without the places in its file that Maxima notes in it, ((op (line file src)) ...)
+(defun gs-without-places (e)
+  (flet ((place-p (x) (and (consp x) (eq (car (last x)) 'src))))
+    (cond ((atom e) e)
+          (t (loop for x in e unless (place-p x) collect (gs-without-places x))))))
 (defun gs-statements-of (path)
   (with-open-file (in path)
-    (loop for form = (mread-raw in in) until (eq form in) collect (third form))))
+    (loop for form = (mread-raw in in)
+          until (eq form in) collect (gs-without-places (third form)))))
 
 ;;; the statements of the files of the list `names` below the folder `here`, as the file `path`; its
 ;;; last form tells that it is whole

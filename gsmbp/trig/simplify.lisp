@@ -32,3 +32,11 @@
     (cons '(mlist simp)
           (mapcar #'(lambda (k) (cons '(mlist simp) (cons k (reverse (gethash k classes)))))
                   (reverse keys)))))
+
+;;; whether an expression has more than `most` nodes
+(defun $gs__is_longer (e most)
+  (labels ((count-nodes (x)
+             (when (< (decf most) 0) (return-from $gs__is_longer t))
+             (unless (atom x) (mapc #'count-nodes (cdr x)))))
+    (count-nodes e)
+    nil))
