@@ -37,3 +37,6 @@
                (unless (char= c #\Space) (push (subseq s k e) tokens))
                (setq k e)))
     (gs-list (nreverse tokens))))
+
+;;; gs__array_of("M(2,1)") => "M"
+(defun $gs__array_of (place) (string-upcase (subseq place 0 (position #\( place))))
