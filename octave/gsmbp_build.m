@@ -225,3 +225,10 @@ endfunction
 %!error <there is no .*nowhere.f> gsmbp_build ("nowhere")
 %!error <unknown option "quad"> gsmbp_build ("nowhere", "quad", true)
 %!error <unknown parameter "bb"> fixture ("motor_pendulum", "parameters", struct ("bb", 0))
+%!test   # by its own name, or Octave loads it anew at every call once the path has grown
+%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! profile on
+%! m.rhs (0, m.initial, 0);
+%! profile off
+%! assert (any (strcmp ({profile("info").FunctionTable.FunctionName}, m.symbol)));

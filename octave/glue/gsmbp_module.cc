@@ -1440,8 +1440,10 @@ do_time (const octave_value_list& args)
   return ovl (the_seconds / repeats);
 }
 
-DEFUN_DLD (gsmbp_module, args, nargout,
-           "Called through the handles of gsmbp_build; not for direct use.")
+// By the name under which Octave has it: a function that it does not find under its own name it
+// loads anew at every call, once a folder was added to the path behind the first one.
+DEFUNX_DLD (S.symbol, Fgsmbp_module, Ggsmbp_module, args, nargout,
+            "Called through the handles of gsmbp_build; not for direct use.")
 {
   if (args.length () < 1 || ! args(0).is_string ())
     error ("%s: expected the name of a subroutine", S.name);

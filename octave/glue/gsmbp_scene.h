@@ -34,6 +34,7 @@ typedef struct
 typedef struct
 {
   const char *name;
+  const char *symbol;   /* of the module in Octave: gsmbp_d_pendulum_1a2b3c4d */
   const char *left_out; /* of the requests, and why: "\nrequest: reason\n..." */
   GSMBP_SIZES (GSMBP_SIZE)
   int np;            /* points of the skeleton */

@@ -166,7 +166,8 @@ endfunction
 function text = sizes_header (json, symbol, has_input)
   header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
                                "gsmbp_scene.h"));
-  members = {[".name = \"" json.name "\""], [".left_out = \"" left_out(json) "\""]};
+  members = {[".name = \"" json.name "\""], [".symbol = \"" symbol "\""], ...
+             [".left_out = \"" left_out(json) "\""]};
   for name = sizes_in (header)
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor
