@@ -103,7 +103,8 @@
 ## must be above 0 in a state),
 ## @code{controllers} (the sampled devices, a struct array: @code{name},
 ## @code{entry}, @code{period} and @code{delay} (a number or an expression in
-## parameters), @code{memory} (names), @code{starts}, @code{outputs} (numbers of the
+## parameters), @code{memory} (names), @code{starts}, @code{possible} (what a memory
+## must keep to), @code{outputs} (numbers of the
 ## inputs that they hold), @code{reads} (numbers of the outputs that they read)),
 ## @code{events} (ports that stick or hit stops, a struct array: @code{name},
 ## @code{entry}, @code{kind} ("stick", "stop"), @code{input}, the number of the input
