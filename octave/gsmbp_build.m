@@ -103,7 +103,8 @@
 ## must be above 0 in a state),
 ## @code{controllers} (the sampled devices, a struct array: @code{name},
 ## @code{entry}, @code{period} and @code{delay} (a number or an expression in
-## parameters), @code{memory} (names), @code{starts}, @code{outputs} (numbers of the
+## parameters), @code{memory} (names), @code{starts}, @code{possible} (what a memory
+## must keep to), @code{outputs} (numbers of the
 ## inputs that they hold), @code{reads} (numbers of the outputs that they read)),
 ## @code{events} (ports that stick or hit stops, a struct array: @code{name},
 ## @code{entry}, @code{kind} ("stick", "stop"), @code{input}, the number of the input
@@ -224,6 +225,24 @@ endfunction
 %!error <argument x\(2\) is not finite: NaN> fixture ("motor_pendulum").rhs (0, [0; NaN; 0])
 %!error <there is no .*nowhere.f> gsmbp_build ("nowhere")
 %!error <unknown option "quad"> gsmbp_build ("nowhere", "quad", true)
+%!test <a folder where a file should be; files that Maxima wrote in the working directory>
+%! before = pwd ();
+%! folder = tempname ();
+%! mkdir (folder);
+%! tidy = onCleanup (@() {cd(before), confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+%! cd (folder);
+%! mkdir ("arm.json");
+%! fail ("gsmbp_build (\"arm\")", "gsmbp_build: there is no .*arm.f; emit it first: .*arm.f`$");
+%! mkdir ("fortran_out");
+%! fclose (fopen (fullfile ("fortran_out", "arm.f"), "w"));
+%! fail ("gsmbp_build (\"arm\")", ...
+%!       "arm.f`; or give option directory: there is one in .*fortran_out$");
+%! copyfile (fullfile ("fortran_out", "arm.f"), "arm.f");
+%! fail ("gsmbp_build (\"arm\", \"directory\", \".\")", "is empty");
+%! fputs (f = fopen ("arm.f", "w"), "      END\n");
+%! fclose (f);
+%! fail ("gsmbp_build (\"arm\", \"directory\", \".\")", ...
+%!       "arm.json: expected a file, found a folder of this name");
 %!error <unknown parameter "bb"> fixture ("motor_pendulum", "parameters", struct ("bb", 0))
 %!test   # by its own name, or Octave loads it anew at every call once the path has grown
 %! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));

@@ -359,6 +359,12 @@ endfunction
 %! c = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", ...
 %!                     [-12 12], "method", "cvode");
 %! assert (r.x, c.x, 1e-5);
+%! e = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", ...
+%!                     [-Inf Inf]);
+%! assert (e.x, free.x);
+%! e = gsmbp_simulate (m, [0 0 0], 0:0.01:3, "gain", K, "reference", [0.5; 0; 0], "limits", ...
+%!                     [-Inf 12]);
+%! assert (max (e.v), 12);
 %!error <needs option gain> gsmbp_simulate (m, [0 0 0], [0 1], "limits", 12)
 %!error <the lower limit must be below>
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 -1])

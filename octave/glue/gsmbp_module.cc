@@ -91,15 +91,14 @@ emitted (const std::string& name)
   return nullptr;
 }
 
+static void absent_routine (const std::string& name);
+
 static fortran
 routine (const char *name)
 {
   const gsmbp_routine *r = emitted (name);
   if (! r)
-    error_with_id ("gsmbp:absent",
-                   "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the "
-                   "requests of gsmbp_fortran",
-                   S.name, name, S.name, name);
+    absent_routine (name);
   return fortran {r->sub};
 }
 
@@ -1317,6 +1316,19 @@ known_by (const std::string& name)
     if (name == row.name)
       return &row;
   return nullptr;
+}
+
+// what a run needs and was not emitted: as its handle says it
+static void
+absent_routine (const std::string& name)
+{
+  const known_routine *row = known_by (name);
+  if (row && row->request[0])
+    absent (name, row->request);
+  error_with_id ("gsmbp:absent",
+                 "%s.%s: the scene was emitted without the subroutine %s_%s; add it to the "
+                 "requests of gsmbp_fortran",
+                 S.name, name.c_str (), S.name, name.c_str ());
 }
 
 // A handle of gsmbp_build.

@@ -88,7 +88,7 @@ function list = controllers (json)
   if (isfield (json, "controllers") && ! isempty (json.controllers))
     list = json.controllers(:)';
     for k = 1:numel (list)
-      list(k).memory = cellstr (list(k).memory)(:);
+      list(k).memory = gsmbp__names (list(k).memory);   # variant p has none
       for name = {"starts", "outputs", "reads"}
         list(k).(name{1}) = double (list(k).(name{1})(:));
       endfor

@@ -88,7 +88,7 @@ function [ip, rp] = limits (who, m, o, ip, rp)
            who, m.inputs{k}, given(k,1), given(k,2));
   endif
   ip(30) = numel (rp) + 1;
-  rp = [rp, max(min (given, realmax), -realmax)(:)'];
+  rp = [rp, max(min (given, 1e300), -1e300)(:)'];
 endfunction
 
 ## a piecewise polynomial into RP, its description into IP(PLACE:PLACE+3)

@@ -30,6 +30,7 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
   if (! (isnumeric (memory) && numel (memory) == d.nxk && all (isfinite (memory(:)))))
     error ("%s: option memory: expected %d finite numbers", who, d.nxk);
   endif
+  check_memory (who, m, double (memory(:)'));
   held = vertcat (m.controllers.outputs);
   ## the sample k is at k*period; a start that differs from one by rounding only is one
   k = round (times(1) ./ period);
@@ -55,4 +56,21 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
     start = double (o.input(:)');
   endif
   rp = [rp, period', delay', start(held), double(memory(:)')];
+endfunction
+
+## what the entries say of a memory that can be
+function check_memory (who, m, memory)
+  for one = m.controllers
+    own = num2cell (memory(1:numel (one.memory)));
+    memory(1:numel (one.memory)) = [];
+    for rule = gsmbp__rows (one, "possible")
+      letters = sprintf (", p%d", 1:numel (own))(3:end);
+      if (str2func (sprintf ("@(%s) %s", letters, rule{1}.value)) (own{:}) < 0)
+        pairs = cellfun (@(name, x) sprintf ("%s = %.6g", name, x), one.memory(:)', own, ...
+                         "UniformOutput", false);
+        error ("%s: option memory: %s: expected %s; found %s", who, one.name, rule{1}.text, ...
+               strjoin (pairs, ", "));
+      endif
+    endfor
+  endfor
 endfunction

@@ -6,7 +6,7 @@ function [json, texts] = gsmbp__scene_files (name, source, description)
   for file = {source, description}
     if (! exist (file{1}, "file"))
       error (["gsmbp_build: there is no %s; emit it first: gsmbp_fortran in Maxima, " ...
-              "or `make fortran_out/%s.f`"], file{1}, name);
+              "or `make fortran_out/%s.f`%s"], file{1}, name, elsewhere (name, file{1}));
     elseif (isfolder (file{1}))
       error ("gsmbp_build: %s: expected a file, found a folder of this name", file{1});
     elseif (stat (file{1}).size == 0)
@@ -22,6 +22,15 @@ function [json, texts] = gsmbp__scene_files (name, source, description)
   check_description (json, description, name);
   check_fortran (json, source, texts{1});
   same_description (source, description, texts{:});
+endfunction
+
+## where Maxima writes if it runs in the working directory
+function text = elsewhere (name, wanted)
+  text = "";
+  here = make_absolute_filename ("fortran_out");
+  if (! strcmp (fileparts (wanted), here) && exist (fullfile (here, [name ".f"]), "file") == 2)
+    text = sprintf ("; or give option directory: there is one in %s", here);
+  endif
 endfunction
 
 function refuse (template, varargin)

@@ -11,8 +11,8 @@ one clear error.
 Verdicts: valid, warned, refused; syntax: Maxima's parser, GSMBP never saw it. The others are
 faults: unnamed (an error of GSMBP that does not name the element), raw (Maxima's own error, or a
 routine's name), trace (Maxima's list of the functions that were being called), lisp, hang (40 s),
-asked (a question), half (half of a pair of files), wrong (accepted, but it does not compile or its
-result is not finite).
+asked (a question), half (half of a pair of files), silent (neither a word nor files), wrong
+(accepted, but it does not compile or its result is not finite).
 """
 import glob, json, os, re, select, shutil, subprocess, sys, tempfile, time
 from hand import CASES
@@ -130,8 +130,8 @@ def judged(cases, request, folder, fortran):
         files = os.listdir(d + '/fo') if os.path.isdir(d + '/fo') else []
         v = verdict(out, fault, name, files)
         made = [f[:-2] for f in files if f.endswith('.f')]
-        if v == 'valid' and fortran and not (made and fortran.is_finite(d + '/fo', made[0])):
-            v = 'wrong'
+        if v == 'valid' and not made: v = 'silent'
+        if v == 'valid' and fortran and not fortran.is_finite(d + '/fo', made[0]): v = 'wrong'
         shutil.rmtree(d, ignore_errors=True)
         yield v, ' '.join(re.split(r'#0:|-- an error', out)[0].split())
     m.stop()

@@ -191,6 +191,13 @@ function absent (models)
       end
     end
     gsmbp_check (sprintf ("%s: %d handles without a subroutine", m.name, numel (said)), all (said));
+    if (isequal (ismember ({"rhs", "cmd"}, m.subroutines), [true, false]) && m.sizes.nlam == 0)
+      motion = gsmbp_plan ("quintic", [zeros(m.sizes.nu, 1), ones(m.sizes.nu, 1)], [0, 1]);
+      gsmbp_check ([m.name ": a motion without CMD is the error of the handle"], ...
+                   strcmp (gsmbp_complaint (@() gsmbp_simulate (m, m.initial, [0, 1], ...
+                                                                "motion", motion)), ...
+                           gsmbp_complaint (@() m.cmd (0))));
+    end
   end
 end
 

@@ -4,6 +4,7 @@
 
 function test_sampled ()
   single_step ();
+  first_sample ();
   drive ();
   delays ();
   rates ();
@@ -35,6 +36,30 @@ function single_step ()
   gsmbp_check ("CTL: K = 0 is all devices in their order", isequal (v, v3) && isequal (xk, xk3));
   gsmbp_check ("CTL: a device leaves the others alone", ...
                isequal (v1(k ("A.out")), 0) && isequal (xk1(3:end), zeros (8, 1)));
+end
+
+## There is no rate at the first sample, whatever the reference and the derivative's gain; a memory
+## that no sample left is an error
+function first_sample ()
+  m = gsmbp_fixture ("sampled_rates");
+  k = @(name) find (strcmp (m.inputs, name));
+  for r = [-0.2, 0.1, 0.3]
+    s = gsmbp_simulate (m, [0.2 0 0 0], [0, 0.001], "input", [r; r]).samples;
+    [a, b] = deal (s.v(1,k ("A.out")), s.v(1,k ("B.out")));
+    gsmbp_check (sprintf ("first sample: proportional part alone, reference %g", r), ...
+                 [a - 4 * (r - 0.2); b - 6 * (r - 0.1 * a)], 0.05);
+  end
+  names = vertcat (m.controllers.memory);
+  for bad = {"A.count", 7, "A: expected count = 0 \\(no sample yet\\) or 1; found A.I = 0"; ...
+             "B.count", -1, "B: expected count = 0"; ...
+             "E.count", 0.5, "E: expected count = 0"; ...
+             "B.old", 0.3, "B: expected count = 1 where old is given; found .*B.old = 0.3"}'
+    memory = zeros (numel (names), 1);
+    memory(strcmp (names, bad{1})) = bad{2};
+    said = gsmbp_complaint (@() gsmbp_simulate (m, [0 0 0 0], [0, 0.01], "memory", memory));
+    gsmbp_check (sprintf ("memory: %s = %g is an error", bad{1:2}), ...
+                 ! isempty (regexp (said, ["option memory: " bad{3}])));
+  end
 end
 
 ## A wheel of 10 kg m^2 (the drive of the Modelica library's clocked examples: PI of 110 N m s/rad,
