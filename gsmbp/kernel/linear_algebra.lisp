@@ -70,14 +70,21 @@
   (let ((p 0))
     (dotimes (i (length r) p) (when (> (abs (svref r i)) (abs (svref r p))) (setq p i)))))
 
-;;; gs__independent_rows(A, tol), floats: what is left of a row must be above tol times its size.
-(defun $gs__independent_rows (a tol)
+;;; gs__independent_rows(A, tol), floats: what is left of a row must be above tol times its size;
+;;; gs__rows_beyond(A, size): above size.
+(defun gs-independent-rows (a least)
   (gs-independent
     (gs-rows a)
     #'(lambda (r before)
         (let ((p (gs-largest r)))
-          (and (> (abs (svref r p)) (* tol (abs (svref before (gs-largest before))))) p)))
+          (and (> (abs (svref r p)) (funcall least before)) p)))
     #'(lambda (x s y) (- x (* s y))) #'/))
+
+(defun $gs__independent_rows (a tol)
+  (gs-independent-rows a #'(lambda (r) (* tol (abs (svref r (gs-largest r)))))))
+
+(defun $gs__rows_beyond (a size)
+  (gs-independent-rows a #'(lambda (r) (declare (ignore r)) size)))
 
 ;;; gs__exact_independent(A), rational numbers: in the field of a prime, where they do not grow.
 ;;; (A rank found too small would need a minor that the prime 2^31 - 1 divides.)

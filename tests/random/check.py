@@ -84,21 +84,29 @@ class Call:
                   {j.name: (np.zeros(j.nq()), np.zeros(j.nu()))
                    for j in m.cuts}, x, v)
         from compare import natural_speeds
-        values = [('t', s.t), *zip(m.names(), s.q), *zip(natural_speeds(m), s.u), *x.items(),
-                  *v.items(), *scene.run.items()]
+        s.threads = {j.name: (r.uniform(-2, 2), r.gauss(0, 1))
+                     for j in m.cuts if j.type == 'helical'}
+        turns = [(j.names[0] + end, a) for j in m.cuts if j.name in s.threads
+                 for end, a in zip(('', '_d'), s.threads[j.name])]
+        values = [('t', s.t), *zip(m.names(), s.q), *zip(natural_speeds(m), s.u), *turns,
+                  *x.items(), *v.items(), *scene.run.items()]
         self.points = '[[' + ', '.join('%s = %r' % (n, float(a)) for n, a in values) + ']]'
         self.literal = s
 
-    def literal_error(self, folder):
-        """of M and of N + G - P"""
-        m, numbers = self.scene.m, np.array(
+    def literal_error(self, folder, order):
+        """of M and of N + G - P; order: of the speeds in the code. Threads that were cut and count
+        their turns are joints of the tree by now, behind the others (compare.with_nut)"""
+        m, s, numbers = self.scene.m, self.literal, np.array(
             [float(line) for line in open(self.path(folder) + '.literal')])
         n = m.nu
-        M, B, drive, _ = m.projected(self.literal)
+        turns = [s.threads[j.name] for j in m.tree if j.name in s.threads]
+        s.q, s.u = (np.append(a, [x[k] for x in turns]) for k, a in enumerate((s.q, s.u)))
+        M, B, drive, _ = m.projected(s)
+        rest = (B - drive)[order]
         N, G, P = numbers[n*n:].reshape(3, n)
         return {
-            'literal M': error(numbers[:n*n].reshape(n, n), M), 'literal N+G-P': error(
-                N + G - P, B - drive, 1e-3*max(1., np.max(np.abs([N, G, P]))))
+            'literal M': error(numbers[:n*n].reshape(n, n), M[np.ix_(order, order)]),
+            'literal N+G-P': error(N + G - P, rest, 1e-3*max(1., np.max(np.abs([N, G, P]))))
         }
 
     def path(self, folder):
@@ -118,7 +126,7 @@ def judged(call, folder, library):
     c = Comparison(scene, code, call.requests)
     states = c.run(STATES)
     if call.literal and os.path.exists(call.path(folder) + '.literal'):
-        c.worst.update(call.literal_error(folder))
+        c.worst.update(call.literal_error(folder, c.u_order))
     wrong = [k for k, e in c.worst.items() if not e <= LIMITS[k]]
     return {
         'verdict': 'wrong' if wrong else 'right', 'worst': c.worst, 'notes': c.notes, 'states':
