@@ -43,14 +43,23 @@
       (prin1 :whole out)))
   '$done)
 
+(defun gs-whole-p (in)
+  (let ((n (- (file-length in) (length ":WHOLE"))))
+    (and (plusp n)
+         (file-position in n)
+         (equal (read-line in nil) ":WHOLE")
+         (file-position in 0))))
+
+;;; none of a file that a full disk has cut short
 (defun $gs__read_statements (path)
   (setq *gs-statements* nil *gs-statements-time* 0)
   (when (probe-file path)
-    (gs-with-plain-syntax
-      (with-open-file (in path)
-        (let ((read (loop for form = (read in nil) while form collect form)))
-          (when (eq (car (last read)) :whole)
-            (setq *gs-statements* (butlast read) *gs-statements-time* (file-write-date path)))))))
+    (with-open-file (in path)
+      (when (gs-whole-p in)
+        (setq *gs-statements*
+                (gs-with-plain-syntax
+                  (loop for form = (read in) until (eq form :whole) collect form))
+              *gs-statements-time* (file-write-date path)))))
   '$done)
 
 ;;; gs__load_source(here, name): the file `name`.mac of the folder `here`, its statements as they
