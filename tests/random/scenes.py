@@ -313,7 +313,8 @@ class Scene:
 
     def roll_on(self, plane, disc):
         r, m = self.r, self.m
-        (normal, n), (axis, a), (centre, c) = self.axis(), self.axis(), self.vector(-.5, .5)
+        (normal, n), (axis, a) = self.axis(), self.axis()
+        centre, c = self.vector(-.5, .5, fixed=True)
         one = Rolling(plane, np.zeros(3), n, disc, c, a, round(r.uniform(.2, .8), 2))
         m.number()
         self.start.u = np.zeros(m.nu)
