@@ -32,7 +32,7 @@ section == "CONSTANTS" && /^C     [A-Z][A-Z0-9_]* / { legend[$2] = 1 }
   if (meaning !~ /: .*\[[^]]+\]$/) fault($1 " has no meaning above it")
   meaning = ""
 }
-/^ +[A-Z]+\([0-9,]+\) = -[A-Z][A-Z0-9_]*[0-9]$/ {
+/^ +[A-Z]+\([0-9,]+\) = -[A-Z]([A-Z0-9_]*[A-Z0-9])?$/ {
   array = $1; sub(/\(.*/, "", array)
   value = substr($3, 2); sub(/[0-9_]*$/, "", value)
   if (value == array && value !~ /^[ZK]$/) fault($0 " is the negative of what has its name")
