@@ -30,6 +30,14 @@
   (let* ((passes (symbol-value '$gsmbp_passes)) (l (if (consp passes) (cdr passes) passes)))
     (or (gethash l *gs-pass-lists*)
         (setf (gethash l *gs-pass-lists*) (1+ (hash-table-count *gs-pass-lists*))))))
+;; the elements of a list in the order in which they are first seen, each once
+(defun $gs__first_seen (l) (cons '(mlist simp) (gs-first-seen (cdr l))))
+(defun gs-first-seen (elements)
+  (let ((seen (make-hash-table :test #'equal)))
+    (loop for x in elements
+          for key = (gs-bare x)
+          unless (gethash key seen)
+            collect x and do (setf (gethash key seen) t))))
 ;; true if the table h holds one of the symbols of a list
 (defun $gs__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
