@@ -16,7 +16,7 @@
           ((and s (symbolp s) (not (stringp e)))
            (let ((n (gs-target s)))
              ($gs__assign n e)
-             (setf (gethash s $gs__names) n)))
+             (gs-give s n (gs-delay e))))
           (t (gs-code-text s e)))))
 
 ;;; the variable of a symbol, a new one if it has none
@@ -33,7 +33,9 @@
 
 ;;; an assignment to what is given as text, or a right side or a statement that is text
 (defun gs-code-text (s e)
-  (let ((n (if (and s (not (stringp s))) (setf (gethash s $gs__names) (gs-target s)) s)))
+  (let ((n (if (and s (not (stringp s)))
+               (gs-give s (gs-target s) (if (stringp e) 100 (gs-delay e)))
+               s)))
     (cond ((not (stringp e)) ($gs__assign n e))
           (t (when s (setq e (gs-text n " = " e)))
              (mfuncall '$gs__count_raw (gs-list (list e)))
@@ -53,7 +55,7 @@
          (n ($gs__fresh (gs-text "PART" (format nil "~d" k)))))
     ($gs__own_name n)
     ($gs__assign n e)
-    (setf (gethash s $gs__names) n)
+    (gs-give s n (gs-delay e))
     s))
 
 ;;; A long sum in partial sums of some 700 characters, in the target itself: 20 lines hold that,
@@ -109,7 +111,8 @@
                 ", "
                 (cadr names)
                 " )"))))
-    (mapc #'(lambda (s n) (setf (gethash s $gs__names) n)) (cdr pair) names)))
+    (let ((delay (+ 40 (gs-delay angle))))
+      (mapc #'(lambda (s n) (gs-give s n delay)) (cdr pair) names))))
 
 ;;; The code with [[sine, cosine], angle, block] in the place of the first of the entries under the
 ;;; heading trig that are the sine or cosine of an angle.
