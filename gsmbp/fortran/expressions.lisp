@@ -4,15 +4,15 @@
 (in-package :maxima)
 
 (declaim
-  (special $gs__names $gs__used $gs__delays $gs__numbers $gs__mul $gs__add $gs__div
-           $gs__sqrt $gs__trig $gs__body $gs__block $gs__own $gs__where
+  (special $gs__names $gs__used $gs__delays $gs__numbers $gs__n_mul $gs__n_add $gs__n_div
+           $gs__n_sqrt $gs__n_trig $gs__body $gs__block $gs__own $gs__where
            $gs__occupied $gs__parts))
 
 (defun $gs__tally ()
-  (gs-list (list $gs__mul $gs__add $gs__div $gs__sqrt $gs__trig)))
+  (gs-list (list $gs__n_mul $gs__n_add $gs__n_div $gs__n_sqrt $gs__n_trig)))
 (defun $gs__set_tally (tally)
   (destructuring-bind (m a d s f) (cdr tally)
-    (setq $gs__mul m $gs__add a $gs__div d $gs__sqrt s $gs__trig f)))
+    (setq $gs__n_mul m $gs__n_add a $gs__n_div d $gs__n_sqrt s $gs__n_trig f)))
 
 ;;; --------------------------------------------------------------------------- sums, terms, factors
 
@@ -29,7 +29,7 @@
       (gs-list (list (gs-signed-term e)))
       (let* ((terms (mapcar #'gs-signed-term (gs-as-ready (cdr e))))
              (lead (find "+" terms :key #'cadr :test #'string=)))
-        (incf $gs__add (1- (length terms)))
+        (incf $gs__n_add (1- (length terms)))
         (gs-list
           (if (or (null lead) (eq lead (car terms)))
               terms
@@ -61,7 +61,7 @@
            (setf (gethash r $gs__numbers) (mfuncall '$gs__constants (gs-exact r))))))
 (defun gs-number-text (r)
   (let ((p (gs-number-parts r)))
-    (when (cdr p) (incf $gs__div))
+    (when (cdr p) (incf $gs__n_div))
     (gs-joined p "/")))
 
 ;;; a number c > 0 times factors; powers with a negative exponent become divisors
@@ -84,14 +84,14 @@
           ((null (cdr k)) (gs-fraction-text (cons (car k) above) below))
           ((eql (cadr c) 1) (gs-fraction-text above (cons (cadr k) below)))
           (below (gs-fraction-text (cons (car k) above) (cons (cadr k) below)))
-          (t (incf $gs__div)
+          (t (incf $gs__n_div)
              (gs-fraction-text (cons (gs-text "(" (car k) "/" (cadr k) ")") above) nil)))))
 
 (defun gs-fraction-text (above below)
   (let ((text (if above (gs-joined above "*") "1.0D0")))
-    (when (cdr above) (incf $gs__mul (1- (length above))))
+    (when (cdr above) (incf $gs__n_mul (1- (length above))))
     (cond ((null below) text)
-          (t (incf $gs__div) (incf $gs__mul (1- (length below)))
+          (t (incf $gs__n_div) (incf $gs__n_mul (1- (length below)))
              (if (cdr below)
                  (gs-text text "/(" (gs-joined below "*") ")")
                  (gs-text text "/" (car below)))))))
@@ -99,13 +99,13 @@
 ;;; b^n as factors in reverse order; n > 0 if it is a number
 (defun gs-power-texts (b n)
   (if (eq b '$%e)
-      (progn (incf $gs__trig) (list (gs-text "EXP(" ($gs__sum_text n) ")")))
+      (progn (incf $gs__n_trig) (list (gs-text "EXP(" ($gs__sum_text n) ")")))
       (let ((h (if (mnump n) (gs-times 2 (gs-exact n)))))
         (cond ((not (integerp h))
-               (incf $gs__trig)
+               (incf $gs__n_trig)
                (list (gs-text (gs-base-text b) "**" (gs-factor-text n))))
               ((evenp h) (gs-integer-power b (/ h 2)))
-              (t (incf $gs__sqrt)
+              (t (incf $gs__n_sqrt)
                  (cons (gs-text "SQRT(" ($gs__sum_text b) ")")
                        (gs-integer-power b (/ (1- h) 2))))))))
 
@@ -140,7 +140,7 @@
   (case n
     (0 nil)
     (1 (list (gs-factor-text b)))
-    (t (incf $gs__mul (1- n)) (list (gs-text (gs-base-text b) "**" (format nil "~d" n))))))
+    (t (incf $gs__n_mul (1- n)) (list (gs-text (gs-base-text b) "**" (format nil "~d" n))))))
 (defun gs-base-text (b)
   (if (gs-power-p b) (gs-text "(" ($gs__sum_text b) ")") (gs-factor-text b)))
 
@@ -158,15 +158,15 @@
     (destructuring-bind (name arity) (cdr e)
       (when (if (eql arity 0) (< n 2) (/= n arity))
         (mfuncall '$gs__error $gs__where "wrong number of arguments of " f ": " n))
-      (cond ((string= name "SQRT") (incf $gs__sqrt))
+      (cond ((string= name "SQRT") (incf $gs__n_sqrt))
             ((not (member name '("ABS" "MAX" "MIN" "ANINT" "GSFLR") :test #'string=))
-             (incf $gs__trig)))
+             (incf $gs__n_trig)))
       (gs-text name "(" (gs-joined (mapcar #'$gs__sum_text arguments) ", ") ")"))))
 
 (defun gs-number-factor (e)
-  (let* ((d $gs__div) (s (gs-number-text (gs-magnitude e))))
+  (let* ((d $gs__n_div) (s (gs-number-text (gs-magnitude e))))
     (cond ((gs-negative-p e) (gs-text "(-" s ")"))
-          ((> $gs__div d) (gs-text "(" s ")"))
+          ((> $gs__n_div d) (gs-text "(" s ")"))
           (t s))))
 
 ;;; a power where one factor is wanted: x^2, sqrt(x) and exp(x) are one; 1/x and x*sqrt(x) need
@@ -175,7 +175,7 @@
   (if (and (mnump n) (gs-negative-p n) (not (eq b '$%e)))
       (gs-text "(" (gs-product-text 1 (list e)) ")")
       (let ((l (gs-power-texts b n)))
-        (incf $gs__mul (1- (length l)))
+        (incf $gs__n_mul (1- (length l)))
         (if (cdr l) (gs-text "(" (gs-joined (reverse l) "*") ")") (car l)))))
 
 ;;; the name of a symbol, which from now on counts as used

@@ -102,7 +102,7 @@
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gs-sine-call (pair angle)
   (let ((names (mapcar #'gs-target (cdr pair))))
-    (incf $gs__trig (count '$idle (cdr pair) :test-not #'eq))
+    (incf $gs__n_trig (count '$idle (cdr pair) :test-not #'eq))
     ($gs__push
       ($gs__packed_lines
         (gs-list

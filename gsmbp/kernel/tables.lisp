@@ -52,7 +52,12 @@
 ;; files: is there one of that name; names (without folder and extension) of those that match, in
 ;; order
 (defun $gs__file_exists (name) (and (probe-file name) t))
-(defun $gs__directoryp (name) (and (directory name) t))
+;; is there a folder of that name? The system is asked: `directory` of GCL reads +, (, ^, ... as a
+;; pattern
+(defun $gs__directoryp (name)
+  #+gcl (eq (si::stat name) :directory)
+  #+ecl (eq (si:file-kind name t) :directory)
+  #-(or gcl ecl) (and (directory name) t))
 (defun $gs__file_names (pattern)
   (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
 ;; the file gets a new name, in the place of one that has it

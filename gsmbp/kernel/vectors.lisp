@@ -20,12 +20,16 @@
 (defun gs-difference (a b) (if (eql b 0) a (gs-plus (list a (gs-minus b)))))
 (defun gs-inner (a b) (gs-plus (mapcar #'gs-times a b)))
 
-;;; vectors added, element by element
-(defun $gs__vadd (&rest v)
-  (do ((l (mapcar #'cdr v) (mapcar #'cdr l)) (sum nil)) ((null (car l)) (gs-list (nreverse sum)))
-    (push (gs-plus (mapcar #'car l)) sum)))
-(defun $gs__vsub (a b) (gs-list (mapcar #'gs-difference (cdr a) (cdr b))))
-(defun $gs__vscale (k a) (gs-list (mapcar #'(lambda (x) (gs-times k x)) (cdr a))))
+;;; vectors, or matrices, element by element
+(defun gs-matrix-p (a) ($listp (cadr a)))
+(defun gs-by-elements (f a) (gs-list (apply #'mapcar f (mapcar #'cdr a))))
+(defun $gs__add (&rest a)
+  (gs-by-elements (if (gs-matrix-p (car a)) #'$gs__add #'(lambda (&rest x) (gs-plus x))) a))
+(defun $gs__subtract (a b)
+  (gs-by-elements (if (gs-matrix-p a) #'$gs__subtract #'gs-difference) (list a b)))
+(defun $gs__scale (k a)
+  (let ((f (if (gs-matrix-p a) #'$gs__scale #'gs-times)))
+    (gs-by-elements #'(lambda (x) (funcall f k x)) (list a))))
 (defun $gs__dot (a b) (gs-inner (cdr a) (cdr b)))
 (defun $gs__cross (a b)
   (destructuring-bind (a1 a2 a3) (cdr a)
@@ -33,20 +37,16 @@
       (flet ((minor (x y z w) (gs-difference (gs-times x y) (gs-times z w))))
         (gs-list (list (minor a2 b3 a3 b2) (minor a3 b1 a1 b3) (minor a1 b2 a2 b1)))))))
 
-(defun $gs__matvec (a v)
-  (gs-list (mapcar #'(lambda (r) (gs-inner (cdr r) (cdr v))) (cdr a))))
 (defun $gs__transpose (a)
   (do ((rows (mapcar #'cdr (cdr a)) (mapcar #'cdr rows)) (columns nil))
       ((null (car rows)) (gs-list (nreverse columns)))
     (push (gs-list (mapcar #'car rows)) columns)))
-(defun $gs__matmul (a b)
-  (let ((columns ($gs__transpose b)))
-    (gs-list (mapcar #'(lambda (r) ($gs__matvec columns r)) (cdr a)))))
-(defun $gs__madd (&rest m)
-  (do ((l (mapcar #'cdr m) (mapcar #'cdr l)) (rows nil))
-      ((null (car l)) (gs-list (nreverse rows)))
-    (push (apply #'$gs__vadd (mapcar #'car l)) rows)))
-(defun $gs__mscale (k a) (gs-list (mapcar #'(lambda (r) ($gs__vscale k r)) (cdr a))))
+;;; a matrix times a vector or a matrix
+(defun $gs__times (a b)
+  (if (gs-matrix-p b)
+      (let ((columns ($gs__transpose b)))
+        (gs-by-elements #'(lambda (r) ($gs__times columns r)) (list a)))
+      (gs-by-elements #'(lambda (r) (gs-inner (cdr r) (cdr b))) (list a))))
 
 ;;; the matrix of the cross product: skew(a).b = a x b; the dyad a b'
 (defun $gs__skew (a)
@@ -55,7 +55,7 @@
       (list (gs-list (list 0 (gs-minus z) y))
             (gs-list (list z 0 (gs-minus x)))
             (gs-list (list (gs-minus y) x 0))))))
-(defun $gs__outer (a b) (gs-list (mapcar #'(lambda (x) ($gs__vscale x b)) (cdr a))))
+(defun $gs__outer (a b) (gs-list (mapcar #'(lambda (x) ($gs__scale x b)) (cdr a))))
 
 (defun $gs__trace (a) ; in three dimensions
   (destructuring-bind (x y z) (cdr a)
@@ -67,4 +67,4 @@
     (gs-list (list (gs-difference zy yz) (gs-difference xz zx) (gs-difference yx xy)))))
 ;;; (v.r) 1 - v r'
 (defun $gs__spread_tensor (v r)
-  ($gs__madd ($gs__mscale ($gs__dot v r) ($gs__identity)) ($gs__mscale -1 ($gs__outer v r))))
+  ($gs__add ($gs__scale ($gs__dot v r) ($gs__identity)) ($gs__scale -1 ($gs__outer v r))))

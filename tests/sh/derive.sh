@@ -45,3 +45,16 @@ octave-cli -qf --no-history --path octave \
 refusal="^gsmbp_derive: $work/option.mac: gsmbp_scene: link b: unknown option centr.*cut\$"
 one_line && grep -qE "$refusal" "$report"
 told $? 'gsmbp_derive: one line' "$report"
+
+# folders with characters that a shell or Lisp would read as patterns
+echo "scene : gsmbp_scene(\"arm\", $body" >"$work/arm.mac"
+odd="$work/it's c++ (1) \$x^"
+check 'a folder whose name has +, (, $, ^, a quote' share/make/derive "$work/arm.mac" "$odd"
+mkdir -p "$odd/build/double"
+ln -s "$PWD/fortran_out/build/double/common" "$odd/build/double/common"
+check 'a module is built there' env ODD="$odd" octave-cli -qf --no-history --path octave \
+  --eval "m = gsmbp_build ('arm', 'directory', getenv ('ODD')); assert (m.mas (0, 0), 1)"
+echo 'gsmbp_fortran(scene, [mass], [directory = "a[1]"])$' >>"$work/arm.mac"
+share/make/derive "$work/arm.mac" "$work/out" 2>"$report"
+one_line && grep -qF 'a[1]: [ in the name of a file or folder is a pattern to Lisp' "$report"
+told $? 'a folder that Lisp cannot name' "$report"
