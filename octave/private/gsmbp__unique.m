@@ -13,11 +13,5 @@ function unique = gsmbp__unique (m)
   if (isfield (m.json, "indeterminate_outputs") && ! isempty (m.json.indeterminate_outputs))
     bad = cellstr (m.json.indeterminate_outputs)(:)';
   endif
-  for row = gsmbp__rows (m.json, "reactions")
-    if (! isempty (row{1}.not_unique))
-      parts = cellstr (row{1}.not_unique)(:)';
-      bad = [bad, cellfun(@(part) [row{1}.output "." part], parts, "UniformOutput", false)];
-    endif
-  endfor
   unique.outputs(ismember (m.outputs(:)', bad)) = false;
 endfunction
