@@ -28,7 +28,7 @@
   (if (not (gs-sum-p e))
       (gs-list (list (gs-signed-term e)))
       (let* ((terms (mapcar #'gs-signed-term (gs-as-ready (cdr e))))
-             (lead (find "+" terms :key #'cadr :test #'string=)))
+             (lead (loop for x in terms when (string= (cadr x) "+") return x)))
         (incf $gs__n_add (1- (length terms)))
         (gs-list
           (if (or (null lead) (eq lead (car terms)))
@@ -123,8 +123,9 @@
   (cond ((symbolp e) (gethash e $gs__delays 0))
         ((atom e) 0)
         ((or (gs-sum-p e) (gs-product-p e))
-         (let ((delays (mapcar #'car (gs-by-delay (remove -1 (cdr e))))))
-           (reduce #'(lambda (so-far x) (+ 4 (max so-far x))) delays)))
+         (let ((so-far nil))
+           (dolist (p (gs-by-delay (remove -1 (cdr e))) so-far)
+             (setq so-far (if so-far (+ 4 (max so-far (car p))) (car p))))))
         ((mnump e) 0)
         (t (+ (gs-delay-of e) (loop for x in (cdr e) maximize (gs-delay x))))))
 (defun gs-delay-of (e)
@@ -269,7 +270,7 @@
     (dolist (c (cdr code) (gs-list (append (reverse front) (reverse back))))
       (destructuring-bind (s e heading) (cdr c)
         (cond ((and (member heading '($trig "trig") :test #'equal)
-                    (every #'(lambda (x) (gethash x ready)) (cdr ($gs__symbols e))))
+                    (loop for x in (cdr ($gs__symbols e)) always (gethash x ready)))
                (push c front)
                (setf (gethash s ready) t))
               (t (push c back)))))))
@@ -303,13 +304,15 @@
           (setf (gethash (cadr l) h) (caddr l)))))))
 
 ;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind
-;;; it, else _2, _3, ...
+;;; it, else _2, _3, ... What is occupied has true, or the number that is to be tried next.
 (defun $gs__fresh (symbol)
-  (let* ((base (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))) (n base) (k 1))
+  (let* ((base (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))) (n base)
+         (held (gethash base $gs__occupied)) (k (if (integerp held) held 1)))
     (loop
       (unless (gethash n $gs__occupied) (return))
       (setq n (if (= k 1) (gs-text base "_") (format nil "~a_~d" base k)) k (1+ k)))
     (setf (gethash n $gs__occupied) t)
+    (when held (setf (gethash base $gs__occupied) k))
     n))
 (defun gs-public-text (s)
   (if (eql (search "GS__" s) 0) (subseq s 4) s))

@@ -44,7 +44,7 @@
        (or (and (eq (caar v) '$set) (null (cdr v)))
            (and ($listp v)
                 (cdr v)
-                (every #'(lambda (e) (and (consp e) (eq (caar e) 'mequal))) (cdr v))))))
+                (loop for e in (cdr v) always (and (consp e) (eq (caar e) 'mequal)))))))
 
 ;;; the lines of v: `lead` (a key) ahead of it, `tail` (a comma) behind it
 (defun $gs__json_block (indent v lead tail) (gs-list (gs-json-lines indent v lead tail)))

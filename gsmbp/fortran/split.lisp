@@ -8,8 +8,8 @@
 
 ;;; true if the code is assignments to symbols only
 (defun $gs__is_straight (code)
-  (every #'(lambda (c) (and (cadr c) (not (stringp (cadr c))) (not (stringp (caddr c)))))
-         (cdr code)))
+  (loop for c in (cdr code)
+        always (and (cadr c) (not (stringp (cadr c))) (not (stringp (caddr c))))))
 
 ;;; The code [symbol, expression, block] and the results [place, expression] cut into parts of at
 ;;; most `size` assignments: [words, [code, results, loads], ...]. What a later part needs is a
@@ -63,7 +63,8 @@
 ;;; the parts themselves
 (defun gs-parts (code due found last part)
   (let* ((n (length code)) (count (1+ (svref part (1- n)))) (words 0)
-         (place (make-hash-table :test #'eq)) (codes (make-array count :initial-element nil))
+         (place (make-hash-table :test #'eq)) (loaded (make-hash-table :test #'eq))
+         (codes (make-array count :initial-element nil))
          (results (make-array count :initial-element nil))
          (loads (make-array count :initial-element nil)))
     (flet ((crosses (s)
@@ -72,9 +73,9 @@
            (load-into (k symbols)
              (dolist (s symbols)
                (let ((i (gethash s found)))
-                 (when (and i (< (svref part i) k))
-                   (pushnew (gs-list (list s (gethash s place))) (svref loads k) :key
-                            #'cadr))))))
+                 (when (and i (< (svref part i) k) (not (eql (gethash s loaded) k)))
+                   (setf (gethash s loaded) k)
+                   (push (gs-list (list s (gethash s place))) (svref loads k)))))))
       (dotimes (i n)
         (let ((k (svref part i)))
           (push (svref code i) (svref codes k))

@@ -33,7 +33,7 @@
   (let ((k 0)) (dolist (y (cdr l) 0) (incf k) (when (alike1 x y) (return k)))))
 
 ;;; the first row of a table (a list of lists) that begins with the symbol key, else false
-(defun $gs__row_of (table key) (find key (cdr table) :key #'cadr))
+(defun $gs__row_of (table key) (car (member key (cdr table) :key #'cadr)))
 
 ;;; ---------------------------------------------------------------------------------- exact numbers
 
@@ -61,7 +61,7 @@
 (defun gs-inexact-p (e)
   (cond ((atom e) (floatp e))
         ((member (caar e) '(bigfloat mrat)) t)
-        (t (some #'gs-inexact-p (cdr e)))))
+        (t (loop for x in (cdr e) thereis (gs-inexact-p x)))))
 
 ;;; ------------------------------------------------------------------------------------------ texts
 

@@ -195,7 +195,7 @@
           (let ((x (gethash a known)) (y (gethash b known))) (when (and x y) (append x y))))))))
 
 ;;; true if one of the code sets a pair at once
-(defun $gs__sets_pairs (code) (and (find-if #'(lambda (e) ($listp (cadr e))) (cdr code)) t))
+(defun $gs__sets_pairs (code) (loop for e in (cdr code) thereis (and ($listp (cadr e)) t)))
 
 ;;; the code as it is written: what the table `known` holds put in for names
 (defun $gs__written_code (known code)

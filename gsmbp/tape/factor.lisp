@@ -323,7 +323,7 @@
                    n #'(lambda (k) (setf (gethash k where) (delete n (gethash k where)))))))
              (standing (k)  ; (count number pair) of a pair that stands in two places or more
                (let* ((l (gethash k where)) (c (+ (length l) (if (gethash k two) 1 0))))
-                 (and l (> c 1) (list c (reduce #'min (mapcar #'gs-node-number l)) k))))
+                 (and l (> c 1) (list c (loop for n in l minimize (gs-node-number n)) k))))
              (better (a b)
                (or (> (first a) (first b))
                    (and (= (first a) (first b))
@@ -467,7 +467,7 @@
     (maphash #'(lambda (s e) (unless (eq (gethash s nature) '$constant) (push e all))) entries)
     (dolist (e (sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
       (when (or (gethash (second e) wanted)
-                (every #'(lambda (s) (or (gethash s ready) (eq (gethash s nature) '$constant)))
-                       (cdr (sixth e))))
+                (loop for s in (cdr (sixth e))
+                      always (or (gethash s ready) (eq (gethash s nature) '$constant))))
         (setf (gethash (second e) ready) t)
         (push e found)))))

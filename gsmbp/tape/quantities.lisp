@@ -73,9 +73,19 @@
         ((stringp index) index)
         (t (format nil (if (some #'(lambda (k) (> k 9)) index) "~{~d~^_~}" "~{~d~}") index))))
 
-;;; those of the symbols that have no label
-(defun $gs__without_label (tp symbols)
-  (gs-list (remove-if #'(lambda (s) (gs-label-text tp s)) (cdr symbols))))
+;;; those of the symbols that have neither a label nor a number for a name are taken
+(defun $gs__take_unlabelled (tp taken symbols)
+  (dolist (s (cdr symbols))
+    (unless (or (gs-numbered-z-p s) (gs-label-text tp s)) (setf (gethash s taken) t))))
+;;; z1, z2, ... as far as they are not taken, for those of the symbols that have a number for a name
+;;; and nothing in the table
+(defun $gs__put_numbers (table taken symbols)
+  (let ((k 0) (z nil))
+    (dolist (s (cdr symbols) table)
+      (when (and (gs-numbered-z-p s) (not (gethash s table)))
+        (loop (setq z (gs-symbol-named (format nil "z~d" (incf k))))
+              (unless (gethash z taken) (return)))
+        (setf (gethash s table) z)))))
 ;;; Symbols for the temporaries of a routine, code its entries [name, expression, ...]: those of
 ;;; their labels where they have any (a second of the same label has _2 behind it), else of what
 ;;; they are. taken: table of the symbols that are in use.
@@ -106,12 +116,17 @@
           (setf (gethash s table) (gs-free-symbol taken (string-downcase text))))))))
 ;;; a temporary z1, z2, ... without a name of its own
 (defun gs-numbered-p (tp table s)
-  (let ((text (gs-shown-name s)))
-    (and (gethash s (gs-nature tp)) (not (gethash s table))
-         (char= (char text 0) #\z) (every #'digit-char-p (subseq text 1)))))
+  (and (gethash s (gs-nature tp)) (not (gethash s table)) (gs-numbered-z-p s)))
+(defun gs-numbered-z-p (s)            ; is its name z and a number
+  (let* ((text (symbol-name s)) (n (length text)))
+    (and (> n 2) (string= "$Z" text :end2 2)
+         (do ((i 2 (1+ i))) ((= i n) t) (unless (digit-char-p (char text i)) (return nil))))))
+;;; a symbol that is not taken: text, or text_2, ...; taken: under a text its last number
 (defun gs-free-symbol (taken text)
-  (do* ((k 1 (1+ k)) (s (gs-symbol-named text) (gs-symbol-named (format nil "~a_~d" text k))))
-      ((not (gethash s taken)) (setf (gethash s taken) t) s)))
+  (do* ((k (gethash text taken 1) (1+ k)) (s (gs-symbol-tried text k) (gs-symbol-tried text k)))
+      ((not (gethash s taken)) (setf (gethash s taken) t (gethash text taken) k) s)))
+(defun gs-symbol-tried (text k)
+  (gs-symbol-named (if (= k 1) text (format nil "~a_~d" text k))))
 (defun gs-symbol-named (text) (intern-invert-case (concatenate 'string "$" text)))
 
 ;;; ------------------------------------------------------------------------------------- quantities

@@ -10,6 +10,7 @@ function test_events ()
   crank ();
   computer ();
   blocks ();
+  strut ();
 end
 
 ## 1 kg under 1.5 sin (pi t) N against Coulomb friction of 1 N, from rest: it slides from p = asin
@@ -243,4 +244,17 @@ function blocks ()
   gsmbp_check ("six masses: audit through all events", r.audit.error, 1e-8);
   printf ("   six masses: %d events in 100 s, %.0f times faster than real time\n", ...
           r.stats.events, 100 / r.stats.seconds);
+end
+
+## what holds a port between two points loads the joints: a strut at 45 degrees that takes the push
+## p presses the block with p more onto its rail
+function strut ()
+  m = gsmbp_fixture ("event_strut");
+  r = gsmbp_simulate (m, [0 0 0], [0 3], "input", 5);
+  y = m.out (3, r.x(end,:)', r.v(end,:)')(:)';
+  miss = y(! strcmp (m.outputs, "bears.x")) - (2*9.81 + 5);   # bears.y, cell, ideal
+  gsmbp_check ("a strut that sticks: nothing moves", r.x(end,1:2), 0);
+  gsmbp_check ("a strut that sticks: what the rail bears", ...
+               [miss([1, 3]), y(strcmp (m.outputs, "bears.x"))], 1e-12);
+  gsmbp_check ("a strut that sticks: a sensor of it with a lag", miss(2), 1e-9);
 end

@@ -18,6 +18,7 @@ import sys
 import time
 import traceback
 import numpy as np
+from beside import holders
 from compare import Comparison, Mixed, LIMITS, error
 from emitted import Code, compiled, run_time
 from mechanics import State, closing_rows
@@ -66,6 +67,8 @@ class Call:
             words += ['control', 'output']
         elif 'output(' not in self.scene.text and 'output' in words:
             words.remove('output')
+        if holders(m):
+            words = [w for w in words if w != 'jacobian'] + ['events', 'rhs']
         self.requests = sorted(set(words))
         self.points, self.literal = '[]', None
         plain = not any('b' in j.letters()
@@ -159,7 +162,7 @@ def judged_or_failed(call, folder, library):
 
 def sources():
     """a word that changes with the package, the library, the Fortran and this comparison"""
-    ends = ('gsmbp/*.mac', 'gsmbp/*.lisp', 'share/*/*.mac', 'share/fortran/**/*.f',
+    ends = ('gsmbp/**/*.mac', 'gsmbp/**/*.lisp', 'share/*/*.mac', 'share/fortran/**/*.f',
             'tests/random/*')
     word = hashlib.sha256()
     for path in sorted(p for e in ends for p in glob.glob(os.path.join(ROOT, e), recursive=True)):

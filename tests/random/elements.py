@@ -175,6 +175,9 @@ class Device:
             loads.at_port(p, r.passive, r.drive)
             if r.mass:
                 loads.added.append((r.mass, p))
+            holder = getattr(self.machine, 'holder', None)
+            if holder and holder.holds(s.v[holder.mode]):
+                loads.held.append((holder.name, p))
         loads.rates.update(r.rates)
         loads.signals.update(getattr(r, 'signals', {}))
         loads.stored += r.stored

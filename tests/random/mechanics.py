@@ -151,6 +151,7 @@ class Loads:
         self.driven = {k: np.zeros(6) for k in self.wrench}
         self.passive, self.drive, self.added, self.rates = np.zeros(m.nu), np.zeros(m.nu), [], {}
         self.signals = {}  # of sensors, controllers, amplifiers
+        self.held = []     # [(device, port)]: their accelerations are 0
         self.potential = self.stored = self.power = self.lost = 0.
 
     def at_port(self, port, passive, drive=0.):
@@ -162,8 +163,8 @@ class Loads:
 
 
 class Solution:
-    """ud of the tree, reactions {joint: force and moment on the child at its joint point}, free:
-    whether unique"""
+    """ud of the tree, reactions {joint: force and moment on the child at its joint point}, missing:
+    0 if they are unique, holding: efforts of ports that are held"""
 
 
 def maximal(m, s, tau):
@@ -180,12 +181,16 @@ def maximal(m, s, tau):
     r = Solution()
     r.residual = np.max(np.abs(As@x - Bs))/max(1, np.max(np.abs(Bs)))
     r.ud, r.missing, r.loads = x[place['ud']:place['ud'] + m.nu], len(x) - rank, loads
+    r.holding = dict(zip([name for name, _ in loads.held], x[place['held']:]))
     r.gap = sv[rank - 1]/sv[0]
     r.reactions = {}
     for i, j in enumerate(m.joints):
         f = x[place['wrench'] + 6*i:place['wrench'] + 6*i + 6]
         point = bodies[j.child].R @ j.child_at
         r.reactions[j.name] = np.concatenate([f[:3], f[3:] - cross(point, f[:3])])
+    for e in m.elements:
+        if hasattr(e, 'read'):
+            e.read(s, bodies, r)
     return r
 
 
@@ -194,7 +199,8 @@ def maximal_equations(m, s, bodies, loads, tau):
     place = {'wrench': 6*nb, 'ud': 6*nb + 6*nj, 'own': 6*nb + 6*nj + m.nu}
     place['more'] = place['own'] + m.n_own
     rows = [c.rows(m, s, bodies) for c in m.conditions]
-    N = place['more'] + sum(len(r.gamma) for r in rows)
+    place['held'] = place['more'] + sum(len(r.gamma) for r in rows)
+    N = place['held'] + len(loads.held)
     A, B = np.zeros((N, N)), np.zeros(N)
     link = {l['name']: 6*k for k, l in enumerate(m.links)}
     for l in m.links:
@@ -214,7 +220,8 @@ def maximal_equations(m, s, bodies, loads, tau):
 
 
 def add_conditions(A, B, link, place, loads, rows):
-    """added masses of devices; rows of laws and constraints with their multipliers"""
+    """added masses of devices; rows of laws, constraints and ports that are held, with
+    their multipliers"""
     for k, port in loads.added:
         g = port.in_all(link, place['ud'], len(B))
         A += k*np.outer(g, g)
@@ -225,6 +232,9 @@ def add_conditions(A, B, link, place, loads, rows):
         k = slice(more, more + len(r.gamma))
         A[k], A[:, k], B[k] = A[k] + G, A[:, k] - G.T, r.gamma
         more += len(r.gamma)
+    for k, (_, port) in enumerate(loads.held, place['held']):
+        g = port.in_all(link, place['ud'], len(B))
+        A[k], A[:, k], B[k] = A[k] + g, A[:, k] - g, -port.bend
 
 
 def joint_equations(A, B, link, row, column, j, s):

@@ -6,6 +6,7 @@ import devices
 import electric
 import fluids
 import signals
+from beside import add_beside
 from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic,
                       OfSpeeds, Rolling)
 from joints import AXES, Joint, rodrigues
@@ -60,6 +61,7 @@ class Scene:
         self.bodies_and_joints()
         self.closures()
         self.loads()
+        add_beside(self)
         self.write()
 
     # -------------------------------------------------------------------------------------- numbers

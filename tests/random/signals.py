@@ -26,11 +26,24 @@ def sensor(r, name, x):
     """(words, formula, states, law) of a lag with gain, offset and range; or of an encoder"""
     if r.random() < .15:
         return encoder(r, name, x)
-    k = {'gain': 1.3, 'offset': .2, 'wn': 2.5, 'zeta': .7, 'range': 3.}
-    kind, variant = r.choice(list(SENSORS)), r.choice(['second', 'first', 'ideal'])
+    kind, variant = r.choice(list(SENSORS)), r.choice(list(LAGS))
     measure = SENSORS[kind] % x
     formula = '2*sin(%s)' % x if 'sin' in measure else measure
-    own = {'second': ['y', 'v'], 'first': ['y'], 'ideal': []}[variant]
+    words, law = lagging(kind, name, measure, variant)
+    return words, formula, [name + '_' + n for n in LAGS[variant]], law
+
+
+def sensed(r, kind, name, measure):
+    """(words, law) of a sensor of any measure"""
+    return lagging(kind, name, measure, r.choice(list(LAGS)))
+
+
+LAGS = {'second': ['y', 'v'], 'first': ['y'], 'ideal': []}  # variants of sensors: states
+
+
+def lagging(kind, name, measure, variant):
+    """(words, law) of a sensor that lags as its variant does"""
+    k = {'gain': 1.3, 'offset': .2, 'wn': 2.5, 'zeta': .7, 'range': 3.}
 
     def law(x, inputs, rates):
         signal = k['gain']*inputs[name + '_measure'] + k['offset']
@@ -44,8 +57,7 @@ def sensor(r, name, x):
         rates[name + '_y'], rates[name + '_v'] = v, k['wn']**2*(signal-y) - 2*k['zeta']*k['wn']*v
         return saturated(y, k['range'])
 
-    words = entry(kind, name, k, ', measure = ' + measure, variant)
-    return words, formula, [name + '_' + n for n in own], law
+    return entry(kind, name, k, ', measure = ' + measure, variant), law
 
 
 def encoder(r, name, x):
