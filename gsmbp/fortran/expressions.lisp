@@ -263,6 +263,11 @@
 ;;; the right sides that are text
 (defun $gs__code_texts (code) (gs-list (remove-if-not #'stringp (mapcar #'caddr (cdr code)))))
 
+;;; the statements among the entries [symbol, expression, block]: no symbol, text
+(defun $gs__statement_texts (code)
+  (gs-list (loop for c in (cdr code)
+                 when (and (null (cadr c)) (stringp (caddr c))) collect (caddr c))))
+
 ;;; the code with the sines and cosines ahead whose arguments are known at once
 (defun $gs__trig_first (load code)
   (let ((ready (make-hash-table :test #'eq)) (front nil) (back nil))
