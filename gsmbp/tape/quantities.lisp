@@ -116,10 +116,11 @@
     (when (and factors (null (cddr factors)) (every #'symbolp factors)
                (gs-numbered-p tp table s)
                (notany #'(lambda (x) (gs-numbered-p tp table x)) factors))
-      (let ((text (format nil "~{~a~}"
-                          (mapcar #'(lambda (x) (gs-shown-name (or (gethash x table) x)))
-                                  factors))))
-        (when (<= (length text) 12)
+      (let* ((names (mapcar #'(lambda (x) (gethash x table x)) factors))
+             ;; a constant that is compiled in is a number by now
+             (text (and (every #'symbolp names)
+                        (format nil "~{~a~}" (mapcar #'gs-shown-name names)))))
+        (when (and text (<= (length text) 12))
           (setf (gethash s table) (gs-free-symbol taken (string-downcase text))))))))
 ;;; a temporary z1, z2, ... without a name of its own
 (defun gs-numbered-p (tp table s)
