@@ -67,10 +67,11 @@
                          (gs-text stem "_" tail)
                          (gs-text stem tail))))
           (and (<= (length text) 20) (string-downcase text))))))))
-;;; a symbol as Maxima prints it
+;;; a symbol, or the number in its place, as Maxima prints it
 (defun gs-shown-name (s)
-  (let ((text (symbol-name s)))
-    (if (and (char= (char text 0) #\$)
+  (let ((text (if (symbolp s) (symbol-name s) "")))
+    (if (and (string/= text "")
+             (char= (char text 0) #\$)
              (do ((i 1 (1+ i))) ((= i (length text)) t)
                (unless (gs-word-character-p (char text i)) (return nil))))
         (maybe-invert-string-case (subseq text 1))
