@@ -76,10 +76,10 @@ function r = gsmbp_trim (m, x, v, varargin)
 endfunction
 
 ## where the equilibrium does not stand alone: the one with as many unknowns as can be left as
-## in the guess, coordinates first
+## in the guess: states that nothing drives (an integrator without gain), then coordinates
 function [p, z] = nearest (p, z, free)
   keep = [];
-  for k = 1:rows (free)
+  for k = [undriven(p, z), setdiff(1:rows (free), undriven (p, z))]
     if (rank (free([keep, k],:), 1e-6) > numel (keep))
       keep(end+1) = k;
     endif
@@ -93,6 +93,14 @@ function [p, z] = nearest (p, z, free)
   if (gsmbp__rest_worst (p, y) <= 1)
     [p, z] = deal (q, y);
   endif
+endfunction
+
+## unknowns that are states of devices whose rates depend on nothing that may change
+function k = undriven (p, z)
+  [~, J] = gsmbp__rest_equations (p, z);
+  own = p.own(:)';
+  device = find (own > p.m.sizes.nq + p.m.sizes.nu);
+  k = device(! any (J(own(device) - p.m.sizes.nq, :), 2)');
 endfunction
 
 ## with all speeds zero no constraint may move, nor begin to

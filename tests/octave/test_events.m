@@ -10,6 +10,7 @@ function test_events ()
   crank ();
   computer ();
   blocks ();
+  slow_starts ();
   strut ();
 end
 
@@ -244,6 +245,20 @@ function blocks ()
   gsmbp_check ("six masses: audit through all events", r.audit.error, 1e-8);
   printf ("   six masses: %d events in 100 s, %.0f times faster than real time\n", ...
           r.stats.events, 100 / r.stats.seconds);
+end
+
+## a start slower than 1e-9 of the Stribeck speed is at rest, whatever its sign
+function slow_starts ()
+  m = gsmbp_fixture ("event_strut");
+  slow = 1e-9 * 0.01 * sqrt (2);   # of the block: the strut stands at 45 degrees
+  mode = speed = [];
+  for u = slow * [-0.9, -1e-8, 0, 1e-8, 0.9, 1.1]
+    r = gsmbp_simulate (m, [0 u 0], [0 1e-3], "input", 5);
+    mode(end+1) = r.v(1, m.events.input);
+    speed(end+1) = r.x(1,2);
+  end
+  gsmbp_check ("slow starts stick, a faster one slides", isequal (mode, [0 0 0 0 0 1]));
+  gsmbp_check ("slow starts are at rest", speed(1:5), 1e-30);
 end
 
 ## what holds a port between two points loads the joints: a strut at 45 degrees that takes the push

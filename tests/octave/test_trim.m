@@ -7,6 +7,7 @@ function test_trim ()
   moving ();
   far ();
   margins ();
+  integral ();
 end
 
 ## a cylinder out of its stroke is no equilibrium; a run that leaves the stroke, or ends there,
@@ -103,4 +104,16 @@ function far ()
     left(end+1) = max (abs ([r.ud; r.phi]));
   end
   gsmbp_check ("four-bar from twelve guesses: accelerations and gaps", left, 2e-12);
+end
+
+## an integrator without gain stays where it is: the cart goes to its reference
+function integral ()
+  m = gsmbp_fixture ("trim_integral");
+  r = gsmbp_trim (gsmbp_set (m, "w", 0), gsmbp_set (m, "w", 0).initial, 2);
+  gsmbp_check ("trim: integral, the cart is at its reference", ...
+               r.x(strcmp (m.states, "xc")) - 2, 1e-12);
+  gsmbp_check ("trim: integral, C.I stays 0", r.x(strcmp (m.states, "C.I")), 1e-12);
+  ## a sensor settles on what the motion needs, not on what brings the state to the motion
+  starts = [gsmbp_set(m, "baumgarte_alpha", 0).initial, m.initial];
+  gsmbp_check ("start: filters do not know Baumgarte's constants", diff (starts, 1, 2), 1e-12);
 end

@@ -23,7 +23,8 @@ C             + 2*N*(M+K) + (M+K)**2 + 4*N + 9*(M+K)).
 C     INFO    (output) INTEGER, 0; 1: singular mass matrix.
 C
 C     METHOD
-C     Friction that comes to rest sticks, with the speed exactly 0; one
+C     Friction that comes to rest sticks, with the speed exactly 0, as
+C     one that starts slower than 1e-9*PRM(2,*) does; one
 C     whose holding force passes its limit slides to where it is pushed.
 C     At a stop U+ = U + inv(A)*H'*p, so that the port's speed becomes
 C     -e times itself, (1) without one where the rebound would be slower
@@ -44,8 +45,9 @@ C
       IF ( L.EQ.0 ) THEN
          DO 10 I = 1, K
             MODE(I) = 0
-            IF ( KIND(I).EQ.1 .AND. SD(I).GT.0.0D0 ) MODE(I) = 1
-            IF ( KIND(I).EQ.1 .AND. SD(I).LT.0.0D0 ) MODE(I) = -1
+            E = 1.0D-9*PRM(2,I)
+            IF ( KIND(I).EQ.1 .AND. SD(I).GT.E ) MODE(I) = 1
+            IF ( KIND(I).EQ.1 .AND. SD(I).LT.-E ) MODE(I) = -1
             IF ( KIND(I).EQ.2 .AND. ABS( SD(I) ).LE.PRM(4,I) ) THEN
                E = 1.0D-9*( PRM(2,I) - PRM(1,I) )
                IF ( S(I).GE.PRM(2,I) - E ) MODE(I) = 1
