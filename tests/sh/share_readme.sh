@@ -13,3 +13,11 @@ share/make/maxima "$dir/log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
 grep -q 'mass V1_m+1/50 rates' "$dir/log"; told $? 'its mass is added' "$dir/log"
 lines=$(wc -l <"$dir/entry.mac")
 [ "$lines" -le 30 ]; told $? "it has $lines lines, at most 30 expected"
+
+# the program that share/fortran/README.md shows, linked as it says
+sed -n '/^```fortran$/,/^```$/p' share/fortran/README.md | sed '/^```/d' >"$dir/main.f"
+sed -n '/^    gfortran /,/-lblas$/s/^    //p' share/fortran/README.md |
+  sed "s|fortran_out/|$dir/|; s|main main.f|$dir/main $dir/main.f|" >"$dir/link.sh"
+share/make/derive examples/puma560/puma560.mac "$dir" 2>"$dir/log" &&
+  sh "$dir/link.sh" 2>"$dir/log" && "$dir/main" | grep -q '^ *0 *3[.]500420310463'
+told $? 'a program of your own' "$dir/log"
