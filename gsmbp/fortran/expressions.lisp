@@ -183,13 +183,15 @@
 ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
 ; or false
 (defvar $gs__late nil)
-(defvar *gs-due* nil)                 ; (name . source) of those that wait for the next statement
+; (name . source) of those that wait for the next statement; bound by gs__emission, as all that an
+; interrupt must not leave behind
+(defvar $gs__due nil)
 (defun gs-name-text (x)
   (setf (gethash x $gs__used) t)
   (let ((source (and $gs__late (gethash x $gs__late))))
     (when source
       (remhash x $gs__late)
-      (push (cons (gethash x $gs__names) source) *gs-due*)))
+      (push (cons (gethash x $gs__names) source) $gs__due)))
   (or (gethash x $gs__names) (mfuncall '$gs__nameless_text x)))
 
 ;;; ------------------------------------------------------------------------------------------ lines
@@ -207,8 +209,8 @@
 
 (defun $gs__push (lines)
   (gs-tick)
-  (let ((due (reverse *gs-due*)))
-    (setq *gs-due* nil)
+  (let ((due (reverse $gs__due)))
+    (setq $gs__due nil)
     (dolist (d due) (gs-push-line (gs-load-line (car d) (cdr d)))))
   (dolist (l (cdr lines)) (gs-push-line l)))
 (defun gs-push-line (l) (setq $gs__body (gs-list (cons l (cdr $gs__body)))))
