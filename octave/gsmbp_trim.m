@@ -79,7 +79,8 @@ endfunction
 ## in the guess: states that nothing drives (an integrator without gain), then coordinates
 function [p, z] = nearest (p, z, free)
   keep = [];
-  for k = [undriven(p, z), setdiff(1:rows (free), undriven (p, z))]
+  first = undriven (p, z);
+  for k = [first, setdiff(1:rows (free), first)]
     if (rank (free([keep, k],:), 1e-6) > numel (keep))
       keep(end+1) = k;
     endif

@@ -109,34 +109,6 @@
                  (cons (gs-text "SQRT(" ($gs__sum_text b) ")")
                        (gs-integer-power b (/ (1- h) 2))))))))
 
-;;; Operands in the order in which their values are ready: a processor that works a chain of
-;;; additions from the left waits the least where what takes longest stands last. Those that are
-;;; ready at once stay as they were.
-(defun gs-as-ready (operands) (mapcar #'cdr (gs-by-delay operands)))
-(defun gs-by-delay (operands)
-  (stable-sort (mapcar #'(lambda (x) (cons (gs-delay x) x)) operands) #'< :key #'car))
-
-;;; Clock cycles from the start of a routine until an expression has its value, as a processor that
-;;; never waits for its units would have it: 4 for an addition or a product, 13 for a division,
-;;; 18 for a root, 40 for another function.
-(defun gs-delay (e)
-  (cond ((symbolp e) (gethash e $gs__delays 0))
-        ((atom e) 0)
-        ((or (gs-sum-p e) (gs-product-p e))
-         (let ((so-far nil))
-           (dolist (p (gs-by-delay (remove -1 (cdr e))) so-far)
-             (setq so-far (if so-far (+ 4 (max so-far (car p))) (car p))))))
-        ((mnump e) 0)
-        (t (+ (gs-delay-of e) (loop for x in (cdr e) maximize (gs-delay x))))))
-(defun gs-delay-of (e)
-  (cond ((not (gs-power-p e)) 40)
-        ((integerp (caddr e)) (if (minusp (caddr e)) 13 4))
-        (t 18)))
-;;; a symbol has its value from here on, in the variable n
-(defun gs-give (s n delay)
-  (setf (gethash s $gs__delays) delay)
-  (setf (gethash s $gs__names) n))
-
 (defun gs-integer-power (b n)
   (case n
     (0 nil)
@@ -178,6 +150,36 @@
       (let ((l (gs-power-texts b n)))
         (incf $gs__n_mul (1- (length l)))
         (if (cdr l) (gs-text "(" (gs-joined (reverse l) "*") ")") (car l)))))
+
+;;; ---------------------------------------------------------------------- the order of operands
+
+;;; Operands in the order in which their values are ready: a processor that works a chain of
+;;; additions from the left waits the least where what takes longest stands last. Those that are
+;;; ready at once stay as they were.
+(defun gs-as-ready (operands) (mapcar #'cdr (gs-by-delay operands)))
+(defun gs-by-delay (operands)
+  (stable-sort (mapcar #'(lambda (x) (cons (gs-delay x) x)) operands) #'< :key #'car))
+
+;;; Clock cycles from the start of a routine until an expression has its value, as a processor that
+;;; never waits for its units would have it: 4 for an addition or a product, 13 for a division,
+;;; 18 for a root, 40 for another function.
+(defun gs-delay (e)
+  (cond ((symbolp e) (gethash e $gs__delays 0))
+        ((atom e) 0)
+        ((or (gs-sum-p e) (gs-product-p e))
+         (let ((so-far nil))
+           (dolist (p (gs-by-delay (remove -1 (cdr e))) so-far)
+             (setq so-far (if so-far (+ 4 (max so-far (car p))) (car p))))))
+        ((mnump e) 0)
+        (t (+ (gs-delay-of e) (loop for x in (cdr e) maximize (gs-delay x))))))
+(defun gs-delay-of (e)
+  (cond ((not (gs-power-p e)) 40)
+        ((integerp (caddr e)) (if (minusp (caddr e)) 13 4))
+        (t 18)))
+;;; a symbol has its value from here on, in the variable n
+(defun gs-give (s n delay)
+  (setf (gethash s $gs__delays) delay)
+  (setf (gethash s $gs__names) n))
 
 ;;; the name of a symbol, which from now on counts as used
 ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;

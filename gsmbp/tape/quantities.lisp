@@ -67,11 +67,10 @@
                          (gs-text stem "_" tail)
                          (gs-text stem tail))))
           (and (<= (length text) 20) (string-downcase text))))))))
-;;; a symbol, or the number in its place, as Maxima prints it
+;;; a symbol as Maxima prints it
 (defun gs-shown-name (s)
-  (let ((text (if (symbolp s) (symbol-name s) "")))
-    (if (and (string/= text "")
-             (char= (char text 0) #\$)
+  (let ((text (symbol-name s)))
+    (if (and (char= (char text 0) #\$)
              (do ((i 1 (1+ i))) ((= i (length text)) t)
                (unless (gs-word-character-p (char text i)) (return nil))))
         (maybe-invert-string-case (subseq text 1))
@@ -100,7 +99,7 @@
 (defun $gs__put_labels (tp table taken code)
   (dolist (e (cdr code))
     (let ((text (gs-label-text tp (cadr e))))
-      (when text (setf (gethash (cadr e) table) (gs-free-symbol taken text)))))
+      (when text (setf (gethash (cadr e) table) ($gs__free_symbol taken text)))))
   (dolist (e (cdr code)) (gs-label-half tp table taken (cadr e) (caddr e)))
   (dolist (e (cdr code) table) (gs-label-product tp table taken (cadr e) (caddr e))))
 ;;; a temporary of which s is a half
@@ -108,7 +107,7 @@
   (when (and (gethash s table) (gs-product-p e) (alike1 (cadr e) '((rat simp) 1 2))
              (symbolp (caddr e)) (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
     (setf (gethash (caddr e) table)
-          (gs-free-symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
+          ($gs__free_symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
 ;;; cq2*cq3 is cq2cq3, cq2^2 is cq2cq2
 (defun gs-label-product (tp table taken s e)
   (let ((factors (cond ((atom e) nil)
@@ -122,7 +121,7 @@
              (text (and (every #'symbolp names)
                         (format nil "~{~a~}" (mapcar #'gs-shown-name names)))))
         (when (and text (<= (length text) 12))
-          (setf (gethash s table) (gs-free-symbol taken (string-downcase text))))))))
+          (setf (gethash s table) ($gs__free_symbol taken (string-downcase text))))))))
 ;;; a temporary z1, z2, ... without a name of its own
 (defun gs-numbered-p (tp table s)
   (and (gethash s (gs-nature tp)) (not (gethash s table)) (gs-numbered-z-p s)))
@@ -131,7 +130,7 @@
     (and (> n 2) (string= "$Z" text :end2 2)
          (do ((i 2 (1+ i))) ((= i n) t) (unless (digit-char-p (char text i)) (return nil))))))
 ;;; a symbol that is not taken: text, or text_2, ...; taken: under a text its last number
-(defun gs-free-symbol (taken text)
+(defun $gs__free_symbol (taken text)
   (do* ((k (gethash text taken 1) (1+ k)) (s (gs-symbol-tried text k) (gs-symbol-tried text k)))
       ((not (gethash s taken)) (setf (gethash s taken) t (gethash text taken) k) s)))
 (defun gs-symbol-tried (text k)
