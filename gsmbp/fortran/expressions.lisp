@@ -303,6 +303,15 @@
                    (or (gethash (cadr l) $gs__used) (gethash n raw)))
           (push (gs-load-line n (caddr l)) lines))))))
 
+;;; [name, meaning] of those whose symbol was printed and whose place has a meaning; meanings: hash
+;;; table, place -> text
+(defun $gs__used_constants (load meanings)
+  (let ((used nil))
+    (dolist (l (cdr load) (gs-list (nreverse used)))
+      (let ((text (gethash (caddr l) meanings)))
+        (when (and text (gethash (cadr l) $gs__used))
+          (push (gs-list (list (gethash (cadr l) $gs__names) text)) used))))))
+
 ;;; hash table, symbol -> source, of the loaded symbols but those whose name the hash table raw
 ;;; holds
 (defun $gs__to_load_late (load raw)
@@ -315,7 +324,7 @@
 ;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind
 ;;; it, else _2, _3, ... What is occupied has true, or the number that is to be tried next.
 (defun $gs__fresh (symbol)
-  (let* ((base (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))) (n base)
+  (let* ((base (gs-base-name symbol)) (n base)
          (held (gethash base $gs__occupied)) (k (if (integerp held) held 1)))
     (loop
       (unless (gethash n $gs__occupied) (return))
@@ -323,9 +332,17 @@
     (setf (gethash n $gs__occupied) t)
     (when held (setf (gethash base $gs__occupied) k))
     n))
+;;; a symbol's own name, remembered: routines name the same symbols
+(defvar *gs-base-names* (make-hash-table :test #'eq))
+(defun gs-base-name (symbol)
+  (flet ((formed () (gs-fit (gs-public-text (string-upcase ($sconcat symbol))))))
+    (if (symbolp symbol)
+        (or (gethash symbol *gs-base-names*) (setf (gethash symbol *gs-base-names*) (formed)))
+        (formed))))
 (defun gs-public-text (s)
   (if (eql (search "GS__" s) 0) (subseq s 4) s))
 (defun gs-fit (s)
-  (let ((c (substitute-if-not #\_ #'gs-word-character-p s)))
+  (let ((c (if (every #'gs-word-character-p s) s
+             (substitute-if-not #\_ #'gs-word-character-p s))))
     (unless (gs-letter-p (char c 0)) (setq c (gs-text "X" c)))
     (subseq c 0 (min 26 (length c)))))
