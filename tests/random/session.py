@@ -67,7 +67,11 @@ def session(root, folder, calls, lisp, log, found):
                              stdout=out,
                              stderr=subprocess.STDOUT,
                              preexec_fn=dies_with_parent,
-                             env={**os.environ, 'GCL_GC_ALLOC_MIN': '0.5'})
+                             env={
+                                 **os.environ, 'GCL_GC_ALLOC_MIN': '0.5',
+                                 'GC_INITIAL_HEAP_SIZE': '512m',
+                                 'GC_MARKERS': '1'
+                             })
     watch(p, calls, log, found)
 
 
