@@ -1,0 +1,275 @@
+#!/usr/bin/python3
+"""sessions.py [--write] FILE...: types the sessions that Texinfo or Markdown files print.
+
+A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session: the examples behind
+it whose first line begins with `(%i1) ` or `>> ` are typed, those of Maxima first, then those of
+Octave, in a new folder that looks like the top of the repository. `@c file NAME` ahead of an
+example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
+line `...` stands for any lines, `...` at the end of a line for the rest of it; numbers with a
+point may differ by 1e-4 or in their last digit, tiny ones (1e-12) altogether, times in seconds and
+parts of it, too. --write: what differs is written into the file instead, and pictures that the
+file shows (@image{figures/NAME, ...}) are copied to figures/ beside it.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> ')}
+DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
+NUMBER = re.compile(r'[-+]?\d+\.?\d*(?:[eEdD][-+]?\d+)?')
+TIME = re.compile(r'(\d+\.?\d*) ?(s|ms|us|ns)\b(?! *[\])^*/])')
+MARK = '\x01next\x01'
+
+
+class Example:
+    """lines [first, last) of a file, what they are, and the session they belong to"""
+
+    def __init__(self, first, session, name):
+        self.first, self.session, self.file = first, session, name
+        self.text = self.kind = None
+
+    def close(self, lines, last, plain):
+        self.last = last
+        self.text = [plain(line) for line in lines[self.first:last]]
+        for kind, prompt in PROMPT.items():
+            if self.text and prompt.match(self.text[0]):
+                self.kind = kind
+
+    def steps(self):
+        """[[typed lines], [expected lines]] of each input"""
+        found = []
+        for line in self.text:
+            if PROMPT[self.kind].match(line):
+                found.append([[PROMPT[self.kind].sub('', line, count=1)], []])
+            elif not found[-1][1] and not complete(self.kind, '\n'.join(found[-1][0])):
+                found[-1][0].append(line)
+            else:
+                found[-1][1].append(line)
+        return found
+
+
+def complete(kind, typed):
+    """whether an input ends here"""
+    if kind == 'maxima':
+        return typed.startswith('?') or re.search(r'[;$]\s*$', typed) is not None
+    bare = re.sub(r"\"[^\"\n]*\"|'[^'\n]*'(?=[\s,;)\]}])", '', typed)
+    words = re.findall(r'(?<![\w.])(for|if|while|do|function|end\w*)\b', bare)
+    open_words = sum(-1 if w.startswith('end') else 1 for w in words if w != 'do')
+    if re.match(r'\s*(for|if|while|function)\b', bare) and open_words > 0:
+        return False
+    depth = sum(bare.count(c) for c in '([{') - sum(bare.count(c) for c in ')]}')
+    return depth <= 0 and not bare.rstrip().endswith('...')
+
+
+def texinfo_plain(line):
+    return line.replace('@{', '{').replace('@}', '}').replace('@@', '@')
+
+
+def texinfo_escaped(line):
+    return line.replace('@', '@@').replace('{', '@{').replace('}', '@}')
+
+
+def examples(path, lines):
+    """the examples of a file"""
+    texinfo = path.endswith(('.texi', '.m'))
+    begin, end = (r'@(small)?example$', r'@end (small)?example$') if texinfo else (r'```', r'```$')
+    plain = texinfo_plain if texinfo else str
+    found, session, name, inside = [], None, None, None
+    for k, line in enumerate(lines):
+        told = DIRECTIVE.match(line)
+        if told and told.group(1) == 'session':
+            session, name = told.group(2), None
+        elif told:
+            name = told.group(2)
+        elif inside is None and re.match(begin, line):
+            inside = Example(k + 1, session, name)
+        elif inside is not None and re.match(end, line):
+            inside.close(lines, k, plain)
+            if inside.kind or inside.file:
+                found.append(inside)
+            name = inside = None
+    return found
+
+
+def workplace():
+    """a folder that looks like the top of the repository, with nothing derived in it"""
+    folder = tempfile.mkdtemp(prefix='session')
+    for name in ('gsmbp', 'share', 'examples', 'tests'):
+        os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
+    shutil.copytree(os.path.join(ROOT, 'octave'), os.path.join(folder, 'octave'))
+    common = os.path.join(ROOT, 'fortran_out', 'build', 'double', 'common')
+    os.makedirs(common, exist_ok=True)
+    os.makedirs(os.path.join(folder, 'fortran_out', 'build', 'double'))
+    os.symlink(common, os.path.join(folder, 'fortran_out', 'build', 'double', 'common'))
+    os.mkdir(os.path.join(folder, 'user'))
+    with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
+        f.write('load("%s/gsmbp/gsmbp.mac")$\n' % ROOT)
+    return folder
+
+
+def run(command, typed, folder):
+    said = subprocess.run(command, input=typed, cwd=folder, timeout=600, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          env={**os.environ, 'OMP_NUM_THREADS': '1', 'GCL_GC_ALLOC_MIN': '0.5'})
+    return said.stdout
+
+
+def trimmed(text):
+    lines = [line.rstrip() for line in text.split('\n')]
+    while lines and not lines[0]:
+        lines.pop(0)
+    while lines and not lines[-1]:
+        lines.pop()
+    return lines
+
+
+def maxima_answers(steps, folder):
+    """the prompt and the output of each"""
+    typed = '\n'.join('\n'.join(s[0]) for s in steps) + '\n'
+    said = run([os.environ.get('MAXIMA', 'maxima'), '--quiet', '--init=none',
+                '--userdir=' + os.path.join(folder, 'user')], typed, folder)
+    parts = re.split(r'(\(%i\d+\) )', said)[1:]
+    return [(parts[k], trimmed(parts[k + 1])) for k in range(0, len(parts) - 1, 2)]
+
+
+def octave_answers(steps, folder):
+    script = ['1;', 'page_screen_output (false);', 'addpath ("%s/octave");' % folder]
+    for typed, _ in steps:
+        quoted = '\n'.join(typed).replace("'", "''")
+        lines = "', \"\\n\", '".join(quoted.split('\n'))
+        script += [
+            "try, eval (['%s']); catch gs_, printf ('error: %%s\\n', gs_.message); end" % lines,
+            "printf ('%s\\n'); fflush (stdout);" % MARK
+        ]
+    path = os.path.join(folder, 'user', 'typed.m')
+    with open(path, 'w') as f:
+        f.write('\n'.join(script) + '\n')
+    said = run(['octave-cli', '-qf', '--no-history', path], '', folder)
+    return [('>> ', trimmed(part)) for part in said.split(MARK + '\n')[:-1]]
+
+
+def same_number(a, b):
+    if a == b:
+        return True
+    if not re.search(r'[.eE]', a + b):
+        return False
+    x, y = (float(v.lower().replace('d', 'e')) for v in (a, b))
+    digits = a.lower().split('e')[0].partition('.')[2]
+    power = float('1e' + (a.lower().partition('e')[2] or '0'))
+    return abs(x - y) <= max(1e-4*abs(x), 2.001*10.**-len(digits)*power, 1e-12)
+
+
+def same_line(expected, said):
+    rest = expected.endswith('...')
+    if rest:
+        expected = expected[:-3].rstrip()
+    a, b = (' '.join(TIME.sub(r'0 \2', line).split()) for line in (expected, said))
+    if rest:
+        b = ' '.join(b.split()[:len(a.split())])
+    words = [re.sub(r' +', ' ', NUMBER.sub('#', line)) for line in (a, b)]
+    return words[0] == words[1] and all(
+        same_number(x, y) for x, y in zip(NUMBER.findall(a), NUMBER.findall(b)))
+
+
+def same(expected, said):
+    """whether the lines agree; a line `...` of those expected stands for any"""
+    expected, said = ([line for line in lines if line.strip()] for lines in (expected, said))
+    if not expected:
+        return not said
+    if expected[0].strip() == '...':
+        return any(same(expected[1:], said[k:]) for k in range(len(said) + 1))
+    return bool(said) and same_line(expected[0], said[0]) and same(expected[1:], said[1:])
+
+
+def typed_session(members, folder):
+    """{example: [(typed, expected, prompt, said), ...]}"""
+    for e in members:
+        if e.file:
+            with open(os.path.join(folder, e.file), 'w') as f:
+                f.write('\n'.join(e.text) + '\n')
+    found = {}
+    for kind, answers in (('maxima', maxima_answers), ('octave', octave_answers)):
+        mine = [e for e in members if e.kind == kind and not e.file]
+        steps = [(e, s) for e in mine for s in e.steps()]
+        if not steps:
+            continue
+        said = answers([s for _, s in steps], folder)
+        for k, (e, s) in enumerate(steps):
+            prompt, lines = said[k] if k < len(said) else ('', ['nothing: the session has ended'])
+            found.setdefault(e, []).append((s[0], s[1], prompt, lines))
+    return found
+
+
+def shown(answers):
+    """the example as it would be typed"""
+    lines = []
+    for typed, expected, prompt, said in answers:
+        lines += [prompt + typed[0]] + typed[1:] + (expected if same(expected, said) else said)
+    return lines
+
+
+def differs(answers):
+    """the first difference, told"""
+    for typed, expected, prompt, said in answers:
+        if not same(expected, said):
+            return '%s\n--- expected\n%s\n--- found\n%s' % (prompt + '\n'.join(typed),
+                                                           '\n'.join(expected), '\n'.join(said))
+    return None
+
+
+def pictures(path, folder):
+    """those that the file shows and the session has made go to figures/ beside it"""
+    with open(path) as f:
+        names = re.findall(r'@image\{figures/([\w-]+)', f.read())
+    for name in names:
+        made = os.path.join(folder, name + '.png')
+        if os.path.exists(made):
+            os.makedirs(os.path.join(os.path.dirname(path), 'figures'), exist_ok=True)
+            shutil.copy(made, os.path.join(os.path.dirname(path), 'figures'))
+
+
+def judged(path, write, only):
+    with open(path) as f:
+        lines = f.read().split('\n')
+    found = examples(path, lines)
+    for e in found:
+        if e.session is None:
+            print('not ok %s:%d: an example that belongs to no session' % (path, e.first))
+    sessions = list(dict.fromkeys(e.session for e in found if e.session))
+    change = {}
+    for name in [s for s in sessions if not only or s == only]:
+        folder = workplace()
+        try:
+            answers = typed_session([e for e in found if e.session == name], folder)
+            for e, said in answers.items():
+                wrong = differs(said)
+                place = '%s:%d: session %s' % (os.path.relpath(path, ROOT), e.first, name)
+                print('not ok %s: %s' % (place, wrong) if wrong else 'ok ' + place, flush=True)
+                if wrong:
+                    change[e] = shown(said)
+            if write:
+                pictures(path, folder)
+        finally:
+            shutil.rmtree(folder)
+    if write and change:
+        escape = texinfo_escaped if path.endswith(('.texi', '.m')) else str
+        for e in sorted(change, key=lambda e: -e.first):
+            lines[e.first:e.last] = [escape(line) for line in change[e]]
+        with open(path + '.new', 'w') as f:
+            f.write('\n'.join(lines))
+        os.rename(path + '.new', path)
+
+
+def main():
+    write = '--write' in sys.argv
+    files = [a for a in sys.argv[1:] if not a.startswith('--')]
+    only = next((a[len('--only='):] for a in sys.argv if a.startswith('--only=')), None)
+    for path in files:
+        judged(os.path.abspath(path), write, only)
+
+
+main()
