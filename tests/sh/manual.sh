@@ -1,0 +1,45 @@
+# The manual: every session printed in it is typed and compared; every public function is in its
+# index; every entry of the index opens in describe, on both Lisps; example works for every function.
+. tests/tools/check.sh
+report=$(mktemp)
+trap 'rm -f "$report"' EXIT
+share/make/manual sources >"$report" 2>&1 && share/make/manual info >>"$report" 2>&1
+told $? 'info and index are made' "$report"
+grep -v '^$' "$report" >"$report.said"; mv "$report.said" "$report"
+result 'makeinfo has no warning'
+index=share/manual/gsmbp-index.lisp
+
+written=$(ls share/manual/*.texi | grep -vE '/(maxima|octave|entries|elements|laws|version)\.texi')
+/usr/bin/python3 tests/tools/sessions.py $written README.md
+
+{ grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
+  sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do
+  grep -q "(\"$name\" \." $index || echo "$name"
+done >"$report"
+result 'every public function is in the index'
+{ grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt | sort -u | while read -r name; do
+  grep -q "^@c of $name\$" share/manual/examples.texi || echo "$name"
+done; } | grep -vx -e gsmbp_actuator_entry -e gsmbp_demo >"$report"
+result 'every function of Maxima has an example'
+
+names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
+for maxima in maxima maxima-sage; do
+  MAXIMA=$maxima share/make/maxima "$report.log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
+    lost : sublist([$names], lambda([n], apply('describe, [n, 'exact]) # true))\$
+    with_stdout(\"$report\", for n in lost do print(n))\$" >/dev/null 2>&1 ||
+    echo 'Maxima failed' >"$report"
+  result "$maxima: every entry of the index opens in describe"
+  rm -f "$report.log"
+done
+
+# in a folder of its own: examples write files
+work=$(mktemp -d)
+top=$PWD
+examples=$(sed -n 's/^&& \(gsmbp_[a-z_]*\)$/\1/p' share/manual/gsmbp.demo)
+(cd "$work" && "$top/share/make/maxima" "$report.log" "load(\"$top/gsmbp/gsmbp.mac\")\$
+  $(for name in $examples; do
+    echo "if errcatch(example($name)) = [] then print(\"not an example:\", $name)\$"
+  done)") >/dev/null 2>&1
+{ [ -s "$report.log" ] && grep -n '^not an example:\|an error' "$report.log"; } >"$report"
+result 'example() of every function runs'
+rm -rf "$report.log" "$work"
