@@ -10,7 +10,7 @@ result 'makeinfo has no warning'
 index=share/manual/gsmbp-index.lisp
 
 written=$(ls share/manual/*.texi | grep -vE '/(maxima|octave|entries|elements|laws|version)\.texi')
-/usr/bin/python3 tests/tools/sessions.py $written README.md
+/usr/bin/python3 tests/tools/sessions.py $written octave/gsmbp_*.m README.md
 
 { grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
   sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do
@@ -21,6 +21,8 @@ result 'every public function is in the index'
   grep -q "^@c of $name\$" share/manual/examples.texi || echo "$name"
 done; } | grep -vx -e gsmbp_actuator_entry -e gsmbp_demo >"$report"
 result 'every function of Maxima has an example'
+grep -L '^## >> ' octave/gsmbp_*.m >"$report"
+result 'every function of Octave has an example'
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
 for maxima in maxima maxima-sage; do
