@@ -4,7 +4,8 @@ EXAMPLES := $(notdir $(patsubst %/run.m,%,$(wildcard examples/*/run.m)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
 MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
-GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi version.texi
+GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
+                  version.texi
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
@@ -138,7 +139,8 @@ same: | packages
 # describe, one page of HTML, PDF (the one that needs TeX)
 MANUAL := share/manual/gsmbp
 MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/*) share/make/manual \
-                  share/make/doc share/make/functions share/make/functions.awk share/make/demo share/make/index.awk \
+                  share/make/doc share/make/functions share/make/functions.awk share/make/demo share/make/entries share/make/insert \
+                  share/make/index.awk \
                   $(filter-out $(GENERATED:%=share/manual/%),$(wildcard share/manual/*.texi))
 
 doc: manual $(MANUAL).html $(MANUAL).pdf
