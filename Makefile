@@ -93,7 +93,7 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 	share/make/picture fortran_out/$*.dot examples/$*/out/graph.png
 	@touch $@
 
-test: packages-test manual
+test: packages-test
 	@tests/run
 
 # SEED and COUNT: other scenes or mutants, and how many
