@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """messages.py [--list] [MANUAL]: every message of the package stands in the manual's chapter.
 
-A message is a call of `gs__error`, `gs__wrong`, `error`, `warning`, ... in the sources, or a text of
-one of the functions in TEXTS, which make parts of messages and warnings. Of each call the longest
-run of fixed words (two at least) between variable parts must stand in MANUAL
-(share/manual/errors.texi), where variable parts are written @var{...}. Prints `ok`, or the messages
-that are missing; --list prints all.
+A message is a call of `gs__error`, `gs__wrong`, `error`, `warning`, ... in the sources, or a text
+of one of the functions in TEXTS, which make parts of messages and warnings. Of each call the
+longest run of fixed words (two at least) between variable parts must stand in MANUAL
+(share/manual/errors.texi), where variable parts are written @var{...}. Prints `ok`, or the
+messages that are missing; --list prints all.
 """
 import glob
 import os
