@@ -15,9 +15,9 @@ import sys
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GAP = '\x00'
 CALLS = {
-    'mac': r'(?<![\w?])(gs__error|gs__wrong)\(',
-    'lisp': r'\(\$gs__raise(?=\s)',
-    'm': r'(?<![\w."])(error|warning|refuse|printf) \(',
+    'mac': r'(?<![\w?])(gs__error|gs__wrong|printf(?=\(true,))\(',
+    'lisp': r'\((\$gs__raise|format t)(?=\s)',
+    'm': r'(?<![\w."])(error|warning|refuse) \(',
     'cc': r'(?<!\w)(error|error_with_id|warning_with_id) \(',
 }
 # functions whose texts are parts of messages: file, function
@@ -37,11 +37,12 @@ TEXTS = [
     ('octave/private/gsmbp__failure.m', 'fastest'),
     ('octave/private/gsmbp__failure.m', 'outside'),
     ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
+    ('octave/private/gsmbp__compile.m', 'say_if_long'),
     ('octave/private/gsmbp__no_beginning.m', 'gsmbp__no_beginning'),
     ('octave/private/gsmbp__fits.m', 'gsmbp__fits'),
     ('octave/private/gsmbp__margins.m', 'sentence'),
 ]
-FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z\]*;]|~\n\s*')
+FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z%\]*;]|~\n\s*')
 
 
 def read(path):
@@ -113,13 +114,20 @@ def calls(path):
     kind = kind_of(path)
     text = uncommented(read(path), kind)
     for m in re.finditer(CALLS[kind], text):
-        if m.group(0).startswith('printf'):
-            continue
         start = m.start() if kind == 'lisp' else m.end() - 1
         end = closing(text, start)
         if kind == 'mac' and re.match(r'\)\s*:=', text[end:]):
             continue
         yield text.count('\n', 0, m.start()) + 1, pieces(text[start:end], kind)
+
+
+def said_by_shell(path):
+    """(line, fixed words) of what a script of the shell says"""
+    for k, line in enumerate(read(path).split('\n')):
+        for m in re.finditer(r'''\becho (?:"([^"$]*)|'([^']*))''', line):
+            yield k + 1, [plain(m.group(1) or m.group(2) or '')]
+        for m in re.finditer(r'''\becho "[^"]*?\$\w+([^"$]*)''', line):
+            yield k + 1, [plain(m.group(1))]
 
 
 def texts(path, name):
@@ -145,6 +153,10 @@ def messages():
             words = max(parts, key=lambda p: (' ' in p, len(p)), default='')
             if ' ' in words:
                 found.setdefault(words, '%s:%d' % (path, line))
+    for path in sorted(glob.glob(os.path.join(ROOT, 'share/make/*'))):
+        for line, parts in said_by_shell(os.path.relpath(path, ROOT)):
+            if re.match(r'[\w ].* .* ', parts[0]) and '\\' not in parts[0]:
+                found.setdefault(parts[0], '%s:%d' % (os.path.relpath(path, ROOT), line))
     for path, name in TEXTS:
         for line, parts in texts(path, name):
             found.setdefault(parts[0], '%s:%d' % (path, line))
