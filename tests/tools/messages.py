@@ -124,7 +124,7 @@ def calls(path):
 def said_by_shell(path):
     """(line, fixed words) of what a script of the shell says"""
     for k, line in enumerate(read(path).split('\n')):
-        for m in re.finditer(r'''\becho (?:"([^"$]*)|'([^']*))''', line):
+        for m in re.finditer(r'''\becho (?:"([^"$]*)|'([^('][^']*))''', line):
             yield k + 1, [plain(m.group(1) or m.group(2) or '')]
         for m in re.finditer(r'''\becho "[^"]*?\$\w+([^"$]*)''', line):
             yield k + 1, [plain(m.group(1))]
@@ -155,7 +155,7 @@ def messages():
                 found.setdefault(words, '%s:%d' % (path, line))
     for path in sorted(glob.glob(os.path.join(ROOT, 'share/make/*'))):
         for line, parts in said_by_shell(os.path.relpath(path, ROOT)):
-            if re.match(r'[\w ].* .* ', parts[0]) and '\\' not in parts[0]:
+            if parts[0].count(' ') > 1 and '\\' not in parts[0]:
                 found.setdefault(parts[0], '%s:%d' % (os.path.relpath(path, ROOT), line))
     for path, name in TEXTS:
         for line, parts in texts(path, name):
