@@ -18,7 +18,7 @@ function close_node() {
 }
 function heading(word,   i) {
   sub(/^ -- [^:]*: /, "", word)
-  sub(/^[^(]* = /, "", word)
+  if (word ~ / = gsmbp_/) sub(/^[^(]* = /, "", word)
   sub(/ .*/, "", word)
   if (word == "") return
   for (i = 1; i <= n; i++) if (name[i] == word) return

@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> ')}
@@ -241,7 +242,7 @@ def lines_of(path):
 
 def judged(name, members, write):
     """types a session; {example: its text as it should be} where that is not what was found"""
-    folder, change = workplace(), {}
+    folder, change, begun = workplace(), {}, time.time()
     try:
         for e, answers in typed_session(members, folder).items():
             wrong = differs(answers)
@@ -254,6 +255,7 @@ def judged(name, members, write):
                 pictures(path, folder)
     finally:
         shutil.rmtree(folder)
+    print('session %s: %.1f s' % (name, time.time() - begun), flush=True)
     return change
 
 

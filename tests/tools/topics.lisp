@@ -1,0 +1,10 @@
+;;; topic_opens(name): whether describe of Maxima finds a text of GSMBP's manual for the name that
+;;; tells of it. (describe itself asks which one is meant where Maxima has such a topic, too.)
+(in-package :maxima)
+
+(defun $topic_opens (name)
+  (loop for (folder matches) in (cl-info::exact-topic-match name)
+        thereis (and (search "share/manual" (namestring folder))
+                     (let ((text (cl-info::read-info-text folder (first matches))))
+                       (and (search " -- " text :end2 (min 8 (length text)))
+                            (search name text) t)))))
