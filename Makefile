@@ -2,8 +2,10 @@
 
 EXAMPLES := $(notdir $(patsubst %/run.m,%,$(wildcard examples/*/run.m)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
-MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | grep -v '/compiled/') \
+MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
+GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
+                  version.texi
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
@@ -17,7 +19,8 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        bench bench-loops bench-passages bench-devices bench-abbreviate same doc install clean
+        bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
+        clean packages-manual packages-pdf
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -39,7 +42,8 @@ make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms th
                            error beside the whole
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
-make doc                   share/manual/functions.txt: the public functions with their comments
+make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
+make manual                info alone, without TeX
 make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR));
                            or PREFIX=/usr/local, DESTDIR=...
 make clean                 removes what make generated
@@ -59,9 +63,9 @@ help:
 packages:
 	@share/make/packages
 
-# with numpy, which nothing else needs
-packages-test:
-	@share/make/packages test
+# with what only the tests, the manual, its PDF need
+packages-test packages-manual packages-pdf: packages-%:
+	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
 compiled: | packages
@@ -131,17 +135,36 @@ bench-abbreviate: packages compiled
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
 
-doc: share/manual/functions.txt
+# the manual: what is written, what the program says of itself; info with the index of Maxima's
+# describe, one page of HTML, PDF (the one that needs TeX)
+MANUAL := share/manual/gsmbp
+MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/*) share/make/manual \
+                  share/make/doc share/make/functions share/make/functions.awk share/make/demo share/make/entries share/make/insert \
+                  share/make/index.awk \
+                  $(filter-out $(GENERATED:%=share/manual/%),$(wildcard share/manual/*.texi))
 
-share/manual/functions.txt: share/make/doc $(wildcard gsmbp/*.mac gsmbp/*/*.mac)
-	@mkdir -p $(@D)
-	share/make/doc gsmbp/*.mac gsmbp/*/*.mac >$@.new && mv $@.new $@ || { rm -f $@.new; exit 1; }
+doc: manual $(MANUAL).html $(MANUAL).pdf
+manual: $(MANUAL)-index.lisp
 
-install:
+share/manual/functions.txt: $(MAXIMA_SOURCES) $(wildcard octave/*.m) $(MANUAL_SOURCES) | compiled
+	share/make/manual sources
+
+$(MANUAL)-index.lisp: share/manual/functions.txt | packages-manual
+	share/make/manual info
+
+$(MANUAL).html: share/manual/functions.txt | packages-manual
+	share/make/manual html
+
+$(MANUAL).pdf: share/manual/functions.txt | packages-pdf
+	share/make/manual pdf
+
+install: manual
 	@share/make/compile
 	@share/make/install '$(MAXIMA_USERDIR)' '$(PREFIX)' '$(DESTDIR)'
 
 clean:
 	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out share/manual/functions.txt
+	rm -rf share/manual/gsmbp.info share/manual/gsmbp-index.lisp share/manual/gsmbp.html octave/doc.info
+	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md

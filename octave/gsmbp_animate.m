@@ -56,6 +56,13 @@
 ## gsmbp_animate (m, gsmbp_simulate (m, x0, 0:0.02:2), "out/motion.gif", "trace", "rod")
 ## @end example
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_inverse (m, gsmbp_plan ("quintic", [0 2*pi], [0 1]), (0:0.1:1)');
+## >> gsmbp_animate (m, r, "crank.png")
+## @end example
+##
 ## Errors: a result without t and q or x of one size; a model without the
 ## handle ske; a file that is neither .gif nor .png or cannot be written; an
 ## option that is unknown or out of its range; gnuplot missing.

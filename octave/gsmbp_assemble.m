@@ -27,6 +27,23 @@
 ## independent coordinates: otherwise every guess finds another place of the
 ## same motion.  It is an error if none of them closes the loop.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> x = gsmbp_assemble (m, [1; -1; 0.6], "hold", "q1");
+## >> x(1:3)'
+## ans =
+##
+##    1.0000  -1.3433   0.5789
+## >> X = gsmbp_assemble (m, [1; -1; 0.6], "hold", "q1", "branches", 20);
+## >> X(1:3,:)
+## ans =
+##
+##    1.0000   1.0000
+##   -1.3433  -3.7983
+##    0.5789  -0.3628
+## @end example
+##
 ## Errors: a loop that does not close, or a guess that no branch closes; a
 ## coordinate in "hold" that the model has not, or one alone of four Euler
 ## parameters; a guess of another size, not finite, or with zeros for Euler

@@ -126,9 +126,28 @@
 ## used by @code{gsmbp_simulate} with input @code{"user"}
 ## @end table
 ##
+## @c session octave
 ## @example
-## m = gsmbp_build ("pendulum", "parameters", struct ("l", 0.3));
-## xd = m.rhs (0, [0.1; 0])
+## >> m = gsmbp_build ("slider_crank");
+## >> m.coordinates'
+## ans =
+## @{
+##   [1,1] = q1
+##   [1,2] = q2
+##   [1,3] = q3
+## @}
+## >> tau = m.inv (0, [0.5; -0.7; 0.6], [1; -1; 0.1], [0; 0; 0])
+## tau =
+##
+##    7.7580
+##    3.5571
+##         0
+## >> M = m.mas (0, [0.5; -0.7; 0.6])
+## M =
+##
+##    0.3997   0.1824        0
+##    0.1824   0.1250        0
+##         0        0   1.0000
 ## @end example
 ##
 ## Errors: a .json or .f that is missing, cut short or of another emission; a

@@ -7,6 +7,15 @@
 ## a disk that is full is an error.
 ## The folder is made if it does not exist.
 ##
+## @c session octave
+## @example
+## >> gsmbp_csv ("table.csv", @{"t", "y"@}, [0 1; 0.5 2]);
+## >> type table.csv
+## t,y
+## 0,1
+## 0.5,2
+## @end example
+##
 ## Errors: data that are no real matrix; another number of heads than columns;
 ## a file that cannot be written.
 ## Source: own.

@@ -10,6 +10,20 @@
 ## @var{cpu} and @var{wall} are seconds of processor and clock; Maxima's start
 ## and the loading of GSMBP are in them.
 ##
+## @c session octave
+## @example
+## >> cpu = gsmbp_derive ("examples/spinning_top/spinning_top.mac", "fortran_out");
+## >> m = gsmbp_build ("spinning_top");
+## >> m.coordinates'
+## ans =
+## @{
+##   [1,1] = e0
+##   [1,2] = e1
+##   [1,3] = e2
+##   [1,4] = e3
+## @}
+## @end example
+##
 ## Errors: a scene file that is not there; Maxima's error in one line.
 ## Source: own.
 ## @seealso{gsmbp_build}

@@ -10,6 +10,18 @@
 ## the right.  Before the first and after the last break the value is held and
 ## the derivatives are zero.
 ##
+## @c session octave
+## @example
+## >> plan = gsmbp_plan ("quintic", [0 1], [0 2]);
+## >> f = gsmbp_evaluate (plan, [0 1 2], 2);
+## >> squeeze (f)
+## ans =
+##
+##         0        0        0
+##    0.5000   0.9375        0
+##    1.0000        0        0
+## @end example
+##
 ## Errors: a motion that is no piecewise polynomial; times, nd or side that
 ## are no such numbers.
 ## Source: own; Horner's scheme.

@@ -37,6 +37,19 @@
 ##
 ## If a loop cannot follow the motion it is an error that names the time.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> plan = gsmbp_plan ("quintic", [0 pi], [0 1]);
+## >> r = gsmbp_inverse (m, plan, [0; 0.25; 1]);
+## >> [r.t, r.q, r.v]
+## ans =
+##
+##          0         0         0    0.7000    1.0564
+##     0.2500    0.3252   -0.4534    0.6854   17.4771
+##     1.0000    3.1416   -3.1416    0.3000   -1.0088
+## @end example
+##
 ## Errors: a motion of other components than the actuated coordinates; a loop
 ## that cannot follow it (the time is said); a missing subroutine; an option
 ## that is unknown or of another size.

@@ -21,6 +21,18 @@
 ## exact: on the constraints' tangent space T the full model and the
 ## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> x = gsmbp_assemble (m, [-pi/2; 1; 0.4], "hold", "q1");
+## >> r = gsmbp_trim (m, x, 0, "hold", "q1", "free", "motor.v");
+## >> sys = gsmbp_linear (m, 0, r.x, r.v, "reduced", "q1");
+## >> sort (pole (sys))'
+## ans =
+##
+##   -243.9788   -90.7671    -0.2215
+## @end example
+##
 ## Errors: a model without the subroutine JAC; a state that does not fulfil
 ## the constraints; coordinates in "reduced" that are unknown or do not
 ## determine the motion.

@@ -13,10 +13,17 @@
 ## to @code{gsmbp_simulate} under these names together with "motion", and
 ## @code{poles}: the closed poles [1/s], a column for each time.
 ##
+## @c session octave
 ## @example
-## d = gsmbp_lqr (m, plan, 0:0.1:1, Q, R);
-## r = gsmbp_simulate (m, x0, 0:0.01:1, "motion", plan,
-##                     "gain", d.gain, "reference", d.reference);
+## >> gsmbp_derive ("examples/puma560/puma560.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("puma560");
+## >> plan = gsmbp_plan ("quintic", [0.5 0; -0.75 0; 0.5 0], [0 1]);
+## >> d = gsmbp_lqr (m, plan, [0 1], eye (9), eye (3));
+## >> r = gsmbp_simulate (m, gsmbp_inverse (m, plan, 0).x', [0; 1], ...
+##                     "motion", plan, "gain", d.gain, "reference", d.reference);
+## >> max (abs (r.x(end,1:3))) < 1e-3
+## ans = 1
 ## @end example
 ##
 ## Errors: Q or R of another size; the control package missing; a motion that

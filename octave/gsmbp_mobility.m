@@ -37,6 +37,30 @@
 ## Without an output argument this is printed.  Reactions that are not unique
 ## come out of the simulation as the least of all that fit.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_mobility (m, m.initial);
+## >> [r.gruebler, r.rows, r.rank, r.mobility]
+## ans =
+##
+##   -2   2   2   1
+## >> r.reactions.unique, r.reactions.not_unique
+## ans =
+## @{
+##   [1,1] = x
+##   [1,2] = y
+##   [1,3] = mz
+## @}
+##
+## ans =
+## @{
+##   [1,1] = z
+##   [1,2] = mx
+##   [1,3] = my
+## @}
+## @end example
+##
 ## Errors: a state of another size, or one that does not fulfil the
 ## constraints.
 ## Source: own: the rank of the constraint Jacobian by singular values;

@@ -30,9 +30,20 @@
 ## @code{gsmbp_evaluate} gives values and derivatives from either side of a
 ## break.
 ##
+## @c session octave
 ## @example
-## motion = gsmbp_plan ("quintic", [0.5 0; -0.75 0; 0.5 0], [0 1]);
-## speed  = gsmbp_plan ("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2);
+## >> plan = gsmbp_plan ("quintic", [0 1; 0 -0.5], [0 2]);
+## >> gsmbp_evaluate (plan, 1)'
+## ans =
+##
+##    0.5000  -0.2500
+## >> speed = gsmbp_plan ("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2);
+## >> squeeze (gsmbp_evaluate (speed, [1 2 6], 1))
+## ans =
+##
+##     0.6667    2.0000
+##     4.0000    4.0000
+##    20.0000    4.0000
 ## @end example
 ##
 ## Errors: an unknown kind; positions, times or values of other sizes or not

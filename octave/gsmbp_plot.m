@@ -26,6 +26,13 @@
 ## (default), "semilogy", "semilogx" or "loglog"; "head": column head of
 ## @var{t} in the .csv, default "t".
 ##
+## @c session octave
+## @example
+## >> t = linspace (0, 2, 100)';
+## >> y = struct ("y", [sin(3*t), cos(3*t)], "names", @{@{"sine", "cosine"@}@}, "label", "y [m]");
+## >> gsmbp_plot ("waves.png", t, y, "title", "Two waves");
+## @end example
+##
 ## Errors: a file that does not end in .png or cannot be written; a panel
 ## without y, names and label of fitting sizes; an unknown scale or option.
 ## Source: own; the drawing is gnuplot's.

@@ -10,6 +10,15 @@
 ## scene would refuse is an error here: a negative mass, an inertia that no body has, a value out of
 ## the range of a device.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> heavy = gsmbp_set (m, "m3", 2);
+## >> m.mas (0, [0; 0; 0.7])(3,3), heavy.mas (0, [0; 0; 0.7])(3,3)
+## ans = 1
+## ans = 2
+## @end example
+##
 ## Errors: an unknown parameter, one that is made of others, a value that is
 ## no finite number or that the scene refuses.
 ## Source: own.

@@ -210,6 +210,18 @@
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_simulate (m, m.initial, [0; 0.1; 0.2], "input", 12);
+## >> [r.t, r.x(:,1:3)]
+## ans =
+##
+##         0        0        0   0.7000
+##    0.1000   0.2123  -0.2966   0.6937
+##    0.2000   0.4464  -0.6199   0.6729
+## @end example
+##
 ## Errors: a start that does not fulfil the constraints, or a state where a
 ## device cannot be; an argument or option that is unknown, of another size or
 ## not finite; a run that fails, unless info is taken.

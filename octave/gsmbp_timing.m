@@ -16,6 +16,31 @@
 ## "print" (default true) also writes the table with the operation counts of
 ## the .json.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> s = gsmbp_timing (m, 0, m.initial, "seconds", 0.001, "print", false);
+## >> fieldnames (s)'
+## ans =
+## @{
+##   [1,1] = kin
+##   [1,2] = inv
+##   [1,3] = mas
+##   [1,4] = bia
+##   [1,5] = fwd
+##   [1,6] = con
+##   [1,7] = inl
+##   [1,8] = lin
+##   [1,9] = acc
+##   [1,10] = rhs
+##   [1,11] = prj
+##   [1,12] = jac
+##   [1,13] = out
+##   [1,14] = ene
+##   [1,15] = ske
+## @}
+## @end example
+##
 ## Errors: arguments of other sizes, an unknown option.
 ## Source: own; the least of three repetitions.
 ## @seealso{gsmbp_build, gsmbp_workprecision}

@@ -35,6 +35,15 @@
 ## "ignore" is given.  One that holds at the time @var{t} only (default 0) is a
 ## warning.  Of several equilibria the one near the guess is found.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_trim (m, m.initial, 0, "hold", "q1", "free", "motor.v");
+## >> r.v, r.residual < 1e-12
+## ans = 1.0326
+## ans = 1
+## @end example
+##
 ## Errors: no equilibrium is found (the equations that do not vanish are
 ## named); a constraint that moves with time; a margin of a device below 0; an
 ## unknown name in "hold" or "free".

@@ -22,6 +22,16 @@
 ## simulated second, @code{error} (coordinates), @code{error_states};
 ## @code{w(1).reference} holds the rows of the truth.
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> w = gsmbp_workprecision (m, m.initial, [0 0.1], "input", 12, "rk4", 1e-3, ...
+##                          "dp853", [1e-6 1e-9], "seconds", 0.01, "print", false);
+## >> numel (w), max ([w.error]) < 1e-6
+## ans = 3
+## ans = 1
+## @end example
+##
 ## Errors: an option that is measured itself or unknown; a reference that
 ## fails.
 ## Source: own; Hairer's work-precision diagram.

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """sessions.py [--write] FILE...: types the sessions that Texinfo or Markdown files print.
 
-A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session: the examples behind
-it whose first line begins with `(%i1) ` or `>> ` are typed, those of Maxima first, then those of
-Octave, in a new folder that looks like the top of the repository. `@c file NAME` ahead of an
-example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
+A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session (or goes on with it,
+in another file, too): the examples behind it whose first line begins with `(%i1) ` or `>> ` are
+typed, those of Maxima first, then those of Octave, in a new folder that looks like the top of the
+repository. `@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
 line `...` stands for any lines, `...` at the end of a line for the rest of it; numbers with a
 point may differ by 1e-4 or in their last digit, tiny ones (1e-12) altogether, times in seconds and
 parts of it, too. --write: what differs is written into the file instead, and pictures that the
@@ -28,8 +28,8 @@ MARK = '\x01next\x01'
 class Example:
     """lines [first, last) of a file, what they are, and the session they belong to"""
 
-    def __init__(self, first, session, name):
-        self.first, self.session, self.file = first, session, name
+    def __init__(self, path, first, session, name):
+        self.path, self.first, self.session, self.file = path, first, session, name
         self.text = self.kind = None
 
     def close(self, lines, last, plain):
@@ -86,7 +86,7 @@ def examples(path, lines):
         elif told:
             name = told.group(2)
         elif inside is None and re.match(begin, line):
-            inside = Example(k + 1, session, name)
+            inside = Example(path, k + 1, session, name)
         elif inside is not None and re.match(end, line):
             inside.close(lines, k, plain)
             if inside.kind or inside.file:
@@ -232,44 +232,60 @@ def pictures(path, folder):
             shutil.copy(made, os.path.join(os.path.dirname(path), 'figures'))
 
 
-def judged(path, write, only):
+def lines_of(path):
+    """the lines of a file; those of a help text of Octave without the signs of a comment"""
     with open(path) as f:
         lines = f.read().split('\n')
-    found = examples(path, lines)
-    for e in found:
-        if e.session is None:
-            print('not ok %s:%d: an example that belongs to no session' % (path, e.first))
-    sessions = list(dict.fromkeys(e.session for e in found if e.session))
-    change = {}
-    for name in [s for s in sessions if not only or s == only]:
-        folder = workplace()
-        try:
-            answers = typed_session([e for e in found if e.session == name], folder)
-            for e, said in answers.items():
-                wrong = differs(said)
-                place = '%s:%d: session %s' % (os.path.relpath(path, ROOT), e.first, name)
-                print('not ok %s: %s' % (place, wrong) if wrong else 'ok ' + place, flush=True)
-                if wrong:
-                    change[e] = shown(said)
-            if write:
+    return [re.sub('^## ?', '', line) for line in lines] if path.endswith('.m') else lines
+
+
+def judged(name, members, write):
+    """types a session; {example: its text as it should be} where that is not what was found"""
+    folder, change = workplace(), {}
+    try:
+        for e, answers in typed_session(members, folder).items():
+            wrong = differs(answers)
+            place = '%s:%d: session %s' % (os.path.relpath(e.path, ROOT), e.first, name)
+            print('not ok %s: %s' % (place, wrong) if wrong else 'ok ' + place, flush=True)
+            if wrong:
+                change[e] = shown(answers)
+        if write:
+            for path in {e.path for e in members}:
                 pictures(path, folder)
-        finally:
-            shutil.rmtree(folder)
-    if write and change:
-        escape = texinfo_escaped if path.endswith(('.texi', '.m')) else str
-        for e in sorted(change, key=lambda e: -e.first):
-            lines[e.first:e.last] = [escape(line) for line in change[e]]
-        with open(path + '.new', 'w') as f:
-            f.write('\n'.join(lines))
-        os.rename(path + '.new', path)
+    finally:
+        shutil.rmtree(folder)
+    return change
+
+
+def rewritten(path, change):
+    """the file with the examples as they should be"""
+    escape = str if path.endswith('.md') else texinfo_escaped
+    mark = '## ' if path.endswith('.m') else ''
+    with open(path) as f:
+        lines = f.read().split('\n')
+    for e in sorted((e for e in change if e.path == path), key=lambda e: -e.first):
+        lines[e.first:e.last] = [(mark + escape(line)).rstrip() for line in change[e]]
+    with open(path + '.new', 'w') as f:
+        f.write('\n'.join(lines))
+    shutil.copymode(path, path + '.new')
+    os.rename(path + '.new', path)
 
 
 def main():
     write = '--write' in sys.argv
-    files = [a for a in sys.argv[1:] if not a.startswith('--')]
     only = next((a[len('--only='):] for a in sys.argv if a.startswith('--only=')), None)
-    for path in files:
-        judged(os.path.abspath(path), write, only)
+    paths = [os.path.abspath(a) for a in sys.argv[1:] if not a.startswith('--')]
+    found = [e for path in paths for e in examples(path, lines_of(path))]
+    for e in found:
+        if e.session is None:
+            print('not ok %s:%d: an example that belongs to no session' % (e.path, e.first))
+    change = {}
+    for name in dict.fromkeys(e.session for e in found if e.session):
+        if not only or name == only:
+            change.update(judged(name, [e for e in found if e.session == name], write))
+    if write:
+        for path in {e.path for e in change}:
+            rewritten(path, change)
 
 
 main()

@@ -1,0 +1,71 @@
+# The manual: every session printed in it is typed and compared; every public function is in its
+# index; every entry of the index opens in describe, on both Lisps; example works for every function.
+. tests/tools/check.sh
+report=$(mktemp)
+trap 'rm -f "$report"' EXIT
+make --no-print-directory manual >"$report" 2>&1
+told $? 'info and index are made' "$report"
+make --no-print-directory -q manual
+told $? 'what is made is not made again'
+(cd share/manual && makeinfo --no-split -o /dev/null gsmbp.texi) >"$report" 2>&1
+result 'makeinfo has no warning'
+index=share/manual/gsmbp-index.lisp
+
+written=$(ls share/manual/*.texi | grep -vE '/(maxima|octave|entries|elements|laws|units|version)\.texi')
+/usr/bin/python3 tests/tools/sessions.py $written octave/gsmbp_*.m README.md
+
+{ grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
+  sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do
+  grep -q "(\"$name\" \." $index || echo "$name"
+done >"$report"
+result 'every public function is in the index'
+{ grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt | sort -u | while read -r name; do
+  grep -q "^@c of $name\$" share/manual/examples.texi || echo "$name"
+done; } | grep -vx -e gsmbp_actuator_entry -e gsmbp_demo >"$report"
+result 'every function of Maxima has an example'
+grep -L '^## >> ' octave/gsmbp_*.m >"$report"
+result 'every function of Octave has an example'
+
+# words of options, requests and units, from where they are read
+python=/usr/bin/python3
+$python - >"$report" <<'END'
+import glob
+import re
+for path in sorted(glob.glob('octave/gsmbp_*.m')):
+    text = open(path).read()
+    help_text = ''.join(re.findall(r'(?m)^##.*$', text))
+    if 'gsmbp__simulate_options' in text:
+        text = open('octave/private/gsmbp__simulate_options.m').read()
+    for table in re.findall(r'table = (?:\[)?\{(.*?)\};', text, re.S):
+        for word in re.findall(r'(?m)^\s*"(\w+)", ', '  ' + table):
+            if '"%s"' % word not in help_text:
+                print('%s: option %s' % (path, word))
+code = open('share/manual/code.texi').read()
+rows = open('gsmbp/fortran/requests.mac').read().split('gs__request_rows :')[1].split('$')[0]
+for word, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows):
+    if word not in code or not re.search(r'\b_?%s\b' % suffix, code):
+        print('code.texi: request %s, %s' % (word, suffix))
+END
+result 'every option of Octave and every request stands in the manual'
+
+names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
+for maxima in maxima maxima-sage; do
+  MAXIMA=$maxima share/make/maxima "$report.log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
+    lost : sublist([$names], lambda([n], apply('describe, [n, 'exact]) # true))\$
+    with_stdout(\"$report\", for n in lost do print(n))\$" >/dev/null 2>&1 ||
+    echo 'Maxima failed' >"$report"
+  result "$maxima: every entry of the index opens in describe"
+  rm -f "$report.log"
+done
+
+# in a folder of its own: examples write files
+work=$(mktemp -d)
+top=$PWD
+examples=$(sed -n 's/^&& \(gsmbp_[a-z_]*\)$/\1/p' share/manual/gsmbp.demo)
+(cd "$work" && "$top/share/make/maxima" "$report.log" "load(\"$top/gsmbp/gsmbp.mac\")\$
+  $(for name in $examples; do
+    echo "if errcatch(example($name)) = [] then print(\"not an example:\", $name)\$"
+  done)") >/dev/null 2>&1
+{ [ -s "$report.log" ] && grep -n '^not an example:\|an error' "$report.log"; } >"$report"
+result 'example() of every function runs'
+rm -rf "$report.log" "$work"
