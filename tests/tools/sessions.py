@@ -7,7 +7,7 @@ Octave, in a new folder that looks like the top of the repository. `@c file NAME
 example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
 line `...` stands for any lines, `...` at the end of a line for the rest of it; numbers with a
 point may differ by 1e-4 or in their last digit, tiny ones (1e-12) altogether, times in seconds and
-parts of it, too. --write: what differs is written into the file instead, and pictures that the
+parts of it, too; what a slow derivation says of its progress is left out. --write: what differs is written into the file instead, and pictures that the
 file shows (@image{figures/NAME, ...}) are copied to figures/ beside it.
 """
 import os
@@ -22,6 +22,7 @@ PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> ')}
 DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
 NUMBER = re.compile(r'[-+]?\d+\.?\d*(?:[eEdD][-+]?\d+)?')
 TIME = re.compile(r'(\d+\.?\d*) ?(s|ms|us|ns)\b(?! *[\])^*/])')
+PROGRESS = re.compile(r'gsmbp: .* \(\d+ s so far\)')
 MARK = '\x01next\x01'
 
 
@@ -119,7 +120,7 @@ def run(command, typed, folder):
 
 
 def trimmed(text):
-    lines = [line.rstrip() for line in text.split('\n')]
+    lines = [line.rstrip() for line in text.split('\n') if not PROGRESS.match(line)]
     while lines and not lines[0]:
         lines.pop(0)
     while lines and not lines[-1]:
