@@ -7,8 +7,9 @@ Octave, in a new folder that looks like the top of the repository. `@c file NAME
 example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
 line `...` stands for any lines, `...` at the end of a line for the rest of it; numbers with a
 point may differ by 1e-4 or in their last digit, tiny ones (1e-12) altogether, times in seconds and
-parts of it, too; what a slow derivation says of its progress is left out. --write: what differs is written into the file instead, and pictures that the
-file shows (@image{figures/NAME, ...}) are copied to figures/ beside it.
+parts of it, too; what a slow derivation says of its progress is left out. --write: what differs is
+written into the file instead, and pictures that the file shows (@image{figures/NAME, ...}) are
+copied to figures/ beside it.
 """
 import os
 import re
