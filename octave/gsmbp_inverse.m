@@ -146,16 +146,30 @@ function xi = carried (m, motion_at, guess, xi, from, to)
   unwind_protect
     lsode_options ("relative tolerance", 1e-11);
     lsode_options ("absolute tolerance", 1e-13 * max (1, norm (xi(here), Inf)));
-    [y, state, text] = lsode (rates, xi(here), [from to]);
+    try
+      [y, state, text] = lsode (rates, xi(here), [from to]);
+    catch problem
+      [state, text] = deal (0, problem.message);
+    end_try_catch
   unwind_protect_cleanup
     lsode_options ("relative tolerance", old{1});
     lsode_options ("absolute tolerance", old{2});
   end_unwind_protect
   if (state != 2)
     error (["gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g " ...
-            "s to %.9g s: %s"], m.name, from, to, text);
+            "s to %.9g s: %s"], m.name, from, to, ...
+           reason (m, from, motion_at (from, 1, guess), xi, text));
   endif
   xi(here) = y(end,:)';
+endfunction
+
+## margins that are not kept where it began, else what the solver says
+function text = reason (m, t, qj, xi, text)
+  [~, ~, ~, margins] = m.cmx (t, qj, xi);
+  broken = m.margins(! (margins > 0))(:)';
+  if (! isempty (broken))
+    text = ["not kept at the first of these times: " strjoin(broken, "; ")];
+  endif
 endfunction
 
 function yd = internal_rates (m, motion_at, guess, xi, here, t, y)

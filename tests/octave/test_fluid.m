@@ -13,11 +13,23 @@ function test_fluid ()
   jacobians ("fluid_pneumatic", pneumatic, 1e-5 * ones (5, 1));
   jacobians ("fluid_reduced", reduced, [1e-3 * ones(5, 1); 1e-5 * ones(5, 1)]);
   nulls (hydraulic, pneumatic);
+  beyond_margins (hydraulic);
   back_and_forth ("fluid_hydraulic", hydraulic, "dp853", [0.3 0.45; 0 20]);
   back_and_forth ("fluid_pneumatic", pneumatic, "dp853", [0.03 0.045; 0.045 0.03; 0.11 0.13; 0 20]);
   back_and_forth ("fluid_reduced", reduced, "cvode", ...
                   [0.3 0.45; 0.45 0.3; 0.3 0.45; 0 20; 0 -20; 0.03 0.045; 0.045 0.03; 0.11 0.13; ...
                    0 20]);
+end
+
+## where the inverse cannot go on it says which margins are not kept
+function beyond_margins (m)
+  plan = gsmbp_plan ("septic", [0.3 0.45; 0 20], [0 1]);
+  device = m.initial(5:end);
+  device(m.internal - 4) = 1e8;
+  said = gsmbp_complaint (@() gsmbp_inverse (m, plan, [0, 0.5], "internal", device));
+  gsmbp_check ("inverse beyond the supply's pressure names the margin", ...
+               ! isempty (regexp (said, ["^gsmbp_inverse: fluid_hydraulic: the internal states " ...
+                 "cannot .*: not kept at the first of these times: .*pressure of the rod side"])));
 end
 
 ## Valves opened at rest. Independent: masses of oil instead of pressures, p = beta*log (m/(rho V))

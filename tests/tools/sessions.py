@@ -7,8 +7,9 @@ typed, those of Maxima first, then those of Octave, in a new folder that looks l
 repository. `@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or `not ok` an example. In what is expected a
 line `...` stands for any lines, `...` at the end of a line for the rest of it; numbers with a
 point may differ by 1e-4 or in their last digit, tiny ones (1e-12) altogether, times in seconds and
-parts of it, too. --write: what differs is written into the file instead, and pictures that the
-file shows (@image{figures/NAME, ...}) are copied to figures/ beside it.
+parts of it, too; what a slow derivation says of its progress is left out. --write: what differs is
+written into the file instead, and pictures that the file shows (@image{figures/NAME, ...}) are
+copied to figures/ beside it.
 """
 import os
 import re
@@ -23,6 +24,7 @@ PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> ')}
 DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
 NUMBER = re.compile(r'[-+]?\d+\.?\d*(?:[eEdD][-+]?\d+)?')
 TIME = re.compile(r'(\d+\.?\d*) ?(s|ms|us|ns)\b(?! *[\])^*/])')
+PROGRESS = re.compile(r'gsmbp: .* \(\d+ s so far\)')
 MARK = '\x01next\x01'
 
 
@@ -120,7 +122,7 @@ def run(command, typed, folder):
 
 
 def trimmed(text):
-    lines = [line.rstrip() for line in text.split('\n')]
+    lines = [line.rstrip() for line in text.split('\n') if not PROGRESS.match(line)]
     while lines and not lines[0]:
         lines.pop(0)
     while lines and not lines[-1]:
