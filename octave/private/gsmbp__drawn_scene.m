@@ -1,0 +1,244 @@
+## d = gsmbp__drawn_scene (drawing, number, place, turn, t)
+## What the player draws (share/report/player.js): bodies with colours, solids, pairs of points,
+## arrows, camera.  NUMBER, PLACE, TURN: of gsmbp__poses at the times T.
+
+function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
+  first = @(texts) number (texts)(1,:);
+  d.t = t;
+  [d.bodies, d.extent, low, high] = bodies_of (drawing, first, place, turn);
+  d.target = (low + high) / 2;
+  d = camera (d, first (drawing.gravity), low, high);
+  d.solids = [solids_of_bodies(drawing, first, d), solids_of_joints(drawing, first, d), ...
+              solids_of_wheels(drawing, first, d)];
+  d.pairs = pairs_of (drawing, first);
+  [d.arrows, d.arrows_v] = arrows_of (drawing, number, turn, d.extent, numel (t));
+endfunction
+
+## names, colours, mass centres, and the room that joints and mass centres go through
+function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn)
+  bodies = {struct("name", "ground", "color", [.6 .6 .6], "centre", [0 0 0], "moves", false)};
+  points = zeros (0, 3);
+  for b = 1:numel (drawing.bodies)
+    c = first (drawing.bodies(b).centre);
+    path = on_body (place{b}, turn{b}, c);
+    moves = max (max (path) - min (path)) > 1e-9;
+    bodies{end+1} = struct ("name", drawing.bodies(b).name, "color", color_of (b), "centre", c, ...
+                            "moves", moves);
+    points = [points; path];
+  endfor
+  for j = entries (drawing.joints)
+    if (! strcmp (j.type, "free"))
+      points = [points; at_joint(j.body, first (j.at), place, turn); ...
+                at_joint(j.child, first (j.child_at), place, turn)];
+    endif
+  endfor
+  low = min (points, [], 1);
+  high = max (points, [], 1);
+  extent = max ([norm(high - low), 1e-3]);
+endfunction
+
+function p = at_joint (b, at, place, turn)
+  if (b == 0)
+    p = at;
+  else
+    p = on_body (place{b}, turn{b}, at);
+  endif
+endfunction
+
+## the path of a point of a body in ground axes
+function p = on_body (place, turn, at)
+  p = place + [turn(:,1:3) * at', turn(:,4:6) * at', turn(:,7:9) * at'];
+endfunction
+
+function color = color_of (b)
+  table = [.04 .37 .65; .80 .36 .14; .18 .52 .27; .49 .27 .63; .66 .53 .12; .10 .55 .57; .70 .22 .44];
+  color = table(mod (b - 1, rows (table)) + 1,:);
+endfunction
+
+## up: two level directions and the one upwards, against gravity; a flat scene is seen from ahead
+function d = camera (d, gravity, low, high)
+  up = [0 0 1];
+  if (norm (gravity) > 0)
+    up = -gravity / norm (gravity);
+  endif
+  flat = find (high - low < 1e-6 * d.extent);
+  e = eye (3);
+  ahead = [];
+  if (! isempty (flat) && abs (e(flat(1),:) * up') < 0.5)
+    ahead = e(flat(1),:) - (e(flat(1),:) * up') * up;
+  elseif (! isempty (flat))
+    up = e(mod (flat(1), 3) + 1,:);      # seen along gravity
+    ahead = e(flat(1),:);
+    up = e(find (! ismember (1:3, flat(1)), 1, "last"),:);
+  endif
+  d.view = [-0.9, 0.35];
+  if (! isempty (ahead))
+    d.view = [0.12, 0.1];
+  else
+    ahead = e(find (abs (e * up') < 0.8, 1),:);
+    ahead -= (ahead * up') * up;
+  endif
+  ahead /= norm (ahead);
+  d.up = [ahead; cross(up, ahead); up];
+  d.grid = isempty (flat) || abs (up * gravity') > 0.5 * norm (gravity);
+  d.floor = d.target + up * (min ([low; high] * up') - d.target * up' - 0.08 * d.extent);
+endfunction
+
+## --------------------------------------------------------------------- solids
+
+function s = solid (kind, body, L, offset, color)
+  s = struct ("kind", kind, "body", body, "m", [L(:)', offset(:)'], "color", color);
+endfunction
+
+## the shapes of the links; where there are none, a body of equal inertia; rods to its joints
+function list = solids_of_bodies (drawing, first, d)
+  list = {};
+  for b = 1:numel (drawing.bodies)
+    body = drawing.bodies(b);
+    color = d.bodies{b+1}.color;
+    c = first (body.centre);
+    shapes = entries (body.shapes);
+    for s = shapes
+      list{end+1} = shape (s, first, b, c, color);
+    endfor
+    if (isempty (shapes))
+      list = [list, equal_inertia(first ({body.mass}), reshape (first (body.inertia), 3, 3), b, c, ...
+                                  color, d.extent), ...
+              rods(drawing, first, b, c, color, d.extent)];
+    endif
+  endfor
+endfunction
+
+function s = shape (s, first, b, c, color)
+  sizes = first (s.sizes);
+  if (strcmp (s.kind, "box"))
+    L = diag (sizes);
+  elseif (strcmp (s.kind, "sphere"))
+    L = sizes * eye (3);
+  else
+    L = frame_of (first (s.axis)) * diag ([sizes([1 1]), sizes(2)]);
+  endif
+  s = solid (s.kind, b, L, c, color);
+endfunction
+
+## a right-handed frame whose third axis is that of a cylinder
+function R = frame_of (axis)
+  z = axis(:) / norm (axis);
+  [~, k] = min (abs (z));
+  x = cross (eye (3)(:,k), z);
+  x /= norm (x);
+  R = [x, cross(z, x), z];
+endfunction
+
+## the box of the same mass and inertia; a sphere where it has mass alone, nothing without mass
+function list = equal_inertia (mass, I, b, c, color, extent)
+  list = {};
+  if (! (mass > 0))
+    return;
+  endif
+  [R, J] = eig ((I + I') / 2);
+  J = max (diag (J), 0);
+  if (det (R) < 0)
+    R(:,1) *= -1;
+  endif
+  size = sqrt (max (0, 6 / mass * (sum (J) - 2 * J)));
+  if (max (size) < 0.02 * extent)
+    list = {solid("sphere", b, 0.03 * extent * eye (3), c, color)};
+  else
+    size = min (max (size, 0.018 * extent), 2 * extent);
+    list = {solid("box", b, R * diag (size), c, color)};
+  endif
+endfunction
+
+## from the mass centre to the joints of a body, as far as they are apart
+function list = rods (drawing, first, b, c, color, extent)
+  list = {};
+  for j = entries (drawing.joints)
+    if (strcmp (j.type, "free"))
+      continue;
+    endif
+    ends = {first(j.at), first(j.child_at)}([j.body == b, j.child == b]);
+    for p = ends
+      z = p{1} - c;
+      if (norm (z) > 0.01 * extent)
+        L = frame_of (z) * diag ([0.008 * extent * [1 1], norm(z)]);
+        list{end+1} = solid ("cylinder", b, L, c + z / 2, color);
+      endif
+    endfor
+  endfor
+endfunction
+
+## marks of the joints, on the parent: a pin along the axis, a block, a ball
+function list = solids_of_joints (drawing, first, d)
+  list = {};
+  grey = [.32 .33 .35];
+  r = 0.014 * d.extent;
+  for j = entries (drawing.joints)
+    at = first (j.at);
+    R = frame_of (first (j.axis));
+    switch (j.type)
+      case {"revolute", "cylindrical", "helical"}
+        list{end+1} = solid ("cylinder", j.body, R * diag (r * [1.2 1.2 3.2]), at, grey);
+      case {"prismatic", "planar", "fixed"}
+        list{end+1} = solid ("box", j.body, R * diag (r * [2.2 2.2 2.8]), at, grey);
+      case {"spherical", "universal"}
+        list{end+1} = solid ("sphere", j.body, 1.3 * r * eye (3), at, grey);
+    endswitch
+  endfor
+endfunction
+
+## discs that roll, with two spokes that show how they turn
+function list = solids_of_wheels (drawing, first, d)
+  list = {};
+  for w = entries (drawing.wheels)
+    c = first (w.centre);
+    R = frame_of (first (w.axis));
+    radius = first ({w.radius});
+    color = d.bodies{w.body+1}.color;
+    thick = max (0.03 * radius, 0.005 * d.extent);
+    list{end+1} = solid ("cylinder", w.body, R * diag ([radius, radius, thick]), c, color);
+    for k = 1:2
+      size = [2 0.1; 0.1 2](k,:) * 0.95 * radius;
+      list{end+1} = solid ("box", w.body, R * diag ([size, 1.3 * thick]), c, [.95 .95 .95]);
+    endfor
+  endfor
+endfunction
+
+## ------------------------------------------------------------ pairs and arrows
+
+function list = pairs_of (drawing, first)
+  list = {};
+  for p = entries (drawing.pairs)
+    list{end+1} = struct ("kind", p.kind, "body", p.body, "at", first (p.at), "child", p.child, ...
+                          "child_at", first (p.child_at));
+  endfor
+endfunction
+
+## forces in ground axes; the largest is a quarter of the scene long
+function [list, v] = arrows_of (drawing, number, turn, extent, nt)
+  list = {};
+  v = zeros (nt, 0);
+  for f = entries (drawing.forces)
+    if (strcmp (f.kind, "force"))
+      one = number (f.vector);
+      if (strcmp (f.frame, "link"))
+        R = turn{f.body};
+        one = [sum(R(:,1:3) .* one, 2), sum(R(:,4:6) .* one, 2), sum(R(:,7:9) .* one, 2)];
+      endif
+      list{end+1} = struct ("body", f.body, "at", number (f.at)(1,:), "name", f.name);
+      v = [v, one];
+    endif
+  endfor
+  most = max ([sqrt(max (sum (reshape (v', 3, []) .^ 2, 1))), 0]);
+  v *= 0.25 * extent / max (most, realmin);
+endfunction
+
+## what jsondecode made of a list of objects: a row of structs
+function list = entries (l)
+  list = struct ([]);
+  if (iscell (l) && ! isempty (l))
+    list = [l{:}];
+  elseif (isstruct (l))
+    list = l(:)';
+  endif
+endfunction
