@@ -16,8 +16,9 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        bench bench-loops bench-passages bench-devices bench-abbreviate same doc install clean
+.PHONY: help packages packages-test packages-report compiled examples test test-random test-malformed \
+        bench bench-loops bench-passages bench-devices bench-abbreviate same check-report doc \
+        install clean
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -38,6 +39,9 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
+make check-report          the page of a run of every example, opened in a browser (headless
+                           Chromium): no error, every equation laid out, the player moves
+                           REPORTS="stewart four_bar": these only
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   share/manual/functions.txt: the public functions with their comments
 make install               load("gsmbp") by name in your Maxima ($(MAXIMA_USERDIR));
@@ -62,6 +66,10 @@ packages:
 # with numpy, which nothing else needs
 packages-test:
 	@share/make/packages test
+
+# with a browser, which check-report alone needs
+packages-report:
+	@share/make/packages report
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
 compiled: | packages
@@ -130,6 +138,11 @@ bench-abbreviate: packages compiled
 # PATTERN: only the scenes whose path holds it
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
+
+REPORTS ?= $(EXAMPLES)
+
+check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
+	@tests/report/check $(REPORTS)
 
 doc: share/manual/functions.txt
 

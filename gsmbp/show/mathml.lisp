@@ -2,7 +2,8 @@
 ;;; text as HTML holds it. The TeX is one of few commands: fractions, roots, dots, sub- and
 ;;; superscripts, names, functions, Greek letters; anything else is shown as the characters it is.
 ;;;
-;;; A node is (text . kind), kind one of operand, function, operator, space; a row is a list of them.
+;;; A node is (text . kind), kind one of operand, fenced (in parentheses), function, operator, space; a
+;;; row is a list of them.
 (in-package :maxima)
 
 ;;; ------------------------------------------------------------------------------------------- text
@@ -76,17 +77,17 @@
 (defun gs-space-node (width) (cons (gs-text "<mspace width=\"" width "\"></mspace>") 'space))
 (defun gs-function-node (text) (cons (gs-element "mi" ($gs__html_text text)) 'function))
 
-;;; the text of a row; two operands side by side are a product, a function is applied to what
-;;; follows
+;;; the text of a row; two operands side by side are a product (without a gap ahead of a
+;;; parenthesis), a function is applied to what follows
 (defun gs-row-text (row)
   (with-output-to-string (o)
     (loop for (node . more) on row
           do (write-string (car node) o)
              (case (cdr node)
                (function (if more (write-string "<mo>&#x2061;</mo>" o)))
-               (operand
+               ((operand fenced)
                  (if (and more (member (cdar more) '(operand function)))
-                     (write-string "<mo rspace=\"0.12em\">&#x2062;</mo>" o)))))))
+                     (write-string "<mo rspace=\"0.15em\">&#x2062;</mo>" o)))))))
 ;;; a row as one element
 (defun gs-row-element (row)
   (if (= (length row) 1) (caar row) (gs-element "mrow" (gs-row-text row))))
@@ -135,7 +136,7 @@
     (cond ((eql (gs-tex-peek) #\))
            (incf *gs-place*)
            (list (cons (gs-element "mrow" "<mo>(</mo>" (gs-row-text inner) "<mo>)</mo>")
-                       'operand)))
+                       'fenced)))
           (t (cons (gs-fixed-fence "(") inner)))))
 (defun gs-fixed-fence (text)
   (cons (gs-text "<mo stretchy=\"false\">" text "</mo>") 'operator))

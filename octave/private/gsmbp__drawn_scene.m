@@ -18,11 +18,13 @@ endfunction
 function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn)
   bodies = {struct("name", "ground", "color", [.6 .6 .6], "centre", [0 0 0], "moves", false)};
   points = zeros (0, 3);
+  stems = regexprep ({drawing.bodies.name}, '\d+$', "");   # leg1, leg2, ... have one colour
+  [~, family] = ismember (stems, unique (stems, "stable"));
   for b = 1:numel (drawing.bodies)
     c = first (drawing.bodies(b).centre);
     path = on_body (place{b}, turn{b}, c);
     moves = max (max (path) - min (path)) > 1e-9;
-    bodies{end+1} = struct ("name", drawing.bodies(b).name, "color", color_of (b), "centre", c, ...
+    bodies{end+1} = struct ("name", drawing.bodies(b).name, "color", color_of (family(b)), "centre", c, ...
                             "moves", moves);
     points = [points; path];
   endfor

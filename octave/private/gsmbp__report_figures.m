@@ -40,8 +40,9 @@ function text = group (title, t, y, names, units)
   kinds = unique (units(:)', "stable");
   for k = 1:numel (kinds)
     lines = find (strcmp (units(:)', kinds{k}));
-    for first = 1:8:numel (lines)
-      few = lines(first:min (first + 7, end));
+    most = ceil (numel (lines) / ceil (numel (lines) / 8));
+    for first = 1:most:numel (lines)
+      few = lines(first:min (first + most - 1, end));
       text = [text, figure_of(title, t, y(:,few), names(few), kinds{k})];
     endfor
   endfor

@@ -38,7 +38,7 @@ function [lim, ticks] = limits (v, logarithmic, wider)
   low = min (v(:));
   high = max (v(:));
   if (high - low <= 1e-12 * max (abs ([low, high])))
-    pad = max (1e-9, 0.5 * abs (high));
+    pad = 0.5 * abs (high) + (high == 0);
     [low, high] = deal (low - pad, high + pad);
   elseif (wider || logarithmic)
     [low, high] = deal (low - 0.04 * (high - low), high + 0.04 * (high - low));

@@ -116,8 +116,10 @@ const draw = () => {
       q = place(pose(k, s.child), s.child_at), r = D.extent*.012;
     if (s.kind === "spring") path(helix(p, q, 1.6*r), [.25, .25, .25], gl.LINE_STRIP);
     else { rod(p, q, .5*r, [.45, .47, .5]); rod(p, add(p, add(q, p, -1), .5), r, [.35, .4, .5]); } }
+  gl.disable(gl.DEPTH_TEST);   // traces are seen through what moves along them
   if (shown("traces")) D.bodies.forEach((b, i) => { if (trace[i].length > 1)
-    path(trace[i], b.color.map(c => .5 + .5*c), gl.LINE_STRIP); });
+    path(trace[i], b.color.map(c => .3 + .7*c), gl.LINE_STRIP); });
+  gl.enable(gl.DEPTH_TEST);
   if (shown("forces")) D.arrows.forEach((s, i) => { const f = 3*(D.arrows.length*k + i);
     const p = place(pose(k, s.body), s.at), v = Array.from(A.subarray(f, f + 3));
     if (size(v) > 1e-3*D.extent) { rod(p, add(p, v), D.extent*.005, [.8, .1, .1]);
