@@ -14,29 +14,78 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   [d.arrows, d.arrows_v] = arrows_of (drawing, number, turn, d.extent, numel (t));
 endfunction
 
-## names, colours, mass centres, and the room that joints and mass centres go through
+## names, colours, mass centres, and the room that everything goes through
 function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn)
   bodies = {struct("name", "ground", "color", [.6 .6 .6], "centre", [0 0 0], "moves", false)};
-  points = zeros (0, 3);
-  stems = regexprep ({drawing.bodies.name}, '\d+$', "");   # leg1, leg2, ... have one colour
-  [~, family] = ismember (stems, unique (stems, "stable"));
+  points = points_of (drawing, first, place, turn);
+  family = families ({drawing.bodies.name});
   for b = 1:numel (drawing.bodies)
     c = first (drawing.bodies(b).centre);
     path = on_body (place{b}, turn{b}, c);
     moves = max (max (path) - min (path)) > 1e-9;
-    bodies{end+1} = struct ("name", drawing.bodies(b).name, "color", color_of (family(b)), "centre", c, ...
-                            "moves", moves);
-    points = [points; path];
+    bodies{end+1} = struct ("name", drawing.bodies(b).name, "color", color_of (family(b)), ...
+                            "centre", c, "moves", moves);
   endfor
-  for j = entries (drawing.joints)
-    if (! strcmp (j.type, "free"))
-      points = [points; at_joint(j.body, first (j.at), place, turn); ...
-                at_joint(j.child, first (j.child_at), place, turn)];
-    endif
+  known = norm (max (points) - min (points));
+  for b = 1:numel (drawing.bodies)
+    path = on_body (place{b}, turn{b}, bodies{b+1}.centre);
+    radius = size_of (drawing, first, b, known);
+    points = [points; path - radius; path + radius];
   endfor
   low = min (points, [], 1);
   high = max (points, [], 1);
   extent = max ([norm(high - low), 1e-3]);
+endfunction
+
+## the ways of mass centres, joints and ends of pairs
+function points = points_of (drawing, first, place, turn)
+  points = zeros (0, 3);
+  for b = 1:numel (drawing.bodies)
+    points = [points; on_body(place{b}, turn{b}, first (drawing.bodies(b).centre))];
+  endfor
+  for j = [joints_at_points(drawing), entries(drawing.pairs)]
+    points = [points; at_joint(j.body, first (j.at), place, turn); ...
+              at_joint(j.child, first (j.child_at), place, turn)];
+  endfor
+endfunction
+
+## half the size of what is drawn of a body: of its shapes and discs, else of the box of equal
+## inertia, which is no larger than the ways that are known
+function radius = size_of (drawing, first, b, known)
+  body = drawing.bodies(b);
+  radius = 0;
+  for s = entries (body.shapes)
+    sizes = first (s.sizes);
+    radius = max ([radius, sizes * {0.5, 1}{1 + ! strcmp(s.kind, "box")}]);
+  endfor
+  for w = entries (drawing.wheels)
+    radius = max (radius, (w.body == b) * first ({w.radius}));
+  endfor
+  if (radius == 0)
+    [~, size] = box_of (first ({body.mass}), reshape (first (body.inertia), 3, 3));
+    radius = max (size) / 2;
+    if (known > 0)
+      radius = min (radius, known / 4);
+    endif
+  endif
+endfunction
+
+## numbers of colours; of more than seven links, leg1, leg2, ... have one
+function family = families (names)
+  family = 1:numel (names);
+  if (numel (names) > 7)
+    stems = regexprep (names, '\d+$', "");
+    [~, family] = ismember (stems, unique (stems, "stable"));
+  endif
+endfunction
+
+function list = joints_at_points (drawing)
+  list = entries (drawing.joints);
+  if (! isempty (list))
+    list = list(! strcmp ({list.type}, "free"));
+    list = rmfield (list, {"type", "axis"});
+    [list.kind] = deal ("joint");
+  endif
 endfunction
 
 function p = at_joint (b, at, place, turn)
@@ -103,7 +152,8 @@ function list = solids_of_bodies (drawing, first, d)
     for s = shapes
       list{end+1} = shape (s, first, b, c, color);
     endfor
-    if (isempty (shapes))
+    wheels = entries (drawing.wheels);
+    if (isempty (shapes) && ! (! isempty (wheels) && any ([wheels.body] == b)))
       list = [list, equal_inertia(first ({body.mass}), reshape (first (body.inertia), 3, 3), b, c, ...
                                   color, d.extent), ...
               rods(drawing, first, b, c, color, d.extent)];
@@ -132,23 +182,29 @@ function R = frame_of (axis)
   R = [x, cross(z, x), z];
 endfunction
 
-## the box of the same mass and inertia; a sphere where it has mass alone, nothing without mass
-function list = equal_inertia (mass, I, b, c, color, extent)
-  list = {};
-  if (! (mass > 0))
-    return;
-  endif
+## the box of the same mass and inertia: its axes and sizes, 0 without mass
+function [R, size] = box_of (mass, I)
   [R, J] = eig ((I + I') / 2);
-  J = max (diag (J), 0);
   if (det (R) < 0)
     R(:,1) *= -1;
   endif
-  size = sqrt (max (0, 6 / mass * (sum (J) - 2 * J)));
-  if (max (size) < 0.02 * extent)
+  J = max (diag (J), 0);
+  size = zeros (3, 1);
+  if (mass > 0)
+    size = sqrt (max (0, 6 / mass * (sum (J) - 2 * J)));
+  endif
+endfunction
+
+## that box, by its edges alone where it would hide the others; a sphere where there is mass alone,
+## nothing without mass
+function list = equal_inertia (mass, I, b, c, color, extent)
+  list = {};
+  [R, size] = box_of (mass, I);
+  if (mass > 0 && max (size) < 0.02 * extent)
     list = {solid("sphere", b, 0.03 * extent * eye (3), c, color)};
-  else
-    size = min (max (size, 0.018 * extent), 2 * extent);
-    list = {solid("box", b, R * diag (size), c, color)};
+  elseif (mass > 0)
+    kind = {"box", "edges"}{1 + (median (size) > 0.2 * extent)};
+    list = {solid(kind, b, R * diag (max (size, 0.018 * extent)), c, color)};
   endif
 endfunction
 

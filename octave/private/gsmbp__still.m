@@ -38,7 +38,7 @@ endfunction
 function text = solid_lines (s, P, flat, d)
   L = reshape (s.m(1:9), 3, 3);
   c = s.m(10:12)';
-  half = {0.5, 0.5, 1}{strcmp(s.kind, {"box", "cylinder", "sphere"})};
+  half = [0.5, 0.5, 0.5, 1](strcmp (s.kind, {"box", "edges", "cylinder", "sphere"}));
   L(:,1:2) *= 1 + strcmp (s.kind, "cylinder");
   text = "";
   for k = 1:3

@@ -1,7 +1,7 @@
 // Player of a motion (octave/gsmbp_report.m), WebGL without a library. D is what stands in the
 // element `motion`: times t; bodies (0 is ground), whose poses, 12 numbers a frame (rotation by
-// rows, place), are the float32 numbers of `poses`; solids {kind, body, m}: unit box, cylinder
-// (about z) or sphere, moved by the columns and the offset in m (12 numbers, in axes of the body);
+// rows, place), are the float32 numbers of `poses`; solids {kind, body, m}: unit box, its edges,
+// cylinder (about z) or sphere, moved by the columns and the offset in m (12 numbers, in axes of the body);
 // pairs of points {kind, body, at, child, child_at}; arrows {body, at, v: index of force}; up, view.
 (() => {
 "use strict";
@@ -70,6 +70,11 @@ const solid = (kind, a, b, c, o, color) => { const g = M[kind];
 const rod = (p, q, r, color) => { const z = add(q, p, -1), x = unit(cross(z, Math.abs(z[0]) >
   .9*size(z) ? [0, 1, 0] : [1, 0, 0])), y = cross(unit(z), x);
   solid("cylinder", x.map(v => r*v), y.map(v => r*v), z, add(p, z, .5), color); };
+const edges = (a, b, c, o, color) => { const l = [], v = (i, j, k) =>
+    add(add(add(o, a, i/2), b, j/2), c, k/2);
+  for (const i of [-1, 1]) for (const j of [-1, 1])
+    l.push(v(i, j, -1), v(i, j, 1), v(i, -1, j), v(i, 1, j), v(-1, i, j), v(1, i, j));
+  path(l, color, gl.LINES); };
 const path = (points, color, kind) => { gl.bindBuffer(gl.ARRAY_BUFFER, lines);
   gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(points.flat()), gl.STREAM_DRAW);
   gl.disableVertexAttribArray(LN); gl.vertexAttrib3f(LN, 0, 0, 0);
@@ -110,8 +115,9 @@ const draw = () => {
   gl.enableVertexAttribArray(LP); gl.uniformMatrix4fv(U.v, false, look());
   if (D.grid) path(grid, [.82, .82, .8], gl.LINES);
   for (const s of D.solids) { const R = pose(k, s.body), m = s.m;
-    solid(s.kind, turn(R, m.slice(0, 3)), turn(R, m.slice(3, 6)), turn(R, m.slice(6, 9)),
-      place(R, m.slice(9)), s.color || D.bodies[s.body].color); }
+    const parts = [turn(R, m.slice(0, 3)), turn(R, m.slice(3, 6)), turn(R, m.slice(6, 9)),
+      place(R, m.slice(9)), s.color];
+    if (s.kind === "edges") edges(...parts); else solid(s.kind, ...parts); }
   for (const s of D.pairs) { const p = place(pose(k, s.body), s.at),
       q = place(pose(k, s.child), s.child_at), r = D.extent*.012;
     if (s.kind === "spring") path(helix(p, q, 1.6*r), [.25, .25, .25], gl.LINE_STRIP);
