@@ -5,9 +5,11 @@
 function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   first = @(texts) number (texts)(1,:);
   d.t = t;
-  [d.bodies, d.extent, low, high] = bodies_of (drawing, first, place, turn);
+  points = points_of (drawing, first, place, turn);
+  [d.bodies, d.extent, low, high] = bodies_of (drawing, first, place, turn, points);
   d.target = (low + high) / 2;
-  d = camera (d, first (drawing.gravity), low, high);
+  flat = find (max (points, [], 1) - min (points, [], 1) < 1e-6 * d.extent);
+  d = camera (d, first (drawing.gravity), low, high, flat);
   d.solids = [solids_of_bodies(drawing, first, d), solids_of_joints(drawing, first, d), ...
               solids_of_wheels(drawing, first, d)];
   d.pairs = pairs_of (drawing, first);
@@ -15,9 +17,8 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
 endfunction
 
 ## names, colours, mass centres, and the room that everything goes through
-function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn)
+function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn, points)
   bodies = {struct("name", "ground", "color", [.6 .6 .6], "centre", [0 0 0], "moves", false)};
-  points = points_of (drawing, first, place, turn);
   family = families ({drawing.bodies.name});
   for b = 1:numel (drawing.bodies)
     c = first (drawing.bodies(b).centre);
@@ -65,7 +66,7 @@ function radius = size_of (drawing, first, b, known)
     [~, size] = box_of (first ({body.mass}), reshape (first (body.inertia), 3, 3));
     radius = max (size) / 2;
     if (known > 0)
-      radius = min (radius, known / 4);
+      radius = min (radius, known / 2);
     endif
   endif
 endfunction
@@ -106,13 +107,13 @@ function color = color_of (b)
   color = table(mod (b - 1, rows (table)) + 1,:);
 endfunction
 
-## up: two level directions and the one upwards, against gravity; a flat scene is seen from ahead
-function d = camera (d, gravity, low, high)
+## up: two level directions and the one upwards, against gravity; a flat scene (FLAT: the axes along
+## which nothing stands apart) is seen from ahead
+function d = camera (d, gravity, low, high, flat)
   up = [0 0 1];
   if (norm (gravity) > 0)
     up = -gravity / norm (gravity);
   endif
-  flat = find (high - low < 1e-6 * d.extent);
   e = eye (3);
   ahead = [];
   if (! isempty (flat) && abs (e(flat(1),:) * up') < 0.5)

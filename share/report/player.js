@@ -117,7 +117,7 @@ const draw = () => {
   for (const s of D.solids) { const R = pose(k, s.body), m = s.m;
     const parts = [turn(R, m.slice(0, 3)), turn(R, m.slice(3, 6)), turn(R, m.slice(6, 9)),
       place(R, m.slice(9)), s.color];
-    if (s.kind === "edges") edges(...parts); else solid(s.kind, ...parts); }
+    if (s.kind === "edges") edges(...parts.slice(0, 4), s.color.map(c => .4 + .6*c)); else solid(s.kind, ...parts); }
   for (const s of D.pairs) { const p = place(pose(k, s.body), s.at),
       q = place(pose(k, s.child), s.child_at), r = D.extent*.012;
     if (s.kind === "spring") path(helix(p, q, 1.6*r), [.25, .25, .25], gl.LINE_STRIP);
