@@ -121,9 +121,10 @@ endfunction
 %!error <Invalid call> gsmbp_report (1)
 %!error <argument file must end in .html, found: a.htm>
 %! [m, r] = motor (); gsmbp_report (m, r, "a.htm")
-%!error <expected at least 2 times and as many rows of the 3 states of motor_pendulum, found 11 times, x of 10 x 3>
+%!error <expected at least 2 times and as many rows of the 3 states of motor_pendulum, found 11>
 %! [m, r] = motor (); r.x(end,:) = []; gsmbp_report (m, r, "a.html")
-%!error <argument r must be a result of gsmbp_simulate> [m, r] = motor (); gsmbp_report (m, 1, "a.html")
+%!error <argument r must be a result of gsmbp_simulate>
+%! [m, r] = motor (); gsmbp_report (m, 1, "a.html")
 %!error <option page: there is no file nowhere.html>
 %! [m, r] = motor (); gsmbp_report (m, r, "a.html", "page", "nowhere.html")
 %!error <unknown option "pages"> [m, r] = motor (); gsmbp_report (m, r, "a.html", "pages", "b")

@@ -2,8 +2,8 @@
 ;;; text as HTML holds it. The TeX is one of few commands: fractions, roots, dots, sub- and
 ;;; superscripts, names, functions, Greek letters; anything else is shown as the characters it is.
 ;;;
-;;; A node is (text . kind), kind one of operand, fenced (in parentheses), function, operator, space; a
-;;; row is a list of them.
+;;; A node is (text . kind), kind one of operand, fenced (in parentheses), function, operator,
+;;; space; a row is a list of them.
 (in-package :maxima)
 
 ;;; ------------------------------------------------------------------------------------------- text
@@ -102,7 +102,8 @@
     (loop (gs-tex-blanks)
           (let ((c (gs-tex-peek)))
             (cond ((or (null c) (eql c end) (eql c #\})) (return (nreverse row)))
-                  ((member c '(#\_ #\^)) (push (gs-tex-scripts (or (pop row) (gs-operand "mrow"))) row))
+                  ((member c '(#\_ #\^))
+                   (push (gs-tex-scripts (or (pop row) (gs-operand "mrow"))) row))
                   ((eql c #\() (setq row (append (reverse (gs-tex-parentheses index)) row)))
                   (t (let ((node (gs-tex-node c index))) (if node (push node row)))))))))
 

@@ -103,7 +103,8 @@ function p = on_body (place, turn, at)
 endfunction
 
 function color = color_of (b)
-  table = [.04 .37 .65; .80 .36 .14; .18 .52 .27; .49 .27 .63; .66 .53 .12; .10 .55 .57; .70 .22 .44];
+  table = [.04 .37 .65; .80 .36 .14; .18 .52 .27; .49 .27 .63; .66 .53 .12; .10 .55 .57; ...
+           .70 .22 .44];
   color = table(mod (b - 1, rows (table)) + 1,:);
 endfunction
 
@@ -155,8 +156,8 @@ function list = solids_of_bodies (drawing, first, d)
     endfor
     wheels = entries (drawing.wheels);
     if (isempty (shapes) && ! (! isempty (wheels) && any ([wheels.body] == b)))
-      list = [list, equal_inertia(first ({body.mass}), reshape (first (body.inertia), 3, 3), b, c, ...
-                                  color, d.extent), ...
+      I = reshape (first (body.inertia), 3, 3);
+      list = [list, equal_inertia(first ({body.mass}), I, b, c, color, d.extent), ...
               rods(drawing, first, b, c, color, d.extent)];
     endif
   endfor

@@ -46,7 +46,8 @@ function y = value (who, text, t, x, v, p, z)
   known = {"t", "pi", "e", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", ...
            "cosh", "tanh", "exp", "log", "sqrt", "abs", "signum", "min", "max"};
   own = ! cellfun (@isempty, regexp (words, '^[xvpz]\d+$', "once"));
-  if (isempty (regexp (text, '^[\w+\-*/^()., ]*$', "once")) || ! all (own | ismember (words, known)))
+  plain = ! isempty (regexp (text, '^[\w+\-*/^()., ]*$', "once"));
+  if (! plain || ! all (own | ismember (words, known)))
     error ("%s: the page of Maxima: expected an expression of arithmetic, found: %s", who, text);
   endif
   text = regexprep (text, '\<p(\d+)\>', 'p($1)');
