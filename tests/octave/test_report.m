@@ -20,9 +20,9 @@ function test_report ()
 end
 
 function well_formed (text, file)
-  [status, said] = system (sprintf ("python3 -c 'import sys, xml.dom.minidom as d; d.parse(sys.argv[1])' '%s' 2>&1", ...
-                                    file));
-  gsmbp_check (["the page is well-formed " strtrim(said)(max (1, end-80):end)], status == 0);
+  [status, said] = system (sprintf (["python3 -c 'import sys, xml.dom.minidom as d; " ...
+                                     "d.parse(sys.argv[1])' '%s' 2>&1"], file));
+  gsmbp_check (["the page is well-formed " said], status == 0);
   gsmbp_check ("a text is no markup", isempty (strfind (text, "<script>alert")) ...
                                         && any (strfind (text, "&lt;script&gt;alert(1)")));
   gsmbp_check ("nothing is fetched", isempty (regexp (text, '(src|href)="?https?:', "once")));
@@ -30,10 +30,12 @@ function well_formed (text, file)
   parts = {"<h1>Report of report_arm</h1>", "<h2>Equations of motion</h2>", "<h2>System graph", ...
            "<h2>Device motor</h2>", "<h2>The laws</h2>", "<h2>The motion</h2>", "<canvas", ...
            "<h2>Coordinates</h2>", "<h2>Speeds</h2>", "<h2>States of devices</h2>", ...
-           "<h2>Inputs</h2>", "<h2>Outputs</h2>", "<h2>Energy audit</h2>", "<h2>Integration</h2>", ...
+           "<h2>Inputs</h2>", "<h2>Outputs</h2>", "<h2>Energy audit</h2>", ...
+           "<h2>Integration</h2>", ...
            "<h2>Speed against error</h2>"};
-  missing = parts(cellfun (@(p) isempty (strfind (text, p)), parts));
-  gsmbp_check (["every part is there" sprintf(" (missing: %s)", missing{:})], isempty (missing));
+  for p = parts
+    gsmbp_check (["there is " p{1}], any (strfind (text, p{1})));
+  end
 end
 
 ## mass centres and joints as m.ske has them; the rotations are rotations
@@ -41,8 +43,8 @@ function poses (m, r, text)
   d = jsondecode (regexp (text, 'id="motion">(.*?)</script>', "tokens", "once"){1});
   all_poses = double (reshape (typecast (matlab.net.base64decode (d.poses), "single"), 12, 3, []));
   gsmbp_check ("frames of the player", numel (d.t) - 100, 0);
-  [~, row] = ismember (d.t, r.t);
-  gsmbp_check ("... are rows of the run", row > 0);
+  [off, row] = min (abs (r.t - d.t'));
+  gsmbp_check ("... are rows of the run", off, 1e-14);
   [off, turned] = deal (0);
   for k = 1:10:numel (d.t)
     points = m.ske (d.t(k), r.x(row(k),1:m.sizes.nq)');
@@ -56,12 +58,12 @@ function poses (m, r, text)
   gsmbp_check ("mass centres in single precision", off, 2e-7);
   gsmbp_check ("rotations are orthogonal", turned, 1e-6);
   kinds = cellfun (@(s) s.kind, solids (d), "UniformOutput", false);
-  gsmbp_check ("shapes are drawn", any (strcmp (kinds, "sphere")) && any (strcmp (kinds, "cylinder")));
+  gsmbp_check ("shapes are drawn", ismember ({"sphere", "cylinder"}, kinds));
   of_boom = cellfun (@(s) s.body == 2 && strcmp (s.kind, "box") && numel (s.m) == 12, solids (d));
   box = solids (d){find (of_boom, 1)};
   L = reshape (box.m(1:9), 3, 3);
   gsmbp_check ("the box of equal inertia", 2 / 12 * (trace (L * L') * eye (3) - L * L') ...
-    - [1/50 1/1000 0; 1/1000 1/40 0; 0 0 1/500], 1e-3);
+    - [1/50 1/5000 0; 1/5000 21/1000 0; 0 0 1/200], 1e-12);
   gsmbp_check ("springs and the force", numel (d.pairs) == 2 && numel (d.arrows) == 1);
 end
 
@@ -75,7 +77,6 @@ end
 ## the lines, read back from the picture, against the run: half of the last digit that is written
 function figures (m, r, text)
   y = [r.x, r.v];
-  k = find (ismember ({"Coordinates: ", "Speeds: ", "States of devices: ", "Inputs: "}, ""));
   names = [m.states(:)', m.inputs(:)'];
   seen = false (1, numel (names));
   worst = 0;
@@ -98,8 +99,7 @@ function figures (m, r, text)
       seen(column(k)) = true;
     end
   end
-  gsmbp_check (["every state and input has its line" sprintf(" (not %s)", names{! seen})], ...
-               all (seen));
+  gsmbp_check ("every state and input has its line", seen);
   gsmbp_check ("lines are those of the run, of the height", worst, 0.5e-2 / 256 * 1.01);
 end
 
@@ -107,7 +107,8 @@ function tables (r, w, text)
   gsmbp_check ("the audit's error", any (strfind (text, sprintf ("%.3g.</p>", r.audit.error))));
   gsmbp_check ("calls of the run", any (strfind (text, sprintf ("<td>calls</td><td>%d</td>", ...
                                                                r.stats.calls))));
-  gsmbp_check ("errors of the methods", any (strfind (text, sprintf ("<td>%.2e</td>", w(1).error))));
+  gsmbp_check ("errors of the methods", ...
+               any (strfind (text, sprintf ("<td>%.2e</td>", w(1).error))));
 end
 
 ## which page is taken: beside the JSON, given, of another scene
@@ -116,7 +117,8 @@ function pages (m, r, file, text)
   run_alone = [tempname() ".html"];
   tidy = onCleanup (@() cellfun (@(f) unlink (f), {beside, run_alone}, "UniformOutput", false));
   gsmbp_report (m, r, run_alone);
-  gsmbp_check ("without a page: the run alone", isempty (strfind (fileread (run_alone), "<canvas")));
+  gsmbp_check ("without a page: the run alone", ...
+               isempty (strfind (fileread (run_alone), "<canvas")));
   page = [regexp(text, '^.*?(?=<h2>The run</h2>)', "match", "once"), "<!-- parts of a run -->"];
   fputs (f = fopen (beside, "w"), page);
   fclose (f);
