@@ -20,7 +20,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
         bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        clean packages-manual packages-pdf
+        clean packages-manual packages-pdf packages-report check-report
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -41,6 +41,9 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
+make check-report          the page of a run of every example, opened in a browser (headless
+                           Chromium): no error, every equation laid out, the player moves
+                           REPORTS="stewart four_bar": these only
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
 make manual                info alone, without TeX
@@ -63,8 +66,8 @@ help:
 packages:
 	@share/make/packages
 
-# with what only the tests, the manual, its PDF need
-packages-test packages-manual packages-pdf: packages-%:
+# with what only the tests, the manual, its PDF, the check of reports (a browser) need
+packages-test packages-manual packages-pdf packages-report: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -135,12 +138,17 @@ bench-abbreviate: packages compiled
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
 
+REPORTS ?= $(EXAMPLES)
+
+check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
+	@tests/report/check $(REPORTS)
+
 # the manual: what is written, what the program says of itself; info with the index of Maxima's
 # describe, one page of HTML, PDF (the one that needs TeX)
 MANUAL := share/manual/gsmbp
 MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/*) share/make/manual \
-                  share/make/doc share/make/functions share/make/functions.awk share/make/demo share/make/entries share/make/insert \
-                  share/make/index.awk \
+                  share/make/doc share/make/functions share/make/functions.awk share/make/demo \
+                  share/make/entries share/make/insert share/make/index.awk \
                   $(filter-out $(GENERATED:%=share/manual/%),$(wildcard share/manual/*.texi))
 
 doc: manual $(MANUAL).html $(MANUAL).pdf

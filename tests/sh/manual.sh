@@ -1,5 +1,6 @@
 # The manual: every session printed in it is typed and compared; every public function is in its
-# index; every entry of the index opens in describe, on both Lisps; example works for every function.
+# index; every entry of the index opens in describe, on both Lisps; example works for every
+# function.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -11,7 +12,8 @@ result 'what is made is not made again'
 result 'makeinfo has no warning'
 index=share/manual/gsmbp-index.lisp
 
-written=$(ls share/manual/*.texi | grep -vE '/(maxima|octave|entries|elements|laws|units|version)\.texi')
+written=$(ls share/manual/*.texi |
+  grep -vE '/(maxima|octave|entries|elements|laws|units|version)\.texi')
 /usr/bin/python3 tests/tools/sessions.py $written octave/gsmbp_*.m README.md
 
 { grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |

@@ -1,0 +1,133 @@
+## -*- texinfo -*-
+## @deftypefn  {} {} gsmbp_report (@var{m}, @var{r}, @var{file})
+## @deftypefnx {} {} gsmbp_report (@var{m}, @var{r}, @var{file}, @var{options}, @dots{})
+## Write a scene and a run of it as one page for a browser.
+##
+## @var{m} is a model of @code{gsmbp_build}, @var{r} the result of
+## @code{gsmbp_simulate} (fields @code{t}, @code{x}, @code{v} and what else it has;
+## @var{nt} x @var{nx} states in SI units), @var{file} ends in @file{.html}.  The page
+## fetches nothing: style, scripts, figures and numbers stand in it.
+##
+## It is the page that Maxima writes (@code{gsmbp_report (scene, html = "file.html")}:
+## elements, system graph, equations of motion, devices, laws) with the parts of the
+## run: a player of the motion in space (time by a slider, also from the keyboard,
+## speed, camera by mouse and arrow keys; where the browser has no WebGL the drawing
+## of one instant), coordinates, speeds, states of devices, inputs and outputs over
+## time, the energy audit, margins that were not kept, and the figures of the run.
+##
+## The page of Maxima is @file{@var{name}.html} beside the @file{.json} of the scene,
+## or what one of the options says; it must be of the same scene (@code{m.scene_hash}).
+## Without one the page has the parts of the run alone, without the player, and says so.
+##
+## Options:
+## @table @code
+## @item "page"
+## the page that Maxima wrote
+## @item "scene"
+## the scene file (.mac): Maxima writes the page now, as @code{gsmbp_derive} derives
+## @item "workprecision"
+## the result of @code{gsmbp_workprecision}: a figure and a table, speed against error
+## @item "frames"
+## how many instants of the run the player shows at most, default 500; the rows of
+## @var{r} that are nearest to equal steps, nothing is interpolated
+## @item "title"
+## a line below the head
+## @end table
+##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_simulate (m, m.initial, 0:0.05:0.5, "input", 12);
+## >> gsmbp_report (m, r, "crank.html", "scene", ...
+##                  "examples/slider_crank/slider_crank.mac");
+## @end example
+##
+## Errors: a result without t and x of the model's size; a file that does not end in
+## .html or cannot be written; a page of another scene, or none of GSMBP's; an
+## option that is unknown or out of its range; Maxima's error in one line.
+## Source: own.
+## @seealso{gsmbp_build, gsmbp_simulate, gsmbp_workprecision, gsmbp_animate, gsmbp_plot}
+## @end deftypefn
+
+function gsmbp_report (m, r, file, varargin)
+  if (nargin < 3 || ! isstruct (m) || ! ischar (file))
+    print_usage ();
+  endif
+  who = "gsmbp_report";
+  table = {"page", "", "text"
+           "scene", "", "text"
+           "workprecision", [], "any"
+           "frames", 500, "positive"
+           "title", "", "text"};
+  o = gsmbp__options (who, table, varargin);
+  if (! (numel (file) > 5 && strcmpi (file(end-4:end), ".html")))
+    error ("%s: argument file must end in .html, found: %s", who, file);
+  endif
+  check_result (who, m, r);
+  [head, foot, drawing] = gsmbp__report_page (who, m, o);
+  parts = {run_summary(m, r, o), gsmbp__report_player(who, m, r, drawing, o), ...
+           gsmbp__report_figures(m, r), gsmbp__report_tables(m, r), ...
+           gsmbp__report_precision(who, o.workprecision)};
+  gsmbp__write (who, make_absolute_filename (file), [head, parts{:}, foot]);
+endfunction
+
+function check_result (who, m, r)
+  if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"t", "x"})) && isnumeric (r.x) ...
+           && isnumeric (r.t)))
+    error ("%s: argument r must be a result of gsmbp_simulate, with t and x, found: %s", who,
+           gsmbp__shown (r));
+  endif
+  nx = m.sizes.nx;
+  if (numel (r.t) < 2 || rows (r.x) != numel (r.t) || columns (r.x) != nx)
+    error (["%s: argument r: expected at least 2 times and as many rows of the %d states of " ...
+            "%s, found %d times, x of %d x %d"], who, nx, m.name, numel (r.t), size (r.x));
+  endif
+endfunction
+
+## what was run
+function text = run_summary (m, r, o)
+  text = sprintf ("<h2>The run</h2>\n");
+  if (! isempty (o.title))
+    text = [text, sprintf("<p>%s</p>\n", gsmbp__html (o.title))];
+  endif
+  said = sprintf ("From t = %.6g s to %.6g s, %d instants", r.t(1), r.t(end), numel (r.t));
+  if (isfield (r, "stats") && isfield (r.stats, "method"))
+    said = sprintf ("%s; method %s, rtol %.3g", said, r.stats.method, r.stats.rtol);
+  endif
+  text = [text, sprintf("<p>%s.</p>\n", gsmbp__html (said))];
+  changed = fieldnames (m.par)';
+  pairs = cellfun (@(n) sprintf ("%s = %.6g", n, m.par.(n)), changed, "UniformOutput", false);
+  if (! isempty (pairs))
+    text = [text, sprintf("<p>Parameters of the run (SI): %s.</p>\n", ...
+                          gsmbp__html (strjoin (pairs, ", ")))];
+  endif
+endfunction
+
+%!function [m, r] = motor (varargin)
+%!  root = fileparts (fileparts (which ("gsmbp_build")));
+%!  m = gsmbp_build ("motor_pendulum", "directory", ...
+%!                   fullfile (root, "tests", "octave", "fixture"), "build", ...
+%!                   fullfile (root, "fortran_out", "build"));
+%!  r = struct ("t", (0:0.1:1)', "x", [sin(0:0.1:1)', cos(0:0.1:1)', (0:0.1:1)'.^2], ...
+%!              "v", 3*ones (11, 1));
+%!endfunction
+%!test # without Maxima's page: the parts of the run alone, names as text
+%! [m, r] = motor ();
+%! file = [tempname() ".html"];
+%! tidy = onCleanup (@() unlink (file));
+%! gsmbp_report (m, r, file, "title", "<script>alert(1)</script> & more");
+%! text = fileread (file);
+%! assert (any (strfind (text, "&lt;script&gt;alert(1)&lt;/script&gt; &amp; more")));
+%! assert (isempty (strfind (text, "<script>alert")));
+%! assert (numel (strfind (text, "<svg")) >= 3);
+%! assert (numel (strfind (text, "<svg")), numel (strfind (text, "</svg>")));
+%!error <Invalid call> gsmbp_report (1)
+%!error <argument file must end in .html, found: a.htm>
+%! [m, r] = motor (); gsmbp_report (m, r, "a.htm")
+%!error <expected at least 2 times and as many rows of the 3 states of motor_pendulum, found 11>
+%! [m, r] = motor (); r.x(end,:) = []; gsmbp_report (m, r, "a.html")
+%!error <argument r must be a result of gsmbp_simulate>
+%! [m, r] = motor (); gsmbp_report (m, 1, "a.html")
+%!error <option page: there is no file nowhere.html>
+%! [m, r] = motor (); gsmbp_report (m, r, "a.html", "page", "nowhere.html")
+%!error <unknown option "pages"> [m, r] = motor (); gsmbp_report (m, r, "a.html", "pages", "b")

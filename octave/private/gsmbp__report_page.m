@@ -1,0 +1,77 @@
+## [head, foot, drawing] = gsmbp__report_page (who, m, o)
+## The page of Maxima for the model M, ahead of the place of the run's parts and behind it,
+## and what is drawn in the player: a struct, [] where there is no page.  O: the options
+## page and scene.
+
+function [head, foot, drawing] = gsmbp__report_page (who, m, o)
+  mark = "<!-- parts of a run -->";
+  text = page (who, m, o);
+  if (isempty (text))
+    text = plain_page (m, mark);
+  endif
+  place = strfind (text, mark);
+  if (numel (place) != 1)
+    error ("%s: option page: expected a page that gsmbp_report of Maxima wrote", who);
+  endif
+  head = text(1:place-1);
+  foot = text(place+numel (mark):end);
+  drawing = [];
+  data = regexp (text, '<script type="application/json" id="drawing">(.*?)</script>', "tokens", ...
+                 "once");
+  if (! isempty (data))
+    drawing = jsondecode (data{1});
+    if (! strcmp (drawing.hash, m.scene_hash))
+      error (["%s: the page of Maxima is of another scene than the model %s (hash %s, " ...
+              "expected %s): write it again"], who, m.name, drawing.hash, m.scene_hash);
+    endif
+  endif
+endfunction
+
+## the text of the page that an option names, or that lies beside the .json; "" if there is none
+function text = page (who, m, o)
+  text = "";
+  beside = fullfile (m.directory, [m.name ".html"]);
+  if (! isempty (o.scene))
+    text = written_now (who, o.scene);
+  elseif (! isempty (o.page))
+    if (exist (o.page, "file") != 2)
+      error ("%s: option page: there is no file %s", who, o.page);
+    endif
+    text = fileread (o.page);
+  elseif (exist (beside, "file") == 2)
+    text = fileread (beside);
+  endif
+endfunction
+
+## the page of a scene file, by Maxima
+function text = written_now (who, scene)
+  if (exist (scene, "file") != 2)
+    error ("%s: there is no scene file %s", who, scene);
+  endif
+  file = [tempname() ".html"];
+  guard = onCleanup (@() gsmbp__discard (file));
+  root = fileparts (fileparts (fileparts (mfilename ("fullpath"))));
+  parts = {fullfile(root, "share", "make", "page"), make_absolute_filename(scene), file};
+  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], parts, "UniformOutput", false);
+  [status, said] = system ([strjoin(quoted, " "), " 2>&1"]);
+  if (status != 0)
+    error ("%s: %s", who, strtrim (regexprep (said, '^page: ', "", "lineanchors")));
+  endif
+  text = fileread (file);
+endfunction
+
+## a page without what Maxima says
+function text = plain_page (m, mark)
+  style = fileread (fullfile (fileparts (fileparts (fileparts (mfilename ("fullpath")))), ...
+                              "share", "report", "style.css"));
+  policy = ["default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; " ...
+            "img-src data:"];
+  name = gsmbp__html (m.name);
+  text = [sprintf("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"), ...
+          sprintf("<meta http-equiv=\"Content-Security-Policy\" content=\"%s\" />\n", policy), ...
+          sprintf("<title>Run of %s</title>\n<style>\n%s</style>\n</head>\n", name, style), ...
+          sprintf("<body>\n<main>\n<h1>Run of %s</h1>\n", name), ...
+          sprintf(["<p>Equations, graph and player are not here: there was no page of Maxima. " ...
+                   "gsmbp_report(scene, html = \"%s.html\") in Maxima writes it.</p>\n"], name), ...
+          sprintf("%s\n</main>\n</body>\n</html>\n", mark)];
+endfunction
