@@ -13,7 +13,7 @@ const floats = s => new Float32Array(Uint8Array.from(atob(s), c => c.charCodeAt(
 const P = floats(D.poses), A = floats(D.arrows_v), NB = D.bodies.length, NF = D.t.length;
 const gl = cv.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
 page.webgl = gl ? "yes" : "no";
-if (!gl) { cv.hidden = true; $("no-webgl").hidden = false; return; }
+if (!gl) { cv.hidden = $("controls").hidden = true; $("no-webgl").hidden = false; return; }
 $("still").hidden = true;
 
 // vectors
