@@ -9,6 +9,9 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   [d.bodies, d.extent, low, high] = bodies_of (drawing, first, place, turn, points);
   d.target = (low + high) / 2;
   flat = find (max (points, [], 1) - min (points, [], 1) < 1e-6 * d.extent);
+  if (numel (flat) > 2)
+    flat = [];                          # a single point that stays where it is
+  endif
   d = camera (d, first (drawing.gravity), low, high, flat);
   d.solids = [solids_of_bodies(drawing, first, d), solids_of_joints(drawing, first, d), ...
               solids_of_wheels(drawing, first, d)];
@@ -205,7 +208,7 @@ function list = equal_inertia (mass, I, b, c, color, extent)
   if (mass > 0 && max (size) < 0.02 * extent)
     list = {solid("sphere", b, 0.03 * extent * eye (3), c, color)};
   elseif (mass > 0)
-    kind = {"box", "edges"}{1 + (median (size) > 0.2 * extent)};
+    kind = {"box", "edges"}{1 + (median (size) > 0.3 * extent)};
     list = {solid(kind, b, R * diag (max (size, 0.018 * extent)), c, color)};
   endif
 endfunction

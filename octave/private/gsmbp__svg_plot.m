@@ -49,6 +49,10 @@ function [lim, ticks] = limits (v, logarithmic, wider)
     step = max (1, ceil ((high - low) / 6));
   endif
   ticks = (ceil (low / step - 1e-9):floor (high / step + 1e-9)) * step;
+  if (logarithmic && high - low < 2)
+    ticks = log10 ([1; 2; 5] * 10 .^ (floor (low):ceil (high)))(:)';
+    ticks = ticks(ticks >= low & ticks <= high);
+  endif
   lim = [low, high];
 endfunction
 
@@ -91,7 +95,7 @@ endfunction
 ## a number at a tick
 function text = written (v, s)
   if (s.log)
-    text = sprintf ("1e%d", v);
+    text = sprintf ("%.3g", 10 ^ v);
   else
     text = strrep (sprintf ("%.6g", v + 0), "-", "&#x2212;");
   endif

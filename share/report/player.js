@@ -13,7 +13,7 @@ const floats = s => new Float32Array(Uint8Array.from(atob(s), c => c.charCodeAt(
 const P = floats(D.poses), A = floats(D.arrows_v), NB = D.bodies.length, NF = D.t.length;
 const gl = cv.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
 page.webgl = gl ? "yes" : "no";
-if (!gl) { cv.hidden = true; $("no-webgl").hidden = false; return; }
+if (!gl) { cv.hidden = $("controls").hidden = true; $("no-webgl").hidden = false; return; }
 $("still").hidden = true;
 
 // vectors
@@ -91,7 +91,7 @@ const helix = (p, q, r) => { const z = unit(add(q, p, -1)), h = size(add(q, p, -
 // camera
 let az = D.view[0], el = D.view[1], far = 1, k = 0, clock = 0, running = true, held = null;
 const [E1, E2, E3] = D.up;
-const look = () => { const d = D.extent*1.75*far, dir = add(add(E1.map(x => x*Math.cos(el)*Math.cos(az)),
+const look = () => { const d = D.extent*1.4*far, dir = add(add(E1.map(x => x*Math.cos(el)*Math.cos(az)),
     E2, Math.cos(el)*Math.sin(az)), E3, Math.sin(el)), eye = add(D.target, dir, d);
   const x = unit(cross(E3, dir)), y = cross(dir, x), f = 2.4, w = cv.height / cv.width;
   const n = d*.02, g = d + D.extent*20;

@@ -17,6 +17,16 @@ function test_report ()
   figures (m, r, text);
   tables (r, w, text);
   pages (m, r, file, text);
+  shapes (m);
+end
+
+## the shapes in the JSON, and what their sizes must be
+function shapes (m)
+  list = m.json.link_shapes;
+  gsmbp_check ("shapes in the JSON", isequal ({list.kind}, {"cylinder", "sphere"}) ...
+    && isequal ({list.link}, {"mast", "mast"}) && isequal (cellstr (list(2).sizes), {"2*w"}));
+  said = gsmbp_complaint (@() gsmbp_set (m, "w", -1));
+  gsmbp_check (["a negative size is refused: " said], any (strfind (said, "link mast: shape")));
 end
 
 function well_formed (text, file)
