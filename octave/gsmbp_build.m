@@ -118,7 +118,8 @@
 ## "double" (default) or "quad": the same Fortran in quad precision, called
 ## with doubles and returning doubles
 ## @item "directory"
-## where the .f and .json are (default: @file{fortran_out} of the repository)
+## where the .f and .json are (default: @file{fortran_out} of the working directory
+## if the scene's Fortran is there, else of the repository)
 ## @item "build"
 ## where the modules go (default: @file{build} in that directory)
 ## @item "input"
@@ -164,7 +165,7 @@ function m = gsmbp_build (name, varargin)
   endif
   table = {"parameters", struct(), "any"
            "precision", "double", {"double", "quad"}
-           "directory", default_directory(), "text"
+           "directory", default_directory(name), "text"
            "build", "", "text"
            "input", "", "text"};
   options = gsmbp__options ("gsmbp_build", table, varargin);
@@ -216,8 +217,12 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp_set (m, options.parameters);
 endfunction
 
-function folder = default_directory ()
-  folder = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "fortran_out");
+## where Maxima has written if it ran in the working directory, else where `make` does
+function folder = default_directory (name)
+  folder = make_absolute_filename ("fortran_out");
+  if (exist (fullfile (folder, [name ".f"]), "file") != 2)
+    folder = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "fortran_out");
+  endif
 endfunction
 
 %!function m = fixture (name, varargin)
@@ -254,7 +259,8 @@ endfunction
 %! fail ("gsmbp_build (\"arm\")", "gsmbp_build: there is no .*arm.f; emit it first: .*arm.f`$");
 %! mkdir ("fortran_out");
 %! fclose (fopen (fullfile ("fortran_out", "arm.f"), "w"));
-%! fail ("gsmbp_build (\"arm\")", ...
+%! fail ("gsmbp_build (\"arm\")", "gsmbp_build: .*fortran_out.arm.f is empty");
+%! fail ("gsmbp_build (\"arm\", \"directory\", \"x\")", ...
 %!       "arm.f`; or give option directory: there is one in .*fortran_out$");
 %! copyfile (fullfile ("fortran_out", "arm.f"), "arm.f");
 %! fail ("gsmbp_build (\"arm\", \"directory\", \".\")", "is empty");
