@@ -42,7 +42,7 @@ check 'nothing is left beside the logs' fails sh -c "ls '$work/out' | grep -v 'l
 octave-cli -qf --no-history --path octave \
   --eval "try, gsmbp_derive ('$work/option.mac'); catch e, disp (e.message); end" \
   >"$report" 2>/dev/null </dev/null
-refusal="^gsmbp_derive: $work/option.mac: gsmbp_scene: link b: unknown option centr.*cut\$"
+refusal="^gsmbp_derive: $work/option.mac: gsmbp_scene: link b: unknown option centr.*cut, shape\$"
 one_line && grep -qE "$refusal" "$report"
 told $? 'gsmbp_derive: one line' "$report"
 
