@@ -1,7 +1,8 @@
 ## -*- texinfo -*-
 ## @deftypefn  {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene})
 ## @deftypefnx {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene}, @var{folder})
-## Derive the scene file @var{scene} (.mac) by Maxima and write its Fortran and
+## Derive the scene file @var{scene} (.mac; it gives the variable @code{scene} its
+## value) by Maxima and write its Fortran and
 ## .json into @var{folder}; without one they are only derived, to measure it.
 ##
 ## Maxima's warnings about the scene are warnings here

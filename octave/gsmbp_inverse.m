@@ -118,7 +118,25 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.qj = qj;
   if (! has ("cmd"))
     r.v = zeros (nt, 0);
+    told_without (who, m, r);
   endif
+endfunction
+
+## what a result without inputs lacks, and why
+function told_without (who, m, r)
+  if (m.sizes.nv == 0 || numel (r.t) == 0)
+    return;
+  endif
+  try
+    m.cmd (r.t(1), r.qj(:,:,1));
+  catch problem
+    lost = m.states(any (isnan (r.x), 1))(:)';
+    text = "";
+    if (! isempty (lost))
+      text = sprintf ("; not determined (NaN in x): %s", strjoin (lost, ", "));
+    endif
+    warning ("gsmbp:inverse", "%s: no inputs v: %s%s", who, problem.message, text);
+  end_try_catch
 endfunction
 
 function o = checked (who, m, o)
@@ -190,12 +208,14 @@ function list = violations (texts, t, margins)
 endfunction
 
 ## the states of the actuators behind q and u: Newton on u' of the right-hand
-## side against the planned one (linear actuators: one step)
+## side against the planned one (linear actuators: one step); NaN where it does not determine them
 function x = states (m, t, qj, v, last)
   d = m.sizes;
   speeds = d.nq + (1:d.nu);
   rest = d.nq + d.nu + 1:d.nx;
-  x = [qj(:,1); qj(:,2); last(rest)];
+  known = last(rest);
+  known(isnan (known)) = 0;
+  x = [qj(:,1); qj(:,2); known];
   if (isempty (rest))
     return;
   endif
@@ -215,6 +235,10 @@ function x = states (m, t, qj, v, last)
       break;
     endif
   endfor
+  size_of = max (abs (J), [], 1);
+  size_of(size_of == 0) = 1;
+  free = null (J ./ size_of, 1e-9);
+  x(rest(any (abs (free) > 1e-6, 2))) = NaN;
 endfunction
 
 %!shared m, c

@@ -21,6 +21,10 @@
 ## exact: on the constraints' tangent space T the full model and the
 ## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
 ##
+## Poles tell of stability where the state stands still, or moves steadily in a
+## coordinate on which nothing depends (the spin of a wheel in angles, not in Euler
+## parameters, which move).
+##
 ## @c session octave
 ## @example
 ## >> m = gsmbp_build ("slider_crank");

@@ -24,7 +24,7 @@
 ## @item "page"
 ## the page that Maxima wrote
 ## @item "scene"
-## the scene file (.mac): Maxima writes the page now, as @code{gsmbp_derive} derives
+## the scene file (.mac, it gives the variable @code{scene} its value): Maxima writes the page now, as @code{gsmbp_derive} derives
 ## @item "workprecision"
 ## the result of @code{gsmbp_workprecision}: a figure and a table, speed against error
 ## @item "frames"
@@ -76,6 +76,10 @@ function check_result (who, m, r)
            && isnumeric (r.t)))
     error ("%s: argument r must be a result of gsmbp_simulate, with t and x, found: %s", who,
            gsmbp__shown (r));
+  endif
+  if (isfield (r, "ud") && isfield (r, "tau"))
+    error (["%s: argument r must be a result of gsmbp_simulate, found one of gsmbp_inverse: its " ...
+            "motion needs drives; simulate it with them (option motion)"], who);
   endif
   nx = m.sizes.nx;
   if (numel (r.t) < 2 || rows (r.x) != numel (r.t) || columns (r.x) != nx)

@@ -87,7 +87,8 @@
 ## the field @code{audit}, a struct: @code{balance} (a row for each time: energy
 ## less what came in and was lost [J]), @code{passed} (integral of the moduli of
 ## these powers [J]), @code{error}, the largest |balance| beside the largest of what
-## passed, what is stored, and how far the kinetic energy swings (at @var{times}).
+## passed, what is stored, and how far the kinetic energy swings (at @var{times}), the
+## rounding of the energies themselves apart.
 ## What impacts take counts as lost.  Not with feedback.
 ## @end table
 ##
