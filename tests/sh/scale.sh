@@ -1,20 +1,21 @@
-# Scenes of 128 links: derived, emitted, compiled and run; the efforts of the inverse dynamics are
-# those of Newton and Euler in ground axes (tests/tools/scale.mac), and the accelerations of the
-# forward dynamics need these efforts. Both sum in double precision, in another order: 1e-13 of the
+# Scenes of 128 and 64 links: derived, emitted, compiled and run; the efforts of the inverse
+# dynamics are those of Newton and Euler in ground axes (tests/tools/scale.mac), and the
+# accelerations of the forward dynamics need these efforts. Both sum in double precision, in another order: 1e-13 of the
 # largest effort leaves a factor of a hundred.
 . tests/tools/check.sh
 functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-for kind in spat tree pend; do
+for scene in spat128 tree64 pend64; do
+  kind=${scene%%[0-9]*} links=${scene#????}
   : >"$work/out"
   share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ load(\"tests/tools/scale.mac\")\$
-    gsmbp_fortran(scale_scene(\"$kind\", 128), [inverse, forward], ['directory = \"$work\"])\$
-    scale_driver(\"$kind\", 128, \"$work/driver.f\")\$" &&
-    (cd "$work" && gfortran -O0 -o run "${kind}128.f" driver.f \
+    gsmbp_fortran(scale_scene(\"$kind\", $links), [inverse, forward], ['directory = \"$work\"])\$
+    scale_driver(\"$kind\", $links, \"$work/driver.f\")\$" &&
+    (cd "$work" && gfortran -O0 -o run "$scene.f" driver.f \
       "$functions/gsfin.f" "$functions/gssc.f" "$functions/gsscl.f" && ./run) >"$work/out" 2>&1
   for what in ERROR:efforts FORWARD:accelerations; do
     awk -v word="${what%:*}" '$1 == word { good = $2 < 1e-13 } END { exit !good }' "$work/out"
-    told $? "$kind: 128 links, ${what#*:}" "$work/out"
+    told $? "$kind: $links links, ${what#*:}" "$work/out"
   done
 done
