@@ -10,8 +10,11 @@ function [pp, planned] = gsmbp__motion (who, m, motion)
   elseif (n == numel (m.actuated))
     planned = m.actuated;
   else
-    wanted = strjoin (m.coordinates(m.actuated)', ", ");
+    wanted = m.actuated;
+    if (isempty (wanted) && m.sizes.nlam == 0)
+      wanted = 1:m.sizes.nu;
+    endif
     error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, ...
-           numel (m.actuated), wanted, n);
+           numel (wanted), strjoin (m.coordinates(wanted)', ", "), n);
   endif
 endfunction
