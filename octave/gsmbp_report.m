@@ -24,7 +24,8 @@
 ## @item "page"
 ## the page that Maxima wrote
 ## @item "scene"
-## the scene file (.mac, it gives the variable @code{scene} its value): Maxima writes the page now, as @code{gsmbp_derive} derives
+## the scene file (.mac, it gives the variable @code{scene} its value): Maxima writes the
+## page now, as @code{gsmbp_derive} derives
 ## @item "workprecision"
 ## the result of @code{gsmbp_workprecision}: a figure and a table, speed against error
 ## @item "frames"
@@ -78,8 +79,8 @@ function check_result (who, m, r)
            gsmbp__shown (r));
   endif
   if (isfield (r, "ud") && isfield (r, "tau"))
-    error (["%s: argument r must be a result of gsmbp_simulate, found one of gsmbp_inverse: its " ...
-            "motion needs drives; simulate it with them (option motion)"], who);
+    error (["%s: argument r must be a result of gsmbp_simulate, found one of gsmbp_inverse: " ...
+            "its motion needs drives; simulate it with them (option motion)"], who);
   endif
   nx = m.sizes.nx;
   if (numel (r.t) < 2 || rows (r.x) != numel (r.t) || columns (r.x) != nx)

@@ -36,13 +36,17 @@
 (defun gs-val-number (e)
   (coerce (let ((x ($float e))) (if (numberp x) x (merror "gsmbp_abbreviate: no number for ~M" e)))
           'double-float))
+;;; GCL has none
+(defun gs-tanh (x)
+  (let ((e (exp (* -2 (abs x)))))
+    (* (signum x) (/ (- 1 e) (+ 1 e)))))
 ;;; functions of one argument: (value . derivative)
 (defun gs-val-function (op)
   (case op
     (%sin (cons #'sin #'cos))
     (%cos (cons #'cos #'(lambda (x) (- (sin x)))))
     (%tan (cons #'tan #'(lambda (x) (/ 1 (expt (cos x) 2)))))
-    (%tanh (cons #'tanh #'(lambda (x) (- 1 (expt (tanh x) 2)))))
+    (%tanh (cons #'gs-tanh #'(lambda (x) (- 1 (expt (gs-tanh x) 2)))))
     (%atan (cons #'atan #'(lambda (x) (/ 1 (+ 1 (* x x))))))
     (%exp (cons #'exp #'exp))
     (mabs (cons #'abs #'signum))
@@ -53,7 +57,9 @@
   (let ((n (caddr e)))
     (cond ((integerp n) n)
           ((mnump n) (/ (cadr n) (caddr n)))
-          (t (merror "gsmbp_abbreviate: power ~M cannot be bounded" e)))))
+          (t (mfuncall '$gs__error "gsmbp_abbreviate"
+                       "terms with this power cannot be bounded (friction of a device has it): "
+                       e)))))
 
 ;;; value of an expression by the values in the table h
 (defun gs-val-value (h e)

@@ -1,7 +1,7 @@
 # Scenes of 128 and 64 links: derived, emitted, compiled and run; the efforts of the inverse
 # dynamics are those of Newton and Euler in ground axes (tests/tools/scale.mac), and the
-# accelerations of the forward dynamics need these efforts. Both sum in double precision, in another order: 1e-13 of the
-# largest effort leaves a factor of a hundred.
+# accelerations of the forward dynamics need these efforts. Both sum in double precision, in another
+# order: 1e-13 of the largest effort leaves a factor of a hundred.
 . tests/tools/check.sh
 functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
