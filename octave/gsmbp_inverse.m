@@ -122,20 +122,18 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   endif
 endfunction
 
-## what a result without inputs lacks, and why
+## states of devices that a result without inputs does not tell, and why
 function told_without (who, m, r)
-  if (m.sizes.nv == 0 || numel (r.t) == 0)
+  lost = m.states(any (isnan (r.x), 1))(:)';
+  if (isempty (lost))
     return;
   endif
   try
     m.cmd (r.t(1), r.qj(:,:,1));
   catch problem
-    lost = m.states(any (isnan (r.x), 1))(:)';
-    text = "";
-    if (! isempty (lost))
-      text = sprintf ("; not determined (NaN in x): %s", strjoin (lost, ", "));
-    endif
-    warning ("gsmbp:inverse", "%s: no inputs v: %s%s", who, problem.message, text);
+    warning ("gsmbp:inverse", ...
+             "%s: not determined by the motion (NaN in x): %s; no inputs v: %s", ...
+             who, strjoin (lost, ", "), problem.message);
   end_try_catch
 endfunction
 
