@@ -2,7 +2,8 @@
 
 EXAMPLES := $(notdir $(patsubst %/run.m,%,$(wildcard examples/*/run.m)))
 SYSTEMS  := $(basename $(notdir $(wildcard tests/bench/systems/*.mac)))
-MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | grep -v -e '/compiled/' -e gsmbp-index) \
+MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | \
+                    grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
 GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
                   version.texi

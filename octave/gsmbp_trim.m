@@ -177,7 +177,7 @@ endfunction
 function free = spaces (p, z)
   [~, J] = gsmbp__rest_equations (p, z);
   row = abs (J) * p.size;
-  row = max (row, 1e-20 * max ([row; realmin]));   # a row of noise is none
+  row(! (row > 1e-20 * max ([row; 0]))) = 1;   # a row of noise is none
   [~, S, V] = svd (J .* p.size' ./ row);
   s = diag (S)(1:min (size (S)));
   free = V(:,sum (s > 1e-12 * max ([s; realmin])) + 1:end);

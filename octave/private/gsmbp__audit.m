@@ -20,6 +20,7 @@ function a = gsmbp__audit (m, r, w)
   ## what the energies themselves are rounded to is no error
   rounding = 64 * eps * max (sum (abs (energy), 2));
   size_of = max ([a.passed(end); abs(stored - stored(1)); range(energy(:,1))]);
-  over = max (max (abs (a.balance)) - rounding, 0);
-  a.error = merge (over == 0, 0, over / max (size_of, realmin));
+  over = abs (a.balance) - rounding;
+  over(over < 0) = 0;   # NaN stays
+  a.error = norm (over, Inf) / max (size_of, realmin);
 endfunction

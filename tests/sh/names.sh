@@ -36,5 +36,5 @@ none 'message names a private function' "$private"
 # win.
 twice=$(grep -hoE '^gsmbp_[A-Za-z_0-9]+ *: ' $package | sort | uniq -d)
 none 'variable is set twice' "$twice"
-# map(string, l) evaluates the expressions once more, with the user's variables
+# map(string, l) evaluates the expressions once more, with the user's variables, map(sconcat, l) not
 none 'expression is evaluated again for its text' "$(grep -n 'map(string\|map(concat' $package)"
