@@ -61,7 +61,8 @@
 ## @item g = m.evt (t, x, v, mode)
 ## event functions of @code{m.events}, above 0 where nothing happens
 ## @item [x, mode, v, info] = m.rst (t, x, v, mode, k)
-## what happens at event @var{k}; 0: the modes that belong to a state
+## what happens at event @var{k}; 0: the modes that belong to a state; -1: what sticks
+## comes to rest
 ## @item [qj, res, info] = m.clo (t, qj)
 ## completes the motion of a closed chain
 ## @item e = m.ene (t, x[, v])

@@ -1293,7 +1293,7 @@ static const known_routine known[]
         { "ctl", "control", "k[0:nctl] t y(ny) <xk(nxk) cst ?<v", "v xk" },
         { "ctp", "control", "cst >period(nctl) >delay(nctl)", "" },
         { "evt", "events", "t x v mode cst >g(nev)", "" },
-        { "rst", "events", "t <x <v <mode k[0:nev] cst info", "x mode v" },
+        { "rst", "events", "t <x <v <mode k[-1:nev] cst info", "x mode v" },
         { "clo", "closure", "t <qj cst >res(1/nresidual) info", "" },
         { "ene", "energy", "t x ?v cst >e(ne)", "" },
         { "acc", "accelerations", "t x ?v cst >ud >lam(nlam) info", "" },

@@ -8,6 +8,7 @@ function test_events ()
   pendulum ();
   arm ();
   crank ();
+  dead_centre ();
   computer ();
   blocks ();
   slow_starts ();
@@ -164,6 +165,38 @@ function crank ()
   r = gsmbp_simulate (m, x0, [0 4], "input", 2, "rtol", 1e-12);
   gsmbp_check ("slider-crank: friction in the guide holds it under 2 N m", ...
                [r.x(end,:) - x0', r.stats.events], 1e-11);
+end
+
+## a free crank whose slider rubs: through its dead centres, where the slider rests for an instant
+## and cannot be held; what it loses is the friction times the way of the slider
+function dead_centre ()
+  m = gsmbp_fixture ("event_dead_centre");
+  energy = @(x) x(4:6) * m.mas (0, x(1:3)') * x(4:6)' / 2;
+  at = @(theta) 0.1 * cos (theta) + sqrt (0.16 - 0.01 * sin (theta) .^ 2);
+  for start = [pi/2, 0, pi; 8, 20, 3]
+    rough = [start(1); -start(1); at(start(1)); start(2); 0; 0];
+    x0 = gsmbp_assemble (m, rough, "hold", "theta");
+    for method = {"dp853", "rk4"; 1e-8, 1e-10}
+      for way = {"projection", "partitioning", "kane"}
+        r = gsmbp_simulate (m, x0, 0:0.05:1.5, "input", 0, "method", method{1}, "step", 1e-4, ...
+                            "rtol", 1e-12, "loops", way{1});
+        what = sprintf ("dead centres, %g rad/s from %.2f rad, %s, %s", start(2), start(1), ...
+                        method{1}, way{1});
+        ends = r.x([1 end],1);
+        points = [ends(1), pi * (ceil (ends(1) / pi):floor (ends(2) / pi)), ends(2)];
+        lost = 200 * sum (abs (diff (at (points))));
+        gsmbp_check ([what ": at least one is passed"], numel (points) > 2);
+        gsmbp_check ([what ": energy lost is that of the friction, of all"], ...
+                     (energy (r.x(end,:)) + lost) / energy (r.x(1,:)) - 1, method{2});
+      end
+    end
+  end
+  ## from rest in a dead centre a torque turns it; the friction is against the motion
+  x0 = gsmbp_assemble (m, [0; 0; 0.5; 0; 0; 0], "hold", "theta");
+  r = gsmbp_simulate (m, x0, [0 3], "input", 5, "rtol", 1e-12);
+  gsmbp_check ("from rest in a dead centre: 5 N m lift it out and 200 N stop it", ...
+               [5 * r.x(end,1) - 200 * (0.5 - at(r.x(end,1))) - energy(r.x(end,:)), ...
+                r.x(end,1) > 0.39 && r.x(end,1) < 0.41, r.x(end,4)] - [0, 1, 0], 1e-9);
 end
 
 ## each impact: the port's speed is -e times the one before (or 0, contact), momentum changes only

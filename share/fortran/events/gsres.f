@@ -32,13 +32,14 @@ C             more at one instant.
 C
 C     METHOD
 C     Where an event changes accelerations, ports that are held may no
-C     longer be: they are let go, the most violated first.
+C     longer be: they are let go, the most violated first.  Those that
+C     stick then come to rest exactly.
 C
       IMPLICIT NONE
       EXTERNAL           EVT, RST
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
-      INTEGER            NE, JM, JK, JA, I, L, N, R
+      INTEGER            NE, JM, JK, JA, I, L, N, R, LS, RS
       DOUBLE PRECISION   LEAST
       LOGICAL            HELD
 C
@@ -49,6 +50,9 @@ C
       JA = 10 + 3*NE
       L  = K
       IF ( L.EQ.0 .AND. IE(5).EQ.1 ) L = -1
+      LS = -1
+      RS = 0
+      IF ( L.EQ.0 ) LS = 0
    10 CONTINUE
       IF ( L.GE.0 ) THEN
          R = 0
@@ -71,6 +75,12 @@ C
          END IF
          CALL RST( T, X, V, IE(JM+1), L, CST, INFO )
          IF ( INFO.NE.0 ) RETURN
+         IF ( L.GT.0 ) THEN
+            IF ( IE(JK+L).EQ.1 .AND. IE(JM+L).EQ.0 ) THEN
+               LS = L
+               RS = R
+            END IF
+         END IF
          IF ( R.GT.0 ) THEN
             RE(R+3) = DBLE( IE(JM+L) )
             DO 30 I = 1, NX
@@ -99,6 +109,16 @@ C     -- ports that cannot be held; other stops that are hit just now
       IF ( N.GT.0 ) THEN
          L = N
          GO TO 10
+      END IF
+C
+C     -- what sticks comes to rest
+      IF ( LS.GE.0 ) THEN
+         CALL RST( T, X, V, IE(JM+1), -1, CST, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         DO 55 I = 1, NX
+            IF ( RS.GT.0 ) RE(RS+3+NX+I) = X(I)
+   55    CONTINUE
+         CALL EVT( T, X, V, IE(JM+1), CST, RE )
       END IF
       DO 60 I = 1, NE
          IE(JA+I) = 0

@@ -8,7 +8,7 @@ C     ARGUMENTS
 C     N, M    (input) INTEGER, the numbers of speeds and constraints.
 C     K, KIND, S, SD, PRM, HOLD as GSEVT.
 C     L       (input) INTEGER, the port whose event it is; 0: the modes
-C             at the start are found.
+C             at the start are found; -1: ports that stick come to rest.
 C     MODE    (input/output) INTEGER array, dimension (K).
 C     A       (input) DOUBLE PRECISION array, dimension (LDA,N), the
 C             mass matrix.
@@ -23,9 +23,12 @@ C             + 2*N*(M+K) + (M+K)**2 + 4*N + 9*(M+K)).
 C     INFO    (output) INTEGER, 0; 1: singular mass matrix.
 C
 C     METHOD
-C     Friction that comes to rest sticks, with the speed exactly 0, as
-C     one that starts slower than 1e-9*PRM(2,*) does; one
-C     whose holding force passes its limit slides to where it is pushed.
+C     Friction that comes to rest sticks, as one that starts slower than
+C     1e-9*PRM(2,*) does; one whose holding force passes its limit
+C     slides to where it is pushed.  What sticks at last comes to rest
+C     exactly (L = -1), not before: where the loops stop a port by their
+C     geometry, as at a dead centre, the rest of the machine would have
+C     to stop for it.
 C     At a stop U+ = U + inv(A)*H'*p, so that the port's speed becomes
 C     -e times itself, (1) without one where the rebound would be slower
 C     than PRM(4): then the stop stays in contact. Constraints and stops
@@ -54,12 +57,11 @@ C
                IF ( S(I).LE.PRM(1,I) + E ) MODE(I) = -1
             END IF
    10    CONTINUE
+      ELSE IF ( L.LT.0 ) THEN
          CALL GSIMP( N, M, K, 0, 0.0D0, KIND, MODE, A, LDA, H, LDH,
      $               PHIT, U, W, INFO )
       ELSE IF ( KIND(L).EQ.1 .AND. MODE(L).NE.0 ) THEN
          MODE(L) = 0
-         CALL GSIMP( N, M, K, 0, 0.0D0, KIND, MODE, A, LDA, H, LDH,
-     $               PHIT, U, W, INFO )
       ELSE IF ( KIND(L).EQ.1 ) THEN
          MODE(L) = 1
          IF ( HOLD(L).GT.0.0D0 ) MODE(L) = -1
