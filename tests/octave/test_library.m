@@ -3,13 +3,29 @@
 
 function test_library ()
   m = gsmbp_fixture ("library_ports");
+  units (m, "on ports");
   start (m, "on ports", 1e-6);
   eq = trim (m, "on ports");
   limits (m, eq);
   s = gsmbp_fixture ("library_signals");
+  units (s, "signals");
+  units (gsmbp_fixture ("mech_digital"), "sampled");
   start (s, "signals", []);
   trim (s, "signals");
   bounds (s);
+end
+
+## no unit has a word in it that entries use for what they do not know (x, y, port)
+function units (m, what)
+  known = {"kg", "m", "s", "A", "K", "N", "Pa", "J", "W", "V", "ohm", "H", "F", "C", "T", "Wb", ...
+           "Hz", "rad"};
+  all = cellfun (@(kind) m.units.(kind)(:), fieldnames (m.units), "UniformOutput", false);
+  all = unique (vertcat (all{:}));
+  words = regexp (all, "[A-Za-z_]+", "match");
+  words = unique ([words{:}]);
+  gsmbp_check (["units are those of the SI, " what], ismember (words, known));
+  gsmbp_check (["energy per length and angle is force and torque, " what], ...
+               cellfun ("isempty", regexp (all, "J/(m|rad)$|J[^/]*/(m|rad)\\^")));
 end
 
 ## rates are finite, nothing jumps in the first 1e-7 s, the first steps balance their energy
