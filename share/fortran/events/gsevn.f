@@ -44,13 +44,10 @@ C
       DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
      $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
      $                   RSTAT(*), RE(*), GAUSS(3)
-      INTEGER            NE, JM, JK, JA, JL, KG, KD, KZ, KX, I, J, K, S,
-     $                   NS, KEPT, FIRST
-      DOUBLE PRECISION   A, B, C, GA, GB, GC, TH, OLD, GOLD, SLOPE, TE,
-     $                   HE, ERR, D, EPS, GSEPS, BE, THF,
-     $                   GSEVP
+      INTEGER            NE, JM, JK, JA, JL, KD, I, NS, FIRST
+      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF
       LOGICAL            HELD, FINE
-      EXTERNAL           GSEPS, GSEVP, GSFUN, GSEVX, GSEVV, GSDP8, GSRK4
+      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS
 C
       FOUND = 0
       INFO  = 0
@@ -60,14 +57,7 @@ C
       JK = 10 + 2*NE
       JA = 10 + 3*NE
       JL = 10 + 4*NE
-      KG = 1 + NE
       KD = 1 + 5*NE
-      NS = 8
-      BE = 1.0D0
-      THF = 2.0D0
-      FIRST = 0
-      KZ = KD + NX
-      KX = KZ + NX
       IF ( METHOD.EQ.4 ) THEN
          CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, X, NQ, NU, NX,
      $               NV, NLAM, IP, RP, CST, V, W, WI, P, ISTAT, RSTAT,
@@ -81,26 +71,106 @@ C
          IF ( INFO.NE.0 ) RETURN
       END IF
 C
-C     -- the first function that falls to 0
-    5 CONTINUE
+C     -- the first function that falls to 0; the part before it again
+      NS = 8
+      BE = 1.0D0
+      THF = 2.0D0
+      FIRST = 0
+   10 CONTINUE
+      I = 1
+      IF ( FIRST.EQ.0 ) I = SIDE
+      CALL GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS, I,
+     $            NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
+     $            FOUND, TH, FINE, INFO )
+      IF ( INFO.NE.0 ) GO TO 900
+      IF ( FINE .AND. NS.LT.2048 ) THEN
+         NS = 2*NS
+         GO TO 10
+      END IF
+      IF ( FOUND.GT.0 .AND. TH.LT.0.999D0*THF ) THEN
+         FIRST = FOUND
+         THF = TH
+         BE = TH*( 1.0D0 - 1.0D-9 )
+         NS = 8
+         GO TO 10
+      END IF
+      FOUND = FIRST
+      IF ( FOUND.GT.0 ) THEN
+         CALL GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $               WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM, IP,
+     $               RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT, RSTAT,
+     $               IE, RE, GAUSS, FOUND, THF, INFO )
+         RETURN
+      END IF
+C
+C     -- functions that have not risen above 0 since their last event
+      DO 20 I = 1, NE
+         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
+         IF ( IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
+     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
+   20 CONTINUE
+      IF ( FOUND.EQ.0 ) THEN
+         DO 30 I = 1, NE
+            IE(JA+I) = IE(JL+I)
+            RE(I) = RE(2*NE+I)
+   30    CONTINUE
+         IE(4) = 0
+      ELSE IF ( ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+         FOUND = -1
+      END IF
+      RETURN
+C
+  900 ISTAT(6) = INFO
+      ISTAT(7) = 1
+      END
+      SUBROUTINE GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS,
+     $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
+     $                  IE, RE, FOUND, TH, FINE, INFO )
+C
+C     PURPOSE
+C     The first zero of an event function on the polynomial of GSEVN, up
+C     to the fraction BE of its step, in NS points.
+C
+C     ARGUMENTS
+C     As GSEVN, and
+C     FOUND   (output) INTEGER, the number of the function, 0: none.
+C     TH      (output) DOUBLE PRECISION, the fraction where it is 0.
+C     FINE    (output) LOGICAL, true if a function has a lowest value
+C             that these points do not resolve.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT
+      INTEGER            METHOD, NS, SIDE, NX, NU, NV, IP(*), IE(*),
+     $                   FOUND, INFO
+      DOUBLE PRECISION   GAUSS(3), T, H, BE, X(NX), W(NX,*), XN(NX),
+     $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
+      LOGICAL            FINE
+      INTEGER            NE, JA, JL, KG, I, J, S
+      DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, GSEVP
+      EXTERNAL           GSEVP, GSEVB, GSEVI
+C
+      NE = IE(1)
+      JA = 10 + 3*NE
+      JL = 10 + 4*NE
+      KG = 1 + NE
       DO 10 I = 1, NE
          IE(JL+I) = IE(JA+I)
          RE(3*NE+I) = RE(I)
          RE(4*NE+I) = -1.0D0
    10 CONTINUE
-      FINE = .FALSE.
+      FOUND = 0
+      FINE  = .FALSE.
       TH = 2.0D0
-      DO 50 J = 1, NS
+      DO 40 J = 1, NS
          B = BE*GSEVP( J, NS )
          A = B - BE*GSEVP( J - 1, NS )
          C = B - A - BE*GSEVP( MAX( 0, J - 2 ), NS )
          S = 1
-         IF ( J.EQ.NS .AND. FIRST.EQ.0 ) S = SIDE
-         CALL GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, RE(KD),
-     $               RE(KZ) )
-         CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, S, RE(KZ), NU, NX, NV,
-     $               IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
-         IF ( INFO.NE.0 ) GO TO 900
+         IF ( J.EQ.NS ) S = SIDE
+         CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, B, S, NX,
+     $               X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
+     $               INFO )
+         IF ( INFO.NE.0 ) RETURN
          DO 20 I = 1, NE
             RE(2*NE+I) = RE(KG+I-1)
             GA = RE(4*NE+I)
@@ -115,107 +185,119 @@ C     -- the first function that falls to 0
             RE(4*NE+I) = GC
             RE(3*NE+I) = GB
    20    CONTINUE
-         DO 40 I = 1, NE
+         DO 30 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
                IE(JL+I) = 1
             ELSE IF ( IE(JL+I).EQ.1 ) THEN
-C              a zero between A and B
-               A  = BE*GSEVP( J - 1, NS )
-               C  = B
-               GB = RE(2*NE+I)
-               CALL GSEVX( METHOD, GAUSS, T, H, A, NX, X, W, XN, RE(KD),
-     $                     RE(KZ) )
-               CALL GSEVV( CMD, CLO, VIN, EVT, T + A*H, 1, RE(KZ), NU,
-     $                     NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG),
-     $                     INFO )
-               IF ( INFO.NE.0 ) GO TO 900
-               GA = MAX( RE(KG+I-1), 0.0D0 )
-               KEPT = 0
-               DO 30 K = 1, 60
-                  IF ( C - A.LE.1.0D-12 .OR. GA - GB.LE.0.0D0 ) GO TO 35
-                  D = ( GA*C - GB*A )/( GA - GB )
-                  IF ( .NOT.( D.GT.A .AND. D.LT.C ) )
-     $               D = 0.5D0*( A + C )
-                  CALL GSEVX( METHOD, GAUSS, T, H, D, NX, X, W, XN,
-     $                        RE(KD), RE(KZ) )
-                  CALL GSEVV( CMD, CLO, VIN, EVT, T + D*H, 1, RE(KZ),
-     $                        NU, NX, NV, IP, RP, CST, V, WI, IE(JM+1),
-     $                        RE(KG), INFO )
-                  IF ( INFO.NE.0 ) GO TO 900
-                  GC = RE(KG+I-1)
-                  IF ( GC.GT.0.0D0 ) THEN
-                     A  = D
-                     GA = GC
-                     IF ( KEPT.EQ.1 ) GB = 0.5D0*GB
-                     KEPT = 1
-                  ELSE
-                     C  = D
-                     GB = GC
-                     IF ( KEPT.EQ.-1 ) GA = 0.5D0*GA
-                     KEPT = -1
-                     IF ( .NOT.( GC.LT.0.0D0 ) ) A = C
-                  END IF
-   30          CONTINUE
-   35          CONTINUE
+               C = B
+               CALL GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H,
+     $                     BE*GSEVP( J - 1, NS ), C, I, NX, X, W, XN,
+     $                     NU, NV, IP, RP, CST, V, WI, IE, RE, INFO )
+               IF ( INFO.NE.0 ) RETURN
                IF ( C.LT.TH ) THEN
                   TH = C
                   FOUND = I
                END IF
             END IF
-   40    CONTINUE
-         IF ( FOUND.GT.0 ) GO TO 55
-   50 CONTINUE
-   55 CONTINUE
-      IF ( FINE .AND. NS.LT.2048 ) THEN
-         FOUND = 0
-         NS = 2*NS
-         GO TO 5
-      END IF
-      IF ( FOUND.GT.0 .AND. TH.LT.0.999D0*THF ) THEN
-         FIRST = FOUND
-         FOUND = 0
-         THF = TH
-         BE = TH*( 1.0D0 - 1.0D-9 )
-         NS = 8
-         GO TO 5
-      END IF
-      IF ( FIRST.GT.0 ) THEN
-         FOUND = FIRST
-         TH = THF
-         GO TO 100
-      END IF
+   30    CONTINUE
+         IF ( FOUND.GT.0 ) RETURN
+   40 CONTINUE
+      END
+      SUBROUTINE GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BEGIN,
+     $                  C, I, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
+     $                  IE, RE, INFO )
 C
-C     -- functions that have not risen above 0 since their last event
-      DO 60 I = 1, NE
-         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
-         IF ( IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
-     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
-   60 CONTINUE
-      IF ( FOUND.EQ.0 ) THEN
-         DO 70 I = 1, NE
-            IE(JA+I) = IE(JL+I)
-            RE(I) = RE(2*NE+I)
-   70    CONTINUE
-         IE(4) = 0
-      ELSE IF ( ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
-         FOUND = -1
-      END IF
-      RETURN
+C     PURPOSE
+C     The zero of event function I on the polynomial of GSEVN, between
+C     the fractions BEGIN and C of its step, by the method of Illinois.
 C
-C     -- the step, as long as it must be
-  100 CONTINUE
-      I = FOUND
+C     ARGUMENTS
+C     As GSEVN, and
+C     C       (input/output) DOUBLE PRECISION, on entry the end, where
+C             the function is RE(2*NE+I), on exit where it has fallen
+C             to 0.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT
+      INTEGER            METHOD, I, NX, NU, NV, IP(*), IE(*), INFO
+      DOUBLE PRECISION   GAUSS(3), T, H, BEGIN, C, X(NX), W(NX,*),
+     $                   XN(NX), RP(*), CST(*), V(*), WI(*), RE(*)
+      INTEGER            NE, K, KEPT
+      DOUBLE PRECISION   A, D, GA, GB, GC
+      EXTERNAL           GSEVB
+C
+      NE = IE(1)
+      A  = BEGIN
+      GB = RE(2*NE+I)
+      CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, A, 1, NX, X,
+     $            W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      GA = MAX( RE(NE+I), 0.0D0 )
+      KEPT = 0
+      DO 10 K = 1, 60
+         IF ( C - A.LE.1.0D-12 .OR. GA - GB.LE.0.0D0 ) RETURN
+         D = ( GA*C - GB*A )/( GA - GB )
+         IF ( .NOT.( D.GT.A .AND. D.LT.C ) ) D = 0.5D0*( A + C )
+         CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, D, 1, NX,
+     $               X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
+     $               INFO )
+         IF ( INFO.NE.0 ) RETURN
+         GC = RE(NE+I)
+         IF ( GC.GT.0.0D0 ) THEN
+            A  = D
+            GA = GC
+            IF ( KEPT.EQ.1 ) GB = 0.5D0*GB
+            KEPT = 1
+         ELSE
+            C  = D
+            GB = GC
+            IF ( KEPT.EQ.-1 ) GA = 0.5D0*GA
+            KEPT = -1
+            IF ( .NOT.( GC.LT.0.0D0 ) ) A = C
+         END IF
+   10 CONTINUE
+      END
+      SUBROUTINE GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $                  WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM,
+     $                  IP, RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT,
+     $                  RSTAT, IE, RE, GAUSS, I, START, INFO )
+C
+C     PURPOSE
+C     The step of GSEVN once more, as long as it must be for event
+C     function I to be 0 at its end, by the secant method.
+C
+C     ARGUMENTS
+C     As GSEVN, and
+C     START   (input) DOUBLE PRECISION, the fraction of the step where
+C             its polynomial has the zero.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
+      INTEGER            METHOD, WAY, SIDE, NQ, NU, NX, NV, NLAM, IP(*),
+     $                   ISTAT(*), IE(*), I, INFO
+      DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
+     $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
+     $                   RSTAT(*), RE(*), GAUSS(3), START
+      INTEGER            NE, KD, KX, K, J, S
+      DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, ERR,
+     $                   EPS, GSEPS
+      EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4
+C
+      EPS = GSEPS()
+      NE = IE(1)
+      KD = 1 + 5*NE
+      KX = KD + 2*NX
+      TH = START
       D = MIN( 1.0D-3, 0.5D0*TH )
-      CALL GSEVX( METHOD, GAUSS, T, H, TH - D, NX, X, W, XN, RE(KD),
-     $            RE(KZ) )
-      CALL GSEVV( CMD, CLO, VIN, EVT, T + ( TH - D )*H, 1, RE(KZ), NU,
-     $            NX, NV, IP, RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
+      CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, TH - D, 1,
+     $            NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
+     $            INFO )
       IF ( INFO.NE.0 ) GO TO 900
       SLOPE = 0.0D0
-      IF ( D.GT.0.0D0 ) SLOPE = -RE(KG+I-1)/D
+      IF ( D.GT.0.0D0 ) SLOPE = -RE(NE+I)/D
       OLD  = 0.0D0
       GOLD = 0.0D0
-      DO 130 K = 1, 12
+      DO 10 K = 1, 12
          TE = T + TH*H
          S  = 1
          IF ( TH.GE.1.0D0 ) THEN
@@ -249,31 +331,54 @@ C     -- the step, as long as it must be
             END IF
          END IF
          CALL GSEVV( CMD, CLO, VIN, EVT, TE, S, RE(KX), NU, NX, NV, IP,
-     $               RP, CST, V, WI, IE(JM+1), RE(KG), INFO )
+     $               RP, CST, V, WI, IE(11), RE(NE+1), INFO )
          IF ( INFO.NE.0 ) GO TO 900
-         GC = RE(KG+I-1)
+         GC = RE(NE+I)
          IF ( K.GT.1 .AND. ABS( TH - OLD ).GT.0.0D0 .AND.
      $        ABS( GC - GOLD ).GT.0.0D0 )
      $      SLOPE = ( GC - GOLD )/( TH - OLD )
          OLD  = TH
          GOLD = GC
-         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 140
+         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 20
          D = GC/SLOPE
-         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 140
+         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 20
          IF ( ABS( D*H ).LE.2.0D0*EPS*MAX( ABS( T ), ABS( TN ) ) )
-     $      GO TO 140
+     $      GO TO 20
          IF ( K.LT.12 ) TH = MIN( 1.0D0, MAX( 0.0D0, TH - D ) )
-         IF ( .NOT.( ABS( TH - OLD ).GT.0.0D0 ) ) GO TO 140
-  130 CONTINUE
-  140 CONTINUE
+         IF ( .NOT.( ABS( TH - OLD ).GT.0.0D0 ) ) GO TO 20
+   10 CONTINUE
+   20 CONTINUE
       TN = TE
-      DO 150 I = 1, NX
-         XN(I) = RE(KX+I-1)
-  150 CONTINUE
+      DO 30 J = 1, NX
+         XN(J) = RE(KX+J-1)
+   30 CONTINUE
       RETURN
 C
   900 ISTAT(6) = INFO
       ISTAT(7) = 1
+      END
+      SUBROUTINE GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, B,
+     $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
+     $                  IE, RE, INFO )
+C
+C     PURPOSE
+C     Event functions at the fraction B of the step of GSEVN, on its
+C     polynomial: RE(NE+1..2*NE).
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT
+      INTEGER            METHOD, SIDE, NX, NU, NV, IP(*), IE(*), INFO
+      DOUBLE PRECISION   GAUSS(3), T, H, B, X(NX), W(NX,*), XN(NX),
+     $                   RP(*), CST(*), V(*), WI(*), RE(*)
+      INTEGER            NE, KD, KZ
+      EXTERNAL           GSEVX, GSEVV
+C
+      NE = IE(1)
+      KD = 1 + 5*NE
+      KZ = KD + NX
+      CALL GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, RE(KD), RE(KZ) )
+      CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, SIDE, RE(KZ), NU, NX, NV,
+     $            IP, RP, CST, V, WI, IE(11), RE(NE+1), INFO )
       END
       DOUBLE PRECISION FUNCTION GSEVP( J, NS )
 C
