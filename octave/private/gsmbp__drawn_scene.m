@@ -13,8 +13,7 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
     flat = [];                          # a single point that stays where it is
   endif
   d = camera (d, first (drawing.gravity), low, high, flat);
-  d.solids = [solids_of_bodies(drawing, first, d), solids_of_joints(drawing, first, d), ...
-              solids_of_wheels(drawing, first, d)];
+  d.solids = gsmbp__drawn_solids (drawing, first, d);
   d.pairs = pairs_of (drawing, first);
   [d.arrows, d.arrows_v] = arrows_of (drawing, number, turn, d.extent, numel (t));
 endfunction
@@ -47,7 +46,7 @@ function points = points_of (drawing, first, place, turn)
   for b = 1:numel (drawing.bodies)
     points = [points; on_body(place{b}, turn{b}, first (drawing.bodies(b).centre))];
   endfor
-  for j = [joints_at_points(drawing), entries(drawing.pairs)]
+  for j = [joints_at_points(drawing), gsmbp__entries(drawing.pairs)]
     points = [points; at_joint(j.body, first (j.at), place, turn); ...
               at_joint(j.child, first (j.child_at), place, turn)];
   endfor
@@ -58,15 +57,15 @@ endfunction
 function radius = size_of (drawing, first, b, known)
   body = drawing.bodies(b);
   radius = 0;
-  for s = entries (body.shapes)
+  for s = gsmbp__entries (body.shapes)
     sizes = first (s.sizes);
     radius = max ([radius, sizes * {0.5, 1}{1 + ! strcmp(s.kind, "box")}]);
   endfor
-  for w = entries (drawing.wheels)
+  for w = gsmbp__entries (drawing.wheels)
     radius = max (radius, (w.body == b) * first ({w.radius}));
   endfor
   if (radius == 0)
-    [~, size] = box_of (first ({body.mass}), reshape (first (body.inertia), 3, 3));
+    [~, size] = gsmbp__box_of_inertia (first ({body.mass}), reshape (first (body.inertia), 3, 3));
     radius = max (size) / 2;
     if (known > 0)
       radius = min (radius, known / 2);
@@ -84,7 +83,7 @@ function family = families (names)
 endfunction
 
 function list = joints_at_points (drawing)
-  list = entries (drawing.joints);
+  list = gsmbp__entries (drawing.joints);
   if (! isempty (list))
     list = list(! strcmp ({list.type}, "free"));
     list = rmfield (list, {"type", "axis"});
@@ -140,138 +139,11 @@ function d = camera (d, gravity, low, high, flat)
   d.floor = d.target + up * (min ([low; high] * up') - d.target * up' - 0.08 * d.extent);
 endfunction
 
-## --------------------------------------------------------------------- solids
-
-function s = solid (kind, body, L, offset, color)
-  s = struct ("kind", kind, "body", body, "m", [L(:)', offset(:)'], "color", color);
-endfunction
-
-## the shapes of the links; where there are none, a body of equal inertia; rods to its joints
-function list = solids_of_bodies (drawing, first, d)
-  list = {};
-  for b = 1:numel (drawing.bodies)
-    body = drawing.bodies(b);
-    color = d.bodies{b+1}.color;
-    c = first (body.centre);
-    shapes = entries (body.shapes);
-    for s = shapes
-      list{end+1} = shape (s, first, b, c, color);
-    endfor
-    wheels = entries (drawing.wheels);
-    if (isempty (shapes) && ! (! isempty (wheels) && any ([wheels.body] == b)))
-      I = reshape (first (body.inertia), 3, 3);
-      list = [list, equal_inertia(first ({body.mass}), I, b, c, color, d.extent), ...
-              rods(drawing, first, b, c, color, d.extent)];
-    endif
-  endfor
-endfunction
-
-function s = shape (s, first, b, c, color)
-  sizes = first (s.sizes);
-  if (strcmp (s.kind, "box"))
-    L = diag (sizes);
-  elseif (strcmp (s.kind, "sphere"))
-    L = sizes * eye (3);
-  else
-    L = frame_of (first (s.axis)) * diag ([sizes([1 1]), sizes(2)]);
-  endif
-  s = solid (s.kind, b, L, c, color);
-endfunction
-
-## a right-handed frame whose third axis is that of a cylinder
-function R = frame_of (axis)
-  z = axis(:) / norm (axis);
-  [~, k] = min (abs (z));
-  x = cross (eye (3)(:,k), z);
-  x /= norm (x);
-  R = [x, cross(z, x), z];
-endfunction
-
-## the box of the same mass and inertia: its axes and sizes, 0 without mass
-function [R, size] = box_of (mass, I)
-  [R, J] = eig ((I + I') / 2);
-  if (det (R) < 0)
-    R(:,1) *= -1;
-  endif
-  J = max (diag (J), 0);
-  size = zeros (3, 1);
-  if (mass > 0)
-    size = sqrt (max (0, 6 / mass * (sum (J) - 2 * J)));
-  endif
-endfunction
-
-## that box, by its edges alone where it would hide the others; a sphere where there is mass alone,
-## nothing without mass
-function list = equal_inertia (mass, I, b, c, color, extent)
-  list = {};
-  [R, size] = box_of (mass, I);
-  if (mass > 0 && max (size) < 0.02 * extent)
-    list = {solid("sphere", b, 0.03 * extent * eye (3), c, color)};
-  elseif (mass > 0)
-    kind = {"box", "edges"}{1 + (median (size) > 0.3 * extent)};
-    list = {solid(kind, b, R * diag (max (size, 0.018 * extent)), c, color)};
-  endif
-endfunction
-
-## from the mass centre to the joints of a body, as far as they are apart
-function list = rods (drawing, first, b, c, color, extent)
-  list = {};
-  for j = entries (drawing.joints)
-    if (strcmp (j.type, "free"))
-      continue;
-    endif
-    ends = {first(j.at), first(j.child_at)}([j.body == b, j.child == b]);
-    for p = ends
-      z = p{1} - c;
-      if (norm (z) > 0.01 * extent)
-        L = frame_of (z) * diag ([0.008 * extent * [1 1], norm(z)]);
-        list{end+1} = solid ("cylinder", b, L, c + z / 2, color);
-      endif
-    endfor
-  endfor
-endfunction
-
-## marks of the joints, on the parent: a pin along the axis, a block, a ball
-function list = solids_of_joints (drawing, first, d)
-  list = {};
-  grey = [.32 .33 .35];
-  r = 0.014 * d.extent;
-  for j = entries (drawing.joints)
-    at = first (j.at);
-    R = frame_of (first (j.axis));
-    switch (j.type)
-      case {"revolute", "cylindrical", "helical"}
-        list{end+1} = solid ("cylinder", j.body, R * diag (r * [1.2 1.2 3.2]), at, grey);
-      case {"prismatic", "planar", "fixed"}
-        list{end+1} = solid ("box", j.body, R * diag (r * [2.2 2.2 2.8]), at, grey);
-      case {"spherical", "universal"}
-        list{end+1} = solid ("sphere", j.body, 1.3 * r * eye (3), at, grey);
-    endswitch
-  endfor
-endfunction
-
-## discs that roll, with two spokes that show how they turn
-function list = solids_of_wheels (drawing, first, d)
-  list = {};
-  for w = entries (drawing.wheels)
-    c = first (w.centre);
-    R = frame_of (first (w.axis));
-    radius = first ({w.radius});
-    color = d.bodies{w.body+1}.color;
-    thick = max (0.03 * radius, 0.005 * d.extent);
-    list{end+1} = solid ("cylinder", w.body, R * diag ([radius, radius, thick]), c, color);
-    for k = 1:2
-      size = [2 0.1; 0.1 2](k,:) * 0.95 * radius;
-      list{end+1} = solid ("box", w.body, R * diag ([size, 1.3 * thick]), c, [.95 .95 .95]);
-    endfor
-  endfor
-endfunction
-
 ## ------------------------------------------------------------ pairs and arrows
 
 function list = pairs_of (drawing, first)
   list = {};
-  for p = entries (drawing.pairs)
+  for p = gsmbp__entries (drawing.pairs)
     list{end+1} = struct ("kind", p.kind, "body", p.body, "at", first (p.at), "child", p.child, ...
                           "child_at", first (p.child_at));
   endfor
@@ -281,7 +153,7 @@ endfunction
 function [list, v] = arrows_of (drawing, number, turn, extent, nt)
   list = {};
   v = zeros (nt, 0);
-  for f = entries (drawing.forces)
+  for f = gsmbp__entries (drawing.forces)
     if (strcmp (f.kind, "force"))
       one = number (f.vector);
       if (strcmp (f.frame, "link"))
@@ -294,14 +166,4 @@ function [list, v] = arrows_of (drawing, number, turn, extent, nt)
   endfor
   most = max ([sqrt(max (sum (reshape (v', 3, []) .^ 2, 1))), 0]);
   v *= 0.25 * extent / max (most, realmin);
-endfunction
-
-## what jsondecode made of a list of objects: a row of structs
-function list = entries (l)
-  list = struct ([]);
-  if (iscell (l) && ! isempty (l))
-    list = [l{:}];
-  elseif (isstruct (l))
-    list = l(:)';
-  endif
 endfunction
