@@ -49,7 +49,7 @@ def holds(m, start):
     that rolls on what it is fixed to) do not"""
     _, G, _ = closing_rows(m, start, m.bodies(start))
     sv, V = np.linalg.svd(G)[1:]
-    free = V[int(np.sum(sv > 1e-9*max(1, sv[0]))):, :m.nu]
+    free = V[int(np.sum(sv > 1e-9*max(1., sv[0]))):, :m.nu]
     return m.nu > 0 and np.linalg.matrix_rank(free, 1e-9) < m.nu
 
 

@@ -277,7 +277,7 @@ class Comparison:
         still = s.with_speeds(0*s.u)
         _, G, _ = closing_rows(self.m, still, self.m.bodies(still))
         U, sv, V = np.linalg.svd(G)
-        rank = int(np.sum(sv > 1e-9*sv[0]))
+        rank = int(np.sum(sv > 1e-9*max(1., sv[0])))
         Z = mixed.A @ V[rank:].T[:self.m.nu]
         U, sv, _ = np.linalg.svd(Z, full_matrices=False) if Z.size else (Z, np.zeros(0), 0)
         return U[:, sv > 1e-9]
