@@ -132,9 +132,10 @@
       (when (if (eql arity 0) (< n 2) (/= n arity))
         (mfuncall '$gs__error $gs__where "wrong number of arguments of " f ": " n))
       (cond ((string= name "SQRT") (incf $gs__n_sqrt))
-            ((not (member name '("ABS" "MAX" "MIN" "ANINT" "GSFLR") :test #'string=))
+            ((not (member name '("ABS" "SIGN" "MAX" "MIN" "ANINT" "GSFLR") :test #'string=))
              (incf $gs__n_trig)))
-      (gs-text name "(" (gs-joined (mapcar #'$gs__sum_text arguments) ", ") ")"))))
+      (gs-text name (if (string= name "SIGN") "(1.0D0, " "(")
+        (gs-joined (mapcar #'$gs__sum_text arguments) ", ") ")"))))
 
 (defun gs-number-factor (e)
   (let* ((d $gs__n_div) (s (gs-number-text (gs-magnitude e))))

@@ -66,7 +66,7 @@
     ((%asin %acos) (and (<= (car a) (+ 1 gs-span-slack)) (>= (cdr a) (- -1 gs-span-slack))
                      (cons -1.6d0 3.2d0)))
     (%atan (cons -1.6d0 1.6d0))
-    (%tanh (cons -1d0 1d0))
+    ((%tanh %signum) (cons -1d0 1d0))
     ((mabs %abs) (let ((l (list (abs (car a)) (abs (cdr a)))))
                    (apply #'gs-span-between (if (<= (car a) 0 (cdr a)) (cons 0 l) l))))
     (t gs-span-any)))

@@ -67,6 +67,9 @@
                (muln (list (caddr e) (power (cadr e) (gs-difference (caddr e) 1)) r) t))))
         ; Maxima writes sech, which Fortran has not
         ((eq (caar e) '%tanh) (gs-times (sub 1 (power e 2)) ($gs__rate h (cadr e))))
+        ; Maxima writes x/|x|, which has no value at 0
+        ((eq (caar e) 'mabs) (gs-times (take '(%signum) (cadr e)) ($gs__rate h (cadr e))))
+        ((eq (caar e) '%signum) 0)
         (t (gs-function-rate h ($op e) (cdr e)))))
 
 ;;; rate of any other function: Maxima's derivative with respect to each argument, through symbols

@@ -107,5 +107,5 @@
     (and (mnump n) (gs-negative-p n) (not (eq (cadr power) '$%e)))))
 (defun gs-count-call (function)
   (cond ((member function '(%sqrt $sqrt)) (incf *gs-sqrts*))
-        ((member function '(mabs %abs $abs $max %max $min %min $round %round $gs__floor)))
+        ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor)))
         (t (incf *gs-calls*))))

@@ -46,7 +46,7 @@ function points = points_of (drawing, first, place, turn)
   for b = 1:numel (drawing.bodies)
     points = [points; on_body(place{b}, turn{b}, first (drawing.bodies(b).centre))];
   endfor
-  for j = [joints_at_points(drawing), gsmbp__entries(drawing.pairs)]
+  for j = [joints_at_points(drawing), gsmbp__structs(drawing.pairs)]
     points = [points; at_joint(j.body, first (j.at), place, turn); ...
               at_joint(j.child, first (j.child_at), place, turn)];
   endfor
@@ -57,11 +57,11 @@ endfunction
 function radius = size_of (drawing, first, b, known)
   body = drawing.bodies(b);
   radius = 0;
-  for s = gsmbp__entries (body.shapes)
+  for s = gsmbp__structs (body.shapes)
     sizes = first (s.sizes);
     radius = max ([radius, sizes * {0.5, 1}{1 + ! strcmp(s.kind, "box")}]);
   endfor
-  for w = gsmbp__entries (drawing.wheels)
+  for w = gsmbp__structs (drawing.wheels)
     radius = max (radius, (w.body == b) * first ({w.radius}));
   endfor
   if (radius == 0)
@@ -83,7 +83,7 @@ function family = families (names)
 endfunction
 
 function list = joints_at_points (drawing)
-  list = gsmbp__entries (drawing.joints);
+  list = gsmbp__structs (drawing.joints);
   if (! isempty (list))
     list = list(! strcmp ({list.type}, "free"));
     list = rmfield (list, {"type", "axis"});
@@ -143,7 +143,7 @@ endfunction
 
 function list = pairs_of (drawing, first)
   list = {};
-  for p = gsmbp__entries (drawing.pairs)
+  for p = gsmbp__structs (drawing.pairs)
     list{end+1} = struct ("kind", p.kind, "body", p.body, "at", first (p.at), "child", p.child, ...
                           "child_at", first (p.child_at));
   endfor
@@ -153,7 +153,7 @@ endfunction
 function [list, v] = arrows_of (drawing, number, turn, extent, nt)
   list = {};
   v = zeros (nt, 0);
-  for f = gsmbp__entries (drawing.forces)
+  for f = gsmbp__structs (drawing.forces)
     if (strcmp (f.kind, "force"))
       one = number (f.vector);
       if (strcmp (f.frame, "link"))

@@ -19,11 +19,11 @@ function list = solids_of_bodies (drawing, first, d)
     body = drawing.bodies(b);
     color = d.bodies{b+1}.color;
     c = first (body.centre);
-    shapes = gsmbp__entries (body.shapes);
+    shapes = gsmbp__structs (body.shapes);
     for s = shapes
       list{end+1} = shape (s, first, b, c, color);
     endfor
-    wheels = gsmbp__entries (drawing.wheels);
+    wheels = gsmbp__structs (drawing.wheels);
     if (isempty (shapes) && ! (! isempty (wheels) && any ([wheels.body] == b)))
       I = reshape (first (body.inertia), 3, 3);
       list = [list, equal_inertia(first ({body.mass}), I, b, c, color, d.extent), ...
@@ -69,7 +69,7 @@ endfunction
 ## from the mass centre to the joints of a body, as far as they are apart
 function list = rods (drawing, first, b, c, color, extent)
   list = {};
-  for j = gsmbp__entries (drawing.joints)
+  for j = gsmbp__structs (drawing.joints)
     if (strcmp (j.type, "free"))
       continue;
     endif
@@ -89,7 +89,7 @@ function list = solids_of_joints (drawing, first, d)
   list = {};
   grey = [.32 .33 .35];
   r = 0.014 * d.extent;
-  for j = gsmbp__entries (drawing.joints)
+  for j = gsmbp__structs (drawing.joints)
     at = first (j.at);
     R = frame_of (first (j.axis));
     switch (j.type)
@@ -106,7 +106,7 @@ endfunction
 ## discs that roll, with two spokes that show how they turn
 function list = solids_of_wheels (drawing, first, d)
   list = {};
-  for w = gsmbp__entries (drawing.wheels)
+  for w = gsmbp__structs (drawing.wheels)
     c = first (w.centre);
     R = frame_of (first (w.axis));
     radius = first ({w.radius});
