@@ -76,7 +76,7 @@ def natural_speeds(m):
 
 def with_nut(m, start, j):
     """a thread that is cut and counts its turns: the scene has its nut as a link without mass,
-    tied to the child"""
+    tied to the child; the name of that tie, which is no joint of the scene"""
     nut, tie = j.name + '_nut', Joint(j.name + '_tie', 'fixed', j.name + '_nut', j.child)
     m.links.append({'name': nut, 'm': 0., 'centre': np.zeros(3), 'I': np.zeros((3, 3))})
     tie.at = tie.child_at = j.child_at
@@ -86,6 +86,7 @@ def with_nut(m, start, j):
     m.number()
     start.q = np.concatenate([start.q, start.own.pop(j.name)[0]])
     start.own[tie.name] = (np.zeros(0), np.zeros(0))
+    return tie.name
 
 
 class Comparison:
@@ -98,9 +99,8 @@ class Comparison:
     def names_agree(self):
         m, js = self.m, self.code.js
         q, u = [c['name'] for c in js['coordinates']], [c['name'] for c in js['speeds']]
-        for j in list(m.cuts):
-            if j.type == 'helical' and j.names[0] in q:
-                with_nut(m, self.scene.start, j)
+        self.ties = [with_nut(m, self.scene.start, j) for j in list(m.cuts)
+                     if j.type == 'helical' and j.names[0] in q]
         if sorted(q) != sorted(m.names()) or sorted(u) != sorted(natural_speeds(m)):
             raise ValueError('names: %s %s, expected %s %s' % (q, u, m.names(), natural_speeds(m)))
         self.q_order = [m.names().index(n) for n in q]
@@ -356,7 +356,7 @@ class Comparison:
     def wanted_outputs(self, s, sol):
         wanted = dict(sol.loads.signals)
         if self.scene.reactions:
-            for j in self.m.joints:
+            for j in (j for j in self.m.joints if j.name not in self.ties):
                 parts = zip(('x', 'y', 'z', 'mx', 'my', 'mz'), sol.reactions[j.name])
                 wanted.update({'r_%s.%s' % (j.name, k): f for k, f in parts})
         if hasattr(self.scene, 'output'):
