@@ -20,6 +20,9 @@
 ## the largest |phi| that is left, above @var{tol} (default 1e-10, in the
 ## unit of the constraint).
 ##
+## A position where the constraints lose rank (a change point; all links in one
+## line, because degrees were typed for radians) is a warning.
+##
 ## With "branches" the guess and @var{n} more around it are tried (angles up to
 ## half a turn away, lengths by the size of the mechanism, any orientation; the
 ## same ones at every call), and all the different states that were found
@@ -80,10 +83,24 @@ function x = gsmbp_assemble (m, guess, varargin)
   else
     x = branches (who, m, x, o, held);
   endif
+  for k = 1:columns (x)
+    warn_of_lost_rank (who, m, o.time, x(:,k));
+  endfor
   if (settled)
     for k = 1:columns (x)
       x(:,k) = gsmbp__settle (m, o.time, x(:,k));
     endfor
+  endif
+endfunction
+
+function warn_of_lost_rank (who, m, t, x)
+  [rows, rank] = gsmbp__lost_rank (m, t, x);
+  if (! isempty (rows))
+    warning ("gsmbp:singular", ["%s: %s: at the position found %d of the %d constraints that " ...
+                                "are independent elsewhere are so, lost in rows %s: a " ...
+                                "change point, or links in one line; is it meant? " ...
+                                "(angles are in rad)"], ...
+             who, m.name, rank, m.mobility.rank, strjoin (rows, ", "));
   endif
 endfunction
 

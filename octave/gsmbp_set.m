@@ -54,7 +54,8 @@ function par = merged (m, pairs)
     [name, value] = deal (names{i}, values{i});
     if (! isfield (par, name))
       made_of_others (m, name);
-      error ("gsmbp_set: %s: unknown parameter %s", m.name,
+      error (["gsmbp_set: %s: unknown parameter %s (a number that an element of the scene was " ...
+              "given is fixed in the code: name it in parameters to change it)"], m.name,
              gsmbp__unknown (name, fieldnames (par)'));
     endif
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))

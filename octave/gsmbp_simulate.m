@@ -242,6 +242,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   has = @(name) any (strcmp (m.subroutines, name));
   o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
   times = gsmbp__times (who, times);
+  if (numel (times) < 2)
+    error (["%s: the times must be two or more, that of x0 first; found %.15g alone " ...
+            "(from 0 on: [0, %.15g])"], who, times, times);
+  endif
   [m, way] = gsmbp__loop_way (who, o, m);
   [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);

@@ -11,6 +11,7 @@ function test_start ()
   end
   scaled ();
   singular ();
+  lost_rank ();
   others ();
   held_parameter ();
 end
@@ -150,6 +151,29 @@ function singular ()
                isempty (gsmbp_complaint (@() gsmbp_simulate (c, x, [0, 0.01]))));
 end
 
+## gsmbp_assemble says where the constraints lose rank, of links in one line as of a spatial loop,
+## in metres as in millimetres, and nowhere else
+function lost_rank ()
+  for l = [0.4, 4e-4]
+    c = gsmbp_set (gsmbp_fixture ("event_dead_centre"), "r", l, "l", l);
+    text = warned (c, [pi/2; pi; 0]);            # crank and rod of one length, folded up
+    gsmbp_check ("folded slider-crank: rows are named", ...
+                 any (strfind (text, "1 of the 2 constraints")) && any (strfind (text, "B.")));
+    gsmbp_check ("beside: nothing is said", isempty (warned (c, [0.3; -0.6; 1.9 * l])));
+  end
+  for name = {"four_bar", "driven_fourbar", "rolling_disc", "free_crank", "close_spherical"}
+    m = model (name{1});
+    gsmbp_check ([name{1} ": nothing is said at its start"], ...
+                 isempty (warned (m, m.initial(1:m.sizes.nq))));
+  end
+end
+
+function text = warned (m, guess)
+  lastwarn ("");
+  evalc ("gsmbp_assemble (m, guess);");
+  text = lastwarn ();
+end
+
 ## the same rule where else a state comes in
 function others ()
   m = gsmbp_fixture ("driven_fourbar");
@@ -167,6 +191,8 @@ function others ()
   gsmbp_check ("gsmbp_linear about the state moved", a.a - b.a, 0);
   says (@() gsmbp_simulate (m, bad, [0.3, 1], "start", "guess"), ...
         "option start: expected one of \"check\", \"project\", found \"guess\"");
+  says (@() gsmbp_simulate (m, x, 1), ...
+        "the times must be two or more, that of x0 first; found 1 alone");
   says (@() gsmbp_simulate (m, bad(1:2), [0.3, 1]), ...
         ["gsmbp_simulate: argument x0: expected 6 numbers (the states of " ...
          "driven_fourbar), found 2x1"]);
