@@ -65,8 +65,8 @@ function text = fastest (m, t, last, info)
   [~, k] = max (share);
   unit = {m.units.states{k}, "1"}{1 + isempty(m.units.states{k})};
   per_second = regexprep ([unit "/s"], "/s/s$", "/s^2");
-  text = sprintf ("; there %s = %.6g %s has the rate %.6g %s", m.states{k}, last.x(k), unit,
-                  rate(k), per_second);
+  text = sprintf ("; there %s = %.6g %s has the rate %.6g %s%s", m.states{k}, last.x(k), unit,
+                  rate(k), per_second, gsmbp__nowhere (rate(k)));
 endfunction
 
 ## the margins of devices that are passed there

@@ -17,4 +17,5 @@ function text = gsmbp__worst (names, scaled, found, limit)
   if (n > 6)
     text = sprintf ("%s and %d more", text, n - 6);
   endif
+  text = [text, gsmbp__nowhere(found(shown))];
 endfunction

@@ -197,6 +197,10 @@ function others ()
         ["gsmbp_simulate: argument x0: expected 6 numbers (the states of " ...
          "driven_fourbar), found 2x1"]);
   s = gsmbp_fixture ("rolling_disc");
+  flat = s.initial;
+  flat(s.orientation(1,:)) = [1; 0; 0; 0];
+  says (@() gsmbp_assemble (s, flat), "as a disc that lies flat on its plane");
+  says (@() gsmbp_simulate (s, flat, [0, 1]), "as a disc that lies flat on its plane");
   x = s.initial;
   x(s.orientation(1,:)) = 0;
   says (@() gsmbp_simulate (s, x, [0, 1], "start", "project"), "which is no orientation");
