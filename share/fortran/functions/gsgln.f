@@ -2,28 +2,49 @@
 C
 C     PURPOSE
 C     The NS points C and weights WT of Gauss between -1 and 1, the
-C     points rising; NS even, 12 at most.
+C     points rising; NS = 8 or 12.
 C
       IMPLICIT NONE
       INTEGER            NS
       DOUBLE PRECISION   C(12), WT(12)
-      DOUBLE PRECISION   P(13), PI, D
-      EXTERNAL           GSLGP
-      INTEGER            K, L
+      DOUBLE PRECISION   C8(4), W8(4), C12(6), W12(6)
+      INTEGER            K
+      DATA C8
+     $  / -9.602898564975362316835608685694729904D-1,
+     $    -7.966664774136267395915539364758304368D-1,
+     $    -5.25532409916328985817739049189246349D-1,
+     $    -1.834346424956498049394761423601839807D-1 /
+      DATA W8
+     $  / 1.012285362903762591525313543099621901D-1,
+     $    2.223810344533744705443559944262408844D-1,
+     $    3.137066458778872873379622019866013133D-1,
+     $    3.626837833783619829651504492771956122D-1 /
+      DATA C12
+     $  / -9.81560634246719250690549090149280823D-1,
+     $    -9.041172563704748566784658661190961925D-1,
+     $    -7.69902674194304687036893833212818076D-1,
+     $    -5.873179542866174472967024189405342804D-1,
+     $    -3.678314989981801937526915366437175613D-1,
+     $    -1.2523340851146891547244136946385313D-1 /
+      DATA W12
+     $  / 4.717533638651182719461596148501706032D-2,
+     $    1.069393259953184309602547181939962242D-1,
+     $    1.600783285433462263346525295433590719D-1,
+     $    2.031674267230659217490644558097983765D-1,
+     $    2.334925365383548087608498989248780563D-1,
+     $    2.491470458134027850005624360429512108D-1 /
 C
-      PI = 4.0D0*ATAN( 1.0D0 )
-      DO 20 K = 1, NS/2
-         C(K) = -COS( PI*( DBLE( K ) - 0.25D0 )/( DBLE( NS ) + 0.5D0 ) )
-         DO 10 L = 1, 6
-            CALL GSLGP( NS + 1, C(K), P )
-            D    = DBLE( NS )*( P(NS) - C(K)*P(NS+1) )
-     $             /( 1.0D0 - C(K)**2 )
-            C(K) = C(K) - P(NS+1)/D
-   10    CONTINUE
-         WT(K)       = 2.0D0/( ( 1.0D0 - C(K)**2 )*D*D )
+      DO 10 K = 1, NS/2
+         IF ( NS.EQ.8 ) THEN
+            C(K)  = C8(K)
+            WT(K) = W8(K)
+         ELSE
+            C(K)  = C12(K)
+            WT(K) = W12(K)
+         END IF
          C(NS+1-K)  = -C(K)
          WT(NS+1-K) = WT(K)
-   20 CONTINUE
+   10 CONTINUE
       END
       SUBROUTINE GSLGP( N, X, P )
 C
@@ -48,24 +69,38 @@ C     PURPOSE
 C     B, so that the sum of B(K)*F(C(K)) is the integral from CA to CB
 C     of the polynomial of degree NS-1 through F at the points of GSGLN.
 C
+C     METHOD
+C     By polynomials of Legendre, one degree after the other, of all
+C     points together.
+C
       IMPLICIT NONE
       INTEGER            NS
       DOUBLE PRECISION   C(12), WT(12), CA, CB, B(12)
-      DOUBLE PRECISION   P(12), PA(13), PB(13), S
+      DOUBLE PRECISION   P(12), OLD(12), PA(13), PB(13), S, X, Y, NEXT
       EXTERNAL           GSLGP
       INTEGER            J, K
 C
       CALL GSLGP( NS + 1, CA, PA )
       CALL GSLGP( NS + 1, CB, PB )
-      DO 20 K = 1, NS
-         CALL GSLGP( NS, C(K), P )
-         S = CB - CA
-         DO 10 J = 2, NS
-            S = S + P(J)*( ( PB(J+1) - PB(J-1) )
-     $                   - ( PA(J+1) - PA(J-1) ) )
-   10    CONTINUE
-         B(K) = 0.5D0*WT(K)*S
-   20 CONTINUE
+      DO 10 K = 1, NS
+         OLD(K) = 1.0D0
+         P(K)   = C(K)
+         B(K)   = CB - CA
+   10 CONTINUE
+      DO 30 J = 2, NS
+         S = ( PB(J+1) - PB(J-1) ) - ( PA(J+1) - PA(J-1) )
+         X = DBLE( 2*J - 1 )/DBLE( J )
+         Y = DBLE( J - 1 )/DBLE( J )
+         DO 20 K = 1, NS
+            B(K)   = B(K) + P(K)*S
+            NEXT   = X*C(K)*P(K) - Y*OLD(K)
+            OLD(K) = P(K)
+            P(K)   = NEXT
+   20    CONTINUE
+   30 CONTINUE
+      DO 40 K = 1, NS
+         B(K) = 0.5D0*WT(K)*B(K)
+   40 CONTINUE
       END
       SUBROUTINE GSLGI( N, Z, CA, CB, B )
 C

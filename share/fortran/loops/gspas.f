@@ -105,7 +105,10 @@ C     -- the minimum: samples of these steps, then finer and finer
                END IF
             END IF
    70    CONTINUE
+C        -- within one step: only what falls below both ends is followed
+         IF ( FIRST.EQ.7 .AND. .NOT.( TMIN.LT.P(9) ) ) GO TO 90
    80 CONTINUE
+   90 CONTINUE
       IF ( FIRST.EQ.5 ) RETURN
       IF ( TMIN.LT.P(9) ) THEN
 C        the steps that follow find others
