@@ -72,6 +72,11 @@
         ((eq (caar e) '%signum) 0)
         (t (gs-function-rate h ($op e) (cdr e)))))
 
+;;; |x| and its sign under names of their own while Maxima differentiates (gs__derivative); not by
+;;; gradef, which would stand in the session's list of gradefs
+(defprop $gs__modulus ((x) (($gs__sign) x)) grad)
+(defprop $gs__sign ((x) 0) grad)
+
 ;;; rate of any other function: Maxima's derivative with respect to each argument, through symbols
 ;;; that nothing else has
 (defun gs-function-rate (h f arguments)

@@ -34,7 +34,10 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
   if (info != 1 && counts(14) > 0)
     text = [text "; the steps are bound by stability"];
   endif
-  text = [text, fastest(m, values(8), last, info), outside(m, values(8), last)];
+  text = [text, fastest(m, values(8), last, info)];
+  if (! isempty (last))
+    text = [text, gsmbp__outside(m, values(8), last.x, last.v)];
+  endif
 endfunction
 
 ## the sentence for INFO of the routine with that number (ISTAT(6), ISTAT(7) of GSSIM)
@@ -67,15 +70,4 @@ function text = fastest (m, t, last, info)
   per_second = regexprep ([unit "/s"], "/s/s$", "/s^2");
   text = sprintf ("; there %s = %.6g %s has the rate %.6g %s%s", m.states{k}, last.x(k), unit,
                   rate(k), per_second, gsmbp__nowhere (rate(k)));
-endfunction
-
-## the margins of devices that are passed there
-function text = outside (m, t, last)
-  text = "";
-  if (! isempty (last))
-    list = gsmbp__margins (m, t, last.x', last.v');
-    for one = list
-      text = [text "; outside a margin: " one.said];
-    endfor
-  endif
 endfunction

@@ -16,8 +16,9 @@ function gsmbp__rest_refuse (p, z)
   if (! isempty (help))
     advice = ["these inputs act on it: " strjoin(help, ", ") " (option \"free\")"];
   endif
-  error ("%s: %s: no equilibrium found near the guess; what does not vanish: %s; %s", p.who,
-         p.m.name, strjoin (left, ", "), advice);
+  [x, v] = gsmbp__rest_state (p, z);
+  error ("%s: %s: no equilibrium found near the guess; what does not vanish: %s%s; %s", p.who,
+         p.m.name, strjoin (left, ", "), gsmbp__outside (p.m, p.t, x, v), advice);
 endfunction
 
 ## inputs that act on what the states cannot take away

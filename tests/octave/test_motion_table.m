@@ -3,7 +3,7 @@
 
 function test_motion_table ()
   m = gsmbp_fixture ("motion_table");
-  t = [0, 0.3, 0.4, 0.5, 0.6, 0.7, 1];
+  t = [-0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 1];
   z = [0, 0, 4, 8, 5, 0, 0] / 100;
   s = natural (t, z);
   s1 = ppder (s);
@@ -19,7 +19,7 @@ function test_motion_table ()
   [~, ~, ~, gam] = m.con (-1, [0; 0], [0; 0]);
   [~, ~, ~, gam(2)] = m.con (3, [0; 0], [0; 0]);
   gsmbp_check ("straight before and behind", gam, 1e-11);
-  x0 = [0; 0; ppval(s1, 0); 0];
+  x0 = [ppval(s, 0); 0; ppval(s1, 0); 0];
   f = @(t, x) [x(2); (-20e3 * x(1) - 1500 * x(2)) / 300 - ppval(s2, t)];
   times = 0:0.1:1;
   [~, y] = ode45 (f, times, [0; 0], odeset ("RelTol", 1e-11, "AbsTol", 1e-13));
