@@ -14,7 +14,7 @@ typedef void (*gsmbp_sub) (void);
   X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm)
 #define GSMBP_SIZE(name) int name;
 
-/* an emitted subroutine: the end of its name, and its arguments as gsmbp_module.cc reads them, ""
+/* an emitted subroutine: the end of its name, and its arguments as signature.h reads them, ""
    where the JSON does not tell their shapes */
 typedef struct
 {

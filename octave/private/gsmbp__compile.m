@@ -43,8 +43,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
-  parts = {fullfile(glue, "gsmbp_module.cc"), fullfile(glue, "gsmbp_scene.h"), ...
-           fullfile(glue, "gsmbp_cvode.h")};
+  parts = [glob(fullfile (glue, "*.h")); {fullfile(glue, "gsmbp_module.cc")}];
   if (gsmbp__older (module, parts))
     place = scratch (common);
     guard = onCleanup (@() remove (place));

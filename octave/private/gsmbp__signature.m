@@ -1,5 +1,5 @@
 ## text = gsmbp__signature (row)
-## The arguments of an emitted subroutine as glue/gsmbp_module.cc reads them, "t q(2) cst >e(3)",
+## The arguments of an emitted subroutine as glue/signature.h reads them, "t q(2) cst >e(3)",
 ## from its ROW of the JSON's "subroutines".  "" where ROW has no shapes, or a handle needs more
 ## than they tell (the range of a number, a leading dimension): such a subroutine has a row in the
 ## table of the module, or no handle.

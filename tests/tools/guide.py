@@ -57,7 +57,7 @@ def callers(units):
         for name in set(re.findall(r'\b(GS\w+)(?= *\()', body)) & set(called):
             called[name] |= {caller} - {name}
     for who, paths in (('emitted', files_of('gsmbp/*/*.mac', 'gsmbp/*/*.lisp')),
-                       ('glue', files_of('octave/glue/*.c', 'octave/glue/*.cc'))):
+                       ('glue', files_of('octave/glue/*.[ch]', 'octave/glue/*.cc'))):
         text = '\n'.join(map(without_comments, paths))
         if who == 'glue':
             text = re.sub(r'//.*', '', text)

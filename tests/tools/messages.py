@@ -35,7 +35,7 @@ TEXTS = [
     ('octave/private/gsmbp__failure.m', 'gsmbp__failure'),
     ('octave/private/gsmbp__failure.m', 'cause'),
     ('octave/private/gsmbp__failure.m', 'fastest'),
-    ('octave/private/gsmbp__failure.m', 'outside'),
+    ('octave/private/gsmbp__outside.m', 'gsmbp__outside'),
     ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
     ('octave/private/gsmbp__compile.m', 'say_if_long'),
     ('octave/private/gsmbp__no_beginning.m', 'gsmbp__no_beginning'),
@@ -99,12 +99,13 @@ def plain(text):
 
 
 def kind_of(path):
-    return path.rsplit('.', 1)[1]
+    end = path.rsplit('.', 1)[1]
+    return 'cc' if end == 'h' else end
 
 
 def sources():
     for pattern in ('gsmbp/*.mac', 'gsmbp/*/*.mac', 'gsmbp/*.lisp', 'gsmbp/*/*.lisp', 'octave/*.m',
-                    'octave/private/*.m', 'octave/glue/gsmbp_module.cc'):
+                    'octave/private/*.m', 'octave/glue/*.h', 'octave/glue/*.cc'):
         for path in sorted(glob.glob(os.path.join(ROOT, pattern))):
             yield os.path.relpath(path, ROOT)
 

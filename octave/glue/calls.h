@@ -1,0 +1,158 @@
+// The emitted subroutines, called at one state or at many.
+#pragma once
+
+#include "info.h"
+#include "signature.h"
+
+// f (p[0], p[1], ...)
+template <std::size_t... I>
+static void
+spread (gsmbp_sub f, void **p, std::index_sequence<I...>)
+{
+  fortran {f} (p[I]...);
+}
+
+template <std::size_t N>
+static void
+call_with (gsmbp_sub f, void **p)
+{
+  spread (f, p, std::make_index_sequence<N> ());
+}
+
+template <std::size_t... N>
+static void
+call_any (gsmbp_sub f, void **p, std::size_t n, std::index_sequence<N...>)
+{
+  static void (*const by_number[]) (gsmbp_sub, void **) = { call_with<N>... };
+  by_number[n] (f, p);
+}
+
+static void
+call (gsmbp_sub f, void **p, std::size_t n)
+{
+  call_any (f, p, n, std::make_index_sequence<most_slots + 1> ());
+}
+
+static reals
+read (arguments& a, const slot& s)
+{
+  const char *name = s.name.c_str ();
+  if (s.cols > 1)
+    return a.array (name, s.rows, s.cols);
+  if (! s.needed)
+    return a.vector_or_zero (name, s.rows);
+  bool coordinates = s.name == "q" || s.name == "x";
+  return coordinates ? a.coordinates (name, s.rows) : a.vector (name, s.rows);
+}
+
+static Matrix
+modes_after (const std::vector<int>& mode)
+{
+  Matrix m (S.nmode, 1);
+  for (int i = 0; i < S.nmode; i++)
+    m(i) = mode[i];
+  return m;
+}
+
+// a subroutine at one state
+static octave_value_list
+call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
+{
+  std::size_t n = g.slots.size ();
+  reals numbers[most_slots];
+  int wholes[most_slots] = { };
+  void *places[most_slots];
+  std::vector<int> mode;
+  reals cst = a.constants ();
+  for (std::size_t i = 0; i < n; i++)
+    {
+      const slot& s = g.slots[i];
+      if (s.what == slot::real)
+        {
+          numbers[i] = s.in ? read (a, s) : room (s.room);
+          places[i] = numbers[i].data ();
+        }
+      else if (s.what == slot::modes)
+        {
+          mode = a.modes ();
+          places[i] = mode.data ();
+        }
+      else if (s.what == slot::constants)
+        places[i] = cst.data ();
+      else
+        {
+          wholes[i] = s.what == slot::whole ? a.integer_within (s.name.c_str (), s.low, s.high)
+                                            : s.what == slot::leading ? s.rows : 0;
+          places[i] = &wholes[i];
+        }
+    }
+  call (f, places, n);
+  octave_value_list out (g.results.size ());
+  for (std::size_t k = 0; k < g.results.size (); k++)
+    {
+      std::size_t i = g.results[k];
+      const slot& s = g.slots[i];
+      out(k) = s.what == slot::modes ? modes_after (mode) : result (numbers[i], s.rows, s.cols);
+    }
+  for (std::size_t i = 0; i < n; i++)
+    if (g.slots[i].what == slot::indicator)
+      finish (out, wholes[i], nargout, a.call ().c_str ());
+  return out;
+}
+
+static const number no_number = std::numeric_limits<double>::quiet_NaN ();
+
+// The indicators are the last output; without it a state that has one is an error.
+static void
+finish_batch (octave_value_list &out, const std::vector<int> &info, int k, int nargout,
+              const char *call)
+{
+  RowVector r (k);
+  int worst = -1;
+  for (int i = k - 1; i >= 0; i--)
+    {
+      r(i) = info[i];
+      if (info[i] != 0)
+        worst = i;
+    }
+  if (nargout <= out.length () && worst >= 0)
+    error_with_id ("gsmbp:info", "%s.%s: state %d: INFO = %d: %s", S.name, call, worst + 1,
+                   info[worst], meaning (call, info[worst]).c_str ());
+  out.append (octave_value (r));
+}
+
+// a subroutine at K states, of which the second argument tells how many
+static octave_value_list
+call_batch (const signature& g, gsmbp_sub f, arguments& a, int nargout)
+{
+  std::size_t n = g.slots.size ();
+  reals cst = a.constants ();
+  int k = a.states_behind (g.slots[1].name.c_str (), g.slots[1].rows), ld = columns::leading (k);
+  std::vector<int> info (ld, 0);
+  std::vector<columns> numbers;
+  numbers.reserve (n);
+  void *places[most_slots];
+  for (std::size_t i = 0; i < n; i++)
+    {
+      const slot& s = g.slots[i];
+      bool real = s.what == slot::real;
+      numbers.emplace_back (real ? k : 0, real ? s.rows * s.cols : 0,
+                            s.out && g.tells ? no_number : number (0));
+      if (s.in)
+        a.batch (s.name.c_str (), s.rows, k, numbers[i], s.needed);
+      places[i] = s.what == slot::constants ? static_cast<void *> (cst.data ())
+                  : s.what == slot::states ? &k
+                  : s.what == slot::leading ? &ld
+                  : s.what == slot::indicator ? static_cast<void *> (info.data ())
+                                              : numbers[i].data ();
+    }
+  call (f, places, n);
+  octave_value_list out;
+  for (std::size_t i : g.results)
+    out.append (numbers[i].matrix (g.slots[i].cols > 1
+                                   ? dim_vector (g.slots[i].rows, g.slots[i].cols, k)
+                                   : dim_vector (g.slots[i].rows, k)));
+  if (g.tells)
+    finish_batch (out, info, k, nargout, a.call ().c_str ());
+  return out;
+}

@@ -1,0 +1,43 @@
+// What the error indicators of the emitted subroutines say, and to whom.
+#pragma once
+
+#include "arguments.h"
+
+static std::string meaning (const std::string& call, int info);
+
+// Lost rank is news where it is not so everywhere: of a scene that has redundant constraints it is
+// said once a model.
+static bool the_rank_said = false, the_rank_full = false;
+
+static void
+say_rank (const char *call)
+{
+  if (the_rank_said && ! the_rank_full)
+    return;
+  the_rank_said = true;
+  warning_with_id (
+      "gsmbp:rank", "%s.%s: INFO = 2: %s%s", S.name, call, meaning (call, 2).c_str (),
+      the_rank_full ? "" : "; this is said once a model: gsmbp_mobility tells which ones are");
+}
+
+// INFO becomes the output after the others if the caller takes it; otherwise
+// an error, but for lost rank (2), whose results are usable, a warning.
+static void
+finish (octave_value_list& out, int info, int nargout, const char *call)
+{
+  int place = out.length ();
+  if (info == 0 && S.nlam > 0
+      && std::strstr (" rhs acc acd ", (" " + std::string (call) + " ").c_str ()))
+    the_rank_full = true;
+  if (nargout <= place && info != 0)
+    {
+      if (info == 2
+          && std::strstr (" rhs acc acd out jac evt rst prj con ",
+                          (" " + std::string (call) + " ").c_str ()))
+        say_rank (call);
+      else
+        error_with_id ("gsmbp:info", "%s.%s: INFO = %d: %s", S.name, call, info,
+                       meaning (call, info).c_str ());
+    }
+  out.append (octave_value (info));
+}

@@ -1,0 +1,114 @@
+// Numbers in double or quad precision, their way to Octave, and calls of Fortran subroutines.
+#pragma once
+
+#include <octave/oct.h>
+#include <octave/parse.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cfloat>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <dlfcn.h>
+
+#include "gsmbp_scene.h"
+#include "gsmbp_cvode.h"
+
+#if defined (GSMBP_QUAD)
+# include <quadmath.h>
+typedef __float128 number;
+#else
+typedef double number;
+#endif
+
+typedef std::vector<number> reals;
+
+// how often the next call is repeated to be timed (0: once, untimed), and the time of all
+static long the_repeats = 0;
+static double the_seconds = 0;
+
+// A Fortran subroutine: the address carries no types, the call states them.
+struct fortran
+{
+  gsmbp_sub f;
+  template <typename... T> void operator () (T... a) const
+  {
+    // volatile: the compiler may not look behind the pointer, whose declared type has no arguments
+    gsmbp_sub volatile hidden = f;
+    auto call = reinterpret_cast<void (*) (T...)> (hidden);
+    if (the_repeats == 0)
+      return call (a...);
+    auto begin = std::chrono::steady_clock::now ();
+    for (long i = 0; i < the_repeats; i++)
+      call (a...);
+    the_seconds
+        = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+  }
+};
+
+extern "C"
+{
+  void gssim_ (void);
+  void gspln_ (void);
+  void gskkt_ (void);
+  void gsacc_ (void);
+  void gsspd_ (void);
+  void gsleq_ (void);
+  void gsfun_ (void);
+  void gsinp_ (void);
+  void gschk_ (void);
+  void gsjmp_ (void);
+  void gspst_ (void);
+  void gspnw_ (void);
+  void gspbg_ (void);
+  void gsdue_ (void);
+}
+
+static const gsmbp_scene& S = gsmbp_the_scene;
+
+// an emitted subroutine by the end of its name, a null pointer where there is none
+static const gsmbp_routine *
+emitted (const std::string& name)
+{
+  for (const gsmbp_routine *r = S.routines; r->name; r++)
+    if (name == r->name)
+      return r;
+  return nullptr;
+}
+
+static void absent_routine (const std::string& name);
+
+static fortran
+routine (const char *name)
+{
+  const gsmbp_routine *r = emitted (name);
+  if (! r)
+    absent_routine (name);
+  return fortran {r->sub};
+}
+
+static reals
+room (int n)
+{
+  return reals (std::max (1, n), number (0));
+}
+
+static Matrix
+result (const reals& x, int rows, int cols = 1)
+{
+  Matrix m (rows, cols);
+  for (octave_idx_type i = 0; i < m.numel (); i++)
+    m.xelem (i) = double (x[i]);
+  return m;
+}

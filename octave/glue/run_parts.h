@@ -1,0 +1,151 @@
+// What a run calls or keeps beside the states: inputs of the user in Octave, samples, events, the
+// library of CVODE.
+#pragma once
+
+#include "arguments.h"
+
+// A subroutine of the user in Octave: v = f (t, x).  An exception may not
+// cross Fortran frames; it is kept and thrown again behind the run.
+// Only while a run lasts do these point to something: a static octave_value
+// would be destroyed after the interpreter.
+static const octave_value *the_input = nullptr;
+static std::exception_ptr *the_failure = nullptr;
+
+extern "C" void
+gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
+                  const int *nv, const int *, const number *, const number *,
+                  number *v, int *info)
+{
+  *info = 0;
+  try
+    {
+      Matrix state (*nx, 1);
+      for (int i = 0; i < *nx; i++)
+        state.xelem (i) = double (x[i]);
+      octave_value_list r = octave::feval (*the_input, ovl (double (*t), state), 1);
+      octave_value_list only;
+      if (r.length () > 0)
+        only.append (r(0));
+      arguments a (only, "simulate");
+      reals given = a.vector ("v", *nv);
+      for (int i = 0; i < *nv; i++)
+        v[i] = given[i];
+    }
+  catch (...)
+    {
+      *the_failure = std::current_exception ();
+      *info = -1000;
+    }
+}
+
+extern "C" void gsmbp_absent (void) { }
+
+static gsmbp_sub
+user_input (void)
+{
+  if (! S.vin)
+    error_with_id ("gsmbp:absent",
+                   "%s.input: the model was built without option \"input\" of gsmbp_build", S.name);
+  return S.vin;
+}
+
+// The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies
+// behind the memory
+static void
+set_samples (reals& cst, std::vector<int>& ip, reals& rp)
+{
+  if (ip.size () < 30)
+    error ("%s.sim: ip is too short", S.name);
+  if (ip[25] <= 0)
+    return;
+  const int *is = &ip[ip[25] - 1];
+  int nc = is[0], nh = is[3], np = is[4], ns = is[5], first = ip[26] - 1;
+  if (nc != S.nctl || is[1] != S.nxk || is[2] != S.ny)
+    error ("%s.sim: the plan of the samples is not of this scene", S.name);
+  rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh)
+                 + std::size_t (ns) * (1 + S.nxk + S.nv),
+             number (0));
+  routine ("ctp") (&cst[0], &rp[first], &rp[first + nc]);
+}
+
+// after a run: a struct of the outputs at the output times, the record of the samples, the memory
+// at the end
+static octave_value
+samples (const reals& cst, const std::vector<int>& ip, const reals& rp, const reals& tout,
+         const reals& xout, const reals& vout, int ldx, int ldv, int reached)
+{
+  if (ip[25] <= 0)
+    return Matrix ();
+  const int *is = &ip[ip[25] - 1];
+  int nc = is[0], nh = is[3], np = is[4], ns = std::min (is[5], is[6]), width = 1 + S.nxk + S.nv;
+  const number *s = &rp[ip[26] - 1];
+  octave_scalar_map r;
+  Matrix y (S.ny, reached), memory (S.nxk, 1), record (width, ns);
+  reals one = room (S.ny);
+  for (int k = 0; k < reached && S.ny > 0; k++)
+    {
+      int info = 0;
+      routine ("out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k],
+                              &cst[0], &one[0], &info);
+      for (int i = 0; i < S.ny; i++)
+        y(i, k) = double (one[i]);
+    }
+  s += 2 * nc + nh;
+  for (int i = 0; i < S.nxk; i++)
+    memory(i) = double (s[i]);
+  s += S.nxk + S.ny + S.nv + np * (1 + nh);
+  for (octave_idx_type i = 0; i < record.numel (); i++)
+    record.xelem (i) = double (s[i]);
+  r.assign ("y", y);
+  r.assign ("memory", memory);
+  r.assign ("record", record);
+  r.assign ("instants", is[6]);
+  return octave_value (r);
+}
+
+// The plan of the events (see GSRES): room in RP
+static void
+set_events (std::vector<int>& ip, reals& rp, int nx)
+{
+  if (ip[27] <= 0)
+    return;
+  const int *ie = &ip[ip[27] - 1];
+  if (ie[0] != S.nev)
+    error ("%s.sim: the plan of the events is not of this scene", S.name);
+  ip[28] = int (rp.size ()) + 1;
+  rp.resize (rp.size () + 5 * ie[0] + 3 * nx + std::size_t (ie[1]) * (3 + 2 * nx), number (0));
+}
+
+// after a run: the record of the events, a column for each: time, number, mode after, states
+// before, states after; how many there were
+static octave_value_list
+events (const std::vector<int>& ip, const reals& rp, int nx)
+{
+  if (ip[27] <= 0)
+    return ovl (Matrix (), 0);
+  const int *ie = &ip[ip[27] - 1];
+  Matrix record (3 + 2 * nx, std::min (ie[1], ie[2]));
+  for (octave_idx_type i = 0; i < record.numel (); i++)
+    record.xelem (i) = double (rp[ip[28] - 1 + 5 * ie[0] + 3 * nx + i]);
+  return ovl (record, ie[2]);
+}
+
+#if ! defined (GSMBP_QUAD)
+// the run by CVODE, in a library of its own
+static int
+run_cvode (const std::string& library, const gsmbp_run& r)
+{
+  static gsmbp_run_function *run = nullptr;
+  static std::string loaded;
+  if (loaded != library)
+    {
+      void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
+      void *address = handle ? dlsym (handle, "gsmbp_cvode") : nullptr;
+      if (! address)
+        error ("gsmbp_simulate: cannot load %s: %s", library.c_str (), dlerror ());
+      run = reinterpret_cast<gsmbp_run_function *> (address);
+      loaded = library;
+    }
+  return run (&r);
+}
+#endif

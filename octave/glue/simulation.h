@@ -1,0 +1,241 @@
+// A run: what gsmbp_simulate hands over, the subroutines that it needs, GSSIM, CVODE where that is
+// asked for or steps are bound by stability, what comes back.
+#pragma once
+
+#include "run_parts.h"
+
+// The arguments of GSSIM by their names, and who integrates.
+struct simulation
+{
+  simulation (arguments& a);
+
+  void integrate (void);
+  octave_value_list results (void) const;
+
+  reals cst;
+  number t0;
+  reals x0;
+  int nx;
+  bool audit;   // the two states of an audit stand behind the others
+  reals tout, tbrk;
+  int nt, nb;
+  std::vector<int> iopt;
+  reals ropt, atol;
+  std::vector<int> ip;
+  reals rp;
+  octave_value input;    // the user's inputs as a function of Octave
+  std::string library;   // of CVODE; "": GSSIM alone
+  int order;             // the largest one of CVODE
+
+  gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
+
+  reals xout, vout, rstat, w;
+  std::vector<int> istat;
+  int ldx, ldv, lw, info;
+  std::vector<char> text;   // what CVODE said when it failed
+  double seconds;
+
+private:
+
+  void read_options (arguments& a);
+  void make_room (const reals& guess);
+  void find_routines (void);
+  void by_gssim (void);
+#if ! defined (GSMBP_QUAD)
+  void by_cvode (bool resume);
+#endif
+};
+
+simulation::simulation (arguments& a)
+  : cst (a.constants ()), t0 (a.scalar ("t0")), x0 (a.vector ("x0", -1)), nx (int (x0.size ())),
+    audit (nx == S.nx + 2), info (0), text (400, 0), seconds (0)
+{
+  if (nx != S.nx && ! audit)
+    error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
+  tout = a.vector ("times", -1);
+  tbrk = a.vector ("breaks", -1);
+  Matrix counts = a.matrix ("counts", 2, 1);
+  nt = int (counts(0));
+  nb = int (counts(1));
+  read_options (a);
+  ropt = a.vector ("ropt", 3);
+  atol = a.vector ("atol", nx);
+  ip = a.integers ("ip", -1);
+  rp = a.vector ("rp", -1);
+  reals guess = a.vector ("guess", S.nu);
+  input = a.value ("input function");
+  library = a.value ("library").string_value ();
+  order = a.integers ("largest order", 1)[0];
+  set_samples (cst, ip, rp);
+  set_events (ip, rp, nx);
+  make_room (guess);
+  find_routines ();
+}
+
+// method, way of the loops, drift, steps; from 7 on constraints on speeds
+void
+simulation::read_options (arguments& a)
+{
+  iopt = a.integers ("iopt", -1);
+  if (iopt.size () < 6)
+    error ("%s: iopt is too short", a.who ().c_str ());
+  for (std::size_t i = 6; i < iopt.size (); i++)
+    if (iopt[i] < 1 || iopt[i] > S.nlam)
+      error ("%s: there is no constraint %d", a.who ().c_str (), iopt[i]);
+  iopt[4] = S.nlam > 0 && iopt[2] == 1 && emitted ("kin");
+  iopt[5] = int (iopt.size ()) - 6;
+}
+
+void
+simulation::make_room (const reals& guess)
+{
+  const int statistics = 20;
+  ldx = std::max (1, nx);
+  ldv = std::max (1, S.nv);
+  lw = 2 * S.nu * (ip[3] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu + 10 * S.nq + 7 * S.nlam
+       + 3 * S.nlam * S.nu + 60;
+  w = room (lw);
+  xout = room (ldx * nt);
+  vout = room (ldv * nt);
+  rstat = room (statistics);
+  istat.assign (statistics, 0);
+  for (int i = 0; i < S.nu; i++)
+    w[i] = guess[i];
+}
+
+// those that the run calls; one that it needs and the scene has not is an error
+void
+simulation::find_routines (void)
+{
+  auto needed = [] (bool is, const char *name) { return is ? routine (name).f : gsmbp_absent; };
+  const bool loops = S.nlam > 0, euler = S.nq > S.nu;
+  const bool partition = loops && (iopt[1] == 3 || iopt[1] == 6);
+  // coordinate partitioning keeps the loops closed by itself, but CVODE projects in every way
+  const bool project = iopt[1] != 1
+                       && (euler || (loops && (iopt[1] != 3 || ! library.empty ())));
+  const bool drift = loops && iopt[2] == 1, sampled = ip[25] > 0, events = ip[27] > 0;
+  const bool planned = ip[0] == 2;
+  rhs = routine (audit ? "rha" : "rhs").f;
+  prj = needed (project, "prj");
+  con = needed (partition || drift, "con");
+  kin = needed (partition || iopt[4], "kin");
+  cmd = needed (planned, "cmd");
+  clo = needed (planned && ip[2] == 1, "clo");
+  out = needed (sampled && S.ny > 0, "out");
+  ctl = needed (sampled, "ctl");
+  evt = needed (events, "evt");
+  rst = needed (events, "rst");
+  vin = gsmbp_absent;
+  if (ip[0] == 3)
+    vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
+                                      : user_input ();
+}
+
+void
+simulation::by_gssim (void)
+{
+  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, &S.nq, &S.nu, &nx, &S.nv, &S.nlam, &t0,
+                    &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0], &atol[0], &ip[0],
+                    &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv, &istat[0], &rstat[0], &w[0],
+                    &lw, out, ctl, evt, rst, &info);
+}
+
+#if ! defined (GSMBP_QUAD)
+// from the start, or on from where GSSIM found its steps bound by stability
+void
+simulation::by_cvode (bool resume)
+{
+  const gsmbp_routine *jac = emitted ("jac");
+  gsmbp_run r = gsmbp_run ();
+  r.rhs = rhs;
+  r.prj = prj;
+  r.con = con;
+  r.kin = kin;
+  r.cmd = cmd;
+  r.clo = clo;
+  r.vin = vin;
+  r.out = out;
+  r.ctl = ctl;
+  r.jac = jac ? jac->sub : nullptr;
+  r.gsfun = gsfun_;
+  r.gsinp = gsinp_;
+  r.gschk = gschk_;
+  r.gsjmp = gsjmp_;
+  r.gspst = gspst_;
+  r.gspnw = gspnw_;
+  r.gspbg = gspbg_;
+  r.gsdue = gsdue_;
+  r.nq = S.nq;
+  r.nu = S.nu;
+  r.nx = nx;
+  r.nv = S.nv;
+  r.ny = S.ny;
+  r.nlam = S.nlam;
+  r.resume = resume;
+  r.order = order;
+  r.t0 = t0;
+  r.x0 = &x0[0];
+  r.nt = nt;
+  r.nb = nb;
+  r.tout = &tout[0];
+  r.tbrk = &tbrk[0];
+  r.iopt = &iopt[0];
+  r.ropt = &ropt[0];
+  r.atol = &atol[0];
+  r.ip = &ip[0];
+  r.rp = &rp[0];
+  r.cst = &cst[0];
+  r.xout = &xout[0];
+  r.vout = &vout[0];
+  r.ldx = ldx;
+  r.ldv = ldv;
+  r.istat = &istat[0];
+  r.rstat = &rstat[0];
+  r.w = &w[0];
+  r.text = &text[0];
+  r.length = int (text.size ());
+  info = run_cvode (library, r);
+}
+#endif
+
+void
+simulation::integrate (void)
+{
+  auto begin = std::chrono::steady_clock::now ();
+  const bool stiff = iopt[0] == 0;
+  if (! stiff)
+    by_gssim ();
+#if ! defined (GSMBP_QUAD)
+  if (stiff || info == 5)   // found to be bound by stability
+    by_cvode (! stiff);
+#endif
+  seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+}
+
+octave_value_list
+simulation::results (void) const
+{
+  Matrix counters (octave_idx_type (istat.size ()), 1);
+  for (std::size_t i = 0; i < istat.size (); i++)
+    counters(i) = istat[i];
+  Matrix inputs = S.nv > 0 ? result (vout, S.nv, nt) : Matrix (0, nt);
+  octave_value_list list = ovl (result (xout, nx, nt), inputs, counters,
+                                result (rstat, int (rstat.size ())), info, seconds,
+                                std::string (&text[0]));
+  list.append (samples (cst, ip, rp, tout, xout, vout, ldx, ldv, istat[4]));
+  list.append (events (ip, rp, nx));
+  return list;
+}
+
+static octave_value_list
+do_sim (arguments& a, int)
+{
+  simulation run (a);
+  std::exception_ptr failure;
+  the_input = &run.input;
+  the_failure = &failure;
+  run.integrate ();
+  if (failure)
+    std::rethrow_exception (failure);
+  return run.results ();
+}
