@@ -45,6 +45,25 @@ def predicted(kind, left, above, corner):
                (abs(middle - corner), 2, corner))[2]
 
 
+def thumbnail(data, columns=48, lines=30):
+    """lines of the mean brightness (0 to 255) of the cells of a grid"""
+    rows = pixels(data)
+    high, wide = len(rows), len(rows[0])
+
+    def mean(i, j):
+        cell = [sum(p) for row in rows[i*high//lines:(i + 1)*high//lines]
+                for p in row[j*wide//columns:(j + 1)*wide//columns]]
+        return round(sum(cell)/(3*len(cell)))
+    return [[mean(i, j) for j in range(columns)] for i in range(lines)]
+
+
+def difference(one, other):
+    """of two thumbnails, beside what the second shows on its ground: 0 the same, 1 nothing of it"""
+    ground = collections.Counter(x for line in other for x in line).most_common(1)[0][0]
+    shown = sum(abs(x - ground) for line in other for x in line)
+    return sum(abs(x - y) for a, b in zip(one, other) for x, y in zip(a, b))/max(1, shown)
+
+
 def share_of_ground(data):
     """(share of the commonest colour, number of colours)"""
     counted = collections.Counter(p for row in pixels(data) for p in row)
