@@ -147,7 +147,8 @@ check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
 # the manual: what is written, what the program says of itself; info with the index of Maxima's
 # describe, one page of HTML, PDF (the one that needs TeX)
 MANUAL := share/manual/gsmbp
-MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/*) share/make/manual \
+MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/* share/manual/pictures/*) \
+                  share/make/manual \
                   share/make/doc share/make/functions share/make/functions.awk share/make/demo \
                   share/make/entries share/make/insert share/make/index.awk \
                   share/make/notebook share/make/with_pictures \
