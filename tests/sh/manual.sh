@@ -1,6 +1,6 @@
 # The manual: every session printed in it is typed and compared; every public function is in its
 # index; every entry of the index opens in describe, on both Lisps; example works for every
-# function.
+# function; every word of the scene language has its picture, or is said to have none.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -48,6 +48,14 @@ for word, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows):
         print('code.texi: request %s, %s' % (word, suffix))
 END
 result 'every option of Octave and every request stands in the manual'
+
+/usr/bin/python3 tests/tools/pictures.py
+(cd share/manual && makeinfo --html --no-split -o "$report.html" gsmbp.texi) >"$report" 2>&1 &&
+  share/make/with_pictures "$report.html" share/manual >"$report.page" 2>>"$report" &&
+  [ "$(grep -o 'src="data:image/svg+xml;base64,' "$report.page" | wc -l)" -eq \
+    "$(ls share/manual/pictures | wc -l)" ] && ! grep -q 'src="[^d]' "$report.page"
+told $? 'the page of HTML has all pictures in it' "$report"
+rm -f "$report.html" "$report.page"
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
 for maxima in maxima maxima-sage; do
