@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""pictures.py: the pictures of the elements in the manual, share/manual/pictures; one line `ok WHAT`
+"""pictures.py: the pictures of the elements in the manual, share/manual/pictures; a line `ok WHAT`
 or `not ok WHAT` a check. Each word of the scene language (the nodes of elements.texi, which are
 made of gsmbp_elements()) has one, or element_examples.texi says that it has none; each is shown;
 each is a small drawing that needs nothing from outside, in the one style; info has its text.
