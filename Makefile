@@ -147,10 +147,11 @@ check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
 # the manual: what is written, what the program says of itself; info with the index of Maxima's
 # describe, one page of HTML, PDF (the one that needs TeX)
 MANUAL := share/manual/gsmbp
-MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/*) share/make/manual \
+MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/* share/manual/pictures/*) \
+                  share/make/manual \
                   share/make/doc share/make/functions share/make/functions.awk share/make/demo \
                   share/make/entries share/make/insert share/make/index.awk \
-                  share/make/notebook share/make/with_pictures share/make/pictures \
+                  share/make/notebook share/make/with_pictures \
                   $(filter-out $(GENERATED:%=share/manual/%),$(wildcard share/manual/*.texi))
 
 doc: manual $(MANUAL).html $(MANUAL).pdf
@@ -176,7 +177,7 @@ clean:
 	rm -rf fortran_out gsmbp/compiled examples/*/out tests/bench/out share/manual/functions.txt
 	rm -rf share/manual/gsmbp.info share/manual/gsmbp-index.lisp share/manual/gsmbp.html octave/doc.info
 	rm -rf share/manual/gsmbp-notebook.html share/manual/gsmbp-tutorial.wxm
-	rm -rf share/manual/gsmbp-tutorial.ipynb share/manual/pictures
+	rm -rf share/manual/gsmbp-tutorial.ipynb
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md

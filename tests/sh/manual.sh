@@ -1,6 +1,6 @@
 # The manual: every session printed in it is typed and compared; every public function is in its
 # index; every entry of the index opens in describe, on both Lisps; example works for every
-# function.
+# function; every word of the scene language has its picture, or is said to have none.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -49,31 +49,13 @@ for word, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows):
 END
 result 'every option of Octave and every request stands in the manual'
 
-# every word of the scene language has a picture, but for those that have no form
-/usr/bin/python3 - >"$report" <<'END'
-import glob
-import os
-import re
-import xml.dom.minidom
-WITHOUT = {'parameters', 'speeds', 'baumgarte'}
-text = open('share/manual/elements.texi').read()
-words = set(re.findall(r'(?m)^@node Element (\w+)$', text))
-shown = set(re.findall(r'@image\{pictures/(\w+),', text))
-drawn = {os.path.basename(f)[:-4] for f in glob.glob('share/manual/pictures/*.svg')}
-if len(words) < 20 or words - WITHOUT != shown or shown != drawn or WITHOUT - words:
-    print('words', words - WITHOUT, 'pictures shown', shown, 'drawn', drawn)
-info = re.sub(r'\s+', ' ', open('share/manual/gsmbp.info').read())
-for word, alt in re.findall(r'@image\{pictures/(\w+),8cm,,([^,]*),\.svg\}', text):
-    if '[%s]' % alt not in info:
-        print(word, 'has no text in gsmbp.info')
-for file in glob.glob('share/manual/pictures/*.svg'):
-    for node in xml.dom.minidom.parse(file).getElementsByTagName('*'):
-        if node.tagName not in ('svg', 'polygon', 'polyline', 'circle', 'text'):
-            print(file, node.tagName)
-    if os.path.getsize(file) > 10000:
-        print(file, 'is larger than 10 kB')
-END
-result 'every element has a picture, small, and its text in gsmbp.info'
+/usr/bin/python3 tests/tools/pictures.py
+(cd share/manual && makeinfo --html --no-split -o "$report.html" gsmbp.texi) >"$report" 2>&1 &&
+  share/make/with_pictures "$report.html" share/manual >"$report.page" 2>>"$report" &&
+  [ "$(grep -o 'src="data:image/svg+xml;base64,' "$report.page" | wc -l)" -eq \
+    "$(ls share/manual/pictures | wc -l)" ] && ! grep -q 'src="[^d]' "$report.page"
+told $? 'the page of HTML has all pictures in it' "$report"
+rm -f "$report.html" "$report.page"
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
 for maxima in maxima maxima-sage; do
