@@ -1,0 +1,139 @@
+      SUBROUTINE GSJAC( NU, NLAM, NQ, NZ, LM, LB, LC, K, Z, IW, INFO )
+C
+C     PURPOSE
+C     The derivatives Z of accelerations and multipliers by the states
+C     and inputs: K*Z_out = Z_in, with what the efforts of the tree give.
+C
+C     ARGUMENTS
+C     NU, NLAM, NQ (input) INTEGER, the numbers of speeds, constraints
+C             and coordinates.
+C     NZ      (input) INTEGER, the number of states and inputs.
+C     LM, LB, LC (input) DOUBLE PRECISION arrays, dimensions (NU,NU),
+C             (NU,NU), (NU,NQ), from <NAME>_LIN.
+C     K       (input/output) DOUBLE PRECISION array, dimension (NU+NLAM,
+C             NU+NLAM): on entry its border; overwritten.
+C     Z       (input/output) DOUBLE PRECISION array, dimension (NU+NLAM,
+C             NZ): right sides without LIN; on exit the derivatives, where
+C             INFO is 0, else the right sides.
+C     IW      (workspace) INTEGER array, dimension (NU+NLAM).
+C     INFO    (input/output) INTEGER; on entry 2 where the constraints
+C             have lost rank: then nothing is solved; on exit > 0 where
+C             it is not solved (GSJDF does).
+C
+      IMPLICIT NONE
+      INTEGER            NU, NLAM, NQ, NZ, IW(*), INFO
+      DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*), K(NU+NLAM,*),
+     $                   Z(NU+NLAM,*)
+      EXTERNAL           GSLEQ
+      INTEGER            I, J
+C
+      DO 30 I = 1, NU
+         DO 10 J = 1, NQ
+            Z(I,J) = Z(I,J) - LC(I,J)
+   10    CONTINUE
+         DO 20 J = 1, NU
+            K(I,J) = LM(I,J)
+            Z(I,NQ+J) = Z(I,NQ+J) - LB(I,J)
+   20    CONTINUE
+   30 CONTINUE
+      IF ( INFO.NE.2 ) CALL GSLEQ( NU + NLAM, NZ, K, NU + NLAM, Z,
+     $                             NU + NLAM, IW, INFO )
+      END
+      SUBROUTINE GSJDF( NU, NLAM, NZ, LM, H, PHI, GRP, Z, HC, UD, LAM,
+     $                  W, INFO )
+C
+C     PURPOSE
+C     As GSJAC, from the right sides that it leaves, where the
+C     constraints have lost rank: column by column, rank revealing.
+C
+C     ARGUMENTS
+C     As in GSJAC, and
+C     H       (input) DOUBLE PRECISION array, dimension (NLAM,NU), the
+C             Jacobian of the constraints.
+C     PHI     (input) DOUBLE PRECISION array, dimension (NLAM), what is
+C             left of them.
+C     GRP     (input) INTEGER array, dimension (NLAM), see GSQRG.
+C     HC, UD, LAM (workspace) DOUBLE PRECISION arrays, dimensions (NLAM,
+C             NU), (NU), (NLAM).
+C     W       (workspace) DOUBLE PRECISION array, as of GSACC.
+C     INFO    (output) INTEGER, 0, or 1: singular mass matrix.
+C
+      IMPLICIT NONE
+      INTEGER            NU, NLAM, NZ, GRP(*), INFO
+      DOUBLE PRECISION   LM(NU,*), H(NLAM,*), PHI(*), Z(NU+NLAM,*),
+     $                   HC(NLAM,*), UD(*), LAM(*), W(*)
+      DOUBLE PRECISION   TOL
+      EXTERNAL           GSACR, GSRTL
+      INTEGER            I, J
+C
+      CALL GSRTL( NU, NLAM, H, NLAM, PHI, GRP, TOL, W )
+      DO 20 J = 1, NU
+         DO 10 I = 1, NLAM
+            HC(I,J) = H(I,J)
+   10    CONTINUE
+   20 CONTINUE
+      DO 50 J = 1, NZ
+         CALL GSACR( 1, NU, NLAM, LM, NU, HC, NLAM, Z(1,J), Z(NU+1,J),
+     $               TOL, GRP, UD, LAM, W, INFO )
+         IF ( INFO.EQ.1 ) RETURN
+         DO 30 I = 1, NU
+            Z(I,J) = UD(I)
+   30    CONTINUE
+         DO 40 I = 1, NLAM
+            Z(NU+I,J) = LAM(I)
+   40    CONTINUE
+   50 CONTINUE
+      INFO = 0
+      END
+      SUBROUTINE GSJRW( NU, NQ, NZ, QUASI, Z, LDZ, A, LDA )
+C
+C     PURPOSE
+C     The rows of coordinates and speeds of a Jacobian of the states'
+C     rates, by NZ states or inputs.
+C
+C     ARGUMENTS
+C     NU, NQ, NZ (input) INTEGER, the numbers of speeds, coordinates,
+C             columns.
+C     QUASI   (input) INTEGER: 1: the first NQ rows are there already; 0:
+C             the speeds are the rates of the coordinates, the rows are
+C             zeros.
+C     Z       (input) DOUBLE PRECISION array, dimension (LDZ,NZ), the
+C             derivatives of the accelerations.
+C     A       (output) DOUBLE PRECISION array, dimension (LDA,NZ).
+C
+      IMPLICIT NONE
+      INTEGER            NU, NQ, NZ, QUASI, LDZ, LDA
+      DOUBLE PRECISION   Z(LDZ,*), A(LDA,*)
+      INTEGER            I, J
+C
+      DO 20 J = 1, NZ
+         DO 10 I = 1, NU
+            IF ( QUASI.NE.1 ) A(I,J) = 0.0D0
+            A(NQ+I,J) = Z(I,J)
+   10    CONTINUE
+   20 CONTINUE
+      END
+      SUBROUTINE GSJTH( NR, NL, NZ, BY, LDB, Z, LDZ, A, LDA )
+C
+C     PURPOSE
+C     What rows of a Jacobian get through accelerations and multipliers:
+C     A = A + BY*Z.
+C
+C     ARGUMENTS
+C     NR, NL, NZ (input) INTEGER: BY is NR by NL, Z NL by NZ, A NR by NZ.
+C     BY, Z, A DOUBLE PRECISION arrays of leading dimensions LDB, LDZ,
+C             LDA; BY and Z (input), A (input/output).
+C
+      IMPLICIT NONE
+      INTEGER            NR, NL, NZ, LDB, LDZ, LDA
+      DOUBLE PRECISION   BY(LDB,*), Z(LDZ,*), A(LDA,*)
+      INTEGER            I, J, L
+C
+      DO 30 I = 1, NR
+         DO 20 L = 1, NL
+            DO 10 J = 1, NZ
+               A(I,J) = A(I,J) + BY(I,L)*Z(L,J)
+   10       CONTINUE
+   20    CONTINUE
+   30 CONTINUE
+      END
