@@ -1,10 +1,11 @@
 ;;; routines/arguments.lisp: the arguments of emitted subroutines, and where their elements stand.
 (in-package :maxima)
 
-;;; [[symbol, "NAME(base + 1)"], ...] of symbols; [["NAME(base + 1)", e], ...] of a list;
-;;; [["NAME(1,1)", e], ...] of a matrix, by columns
+;;; [[symbol, place], ...] of symbols, at gs__el(name, base + 1) and on; [[place, e], ...] of a
+;;; list; the same of a matrix, by columns
+(defun gs-place (name &rest subscripts) (list* '($gs__el_ simp) name subscripts))
 (defun gs-places (name n base)
-  (loop for k from 1 to n collect (format nil "~a(~d)" name (+ base k))))
+  (loop for k from 1 to n collect (gs-place name (+ base k))))
 
 (defun $gs__s_list (symbols name base)
   (gs-list
@@ -23,4 +24,4 @@
         (incf j)
         (dolist (e (cdr c))
           (incf i)
-          (push (gs-list (list (format nil "~a(~d,~d)" name i j) e)) l))))))
+          (push (gs-list (list (gs-place name i j) e)) l))))))

@@ -11,6 +11,9 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   indices     parts taken by a number, a[2], in .mac files
   ordinals    parts taken by third ... tenth
   positional  structures of more than five fields made by position
+  fragments   texts of Fortran statements in gsmbp/ beside the folder that prints it
+  unprinted   ... in that folder, beside the files that print statements
+  readers     functions that read words of Fortran
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
 import contextlib
@@ -25,6 +28,10 @@ import deps
 SOURCES = ('.mac', '.lisp', '.m', '.py', '.sh', '.f', '.F', '.cc', '.c', '.h', '.awk')
 DATA = ('tests/data/', 'tests/malformed/', 'tests/bench/peers/')
 INDEX = re.compile(r'(?<![\w%])[\w%]+_?(?:\[\d+\])+')
+FRAGMENT = re.compile(r'CALL |\bIF \(|\bDO "?\d|CONTINUE|DOUBLE PRECISION|\bINTEGER \w|EXTERNAL |'
+                      r'\bRETURN\b|GO TO|\.(?:EQ|NE|GT|LT|GE|LE|AND|OR|NOT)\.|INFO = |END IF')
+PRINTERS = ('statement_text', 'statements', 'expressions', 'lines', 'routine', 'header')
+READER = re.compile(r'gs__(?:tokens|plain_tokens|identifiers|array_of)\(')
 ORDINAL = re.compile(r'\b(?:third|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\s*\(')
 
 
@@ -81,6 +88,27 @@ def constructions(definitions, names):
                 yield place(d)
 
 
+def fragments(root):
+    """the texts of Fortran statements in gsmbp/, as (file, text)"""
+    for folder, _, files in os.walk(os.path.join(root, 'gsmbp')):
+        for f in sorted(files):
+            path = os.path.relpath(os.path.join(folder, f), root)
+            if not path.endswith(('.mac', '.lisp')) or 'compiled' in path:
+                continue
+            with open(os.path.join(root, path), errors='replace') as source:
+                text = source.read()
+            text = re.sub(r'/\*.*?\*/' if path.endswith('.mac') else r';[^\n]*', ' ', text,
+                          flags=re.S)
+            for said in re.findall(r'"(?:\\.|[^"\\])*"', text, re.S):
+                if FRAGMENT.search(said) and '~a' not in said:
+                    yield path, said
+
+
+def unprinted(root):
+    name = lambda path: os.path.splitext(os.path.basename(path))[0]
+    return [f for f in fragments(root) if '/fortran/' in f[0] and name(f[0]) not in PRINTERS]
+
+
 def place(definition):
     return '%s:%d %s' % (definition.file, definition.line, definition.name)
 
@@ -102,6 +130,9 @@ def found(root):
         'indices': every(INDEX, lambda d: d.body),
         'ordinals': every(ORDINAL, lambda d: d.body),
         'positional': list(constructions(definitions, names)),
+        'fragments': ['%s %s' % f for f in fragments(root) if '/fortran/' not in f[0]],
+        'unprinted': ['%s %s' % f for f in unprinted(root)],
+        'readers': sorted({place(d) for d in mac if READER.search(d.body)}),
     }
 
 
