@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Runs
 ## @deftypefn  {} {@var{result} =} gsmbp_simulate (@var{m}, @var{x0}, @var{times}, @
 ## @var{options}, @dots{})
 ## @deftypefnx {} {[@var{result}, @var{info}] =} gsmbp_simulate (@dots{})
@@ -330,7 +331,7 @@ function last = last_state (m, reached, x, v)
 endfunction
 
 %!shared m, c
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! c = gsmbp_hand ("hand_crank");
 %!test <a planned motion through the inverse model comes back>

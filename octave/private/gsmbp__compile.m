@@ -7,9 +7,8 @@
 
 function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   who = "gsmbp_build";
-  octave_dir = fileparts (fileparts (mfilename ("fullpath")));
-  glue = fullfile (octave_dir, "glue");
-  fortran = fullfile (fileparts (octave_dir), "share", "fortran");
+  glue = gsmbp__place ("octave", "glue");
+  fortran = gsmbp__place ("share", "fortran");
   quad = strcmp (precision, "quad");
   f77 = strtrim (mkoctfile ("-p", "F77"));
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
@@ -31,8 +30,9 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   ## what all scenes share
   common = fullfile (folder, precision, "common");
   runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
+  parts = [glob(fullfile (glue, "*.h")); {fullfile(glue, "gsmbp_module.cc")}];
   archive = fullfile (common, "libgsmbp.a");
-  stamp = flags_stamp (common, [f77 " " common_flags]);
+  stamp = flags_stamp (common, [f77 " " common_flags " " digest([runtime; parts])]);
   if (gsmbp__older (archive, [runtime; {stamp}]))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
@@ -43,8 +43,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
-  parts = [glob(fullfile (glue, "*.h")); {fullfile(glue, "gsmbp_module.cc")}];
-  if (gsmbp__older (module, parts))
+  if (gsmbp__older (module, [parts; {stamp}]))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, ...
@@ -142,6 +141,12 @@ function file = flags_stamp (folder, text)
   endif
 endfunction
 
+## what the files say: those of another version of GSMBP may be older than what was made of this one
+function text = digest (files)
+  texts = cellfun (@fileread, files, "UniformOutput", false);
+  text = hash ("md5", [texts{:}]);
+endfunction
+
 ## a size, 0 where the JSON does not say
 function n = size_of (d, name)
   n = 0;
@@ -163,8 +168,7 @@ endfunction
 
 ## the macros of gsmbp_scene.c; sizes are those that gsmbp_scene.h lists
 function text = sizes_header (json, symbol, has_input)
-  header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
-                               "gsmbp_scene.h"));
+  header = fileread (gsmbp__place ("octave", "glue", "gsmbp_scene.h"));
   members = {[".name = \"" json.name "\""], [".symbol = \"" symbol "\""], ...
              [".left_out = \"" left_out(json) "\""]};
   for name = sizes_in (header)

@@ -4,12 +4,12 @@
 
 function library = gsmbp__cvode (who, m)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
-  glue = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue");
-  sources = cellfun (@(name) fullfile (glue, name), ...
+  sources = cellfun (@(name) gsmbp__place ("octave", "glue", name), ...
                      {"gsmbp_cvode.c", "gsmbp_cvode.h", "gsmbp_scene.h"}, "UniformOutput", ...
                      false);
-  library = fullfile (fileparts (fileparts (m.file)), "common", "libgsmbp_cvode.so");
-  if (! gsmbp__older (library, sources))
+  common = fullfile (fileparts (fileparts (m.file)), "common");
+  library = fullfile (common, "libgsmbp_cvode.so");
+  if (! gsmbp__older (library, [sources, {fullfile(common, "flags")}]))
     return;
   endif
   cc = strtrim (mkoctfile ("-p", "CC"));
