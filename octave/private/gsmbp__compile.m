@@ -27,13 +27,13 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     libraries = "-lquadmath";
     define = "-DGSMBP_QUAD";
   endif
-  ## what all scenes share
+  ## what all scenes share, made anew where one of its sources says something else
   common = fullfile (folder, precision, "common");
   runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
-  parts = [glob(fullfile (glue, "*.h")); {fullfile(glue, "gsmbp_module.cc")}];
   archive = fullfile (common, "libgsmbp.a");
-  stamp = flags_stamp (common, [f77 " " common_flags " " digest([runtime; parts])]);
-  if (gsmbp__older (archive, [runtime; {stamp}]))
+  parts = [runtime; glob(fullfile (glue, "*.*"))];
+  stamp = flags_stamp (common, [f77 " " common_flags " " digest(parts)]);
+  if (gsmbp__older (archive, {stamp}))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), ...
@@ -43,7 +43,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
-  if (gsmbp__older (module, [parts; {stamp}]))
+  if (gsmbp__older (module, {stamp}))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, ...
@@ -56,8 +56,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   here = fullfile (folder, precision, json.name);
   file = fullfile (here, [symbol ".oct"]);
   stamp = flags_stamp (here, [f77 " " flags " " input]);
-  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp; ...
-             fullfile(glue, "gsmbp_scene.c"); fullfile(glue, "module.map")};
+  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp};
   if (! isempty (input))
     sources{end+1} = input;
   endif
@@ -141,7 +140,7 @@ function file = flags_stamp (folder, text)
   endif
 endfunction
 
-## what the files say: those of another version of GSMBP may be older than what was made of this one
+## what the files say; their times do not tell those of two installed versions apart
 function text = digest (files)
   texts = cellfun (@fileread, files, "UniformOutput", false);
   text = hash ("md5", [texts{:}]);
