@@ -1,6 +1,6 @@
-# make package: the same tree gives the same bytes; installed by pkg where nobody may write, it works
-# from another folder with nothing else of the tree: pkg load, pkg test, a scene derived, compiled,
-# run and reported, what was emitted in the current folder; doctest of the help texts.
+# make package: the same tree gives the same bytes; installed by pkg where nobody may write, it
+# works from another folder with nothing else of the tree: pkg load, pkg test, a scene derived,
+# compiled, run and reported, what was emitted in the current folder; doctest of the help texts.
 . tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)
@@ -17,7 +17,8 @@ version=$(sed -n 's/.*gsmbp_version, "\([^"]*\)".*/\1/p' gsmbp/kernel/version.ma
 
 # in copies of the tree: what lies there beside it does not count, nor do times, nor the umask
 copy() {
-  mkdir -p "$2" && cp -R "$1"/gsmbp "$1"/octave "$1"/share "$1"/[C-M]* "$2" && rm -rf "$2/share/package"
+  mkdir -p "$2" && cp -R "$1"/gsmbp "$1"/octave "$1"/share "$1"/[C-M]* "$2" &&
+    rm -rf "$2/share/package"
 }
 copy . "$work/tree/a" && copy . "$work/tree/b" && touch "$work"/tree/b/octave/*.m
 make --no-print-directory -C "$work/tree/a" package >"$report" 2>&1
