@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Figures, tables, pages
 ## @deftypefn  {} {} gsmbp_animate (@var{m}, @var{result}, @var{file})
 ## @deftypefnx {} {} gsmbp_animate (@var{m}, @var{result}, @var{file}, @var{options}, @dots{})
 ## Draw the skeletal diagram of a scene along a motion, without a screen.

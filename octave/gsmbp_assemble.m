@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Positions and equilibria
 ## @deftypefn  {} {@var{x} =} gsmbp_assemble (@var{m}, @var{guess})
 ## @deftypefnx {} {@var{x} =} gsmbp_assemble (@dots{}, "hold", @var{names}, "time", @var{t})
 ## @deftypefnx {} {@var{x} =} gsmbp_assemble (@dots{}, "tolerance", @var{tol})
@@ -230,7 +231,7 @@ function e = difference (m, found, x)
 endfunction
 
 %!shared c
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! c = gsmbp_hand ("hand_crank");
 %!test
 %! x = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Models
 ## @deftypefn  {} {@var{m} =} gsmbp_build (@var{name})
 ## @deftypefnx {} {@var{m} =} gsmbp_build (@var{name}, @var{option}, @var{value}, @dots{})
 ## Compile the emitted Fortran of a scene and return its model.
@@ -119,10 +120,11 @@
 ## "double" (default) or "quad": the same Fortran in quad precision, called
 ## with doubles and returning doubles
 ## @item "directory"
-## where the .f and .json are (default: @file{fortran_out} of the working directory
-## if the scene's Fortran is there, else of the repository)
+## where the .f and .json are (default: @file{fortran_out} of the working directory,
+## or of the repository if the scene's Fortran is there alone)
 ## @item "build"
-## where the modules go (default: @file{build} in that directory)
+## where the modules go (default: @file{build} in that directory; where one must not
+## write there, @file{fortran_out/build} of the working directory)
 ## @item "input"
 ## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/inputs/gsinp.f}),
 ## used by @code{gsmbp_simulate} with input @code{"user"}
@@ -186,7 +188,7 @@ function m = gsmbp_build (name, varargin)
   endif
   build = options.build;
   if (isempty (build))
-    build = fullfile (folder, "build");
+    build = default_build (folder);
   endif
   build = make_absolute_filename (build);
   [json, texts] = gsmbp__scene_files (name, source, description);
@@ -218,18 +220,28 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp_set (m, options.parameters);
 endfunction
 
-## where Maxima has written if it ran in the working directory, else where `make` does
+## where Maxima writes if it runs in the working directory; where `make` has written
 function folder = default_directory (name)
   folder = make_absolute_filename ("fortran_out");
-  if (exist (fullfile (folder, [name ".f"]), "file") != 2)
-    folder = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "fortran_out");
+  made = gsmbp__place ("fortran_out");
+  there = @(place) exist (fullfile (place, [name ".f"]), "file") == 2;
+  if (! there (folder) && there (made))
+    folder = made;
+  endif
+endfunction
+
+## beside what was emitted, if one may write there
+function build = default_build (folder)
+  build = fullfile (folder, "build");
+  place = {folder, build}{1 + isfolder(build)};
+  if (isfolder (place) && system (["test -w '" strrep(place, "'", "'\\''") "'"]) != 0)
+    build = fullfile ("fortran_out", "build");
   endif
 endfunction
 
 %!function m = fixture (name, varargin)
-%!  root = fileparts (fileparts (which ("gsmbp_build")));
-%!  m = gsmbp_build (name, "directory", fullfile (root, "tests", "octave", "fixture"), "build", ...
-%!                   fullfile (root, "fortran_out", "build"), varargin{:});
+%!  addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%!  m = gsmbp_hand (name, varargin{:});
 %!endfunction
 %!test
 %! m = fixture ("motor_pendulum");
@@ -271,7 +283,7 @@ endfunction
 %!       "arm.json: expected a file, found a folder of this name");
 %!error <unknown parameter "bb"> fixture ("motor_pendulum", "parameters", struct ("bb", 0))
 %!test   # by its own name, or Octave loads it anew at every call once the path has grown
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! profile on
 %! m.rhs (0, m.initial, 0);

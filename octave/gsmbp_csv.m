@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Figures, tables, pages
 ## @deftypefn {} {} gsmbp_csv (@var{file}, @var{names}, @var{data})
 ## Write the matrix @var{data} as comma-separated values under the column heads
 ## @var{names} (a cell array of strings), each number with 17 digits.

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Models
 ## @deftypefn  {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene})
 ## @deftypefnx {} {[@var{cpu}, @var{wall}] =} gsmbp_derive (@var{scene}, @var{folder})
 ## Derive the scene file @var{scene} (.mac; it gives the variable @code{scene} its
@@ -44,7 +45,7 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
     folder = tempname ();
     guard = onCleanup (@() remove (folder));
   endif
-  command = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "share", "make", "derive");
+  command = gsmbp__place ("share", "make", "derive");
   quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], ...
                     {command, make_absolute_filename(scene), make_absolute_filename(folder)}, ...
                     "UniformOutput", false);

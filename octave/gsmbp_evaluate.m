@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Motions
 ## @deftypefn  {} {@var{f} =} gsmbp_evaluate (@var{motion}, @var{times})
 ## @deftypefnx {} {@var{f} =} gsmbp_evaluate (@var{motion}, @var{times}, @var{nd}, @var{side})
 ## Values and derivatives of a piecewise polynomial, as GSPLN of the Fortran

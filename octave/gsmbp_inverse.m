@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Runs
 ## @deftypefn  {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times})
 ## @deftypefnx {} {@var{r} =} gsmbp_inverse (@var{m}, @var{motion}, @var{times}, @
 ## @var{options}, @dots{})
@@ -240,7 +241,7 @@ function x = states (m, t, qj, v, last)
 endfunction
 
 %!shared m, c
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! c = gsmbp_hand ("hand_crank");
 %!test <open chain with a motor>

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Linear models and control
 ## @deftypefn  {} {@var{sys} =} gsmbp_linear (@var{m}, @var{t}, @var{x}, @var{v})
 ## @deftypefnx {} {[@var{sys}, @var{T}, @var{free}] =} gsmbp_linear (@dots{}, "reduced", @var{q})
 ## The exact linear model of a scene as an @code{ss} object of the control
@@ -160,7 +161,7 @@ function [q, u] = chosen (m, k, H)
 endfunction
 
 %!testif ; ! isempty (pkg ("list", "control"))
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! sys = gsmbp_linear (m, 0, [0 0 0], 0);
 %! assert (get (sys, "stname"), m.states);

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Linear models and control
 ## @deftypefn  {} {@var{design} =} gsmbp_lqr (@var{m}, @var{motion}, @var{times}, @var{Q}, @var{R})
 ## Linear state feedback that holds a scene about a planned motion.
 ##
@@ -20,8 +21,9 @@
 ## >> m = gsmbp_build ("puma560");
 ## >> plan = gsmbp_plan ("quintic", [0.5 0; -0.75 0; 0.5 0], [0 1]);
 ## >> d = gsmbp_lqr (m, plan, [0 1], eye (9), eye (3));
-## >> r = gsmbp_simulate (m, gsmbp_inverse (m, plan, 0).x', [0; 1], ...
-##                     "motion", plan, "gain", d.gain, "reference", d.reference);
+## >> x = gsmbp_inverse (m, plan, 0).x';
+## >> law = @{"motion", plan, "gain", d.gain, "reference", d.reference@};
+## >> r = gsmbp_simulate (m, x, [0; 1], law@{:@});
 ## >> max (abs (r.x(end,1:3))) < 1e-3
 ## ans = 1
 ## @end example
@@ -82,7 +84,7 @@ function design = gsmbp_lqr (m, motion, times, Q, R)
 endfunction
 
 %!testif ; ! isempty (pkg ("list", "control"))
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! plan = gsmbp_plan ("septic", [0 2], [0 1]);
 %! d = gsmbp_lqr (m, plan, 0:0.25:1, diag ([100 1 0]), 0.01);

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Positions and equilibria
 ## @deftypefn  {} {@var{r} =} gsmbp_mobility (@var{m}, @var{x})
 ## @deftypefnx {} {@var{r} =} gsmbp_mobility (@var{m}, @var{x}, @var{t})
 ## What the constraints of a scene leave free at a state, and which reactions

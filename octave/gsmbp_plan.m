@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Motions
 ## @deftypefn  {} {@var{motion} =} gsmbp_plan ("quintic", @var{q}, @var{times})
 ## @deftypefnx {} {@var{motion} =} gsmbp_plan ("septic", @var{q}, @var{times})
 ## @deftypefnx {} {@var{motion} =} gsmbp_plan ("profile", @var{rate}, @var{order}, @var{start})

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Figures, tables, pages
 ## @deftypefn  {} {} gsmbp_plot (@var{file}, @var{t}, @var{panel}, @dots{})
 ## @deftypefnx {} {} gsmbp_plot (@var{file}, @var{m}, @var{result})
 ## @deftypefnx {} {} gsmbp_plot (@dots{}, "title", @var{text}, "xlabel", @var{text})

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Figures, tables, pages
 ## @deftypefn  {} {} gsmbp_report (@var{m}, @var{r}, @var{file})
 ## @deftypefnx {} {} gsmbp_report (@var{m}, @var{r}, @var{file}, @var{options}, @dots{})
 ## Write a scene and a run of it as one page for a browser.
@@ -39,8 +40,8 @@
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
 ## >> r = gsmbp_simulate (m, m.initial, 0:0.05:0.5, "input", 12);
-## >> gsmbp_report (m, r, "crank.html", "scene", ...
-##                  "examples/slider_crank/slider_crank.mac");
+## >> scene = "examples/slider_crank/slider_crank.mac";
+## >> gsmbp_report (m, r, "crank.html", "scene", scene);
 ## @end example
 ##
 ## Errors: a result without t and x of the model's size; a file that does not end in
@@ -109,10 +110,8 @@ function text = run_summary (m, r, o)
 endfunction
 
 %!function [m, r] = motor (varargin)
-%!  root = fileparts (fileparts (which ("gsmbp_build")));
-%!  m = gsmbp_build ("motor_pendulum", "directory", ...
-%!                   fullfile (root, "tests", "octave", "fixture"), "build", ...
-%!                   fullfile (root, "fortran_out", "build"));
+%!  addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%!  m = gsmbp_hand ("motor_pendulum");
 %!  r = struct ("t", (0:0.1:1)', "x", [sin(0:0.1:1)', cos(0:0.1:1)', (0:0.1:1)'.^2], ...
 %!              "v", 3*ones (11, 1));
 %!endfunction

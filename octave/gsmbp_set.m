@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Models
 ## @deftypefn  {} {@var{m} =} gsmbp_set (@var{m}, @var{name}, @var{value}, @dots{})
 ## @deftypefnx {} {@var{m} =} gsmbp_set (@var{m}, @var{values})
 ## The model @var{m} of @code{gsmbp_build} with other parameter values (SI
@@ -79,7 +80,7 @@ function made_of_others (m, name)
 endfunction
 
 %!shared m
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %!assert (gsmbp_set (m, "g", 1.62).inv (0, pi/2, 0, 0), 1.2 * 1.62 * 0.5, 1e-15)
 %!assert (gsmbp_set (m, struct ("l", 1, "g", 1)).par.l, 1)

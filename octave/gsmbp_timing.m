@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Speed and accuracy
 ## @deftypefn  {} {@var{s} =} gsmbp_timing (@var{m}, @var{t}, @var{x})
 ## @deftypefnx {} {@var{s} =} gsmbp_timing (@dots{}, "input", @var{v}, "qj", @var{qj})
 ## @deftypefnx {} {@var{s} =} gsmbp_timing (@dots{}, "seconds", @var{seconds}, "print", @var{yes})
@@ -128,7 +129,7 @@ function show (m, s)
 endfunction
 
 %!test
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! s = gsmbp_timing (m, 0, [0.3 1 0], "seconds", 1e-4, "print", false);
 %! assert (s.rhs > 1e-10 && s.rhs < 1e-4);

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Positions and equilibria
 ## @deftypefn  {} {@var{r} =} gsmbp_trim (@var{m}, @var{x}, @var{v})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "hold", @var{names}, "free", @var{inputs})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol})
@@ -188,7 +189,7 @@ function names = unknowns (p)
 endfunction
 
 %!test
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! r = gsmbp_trim (m, [0.3; 0; 0], 0, "hold", m.states{1}, "free", m.inputs{1});
 %! assert (r.x(1), 0.3);

@@ -1,4 +1,5 @@
 ## -*- texinfo -*-
+## @c category Speed and accuracy
 ## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @
 ## @var{options}, @dots{})
 ## Speed against error: what a simulation costs and how far it is from the
@@ -25,8 +26,8 @@
 ## @c session octave
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
-## >> w = gsmbp_workprecision (m, m.initial, [0 0.1], "input", 12, "rk4", 1e-3, ...
-##                          "dp853", [1e-6 1e-9], "seconds", 0.01, "print", false);
+## >> ways = @{"rk4", 1e-3, "dp853", [1e-6 1e-9], "seconds", 0.01, "print", false@};
+## >> w = gsmbp_workprecision (m, m.initial, [0 0.1], "input", 12, ways@{:@});
 ## >> numel (w), max ([w.error]) < 1e-6
 ## ans = 3
 ## ans = 1
@@ -150,12 +151,15 @@ function figure_of (file, m, w)
 endfunction
 
 %!test
-%! addpath (fullfile (fileparts (fileparts (which ("gsmbp_build"))), "tests", "octave"));
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
 %! m = gsmbp_hand ("motor_pendulum");
 %! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [1e-3 5e-4], "dp853", 1e-12, "print", ...
 %!                          false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
+%! if (! gsmbp_has_sundials ())
+%!   return;
+%! endif
 %! s = gsmbp_workprecision (m, [1 0 0], [0 0.5], "rk4", [], "dp853", [], "cvode", [1e-5 1e-8], ...
 %!                          "print", false, "seconds", 0);
 %! assert ({s.method}, {"cvode", "cvode"});

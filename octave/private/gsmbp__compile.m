@@ -7,9 +7,8 @@
 
 function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   who = "gsmbp_build";
-  octave_dir = fileparts (fileparts (mfilename ("fullpath")));
-  glue = fullfile (octave_dir, "glue");
-  fortran = fullfile (fileparts (octave_dir), "share", "fortran");
+  glue = gsmbp__place ("octave", "glue");
+  fortran = gsmbp__place ("share", "fortran");
   quad = strcmp (precision, "quad");
   f77 = strtrim (mkoctfile ("-p", "F77"));
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
@@ -28,12 +27,13 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     libraries = "-lquadmath";
     define = "-DGSMBP_QUAD";
   endif
-  ## what all scenes share
+  ## what all scenes share, made anew where one of its sources says something else
   common = fullfile (folder, precision, "common");
   runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
   archive = fullfile (common, "libgsmbp.a");
-  stamp = flags_stamp (common, [f77 " " common_flags]);
-  if (gsmbp__older (archive, [runtime; {stamp}]))
+  parts = [runtime; glob(fullfile (glue, "*.*"))];
+  stamp = flags_stamp (common, [f77 " " common_flags " " digest(parts)]);
+  if (gsmbp__older (archive, {stamp}))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), ...
@@ -43,8 +43,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
   endif
   module = fullfile (common, "gsmbp_module.o");
-  parts = [glob(fullfile (glue, "*.h")); {fullfile(glue, "gsmbp_module.cc")}];
-  if (gsmbp__older (module, parts))
+  if (gsmbp__older (module, {stamp}))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, ...
@@ -57,8 +56,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   here = fullfile (folder, precision, json.name);
   file = fullfile (here, [symbol ".oct"]);
   stamp = flags_stamp (here, [f77 " " flags " " input]);
-  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp; ...
-             fullfile(glue, "gsmbp_scene.c"); fullfile(glue, "module.map")};
+  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp};
   if (! isempty (input))
     sources{end+1} = input;
   endif
@@ -142,6 +140,12 @@ function file = flags_stamp (folder, text)
   endif
 endfunction
 
+## what the files say; their times do not tell those of two installed versions apart
+function text = digest (files)
+  texts = cellfun (@fileread, files, "UniformOutput", false);
+  text = hash ("md5", [texts{:}]);
+endfunction
+
 ## a size, 0 where the JSON does not say
 function n = size_of (d, name)
   n = 0;
@@ -163,8 +167,7 @@ endfunction
 
 ## the macros of gsmbp_scene.c; sizes are those that gsmbp_scene.h lists
 function text = sizes_header (json, symbol, has_input)
-  header = fileread (fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue", ...
-                               "gsmbp_scene.h"));
+  header = fileread (gsmbp__place ("octave", "glue", "gsmbp_scene.h"));
   members = {[".name = \"" json.name "\""], [".symbol = \"" symbol "\""], ...
              [".left_out = \"" left_out(json) "\""]};
   for name = sizes_in (header)

@@ -4,12 +4,9 @@
 
 function library = gsmbp__cvode (who, m)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
-  glue = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "glue");
-  sources = cellfun (@(name) fullfile (glue, name), ...
-                     {"gsmbp_cvode.c", "gsmbp_cvode.h", "gsmbp_scene.h"}, "UniformOutput", ...
-                     false);
-  library = fullfile (fileparts (fileparts (m.file)), "common", "libgsmbp_cvode.so");
-  if (! gsmbp__older (library, sources))
+  common = fullfile (fileparts (fileparts (m.file)), "common");
+  library = fullfile (common, "libgsmbp_cvode.so");
+  if (! gsmbp__older (library, {fullfile(common, "flags")}))
     return;
   endif
   cc = strtrim (mkoctfile ("-p", "CC"));
@@ -22,7 +19,8 @@ function library = gsmbp__cvode (who, m)
     gsmbp__run (who, sprintf (["%s -std=gnu11 -O2 -march=native -fPIC -shared -o %s %s " ...
                                "-lsundials_cvode -lsundials_nvecserial " ...
                                "-lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm"],
-                              cc, quote (new), quote (sources{1})));
+                              cc, quote (new), ...
+                              quote (gsmbp__place ("octave", "glue", "gsmbp_cvode.c"))));
     gsmbp__put_in_place (who, new, library);
   unwind_protect_cleanup
     [~, ~] = unlink (new);   # there only if the command failed

@@ -50,8 +50,7 @@ function text = written_now (who, scene)
   endif
   file = [tempname() ".html"];
   guard = onCleanup (@() gsmbp__discard (file));
-  root = fileparts (fileparts (fileparts (mfilename ("fullpath"))));
-  parts = {fullfile(root, "share", "make", "page"), make_absolute_filename(scene), file};
+  parts = {gsmbp__place("share", "make", "page"), make_absolute_filename(scene), file};
   quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], parts, "UniformOutput", false);
   [status, said] = system ([strjoin(quoted, " "), " 2>&1"]);
   if (status != 0)
@@ -62,8 +61,7 @@ endfunction
 
 ## a page without what Maxima says
 function text = plain_page (m, mark)
-  style = fileread (fullfile (fileparts (fileparts (fileparts (mfilename ("fullpath")))), ...
-                              "share", "report", "style.css"));
+  style = fileread (gsmbp__place ("share", "report", "style.css"));
   policy = ["default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; " ...
             "img-src data:"];
   name = gsmbp__html (m.name);

@@ -14,8 +14,7 @@ function text = gsmbp__report_player (who, m, r, drawing, o)
   poses = [repmat([1 0 0 0 1 0 0 0 1 0 0 0], numel (list), 1), poses{:}];
   d.poses = base64_encode (single (poses'(:)));
   d.arrows_v = base64_encode (single (d.arrows_v'(:)));
-  script = fileread (fullfile (fileparts (fileparts (fileparts (mfilename ("fullpath")))), ...
-                               "share", "report", "player.js"));
+  script = fileread (gsmbp__place ("share", "report", "player.js"));
   json = strrep (strrep (jsonencode (d), "&", '\u0026'), "<", '\u003c');
   text = [sprintf("<h2>The motion</h2>\n<div class=\"player\">\n"), controls(d), ...
           gsmbp__still(d, place, turn), sprintf("</div>\n"), ...

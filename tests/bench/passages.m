@@ -8,7 +8,8 @@
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
-addpath (fullfile (root, "octave"), fullfile (root, "tests", "octave"));
+addpath (fullfile (root, "octave"), fullfile (root, "octave", "hand"), ...
+         fullfile (root, "tests", "octave"));
 addpath (fullfile (here, "passages"), fullfile (here, "loops"));
 out = fullfile (here, "out");
 [~, ~] = mkdir (out);

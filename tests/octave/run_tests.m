@@ -1,5 +1,5 @@
 ## run_tests (FILE): calls the test function of FILE (test_x.m); its checks print `ok` or `not ok`
-## (gsmbp_check). An error is one more failure.
+## (gsmbp_check). An error is one more failure, unless it says that SUNDIALS is not there.
 
 function run_tests (file)
   [folder, name] = fileparts (file);
@@ -8,6 +8,10 @@ function run_tests (file)
   try
     feval (name);
   catch err
+    if (any (strfind (err.message, "needs SUNDIALS, which is not installed")))
+      printf ("ok left out without SUNDIALS: the rest of %s\n", name);
+      return;
+    end
     printf ("not ok %s: %s\n", name, strrep (err.message, "\n", " "));
     for level = err.stack(1:min (end, 6))'
       printf ("   at %s:%d\n", level.name, level.line);

@@ -340,7 +340,7 @@ end
 function damaged ()
   folder = tempname ();
   mkdir (folder);
-  here = fullfile (fileparts (mfilename ("fullpath")), "fixture");
+  here = fileparts (which ("gsmbp_hand"));
   unwind_protect
     for name = {"motor_pendulum", "hand_crank"}
       copyfile (fullfile (here, [name{1} ".*"]), folder);
@@ -403,7 +403,7 @@ function cut_modules ()
   folder = tempname ();
   guard = onCleanup (@() rmdir_all (folder));
   mkdir (folder);
-  here = fullfile (fileparts (mfilename ("fullpath")), "fixture");
+  here = fileparts (which ("gsmbp_hand"));
   build = @() gsmbp_build ("motor_pendulum", "directory", here, "build", folder);
   m = build ();
   xd = m.rhs (0, [0.1; 0; 0], 1);

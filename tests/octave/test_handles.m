@@ -170,7 +170,7 @@ end
 function built_once ()
   folder = tempname ();
   mkdir (folder);
-  here = fullfile (fileparts (mfilename ("fullpath")), "fixture");
+  here = fileparts (which ("gsmbp_hand"));
   copyfile (fullfile (here, "motor_pendulum.*"), folder);
   unwind_protect
     build = fileparts (fileparts (fileparts (gsmbp_hand ("motor_pendulum").file)));

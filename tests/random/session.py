@@ -2,6 +2,7 @@
 the others go on."""
 import ctypes
 import os
+import shutil
 import subprocess
 import time
 
@@ -59,10 +60,9 @@ def session(root, folder, calls, lisp, log, found):
     with open(batch, 'w') as f:
         f.write('load("%s/gsmbp/gsmbp.mac")$\nload("%s/tests/random/derive.mac")$\n' % (root, root))
         f.write('\n'.join(command(root, folder, c) for c in calls) + '\n')
+    maxima = 'maxima-sage' if lisp == 'ECL' and shutil.which('maxima-sage') else 'maxima'
     with open(log, 'w') as out:
-        p = subprocess.Popen([
-            'maxima-sage' if lisp == 'ECL' else 'maxima', '--very-quiet', '--init=none', '-b', batch
-        ],
+        p = subprocess.Popen([maxima, '--very-quiet', '--init=none', '-b', batch],
                              stdin=subprocess.DEVNULL,
                              stdout=out,
                              stderr=subprocess.STDOUT,

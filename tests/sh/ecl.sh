@@ -6,6 +6,7 @@ trap 'rm -rf "$work"' EXIT
 one=${MAXIMA:-maxima}
 other=maxima-sage
 [ "$one" = maxima-sage ] && other=maxima
+has $other 'the same text on two Lisps' || exit 0
 emitted=$GSMBP_TEST_DIR/fortran_out
 for name in case_01a case_03a electric_arms fluid_hydraulic sampled_crank redundant_tilted \
   orient_angles; do

@@ -59,6 +59,7 @@ rm -f "$report.html" "$report.page"
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
 for maxima in maxima maxima-sage; do
+  has $maxima 'topics of the manual in describe' || continue
   rm -f "$report"
   MAXIMA=$maxima share/make/maxima "$report.log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
     load(\"$PWD/tests/tools/topics.lisp\")\$ names : [$names]\$

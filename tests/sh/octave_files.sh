@@ -7,7 +7,7 @@ work=$(mktemp -d)
 small=
 trap '[ -n "$small" ] && umount "$work/small"; rm -rf "$work"' EXIT
 octave_run() {
-  timeout 200 octave-cli -qf --no-history --path "$root/octave" --path "$root/tests/octave" \
+  timeout 200 octave-cli -qf --no-history --path "$root/octave" --path "$root/octave/hand" \
     --eval "addpath (\"$work\"); $1" </dev/null
 }
 
@@ -54,7 +54,7 @@ outcome() {
   [ ! -s "$work/left" ]; told $? "$1: no part is left" "$work/left"
 }
 mkdir "$work/limit" "$work/small"
-cp -r tests/octave/fixture "$work/scene"
+cp -r octave/hand "$work/scene"
 octave_run "gsmbp_hand (\"hand_crank\");" >/dev/null   # compiled before the limit
 export TMPDIR="$work"
 

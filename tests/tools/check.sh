@@ -21,3 +21,16 @@ fails() { ! "$@"; }
 result() {
   if [ -s "$report" ]; then echo "not ok $1"; head -n 8 "$report"; else echo "ok $1"; fi
 }
+
+# has PROGRAM WHAT: whether it is there; without it a line says that WHAT is left out
+has() {
+  command -v "$1" >/dev/null && return
+  echo "ok left out without $1: $2"
+  return 1
+}
+
+# without_root_powers COMMAND...: root may write everywhere; this root may not
+without_root_powers() {
+  if [ "$(id -u)" -ne 0 ]; then "$@"; return; fi
+  setpriv --bounding-set -dac_override,-dac_read_search -- "$@"
+}

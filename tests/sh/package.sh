@@ -1,0 +1,89 @@
+# make package: the same tree gives the same bytes; installed by pkg where nobody may write, it
+# works from another folder with nothing else of the tree: pkg load, pkg test, a scene derived,
+# compiled, run and reported, what was emitted in the current folder; doctest of the help texts.
+. tests/tools/check.sh
+root=$PWD
+work=$(mktemp -d)
+trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
+report=$work/out.txt
+octave_run() {   # in the user's folder, with a home and packages of its own
+  (cd "$work/user" && HOME=$work/home without_root_powers timeout 200 octave-cli -qf --no-history \
+    --eval "pkg ('prefix', '$work/pkg', '$work/pkg'); pkg ('local_list', '$work/list'); $1" \
+    </dev/null) >"$report" 2>&1
+}
+says() { grep -q -- "$1" "$report"; }
+mkdir "$work/home" "$work/user" "$work/tree"
+version=$(sed -n 's/.*gsmbp_version, "\([^"]*\)".*/\1/p' gsmbp/kernel/version.mac)
+
+# in copies of the tree: what lies there beside it does not count, nor do times, nor the umask
+copy() {
+  mkdir -p "$2" && cp -R "$1"/gsmbp "$1"/octave "$1"/share "$1"/[C-M]* "$2" &&
+    rm -rf "$2/share/package"
+}
+copy . "$work/tree/a" && copy . "$work/tree/b" && touch "$work"/tree/b/octave/*.m
+make --no-print-directory -C "$work/tree/a" package >"$report" 2>&1
+told $? 'make package' "$report"
+(umask 077 && touch "$work/tree/b/octave/junk" && sleep 1.1 && make -C "$work/tree/b" package) \
+  >"$report" 2>&1
+file=share/package/gsmbp-$version.tar.gz
+check 'the same tree, the same bytes' cmp "$work/tree/a/$file" "$work/tree/b/$file"
+mv "$work/tree/a/$file" "$work"
+rm -rf "$work/tree"
+
+octave_run "pkg ('install', '$work/${file##*/}'); pkg ('describe', '-verbose', 'gsmbp');"
+told $? 'pkg install' "$report"
+check 'its version is that of version.mac' says "^[[:space:]]$version$"
+ls octave/gsmbp_*.m | sed 's,.*/\(.*\)\.m,\1,' | while read -r name; do
+  says "^[[:space:]]$name$" || echo "$name"
+done >"$work/lost"
+[ ! -s "$work/lost" ]; told $? 'every function is in the index of the package' "$work/lost"
+
+chmod -R a-w "$work/pkg"
+sums() { (cd "$work/pkg" && find . -type f | LC_ALL=C sort | xargs md5sum); }
+sums >"$work/before"
+octave_run 'pkg load gsmbp; pkg test gsmbp'
+check 'pkg test gsmbp' says '^ *FAIL *0$'
+passed=$(sed -n 's/^ *PASS *//p' "$report")
+check "pkg test gsmbp: $passed blocks pass" test "${passed:-0}" -ge 90
+
+# a scene of the user's; what all modules share is compiled once for all tests
+mkdir "$work/user/examples" && cd "$work/user" || exit 1
+for name in slider_crank puma560 spinning_top; do cp -R "$root/examples/$name" examples; done
+common=$GSMBP_TEST_DIR/fortran_out/build/double/common
+for build in fortran_out/build/double elsewhere/fortran_out/build/double; do
+  mkdir -p $build && ln -s "$common" $build
+done
+octave_run 'pkg load gsmbp; scene = "examples/slider_crank/slider_crank.mac";
+  gsmbp_derive (scene, "fortran_out");
+  m = gsmbp_build ("slider_crank"); puts ([m.file "\n"]);
+  r = gsmbp_simulate (m, m.initial, 0:0.1:0.5, "input", 12);
+  gsmbp_report (m, r, "page.html", "scene", scene);'
+told $? 'a scene is derived, compiled, run and reported' "$report"
+check 'the module is below fortran_out of the current folder' \
+  says "^$work/user/fortran_out/build/double/slider_crank/.*oct$"
+check 'so is what Maxima emitted' test -s fortran_out/slider_crank.f
+check 'Maxima wrote the page' grep -q 'id="drawing"' page.html
+chmod a-w fortran_out fortran_out/build
+octave_run 'cd elsewhere; pkg load gsmbp; m = gsmbp_build ("slider_crank", "directory", ...
+  "../fortran_out"); puts ([m.file "\n"]);'
+check 'Fortran in a folder where one must not write: modules go to the current folder' \
+  says "^$work/user/elsewhere/fortran_out/build/double/slider_crank/.*oct$"
+chmod u+w fortran_out fortran_out/build
+
+cat >doctests.m <<'END'
+functions = cellfun (@(part) part.functions, pkg ("describe", "gsmbp"){1}.provides, ...
+                     "UniformOutput", false);
+doctest ([functions{:}]);
+END
+if octave_run 'exit (isempty (pkg ("list", "doctest")));'; then
+  octave_run 'pkg load gsmbp; pkg load doctest; doctests'
+  check 'the examples of all help texts pass doctest' says '^18/18 targets passed, 0 without'
+else
+  echo 'ok left out without octave-doctest: the examples of the help texts in its form'
+fi
+
+sums | cmp -s - "$work/before"
+told $? 'nothing is written into the installed package'
+chmod -R u+w "$work/pkg"
+octave_run 'pkg uninstall gsmbp; pkg list gsmbp'
+find "$work/pkg" -type f >"$report"; result 'pkg uninstall leaves no file'
