@@ -1,5 +1,5 @@
 /* gsmbp/arith.h: what the sources of this folder share: MAX and MIN as Fortran has them, loops over
- * columns. No part of the interface. */
+ * columns, triangular systems. No part of the interface. */
 #ifndef GSMBP_ARITH_H
 #define GSMBP_ARITH_H
 
@@ -53,6 +53,40 @@ gs_swap (int n, double *x, double *y)
       double s = x[i];
       x[i] = y[i];
       y[i] = s;
+    }
+}
+
+/* y (n,m) := H', h (m,n) */
+static inline void
+gs_transpose (int n, int m, const double *h, int ldh, double *y)
+{
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < m; j++)
+      y[i + n * j] = h[j + ldh * i];
+}
+
+/* x of R'*x = P'*g, R the upper triangle of order r in y, P the interchanges piv */
+static inline void
+gs_forward (int r, const double *y, int ldy, const double *piv, const double *g, double *x)
+{
+  for (int k = 0; k < r; k++)
+    {
+      double s = g[(int)piv[k] - 1];
+      for (int i = 0; i < k; i++)
+        s -= y[i + ldy * k] * x[i];
+      x[k] = s / y[k + ldy * k];
+    }
+}
+
+/* x of R*P'*x = c; c is destroyed */
+static inline void
+gs_backward (int r, const double *y, int ldy, const double *piv, double *c, double *x)
+{
+  for (int k = r - 1; k >= 0; k--)
+    {
+      double s = c[k] / y[k + ldy * k];
+      x[(int)piv[k] - 1] = s;
+      gs_take (k, s, y + ldy * k, c);
     }
 }
 
