@@ -1,7 +1,7 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/solve.h"
 
-/* c := Q'*(A*x - f), Q the reflections in y and beta */
+/* c := sign*Q'*(A*x - f), Q the reflections in y and beta */
 static void
 rest (int n, int r, const double *a, int lda, const double *x, const double *f, const double *y,
       const double *beta, double sign, double *c)

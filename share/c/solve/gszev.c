@@ -1,7 +1,8 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/solve.h"
 
-/* the reduced equations: K'*A*K in the rows and columns of b from r on, K'*z in x; c is workspace */
+/* the reduced equations: K'*A*K in the rows and columns of b from r on, K'*z in x; c (n) is
+ * workspace */
 static void
 reduce (int n, int r, const double *a, int lda, const double *v, const double *z, double *c,
         double *b, double *x)
