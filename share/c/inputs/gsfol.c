@@ -51,7 +51,8 @@ gsfol (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int
       if (info < 0)
         break;
       info = s->clo (tn, qj, cst, &res);
-      if (info == 0 && (! (w[1] > 0.0) || follows (nu, dt, old, qj)))
+      const int moves = atend || fabs (dt) > 0.0; /* not a step that rounding made 0 */
+      if (info == 0 && moves && (! (w[1] > 0.0) || follows (nu, dt, old, qj)))
         {
           w[0] = tn;
           w[1] = 1.0;
