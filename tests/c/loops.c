@@ -102,7 +102,6 @@ con (double t, const double *q, const double *u, const double *cst, double *phi,
      double *hc, int ldh, double *gam)
 {
   double dq[MOST * MOST], unit[MOST] = { 0 }, qdot[MOST];
-  (void)u;
   if (t >= cst[1])
     return 1;
   phi_of (t, q, cst, phi, phit, dq);
@@ -119,7 +118,7 @@ con (double t, const double *q, const double *u, const double *cst, double *phi,
         }
     }
   for (int i = 0; i < scene->nlam; i++)
-    gam[i] = 0.0;
+    gam[i] = u[i % scene->nu];
   return t >= cst[2] ? 2 : 0;
 }
 

@@ -26,8 +26,8 @@ outcome (int c, int f)
   seen[c < 0 ? 3 : c > 2 ? 2 : c]++;
 }
 
-/* a general matrix (m,n): of kind 1 with dependent rows, 2 with a row of zeros, 3 with a row that is
- * no number, 4 with rows of very different sizes, 5 of whole numbers, 6 nearly dependent rows */
+/* a general matrix (m,n): of kind 1 with dependent rows, 2 with a row of zeros, 3 with one
+ * that holds no number, 4 with rows of very different sizes, 5 of whole numbers, 6 nearly dependent rows */
 static pair
 general (int m, int n, int ld, int kind)
 {
@@ -273,7 +273,8 @@ products (void)
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int n = sizes[k % SIZES], r = n ? pick (n + 1) : 0, lda = leading (n), info;
-      pair a = symmetric (n, lda, 0), b = symmetric (n, n, k / SIZES % KINDS), z = pair_of (n);
+      pair a = symmetric (n, lda, k % 2 ? 0 : 7), b = symmetric (n, n, k / SIZES % KINDS);
+      pair z = pair_of (n);
       int made = gsred (n, r, a.c, lda, b.c, z.c);
       gsred_ (&n, &r, a.f, &lda, b.f, z.f, &info);
       outcome (made, info);
