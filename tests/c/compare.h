@@ -35,14 +35,17 @@ pick (int n)
 typedef struct
 {
   int n;
-  double *c, *f; /* for the C, for the Fortran */
+  double *c, *f; /* for the C, for the Fortran, with GUARD entries behind them to be left alone */
 } pair;
+
+enum { GUARD = 2 };
 
 static inline pair
 pair_of (int n)
 {
-  pair x = { n, malloc (sizeof (double) * (n + 1)), malloc (sizeof (double) * (n + 1)) };
-  for (int i = 0; i < n; i++)
+  size_t size = sizeof (double) * (n + GUARD);
+  pair x = { n, malloc (size), malloc (size) };
+  for (int i = 0; i < n + GUARD; i++)
     x.c[i] = x.f[i] = chance ();
   return x;
 }
@@ -53,9 +56,12 @@ both (pair x)
   memcpy (x.f, x.c, sizeof (double) * x.n);
 }
 
+static inline void guarded (pair x);
+
 static inline void
 drop (pair x)
 {
+  guarded (x);
   free (x.c);
   free (x.f);
 }
@@ -94,6 +100,13 @@ same_numbers (int n, const double *c, const double *f)
       }
   if (! (off <= record.worst))
     record.worst = off;
+}
+
+static inline void
+guarded (pair x)
+{
+  if (memcmp (x.c + x.n, x.f + x.n, GUARD * sizeof (double)) != 0 && record.wrong++ == 0)
+    printf ("  %s: writes beyond an array\n", record.what);
 }
 
 static inline void

@@ -38,6 +38,7 @@ numbers (void)
           pair x = pair_of (n);
           x.c[k] = odd[i];
           x.c[n - 1] = pick (3) ? 0.0 : NAN;
+          x.c[n] = x.f[n] = NAN; /* behind the end */
           same_int (gsfin (n, x.c), gsfin_ (&n, x.c));
           drop (x);
         }

@@ -26,8 +26,9 @@ outcome (int c, int f)
   seen[c < 0 ? 3 : c > 2 ? 2 : c]++;
 }
 
-/* a general matrix (m,n): of kind 1 with dependent rows, 2 with a row of zeros, 3 with a row that is
- * no number, 4 with rows of very different sizes, 5 of whole numbers, 6 nearly dependent rows */
+/* a general matrix (m,n): of kind 1 with dependent rows, 2 with a row of zeros, 3 with
+ * a number that is none, 4 with rows of very different sizes, 5 of whole numbers, 6 with nearly
+ * dependent rows */
 static pair
 general (int m, int n, int ld, int kind)
 {
@@ -56,19 +57,19 @@ general (int m, int n, int ld, int kind)
 
 /* a symmetric matrix, positive definite; of kind 1 semidefinite of rank n - 2, 2 indefinite, 3 with
  * what is no number, 4 of very different sizes, 6 with a zero row, 7 zero; its upper triangle is
- * filled with what must not be used */
+ * filled with what must not be used; 5 nearly semidefinite */
 static pair
 symmetric (int n, int ld, int kind)
 {
   pair a = pair_of (ld * n), b = pair_of (n * n);
-  int rank = kind == 1 ? n - 2 : n;
+  int rank = kind == 1 || kind == 5 ? n - 2 : n;
   for (int j = 0; j < n; j++)
     for (int i = j; i < n; i++)
       {
         double s = 0.0;
         for (int k = 0; k < rank; k++)
           s += b.c[i + n * k] * b.c[j + n * k];
-        s += i == j && kind != 1 ? 0.1 : 0.0;
+        s += i != j || kind == 1 ? 0.0 : kind == 5 ? 1e-13 : 0.1;
         if (kind == 2 && i == j && i == n / 2)
           s -= 4.0;
         if (kind == 4)
@@ -273,7 +274,8 @@ products (void)
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int n = sizes[k % SIZES], r = n ? pick (n + 1) : 0, lda = leading (n), info;
-      pair a = symmetric (n, lda, 0), b = symmetric (n, n, k / SIZES % KINDS), z = pair_of (n);
+      pair a = symmetric (n, lda, k % 2 ? 0 : 7), b = symmetric (n, n, k / SIZES % KINDS);
+      pair z = pair_of (n);
       int made = gsred (n, r, a.c, lda, b.c, z.c);
       gsred_ (&n, &r, a.f, &lda, b.f, z.f, &info);
       outcome (made, info);

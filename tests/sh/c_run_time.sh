@@ -57,3 +57,10 @@ nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' | while read -r routine; do
   grep -q "\b${routine}_\b" tests/c/*.c || echo "$routine"
 done >"$report"
 result 'every routine of share/c is called by a driver'
+
+# -- the program of its README
+awk '/^```c$/ { on = 1; next } /^```/ { on = 0 } on' share/c/README.md >"$work/main.c"
+sed -n '/^    gcc /s/^    //p' share/c/README.md >"$work/command"
+(cd "$work" && ln -s "$root/share" share && sh -eu command && ./main) >"$report" 2>&1
+check 'the program of share/c/README.md prints what it says' \
+  grep -qF "prints \`$(cat "$report")\`" share/c/README.md

@@ -10,6 +10,22 @@ gskkt (int n, int m, const double *a, int lda, const double *h, int ldh, const d
   return gskkr (n, m, a, lda, h, ldh, f, g, 5e4 * gseps (), grp, ud, lam, w);
 }
 
+/* 0, or -i if argument i of gskkr is out of range */
+static int
+range (int n, int m, int lda, int ldh)
+{
+  int info = 0;
+  if (n < 0)
+    info = -1;
+  if (m < 0)
+    info = -2;
+  if (lda < gs_most (1, n))
+    info = -4;
+  if (ldh < gs_most (1, m))
+    info = -6;
+  return info;
+}
+
 /* the lower triangle of l := that of A */
 static void
 copy_lower (int n, const double *a, int lda, double *l, int ldl)
@@ -41,18 +57,9 @@ int
 gskkr (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
        const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
 {
-  int info = 0;
-  if (n < 0)
-    info = -1;
-  if (m < 0)
-    info = -2;
-  if (lda < gs_most (1, n))
-    info = -4;
-  if (ldh < gs_most (1, m))
-    info = -6;
+  int info = range (n, m, lda, ldh);
   if (info != 0)
     return info;
-
   double *l = w, *y = l + n * n, *t = y + n * m, *z = t + m * m, *piv = z + 2 * n, *beta = piv + m,
          *siz = beta + m, *c = siz + m, *q = c + m;
   int ld = gs_most (1, n), r = 0;

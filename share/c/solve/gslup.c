@@ -10,12 +10,16 @@ gslup (int n, double *a, int lda, int *iw)
   for (int k = 0; k < n; k++)
     {
       double *col = a + lda * k;
+      double most = fabs (col[k]);
       int p = k;
       for (int i = k + 1; i < n; i++)
-        if (fabs (col[i]) > fabs (col[p]))
-          p = i;
+        if (fabs (col[i]) > most)
+          {
+            most = fabs (col[i]);
+            p = i;
+          }
       iw[k] = p + 1;
-      if (! (fabs (col[p]) > 0.0))
+      if (! (most > 0.0))
         return k + 1;
       if (p != k)
         for (int j = 0; j < n; j++)
