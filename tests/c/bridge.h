@@ -246,7 +246,7 @@ intact (const test *a, int lw)
   return 1;
 }
 
-/* columns of xout and vout that are to be alike: those that were reached, and the one behind them */
+/* columns of xout and vout that are to be alike: those reached, and the one behind them */
 static int
 columns (const test *a)
 {

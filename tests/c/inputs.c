@@ -70,8 +70,8 @@ polynomials (void)
   finish ();
 }
 
-/* ------------------------------------------------------------ a chain: q1 is planned, q2 = f(q1) on
- * one of two branches; clo jumps where it likes */
+/* ------------------------------------------------------------ a chain: q1 is planned, q2 = f(q1)
+ * on one of two branches */
 
 static int
 chain_clo (double t, double *qj, const double *cst, double *res)
@@ -122,8 +122,8 @@ chains (void)
   finish ();
 }
 
-/* a plan into a dead point, by which the chain cannot go: the C says so; the Fortran halves its step
- * until rounding makes it 0, which it takes for a good one, without end */
+/* a plan into a dead point, by which the chain cannot go: the C says so; the Fortran halves its
+ * step until rounding makes it 0, which it takes for a good one, without end */
 static int
 dead_point_clo (double t, double *qj, const double *cst, double *res)
 {

@@ -552,8 +552,8 @@ other_states (void)
 }
 
 /* ------------------------------------------------------------ a parallelogram: angles of crank,
- * coupler and rocker; v a torque at the crank; cst[0]: the way of the loops; [1]: gravity; nlam = 3:
- * the first constraint again */
+ * coupler and rocker; v a torque at the crank; cst[0]: the way of the loops; [1]: gravity;
+ * nlam = 3: the first constraint again */
 
 static const double r = 0.2, d = 0.3;
 
@@ -615,6 +615,8 @@ bars_prj (double t, double *x, const double *cst, double *res)
   double phi[3], phit[3], h[9], gam[3], lam[3], dx[3], b[3], w[600];
   const int nlam = bridged->nlam;
   *res = 0;
+  if (fails ("prj", t))
+    return fails ("prj", t);
   for (int k = 0; k < 12; k++)
     {
       double most = 0;
@@ -735,6 +737,9 @@ singular (void)
     a.atol[i] = 1e-16;
   a.ropt[1] = 1e-14;
   compare (&a, "a parallelogram, a fine tolerance", 0);
+  start_bars (&bars, 2, 8, 0.4, 3, 60);
+  wrong ("prj", 1, 20);
+  compare_wrong ("a parallelogram, prj fails behind a singular position", 3, 3, 20);
 }
 
 static void
@@ -851,8 +856,19 @@ blocks_rst (double t, double *x, double *v, int *mode, int k, const double *cst)
   return info ? info : fails ("rst", t);
 }
 
+/* the modes stand in its place; it may fail where steps of 0.01 look for events, but no stage is */
+static int
+blocks_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
+{
+  const double past = fmod (t, 0.01);
+  (void)side, (void)x, (void)nx, (void)data;
+  memset (v, 0, nv * sizeof (double));
+  return past > 6e-4 && past < 8e-4 ? fails ("vin", t) : 0;
+}
+
 static const gs_scene blocks = { .name = "blocks", .nq = 2, .nu = 2, .nx = 4, .nv = 3,
-                                 .rhs = blocks_rhs, .evt = blocks_evt, .rst = blocks_rst };
+                                 .rhs = blocks_rhs, .evt = blocks_evt, .rst = blocks_rst,
+                                 .vin = blocks_vin };
 
 static void
 start_blocks (int method)
@@ -883,6 +899,10 @@ friction_and_stops (void)
       start_blocks (method);
       wrong ("rhs", 1.2, 8);
       compare_wrong ("events, rhs fails", 3, 2, 8);
+      start_blocks (method);
+      wrong ("vin", 1.2, 9);
+      a.ip[GS_V0] = 3;
+      compare_wrong ("events, vin fails", 3, 1, 9);
       start_blocks (method);
       wrong ("evt", 1.2, 1);
       compare_wrong ("events without end at one instant", 3, 7, 9);

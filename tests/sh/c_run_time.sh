@@ -53,14 +53,43 @@ for driver in tests/c/*.c; do
     >"$report" 2>&1 || told 1 "$driver compiles" "$report"
   "$work/$name" || echo "not ok $driver ended with an error"
 done
-nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' | while read -r routine; do
-  grep -q "\b${routine}_\b" tests/c/*.c || echo "$routine"
-done >"$report"
-result 'every routine of share/c is called by a driver'
+# -- emitted scenes: the Fortran and the C call the same emitted subroutines
+mkdir "$work/emitted"
+scenes='four_bar slider_crank event_crank event_pendulum sampled_crank passage_events
+  parallelograms3'
+for scene in $scenes; do
+  file=tests/scenes/$scene.mac out=$GSMBP_TEST_DIR/fortran_out
+  [ -f "$file" ] || { file=examples/$scene/$scene.mac; out=$work/emitted; }
+  [ -s "$out/$scene.f" ] || share/make/derive "$file" "$out" 2>/dev/null
+  {
+    echo "#define SCENE $scene"
+    sed -n 's/^ *"\(n[a-z]*\)": \([0-9]*\),*$/#define SIZE_\1 \2/p' "$out/$scene.json"
+    sed -n 's/^ *SUBROUTINE [A-Z0-9_]*_\([A-Z0-9]*\)(.*/\1/p' "$out/$scene.f" | tr A-Z a-z |
+      sed 's/.*/#define HAS_&/'
+    echo '#include "emitted_scene.h"'
+  } >"$work/emitted/$scene.c"
+  (cd "$work/emitted" &&
+    gfortran -O2 -ffp-contract=off -frecursive -c "$out/$scene.f" -o "$scene.f.o" &&
+    gcc $c $strict -I"$root/tests/c/emitted" -c "$scene.c") >"$report" 2>&1 ||
+    told 1 "the shims of $scene compile" "$report"
+done
+gcc $c $strict -o "$work/runs" tests/c/emitted/runs.c "$work"/emitted/*.o "$work"/c/*.o \
+  "$work"/fortran/*.o -lgfortran -lm >"$report" 2>&1 && "$work/runs"
+told $? 'runs of emitted scenes' "$report"
 
-# -- the program of its README
-awk '/^```c$/ { on = 1; next } /^```/ { on = 0 } on' share/c/README.md >"$work/main.c"
-sed -n '/^    gcc /s/^    //p' share/c/README.md >"$work/command"
-(cd "$work" && ln -s "$root/share" share && sh -eu command && ./main) >"$report" 2>&1
-check 'the program of share/c/README.md prints what it says' \
-  grep -qF "prints \`$(cat "$report")\`" share/c/README.md
+# -- every function of share/c, static ones too, is run by a driver
+mkdir "$work/cover"
+(cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
+  >"$report" 2>&1
+for driver in tests/c/*.c tests/c/emitted/runs.c; do
+  more=
+  [ "$driver" = tests/c/emitted/runs.c ] && more=$(ls "$work"/emitted/*.o)
+  gcc $c --coverage -o "$work/covered" "$driver" $more "$work"/cover/*.o "$work"/fortran/*.o \
+    -lgfortran -lm && (cd "$work" && ./covered) >"$work/said" 2>&1
+done
+(cd "$work/cover" && gcov -f *.gcda) 2>"$work/said" |
+  awk '/^Function/ { name = $2 }
+    /^Lines executed:0.00%/ && name { print name }
+    /^File/ { name = "" }' \
+  >"$report"
+result 'every function of share/c is run by a driver'

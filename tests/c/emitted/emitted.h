@@ -1,6 +1,6 @@
-/* An emitted scene in Fortran as a scene for the run time in C. tests/sh/c_run_time.sh writes a file
- * for each scene: its name as SCENE, its sizes as SIZE_nq, ..., HAS_prj, ... for the subroutines that
- * it has; then it includes emitted_scene.h. */
+/* An emitted scene in Fortran as a scene for the run time in C. tests/sh/c_run_time.sh writes a
+ * file for each scene: its name as SCENE, its sizes as SIZE_nq, ..., HAS_prj, ... for the
+ * subroutines that it has; then it includes emitted_scene.h. */
 #ifndef EMITTED_H
 #define EMITTED_H
 

@@ -98,7 +98,8 @@ slider_crank (void)
 {
   const emitted *e = &emitted_slider_crank;
   const double x0[7] = { 0.1, -0.04, 0.7, 0, 0, 0, 0 };
-  const double volts[3] = { 6, 12, -3 }, motion[8] = { 0, 0, 2. / 3, 0, 0, 4. / 3, 0.1, 0.1 + 2. / 3 };
+  const double volts[3] = { 6, 12, -3 };
+  const double motion[8] = { 0, 0, 2. / 3, 0, 0, 4. / 3, 0.1, 0.1 + 2. / 3 };
   for (int way = 1; way <= 6; way++)
     {
       e->par (par);
