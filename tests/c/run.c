@@ -552,8 +552,8 @@ other_states (void)
 }
 
 /* ------------------------------------------------------------ a parallelogram: angles of crank,
- * coupler and rocker; v a torque at the crank; cst[0]: the way of the loops; [1]: gravity;
- * nlam = 3: the first constraint again */
+ * coupler and rocker; v a torque at the crank; cst[0]: the way of the loops; [1]: gravity; [2]:
+ * how much longer the ground is than the coupler; nlam = 3: the first constraint again */
 
 static const double r = 0.2, d = 0.3;
 
@@ -561,7 +561,7 @@ static int
 bars_con (double t, const double *q, const double *u, const double *cst, double *phi,
           double *phit, double *hc, int ldh, double *gam)
 {
-  (void)t, (void)cst;
+  (void)t;
   for (int k = 0; k < bridged->nlam; k++)
     {
       const int y = k == 1;
@@ -569,7 +569,7 @@ bars_con (double t, const double *q, const double *u, const double *cst, double 
                             y ? sin (q[2]) : cos (q[2]) };
       const double g[3] = { y ? cos (q[0]) : -sin (q[0]), y ? cos (q[1]) : -sin (q[1]),
                             y ? cos (q[2]) : -sin (q[2]) };
-      phi[k] = r * f[0] + d * f[1] - r * f[2] - (y ? 0 : d);
+      phi[k] = r * f[0] + d * f[1] - r * f[2] - (y ? 0 : d + cst[2]);
       phit[k] = 0;
       hc[k] = r * g[0];
       hc[k + ldh] = d * g[1];
@@ -732,6 +732,20 @@ singular (void)
       a.tbrk[1] = 1.07;
       compare (&a, "a parallelogram, breaks close to a singular position", 0);
     }
+  for (int way = 2; way <= 6; way++)
+    for (int k = 2; k <= 7; k++)
+      {
+        start_bars (&bars, way, 8, 0.4, 3, 60);
+        a.cst[2] = (k % 2 ? -1 : 1) * pow (10, -k);
+        a.ropt[1] = way == 4 ? 1e-10 : 1e-8;
+        bars_prj (0, a.x0, a.cst, a.xout);
+        snprintf (what, sizeof what, "almost a parallelogram, %.0e, way %d", a.cst[2], way);
+        compare (&a, what, 0);
+      }
+  start_bars (&bars, 3, 8, 0.4, 3, 60);
+  a.cst[2] = 1e-6;
+  a.ropt[1] = 1e-12;
+  compare (&a, "almost a parallelogram, the step becomes too small", 2);
   start_bars (&bars, 3, 8, 0.4, 3, 60);
   for (int i = 0; i < 6; i++)
     a.atol[i] = 1e-16;
@@ -889,6 +903,9 @@ friction_and_stops (void)
       start_blocks (method);
       compare (&a, method == 4 ? "events, method 4" : "events, method 8", 0);
       holds (a.ip[a.ip[GS_EVENTS] + 1] > 20, "... more than 20");
+      start_blocks (method);
+      a.ip[a.ip[GS_EVENTS]] = 5;
+      compare (&a, "events, five are recorded", 0);
       start_blocks (method);
       a.ip[a.ip[GS_EVENTS] + 3] = 1;
       memcpy (a.ip + a.ip[GS_EVENTS] + 9, (int[]){ 1, 0, 0 }, 3 * sizeof (int));

@@ -37,7 +37,7 @@ gshin (const gs_system *g, double t, double hmax, const double *x, double *w, do
       d2 += d * d;
     }
   d2 = sqrt (d2) / *h;
-  double s = gs_max (sqrt (d1), d2);
+  double s = gs_max (d2, sqrt (d1)); /* not d2 where that is no number */
   if (s <= 1e-15)
     s = gs_max (1e-6, 1e-3 * *h);
   else

@@ -2,7 +2,8 @@
 #include "emitted.h"
 
 extern const emitted emitted_four_bar, emitted_slider_crank, emitted_event_crank,
-    emitted_event_pendulum, emitted_sampled_crank, emitted_passage_events,
+    emitted_event_pendulum, emitted_event_ball, emitted_event_slide, emitted_event_blocks,
+    emitted_sampled_crank, emitted_passage_events,
     emitted_parallelograms3;
 
 static test a;
@@ -174,6 +175,44 @@ event_pendulum (void)
     }
 }
 
+/* long steps, functions that fall again at once, waves within a step */
+static void
+rough_steps (void)
+{
+  char what[80];
+  for (int method = 4; method <= 8; method += 4)
+    for (int k = 0; k < 3; k++)
+      {
+        const emitted *e = &emitted_event_ball;
+        e->par (par);
+        start (e, method, 1, (double[]){ k == 2 ? 1e-6 : 1, 0, k == 2 ? 1e-3 : 0, 5 }, 5, 20);
+        a.ropt[0] = method == 4 ? 0.02 * (1 + 5 * k) : 0.1;
+        events (&a, 2, (int[]){ 2, 2 }, (int[]){ 1, 2 }, 150);
+        snprintf (what, sizeof what, "event_ball, method %d", method);
+        compare (&a, what, 0);
+        e = &emitted_event_slide;
+        e->par (par);
+        par[1] = 1.001 + 0.01 * k;
+        start (e, method, 1, (double[]){ 0, k == 1 }, 20, 20);
+        a.ropt[0] = method == 4 ? 0.25 : 0;
+        events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
+        snprintf (what, sizeof what, "event_slide, method %d", method);
+        compare (&a, what, 0);
+        e = &emitted_event_blocks;
+        e->par (par);
+        par[0] = 0.05;
+        start (e, method, 1, (double[12]){ [11] = 0.1 * k }, 8, 10);
+        a.ropt[0] = method == 4 ? 0.05 : 0;
+        events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
+        snprintf (what, sizeof what, "event_blocks, method %d", method);
+        compare (&a, what, 0);
+      }
+  /* numbers that overflow */
+  start (&emitted_event_blocks, 8, 1, (double[12]){ [10] = 1e214, [11] = 1e252 }, 8, 10);
+  events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
+  compare (&a, "event_blocks, speeds of 1e252 m/s", 2);
+}
+
 static void
 sampled_crank (void)
 {
@@ -281,6 +320,7 @@ main (int argc, char **argv)
   slider_crank ();
   event_crank ();
   event_pendulum ();
+  rough_steps ();
   sampled_crank ();
   passage_events ();
   parallelograms ();
