@@ -10,13 +10,16 @@ static struct
 {
   const char *what;
   double from;
-  int info;
+  int info, nth; /* nth > 0: from the nth call on instead */
 } fault;
 
 static int
 fails (const char *what, double t)
 {
-  return fault.what && strcmp (fault.what, what) == 0 && t >= fault.from ? fault.info : 0;
+  if (! fault.what || strcmp (fault.what, what) != 0)
+    return 0;
+  const int now = fault.nth > 0 ? ++calls >= fault.nth : t >= fault.from;
+  return now ? fault.info : 0;
 }
 
 static void
@@ -561,7 +564,6 @@ static int
 bars_con (double t, const double *q, const double *u, const double *cst, double *phi,
           double *phit, double *hc, int ldh, double *gam)
 {
-  (void)t;
   for (int k = 0; k < bridged->nlam; k++)
     {
       const int y = k == 1;
@@ -576,7 +578,7 @@ bars_con (double t, const double *q, const double *u, const double *cst, double 
       hc[k + 2 * ldh] = -r * g[2];
       gam[k] = r * f[0] * u[0] * u[0] + d * f[1] * u[1] * u[1] - r * f[2] * u[2] * u[2];
     }
-  return 0;
+  return fails ("con", t);
 }
 
 static void
@@ -604,6 +606,8 @@ bars_rhs (double t, const double *x, const double *v, const double *cst, double 
   memcpy (xd, x + 3, 3 * sizeof (double));
   for (int k = 0; k < nlam && cst[0] == 1; k++)
     gam[k] -= 20 * (h[k] * x[3] + h[k + nlam] * x[4] + h[k + 2 * nlam] * x[5]) + 100 * phi[k];
+  if (fails ("rhs", t))
+    return fails ("rhs", t);
   return gsacc (cst[0] > 3 ? (int)cst[0] - 2 : 1, 3, nlam, m, 3, h, nlam, f, gam, xd + 3, lam, w);
 }
 
@@ -647,10 +651,10 @@ bars_prj (double t, double *x, const double *cst, double *res)
 static int
 bars_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
 {
-  const int behind = t > 1.07 || (t >= 1.07 && side >= 0);
+  const int behind = t > 1.07 || (t >= 1.07 && side >= 0), info = fails ("vin", t);
   (void)x, (void)nx, (void)nv, (void)data;
   v[0] = behind ? 0.2 : 0.05 * sin (3 * t);
-  return 0;
+  return info;
 }
 
 /* the rocker of a planned crank */
@@ -877,7 +881,7 @@ blocks_vin (double t, int side, const double *x, int nx, int nv, void *data, dou
   const double past = fmod (t, 0.01);
   (void)side, (void)x, (void)nx, (void)data;
   memset (v, 0, nv * sizeof (double));
-  return past > 6e-4 && past < 8e-4 ? fails ("vin", t) : 0;
+  return fault.nth > 0 || (past > 6e-4 && past < 8e-4) ? fails ("vin", t) : 0;
 }
 
 static const gs_scene blocks = { .name = "blocks", .nq = 2, .nu = 2, .nx = 4, .nv = 3,
@@ -926,6 +930,54 @@ friction_and_stops (void)
     }
 }
 
+/* ------------------------------------------------------------ every call may be the first that
+ * fails */
+
+static void
+start_kind (int k)
+{
+  if (k < 2)
+    start_blocks (k == 0 ? 4 : 8);
+  else if (k < 4)
+    start_bars (&bars, k, 8, 0.4, 1.5, 15);
+  else if (k == 4)
+    start_bars (&bars, 2, 8, 0, 1, 5);
+  else
+    start_pendulum (1, 5);
+  a.ip[GS_V0] = 3;
+  if (k >= 2 && k < 5)
+    {
+      a.run.nb = 1;
+      a.tbrk[0] = 0.95;
+    }
+}
+
+static void
+every_call (void)
+{
+  static const char *const routine[] = { "vin", "rhs", "con", "prj", "rst" };
+  for (int r = 0; r < 5; r++)
+    {
+      char what[60];
+      snprintf (what, sizeof what, "%s fails from any call on", routine[r]);
+      begin (what);
+      for (int k = 0; k < 6; k++)
+        for (int n = 1; n < 3000; n += 1 + n / 30)
+          {
+            start_kind (k);
+            a.run.nt = a.run.nt > 15 ? 15 : a.run.nt;
+            fault.what = routine[r];
+            fault.nth = n;
+            fault.info = 9;
+            compare_silently (&a);
+            if (a.info != 3 && a.info != 2)
+              break;
+          }
+      finish ();
+    }
+  memset (&fault, 0, sizeof fault);
+}
+
 int
 main (void)
 {
@@ -941,5 +993,6 @@ main (void)
   starts ();
   closed_plan ();
   friction_and_stops ();
+  every_call ();
   return 0;
 }

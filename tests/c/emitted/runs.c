@@ -193,7 +193,7 @@ rough_steps (void)
         e = &emitted_event_slide;
         e->par (par);
         par[1] = 1.001 + 0.01 * k;
-        start (e, method, 1, (double[]){ 0, k == 1 }, 20, 20);
+        start (e, method, 1, (double[]){ 0, k == 1 }, 20, k == 2 ? 2 : 20);
         a.ropt[0] = method == 4 ? 0.25 : 0;
         events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
         snprintf (what, sizeof what, "event_slide, method %d", method);
