@@ -1,0 +1,349 @@
+/* GSEVN: looks for the first event within a step; if there is one, the step is done again up to
+ * it.
+ *
+ * Eight points of the cubic polynomial through both ends (or of that of GSPSG), not evenly spaced
+ * (what repeats itself would hide between them), tell whether an event function falls to 0, and up
+ * to 2048 where it has a lowest value that they do not resolve (ports that stick let steps grow,
+ * whatever the inputs do); its zero by the method of Illinois. The part before it is looked at
+ * again in the same way: there may be an earlier one.
+ * From there on the step itself is made as long as it must be, by the secant method, so that the
+ * state at the event is as accurate as any other. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+
+static gs_events
+plan (const gs_system *g)
+{
+  return gs_events_of (g->nx, g->ip + g->ip[GS_EVENTS] - 1, g->rp + g->ip[GS_EVENTS + 1] - 1);
+}
+
+/* the inputs failed */
+static int
+failed (const gs_system *g, int info)
+{
+  g->istat[GS_FAILED_INFO] = info;
+  g->istat[GS_FAILED] = 1;
+  return info;
+}
+
+/* rates at both ends of e, for the cubic polynomial */
+static int
+ends (const gs_system *g, const gs_step *e, double *xdn)
+{
+  if (e->method == 4)
+    {
+      int info = gsfun (g, e->t, 1, e->x, e->f);
+      if (info != 0)
+        return info;
+    }
+  return e->method == 12 ? 0 : gsfun (g, e->tn, e->side, e->xn, xdn);
+}
+
+/* without an event in e: the number of a function that has not risen above 0 since its last event
+ * and tells what happens just after that, else 0 */
+static int
+still_below (const gs_events *a)
+{
+  int found = 0;
+  for (int i = 0; i < a->ne; i++)
+    if (a->marks[i] == 0 && ! gs_is_held (a, i) && a->last[i] < 0.0)
+      found = i + 1;
+  return found;
+}
+
+int
+gsevn (const gs_system *g, gs_step *e, int *found)
+{
+  const gs_events a = plan (g);
+  *found = 0;
+  int info = ends (g, e, a.xdn);
+  if (info != 0)
+    return info;
+
+  int ns = 8, first = 0;
+  double be = 1.0, thf = 2.0;
+  for (;;)
+    {
+      double th;
+      int fine;
+      info = gsevl (g, e, be, ns, first == 0 ? e->side : 1, found, &th, &fine);
+      if (info != 0)
+        return failed (g, info);
+      if (fine && ns < 2048)
+        ns *= 2;
+      else if (*found > 0 && th < 0.999 * thf)
+        {
+          first = *found;
+          thf = th;
+          be = th * (1.0 - 1e-9);
+          ns = 8;
+        }
+      else
+        break;
+    }
+  *found = first;
+  if (first > 0)
+    return gsevs (g, e, first, thf);
+
+  *found = still_below (&a);
+  if (*found == 0)
+    {
+      memcpy (a.mark, a.marks, a.ne * sizeof (int));
+      memcpy (a.g, a.last, a.ne * sizeof (double));
+      *a.since = 0;
+    }
+  else if (fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn)))
+    *found = -1;
+  return 0;
+}
+
+/* do the last three points, c and a apart, show a lowest value that they do not resolve? */
+static int
+unresolved (double older, double before, double now, double c, double a)
+{
+  if (! (older > 0.0 && before > 0.0 && now > 0.0))
+    return 0;
+  double old = (before - older) / c, slope = (now - before) / a;
+  return old < 0.0 && slope > 0.0 && 0.5 * (slope - old) * (a + c) > before;
+}
+
+int
+gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found, double *th,
+       int *fine)
+{
+  const gs_events p = plan (g);
+  for (int i = 0; i < p.ne; i++)
+    {
+      p.marks[i] = p.mark[i];
+      p.before[i] = p.g[i];
+      p.older[i] = -1.0;
+    }
+  *found = 0;
+  *fine = 0;
+  *th = 2.0;
+  for (int j = 1; j <= ns; j++)
+    {
+      double b = be * gsevp (j, ns);
+      double a = b - be * gsevp (j - 1, ns);
+      double c = b - a - be * gsevp (gs_most (0, j - 2), ns);
+      int info = gsevb (g, e, b, j == ns ? side : 1);
+      if (info != 0)
+        return info;
+      for (int i = 0; i < p.ne; i++)
+        {
+          p.last[i] = p.now[i];
+          if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
+            *fine = 1;
+          p.older[i] = p.before[i];
+          p.before[i] = p.last[i];
+        }
+      for (int i = 0; i < p.ne; i++)
+        if (p.last[i] > 0.0)
+          p.marks[i] = 1;
+        else if (p.marks[i] == 1)
+          {
+            double zero = b;
+            info = gsevi (g, e, be * gsevp (j - 1, ns), &zero, i + 1);
+            if (info != 0)
+              return info;
+            if (zero < *th)
+              {
+                *th = zero;
+                *found = i + 1;
+              }
+          }
+      if (*found > 0)
+        return 0;
+    }
+  return 0;
+}
+
+int
+gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
+{
+  const gs_events p = plan (g);
+  double a = begin, gb = p.last[i - 1];
+  int info = gsevb (g, e, a, 1);
+  if (info != 0)
+    return info;
+  double ga = gs_max (p.now[i - 1], 0.0);
+  int kept = 0; /* the end that stayed: 1 c, -1 a */
+  for (int k = 0; k < 60; k++)
+    {
+      if (*c - a <= 1e-12 || ga - gb <= 0.0)
+        return 0;
+      double d = (ga * *c - gb * a) / (ga - gb);
+      if (! (d > a && d < *c))
+        d = 0.5 * (a + *c);
+      info = gsevb (g, e, d, 1);
+      if (info != 0)
+        return info;
+      double gc = p.now[i - 1];
+      if (gc > 0.0)
+        {
+          a = d;
+          ga = gc;
+          if (kept == 1)
+            gb *= 0.5;
+          kept = 1;
+        }
+      else
+        {
+          *c = d;
+          gb = gc;
+          if (kept == -1)
+            ga *= 0.5;
+          kept = -1;
+          if (! (gc < 0.0))
+            a = *c;
+        }
+    }
+  return 0;
+}
+
+/* e again with the length th*h to te, into end, onto the constraints. info as gsevn */
+static int
+again (const gs_system *g, const gs_step *e, double th, double te, int side, const gs_events *a)
+{
+  const gs_scene *s = g->s;
+  const int way = g->iopt[GS_LOOPS];
+  double err, res;
+  int info = 0;
+  if (e->method == 12)
+    {
+      gsevx (g->nx, e, th, a->xdn, a->end);
+      return 0;
+    }
+  if (e->method == 4)
+    info = gsrk4 (g, e->t, te, side, th * e->h, e->x, a->end, e->f);
+  else
+    info = gsdp8 (g, e->t, te, side, th * e->h, e->x, a->end, &err, e->f);
+  if (info != 0)
+    return info;
+  if (way != 1 && (s->nq > s->nu || (s->nlam > 0 && way != 3)))
+    {
+      info = s->prj (te, a->end, g->cst, &res);
+      g->istat[GS_N_PROJECTIONS]++;
+      if (info == 2)
+        info = 0;
+      if (info != 0)
+        {
+          g->istat[GS_FAILED_INFO] = info;
+          g->istat[GS_FAILED] = 3;
+        }
+    }
+  return info;
+}
+
+/* the slope of function i before its zero at the fraction th of the polynomial of e */
+static int
+first_slope (const gs_system *g, const gs_step *e, int i, double th, double *slope)
+{
+  double d = gs_min (1e-3, 0.5 * th);
+  int info = gsevb (g, e, th - d, 1);
+  *slope = d > 0.0 ? -plan (g).now[i - 1] / d : 0.0;
+  return info;
+}
+
+int
+gsevs (const gs_system *g, gs_step *e, int i, double start)
+{
+  const gs_events a = plan (g);
+  const double least = 2.0 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  double th = start, te = e->tn, slope, old = 0.0, gold = 0.0;
+  int info = first_slope (g, e, i, th, &slope);
+  if (info != 0)
+    return failed (g, info);
+  for (int k = 1; k <= 12; k++)
+    {
+      te = th >= 1.0 ? e->tn : e->t + th * e->h;
+      const int side = th >= 1.0 ? e->side : 1;
+      info = again (g, e, th, te, side, &a);
+      if (info != 0)
+        return info;
+      info = gsevv (g, te, side, a.end, a.mode, a.now);
+      if (info != 0)
+        return failed (g, info);
+      double gc = a.now[i - 1];
+      if (k > 1 && fabs (th - old) > 0.0 && fabs (gc - gold) > 0.0)
+        slope = (gc - gold) / (th - old);
+      old = th;
+      gold = gc;
+      if (! (fabs (slope) > 0.0))
+        break;
+      double d = gc / slope;
+      if (! (fabs (d) <= 0.1) || fabs (d * e->h) <= least)
+        break;
+      if (k < 12)
+        th = gs_min (1.0, gs_max (0.0, th - d));
+      if (! (fabs (th - old) > 0.0))
+        break;
+    }
+  e->tn = te;
+  memcpy (e->xn, a.end, g->nx * sizeof (double));
+  return 0;
+}
+
+int
+gsevb (const gs_system *g, const gs_step *e, double b, int side)
+{
+  const gs_events a = plan (g);
+  gsevx (g->nx, e, b, a.xdn, a.z);
+  return gsevv (g, e->t + b * e->h, side, a.z, a.mode, a.now);
+}
+
+/* the distances grow evenly, threefold from the first to the last */
+double
+gsevp (int j, int ns)
+{
+  double b = (double)j / ns;
+  return 0.5 * b * (1.0 + b);
+}
+
+void
+gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z)
+{
+  if (e->method != 12)
+    {
+      gsevh (nx, e->h, b, e->x, e->f, e->xn, xdn, z);
+      return;
+    }
+  double c[12], wt[12], q[12];
+  gsgln (e->ns, c, wt);
+  gsglq (e->ns, c, wt, (e->t - e->tc) / e->d, (e->t + b * e->h - e->tc) / e->d, q);
+  gspth (nx, e->ns, nx, e->x, e->d, q, e->f, z);
+}
+
+void
+gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
+       const double *xdn, double *z)
+{
+  const double p = b * b * (3.0 - 2.0 * b);
+  const double q = h * b * (1.0 - b) * (1.0 - b);
+  const double r = h * b * b * (b - 1.0);
+  for (int i = 0; i < nx; i++)
+    z[i] = x[i] + p * (xn[i] - x[i]) + q * xd[i] + r * xdn[i];
+  if (b < 1.0)
+    return;
+  for (int i = 0; i < nx; i++)
+    z[i] = xn[i];
+}
+
+int
+gsevv (const gs_system *g, double t, int side, const double *x, const int *mode, double *gv)
+{
+  if (g->ip[GS_V0] != 0 || g->ip[GS_FEEDBACK] != 0)
+    {
+      int info = gsinp (g->s, t, side, x, g->nx, g->ip, g->rp, g->cst, g->v, g->w);
+      if (info != 0)
+        return info;
+    }
+  g->s->evt (t, x, g->v, mode, g->cst, gv);
+  return 0;
+}

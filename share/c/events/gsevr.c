@@ -1,0 +1,20 @@
+/* GSEVR: GSRES under the inputs of a run, from the right. */
+#include "gsmbp/events.h"
+#include "gsmbp/inputs.h"
+
+int
+gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
+       double *v, double *w, int *istat, int k)
+{
+  if (ip[GS_EVENTS] <= 0)
+    return 0;
+  istat[GS_FAILED_INFO] = gsinp (s, t, 1, x, nx, ip, rp, cst, v, w);
+  istat[GS_FAILED] = 1;
+  if (istat[GS_FAILED_INFO] != 0)
+    return istat[GS_FAILED_INFO];
+  int *ie = ip + ip[GS_EVENTS] - 1;
+  double *re = rp + ip[GS_EVENTS + 1] - 1;
+  istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);
+  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 7 : 0;
+  return istat[GS_FAILED_INFO];
+}

@@ -1,0 +1,26 @@
+/* GSEVT: event functions of the ports that stick or hit a stop: above 0 where nothing happens; an
+ * event is where one falls to 0.
+ *
+ * mode: friction 1 or -1 where it slides forward or backward, 0 where it sticks; stops 1 or -1
+ * where the upper or lower stop is in contact, else 0. prm (4,k): friction: the largest force that
+ * holds, its Stribeck speed (a speed 1e-9 of this the other way is rest, not sliding back:
+ * rounding errors where a stop holds the port, too); stops: lower and upper end, restitution,
+ * speed of rebound below which the contact stays. */
+#include <math.h>
+
+#include "gsmbp/events.h"
+
+void
+gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
+       const double *prm, const double *hold, double *gv)
+{
+  for (int i = 0; i < k; i++, prm += 4)
+    if (kind[i] == 1 && mode[i] == 0)
+      gv[i] = prm[0] - fabs (hold[i]);
+    else if (kind[i] == 1)
+      gv[i] = mode[i] * sd[i] + 1e-9 * prm[1];
+    else if (mode[i] == 0)
+      gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
+    else
+      gv[i] = -(double)mode[i] * hold[i];
+}

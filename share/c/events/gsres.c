@@ -1,0 +1,98 @@
+/* GSRES: an event of a run, and those that follow from it at the same instant.
+ *
+ * Where an event changes accelerations, ports that are held may no longer be: they are let go, the
+ * most violated first. Those that stick then come to rest exactly. */
+#include <string.h>
+
+#include "gsmbp/events.h"
+
+/* event l > 0 is counted; its record with the state before it, or a null pointer where there is no
+ * place for one */
+static double *
+new_record (const gs_events *a, double t, const double *x, int nx, int l)
+{
+  *a->count += 1;
+  if (*a->count > a->nr)
+    return NULL;
+  double *r = a->record + (*a->count - 1) * (3 + 2 * nx);
+  r[0] = t;
+  r[1] = l;
+  memcpy (r + 3, x, nx * sizeof (double));
+  return r;
+}
+
+/* after event l the next one at this instant: a port that cannot be held, another stop that is hit
+ * just now; 0: none */
+static int
+next (const gs_events *a, int l)
+{
+  int n = 0;
+  double least = 0.0;
+  for (int i = 0; i < a->ne; i++)
+    if (gs_is_held (a, i) && a->g[i] < least)
+      {
+        n = i + 1;
+        least = a->g[i];
+      }
+  for (int i = 0; i < a->ne && n == 0; i++)
+    if (i + 1 != l && a->kind[i] == 2 && a->mode[i] == 0 && a->mark[i] == 1 && a->g[i] <= 0.0)
+      n = i + 1;
+  return n;
+}
+
+int
+gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
+       int *ie, double *re)
+{
+  const gs_events a = gs_events_of (nx, ie, re);
+  const size_t state = nx * sizeof (double);
+  int l = k == 0 && a.given == 1 ? -1 : k;
+  int sticks = l == 0;      /* does anything come to rest? */
+  double *stuck = NULL;     /* ... and its record */
+  for (;;)
+    {
+      double *r = NULL;
+      if (l > 0)
+        {
+          *a.since += 1;
+          if (*a.since > 100)
+            return 9;
+          r = new_record (&a, t, x, nx, l);
+        }
+      if (l >= 0)
+        {
+          int info = s->rst (t, x, v, a.mode, l, cst);
+          if (info != 0)
+            return info;
+        }
+      if (l > 0 && a.kind[l - 1] == 1 && a.mode[l - 1] == 0)
+        {
+          sticks = 1;
+          stuck = r;
+        }
+      if (r)
+        {
+          r[2] = a.mode[l - 1];
+          memcpy (r + 3 + nx, x, state);
+        }
+      s->evt (t, x, v, a.mode, cst, a.g);
+      int n = next (&a, l);
+      if (l > 0)
+        a.mark[l - 1] = 0;
+      if (n == 0)
+        break;
+      l = n;
+    }
+  if (sticks)
+    {
+      int info = s->rst (t, x, v, a.mode, -1, cst);
+      if (info != 0)
+        return info;
+      if (stuck)
+        memcpy (stuck + 3 + nx, x, state);
+      s->evt (t, x, v, a.mode, cst, a.g);
+    }
+  for (int i = 0; i < a.ne; i++)
+    a.mark[i] = a.g[i] > 0.0;
+  return 0;
+}

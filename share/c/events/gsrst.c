@@ -1,0 +1,168 @@
+/* GSRST: what happens at an event: modes change, speeds jump at an impact.
+ *
+ * Friction that comes to rest sticks, as one that starts slower than 1e-9 of its Stribeck speed
+ * does; one whose holding force passes its limit slides to where it is pushed. What sticks at last
+ * comes to rest exactly (l = -1), not before: where the loops stop a port by their geometry, as at
+ * a dead centre, the rest of the machine would have to stop for it.
+ * At a stop u+ = u + inv(A)*H'*p, so that the port's speed becomes -e times itself, without one
+ * where the rebound would be slower than prm[3]: then the stop stays in contact. Constraints and
+ * stops in contact take part in the impact and only push; friction does not: no finite force
+ * resists an impulse. Then friction slides where its port moves. */
+#include <math.h>
+
+#include "gsmbp/events.h"
+#include "gsmbp/solve.h"
+
+/* the modes at the start */
+static void
+start (int k, const int *kind, int *mode, const double *s, const double *sd, const double *prm)
+{
+  for (int i = 0; i < k; i++, prm += 4)
+    {
+      double e = 1e-9 * prm[1];
+      mode[i] = 0;
+      if (kind[i] == 1 && sd[i] > e)
+        mode[i] = 1;
+      if (kind[i] == 1 && sd[i] < -e)
+        mode[i] = -1;
+      if (kind[i] == 2 && fabs (sd[i]) <= prm[3])
+        {
+          e = 1e-9 * (prm[1] - prm[0]);
+          if (s[i] >= prm[1] - e)
+            mode[i] = 1;
+          if (s[i] <= prm[0] + e)
+            mode[i] = -1;
+        }
+    }
+}
+
+int
+gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s, const double *sd,
+       const double *prm, const double *hold, const double *a, int lda, const double *h, int ldh,
+       const double *phit, double *u, double *w)
+{
+  const int i = l - 1;
+  if (l == 0)
+    start (k, kind, mode, s, sd, prm);
+  else if (l < 0)
+    return gsimp (n, m, k, 0, 0.0, kind, mode, a, lda, h, ldh, phit, u, w);
+  else if (kind[i] == 1 && mode[i] != 0)
+    mode[i] = 0;
+  else if (kind[i] == 1)
+    mode[i] = hold[i] > 0.0 ? -1 : 1;
+  else if (mode[i] != 0)
+    mode[i] = 0;
+  else
+    {
+      const double *stop = prm + 4 * i;
+      const int end = stop[1] - s[i] < s[i] - stop[0] ? 1 : -1;
+      if (end * sd[i] <= 0.0)
+        return 0;
+      double e = stop[2];
+      if (e * fabs (sd[i]) <= stop[3])
+        {
+          e = 0.0;
+          mode[i] = end;
+        }
+      return gsimp (n, m, k, l, -e * sd[i], kind, mode, a, lda, h, ldh, phit, u, w);
+    }
+  return 0;
+}
+
+/* does row i of the constraints and ports take part in an impact at port l? Then what its speed
+ * becomes */
+static int
+takes_part (int m, int i, int l, double v, const int *kind, const int *mode, const double *phit,
+            double *speed)
+{
+  *speed = 0.0;
+  if (i < m)
+    *speed = -phit[i];
+  else if (i - m == l - 1)
+    *speed = v;
+  else
+    return kind[i - m] == 2 ? mode[i - m] != 0
+                            : kind[i - m] == 1 && mode[i - m] == 0 && l == 0;
+  return 1;
+}
+
+/* the first stop in contact that would pull, lam being the impulses of the rows; -1: none */
+static int
+pulling (int m, int k, int l, const int *kind, const int *mode, const double *lam)
+{
+  int r = m, bad = -1;
+  for (int i = 0; i < k && l > 0; i++)
+    if (i == l - 1)
+      r++;
+    else if (kind[i] == 2 && mode[i] != 0)
+      {
+        if (mode[i] * lam[r] > 0.0 && bad < 0)
+          bad = i;
+        r++;
+      }
+  return bad;
+}
+
+/* friction slides where its port moves, rows h of the ports; du is what the impact changed */
+static void
+slide (int n, int k, const int *kind, int *mode, const double *h, int ldh, const double *u,
+       const double *du)
+{
+  for (int i = 0; i < k; i++)
+    if (kind[i] == 1)
+      {
+        double x = 0.0, size = 0.0;
+        for (int j = 0; j < n; j++)
+          {
+            const double row = h[i + ldh * j];
+            x += row * u[j];
+            size = size + fabs (row * u[j]) + fabs (row * du[j]);
+          }
+        if (fabs (x) > 1e-10 * size)
+          mode[i] = x < 0.0 ? -1 : 1;
+      }
+}
+
+int
+gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const double *a, int lda,
+       const double *h, int ldh, const double *phit, double *u, double *w)
+{
+  const int nr = m + k;
+  double *wa = w, *wh = wa + n * n, *wf = wh + nr * n, *wg = wf + n, *wd = wg + nr, *wl = wd + n,
+         *ww = wl + nr;
+  for (int bad = 0; bad >= 0;)
+    {
+      int r = 0;
+      for (int i = 0; i < nr; i++)
+        {
+          double x;
+          if (! takes_part (m, i, l, v, kind, mode, phit, &x))
+            continue;
+          for (int j = 0; j < n; j++)
+            {
+              wh[r + nr * j] = h[i + ldh * j];
+              x -= h[i + ldh * j] * u[j];
+            }
+          wg[r++] = x;
+        }
+      if (r == 0)
+        return 0;
+      for (int j = 0; j < n; j++)
+        {
+          wf[j] = 0.0;
+          for (int i = 0; i < n; i++)
+            wa[i + n * j] = a[i + lda * j];
+        }
+      int info = gskkt (n, r, wa, n, wh, nr, wf, wg, wd, wl, ww);
+      if (info != 0 && info != 2)
+        return info;
+      bad = pulling (m, k, l, kind, mode, wl);
+      if (bad >= 0)
+        mode[bad] = 0;
+    }
+  for (int j = 0; j < n; j++)
+    u[j] += wd[j];
+  if (l != 0)
+    slide (n, k, kind, mode, h + m, ldh, u, wd);
+  return 0;
+}

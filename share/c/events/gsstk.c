@@ -1,0 +1,122 @@
+/* GSSTK: accelerations where some ports are held (friction that sticks, contact that rests): the
+ * rows of h behind the constraints that are active count as constraints, the others do not.
+ *
+ * Where the rows are dependent, each port is looked at beside the constraints alone: one whose row
+ * depends on theirs (a slider at its dead centre) moves as they have it, whatever holds it. It does
+ * not count as held; its effort would be without bound, towards rest. */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+static const double without_bound = 1e30;
+
+static void
+copy_row (int n, double *h, int ldh, double *g, int to, int from)
+{
+  for (int j = 0; j < n; j++)
+    h[to + ldh * j] = h[from + ldh * j];
+  g[to] = g[from];
+}
+
+/* the ports among rows m .. that the constraints, with their accelerations ud, move or hold by
+ * themselves are left out; the number of rows that stay */
+static int
+leave_out (int n, int m, int k, const double *a, int lda, double *h, int ldh, double *g,
+           const int *act, const double *ud, double *hold, double *w)
+{
+  int r = m, p = m;
+  for (int i = 0; i < k; i++)
+    if (act[i] == 1)
+      {
+        int free;
+        gsfre (n, m, a, lda, h, ldh, p + 1, w, &free);
+        if (free == 0)
+          {
+            double s = -g[p];
+            for (int j = 0; j < n; j++)
+              s += h[p + ldh * j] * ud[j];
+            hold[i] = copysign (without_bound, -s);
+          }
+        else
+          copy_row (n, h, ldh, g, r++, p);
+        p++;
+      }
+  return r;
+}
+
+int
+gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const double *f,
+       double *g, const int *act, double *ud, double *lam, double *hold, double *w)
+{
+  double *const ww = w + m + k;
+  int l = m;
+  for (int i = 0; i < k; i++)
+    {
+      hold[i] = 0.0;
+      if (act[i] == 1)
+        {
+          hold[i] = 1.0;
+          copy_row (n, h, ldh, g, l++, m + i);
+        }
+    }
+  int info = gskkt (n, l, a, lda, h, ldh, f, g, ud, w, ww);
+  if (info == 2 && l > m)
+    {
+      int r = l;
+      if (gskkt (n, m, a, lda, h, ldh, f, g, ud, w, ww) != 1)
+        r = leave_out (n, m, k, a, lda, h, ldh, g, act, ud, hold, w);
+      info = gskkt (n, r, a, lda, h, ldh, f, g, ud, w, ww);
+      if (info == 2 && r > m)
+        info = 0;
+    }
+  for (int i = 0; i < m; i++)
+    lam[i] = w[i];
+  l = m;
+  for (int i = 0; i < k; i++)
+    if (fabs (hold[i]) < without_bound && act[i] == 1)
+      hold[i] = w[l++];
+  return info;
+}
+
+/* The acceleration under a unit effort along the row, with and without the constraints; 0 where
+ * the square root of the ratio of their energies is below 1e-10, ten times the tolerance of gskkt.
+ * Where A is singular by itself, that of the row alone is one with the largest mass. */
+void
+gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, double *w,
+       int *free)
+{
+  double *wf = w, *wu = wf + n, *wg = wu + n, *wl = wg + m, *ww = wl + m;
+  double big = 0.0, s = 0.0, e = 0.0;
+  for (int j = 0; j < n; j++)
+    {
+      wf[j] = h[p - 1 + ldh * j];
+      big = gs_max (big, a[j + lda * j]);
+      s += 0.5 * (wf[j] * wf[j]);
+    }
+  for (int i = 0; i < m; i++)
+    wg[i] = 0.0;
+  *free = 1;
+  s /= big;
+  for (int job = 0; job <= 1; job++)
+    {
+      int info = gskkt (n, m * job, a, lda, h, ldh, wf, wg, wu, wl, ww);
+      if (info == 1 && job == 0)
+        continue;
+      if (info == 1)
+        return;
+      e = 0.0;
+      for (int j = 0; j < n; j++)
+        {
+          e += 0.5 * a[j + lda * j] * (wu[j] * wu[j]);
+          for (int i = j + 1; i < n; i++)
+            e += a[i + lda * j] * wu[i] * wu[j];
+        }
+      if (job == 0)
+        s = e;
+    }
+  if (sqrt (gs_max (0.0, e)) <= 5e5 * gseps () * sqrt (s))
+    *free = 0;
+}

@@ -1,0 +1,9 @@
+#include "gsmbp/functions.h"
+
+#include <float.h>
+
+double
+gseps (void)
+{
+  return DBL_EPSILON;
+}

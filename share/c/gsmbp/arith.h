@@ -1,0 +1,93 @@
+/* gsmbp/arith.h: what the sources of this folder share: MAX and MIN as Fortran has them, loops over
+ * columns, triangular systems. No part of the interface. */
+#ifndef GSMBP_ARITH_H
+#define GSMBP_ARITH_H
+
+static inline double
+gs_max (double a, double b)
+{
+  return a > b ? a : b;
+}
+
+static inline double
+gs_min (double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static inline int
+gs_most (int a, int b)
+{
+  return a > b ? a : b;
+}
+
+static inline int
+gs_least (int a, int b)
+{
+  return a < b ? a : b;
+}
+
+/* s + x'*y, summed from the first entry on */
+static inline double
+gs_dot (int n, double s, const double *x, const double *y)
+{
+  for (int i = 0; i < n; i++)
+    s += x[i] * y[i];
+  return s;
+}
+
+/* y := y - s*x; the two do not overlap */
+static inline void
+gs_take (int n, double s, const double *restrict x, double *restrict y)
+{
+  for (int i = 0; i < n; i++)
+    y[i] -= s * x[i];
+}
+
+/* x and y change places */
+static inline void
+gs_swap (int n, double *x, double *y)
+{
+  for (int i = 0; i < n; i++)
+    {
+      double s = x[i];
+      x[i] = y[i];
+      y[i] = s;
+    }
+}
+
+/* y (n,m) := H', h (m,n) */
+static inline void
+gs_transpose (int n, int m, const double *h, int ldh, double *y)
+{
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < m; j++)
+      y[i + n * j] = h[j + ldh * i];
+}
+
+/* x of R'*x = P'*g, R the upper triangle of order r in y, P the interchanges piv */
+static inline void
+gs_forward (int r, const double *y, int ldy, const double *piv, const double *g, double *x)
+{
+  for (int k = 0; k < r; k++)
+    {
+      double s = g[(int)piv[k] - 1];
+      for (int i = 0; i < k; i++)
+        s -= y[i + ldy * k] * x[i];
+      x[k] = s / y[k + ldy * k];
+    }
+}
+
+/* x of R*P'*x = c; c is destroyed */
+static inline void
+gs_backward (int r, const double *y, int ldy, const double *piv, double *c, double *x)
+{
+  for (int k = r - 1; k >= 0; k--)
+    {
+      double s = c[k] / y[k + ldy * k];
+      x[(int)piv[k] - 1] = s;
+      gs_take (k, s, y + ldy * k, c);
+    }
+}
+
+#endif

@@ -1,0 +1,158 @@
+/* gsmbp/events.h: ports that stick or hit stops. Calling rules: scene.h.
+ *
+ * Numbers of events, ports and inputs are counted from 1. */
+#ifndef GSMBP_EVENTS_H
+#define GSMBP_EVENTS_H
+
+#include "gsmbp/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* the plan of the events, see GSRES */
+typedef struct
+{
+  int ne, nr;     /* event functions (and modes), places for records */
+  int *count;     /* events so far */
+  int *since;     /* events since the time went on */
+  int given;      /* 1 if the modes at the start are given */
+  int *mode;      /* ne */
+  int *input;     /* ne: the numbers of the inputs that are the modes */
+  int *kind;      /* ne: 1 friction, 2 stops */
+  int *mark;      /* ne: 1 where the function was above 0 since its last event */
+  int *marks;     /* ne, workspace: the same at a place within a step */
+  double *g;      /* ne: event functions */
+  double *now;    /* ne, workspace of gsevn from here on: event functions at a place of a step, */
+  double *last;   /* ne: at the last point that was looked at, */
+  double *before; /* ne: at the one before, as marks go on, */
+  double *older;  /* ne: at the one before that */
+  double *xdn;    /* nx: rates at the end of the step */
+  double *z;      /* nx: the state at a place of a step */
+  double *end;    /* nx: the state at the end of the step that was done again */
+  double *record; /* (3+2*nx,nr): time, number, mode after, states before and after */
+} gs_events;
+
+/* the plan of which ie and re are the arrays */
+static inline gs_events
+gs_events_of (int nx, int *ie, double *re)
+{
+  gs_events a;
+  a.ne = ie[0];
+  a.nr = ie[1];
+  a.count = ie + 2;
+  a.since = ie + 3;
+  a.given = ie[4];
+  a.mode = ie + 10;
+  a.input = a.mode + a.ne;
+  a.kind = a.input + a.ne;
+  a.mark = a.kind + a.ne;
+  a.marks = a.mark + a.ne;
+  a.g = re;
+  a.now = a.g + a.ne;
+  a.last = a.now + a.ne;
+  a.before = a.last + a.ne;
+  a.older = a.before + a.ne;
+  a.xdn = a.older + a.ne;
+  a.z = a.xdn + nx;
+  a.end = a.z + nx;
+  a.record = a.end + nx;
+  return a;
+}
+
+/* is port i (from 0) held: friction that sticks, a stop in contact? */
+static inline int
+gs_is_held (const gs_events *a, int i)
+{
+  return (a->kind[i] == 1) == (a->mode[i] == 0);
+}
+
+/* a step in which gsevn looks for events */
+typedef struct
+{
+  int method;   /* as iopt[0]; 12: a step of gspsg, whose polynomial has the states within */
+  double t, h;  /* where the step begins, its length [s] */
+  double tn;    /* its end, on exit of gsevn the time of the event [s] */
+  int side;     /* of tn: < 0 if a jump of the inputs may lie there */
+  double *x;    /* nx: the state at t */
+  double *xn;   /* nx: the state at tn */
+  double *f;    /* (nx,13): its stages, the first column are the rates at x */
+  double tc, d; /* of gspsg: from tc - d to tc + d [s] */
+  int ns;       /* ... with so many stages */
+} gs_step;
+
+/* the first event within the step e; if there is one the step is done again up to it. found: its
+ * number, 0 none, -1 the step is too long to see what happens just after the last event. info: what
+ * failed, as istat[5] and istat[6] */
+int gsevn (const gs_system *g, gs_step *e, int *found);
+
+/* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
+ * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value */
+int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
+           double *th, int *fine);
+
+/* for gsevl: the zero of function i between the fractions begin and *c, by the method of Illinois;
+ * on exit it has fallen to 0 at *c */
+int gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i);
+
+/* for gsevn: the step e once more, by the secant method as long as function i needs to be 0 at its
+ * end; it starts at the fraction start */
+int gsevs (const gs_system *g, gs_step *e, int i, double start);
+
+/* event functions at the fraction b of the step e, on its polynomial, into the plan's now */
+int gsevb (const gs_system *g, const gs_step *e, double b, int side);
+
+/* the point j of ns of a step, as a fraction of it */
+double gsevp (int j, int ns);
+
+/* the state z at the fraction b of the step e; xdn: the rates at its end */
+void gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z);
+
+/* the cubic polynomial through the ends of a step of the length h, at the fraction b of it */
+void gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
+            const double *xdn, double *z);
+
+/* event functions gv under the inputs of a run. info: that of the inputs */
+int gsevv (const gs_system *g, double t, int side, const double *x, const int *mode, double *gv);
+
+/* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
+ * what failed, as istat[5] and istat[6] */
+int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
+           double *v, double *w, int *istat, int k);
+
+/* event k (0 the start, -1 inputs may have jumped) and those that follow from it at the same
+ * instant. info: that of rst; 9: 100 events and more at one instant */
+int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
+           int *ie, double *re);
+
+/* event functions gv of k ports, above 0 where nothing happens; prm (4,k) as GSEVT */
+void gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
+            const double *prm, const double *hold, double *gv);
+
+/* what happens at event l (0 the start, -1 what sticks comes to rest): modes change, speeds u jump;
+ * a (lda,n), h (ldh,n) with m constraints and k ports. w: 2*n*n + 2*n*(m+k) + (m+k)**2 + 4*n +
+ * 9*(m+k). info: 1 singular mass matrix */
+int gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s,
+           const double *sd, const double *prm, const double *hold, const double *a, int lda,
+           const double *h, int ldh, const double *phit, double *u, double *w);
+
+/* the impulse of gsrst after which the speed of port l is v (l = 0: of none, and ports that stick
+ * are at rest as well). info: as gskkt */
+int gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const double *a,
+           int lda, const double *h, int ldh, const double *phit, double *u, double *w);
+
+/* accelerations ud, multipliers lam (m) where the ports with act = 1 are held, by the efforts hold
+ * (k), +-1e30 where none can; rows of h (m+k,n) that are not active are overwritten. w: n*n +
+ * n*(m+k) + (m+k)**2 + 4*n + 8*(m+k). info: as gskkt, dependent ports are no failure */
+int gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const double *f,
+           double *g, const int *act, double *ud, double *lam, double *hold, double *w);
+
+/* free: 1 if an effort along row p (from 1) of h can change a speed that the first m rows leave
+ * free, else 0 */
+void gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, double *w,
+            int *free);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,273 @@
+/* gsmbp/integrate.h: steps of an integration, its loop, the way through singular positions.
+ * Calling rules: scene.h.
+ *
+ * A program fills gs_run and calls gssim. */
+#ifndef GSMBP_INTEGRATE_H
+#define GSMBP_INTEGRATE_H
+
+#include "gsmbp/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* what gssim returns; -i: argument i of GSSIM is out of range */
+enum
+{
+  GS_DONE = 0,         /* all output times reached */
+  GS_TOO_MANY,         /* more than iopt[3] steps */
+  GS_TOO_SMALL,        /* the step became too small */
+  GS_ROUTINE_FAILED,   /* see istat[5] and istat[6] */
+  GS_NOT_FINITE,       /* the state is no longer finite */
+  GS_STIFF,            /* steps are bound by stability (method 9) */
+  GS_RATE_NOT_FINITE=8 /* a rate is not finite at the start or behind a stop */
+};
+
+/* the arguments of GSSIM beside the scene, by their names */
+typedef struct
+{
+  int nx;             /* states, s->nx, or s->nx + 2 with an audit */
+  double t0;          /* initial time [s] */
+  const double *x0;   /* nx: initial state */
+  int nt;             /* output times */
+  const double *tout; /* nt: rising, tout[0] >= t0 [s] */
+  int nb;             /* breaks */
+  const double *tbrk; /* nb: rising, times at which the inputs may jump [s] */
+  const int *iopt;    /* 6 + iopt[5]: method (4, 8, 9), way of the loops (1 .. 6), 1 to record the
+                         drift, most steps (0: any), 1 to watch for singular positions, number of
+                         constraints on speeds alone, then their numbers from 1 */
+  const double *ropt; /* 3: step [s] (method 8: the first one, or 0), relative tolerance, largest
+                         step [s] or 0 */
+  const double *atol; /* nx: absolute tolerances, in the units of the states (method 8) */
+  int *ip;            /* the inputs and the plans of the samples and of the events, see inputs.h; */
+  double *rp;         /* next samples, held outputs, memories and modes go on in them */
+  const double *cst;  /* from <name>_pre */
+  double *xout;       /* (ldx,nt): states at the output times */
+  int ldx;            /* >= nx */
+  double *vout;       /* (ldv,nt): inputs there, from the left, but at t0 */
+  int ldv;            /* >= max(1,nv) */
+  int istat[20];      /* statistics, written */
+  double rstat[20];
+  double *w;          /* lw: workspace; first nu entries: the guess of the planned motion */
+  int lw;             /* >= gs_room */
+} gs_run;
+
+/* one step through a position where the constraints lose rank, and what is remembered from one such
+ * step to the next */
+typedef struct
+{
+  double tc, d;      /* the step is from tc - d to tc + d; d = 0: there is none [s] */
+  int ns;            /* stages, 8 or 12 */
+  double tv[3];      /* the last jump of the inputs and the next one; if tv[2] > 0 inputs are
+                        continued beyond them by no more than that time [s] */
+  double err;        /* the estimated error beside the tolerance */
+  double eit;        /* what the last iteration moved: rounding errors, if not below 0.02 */
+  double tmin, smin; /* where the least pivot is least [s], and its value there */
+  double not_before; /* no passage is tried before this time [s] */
+  double counted;    /* ... none is counted [s] */
+  double share;      /* of the length that is tried */
+  double turn;       /* in this time the constraints turn by 1.2 rad [s] */
+  int begin;         /* 1 in a singular position where the run starts, -1 behind an event, 0 */
+} gs_passage;
+
+/* a run on its way; comments name the places of GSSIM's M and LM */
+typedef struct
+{
+  gs_system g;
+  gs_run *run;
+  double t;           /* the time [s], */
+  double *x;          /* nx: the state, */
+  double *xn;         /* nx: and the next one; the two change places */
+  double *f;          /* (nx,13): stages */
+  double *fn;         /* 3*nx: rates */
+  double *hc;         /* (nlam,nu): a Jacobian of the constraints */
+  double hmax;        /* the largest step [s] */
+  int it, ib;         /* the next output time and the next break, from 0 */
+  double tb;          /* the next stop [s] */
+  double tend;        /* the next break, sample or end of the run [s] */
+  double ts;          /* the next sample [s] */
+  int side;           /* -1 if the next stop is a break or a sample, else 1 */
+  double next;        /* M(1) the next step, 0 before the first one [s] */
+  double last;        /* M(2) the last one [s] */
+  double near;        /* M(3) the share of the least pivot below which GSPRT helps */
+  double far;         /* M(4) the next step far from singular positions [s] */
+  double job;         /* M(5) p[0] as the way of the loops wants it */
+  double loose;       /* M(6) the relative tolerance close to singular positions */
+  double close;       /* M(7) how small the pivot may be where a step ends */
+  int fresh;          /* LM(1) 1 if the rates at x are to be computed */
+  int after;          /* LM(2) 1 if the last step was one of GSDP8 */
+  int repeated;       /* LM(3) steps that were repeated for the pivot, */
+  int slow;           /* LM(4) that were very short, one after the other */
+  gs_passage a;       /* M(8) .. M(11), LM(5), LM(6) */
+} gs_course;
+
+/* the whole run */
+int gssim (const gs_scene *s, gs_run *run);
+
+/* the least lw of a run with nx states; r = ip[3], the highest derivative of a planned motion */
+int gs_room (const gs_scene *s, int nx, int r);
+
+/* are the arguments within their ranges? info: -i for argument i of GSSIM */
+int gsarg (const gs_scene *s, const gs_run *run);
+
+/* workspace, state, partition and memory of a run; statistics are 0 */
+void gsini (const gs_scene *s, gs_run *run, gs_course *c);
+
+/* the start: onto the constraints, what is due, a singular position. info as gssim: 0 or 3 */
+int gsbgn (gs_course *c);
+
+/* at a stop: output, samples and events that are due, the next stop; it = nt: the end. acted: 1 if
+ * the integration starts again here. info as gssim: 0 or 3 */
+int gssto (gs_course *c, int *acted);
+
+/* from one stop to the next by the classical method of Runge and Kutta. info as gssim: 0, 1, 3,
+ * 4 */
+int gsrks (gs_course *c);
+
+/* from one stop to the next by the method of Dormand and Prince, or through a singular position,
+ * which may end before or behind it. info as gssim: 0, 1, 2, 3, 5, 8 */
+int gsdps (gs_course *c);
+
+/* before a step of gsdp8: the rates at x, stability, a first step. info as gssim: 0, 3, 5, 8 */
+int gsdpf (gs_course *c);
+
+/* one trial step of gsdp8 of the length htry or less, onto the constraints and up to an event in
+ * it, and the length of the next one; taken: 1 if it was good. info as gssim: 0, 1, 2, 3 */
+int gsdpt (gs_course *c, double htry, int *taken);
+
+/* before a trial step of the length h: the partition that its stages need. info as gssim: 0, 3 */
+int gsdpp (gs_course *c, double h);
+
+/* after a good step to tn: xn onto the constraints, but by no jump. info as gschk */
+int gsdpc (gs_course *c, double tn);
+
+/* how far a coordinate, jump[0], and a speed, jump[1], may be moved after the step from x to xn */
+void gsjmp (int nq, int nu, const double *x, const double *xn, double rtol, const double *atol,
+            double *jump);
+
+/* one step of the classical Runge-Kutta method from x at t to xn at tn, which is t + h as the
+ * caller rounds it; side < 0: a jump of the inputs may lie there. w: 3*nx. info as gsfun, as
+ * below */
+int gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *x, double *xn,
+           double *w);
+
+/* one trial step of Dormand and Prince of order 8, as gsrk4; err: the error beside the tolerance,
+ * good if <= 1. w (nx,13): column 0 the rates at x, on entry */
+int gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double *x,
+           double *xn, double *err, double *w);
+
+/* a first step h <= hmax for gsdp8 [s]; w as there */
+int gshin (const gs_system *g, double t, double hmax, const double *x, double *w, double *h);
+
+/* the right-hand side xd under its inputs; states of x that the partition completes are completed
+ * first. info: what failed, as istat[5] and istat[6] */
+int gsfun (const gs_system *g, double t, int side, double *x, double *xd);
+
+/* gsfun with the inputs as they go on from the time tv to tf */
+int gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, double *xd);
+
+/* the inputs at tf as those on the other side of tv go on there, by a polynomial */
+int gsinc (const gs_system *g, double tv, double tf, const double *x);
+
+/* watches for steps h that are bound by the stability of an explicit method: istat[13 .. 17],
+ * rstat[17 .. 19]. w (nx,13): as gsdp8 left it, but column 0 the rates at x; columns 1 to 4 are
+ * workspace */
+void gsstd (const gs_system *g, double t, double h, const double *x, double *w);
+
+/* the largest eigenvalue rho of the right-hand side by modulus [1/s], 0 where that failed; k: the
+ * state (from 1) that moves most. w: 4*nx */
+void gsstf (const gs_system *g, double t, const double *x, double *w, double *rho, int *k);
+
+/* the passage of a position where the constraints lose rank, if one is ahead; h: the next step of
+ * gsdp8; hlim: its longest one where there is no passage yet [s]; taken: 1 if it was passed. info
+ * as gssim: 0, 3 */
+int gspss (gs_course *c, double h, double *hlim, int *taken);
+
+/* looks ahead for such a position (gsahd), where one may be near */
+void gspsw (gs_course *c, double h, double *hlim);
+
+/* one trial step of gspsg, with the partition that holds at its far end. info as gspsg */
+int gsptr (gs_course *c);
+
+/* the partition that holds at the end of a step of gspsg that lies farther from x */
+void gspfe (gs_course *c);
+
+/* a good step of gspsg is taken, to its end, the next stop or an event; the outputs within it.
+ * again: 1 if a shorter one is to be tried. info as gssim: 0, 3 */
+int gspen (gs_course *c, int *taken, int *again);
+
+/* xn at tn on the path of gspsg, or at the first event before it: then tn is its time and stops,
+ * which says that tn is a stop, 0. info: what failed */
+int gspev (gs_course *c, double *tn, int *stops, int *event);
+
+/* gschk for xn at the end of a passage; close to the singular position nothing is moved */
+int gspck (gs_course *c, double tn);
+
+/* the outputs before tn, from the polynomial of gspsg. info: that of the inputs */
+int gspou (gs_course *c, double tn);
+
+/* one implicit step through a position where the constraints lose rank: a->err, eit, tmin, smin.
+ * f (nx,13): column 0 the rates at x on entry, the others are the stages on exit; xn, fn (nx):
+ * workspace. info: 1 the position lies too far from a->tc, 2 no convergence, 3 a stage failed */
+int gspsg (const gs_system *g, double t, const double *x, gs_passage *a, double *f, double *xn,
+           double *fn);
+
+/* the stages of gspsg, at c, for the first time, from c0 outwards: order (ns), from 1 */
+int gspsf (const gs_system *g, const double *x, const gs_passage *a, double c0, const double *c,
+           double *f, double *xn, int *order);
+
+/* the right-hand side of a stage of gspsg; tv as in gs_passage */
+int gspsr (const gs_system *g, double t, const double *tv, double *x, double *xd);
+
+/* the size err of d beside the tolerance, tol >= rtol for the relative one */
+void gsper (const gs_system *g, const double *x, const double *d, double tol, double *err);
+
+/* xt = x + d*f(:,1:ns)*b, the first n states at the place of b (gsglq) in a step of gspsg; f
+ * (ldf,13) */
+void gspth (int n, int ns, int ldf, const double *x, double d, const double *b, const double *f,
+            double *xt);
+
+/* the least pivot smin of the constraints and its place cs between ca and cb, on the path of gspsg
+ * from x at t; xt (nx): workspace */
+void gspmn (const gs_system *g, double t, const double *x, double tc, double d, double ca,
+            double cb, int ns, const double *f, double *xt, double *cs, double *smin);
+
+/* the least pivot sp at tc + ct*d on that path, 1e300 where con fails */
+void gspvt (const gs_system *g, double t, const double *x, double tc, double d, double ct, int ns,
+            const double *f, double *xt, double *sp);
+
+/* looks for a position where the constraints lose rank: a->tc, d, turn; h: on exit no more than
+ * what turns them by about 1 rad. f as gspsg; xt (nx), hc (nlam,nu): workspace */
+void gsahd (const gs_system *g, double t, const double *x, double *h, gs_passage *a, double *f,
+            double *xt, double *hc);
+
+/* the rates f of gspsg for a path with linear rates of the coordinates; xt (nq): workspace */
+void gsprd (const gs_system *g, double t, const double *x, double tc, double d, int ns, double *f,
+            double *xt);
+
+/* does a run start in or very close to a singular position, no further ahead than hmax? state: 0
+ * no, 1 in one that the speeds lead out of, 2 at rest in one, -1 the constraints hardly turn. f:
+ * the right-hand side; xt, xw (nq), hc (nlam,nu), siz (nlam): workspace */
+void gspbg (const gs_scene *s, double t, const double *x, double hmax, const double *cst,
+            const double *f, double *xt, double *xw, double *hc, double *siz, double *p,
+            int *state);
+
+/* for gspbg: the time h until the constraints have turned by 0.3 rad, 0 if they hardly turn; rest:
+ * 1 if the speeds hardly move the scene until then */
+void gspbh (const gs_scene *s, double t, const double *x, double hmax, const double *cst,
+            const double *f, double *xt, double *xw, double *hc, double *siz, double *p, double *h,
+            int *rest);
+
+/* for gspbg: the pivots of the constraints h behind t, in p; their rank, -1 where con fails */
+void gspbv (const gs_scene *s, double t, const double *x, double h, const double *cst,
+            const double *f, double *xt, double *xw, double *siz, double *p, int *rank);
+
+/* how far the speeds of x differ from those of the step of gspsg, beside the largest: gap; xw (nq):
+ * workspace */
+void gspbc (const gs_system *g, double t, const double *x, const gs_passage *a, const double *f,
+            double *xw, double *gap);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,54 @@
+/* gsmbp/scene.h: what the run time knows of a scene: sizes and routines.
+ *
+ * A routine is called as the Fortran one of the same name, with these changes, which hold for the
+ * emitted routines and for those of this folder alike: names are in lower case; numbers that are
+ * read are given by value, numbers that are written by address; arrays that are only read are
+ * const; matrices lie by columns, (i,j) counted from 0 at [i + ld*j]; the indicator INFO is the
+ * value of the function, with the meanings of the Fortran. Where the Fortran takes routines of the
+ * scene as EXTERNAL arguments, the C takes the scene. */
+#ifndef GSMBP_SCENE_H
+#define GSMBP_SCENE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int gs_rhs (double t, const double *x, const double *v, const double *cst, double *xd);
+typedef int gs_prj (double t, double *x, const double *cst, double *res);
+typedef int gs_con (double t, const double *q, const double *u, const double *cst, double *phi,
+                    double *phit, double *hc, int ldh, double *gam);
+typedef void gs_kin (double t, const double *q, const double *u, const double *cst, double *qdot);
+typedef int gs_cmd (double t, const double *qj, const double *xi, const double *cst, double *v,
+                    double *xid);
+typedef int gs_clo (double t, double *qj, const double *cst, double *res);
+typedef int gs_out (double t, const double *x, const double *v, const double *cst, double *y);
+typedef void gs_ctl (int k, double t, const double *y, double *xk, const double *cst, double *v);
+typedef void gs_ctp (const double *cst, double *period, double *delay);
+typedef void gs_evt (double t, const double *x, const double *v, const int *mode,
+                     const double *cst, double *gv);
+typedef int gs_rst (double t, double *x, double *v, int *mode, int k, const double *cst);
+/* inputs of the user: side < 0 is the limit from the left; data is the scene's */
+typedef int gs_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v);
+
+typedef struct
+{
+  const char *name;
+  int nq, nu, nx, nv, ny, nlam; /* coordinates, speeds, states, inputs, outputs, constraints */
+  gs_rhs *rhs;
+  gs_prj *prj; /* a null pointer where the scene has no such routine, as below */
+  gs_con *con;
+  gs_kin *kin;
+  gs_cmd *cmd;
+  gs_clo *clo;
+  gs_out *out;
+  gs_ctl *ctl;
+  gs_evt *evt;
+  gs_rst *rst;
+  gs_vin *vin;
+  void *data; /* for vin */
+} gs_scene;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,79 @@
+/* GSPLN: piecewise polynomials with common breaks, and their derivatives.
+ *
+ * Binary search, then Horner's rule for value and derivatives. Before the first and after the last
+ * break the value is held and the derivatives are zero; a distance of 1e-12 of the whole range does
+ * not count as outside. */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/inputs.h"
+
+static int
+faulty (int nc, int np, int k, double t, int nd, int ldf)
+{
+  if (ldf < gs_most (1, nc))
+    return -10;
+  if (nd < 0)
+    return -8;
+  if (! (fabs (t) <= 1e300))
+    return -6;
+  if (k < 1)
+    return -3;
+  if (np < 1)
+    return -2;
+  return nc < 0 ? -1 : 0;
+}
+
+/* the piece of t, at a break the one on its side */
+static int
+piece (int np, const double *brk, double t, int side)
+{
+  int lo = 0, hi = np;
+  while (hi - lo > 1)
+    {
+      int mid = (lo + hi) / 2;
+      if (t > brk[mid] || (t >= brk[mid] && side >= 0))
+        lo = mid;
+      else
+        hi = mid;
+    }
+  return lo;
+}
+
+int
+gspln (int nc, int np, int k, const double *brk, const double *coef, double t, int side, int nd,
+       double *f, int ldf)
+{
+  int info = faulty (nc, np, k, t, nd, ldf);
+  if (info != 0)
+    return info;
+  double tol = 1e-12 * (brk[np] - brk[0]);
+  if (t < brk[0] - tol || t > brk[np] + tol)
+    info = 1;
+  int p = piece (np, brk, t, side);
+  double s = t - brk[p];
+  if (info == 1)
+    s = gs_min (gs_max (t, brk[0]), brk[np]) - brk[p];
+
+  for (int i = 0; i < nc; i++)
+    {
+      const double *c = coef + i + nc * p;
+      f[i] = c[0];
+      for (int j = 1; j <= nd; j++)
+        f[i + ldf * j] = 0.0;
+      for (int l = 1; l < k; l++)
+        {
+          for (int j = gs_least (nd, l); j >= 1; j--)
+            f[i + ldf * j] = f[i + ldf * j] * s + f[i + ldf * (j - 1)];
+          f[i] = f[i] * s + c[nc * np * l];
+        }
+    }
+  double fact = 1.0;
+  for (int j = 1; j <= nd; j++)
+    {
+      fact = info == 1 ? 0.0 : fact * j;
+      for (int i = 0; i < nc; i++)
+        f[i + ldf * j] *= fact;
+    }
+  return info;
+}

@@ -1,0 +1,115 @@
+/* GSSMP: sampled devices at one instant of a run: outputs whose delay is over are given out,
+ * devices whose sample is due act.
+ *
+ * The sample k of a device is at k times its period. Instants that differ by rounding only are
+ * one. There delayed outputs come first, then the devices act in their order, each with the
+ * outputs that those ahead of it have left. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+
+/* outputs first .. first + n - 1 of a device become those in from */
+static void
+hold (const gs_samples *a, int first, int n, const double *from, double *v)
+{
+  for (int j = first; j < first + n; j++)
+    {
+      a->value[j] = from[j];
+      v[a->input[j] - 1] = from[j];
+    }
+}
+
+/* outputs that arrive until late, the earliest first */
+static void
+arrive (const gs_samples *a, double late, double *v)
+{
+  for (;;)
+    {
+      int l = -1;
+      for (int i = 0; i < a->np; i++)
+        if (a->sender[i] > 0 && a->when[i] <= late && (l < 0 || a->when[i] < a->when[l]))
+          l = i;
+      if (l < 0)
+        return;
+      int device = a->sender[l] - 1, first = 0;
+      for (int k = 0; k < device; k++)
+        first += a->held[k];
+      hold (a, first, a->held[device], a->sent + a->nh * l, v);
+      a->sender[l] = 0;
+    }
+}
+
+/* what device k wrote into a->v is on its way; 0 if there is no place for it */
+static int
+send (const gs_samples *a, int k, int first)
+{
+  int l = -1;
+  for (int i = 0; i < a->np; i++)
+    if (a->sender[i] == 0)
+      l = i;
+  if (l < 0)
+    return 0;
+  a->sender[l] = k + 1;
+  a->when[l] = (a->next[k] - 1) * a->period[k] + a->delay[k];
+  for (int j = first; j < first + a->held[k]; j++)
+    a->sent[j + a->nh * l] = a->v[a->input[j] - 1];
+  return 1;
+}
+
+static void
+record (const gs_samples *a, int nv, double t, const double *v)
+{
+  *a->count += 1;
+  if (*a->count > a->ns)
+    return;
+  double *r = a->record + (*a->count - 1) * (1 + a->nxk + nv);
+  r[0] = t;
+  memcpy (r + 1, a->memory, a->nxk * sizeof (double));
+  memcpy (r + 1 + a->nxk, v, nv * sizeof (double));
+}
+
+int
+gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *v, int *is,
+       double *rs)
+{
+  const gs_samples a = gs_samples_of (s->nv, is, rs);
+  const double late = t + 8.0 * gseps () * fabs (t);
+  arrive (&a, late, v);
+
+  int old = 2; /* y: 0 of now, 1 of before others acted, 2 not yet computed */
+  int first = 0;
+  for (int k = 0; k < a.nc; first += a.held[k], k++)
+    {
+      if (! (a.next[k] * a.period[k] <= late))
+        continue;
+      if (a.ny > 0 && old + a.anew[k] > 1)
+        {
+          int info = s->out (t, x, v, cst, a.y);
+          if (info != 0 && info != 2 && info != 3)
+            return info;
+          old = 0;
+        }
+      memcpy (a.v, v, s->nv * sizeof (double));
+      s->ctl (k + 1, t, a.y, a.memory, cst, a.v);
+      a.next[k]++;
+      if (a.delay[k] > 0.0)
+        {
+          if (! send (&a, k, first))
+            return -1;
+        }
+      else
+        {
+          for (int j = first; j < first + a.held[k]; j++)
+            {
+              a.value[j] = a.v[a.input[j] - 1];
+              v[a.input[j] - 1] = a.value[j];
+            }
+          if (old == 0)
+            old = 1;
+        }
+    }
+  record (&a, s->nv, t, v);
+  return 0;
+}

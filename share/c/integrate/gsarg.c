@@ -1,0 +1,86 @@
+/* GSARG: are the arguments of a run within their ranges? info is -i for the argument i of GSSIM. */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+
+static int
+sizes (const gs_scene *s, const gs_run *r)
+{
+  int info = 0;
+  if (s->nq < 0)
+    info = -8;
+  if (s->nu < 0)
+    info = -9;
+  if (r->nx < gs_most (1, s->nq + s->nu))
+    info = -10;
+  if (s->nv < 0)
+    info = -11;
+  if (s->nlam < 0)
+    info = -12;
+  if (r->nt < 1)
+    info = -15;
+  if (r->nb < 0)
+    info = -17;
+  if (r->ldx < r->nx)
+    info = -26;
+  if (r->ldv < gs_most (1, s->nv))
+    info = -28;
+  if (r->lw < gs_room (s, r->nx, r->ip[GS_DERIVATIVES]))
+    info = -32;
+  return info;
+}
+
+static int
+numbers (const gs_run *r)
+{
+  const int method = r->iopt[GS_METHOD], way = r->iopt[GS_LOOPS];
+  const double *ropt = r->ropt;
+  int info = 0;
+  if (! (fabs (r->t0) <= 1e300))
+    info = -13;
+  if (gsfin (r->nx, r->x0) != 0)
+    info = -14;
+  if (gsfin (r->nt, r->tout) != 0)
+    info = -16;
+  if (gsfin (r->nb, r->tbrk) != 0)
+    info = -18;
+  if ((method != 4 && method != 8 && method != 9) || way < 1 || way > 6)
+    info = -19;
+  if (method == 4 && ! (ropt[0] > 0.0))
+    info = -20;
+  if (method >= 8 && ! (ropt[1] > 0.0 && ropt[0] >= 0.0 && ropt[2] >= 0.0))
+    info = -20;
+  return info;
+}
+
+static int
+rising (int n, const double *t)
+{
+  for (int i = 1; i < n; i++)
+    if (t[i] <= t[i - 1])
+      return 0;
+  return 1;
+}
+
+int
+gsarg (const gs_scene *s, const gs_run *r)
+{
+  int info = sizes (s, r);
+  if (info == 0)
+    info = numbers (r);
+  if (info != 0)
+    return info;
+  if (r->iopt[GS_METHOD] == 4 && (r->tout[r->nt - 1] - r->t0) / r->ropt[0] > 2e9)
+    info = -20;
+  if (r->tout[0] < r->t0 || ! rising (r->nt, r->tout))
+    info = -16;
+  if (! rising (r->nb, r->tbrk))
+    info = -18;
+  for (int i = 0; i < r->nx && r->iopt[GS_METHOD] >= 8; i++)
+    if (! (r->atol[i] >= 0.0))
+      info = -21;
+  return info;
+}

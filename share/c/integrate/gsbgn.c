@@ -1,0 +1,86 @@
+/* GSBGN: the start of a run: x is moved onto the constraints, what is due happens, and it is
+ * looked whether the constraints have less than their rank there.
+ *
+ * The state is first moved without a partition: completed from others it would be moved close to a
+ * singular position. Whether it lies in one GSPBG tells by the speeds, and by the accelerations
+ * where these hardly move the constraints. */
+#include <string.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+static const double nojump[3] = { 0.0, 0.0, 0.0 };
+
+/* onto the constraints, inputs, events, samples */
+static int
+what_is_due (gs_course *c)
+{
+  const gs_system *g = &c->g;
+  double ts;
+  int acted;
+  g->p[GS_WAY] = 0.0;
+  int info = gschk (g->s, c->t, c->x, g->iopt, nojump, g->cst, g->p, g->istat, g->rstat);
+  g->p[GS_WAY] = c->job;
+  if (info != 0)
+    return info;
+  info = gsinp (g->s, c->t, 1, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w);
+  g->istat[GS_FAILED_INFO] = info;
+  g->istat[GS_FAILED] = 1;
+  if (info != 0)
+    return info;
+  g->istat[GS_FAILED] = 0;
+  info = gsevr (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, 0);
+  if (info != 0)
+    return info;
+  return gsdue (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, &ts, &acted);
+}
+
+/* a start in a singular position? by its speeds, or at rest */
+static int
+singular (gs_course *c)
+{
+  const gs_system *g = &c->g;
+  gs_passage *a = &c->a;
+  double *siz = c->f + g->nx;
+  memset (c->f, 0, g->nx * sizeof (double));
+  gspbg (g->s, c->t, c->x, c->hmax, g->cst, c->f, c->xn, c->fn, c->hc, siz, g->p, &a->begin);
+  if (a->begin < 0)
+    {
+      int info = gsfun (g, c->t, 1, c->x, c->f);
+      if (info != 0)
+        return info;
+      gspbg (g->s, c->t, c->x, c->hmax, g->cst, c->f, c->xn, c->fn, c->hc, siz, g->p, &a->begin);
+      a->begin = gs_most (0, a->begin);
+    }
+  if (a->begin == 2 || (a->begin == 1 && g->iopt[GS_METHOD] == 4))
+    {
+      g->istat[GS_FAILED_INFO] = a->begin;
+      g->istat[GS_FAILED] = 8;
+      return a->begin;
+    }
+
+  /* dependent constraints: see gssim */
+  if (c->job < 2.0 && g->p[GS_RANK] < g->s->nlam)
+    {
+      c->job = 2.0;
+      g->p[GS_WAY] = c->job;
+    }
+  return 0;
+}
+
+int
+gsbgn (gs_course *c)
+{
+  const gs_system *g = &c->g;
+  if (what_is_due (c) != 0)
+    return GS_ROUTINE_FAILED;
+  if (g->s->nlam > 0 && g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && singular (c) != 0)
+    return GS_ROUTINE_FAILED;
+  if (c->job > 0.0 && c->a.begin == 0
+      && gspcn (g->s, c->t, c->x, g->cst, g->p, g->istat) != 0)
+    return GS_ROUTINE_FAILED;
+  return 0;
+}

@@ -1,0 +1,76 @@
+/* GSDPS: from one stop to the next by the method of Dormand and Prince, or through a singular
+ * position. */
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/integrate.h"
+
+/* one trial step, or a passage; taken: 1 if it was good */
+static int
+trial (gs_course *c, int *taken)
+{
+  double hlim;
+  int info = gspss (c, gs_min (c->next, c->hmax), &hlim, taken);
+  if (*taken == 0 && info == 0)
+    {
+      if (c->a.begin > 0)
+        {
+          c->g.istat[GS_FAILED_INFO] = 3;
+          c->g.istat[GS_FAILED] = 8;
+          return GS_ROUTINE_FAILED;
+        }
+      return gsdpt (c, gs_min (gs_min (c->next, c->hmax), hlim), taken);
+    }
+  if (*taken == 1)
+    {
+      c->fresh = 1;
+      c->after = 0;
+    }
+  return info;
+}
+
+int
+gsdps (gs_course *c)
+{
+  do
+    {
+      if (c->fresh == 1)
+        {
+          int info = gsdpf (c);
+          c->fresh = 0;
+          if (info != 0)
+            return info;
+        }
+      int taken;
+      const int info = trial (c, &taken);
+      if (taken == 1)
+        {
+          double *x = c->x;
+          c->x = c->xn;
+          c->xn = x;
+        }
+      if (info != 0)
+        return info;
+    }
+  while (c->t < c->tb);
+  return 0;
+}
+
+int
+gsdpf (gs_course *c)
+{
+  const gs_system *g = &c->g;
+  if (gsfun (g, c->t, 1, c->x, c->f) != 0)
+    return GS_ROUTINE_FAILED;
+  if (gsfin (g->nx, c->f) != 0)
+    return GS_RATE_NOT_FINITE;
+  if (c->after == 1)
+    {
+      gsstd (g, c->t, c->last, c->x, c->f);
+      if (g->istat[GS_IS_STIFF] > 0 && g->iopt[GS_METHOD] == 9)
+        return GS_STIFF;
+    }
+  if (c->next <= 0.0
+      && gshin (g, c->t, gs_min (c->hmax, c->tb - c->t), c->x, c->f, &c->next) != 0)
+    return GS_ROUTINE_FAILED;
+  return 0;
+}

@@ -1,0 +1,186 @@
+/* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it, and
+ * the length of the next one. */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+/* the length of the step and its end: no short one is left before the stop */
+static gs_step
+lengthen (const gs_course *c, double h)
+{
+  gs_step e = { .method = c->g.iopt[GS_METHOD], .t = c->t, .h = h, .tn = c->t + h, .side = 1,
+                .x = c->x, .xn = c->xn, .f = c->f };
+  if (c->t + 1.01 * h >= c->tb)
+    {
+      e.h = c->tb - c->t;
+      e.tn = c->tb;
+      e.side = c->side;
+    }
+  else if (c->t + 2.0 * h > c->tb)
+    {
+      e.h = 0.5 * (c->tb - c->t);
+      e.tn = c->t + e.h;
+    }
+  return e;
+}
+
+/* is the least pivot far from 0? */
+static int
+is_far (const double *p)
+{
+  return p[GS_PIVOT] >= 0.25 * p[GS_LARGEST];
+}
+
+/* the step e was good: the next one, statistics, the event in it. info as gssim */
+static int
+accept (gs_course *c, const gs_step *e, double err, int loose, int event)
+{
+  const gs_system *g = &c->g;
+  const double h = e->h;
+  double fac = 6.0;
+  if (err > 0.0)
+    fac = gs_min (fac, 0.9 * pow (err, -0.125));
+  fac = gs_max (fac, 1.0 / 3.0);
+  if (h >= 0.99 * c->next || h * fac > c->next)
+    c->next = h * fac;
+  c->t = e->tn;
+  g->rstat[GS_H_LEAST] = gs_min (g->rstat[GS_H_LEAST], h);
+  g->rstat[GS_H_LARGEST] = gs_max (g->rstat[GS_H_LARGEST], h);
+  g->rstat[GS_T_REACHED] = c->t;
+  g->rstat[GS_H_NEXT] = c->next;
+  g->istat[GS_N_STEPS]++;
+  g->istat[GS_FAILED_INFO] = 0;
+  g->istat[GS_FAILED] = 0;
+  g->istat[GS_N_LOOSE] += loose;
+  c->a.begin = -gs_least (1, event);
+  c->fresh = 1;
+  c->after = 1;
+  c->repeated = 0;
+  c->near = 0.05;
+  if (is_far (g->p))
+    {
+      c->far = c->next;
+      if (g->p[GS_WAY] > c->job)
+        {
+          g->p[GS_WAY] = c->job;
+          g->p[GS_DEPENDENT] = -1.0;
+        }
+    }
+  if (event > 0)
+    {
+      c->after = 0;
+      if (gsevr (g->s, c->t, c->xn, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, event) != 0)
+        return GS_ROUTINE_FAILED;
+    }
+  return 0;
+}
+
+/* ... was not: failed is what failed within it, or 0. info as gssim */
+static int
+reject (gs_course *c, double h, double err, int failed)
+{
+  const gs_system *g = &c->g;
+  double fac = 0.25;
+  g->istat[GS_N_REJECTED]++;
+  if (failed == 0 && err <= 1e300)
+    fac = gs_min (0.9, gs_max (0.2, 0.9 * pow (err, -0.125)));
+  c->next = h * fac;
+  if (failed != 0 && c->next <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (c->tb)))
+    return GS_ROUTINE_FAILED;
+  if (failed != 0)
+    g->p[GS_DEPENDENT] = -1.0;
+  if (failed == 4 && g->istat[GS_FAILED] == 3)
+    {
+      c->next = 0.7 * h;
+      c->repeated++;
+    }
+  c->near = 0.25;
+  return 0;
+}
+
+int
+gsdpt (gs_course *c, double htry, int *taken)
+{
+  const gs_system *g = &c->g;
+  const int steps = g->istat[GS_N_STEPS] + g->istat[GS_N_REJECTED], most = g->iopt[GS_MOST_STEPS];
+  gs_step e = lengthen (c, htry);
+  *taken = 0;
+  c->last = e.h;
+  int info = gsdpp (c, e.h);
+  if (info != 0)
+    return info;
+  if (most > 0 && steps >= most)
+    return GS_TOO_MANY;
+  if (e.h <= 16.0 * gseps () * gs_max (fabs (c->t), fabs (c->tb)) && e.tn < c->tb)
+    return GS_TOO_SMALL;
+  if (c->slow > 20000)
+    return GS_TOO_SMALL;
+
+  double err;
+  int failed = gsdp8 (g, c->t, e.tn, e.side, e.h, c->x, c->xn, &err, c->f);
+  const double strict = err;
+  if (g->iopt[GS_WATCH] == 1 && g->p[GS_PIVOT] < 0.25 * g->p[GS_LARGEST])
+    err = err * g->ropt[1] / gs_max (g->ropt[1], c->loose);
+  const int loose = strict > 1.0 && err <= 1.0;
+
+  int event = 0;
+  if (g->ip[GS_EVENTS] > 0 && failed == 0 && err <= 1.0)
+    {
+      failed = gsevn (g, &e, &event);
+      if (event < 0)
+        err = 1e10;
+    }
+  if (failed == 0 && err <= 1.0)
+    failed = gsdpc (c, e.tn);
+  if (failed != 0 || ! (err <= 1.0))
+    return reject (c, e.h, err, failed);
+  *taken = 1;
+  return accept (c, &e, err, loose, event);
+}
+
+/* The partition that the stages need, where the least pivot is below the share near of its largest
+ * value by GSPRT, and how many steps were very short beside those far from singular positions. */
+int
+gsdpp (gs_course *c, double h)
+{
+  const gs_system *g = &c->g;
+  double *p = g->p;
+  if (g->s->nlam > 0 && g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && p[GS_WAY] < 2.0
+      && p[GS_PIVOT] < c->near * p[GS_LARGEST])
+    {
+      p[GS_WAY] = 2.0;
+      p[GS_DEPENDENT] = -1.0;
+    }
+  if (p[GS_WAY] > 0.0 && p[GS_DEPENDENT] < 0.0)
+    {
+      g->istat[GS_N_PARTITIONS]++;
+      if (gspcn (g->s, c->t, c->x, g->cst, p, g->istat) != 0)
+        return GS_ROUTINE_FAILED;
+    }
+  c->slow++;
+  if (g->iopt[GS_WATCH] != 1 || h > 1e-4 * c->far || is_far (p))
+    c->slow = 0;
+  return 0;
+}
+
+/* By no jump, nor, the first five times, to where the least pivot is below the share close of its
+ * largest value. */
+int
+gsdpc (gs_course *c, double tn)
+{
+  const gs_system *g = &c->g;
+  double jump[3];
+  gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
+  jump[2] = 0.0;
+  if (g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && c->repeated < 5 && tn < c->tb)
+    jump[2] = c->close;
+  int info = gschk (g->s, tn, c->xn, g->iopt, jump, g->cst, g->p, g->istat, g->rstat);
+  if (info != 0)
+    g->istat[GS_N_REPEATED]++;
+  return info;
+}

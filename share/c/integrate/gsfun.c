@@ -1,0 +1,92 @@
+/* GSFUN: the right-hand side under its inputs: v by GSINP, xd by rhs.
+ *
+ * v is kept where it is constant. istat[0] counts the calls, istat[7] those where the constraints
+ * lost rank (rhs returned 2: its result is usable, multipliers are not unique), istat[8] those
+ * close to a singularity of orientation angles (rhs returned 3). */
+#include <math.h>
+
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+int
+gsfun (const gs_system *g, double t, int side, double *x, double *xd)
+{
+  return gsfut (g, t, t, t, side, x, xd);
+}
+
+static int
+failed (const gs_system *g, int info, int which)
+{
+  g->istat[GS_FAILED_INFO] = info;
+  g->istat[GS_FAILED] = which;
+  return info;
+}
+
+/* the calls istat[k] that are counted, with their first and last time */
+static void
+count (const gs_system *g, int k, double t)
+{
+  double *when = g->rstat + 2 * k - 5;
+  if (g->istat[k] == 0)
+    when[0] = t;
+  when[1] = t;
+  g->istat[k]++;
+}
+
+/* The stages of GSPSG that lie beyond a jump of the inputs, at tv, have those before it,
+ * continued. */
+int
+gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, double *xd)
+{
+  int info = 0;
+  if (g->p[GS_WAY] > 0.0)
+    info = gsprt (g->s, t, x, g->cst, g->p);
+  if (info != 0)
+    return failed (g, info, 5);
+  if (g->ip[GS_V0] != 0 || g->ip[GS_FEEDBACK] != 0)
+    {
+      if (tf >= tv && tf <= tv)
+        info = gsinp (g->s, tv, side, x, g->nx, g->ip, g->rp, g->cst, g->v, g->w);
+      else
+        info = gsinc (g, tv, tf, x);
+    }
+  if (info != 0)
+    return failed (g, info, 1);
+  info = g->s->rhs (t, x, g->v, g->cst, xd);
+  g->istat[GS_N_RHS]++;
+  if (info == 2 || info == 3)
+    count (g, info + 5, t);
+  else if (info != 0)
+    return failed (g, info, 2);
+  return 0;
+}
+
+/* By the polynomial of degree 5 through six values as far from tv as tf at most, so that five
+ * derivatives are continuous at tv. */
+int
+gsinc (const gs_system *g, double tv, double tf, const double *x)
+{
+  const int nv = g->s->nv;
+  double *vk = g->v + nv, z[6];
+  for (int k = 0; k < 6; k++)
+    {
+      double s = sin (atan (1.0) * (2 * k + 1) / 6.0);
+      z[k] = -(s * s);
+    }
+  for (int i = 0; i < nv; i++)
+    g->v[i] = 0.0;
+  for (int k = 0; k < 6; k++)
+    {
+      int info = gsinp (g->s, tv + z[k] * (tf - tv), 1, x, g->nx, g->ip, g->rp, g->cst, vk, g->w);
+      if (info != 0)
+        return info;
+      double s = 1.0;
+      for (int j = 0; j < 6; j++)
+        if (j != k)
+          s = s * (1.0 - z[j]) / (z[k] - z[j]);
+      for (int i = 0; i < nv; i++)
+        g->v[i] += s * vk[i];
+    }
+  return 0;
+}

@@ -1,0 +1,55 @@
+/* GSPTR: one trial step of GSPSG from tc - d to tc + d within a run, with the partition that holds
+ * at its far end and the inputs between two breaks continued beyond these. */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+int
+gsptr (gs_course *c)
+{
+  const gs_run *r = c->run;
+  gs_passage *a = &c->a;
+  double *p = c->g.p, *tv = a->tv;
+  p[GS_WAY] = 2.0;
+  p[GS_DEPENDENT] = -1.0;
+  gspfe (c);
+  tv[0] = c->ib > 0 ? r->tbrk[c->ib - 1] : r->t0;
+  tv[1] = c->ib < r->nb ? r->tbrk[c->ib] : r->tout[r->nt - 1];
+  tv[2] = 0.0;
+  if (gs_max (tv[0] - a->tc, a->tc - tv[1]) + a->d > tv[1] - tv[0])
+    tv[2] = tv[1] - tv[0];
+  int info = gspsg (&c->g, c->t, c->x, a, c->f, c->xn, c->fn);
+  p[GS_WAY] = c->job;
+  p[GS_DEPENDENT] = -1.0;
+  return info;
+}
+
+/* By a path with linear rates of the coordinates. Lengths of rows stay those of states that the
+ * motion had. */
+void
+gspfe (gs_course *c)
+{
+  const gs_system *g = &c->g;
+  const gs_scene *s = g->s;
+  const gs_passage *a = &c->a;
+  double *const siz = c->hc, *const size = gs_partition_of (s->nq, s->nu, s->nlam, g->p).size;
+  double b[12], points[12], wt[12];
+  if (fabs (c->t - a->tc) > 0.6 * a->d)
+    {
+      gspnw (s, c->t, c->x, g->cst, g->p);
+      return;
+    }
+  const double tf = a->tc + copysign (a->d, a->tc - c->t);
+  gsprd (g, c->t, c->x, a->tc, a->d, a->ns, c->f, c->xn);
+  gsgln (a->ns, points, wt);
+  gsglq (a->ns, points, wt, (c->t - a->tc) / a->d, (tf - a->tc) / a->d, b);
+  gspth (g->nx, a->ns, g->nx, c->x, a->d, b, c->f, c->xn);
+  for (int i = 0; i < s->nlam; i++)
+    siz[i] = size[i];
+  gspnw (s, tf, c->xn, g->cst, g->p);
+  for (int i = 0; i < s->nlam; i++)
+    size[i] = siz[i];
+}

@@ -1,0 +1,103 @@
+/* GSRKS: from one stop to the next by the classical method of Runge and Kutta, in equal steps of at
+ * most ropt[0].
+ *
+ * Time is ta + k*h, ta being the last place where the length of the steps changed. GSEVN may want
+ * shorter steps: a tenth, until the event or the stop is there. */
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+static const double nojump[3] = { 0.0, 0.0, 0.0 };
+
+/* one step from c->t to e->tn, or to the event in it; event: its number, 0, or -1: too long,
+ * nothing is done. info as gssim */
+static int
+step (gs_course *c, gs_step *e, int *event)
+{
+  const gs_system *g = &c->g;
+  const gs_scene *s = g->s;
+  *event = 0;
+  if (g->iopt[GS_MOST_STEPS] > 0 && g->istat[GS_N_STEPS] >= g->iopt[GS_MOST_STEPS])
+    return GS_TOO_MANY;
+  gsstd (g, c->t, e->h, c->x, c->f);
+  if (gsrk4 (g, c->t, e->tn, e->side, e->h, c->x, c->xn, c->f) != 0)
+    return GS_ROUTINE_FAILED;
+  if (g->ip[GS_EVENTS] > 0)
+    {
+      if (gsevn (g, e, event) != 0)
+        return GS_ROUTINE_FAILED;
+      if (*event < 0)
+        return 0;
+    }
+  g->rstat[GS_T_REACHED] = e->tn;
+  if (gsfin (g->nx, c->xn) != 0)
+    return GS_NOT_FINITE;
+  c->x = e->xn;
+  c->xn = e->x;
+  g->istat[GS_N_STEPS]++;
+  if (gschk (s, e->tn, c->x, g->iopt, nojump, g->cst, g->p, g->istat, g->rstat) != 0)
+    return GS_ROUTINE_FAILED;
+  if (*event > 0
+      && gsevr (s, e->tn, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, *event) != 0)
+    return GS_ROUTINE_FAILED;
+  return 0;
+}
+
+/* n steps of the length h from *ta on; n: how many were not taken, *ta and *hr being changed. info
+ * as gssim */
+static int
+equal_steps (gs_course *c, double *ta, double *hr, double h, int *n)
+{
+  const int all = *n;
+  for (int k = 1; k <= all; k++, --*n)
+    {
+      gs_step e = { .method = c->g.iopt[GS_METHOD], .h = h, .side = 1, .x = c->x, .xn = c->xn,
+                    .f = c->f };
+      int event;
+      c->t = e.t = *ta + (k - 1) * h;
+      e.tn = *ta + k * h;
+      if (k == all)
+        {
+          e.tn = c->tb;
+          e.side = c->side;
+        }
+      int info = step (c, &e, &event);
+      if (info != 0)
+        return info;
+      if (event < 0)
+        {
+          *ta = c->t;
+          *hr = 0.1 * h;
+          return 0;
+        }
+      if (e.tn < c->tb && (event > 0 || *hr < c->g.ropt[0]))
+        {
+          *ta = e.tn;
+          *hr = c->g.ropt[0];
+          return 0;
+        }
+    }
+  return 0;
+}
+
+int
+gsrks (gs_course *c)
+{
+  double *rstat = c->g.rstat;
+  double ta = c->t, hr = c->g.ropt[0];
+  for (int n = 1; n > 0;)
+    {
+      n = gs_most (1, (int)((c->tb - ta) / hr * (1.0 - 1e-9)) + 1);
+      const double h = (c->tb - ta) / n;
+      rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
+      rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
+      int info = equal_steps (c, &ta, &hr, h, &n);
+      if (info != 0)
+        return info;
+    }
+  c->t = c->tb;
+  return 0;
+}

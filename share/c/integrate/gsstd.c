@@ -1,0 +1,82 @@
+/* GSSTD: watches for steps that are bound by the stability of an explicit method: once found, that
+ * is recorded and no more is done.
+ *
+ * Method 4: the largest eigenvalue (GSSTF) before the steps 1, 11, 101, 1001, 2001 and so on;
+ * beyond 2.78/h the method is unstable.
+ * Methods 8 and 9: two points at the end of a step, that of the last stage and the result, differ
+ * mostly in the direction of the largest eigenvalue; the difference of the right-hand sides there
+ * tells its size. Steps that are bound by it swing about 6.4/h; if it looks beyond 5/h at 500
+ * steps (method 9: 100) with no run of 6 others between, the eigenvalue itself decides, from 4/h
+ * on. Fewer steps are no loss: a system that comes to rest is soon there.
+ *
+ * istat[15]: steps that looked so, istat[16]: steps that did not since, istat[17]: when the next
+ * look is due.
+ *
+ * Hairer, Wanner, Solving Ordinary Differential Equations II, section IV.2 (stiffness
+ * detection). */
+#include <math.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/integrate.h"
+
+/* have steps looked as if bound often enough? */
+static int
+suspect (const gs_system *g, double h, const double *x, const double *w)
+{
+  const int nx = g->nx;
+  const double *xd = w, *xd12 = w + 11 * nx, *z = w + 12 * nx;
+  int *istat = g->istat;
+  double a = 0.0, b = 0.0;
+  for (int i = 0; i < nx; i++)
+    {
+      double s = g->atol[i] + g->ropt[1] * fabs (x[i]);
+      if (s > 0.0)
+        {
+          double da = (xd[i] - xd12[i]) / s, db = (x[i] - z[i]) / s;
+          a += da * da;
+          b += db * db;
+        }
+    }
+  if (fabs (h) * sqrt (a) > 5.0 * sqrt (b))
+    {
+      istat[GS_STIFF_MEMORY]++;
+      istat[GS_STIFF_MEMORY + 1] = 0;
+    }
+  else
+    {
+      istat[GS_STIFF_MEMORY + 1]++;
+      if (istat[GS_STIFF_MEMORY + 1] >= 6)
+        istat[GS_STIFF_MEMORY] = 0;
+    }
+  if (istat[GS_STIFF_MEMORY] < (g->iopt[GS_METHOD] == 9 ? 100 : 500))
+    return 0;
+  istat[GS_STIFF_MEMORY] = 0;
+  return 1;
+}
+
+void
+gsstd (const gs_system *g, double t, double h, const double *x, double *w)
+{
+  int *istat = g->istat;
+  double limit = 4.0;
+  if (istat[GS_IS_STIFF] > 0 || istat[GS_N_STEPS] < istat[GS_STIFF_MEMORY + 2])
+    return;
+  if (g->iopt[GS_METHOD] == 4)
+    {
+      const int n = gs_least (1000, istat[GS_N_STEPS]);
+      istat[GS_STIFF_MEMORY + 2] = istat[GS_N_STEPS] + gs_least (1000, gs_most (10, 9 * n));
+      limit = 2.78;
+    }
+  else if (! suspect (g, h, x, w))
+    return;
+  double rho;
+  int k;
+  gsstf (g, t, x, w + g->nx, &rho, &k);
+  if (rho * fabs (h) <= limit)
+    return;
+  istat[GS_IS_STIFF] = 1;
+  istat[GS_STIFF_STATE] = k;
+  g->rstat[GS_T_STIFF] = t;
+  g->rstat[GS_R_STIFF] = rho;
+  g->rstat[GS_H_STIFF] = fabs (h);
+}

@@ -1,0 +1,70 @@
+/* GSSTO: at a stop of a run: the output, the samples and events that are due there, and the next
+ * stop. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+
+static void
+output (gs_course *c)
+{
+  gs_run *r = c->run;
+  memcpy (r->xout + (size_t)r->ldx * c->it, c->x, r->nx * sizeof (double));
+  memcpy (r->vout + (size_t)r->ldv * c->it, c->g.v, c->g.s->nv * sizeof (double));
+  c->it++;
+  r->istat[GS_N_OUTPUTS] = c->it;
+}
+
+/* tb, tend and side */
+static void
+next_stop (gs_course *c)
+{
+  const gs_run *r = c->run;
+  const double eps = gseps ();
+  c->tb = r->tout[c->it];
+  c->side = 1;
+  if (c->ib < r->nb)
+    {
+      if (r->tbrk[c->ib] <= c->tb)
+        c->side = -1;
+      c->tb = gs_min (c->tb, r->tbrk[c->ib]);
+    }
+  if (c->ts <= c->tb + 8.0 * eps * fabs (c->tb))
+    {
+      c->side = -1;
+      if (c->ts < c->tb - 8.0 * eps * fabs (c->tb))
+        c->tb = c->ts;
+    }
+  c->tend = gs_min (r->tout[r->nt - 1], c->ts);
+  if (c->ib < r->nb)
+    c->tend = gs_min (c->tend, r->tbrk[c->ib]);
+}
+
+int
+gssto (gs_course *c, int *acted)
+{
+  const gs_system *g = &c->g;
+  const gs_run *r = c->run;
+  int sampled;
+  *acted = 0;
+  if (c->t >= r->tout[c->it])
+    {
+      output (c);
+      if (c->it >= r->nt)
+        return 0;
+    }
+  for (; c->ib < r->nb && r->tbrk[c->ib] <= c->t; c->ib++)
+    *acted = 1;
+  if (gsdue (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, &c->ts,
+             &sampled) != 0)
+    return GS_ROUTINE_FAILED;
+  *acted = gs_most (*acted, sampled);
+  if (gsevr (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, -1) != 0)
+    return GS_ROUTINE_FAILED;
+  next_stop (c);
+  return 0;
+}

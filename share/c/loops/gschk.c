@@ -1,0 +1,188 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/loops.h"
+
+#include <math.h>
+#include <string.h>
+
+/* what istat[6] calls the routine that failed */
+enum { NONE = 0, PRJ = 3, CON = 4, PRT = 5 };
+
+/* the arguments of gschk, for its parts */
+typedef struct
+{
+  const gs_scene *s;
+  double t, *x;
+  const int *iopt;
+  const double *jump, *cst;
+  double *p;
+  int *istat;
+  double *rstat;
+  gs_partition a;
+} check;
+
+/* x by the partition. info as gschk */
+static int
+complete (check *c)
+{
+  int info = 0;
+  if (c->p[GS_WAY] > 0.0 && c->p[GS_DEPENDENT] < 0.0)
+    {
+      info = gspnw (c->s, c->t, c->x, c->cst, c->p);
+      c->istat[6] = CON;
+    }
+  if (info == 0 && c->p[GS_WAY] > 1.0)
+    {
+      /* twice: the speeds then belong to the last position */
+      info = gsprt (c->s, c->t, c->x, c->cst, c->p);
+      c->istat[6] = PRT;
+      if (info == 0)
+        info = gsprt (c->s, c->t, c->x, c->cst, c->p);
+    }
+  return info;
+}
+
+/* x by the scene's projection */
+static int
+project (check *c)
+{
+  int info = c->s->prj (c->t, c->x, c->cst, c->a.phi);
+  c->istat[3]++;
+  c->istat[6] = PRJ;
+  if (info != 0 && info != 2)
+    return info;
+  c->rstat[4] = gs_max (c->rstat[4], fabs (c->a.phi[0]));
+  return 0;
+}
+
+/* whether x was moved farther than jump allows */
+static int
+jumped (check *c)
+{
+  int nq = c->s->nq, far = 0;
+  for (int i = 0; i < nq + c->s->nu; i++)
+    far |= ! (fabs (c->x[i] - c->a.before[i]) <= c->jump[i >= nq]);
+  return far;
+}
+
+/* the constraints at x and what is left of them */
+static int
+drift (check *c)
+{
+  const gs_scene *s = c->s;
+  gs_partition *a = &c->a;
+  double *x = c->x, big = 1.0, gap = 0.0, rate = 0.0;
+  int info = s->con (c->t, x, x + s->nq, c->cst, a->phi, a->phit, a->hc, s->nlam, a->gam);
+  c->istat[6] = CON;
+  if (info != 0 && info != 2)
+    return info;
+  c->istat[6] = NONE;
+  for (int i = 0; i < s->nq; i++)
+    big = gs_max (big, fabs (x[i]));
+  for (int i = 0; i < s->nlam; i++)
+    {
+      double v = a->phit[i];
+      for (int j = 0; j < s->nu; j++)
+        v += a->hc[i + s->nlam * j] * x[s->nq + j];
+      gap = gs_max (gap, fabs (a->phi[i]));
+      rate = gs_max (rate, fabs (v));
+    }
+  if (c->iopt[1] != 1 && ! (gap <= 1e-6 * big))
+    {
+      c->istat[6] = c->iopt[1] == 3 ? PRT : PRJ;
+      return 3;
+    }
+  if (gap > c->rstat[0])
+    {
+      c->rstat[0] = gap;
+      c->rstat[2] = c->t;
+    }
+  if (rate > c->rstat[1])
+    {
+      c->rstat[1] = rate;
+      c->rstat[3] = c->t;
+    }
+  return 0;
+}
+
+/* positions passed where the constraints lose rank; least: the least pivot now, on exit of the last
+ * step, tmin: when */
+static void
+passages (check *c, double *least, double *tmin)
+{
+  double s;
+  gspas (c->s, c->t, c->x, c->cst, c->p, tmin, &s);
+  if (s >= 0.0 && s < 0.01 * c->p[GS_LARGEST])
+    {
+      if (++c->istat[10] == 1)
+        c->rstat[15] = *tmin;
+      c->rstat[16] = *tmin;
+    }
+  if (s >= 0.0 && s < *least)
+    *least = s;
+}
+
+/* rank and partition */
+static int
+rank_of (check *c)
+{
+  double *p = c->p, least, tmin = c->t;
+  int rank, change;
+  gsprc (c->s, c->t, c->x, c->cst, p, &rank, &least, &change);
+  c->istat[9] += change;
+  if (rank < p[GS_RANK])
+    least = 0.0;
+  if (least < c->jump[2] * p[GS_LARGEST])
+    {
+      c->istat[6] = PRJ;
+      return 4;
+    }
+  p[GS_RANK] = gs_max (p[GS_RANK], rank);
+  p[GS_PIVOT] = least;
+  p[GS_LARGEST] = gs_max (p[GS_LARGEST], least);
+  if (c->iopt[0] == 4 && c->iopt[4] == 1 && least < 0.01 * p[GS_LARGEST])
+    c->istat[19]++;
+  if (c->iopt[4] == 1)
+    passages (c, &least, &tmin);
+  if (least < c->rstat[13])
+    {
+      c->rstat[13] = least;
+      c->rstat[14] = tmin;
+    }
+  return 0;
+}
+
+/* everything but the note of a failure */
+static int
+run (check *c)
+{
+  const gs_scene *s = c->s;
+  int way = c->iopt[1], info = complete (c);
+  if (info == 0 && way != 1 && (way != 3 || s->nq > s->nu))
+    info = project (c);
+  if (info == 0 && c->jump[0] > 0.0 && way != 1 && jumped (c))
+    info = 3;
+  if (info != 0)
+    return info;
+  c->istat[6] = NONE;
+  if (s->nlam == 0 || (c->iopt[2] != 1 && way != 3 && way != 6))
+    return 0;
+  info = drift (c);
+  return info != 0 ? info : rank_of (c);
+}
+
+/* Not fulfilled are constraints of which more than 1e-6 of the largest coordinate (or of 1) is
+ * left. */
+int
+gschk (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
+       const double *cst, double *p, int *istat, double *rstat)
+{
+  if (s->nlam == 0 && s->nq == s->nu)
+    return 0;
+  check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
+              gs_partition_of (s->nq, s->nu, s->nlam, p) };
+  memcpy (c.a.before, x, (s->nq + s->nu) * sizeof *x);
+  int info = run (&c);
+  if (info != 0)
+    istat[5] = info;
+  return info;
+}

@@ -1,0 +1,133 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/loops.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+
+/* the constraints at x into the arrays of the partition; what con returned, but 0 for 2 */
+static int
+constraints (const gs_scene *s, double t, const double *x, const double *cst, gs_partition *a)
+{
+  int info = s->con (t, x, x + s->nq, cst, a->phi, a->phit, a->hc, s->nlam, a->gam);
+  return info == 2 ? 0 : info;
+}
+
+/* the displacement that closes the loops: dq = kin(du); its rank */
+static int
+displacement (const gs_scene *s, double t, const double *x, const double *cst, int r2,
+              gs_partition *a)
+{
+  int rank;
+  gspfa (s->nlam, r2, a->hc, a->displ, a->rows, a->y, a->piv, a->beta, a->siz, &rank);
+  for (int i = 0; i < s->nlam; i++)
+    a->rhs[i] = -a->rows[i] * a->phi[i];
+  gspls (s->nlam, r2, rank, a->y, a->piv, a->beta, a->rhs, s->nu, a->displ, a->du);
+  s->kin (t, x, a->du, cst, a->dq);
+  return rank;
+}
+
+/* Newton's method on the dependent displacements, until hc belongs to a position that fulfils the
+ * constraints; rank: that of its last factorization. info as gsprt */
+static int
+positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs_partition *a,
+           int *rank)
+{
+  double old = 0.0;
+  for (int k = 0; k < 30; k++)
+    {
+      int info = constraints (s, t, x, cst, a);
+      if (info != 0)
+        return info;
+      *rank = displacement (s, t, x, cst, r2, a);
+      double d = 0.0, big = 1.0;
+      for (int i = 0; i < s->nq; i++)
+        {
+          d = gs_max (d, fabs (a->dq[i]));
+          big = gs_max (big, fabs (x[i]));
+        }
+      if (! (d <= 1e300))
+        return 3;
+      double part = gs_min (1.0, 0.5 / gs_max (d, 0.5));
+      for (int i = 0; i < s->nq; i++)
+        x[i] += part * a->dq[i];
+      if (d <= 4.0 * gseps () * big || (k > 0 && d >= 0.25 * old && d <= 1e-8 * big))
+        return 0;
+      old = d;
+    }
+  return 3;
+}
+
+/* the dependent speeds: HC*u + phit = 0, by the factorization in the partition of that rank */
+static void
+speeds (const gs_scene *s, double *x, int r, int rank, gs_partition *a)
+{
+  double *u = x + s->nq;
+  for (int i = 0; i < s->nlam; i++)
+    {
+      double gap = -a->phit[i];
+      for (int j = 0; j < s->nu; j++)
+        gap -= a->hc[i + s->nlam * j] * u[j];
+      a->rhs[i] = gap;
+    }
+  gspls (s->nlam, r, rank, a->y, a->piv, a->beta, a->rhs, s->nu, a->order, a->du);
+  for (int j = 0; j < s->nu; j++)
+    u[j] += a->du[j];
+}
+
+/* Newton's method on the dependent speeds' displacements du, with dq = kin(du), so that Euler
+ * parameters stay on their sphere but for terms of second order. Columns of HC that are dependent
+ * are left where they are; more rows than columns are solved by least squares.
+ *
+ * Wehage and Haug 1982, generalized coordinate partitioning for dimension reduction in analysis of
+ * constrained dynamic systems. */
+int
+gsprt (const gs_scene *s, double t, double *x, const double *cst, double *p)
+{
+  gs_partition a = gs_partition_of (s->nq, s->nu, s->nlam, p);
+  int r = (int)p[GS_DEPENDENT], rank = 0;
+  if (r <= 0)
+    return 0;
+  int info = p[GS_WAY] < 2.0 ? constraints (s, t, x, cst, &a)
+                             : positions (s, t, x, cst, (int)p[GS_DISPLACED], &a, &rank);
+  if (info != 0)
+    return info;
+  if (p[GS_WAY] < 2.0 || p[GS_NONHOLONOMIC] > 0.0)
+    {
+      for (int i = 0; i < s->nlam; i++)
+        a.rhs[i] = 1.0;
+      gspfa (s->nlam, r, a.hc, a.order, a.rhs, a.y, a.piv, a.beta, a.siz, &rank);
+    }
+  speeds (s, x, r, rank, &a);
+  return 0;
+}
+
+void
+gspfa (int m, int r, const double *hc, const double *order, const double *rows, double *y,
+       double *piv, double *beta, double *siz, int *rank)
+{
+  for (int j = 0; j < r; j++)
+    {
+      const double *col = hc + m * ((int)order[j] - 1);
+      for (int i = 0; i < m; i++)
+        y[i + m * j] = rows[i] * col[i];
+    }
+  gsqrp (m, r, y, m, 1e5 * gseps (), piv, beta, siz, rank);
+}
+
+void
+gspls (int m, int r, int rank, const double *y, const double *piv, const double *beta, double *b,
+       int nu, const double *order, double *du)
+{
+  for (int i = 0; i < nu; i++)
+    du[i] = 0.0;
+  if (r == 0)
+    return;
+  gsqmv (m, rank, y, m, beta, b, 1);
+  for (int k = rank - 1; k >= 0; k--)
+    {
+      b[k] /= y[k + m * k];
+      du[(int)order[(int)piv[k] - 1] - 1] = b[k];
+      gs_take (k, b[k], y + m * k, b);
+    }
+}

@@ -1,0 +1,45 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+
+void
+gslam (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
+       double tol, const int *grp, const double *ud, double *lam, double *w)
+{
+  double *y = w, *c = y + n * m, *t = c + n, *piv = t + m * m, *beta = piv + m, *siz = beta + m,
+         *q = siz + m;
+  int r;
+  gsmul (n, a, lda, ud, c);
+  for (int i = 0; i < n; i++)
+    c[i] -= f[i];
+  gs_transpose (n, m, h, ldh, y);
+  gsqrg (n, m, y, n, tol, grp, piv, beta, siz, &r);
+  gsqmv (n, r, y, n, beta, c, 1);
+  gslnm (m, r, y, n, piv, c, lam, t, q, beta, siz);
+}
+
+/* A size that is nothing to working precision beside the largest is replaced by that. */
+void
+gsrow (int n, int m, const double *h, int ldh, const int *grp, double *y, double *d)
+{
+  double tol = 1e2 * gseps (), big = 0.0;
+  for (int i = 0; i < m; i++)
+    {
+      double s = 0.0;
+      for (int j = 0; j < n; j++)
+        s += h[i + ldh * j] * h[i + ldh * j];
+      d[i] = sqrt (s);
+      big = gs_max (big, d[i]);
+    }
+  gsgrp (m, grp, 1e-3, d);
+  if (! (big > 0.0))
+    big = 1.0;
+  for (int i = 0; i < m; i++)
+    {
+      d[i] = 1.0 / (d[i] <= tol * big ? big : d[i]);
+      for (int j = 0; j < n; j++)
+        y[i + m * j] = d[i] * h[i + ldh * j];
+    }
+}

@@ -1,0 +1,60 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/solve.h"
+
+/* c := sign*Q'*(A*x - f), Q the reflections in y and beta */
+static void
+rest (int n, int r, const double *a, int lda, const double *x, const double *f, const double *y,
+      const double *beta, double sign, double *c)
+{
+  gsmul (n, a, lda, x, c);
+  for (int i = 0; i < n; i++)
+    c[i] = sign * (c[i] - f[i]);
+  gsqmv (n, r, y, n, beta, c, 1);
+}
+
+/* H'*P = Q*R, Q = (Q1,Q2), K = Q2; with ud = Q*(x,z): R1'*x = P'*g, and
+ * R*P'*lam = Q1'*(A*ud - f). */
+int
+gsnul (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
+       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+{
+  double *reduced = w, *y = w + n * n, *c = y + n * m, *x = c + n, *t = x + n, *piv = t + m * m,
+         *beta = piv + m, *siz = beta + m, *spare = siz + m;
+  int r;
+  gs_transpose (n, m, h, ldh, y);
+  gsqrg (n, m, y, n, tol, grp, piv, beta, siz, &r);
+
+  /* x, and c = Q'*(f - A*Q1*x) */
+  gs_forward (r, y, n, piv, g, x);
+  for (int i = r; i < n; i++)
+    x[i] = 0.0;
+  for (int i = 0; i < n; i++)
+    ud[i] = x[i];
+  gsqmv (n, r, y, n, beta, ud, 0);
+  rest (n, r, a, lda, ud, f, y, beta, -1.0, c);
+
+  /* the reduced equations */
+  for (int j = r; j < n; j++)
+    {
+      for (int i = 0; i < n; i++)
+        ud[i] = i == j;
+      gsqmv (n, r, y, n, beta, ud, 0);
+      gsmul (n, a, lda, ud, reduced + n * j);
+      gsqmv (n, r, y, n, beta, reduced + n * j, 1);
+    }
+  if (gsred (n, r, a, lda, reduced, c) != 0)
+    return 1;
+  for (int i = 0; i < n; i++)
+    ud[i] = i < r ? x[i] : c[i];
+  gsqmv (n, r, y, n, beta, ud, 0);
+
+  /* multipliers */
+  rest (n, r, a, lda, ud, f, y, beta, 1.0, c);
+  if (r == m)
+    {
+      gs_backward (r, y, n, piv, c, lam);
+      return 0;
+    }
+  gslnm (m, r, y, n, piv, c, lam, t, spare, beta, siz);
+  return 2;
+}

@@ -1,0 +1,163 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+
+void
+gsqrp (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, double *siz,
+       int *rank)
+{
+  int grp[1] = { 0 };
+  gsqrg (n, m, y, ldy, tol, grp, piv, beta, siz, rank);
+}
+
+/* for gsqrg: the column from k on of which most is left, relative to its size, or -1; left: the
+ * square of that */
+static int
+most_left (int n, int m, int k, const double *y, int ldy, double tol, double small,
+           const double *siz, double *left)
+{
+  int p = -1;
+  double best = tol * tol;
+  for (int j = k; j < m; j++)
+    if (siz[j] > small)
+      {
+        double s = gs_dot (n - k, 0.0, y + k + ldy * j, y + k + ldy * j);
+        if (s > best * siz[j])
+          {
+            best = s / siz[j] * (1.0 + 1e-8);
+            p = j;
+            *left = s;
+          }
+      }
+  return p;
+}
+
+/* In siz are squares. A column is also dependent if its size is not above tol/500 or 4e-14 times
+ * the largest. */
+void
+gsqrg (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv, double *beta,
+       double *siz, int *rank)
+{
+  double big = 0.0;
+  for (int j = 0; j < m; j++)
+    {
+      siz[j] = gs_dot (n, 0.0, y + ldy * j, y + ldy * j);
+      piv[j] = j + 1;
+      big = gs_max (big, siz[j]);
+    }
+  gsgrp (m, grp, 1e-6, siz);
+  double small = gs_min (tol / 5e2, 2e2 * gseps ());
+  small = small * small * big;
+
+  *rank = 0;
+  for (int k = 0; k < gs_least (n, m); k++)
+    {
+      double d = 0.0;
+      int p = most_left (n, m, k, y, ldy, tol, small, siz, &d);
+      if (p < 0)
+        return;
+      if (p != k)
+        {
+          gs_swap (n, y + ldy * k, y + ldy * p);
+          gs_swap (1, piv + k, piv + p);
+          gs_swap (1, siz + k, siz + p);
+        }
+      *rank = k + 1;
+      gshrf (n, m, k, y, ldy, d, beta + k);
+    }
+}
+
+void
+gsgrp (int m, const int *grp, double part, double *siz)
+{
+  if (grp[0] == 0)
+    return;
+  double big = 0.0;
+  for (int i = 0; i < m; i++)
+    {
+      double *first = siz + grp[i] - 1;
+      *first = gs_max (*first, siz[i]);
+      big = gs_max (big, siz[i]);
+    }
+  for (int i = 0; i < m; i++)
+    siz[i] = gs_max (siz[grp[i] - 1], part * big);
+}
+
+/* for gsqrc: the column from k on of which most is left; left: the square of that */
+static int
+longest (int n, int m, int k, const double *y, int ldy, double *left)
+{
+  int p = k;
+  *left = -1.0;
+  for (int j = k; j < m; j++)
+    {
+      double s = gs_dot (n - k, 0.0, y + k + ldy * j, y + k + ldy * j);
+      if (s > *left * (1.0 + 1e-8))
+        {
+          p = j;
+          *left = s;
+        }
+    }
+  return p;
+}
+
+/* The first rank columns are far from dependent, and inv(R11)*R12 has no large entries. */
+void
+gsqrc (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, double *siz,
+       int *rank)
+{
+  double big = 0.0, d;
+  for (int j = 0; j < m; j++)
+    piv[j] = j + 1;
+  *rank = 0;
+  for (int k = 0; k < gs_least (n, m); k++)
+    {
+      int p = longest (n, m, k, y, ldy, &d);
+      if (k == 0)
+        big = d;
+      if (! (d > tol * tol * big))
+        return;
+      if (p != k)
+        {
+          gs_swap (n, y + ldy * k, y + ldy * p);
+          gs_swap (1, piv + k, piv + p);
+        }
+      *rank = k + 1;
+      siz[k] = sqrt (d);
+      gshrf (n, m, k, y, ldy, d, beta + k);
+    }
+}
+
+/* the columns of one reflection, v with the entries v[1..n-1] behind v[0] = 1: y := y - beta*v'y*v,
+ * all of y below its first entry */
+static void
+reflect (int n, double beta, const double *v, double *y)
+{
+  double s = gs_dot (n - 1, y[0], v + 1, y + 1) * beta;
+  y[0] -= s;
+  gs_take (n - 1, s, v + 1, y + 1);
+}
+
+void
+gshrf (int n, int m, int k, double *y, int ldy, double d, double *beta)
+{
+  double *v = y + k + ldy * k, r = -copysign (sqrt (d), v[0]), s = 1.0 / (v[0] - r);
+  *beta = (r - v[0]) / r;
+  for (int i = 1; i < n - k; i++)
+    v[i] *= s;
+  v[0] = r;
+  for (int j = k + 1; j < m; j++)
+    reflect (n - k, *beta, v, y + k + ldy * j);
+}
+
+void
+gsqmv (int n, int k, const double *y, int ldy, const double *beta, double *b, int trans)
+{
+  for (int l = 0; l < k; l++)
+    {
+      int j = trans == 0 ? k - 1 - l : l;
+      reflect (n - j, beta[j], y + j + ldy * j, b + j);
+    }
+}

@@ -1,0 +1,37 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+int
+gsred (int n, int r, const double *a, int lda, double *b, double *z)
+{
+  if (r == n)
+    return 0;
+  double tol = 0.0;
+  for (int j = 0; j < n; j++)
+    tol = gs_max (tol, a[j + lda * j]);
+  tol = 10.0 * n * gseps () * tol;
+  int info = gsspd (n - r, 1, b + r + n * r, n, z + r, n) != 0;
+  for (int j = r; j < n; j++)
+    if (! (b[j + n * j] * b[j + n * j] > tol))
+      info = 1;
+  return info;
+}
+
+void
+gsmul (int n, const double *a, int lda, const double *x, double *y)
+{
+  for (int i = 0; i < n; i++)
+    y[i] = 0.0;
+  for (int j = 0; j < n; j++)
+    {
+      const double *col = a + lda * j;
+      double s = x[j], r = col[j] * s;
+      for (int i = j + 1; i < n; i++)
+        {
+          y[i] += col[i] * s;
+          r += col[i] * x[i];
+        }
+      y[j] += r;
+    }
+}

@@ -1,0 +1,34 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+
+/* The next position on the constraints is about d = max |phi[i]|/size[i] [rad or m] away, size[i]
+ * that of row i of h (gsqrg). On the way there, rows change by parts of the size of d: of a row
+ * that is dependent there, some d times its size is left here. And where s times its size is left
+ * of an independent row, the way may be as long as d/s, which changes s by little only if s^2 > d
+ * (Kantorovich's condition for Newton's method). So the tolerance is the root of d: above it the
+ * rank here is the rank on the constraints, below it nobody can tell. It stays between rounding
+ * errors, 1e-11, and 1e-2.
+ *
+ * Ortega and Rheinboldt 1970, Iterative solution of nonlinear equations in several variables,
+ * 12.6. */
+void
+gsrtl (int n, int m, const double *h, int ldh, const double *phi, const int *grp, double *tol,
+       double *w)
+{
+  double d = 0.0;
+  for (int i = 0; i < m; i++)
+    {
+      double s = 0.0;
+      for (int j = 0; j < n; j++)
+        s += h[i + ldh * j] * h[i + ldh * j];
+      w[i] = sqrt (s);
+    }
+  gsgrp (m, grp, 1e-3, w);
+  for (int i = 0; i < m; i++)
+    if (w[i] > 0.0)
+      d = gs_max (d, fabs (phi[i]) / w[i]);
+  *tol = gs_min (1e-2, gs_max (5e4 * gseps (), sqrt (d)));
+}

@@ -1,0 +1,23 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/solve.h"
+
+int
+gsspd (int n, int nrhs, double *a, int lda, double *b, int ldb)
+{
+  int info = 0;
+  if (n < 0)
+    info = -1;
+  if (nrhs < 0)
+    info = -2;
+  if (lda < gs_most (1, n))
+    info = -4;
+  if (ldb < gs_most (1, n))
+    info = -6;
+  if (info == 0)
+    info = gschf (n, a, lda);
+  if (info != 0)
+    return info;
+  gstrs (n, nrhs, a, lda, b, ldb, 0);
+  gstrs (n, nrhs, a, lda, b, ldb, 1);
+  return 0;
+}

@@ -1,0 +1,95 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+
+/* For two columns x, y of m entries: cosine c and sine s of the rotation that makes them orthogonal
+ * with the longer one first; 0 if they are so (to the angle eps, or where the shorter one squared
+ * is not above nothing), 1 if it only interchanges the shorter one with one that is nothing, else
+ * 2. */
+static int
+rotation (int m, const double *x, const double *y, double eps, double nothing, double *c,
+          double *s)
+{
+  double p = 0.0, q = 0.0, r = 0.0;
+  for (int i = 0; i < m; i++)
+    {
+      p += x[i] * x[i];
+      q += y[i] * y[i];
+      r += x[i] * y[i];
+    }
+  int vanishing = gs_min (p, q) <= nothing;
+  if (gs_max (p, q) <= nothing)
+    return 0;
+  if (fabs (r) <= eps * sqrt (p) * sqrt (q) || vanishing)
+    {
+      *c = 0.0;
+      *s = 1.0;
+      return q <= p ? 0 : vanishing ? 1 : 2;
+    }
+  double z = (q - p) / (2.0 * r);
+  double d = copysign (1.0, z) / (fabs (z) + sqrt (1.0 + z * z));
+  double cosine = 1.0 / sqrt (1.0 + d * d), sine = -cosine * d;
+  *c = q > p ? -sine : cosine;
+  *s = q > p ? cosine : sine;
+  return 2;
+}
+
+/* one cyclic sweep; 0 if nothing was left to turn */
+static int
+sweep (int m, int n, double *b, int ldb, double *v, int ldv, double eps, double nothing)
+{
+  int turns = 0;
+  double c, s;
+  for (int j = 0; j < n - 1; j++)
+    for (int k = j + 1; k < n; k++)
+      {
+        int turn = rotation (m, b + ldb * j, b + ldb * k, eps, nothing, &c, &s);
+        if (turn == 0)
+          continue;
+        turns += turn == 2;
+        gsrot (m, b + ldb * j, b + ldb * k, c, s);
+        gsrot (n, v + ldv * j, v + ldv * k, c, s);
+      }
+  return turns;
+}
+
+/* One-sided Jacobi: cyclic sweeps; of two columns the longer one is kept first, so that the
+ * vanishing ones gather at the end. A pair is left alone where its angle, or the shorter column
+ * beside the longest of all, is nothing to working precision. The last n - rank columns of v are
+ * the eigenvectors of B'*B to the eigenvalue zero.
+ *
+ * Golub, van Loan, Matrix Computations, section 8.6.3. */
+void
+gssvd (int m, int n, double *b, int ldb, double *v, int ldv, double *s, double tol, int *rank)
+{
+  double eps = gseps (), big = 0.0;
+  for (int j = 0; j < n; j++)
+    {
+      for (int i = 0; i < n; i++)
+        v[i + ldv * j] = i == j;
+      big = gs_max (big, gs_dot (m, 0.0, b + ldb * j, b + ldb * j));
+    }
+  for (int k = 0; k < 60; k++)
+    if (sweep (m, n, b, ldb, v, ldv, eps, eps * eps * big) == 0)
+      break;
+  *rank = 0;
+  for (int j = 0; j < n; j++)
+    {
+      s[j] = sqrt (gs_dot (m, 0.0, b + ldb * j, b + ldb * j));
+      if (j < gs_least (m, n) && *rank == j && s[j] > tol * s[0])
+        *rank = j + 1;
+    }
+}
+
+void
+gsrot (int n, double *x, double *y, double c, double s)
+{
+  for (int i = 0; i < n; i++)
+    {
+      double t = c * x[i] + s * y[i];
+      y[i] = c * y[i] - s * x[i];
+      x[i] = t;
+    }
+}

@@ -1,0 +1,29 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/solve.h"
+
+void
+gstrs (int n, int m, const double *l, int ldl, double *b, int ldb, int trans)
+{
+  for (int i = 0; i < n; i++)
+    {
+      int k = trans == 0 ? i : n - 1 - i;
+      const double *col = l + ldl * k;
+      double r = 1.0 / col[k];
+      for (int j = 0; j < m; j++)
+        {
+          double *x = b + ldb * j;
+          if (trans == 0)
+            {
+              x[k] *= r;
+              gs_take (n - k - 1, x[k], col + k + 1, x + k + 1);
+            }
+          else
+            {
+              double s = x[k];
+              for (int h = k + 1; h < n; h++)
+                s -= col[h] * x[h];
+              x[k] = s * r;
+            }
+        }
+    }
+}

@@ -1,0 +1,7 @@
+#include "gsmbp/solve.h"
+
+int
+gschf (int n, double *a, int lda)
+{
+  return gschp (n, a, lda);
+}

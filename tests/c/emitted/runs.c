@@ -1,0 +1,328 @@
+/* Runs of emitted scenes by GSSIM in Fortran and in C: both call the same emitted Fortran. */
+#include "emitted.h"
+
+extern const emitted emitted_four_bar, emitted_slider_crank, emitted_event_crank,
+    emitted_event_pendulum, emitted_event_ball, emitted_event_slide, emitted_event_blocks,
+    emitted_sampled_crank, emitted_passage_events,
+    emitted_parallelograms3;
+
+static test a;
+static double par[100];
+
+/* a run as of bridge.h, without Baumgarte's terms but in way 1; x0 is moved onto the constraints */
+static void
+start (const emitted *e, int method, int way, const double *x0, double tend, int nt)
+{
+  double res;
+  int info;
+  make (&a, &e->s, &e->f, tend, nt);
+  a.iopt[GS_METHOD] = method;
+  a.iopt[GS_LOOPS] = way;
+  a.ropt[0] = method == 4 ? 2e-3 : 0;
+  if (a.s->nlam > 0)
+    {
+      par[e->npar - 1] = way == 4 || way == 5 || way == 6 ? way - 2 : 1;
+      if (way != 1)
+        par[e->npar - 2] = par[e->npar - 3] = 0;
+    }
+  e->pre (par, a.cst, &info);
+  memcpy (a.x0, x0, a.s->nx * sizeof (double));
+  if (a.s->nlam > 0)
+    e->s.prj (0, a.x0, a.cst, &res);
+}
+
+/* the plan of the samples of a scene with held outputs of its devices */
+static void
+sample (const emitted *e, const int *held, const int *input, int ns)
+{
+  const int anew[10] = { 0 };
+  const double memory[20] = { 0 };
+  double period[10], delay[10];
+  e->ctp (a.cst, period, delay);
+  samples (&a, e->nctl, period, delay, held, anew, input, e->nxk, memory, e->nctl, ns);
+}
+
+static void
+seen (int n, int least, const char *what)
+{
+  char text[80];
+  snprintf (text, sizeof text, "... %s", what);
+  holds (n >= least, text);
+}
+
+/* ------------------------------------------------------------ */
+
+static const double four_bar_x0[6] = { 1, -0.1, 1.4, 6, -1, 2 };
+
+static void
+four_bar (void)
+{
+  const emitted *e = &emitted_four_bar;
+  char what[80];
+  e->par (par);
+  for (int method = 4; method <= 8; method += 4)
+    for (int way = 1; way <= 6; way++)
+      {
+        e->par (par);
+        start (e, method, way, four_bar_x0, 2, 50);
+        a.rp[0] = 0.02;
+        snprintf (what, sizeof what, "four_bar, method %d, way %d", method, way);
+        compare (&a, what, 0);
+      }
+  for (int closed = 0; closed <= 1; closed++)
+    {
+      const double motion[4] = { 2, 1, 1, 2 }, gain[6] = { 0.3, 0, 0, 0.05, 0, 0 },
+                   x0[12] = { 0, 0, 0, 0, 0, 0, 1, -0.1, 1.4, 0, 0, 0 };
+      start (e, 8, 2, four_bar_x0, 1, 50);
+      a.iopt[GS_LOOPS] = 3;
+      a.run.nb = 1;
+      a.tbrk[0] = 0.5;
+      if (closed)
+        {
+          a.ip[GS_V0] = 2;
+          a.ip[GS_CLOSED] = 1;
+          a.ip[GS_DERIVATIVES] = 2;
+          a.ip[GS_PLANNED] = 1;
+          a.ip[GS_NUMBERS] = 1;
+          memcpy (a.w, four_bar_x0, 3 * sizeof (double));
+          polynomial (&a, GS_MOTION, 1, 2, 2, (double[]){ 0, 0.5, 1 }, motion);
+        }
+      a.ip[GS_FEEDBACK] = 1;
+      polynomial (&a, GS_REFERENCE, 6, 1, 2, (double[]){ 0, 1 }, x0);
+      polynomial (&a, GS_GAIN, 6, 1, 1, (double[]){ 0, 1 }, gain);
+      compare (&a, closed ? "four_bar, planned with feedback" : "four_bar, feedback", 0);
+    }
+}
+
+static void
+slider_crank (void)
+{
+  const emitted *e = &emitted_slider_crank;
+  const double x0[7] = { 0.1, -0.04, 0.7, 0, 0, 0, 0 };
+  const double volts[3] = { 6, 12, -3 };
+  const double motion[8] = { 0, 0, 2. / 3, 0, 0, 4. / 3, 0.1, 0.1 + 2. / 3 };
+  for (int way = 1; way <= 6; way++)
+    {
+      e->par (par);
+      start (e, 8, way, x0, 3, 60);
+      a.ip[GS_V0] = 1;
+      a.run.nb = 2;
+      a.tbrk[0] = 0.8;
+      a.tbrk[1] = 2;
+      polynomial (&a, GS_TABLE, 1, 3, 1, (double[]){ 0, 0.8, 2, 3 }, volts);
+      compare (&a, "slider_crank, a table of volts", 0);
+    }
+  e->par (par);
+  start (e, 8, 2, x0, 2, 60);
+  a.ip[GS_V0] = 2;
+  a.ip[GS_CLOSED] = 1;
+  a.ip[GS_DERIVATIVES] = 3;
+  a.ip[GS_PLANNED] = 1;
+  a.ip[GS_NUMBERS] = 1;
+  a.ip[GS_INTERNAL] = 7;
+  memcpy (a.w, x0, 3 * sizeof (double));
+  polynomial (&a, GS_MOTION, 1, 2, 4, (double[]){ 0, 1, 2 }, motion);
+  a.run.nb = 1;
+  a.tbrk[0] = 1;
+  compare (&a, "slider_crank, a planned motion through the motor", 0);
+  start (e, 9, 2, x0, 3, 60);
+  a.rp[0] = 12;
+  compare (&a, "slider_crank, method 9", 0);
+}
+
+static void
+event_crank (void)
+{
+  const emitted *e = &emitted_event_crank;
+  const double x0[6] = { 0.5, -0.1, 0.84, 0, 0, 0 };
+  char what[80];
+  for (int way = 2; way <= 6; way += way == 3 ? 3 : 1)
+    for (int method = 4; method <= 8; method += 4)
+      {
+        e->par (par);
+        start (e, method, way, x0, 4, 80);
+        a.iopt[GS_WATCH] = method == 8;
+        a.rp[0] = 8;
+        events (&a, 2, (int[]){ 2, 1 }, (int[]){ 2, 3 }, 200);
+        snprintf (what, sizeof what, "event_crank, method %d, way %d", method, way);
+        compare (&a, what, 0);
+        seen (a.ip[a.ip[GS_EVENTS] + 1], 5, "five events or more");
+      }
+  start (e, 8, 2, x0, 4, 80);
+  a.s = &e->audit;
+  a.f = &e->faudit;
+  a.run.nx = a.run.ldx = a.s->nx + 2;
+  a.atol[a.s->nx] = a.atol[a.s->nx + 1] = 1e-8;
+  a.rp[0] = 8;
+  events (&a, 2, (int[]){ 2, 1 }, (int[]){ 2, 3 }, 200);
+  compare (&a, "event_crank with an audit", 0);
+}
+
+static void
+event_pendulum (void)
+{
+  const emitted *e = &emitted_event_pendulum;
+  for (int method = 4; method <= 8; method += 4)
+    {
+      e->par (par);
+      par[1] = 0.01;
+      start (e, method, 1, (double[]){ 2, 0.03, 0, 0 }, 3, 60);
+      a.rp[2] = 0.1;
+      sample (e, (int[]){ 1 }, (int[]){ 4 }, 200);
+      events (&a, 2, (int[]){ 2, 1 }, (int[]){ 1, 2 }, 100);
+      compare (&a, method == 4 ? "event_pendulum, method 4" : "event_pendulum, method 8", 0);
+      seen (a.ip[a.ip[GS_EVENTS] + 1], 5, "five events or more");
+    }
+}
+
+/* long steps, functions that fall again at once, waves within a step */
+static void
+rough_steps (void)
+{
+  char what[80];
+  for (int method = 4; method <= 8; method += 4)
+    for (int k = 0; k < 3; k++)
+      {
+        const emitted *e = &emitted_event_ball;
+        e->par (par);
+        start (e, method, 1, (double[]){ k == 2 ? 1e-6 : 1, 0, k == 2 ? 1e-3 : 0, 5 }, 5, 20);
+        a.ropt[0] = method == 4 ? 0.02 * (1 + 5 * k) : 0.1;
+        events (&a, 2, (int[]){ 2, 2 }, (int[]){ 1, 2 }, 150);
+        snprintf (what, sizeof what, "event_ball, method %d", method);
+        compare (&a, what, 0);
+        e = &emitted_event_slide;
+        e->par (par);
+        par[1] = 1.001 + 0.01 * k;
+        start (e, method, 1, (double[]){ 0, k == 1 }, 20, k == 2 ? 2 : 20);
+        a.ropt[0] = method == 4 ? 0.25 : 0;
+        events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
+        snprintf (what, sizeof what, "event_slide, method %d", method);
+        compare (&a, what, 0);
+        e = &emitted_event_blocks;
+        e->par (par);
+        par[0] = 0.05;
+        start (e, method, 1, (double[12]){ [11] = 0.1 * k }, 8, 10);
+        a.ropt[0] = method == 4 ? 0.05 : 0;
+        events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
+        snprintf (what, sizeof what, "event_blocks, method %d", method);
+        compare (&a, what, 0);
+      }
+  /* numbers that overflow */
+  start (&emitted_event_blocks, 8, 1, (double[12]){ [10] = 1e214, [11] = 1e252 }, 8, 10);
+  events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
+  compare (&a, "event_blocks, speeds of 1e252 m/s", 2);
+}
+
+static void
+sampled_crank (void)
+{
+  const emitted *e = &emitted_sampled_crank;
+  for (int delayed = 0; delayed <= 1; delayed++)
+    {
+      e->par (par);
+      if (delayed)
+        par[1] = par[4] = 4e-4;
+      start (e, 8, 2, (double[]){ 0.3, -0.1, 0.84, 0, 0, 0 }, 0.3, 60);
+      a.ip[GS_V0] = 1;
+      polynomial (&a, GS_TABLE, 8, 1, 2, (double[]){ 0, 1 },
+                  (double[]){ 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0.3, 6, 0, 0 });
+      sample (e, (int[]){ 2, 2, 2 }, (int[]){ 1, 2, 3, 4, 7, 8 }, 100);
+      compare (&a, delayed ? "sampled_crank, with delays" : "sampled_crank", 0);
+    }
+}
+
+static void
+passage_events (void)
+{
+  const emitted *e = &emitted_passage_events;
+  static const double hi[7] = { 100, 3.1, 3.14, 3.15, 3.2, 9.5, 3.14159265358979312 };
+  for (int i = 0; i < 7; i++)
+    {
+      e->par (par);
+      par[2] = 0.2;
+      par[3] = hi[i];
+      start (e, 8, 2, (double[]){ 1, 1, -1, 6, 6, -6 }, 5, 60);
+      sample (e, (int[]){ 2 }, (int[]){ 3, 4 }, 50);
+      events (&a, 2, (int[]){ 1, 2 }, (int[]){ 1, 2 }, 20);
+      compare (&a, "passage_events", i < 6 ? 0 : 3);
+      if (i == 0)
+        seen (a.run.istat[GS_N_PASSED], 3, "three positions or more");
+      if (i < 6)
+        seen (a.ip[a.ip[GS_EVENTS] + 1], 1, "an event or more");
+    }
+}
+
+static void
+parallelograms (void)
+{
+  const emitted *e = &emitted_parallelograms3;
+  const double x0[14] = { 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 };
+  char what[80];
+  for (int way = 2; way <= 6; way++)
+    {
+      e->par (par);
+      par[0] = 3;
+      start (e, 8, way, x0, 1.5, 60);
+      snprintf (what, sizeof what, "parallelograms3, way %d", way);
+      compare (&a, what, 0);
+      seen (a.run.istat[GS_N_PASSED], 2, "two positions or more");
+    }
+}
+
+/* ------------------------------------------------------------ */
+
+/* how long the C takes beside the Fortran, least of n runs of each, one after the other */
+static void
+speed (const char *what, int n)
+{
+  double c = 1e9, f = 1e9;
+  for (int k = 0; k < n; k++)
+    {
+      c = fmin (c, seconds (&a, 1));
+      f = fmin (f, seconds (&a, 0));
+    }
+  printf ("   %s: C %.3f ms, Fortran %.3f ms, ratio %.3f\n", what, 1e3 * c, 1e3 * f, c / f);
+}
+
+static void
+speeds (int n)
+{
+  emitted_four_bar.par (par);
+  start (&emitted_four_bar, 8, 2, four_bar_x0, 20, 100);
+  a.run.lw = gs_room (a.s, a.run.nx, 0);
+  speed ("four_bar, projection", n);
+  start (&emitted_four_bar, 8, 3, four_bar_x0, 20, 100);
+  a.run.lw = gs_room (a.s, a.run.nx, 0);
+  speed ("four_bar, partitioning", n);
+  emitted_event_pendulum.par (par);
+  par[1] = 0.01;
+  start (&emitted_event_pendulum, 8, 1, (double[]){ 2, 0.03, 0, 0 }, 3, 60);
+  sample (&emitted_event_pendulum, (int[]){ 1 }, (int[]){ 4 }, 200);
+  events (&a, 2, (int[]){ 2, 1 }, (int[]){ 1, 2 }, 100);
+  a.run.lw = gs_room (a.s, a.run.nx, 0);
+  speed ("event_pendulum", n);
+  emitted_parallelograms3.par (par);
+  start (&emitted_parallelograms3, 8, 3,
+         (double[]){ 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 }, 6, 100);
+  a.run.lw = gs_room (a.s, a.run.nx, 0);
+  speed ("parallelograms3, partitioning", n);
+}
+
+int
+main (int argc, char **argv)
+{
+  if (argc > 1)
+    {
+      speeds (atoi (argv[1]));
+      return 0;
+    }
+  four_bar ();
+  slider_crank ();
+  event_crank ();
+  event_pendulum ();
+  rough_steps ();
+  sampled_crank ();
+  passage_events ();
+  parallelograms ();
+  return 0;
+}

@@ -1,0 +1,199 @@
+/* share/c/events and what of share/c/integrate is called by itself, against share/fortran */
+#include "bridge.h"
+#include "gsmbp/events.h"
+
+void gsevt_ (), gsrst_ (), gsimp_ (), gsstk_ (), gsfre_ (), gsevh_ (), gspth_ (), gsjmp_ ();
+double gsevp_ ();
+
+/* a symmetric matrix of order n, positive definite but for some cases */
+static void
+masses (int n, pair a)
+{
+  double b[64];
+  const int less = pick (8) == 0;
+  for (int i = 0; i < n * n; i++)
+    b[i] = chance ();
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++)
+      {
+        double s = less ? 0 : i == j ? 0.3 : 0;
+        for (int k = less ? 1 : 0; k < n; k++)
+          s += b[i + n * k] * b[j + n * k];
+        a.c[i + n * j] = s;
+      }
+  both (a);
+}
+
+/* constraints and ports h (m+k,n): some rows depend on others */
+static void
+rows (int n, int nr, pair h)
+{
+  if (pick (3) == 0 && nr > 1)
+    for (int j = 0; j < n; j++)
+      h.c[nr - 1 + nr * j] = 2 * h.c[nr * j];
+  if (pick (6) == 0 && nr > 0)
+    for (int j = 0; j < n; j++)
+      h.c[nr * j] = 0;
+  both (h);
+}
+
+typedef struct
+{
+  int n, m, k, nr, kind[4], mode[4], fmode[4];
+  pair a, h, phit, u, s, sd, prm, hold, w, gv;
+} ports;
+
+static ports
+some_ports (void)
+{
+  ports p = { .n = 1 + pick (5), .k = 1 + pick (4) };
+  p.m = pick (p.n < 3 ? p.n : 3);
+  p.nr = p.m + p.k;
+  for (int i = 0; i < 4; i++)
+    {
+      p.kind[i] = 1 + pick (2);
+      p.mode[i] = p.fmode[i] = pick (3) - 1;
+    }
+  p.a = pair_of (p.n * p.n);
+  p.h = pair_of (p.nr * p.n);
+  p.phit = pair_of (p.m);
+  p.u = pair_of (p.n);
+  p.s = pair_of (p.k);
+  p.sd = pair_of (p.k);
+  p.prm = pair_of (4 * p.k);
+  p.hold = pair_of (p.k);
+  p.gv = pair_of (p.k);
+  p.w = pair_of (3000);
+  masses (p.n, p.a);
+  rows (p.n, p.nr, p.h);
+  for (int i = 0; i < p.k; i++)
+    {
+      double *prm = p.prm.c + 4 * i;
+      prm[0] = p.kind[i] == 1 ? fabs (prm[0]) : -fabs (prm[0]) - 0.01;
+      prm[1] = fabs (prm[1]) + 0.01;
+      prm[2] = fabs (prm[2]);
+      prm[3] = pick (2) ? 0.9 : 1e-3;
+      if (pick (4) == 0)
+        p.s.c[i] = prm[pick (2)];
+      if (pick (5) == 0)
+        p.sd.c[i] = 0;
+    }
+  both (p.prm);
+  both (p.s);
+  both (p.sd);
+  return p;
+}
+
+static void
+drop_ports (ports p)
+{
+  const pair all[] = { p.a, p.h, p.phit, p.u, p.s, p.sd, p.prm, p.hold, p.w, p.gv };
+  for (int i = 0; i < 10; i++)
+    drop (all[i]);
+}
+
+static void
+what_happens (void)
+{
+  begin ("gsevt, gsrst, gsimp");
+  for (int i = 0; i < 4000; i++)
+    {
+      ports p = some_ports ();
+      int l = pick (p.k + 2) - 1, info = 0;
+      gsevt (p.k, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c, p.gv.c);
+      gsevt_ (&p.k, p.kind, p.mode, p.s.f, p.sd.f, p.prm.f, p.hold.f, p.gv.f);
+      same (p.gv);
+      gsrst_ (&p.n, &p.m, &p.k, &l, p.kind, p.fmode, p.s.f, p.sd.f, p.prm.f, p.hold.f, p.a.f, &p.n,
+              p.h.f, &p.nr, p.phit.f, p.u.f, p.w.f, &info);
+      same_int (gsrst (p.n, p.m, p.k, l, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c, p.a.c,
+                       p.n, p.h.c, p.nr, p.phit.c, p.u.c, p.w.c), info);
+      same (p.u);
+      l = pick (p.k + 1);
+      gsimp_ (&p.n, &p.m, &p.k, &l, D (0.3), p.kind, p.fmode, p.a.f, &p.n, p.h.f, &p.nr, p.phit.f,
+              p.u.f, p.w.f, &info);
+      int found = gsimp (p.n, p.m, p.k, l, 0.3, p.kind, p.mode, p.a.c, p.n, p.h.c, p.nr, p.phit.c,
+                         p.u.c, p.w.c);
+      if (found || info)
+        same_int (found, info);
+      same (p.u);
+      for (int j = 0; j < p.k; j++)
+        same_int (p.mode[j], p.fmode[j]);
+      drop_ports (p);
+    }
+  finish ();
+}
+
+static void
+held_ports (void)
+{
+  begin ("gsstk, gsfre");
+  for (int i = 0; i < 4000; i++)
+    {
+      ports p = some_ports ();
+      pair f = pair_of (p.n), g = pair_of (p.nr), ud = pair_of (p.n), lam = pair_of (p.m);
+      int act[4], info = 0, freec, freef;
+      for (int j = 0; j < 4; j++)
+        act[j] = pick (2);
+      gsstk_ (&p.n, &p.m, &p.k, p.a.f, &p.n, p.h.f, &p.nr, f.f, g.f, act, ud.f, lam.f, p.hold.f,
+              p.w.f, &info);
+      same_int (gsstk (p.n, p.m, p.k, p.a.c, p.n, p.h.c, p.nr, f.c, g.c, act, ud.c, lam.c, p.hold.c,
+                       p.w.c), info);
+      same (ud);
+      same (lam);
+      same (p.hold);
+      same (p.h);
+      same (g);
+      for (int row = 1; row <= p.nr; row++)
+        {
+          gsfre_ (&p.n, &p.m, p.a.f, &p.n, p.h.f, &p.nr, &row, p.w.f, &freef);
+          gsfre (p.n, p.m, p.a.c, p.n, p.h.c, p.nr, row, p.w.c, &freec);
+          same_int (freec, freef);
+        }
+      drop (f);
+      drop (g);
+      drop (ud);
+      drop (lam);
+      drop_ports (p);
+    }
+  finish ();
+}
+
+static void
+within_steps (void)
+{
+  begin ("gsevh, gsevp, gspth, gsjmp");
+  for (int i = 0; i < 300; i++)
+    {
+      int n = pick (6), ns = 8 + 4 * pick (2);
+      const double h = chance (), b = pick (4) ? 0.5 * (chance () + 1) : 1;
+      pair x = pair_of (n), xd = pair_of (n), xn = pair_of (n), z = pair_of (n), q = pair_of (12),
+           f = pair_of (13 * n), jump = pair_of (2);
+      gsevh (n, h, b, x.c, xd.c, xn.c, f.c, z.c);
+      gsevh_ (&n, &h, &b, x.f, xd.f, xn.f, f.f, z.f);
+      same (z);
+      gspth (n, ns, n, x.c, h, q.c, f.c, z.c);
+      gspth_ (&n, &ns, &n, x.f, &h, q.f, f.f, z.f);
+      same (z);
+      gsjmp (n / 2, n - n / 2, x.c, xn.c, 1e-3, q.c, jump.c);
+      gsjmp_ (I (n / 2), I (n - n / 2), x.f, xn.f, D (1e-3), q.f, jump.f);
+      same (jump);
+      same_numbers (1, D (gsevp (i, 300)), D (gsevp_ (&i, I (300))));
+      drop (x);
+      drop (xd);
+      drop (xn);
+      drop (z);
+      drop (q);
+      drop (f);
+      drop (jump);
+    }
+  finish ();
+}
+
+int
+main (void)
+{
+  what_happens ();
+  held_ports ();
+  within_steps ();
+  return 0;
+}

@@ -1,0 +1,176 @@
+/* share/c/functions against share/fortran/functions */
+#include "compare.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/sines.h"
+
+#include <float.h>
+
+double gseps_ (void), gsflr_ (const double *);
+int gsfin_ (const int *, const double *);
+void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ ();
+
+static const double odd[] = { 0.0,     -0.0,   0.5,  -0.5,  1.0,      -1.0,       1e5,      -1e5,
+                              1.00001e5, -2e5, 1e22, -1e300, 1e-300, INFINITY, -INFINITY, NAN,
+                              1e300,   DBL_MAX, 1.5707963267948966, 3.14159265358979312 };
+enum { ODD = sizeof odd / sizeof *odd };
+
+static void
+numbers (void)
+{
+  begin ("gseps");
+  same_numbers (1, D (gseps ()), D (gseps_ ()));
+  finish ();
+  holds (gseps () == DBL_EPSILON, "gseps is DBL_EPSILON");
+
+  begin ("gsflr");
+  for (int i = 0; i < 1000; i++)
+    {
+      double x = i < ODD ? odd[i] : i < 500 ? 1e3 * chance () : floor (50 * chance ());
+      same_numbers (1, D (gsflr (x)), D (gsflr_ (&x)));
+    }
+  finish ();
+
+  begin ("gsfin");
+  for (int n = 0; n < 5; n++)
+    for (int i = 0; i < ODD; i++)
+      for (int k = 0; k < n; k++)
+        {
+          pair x = pair_of (n);
+          x.c[k] = odd[i];
+          x.c[n - 1] = pick (3) ? 0.0 : NAN;
+          x.c[n] = x.f[n] = NAN; /* behind the end */
+          same_int (gsfin (n, x.c), gsfin_ (&n, x.c));
+          drop (x);
+        }
+  same_int (gsfin (0, odd), 0);
+  finish ();
+}
+
+static void
+gauss (void)
+{
+  double c[12], wt[12];
+  begin ("gsgln");
+  for (int ns = 8; ns <= 12; ns += 4)
+    {
+      pair x = pair_of (12), w = pair_of (12);
+      gsgln (ns, x.c, w.c);
+      gsgln_ (&ns, x.f, w.f);
+      same (x);
+      same (w);
+      drop (x);
+      drop (w);
+    }
+  finish ();
+
+  begin ("gslgp");
+  for (int n = 2; n <= 13; n++)
+    for (int k = 0; k < 20; k++)
+      {
+        double x = k < 2 ? 1.0 - 2 * k : 1.5 * chance ();
+        pair p = pair_of (n);
+        gslgp (n, x, p.c);
+        gslgp_ (&n, &x, p.f);
+        same (p);
+        drop (p);
+      }
+  finish ();
+
+  begin ("gsglq");
+  for (int ns = 8; ns <= 12; ns += 4)
+    for (int k = 0; k < 50; k++)
+      {
+        double ca = k ? chance () : -1.0, cb = k ? 1.2 * chance () : 1.0;
+        pair b = pair_of (ns);
+        gsgln (ns, c, wt);
+        gsglq (ns, c, wt, ca, cb, b.c);
+        gsglq_ (&ns, c, wt, &ca, &cb, b.f);
+        same (b);
+        drop (b);
+      }
+  finish ();
+
+  begin ("gslgi");
+  for (int n = 0; n <= 14; n++)
+    for (int k = 0; k < 50; k++)
+      {
+        double ca = chance (), cb = chance ();
+        pair z = pair_of (n), b = pair_of (n);
+        if (k % 2) /* places as far from cb on both sides */
+          {
+            cb = n / 2;
+            for (int i = 0; i < n; i++)
+              z.c[i] = i;
+          }
+        gslgi (n, z.c, ca, cb, b.c);
+        gslgi_ (&n, z.c, &ca, &cb, b.f);
+        same (b);
+        drop (z);
+        drop (b);
+      }
+  finish ();
+}
+
+/* an angle by chance: of all sizes, next to multiples of pi/2, an odd number */
+static double
+angle (int i)
+{
+  static const double size[] = { 0.7, 4.0, 1e2, 1e4, 1e5, 1.1e5, 1e9, 1e22 };
+  double x = size[i % 8] * chance ();
+  if (i < ODD)
+    return odd[i];
+  return i % 3 ? x : nearbyint (x / 1.5707963267948966) * 1.5707963267948966;
+}
+
+typedef void pair_function (double x, double *s, double *c);
+
+static void
+one_angle (const char *what, pair_function *c, void (*fortran) ())
+{
+  begin (what);
+  for (int i = 0; i < 20000; i++)
+    {
+      double x = angle (i);
+      pair y = pair_of (2);
+      c (x, y.c, y.c + 1);
+      fortran (&x, y.f, y.f + 1);
+      same (y);
+      drop (y);
+    }
+  finish ();
+}
+
+static void
+blocks (void)
+{
+  begin ("gsscv");
+  for (int k = 0; k < 200; k++)
+    {
+      int n = pick (7);
+      pair x = pair_of (8 * n), s = pair_of (8 * n), c = pair_of (8 * n);
+      for (int i = 0; i < 8 * n; i++)
+        x.c[i] = k % 4 ? 6e4 / (1 + k) * chance () : angle (ODD + pick (5000));
+      if (n > 0 && k % 10 == 0)
+        x.c[pick (8 * n)] = odd[pick (ODD)];
+      gsscv (n, x.c, s.c, c.c);
+      gsscv_ (&n, x.c, s.f, c.f);
+      same (s);
+      same (c);
+      drop (x);
+      drop (s);
+      drop (c);
+    }
+  finish ();
+}
+
+int
+main (void)
+{
+  numbers ();
+  gauss ();
+  one_angle ("gssc", gssc, gssc_);
+  one_angle ("gs_sines, in line", gs_sines, gssc_);
+  one_angle ("gsscl", gsscl, gsscl_);
+  blocks ();
+  return 0;
+}

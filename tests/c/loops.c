@@ -1,0 +1,547 @@
+/* share/c/loops against share/fortran/loops, on small scenes that both call */
+#include "compare.h"
+#include "gsmbp/loops.h"
+
+void gschk_ (), gsprt_ (), gspst_ (), gspfa_ (), gspls_ (), gspnw_ (), gspcn_ (), gsprc_ (),
+  gspwt_ (), gsvol_ (), gslpv_ (), gspas_ (), gspch_ ();
+
+enum { MOST = 5 };
+
+/* cst: a length; con fails from cst[1] on, loses rank from cst[2] on; prj fails from cst[3] on */
+typedef void phi_function (double t, const double *q, const double *cst, double *phi,
+                           double *phit, double *dq);
+
+/* ------------------------------------------------------------
+ * scenes: phi, its rate and its derivatives dq (nlam,nq) */
+
+/* a point on a circle */
+static void
+circle (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+{
+  (void)t;
+  phi[0] = q[0] * q[0] + q[1] * q[1] - cst[0] * cst[0];
+  phit[0] = 0.0;
+  dq[0] = 2 * q[0];
+  dq[1] = 2 * q[1];
+}
+
+/* four bars, of which the long ones are 2 and cst[0]: a parallelogram or nearly one */
+static void
+four_bar (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+{
+  const double length[] = { 1.0, cst[0], -1.0 };
+  (void)t;
+  phi[0] = -2.0;
+  phi[1] = 0.0;
+  phit[0] = phit[1] = 0.0;
+  for (int i = 0; i < 3; i++)
+    {
+      phi[0] += length[i] * cos (q[i]);
+      phi[1] += length[i] * sin (q[i]);
+      dq[2 * i] = -length[i] * sin (q[i]);
+      dq[1 + 2 * i] = length[i] * cos (q[i]);
+    }
+}
+
+/* a blade x, y, angle, slide on moving ground: one constraint twice, its row 2 on speeds alone */
+static void
+blade (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+{
+  memset (dq, 0, 12 * sizeof *dq);
+  phi[0] = q[1] - cst[0] * sin (q[3]) - 0.1 * t;
+  phi[1] = 0.0;
+  phi[2] = 3.0 * phi[0];
+  phit[0] = -0.1;
+  phit[1] = 0.0;
+  phit[2] = -0.3;
+  dq[0 + 3] = 1.0;
+  dq[0 + 9] = -cst[0] * cos (q[3]);
+  dq[1 + 0] = sin (q[2]);
+  dq[1 + 3] = -cos (q[2]);
+  dq[2 + 3] = 3.0;
+  dq[2 + 9] = -3.0 * cst[0] * cos (q[3]);
+}
+
+/* Euler parameters and a slide: one direction cosine follows the slide */
+static void
+body (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+{
+  (void)t;
+  phi[0] = 2 * (q[1] * q[3] + q[0] * q[2]) - cst[0] * sin (q[4]);
+  phit[0] = 0.0;
+  dq[0] = 2 * q[2];
+  dq[1] = 2 * q[3];
+  dq[2] = 2 * q[0];
+  dq[3] = 2 * q[1];
+  dq[4] = -cst[0] * cos (q[4]);
+}
+
+static const gs_scene *scene;   /* what the routines below belong to */
+static phi_function *phi_of;
+
+/* qdot = u, or Euler parameters by angular speeds in the body */
+static void
+kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+{
+  int turning = scene->nq - scene->nu;
+  (void)t;
+  (void)cst;
+  if (turning)
+    {
+      qdot[0] = 0.5 * (-q[1] * u[0] - q[2] * u[1] - q[3] * u[2]);
+      qdot[1] = 0.5 * (q[0] * u[0] - q[3] * u[1] + q[2] * u[2]);
+      qdot[2] = 0.5 * (q[3] * u[0] + q[0] * u[1] - q[1] * u[2]);
+      qdot[3] = 0.5 * (-q[2] * u[0] + q[1] * u[1] + q[0] * u[2]);
+    }
+  for (int i = turning ? 4 : 0; i < scene->nq; i++)
+    qdot[i] = u[i - turning];
+}
+
+static int
+con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
+     double *hc, int ldh, double *gam)
+{
+  double dq[MOST * MOST], unit[MOST] = { 0 }, qdot[MOST];
+  if (t >= cst[1])
+    return 1;
+  phi_of (t, q, cst, phi, phit, dq);
+  for (int j = 0; j < scene->nu; j++)
+    {
+      unit[j] = 1.0;
+      kin (t, q, unit, cst, qdot);
+      unit[j] = 0.0;
+      for (int i = 0; i < scene->nlam; i++)
+        {
+          hc[i + ldh * j] = 0.0;
+          for (int k = 0; k < scene->nq; k++)
+            hc[i + ldh * j] += dq[i + scene->nlam * k] * qdot[k];
+        }
+    }
+  for (int i = 0; i < scene->nlam; i++)
+    gam[i] = u[i % scene->nu];
+  return t >= cst[2] ? 2 : 0;
+}
+
+/* onto one constraint after the other */
+static int
+prj (double t, double *x, const double *cst, double *res)
+{
+  int nq = scene->nq, nu = scene->nu, nlam = scene->nlam;
+  double phi[MOST], phit[MOST], hc[MOST * MOST], gam[MOST], du[MOST], qdot[MOST], s = 0.0;
+  double most = 0.0;
+  if (t >= cst[3])
+    return 5;
+  for (int k = 0; k < 60 * nlam; k++)
+    {
+      int i = k % nlam;
+      double h2 = 0.0, gap;
+      if (con (t, x, x + nq, cst, phi, phit, hc, nlam, gam) == 1)
+        return 1;
+      if (k < nlam)
+        most = fabs (phi[i]) > most ? fabs (phi[i]) : most;
+      gap = -phit[i];
+      for (int j = 0; j < nu; j++)
+        {
+          h2 += hc[i + nlam * j] * hc[i + nlam * j];
+          gap -= hc[i + nlam * j] * x[nq + j];
+        }
+      if (h2 == 0.0)
+        continue;
+      for (int j = 0; j < nu; j++)
+        {
+          du[j] = -phi[i] * hc[i + nlam * j] / h2;
+          x[nq + j] += gap * hc[i + nlam * j] / h2;
+        }
+      kin (t, x, du, cst, qdot);
+      for (int j = 0; j < nq; j++)
+        x[j] += qdot[j];
+    }
+  if (nq > nu)
+    {
+      for (int i = 0; i < 4; i++)
+        s += x[i] * x[i];
+      for (int i = 0; i < 4; i++)
+        x[i] /= sqrt (s);
+    }
+  *res = most;
+  return 0;
+}
+
+/* the same as Fortran calls them */
+static void
+con_ (const double *t, const double *q, const double *u, const double *cst, double *phi,
+      double *phit, double *hc, const int *ldh, double *gam, int *info)
+{
+  *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
+}
+
+static void
+kin_ (const double *t, const double *q, const double *u, const double *cst, double *qdot)
+{
+  kin (*t, q, u, cst, qdot);
+}
+
+static void
+prj_ (const double *t, double *x, const double *cst, double *res, int *info)
+{
+  *info = prj (*t, x, cst, res);
+}
+
+static const struct
+{
+  const char *what;
+  phi_function *phi;
+  int nq, nu, nlam, alone;
+  double length, x[2 * MOST];
+} list[] = {
+  { "circle", circle, 2, 2, 1, 0, 1.3, { 1.3, 0.0, 0.0, 1.0 } },
+  { "parallelogram", four_bar, 3, 3, 2, 0, 2.0, { -0.8, 0.0, -0.8, 1.0, 0.0, 1.0 } },
+  { "four bars", four_bar, 3, 3, 2, 0, 2.01, { -0.8, 0.05, -0.8, 1.0, 0.0, 1.0 } },
+  { "blade", blade, 4, 4, 3, 1, 0.7, { 0.1, 0.0, 0.4, 0.0, 0.3, 0.2, 0.8, 0.1 } },
+  { "body", body, 5, 4, 1, 0, 0.9, { 0.8, 0.3, 0.4, 0.33, 0.1, 0.7, 0.9, -0.4, 1.1 } },
+  { "free body", body, 4, 3, 0, 0, 0.9, { 0.8, 0.3, 0.4, 0.3, 0.7, 0.9, -0.4 } },
+  { "free point", circle, 2, 2, 0, 0, 1.3, { 0.3, 0.2, 0.4, 1.0 } },
+};
+enum { SCENES = sizeof list / sizeof *list };
+
+typedef struct
+{
+  gs_scene s;
+  int iopt[8];
+  double t, cst[4], jump[3];
+  pair x, p, rstat;
+  int ic[20], jf[20];
+} test;
+
+static void
+open_scene (test *r, int k, int way)
+{
+  memset (r, 0, sizeof *r);
+  r->s.name = list[k].what;
+  r->s.nq = list[k].nq;
+  r->s.nu = list[k].nu;
+  r->s.nx = r->s.nq + r->s.nu;
+  r->s.nlam = list[k].nlam;
+  r->s.con = con;
+  r->s.kin = kin;
+  r->s.prj = prj;
+  int iopt[8] = { 8, way, 1, 0, 1, list[k].alone, 2 };
+  memcpy (r->iopt, iopt, sizeof iopt);
+  r->cst[0] = list[k].length;
+  r->cst[1] = r->cst[2] = r->cst[3] = 1e9;
+  int nq = r->s.nq, nu = r->s.nu, nlam = r->s.nlam;
+  r->x = pair_of (r->s.nx);
+  r->p = pair_of (24 + 8 * nu + 10 * nq + 7 * nlam + 2 * nlam * nu);
+  r->rstat = pair_of (20);
+  memcpy (r->x.c, list[k].x, sizeof (double) * r->s.nx);
+  both (r->x);
+  for (int i = 0; i < 20; i++)
+    r->rstat.c[i] = i == 13 ? 1e300 : 0.0;
+  both (r->rstat);
+  scene = &r->s;
+  phi_of = list[k].phi;
+  gspst (nq, nu, nlam, r->iopt, r->p.c);
+  gspst_ (&nq, &nu, &nlam, r->iopt, r->p.f);
+  same (r->p);
+}
+
+static void
+close_scene (test *r)
+{
+  drop (r->x);
+  drop (r->p);
+  drop (r->rstat);
+}
+
+/* states, partition, statistics */
+static void
+same_test (test *r)
+{
+  same (r->x);
+  same (r->p);
+  same (r->rstat);
+  for (int i = 0; i < 20; i++)
+    same_int (r->ic[i], r->jf[i]);
+}
+
+/* on by h, with an error of the coordinates */
+static void
+advance (test *r, double h, double error)
+{
+  double qdot[MOST];
+  kin (r->t, r->x.c, r->x.c + r->s.nq, r->cst, qdot);
+  for (int i = 0; i < r->s.nq; i++)
+    r->x.c[i] += h * qdot[i] + error * chance ();
+  both (r->x);
+  r->t += h;
+}
+
+/* the state as C has it; what the sides did is compared before */
+static void
+level (test *r)
+{
+  both (r->x);
+  both (r->p);
+}
+
+/* ------------------------------------------------------------ */
+
+static int seen[6];
+
+static void
+check_step (test *r)
+{
+  gs_scene *s = &r->s;
+  int info;
+  int made = gschk (s, r->t, r->x.c, r->iopt, r->jump, r->cst, r->p.c, r->ic, r->rstat.c);
+  gschk_ (prj_, con_, kin_, &r->t, r->x.f, &s->nq, &s->nu, &s->nx, &s->nlam, r->iopt, r->jump,
+          r->cst, r->p.f, r->jf, r->rstat.f, &info);
+  same_int (made, info);
+  same_test (r);
+  seen[made]++;
+}
+
+/* runs of every scene in every way, with steps of several sizes, jumps and failures */
+static void
+checks (void)
+{
+  int passed = 0, changed = 0, close = 0;
+  begin ("gspst, gschk");
+  for (int k = 0; k < SCENES; k++)
+    for (int way = 1; way <= 6; way++)
+      for (int v = 0; v < 6; v++)
+        {
+          static const double size[] = { 0.02, 0.016, 0.3, 0.05, 0.05, 0.05 };
+          test r;
+          open_scene (&r, k, way);
+          r.iopt[0] = v == 1 ? 4 : 8;
+          r.iopt[2] = v != 3;
+          r.iopt[4] = v != 3 && v != 4;
+          r.cst[1] = v == 3 ? 0.8 : 1e9;
+          r.cst[2] = v == 1 ? 0.5 : 1e9;
+          r.cst[3] = v == 4 ? 0.6 : 1e9;
+          r.jump[0] = r.jump[1] = v == 5 ? 0.05 : 0.0;
+          r.jump[2] = v == 5 ? 1e-2 : 0.0;
+          for (int i = 0; i < 60; i++)
+            {
+              check_step (&r);
+              level (&r);
+              advance (&r, size[v], v == 5 && i % 7 == 0 ? 0.1 : 1e-3);
+              if (i == 40 && v == 2) /* far from the constraints */
+                advance (&r, 0.0, 3.0);
+            }
+          passed += r.ic[10];
+          changed += r.ic[9];
+          close += r.ic[19];
+          close_scene (&r);
+        }
+  finish ();
+  holds (seen[0] && seen[1] && seen[3] && seen[4] && seen[5], "... with info 0, 1, 3, 4, 5");
+  holds (passed > 3 && close > 3, "... close to and past singular positions");
+  holds (changed > 3, "... with new choices");
+}
+
+/* gspnw or gspcn, then gsprt from beside the constraints */
+static void
+partitions (void)
+{
+  int found = 0, lost = 0;
+  begin ("gspnw, gspcn, gsprt");
+  for (int k = 0; k < 300; k++)
+    {
+      test r;
+      int info, made, within = k % 2;
+      open_scene (&r, k % (SCENES - 2), k % 3 ? 3 : 6);
+      gs_scene *s = &r.s;
+      advance (&r, 0.5 * chance (), pow (10.0, -pick (6)));
+      r.cst[k % 7 == 0 ? 1 : 2] = k % 5 ? 1e9 : -1e9;
+      if (within)
+        {
+          made = gspcn (s, r.t, r.x.c, r.cst, r.p.c, r.ic);
+          gspcn_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, r.jf, &info);
+        }
+      else
+        {
+          made = gspnw (s, r.t, r.x.c, r.cst, r.p.c);
+          gspnw_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &info);
+        }
+      same_int (made, info);
+      same_test (&r);
+      advance (&r, 0.1, k % 6 ? 0.01 : 2.0);
+      r.cst[1] = k % 11 ? 1e9 : r.t;
+      made = gsprt (s, r.t, r.x.c, r.cst, r.p.c);
+      gsprt_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &info);
+      same_int (made, info);
+      same_test (&r);
+      found += made == 0;
+      lost += made == 3;
+      close_scene (&r);
+    }
+  finish ();
+  holds (found > 50 && lost > 2, "... positions found and not found");
+}
+
+/* the parts, each by itself, at states along a motion */
+static void
+choices (void)
+{
+  begin ("gsprc, gspwt");
+  for (int k = 0; k < 200; k++)
+    {
+      test r;
+      open_scene (&r, k % (SCENES - 2), k % 3 ? 3 : 6);
+      gs_scene *s = &r.s;
+      gspnw (s, 0.0, r.x.c, r.cst, r.p.c);
+      both (r.p);
+      for (int i = 0; i < 6; i++)
+        {
+          advance (&r, 0.3, 0.1);
+          gs_partition c = gs_partition_of (s->nq, s->nu, s->nlam, r.p.c);
+          gs_partition f = gs_partition_of (s->nq, s->nu, s->nlam, r.p.f);
+          con (r.t, r.x.c, r.x.c + s->nq, r.cst, c.phi, c.phit, c.hc, s->nlam, c.gam);
+          both (r.p);
+          int rank, change, found, other;
+          pair least = pair_of (1);
+          gsprc (s, r.t, r.x.c, r.cst, r.p.c, &rank, least.c, &change);
+          gsprc_ (kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &found, least.f,
+                  &other);
+          same_int (rank, found);
+          same_int (change, other);
+          same (least);
+          same (r.p);
+          gspwt (s, r.t, r.x.c, r.cst, r.p.c, c.order, c.du);
+          gspwt_ (kin_, &r.t, r.x.f, &s->nq, &s->nu, r.cst, r.p.f, f.order, f.du);
+          same (r.p);
+          drop (least);
+        }
+      close_scene (&r);
+    }
+  finish ();
+}
+
+static void
+passages (void)
+{
+  int found = 0;
+  begin ("gspas, gspch");
+  for (int k = 0; k < 60; k++)
+    {
+      test r;
+      open_scene (&r, k % 5, 3);
+      gs_scene *s = &r.s;
+      double h = 0.02 + 0.4 * fabs (chance ());
+      for (int i = 0; i < 30; i++)
+        {
+          pair out = pair_of (2), turn = pair_of (1), hc = pair_of (s->nlam * s->nu);
+          r.iopt[4] = 0;
+          check_step (&r);
+          level (&r);
+          r.cst[1] = pick (9) ? 1e9 : r.t; /* con fails now and then */
+          gspas (s, r.t, r.x.c, r.cst, r.p.c, out.c, out.c + 1);
+          gspas_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, out.f,
+                  out.f + 1);
+          r.cst[1] = 1e9;
+          same (out);
+          same (r.p);
+          found += out.c[1] >= 0.0;
+          for (int job = 1; job >= 0; job--)
+            {
+              gspch (s->nq, s->nu, s->nlam, r.p.c, hc.c, job, turn.c);
+              gspch_ (&s->nq, &s->nu, &s->nlam, r.p.f, hc.f, &job, turn.f);
+              same (turn);
+              same (hc);
+            }
+          advance (&r, h, 1e-5);
+          drop (out);
+          drop (turn);
+          drop (hc);
+        }
+      close_scene (&r);
+    }
+  finish ();
+  holds (found > 20, "... with minima found");
+}
+
+static void
+algebra (void)
+{
+  begin ("gslpv");
+  for (int k = 0; k < 200; k++)
+    {
+      int nu = 1 + pick (6), nlam = 1 + pick (6), rank, found, most = nu < nlam ? nu : nlam;
+      pair hc = pair_of (nlam * nu), size = pair_of (nlam), y = pair_of (nlam * nu);
+      pair piv = pair_of (nu), beta = pair_of (most), d = pair_of (most), least = pair_of (1);
+      for (int i = 0; i < nlam * nu; i++)
+        hc.c[i] = k == 0 ? 0.0 : k % 3 == 0 && i % nlam == 0 ? 0.0 : hc.c[i];
+      for (int i = 0; i < nlam; i++)
+        size.c[i] = k % 2 ? 0.0 : fabs (size.c[i]);
+      both (size);
+      gslpv (nu, nlam, hc.c, size.c, y.c, piv.c, beta.c, d.c, &rank, least.c);
+      gslpv_ (&nu, &nlam, hc.c, size.f, y.f, piv.f, beta.f, d.f, &found, least.f);
+      same_int (rank, found);
+      pair all[] = { size, y, piv, beta, d, least, hc };
+      for (int i = 0; i < 6; i++)
+        same (all[i]);
+      for (int i = 0; i < 7; i++)
+        drop (all[i]);
+    }
+  finish ();
+
+  begin ("gsvol");
+  for (int k = 0; k < 200; k++)
+    {
+      int r = pick (5), m = r + pick (3);
+      pair y = pair_of (m * r), siz = pair_of (r), ratio = pair_of (1);
+      if (k % 5 == 0 && r > 0)
+        for (int i = 0; i < m; i++)
+          y.c[i] = 0.0;
+      both (y);
+      gsvol (m, r, y.c, siz.c, ratio.c);
+      gsvol_ (&m, &r, y.f, siz.f, ratio.f);
+      same (ratio);
+      drop (y);
+      drop (siz);
+      drop (ratio);
+    }
+  finish ();
+}
+
+static void
+least_squares (void)
+{
+  begin ("gspfa, gspls");
+  for (int k = 0; k < 200; k++)
+    {
+      int nu = 1 + pick (6), m = 1 + pick (6), r = pick ((nu < m ? nu : m) + 1), rank, found;
+      pair hc = pair_of (m * nu), order = pair_of (nu), rows = pair_of (m), y = pair_of (m * nu);
+      pair piv = pair_of (nu), beta = pair_of (nu), siz = pair_of (nu), b = pair_of (m);
+      pair du = pair_of (nu);
+      for (int i = 0; i < nu; i++)
+        order.c[i] = 1 + (i + k) % nu;
+      for (int i = 0; i < m && k % 4 == 0 && nu > 1; i++)
+        hc.c[i] = hc.c[i + m];
+      gspfa (m, r, hc.c, order.c, rows.c, y.c, piv.c, beta.c, siz.c, &rank);
+      gspfa_ (&m, &r, hc.c, order.c, rows.c, y.f, piv.f, beta.f, siz.f, &found);
+      same_int (rank, found);
+      same (y);
+      gspls (m, r, rank, y.c, piv.c, beta.c, b.c, nu, order.c, du.c);
+      gspls_ (&m, &r, &rank, y.f, piv.f, beta.f, b.f, &nu, order.c, du.f);
+      same (du);
+      pair all[] = { hc, order, rows, y, piv, beta, siz, b, du };
+      for (int i = 0; i < 9; i++)
+        drop (all[i]);
+    }
+  finish ();
+}
+
+int
+main (void)
+{
+  checks ();
+  partitions ();
+  choices ();
+  passages ();
+  algebra ();
+  least_squares ();
+  return 0;
+}

@@ -1,0 +1,95 @@
+# The run time in C (share/c): compiles without a warning, writes no data of its own, calls nothing
+# but the mathematical library, and gives bit for bit, or to 1e-14 of the largest entry, what
+# share/fortran gives: the drivers of tests/c call both. Every public routine is in a driver.
+. tests/tools/check.sh
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+mkdir "$work/c" "$work/fortran" "$work/clang"
+
+c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"
+strict="-Wall -Wextra -pedantic -Werror"
+
+# -- it compiles
+(cd "$work/fortran" &&
+  gfortran -O2 -ffp-contract=off -frecursive -c "$root"/share/fortran/*/*.f \
+    "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
+told $? 'share/fortran compiles' "$report"
+(cd "$work/c" && gcc $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
+told $? 'gcc compiles share/c without a warning' "$report"
+if command -v clang >/dev/null; then
+  (cd "$work/clang" &&
+    clang $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
+  told $? 'clang compiles share/c without a warning' "$report"
+fi
+for header in share/c/gsmbp/*.h; do
+  [ "$header" = share/c/gsmbp/arith.h ] && continue
+  g++ -x c++ $strict -Wno-pragmas -Ishare/c -fsyntax-only -include "$header" - </dev/null
+done >"$report" 2>&1
+result 'the headers compile as C++'
+
+# -- one file in C for each in Fortran, no more (arith.h and the like are headers)
+for file in share/c/*/*.c share/c/*/*/*.c; do
+  fortran=share/fortran${file#share/c}
+  [ -f "${fortran%.c}.f" ] || echo "$file has no Fortran"
+done >"$report"
+result 'every file of share/c has its Fortran'
+
+# -- what is in the objects
+nm "$work"/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
+result 'share/c writes no data of its own'
+nm -D --defined-only "$(gcc -print-file-name=libm.so.6)" | awk '{ sub(/@.*/, "", $3); print $3 }' \
+  >"$work/library"
+printf '%s\n' memcpy memmove memset __stack_chk_fail _GLOBAL_OFFSET_TABLE_ >>"$work/library"
+nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >>"$work/library"
+nm "$work"/c/*.o | awk '$1 == "U" { print $2 }' | sort -u | grep -vxFf "$work/library" >"$report"
+result 'share/c calls nothing but itself and libm'
+
+# -- the drivers
+for driver in tests/c/*.c; do
+  name=$(basename "$driver" .c)
+  gcc $c $strict -o "$work/$name" "$driver" "$work"/c/*.o "$work"/fortran/*.o -lgfortran -lm \
+    >"$report" 2>&1 || told 1 "$driver compiles" "$report"
+  "$work/$name" || echo "not ok $driver ended with an error"
+done
+# -- emitted scenes: the Fortran and the C call the same emitted subroutines
+mkdir "$work/emitted"
+scenes='four_bar slider_crank event_crank event_pendulum event_ball event_slide event_blocks
+  sampled_crank passage_events parallelograms3'
+for scene in $scenes; do
+  file=tests/scenes/$scene.mac out=$GSMBP_TEST_DIR/fortran_out
+  [ -f "$file" ] || { file=examples/$scene/$scene.mac; out=$work/emitted; }
+  [ -s "$out/$scene.f" ] || share/make/derive "$file" "$out" 2>/dev/null
+  {
+    echo "#define SCENE $scene"
+    sed -n 's/^ *"\(n[a-z]*\)": \([0-9]*\),*$/#define SIZE_\1 \2/p' "$out/$scene.json"
+    sed -n 's/^ *SUBROUTINE [A-Z0-9_]*_\([A-Z0-9]*\)(.*/\1/p' "$out/$scene.f" | tr A-Z a-z |
+      sed 's/.*/#define HAS_&/'
+    echo '#include "emitted_scene.h"'
+  } >"$work/emitted/$scene.c"
+  (cd "$work/emitted" &&
+    gfortran -O2 -ffp-contract=off -frecursive -c "$out/$scene.f" -o "$scene.f.o" &&
+    gcc $c $strict -I"$root/tests/c/emitted" -c "$scene.c") >"$report" 2>&1 ||
+    told 1 "the shims of $scene compile" "$report"
+done
+gcc $c $strict -o "$work/runs" tests/c/emitted/runs.c "$work"/emitted/*.o "$work"/c/*.o \
+  "$work"/fortran/*.o -lgfortran -lm >"$report" 2>&1 && "$work/runs"
+told $? 'runs of emitted scenes' "$report"
+
+# -- every function of share/c, static ones too, is run by a driver
+mkdir "$work/cover"
+(cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
+  >"$report" 2>&1
+for driver in tests/c/*.c tests/c/emitted/runs.c; do
+  more=
+  [ "$driver" = tests/c/emitted/runs.c ] && more=$(ls "$work"/emitted/*.o)
+  gcc $c --coverage -o "$work/covered" "$driver" $more "$work"/cover/*.o "$work"/fortran/*.o \
+    -lgfortran -lm && (cd "$work" && ./covered) >"$work/said" 2>&1
+done
+(cd "$work/cover" && gcov -f *.gcda) 2>"$work/said" |
+  awk '/^Function/ { name = $2 }
+    /^Lines executed:0.00%/ && name { print name }
+    /^File/ { name = "" }' \
+  >"$report"
+result 'every function of share/c is run by a driver'
