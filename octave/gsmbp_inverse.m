@@ -23,7 +23,7 @@
 ## the states along the motion, those of devices included: from the inverse
 ## models, internal ones integrated by their own rates from the option "internal"; without an
 ## inverse model, from the condition that the right-hand side yields the
-## planned accelerations
+## planned accelerations (NaN where no states of the devices do)
 ## @item margins
 ## times x number of margins, above 0 where the command can be given
 ## @item violations
@@ -31,12 +31,14 @@
 ## of its first violation, @code{least} value
 ## @end table
 ## Options: "side": which limit to take at a break of the motion, 1 from the
-## right (default), -1 from the left; "input": @var{nv} external inputs for
-## the inverse model (default zeros); "guess": the @var{nu} coordinates where
+## right (default), -1 from the left; "input": @var{nv} inputs from outside,
+## which tau counts (default zeros; v and the states of devices are NaN then, a
+## warning says so); "guess": the @var{nu} coordinates where
 ## Newton's method for the loops begins (default @code{m.initial}); "internal":
 ## states of the devices at the first time (default @code{m.initial}).
 ##
-## If a loop cannot follow the motion it is an error that names the time.
+## The motion is of all coordinates of an open chain, of the actuated ones of a
+## closed one.  If a loop cannot follow it, it is an error that names the time.
 ##
 ## @c session octave
 ## @example
@@ -112,6 +114,12 @@ function r = gsmbp_inverse (m, motion, times, varargin)
       endif
     endif
   endfor
+  if (any (o.input != 0) && has ("cmd"))
+    r.x(:,d.nq+d.nu+1:end) = r.v(:) = NaN;
+    warning ("gsmbp:inverse", ...
+             ["%s: v and the states of devices in x are not determined (NaN): the command " ...
+              "takes no inputs from outside (option \"input\"); tau counts them"], who);
+  endif
   r.violations = violations (m.margins, r.t, r.margins);
   r.q = reshape (qj(:,1,:), d.nu, nt)';
   r.u = reshape (qj(:,2,:), d.nu, nt)';
@@ -234,6 +242,10 @@ function x = states (m, t, qj, v, last)
       break;
     endif
   endfor
+  if (! (norm (qj(:,3) - m.rhs (t, x, v)(speeds), Inf) <= 1e-6 * max (1, norm (qj(:,3), Inf))))
+    x(rest) = NaN;   # no states of these devices give such accelerations
+    return;
+  endif
   size_of = max (abs (J), [], 1);
   size_of(size_of == 0) = 1;
   free = null (J ./ size_of, 1e-9);

@@ -53,7 +53,7 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   who = "gsmbp_linear";
   gsmbp__model (who, m);
   if (! any (strcmp (m.subroutines, "jac")))
-    error ("gsmbp_linear: %s was emitted without the subroutine JAC", m.name);
+    gsmbp__no_jacobian (who, m);
   endif
   if (nargin < 4 || isempty (v))
     v = zeros (m.sizes.nv, 1);

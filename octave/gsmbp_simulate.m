@@ -255,6 +255,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m);
   [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
   ip = gsmbp__event_plan (who, m, o, ip);
+  gsmbp__check_stops (who, m, t0, x0);
   [x0, atol] = audit_states (who, m, o, x0, atol);
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));

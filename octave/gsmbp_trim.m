@@ -12,8 +12,8 @@
 ## (@var{nv}, zeros by default) of the model @var{m} all coordinates and states
 ## of devices are adjusted by Newton's method with the exact Jacobians; speeds
 ## are zero.  States named in "hold" keep their value, inputs named in "free"
-## are adjusted as well.  What a sampled device holds, and the modes of events,
-## are inputs here.
+## are adjusted as well.  What a sampled device holds is an input here.
+## A scene with events has no Jacobian and is refused.
 ##
 ## States count by their usual sizes (@code{m.nominal}), and the iteration goes
 ## on as long as the equations gain digits.  An equilibrium is one where every
@@ -195,6 +195,11 @@ endfunction
 %! assert (r.x(1), 0.3);
 %! assert (max (abs (m.rhs (0, r.x, r.v))) < 1e-9);
 %! assert (isempty (r.indifferent));
+%!test <nothing is free, and one input that is free>
+%! m = gsmbp_hand ("motor_pendulum");
+%! hold = {"hold", m.states([1, 3])};
+%! fail ("gsmbp_trim (m, [0.3; 0; 0], 0, hold{:})", "no equilibrium found near the guess");
+%! fail ("gsmbp_trim (m, [0.3; 0; 0], 0, hold{:}, \"free\", m.inputs{1})", "no equilibrium");
 %!error <expected the name of a state, found "nobody"; known: >
 %! gsmbp_trim (gsmbp_hand ("motor_pendulum"), [0;0;0], 0, "hold", "nobody")
 %!test <what does not vanish, and what could help>

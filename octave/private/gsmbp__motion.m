@@ -7,11 +7,11 @@ function [pp, planned] = gsmbp__motion (who, m, motion)
   n = prod (pp.dim);
   if (n == m.sizes.nu && (m.sizes.nlam == 0 || n == numel (m.actuated)))
     planned = (1:n)';
-  elseif (n == numel (m.actuated))
+  elseif (n == numel (m.actuated) && m.sizes.nlam > 0)
     planned = m.actuated;
   else
     wanted = m.actuated;
-    if (isempty (wanted) && m.sizes.nlam == 0)
+    if (m.sizes.nlam == 0)   # what no device drives moves as well: it must be planned
       wanted = 1:m.sizes.nu;
     endif
     error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, ...

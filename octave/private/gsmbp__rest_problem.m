@@ -5,7 +5,7 @@ function p = gsmbp__rest_problem (m, x, v, o)
   p = struct ("who", "gsmbp_trim", "m", m, "t", o.time, "tolerance", o.tolerance);
   d = m.sizes;
   if (! any (strcmp (m.subroutines, "jac")))
-    error ("%s: %s was emitted without the subroutine JAC", p.who, m.name);
+    gsmbp__no_jacobian (p.who, m);
   endif
   x = gsmbp__guess (p.who, m, "x", x, m.initial(d.nq + 1:d.nx));
   x(d.nq + (1:d.nu)) = 0;
@@ -24,8 +24,8 @@ function p = gsmbp__rest_problem (m, x, v, o)
   p.x = x;
   p.v = v;
   p.fixed = [];   # unknowns that stay where they are
-  p.z = [x(p.own); v(p.inputs)];
-  p.size = [m.nominal(p.own); ones(numel (p.inputs), 1)];
+  p.z = [x(p.own)(:); v(p.inputs)(:)];
+  p.size = [m.nominal(p.own)(:); ones(numel (p.inputs), 1)];
   p.usual = [m.nominal(d.nq + 1:d.nx); ones(d.nlam + rows (m.orientation), 1)];
   p.size = sizes (p);
 endfunction
@@ -38,7 +38,7 @@ function s = sizes (p)
   if (! all (isfinite (J(:))))
     return;
   endif
-  row = abs (J(:,1:n)) * s(1:n);
+  row = abs (J(:,1:n)) * s(1:n)(:);
   for k = n + (1:numel (p.inputs))
     reach = max (row, p.usual) ./ abs (J(:,k));
     least = min (reach(isfinite (reach) & reach > 0));

@@ -35,7 +35,9 @@ function list = helpers (p, z)
   if (! all (isfinite ([K(:); g; B(:)])))
     return;
   endif
-  g -= K * (pinv (K, 1e-10 * max (norm (K), realmin)) * g);
+  if (! isempty (K))
+    g -= K * (pinv (K, 1e-10 * max (norm (K), realmin)) * g);
+  endif
   for k = setdiff (1:d.nv, p.inputs)
     if (norm (g) > 0 && abs (g' * B(:,k)) > 1e-6 * norm (g) * norm (B(:,k)))
       list{end+1} = p.m.inputs{k};

@@ -3,6 +3,10 @@
 
 function [best, word] = gsmbp__rest_solve (p)
   best = p.z;
+  word = "newton";
+  if (isempty (best))   # all is held: it is an equilibrium, or none
+    return;
+  endif
   for way = {"newton", "levenberg", "transient"; @gsmbp__rest_newton, @levenberg, @transient}
     z = way{2} (p, p.z);
     if (gsmbp__rest_worst (p, z) < gsmbp__rest_worst (p, best))
@@ -45,6 +49,9 @@ endfunction
 ## equilibrium
 function z = transient (p, z)
   [m, d] = deal (p.m, p.m.sizes);
+  if (isempty (p.own))
+    return;   # no state may move
+  endif
   moving = setdiff (1:d.nx, [p.held, d.nq + p.held(p.held <= d.nq & d.nq == d.nu)]);
   size = m.nominal(moving);
   [x, v] = gsmbp__rest_state (p, z);

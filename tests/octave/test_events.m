@@ -111,6 +111,12 @@ function pendulum ()
                r.events.before(on,3) ./ (w0 * 0.7 .^ n) + 1, 1e-9);
   gsmbp_check ("pendulum against a stop: times between impacts", ...
                diff (r.events.t(on)) - arrayfun (swing, w0 * 0.7 .^ (n(1:end-1) + 1)), 1e-9);
+  said = gsmbp_complaint (@() gsmbp_simulate (m, [-1 0 0 0], [0 1]));
+  gsmbp_check ("a start beyond a stop is an error that names it",
+               ! isempty (strfind (said, "the start is beyond an end of the stop S, by some 1")));
+  said = gsmbp_complaint (@() gsmbp_trim (m, [1; 0; 0; 0]));
+  gsmbp_check ("no Jacobian where there are events, and what could help",
+               ! isempty (strfind (said, "event_pendulum has events (")));
   gsmbp_check ("pendulum against a stop: loss (1 - e^2)*I*w^2/2", ...
                r.events.loss(on) ./ (0.5 * I * (w0 * 0.7 .^ n) .^ 2) - 0.51, 1e-9);
 end

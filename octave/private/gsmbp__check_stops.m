@@ -1,0 +1,15 @@
+## gsmbp__check_stops (who, m, t, x)
+## No port with a stop (variant event) of the model M may be beyond its ends at the start X.
+
+function gsmbp__check_stops (who, m, t, x)
+  stops = find (strcmp ({m.events.kind}, "stop"));
+  if (isempty (stops))
+    return;
+  endif
+  inside = m.evt (t, x, zeros (m.sizes.nv, 1), zeros (m.sizes.nmode, 1));
+  k = stops(find (inside(stops) < -1e-6, 1));
+  if (! isempty (k))
+    error ("%s: %s: the start is beyond an end of the stop %s, by some %g (m or rad)", who, ...
+           m.name, m.events(k).name, -inside(k));
+  endif
+endfunction
