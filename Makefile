@@ -6,7 +6,7 @@ MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | \
                     grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
 GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
-                  version.texi
+                  version.texi fields.texi
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when

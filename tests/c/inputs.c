@@ -122,8 +122,8 @@ chains (void)
   finish ();
 }
 
-/* a plan into a dead point, by which the chain cannot go: the C says so; the Fortran halves its
- * step until rounding makes it 0, which it takes for a good one, without end */
+/* a plan into a dead point, by which the chain cannot go: both say so, when the halved step has
+ * become 0 by rounding */
 static int
 dead_point_clo (double t, double *qj, const double *cst, double *res)
 {
@@ -143,14 +143,21 @@ static void
 dead_points (void)
 {
   const gs_scene s = { .nq = 2, .nu = 2, .clo = dead_point_clo };
-  const double brk[2] = { 0, 10 }, coef[2] = { 1, 0 };
+  double brk[2] = { 0, 10 }, coef[2] = { 1, 0 }, far = 1.5;
+  const int one = 1, two = 2;
   int stops = 1;
+  bridged = &s;
   for (double t = 0.5; t < 1; t += 0.01)
     {
-      double qj[6] = { 0, 1 }, w[9] = { 0 };
+      double qj[6] = { 0, 1 }, w[9] = { 0 }, qf[6] = { 0, 1 }, wf[9] = { 0 };
+      int found = 0;
       gsfol (&s, t, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
       int info = gsfol (&s, 1.5, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
-      stops = stops && info > 0;
+      gsfol_ (through.clo, &t, &one, &two, &one, &one, I (1), &one, &two, brk, coef, brk, qf, wf,
+              &found);
+      gsfol_ (through.clo, &far, &one, &two, &one, &one, I (1), &one, &two, brk, coef, brk, qf, wf,
+              &found);
+      stops = stops && info > 0 && found == info && qf[0] == qj[0] && qf[1] == qj[1];
     }
   holds (stops, "gsfol: a chain stops at a dead point");
 }

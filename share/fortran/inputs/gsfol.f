@@ -63,7 +63,7 @@ C
      $            QJ, INFO )
       IF ( INFO.LT.0 ) GO TO 50
       CALL CLO( TN, QJ, CST, RES, INFO )
-      GOOD = INFO.EQ.0
+      GOOD = INFO.EQ.0 .AND. ( ATEND .OR. ABS( DT ).GT.0.0D0 )
       DO 30 I = 1, NU
          MOVE = QJ(I,0) - W(IQ+I) - 0.5D0*DT*( QJ(I,1) + W(IU+I) )
          RATE = MAX( ABS( QJ(I,1) ), ABS( W(IU+I) ) )
