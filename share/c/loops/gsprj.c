@@ -1,6 +1,6 @@
 /* GSPRJ: Newton's method M*dx = H'*lam, H*dx = -phi (gskkt), at most 50 steps, none longer than
- * 0.5 rad or m, until |phi| is below 4 epsilon or falls no more (below 1e-11); above 1e-9 at the end
- * there is no such position. Then one such step for the speeds. */
+ * 0.5 rad or m, until |phi| is below 4 epsilon or falls no more (below 1e-11); above 1e-9 at the
+ * end there is no such position. Then one such step for the speeds. */
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/loops.h"
