@@ -153,8 +153,8 @@ void gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, in
             int *free);
 
 /* the nh ports of a scene that may be held, as mode (nh) has them; kind (nh): 1 friction, 2 a stop;
- * ipl (nh): the places of the modes in v, from 1. vm (nv): v with these modes; hold (nh): what holds
- * the ports, 0 where nothing does; row (nh,nu), pos, sd (nh), prm (4,nh) as hld gives them;
+ * ipl (nh): the places of the modes in v, from 1. vm (nv): v with these modes; hold (nh): what
+ * holds the ports, 0 where nothing does; row (nh,nu), pos, sd (nh), prm (4,nh) as hld gives them;
  * workspace: ud (nu), lam (nlam, at least 1) */
 void gshld (const gs_scene *s, double t, const double *x, const double *v, const int *mode,
             const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,

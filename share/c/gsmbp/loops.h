@@ -128,8 +128,8 @@ int gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb,
 int gsjdf (int nu, int nlam, int nz, const double *lm, const double *h, const double *phi,
            const int *grp, double *z, double *hc, double *ud, double *lam, double *w);
 
-/* rows of coordinates (quasi = 1: they are there already; 0: they become 0) and speeds of a Jacobian
- * a (lda,nz) of the states' rates; z (ldz,nz): derivatives of the accelerations */
+/* rows of coordinates (quasi = 1: they are there already; 0: they become 0) and speeds of a
+ * Jacobian a (lda,nz) of the states' rates; z (ldz,nz): derivatives of the accelerations */
 void gsjrw (int nu, int nq, int nz, int quasi, const double *z, int ldz, double *a, int lda);
 
 /* a (nr,nz) := a + by*z, by (nr,nl): what rows of a Jacobian get through accelerations and
