@@ -99,6 +99,16 @@
   :block #'(lambda (heading) (gs-c-comment heading "  "))
   :given #'(lambda (text) (gs-c-lines text "  ")))
 
+;;; items between commas behind a head, as many on a line as it holds, below each other
+(defun $gs__c_list (head items tail)
+  (let ((lines nil) (line head) (blank (make-string (length head) :initial-element #\Space)))
+    (do ((l (cdr items) (cdr l))) ((null l))
+      (let ((piece (gs-text (car l) (if (cdr l) "," tail))))
+        (cond ((string= line head) (setq line (gs-text line piece)))
+              ((<= (+ (length line) 1 (length piece)) 98) (setq line (gs-text line " " piece)))
+              (t (push line lines) (setq line (gs-text blank piece))))))
+    (gs-list (nreverse (cons line lines)))))
+
 ;;; a comment of its own, filled
 (defun gs-c-comment (text indent)
   (let ((lines (cdr ($gs__filled_to text (gs-text indent "/* ") (gs-text indent "   ") 95))))
