@@ -35,6 +35,15 @@
                             (and (< k end) (find (char text k) "*/")))))
         end)))
 
+;;; the factor "(x*x)" at the left end of a product needs no parentheses
+(defun $gs__c_leading (text)
+  (let ((last (1- (length text))))
+    (if (and (char= (char text 0) #\() (eql (position #\) text) last)
+             (every #'(lambda (c) (or (gs-word-character-p c) (char= c #\*)))
+                    (subseq text 1 last)))
+        (subseq text 1 last)
+        text)))
+
 ;;; items between commas behind a head, as many on a line as it holds, below each other
 (defun $gs__c_list (head items tail)
   (let ((lines nil) (line head) (blank (make-string (length head) :initial-element #\Space)))
