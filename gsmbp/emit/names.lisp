@@ -38,12 +38,6 @@
   (setf (gethash s $gs__delays) delay)
   (setf (gethash s $gs__names) n))
 
-; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
-; or false
-(defvar $gs__late nil)
-; (name . source) of those that wait for the next statement; bound by gs__emission, as all that an
-; interrupt must not leave behind
-(defvar $gs__due nil)
 ;;; the name of a symbol, which from now on counts as used
 (defun gs-name-text (x)
   (setf (gethash x $gs__used) t)
