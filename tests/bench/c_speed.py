@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """c_speed.py [FLAGS]: emitted C beside emitted Fortran, single calls: for every system of
-tests/bench/systems both compiled with the same flags (default -O2), in one process, by turns; prints
-nanoseconds a call and their ratio for each routine, and the median of the ratios. c_speed.py
+tests/bench/systems both compiled with the same flags (default -O2), in one process, by turns;
+prints nanoseconds a call and their ratio for each routine, and the median of the ratios. c_speed.py
 --systems NAME,NAME [FLAGS] takes these only."""
 import json
 import os
@@ -154,7 +154,8 @@ def libraries(folder, flags):
 
 def main():
     arguments = sys.argv[1:]
-    systems = sorted(f[:-4] for f in os.listdir(f"{ROOT}/tests/bench/systems") if f.endswith(".mac"))
+    files = os.listdir(f"{ROOT}/tests/bench/systems")
+    systems = sorted(f[:-4] for f in files if f.endswith(".mac"))
     if arguments[:1] == ["--systems"]:
         systems, arguments = arguments[1].split(","), arguments[2:]
     flags = arguments or ["-O2"]
@@ -164,7 +165,8 @@ def main():
         for system in systems:
             for routine, fortran, c in ratios(system, folder, flags):
                 all_ratios.append(c / fortran)
-                print(f"{routine:24} {fortran:10.1f} ns {c:10.1f} ns {c / fortran:6.3f}", flush=True)
+                print(f"{routine:24} {fortran:10.1f} ns {c:10.1f} ns {c / fortran:6.3f}",
+                      flush=True)
     print(f"{' '.join(flags)}: median of {len(all_ratios)} ratios "
           f"{statistics.median(all_ratios):.3f}, {min(all_ratios):.3f} to {max(all_ratios):.3f}")
 
