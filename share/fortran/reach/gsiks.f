@@ -20,7 +20,7 @@ C     RES     (input) DOUBLE PRECISION array, dimension (2,NB): what each
 C             branch misses, of the place [m] and of the axes: the largest
 C             change of a unit vector [1].
 C     QS      (output) DOUBLE PRECISION array, dimension (LDQ,NB): the NS
-C             solutions, a column each.
+C             solutions, a column each, then 0.
 C     LDQ     (input) INTEGER, LDQ >= N.
 C     NS      (output) INTEGER, number of solutions.
 C     BR      (output) INTEGER array, dimension (NB): their branches.
@@ -57,6 +57,12 @@ C
          RETURN
       END IF
       LEAST = -1.0D0
+      DO 5 K = 1, NB
+         BR(K) = 0
+         DO 3 I = 1, N
+            QS(I,K) = 0.0D0
+    3    CONTINUE
+    5 CONTINUE
       DO 30 K = 1, NB
          REAL = .TRUE.
          EDGE = .FALSE.
