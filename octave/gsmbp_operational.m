@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Positions and equilibria
 ## @deftypefn  {} {@var{o} =} gsmbp_operational (@var{m}, @var{name}, @var{t}, @var{q}, @var{u})
-## @deftypefnx {} {@var{o} =} gsmbp_operational (@var{m}, @var{name}, @var{t}, @var{q}, @var{u}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {@var{o} =} gsmbp_operational (@dots{}, @var{option}, @var{value}, @dots{})
 ## Operational-space inertia and bias of a point or frame, and its manipulability.
 ##
 ## For the point or frame @var{name} of the model @var{m} (see @code{gsmbp_point} for the
@@ -74,8 +74,8 @@ function o = gsmbp_operational (m, name, t, q, u, varargin)
   o.condition = s(1) / s(end);
   o.manipulability = prod (s);
   if (s(end) <= 1e-12 * s(1))
-    error (["%s: singular: the rows %s of %s cannot be moved independently here; expected fewer " ...
-            "rows or another position"], who, mat2str (k), name);
+    error (["%s: singular: the rows %s of %s cannot be moved independently here; expected " ...
+            "fewer rows or another position"], who, mat2str (k), name);
   endif
   A = M \ [o.jacobian', b];
   o.inertia = inv (o.jacobian * A(:,1:end-1));

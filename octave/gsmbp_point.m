@@ -2,7 +2,8 @@
 ## @c category Positions and equilibria
 ## @deftypefn  {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q})
 ## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u})
-## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u}, @var{ud}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u}, @var{ud})
+## @deftypefnx {} {@var{p} =} gsmbp_point (@dots{}, @var{option}, @var{value}, @dots{})
 ## Where a point or frame of the scene is and how it moves.
 ##
 ## @var{name} is a @code{point} or @code{frame} of the scene of the model @var{m}

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Positions and equilibria
 ## @deftypefn  {} {@var{r} =} gsmbp_reduced (@var{m}, @var{t}, @var{q}, @var{u}, @var{names})
-## @deftypefnx {} {@var{r} =} gsmbp_reduced (@var{m}, @var{t}, @var{q}, @var{u}, @var{names}, @var{v})
+## @deftypefnx {} {@var{r} =} gsmbp_reduced (@dots{}, @var{names}, @var{v})
 ## Equations of motion of a closed chain in independent coordinates of your choice.
 ##
 ## @var{names} are as many of the coordinates of the model @var{m} as it has freedoms (a text or a

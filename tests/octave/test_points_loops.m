@@ -95,5 +95,6 @@ function operational (m, q, u)
   catch problem
     said = problem.message;
   end
-  gsmbp_check ("more rows than freedoms are refused", ! isempty (strfind (said, "cannot be moved")));
+  gsmbp_check ("more rows than freedoms are refused", ...
+               ! isempty (strfind (said, "cannot be moved")));
 end
