@@ -38,6 +38,21 @@
 ##
 ## Manipulability and condition mix m and rad unless @code{rows} are of one kind.
 ##
+## @c session octave
+## @example
+## >> gsmbp_derive ("examples/puma560/puma560.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("puma560");
+## >> q = [0.3; -0.2; 0.5];
+## >> o = gsmbp_operational (m, "wrist", 0, q, zeros (3, 1), "rows", 1:3);
+## >> o.inertia
+## ans =
+## >> o.bias'
+## ans =
+## >> o.manipulability
+## ans =
+## @end example
+##
 ## Errors: a singular pose, or more rows than freedoms: rows that cannot be moved
 ## independently have no inertia.
 ## Source: Khatib, IEEE Journal of Robotics and Automation 3(1), 1987; Yoshikawa, International

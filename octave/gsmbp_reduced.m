@@ -24,6 +24,18 @@
 ## @code{m.ind}, @code{m.red}, @code{m.jpi} (requests @code{independent}, @code{reduced},
 ## @code{independent_jacobians} of @code{gsmbp_fortran}).
 ##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> x = gsmbp_assemble (m, m.initial);
+## >> q = x(1:3);
+## >> [~, ~, H] = m.con (0, q, zeros (3, 1));
+## >> u = null (H);
+## >> r = gsmbp_reduced (m, 0, q, u / u(1), "q1");
+## >> r.M, r.T'
+## ans =
+## @end example
+##
 ## Errors: coordinates from which the motion of the others does not follow, an unknown
 ## coordinate, a position of another size.
 ## Source: own; the projection of Kane's equations on independent speeds.

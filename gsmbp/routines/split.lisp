@@ -1,4 +1,4 @@
-;;; fortran/split.lisp: long straight-line code in parts (see fortran/split.mac): where it is cut,
+;;; routines/split.lisp: long straight-line code in parts (see routines/split.mac): where it is cut,
 ;;; and what crosses the cuts.
 (in-package :maxima)
 
@@ -8,8 +8,7 @@
 
 ;;; true if the code is assignments to symbols only
 (defun $gs__is_straight (code)
-  (loop for c in (cdr code)
-        always (and (cadr c) (not (stringp (cadr c))) (not (stringp (caddr c))))))
+  (loop for c in (cdr code) always (or ($listp (cadr c)) (and (cadr c) (symbolp (cadr c))))))
 
 ;;; The code [symbol, expression, block] and the results [place, expression] cut into parts of at
 ;;; most `size` assignments: [words, [code, results, loads], ...]. What a later part needs is a
@@ -91,7 +90,7 @@
                 (setf (gethash e place) (cadr r)))))
           (dolist (s (gs-set-by (svref code i)))
             (when (and (crosses s) (not (gethash s place)))
-              (setf (gethash s place) (format nil "WRK(~d)" (incf words)))
+              (setf (gethash s place) (gs-place "WRK" (incf words)))
               (push (gs-list (list (gethash s place) s)) (svref results k)))))))
     (gs-list
       (cons words

@@ -1,4 +1,4 @@
-;;; fortran/json.lisp: values as JSON text: strings, decimals, pairs.
+;;; emit/json.lisp: values as JSON text: strings, decimals, pairs.
 (in-package :maxima)
 
 ;;; a string in quotes; quote, backslash and control characters escaped

@@ -1,4 +1,4 @@
-;;; fortran/legend.lisp: of which links and devices a constant is (twenty times faster than in
+;;; emit/legend.lisp: of which links and devices a constant is (twenty times faster than in
 ;;; Maxima where it is made of hundreds of parameters).
 (in-package :maxima)
 
