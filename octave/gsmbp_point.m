@@ -2,7 +2,8 @@
 ## @c category Positions and equilibria
 ## @deftypefn  {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q})
 ## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u})
-## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u}, @var{ud}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {@var{p} =} gsmbp_point (@var{m}, @var{name}, @var{t}, @var{q}, @var{u}, @var{ud})
+## @deftypefnx {} {@var{p} =} gsmbp_point (@dots{}, @var{option}, @var{value}, @dots{})
 ## Where a point or frame of the scene is and how it moves.
 ##
 ## @var{name} is a @code{point} or @code{frame} of the scene of the model @var{m}
@@ -48,6 +49,23 @@
 ##
 ## All states at once, and without names: the handles @code{m.pnt}, @code{m.jpt} and their batches
 ## @code{m.pnt_v}, @code{m.jpt_v}.
+##
+## @c session octave
+## @example
+## >> gsmbp_derive ("examples/puma560/puma560.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("puma560");
+## >> p = gsmbp_point (m, "wrist", 0, [0.3; -0.2; 0.5], [1; 2; 0]);
+## >> p.position'
+## ans =
+## >> p.velocity'
+## ans =
+## >> p.jacobian
+## ans =
+## >> p = gsmbp_point (m, "wrist", 0, [0.3; -0.2; 0.5], [1; 2; 0], "frame", "wrist");
+## >> p.jacobian(1:3,:)
+## ans =
+## @end example
 ##
 ## Errors: no such point; a position or a speed of another size; coordinates from which the motion
 ## of the others does not follow.
