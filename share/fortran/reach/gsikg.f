@@ -25,7 +25,8 @@ C     moved by joints 3 to 5 and those moved back by joints 2 and 1. The
 C     angles 1 and 2 are eliminated linearly, six equations are left, and
 C     as many times the half tangent of angle 4: the half tangent of
 C     angle 3 is an eigenvalue of a matrix of order 24 (Raghavan, Roth).
-C     That, and the same of the chain backwards; every candidate is
+C     That, and the same of the chain backwards; where nothing is found
+C     the same of four arms very close to this one. Every candidate is
 C     refined by Newton's method on the pose and taken if it misses less
 C     than 1D-10 of it.
 C
@@ -36,10 +37,10 @@ C     648-657.
 C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
-      DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), RB(3,3), P2(3), SIZE
+      DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), P2(3), SIZE
       DOUBLE PRECISION   PC(3,6), CEN(3)
       INTEGER            NS, IW(24), I, J, L
-      EXTERNAL           GSIK1
+      EXTERNAL           GSIKB
 C
 C     -- lengths beside their largest, about the middle of the points
       NS = 0
@@ -64,21 +65,60 @@ C     -- lengths beside their largest, about the middle of the points
             PC(I,J) = PC(I,J)/SIZE
    50    CONTINUE
    60 CONTINUE
-      CALL GSIK1( KA, PC, R, P2, KA, PC, R, P2, 1, QC, NS, W, IW )
-C     -- the chain backwards
-      DO 90 I = 1, 3
-         DO 70 J = 1, 6
+      CALL GSIKB( KA, PC, R, P2, KA, PC, QC, NS, W, IW )
+      IF ( NS.GT.0 ) RETURN
+C     -- axes that are parallel or meet can make the equations singular
+C        everywhere: four neighbours of this arm
+      DO 120 L = 1, 4
+         DO 110 J = 1, 6
+            DO 100 I = 1, 3
+               KB(I,J) = KA(I,J) + 3.0D-6*L*SIN( 1.0D0*( 7*I + 3*J*L ) )
+               PB(I,J) = PC(I,J) + 3.0D-6*L*COS( 1.0D0*( 5*I + 4*J*L ) )
+  100       CONTINUE
+            SIZE = SQRT( KB(1,J)**2 + KB(2,J)**2 + KB(3,J)**2 )
+            DO 105 I = 1, 3
+               KB(I,J) = KB(I,J)/SIZE
+  105       CONTINUE
+  110    CONTINUE
+         CALL GSIKB( KB, PB, R, P2, KA, PC, QC, NS, W, IW )
+  120 CONTINUE
+      END
+C
+      SUBROUTINE GSIKB( KA, PA, R, P, K0, P0, QC, NS, W, IW )
+C
+C     PURPOSE
+C     For GSIKG: GSIK1 of an arm and of the same taken backwards.
+C
+C     ARGUMENTS
+C     as GSIK1.
+C
+C     METHOD
+C     The opposite displacement.
+C
+C     ERROR INDICATOR
+C     None.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), K0(3,6)
+      DOUBLE PRECISION   P0(3,6), QC(6,16), W(*), KB(3,6), PB(3,6)
+      DOUBLE PRECISION   RB(3,3), D(3)
+      INTEGER            NS, IW(24), I, J, L
+      EXTERNAL           GSIK1
+C
+      CALL GSIK1( KA, PA, R, P, K0, P0, R, P, 1, QC, NS, W, IW )
+      DO 30 I = 1, 3
+         DO 10 J = 1, 6
             KB(I,J) = KA(I,7-J)
-            PB(I,J) = PC(I,7-J)
-   70    CONTINUE
-         DO 80 L = 1, 3
+            PB(I,J) = PA(I,7-J)
+   10    CONTINUE
+         DO 20 L = 1, 3
             RB(I,L) = R(L,I)
-   80    CONTINUE
-   90 CONTINUE
-      DO 100 I = 1, 3
-         CEN(I) = -( RB(I,1)*P2(1) + RB(I,2)*P2(2) + RB(I,3)*P2(3) )
-  100 CONTINUE
-      CALL GSIK1( KB, PB, RB, CEN, KA, PC, R, P2, -1, QC, NS, W, IW )
+   20    CONTINUE
+   30 CONTINUE
+      DO 40 I = 1, 3
+         D(I) = -( RB(I,1)*P(1) + RB(I,2)*P(2) + RB(I,3)*P(3) )
+   40 CONTINUE
+      CALL GSIK1( KB, PB, RB, D, K0, P0, R, P, -1, QC, NS, W, IW )
       END
 C
       SUBROUTINE GSIK1( KA, PA, R, P, K0, P0, R0, D0, WAY, QC, NS, W,
@@ -649,7 +689,7 @@ C     GOOD    (output) LOGICAL, whether the pose is missed by less than
 C             1D-10.
 C
 C     METHOD
-C     Newton's method on the exact Jacobian, at most 20 steps, none longer
+C     Newton's method on the exact Jacobian, at most 40 steps, none longer
 C     than 0.3 rad; least squares with a little damping where it is
 C     singular.
 C
@@ -664,7 +704,7 @@ C
       EXTERNAL           GSIKJ, GSLEQ
 C
       LAST = -1.0D0
-      DO 40 N = 1, 20
+      DO 40 N = 1, 40
          CALL GSIKJ( KA, PA, R, P, Q, W, W(1,7), MISS )
          IF ( .NOT.( MISS.LE.1.0D10 ) ) GO TO 50
          IF ( LAST.LT.0.0D0 .OR. MISS.LT.LAST ) THEN
