@@ -47,10 +47,16 @@
 ## >> o = gsmbp_operational (m, "wrist", 0, q, zeros (3, 1), "rows", 1:3);
 ## >> o.inertia
 ## ans =
+##
+##     7.9032  -10.5686   -4.2684
+##   -10.5686   32.6685    1.2497
+##    -4.2684    1.2497   25.9969
 ## >> o.bias'
 ## ans =
+##
+##   -19.5750    2.8499   78.0698
 ## >> o.manipulability
-## ans =
+## ans = 0.052863
 ## @end example
 ##
 ## Errors: a singular pose, or more rows than freedoms: rows that cannot be moved

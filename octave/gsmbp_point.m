@@ -58,13 +58,26 @@
 ## >> p = gsmbp_point (m, "wrist", 0, [0.3; -0.2; 0.5], [1; 2; 0]);
 ## >> p.position'
 ## ans =
+##
+##    0.345255  -0.050265   0.332728
 ## >> p.velocity'
 ## ans =
+##
+##   -0.5855   0.1486   0.6300
 ## >> p.jacobian
 ## ans =
+##
+##    0.0503  -0.3179  -0.3998
+##    0.3453  -0.0983  -0.1237
+##         0   0.3150  -0.1082
+##         0   0.2955   0.2955
+##         0  -0.9553  -0.9553
+##    1.0000        0        0
 ## >> p = gsmbp_point (m, "wrist", 0, [0.3; -0.2; 0.5], [1; 2; 0], "frame", "wrist");
-## >> p.jacobian(1:3,:)
+## >> p.velocity'
 ## ans =
+##
+##   -0.3062   0.3150   0.7541
 ## @end example
 ##
 ## Errors: no such point; a position or a speed of another size; coordinates from which the motion

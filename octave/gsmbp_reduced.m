@@ -33,7 +33,10 @@
 ## >> u = null (H);
 ## >> r = gsmbp_reduced (m, 0, q, u / u(1), "q1");
 ## >> r.M, r.T'
+## ans = 0.1200
 ## ans =
+##
+##    1.0000  -1.4000        0
 ## @end example
 ##
 ## Errors: coordinates from which the motion of the others does not follow, an unknown
