@@ -71,10 +71,13 @@
           (t (gs-fraction-text (cons (gs-text "(" (car k) "/" (cadr k) ")") above) nil)))))
 
 (defun gs-fraction-text (above below)
-  (let ((text (if above (gs-joined above "*") (gs-one))))
+  (let ((text (if above (gs-factors-text above) (gs-one))))
     (cond ((null below) text)
           ((cdr below) (gs-text text "/(" (gs-joined below "*") ")"))
           (t (gs-text text "/" (car below))))))
+
+(defun gs-factors-text (texts)
+  (gs-joined (cons (gs-said '$leading (car texts)) (cdr texts)) "*"))
 
 ;;; b^n as factors in reverse order; n > 0 if it is a number
 (defun gs-power-texts (b n)
@@ -123,4 +126,4 @@
   (if (and (mnump n) (gs-negative-p n) (not (eq b '$%e)))
       (gs-text "(" (gs-product-text 1 (list e)) ")")
       (let ((l (gs-power-texts b n)))
-        (if (cdr l) (gs-text "(" (gs-joined (reverse l) "*") ")") (car l)))))
+        (if (cdr l) (gs-text "(" (gs-factors-text (reverse l)) ")") (car l)))))

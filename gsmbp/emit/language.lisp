@@ -4,7 +4,7 @@
 
 (declaim
   (special $gs__language $gs__names $gs__used $gs__delays $gs__numbers $gs__body $gs__block $gs__own
-           $gs__where $gs__occupied $gs__parts))
+           $gs__where $gs__occupied $gs__parts $gs__declares $gs__indent))
 
 ; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
 ; or false
