@@ -171,7 +171,8 @@ function close_to_singular (m)
       words = {"wrist", "elbow"}{which};
       gsmbp_check (sprintf ("%g rad beside the singular %s: 8 solutions, its own among them", ...
                             d, words), found && (ns == 8 || (which == 2 && d < 3e-8)));
-      gsmbp_check (sprintf ("%g rad beside the singular %s: what they miss", d, words), miss, 1e-12);
+      gsmbp_check (sprintf ("%g rad beside the singular %s: what they miss", d, words), miss, ...
+        1e-12);
     end
   end
 end
@@ -219,18 +220,21 @@ function paths (m)
   [P5, R5] = m.pnt (0, q5);
   [r, info] = gsmbp_reach (m, "tool", P5, R5, "start", q5);
   gsmbp_check ("singular wrist: said", strcmp (info.status, "singular"));
-  gsmbp_check ("singular wrist: what is free", abs (info.free) - [0; 0; 0; 1; 0; 1] / sqrt (2), 1e-8);
+  gsmbp_check ("singular wrist: what is free", ...
+    abs (info.free) - [0; 0; 0; 1; 0; 1] / sqrt (2), 1e-8);
   gsmbp_check ("singular wrist: the pose is reached", m.pnt (0, r) - P5, 1e-13);
 end
 
 function complaints (m, legs)
-  said = @(text, f) gsmbp_check (["complaint: " text], ! isempty (strfind (gsmbp_complaint (f), text)));
+  said = @(text, f) gsmbp_check (["complaint: " text], ...
+      ! isempty (strfind (gsmbp_complaint (f), text)));
   said ('unknown point "tol"', @() gsmbp_reach (m, "tol", [0; 0; 0]));
   said ("places: expected 3 x k", @() gsmbp_reach (m, "tool", [0; 0]));
   said ("axes of pose 1: expected a rotation matrix", ...
         @() gsmbp_reach (m, "tool", [0; 0; 0], 2 * eye (3)));
   said ("axes: expected 3 x 3 x 1", @() gsmbp_reach (m, "tool", [0; 0; 0], eye (2)));
-  said ("Euler parameters of pose 1 are zero", @() gsmbp_reach (m, "tool", [0; 0; 0], zeros (4, 1)));
+  said ("Euler parameters of pose 1 are zero", @() gsmbp_reach (m, "tool", [0; 0; 0], ...
+      zeros (4, 1)));
   said ("option limits: expected 6 x 2", ...
         @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "limits", [1, 2]));
   said ("option limits: q1: the least, 2, is above the largest, 1", ...
