@@ -29,15 +29,15 @@
           ((not (symbolp target)) ($gs__assign (gs-place-text target) value))
           ((or (stringp value) (gs-place-p value)) (gs-copy target (gs-place-text value)))
           (t
-           (let ((n (gs-target target)))
-             ($gs__assign n value)
+           (let* ((new (gs-new-p target)) (n (gs-target target)))
+             ($gs__assign (gs-opened n new) value)
              (gs-give target n (gs-delay value)))))))
 
 ;;; a symbol becomes what stands in an array
 (defun gs-copy (symbol text)
-  (let ((n (gs-target symbol)))
+  (let* ((new (gs-new-p symbol)) (n (gs-target symbol)))
     (gs-give symbol n 100)
-    ($gs__push (gs-said '$statement (gs-list (list (gs-text n " = " text)))))))
+    ($gs__push (gs-said '$statement (gs-list (list (gs-text (gs-opened n new) " = " text)))))))
 
 ;;; statements, and entries of the code among them
 (defun $gs__write_body (body)
@@ -53,8 +53,18 @@
     ($gs__push (gs-said '$comment heading)))
   (setq $gs__block heading))
 
+;;; a statement that declares the variables of new symbols, where the language does
+(defun gs-declare-new (symbols)
+  (let ((new (remove-duplicates (remove-if-not #'gs-new-p symbols))))
+    (when (and new $gs__declares)
+      (let ((names (mapcar #'gs-target new)))
+        (mapc #'(lambda (s n) (setf (gethash s $gs__names) n)) new names)
+        ($gs__push (gs-said '$statement
+                            (gs-list (list (caddr $gs__declares) (gs-joined names ", ")))))))))
+
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gs-sine-call (pair angle)
+  (gs-declare-new (cdr pair))
   (let ((names (mapcar #'gs-target (cdr pair))) (text ($gs__sum_text angle)))
     ($gs__push (gs-said '$statement (gs-said '$sines text (car names) (cadr names))))
     (let ((delay (+ 40 (gs-delay angle))))
@@ -73,7 +83,7 @@
   (let* ((k (incf $gs__parts)) (s ($concat '$gs__part_ k))
          (n ($gs__fresh (gs-text "PART" (format nil "~d" k)))))
     ($gs__own_name n)
-    ($gs__assign n e)
+    ($gs__assign (gs-opened n t) e)
     (gs-give s n (gs-delay e))
     s))
 

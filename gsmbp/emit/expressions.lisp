@@ -1,16 +1,6 @@
 ;;; emit/expressions.lisp: expressions as text: sums, terms, factors. What a programming language
-;;; decides is asked of its record (emit/language.mac). The state of an emission is held in variables
-;;; of Maxima.
+;;; decides is asked of its record (emit/language.mac).
 (in-package :maxima)
-
-(declaim
-  (special $gs__language $gs__names $gs__used $gs__delays $gs__numbers $gs__body $gs__block $gs__own
-           $gs__where $gs__occupied $gs__parts $gs__late $gs__due))
-
-;;; what the language's record says, and what its function there makes of arguments
-(defun gs-said-of (field)
-  (nth (position field (cdr (get '$gs__language 'defstruct-template))) (cdr $gs__language)))
-(defun gs-said (field &rest arguments) (apply #'mfuncall (gs-said-of field) arguments))
 
 ;;; --------------------------------------------------------------------------- sums, terms, factors
 
@@ -81,10 +71,13 @@
           (t (gs-fraction-text (cons (gs-text "(" (car k) "/" (cadr k) ")") above) nil)))))
 
 (defun gs-fraction-text (above below)
-  (let ((text (if above (gs-joined above "*") (gs-one))))
+  (let ((text (if above (gs-factors-text above) (gs-one))))
     (cond ((null below) text)
           ((cdr below) (gs-text text "/(" (gs-joined below "*") ")"))
           (t (gs-text text "/" (car below))))))
+
+(defun gs-factors-text (texts)
+  (gs-joined (cons (gs-said '$leading (car texts)) (cdr texts)) "*"))
 
 ;;; b^n as factors in reverse order; n > 0 if it is a number
 (defun gs-power-texts (b n)
@@ -133,4 +126,4 @@
   (if (and (mnump n) (gs-negative-p n) (not (eq b '$%e)))
       (gs-text "(" (gs-product-text 1 (list e)) ")")
       (let ((l (gs-power-texts b n)))
-        (if (cdr l) (gs-text "(" (gs-joined (reverse l) "*") ")") (car l)))))
+        (if (cdr l) (gs-text "(" (gs-factors-text (reverse l)) ")") (car l)))))

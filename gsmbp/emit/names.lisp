@@ -30,6 +30,9 @@
 (defun gs-target (s)
   (or (gethash s $gs__names)
       (let ((n ($gs__fresh s))) ($gs__own_name n) n)))
+;;; a variable at the left of an assignment, which declares it if it is new and the language does so
+(defun gs-opened (n new) (if (and new $gs__declares) (gs-text (cadr $gs__declares) n) n))
+(defun gs-new-p (s) (not (gethash s $gs__names)))
 
 ;;; ------------------------------------------------------------------------------------------ uses
 
@@ -38,12 +41,6 @@
   (setf (gethash s $gs__delays) delay)
   (setf (gethash s $gs__names) n))
 
-; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
-; or false
-(defvar $gs__late nil)
-; (name . source) of those that wait for the next statement; bound by gs__emission, as all that an
-; interrupt must not leave behind
-(defvar $gs__due nil)
 ;;; the name of a symbol, which from now on counts as used
 (defun gs-name-text (x)
   (setf (gethash x $gs__used) t)
@@ -78,7 +75,8 @@
           append (gs-load-lines (gethash (cadr l) $gs__names) (caddr l)))))
 (defun gs-load-lines (name source)
   ($gs__own_name name)
-  (cdr (gs-said '$statement (gs-list (list (gs-text name " = " (gs-place-text source)))))))
+  (cdr (gs-said '$statement
+                (gs-list (list (gs-text (gs-opened name t) " = " (gs-place-text source)))))))
 
 ;;; hash table, symbol -> place, of the loaded symbols
 (defun $gs__to_load_late (load)

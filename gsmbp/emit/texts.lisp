@@ -1,15 +1,15 @@
 ;;; emit/texts.lisp: texts filled into lines.
 (in-package :maxima)
 
-;;; a text filled into lines of at most 72 characters: `head` ahead of the first, `tail` ahead of
-;;; the others
-(defun $gs__filled (text head tail)
+;;; a text filled into lines of so many characters: `head` ahead of the first, `tail` ahead of the
+;;; others
+(defun $gs__filled (text head tail &optional (most 72))
   (let ((lines nil) (line (list head)) (width (length head)))
     (dolist (w (gs-split text)
                (gs-list
                  (nreverse (cons (string-right-trim " " (gs-joined (nreverse line) "")) lines))))
       (cond ((null (cdr line)) (push w line) (incf width (length w)))
-            ((<= (+ width 1 (length w)) 72)
+            ((<= (+ width 1 (length w)) most)
              (push " " line)
              (push w line)
              (incf width (1+ (length w))))

@@ -21,7 +21,8 @@ function text = gsmbp__signature (row)
   endif
 endfunction
 
-## "t(1)", ">e(3)", "cst"; "" where it cannot be told.  SHAPE: "in", "out(3)", "integer in"
+## "t(1)", ">e(3)", "cst", ">#ns(1)" (whole numbers), "k[-9:9]" (a whole number that is read); ""
+## where it cannot be told.  SHAPE: "in", "out(3)", "integer in", "integer out(8)"
 function text = word (name, shape)
   text = "";
   part = regexp (shape, '^(in|out|inout)((?:\(.*\))?)$', "tokens", "once");
@@ -31,6 +32,10 @@ function text = word (name, shape)
     text = struct ("states", "k", "leading", "ld").(shape);
   elseif (! isempty (part) && isempty (regexp (shape, '[*:]', "once")))
     text = [mark(part{1}), name, dimensions(part{2})];
+  elseif (strcmp (shape, "integer in") && ! strncmp (name, "ld", 2))
+    text = [name, "[-99999999:99999999]"];   # the subroutine checks it
+  elseif (strncmp (shape, "integer out", 11))
+    text = [">#", name, dimensions(shape(12:end))];
   elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
     text = name;   # none in this scene
   endif
