@@ -20,8 +20,9 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report check-report
+        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
+        bench-points same doc manual install uninstall package clean packages-manual packages-pdf \
+        packages-report check-report
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -44,6 +45,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
+make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
+                           PEERS=1: CasADi and Pinocchio from PyPI beside
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
@@ -150,6 +153,10 @@ bench-devices: packages compiled
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
+
+bench-points: packages compiled
+	@mkdir -p tests/bench/out
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/points/run tests/bench/out/points
 
 # PATTERN: only the scenes whose path holds it
 same: | packages
