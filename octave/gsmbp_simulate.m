@@ -353,6 +353,12 @@ endfunction
 %! e = gsmbp_simulate (f, [0.2 0 0], [0 1], "input", 3);
 %! assert (r.x, e.x, 1e-8);
 %! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
+%!test <inputs are told from the left where they jump, at the end too>
+%! table = gsmbp_plan ("table", [0 0.5 1], [0 5 7], 0);
+%! for method = {"dp853", "rk4", "cvode"}(1:2 + gsmbp_has_sundials ())
+%!   r = gsmbp_simulate (m, [0 0 0], [0 0.25 0.5 0.75 1], "input", table, "method", method{1});
+%!   assert (r.v', [0 0 0 5 5]);
+%! endfor
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
