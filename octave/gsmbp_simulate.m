@@ -141,7 +141,8 @@
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
-## @code{v} (the inputs; from the left where they jump) and @code{stats}:
+## @code{v} (the inputs; from the left where they jump), @code{options} (a struct of
+## those that were given) and @code{stats}:
 ## @table @code
 ## @item calls, accepted, rejected, repeated, projections, seconds
 ## calls of the right-hand side, steps (@code{repeated}: those that could not
@@ -278,6 +279,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
+  [names, given] = gsmbp__pairs (who, "option", varargin);
+  result.options = cell2struct (given(:), names(:), 1);
   if (isstruct (sampled))
     result.y = sampled.y';
     result.unique = m.unique.outputs;
