@@ -22,7 +22,7 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-points same doc manual install uninstall package clean packages-manual packages-pdf \
-        packages-report check-report
+        packages-report packages-screen check-report check-screen
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -51,6 +51,8 @@ make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMM
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
                            REPORTS="stewart four_bar": these only
+make check-screen          the manual in Octave's doc and the notebook in wxMaxima, on a virtual
+                           screen
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
 make manual                info alone, without TeX
@@ -77,7 +79,7 @@ packages:
 	@share/make/packages
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
-packages-test packages-manual packages-pdf packages-report: packages-%:
+packages-test packages-manual packages-pdf packages-report packages-screen: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -166,6 +168,9 @@ REPORTS ?= $(EXAMPLES)
 
 check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
 	@tests/report/check $(REPORTS)
+
+check-screen: packages-screen manual | compiled
+	@tests/screen/check
 
 # the manual: what is written, what the program says of itself; info with the index of Maxima's
 # describe, one page of HTML, PDF (the one that needs TeX)
