@@ -20,7 +20,7 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
+        bench bench-loops bench-passages bench-devices bench-abbreviate bench-robots same doc manual install \
         uninstall package clean packages-manual packages-pdf packages-report check-report
 
 define HELP
@@ -41,6 +41,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
+make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
+                           beside Pinocchio; ROBOTS="panda pr2": these only
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
@@ -140,6 +142,10 @@ bench-devices: packages compiled
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
+
+bench-robots: packages compiled
+	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the robots from PyPI'; exit 1; }
+	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
 
 # PATTERN: only the scenes whose path holds it
 same: | packages
