@@ -19,6 +19,7 @@ endfunction
 ## "t(1)", ">e(3)", "cst"; "" where it cannot be told.  SHAPE: "in", "out(3)", "integer in"
 function text = word (name, shape)
   text = "";
+  shape = from_one (shape);
   part = regexp (shape, '^(in|out|inout)((?:\(.*\))?)$', "tokens", "once");
   if (any (strcmp (name, {"cst", "info"})))
     text = name;
@@ -26,6 +27,14 @@ function text = word (name, shape)
     text = [mark(part{1}), name, dimensions(part{2})];
   elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
     text = name;   # none in this scene
+  endif
+endfunction
+
+## in(3,0:2) as in(3,3)
+function shape = from_one (shape)
+  last = str2double (regexp (shape, '0:(\d+)', "tokens", "once"));
+  if (! isempty (last))
+    shape = regexprep (shape, '0:\d+', sprintf ("%d", last + 1));
   endif
 endfunction
 
