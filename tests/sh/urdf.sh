@@ -96,3 +96,21 @@ grep -q 'link=""' renamed.urdf && echo 'not ok b11 without its empty name'
 session log 'errcatch(gsmbp_import("renamed.urdf", directory = "out", name = "renamed"))'
 [ -s out/renamed.mac ] && [ ! -e owned ] && grep -q 'u00e9_u4e2d' out/renamed.mac
 told $? 'hostile names are renamed, with a table' log
+
+# what is exported and imported again is exported as before
+statements=
+for name in origins fixed tilted mimic floating; do
+  statements="$statements load(\"$root/tests/scenes/urdf_$name.mac\")\$
+    gsmbp_export(scene, \"$name.1.urdf\")\$ kill(scene)\$
+    gsmbp_export(gsmbp_import(\"$name.1.urdf\", directory = \".\", name = \"urdf_$name\"),
+      \"$name.2.urdf\")\$"
+done
+session log "$statements load(\"$root/examples/four_bar/four_bar.mac\")\$
+  printf(true, \"~{~a~%~}\", gsmbp_export(scene, \"bar.urdf\"))"
+told $? 'six scenes are exported' log
+for name in origins fixed tilted mimic floating; do
+  cmp -s "$name.1.urdf" "$name.2.urdf" && [ -s "$name.2.urdf" ]
+  told $? "$name: exported, imported, exported again" log
+done
+grep -q '^joint .*, which closes a loop' log && grep -q 'left out: joint' bar.urdf
+told $? 'what a URDF cannot hold is said' log
