@@ -43,32 +43,23 @@
 
 ;;; The number of a text such as -1.5e-3, exact; false if it is none, or beyond what a double holds.
 (defun $gs__typed_number (s)
-  (let ((i 0) (n (length s)) (sign 1) (digits 0) (mantissa 0) (places 0) (power 0) (down 1))
-    (flet ((sign-here ()
-             (let ((c (and (< i n) (char s i))))
-               (when (member c '(#\+ #\-)) (incf i))
-               (if (eql c #\-) -1 1)))
-           (digit-here () (and (< i n) (digit-char-p (char s i)))))
-      (setq sign (sign-here))
-      (loop while (digit-here)
-            do (setq mantissa (+ (* 10 mantissa) (digit-here))) (incf digits) (incf i))
-      (when (and (< i n) (char= (char s i) #\.))
-        (incf i)
-        (loop while (digit-here)
-              do (setq mantissa (+ (* 10 mantissa) (digit-here)))
-                 (incf digits) (incf places) (incf i)))
-      (when (and (< i n) (plusp digits) (char-equal (char s i) #\e))
-        (incf i)
-        (setq down (sign-here))
-        (unless (digit-here) (return-from $gs__typed_number nil))
-        (loop while (digit-here)
-              do (when (< power 100000) (setq power (+ (* 10 power) (digit-here)))) (incf i)))
-      (if (or (zerop digits) (< i n) (> digits 400) (> power 700))
-          nil
-          (let ((r (* sign mantissa (expt 10 (- (* down power) places)))))
-            (cond ((> (abs r) (expt 10 300)) nil)
-                  ((integerp r) r)
-                  (t (list '(rat simp) (numerator r) (denominator r)))))))))
+  (let* ((e (position #\e s :test #'char-equal))
+         (mantissa (gs-plain-decimal (subseq s 0 e)))
+         (power (if e (gs-plain-integer (subseq s (1+ e))) 0)))
+    (when (and mantissa power (< (abs power) 700))
+      (let ((r (* mantissa (expt 10 power))))
+        (cond ((> (abs r) (expt 10 300)) nil)
+              ((integerp r) r)
+              (t (list '(rat simp) (numerator r) (denominator r))))))))
+;;; digits with a sign, a point among them; nil for anything else
+(defun gs-plain-decimal (s)
+  (let* ((point (position #\. s)) (whole (if point (remove #\. s :count 1) s))
+         (n (gs-plain-integer whole)))
+    (and n (< (length s) 400) (/ n (expt 10 (if point (- (length s) point 1) 0))))))
+(defun gs-plain-integer (s)
+  (let ((digits (string-left-trim "+-" s)))
+    (and (plusp (length digits)) (<= (- (length s) (length digits)) 1) (every #'digit-char-p digits)
+         (* (if (char= (char s 0) #\-) -1 1) (parse-integer digits)))))
 
 ;;; the words of a text, apart by blanks, tabs or ends of lines
 (defun $gs__blank_words (s)
@@ -79,28 +70,41 @@
       (end)
       (cons '(mlist simp) (nreverse words)))))
 
-;;; An exact number as it would be typed: 0.02, 1.5e-7; of more digits than a double has, a fraction.
+;;; An exact number as a decimal: 0.02, 1.5e-7; a fraction where it has no end.
 (defun $gs__typed_text (r)
-  (let* ((q (gs-rational r)) (d ($gs__finite_decimal_or_false (abs q))))
-    (cond ((zerop q) "0")
-          ((integerp q) (format nil "~d" q))
+  (let* ((q (gs-rational r)) (d (gs-digits (abs q))))
+    (cond ((integerp q) (format nil "~d" q))
           ((null d) (format nil "~d/~d" (numerator q) (denominator q)))
           (t (concatenate 'string (if (minusp q) "-" "") (gs-decimal-text (car d) (cdr d)))))))
-(defun $gs__finite_decimal_or_false (q)
-  (and (plusp q)
-       (let ((d ($gs__finite_decimal
-                  (if (integerp q) q (list '(rat simp) (numerator q) (denominator q))))))
-         (and (consp d) (cons (cadr d) (caddr d))))))
+;;; (n . k) with q = n/10^k, or nil
+(defun gs-digits (q)
+  (let ((d (and (plusp q)
+                ($gs__finite_decimal
+                  (if (integerp q) q (list '(rat simp) (numerator q) (denominator q)))))))
+    (and (consp d) (cons (cadr d) (caddr d)))))
 ;;; n/10^k
 (defun gs-decimal-text (n k)
   (let* ((digits (format nil "~d" n)) (many (length digits)))
-    (cond ((> many 17) (format nil "~d/10^~d" n k))
-          ((<= many (- k 4))
+    (cond ((<= many (- k 4))
            (format nil "~a~:[.~a~;~*~]e-~d" (char digits 0) (= many 1) (subseq digits 1)
                    (- k (1- many))))
           ((<= many k)
            (format nil "0.~a~a" (make-string (- k many) :initial-element #\0) digits))
           (t (format nil "~a.~a" (subseq digits 0 (- many k)) (subseq digits (- many k)))))))
+
+;;; The same as Maxima reads it exactly: a decimal that a double tells from its neighbours, else
+;;; n/10^k.
+(defun $gs__exact_text (r)
+  (let* ((q (gs-rational r)) (d (gs-digits (abs q))))
+    (if (or (null d) (integerp q) (gs-read-as (abs q)))
+        ($gs__typed_text r)
+        (format nil "~:[~;-~]~d/10^~d" (minusp q) (car d) (cdr d)))))
+
+;;; whether Maxima reads the decimal of q as q
+(defun gs-read-as (q)
+  (let ((x (mfuncall '$parse_string
+                     ($gs__typed_text (list '(rat simp) (numerator q) (denominator q))))))
+    (and (floatp x) (= q (gs-decimal x)))))
 
 ;;; whether Maxima would take the name for something of its own: a word of its grammar, a variable
 ;;; of its own that has a value, a constant
