@@ -54,7 +54,8 @@ function f = gsmbp_along (path, times, side = 1)
   axis = path.rotation * path.axis;
   f.omega = axis * (ratio * s(2,:));
   f.alpha = axis * (ratio * s(3,:));
-  K = [0, -path.axis(3), path.axis(2); path.axis(3), 0, -path.axis(1); -path.axis(2), path.axis(1), 0];
+  K = [0, -path.axis(3), path.axis(2); path.axis(3), 0, -path.axis(1); -path.axis(2), ...
+      path.axis(1), 0];
   f.R = zeros (3, 3, columns (s));
   for k = 1:columns (s)
     angle = ratio * s(1,k);

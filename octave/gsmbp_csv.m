@@ -22,8 +22,8 @@
 ## 0.5,2
 ## @end example
 ##
-## Errors: a name that the result has not; data that are no real matrix; another number of heads than columns;
-## a file that cannot be written.
+## Errors: a name that the result has not; data that are no real matrix; another number of heads
+## than columns; a file that cannot be written.
 ## Source: own.
 ## @seealso{gsmbp_plot, gsmbp_names}
 ## @end deftypefn

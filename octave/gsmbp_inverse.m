@@ -58,8 +58,8 @@
 ##     1.0000    3.1416   -3.1416    0.3000   -1.0088
 ## @end example
 ##
-## Errors: a motion whose derivatives jump; a motion of other components than the actuated coordinates; a loop
-## that cannot follow it (the time is said); a missing subroutine; an option
+## Errors: a motion whose derivatives jump; a motion of other components than the actuated
+## coordinates; a loop that cannot follow it (the time is said); a missing subroutine; an option
 ## that is unknown or of another size.
 ## Source: Ju and Hsu (1991), inverse dynamics with multipliers.
 ## @seealso{gsmbp_plan, gsmbp_simulate}

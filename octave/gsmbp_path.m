@@ -118,7 +118,8 @@ function [R, axis, angle] = turning (who, matrices)
   for k = 1:2
     R = matrices(:,:,k);
     if (max (abs ((R' * R - eye (3))(:))) > 1e-6 || det (R) < 0)
-      error ("%s: option rotations: matrix %d is no rotation: R'*R differs from 1 by %.3g, det R = %.3g", ...
+      error (["%s: option rotations: matrix %d is no rotation: R'*R differs from 1 by %.3g, " ...
+              "det R = %.3g"], ...
              who, k, max (abs ((R' * R - eye (3))(:))), det (R));
     endif
   endfor
@@ -157,7 +158,8 @@ endfunction
 %! assert (f.R, [1 0 0; 0 0 -1; 0 1 0], 1e-15);
 %! assert (f.omega, [pi/3; 0; 0], 1e-15);
 %!test <a circle: distance from the centre, speed along it, acceleration towards the centre>
-%! p = gsmbp_path ("circle", [1 0.3 -1; 2 2 1; 3 3.2 3.9], "speed", 0.3, "acceleration", 1, "jerk", 5);
+%! p = gsmbp_path ("circle", [1 0.3 -1; 2 2 1; 3 3.2 3.9], "speed", 0.3, "acceleration", ...
+%!     1, "jerk", 5);
 %! f = gsmbp_along (p, linspace (0, p.times(2), 7));
 %! assert (norm (f.p - p.centre, "columns"), repmat (p.radius, 1, 7), 1e-14);
 %! assert (f.p(:,end), [-1; 1; 3.9], 1e-14);

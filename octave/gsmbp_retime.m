@@ -1,11 +1,13 @@
 ## -*- texinfo -*-
 ## @c category Motions
-## @deftypefn  {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path}, @var{limit}, @var{value}, @dots{})
+## @deftypefn  {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path}, @var{limit}, @var{value},
+## @dots{})
 ## @deftypefnx {} {[@var{motion}, @var{told}] =} gsmbp_retime (@dots{})
 ## The least time in which a model can follow a path.
 ##
-## @var{path} is a piecewise polynomial (of @code{gsmbp_plan}) of the actuated coordinates, or of all
-## coordinates of an open chain; its abscissa s is no time: only the way counts.  Limits, one number
+## @var{path} is a piecewise polynomial (of @code{gsmbp_plan}) of the actuated coordinates, or
+## of all coordinates of an open chain; its abscissa s is no time: only the way counts.  Limits,
+## one number
 ## for all coordinates, a number or a row [least, largest] for each (a number is both ways):
 ## @table @code
 ## @item "speed"
@@ -16,12 +18,14 @@
 ## inputs of the scene, the drives as quasi-static (@code{gsmbp_inverse}, "quasistatic"); they must
 ## be linear in the acceleration along the path
 ## @end table
-## Options: "start", "end": rates of s [1/s] at both ends (default 0); "rtol": the relative error of the
-## time, as doubling the points tells it (default 3e-7); "points": how many there are at least (default 250);
-## "guess" as in @code{gsmbp_inverse}.
+## Options: "start", "end": rates of s [1/s] at both ends (default 0); "rtol": the relative
+## error of the time, as doubling the points tells it (default 3e-7); "points": how many there
+## are at least
+## (default 250); "guess" as in @code{gsmbp_inverse}.
 ##
 ## @var{motion} follows the path, in time, with an acceleration that jumps: follow it by
-## @code{gsmbp_inverse} with "quasistatic".  @var{told}: @code{T} [s], @code{s}, @code{rate} (ds/dt),
+## @code{gsmbp_inverse} with "quasistatic".  @var{told}: @code{T} [s], @code{s}, @code{rate}
+## (ds/dt),
 ## @code{t} at the points, @code{limited} (a cell array: what ends the acceleration between them),
 ## @code{change} (relative, of the last doubling).
 ##
@@ -38,7 +42,8 @@
 ## Errors: a path that is none or of other components; no limit, or one of another size; efforts
 ## that are not quadratic in the speed (friction other than viscous and dry); a place on the path
 ## where no speed keeps the limits.
-## Source: Pham and Pham, IEEE Transactions on Robotics 34 (2018), reachable sets, here on midpoints.
+## Source: Pham and Pham, IEEE Transactions on Robotics 34 (2018), reachable sets, here on
+## midpoints.
 ## @seealso{gsmbp_plan, gsmbp_inverse, gsmbp_path}
 ## @end deftypefn
 
@@ -54,7 +59,8 @@ function [motion, told] = gsmbp_retime (m, path, varargin)
            "points", 250, "positive"; "guess", m.initial(1:m.sizes.nq), "numbers"};
   o = gsmbp__options (who, table, varargin);
   if (m.sizes.nq != m.sizes.nu)
-    error ("%s: %s has Euler parameters: a planned motion cannot state its coordinates", who, m.name);
+    error ("%s: %s has Euler parameters: a planned motion cannot state its coordinates", ...
+        who, m.name);
   endif
   moving (who, path);
   limits = gsmbp__limits (who, m, o, numel (planned));
@@ -78,8 +84,8 @@ function moving (who, path)
   for side = [-1, 1]
     still = all (abs (gsmbp_evaluate (path, path.breaks, 1, side)(:,:,2)) < 1e-12, 1);
     if (any (still))
-      error (["%s: the path stands still at s = %g: expected one that moves everywhere, as a plan " ...
-              "\"table\" or \"cubic\""], who, path.breaks(find (still, 1)));
+      error (["%s: the path stands still at s = %g: expected one that moves everywhere, as a " ...
+              "plan \"table\" or \"cubic\""], who, path.breaks(find (still, 1)));
     endif
   endfor
 endfunction
@@ -120,7 +126,8 @@ function motion = in_time (path, told)
   for i = 1:k
     piece = max (1, min (path.pieces, sum ((told.s(i) + told.s(i+1)) / 2 >= path.breaks(1:end-1))));
     dt = told.t(i+1) - told.t(i);
-    inner = [(told.rate(i+1) - told.rate(i)) / (2 * dt), told.rate(i), told.s(i) - path.breaks(piece)];
+    inner = [(told.rate(i+1) - told.rate(i)) / (2 * dt), told.rate(i), ...
+        told.s(i) - path.breaks(piece)];
     for j = 1:n
       coefs(j,i,:) = composed (reshape (c(j,piece,:), 1, []), inner);
     endfor

@@ -3,9 +3,11 @@
 ## small, and what they are multiplied by.  ROWS: of gsmbp__table.
 
 function [label, factor] = gsmbp__axis_label (unit, y, rows)
-  quantities = {"rad", "angle"; "m", "position"; "rad/s", "angular speed"; "m/s", "speed"; "A", "current"
+  quantities = {"rad", "angle"; "m", "position"; "rad/s", "angular speed"; "m/s", ...
+      "speed"; "A", "current"
                 "V", "voltage"; "N", "force"; "N*m", "torque"; "Pa", "pressure"; "W", "power"
-                "J", "energy"; "K", "temperature"; "m^3/s", "flow"; "Wb", "flux"; "kg/s", "mass flow"
+                "J", "energy"; "K", "temperature"; "m^3/s", "flow"; "Wb", ...
+                    "flux"; "kg/s", "mass flow"
                 "rad/s^2", "angular acceleration"; "m/s^2", "acceleration"; "kg", "mass"
                 "m^2", "area"; "m^3", "volume"; "s", "time"; "Hz", "frequency"; "C", "charge"};
   k = find (strcmp (quantities(:,1), unit));

@@ -20,13 +20,13 @@ function [x, limited] = gsmbp__fastest (who, s, rows, ends)
     endif
     guess = high(k);
     if (! (high(k) >= low(k)))
-      error (["%s: the limits do not let it pass s = %.9g at any speed: expected a path or limits " ...
-              "where %s suffices"], who, s(k), strjoin (rows.names, ", "));
+      error (["%s: the limits do not let it pass s = %.9g at any speed: expected a path or " ...
+              "limits where %s suffices"], who, s(k), strjoin (rows.names, ", "));
     endif
   endfor
   if (ends(1) < low(1) - 1e-12 || ends(1) > high(1) + 1e-12)
-    error (["%s: from the rate %.6g at the start the end cannot be reached: expected one from %.6g " ...
-            "to %.6g"], who, sqrt (ends(1)), sqrt (low(1)), sqrt (high(1)));
+    error (["%s: from the rate %.6g at the start the end cannot be reached: expected one from " ...
+            "%.6g to %.6g"], who, sqrt (ends(1)), sqrt (low(1)), sqrt (high(1)));
   endif
   x = zeros (1, n);
   x(1) = ends(1);
@@ -38,7 +38,8 @@ endfunction
 
 function reachable (who, x, top, s)
   if (x > top)
-    error ("%s: the rate %.6g at the end s = %g is above what the speeds allow, %.6g", who, sqrt (x), ...
+    error ("%s: the rate %.6g at the end s = %g is above what the speeds allow, %.6g", ...
+        who, sqrt (x), ...
            s, sqrt (top));
   endif
 endfunction

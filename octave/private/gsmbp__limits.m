@@ -11,7 +11,8 @@ function limits = gsmbp__limits (who, m, o, n)
     error ("%s: expected a limit: speed, effort or input", who);
   endif
   if (! isempty (o.input) && ! any (strcmp (m.subroutines, "cmq")) && m.order > 2)
-    error ("%s: limits of the inputs need the subroutine CMQ, which %s has not: %s", who, m.name, ...
+    error ("%s: limits of the inputs need the subroutine CMQ, which %s has not: %s", ...
+        who, m.name, ...
            gsmbp__why_left_out (m, "quasi_static"));
   endif
 endfunction
@@ -35,8 +36,8 @@ function list = rows_of (who, name, value, n)
     value = [-value, value];
   endif
   if (any (value(:,1) >= value(:,2)) || any (value(:,1) > 0) || any (value(:,2) < 0))
-    error ("%s: limit %s: expected a least value below the largest, 0 between them, found %s", who, ...
-           name, gsmbp__shown (value));
+    error ("%s: limit %s: expected a least value below the largest, 0 between them, found %s", ...
+           who, name, gsmbp__shown (value));
   endif
   list = double (value);
 endfunction

@@ -1,13 +1,13 @@
 ## panels = gsmbp__panels (who, m, r, names)
 ## The named quantities of a result as panels of gsmbp_plot, one for each unit, in the order of the
-## names; `heads` are the column heads of a table, with units, `factor` what brings the numbers to the
-## unit of the axis.
+## names; `heads` are the column heads of a table, with units, `factor` what brings the numbers
+## to the unit of the axis.
 
 function panels = gsmbp__panels (who, m, r, names)
   t = gsmbp__table (m);
   if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"t", "of"}))))
-    error ("%s: argument result: expected a result of gsmbp_simulate or gsmbp_inverse, found %s", ...
-           who, gsmbp__shown (r));
+    error (["%s: argument result: expected a result of gsmbp_simulate or gsmbp_inverse, " ...
+            "found %s"], who, gsmbp__shown (r));
   endif
   names = cellstr (names)(:)';
   rows = t(1:0);

@@ -1,6 +1,7 @@
 ## rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
-## The limits along a path between the places S: least <= a*s'' + b*s'^2 + d*s' + c <= largest in the
-## middle of each interval (a, b, c, d: limited quantities x intervals), names of the quantities,
+## The limits along a path between the places S: least <= a*s'' + b*s'^2 + d*s' + c <= largest
+## in the middle of each interval (a, b, c, d: limited quantities x intervals), names of the
+## quantities,
 ## and the largest s'^2 that the limits of speed allow at each place.
 
 function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
@@ -23,7 +24,8 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
   few = ! any (isfinite (limits.input(:)));
   for k = 1:numel (middle)
     at = @(rate, second) quantities (who, m, planned, closed, guess, few, ...
-                                     [q(:,k), dq(:,k) * rate, dq(:,k) * second + ddq(:,k) * rate^2]);
+                                     [q(:,k), dq(:,k) * rate, ...
+                                         dq(:,k) * second + ddq(:,k) * rate^2]);
     [f1, guess] = at (1, 0);   # at rate 1, without acceleration
     f = [f1, at(2, 0), at(3, 0)](used,:);
     fa = at (1, 1)(used);
@@ -47,8 +49,8 @@ endfunction
 
 function quadratic (who, m, names, s)
   if (! isempty (names))
-    error (["%s: %s: %s at s = %.6g is not linear in the acceleration and quadratic in the speed: " ...
-            "expected friction that is viscous or dry, drives that are linear"], who, m.name, ...
+    error (["%s: %s: %s at s = %.6g is not linear in the acceleration and quadratic in the " ...
+            "speed: expected friction that is viscous or dry, drives that are linear"], who, m.name, ...
            strjoin (names, ", "), s);
   endif
 endfunction

@@ -10,10 +10,12 @@ function t = gsmbp__table (m)
   joints = part (m, "joints");
   outputs = part (m, "outputs");
   for k = 1:numel (m.states)
-    t(end+1) = row (m.states{k}, m.units.states{k}, "state", of_state (m, k, joints, devices), "x", k);
+    t(end+1) = row (m.states{k}, m.units.states{k}, "state", of_state (m, k, joints, ...
+        devices), "x", k);
   endfor
   for k = 1:numel (m.inputs)
-    t(end+1) = row (m.inputs{k}, m.units.inputs{k}, "input", of_device ("input", m.inputs{k}, devices), ...
+    t(end+1) = row (m.inputs{k}, m.units.inputs{k}, "input", of_device ("input", ...
+        m.inputs{k}, devices), ...
                     "v", k);
   endfor
   for k = 1:numel (m.outputs)

@@ -1,5 +1,6 @@
-## robots.m: real robots (PyPI package example-robot-data) imported, derived, compiled; mass matrix and
-## bias beside those of Pinocchio at five states each. Table: tests/bench/robots.md. ROBOTS="panda
+## robots.m: real robots (PyPI package example-robot-data) imported, derived, compiled; mass
+## matrix and bias beside those of Pinocchio at five states each. Table: tests/bench/robots.md.
+## ROBOTS="panda
 ## pr2": these only. The folder with the states is made by tests/bench/robots/run.
 
 1;
@@ -45,7 +46,7 @@ out = fullfile (folder, "out");
 mkdir (out);
 report = fopen ("tests/bench/robots.md", "w");
 fprintf (report, ["# Robots of example-robot-data: mass matrix and bias beside Pinocchio's\n\n", ...
-                  "Largest difference over the largest entry, five states each; fixed joints kept.\n\n", ...
+                  "Largest difference over the largest entry, five states each.\n\n", ...
                   "| robot | coordinates | import [s] | derived, compiled [s] | M | bias |\n", ...
                   "|---|---|---|---|---|---|\n"]);
 for f = files

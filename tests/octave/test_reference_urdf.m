@@ -29,7 +29,8 @@ function against_cases (scene, name)
   end
   names = {"mass matrix", "velocity terms", "gravity"};
   for k = 1:3
-    gsmbp_check (sprintf ("%s: %s, %d states", scene, names{k}, numel (ref.states)), worst(k), 1e-13);
+    gsmbp_check (sprintf ("%s: %s, %d states", scene, names{k}, numel (ref.states)), ...
+        worst(k), 1e-13);
   end
 end
 

@@ -1,12 +1,15 @@
 # gsmbp_import: the scene files of tests/scenes byte for byte; hostile and wrong URDF files: one
-# error that names line and element, nothing written, nothing else read, nothing executed, in no time.
+# error that names line and element, nothing written, nothing else read, nothing executed, in no
+# time.
 . tests/tools/check.sh
 root=$PWD
 dir=$(mktemp -d "${GSMBP_TEST_DIR:-/tmp}/urdf.XXXXXX")
 mkdir "$dir/out"
 cp tests/data/r3_urdf/bad/*.urdf "$dir"
 cd "$dir" || exit 1
-session() { "$root/share/make/maxima" "$1" "load(\"$root/gsmbp/gsmbp.mac\")\$ $2\$" >/dev/null 2>&1; }
+session() {
+  "$root/share/make/maxima" "$1" "load(\"$root/gsmbp/gsmbp.mac\")\$ $2\$" >/dev/null 2>&1
+}
 
 # what is imported is what the scenes of the tests are
 statements=
@@ -25,11 +28,13 @@ done
 # each bad file, and words that its error must hold
 one='<link name="base"/><link name="a"/>'
 limit='<limit effort="1" velocity="1"/>'
-joint() { printf '<joint name="j" type="%s"><parent link="base"/><child link="a"/>%s</joint>' "$1" "$2"; }
+joint() {
+  printf '<joint name="j" type="%s"><parent link="base"/><child link="a"/>%s</joint>' "$1" "$2"
+}
 robot() { printf '<?xml version="1.0"?>\n<robot name="r">\n%s\n</robot>\n' "$*"; }
 echo secret >secret
-printf '<?xml version="1.0"?>\n<!DOCTYPE r [<!ENTITY e SYSTEM "%s/secret">]>\n<robot name="&e;"/>\n' \
-  "$dir" >b02_external.urdf
+printf '<?xml version="1.0"?>\n<!DOCTYPE r [<!ENTITY e SYSTEM "%s/secret">]>\n%s\n' \
+  "$dir" '<robot name="&e;"/>' >b02_external.urdf
 iconv -f utf-8 -t utf-16 b01_entity_bomb.urdf >b01_wide.urdf
 head -c 100000000 /dev/zero | tr '\0' ' ' >b03_large.urdf
 robot "$one" '<link name="a"/>' "$(joint fixed '')" >b05_twice.urdf
@@ -58,7 +63,8 @@ b03_large expected at most 10 MB
 b04_cycle links "a", "b" form a cycle and hang on no root: joints "j1" (line 8), "j2" (line 9)
 b05_twice line 3, link "a": a link of this name is on line 3, too
 b06_roots expected one tree of links, found 2 roots: "base", "a"
-b07_nan line 4, link "a": mass value: expected a finite decimal number, found "nan"; line 7, joint "j2": origin xyz
+b07_nan line 4, link "a": mass value: expected a finite decimal number, found "nan"; line 7,
+    joint "j2": origin xyz
 b08_axis line 3, joint "j": axis: expected a direction
 b09_limit line 3, joint "j": expected the element limit
 b10_type line 3, joint "j": type: expected one of revolute
