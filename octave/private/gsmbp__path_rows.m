@@ -50,8 +50,8 @@ endfunction
 function quadratic (who, m, names, s)
   if (! isempty (names))
     error (["%s: %s: %s at s = %.6g is not linear in the acceleration and quadratic in the " ...
-            "speed: expected friction that is viscous or dry, drives that are linear"], who, m.name, ...
-           strjoin (names, ", "), s);
+            "speed: expected friction that is viscous or dry, drives that are linear"], ...
+           who, m.name, strjoin (names, ", "), s);
   endif
 endfunction
 

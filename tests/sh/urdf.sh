@@ -63,8 +63,7 @@ b03_large expected at most 10 MB
 b04_cycle links "a", "b" form a cycle and hang on no root: joints "j1" (line 8), "j2" (line 9)
 b05_twice line 3, link "a": a link of this name is on line 3, too
 b06_roots expected one tree of links, found 2 roots: "base", "a"
-b07_nan line 4, link "a": mass value: expected a finite decimal number, found "nan"; line 7,
-    joint "j2": origin xyz
+b07_nan line 4, link "a": mass value: expected a finite decimal number, found "nan"; line 7
 b08_axis line 3, joint "j": axis: expected a direction
 b09_limit line 3, joint "j": expected the element limit
 b10_type line 3, joint "j": type: expected one of revolute
