@@ -21,8 +21,8 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-points same doc manual install uninstall package clean packages-manual packages-pdf \
-        packages-report packages-screen check-report check-screen
+        bench-points bench-robots same doc manual install uninstall package clean \
+        packages-manual packages-pdf packages-report packages-screen check-report check-screen
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -47,6 +47,8 @@ make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms th
                            error beside the whole
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
+make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
+                           beside Pinocchio; ROBOTS="panda pr2": these only
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
@@ -159,6 +161,10 @@ bench-abbreviate: packages compiled
 bench-points: packages compiled
 	@mkdir -p tests/bench/out
 	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/points/run tests/bench/out/points
+
+bench-robots: packages compiled
+	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the robots from PyPI'; exit 1; }
+	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
 
 # PATTERN: only the scenes whose path holds it
 same: | packages

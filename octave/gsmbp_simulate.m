@@ -298,6 +298,11 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
   endif
   result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
+  if (! isfield (result, "y"))
+    result.y = gsmbp__outputs (m, result.t, result.x, result.v);
+    result.unique = m.unique.outputs;
+  endif
+  result = gsmbp__named (m, result);
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);
