@@ -33,7 +33,8 @@ scene : gsmbp_scene("names", gravity = [0, -double, 0],
   revolute(J2, a, b, at = [cst, 0, 0], axis = x, coordinate = t1),
   input(register, unit = N*m), drive(D, joint = J1, effort = register),
   output(y1, mass_b*t1), output(info, for_^5 + abs(t1)^1.5 + (t1 + for_)^7),
-  parameters = [double = 9.81, auto = 2, long = 0.1, sin_ = 0.2, i = 1, j = 2, exp_1 = 2.5, mass_b = 1,
+  parameters = [double = 9.81, auto = 2, long = 0.1, sin_ = 0.2, i = 1, j = 2, exp_1 = 2.5,
+    mass_b = 1,
     m = 0.2, cst = 0.4])$
 M
 pairs 'names of C' "$work/names.mac"
