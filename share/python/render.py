@@ -40,7 +40,7 @@ def is_leading(argument, row):
 
 
 def own(row):
-    """The arguments without constants, leading dimensions and INFO: those that Python hands over."""
+    """The arguments that Python hands over: no constants, leading dimensions, INFO."""
     return [a for a in arguments(row)
             if a[0] not in ('cst', 'info') and not is_leading(a, row)]
 
@@ -55,8 +55,8 @@ def count(sizes):
 # ------------------------------------------------------------------------------------ loops in C
 
 def loops(table):
-    name = table['name']
-    lines = ['#include "%s.h"' % name, '#include "loop.h"', '',
+    name = table['name'].lower()
+    lines = ['#include "%s.h"' % table['name'], '#include "loop.h"', '',
              'const gs_scene *gs_loop_scene (void) { return &%s_scene; }' % name,
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
@@ -83,7 +83,8 @@ def loop(scene, short, row):
             texts[name] = '(%s *)(a[%d] + j * s[%d])' % (kind, i, i)
     call = '%s_%s (%s)' % (scene, short, ', '.join(spoken(row, texts)))
     checked = 'INFO' in row['arguments']
-    return (['long', '%s_%s_k (long k, char *const *a, const long *e, const long *s,' % (scene, short),
+    return (['long',
+             '%s_%s_k (long k, char *const *a, const long *e, const long *s,' % (scene, short),
              '    const double *cst, int *info)', '{', '  long bad = 0;',
              '  (void)a, (void)e, (void)s, (void)cst, (void)info;',
              '  for (long j = 0; j < k; j++)', '    {'] + room + gets
@@ -152,10 +153,10 @@ def type_of(argument):
 def shape_text(sizes):
     if not sizes:
         return 'number'
-    return '(%s)' % ''.join('%s, ' % n for n in sizes).rstrip(' ') if len(sizes) == 1\
-        else '(%s)' % ', '.join(str(n) for n in sizes)
+    return '(%s)' % ', '.join(map(str, sizes))
 
 
 def says(argument):
     name, whole, intent, sizes, meaning = argument
-    return '%s%s, %s' % ('whole ' if whole else '', shape_text(sizes), meaning.replace('\\', '\\\\'))
+    return '%s%s, %s' % ('whole ' if whole else '', shape_text(sizes),
+                         meaning.replace('\\', '\\\\'))

@@ -50,7 +50,7 @@ def address(array):
 
 def pointer(name):
     """A subroutine as an address, for the run time."""
-    return ctypes.cast(getattr(LIBRARY, NAME + '_' + name), ctypes.c_void_p)
+    return ctypes.cast(getattr(LIBRARY, '%s_%s' % (NAME.lower(), name)), ctypes.c_void_p)
 
 
 def python_name(name):
@@ -120,7 +120,7 @@ class Routine:
         self.results = [a for a in self.arguments if a.result]
         self.kind = collections.namedtuple(
             self.name.upper() + '_results', [a.name for a in self.results], rename=True)
-        self.call = getattr(LIBRARY, '%s_%s_k' % (NAME, self.name))
+        self.call = getattr(LIBRARY, '%s_%s_k' % (NAME.lower(), self.name))
         self.call.restype = ctypes.c_long
         self.call.argtypes = [ctypes.c_long] + [ctypes.c_void_p] * 5
         self.nothing = {a.name: np.zeros(a.sizes, a.type) for a in self.arguments}
@@ -209,9 +209,8 @@ class Routine:
     def tell(self, who, info, many, bad, out):
         code = int(info[bad - 1])
         row = self.codes.get(code, self.codes.get(1) if code > 0 else None)
-        text = '%s: INFO = %d%s: %s' % (who, code, ' (the first at state %d)' % (bad - 1)
-                                        if many else '',
-                                        row['meaning'] if row else 'failed')
+        place = ' (the first at state %d)' % (bad - 1) if many else ''
+        text = '%s: INFO = %d%s: %s' % (who, code, place, row['meaning'] if row else 'failed')
         every = {int(i) for i in info if i}
         if all(self.codes.get(i, {}).get('results') for i in every):
             warnings.warn(text, DependentWarning, stacklevel=4)
@@ -220,7 +219,7 @@ class Routine:
 
 
 class Kept:
-    """A call of a subroutine for one state with its arrays kept: the quickest way, one thread's own.
+    """A call of a subroutine for one state with its arrays kept: the quickest way, of one thread.
 
     The arguments are attributes, arrays to be filled in place (numbers are arrays without
     dimensions: call.t[...] = 0.5); call() computes and returns INFO.
