@@ -16,17 +16,27 @@
   (let ((so-far (car texts)))
     (dolist (x (cdr texts) so-far) (setq so-far (gs-text f " (" so-far ", " x ")")))))
 
-;;; b^n as a factor: products as gfortran forms them (its table of addition chains), of a variable
-;;; written out, else by the functions of gsmbp/powers.h
+;;; b^n as a factor, by the products that gfortran takes: of a variable written out, else by
+;;; gsmbp/expressions.h
 (defun gs-c-power (b n)
-  (if (and (symbolp b) (<= n 3))
-      (let ((x (gs-name-text b)))
-        (if (= n 2) (gs-text "(" x "*" x ")") (gs-text "(" x "*" x "*" x ")")))
-      (gs-text "gs_power" (format nil "~d" n) " (" ($gs__sum_text b) ")")))
+  (cond ((and (symbolp b) (<= n 16)) (gs-c-chain (gs-name-text b) n))
+        ((= n 2) (gs-text "gs_square (" ($gs__sum_text b) ")"))
+        (t (gs-text "gs_power (" ($gs__sum_text b) ", " (format nil "~d" n) ")"))))
+;;; the table of addition chains of gcc (tree-ssa-math-opts.c): x^n = x^(n-k)*x^k
+(defvar *gs-c-parts* #(0 1 1 2 2 3 3 4 4 6 5 6 6 10 7 9 8))
+(defun gs-c-chain (x n)
+  (let ((k (svref *gs-c-parts* n)))
+    (cond ((= n 1) x)
+          ((<= n 3) (gs-text "(" (gs-joined (make-list n :initial-element x) "*") ")"))
+          ((= n (* 2 k)) (gs-text "gs_square (" (gs-c-bare (gs-c-chain x k)) ")"))
+          (t (gs-text "(" (gs-c-chain x (- n k)) "*" (gs-c-chain x k) ")")))))
+(defun gs-c-bare (text)
+  (if (eql (char text 0) #\() (subseq text 1 (1- (length text))) text))
 
 ;;; "(x*x)" at the left end of a product needs no parentheses
 (defun gs-c-above (text)
-  (if (and (eql (char text 0) #\() (every #'(lambda (c) (or (gs-word-character-p c) (find c "(*)")))
+  (if (and (eql (char text 0) #\()
+           (every #'(lambda (c) (or (gs-word-character-p c) (find c "(*)")))
                                           text)
            (= 1 (count #\( text)) (= 1 (count #\) text)) (eql (char text (1- (length text))) #\)))
       (subseq text 1 (1- (length text)))
@@ -88,6 +98,16 @@
   :sines #'gs-c-sines
   :block #'(lambda (heading) (gs-c-comment heading "  "))
   :given #'(lambda (text) (gs-c-lines text "  ")))
+
+;;; items between commas behind a head, as many on a line as it holds, below each other
+(defun $gs__c_list (head items tail)
+  (let ((lines nil) (line head) (blank (make-string (length head) :initial-element #\Space)))
+    (do ((l (cdr items) (cdr l))) ((null l))
+      (let ((piece (gs-text (car l) (if (cdr l) "," tail))))
+        (cond ((string= line head) (setq line (gs-text line piece)))
+              ((<= (+ (length line) 1 (length piece)) 98) (setq line (gs-text line " " piece)))
+              (t (push line lines) (setq line (gs-text blank piece))))))
+    (gs-list (nreverse (cons line lines)))))
 
 ;;; a comment of its own, filled
 (defun gs-c-comment (text indent)
