@@ -4,10 +4,6 @@ loops(table): C source, a function for each subroutine that calls it for many st
 stubs(table): the methods of Model with their types, for type checkers and editors.
 """
 import keyword
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 
 def write(path, lines):

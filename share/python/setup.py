@@ -6,6 +6,7 @@ the table what the module does not read at run time: the loops over states in C,
 import glob
 import json
 import os
+import sys
 import tempfile
 
 from setuptools import Distribution, setup
@@ -17,9 +18,10 @@ try:
 except ImportError:
     from wheel.bdist_wheel import bdist_wheel
 
-import render
-
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)   # pip does not
+import render  # noqa: E402
+
 NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, '*', 'table.json'))[0]))
 with open(os.path.join(HERE, NAME, 'table.json'), encoding='utf-8') as file:
     TABLE = json.load(file)
