@@ -1,7 +1,8 @@
 """Compiles the C of the scene into a library that the module loads.
 
-The wheel is py3-none-<platform>. The scene is the folder that holds table.json; render.py makes of
-the table what the module does not read at run time: the loops over states in C, the stubs for type checkers.
+The wheel is py3-none-<platform>. The scene is the folder that holds table.json; render.py makes
+of the table what the module does not read at run time: the loops over states in C, the stubs for
+type checkers.
 """
 import glob
 import json

@@ -1,5 +1,5 @@
-"""Every subroutine of a module against the Fortran of the scene, which the same table describes, and
-one state against many: python3 against_fortran.py MODULE FORTRAN.so"""
+"""Every subroutine of a module against the Fortran of the scene, which the same table describes,
+and one state against many: python3 against_fortran.py MODULE FORTRAN.so"""
 import ctypes
 import importlib
 import sys
@@ -101,7 +101,8 @@ def many(short, row, arguments):
         spread[argument] = np.stack([v if whole else v * (1 + 1e-3 * j) for j in range(k)], axis=-1)
     try:
         each = [routine(**{a: v[..., j] for a, v in spread.items()}) for j in range(k)]
-        orders = [routine(**spread), routine(**{a: np.asfortranarray(v) for a, v in spread.items()}),
+        orders = [routine(**spread),
+                  routine(**{a: np.asfortranarray(v) for a, v in spread.items()}),
                   routine(**{a: np.concatenate([v, v], axis=-1)[..., ::2][..., :3]
                              for a, v in spread.items()})]
     except scene.Error:

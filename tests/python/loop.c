@@ -1,5 +1,5 @@
-/* Seconds of the inverse dynamics of 1e5 states of the six-link PUMA, a line each time that it is asked
- * by a line on stdin. */
+/* Seconds of the inverse dynamics of 1e5 states of the six-link PUMA, a line each time that it is
+ * asked by a line on stdin. */
 #define _POSIX_C_SOURCE 199309L
 #include "puma6.h"
 

@@ -127,9 +127,10 @@ def others():
     x = np.concatenate([q, u])
     a = m.linearize(0, x).a
     h = 1e-6
-    central = np.stack([(m.rhs(0, x + h * e) - m.rhs(0, x - h * e)) / (2 * h) for e in np.eye(12)], 1)
-    close('puma: the linear model is the derivative', a / np.abs(a).max(), central / np.abs(a).max(),
-          1e-8)
+    central = np.stack([(m.rhs(0, x + h * e) - m.rhs(0, x - h * e)) / (2 * h)
+                        for e in np.eye(12)], 1)
+    close('puma: the linear model is the derivative', a / np.abs(a).max(),
+          central / np.abs(a).max(), 1e-8)
     kept = m.kept('inv')
     kept.q[:], kept.u[:], kept.ud[:] = q, u, ud
     holds('puma: kept arrays', kept() == 0 and np.array_equal(kept.tau, tau))

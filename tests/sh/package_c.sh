@@ -1,6 +1,6 @@
-# gsmbp_package(scene, c): what is written is built by its own Makefile and CMakeLists.txt with gcc and
-# clang without a warning, gives the values that Maxima computed, and runs; with the sanitizers of
-# gcc too. A wrong value or a wrong call is found.
+# gsmbp_package(scene, c): what is written is built by its own Makefile and CMakeLists.txt with gcc
+# and clang without a warning, gives the values that Maxima computed, and runs; with the sanitizers
+# of gcc too. A wrong value is found.
 . tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)

@@ -1,5 +1,5 @@
-/* simulate.c: two seconds of @name@ from its start, inputs zero, by the method of Dormand and Prince;
- * prints the states at 21 times. The plan of a run (ip, rp) is laid out as gsmbp/inputs.h,
+/* simulate.c: two seconds of @name@ from its start, inputs zero, by the method of Dormand and
+ * Prince; prints the states at 21 times. The plan of a run (ip, rp) is laid out as gsmbp/inputs.h,
  * gsmbp/events.h and the heads of the run time say. */
 #include "@name@.h"
 #include "gsmbp/inputs.h"

@@ -1,7 +1,6 @@
 /* test.c: calls every routine of @name@ at one state, prints what it gives, and compares it with
- * reference.h where that has values: to 1e-12 of the largest entry. The rest of the routines is held
- * to what must be true: a state that is moved onto the constraints fulfils them, a run ends. The last
- * line is "N passed, N failed". */
+ * reference.h where that has values: to 1e-12 of the largest entry. Elsewhere INFO tells.
+ * The last line is "N passed, N failed". */
 #include "@name@.h"
 
 #include <math.h>
