@@ -79,11 +79,12 @@ def loop(scene, short, row):
             texts[name] = '(%s *)(a[%d] + j * s[%d])' % (kind, i, i)
     call = '%s_%s (%s)' % (scene, short, ', '.join(spoken(row, texts)))
     checked = 'INFO' in row['arguments']
-    return (['long',
-             '%s_%s_k (long k, char *const *a, const long *e, const long *s,' % (scene, short),
-             '    const double *cst, int *info)', '{', '  long bad = 0;',
+    return (['ptrdiff_t',
+             '%s_%s_k (ptrdiff_t k, char *const *a, const ptrdiff_t *e, const ptrdiff_t *s,'
+             % (scene, short),
+             '    const double *cst, int *info)', '{', '  ptrdiff_t bad = 0;',
              '  (void)a, (void)e, (void)s, (void)cst, (void)info;',
-             '  for (long j = 0; j < k; j++)', '    {'] + room + gets
+             '  for (ptrdiff_t j = 0; j < k; j++)', '    {'] + room + gets
             + (['      info[j] = %s;' % call, '      if (info[j] != 0 && bad == 0)',
                 '        bad = j + 1;'] if checked else ['      %s;' % call])
             + ['    }', '  return bad;', '}'])

@@ -4,8 +4,9 @@
 A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session (or goes on with it,
 in another file, too): the examples behind it whose first line begins with `(%i1) `, `>> `, `$ ` or
 `>>> ` are typed, those of Maxima first, then those of Octave, of a shell, of Python (env/bin/python
-where the shell has made that), in a new folder that looks like the top of the repository. `@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or
-`not ok` an example. In what is expected a line `...` stands for any lines, `...` at the end of a
+where the shell has made that), in a new folder that looks like the top of the repository.
+`@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or `not ok` an
+example. In what is expected a line `...` stands for any lines, `...` at the end of a
 line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
 (1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
 left out. --write: what differs is written into the file instead, and pictures that the file shows

@@ -2,11 +2,13 @@
 #ifndef LOOP_H
 #define LOOP_H
 
+#include <stddef.h>
+
 /* n numbers that lie e bytes apart: where they are, or side by side in room */
 static inline const double *
-gs_gather_double (const char *a, long e, int n, double *room)
+gs_gather_double (const char *a, ptrdiff_t e, int n, double *room)
 {
-  if (e == (long)sizeof (double) || n <= 1)
+  if (e == (ptrdiff_t)sizeof (double) || n <= 1)
     return (const double *)a;
   for (int i = 0; i < n; i++)
     room[i] = *(const double *)(a + e * i);
@@ -14,9 +16,9 @@ gs_gather_double (const char *a, long e, int n, double *room)
 }
 
 static inline const int *
-gs_gather_int (const char *a, long e, int n, int *room)
+gs_gather_int (const char *a, ptrdiff_t e, int n, int *room)
 {
-  if (e == (long)sizeof (int) || n <= 1)
+  if (e == (ptrdiff_t)sizeof (int) || n <= 1)
     return (const int *)a;
   for (int i = 0; i < n; i++)
     room[i] = *(const int *)(a + e * i);
