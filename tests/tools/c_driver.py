@@ -5,8 +5,9 @@ It needs the two emitted sources and the run times; its argument is how many sta
 
     NAME calls entries same largest
 
-with the number of entries compared, of those that are equal bit for bit, and the largest difference
-beside the largest entry of its array; it ends with 1 where that is above 1e-14 or an INFO differs.
+with the number of entries compared, of those that are equal bit for bit, and the largest
+difference beside the largest entry of its array; it ends with 1 where that is above 1e-14 or an
+INFO differs.
 """
 import json
 import re
@@ -23,7 +24,7 @@ class Scene:
     def __init__(self, description):
         self.name = description["name"].lower()
         self.d = description["dimensions"]
-        self.wide = sum(self.d.values()) + 8
+        self.wide = sum(self.d.values()) + 8      # also the most states of a batch
         self.initial = description["initial"]
         self.routines = description["subroutines"]
 
@@ -48,6 +49,8 @@ def whole_value(scene, routine, name):
     """a value of an integer argument"""
     if name.startswith("LD"):
         return str(scene.wide)
+    if name == "K" and routine.endswith("_V"):
+        return f"1 + (19 * state) % {scene.wide}"
     if name == "WAY":
         return "1 + state % 4"
     if name == "K":
@@ -63,15 +66,15 @@ def fill(name, n):
 
 
 def argument(scene, routine, name, shape):
-    """lines that declare and fill both copies, the Fortran and the C argument, lines that compare"""
+    """lines that declare and fill both copies, the arguments of Fortran and C, lines that compare"""
     whole, intent, dims = of(shape)
     n = scene.size(name, dims)
-    if name == "INFO":
+    if name == "INFO" and not dims:
         return ["int f_INFO = 0, c_INFO = 0;"], "&f_INFO", None, ["same_info (f_INFO, c_INFO);"]
     if whole and not dims:
         value = whole_value(scene, routine, name)
         return [f"int f_{name} = {value};"], f"&f_{name}", f"f_{name}", []
-    if name == "T":
+    if name == "T" and not dims:
         return [f"double f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
     if name == "CST":
         return [], "cst_f", "cst_c", []
@@ -103,7 +106,8 @@ def call(scene, routine):
         c += [in_c] if in_c else []
         checks += check
     name = routine["name"].lower()
-    tells = "c_INFO = " if "INFO" in routine["arguments"] else ""
+    tells = "c_INFO = " if ("INFO", "integer out") in zip(
+        routine["arguments"], routine["shapes"]) else ""
     return (["{"] + ["  " + s for s in lines]
             + [f"  {name}_ ({', '.join(fortran)});", f"  {tells}{name} ({', '.join(c)});"]
             + ["  " + s for s in checks] + ["  calls++;", "}"])

@@ -1,7 +1,15 @@
 /* gsmbp/expressions.h: functions of emitted expressions: MAX and MIN as Fortran has them, whole
- * powers by the products that gfortran takes. No part of the interface. */
+ * powers by the products that gfortran takes; what stands ahead of a loop over states. No part of
+ * the interface. */
 #ifndef GSMBP_EXPRESSIONS_H
 #define GSMBP_EXPRESSIONS_H
+
+/* no turn of the loop behind it needs another */
+#if defined(__GNUC__) && ! defined(__clang__)
+#define GS_EACH_STATE _Pragma ("GCC ivdep")
+#else
+#define GS_EACH_STATE
+#endif
 
 static inline double
 gs_max (double a, double b)
