@@ -19,7 +19,7 @@ share/make/maxima "$work/log" "$statements
   gsmbp_package(scene, c, ['directory = \"$work/again\"])\$" >"$report" 2>&1
 told $? 'gsmbp_package(scene, c) of four scenes' "$report"
 check 'another language is refused' grep -q 'must be c or python; found: pascal' "$work/log"
-check 'an unknown option is refused' grep -q 'found: folder = "x"' "$work/log"
+check 'an unknown option is refused' grep -q 'gsmbp_package: unknown option folder' "$work/log"
 check 'the same scene, the same bytes' diff -r "$work/rolling_disc" "$work/again"
 
 # builds FOLDER WHAT VARIABLE=VALUE...: make test, make example
