@@ -20,19 +20,19 @@ def in_c():
     return float(program.stdout.readline())
 
 
-def in_python(q):
+def in_python(q, u, ud):
     begin = time.perf_counter()
-    model.inv(0.0, q, q, q)
+    model.inv(0.0, q, u, ud)
     return time.perf_counter() - begin
 
 
-rows = np.random.default_rng(1).random((6, K))
-columns = np.asfortranarray(rows)
+rows = np.random.default_rng(1).random((3, 6, K))
+columns = [np.asfortranarray(q) for q in rows]
 times = {'C': [], 'columns': [], 'rows': []}
 for _ in range(60):
     times['C'].append(in_c())
-    times['columns'].append(in_python(columns))
-    times['rows'].append(in_python(rows))
+    times['columns'].append(in_python(*columns))
+    times['rows'].append(in_python(*rows))
 least = {what: min(t) for what, t in times.items()}
 program.stdin.close()
 for order in ('columns', 'rows'):
