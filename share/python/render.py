@@ -64,30 +64,32 @@ def loops(table):
 
 def loop(scene, short, row):
     """One subroutine at k states; argument i of state j begins at a[i] + j*s[i], e[i] apart."""
-    handed = own(row)
     room, gets, texts = [], [], {}
-    for i, (name, whole, intent, sizes, _) in enumerate(handed):
+    for i, (name, whole, intent, sizes, _) in enumerate(own(row)):
         kind = 'int' if whole else 'double'
-        if intent == 'in' and sizes == []:
-            texts[name] = '*(const %s *)(a[%d] + j * s[%d])' % (kind, i, i)
-        elif intent == 'in' and len(sizes) == 1:
-            room.append('      %s r%d[%d];' % (kind, i, max(1, sizes[0])))
-            gets.append('      const %s *p%d = gs_gather_%s (a[%d] + j * s[%d], e[%d], %d, r%d);'
-                        % (kind, i, kind, i, i, i, sizes[0], i))
-            texts[name] = 'p%d' % i
+        if intent == 'in' and len(sizes) == 1:
+            room.append('  %s r%d[GS_TILE * %d];' % (kind, i, max(1, sizes[0])))
+            gets += ['      ptrdiff_t s%d = s[%d];' % (i, i),
+                     '      const char *a%d = gs_tile_%s (a[%d] + l * s%d, e[%d], &s%d, '
+                     '%d, m, r%d);' % (i, kind, i, i, i, i, sizes[0], i)]
+            texts[name] = '(const %s *)(a%d + j * s%d)' % (kind, i, i)
         else:
-            texts[name] = '(%s *)(a[%d] + j * s[%d])' % (kind, i, i)
+            texts[name] = '%s(%s *)(a[%d] + (l + j) * s[%d])' % (
+                '*' if intent == 'in' and sizes == [] else '', kind, i, i)
     call = '%s_%s (%s)' % (scene, short, ', '.join(spoken(row, texts)))
     checked = 'INFO' in row['arguments']
     return (['ptrdiff_t',
              '%s_%s_k (ptrdiff_t k, char *const *a, const ptrdiff_t *e, const ptrdiff_t *s,'
              % (scene, short),
-             '    const double *cst, int *info)', '{', '  ptrdiff_t bad = 0;',
-             '  (void)a, (void)e, (void)s, (void)cst, (void)info;',
-             '  for (ptrdiff_t j = 0; j < k; j++)', '    {'] + room + gets
-            + (['      info[j] = %s;' % call, '      if (info[j] != 0 && bad == 0)',
-                '        bad = j + 1;'] if checked else ['      %s;' % call])
-            + ['    }', '  return bad;', '}'])
+             '    const double *cst, int *info)', '{', '  ptrdiff_t bad = 0;'] + room
+            + ['  (void)a, (void)e, (void)s, (void)cst, (void)info;',
+               '  for (ptrdiff_t l = 0; l < k; l += GS_TILE)', '    {',
+               '      const int m = k - l < GS_TILE ? (int)(k - l) : GS_TILE;'] + gets
+            + ['      for (int j = 0; j < m; j++)', '        {']
+            + (['          info[l + j] = %s;' % call,
+                '          if (info[l + j] != 0 && bad == 0)', '            bad = l + j + 1;']
+               if checked else ['          %s;' % call])
+            + ['        }', '    }', '  return bad;', '}'])
 
 
 def spoken(row, texts):
