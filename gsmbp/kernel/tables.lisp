@@ -58,8 +58,11 @@
   #+gcl (eq (si::stat name) :directory)
   #+ecl (eq (si:file-kind name t) :directory)
   #-(or gcl ecl) (and (directory name) t))
-(defun $gs__file_names (pattern)
-  (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
+(defun gs-file-names (part pattern)
+  (cons '(mlist simp) (sort (mapcar part (directory pattern)) #'string<)))
+(defun $gs__file_names (pattern) (gs-file-names #'pathname-name pattern))
+;; the same with what stands behind the dot
+(defun $gs__whole_file_names (pattern) (gs-file-names #'file-namestring pattern))
 ;; the file gets a new name, in the place of one that has it
 (defun $gs__rename_file (old new)
   #+ecl
