@@ -1,6 +1,6 @@
-;;; fortran/expressions.lisp: the printer of fortran/statements.mac: expressions as text of Fortran
-;;; 77, counted as they are printed; statements as lines. The state of an emission (gs__emission)
-;;; is held in variables of Maxima.
+;;; fortran/expressions.lisp: the printer of fortran/statements.mac: expressions as text, counted as
+;;; they are printed; statements as lines. What it must know of the language it asks
+;;; (text/language.lisp). The state of an emission (gs__emission) is held in variables of Maxima.
 (in-package :maxima)
 
 (declaim
@@ -88,7 +88,7 @@
              (gs-fraction-text (cons (gs-text "(" (car k) "/" (cadr k) ")") above) nil)))))
 
 (defun gs-fraction-text (above below)
-  (let ((text (if above (gs-joined above "*") "1.0D0")))
+  (let ((text (if above (gs-above-text above) (gs-say :constant 1 0))))
     (when (cdr above) (incf $gs__n_mul (1- (length above))))
     (cond ((null below) text)
           (t (incf $gs__n_div) (incf $gs__n_mul (1- (length below)))
@@ -96,24 +96,26 @@
                  (gs-text text "/(" (gs-joined below "*") ")")
                  (gs-text text "/" (car below)))))))
 
+;;; the product of some factors, none of which stands to the left of the others' parentheses
+(defun gs-above-text (factors) (gs-joined (cons (gs-say :above (car factors)) (cdr factors)) "*"))
+
 ;;; b^n as factors in reverse order; n > 0 if it is a number
 (defun gs-power-texts (b n)
   (if (eq b '$%e)
-      (progn (incf $gs__n_trig) (list (gs-text "EXP(" ($gs__sum_text n) ")")))
+      (progn (incf $gs__n_trig) (list (gs-say :exponential n)))
       (let ((h (if (mnump n) (gs-times 2 (gs-exact n)))))
         (cond ((not (integerp h))
                (incf $gs__n_trig)
-               (list (gs-text (gs-base-text b) "**" (gs-factor-text n))))
+               (list (gs-say :general b n)))
               ((evenp h) (gs-integer-power b (/ h 2)))
               (t (incf $gs__n_sqrt)
-                 (cons (gs-text "SQRT(" ($gs__sum_text b) ")")
-                       (gs-integer-power b (/ (1- h) 2))))))))
+                 (cons (gs-say :root b) (gs-integer-power b (/ (1- h) 2))))))))
 
 (defun gs-integer-power (b n)
   (case n
     (0 nil)
     (1 (list (gs-factor-text b)))
-    (t (incf $gs__n_mul (1- n)) (list (gs-text (gs-base-text b) "**" (format nil "~d" n))))))
+    (t (incf $gs__n_mul (1- n)) (list (gs-say :power b n)))))
 (defun gs-base-text (b)
   (if (gs-power-p b) (gs-text "(" ($gs__sum_text b) ")") (gs-factor-text b)))
 
@@ -134,8 +136,7 @@
       (cond ((string= name "SQRT") (incf $gs__n_sqrt))
             ((not (member name '("ABS" "SIGN" "MAX" "MIN" "ANINT" "GSFLR") :test #'string=))
              (incf $gs__n_trig)))
-      (gs-text name (if (string= name "SIGN") "(1.0D0, " "(")
-        (gs-joined (mapcar #'$gs__sum_text arguments) ", ") ")"))))
+      (gs-say :call name (mapcar #'$gs__sum_text arguments)))))
 
 (defun gs-number-factor (e)
   (let* ((d $gs__n_div) (s (gs-number-text (gs-magnitude e))))
@@ -150,7 +151,7 @@
       (gs-text "(" (gs-product-text 1 (list e)) ")")
       (let ((l (gs-power-texts b n)))
         (incf $gs__n_mul (1- (length l)))
-        (if (cdr l) (gs-text "(" (gs-joined (reverse l) "*") ")") (car l)))))
+        (if (cdr l) (gs-text "(" (gs-above-text (reverse l)) ")") (car l)))))
 
 ;;; ---------------------------------------------------------------------- the order of operands
 
@@ -214,14 +215,9 @@
   (gs-tick)
   (let ((due (reverse $gs__due)))
     (setq $gs__due nil)
-    (dolist (d due) (gs-push-line (gs-load-line (car d) (cdr d)))))
+    (dolist (d due) (gs-push-line (gs-say :load (car d) (cdr d)))))
   (dolist (l (cdr lines)) (gs-push-line l)))
 (defun gs-push-line (l) (setq $gs__body (gs-list (cons l (cdr $gs__body)))))
-(defun gs-load-line (name source)
-  ($gs__own_name name)
-  (gs-text "      " name " = " source))
-(defun $gs__assignment (target pieces)
-  ($gs__packed_lines (gs-list (cons (gs-text target " = " (cadr pieces)) (cddr pieces)))))
 
 ;;; --------------------------------------------------------------------- sines and cosines
 
@@ -245,13 +241,14 @@
 
 ;;; a text filled into lines of at most 72 characters: `head` ahead of the first, `tail` ahead of
 ;;; the others
-(defun $gs__filled (text head tail)
+(defun $gs__filled (text head tail) ($gs__filled_to text head tail 72))
+(defun $gs__filled_to (text head tail most)
   (let ((lines nil) (line (list head)) (width (length head)))
     (dolist (w (gs-split text)
                (gs-list
                  (nreverse (cons (string-right-trim " " (gs-joined (nreverse line) "")) lines))))
       (cond ((null (cdr line)) (push w line) (incf width (length w)))
-            ((<= (+ width 1 (length w)) 72)
+            ((<= (+ width 1 (length w)) most)
              (push " " line)
              (push w line)
              (incf width (1+ (length w))))
@@ -291,7 +288,7 @@
 ;;; stands.
 (defun $gs__name_loads (load arguments)
   (dolist (l (cdr load))
-    (let ((source (string-upcase (caddr l))))
+    (let ((source (gs-say :cased (caddr l))))
       (setf (gethash (cadr l) $gs__names)
             (if (member source (cdr arguments) :test #'string=) source ($gs__fresh (cadr l)))))))
 
@@ -300,9 +297,9 @@
   (let ((lines nil))
     (dolist (l (cdr load) (gs-list (nreverse lines)))
       (let ((n (gethash (cadr l) $gs__names)))
-        (when (and (string/= n (string-upcase (caddr l)))
+        (when (and (string/= n (gs-say :cased (caddr l)))
                    (or (gethash (cadr l) $gs__used) (gethash n raw)))
-          (push (gs-load-line n (caddr l)) lines))))))
+          (push (gs-say :load n (caddr l)) lines))))))
 
 ;;; [name, meaning] of those whose symbol was printed and whose place has a meaning; meanings: hash
 ;;; table, place -> text
@@ -319,10 +316,10 @@
   (let ((h (make-hash-table :test #'eq)))
     (dolist (l (cdr load) h)
       (let ((n (gethash (cadr l) $gs__names)))
-        (unless (or (string= n (string-upcase (caddr l))) (gethash n raw))
+        (unless (or (string= n (gs-say :cased (caddr l))) (gethash n raw))
           (setf (gethash (cadr l) h) (caddr l)))))))
 
-;;; A free name for a symbol: its own in capitals, without the private prefix, else with _ behind
+;;; A free name for a symbol: its own without the private prefix, else with _ behind
 ;;; it, else _2, _3, ... What is occupied has true, or the number that is to be tried next.
 (defun $gs__fresh (symbol)
   (let* ((base (gs-base-name symbol)) (n base)
@@ -335,11 +332,11 @@
     n))
 (defun gs-base-name (symbol)
   (let ((text (if (symbolp symbol) (gs-shown-name symbol) ($sconcat symbol))))
-    (gs-fit (gs-public-text (string-upcase text)))))
+    (gs-say :base (gs-public-text (string-upcase text)))))
 (defun gs-public-text (s)
   (if (eql (search "GS__" s) 0) (subseq s 4) s))
-(defun gs-fit (s)
+;;; letters, digits and _ only, a letter ahead
+(defun gs-plain-name (s)
   (let ((c (if (every #'gs-word-character-p s) s
              (substitute-if-not #\_ #'gs-word-character-p s))))
-    (unless (gs-letter-p (char c 0)) (setq c (gs-text "X" c)))
-    (subseq c 0 (min 26 (length c)))))
+    (if (gs-letter-p (char c 0)) c (gs-text "X" c))))

@@ -1,4 +1,4 @@
-;;; fortran/numbers.lisp: numbers as DOUBLE PRECISION constants.
+;;; fortran/numbers.lisp: numbers as decimals.
 (in-package :maxima)
 
 ;;; true if 1e-300 < r < 1e300
@@ -21,7 +21,5 @@
 ;;; the digits s with a point behind the p-th and at least one digit behind the point
 (defun gs-pointed (s p) (gs-text (subseq s 0 p) "." (if (> (length s) p) (subseq s p) "0")))
 
-;;; [n, k] as a DOUBLE PRECISION constant
-(defun $gs__constant (d)
-  (let ((text ($gs__decimal_text (cadr d) (caddr d) "D")))
-    (if (find #\D text) text (gs-text text "D0"))))
+;;; [n, k] as a constant of the language
+(defun $gs__constant (d) (gs-say :constant (cadr d) (caddr d)))

@@ -1,12 +1,16 @@
-;;; fortran/statements.lisp: assignments and calls as statements; long ones in several.
+;;; fortran/statements.lisp: assignments and calls as statements; long ones in several, where the
+;;; language has a limit.
 (in-package :maxima)
 
-;;; target = expression, as one statement if 20 lines hold it
-(defun $gs__assign (target e)
+;;; target = expression, as one statement if it is not too long; own: the target is new
+(defun $gs__assign (target e &optional own)
   (let* ((tally ($gs__tally))
-         (lines ($gs__assignment target ($gs__signed_pieces ($gs__signed_terms e)))))
-    (cond ((<= (length (cdr lines)) 20) ($gs__push lines))
-          (t ($gs__set_tally tally) (gs-assign-long target e)))))
+         (lines (gs-say :assign target ($gs__signed_pieces ($gs__signed_terms e)) own)))
+    (cond ((gs-short-enough lines) ($gs__push lines))
+          (t ($gs__set_tally tally) (gs-assign-long target e own)))))
+(defun gs-short-enough (lines)
+  (let ((most (gs-say :most)))
+    (or (null most) (<= (length (cdr lines)) most))))
 
 ;;; the lines of one entry [target, expression, block] of the code
 (defun gs-code-line (c)
@@ -14,21 +18,24 @@
     (unless (equal heading $gs__block) (gs-open-block heading))
     (cond ((consp s) (gs-sine-call s e))
           ((and s (symbolp s) (not (stringp e)))
-           (let ((n (gs-target s)))
-             ($gs__assign n e)
+           (multiple-value-bind (n own) (gs-target s)
+             ($gs__assign n e own)
              (gs-give s n (gs-delay e))))
           (t (gs-code-text s e)))))
 
-;;; the variable of a symbol, a new one if it has none
+;;; the variable of a symbol, a new one if it has none; whether it is new
 (defun gs-target (s)
-  (or (gethash s $gs__names)
-      (let ((n ($gs__fresh s))) ($gs__own_name n) n)))
+  (let ((n (gethash s $gs__names)))
+    (cond (n (values n nil))
+          (t (setq n ($gs__fresh s))
+             ($gs__own_name n)
+             (values n t)))))
 
 ;;; a comment line where another block begins
 (defun gs-open-block (heading)
   (when (member heading '($trig "trig") :test #'equal) (setq heading "sines and cosines"))
   (when (and (stringp heading) (string/= heading "") (not (equal heading $gs__block)))
-    ($gs__push ($gs__filled heading "C     -- " "C        ")))
+    ($gs__push (gs-say :block heading)))
   (setq $gs__block heading))
 
 ;;; an assignment to what is given as text, or a right side or a statement that is text
@@ -39,10 +46,10 @@
     (cond ((not (stringp e)) ($gs__assign n e))
           (t (when s (setq e (gs-text n " = " e)))
              (mfuncall '$gs__count_raw (gs-list (list e)))
-             ($gs__push (mfuncall '$gs__raw_lines e))))))
+             ($gs__push (gs-say :given e))))))
 
-(defun gs-assign-long (target e)
-  (if (gs-sum-p e) (gs-assign-sum target e) ($gs__assign target (gs-shortened e))))
+(defun gs-assign-long (target e own)
+  (if (gs-sum-p e) (gs-assign-sum target e own) ($gs__assign target (gs-shortened e) own)))
 
 ;;; length of an expression as text; counts nothing
 (defun gs-text-length (e)
@@ -54,37 +61,37 @@
   (let* ((k (incf $gs__parts)) (s ($concat '$gs__part_ k))
          (n ($gs__fresh (gs-text "PART" (format nil "~d" k)))))
     ($gs__own_name n)
-    ($gs__assign n e)
+    ($gs__assign n e t)
     (gs-give s n (gs-delay e))
     s))
 
 ;;; A long sum in partial sums of some 700 characters, in the target itself: 20 lines hold that,
 ;;; whatever the names are.
-(defun gs-assign-sum (target e)
+(defun gs-assign-sum (target e own)
   (let ((e (gs-mapped #'(lambda (x) (if (> (gs-text-length x) 600) (gs-part x) x)) e))
         (chunk nil) (size 0) (so-far nil))
-    (if (not (gs-sum-p e)) ($gs__assign target e)
-      (dolist (x (cdr ($gs__signed_terms e)) (gs-push-sum target so-far (reverse chunk)))
+    (if (not (gs-sum-p e)) ($gs__assign target e own)
+      (dolist (x (cdr ($gs__signed_terms e)) (gs-push-sum target so-far (reverse chunk) own))
         (let ((wide (length (caddr x))))
           (when (> (+ size wide) 700)
-            (gs-push-sum target so-far (reverse chunk))
-            (setq so-far target chunk nil size 0))
+            (gs-push-sum target so-far (reverse chunk) own)
+            (setq so-far target chunk nil size 0 own nil))
           (push x chunk)
           (incf size (+ wide 3)))))))
 
 (defun gs-mapped (f e) (simplifya (cons (list (caar e)) (mapcar f (cdr e))) nil))
 
 ;;; a partial sum, as several statements where one would need more than 20 lines
-(defun gs-push-sum (target so-far terms)
-  (let ((lines (gs-partial-sum target so-far terms)) (n (length terms)))
-    (if (or (<= (length (cdr lines)) 20) (= n 1)) ($gs__push lines)
+(defun gs-push-sum (target so-far terms own)
+  (let ((lines (gs-partial-sum target so-far terms own)) (n (length terms)))
+    (if (or (gs-short-enough lines) (= n 1)) ($gs__push lines)
       (let ((half (floor n 2)))
-        (gs-push-sum target so-far (subseq terms 0 half))
-        (gs-push-sum target target (subseq terms half))))))
+        (gs-push-sum target so-far (subseq terms 0 half) own)
+        (gs-push-sum target target (subseq terms half) nil)))))
 
-(defun gs-partial-sum (target so-far terms)
+(defun gs-partial-sum (target so-far terms own)
   (let ((terms (if so-far (cons (gs-list (list "+" so-far)) terms) terms)))
-    ($gs__assignment target ($gs__signed_pieces (gs-list terms)))))
+    (gs-say :assign target ($gs__signed_pieces (gs-list terms)) own)))
 
 ;;; a product, power or call whose long parts are variables
 (defun gs-shortened (e)
@@ -101,16 +108,11 @@
 
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gs-sine-call (pair angle)
-  (let ((names (mapcar #'gs-target (cdr pair))))
+  (let* ((known (mapcar #'(lambda (s) (gethash s $gs__names)) (cdr pair)))
+         (names (mapcar #'gs-target (cdr pair)))
+         (own (remove nil (mapcar #'(lambda (k n) (if k nil n)) known names))))
     (incf $gs__n_trig (count '$idle (cdr pair) :test-not #'eq))
-    ($gs__push
-      ($gs__packed_lines
-        (gs-list
-          (list (gs-text "CALL GSSC( " ($gs__sum_text angle) ", ")
-                (car names)
-                ", "
-                (cadr names)
-                " )"))))
+    ($gs__push (gs-say :sines ($gs__sum_text angle) names own))
     (let ((delay (+ 40 (gs-delay angle))))
       (mapc #'(lambda (s n) (gs-give s n delay)) (cdr pair) names))))
 
