@@ -211,7 +211,8 @@ int gsf_begin_events (gsf_instance *a);
 int gsf_event (gsf_instance *a, int *changed, int *nominals);
 int gsf_completed (gsf_instance *a, int *event);
 
-/* one step of co-simulation to the time t */
+/* may a step of the length h begin at t? one step of co-simulation to the time t */
+int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
 
 /* sum over the knowns of the derivative of unknown times seed */

@@ -4,6 +4,7 @@
 #include "gsmbp/integrate.h"
 #include "plan.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { GSF_MOST_STEPS = 10000000 };
@@ -63,6 +64,21 @@ arrive (gsf_instance *a, double t)
   if (a->m->scene->nlam > 0 && gsf_margins (a, &range, &normal))
     gsf_choose (a);
   gsf_take (a);
+}
+
+int
+gsf_can_step (gsf_instance *a, double t, double h)
+{
+  const double now = a->d[GSF_T];
+  if (! (fabs (t - now) <= 1e-9 * (1 + fabs (now))))
+    return gsf_fail (a, GSF_ERROR, "a step begins where the last one ended, at t = %.15g s; found "
+                     "t = %.15g s", now, t);
+  if (! (h > 0 && h <= 1e300))
+    return gsf_fail (a, GSF_ERROR, "expected a step above 0; found %g s", h);
+  if (t + h > a->d[GSF_T1] + 1e-9 * (1 + fabs (a->d[GSF_T1])))
+    return gsf_fail (a, GSF_ERROR, "a step to t = %.15g s, but the experiment stops at %.15g s",
+                     t + h, a->d[GSF_T1]);
+  return GSF_OK;
 }
 
 int
