@@ -146,7 +146,7 @@ typedef struct
   /* parts of d */
   double *par, *cst;
   double *xs;      /* nx: starts, as they were set */
-  double *xr;      /* nx: the state at the last event or completed step */
+  double *xr;      /* nx: that of the last event or completed step */
   double *x;       /* nx: the state now */
   double *z;       /* ns: states of model exchange */
   double *p;       /* the partition of a closed chain */

@@ -2,8 +2,7 @@
  * which the others follow from.
  *
  * Of a closed chain the importer's states are independent coordinates and speeds; the dependent
- * ones are completed by Newton's method (gsprt) from where they were at the last event or completed
- * step. Where Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all
+ * ones are completed by Newton's method (gsprt) from where they were in the state before. Where Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all
  * coordinates are states, of which those that depend on others are guesses. Euler parameters are
  * divided by their length before they are used. */
 #include "fmu.h"
@@ -167,11 +166,12 @@ gsf_take (gsf_instance *a)
     a->z[k] = a->x[a->place[k]];
 }
 
-int
-gsf_complete (gsf_instance *a)
+/* the state that follows from z, from the guess x */
+static int
+complete_from (gsf_instance *a, const double *x)
 {
   const gs_scene *s = a->m->scene;
-  memcpy (a->x, a->xr, s->nx * sizeof (double));
+  memmove (a->x, x, s->nx * sizeof (double));
   for (int k = 0; k < gsf_ns (a->m); k++)
     a->x[a->place[k]] = a->z[k];
   int status = normalize (a, a->x);
@@ -187,8 +187,21 @@ gsf_complete (gsf_instance *a)
       if (info != 0)
         return gsf_failed (a, GSF_DISCARD, "con", info);
     }
-  a->i[GSF_STALE] = 0;
   return GSF_OK;
+}
+
+/* the guess is the last state that was asked for, then that of the last event or completed step */
+int
+gsf_complete (gsf_instance *a)
+{
+  int status = complete_from (a, a->x);
+  if (status && a->m->scene->nlam > 0)
+    status = complete_from (a, a->xr);
+  if (status)
+    memcpy (a->x, a->xr, a->m->scene->nx * sizeof (double));
+  else
+    a->i[GSF_STALE] = 0;
+  return status;
 }
 
 /* the volume of the columns of the dependent speeds beside that of the best choice; the partition
