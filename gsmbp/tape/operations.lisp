@@ -14,6 +14,19 @@
     (gs-count-sum e)
     (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
 
+;;; the same of entries [target, value, ...] of code, each once; of a pair [sine, cosine] what was
+;;; asked for; none of a statement or a place
+(defun $gs__entries_count (entries)
+  (let ((*gs-muls* 0) (*gs-adds* 0) (*gs-divs* 0) (*gs-sqrts* 0) (*gs-calls* 0))
+    (dolist (c (cdr entries))
+      (destructuring-bind (target value &rest others) (cdr c)
+        (when ($listp target)
+          (incf *gs-calls* (count '$idle (cdr target) :test-not #'eq)))
+        (unless (or (null target) (stringp value) (gs-place-p value)) (gs-count-sum value))))
+    (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
+;;; is it a place, gs__el("A", i, j)?
+(defun gs-place-p (e) (and (consp e) (eq (caar e) '$gs__el_)))
+
 (defun gs-negative-p (number) ($gs__starts_negative number))
 (defun gs-magnitude (number) (if (gs-negative-p number) (gs-minus number) number))
 (defun gs-exact (number)
