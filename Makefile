@@ -21,7 +21,8 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
         bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report check-report
+        uninstall package clean packages-manual packages-pdf packages-report check-report \
+        packages-fmu check-fmu
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -45,6 +46,9 @@ make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMM
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
                            REPORTS="stewart four_bar": these only
+make check-fmu             the FMUs of every example, both standards and kinds: FMPy from PyPI in an
+                           environment of its own, sanitizer, wrong calls, binaries
+                           FMUS="stewart four_bar": these only
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
 make manual                info alone, without TeX
@@ -71,7 +75,7 @@ packages:
 	@share/make/packages
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
-packages-test packages-manual packages-pdf packages-report: packages-%:
+packages-test packages-manual packages-pdf packages-report packages-fmu: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -144,6 +148,9 @@ bench-abbreviate: packages compiled
 # PATTERN: only the scenes whose path holds it
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
+
+check-fmu: packages-fmu compiled
+	@tests/fmu/check $(FMUS)
 
 REPORTS ?= $(EXAMPLES)
 
