@@ -53,6 +53,15 @@
     ($gs__push (gs-said '$comment heading)))
   (setq $gs__block heading))
 
+;;; a statement that declares the variables of new symbols, where the language does
+(defun gs-declare-new (symbols)
+  (let ((new (remove-duplicates (remove-if-not #'gs-new-p symbols))))
+    (when (and new $gs__declares)
+      (let ((names (mapcar #'gs-target new)))
+        (mapc #'(lambda (s n) (setf (gethash s $gs__names) n)) new names)
+        ($gs__push (gs-said '$statement
+                            (gs-list (list (caddr $gs__declares) (gs-joined names ", ")))))))))
+
 ;;; [sine, cosine] of an angle by one call; $idle: what nobody asked for
 (defun gs-sine-call (pair angle)
   (gs-declare-new (cdr pair))

@@ -1,16 +1,6 @@
 ;;; emit/expressions.lisp: expressions as text: sums, terms, factors. What a programming language
-;;; decides is asked of its record (emit/language.mac). The state of an emission is held in variables
-;;; of Maxima.
+;;; decides is asked of its record (emit/language.mac).
 (in-package :maxima)
-
-(declaim
-  (special $gs__language $gs__names $gs__used $gs__delays $gs__numbers $gs__body $gs__block $gs__own
-           $gs__where $gs__occupied $gs__parts $gs__late $gs__due $gs__declares))
-
-;;; what the language's record says, and what its function there makes of arguments
-(defun gs-said-of (field)
-  (nth (position field (cdr (get '$gs__language 'defstruct-template))) (cdr $gs__language)))
-(defun gs-said (field &rest arguments) (apply #'mfuncall (gs-said-of field) arguments))
 
 ;;; --------------------------------------------------------------------------- sums, terms, factors
 

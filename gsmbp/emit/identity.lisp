@@ -1,4 +1,4 @@
-;;; emit/identity.lisp: checksum of a text and hash of a scene (see fortran/identity.mac).
+;;; emit/identity.lisp: checksum of a text and hash of a scene (see emit/identity.mac).
 (in-package :maxima)
 
 ;;; Sum of a list of lines as Adler-32 forms it (RFC 1950), of their ASCII characters and a newline

@@ -33,14 +33,6 @@
 ;;; a variable at the left of an assignment, which declares it if it is new and the language does so
 (defun gs-opened (n new) (if (and new $gs__declares) (gs-text (cadr $gs__declares) n) n))
 (defun gs-new-p (s) (not (gethash s $gs__names)))
-;;; a statement that declares the variables of new symbols, where the language does
-(defun gs-declare-new (symbols)
-  (let ((new (remove-duplicates (remove-if-not #'gs-new-p symbols))))
-    (when (and new $gs__declares)
-      (let ((names (mapcar #'gs-target new)))
-        (mapc #'(lambda (s n) (setf (gethash s $gs__names) n)) new names)
-        ($gs__push (gs-said '$statement
-                            (gs-list (list (caddr $gs__declares) (gs-joined names ", ")))))))))
 
 ;;; ------------------------------------------------------------------------------------------ uses
 
@@ -49,12 +41,6 @@
   (setf (gethash s $gs__delays) delay)
   (setf (gethash s $gs__names) n))
 
-; hash table, symbol -> source: those that are loaded ahead of the first statement that uses them;
-; or false
-(defvar $gs__late nil)
-; (name . source) of those that wait for the next statement; bound by gs__emission, as all that an
-; interrupt must not leave behind
-(defvar $gs__due nil)
 ;;; the name of a symbol, which from now on counts as used
 (defun gs-name-text (x)
   (setf (gethash x $gs__used) t)

@@ -55,7 +55,7 @@
 
 ;;; c > 0 times factors; powers with a negative exponent are divisors
 (defun gs-count-product (c factors)
-  (let ((above 0) (below 0))
+  (let ((c (gs-exact c)) (above 0) (below 0))
     (dolist (f factors)
       (cond ((symbolp f) (incf above))
             ((not (gs-power-p f)) (gs-count-factor f) (incf above))
@@ -64,7 +64,7 @@
             (t (incf above (gs-count-power (cadr f) (caddr f))))))
     (cond ((eql c 1))
           ((not (gs-quotient-p c)) (incf above))
-          ((eql (cadr (gs-exact c)) 1) (incf below))
+          ((eql (cadr c) 1) (incf below))
           ((plusp below) (incf above) (incf below))
           (t (incf *gs-divs*) (incf above)))
     (incf *gs-muls* (max 0 (1- above)))

@@ -5,8 +5,9 @@ It needs the two emitted sources and the run times; its argument is how many sta
 
     NAME calls entries same largest
 
-with the number of entries compared, of those that are equal bit for bit, and the largest difference
-beside the largest entry of its array; it ends with 1 where that is above 1e-14 or an INFO differs.
+with the number of entries compared, of those that are equal bit for bit, and the largest
+difference beside the largest entry of its array; it ends with 1 where that is above 1e-14 or an
+INFO differs.
 """
 import json
 import re
@@ -65,7 +66,7 @@ def fill(name, n):
 
 
 def argument(scene, routine, name, shape):
-    """lines that declare and fill both copies, the Fortran and the C argument, lines that compare"""
+    """lines that declare and fill both copies, the arguments of Fortran and C, lines that compare"""
     whole, intent, dims = of(shape)
     n = scene.size(name, dims)
     if name == "INFO" and not dims:
