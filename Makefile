@@ -20,14 +20,9 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-<<<<<<< HEAD
-        bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report check-report \
-        packages-fmu check-fmu
-=======
-        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report check-report
->>>>>>> wd
+        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate same doc \
+        manual install uninstall package clean packages-manual packages-pdf packages-report \
+        check-report packages-fmu check-fmu
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples

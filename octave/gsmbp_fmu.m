@@ -3,8 +3,8 @@
 ## @deftypefn  {} {@var{files} =} gsmbp_fmu (@var{scene})
 ## @deftypefnx {} {@var{files} =} gsmbp_fmu (@var{scene}, @var{folder})
 ## Write the scene file @var{scene} (.mac) as FMUs, for Simulink, OpenModelica, FMPy and others:
-## @file{@var{folder}/@var{name}_fmi2.fmu} and @file{_fmi3.fmu}, of the standards 2.0 and 3.0, each for
-## model exchange and co-simulation, with C sources, a binary for Linux and, where Debian's
+## @file{@var{folder}/@var{name}_fmi2.fmu} and @file{_fmi3.fmu}, of the standards 2.0 and 3.0,
+## each for model exchange and co-simulation, with C sources, a binary for Linux and, where Debian's
 ## gcc-mingw-w64 is installed, one for Windows.  @var{folder} is @file{fmu_out} if it is not given.
 ##
 ## @var{files} is a cell with the two paths.  The chapter "Models that travel" of the manual says

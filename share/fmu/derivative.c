@@ -46,7 +46,7 @@ divide (const gs_scene *s, work *k)
   return all;
 }
 
-/* ------------------------------------------------------------------------------------- the state */
+/* ------------------------------------------------------------------------------------ the state */
 
 /* dx of Euler parameters that are divided by their length */
 static void
@@ -114,7 +114,7 @@ completed (gsf_instance *a, work *k)
   return GSF_OK;
 }
 
-/* ------------------------------------------------------------------------------------------ knowns */
+/* --------------------------------------------------------------------------------------- knowns */
 
 /* the state of x that a reference is, if the importer has it as a state, else -1 */
 static int

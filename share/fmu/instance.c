@@ -180,7 +180,7 @@ gsf_reset (gsf_instance *a)
   gsf_plan (a);
 }
 
-/* ------------------------------------------------------------------------------- what goes wrong */
+/* ------------------------------------------------------------------------------ what goes wrong */
 
 int
 gsf_fail (gsf_instance *a, int status, const char *format, ...)

@@ -2,9 +2,10 @@
  * which the others follow from.
  *
  * Of a closed chain the importer's states are independent coordinates and speeds; the dependent
- * ones are completed by Newton's method (gsprt) from where they were in the state before. Where Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all
- * coordinates are states, of which those that depend on others are guesses. Euler parameters are
- * divided by their length before they are used. */
+ * ones are completed by Newton's method (gsprt) from where they were in the state before. Where
+ * Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all coordinates
+ * are states, of which those that depend on others are guesses. Euler parameters are divided by
+ * their length before they are used. */
 #include "fmu.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/loops.h"
@@ -14,14 +15,14 @@
 #include <math.h>
 #include <string.h>
 
-/* a set is chosen anew where the volume of its columns is below this part of the best one's: after a
- * step, within one */
+/* a set is chosen anew where the volume of its columns is below this part of the best one's after a
+ * step; within one, below GSF_RANGE */
 #define GSF_CHANGE 0.8
 #define GSF_RANGE 0.5
 /* how far the length of Euler parameters may be from 1 */
 #define GSF_LENGTH 1e-3
 
-/* ------------------------------------------------------------------------- inputs, rates, outputs */
+/* ----------------------------------------------------------------------- inputs, rates, outputs */
 
 int
 gsf_inputs (gsf_instance *a)
@@ -102,7 +103,7 @@ normalize (gsf_instance *a, double *x)
   return GSF_OK;
 }
 
-/* ------------------------------------------------------------------------ independent coordinates */
+/* ---------------------------------------------------------------------- independent coordinates */
 
 /* which states the importer has: those that the partition counts */
 static int
@@ -263,7 +264,7 @@ gsf_set_states (gsf_instance *a, const double *z)
   return GSF_OK;
 }
 
-/* ----------------------------------------------------------------------------------------- start */
+/* ---------------------------------------------------------------------------------------- start */
 
 /* the Jacobian of the rates of the settled states by these, by differences; 0 if it fails */
 static int

@@ -1,5 +1,5 @@
-/* drive.c: an FMU called from C, as it should be and as it should not. It is linked with the sources
- * of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
+/* drive.c: an FMU called from C, as it should be and as it should not. It is linked with the
+ * sources of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
  *
  * Arguments: the end of the run [s], the number of wrong sequences. */
 #include "fmu.h"
@@ -230,7 +230,7 @@ exchange (double end)
   FREE (c);
 }
 
-/* ----------------------------------------------------------------------------------------- wrong */
+/* ---------------------------------------------------------------------------------------- wrong */
 
 static unsigned seed;
 static int

@@ -26,7 +26,8 @@ ls "$work/again" | grep -v -e '\.fmu$' -e '\.log$' >"$report"
 result 'nothing is left beside the archives'
 for standard in 2 3; do
   unzip -p "$work/fmu/event_crank_fmi$standard.fmu" modelDescription.xml >"$work/said.xml"
-  /usr/bin/python3 -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' "$work/said.xml"
+  /usr/bin/python3 -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' \
+    "$work/said.xml"
   grep -q 'name="S.mode"' "$work/said.xml" || echo 'no mode of the stop'
   grep -q 'unit="N\*m"' "$work/said.xml" || echo 'no unit of the input'
 done >"$report" 2>&1
