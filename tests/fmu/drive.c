@@ -1,7 +1,7 @@
 /* drive.c: an FMU called from C, as it should be and as it should not. It is linked with the
  * sources of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
  *
- * Arguments: the end of the run [s], the number of wrong sequences. */
+ * Arguments: the end of the run [s], the number of wrong sequences, the value of all inputs. */
 #include "fmu.h"
 
 #include <locale.h>
@@ -31,6 +31,7 @@ logged (int status, const char *text)
 #define ERROR 3
 enum { MOST = 1000 };
 static const gsf_model *m = &gsf_the_model;
+static double given = 0.1;   /* all inputs */
 
 static void
 told (int good, const char *text)
@@ -54,7 +55,7 @@ all_variables (void)
   return (int)first_of (GSF_BLOCKS);
 }
 
-/* an instance behind its initialization, inputs at a tenth */
+/* an instance behind its initialization, inputs as given */
 static void *
 begun (int kind, double end)
 {
@@ -63,7 +64,7 @@ begun (int kind, double end)
   for (int k = 0; k < m->nin; k++)
     {
       unsigned r = first_of (GSF_INPUT) + k;
-      double v = 0.1;
+      double v = given;
       bad += SET (c, &r, 1, &v);
     }
   bad += EXIT (c);
@@ -157,13 +158,13 @@ static int
 moved (void *c, const double *x, int i, double h, int n, const unsigned *unknowns, double *values)
 {
   const int ns = gsf_ns (m);
-  double y[MOST], v = 0.1 + h;
+  double y[MOST], v = given + h;
   unsigned input = first_of (GSF_INPUT) + i - ns;
   memcpy (y, x, ns * sizeof (double));
   if (i < ns)
     y[i] += h;
   int bad = (i >= ns && SET (c, &input, 1, &v)) || PUT (c, y, ns) || GET (c, unknowns, n, values);
-  v = 0.1;
+  v = given;
   return bad || (i >= ns && SET (c, &input, 1, &v)) || PUT (c, x, ns);
 }
 
@@ -190,7 +191,7 @@ difference (void *c, const double *x, int i, double h)
 static double
 worst_derivative (void *c, const double *x, int i)
 {
-  double least = 1e300, size = fmax (1, i < gsf_ns (m) ? fabs (x[i]) : 0);
+  double least = 1e300, size = i < gsf_ns (m) ? fmax (1, fabs (x[i])) : fabs (given);
   for (double h = 1e-4; h > 1e-8; h /= 10)
     least = fmin (least, difference (c, x, i, h * size));
   return least;
@@ -359,8 +360,15 @@ int
 main (int argc, char **argv)
 {
   double end = argc > 1 ? strtod (argv[1], NULL) : 1;
-  if (setlocale (LC_ALL, "de_DE.UTF-8") || setlocale (LC_ALL, "de_DE.utf8"))
-    printf ("# decimals have a comma: %.1f\n", 1.5);
+  if (argc > 3)
+    given = strtod (argv[3], NULL);
+  setlocale (LC_ALL, "");
+  if (getenv ("LOCPATH"))
+    {
+      char text[20];
+      snprintf (text, sizeof text, "%.1f", 1.5);
+      told (strcmp (text, "1,5") == 0, "decimals have a comma");
+    }
   cosimulation (end);
   exchange (end);
   wrong (argc > 2 ? atoi (argv[2]) : 100);
