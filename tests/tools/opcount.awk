@@ -1,7 +1,7 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div
 # sqrt trig. X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts and
-# whole numbers do not count; trig is every other intrinsic call, and a power with a broken exponent;
-# CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
+# whole numbers do not count; trig is every other intrinsic call, and a power with a broken
+# exponent; CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
 BEGIN {
   set(trig, "SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP")
   set(free, "SQRT ABS MAX MIN ANINT GSFLR")
