@@ -6,6 +6,7 @@
 
 #include <locale.h>
 #include <math.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -93,6 +94,38 @@ same (void *c, void *d)
 }
 
 /* ------------------------------------------------------------------------------------- orderly */
+
+/* a whole run of co-simulation */
+static double until;
+static void *
+whole_run (void *nothing)
+{
+  void *c = begun (1, until);
+  (void)nothing;
+  for (int k = 0; k < 20; k++)
+    if (STEP (c, until * k / 20, until / 20))
+      return c;
+  return c;
+}
+
+/* four instances at the same time */
+static void
+threads (double end)
+{
+  pthread_t thread[4];
+  void *c[4];
+  int good = 1;
+  until = end;
+  for (int k = 0; k < 4; k++)
+    pthread_create (thread + k, NULL, whole_run, NULL);
+  for (int k = 0; k < 4; k++)
+    pthread_join (thread[k], c + k);
+  for (int k = 1; k < 4; k++)
+    good &= same (c[0], c[k]);
+  for (int k = 0; k < 4; k++)
+    FREE (c[k]);
+  told (good, "four instances in threads of their own give the same bits");
+}
 
 /* two instances, one after the other and in turns, give the same bits; a saved state goes on as the
  * instance did */
@@ -370,6 +403,7 @@ main (int argc, char **argv)
       told (strcmp (text, "1,5") == 0, "decimals have a comma");
     }
   cosimulation (end);
+  threads (end);
   exchange (end);
   wrong (argc > 2 ? atoi (argv[2]) : 100);
   return 0;
