@@ -139,7 +139,7 @@ OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 bench-c: packages compiled
-	@for flags in -O2 '-O3 -march=native'; do tests/bench/c_speed.py $$flags || exit 1; done
+	@for flags in -O2 '-O3 -march=native -ffp-contract=fast'; do tests/bench/c_speed.py $$flags || exit 1; done
 
 bench: packages compiled
 	@mkdir -p tests/bench/out
