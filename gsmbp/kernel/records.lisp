@@ -46,3 +46,6 @@
          (value ($@-function in field)))
     (if (and (eq value field) (not (gs-own-structure-p (caar in)))) form value)))
 (setf (get '$@ 'mfexpr*) #'gs-field)
+
+;;; true if x is a structure of that kind (a symbol such as gs__scene)
+(defun $gs__is_struct (x kind) (and (consp x) (eq (caar x) kind)))

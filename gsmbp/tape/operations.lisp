@@ -14,6 +14,9 @@
     (gs-count-sum e)
     (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
 
+;;; multiplications, additions and divisions
+(defun $gs__operations (e) (apply #'+ (subseq (cdr ($gs__expression_count e)) 0 3)))
+
 (defun gs-negative-p (number) ($gs__starts_negative number))
 (defun gs-magnitude (number) (if (gs-negative-p number) (gs-minus number) number))
 (defun gs-exact (number)
