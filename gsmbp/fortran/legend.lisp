@@ -2,7 +2,8 @@
 ;;; links and devices (ten to twenty times faster than in Maxima where there are thousands).
 (in-package :maxima)
 
-(declaim (special $gs__no_powers $gs__few_operations))
+(defvar $gs__no_powers (gs-list (list 0 0 0 0 0)))
+(defvar *gs-few-operations* 3) ; a constant of so few is written out in what is made of it
 
 (defun gs-legend-table (legend field) ($@-function legend field))
 (defun gs-legend-entry (legend s) (gethash s (gs-entries ($@-function legend '$tape))))
@@ -89,7 +90,7 @@
             (when (and (gs-legend-entry legend x) (gs-brief-p ($gs__expanded_of legend x)))
               (setf (gethash x h) ($gs__expanded_of legend x))))
           (setf (gethash s expanded) ($gs__replace h (gs-entry-expression entry)))))))
-(defun gs-brief-p (e) (<= ($gs__operations e) $gs__few_operations))
+(defun gs-brief-p (e) (<= ($gs__operations e) *gs-few-operations*))
 
 ;;; ---------------------------------------------------------------------------------------- owners
 

@@ -105,6 +105,8 @@
     (dotimes (i (length s) k)
       (setq k (mod (+ (* 31 k) (char-code (char-downcase (char s i)))) gs-key-size)))))
 
+(defun gs-sum-p (e) (and (consp e) (eq (caar e) 'mplus)))
+(defun gs-product-p (e) (and (consp e) (eq (caar e) 'mtimes)))
 (defun gs-power-p (e) (and (consp e) (eq (caar e) 'mexpt)))
 
 (defun gs-text (&rest parts) (apply #'concatenate 'string parts))

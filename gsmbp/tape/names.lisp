@@ -12,8 +12,6 @@
 (defmacro gs-count (tp) `(nth 7 ,tp))
 (defmacro gs-block (tp) `(nth 8 ,tp))
 
-(defun gs-sum-p (e) (and (consp e) (eq (caar e) 'mplus)))
-(defun gs-product-p (e) (and (consp e) (eq (caar e) 'mtimes)))
 (defun gs-name-or-number-p (e) (or (atom e) (eq (caar e) 'rat)))
 
 ;;; ----------------------------------------------------------------------------------------- tables
