@@ -38,6 +38,10 @@
           for key = (gs-bare x)
           unless (gethash key seen)
             collect x and do (setf (gethash key seen) t))))
+;; a table that holds `true` under the texts of words, in lower case
+(defun $gs__table_of_words (words)
+  (let ((h ($gs__new_hash)))
+    (dolist (w (cdr words) h) (setf (gethash (string-downcase ($sconcat w)) h) t))))
 ;; true if the table h holds one of the symbols of a list
 (defun $gs__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))

@@ -202,3 +202,15 @@
                       (gs-list (list (gs-rate-number d) (gs-rate-number direction)))))))))
 ;;; of the structure gs__direction(kind, axis, moves): the number of its first rate
 (defun gs-rate-number (d) (cadr (cadr (nth 3 d))))
+
+;;; ---------------------------------------------------------------------------------------- headings
+
+;;; A heading for the entries that follow (a comment line in the Fortran); what it is about; of the
+;;; namer gs__naming, what is said of link i (or joint, or rate i)
+(defun $gs__block (nm text) ($gs__block_about nm text ""))
+(defun $gs__block_about (nm text subject)
+  (when (eq (nth 1 nm) '$tape)
+    (let ((tp (nth 3 nm))) (setf (gs-block tp) text (gs-subject tp) subject)))
+  '$done)
+(defun $gs__of_link (text i &rest more)
+  ($gs__block_about (gs-naming) (apply #'$sconcat text i more) i))
