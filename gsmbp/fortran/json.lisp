@@ -65,3 +65,8 @@
                       inner (if object (caddr (car l)) (car l))
                       (if object (gs-json-key (car l)) "") (if (cdr l) "," "")) lines)))
           (reverse (cons (gs-text indent (if object "}" "]") tail) lines))))))
+
+;;; intent and dimensions of an argument: "in", "out(3,3)", "integer in"
+(defun $gs__shape (a)
+  (flet ((part (field) ($@-function a field)))
+    (gs-text (if (string= (part '$type) "whole") "integer " "") (part '$intent) (part '$dims))))
