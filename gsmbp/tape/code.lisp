@@ -72,6 +72,17 @@
         ((eq (caar e) '%signum) 0)
         (t (gs-function-rate h ($op e) (cdr e)))))
 
+;;; derivative of an expression by the coordinate q; atoms [s, c, angle]: s and c stand for the sine
+;;; and cosine of the angle, [[coordinate, integer], ...]
+(defun $gs__angle_rate (atoms e q)
+  (let ((h (make-hash-table :test #'eq)))
+    (setf (gethash q h) 1)
+    (loop for (nil s c angle) in (cdr atoms)
+          do (let ((n (caddr (find q (cdr angle) :key #'cadr :test #'eq))))
+               (when n
+                 (setf (gethash s h) (gs-times n c) (gethash c h) (gs-times (- n) s)))))
+    ($gs__rate h e)))
+
 ;;; |x| and its sign under names of their own while Maxima differentiates (gs__derivative); not by
 ;;; gradef, which would stand in the session's list of gradefs
 (defprop $gs__modulus ((x) (($gs__sign) x)) grad)

@@ -112,3 +112,11 @@
   (cond ((member function '(%sqrt $sqrt)) (incf *gs-sqrts*))
         ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor)))
         (t (incf *gs-calls*))))
+
+;;; how many angles have their sine or cosine among the expressions
+(defun $gs__angle_count (expressions)
+  (length
+    (remove-duplicates
+      (loop for e in (cdr expressions)
+            when (and (consp e) (member (caar e) '(%sin %cos))) collect (cadr e))
+      :test #'alike1)))
