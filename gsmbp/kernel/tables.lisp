@@ -24,12 +24,6 @@
   (let ((c (make-hash-table :test #'equal)))
     (maphash #'(lambda (k v) (setf (gethash k c) (copy-tree v))) h)
     c))
-;; the passes that are on, as a number: part of the key of what a scene remembers
-(defvar *gs-pass-lists* (make-hash-table :test #'equal))
-(defun $gs__passes_key ()
-  (let* ((passes (symbol-value '$gsmbp_passes)) (l (if (consp passes) (cdr passes) passes)))
-    (or (gethash l *gs-pass-lists*)
-        (setf (gethash l *gs-pass-lists*) (1+ (hash-table-count *gs-pass-lists*))))))
 ;; the elements of a list in the order in which they are first seen, each once
 (defun $gs__first_seen (l) (cons '(mlist simp) (gs-first-seen (cdr l))))
 (defun gs-first-seen (elements)

@@ -22,3 +22,9 @@
   (or ($@-function device '$variant) (cadr (cadr (gs-variants (gs-entry-of device))))))
 (defun gs-variants (entry) ($gs__field entry '$variants))
 (defun gs-entry-of (device) (mfuncall '$gs__entry ($@-function device '$kind)))
+
+;;; Value of a parameter of a device: the option as written (number or expression), else a parameter
+;;; of its own; its ratio, 1 where none is given
+(defun $gs__device_value (device symbol) (or (gs-option device symbol) ($gs__own device symbol)))
+(defun $gs__ratio (device) (or (gs-option device '$ratio) 1))
+(defun gs-option (device symbol) ($gs__field ($@-function device '$options) symbol))

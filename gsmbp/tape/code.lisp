@@ -10,7 +10,10 @@
 (defun $gs__entry_block (e) (gs-entry-block e))
 (defun $gs__entry_symbols (e) (nth 5 e))
 
-;;; entries of a tape that symbols need, oldest first
+;;; Entries [name, expression, block, number, symbols] that a list of expressions needs, oldest
+;;; first. Constant entries are included only if constants is true.
+(defun $gs__reach (tp outputs constants)
+  ($gs__reach_symbols (gs-entries tp) (gs-nature tp) ($gs__symbols outputs) constants))
 (defun $gs__reach_symbols (entry nature symbols constants)
   (let ((seen (make-hash-table :test #'eq)) (found nil) (todo (cdr symbols)))
     (do () ((null todo) (gs-list (sort found #'< :key #'gs-entry-number)))

@@ -25,7 +25,6 @@
         (t 0)))
 ;;; a pass that is off: every operation a new name (share), nothing depends on parameters alone
 ;;; (hoist)
-(defun gs-on (pass) (member pass (cdr (symbol-value '$gsmbp_passes)) :test #'eq))
 (defun gs-find (tp e key)
   (if (gs-on '$share) (cdr (assoc e (gethash key (gs-table tp)) :test #'equal))))
 (defun gs-keep (tp e key name) (push (cons e name) (gethash key (gs-table tp))) name)

@@ -81,3 +81,19 @@
   (let ((first (car terms)))
     (flet ((listed (x) (gs-text (gs-factor-in-name (caddr x) (eq x first)) ($sconcat (cadr x)))))
       (gs-joined (mapcar #'listed terms) "_"))))
+
+;;; ----------------------------------------------------------------------------------------- values
+
+;;; [sine, cosine] of a sum of n_i*angle_i from [[sine_i, cosine_i], n_i]
+(defun $gs__added (l)
+  (let ((s 0) (c 1))
+    (loop for (nil (nil si ci) n) in (cdr l)
+          do (let ((si (if (minusp n) (mul -1 si) si)))
+               (dotimes (k (abs n))
+                 (psetq s (add (mul s ci) (mul c si)) c (sub (mul c ci) (mul s si))))))
+    (gs-list (list s c))))
+;;; a rational of one or two digits, different for neighbouring k and i, never 0, 1 or -1
+(defun $gs__small_rational (k i)
+  (multiple-value-bind (q h) (floor (mod (+ (* 7919 k) (* 104729 i) (* 31 k i) 12345) 99991) 17)
+    (let ((p (+ 2 h)))
+      (div (if (evenp q) p (- p)) (+ p 1 (mod (floor q 2) 11))))))
