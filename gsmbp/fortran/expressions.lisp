@@ -343,3 +343,19 @@
              (substitute-if-not #\_ #'gs-word-character-p s))))
     (unless (gs-letter-p (char c 0)) (setq c (gs-text "X" c)))
     (subseq c 0 (min 26 (length c)))))
+
+;;; how many entries of the code, from its start on, are calls of GSSC
+(defun $gs__leading_calls (code)
+  (or (position-if-not #'$listp (cdr code) :key #'cadr) (length (cdr code))))
+;;; the loads [symbol, place] whose symbol an expression of the code or a result uses
+(defun $gs__loads_used (loads code result)
+  (let ((used (make-hash-table :test #'eq)))
+    (flet ((use (e)
+             (unless (stringp e)
+               (dolist (s (cdr ($gs__symbols e))) (setf (gethash s used) t)))))
+      (dolist (c (cdr code)) (use (caddr c)))
+      (dolist (r (cdr result)) (use (caddr r))))
+    (gs-list (remove-if-not #'(lambda (l) (gethash (cadr l) used)) (cdr loads)))))
+;;; what stands above the values of an array whose text this is
+(defun $gs__title_of (text)
+  (subseq text 0 (position-if #'(lambda (c) (find c ";:")) text)))

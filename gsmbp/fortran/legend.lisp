@@ -107,3 +107,25 @@
         (gs-list
           (gs-first-seen
             (if masses (loop for x in masses append (narrowed (owned (list x)))) others)))))))
+
+;;; ------------------------------------------------------------------------------------------ words
+
+;;; what an entry says of a parameter, up to the first clause
+(defun $gs__first_clause (text)
+  (string-trim " " (subseq text 0 (position-if #'(lambda (c) (find c ",;(:")) text))))
+
+;;; "mass of link1, link2"; of more than four the first and the last
+(defun $gs__of_owners (what owners)
+  (let ((names (mapcar #'$sconcat (remove "" (cdr owners) :test #'equal))))
+    (cond ((null names) what)
+          ((> (length names) 4)
+           (gs-text what " of " (car names) ", ..., " (car (last names))))
+          (t (gs-text what " of " (gs-joined names ", "))))))
+;;; what a parameter is: where it stands alone ahead, three places at most
+(defun $gs__words_joined (words)
+  (flet ((part-p (row) (eql 0 (search "part of" (cadr row))))
+         (text-of (row) ($gs__of_owners (cadr row) (caddr row))))
+    (let ((texts (mapcar #'text-of
+                         (append (remove-if #'part-p (cdr words))
+                                 (remove-if-not #'part-p (cdr words))))))
+      (gs-joined (if (cdddr texts) (append (subseq texts 0 3) (list "...")) texts) "; "))))

@@ -46,8 +46,9 @@
 (defvar *gs-dotted-words*
   '(".GE." ".GT." ".LE." ".LT." ".EQ." ".NE." ".AND." ".OR." ".NOT." ".TRUE." ".FALSE."))
 (defun gs-dotted-word-at (s k)
-  (find-if #'(lambda (w) (let ((e (+ k (length w)))) (and (<= e (length s)) (string= w s :start2 k :end2 e))))
-           *gs-dotted-words*))
+  (flet ((there-p (w)
+           (let ((e (+ k (length w)))) (and (<= e (length s)) (string= w s :start2 k :end2 e)))))
+    (find-if #'there-p *gs-dotted-words*)))
 (defun $gs__identifiers (text)
   (let ((s (string-upcase text)) (k 0) (names nil))
     (loop while (< k (length s))
@@ -60,6 +61,11 @@
                      ((or (digit-char-p c) (char= c #\.)) (setq k (gs-past-digits s k)))
                      (t (incf k)))))
     (gs-list (nreverse names))))
+;;; a table of the names that texts use
+(defun $gs__names_in (texts)
+  (let ((h ($gs__new_hash)))
+    (dolist (text (cdr texts) h)
+      (dolist (name (cdr ($gs__identifiers text))) (setf (gethash name h) t)))))
 ;;; one past what begins as a number does, with its letters, at k
 (defun gs-past-digits (s k)
   (loop
@@ -68,7 +74,7 @@
               (not (or (char= (char s k) #\.) (alphanumericp (char s k)))))
       (return k))))
 
-;;; ---------------------------------------------------------------------------------------- counting
+;;; -------------------------------------------------------------------------------------- counting
 
 (defun gs-word-p (word) (and word (alpha-char-p (char word 0))))
 (defun gs-digits-p (word) (and word (digit-char-p (char word 0))))
@@ -127,7 +133,7 @@
           (gs-list (mapcar #'+ (cdr ($gs__tally))
                            (cdr ($gs__tokens_count ($gs__right_side ($gs__tokens s)))))))))))
 
-;;; ------------------------------------------------------------------------------------------- lines
+;;; ----------------------------------------------------------------------------------------- lines
 
 ;;; the lines of statements given as text, see gs__routine
 (defun $gs__raw (statements) (gs-list (loop for s in (cdr statements) append (gs-raw-lines s))))

@@ -32,6 +32,10 @@
           for key = (gs-bare x)
           unless (gethash key seen)
             collect x and do (setf (gethash key seen) t))))
+;; the elements of a list under 1, 2, ...; as many of them as a list
+(defun $gs__put_all (l)
+  (let ((h ($gs__new_hash)) (k 0)) (dolist (x (cdr l) h) (setf (gethash (incf k) h) x))))
+(defun $gs__all_of (h n) (cons '(mlist simp) (loop for k from 1 to n collect (gethash k h))))
 ;; a table that holds `true` under the texts of words, in lower case
 (defun $gs__table_of_words (words)
   (let ((h ($gs__new_hash)))

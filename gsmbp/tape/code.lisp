@@ -37,6 +37,14 @@
       (dolist (code (cdr codes)) (dolist (e (cdr code)) (mapc #'take (gs-entry-symbols e)))))
     (gs-list (mapcar #'gs-entry-name (sort found #'< :key #'gs-entry-number)))))
 
+;;; The constants by which PRE comes to those that the routines use, beside these and the known ones.
+(defun $gs__helpers_of (tp constants known)
+  (let ((used (make-hash-table :test #'eq)))
+    (dolist (s (cdr constants)) (setf (gethash s used) t))
+    (gs-list
+      (remove-if #'(lambda (s) (or (gethash s used) (gethash s known)))
+                 (mapcar #'gs-entry-name (cdr ($gs__reach tp constants t)))))))
+
 ;;; ------------------------------------------------------------------------------------ derivatives
 
 ;;; Rates of the outputs on the tape of the namer nm, from those of symbols: seeds [symbol = rate,

@@ -1,5 +1,5 @@
-;;; trig/names.lisp: angles, lists of [coordinate, integer], and the names of their sines and cosines
-;;; (see trig/rules.mac).
+;;; trig/names.lisp: angles, lists of [coordinate, integer], and the names of their sines and
+;;; cosines (see trig/rules.mac).
 (in-package :maxima)
 
 ;;; [[q2, 1], [q3, -2]] => q2 - 2*q3
@@ -15,7 +15,20 @@
                    (list -1 (gs-list (mapcar #'opposite l)))
                    (list 1 (gs-list l)))))))
 
-;;; ------------------------------------------------------------------------------------------ names
+;;; a + k*b of angles, the coordinates in one order (q2 before q10), so that an angle has one form
+(defun $gs__angle_sum (a b k)
+  (let ((sum (mapcar #'cdr (cdr a))))
+    (loop for (nil q n) in (cdr b)
+          do (let ((own (assoc q sum :test #'eq)) (n (mul k n)))
+               (setq sum (if own
+                             (substitute (list q (add (cadr own) n)) own sum :test #'eq)
+                             (append sum (list (list q n)))))))
+    (gs-list (mapcar #'gs-list (sort (remove 0 sum :key #'cadr) #'gs-ahead-p)))))
+(defun gs-ahead-p (x y)
+  (let ((s ($sconcat (car x))) (u ($sconcat (car y))))
+    (if (= (length s) (length u)) ($orderlessp s u) (< (length s) (length u)))))
+
+;;; ----------------------------------------------------------------------------------------- names
 
 ;;; Names of sine and cosine of an angle (first coefficient positive): q1 -> [sq1, cq1], q2+q3 ->
 ;;; [sq23, cq23], q1-q2 -> [sq1m2, cq1m2], 2*q1 -> [s2q1, c2q1], theta+phi -> [stheta_phi,
@@ -39,7 +52,8 @@
 ;;; names of an angle of which `used` (of a text in lower case) says no
 (defun $gs__free_names_by (angle used)
   (let ((try ($gs__trig_names angle)) (k 0))
-    (flet ((used-p (s) (definitely-so (mapply1 used (list (string-downcase ($sconcat s))) used nil))))
+    (flet ((used-p (s)
+             (definitely-so (mapply1 used (list (string-downcase ($sconcat s))) used nil))))
       (loop while (some #'used-p (cdr try))
             do (setq try (gs-names-of-text
                            (gs-text (gs-angle-listed (cdr angle))
@@ -82,7 +96,7 @@
     (flet ((listed (x) (gs-text (gs-factor-in-name (caddr x) (eq x first)) ($sconcat (cadr x)))))
       (gs-joined (mapcar #'listed terms) "_"))))
 
-;;; ----------------------------------------------------------------------------------------- values
+;;; ---------------------------------------------------------------------------------------- values
 
 ;;; [sine, cosine] of a sum of n_i*angle_i from [[sine_i, cosine_i], n_i]
 (defun $gs__added (l)

@@ -44,7 +44,7 @@
     (count-nodes e)
     nil))
 
-;;; ------------------------------------------------------------------------------------------ terms
+;;; ----------------------------------------------------------------------------------------- terms
 
 (defun gs-terms-of (e) (if (gs-sum-p e) (cdr e) (list e)))
 ;;; number of terms of an expanded expression
@@ -70,7 +70,7 @@
 (defun gs-polynomial-size (p)
   (loop for (monomial . number) in (gs-monomials p) sum (gs-term-size monomial number)))
 
-;;; ------------------------------------------------------------------------------------- identities
+;;; ------------------------------------------------------------------------------------ identities
 
 ;;; what the memory of a rule set holds under a key, made by f where it does not yet
 (defun gs-in-memory (ruleset key f)
@@ -120,7 +120,7 @@
             (list (minus sb) (mul sc ca) (minus cc sa))
             (list (minus cb) (mul cc ca) (mul sc sa))))))
 
-;;; ------------------------------------------------------------------------------- the shortest form
+;;; ----------------------------------------------------------------------------- the shortest form
 
 ;;; An expanded expression with its sums of sines and cosines in their shortest forms. Terms are put
 ;;; together by what stands beside their sines and cosines; what is left, small polynomials in sines
