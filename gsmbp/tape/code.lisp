@@ -37,7 +37,7 @@
       (dolist (code (cdr codes)) (dolist (e (cdr code)) (mapc #'take (gs-entry-symbols e)))))
     (gs-list (mapcar #'gs-entry-name (sort found #'< :key #'gs-entry-number)))))
 
-;;; The constants by which PRE comes to those that the routines use, beside these and the known ones.
+;;; The constants by which PRE comes to those that routines use, without these and the known ones.
 (defun $gs__helpers_of (tp constants known)
   (let ((used (make-hash-table :test #'eq)))
     (dolist (s (cdr constants)) (setf (gethash s used) t))
