@@ -23,7 +23,7 @@ CALLS = {
 # functions whose texts are parts of messages: file, function
 TEXTS = [
     ('gsmbp/fortran/info.mac', 'gs__info_sentences'),
-    ('gsmbp/fortran/info.mac', 'gs__bad_argument'),
+    ('gsmbp/fortran/info.mac', 'gs__bad_arguments'),
     ('gsmbp/fortran/requests.mac', 'gs__why_left_out'),
     ('gsmbp/fortran/requests.mac', 'gs__why_not_square'),
     ('gsmbp/fortran/requests.mac', 'gs__say_too_long'),
