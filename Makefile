@@ -20,7 +20,7 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        bench bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
+        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
         uninstall package clean packages-manual packages-pdf packages-report check-report
 
 define HELP
@@ -30,6 +30,9 @@ make test-random           2000 scenes made by chance against each of two indepe
                            (make test takes 40 and 10); SEED=1 COUNT=2000: others
 make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
                            (make test takes 25)
+make test-c                emitted C against emitted Fortran of all scenes (make test takes a sample);
+                           SCENES="FILE.mac ...": these only
+make bench-c               speed of emitted C beside emitted Fortran
 make bench                 tests/bench/report.md, report.json and figures
                            PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside
                            BENCH_SYSTEMS="puma3 puma6": these only
@@ -111,6 +114,10 @@ SEED ?= 1
 test-random: packages-test compiled
 	@tests/random/run $(or $(COUNT),2000) $(SEED)
 
+SCENES ?= $(wildcard examples/*/*.mac tests/scenes/*.mac tests/bench/systems/*.mac)
+test-c: packages-test compiled
+	@tests/tools/c_pairs $(SCENES)
+
 test-malformed: packages-test compiled
 	@{ tests/malformed/judge.py hand; \
 	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
@@ -119,6 +126,9 @@ test-malformed: packages-test compiled
 
 OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
+
+bench-c: packages compiled
+	@for flags in -O2 '-O3 -march=native'; do tests/bench/c_speed.py $$flags || exit 1; done
 
 bench: packages compiled
 	@mkdir -p tests/bench/out

@@ -39,8 +39,11 @@
 ## .gif: how fast, 1 (default) is real time; pictures per second, default 20,
 ## at most 50
 ## @item "trace"
-## the path of one point: a column of @code{m.ske}, or the name of a link for
-## its last one (mass centre, if it has one)
+## the path of one point: the name of a point or frame of the scene, a column of
+## @code{m.ske}, or the name of a link for its last one (mass centre, if it has
+## one)
+## @item "points"
+## false: no marks and names for the points and frames of the scene that move
 ## @item "title"
 ## text above
 ## @item "view"
@@ -84,6 +87,7 @@ function gsmbp_animate (m, result, file, varargin)
            "view", [54.7, 130], "numbers"
            "up", "z", {"x", "y", "z"}
            "centres", true, "flag"
+           "points", true, "flag"
            "width", 720, "positive"};
   o = gsmbp__options (who, table, varargin);
   moving = numel (file) > 4 && strcmpi (file(end-3:end), ".gif");
@@ -91,10 +95,11 @@ function gsmbp_animate (m, result, file, varargin)
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
   endif
   [t, q] = motion (who, m, result);
-  o = gsmbp__animation_options (who, o, m.skeleton, t);
+  named = named_points (m, o);
+  o = gsmbp__animation_options (who, o, m.skeleton, t, named);
   rows_drawn = poses (t, o, moving);
   rows_traced = unique ([rows_drawn, round(linspace (1, numel (t), min (numel (t), 1000)))]);
-  points = @(list) cell2mat (reshape (arrayfun (@(k) m.ske (t(k), q(k,:)'), list, ...
+  points = @(list) cell2mat (reshape (arrayfun (@(k) drawn (m, t(k), q(k,:)', named), list, ...
                                         "UniformOutput", false), 1, 1, []));
   p = points (rows_drawn);
   path = zeros (3, 0);
@@ -104,12 +109,13 @@ function gsmbp_animate (m, result, file, varargin)
 
   table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
   guard = onCleanup (@() gsmbp__discard (table));
-  gsmbp_csv (table, heads (m.skeleton), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
+  gsmbp_csv (table, heads (m, named), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);
-  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres);
-  named = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
-  s = gsmbp__stage (p, path, o, numel (named) + numel (m.skeleton.marks.key) + ! isempty (path), ...
-             max (cellfun (@numel, [named, {o.traced, "mass centre"}])));
+  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named);
+  entries = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
+  s = gsmbp__stage (p, path, o, ...
+                    numel (entries) + numel (m.skeleton.marks.key) + ! isempty (path), ...
+                    max (cellfun (@numel, [entries, {o.traced, "mass centre"}])));
   lines = gsmbp__axes (s, o);
   n = numel (rows_drawn);
   if (moving)
@@ -159,6 +165,24 @@ function [t, q] = motion (who, m, result)
   q = q(:,1:m.sizes.nq);
 endfunction
 
+## points and frames of the scene, "" where one stands on ground and is not drawn
+function names = named_points (m, o)
+  names = {};
+  if (o.points && isfield (m, "pnt") && isfield (m, "points"))
+    names = m.points(:)';
+    on_link = ! strcmp ({m.json.points.link}, "ground");
+    names(! on_link) = {""};
+  endif
+endfunction
+
+## the points of the skeleton, then those of the scene
+function p = drawn (m, t, q, named)
+  p = m.ske (t, q);
+  if (! isempty (named))
+    p = [p, m.pnt(t, q)];
+  endif
+endfunction
+
 ## the rows of the result that are drawn
 function list = poses (t, o, moving)
   at = o.times(:)';
@@ -173,7 +197,8 @@ function list = poses (t, o, moving)
   endif
 endfunction
 
-function names = heads (skeleton)
+function names = heads (m, named)
+  skeleton = m.skeleton;
   names = {"t"};
   for b = 1:numel (skeleton.body)
     for k = 1:skeleton.points(b)
@@ -181,6 +206,9 @@ function names = heads (skeleton)
                cellfun(@(c) sprintf ("%s.%d.%s", skeleton.body{b}, k, c), {"x", "y", "z"}, ...
                        "UniformOutput", false)];
     endfor
+  endfor
+  for k = 1:numel (named)
+    names = [names, cellfun(@(c) [m.points{k} "." c], {"x", "y", "z"}, "UniformOutput", false)];
   endfor
 endfunction
 

@@ -71,6 +71,23 @@
 ## @item [g, s] = m.mar (t, x[, v])
 ## margins of the devices (@code{m.state_margins}: strokes, pressures), above 0 where
 ## their laws hold, and the sizes of these numbers (of their terms)
+## @item [P, R] = m.pnt (t, q)
+## places of the points and frames of the scene (@code{m.points}) in ground axes [m],
+## 3 x @var{np}, and their axes side by side, 3 x 3@var{np} (@code{gsmbp_point} by name)
+## @item [J, dJu] = m.jpt (t, q, u)
+## their Jacobians in ground axes side by side, 6 x @var{nu}*@var{np}, rows vx, vy, vz of the
+## point, wx, wy, wz; and (dJ/dt)*u, 6 x @var{np}; m.pnt_v, m.jpt_v for many states
+## @item g = m.gra (t, q), n = m.cor (t, q, u)
+## gravity, and Coriolis and centripetal efforts, parts of the bias (requests @code{gravity},
+## @code{coriolis})
+## @item [T, c, u0, info] = m.ind (t, q, u)
+## motion of a closed chain by independent speeds w: u = T*w + u0, ud = T*wd + c (request
+## @code{independent})
+## @item [M, b, g, info] = m.red (t, q, u[, v])
+## its mass matrix, bias and gravity by w (request @code{reduced})
+## @item [J, a, info] = m.jpi (t, q, u)
+## Jacobians of the points by w, and their accelerations at wd = 0 (request
+## @code{independent_jacobians})
 ## @item P = m.ske (t, q)
 ## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
 ## body (@code{m.skeleton})
@@ -84,7 +101,7 @@
 ## emitted the scene, and a hash of what was written in it; "" where the JSON has none),
 ## @code{par} (parameter values; change them with
 ## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
-## @code{inputs}, @code{outputs}, @code{multipliers} (names), @code{unique} (a struct
+## @code{inputs}, @code{outputs}, @code{multipliers}, @code{points} (names), @code{unique} (a struct
 ## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
 ## others are one of many values and depend on where a loop is cut), @code{units} (a
 ## struct with the same fields), @code{sizes}, @code{actuated},

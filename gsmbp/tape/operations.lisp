@@ -14,6 +14,18 @@
     (gs-count-sum e)
     (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
 
+;;; the same of entries [target, value, ...] of code, each once; of a pair [sine, cosine] what was
+;;; asked for; none of a statement or a place
+(defun $gs__entries_count (entries)
+  (let ((*gs-muls* 0) (*gs-adds* 0) (*gs-divs* 0) (*gs-sqrts* 0) (*gs-calls* 0))
+    (dolist (c (cdr entries))
+      (destructuring-bind (target value &rest others) (cdr c)
+        (when ($listp target)
+          (incf *gs-calls* (count '$idle (cdr target) :test-not #'eq)))
+        (unless (or (null target) (stringp value) (gs-place-p value)) (gs-count-sum value))))
+    (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
+;;; is it a place, gs__el("A", i, j)?
+(defun gs-place-p (e) (and (consp e) (eq (caar e) '$gs__el_)))
 ;;; multiplications, additions and divisions
 (defun $gs__operations (e) (apply #'+ (subseq (cdr ($gs__expression_count e)) 0 3)))
 
@@ -45,7 +57,7 @@
 
 ;;; c > 0 times factors; powers with a negative exponent are divisors
 (defun gs-count-product (c factors)
-  (let ((above 0) (below 0))
+  (let ((c (gs-exact c)) (above 0) (below 0))
     (dolist (f factors)
       (cond ((symbolp f) (incf above))
             ((not (gs-power-p f)) (gs-count-factor f) (incf above))
@@ -54,7 +66,7 @@
             (t (incf above (gs-count-power (cadr f) (caddr f))))))
     (cond ((eql c 1))
           ((not (gs-quotient-p c)) (incf above))
-          ((eql (cadr (gs-exact c)) 1) (incf below))
+          ((eql (cadr c) 1) (incf below))
           ((plusp below) (incf above) (incf below))
           (t (incf *gs-divs*) (incf above)))
     (incf *gs-muls* (max 0 (1- above)))

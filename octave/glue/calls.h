@@ -54,12 +54,22 @@ modes_after (const std::vector<int>& mode)
   return m;
 }
 
+static Matrix
+counted (const std::vector<int>& counts)
+{
+  Matrix m (counts.size (), 1);
+  for (std::size_t i = 0; i < counts.size (); i++)
+    m(i) = counts[i];
+  return m;
+}
+
 // a subroutine at one state
 static octave_value_list
 call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
 {
   std::size_t n = g.slots.size ();
   reals numbers[most_slots];
+  std::vector<int> counts[most_slots];
   int wholes[most_slots] = { };
   void *places[most_slots];
   std::vector<int> mode;
@@ -77,6 +87,11 @@ call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
           mode = a.modes ();
           places[i] = mode.data ();
         }
+      else if (s.what == slot::counts)
+        {
+          counts[i].assign (std::max (1, s.room), 0);
+          places[i] = counts[i].data ();
+        }
       else if (s.what == slot::constants)
         places[i] = cst.data ();
       else
@@ -92,7 +107,9 @@ call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
     {
       std::size_t i = g.results[k];
       const slot& s = g.slots[i];
-      out(k) = s.what == slot::modes ? modes_after (mode) : result (numbers[i], s.rows, s.cols);
+      out(k) = s.what == slot::modes    ? modes_after (mode)
+               : s.what == slot::counts ? counted (counts[i])
+                                        : result (numbers[i], s.rows, s.cols);
     }
   for (std::size_t i = 0; i < n; i++)
     if (g.slots[i].what == slot::indicator)

@@ -57,7 +57,7 @@ absent (const std::string& call, const char *request)
 //   q         read, of the shape of `quantities`; q(nq), m(nu,nu): of this one
 //   ?v        may be left out, then zero
 //   >tau(nu)  a result; <x: read and a result; >res(1/n): one number, n places to work in
-//   way[1:4]  a whole number from 1 to 4; mode: the modes
+//   way[1:4]  a whole number from 1 to 4; >#br(8): whole numbers; mode: the modes
 //   cst, ld, k, info: the constants, the leading dimension of the array before it (of all arrays,
 //             behind k, the number of states), the number of states, the indicator
 // and the results in the order of the handle where that is another.  A subroutine that is not here

@@ -6,7 +6,7 @@
 // An argument of an emitted subroutine.
 struct slot
 {
-  enum kind { real, whole, modes, constants, leading, states, indicator } what;
+  enum kind { real, whole, counts, modes, constants, leading, states, indicator } what;
   bool in, out, needed;
   std::string name;
   int rows, cols, room;   // numbers of the array, and places that the subroutine writes
@@ -94,7 +94,7 @@ slot_of (const std::string& word)
         s.in = false;
         return s;
       }
-  std::size_t begin = word.find_first_not_of ("?<>"), end = word.find_first_of ("([");
+  std::size_t begin = word.find_first_not_of ("?<>#"), end = word.find_first_of ("([");
   std::string marks = word.substr (0, begin), inside;
   if (end != std::string::npos)
     inside = word.substr (end + 1, word.size () - end - 2);
@@ -112,6 +112,8 @@ slot_of (const std::string& word)
     }
   else
     shape (s, inside);
+  if (marks.find ('#') != std::string::npos)
+    s.what = slot::counts;
   return s;
 }
 

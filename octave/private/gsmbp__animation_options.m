@@ -1,7 +1,8 @@
-## o = gsmbp__animation_options (who, o, skeleton, t)
-## The options O of gsmbp_animate, checked; T: the times of the motion.
+## o = gsmbp__animation_options (who, o, skeleton, t, named)
+## The options O of gsmbp_animate, checked; T: the times of the motion; NAMED: the points of the
+## scene, which stand behind those of the skeleton.
 
-function o = gsmbp__animation_options (who, o, skeleton, t)
+function o = gsmbp__animation_options (who, o, skeleton, t, named)
   if (o.fps > 50)
     error (["%s: option fps must be at most 50 (a GIF counts hundredths of a second), " ...
             "found: %g"], who, o.fps);
@@ -17,19 +18,24 @@ function o = gsmbp__animation_options (who, o, skeleton, t)
            && all (o.times(:) <= t(end) + slack)))
     error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
   endif
-  [o.trace, o.traced] = traced (who, o.trace, skeleton);
+  [o.trace, o.traced] = traced (who, o.trace, skeleton, named);
 endfunction
 
 ## the column of m.ske that option trace means, and its name
-function [column, name] = traced (who, wanted, skeleton)
+function [column, name] = traced (who, wanted, skeleton, named)
   column = [];
   name = "";
   last = cumsum (skeleton.points);
+  if (ischar (wanted) && any (strcmp (wanted, named)))
+    column = last(end) + find (strcmp (wanted, named));
+    name = ["path of " wanted];
+    return;
+  endif
   if (ischar (wanted) && ! isempty (wanted))
     k = find (strcmp (skeleton.body, wanted));
     if (isempty (k) || skeleton.points(k) == 0)
       error ("%s: option trace: no link \"%s\"; known: %s", who, wanted, ...
-             strjoin (skeleton.body(2:end)', ", "));
+             strjoin ([skeleton.body(2:end)', named(! cellfun (@isempty, named))], ", "));
     endif
     column = last(k);
   elseif (! isempty (wanted))

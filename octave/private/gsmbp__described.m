@@ -36,6 +36,10 @@ function m = gsmbp__described (json)
   if (isfield (json, "events") && ! isempty (json.events))
     m.events = json.events(:)';
   endif
+  m.points = cell (0, 1);
+  if (isfield (json, "points") && ! isempty (json.points))
+    m.points = gsmbp__names (json.points);
+  endif
   m.skeleton = gsmbp__skeleton (json);
   m = loops (m, json);
 endfunction

@@ -15,6 +15,7 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   d = camera (d, first (drawing.gravity), low, high, flat);
   d.solids = gsmbp__drawn_solids (drawing, first, d);
   d.pairs = pairs_of (drawing, first);
+  d.points = named_points (drawing, first);
   [d.arrows, d.arrows_v] = arrows_of (drawing, number, turn, d.extent, numel (t));
 endfunction
 
@@ -50,6 +51,20 @@ function points = points_of (drawing, first, place, turn)
     points = [points; at_joint(j.body, first (j.at), place, turn); ...
               at_joint(j.child, first (j.child_at), place, turn)];
   endfor
+  for p = named_points (drawing, first)
+    points = [points; at_joint(p{1}.body, p{1}.at, place, turn)];
+  endfor
+endfunction
+
+## points and frames of the scene; axes by rows
+function list = named_points (drawing, first)
+  list = {};
+  if (isfield (drawing, "points"))
+    for p = gsmbp__structs (drawing.points)
+      list{end+1} = struct ("name", p.name, "kind", p.kind, "body", p.body, "at", first (p.at), ...
+                            "axes", first (p.axes));
+    endfor
+  endif
 endfunction
 
 ## half the size of what is drawn of a body: of its shapes and discs, else of the box of equal

@@ -1,7 +1,8 @@
-## m = gsmbp__marks (skeleton, centres)
-## The marks of joints and mass centres, and the key of what is drawn.
+## m = gsmbp__marks (skeleton, centres, named)
+## The marks of joints and mass centres, and the key of what is drawn; labels of the points of the
+## scene, NAMED, which stand behind those of the skeleton.
 
-function m = gsmbp__marks (skeleton, centres)
+function m = gsmbp__marks (skeleton, centres, named)
   column = 0;
   of = {};
   for b = 1:numel (skeleton.body)
@@ -38,4 +39,8 @@ function m = gsmbp__marks (skeleton, centres)
                             "points pt 2 ps 1.1 lw 1.6");
     m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
   endif
+  m.labels = struct ("column", {}, "name", {});
+  for k = find (! cellfun (@isempty, named))
+    m.labels(end+1) = struct ("column", column + k, "name", named{k});
+  endfor
 endfunction

@@ -49,6 +49,7 @@ function lines = gsmbp__picture (skeleton, p, shades, path, s, title, o)
   if (d.dims == 3)
     d = add (d, path, s, track);
   endif
+  d = all_named (d, p(:,:,end), skeleton.marks.labels, s);
   for b = bodies
     if (! isempty (skeleton.entry{b}))
       q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
@@ -73,6 +74,25 @@ function d = marked (d, here, own, list, s, shade)
     d = add (d, q, s, mark.under);
     d = add (d, q, s, sprintf ("%s lc rgb '%s'", mark.over, lighter ("#222222", shade)));
   endfor
+endfunction
+
+## the points of the scene in a pose, those at one place with their names together
+function d = all_named (d, here, labels, s)
+  while (! isempty (labels))
+    q = here(:,labels(1).column);
+    same = max (abs (here(:,[labels.column]) - q), [], 1) <= 0.2 * s.mark;
+    d = named (d, q, strjoin ({labels(same).name}, ","), s);
+    labels = labels(! same);
+  endwhile
+endfunction
+
+## a point of the scene with its name beside it
+function d = named (d, q, name, s)
+  d = add (d, q, s, "points pt 7 ps 0.7 lc rgb '#111111'");
+  block = sprintf ("$D%d", numel (d.data) + 1);
+  d.data{end+1} = sprintf (["%s << EOD\n" repmat("%.9g ", 1, d.dims) "%s\nEOD"], block, ...
+                           q(s.axes), name);
+  d.plots{end+1} = sprintf ("%s with labels offset 1,0.7 left font ',10' notitle", block);
 endfunction
 
 ## one link in one pose: plate, arm to the mass centre, line

@@ -1,57 +1,48 @@
-## [number, place, turn] = gsmbp__poses (who, drawing, m, r, list)
-## What is drawn (gsmbp/show/drawing.mac) along the rows LIST of a run R: NUMBER, a handle that
-## gives the values of a cell array of expressions, a row for each instant; PLACE and TURN, cell
-## arrays by body: nt x 3 [m], and nt x 9, the rotation by rows, in ground axes.
+## [P, R] = gsmbp__poses (who, P, R)
+## Poses as places, 3 x k, and rotation matrices, 3 x 3 x k.  R: rotation matrices, Euler
+## parameters (4 x k, scalar first) or [] (then unit matrices).  What is of another size or no
+## rotation is an error of WHO.
 
-function [number, place, turn] = gsmbp__poses (who, drawing, m, r, list)
-  v = zeros (numel (list), numel (m.inputs));
-  if (isfield (r, "v") && columns (r.v) == columns (v))
-    v = r.v(list,:);
+function [P, R] = gsmbp__poses (who, P, R)
+  if (! (isnumeric (P) && isreal (P) && rows (P) == 3 && ndims (P) == 2 && all (isfinite (P(:)))))
+    error ("%s: places: expected 3 x k finite numbers [m], found %s", who, gsmbp__shown (P));
   endif
-  p = cellfun (@(name) m.par.(name), cellstr (drawing.parameters)(:)');
-  [t, x] = deal (r.t(:)(list), r.x(list,:));
-  z = zeros (numel (list), numel (drawing.program));
-  for k = 1:columns (z)
-    parts = strsplit (drawing.program{k}, " = ");
-    if (! strcmp (parts{1}, sprintf ("z%d", k)))
-      error ("%s: the page of Maxima: expected a statement of z%d, found: %s", who, k, ...
-             drawing.program{k});
-    endif
-    z(:,k) = value (who, parts{2}, t, x, v, p, z);
-  endfor
-  number = @(texts) numbers (who, texts, t, x, v, p, z);
-  place = turn = cell (1, numel (drawing.bodies));
-  for b = 1:numel (drawing.bodies)
-    place{b} = number (drawing.bodies(b).place);
-    turn{b} = number (drawing.bodies(b).turn);
-  endfor
-endfunction
-
-function y = numbers (who, texts, t, x, v, p, z)
-  texts = cellstr (texts)(:)';
-  y = zeros (numel (t), numel (texts));
-  for k = 1:numel (texts)
-    y(:,k) = value (who, texts{k}, t, x, v, p, z);
-  endfor
-endfunction
-
-## one expression; what is not arithmetic of the symbols of a drawing is not evaluated
-function y = value (who, text, t, x, v, p, z)
-  number = str2double (text);
-  if (! isnan (number))
-    y = number;
+  k = columns (P);
+  if (isempty (R))
+    R = repmat (eye (3), 1, 1, k);
     return;
   endif
-  words = unique (regexp (text, '[A-Za-z_]\w*', "match"));
-  known = {"t", "pi", "e", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", ...
-           "cosh", "tanh", "exp", "log", "sqrt", "abs", "signum", "min", "max"};
-  own = ! cellfun (@isempty, regexp (words, '^[xvpz]\d+$', "once"));
-  plain = ! isempty (regexp (text, '^[\w+\-*/^()., ]*$', "once"));
-  if (! plain || ! all (own | ismember (words, known)))
-    error ("%s: the page of Maxima: expected an expression of arithmetic, found: %s", who, text);
+  if (! (isnumeric (R) && isreal (R) && all (isfinite (R(:)))))
+    error ("%s: axes: expected finite numbers, found %s", who, gsmbp__shown (R));
   endif
-  text = regexprep (text, '\<p(\d+)\>', 'p($1)');
-  text = regexprep (text, '\<([xvz])(\d+)\>', '$1(:,$2)');
-  text = regexprep (strrep (text, "signum", "sign"), '([*/^])', '.$1');
-  y = eval ([text ";"]);
+  if (isequal (size (R), [4, k]))
+    R = by_parameters (who, R);
+  endif
+  if (! isequal ([size(R), ones(1, 3 - ndims (R))], [3, 3, k]))
+    error (["%s: axes: expected 3 x 3 x %d (rotation matrices), 4 x %d (Euler parameters) or [],", ...
+            " found %s"], who, k, k, strjoin (cellstr (num2str (size (R)'))', " x "));
+  endif
+  for i = 1:k
+    miss = max (max (abs (R(:,:,i)' * R(:,:,i) - eye (3))));
+    if (miss > 1e-6 || det (R(:,:,i)) < 0)
+      error ("%s: axes of pose %d: expected a rotation matrix, found R'R - 1 up to %g, det %g", ...
+             who, i, miss, det (R(:,:,i)));
+    endif
+    [U, ~, V] = svd (R(:,:,i));   # rounded decimals: the closest rotation
+    R(:,:,i) = U * V';
+  endfor
+endfunction
+
+## rotation matrices of Euler parameters, which need not have the norm 1
+function R = by_parameters (who, e)
+  s = sqrt (sumsq (e));
+  if (any (s < 1e-6))
+    error ("%s: axes: Euler parameters of pose %d are zero", who, find (s < 1e-6, 1));
+  endif
+  e ./= s;
+  for i = columns (e):-1:1
+    v = e(2:4,i);
+    X = [0, -v(3), v(2); v(3), 0, -v(1); -v(2), v(1), 0];
+    R(:,:,i) = eye (3) + 2 * e(1,i) * X + 2 * X * X;
+  endfor
 endfunction

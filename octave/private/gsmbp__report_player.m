@@ -44,6 +44,10 @@ function text = controls (d)
   if (! isempty (d.arrows))
     text = [text, " ", check_box("forces", "forces")];
   endif
+  if (! isempty (d.points))
+    names = cellfun (@(p) gsmbp__html (p.name), d.points, "UniformOutput", false);
+    text = [text, " ", check_box("points", ["points and frames: " strjoin(names, ", ")])];
+  endif
   said = {"</p>", ["<canvas id=\"scene3d\" width=\"960\" height=\"557\" tabindex=\"0\" " ...
                    "aria-label=\"The scene in space; drag or arrow keys turn it, the wheel " ...
                    "zooms\"></canvas>"], ...

@@ -2,7 +2,7 @@
 ## The arguments of an emitted subroutine as glue/signature.h reads them, "t q(2) cst >e(3)",
 ## from its ROW of the JSON's "subroutines".  "" where ROW has no shapes, or a handle needs more
 ## than they tell (the range of a number, a leading dimension): such a subroutine has a row in the
-## table of the module, or no handle.
+## table of the module, or no handle.  For many states at once the arrays are told as for one.
 
 function text = gsmbp__signature (row)
   text = "";
@@ -10,20 +10,32 @@ function text = gsmbp__signature (row)
     return;
   endif
   names = tolower (cellstr (row.arguments)(:)');
-  words = cellfun (@word, names, cellstr (row.shapes)(:)', "UniformOutput", false);
+  shapes = cellstr (row.shapes)(:)';
+  if (strcmp (names{end}, "ldk"))
+    shapes = strrep (strrep (shapes, "(LDK,", "("), "(LDK)", "");
+    shapes(end-1:end) = {"states", "leading"};
+  endif
+  words = cellfun (@word, names, shapes, "UniformOutput", false);
   if (any (strcmp (names, "cst")) && ! any (cellfun (@isempty, words)))
     text = strjoin (optional (words), " ");
   endif
 endfunction
 
-## "t(1)", ">e(3)", "cst"; "" where it cannot be told.  SHAPE: "in", "out(3)", "integer in"
+## "t(1)", ">e(3)", "cst", ">#ns(1)" (whole numbers), "k[-9:9]" (a whole number that is read); ""
+## where it cannot be told.  SHAPE: "in", "out(3)", "integer in", "integer out(8)"
 function text = word (name, shape)
   text = "";
   part = regexp (shape, '^(in|out|inout)((?:\(.*\))?)$', "tokens", "once");
   if (any (strcmp (name, {"cst", "info"})))
     text = name;
+  elseif (any (strcmp (shape, {"states", "leading"})))
+    text = struct ("states", "k", "leading", "ld").(shape);
   elseif (! isempty (part) && isempty (regexp (shape, '[*:]', "once")))
     text = [mark(part{1}), name, dimensions(part{2})];
+  elseif (strcmp (shape, "integer in") && ! strncmp (name, "ld", 2))
+    text = [name, "[-99999999:99999999]"];   # the subroutine checks it
+  elseif (strncmp (shape, "integer out", 11))
+    text = [">#", name, dimensions(shape(12:end))];
   elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
     text = name;   # none in this scene
   endif

@@ -17,6 +17,10 @@ function text = gsmbp__still (d, place, turn)
     ends = [point(pose (p{1}.body), p{1}.at), point(pose (p{1}.child), p{1}.child_at)];
     text = [text, line_of(flat * (ends - d.target'), d.extent, [.3 .3 .3], 2)];
   endfor
+  for p = d.points
+    text = [text, name_at(flat * (point (pose (p{1}.body), p{1}.at) - d.target'), d.extent, ...
+                          p{1}.name)];
+  endfor
   text = [sprintf(["<div id=\"still\"><svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" " ...
                    "width=\"640\" height=\"480\" viewBox=\"-320 -240 640 480\">\n" ...
                    "<title>The scene at t = %.6g s</title>\n"], d.t(1)), text, ...
@@ -32,6 +36,13 @@ endfunction
 
 function p = point (P, at)
   p = P * [at(:); 1];
+endfunction
+
+## a point of the scene with its name
+function text = name_at (p, extent, name)
+  p .*= 420 / extent * [1; -1];
+  text = sprintf (["<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3\" /><text x=\"%.1f\" y=\"%.1f\" " ...
+                   "font-size=\"12\">%s</text>\n"], p, p + [5; -5], gsmbp__html (name));
 endfunction
 
 ## the longest axis of a solid as a thick line, and an outline of what is not a rod

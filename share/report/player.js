@@ -2,7 +2,8 @@
 // element `motion`: times t; bodies (0 is ground), whose poses, 12 numbers a frame (rotation by
 // rows, place), are the float32 numbers of `poses`; solids {kind, body, m}: unit box, its edges,
 // cylinder (about z) or sphere, moved by the columns and the offset in m (12 numbers, in axes of the body);
-// pairs of points {kind, body, at, child, child_at}; arrows {body, at, v: index of force}; up, view.
+// pairs of points {kind, body, at, child, child_at}; points and frames {body, at, axes by rows};
+// arrows {body, at, v: index of force}; up, view.
 (() => {
 "use strict";
 const $ = id => document.getElementById(id), page = document.documentElement.dataset;
@@ -105,6 +106,7 @@ for (let i = -5; i <= 5; i++) for (const [a, b] of [[E1, E2], [E2, E1]])
   for (const s of [-5, 5]) grid.push(add(add(D.floor, a, i*D.extent/5), b, s*D.extent/5));
 const trace = D.bodies.map((b, i) => i && b.moves
   ? D.t.map((_, j) => place(pose(j, i), b.centre)) : []);
+const pathOf = D.points.map(p => p.body ? D.t.map((_, j) => place(pose(j, p.body), p.at)) : []);
 const GREY = [.55, .55, .55], shown = id => !$(id) || $(id).checked;
 
 const draw = () => {
@@ -125,7 +127,14 @@ const draw = () => {
   gl.disable(gl.DEPTH_TEST);   // traces are seen through what moves along them
   if (shown("traces")) D.bodies.forEach((b, i) => { if (trace[i].length > 1)
     path(trace[i], b.color.map(c => .3 + .7*c), gl.LINE_STRIP); });
+  if (shown("points") && shown("traces")) pathOf.forEach(l => { if (l.length > 1)
+    path(l, [.15, .15, .15], gl.LINE_STRIP); });
   gl.enable(gl.DEPTH_TEST);
+  if (shown("points")) D.points.forEach(p => { const R = pose(k, p.body), o = place(R, p.at);
+    const r = D.extent*.009, c = [.1, .1, .1];
+    solid("sphere", [r, 0, 0], [0, r, 0], [0, 0, r], o, c);
+    if (p.kind === "frame") [0, 1, 2].forEach(i => rod(o, add(o, turn(R, [p.axes[i], p.axes[3+i],
+      p.axes[6+i]]), D.extent*.07), .4*r, [[.8, .1, .1], [.1, .55, .1], [.1, .2, .8]][i])); });
   if (shown("forces")) D.arrows.forEach((s, i) => { const f = 3*(D.arrows.length*k + i);
     const p = place(pose(k, s.body), s.at), v = Array.from(A.subarray(f, f + 3));
     if (size(v) > 1e-3*D.extent) { rod(p, add(p, v), D.extent*.005, [.8, .1, .1]);
@@ -138,7 +147,7 @@ $("time").max = NF - 1;
 $("time").oninput = e => { running = false; $("play").textContent = "play"; k = +e.target.value; draw(); };
 $("play").onclick = () => { running = !running; clock = D.t[k < NF - 1 ? k : 0];
   $("play").textContent = running ? "pause" : "play"; };
-for (const id of ["traces", "forces"]) if ($(id)) $(id).onchange = draw;
+for (const id of ["traces", "forces", "points"]) if ($(id)) $(id).onchange = draw;
 const swing = (a, b) => { az += a; el = Math.max(-1.55, Math.min(1.55, el + b)); draw(); };
 cv.onpointerdown = e => { held = [e.clientX, e.clientY]; cv.setPointerCapture(e.pointerId); };
 cv.onpointerup = cv.onpointercancel = () => { held = null; };

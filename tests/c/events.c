@@ -2,7 +2,8 @@
 #include "bridge.h"
 #include "gsmbp/events.h"
 
-void gsevt_ (), gsrst_ (), gsimp_ (), gsstk_ (), gsfre_ (), gsevh_ (), gspth_ (), gsjmp_ ();
+void gsevt_ (), gsrst_ (), gsimp_ (), gsstk_ (), gsfre_ (), gsevh_ (), gspth_ (), gsjmp_ (),
+  gshld_ (), gsipt_ (), gsipm_ ();
 double gsevp_ ();
 
 /* a symmetric matrix of order n, positive definite but for some cases */
@@ -189,11 +190,132 @@ within_steps (void)
   finish ();
 }
 
+/* ------------------------------------------------------------ ports of a scene */
+
+static const ports *here;
+
+static int
+stk (double t, const double *x, const double *v, const double *cst, double *ud, double *lam,
+     double *hold)
+{
+  (void)cst;
+  for (int i = 0; i < here->n; i++)
+    ud[i] = t * x[i];
+  for (int i = 0; i < here->m; i++)
+    lam[i] = x[i];
+  for (int i = 0; i < here->k; i++)
+    hold[i] = here->hold.f[i] + v[i];
+  return 0;
+}
+
+static void
+stk_ (const double *t, const double *x, const double *v, const double *cst, double *ud,
+      double *lam, double *hold, int *info)
+{
+  *info = stk (*t, x, v, cst, ud, lam, hold);
+}
+
+static void
+hld (double t, const double *x, const double *v, const double *cst, double *row, int ldr,
+     double *s, double *sd, double *prm)
+{
+  (void)t, (void)x, (void)cst;
+  for (int i = 0; i < here->k; i++)
+    {
+      for (int j = 0; j < here->n; j++)
+        row[i + ldr * j] = here->h.f[here->m + i + here->nr * j];
+      s[i] = here->s.f[i];
+      sd[i] = here->sd.f[i] * (2 + v[i]);
+      memcpy (prm + 4 * i, here->prm.f + 4 * i, 4 * sizeof (double));
+    }
+}
+
+static void
+hld_ (const double *t, const double *x, const double *v, const double *cst, double *row,
+      const int *ldr, double *s, double *sd, double *prm)
+{
+  hld (*t, x, v, cst, row, *ldr, s, sd, prm);
+}
+
+static void
+mas (double t, const double *q, const double *cst, double *m, int ldm)
+{
+  (void)t, (void)q, (void)cst;
+  for (int j = 0; j < here->n; j++)
+    memcpy (m + ldm * j, here->a.f + here->n * j, here->n * sizeof (double));
+}
+
+static void
+mas_ (const double *t, const double *q, const double *cst, double *m, const int *ldm)
+{
+  mas (*t, q, cst, m, *ldm);
+}
+
+static int
+con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
+     double *hc, int ldh, double *gam)
+{
+  (void)q, (void)u, (void)cst;
+  for (int i = 0; i < here->m; i++)
+    {
+      phi[i] = gam[i] = 0;
+      phit[i] = here->phit.f[i];
+      for (int j = 0; j < here->n; j++)
+        hc[i + ldh * j] = here->h.f[i + here->nr * j];
+    }
+  return t > 0.9 ? 4 : 0;
+}
+
+static void
+con_ (const double *t, const double *q, const double *u, const double *cst, double *phi,
+      double *phit, double *hc, const int *ldh, double *gam, int *info)
+{
+  *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
+}
+
+static void
+ports_of_a_scene (void)
+{
+  int jumps = 0;
+  begin ("gshld, gsipt, gsipm");
+  for (int i = 0; i < 2000; i++)
+    {
+      ports p = some_ports ();
+      const int n = p.n, nv = p.k + 1, l = pick (p.k + 2) - 1;
+      const int ipl[4] = { 2, 1, 3, 4 };
+      gs_scene s = { .nq = n, .nu = n, .nx = 2 * n, .nv = nv, .nlam = p.m, .mas = mas, .con = con,
+                     .stk = stk, .hld = hld };
+      const double t = chance ();
+      pair x = pair_of (2 * n), v = pair_of (nv);
+      pair w = pair_of (3 * n * n + 3 * n * p.nr + p.k * n + p.nr * p.nr + nv + n + 6 * n
+                        + 14 * p.nr + 10 * p.k + 4);
+      int info = 0;
+      here = &p;
+      const double before = x.c[n];
+      int made = gsipt (&s, t, x.c, v.c, p.mode, l, 0, p.k, p.kind, ipl, w.c);
+      gsipt_ (stk_, hld_, mas_, con_, &t, x.f, v.f, p.fmode, &l, (double *)0, &n, &n, &nv, &p.m,
+              &p.k, p.kind, ipl, w.f, &info);
+      same_int (made, info);
+      same (x);
+      same (v);
+      for (int j = 0; j < p.k; j++)
+        same_int (p.mode[j], p.fmode[j]);
+      jumps += x.c[n] != before;
+      drop (x);
+      drop (v);
+      drop (w);
+      drop_ports (p);
+    }
+  finish ();
+  holds (jumps > 100, "... speeds that jump");
+}
+
 int
 main (void)
 {
   what_happens ();
   held_ports ();
   within_steps ();
+  ports_of_a_scene ();
   return 0;
 }

@@ -249,6 +249,18 @@ stability (void)
     }
 }
 
+/* no step is good whose end is not finite: the run ends where that begins, in finite numbers */
+static void
+not_finite (const char *what, double from, const char *said, int info)
+{
+  start_pendulum (5, 40);
+  wrong (what, from, 1);
+  compare (&a, said, info);
+  const double *last = a.xout + a.run.ldx * a.run.istat[4];
+  holds (fabs (a.run.rstat[GS_T_REACHED] - from) <= 1e-9 && fabs (last[0]) <= 1e3
+         && fabs (last[1]) <= 1e3, "... where that begins, with the last finite state");
+}
+
 static void
 faults (void)
 {
@@ -260,9 +272,9 @@ faults (void)
   a.iopt[GS_MOST_STEPS] = 50;
   a.ropt[0] = 0.01;
   compare (&a, "too many steps, method 4", 1);
-  start_pendulum (5, 40);
-  wrong ("nan", 1.23, 1);
-  compare (&a, "no rate from some time on", 8);
+  not_finite ("nan", 1.23, "no rate from some time on", 8);
+  not_finite ("huge", 1.23, "a rate of 1e304 from some time on", 2);
+  fault.what = "nan";
   fault.from = 0;
   start_pendulum (5, 40);
   compare (&a, "no rate at the start", 8);

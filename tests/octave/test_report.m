@@ -74,6 +74,22 @@ function poses (m, r, text)
   L = reshape (box.m(1:9), 3, 3);
   gsmbp_check ("the box of equal inertia", 2 / 12 * (trace (L * L') * eye (3) - L * L') ...
     - [1/50 1/5000 0; 1/5000 21/1000 0; 0 0 1/200], 1e-12);
+  named = d.points;
+  if (iscell (named))
+    named = [named{:}];
+  end
+  q = r.x(row(11),1:m.sizes.nq)';
+  [P, A] = m.pnt (d.t(11), q);
+  off = 0;
+  for i = 1:numel (named)
+    p = named(i);
+    b = p.body + 1;
+    R = reshape (all_poses(1:9,b,11), 3, 3)';
+    off = max ([off; abs(all_poses(10:12,b,11) + R*p.at(:) - P(:,i)); ...
+                abs(R*reshape (p.axes, 3, 3)' - A(:,3*i-2:3*i))(:)]);
+  end
+  gsmbp_check ("points and frames of the scene", isequal ({named.name}, m.points'));
+  gsmbp_check ("... where PNT has them", off, 2e-7);
   gsmbp_check ("springs and the force", numel (d.pairs) == 2 && numel (d.arrows) == 1);
 end
 

@@ -12,7 +12,8 @@ emitted=$GSMBP_TEST_DIR/fortran_out
 # loop_line ROUTINE FILE: of the loop with the whole of a routine
 loop_line() {
   awk -v name="$1(" '/^      SUBROUTINE/ { inside = index($0, name) }
-    inside && /DO 62 IS = 1, 8/ { print FNR }' "$2"
+    inside && /-- all of one state/ { whole = 1 }
+    inside && whole && /DO [0-9]+ IS = 1, 8/ { print FNR; whole = 0 }' "$2"
 }
 
 # the loop by its report: its own line, or that of its first statement

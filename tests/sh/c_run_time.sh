@@ -36,6 +36,12 @@ for file in share/c/*/*.c share/c/*/*/*.c; do
 done >"$report"
 result 'every file of share/c has its Fortran'
 
+# -- and one routine for each; gsnon stands where the table of a scene has a null pointer
+nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >"$work/routines"
+nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
+  grep -vxFf "$work/routines" | grep -vx gsnon >"$report"
+result 'every routine of share/fortran is in share/c'
+
 # -- what is in the objects
 nm "$work"/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
 result 'share/c writes no data of its own'

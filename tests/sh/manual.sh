@@ -42,7 +42,7 @@ for path in sorted(glob.glob('octave/gsmbp_*.m')):
             if '"%s"' % word not in help_text:
                 print('%s: option %s' % (path, word))
 code = open('share/manual/code.texi').read()
-rows = open('gsmbp/fortran/requests.mac').read().split('gs__request_rows :')[1].split('$')[0]
+rows = open('gsmbp/emit/requests.mac').read().split('gs__request_rows :')[1].split('$')[0]
 for word, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows):
     if word not in code or not re.search(r'\b_?%s\b' % suffix, code):
         print('code.texi: request %s, %s' % (word, suffix))

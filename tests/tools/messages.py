@@ -22,11 +22,11 @@ CALLS = {
 }
 # functions whose texts are parts of messages: file, function
 TEXTS = [
-    ('gsmbp/fortran/info.mac', 'gs__info_sentences'),
-    ('gsmbp/fortran/info.mac', 'gs__bad_arguments'),
-    ('gsmbp/fortran/requests.mac', 'gs__why_left_out'),
-    ('gsmbp/fortran/requests.mac', 'gs__why_not_square'),
-    ('gsmbp/fortran/requests.mac', 'gs__say_too_long'),
+    ('gsmbp/emit/info.mac', 'gs__info_sentences'),
+    ('gsmbp/emit/info.mac', 'gs__bad_arguments'),
+    ('gsmbp/emit/requests.mac', 'gs__why_left_out'),
+    ('gsmbp/emit/requests.mac', 'gs__why_not_square'),
+    ('gsmbp/emit/requests.mac', 'gs__say_too_long'),
     ('gsmbp/scene/value_rules.mac', 'gs__rule_texts'),
     ('gsmbp/scene/value_rules.mac', 'gs__warn_negative'),
     ('gsmbp/scene/end_links.mac', 'gs__refuse_end'),

@@ -1,7 +1,7 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div
-# sqrt trig. X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts do not
-# count; trig is every other intrinsic call, and a power with a broken exponent; CALL GSSC is a sine
-# and a cosine, what it leaves in IDLE apart.
+# sqrt trig. X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts and
+# whole numbers do not count; trig is every other intrinsic call, and a power with a broken
+# exponent; CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
 BEGIN {
   set(trig, "SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP")
   set(free, "SQRT ABS MAX MIN ANINT GSFLR")
@@ -50,18 +50,28 @@ function application(word) {
   return word
 }
 
+# the names that text declares
+function integers(   t) {
+  while ((t = token()) != "") {
+    if (t ~ /^[A-Z]/) whole[t] = 1
+    if (text ~ /^ *\(/) skip()
+  }
+}
+
 function count(s,   t, before) {
   text = toupper(s)
   if (match(text, /^ *(SUBROUTINE|[A-Z ]*FUNCTION) +[A-Z0-9_]+/)) {
     report()
     name = substr(text, 1, RLENGTH)
     sub(/.* /, "", name)
+    split("", whole)
     return
   }
+  if (sub(/^ *INTEGER /, "", text)) { integers(); return }
   if (sub(/^ *CALL +GSSC *\(/, "", text)) calls += 2 - (text ~ /, *IDLE *[,)]/)
   else {
     if (text !~ /^ *[A-Z][A-Z0-9_]* *(\(.*\))? *=/) return
-    token()
+    if (token() in whole) return
     if (text ~ /^ *\(/) skip()
     if (token() != "=") return
   }

@@ -1,19 +1,9 @@
-/* gsmbp/arith.h: what the sources of this folder share: MAX and MIN as Fortran has them, loops over
- * columns, triangular systems. No part of the interface. */
+/* gsmbp/arith.h: what the sources of this folder share: loops over columns, triangular systems. No
+ * part of the interface. */
 #ifndef GSMBP_ARITH_H
 #define GSMBP_ARITH_H
 
-static inline double
-gs_max (double a, double b)
-{
-  return a > b ? a : b;
-}
-
-static inline double
-gs_min (double a, double b)
-{
-  return a < b ? a : b;
-}
+#include "gsmbp/expressions.h"
 
 static inline int
 gs_most (int a, int b)

@@ -152,6 +152,25 @@ int gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, co
 void gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, double *w,
             int *free);
 
+/* the nh ports of a scene that may be held, as mode (nh) has them; kind (nh): 1 friction, 2 a stop;
+ * ipl (nh): the places of the modes in v, from 1. vm (nv): v with these modes; hold (nh): what
+ * holds the ports, 0 where nothing does; row (nh,nu), pos, sd (nh), prm (4,nh) as hld gives them;
+ * workspace: ud (nu), lam (nlam, at least 1) */
+void gshld (const gs_scene *s, double t, const double *x, const double *v, const int *mode,
+            const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
+            double *lam, double *hold, double *row, double *pos, double *sd, double *prm);
+
+/* what happens at event k of a scene, as l of gsrst: the modes in mode and in v change, the speeds
+ * in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq + 6*nu + 14*(nlam+nh) +
+ * 10*nh + 4. info: as con and gsrst */
+int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
+           int nh, const int *kind, const int *ipl, double *w);
+
+/* for gsipt: the mass matrix a (nu,nu), the Jacobian h (nlam+nh,nu) of the loops with the rows row
+ * (nh,nu) of the ports below, phit (nlam), the speeds u; w: nq + 2*nlam */
+int gsipm (const gs_scene *s, double t, const double *x, const double *cst, int nh,
+           const double *row, double *a, double *h, double *phit, double *u, double *w);
+
 #ifdef __cplusplus
 }
 #endif

@@ -20,7 +20,7 @@ enum
   GS_ROUTINE_FAILED,   /* see istat[5] and istat[6] */
   GS_NOT_FINITE,       /* the state is no longer finite */
   GS_STIFF,            /* steps are bound by stability (method 9) */
-  GS_RATE_NOT_FINITE=8 /* a rate is not finite at the start or behind a stop */
+  GS_RATE_NOT_FINITE=8 /* a rate is not finite at the start, behind a stop or behind the end */
 };
 
 /* the arguments of GSSIM beside the scene, by their names */

@@ -68,6 +68,75 @@ void gspas (const gs_scene *s, double t, const double *x, const double *cst, dou
  * hc, beside the length of its row, the largest of the rows */
 void gspch (int nq, int nu, int nlam, const double *p, double *hc, int job, double *turn);
 
+/* x onto phi = 0 and HC*u + phit = 0 by the shortest way in the metric of the mass matrix; Euler
+ * parameters, ns sets at iset (4,ns), numbers from 1, get the norm 1. quasi: 1 where the speeds are
+ * not the rates of the coordinates, else 0. res: the largest |phi| and error of a norm before. w:
+ * 2*nu*nu + 2*nu*nlam + nlam*nlam + 5*nu + 10*nlam + 2*nq. info: < 0 as con; 1 singular mass
+ * matrix; 3 no position found */
+int gsprj (const gs_scene *s, double t, double *x, int quasi, int ns, const int *iset,
+           const double *cst, double *res, double *w);
+
+/* for gsprj: the position q onto phi = 0; h (nlam,nu) and pt (nlam) are those of con there. u: the
+ * speeds; workspace: a (nu,nu), p, g, lam (nlam), f, dx (nu), w as gskkt, dq (nq) */
+int gspjq (const gs_scene *s, double t, double *q, const double *u, int quasi, int ns,
+           const int *iset, const double *cst, double *res, double *a, double *h, double *p,
+           double *pt, double *g, double *f, double *dx, double *lam, double *w, double *dq);
+
+/* for gsprj: the step dx that moves the speeds u onto h*u + pt = 0; f (nu) is 0 */
+int gspju (const gs_scene *s, double t, const double *q, const double *u, const double *cst,
+           double *a, const double *h, double *p, const double *pt, const double *f, double *dx,
+           double *lam, double *w);
+
+/* ns sets of four Euler parameters, at the places iset (4,ns) of q, from 1, are divided by their
+ * norm; err becomes no less than the largest error of a norm */
+void gsnrm (int ns, const int *iset, double *q, double *err);
+
+/* completes the motion qj (nu,0:r), r <= 3: the dependent coordinates id (nlam) and their
+ * derivatives from the others, ia (nu-nlam), numbers from 1; the speeds are the rates. res: the
+ * largest |phi| left. w: nlam*nlam + nlam*nu + 3*nlam + 2*nu; iw: nlam. info: < 0 as con; 1 a
+ * singular position; 2 the loops do not close */
+int gsclo (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
+           const double *cst, double *res, double *w, int *iw);
+
+/* for gsclo: the positions; workspace: m (nlam,nlam), h (nlam,nu), p, pt, g (nlam), q, u (nu) */
+int gsclq (const gs_scene *s, double t, double *qj, const int *id, const double *cst, double *res,
+           double *m, double *h, double *p, double *pt, double *g, double *q, double *u, int *iw);
+
+/* for gsclo: the derivatives 1 to r */
+int gscld (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
+           const double *cst, double *m, double *h, double *p, double *pt, double *g, double *q,
+           double *u, int *iw);
+
+/* for gsclo: the constraints at the position and speeds of qj. info: that of con */
+int gsclc (const gs_scene *s, double t, const double *qj, const double *cst, double *q, double *u,
+           double *p, double *pt, double *h, double *g);
+
+/* for gsclo: the right side p becomes the solution for the dependent coordinates. info: 1 singular
+ */
+int gscls (int nlam, const int *id, const double *h, double *m, double *p, int *iw);
+
+/* derivatives z (nu+nlam,nz) of accelerations and multipliers by states and inputs: k*z_out = z_in,
+ * with what the efforts of the tree give: lm, lb (nu,nu), lc (nu,nq), from <name>_lin. k is on
+ * entry its border and is overwritten; iw: nu + nlam; info: on entry 2 where the constraints have
+ * lost rank: then nothing is solved. Returned: > 0 where z holds the right sides (gsjdf solves) */
+int gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb, const double *lc,
+           double *k, double *z, int *iw, int info);
+
+/* z of gsjac from the right sides, column by column, rank revealing, where the constraints h
+ * (nlam,nu) have lost rank; phi: what is left of them, grp as gsqrg; workspace: hc (nlam,nu), ud
+ * (nu), lam (nlam), w as gsacc. info: 1 singular mass matrix */
+int gsjdf (int nu, int nlam, int nz, const double *lm, const double *h, const double *phi,
+           const int *grp, double *z, double *hc, double *ud, double *lam, double *w);
+
+/* rows of coordinates (quasi = 1: they are there already; 0: they become 0) and speeds of a
+ * Jacobian a (lda,nz) of the states' rates; z (ldz,nz): derivatives of the accelerations */
+void gsjrw (int nu, int nq, int nz, int quasi, const double *z, int ldz, double *a, int lda);
+
+/* a (nr,nz) := a + by*z, by (nr,nl): what rows of a Jacobian get through accelerations and
+ * multipliers */
+void gsjth (int nr, int nl, int nz, const double *by, int ldb, const double *z, int ldz, double *a,
+            int lda);
+
 #ifdef __cplusplus
 }
 #endif

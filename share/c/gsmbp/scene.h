@@ -23,6 +23,12 @@ typedef int gs_cmd (double t, const double *qj, const double *xi, const double *
 typedef int gs_clo (double t, double *qj, const double *cst, double *res);
 typedef int gs_out (double t, const double *x, const double *v, const double *cst, double *y);
 typedef void gs_ctl (int k, double t, const double *y, double *xk, const double *cst, double *v);
+typedef void gs_mas (double t, const double *q, const double *cst, double *m, int ldm);
+typedef void gs_gad (double t, const double *qj, const double *cst, double *g);
+typedef int gs_stk (double t, const double *x, const double *v, const double *cst, double *ud,
+                    double *lam, double *hold);
+typedef void gs_hld (double t, const double *x, const double *v, const double *cst, double *row,
+                     int ldr, double *s, double *sd, double *prm);
 typedef void gs_ctp (const double *cst, double *period, double *delay);
 typedef void gs_evt (double t, const double *x, const double *v, const int *mode,
                      const double *cst, double *gv);
@@ -44,6 +50,11 @@ typedef struct
   gs_ctl *ctl;
   gs_evt *evt;
   gs_rst *rst;
+  gs_mas *mas;
+  gs_gad *gad;
+  gs_stk *stk;
+  gs_hld *hld;
+  gs_ctp *ctp; /* periods and delays of the sampled devices, for whoever plans a run */
   gs_vin *vin;
   void *data; /* for vin */
 } gs_scene;

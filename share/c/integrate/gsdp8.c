@@ -3,7 +3,7 @@
  *
  * Twelve stages, the first given. With e5 and e3 the differences to the embedded formulae of order
  * 5 and 3, each scaled by the tolerance, err = h*e5**2/sqrt(e5**2 + 0.01*e3**2); states that are
- * completed from others do not count.
+ * completed from others do not count; 1e307 if a number of xn is not finite.
  * The coefficients are those of share/fortran: the published ones, carried on to 38 digits from
  * the order conditions.
  *
@@ -12,6 +12,7 @@
 #include <math.h>
 
 #include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/partition.h"
 
@@ -174,6 +175,6 @@ gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double
   double s = e5 + 0.01 * e3;
   if (! (s > 0.0))
     s = 1.0;
-  *err = fabs (h) * e5 / sqrt (gs_most (1, n) * s);
+  *err = gsfin (nx, xn) != 0 ? 1e307 : fabs (h) * e5 / sqrt (gs_most (1, n) * s);
   return 0;
 }

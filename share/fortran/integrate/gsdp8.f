@@ -23,6 +23,7 @@ C             at TN.  May not share storage with X.
 C     ERR     (output) DOUBLE PRECISION, the estimated error divided by
 C             the tolerance: the step is to be accepted if ERR <= 1.
 C             States that are completed from others do not count.
+C             1.0D307 if a number of XN is not finite.
 C     W       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 holds the right-hand side at (T,X).
 C     WI      (input/output) the W of GSINP.
@@ -48,8 +49,8 @@ C
       DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), RTOL,
      $                   ATOL(*), XN(*), ERR, W(NX,13), WI(*), P(*),
      $                   RSTAT(*)
-      EXTERNAL           GSFUN
-      INTEGER            I, N
+      EXTERNAL           GSFUN, GSFIN
+      INTEGER            GSFIN, I, N
       DOUBLE PRECISION   S, E5, E3, D5, D3
       DOUBLE PRECISION   C2, C3, C4, C5, C6, C7, C8, C9, C10, C11, A21,
      $                   A31, A32, A41, A43, A51, A53, A54, A61, A64,
@@ -258,4 +259,5 @@ C     -- the result and the error
       S = E5 + 0.01D0*E3
       IF ( .NOT.( S.GT.0.0D0 ) ) S = 1.0D0
       ERR = ABS( H )*E5/SQRT( DBLE( MAX( 1, N ) )*S )
+      IF ( GSFIN( NX, XN ).NE.0 ) ERR = 1.0D307
       END

@@ -17,7 +17,7 @@ C             state where TAKEN = 1.
 C     V, F, W, P as GSDP8.
 C     TAKEN   (output) INTEGER, 1 if the step was good: then T is its
 C             end; else 0.
-C     INFO    (output) INTEGER, as GSSIM: 0, 1, 2 or 3.
+C     INFO    (output) INTEGER, as GSSIM: 0, 1, 2, 3 or 8.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
@@ -121,9 +121,10 @@ C     -- a good step: onto the constraints with it
          IF ( IER.EQ.0 .AND. ERR.LE.1.0D300 )
      $      FAC = MIN( 0.9D0, MAX( 0.2D0, 0.9D0*ERR**(-0.125D0) ) )
          M(1) = H*FAC
-         IF ( IER.NE.0 .AND.
+         IF ( .NOT.( ERR.LE.1.0D300 .AND. IER.EQ.0 ) .AND.
      $        M(1).LE.1.0D3*EPS*MAX( ABS( T ), ABS( TB ) ) ) THEN
-            INFO = 3
+            INFO = 8
+            IF ( IER.NE.0 ) INFO = 3
             RETURN
          END IF
          IF ( IER.NE.0 ) P(2) = -1.0D0

@@ -170,8 +170,9 @@ C                they were far from a singular position;
 C     INFO = 3   a routine failed: see ISTAT(6) and ISTAT(7);
 C     INFO = 4   the state is no longer finite;
 C     INFO = 5   steps are bound by stability (method 9);
-C     INFO = 8   a rate of the states is not finite at the start or behind
-C                a stop.
+C     INFO = 8   a rate of the states is not finite at the start, behind
+C                a stop, or behind RSTAT(8) (method 8: no step from
+C                there, however short, ends in finite numbers).
 C     In the cases 1 to 5 and 8 the first ISTAT(5) columns of XOUT are
 C     valid; where there is another it holds the state at RSTAT(8), and
 C     that of VOUT the inputs.

@@ -1,0 +1,101 @@
+/* GSPRJ: Newton's method M*dx = H'*lam, H*dx = -phi (gskkt), at most 50 steps, none longer than
+ * 0.5 rad or m, until |phi| is below 4 epsilon or falls no more (below 1e-11); above 1e-9 at the
+ * end there is no such position. Then one such step for the speeds. */
+#include "gsmbp/arith.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/loops.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+#include <string.h>
+
+int
+gsprj (const gs_scene *s, double t, double *x, int quasi, int ns, const int *iset,
+       const double *cst, double *res, double *w)
+{
+  const int nq = s->nq, nu = s->nu, m = s->nlam;
+  double *const h = w + nu * nu, *const p = h + m * nu, *const pt = p + m, *const g = pt + m,
+         *const f = g + m, *const dx = f + nu, *const lam = dx + nu, *const q = lam + m,
+         *const u = q + nq, *const dq = u + nu, *const ww = dq + nq;
+  *res = 0.0;
+  gsnrm (ns, iset, x, res);
+  memcpy (q, x, nq * sizeof (double));
+  memcpy (u, x + nq, nu * sizeof (double));
+  int info = gspjq (s, t, q, u, quasi, ns, iset, cst, res, w, h, p, pt, g, f, dx, lam, ww, dq);
+  if (info == 0)
+    info = gspju (s, t, q, u, cst, w, h, p, pt, f, dx, lam, ww);
+  if (info != 0)
+    return info;
+  memcpy (x, q, nq * sizeof (double));
+  for (int i = 0; i < nu; i++)
+    x[nq + i] = u[i] + dx[i];
+  return 0;
+}
+
+/* q by the step dx; one of more than half a radian (or metre) is shortened */
+static void
+move (const gs_scene *s, double t, double *q, const double *dx, int quasi, const double *cst,
+      double *dq)
+{
+  double r = 0.5;
+  for (int i = 0; i < s->nu; i++)
+    r = gs_max (r, fabs (dx[i]));
+  if (quasi == 1)
+    {
+      s->kin (t, q, dx, cst, dq);
+      dx = dq;
+    }
+  for (int i = 0; i < s->nq; i++)
+    q[i] += dx[i] * (0.5 / r);
+}
+
+int
+gspjq (const gs_scene *s, double t, double *q, const double *u, int quasi, int ns,
+       const int *iset, const double *cst, double *res, double *a, double *h, double *p,
+       double *pt, double *g, double *f, double *dx, double *lam, double *w, double *dq)
+{
+  const int nu = s->nu, m = s->nlam;
+  double old = 0.0, err = 0.0;
+  for (int i = 0; i < nu; i++)
+    f[i] = 0.0;
+  for (int k = 1; k <= 50; k++)
+    {
+      int info = s->con (t, q, u, cst, p, pt, h, m, g);
+      if (info != 0)
+        return info;
+      double r = 0.0;
+      for (int i = 0; i < m; i++)
+        {
+          r = gs_max (r, fabs (p[i]));
+          p[i] = -p[i];
+        }
+      if (k == 1)
+        *res = gs_max (*res, r);
+      if (r <= 4.0 * gseps () || (k > 2 && r >= old && r <= 1e-11))
+        return 0;
+      old = r;
+      s->mas (t, q, cst, a, nu);
+      info = gskkt (nu, m, a, nu, h, m, f, p, dx, lam, w);
+      if (info == 1)
+        return info;
+      move (s, t, q, dx, quasi, cst, dq);
+      gsnrm (ns, iset, q, &err);
+    }
+  return old > 1e-9 ? 3 : 0;
+}
+
+int
+gspju (const gs_scene *s, double t, const double *q, const double *u, const double *cst,
+       double *a, const double *h, double *p, const double *pt, const double *f, double *dx,
+       double *lam, double *w)
+{
+  const int nu = s->nu, m = s->nlam;
+  s->mas (t, q, cst, a, nu);
+  for (int i = 0; i < m; i++)
+    {
+      p[i] = -pt[i];
+      for (int j = 0; j < nu; j++)
+        p[i] -= h[i + m * j] * u[j];
+    }
+  return gskkt (nu, m, a, nu, h, m, f, p, dx, lam, w) == 1;
+}

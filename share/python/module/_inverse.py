@@ -1,0 +1,125 @@
+"""Inverse dynamics along a planned motion."""
+import collections
+import ctypes
+
+import numpy as np
+
+from . import _run
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address
+
+Inverse = collections.namedtuple('Inverse', 't q u ud qj tau lam v x margins')
+
+
+def inverse(self, motion, times, *, side=1, guess=None, internal=None):
+    """What a planned motion needs, through loops and actuators, at the times (rising) [s].
+
+    motion: a Piecewise (plan) of the actuated coordinates, or of all of an open chain; side: which
+    limit to take at its breaks, 1 right, -1 left; guess (nq,): where the loops begin to close
+    (default initial); internal: states of the devices at the first time (default initial).
+    Result: t; q, u, ud (n, k): the motion, loops completed; qj (n, 1 + order, k): with all
+    derivatives; tau: efforts of the actuated coordinates (of all, in an open chain), lam: multipliers;
+    v: inputs, x: states along the motion, margins: above 0 where the command can be given. What the
+    scene has no subroutine for is None.
+    """
+    who = NAME + '.inverse'
+    poly, planned = _run.planned_motion(who, motion)
+    times = np.atleast_1d(np.asarray(times, float))
+    if times.ndim != 1 or not np.isfinite(times).all() or not (np.diff(times) > 0).all():
+        raise ValueError('%s: times: expected rising finite times [s]' % who)
+    start = self.initial
+    guess = _run._vector(who, 'guess', start[:SIZES['nq']] if guess is None else guess, SIZES['nq'])
+    devices = start[SIZES['nq'] + SIZES['nu']:] if internal is None else internal
+    devices = _run._vector(who, 'internal', devices, SIZES['nx'] - SIZES['nq'] - SIZES['nu'])
+    follow = _Follower(who, self, poly, planned, guess)
+    qj = np.stack([follow(t, side) for t in times], axis=2)
+    q, u, ud = (qj[:, k] for k in range(3))
+    tau = lam = v = x = margins = None
+    if SIZES['nlam'] and 'inl' in ROUTINES:
+        tau, lam = self.inl(times, q, u, ud)
+    elif 'inv' in ROUTINES:
+        tau = self.inv(times, q, u, ud)
+    if 'cmx' in ROUTINES:
+        states = _carried(who, self, poly, planned, guess, times, devices)
+        found = self.cmx(times, qj, states)
+        v, margins = found.v, found.g
+        x = np.concatenate([q, u, found.xa])
+    elif 'cmd' in ROUTINES:
+        v = self.cmd(times, qj, np.zeros(0)).v
+    return Inverse(times, q, u, ud, qj, tau, lam, v, x, margins)
+
+
+class _Follower:
+    """The motion with its derivatives at rising times, loops completed on one branch."""
+
+    def __init__(self, who, model, poly, planned, guess):
+        self.who, self.model, self.poly = who, model, poly
+        self.planned = np.array(planned, np.intc)
+        self.order = TABLE['command_order']
+        self.closed = SIZES['nlam'] > 0 and len(planned) < SIZES['nu']
+        self.qj = np.zeros((SIZES['nu'], self.order + 1), order='F')
+        self.qj[:, 0] = guess
+        self.w = np.zeros(len(planned) * (self.order + 1) + 2 * SIZES['nu'] + 2)
+        self.flat = poly.flat()
+
+    def __call__(self, t, side):
+        if not self.closed:
+            return np.stack([self.poly(t, k, side) for k in range(self.order + 1)], axis=1)
+        pieces, order = self.poly.coefficients.shape[1:]
+        number = ctypes.c_int
+
+        def at(a, skip=0):
+            return ctypes.c_void_p(address(a) + 8 * skip)
+        info = LIBRARY.gs_loop_follow(
+            SCENE, ctypes.c_double(t), number(side), number(self.order), number(len(self.planned)),
+            at(self.planned), number(pieces), number(order), at(self.flat),
+            at(self.flat, pieces + 1), at(self.model.cst), at(self.qj), at(self.w))
+        if info != 0:
+            raise Error('%s: the loop cannot follow the motion at t = %.9g s: %s' % (
+                self.who, t, _run.meaning('clo', info)), info)
+        return self.qj.copy(order='F')
+
+
+def _carried(who, model, poly, planned, guess, times, devices):
+    """States of the devices at the times: internal ones integrated by their own rates."""
+    inside = np.array(TABLE.get('internal') or [], int) - SIZES['nq'] - SIZES['nu'] - 1
+    found = np.tile(devices[:, None], len(times))
+    if not len(inside):
+        return found
+    follow = _Follower(who, model, poly, planned, guess)
+    xi = devices.copy()
+
+    def rate(t, y):
+        xi[inside] = y
+        return model.cmx(t, follow(t, 1), xi).xid[inside]
+    follow(times[0], 1)
+    for k in range(1, len(times)):
+        found[inside, k] = _integrated(who, rate, times[k - 1], times[k], found[inside, k - 1])
+    return found
+
+
+_A = ((1 / 5,), (3 / 40, 9 / 40), (44 / 45, -56 / 15, 32 / 9),
+      (19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729),
+      (9017 / 3168, -355 / 33, 46732 / 5247, 49 / 176, -5103 / 18656),
+      (35 / 384, 0, 500 / 1113, 125 / 192, -2187 / 6784, 11 / 84))
+_C = (1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1)
+_E = (71 / 57600, 0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40)
+
+
+def _integrated(who, rate, t, end, y, rtol=1e-11):
+    """y at the time end, by Dormand and Prince of order 5."""
+    h = (end - t) / 8
+    atol = 1e-13 * max(1.0, np.abs(y).max(initial=0))
+    while t < end:
+        h = min(h, end - t)
+        f = [rate(t, y)]
+        for a, c in zip(_A, _C):
+            z = y + h * sum(x * g for x, g in zip(a, f))
+            f.append(rate(t + c * h, z))
+        error = np.abs(h * sum(x * g for x, g in zip(_E, f)))
+        ratio = (error / (atol + rtol * np.maximum(np.abs(y), np.abs(z)))).max(initial=0)
+        if not np.isfinite(ratio) or h < 1e-12 * max(1.0, abs(end)):
+            raise Error('%s: the internal states cannot be integrated beyond t = %.9g s' % (who, t))
+        if ratio <= 1:
+            t, y = (end if h >= end - t else t + h), z
+        h *= min(5.0, max(0.2, 0.9 * max(ratio, 1e-10) ** -0.2))
+    return y

@@ -1,0 +1,148 @@
+"""The scene with its parameters."""
+import collections
+import difflib
+import types
+import warnings
+
+import numpy as np
+
+from . import _inverse, _rules, _run
+from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, address
+
+Linear = collections.namedtuple('Linear', 'a b c d')
+
+
+def _names(part):
+    return [row['name'] for row in TABLE.get(part) or []]
+
+
+def _units(part):
+    return {row['name']: row['unit'] for row in TABLE.get(part) or []}
+
+
+class Model:
+    """The scene with values of its parameters, which stay as they are: changed() gives another.
+
+    Parameters are named arguments; those that are not named are as the scene has them.
+    """
+
+    name = NAME
+    sizes = types.MappingProxyType(SIZES)
+    coordinates, speeds, states = map(_names, ('coordinates', 'speeds', 'states'))
+    inputs, outputs, multipliers = map(_names, ('inputs', 'outputs', 'multipliers'))
+    units = types.MappingProxyType({part: _units(part) for part in (
+        'coordinates', 'speeds', 'states', 'inputs', 'outputs', 'parameters', 'multipliers')})
+    nominal = np.array(TABLE.get('nominal') or [1.0] * SIZES['nx'], float)
+
+    def __init__(self, **parameters):
+        names = _names('parameters')
+        values = np.zeros(max(1, len(names)))
+        LIBRARY.gs_loop_par(_pointer(values))
+        for name, given in parameters.items():
+            if name not in names:
+                raise KeyError(_unknown(name, names))
+            values[names.index(name)] = _number(name, given)
+        self._parameters = types.MappingProxyType(
+            dict(zip(names, values[:len(names)].tolist())))
+        if parameters:
+            self._check(parameters)
+        self.cst = np.zeros(max(1, SIZES['ncst']))
+        info = LIBRARY.gs_loop_pre(_pointer(values), _pointer(self.cst))
+        if info != 0:
+            raise Error('%s: the parameters: INFO = %d: %s' % (NAME, info, _run.meaning(
+                'pre', info)), info)
+        self.cst.flags.writeable = False
+
+    def _check(self, given):
+        for row in TABLE.get('rules') or []:
+            if not set(row['parameters']) & set(given):
+                continue
+            for sentence in _rules.broken([row], self._parameters):
+                raise ValueError('%s: %s' % (NAME, sentence))
+            if row['rule'] == 'rather_nonnegative':
+                x = _rules.value(row['values'][0], **_rules.numbered(
+                    'p', [self._parameters[n] for n in row['parameters']]))
+                if x < 0:
+                    warnings.warn('%s: %s is negative, it gives energy to the motion: %g' % (
+                        NAME, row['place'], x), RuntimeWarning, stacklevel=4)
+
+    @property
+    def parameters(self):
+        """The values of the parameters by their names, in SI units (units['parameters'])."""
+        return self._parameters
+
+    def changed(self, **parameters):
+        """The scene with other values of some parameters."""
+        return Model(**{**self._parameters, **parameters})
+
+    def __repr__(self):
+        return '<%s: %d states, %d inputs, %d outputs>' % (
+            NAME, SIZES['nx'], SIZES['nv'], SIZES['ny'])
+
+    def _has(self, *names):
+        for name in names:
+            if name not in ROUTINES:
+                raise AttributeError('%s was emitted without the subroutine %s' % (
+                    NAME, name.upper()))
+
+    def __getattr__(self, name):
+        if name.startswith('_'):
+            raise AttributeError(name)
+        raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, _nearest(
+            name, list(ROUTINES))))
+
+    def kept(self, name):
+        """A subroutine with its arrays kept, for many calls of one state each; see Kept."""
+        self._has(name)
+        return Kept(ROUTINES[name], self)
+
+    @property
+    def initial(self):
+        """The states where the scene starts."""
+        return _run.initial(self)
+
+    def linearize(self, t, x, v=None):
+        """The exact linear model at a state: a = dxd/dx, b = dxd/dv, c = dy/dx, d = dy/dv."""
+        self._has('jac')
+        return Linear(*(self.jac(t, x) if v is None else self.jac(t, x, v)))
+
+    simulate = _run.simulate
+    inverse = _inverse.inverse
+
+
+def _pointer(array):
+    import ctypes
+    return ctypes.c_void_p(address(array))
+
+
+def _nearest(name, words):
+    found = difflib.get_close_matches(name, words, 3)
+    return '; did you mean %s?' % ' or '.join(found) if found else ''
+
+
+def _unknown(name, names):
+    return '%s: unknown parameter %s%s' % (NAME, name, _nearest(name, names))
+
+
+def _number(name, given):
+    x = np.asarray(given)
+    if x.shape != () or x.dtype.kind not in 'fiub' or not np.isfinite(x):
+        raise ValueError('%s: parameter %s: expected a finite number; found %r' % (
+            NAME, name, given))
+    return float(x)
+
+
+def _methods():
+    """Every subroutine of the table as a method of Model."""
+    def made(routine):
+        def method(self, *values, **named):
+            return routine(self, *values, **named)
+        method.__name__ = routine.name
+        method.__qualname__ = 'Model.' + routine.name
+        method.__doc__ = routine.documentation()
+        return method
+    for name, routine in ROUTINES.items():
+        setattr(Model, name, made(routine))
+
+
+_methods()

@@ -1,0 +1,618 @@
+"""Runs: the start, the plan of a run as the run time has it, what comes back."""
+import ctypes
+import math
+import time
+import warnings
+
+import numpy as np
+
+from . import _rules
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, pointer
+from ._motion import Piecewise, as_piecewise
+
+NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
+WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
+METHODS = {'rk4': 4, 'dp853': 8}
+RECORDED = 10000   # events
+VIN = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.c_int,
+                       ctypes.POINTER(ctypes.c_double), ctypes.c_int, ctypes.c_int,
+                       ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
+
+
+class RunWarning(RuntimeWarning):
+    """What a run has met: singular positions, stiffness, margins of devices."""
+
+
+class Result:
+    """What a run gives: t (nt,), x (nx, nt) states, v (nv, nt) inputs, y (ny, nt) outputs (None where
+    the scene has none), stats (a dict); samples and events: dicts of arrays, or None."""
+
+    def __init__(self, **fields):
+        self.__dict__.update(fields)
+
+    def __repr__(self):
+        return '<run to t = %g s, %d times>' % (self.stats['reached'], len(self.t))
+
+
+def meaning(name, info):
+    """INFO of a subroutine in a sentence."""
+    for row in TABLE['subroutines']:
+        if row['name'] == '%s_%s' % (NAME.upper(), name.upper()):
+            found = {i['code']: i['meaning'] for i in row['info']}
+            return found.get(info, found.get(1, 'failed') if info > 0 else 'failed')
+    return 'failed'
+
+
+# ------------------------------------------------------------------------------------- the start
+
+def initial(model):
+    """The states where the scene starts."""
+    x = np.array(TABLE['initial'], float)
+    for row in TABLE.get('starts') or []:
+        start = _rules.row_value(row, model.parameters)
+        if math.isfinite(start):
+            x[row['state'] - 1] = start
+    return _settled(model, x)
+
+
+def _settled(model, x):
+    """The states that the table calls settled where their rates vanish, with inputs zero."""
+    own = np.array(TABLE.get('settled') or [], int) - 1
+    if not len(own) or 'rhs' not in ROUTINES:
+        return x
+    y = x
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        if 'prj' in ROUTINES:
+            try:
+                y = model.prj(0, x)[0]
+            except Error:
+                pass
+        for _ in range(20):
+            f = model.rhs(0, y)
+            steps = 1e-3 * model.nominal[own]
+            moved = np.asfortranarray(np.tile(y[:, None], len(own)))
+            moved[own, np.arange(len(own))] += steps
+            slope = (model.rhs(0, moved)[own] - f[own, None]) / steps
+            if not np.isfinite(slope).all() or np.linalg.matrix_rank(slope) < len(own):
+                return x
+            step = np.linalg.solve(slope, f[own])
+            y = y.copy()
+            y[own] -= step
+            if (np.abs(step) <= 1e-12 * (model.nominal[own] + np.abs(y[own]))).all():
+                x[own] = y[own]
+                return x
+    return x
+
+
+def residuals(model, t, x):
+    """(names, scaled): how far a state is from its constraints, beside the usual sizes."""
+    names, scaled = [], []
+    x = np.array(x, float)
+    for places in TABLE.get('orientation') or []:
+        own = np.array(places) - 1
+        length = np.linalg.norm(x[own])
+        names.append('length of (%s) - 1' % ', '.join(model.states[i] for i in own))
+        scaled.append(length - 1)
+        x[own] /= length
+    if NLAM == 0 or 'con' not in ROUTINES:
+        return names, np.array(scaled)
+    u = x[NQ:NQ + NU]
+    con = model.con(t, x[:NQ], u)
+    size = np.sqrt(con.hc ** 2 @ model.nominal[NQ:NQ + NU] ** 2)
+    size = np.maximum(size, 1e-3 * size.max())
+    size[~(size > 0)] = 1
+    fast = np.maximum(np.maximum(size, np.abs(con.hc) @ np.abs(u)), np.abs(con.phit))
+    labels = model.multipliers or ['constraint %d' % (i + 1) for i in range(NLAM)]
+    rows = [i for i in range(NLAM) if i + 1 not in (TABLE.get('speed_rows') or [])]
+    names += [labels[i] for i in rows] + ['rate of ' + label for label in labels]
+    return names, np.concatenate([scaled, (con.phi / size)[rows], (con.hc @ u + con.phit) / fast])
+
+
+def _vector(who, what, given, n):
+    a = np.asarray(given)
+    if a.dtype.kind not in 'fiub' or a.shape != (n,) or not np.isfinite(a).all():
+        raise ValueError('%s: %s: expected %d finite numbers; found %s' % (
+            who, what, n, a.shape if a.shape != (n,) else a.tolist()))
+    return a.astype(float)
+
+
+def _start(who, model, t, x0, start):
+    if start not in ('check', 'project'):
+        raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
+    x = _vector(who, 'x0', x0, NX)
+    if NLAM or NQ != NU:
+        names, scaled = residuals(model, t, x)
+        k = int(np.argmax(np.abs(scaled))) if len(scaled) else 0
+        far = len(scaled) and not abs(scaled[k]) <= 1e-6
+        if start == 'check' and far:
+            raise ValueError(
+                '%s: expected a state on the constraints at t = %.9g s; %s is off by %.3g; '
+                'start="project" moves it onto them' % (who, t, names[k], scaled[k]))
+        if 'prj' in ROUTINES and (start == 'project'
+                                  or np.abs(scaled).max(initial=0) > 100 * np.finfo(float).eps):
+            x = model.prj(t, x)[0]
+    if start == 'check':
+        for sentence, _ in margins(model, np.array([t]), x[:, None], np.zeros((NV, 1))):
+            raise ValueError('%s: a device cannot be there: %s' % (who, sentence))
+        _stops(who, model, t, x)
+    return x
+
+
+def _stops(who, model, t, x):
+    events = TABLE.get('events') or []
+    if not events or 'evt' not in ROUTINES:
+        return
+    inside = model.evt(t, x, np.zeros(len(events), np.intc))
+    for k, event in enumerate(events):
+        if event['kind'] == 'stop' and inside[k] < -1e-6:
+            raise ValueError('%s: the start is beyond an end of the stop %s, by some %g' % (
+                who, event['name'], -inside[k]))
+
+
+def margins(model, t, x, v):
+    """[(sentence, time)]: margins of devices that are not kept at some of the times."""
+    texts = TABLE.get('state_margins') or []
+    if not texts or 'mar' not in ROUTINES:
+        return []
+    kept, size = model.mar(t, x, v)
+    found = []
+    for k in np.flatnonzero((~(kept >= -1e-9 * size)).any(axis=1)):
+        for i in np.flatnonzero(~(kept[k] >= -1e-9 * size[k])):
+            if _passed(model, t[i], x[:, i], v[:, i], k):
+                found.append(('%s: expected above 0, found %.6g' % (texts[k], kept[k, i]), t[i]))
+                break
+    return found
+
+
+def _passed(model, t, x, v, k):
+    """Is the margin passed, not just reached: is it not kept anywhere close by?"""
+    steps = np.diag(model.nominal) * 1e-6
+    near = np.concatenate([x[:, None] + steps, x[:, None] - steps], axis=1)
+    return not (model.mar(t, near, v)[0][k] >= 0).any()
+
+
+# -------------------------------------------------------------------------------------- the plan
+
+class _Plan:
+    """ip and rp of gsinp (inputs.h), breaks, a callback."""
+
+    def __init__(self, who, model):
+        self.who, self.model = who, model
+        self.ip, self.rp, self.breaks = [0] * 30, [], []
+        self.ip[3] = TABLE['command_order']
+        self.callback, self.failure = None, None
+
+    def put(self, place, poly):
+        c = poly.coefficients
+        first = len(self.rp) + 1
+        self.ip[place:place + 4] = [c.shape[1], c.shape[2], first, first + len(poly.breaks)]
+        self.rp += poly.flat().tolist()
+        self.breaks += poly.breaks[1:-1].tolist()
+
+    def motion(self, given):
+        poly, planned = planned_motion(self.who, given)
+        self.ip[0] = 2
+        self.ip[2] = int(NLAM > 0 and len(planned) < NU)
+        self.ip[4] = len(planned)
+        self.ip[21] = NQ + NU + 1
+        self.ip[30:] = planned
+        self.put(9, poly)
+
+    def inputs(self, given):
+        """Constants, a piecewise polynomial or a function v = f(t, x)."""
+        free = free_inputs()
+        if given is None:
+            given = np.zeros(NV)
+        if callable(given) and not isinstance(given, Piecewise) and not hasattr(given, 'c'):
+            self.ip[0] = 3
+            self.callback = self.called(given, free)
+        elif isinstance(given, Piecewise) or hasattr(given, 'c'):
+            poly = as_piecewise(self.who, 'input', given, getattr(given, 'n', NV)
+                                if getattr(given, 'n', NV) in (NV, len(free)) else NV)
+            self.ip[0] = 1
+            self.put(5, poly if poly.n == NV else self.spread(poly, free))
+        else:
+            a = np.atleast_1d(np.asarray(given, float))
+            self.ip[8] = 1
+            self.rp = _vector(self.who, 'input', self.constants(a, free), NV).tolist()
+
+    @staticmethod
+    def constants(a, free):
+        if a.shape == (len(free),) and len(free) != NV:
+            whole = np.zeros(NV)
+            whole[free] = a
+            return whole
+        return a
+
+    @staticmethod
+    def spread(poly, free):
+        whole = np.zeros((NV,) + poly.coefficients.shape[1:])
+        whole[free] = poly.coefficients
+        return Piecewise(poly.breaks, whole)
+
+    def called(self, function, free):
+        def vin(t, side, x, nx, nv, data, v):
+            try:
+                found = np.atleast_1d(np.asarray(
+                    function(t, np.ctypeslib.as_array(x, (nx,))[:NX].copy()), float))
+                np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = _vector(
+                    self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
+                return 0
+            except BaseException as problem:  # no exception may cross the C
+                self.failure = problem
+                return -1000
+        return VIN(vin)
+
+    def feedback(self, gain, reference, limits):
+        if (gain is None) != (reference is None):
+            raise ValueError('%s: gain and reference go together' % self.who)
+        if gain is None:
+            if limits is not None:
+                raise ValueError('%s: limits bound what a feedback gives and need gain' % self.who)
+            return
+        self.ip[1] = 1
+        self.put(13, constant(self.who, 'reference', reference, (NX,)))
+        self.put(17, constant(self.who, 'gain', gain, (NV, NX)))
+        if limits is not None:
+            bounds = np.array(limits, float)
+            if bounds.ndim < 2:
+                bounds = np.broadcast_to(bounds, (NV,))
+                bounds = np.stack([-bounds, bounds], axis=1)
+            if bounds.shape != (NV, 2) or not (bounds[:, 0] < bounds[:, 1]).all():
+                raise ValueError('%s: limits: expected one number, %d, or the shape (%d, 2), lower '
+                                 'below upper' % (self.who, NV, NV))
+            self.ip[29] = len(self.rp) + 1
+            self.rp += np.clip(bounds, -1e300, 1e300).ravel(order='F').tolist()
+
+    def samples(self, times, memory, keep):
+        """The plan of the sampled devices, see gssmp."""
+        devices = TABLE.get('controllers') or []
+        if not devices:
+            if memory is not None:
+                raise ValueError('%s: memory: %s has no sampled devices' % (self.who, NAME))
+            return
+        self.model._has('ctl', 'ctp')
+        period, delay = self.model.ctp()
+        if not ((period > 0).all() and (delay >= 0).all()):
+            raise ValueError('%s: periods must be > 0 and delays >= 0' % self.who)
+        starts = [s for d in devices for s in d['starts']]
+        memory = _vector(self.who, 'memory', starts if memory is None else memory, SIZES['nxk'])
+        held = [o for d in devices for o in d['outputs']]
+        first = np.round(times[0] / period)
+        beside = np.abs(first * period - times[0]) > 8 * np.finfo(float).eps * abs(times[0])
+        first[beside] = np.ceil(times[0] / period)[beside]
+        places = int(((delay > 0) * (np.floor(delay / period + 1e-9) + 2)).sum())
+        span = times[-1] - times[0]
+        self.instants = int(((1 + (delay > 0)) * (np.floor(span / period) + 2)).sum()) * keep
+        nc, nh = len(devices), len(held)
+        ip, rp = len(self.ip) + 1, len(self.rp) + 1
+        self.ip[22:27] = [nh, ip + 10 + 3 * nc, rp + 2 * nc, ip, rp]
+        self.ip += [nc, SIZES['nxk'], NY, nh, places, self.instants, 0, 0, 0, 0]
+        self.ip += [int(k) for k in first] + [len(d['outputs']) for d in devices]
+        self.ip += [int(d['again']) for d in devices] + held + [0] * places
+        constants = self.rp[:NV] if self.ip[0] == 0 and self.ip[8] == 1 else [0.0] * NV
+        self.rp += period.tolist() + delay.tolist() + [constants[h - 1] for h in held]
+        self.rp += memory.tolist() + [0.0] * (NY + NV + places * (1 + nh)
+                                              + self.instants * (1 + SIZES['nxk'] + NV))
+
+    def events(self, modes, nx):
+        """The plan of the ports that stick or hit stops, see gsres."""
+        events = TABLE.get('events') or []
+        if not events:
+            if modes is not None:
+                raise ValueError('%s: modes: %s has no events' % (self.who, NAME))
+            return
+        self.model._has('evt', 'rst')
+        n = len(events)
+        given = [0] * n if modes is None else [int(m) for m in modes]
+        if len(given) != n or not set(given) <= {-1, 0, 1}:
+            raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1' % (self.who, n))
+        self.ip[27:29] = [len(self.ip) + 1, len(self.rp) + 1]
+        self.ip += [n, RECORDED, 0, 0, int(modes is not None), 0, 0, 0, 0, 0] + given
+        self.ip += [e['input'] for e in events] + [1 + (e['kind'] == 'stop') for e in events]
+        self.ip += [0] * 3 * n
+        self.rp += [0.0] * (5 * n + 3 * nx + RECORDED * (3 + 2 * nx))
+
+
+def free_inputs():
+    """Places of the inputs that are neither held outputs of devices nor modes."""
+    taken = {o for d in TABLE.get('controllers') or [] for o in d['outputs']}
+    taken |= {e['input'] for e in TABLE.get('events') or []}
+    return [i for i in range(NV) if i + 1 not in taken]
+
+
+def constant(who, what, given, shape):
+    """A piecewise polynomial of the entries of a matrix, by columns."""
+    if isinstance(given, Piecewise) or hasattr(given, 'c'):
+        return as_piecewise(who, what, given, int(np.prod(shape)))
+    a = np.asarray(given, float)
+    if a.shape != shape or not np.isfinite(a).all():
+        raise ValueError('%s: %s: expected the shape %s, finite; found %s' % (
+            who, what, shape, a.shape))
+    return Piecewise([0, 1], a.ravel(order='F')[:, None, None])
+
+
+def planned_motion(who, given):
+    """(poly, numbers of the planned coordinates): of all, or the actuated ones of a closed chain."""
+    actuated = list(TABLE.get('actuated') or [])
+    n = getattr(given, 'n', None)
+    if NQ != NU:
+        raise ValueError('%s: %s has Euler parameters: a motion cannot be planned' % (who, NAME))
+    if n == NU and (NLAM == 0 or n == len(actuated)):
+        planned = list(range(1, NU + 1))
+    else:
+        planned = actuated if NLAM else list(range(1, NU + 1))
+    return as_piecewise(who, 'the planned motion', given, len(planned)), planned
+
+
+# --------------------------------------------------------------------------------------- the run
+
+def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=None, maxstep=0.0,
+             maxsteps=0, loops=None, drift=None, start='check', input=None, motion=None, gain=None,
+             reference=None, limits=None, breaks=(), memory=None, samples=True, modes=None,
+             audit=None, errors='raise'):
+    """A run from the state x0 at times[0]; the states at all times come back.
+
+    method: "dp853" (step control) or "rk4" (fixed step [s]); rtol, atol: tolerances, atol one number or
+    one for each state; maxstep [s], maxsteps: 0 for none.
+    loops: "projection", "baumgarte", "partitioning", "nullspace", "svd", "kane".
+    drift: whether constraints are watched (default where the scene has loops).
+    start: "check": x0 must fulfil the constraints; "project": it is moved onto them.
+    input: nv constants (without those of sampled devices and modes if you like), a Piecewise (plan,
+    table_of, a PPoly of SciPy) or a function v = f(t, x); motion: a planned motion instead.
+    gain (nv, nx), reference (nx,): state feedback on top, limits: what the inputs may be.
+    breaks: further times at which inputs jump [s].
+    memory: of the sampled devices; samples: whether their instants are recorded; modes: of the ports.
+    audit: an energy usual in the scene [J]; the result then has audit, the balance at the times.
+    errors: "raise", or "return": a run that fails comes back as far as it went, with its failure in
+    stats["failure"].
+    """
+    who = NAME + '.simulate'
+    times = np.ascontiguousarray(times, float)
+    if times.ndim != 1 or len(times) < 2 or not (np.diff(times) > 0).all():
+        raise ValueError('%s: times: expected two or more rising times [s], that of x0 first' % who)
+    model, way = _way(who, self, loops)
+    x = _start(who, model, times[0], x0, start)
+    iopt, ropt, atol = _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift)
+    if audit is not None:
+        model._has('rha', 'ene')
+        x = np.append(x, [0.0, 0.0])
+        atol = np.append(atol, [rtol * audit] * 2)
+    p = _Plan(who, model)
+    if motion is not None and input is not None:
+        raise ValueError('%s: give input or motion, not both' % who)
+    if motion is not None:
+        model._has('cmd')
+        p.motion(motion)
+    else:
+        p.inputs(input)
+    p.feedback(gain, reference, limits)
+    p.samples(times, memory, bool(samples))
+    p.events(modes, len(x))
+    stops = sorted({float(b) for b in [*p.breaks, *breaks] if times[0] < b < times[-1]})
+    run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
+    if p.failure is not None:
+        raise p.failure
+    return _result(who, model, p, run, method, audit, errors)
+
+
+def _way(who, model, loops):
+    if loops is not None and loops not in WAYS:
+        raise ValueError('%s: loops: expected one of %s; found %r' % (who, ', '.join(WAYS), loops))
+    euler = NQ > NU
+    if loops is None:
+        loops = WAYS['prj' in ROUTINES and (NLAM > 0 or euler)]
+    way = WAYS.index(loops) + 1
+    if NLAM == 0:
+        way = 1 + (way > 1 and euler)
+    needs = [(), ('prj',), ('con', 'kin') + ('prj',) * euler, ('prj',), ('prj',),
+             ('con', 'kin', 'prj')][way - 1]
+    model._has('rhs', *needs)
+    wanted = max(1, way - 2)
+    if model.parameters.get('loop_method', wanted) != wanted:
+        model = model.changed(loop_method=wanted)
+    return model, way
+
+
+def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift):
+    if method not in METHODS:
+        raise ValueError('%s: method: expected "dp853" or "rk4"; found %r' % (who, method))
+    if step is None:
+        step = 1e-3 if method == 'rk4' else 0.0
+    for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps),
+                         ('rtol', rtol)):
+        if not (np.isscalar(number) and np.isfinite(number) and number >= 0):
+            raise ValueError('%s: %s: expected a number >= 0; found %r' % (who, name, number))
+    if method == 'rk4' and step == 0:
+        raise ValueError('%s: step: expected a number above 0; found 0' % who)
+    least = 10 * np.finfo(float).eps
+    rtol = max(rtol, least)
+    atol = rtol * model.nominal if atol is None else np.broadcast_to(
+        np.asarray(atol, float), (NX,))
+    if not (np.isfinite(atol).all() and (atol >= 0).all()):
+        raise ValueError('%s: atol: expected finite numbers >= 0' % who)
+    atol = np.maximum(atol, least * model.nominal)
+    watched = NLAM > 0 and 'con' in ROUTINES if drift is None else bool(drift)
+    rows = TABLE.get('speed_rows') or []
+    iopt = [METHODS[method], way, int(watched), int(maxsteps),
+            int(watched and NLAM > 0 and 'kin' in ROUTINES), len(rows), *rows]
+    return np.array(iopt, np.intc), np.array([step, rtol, maxstep], float), atol
+
+
+def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
+    nx, nt = len(x), len(times)
+    out = {'ip': np.array(p.ip, np.intc), 'rp': np.array(p.rp + [0.0], float),
+           'x': np.zeros((nx, nt), order='F'), 'v': np.zeros((max(1, NV), nt), order='F'),
+           'counts': np.zeros(20, np.intc), 'values': np.zeros(20), 'times': times}
+    room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.ip[3]))
+    w = np.zeros(max(room, NU) + 20)
+    if NQ == NU:
+        w[:NU] = x[:NQ]
+    stops = np.array(stops + [0.0])
+    x, atol = np.ascontiguousarray(x), np.ascontiguousarray(atol)
+
+    def at(a):
+        return ctypes.c_void_p(address(a))
+    number = ctypes.c_int
+    begun = time.perf_counter()
+    out['info'] = LIBRARY.gs_loop_run(
+        SCENE, pointer('rha') if audit else None, p.callback, number(nx),
+        ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1), at(stops),
+        at(iopt), at(ropt), at(atol), at(out['ip']), at(out['rp']), at(model.cst), at(out['x']),
+        at(out['v']), at(out['counts']), at(out['values']), at(w), number(len(w)))
+    out['seconds'] = time.perf_counter() - begun
+    return out
+
+
+# ----------------------------------------------------------------------------- what comes back
+
+def _result(who, model, p, run, method, audit, errors):
+    reached = int(run['counts'][4])
+    t, v = run['times'][:reached], run['v'][:NV, :reached]
+    x = run['x'][:NX, :reached]
+    r = Result(t=t, x=x, v=v, y=None, samples=None, events=None, audit=None)
+    r.stats = _stats(model, run, method)
+    text = failure(run) if run['info'] != 0 else None
+    r.stats['failure'] = text
+    if text is not None and errors != 'return':
+        raise Error('%s: %s' % (who, text), run['info'], r)
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        if NY and 'out' in ROUTINES and reached:
+            r.y = model.out(t, x, v)
+    if p.ip[25] > 0:
+        r.samples = _samples(run)
+    if p.ip[27] > 0:
+        r.events = _events(model, run, len(run['x']))
+    if audit is not None:
+        r.audit = _audit(model, r, run['x'][NX:, :reached])
+    _tell(who, model, r, method)
+    return r
+
+
+def _stats(model, run, method):
+    counts, values = run['counts'].tolist(), run['values'].tolist()
+    names = {'calls': 0, 'accepted': 1, 'rejected': 2, 'projections': 3, 'rank_losses': 7,
+             'angle_singularities': 8, 'partition_changes': 9, 'singular_positions': 10,
+             'repeated': 11, 'loose': 19}
+    stats = {name: counts[k] for name, k in names.items()}
+    names = {'phi': 0, 'phidot': 1, 'phi_at': 2, 'phidot_at': 3, 'before_projection': 4,
+             'smallest_step': 5, 'largest_step': 6, 'reached': 7, 'least_pivot': 13,
+             'least_pivot_at': 14}
+    stats.update((name, values[k]) for name, k in names.items())
+    stats['rank_loss_times'] = values[9:11]
+    stats['angle_times'] = values[11:13]
+    stats['singular_times'] = values[15:17]
+    stats['stiff'] = None
+    if counts[13] > 0:
+        stats['stiff'] = {'time': values[17], 'eigenvalue': values[18], 'step': values[19],
+                          'state': model.states[counts[14] - 1]}
+    stats.update(method=method, seconds=run['seconds'])
+    return stats
+
+
+def failure(run):
+    """Why a run ended before its time."""
+    counts, info = run['counts'], run['info']
+    at = 'at t = %.9g s' % run['values'][7]
+    if info == 3:
+        text = _failed(int(counts[6]), int(counts[5]), at)
+    else:
+        text = {1: 'more steps than maxsteps allows, ' + at,
+                2: 'the step became too small %s: a singularity, or too small a tolerance' % at,
+                4: 'the state is no longer finite %s: take smaller steps' % at,
+                8: 'a rate of the states is not finite ' + at}.get(info, 'GSSIM: INFO = %d' % info)
+    if info != 1 and counts[13] > 0:
+        text += '; the steps are bound by stability'
+    return text
+
+
+def _failed(number, info, at):
+    if number == 8:
+        if info == 4:
+            return 'an event %s, where the constraints lose rank: how it goes on is not ' \
+                'determined' % at
+        return 'the start %s lies in a singular position that it does not leave' % at
+    routine = ('the inputs', 'RHS', 'PRJ', 'CON', 'the dependent coordinates',
+               'OUT or a sampled device', 'an event')[number - 1]
+    if number == 7 and info == 9:
+        cause = 'more than 100 events at one instant'
+    elif number in (3, 5) and info == 3:
+        cause = 'no position that closes the loops was found nearby'
+    elif number == 3 and info == 4:
+        cause = 'no step leads away from a position where the constraints lose rank'
+    else:
+        cause = meaning(('cmd', 'rhs', 'prj', 'con', 'prj', 'out', 'rst')[number - 1], info)
+    return '%s failed with INFO = %d %s: %s' % (routine, info, at, cause)
+
+
+def _samples(run):
+    """t, memory (nxk, n), v (nv, n) after each instant; memory at the end; how many there were."""
+    ip, nxk = run['ip'], SIZES['nxk']
+    plan = ip[ip[25] - 1:]
+    nc, nh, places, n = (int(plan[k]) for k in (0, 3, 4, 5))
+    numbers = run['rp'][ip[26] - 1 + 2 * nc + nh:]
+    width = 1 + nxk + NV
+    first = nxk + NY + NV + places * (1 + nh)
+    n = min(n, int(plan[6]))
+    record = numbers[first:first + n * width].reshape(width, n, order='F')
+    return {'t': record[0], 'memory': record[1:1 + nxk], 'v': record[1 + nxk:],
+            'end': numbers[:nxk].copy(), 'count': int(plan[6])}
+
+
+def _events(model, run, nx):
+    """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
+    ip = run['ip']
+    plan = ip[ip[27] - 1:]
+    n, count = int(plan[0]), min(int(plan[1]), int(plan[2]))
+    first = ip[28] - 1 + 5 * n + 3 * nx
+    width = 3 + 2 * nx
+    record = run['rp'][first:first + count * width].reshape(width, count, order='F')
+    numbers = record[1].astype(int) - 1
+    before, after = record[3:3 + NX], record[3 + nx:3 + nx + NX]
+    loss = np.zeros(count)
+    if 'ene' in ROUTINES and count:
+        loss = (model.ene(record[0], before) - model.ene(record[0], after))[:3].sum(axis=0)
+        loss[(before == after).all(axis=0)] = 0
+    return {'t': record[0], 'number': numbers, 'mode': record[2].astype(int), 'before': before,
+            'after': after, 'loss': loss, 'count': int(plan[2]),
+            'device': [TABLE['events'][k]['name'] for k in numbers]}
+
+
+def _audit(model, r, w):
+    """Energy less what came in and was lost [J], what passed [J], the largest error beside that."""
+    energy = model.ene(r.t, r.x, r.v)[:3]
+    stored = energy.sum(axis=0)
+    lost = np.zeros(len(r.t))
+    if r.events is not None:
+        lost = ((r.events['t'] <= r.t[:, None]) * r.events['loss']).sum(axis=1)
+    balance = stored - stored[0] - w[0] + lost - lost[0]
+    passed = w[1] + lost
+    rounding = 64 * np.finfo(float).eps * np.abs(energy).sum(axis=0).max()
+    size = max(passed[-1], np.abs(stored - stored[0]).max(), np.ptp(energy[0]))
+    return {'balance': balance, 'passed': passed,
+            'error': np.maximum(np.abs(balance) - rounding, 0).max()
+            / max(size, np.finfo(float).tiny)}
+
+
+def _tell(who, model, r, method):
+    s = r.stats
+    told = []
+    if s['singular_positions'] > 0:
+        told.append('passed %d positions where its constraints lose rank, the first at t = %.6g s: '
+                    'it may go on in more than one way there' % (
+                        s['singular_positions'], s['singular_times'][0]))
+    elif s['loose'] > 0 and method == 'rk4':
+        told.append('came close to a position where its constraints lose rank at t = %.6g s: rk4, '
+                    'unlike dp853, does not watch its accuracy there' % s['least_pivot_at'])
+    if s['angle_singularities'] > 0:
+        told.append('came within 0.05 rad of a singularity of its orientation angles at t = %.6g s'
+                    % s['angle_times'][0])
+    for sentence, at in margins(model, r.t, r.x, r.v) if len(r.t) else []:
+        told.append('%s, passed first at t = %.6g s' % (sentence, at))
+    if s['stiff']:
+        told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
+                    'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
+    for text in told:
+        warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=4)

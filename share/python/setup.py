@@ -1,0 +1,72 @@
+"""Compiles the C of the scene into a library that the module loads; the wheel is py3-none-<platform>.
+
+The scene is the folder that holds table.json; render.py makes of the table what the module does not
+read at run time: the loops over states in C, the stubs for type checkers.
+"""
+import glob
+import json
+import os
+
+from setuptools import Distribution, setup
+from setuptools.command.build_py import build_py
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:
+    from wheel.bdist_wheel import bdist_wheel
+
+import render
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, '*', 'table.json'))[0]))
+with open(os.path.join(HERE, NAME, 'table.json'), encoding='utf-8') as file:
+    TABLE = json.load(file)
+
+
+class Build(build_py):
+    """The module with its library and stubs."""
+
+    def run(self):
+        super().run()
+        target = os.path.join(self.build_lib, NAME)
+        os.makedirs(target, exist_ok=True)
+        render.write(os.path.join(target, '_routines.pyi'), render.stubs(TABLE))
+        self.compile(target)
+
+    def compile(self, target):
+        from setuptools._distutils.ccompiler import new_compiler
+        from setuptools._distutils.sysconfig import customize_compiler
+        temporary = os.path.join(self.build_lib, '..', 'objects')
+        os.makedirs(temporary, exist_ok=True)
+        loops = os.path.join(temporary, 'loops.c')
+        render.write(loops, render.loops(TABLE))
+        sources = glob.glob(os.path.join(HERE, 'c', '**', '*.c'), recursive=True)
+        compiler = new_compiler()
+        customize_compiler(compiler)
+        objects = compiler.compile(
+            [os.path.relpath(s, HERE) for s in sorted(sources)] + [loops], output_dir=temporary,
+            include_dirs=[os.path.join(HERE, 'c')],
+            extra_postargs=['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0'])
+        compiler.link_shared_object(objects, os.path.join(target, '_scene.so'), libraries=['m'])
+
+
+class Wheel(bdist_wheel):
+    """One wheel for every Python 3 of a platform: the library knows nothing of Python."""
+
+    def finalize_options(self):
+        super().finalize_options()
+        self.root_is_pure = False
+
+    def get_tag(self):
+        return 'py3', 'none', super().get_tag()[2]
+
+
+class Compiled(Distribution):
+    def has_ext_modules(self):
+        return True
+
+
+setup(name=NAME.replace('_', '-'), version=TABLE['gsmbp_version'],
+      description='The scene ' + NAME + ', derived by GSMBP', python_requires='>=3.9',
+      install_requires=['numpy'], packages=[NAME],
+      package_data={NAME: ['*.so', '*.pyi', '*.json', 'py.typed']}, distclass=Compiled,
+      cmdclass={'build_py': Build, 'bdist_wheel': Wheel}, zip_safe=False)

@@ -1,0 +1,66 @@
+## Points and frames against 30-digit references (tests/data/points_...): place, axes, Jacobian and
+## (dJ/dt) u in the axes of ground and of the frame, velocity, acceleration. Error: the largest
+## difference of an array over its largest entry; of dJb u, which is 0 for a frame that its Jacobian
+## does not turn against, over the largest of dJ u and of what is subtracted.
+
+function test_points ()
+  against_reference ("points_puma", "points_puma560");
+  against_reference ("points_scara", "points_scara");
+end
+
+function against_reference (scene, data)
+  m = gsmbp_fixture (scene);
+  [~, ref] = gsmbp_case (data);
+  fields = {"p", "R", "quaternion", "J", "dJu", "Jb", "dJbu", "V", "A"};
+  worst = zeros (1, numel (fields));
+  states = structs (ref.states);
+  for s = states
+    [q, u, ud] = deal (ne_numbers (s{1}.q), ne_numbers (s{1}.u), ne_numbers (s{1}.udot));
+    for name = m.points'
+      wanted = cellfun (@(f) ne_numbers (s{1}.frames.(name{1}).(f)), fields, ...
+                        "UniformOutput", false);
+      g = gsmbp_point (m, name{1}, 0, q, u, ud);
+      b = gsmbp_point (m, name{1}, 0, q, u, "frame", name{1});
+      found = {g.position, g.rotation, g.euler_parameters, g.jacobian, g.jacobian_rate, ...
+               b.jacobian, b.jacobian_rate, [g.velocity; g.angular_velocity], ...
+               [g.acceleration; g.angular_acceleration]};
+      found{3} *= sign (found{3}' * wanted{3}(:));   # e and -e are one rotation
+      scale = cellfun (@(b) max (abs (b(:))), wanted);
+      scale(7) = max (scale([5, 7]));
+      worst = max (worst, cellfun (@difference, found, wanted) ./ max (scale, 1e-3));
+    end
+  end
+  for k = 1:numel (fields)
+    gsmbp_check (sprintf ("%s: %s of %d frames, %d states", scene, fields{k}, ...
+                          numel (m.points), numel (states)), worst(k), 1e-13);
+  end
+  batches (m, states);
+end
+
+function d = difference (a, b)
+  d = max (abs (a(:) - b(:)));
+end
+
+function list = structs (list)
+  if (! iscell (list))
+    list = num2cell (list);
+  end
+  list = list(:)';
+end
+
+## the batches give what the handles for one state give
+function batches (m, states)
+  K = 24;
+  q = 3 * randn (m.sizes.nq, K);
+  u = randn (m.sizes.nu, K);
+  [P, R] = m.pnt_v (zeros (1, K), q);
+  [J, D] = m.jpt_v (zeros (1, K), q, u);
+  worst = 0;
+  for k = 1:K
+    [p, r] = m.pnt (0, q(:,k));
+    [j, d] = m.jpt (0, q(:,k), u(:,k));
+    worst = max ([worst, cellfun(@(a, b) max (abs (a - b)(:)), {p, r, j, d}, ...
+                                 {P(:,:,k), R(:,:,k), J(:,:,k), D(:,:,k)})]);
+  end
+  gsmbp_check ([m.name ": many states at once"], worst, 1e-13);
+end

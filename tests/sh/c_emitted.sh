@@ -1,0 +1,50 @@
+# Emitted C99 (gsmbp_c): a sample of scenes compiles without a warning, calls nothing but share/c
+# and libm, writes no data of its own, and gives what the emitted Fortran gives (tests/tools/c_pair;
+# `make test-c` takes all scenes). A constant that is changed in the C is found.
+. tests/tools/check.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+
+# pairs WHAT FILE...: as the environment says
+pairs() {
+  what=$1
+  shift
+  GSMBP_STATES=5 tests/tools/c_pair "$work" "$@" >"$report" 2>&1
+  told $? "$what" "$report"
+}
+
+# -- trees, loops, Euler parameters, devices, events, samples; two more by chance
+day=$(date +%j)
+by_chance=$(ls tests/scenes/*.mac | awk -v day="$day" '
+  { file[NR] = $0 } END { srand(day); for (k = 0; k < 2; k++) print file[int(1 + rand()*NR)] }')
+pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac tests/scenes/case_03a.mac \
+  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/own_words.mac $by_chance
+(GSMBP_REQUESTS='[all, batch, regressor]' pairs 'batches and the regressor' \
+  tests/scenes/batch_arm.mac tests/scenes/batch_bars.mac)
+(GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)
+
+# -- names of C, of its library and of other alphabets; one that needs no parameter
+cat >"$work/names.mac" <<'M'
+scene : gsmbp_scene("names", gravity = [0, -double, 0],
+  link(a, mass = auto, centre = [long, sin_, 0], inertia = [i, j, exp_1]),
+  link(b, mass = M, centre = [m, 0.1, 0], inertia = [1, 2, 3]),
+  revolute(J1, ground, a, axis = z, coordinate = for_),
+  revolute(J2, a, b, at = [cst, 0, 0], axis = x, coordinate = t1),
+  input(register, unit = N*m), drive(D, joint = J1, effort = register),
+  output(y1, M*t1), output(info, for_^5 + max(t1, 0.1)^2 + (t1 + for_)^7),
+  parameters = [double = 9.81, auto = 2, long = 0.1, sin_ = 0.2, i = 1, j = 2, exp_1 = 2.5, M = 1,
+    m = 0.2, cst = 0.4])$
+M
+pairs 'names of C' "$work/names.mac"
+cat >"$work/bare.mac" <<'M'
+scene : gsmbp_scene("bare", link(a, mass = 1), prismatic(P, ground, a, axis = x, coordinate = q))$
+M
+pairs 'a scene without parameters' "$work/bare.mac"
+
+# -- what differs is found
+sed 's/0\.5\*/0.50000000001*/' "$work/batch_arm.c" >"$work/changed.c"
+cmp -s "$work/batch_arm.c" "$work/changed.c" && echo 'not ok there is no 0.5 to change'
+mv "$work/changed.c" "$work/batch_arm.c"
+tests/tools/c_pair "$work" tests/scenes/batch_arm.mac >"$report" 2>&1
+check 'a changed constant is found' fails [ $? -eq 0 ]
