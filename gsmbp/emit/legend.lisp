@@ -21,6 +21,10 @@
                             what
                             (gs-text "part of the " what)))))
   '$done)
+(defun $gs__note_axes (legend what owner vector)
+  (loop for e in (cdr vector) for axis in '("x" "y" "z")
+        do ($gs__note legend (gs-text axis " of the " what) owner e))
+  '$done)
 ;;; words: symbol -> [[text, [owner, ...]], ...]
 (defun gs-note-symbol (words s owner text)
   (let* ((rows (cdr (gethash s words))) (old (find text rows :key #'cadr :test #'equal)))

@@ -55,3 +55,10 @@
   (let ((l nil))
     (dolist (c (cdr code) (gs-list (nreverse l)))
       (pushnew (cadddr c) l :test #'equal))))
+
+;;; the ways of the table [[words, way], ...] whose words one of the headings begins with
+(defun $gs__ways_of_blocks (headings table)
+  (let ((titles (remove-if-not #'stringp (cdr headings))))
+    (gs-list (loop for (nil words way) in (cdr table)
+                   when (some #'(lambda (title) (eql 0 (search words title))) titles)
+                     collect way))))

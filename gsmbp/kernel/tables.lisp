@@ -69,6 +69,18 @@
   #-ecl
   (rename-file old new)
   t)
+;; the directory of a path, with its last slash; "./" if it names none
+(defun $gs__directory (path)
+  (let ((k (position #\/ path :from-end t))) (if k (subseq path 0 (1+ k)) "./")))
+;; <path>.tmp; <path>_tmp if the path has no extension, because Lisp would carry .tmp over when it
+;; renames
+(defun $gs__beside (path)
+  (let ((k (position-if #'(lambda (c) (find c "/.")) path :from-end t)))
+    (concatenate 'string path (if (and k (char= (char path k) #\.)) ".tmp" "_tmp"))))
+;; <path>.tmp takes the name <path>; full names, because Lisp merges the new name with the old one
+(defun $gs__rename (tmp)
+  (let ((full ($gs__whole_path tmp)))
+    ($gs__rename_file full (subseq full 0 (- (length full) 4)))))
 ;; the file has these lines and nothing else: `nil`, or the number of the first line that is not as
 ;; it should be. Lines may hold line ends.
 (defun $gs__first_wrong_line (name lines)

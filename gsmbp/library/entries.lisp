@@ -28,3 +28,6 @@
 (defun $gs__device_value (device symbol) (or (gs-option device symbol) ($gs__own device symbol)))
 (defun $gs__ratio (device) (or (gs-option device '$ratio) 1))
 (defun gs-option (device symbol) ($gs__field ($@-function device '$options) symbol))
+
+;;; a device that acts at instants only (a digital controller)
+(defun $gs__is_sampled (device) (and ($gs__field ($gs__variant_fields device) '$period) t))

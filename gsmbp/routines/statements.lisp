@@ -20,3 +20,11 @@
 (defun $gs__fn (name &rest arguments) (list* '($gs__fn_ simp) name arguments))
 (defun $gs__condition (word &rest operands) (list* '($gs__rel_ simp) word operands))
 (defun $gs__double (x) (gs-made '$gs__num_ x))
+
+;;; the name of the array, or number, of a place
+(defun $gs__held_in (place) (if (stringp place) place (cadr place)))
+
+;;; leave where a test holds; INFO becomes a number, always or where a test holds
+(defun $gs__leave_if (test) ($gs__when test (gs-list (list ($gs__return)))))
+(defun $gs__set_info (number) ($gs__set "INFO" number))
+(defun $gs__bad_if (test number) ($gs__when test (gs-list (list ($gs__set_info number)))))

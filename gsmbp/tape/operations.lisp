@@ -26,6 +26,10 @@
     (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
 ;;; is it a place, gs__el("A", i, j)?
 (defun gs-place-p (e) (and (consp e) (eq (caar e) '$gs__el_)))
+;;; the sum of such counts
+(defun $gs__total (counts)
+  (gs-list (reduce #'(lambda (a b) (mapcar #'+ a b)) (mapcar #'cdr (cdr counts))
+                   :initial-value (list 0 0 0 0 0))))
 ;;; multiplications, additions and divisions
 (defun $gs__operations (e) (apply #'+ (subseq (cdr ($gs__expression_count e)) 0 3)))
 
