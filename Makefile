@@ -20,8 +20,9 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
-        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate same doc manual install \
-        uninstall package clean packages-manual packages-pdf packages-report check-report
+        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
+        bench-points bench-robots same doc manual install uninstall package clean \
+        packages-manual packages-pdf packages-report packages-screen check-report check-screen
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -44,10 +45,16 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
+make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
+                           PEERS=1: CasADi and Pinocchio from PyPI beside
+make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
+                           beside Pinocchio; ROBOTS="panda pr2": these only
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
                            REPORTS="stewart four_bar": these only
+make check-screen          the manual in Octave's doc and the notebook in wxMaxima, on a virtual
+                           screen
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
 make manual                info alone, without TeX
@@ -74,7 +81,7 @@ packages:
 	@share/make/packages
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
-packages-test packages-manual packages-pdf packages-report: packages-%:
+packages-test packages-manual packages-pdf packages-report packages-screen: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -151,6 +158,14 @@ bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
 
+bench-points: packages compiled
+	@mkdir -p tests/bench/out
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/points/run tests/bench/out/points
+
+bench-robots: packages compiled
+	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the robots from PyPI'; exit 1; }
+	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
+
 # PATTERN: only the scenes whose path holds it
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
@@ -159,6 +174,9 @@ REPORTS ?= $(EXAMPLES)
 
 check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
 	@tests/report/check $(REPORTS)
+
+check-screen: packages-screen manual | compiled
+	@tests/screen/check
 
 # the manual: what is written, what the program says of itself; info with the index of Maxima's
 # describe, one page of HTML, PDF (the one that needs TeX)

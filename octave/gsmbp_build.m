@@ -235,6 +235,20 @@ function m = gsmbp_build (name, varargin)
   m = gsmbp__handles (m);
   m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
+  warn_of_start (m);
+endfunction
+
+## the start of the scene may be where a device cannot be; in loops it is a guess, closed later
+function warn_of_start (m)
+  inputs = zeros (1, m.sizes.nv);
+  [~, off] = gsmbp__residuals (m, 0, m.initial);
+  if (any (abs (off) > 1e-6))
+    return;
+  endif
+  for one = gsmbp__margins (m, 0, m.initial', inputs)
+    warning ("gsmbp_build: %s starts outside a margin: %s; another start, or m.initial", m.name,
+             one.said);
+  endfor
 endfunction
 
 ## where Maxima writes if it runs in the working directory; where `make` has written

@@ -1,12 +1,17 @@
 ## -*- texinfo -*-
 ## @c category Figures, tables, pages
-## @deftypefn {} {} gsmbp_csv (@var{file}, @var{names}, @var{data})
+## @deftypefn  {} {} gsmbp_csv (@var{file}, @var{names}, @var{data})
+## @deftypefnx {} {} gsmbp_csv (@var{file}, @var{m}, @var{result}, @var{names})
 ## Write the matrix @var{data} as comma-separated values under the column heads
 ## @var{names} (a cell array of strings), each number with 17 digits.
 ##
 ## Written beside and then renamed, so that @var{file} is whole or as it was before;
 ## a disk that is full is an error.
 ## The folder is made if it does not exist.
+##
+## In the second form the time and the named quantities of a @var{result} of
+## @code{gsmbp_simulate} or @code{gsmbp_inverse} are written (all of them without @var{names}), with
+## their units in the column heads (@code{gsmbp_names}).
 ##
 ## @c session octave
 ## @example
@@ -17,15 +22,33 @@
 ## 0.5,2
 ## @end example
 ##
-## Errors: data that are no real matrix; another number of heads than columns;
-## a file that cannot be written.
+## Errors: a name that the result has not; data that are no real matrix; another number of heads
+## than columns; a file that cannot be written.
 ## Source: own.
-## @seealso{gsmbp_plot}
+## @seealso{gsmbp_plot, gsmbp_names}
 ## @end deftypefn
 
-function gsmbp_csv (file, names, data)
-  if (nargin != 3 || ! ischar (file) || ! iscellstr (names))
+function gsmbp_csv (file, names, data, chosen)
+  if (nargin < 3 || ! ischar (file) || ! (iscellstr (names) || isstruct (names)) ...
+      || (nargin > 3 && iscell (names)))
     print_usage ();
+  endif
+  if (isstruct (names))
+    m = names;
+    gsmbp__model ("gsmbp_csv", m);
+    if (nargin < 4)
+      chosen = {};
+      if (isstruct (data) && isfield (data, "of"))
+        chosen = fieldnames (data.of);
+      endif
+    endif
+    panels = gsmbp__panels ("gsmbp_csv", m, data, chosen);
+    names = {"t [s]"};
+    data = data.t;
+    for p = panels
+      names = [names, p{1}.heads];
+      data = [data, p{1}.y];
+    endfor
   endif
   if (! (isnumeric (data) || islogical (data)) || ! isreal (data) || ndims (data) > 2)
     error ("gsmbp_csv: %s: argument data: expected a real matrix, found %s", file, ...

@@ -34,9 +34,14 @@
 ## right (default), -1 from the left; "input": @var{nv} inputs from outside,
 ## which tau counts (default zeros; v and the states of devices are NaN then, a
 ## warning says so); "guess": the @var{nu} coordinates where
-## Newton's method for the loops begins (default @code{m.initial}); "internal":
+## Newton's method for the loops begins (default @code{m.initial}); "quasistatic": true takes the
+## drives as quasi-static, rates within them neglected (the variants without such states: a motor
+## without inductance), v and margins are those, their states are NaN; "internal":
 ## states of the devices at the first time (default @code{m.initial}).
 ##
+## A motion with fewer continuous derivatives than the command needs
+## (@code{m.order - 1}: the voltage of a motor with inductance, of order 3, needs a continuous
+## acceleration) is an error that names the device and the time; "quasistatic" takes it.
 ## The motion is of all coordinates of an open chain, of the actuated ones of a
 ## closed one.  If a loop cannot follow it, it is an error that names the time.
 ##
@@ -53,8 +58,8 @@
 ##     1.0000    3.1416   -3.1416    0.3000   -1.0088
 ## @end example
 ##
-## Errors: a motion of other components than the actuated coordinates; a loop
-## that cannot follow it (the time is said); a missing subroutine; an option
+## Errors: a motion whose derivatives jump; a motion of other components than the actuated
+## coordinates; a loop that cannot follow it (the time is said); a missing subroutine; an option
 ## that is unknown or of another size.
 ## Source: Ju and Hsu (1991), inverse dynamics with multipliers.
 ## @seealso{gsmbp_plan, gsmbp_simulate}
@@ -70,12 +75,16 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   table = {"side", 1, "number"
            "input", zeros(d.nv, 1), "numbers"
            "guess", m.initial(1:d.nq), "numbers"
+           "quasistatic", false, "flag"
            "internal", m.initial(d.nq+d.nu+1:end), "numbers"};
   o = gsmbp__options (who, table, varargin);
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';
-  has = @(name) any (strcmp (m.subroutines, name));
+  has = @(name) any (strcmp (m.subroutines, name)) ...
+                && ! (o.quasistatic && any (strcmp (name, {"cmd", "cmx"})));
+  static = o.quasistatic && quasi_static (who, m);
+  gsmbp__continuous (who, m, pp, planned, times, o.quasistatic);
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
   closed = d.nlam > 0 && numel (planned) < d.nu;
@@ -88,6 +97,9 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   r.v = zeros (nt, d.nv);
   r.x = zeros (nt, d.nx);
   r.margins = zeros (nt, numel (m.margins));
+  if (static)
+    r.margins = zeros (nt, numel (m.static_margins));
+  endif
   motion_at = @(t, side, guess) gsmbp__whole_motion (who, m, pp, planned, closed, t, side, guess);
   xi = o.internal;
   for i = 1:nt
@@ -105,6 +117,9 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     if (has ("cmx"))
       [r.v(i,:), xid, xa, r.margins(i,:)] = m.cmx (times(i), one, xi);
       r.x(i,:) = [one(:,1); one(:,2); xa];
+    elseif (static)
+      [r.v(i,:), r.margins(i,:)] = static_command (m, times(i), one(:,1:3));
+      r.x(i,:) = [one(:,1); one(:,2); NaN(d.nx - 2 * d.nu, 1)];
     else
       if (has ("cmd"))
         r.v(i,:) = m.cmd (times(i), one);
@@ -120,15 +135,19 @@ function r = gsmbp_inverse (m, motion, times, varargin)
              ["%s: v and the states of devices in x are not determined (NaN): the command " ...
               "takes no inputs from outside (option \"input\"); tau counts them"], who);
   endif
-  r.violations = violations (m.margins, r.t, r.margins);
+  r.violations = violations ({m.margins, m.static_margins}{1 + static}, r.t, r.margins);
   r.q = reshape (qj(:,1,:), d.nu, nt)';
   r.u = reshape (qj(:,2,:), d.nu, nt)';
   r.ud = reshape (qj(:,3,:), d.nu, nt)';
   r.qj = qj;
-  if (! has ("cmd"))
+  r.y = NaN (nt, d.ny);
+  if (! static && ! has ("cmd"))
     r.v = zeros (nt, 0);
     told_without (who, m, r);
+  elseif (! isempty (r.x))
+    r.y = gsmbp__outputs (m, r.t, r.x, r.v);
   endif
+  r = gsmbp__named (m, r);
 endfunction
 
 ## states of devices that a result without inputs does not tell, and why
@@ -144,6 +163,24 @@ function told_without (who, m, r)
              "%s: not determined by the motion (NaN in x): %s; no inputs v: %s", ...
              who, strjoin (lost, ", "), problem.message);
   end_try_catch
+endfunction
+
+## whether the command of the drives as quasi-static is there
+function yes = quasi_static (who, m)
+  yes = any (strcmp (m.subroutines, "cmq"));
+  if (! yes && m.order > 2)
+    error (["%s: option quasistatic: %s has no subroutine CMQ: %s"], who, m.name, ...
+           gsmbp__why_left_out (m, "quasi_static"));
+  endif
+endfunction
+
+function [v, margins] = static_command (m, t, qj)
+  margins = zeros (1, 0);
+  if (isempty (m.static_margins))
+    v = m.cmq (t, qj);
+  else
+    [v, margins] = m.cmq (t, qj);
+  endif
 endfunction
 
 function o = checked (who, m, o)

@@ -144,7 +144,7 @@ endfunction
 
 function show (m, r)
   printf (["%s: mobility %d by the rank of its constraints here, %d by counting " ...
-           "(Gruebler)\n"], m.name, r.mobility, r.gruebler);
+           "its joints (Gruebler)\n"], m.name, r.mobility, r.gruebler);
   printf ("  %d constraint rows, %d independent, %d redundant\n", r.rows, r.rank, r.redundant);
   for k = 1:numel (r.removed)
     printf ("  %s is left out: %s\n", r.removed(k).row, r.removed(k).reason);

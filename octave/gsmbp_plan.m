@@ -2,6 +2,13 @@
 ## @c category Motions
 ## @deftypefn  {} {@var{motion} =} gsmbp_plan ("quintic", @var{q}, @var{times})
 ## @deftypefnx {} {@var{motion} =} gsmbp_plan ("septic", @var{q}, @var{times})
+## @deftypefnx {} {@var{motion} =} gsmbp_plan ("cubic", @var{q}, @var{times})
+## @deftypefnx {} {@var{motion} =} gsmbp_plan ("blends", @var{q}, @var{times}, @
+## "acceleration", @var{a})
+## @deftypefnx {} {[@var{motion}, @var{laws}] =} gsmbp_plan ("trapezoid", @var{q}, @
+## "speed", @var{v}, "acceleration", @var{a}, @dots{})
+## @deftypefnx {} {[@var{motion}, @var{laws}] =} gsmbp_plan ("double_s", @var{q}, @
+## "speed", @var{v}, "acceleration", @var{a}, "jerk", @var{j}, @dots{})
 ## @deftypefnx {} {@var{motion} =} gsmbp_plan ("profile", @var{rate}, @var{order}, @var{start})
 ## @deftypefnx {} {@var{motion} =} gsmbp_plan ("table", @var{times}, @var{values}, @var{order})
 ## Plan a motion, or make a table of inputs, as a piecewise polynomial.
@@ -15,6 +22,27 @@
 ## inductance.
 ## @item "septic"
 ## the same with zero jerk at the ends
+## @item "trapezoid"
+## in the shortest time within limits of speed and acceleration, from column to column of
+## @var{q}, at rest in those between.  A limit is one number, or one for each coordinate.
+## "start", "end": speeds in the first and last column (default 0); "at": the first time;
+## "synchronized": "time" (default), all coordinates arrive together, the quick ones at a
+## lower speed; "line", all follow the same law, a straight line in their space (from rest to
+## rest); "none", each as fast as it can.  The acceleration jumps.  A move without a way and
+## without speeds lasts no time.  Where a way is too short for the speeds at its ends the
+## coordinate goes back, and a warning says so.  @var{laws} (a row for each coordinate, a
+## column for each move) tells @code{T}, @code{durations} of the phases, positions and speeds
+## between them, @code{switch_q} and @code{switch_v}, @code{peak} (speed, both accelerations)
+## and whether it @code{retraces}.
+## @item "double_s"
+## the same with a limit of the jerk: seven phases; the acceleration is zero at both ends and
+## continuous, the jerk jumps
+## @item "cubic"
+## a spline of order 3 through the columns of @var{q} at the @var{times}, second derivative
+## zero at both ends, or speeds "start", "end" there
+## @item "blends"
+## straight lines from column to column, joined by parabolas of the given acceleration: it
+## passes near the via points, and begins and ends at rest in the first and last
 ## @item "profile"
 ## @var{rate} is a piecewise polynomial (as of @code{mkpp}) of the coordinates'
 ## derivative of the given @var{order} (1 velocity, 2 acceleration); it is
@@ -38,6 +66,11 @@
 ## ans =
 ##
 ##    0.5000  -0.2500
+## >> [plan, law] = gsmbp_plan ("double_s", [0 10], "speed", 5, "acceleration", 10, "jerk", 30);
+## >> [law.T, law.peak]
+## ans =
+##
+##     2.8333    5.0000   10.0000  -10.0000
 ## >> speed = gsmbp_plan ("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2);
 ## >> squeeze (gsmbp_evaluate (speed, [1 2 6], 1))
 ## ans =
@@ -48,13 +81,15 @@
 ## @end example
 ##
 ## Errors: an unknown kind; positions, times or values of other sizes or not
-## finite; an order that the kind has not.
+## finite; an order that the kind has not; speeds above their limit; a coordinate that cannot
+## take as long as the others without a stop; blends that overlap.
 ## Source: polynomials of order 5 and 7 with given end values; splines as in
-## Octave.
-## @seealso{gsmbp_evaluate, gsmbp_inverse, gsmbp_simulate}
+## Octave; Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and Robots
+## (trapezoid, double S); Craig, Introduction to Robotics (blends).
+## @seealso{gsmbp_evaluate, gsmbp_path, gsmbp_retime, gsmbp_inverse, gsmbp_simulate}
 ## @end deftypefn
 
-function motion = gsmbp_plan (kind, varargin)
+function [motion, laws] = gsmbp_plan (kind, varargin)
   if (nargin < 2 || ! ischar (kind))
     print_usage ();
   endif
@@ -67,24 +102,38 @@ function motion = gsmbp_plan (kind, varargin)
       motion = moves (varargin{:}, ...
                       struct ("quintic", [6 -15 10 0 0 0], "septic", ...
                               [-20 70 -84 35 0 0 0 0]).(kind));
+    case {"trapezoid", "double_s"}
+      numbers (varargin{1}, "the positions");
+      [motion, laws] = gsmbp__limited ("gsmbp_plan", double (varargin{1}), varargin(2:end), ...
+                                       strcmp (kind, "double_s"));
+    case {"cubic", "blends"}
+      [q, times] = columns_at (varargin{:});
+      motion = gsmbp__via ("gsmbp_plan", kind, q, times, varargin(3:end));
     case "profile"
       motion = profile (varargin{:});
     case "table"
       motion = table (varargin{:});
     otherwise
-      error (["gsmbp_plan: kind must be \"quintic\", \"septic\", \"profile\" or " ...
-              "\"table\", found: \"%s\""], kind);
+      error (["gsmbp_plan: kind must be \"quintic\", \"septic\", \"trapezoid\", " ...
+              "\"double_s\", \"cubic\", \"blends\", \"profile\" or \"table\", found: \"%s\""], ...
+             kind);
   endswitch
 endfunction
 
-## q0 + (q1 - q0)*shape ((t - t0)/(t1 - t0)) on each piece
-function motion = moves (q, times, shape)
+## positions, a column for each of the times
+function [q, times] = columns_at (q, times, varargin)
   times = gsmbp__times ("gsmbp_plan", times);
   numbers (q, "the positions");
   if (columns (q) != numel (times) || numel (times) < 2)
     error (["gsmbp_plan: expected a column of positions for each of the %d times (two " ...
             "or more), found %d x %d"], numel (times), rows (q), columns (q));
   endif
+  q = double (q);
+endfunction
+
+## q0 + (q1 - q0)*shape ((t - t0)/(t1 - t0)) on each piece
+function motion = moves (q, times, shape)
+  [q, times] = columns_at (q, times);
   n = rows (q);
   k = numel (shape);
   pieces = numel (times) - 1;
@@ -198,4 +247,4 @@ endfunction
 %! assert (gsmbp_evaluate (s, 0.55), [sin(0.55); cos(0.55)], 1e-5);
 %!error <column of positions for each of the 2 times> gsmbp_plan ("quintic", [1 2 3], [0 1])
 %!error <times must be strictly increasing> gsmbp_plan ("quintic", [1 2], [1 1])
-%!error <kind must be> gsmbp_plan ("cubic", [1 2], [0 1])
+%!error <kind must be> gsmbp_plan ("spline", [1 2], [0 1])

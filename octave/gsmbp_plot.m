@@ -1,13 +1,19 @@
 ## -*- texinfo -*-
 ## @c category Figures, tables, pages
-## @deftypefn  {} {} gsmbp_plot (@var{file}, @var{t}, @var{panel}, @dots{})
+## @deftypefn  {} {} gsmbp_plot (@var{file}, @var{m}, @var{result}, @var{names})
 ## @deftypefnx {} {} gsmbp_plot (@var{file}, @var{m}, @var{result})
-## @deftypefnx {} {} gsmbp_plot (@dots{}, "title", @var{text}, "xlabel", @var{text})
-## @deftypefnx {} {} gsmbp_plot (@dots{}, "scale", @var{kind})
-## Draw a figure without a screen: @var{file} is a PNG, and the same numbers go
-## into the .csv beside it.
+## @deftypefnx {} {} gsmbp_plot (@var{file}, @var{t}, @var{panel}, @dots{})
+## @deftypefnx {} {} gsmbp_plot (@dots{}, @var{option}, @var{value}, @dots{})
+## Draw a figure without a screen: @var{file} is a PNG, PDF, SVG or EPS by its ending, and the same
+## numbers go into the .csv beside it.
 ##
-## The panels lie one above the other over the common abscissa @var{t}.  Each
+## In the first form the named quantities of a @var{result} of @code{gsmbp_simulate} or
+## @code{gsmbp_inverse} are drawn (@code{gsmbp_names} tells the names), a panel for each unit, with
+## the quantity and its unit on the axis, the unit with a prefix where the numbers are large or
+## small.  The column heads of the .csv hold the units, its numbers are in SI.  Without @var{names}
+## these are all states and inputs.
+##
+## In the third form the panels lie one above the other over the common abscissa @var{t}.  Each
 ## @var{panel} is a struct with
 ## @table @code
 ## @item y
@@ -18,26 +24,31 @@
 ## the quantity and its unit, for the axis, e.g. "torque [N m]"
 ## @item style
 ## (optional) "lines" (default), "linespoints", "points" or "steps"
+## @item factor
+## (optional) what the numbers are multiplied by in the figure, e.g. 1e-3 for kN
 ## @end table
-## In the second form the states and inputs of a @var{result} of
-## @code{gsmbp_simulate} (or @code{gsmbp_inverse}) are drawn, a panel for each
-## unit.
+## Curves differ in colour, dashes and width; the legend stands above its panel.  A panel of one
+## curve whose label holds its name has none.
 ##
 ## Options: "xlabel" (default "time [s]"), "title", "scale": "linear"
 ## (default), "semilogy", "semilogx" or "loglog"; "head": column head of
-## @var{t} in the .csv, default "t".
+## @var{t} in the .csv (default "t", in the first form "t [s]"); "size": width and height [cm]
+## (default 16 by what the panels need); "dpi" of a PNG (default 160); "fontsize" [pt] (default 10).
 ##
 ## @c session octave
 ## @example
 ## >> t = linspace (0, 2, 100)';
 ## >> y = struct ("y", [sin(3*t), cos(3*t)], "names", @{@{"sine", "cosine"@}@}, "label", "y [m]");
 ## >> gsmbp_plot ("waves.png", t, y, "title", "Two waves");
+## >> m = gsmbp_build ("slider_crank");
+## >> r = gsmbp_simulate (m, m.initial, 0:0.01:0.5, "input", 12);
+## >> gsmbp_plot ("crank.pdf", m, r, @{"q1", "q2", "q3"@}, "size", [8 6]);
 ## @end example
 ##
-## Errors: a file that does not end in .png or cannot be written; a panel
+## Errors: a file that ends otherwise or cannot be written; a name that the result has not; a panel
 ## without y, names and label of fitting sizes; an unknown scale or option.
 ## Source: own; the drawing is gnuplot's.
-## @seealso{gsmbp_csv, gsmbp_simulate, gsmbp_workprecision}
+## @seealso{gsmbp_names, gsmbp_csv, gsmbp_simulate, gsmbp_workprecision}
 ## @end deftypefn
 
 function gsmbp_plot (file, t, varargin)
@@ -45,56 +56,98 @@ function gsmbp_plot (file, t, varargin)
     print_usage ();
   endif
   who = "gsmbp_plot";
-  if (numel (file) < 5 || ! strcmpi (file(end-3:end), ".png"))
-    error ("%s: the file must end in .png, found: %s", who, file);
+  [~, ~, kind] = fileparts (file);
+  if (! any (strcmpi (kind, {".png", ".pdf", ".svg", ".eps"})))
+    error ("%s: the file must end in .png, .pdf, .svg or .eps, found: %s", who, file);
   endif
-  first = find (cellfun (@ischar, varargin), 1);
-  if (isempty (first))
-    first = numel (varargin) + 1;
-  endif
+  [t, panels, rest, head] = what_to_draw (who, t, varargin);
   table = {"title", "", "text"
            "xlabel", "time [s]", "text"
            "scale", "linear", {"linear", "semilogy", "semilogx", "loglog"}
-           "head", "t", "text"};
-  o = gsmbp__options (who, table, varargin(first:end));
-  panels = varargin(1:first-1);
-  if (isstruct (t))
-    gsmbp__model (who, t);
-    if (! (isstruct (panels{1}) && all (isfield (panels{1}, {"t", "x", "v"}))))
-      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, ...
-             gsmbp__shown (panels{1}));
-    endif
-    [t, panels] = by_unit (t, panels{1});
-  endif
+           "head", head, "text"
+           "size", [], "numbers"; "dpi", 160, "positive"; "fontsize", 10, "positive"};
+  o = gsmbp__options (who, table, rest);
   if (! (isnumeric (t) && isreal (t)))
     error ("%s: argument t: expected real numbers, found %s", who, gsmbp__shown (t));
   endif
   t = t(:);
   check (who, t, panels);
-
   data = t;
   heads = {o.head};
   for i = 1:numel (panels)
     data = [data, panels{i}.y];
-    heads = [heads, panels{i}.names(:)'];
+    heads = [heads, heads_of(panels{i})];
   endfor
-  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  table = sprintf ("%s-%d.csv", file(1:end-numel (kind)), getpid ());
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
-  draw (file, table, panels, o);
+  size = size_of (who, o, numel (panels));
+  gsmbp__gnuplot (who, file, terminal (tolower (kind), size, o), ...
+                  gsmbp__drawn (table, panels, o, size), table);
 endfunction
 
-## one panel for each unit, in the order in which the units appear
-function [t, panels] = by_unit (m, result)
-  t = result.t;
-  names = [m.states; m.inputs];
-  units = [m.units.states; m.units.inputs];
-  y = [result.x, result.v];
-  panels = {};
-  for unit = unique (units, "stable")'
-    k = find (strcmp (units, unit{1}));
-    panels{end+1} = struct ("y", y(:,k), "names", {names(k)'}, "label", sprintf ("[%s]", unit{1}));
-  endfor
+## abscissa, panels, the options behind them, column head of the abscissa
+function [t, panels, rest, head] = what_to_draw (who, t, args)
+  head = "t";
+  if (isstruct (t))
+    gsmbp__model (who, t);
+    head = "t [s]";
+    m = t;
+    result = args{1};
+    args(1) = [];
+    names = [m.states; m.inputs];
+    if (! isempty (args) && (iscellstr (args{1}) || mod (numel (args), 2) == 1))
+      names = args{1};
+      args(1) = [];
+    endif
+    if (! (isstruct (result) && all (isfield (result, {"t", "x", "v"}))))
+      error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, ...
+             gsmbp__shown (result));
+    endif
+    if (! isfield (result, "of"))
+      result = gsmbp__named (m, result);
+    endif
+    [t, panels, rest] = deal (result.t, gsmbp__panels (who, m, result, names), args);
+    return;
+  endif
+  first = find (cellfun (@ischar, args), 1);
+  if (isempty (first))
+    first = numel (args) + 1;
+  endif
+  [panels, rest] = deal (args(1:first-1), args(first:end));
+endfunction
+
+function heads = heads_of (p)
+  heads = p.names(:)';
+  if (isfield (p, "heads"))
+    heads = p.heads;
+  endif
+endfunction
+
+function size = size_of (who, o, n)
+  size = [16, 1.9 + 4.6 * n + 0.6 * (! isempty (o.title))];
+  if (! isempty (o.size))
+    if (numel (o.size) != 2 || any (o.size < 2) || any (o.size > 200))
+      error ("%s: option size: expected width and height from 2 to 200 cm, found %s", who, ...
+             gsmbp__shown (o.size));
+    endif
+    size = double (o.size(:)');
+  endif
+endfunction
+
+function text = terminal (kind, size, o)
+  switch (kind)
+    case ".png"
+      text = sprintf ("pngcairo size %d,%d fontscale %.4f linewidth %.4f", ...
+                      round (size * o.dpi / 2.54), o.dpi / 96, o.dpi / 110);
+    case ".pdf"
+      text = sprintf ("pdfcairo size %.4fcm,%.4fcm fontscale 0.75 linewidth 1", size);
+    case ".eps"
+      text = sprintf ("epscairo size %.4fcm,%.4fcm fontscale 0.75 linewidth 1", size);
+    case ".svg"
+      text = sprintf ("svg size %d,%d fontscale 1.3333 linewidth 0.9", round (size * 96 / 2.54));
+  endswitch
+  text = sprintf ("%s noenhanced font 'FreeSans,%g'", text, o.fontsize);
 endfunction
 
 function check (who, t, panels)
@@ -124,67 +177,6 @@ function check (who, t, panels)
   endfor
 endfunction
 
-## gnuplot draws from the .csv itself, so figure and numbers are the same
-function draw (file, table, panels, o)
-  n = numel (panels);
-  tight = "";
-  if (any (strcmp (o.scale, {"linear", "semilogy"})))
-    tight = "set autoscale xfix";
-  endif
-  terminal = sprintf ("pngcairo noenhanced size 1000,%d font 'FreeSans,12'", 90 + 270 * n);
-  lines = ...
-      {"set datafile separator comma", "set datafile missing 'NaN'", ...
-       "set grid lc rgb '#bbbbbb'", tight, ...
-           "set lmargin at screen 0.1", "set rmargin at screen 0.80", axes_of(o.scale)};
-  top = 1 - 45 / (90 + 270 * n);
-  bottom = 60 / (90 + 270 * n);
-  lines{end+1} = "set multiplot";
-  if (! isempty (o.title))
-    lines{end+1} = sprintf ("set label 1 %s at screen 0.45,%.4f center font ',14'", ...
-                            gsmbp__quoted (o.title), 1 - 22 / (90 + 270 * n));
-  endif
-  column = 2;
-  for i = 1:n
-    p = panels{i};
-    style = "lines";
-    if (isfield (p, "style"))
-      style = p.style;
-    endif
-    height = (top - bottom) / n;
-    lines{end+1} = sprintf ("set tmargin at screen %.4f", top - (i - 1) * height);
-    lines{end+1} = sprintf ("set bmargin at screen %.4f", ...
-                            top - i * height + 0.16 * height * (i < n));
-    lines{end+1} = sprintf (["set key at screen 0.81,%.4f left top vertical Left reverse " ...
-                             "samplen 2"], ...
-                            top - (i - 1) * height);
-    lines{end+1} = sprintf ("set ylabel %s", gsmbp__quoted (p.label));
-    if (i == n)
-      lines{end+1} = sprintf ("set xlabel %s", gsmbp__quoted (o.xlabel));
-    endif
-    curves = {};
-    colors = gsmbp__colors (columns (p.y));
-    for k = 1:columns (p.y)
-      curves{k} = sprintf ("%s using 1:%d skip 1 with %s lw 2 pt 7 ps 1 lc rgb '%s' title %s", ...
-                           gsmbp__quoted (table), column, style, colors{k}, ...
-                           gsmbp__quoted (p.names{k}));
-      column++;
-    endfor
-    lines{end+1} = ["plot " strjoin(curves, ", ")];
-    lines{end+1} = "unset label 1";
-  endfor
-  lines{end+1} = "unset multiplot";
-  gsmbp__gnuplot ("gsmbp_plot", file, terminal, lines, table);
-endfunction
-
-function text = axes_of (scale)
-  text = struct ("linear", "", "semilogy", "set logscale y; set format y '%.0e'", "semilogx", ...
-                 "set logscale x", "loglog", "set logscale xy; set format y '%.0e'");
-  if (! isfield (text, scale))
-    error ("gsmbp_plot: scale must be linear, semilogy, semilogx or loglog, found: \"%s\"", scale);
-  endif
-  text = text.(scale);
-endfunction
-
 %!test
 %! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
 %!   return;
@@ -198,10 +190,24 @@ endfunction
 %!                       "angle [rad]"));
 %!   assert (fileread (fullfile (folder, "a.csv"))(1:13), "t,a_1,b\n0,0,1");
 %!   assert (stat (fullfile (folder, "a.png")).size > 3000);
+%!   addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%!   m = gsmbp_hand ("motor_pendulum");
+%!   r = gsmbp_simulate (m, [0.2 0 0], 0:0.1:1, "input", 3);
+%!   for kind = {"png", "pdf", "svg", "eps"}
+%!     file = fullfile (folder, ["b." kind{1}]);
+%!     gsmbp_plot (file, m, r, {"q", "drive.i", "offset"}, "size", [8 7], "dpi", 100);
+%!     assert (stat (file).size > 3000);
+%!   endfor
+%!   f = fopen (fullfile (folder, "b.png"));
+%!   header = fread (f, 24, "uint8")';
+%!   fclose (f);
+%!   assert (header([19 20 23 24]), [floor(315/256), mod(315, 256), floor(276/256), mod(276, 256)]);
+%!   assert (strtok (fileread (fullfile (folder, "b.csv")), "\n"), ...
+%!           "t [s],q [rad],drive.i [A],offset [m]");
 %! unwind_protect_cleanup
 %!   confirm_recursive_rmdir (false, "local");
 %!   rmdir (folder, "s");
 %! end_unwind_protect
-%!error <must end in .png> gsmbp_plot ("a.pdf", 1, struct ())
+%!error <must end in .png, .pdf, .svg or .eps> gsmbp_plot ("a.gif", 1, struct ())
 %!error <panel 1: expected 2 rows, found 1>
 %! gsmbp_plot ("a.png", [1 2], struct ("y", 1, "names", {{"a"}}, "label", "b"))

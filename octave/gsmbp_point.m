@@ -107,7 +107,7 @@ function p = gsmbp_point (m, name, t, q, varargin)
   axes_ = @(k) R(:,3*k-2:3*k);
   A = eye (3);
   if (! strcmp (options.frame, "ground"))
-    A = axes_ (number (who, m, "option frame: frame", options.frame));
+    A = axes_ (number (who, m, "frame", options.frame));
   endif
   p.position = A' * P(:,k);
   p.rotation = A' * axes_ (k);

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Positions and equilibria
 ## @deftypefn  {} {@var{q} =} gsmbp_reach (@var{m}, @var{name}, @var{P}, @var{R})
-## @deftypefnx {} {[@var{q}, @var{info}] =} gsmbp_reach (@dots{}, @var{option}, @var{value}, @dots{})
+## @deftypefnx {} {[@var{q}, @var{info}] =} gsmbp_reach (@dots{}, @var{option}, @var{value})
 ## Coordinates that bring a point or frame of the scene to poses: inverse kinematics.
 ##
 ## @var{name} is a @code{point} or @code{frame} of the scene of the model @var{m}

@@ -13,8 +13,10 @@
 ## elements, system graph, equations of motion, devices, laws) with the parts of the
 ## run: a player of the motion in space (time by a slider, also from the keyboard,
 ## speed, camera by mouse and arrow keys; where the browser has no WebGL the drawing
-## of one instant), coordinates, speeds, states of devices, inputs and outputs over
-## time, the energy audit, margins that were not kept, and the figures of the run.
+## of one instant), how it was run (options, inputs, the planned motion beside that of
+## the run, gain, reference and limits of a feedback, parameters: @code{@var{r}.options}),
+## coordinates, speeds, states of devices, inputs and outputs over time, the energy
+## audit, margins that were not kept, and the figures of the run.
 ##
 ## The page of Maxima is @file{@var{name}.html} beside the @file{.json} of the scene,
 ## or what one of the options says; it must be of the same scene (@code{m.scene_hash}).
@@ -67,7 +69,8 @@ function gsmbp_report (m, r, file, varargin)
   endif
   check_result (who, m, r);
   [head, foot, drawing] = gsmbp__report_page (who, m, o);
-  parts = {run_summary(m, r, o), gsmbp__report_player(who, m, r, drawing, o), ...
+  parts = {run_summary(r, o), gsmbp__report_player(who, m, r, drawing, o), ...
+           gsmbp__report_setup(m, r), ...
            gsmbp__report_figures(m, r), gsmbp__report_tables(m, r), ...
            gsmbp__report_precision(who, o.workprecision)};
   gsmbp__write (who, make_absolute_filename (file), [head, parts{:}, foot]);
@@ -91,7 +94,7 @@ function check_result (who, m, r)
 endfunction
 
 ## what was run
-function text = run_summary (m, r, o)
+function text = run_summary (r, o)
   text = sprintf ("<h2>The run</h2>\n");
   if (! isempty (o.title))
     text = [text, sprintf("<p>%s</p>\n", gsmbp__html (o.title))];
@@ -101,12 +104,6 @@ function text = run_summary (m, r, o)
     said = sprintf ("%s; method %s, rtol %.3g", said, r.stats.method, r.stats.rtol);
   endif
   text = [text, sprintf("<p>%s.</p>\n", gsmbp__html (said))];
-  changed = fieldnames (m.par)';
-  pairs = cellfun (@(n) sprintf ("%s = %.6g", n, m.par.(n)), changed, "UniformOutput", false);
-  if (! isempty (pairs))
-    text = [text, sprintf("<p>Parameters of the run (SI): %s.</p>\n", ...
-                          gsmbp__html (strjoin (pairs, ", ")))];
-  endif
 endfunction
 
 %!function [m, r] = motor (varargin)
@@ -125,6 +122,36 @@ endfunction
 %! assert (isempty (strfind (text, "<script>alert")));
 %! assert (numel (strfind (text, "<svg")) >= 3);
 %! assert (numel (strfind (text, "<svg")), numel (strfind (text, "</svg>")));
+%!function text = page (m, r)
+%!  file = [tempname() ".html"];
+%!  tidy = onCleanup (@() unlink (file));
+%!  gsmbp_report (m, r, file);
+%!  text = fileread (file);
+%!endfunction
+%!test # how it was run: options, gain, reference, limits, parameters
+%! [m, ~] = motor ();
+%! r = gsmbp_simulate (m, [0 0 0], 0:0.5:1, "gain", [400 10 0.25], "reference", [0.5; 0; 0], ...
+%!                     "limits", 12, "rtol", 1e-8, "maxstep", 0.1);
+%! text = page (m, r);
+%! row = @(varargin) any (strfind (text, ["<tr>" sprintf("<td>%s</td>", varargin{:}) "</tr>"]));
+%! assert (row ("method", "dp853") && row ("rtol", "1e-08") && row ("maxstep", "0.1"));
+%! assert (row ("drive.v", "400", "10", "0.25") && row ("b", "0.05", "N*m*s"));
+%! assert (any (strfind (text, "Reference x0: q = 0.5, q_d = 0, drive.i = 0.")));
+%! assert (any (strfind (text, "Limits of the inputs: 12.")));
+%!test # gains and inputs that change with time; the planned motion is drawn beside the run's
+%! [m, ~] = motor ();
+%! plan = gsmbp_plan ("septic", [0 2], [0 1]);
+%! text = page (m, gsmbp_simulate (m, [0 0 0], 0:0.5:1, "motion", plan, "method", "rk4"));
+%! assert (any (strfind (text, "<title>Planned motion: q</title>")));
+%! assert (any (strfind (text, "1 piece of degree 7 from 0 s to 1 s")));
+%! assert (any (strfind (text, "<td>step [s]</td><td>0.001</td>")));
+%! K = mkpp ([0 1 2], [400 10 0; 300 8 0]'(:), 3);
+%! text = page (m, gsmbp_simulate (m, [0 0 0], 0:0.5:1, "gain", K, "reference", [0.5; 0; 0]));
+%! assert (any (strfind (text, "At the start; K is a piecewise polynomial: 2 pieces of degree 0")));
+%! text = page (m, gsmbp_simulate (m, [0 0 0], 0:0.5:1, "input", @(t, x) 3*(x(1) < 1)));
+%! assert (any (strfind (text, "A function: @(t, x) 3 * (x (1) &lt; 1).")));
+%! text = page (m, gsmbp_simulate (m, [0 0 0], 0:0.5:1, "input", 12));
+%! assert (any (strfind (text, "Constant: drive.v = 12.")));
 %!error <Invalid call> gsmbp_report (1)
 %!error <argument file must end in .html, found: a.htm>
 %! [m, r] = motor (); gsmbp_report (m, r, "a.htm")

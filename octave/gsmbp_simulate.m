@@ -141,7 +141,8 @@
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
-## @code{v} (the inputs; from the left where they jump) and @code{stats}:
+## @code{v} (the inputs; from the left where they jump), @code{options} (a struct of
+## those that were given) and @code{stats}:
 ## @table @code
 ## @item calls, accepted, rejected, repeated, projections, seconds
 ## calls of the right-hand side, steps (@code{repeated}: those that could not
@@ -278,6 +279,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
+  [names, given] = gsmbp__pairs (who, "option", varargin);
+  result.options = cell2struct (given(:), names(:), 1);
   if (isstruct (sampled))
     result.y = sampled.y';
     result.unique = m.unique.outputs;
@@ -295,6 +298,11 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
   endif
   result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
+  if (! isfield (result, "y"))
+    result.y = gsmbp__outputs (m, result.t, result.x, result.v);
+    result.unique = m.unique.outputs;
+  endif
+  result = gsmbp__named (m, result);
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);
@@ -353,6 +361,12 @@ endfunction
 %! e = gsmbp_simulate (f, [0.2 0 0], [0 1], "input", 3);
 %! assert (r.x, e.x, 1e-8);
 %! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
+%!test <inputs are told from the left where they jump, at the end too>
+%! table = gsmbp_plan ("table", [0 0.5 1], [0 5 7], 0);
+%! for method = {"dp853", "rk4", "cvode"}(1:2 + gsmbp_has_sundials ())
+%!   r = gsmbp_simulate (m, [0 0 0], [0 0.25 0.5 0.75 1], "input", table, "method", method{1});
+%!   assert (r.v', [0 0 0 5 5]);
+%! endfor
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])

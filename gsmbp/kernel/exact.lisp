@@ -25,3 +25,41 @@
         (let ((n (* q (expt 10 k))))
           (do () ((plusp (mod n 10))) (setq n (/ n 10) k (1- k)))
           (gs-list (list n k)))))))
+
+;;; Is a rational better read as a fraction (3/8) than as a decimal (981/100, 1009/3000)?
+(defun $gs__fractionp (r)
+  (let ((q (gs-rational r)))
+    (not (or (integerp q) ($gs__short_decimalp r)
+             (>= (abs (numerator q)) 1000) (>= (denominator q) 1000)))))
+;;; 9.81: a power of five below, at most twelve digits
+(defun $gs__short_decimalp (r)
+  (let ((d (denominator (gs-rational r))) (k 0))
+    (loop while (zerop (mod d 5)) do (setq d (/ d 5) k (1+ k)))
+    (and (< 0 k 13) (<= d 4096) (zerop (logand d (1- d))))))
+
+;;; [e with a symbol for every rational that is read as a decimal, [symbol = its magnitude, ...]].
+;;; The sign stays with the product or the number that has it. No name is the beginning of another.
+(defvar gs-decimals-found nil)
+(defun $gs__decimals_marked (e)
+  (let* ((gs-decimals-found nil) (marked (gs-mark-decimals e)))
+    (gs-list (list marked
+                   (gs-list (mapcar (lambda (p) (list '(mequal simp) (car p) (cdr p)))
+                                    gs-decimals-found))))))
+(defun gs-mark-decimals (e)
+  (cond ((atom e) e)
+        ((eq (caar e) 'rat) (gs-decimal-symbol e nil))
+        ((eq (caar e) 'mexpt) (list (car e) (gs-mark-decimals (cadr e)) (caddr e)))
+        ((and (eq (caar e) 'mtimes) (consp (cadr e)) (eq (caaadr e) 'rat))
+         (let ((n (gs-decimal-symbol (cadr e) t)))
+           (append (list (car e)) n (mapcar #'gs-mark-decimals (cddr e)))))
+        (t (cons (car e) (mapcar #'gs-mark-decimals (cdr e))))))
+;;; a symbol for r or -1 times one, r itself where it is read as a fraction; as factors of a product
+(defun gs-decimal-symbol (r factor)
+  (let ((negative (minusp (cadr r))) (symbol nil))
+    (if ($gs__fractionp r) (if factor (list r) r)
+      (progn
+        (setq symbol (intern (format nil "$GS__NUMBER~dX" (length gs-decimals-found)) :maxima))
+        (push (cons symbol (list '(rat simp) (abs (cadr r)) (caddr r))) gs-decimals-found)
+        (cond (factor (if negative (list -1 symbol) (list symbol)))
+              (negative (list '(mtimes simp) -1 symbol))
+              (t symbol))))))

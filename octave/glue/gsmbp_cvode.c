@@ -557,7 +557,6 @@ next_stop (run *s, double t)
   double fuzz = 8 * DBL_EPSILON * fabs (s->stop);
   if (t > s->stop + fuzz)
     return;
-  s->side = -1;
   if (t < s->stop - fuzz)
     s->stop = t;
 }
@@ -584,7 +583,7 @@ go (run *s)
       while (ib < r->nb && r->tbrk[ib] <= s->t)
         ib++;
       s->stop = end;
-      s->side = 1;
+      s->side = -1;
       next_stop (s, ib < r->nb ? r->tbrk[ib] : HUGE_VAL);
       next_stop (s, s->sample);
       info = advance (s);

@@ -44,6 +44,8 @@ absent (const std::string& call, const char *request)
     reason = "it has no events";
   else if (S.nsm == 0 && is (" mar "))
     reason = "no device of it has a margin that its state decides";
+  else if (S.nlam == 0 && is (" ind red jpi "))
+    reason = "it has no loops";
   else if (S.ny == 0 && is (" out "))
     reason = "it has no outputs";
   else
@@ -99,6 +101,15 @@ static const known_routine known[]
         { "bia_v", "batch", "t q u ?v cst >b(nu) k ld", "" },
         { "fwd_v", "batch", "t q u ?v ?tau cst >ud info k ld", "" },
         { "rhs_v", "batch", "t x ?v cst >xd(nx) info k ld", "" },
+        { "gra", "gravity", "", "" },       // these have their arguments from the JSON
+        { "cor", "coriolis", "", "" },
+        { "pnt", "points", "", "" },
+        { "jpt", "point_jacobians", "", "" },
+        { "ind", "independent", "", "" },
+        { "red", "reduced", "", "" },
+        { "jpi", "independent_jacobians", "", "" },
+        { "pnt_v", "batch", "", "" },
+        { "jpt_v", "batch", "", "" },
         { "pre", "", "par cst info", "" }
       };
 
@@ -138,8 +149,10 @@ struct handle
 static handle
 handle_of (const std::string& name, const known_routine *row, const gsmbp_routine *code)
 {
-  return handle { name, row, code, signature_of (row ? row->slots : code->arguments,
-                                                 row ? row->results : "") };
+  std::string slots = row ? row->slots : "";
+  if (slots.empty () && code)
+    slots = code->arguments;
+  return handle { name, row, code, signature_of (slots, row ? row->results : "") };
 }
 
 // those of the table, and what else was emitted whose arguments the JSON tells
@@ -164,7 +177,7 @@ do_calls (arguments&, int)
 {
   string_vector names;
   for (const handle& h : handles ())
-    if (h.asked_for () && ! h.g.usage.empty ())
+    if (h.asked_for () && (! h.g.usage.empty () || ! h.code))
       names.append (h.name);
   return octave_value (Cell (names));
 }

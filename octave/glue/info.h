@@ -29,7 +29,9 @@ finish (octave_value_list& out, int info, int nargout, const char *call)
   if (info == 0 && S.nlam > 0
       && std::strstr (" rhs acc acd ", (" " + std::string (call) + " ").c_str ()))
     the_rank_full = true;
-  if (nargout <= place && info != 0)
+  // what is out of reach, or singular, is an answer of inverse kinematics
+  bool answer = info > 0 && std::strstr (" ikn nik ", (" " + std::string (call) + " ").c_str ());
+  if (nargout <= place && info != 0 && ! answer)
     {
       if (info == 2
           && std::strstr (" rhs acc acd out jac evt rst prj con ",

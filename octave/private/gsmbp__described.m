@@ -27,6 +27,10 @@ function m = gsmbp__described (json)
   if (isfield (json, "margins") && ! isempty (json.margins))
     m.margins = cellstr (json.margins)(:);
   endif
+  m.static_margins = cell (0, 1);
+  if (isfield (json, "static_margins") && ! isempty (json.static_margins))
+    m.static_margins = cellstr (json.static_margins)(:);
+  endif
   m.state_margins = cell (0, 1);
   if (isfield (json, "state_margins") && ! isempty (json.state_margins))
     m.state_margins = cellstr (json.state_margins)(:);

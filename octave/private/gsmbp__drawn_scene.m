@@ -1,6 +1,6 @@
 ## d = gsmbp__drawn_scene (drawing, number, place, turn, t)
 ## What the player draws (share/report/player.js): bodies with colours, solids, pairs of points,
-## arrows, camera.  NUMBER, PLACE, TURN: of gsmbp__poses at the times T.
+## arrows, camera.  NUMBER, PLACE, TURN: of gsmbp__drawn_poses at the times T.
 
 function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   first = @(texts) number (texts)(1,:);

@@ -34,10 +34,17 @@ function yes = whole (file, kind)
     yes = false;
     return;
   endif
-  fseek (f, -8, "eof");
-  last = fread (f, 8, "uint8=>char")';
+  fseek (f, -min (40, stat (file).size), "eof");
+  last = fread (f, 40, "uint8=>char")';
   fclose (f);
-  yes = numel (last) == 8 ...
-      && (strcmpi (kind, ".gif") && last(8) == ";" || strcmpi (kind, ".png") ...
-            && strcmp (last(1:4), "IEND"));
+  switch (tolower (kind))
+    case ".gif"
+      yes = ! isempty (last) && last(end) == ";";
+    case ".png"
+      yes = numel (last) >= 8 && strcmp (last(end-7:end-4), "IEND");
+    case ".svg"
+      yes = ! isempty (strfind (last, "</svg>"));
+    otherwise
+      yes = ! isempty (strfind (last, "%%EOF"));
+  endswitch
 endfunction

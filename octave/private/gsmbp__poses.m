@@ -19,8 +19,8 @@ function [P, R] = gsmbp__poses (who, P, R)
     R = by_parameters (who, R);
   endif
   if (! isequal ([size(R), ones(1, 3 - ndims (R))], [3, 3, k]))
-    error (["%s: axes: expected 3 x 3 x %d (rotation matrices), 4 x %d (Euler parameters) or [],", ...
-            " found %s"], who, k, k, strjoin (cellstr (num2str (size (R)'))', " x "));
+    error (["%s: axes: expected 3 x 3 x %d (rotation matrices), 4 x %d (Euler parameters)", ...
+            " or [], found %s"], who, k, k, strjoin (cellstr (num2str (size (R)'))', " x "));
   endif
   for i = 1:k
     miss = max (max (abs (R(:,:,i)' * R(:,:,i) - eye (3))));

@@ -8,7 +8,7 @@ function text = gsmbp__report_player (who, m, r, drawing, o)
     return;
   endif
   list = instants (r.t(:), o.frames);
-  [number, place, turn] = gsmbp__poses (who, drawing, m, r, list);
+  [number, place, turn] = gsmbp__drawn_poses (who, drawing, m, r, list);
   d = gsmbp__drawn_scene (drawing, number, place, turn, r.t(:)(list));
   poses = cellfun (@(p, R) [R, p], place, turn, "UniformOutput", false);
   poses = [repmat([1 0 0 0 1 0 0 0 1 0 0 0], numel (list), 1), poses{:}];

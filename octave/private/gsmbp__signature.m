@@ -25,6 +25,7 @@ endfunction
 ## where it cannot be told.  SHAPE: "in", "out(3)", "integer in", "integer out(8)"
 function text = word (name, shape)
   text = "";
+  shape = from_one (shape);
   part = regexp (shape, '^(in|out|inout)((?:\(.*\))?)$', "tokens", "once");
   if (any (strcmp (name, {"cst", "info"})))
     text = name;
@@ -38,6 +39,14 @@ function text = word (name, shape)
     text = [">#", name, dimensions(shape(12:end))];
   elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
     text = name;   # none in this scene
+  endif
+endfunction
+
+## in(3,0:2) as in(3,3)
+function shape = from_one (shape)
+  last = str2double (regexp (shape, '0:(\d+)', "tokens", "once"));
+  if (! isempty (last))
+    shape = regexprep (shape, '0:\d+', sprintf ("%d", last + 1));
   endif
 endfunction
 

@@ -15,6 +15,7 @@ function test_start_devices ()
   own = gsmbp_set (own, "phi0", -0.2);
   gsmbp_check ("a start of the user's own stays", own.initial(1) - 0.7, 0);
   impossible (m);
+  outside ();
   loops (gsmbp_fixture ("fluid_hydraulic"));
 end
 
@@ -31,6 +32,19 @@ function settled (m, at, phi)
   x = gsmbp_assemble (m, m.initial(1:m.sizes.nq) + 0.05);
   gsmbp_check ("gsmbp_assemble settles them, rad", ...
                x(strcmp (m.states, "observer.xe")) - phi - 0.05, 1e-12);
+end
+
+## a piston beyond its stroke where the scene starts is told when the model is built
+function outside ()
+  lastwarn ("");
+  m = gsmbp_fixture ("trim_hydraulic");
+  gsmbp_check ("a start within the stroke: no warning", numel (lastwarn ()), 0);
+  folder = m.directory;
+  warning ("off", "local");
+  gsmbp_build ("trim_hydraulic", "directory", folder, "parameters", struct ("C_h", 0.2));
+  said = lastwarn ();
+  gsmbp_check ("one beyond it", ! any (strfind (said, ...
+               "trim_hydraulic starts outside a margin: C: piston within its stroke, rod out")), 0);
 end
 
 function impossible (m)

@@ -70,6 +70,8 @@ class Call:
             words.remove('output')
         if holders(m):
             words = [w for w in words if w != 'jacobian'] + ['events', 'rhs']
+        if self.scene.points:
+            words += ['points', 'point_jacobians']
         self.requests = sorted(set(words))
         self.points, self.literal = '[]', None
         plain = not any('b' in j.letters()

@@ -10,7 +10,7 @@ from mechanics import State, closed, closing_rows, displaced, maximal, moving
 LIMITS = {
     'KIN': 1e-10, 'MAS': 1e-9, 'INV': 1e-9, 'BIA': 1e-9, 'FWD': 1e-9, 'CON phi': 1e-9, 'CON rates':
     1e-9, 'CON space': 1e-7, 'CON gamma': 1e-7, 'ACC': 1e-7, 'ACC balance': 1e-8, 'RHS': 1e-7,
-    'OUT': 1e-7, 'EVT': 1e-7, 'CTL': 1e-12, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6,
+    'PNT': 1e-13, 'JPT': 1e-13, 'JPT rate': 1e-12, 'OUT': 1e-7, 'EVT': 1e-7, 'CTL': 1e-12, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6,
     'JAC outputs': 1e-6, 'literal M': 1e-9, 'literal N+G-P': 1e-9,
     'INV_V': 1e-9, 'MAS_V': 1e-9, 'BIA_V': 1e-9, 'FWD_V': 1e-9, 'RHS_V': 1e-7,
     'INV_V beside single': 1e-11, 'MAS_V beside single': 1e-11, 'BIA_V beside single': 1e-11,
@@ -175,6 +175,8 @@ class Comparison:
         self.effort_size, self.loose = self.scale(s, mixed), 1.
         self.kinematics(s, q, w)
         self.tree(s, mixed, q, w, v, M_own, B_own)
+        if code.has('jpt'):
+            self.places(s, mixed, q, w)
         sv = np.linalg.svd(M_own, compute_uv=False) if m.nu else np.ones(1)
         self.condition = sv[0]/max(sv[-1], 1e-300)
         if self.condition < 1e10 and m.nu:
@@ -207,6 +209,22 @@ class Comparison:
         self.note('MAS', error(found, M))
         self.note('BIA', error(bias, B, scale))
         self.note('INV', error(tau, M@wd + B, scale))
+
+    def places(self, s, mixed, q, w):
+        """points and frames, Jacobians, (dJ/dt) u"""
+        code, nu, points = self.code, self.m.nu, self.scene.points
+        bodies, n = self.m.bodies(s), len(points)
+        P, R, J, bias = zeros(3, n), zeros(3, 3*n), zeros(6, nu*n), zeros(6, n)
+        code.call('pnt', s.t, q, code.cst, P, R)
+        code.call('jpt', s.t, q, w, code.cst, J, bias)
+        order = [p['name'] for p in code.js['points']]
+        for one in points:
+            k = order.index(one.name)
+            p, axes, own, beside = one.seen(bodies)
+            self.note('PNT', max(error(P[:, k], p, 1.), error(R[:, 3*k:3*k + 3], axes, 1.)))
+            self.note('JPT', error(J[:, nu*k:nu*k + nu], own @ mixed.back, 1.))
+            rate = beside - own @ mixed.back @ mixed.rest
+            self.note('JPT rate', error(bias[:, k], rate, 1.))
 
     def scale(self, s, mixed):
         """of efforts: what single bodies need, which may cancel"""

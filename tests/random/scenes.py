@@ -7,6 +7,7 @@ import electric
 import fluids
 import signals
 from beside import add_beside
+from points import add_points
 from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic,
                       OfSpeeds, Rolling)
 from joints import AXES, Joint, rodrigues
@@ -62,6 +63,7 @@ class Scene:
         self.closures()
         self.loads()
         add_beside(self)
+        add_points(self)
         self.write()
 
     # -------------------------------------------------------------------------------------- numbers

@@ -14,3 +14,14 @@ for name in case_01a case_03a electric_arms fluid_hydraulic sampled_crank redund
     cmp "$emitted/$name.f" "$work/$name.f" && cmp "$emitted/$name.json" "$work/$name.json"
   told $? "$name: $one and $other derive the same"
 done
+
+# -- in C
+in_c="load(\"$PWD/gsmbp/gsmbp.mac\")\$ for name in [sampled_crank, orient_angles, event_crank] do (
+  load(sconcat(\"$PWD/tests/scenes/\", name, \".mac\")),
+  gsmbp_c(scene, [all, batch], ['directory = folder]))\$"
+for lisp in $one $other; do
+  MAXIMA=$lisp share/make/maxima "$work/$lisp.log" "folder : \"$work/$lisp\"\$ $in_c"
+  told $? "$lisp derives C" "$work/$lisp.log"
+done
+diff -r "$work/$one" "$work/$other" >"$work/differ"
+told $? "$one and $other derive the same C" "$work/differ"

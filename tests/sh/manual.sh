@@ -11,6 +11,20 @@ result 'what is made is not made again'
 (cd share/manual && makeinfo --no-split -o /dev/null gsmbp.texi) >"$report" 2>&1
 result 'makeinfo has no warning'
 index=share/manual/gsmbp-index.lisp
+# readers of info, Octave's doc among them, find nodes and the index by the table at the end
+/usr/bin/python3 - octave/doc.info >"$report" <<'END'
+import re
+import sys
+text = open(sys.argv[1], 'rb').read()
+rows = re.findall(rb'(?m)^Node: ([^\x7f\n]*)\x7f(\d+)$', text)
+for name, place in rows:
+    head = text[int(place):].split(b'\n', 2)[:2]
+    if head[0] != b'\x1f' or b'Node: %s,' % name not in head[1] + b',':
+        print('%s is not at %s' % (name.decode(), place.decode()))
+if len(rows) < 100 or text.count(b'\x1f\nFile: ') != len(rows):
+    print('%d nodes in the table' % len(rows))
+END
+result 'the table of nodes tells where they are'
 
 written=$(ls share/manual/*.texi |
   grep -vE '/(maxima|octave|entries|elements|laws|units|version)\.texi')

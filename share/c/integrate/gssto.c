@@ -26,7 +26,7 @@ next_stop (gs_course *c)
   const gs_run *r = c->run;
   const double eps = gseps ();
   c->tb = r->tout[c->it];
-  c->side = 1;
+  c->side = c->it == r->nt - 1 ? -1 : 1;
   if (c->ib < r->nb)
     {
       if (r->tbrk[c->ib] <= c->tb)

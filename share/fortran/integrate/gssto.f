@@ -16,9 +16,9 @@ C     TB      (output) DOUBLE PRECISION, the time of the next stop [s].
 C     TEND    (output) DOUBLE PRECISION, the next break, sample or end
 C             of the run [s].
 C     TS      (output) DOUBLE PRECISION, the next sample [s].
-C     SIDE    (output) INTEGER: -1 if the next stop is a break or a
-C             sample, where the limits of the inputs are from the left,
-C             else 1.
+C     SIDE    (output) INTEGER: -1 if the next stop is a break, a
+C             sample or the end of the run, where the limits of the
+C             inputs are from the left, else 1.
 C     ACTED   (output) INTEGER, 1 if the integration starts again here.
 C     INFO    (output) INTEGER, as GSSIM: 0 or 3.
 C
@@ -68,6 +68,7 @@ C
 C     -- the next stop
       TB = TOUT(IT)
       SIDE = 1
+      IF ( IT.EQ.NT ) SIDE = -1
       IF ( IB.LE.NB ) THEN
          IF ( TBRK(IB).LE.TB ) SIDE = -1
          TB = MIN( TB, TBRK(IB) )

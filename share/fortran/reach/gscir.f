@@ -27,9 +27,8 @@ C     None: coefficients that are not finite, or all 0, have no root.
 C
       IMPLICIT NONE
       DOUBLE PRECISION   CO(5), SC(2,4), RAD(4), A(0:4), ZR(4), ZI(4)
-      DOUBLE PRECISION   SIZE, FAR, TH, F, FD, PI
+      DOUBLE PRECISION   SIZE, FAR, TH, F, FD
       INTEGER            K, I
-      PARAMETER          ( PI = 3.1415926535897932384626433832795D0 )
       EXTERNAL           GSCIE, GSCIQ, GSCIF
 C
       SIZE = 0.0D0

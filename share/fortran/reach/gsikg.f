@@ -147,10 +147,11 @@ C
       DOUBLE PRECISION   P0(3,6), R0(3,3), D0(3), QC(6,16), W(*)
       DOUBLE PRECISION   Q(6), F(14,27), G(14,9), H(6,9,3), SHIFT
       DOUBLE PRECISION   ER(24), EI(24), T
-      INTEGER            WAY, NS, IW(24), I, J, INFO
+      INTEGER            WAY, NS, IW(24), I, J, INFO, KIND(6)
       LOGICAL            GOOD
       EXTERNAL           GSIKL, GSIKR, GSIKE, GSIKC, GSEIG, GSIKV, GSIKN
       EXTERNAL           GSIKA
+      DATA               KIND / 6*1 /
 C
       CALL GSIKL( KA, PA, F )
       CALL GSIKR( KA, PA, R, P, G )
@@ -170,7 +171,7 @@ C
                   Q(7-J) = -T
    10          CONTINUE
             END IF
-            CALL GSIKN( K0, P0, R0, D0, Q, W, IW, GOOD )
+            CALL GSIKN( KIND, K0, P0, R0, D0, Q, W, IW, GOOD )
             IF ( GOOD ) CALL GSIKA( Q, QC, NS )
          END IF
    20 CONTINUE
@@ -675,14 +676,17 @@ C
    40 CONTINUE
       END
 C
-      SUBROUTINE GSIKN( KA, PA, R, P, Q, W, IW, GOOD )
+      SUBROUTINE GSIKN( KIND, KA, PA, R, P, Q, W, IW, GOOD )
 C
 C     PURPOSE
-C     For GSIKG: a candidate refined.
+C     For GSIKG and GSIKZ: a candidate refined.
 C
 C     ARGUMENTS
+C     KIND    (input) INTEGER array, dimension (6): 1 where a joint turns,
+C             0 where it slides.
 C     KA, PA, R, P (input) as GSIKG.
-C     Q       (input/output) DOUBLE PRECISION array, dimension (6) [rad].
+C     Q       (input/output) DOUBLE PRECISION array, dimension (6) [rad,
+C             m].
 C     W       (workspace) DOUBLE PRECISION array, dimension (42).
 C     IW      (workspace) INTEGER array, dimension (6).
 C     GOOD    (output) LOGICAL, whether the pose is missed by less than
@@ -699,13 +703,13 @@ C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), Q(6), W(6,7)
       DOUBLE PRECISION   MISS, LAST, BEST(6), BIG
-      INTEGER            IW(6), I, N, INFO
+      INTEGER            KIND(6), IW(6), I, N, INFO
       LOGICAL            GOOD
       EXTERNAL           GSIKJ, GSLEQ
 C
       LAST = -1.0D0
       DO 40 N = 1, 40
-         CALL GSIKJ( KA, PA, R, P, Q, W, W(1,7), MISS )
+         CALL GSIKJ( KIND, KA, PA, R, P, Q, W, W(1,7), MISS )
          IF ( .NOT.( MISS.LE.1.0D10 ) ) GO TO 50
          IF ( LAST.LT.0.0D0 .OR. MISS.LT.LAST ) THEN
             LAST = MISS
@@ -731,17 +735,18 @@ C
       GOOD = LAST.GE.0.0D0 .AND. LAST.LE.1.0D-10
       IF ( .NOT.GOOD ) RETURN
       DO 60 I = 1, 6
-         Q(I) = ATAN2( SIN( BEST(I) ), COS( BEST(I) ) )
+         Q(I) = BEST(I)
+         IF ( KIND(I).EQ.1 ) Q(I) = ATAN2( SIN( Q(I) ), COS( Q(I) ) )
    60 CONTINUE
       END
 C
-      SUBROUTINE GSIKJ( KA, PA, R, P, Q, RJ, E, MISS )
+      SUBROUTINE GSIKJ( KIND, KA, PA, R, P, Q, RJ, E, MISS )
 C
 C     PURPOSE
 C     For GSIKN: Jacobian, and what a position misses.
 C
 C     ARGUMENTS
-C     KA, PA, R, P, Q (input) as GSIKG.
+C     KIND, KA, PA, R, P, Q (input) as GSIKN.
 C     RJ      (output) DOUBLE PRECISION array, dimension (6,6): velocity
 C             of the point that stood at the origin, angular velocity.
 C     E       (output) DOUBLE PRECISION array, dimension (6): its place
@@ -757,7 +762,7 @@ C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), Q(6), RJ(6,6)
       DOUBLE PRECISION   E(6), MISS, X(3), A(3,3), K(3), O(3), S, C
-      INTEGER            I, J, L
+      INTEGER            KIND(6), I, J, L
       EXTERNAL           GSIKT, GSNIV
 C
       DO 20 J = 1, 3
@@ -774,14 +779,20 @@ C     -- A, X: rotation of the joints so far, and where the origin comes
             O(I) = A(I,1)*PA(1,J) + A(I,2)*PA(2,J) + A(I,3)*PA(3,J)
      $             + X(I)
    30    CONTINUE
-         S = SIN( Q(J) )
-         C = COS( Q(J) )
-         DO 40 L = 1, 3
-            E(L) = 0.0D0
-   40    CONTINUE
-         CALL GSIKT( K, O, S, C, X, A(1,1) )
-         CALL GSIKT( K, O, S, C, E, A(1,2) )
-         CALL GSIKT( K, O, S, C, E, A(1,3) )
+         IF ( KIND(J).EQ.0 ) THEN
+            DO 35 I = 1, 3
+               X(I) = X(I) + Q(J)*K(I)
+   35       CONTINUE
+         ELSE
+            S = SIN( Q(J) )
+            C = COS( Q(J) )
+            DO 40 L = 1, 3
+               E(L) = 0.0D0
+   40       CONTINUE
+            CALL GSIKT( K, O, S, C, X, A(1,1) )
+            CALL GSIKT( K, O, S, C, E, A(1,2) )
+            CALL GSIKT( K, O, S, C, E, A(1,3) )
+         END IF
          DO 50 I = 1, 3
             RJ(I,J) = O(I)
             RJ(3+I,J) = K(I)
@@ -792,9 +803,16 @@ C     -- A, X: rotation of the joints so far, and where the origin comes
             O(I) = X(I) - RJ(I,J)
             K(I) = RJ(3+I,J)
    70    CONTINUE
-         RJ(1,J) = K(2)*O(3) - K(3)*O(2)
-         RJ(2,J) = K(3)*O(1) - K(1)*O(3)
-         RJ(3,J) = K(1)*O(2) - K(2)*O(1)
+         IF ( KIND(J).EQ.0 ) THEN
+            DO 75 I = 1, 3
+               RJ(I,J) = K(I)
+               RJ(3+I,J) = 0.0D0
+   75       CONTINUE
+         ELSE
+            RJ(1,J) = K(2)*O(3) - K(3)*O(2)
+            RJ(2,J) = K(3)*O(1) - K(1)*O(3)
+            RJ(3,J) = K(1)*O(2) - K(2)*O(1)
+         END IF
    80 CONTINUE
       CALL GSNIV( R, A, E(4) )
       MISS = 0.0D0

@@ -1,5 +1,5 @@
       SUBROUTINE GSIKS( N, NB, NM, QC, RAD, LIM, RES, QS, LDQ, NS, BR,
-     $                  DST, INFO )
+     $                  DST, NEAR, INFO )
 C
 C     PURPOSE
 C     Of all branches of a closed form of inverse kinematics, those that
@@ -26,6 +26,8 @@ C     NS      (output) INTEGER, number of solutions.
 C     BR      (output) INTEGER array, dimension (NB): their branches.
 C     DST     (output) DOUBLE PRECISION array, dimension (2): 0, or where
 C             there is no solution what the best branch misses [m, 1].
+C     NEAR    (output) INTEGER, 1 where a branch is close to another: the
+C             radicand of a root is within 1D7 times LIM of 0; else 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
@@ -41,14 +43,15 @@ C     INFO =  2  a solution is singular: two branches coincide, or a
 C                coordinate is free.
 C
       IMPLICIT NONE
-      INTEGER            N, NB, NM, LDQ, NS, BR(NB), INFO
+      INTEGER            N, NB, NM, LDQ, NS, BR(NB), NEAR, INFO
       DOUBLE PRECISION   QC(N,NB), RAD(NM,NB), LIM(NM), RES(2,NB)
       DOUBLE PRECISION   QS(LDQ,NB), DST(2), LEAST, MISS
       INTEGER            I, K, GSIKQ
-      LOGICAL            REAL, EDGE
+      LOGICAL            REAL, EDGE, BESIDE
       EXTERNAL           GSIKQ
 C
       NS = 0
+      NEAR = 0
       INFO = 0
       DST(1) = 0.0D0
       DST(2) = 0.0D0
@@ -66,10 +69,14 @@ C
       DO 30 K = 1, NB
          REAL = .TRUE.
          EDGE = .FALSE.
+         BESIDE = .FALSE.
          DO 10 I = 1, NM
             IF ( .NOT.( RAD(I,K).GE.-1.0D-12 ) ) REAL = .FALSE.
             IF ( RAD(I,K).LE.LIM(I) ) EDGE = .TRUE.
+            IF ( LIM(I).GT.1.0D-20 .AND.
+     $           ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) BESIDE = .TRUE.
    10    CONTINUE
+         IF ( BESIDE ) NEAR = 1
          MISS = MAX( RES(1,K), RES(2,K) )
          IF ( REAL .AND. .NOT.( MISS.LE.1.0D-9 ) ) THEN
             REAL = .FALSE.

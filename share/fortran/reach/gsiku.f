@@ -1,15 +1,15 @@
-      SUBROUTINE GSIKU( KA, PA, R, P, X0, NB, QC, DST )
+      SUBROUTINE GSIKU( KIND, KA, PA, R, P, X0, NB, QC, DST )
 C
 C     PURPOSE
-C     How close six revolute joints bring a tool to a pose out of reach.
+C     How close six joints bring a tool to a pose out of reach.
 C
 C     ARGUMENTS
-C     KA, PA, R, P (input) as GSIKG.
+C     KIND, KA, PA, R, P (input) as GSIKN.
 C     X0      (input) DOUBLE PRECISION array, dimension (3): the tool's
 C             point where all angles are 0 [m].
 C     NB      (input) INTEGER, guesses; 0: eight of its own.
 C     QC      (input) DOUBLE PRECISION array, dimension (6,NB): guesses of
-C             the joints' angles [rad].
+C             the joints' coordinates [rad, m].
 C     DST     (output) DOUBLE PRECISION array, dimension (2): what the
 C             closest position misses, of the place [m], of the axes
 C             [rad]: the sum of the squares is the least that was found.
@@ -22,7 +22,7 @@ C     ERROR INDICATOR
 C     None.
 C
       IMPLICIT NONE
-      INTEGER            NB
+      INTEGER            KIND(6), NB
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), X0(3), QC(6,*)
       DOUBLE PRECISION   DST(2), PX(3,6), D(3), Q(6), LEAST, F, E(6)
       INTEGER            I, J, K, N
@@ -46,7 +46,7 @@ C
                Q(I) = QC(I,K)
             END IF
    30    CONTINUE
-         CALL GSIKY( KA, PX, R, D, Q, E, F )
+         CALL GSIKY( KIND, KA, PX, R, D, Q, E, F )
          IF ( LEAST.LT.0.0D0 .OR. F.LT.LEAST ) THEN
             LEAST = F
             DST(1) = SQRT( E(1)**2 + E(2)**2 + E(3)**2 )
@@ -55,13 +55,13 @@ C
    40 CONTINUE
       END
 C
-      SUBROUTINE GSIKY( KA, PA, R, P, Q, E, F )
+      SUBROUTINE GSIKY( KIND, KA, PA, R, P, Q, E, F )
 C
 C     PURPOSE
 C     For GSIKU: the closest position near a guess.
 C
 C     ARGUMENTS
-C     KA, PA, R, P (input) as GSIKG.
+C     KIND, KA, PA, R, P (input) as GSIKN.
 C     Q       (input/output) DOUBLE PRECISION array, dimension (6).
 C     E       (output) DOUBLE PRECISION array, dimension (6): what it
 C             misses, see GSIKJ.
@@ -77,11 +77,11 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), Q(6), E(6), F
       DOUBLE PRECISION   RJ(6,6), JN(6,6), EN(6), QN(6), A(6,6), S(6)
       DOUBLE PRECISION   MU, FN, MISS
-      INTEGER            I, K, L, IT, INFO
+      INTEGER            KIND(6), I, K, L, IT, INFO
       EXTERNAL           GSIKJ, GSSPD
 C
       MU = 1.0D-4
-      CALL GSIKJ( KA, PA, R, P, Q, RJ, E, MISS )
+      CALL GSIKJ( KIND, KA, PA, R, P, Q, RJ, E, MISS )
       F = 0.0D0
       DO 10 I = 1, 6
          F = F + E(I)**2
@@ -102,7 +102,7 @@ C
          DO 50 I = 1, 6
             QN(I) = Q(I) + S(I)
    50    CONTINUE
-         CALL GSIKJ( KA, PA, R, P, QN, JN, EN, MISS )
+         CALL GSIKJ( KIND, KA, PA, R, P, QN, JN, EN, MISS )
          FN = 0.0D0
          DO 55 I = 1, 6
             FN = FN + EN(I)**2

@@ -1,0 +1,118 @@
+;;; robots/xml.lisp: XML as lists, by share/urdf/read; decimals as they are typed in a file.
+(in-package :maxima)
+
+;;; The elements of an XML file: [tag, line, [[attribute, value], ...], [child, ...]], or a string:
+;;; what is wrong, with its line. `reader` is the program, `folder` a name that no file has.
+(defun $gs__xml_elements (reader file folder)
+  (let ((list (concatenate 'string folder "/list")))
+    (mfuncall '$system
+              (format nil "sh ~a ~a ~a" (gs-shell-word reader) (gs-shell-word file)
+                      (gs-shell-word folder)))
+    (if (probe-file list)
+        (let ((tree (gs-read-list list)))
+          (delete-file list)
+          (mfuncall '$system (format nil "rmdir ~a" (gs-shell-word folder)))
+          (cond ((not (and (consp tree)
+                           (stringp (if (eq (car tree) :error) (caddr tree) (car tree)))))
+                 "the file cannot be parsed")
+                ((eq (car tree) :error)
+                 (format nil "~:[line ~a: ~;~*~]~a" (eql (cadr tree) 0) (cadr tree) (caddr tree)))
+                (t (gs-xml-node tree))))
+        "the reader of XML (share/urdf/read) cannot be run")))
+
+(defun $gs__new_folder (above)
+  (format nil "~a/gsmbp-~d-~d" above (get-universal-time)
+          (random 1000000000 (make-random-state t))))
+
+(defun gs-shell-word (s)
+  (with-output-to-string (out)
+    (write-char #\' out)
+    (loop for c across s do (if (char= c #\') (write-string "'\\''" out) (write-char c out)))
+    (write-char #\' out)))
+
+(defun gs-read-list (file)
+  (with-open-file (in file)
+    (let ((*read-eval* nil) (*readtable* (copy-readtable nil)) (*read-base* 10))
+      (read in nil nil))))
+
+(defun gs-xml-node (node)
+  (destructuring-bind (tag line attributes children) node
+    (list '(mlist simp) tag line
+          (cons '(mlist simp)
+                (mapcar #'(lambda (a) (list '(mlist simp) (car a) (cdr a))) attributes))
+          (cons '(mlist simp) (mapcar #'gs-xml-node children)))))
+
+;;; The number of a text such as -1.5e-3, exact; false if it is none, or beyond what a double holds.
+(defun $gs__typed_number (s)
+  (let* ((e (position #\e s :test #'char-equal))
+         (mantissa (gs-plain-decimal (subseq s 0 e)))
+         (power (if e (gs-plain-integer (subseq s (1+ e))) 0)))
+    (when (and mantissa power (< (abs power) 700))
+      (let ((r (* mantissa (expt 10 power))))
+        (cond ((> (abs r) (expt 10 300)) nil)
+              ((integerp r) r)
+              (t (list '(rat simp) (numerator r) (denominator r))))))))
+;;; digits with a sign, a point among them; nil for anything else
+(defun gs-plain-decimal (s)
+  (let* ((point (position #\. s)) (whole (if point (remove #\. s :count 1) s))
+         (n (gs-plain-integer whole)))
+    (and n (< (length s) 400) (/ n (expt 10 (if point (- (length s) point 1) 0))))))
+(defun gs-plain-integer (s)
+  (let ((digits (string-left-trim "+-" s)))
+    (and (plusp (length digits)) (<= (- (length s) (length digits)) 1) (every #'digit-char-p digits)
+         (* (if (char= (char s 0) #\-) -1 1) (parse-integer digits)))))
+
+;;; the words of a text, apart by blanks, tabs or ends of lines
+(defun $gs__blank_words (s)
+  (let ((words nil) (word nil))
+    (flet ((end () (when word (push (coerce (nreverse word) 'string) words) (setq word nil))))
+      (loop for c across s
+            do (if (member c '(#\Space #\Tab #\Newline #\Return)) (end) (push c word)))
+      (end)
+      (cons '(mlist simp) (nreverse words)))))
+
+;;; An exact number as a decimal: 0.02, 1.5e-7; a fraction where it has no end.
+(defun $gs__typed_text (r)
+  (let* ((q (gs-rational r)) (d (gs-digits (abs q))))
+    (cond ((integerp q) (format nil "~d" q))
+          ((null d) (format nil "~d/~d" (numerator q) (denominator q)))
+          (t (concatenate 'string (if (minusp q) "-" "") (gs-decimal-text (car d) (cdr d)))))))
+;;; (n . k) with q = n/10^k, or nil
+(defun gs-digits (q)
+  (let ((d (and (plusp q)
+                ($gs__finite_decimal
+                  (if (integerp q) q (list '(rat simp) (numerator q) (denominator q)))))))
+    (and (consp d) (cons (cadr d) (caddr d)))))
+;;; n/10^k
+(defun gs-decimal-text (n k)
+  (let* ((digits (format nil "~d" n)) (many (length digits)))
+    (cond ((<= many (- k 4))
+           (format nil "~a~:[.~a~;~*~]e-~d" (char digits 0) (= many 1) (subseq digits 1)
+                   (- k (1- many))))
+          ((<= many k)
+           (format nil "0.~a~a" (make-string (- k many) :initial-element #\0) digits))
+          (t (format nil "~a.~a" (subseq digits 0 (- many k)) (subseq digits (- many k)))))))
+
+;;; The same as Maxima reads it exactly: a decimal that a double tells from its neighbours, else
+;;; n/10^k.
+(defun $gs__exact_text (r)
+  (let* ((q (gs-rational r)) (d (gs-digits (abs q))))
+    (if (or (null d) (integerp q) (gs-read-as (abs q)))
+        ($gs__typed_text r)
+        (format nil "~:[~;-~]~d/10^~d" (minusp q) (car d) (cdr d)))))
+
+;;; whether Maxima reads the decimal of q as q
+(defun gs-read-as (q)
+  (let ((x (mfuncall '$parse_string
+                     ($gs__typed_text (list '(rat simp) (numerator q) (denominator q))))))
+    (and (floatp x) (= q (gs-decimal x)))))
+
+;;; whether Maxima would take the name for something of its own: a word of its grammar, a variable
+;;; of its own that has a value, a constant
+(defun $gs__is_maximas (text)
+  (let ((s ($gs__symbol_of text)))
+    (and (or (and (boundp s) (not (member s (cdr $values))))
+             (get s 'op) (get s 'nud) (get s 'led) (get s 'sysconst) (kindp s '$constant))
+         t)))
+(defun $gs__symbol_of (text)
+  (intern (concatenate 'string "$" (maybe-invert-string-case text)) :maxima))

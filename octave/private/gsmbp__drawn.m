@@ -1,0 +1,110 @@
+## lines = gsmbp__drawn (table, panels, o, size)
+## What gnuplot is told to draw the panels from the file TABLE, one above the other, SIZE [cm]: the
+## legend above each, curves that differ without their colours, none hidden by another.
+
+function lines = gsmbp__drawn (table, panels, o, size)
+  n = numel (panels);
+  em = 0.176 * o.fontsize / 10;   # [cm], of a letter
+  top = 0.25 + 0.75 * (! isempty (o.title));
+  below = 1.3 * o.fontsize / 10;
+  keys = cellfun (@(p) key_rows (p, size(1), em), panels);
+  each = (size(2) - top - below - sum (keys) * 2.6 * em - (n - 1) * 0.45) / n;
+  left = 2.1 * o.fontsize / 10 / size(1);
+  lines = {"set datafile separator comma", "set datafile missing 'NaN'", ...
+           "set encoding utf8", "set grid lc rgb '#c8c8c8' lw 0.6 dt 1", "set border lw 0.8", ...
+           sprintf("set lmargin at screen %.4f", left), ...
+           sprintf("set rmargin at screen %.4f", 1 - 0.45 / size(1)), axes_of(o.scale)};
+  if (any (strcmp (o.scale, {"linear", "semilogy"})))
+    lines{end+1} = "set autoscale xfix";
+  endif
+  lines{end+1} = "set multiplot";
+  at = size(2) - top;
+  if (! isempty (o.title))
+    lines{end+1} = sprintf ("set label 1 %s at screen %.4f,%.4f center font ',%.1f'", ...
+                            gsmbp__quoted (o.title), (left + 1) / 2, 1 - 0.6 / size(2), ...
+                            1.1 * o.fontsize);
+  endif
+  column = 2;
+  for i = 1:n
+    p = panels{i};
+    at -= keys(i) * 2.6 * em;
+    lines = [lines, place(at, each, size, i == n, o), {key_of(p, keys(i), size)}];
+    lines{end+1} = sprintf ("set ylabel %s offset 0.8", gsmbp__quoted (p.label));
+    lines{end+1} = ["plot " curves(table, p, column)];
+    lines{end+1} = "unset label 1";
+    column += columns (p.y);
+    at -= each + 0.45;
+  endfor
+  lines{end+1} = "unset multiplot";
+endfunction
+
+function lines = place (at, each, size, last, o)
+  lines = {sprintf("set tmargin at screen %.4f", at / size(2)), ...
+           sprintf("set bmargin at screen %.4f", (at - each) / size(2))};
+  if (last)
+    lines = [lines, {"set format x", ["set xlabel " gsmbp__quoted(o.xlabel) " offset 0,0.3"]}];
+  else
+    lines{end+1} = "set format x ''";
+  endif
+endfunction
+
+## rows of the legend; a curve alone whose label says its name needs none
+function rows = key_rows (p, width, em)
+  rows = 0;
+  if (numel (p.names) > 1 || isempty (strfind (p.label, p.names{1})))
+    entry = max (cellfun (@numel, p.names)) * em * 1.15 + 1.6;
+    across = max (1, min (numel (p.names), floor ((width - 2.6) / entry)));
+    rows = ceil (numel (p.names) / across);
+  endif
+endfunction
+
+function text = key_of (p, rows, size)
+  text = "unset key";
+  if (rows > 0)
+    text = sprintf (["set key at graph 0.5,1.02 center bottom horizontal Left reverse " ...
+                     "noenhanced samplen 4 spacing 1.1 maxrows %d"], rows);
+  endif
+endfunction
+
+## each curve thinner than the one before, and with more gaps, so that both are seen where they meet
+function text = curves (table, p, column)
+  factor = 1;
+  if (isfield (p, "factor"))
+    factor = p.factor;
+  endif
+  style = "lines";
+  if (isfield (p, "style"))
+    style = p.style;
+  endif
+  n = columns (p.y);
+  colors = gsmbp__colors (n);
+  list = cell (1, n);
+  for k = 1:n
+    list{k} = sprintf ("%s using 1:(%.17g*column(%d)) skip 1 with %s lc rgb '%s' %s title %s", ...
+                       gsmbp__quoted (table), factor, column + k - 1, style, colors{k}, ...
+                       kind_of (k, n, style), gsmbp__quoted (p.names{k}));
+  endfor
+  text = strjoin (list, ", ");
+endfunction
+
+function text = kind_of (k, n, style)
+  dashes = {"1", "(9,5)", "(2,4)", "(9,4,2,4)", "(16,5)", "(4,4)", "(16,4,2,4,2,4)"};
+  marks = [7, 6, 5, 4, 9, 8, 13];
+  width = max (1.2, 2.6 - 0.45 * (k - 1));
+  if (n == 1)
+    width = 2;
+  endif
+  dash = dashes{mod(k - 1, numel (dashes)) + 1};
+  if (strcmp (style, "points"))
+    dash = "1";
+  endif
+  text = sprintf ("lw %.2f dt %s pt %d ps 0.8", width, dash, marks(mod (k - 1, numel (marks)) + 1));
+  if (strcmp (style, "lines") || strcmp (style, "steps"))
+    text = sprintf ("lw %.2f dt %s", width, dash);
+  endif
+endfunction
+
+function text = axes_of (scale)
+  text = struct ("linear", "", "semilogy", "set logscale y; set format y '%.0e'", "semilogx", ...
+                 "set logscale x", "loglog", "set logscale xy; set format y '%.0e'").(scale);
+endfunction

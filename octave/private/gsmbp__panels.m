@@ -1,0 +1,36 @@
+## panels = gsmbp__panels (who, m, r, names)
+## The named quantities of a result as panels of gsmbp_plot, one for each unit, in the order of the
+## names; `heads` are the column heads of a table, with units, `factor` what brings the numbers
+## to the unit of the axis.
+
+function panels = gsmbp__panels (who, m, r, names)
+  t = gsmbp__table (m);
+  if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"t", "of"}))))
+    error (["%s: argument result: expected a result of gsmbp_simulate or gsmbp_inverse, " ...
+            "found %s"], who, gsmbp__shown (r));
+  endif
+  names = cellstr (names)(:)';
+  rows = t(1:0);
+  for name = names
+    if (! isfield (r.of, name{1}))
+      error ("%s: %s has no %s", who, m.name, gsmbp__unknown (name{1}, fieldnames (r.of)));
+    endif
+    rows(end+1) = t(strcmp ({t.name}, name{1}));
+  endfor
+  panels = {};
+  for unit = unique ({rows.unit}, "stable")
+    these = rows(strcmp ({rows.unit}, unit{1}));
+    y = cell2mat (cellfun (@(n) r.of.(n), {these.name}, "UniformOutput", false));
+    [label, factor] = gsmbp__axis_label (unit{1}, y, these);
+    heads = cellfun (@(n) head (n, unit{1}), {these.name}, "UniformOutput", false);
+    panels{end+1} = struct ("y", y, "names", {{these.name}}, "label", label, "heads", {heads}, ...
+                            "factor", factor);
+  endfor
+endfunction
+
+function text = head (name, unit)
+  text = name;
+  if (! isempty (unit))
+    text = sprintf ("%s [%s]", name, unit);
+  endif
+endfunction

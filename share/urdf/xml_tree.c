@@ -1,0 +1,156 @@
+/* xml_tree FILE: the elements of an XML file as one list for Lisp's reader, on stdout:
+
+     ("tag" line (("attribute" . "value") ...) (child ...))
+
+   or (:error line "what is wrong"). Texts between elements are left out. Characters beyond
+   printable ASCII stand as \u00e9, so that the list holds nothing but plain strings and numbers.
+
+   Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
+   one with a document type (DOCTYPE), or with what is no element is refused before it is parsed. */
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+
+#define LARGEST 10000000L
+
+static void put_text(const xmlChar *s)
+{
+  int length, c;
+  putchar('"');
+  while (*s) {
+    length = 4;
+    c = xmlGetUTF8Char(s, &length);
+    if (c < 0) { c = '?'; length = 1; }
+    if (c == '"' || c == '\\') printf("\\%c", c);
+    else if (c >= ' ' && c < 127) putchar(c);
+    else printf("\\\\u%04x", c);
+    s += length;
+  }
+  putchar('"');
+}
+
+static void refuse(long line, const char *what)
+{
+  printf("(:error %ld ", line);
+  put_text((const xmlChar *) what);
+  printf(")\n");
+  exit(0);
+}
+
+/* the whole file; *n bytes */
+static char *whole(const char *name, long *n)
+{
+  FILE *f = fopen(name, "rb");
+  char *text;
+  if (!f) refuse(0, "the file cannot be read");
+  text = malloc(LARGEST + 2);
+  if (!text) refuse(0, "no memory");
+  *n = (long) fread(text, 1, LARGEST + 1, f);
+  if (ferror(f)) refuse(0, "the file cannot be read");
+  fclose(f);
+  if (*n > LARGEST) refuse(0, "expected at most 10 MB, found more");
+  if (*n == 0) refuse(0, "the file is empty");
+  text[*n] = 0;
+  return text;
+}
+
+/* whether the word stands in the text, in whatever encoding that keeps ASCII or puts zeros
+   between; *line: where */
+static int holds(const char *text, long n, const char *word, long *line)
+{
+  long i, k = 0;
+  *line = 1;
+  for (i = 0; i < n; i++) {
+    if (text[i] == '\n') ++*line;
+    if (text[i] == 0) continue;
+    k = text[i] == word[k] ? k + 1 : text[i] == word[0];
+    if (!word[k]) return 1;
+  }
+  return 0;
+}
+
+static void forbidden(void *context, const xmlChar *name, const xmlChar *id, const xmlChar *system)
+{
+  (void) context; (void) name; (void) id; (void) system;
+  refuse(0, "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read");
+}
+
+static xmlParserInputPtr nothing_else(const char *url, const char *id, xmlParserCtxtPtr context)
+{
+  (void) url; (void) id; (void) context;
+  return NULL;
+}
+
+/* the first thing that is wrong, on one line */
+static char first_error[500];
+static int first_line;
+
+static void noted(void *context, xmlErrorPtr e)
+{
+  (void) context;
+  if (first_error[0] || e->level < XML_ERR_ERROR || e->domain == XML_FROM_NAMESPACE) return;
+  strncpy(first_error, e->message ? e->message : "no XML", sizeof first_error - 1);
+  first_error[strcspn(first_error, "\n")] = 0;
+  first_line = e->line;
+}
+
+/* prefix:name, as the file has it */
+static void put_name(const xmlNs *space, const xmlChar *name)
+{
+  if (space && space->prefix) {
+    xmlChar *whole_name = xmlBuildQName(name, space->prefix, NULL, 0);
+    put_text(whole_name);
+    xmlFree(whole_name);
+  } else
+    put_text(name);
+}
+
+static void put_element(const xmlNode *node)
+{
+  const xmlAttr *a;
+  const xmlNode *child;
+  printf("(");
+  put_name(node->ns, node->name);
+  printf(" %ld (", xmlGetLineNo((xmlNode *) node));
+  for (a = node->properties; a; a = a->next) {
+    xmlChar *value = xmlNodeListGetString(node->doc, a->children, 1);
+    printf("(");
+    put_name(a->ns, a->name);
+    printf(" . ");
+    put_text(value ? value : (const xmlChar *) "");
+    printf(")");
+    xmlFree(value);
+  }
+  printf(") (");
+  for (child = node->children; child; child = child->next)
+    if (child->type == XML_ELEMENT_NODE) put_element(child);
+  printf("))\n");
+}
+
+int main(int argc, char **argv)
+{
+  long n, line;
+  char *text;
+  xmlParserCtxtPtr context;
+  xmlDocPtr doc;
+  if (argc != 2) return 1;
+  text = whole(argv[1], &n);
+  if (holds(text, n, "<!DOCTYPE", &line))
+    refuse(line,
+           "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read");
+  xmlSetExternalEntityLoader(nothing_else);
+  xmlSetStructuredErrorFunc(NULL, noted);
+  context = xmlNewParserCtxt();
+  if (!context) refuse(0, "no memory");
+  context->sax->internalSubset = forbidden;
+  doc = xmlCtxtReadMemory(context, text, (int) n, NULL, NULL,
+                          XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_BIG_LINES);
+  if (!doc || !context->wellFormed)
+    refuse(first_line, first_error[0] ? first_error : "no XML");
+  if (doc->intSubset) forbidden(NULL, NULL, NULL, NULL);
+  put_element(xmlDocGetRootElement(doc));
+  return 0;
+}

@@ -1,0 +1,121 @@
+# gsmbp_import: the scene files of tests/scenes byte for byte; hostile and wrong URDF files: one
+# error that names line and element, nothing written, nothing else read, nothing executed, in no
+# time.
+. tests/tools/check.sh
+root=$PWD
+dir=$(mktemp -d "${GSMBP_TEST_DIR:-/tmp}/urdf.XXXXXX")
+mkdir "$dir/out"
+cp tests/data/r3_urdf/bad/*.urdf "$dir"
+cd "$dir" || exit 1
+session() {
+  "$root/share/make/maxima" "$1" "load(\"$root/gsmbp/gsmbp.mac\")\$ $2\$" >/dev/null 2>&1
+}
+
+# what is imported is what the scenes of the tests are
+statements=
+for name in origins fixed tilted mimic floating; do
+  statements="$statements gsmbp_import(\"$root/tests/data/r3_urdf/$name/model.urdf\",
+    directory = \"out\", name = \"urdf_$name\")\$"
+done
+session log "$statements gsmbp_import(\"$root/tests/data/r3_urdf/fixed/model.urdf\", fixed = merge,
+    directory = \"out\", name = \"urdf_merged\")"
+told $? 'five robots are imported' log
+for name in origins fixed tilted mimic floating merged; do
+  cmp -s "out/urdf_$name.mac" "$root/tests/scenes/urdf_$name.mac"
+  told $? "urdf_$name.mac as it is in tests/scenes" log
+done
+
+# each bad file, and words that its error must hold
+one='<link name="base"/><link name="a"/>'
+limit='<limit effort="1" velocity="1"/>'
+joint() {
+  printf '<joint name="j" type="%s"><parent link="base"/><child link="a"/>%s</joint>' "$1" "$2"
+}
+robot() { printf '<?xml version="1.0"?>\n<robot name="r">\n%s\n</robot>\n' "$*"; }
+echo secret >secret
+printf '<?xml version="1.0"?>\n<!DOCTYPE r [<!ENTITY e SYSTEM "%s/secret">]>\n%s\n' \
+  "$dir" '<robot name="&e;"/>' >b02_external.urdf
+iconv -f utf-8 -t utf-16 b01_entity_bomb.urdf >b01_wide.urdf
+head -c 100000000 /dev/zero | tr '\0' ' ' >b03_large.urdf
+robot "$one" '<link name="a"/>' "$(joint fixed '')" >b05_twice.urdf
+robot "$one" >b06_roots.urdf
+robot "$one" "$(joint revolute "$limit<axis xyz='0 0 0'/>")" >b08_axis.urdf
+robot "$one" "$(joint revolute '')" >b09_limit.urdf
+robot "$one" "$(joint hinge '')" >b10_type.urdf
+robot '<link name="base"/><link name="a"><inertial><mass value="-1"/><inertia ixx="1" iyy="1"
+  izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' "$(joint fixed '')" >b12_mass.urdf
+robot '<link name="base"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1"
+  izz="1" ixy="3" ixz="0" iyz="0"/></inertial></link>' "$(joint fixed '')" >b13_inertia.urdf
+robot "$one" "$(joint continuous '<mimic joint="j"/>')" >b14_ring.urdf
+robot "$one" "$(joint continuous '<origin xyz="1 2"/>')" >b15_two.urdf
+robot "$one" '<xacro:arm/>' "$(joint fixed '')" >b16_template.urdf
+robot "$one" "$(joint continuous '<origin xyz="${l} 0 0"/>')" >b17_template.urdf
+robot "$one" "$(joint continuous '<origin xyz="1e999999999 0 0"/>')" >b18_power.urdf
+robot "$one" "$(joint continuous '<parent link="c"/>')" >b19_parents.urdf
+printf '<robot name="r"><link name="a">\n</robot>\n' >b20_open.urdf
+: >b21_empty.urdf
+awk 'BEGIN { for (i = 0; i < 100000; i++) printf "<a>" }' >b22_deep.urdf
+cat >verdicts <<'END'
+b01_entity_bomb line 2: a document type
+b01_wide line 2: a document type
+b02_external line 2: a document type
+b03_large expected at most 10 MB
+b04_cycle links "a", "b" form a cycle and hang on no root: joints "j1" (line 8), "j2" (line 9)
+b05_twice line 3, link "a": a link of this name is on line 3, too
+b06_roots expected one tree of links, found 2 roots: "base", "a"
+b07_nan line 4, link "a": mass value: expected a finite decimal number, found "nan"; line 7
+b08_axis line 3, joint "j": axis: expected a direction
+b09_limit line 3, joint "j": expected the element limit
+b10_type line 3, joint "j": type: expected one of revolute
+b11_names line 10, link: expected a name
+b12_mass line 3, link "a": mass: expected a number that is not negative
+b13_inertia line 3, link "a": inertia: no body has it
+b14_ring line 3, joint "j": mimic: joints follow each other in a ring: "j", "j"
+b15_two line 3, joint "j": origin xyz: expected 3 numbers, found 2
+b16_template element xacro:arm: a template
+b17_template run xacro on it first
+b18_power origin xyz: expected finite decimal numbers, found "1e999999999"
+b19_parents element parent stands there 2 times
+b20_open line 2: Opening and ending tag mismatch
+b21_empty the file is empty
+b22_deep line 1: Excessive depth
+END
+statements="t0 : elapsed_real_time()"
+while read -r name words; do
+  statements="$statements\$ errcatch(gsmbp_import(\"$name.urdf\", directory = \"out\"))"
+done <verdicts
+ls out >before
+session log "$statements\$ printf(true, \"seconds ~,2f~%\", elapsed_real_time() - t0)"
+while read -r name words; do
+  grep -F "gsmbp_import: $name.urdf: " log | grep -qF "$words"
+  told $? "$name: $words" log
+done <verdicts
+ls out | cmp -s - before && [ ! -e owned ] && ! grep -q '^secret' log
+told $? 'nothing is written, executed or read' log
+awk '/^seconds/ { exit !($2 < 23) } END { if (!NR) exit 1 }' log
+told $? "$(grep '^seconds' log) for all, less than one for each expected" log
+
+# hostile names that can be renamed: all distinct, and the scene is loaded
+sed '/<link name=""/d; /link=""/d' b11_names.urdf >renamed.urdf
+grep -q 'link=""' renamed.urdf && echo 'not ok b11 without its empty name'
+session log 'errcatch(gsmbp_import("renamed.urdf", directory = "out", name = "renamed"))'
+[ -s out/renamed.mac ] && [ ! -e owned ] && grep -q 'u00e9_u4e2d' out/renamed.mac
+told $? 'hostile names are renamed, with a table' log
+
+# what is exported and imported again is exported as before
+statements=
+for name in origins fixed tilted mimic floating; do
+  statements="$statements load(\"$root/tests/scenes/urdf_$name.mac\")\$
+    gsmbp_export(scene, \"$name.1.urdf\")\$ kill(scene)\$
+    gsmbp_export(gsmbp_import(\"$name.1.urdf\", directory = \".\", name = \"urdf_$name\"),
+      \"$name.2.urdf\")\$"
+done
+session log "$statements load(\"$root/examples/four_bar/four_bar.mac\")\$
+  printf(true, \"~{~a~%~}\", gsmbp_export(scene, \"bar.urdf\"))"
+told $? 'six scenes are exported' log
+for name in origins fixed tilted mimic floating; do
+  cmp -s "$name.1.urdf" "$name.2.urdf" && [ -s "$name.2.urdf" ]
+  told $? "$name: exported, imported, exported again" log
+done
+grep -q '^joint .*, which closes a loop' log && grep -q 'left out: joint' bar.urdf
+told $? 'what a URDF cannot hold is said' log
