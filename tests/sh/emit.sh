@@ -40,7 +40,7 @@ result 'columns and continuation lines'
 
 # counts of the header, of the JSON and of the text
 json_counts() {
-  { tr -d '\n' <"$1"; echo; } | sed 's/"name": "\([A-Z_0-9]*\)", *"arg/\n@\1 "arg/g' |
+  { tr -d '\n' <"$1"; echo; } | sed 's/"name": "\([A-Z_0-9]*\)", *"purpose/\n@\1 "purpose/g' |
     sed -n 's/^@\([A-Z_0-9]*\) .*"mul": \([0-9]*\), "add": \([0-9]*\), "div": \([0-9]*\), '\
 '"sqrt": \([0-9]*\), "trig": \([0-9]*\).*/\1 \2 \3 \4 \5 \6/p'
 }
