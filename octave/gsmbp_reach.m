@@ -57,7 +57,8 @@
 ## >> gsmbp_derive ("scara_arm.mac", "fortran_out");
 ## ...
 ## >> m = gsmbp_build ("scara_arm");
-## >> [q, info] = gsmbp_reach (m, "tool", [0.4; 0.2; 0.1], diag ([1, -1, -1]));
+## >> [q, info] = gsmbp_reach (m, "tool", [0.4; 0.2; 0.1], diag ([1, -1, -1]), ...
+##      "start", [0; 1; 0; 0]);
 ## >> q'
 ## ans =
 ##
