@@ -1,6 +1,7 @@
-# The manual: every session printed in it is typed and compared; every public function is in its
-# index; every entry of the index opens in describe, on both Lisps; example works for every
-# function; every word of the scene language has its picture, or is said to have none.
+# The manual: every session of its chapters is typed and compared (the others: sessions.sh); every
+# public function is in its index; every entry of the index opens in describe, on both Lisps;
+# example works for every function; every word of the scene language has its picture, or is said to
+# have none.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -27,8 +28,8 @@ END
 result 'the table of nodes tells where they are'
 
 written=$(ls share/manual/*.texi |
-  grep -vE '/(maxima|octave|entries|elements|laws|units|version)\.texi')
-/usr/bin/python3 tests/tools/sessions.py $written octave/gsmbp_*.m README.md
+  grep -vE '/(maxima|octave|entries|elements|laws|units|version|examples)\.texi')
+/usr/bin/python3 tests/tools/sessions.py $written
 
 { grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
   sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do
