@@ -49,7 +49,7 @@ function one = by_formula (m, job, P, R, k, before, one)
     one.status = "limits";
     return;
   endif
-  [~, i] = min (max (abs (near(:,good) - before), [], 1));
+  [~, i] = min (sumsq (near(:,good) - before, 1));
   one.q = near(:,good(i));
   one.branch = br(good(i));
 endfunction
