@@ -1,3 +1,3 @@
-# Sessions that are printed in help texts of Octave's functions, in the README and with the functions
-# of Maxima are typed and compared; those of the other chapters by manual.sh.
+# Sessions printed in help texts of Octave, in the README and with the functions of Maxima are
+# typed and compared; those of the other chapters by manual.sh.
 /usr/bin/python3 tests/tools/sessions.py share/manual/examples.texi octave/gsmbp_*.m README.md
