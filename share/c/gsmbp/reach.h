@@ -27,18 +27,18 @@ int gsiks (int n, int nb, int nm, const double *qc, const double *rad, const dou
 int gsikq (int n, const double *q, const double *qs, int ldq, int ns);
 
 /* solutions of six joints close to a double one, refined and made complete; qs (6,nb), ns, br, info
- * as gsiks left them */
-void gsikz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-            int nb, int nm, const double *qc, const double *rad, const double *lim, double *qs,
-            int *ns, int *br, int *info);
+ * as gsiks left them; info anew is returned */
+int gsikz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+           int nb, int nm, const double *qc, const double *rad, const double *lim, double *qs,
+           int *ns, int *br, int info);
 
 /* for gsikz: the direction z (6) in which the tool moves least, the least singular value s */
 void gsiko (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
             const double *q, double *z, double *s);
 
 /* for gsikz: a solution put among the others if it is new; s as gsiko */
-void gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, int *br,
-            int *info);
+int gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, int *br,
+           int info);
 
 /* how far a place is from what the n (1 to 3) joints ahead of a wrist reach [m], from the nb
  * guesses qc (nc,nb), rows at+1 to at+n */

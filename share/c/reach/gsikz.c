@@ -41,10 +41,10 @@ is_near (int nm, const double *rad, const double *lim)
  * places on both sides of it, where the Jacobian loses rank. A pair closer than 3e-8 (more where
  * the Jacobian is almost singular) counts once. New ones take the numbers of branches that have
  * none. */
-void
+int
 gsikz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
        int nb, int nm, const double *qc, const double *rad, const double *lim, double *qs, int *ns,
-       int *br, int *info)
+       int *br, int info)
 {
   double z[6], q[6], w[42], s;
   int iw[6], good;
@@ -68,9 +68,10 @@ gsikz (const int *kind, const double *ka, const double *pa, const double *r, con
               q[i] = qc[i + 6 * k] + way * h * z[i];
             gsikn (kind, ka, pa, r, p, q, w, iw, &good);
             if (good)
-              gsikp (kind, q, s, nb, qs, ns, br, info);
+              info = gsikp (kind, q, s, nb, qs, ns, br, info);
           }
     }
+  return info;
 }
 
 void
@@ -85,15 +86,15 @@ gsiko (const int *kind, const double *ka, const double *pa, const double *r, con
   *s = sv[5];
 }
 
-void
-gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, int *br, int *info)
+int
+gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, int *br, int info)
 {
   double tol = 3e-8 + 1e-13 / gs_max (s, 1e-10);
   for (int k = 0; k < *ns; k++)
     if (apart (kind, q, qs + 6 * k) <= tol)
-      return;
+      return info;
   if (*ns >= nb)
-    return;
+    return info;
   memcpy (qs + 6 * *ns, q, 6 * sizeof (double));
   (*ns)++;
   for (int l = 1; l <= nb; l++)
@@ -104,7 +105,7 @@ gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, 
       if (k < *ns - 1)
         continue;
       br[*ns - 1] = l;
-      *info = *info == 1 ? 0 : *info;
-      return;
+      return info == 1 ? 0 : info;
     }
+  return info;
 }
