@@ -22,7 +22,8 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-random test-malformed \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-points bench-robots same doc manual install uninstall package clean \
-        packages-manual packages-pdf packages-report packages-screen check-report check-screen
+        packages-manual packages-pdf packages-report packages-screen check-report check-screen \
+        packages-fmu check-fmu
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -55,6 +56,9 @@ make check-report          the page of a run of every example, opened in a brows
                            REPORTS="stewart four_bar": these only
 make check-screen          the manual in Octave's doc and the notebook in wxMaxima, on a virtual
                            screen
+make check-fmu             the FMUs of every example, both standards and kinds: FMPy from PyPI in an
+                           environment of its own, sanitizer, wrong calls, binaries
+                           FMUS="stewart four_bar": these only
 make fortran_out/NAME.f    Fortran and JSON of an example or of a system of tests/bench/systems
 make doc                   the manual: share/manual/gsmbp.info (? and ?? in Maxima), .html, .pdf
 make manual                info alone, without TeX
@@ -81,7 +85,7 @@ packages:
 	@share/make/packages
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
-packages-test packages-manual packages-pdf packages-report packages-screen: packages-%:
+packages-test packages-manual packages-pdf packages-report packages-screen packages-fmu: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -135,7 +139,7 @@ OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 bench-c: packages compiled
-	@for flags in -O2 '-O3 -march=native'; do tests/bench/c_speed.py $$flags || exit 1; done
+	@for flags in -O2 '-O3 -march=native -ffp-contract=fast'; do tests/bench/c_speed.py $$flags || exit 1; done
 
 bench: packages compiled
 	@mkdir -p tests/bench/out
@@ -169,6 +173,9 @@ bench-robots: packages compiled
 # PATTERN: only the scenes whose path holds it
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
+
+check-fmu: packages-fmu compiled
+	@tests/fmu/check $(FMUS)
 
 REPORTS ?= $(EXAMPLES)
 

@@ -168,7 +168,8 @@ endfunction
 ## points and frames of the scene, "" where one stands on ground and is not drawn
 function names = named_points (m, o)
   names = {};
-  if (o.points && isfield (m, "pnt") && isfield (m, "points"))
+  if (o.points && isfield (m, "points") && ! isempty (m.points) ...
+        && any (strcmp ("pnt", m.subroutines)))
     names = m.points(:)';
     on_link = ! strcmp ({m.json.points.link}, "ground");
     names(! on_link) = {""};

@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Motions
-## @deftypefn  {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path}, @var{limit}, @var{value},
-## @dots{})
+## @deftypefn  {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path}, @var{limit}, @
+## @var{value}, @dots{})
 ## @deftypefnx {} {[@var{motion}, @var{told}] =} gsmbp_retime (@dots{})
 ## The least time in which a model can follow a path.
 ##

@@ -38,7 +38,7 @@
 
 ;;; a symbol has its value from here on, in the variable n
 (defun gs-give (s n delay)
-  (setf (gethash s $gs__delays) delay)
+  (setf (gethash s $gs__delays) (max delay (* 2 (hash-table-count $gs__delays))))
   (setf (gethash s $gs__names) n))
 
 ;;; the name of a symbol, which from now on counts as used

@@ -10,7 +10,8 @@
 
 ;;; Clock cycles from the start of a routine until an expression has its value, as a processor that
 ;;; never waits for its units would have it: 4 for an addition or a product, 13 for a division,
-;;; 18 for a root, 40 for another function.
+;;; 18 for a root, 40 for another function. No statement begins before the processor has read those
+;;; ahead of it, at two cycles each (gs-give).
 (defun gs-delay (e)
   (cond ((symbolp e) (gethash e $gs__delays 0))
         ((atom e) 0)
@@ -54,3 +55,10 @@
   (let ((l nil))
     (dolist (c (cdr code) (gs-list (nreverse l)))
       (pushnew (cadddr c) l :test #'equal))))
+
+;;; the ways of the table [[words, way], ...] whose words one of the headings begins with
+(defun $gs__ways_of_blocks (headings table)
+  (let ((titles (remove-if-not #'stringp (cdr headings))))
+    (gs-list (loop for (nil words way) in (cdr table)
+                   when (some #'(lambda (title) (eql 0 (search words title))) titles)
+                     collect way))))

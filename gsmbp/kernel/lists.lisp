@@ -35,6 +35,13 @@
 ;;; the first row of a table (a list of lists) that begins with the symbol key, else false
 (defun $gs__row_of (table key) (car (member key (cdr table) :key #'cadr)))
 
+;;; true of a = b
+(defun $gs__is_equation (e) (and (consp e) (eq (caar e) 'mequal)))
+;;; symbol = value of the rows [symbol, value, unit] whose value is not false
+(defun $gs__known (parameters)
+  (gs-list (loop for (nil symbol value) in (cdr parameters)
+                 when value collect (list '(mequal simp) symbol value))))
+
 ;;; ---------------------------------------------------------------------------------- exact numbers
 
 ;;; The rational of the fewest decimal digits that rounds to the double x: 0.1 => 1/10, 1.0e-4 =>
@@ -105,6 +112,8 @@
     (dotimes (i (length s) k)
       (setq k (mod (+ (* 31 k) (char-code (char-downcase (char s i)))) gs-key-size)))))
 
+(defun gs-sum-p (e) (and (consp e) (eq (caar e) 'mplus)))
+(defun gs-product-p (e) (and (consp e) (eq (caar e) 'mtimes)))
 (defun gs-power-p (e) (and (consp e) (eq (caar e) 'mexpt)))
 
 (defun gs-text (&rest parts) (apply #'concatenate 'string parts))

@@ -46,3 +46,11 @@
          (value ($@-function in field)))
     (if (and (eq value field) (not (gs-own-structure-p (caar in)))) form value)))
 (setf (get '$@ 'mfexpr*) #'gs-field)
+
+;;; true if x is a structure of that kind (a symbol such as gs__scene)
+(defun $gs__is_struct (x kind) (and (consp x) (eq (caar x) kind)))
+;;; true if x is an expression with that head, a symbol or "+", "*", "^"
+(defun $gs__has_head (x head)
+  (if (symbolp head)
+      ($gs__is_struct x head)
+      (and (not ($mapatom x)) (equal ($op x) head))))

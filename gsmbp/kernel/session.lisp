@@ -182,13 +182,18 @@
     (when (or (< (length args) least) (and (> (length args) least) (= least (length params))))
       (gs-miscounted name params least (length args)))
     (when (eq (car params) '$scene)
-      (mfuncall '$gs__need_scene (gs-as-written name) (car args)))
+      ($gs__need_scene (gs-as-written name) (car args)))
     (mapply1 e args name nil)))
 (defun gs-miscounted (name params least found)
   (mfuncall '$gs__error (gs-as-written name)
     (format nil "expected ~:[~;at least ~]~a argument~:p, ~a(~{~a~^, ~}); found ~a"
             (/= least (length params)) least (gs-as-written name)
             (mapcar #'(lambda (p) (if (atom p) (gs-parameter p) "...")) params) found)))
+;;; Guard of a public function: its argument must be a scene.
+(defun $gs__need_scene (place s)
+  (unless ($gs__is_struct s '$gs__scene)
+    (mfuncall '$gs__error place "the first argument must be a scene made by gsmbp_scene; found: "
+              s)))
 ;;; a parameter as its function's comment has it
 (defun gs-parameter (p)
   (let ((text (gs-as-written p)))

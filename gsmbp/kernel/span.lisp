@@ -110,3 +110,10 @@
   (cond ((gs-span-zero-p s) nil)
         ((<= (car s) 0 (cdr s)) gs-span-any)
         (t (gs-span-between (/ 1 (car s)) (/ 1 (cdr s))))))
+
+;;; whether an expression of finite numbers is finite whatever they are
+(defun $gs__always_finite (e)
+  (or ($mapatom e)
+      (case (caar e)
+        (mexpt (and (integerp (caddr e)) (plusp (caddr e)) ($gs__always_finite (cadr e))))
+        ((mlist mplus mtimes %sin %cos) (every #'$gs__always_finite (cdr e))))))

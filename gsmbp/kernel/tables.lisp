@@ -24,12 +24,6 @@
   (let ((c (make-hash-table :test #'equal)))
     (maphash #'(lambda (k v) (setf (gethash k c) (copy-tree v))) h)
     c))
-;; the passes that are on, as a number: part of the key of what a scene remembers
-(defvar *gs-pass-lists* (make-hash-table :test #'equal))
-(defun $gs__passes_key ()
-  (let* ((passes (symbol-value '$gsmbp_passes)) (l (if (consp passes) (cdr passes) passes)))
-    (or (gethash l *gs-pass-lists*)
-        (setf (gethash l *gs-pass-lists*) (1+ (hash-table-count *gs-pass-lists*))))))
 ;; the elements of a list in the order in which they are first seen, each once
 (defun $gs__first_seen (l) (cons '(mlist simp) (gs-first-seen (cdr l))))
 (defun gs-first-seen (elements)
@@ -38,6 +32,14 @@
           for key = (gs-bare x)
           unless (gethash key seen)
             collect x and do (setf (gethash key seen) t))))
+;; the elements of a list under 1, 2, ...; as many of them as a list
+(defun $gs__put_all (l)
+  (let ((h ($gs__new_hash)) (k 0)) (dolist (x (cdr l) h) (setf (gethash (incf k) h) x))))
+(defun $gs__all_of (h n) (cons '(mlist simp) (loop for k from 1 to n collect (gethash k h))))
+;; a table that holds `true` under the texts of words, in lower case
+(defun $gs__table_of_words (words)
+  (let ((h ($gs__new_hash)))
+    (dolist (w (cdr words) h) (setf (gethash (string-downcase ($sconcat w)) h) t))))
 ;; true if the table h holds one of the symbols of a list
 (defun $gs__holds_one (h symbols)
   (do ((l (cdr symbols) (cdr l))) ((or (null l) (gethash (car l) h)) (and l t))))
@@ -58,8 +60,11 @@
   #+gcl (eq (si::stat name) :directory)
   #+ecl (eq (si:file-kind name t) :directory)
   #-(or gcl ecl) (and (directory name) t))
-(defun $gs__file_names (pattern)
-  (cons '(mlist simp) (sort (mapcar #'pathname-name (directory pattern)) #'string<)))
+(defun gs-file-names (part pattern)
+  (cons '(mlist simp) (sort (mapcar part (directory pattern)) #'string<)))
+(defun $gs__file_names (pattern) (gs-file-names #'pathname-name pattern))
+;; the same with what stands behind the dot
+(defun $gs__whole_file_names (pattern) (gs-file-names #'file-namestring pattern))
 ;; the file gets a new name, in the place of one that has it
 (defun $gs__rename_file (old new)
   #+ecl
@@ -67,6 +72,18 @@
   #-ecl
   (rename-file old new)
   t)
+;; the directory of a path, with its last slash; "./" if it names none
+(defun $gs__directory (path)
+  (let ((k (position #\/ path :from-end t))) (if k (subseq path 0 (1+ k)) "./")))
+;; <path>.tmp; <path>_tmp if the path has no extension, because Lisp would carry .tmp over when it
+;; renames
+(defun $gs__beside (path)
+  (let ((k (position-if #'(lambda (c) (find c "/.")) path :from-end t)))
+    (concatenate 'string path (if (and k (char= (char path k) #\.)) ".tmp" "_tmp"))))
+;; <path>.tmp takes the name <path>; full names, because Lisp merges the new name with the old one
+(defun $gs__rename (tmp)
+  (let ((full ($gs__whole_path tmp)))
+    ($gs__rename_file full (subseq full 0 (- (length full) 4)))))
 ;; the file has these lines and nothing else: `nil`, or the number of the first line that is not as
 ;; it should be. Lines may hold line ends.
 (defun $gs__first_wrong_line (name lines)

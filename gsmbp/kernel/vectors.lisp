@@ -68,3 +68,11 @@
 ;;; (v.r) 1 - v r'
 (defun $gs__spread_tensor (v r)
   ($gs__add ($gs__scale ($gs__dot v r) ($gs__identity)) ($gs__scale -1 ($gs__outer v r))))
+
+;;; a matrix with its entries expanded
+(defun $gs__expanded_matrix (a)
+  (gs-by-elements #'(lambda (row) (gs-list (mapcar #'$expand (cdr row)))) (list a)))
+;;; true of x, y, z and their opposites; of a vector that vanishes
+(defun $gs__along_axisp (e)
+  (let ((l (remove 0 (cdr e)))) (and l (null (cdr l)) (eql (gs-times (car l) (car l)) 1))))
+(defun $gs__zero_vectorp (v) (every #'(lambda (x) (eql ($ratsimp x) 0)) (cdr v)))

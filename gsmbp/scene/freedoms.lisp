@@ -38,3 +38,44 @@
                                 (take 1)
                                 (gs-list nil)
                                 (nth 11 j))))) (cdr ($gs__freedom_kinds j)))))))
+
+;;; speed of a coordinate: q1_d
+(defun $gs__speed (q) ($concat q "_d"))
+
+;;; [symbol, unit, kind] of every coordinate, [symbol, unit] of every speed of a joint; a ball's
+;;; parameters have no unit
+(defun gs-of-freedoms (f j)
+  (gs-list (loop for freedom in (cdr ($gs__freedoms j))
+                 append (destructuring-bind (kind direction q speeds pitch) (cdr freedom)
+                          (declare (ignore direction pitch))
+                          (funcall f kind (cdr q) (cdr speeds))))))
+(defun $gs__joint_coordinates (j)
+  (gs-of-freedoms
+    #'(lambda (kind coordinates speeds)
+        (declare (ignore speeds))
+        (let ((unit (case kind ($spherical "") ($slide "m") (t "rad"))))
+          (mapcar #'(lambda (q) (gs-list (list q unit kind))) coordinates)))
+    j))
+(defun $gs__joint_speeds (j)
+  (gs-of-freedoms
+    #'(lambda (kind coordinates speeds)
+        (if (eq kind '$spherical)
+            (mapcar #'(lambda (w) (gs-list (list w "rad/s"))) speeds)
+            (list (gs-list (list ($gs__speed (car coordinates))
+                                 (if (eq kind '$slide) "m/s" "rad/s"))))))
+    j))
+
+;;; the joints of the tree that have coordinates, in scene order
+(defun $gs__moving_joints (scene)
+  (gs-list (remove-if-not #'(lambda (j) (cdr (nth 13 j))) (cdr ($@-function scene '$joints)))))
+(defun gs-of-joints (f scene)
+  (gs-list (loop for j in (cdr ($gs__moving_joints scene)) append (cdr (funcall f j)))))
+
+;;; The rates of the scene: of every coordinate q its rate q_d, of Euler parameters the angular
+;;; velocity: [symbol, unit]; the units of the coordinates; the freedoms of balls.
+(defun $gs__scene_rates (scene) (gs-of-joints #'$gs__joint_speeds scene))
+(defun $gs__coordinate_units (scene)
+  (gs-list (mapcar #'caddr (cdr (gs-of-joints #'$gs__joint_coordinates scene)))))
+(defun $gs__spherical_freedoms (scene)
+  (gs-list (remove '$spherical (cdr (gs-of-joints #'$gs__freedoms scene))
+                   :key #'cadr :test-not #'eq)))

@@ -10,7 +10,10 @@
 (defun $gs__entry_block (e) (gs-entry-block e))
 (defun $gs__entry_symbols (e) (nth 5 e))
 
-;;; entries of a tape that symbols need, oldest first
+;;; Entries [name, expression, block, number, symbols] that a list of expressions needs, oldest
+;;; first. Constant entries are included only if constants is true.
+(defun $gs__reach (tp outputs constants)
+  ($gs__reach_symbols (gs-entries tp) (gs-nature tp) ($gs__symbols outputs) constants))
 (defun $gs__reach_symbols (entry nature symbols constants)
   (let ((seen (make-hash-table :test #'eq)) (found nil) (todo (cdr symbols)))
     (do () ((null todo) (gs-list (sort found #'< :key #'gs-entry-number)))
@@ -33,6 +36,14 @@
       (mapc #'take (cdr symbols))
       (dolist (code (cdr codes)) (dolist (e (cdr code)) (mapc #'take (gs-entry-symbols e)))))
     (gs-list (mapcar #'gs-entry-name (sort found #'< :key #'gs-entry-number)))))
+
+;;; The constants by which PRE comes to those that routines use, without these and the known ones.
+(defun $gs__helpers_of (tp constants known)
+  (let ((used (make-hash-table :test #'eq)))
+    (dolist (s (cdr constants)) (setf (gethash s used) t))
+    (gs-list
+      (remove-if #'(lambda (s) (or (gethash s used) (gethash s known)))
+                 (mapcar #'gs-entry-name (cdr ($gs__reach tp constants t)))))))
 
 ;;; ------------------------------------------------------------------------------------ derivatives
 
@@ -71,6 +82,17 @@
         ((eq (caar e) 'mabs) (gs-times (take '(%signum) (cadr e)) ($gs__rate h (cadr e))))
         ((eq (caar e) '%signum) 0)
         (t (gs-function-rate h ($op e) (cdr e)))))
+
+;;; derivative of an expression by the coordinate q; atoms [s, c, angle]: s and c stand for the sine
+;;; and cosine of the angle, [[coordinate, integer], ...]
+(defun $gs__angle_rate (atoms e q)
+  (let ((h (make-hash-table :test #'eq)))
+    (setf (gethash q h) 1)
+    (loop for (nil s c angle) in (cdr atoms)
+          do (let ((n (caddr (find q (cdr angle) :key #'cadr :test #'eq))))
+               (when n
+                 (setf (gethash s h) (gs-times n c) (gethash c h) (gs-times (- n) s)))))
+    ($gs__rate h e)))
 
 ;;; |x| and its sign under names of their own while Maxima differentiates (gs__derivative); not by
 ;;; gradef, which would stand in the session's list of gradefs

@@ -12,8 +12,6 @@
 (defmacro gs-count (tp) `(nth 7 ,tp))
 (defmacro gs-block (tp) `(nth 8 ,tp))
 
-(defun gs-sum-p (e) (and (consp e) (eq (caar e) 'mplus)))
-(defun gs-product-p (e) (and (consp e) (eq (caar e) 'mtimes)))
 (defun gs-name-or-number-p (e) (or (atom e) (eq (caar e) 'rat)))
 
 ;;; ----------------------------------------------------------------------------------------- tables
@@ -27,7 +25,6 @@
         (t 0)))
 ;;; a pass that is off: every operation a new name (share), nothing depends on parameters alone
 ;;; (hoist)
-(defun gs-on (pass) (member pass (cdr (symbol-value '$gsmbp_passes)) :test #'eq))
 (defun gs-find (tp e key)
   (if (gs-on '$share) (cdr (assoc e (gethash key (gs-table tp)) :test #'equal))))
 (defun gs-keep (tp e key name) (push (cons e name) (gethash key (gs-table tp))) name)

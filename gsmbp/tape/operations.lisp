@@ -26,6 +26,12 @@
     (gs-list (list *gs-muls* *gs-adds* *gs-divs* *gs-sqrts* *gs-calls*))))
 ;;; is it a place, gs__el("A", i, j)?
 (defun gs-place-p (e) (and (consp e) (eq (caar e) '$gs__el_)))
+;;; the sum of such counts
+(defun $gs__total (counts)
+  (gs-list (reduce #'(lambda (a b) (mapcar #'+ a b)) (mapcar #'cdr (cdr counts))
+                   :initial-value (list 0 0 0 0 0))))
+;;; multiplications, additions and divisions
+(defun $gs__operations (e) (apply #'+ (subseq (cdr ($gs__expression_count e)) 0 3)))
 
 (defun gs-negative-p (number) ($gs__starts_negative number))
 (defun gs-magnitude (number) (if (gs-negative-p number) (gs-minus number) number))
@@ -122,3 +128,11 @@
   (cond ((member function '(%sqrt $sqrt)) (incf *gs-sqrts*))
         ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor)))
         (t (incf *gs-calls*))))
+
+;;; how many angles have their sine or cosine among the expressions
+(defun $gs__angle_count (expressions)
+  (length
+    (remove-duplicates
+      (loop for e in (cdr expressions)
+            when (and (consp e) (member (caar e) '(%sin %cos))) collect (cadr e))
+      :test #'alike1)))

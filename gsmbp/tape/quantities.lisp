@@ -16,7 +16,7 @@
 (defun gs-stem (hint)
   (if (or (some #'digit-char-p hint) (member hint *gs-lettered* :test #'string=)) hint ""))
 
-;;; ----------------------------------------------------------------------------------------- labels
+;;; ---------------------------------------------------------------------------------------- labels
 
 ;;; What a name on the tape is called in a routine, (hint subject index), kept under its symbol: the
 ;;; first label stays. subject: what the block is about (gs__of_link), nil of a matrix or list by
@@ -137,7 +137,7 @@
   (gs-symbol-named (if (= k 1) text (format nil "~a_~d" text k))))
 (defun gs-symbol-named (text) (intern-invert-case (concatenate 'string "$" text)))
 
-;;; ------------------------------------------------------------------------------------- quantities
+;;; ------------------------------------------------------------------------------------ quantities
 
 (defun gs-name-marked (nm e hint index)
   (gs-marked nm
@@ -202,3 +202,15 @@
                       (gs-list (list (gs-rate-number d) (gs-rate-number direction)))))))))
 ;;; of the structure gs__direction(kind, axis, moves): the number of its first rate
 (defun gs-rate-number (d) (cadr (cadr (nth 3 d))))
+
+;;; -------------------------------------------------------------------------------------- headings
+
+;;; A heading for the entries that follow (a comment line in the Fortran); what it is about; of the
+;;; namer gs__naming, what is said of link i (or joint, or rate i)
+(defun $gs__block (nm text) ($gs__block_about nm text ""))
+(defun $gs__block_about (nm text subject)
+  (when (eq (nth 1 nm) '$tape)
+    (let ((tp (nth 3 nm))) (setf (gs-block tp) text (gs-subject tp) subject)))
+  '$done)
+(defun $gs__of_link (text i &rest more)
+  ($gs__block_about (gs-naming) (apply #'$sconcat text i more) i))

@@ -15,7 +15,8 @@ function gsmbp__continuous (who, m, pp, planned, times, static)
   n = numel (planned);
   before = reshape (gsmbp_evaluate (pp, inner, order - 1, -1), n, [], order);
   after = reshape (gsmbp_evaluate (pp, inner, order - 1, 1), n, [], order);
-  ends = reshape (gsmbp_evaluate (pp, pp.breaks, order - 1, 1), n, [], order);
+  within = pp.breaks(1:end-1) + diff (pp.breaks) .* [0.1; 0.3; 0.5; 0.7; 0.9];
+  ends = reshape (gsmbp_evaluate (pp, sort (within(:)'), order - 1, 1), n, [], order);
   for k = 1:order
     sizes = max ([max(abs (ends(:,:,k)), [], 2), max(abs (before(:,:,k)), [], 2)], [], 2);
     jump = abs (after(:,:,k) - before(:,:,k));

@@ -90,7 +90,7 @@ endfunction
 function text = kind_of (k, n, style)
   dashes = {"1", "(9,5)", "(2,4)", "(9,4,2,4)", "(16,5)", "(4,4)", "(16,4,2,4,2,4)"};
   marks = [7, 6, 5, 4, 9, 8, 13];
-  width = max (1.2, 2.6 - 0.45 * (k - 1));
+  width = max (1.5, 2.6 - 0.4 * (k - 1));
   if (n == 1)
     width = 2;
   endif

@@ -29,12 +29,10 @@ function t = gsmbp__table (m)
   if (d.nlam > 0)
     moved = m.actuated;
   endif
+  by = {"speeds", "coordinates"}{1 + (d.nlam > 0 || d.nq == d.nu)};
   for k = 1:numel (moved)
-    name = m.speeds{moved(k)};
-    if (d.nq == d.nu)
-      name = m.coordinates{moved(k)};
-    endif
-    t(end+1) = row (["effort." name], effort_unit (m.units.speeds{moved(k)}), "effort", ...
+    name = m.(by){moved(k)};
+    t(end+1) = row (["effort." name], effort_unit (m.units.(by){moved(k)}), "effort", ...
                     ["effort that moves " name], "tau", k);
   endfor
   for k = 1:numel (m.multipliers)
@@ -96,8 +94,8 @@ function text = of_device (kind, name, devices)
 endfunction
 
 ## [J / the coordinate's unit]
-function unit = effort_unit (speed)
-  unit = {"N*m", "N"}{1 + strncmp(speed, "m", 1)};
+function unit = effort_unit (moved)
+  unit = {"N*m", "N"}{1 + strncmp(moved, "m", 1)};
 endfunction
 
 ## a name that is there already has its kind behind it

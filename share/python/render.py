@@ -4,10 +4,6 @@ loops(table): C source, a function for each subroutine that calls it for many st
 stubs(table): the methods of Model with their types, for type checkers and editors.
 """
 import keyword
-import os
-import sys
-
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 
 def write(path, lines):
@@ -40,7 +36,7 @@ def is_leading(argument, row):
 
 
 def own(row):
-    """The arguments without constants, leading dimensions and INFO: those that Python hands over."""
+    """The arguments that Python hands over: no constants, leading dimensions, INFO."""
     return [a for a in arguments(row)
             if a[0] not in ('cst', 'info') and not is_leading(a, row)]
 
@@ -55,8 +51,8 @@ def count(sizes):
 # ------------------------------------------------------------------------------------ loops in C
 
 def loops(table):
-    name = table['name']
-    lines = ['#include "%s.h"' % name, '#include "loop.h"', '',
+    name = table['name'].lower()
+    lines = ['#include "%s.h"' % table['name'], '#include "loop.h"', '',
              'const gs_scene *gs_loop_scene (void) { return &%s_scene; }' % name,
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
@@ -68,28 +64,32 @@ def loops(table):
 
 def loop(scene, short, row):
     """One subroutine at k states; argument i of state j begins at a[i] + j*s[i], e[i] apart."""
-    handed = own(row)
     room, gets, texts = [], [], {}
-    for i, (name, whole, intent, sizes, _) in enumerate(handed):
+    for i, (name, whole, intent, sizes, _) in enumerate(own(row)):
         kind = 'int' if whole else 'double'
-        if intent == 'in' and sizes == []:
-            texts[name] = '*(const %s *)(a[%d] + j * s[%d])' % (kind, i, i)
-        elif intent == 'in' and len(sizes) == 1:
-            room.append('      %s r%d[%d];' % (kind, i, max(1, sizes[0])))
-            gets.append('      const %s *p%d = gs_gather_%s (a[%d] + j * s[%d], e[%d], %d, r%d);'
-                        % (kind, i, kind, i, i, i, sizes[0], i))
-            texts[name] = 'p%d' % i
+        if intent == 'in' and len(sizes) == 1:
+            room.append('  %s r%d[GS_TILE * %d];' % (kind, i, max(1, sizes[0])))
+            gets += ['      ptrdiff_t s%d = s[%d];' % (i, i),
+                     '      const char *a%d = gs_tile_%s (a[%d] + l * s%d, e[%d], &s%d, '
+                     '%d, m, r%d);' % (i, kind, i, i, i, i, sizes[0], i)]
+            texts[name] = '(const %s *)(a%d + j * s%d)' % (kind, i, i)
         else:
-            texts[name] = '(%s *)(a[%d] + j * s[%d])' % (kind, i, i)
+            texts[name] = '%s(%s *)(a[%d] + (l + j) * s[%d])' % (
+                '*' if intent == 'in' and sizes == [] else '', kind, i, i)
     call = '%s_%s (%s)' % (scene, short, ', '.join(spoken(row, texts)))
     checked = 'INFO' in row['arguments']
-    return (['long', '%s_%s_k (long k, char *const *a, const long *e, const long *s,' % (scene, short),
-             '    const double *cst, int *info)', '{', '  long bad = 0;',
-             '  (void)a, (void)e, (void)s, (void)cst, (void)info;',
-             '  for (long j = 0; j < k; j++)', '    {'] + room + gets
-            + (['      info[j] = %s;' % call, '      if (info[j] != 0 && bad == 0)',
-                '        bad = j + 1;'] if checked else ['      %s;' % call])
-            + ['    }', '  return bad;', '}'])
+    return (['ptrdiff_t',
+             '%s_%s_k (ptrdiff_t k, char *const *a, const ptrdiff_t *e, const ptrdiff_t *s,'
+             % (scene, short),
+             '    const double *cst, int *info)', '{', '  ptrdiff_t bad = 0;'] + room
+            + ['  (void)a, (void)e, (void)s, (void)cst, (void)info;',
+               '  for (ptrdiff_t l = 0; l < k; l += GS_TILE)', '    {',
+               '      const int m = k - l < GS_TILE ? (int)(k - l) : GS_TILE;'] + gets
+            + ['      for (int j = 0; j < m; j++)', '        {']
+            + (['          info[l + j] = %s;' % call,
+                '          if (info[l + j] != 0 && bad == 0)', '            bad = l + j + 1;']
+               if checked else ['          %s;' % call])
+            + ['        }', '    }', '  return bad;', '}'])
 
 
 def spoken(row, texts):
@@ -152,10 +152,10 @@ def type_of(argument):
 def shape_text(sizes):
     if not sizes:
         return 'number'
-    return '(%s)' % ''.join('%s, ' % n for n in sizes).rstrip(' ') if len(sizes) == 1\
-        else '(%s)' % ', '.join(str(n) for n in sizes)
+    return '(%s)' % ', '.join(map(str, sizes))
 
 
 def says(argument):
     name, whole, intent, sizes, meaning = argument
-    return '%s%s, %s' % ('whole ' if whole else '', shape_text(sizes), meaning.replace('\\', '\\\\'))
+    return '%s%s, %s' % ('whole ' if whole else '', shape_text(sizes),
+                         meaning.replace('\\', '\\\\'))

@@ -1,22 +1,28 @@
-"""Compiles the C of the scene into a library that the module loads; the wheel is py3-none-<platform>.
+"""Compiles the C of the scene into a library that the module loads.
 
-The scene is the folder that holds table.json; render.py makes of the table what the module does not
-read at run time: the loops over states in C, the stubs for type checkers.
+The wheel is py3-none-<platform>. The scene is the folder that holds table.json; render.py makes
+of the table what the module does not read at run time: the loops over states in C, the stubs for
+type checkers.
 """
 import glob
 import json
 import os
+import sys
+import tempfile
 
 from setuptools import Distribution, setup
+from setuptools._distutils.ccompiler import new_compiler
+from setuptools._distutils.sysconfig import customize_compiler
 from setuptools.command.build_py import build_py
 try:
     from setuptools.command.bdist_wheel import bdist_wheel
 except ImportError:
     from wheel.bdist_wheel import bdist_wheel
 
-import render
-
 HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path.insert(0, HERE)   # pip does not
+import render  # noqa: E402
+
 NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, '*', 'table.json'))[0]))
 with open(os.path.join(HERE, NAME, 'table.json'), encoding='utf-8') as file:
     TABLE = json.load(file)
@@ -30,23 +36,20 @@ class Build(build_py):
         target = os.path.join(self.build_lib, NAME)
         os.makedirs(target, exist_ok=True)
         render.write(os.path.join(target, '_routines.pyi'), render.stubs(TABLE))
-        self.compile(target)
+        self.build_scene(target)
 
-    def compile(self, target):
-        from setuptools._distutils.ccompiler import new_compiler
-        from setuptools._distutils.sysconfig import customize_compiler
-        temporary = os.path.join(self.build_lib, '..', 'objects')
-        os.makedirs(temporary, exist_ok=True)
-        loops = os.path.join(temporary, 'loops.c')
-        render.write(loops, render.loops(TABLE))
-        sources = glob.glob(os.path.join(HERE, 'c', '**', '*.c'), recursive=True)
+    def build_scene(self, target):
         compiler = new_compiler()
         customize_compiler(compiler)
-        objects = compiler.compile(
-            [os.path.relpath(s, HERE) for s in sorted(sources)] + [loops], output_dir=temporary,
-            include_dirs=[os.path.join(HERE, 'c')],
-            extra_postargs=['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0'])
-        compiler.link_shared_object(objects, os.path.join(target, '_scene.so'), libraries=['m'])
+        sources = sorted(glob.glob(os.path.join(HERE, 'c', '**', '*.c'), recursive=True))
+        with tempfile.TemporaryDirectory() as folder:
+            loops = os.path.join(folder, 'loops.c')
+            render.write(loops, render.loops(TABLE))
+            objects = compiler.compile(
+                sources + [loops], output_dir=folder, include_dirs=[os.path.join(HERE, 'c')],
+                extra_postargs=['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0'])
+            compiler.link_shared_object(objects, os.path.join(target, '_scene.so'),
+                                        libraries=['m'])
 
 
 class Wheel(bdist_wheel):

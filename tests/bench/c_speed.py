@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """c_speed.py [FLAGS]: emitted C beside emitted Fortran, single calls: for every system of
-tests/bench/systems both compiled with the same flags (default -O2), in one process, by turns;
-prints nanoseconds a call and their ratio for each routine, and the median of the ratios. c_speed.py
---systems NAME,NAME [FLAGS] takes these only."""
+tests/bench/systems both compiled with the same flags (default -O2), in one process, by turns (gcc
+-std=c99 contracts nothing by itself, gfortran does). Prints nanoseconds a call and their ratio for
+each routine, and the median of the ratios. c_speed.py --systems NAME,NAME [FLAGS] takes these only.
+"""
 import json
 import os
 import statistics

@@ -33,14 +33,15 @@ function refused ()
   catch problem
     said = problem.message;
   end
+  wanted = 'acceleration of q\d jumps by .* at t = [\d.]+ s.*motor\d \(dc_motor\)';
   gsmbp_check ("a jump of the acceleration is refused: device, time", ...
-               ! isempty (regexp (said, 'acceleration of q\d jumps by .* at t = [\d.]+ s.*motor\d \(dc_motor\)')));
+               ! isempty (regexp (said, wanted)));
   smooth = gsmbp_plan ("double_s", [0 0.5; 0 -0.2], "speed", 2, "acceleration", 8, "jerk", 100);
   static = gsmbp_inverse (m, smooth, t, "quasistatic", true);
   less = gsmbp_set (m, "motor1_L", 1e-10, "motor2_L", 1e-10);
   exact = gsmbp_inverse (less, smooth, t);
-  gsmbp_check ("quasi-static: the voltages without inductance", max (abs (static.v - exact.v)(:)), ...
-               1e-6);
+  gsmbp_check ("quasi-static: the voltages without inductance", ...
+               max (abs (static.v - exact.v)(:)), 1e-6);
 end
 
 function least_time ()

@@ -6,6 +6,15 @@
 function test_points ()
   against_reference ("points_puma", "points_puma560");
   against_reference ("points_scara", "points_scara");
+  operations (gsmbp_fixture ("points_puma"));
+end
+
+## multiplications and additions of J and (dJ/dt) u of the three frames, as measured
+function operations (m)
+  row = m.json.subroutines(strcmp (m.subroutines, "jpt"));
+  n = row.operations;
+  gsmbp_check ("points_puma: operations of JPT", n.mul + n.add, 287);
+  gsmbp_check ("points_puma: calls of sine and cosine", n.trig, 10);
 end
 
 function against_reference (scene, data)

@@ -45,7 +45,8 @@ function profiles (folder, kind, nd)
   worst = [0 0];
   for i = 1:numel (s.spec.cases)
     [c, r] = deal (s.spec.cases{i}, s.reference.cases{i});
-    o = {"speed", number(c.V), "acceleration", number(c.A), "start", number(c.v0), "end", number(c.v1)};
+    o = {"speed", number(c.V), "acceleration", number(c.A), "start", number(c.v0), ...
+         "end", number(c.v1)};
     if (isfield (c, "J"))
       o = [o, {"jerk", number(c.J)}];
     end

@@ -10,7 +10,8 @@ from mechanics import State, closed, closing_rows, displaced, maximal, moving
 LIMITS = {
     'KIN': 1e-10, 'MAS': 1e-9, 'INV': 1e-9, 'BIA': 1e-9, 'FWD': 1e-9, 'CON phi': 1e-9, 'CON rates':
     1e-9, 'CON space': 1e-7, 'CON gamma': 1e-7, 'ACC': 1e-7, 'ACC balance': 1e-8, 'RHS': 1e-7,
-    'PNT': 1e-13, 'JPT': 1e-13, 'JPT rate': 1e-12, 'OUT': 1e-7, 'EVT': 1e-7, 'CTL': 1e-12, 'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6,
+    'PNT': 1e-13, 'JPT': 1e-13, 'JPT rate': 1e-12, 'OUT': 1e-7, 'EVT': 1e-7, 'CTL': 1e-12,
+    'ENE': 1e-9, 'LIN': 1e-7, 'JAC': 1e-6,
     'JAC outputs': 1e-6, 'literal M': 1e-9, 'literal N+G-P': 1e-9,
     'INV_V': 1e-9, 'MAS_V': 1e-9, 'BIA_V': 1e-9, 'FWD_V': 1e-9, 'RHS_V': 1e-7,
     'INV_V beside single': 1e-11, 'MAS_V beside single': 1e-11, 'BIA_V beside single': 1e-11,

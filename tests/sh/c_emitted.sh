@@ -29,12 +29,13 @@ pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac tests/sce
 cat >"$work/names.mac" <<'M'
 scene : gsmbp_scene("names", gravity = [0, -double, 0],
   link(a, mass = auto, centre = [long, sin_, 0], inertia = [i, j, exp_1]),
-  link(b, mass = M, centre = [m, 0.1, 0], inertia = [1, 2, 3]),
+  link(b, mass = mass_b, centre = [m, 0.1, 0], inertia = [1, 2, 3]),
   revolute(J1, ground, a, axis = z, coordinate = for_),
   revolute(J2, a, b, at = [cst, 0, 0], axis = x, coordinate = t1),
   input(register, unit = N*m), drive(D, joint = J1, effort = register),
-  output(y1, M*t1), output(info, for_^5 + max(t1, 0.1)^2 + (t1 + for_)^7),
-  parameters = [double = 9.81, auto = 2, long = 0.1, sin_ = 0.2, i = 1, j = 2, exp_1 = 2.5, M = 1,
+  output(y1, mass_b*t1), output(info, for_^5 + abs(t1)^1.5 + (t1 + for_)^7),
+  parameters = [double = 9.81, auto = 2, long = 0.1, sin_ = 0.2, i = 1, j = 2, exp_1 = 2.5,
+    mass_b = 1,
     m = 0.2, cst = 0.4])$
 M
 pairs 'names of C' "$work/names.mac"

@@ -1,14 +1,19 @@
 #!/bin/sh
-# The figures of the sources' structure do not rise above tests/data/structure.txt.
-figures=$(mktemp) || exit 1
-trap 'rm -f "$figures"' EXIT
-/usr/bin/python3 tests/tools/structure.py . >"$figures" || exit 1
+# The figures of the sources' structure do not rise above tests/data/structure.txt. Two of them are
+# counted in Maxima: how many functions run for one request.
+folder=$(mktemp -d) || exit 1
+trap 'rm -rf "$folder"' EXIT
+/usr/bin/python3 tests/tools/structure.py . >"$folder/all" || exit 1
+share/make/maxima "$folder/log" \
+  "gs__run_folder : \"$folder\"\$ load(\"tests/tools/functions_run.mac\")\$" >&2 || exit 1
+cat "$folder/figures" >>"$folder/all"
 grep -v '^#' tests/data/structure.txt | while read -r figure most goal; do
-  now=$(awk -v figure="$figure" '$1 == figure { print $2 }' "$figures")
+  now=$(awk -v figure="$figure" '$1 == figure { print $2 }' "$folder/all")
   if [ "${now:-1000000}" -le "$most" ]; then
     echo "ok $figure is $now, at most $most (the goal is $goal)"
   else
     echo "not ok $figure is ${now:-not counted}, at most $most expected:" \
       "python3 tests/tools/structure.py . --where $figure lists them"
+    sed -n "s/^$figure /   /p" "$folder/functions.txt" | tr '\n' ' '
   fi
 done

@@ -1,7 +1,8 @@
 """c_driver.py NAME.json: a program in C, on standard output, that calls every emitted routine in
 Fortran and in C with the same random numbers and compares what they give.
 
-It needs the two emitted sources and the run times; its argument is how many states. It prints a line
+It needs the two emitted sources and the run times; its argument is how many states. It prints a
+line
 
     NAME calls entries same largest
 
@@ -68,7 +69,7 @@ def fill(name, n):
 
 
 def argument(scene, routine, name, shape):
-    """lines that declare and fill both copies, the arguments of Fortran and C, lines that compare"""
+    """lines that declare and fill both, the arguments of Fortran and C, lines that compare"""
     whole, intent, dims = of(shape)
     n = scene.size(name, dims)
     if name == "INFO" and not dims:

@@ -23,7 +23,7 @@ CALLS = {
 # functions whose texts are parts of messages: file, function
 TEXTS = [
     ('gsmbp/emit/info.mac', 'gs__info_sentences'),
-    ('gsmbp/emit/info.mac', 'gs__bad_argument'),
+    ('gsmbp/emit/info.mac', 'gs__bad_arguments'),
     ('gsmbp/emit/requests.mac', 'gs__why_left_out'),
     ('gsmbp/emit/requests.mac', 'gs__why_not_square'),
     ('gsmbp/emit/requests.mac', 'gs__say_too_long'),

@@ -2,10 +2,11 @@
 """sessions.py [--write] FILE...: types the sessions that Texinfo or Markdown files print.
 
 A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session (or goes on with it,
-in another file, too): the examples behind it whose first line begins with `(%i1) ` or `>> ` are
-typed, those of Maxima first, then those of Octave, in a new folder that looks like the top of the
-repository. `@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or
-`not ok` an example. In what is expected a line `...` stands for any lines, `...` at the end of a
+in another file, too): the examples behind it whose first line begins with `(%i1) `, `>> `, `$ ` or
+`>>> ` are typed, those of Maxima first, then those of Octave, of a shell, of Python (env/bin/python
+where the shell has made that), in a new folder that looks like the top of the repository.
+`@c file NAME` ahead of an example: it is the text of a file there. Prints `ok` or `not ok` an
+example. In what is expected a line `...` stands for any lines, `...` at the end of a
 line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
 (1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
 left out. --write: what differs is written into the file instead, and pictures that the file shows
@@ -20,7 +21,8 @@ import tempfile
 import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> ')}
+PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> '),
+          'shell': re.compile(r'\$ '), 'python': re.compile(r'>>> ')}
 DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
 NUMBER = re.compile(r'[-+]?\d+\.?\d*(?:[eEdD][-+]?\d+)?')
 TIME = re.compile(r'(\d+\.?\d*) ?(s|ms|us|ns)\b(?! *[\])^*/])')
@@ -57,6 +59,8 @@ class Example:
 
 def complete(kind, typed):
     """whether an input ends here"""
+    if kind == 'shell':
+        return not typed.endswith('\\')
     if kind == 'maxima':
         return typed.startswith('?') or re.search(r'[;$]\s*$', typed) is not None
     bare = re.sub(r"\"[^\"\n]*\"|'[^'\n]*'(?=[\s,;)\]}])", '', typed)
@@ -155,6 +159,28 @@ def octave_answers(steps, folder):
     return [('>> ', trimmed(part)) for part in said.split(MARK + '\n')[:-1]]
 
 
+def shell_answers(steps, folder):
+    script = ['PATH=/usr/bin:$PATH; exec 2>&1', 'unset PIP_INDEX_URL PIP_FIND_LINKS',
+              'export PIP_NO_INDEX=1']
+    for typed, _ in steps:
+        script += ['\n'.join(typed), "printf '%s\\n'" % MARK]
+    said = run(['sh'], '\n'.join(script) + '\n', folder)
+    return [('$ ', trimmed(part)) for part in said.split(MARK + '\n')[:-1]]
+
+
+def python_answers(steps, folder):
+    script = ['import code, sys', 'console = code.InteractiveConsole()',
+              'for typed in %r:' % [typed for typed, _ in steps],
+              '    if [console.push(line) for line in typed][-1]:', "        console.push('')",
+              '    print(%r, flush=True)' % MARK]
+    path = os.path.join(folder, 'user', 'typed.py')
+    with open(path, 'w') as f:
+        f.write('\n'.join(script) + '\n')
+    own = os.path.join(folder, 'env', 'bin', 'python')
+    said = run([own if os.path.exists(own) else '/usr/bin/python3', '-u', path], '', folder)
+    return [('>>> ', trimmed(part)) for part in said.split(MARK + '\n')[:-1]]
+
+
 def same_number(a, b):
     if a == b:
         return True
@@ -195,7 +221,8 @@ def typed_session(members, folder):
             with open(os.path.join(folder, e.file), 'w') as f:
                 f.write('\n'.join(e.text) + '\n')
     found = {}
-    for kind, answers in (('maxima', maxima_answers), ('octave', octave_answers)):
+    for kind, answers in (('maxima', maxima_answers), ('octave', octave_answers),
+                          ('shell', shell_answers), ('python', python_answers)):
         mine = [e for e in members if e.kind == kind and not e.file]
         steps = [(e, s) for e in mine for s in e.steps()]
         if not steps:

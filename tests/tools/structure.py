@@ -26,12 +26,12 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import deps
 
 SOURCES = ('.mac', '.lisp', '.m', '.py', '.sh', '.f', '.F', '.cc', '.c', '.h', '.awk')
-DATA = ('tests/data/', 'tests/malformed/', 'tests/bench/peers/')
+DATA = ('share/fmu/fmi/', 'tests/data/', 'tests/malformed/', 'tests/bench/peers/')
 INDEX = re.compile(r'(?<![\w%])[\w%]+_?(?:\[\d+\])+')
 FRAGMENT = re.compile(r'CALL |\bIF \(|\bDO "?\d|CONTINUE|DOUBLE PRECISION|\bINTEGER \w|EXTERNAL |'
                       r'\bRETURN\b|GO TO|\.(?:EQ|NE|GT|LT|GE|LE|AND|OR|NOT)\.|INFO = |END IF')
 PRINTERS = ('statement_text', 'statements', 'expressions', 'lines', 'routine', 'header')
-READER = re.compile(r'gs__(?:tokens|plain_tokens|identifiers|array_of)\(')
+READER = re.compile(r'gs__(?:tokens|plain_tokens|identifiers|array_of)[( )]')
 ORDINAL = re.compile(r'\b(?:third|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\s*\(')
 
 
@@ -132,7 +132,7 @@ def found(root):
         'positional': list(constructions(definitions, names)),
         'fragments': ['%s %s' % f for f in fragments(root) if '/fortran/' not in f[0]],
         'unprinted': ['%s %s' % f for f in unprinted(root)],
-        'readers': sorted({place(d) for d in mac if READER.search(d.body)}),
+        'readers': sorted({place(d) for d in code if READER.search(d.body.split(d.name, 1)[-1])}),
     }
 
 

@@ -2,25 +2,35 @@
 #ifndef LOOP_H
 #define LOOP_H
 
-/* n numbers that lie e bytes apart: where they are, or side by side in room */
-static inline const double *
-gs_gather_double (const char *a, long e, int n, double *room)
+#include <stddef.h>
+
+/* so many states at once are brought side by side where their numbers lie apart */
+enum { GS_TILE = 16 };
+
+/* n numbers of each of m states, e bytes apart, the states *s bytes: where they are, or state by
+ * state in room; *s becomes the distance of the states there */
+static inline const char *
+gs_tile_double (const char *a, ptrdiff_t e, ptrdiff_t *s, int n, int m, double *room)
 {
-  if (e == (long)sizeof (double) || n <= 1)
-    return (const double *)a;
+  if (e == (ptrdiff_t)sizeof (double) || n <= 1)
+    return a;
   for (int i = 0; i < n; i++)
-    room[i] = *(const double *)(a + e * i);
-  return room;
+    for (int j = 0; j < m; j++)
+      room[n * j + i] = *(const double *)(a + e * i + *s * j);
+  *s = n * (ptrdiff_t)sizeof (double);
+  return (const char *)room;
 }
 
-static inline const int *
-gs_gather_int (const char *a, long e, int n, int *room)
+static inline const char *
+gs_tile_int (const char *a, ptrdiff_t e, ptrdiff_t *s, int n, int m, int *room)
 {
-  if (e == (long)sizeof (int) || n <= 1)
-    return (const int *)a;
+  if (e == (ptrdiff_t)sizeof (int) || n <= 1)
+    return a;
   for (int i = 0; i < n; i++)
-    room[i] = *(const int *)(a + e * i);
-  return room;
+    for (int j = 0; j < m; j++)
+      room[n * j + i] = *(const int *)(a + e * i + *s * j);
+  *s = n * (ptrdiff_t)sizeof (int);
+  return (const char *)room;
 }
 
 #endif

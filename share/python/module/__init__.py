@@ -15,3 +15,5 @@ from ._run import Result, RunWarning
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Piecewise', 'plan',
            'table_of', 'table']
 __version__ = table['gsmbp_version']
+for _one in (Model, Error, DependentWarning, RunWarning, Result, Piecewise):
+    _one.__module__ = __name__

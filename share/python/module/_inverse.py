@@ -16,10 +16,10 @@ def inverse(self, motion, times, *, side=1, guess=None, internal=None):
     motion: a Piecewise (plan) of the actuated coordinates, or of all of an open chain; side: which
     limit to take at its breaks, 1 right, -1 left; guess (nq,): where the loops begin to close
     (default initial); internal: states of the devices at the first time (default initial).
-    Result: t; q, u, ud (n, k): the motion, loops completed; qj (n, 1 + order, k): with all
-    derivatives; tau: efforts of the actuated coordinates (of all, in an open chain), lam: multipliers;
-    v: inputs, x: states along the motion, margins: above 0 where the command can be given. What the
-    scene has no subroutine for is None.
+    Result: t; q, u, ud (n, k): the motion, loops completed; qj (n, 1 + order, k): with all its
+    derivatives; tau: efforts of the actuated coordinates (of all, in an open chain), lam:
+    multipliers; v: inputs, x: states along the motion, margins: above 0 where the command can be
+    given. What the scene has no subroutine for is None.
     """
     who = NAME + '.inverse'
     poly, planned = _run.planned_motion(who, motion)

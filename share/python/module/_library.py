@@ -50,7 +50,7 @@ def address(array):
 
 def pointer(name):
     """A subroutine as an address, for the run time."""
-    return ctypes.cast(getattr(LIBRARY, NAME + '_' + name), ctypes.c_void_p)
+    return ctypes.cast(getattr(LIBRARY, '%s_%s' % (NAME.lower(), name)), ctypes.c_void_p)
 
 
 def python_name(name):
@@ -120,9 +120,17 @@ class Routine:
         self.results = [a for a in self.arguments if a.result]
         self.kind = collections.namedtuple(
             self.name.upper() + '_results', [a.name for a in self.results], rename=True)
-        self.call = getattr(LIBRARY, '%s_%s_k' % (NAME, self.name))
-        self.call.restype = ctypes.c_long
-        self.call.argtypes = [ctypes.c_long] + [ctypes.c_void_p] * 5
+        self.call = getattr(LIBRARY, '%s_%s_k' % (NAME.lower(), self.name))
+        self.call.restype = ctypes.c_ssize_t
+        self.call.argtypes = [ctypes.c_ssize_t] + [ctypes.c_void_p] * 5
+        self.parts, self.size = [], 1   # of all arguments for one state, side by side
+        for a in self.arguments:
+            n = int(np.prod(a.sizes, dtype=int))
+            self.parts.append((a, self.size, n))
+            self.size += n
+        self.frame = np.array([[8 * o for _, o, _ in self.parts],
+                               [a.type.itemsize for a in self.arguments],
+                               [0] * len(self.parts)], np.intp)
         self.nothing = {a.name: np.zeros(a.sizes, a.type) for a in self.arguments}
 
     def documentation(self):
@@ -136,24 +144,45 @@ class Routine:
         who = '%s.%s' % (NAME, self.name)
         arrays = self.arrays(who, values, named)
         k = self.states(who, arrays)
-        many = k is not None
-        k = k if many else 1
-        places, results = [], []
-        for a in self.arguments:
-            array = arrays.get(a.name)
-            if a.result:
-                array = self.room(a, array, k, many)
-                results.append(array)
-            places.append((a, array))
-        info = np.zeros(k, np.intc)
-        table = self.layout(places)
+        table, results = self.single(arrays) if k is None else self.many(arrays, k)
+        info = np.zeros(1 if k is None else k, np.intc)
         start, width = address(table), table.strides[0]
-        bad = self.call(k, start, start + width, start + 2 * width, address(model.cst),
+        bad = self.call(len(info), start, start + width, start + 2 * width, address(model.cst),
                         address(info))
         out = self.kind(*[r if r.ndim else r[()] for r in results])
         if bad:
-            self.tell(who, info, many, bad, out)
+            self.tell(who, info, k is not None, bad, out)
         return out if len(out) != 1 else out[0]
+
+    def single(self, arrays):
+        """Where the arguments of one state lie (see many), and the results: in one new array."""
+        flat = np.empty(self.size)
+        wholes = flat.view(np.intc)
+        results = []
+        for a, o, n in self.parts:
+            part = wholes[2 * o:2 * o + n] if a.whole else flat[o:o + n]
+            if a.given:
+                part[...] = arrays[a.name].ravel(order='F')
+            if a.result:
+                results.append(part.reshape(a.sizes, order='F'))
+        table = self.frame.copy()
+        table[0] += address(flat)
+        return table, results
+
+    def many(self, arrays, k):
+        """Where arrays begin, how far apart their entries and their states lie, in bytes; the
+        results."""
+        first, entry, state, results = [], [], [], []
+        for a in self.arguments:
+            array = arrays.get(a.name)
+            if a.result:
+                array = self.room(a, array, k)
+                results.append(array)
+            n = len(a.sizes)
+            first.append(address(array))
+            entry.append(array.strides[0] if n else 0)
+            state.append(array.strides[n] if array.ndim > n else 0)
+        return np.array([first, entry, state], np.intp), results
 
     def arrays(self, who, values, named):
         """The given arguments by their names."""
@@ -187,31 +216,18 @@ class Routine:
         return k
 
     @staticmethod
-    def room(a, array, k, many):
+    def room(a, array, k):
         """Where a result is written: the states one after the other."""
-        new = np.empty(a.sizes + ((k,) if many else ()), a.type, order='F')
+        new = np.empty(a.sizes + (k,), a.type, order='F')
         if array is not None:
-            new[...] = array[..., None] if many and array.ndim == len(a.sizes) else array
+            new[...] = array[..., None] if array.ndim == len(a.sizes) else array
         return new
-
-    @staticmethod
-    def layout(places):
-        """Where arrays begin, how far apart their entries and their states lie, in bytes."""
-        first, entry, state = [], [], []
-        for a, array in places:
-            n = len(a.sizes)
-            strides = array.strides
-            first.append(address(array))
-            entry.append(strides[0] if n else 0)
-            state.append(strides[n] if len(strides) > n else 0)
-        return np.array([first, entry, state], np.int64)
 
     def tell(self, who, info, many, bad, out):
         code = int(info[bad - 1])
         row = self.codes.get(code, self.codes.get(1) if code > 0 else None)
-        text = '%s: INFO = %d%s: %s' % (who, code, ' (the first at state %d)' % (bad - 1)
-                                        if many else '',
-                                        row['meaning'] if row else 'failed')
+        place = ' (the first at state %d)' % (bad - 1) if many else ''
+        text = '%s: INFO = %d%s: %s' % (who, code, place, row['meaning'] if row else 'failed')
         every = {int(i) for i in info if i}
         if all(self.codes.get(i, {}).get('results') for i in every):
             warnings.warn(text, DependentWarning, stacklevel=4)
@@ -220,14 +236,14 @@ class Routine:
 
 
 class Kept:
-    """A call of a subroutine for one state with its arrays kept: the quickest way, one thread's own.
+    """A call of a subroutine for one state with its arrays kept: the quickest way, of one thread.
 
     The arguments are attributes, arrays to be filled in place (numbers are arrays without
     dimensions: call.t[...] = 0.5); call() computes and returns INFO.
     """
 
     def __init__(self, routine, model):
-        self._table = np.zeros((3, max(1, len(routine.arguments))), np.int64)
+        self._table = np.zeros((3, max(1, len(routine.arguments))), np.intp)
         for i, a in enumerate(routine.arguments):
             array = np.zeros(a.sizes, a.type, order='F')
             setattr(self, a.name, array)
@@ -236,7 +252,7 @@ class Kept:
         start, width = address(self._table), self._table.strides[0]
         self._cst = model.cst
         pack = [ctypes.c_void_p(start + i * width) for i in range(3)]
-        self._arguments = (ctypes.c_long(1), *pack, ctypes.c_void_p(address(self._cst)),
+        self._arguments = (ctypes.c_ssize_t(1), *pack, ctypes.c_void_p(address(self._cst)),
                            ctypes.c_void_p(address(self._info)))
         self._call = routine.call
 

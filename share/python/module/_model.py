@@ -1,5 +1,6 @@
 """The scene with its parameters."""
 import collections
+import ctypes
 import difflib
 import types
 import warnings
@@ -8,6 +9,7 @@ import numpy as np
 
 from . import _inverse, _rules, _run
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, address
+from ._routines import Routines
 
 Linear = collections.namedtuple('Linear', 'a b c d')
 
@@ -20,7 +22,7 @@ def _units(part):
     return {row['name']: row['unit'] for row in TABLE.get(part) or []}
 
 
-class Model:
+class Model(Routines):
     """The scene with values of its parameters, which stay as they are: changed() gives another.
 
     Parameters are named arguments; those that are not named are as the scene has them.
@@ -111,7 +113,6 @@ class Model:
 
 
 def _pointer(array):
-    import ctypes
     return ctypes.c_void_p(address(array))
 
 
@@ -121,6 +122,9 @@ def _nearest(name, words):
 
 
 def _unknown(name, names):
+    for row in TABLE.get('dependent') or []:
+        if row['name'] == name:
+            return '%s: parameter %s is made of others, %s' % (NAME, name, row['expression'])
     return '%s: unknown parameter %s%s' % (NAME, name, _nearest(name, names))
 
 
@@ -130,19 +134,3 @@ def _number(name, given):
         raise ValueError('%s: parameter %s: expected a finite number; found %r' % (
             NAME, name, given))
     return float(x)
-
-
-def _methods():
-    """Every subroutine of the table as a method of Model."""
-    def made(routine):
-        def method(self, *values, **named):
-            return routine(self, *values, **named)
-        method.__name__ = routine.name
-        method.__qualname__ = 'Model.' + routine.name
-        method.__doc__ = routine.documentation()
-        return method
-    for name, routine in ROUTINES.items():
-        setattr(Model, name, made(routine))
-
-
-_methods()

@@ -5,8 +5,8 @@ import numpy as np
 class Piecewise:
     """A piecewise polynomial of n quantities.
 
-    breaks: shape (pieces + 1,), rising [s]; coefficients: shape (n, pieces, order), the highest power
-    of (t - break) first. Beyond its ends the first and the last piece go on.
+    breaks: shape (pieces + 1,), rising [s]; coefficients: shape (n, pieces, order), the highest
+    power of (t - break) first. Beyond its ends the first and the last piece go on.
     """
 
     def __init__(self, breaks, coefficients):
@@ -49,8 +49,9 @@ _SHAPES = {'quintic': [6, -15, 10, 0, 0, 0], 'septic': [-20, 70, -84, 35, 0, 0, 
 
 
 def plan(kind, q, times):
-    """A motion from rest to rest: "quintic" (speed and acceleration vanish at both ends) or "septic"
-    (jerk as well). q: shape (n, m), or (m,) for one coordinate, a column for each of the m times."""
+    """A motion from rest to rest: "quintic" (speed and acceleration vanish at both ends) or
+    "septic" (jerk as well). q: shape (n, m), or (m,) for one coordinate, a column for each of the
+    m times."""
     if kind not in _SHAPES:
         raise ValueError('plan: expected "quintic" or "septic"; found %r' % (kind,))
     shape = np.array(_SHAPES[kind], float)

@@ -24,8 +24,8 @@ class RunWarning(RuntimeWarning):
 
 
 class Result:
-    """What a run gives: t (nt,), x (nx, nt) states, v (nv, nt) inputs, y (ny, nt) outputs (None where
-    the scene has none), stats (a dict); samples and events: dicts of arrays, or None."""
+    """What a run gives: t (nt,), x (nx, nt) states, v (nv, nt) inputs, y (ny, nt) outputs (None
+    where the scene has none), stats (a dict); samples and events: dicts of arrays, or None."""
 
     def __init__(self, **fields):
         self.__dict__.update(fields)
@@ -334,7 +334,7 @@ def constant(who, what, given, shape):
 
 
 def planned_motion(who, given):
-    """(poly, numbers of the planned coordinates): of all, or the actuated ones of a closed chain."""
+    """(poly, numbers of the planned coordinates): of all, or the actuated ones of a loop."""
     actuated = list(TABLE.get('actuated') or [])
     n = getattr(given, 'n', None)
     if NQ != NU:
@@ -354,8 +354,8 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
              audit=None, errors='raise'):
     """A run from the state x0 at times[0]; the states at all times come back.
 
-    method: "dp853" (step control) or "rk4" (fixed step [s]); rtol, atol: tolerances, atol one number or
-    one for each state; maxstep [s], maxsteps: 0 for none.
+    method: "dp853" (step control) or "rk4" (fixed step [s]); rtol, atol: tolerances, atol one
+    number or one for each state; maxstep [s], maxsteps: 0 for none.
     loops: "projection", "baumgarte", "partitioning", "nullspace", "svd", "kane".
     drift: whether constraints are watched (default where the scene has loops).
     start: "check": x0 must fulfil the constraints; "project": it is moved onto them.
@@ -363,7 +363,8 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     table_of, a PPoly of SciPy) or a function v = f(t, x); motion: a planned motion instead.
     gain (nv, nx), reference (nx,): state feedback on top, limits: what the inputs may be.
     breaks: further times at which inputs jump [s].
-    memory: of the sampled devices; samples: whether their instants are recorded; modes: of the ports.
+    memory: of the sampled devices; samples: whether their instants are recorded; modes: of the
+    ports that stick or hit stops.
     audit: an energy usual in the scene [J]; the result then has audit, the balance at the times.
     errors: "raise", or "return": a run that fails comes back as far as it went, with its failure in
     stats["failure"].

@@ -1,0 +1,196 @@
+/* events.c: events of model exchange: ports that stick or hit a stop, samples, another choice of
+ * independent coordinates, Euler parameters of the length 1.
+ *
+ * An event of a port is where its function falls below its level: 0 where it was above 0 since its
+ * last event, else a little below where that event left it. So a stop that was just left is not hit
+ * by rounding errors, and is met again where it comes back before it has risen. */
+#include "fmu.h"
+#include "plan.h"
+#include "gsmbp/system.h"
+
+#include <math.h>
+#include <string.h>
+
+#define GSF_LEVEL 1e-10
+
+/* the event functions into a->g */
+static int
+functions (gsf_instance *a)
+{
+  const gs_scene *s = a->m->scene;
+  if (gsf_inputs (a))
+    return GSF_ERROR;
+  s->evt (a->d[GSF_T], a->x, a->v, gsf_events (a).mode, a->cst, a->g);
+  return GSF_OK;
+}
+
+static int
+set_levels (gsf_instance *a)
+{
+  if (functions (a))
+    return GSF_ERROR;
+  for (int k = 0; k < a->m->nev; k++)
+    a->level[k] = a->g[k] > 0 ? 0 : a->g[k] - GSF_LEVEL;
+  return GSF_OK;
+}
+
+/* event k (from 1), 0 the start, -1 inputs may have jumped, and those that follow */
+static int
+happens (gsf_instance *a, int k)
+{
+  const gs_scene *s = a->m->scene;
+  if (gsf_inputs (a))
+    return GSF_ERROR;
+  int *ie = a->ip + a->ip[GS_EVENTS] - 1;
+  double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
+  int info = gsres (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
+  if (info == 9)
+    return gsf_fail (a, GSF_ERROR, "100 events and more at t = %.15g s", a->d[GSF_T]);
+  if (info != 0)
+    return gsf_failed (a, GSF_ERROR, "rst", info);
+  ie[4] = 1;
+  return GSF_OK;
+}
+
+int
+gsf_begin_events (gsf_instance *a)
+{
+  if (a->m->nev == 0)
+    return GSF_OK;
+  int *ie = a->ip + a->ip[GS_EVENTS] - 1;
+  ie[4] = 0;
+  *gsf_events (a).since = 0;
+  memset (gsf_events (a).mode, 0, a->m->nev * sizeof (int));
+  return happens (a, 0) ? GSF_ERROR : set_levels (a);
+}
+
+/* the port that fell below its level most, from 1, or 0 */
+static int
+fallen (const gsf_instance *a)
+{
+  int n = 0;
+  double least = 0;
+  for (int k = 0; k < a->m->nev; k++)
+    if (a->g[k] <= a->level[k] && (n == 0 || a->g[k] < least))
+      {
+        n = k + 1;
+        least = a->g[k];
+      }
+  return n;
+}
+
+/* ports at an instant of event mode */
+static int
+ports (gsf_instance *a)
+{
+  if (a->m->nev == 0)
+    return GSF_OK;
+  if (functions (a))
+    return GSF_ERROR;
+  int k = fallen (a);
+  if (k > 0 && happens (a, k))
+    return GSF_ERROR;
+  return happens (a, -1) ? GSF_ERROR : set_levels (a);
+}
+
+/* what sampled devices do at this instant, and when the next one is */
+static int
+samples (gsf_instance *a, int *acted)
+{
+  int istat[20] = { 0 };
+  a->d[GSF_T_NEXT] = 2e300;
+  *acted = 0;
+  int info = gsdue (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
+                    a->w, istat, a->d + GSF_T_NEXT, acted);
+  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, istat[GS_FAILED] == 6 ? "out" : "inputs",
+                                          istat[GS_FAILED_INFO]);
+}
+
+/* other independent coordinates where these are near the end of their range, Euler parameters of
+ * the length 1 */
+static int
+coordinates (gsf_instance *a, int *chosen)
+{
+  double range, normal;
+  *chosen = 0;
+  if (gsf_margins (a, &range, &normal))
+    {
+      *chosen = a->m->scene->nlam > 0;
+      if (*chosen && gsf_choose (a))
+        return GSF_ERROR;
+    }
+  return GSF_OK;
+}
+
+int
+gsf_event (gsf_instance *a, int *changed, int *nominals)
+{
+  int acted, chosen, ns = gsf_ns (a->m), status = gsf_fresh (a);
+  *changed = *nominals = 0;
+  if (status)
+    return GSF_ERROR;
+  if (a->m->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
+    *gsf_events (a).since = 0;
+  a->d[GSF_T_EVENT] = a->d[GSF_T];
+  if (ports (a) || samples (a, &acted) || (acted && ports (a)) || coordinates (a, &chosen))
+    return GSF_ERROR;
+  memcpy (a->w, a->z, ns * sizeof (double));
+  gsf_take (a);
+  for (int k = 0; k < ns; k++)
+    *changed |= ! (a->w[k] == a->z[k]);
+  *nominals = chosen;
+  a->known = 0;
+  return GSF_OK;
+}
+
+int
+gsf_indicators (gsf_instance *a, double *z)
+{
+  int n = a->m->nev, status = gsf_fresh (a);
+  double range, normal;
+  if (status)
+    return status;
+  if (n > 0 && functions (a))
+    return GSF_ERROR;
+  for (int k = 0; k < n; k++)
+    z[k] = a->g[k] - a->level[k];
+  gsf_margins (a, &range, &normal);
+  if (a->m->scene->nlam > 0)
+    z[n++] = range - 0.5;
+  if (a->m->nsets > 0)
+    z[n] = normal;
+  return GSF_OK;
+}
+
+int
+gsf_indicator (gsf_instance *a, int k, double *z)
+{
+  double *all = a->xout;   /* as long as nev + 2 */
+  int status = gsf_indicators (a, all);
+  *z = all[k];
+  return status;
+}
+
+int
+gsf_completed (gsf_instance *a, int *event)
+{
+  double range, normal;
+  int status = gsf_fresh (a);
+  *event = 0;
+  if (status)
+    return status;
+  memcpy (a->xr, a->x, a->m->scene->nx * sizeof (double));
+  *event = gsf_margins (a, &range, &normal);
+  if (a->m->nev == 0)
+    return GSF_OK;
+  if (functions (a))
+    return GSF_ERROR;
+  for (int k = 0; k < a->m->nev; k++)
+    if (a->g[k] > 0)
+      {
+        a->level[k] = 0;
+        gsf_events (a).mark[k] = 1;
+      }
+  *event |= fallen (a) > 0;
+  return GSF_OK;
+}

@@ -1,0 +1,229 @@
+/* fmu.h: what the parts of an FMU share: the table of a scene, one instance of it.
+ *
+ * Value references count the variables in the order of the blocks below, from 0 (time) on. In a
+ * function of type int 0 is success, else a status with its sentence in the instance's text. */
+#ifndef GSF_FMU_H
+#define GSF_FMU_H
+
+#include "gsmbp/scene.h"
+
+#include <stddef.h>
+
+typedef int gsf_jac (double t, const double *x, const double *v, const double *cst, double *a,
+                     int lda, double *b, int ldb, double *c, int ldc, double *d, int ldd);
+typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, int ldp,
+                      double *dv, int ldv);
+
+/* what INFO of a routine means */
+typedef struct
+{
+  const char *routine;
+  int info;
+  const char *text;
+} gsf_info;
+
+/* bounds of a variable */
+typedef struct
+{
+  int reference;
+  double low, high;
+} gsf_bounds;
+
+/* the scene as the emitted table has it; numbers of states, inputs, ... count from 0 */
+typedef struct
+{
+  const gs_scene *scene;
+  int npar, ncst;
+  void (*par) (double *par);                        /* parameters as the scene has them */
+  int (*pre) (const double *par, double *cst);
+  const char *(*refuse) (const double *par);        /* null, or the rule that values break */
+  void (*start) (const double *par, double *x);     /* states as the scene starts them */
+  gsf_jac *jac;                                     /* null: none */
+  gsf_tan *tan;
+  gs_ctp *ctp;
+  const double *nominal;                            /* nx */
+  int nsets;
+  const int *sets;                                  /* (4,nsets): Euler parameters */
+  int nspeedrows;
+  const int *speedrows;                             /* constraints on speeds alone, from 1 */
+  int nsettled;
+  const int *settled;                               /* states that start where rates vanish */
+  int nsq, nsu;                                     /* coordinates, speeds that are states in
+                                                       model exchange */
+  int nin;
+  const int *inputs;                                /* places of the importer's inputs in V */
+  int nev;
+  const int *event_inputs, *event_kinds;            /* ... of the modes; 1 friction, 2 stops */
+  int nctl, nxk, nheld;
+  const int *held_counts, *held_inputs, *again;
+  const double *memory;                             /* nxk */
+  int ninfos;
+  const gsf_info *infos;
+  int nbounds;
+  const gsf_bounds *bounds;
+  const char *const *names;                         /* of the variables, by reference */
+  const char *token;                                /* guid, instantiationToken */
+} gsf_model;
+
+extern const gsf_model gsf_the_model;
+
+/* ------------------------------------------------------------------------------------ variables */
+
+/* the blocks of value references, in their order */
+enum gsf_block
+{
+  GSF_TIME,
+  GSF_PARAMETER,
+  GSF_INPUT,
+  GSF_STATE,      /* coordinates, speeds, states of devices */
+  GSF_CHOSEN,     /* closed chains: the independent ones among them, the states of model exchange */
+  GSF_RATE,       /* rates of the states of model exchange */
+  GSF_OUTPUT,
+  GSF_MODE,       /* of ports with events */
+  GSF_HELD,       /* held outputs of sampled devices, */
+  GSF_MEMORY,     /* their memory */
+  GSF_PLACE,      /* which state each of GSF_CHOSEN is, from 1 */
+  GSF_INDICATOR,  /* event indicators */
+  GSF_BLOCKS
+};
+
+int gsf_count (const gsf_model *m, int block);
+/* the block of a reference and the place in it, GSF_BLOCKS if there is none */
+int gsf_locate (const gsf_model *m, unsigned reference, int *place);
+
+/* the number of continuous states in model exchange, of event indicators */
+int gsf_ns (const gsf_model *m);
+int gsf_nz (const gsf_model *m);
+
+/* ------------------------------------------------------------------------------------- instance */
+
+enum { GSF_OK, GSF_WARNING, GSF_DISCARD, GSF_ERROR };
+
+enum gsf_phase
+{
+  GSF_MADE = 1,
+  GSF_INIT = 2,
+  GSF_EVENT = 4,
+  GSF_CONTINUOUS = 8,
+  GSF_STEP = 16,
+  GSF_DONE = 32,
+  GSF_READY = GSF_INIT | GSF_EVENT | GSF_CONTINUOUS | GSF_STEP | GSF_DONE,
+  GSF_ANY = GSF_MADE | GSF_READY
+};
+
+enum { GSF_EXCHANGE, GSF_COSIMULATION };
+enum { GSF_HAS_RATES = 1, GSF_HAS_OUTPUTS = 2 };
+
+/* whole numbers of an instance ahead of those of its arrays */
+enum
+{
+  GSF_PHASE = 0,
+  GSF_KIND,
+  GSF_STALE,      /* 1: parameters or starts were set, 2: a state or the time */
+  GSF_CHOICES,    /* how often independent coordinates were chosen */
+  GSF_FIRST,      /* 1 until the first event mode */
+  GSF_WHOLES = 8
+};
+/* numbers */
+enum
+{
+  GSF_T = 0,
+  GSF_T0,         /* where the experiment starts */
+  GSF_T1,         /* where it stops, or 1e300 */
+  GSF_TOLERANCE,
+  GSF_H,          /* the next step of co-simulation */
+  GSF_T_EVENT,    /* the last event */
+  GSF_T_NEXT,     /* the next one that is known, or 2e300 */
+  GSF_NUMBERS = 8
+};
+
+typedef struct
+{
+  const gsf_model *m;
+  size_t nd, ni;   /* lengths of the two arrays: all that is saved with a state */
+  double *d;
+  int *i;
+  /* parts of d */
+  double *par, *cst;
+  double *xs;      /* nx: starts, as they were set */
+  double *xr;      /* nx: that of the last event or completed step */
+  double *x;       /* nx: the state now */
+  double *z;       /* ns: states of model exchange */
+  double *p;       /* the partition of a closed chain */
+  double *level;   /* nev: an event is where its function falls below */
+  double *rp;
+  /* parts of i */
+  int *set;        /* nx: 1 where the start was set */
+  int *place;      /* ns: numbers of the states that z holds */
+  int *ip;
+  /* workspace */
+  double *v, *xd, *y, *g, *w;
+  double *atol, *xout, *vout;
+  int *iopt;
+  int known;       /* which of v and xd, v and y belong to the state: GSF_HAS_... */
+  char text[400];  /* what went wrong */
+} gsf_instance;
+
+gsf_instance *gsf_new (const gsf_model *m, int kind);
+void gsf_free (gsf_instance *a);
+void gsf_reset (gsf_instance *a);
+
+/* a status with its sentence */
+int gsf_fail (gsf_instance *a, int status, const char *format, ...);
+/* ... of a routine that returned info */
+int gsf_failed (gsf_instance *a, int status, const char *routine, int info);
+
+/* is one of the phases the present one? */
+int gsf_in (gsf_instance *a, const char *function, int phases);
+
+/* initialization */
+int gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, double t1);
+int gsf_enter (gsf_instance *a);
+int gsf_exit (gsf_instance *a);
+
+/* values by reference */
+int gsf_get (gsf_instance *a, unsigned reference, double *value);
+int gsf_set (gsf_instance *a, unsigned reference, double value);
+int gsf_set_time (gsf_instance *a, double t);
+
+/* parameters, starts and the state as they are: cst, x, v of the instance */
+int gsf_fresh (gsf_instance *a);
+int gsf_is_usable (int info);
+int gsf_inputs (gsf_instance *a);
+/* outputs into a->y, rates of all states into a->xd */
+int gsf_outputs (gsf_instance *a);
+int gsf_rates (gsf_instance *a);
+
+/* states of model exchange */
+int gsf_choose (gsf_instance *a);
+void gsf_take (gsf_instance *a);
+int gsf_complete (gsf_instance *a);
+int gsf_set_states (gsf_instance *a, const double *z);
+double gsf_nominal (const gsf_instance *a, int state);
+/* how far the independent coordinates are from where others must be chosen, the Euler parameters
+ * from where they are normalized; below 0 they must */
+int gsf_margins (gsf_instance *a, double *chosen, double *normal);
+
+/* events */
+int gsf_indicators (gsf_instance *a, double *z);
+int gsf_indicator (gsf_instance *a, int k, double *z);
+int gsf_begin_events (gsf_instance *a);
+int gsf_event (gsf_instance *a, int *changed, int *nominals);
+int gsf_completed (gsf_instance *a, int *event);
+
+/* may a step of the length h begin at t? one step of co-simulation to the time t */
+int gsf_can_step (gsf_instance *a, double t, double h);
+int gsf_step (gsf_instance *a, double t);
+
+/* sum over the knowns of the derivative of unknown times seed */
+int gsf_directional (gsf_instance *a, size_t nu, const unsigned *unknowns, size_t nk,
+                     const unsigned *knowns, const double *seed, double *result);
+
+/* saved states */
+void *gsf_save (gsf_instance *a, void *old);
+int gsf_restore (gsf_instance *a, const void *state);
+size_t gsf_bytes (const gsf_instance *a);
+int gsf_serialize (gsf_instance *a, const void *state, void *bytes, size_t n);
+void *gsf_deserialize (gsf_instance *a, const void *bytes, size_t n, void *old);
+
+#endif

@@ -1,0 +1,324 @@
+/* instance.c: one instance of the FMU: its memory, its start, what it says, saved states.
+ *
+ * All that changes lies in two arrays, d and i, so that a saved state is a copy of them. */
+#include "fmu.h"
+
+#include "gsmbp/arith.h"
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/partition.h"
+#include "plan.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ------------------------------------------------------------------------------------ variables */
+
+int
+gsf_ns (const gsf_model *m)
+{
+  return m->nsq + m->nsu + m->scene->nx - m->scene->nq - m->scene->nu;
+}
+
+int
+gsf_nz (const gsf_model *m)
+{
+  return m->nev + (m->scene->nlam > 0) + (m->nsets > 0);
+}
+
+int
+gsf_count (const gsf_model *m, int block)
+{
+  const gs_scene *s = m->scene;
+  int chosen = s->nlam > 0 ? (m->nsq < s->nq ? m->nsq : 0) + m->nsu : 0;
+  const int counts[GSF_BLOCKS] = {
+    [GSF_TIME] = 1, [GSF_PARAMETER] = m->npar, [GSF_INPUT] = m->nin, [GSF_STATE] = s->nx,
+    [GSF_CHOSEN] = chosen, [GSF_RATE] = gsf_ns (m), [GSF_OUTPUT] = s->ny, [GSF_MODE] = m->nev,
+    [GSF_HELD] = m->nheld, [GSF_MEMORY] = m->nxk, [GSF_PLACE] = chosen,
+    [GSF_INDICATOR] = gsf_nz (m)
+  };
+  return counts[block];
+}
+
+int
+gsf_locate (const gsf_model *m, unsigned reference, int *place)
+{
+  for (int block = 0; block < GSF_BLOCKS; block++)
+    {
+      unsigned n = gsf_count (m, block);
+      if (reference < n)
+        {
+          *place = reference;
+          return block;
+        }
+      reference -= n;
+    }
+  return GSF_BLOCKS;
+}
+
+/* --------------------------------------------------------------------------------------- memory */
+
+static size_t
+partition_size (const gs_scene *s)
+{
+  return s->nlam > 0 ? 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu : 0;
+}
+
+/* the arrays within d and i, which may be null: then their lengths are found */
+static void
+divide (gsf_instance *a)
+{
+  const gsf_model *m = a->m;
+  const gs_scene *s = m->scene;
+  double *d = a->d + GSF_NUMBERS;
+  a->par = d;
+  a->cst = a->par + m->npar;
+  a->xs = a->cst + m->ncst;
+  a->xr = a->xs + s->nx;
+  a->x = a->xr + s->nx;
+  a->z = a->x + s->nx;
+  a->level = a->z + gsf_ns (m);
+  a->p = a->level + m->nev;
+  a->rp = a->p + partition_size (s);
+  a->set = a->i + GSF_WHOLES;
+  a->place = a->set + s->nx;
+  a->ip = a->place + gsf_ns (m);
+}
+
+static size_t
+numbers (const gsf_model *m)
+{
+  const gs_scene *s = m->scene;
+  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + m->nev + partition_size (s)
+         + gsf_plan_numbers (m);
+}
+
+static size_t
+wholes (const gsf_model *m)
+{
+  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + gsf_plan_wholes (m);
+}
+
+/* workspace of a run, of the settled states, of the partition */
+static size_t
+room (const gs_scene *s)
+{
+  return gs_room (s, s->nx, 0) + s->nx * (s->nx + 3);
+}
+
+static void
+divide_workspace (gsf_instance *a)
+{
+  const gs_scene *s = a->m->scene;
+  a->xd = a->v + 2 * s->nv + 1;
+  a->y = a->xd + s->nx;
+  a->g = a->y + s->ny + 1;
+  a->atol = a->g + a->m->nev;
+  a->xout = a->atol + s->nx;
+  a->vout = a->xout + s->nx + a->m->nev + 2;
+  a->w = a->vout + s->nv + 1;
+}
+
+gsf_instance *
+gsf_new (const gsf_model *m, int kind)
+{
+  const gs_scene *s = m->scene;
+  gsf_instance *a = calloc (1, sizeof *a);
+  if (! a)
+    return NULL;
+  a->m = m;
+  a->nd = numbers (m);
+  a->ni = wholes (m);
+  a->d = calloc (a->nd, sizeof (double));
+  a->i = calloc (a->ni, sizeof (int));
+  a->iopt = calloc (6 + m->nspeedrows, sizeof (int));
+  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->nev + 8 + room (s), sizeof (double));
+  if (! a->d || ! a->i || ! a->iopt || ! a->v)
+    {
+      gsf_free (a);
+      return NULL;
+    }
+  divide (a);
+  divide_workspace (a);
+  a->i[GSF_KIND] = kind;
+  gsf_reset (a);
+  return a;
+}
+
+void
+gsf_free (gsf_instance *a)
+{
+  if (! a)
+    return;
+  free (a->d);
+  free (a->i);
+  free (a->iopt);
+  free (a->v);
+  free (a);
+}
+
+void
+gsf_reset (gsf_instance *a)
+{
+  const int kind = a->i[GSF_KIND];
+  memset (a->d, 0, a->nd * sizeof (double));
+  memset (a->i, 0, a->ni * sizeof (int));
+  a->known = 0;
+  a->i[GSF_KIND] = kind;
+  a->i[GSF_PHASE] = GSF_MADE;
+  a->i[GSF_STALE] = 1;
+  a->i[GSF_FIRST] = 1;
+  a->d[GSF_T1] = 1e300;
+  a->d[GSF_TOLERANCE] = 1e-10;
+  a->d[GSF_T_NEXT] = 2e300;
+  a->m->par (a->par);
+  a->m->start (a->par, a->xs);
+  memcpy (a->x, a->xs, a->m->scene->nx * sizeof (double));
+  gsf_plan (a);
+}
+
+/* ------------------------------------------------------------------------------ what goes wrong */
+
+int
+gsf_fail (gsf_instance *a, int status, const char *format, ...)
+{
+  va_list more;
+  va_start (more, format);
+  vsnprintf (a->text, sizeof a->text, format, more);
+  va_end (more);
+  return status;
+}
+
+int
+gsf_failed (gsf_instance *a, int status, const char *routine, int info)
+{
+  const char *text = "see the manual of GSMBP";
+  if (info < 0)
+    text = "a number is not finite, or too large";
+  for (int k = 0; k < a->m->ninfos; k++)
+    if (a->m->infos[k].info == info && strcmp (a->m->infos[k].routine, routine) == 0)
+      text = a->m->infos[k].text;
+  return gsf_fail (a, status, "%s failed at t = %.15g s, INFO = %d: %s", routine, a->d[GSF_T],
+                   info, text);
+}
+
+static const char *
+phase_name (int phase)
+{
+  switch (phase)
+    {
+    case GSF_MADE:
+      return "instantiated";
+    case GSF_INIT:
+      return "initialization mode";
+    case GSF_EVENT:
+      return "event mode";
+    case GSF_CONTINUOUS:
+      return "continuous-time mode";
+    case GSF_STEP:
+      return "step mode";
+    default:
+      return "terminated";
+    }
+}
+
+int
+gsf_in (gsf_instance *a, const char *function, int phases)
+{
+  if (a->i[GSF_PHASE] & phases)
+    return GSF_OK;
+  return gsf_fail (a, GSF_ERROR, "%s is not allowed here: the instance (%s) is in the state %s",
+                   function, a->i[GSF_KIND] == GSF_EXCHANGE ? "model exchange" : "co-simulation",
+                   phase_name (a->i[GSF_PHASE]));
+}
+
+/* --------------------------------------------------------------------------------- saved states */
+
+/* ahead of the two arrays in a saved state */
+typedef struct
+{
+  char token[64];
+  size_t nd, ni, kind;
+} header;
+
+static header
+header_of (const gsf_instance *a)
+{
+  header h;
+  memset (&h, 0, sizeof h);
+  strncpy (h.token, a->m->token, sizeof h.token - 1);
+  h.nd = a->nd;
+  h.ni = a->ni;
+  h.kind = a->i[GSF_KIND];
+  return h;
+}
+
+size_t
+gsf_bytes (const gsf_instance *a)
+{
+  return sizeof (header) + a->nd * sizeof (double) + a->ni * sizeof (int);
+}
+
+void *
+gsf_save (gsf_instance *a, void *old)
+{
+  header h = header_of (a);
+  char *b = old ? old : malloc (gsf_bytes (a));
+  if (! b)
+    return NULL;
+  memcpy (b, &h, sizeof h);
+  memcpy (b + sizeof h, a->d, a->nd * sizeof (double));
+  memcpy (b + sizeof h + a->nd * sizeof (double), a->i, a->ni * sizeof (int));
+  return b;
+}
+
+static int
+is_ours (const gsf_instance *a, const void *state)
+{
+  header h = header_of (a);
+  return state && memcmp (state, &h, sizeof h) == 0;
+}
+
+int
+gsf_restore (gsf_instance *a, const void *state)
+{
+  if (! is_ours (a, state))
+    return gsf_fail (a, GSF_ERROR, "expected a state saved by an instance of this FMU and kind");
+  const char *b = (const char *)state + sizeof (header);
+  memcpy (a->d, b, a->nd * sizeof (double));
+  memcpy (a->i, b + a->nd * sizeof (double), a->ni * sizeof (int));
+  a->known = 0;
+  return GSF_OK;
+}
+
+int
+gsf_serialize (gsf_instance *a, const void *state, void *bytes, size_t n)
+{
+  if (! is_ours (a, state))
+    return gsf_fail (a, GSF_ERROR, "expected a state saved by an instance of this FMU and kind");
+  if (! bytes || n < gsf_bytes (a))
+    return gsf_fail (a, GSF_ERROR, "expected room for %lu bytes, found %lu",
+                     (unsigned long)gsf_bytes (a), (unsigned long)n);
+  memcpy (bytes, state, gsf_bytes (a));
+  return GSF_OK;
+}
+
+void *
+gsf_deserialize (gsf_instance *a, const void *bytes, size_t n, void *old)
+{
+  if (! bytes || n != gsf_bytes (a) || ! is_ours (a, bytes))
+    {
+      gsf_fail (a, GSF_ERROR, "expected the %lu bytes of a state of this FMU and kind; found %lu",
+                (unsigned long)gsf_bytes (a), (unsigned long)n);
+      return NULL;
+    }
+  char *b = old ? old : malloc (n);
+  if (b)
+    memcpy (b, bytes, n);
+  else
+    gsf_fail (a, GSF_ERROR, "out of memory");
+  return b;
+}

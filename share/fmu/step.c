@@ -1,0 +1,114 @@
+/* step.c: a communication step of co-simulation, by the integrator of Dormand and Prince of the run
+ * time, with projection onto the constraints, events and samples (gssim). */
+#include "fmu.h"
+#include "gsmbp/integrate.h"
+#include "plan.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { GSF_MOST_STEPS = 10000000 };
+
+static const char *const routines[] = { "", "inputs", "rhs", "prj", "con", "gsprt", "out", "rst" };
+
+static int
+run_failed (gsf_instance *a, const gs_run *run, int info)
+{
+  const int which = run->istat[GS_FAILED];
+  const double t = run->rstat[GS_T_REACHED];
+  if (info == GS_ROUTINE_FAILED && which > 0 && which < 8)
+    {
+      if (which == 7 && run->istat[GS_FAILED_INFO] == 9)
+        return gsf_fail (a, GSF_ERROR, "100 events and more at one instant after t = %.15g s", t);
+      return gsf_failed (a, GSF_ERROR, routines[which], run->istat[GS_FAILED_INFO]);
+    }
+  const char *why = "an argument of the integrator is out of range";
+  if (info == GS_ROUTINE_FAILED)
+    why = "the constraints lose rank where the step starts";
+  else if (info == GS_TOO_MANY)
+    why = "10000000 steps were not enough: the scene is too stiff for an explicit method";
+  else if (info == GS_TOO_SMALL)
+    why = "the step became too small: a singular position, or a jump of the equations";
+  else if (info > 0)
+    why = "a state or a rate is not finite";
+  return gsf_fail (a, GSF_ERROR, "the run ended at t = %.15g s: %s", t, why);
+}
+
+/* the options of a run */
+static void
+options (gsf_instance *a)
+{
+  const gsf_model *m = a->m;
+  const gs_scene *s = m->scene;
+  int *iopt = a->iopt;
+  iopt[GS_METHOD] = 8;
+  iopt[GS_LOOPS] = s->prj ? 2 : 1;
+  iopt[GS_DRIFT] = s->con != 0;
+  iopt[GS_MOST_STEPS] = GSF_MOST_STEPS;
+  iopt[GS_WATCH] = s->nlam > 0 && s->con && s->kin;
+  iopt[GS_ON_SPEEDS] = m->nspeedrows;
+  for (int k = 0; k < m->nspeedrows; k++)
+    iopt[6 + k] = m->speedrows[k];
+  for (int k = 0; k < s->nx; k++)
+    a->atol[k] = a->d[GSF_TOLERANCE] * m->nominal[k];
+}
+
+/* the state after a step; other coordinates where these are near the end of their range */
+static void
+arrive (gsf_instance *a, double t)
+{
+  double range, normal;
+  memcpy (a->x, a->xout, a->m->scene->nx * sizeof (double));
+  a->d[GSF_T] = t;
+  a->known = 0;
+  if (a->m->scene->nlam > 0 && gsf_margins (a, &range, &normal))
+    gsf_choose (a);
+  gsf_take (a);
+}
+
+int
+gsf_can_step (gsf_instance *a, double t, double h)
+{
+  const double now = a->d[GSF_T];
+  if (! (fabs (t - now) <= 1e-9 * (1 + fabs (now))))
+    return gsf_fail (a, GSF_ERROR, "a step begins where the last one ended, at t = %.15g s; found "
+                     "t = %.15g s", now, t);
+  if (! (h > 0 && h <= 1e300))
+    return gsf_fail (a, GSF_ERROR, "expected a step above 0; found %g s", h);
+  if (t + h > a->d[GSF_T1] + 1e-9 * (1 + fabs (a->d[GSF_T1])))
+    return gsf_fail (a, GSF_ERROR, "a step to t = %.15g s, but the experiment stops at %.15g s",
+                     t + h, a->d[GSF_T1]);
+  return GSF_OK;
+}
+
+int
+gsf_step (gsf_instance *a, double t)
+{
+  const gs_scene *s = a->m->scene;
+  const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 };
+  gs_run run;
+  memset (&run, 0, sizeof run);
+  options (a);
+  run.nx = run.ldx = s->nx;
+  run.t0 = a->d[GSF_T];
+  run.x0 = a->x;
+  run.nt = 1;
+  run.tout = &t;
+  run.iopt = a->iopt;
+  run.ropt = ropt;
+  run.atol = a->atol;
+  run.ip = a->ip;
+  run.rp = a->rp;
+  run.cst = a->cst;
+  run.xout = a->xout;
+  run.vout = a->vout;
+  run.ldv = s->nv > 1 ? s->nv : 1;
+  run.w = a->w;
+  run.lw = gs_room (s, s->nx, 0);
+  int info = gssim (s, &run);
+  if (info != GS_DONE)
+    return run_failed (a, &run, info);
+  a->d[GSF_H] = run.rstat[GS_H_NEXT];
+  arrive (a, t);
+  return GSF_OK;
+}

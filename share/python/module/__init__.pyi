@@ -1,0 +1,91 @@
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._routines import Routines
+
+Real = NDArray[np.float64]
+table: Mapping[str, Any]
+__version__: str
+
+class Error(ArithmeticError):
+    info: Any
+    results: Any
+
+class DependentWarning(RuntimeWarning): ...
+class RunWarning(RuntimeWarning): ...
+
+class Piecewise:
+    breaks: Real
+    coefficients: Real
+    def __init__(self, breaks: ArrayLike, coefficients: ArrayLike) -> None: ...
+    @property
+    def n(self) -> int: ...
+    def __call__(self, t: ArrayLike, derivative: int = 0, side: int = 1) -> Real: ...
+
+def plan(kind: str, q: ArrayLike, times: ArrayLike) -> Piecewise: ...
+def table_of(times: ArrayLike, values: ArrayLike, order: int = 1) -> Piecewise: ...
+
+class Linear(NamedTuple):
+    a: Real
+    b: Real
+    c: Real
+    d: Real
+
+class Inverse(NamedTuple):
+    t: Real
+    q: Real
+    u: Real
+    ud: Real
+    qj: Real
+    tau: Optional[Real]
+    lam: Optional[Real]
+    v: Optional[Real]
+    x: Optional[Real]
+    margins: Optional[Real]
+
+class Result:
+    t: Real
+    x: Real
+    v: Real
+    y: Optional[Real]
+    stats: dict[str, Any]
+    samples: Optional[dict[str, Any]]
+    events: Optional[dict[str, Any]]
+    audit: Optional[dict[str, Any]]
+
+Input = Union[ArrayLike, Piecewise, Callable[[float, Real], ArrayLike]]
+
+class Model(Routines):
+    name: str
+    sizes: Mapping[str, int]
+    coordinates: list[str]
+    speeds: list[str]
+    states: list[str]
+    inputs: list[str]
+    outputs: list[str]
+    multipliers: list[str]
+    units: Mapping[str, Mapping[str, str]]
+    nominal: Real
+    cst: Real
+    def __init__(self, **parameters: float) -> None: ...
+    @property
+    def parameters(self) -> Mapping[str, float]: ...
+    @property
+    def initial(self) -> Real: ...
+    def changed(self, **parameters: float) -> Model: ...
+    def kept(self, name: str) -> Any: ...
+    def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
+    def simulate(self, x0: ArrayLike, times: ArrayLike, *, method: str = ..., rtol: float = ...,
+                 atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
+                 maxstep: float = ..., maxsteps: int = ..., loops: Optional[str] = ...,
+                 drift: Optional[bool] = ..., start: str = ..., input: Optional[Input] = ...,
+                 motion: Optional[Piecewise] = ..., gain: Any = ..., reference: Any = ...,
+                 limits: Optional[ArrayLike] = ..., breaks: Sequence[float] = ...,
+                 memory: Optional[ArrayLike] = ..., samples: bool = ...,
+                 modes: Optional[Sequence[int]] = ..., audit: Optional[float] = ...,
+                 errors: str = ...) -> Result: ...
+    def inverse(self, motion: Piecewise, times: ArrayLike, *, side: int = ...,
+                guess: Optional[ArrayLike] = ..., internal: Optional[ArrayLike] = ...
+                ) -> Inverse: ...

@@ -1,0 +1,410 @@
+/* drive.c: an FMU called from C, as it should be and as it should not. It is linked with the
+ * sources of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
+ *
+ * Arguments: the end of the run [s], the number of wrong sequences, the value of all inputs. */
+#include "fmu.h"
+
+#include <locale.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int lines;        /* of the log */
+static char last[500];
+
+static void
+logged (int status, const char *text)
+{
+  if (status >= 2 && text && *text)
+    lines++;
+  snprintf (last, sizeof last, "%s", text);
+}
+
+#if STANDARD == 2
+#include "calls2.h"
+#else
+#include "calls3.h"
+#endif
+
+#define ERROR 3
+enum { MOST = 1000 };
+static const gsf_model *m = &gsf_the_model;
+static double given = 0.1;   /* all inputs */
+
+static void
+told (int good, const char *text)
+{
+  printf ("%s %s %d.0: %s%s%s\n", good ? "ok" : "not ok", m->scene->name, STANDARD, text,
+          good ? "" : "; the last log line: ", good ? "" : last);
+}
+
+static unsigned
+first_of (int block)
+{
+  unsigned r = 0;
+  for (int k = 0; k < block; k++)
+    r += gsf_count (m, k);
+  return r;
+}
+
+static int
+all_variables (void)
+{
+  return (int)first_of (GSF_BLOCKS);
+}
+
+/* an instance behind its initialization, inputs as given */
+static void *
+begun (int kind, double end)
+{
+  void *c = make (kind, m->token);
+  int bad = ENTER (c, 0, end);
+  for (int k = 0; k < m->nin; k++)
+    {
+      unsigned r = first_of (GSF_INPUT) + k;
+      double v = given;
+      bad += SET (c, &r, 1, &v);
+    }
+  bad += EXIT (c);
+  if (bad)
+    told (0, "it begins");
+  return c;
+}
+
+/* all variables of an instance */
+static int
+everything (void *c, double *values)
+{
+  unsigned r[MOST];
+  for (int k = 0; k < all_variables (); k++)
+    r[k] = k;
+  return GET (c, r, all_variables (), values);
+}
+
+static int
+same (void *c, void *d)
+{
+  double x[MOST], y[MOST];
+  if (everything (c, x) || everything (d, y))
+    return 0;
+  return memcmp (x, y, all_variables () * sizeof (double)) == 0;
+}
+
+/* ------------------------------------------------------------------------------------- orderly */
+
+/* a whole run of co-simulation */
+static double until;
+static void *
+whole_run (void *nothing)
+{
+  void *c = begun (1, until);
+  (void)nothing;
+  for (int k = 0; k < 20; k++)
+    if (STEP (c, until * k / 20, until / 20))
+      return c;
+  return c;
+}
+
+/* four instances at the same time */
+static void
+threads (double end)
+{
+  pthread_t thread[4];
+  void *c[4];
+  int good = 1;
+  until = end;
+  for (int k = 0; k < 4; k++)
+    pthread_create (thread + k, NULL, whole_run, NULL);
+  for (int k = 0; k < 4; k++)
+    pthread_join (thread[k], c + k);
+  for (int k = 1; k < 4; k++)
+    good &= same (c[0], c[k]);
+  for (int k = 0; k < 4; k++)
+    FREE (c[k]);
+  told (good, "four instances in threads of their own give the same bits");
+}
+
+/* two instances, one after the other and in turns, give the same bits; a saved state goes on as the
+ * instance did */
+static void
+cosimulation (double end)
+{
+  void *a = begun (1, end), *b = begun (1, end), *state = NULL, *copy = NULL;
+  int bad = 0;
+  for (int k = 0; k < 20; k++)
+    bad += STEP (a, end * k / 20, end / 20);
+  for (int k = 0; k < 10; k++)
+    bad += STEP (b, end * k / 20, end / 20);
+  size_t n = 0;
+  bad += SAVE (b, &state) + SIZE (b, state, &n);
+  char *bytes = calloc (n + 1, 1);
+  bad += WRITE (b, state, bytes, n) + READ (b, bytes, n, &copy);
+  for (int k = 10; k < 20; k++)
+    bad += STEP (b, end * k / 20, end / 20);
+  told (! bad, "co-simulation");
+  told (same (a, b), "two instances give the same bits");
+  void *c = make (1, m->token);
+  bad = LOAD (c, copy);
+  for (int k = 10; k < 20; k++)
+    bad += STEP (c, end * k / 20, end / 20);
+  told (! bad && same (a, c), "a state that was serialized goes on as the instance did");
+  told (READ (c, bytes, n - 1, &state) == ERROR && READ (c, bytes + 1, n, &state) == ERROR,
+        "bytes that are no state are refused");
+  DROP (b, &state);
+  DROP (b, &copy);
+  free (bytes);
+  TERMINATE (a);
+  RESET (a);
+  told (ENTER (a, 0, end) + EXIT (a) == 0, "it begins again after a reset");
+  FREE (a);
+  FREE (b);
+  FREE (c);
+}
+
+/* the reference of state i of model exchange */
+static unsigned
+state_reference (int i)
+{
+  const gs_scene *s = m->scene;
+  if (s->nlam == 0 || (i < m->nsq && m->nsq == s->nq))
+    return first_of (GSF_STATE) + i;
+  if (i < m->nsq + m->nsu)
+    return first_of (GSF_CHOSEN) + i - (m->nsq == s->nq ? s->nq : 0);
+  return first_of (GSF_STATE) + s->nq + s->nu + i - m->nsq - m->nsu;
+}
+
+/* the references of all that has a derivative; how many */
+static int
+unknowns_of (unsigned *r)
+{
+  int n = gsf_count (m, GSF_RATE), k;
+  for (k = 0; k < n + m->scene->ny; k++)
+    r[k] = k < n ? first_of (GSF_RATE) + k : first_of (GSF_OUTPUT) + k - n;
+  return k;
+}
+
+/* the unknowns where state i, or input i - ns, is moved by h */
+static int
+moved (void *c, const double *x, int i, double h, int n, const unsigned *unknowns, double *values)
+{
+  const int ns = gsf_ns (m);
+  double y[MOST], v = given + h;
+  unsigned input = first_of (GSF_INPUT) + i - ns;
+  memcpy (y, x, ns * sizeof (double));
+  if (i < ns)
+    y[i] += h;
+  int bad = (i >= ns && SET (c, &input, 1, &v)) || PUT (c, y, ns) || GET (c, unknowns, n, values);
+  v = given;
+  return bad || (i >= ns && SET (c, &input, 1, &v)) || PUT (c, x, ns);
+}
+
+/* central differences by state i, or input i - ns, less the derivatives, beside the largest */
+static double
+difference (void *c, const double *x, int i, double h)
+{
+  const int ns = gsf_ns (m);
+  unsigned unknowns[MOST], known = i < ns ? state_reference (i) : first_of (GSF_INPUT) + i - ns;
+  double exact[MOST], low[MOST], high[MOST], one = 1, size = 1, worst = 0;
+  int n = unknowns_of (unknowns);
+  if (DERIVATIVE (c, unknowns, n, &known, 1, &one, exact)
+      || moved (c, x, i, -h, n, unknowns, low) || moved (c, x, i, h, n, unknowns, high))
+    return 1e300;
+  for (int k = 0; k < n; k++)
+    {
+      size = fmax (size, fabs (exact[k]));
+      worst = fmax (worst, fabs ((high[k] - low[k]) / (2 * h) - exact[k]));
+    }
+  return worst / size;
+}
+
+/* the least of some steps: short ones have rounding errors, in long ones friction bends */
+static double
+worst_derivative (void *c, const double *x, int i)
+{
+  double least = 1e300, size = i < gsf_ns (m) ? fmax (1, fabs (x[i])) : fabs (given);
+  for (double h = 1e-4; h > 1e-8; h /= 10)
+    least = fmin (least, difference (c, x, i, h * size));
+  return least;
+}
+
+/* model exchange by the method of Heun, events at steps; derivatives on the way */
+static void
+exchange (double end)
+{
+  void *c = begun (0, end);
+  int ns = gsf_ns (m), bad = 0, n = 200;
+  double x[MOST], f[MOST], g[MOST], y[MOST], next, worst = 0;
+  bad += update (c, &next) + CONTINUE (c);
+  for (int k = 0; k < n; k++)
+    {
+      double t = end * k / n, h = end / n;
+      truth event, terminate;
+      bad += STATES (c, x, ns) + RATES (c, f, ns);
+      for (int i = 0; m->jac && k % 40 == 20 && i < ns + m->nin; i++)
+        worst = fmax (worst, worst_derivative (c, x, i));
+      for (int i = 0; i < ns; i++)
+        y[i] = x[i] + h * f[i];
+      bad += TIME (c, t + h) + PUT (c, y, ns) + RATES (c, g, ns);
+      for (int i = 0; i < ns; i++)
+        y[i] = x[i] + 0.5 * h * (f[i] + g[i]);
+      bad += PUT (c, y, ns) + INDICATORS (c, g, gsf_nz (m)) + COMPLETED (c, &event, &terminate);
+      if (event || t + h >= next)
+        bad += EVENTS (c) + update (c, &next) + CONTINUE (c);
+    }
+  told (! bad, "model exchange");
+  char text[80];
+  snprintf (text, sizeof text, "directional derivatives within %.1e of differences", worst);
+  if (m->jac)
+    told (worst < 2e-7, text);
+  bad = TERMINATE (c);
+  told (! bad && TIME (c, 0) == ERROR, "after its end it is not continued");
+  FREE (c);
+}
+
+/* ---------------------------------------------------------------------------------------- wrong */
+
+static unsigned seed;
+static int
+chance (int n)
+{
+  seed = seed * 1664525u + 1013904223u;
+  return (int)(seed >> 8) % n;
+}
+
+static double
+odd (void)
+{
+  const double values[] = { 0, 1, -1, 1e-3, 1e308, NAN, INFINITY, -INFINITY, 1e-320, 0.5 };
+  return values[chance (10)];
+}
+
+/* one call by chance; its status */
+static int
+call (void *c, void **state, int *kind)
+{
+  unsigned r[3] = { (unsigned)chance (all_variables () + 2), (unsigned)chance (all_variables ()),
+                    chance (3) ? 0 : 4294967295u };
+  double x[MOST], next;
+  truth event, terminate;
+  size_t n = 0;
+  int ns = gsf_ns (m) + (chance (5) == 0);
+  for (int k = 0; k < MOST; k++)
+    x[k] = chance (20) ? 0.1 : odd ();
+  (void)kind;
+  switch (chance (24))
+    {
+    case 0:
+      return ENTER (c, odd (), odd ());
+    case 1:
+    case 2:
+      return ENTER (c, 0, 10);
+    case 3:
+    case 4:
+      return EXIT (c);
+    case 5:
+      return GET (c, r, 1 + chance (3), x);
+    case 6:
+      return SET (c, r, 1 + chance (3), x);
+    case 7:
+      return TERMINATE (c);
+    case 8:
+      return chance (4) ? 0 : RESET (c);
+    case 9:
+      return SAVE (c, state);
+    case 10:
+      return LOAD (c, *state);
+    case 11:
+      return DROP (c, state);
+    case 12:
+      return SIZE (c, *state, &n);
+    case 13:
+      return WRITE (c, *state, (char *)x, sizeof x);
+    case 14:
+      return READ (c, (const char *)x, sizeof x, state);
+    case 15:
+      return DERIVATIVE (c, r, 1, r + 1, 1, x, x + 1);
+    case 16:
+      return EVENTS (c);
+    case 17:
+      return update (c, &next);
+    case 18:
+      return CONTINUE (c);
+    case 19:
+      return chance (2) ? TIME (c, odd ()) : COMPLETED (c, &event, &terminate);
+    case 20:
+      return PUT (c, x, ns);
+    case 21:
+      return chance (2) ? STATES (c, x, ns) : NOMINALS (c, x, ns);
+    case 22:
+      return chance (2) ? RATES (c, x, ns) : INDICATORS (c, x, gsf_nz (m) + (ns > gsf_ns (m)));
+    default:
+      if (chance (3) == 0)
+        return other (c, chance (8), r, x);
+      return STEP (c, chance (2) ? 0 : odd (), chance (2) ? 1e-3 : odd ());
+    }
+}
+
+/* is every error said in the log? */
+static int
+wrong_sequence (int number)
+{
+  seed = number;
+  int kind = number % 2, silent = 0;
+  void *c = make (kind, m->token), *state = NULL;
+  for (int k = 0; k < 60; k++)
+    {
+      int before = lines, status = call (c, &state, &kind);
+      if (status < 0 || status > ERROR)
+        silent = 1;
+      if (status == ERROR && lines == before)
+        {
+          snprintf (last, sizeof last, "call %d of sequence %d is silent", k, number);
+          silent = 1;
+        }
+    }
+  DROP (c, &state);
+  FREE (c);
+  return silent;
+}
+
+static void
+wrong (int n)
+{
+  int silent = 0;
+  for (int k = 0; k < n; k++)
+    silent += wrong_sequence (k);
+  char text[80];
+  snprintf (text, sizeof text, "%d wrong sequences, each error with a log line (%d)", n, lines);
+  told (silent == 0 && lines > n, text);
+  told (! make (0, "another") && ! make (1, NULL), "another token is refused");
+  told (STEP (NULL, 0, 1) == ERROR && RATES (NULL, NULL, 0) == ERROR, "no instance is an error");
+  void *c = begun (0, 1);
+  double nan = NAN;
+  unsigned r = first_of (GSF_PARAMETER), far = all_variables ();
+  told (SET (c, &r, 1, &nan) == ERROR && GET (c, &far, 1, &nan) == ERROR,
+        "a parameter that is no number, a reference out of range");
+  FREE (c);
+}
+
+int
+main (int argc, char **argv)
+{
+  double end = argc > 1 ? strtod (argv[1], NULL) : 1;
+  if (argc > 3)
+    given = strtod (argv[3], NULL);
+  setlocale (LC_ALL, "");
+  if (getenv ("LOCPATH"))
+    {
+      char text[20];
+      snprintf (text, sizeof text, "%.1f", 1.5);
+      told (strcmp (text, "1,5") == 0, "decimals have a comma");
+    }
+  cosimulation (end);
+  threads (end);
+  exchange (end);
+  wrong (argc > 2 ? atoi (argv[2]) : 100);
+  return 0;
+}

@@ -1,0 +1,219 @@
+"""What a module does beside calling subroutines: runs, plans, parameters, refusals.
+
+python3 runs.py: the modules that it imports must be installed."""
+import inspect
+import math
+import pickle
+import sys
+import threading
+import warnings
+
+import numpy as np
+
+import event_ball
+import puma6
+import robot_joint
+import sampled_crank
+import slider_crank
+import spinning_top
+
+
+def holds(what, true):
+    print('%sok %s' % ('' if true else 'not ', what))
+
+
+def close(what, found, wanted, tolerance):
+    off = np.abs(np.asarray(found) - np.asarray(wanted)).max()
+    holds('%s: off by %.1e, at most %.1e' % (what, off, tolerance), off <= tolerance)
+
+
+def refuses(what, kind, words, function, *values, **named):
+    try:
+        function(*values, **named)
+        found = 'nothing'
+    except Exception as error:
+        found = '%s: %s' % (type(error).__name__, error)
+        if isinstance(error, kind) and all(w in str(error) for w in words):
+            return holds('%s is refused' % what, True)
+    return holds('%s is refused by %s, found %s' % (what, kind.__name__, found), False)
+
+
+def ball():
+    m = event_ball.Model()
+    g = 9.81
+    for method in ('dp853', 'rk4'):
+        r = m.simulate([1, 0, 0, 3], np.arange(0, 6.1, 0.25), method=method, step=1e-2)
+        on = r.events['number'] == 0
+        n = np.arange(on.sum())
+        first = math.sqrt(2 / g)
+        close('ball, %s: times of the impacts [s]' % method, r.events['t'][on],
+              first * (1 + 2 * 0.8 * (1 - 0.8 ** n) / 0.2), 1e-11)
+        close('ball, %s: loses 1 - e^2 of its energy [J]' % method, r.events['loss'][on][:-1],
+              0.36 * 2 * g * 0.64 ** n[:-1], 1e-12)
+        holds('ball, %s: impacts until it rests' % method,
+              on.sum() == math.ceil(math.log(1e-4 / math.sqrt(2 * g)) / math.log(0.8)))
+        close('ball, %s: rests' % method, [r.x[0, -1], r.x[2, -1], r.v[0, -1] + 1], 0, 1e-12)
+        holds('ball, %s: the device has its name' % method, r.events['device'][0] == 'ground_stop')
+    r = m.simulate([1, 0, 0, 3], [0, 0.1], audit=20.0)
+    holds('ball: its energy balance, %.1e' % r.audit['error'], r.audit['error'] < 1e-12)
+    refuses('a start beyond a stop', ValueError, ['stop'], m.simulate, [-1, 0, 0, 3], [0, 1])
+    refuses('a mode of 2', ValueError, ['-1, 0 or 1'], m.simulate, [1, 0, 0, 0], [0, 1],
+            modes=[2, 0])
+
+
+def crank():
+    m = slider_crank.Model()
+    ends = []
+    for way in ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane'):
+        r = m.simulate(m.initial, [0, 0.25, 0.5], input=12, loops=way, rtol=1e-11)
+        ends.append(r.x[:, -1])
+    close('crank: six ways of the loops', ends, ends[1], 1e-9)
+    r = m.simulate(m.initial, [0, 0.5], input=12)
+    table = slider_crank.table_of([0, 0.25, 1], [12, 12, 12])
+    held = slider_crank.table_of([0, 0.25, 1], [12, 12, 12], 0)
+    close('crank: a table', m.simulate(m.initial, [0, 0.5], input=table).x[:, -1], r.x[:, -1], 1e-7)
+    close('crank: held values', m.simulate(m.initial, [0, 0.5], input=held).x[:, -1], r.x[:, -1],
+          1e-7)
+    close('crank: a function', m.simulate(m.initial, [0, 0.5], input=lambda t, x: 12).x[:, -1],
+          r.x[:, -1], 1e-12)
+    move = slider_crank.plan('septic', [0, math.pi], [0, 1])
+    i = m.inverse(move, np.linspace(0, 1, 9))
+    p = m.simulate(i.x[:, 0], np.linspace(0, 1, 9), motion=move, rtol=1e-11)
+    close('crank: a planned motion comes back', p.x[0], move(p.t)[0], 1e-8)
+    close('crank: ... with the inputs of the inverse model', p.v[:, 1:], i.v[:, 1:], 1e-6)
+    close('crank: ... and its states', p.x, i.x, 1e-7)
+    gain, about = np.array([[5, 0, 0, 0.5, 0, 0, 0]]), m.initial
+    free = m.simulate(i.x[:, 4], [0, 0.2], gain=gain, reference=about, input=3)
+    own = m.simulate(i.x[:, 4], [0, 0.2], input=lambda t, x: 3 - gain @ (x - about))
+    close('crank: state feedback', free.x[:, -1], own.x[:, -1], 1e-8)
+    stop = m.simulate(i.x[:, 4], [0, 0.2], gain=gain, reference=about, input=3, limits=1.0)
+    holds('crank: limits', np.abs(stop.v).max() == 1.0)
+    refuses('crank: a start beside the loop', ValueError, ['off by', 'project'], m.simulate,
+            m.initial + 0.1, [0, 1])
+    moved = m.simulate(m.initial + 0.01, [0, 1e-3], start='project')
+    con = m.con(0, moved.x[:3, 0], moved.x[3:6, 0])
+    close('crank: a start that is moved', con.phi, 0, 1e-12)
+    refuses('a failing function', ZeroDivisionError, [], m.simulate, m.initial, [0, 1],
+            input=lambda t, x: 1 / 0)
+    refuses('an input that is not finite', ValueError, ['finite'], m.simulate, m.initial, [0, 1],
+            input=lambda t, x: math.nan)
+    refuses('too few steps', slider_crank.Error, ['maxsteps', 't = '], m.simulate, m.initial,
+            [0, 1], maxsteps=3)
+    r = m.simulate(m.initial, [0, 0.01, 1], maxsteps=3, errors='return')
+    holds('... or returned', 'maxsteps' in r.stats['failure'] and r.x.shape[1] < 3)
+
+
+def sampled():
+    m = sampled_crank.Model()
+    x = m.simulate(m.initial, [0, 1e-6], start='project').x[:, 0]
+    r = m.simulate(x, np.linspace(0, 0.1, 6))
+    holds('sampled: 101 instants of two devices and more', r.samples['count'] >= 100)
+    close('sampled: every millisecond', np.diff(np.unique(np.round(r.samples['t'], 9)))[:50], 1e-3,
+          1e-12)
+    on = m.simulate(r.x[:, 2], [0.04, 0.1], memory=None)
+    holds('sampled: inputs are held outputs', np.isfinite(on.v).all() and on.v.shape[0] == 8)
+    steps = r.samples['v'][0] / (2 * math.pi / 4096)
+    close('sampled: the encoder counts whole steps', steps, np.round(steps), 1e-9)
+    holds('... and it turned', np.abs(steps).max() > 3)
+    refuses('memory of another size', ValueError, ['memory'], m.simulate, x, [0, 1], memory=[1])
+
+
+def others():
+    m = puma6.Model()
+    q, u, ud = np.random.default_rng(1).standard_normal((3, 6))
+    tau = m.inv(0, q, u, ud)
+    close('puma: M*ud + B is the inverse model', m.mas(0, q) @ ud + m.bia(0, q, u), tau, 1e-12)
+    close('puma: forward is its inverse', m.fwd(0, q, u, tau=tau), ud, 1e-12)
+    x = np.concatenate([q, u])
+    a = m.linearize(0, x).a
+    h = 1e-6
+    central = np.stack([(m.rhs(0, x + h * e) - m.rhs(0, x - h * e)) / (2 * h)
+                        for e in np.eye(12)], 1)
+    close('puma: the linear model is the derivative', a / np.abs(a).max(),
+          central / np.abs(a).max(), 1e-8)
+    kept = m.kept('inv')
+    kept.q[:], kept.u[:], kept.ud[:] = q, u, ud
+    holds('puma: kept arrays', kept() == 0 and np.array_equal(kept.tau, tau))
+    joint = robot_joint.Model()
+    move = robot_joint.plan('septic', [0, 1], [0, 1])
+    i = joint.inverse(move, np.linspace(0, 1, 5))
+    holds('robot joint: internal states along a motion', np.isfinite(i.x).all())
+    r = joint.simulate(i.x[:, 0], np.linspace(0, 1, 5), motion=move, rtol=1e-11)
+    close('robot joint: the motion comes back', r.x, i.x, 1e-5 * max(1, np.abs(i.x).max()))
+    top = spinning_top.Model()
+    x = top.initial.copy()
+    x[-3:] = [0.1, 0.2, 5]
+    r = top.simulate(x, [0, 0.5], audit=1.0, start='project')
+    holds('top: energy', r.audit['error'] < 1e-8)
+
+
+def parameters():
+    m = slider_crank.Model(l1=0.1)
+    holds('parameters by name', m.parameters['l1'] == 0.1
+          and slider_crank.Model().parameters['l1'] == 0.2)
+    close('... reach the equations', m.mas(0, [0.1, 0.2, 0.3])[2, 2], 1.0, 1e-15)
+    holds('... of another model', m.changed(m2=3).parameters['l1'] == 0.1)
+    refuses('an unknown parameter', KeyError, ['unknown', 'm1'], slider_crank.Model, m_1=3)
+    refuses('a negative mass', ValueError, ['must not be negative', 'm1 = -1'], slider_crank.Model,
+            m1=-1)
+    refuses('a mass that is no number', ValueError, ['m1', 'finite'], slider_crank.Model,
+            m1=math.inf)
+    refuses('a state of another shape', ValueError, ['argument x', '(7)', '(2,)'], m.rhs, 0, [1, 2])
+    refuses('complex numbers', TypeError, ['argument x'], m.rhs, 0, [1j] * 7)
+    refuses('text', TypeError, ['argument x'], m.rhs, 0, ['a'] * 7)
+    refuses('too many arguments', TypeError, ['at most'], m.rhs, 0, m.initial, [0], 1)
+    refuses('an argument twice', TypeError, ['twice'], m.rhs, 0, m.initial, x=m.initial)
+    refuses('a missing argument', TypeError, ['missing'], m.rhs, 0)
+    refuses('states that differ', ValueError, ['3 states'], m.inv, 0, np.zeros((3, 3)),
+            np.zeros((3, 2)), np.zeros(3))
+    refuses('NaN', slider_crank.Error, ['INFO = -2', 'argument 2, X'], m.rhs, 0, [math.nan] * 7)
+    try:
+        m.rhs(0, np.array([[0.0, math.nan]] * 7))
+    except slider_crank.Error as error:
+        holds('... of one state of two', list(error.info) == [0, -2] and 'state 1' in str(error))
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter('always')
+        m.acd(0, [math.pi, 0, 0.3, 0, 0, 0, 0], 1)
+        holds('INFO > 0 with results is a warning or nothing', all(
+            issubclass(w.category, slider_crank.DependentWarning) for w in told))
+    holds('docstrings with units and shapes', all(
+        'shape (7)' in getattr(slider_crank.Model, f).__doc__ and '[A]'
+        in getattr(slider_crank.Model, f).__doc__ for f in ('rhs', 'out', 'jac')))
+    holds('attributes that are not there', 'did you mean' in _text(lambda: m.rhz))
+    holds('every public function says what it does', all(
+        inspect.getdoc(getattr(slider_crank, f)) for f in slider_crank.__all__ if f != 'table'))
+    holds('results can be pickled', pickle.loads(pickle.dumps(dict(m.parameters)))['l1'] == 0.1)
+
+
+def _text(function):
+    try:
+        function()
+    except Exception as error:
+        return str(error)
+    return ''
+
+
+def threads():
+    """Another thread goes on while a batch is computed."""
+    m = puma6.Model()
+    q = np.asfortranarray(np.zeros((6, 1000000)))
+    counted, stop = [0], threading.Event()
+
+    def count():
+        while not stop.is_set():
+            counted[0] += 1
+    thread = threading.Thread(target=count)
+    old = sys.getswitchinterval()
+    sys.setswitchinterval(5.0)   # so long Python itself does not change threads
+    thread.start()
+    before = counted[0]
+    m.inv(0, q, q, q)
+    after = counted[0]
+    stop.set()
+    sys.setswitchinterval(old)
+    thread.join()
+    holds('a batch lets other threads run (%d turns)' % (after - before), after - before > 1000)
+
+
+for test in (ball, crank, sampled, others, parameters, threads):
+    test()

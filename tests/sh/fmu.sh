@@ -1,0 +1,43 @@
+# gsmbp_fmu: a closed chain with ports that stick and hit a stop, and a scene with a sampled device:
+# the archives are whole and the same twice, binaries export the functions of the standard and need
+# libc and libm, the sources give the same bits whatever the order of calls, wrong calls are errors
+# with a log line under the address sanitizer, also with a decimal comma. FMPy is in make check-fmu.
+. tests/tools/check.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+missing=$(for p in zip unzip; do command -v $p >/dev/null || echo $p; done)
+[ -z "$missing" ] || { echo "ok left out without $missing: FMUs"; exit 0; }
+export GSMBP_FMU_CACHE=$work/cache
+
+for scene in event_crank sampled_drive; do
+  share/fmu/derive tests/scenes/$scene.mac "$work/fmu" >"$report" 2>&1
+  told $? "$scene becomes FMUs" "$report"
+  tests/fmu/binaries "$work/fmu" $scene
+  tests/fmu/drive "$work/fmu" $scene 0.4 40
+done
+mkdir "$work/again"
+share/fmu/derive tests/scenes/sampled_drive.mac "$work/again" >/dev/null 2>&1
+for standard in 2 3; do
+  cmp "$work/fmu/sampled_drive_fmi$standard.fmu" "$work/again/sampled_drive_fmi$standard.fmu"
+done >"$report" 2>&1
+result 'the same scene gives the same archives'
+ls "$work/again" | grep -v -e '\.fmu$' -e '\.log$' >"$report"
+result 'nothing is left beside the archives'
+for standard in 2 3; do
+  unzip -p "$work/fmu/event_crank_fmi$standard.fmu" modelDescription.xml >"$work/said.xml"
+  /usr/bin/python3 -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' \
+    "$work/said.xml"
+  grep -q 'name="S.mode"' "$work/said.xml" || echo 'no mode of the stop'
+  grep -q 'unit="N\*m"' "$work/said.xml" || echo 'no unit of the input'
+done >"$report" 2>&1
+result 'the descriptions are XML with modes and units'
+PATH=$work share/fmu/build 2>/dev/null
+mkdir "$work/bare" "$work/empty"
+for program in $(ls /bin /usr/bin); do
+  case $program in zip | *mingw*) ;; *) ln -s "$(command -v "$program")" "$work/bare/" ;; esac
+done 2>/dev/null
+PATH=$work/bare share/fmu/derive tests/scenes/sampled_drive.mac "$work/empty" 2>"$work/error"
+grep -q 'the program zip is missing' "$work/error" || cat "$work/error"
+ls "$work/empty" | grep fmu$
+result 'without zip there is an error and no archive' >"$report"

@@ -1,0 +1,62 @@
+# gsmbp_package(scene, c): what is written is built by its own Makefile and CMakeLists.txt with gcc
+# and clang without a warning, gives the values that Maxima computed, and runs; with the sanitizers
+# of gcc too. A wrong value is found.
+. tests/tools/check.sh
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+strict="-O1 -Wall -Wextra -pedantic -Werror"
+statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
+for scene in examples/slider_crank/slider_crank tests/scenes/sampled_crank \
+  tests/scenes/event_crank examples/rolling_disc/rolling_disc; do
+  statements="$statements kill(scene)\$ load(\"$root/$scene.mac\")\$
+    gsmbp_package(scene, c, directory = \"$work/${scene##*/}\")\$"
+done
+share/make/maxima "$work/log" "$statements
+  errcatch(gsmbp_package(scene, pascal))\$
+  errcatch(gsmbp_package(scene, c, folder = \"x\"))\$
+  gsmbp_package(scene, c, ['directory = \"$work/again\"])\$" >"$report" 2>&1
+told $? 'gsmbp_package(scene, c) of four scenes' "$report"
+check 'another language is refused' grep -q 'must be c or python; found: pascal' "$work/log"
+check 'an unknown option is refused' grep -q 'gsmbp_package: unknown option folder' "$work/log"
+check 'the same scene, the same bytes' diff -r "$work/rolling_disc" "$work/again"
+
+# builds FOLDER WHAT VARIABLE=VALUE...: make test, make example
+builds() {
+  folder=$work/$1 what=$2
+  shift 2
+  make --no-print-directory -C "$folder" clean test example "$@" >"$report" 2>&1
+  told $? "${folder##*/}: make test, make example, $what" "$report"
+  check "${folder##*/}: its values" grep -qE '^([6-9]|[1-9][0-9]) passed, 0 failed$' "$report"
+  check "${folder##*/}: a run of two seconds" grep -q '^info 0, .* t = 2 s$' "$report"
+}
+builds slider_crank gcc CC=gcc CFLAGS="$strict"
+cp "$report" "$work/by_gcc"
+builds sampled_crank gcc CC=gcc CFLAGS="$strict"
+builds rolling_disc gcc CC=gcc CFLAGS="$strict"
+builds event_crank 'sanitizers of gcc' CC=gcc \
+  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
+  LDFLAGS=-fsanitize=address,undefined
+if has clang 'packages by clang'; then
+  builds slider_crank clang CC=clang CFLAGS="$strict"
+fi
+if has cmake 'packages by cmake'; then
+  (cd "$work/slider_crank" && cmake -B built && cmake --build built &&
+    ctest --test-dir built) >"$report" 2>&1
+  told $? 'cmake, ctest' "$report"
+fi
+
+# -- every routine of the header is called by the test
+for name in slider_crank sampled_crank event_crank rolling_disc; do
+  sed -n "s/^[a-z]* ${name}_\([a-z0-9]*\) (.*/\1/p" "$work/$name/$name.h" |
+    grep -vxE 'par|pre' | while read -r routine; do
+      grep -q "call_$routine (" "$work/$name/test/reference.h" || echo "$name: $routine"
+    done
+done >"$report"
+result 'every routine is called by the test of its package'
+
+# -- a value that is not right
+sed -i '/^static const double inv_out/,/};/s/[1-8]/9/' "$work/slider_crank/test/reference.h"
+make -C "$work/slider_crank" test >"$report" 2>&1
+check 'a wrong value is found' grep -q '^not ok inv: ' "$report"

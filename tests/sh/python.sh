@@ -1,0 +1,76 @@
+# gsmbp_package(scene, python): six scenes become modules; one is installed by pip as its README
+# says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
+# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; how long 1e5 states
+# take beside a loop in C.
+. tests/tools/check.sh
+root=$PWD
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+python=/usr/bin/python3
+scenes='tests/scenes/event_ball tests/scenes/sampled_crank examples/slider_crank/slider_crank
+  examples/robot_joint/robot_joint examples/spinning_top/spinning_top tests/bench/systems/puma6'
+
+# -- the folders, in one session; again: the same bytes
+statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
+for scene in $scenes; do
+  statements="$statements kill(scene)\$ load(\"$root/$scene.mac\")\$
+    gsmbp_package(scene, python, directory = \"$work/folders/${scene##*/}\")\$"
+done
+statements="$statements gsmbp_package(scene, python, ['directory = \"$work/again/puma6\"])\$"
+share/make/maxima "$work/log" "$statements" >"$report" 2>&1
+told $? 'gsmbp_package(scene, python) of six scenes' "$report"
+check 'the same scene, the same bytes' diff -r "$work/folders/puma6" "$work/again/puma6"
+grep -rlE "$root|$work" "$work/folders" >"$report"
+result 'nothing of this machine is in them'
+
+# -- installed as a stranger would, in an environment of its own without network
+cp -R "$work/folders/slider_crank" "$work/installed"
+chmod -R u+w "$work/installed"
+(cd "$work" && $python -m venv --system-site-packages environment &&
+  unset PIP_FIND_LINKS PIP_INDEX_URL && cd installed &&
+  PIP_NO_INDEX=1 ../environment/bin/python -m pip install -q --no-build-isolation .) \
+  >"$report" 2>&1
+told $? 'pip install --no-build-isolation of a folder' "$report"
+check 'its wheel is for every Python 3 of the platform' \
+  grep -q '^Tag: py3-none-linux_' "$work"/environment/lib/python3*/site-packages/*/WHEEL
+(cd / && "$work/environment/bin/python" -c \
+  'import slider_crank as s; m = s.Model(); m.simulate(m.initial, [0, 0.1])') >"$report" 2>&1
+told $? 'it runs from elsewhere' "$report"
+for stub in "$work"/environment/lib/python3*/site-packages/slider_crank/*.pyi; do
+  $python -m py_compile "$stub" || echo "$stub"
+done >"$report" 2>&1
+result 'its stubs are Python'
+
+# -- the others are built in place
+for folder in "$work"/folders/*; do
+  name=${folder##*/}
+  (cd "$folder" && $python setup.py -q build_py -d built && mv "built/$name" "$work/$name") \
+    >"$report" 2>&1 || told 1 "$name builds" "$report"
+done
+export PYTHONPATH="$work"
+
+# -- every subroutine against the Fortran of the scene
+mkdir "$work/fortran"
+(cd "$work/fortran" && gfortran -O2 -ffp-contract=off -frecursive -fPIC -c \
+  "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
+told $? 'share/fortran compiles' "$report"
+for scene in tests/scenes/event_ball tests/scenes/sampled_crank \
+  examples/slider_crank/slider_crank; do
+  name=${scene##*/} out=$GSMBP_TEST_DIR/fortran_out
+  [ -s "$out/$name.f" ] || { out=$work/fortran; share/make/derive "$scene.mac" "$out"; } \
+    >"$report" 2>&1
+  gfortran -O2 -ffp-contract=off -frecursive -fPIC -shared -o "$work/fortran/$name.so" \
+    "$out/$name.f" "$work"/fortran/*.o >"$report" 2>&1 &&
+    timeout 100 $python tests/python/against_fortran.py "$name" "$work/fortran/$name.so"
+  told $? "$name against its Fortran" "$report"
+done
+
+timeout 200 $python tests/python/runs.py
+told $? 'runs.py ends'
+
+# -- 1e5 states beside a loop in C
+gcc -std=c99 -O2 -ffp-contract=off -Ishare/c -I"$work/folders/puma6/c" -o "$work/loop" \
+  tests/python/loop.c "$work/folders/puma6/c/puma6.c" share/c/*/*.c share/c/*/*/*.c -lm \
+  >"$report" 2>&1 && timeout 100 $python tests/python/speed.py "$work/loop"
+told $? 'speed.py ends' "$report"
