@@ -14,12 +14,13 @@ pairs() {
   told $? "$what" "$report"
 }
 
-# -- trees, loops, Euler parameters, devices, events, samples; two more by chance
+# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; two more by chance
 day=$(date +%j)
 by_chance=$(ls tests/scenes/*.mac | awk -v day="$day" '
   { file[NR] = $0 } END { srand(day); for (k = 0; k < 2; k++) print file[int(1 + rand()*NR)] }')
 pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac tests/scenes/case_03a.mac \
-  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/own_words.mac $by_chance
+  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/own_words.mac \
+  tests/scenes/reach_parallel_apart.mac tests/scenes/reach_legs.mac $by_chance
 (GSMBP_REQUESTS='[all, batch, regressor]' pairs 'batches and the regressor' \
   tests/scenes/batch_arm.mac tests/scenes/batch_bars.mac)
 (GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)

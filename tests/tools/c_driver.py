@@ -52,6 +52,8 @@ def whole_value(scene, routine, name):
         return str(scene.wide)
     if name == "K" and routine.endswith("_V"):
         return f"1 + (19 * state) % {scene.wide}"
+    if routine.endswith("_NIK"):
+        return "1" if name == "K" else "state % 2"
     if name == "WAY":
         return "1 + state % 4"
     if name == "K":
@@ -72,10 +74,13 @@ def argument(scene, routine, name, shape):
     n = scene.size(name, dims)
     if name == "INFO" and not dims:
         return ["int f_INFO = 0, c_INFO = 0;"], "&f_INFO", None, ["same_info (f_INFO, c_INFO);"]
+    if whole and not dims and intent == "out":
+        return [f"int f_{name} = -1, c_{name} = -1;"], f"&f_{name}", f"&c_{name}", [
+            f"same_info (f_{name}, c_{name});"]
     if whole and not dims:
         value = whole_value(scene, routine, name)
         return [f"int f_{name} = {value};"], f"&f_{name}", f"f_{name}", []
-    if name == "T" and not dims:
+    if not dims:
         return [f"double f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
     if name == "CST":
         return [], "cst_f", "cst_c", []
@@ -93,6 +98,23 @@ def argument(scene, routine, name, shape):
     return lines, f"f_{name}", f"c_{name}", checks
 
 
+def pose(scene, routine):
+    """lines that make a pose to be reached that of the last frame at coordinates by chance, where
+    the scene has PNT"""
+    reached = routine["name"].endswith(("_IKN", "_NIK", "_IKA", "_IKB", "_IKU"))
+    for points in scene.routines:
+        if reached and points["name"].endswith("_PNT"):
+            shapes = dict(zip(points["arguments"], points["shapes"]))
+            np, nr = [scene.size(a, of(shapes[a])[2]) for a in "PR"]
+            return [f"double pose_T = 0, pose_Q[{scene.d['nq']}], pose_P[{np}], pose_R[{nr}];",
+                    f"fill_state_like (pose_Q, {scene.d['nq']});",
+                    f"{points['name'].lower()}_ (&pose_T, pose_Q, cst_f, pose_P, pose_R);"] + [
+                    f"memcpy (f_{a}, pose_{a} + {n - k}, sizeof f_{a}); "
+                    f"memcpy (c_{a}, f_{a}, sizeof c_{a});"
+                    for a, n, k in (("P", np, 3), ("R", nr, 9)) if a in routine["arguments"]]
+    return []
+
+
 def prototype(routine):
     types = ["int *" if of(s)[0] else "double *" for s in routine["shapes"]]
     return f"extern void {routine['name'].lower()}_ ({', '.join(types) or 'void'});"
@@ -106,6 +128,7 @@ def call(scene, routine):
         fortran.append(in_fortran)
         c += [in_c] if in_c else []
         checks += check
+    lines += pose(scene, routine)
     name = routine["name"].lower()
     tells = "c_INFO = " if ("INFO", "integer out") in zip(
         routine["arguments"], routine["shapes"]) else ""

@@ -33,6 +33,9 @@ typedef void gs_ctp (const double *cst, double *period, double *delay);
 typedef void gs_evt (double t, const double *x, const double *v, const int *mode,
                      const double *cst, double *gv);
 typedef int gs_rst (double t, double *x, double *v, int *mode, int k, const double *cst);
+typedef void gs_pnt (double t, const double *q, const double *cst, double *place, double *axes);
+typedef void gs_jpt (double t, const double *q, const double *u, const double *cst, double *jac,
+                     double *gam);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
 typedef int gs_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v);
 
@@ -57,6 +60,8 @@ typedef struct
   gs_ctp *ctp; /* periods and delays of the sampled devices, for whoever plans a run */
   gs_vin *vin;
   void *data; /* for vin */
+  gs_pnt *pnt; /* points and frames, and their Jacobians, for gsnik */
+  gs_jpt *jpt;
 } gs_scene;
 
 #ifdef __cplusplus

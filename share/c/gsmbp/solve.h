@@ -128,6 +128,20 @@ void gsrot (int n, double *x, double *y, double c, double s);
 void gsrtl (int n, int m, const double *h, int ldh, const double *phi, const int *grp, double *tol,
             double *w);
 
+/* eigenvalues wr + i*wi (n) of a general matrix, which is destroyed; w: 4*n. info > 0: not all were
+ * found */
+int gseig (int n, double *a, int lda, double *wr, double *wi, double *w);
+
+/* for gseig: a similar matrix of Hessenberg form; v (n) is workspace */
+void gshes (int n, double *a, int lda, double *v);
+
+/* for gseig: the eigenvalues of that. info as gseig */
+int gshqr (int n, double *a, int lda, double *wr, double *wi);
+
+/* for gshqr: a double QR step on rows and columns l to en (from 1), en >= l + 2; the shifts have
+ * the sum x + y and the product x*y - z */
+void gshqs (int n, double *a, int lda, int l, int en, double x, double y, double z);
+
 #ifdef __cplusplus
 }
 #endif

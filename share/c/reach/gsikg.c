@@ -1,0 +1,551 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/reach.h"
+#include "gsmbp/solve.h"
+
+#include <math.h>
+#include <string.h>
+
+/* entry i of R x, R (3,3) */
+static double
+turned (const double *r, int i, const double *x)
+{
+  return r[i] * x[0] + r[i + 3] * x[1] + r[i + 6] * x[2];
+}
+
+/* neighbour l of an arm: axes kb, points pb */
+static void
+neighbour (int l, const double *ka, const double *pc, double *kb, double *pb)
+{
+  for (int j = 1; j <= 6; j++, ka += 3, pc += 3, kb += 3, pb += 3)
+    {
+      for (int i = 1; i <= 3; i++)
+        {
+          kb[i - 1] = ka[i - 1] + 3e-6 * l * sin (1.0 * (7 * i + 3 * j * l));
+          pb[i - 1] = pc[i - 1] + 3e-6 * l * cos (1.0 * (5 * i + 4 * j * l));
+        }
+      double size = sqrt (kb[0] * kb[0] + kb[1] * kb[1] + kb[2] * kb[2]);
+      for (int i = 0; i < 3; i++)
+        kb[i] = kb[i] / size;
+    }
+}
+
+/* the points pc of the arm about their middle cen, by their size, which is returned */
+static double
+middle (const double *pa, double *pc, double *cen)
+{
+  double size = 0.0;
+  for (int i = 0; i < 3; i++)
+    {
+      cen[i] = 0.0;
+      for (int j = 0; j < 6; j++)
+        cen[i] = cen[i] + pa[i + 3 * j] / 6.0;
+    }
+  for (int j = 0; j < 18; j++)
+    {
+      pc[j] = pa[j] - cen[j % 3];
+      size = gs_max (size, fabs (pc[j]));
+    }
+  return size;
+}
+
+/* The line of axis 6, told by point p and direction l, gives fifteen numbers (p, l, p.p, p.l,
+ * p x l, (p.p)l - 2(p.l)p, 1) that every displacement changes linearly; fourteen equations between
+ * those moved by joints 3 to 5 and those moved back by joints 2 and 1. The angles 1 and 2 are
+ * eliminated linearly, six equations are left, and as many times the half tangent of angle 4: the
+ * half tangent of angle 3 is an eigenvalue of a matrix of order 24. That, and the same of the chain
+ * backwards; where nothing is found the same of four arms very close to this one, for axes that are
+ * parallel or meet can make the equations singular everywhere. Every candidate is refined by
+ * Newton's method on the pose and taken if it misses less than 1e-10 of it.
+ *
+ * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
+ * Robotics Automation 10 (1994), 648-657. */
+void
+gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns,
+       double *w, int *iw)
+{
+  double kb[18], pb[18], pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
+  *ns = 0;
+  if (! (size > 0.0))
+    return;
+  for (int i = 0; i < 3; i++)
+    p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
+  for (int j = 0; j < 18; j++)
+    pc[j] = pc[j] / size;
+  gsikb (ka, pc, r, p2, ka, pc, qc, ns, w, iw);
+  if (*ns > 0)
+    return;
+  for (int l = 1; l <= 4; l++)
+    {
+      neighbour (l, ka, pc, kb, pb);
+      gsikb (kb, pb, r, p2, ka, pc, qc, ns, w, iw);
+    }
+}
+
+void
+gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
+       const double *p0, double *qc, int *ns, double *w, int *iw)
+{
+  double kb[18], pb[18], rb[9], d[3];
+  gsik1 (ka, pa, r, p, k0, p0, r, p, 1, qc, ns, w, iw);
+  for (int j = 0; j < 6; j++)
+    {
+      memcpy (kb + 3 * j, ka + 3 * (5 - j), 3 * sizeof (double));
+      memcpy (pb + 3 * j, pa + 3 * (5 - j), 3 * sizeof (double));
+    }
+  for (int i = 0; i < 3; i++)
+    for (int l = 0; l < 3; l++)
+      rb[i + 3 * l] = r[l + 3 * i];
+  for (int i = 0; i < 3; i++)
+    d[i] = -turned (rb, i, p);
+  gsik1 (kb, pb, rb, d, k0, p0, r, p, -1, qc, ns, w, iw);
+}
+
+void
+gsik1 (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
+       const double *p0, const double *r0, const double *d0, int way, double *qc, int *ns,
+       double *w, int *iw)
+{
+  static const int kind[] = { 1, 1, 1, 1, 1, 1 };
+  double q[6], f[14 * 27], g[14 * 9], h[6 * 9 * 3], shift, er[24], ei[24];
+  int good;
+  gsikl (ka, pa, f);
+  gsikr (ka, pa, r, p, g);
+  gsike (f, g, h, w);
+  if (gsikc (h, &shift, w, w + 576, w + 720, iw) || gseig (24, w, 24, er, ei, w + 576))
+    return;
+  for (int i = 0; i < 24; i++)
+    {
+      if (! (fabs (ei[i]) <= 1e-3 * (1.0 + fabs (er[i]))))
+        continue;
+      q[2] = shift + 2.0 * atan (er[i]);
+      gsikv (ka, pa, r, f, g, h, q, w);
+      for (int j = 0; j < 3 && way < 0; j++)
+        {
+          double t = q[j];
+          q[j] = -q[5 - j];
+          q[5 - j] = -t;
+        }
+      gsikn (kind, k0, p0, r0, d0, q, w, iw, &good);
+      if (good)
+        gsika (q, qc, ns);
+    }
+}
+
+/* x turned about the axis k through the origin */
+static void
+rodrigues (const double *k, double s, double c, double *x)
+{
+  double d = k[0] * x[0] + k[1] * x[1] + k[2] * x[2], u[3];
+  u[0] = k[1] * x[2] - k[2] * x[1];
+  u[1] = k[2] * x[0] - k[0] * x[2];
+  u[2] = k[0] * x[1] - k[1] * x[0];
+  for (int i = 0; i < 3; i++)
+    x[i] = c * x[i] + s * u[i] + (1.0 - c) * d * k[i];
+}
+
+void
+gsikt (const double *k, const double *p, double s, double c, double *x, double *e)
+{
+  double y[3], u[3];
+  rodrigues (k, s, c, e);
+  for (int i = 0; i < 3; i++)
+    y[i] = x[i] - p[i];
+  double d = k[0] * y[0] + k[1] * y[1] + k[2] * y[2];
+  u[0] = k[1] * y[2] - k[2] * y[1];
+  u[1] = k[2] * y[0] - k[0] * y[2];
+  u[2] = k[0] * y[1] - k[1] * y[0];
+  for (int i = 0; i < 3; i++)
+    x[i] = p[i] + c * y[i] + s * u[i] + (1.0 - c) * d * k[i];
+}
+
+void
+gsikw (const double *x, const double *e, double *v)
+{
+  v[6] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+  v[7] = x[0] * e[0] + x[1] * e[1] + x[2] * e[2];
+  v[8] = x[1] * e[2] - x[2] * e[1];
+  v[9] = x[2] * e[0] - x[0] * e[2];
+  v[10] = x[0] * e[1] - x[1] * e[0];
+  for (int i = 0; i < 3; i++)
+    {
+      v[i] = x[i];
+      v[3 + i] = e[i];
+      v[11 + i] = v[6] * e[i] - 2.0 * v[7] * x[i];
+    }
+}
+
+void
+gsikf (int m, int n, int l, double *f)
+{
+  const int k = m * n;
+  for (int j = 0; j < l; j++, f += 3 * k)
+    for (int i = 0; i < k; i++)
+      {
+        double a = f[i], b = f[i + 2 * k];
+        f[i + 2 * k] = 0.5 * (a + b);
+        f[i] = 0.5 * (a - b);
+        f[i + k] = f[i + k] - f[i + 2 * k];
+      }
+}
+
+/* sine and cosine of 0, 90 and 180 degrees */
+static const double sine[] = { 0.0, 1.0, 0.0 }, cosine[] = { 1.0, 0.0, -1.0 };
+
+void
+gsikl (const double *ka, const double *pa, double *f)
+{
+  double x[3], e[3];
+  for (int n = 0; n < 27; n++)
+    {
+      const int i = n / 9, j = n / 3 % 3, k = n % 3;
+      memcpy (x, pa + 15, sizeof x);
+      memcpy (e, ka + 15, sizeof e);
+      gsikt (ka + 12, pa + 12, sine[k], cosine[k], x, e);
+      gsikt (ka + 9, pa + 9, sine[j], cosine[j], x, e);
+      gsikt (ka + 6, pa + 6, sine[i], cosine[i], x, e);
+      gsikw (x, e, f + 14 * n);
+    }
+  gsikf (14, 1, 9, f);
+  gsikf (14, 3, 3, f);
+  gsikf (14, 9, 1, f);
+}
+
+void
+gsikr (const double *ka, const double *pa, const double *r, const double *p, double *g)
+{
+  static const double back[] = { 0.0, -1.0, 0.0 };
+  double x[3], e[3];
+  for (int n = 0; n < 9; n++)
+    {
+      const int i = n / 3, j = n % 3;
+      for (int l = 0; l < 3; l++)
+        {
+          e[l] = turned (r, l, ka + 15);
+          x[l] = turned (r, l, pa + 15) + p[l];
+        }
+      gsikt (ka, pa, back[i], cosine[i], x, e);
+      gsikt (ka + 3, pa + 3, back[j], cosine[j], x, e);
+      gsikw (x, e, g + 14 * n);
+    }
+  gsikf (14, 1, 3, g);
+  gsikf (14, 3, 1, g);
+}
+
+/* combinations of the equations in which angles 1 and 2 have no part, by the singular vectors of
+ * their coefficients */
+void
+gsike (const double *f, const double *g, double *h, double *w)
+{
+  double s[14], v[14 * 14], b[6 * 9];
+  int rank;
+  gs_transpose (8, 14, g, 14, w);
+  gssvd (8, 14, w, 8, v, 14, s, 1e-14, &rank);
+  for (int k = 0; k < 3; k++)
+    {
+      for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 9; j++)
+          {
+            double a = 0.0;
+            for (int l = 0; l < 14; l++)
+              {
+                double z = f[l + 14 * (j + 9 * k)];
+                if (k == 2 && j == 8)
+                  z = z - g[l + 14 * 8];
+                a = a + v[l + 14 * (8 + i)] * z;
+              }
+            b[i + 6 * j] = a;
+          }
+      for (int i = 1; i <= 6; i++)
+        gsikh (b, i, h + 54 * k);
+    }
+}
+
+void
+gsikh (const double *b, int i, double *h)
+{
+  double t[9];
+  b += i - 1;
+  h += i - 1;
+  for (int k = 0; k < 3; k++)
+    {
+      t[3 * k] = b[6 * (2 + 3 * k)] + b[6 * (3 * k)];
+      t[1 + 3 * k] = 2.0 * b[6 * (1 + 3 * k)];
+      t[2 + 3 * k] = b[6 * (2 + 3 * k)] - b[6 * (3 * k)];
+    }
+  for (int j = 0; j < 3; j++)
+    {
+      h[6 * j] = t[j + 6] + t[j];
+      h[6 * (3 + j)] = 2.0 * t[j + 3];
+      h[6 * (6 + j)] = t[j + 6] - t[j];
+    }
+}
+
+/* a (24,24): the companion matrix of x (12,24) */
+static void
+companion (const double *x, double *a)
+{
+  for (int j = 0; j < 24; j++)
+    for (int i = 0; i < 12; i++)
+      {
+        a[i + 24 * j] = j == 12 + i ? 1.0 : 0.0;
+        a[12 + i + 24 * j] = -x[i + 12 * j];
+      }
+}
+
+/* of eight places to begin the one with the smallest matrix */
+int
+gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw)
+{
+  double least = -1.0;
+  int info = 1;
+  for (int k = 1; k <= 8; k++)
+    {
+      double th = 0.37 + 0.785398 * k, c = cos (th), s = sin (th), big = 0.0;
+      gsikm (h, -c, -s, 1.0, 0.0, s2);
+      gsikm (h, c, s, 1.0, 0.0, x);
+      gsikm (h, -2.0 * s, 2.0 * c, 0.0, 0.0, x + 144);
+      if (gsleq (12, 24, s2, 12, x, 12, iw) != 0)
+        continue;
+      for (int i = 0; i < 288; i++)
+        big = gs_max (big, fabs (x[i]));
+      if (! (big <= 1e200 && (least < 0.0 || big < least)))
+        continue;
+      least = big;
+      *shift = th;
+      info = 0;
+      companion (x, a);
+    }
+  return info;
+}
+
+void
+gsikm (const double *h, double a, double b, double c, double d, double *s)
+{
+  for (int i = 0; i < 6; i++)
+    {
+      for (int j = 0; j < 12; j++)
+        s[i + 12 * j] = s[6 + i + 12 * j] = d;
+      for (int j = 0; j < 9; j++)
+        s[i + 12 * j] = s[6 + i + 12 * (3 + j)]
+            = a * h[i + 6 * j] + b * h[i + 6 * j + 54] + c * h[i + 6 * j + 108];
+    }
+}
+
+/* the factor of term k (0 cosine, 1 sine, 2 one) */
+static double
+times (double m, int k, double q)
+{
+  return k == 0 ? m * cos (q) : k == 1 ? m * sin (q) : m;
+}
+
+/* the right side b (14) of the equations for angles 1 and 2 */
+static void
+right_side (const double *f, const double *g, const double *q, double *b)
+{
+  for (int l = 0; l < 14; l++)
+    {
+      b[l] = -g[l + 14 * 8];
+      for (int n = 0; n < 27; n++)
+        {
+          double m = times (f[l + 14 * n], n % 3, q[4]);
+          m = times (m, n / 3 % 3, q[3]);
+          b[l] = b[l] + times (m, n / 9, q[2]);
+        }
+    }
+}
+
+/* angle 6: a direction u across its axis becomes e */
+static double
+last_angle (const double *ka, const double *pa, const double *r, const double *q)
+{
+  double u[3], e[3], x[3] = { 0.0 };
+  const double *k6 = ka + 15;
+  int k = fabs (k6[1]) < fabs (k6[0]) ? 1 : 0;
+  if (fabs (k6[2]) < fabs (k6[k]))
+    k = 2;
+  for (int i = 0; i < 3; i++)
+    {
+      u[i] = -k6[k] * k6[i];
+      if (i == k)
+        u[i] = u[i] + 1.0;
+    }
+  for (int i = 0; i < 3; i++)
+    e[i] = turned (r, i, u);
+  for (int i = 0; i < 5; i++)
+    gsikt (ka + 3 * i, pa + 3 * i, -sin (q[i]), cos (q[i]), x, e);
+  return atan2 (k6[0] * (u[1] * e[2] - u[2] * e[1]) + k6[1] * (u[2] * e[0] - u[0] * e[2])
+                    + k6[2] * (u[0] * e[1] - u[1] * e[0]),
+                u[0] * e[0] + u[1] * e[1] + u[2] * e[2]);
+}
+
+/* angles 4 and 5 from the vector that the twelve equations take to nothing, 1 and 2 by least
+ * squares, 6 from the rotation */
+void
+gsikv (const double *ka, const double *pa, const double *r, const double *f, const double *g,
+       const double *h, double *q, double *w)
+{
+  double s[14], b[14], y[8] = { 0.0 };
+  int rank;
+  gsikm (h, cos (q[2]), sin (q[2]), 1.0, 0.0, w);
+  gssvd (12, 12, w, 12, w + 144, 12, s, 1e-14, &rank);
+  gsikx (w + 144 + 132, q + 3, q + 4);
+  right_side (f, g, q, b);
+  memcpy (w, g, 14 * 8 * sizeof (double));
+  gssvd (14, 8, w, 14, w + 112, 8, s, 1e-12, &rank);
+  for (int k = 0; k < rank; k++)
+    {
+      double m = gs_dot (14, 0.0, w + 14 * k, b) / gs_square (s[k]);
+      for (int j = 0; j < 8; j++)
+        y[j] = y[j] + m * w[112 + 8 * k + j];
+    }
+  q[0] = atan2 (y[5], y[2]);
+  q[1] = atan2 (y[7], y[6]);
+  q[5] = last_angle (ka, pa, r, q);
+}
+
+/* the angle of the largest of pairs of entries, d apart, of v (3,4): ni rows, nj columns */
+static double
+ratio (const double *v, int ni, int nj, int d)
+{
+  double big = -1.0, q = 0.0;
+  for (int j = 0; j < nj; j++)
+    for (int i = 0; i < ni; i++)
+      {
+        double a = v[i + 3 * j], b = v[i + 3 * j + d], s = a * a + b * b;
+        if (s > big)
+          {
+            big = s;
+            q = 2.0 * atan2 (b, a);
+          }
+      }
+  return q;
+}
+
+void
+gsikx (const double *v, double *q4, double *q5)
+{
+  *q4 = ratio (v, 3, 3, 3);
+  *q5 = ratio (v, 2, 4, 1);
+}
+
+/* one step of Newton, none longer than 0.3; w (6,7): Jacobian and what is missed. info: as gsleq */
+static int
+newton (double *q, double *w, int *iw)
+{
+  double *s = w + 36, big = 0.0;
+  int info = gsleq (6, 1, w, 6, s, 6, iw);
+  if (info != 0)
+    return info;
+  for (int i = 0; i < 6; i++)
+    big = gs_max (big, fabs (s[i]));
+  big = gs_min (1.0, 0.3 / gs_max (big, 1e-300));
+  for (int i = 0; i < 6; i++)
+    q[i] = q[i] + big * s[i];
+  return 0;
+}
+
+/* at most 40 steps on the exact Jacobian; the best position counts */
+void
+gsikn (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+       double *q, double *w, int *iw, int *good)
+{
+  double miss, last = -1.0, best[6];
+  for (int n = 0; n < 40; n++)
+    {
+      gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
+      if (! (miss <= 1e10))
+        break;
+      if (last < 0.0 || miss < last)
+        {
+          last = miss;
+          memcpy (best, q, sizeof best);
+          if (miss <= 2e-16)
+            break;
+        }
+      else if (last <= 1e-12)
+        break;
+      if (newton (q, w, iw) != 0)
+        break;
+    }
+  *good = last >= 0.0 && last <= 1e-10;
+  for (int i = 0; i < 6 && *good; i++)
+    q[i] = kind[i] == 1 ? atan2 (sin (best[i]), cos (best[i])) : best[i];
+}
+
+/* axes and points moved from the first joint on: a, x are the rotation of the joints so far and
+ * where the origin comes; j (6,6): points, then axes */
+static void
+moved (const int *kind, const double *ka, const double *pa, const double *q, double *a, double *x,
+       double *j)
+{
+  for (int n = 0; n < 6; n++, j += 6)
+    {
+      double *o = j, *k = j + 3, e[3] = { 0.0 };
+      for (int i = 0; i < 3; i++)
+        {
+          k[i] = turned (a, i, ka + 3 * n);
+          o[i] = turned (a, i, pa + 3 * n) + x[i];
+        }
+      if (kind[n] == 0)
+        {
+          for (int i = 0; i < 3; i++)
+            x[i] = x[i] + q[n] * k[i];
+          continue;
+        }
+      double s = sin (q[n]), c = cos (q[n]);
+      gsikt (k, o, s, c, x, a);
+      gsikt (k, o, s, c, e, a + 3);
+      gsikt (k, o, s, c, e, a + 6);
+    }
+}
+
+void
+gsikj (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+       const double *q, double *rj, double *e, double *miss)
+{
+  double a[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 }, x[3] = { 0.0 }, o[3], k[3];
+  moved (kind, ka, pa, q, a, x, rj);
+  for (int n = 0; n < 6; n++)
+    {
+      double *j = rj + 6 * n;
+      for (int i = 0; i < 3; i++)
+        {
+          o[i] = x[i] - j[i];
+          k[i] = j[3 + i];
+          j[i] = k[i];
+          j[3 + i] = kind[n] == 0 ? 0.0 : k[i];
+        }
+      if (kind[n] == 0)
+        continue;
+      j[0] = k[1] * o[2] - k[2] * o[1];
+      j[1] = k[2] * o[0] - k[0] * o[2];
+      j[2] = k[0] * o[1] - k[1] * o[0];
+    }
+  gsniv (r, a, e + 3);
+  *miss = 0.0;
+  for (int i = 0; i < 3; i++)
+    {
+      e[i] = p[i] - x[i];
+      *miss = gs_max (gs_max (*miss, fabs (e[i])), fabs (e[3 + i]));
+    }
+}
+
+void
+gsika (const double *q, double *qc, int *ns)
+{
+  for (int j = 0; j < *ns; j++)
+    {
+      double d = 0.0;
+      for (int i = 0; i < 6; i++)
+        d = gs_max (d, fabs (sin (0.5 * (q[i] - qc[i + 6 * j]))));
+      if (d <= 5e-9)
+        return;
+    }
+  if (*ns >= 16)
+    return;
+  int k = *ns;
+  for (; k >= 1 && qc[6 * (k - 1)] > q[0]; k--)
+    memcpy (qc + 6 * k, qc + 6 * (k - 1), 6 * sizeof (double));
+  memcpy (qc + 6 * k, q, 6 * sizeof (double));
+  (*ns)++;
+}

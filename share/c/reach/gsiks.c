@@ -1,0 +1,89 @@
+#include "gsmbp/arith.h"
+#include "gsmbp/reach.h"
+
+#include <math.h>
+#include <string.h>
+
+/* of the radicands rad of a branch: is none negative, one at its limit, one close to it? */
+static int
+is_real (int nm, const double *rad, const double *lim, int *edge, int *beside)
+{
+  int real = 1;
+  *edge = *beside = 0;
+  for (int i = 0; i < nm; i++)
+    {
+      if (! (rad[i] >= -1e-12))
+        real = 0;
+      if (rad[i] <= lim[i])
+        *edge = 1;
+      if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
+        *beside = 1;
+    }
+  return real;
+}
+
+/* does a branch reach the pose? If not, and it is the best so far, dst is what it misses. */
+static int
+reaches (const double *res, double *least, double *dst)
+{
+  double miss = gs_max (res[0], res[1]);
+  if (miss <= 1e-9)
+    return 1;
+  if (*least < 0.0 || miss < *least)
+    {
+      *least = miss;
+      dst[0] = res[0];
+      dst[1] = res[1];
+    }
+  return 0;
+}
+
+/* A branch is real where no radicand is below -1e-12, which is taken for the rounding of a double
+ * root, and what it misses is below 1e-9. Of two branches equal to 1e-12 the first counts. */
+int
+gsiks (int n, int nb, int nm, const double *qc, const double *rad, const double *lim,
+       const double *res, double *qs, int ldq, int *ns, int *br, double *dst, int *near)
+{
+  int info = 0, edge, beside;
+  double least = -1.0;
+  *ns = *near = 0;
+  dst[0] = dst[1] = 0.0;
+  if (ldq < n)
+    return -9;
+  for (int k = 0; k < nb; k++)
+    {
+      br[k] = 0;
+      for (int i = 0; i < n; i++)
+        qs[i + ldq * k] = 0.0;
+    }
+  for (int k = 0; k < nb; k++)
+    {
+      int real = is_real (nm, rad + nm * k, lim, &edge, &beside);
+      *near = *near || beside;
+      if (! real || ! reaches (res + 2 * k, &least, dst))
+        continue;
+      if (gsikq (n, qc + n * k, qs, ldq, *ns) == 0)
+        {
+          memcpy (qs + ldq * *ns, qc + n * k, n * sizeof (double));
+          br[(*ns)++] = k + 1;
+        }
+      info = edge ? 2 : info;
+    }
+  if (*ns > 0)
+    dst[0] = dst[1] = 0.0;
+  return *ns == 0 ? 1 : info;
+}
+
+int
+gsikq (int n, const double *q, const double *qs, int ldq, int ns)
+{
+  for (int k = 0; k < ns; k++)
+    {
+      double d = 0.0;
+      for (int i = 0; i < n; i++)
+        d = gs_max (d, fabs (q[i] - qs[i + ldq * k]));
+      if (d <= 1e-12)
+        return k + 1;
+    }
+  return 0;
+}

@@ -1,0 +1,395 @@
+/* share/c/reach and its eigenvalues against share/fortran/reach and share/fortran/solve/plain */
+#include "compare.h"
+#include "gsmbp/reach.h"
+#include "gsmbp/solve.h"
+
+void gseig_ (), gshes_ (), gshqr_ (), gshqs_ (), gsiks_ (), gsikz_ (), gsiko_ (), gsikp_ (),
+  gsikd_ (), gsiku_ (), gsiky_ (), gscir_ (), gscif_ (), gsciq_ (), gscie_ (), gsnik_ (), gsnir_ (),
+  gsniv_ (), gsnij_ (), gsnis_ (), gsikg_ (), gsikb_ (), gsik1_ (), gsikt_ (), gsikw_ (), gsikf_ (),
+  gsikl_ (), gsikr_ (), gsike_ (), gsikh_ (), gsikc_ (), gsikm_ (), gsikv_ (), gsikx_ (), gsikn_ (),
+  gsikj_ (), gsika_ ();
+int gsikq_ ();
+
+static int seen[3];
+
+static void
+outcome (int c, int f)
+{
+  same_int (c, f);
+  seen[c < 0 ? 0 : c > 2 ? 2 : c]++;
+}
+
+static void
+whole (int n, const int *c, const int *f)
+{
+  for (int i = 0; i < n; i++)
+    same_int (c[i], f[i]);
+}
+
+/* ------------------------------------------------------------ eigenvalues */
+
+/* kind 1: whole numbers, 2: a column of zeros, 3: rotations, 4: rows of different sizes */
+static void
+eigenvalues (void)
+{
+  begin ("gseig, gshes, gshqr, gshqs");
+  for (int k = 0; k < 300; k++)
+    {
+      int n = k % 25, lda = n + 1 + pick (2), kind = k / 25 % 5, info;
+      pair a = pair_of (lda * n), wr = pair_of (n), wi = pair_of (n), w = pair_of (4 * n);
+      for (int i = 0; i < lda * n; i++)
+        {
+          int row = i % lda, col = i / lda;
+          if (kind == 1)
+            a.c[i] = floor (3 * a.c[i]);
+          if (kind == 2 && col == n / 2)
+            a.c[i] = 0.0;
+          if (kind == 3)
+            a.c[i] = row == (col + 1) % n;
+          if (kind == 4)
+            a.c[i] *= pow (10.0, row % 7 - 3);
+        }
+      both (a), both (wr), both (wi), both (w);
+      int made = gseig (n, a.c, lda, wr.c, wi.c, w.c);
+      gseig_ (&n, a.f, &lda, wr.f, wi.f, w.f, &info);
+      same_int (made, info);
+      same (a), same (wr), same (wi), same (w);
+      drop (a), drop (wr), drop (wi), drop (w);
+    }
+  finish ();
+}
+
+/* ------------------------------------------------------------ conics */
+
+static void
+conics (void)
+{
+  int real = 0;
+  begin ("gscir, gscif, gsciq, gscie");
+  for (int k = 0; k < 500; k++)
+    {
+      pair co = pair_of (5), sc = pair_of (8), rad = pair_of (4);
+      if (k % 7 == 1)
+        co.c[0] = co.c[1] = 0.0;
+      if (k % 7 == 2)
+        co.c[4] = -co.c[0] - co.c[2], co.c[1] = co.c[3] = 0.0;
+      for (int i = 0; i < 5; i++)
+        co.c[i] = k % 50 == 3 ? 0.0 : k % 50 == 4 ? NAN : co.c[i];
+      both (co);
+      gscir (co.c, sc.c, rad.c);
+      gscir_ (co.f, sc.f, rad.f);
+      same (sc), same (rad);
+      for (int i = 0; i < 4; i++)
+        real += rad.c[i] >= 0.0;
+      drop (co), drop (sc), drop (rad);
+    }
+  finish ();
+  holds (real > 100, "gscir finds roots");
+}
+
+/* ------------------------------------------------------------ branches */
+
+static void
+branches (void)
+{
+  begin ("gsiks, gsikq");
+  memset (seen, 0, sizeof seen);
+  for (int k = 0; k < 600; k++)
+    {
+      int n = 1 + pick (6), nb = 1 + pick (8), nm = 1 + pick (4), ldq = n + pick (3) - (k % 50 == 0);
+      int nc, nf, nearc, nearf, bc[8] = { 0 }, bf[8] = { 0 }, info;
+      pair qc = pair_of (n * nb), rad = pair_of (nm * nb), lim = pair_of (nm);
+      pair res = pair_of (2 * nb), qs = pair_of (8 * nb), dst = pair_of (2);
+      for (int i = 0; i < nm * nb; i++)
+        rad.c[i] = pick (20) ? fabs (rad.c[i]) : pick (2) ? 1e-15 : -fabs (rad.c[i]);
+      for (int i = 0; i < nm; i++)
+        lim.c[i] = pick (2) ? 1e-14 : 1e-24;
+      for (int i = 0; i < 2 * nb; i++)
+        res.c[i] = fabs (res.c[i]) * (k % 3 ? 1e-12 : 1e-9);
+      for (int i = n; i < n * nb && k % 2; i++)
+        qc.c[i] = pick (4) ? qc.c[i - n] : qc.c[i];
+      both (qc), both (rad), both (lim), both (res), both (qs);
+      int made = gsiks (n, nb, nm, qc.c, rad.c, lim.c, res.c, qs.c, ldq, &nc, bc, dst.c, &nearc);
+      gsiks_ (&n, &nb, &nm, qc.f, rad.f, lim.f, res.f, qs.f, &ldq, &nf, bf, dst.f, &nearf, &info);
+      outcome (made, info);
+      same_int (nc, nf), same_int (nearc, nearf), whole (8, bc, bf);
+      same (qs), same (dst);
+      drop (qc), drop (rad), drop (lim), drop (res), drop (qs), drop (dst);
+    }
+  finish ();
+  holds (seen[0] && seen[1] && seen[2], "gsiks ends in each way");
+}
+
+/* ------------------------------------------------------------ six joints */
+
+typedef struct
+{
+  int kind[6];
+  double ka[18], pa[18], r[9], p[3], q[6]; /* q makes the displacement r, p */
+} arm;
+
+/* an arm by chance and a pose that it reaches; way 1: slides too, 2: axes of a wrist meet, 3: the
+ * pose is out of reach */
+static arm
+arm_of (int way)
+{
+  arm a;
+  double e[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, x[3] = { 0 };
+  for (int i = 0; i < 18; i++)
+    a.ka[i] = chance (), a.pa[i] = chance ();
+  for (int j = 0; j < 6; j++)
+    {
+      double *k = a.ka + 3 * j, d = sqrt (k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
+      for (int i = 0; i < 3; i++)
+        k[i] /= d;
+      a.kind[j] = way == 1 ? pick (2) : 1;
+      a.q[j] = 3 * chance ();
+      if (way == 2 && j > 3)
+        memcpy (a.pa + 3 * j, a.pa + 9, 3 * sizeof (double));
+    }
+  for (int j = 5; j >= 0; j--)
+    {
+      double s = sin (a.q[j]), c = cos (a.q[j]), *k = a.ka + 3 * j, zero[3];
+      for (int l = 0; l < 3; l++)
+        {
+          memset (zero, 0, sizeof zero);
+          if (a.kind[j])
+            gsikt (k, zero, s, c, zero, e + 3 * l);
+          if (! a.kind[j])
+            x[l] += a.q[j] * k[l];
+        }
+      double none[3] = { 1, 0, 0 };
+      if (a.kind[j])
+        gsikt (k, a.pa + 3 * j, s, c, x, none);
+    }
+  memcpy (a.r, e, sizeof e);
+  for (int i = 0; i < 3; i++)
+    a.p[i] = way == 3 ? x[i] + 100.0 : x[i];
+  return a;
+}
+
+static void
+newtons (void)
+{
+  int good = 0;
+  begin ("gsikn, gsikj, gsikt, gsiko");
+  for (int k = 0; k < 200; k++)
+    {
+      arm a = arm_of (k % 4);
+      pair q = pair_of (6), w = pair_of (42), z = pair_of (6), s = pair_of (1);
+      int iw[6], gc, gf;
+      for (int i = 0; i < 6; i++)
+        q.c[i] = a.q[i] + 0.1 * q.c[i];
+      both (q), both (w);
+      gsikn (a.kind, a.ka, a.pa, a.r, a.p, q.c, w.c, iw, &gc);
+      gsikn_ (a.kind, a.ka, a.pa, a.r, a.p, q.f, w.f, iw, &gf);
+      same_int (gc, gf);
+      good += gc;
+      gsiko (a.kind, a.ka, a.pa, a.r, a.p, q.c, z.c, s.c);
+      gsiko_ (a.kind, a.ka, a.pa, a.r, a.p, q.f, z.f, s.f);
+      same (q), same (w), same (z), same (s);
+      drop (q), drop (w), drop (z), drop (s);
+    }
+  finish ();
+  holds (good > 100, "gsikn finds positions");
+}
+
+static void
+distances (void)
+{
+  begin ("gsiku, gsiky");
+  for (int k = 0; k < 24; k++)
+    {
+      arm a = arm_of (k % 4);
+      int nb = k % 3;
+      pair x0 = pair_of (3), qc = pair_of (12), dst = pair_of (2);
+      both (x0), both (qc);
+      gsiku (a.kind, a.ka, a.pa, a.r, a.p, x0.c, nb, qc.c, dst.c);
+      gsiku_ (a.kind, a.ka, a.pa, a.r, a.p, x0.f, &nb, qc.f, dst.f);
+      same (dst);
+      drop (x0), drop (qc), drop (dst);
+    }
+  finish ();
+}
+
+/* all angles of arms; then one solution is refined and others looked for */
+static void
+generals (void)
+{
+  int found = 0, more = 0;
+  begin ("gsikg and its parts, gsikz, gsikp");
+  for (int k = 0; k < 24; k++)
+    {
+      arm a = arm_of (k % 3 == 1 ? 0 : k % 4);
+      pair qc = pair_of (96), w = pair_of (1200);
+      int iw[24], nc, nf, bc[16] = { 0 }, bf[16] = { 0 }, info = 1;
+      both (qc), both (w);
+      gsikg (a.ka, a.pa, a.r, a.p, qc.c, &nc, w.c, iw);
+      gsikg_ (a.ka, a.pa, a.r, a.p, qc.f, &nf, w.f, iw);
+      same_int (nc, nf);
+      found += nc;
+      same_numbers (6 * nc, qc.c, qc.f);
+      pair guess = pair_of (12), rad = pair_of (4), lim = pair_of (2), qs = pair_of (12);
+      for (int i = 0; i < 12; i++)
+        guess.c[i] = a.q[i % 6] + 1e-4 * guess.c[i];
+      for (int i = 0; i < 4; i++)
+        rad.c[i] = 1e-9 * rad.c[i];
+      lim.c[0] = 1e-14, lim.c[1] = k % 2 ? 1e-14 : 1e-24;
+      nc = nf = k % 2, bc[0] = bf[0] = 1;
+      memcpy (qs.c, guess.c, 6 * sizeof (double));
+      both (guess), both (rad), both (lim), both (qs);
+      int made = gsikz (a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc, bc, 1);
+      gsikz_ (a.kind, a.ka, a.pa, a.r, a.p, I (2), I (2), guess.f, rad.f, lim.f, qs.f, &nf, bf,
+              &info);
+      same_int (made, info), same_int (nc, nf), whole (16, bc, bf);
+      more += nc > k % 2;
+      same (qs);
+      drop (qc), drop (w), drop (guess), drop (rad), drop (lim), drop (qs);
+    }
+  finish ();
+  holds (found > 30 && more > 0, "gsikg and gsikz find positions");
+}
+
+/* ------------------------------------------------------------ three joints, guesses */
+
+static void
+centre (const double *p, const double *r, const double *qg, const double *cst, const double *qa,
+        double *miss, double *jc)
+{
+  (void)r, (void)qg, (void)cst;
+  for (int i = 0; i < 3; i++)
+    {
+      miss[i] = p[i] - sin (qa[0] + i) - cos (qa[1] * (i + 1)) - 0.5 * sin (qa[2] - i);
+      jc[i] = cos (qa[0] + i);
+      jc[i + 3] = -(i + 1) * sin (qa[1] * (i + 1));
+      jc[i + 6] = 0.5 * cos (qa[2] - i);
+    }
+}
+
+static void
+centres (void)
+{
+  begin ("gsikd");
+  for (int k = 0; k < 60; k++)
+    {
+      int nb = 1 + pick (3), at = pick (3), nc = 3 + at;
+      pair p = pair_of (3), qc = pair_of (nc * nb), dst = pair_of (1);
+      p.c[0] *= k % 2 ? 1 : 10;
+      both (p), both (qc);
+      gsikd (centre, 3, nc, nb, at, p.c, p.c, p.c, p.c, qc.c, dst.c);
+      gsikd_ (centre, I (3), &nc, &nb, &at, p.f, p.f, p.f, p.f, qc.f, dst.f);
+      same (dst);
+      drop (p), drop (qc), drop (dst);
+    }
+  finish ();
+}
+
+static void
+pnt (double t, const double *q, const double *cst, double *place, double *axes)
+{
+  double s = sin (q[1]), c = cos (q[1]);
+  (void)t, (void)cst;
+  memcpy (place, (double[]){ q[0] + c, s + q[2], q[3] }, 3 * sizeof (double));
+  memcpy (axes, (double[]){ c, s, 0, -s, c, 0, 0, 0, 1 }, 9 * sizeof (double));
+}
+
+static void
+jpt (double t, const double *q, const double *u, const double *cst, double *jac, double *gam)
+{
+  (void)t, (void)u, (void)cst, (void)gam;
+  memset (jac, 0, 24 * sizeof (double));
+  jac[0] = 1, jac[6] = -sin (q[1]), jac[7] = cos (q[1]), jac[11] = 1, jac[13] = 1, jac[20] = 1;
+}
+
+static void
+kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+{
+  (void)t, (void)q, (void)cst;
+  memcpy (qdot, u, 4 * sizeof (double));
+}
+
+static int
+con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
+     double *hc, int ldh, double *gam)
+{
+  (void)t, (void)u, (void)cst, (void)phit, (void)gam;
+  phi[0] = q[0] + q[2] - 0.3 * q[3];
+  hc[0] = hc[2 * ldh] = 1, hc[ldh] = 0, hc[3 * ldh] = -0.3;
+  return fabs (q[0]) > 50.0 ? -3 : 0;
+}
+
+static void
+pnt_ (double *t, double *q, double *cst, double *place, double *axes)
+{
+  pnt (*t, q, cst, place, axes);
+}
+
+static void
+jpt_ (double *t, double *q, double *u, double *cst, double *jac, double *gam)
+{
+  jpt (*t, q, u, cst, jac, gam);
+}
+
+static void
+kin_ (double *t, double *q, double *u, double *cst, double *qdot)
+{
+  kin (*t, q, u, cst, qdot);
+}
+
+static void
+con_ (double *t, double *q, double *u, double *cst, double *phi, double *phit, double *hc,
+      int *ldh, double *gam, int *info)
+{
+  *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
+}
+
+static void
+poses (void)
+{
+  const gs_scene scene = { .nq = 4, .nu = 4, .nlam = 1, .con = con, .kin = kin, .pnt = pnt,
+                           .jpt = jpt };
+  begin ("gsnik and its parts");
+  memset (seen, 0, sizeof seen);
+  for (int k = 0; k < 120; k++)
+    {
+      int job = k % 2, nlam = k / 2 % 2, iv[] = { 1, 2, 3, 0 }, info;
+      pair p = pair_of (3), r = pair_of (9), q = pair_of (4), lo = pair_of (4), hi = pair_of (4);
+      pair w = pair_of (200), dst = pair_of (2), aim = pair_of (4);
+      pnt (0.0, aim.c, NULL, p.c, r.c);
+      for (int i = 0; i < 9 && k % 10 == 5; i++)
+        r.c[i] = i % 4 ? 0.0 : i == 4 ? 1.0 : -1.0;
+      for (int i = 0; i < 4; i++)
+        {
+          lo.c[i] = k % 3 ? -10.0 : -0.5;
+          hi.c[i] = k % 3 ? 10.0 : 0.5;
+        }
+      if (k % 20 == 7)
+        lo.c[0] = hi.c[0] = 60.0;
+      both (p), both (r), both (q), both (lo), both (hi), both (w);
+      int made = gsnik (&scene, 0.0, 4, 4, nlam, 1, 1, job, p.c, r.c, q.c, lo.c, hi.c, iv, 0, iv,
+                        NULL, w.c, dst.c);
+      gsnik_ (pnt_, jpt_, kin_, con_, D (0.0), I (4), I (4), &nlam, I (1), I (1), &job, p.f, r.f,
+              q.f, lo.f, hi.f, iv, I (0), iv, NULL, w.f, dst.f, &info);
+      outcome (made, info);
+      if (made >= 0)
+        same (dst);
+      same (q);
+      drop (p), drop (r), drop (q), drop (lo), drop (hi), drop (w), drop (dst), drop (aim);
+    }
+  finish ();
+  holds (seen[0] && seen[1], "gsnik reaches poses, and does not");
+}
+
+int
+main (void)
+{
+  eigenvalues ();
+  conics ();
+  branches ();
+  newtons ();
+  distances ();
+  generals ();
+  centres ();
+  poses ();
+  return 0;
+}
