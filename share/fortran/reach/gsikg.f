@@ -390,7 +390,7 @@ C
       IMPLICIT NONE
       DOUBLE PRECISION   F(14,9,3), G(14,9), H(6,9,3), W(8,*), S(14)
       DOUBLE PRECISION   V(14,14), B(6,3,3), A, Z
-      INTEGER            I, J, K, L, RANK
+      INTEGER            I, J, J4, J5, K, L, RANK
       EXTERNAL           GSSVD
 C
       DO 20 J = 1, 14
@@ -401,14 +401,17 @@ C
       CALL GSSVD( 8, 14, W, 8, V, 14, S, 1.0D-14, RANK )
       DO 90 K = 1, 3
          DO 60 I = 1, 6
-            DO 50 J = 1, 9
-               A = 0.0D0
-               DO 30 L = 1, 14
-                  Z = F(L,J,K)
-                  IF ( K.EQ.3 .AND. J.EQ.9 ) Z = Z - G(L,9)
-                  A = A + V(L,8+I)*Z
-   30          CONTINUE
-               B(I,1+MOD( J-1, 3 ),1+(J-1)/3) = A
+            DO 50 J4 = 1, 3
+               DO 40 J5 = 1, 3
+                  J = 3*J4 - 3 + J5
+                  A = 0.0D0
+                  DO 30 L = 1, 14
+                     Z = F(L,J,K)
+                     IF ( K.EQ.3 .AND. J.EQ.9 ) Z = Z - G(L,9)
+                     A = A + V(L,8+I)*Z
+   30             CONTINUE
+                  B(I,J5,J4) = A
+   40          CONTINUE
    50       CONTINUE
    60    CONTINUE
          DO 80 I = 1, 6

@@ -188,6 +188,9 @@ C
       INTEGER            N, LDA, L, EN, M, K, I, J, LAST
       DOUBLE PRECISION   A(LDA,*), X, Y, Z, P, Q, R, S, U, V, W, F, G
 C
+      P = 0.0D0
+      Q = 0.0D0
+      R = 0.0D0
       DO 10 M = EN - 2, L, -1
          U = A(M,M)
          R = X - U
