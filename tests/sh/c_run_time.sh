@@ -36,11 +36,8 @@ for file in share/c/*/*.c share/c/*/*/*.c; do
 done >"$report"
 result 'every file of share/c has its Fortran'
 
-# -- and one routine for each; gsnon stands where the table of a scene has a null pointer; inverse
-#    kinematics (reach/, and gseig that it calls) is not in C
-{ nm "$work"/c/*.o; (cd "$work/fortran" && nm $(ls "$root"/share/fortran/reach/*.f |
-  sed 's,.*/,,; s,f$,o,') gseig.o) | sed 's/_$//'; } |
-  awk '$2 == "T" { print $3 }' >"$work/routines"
+# -- and one routine for each; gsnon stands where the table of a scene has a null pointer
+nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >"$work/routines"
 nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
   grep -vxFf "$work/routines" | grep -vx gsnon >"$report"
 result 'every routine of share/fortran is in share/c'
