@@ -96,7 +96,8 @@ branches (void)
   memset (seen, 0, sizeof seen);
   for (int k = 0; k < 600; k++)
     {
-      int n = 1 + pick (6), nb = 1 + pick (8), nm = 1 + pick (4), ldq = n + pick (3) - (k % 50 == 0);
+      int n = 1 + pick (6), nb = 1 + pick (8), nm = 1 + pick (4);
+      int ldq = n + pick (3) - (k % 50 == 0);
       int nc, nf, nearc, nearf, bc[8] = { 0 }, bf[8] = { 0 }, info;
       pair qc = pair_of (n * nb), rad = pair_of (nm * nb), lim = pair_of (nm);
       pair res = pair_of (2 * nb), qs = pair_of (8 * nb), dst = pair_of (2);
@@ -238,7 +239,8 @@ generals (void)
       nc = nf = k % 2, bc[0] = bf[0] = 1;
       memcpy (qs.c, guess.c, 6 * sizeof (double));
       both (guess), both (rad), both (lim), both (qs);
-      int made = gsikz (a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc, bc, 1);
+      int made = gsikz (a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc, bc,
+                        1);
       gsikz_ (a.kind, a.ka, a.pa, a.r, a.p, I (2), I (2), guess.f, rad.f, lim.f, qs.f, &nf, bf,
               &info);
       same_int (made, info), same_int (nc, nf), whole (16, bc, bf);

@@ -14,7 +14,7 @@ pairs() {
   told $? "$what" "$report"
 }
 
-# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; two more by chance
+# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; two by chance
 day=$(date +%j)
 by_chance=$(ls tests/scenes/*.mac | awk -v day="$day" '
   { file[NR] = $0 } END { srand(day); for (k = 0; k < 2; k++) print file[int(1 + rand()*NR)] }')

@@ -80,7 +80,7 @@ def argument(scene, routine, name, shape):
     if whole and not dims:
         value = whole_value(scene, routine, name)
         return [f"int f_{name} = {value};"], f"&f_{name}", f"f_{name}", []
-    if not dims:
+    if not dims and intent == "in":
         return [f"double f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
     if name == "CST":
         return [], "cst_f", "cst_c", []

@@ -132,7 +132,8 @@ void gsikh (const double *b, int i, double *h);
  * (12,12), x (12,24), iw (12) are workspace. info: 1 singular */
 int gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw);
 
-/* for gsikg: twelve equations s (12,12): those of cosine times a, sine times b, one times c; d: 0 */
+/* for gsikg: twelve equations s (12,12): those of cosine times a, of sine times b, of one times c;
+ * d: 0 */
 void gsikm (const double *h, double a, double b, double c, double d, double *s);
 
 /* for gsikg: the other angles of a candidate, whose angle 3 is in q (6); w: 500 */
