@@ -21,12 +21,12 @@
 ## @c session octave
 ## @example
 ## >> path = gsmbp_path ("line", [0 1; 0 0; 0 0], "speed", 0.5, "acceleration", 1);
-## >> f = gsmbp_along (path, [0.25 1]);
+## >> f = gsmbp_along (path, [0.2 1]);
 ## >> [f.p(1,:); f.v(1,:); f.a(1,:)]
 ## ans =
 ##
-##    0.0313   0.3750
-##    0.2500   0.5000
+##    0.0200   0.3750
+##    0.2000   0.5000
 ##    1.0000        0
 ## @end example
 ##

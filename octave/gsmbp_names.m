@@ -16,10 +16,10 @@
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
 ## >> gsmbp_names (m);
-## q1         rad    state   coordinate of revolute A
-## q2         rad    state   coordinate of revolute B
-## q3         m      state   coordinate of prismatic D
-## @dots{}
+## q1               rad    state       coordinate of revolute A
+## q2               rad    state       coordinate of revolute B
+## q3               m      state       coordinate of prismatic D
+## ...
 ## @end example
 ##
 ## Errors: an argument that is no model.

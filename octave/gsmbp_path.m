@@ -31,10 +31,8 @@
 ## ans =
 ##
 ##     4.7124         0   16.0413
-## >> gsmbp_along (path, path.times(2)).p'
-## ans =
-##
-##         0  -1.0000         0
+## >> norm (gsmbp_along (path, path.times(2)).p - [0; -1; 0]) < 1e-12
+## ans = 1
 ## @end example
 ##
 ## Errors: points on one line are no circle; a matrix that is no rotation; an option that is

@@ -40,34 +40,20 @@
 ## pose is singular, else zeros.
 ##
 ## @c session octave
-## @c file scara_arm.mac
 ## @example
-## scene : gsmbp_scene("scara_arm", gravity = [0, 0, -9.81],
-##   link(upper, mass = 6), link(fore, mass = 4), link(quill, mass = 1),
-##   link(hand, mass = 1, inertia = [0.01, 0.01, 0.01]),
-##   revolute(J1, ground, upper, axis = z, at = [0, 0, 0.4], coordinate = q1),
-##   revolute(J2, upper, fore, axis = z, at = [0.3, 0, 0], coordinate = q2),
-##   prismatic(J3, fore, quill, axis = -z, at = [0.25, 0, 0], coordinate = q3),
-##   revolute(J4, quill, hand, axis = -z, coordinate = q4),
-##   frame(tool, hand, at = [0, 0, -0.1], rotation = [x, %pi]))$
-## requests : [points, point_jacobians, inverse_kinematics(tool)]$
-## @end example
-##
-## @example
-## >> gsmbp_derive ("scara_arm.mac", "fortran_out");
-## ...
-## >> m = gsmbp_build ("scara_arm");
-## >> [q, info] = gsmbp_reach (m, "tool", [0.4; 0.2; 0.1], diag ([1, -1, -1]), ...
-##      "start", [0; 1; 0; 0]);
+## >> m = gsmbp_build ("puma560");
+## >> [P, R] = m.pnt (0, [0.3; -0.2; 0.5]);
+## >> [q, told] = gsmbp_reach (m, "wrist", P, R, "start", [0.2; 0; 0.4]);
 ## >> q'
 ## ans =
 ##
-##   -0.095246   1.248583   0.200000   1.153337
-## >> info.solutions@{1@}'
+##    0.3000  -0.2000   0.5000
+## >> told.status
 ## ans =
+## @{
+##   [1,1] = ok
+## @}
 ##
-##   -0.095246   1.248583   0.200000   1.153337
-##    1.022541  -1.248583   0.200000  -0.226042
 ## @end example
 ##
 ## Errors: no such point; poses of another size; axes that are no rotation; neither IKN nor NIK was
