@@ -163,3 +163,5 @@ function k = number (who, m, what, name)
     error ("%s: unknown %s %s", who, what, gsmbp__unknown (name, m.points));
   endif
 endfunction
+
+%!error <Invalid call> gsmbp_point (1)
