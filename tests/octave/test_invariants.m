@@ -188,7 +188,7 @@ function motion_model (name, m, d)
     by_u = @(u) m.inv (0, q, u, ud, v);
     by_q = @(q) m.inv (0, q, u, ud, v);
     B_wanted = differences (by_u, u, 1e-2);
-    C_wanted = differences (by_q, q, 1e-3);
+    C_wanted = differences (by_q, q, 2.5e-4);   # springs between points that nearly meet
     if (apart (C_wanted, differences (by_q, q, 5e-4)) ...
         || apart (B_wanted, differences (by_u, u, 5e-3)))
       left_out++;   # a stop begins within the step, friction turns, two points nearly meet
