@@ -38,34 +38,22 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   if (nargin > 1)
     gsmbp__fits ("gsmbp_derive", "argument folder", folder, "text");
   endif
-  if (! exist (scene, "file"))
-    error ("gsmbp_derive: there is no scene file %s", scene);
-  endif
-  if (nargin < 2)
+  given = nargin > 1;
+  if (! given)
     folder = tempname ();
     guard = onCleanup (@() remove (folder));
   endif
-  command = gsmbp__place ("share", "make", "derive");
-  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], ...
-                    {command, make_absolute_filename(scene), make_absolute_filename(folder)}, ...
-                    "UniformOutput", false);
   start = tic ();
-  [status, text] = system (sprintf ("%s 2>&1 && times", strjoin (quoted, " ")));
+  try
+    text = gsmbp__by_maxima ("gsmbp_derive", gsmbp__place ("share", "make", "derive"), scene, ...
+                             folder);
+  catch problem
+    if (! given)
+      problem.message = regexprep (problem.message, " \\(log: [^()]*\\)$", "");
+    endif
+    error ("%s", problem.message);
+  end_try_catch
   wall = toc (start);
-  if (status != 0)
-    lines = regexp (text, '^derive: ([^\n]*)', "tokens", "lineanchors");
-    if (isempty (lines))
-      error ("gsmbp_derive: %s: %s", scene, strtrim (text));
-    endif
-    text = lines{end}{1};
-    if (nargin < 2)
-      text = regexprep (text, ' \(log: [^()]*\)$', "");   # it goes with the folder
-    endif
-    error ("gsmbp_derive: %s", text);
-  endif
-  for line = regexp (text, '^gsmbp\w*: [^\n]*', "match", "lineanchors")
-    warning ("gsmbp:derive", "gsmbp_derive: %s: %s", scene, line{1});
-  endfor
   ## the last line of the shell's `times`: user and system seconds of what it started
   spent = regexp (text, '(\d+)m([\d.]+)s\s+(\d+)m([\d.]+)s\s*$', "tokens"){1};
   spent = str2double (spent);

@@ -8,7 +8,8 @@
 ## gcc-mingw-w64 is installed, one for Windows.  @var{folder} is @file{fmu_out} if it is not given.
 ##
 ## @var{files} is a cell with the two paths.  The chapter "Models that travel" of the manual says
-## what stands in them, and which parts of a scene no FMU can hold.
+## what stands in them, and which parts of a scene no FMU can hold.  Maxima's warnings about the scene
+## are warnings here (@code{warning ("off", "gsmbp:derive")} silences them).
 ##
 ## @c session octave
 ## @example
@@ -30,20 +31,7 @@ function files = gsmbp_fmu (scene, folder = "fmu_out")
     print_usage ();
   endif
   gsmbp__fits ("gsmbp_fmu", "argument folder", folder, "text");
-  if (! exist (scene, "file"))
-    error ("gsmbp_fmu: there is no scene file %s", scene);
-  endif
-  command = gsmbp__place ("share", "fmu", "derive");
-  words = {command, make_absolute_filename(scene), make_absolute_filename(folder)};
-  quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], words, "UniformOutput", false);
-  [status, text] = system ([strjoin(quoted, " ") " 2>&1"]);
-  if (status != 0)
-    lines = regexp (text, '^derive: ([^\n]*)', "tokens", "lineanchors");
-    if (isempty (lines))
-      error ("gsmbp_fmu: %s: %s", scene, strtrim (text));
-    endif
-    error ("gsmbp_fmu: %s", lines{end}{1});
-  endif
+  gsmbp__by_maxima ("gsmbp_fmu", gsmbp__place ("share", "fmu", "derive"), scene, folder);
   [~, name] = fileparts (scene);
   files = {fullfile(folder, [name "_fmi2.fmu"]), fullfile(folder, [name "_fmi3.fmu"])};
 endfunction

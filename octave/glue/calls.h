@@ -45,15 +45,7 @@ read (arguments& a, const slot& s)
   return coordinates ? a.coordinates (name, s.rows) : a.vector (name, s.rows);
 }
 
-static Matrix
-modes_after (const std::vector<int>& mode)
-{
-  Matrix m (S.nmode, 1);
-  for (int i = 0; i < S.nmode; i++)
-    m(i) = mode[i];
-  return m;
-}
-
+// whole numbers that come back
 static Matrix
 counted (const std::vector<int>& counts)
 {
@@ -107,7 +99,7 @@ call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
     {
       std::size_t i = g.results[k];
       const slot& s = g.slots[i];
-      out(k) = s.what == slot::modes    ? modes_after (mode)
+      out(k) = s.what == slot::modes    ? counted (mode)
                : s.what == slot::counts ? counted (counts[i])
                                         : result (numbers[i], s.rows, s.cols);
     }

@@ -11,7 +11,6 @@ typedef struct
   gsf_instance *a;
   fmi2CallbackFunctions back;
   char *name;
-  int debug;
 } instance;
 
 static void
@@ -32,24 +31,6 @@ tell (const instance *c, int status)
   return all[status];
 }
 
-static int
-allowed (instance *c, const char *function, int kinds, int phases)
-{
-  if (! (kinds & (1 << c->a->i[GSF_KIND])))
-    return gsf_fail (c->a, GSF_ERROR, "%s belongs to the other kind of FMU", function);
-  return gsf_in (c->a, function, phases);
-}
-
-/* null pointers where n values are expected */
-static int
-given (instance *c, const char *function, size_t n, const void *first, const void *second)
-{
-  if (n == 0 || (first && second))
-    return GSF_OK;
-  return gsf_fail (c->a, GSF_ERROR, "%s: a null pointer where %lu values are expected", function,
-                   (unsigned long)n);
-}
-
 enum { EXCHANGE = 1 << GSF_EXCHANGE, COSIMULATION = 1 << GSF_COSIMULATION, BOTH = 3 };
 
 /* the instance c; the function ends with an error where it is null or not allowed here */
@@ -57,10 +38,10 @@ enum { EXCHANGE = 1 << GSF_EXCHANGE, COSIMULATION = 1 << GSF_COSIMULATION, BOTH 
   instance *c = component;                                                                         \
   if (! c)                                                                                         \
     return fmi2Error;                                                                              \
-  if (allowed (c, __func__, kinds, phases))                                                        \
+  if (gsf_allowed (c->a, __func__, kinds, phases))                                                 \
     return tell (c, GSF_ERROR)
 #define NEED(n, first, second)                                                                     \
-  if (given (c, __func__, n, first, second))                                                       \
+  if (gsf_given (c->a, __func__, n, first, second))                                                \
     return tell (c, GSF_ERROR)
 
 /* ----------------------------------------------------------------------------------- both kinds */
@@ -81,9 +62,9 @@ fmi2Status
 fmi2SetDebugLogging (fmi2Component component, fmi2Boolean on, size_t n,
                      const fmi2String categories[])
 {
+  (void)on;
   ENTER (BOTH, GSF_ANY);
   NEED (n, categories, categories);
-  c->debug = on;
   return fmi2OK;
 }
 
@@ -102,6 +83,7 @@ fmi2Instantiate (fmi2String name, fmi2Type type, fmi2String guid, fmi2String res
 {
   (void)resources;
   (void)visible;
+  (void)on;
   if (! name || ! *name)
     return refuse (back, name, "fmi2Instantiate: expected a name of the instance");
   if (! guid || strcmp (guid, gsf_the_model.token) != 0)
@@ -121,7 +103,6 @@ fmi2Instantiate (fmi2String name, fmi2Type type, fmi2String guid, fmi2String res
   strcpy (c->name, name);
   if (back)
     c->back = *back;
-  c->debug = on;
   return c;
 }
 
@@ -349,19 +330,9 @@ fmi2SetTime (fmi2Component component, fmi2Real t)
   return tell (c, gsf_set_time (c->a, t));
 }
 
-/* n must be the number of states or indicators */
-static int
-as_many (instance *c, const char *function, size_t n, int expected)
-{
-  if (n == (size_t)expected)
-    return GSF_OK;
-  return gsf_fail (c->a, GSF_ERROR, "%s: expected %d values, found %lu", function, expected,
-                   (unsigned long)n);
-}
-
 #define AS_MANY(expected, array)                                                                   \
   NEED (n, array, array);                                                                          \
-  if (as_many (c, __func__, n, expected))                                                          \
+  if (gsf_as_many (c->a, __func__, n, expected))                                                   \
     return tell (c, GSF_ERROR)
 
 fmi2Status

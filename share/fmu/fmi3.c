@@ -10,7 +10,6 @@ typedef struct
   gsf_instance *a;
   fmi3InstanceEnvironment environment;
   fmi3LogMessageCallback log;
-  int debug;
 } instance;
 
 /* a status of this folder as one of the standard; its sentence is logged */
@@ -24,34 +23,6 @@ tell (const instance *c, int status)
   return all[status];
 }
 
-static int
-allowed (instance *c, const char *function, int kinds, int phases)
-{
-  if (! (kinds & (1 << c->a->i[GSF_KIND])))
-    return gsf_fail (c->a, GSF_ERROR, "%s belongs to the other kind of FMU", function);
-  return gsf_in (c->a, function, phases);
-}
-
-/* null pointers where n values are expected */
-static int
-given (instance *c, const char *function, size_t n, const void *first, const void *second)
-{
-  if (n == 0 || (first && second))
-    return GSF_OK;
-  return gsf_fail (c->a, GSF_ERROR, "%s: a null pointer where %lu values are expected", function,
-                   (unsigned long)n);
-}
-
-/* n values, where there must be another number of them */
-static int
-as_many (instance *c, const char *function, size_t n, size_t expected)
-{
-  if (n == expected)
-    return GSF_OK;
-  return gsf_fail (c->a, GSF_ERROR, "%s: expected %lu values, found %lu", function,
-                   (unsigned long)expected, (unsigned long)n);
-}
-
 enum { EXCHANGE = 1 << GSF_EXCHANGE, COSIMULATION = 1 << GSF_COSIMULATION, BOTH = 3 };
 
 /* the instance c; the function ends with an error where it is null or not allowed here */
@@ -59,14 +30,14 @@ enum { EXCHANGE = 1 << GSF_EXCHANGE, COSIMULATION = 1 << GSF_COSIMULATION, BOTH 
   instance *c = component;                                                                         \
   if (! c)                                                                                         \
     return fmi3Error;                                                                              \
-  if (allowed (c, __func__, kinds, phases))                                                        \
+  if (gsf_allowed (c->a, __func__, kinds, phases))                                                 \
     return tell (c, GSF_ERROR)
 #define NEED(n, first, second)                                                                     \
-  if (given (c, __func__, n, first, second))                                                       \
+  if (gsf_given (c->a, __func__, n, first, second))                                                \
     return tell (c, GSF_ERROR)
 #define AS_MANY(n, expected, array)                                                                \
   NEED (n, array, array);                                                                          \
-  if (as_many (c, __func__, n, expected))                                                          \
+  if (gsf_as_many (c->a, __func__, n, expected))                                                   \
     return tell (c, GSF_ERROR)
 
 typedef const fmi3ValueReference references_t[];
@@ -83,9 +54,9 @@ fmi3Status
 fmi3SetDebugLogging (fmi3Instance component, fmi3Boolean on, size_t n,
                      const fmi3String categories[])
 {
+  (void)on;
   ENTER (BOTH, GSF_ANY);
   NEED (n, categories, categories);
-  c->debug = on;
   return fmi3OK;
 }
 
@@ -98,7 +69,7 @@ refuse (fmi3InstanceEnvironment environment, fmi3LogMessageCallback log, const c
 }
 
 static fmi3Instance
-make (fmi3String name, fmi3String token, fmi3Boolean on, fmi3InstanceEnvironment environment,
+make (fmi3String name, fmi3String token, fmi3InstanceEnvironment environment,
       fmi3LogMessageCallback log, int kind)
 {
   if (! name || ! *name)
@@ -116,7 +87,6 @@ make (fmi3String name, fmi3String token, fmi3Boolean on, fmi3InstanceEnvironment
     }
   c->environment = environment;
   c->log = log;
-  c->debug = on;
   return c;
 }
 
@@ -127,7 +97,8 @@ fmi3InstantiateModelExchange (fmi3String name, fmi3String token, fmi3String reso
 {
   (void)resources;
   (void)visible;
-  return make (name, token, on, environment, log, GSF_EXCHANGE);
+  (void)on;
+  return make (name, token, environment, log, GSF_EXCHANGE);
 }
 
 fmi3Instance
@@ -139,6 +110,7 @@ fmi3InstantiateCoSimulation (fmi3String name, fmi3String token, fmi3String resou
 {
   (void)resources;
   (void)visible;
+  (void)on;
   (void)early;
   (void)intermediate;
   (void)update;
@@ -149,7 +121,7 @@ fmi3InstantiateCoSimulation (fmi3String name, fmi3String token, fmi3String resou
   if (n > 0)
     return refuse (environment, log,
                    "fmi3InstantiateCoSimulation: this FMU has no intermediate variables");
-  return make (name, token, on, environment, log, GSF_COSIMULATION);
+  return make (name, token, environment, log, GSF_COSIMULATION);
 }
 
 fmi3Instance

@@ -120,15 +120,12 @@ enum
   GSF_PHASE = 0,
   GSF_KIND,
   GSF_STALE,      /* 1: parameters or starts were set, 2: a state or the time */
-  GSF_CHOICES,    /* how often independent coordinates were chosen */
-  GSF_FIRST,      /* 1 until the first event mode */
   GSF_WHOLES = 8
 };
 /* numbers */
 enum
 {
   GSF_T = 0,
-  GSF_T0,         /* where the experiment starts */
   GSF_T1,         /* where it stops, or 1e300 */
   GSF_TOLERANCE,
   GSF_H,          /* the next step of co-simulation */
@@ -164,6 +161,7 @@ typedef struct
   char text[400];  /* what went wrong */
 } gsf_instance;
 
+size_t gsf_partition_size (const gs_scene *s);
 gsf_instance *gsf_new (const gsf_model *m, int kind);
 void gsf_free (gsf_instance *a);
 void gsf_reset (gsf_instance *a);
@@ -173,8 +171,12 @@ int gsf_fail (gsf_instance *a, int status, const char *format, ...);
 /* ... of a routine that returned info */
 int gsf_failed (gsf_instance *a, int status, const char *routine, int info);
 
-/* is one of the phases the present one? */
-int gsf_in (gsf_instance *a, const char *function, int phases);
+/* may a function be called here: kinds of FMU as bits, phases? are there values where n are
+ * expected, and as many as expected? */
+int gsf_allowed (gsf_instance *a, const char *function, int kinds, int phases);
+int gsf_given (gsf_instance *a, const char *function, size_t n, const void *first,
+               const void *second);
+int gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expected);
 
 /* initialization */
 int gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, double t1);

@@ -61,8 +61,8 @@ gsf_locate (const gsf_model *m, unsigned reference, int *place)
 
 /* --------------------------------------------------------------------------------------- memory */
 
-static size_t
-partition_size (const gs_scene *s)
+size_t
+gsf_partition_size (const gs_scene *s)
 {
   return s->nlam > 0 ? 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu : 0;
 }
@@ -82,7 +82,7 @@ divide (gsf_instance *a)
   a->z = a->x + s->nx;
   a->level = a->z + gsf_ns (m);
   a->p = a->level + m->nev;
-  a->rp = a->p + partition_size (s);
+  a->rp = a->p + gsf_partition_size (s);
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
   a->ip = a->place + gsf_ns (m);
@@ -92,7 +92,7 @@ static size_t
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
-  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + m->nev + partition_size (s)
+  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + m->nev + gsf_partition_size (s)
          + gsf_plan_numbers (m);
 }
 
@@ -170,7 +170,6 @@ gsf_reset (gsf_instance *a)
   a->i[GSF_KIND] = kind;
   a->i[GSF_PHASE] = GSF_MADE;
   a->i[GSF_STALE] = 1;
-  a->i[GSF_FIRST] = 1;
   a->d[GSF_T1] = 1e300;
   a->d[GSF_TOLERANCE] = 1e-10;
   a->d[GSF_T_NEXT] = 2e300;
@@ -226,13 +225,35 @@ phase_name (int phase)
 }
 
 int
-gsf_in (gsf_instance *a, const char *function, int phases)
+gsf_allowed (gsf_instance *a, const char *function, int kinds, int phases)
 {
+  if (! (kinds & (1 << a->i[GSF_KIND])))
+    return gsf_fail (a, GSF_ERROR, "%s belongs to the other kind of FMU", function);
   if (a->i[GSF_PHASE] & phases)
     return GSF_OK;
   return gsf_fail (a, GSF_ERROR, "%s is not allowed here: the instance (%s) is in the state %s",
                    function, a->i[GSF_KIND] == GSF_EXCHANGE ? "model exchange" : "co-simulation",
                    phase_name (a->i[GSF_PHASE]));
+}
+
+/* null pointers where n values are expected */
+int
+gsf_given (gsf_instance *a, const char *function, size_t n, const void *first, const void *second)
+{
+  if (n == 0 || (first && second))
+    return GSF_OK;
+  return gsf_fail (a, GSF_ERROR, "%s: a null pointer where %lu values are expected", function,
+                   (unsigned long)n);
+}
+
+/* n values, where there must be another number of them */
+int
+gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expected)
+{
+  if (n == expected)
+    return GSF_OK;
+  return gsf_fail (a, GSF_ERROR, "%s: expected %lu values, found %lu", function,
+                   (unsigned long)expected, (unsigned long)n);
 }
 
 /* --------------------------------------------------------------------------------- saved states */

@@ -140,7 +140,6 @@ gsf_choose (gsf_instance *a)
       int info = gspnw (s, a->d[GSF_T], a->x, a->cst, a->p);
       if (info != 0)
         return gsf_failed (a, GSF_ERROR, "con", info);
-      a->i[GSF_CHOICES]++;
     }
   return number_states (a);
 }
@@ -213,8 +212,7 @@ volume (gsf_instance *a)
   const gs_scene *s = a->m->scene;
   double *p = a->w, least, ratio;
   int rank;
-  memcpy (p, a->p, (24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu)
-                   * sizeof (double));
+  memcpy (p, a->p, gsf_partition_size (s) * sizeof (double));
   gs_partition b = gs_partition_of (s->nq, s->nu, s->nlam, p);
   int info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, b.phi, b.phit, b.hc, s->nlam, b.gam);
   if (info != 0 && info != 2)
@@ -385,7 +383,7 @@ gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, d
   if (given && ! (tolerance > 0 && tolerance < 1))
     return gsf_fail (a, GSF_ERROR, "tolerance: expected a number between 0 and 1, found %g",
                      tolerance);
-  a->d[GSF_T] = a->d[GSF_T0] = t0;
+  a->d[GSF_T] = t0;
   a->d[GSF_T1] = stops ? t1 : 1e300;
   if (given)
     a->d[GSF_TOLERANCE] = tolerance < 3e-15 ? 3e-15 : tolerance;

@@ -23,8 +23,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)   # pip does not
 import render  # noqa: E402
 
-NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, '*', 'table.json'))[0]))
-with open(os.path.join(HERE, NAME, 'table.json'), encoding='utf-8') as file:
+NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, 'src', '*', 'table.json'))[0]))
+with open(os.path.join(HERE, 'src', NAME, 'table.json'), encoding='utf-8') as file:
     TABLE = json.load(file)
 
 
@@ -41,12 +41,14 @@ class Build(build_py):
     def build_scene(self, target):
         compiler = new_compiler()
         customize_compiler(compiler)
-        sources = sorted(glob.glob(os.path.join(HERE, 'c', '**', '*.c'), recursive=True))
+        home = os.path.join(HERE, 'c')
+        sources = sorted(glob.glob(os.path.join(home, '**', '*.c'), recursive=True))
         with tempfile.TemporaryDirectory() as folder:
             loops = os.path.join(folder, 'loops.c')
             render.write(loops, render.loops(TABLE))
             objects = compiler.compile(
-                sources + [loops], output_dir=folder, include_dirs=[os.path.join(HERE, 'c')],
+                sources + [loops], output_dir=folder,
+                include_dirs=[home, os.path.join(home, 'scene')],
                 extra_postargs=['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0'])
             compiler.link_shared_object(objects, os.path.join(target, '_scene.so'),
                                         libraries=['m'])
@@ -70,6 +72,6 @@ class Compiled(Distribution):
 
 setup(name=NAME.replace('_', '-'), version=TABLE['gsmbp_version'],
       description='The scene ' + NAME + ', derived by GSMBP', python_requires='>=3.9',
-      install_requires=['numpy'], packages=[NAME],
+      install_requires=['numpy'], packages=[NAME], package_dir={'': 'src'},
       package_data={NAME: ['*.so', '*.pyi', '*.json', 'py.typed']}, distclass=Compiled,
       cmdclass={'build_py': Build, 'bdist_wheel': Wheel}, zip_safe=False)

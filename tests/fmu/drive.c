@@ -2,7 +2,7 @@
  * sources of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
  *
  * Arguments: the end of the run [s], the number of wrong sequences, the value of all inputs. */
-#include "fmu.h"
+#include "fmu/fmu.h"
 
 #include <locale.h>
 #include <math.h>

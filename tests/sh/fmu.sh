@@ -16,6 +16,13 @@ for scene in event_crank sampled_drive; do
   tests/fmu/binaries "$work/fmu" $scene
   tests/fmu/drive "$work/fmu" $scene 0.4 40
 done
+# a name that a file of all FMUs has, too; capitals
+for scene in step Fmi2; do
+  sed "s/@name@/$scene/" tests/data/rod.in >"$work/$scene.mac"
+  share/fmu/derive "$work/$scene.mac" "$work/fmu" >"$report" 2>&1
+  told $? "$scene becomes FMUs" "$report"
+  tests/fmu/drive "$work/fmu" $scene 0.2 5
+done
 mkdir "$work/again"
 share/fmu/derive tests/scenes/sampled_drive.mac "$work/again" >/dev/null 2>&1
 for standard in 2 3; do

@@ -9,7 +9,7 @@ report=$work/report
 strict="-O1 -Wall -Wextra -pedantic -Werror"
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
 for scene in examples/slider_crank/slider_crank tests/scenes/sampled_crank \
-  tests/scenes/event_crank examples/rolling_disc/rolling_disc; do
+  tests/scenes/event_crank tests/scenes/reach_scara examples/rolling_disc/rolling_disc; do
   statements="$statements kill(scene)\$ load(\"$root/$scene.mac\")\$
     gsmbp_package(scene, c, directory = \"$work/${scene##*/}\")\$"
 done
@@ -17,7 +17,7 @@ share/make/maxima "$work/log" "$statements
   errcatch(gsmbp_package(scene, pascal))\$
   errcatch(gsmbp_package(scene, c, folder = \"x\"))\$
   gsmbp_package(scene, c, ['directory = \"$work/again\"])\$" >"$report" 2>&1
-told $? 'gsmbp_package(scene, c) of four scenes' "$report"
+told $? 'gsmbp_package(scene, c) of five scenes' "$report"
 check 'another language is refused' grep -q 'must be c or python; found: pascal' "$work/log"
 check 'an unknown option is refused' grep -q 'gsmbp_package: unknown option folder' "$work/log"
 check 'the same scene, the same bytes' diff -r "$work/rolling_disc" "$work/again"
@@ -26,19 +26,25 @@ check 'the same scene, the same bytes' diff -r "$work/rolling_disc" "$work/again
 builds() {
   folder=$work/$1 what=$2
   shift 2
-  make --no-print-directory -C "$folder" clean test example "$@" >"$report" 2>&1
+  make --no-print-directory -C "$folder" test example "$@" >"$report" 2>&1
   told $? "${folder##*/}: make test, make example, $what" "$report"
   check "${folder##*/}: its values" grep -qE '^([6-9]|[1-9][0-9]) passed, 0 failed$' "$report"
   check "${folder##*/}: a run of two seconds" grep -q '^info 0, .* t = 2 s$' "$report"
 }
 builds slider_crank gcc CC=gcc CFLAGS="$strict"
 cp "$report" "$work/by_gcc"
+# the run time is the same in all of them
+for name in sampled_crank rolling_disc reach_scara; do
+  cp -R "$work/slider_crank/runtime/." "$work/$name/runtime"
+done
 builds sampled_crank gcc CC=gcc CFLAGS="$strict"
 builds rolling_disc gcc CC=gcc CFLAGS="$strict"
+builds reach_scara gcc CC=gcc CFLAGS="$strict"
 builds event_crank 'sanitizers of gcc' CC=gcc \
   CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
   LDFLAGS=-fsanitize=address,undefined
 if has clang 'packages by clang'; then
+  make -s -C "$work/slider_crank" clean
   builds slider_crank clang CC=clang CFLAGS="$strict"
 fi
 if has cmake 'packages by cmake'; then
@@ -48,7 +54,7 @@ if has cmake 'packages by cmake'; then
 fi
 
 # -- every routine of the header is called by the test
-for name in slider_crank sampled_crank event_crank rolling_disc; do
+for name in slider_crank sampled_crank event_crank rolling_disc reach_scara; do
   sed -n "s/^[a-z]* ${name}_\([a-z0-9]*\) (.*/\1/p" "$work/$name/$name.h" |
     grep -vxE 'par|pre' | while read -r routine; do
       grep -q "call_$routine (" "$work/$name/test/reference.h" || echo "$name: $routine"

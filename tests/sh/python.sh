@@ -1,4 +1,4 @@
-# gsmbp_package(scene, python): six scenes become modules; one is installed by pip as its README
+# gsmbp_package(scene, python): eight scenes become modules; one is installed by pip as its README
 # says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
 # the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; how long 1e5 states
 # take beside a loop in C.
@@ -18,8 +18,13 @@ for scene in $scenes; do
     gsmbp_package(scene, python, directory = \"$work/folders/${scene##*/}\")\$"
 done
 statements="$statements gsmbp_package(scene, python, ['directory = \"$work/again/puma6\"])\$"
+for name in c run; do   # names that something else has as well
+  sed "s/@name@/$name/" tests/data/rod.in >"$work/$name.mac"
+  statements="$statements kill(scene)\$ load(\"$work/$name.mac\")\$
+    gsmbp_package(scene, python, directory = \"$work/folders/$name\")\$"
+done
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of six scenes' "$report"
+told $? 'gsmbp_package(scene, python) of eight scenes' "$report"
 check 'the same scene, the same bytes' diff -r "$work/folders/puma6" "$work/again/puma6"
 grep -rlE "$root|$work" "$work/folders" >"$report"
 result 'nothing of this machine is in them'
@@ -50,6 +55,17 @@ for folder in "$work"/folders/*; do
 done
 export PYTHONPATH="$work"
 
+for name in c run; do
+  (cd / && $python -c "import $name; m = $name.Model(); print(m.simulate(m.initial, [0, 0.1]))") \
+    >"$report" 2>&1
+  told $? "the scene $name, as another folder or file is called" "$report"
+done
+$python -c 'import keyword, sys
+taken = set(open("share/python/taken").read().split())
+print(*[n for n in [*sys.stdlib_module_names, *keyword.kwlist] if n[0] != "_" and n not in taken])' |
+  sed "/^$/d" >"$report"
+result 'share/python/taken has all words and modules of this Python'
+
 # -- every subroutine against the Fortran of the scene
 mkdir "$work/fortran"
 (cd "$work/fortran" && gfortran -O2 -ffp-contract=off -frecursive -fPIC -c \
@@ -70,7 +86,7 @@ timeout 200 $python tests/python/runs.py
 told $? 'runs.py ends'
 
 # -- 1e5 states beside a loop in C
-gcc -std=c99 -O2 -ffp-contract=off -Ishare/c -I"$work/folders/puma6/c" -o "$work/loop" \
-  tests/python/loop.c "$work/folders/puma6/c/puma6.c" share/c/*/*.c share/c/*/*/*.c -lm \
+gcc -std=c99 -O2 -ffp-contract=off -Ishare/c -I"$work/folders/puma6/c/scene" -o "$work/loop" \
+  tests/python/loop.c "$work/folders/puma6/c/scene/puma6.c" share/c/*/*.c share/c/*/*/*.c -lm \
   >"$report" 2>&1 && timeout 100 $python tests/python/speed.py "$work/loop"
 told $? 'speed.py ends' "$report"

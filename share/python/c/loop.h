@@ -1,6 +1,6 @@
 /* loop.h: what the loops over states share (render.py makes them of the table). */
-#ifndef LOOP_H
-#define LOOP_H
+#ifndef GS_LOOP_H
+#define GS_LOOP_H
 
 #include <stddef.h>
 
