@@ -29,7 +29,7 @@ set_levels (gsf_instance *a)
 {
   if (functions (a))
     return GSF_ERROR;
-  for (int k = 0; k < a->m->nev; k++)
+  for (int k = 0; k < a->m->scene->nev; k++)
     a->level[k] = a->g[k] > 0 ? 0 : a->g[k] - GSF_LEVEL;
   return GSF_OK;
 }
@@ -55,12 +55,12 @@ happens (gsf_instance *a, int k)
 int
 gsf_begin_events (gsf_instance *a)
 {
-  if (a->m->nev == 0)
+  if (a->m->scene->nev == 0)
     return GSF_OK;
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   ie[4] = 0;
   *gsf_events (a).since = 0;
-  memset (gsf_events (a).mode, 0, a->m->nev * sizeof (int));
+  memset (gsf_events (a).mode, 0, a->m->scene->nev * sizeof (int));
   return happens (a, 0) ? GSF_ERROR : set_levels (a);
 }
 
@@ -70,7 +70,7 @@ fallen (const gsf_instance *a)
 {
   int n = 0;
   double least = 0;
-  for (int k = 0; k < a->m->nev; k++)
+  for (int k = 0; k < a->m->scene->nev; k++)
     if (a->g[k] <= a->level[k] && (n == 0 || a->g[k] < least))
       {
         n = k + 1;
@@ -83,7 +83,7 @@ fallen (const gsf_instance *a)
 static int
 ports (gsf_instance *a)
 {
-  if (a->m->nev == 0)
+  if (a->m->scene->nev == 0)
     return GSF_OK;
   if (functions (a))
     return GSF_ERROR;
@@ -129,7 +129,7 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
   *changed = *nominals = 0;
   if (status)
     return GSF_ERROR;
-  if (a->m->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
+  if (a->m->scene->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
     *gsf_events (a).since = 0;
   a->d[GSF_T_EVENT] = a->d[GSF_T];
   if (ports (a) || samples (a, &acted) || (acted && ports (a)) || coordinates (a, &chosen))
@@ -146,7 +146,7 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
 int
 gsf_indicators (gsf_instance *a, double *z)
 {
-  int n = a->m->nev, status = gsf_fresh (a);
+  int n = a->m->scene->nev, status = gsf_fresh (a);
   double range, normal;
   if (status)
     return status;
@@ -181,11 +181,11 @@ gsf_completed (gsf_instance *a, int *event)
     return status;
   memcpy (a->xr, a->x, a->m->scene->nx * sizeof (double));
   *event = gsf_margins (a, &range, &normal);
-  if (a->m->nev == 0)
+  if (a->m->scene->nev == 0)
     return GSF_OK;
   if (functions (a))
     return GSF_ERROR;
-  for (int k = 0; k < a->m->nev; k++)
+  for (int k = 0; k < a->m->scene->nev; k++)
     if (a->g[k] > 0)
       {
         a->level[k] = 0;

@@ -40,7 +40,6 @@ typedef struct
   void (*start) (const double *par, double *x);     /* states as the scene starts them */
   gsf_jac *jac;                                     /* null: none */
   gsf_tan *tan;
-  gs_ctp *ctp;
   const double *nominal;                            /* nx */
   int nsets;
   const int *sets;                                  /* (4,nsets): Euler parameters */
@@ -52,11 +51,6 @@ typedef struct
                                                        model exchange */
   int nin;
   const int *inputs;                                /* places of the importer's inputs in V */
-  int nev;
-  const int *event_inputs, *event_kinds;            /* ... of the modes; 1 friction, 2 stops */
-  int nctl, nxk, nheld;
-  const int *held_counts, *held_inputs, *again;
-  const double *memory;                             /* nxk */
   int ninfos;
   const gsf_info *infos;
   int nbounds;

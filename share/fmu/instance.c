@@ -26,7 +26,7 @@ gsf_ns (const gsf_model *m)
 int
 gsf_nz (const gsf_model *m)
 {
-  return m->nev + (m->scene->nlam > 0) + (m->nsets > 0);
+  return m->scene->nev + (m->scene->nlam > 0) + (m->nsets > 0);
 }
 
 int
@@ -36,8 +36,8 @@ gsf_count (const gsf_model *m, int block)
   int chosen = s->nlam > 0 ? (m->nsq < s->nq ? m->nsq : 0) + m->nsu : 0;
   const int counts[GSF_BLOCKS] = {
     [GSF_TIME] = 1, [GSF_PARAMETER] = m->npar, [GSF_INPUT] = m->nin, [GSF_STATE] = s->nx,
-    [GSF_CHOSEN] = chosen, [GSF_RATE] = gsf_ns (m), [GSF_OUTPUT] = s->ny, [GSF_MODE] = m->nev,
-    [GSF_HELD] = m->nheld, [GSF_MEMORY] = m->nxk, [GSF_PLACE] = chosen,
+    [GSF_CHOSEN] = chosen, [GSF_RATE] = gsf_ns (m), [GSF_OUTPUT] = s->ny, [GSF_MODE] = s->nev,
+    [GSF_HELD] = s->nheld, [GSF_MEMORY] = s->nxk, [GSF_PLACE] = chosen,
     [GSF_INDICATOR] = gsf_nz (m)
   };
   return counts[block];
@@ -81,7 +81,7 @@ divide (gsf_instance *a)
   a->x = a->xr + s->nx;
   a->z = a->x + s->nx;
   a->level = a->z + gsf_ns (m);
-  a->p = a->level + m->nev;
+  a->p = a->level + m->scene->nev;
   a->rp = a->p + gsf_partition_size (s);
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
@@ -92,8 +92,8 @@ static size_t
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
-  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + m->nev + gsf_partition_size (s)
-         + gsf_plan_numbers (m);
+  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + s->nev
+         + gsf_partition_size (s) + gsf_plan_numbers (m);
 }
 
 static size_t
@@ -116,9 +116,9 @@ divide_workspace (gsf_instance *a)
   a->xd = a->v + 2 * s->nv + 1;
   a->y = a->xd + s->nx;
   a->g = a->y + s->ny + 1;
-  a->atol = a->g + a->m->nev;
+  a->atol = a->g + a->m->scene->nev;
   a->xout = a->atol + s->nx;
-  a->vout = a->xout + s->nx + a->m->nev + 2;
+  a->vout = a->xout + s->nx + a->m->scene->nev + 2;
   a->w = a->vout + s->nv + 1;
 }
 
@@ -135,7 +135,7 @@ gsf_new (const gsf_model *m, int kind)
   a->d = calloc (a->nd, sizeof (double));
   a->i = calloc (a->ni, sizeof (int));
   a->iopt = calloc (6 + m->nspeedrows, sizeof (int));
-  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->nev + 8 + room (s), sizeof (double));
+  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->scene->nev + 8 + room (s), sizeof (double));
   if (! a->d || ! a->i || ! a->iopt || ! a->v)
     {
       gsf_free (a);

@@ -1,11 +1,10 @@
-/* plan.h: the plan of the inputs of an instance, laid out as inputs.h and events.h of the run time
- * say: constants, held outputs of sampled devices, modes of events. */
+/* plan.h: the plan of the inputs of an instance (gsmbp/plan.h): constants, held outputs of sampled
+ * devices, modes of events. */
 #ifndef GSF_PLAN_H
 #define GSF_PLAN_H
 
 #include "fmu.h"
-#include "gsmbp/events.h"
-#include "gsmbp/inputs.h"
+#include "gsmbp/plan.h"
 
 /* places for outputs of sampled devices that are on their way, for each device */
 enum { GSF_ON_THE_WAY = 32 };

@@ -88,6 +88,13 @@ def crank():
     close('crank: state feedback', free.x[:, -1], own.x[:, -1], 1e-8)
     stop = m.simulate(i.x[:, 4], [0, 0.2], gain=gain, reference=about, input=3, limits=1.0)
     holds('crank: limits', np.abs(stop.v).max() == 1.0)
+    apart = m.simulate(i.x[:, 4], [0, 0.2], gain=gain, reference=about, input=3,
+                       limits=[[-0.5, 0.25]] * m.sizes['nv'])
+    holds('crank: other limits', (apart.v == -0.5).all())
+    for what, given in (('atol', [1.0, 2.0]), ('atol', -1.0), ('atol', 'small'),
+                        ('limits', [1.0, 2.0, 3.0, 4.0, 5.0]), ('limits', 'wide')):
+        refuses('%s = %r' % (what, given), ValueError, ['slider_crank.simulate: %s: expected' % what],
+                m.simulate, m.initial, [0, 0.1], gain=gain, reference=about, **{what: given})
     refuses('crank: a start beside the loop', ValueError, ['off by', 'project'], m.simulate,
             m.initial + 0.1, [0, 1])
     moved = m.simulate(m.initial + 0.01, [0, 1e-3], start='project')

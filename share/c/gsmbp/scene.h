@@ -62,6 +62,14 @@ typedef struct
   void *data; /* for vin */
   gs_pnt *pnt; /* points and frames, and their Jacobians, for gsnik */
   gs_jpt *jpt;
+  /* for the plan of a run (plan.h); numbers of inputs count from 1 */
+  int nev, nctl, nxk, nheld;     /* ports with events; sampled devices, memory, held outputs */
+  const int *event_inputs;       /* nev: the mode of each, */
+  const int *event_kinds;        /* 1 friction, 2 stops */
+  const int *held_counts;        /* nctl: how many outputs each device holds */
+  const int *again;              /* nctl: 1 if outputs are computed anew for it after others acted */
+  const int *held_inputs;        /* nheld: device by device */
+  const double *memory;          /* nxk: where it starts */
 } gs_scene;
 
 #ifdef __cplusplus

@@ -1,6 +1,7 @@
 /* run.c: gssim and gsfol for the module, their arguments one by one. */
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
+#include "gsmbp/plan.h"
 
 /* a run; rhs and vin: in the place of the scene's, or null pointers. info as gssim */
 int
@@ -24,6 +25,28 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, int nx, double t0, con
       rstat[i] = r.rstat[i];
     }
   return info;
+}
+
+/* where in rp the records of the sampled devices begin; sizes: how many there are room for, how many
+ * instants there were, where in rp the memory begins */
+int
+gs_loop_samples (const gs_scene *s, int *ip, double *rp, int *sizes)
+{
+  gs_samples a = gs_planned_samples (s, ip, rp);
+  sizes[0] = a.ns;
+  sizes[1] = *a.count;
+  sizes[2] = (int)(a.memory - rp);
+  return (int)(a.record - rp);
+}
+
+/* the same of the events */
+int
+gs_loop_events (int nx, int *ip, double *rp, int *sizes)
+{
+  gs_events a = gs_planned_events (nx, ip, rp);
+  sizes[0] = a.nr;
+  sizes[1] = *a.count;
+  return (int)(a.record - rp);
 }
 
 int

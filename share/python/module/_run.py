@@ -174,30 +174,60 @@ def _passed(model, t, x, v, k):
 
 # -------------------------------------------------------------------------------------- the plan
 
-class _Plan:
-    """ip and rp of gsinp (inputs.h), breaks, a callback."""
+def _at(array):
+    return ctypes.c_void_p(address(array))
 
-    def __init__(self, who, model):
+
+class _Pieces(ctypes.Structure):
+    """gs_pieces of plan.h."""
+
+    _fields_ = [(n, ctypes.c_int) for n in ('nc', 'np', 'k')] + [('numbers', ctypes.c_void_p)]
+
+
+class _Given(ctypes.Structure):
+    """gs_plan of plan.h."""
+
+    _fields_ = [
+        ('s', ctypes.c_void_p), ('nx', ctypes.c_int), ('inputs', ctypes.c_int),
+        ('derivatives', ctypes.c_int), ('constants', ctypes.c_void_p), ('table', _Pieces),
+        ('motion', _Pieces), ('planned', ctypes.c_void_p), ('reference', _Pieces),
+        ('gain', _Pieces), ('limits', ctypes.c_void_p), ('memory', ctypes.c_void_p),
+        ('on_the_way', ctypes.c_int), ('instants', ctypes.c_int), ('modes', ctypes.c_void_p),
+        ('events', ctypes.c_int)]
+
+
+class _Plan:
+    """What the plan of a run is made of (plan.h), its breaks, a callback."""
+
+    def __init__(self, who, model, nx):
         self.who, self.model = who, model
-        self.ip, self.rp, self.breaks = [0] * 30, [], []
-        self.ip[3] = TABLE['command_order']
+        self.given = _Given(s=SCENE, nx=nx, derivatives=TABLE['command_order'])
+        self.held, self.breaks = {}, []
         self.callback, self.failure = None, None
 
-    def put(self, place, poly):
-        c = poly.coefficients
-        first = len(self.rp) + 1
-        self.ip[place:place + 4] = [c.shape[1], c.shape[2], first, first + len(poly.breaks)]
-        self.rp += poly.flat().tolist()
+    def put(self, name, numbers, kind=float):
+        """An array of the plan, kept as long as it is."""
+        self.held[name] = np.ascontiguousarray(numbers, kind).ravel(order='F')
+        setattr(self.given, name, address(self.held[name]))
+
+    def pieces(self, name, poly):
+        self.held[name] = np.append(poly.flat(), 0.0)
+        setattr(self.given, name, _Pieces(*poly.coefficients.shape, address(self.held[name])))
         self.breaks += poly.breaks[1:-1].tolist()
+
+    def laid(self):
+        """ip and rp."""
+        given = ctypes.byref(self.given)
+        ip = np.zeros(LIBRARY.gs_wholes(given), np.intc)
+        rp = np.zeros(LIBRARY.gs_reals(given))
+        LIBRARY.gs_lay(given, _at(ip), _at(rp))
+        return ip, rp
 
     def motion(self, given):
         poly, planned = planned_motion(self.who, given)
-        self.ip[0] = 2
-        self.ip[2] = int(NLAM > 0 and len(planned) < NU)
-        self.ip[4] = len(planned)
-        self.ip[21] = NQ + NU + 1
-        self.ip[30:] = planned
-        self.put(9, poly)
+        self.given.inputs = 2
+        self.put('planned', planned, np.intc)
+        self.pieces('motion', poly)
 
     def inputs(self, given):
         """Constants, a piecewise polynomial or a function v = f(t, x)."""
@@ -205,17 +235,16 @@ class _Plan:
         if given is None:
             given = np.zeros(NV)
         if callable(given) and not isinstance(given, Piecewise) and not hasattr(given, 'c'):
-            self.ip[0] = 3
+            self.given.inputs = 3
             self.callback = self.called(given, free)
         elif isinstance(given, Piecewise) or hasattr(given, 'c'):
             poly = as_piecewise(self.who, 'input', given, getattr(given, 'n', NV)
                                 if getattr(given, 'n', NV) in (NV, len(free)) else NV)
-            self.ip[0] = 1
-            self.put(5, poly if poly.n == NV else self.spread(poly, free))
+            self.given.inputs = 1
+            self.pieces('table', poly if poly.n == NV else self.spread(poly, free))
         else:
             a = np.atleast_1d(np.asarray(given, float))
-            self.ip[8] = 1
-            self.rp = _vector(self.who, 'input', self.constants(a, free), NV).tolist()
+            self.put('constants', _vector(self.who, 'input', self.constants(a, free), NV))
 
     @staticmethod
     def constants(a, free):
@@ -251,19 +280,23 @@ class _Plan:
             if limits is not None:
                 raise ValueError('%s: limits bound what a feedback gives and need gain' % self.who)
             return
-        self.ip[1] = 1
-        self.put(13, constant(self.who, 'reference', reference, (NX,)))
-        self.put(17, constant(self.who, 'gain', gain, (NV, NX)))
+        self.pieces('reference', constant(self.who, 'reference', reference, (NX,)))
+        self.pieces('gain', constant(self.who, 'gain', gain, (NV, NX)))
         if limits is not None:
-            bounds = np.array(limits, float)
+            self.put('limits', np.clip(self.bounds(limits), -1e300, 1e300))
+
+    def bounds(self, given):
+        try:
+            bounds = np.array(given, float)
             if bounds.ndim < 2:
                 bounds = np.broadcast_to(bounds, (NV,))
                 bounds = np.stack([-bounds, bounds], axis=1)
-            if bounds.shape != (NV, 2) or not (bounds[:, 0] < bounds[:, 1]).all():
-                raise ValueError('%s: limits: expected one number, %d, or the shape (%d, 2), lower '
-                                 'below upper' % (self.who, NV, NV))
-            self.ip[29] = len(self.rp) + 1
-            self.rp += np.clip(bounds, -1e300, 1e300).ravel(order='F').tolist()
+        except ValueError:
+            bounds = np.zeros(0)
+        if bounds.shape != (NV, 2) or not (bounds[:, 0] < bounds[:, 1]).all():
+            raise ValueError('%s: limits: expected one number above 0, %d, or the shape (%d, 2), '
+                             'lower below upper; found %r' % (self.who, NV, NV, given))
+        return bounds
 
     def samples(self, times, memory, keep):
         """The plan of the sampled devices, see gssmp."""
@@ -276,43 +309,27 @@ class _Plan:
         period, delay = self.model.ctp()
         if not ((period > 0).all() and (delay >= 0).all()):
             raise ValueError('%s: periods must be > 0 and delays >= 0' % self.who)
-        starts = [s for d in devices for s in d['starts']]
-        memory = _vector(self.who, 'memory', starts if memory is None else memory, SIZES['nxk'])
-        held = [o for d in devices for o in d['outputs']]
-        first = np.round(times[0] / period)
-        beside = np.abs(first * period - times[0]) > 8 * np.finfo(float).eps * abs(times[0])
-        first[beside] = np.ceil(times[0] / period)[beside]
-        places = int(((delay > 0) * (np.floor(delay / period + 1e-9) + 2)).sum())
+        if memory is not None:
+            self.put('memory', _vector(self.who, 'memory', memory, SIZES['nxk']))
+        self.given.on_the_way = int(((delay > 0) * (np.floor(delay / period + 1e-9) + 2)).sum())
         span = times[-1] - times[0]
-        self.instants = int(((1 + (delay > 0)) * (np.floor(span / period) + 2)).sum()) * keep
-        nc, nh = len(devices), len(held)
-        ip, rp = len(self.ip) + 1, len(self.rp) + 1
-        self.ip[22:27] = [nh, ip + 10 + 3 * nc, rp + 2 * nc, ip, rp]
-        self.ip += [nc, SIZES['nxk'], NY, nh, places, self.instants, 0, 0, 0, 0]
-        self.ip += [int(k) for k in first] + [len(d['outputs']) for d in devices]
-        self.ip += [int(d['again']) for d in devices] + held + [0] * places
-        constants = self.rp[:NV] if self.ip[0] == 0 and self.ip[8] == 1 else [0.0] * NV
-        self.rp += period.tolist() + delay.tolist() + [constants[h - 1] for h in held]
-        self.rp += memory.tolist() + [0.0] * (NY + NV + places * (1 + nh)
-                                              + self.instants * (1 + SIZES['nxk'] + NV))
+        self.given.instants = keep * int(
+            ((1 + (delay > 0)) * (np.floor(span / period) + 2)).sum())
 
-    def events(self, modes, nx):
+    def events(self, modes):
         """The plan of the ports that stick or hit stops, see gsres."""
-        events = TABLE.get('events') or []
-        if not events:
+        n = len(TABLE.get('events') or [])
+        if not n:
             if modes is not None:
                 raise ValueError('%s: modes: %s has no events' % (self.who, NAME))
             return
         self.model._has('evt', 'rst')
-        n = len(events)
-        given = [0] * n if modes is None else [int(m) for m in modes]
-        if len(given) != n or not set(given) <= {-1, 0, 1}:
-            raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1' % (self.who, n))
-        self.ip[27:29] = [len(self.ip) + 1, len(self.rp) + 1]
-        self.ip += [n, RECORDED, 0, 0, int(modes is not None), 0, 0, 0, 0, 0] + given
-        self.ip += [e['input'] for e in events] + [1 + (e['kind'] == 'stop') for e in events]
-        self.ip += [0] * 3 * n
-        self.rp += [0.0] * (5 * n + 3 * nx + RECORDED * (3 + 2 * nx))
+        self.given.events = RECORDED
+        if modes is not None:
+            given = [int(m) for m in modes]
+            if len(given) != n or not set(given) <= {-1, 0, 1}:
+                raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1' % (self.who, n))
+            self.put('modes', given, np.intc)
 
 
 def free_inputs():
@@ -380,7 +397,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
         model._has('rha', 'ene')
         x = np.append(x, [0.0, 0.0])
         atol = np.append(atol, [rtol * audit] * 2)
-    p = _Plan(who, model)
+    p = _Plan(who, model, len(x))
     if motion is not None and input is not None:
         raise ValueError('%s: give input or motion, not both' % who)
     if motion is not None:
@@ -390,7 +407,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
         p.inputs(input)
     p.feedback(gain, reference, limits)
     p.samples(times, memory, bool(samples))
-    p.events(modes, len(x))
+    p.events(modes)
     stops = sorted({float(b) for b in [*p.breaks, *breaks] if times[0] < b < times[-1]})
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.failure is not None:
@@ -429,10 +446,14 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
         raise ValueError('%s: step: expected a number above 0; found 0' % who)
     least = 10 * np.finfo(float).eps
     rtol = max(rtol, least)
-    atol = rtol * model.nominal if atol is None else np.broadcast_to(
-        np.asarray(atol, float), (NX,))
-    if not (np.isfinite(atol).all() and (atol >= 0).all()):
-        raise ValueError('%s: atol: expected finite numbers >= 0' % who)
+    if atol is None:
+        atol = rtol * model.nominal
+    else:
+        given, atol = atol, np.full(NX, atol) if np.isscalar(atol) else np.asarray(atol)
+        if atol.dtype.kind not in 'fiu' or atol.shape != (NX,) or not (
+                np.isfinite(atol).all() and (atol >= 0).all()):
+            raise ValueError('%s: atol: expected one finite number >= 0 or %d of them; found %r' % (
+                who, NX, given))
     atol = np.maximum(atol, least * model.nominal)
     watched = NLAM > 0 and 'con' in ROUTINES if drift is None else bool(drift)
     rows = TABLE.get('speed_rows') or []
@@ -443,25 +464,26 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
 
 def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     nx, nt = len(x), len(times)
-    out = {'ip': np.array(p.ip, np.intc), 'rp': np.array(p.rp + [0.0], float),
-           'x': np.zeros((nx, nt), order='F'), 'v': np.zeros((max(1, NV), nt), order='F'),
-           'counts': np.zeros(20, np.intc), 'values': np.zeros(20), 'times': times}
-    room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.ip[3]))
+    ip, rp = p.laid()
+    out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
+           'v': np.zeros((max(1, NV), nt), order='F'), 'counts': np.zeros(20, np.intc),
+           'values': np.zeros(20), 'times': times}
+    if LIBRARY.gs_due_from(SCENE, ctypes.c_double(times[0]), _at(model.cst), _at(ip), _at(rp)) != 0:
+        raise ValueError('%s: a sampled device has more than 2e9 samples behind it' % p.who)
+    room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
     w = np.zeros(max(room, NU) + 20)
     if NQ == NU:
         w[:NU] = x[:NQ]
     stops = np.array(stops + [0.0])
     x, atol = np.ascontiguousarray(x), np.ascontiguousarray(atol)
-
-    def at(a):
-        return ctypes.c_void_p(address(a))
     number = ctypes.c_int
     begun = time.perf_counter()
     out['info'] = LIBRARY.gs_loop_run(
         SCENE, pointer('rha') if audit else None, p.callback, number(nx),
-        ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1), at(stops),
-        at(iopt), at(ropt), at(atol), at(out['ip']), at(out['rp']), at(model.cst), at(out['x']),
-        at(out['v']), at(out['counts']), at(out['values']), at(w), number(len(w)))
+        ctypes.c_double(times[0]), _at(x), number(nt), _at(times), number(len(stops) - 1),
+        _at(stops), _at(iopt), _at(ropt), _at(atol), _at(ip), _at(rp), _at(model.cst),
+        _at(out['x']), _at(out['v']), _at(out['counts']), _at(out['values']), _at(w),
+        number(len(w)))
     out['seconds'] = time.perf_counter() - begun
     return out
 
@@ -482,9 +504,9 @@ def _result(who, model, p, run, method, audit, errors):
         warnings.simplefilter('ignore')
         if NY and 'out' in ROUTINES and reached:
             r.y = model.out(t, x, v)
-    if p.ip[25] > 0:
+    if TABLE.get('controllers'):
         r.samples = _samples(run)
-    if p.ip[27] > 0:
+    if TABLE.get('events'):
         r.events = _events(model, run, len(run['x']))
     if audit is not None:
         r.audit = _audit(model, r, run['x'][NX:, :reached])
@@ -550,26 +572,24 @@ def _failed(number, info, at):
 
 def _samples(run):
     """t, memory (nxk, n), v (nv, n) after each instant; memory at the end; how many there were."""
-    ip, nxk = run['ip'], SIZES['nxk']
-    plan = ip[ip[25] - 1:]
-    nc, nh, places, n = (int(plan[k]) for k in (0, 3, 4, 5))
-    numbers = run['rp'][ip[26] - 1 + 2 * nc + nh:]
-    width = 1 + nxk + NV
-    first = nxk + NY + NV + places * (1 + nh)
-    n = min(n, int(plan[6]))
-    record = numbers[first:first + n * width].reshape(width, n, order='F')
+    sizes, nxk = np.zeros(3, np.intc), SIZES['nxk']
+    first = LIBRARY.gs_loop_samples(SCENE, _at(run['ip']), _at(run['rp']), _at(sizes))
+    places, count, memory = sizes.tolist()
+    record = _records(run, first, 1 + nxk + NV, min(places, count))
     return {'t': record[0], 'memory': record[1:1 + nxk], 'v': record[1 + nxk:],
-            'end': numbers[:nxk].copy(), 'count': int(plan[6])}
+            'end': run['rp'][memory:memory + nxk].copy(), 'count': count}
+
+
+def _records(run, first, width, n):
+    return run['rp'][first:first + n * width].reshape(width, n, order='F')
 
 
 def _events(model, run, nx):
     """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
-    ip = run['ip']
-    plan = ip[ip[27] - 1:]
-    n, count = int(plan[0]), min(int(plan[1]), int(plan[2]))
-    first = ip[28] - 1 + 5 * n + 3 * nx
-    width = 3 + 2 * nx
-    record = run['rp'][first:first + count * width].reshape(width, count, order='F')
+    sizes = np.zeros(3, np.intc)
+    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), _at(run['ip']), _at(run['rp']), _at(sizes))
+    record = _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1])))
+    count = record.shape[1]
     numbers = record[1].astype(int) - 1
     before, after = record[3:3 + NX], record[3 + nx:3 + nx + NX]
     loss = np.zeros(count)
@@ -577,7 +597,7 @@ def _events(model, run, nx):
         loss = (model.ene(record[0], before) - model.ene(record[0], after))[:3].sum(axis=0)
         loss[(before == after).all(axis=0)] = 0
     return {'t': record[0], 'number': numbers, 'mode': record[2].astype(int), 'before': before,
-            'after': after, 'loss': loss, 'count': int(plan[2]),
+            'after': after, 'loss': loss, 'count': int(sizes[1]),
             'device': [TABLE['events'][k]['name'] for k in numbers]}
 
 

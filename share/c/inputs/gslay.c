@@ -1,0 +1,190 @@
+/* The plan of a run, laid out: gs_wholes, gs_reals, gs_lay, gs_due_from of plan.h. In Fortran whoever
+ * calls GSSIM lays it out. */
+#include "gsmbp/arith.h"
+#include "gsmbp/plan.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* where the next numbers go, from 0 */
+typedef struct
+{
+  int i, r;
+} place;
+
+static int
+length_of (const gs_pieces *a)
+{
+  return a->np > 0 ? a->np + 1 + a->nc * a->np * a->k : 0;
+}
+
+static int
+sample_wholes (const gs_plan *p)
+{
+  return p->s->nctl > 0 ? 10 + 3 * p->s->nctl + p->s->nheld + p->on_the_way : 0;
+}
+
+static int
+sample_reals (const gs_plan *p)
+{
+  const gs_scene *s = p->s;
+  if (s->nctl == 0)
+    return 0;
+  return 2 * s->nctl + s->nheld + s->nxk + s->ny + s->nv + p->on_the_way * (1 + s->nheld)
+         + p->instants * (1 + s->nxk + s->nv);
+}
+
+int
+gs_wholes (const gs_plan *p)
+{
+  return GS_NUMBERS + p->motion.nc + sample_wholes (p) + (p->s->nev > 0 ? 10 + 5 * p->s->nev : 0);
+}
+
+int
+gs_reals (const gs_plan *p)
+{
+  const int n = p->s->nev;
+  return gs_most (1, p->s->nv) + length_of (&p->table) + length_of (&p->motion)
+         + length_of (&p->reference) + length_of (&p->gain) + (p->limits ? 2 * p->s->nv : 0)
+         + sample_reals (p) + (n > 0 ? 5 * n + 3 * p->nx + p->events * (3 + 2 * p->nx) : 0) + 1;
+}
+
+/* numbers copied to the next places, from which on */
+static int
+put (const double *numbers, int n, double *rp, place *at)
+{
+  const int first = at->r + 1;
+  if (n > 0)
+    memcpy (rp + at->r, numbers, n * sizeof (double));
+  at->r += n;
+  return first;
+}
+
+static void
+lay_pieces (const gs_pieces *a, int which, int *ip, double *rp, place *at)
+{
+  if (a->np == 0)
+    return;
+  ip[which] = a->np;
+  ip[which + 1] = a->k;
+  ip[which + 2] = put (a->numbers, length_of (a), rp, at);
+  ip[which + 3] = ip[which + 2] + a->np + 1;
+}
+
+static void
+lay_inputs (const gs_plan *p, int *ip, double *rp, place *at)
+{
+  const gs_scene *s = p->s;
+  ip[GS_V0] = p->inputs;
+  ip[GS_DERIVATIVES] = p->derivatives;
+  if (p->constants)
+    memcpy (rp, p->constants, s->nv * sizeof (double));
+  at->r = gs_most (1, s->nv);
+  if (p->inputs == 0)
+    ip[GS_TABLE + 3] = 1;
+  lay_pieces (&p->table, GS_TABLE, ip, rp, at);
+  lay_pieces (&p->motion, GS_MOTION, ip, rp, at);
+  if (p->motion.np > 0)
+    {
+      ip[GS_CLOSED] = s->nlam > 0 && p->motion.nc < s->nu;
+      ip[GS_PLANNED] = p->motion.nc;
+      ip[GS_INTERNAL] = s->nq + s->nu + 1;
+      memcpy (ip + GS_NUMBERS, p->planned, p->motion.nc * sizeof (int));
+      at->i += p->motion.nc;
+    }
+  ip[GS_FEEDBACK] = p->gain.np > 0;
+  lay_pieces (&p->reference, GS_REFERENCE, ip, rp, at);
+  lay_pieces (&p->gain, GS_GAIN, ip, rp, at);
+  if (p->limits)
+    ip[GS_LIMITS] = put (p->limits, 2 * s->nv, rp, at);
+}
+
+static void
+lay_samples (const gs_plan *p, int *ip, double *rp, place *at)
+{
+  const gs_scene *s = p->s;
+  const double *memory = p->memory ? p->memory : s->memory;
+  const int head[6] = { s->nctl, s->nxk, s->ny, s->nheld, p->on_the_way, p->instants };
+  if (s->nctl == 0)
+    return;
+  ip[GS_SAMPLES] = at->i + 1;
+  ip[GS_SAMPLES + 1] = at->r + 1;
+  memcpy (ip + at->i, head, sizeof head);
+  gs_samples a = gs_planned_samples (s, ip, rp);
+  ip[GS_HELD] = s->nheld;
+  ip[GS_HELD + 1] = (int)(a.input - ip) + 1;
+  ip[GS_HELD_AT] = (int)(a.value - rp) + 1;
+  for (int k = 0; k < s->nctl; k++)
+    {
+      a.held[k] = s->held_counts[k];
+      a.anew[k] = s->again[k];
+      a.period[k] = 1;
+    }
+  for (int k = 0; k < s->nheld; k++)
+    {
+      a.input[k] = s->held_inputs[k];
+      a.value[k] = p->constants ? p->constants[a.input[k] - 1] : 0;
+    }
+  for (int k = 0; k < s->nxk; k++)
+    a.memory[k] = memory[k];
+  at->i += sample_wholes (p);
+  at->r += sample_reals (p);
+}
+
+static void
+lay_events (const gs_plan *p, int *ip, double *rp, const place *at)
+{
+  const gs_scene *s = p->s;
+  if (s->nev == 0)
+    return;
+  ip[GS_EVENTS] = at->i + 1;
+  ip[GS_EVENTS + 1] = at->r + 1;
+  ip[at->i] = s->nev;
+  ip[at->i + 1] = p->events;
+  ip[at->i + 4] = p->modes != 0;
+  gs_events a = gs_planned_events (p->nx, ip, rp);
+  for (int k = 0; k < s->nev; k++)
+    {
+      a.mode[k] = p->modes ? p->modes[k] : 0;
+      a.input[k] = s->event_inputs[k];
+      a.kind[k] = s->event_kinds[k];
+    }
+}
+
+void
+gs_lay (const gs_plan *p, int *ip, double *rp)
+{
+  place at = { GS_NUMBERS, 0 };
+  lay_inputs (p, ip, rp, &at);
+  lay_samples (p, ip, rp, &at);
+  lay_events (p, ip, rp, &at);
+}
+
+/* the number of the first sample at t0 or later: sample k is at k*period; a start that differs from
+ * one by rounding only is one */
+static double
+first_sample (double t0, double period)
+{
+  double k = floor (t0 / period + 0.5);
+  return fabs (k * period - t0) <= 8 * DBL_EPSILON * fabs (t0) ? k : ceil (t0 / period);
+}
+
+int
+gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *rp)
+{
+  if (s->nctl == 0)
+    return 0;
+  gs_samples a = gs_planned_samples (s, ip, rp);
+  s->ctp (cst, a.period, a.delay);
+  for (int k = 0; k < s->nctl; k++)
+    {
+      if (! (a.period[k] > 0) || ! (a.delay[k] >= 0))
+        return k + 1;
+      double next = first_sample (t0, a.period[k]);
+      if (! (fabs (next) < 2e9))
+        return -(k + 1);
+      a.next[k] = (int)next;
+    }
+  return 0;
+}
