@@ -60,10 +60,19 @@
                                  95))))
     (gs-list (append (butlast lines) (list (gs-text (car (last lines)) " */"))))))
 
-;;; the words that lines hold, as a table
+;;; lines without those of comments, which have lines of their own
+(defun gs-c-bare (lines)
+  (let ((inside nil) (bare nil))
+    (dolist (l lines (nreverse bare))
+      (let ((begins (search "/*" l)))
+        (cond ((and begins (not inside)) (push (subseq l 0 begins) bare) (setq inside t))
+              ((not inside) (push l bare)))
+        (when (search "*/" l) (setq inside nil))))))
+
+;;; the words that lines hold outside of comments, as a table
 (defun $gs__c_words (lines)
   (let ((words (make-hash-table :test #'equal)))
-    (dolist (l (cdr lines) words)
+    (dolist (l (gs-c-bare (cdr lines)) words)
       (let ((start nil))
         (dotimes (k (1+ (length l)))
           (let ((in (and (< k (length l)) (gs-word-character-p (char l k)))))
