@@ -125,7 +125,8 @@ statements="gsmbp_export(gsmbp_scene(\"rich\",
     link(a, mass = 1, inertia = [1, 1, 1]), link(b, mass = 1, inertia = [1, 1, 1]),
     revolute(J, ground, a, axis = z, coordinate = q1, limits = [-1, 1], start = 0.1,
       friction = 0.5),
-    universal(K, a, b, axis = x, second_axis = y, coordinates = [q2, q3], limits = [[-1, 1], [-2, 2]]),
+    universal(K, a, b, axis = x, second_axis = y, coordinates = [q2, q3],
+      limits = [[-1, 1], [-2, 2]]),
     stop(s, joint = J, lo = -2, hi = 0.5), friction(f1, joint = J, Fc = 0.5, Fv = 2),
     friction(f2, joint = J, Fc = 1, Fv = 4), point(tip, b), input(u, unit = N),
     force(F, tip, vector = [u, 0, 0]), output(y, q1),
@@ -143,7 +144,8 @@ told $? 'no gravity where there is none, the first of two followings is kept' ri
 
 # limits that leave no room, with stops asked for
 robot '<link name="base"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1"
-  izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' "$(joint revolute '<limit lower="1" upper="1" effort="1" velocity="1"/>')" >room.urdf
+  izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' \
+  "$(joint revolute '<limit lower="1" upper="1" effort="1" velocity="1"/>')" >room.urdf
 session log 'gsmbp_import("room.urdf", directory = "out", name = "room",
   stops = true)'
 [ -s out/room.mac ] && ! grep -q 'stop(' out/room.mac && grep -q 'leave it no room' out/room.mac
