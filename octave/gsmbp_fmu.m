@@ -8,8 +8,8 @@
 ## gcc-mingw-w64 is installed, one for Windows.  @var{folder} is @file{fmu_out} if it is not given.
 ##
 ## @var{files} is a cell with the two paths.  The chapter "Models that travel" of the manual says
-## what stands in them, and which parts of a scene no FMU can hold.  Maxima's warnings about the scene
-## are warnings here (@code{warning ("off", "gsmbp:derive")} silences them).
+## what stands in them, and which parts of a scene no FMU can hold.  Maxima's warnings about the
+## scene are warnings here (@code{warning ("off", "gsmbp:derive")} silences them).
 ##
 ## @c session octave
 ## @example

@@ -1,7 +1,7 @@
 ## text = gsmbp__by_maxima (caller, script, scene, folder)
-## A script of the tree that lets Maxima read the scene file and write into the folder: what it says.
-## Warnings of Maxima about the scene are warnings of the caller ("gsmbp:derive"); an error is
-## one line.
+## A script of the tree that lets Maxima read the scene file and write into the folder: what it
+## says. Warnings of Maxima about the scene are warnings of the caller ("gsmbp:derive"); an error
+## is one line.
 
 function text = gsmbp__by_maxima (caller, script, scene, folder)
   if (! exist (scene, "file"))

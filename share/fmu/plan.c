@@ -57,14 +57,14 @@ gsf_plan_samples (gsf_instance *a, double t0)
     return GSF_OK;
   const gs_samples plan = gsf_samples (a);
   if (k > 0)
-    return gsf_fail (a, GSF_ERROR, "sampled device %d: expected a period > 0 and a delay >= 0; found "
-                     "%g s and %g s", k, plan.period[k - 1], plan.delay[k - 1]);
+    return gsf_fail (a, GSF_ERROR, "sampled device %d: expected a period > 0 and a delay >= 0;"
+                     " found %g s and %g s", k, plan.period[k - 1], plan.delay[k - 1]);
   if (k < 0)
     return gsf_fail (a, GSF_ERROR, "sampled device %d: more than 2e9 samples", -k);
   for (int i = 0; i < s->nctl; i++)
     if (! (plan.delay[i] <= (GSF_ON_THE_WAY - 2) * plan.period[i]))
-      return gsf_fail (a, GSF_ERROR, "sampled device %d: an FMU holds delays of at most %d periods; "
-                       "found %g s and a period of %g s", i + 1, GSF_ON_THE_WAY - 2, plan.delay[i],
-                       plan.period[i]);
+      return gsf_fail (a, GSF_ERROR, "sampled device %d: an FMU holds delays of at most %d "
+                       "periods; found %g s and a period of %g s", i + 1, GSF_ON_THE_WAY - 2,
+                       plan.delay[i], plan.period[i]);
   return GSF_OK;
 }

@@ -1,6 +1,6 @@
-/* values.c: a run of an FMU by its binary, for Linux or Windows: linked with the library, STANDARD is
- * 2 or 3. Prints all variables as it goes, one line for each instant of co-simulation and of model
- * exchange (method of Heun, events at steps).
+/* values.c: a run of an FMU by its binary, for Linux or Windows: linked with the library, STANDARD
+ * is 2 or 3. Prints all variables as it goes, one line for each instant of co-simulation and of
+ * model exchange (method of Heun, events at steps).
  *
  * Arguments: the token, the number of variables, of states, of event indicators, the end [s]. */
 #include <stdarg.h>

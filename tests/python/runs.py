@@ -93,8 +93,8 @@ def crank():
     holds('crank: other limits', (apart.v == -0.5).all())
     for what, given in (('atol', [1.0, 2.0]), ('atol', -1.0), ('atol', 'small'),
                         ('limits', [1.0, 2.0, 3.0, 4.0, 5.0]), ('limits', 'wide')):
-        refuses('%s = %r' % (what, given), ValueError, ['slider_crank.simulate: %s: expected' % what],
-                m.simulate, m.initial, [0, 0.1], gain=gain, reference=about, **{what: given})
+        refuses('%s %r' % (what, given), ValueError, ['simulate: %s: expected' % what], m.simulate,
+                m.initial, [0, 1], gain=gain, reference=about, **{what: given})
     refuses('crank: a start beside the loop', ValueError, ['off by', 'project'], m.simulate,
             m.initial + 0.1, [0, 1])
     moved = m.simulate(m.initial + 0.01, [0, 1e-3], start='project')

@@ -62,7 +62,8 @@ for name in c run; do
 done
 $python -c 'import keyword, sys
 taken = set(open("share/python/taken").read().split())
-print(*[n for n in [*sys.stdlib_module_names, *keyword.kwlist] if n[0] != "_" and n not in taken])' |
+names = [*sys.stdlib_module_names, *keyword.kwlist]
+print(*[n for n in names if n[0] != "_" and n not in taken])' |
   sed "/^$/d" >"$report"
 result 'share/python/taken has all words and modules of this Python'
 

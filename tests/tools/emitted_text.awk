@@ -1,8 +1,8 @@
 # awk -f emitted_text.awk SCENE.f: what the comments of emitted Fortran lack, a line each:
 # an argument without a unit, a constant that is read without a line that says what it is, a value
-# of PAR without its meaning, a routine without METHOD, one that is called and not named there (with a
-# word on it, if it is of the run time), a result that is the negative of a variable of its name, a
-# name with the private prefix.
+# of PAR without its meaning, a routine without METHOD, one that is called and not named there (with
+# a word on it, if it is of the run time), a result that is the negative of a variable of its name,
+# a name with the private prefix.
 function fault(text) { print routine ": " text }
 function close_argument() {
   if (argument != "" && text !~ /\[[^]]+\]/) fault("argument " argument " has no unit")

@@ -25,7 +25,7 @@ typedef struct
   int nx;                  /* states of the run, s->nx, or s->nx + 2 with an audit */
   int inputs;              /* as ip[GS_V0] */
   int derivatives;         /* as ip[GS_DERIVATIVES] */
-  const double *constants; /* nv: inputs that are constant, and held outputs before the first sample */
+  const double *constants; /* nv: inputs that are constant, held outputs before the first sample */
   gs_pieces table;         /* inputs over time */
   gs_pieces motion;        /* planned coordinates, */
   const int *planned;      /* motion.nc: their numbers */

@@ -67,7 +67,7 @@ typedef struct
   const int *event_inputs;       /* nev: the mode of each, */
   const int *event_kinds;        /* 1 friction, 2 stops */
   const int *held_counts;        /* nctl: how many outputs each device holds */
-  const int *again;              /* nctl: 1 if outputs are computed anew for it after others acted */
+  const int *again;              /* nctl: 1 if outputs are computed anew for it */
   const int *held_inputs;        /* nheld: device by device */
   const double *memory;          /* nxk: where it starts */
 } gs_scene;

@@ -1,5 +1,5 @@
-/* The plan of a run, laid out: gs_wholes, gs_reals, gs_lay, gs_due_from of plan.h. In Fortran whoever
- * calls GSSIM lays it out. */
+/* The plan of a run, laid out: gs_wholes, gs_reals, gs_lay, gs_due_from of plan.h. In Fortran
+ * whoever calls GSSIM lays it out. */
 #include "gsmbp/arith.h"
 #include "gsmbp/plan.h"
 

@@ -27,8 +27,8 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, int nx, double t0, con
   return info;
 }
 
-/* where in rp the records of the sampled devices begin; sizes: how many there are room for, how many
- * instants there were, where in rp the memory begins */
+/* where in rp the records of the sampled devices begin; sizes: how many there are room for, how
+ * many instants there were, where in rp the memory begins */
 int
 gs_loop_samples (const gs_scene *s, int *ip, double *rp, int *sizes)
 {
