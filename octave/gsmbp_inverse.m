@@ -81,9 +81,9 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';
-  has = @(name) any (strcmp (m.subroutines, name)) ...
-                && ! (o.quasistatic && any (strcmp (name, {"cmd", "cmx"})));
   static = o.quasistatic && quasi_static (who, m);
+  has = @(name) any (strcmp (m.subroutines, name)) ...
+                && ! (static && any (strcmp (name, {"cmd", "cmx"})));
   gsmbp__continuous (who, m, pp, planned, times, o.quasistatic);
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
@@ -129,7 +129,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
       endif
     endif
   endfor
-  if (any (o.input != 0) && has ("cmd"))
+  if (any (o.input != 0) && (static || has ("cmd")))
     r.x(:,d.nq+d.nu+1:end) = r.v(:) = NaN;
     warning ("gsmbp:inverse", ...
              ["%s: v and the states of devices in x are not determined (NaN): the command " ...
@@ -190,10 +190,10 @@ function o = checked (who, m, o)
             "coordinates by %d speeds; derive it with angles of orientation"], who, m.name, ...
            d.nq, d.nu);
   endif
-  o.guess = gsmbp__vector (who, "guess", o.guess, d.nq, "", m.coordinates);
-  o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu, "",
+  o.guess = gsmbp__vector (who, "option guess", o.guess, d.nq, "", m.coordinates);
+  o.internal = gsmbp__vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
                               m.states(d.nq+d.nu+1:end));
-  o.input = gsmbp__vector (who, "input", o.input, d.nv, "", m.inputs);
+  o.input = gsmbp__vector (who, "option input", o.input, d.nv, "", m.inputs);
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
     error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
   endif

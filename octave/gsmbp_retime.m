@@ -152,6 +152,7 @@ endfunction
 %! path = gsmbp_plan ("table", [0 1], [0.3; 1.1]);
 %! [motion, told] = gsmbp_retime (m, path, "effort", 2, "rtol", 1e-3);
 %! assert (told.T, 2 * sqrt (J * 0.8 / 2), 1e-9);
+%! assert (told.limited{1}, "effort of q");
 %! assert (gsmbp_evaluate (motion, told.T / 2), 0.7, 1e-9);
 %! [~, told] = gsmbp_retime (m, path, "effort", 2, "speed", 0.5, "rtol", 1e-3);
 %! assert (told.T, 0.8 / 0.5 + 0.5 * J / 2, 1e-5);

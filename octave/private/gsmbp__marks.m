@@ -1,6 +1,6 @@
 ## m = gsmbp__marks (skeleton, centres, named)
 ## The marks of joints and mass centres, and the key of what is drawn; labels of the points of the
-## scene, NAMED, which stand behind those of the skeleton.
+## scene, NAMED, which stand behind those of the skeleton and its parts.
 
 function m = gsmbp__marks (skeleton, centres, named)
   column = 0;
@@ -39,6 +39,8 @@ function m = gsmbp__marks (skeleton, centres, named)
                             "points pt 2 ps 1.1 lw 1.6");
     m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
   endif
+  m.key = [m.key, gsmbp__part_keys(skeleton.parts)];
+  column += numel ([skeleton.parts.bodies]);
   m.labels = struct ("column", {}, "name", {});
   for k = find (! cellfun (@isempty, named))
     m.labels(end+1) = struct ("column", column + k, "name", named{k});

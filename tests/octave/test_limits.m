@@ -38,6 +38,10 @@ function refused ()
                ! isempty (regexp (said, wanted)));
   smooth = gsmbp_plan ("double_s", [0 0.5; 0 -0.2], "speed", 2, "acceleration", 8, "jerk", 100);
   static = gsmbp_inverse (m, smooth, t, "quasistatic", true);
+  lastwarn ("");
+  pushed = gsmbp_inverse (m, smooth, t, "quasistatic", true, "input", [1; 2]);
+  gsmbp_check ("quasi-static with inputs from outside: v is not determined, and said so", ...
+               [all(isnan (pushed.v(:))), ! isempty(strfind (lastwarn (), "not determined"))]);
   less = gsmbp_set (m, "motor1_L", 1e-10, "motor2_L", 1e-10);
   exact = gsmbp_inverse (less, smooth, t);
   gsmbp_check ("quasi-static: the voltages without inductance", ...
