@@ -38,7 +38,7 @@
 ## Options:
 ## @table @code
 ## @item "frame"
-## @qcode{"ground"} (default), a point or frame of the scene or a link that carries a point, in
+## @qcode{"ground"} (default), a point or frame of the scene or a link that carries one, in
 ## whose axes all of this is.  @code{jacobian_rate} is then the rate of the Jacobian in these axes, times u
 ## @item "independent"
 ## of a closed chain the names of as many coordinates as there are freedoms: the columns of
@@ -108,8 +108,8 @@ function p = gsmbp_point (m, name, t, q, varargin)
   A = eye (3);
   turning = 0;
   if (! strcmp (options.frame, "ground"))
-    turning = bearer (who, m, options.frame);
-    A = axes_ (turning);
+    [turning, local] = bearer (who, m, options.frame);
+    A = axes_ (turning) * local';
   endif
   p.position = A' * P(:,k);
   p.rotation = A' * axes_ (k);
@@ -156,19 +156,28 @@ function p = moving (who, m, p, k, A, turning, t, q, options, u, ud = [])
   endif
 endfunction
 
-## the point or frame that has the axes wanted: itself, or a point of the link
-function k = bearer (who, m, name)
+## the point or frame whose axes are wanted, or that stands on the link whose are; its axes in these
+function [k, local] = bearer (who, m, name)
+  local = eye (3);
   k = find (strcmp (name, m.points));
-  if (isempty (k))
-    on_link = strcmp ({m.json.points.link}, name) & strcmp ({m.json.points.kind}, "point");
-    k = find (on_link, 1);
+  if (! isempty (k))
+    return;
   endif
-  if (isempty (k) && any (strcmp (m.skeleton.body, name)))
-    error (["%s: option frame: link %s carries no point: expected one that does, or a point or " ...
-            "frame: %s"], who, name, strjoin (m.points(:)', ", "));
-  elseif (isempty (k))
+  k = find (strcmp ({m.json.points.link}, name), 1);
+  if (! isempty (k))
+    local = reshape (cellfun (@(text) constant (m, text), m.json.points(k).rotation), 3, 3)';
+  elseif (any (strcmp (m.skeleton.body, name)))
+    error (["%s: option frame: link %s carries no point or frame: expected one that does, or a " ...
+            "point or frame: %s"], who, name, strjoin (m.points(:)', ", "));
+  else
     k = number (who, m, "frame", name);
   endif
+endfunction
+
+## an expression of the JSON in the parameters
+function x = constant (m, text)
+  f = str2func (["@(" strjoin(fieldnames (m.par)', ", ") ") " strrep(text, "%", "")]);
+  x = f (struct2cell (m.par){:});
 endfunction
 
 function k = number (who, m, what, name)
