@@ -30,7 +30,8 @@
 ## one colour and one entry in the legend.
 ##
 ## The points of the poses drawn go into the .csv beside the picture, a row for
-## each pose: @var{t}, then x, y, z of each column of @code{m.ske} [m] and of each point of the scene.
+## each pose: @var{t}, then x, y, z of each column of @code{m.ske} [m] and of each point of the
+## scene.
 ##
 ## Options:
 ## @table @code

@@ -38,8 +38,9 @@
 ## Options:
 ## @table @code
 ## @item "frame"
-## @qcode{"ground"} (default), a point or frame of the scene or a link that carries one, in
-## whose axes all of this is.  @code{jacobian_rate} is then the rate of the Jacobian in these axes, times u
+## @qcode{"ground"} (default), a point or frame of the scene or a link that carries one, in whose
+## axes all of this is.  @code{jacobian_rate} is then the rate of the Jacobian in these axes,
+## times u
 ## @item "independent"
 ## of a closed chain the names of as many coordinates as there are freedoms: the columns of
 ## @code{jacobian} are then by their speeds w, and @code{jacobian_rate} is what the
@@ -121,8 +122,8 @@ function p = gsmbp_point (m, name, t, q, varargin)
   endif
 endfunction
 
-## the same with velocities, Jacobian, accelerations in the axes A, which turn with the point TURNING
-## (0: with none)
+## the same with velocities, Jacobian, accelerations in the axes A, which turn with the point
+## TURNING (0: with none)
 function p = moving (who, m, p, k, A, turning, t, q, options, u, ud = [])
   n = m.sizes.nu;
   u = gsmbp__vector (who, "u", u, n, "", m.speeds);

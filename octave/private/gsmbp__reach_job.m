@@ -42,8 +42,8 @@ function job = gsmbp__reach_job (who, m, name, k, turned, options)
   job.time = options.time;
   job.branch = options.branch;
   if (job.branch > 0 && ! job.closed)
-    error ("%s: option branch: %s is not reached by a closed form here, which has branches", who, ...
-           name);
+    error ("%s: option branch: %s is not reached by a closed form here, which has branches", ...
+           who, name);
   endif
 endfunction
 

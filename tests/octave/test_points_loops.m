@@ -18,7 +18,7 @@ function test_points_loops ()
       "gsmbp_reduced: argument names: expected 1 of the coordinates")));
 end
 
-## in the axes of a link that carries a point: those of the point, the Jacobian's rate by differences
+## in the axes of a link that carries a point: the place, the Jacobian's rate by differences
 function in_axes_of_a_link (m, q, u)
   axes_ = gsmbp_point (m, "top", 0, q).rotation;
   at = @(q) gsmbp_point (m, "r1", 0, q, u, "frame", "coupler");
