@@ -24,6 +24,8 @@
 ## models, internal ones integrated by their own rates from the option "internal"; without an
 ## inverse model, from the condition that the right-hand side yields the
 ## planned accelerations (NaN where no states of the devices do)
+## @item y, points, of
+## outputs of the scene, places of its points, every column by its name (@code{gsmbp_names})
 ## @item margins
 ## times x number of margins, above 0 where the command can be given
 ## @item violations

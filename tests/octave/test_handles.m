@@ -43,6 +43,15 @@ function outputs_of_a_run (m)
   r = gsmbp_inverse (lame, plan, t);
   wanted = arrayfun (@(k) m.out (t(k), r.x(k,:), r.v(k,:)), 1:numel (t))';
   gsmbp_check ("outputs along an inverse motion", r.y - wanted, 0);
+  m.states = {"x"; "t"; "y"};   # names that a result has itself
+  r = gsmbp_simulate (m, [0.2, 0, 0], t, "input", 3);
+  gsmbp_check ("states x, t, y by name", [r.of.("x"), r.of.("t"), r.of.("y")] - r.x, 0);
+  gsmbp_check ("... times are still t", r.t - t', 0);
+  file = [tempname() ".csv"];
+  gsmbp_csv (file, m, r, {"t", "x", "y"});
+  gsmbp_check ("... in a table", isequal (strtok (fileread (file), "\n"), ...
+                                          "t [s],t [rad/s],x [rad],y [A]"));
+  delete (file);
 end
 
 function each_other (m)

@@ -13,9 +13,22 @@ function test_points_loops ()
   end
   operational (m, q, u);
   in_axes_of_a_link (m, q, u);
+  by_name (m, [q; u; 0]);
   said = gsmbp_complaint (@() gsmbp_reduced (m, 0, q, u, {"q1", "q2"}));
   gsmbp_check (["too many independent coordinates: " said], ! isempty (strfind (said, ...
       "gsmbp_reduced: argument names: expected 1 of the coordinates")));
+end
+
+## places of points in results, by name; those on ground stand still and have none
+function by_name (m, x)
+  r = gsmbp_simulate (m, x, 0:0.01:0.1, "input", 2);
+  gsmbp_check ("top.x and so on in a result: what the scene's outputs say", ...
+               [r.of.("top.x"), r.of.("top.y"), r.of.("top.z")] ...
+               - [r.of.("y.x"), r.of.("y.y"), r.of.("y.z")], 1e-14);
+  names = gsmbp_names (m);
+  names = {names(strcmp ({names.kind}, "point")).name};
+  gsmbp_check (["points by name: " strjoin(names, " ")], ...
+               isequal (names(1:3:end), {"c1.x", "r1.x", "c2.x", "top.x"}));
 end
 
 ## in the axes of a link that carries a point: the place, the Jacobian's rate by differences
