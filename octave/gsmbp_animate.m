@@ -117,7 +117,7 @@ function gsmbp_animate (m, result, file, varargin)
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads (m, named), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);
-  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named);
+  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named, links_of (m, named));
   m.skeleton.between = gsmbp__between (m.skeleton, p);
   entries = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
   s = gsmbp__stage (gsmbp__seen (m.skeleton, p), path, o, ...
@@ -180,6 +180,13 @@ function names = named_points (m, o)
     names = m.points(:)';
     on_link = ! strcmp ({m.json.points.link}, "ground");
     names(! on_link) = {""};
+  endif
+endfunction
+
+function links = links_of (m, named)
+  links = {};
+  if (! isempty (named))
+    links = {m.json.points.link};
   endif
 endfunction
 

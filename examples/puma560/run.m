@@ -161,6 +161,6 @@ gsmbp_workprecision (m, x0, [0 0.5 1], "motion", plan, "rk4", [5e-3 2e-3 1e-3 5e
 diary off
 
 ## ------------------------------------------------------ what it looks like
-gsmbp_animate (m, r, "out/skeleton.png", "trace", "link3", "title", "PUMA 560");
-gsmbp_animate (m, r, "out/motion.gif", "speed", 0.5, "trace", "link3", "title", ...
+gsmbp_animate (m, r, "out/skeleton.png", "trace", "wrist", "title", "PUMA 560");
+gsmbp_animate (m, r, "out/motion.gif", "speed", 0.5, "trace", "wrist", "title", ...
                "PUMA 560, half speed");

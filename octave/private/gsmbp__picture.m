@@ -65,6 +65,9 @@ function d = pose (d, skeleton, p, f, s, shade, o)
     depth = cellfun (@(own) mean (s.eye' * p(:,own)), own);
     order = order(nthargout (2, @sort, depth));
   endif
+  for label = skeleton.marks.labels
+    d = tied (d, skeleton, p, f, label.column, label.body, s, shade);
+  endfor
   for b = order
     own = columns_of (skeleton, f, b);
     if (b < 0)
@@ -120,10 +123,7 @@ endfunction
 ## a cylinder, spring, damper or disc; thin lines lead from its ends to their links
 function d = part (d, skeleton, p, f, one, s, shade)
   for k = find (one.bodies > 1 & ! strcmp (one.kind, "disc"))
-    b = one.bodies(k);
-    q = p(:,one.columns(k));
-    d = add (d, [q, nearest(q, outline_of (skeleton, p, f, b))], s, ...
-             sprintf ("lines lw 2 lc rgb '%s'", lighter (skeleton.color{b}, shade)));
+    d = tied (d, skeleton, p, f, one.columns(k), one.bodies(k), s, shade);
   endfor
   for piece = gsmbp__symbol (one, p(:,one.columns), s)
     style = [piece.style " lc"];
@@ -133,6 +133,13 @@ function d = part (d, skeleton, p, f, one, s, shade)
     d = add (d, piece.points, s, sprintf ("%s rgb '%s'", style, lighter (piece.color, ...
         piece.tint * shade)));
   endfor
+endfunction
+
+## a thin line from the point in COLUMN to its link B
+function d = tied (d, skeleton, p, f, column, b, s, shade)
+  q = p(:,column);
+  d = add (d, [q, nearest(q, outline_of (skeleton, p, f, b))], s, ...
+           sprintf ("lines lw 2 lc rgb '%s'", lighter (skeleton.color{b}, shade)));
 endfunction
 
 ## the point of a line through LINE that is closest to q
