@@ -42,10 +42,30 @@ function refused ()
   pushed = gsmbp_inverse (m, smooth, t, "quasistatic", true, "input", [1; 2]);
   gsmbp_check ("quasi-static with inputs from outside: v is not determined, and said so", ...
                [all(isnan (pushed.v(:))), ! isempty(strfind (lastwarn (), "not determined"))]);
+  above_supply (m, smooth, t);
   less = gsmbp_set (m, "motor1_L", 1e-10, "motor2_L", 1e-10);
   exact = gsmbp_inverse (less, smooth, t);
   gsmbp_check ("quasi-static: the voltages without inductance", ...
                max (abs (static.v - exact.v)(:)), 1e-6);
+end
+
+## voltages above what the supply gives: which, when first, what they come to
+function above_supply (m, plan, t)
+  free = gsmbp_inverse (m, plan, t, "limits", 1000);
+  gsmbp_check ("voltages within their limits", isempty (free.violations));
+  most = max (abs (free.v), [], 1);
+  r = gsmbp_inverse (m, plan, t, "limits", [2 * most(1); 0.6 * most(2)]);
+  list = r.violations;
+  gsmbp_check ("a voltage above its limit: which", ...
+               numel (list) == 1 && strcmp (list.text, "motor2.v"));
+  first = find (abs (free.v(:,2)) > 0.6 * most(2), 1);
+  gsmbp_check ("... when first, by how much", ...
+               [list.time - t(first), list.least + 0.4 * most(2)], 1e-12);
+  wanted = 'motor2.v takes -?[\d.]+ V at t = [\d.]+ s to move q2, (below|above) its limit of';
+  gsmbp_check (["... said: " list.said], ! isempty (regexp (list.said, wanted)));
+  said = gsmbp_complaint (@() gsmbp_inverse (m, plan, t, "limits", [1, 2, 3]));
+  gsmbp_check (["limits of another size: " said], ...
+               ! isempty (strfind (said, "option limits: expected one number, 2 numbers or 2 x 2")));
 end
 
 function least_time ()
