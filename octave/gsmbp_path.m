@@ -25,8 +25,8 @@
 ##
 ## The result is a struct: @code{s}, the way as a function of time (a piecewise polynomial, as of
 ## @code{gsmbp_plan}), @code{length} [m], @code{angle} [rad], @code{times} of begin and end, and
-## of a circle @code{centre}, @code{radius}, @code{normal}, @code{sweep}; of a spline @code{angle} is
-## the sum of the turns from point to point.
+## of a circle @code{centre}, @code{radius}, @code{normal}, @code{sweep}; of a spline @code{angle}
+## is the sum of the turns from point to point.
 ## @code{gsmbp_along} tells where the frame is at any time.
 ##
 ## @c session octave
@@ -40,8 +40,8 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: points on one line are no circle; neighbours at one place are no spline; a matrix that is no rotation; an option that is
-## missing, unknown or not above 0.
+## Errors: points on one line are no circle; neighbours at one place are no spline; a matrix that
+## is no rotation; an option that is missing, unknown or not above 0.
 ## Source: own; the rotation vector between the ends; for splines Kang and Park, International
 ## Journal for Numerical Methods in Engineering 46 (1999).
 ## @seealso{gsmbp_along, gsmbp_plan}

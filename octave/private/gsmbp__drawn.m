@@ -11,7 +11,8 @@ function lines = gsmbp__drawn (table, panels, o, size)
   headed = cellfun (@(p) isfield (p, "heading") && ! isempty (p.heading), panels);
   each = (size(2) - top - below - sum (keys + headed) * 2.6 * em - (n - 1) * 0.45) / n;
   labels = cellfun (@(p) broken (p.label, each / em), panels, "UniformOutput", false);
-  left = (2.1 + 0.5 * any (cellfun (@(text) any (text == "\n"), labels))) * o.fontsize / 10 / size(1);
+  two_lines = any (cellfun (@(text) any (text == "\n"), labels));
+  left = (2.1 + 0.5 * two_lines) * o.fontsize / 10 / size(1);
   lines = {"set datafile separator comma", "set datafile missing 'NaN'", ...
            "set encoding utf8", "set grid lc rgb '#c8c8c8' lw 0.6 dt 1", "set border lw 0.8", ...
            sprintf("set lmargin at screen %.4f", left), ...
@@ -65,7 +66,8 @@ function lines = place (at, each, size, last, o)
   lines = {sprintf("set tmargin at screen %.4f", at / size(2)), ...
            sprintf("set bmargin at screen %.4f", (at - each) / size(2))};
   if (last)
-    lines = [lines, {format_of(o.scale), ["set xlabel " gsmbp__quoted(o.xlabel) " offset 0,0.3 noenhanced"]}];
+    lines = [lines, {format_of(o.scale), sprintf("set xlabel %s offset 0,0.3 noenhanced", ...
+                                                 gsmbp__quoted (o.xlabel))}];
   else
     lines{end+1} = "set format x ''";
   endif

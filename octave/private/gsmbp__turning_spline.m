@@ -35,7 +35,7 @@ function J = slopes (t, w, h, miss)
   endfor
 endfunction
 
-## jumps of the angular acceleration at all knots, where angular velocities there are w; coefficients
+## jumps of the angular acceleration at all knots, where the angular velocities there are w; coefs
 function [miss, coefs] = jumps (t, w, h)
   n = numel (h);
   coefs = zeros (3, 3, n);

@@ -65,7 +65,7 @@ function above_supply (m, plan, t)
   gsmbp_check (["... said: " list.said], ! isempty (regexp (list.said, wanted)));
   said = gsmbp_complaint (@() gsmbp_inverse (m, plan, t, "limits", [1, 2, 3]));
   gsmbp_check (["limits of another size: " said], ...
-               ! isempty (strfind (said, "option limits: expected one number, 2 numbers or 2 x 2")));
+               ! isempty (strfind (said, "limits: expected one number, 2 numbers or 2 x 2")));
 end
 
 function least_time ()
