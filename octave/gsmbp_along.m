@@ -44,6 +44,10 @@ function f = gsmbp_along (path, times, side = 1)
   endif
   s = reshape (gsmbp_evaluate (path.s, times, 2, side), [], 3)';
   f = struct ("s", s);
+  if (strcmp (path.kind, "spline"))
+    f = gsmbp__on_spline (path, s, f);
+    return;
+  endif
   [f.p, f.v, f.a] = place (path, s);
   ratio = path.angle;
   if (path.length > 0)

@@ -23,12 +23,15 @@
 ## stands in a joint; a thin line leads there from its link).  Joints on the
 ## ground stand on a hatched support; in space a thin grey line joins them. All axes have the same
 ## scale and stand still. If all points stay in one coordinate plane the picture is flat, otherwise
-## isometric, what is near over what is far, with a grey shadow below.  Of more
+## isometric, what is near over what is far, with a grey shadow below.
+## Cylinders, springs and dampers between two points are drawn as such, and so are discs that roll,
+## with a line to a point of the rim.  Of more
 ## than seven links, those whose names differ in their last digits alone have
 ## one colour and one entry in the legend.
 ##
 ## The points of the poses drawn go into the .csv beside the picture, a row for
-## each pose: @var{t}, then x, y, z of each column of @code{m.ske} [m].
+## each pose: @var{t}, then x, y, z of each column of @code{m.ske} [m] and of each point of the
+## scene.
 ##
 ## Options:
 ## @table @code
@@ -95,6 +98,9 @@ function gsmbp_animate (m, result, file, varargin)
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
   endif
   [t, q] = motion (who, m, result);
+  if (! isfield (m.skeleton, "parts"))
+    m.skeleton.parts = struct ("name", {}, "kind", {}, "bodies", {});
+  endif
   named = named_points (m, o);
   o = gsmbp__animation_options (who, o, m.skeleton, t, named);
   rows_drawn = poses (t, o, moving);
@@ -111,9 +117,10 @@ function gsmbp_animate (m, result, file, varargin)
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads (m, named), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);
-  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named);
+  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named, links_of (m, named));
+  m.skeleton.between = gsmbp__between (m.skeleton, p);
   entries = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
-  s = gsmbp__stage (p, path, o, ...
+  s = gsmbp__stage (gsmbp__seen (m.skeleton, p), path, o, ...
                     numel (entries) + numel (m.skeleton.marks.key) + ! isempty (path), ...
                     max (cellfun (@numel, [entries, {o.traced, "mass centre"}])));
   lines = gsmbp__axes (s, o);
@@ -176,6 +183,13 @@ function names = named_points (m, o)
   endif
 endfunction
 
+function links = links_of (m, named)
+  links = {};
+  if (! isempty (named))
+    links = {m.json.points.link};
+  endif
+endfunction
+
 ## the points of the skeleton, then those of the scene
 function p = drawn (m, t, q, named)
   p = m.ske (t, q);
@@ -205,6 +219,13 @@ function names = heads (m, named)
     for k = 1:skeleton.points(b)
       names = [names, ...
                cellfun(@(c) sprintf ("%s.%d.%s", skeleton.body{b}, k, c), {"x", "y", "z"}, ...
+                       "UniformOutput", false)];
+    endfor
+  endfor
+  for part = skeleton.parts
+    for k = 1:numel (part.bodies)
+      names = [names, ...
+               cellfun(@(c) sprintf ("%s.%d.%s", part.name, k, c), {"x", "y", "z"}, ...
                        "UniformOutput", false)];
     endfor
   endfor

@@ -24,11 +24,13 @@
 ## models, internal ones integrated by their own rates from the option "internal"; without an
 ## inverse model, from the condition that the right-hand side yields the
 ## planned accelerations (NaN where no states of the devices do)
+## @item y, points, of
+## outputs of the scene, places of its points, every column by its name (@code{gsmbp_names})
 ## @item margins
 ## times x number of margins, above 0 where the command can be given
 ## @item violations
-## a struct array, empty if all is well: @code{text} of the margin, @code{time}
-## of its first violation, @code{least} value
+## a struct array, empty if all is well: @code{text} of the margin, or the input that passes its
+## limits, @code{time} of its first violation, @code{least} value, and @code{said}, a sentence
 ## @end table
 ## Options: "side": which limit to take at a break of the motion, 1 from the
 ## right (default), -1 from the left; "input": @var{nv} inputs from outside,
@@ -37,7 +39,8 @@
 ## Newton's method for the loops begins (default @code{m.initial}); "quasistatic": true takes the
 ## drives as quasi-static, rates within them neglected (the variants without such states: a motor
 ## without inductance), v and margins are those, their states are NaN; "internal":
-## states of the devices at the first time (default @code{m.initial}).
+## states of the devices at the first time (default @code{m.initial}); "limits" of the inputs (what
+## a supply gives): one number (both ways), @var{nv} numbers, or @var{nv} x 2 (least, largest).
 ##
 ## A motion with fewer continuous derivatives than the command needs
 ## (@code{m.order - 1}: the voltage of a motor with inductance, of order 3, needs a continuous
@@ -76,14 +79,15 @@ function r = gsmbp_inverse (m, motion, times, varargin)
            "input", zeros(d.nv, 1), "numbers"
            "guess", m.initial(1:d.nq), "numbers"
            "quasistatic", false, "flag"
-           "internal", m.initial(d.nq+d.nu+1:end), "numbers"};
+           "internal", m.initial(d.nq+d.nu+1:end), "numbers"
+           "limits", [], "any"};
   o = gsmbp__options (who, table, varargin);
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';
-  has = @(name) any (strcmp (m.subroutines, name)) ...
-                && ! (o.quasistatic && any (strcmp (name, {"cmd", "cmx"})));
   static = o.quasistatic && quasi_static (who, m);
+  has = @(name) any (strcmp (m.subroutines, name)) ...
+                && ! (static && any (strcmp (name, {"cmd", "cmx"})));
   gsmbp__continuous (who, m, pp, planned, times, o.quasistatic);
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
@@ -129,13 +133,13 @@ function r = gsmbp_inverse (m, motion, times, varargin)
       endif
     endif
   endfor
-  if (any (o.input != 0) && has ("cmd"))
+  if (any (o.input != 0) && (static || has ("cmd")))
     r.x(:,d.nq+d.nu+1:end) = r.v(:) = NaN;
     warning ("gsmbp:inverse", ...
              ["%s: v and the states of devices in x are not determined (NaN): the command " ...
               "takes no inputs from outside (option \"input\"); tau counts them"], who);
   endif
-  r.violations = violations ({m.margins, m.static_margins}{1 + static}, r.t, r.margins);
+  r.violations = gsmbp__violations (m, r, {m.margins, m.static_margins}{1 + static}, o.limits);
   r.q = reshape (qj(:,1,:), d.nu, nt)';
   r.u = reshape (qj(:,2,:), d.nu, nt)';
   r.ud = reshape (qj(:,3,:), d.nu, nt)';
@@ -190,10 +194,11 @@ function o = checked (who, m, o)
             "coordinates by %d speeds; derive it with angles of orientation"], who, m.name, ...
            d.nq, d.nu);
   endif
-  o.guess = gsmbp__vector (who, "guess", o.guess, d.nq, "", m.coordinates);
-  o.internal = gsmbp__vector (who, "internal", o.internal, d.nx - d.nq - d.nu, "",
+  o.guess = gsmbp__vector (who, "option guess", o.guess, d.nq, "", m.coordinates);
+  o.internal = gsmbp__vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
                               m.states(d.nq+d.nu+1:end));
-  o.input = gsmbp__vector (who, "input", o.input, d.nv, "", m.inputs);
+  o.input = gsmbp__vector (who, "option input", o.input, d.nv, "", m.inputs);
+  o.limits = gsmbp__bounds (who, "option limits", o.limits, d.nv);
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
     error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
   endif
@@ -238,17 +243,6 @@ function yd = internal_rates (m, motion_at, guess, xi, here, t, y)
   xi(here) = y;
   [v, xid] = m.cmx (t, motion_at (t, 1, guess), xi);
   yd = xid(here);
-endfunction
-
-## margins that are not above 0: text, first time, least value
-function list = violations (texts, t, margins)
-  list = struct ("text", {}, "time", {}, "least", {});
-  for k = 1:numel (texts)
-    bad = find (! (margins(:,k) > 0));
-    if (! isempty (bad))
-      list(end+1) = struct ("text", texts{k}, "time", t(bad(1)), "least", min (margins(:,k)));
-    endif
-  endfor
 endfunction
 
 ## the states of the actuators behind q and u: Newton on u' of the right-hand

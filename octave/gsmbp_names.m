@@ -2,8 +2,8 @@
 ## @c category Models
 ## @deftypefn  {} {} gsmbp_names (@var{m})
 ## @deftypefnx {} {@var{t} =} gsmbp_names (@var{m})
-## The names of all that a model's results hold: states, inputs, outputs, efforts, multipliers,
-## margins, each with its unit and what it is.
+## The names of all that a model's results hold: states, inputs, outputs, places of points and
+## frames (@code{"tip.x"}), efforts, multipliers, margins, each with its unit and what it is.
 ##
 ## Without a result the table is printed.  @var{t} is a struct array with the fields
 ## @code{name}, @code{unit}, @code{kind}, @code{meaning}, and @code{field} and @code{column},

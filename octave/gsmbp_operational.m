@@ -29,7 +29,7 @@
 ## which of vx, vy, vz, wx, wy, wz are asked for (1:6 by default): as many as can be given
 ## independently
 ## @item "frame"
-## in whose axes these are: @qcode{"ground"} (default) or a frame of the scene
+## in whose axes these are, as of @code{gsmbp_point}
 ## @item "independent"
 ## of a closed chain the names of independent coordinates (see @code{gsmbp_reduced})
 ## @item "inputs"

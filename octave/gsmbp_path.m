@@ -3,25 +3,30 @@
 ## @deftypefn  {} {@var{path} =} gsmbp_path ("line", @var{points}, "speed", @var{v}, @
 ## "acceleration", @var{a}, @dots{})
 ## @deftypefnx {} {@var{path} =} gsmbp_path ("circle", @var{points}, @dots{})
-## A straight line or an arc of a circle in space that a frame follows within limits of speed.
+## @deftypefnx {} {@var{path} =} gsmbp_path ("spline", @var{points}, @dots{})
+## A straight line, an arc of a circle or a spline in space that a frame follows within limits of
+## speed.
 ##
 ## @var{points}: 3 x 2 [m], from the first to the second; of a circle 3 x 3, from the first
-## through the second to the third.  Options:
+## through the second to the third; of a spline 3 x @var{k}, through all of them (a natural cubic
+## spline over their distances).  Options:
 ## @table @code
 ## @item "speed", "acceleration", "jerk"
 ## limits along the path [m/s, m/s^2, m/s^3]; without "jerk" the speed is a trapezoid, with it
 ## a double S.  Where the point stays they are those of the angle [rad/s, @dots{}].
 ## @item "rotations"
 ## 3 x 3 x 2: the rotation matrices at both ends (default: no rotation).  The frame turns about
-## one axis by an angle in [0, pi], in proportion to the way; half a turn is about the axis
-## whose largest component is positive.
+## one axis by an angle in [0, pi], in proportion to the way (slerp); half a turn is about the axis
+## whose largest component is positive.  Of a spline 3 x 3 x @var{k}, one at each point: angular
+## velocity and acceleration are continuous along it.
 ## @item "start", "end", "at"
 ## speeds at both ends (default 0) and first time (default 0)
 ## @end table
 ##
 ## The result is a struct: @code{s}, the way as a function of time (a piecewise polynomial, as of
 ## @code{gsmbp_plan}), @code{length} [m], @code{angle} [rad], @code{times} of begin and end, and
-## of a circle @code{centre}, @code{radius}, @code{normal}, @code{sweep}.
+## of a circle @code{centre}, @code{radius}, @code{normal}, @code{sweep}; of a spline @code{angle}
+## is the sum of the turns from point to point.
 ## @code{gsmbp_along} tells where the frame is at any time.
 ##
 ## @c session octave
@@ -35,9 +40,10 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: points on one line are no circle; a matrix that is no rotation; an option that is
-## missing, unknown or not above 0.
-## Source: own; the rotation vector between the ends.
+## Errors: points on one line are no circle; neighbours at one place are no spline; a matrix that
+## is no rotation; an option that is missing, unknown or not above 0.
+## Source: own; the rotation vector between the ends; for splines Kang and Park, International
+## Journal for Numerical Methods in Engineering 46 (1999).
 ## @seealso{gsmbp_along, gsmbp_plan}
 ## @end deftypefn
 
@@ -46,13 +52,9 @@ function path = gsmbp_path (kind, points, varargin)
     print_usage ();
   endif
   who = "gsmbp_path";
-  gsmbp__fits (who, "argument kind", kind, {"line", "circle"});
+  gsmbp__fits (who, "argument kind", kind, {"line", "circle", "spline"});
   gsmbp__fits (who, "argument points", points, "numbers");
-  columns_wanted = 2 + strcmp (kind, "circle");
-  if (! isequal (size (points), [3, columns_wanted]))
-    error ("%s: argument points of a %s: expected 3 x %d, found %d x %d", who, kind, ...
-           columns_wanted, rows (points), columns (points));
-  endif
+  check_points (who, kind, points);
   table = {"speed", [], "positive"; "acceleration", [], "positive"; "jerk", [], "positive"
            "rotations", [], "numbers"; "start", 0, "number"; "end", 0, "number"; "at", 0, "number"};
   o = gsmbp__options (who, table, varargin);
@@ -60,14 +62,27 @@ function path = gsmbp_path (kind, points, varargin)
     error ("%s: expected the options \"speed\" and \"acceleration\"", who);
   endif
   path = struct ("kind", kind, "points", double (points));
-  if (strcmp (kind, "line"))
-    path.length = norm (diff (path.points, 1, 2));
+  if (strcmp (kind, "spline"))
+    matrices = rotations (who, o.rotations, columns (points));
+    path = gsmbp__space_spline (who, path, matrices);
   else
-    path = circle (who, path);
+    matrices = rotations (who, o.rotations, 2);
+    path.length = norm (diff (path.points(:,1:2), 1, 2));
+    if (strcmp (kind, "circle"))
+      path = circle (who, path);
+    endif
+    [path.rotation, path.axis, path.angle] = turning (matrices);
   endif
-  [path.rotation, path.axis, path.angle] = turning (who, o.rotations);
   path.s = law_of (path, o);
   path.times = path.s.breaks([1, end]);
+endfunction
+
+function check_points (who, kind, points)
+  n = struct ("line", 2, "circle", 3, "spline", max (2, columns (points))).(kind);
+  if (! isequal (size (points), [3, n]))
+    error ("%s: argument points of a %s: expected 3 x %d%s, found %d x %d", who, kind, n, ...
+           {"", " or more"}{1 + strcmp(kind, "spline")}, rows (points), columns (points));
+  endif
 endfunction
 
 function s = law_of (path, o)
@@ -103,17 +118,16 @@ function path = circle (who, path)
   path.length = path.radius * path.sweep;
 endfunction
 
-## the first rotation, and axis (in its frame) and angle of the turn to the second
-function [R, axis, angle] = turning (who, matrices)
+## as many rotations as the path has points with one
+function matrices = rotations (who, matrices, n)
   if (isempty (matrices))
-    [R, axis, angle] = deal (eye (3), [0; 0; 1], 0);
     return;
   endif
-  if (! isequal (size (matrices), [3, 3, 2]))
-    error ("%s: option rotations: expected 3 x 3 x 2, found %s", who, ...
+  if (! isequal (size (matrices), [3, 3, n]))
+    error ("%s: option rotations: expected 3 x 3 x %d, found %s", who, n, ...
            sprintf ("%dx", size (matrices))(1:end-1));
   endif
-  for k = 1:2
+  for k = 1:n
     R = matrices(:,:,k);
     if (max (abs ((R' * R - eye (3))(:))) > 1e-6 || det (R) < 0)
       error (["%s: option rotations: matrix %d is no rotation: R'*R differs from 1 by %.3g, " ...
@@ -121,30 +135,16 @@ function [R, axis, angle] = turning (who, matrices)
              who, k, max (abs ((R' * R - eye (3))(:))), det (R));
     endif
   endfor
-  R = matrices(:,:,1);
-  turn = R' * matrices(:,:,2);
-  w = [turn(3,2) - turn(2,3); turn(1,3) - turn(3,1); turn(2,1) - turn(1,2)] / 2;
-  angle = atan2 (norm (w), (trace (turn) - 1) / 2);
-  axis = turned_about (turn, w, angle);
 endfunction
 
-## near half a turn the axis is that of the symmetric part
-function axis = turned_about (turn, w, angle)
-  if (angle < 1e-14)
-    axis = [0; 0; 1];
-  elseif (angle < 3)
-    axis = w / norm (w);
-  else
-    [~, k] = max (diag (turn));
-    axis = (turn(:,k) + turn(k,:)') / 2 - cos (angle) * (1:3 == k)';
-    axis /= norm (axis);
-    if (norm (w) > 1e-14)
-      axis *= 1 - 2 * (dot (axis, w) < 0);
-    else
-      [~, k] = max (abs (axis));
-      axis *= sign (axis(k));
-    endif
+## the first rotation, and axis (in its frame) and angle of the turn to the second
+function [R, axis, angle] = turning (matrices)
+  if (isempty (matrices))
+    [R, axis, angle] = deal (eye (3), [0; 0; 1], 0);
+    return;
   endif
+  R = matrices(:,:,1);
+  [~, axis, angle] = gsmbp__rotation_vector (R' * matrices(:,:,2));
 endfunction
 
 %!test <a line with its orientation: half way at half time>

@@ -93,12 +93,9 @@ function [motion, laws] = gsmbp_plan (kind, varargin)
   if (nargin < 2 || ! ischar (kind))
     print_usage ();
   endif
+  counted (kind, varargin);
   switch (kind)
     case {"quintic", "septic"}
-      if (numel (varargin) != 2)
-        error ("gsmbp_plan: %s: expected positions and times, found %d arguments", kind, ...
-               numel (varargin));
-      endif
       motion = moves (varargin{:}, ...
                       struct ("quintic", [6 -15 10 0 0 0], "septic", ...
                               [-20 70 -84 35 0 0 0 0]).(kind));
@@ -107,7 +104,7 @@ function [motion, laws] = gsmbp_plan (kind, varargin)
       [motion, laws] = gsmbp__limited ("gsmbp_plan", double (varargin{1}), varargin(2:end), ...
                                        strcmp (kind, "double_s"));
     case {"cubic", "blends"}
-      [q, times] = columns_at (varargin{:});
+      [q, times] = columns_at (varargin{1:2});
       motion = gsmbp__via ("gsmbp_plan", kind, q, times, varargin(3:end));
     case "profile"
       motion = profile (varargin{:});
@@ -120,8 +117,27 @@ function [motion, laws] = gsmbp_plan (kind, varargin)
   endswitch
 endfunction
 
+## whether a kind is given as many arguments as it takes; options may follow those of some
+function counted (kind, given)
+  table = {"quintic", 2, 2, "positions and times"; "septic", 2, 2, "positions and times"
+           "cubic", 2, Inf, "positions, times and options"
+           "blends", 2, Inf, "positions, times and options"
+           "profile", 1, 3, "a rate, an order and a start"
+           "table", 2, 3, "times, values and an order"};
+  k = find (strcmp (table(:,1), kind));
+  n = numel (given);
+  if (isempty (k))
+    return;
+  endif
+  texts = find (cellfun (@ischar, given), 1);
+  if (n < table{k,2} || n > table{k,3} || any (texts <= table{k,2}))
+    error ("gsmbp_plan: %s: expected %s, found %s", kind, table{k,4}, ...
+           strjoin (cellfun (@gsmbp__shown, given, "UniformOutput", false), ", "));
+  endif
+endfunction
+
 ## positions, a column for each of the times
-function [q, times] = columns_at (q, times, varargin)
+function [q, times] = columns_at (q, times)
   times = gsmbp__times ("gsmbp_plan", times);
   numbers (q, "the positions");
   if (columns (q) != numel (times) || numel (times) < 2)
@@ -248,3 +264,13 @@ endfunction
 %!error <column of positions for each of the 2 times> gsmbp_plan ("quintic", [1 2 3], [0 1])
 %!error <times must be strictly increasing> gsmbp_plan ("quintic", [1 2], [1 1])
 %!error <kind must be> gsmbp_plan ("spline", [1 2], [0 1])
+%!error <cubic: expected positions, times and options, found \[1 2\]> gsmbp_plan ("cubic", [1 2])
+%!error <blends: expected positions, times and options, found \[1 2\], "acceleration", 3>
+%! gsmbp_plan ("blends", [1 2], "acceleration", 3)
+%!error <septic: expected positions and times, found \[1 2\]> gsmbp_plan ("septic", [1 2])
+%!error <profile: expected a rate, an order and a start, found 1, 2, 3, 4>
+%! gsmbp_plan ("profile", 1, 2, 3, 4)
+%!error <table: expected times, values and an order, found \[0 1\]> gsmbp_plan ("table", [0 1])
+%!error <option "speed" has no value> gsmbp_plan ("trapezoid", [0 1], "speed")
+%!error <option acceleration: expected one number or 1 numbers above 0, found \[\]>
+%! gsmbp_plan ("double_s", [0 1], "speed", 1)

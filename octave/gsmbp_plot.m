@@ -24,6 +24,8 @@
 ## the quantity and its unit, for the axis, e.g. "torque [N m]"
 ## @item style
 ## (optional) "lines" (default), "linespoints", "points" or "steps"
+## @item heading
+## (optional) what sets this panel apart, above it, e.g. "start 5 mm aside"
 ## @item factor
 ## (optional) what the numbers are multiplied by in the figure, e.g. 1e-3 for kN
 ## @end table
@@ -147,7 +149,7 @@ function text = terminal (kind, size, o)
     case ".svg"
       text = sprintf ("svg size %d,%d fontscale 1.3333 linewidth 0.9", round (size * 96 / 2.54));
   endswitch
-  text = sprintf ("%s noenhanced font 'FreeSans,%g'", text, o.fontsize);
+  text = sprintf ("%s enhanced font 'FreeSans,%g'", text, o.fontsize);
 endfunction
 
 function check (who, t, panels)
@@ -163,6 +165,9 @@ function check (who, t, panels)
       error (["%s: panel %d: expected numbers y, a list of names and a text label, found " ...
               "%s, %s and %s"], who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), ...
              gsmbp__shown (p.label));
+    endif
+    if (isfield (p, "heading"))
+      gsmbp__fits (who, sprintf ("panel %d: heading", i), p.heading, "text");
     endif
     if (isfield (p, "style"))
       gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, ...

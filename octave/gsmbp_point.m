@@ -38,8 +38,9 @@
 ## Options:
 ## @table @code
 ## @item "frame"
-## @qcode{"ground"} (default) or a frame of the scene, in whose axes all of this is.
-## @code{jacobian_rate} is then the rate of the Jacobian in these axes, times u
+## @qcode{"ground"} (default), a point or frame of the scene or a link that carries one, in whose
+## axes all of this is.  @code{jacobian_rate} is then the rate of the Jacobian in these axes,
+## times u
 ## @item "independent"
 ## of a closed chain the names of as many coordinates as there are freedoms: the columns of
 ## @code{jacobian} are then by their speeds w, and @code{jacobian_rate} is what the
@@ -106,25 +107,32 @@ function p = gsmbp_point (m, name, t, q, varargin)
   k = number (who, m, "point", name);
   axes_ = @(k) R(:,3*k-2:3*k);
   A = eye (3);
+  turning = 0;
   if (! strcmp (options.frame, "ground"))
-    A = axes_ (number (who, m, "frame", options.frame));
+    [turning, local] = bearer (who, m, options.frame);
+    A = axes_ (turning) * local';
   endif
   p.position = A' * P(:,k);
   p.rotation = A' * axes_ (k);
   [p.euler_parameters, p.roll_pitch_yaw] = gsmbp__turn (p.rotation);
   if (! isempty (motion))
-    p = moving (who, m, p, k, A, t, q, options, motion{:});
+    p = moving (who, m, p, k, A, turning, t, q, options, motion{:});
   elseif (! isempty (options.independent))
     error ("%s: option independent: expected speeds u behind q", who);
   endif
 endfunction
 
-## the same with velocities, Jacobian, accelerations
-function p = moving (who, m, p, k, A, t, q, options, u, ud = [])
+## the same with velocities, Jacobian, accelerations in the axes A, which turn with the point
+## TURNING (0: with none)
+function p = moving (who, m, p, k, A, turning, t, q, options, u, ud = [])
   n = m.sizes.nu;
   u = gsmbp__vector (who, "u", u, n, "", m.speeds);
   [J, dJu] = m.jpt (t, q, u);
   block = @(k) J(:,n*(k-1)+1:n*k);
+  w = zeros (3, 1);
+  if (turning > 0)
+    w = A' * block (turning)(4:6,:) * u;
+  endif
   J = block (k);
   dJu = dJu(:,k);
   B = blkdiag (A, A);
@@ -133,25 +141,44 @@ function p = moving (who, m, p, k, A, t, q, options, u, ud = [])
     a = B' * (J * gsmbp__vector (who, "ud", ud, n, "", m.speeds) + dJu);
   endif
   if (! isempty (options.independent))
-    [T, c] = gsmbp__independent (who, m, t, q, u, options.independent);
+    [T, c] = gsmbp__independent (who, "option independent", m, t, q, u, ...
+                                  options.independent);
     dJu += J * c;
     J *= T;
   endif
   p.jacobian = B' * J;
-  p.jacobian_rate = B' * dJu;
-  if (! strcmp (options.frame, "ground"))
-    ## the axes turn: (A'J)' u = A'(J' u) - w x (A'J u)
-    full = m.jpt (t, q, u);
-    j = find (strcmp (options.frame, m.points));
-    w = A' * full(4:6,n*(j-1)+1:n*j) * u;
-    p.jacobian_rate -= [cross(w, V(1:3)); cross(w, V(4:6))];
-  endif
+  ## the axes turn: (A'J)' u = A'(J' u) - w x (A'J u)
+  p.jacobian_rate = B' * dJu - [cross(w, V(1:3)); cross(w, V(4:6))];
   p.velocity = V(1:3);
   p.angular_velocity = V(4:6);
   if (! isempty (ud))
     p.acceleration = a(1:3);
     p.angular_acceleration = a(4:6);
   endif
+endfunction
+
+## the point or frame whose axes are wanted, or that stands on the link whose are; its axes in these
+function [k, local] = bearer (who, m, name)
+  local = eye (3);
+  k = find (strcmp (name, m.points));
+  if (! isempty (k))
+    return;
+  endif
+  k = find (strcmp ({m.json.points.link}, name), 1);
+  if (! isempty (k))
+    local = reshape (cellfun (@(text) constant (m, text), m.json.points(k).rotation), 3, 3)';
+  elseif (any (strcmp (m.skeleton.body, name)))
+    error (["%s: option frame: link %s carries no point or frame: expected one that does, or a " ...
+            "point or frame: %s"], who, name, strjoin (m.points(:)', ", "));
+  else
+    k = number (who, m, "frame", name);
+  endif
+endfunction
+
+## an expression of the JSON in the parameters
+function x = constant (m, text)
+  f = str2func (["@(" strjoin(fieldnames (m.par)', ", ") ") " strrep(text, "%", "")]);
+  x = f (struct2cell (m.par){:});
 endfunction
 
 function k = number (who, m, what, name)

@@ -72,15 +72,16 @@ function [q, info] = gsmbp_reach (m, name, P, R = [], varargin)
                                   "limits", [], "numbers"; ...
                                   "method", "auto", {"auto", "closed", "newton"}; ...
                                   "given", [], "numbers"; "time", 0, "number"}, varargin);
+  turned = ! isempty (R);
   [P, R] = gsmbp__poses (who, P, R);
-  job = gsmbp__reach_job (who, m, name, P, R, options);
+  job = gsmbp__reach_job (who, m, name, columns (P), turned, options);
   k = columns (P);
   q = NaN (m.sizes.nq, k);
   info = struct ("status", {cell(1, k)}, "distance", zeros (2, k), "branch", zeros (1, k), ...
                  "solutions", {cell(1, k)}, "free", zeros (m.sizes.nu, k));
   before = job.start;
   for i = 1:k
-    one = gsmbp__reach_one (m, job, P(:,i), R(:,:,i), i, before);
+    one = gsmbp__reach_one (who, m, job, P(:,i), R(:,:,i), i, before);
     q(:,i) = one.q;
     info.status{i} = one.status;
     info.distance(:,i) = one.distance;

@@ -53,7 +53,7 @@ function r = gsmbp_reduced (m, t, q, u, names, v = [])
   gsmbp__model (who, m);
   gsmbp__fits (who, "argument names", names, "names");
   u = gsmbp__vector (who, "u", u, m.sizes.nu, "", m.speeds);
-  [r.T, r.c, r.independent] = gsmbp__independent (who, m, t, q, u, names);
+  [r.T, r.c, r.independent] = gsmbp__independent (who, "argument names", m, t, q, u, names);
   M = m.mas (t, q);
   r.M = r.T' * M * r.T;
   r.M = (r.M + r.M') / 2;

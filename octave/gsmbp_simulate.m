@@ -141,7 +141,11 @@
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
-## @code{v} (the inputs; from the left where they jump), @code{options} (a struct of
+## @code{v} (the inputs; from the left where they jump), @code{y} (the outputs of the scene),
+## @code{points} (places of its points and frames, three columns each [m]), @code{of} (every
+## column by its name: @code{r.of.("tip.x")}, see @code{gsmbp_names}), @code{unique} (which outputs
+## the motion determines: not all reactions are in scenes with more constraints than their motion
+## needs; @code{m.unique} tells it of every scene), @code{options} (a struct of
 ## those that were given) and @code{stats}:
 ## @table @code
 ## @item calls, accepted, rejected, repeated, projections, seconds
@@ -200,10 +204,7 @@
 ## @item events, instants
 ## how many events and instants of sampled devices there were, in scenes that have such
 ## @end table
-## With sampled devices also @code{y} (the outputs of the scene, a row for each
-## time), @code{unique} (which of them the motion determines: not all reactions are in
-## scenes with more constraints than their motion needs; @code{m.unique} tells it of
-## every scene), @code{memory} (theirs at the end; what is on its way to an output then
+## With sampled devices also @code{memory} (theirs at the end; what is on its way to an output then
 ## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
 ## @code{xk} (memory), @code{v} (inputs), both after it.
 ## With events also @code{events}, a struct with a row for each (10000 at most):

@@ -108,7 +108,7 @@ for k = 1:4
   path{k} = c';
 endfor
 names = arrayfun (@(x) sprintf ("%g of critical", x), ratios, "UniformOutput", false);
-gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [degrees]"), "title", ...
+gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [°]"), "title", ...
             "A disc pushed by 1.1 degrees, slow and fast");
 
 ## --------------------------------------------------------- the coin wobbles
@@ -132,9 +132,9 @@ printf (["disturbed: its plane at %.2f to %.2f degrees, normal force %.2f to %.2
           3))) * 180 / pi, ...
         max (acos (a(:,3))) * 180 / pi, min (n) / (p.m * p.g), max (n) / (p.m * p.g), max (f ./ n));
 gsmbp_plot ("out/figure_coin.png", t2, panel (acos (a(:,3)) * 180 / pi, {"plane of the coin"}, ...
-    "inclination [degrees]"), ...
+    "inclination [°]"), ...
             panel ([n / (p.m * p.g), f ./ n], {"normal / weight", "friction / normal"}, ...
-                   "force [1]"), "title", "A wobbling coin, disturbed");
+                   "force ratio [1]"), "title", "A wobbling coin, disturbed");
 
 ## ------------------------------------------------------ what is conserved
 x0 = start (p.r, 0.5, 1, 0, 8);
@@ -156,12 +156,6 @@ printf ("\none call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 *
 diary off
 
 ## ------------------------------------------------------ what it looks like
-circle = linspace (0, 2 * pi, 49);
-rim = p.r * [cos(circle); zeros(1, 49); sin(circle)];
-spokes = zeros (3, 0);
-for k = 1:8:41
-  spokes = [spokes, NaN(3, 1), rim(:,k), [0; 0; 0]];
-endfor
 colors = {"#cc3318", "#d98c00", "#1a7f37", "#00459a"};
 tracks = {};
 for k = 1:2
@@ -171,14 +165,7 @@ film ("out/tracks.png", {tracks}, "view", [0, 90], "width", 640, "axis", 0.1);
 
 slow = start (p.r, 0.02, 0, 0, ratios(1) * critical);
 r = gsmbp_simulate (m, slow, 0:0.04:3.6);
-[~, c] = seen (p.r, gsmbp_simulate (m, slow, 0:0.01:3.6).x);
-for k = 1:rows (r.x) - 1
-  R = turning (r.x(k,4:7));
-  centre = r.x(k,1:3)';
-  frames{k} = {c(1:max(2, 4*k - 3),:)', "lines lw 1.5 lc rgb '#cc3318'", "track"; ...
-               centre + R * spokes, "lines lw 1 lc rgb '#00459a'", ""; centre + R * rim, ...
-               "lines lw 3 lc rgb '#00459a'", "disc"};
-  titles{k} = sprintf ("t = %.2f s", r.t(k));
-endfor
-film ("out/motion.gif", frames, "view", [20, 30], "fps", 25, "width", 440, "axis", 0.1, ...
-      "titles", titles);
+gsmbp_animate (m, r, "out/motion.gif", "times", r.t, "fps", 25, "trace", "disc", "centres", ...
+               false, "title", "Rolling disc", "width", 520);
+gsmbp_animate (m, r, "out/skeleton.png", "times", [0, 1.2, 2.4, 3.6], "trace", "disc", ...
+               "centres", false, "title", "Rolling disc");

@@ -109,8 +109,6 @@ call_once (const signature& g, gsmbp_sub f, arguments& a, int nargout)
   return out;
 }
 
-static const number no_number = std::numeric_limits<double>::quiet_NaN ();
-
 // The indicators are the last output; without it a state that has one is an error.
 static void
 finish_batch (octave_value_list &out, const std::vector<int> &info, int k, int nargout,

@@ -34,6 +34,8 @@ typedef double number;
 
 typedef std::vector<number> reals;
 
+static const double no_number = std::numeric_limits<double>::quiet_NaN ();
+
 // how often the next call is repeated to be timed (0: once, untimed), and the time of all
 static long the_repeats = 0;
 static double the_seconds = 0;

@@ -68,6 +68,72 @@ set_samples (reals& cst, std::vector<int>& ip, reals& rp)
   routine ("ctp") (&cst[0], &rp[first], &rp[first + nc]);
 }
 
+// whether N numbers are finite, none above what the emitted subroutines take
+static bool
+fine (const number *x, int n)
+{
+  return std::all_of (x, x + n, [] (number a) { return std::fabs (double (a)) <= 1e300; });
+}
+
+// the outputs at K states, a column each; not a number where a state or an input is none or the
+// subroutine cannot calculate them
+static Matrix
+outputs_at (const reals& cst, int k, const number *t, const number *x, int ldx, const number *v,
+            int ldv)
+{
+  Matrix y (S.ny, k, no_number);
+  reals one = room (S.ny);
+  for (int i = 0; i < k && S.ny > 0; i++, t++, x += ldx, v += ldv)
+    if (fine (t, 1) && fine (x, S.nx) && fine (v, S.nv))
+      {
+        int info = 0;
+        routine ("out") (t, x, v, &cst[0], &one[0], &info);
+        for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
+          y(j, i) = double (one[j]);
+      }
+  return y;
+}
+
+// a row for each time, handed over as a column each
+static reals
+rows_of (arguments& a, const char *name)
+{
+  Matrix m = a.value (name).matrix_value ().transpose ();
+  reals x (m.data (), m.data () + m.numel ());
+  x.resize (x.size () + 1);   // &x[0] exists
+  return x;
+}
+
+// (constants, number of times, times, states, inputs): outputs, a column each
+static octave_value_list
+do_outputs (arguments& a, int)
+{
+  reals cst = a.constants ();
+  int k = int (a.value ("number").int_value ());
+  reals t = rows_of (a, "times"), x = rows_of (a, "states"), v = rows_of (a, "inputs");
+  return ovl (outputs_at (cst, k, &t[0], &x[0], S.nx, &v[0], S.nv));
+}
+
+// (constants, number of times, times, coordinates, number of points): their places, a column each
+static octave_value_list
+do_places (arguments& a, int)
+{
+  reals cst = a.constants ();
+  int k = int (a.value ("number").int_value ());
+  reals t = rows_of (a, "times"), q = rows_of (a, "coordinates");
+  int n = int (a.value ("points").int_value ());
+  Matrix places (3 * n, k, no_number);
+  reals p = room (3 * n), r = room (9 * n);
+  for (int i = 0; i < k; i++)
+    if (fine (&t[i], 1) && fine (&q[std::size_t (S.nq) * i], S.nq))
+      {
+        routine ("pnt") (&t[i], &q[std::size_t (S.nq) * i], &cst[0], &p[0], &r[0]);
+        for (int j = 0; j < 3 * n; j++)
+          places(j, i) = double (p[j]);
+      }
+  return ovl (places);
+}
+
 // after a run: a struct of the outputs at the output times, the record of the samples, the memory
 // at the end
 static octave_value
@@ -80,16 +146,8 @@ samples (const reals& cst, const std::vector<int>& ip, const reals& rp, const re
   int nc = is[0], nh = is[3], np = is[4], ns = std::min (is[5], is[6]), width = 1 + S.nxk + S.nv;
   const number *s = &rp[ip[26] - 1];
   octave_scalar_map r;
-  Matrix y (S.ny, reached), memory (S.nxk, 1), record (width, ns);
-  reals one = room (S.ny);
-  for (int k = 0; k < reached && S.ny > 0; k++)
-    {
-      int info = 0;
-      routine ("out") (&tout[k], &xout[std::size_t (ldx) * k], &vout[std::size_t (ldv) * k],
-                              &cst[0], &one[0], &info);
-      for (int i = 0; i < S.ny; i++)
-        y(i, k) = double (one[i]);
-    }
+  Matrix y = outputs_at (cst, reached, &tout[0], &xout[0], ldx, &vout[0], ldv);
+  Matrix memory (S.nxk, 1), record (width, ns);
   s += 2 * nc + nh;
   for (int i = 0; i < S.nxk; i++)
     memory(i) = double (s[i]);

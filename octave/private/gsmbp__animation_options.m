@@ -27,7 +27,7 @@ function [column, name] = traced (who, wanted, skeleton, named)
   name = "";
   last = cumsum (skeleton.points);
   if (ischar (wanted) && any (strcmp (wanted, named)))
-    column = last(end) + find (strcmp (wanted, named));
+    column = last(end) + numel ([skeleton.parts.bodies]) + find (strcmp (wanted, named));
     name = ["path of " wanted];
     return;
   endif

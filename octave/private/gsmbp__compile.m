@@ -178,8 +178,9 @@ function text = sizes_header (json, symbol, has_input)
     base = numel (json.base_parameters);
   endif
   sets = gsmbp__orientation (json);
-  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", ...
-                            sum (gsmbp__skeleton (json).points), base, rows (sets));
+  skeleton = gsmbp__skeleton (json);
+  np = sum (skeleton.points) + numel ([skeleton.parts.bodies]);
+  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", np, base, rows (sets));
   [routines, meanings, declared] = subroutines (json);
   if (has_input)
     declared{end+1} = "gsvin_";

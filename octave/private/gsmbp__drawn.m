@@ -8,8 +8,11 @@ function lines = gsmbp__drawn (table, panels, o, size)
   top = 0.25 + 0.75 * (! isempty (o.title));
   below = 1.3 * o.fontsize / 10;
   keys = cellfun (@(p) key_rows (p, size(1), em), panels);
-  each = (size(2) - top - below - sum (keys) * 2.6 * em - (n - 1) * 0.45) / n;
-  left = 2.1 * o.fontsize / 10 / size(1);
+  headed = cellfun (@(p) isfield (p, "heading") && ! isempty (p.heading), panels);
+  each = (size(2) - top - below - sum (keys + headed) * 2.6 * em - (n - 1) * 0.45) / n;
+  labels = cellfun (@(p) broken (p.label, each / em), panels, "UniformOutput", false);
+  two_lines = any (cellfun (@(text) any (text == "\n"), labels));
+  left = (2.1 + 0.5 * two_lines) * o.fontsize / 10 / size(1);
   lines = {"set datafile separator comma", "set datafile missing 'NaN'", ...
            "set encoding utf8", "set grid lc rgb '#c8c8c8' lw 0.6 dt 1", "set border lw 0.8", ...
            sprintf("set lmargin at screen %.4f", left), ...
@@ -17,34 +20,63 @@ function lines = gsmbp__drawn (table, panels, o, size)
   if (any (strcmp (o.scale, {"linear", "semilogy"})))
     lines{end+1} = "set autoscale xfix";
   endif
+  if (any (strcmp (o.scale, {"linear", "semilogx"})))   # no curve on the frame
+    lines{end+1} = "set offsets graph 0, graph 0, graph 0.03, graph 0.03; set autoscale yfix";
+  endif
   lines{end+1} = "set multiplot";
   at = size(2) - top;
   if (! isempty (o.title))
-    lines{end+1} = sprintf ("set label 1 %s at screen %.4f,%.4f center font ',%.1f'", ...
-                            gsmbp__quoted (o.title), (left + 1) / 2, 1 - 0.6 / size(2), ...
-                            1.1 * o.fontsize);
+    lines{end+1} = label_at (1, o.title, [(left + 1) / 2, 1 - 0.6 / size(2)], ...
+                             sprintf ("center font ',%.1f'", 1.1 * o.fontsize));
   endif
   column = 2;
   for i = 1:n
     p = panels{i};
-    at -= keys(i) * 2.6 * em;
+    if (headed(i))
+      lines{end+1} = label_at (2, p.heading, [left, (at - 1.2 * em) / size(2)], "left");
+    endif
+    at -= (keys(i) + headed(i)) * 2.6 * em;
     lines = [lines, place(at, each, size, i == n, o), {key_of(p, keys(i), size)}];
-    lines{end+1} = sprintf ("set ylabel %s offset 0.8", gsmbp__quoted (p.label));
+    lines{end+1} = sprintf ("set ylabel %s offset %g noenhanced", ...
+                            strrep (gsmbp__quoted (labels{i}), "\n", "'.\"\\n\".'"), ...
+                            0.8 - 1.6 * any (labels{i} == "\n"));
     lines{end+1} = ["plot " curves(table, p, column)];
-    lines{end+1} = "unset label 1";
+    lines{end+1} = "unset label";
     column += columns (p.y);
     at -= each + 0.45;
   endfor
   lines{end+1} = "unset multiplot";
 endfunction
 
+## a label in two lines where it has more letters than the axis has room for
+function text = broken (text, room)
+  blanks = find (text == " ");
+  if (numel (text) > room && ! isempty (blanks))
+    [~, k] = min (abs (blanks - numel (text) / 2));
+    text(blanks(k)) = "\n";
+  endif
+endfunction
+
+function line = label_at (k, text, at, how)
+  line = sprintf ("set label %d %s at screen %.4f,%.4f %s noenhanced", k, gsmbp__quoted (text), ...
+                  at, how);
+endfunction
+
 function lines = place (at, each, size, last, o)
   lines = {sprintf("set tmargin at screen %.4f", at / size(2)), ...
            sprintf("set bmargin at screen %.4f", (at - each) / size(2))};
   if (last)
-    lines = [lines, {"set format x", ["set xlabel " gsmbp__quoted(o.xlabel) " offset 0,0.3"]}];
+    lines = [lines, {format_of(o.scale), sprintf("set xlabel %s offset 0,0.3 noenhanced", ...
+                                                 gsmbp__quoted (o.xlabel))}];
   else
     lines{end+1} = "set format x ''";
+  endif
+endfunction
+
+function line = format_of (scale)
+  line = "set format x";
+  if (any (strcmp (scale, {"semilogx", "loglog"})))
+    line = "set format x '10^{%T}'";
   endif
 endfunction
 
@@ -88,9 +120,9 @@ function text = curves (table, p, column)
 endfunction
 
 function text = kind_of (k, n, style)
-  dashes = {"1", "(9,5)", "(2,4)", "(9,4,2,4)", "(16,5)", "(4,4)", "(16,4,2,4,2,4)"};
+  dashes = {"1", "(9,5)", "(3,3)", "(9,4,2,4)", "(16,5)", "(4,4)", "(16,4,2,4,2,4)"};
   marks = [7, 6, 5, 4, 9, 8, 13];
-  width = max (1.5, 2.6 - 0.4 * (k - 1));
+  width = max (1.8, 2.6 - 0.3 * (k - 1));
   if (n == 1)
     width = 2;
   endif
@@ -105,6 +137,7 @@ function text = kind_of (k, n, style)
 endfunction
 
 function text = axes_of (scale)
-  text = struct ("linear", "", "semilogy", "set logscale y; set format y '%.0e'", "semilogx", ...
-                 "set logscale x", "loglog", "set logscale xy; set format y '%.0e'").(scale);
+  text = struct ("linear", "", "semilogy", "set logscale y; set format y '10^{%T}'", "semilogx", ...
+                 "set logscale x; set format x '10^{%T}'", "loglog", ...
+                 "set logscale xy; set format xy '10^{%T}'").(scale);
 endfunction

@@ -130,13 +130,16 @@ function [best, point] = corner (A, b, c)
   A = A ./ scale;
   b = b ./ scale;
   n = numel (b);
-  [i, j] = find (tril (true (n), -1));
+  [i, j] = pairs_of (n);
   determinant = A(i,1) .* A(j,2) - A(j,1) .* A(i,2);
   fine = abs (determinant) > 1e-13;
-  [i, j, determinant] = deal (i(fine), j(fine), determinant(fine));
+  i = i(fine);
+  j = j(fine);
+  determinant = determinant(fine);
   points = [b(i) .* A(j,2) - b(j) .* A(i,2), A(i,1) .* b(j) - A(j,1) .* b(i)] ./ determinant;
   inside = all (A * points' <= b + 1e-9 * abs (b) + 1e-12 * max (1, abs (A) * abs (points')), 1);
-  [best, point] = deal (NaN, [NaN, NaN]);
+  best = NaN;
+  point = [NaN, NaN];
   if (any (inside))
     points = points(inside,:);
     [best, at] = max (points * c');
@@ -144,21 +147,39 @@ function [best, point] = corner (A, b, c)
   endif
 endfunction
 
+function [i, j] = pairs_of (n)
+  persistent known = 0 first second
+  if (known != n)
+    [first, second] = find (tril (true (n), -1));
+    known = n;
+  endif
+  i = first;
+  j = second;
+endfunction
+
 ## The largest x that follows x in the interval k with its step h (below 0: that lies before it),
 ## from low to high; the row that limits it (0: high does), s'' (NaN: there is none), and whether
 ## the row is too steep in x to be sure that there is none larger.
 function [x, at, u, steep] = along (rows, k, h, x, low, high)
   xm = max ((x + high) / 2, 1e-14);
-  [a, b, c, d] = deal (rows.a(:,k), rows.b(:,k), rows.c(:,k), rows.d(:,k));
+  a = rows.a(:,k);   # without deal, which costs more than the rest
+  b = rows.b(:,k);
+  c = rows.c(:,k);
+  d = rows.d(:,k);
+  straight = ! any (d);
   for iteration = 1:12
     root = sqrt (xm);
     tangent = b + d / (2 * root);
     slope = a + h * tangent;
     level = c + d * root / 2 + x * tangent;
-    up = slope > 0;
-    [above, below] = deal ((rows.largest - level) ./ slope, (rows.least - level) ./ slope);
-    [above(! up), below(! up)] = deal (below(! up), above(! up));
-    [above(slope == 0), below(slope == 0)] = deal (Inf, -Inf);
+    up = (rows.largest - level) ./ slope;
+    down = (rows.least - level) ./ slope;
+    above = max (up, down);
+    below = min (up, down);
+    if (! all (slope))
+      above(slope == 0) = Inf;
+      below(slope == 0) = -Inf;
+    endif
     if (h > 0)
       [u, at] = min ([above; (high - x) / (2 * h)]);
       bad = u < max ([below; (low - x) / (2 * h)]) - 1e-9 * abs (u);
@@ -168,7 +189,7 @@ function [x, at, u, steep] = along (rows, k, h, x, low, high)
     endif
     old = xm;
     xm = max (x + h * u, 1e-14);
-    if (all (d == 0) || abs (xm - old) <= 1e-13 * xm)
+    if (straight || abs (xm - old) <= 1e-13 * xm)
       break;
     endif
   endfor

@@ -1,13 +1,13 @@
-## [T, c, k] = gsmbp__independent (who, m, t, q, u, names)
+## [T, c, k] = gsmbp__independent (who, what, m, t, q, u, names)
 ## The motion of a closed chain by some of its speeds: ud = T*ud(k) + c where the constraints hold,
 ## and u = T*u(k) where time does not move them.  NAMES: of as many coordinates, or speeds, as there
-## are freedoms; k: their numbers.
+## are freedoms; k: their numbers.  WHAT: how the user of WHO calls them.
 
-function [T, c, k] = gsmbp__independent (who, m, t, q, u, names)
-  k = cellfun (@(name) number (who, m, name), cellstr (names)(:)');
+function [T, c, k] = gsmbp__independent (who, what, m, t, q, u, names)
+  k = cellfun (@(name) number (who, what, m, name), cellstr (names)(:)');
   n = m.sizes.nu;
   if (numel (unique (k)) != numel (k))
-    error ("%s: option independent: a name is given twice: %s", who, ...
+    error ("%s: %s: a name is given twice: %s", who, what, ...
            strjoin (cellstr (names)(:)', ", "));
   endif
   rest = setdiff (1:n, k);
@@ -29,8 +29,8 @@ function [T, c, k] = gsmbp__independent (who, m, t, q, u, names)
     bad = numel (k) != freedoms || sum (d > 1e-10 * max (s)) < numel (rest);
   endif
   if (bad)
-    error (["%s: option independent: expected %d of the coordinates, from which the motion of " ...
-            "the others follows here; found %s"], who, freedoms, ...
+    error (["%s: %s: expected %d of the coordinates, from which the motion of the others " ...
+            "follows here; found %s"], who, what, freedoms, ...
            strjoin (cellstr (names)(:)', ", "));
   endif
   if (! isempty (rest))
@@ -39,13 +39,13 @@ function [T, c, k] = gsmbp__independent (who, m, t, q, u, names)
   endif
 endfunction
 
-function k = number (who, m, name)
+function k = number (who, what, m, name)
   k = find (strcmp (name, m.speeds));
   if (isempty (k))
     k = find (strcmp ([name "_d"], m.speeds));
   endif
   if (isempty (k))
-    error ("%s: option independent: unknown coordinate %s", who, ...
+    error ("%s: %s: unknown coordinate %s", who, what, ...
            gsmbp__unknown (name, m.coordinates));
   endif
 endfunction

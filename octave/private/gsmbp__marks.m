@@ -1,8 +1,8 @@
-## m = gsmbp__marks (skeleton, centres, named)
+## m = gsmbp__marks (skeleton, centres, named, links)
 ## The marks of joints and mass centres, and the key of what is drawn; labels of the points of the
-## scene, NAMED, which stand behind those of the skeleton.
+## scene, NAMED, which stand behind those of the skeleton and its parts.
 
-function m = gsmbp__marks (skeleton, centres, named)
+function m = gsmbp__marks (skeleton, centres, named, links)
   column = 0;
   of = {};
   for b = 1:numel (skeleton.body)
@@ -39,8 +39,11 @@ function m = gsmbp__marks (skeleton, centres, named)
                             "points pt 2 ps 1.1 lw 1.6");
     m.key{end+1} = "keyentry with points pt 2 ps 1.1 lw 1.6 lc rgb '#222222' title 'mass centre'";
   endif
-  m.labels = struct ("column", {}, "name", {});
+  m.key = [m.key, gsmbp__part_keys(skeleton.parts)];
+  column += numel ([skeleton.parts.bodies]);
+  m.labels = struct ("column", {}, "name", {}, "body", {});
   for k = find (! cellfun (@isempty, named))
-    m.labels(end+1) = struct ("column", column + k, "name", named{k});
+    m.labels(end+1) = struct ("column", column + k, "name", named{k}, "body", ...
+                              find (strcmp (skeleton.body, links{k})));
   endfor
 endfunction

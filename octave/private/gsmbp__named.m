@@ -1,11 +1,23 @@
 ## r = gsmbp__named (m, r)
-## The result R with the columns of its fields by name in the struct `of`.
+## The result R with the places of the points of the scene (`points`, three columns each) and the
+## columns of its fields by name in the struct `of`.
 
 function r = gsmbp__named (m, r)
+  if (! isfield (r, "points"))
+    r.points = places (m, r);
+  endif
   r.of = struct ();
   for row = gsmbp__table (m)
     if (isfield (r, row.field) && columns (r.(row.field)) >= row.column)
       r.of.(row.name) = r.(row.field)(:,row.column);
     endif
   endfor
+endfunction
+
+function p = places (m, r)
+  p = zeros (numel (r.t), 0);
+  if (isfield (m, "points") && ! isempty (m.points) && any (strcmp (m.subroutines, "pnt")))
+    p = m.module ("places", m.cst, numel (r.t), r.t(:), r.x(:,1:m.sizes.nq), ...
+                  numel (m.points))';
+  endif
 endfunction

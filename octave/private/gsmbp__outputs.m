@@ -4,13 +4,7 @@
 
 function y = gsmbp__outputs (m, t, x, v)
   y = NaN (numel (t), m.sizes.ny);
-  if (m.sizes.ny == 0 || ! any (strcmp (m.subroutines, "out")))
-    return;
+  if (m.sizes.ny > 0 && any (strcmp (m.subroutines, "out")))
+    y = m.module ("outputs", m.cst, numel (t), t(:), x, v)';
   endif
-  for k = find (all (isfinite ([x, v]), 2))'
-    [row, info] = m.out (t(k), x(k,:), v(k,:));
-    if (info == 0 || info == 2)
-      y(k,:) = row;
-    endif
-  endfor
 endfunction

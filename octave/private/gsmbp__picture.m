@@ -4,60 +4,23 @@
 function lines = gsmbp__picture (skeleton, p, shades, path, s, title, o)
   d.data = d.plots = d.keys = {};
   d.dims = numel (s.axes);
-  first = [0; cumsum(skeleton.points)(1:end-1)];
-  bodies = 2:numel (skeleton.body);
-  supports = p(:,1:skeleton.joints(1),end);
-  corners = arrayfun (@(b) around (p(:,first(b) + (1:skeleton.joints(b)),1)), ...
-                      1:numel (skeleton.body), "UniformOutput", false);
-  if (d.dims == 3)
-    for b = bodies
-      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
-      q(s.axes(3),:) = s.low(3);
-      d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
-    endfor
-    if (columns (supports) >= 2)
-      d = add (d, outline (supports, columns (supports), corners{1}), s, ...
-               "lines lw 1.5 lc rgb '#888888'");
-    endif
-  endif
-  for k = 1:columns (supports)
-    d = support (d, supports(:,k), s);
-  endfor
+  f.first = [0; cumsum(skeleton.points)(1:end-1)];
+  f.bodies = 2:numel (skeleton.body);
+  f.corners = arrayfun (@(b) around (p(:,f.first(b) + (1:skeleton.joints(b)),1)), ...
+                        1:numel (skeleton.body), "UniformOutput", false);
+  d = below (d, skeleton, p(:,:,end), f, s);
   track = "lines lw 1.5 lc rgb '#999999'";
   if (d.dims == 2)
     d = add (d, path, s, track);
   endif
   for k = 1:numel (shades)
-    here = p(:,:,k);
-    order = bodies;
-    if (d.dims == 3)   # the far ones first
-      depth = arrayfun (@(b) mean (s.eye' * here(:,first(b) + (1:skeleton.points(b)))), bodies);
-      order = bodies(nthargout (2, @sort, depth));
-    endif
-    for b = order
-      own = first(b) + (1:skeleton.points(b));
-      d = link (d, here(:,own), skeleton.joints(b), corners{b}, s, skeleton.color{b}, shades(k), ...
-                o.centres);
-      if (d.dims == 3)   # a nearer link hides them
-        d = marked (d, here, own, skeleton.marks.list, s, shades(k));
-      endif
-    endfor
-    if (d.dims == 2)
-      d = marked (d, here, 1:columns (here), skeleton.marks.list, s, shades(k));
-    endif
+    d = pose (d, skeleton, p(:,:,k), f, s, shades(k), o);
   endfor
   if (d.dims == 3)
     d = add (d, path, s, track);
   endif
   d = all_named (d, p(:,:,end), skeleton.marks.labels, s);
-  for b = bodies
-    if (! isempty (skeleton.entry{b}))
-      q = outline (p(:,first(b) + (1:skeleton.points(b)),end), skeleton.joints(b), corners{b});
-      d.keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", line_of (q), ...
-                               skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
-    endif
-  endfor
-  d.keys = [d.keys, skeleton.marks.key];
+  d.keys = [keys_of(skeleton, p(:,:,end), f), skeleton.marks.key];
   if (! isempty (path))
     d.keys{end+1} = ["keyentry with " track " title " gsmbp__quoted(o.traced)];
   endif
@@ -65,6 +28,131 @@ function lines = gsmbp__picture (skeleton, p, shades, path, s, title, o)
   lines = [{sprintf("set label 1 %s at screen 0.5,%.4f center", gsmbp__quoted (strtrim (title)), ...
                     1 - 20 / s.pixels(2))}, d.data, ...
            {[command strjoin([d.plots, d.keys], ", ")]}];
+endfunction
+
+## supports of the ground; in space what joins them, and the shadow of the bodies
+function d = below (d, skeleton, p, f, s)
+  supports = p(:,1:skeleton.joints(1));
+  if (d.dims == 3)
+    for b = f.bodies
+      q = outline_of (skeleton, p, f, b);
+      q(s.axes(3),:) = s.low(3);
+      d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
+    endfor
+    for one = skeleton.between(strcmp ({skeleton.between.kind}, "disc"))
+      q = gsmbp__rim (p(:,one.columns));
+      q(s.axes(3),:) = s.low(3);
+      d = add (d, q, s, "polygons fs solid noborder fc rgb '#dedede'");
+    endfor
+    if (columns (supports) >= 2)
+      d = add (d, outline (supports, columns (supports), f.corners{1}), s, ...
+               "lines lw 1.5 lc rgb '#888888'");
+    endif
+  endif
+  for one = skeleton.between
+    supports = [supports, p(:,one.columns(one.bodies == 1))];
+  endfor
+  for q = unique (round (supports' / (0.01 * s.mark)), "rows")'
+    d = support (d, q * (0.01 * s.mark), s);
+  endfor
+endfunction
+
+## all of one pose, in space the far ones first
+function d = pose (d, skeleton, p, f, s, shade, o)
+  order = [f.bodies, -(1:numel (skeleton.between))];   # below 0: what stands between them
+  if (d.dims == 3)
+    own = arrayfun (@(b) columns_of (skeleton, f, b), order, "UniformOutput", false);
+    depth = cellfun (@(own) mean (s.eye' * p(:,own)), own);
+    order = order(nthargout (2, @sort, depth));
+  endif
+  for label = skeleton.marks.labels
+    d = tied (d, skeleton, p, f, label.column, label.body, s, shade);
+  endfor
+  for b = order
+    own = columns_of (skeleton, f, b);
+    if (b < 0)
+      d = part (d, skeleton, p, f, skeleton.between(-b), s, shade);
+      continue;
+    elseif (! rolls (skeleton, b))
+      d = link (d, p(:,own), skeleton.joints(b), f.corners{b}, s, skeleton.color{b}, shade, ...
+                o.centres);
+    endif
+    if (d.dims == 3)   # a nearer link hides them
+      d = marked (d, p, own, skeleton.marks.list, s, shade);
+    endif
+  endfor
+  if (d.dims == 2)
+    d = marked (d, p, 1:columns (p), skeleton.marks.list, s, shade);
+  endif
+endfunction
+
+## entries of the legend for the bodies
+function keys = keys_of (skeleton, p, f)
+  keys = {};
+  for b = f.bodies
+    if (! isempty (skeleton.entry{b}))
+      style = line_of (outline_of (skeleton, p, f, b));
+      if (rolls (skeleton, b))
+        style = "lines lw 3";
+      endif
+      keys{end+1} = sprintf ("keyentry with %s lc rgb '%s' title %s", style, ...
+                             skeleton.color{b}, gsmbp__quoted (skeleton.entry{b}));
+    endif
+  endfor
+endfunction
+
+function q = outline_of (skeleton, p, f, b)
+  q = outline (p(:,f.first(b) + (1:skeleton.points(b))), skeleton.joints(b), f.corners{b});
+endfunction
+
+## the columns of a body, or of a part (B below 0)
+function own = columns_of (skeleton, f, b)
+  if (b < 0)
+    own = skeleton.between(-b).columns;
+  else
+    own = f.first(b) + (1:skeleton.points(b));
+  endif
+endfunction
+
+## whether a body is a disc alone, which is drawn as such
+function yes = rolls (skeleton, b)
+  discs = skeleton.between(strcmp ({skeleton.between.kind}, "disc"));
+  yes = skeleton.points(b) == 1 && any ([discs.bodies] == b);
+endfunction
+
+## a cylinder, spring, damper or disc; thin lines lead from its ends to their links
+function d = part (d, skeleton, p, f, one, s, shade)
+  for k = find (one.bodies > 1 & ! strcmp (one.kind, "disc"))
+    d = tied (d, skeleton, p, f, one.columns(k), one.bodies(k), s, shade);
+  endfor
+  for piece = gsmbp__symbol (one, p(:,one.columns), s)
+    style = [piece.style " lc"];
+    if (piece.filled)
+      style = {"filledcurves closed fc", "polygons fs solid noborder fc"}{d.dims - 1};
+    endif
+    d = add (d, piece.points, s, sprintf ("%s rgb '%s'", style, lighter (piece.color, ...
+        piece.tint * shade)));
+  endfor
+endfunction
+
+## a thin line from the point in COLUMN to its link B
+function d = tied (d, skeleton, p, f, column, b, s, shade)
+  q = p(:,column);
+  d = add (d, [q, nearest(q, outline_of (skeleton, p, f, b))], s, ...
+           sprintf ("lines lw 2 lc rgb '%s'", lighter (skeleton.color{b}, shade)));
+endfunction
+
+## the point of a line through LINE that is closest to q
+function best = nearest (q, line)
+  best = line(:,1);
+  for k = 1:columns (line) - 1
+    step = line(:,k+1) - line(:,k);
+    part = min (max (step' * (q - line(:,k)) / max (step' * step, realmin), 0), 1);
+    foot = line(:,k) + part * step;
+    if (norm (foot - q) < norm (best - q))
+      best = foot;
+    endif
+  endfor
 endfunction
 
 ## the marks of the points OWN of a pose

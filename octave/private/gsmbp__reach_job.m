@@ -1,20 +1,26 @@
-## job = gsmbp__reach_job (who, m, name, P, R, options)
-## What gsmbp_reach is asked, checked: tool (number of the point), whole (axes are given too),
-## closed (by IKN), rows (of q that IKN gives), given (a column for each pose), start, limits,
-## time, branch.
+## job = gsmbp__reach_job (who, m, name, k, turned, options)
+## What gsmbp_reach is asked for K poses, checked: tool (number of the point), whole (axes are given
+## too: TURNED), closed (by IKN), rows (of q that IKN gives), given (a column for each pose), start,
+## limits, time, branch.
 
-function job = gsmbp__reach_job (who, m, name, P, R, options)
+function job = gsmbp__reach_job (who, m, name, k, turned, options)
   nq = m.sizes.nq;
   job.tool = find (strcmp (name, m.points));
   if (isempty (job.tool))
     error ("%s: unknown point %s", who, gsmbp__unknown (name, m.points));
   endif
-  job.whole = strcmp (m.json.points(job.tool).kind, "frame");
-  [job.closed, job.rows, order] = by_formula (who, m, name, options);
-  job.given = given (who, m, columns (P), order, options.given, job.closed);
+  frame = strcmp (m.json.points(job.tool).kind, "frame");
+  if (turned && ! frame)
+    error ("%s: %s is a point, not a frame: expected its place alone, without axes", who, name);
+  endif
+  job.whole = turned;
+  alone = frame && ! turned;   # a place without axes: IKN does not know it
+  [job.closed, job.rows, order] = by_formula (who, m, name, options, alone);
+  job.given = given (who, m, k, order, options.given, job.closed);
   if (! job.closed && ! is_emitted (m, "nik"))
-    error (["%s: %s has no closed form here: emit the model with the request reach", ...
-            " (or inverse_kinematics(%s))"], who, name, name);
+    error (["%s: %s%s has no closed form here: emit the model with the request reach", ...
+            "%s"], who, {"", "the place of "}{1 + alone}, name, ...
+           {sprintf(" (or inverse_kinematics(%s))", name), " (or give the axes)"}{1 + alone});
   endif
   job.start = options.start;
   if (isempty (job.start))
@@ -35,12 +41,18 @@ function job = gsmbp__reach_job (who, m, name, P, R, options)
   job.turns = strcmp ({m.json.coordinates.unit}', "rad");
   job.time = options.time;
   job.branch = options.branch;
+  if (job.branch > 0 && ! job.closed)
+    error ("%s: option branch: %s is not reached by a closed form here, which has branches", ...
+           who, name);
+  endif
 endfunction
 
 ## whether IKN was emitted for this tool; the places in q of what it gives; what is given to it
-function [closed, places, names] = by_formula (who, m, name, options)
+function [closed, places, names] = by_formula (who, m, name, options, alone)
   [closed, places, names] = deal (false, [], {});
-  if (strcmp (options.method, "newton"))
+  if (alone && strcmp (options.method, "closed"))
+    error ("%s: option method: IKN of %s takes its axes too: expected R", who, name);
+  elseif (alone || strcmp (options.method, "newton"))
     return;
   endif
   if (isfield (m.json, "reach") && strcmp (m.json.reach.tool, name) && is_emitted (m, "ikn"))

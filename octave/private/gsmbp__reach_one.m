@@ -1,12 +1,12 @@
-## one = gsmbp__reach_one (m, job, P, R, k, before)
+## one = gsmbp__reach_one (who, m, job, P, R, k, before)
 ## One pose of gsmbp_reach: q, status, distance, branch, solutions, free; before: the coordinates
 ## of the pose before.
 
-function one = gsmbp__reach_one (m, job, P, R, k, before)
+function one = gsmbp__reach_one (who, m, job, P, R, k, before)
   one = struct ("q", NaN (m.sizes.nq, 1), "status", "ok", "distance", [0; 0], "branch", 0, ...
                 "solutions", zeros (m.sizes.nq, 0), "free", zeros (m.sizes.nu, 1));
   if (job.closed)
-    one = by_formula (m, job, P, R, k, before, one);
+    one = by_formula (who, m, job, P, R, k, before, one);
   else
     [q, one.distance, info] = m.nik (job.time, job.tool, job.whole, P, R, before, ...
                                      job.limits(:,1), job.limits(:,2));
@@ -23,13 +23,16 @@ function one = gsmbp__reach_one (m, job, P, R, k, before)
 endfunction
 
 ## of all solutions within the limits the one closest to that before
-function one = by_formula (m, job, P, R, k, before, one)
+function one = by_formula (who, m, job, P, R, k, before, one)
   given = {};
   if (! isempty (job.given))
     given = {job.given(:,k)};
   endif
   [qs, ns, br, one.distance, info] = m.ikn (P, R, given{:});
-  if (info == 1)
+  if (job.branch > numel (br))
+    error ("%s: option branch: expected one of the %d branches of IKN (0: any), found %d", who, ...
+           numel (br), job.branch);
+  elseif (info == 1)
     one.status = "unreachable";
     return;
   elseif (info == 2)

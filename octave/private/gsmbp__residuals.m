@@ -26,8 +26,7 @@ function [names, scaled, found] = gsmbp__residuals (m, t, x)
   fast = max ([size_, abs(H) * abs(u), abs(phit)], [], 2);
   have_phi = setdiff ((1:d.nlam)', m.speed_rows);
   label = gsmbp__row_names (m);
-  names = [names; label(have_phi); strcat("rate of {}", label)];
-  names = strrep (names, "{}", "");
+  names = [names; label(have_phi); strcat({"rate of "}, label)];
   found = [found; phi(have_phi); rate];
   scaled = [scaled; phi(have_phi) ./ size_(have_phi); rate ./ fast];
 endfunction

@@ -1,7 +1,7 @@
 ## t = gsmbp__table (m)
 ## What the numbers of a model's results are, a struct array: name (none twice), unit, kind (state,
-## input, output, effort, multiplier, margin), meaning, and where they stand: field of the result
-## and column.
+## input, output, point, effort, multiplier, margin), meaning, and where they stand: field of the
+## result and column.
 
 function t = gsmbp__table (m)
   t = struct ("name", {}, "unit", {}, "kind", {}, "meaning", {}, "field", {}, "column", {});
@@ -25,6 +25,7 @@ function t = gsmbp__table (m)
     endif
     t(end+1) = row (m.outputs{k}, m.units.outputs{k}, "output", text, "y", k);
   endfor
+  t = [t, of_points(m)];
   moved = (1:d.nu)';
   if (d.nlam > 0)
     moved = m.actuated;
@@ -43,6 +44,22 @@ function t = gsmbp__table (m)
     t(end+1) = row (sprintf ("margin%d", k), "", "margin", m.margins{k}, "margins", k);
   endfor
   t = distinct (t);
+endfunction
+
+## the places of points and frames that stand on links
+function t = of_points (m)
+  t = struct ("name", {}, "unit", {}, "kind", {}, "meaning", {}, "field", {}, "column", {});
+  if (! (isfield (m, "points") && any (strcmp (m.subroutines, "pnt"))))
+    return;
+  endif
+  for k = find (! strcmp ({m.json.points.link}, "ground"))
+    for axis = 1:3
+      t(end+1) = row (sprintf ("%s.%s", m.points{k}, "xyz"(axis)), "m", "point", ...
+                      sprintf ("place of %s %s, from the origin of ground", ...
+                               m.json.points(k).kind, m.points{k}), ...
+                      "points", 3 * (k - 1) + axis);
+    endfor
+  endfor
 endfunction
 
 function r = row (name, unit, kind, meaning, field, column)

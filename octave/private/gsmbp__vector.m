@@ -1,17 +1,21 @@
 ## x = gsmbp__vector (who, name, x, n, what, names)
 ## X as a column of N finite real numbers, none above 1e300 in size (which the emitted Fortran
-## does not take); an error of WHO about the argument NAME otherwise.  WHAT (may be left out)
+## does not take); an error of WHO about the argument NAME otherwise (or the option, where NAME
+## says so: "option start").  WHAT (may be left out)
 ## says what the numbers are, NAMES (a cell array, may be left out) what each is called.
 
 function x = gsmbp__vector (who, name, x, n, what = "", names = {})
+  if (! strncmp (name, "option ", 7))
+    name = ["argument " name];
+  endif
   if (! (isnumeric (x) || islogical (x)) || ! isreal (x))
     found = class (x);
     if (isnumeric (x))
       found = "complex ones";
     endif
-    error ("%s: argument %s: expected %d real numbers%s, found %s", who, name, n, what, found);
+    error ("%s: %s: expected %d real numbers%s, found %s", who, name, n, what, found);
   elseif (numel (x) != n || (n > 0 && ! isvector (x)))
-    error ("%s: argument %s: expected %d number%s%s, found %s", who, name, n,
+    error ("%s: %s: expected %d number%s%s, found %s", who, name, n,
            {"s", ""}{1 + (n == 1)}, what, sprintf ("%dx", size (x))(1:end-1));
   endif
   x = double (x(:));
@@ -22,6 +26,6 @@ function x = gsmbp__vector (who, name, x, n, what = "", names = {})
       called = [", " names{k}];
     endif
     said = {"is not finite", "is too large (at most 1e300)"}{1 + isfinite (x(k))};
-    error ("%s: argument %s(%d)%s %s: %g", who, name, k, called, said, x(k));
+    error ("%s: %s(%d)%s %s: %g", who, name, k, called, said, x(k));
   endif
 endfunction

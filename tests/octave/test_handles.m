@@ -10,6 +10,7 @@ function test_handles ()
   parameters (m);
   wrong (m, c);
   of_the_json (m);
+  outputs_of_a_run (m);
   divided ();
   built_once ();
 end
@@ -25,6 +26,32 @@ function of_the_json (m)
         "motor_pendulum.toy: argument u is missing; expected m.toy (t, q, u[, v])");
   says (@() m.toy (0, [1; 2], 0), "motor_pendulum.toy: argument q: expected 1 number, found 2x1");
   says (@() m.toy (0, 3, 0), "motor_pendulum.toy: INFO = 1: the pendulum stands on its head");
+end
+
+## the outputs of a result are those of m.out, which the interpreter does not call for each row; a
+## row that holds no numbers has none
+function outputs_of_a_run (m)
+  t = 0:0.01:0.2;
+  lame = m;
+  lame.out = @(varargin) error ("m.out is called");
+  r = gsmbp_simulate (lame, [0.2, 0, 0], t, "input", 3);
+  wanted = arrayfun (@(k) m.out (t(k), r.x(k,:), r.v(k,:)), 1:numel (t))';
+  gsmbp_check ("outputs of a run without a call of m.out for each row", r.y - wanted, 0);
+  plan = gsmbp_plan ("quintic", [0.2, 0.5], [0, 0.2]);
+  r = gsmbp_inverse (lame, plan, t, "input", 1);   # v is not determined
+  gsmbp_check ("outputs where inputs are none", isnan (r.y));
+  r = gsmbp_inverse (lame, plan, t);
+  wanted = arrayfun (@(k) m.out (t(k), r.x(k,:), r.v(k,:)), 1:numel (t))';
+  gsmbp_check ("outputs along an inverse motion", r.y - wanted, 0);
+  m.states = {"x"; "t"; "y"};   # names that a result has itself
+  r = gsmbp_simulate (m, [0.2, 0, 0], t, "input", 3);
+  gsmbp_check ("states x, t, y by name", [r.of.("x"), r.of.("t"), r.of.("y")] - r.x, 0);
+  gsmbp_check ("... times are still t", r.t - t', 0);
+  file = [tempname() ".csv"];
+  gsmbp_csv (file, m, r, {"t", "x", "y"});
+  gsmbp_check ("... in a table", isequal (strtok (fileread (file), "\n"), ...
+                                          "t [s],t [rad/s],x [rad],y [A]"));
+  delete (file);
 end
 
 function each_other (m)

@@ -12,6 +12,46 @@ function test_points_loops ()
     against_tree (m, q, u, name{1});
   end
   operational (m, q, u);
+  in_axes_of_a_link (m, q, u);
+  by_name (m, [q; u; 0]);
+  said = gsmbp_complaint (@() gsmbp_reduced (m, 0, q, u, {"q1", "q2"}));
+  gsmbp_check (["too many independent coordinates: " said], ! isempty (strfind (said, ...
+      "gsmbp_reduced: argument names: expected 1 of the coordinates")));
+end
+
+## places of points in results, by name; those on ground stand still and have none
+function by_name (m, x)
+  r = gsmbp_simulate (m, x, 0:0.01:0.1, "input", 2);
+  gsmbp_check ("top.x and so on in a result: what the scene's outputs say", ...
+               [r.of.("top.x"), r.of.("top.y"), r.of.("top.z")] ...
+               - [r.of.("y.x"), r.of.("y.y"), r.of.("y.z")], 1e-14);
+  names = gsmbp_names (m);
+  names = {names(strcmp ({names.kind}, "point")).name};
+  gsmbp_check (["points by name: " strjoin(names, " ")], ...
+               isequal (names(1:3:end), {"c1.x", "r1.x", "c2.x", "top.x"}));
+end
+
+## in the axes of a link that carries a point: the place, the Jacobian's rate by differences
+function in_axes_of_a_link (m, q, u)
+  axes_ = gsmbp_point (m, "top", 0, q).rotation;
+  at = @(q) gsmbp_point (m, "r1", 0, q, u, "frame", "coupler");
+  p = at (q);
+  gsmbp_check ("in the axes of a link: place", p.position ...
+               - axes_' * gsmbp_point (m, "r1", 0, q).position, 1e-15);
+  h = 1e-6;
+  rate = (at (q + h * u).jacobian - at (q - h * u).jacobian) * u / (2 * h);
+  gsmbp_check ("in the axes of a link: rate of the Jacobian, by differences", ...
+               (p.jacobian_rate - rate) / norm (rate), 1e-7);
+  other = m;   # by a point of it; above by a frame that is turned against it
+  other.json.points(strcmp (m.points, "c2")).link = "none";
+  gsmbp_check ("in the axes of a link: by its point", p.jacobian_rate ...
+               - gsmbp_point (other, "r1", 0, q, u, "frame", "coupler").jacobian_rate, 1e-14);
+  other.json.points(strcmp (m.points, "top")).link = "none";
+  said = gsmbp_complaint (@() gsmbp_point (other, "r1", 0, q, "frame", "coupler"));
+  gsmbp_check (["a link without points: " said], ...
+               ! isempty (strfind (said, "option frame: link coupler carries no point or frame")));
+  said = gsmbp_complaint (@() gsmbp_point (m, "r1", 0, q, "frame", "cuopler"));
+  gsmbp_check (["unknown axes: " said], ! isempty (strfind (said, 'unknown frame "cuopler"')));
 end
 
 ## a closed position and speeds that fulfil the constraints

@@ -16,6 +16,7 @@ function test_reach ()
   close_to_singular (gsmbp_fixture ("reach_puma"));
   unreachable (gsmbp_fixture ("reach_scara"), gsmbp_fixture ("reach_puma"));
   paths (gsmbp_fixture ("reach_puma"));
+  place_alone (gsmbp_fixture ("reach_puma"), gsmbp_fixture ("reach_general"));
   complaints (gsmbp_fixture ("reach_puma"), gsmbp_fixture ("reach_legs"));
 end
 
@@ -228,6 +229,27 @@ function paths (m)
   gsmbp_check ("singular wrist: the pose is reached", m.pnt (0, r) - P5, 1e-13);
 end
 
+## a frame of which the place alone is given: by Newton's method, whatever its axes are then
+function place_alone (m, by_formula)
+  q = [0.3; -0.5; 0.7; 0.4; 0.8; -0.2];
+  P = m.pnt (0, q) + [0.05, -0.3; 0.1, 0.2; -0.02, 0.1];
+  [found, info] = gsmbp_reach (m, "tool", P, [], "start", q);
+  gsmbp_check ("places alone: reached", strcmp (info.status, "ok"));
+  for k = 1:2
+    [p, R] = m.pnt (0, found(:,k));
+    gsmbp_check ("place alone: the place", p - P(:,k), 1e-12);
+  end
+  far = m.pnt (0, q) * 5;
+  [~, info] = gsmbp_reach (m, "tool", far, [], "start", q);
+  gsmbp_check ("place alone, too far: said", strcmp (info.status, "unreachable"));
+  said = gsmbp_complaint (@() gsmbp_reach (by_formula, "tool", P));
+  gsmbp_check (["place alone without NIK: " said], ! isempty (strfind (said, ...
+      "the place of tool has no closed form here: emit the model with the request reach")));
+  said = gsmbp_complaint (@() gsmbp_reach (m, "tool", P, [], "method", "closed"));
+  gsmbp_check (["place alone by IKN: " said], ...
+               ! isempty (strfind (said, "option method: IKN of tool takes its axes too")));
+end
+
 function complaints (m, legs)
   said = @(text, f) gsmbp_check (["complaint: " text], ...
       ! isempty (strfind (gsmbp_complaint (f), text)));
@@ -242,6 +264,12 @@ function complaints (m, legs)
         @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "limits", [1, 2]));
   said ("option limits: q1: the least, 2, is above the largest, 1", ...
         @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "limits", [2, 1] .* ones (6, 1)));
+  said ("option branch: expected one of the 8 branches of IKN (0: any), found 9", ...
+        @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "branch", 9));
+  said ("option branch: tool is not reached by a closed form here, which has branches", ...
+        @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "branch", 1, "method", "newton"));
+  said ("gsmbp_reach: option start: expected 6 numbers, found 2x1", ...
+        @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "start", [1; 2]));
   said ("option given: no coordinate of this model is given", ...
         @() gsmbp_reach (m, "tool", [0; 0; 0], eye (3), "given", 1));
   said ("option method: IKN was not emitted for plate", ...

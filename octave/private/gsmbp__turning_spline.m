@@ -1,0 +1,53 @@
+## t = gsmbp__turning_spline (R, knots)
+## Rotations through R (3 x 3 x k) at the KNOTS with continuous angular velocity and acceleration,
+## the latter zero at both ends; from one to the next where there are two (slerp).  In each piece
+## R(:,:,i)*exp (r), r a cubic in the way from its knot.  T: R, knots, between (rotation vectors
+## from one to the next), coefs (3 x 3 x k-1, of the powers 1, 2, 3).
+## Source: the angular velocities at the knots by Newton's method, as for a spline of numbers; see
+## Kang and Park, Int. J. Numer. Meth. Engng 46 (1999).
+
+function t = gsmbp__turning_spline (R, knots)
+  k = numel (knots);
+  t = struct ("R", R, "knots", knots, "between", zeros (3, k - 1));
+  for i = 1:k-1
+    t.between(:,i) = gsmbp__rotation_vector (R(:,:,i)' * R(:,:,i+1));
+  endfor
+  h = diff (knots);
+  rates = t.between ./ h;
+  w = ([rates, rates(:,end)] + [rates(:,1), rates]) / 2;
+  for iteration = 1:30
+    miss = jumps (t, w, h);
+    if (norm (miss, Inf) <= 1e-13 * (1 + max (abs (rates(:))) / min (h)))
+      break;
+    endif
+    w -= reshape (slopes (t, w, h, miss) \ miss, 3, k);
+  endfor
+  [~, t.coefs] = jumps (t, w, h);
+endfunction
+
+function J = slopes (t, w, h, miss)
+  step = 1e-7 * (1 + max (abs (w(:))));
+  J = zeros (numel (w));
+  for j = 1:numel (w)
+    moved = w;
+    moved(j) += step;
+    J(:,j) = (jumps (t, moved, h) - miss) / step;
+  endfor
+endfunction
+
+## jumps of the angular acceleration at all knots, where the angular velocities there are w; coefs
+function [miss, coefs] = jumps (t, w, h)
+  n = numel (h);
+  coefs = zeros (3, 3, n);
+  begins = ends = zeros (3, n);
+  for i = 1:n
+    r = t.between(:,i);
+    last = gsmbp__turning_rate (r) \ w(:,i+1);
+    square = (3 * r / h(i) - 2 * w(:,i) - last) / h(i);
+    cube = (w(:,i) + last - 2 * r / h(i)) / h(i)^2;
+    coefs(:,:,i) = [w(:,i), square, cube];
+    begins(:,i) = 2 * square;
+    [~, ends(:,i)] = gsmbp__turning_rate (r, last, 2 * square + 6 * cube * h(i));
+  endfor
+  miss = ([begins, zeros(3, 1)] - [zeros(3, 1), ends])(:);
+endfunction
