@@ -1,5 +1,5 @@
-## [motion, laws] = scara_cycle (Q): by the corners Q of the gate (of scara_gate) from pick to place,
-## at rest in each, every joint by the same double S, and a rest of 0.1 s at the place.
+## [motion, laws] = scara_cycle (Q): by the corners Q of the gate (of scara_gate) from pick to
+## place, at rest in each, by double S, the joints together; a rest of 0.1 s at the place.
 
 function [motion, laws] = scara_cycle (q)
   [motion, laws] = gsmbp_plan ("double_s", q, "speed", [4, 6, 0.9, 12], "acceleration", ...

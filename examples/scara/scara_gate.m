@@ -1,8 +1,8 @@
 ## [path, corners] = scara_gate (M, BRANCH): the way of the tool from pick to place, its coordinates
 ## by the inverse kinematics on that BRANCH (1 or 2) as a piecewise polynomial of the way s [m]: up
 ## by 80 mm, across, down, the corners rounded so that the curvature does not jump; the hand turns
-## the part by 90 degrees on the way. corners: the coordinates at pick, above it, above the place, at
-## the place.
+## the part by 90 degrees on the way. corners: the coordinates at pick, above it, above the place,
+## at the place.
 
 function [path, corners] = scara_gate (m, branch)
   pick = [0.36; -0.22; 0.08; 0];

@@ -1,5 +1,5 @@
-## [P, R] = welding_tip (Q): place [m] and axes of the end of the wire at the joint angles Q (6 x k),
-## by the transformations of welding_arm.urdf one after the other; no use is made of the scene.
+## [P, R] = welding_tip (Q): place [m] and axes of the end of the wire at the joint angles Q
+## (6 x k), by the transformations of welding_arm.urdf one after the other, not by the scene.
 
 function [P, R] = welding_tip (q)
   offsets = [0 0 0.15; 0.06 0 0.25; 0 0 0.45; 0.15 0 0.05; 0.3 0 0; 0.085 0 0]';

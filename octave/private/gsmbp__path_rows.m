@@ -43,7 +43,8 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
   endfor
   for i = 1:n
     a = rows.a(i,:);
-    k = find (a(1:end-1) .* a(2:end) < 0 & abs (a(1:end-1)) + abs (a(2:end)) > 1e-6 * max (abs (a)));
+    large = abs (a) > 1e-6 * max (abs (a));   # the rounding of what stands still has no places
+    k = find (a(1:end-1) .* a(2:end) < 0 & (large(1:end-1) | large(2:end)));
     part = rows.a(i,k) ./ (rows.a(i,k) - rows.a(i,k+1));
     rows.singular = [rows.singular, middle(k) + part .* (middle(k+1) - middle(k))];
   endfor
