@@ -86,14 +86,15 @@ function [least, largest] = before (rows, k, h, low, high, top, guess)
   [least, largest] = deal (0, NaN);
   for sign = [1, -1]
     xm = max (guess, 1e-12);
-    for iteration = 1:12
+    for iteration = 1:30
       [A, b] = polygon (rows, k, h, low, high, top, xm);
       [best, point] = corner (A, b, sign * [1, -h]);
       if (isnan (best))
-        if (sign > 0)
-          return;
+        if (xm <= 1e-12)
+          break;
         endif
-        break;
+        xm /= 100;   # far above the root the tangent promises nothing
+        continue;
       endif
       old = xm;
       xm = max (point(1), 1e-14 * (1 + guess));
@@ -103,6 +104,9 @@ function [least, largest] = before (rows, k, h, low, high, top, guess)
     endfor
     if (sign > 0)
       largest = best;
+      if (isnan (best))
+        return;
+      endif
     elseif (! isnan (best))
       least = max (0, -best);
     endif
@@ -119,7 +123,7 @@ function [A, b] = polygon (rows, k, h, low, high, top, xm)
   level = rows.c(:,k) + rows.d(:,k) * root / 2;
   A = [slope, rows.a(:,k); -slope, -rows.a(:,k)];
   b = [rows.largest - level; level - rows.least];
-  keep = isfinite (b);
+  keep = isfinite (b) & (any (A, 2) | b < 0);   # 0 <= b is no limit
   A = [A(keep,:); 1, h; -1, -h; 1, -h; -1, h];
   b = [b(keep); high; -low; top; 0];
 endfunction

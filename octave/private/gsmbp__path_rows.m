@@ -29,9 +29,10 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
     [f1, guess] = at (1, 0);   # at rate 1, without acceleration
     f = [f1, at(2, 0), at(3, 0)](used,:);
     fa = at (1, 1)(used);
-    rows.a(:,k) = fa - f(:,1);
-    rows.b(:,k) = (f(:,3) - 2 * f(:,2) + f(:,1)) / 2;
-    rows.d(:,k) = f(:,2) - f(:,1) - 3 * rows.b(:,k);
+    rounding = 32 * eps * max (abs ([f, fa]), [], 2);   # where a coordinate stands still
+    rows.a(:,k) = above (fa - f(:,1), rounding);
+    rows.b(:,k) = above ((f(:,3) - 2 * f(:,2) + f(:,1)) / 2, rounding);
+    rows.d(:,k) = above (f(:,2) - f(:,1) - 3 * rows.b(:,k), rounding);
     rows.c(:,k) = f(:,1) - rows.d(:,k) - rows.b(:,k);
     if (mod (k, 16) == 1)
       there = at (1.5, -2)(used);
@@ -41,10 +42,16 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
     endif
   endfor
   for i = 1:n
-    k = find (rows.a(i,1:end-1) .* rows.a(i,2:end) < 0);
+    a = rows.a(i,:);
+    large = abs (a) > 1e-6 * max (abs (a));   # the rounding of what stands still has no places
+    k = find (a(1:end-1) .* a(2:end) < 0 & (large(1:end-1) | large(2:end)));
     part = rows.a(i,k) ./ (rows.a(i,k) - rows.a(i,k+1));
     rows.singular = [rows.singular, middle(k) + part .* (middle(k+1) - middle(k))];
   endfor
+endfunction
+
+function x = above (x, size)
+  x(abs (x) <= size) = 0;
 endfunction
 
 function quadratic (who, m, names, s)

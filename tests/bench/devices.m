@@ -18,7 +18,9 @@ warning ("off", "gsmbp:angles");
 warning ("off", "gsmbp:singular");
 ## run.m of an example has the name of a function of Octave
 warning ("off", "Octave:shadowed-function");
-addpath (fullfile (root, "examples", "stewart"));
+for name = {"stewart", "welding_arm", "scara"}
+  addpath (fullfile (root, "examples", name{1}));
+end
 
 function m = scene_of (root, out, file)
   [~, name] = fileparts (file);

@@ -63,6 +63,10 @@ function [m, x0, t, options, what] = example_motion (name, build)
                            [0; -m.par.r * sin(0.5); m.par.r * cos(0.5); 0; 0.5; 0; 0; 0; 0; 1; ...
                             0; 8], "hold", {"heading", "lean", "roll"});
       [t, joules, what] = deal (0:0.5:60, 1, "60 s, leaning by 0.5 rad at 8 rad/s");
+    case "scara"
+      [~, q] = scara_gate (m, 2);
+      options = {"motion", scara_cycle(q)};
+      [x0, t, joules, what] = deal ([], 0:0.05:1.25, 10, "from pick to place by double S");
     case "slider_crank"
       options = {"motion", gsmbp_plan("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2)};
       [x0, t, joules, what] = deal ([], 0:0.25:6, 10, "the profile by computed voltage");
@@ -80,6 +84,10 @@ function [m, x0, t, options, what] = example_motion (name, build)
       [x0, options, joules, what] = deal (x(1,:)', {"input", gsmbp_plan("table", t, force, 3)}, ...
           10, "6 s by computed force, a table of 5 ms");
       t = 0:0.25:6;
+    case "welding_arm"
+      p = welding_plan (m, 0.35);
+      options = {"motion", p.motion};
+      [x0, t, joules, what] = deal ([], 0:0.25:6.25, 100, "both seams by computed voltages");
     otherwise
       error ("example_motion: %s has no line here", name);
   end

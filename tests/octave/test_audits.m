@@ -3,7 +3,9 @@
 
 function test_audits ()
   root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
-  addpath (fullfile (root, "examples", "stewart"));
+  for name = {"stewart", "welding_arm", "scara"}
+    addpath (fullfile (root, "examples", name{1}));
+  end
   own = fullfile (getenv ("GSMBP_TEST_DIR"), "audits");
   ## in no other test
   others = {"hooke/hooke_double", "pneumatic_position/pneumatic_axis", ...

@@ -150,3 +150,27 @@ session log 'gsmbp_import("room.urdf", directory = "out", name = "room",
   stops = true)'
 [ -s out/room.mac ] && ! grep -q 'stop(' out/room.mac && grep -q 'leave it no room' out/room.mac
 told $? 'limits that leave no room make no stop, and are told' log
+! grep -q 'limits = ' out/room.mac && grep -q 'limits 1 to 1 rad are left out' out/room.mac
+told $? 'nor are they limits of the scene' log
+
+# limits of position and effort come back as they were; a follower that starts outside of its own
+robot '<link name="base"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1"
+  izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><link name="b"><inertial><mass value="1"/>
+  <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' \
+  "$(joint revolute '<limit lower="-1.5" upper="0.75" effort="12.5" velocity="1"/>')" \
+  '<joint name="k" type="prismatic"><parent link="a"/><child link="b"/>
+  <limit lower="0" upper="0.25" effort="8" velocity="1"/><mimic joint="j" offset="0.5"/></joint>' \
+  >kept.urdf
+session log 'gsmbp_export(gsmbp_import("kept.urdf", directory = "out", name = "kept",
+  drives = true), "kept.1.urdf")'
+grep -q 'lower="-1.5" upper="0.75" effort="12.5"' kept.1.urdf
+told $? 'limits of position and effort, imported and exported' kept.1.urdf
+grep -q 'joint "*k"*: limits 0 to 0.25 m are left out: they do not hold its start' out/kept.mac
+told $? 'limits that do not hold the start are told' out/kept.mac
+
+# the welding arm of the examples is what is imported, and more
+session log "gsmbp_import(\"$root/examples/welding_arm/welding_arm.urdf\", directory = \"out\")"
+own=$root/examples/welding_arm/welding_arm.mac
+diff out/welding_arm.mac "$own" | grep '^<' >missing
+[ -s out/welding_arm.mac ] && printf '<   parameters = [g = 9.81*m/s^2])$\n' | cmp -s - missing
+told $? 'the scene of the welding arm is its URDF, with lines added' missing
