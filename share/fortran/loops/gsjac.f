@@ -27,15 +27,17 @@ C
       EXTERNAL           GSLEQ
       INTEGER            I, J
 C
-      DO 30 I = 1, NU
-         DO 10 J = 1, NQ
+      DO 20 J = 1, NQ
+         DO 10 I = 1, NU
             Z(I,J) = Z(I,J) - LC(I,J)
    10    CONTINUE
-         DO 20 J = 1, NU
+   20 CONTINUE
+      DO 40 J = 1, NU
+         DO 30 I = 1, NU
             K(I,J) = LM(I,J)
             Z(I,NQ+J) = Z(I,NQ+J) - LB(I,J)
-   20    CONTINUE
-   30 CONTINUE
+   30    CONTINUE
+   40 CONTINUE
       IF ( INFO.NE.2 ) CALL GSLEQ( NU + NLAM, NZ, K, NU + NLAM, Z,
      $                             NU + NLAM, IW, INFO )
       END
@@ -85,33 +87,47 @@ C
    50 CONTINUE
       INFO = 0
       END
-      SUBROUTINE GSJRW( NU, NQ, NZ, QUASI, Z, LDZ, A, LDA )
+      SUBROUTINE GSJRW( NU, NQ, NX, NV, QUASI, Z, LDZ, A, LDA, B, LDB )
 C
 C     PURPOSE
-C     The rows of coordinates and speeds of a Jacobian of the states'
-C     rates, by NZ states or inputs.
+C     The rows of coordinates and speeds of the Jacobians of the states'
+C     rates, A by states and B by inputs.
 C
 C     ARGUMENTS
-C     NU, NQ, NZ (input) INTEGER, the numbers of speeds, coordinates,
-C             columns.
+C     NU, NQ, NX, NV (input) INTEGER, the numbers of speeds, coordinates,
+C             states, inputs.
 C     QUASI   (input) INTEGER: 1: the first NQ rows are there already; 0:
-C             the speeds are the rates of the coordinates, the rows are
-C             zeros.
-C     Z       (input) DOUBLE PRECISION array, dimension (LDZ,NZ), the
+C             the speeds are the rates of the coordinates.
+C     Z       (input) DOUBLE PRECISION array, dimension (LDZ,NX+NV), the
 C             derivatives of the accelerations.
-C     A       (output) DOUBLE PRECISION array, dimension (LDA,NZ).
+C     A, B    (output) DOUBLE PRECISION arrays, dimensions (LDA,NX),
+C             (LDB,NV).
 C
       IMPLICIT NONE
-      INTEGER            NU, NQ, NZ, QUASI, LDZ, LDA
-      DOUBLE PRECISION   Z(LDZ,*), A(LDA,*)
+      INTEGER            NU, NQ, NX, NV, QUASI, LDZ, LDA, LDB
+      DOUBLE PRECISION   Z(LDZ,*), A(LDA,*), B(LDB,*)
       INTEGER            I, J
 C
-      DO 20 J = 1, NZ
+      DO 20 J = 1, NX
          DO 10 I = 1, NU
-            IF ( QUASI.NE.1 ) A(I,J) = 0.0D0
             A(NQ+I,J) = Z(I,J)
    10    CONTINUE
    20 CONTINUE
+      DO 40 J = 1, NV
+         DO 30 I = 1, NU
+            B(NQ+I,J) = Z(I,NX+J)
+   30    CONTINUE
+   40 CONTINUE
+      IF ( QUASI.EQ.1 ) RETURN
+      DO 70 I = 1, NU
+         DO 50 J = 1, NX
+            A(I,J) = 0.0D0
+   50    CONTINUE
+         A(I,NU+I) = 1.0D0
+         DO 60 J = 1, NV
+            B(I,J) = 0.0D0
+   60    CONTINUE
+   70 CONTINUE
       END
       SUBROUTINE GSJTH( NR, NL, NZ, BY, LDB, Z, LDZ, A, LDA )
 C
@@ -127,12 +143,15 @@ C
       IMPLICIT NONE
       INTEGER            NR, NL, NZ, LDB, LDZ, LDA
       DOUBLE PRECISION   BY(LDB,*), Z(LDZ,*), A(LDA,*)
+      DOUBLE PRECISION   S
       INTEGER            I, J, L
 C
-      DO 30 I = 1, NR
+      DO 30 J = 1, NZ
          DO 20 L = 1, NL
-            DO 10 J = 1, NZ
-               A(I,J) = A(I,J) + BY(I,L)*Z(L,J)
+            S = Z(L,J)
+C$OMP SIMD
+            DO 10 I = 1, NR
+               A(I,J) = A(I,J) + BY(I,L)*S
    10       CONTINUE
    20    CONTINUE
    30 CONTINUE
