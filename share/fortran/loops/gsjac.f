@@ -24,8 +24,8 @@ C
       INTEGER            NU, NLAM, NQ, NZ, IW(*), INFO
       DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*), K(NU+NLAM,*),
      $                   Z(NU+NLAM,*)
-      EXTERNAL           GSLEQ
-      INTEGER            I, J
+      EXTERNAL           GSLQF, GSLQS
+      INTEGER            I, J, N
 C
       DO 20 J = 1, NQ
          DO 10 I = 1, NU
@@ -38,8 +38,10 @@ C
             Z(I,NQ+J) = Z(I,NQ+J) - LB(I,J)
    30    CONTINUE
    40 CONTINUE
-      IF ( INFO.NE.2 ) CALL GSLEQ( NU + NLAM, NZ, K, NU + NLAM, Z,
-     $                             NU + NLAM, IW, INFO )
+      IF ( INFO.EQ.2 ) RETURN
+      N = NU + NLAM
+      CALL GSLQF( N, NZ, K, N, Z, N, IW, INFO )
+      IF ( INFO.EQ.0 ) CALL GSLQS( N, NZ, K, N, Z, N, IW )
       END
       SUBROUTINE GSJDF( NU, NLAM, NZ, LM, H, PHI, GRP, Z, HC, UD, LAM,
      $                  W, INFO )
@@ -144,15 +146,28 @@ C
       INTEGER            NR, NL, NZ, LDB, LDZ, LDA
       DOUBLE PRECISION   BY(LDB,*), Z(LDZ,*), A(LDA,*)
       DOUBLE PRECISION   S
-      INTEGER            I, J, L
+      INTEGER            I, J, L, MANY
+      PARAMETER          ( MANY = 6 )
 C
-      DO 30 J = 1, NZ
-         DO 20 L = 1, NL
+C     -- few rows: along them; many: down the columns
+      IF ( NR.LT.MIN( NZ, MANY ) ) THEN
+         DO 30 I = 1, NR
+            DO 20 L = 1, NL
+               S = BY(I,L)
+               DO 10 J = 1, NZ
+                  A(I,J) = A(I,J) + S*Z(L,J)
+   10          CONTINUE
+   20       CONTINUE
+   30    CONTINUE
+         RETURN
+      END IF
+      DO 60 J = 1, NZ
+         DO 50 L = 1, NL
             S = Z(L,J)
 C$OMP SIMD
-            DO 10 I = 1, NR
+            DO 40 I = 1, NR
                A(I,J) = A(I,J) + BY(I,L)*S
-   10       CONTINUE
-   20    CONTINUE
-   30 CONTINUE
+   40       CONTINUE
+   50    CONTINUE
+   60 CONTINUE
       END

@@ -56,6 +56,7 @@ C
       EXTERNAL           GSEPS, GSLUF
       INTEGER            I, J, K
 C
+      INFO = 0
       DO 60 I = 1, N
          BIG = 0.0D0
          DO 10 J = 1, N
