@@ -43,6 +43,16 @@
     (dotimes (i m) (dotimes (k n) (incf (svref dx k) (* (svref y i) (svref (svref rows i) k)))))
     (cons '(mlist) (coerce dx 'list))))
 
+;;; rows of floats, where 0 stands for what is less than eps times the largest of all
+(defun $gs__without_rounding (rows eps)
+  (let ((largest 0.0d0))
+    (dolist (r (cdr rows))
+      (dolist (x (cdr r)) (when (> (abs (gs-real x)) largest) (setq largest (abs x)))))
+    (gs-list (mapcar #'(lambda (r)
+                         (gs-list (mapcar #'(lambda (x) (if (< (abs x) (* eps largest)) 0.0d0 x))
+                                          (cdr r))))
+                     (cdr rows)))))
+
 ;;; The numbers of the rows that do not depend on those before them, by elimination: `pivot` gives
 ;;; the place of a row's pivot, or false where nothing is left of it; x less s times y is (minus x s
 ;;; y), y over d (over y d). Zeros are passed over.

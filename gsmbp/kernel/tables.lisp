@@ -51,6 +51,16 @@
         (t (let ((a nil))
              (dolist (x (cdr e)) (push (gs-replace h x) a))
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
+;; the value of e, a list too, by a table that holds numbers for its symbols; the table takes the
+;; values of entries [symbol, expression] in their order, of those that it does not hold
+(defun $gs__float_of (h e)
+  (cond ((floatp e) e)
+        ((and (consp e) (eq (caar e) 'mlist))
+         (cons '(mlist simp) (mapcar #'(lambda (x) ($gs__float_of h x)) (cdr e))))
+        (t ($float ($gs__replace h e)))))
+(defun $gs__take_values (h entries)
+  (dolist (e (cdr entries) h)
+    (unless (gethash (cadr e) h) (setf (gethash (cadr e) h) ($gs__float_of h (caddr e))))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in
 ;; order
 (defun $gs__file_exists (name) (and (probe-file name) t))

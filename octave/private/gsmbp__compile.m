@@ -14,10 +14,13 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
   ## are not packed into vectors: a copy of a number that is computed so may
   ## differ in its last bit (M would not be symmetric), and GSSC is slower.  The
-  ## small loops of the run time are faster without the vectorization of -O3.
+  ## small loops of the run time are faster without the vectorization of -O3, on
+  ## places of their own in the cache, and copies of three numbers without a call
+  ## of memcpy.
   ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
   flags = ["-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
-  common_flags = ["-O2" flags(4:end)];
+  common_flags = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
+                  flags(4:end)];
   body = "lapack";
   libraries = "-llapack -lblas";
   define = "";

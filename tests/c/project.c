@@ -3,8 +3,8 @@
 #include "chains.h"
 #include "gsmbp/loops.h"
 
-void gsprj_ (), gspjq_ (), gspju_ (), gsnrm_ (), gsclo_ (), gsclq_ (), gscld_ (), gsclc_ (),
-  gscls_ (), gsjac_ (), gsjdf_ (), gsjrw_ (), gsjth_ ();
+void gsprj_ (), gspjq_ (), gspju_ (), gsnrm_ (), gsclo_ (), gsclq_ (), gscld_ (), gsclm_ (),
+  gsjac_ (), gsjdf_ (), gsjrw_ (), gsjth_ ();
 
 /* ------------------------------------------------------------ what the scenes lack */
 
@@ -118,7 +118,7 @@ motions (void)
   int seen[3] = { 0 };
   static const int id[][4] = { { 2 }, { 2, 3 }, { 3, 1 }, { 2, 4, 3 } };
   static const int ia[][4] = { { 1 }, { 1 }, { 2 }, { 1 } };
-  begin ("gsclo, gsclq, gscld, gsclc, gscls");
+  begin ("gsclo, gsclq, gscld, gsclm");
   for (int k = 0; k < 400; k++)
     {
       gs_scene s;
@@ -128,7 +128,7 @@ motions (void)
       const int nu = s.nu, m = s.nlam;
       const double t = 0.3 * chance ();
       pair qj = pair_of (nu * (r + 2)), res = pair_of (1);
-      pair w = pair_of (m * m + m * nu + 3 * m + 2 * nu);
+      pair w = pair_of (m * m + m * nu + 4 * m);
       int ic[MOST], jf[MOST], info = 0;
       for (int i = 0; i < nu; i++)
         qj.c[i] = list[one].x[i] + (k % 7 ? 0.1 : 2.0) * qj.c[i];
@@ -211,17 +211,21 @@ rows (void)
   begin ("gsjrw, gsjth");
   for (int k = 0; k < 200; k++)
     {
-      const int nu = 1 + pick (5), quasi = pick (2), nq = nu + quasi, nz = 1 + pick (6);
+      const int nu = 1 + pick (5), quasi = pick (2), nq = nu + quasi, nv = pick (3);
+      const int nx = 2 * nu + pick (3), nz = nx + nv;
       const int ldz = nu + pick (3), lda = nq + nu + pick (2), nr = 1 + pick (lda), ldb = nr + 1;
       pair z = pair_of (ldz * nz), a = pair_of (lda * nz), by = pair_of (ldb * nu);
-      gsjrw (nu, nq, nz, quasi, z.c, ldz, a.c, lda);
-      gsjrw_ (&nu, &nq, &nz, &quasi, z.f, &ldz, a.f, &lda);
+      pair b = pair_of (lda * nv);
+      gsjrw (nu, nq, nx, nv, quasi, z.c, ldz, a.c, lda, b.c, lda);
+      gsjrw_ (&nu, &nq, &nx, &nv, &quasi, z.f, &ldz, a.f, &lda, b.f, &lda);
       same (a);
+      same (b);
       gsjth (nr, nu, nz, by.c, ldb, z.c, ldz, a.c, lda);
       gsjth_ (&nr, &nu, &nz, by.f, &ldb, z.f, &ldz, a.f, &lda);
       same (a);
       drop (z);
       drop (a);
+      drop (b);
       drop (by);
     }
   finish ();

@@ -131,7 +131,7 @@ squares (const char *what, square_c *c, void (*f) (), int definite)
   begin (what);
   for (int k = 0; k < 40 * SIZES; k++)
     {
-      int n = sizes[k % SIZES], nrhs = pick (4), lda = leading (n), ldb = leading (n), info;
+      int n = sizes[k % SIZES], nrhs = pick (8), lda = leading (n), ldb = leading (n), info;
       int kind = k / SIZES % KINDS, iw[20];
       pair a = definite ? symmetric (n, lda, kind) : general (n, n, lda, kind);
       pair b = pair_of (ldb * nrhs);
@@ -692,7 +692,7 @@ parts (void)
 int
 main (void)
 {
-  squares ("gsleq", gsleq, gsleq_, 0);
+  squares ("gsleq, gslqf, gslqs, gslq3, gslqc, gslq4", gsleq, gsleq_, 0);
   scales ();
   squares ("gsspd", spd, spd_, 1);
   cholesky ("gschp", gschp, gschp_);

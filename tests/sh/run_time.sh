@@ -11,6 +11,7 @@ cat >"$work/alone.f" <<'F'
       CALL NORMS
       CALL CRANK
       CALL JACOBI
+      CALL SYSTMS
       CALL IMPACT
       END
       SUBROUTINE TELL( WHAT, ERR )
@@ -231,15 +232,16 @@ C     derivatives whose solution is known, and the rows made of them
       CALL TELL( 'GSJAC: derivatives through a constraint', E )
       DO 90 J = 1, 5
          DO 80 I = 1, 4
-            A(I,J) = 0.0D0
+            A(I,J) = 7.0D0
    80    CONTINUE
          R(1,J) = 1.0D0*J
    90 CONTINUE
-      CALL GSJRW( 2, 2, 4, 0, Z, 3, A, 4 )
-      E = 0.0D0
-      DO 110 J = 1, 4
+      CALL GSJRW( 2, 2, 4, 1, 0, Z, 3, A, 4, A(1,5), 4 )
+      E = ABS( A(1,3) - 1 ) + ABS( A(2,4) - 1 )
+      DO 110 J = 1, 5
          DO 100 I = 1, 2
             E = MAX( E, ABS( A(2+I,J) - S(I,J) ) )
+            IF ( J.NE.I+2 ) E = E + ABS( A(I,J) )
   100    CONTINUE
   110 CONTINUE
       CALL TELL( 'GSJRW: rows of the speeds', E )
@@ -252,6 +254,50 @@ C     derivatives whose solution is known, and the rows made of them
          E = MAX( E, ABS( R(1,J) - J - S(1,J) - S(2,J)/2 - S(3,J)/3 ) )
   130 CONTINUE
       CALL TELL( 'GSJTH: a product is added', E )
+      END
+C
+C     systems of 1 to 6 rows of all sizes, with 1 to 9 right sides; products
+C     of many rows and of few
+      SUBROUTINE SYSTMS
+      DOUBLE PRECISION A(6,6), B(6,9), X(6,9), C(9,9), E, P
+      INTEGER IW(6), N, M, I, J, K, INFO
+      E = 0.0D0
+      P = 0.0D0
+      DO N = 1, 6
+         DO M = 1, 9
+            DO J = 1, 6
+               DO I = 1, 6
+                  A(I,J) = COS( 1.0D0*( I*J + N ) )
+                  IF ( MOD( I, N ).EQ.MOD( J + 1, N ) ) A(I,J) = 3.0D0
+                  A(I,J) = A(I,J)*1.0D3**( I - 3 )
+               END DO
+            END DO
+            DO J = 1, M
+               DO I = 1, 9
+                  IF ( I.LE.6 ) X(I,J) = SIN( 1.0D0*( 3*I + J*J ) )
+                  C(I,J) = 0.0D0
+               END DO
+               DO I = 1, N
+                  B(I,J) = 0.0D0
+                  DO K = 1, N
+                     B(I,J) = B(I,J) + A(I,K)*X(K,J)
+                  END DO
+                  C(I,J) = -B(I,J)
+               END DO
+            END DO
+            CALL GSJTH( N, N, M, A, 6, X, 6, C, 9 )
+            CALL GSLEQ( N, M, A, 6, B, 6, IW, INFO )
+            E = E + ABS( INFO )
+            DO J = 1, M
+               DO I = 1, N
+                  E = MAX( E, ABS( B(I,J) - X(I,J) ) )
+                  P = MAX( P, ABS( C(I,J) )*1.0D3**( 3 - I ) )
+               END DO
+            END DO
+         END DO
+      END DO
+      CALL TELL( 'GSLEQ: systems of every size', E )
+      CALL TELL( 'GSJTH: products of every size', P )
       END
 C
 C     two masses that are coupled, the first hits its lower stop: its
@@ -317,5 +363,5 @@ for precision in double quad; do
     { error = $1; sub(/^ *[^ ]+ /, "")
       print (error + 0 <= least ? "ok " : "not ok ") $0, "in " precision, "precision: error", error,
         "(at most " least ")" }
-    END { if (NR != 8) print "not ok " NR " of eight answers in " precision " precision" }'
+    END { if (NR != 10) print "not ok " NR " of ten answers in " precision " precision" }'
 done

@@ -93,27 +93,23 @@ void gsnrm (int ns, const int *iset, double *q, double *err);
 
 /* completes the motion qj (nu,0:r), r <= 3: the dependent coordinates id (nlam) and their
  * derivatives from the others, ia (nu-nlam), numbers from 1; the speeds are the rates. res: the
- * largest |phi| left. w: nlam*nlam + nlam*nu + 3*nlam + 2*nu; iw: nlam. info: < 0 as con; 1 a
- * singular position; 2 the loops do not close */
+ * largest |phi| left. w: nlam*nlam + nlam*nu + 4*nlam; iw: nlam. info: < 0 as con; 1 a singular
+ * position; 2 the loops do not close */
 int gsclo (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
            const double *cst, double *res, double *w, int *iw);
 
-/* for gsclo: the positions; workspace: m (nlam,nlam), h (nlam,nu), p, pt, g (nlam), q, u (nu) */
+/* for gsclo: the positions; h (nlam,nu) and pt (nlam) are those of con there; workspace: m
+ * (nlam,nlam), p, g (nlam) */
 int gsclq (const gs_scene *s, double t, double *qj, const int *id, const double *cst, double *res,
-           double *m, double *h, double *p, double *pt, double *g, double *q, double *u, int *iw);
+           double *m, double *h, double *p, double *pt, double *g, int *iw);
 
-/* for gsclo: the derivatives 1 to r */
+/* for gsclo: the derivatives 1 to r; size (nlam): what gslqf scales rows by */
 int gscld (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
-           const double *cst, double *m, double *h, double *p, double *pt, double *g, double *q,
-           double *u, int *iw);
+           const double *cst, double *m, double *h, double *p, double *pt, double *g, double *size,
+           int *iw);
 
-/* for gsclo: the constraints at the position and speeds of qj. info: that of con */
-int gsclc (const gs_scene *s, double t, const double *qj, const double *cst, double *q, double *u,
-           double *p, double *pt, double *h, double *g);
-
-/* for gsclo: the right side p becomes the solution for the dependent coordinates. info: 1 singular
- */
-int gscls (int nlam, const int *id, const double *h, double *m, double *p, int *iw);
+/* for gsclo: m becomes the columns of the dependent coordinates in h */
+void gsclm (int nlam, const int *id, const double *h, double *m);
 
 /* derivatives z (nu+nlam,nz) of accelerations and multipliers by states and inputs: k*z_out = z_in,
  * with what the efforts of the tree give: lm, lb (nu,nu), lc (nu,nq), from <name>_lin. k is on
@@ -128,9 +124,11 @@ int gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb,
 int gsjdf (int nu, int nlam, int nz, const double *lm, const double *h, const double *phi,
            const int *grp, double *z, double *hc, double *ud, double *lam, double *w);
 
-/* rows of coordinates (quasi = 1: they are there already; 0: they become 0) and speeds of a
- * Jacobian a (lda,nz) of the states' rates; z (ldz,nz): derivatives of the accelerations */
-void gsjrw (int nu, int nq, int nz, int quasi, const double *z, int ldz, double *a, int lda);
+/* rows of coordinates (quasi = 1: they are there already; 0: the speeds are their rates) and speeds
+ * of the Jacobians of the states' rates, a (lda,nx) by states and b (ldb,nv) by inputs; z
+ * (ldz,nx+nv): derivatives of the accelerations */
+void gsjrw (int nu, int nq, int nx, int nv, int quasi, const double *z, int ldz, double *a, int lda,
+            double *b, int ldb);
 
 /* a (nr,nz) := a + by*z, by (nr,nl): what rows of a Jacobian get through accelerations and
  * multipliers */

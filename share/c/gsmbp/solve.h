@@ -74,6 +74,16 @@ void gslnm (int m, int r, const double *y, int ldy, const double *piv, const dou
  * the matrix with rows of size 1 is below 1000*eps */
 int gsleq (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw);
 
+/* for gsleq: rows of a and b times powers of two, so that the largest entry of a row of a is in
+ * [1,2), then a = P*L*U; a column of ones in b becomes these powers. info: as gsleq */
+int gslqf (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw);
+
+/* for gsleq: the solution from the factors of gslqf; for three rows, one column, four columns */
+void gslqs (int n, int nrhs, const double *a, int lda, double *b, int ldb, const int *iw);
+void gslq3 (int nrhs, const double *a, int lda, double *b, int ldb, const int *iw);
+void gslqc (int n, const double *a, int lda, double *b, const int *iw);
+void gslq4 (int n, const double *a, int lda, double *b, int ldb, const int *iw);
+
 /* the same for A symmetric positive definite. info = k: the k-th pivot is not positive to working
  * precision, b is unchanged */
 int gsspd (int n, int nrhs, double *a, int lda, double *b, int ldb);

@@ -1,3 +1,4 @@
+#include "gsmbp/arith.h"
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
@@ -8,17 +9,21 @@ gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb, con
        double *k, double *z, int *iw, int info)
 {
   const int n = nu + nlam;
-  for (int i = 0; i < nu; i++)
-    {
-      for (int j = 0; j < nq; j++)
-        z[i + n * j] -= lc[i + nu * j];
-      for (int j = 0; j < nu; j++)
-        {
-          k[i + n * j] = lm[i + nu * j];
-          z[i + n * (nq + j)] -= lb[i + nu * j];
-        }
-    }
-  return info == 2 ? info : gsleq (n, nz, k, n, z, n, iw);
+  for (int j = 0; j < nq; j++)
+    for (int i = 0; i < nu; i++)
+      z[i + n * j] -= lc[i + nu * j];
+  for (int j = 0; j < nu; j++)
+    for (int i = 0; i < nu; i++)
+      {
+        k[i + n * j] = lm[i + nu * j];
+        z[i + n * (nq + j)] -= lb[i + nu * j];
+      }
+  if (info == 2)
+    return info;
+  info = gslqf (n, nz, k, n, z, n, iw);
+  if (info == 0)
+    gslqs (n, nz, k, n, z, n, iw);
+  return info;
 }
 
 int
@@ -39,23 +44,38 @@ gsjdf (int nu, int nlam, int nz, const double *lm, const double *h, const double
 }
 
 void
-gsjrw (int nu, int nq, int nz, int quasi, const double *z, int ldz, double *a, int lda)
+gsjrw (int nu, int nq, int nx, int nv, int quasi, const double *z, int ldz, double *a, int lda,
+       double *b, int ldb)
 {
-  for (int j = 0; j < nz; j++)
-    for (int i = 0; i < nu; i++)
-      {
-        if (quasi != 1)
-          a[i + lda * j] = 0.0;
-        a[nq + i + lda * j] = z[i + ldz * j];
-      }
+  for (int j = 0; j < nx; j++)
+    memcpy (a + nq + lda * j, z + ldz * j, nu * sizeof (double));
+  for (int j = 0; j < nv; j++)
+    memcpy (b + nq + ldb * j, z + ldz * (nx + j), nu * sizeof (double));
+  if (quasi == 1)
+    return;
+  for (int i = 0; i < nu; i++)
+    {
+      for (int j = 0; j < nx; j++)
+        a[i + lda * j] = 0.0;
+      a[i + lda * (nu + i)] = 1.0;
+      for (int j = 0; j < nv; j++)
+        b[i + ldb * j] = 0.0;
+    }
 }
 
+/* few rows along them, many down the columns */
 void
 gsjth (int nr, int nl, int nz, const double *by, int ldb, const double *z, int ldz, double *a,
        int lda)
 {
-  for (int i = 0; i < nr; i++)
-    for (int l = 0; l < nl; l++)
-      for (int j = 0; j < nz; j++)
-        a[i + lda * j] += by[i + ldb * l] * z[l + ldz * j];
+  if (nr < gs_least (nz, 6))
+    for (int i = 0; i < nr; i++)
+      for (int l = 0; l < nl; l++)
+        for (int j = 0; j < nz; j++)
+          a[i + lda * j] += by[i + ldb * l] * z[l + ldz * j];
+  else
+    for (int j = 0; j < nz; j++)
+      for (int l = 0; l < nl; l++)
+        for (int i = 0; i < nr; i++)
+          a[i + lda * j] += by[i + ldb * l] * z[l + ldz * j];
 }

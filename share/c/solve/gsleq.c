@@ -4,46 +4,6 @@
 
 #include <math.h>
 
-/* Rows of a and b times powers of two, so that the largest entry of a row of a is in [1,2);
- * 0, or the number of the first row that has none or is not finite. */
-static int
-scale (int n, int nrhs, double *a, int lda, double *b, int ldb)
-{
-  for (int i = 0; i < n; i++)
-    {
-      double big = 0.0, s = 1.0;
-      for (int j = 0; j < n; j++)
-        if (! (fabs (a[i + lda * j]) <= big))
-          big = fabs (a[i + lda * j]);
-      if (! (big > 1e-300 && big <= 1e300))
-        return i + 1;
-      while (s * big >= 2.0)
-        s *= 0.5;
-      while (s * big < 1.0)
-        s *= 2.0;
-      for (int j = 0; j < n; j++)
-        a[i + lda * j] *= s;
-      for (int j = 0; j < nrhs; j++)
-        b[i + ldb * j] *= s;
-    }
-  return 0;
-}
-
-/* b := inv(P*L*U)*b, one column */
-static void
-substitute (int n, const double *a, int lda, const int *iw, double *b)
-{
-  for (int k = 0; k < n; k++)
-    gs_swap (1, b + iw[k] - 1, b + k);
-  for (int k = 0; k < n; k++)
-    gs_take (n - k - 1, b[k], a + k + 1 + lda * k, b + k + 1);
-  for (int k = n - 1; k >= 0; k--)
-    {
-      b[k] /= a[k + lda * k];
-      gs_take (k, b[k], a + lda * k, b);
-    }
-}
-
 /* Gauss elimination with partial pivoting of the scaled matrix. */
 int
 gsleq (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
@@ -58,15 +18,155 @@ gsleq (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
   if (ldb < gs_most (1, n))
     info = -6;
   if (info == 0)
-    info = scale (n, nrhs, a, lda, b, ldb);
+    info = gslqf (n, nrhs, a, lda, b, ldb, iw);
   if (info == 0)
-    info = gsluf (n, a, lda, iw);
+    gslqs (n, nrhs, a, lda, b, ldb, iw);
+  return info;
+}
+
+/* the power of two that brings big into [1,2), by way of [1/16,16) */
+static double
+power (double big)
+{
+  double s = 1.0;
+  while (s * big >= 16.0)
+    s /= 16.0;
+  while (s * big < 0.0625)
+    s *= 16.0;
+  while (s * big >= 2.0)
+    s *= 0.5;
+  while (s * big < 1.0)
+    s *= 2.0;
+  return s;
+}
+
+int
+gslqf (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
+{
+  for (int i = 0; i < n; i++)
+    {
+      double big = 0.0;
+      for (int j = 0; j < n; j++)
+        if (! (fabs (a[i + lda * j]) <= big))
+          big = fabs (a[i + lda * j]);
+      if (! (big > 1e-300 && big <= 1e300))
+        return i + 1;
+      const double s = power (big);
+      for (int j = 0; j < n; j++)
+        a[i + lda * j] *= s;
+      for (int j = 0; j < nrhs; j++)
+        b[i + ldb * j] *= s;
+    }
+  if (n == 1)
+    {
+      iw[0] = 1;
+      return 0;
+    }
+  const int info = gsluf (n, a, lda, iw);
   if (info != 0)
     return info;
+  const double tiny = 1e3 * gseps ();
   for (int k = 0; k < n; k++)
-    if (! (fabs (a[k + lda * k]) > 1e3 * gseps ()))
+    if (! (fabs (a[k + lda * k]) > tiny))
       return k + 1;
-  for (int j = 0; j < nrhs; j++)
-    substitute (n, a, lda, iw, b + ldb * j);
   return 0;
+}
+
+/* Columns one by one, of four rows or more four at a time: the same operations. */
+void
+gslqs (int n, int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
+{
+  if (n == 1)
+    for (int j = 0; j < nrhs; j++)
+      b[ldb * j] /= a[0];
+  else if (n == 2)
+    for (int j = 0; j < nrhs; j++, b += ldb)
+      {
+        const double x = b[iw[0] - 1], y = (b[2 - iw[0]] - a[1] * x) / a[1 + lda];
+        b[0] = (x - a[lda] * y) / a[0];
+        b[1] = y;
+      }
+  else if (n == 3)
+    gslq3 (nrhs, a, lda, b, ldb, iw);
+  else
+    {
+      int j = 0;
+      for (; j < nrhs - 3; j += 4)
+        gslq4 (n, a, lda, b + ldb * j, ldb, iw);
+      for (; j < nrhs; j++)
+        gslqc (n, a, lda, b + ldb * j, iw);
+    }
+}
+
+void
+gslq3 (int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
+{
+  const double *const a2 = a + lda, *const a3 = a2 + lda;
+  int p[3] = { 0, 1, 2 }; /* the rows as they were interchanged */
+  for (int k = 0; k < 2; k++)
+    {
+      const int row = p[iw[k] - 1];
+      p[iw[k] - 1] = p[k];
+      p[k] = row;
+    }
+  for (int j = 0; j < nrhs; j++, b += ldb)
+    {
+      double x = b[p[0]], y = b[p[1]] - a[1] * x, z = b[p[2]] - a[2] * x;
+      z = (z - a2[2] * y) / a3[2];
+      x -= a3[0] * z;
+      y = (y - a3[1] * z) / a2[1];
+      b[0] = (x - a2[0] * y) / a[0];
+      b[1] = y;
+      b[2] = z;
+    }
+}
+
+void
+gslqc (int n, const double *a, int lda, double *b, const int *iw)
+{
+  for (int k = 0; k < n; k++)
+    gs_swap (1, b + iw[k] - 1, b + k);
+  for (int k = 0; k < n; k++)
+    gs_take (n - k - 1, b[k], a + k + 1 + lda * k, b + k + 1);
+  for (int k = n - 1; k >= 0; k--)
+    {
+      b[k] /= a[k + lda * k];
+      gs_take (k, b[k], a + lda * k, b);
+    }
+}
+
+/* four columns: rows i = from ... to - 1 less a[i] times x */
+static void
+take_four (int from, int to, const double *restrict a, const double *x, double *restrict b,
+           int ldb)
+{
+  const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
+  for (int i = from; i < to; i++)
+    {
+      b[i] -= a[i] * x0;
+      b[i + ldb] -= a[i] * x1;
+      b[i + 2 * ldb] -= a[i] * x2;
+      b[i + 3 * ldb] -= a[i] * x3;
+    }
+}
+
+void
+gslq4 (int n, const double *a, int lda, double *b, int ldb, const int *iw)
+{
+  double x[4];
+  for (int k = 0; k < n; k++)
+    for (int j = 0; j < 4; j++)
+      gs_swap (1, b + iw[k] - 1 + ldb * j, b + k + ldb * j);
+  for (int k = 0; k < n; k++)
+    {
+      for (int j = 0; j < 4; j++)
+        x[j] = b[k + ldb * j];
+      take_four (k + 1, n, a + lda * k, x, b, ldb);
+    }
+  for (int k = n - 1; k >= 0; k--)
+    {
+      for (int j = 0; j < 4; j++)
+        x[j] = b[k + ldb * j] /= a[k + lda * k];
+      take_four (0, k, a + lda * k, x, b, ldb);
+    }
 }

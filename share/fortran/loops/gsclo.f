@@ -24,7 +24,7 @@ C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     RES     (output) DOUBLE PRECISION, the largest |phi| left [m or
 C             rad].
 C     W       (workspace) DOUBLE PRECISION array, dimension (NLAM*NLAM +
-C             NLAM*NU + 3*NLAM + 2*NU).
+C             NLAM*NU + 4*NLAM).
 C     IW      (workspace) INTEGER array, dimension (NLAM).
 C     INFO    (output) INTEGER
 C             = 0: done; < 0: as CON; = 1: a singular position; = 2: the
@@ -34,140 +34,127 @@ C     METHOD
 C     Positions: Newton's method on the dependent coordinates, at most 60
 C     steps, until |phi| falls no more (below 1.0D-11) or is 0; above
 C     1.0D-9 at the end the loops do not close.  Derivatives of order 1,
-C     2, ...: the same linear system with other right sides.
+C     2, ...: one linear system, factored once, with other right sides.
 C
       IMPLICIT NONE
       EXTERNAL           CON, GAD
       INTEGER            NU, NLAM, R, ID(*), IA(*), IW(*), INFO
       DOUBLE PRECISION   T, QJ(NU,0:*), CST(*), RES, W(*)
       EXTERNAL           GSCLQ, GSCLD
-      INTEGER            IH, IP, IT, IG, IQ, IU
+      INTEGER            IH, IP, IT, IG, IS
 C
+C     -- workspace: matrix, Jacobian, constraints, their rates, right
+C        sides, sizes of rows
       IH = 1 + NLAM*NLAM
       IP = IH + NLAM*NU
       IT = IP + NLAM
       IG = IT + NLAM
-      IQ = IG + NLAM
-      IU = IQ + NU
+      IS = IG + NLAM
       CALL GSCLQ( CON, T, QJ, NU, NLAM, ID, CST, RES, W, W(IH), W(IP),
-     $            W(IT), W(IG), W(IQ), W(IU), IW, INFO )
+     $            W(IT), W(IG), IW, INFO )
       IF ( INFO.NE.0 ) RETURN
       CALL GSCLD( CON, GAD, T, QJ, NU, NLAM, R, ID, IA, CST, W, W(IH),
-     $            W(IP), W(IT), W(IG), W(IQ), W(IU), IW, INFO )
+     $            W(IP), W(IT), W(IG), W(IS), IW, INFO )
       END
       SUBROUTINE GSCLQ( CON, T, QJ, NU, NLAM, ID, CST, RES, S, H, P, PT,
-     $                  G, Q, U, IW, INFO )
+     $                  G, IW, INFO )
 C
 C     PURPOSE
-C     The dependent coordinates of a position, part of GSCLO.
+C     The dependent coordinates of a position, part of GSCLO; on exit H
+C     and PT are those of CON there.
 C
 C     ARGUMENTS
 C     As in GSCLO, and workspace: S(NLAM,NLAM), H(NLAM,NU), P, PT, G
-C     (NLAM), Q, U (NU).
+C     (NLAM).
 C
       IMPLICIT NONE
       EXTERNAL           CON
       INTEGER            NU, NLAM, ID(*), IW(*), INFO
       DOUBLE PRECISION   T, QJ(NU,0:*), CST(*), RES, S(NLAM,*),
-     $                   H(NLAM,*), P(*), PT(*), G(*), Q(*), U(*)
+     $                   H(NLAM,*), P(*), PT(*), G(*)
       DOUBLE PRECISION   OLD
-      EXTERNAL           GSCLC, GSCLS
+      EXTERNAL           GSCLM, GSLEQ
       INTEGER            I, K
 C
       OLD = 0.0D0
-      DO 30 K = 1, 60
-         CALL GSCLC( CON, T, QJ, NU, NLAM, CST, Q, U, P, PT, H, G,
-     $               INFO )
-         IF ( INFO.NE.0 ) RETURN
+      DO 30 K = 0, 60
+         CALL CON( T, QJ(1,0), QJ(1,1), CST, P, PT, H, NLAM, G, INFO )
+         IF ( INFO.NE.0 .OR. K.EQ.60 ) GO TO 40
          RES = 0.0D0
          DO 10 I = 1, NLAM
             RES = MAX( RES, ABS( P(I) ) )
    10    CONTINUE
          IF ( RES.LE.0.0D0 ) RETURN
-         IF ( K.GT.2 .AND. RES.GE.OLD .AND. RES.LE.1.0D-11 ) RETURN
+         IF ( K.GT.1 .AND. RES.GE.OLD .AND. RES.LE.1.0D-11 ) RETURN
          OLD = RES
-         CALL GSCLS( NLAM, ID, H, S, P, IW, INFO )
+         CALL GSCLM( NLAM, ID, H, S )
+         CALL GSLEQ( NLAM, 1, S, NLAM, P, NLAM, IW, INFO )
+         IF ( INFO.NE.0 ) INFO = 1
          IF ( INFO.NE.0 ) RETURN
          DO 20 I = 1, NLAM
             QJ(ID(I),0) = QJ(ID(I),0) - P(I)
    20    CONTINUE
    30 CONTINUE
-      IF ( RES.GT.1.0D-9 ) INFO = 2
+   40 IF ( INFO.EQ.0 .AND. RES.GT.1.0D-9 ) INFO = 2
       END
       SUBROUTINE GSCLD( CON, GAD, T, QJ, NU, NLAM, R, ID, IA, CST, S, H,
-     $                  P, PT, G, Q, U, IW, INFO )
+     $                  P, PT, G, SIZ, IW, INFO )
 C
 C     PURPOSE
 C     The derivatives of the dependent coordinates, part of GSCLO: of
 C     order KIND from HC_dep*x_dep = right - HC_ind*x_ind.
 C
 C     ARGUMENTS
-C     As in GSCLO and GSCLQ.
+C     As in GSCLO and GSCLQ, and
+C     SIZ     (workspace) DOUBLE PRECISION array, dimension (NLAM), what
+C             GSLQF scales rows by.
 C
       IMPLICIT NONE
       EXTERNAL           CON, GAD
       INTEGER            NU, NLAM, R, ID(*), IA(*), IW(*), INFO
       DOUBLE PRECISION   T, QJ(NU,0:*), CST(*), S(NLAM,*), H(NLAM,*),
-     $                   P(*), PT(*), G(*), Q(*), U(*)
-      EXTERNAL           GSCLC, GSCLS
+     $                   P(*), PT(*), G(*), SIZ(*)
+      EXTERNAL           GSCLM, GSLQF, GSLQS
       INTEGER            I, J, KIND
 C
-      DO 40 KIND = 1, R
-         INFO = 0
-         IF ( KIND.LE.2 ) CALL GSCLC( CON, T, QJ, NU, NLAM, CST, Q, U,
-     $                                P, PT, H, G, INFO )
+      IF ( R.LT.1 ) RETURN
+      CALL GSCLM( NLAM, ID, H, S )
+      DO 10 I = 1, NLAM
+         SIZ(I) = 1.0D0
+   10 CONTINUE
+      CALL GSLQF( NLAM, 1, S, NLAM, SIZ, NLAM, IW, INFO )
+      IF ( INFO.NE.0 ) INFO = 1
+      IF ( INFO.NE.0 ) RETURN
+      DO 50 KIND = 1, R
+         IF ( KIND.EQ.2 ) CALL CON( T, QJ(1,0), QJ(1,1), CST, P, PT, H,
+     $                              NLAM, G, INFO )
          IF ( INFO.NE.0 ) RETURN
          IF ( KIND.EQ.3 ) CALL GAD( T, QJ, CST, G )
-         DO 20 I = 1, NLAM
+         DO 30 I = 1, NLAM
             P(I) = G(I)
             IF ( KIND.EQ.1 ) P(I) = -PT(I)
-            DO 10 J = 1, NU - NLAM
+            DO 20 J = 1, NU - NLAM
                P(I) = P(I) - H(I,IA(J))*QJ(IA(J),KIND)
-   10       CONTINUE
-   20    CONTINUE
-         CALL GSCLS( NLAM, ID, H, S, P, IW, INFO )
-         IF ( INFO.NE.0 ) RETURN
-         DO 30 I = 1, NLAM
-            QJ(ID(I),KIND) = P(I)
+   20       CONTINUE
+            P(I) = SIZ(I)*P(I)
    30    CONTINUE
-   40 CONTINUE
+         CALL GSLQS( NLAM, 1, S, NLAM, P, NLAM, IW )
+         DO 40 I = 1, NLAM
+            QJ(ID(I),KIND) = P(I)
+   40    CONTINUE
+   50 CONTINUE
       END
-      SUBROUTINE GSCLC( CON, T, QJ, NU, NLAM, CST, Q, U, P, PT, H, G,
-     $                  INFO )
+      SUBROUTINE GSCLM( NLAM, ID, H, S )
 C
 C     PURPOSE
-C     The constraints at the position and speeds of a motion, part of
-C     GSCLO.
+C     The columns of the dependent coordinates in H, part of GSCLO.
 C
 C     ARGUMENTS
 C     As in GSCLO and GSCLQ.
 C
       IMPLICIT NONE
-      EXTERNAL           CON
-      INTEGER            NU, NLAM, INFO
-      DOUBLE PRECISION   T, QJ(NU,0:*), CST(*), Q(*), U(*), P(*), PT(*),
-     $                   H(NLAM,*), G(*)
-      INTEGER            I
-C
-      DO 10 I = 1, NU
-         Q(I) = QJ(I,0)
-         U(I) = QJ(I,1)
-   10 CONTINUE
-      CALL CON( T, Q, U, CST, P, PT, H, NLAM, G, INFO )
-      END
-      SUBROUTINE GSCLS( NLAM, ID, H, S, P, IW, INFO )
-C
-C     PURPOSE
-C     The right side P becomes the solution for the dependent
-C     coordinates, part of GSCLO.
-C
-C     ARGUMENTS
-C     As in GSCLO and GSCLQ.
-C
-      IMPLICIT NONE
-      INTEGER            NLAM, ID(*), IW(*), INFO
-      DOUBLE PRECISION   H(NLAM,*), S(NLAM,*), P(*)
-      EXTERNAL           GSLEQ
+      INTEGER            NLAM, ID(*)
+      DOUBLE PRECISION   H(NLAM,*), S(NLAM,*)
       INTEGER            I, J
 C
       DO 20 J = 1, NLAM
@@ -175,6 +162,4 @@ C
             S(I,J) = H(I,ID(J))
    10    CONTINUE
    20 CONTINUE
-      CALL GSLEQ( NLAM, 1, S, NLAM, P, NLAM, IW, INFO )
-      IF ( INFO.NE.0 ) INFO = 1
       END

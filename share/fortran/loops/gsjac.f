@@ -24,20 +24,24 @@ C
       INTEGER            NU, NLAM, NQ, NZ, IW(*), INFO
       DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*), K(NU+NLAM,*),
      $                   Z(NU+NLAM,*)
-      EXTERNAL           GSLEQ
-      INTEGER            I, J
+      EXTERNAL           GSLQF, GSLQS
+      INTEGER            I, J, N
 C
-      DO 30 I = 1, NU
-         DO 10 J = 1, NQ
+      DO 20 J = 1, NQ
+         DO 10 I = 1, NU
             Z(I,J) = Z(I,J) - LC(I,J)
    10    CONTINUE
-         DO 20 J = 1, NU
+   20 CONTINUE
+      DO 40 J = 1, NU
+         DO 30 I = 1, NU
             K(I,J) = LM(I,J)
             Z(I,NQ+J) = Z(I,NQ+J) - LB(I,J)
-   20    CONTINUE
-   30 CONTINUE
-      IF ( INFO.NE.2 ) CALL GSLEQ( NU + NLAM, NZ, K, NU + NLAM, Z,
-     $                             NU + NLAM, IW, INFO )
+   30    CONTINUE
+   40 CONTINUE
+      IF ( INFO.EQ.2 ) RETURN
+      N = NU + NLAM
+      CALL GSLQF( N, NZ, K, N, Z, N, IW, INFO )
+      IF ( INFO.EQ.0 ) CALL GSLQS( N, NZ, K, N, Z, N, IW )
       END
       SUBROUTINE GSJDF( NU, NLAM, NZ, LM, H, PHI, GRP, Z, HC, UD, LAM,
      $                  W, INFO )
@@ -85,33 +89,47 @@ C
    50 CONTINUE
       INFO = 0
       END
-      SUBROUTINE GSJRW( NU, NQ, NZ, QUASI, Z, LDZ, A, LDA )
+      SUBROUTINE GSJRW( NU, NQ, NX, NV, QUASI, Z, LDZ, A, LDA, B, LDB )
 C
 C     PURPOSE
-C     The rows of coordinates and speeds of a Jacobian of the states'
-C     rates, by NZ states or inputs.
+C     The rows of coordinates and speeds of the Jacobians of the states'
+C     rates, A by states and B by inputs.
 C
 C     ARGUMENTS
-C     NU, NQ, NZ (input) INTEGER, the numbers of speeds, coordinates,
-C             columns.
+C     NU, NQ, NX, NV (input) INTEGER, the numbers of speeds, coordinates,
+C             states, inputs.
 C     QUASI   (input) INTEGER: 1: the first NQ rows are there already; 0:
-C             the speeds are the rates of the coordinates, the rows are
-C             zeros.
-C     Z       (input) DOUBLE PRECISION array, dimension (LDZ,NZ), the
+C             the speeds are the rates of the coordinates.
+C     Z       (input) DOUBLE PRECISION array, dimension (LDZ,NX+NV), the
 C             derivatives of the accelerations.
-C     A       (output) DOUBLE PRECISION array, dimension (LDA,NZ).
+C     A, B    (output) DOUBLE PRECISION arrays, dimensions (LDA,NX),
+C             (LDB,NV).
 C
       IMPLICIT NONE
-      INTEGER            NU, NQ, NZ, QUASI, LDZ, LDA
-      DOUBLE PRECISION   Z(LDZ,*), A(LDA,*)
+      INTEGER            NU, NQ, NX, NV, QUASI, LDZ, LDA, LDB
+      DOUBLE PRECISION   Z(LDZ,*), A(LDA,*), B(LDB,*)
       INTEGER            I, J
 C
-      DO 20 J = 1, NZ
+      DO 20 J = 1, NX
          DO 10 I = 1, NU
-            IF ( QUASI.NE.1 ) A(I,J) = 0.0D0
             A(NQ+I,J) = Z(I,J)
    10    CONTINUE
    20 CONTINUE
+      DO 40 J = 1, NV
+         DO 30 I = 1, NU
+            B(NQ+I,J) = Z(I,NX+J)
+   30    CONTINUE
+   40 CONTINUE
+      IF ( QUASI.EQ.1 ) RETURN
+      DO 70 I = 1, NU
+         DO 50 J = 1, NX
+            A(I,J) = 0.0D0
+   50    CONTINUE
+         A(I,NU+I) = 1.0D0
+         DO 60 J = 1, NV
+            B(I,J) = 0.0D0
+   60    CONTINUE
+   70 CONTINUE
       END
       SUBROUTINE GSJTH( NR, NL, NZ, BY, LDB, Z, LDZ, A, LDA )
 C
@@ -127,13 +145,29 @@ C
       IMPLICIT NONE
       INTEGER            NR, NL, NZ, LDB, LDZ, LDA
       DOUBLE PRECISION   BY(LDB,*), Z(LDZ,*), A(LDA,*)
-      INTEGER            I, J, L
+      DOUBLE PRECISION   S
+      INTEGER            I, J, L, MANY
+      PARAMETER          ( MANY = 6 )
 C
-      DO 30 I = 1, NR
-         DO 20 L = 1, NL
-            DO 10 J = 1, NZ
-               A(I,J) = A(I,J) + BY(I,L)*Z(L,J)
-   10       CONTINUE
-   20    CONTINUE
-   30 CONTINUE
+C     -- few rows: along them; many: down the columns
+      IF ( NR.LT.MIN( NZ, MANY ) ) THEN
+         DO 30 I = 1, NR
+            DO 20 L = 1, NL
+               S = BY(I,L)
+               DO 10 J = 1, NZ
+                  A(I,J) = A(I,J) + S*Z(L,J)
+   10          CONTINUE
+   20       CONTINUE
+   30    CONTINUE
+         RETURN
+      END IF
+      DO 60 J = 1, NZ
+         DO 50 L = 1, NL
+            S = Z(L,J)
+C$OMP SIMD
+            DO 40 I = 1, NR
+               A(I,J) = A(I,J) + BY(I,L)*S
+   40       CONTINUE
+   50    CONTINUE
+   60 CONTINUE
       END

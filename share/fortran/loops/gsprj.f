@@ -56,7 +56,7 @@ C        step, multipliers, position, speeds
       IW = IU + NU
       INFO = 0
       RES  = 0.0D0
-      CALL GSNRM( NS, ISET, X, RES )
+      IF ( NS.GT.0 ) CALL GSNRM( NS, ISET, X, RES )
       DO 10 I = 1, NQ
          W(IQ+I-1) = X(I)
    10 CONTINUE
@@ -96,10 +96,12 @@ C
       DOUBLE PRECISION   T, Q(*), U(*), CST(*), RES, A(NU,*),
      $                   H(NLAM,*), P(*), PT(*), G(*), F(*), DX(*),
      $                   LAM(*), W(*), DQ(*)
-      DOUBLE PRECISION   R, OLD, ERR, GSEPS
-      EXTERNAL           GSEPS, GSKKT, GSNRM
-      INTEGER            I, K
+      DOUBLE PRECISION   R, OLD, ERR, EPS, GSEPS
+      EXTERNAL           GSEPS, GSKKR, GSNRM
+      INTEGER            I, K, GRP(1)
 C
+      EPS = GSEPS()
+      GRP(1) = 0
       OLD = 0.0D0
       DO 10 I = 1, NU
          F(I) = 0.0D0
@@ -113,11 +115,12 @@ C
             P(I) = -P(I)
    20    CONTINUE
          IF ( K.EQ.1 ) RES = MAX( RES, R )
-         IF ( R.LE.4.0D0*GSEPS() ) RETURN
+         IF ( R.LE.4.0D0*EPS ) RETURN
          IF ( K.GT.2 .AND. R.GE.OLD .AND. R.LE.1.0D-11 ) RETURN
          OLD = R
          CALL MAS( T, Q, CST, A, NU )
-         CALL GSKKT( NU, NLAM, A, NU, H, NLAM, F, P, DX, LAM, W, INFO )
+         CALL GSKKR( NU, NLAM, A, NU, H, NLAM, F, P, 5.0D4*EPS, GRP, DX,
+     $               LAM, W, INFO )
          IF ( INFO.EQ.1 ) RETURN
 C
 C        -- a step of more than half a radian (or metre) is shortened
@@ -135,7 +138,7 @@ C        -- a step of more than half a radian (or metre) is shortened
                Q(I) = Q(I) + DX(I)*( 0.5D0/R )
    40       CONTINUE
          END IF
-         CALL GSNRM( NS, ISET, Q, ERR )
+         IF ( NS.GT.0 ) CALL GSNRM( NS, ISET, Q, ERR )
    50 CONTINUE
       INFO = 0
       IF ( OLD.GT.1.0D-9 ) INFO = 3

@@ -142,7 +142,7 @@ C     -- z = inv(L)*F, Y = inv(L)*H' = Q*R
 C
 C     -- R'*w = G, c = w - Q'*z
       DO 70 K = 1, R
-         S = G(NINT( W(IP+K-1) ))
+         S = G(INT( W(IP+K-1) ))
          DO 60 I = 1, K - 1
             S = S - W(IY+I-1+N*(K-1))*W(IQ+I-1)
    60    CONTINUE
@@ -162,7 +162,7 @@ C     -- R*y = c, LAM = P*y
       IF ( R.EQ.M ) THEN
          DO 110 K = R, 1, -1
             S = W(IC+K-1)/W(IY+K-1+N*(K-1))
-            LAM(NINT( W(IP+K-1) )) = S
+            LAM(INT( W(IP+K-1) )) = S
             DO 100 I = 1, K - 1
                W(IC+I-1) = W(IC+I-1) - W(IY+I-1+N*(K-1))*S
   100       CONTINUE
