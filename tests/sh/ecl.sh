@@ -15,13 +15,20 @@ for name in case_01a case_03a electric_arms fluid_hydraulic sampled_crank redund
   told $? "$name: $one and $other derive the same"
 done
 
-# -- in C
+# -- in C, packages, the texts of an FMU
 in_c="load(\"$PWD/gsmbp/gsmbp.mac\")\$ for name in [sampled_crank, orient_angles, event_crank] do (
   load(sconcat(\"$PWD/tests/scenes/\", name, \".mac\")),
-  gsmbp_c(scene, [all, batch], ['directory = folder]))\$"
+  gsmbp_c(scene, [all, batch], ['directory = folder]))\$
+  load(\"$PWD/tests/scenes/event_ball.mac\")\$
+  for l in [c, python] do
+    gsmbp_package(scene, l, all, ['directory = sconcat(folder, \"/\", l)])\$
+  gs__write_in(gs__fmu_language(), 'gs__fmu_files, scene, [gs__fmu_requests(scene),
+    ['directory = sconcat(folder, \"/fmu\")]])\$"
 for lisp in $one $other; do
   MAXIMA=$lisp share/make/maxima "$work/$lisp.log" "folder : \"$work/$lisp\"\$ $in_c"
   told $? "$lisp derives C" "$work/$lisp.log"
 done
 diff -r "$work/$one" "$work/$other" >"$work/differ"
-told $? "$one and $other derive the same C" "$work/differ"
+told $? "$one and $other derive the same C, packages and FMU" "$work/differ"
+[ -s "$work/$one/python/src/event_ball/table.json" ] && [ -s "$work/$one/fmu/event_ball_fmi3.xml" ]
+told $? 'the packages are there'
