@@ -56,7 +56,8 @@ done
 export PYTHONPATH="$work"
 
 for name in c run; do
-  (cd / && $python -c "import $name; m = $name.Model(); print(m.simulate(m.initial, [0, 0.1]))") \
+  (cd / && $python -c \
+    "import $name; m = $name.Model(self=2.0); print(m.simulate(m.initial, [0, 0.1]))") \
     >"$report" 2>&1
   told $? "the scene $name, as another folder or file is called" "$report"
 done

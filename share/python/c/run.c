@@ -27,6 +27,13 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, int nx, double t0, con
   return info;
 }
 
+/* of the structure that Python fills as well */
+int
+gs_loop_plan_size (void)
+{
+  return (int)sizeof (gs_plan);
+}
+
 /* where in rp the records of the sampled devices begin; sizes: how many there are room for, how
  * many instants there were, where in rp the memory begins */
 int

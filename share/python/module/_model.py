@@ -36,7 +36,7 @@ class Model(Routines):
         'coordinates', 'speeds', 'states', 'inputs', 'outputs', 'parameters', 'multipliers')})
     nominal = np.array(TABLE.get('nominal') or [1.0] * SIZES['nx'], float)
 
-    def __init__(self, **parameters):
+    def __init__(self, /, **parameters):
         names = _names('parameters')
         values = np.zeros(max(1, len(names)))
         LIBRARY.gs_loop_par(_pointer(values))
@@ -73,7 +73,7 @@ class Model(Routines):
         """The values of the parameters by their names, in SI units (units['parameters'])."""
         return self._parameters
 
-    def changed(self, **parameters):
+    def changed(self, /, **parameters):
         """The scene with other values of some parameters."""
         return Model(**{**self._parameters, **parameters})
 

@@ -196,6 +196,10 @@ class _Given(ctypes.Structure):
         ('events', ctypes.c_int)]
 
 
+if LIBRARY.gs_loop_plan_size() != ctypes.sizeof(_Given):
+    raise ImportError('%s: the library was built with another plan.h' % NAME)
+
+
 class _Plan:
     """What the plan of a run is made of (plan.h), its breaks, a callback."""
 
