@@ -156,11 +156,8 @@ printf ("\none call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 *
 diary off
 
 ## ------------------------------------------------------ what it looks like
-colors = {"#cc3318", "#d98c00", "#1a7f37", "#00459a"};
-tracks = {};
-for k = 1:2
-  tracks = [tracks; {path{k}, sprintf("lines lw 2 lc rgb '%s'", colors{k}), names{k}}];
-endfor
+styles = {"lines lw 2.4 lc rgb '#00459a'", "lines lw 2 dt (9,5) lc rgb '#cc3318'"};
+tracks = [path(1:2)(:), styles(:), names(1:2)(:)];
 film ("out/tracks.png", {tracks}, "view", [0, 90], "width", 640, "axis", 0.1);
 
 slow = start (p.r, 0.02, 0, 0, ratios(1) * critical);

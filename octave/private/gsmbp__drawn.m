@@ -27,7 +27,8 @@ function lines = gsmbp__drawn (table, panels, o, size)
   at = size(2) - top;
   if (! isempty (o.title))
     lines{end+1} = label_at (1, o.title, [(left + 1) / 2, 1 - 0.6 / size(2)], ...
-                             sprintf ("center font ',%.1f'", 1.1 * o.fontsize));
+                             sprintf ("center font ',%.1f'", 1.1 * o.fontsize ...
+                                      * min (1, size(1) * 0.9 / (numel (o.title) * 0.8 * em))));
   endif
   column = 2;
   for i = 1:n
