@@ -113,8 +113,8 @@
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
 ## @code{joints}, how many of these, the first ones, are where joints stand: a
 ## point behind them is the mass centre; @code{parts}, a struct array of what stands
-## behind the bodies: @code{name}, @code{kind}, @code{bodies}, one for each column), @code{removed} (constraint rows that
-## were left out: a struct array with @code{row} and @code{reason}),
+## behind the bodies: @code{name}, @code{kind}, @code{bodies}, one for each column), @code{removed}
+## (constraint rows that were left out: a struct array with @code{row} and @code{reason}),
 ## @code{mobility} (a struct: Gruebler's count and what it is made of),
 ## @code{orientation} (a row of four numbers of coordinates for each set of
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),
