@@ -90,7 +90,8 @@
 ## @code{independent_jacobians})
 ## @item P = m.ske (t, q)
 ## points of the skeletal diagram in ground axes [m], 3 x @var{np}, body by
-## body (@code{m.skeleton})
+## body, then ends of springs, dampers and devices between two points, of discs that roll centre, a
+## point of the axis, a point of the rim (@code{m.skeleton})
 ## @end table
 ## A handle whose subroutine was not emitted (@code{m.subroutines} names those that
 ## were) is an error that names the request.  Where @var{info} is not taken,
@@ -111,8 +112,9 @@
 ## @code{skeleton} (a struct of columns, a row for each body, ground first:
 ## @code{body}, its name; @code{points}, how many columns of m.ske are its; and
 ## @code{joints}, how many of these, the first ones, are where joints stand: a
-## point behind them is the mass centre), @code{removed} (constraint rows that
-## were left out: a struct array with @code{row} and @code{reason}),
+## point behind them is the mass centre; @code{parts}, a struct array of what stands
+## behind the bodies: @code{name}, @code{kind}, @code{bodies}, one for each column), @code{removed}
+## (constraint rows that were left out: a struct array with @code{row} and @code{reason}),
 ## @code{mobility} (a struct: Gruebler's count and what it is made of),
 ## @code{orientation} (a row of four numbers of coordinates for each set of
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),

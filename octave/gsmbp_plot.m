@@ -21,7 +21,8 @@
 ## @item names
 ## cell array: what each curve is (legend, and column head of the .csv)
 ## @item label
-## the quantity and its unit, for the axis, e.g. "torque [N m]"
+## the quantity and its unit, for the axis, e.g. "torque [N m]"; a unit in plain letters ("[um]",
+## "[m^2]", "[degrees]", "[ohm]") is shown with the signs of the field
 ## @item style
 ## (optional) "lines" (default), "linespoints", "points" or "steps"
 ## @item heading

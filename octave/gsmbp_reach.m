@@ -7,8 +7,9 @@
 ## @var{name} is a @code{point} or @code{frame} of the scene of the model @var{m}
 ## (@code{m.points}).  @var{P}, 3 x @var{k}, holds places [m] in ground axes, a column each, and
 ## @var{R} the axes there: 3 x 3 x @var{k} rotation matrices whose columns are the axes, or 4 x
-## @var{k} Euler parameters, scalar first, or @code{[]}: the place alone is given.  @var{q}, nq x
-## @var{k}, are the coordinates, @code{NaN} where the pose is out of reach or beyond the limits.
+## @var{k} Euler parameters, scalar first, or @code{[]}: the place alone is given (of a point
+## always), for NIK where it is a frame's.  @var{q}, nq x @var{k}, are the coordinates, @code{NaN}
+## where the pose is out of reach or beyond the limits.
 ##
 ## Where the subroutine IKN was emitted for @var{name} (request @code{inverse_kinematics}), all
 ## solutions are known, and the one closest to the pose before is taken (of the first pose the one

@@ -108,7 +108,7 @@ for k = 1:4
   path{k} = c';
 endfor
 names = arrayfun (@(x) sprintf ("%g of critical", x), ratios, "UniformOutput", false);
-gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [°]"), "title", ...
+gsmbp_plot ("out/figure_lean.png", t, panel (leans, names, "lean [degrees]"), "title", ...
             "A disc pushed by 1.1 degrees, slow and fast");
 
 ## --------------------------------------------------------- the coin wobbles
@@ -132,7 +132,7 @@ printf (["disturbed: its plane at %.2f to %.2f degrees, normal force %.2f to %.2
           3))) * 180 / pi, ...
         max (acos (a(:,3))) * 180 / pi, min (n) / (p.m * p.g), max (n) / (p.m * p.g), max (f ./ n));
 gsmbp_plot ("out/figure_coin.png", t2, panel (acos (a(:,3)) * 180 / pi, {"plane of the coin"}, ...
-    "inclination [°]"), ...
+    "inclination [degrees]"), ...
             panel ([n / (p.m * p.g), f ./ n], {"normal / weight", "friction / normal"}, ...
                    "force ratio [1]"), "title", "A wobbling coin, disturbed");
 
@@ -156,11 +156,8 @@ printf ("\none call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 *
 diary off
 
 ## ------------------------------------------------------ what it looks like
-colors = {"#cc3318", "#d98c00", "#1a7f37", "#00459a"};
-tracks = {};
-for k = 1:2
-  tracks = [tracks; {path{k}, sprintf("lines lw 2 lc rgb '%s'", colors{k}), names{k}}];
-endfor
+styles = {"lines lw 2.4 lc rgb '#00459a'", "lines lw 2 dt (9,5) lc rgb '#cc3318'"};
+tracks = [path(1:2)(:), styles(:), names(1:2)(:)];
 film ("out/tracks.png", {tracks}, "view", [0, 90], "width", 640, "axis", 0.1);
 
 slow = start (p.r, 0.02, 0, 0, ratios(1) * critical);

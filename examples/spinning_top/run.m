@@ -70,7 +70,7 @@ tight = {"rtol", 1e-13, "atol", 1e-13};
 t = linspace (0, 1, 1001)';
 printf ("released at %.0f degrees with a spin of %g rad/s\n", tilt * 180 / pi, spin);
 printf ("%-10s %18s %22s %12s %14s %30s\n", "axis draws", "precession [rad/s]", ...
-        "nutation [°]", "period [s]", "turns/period", "after 10 periods, deviation of");
+        "nutation [degrees]", "period [s]", "turns/period", "after 10 periods, deviation of");
 printf ("%96s %12s\n", "nutation", "precession");
 for k = 1:rows (motions)
   x0 = start (tilt, motions{k,2}, spin);
@@ -94,7 +94,7 @@ printf ("the point is pressed down with %.2f to %.2f N; it weighs %.2f N\n\n", .
         min (support(:,1)), max (support(:,2)), p.m * p.g);
 names = motions(:,1)';
 heading -= heading(1,:);
-gsmbp_plot ("out/figure_angles.png", t, panel (nutation, names, "nutation [°]"), ...
+gsmbp_plot ("out/figure_angles.png", t, panel (nutation, names, "nutation [degrees]"), ...
             panel (heading, names, "precession [rad]"), "title", "Nutation and precession");
 
 ## ----------------------------------- against the reference of the test suite
@@ -180,7 +180,7 @@ warning (quiet);
 gsmbp_plot ("out/figure_steps.png", least(1:5), panel (steps(1:5,:), ...
     {"Euler parameters", "Euler angles"}, ...
     "smallest step [s]"), "title", "How close to the vertical, and the step that it takes", ...
-            "scale", "loglog", "xlabel", "least nutation [°]", "head", "nutation");
+            "scale", "loglog", "xlabel", "least nutation [degrees]", "head", "nutation");
 s = gsmbp_timing (m, 0, run{1}.x(end,:), "print", false);
 z = gsmbp_timing (angles, 0, by_angles.x(1,:), "print", false);
 printf ("one call of the right-hand side: %.0f ns; in angles %.0f ns\n", 1e9 * s.rhs, 1e9 * z.rhs);

@@ -12,8 +12,8 @@
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
     = { { "sim", do_sim }, { "outputs", do_outputs }, { "places", do_places },
-        { "par", do_par }, { "pre", do_pre }, { "meaning", do_meaning }, { "spline", do_spline },
-        { "kkt", do_kkt }, { "solve", do_solve }, { "calls", do_calls } };
+        { "margins", do_margins }, { "par", do_par }, { "pre", do_pre }, { "meaning", do_meaning },
+        { "spline", do_spline }, { "kkt", do_kkt }, { "solve", do_solve }, { "calls", do_calls } };
 
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)

@@ -94,13 +94,13 @@ outputs_at (const reals& cst, int k, const number *t, const number *x, int ldx, 
   return y;
 }
 
-// a row for each time, handed over as a column each
+// K rows of N numbers, handed over as a column each; zero where nothing is given
 static reals
-rows_of (arguments& a, const char *name)
+rows_of (arguments& a, const char *name, int k, int n)
 {
   Matrix m = a.value (name).matrix_value ().transpose ();
   reals x (m.data (), m.data () + m.numel ());
-  x.resize (x.size () + 1);   // &x[0] exists
+  x.resize (std::max (x.size (), std::size_t (k) * n) + 1);   // &x[0] exists
   return x;
 }
 
@@ -110,7 +110,8 @@ do_outputs (arguments& a, int)
 {
   reals cst = a.constants ();
   int k = int (a.value ("number").int_value ());
-  reals t = rows_of (a, "times"), x = rows_of (a, "states"), v = rows_of (a, "inputs");
+  reals t = rows_of (a, "times", k, 1), x = rows_of (a, "states", k, S.nx);
+  reals v = rows_of (a, "inputs", k, S.nv);
   return ovl (outputs_at (cst, k, &t[0], &x[0], S.nx, &v[0], S.nv));
 }
 
@@ -120,7 +121,7 @@ do_places (arguments& a, int)
 {
   reals cst = a.constants ();
   int k = int (a.value ("number").int_value ());
-  reals t = rows_of (a, "times"), q = rows_of (a, "coordinates");
+  reals t = rows_of (a, "times", k, 1), q = rows_of (a, "coordinates", k, S.nq);
   int n = int (a.value ("points").int_value ());
   Matrix places (3 * n, k, no_number);
   reals p = room (3 * n), r = room (9 * n);
@@ -132,6 +133,30 @@ do_places (arguments& a, int)
           places(j, i) = double (p[j]);
       }
   return ovl (places);
+}
+
+// (constants, number of times, times, states, inputs): margins of devices and their sizes, a column
+// each
+static octave_value_list
+do_margins (arguments& a, int)
+{
+  reals cst = a.constants ();
+  int k = int (a.value ("number").int_value ());
+  reals t = rows_of (a, "times", k, 1), x = rows_of (a, "states", k, S.nx);
+  reals v = rows_of (a, "inputs", k, S.nv);
+  Matrix margins (S.nsm, k), sizes (S.nsm, k);
+  reals g = room (S.nsm), size = room (S.nsm);
+  for (int i = 0; i < k; i++)
+    {
+      routine ("mar") (&t[i], &x[std::size_t (S.nx) * i], &v[std::size_t (S.nv) * i], &cst[0],
+                       &g[0], &size[0]);
+      for (int j = 0; j < S.nsm; j++)
+        {
+          margins(j, i) = double (g[j]);
+          sizes(j, i) = double (size[j]);
+        }
+    }
+  return ovl (margins, sizes);
 }
 
 // after a run: a struct of the outputs at the output times, the record of the samples, the memory

@@ -22,11 +22,10 @@ function [label, factor] = gsmbp__axis_label (unit, y, rows)
     quantity = [quantity " " rows.name];
   endif
   factor = 1;
-  written = strrep (unit, "*", " ");
-  for pair = {"^2", "\302\262"; "^3", "\302\263"; "ohm", "\316\251"}'
-    written = strrep (written, pair{:});
-  endfor
-  if (any (strcmp (unit, {"m", "A", "V", "N", "N*m", "Pa", "W", "J", "s", "Hz", "C", "Wb"})))
+  written = unit;
+  with_prefix = {"m", "rad", "m/s", "rad/s", "A", "V", "N", "N*m", "Pa", "W", "J", "s", "Hz", ...
+                 "C", "Wb"};
+  if (any (strcmp (unit, with_prefix)))
     [prefix, factor] = prefix_of (max (abs (y(isfinite (y)))));
     written = [prefix written];
   endif
@@ -43,7 +42,7 @@ function [prefix, factor] = prefix_of (largest)
   if (isempty (largest) || largest == 0 || (largest >= 0.1 && largest < 1000))
     return;
   endif
-  prefixes = {"n", "\302\265", "m", "", "k", "M", "G"};
+  prefixes = {"n", "u", "m", "", "k", "M", "G"};
   k = min (3, max (-3, floor (log10 (largest) / 3 + 1e-12)));
   [prefix, factor] = deal (prefixes{k + 4}, 10 ^ (-3 * k));
 endfunction

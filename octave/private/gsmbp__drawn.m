@@ -10,7 +10,8 @@ function lines = gsmbp__drawn (table, panels, o, size)
   keys = cellfun (@(p) key_rows (p, size(1), em), panels);
   headed = cellfun (@(p) isfield (p, "heading") && ! isempty (p.heading), panels);
   each = (size(2) - top - below - sum (keys + headed) * 2.6 * em - (n - 1) * 0.45) / n;
-  labels = cellfun (@(p) broken (p.label, each / em), panels, "UniformOutput", false);
+  labels = cellfun (@(p) broken (gsmbp__label (p.label), each / em), panels, "UniformOutput", ...
+                    false);
   two_lines = any (cellfun (@(text) any (text == "\n"), labels));
   left = (2.1 + 0.5 * two_lines) * o.fontsize / 10 / size(1);
   lines = {"set datafile separator comma", "set datafile missing 'NaN'", ...
@@ -27,7 +28,8 @@ function lines = gsmbp__drawn (table, panels, o, size)
   at = size(2) - top;
   if (! isempty (o.title))
     lines{end+1} = label_at (1, o.title, [(left + 1) / 2, 1 - 0.6 / size(2)], ...
-                             sprintf ("center font ',%.1f'", 1.1 * o.fontsize));
+                             sprintf ("center font ',%.1f'", 1.1 * o.fontsize ...
+                                      * min (1, size(1) * 0.9 / (numel (o.title) * 0.8 * em))));
   endif
   column = 2;
   for i = 1:n
@@ -67,7 +69,7 @@ function lines = place (at, each, size, last, o)
            sprintf("set bmargin at screen %.4f", (at - each) / size(2))};
   if (last)
     lines = [lines, {format_of(o.scale), sprintf("set xlabel %s offset 0,0.3 noenhanced", ...
-                                                 gsmbp__quoted (o.xlabel))}];
+                                                 gsmbp__quoted (gsmbp__label (o.xlabel)))}];
   else
     lines{end+1} = "set format x ''";
   endif

@@ -10,10 +10,9 @@ function list = gsmbp__margins (m, t, x, v)
   if (! any (strcmp (m.subroutines, "mar")))
     return;
   endif
-  g = s = zeros (numel (t), numel (m.state_margins));
-  for k = 1:numel (t)
-    [g(k,:), s(k,:)] = m.mar (t(k), x(k,:)', v(k,:)');
-  endfor
+  [g, s] = m.module ("margins", m.cst, numel (t), t(:), x, v);
+  g = g';
+  s = s';
   for k = find (any (! (g >= -1e-9 * s), 1))   # below that is no rounding error
     passed = @(i) ! at_it (m, t(i), x(i,:)', v(i,:)', k);
     [least, i] = min (g(:,k));

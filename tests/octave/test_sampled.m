@@ -66,6 +66,11 @@ end
 ## 0.1 s): w+ = w + T*u/J, exact
 function drive ()
   m = gsmbp_fixture ("sampled_drive");
+  plan = gsmbp_plan ("quintic", [0, 1], [0, 1]);
+  told = gsmbp_inverse (m, plan, 0:0.25:1);
+  static = gsmbp_inverse (m, plan, 0:0.25:1, "quasistatic", true);
+  gsmbp_check ("a drive that is quasi-static already: its command", ...
+               columns (told.v) == m.sizes.nv && isequaln (told.v, static.v));
   T = 0.1;
   n = 40;
   p = m.par;
