@@ -24,7 +24,8 @@
 ## the number of a branch of IKN: solutions of this branch only
 ## @item "limits"
 ## nq x 2, least and largest value of every coordinate (default: the @code{limits} of the joints in
-## the scene); solutions beyond are left out, angles are taken with the turns that bring them within
+## the scene, at the values that its parameters had when it was derived); solutions beyond are left
+## out, angles are taken with the turns that bring them within
 ## @item "method"
 ## @qcode{"auto"} (default), @qcode{"closed"}: IKN alone, @qcode{"newton"}: NIK alone
 ## @item "given"

@@ -11,6 +11,7 @@ function test_examples_robots ()
   m = example ("welding_arm");
   gsmbp_check ("welding arm: limits of the scene are those of the URDF", ...
                [cat(1, m.json.limits.low), cat(1, m.json.limits.high)] - arm.limits, 0);
+  limited (m);
   p = welding_plan (m, 0.35);
   seams (arm, p);
   voltages (arm, m, p);
@@ -73,6 +74,17 @@ end
 function R = turn (axis, angle)
   K = [0 -axis(3) axis(2); axis(3) 0 -axis(1); -axis(2) axis(1) 0];
   R = eye (3) + sin (angle) * K + (1 - cos (angle)) * K^2;
+end
+
+## a wrist bent beyond its limit: both wrists are out, and without limits the pose is reached
+function limited (m)
+  q = [0.2; 0.1; -0.3; 0.4; 2.5; -0.6];
+  [P, R] = m.pnt (0, q);
+  [~, told] = gsmbp_reach (m, "wire", P, R, "start", q);
+  gsmbp_check ("welding arm: beyond the limits of its scene", strcmp (told.status, "limits"));
+  [found, told] = gsmbp_reach (m, "wire", P, R, "start", q, "limits", repmat ([-10, 10], 6, 1));
+  gsmbp_check ("welding arm: within other limits", strcmp (told.status, "ok"));
+  gsmbp_check ("welding arm: the angles of the pose, rad", found - q, 1e-12);
 end
 
 ## the wire along the seams
