@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* what gssim returns; -i: argument i of GSSIM is out of range, -100-k: SIZ(k), -109 ldx, -110 ldv */
+/* what gssim returns; -i: argument i of GSSIM is out of range, -100-k: SIZ(k), -109: ldx, -110:
+ * ldv */
 enum
 {
   GS_DONE = 0,         /* all output times reached */
