@@ -134,10 +134,14 @@ simulation::find_routines (void)
 void
 simulation::by_gssim (void)
 {
-  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, &S.nq, &S.nu, &nx, &S.nv, &S.nlam, &t0,
-                    &x0[0], &nt, &tout[0], &nb, &tbrk[0], &iopt[0], &ropt[0], &atol[0], &ip[0],
-                    &rp[0], &cst[0], &xout[0], &ldx, &vout[0], &ldv, &istat[0], &rstat[0], &w[0],
-                    &lw, out, ctl, evt, rst, &info);
+  const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, nb, lw};
+  reals times (1, t0), options = ropt;
+  times.insert (times.end (), tout.begin (), tout.begin () + nt);
+  times.insert (times.end (), tbrk.begin (), tbrk.begin () + nb);
+  options.insert (options.end (), atol.begin (), atol.end ());
+  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst, sizes, &times[0],
+                    &x0[0], &iopt[0], &options[0], &ip[0], &rp[0], &cst[0], &xout[0], &vout[0],
+                    &istat[0], &rstat[0], &w[0], &info);
 }
 
 #if ! defined (GSMBP_QUAD)

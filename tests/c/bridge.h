@@ -115,23 +115,30 @@ static const externals through = { (sub *)f_rhs, (sub *)f_prj, (sub *)f_con, (su
                             (sub *)f_cmd, (sub *)f_clo, (sub *)f_vin, (sub *)f_out,
                             (sub *)f_ctl, (sub *)f_evt, (sub *)f_rst };
 
-void gssim_ (sub *rhs, sub *prj, sub *con, sub *kin, sub *cmd, sub *clo, sub *vin, const int *nq,
-             const int *nu, const int *nx, const int *nv, const int *nlam, const double *t0,
-             const double *x0, const int *nt, const double *tout, const int *nb,
-             const double *tbrk, const int *iopt, const double *ropt, const double *atol, int *ip,
-             double *rp, const double *cst, double *xout, const int *ldx, double *vout,
-             const int *ldv, int *istat, double *rstat, double *w, const int *lw, sub *out,
-             sub *ctl, sub *evt, sub *rst, int *info);
+void gssim_ (sub *rhs, sub *prj, sub *con, sub *kin, sub *cmd, sub *clo, sub *vin, sub *out,
+             sub *ctl, sub *evt, sub *rst, const int *siz, const double *tim, const double *x0,
+             const int *iopt, const double *ropt, int *ip, double *rp, const double *cst,
+             double *xout, double *vout, int *istat, double *rstat, double *w, int *info);
 
 static int
 run_fortran (const externals *f, const gs_scene *s, gs_run *r)
 {
+  const int siz[] = { s->nq, s->nu, r->nx, s->nv, s->nlam, r->nt, r->nb, r->lw };
+  double tim[1 + MOST_T + 20], ropt[3 + MOST_X];
   int info = 0;
   bridged = s;
-  gssim_ (f->rhs, f->prj, f->con, f->kin, f->cmd, f->clo, f->vin, &s->nq, &s->nu, &r->nx, &s->nv,
-          &s->nlam, &r->t0, r->x0, &r->nt, r->tout, &r->nb, r->tbrk, r->iopt, r->ropt, r->atol,
-          r->ip, r->rp, r->cst, r->xout, &r->ldx, r->vout, &r->ldv, r->istat, r->rstat, r->w,
-          &r->lw, f->out, f->ctl, f->evt, f->rst, &info);
+  tim[0] = r->t0;
+  for (int i = 0; i < r->nt; i++)
+    tim[1 + i] = r->tout[i];
+  for (int i = 0; i < r->nb; i++)
+    tim[1 + r->nt + i] = r->tbrk[i];
+  for (int i = 0; i < 3; i++)
+    ropt[i] = r->ropt[i];
+  for (int i = 0; i < r->nx; i++)
+    ropt[3 + i] = r->atol[i];
+  gssim_ (f->rhs, f->prj, f->con, f->kin, f->cmd, f->clo, f->vin, f->out, f->ctl, f->evt, f->rst,
+          siz, tim, r->x0, r->iopt, ropt, r->ip, r->rp, r->cst, r->xout, r->vout, r->istat,
+          r->rstat, r->w, &info);
   return info;
 }
 

@@ -310,10 +310,13 @@ arguments (void)
 {
   static const gs_scene bad = { .name = "bad", .nq = -1, .nu = -1, .nx = 2, .nv = -1, .nlam = -1,
                                 .rhs = pendulum_rhs };
-  static const struct { int info; double value; } given[]
-    = { { -10, 1 }, { -12, 0 }, { -13, NAN }, { -14, INFINITY }, { -15, 0 }, { -16, NAN },
-        { -16, -1 }, { -16, 7 }, { -17, -1 }, { -18, NAN }, { -18, 3 }, { -19, 7 }, { -19, 0 },
-        { -20, -1 }, { -20, 0 }, { -20, 1e-10 }, { -21, -1 }, { -26, 1 }, { -28, 0 }, { -32, 9 } };
+  enum { T0, TOUT, TBRK, METHOD, WAY, STEP, ATOL };
+  static const struct { int info, what; double value; } given[]
+    = { { -103, 0, 1 }, { -105, 0, 0 }, { -106, 0, 0 }, { -107, 0, -1 }, { -108, 0, 9 },
+        { -13, T0, NAN }, { -14, 0, INFINITY }, { -13, TOUT, NAN }, { -13, TOUT, -1 },
+        { -13, TOUT, 7 }, { -13, TBRK, NAN }, { -13, TBRK, 3 }, { -15, METHOD, 7 },
+        { -15, WAY, 0 }, { -16, STEP, -1 }, { -16, STEP, 0 }, { -16, STEP, 1e-10 },
+        { -16, ATOL, -1 } };
   for (int i = 0; i < (int)(sizeof given / sizeof *given); i++)
     {
       const double value = given[i].value;
@@ -322,28 +325,30 @@ arguments (void)
       a.tbrk[1] = 2;
       switch (given[i].info)
         {
-        case -10: a.run.nx = 1; break;
-        case -12: a.s = &bad; break;
-        case -13: a.run.t0 = value; break;
+        case -103: a.run.nx = 1; break;
+        case -105: a.s = &bad; break;
+        case -106: a.run.nt = 0; break;
+        case -107: a.run.nb = -1; break;
+        case -108: a.run.lw = (int)value; break;
+        case -13: *(given[i].what == T0 ? &a.run.t0 : given[i].what == TBRK ? a.tbrk
+                    : a.tout + (value > 0)) = value; break;
         case -14: a.x0[1] = value; break;
-        case -15: a.run.nt = 0; break;
-        case -16: a.tout[value > 0] = value; break;
-        case -17: a.run.nb = -1; break;
-        case -18: a.tbrk[0] = value; break;
-        case -19: a.iopt[value == 0] = (int)value; break;
-        case -20:
-          a.ropt[0] = value;
+        case -15: a.iopt[given[i].what == WAY] = (int)value; break;
+        default:
+          *(given[i].what == ATOL ? a.atol + 1 : a.ropt) = value;
           if (value >= 0)
             a.iopt[GS_METHOD] = 4;
-          break;
-        case -21: a.atol[1] = value; break;
-        case -26: a.run.ldx = 1; break;
-        case -28: a.run.ldv = 0; break;
-        default: a.run.lw = (int)value;
         }
       a.run.lw = a.run.lw ? a.run.lw : 3000;
       compare (&a, "an argument out of range", given[i].info);
     }
+  start_pendulum (5, 3); /* what the Fortran does not have */
+  a.run.lw = 3000;
+  a.run.ldx = 1;
+  holds (gssim (a.s, &a.run) == -109, "ldx out of range");
+  a.run.ldx = a.run.nx;
+  a.run.ldv = 0;
+  holds (gssim (a.s, &a.run) == -110, "ldv out of range");
 }
 
 /* ------------------------------------------------------------ a point on a circle, in Cartesian

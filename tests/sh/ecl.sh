@@ -8,10 +8,16 @@ other=maxima-sage
 [ "$one" = maxima-sage ] && other=maxima
 has $other 'the same text on two Lisps' || exit 0
 emitted=$GSMBP_TEST_DIR/fortran_out
-for name in case_01a case_03a electric_arms fluid_hydraulic sampled_crank redundant_tilted \
-  orient_angles; do
-  MAXIMA=$other GSMBP_TIMEOUT=300 share/make/derive "tests/scenes/$name.mac" "$work" &&
-    cmp "$emitted/$name.f" "$work/$name.f" && cmp "$emitted/$name.json" "$work/$name.json"
+names='case_01a case_03a electric_arms fluid_hydraulic sampled_crank redundant_tilted orient_angles'
+statements="load(\"$PWD/gsmbp/gsmbp.mac\")\$"
+for name in $names; do   # in one session
+  statements="$statements kill(scene, requests)\$ load(\"$PWD/tests/scenes/$name.mac\")\$
+    gsmbp_fortran(scene, if listp(requests) then requests else all, ['directory = \"$work\"])\$"
+done
+MAXIMA=$other share/make/maxima "$work/fortran.log" "$statements"
+told $? "$other derives" "$work/fortran.log"
+for name in $names; do
+  cmp "$emitted/$name.f" "$work/$name.f" && cmp "$emitted/$name.json" "$work/$name.json"
   told $? "$name: $one and $other derive the same"
 done
 

@@ -11,7 +11,8 @@
 extern "C" {
 #endif
 
-/* what gssim returns; -i: argument i of GSSIM is out of range */
+/* what gssim returns; -i: argument i of GSSIM is out of range, -100-k: SIZ(k), -109: ldx, -110:
+ * ldv */
 enum
 {
   GS_DONE = 0,         /* all output times reached */
@@ -23,7 +24,7 @@ enum
   GS_RATE_NOT_FINITE=8 /* a rate is not finite at the start, behind a stop or behind the end */
 };
 
-/* the arguments of GSSIM beside the scene, by their names */
+/* the arguments of GSSIM beside the scene; what SIZ and TIM hold has names of its own */
 typedef struct
 {
   int nx;             /* states, s->nx, or s->nx + 2 with an audit */
@@ -107,7 +108,7 @@ int gssim (const gs_scene *s, gs_run *run);
 /* the least lw of a run with nx states; r = ip[3], the highest derivative of a planned motion */
 int gs_room (const gs_scene *s, int nx, int r);
 
-/* are the arguments within their ranges? info: -i for argument i of GSSIM */
+/* are the arguments within their ranges? info: as gssim */
 int gsarg (const gs_scene *s, const gs_run *run);
 
 /* workspace, state, partition and memory of a run; statistics are 0 */

@@ -1,4 +1,5 @@
-/* GSARG: are the arguments of a run within their ranges? info is -i for the argument i of GSSIM. */
+/* GSARG: are the arguments of a run within their ranges? info is -i for the argument i of GSSIM,
+ * -100-k for SIZ(k), -109 for ldx and -110 for ldv, which the Fortran does not have. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -11,25 +12,25 @@ sizes (const gs_scene *s, const gs_run *r)
 {
   int info = 0;
   if (s->nq < 0)
-    info = -8;
+    info = -101;
   if (s->nu < 0)
-    info = -9;
+    info = -102;
   if (r->nx < gs_most (1, s->nq + s->nu))
-    info = -10;
+    info = -103;
   if (s->nv < 0)
-    info = -11;
+    info = -104;
   if (s->nlam < 0)
-    info = -12;
+    info = -105;
   if (r->nt < 1)
-    info = -15;
+    info = -106;
   if (r->nb < 0)
-    info = -17;
+    info = -107;
   if (r->ldx < r->nx)
-    info = -26;
+    info = -109;
   if (r->ldv < gs_most (1, s->nv))
-    info = -28;
+    info = -110;
   if (r->lw < gs_room (s, r->nx, r->ip[GS_DERIVATIVES]))
-    info = -32;
+    info = -108;
   return info;
 }
 
@@ -39,20 +40,16 @@ numbers (const gs_run *r)
   const int method = r->iopt[GS_METHOD], way = r->iopt[GS_LOOPS];
   const double *ropt = r->ropt;
   int info = 0;
-  if (! (fabs (r->t0) <= 1e300))
+  if (! (fabs (r->t0) <= 1e300) || gsfin (r->nt, r->tout) != 0 || gsfin (r->nb, r->tbrk) != 0)
     info = -13;
   if (gsfin (r->nx, r->x0) != 0)
     info = -14;
-  if (gsfin (r->nt, r->tout) != 0)
-    info = -16;
-  if (gsfin (r->nb, r->tbrk) != 0)
-    info = -18;
   if ((method != 4 && method != 8 && method != 9) || way < 1 || way > 6)
-    info = -19;
+    info = -15;
   if (method == 4 && ! (ropt[0] > 0.0))
-    info = -20;
+    info = -16;
   if (method >= 8 && ! (ropt[1] > 0.0 && ropt[0] >= 0.0 && ropt[2] >= 0.0))
-    info = -20;
+    info = -16;
   return info;
 }
 
@@ -74,13 +71,11 @@ gsarg (const gs_scene *s, const gs_run *r)
   if (info != 0)
     return info;
   if (r->iopt[GS_METHOD] == 4 && (r->tout[r->nt - 1] - r->t0) / r->ropt[0] > 2e9)
-    info = -20;
-  if (r->tout[0] < r->t0 || ! rising (r->nt, r->tout))
     info = -16;
-  if (! rising (r->nb, r->tbrk))
-    info = -18;
+  if (r->tout[0] < r->t0 || ! rising (r->nt, r->tout) || ! rising (r->nb, r->tbrk))
+    info = -13;
   for (int i = 0; i < r->nx && r->iopt[GS_METHOD] >= 8; i++)
     if (! (r->atol[i] >= 0.0))
-      info = -21;
+      info = -16;
   return info;
 }

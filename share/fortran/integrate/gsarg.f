@@ -1,59 +1,56 @@
-      SUBROUTINE GSARG( NQ, NU, NX, NV, NLAM, T0, X0, NT, TOUT, NB,
-     $                  TBRK, IOPT, ROPT, ATOL, R, LDX, LDV, LW, INFO )
+      SUBROUTINE GSARG( SIZ, TIM, X0, IOPT, ROPT, R, INFO )
 C
 C     PURPOSE
 C     Are the arguments of GSSIM within their ranges?  R is IP(4); INFO
-C     is 0, or -i for the argument i of GSSIM.
+C     is 0, -i for the argument i of GSSIM, -100-k for SIZ(k).
 C
       IMPLICIT NONE
-      INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, IOPT(*), R, LDX,
-     $                   LDV, LW, INFO
-      DOUBLE PRECISION   T0, X0(*), TOUT(*), TBRK(*), ROPT(*), ATOL(*)
-      INTEGER            GSFIN, I
+      INTEGER            SIZ(8), IOPT(*), R, INFO
+      DOUBLE PRECISION   TIM(*), X0(*), ROPT(*)
+      INTEGER            GSFIN, NQ, NU, NX, NV, NLAM, NT, NB, I
       EXTERNAL           GSFIN
 C
 C     -- sizes
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
+      NT   = SIZ(6)
+      NB   = SIZ(7)
       INFO = 0
-      IF ( NQ.LT.0 ) INFO = -8
-      IF ( NU.LT.0 ) INFO = -9
-      IF ( NX.LT.MAX( 1, NQ + NU ) ) INFO = -10
-      IF ( NV.LT.0 ) INFO = -11
-      IF ( NLAM.LT.0 ) INFO = -12
-      IF ( NT.LT.1 ) INFO = -15
-      IF ( NB.LT.0 ) INFO = -17
-      IF ( LDX.LT.NX ) INFO = -26
-      IF ( LDV.LT.MAX( 1, NV ) ) INFO = -28
+      IF ( NQ.LT.0 ) INFO = -101
+      IF ( NU.LT.0 ) INFO = -102
+      IF ( NX.LT.MAX( 1, NQ + NU ) ) INFO = -103
+      IF ( NV.LT.0 ) INFO = -104
+      IF ( NLAM.LT.0 ) INFO = -105
+      IF ( NT.LT.1 ) INFO = -106
+      IF ( NB.LT.0 ) INFO = -107
       I = 2*NU*( R + 1 ) + 24*NX + NV*NX + 2*NV + 8*NU + 10*NQ + 7*NLAM
      $    + 3*NLAM*NU
-      IF ( LW.LT.I + 60 ) INFO = -32
+      IF ( SIZ(8).LT.I + 60 ) INFO = -108
       IF ( INFO.NE.0 ) RETURN
 C
 C     -- numbers and options
-      IF ( .NOT.( ABS( T0 ).LE.1.0D300 ) ) INFO = -13
+      IF ( GSFIN( 1 + NT + NB, TIM ).NE.0 ) INFO = -13
       IF ( GSFIN( NX, X0 ).NE.0 ) INFO = -14
-      IF ( GSFIN( NT, TOUT ).NE.0 ) INFO = -16
-      IF ( GSFIN( NB, TBRK ).NE.0 ) INFO = -18
       IF ( IOPT(1).NE.4 .AND. IOPT(1).NE.8 .AND. IOPT(1).NE.9 )
-     $   INFO = -19
-      IF ( IOPT(2).LT.1 .OR. IOPT(2).GT.6 ) INFO = -19
-      IF ( IOPT(1).EQ.4 .AND. .NOT.( ROPT(1).GT.0.0D0 ) ) INFO = -20
+     $   INFO = -15
+      IF ( IOPT(2).LT.1 .OR. IOPT(2).GT.6 ) INFO = -15
+      IF ( IOPT(1).EQ.4 .AND. .NOT.( ROPT(1).GT.0.0D0 ) ) INFO = -16
       IF ( IOPT(1).GE.8 .AND. .NOT.( ROPT(2).GT.0.0D0 .AND.
-     $     ROPT(1).GE.0.0D0 .AND. ROPT(3).GE.0.0D0 ) ) INFO = -20
+     $     ROPT(1).GE.0.0D0 .AND. ROPT(3).GE.0.0D0 ) ) INFO = -16
       IF ( INFO.NE.0 ) RETURN
 C
 C     -- times and tolerances
-      IF ( IOPT(1).EQ.4 .AND. ( TOUT(NT) - T0 )/ROPT(1).GT.2.0D9 )
-     $   INFO = -20
-      IF ( TOUT(1).LT.T0 ) INFO = -16
-      DO 10 I = 2, NT
-         IF ( TOUT(I).LE.TOUT(I-1) ) INFO = -16
+      IF ( IOPT(1).EQ.4 .AND. ( TIM(NT+1) - TIM(1) )/ROPT(1).GT.2.0D9 )
+     $   INFO = -16
+      IF ( TIM(2).LT.TIM(1) ) INFO = -13
+      DO 10 I = 3, NT + NB + 1
+         IF ( I.NE.NT + 2 .AND. TIM(I).LE.TIM(I-1) ) INFO = -13
    10 CONTINUE
-      DO 20 I = 2, NB
-         IF ( TBRK(I).LE.TBRK(I-1) ) INFO = -18
+      IF ( IOPT(1).LT.8 ) RETURN
+      DO 20 I = 4, NX + 3
+         IF ( .NOT.( ROPT(I).GE.0.0D0 ) ) INFO = -16
    20 CONTINUE
-      IF ( IOPT(1).GE.8 ) THEN
-         DO 30 I = 1, NX
-            IF ( .NOT.( ATOL(I).GE.0.0D0 ) ) INFO = -21
-   30    CONTINUE
-      END IF
       END

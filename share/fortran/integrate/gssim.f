@@ -1,7 +1,6 @@
-      SUBROUTINE GSSIM( RHS, PRJ, CON, KIN, CMD, CLO, VIN, NQ, NU, NX,
-     $                  NV, NLAM, T0, X0, NT, TOUT, NB, TBRK, IOPT,
-     $                  ROPT, ATOL, IP, RP, CST, XOUT, LDX, VOUT, LDV,
-     $                  ISTAT, RSTAT, W, LW, OUT, CTL, EVT, RST, INFO )
+      SUBROUTINE GSSIM( RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL,
+     $                  EVT, RST, SIZ, TIM, X0, IOPT, ROPT, IP, RP, CST,
+     $                  XOUT, VOUT, ISTAT, RSTAT, W, INFO )
 C
 C     PURPOSE
 C     A simulation whose whole loop is compiled: integrates
@@ -18,21 +17,26 @@ C             IOPT(2) = 3 or 6.
 C     KIN     (external) <NAME>_KIN( T, Q, U, CST, QDOT ), called if
 C             NLAM > 0 and IOPT(5) = 1 or IOPT(2) = 3 or 6.
 C     CMD, CLO, VIN (external) the inputs, see GSINP.
-C     NQ, NU  (input) INTEGER, the numbers of coordinates and of speeds:
-C             X begins with the coordinates, then the speeds.
-C     NX      (input) INTEGER, the number of states, NX >= NQ + NU.
-C     NV      (input) INTEGER, the number of inputs.
-C     NLAM    (input) INTEGER, the number of constraints.
-C     T0      (input) DOUBLE PRECISION, initial time [s].
+C     OUT, CTL (external) the sampled devices, see GSSMP; called if
+C             IP(26) > 0.
+C     EVT, RST (external) the events, see GSRES; called if IP(28) > 0.
+C     SIZ     (input) INTEGER array, dimension (8): the numbers of
+C             (1) coordinates NQ and (2) speeds NU: X begins with the
+C                 coordinates, then the speeds;
+C             (3) states, NX >= NQ + NU;
+C             (4) inputs NV;
+C             (5) constraints NLAM;
+C             (6) output times, NT >= 1;
+C             (7) breaks NB;
+C             (8) places of W, LW >= 2*NU*(R+1) + 24*NX + NV*NX + 2*NV +
+C                 8*NU + 10*NQ + 7*NLAM + 3*NLAM*NU + 60, R = IP(4).
+C     TIM     (input) DOUBLE PRECISION array, dimension (1+NT+NB):
+C             the initial time T0 [s];
+C             the output times TOUT, rising, TOUT(1) >= T0;
+C             the breaks TBRK, rising: times at which the inputs may
+C             jump.  The integration stops there, with the limits from
+C             the left, and starts again with the limits from the right.
 C     X0      (input) DOUBLE PRECISION array, dimension (NX).
-C     NT      (input) INTEGER, the number of output times, NT >= 1.
-C     TOUT    (input) DOUBLE PRECISION array, dimension (NT), rising,
-C             TOUT(1) >= T0.
-C     NB      (input) INTEGER, the number of breaks.
-C     TBRK    (input) DOUBLE PRECISION array, dimension (NB), rising:
-C             times at which the inputs may jump.  The integration stops
-C             there, with the limits from the left, and starts again
-C             with the limits from the right.
 C     IOPT    (input) INTEGER array, dimension (6+IOPT(6)):
 C             (1) method: 4 classical Runge-Kutta, fixed step;
 C                         8 Dormand-Prince 8(5,3), step controlled;
@@ -62,24 +66,22 @@ C                 borrow from the way 3 (needs CON, KIN and IOPT(3) =
 C                 1), else 0;
 C             (6) how many constraints are on speeds alone (they have no
 C                 phi): their numbers follow.
-C     ROPT    (input) DOUBLE PRECISION array, dimension (3):
+C     ROPT    (input) DOUBLE PRECISION array, dimension (3+NX):
 C             (1) step [s].  Method 4: the largest step; the way to each
 C                 stop (output time or break) is cut into equal steps.
 C                 Method 8: the first step, or 0 for an automatic one;
 C             (2) method 8: relative tolerance;
-C             (3) method 8: the largest step [s], or 0 for none.
-C     ATOL    (input) DOUBLE PRECISION array, dimension (NX), method 8:
-C             absolute tolerances, in the units of the states.
+C             (3) method 8: the largest step [s], or 0 for none;
+C             (4) to (3+NX) method 8: absolute tolerances ATOL, in the
+C                 units of the states.
 C     IP, RP  (input/output) the inputs and the plans of the samples and
 C             of the events, see GSINP, GSSMP and GSRES: next samples,
 C             held outputs, memories and modes go on.
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
-C     XOUT    (output) DOUBLE PRECISION array, dimension (LDX,NT): the
+C     XOUT    (output) DOUBLE PRECISION array, dimension (NX,NT): the
 C             states, a column for every output time.
-C     LDX     (input) INTEGER, LDX >= NX.
-C     VOUT    (output) DOUBLE PRECISION array, dimension (LDV,NT): the
-C             inputs (the limit from the left, but at T0).
-C     LDV     (input) INTEGER, LDV >= MAX(1,NV).
+C     VOUT    (output) DOUBLE PRECISION array, dimension (MAX(1,NV),NT):
+C             the inputs (the limit from the left, but at T0).
 C     ISTAT   (output) INTEGER array, dimension (20):
 C             (1) calls of RHS; (2) accepted steps; (3) rejected steps;
 C             (4) projections; (5) output times reached; (6) INFO of the
@@ -118,11 +120,6 @@ C             (20) the step [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (LW).  On
 C             entry its first NU entries are the guess of the planned
 C             motion's coordinates at T0 where CLO is used.
-C     LW      (input) INTEGER, LW >= 2*NU*(R+1) + 24*NX + NV*NX + 2*NV
-C             + 8*NU + 10*NQ + 7*NLAM + 3*NLAM*NU + 60, where R = IP(4).
-C     OUT, CTL (external) the sampled devices, see GSSMP; called if
-C             IP(26) > 0.
-C     EVT, RST (external) the events, see GSRES; called if IP(28) > 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
@@ -162,7 +159,7 @@ C     length, five times at most, so that such a place is stepped over.
 C
 C     ERROR INDICATOR
 C     INFO = 0   all output times reached;
-C     INFO = -i  argument i is out of range;
+C     INFO = -i  argument i is out of range; -100-k: SIZ(k) is;
 C     INFO = 1   more than IOPT(4) steps;
 C     INFO = 2   the step became too small (method 8), also where 20000
 C                steps one after the other are a ten thousandth of what
@@ -180,23 +177,29 @@ C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL,
      $                   EVT, RST
-      INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, IOPT(*), IP(*),
-     $                   LDX, LDV, ISTAT(20), LW, INFO
-      DOUBLE PRECISION   T0, X0(*), TOUT(*), TBRK(*), ROPT(*), ATOL(*),
-     $                   RP(*), CST(*), XOUT(LDX,*), VOUT(LDV,*),
-     $                   RSTAT(20), W(*)
+      INTEGER            SIZ(8), IOPT(*), IP(*), ISTAT(20), INFO
+      DOUBLE PRECISION   TIM(*), X0(*), ROPT(*), RP(*), CST(*), XOUT(*),
+     $                   VOUT(*), RSTAT(20), W(*)
       EXTERNAL           GSARG, GSINI, GSBGN, GSSTO, GSRKS, GSDPS, GSINP
       DOUBLE PRECISION   T, TB, TEND, TS, HMAX, M(11)
-      INTEGER            I, IT, IB, SIDE, ACTED, LM(6), IW(7), IV, IC
+      INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, LDV, I, IT, IB,
+     $                   SIDE, ACTED, LM(6), IW(7), IV, IC
 C
-      CALL GSARG( NQ, NU, NX, NV, NLAM, T0, X0, NT, TOUT, NB, TBRK,
-     $            IOPT, ROPT, ATOL, IP(4), LDX, LDV, LW, INFO )
+      CALL GSARG( SIZ, TIM, X0, IOPT, ROPT, IP(4), INFO )
       IF ( INFO.NE.0 ) RETURN
-      CALL GSINI( T0, X0, TOUT(NT), NQ, NU, NX, NV, NLAM, IOPT, ROPT,
-     $            IP(4), IW, W, M, LM, HMAX, ISTAT, RSTAT )
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
+      NT   = SIZ(6)
+      NB   = SIZ(7)
+      LDV  = MAX( 1, NV )
+      CALL GSINI( TIM(1), X0, TIM(NT+1), NQ, NU, NX, NV, NLAM, IOPT,
+     $            ROPT, IP(4), IW, W, M, LM, HMAX, ISTAT, RSTAT )
       IV = IW(3)
       IC = IW(4)
-      T  = T0
+      T  = TIM(1)
       IT = 1
       IB = 1
       CALL GSBGN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL, EVT, RST,
@@ -208,8 +211,8 @@ C
 C     -- from stop to stop
    10 RSTAT(8) = T
       CALL GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, W(IW(1)), NU,
-     $            NX, NV, NT, TOUT, NB, TBRK, IP, RP, CST, W(IV), W,
-     $            XOUT, LDX, VOUT, LDV, IT, IB, TB, TEND, TS, SIDE,
+     $            NX, NV, NT, TIM(2), NB, TIM(NT+2), IP, RP, CST, W(IV),
+     $            W, XOUT, NX, VOUT, LDV, IT, IB, TB, TEND, TS, SIDE,
      $            ACTED, ISTAT, INFO )
       IF ( INFO.NE.0 ) GO TO 20
       IF ( IT.GT.NT ) RETURN
@@ -219,14 +222,14 @@ C     -- from stop to stop
       END IF
       IF ( IOPT(1).EQ.4 ) THEN
          CALL GSRKS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $               SIDE, NQ, NU, NX, NV, NLAM, IOPT, ROPT, ATOL, IP,
-     $               RP, CST, IW, W, ISTAT, RSTAT, INFO )
+     $               SIDE, NQ, NU, NX, NV, NLAM, IOPT, ROPT, ROPT(4),
+     $               IP, RP, CST, IW, W, ISTAT, RSTAT, INFO )
       ELSE
          CALL GSDPS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $               TEND, TS, SIDE, HMAX, T0, NQ, NU, NX, NV, NLAM, NT,
-     $               TOUT, NB, TBRK, IT, IB, IOPT, ROPT, ATOL, IP, RP,
-     $               CST, XOUT, LDX, VOUT, LDV, M, LM, IW, W, ISTAT,
-     $               RSTAT, INFO )
+     $               TEND, TS, SIDE, HMAX, TIM(1), NQ, NU, NX, NV,
+     $               NLAM, NT, TIM(2), NB, TIM(NT+2), IT, IB, IOPT,
+     $               ROPT, ROPT(4), IP, RP, CST, XOUT, NX, VOUT, LDV,
+     $               M, LM, IW, W, ISTAT, RSTAT, INFO )
       END IF
       IF ( INFO.NE.0 ) GO TO 20
 C
@@ -241,10 +244,10 @@ C
 C     -- it failed: where it came to
    20 IF ( ISTAT(5).GE.NT ) RETURN
       DO 30 I = 1, NX
-         XOUT(I,ISTAT(5)+1) = W(IW(1)+I-1)
+         XOUT(NX*ISTAT(5)+I) = W(IW(1)+I-1)
    30 CONTINUE
       DO 40 I = 1, NV
-         VOUT(I,ISTAT(5)+1) = W(IV+I-1)
+         VOUT(LDV*ISTAT(5)+I) = W(IV+I-1)
    40 CONTINUE
       END
       SUBROUTINE GSINI( T0, X0, TLAST, NQ, NU, NX, NV, NLAM, IOPT, ROPT,
