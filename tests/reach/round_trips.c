@@ -156,6 +156,8 @@ static void tell(const char *word, double *q, const struct answer *a)
          a->nearest);
 }
 
+/* A position counts as found to 1e-6 and 4e-15 times the condition of its Jacobian: of a pose in double
+   precision nobody knows more. */
 static int by_chance(long count)
 {
   long lost = 0, number = 0;
@@ -167,9 +169,9 @@ static int by_chance(long count)
     ask(q, &a);
     number += a.n;
     if (a.miss > miss) miss = a.miss;
-    if (a.nearest <= 1e-6) far = fmax(far, a.nearest);
+    double c = a.nearest <= 1e-6 ? 0 : condition(q);
+    if (a.nearest <= 1e-6 + 4e-15*c) far = fmax(far, a.nearest);
     else {
-      double c = condition(q);
       if (lost++ < 20) tell("lost", q, &a);
       if (worst == 0 || c < worst) worst = c;
     }
@@ -226,15 +228,19 @@ static int singular_on_the_way(double *q, const double *z)
   return 1;
 }
 
-/* d beside the singular position q along its free direction n. An error e of the pose moves a double
-   root by sqrt(2 e/bend), where bend is the slope of the least singular value along n. */
+/* d beside the singular position q along n. An error e of the pose moves a solution by e over the least
+   singular value, but a double root by no more than sqrt(2 e/bend), where bend is the slope of that
+   value along n (0: the position moves freely, no double root). */
 struct tally { long n, lost, fewer; double miss; };
 static int beside(double *q, const double *n, double d, double bend, int before, struct tally *t)
 {
   struct answer a;
-  double x[NQ], tol = 1e-7 + 2*sqrt(1e-15/fmax(bend, 1e-3));
+  double x[NQ], tol;
   memcpy(x, q, sizeof x);
   for (int i = 0; i < NS; i++) x[full(i)] += d*n[i];
+  tol = 4e-15/least_singular(x);
+  if (bend > 0) tol = fmin(tol, 2*sqrt(1e-15/bend));
+  tol += 1e-7;
   ask(x, &a);
   t->n++;
   t->miss = fmax(t->miss, a.miss);
@@ -243,7 +249,7 @@ static int beside(double *q, const double *n, double d, double bend, int before,
     printf("%g beside, bend %.1e: ", d, bend);
     tell("lost", x, &a);
   }
-  if (d >= 9e-8 && a.n < before) {
+  if (d >= 9e-8 && tol < d && a.n < before) {
     t->fewer++;
     printf("%g beside, bend %.1e, %d before: ", d, bend, before);
     tell("fewer", x, &a);
@@ -270,9 +276,7 @@ static int beside_singular(long count)
     double bend = 1e3*least_singular(c);
     if (bend < 1e-2) {                    /* a motion of itself, or almost: go where the rank comes back */
       for (int i = 0; i < NS; i++) n[i] = z[full(i)];
-      memcpy(c, q, sizeof c);
-      for (int i = 0; i < NS; i++) c[full(i)] += 1e-3*n[i];
-      bend = 1e3*least_singular(c);
+      bend = 0;
     }
     int before = 0;
     for (int e = 0; e < 7; e++)
