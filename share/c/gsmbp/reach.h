@@ -100,7 +100,7 @@ void gsikg (const double *ka, const double *pa, const double *r, const double *p
 /* for gsikg: the last axis of a chain carried to its front by the displacement it makes */
 void gsik6 (const double *r, const double *p, double *ka, double *pa);
 
-/* for gsikg: gsik1 of an arm and of the same taken backwards; regular: orders that were, added up */
+/* for gsikg: gsik1 of an arm and of the same backwards; regular: how many were so, added up */
 void gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
             const double *p0, int l0, double *qc, int *ns, int *regular, double *w, int *iw);
 

@@ -41,7 +41,7 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
       DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), P2(3), SIZE
       DOUBLE PRECISION   PC(3,6), CEN(3)
-      INTEGER            NS, IW(24), I, J, L, NREG
+      INTEGER            NS, IW(24), I, J, L, L0, NREG
       EXTERNAL           GSIKB, GSIK6
 C
 C     -- lengths beside their largest, about the middle of the points
@@ -76,7 +76,8 @@ C     -- lengths beside their largest, about the middle of the points
    65       CONTINUE
    70    CONTINUE
          IF ( L.GT.0 ) CALL GSIK6( R, P2, KB, PB )
-         CALL GSIKB( KB, PB, R, P2, KA, PC, L, QC, NS, NREG, W, IW )
+         L0 = L
+         CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
          IF ( NREG.GE.2 ) RETURN
    80 CONTINUE
       IF ( NREG.GT.0 ) RETURN
@@ -92,7 +93,8 @@ C     -- no order is regular: four neighbours of this arm
                KB(I,J) = KB(I,J)/SIZE
   105       CONTINUE
   110    CONTINUE
-         CALL GSIKB( KB, PB, R, P2, KA, PC, 0, QC, NS, NREG, W, IW )
+         L0 = 0
+         CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
   120 CONTINUE
       END
 C
