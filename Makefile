@@ -19,7 +19,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed \
+.PHONY: help packages packages-test compiled examples test test-random test-malformed test-reach \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-points bench-robots same doc manual install uninstall package clean \
         packages-manual packages-pdf packages-report packages-screen check-report check-screen \
@@ -34,6 +34,8 @@ make test-malformed        300 malformed scenes against their verdicts, and muta
                            (make test takes 25)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a sample);
                            SCENES="FILE.mac ...": these only
+make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each, there and back, and
+                           poses beside singular ones; ARMS="puma scara": these only; SEED, COUNT
 make bench-c               speed of emitted C beside emitted Fortran
 make bench                 tests/bench/report.md, report.json and figures
                            PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside
@@ -134,6 +136,9 @@ test-malformed: packages-test compiled
 	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
 	  tee /dev/stderr | awk '/^ok / { n++ } /^not ok / { bad++ } \
 	    END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
+
+test-reach: packages-test compiled
+	@$(ONE_THREAD) tests/reach/run tests/bench/out/reach $(or $(COUNT),1000000) $(SEED) $(ARMS)
 
 OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

@@ -1,7 +1,7 @@
-/* round_trips.c: compiled with -include NAME.h (scenes.py) and linked with the emitted Fortran of an
-   arm. round_trips COUNT SEED: that many poses by chance; is the position among the solutions, do all
-   solutions have the pose? round_trips beside COUNT SEED: positions beside singular ones. The last
-   line begins with "ok" or "not ok"; "lost" lines tell every pose that was lost. */
+/* round_trips.c: compiled with -include NAME.h (scenes.py) and linked with the emitted Fortran of
+   an arm. round_trips COUNT SEED: that many poses by chance; is the position among the solutions,
+   do all solutions have the pose? round_trips beside COUNT SEED: positions beside singular ones.
+   The last line begins with "ok" or "not ok"; "lost" lines tell the poses that were lost. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -42,7 +42,8 @@ static void position_by_chance(double *q)
 
 /* ------------------------------------------------------------------------------- the arm itself */
 
-static int full(int i) { return i + (GIVEN > 0 && i >= GIVEN - 1); }   /* place in q of solution i */
+/* place in q of coordinate i of a solution */
+static int full(int i) { return i + (GIVEN > 0 && i >= GIVEN - 1); }
 
 static void place(double *q, double *p, double *r)
 {
@@ -104,7 +105,7 @@ static double condition(double *q)
   return s[0]/fmax(s[NS - 1], 1e-300);
 }
 
-/* -------------------------------------------------------------------------------------- solutions */
+/* ----------------------------------------------------------------------------- solutions */
 
 struct answer {
   double qs[NS*MOST], dst[2], nearest, miss;
@@ -156,6 +157,8 @@ static void tell(const char *word, double *q, const struct answer *a)
          a->nearest);
 }
 
+/* A position counts as found to 1e-6 and 4e-15 times the condition of its Jacobian: of a pose in
+   double precision nobody knows more. */
 static int by_chance(long count)
 {
   long lost = 0, number = 0;
@@ -167,21 +170,22 @@ static int by_chance(long count)
     ask(q, &a);
     number += a.n;
     if (a.miss > miss) miss = a.miss;
-    if (a.nearest <= 1e-6) far = fmax(far, a.nearest);
+    double c = a.nearest <= 1e-6 ? 0 : condition(q);
+    if (a.nearest <= 1e-6 + 4e-15*c) far = fmax(far, a.nearest);
     else {
-      double c = condition(q);
       if (lost++ < 20) tell("lost", q, &a);
       if (worst == 0 || c < worst) worst = c;
     }
   }
-  printf("%s %ld poses, %.3f solutions each, %ld lost", lost == 0 && miss <= 1e-12 ? "ok" : "not ok",
+  printf("%s %ld poses, %.3f solutions each, %ld lost",
+    lost == 0 && miss <= 1e-12 ? "ok" : "not ok",
          count, (double) number/(double) count, lost);
   if (lost > 0) printf(" (least condition %.1e)", worst);
   printf("; nearest within %.1e, pose missed by %.1e\n", far, miss);
   return lost > 0 || miss > 1e-12;
 }
 
-/* ------------------------------------------------------------------------ beside singular positions */
+/* ------------------------------------------------------------- beside singular positions */
 
 /* the determinant, or of fewer coordinates than rows the product of singular values with no sign */
 static double determinant(double *q)
@@ -226,15 +230,19 @@ static int singular_on_the_way(double *q, const double *z)
   return 1;
 }
 
-/* d beside the singular position q along its free direction n. An error e of the pose moves a double
-   root by sqrt(2 e/bend), where bend is the slope of the least singular value along n. */
+/* d beside the singular position q along n. An error e of the pose moves a solution by e over the
+   least singular value, but a double root by no more than sqrt(2 e/bend), where bend is the slope
+   of that value along n (0: the position moves freely, no double root). */
 struct tally { long n, lost, fewer; double miss; };
 static int beside(double *q, const double *n, double d, double bend, int before, struct tally *t)
 {
   struct answer a;
-  double x[NQ], tol = 1e-7 + 2*sqrt(1e-15/fmax(bend, 1e-3));
+  double x[NQ], tol;
   memcpy(x, q, sizeof x);
   for (int i = 0; i < NS; i++) x[full(i)] += d*n[i];
+  tol = 4e-15/least_singular(x);
+  if (bend > 0) tol = fmin(tol, 2*sqrt(1e-15/bend));
+  tol += 1e-7;
   ask(x, &a);
   t->n++;
   t->miss = fmax(t->miss, a.miss);
@@ -243,7 +251,7 @@ static int beside(double *q, const double *n, double d, double bend, int before,
     printf("%g beside, bend %.1e: ", d, bend);
     tell("lost", x, &a);
   }
-  if (d >= 9e-8 && a.n < before) {
+  if (d >= 9e-8 && tol < d && a.n < before) {
     t->fewer++;
     printf("%g beside, bend %.1e, %d before: ", d, bend, before);
     tell("fewer", x, &a);
@@ -268,18 +276,18 @@ static int beside_singular(long count)
     memcpy(c, q, sizeof c);
     for (int i = 0; i < NS; i++) c[full(i)] += 1e-3*n[i];
     double bend = 1e3*least_singular(c);
-    if (bend < 1e-2) {                    /* a motion of itself, or almost: go where the rank comes back */
+    if (bend < 1e-2) {                    /* a motion of itself,
+      or almost: go where the rank comes back */
       for (int i = 0; i < NS; i++) n[i] = z[full(i)];
-      memcpy(c, q, sizeof c);
-      for (int i = 0; i < NS; i++) c[full(i)] += 1e-3*n[i];
-      bend = 1e3*least_singular(c);
+      bend = 0;
     }
     int before = 0;
     for (int e = 0; e < 7; e++)
       before = beside(q, n, pow(10, -3 - e), bend, before, &t[e]);
   }
   for (int e = 0; e < 7; e++) {
-    printf("1e-%d beside: %ld poses, %ld lost, %ld with fewer solutions, pose missed by %.1e\n", 3 + e,
+    printf("1e-%d beside: %ld poses, %ld lost, %ld with fewer solutions, pose missed by %.1e\n",
+      3 + e,
            t[e].n, t[e].lost, t[e].fewer, t[e].miss);
     bad |= t[e].lost > 0 || t[e].fewer > 0;
   }

@@ -97,15 +97,18 @@ void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j
 void gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc,
             int *ns, double *w, int *iw);
 
-/* for gsikg: gsik1 of an arm and of the same taken backwards */
-void gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-            const double *p0, double *qc, int *ns, double *w, int *iw);
+/* for gsikg: the last axis of a chain carried to its front by the displacement it makes */
+void gsik6 (const double *r, const double *p, double *ka, double *pa);
 
-/* for gsikg: solutions by one order of the joints, way = -1: backwards; k0, p0, r0, d0: in the
- * order of the chain */
-void gsik1 (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-            const double *p0, const double *r0, const double *d0, int way, double *qc, int *ns,
-            double *w, int *iw);
+/* for gsikg: gsik1 of an arm and of the same backwards; regular: how many were so, added up */
+void gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
+            const double *p0, int l0, double *qc, int *ns, int *regular, double *w, int *iw);
+
+/* for gsikg: solutions by one order of the joints, way = -1: backwards, l0 axes carried to the
+ * front; k0, p0, r0, d0: in the order of the chain. info: 1 singular, 2 almost so */
+int gsik1 (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
+           const double *p0, const double *r0, const double *d0, int way, int l0, double *qc,
+           int *ns, double *w, int *iw);
 
 /* a point x and a direction e turned about the axis k through p, sine s and cosine c */
 void gsikt (const double *k, const double *p, double s, double c, double *x, double *e);
@@ -129,7 +132,7 @@ void gsike (const double *f, const double *g, double *h, double *w);
 void gsikh (const double *b, int i, double *h);
 
 /* for gsikg: the matrix a (24,24) whose eigenvalues are half tangents of angle 3 from shift on; s2
- * (12,12), x (12,24), iw (12) are workspace. info: 1 singular */
+ * (12,12), x (12,24), iw (12) are workspace. info: 1 singular, 2 almost so */
 int gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw);
 
 /* for gsikg: twelve equations s (12,12): those of cosine times a, of sine times b, of one times c;

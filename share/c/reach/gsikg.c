@@ -53,8 +53,9 @@ middle (const double *pa, double *pc, double *cen)
  * those moved by joints 3 to 5 and those moved back by joints 2 and 1. The angles 1 and 2 are
  * eliminated linearly, six equations are left, and as many times the half tangent of angle 4: the
  * half tangent of angle 3 is an eigenvalue of a matrix of order 24. That, and the same of the chain
- * backwards; where nothing is found the same of four arms very close to this one, for axes that are
- * parallel or meet can make the equations singular everywhere. Every candidate is refined by
+ * backwards. Axes that are parallel can make this singular everywhere: then the same with the last
+ * axes carried by the pose to the front of the chain, until two orders of the joints are regular;
+ * where none is, the same of four arms very close to this one. Every candidate is refined by
  * Newton's method on the pose and taken if it misses less than 1e-10 of it.
  *
  * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
@@ -71,22 +72,47 @@ gsikg (const double *ka, const double *pa, const double *r, const double *p, dou
     p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
   for (int j = 0; j < 18; j++)
     pc[j] = pc[j] / size;
-  gsikb (ka, pc, r, p2, ka, pc, qc, ns, w, iw);
-  if (*ns > 0)
+  int regular = 0;
+  memcpy (kb, ka, sizeof kb);
+  memcpy (pb, pc, sizeof pb);
+  for (int l = 0; l < 6; l++)
+    {
+      if (l > 0)
+        gsik6 (r, p2, kb, pb);
+      gsikb (kb, pb, r, p2, ka, pc, l, qc, ns, &regular, w, iw);
+      if (regular >= 2)
+        return;
+    }
+  if (regular > 0)
     return;
   for (int l = 1; l <= 4; l++)
     {
       neighbour (l, ka, pc, kb, pb);
-      gsikb (kb, pb, r, p2, ka, pc, qc, ns, w, iw);
+      gsikb (kb, pb, r, p2, ka, pc, 0, qc, ns, &regular, w, iw);
     }
 }
 
 void
+gsik6 (const double *r, const double *p, double *ka, double *pa)
+{
+  double k[3], x[3];
+  for (int i = 0; i < 3; i++)
+    {
+      k[i] = turned (r, i, ka + 15);
+      x[i] = turned (r, i, pa + 15) + p[i];
+    }
+  memmove (ka + 3, ka, 15 * sizeof (double));
+  memmove (pa + 3, pa, 15 * sizeof (double));
+  memcpy (ka, k, sizeof k);
+  memcpy (pa, x, sizeof x);
+}
+
+void
 gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-       const double *p0, double *qc, int *ns, double *w, int *iw)
+       const double *p0, int l0, double *qc, int *ns, int *regular, double *w, int *iw)
 {
   double kb[18], pb[18], rb[9], d[3];
-  gsik1 (ka, pa, r, p, k0, p0, r, p, 1, qc, ns, w, iw);
+  *regular += gsik1 (ka, pa, r, p, k0, p0, r, p, 1, l0, qc, ns, w, iw) == 0;
   for (int j = 0; j < 6; j++)
     {
       memcpy (kb + 3 * j, ka + 3 * (5 - j), 3 * sizeof (double));
@@ -97,22 +123,23 @@ gsikb (const double *ka, const double *pa, const double *r, const double *p, con
       rb[i + 3 * l] = r[l + 3 * i];
   for (int i = 0; i < 3; i++)
     d[i] = -turned (rb, i, p);
-  gsik1 (kb, pb, rb, d, k0, p0, r, p, -1, qc, ns, w, iw);
+  *regular += gsik1 (kb, pb, rb, d, k0, p0, r, p, -1, l0, qc, ns, w, iw) == 0;
 }
 
-void
+int
 gsik1 (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-       const double *p0, const double *r0, const double *d0, int way, double *qc, int *ns,
+       const double *p0, const double *r0, const double *d0, int way, int l0, double *qc, int *ns,
        double *w, int *iw)
 {
   static const int kind[] = { 1, 1, 1, 1, 1, 1 };
-  double q[6], f[14 * 27], g[14 * 9], h[6 * 9 * 3], shift, er[24], ei[24];
-  int good;
+  double q[6], q0[6], f[14 * 27], g[14 * 9], h[6 * 9 * 3], shift, er[24], ei[24];
+  int good, info;
   gsikl (ka, pa, f);
   gsikr (ka, pa, r, p, g);
   gsike (f, g, h, w);
-  if (gsikc (h, &shift, w, w + 576, w + 720, iw) || gseig (24, w, 24, er, ei, w + 576))
-    return;
+  info = gsikc (h, &shift, w, w + 576, w + 720, iw);
+  if (info == 1 || gseig (24, w, 24, er, ei, w + 576))
+    return 1;
   for (int i = 0; i < 24; i++)
     {
       if (! (fabs (ei[i]) <= 1e-3 * (1.0 + fabs (er[i]))))
@@ -125,10 +152,13 @@ gsik1 (const double *ka, const double *pa, const double *r, const double *p, con
           q[j] = -q[5 - j];
           q[5 - j] = -t;
         }
-      gsikn (kind, k0, p0, r0, d0, q, w, iw, &good);
+      for (int j = 0; j < 6; j++)
+        q0[(j + 6 - l0) % 6] = q[j];
+      gsikn (kind, k0, p0, r0, d0, q0, w, iw, &good);
       if (good)
-        gsika (q, qc, ns);
+        gsika (q0, qc, ns);
     }
+  return info;
 }
 
 /* x turned about the axis k through the origin */
@@ -315,7 +345,7 @@ gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw
       info = 0;
       companion (x, a);
     }
-  return info;
+  return least > 1e4 ? 2 : info;
 }
 
 void

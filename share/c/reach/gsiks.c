@@ -18,6 +18,8 @@ is_real (int nm, const double *rad, const double *lim, int *edge, int *beside)
         *edge = 1;
       if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
         *beside = 1;
+      if (lim[i] <= 1e-20 && rad[i] > lim[i] && rad[i] <= 1e-4)
+        *beside = 1;
     }
   return real;
 }

@@ -25,10 +25,12 @@ C     moved by joints 3 to 5 and those moved back by joints 2 and 1. The
 C     angles 1 and 2 are eliminated linearly, six equations are left, and
 C     as many times the half tangent of angle 4: the half tangent of
 C     angle 3 is an eigenvalue of a matrix of order 24 (Raghavan, Roth).
-C     That, and the same of the chain backwards; where nothing is found
-C     the same of four arms very close to this one. Every candidate is
-C     refined by Newton's method on the pose and taken if it misses less
-C     than 1D-10 of it.
+C     That, and the same of the chain backwards. Axes that are parallel
+C     can make this singular everywhere: then the same with the last axes
+C     carried by the pose to the front of the chain, until two orders of
+C     the joints are regular; where none is, the same of four arms very
+C     close to this one. Every candidate is refined by Newton's method on
+C     the pose and taken if it misses less than 1D-10 of it.
 C
 C     REFERENCES
 C     M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508.
@@ -39,8 +41,8 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
       DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), P2(3), SIZE
       DOUBLE PRECISION   PC(3,6), CEN(3)
-      INTEGER            NS, IW(24), I, J, L
-      EXTERNAL           GSIKB
+      INTEGER            NS, IW(24), I, J, L, L0, NREG
+      EXTERNAL           GSIKB, GSIK6
 C
 C     -- lengths beside their largest, about the middle of the points
       NS = 0
@@ -65,10 +67,21 @@ C     -- lengths beside their largest, about the middle of the points
             PC(I,J) = PC(I,J)/SIZE
    50    CONTINUE
    60 CONTINUE
-      CALL GSIKB( KA, PC, R, P2, KA, PC, QC, NS, W, IW )
-      IF ( NS.GT.0 ) RETURN
-C     -- axes that are parallel or meet can make the equations singular
-C        everywhere: four neighbours of this arm
+      NREG = 0
+      DO 80 L = 0, 5
+         DO 70 J = 1, 6
+            DO 65 I = 1, 3
+               IF ( L.EQ.0 ) KB(I,J) = KA(I,J)
+               IF ( L.EQ.0 ) PB(I,J) = PC(I,J)
+   65       CONTINUE
+   70    CONTINUE
+         IF ( L.GT.0 ) CALL GSIK6( R, P2, KB, PB )
+         L0 = L
+         CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
+         IF ( NREG.GE.2 ) RETURN
+   80 CONTINUE
+      IF ( NREG.GT.0 ) RETURN
+C     -- no order is regular: four neighbours of this arm
       DO 120 L = 1, 4
          DO 110 J = 1, 6
             DO 100 I = 1, 3
@@ -80,17 +93,56 @@ C        everywhere: four neighbours of this arm
                KB(I,J) = KB(I,J)/SIZE
   105       CONTINUE
   110    CONTINUE
-         CALL GSIKB( KB, PB, R, P2, KA, PC, QC, NS, W, IW )
+         L0 = 0
+         CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
   120 CONTINUE
       END
 C
-      SUBROUTINE GSIKB( KA, PA, R, P, K0, P0, QC, NS, W, IW )
+      SUBROUTINE GSIK6( R, P, KA, PA )
+C
+C     PURPOSE
+C     For GSIKG: the last axis of a chain carried to its front by the
+C     displacement that the chain makes.
+C
+C     ARGUMENTS
+C     R, P    (input) as GSIKG.
+C     KA, PA  (input/output) as GSIKG.
+C
+C     METHOD
+C     T1 ... T6 = D is T6' T1 ... T5 = D, where T6' = D T6 D**(-1) turns
+C     by the same angle about the axis that D gives it.
+C
+C     ERROR INDICATOR
+C     None.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   R(3,3), P(3), KA(3,6), PA(3,6), K(3), X(3)
+      INTEGER            I, J
+C
+      DO 10 I = 1, 3
+         K(I) = R(I,1)*KA(1,6) + R(I,2)*KA(2,6) + R(I,3)*KA(3,6)
+         X(I) = R(I,1)*PA(1,6) + R(I,2)*PA(2,6) + R(I,3)*PA(3,6) + P(I)
+   10 CONTINUE
+      DO 30 J = 6, 2, -1
+         DO 20 I = 1, 3
+            KA(I,J) = KA(I,J-1)
+            PA(I,J) = PA(I,J-1)
+   20    CONTINUE
+   30 CONTINUE
+      DO 40 I = 1, 3
+         KA(I,1) = K(I)
+         PA(I,1) = X(I)
+   40 CONTINUE
+      END
+C
+      SUBROUTINE GSIKB( KA, PA, R, P, K0, P0, L0, QC, NS, NREG, W, IW )
 C
 C     PURPOSE
 C     For GSIKG: GSIK1 of an arm and of the same taken backwards.
 C
 C     ARGUMENTS
-C     as GSIK1.
+C     NREG    (input/output) INTEGER, how many orders of the joints were
+C             regular; the others as GSIK1.
 C
 C     METHOD
 C     The opposite displacement.
@@ -102,10 +154,12 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), K0(3,6)
       DOUBLE PRECISION   P0(3,6), QC(6,16), W(*), KB(3,6), PB(3,6)
       DOUBLE PRECISION   RB(3,3), D(3)
-      INTEGER            NS, IW(24), I, J, L
+      INTEGER            L0, NS, NREG, IW(24), I, J, L, INFO
       EXTERNAL           GSIK1
 C
-      CALL GSIK1( KA, PA, R, P, K0, P0, R, P, 1, QC, NS, W, IW )
+      CALL GSIK1( KA, PA, R, P, K0, P0, R, P, 1, L0, QC, NS, W, IW,
+     $            INFO )
+      IF ( INFO.EQ.0 ) NREG = NREG + 1
       DO 30 I = 1, 3
          DO 10 J = 1, 6
             KB(I,J) = KA(I,7-J)
@@ -118,11 +172,13 @@ C
       DO 40 I = 1, 3
          D(I) = -( RB(I,1)*P(1) + RB(I,2)*P(2) + RB(I,3)*P(3) )
    40 CONTINUE
-      CALL GSIK1( KB, PB, RB, D, K0, P0, R, P, -1, QC, NS, W, IW )
+      CALL GSIK1( KB, PB, RB, D, K0, P0, R, P, -1, L0, QC, NS, W, IW,
+     $            INFO )
+      IF ( INFO.EQ.0 ) NREG = NREG + 1
       END
 C
-      SUBROUTINE GSIK1( KA, PA, R, P, K0, P0, R0, D0, WAY, QC, NS, W,
-     $                  IW )
+      SUBROUTINE GSIK1( KA, PA, R, P, K0, P0, R0, D0, WAY, L0, QC, NS,
+     $                  W, IW, INFO )
 C
 C     PURPOSE
 C     For GSIKG: solutions by one order of the joints, added to those that
@@ -132,6 +188,7 @@ C     ARGUMENTS
 C     KA, PA, R, P (input) as GSIKG, in the order of the elimination.
 C     K0, P0, R0, D0 (input) the same in the order of the chain.
 C     WAY     (input) INTEGER, 1 or -1: backwards.
+C     L0      (input) INTEGER, how many axes were carried to the front.
 C     QC, NS  (input/output) as GSIKG.
 C     W       (workspace) DOUBLE PRECISION array, dimension (1200).
 C     IW      (workspace) INTEGER array, dimension (24).
@@ -140,14 +197,17 @@ C     METHOD
 C     See GSIKG.
 C
 C     ERROR INDICATOR
-C     None: where the equations are singular there are no candidates.
+C     INFO =  0  ok;
+C     INFO =  1  the equations are singular: there are no candidates;
+C     INFO =  2  they are almost so.
 C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), K0(3,6)
       DOUBLE PRECISION   P0(3,6), R0(3,3), D0(3), QC(6,16), W(*)
       DOUBLE PRECISION   Q(6), F(14,27), G(14,9), H(6,9,3), SHIFT
       DOUBLE PRECISION   ER(24), EI(24), T
-      INTEGER            WAY, NS, IW(24), I, J, INFO, KIND(6)
+      DOUBLE PRECISION   Q0(6)
+      INTEGER            WAY, L0, NS, IW(24), I, J, INFO, EIG, KIND(6)
       LOGICAL            GOOD
       EXTERNAL           GSIKL, GSIKR, GSIKE, GSIKC, GSEIG, GSIKV, GSIKN
       EXTERNAL           GSIKA
@@ -157,9 +217,10 @@ C
       CALL GSIKR( KA, PA, R, P, G )
       CALL GSIKE( F, G, H, W )
       CALL GSIKC( H, SHIFT, W, W(577), W(721), IW, INFO )
-      IF ( INFO.NE.0 ) RETURN
-      CALL GSEIG( 24, W, 24, ER, EI, W(577), INFO )
-      IF ( INFO.NE.0 ) RETURN
+      IF ( INFO.EQ.1 ) RETURN
+      CALL GSEIG( 24, W, 24, ER, EI, W(577), EIG )
+      IF ( EIG.NE.0 ) INFO = 1
+      IF ( EIG.NE.0 ) RETURN
       DO 20 I = 1, 24
          IF ( ABS( EI(I) ).LE.1.0D-3*( 1.0D0 + ABS( ER(I) ) ) ) THEN
             Q(3) = SHIFT + 2.0D0*ATAN( ER(I) )
@@ -171,8 +232,11 @@ C
                   Q(7-J) = -T
    10          CONTINUE
             END IF
-            CALL GSIKN( KIND, K0, P0, R0, D0, Q, W, IW, GOOD )
-            IF ( GOOD ) CALL GSIKA( Q, QC, NS )
+            DO 15 J = 1, 6
+               Q0(MOD( J + 5 - L0, 6 )+1) = Q(J)
+   15       CONTINUE
+            CALL GSIKN( KIND, K0, P0, R0, D0, Q0, W, IW, GOOD )
+            IF ( GOOD ) CALL GSIKA( Q0, QC, NS )
          END IF
    20 CONTINUE
       END
@@ -468,7 +532,8 @@ C     S2      (workspace) DOUBLE PRECISION array, dimension (12,12).
 C     X       (workspace) DOUBLE PRECISION array, dimension (12,24).
 C     IW      (workspace) INTEGER array, dimension (12).
 C     INFO    (output) INTEGER, 0, or 1: the leading matrix is singular
-C             wherever the half tangents begin.
+C             wherever the half tangents begin; 2: it is almost so, A has
+C             an entry above 1D4.
 C
 C     METHOD
 C     Of eight places to begin the one with the smallest matrix.
@@ -513,6 +578,7 @@ C
             END IF
          END IF
    60 CONTINUE
+      IF ( LEAST.GT.1.0D4 ) INFO = 2
       END
 C
       SUBROUTINE GSIKM( H, A, B, C, D, S )

@@ -26,8 +26,9 @@ C     NS      (output) INTEGER, number of solutions.
 C     BR      (output) INTEGER array, dimension (NB): their branches.
 C     DST     (output) DOUBLE PRECISION array, dimension (2): 0, or where
 C             there is no solution what the best branch misses [m, 1].
-C     NEAR    (output) INTEGER, 1 where a branch is close to another: the
-C             radicand of a root is within 1D7 times LIM of 0; else 0.
+C     NEAR    (output) INTEGER, 1 where a branch is close to another or a
+C             coordinate almost free: the radicand of a root is within 1D7
+C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; else 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
@@ -75,6 +76,8 @@ C
             IF ( RAD(I,K).LE.LIM(I) ) EDGE = .TRUE.
             IF ( LIM(I).GT.1.0D-20 .AND.
      $           ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) BESIDE = .TRUE.
+            IF ( LIM(I).LE.1.0D-20 .AND. RAD(I,K).GT.LIM(I) .AND.
+     $           RAD(I,K).LE.1.0D-4 ) BESIDE = .TRUE.
    10    CONTINUE
          IF ( BESIDE ) NEAR = 1
          MISS = MAX( RES(1,K), RES(2,K) )
