@@ -13,6 +13,8 @@ typedef int gsf_jac (double t, const double *x, const double *v, const double *c
                      int lda, double *b, int ldb, double *c, int ldc, double *d, int ldd);
 typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, int ldp,
                       double *dv, int ldv);
+typedef void gsf_mar (double t, const double *x, const double *v, const double *cst, double *g,
+                      double *s);
 
 /* what INFO of a routine means */
 typedef struct
@@ -40,6 +42,9 @@ typedef struct
   void (*start) (const double *par, double *x);     /* states as the scene starts them */
   gsf_jac *jac;                                     /* null: none */
   gsf_tan *tan;
+  gsf_mar *mar;                                     /* null: no margins */
+  int nmargins;
+  const char *const *margins;                       /* what must be above 0 */
   const double *nominal;                            /* nx */
   int nsets;
   const int *sets;                                  /* (4,nsets): Euler parameters */
@@ -82,6 +87,8 @@ enum gsf_block
 };
 
 int gsf_count (const gsf_model *m, int block);
+/* the reference of its first variable */
+int gsf_first (const gsf_model *m, int block);
 /* the block of a reference and the place in it, GSF_BLOCKS if there is none */
 int gsf_locate (const gsf_model *m, unsigned reference, int *place);
 
@@ -176,6 +183,8 @@ int gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expecte
 int gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, double t1);
 int gsf_enter (gsf_instance *a);
 int gsf_exit (gsf_instance *a);
+/* is the start within the stops and margins of the devices? */
+int gsf_possible (gsf_instance *a);
 
 /* values by reference */
 int gsf_get (gsf_instance *a, unsigned reference, double *value);

@@ -44,6 +44,15 @@ gsf_count (const gsf_model *m, int block)
 }
 
 int
+gsf_first (const gsf_model *m, int block)
+{
+  int first = 0;
+  for (int k = 0; k < block; k++)
+    first += gsf_count (m, k);
+  return first;
+}
+
+int
 gsf_locate (const gsf_model *m, unsigned reference, int *place)
 {
   for (int block = 0; block < GSF_BLOCKS; block++)

@@ -405,7 +405,7 @@ gsf_exit (gsf_instance *a)
   a->i[GSF_STALE] = 1;
   a->known = 0;
   int status = gsf_fresh (a);
-  if (status)
+  if (status || gsf_possible (a))
     return GSF_ERROR;
   a->i[GSF_PHASE] = a->i[GSF_KIND] == GSF_EXCHANGE ? GSF_EVENT : GSF_STEP;
   return GSF_OK;

@@ -1,0 +1,72 @@
+/* start.c: where no run can start: a port beyond an end of its stop, a device where its laws do not
+ * hold. */
+#include "fmu.h"
+
+#include <stdlib.h>
+
+/* no port with a stop is beyond its ends; pos, speed, ends and row: as gs_hld writes them */
+static int
+within_stops (gsf_instance *a, double *pos, double *speed, double *ends, double *row)
+{
+  const gs_scene *s = a->m->scene;
+  s->hld (a->d[GSF_T], a->x, a->v, a->cst, row, s->nev, pos, speed, ends);
+  for (int k = 0; k < s->nev; k++)
+    {
+      const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6 * (high - low);
+      if (s->event_kinds[k] == 2 && (pos[k] < low - near || pos[k] > high + near))
+        return gsf_fail (a, GSF_ERROR,
+                         "the start is beyond an end of a stop, %s: expected %g to %g, found %g",
+                         a->m->names[gsf_first (a->m, GSF_MODE) + k], low, high, pos[k]);
+    }
+  return GSF_OK;
+}
+
+/* is margin k kept at x, or close by? x is left as it is */
+static int
+is_kept (gsf_instance *a, int k, double *margin, double *size)
+{
+  const gsf_model *m = a->m;
+  m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
+  int kept = margin[k] >= -1e-9 * size[k];
+  for (int i = 0; i < 2 * m->scene->nx && ! kept; i++)
+    {
+      const double x = a->x[i / 2], step = 1e-6 * m->nominal[i / 2];
+      a->x[i / 2] = i % 2 ? x - step : x + step;
+      m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
+      kept = margin[k] >= 0;
+      a->x[i / 2] = x;
+    }
+  return kept;
+}
+
+/* the laws of all devices hold */
+static int
+within_margins (gsf_instance *a, double *margin, double *size)
+{
+  const gsf_model *m = a->m;
+  for (int k = 0; k < m->nmargins; k++)
+    if (! is_kept (a, k, margin, size))
+      {
+        m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
+        return gsf_fail (a, GSF_ERROR,
+                         "a device cannot start there: %s: expected above 0, found %g",
+                         m->margins[k], margin[k]);
+      }
+  return GSF_OK;
+}
+
+int
+gsf_possible (gsf_instance *a)
+{
+  const gs_scene *s = a->m->scene;
+  double *w = malloc (((6 + s->nu) * s->nev + 2 * a->m->nmargins + 1) * sizeof *w);
+  if (! w)
+    return gsf_fail (a, GSF_ERROR, "out of memory");
+  int status = gsf_inputs (a);
+  if (status == GSF_OK && s->nev > 0)
+    status = within_stops (a, w, w + s->nev, w + 2 * s->nev, w + 6 * s->nev);
+  if (status == GSF_OK)
+    status = within_margins (a, w, w + a->m->nmargins);
+  free (w);
+  return status;
+}
