@@ -389,6 +389,63 @@ wrong (int n)
   FREE (c);
 }
 
+/* a start where a port is beyond its stop, or a margin of a device not kept; x: states */
+static int
+is_impossible (const double *x)
+{
+  const gs_scene *s = m->scene;
+  double par[MOST], cst[MOST], v[MOST] = { 0 }, row[MOST], pos[MOST], speed[MOST], ends[MOST];
+  int bad = 0;
+  m->par (par);
+  m->pre (par, cst);
+  if (s->nev > 0)
+    s->hld (0, x, v, cst, row, s->nev, pos, speed, ends);
+  for (int k = 0; k < s->nev; k++)
+    bad |= s->event_kinds[k] == 2
+           && (pos[k] < ends[4 * k] - 1e-5 || pos[k] > ends[4 * k + 1] + 1e-5);
+  if (m->nmargins > 0)
+    m->mar (0, x, v, cst, pos, speed);
+  for (int k = 0; k < m->nmargins; k++)
+    bad |= pos[k] < -1e-5 * speed[k];
+  return bad;
+}
+
+/* state i starts at some value: 1 refused as it must be, 0 accepted as it must be, else -1 */
+static int
+start_at (int i, double value)
+{
+  void *c = make (1, m->token);
+  unsigned r[MOST];
+  double x[MOST];
+  for (int k = 0; k < m->scene->nx; k++)
+    r[k] = first_of (GSF_STATE) + k;
+  int bad = ENTER (c, 0, 1) + SET (c, r + i, 1, &value) + GET (c, r, m->scene->nx, x);
+  int refused = bad == 0 && EXIT (c) == ERROR;
+  int found = bad ? 0 : is_impossible (x) ? (refused ? 1 : -1) : refused ? -1 : 0;
+  if (refused && ! strstr (last, "start"))
+    found = -1;
+  FREE (c);
+  return found;
+}
+
+static void
+impossible_starts (void)
+{
+  int refused = 0, wrong = 0;
+  for (int i = 0; i < m->scene->nx; i++)
+    for (int k = -10; k <= 10; k++)
+      {
+        int found = start_at (i, 0.3 * k * m->nominal[i]);
+        refused += found == 1;
+        wrong += found < 0;
+      }
+  int expected = m->nmargins > 0;
+  for (int k = 0; k < m->scene->nev; k++)
+    expected |= m->scene->event_kinds[k] == 2;
+  told (wrong == 0 && (refused > 0) == expected, "starts beyond stops and margins, and no others, "
+        "are refused");
+}
+
 int
 main (int argc, char **argv)
 {
@@ -405,6 +462,7 @@ main (int argc, char **argv)
   cosimulation (end);
   threads (end);
   exchange (end);
+  impossible_starts ();
   wrong (argc > 2 ? atoi (argv[2]) : 100);
   return 0;
 }

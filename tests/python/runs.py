@@ -57,6 +57,10 @@ def ball():
     r = m.simulate([1, 0, 0, 3], [0, 0.1], audit=20.0)
     holds('ball: its energy balance, %.1e' % r.audit['error'], r.audit['error'] < 1e-12)
     refuses('a start beyond a stop', ValueError, ['stop'], m.simulate, [-1, 0, 0, 3], [0, 1])
+    refuses('... with its ends and the place', ValueError, ['expected 0 to', 'found -1'],
+            m.simulate, [-1, 0, 0, 3], [0, 1])
+    refuses('a linear model where there are events', AttributeError, ['JAC: the scene has events'],
+            m.linearize, 0, [1, 0, 0, 3])
     refuses('a mode of 2', ValueError, ['-1, 0 or 1'], m.simulate, [1, 0, 0, 0], [0, 1],
             modes=[2, 0])
 
@@ -141,6 +145,9 @@ def others():
     kept = m.kept('inv')
     kept.q[:], kept.u[:], kept.ud[:] = q, u, ud
     holds('puma: kept arrays', kept() == 0 and np.array_equal(kept.tau, tau))
+    beyond = m.inverse(puma6.plan('quintic', np.outer(q, [0, 1]), [0, 1]), [-1, 2])
+    close('puma: beyond its ends a motion rests there', beyond.q, np.outer(q, [0, 1]), 1e-14)
+    close('puma: ... at rest', [beyond.u, beyond.ud], 0, 0)
     joint = robot_joint.Model()
     move = robot_joint.plan('septic', [0, 1], [0, 1])
     i = joint.inverse(move, np.linspace(0, 1, 5))
@@ -165,6 +172,16 @@ def parameters():
             m1=-1)
     refuses('a mass that is no number', ValueError, ['m1', 'finite'], slider_crank.Model,
             m1=math.inf)
+    refuses('a parameter in another case', KeyError, ['did you mean m1?'], slider_crank.Model, M1=3)
+    refuses('a parameter unlike all', KeyError, ['expected one of', 'm1'], slider_crank.Model,
+            stiffness=3)
+    refuses('a value put into a model', AttributeError, ['does not change', 'changed(l1='],
+            setattr, m, 'l1', 3)
+    refuses('a state that is none', TypeError, ['argument x', 'found None'], m.rhs, 0, None)
+    plain = slider_crank.Model()
+    for what, given in (('rtol', 'small'), ('input', {'v': 1}), ('breaks', 'late')):
+        refuses('%s %r' % (what, given), ValueError, ['simulate: %s: expected' % what],
+                plain.simulate, plain.initial, [0, 1], **{what: given})
     refuses('a state of another shape', ValueError, ['argument x', '(7)', '(2,)'], m.rhs, 0, [1, 2])
     refuses('complex numbers', TypeError, ['argument x'], m.rhs, 0, [1j] * 7)
     refuses('text', TypeError, ['argument x'], m.rhs, 0, ['a'] * 7)

@@ -1,4 +1,4 @@
-# gsmbp_fmu: a closed chain with ports that stick and hit a stop, and a scene with a sampled device:
+# gsmbp_fmu: a closed chain with ports that stick and hit a stop, a sampled device, a cylinder:
 # the archives are whole and the same twice, binaries export the functions of the standard and need
 # libc and libm, the sources give the same bits whatever the order of calls, wrong calls are errors
 # with a log line under the address sanitizer, also with a decimal comma. FMPy is in make check-fmu.
@@ -16,6 +16,15 @@ for scene in event_crank sampled_drive; do
   tests/fmu/binaries "$work/fmu" $scene
   tests/fmu/drive "$work/fmu" $scene 0.4 40
 done
+# margins: pressures and the stroke of a cylinder
+cat >"$work/press.mac" <<'END'
+scene : gsmbp_scene("press", link(ram, mass = 20*kg),
+  prismatic(guide, ground, ram, axis = x, coordinate = s, start = 0.3*m),
+  hydraulic_cylinder(cyl, joint = guide, l0 = 0.1*m, h = 0.5*m))$
+END
+share/fmu/derive "$work/press.mac" "$work/fmu" >"$report" 2>&1
+told $? 'press becomes FMUs' "$report"
+tests/fmu/drive "$work/fmu" press 0.01 5 0
 # a name that a file of all FMUs has, too; capitals
 for scene in step Fmi2; do
   sed "s/@name@/$scene/" tests/data/rod.in >"$work/$scene.mac"

@@ -87,9 +87,10 @@ class Argument:
             a = np.asarray(value)
             if a.dtype != self.type:
                 a = a.astype(self.type, casting='same_kind' if a.dtype.kind != 'i' else 'unsafe')
-        except (TypeError, ValueError) as problem:
+        except (TypeError, ValueError):
             raise TypeError('%s: argument %s: expected %s numbers; found %s' % (
-                who, self.name, 'whole' if self.whole else 'real', problem)) from None
+                who, self.name, 'whole' if self.whole else 'real',
+                value.dtype if isinstance(value, np.ndarray) else repr(value)[:60])) from None
         n = len(self.sizes)
         if a.shape[:n] != self.sizes or a.ndim > n + 1:
             self.refuse(who, a.shape)

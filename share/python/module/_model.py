@@ -84,12 +84,20 @@ class Model(Routines):
     def _has(self, *names):
         for name in names:
             if name not in ROUTINES:
-                raise AttributeError('%s was emitted without the subroutine %s' % (
-                    NAME, name.upper()))
+                raise AttributeError('%s was emitted without the subroutine %s%s' % (
+                    NAME, name.upper(), _why(name)))
+
+    def __setattr__(self, name, value):
+        if name not in ('_parameters', 'cst'):
+            raise AttributeError('%s: a model does not change: expected changed(%s=...), another '
+                                 'one; found a value for %s' % (NAME, name, name))
+        super().__setattr__(name, value)
 
     def __getattr__(self, name):
         if name.startswith('_'):
             raise AttributeError(name)
+        if name in _REQUESTS:
+            self._has(name)
         raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, _nearest(
             name, list(ROUTINES))))
 
@@ -116,8 +124,21 @@ def _pointer(array):
     return ctypes.c_void_p(address(array))
 
 
+# the requests of subroutines that a module calls by itself
+_REQUESTS = {'jac': 'jacobian', 'cmd': 'command', 'rha': 'audit', 'ene': 'energy'}
+
+
+def _why(name):
+    """Why the scene was emitted without a subroutine, where that is known."""
+    for row in TABLE.get('left_out') or []:
+        if row['request'] == _REQUESTS.get(name):
+            return ': ' + row['reason']
+    return ''
+
+
 def _nearest(name, words):
-    found = difflib.get_close_matches(name, words, 3)
+    found = ([w for w in words if w.lower() == name.lower()]
+             or difflib.get_close_matches(name, words, 3))
     return '; did you mean %s?' % ' or '.join(found) if found else ''
 
 
@@ -125,7 +146,8 @@ def _unknown(name, names):
     for row in TABLE.get('dependent') or []:
         if row['name'] == name:
             return '%s: parameter %s is made of others, %s' % (NAME, name, row['expression'])
-    return '%s: unknown parameter %s%s' % (NAME, name, _nearest(name, names))
+    return '%s: unknown parameter %s%s' % (NAME, name, _nearest(name, names) or (
+        '; expected one of ' + ', '.join(names)))
 
 
 def _number(name, given):

@@ -6,7 +6,7 @@ class Piecewise:
     """A piecewise polynomial of n quantities.
 
     breaks: shape (pieces + 1,), rising [s]; coefficients: shape (n, pieces, order), the highest
-    power of (t - break) first. Beyond its ends the first and the last piece go on.
+    power of (t - break) first. Beyond its ends the value is held and its derivatives are zero.
     """
 
     def __init__(self, breaks, coefficients):
@@ -34,11 +34,12 @@ class Piecewise:
             c = c[:, :, :-1] * powers if len(powers) else np.zeros(c.shape[:2] + (1,))
         piece = np.searchsorted(self.breaks, t, 'right' if side > 0 else 'left') - 1
         piece = np.clip(piece, 0, c.shape[1] - 1)
-        h = t - self.breaks[piece]
+        outside = (t < self.breaks[0]) | (t > self.breaks[-1])
+        h = np.clip(t, self.breaks[0], self.breaks[-1]) - self.breaks[piece]
         total = np.zeros((self.n,) + t.shape)
         for j in range(c.shape[2]):
             total = total * h + c[:, piece, j]
-        return total
+        return np.where(outside, 0.0, total) if derivative else total
 
     def flat(self):
         """The numbers as the run time has them: breaks, coefficients."""

@@ -144,10 +144,12 @@ def _stops(who, model, t, x):
     if not events or 'evt' not in ROUTINES:
         return
     inside = model.evt(t, x, np.zeros(len(events), np.intc))
+    port = model.hld(t, x)
     for k, event in enumerate(events):
         if event['kind'] == 'stop' and inside[k] < -1e-6:
-            raise ValueError('%s: the start is beyond an end of the stop %s, by some %g' % (
-                who, event['name'], -inside[k]))
+            raise ValueError(
+                '%s: the start is beyond an end of the stop %s: expected %g to %g, found %g' % (
+                    who, event['name'], *port.prm[:2, k], port.s[k]))
 
 
 def margins(model, t, x, v):
@@ -247,7 +249,11 @@ class _Plan:
             self.given.inputs = 1
             self.pieces('table', poly if poly.n == NV else self.spread(poly, free))
         else:
-            a = np.atleast_1d(np.asarray(given, float))
+            a = np.atleast_1d(np.asarray(given))
+            if a.dtype.kind not in 'fiub':
+                raise ValueError('%s: input: expected %d numbers (%s), a piecewise polynomial or a '
+                                 'function v = f(t, x); found %r' % (
+                                     self.who, NV, ', '.join(self.model.inputs), given))
             self.put('constants', _vector(self.who, 'input', self.constants(a, free), NV))
 
     @staticmethod
@@ -412,7 +418,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     p.feedback(gain, reference, limits)
     p.samples(times, memory, bool(samples))
     p.events(modes)
-    stops = sorted({float(b) for b in [*p.breaks, *breaks] if times[0] < b < times[-1]})
+    stops = sorted({float(b) for b in [*p.breaks, *_breaks(who, breaks)] if times[0] < b < times[-1]})
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.failure is not None:
         raise p.failure
@@ -437,6 +443,13 @@ def _way(who, model, loops):
     return model, way
 
 
+def _breaks(who, given):
+    times = np.atleast_1d(np.asarray(given))
+    if times.size and (times.dtype.kind not in 'fiu' or not np.isfinite(times).all()):
+        raise ValueError('%s: breaks: expected finite times [s]; found %r' % (who, given))
+    return times.ravel().tolist()
+
+
 def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift):
     if method not in METHODS:
         raise ValueError('%s: method: expected "dp853" or "rk4"; found %r' % (who, method))
@@ -444,7 +457,8 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
         step = 1e-3 if method == 'rk4' else 0.0
     for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps),
                          ('rtol', rtol)):
-        if not (np.isscalar(number) and np.isfinite(number) and number >= 0):
+        if np.asarray(number).dtype.kind not in 'fiub' or not (
+                np.isscalar(number) and np.isfinite(number) and number >= 0):
             raise ValueError('%s: %s: expected a number >= 0; found %r' % (who, name, number))
     if method == 'rk4' and step == 0:
         raise ValueError('%s: step: expected a number above 0; found 0' % who)
