@@ -203,7 +203,6 @@
         ((eq (nth 1 nm) '$tape) ($gs__tape_name (nth 3 nm) e hint))
         (t (mfuncall '$gs__untaped_name nm e))))
 (defun $gs__name (nm e hint) (gs-name-one nm e hint))
-(defun $gs__hint (&rest parts) (if (equal (car parts) "") "" (apply #'$sconcat parts)))
 (defun $gs__name_vector (nm v hint)
   (gs-list
     (mapcar #'(lambda (e axis) (gs-name-one nm e (gs-hinted hint axis))) (cdr v)

@@ -119,3 +119,34 @@ for name in origins fixed tilted mimic floating; do
 done
 grep -q '^joint .*, which closes a loop' log && grep -q 'left out: joint' bar.urdf
 told $? 'what a URDF cannot hold is said' log
+
+# limits and stops are intersected, frictions added; the rest of a scene is told
+statements="gsmbp_export(gsmbp_scene(\"rich\",
+    link(a, mass = 1, inertia = [1, 1, 1]), link(b, mass = 1, inertia = [1, 1, 1]),
+    revolute(J, ground, a, axis = z, coordinate = q1, limits = [-1, 1], start = 0.1,
+      friction = 0.5),
+    universal(K, a, b, axis = x, second_axis = y, coordinates = [q2, q3],
+      limits = [[-1, 1], [-2, 2]]),
+    stop(s, joint = J, lo = -2, hi = 0.5), friction(f1, joint = J, Fc = 0.5, Fv = 2),
+    friction(f2, joint = J, Fc = 1, Fv = 4), point(tip, b), input(u, unit = N),
+    force(F, tip, vector = [u, 0, 0]), output(y, q1),
+    link(c, mass = 1, inertia = [1, 1, 1]), revolute(L, b, c, axis = z, coordinate = q4),
+    constraint(c1, q4 = q1), constraint(c2, q4 = 2*q1)), \"rich.urdf\")"
+session log "$statements"
+for words in 'lower="-1" upper="0.5"' 'damping="6.5" friction="1.5"' 'left out: point tip' \
+  'left out: input u' 'left out: output y' 'left out: force F' 'left out: start of joint J' \
+  'left out: limits of joint K' 'left out: constraint c2'; do
+  grep -qF "$words" rich.urdf
+  told $? "exported: $words" rich.urdf
+done
+! grep -q 'left out: gravity' rich.urdf && ! grep -q 'left out: constraint c1' rich.urdf
+told $? 'no gravity where there is none, the first of two followings is kept' rich.urdf
+
+# limits that leave no room, with stops asked for
+robot '<link name="base"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1"
+  izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>' \
+  "$(joint revolute '<limit lower="1" upper="1" effort="1" velocity="1"/>')" >room.urdf
+session log 'gsmbp_import("room.urdf", directory = "out", name = "room",
+  stops = true)'
+[ -s out/room.mac ] && ! grep -q 'stop(' out/room.mac && grep -q 'leave it no room' out/room.mac
+told $? 'limits that leave no room make no stop, and are told' log
