@@ -1,6 +1,6 @@
-## Flexible links: the two-link arm of data F4_two_link_arm; mass matrix, bias and energies of spatial
-## trees against an independent formulation (independent/fx_energy.m); a closed loop with a rod that
-## bends.
+## Flexible links: the two-link arm of data F4_two_link_arm; mass matrix, bias and energies of
+## spatial trees against an independent formulation (independent/fx_energy.m); a closed loop with a
+## rod that bends.
 
 function test_flexible ()
   addpath (fullfile (fileparts (mfilename ("fullpath")), "independent"));
@@ -33,7 +33,7 @@ function two_link_arm ()
         apart(m.mas (0, x), M), apart(m.bia (0, x, xd, []), bias), ...
         apart(m.inv (0, x, xd, xdd, []), str2double (r.tau)), ...
         apart(m.fwd (0, x, xd, [], zeros (6, 1)), str2double (r.xdd_free)), ...
-        apart(m.out (0, [x; xd], []), str2double (r.tip)(1:2))]);
+        apart(m.out (0, [x; xd], [])(1:2), str2double (r.tip)(1:2))]);
     end
     ## of the largest entry; accelerations solve a system of condition 1e4
     gsmbp_check (["two-link arm, " model{1} ": M, bias, efforts, payload"], worst([1:3, 5]), 1e-14);
@@ -50,8 +50,8 @@ function compare (name, tree, q, qd)
   gsmbp_check ([name ": mass matrix, of its largest entry"], ...
                (m.mas (0, q) - M) / max (abs (M(:))), 1e-13);
   ## differences of eighth order with steps of 0.004
-  gsmbp_check ([name ": bias, of its largest entry"], (m.bia (0, q, qd, []) - B) / max (abs (B)), ...
-               1e-11);
+  gsmbp_check ([name ": bias, of its largest entry"], ...
+               (m.bia (0, q, qd, []) - B) / max (abs (B)), 1e-11);
   E = m.ene (0, [q; qd], []);
   gsmbp_check ([name ": energies"], [E(1) / T - 1, E(2) / V - 1], 1e-13);
 end

@@ -8,8 +8,8 @@
 ##   turn    axis and number of the coordinate {[x; y; z], k}, {} of a fixed joint
 ##   mass, centre, inertia           of a rigid link
 ##   beam                            of a flexible one: fx_beam
-## TREE.gravity. The model second is cut at degree 2 in the coordinates of the modes and their rates,
-## found from the values at seven sizes of these.
+## TREE.gravity. The model second is cut at degree 2 in the coordinates of the modes and their
+## rates, found from the values at seven sizes of these.
 
 function [T, V] = fx_energy (tree, q, qd)
   [T, V] = deal (0);
@@ -31,7 +31,8 @@ function [T, V] = fx_energy (tree, q, qd)
       n = [b.beam.modes.k];
       T += kinetic (b.beam, v, w, q(n), qd(n));
       r = fx_field (b.beam, q(n), b.beam.gauss);
-      V -= b.beam.rho * b.beam.L * sum (b.beam.gauss.weight .* (g' * r.place + tree.gravity' * now{k}.p));
+      V -= b.beam.rho * b.beam.L ...
+           * sum (b.beam.gauss.weight .* (g' * r.place + tree.gravity' * now{k}.p));
       V += sum ([b.beam.modes.stiffness] .* q(n)' .^ 2) / 2;
     end
   end
