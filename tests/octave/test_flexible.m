@@ -13,6 +13,7 @@ function test_flexible ()
              [0.7; -0.4; 0.12; -0.09; 0.02], [1.3; 0.8; -0.9; 0.7; 0.31]);
   end
   rod_in_a_loop ();
+  held_at_its_tip ();
 end
 
 ## four states: M, N + G + elastic and damping efforts, inverse and forward dynamics, payload
@@ -119,4 +120,19 @@ function rod_in_a_loop ()
   gsmbp_check ("slider-crank with a rod that bends: the loop at the bent end", ...
                run.stats.drift.phi, 1e-9);
   gsmbp_check ("slider-crank with a rod that bends: it bends", max (abs (run.x(:, 4))) > 1e-4);
+end
+
+## A tree that comes to a beam at its tip: energies and modal accelerations are those of the tree that
+## comes to its root.
+function held_at_its_tip ()
+  A = gsmbp_fixture ("flexible_at_root");
+  B = gsmbp_fixture ("flexible_at_tip");
+  [q, u] = deal ([0.3; -0.2; 0.7; 0.02; -0.01], [1; 0.5; -0.8; 0.6; 0.3]);
+  y = A.out (0, [q; u], []);
+  x = [y(1:2); atan2(y(end), y(end - 1)); q(4:5); y(4:5); y(7); u(4:5)];
+  [a, b] = deal (A.rhs (0, [q; u], []), B.rhs (0, x, []));
+  E = A.ene (0, [q; u], []) - B.ene (0, x, []);
+  gsmbp_check ("a beam held at its tip: energies", E, 1e-13);
+  ## the mass matrix has the condition 1e5
+  gsmbp_check ("a beam held at its tip: modal accelerations", b(9:10) ./ a(9:10) - 1, 1e-9);
 end
