@@ -122,8 +122,8 @@ function rod_in_a_loop ()
   gsmbp_check ("slider-crank with a rod that bends: it bends", max (abs (run.x(:, 4))) > 1e-4);
 end
 
-## A tree that comes to a beam at its tip: energies and modal accelerations are those of the tree that
-## comes to its root.
+## A tree that comes to a beam at its tip: energies and modal accelerations are those of the tree
+## that comes to its root.
 function held_at_its_tip ()
   A = gsmbp_fixture ("flexible_at_root");
   B = gsmbp_fixture ("flexible_at_tip");
