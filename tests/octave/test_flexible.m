@@ -53,8 +53,25 @@ function compare (name, tree, q, qd)
   ## differences of eighth order with steps of 0.004
   gsmbp_check ([name ": bias, of its largest entry"], ...
                (m.bia (0, q, qd, []) - B) / max (abs (B)), 1e-11);
+  [~, B, C] = m.lin (0, q, qd, flip (qd), []);
+  [dB, dC] = slopes (m, q, qd, flip (qd));
+  gsmbp_check ([name ": linear model, of its largest entries"], ...
+               [(B - dB) / max(abs (B(:))), (C - dC) / max(abs (C(:)))], 1e-8);
   E = m.ene (0, [q; qd], []);
   gsmbp_check ([name ": energies"], [E(1) / T - 1, E(2) / V - 1], 1e-13);
+end
+
+## derivatives of the efforts by speeds and coordinates, by differences of fourth order
+function [dB, dC] = slopes (m, q, u, ud)
+  n = numel (q);
+  h = 1e-3;
+  for k = 1:n
+    e = zeros (n, 1);
+    e(k) = h;
+    f = @(a, b) m.inv (0, q + a * e, u + b * e, ud, []);
+    dB(:, k) = (8 * (f (0, 1) - f (0, -1)) - f (0, 2) + f (0, -2)) / (12 * h);
+    dC(:, k) = (8 * (f (1, 0) - f (-1, 0)) - f (2, 0) + f (-2, 0)) / (12 * h);
+  end
 end
 
 function tree = spatial_tree ()
