@@ -146,8 +146,10 @@ function held_at_its_tip ()
   B = gsmbp_fixture ("flexible_at_tip");
   [q, u] = deal ([0.3; -0.2; 0.7; 0.02; -0.01], [1; 0.5; -0.8; 0.6; 0.3]);
   y = A.out (0, [q; u], []);
-  x = [y(1:2); atan2(y(end), y(end - 1)); q(4:5); y(4:5); y(7); u(4:5)];
+  x = [y(1:2); atan2(y(9), y(8)); q(4:5); y(4:5); y(7); u(4:5)];
   [a, b] = deal (A.rhs (0, [q; u], []), B.rhs (0, x, []));
+  gsmbp_check ("turn of a section: sine of its half", ...
+               [y(end) - sin(x(3) / 2), B.out(0, x, [])(end) - y(end)], 1e-14);
   E = A.ene (0, [q; u], []) - B.ene (0, x, []);
   gsmbp_check ("a beam held at its tip: energies", E, 1e-13);
   ## the mass matrix has the condition 1e5
