@@ -418,7 +418,8 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     p.feedback(gain, reference, limits)
     p.samples(times, memory, bool(samples))
     p.events(modes)
-    stops = sorted({float(b) for b in [*p.breaks, *_breaks(who, breaks)] if times[0] < b < times[-1]})
+    stops = _breaks(who, breaks)
+    stops = sorted({float(b) for b in [*p.breaks, *stops] if times[0] < b < times[-1]})
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.failure is not None:
         raise p.failure
