@@ -64,6 +64,7 @@ gsiks (int n, int nb, int nm, const double *qc, const double *rad, const double 
       *near = *near || beside;
       if (! real || ! reaches (res + 2 * k, &least, dst))
         continue;
+      *near = *near || gs_max (res[2 * k], res[2 * k + 1]) > 1e-13;
       if (gsikq (n, qc + n * k, qs, ldq, *ns) == 0)
         {
           memcpy (qs + ldq * *ns, qc + n * k, n * sizeof (double));

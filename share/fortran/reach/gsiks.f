@@ -28,7 +28,8 @@ C     DST     (output) DOUBLE PRECISION array, dimension (2): 0, or where
 C             there is no solution what the best branch misses [m, 1].
 C     NEAR    (output) INTEGER, 1 where a branch is close to another or a
 C             coordinate almost free: the radicand of a root is within 1D7
-C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; else 0.
+C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; or
+C             where a solution misses more than 1D-13; else 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
@@ -89,6 +90,7 @@ C
                DST(2) = RES(2,K)
             END IF
          END IF
+         IF ( REAL .AND. MISS.GT.1.0D-13 ) NEAR = 1
          IF ( REAL ) THEN
             IF ( GSIKQ( N, QC(1,K), QS, LDQ, NS ).EQ.0 ) THEN
                NS = NS + 1
