@@ -218,7 +218,8 @@ distances (void)
   finish ();
 }
 
-/* all angles of arms, those of the last one parallel; then one solution is refined and others looked for */
+/* all angles of arms, those of the last one parallel; then one solution is refined and others
+ * looked for */
 static void
 generals (void)
 {

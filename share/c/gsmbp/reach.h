@@ -35,7 +35,8 @@ int gsikz (int n, const int *kind, const double *ka, const double *pa, const dou
 /* for gsikz: the largest difference of two positions (n), modulo a turn */
 double gsikk (int n, const int *kind, const double *q, const double *z);
 
-/* for gsikz: the direction z (6) in which the tool moves least, the least singular value s; q (n) */
+/* for gsikz: the direction z (6) in which the tool moves least at q (n), the least singular value
+ * s */
 void gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, const double *q, double *z, double *s);
 
