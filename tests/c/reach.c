@@ -7,8 +7,9 @@ void gseig_ (), gshes_ (), gshqr_ (), gshqs_ (), gsiks_ (), gsikz_ (), gsiko_ ()
   gsikd_ (), gsiku_ (), gsiky_ (), gscir_ (), gscif_ (), gsciq_ (), gscie_ (), gsnik_ (), gsnir_ (),
   gsniv_ (), gsnij_ (), gsnis_ (), gsikg_ (), gsikb_ (), gsik1_ (), gsikt_ (), gsikw_ (), gsikf_ (),
   gsikl_ (), gsikr_ (), gsike_ (), gsikh_ (), gsikc_ (), gsikm_ (), gsikv_ (), gsikx_ (), gsikn_ (),
-  gsikj_ (), gsika_ ();
+  gsikj_ (), gsika_ (), gsiki_ ();
 int gsikq_ ();
+double gsikk_ ();
 
 static int seen[3];
 
@@ -129,10 +130,10 @@ typedef struct
   double ka[18], pa[18], r[9], p[3], q[6]; /* q makes the displacement r, p */
 } arm;
 
-/* an arm by chance and a pose that it reaches; way 1: slides too, 2: axes of a wrist meet, 3: the
- * pose is out of reach */
+/* an arm by chance of n joints and a pose that it reaches; way 1: slides too, 2: axes of a wrist
+ * meet, 3: the pose is out of reach */
 static arm
-arm_of (int way)
+arm_of (int n, int way)
 {
   arm a;
   double e[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, x[3] = { 0 };
@@ -147,6 +148,8 @@ arm_of (int way)
       a.q[j] = 3 * chance ();
       if (way == 2 && j > 3)
         memcpy (a.pa + 3 * j, a.pa + 9, 3 * sizeof (double));
+      if (j >= n)
+        a.kind[j] = 0, a.q[j] = 0.0, memset (k, 0, 3 * sizeof (double));
     }
   for (int j = 5; j >= 0; j--)
     {
@@ -173,21 +176,23 @@ static void
 newtons (void)
 {
   int good = 0;
-  begin ("gsikn, gsikj, gsikt, gsiko");
+  begin ("gsikn, gsiki, gsikj, gsikt, gsiko, gsikk");
   for (int k = 0; k < 200; k++)
     {
-      arm a = arm_of (k % 4);
+      int n = k % 3 ? 6 : 2 + k / 3 % 4;
+      arm a = arm_of (n, k % 4);
       pair q = pair_of (6), w = pair_of (42), z = pair_of (6), s = pair_of (1);
       int iw[6], gc, gf;
       for (int i = 0; i < 6; i++)
-        q.c[i] = a.q[i] + 0.1 * q.c[i];
+        q.c[i] = i < n ? a.q[i] + 0.1 * q.c[i] : 0.0;
       both (q), both (w);
-      gsikn (a.kind, a.ka, a.pa, a.r, a.p, q.c, w.c, iw, &gc);
-      gsikn_ (a.kind, a.ka, a.pa, a.r, a.p, q.f, w.f, iw, &gf);
+      gsikn (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, w.c, iw, &gc);
+      gsikn_ (&n, a.kind, a.ka, a.pa, a.r, a.p, q.f, w.f, iw, &gf);
       same_int (gc, gf);
       good += gc;
-      gsiko (a.kind, a.ka, a.pa, a.r, a.p, q.c, z.c, s.c);
-      gsiko_ (a.kind, a.ka, a.pa, a.r, a.p, q.f, z.f, s.f);
+      gsiko (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, z.c, s.c);
+      gsiko_ (&n, a.kind, a.ka, a.pa, a.r, a.p, q.f, z.f, s.f);
+      z.c[0] += gsikk (n, a.kind, q.c, a.q), z.f[0] += gsikk_ (&n, a.kind, q.f, a.q);
       same (q), same (w), same (z), same (s);
       drop (q), drop (w), drop (z), drop (s);
     }
@@ -201,7 +206,7 @@ distances (void)
   begin ("gsiku, gsiky");
   for (int k = 0; k < 24; k++)
     {
-      arm a = arm_of (k % 4);
+      arm a = arm_of (6, k % 4);
       int nb = k % 3;
       pair x0 = pair_of (3), qc = pair_of (12), dst = pair_of (2);
       both (x0), both (qc);
@@ -213,7 +218,8 @@ distances (void)
   finish ();
 }
 
-/* all angles of arms; then one solution is refined and others looked for */
+/* all angles of arms, those of the last one parallel; then one solution is refined and others
+ * looked for */
 static void
 generals (void)
 {
@@ -221,7 +227,9 @@ generals (void)
   begin ("gsikg and its parts, gsikz, gsikp");
   for (int k = 0; k < 24; k++)
     {
-      arm a = arm_of (k % 3 == 1 ? 0 : k % 4);
+      arm a = arm_of (6, k % 3 == 1 ? 0 : k % 4);
+      for (int i = 3; i < 18 && k == 23; i++)
+        a.ka[i] = a.ka[i - 3];
       pair qc = pair_of (96), w = pair_of (1200);
       int iw[24], nc, nf, bc[16] = { 0 }, bf[16] = { 0 }, info = 1;
       both (qc), both (w);
@@ -239,10 +247,10 @@ generals (void)
       nc = nf = k % 2, bc[0] = bf[0] = 1;
       memcpy (qs.c, guess.c, 6 * sizeof (double));
       both (guess), both (rad), both (lim), both (qs);
-      int made = gsikz (a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc, bc,
-                        1);
-      gsikz_ (a.kind, a.ka, a.pa, a.r, a.p, I (2), I (2), guess.f, rad.f, lim.f, qs.f, &nf, bf,
-              &info);
+      int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc,
+                        bc, 1);
+      gsikz_ (I (6), a.kind, a.ka, a.pa, a.r, a.p, I (2), I (2), guess.f, rad.f, lim.f, qs.f, &nf,
+              bf, &info);
       same_int (made, info), same_int (nc, nf), whole (16, bc, bf);
       more += nc > k % 2;
       same (qs);
@@ -250,6 +258,34 @@ generals (void)
     }
   finish ();
   holds (found > 30 && more > 0, "gsikg and gsikz find positions");
+}
+
+/* arms of two to five joints: one solution refined, others looked for beside it */
+static void
+fewer (void)
+{
+  int good = 0;
+  begin ("gsikz, gsikp, fewer joints");
+  for (int k = 0; k < 40; k++)
+    {
+      int n = 2 + k % 4, nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
+      arm a = arm_of (n, k % 2);
+      pair qc = pair_of (2 * n), qs = pair_of (2 * n);
+      double rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
+      for (int i = 0; i < 2 * n; i++)
+        qc.c[i] = a.q[i % n] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
+      both (qc), both (qs);
+      int made = gsikz (n, a.kind, a.ka, a.pa, a.r, a.p, 2, 1, qc.c, rad, lim, qs.c, &nc, bc, 0);
+      gsikz_ (&n, a.kind, a.ka, a.pa, a.r, a.p, I (2), I (1), qc.f, rad, lim, qs.f, &nf, bf, &info);
+      same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
+      same (qs);
+      for (int i = 0; i < n; i++)
+        miss = fmax (miss, fabs (sin (0.5 * (qs.c[i] - a.q[i]))));
+      good += miss < 1e-12;
+      drop (qc), drop (qs);
+    }
+  finish ();
+  holds (good > 30, "gsikz refines solutions of fewer joints");
 }
 
 /* ------------------------------------------------------------ three joints, guesses */
@@ -393,5 +429,6 @@ main (void)
   generals ();
   centres ();
   poses ();
+  fewer ();
   return 0;
 }

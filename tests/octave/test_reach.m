@@ -8,7 +8,7 @@ function test_reach ()
     complete_sets (name{1});
   end
   for name = {"reach_parallel", "reach_parallel_apart", "reach_parallel_first", ...
-              "reach_stanford", "reach_pieper", "reach_backwards", "reach_cylinder",
+              "reach_stanford", "reach_pieper", "reach_backwards", "reach_cylinder", ...
                 "reach_general"}
     round_trips (gsmbp_fixture (name{1}));
   end

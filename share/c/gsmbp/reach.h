@@ -26,18 +26,24 @@ int gsiks (int n, int nb, int nm, const double *qc, const double *rad, const dou
 /* which of the ns columns of qs is q, to 1e-12, from 1; 0: none */
 int gsikq (int n, const double *q, const double *qs, int ldq, int ns);
 
-/* solutions of six joints close to a double one, refined and made complete; qs (6,nb), ns, br, info
- * as gsiks left them; info anew is returned */
-int gsikz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-           int nb, int nm, const double *qc, const double *rad, const double *lim, double *qs,
-           int *ns, int *br, int info);
+/* solutions of n (1 to 6) joints refined, and made complete close to a double one; qs (n,nb), ns,
+ * br, info as gsiks left them; info anew is returned */
+int gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
+           double *qs, int *ns, int *br, int info);
 
-/* for gsikz: the direction z (6) in which the tool moves least, the least singular value s */
-void gsiko (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-            const double *q, double *z, double *s);
+/* for gsikz: the largest difference of two positions (n), modulo a turn */
+double gsikk (int n, const int *kind, const double *q, const double *z);
 
-/* for gsikz: a solution put among the others if it is new; s as gsiko */
-int gsikp (const int *kind, const double *q, double s, int nb, double *qs, int *ns, int *br,
+/* for gsikz: the direction z (6) in which the tool moves least at q (n), the least singular value
+ * s */
+void gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
+            const double *p, const double *q, double *z, double *s);
+
+/* for gsikz: a solution q (6) put among the others if it is new, or in the place of one that misses
+ * the pose by more; s as gsiko */
+int gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, const double *q, double s, int nb, double *qs, int *ns, int *br,
            int info);
 
 /* how far a place is from what the n (1 to 3) joints ahead of a wrist reach [m], from the nb
@@ -146,9 +152,14 @@ void gsikv (const double *ka, const double *pa, const double *r, const double *f
 /* for gsikv: angles 4 and 5 from the products v (3,4) of their half tangents */
 void gsikx (const double *v, double *q4, double *q5);
 
-/* a candidate q (6) refined; good: 1 if less than 1e-10 of the pose is missed; w: 42, iw: 6 */
-void gsikn (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-            double *q, double *w, int *iw, int *good);
+/* a candidate q (6; behind the n-th joint 0) refined; good: 1 if less than 1e-10 of the pose is
+ * missed; w: 42, iw: 6 */
+void gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
+            const double *p, double *q, double *w, int *iw, int *good);
+
+/* for gsikn: the step in the place of what is missed, w (6,7) the Jacobian and that; info as
+ * gsleq */
+int gsiki (int n, double *w, int *iw);
 
 /* for gsikn: the Jacobian rj (6,6), what is missed e (6), and the largest of it */
 void gsikj (const int *kind, const double *ka, const double *pa, const double *r, const double *p,

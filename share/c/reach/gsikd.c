@@ -28,7 +28,7 @@ step (int n, const double *j, const double *e, double mu, double *s)
   (void)gsspd (n, 1, a, 3, s, 3);
 }
 
-/* the least square near the guess q, by Levenberg and Marquardt, at most 100 steps */
+/* the least square near the guess q, by Levenberg and Marquardt, at most 1000 steps */
 static double
 closest (gs_ikc *ikc, int n, const double *p, const double *r, const double *qg,
          const double *cst, double *q)
@@ -36,7 +36,7 @@ closest (gs_ikc *ikc, int n, const double *p, const double *r, const double *qg,
   double qn[3] = { 0.0 }, e[3], en[3], j[9] = { 0.0 }, jn[9] = { 0.0 }, s[3], mu = 1e-4;
   ikc (p, r, qg, cst, q, e, j);
   double f = square (e);
-  for (int it = 0; it < 100; it++)
+  for (int it = 0; it < 1000; it++)
     {
       step (n, j, e, mu, s);
       for (int i = 0; i < n; i++)

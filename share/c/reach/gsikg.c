@@ -154,7 +154,7 @@ gsik1 (const double *ka, const double *pa, const double *r, const double *p, con
         }
       for (int j = 0; j < 6; j++)
         q0[(j + 6 - l0) % 6] = q[j];
-      gsikn (kind, k0, p0, r0, d0, q0, w, iw, &good);
+      gsikn (6, kind, k0, p0, r0, d0, q0, w, iw, &good);
       if (good)
         gsika (q0, qc, ns);
     }
@@ -458,12 +458,30 @@ gsikx (const double *v, double *q4, double *q5)
   *q5 = ratio (v, 2, 4, 1);
 }
 
-/* one step of Newton, none longer than 0.3; w (6,7): Jacobian and what is missed. info: as gsleq */
+/* linear equations; of fewer than six joints the normal equations of least squares */
+int
+gsiki (int n, double *w, int *iw)
+{
+  double a[36], s[6] = { 0.0 };
+  if (n == 6)
+    return gsleq (6, 1, w, 6, w + 36, 6, iw);
+  for (int i = 0; i < n; i++)
+    {
+      for (int k = 0; k < n; k++)
+        a[k + 6 * i] = gs_dot (6, 0.0, w + 6 * k, w + 6 * i);
+      s[i] = gs_dot (6, 0.0, w + 6 * i, w + 36);
+    }
+  int info = gsspd (n, 1, a, 6, s, 6);
+  memcpy (w + 36, s, sizeof s);
+  return info;
+}
+
+/* one step of Newton, none longer than 0.3; w as gsiki, whose info it returns */
 static int
-newton (double *q, double *w, int *iw)
+newton (int n, double *q, double *w, int *iw)
 {
   double *s = w + 36, big = 0.0;
-  int info = gsleq (6, 1, w, 6, s, 6, iw);
+  int info = gsiki (n, w, iw);
   if (info != 0)
     return info;
   for (int i = 0; i < 6; i++)
@@ -476,11 +494,11 @@ newton (double *q, double *w, int *iw)
 
 /* at most 40 steps on the exact Jacobian; the best position counts */
 void
-gsikn (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       double *q, double *w, int *iw, int *good)
+gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, double *q, double *w, int *iw, int *good)
 {
   double miss, last = -1.0, best[6];
-  for (int n = 0; n < 40; n++)
+  for (int it = 0; it < 40; it++)
     {
       gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
       if (! (miss <= 1e10))
@@ -494,7 +512,7 @@ gsikn (const int *kind, const double *ka, const double *pa, const double *r, con
         }
       else if (last <= 1e-12)
         break;
-      if (newton (q, w, iw) != 0)
+      if (newton (n, q, w, iw) != 0)
         break;
     }
   *good = last >= 0.0 && last <= 1e-10;

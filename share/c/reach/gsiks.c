@@ -26,10 +26,10 @@ is_real (int nm, const double *rad, const double *lim, int *edge, int *beside)
 
 /* does a branch reach the pose? If not, and it is the best so far, dst is what it misses. */
 static int
-reaches (const double *res, double *least, double *dst)
+reaches (int real, const double *res, double *least, double *dst)
 {
   double miss = gs_max (res[0], res[1]);
-  if (miss <= 1e-9)
+  if (real && miss <= 1e-9)
     return 1;
   if (*least < 0.0 || miss < *least)
     {
@@ -62,8 +62,9 @@ gsiks (int n, int nb, int nm, const double *qc, const double *rad, const double 
     {
       int real = is_real (nm, rad + nm * k, lim, &edge, &beside);
       *near = *near || beside;
-      if (! real || ! reaches (res + 2 * k, &least, dst))
+      if (! reaches (real, res + 2 * k, &least, dst))
         continue;
+      *near = *near || gs_max (res[2 * k], res[2 * k + 1]) > 1e-13;
       if (gsikq (n, qc + n * k, qs, ldq, *ns) == 0)
         {
           memcpy (qs + ldq * *ns, qc + n * k, n * sizeof (double));

@@ -17,7 +17,7 @@ C     DST     (output) DOUBLE PRECISION, the distance [m].
 C
 C     METHOD
 C     Least squares by Levenberg and Marquardt from every guess, at most
-C     100 steps; the least one counts.
+C     1000 steps; the least one counts.
 C
 C     ERROR INDICATOR
 C     None.
@@ -39,7 +39,7 @@ C
          CALL IKC( P, R, QG, CST, Q, E, J )
          F = E(1)**2 + E(2)**2 + E(3)**2
          MU = 1.0D-4
-         DO 60 IT = 1, 100
+         DO 60 IT = 1, 1000
             DO 40 I = 1, N
                S(I) = 0.0D0
                DO 20 M = 1, 3

@@ -235,7 +235,7 @@ C
             DO 15 J = 1, 6
                Q0(MOD( J + 5 - L0, 6 )+1) = Q(J)
    15       CONTINUE
-            CALL GSIKN( KIND, K0, P0, R0, D0, Q0, W, IW, GOOD )
+            CALL GSIKN( 6, KIND, K0, P0, R0, D0, Q0, W, IW, GOOD )
             IF ( GOOD ) CALL GSIKA( Q0, QC, NS )
          END IF
    20 CONTINUE
@@ -745,17 +745,18 @@ C
    40 CONTINUE
       END
 C
-      SUBROUTINE GSIKN( KIND, KA, PA, R, P, Q, W, IW, GOOD )
+      SUBROUTINE GSIKN( N, KIND, KA, PA, R, P, Q, W, IW, GOOD )
 C
 C     PURPOSE
 C     For GSIKG and GSIKZ: a candidate refined.
 C
 C     ARGUMENTS
+C     N       (input) INTEGER, joints, 1 to 6.
 C     KIND    (input) INTEGER array, dimension (6): 1 where a joint turns,
-C             0 where it slides.
+C             0 where it slides. Joints behind the N-th slide along 0.
 C     KA, PA, R, P (input) as GSIKG.
 C     Q       (input/output) DOUBLE PRECISION array, dimension (6) [rad,
-C             m].
+C             m]; behind the N-th 0.
 C     W       (workspace) DOUBLE PRECISION array, dimension (42).
 C     IW      (workspace) INTEGER array, dimension (6).
 C     GOOD    (output) LOGICAL, whether the pose is missed by less than
@@ -763,8 +764,7 @@ C             1D-10.
 C
 C     METHOD
 C     Newton's method on the exact Jacobian, at most 40 steps, none longer
-C     than 0.3 rad; least squares with a little damping where it is
-C     singular.
+C     than 0.3 rad; of fewer than six joints that of Gauss and Newton.
 C
 C     ERROR INDICATOR
 C     None.
@@ -772,12 +772,12 @@ C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), Q(6), W(6,7)
       DOUBLE PRECISION   MISS, LAST, BEST(6), BIG
-      INTEGER            KIND(6), IW(6), I, N, INFO
+      INTEGER            N, KIND(6), IW(6), I, IT, INFO
       LOGICAL            GOOD
-      EXTERNAL           GSIKJ, GSLEQ
+      EXTERNAL           GSIKI, GSIKJ
 C
       LAST = -1.0D0
-      DO 40 N = 1, 40
+      DO 40 IT = 1, 40
          CALL GSIKJ( KIND, KA, PA, R, P, Q, W, W(1,7), MISS )
          IF ( .NOT.( MISS.LE.1.0D10 ) ) GO TO 50
          IF ( LAST.LT.0.0D0 .OR. MISS.LT.LAST ) THEN
@@ -789,7 +789,7 @@ C
          ELSE IF ( LAST.LE.1.0D-12 ) THEN
             GO TO 50
          END IF
-         CALL GSLEQ( 6, 1, W, 6, W(1,7), 6, IW, INFO )
+         CALL GSIKI( N, W, IW, INFO )
          IF ( INFO.NE.0 ) GO TO 50
          BIG = 0.0D0
          DO 20 I = 1, 6
@@ -807,6 +807,54 @@ C
          Q(I) = BEST(I)
          IF ( KIND(I).EQ.1 ) Q(I) = ATAN2( SIN( Q(I) ), COS( Q(I) ) )
    60 CONTINUE
+      END
+C
+      SUBROUTINE GSIKI( N, W, IW, INFO )
+C
+C     PURPOSE
+C     For GSIKN: the step.
+C
+C     ARGUMENTS
+C     N       (input) INTEGER, joints, 1 to 6.
+C     W       (input/output) DOUBLE PRECISION array, dimension (6,7): the
+C             Jacobian, and what is missed; the step in its place.
+C     IW      (workspace) INTEGER array, dimension (6).
+C     INFO    (output) INTEGER, see below.
+C
+C     METHOD
+C     Linear equations; of fewer than six joints the normal equations of
+C     least squares.
+C
+C     ERROR INDICATOR
+C     INFO = 0   ok;
+C     INFO = k   the Jacobian has lost rank, as GSLEQ or GSSPD.
+C
+      IMPLICIT NONE
+      INTEGER            N, IW(6), INFO, I, K, L
+      DOUBLE PRECISION   W(6,7), A(6,6), S(6)
+      EXTERNAL           GSLEQ, GSSPD
+C
+      IF ( N.EQ.6 ) THEN
+         CALL GSLEQ( 6, 1, W, 6, W(1,7), 6, IW, INFO )
+         RETURN
+      END IF
+      DO 30 I = 1, N
+         S(I) = 0.0D0
+         DO 20 K = 1, N
+            A(K,I) = 0.0D0
+            DO 10 L = 1, 6
+               A(K,I) = A(K,I) + W(L,K)*W(L,I)
+   10       CONTINUE
+   20    CONTINUE
+         DO 25 L = 1, 6
+            S(I) = S(I) + W(L,I)*W(L,7)
+   25    CONTINUE
+   30 CONTINUE
+      CALL GSSPD( N, 1, A, 6, S, 6, INFO )
+      DO 40 I = 1, 6
+         W(I,7) = 0.0D0
+         IF ( I.LE.N ) W(I,7) = S(I)
+   40 CONTINUE
       END
 C
       SUBROUTINE GSIKJ( KIND, KA, PA, R, P, Q, RJ, E, MISS )

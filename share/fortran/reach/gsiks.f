@@ -25,10 +25,12 @@ C     LDQ     (input) INTEGER, LDQ >= N.
 C     NS      (output) INTEGER, number of solutions.
 C     BR      (output) INTEGER array, dimension (NB): their branches.
 C     DST     (output) DOUBLE PRECISION array, dimension (2): 0, or where
-C             there is no solution what the best branch misses [m, 1].
+C             there is no solution what the best branch misses [m, 1]; of a
+C             root that is not real the branch has 0 in its place.
 C     NEAR    (output) INTEGER, 1 where a branch is close to another or a
 C             coordinate almost free: the radicand of a root is within 1D7
-C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; else 0.
+C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; or
+C             where a solution misses more than 1D-13; else 0.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
@@ -81,7 +83,7 @@ C
    10    CONTINUE
          IF ( BESIDE ) NEAR = 1
          MISS = MAX( RES(1,K), RES(2,K) )
-         IF ( REAL .AND. .NOT.( MISS.LE.1.0D-9 ) ) THEN
+         IF ( .NOT.( REAL .AND. MISS.LE.1.0D-9 ) ) THEN
             REAL = .FALSE.
             IF ( LEAST.LT.0.0D0 .OR. MISS.LT.LEAST ) THEN
                LEAST = MISS
@@ -89,6 +91,7 @@ C
                DST(2) = RES(2,K)
             END IF
          END IF
+         IF ( REAL .AND. MISS.GT.1.0D-13 ) NEAR = 1
          IF ( REAL ) THEN
             IF ( GSIKQ( N, QC(1,K), QS, LDQ, NS ).EQ.0 ) THEN
                NS = NS + 1
