@@ -153,6 +153,21 @@ told $? 'limits that leave no room make no stop, and are told' log
 ! grep -q 'limits = ' out/room.mac && grep -q 'limits 1 to 1 rad are left out' out/room.mac
 told $? 'nor are they limits of the scene' log
 
+# rounding of the file: as typed, or with `snap` the angle, the place and the axis that are meant
+body='<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/>
+  </inertial>'
+robot "<link name=\"base\"/><link name=\"a\">$body</link>" "$(joint continuous \
+  '<origin xyz="5.5e-17 1 0.25" rpy="1.5708 -1e-15 3e-9"/><axis xyz="1 0 2e-16"/>')" >round.urdf
+session log 'gsmbp_import("round.urdf", directory = "out", name = "typed")$
+  gsmbp_import("round.urdf", directory = "out", name = "snapped", snap = 1e-4)'
+grep -q '\[z, 3e-9\], \[y, -1e-15\], \[x, 1.5708\]' out/typed.mac &&
+  grep -q 'at = \[5.5e-17, 1, 0.25\]' out/typed.mac
+told $? 'angles and places as typed' out/typed.mac
+grep -q 'at = \[0, 1, 0.25\]\*m, rotation = \[x, %pi/2\], axis = x,' out/snapped.mac &&
+  grep -q 'the number 5.5e-17 is taken as 0' out/snapped.mac &&
+  grep -q 'the angle 3e-9 is taken as 0' out/snapped.mac
+told $? 'snapped angles, places and axes, with a note of each' out/snapped.mac
+
 # limits of position and effort come back as they were; a follower that starts outside of its own
 robot '<link name="base"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" iyy="1"
   izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link><link name="b"><inertial><mass value="1"/>

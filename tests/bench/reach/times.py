@@ -1,7 +1,7 @@
-"""times.py CALLS [eaik]: all solutions of 1000 poses of the PUMA by chance: a call of IKN beside one
-of INV and, where asked, of EAIK on the same poses: by a call for each pose and by its batch on one
-thread; they take turns, the least of many rounds. EAIK's arm is that of the axes which the emitted
-Jacobian has. Prints markdown; ends with 1 where the solutions are not the same."""
+"""times.py CALLS [eaik]: all solutions of 1000 poses of the PUMA by chance: a call of IKN beside
+one of INV and, where asked, of EAIK on the same poses: by a call for each pose and by its batch
+on one thread; they take turns, the least of many rounds. EAIK's arm is that of the axes which
+the emitted Jacobian has. Prints markdown; ends with 1 where the solutions are not the same."""
 import ctypes
 import random
 import sys
@@ -118,9 +118,9 @@ def main(path, peers):
     for line in (head, ["---"] * len(head), row):
         print("| " + " | ".join(line) + " |")
     if peers:
-        print(f"\nEAIK {version('eaik')} from PyPI as it is compiled there, called from Python: pose "
-              f"by pose, or all by its batch on one thread; the ratio is that of the faster way. "
-              f"Poses whose solutions differ: {wrong}.")
+        print(f"\nEAIK {version('eaik')} from PyPI as it is compiled there, called from Python: "
+              f"pose by pose, or all by its batch on one thread; the ratio is that of the faster "
+              f"way. Poses whose solutions differ: {wrong}.")
     return wrong > 0
 
 
