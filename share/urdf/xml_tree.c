@@ -7,7 +7,8 @@
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
    one with a document type (DOCTYPE), or with what is no element is refused before it is parsed,
-   one of more than 20000 elements before it is printed. */
+   one of more than 20000 elements, or with an attribute of more than 10000 characters, before it
+   is printed. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +17,7 @@
 #include <libxml/tree.h>
 
 #define LARGEST 10000000L
+#define LONGEST 10000                  /* characters of an attribute */
 #define MOST 20000L                    /* elements: five times those of the largest robots */
 
 static void put_text(const xmlChar *s)
@@ -132,11 +134,16 @@ static void put_element(const xmlNode *node)
   printf("))\n");
 }
 
-/* the elements of a node and below */
+/* the elements of a node and below, whose attributes are not too long */
 static long elements(const xmlNode *node)
 {
   const xmlNode *child;
+  const xmlAttr *a;
   long n = 1;
+  for (a = node->properties; a; a = a->next)
+    if (a->children && a->children->content && xmlStrlen(a->children->content) > LONGEST)
+      refuse(xmlGetLineNo((xmlNode *) node),
+             "expected at most 10000 characters in an attribute, found more");
   for (child = node->children; child; child = child->next)
     if (child->type == XML_ELEMENT_NODE) n += elements(child);
   return n;

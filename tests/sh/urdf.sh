@@ -84,7 +84,7 @@ b20_open line 2: Opening and ending tag mismatch
 b21_empty the file is empty
 b22_deep line 1: Excessive depth
 b23_many expected at most 20000 elements, found more
-b24_links line 1: expected at most 1000 links, found 15000
+b24_links line 1: expected at most 1000 elements link, found 15000
 END
 statements="t0 : elapsed_real_time()"
 while read -r name words; do
