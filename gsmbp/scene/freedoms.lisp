@@ -3,9 +3,11 @@
 
 ;;; Kinds and directions of the freedoms of a joint (scene/joints.mac), orient resolved: [[kind,
 ;;; unit vector], ...]
-;;; j: gs__joint(name, type, ..., axis, second_, pitch_, orientation_, coordinates, speeds, ...)
+;;; j: gs__joint(name, type, ..., axis, second_, pitch_, orientation_, coordinates, speeds, ...,
+;;; modes); the freedoms of a beam's section are its modes
 (defun $gs__freedom_kinds (j)
   (let ((l nil) (orientation (nth 12 j)))
+    (dolist (kind (cdr (nth 20 j))) (push (gs-list (list kind (gs-list (list 0 0 1)))) l))
     (dolist (f (cdr (nth 4 ($gs__row_of (symbol-value '$gs__joint_table) (nth 2 j))))
                (gs-list (nreverse l)))
       (destructuring-bind (kind word) (cdr f)
@@ -42,6 +44,10 @@
 ;;; speed of a coordinate: q1_d
 (defun $gs__speed (q) ($concat q "_d"))
 
+;;; unit of the coordinate of a freedom of one
+(defun gs-unit-of-freedom (kind) (if (member kind '($slide $bend $stretch)) "m" "rad"))
+(defun $gs__unit_of_freedom (kind) (gs-unit-of-freedom kind))
+
 ;;; [symbol, unit, kind] of every coordinate, [symbol, unit] of every speed of a joint; a ball's
 ;;; parameters have no unit
 (defun gs-of-freedoms (f j)
@@ -53,7 +59,7 @@
   (gs-of-freedoms
     #'(lambda (kind coordinates speeds)
         (declare (ignore speeds))
-        (let ((unit (case kind ($spherical "") ($slide "m") (t "rad"))))
+        (let ((unit (if (eq kind '$spherical) "" (gs-unit-of-freedom kind))))
           (mapcar #'(lambda (q) (gs-list (list q unit kind))) coordinates)))
     j))
 (defun $gs__joint_speeds (j)
@@ -62,7 +68,7 @@
         (if (eq kind '$spherical)
             (mapcar #'(lambda (w) (gs-list (list w "rad/s"))) speeds)
             (list (gs-list (list ($gs__speed (car coordinates))
-                                 (if (eq kind '$slide) "m/s" "rad/s"))))))
+                                 (gs-text (gs-unit-of-freedom kind) "/s"))))))
     j))
 
 ;;; the joints of the tree that have coordinates, in scene order
