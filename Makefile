@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-random test-malformed test-reach \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-points bench-robots same doc manual install uninstall package clean \
+        bench-points bench-reach bench-robots same doc manual install uninstall package clean \
         packages-manual packages-pdf packages-report packages-screen check-report check-screen \
         packages-fmu check-fmu
 
@@ -38,7 +38,7 @@ make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance ea
                            poses beside singular ones; ARMS="puma scara": these only; SEED, COUNT
 make bench-c               speed of emitted C beside emitted Fortran
 make bench                 tests/bench/report.md, report.json and figures
-                           PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo from PyPI beside
+                           PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo, EAIK from PyPI beside
                            BENCH_SYSTEMS="puma3 puma6": these only
 make bench-loops           tests/bench/loops.md: every way to integrate a loop on every example with
                            loops, hard cases, SUNDIALS beside
@@ -50,6 +50,8 @@ make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms th
                            error beside the whole
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
+make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
+                           dynamics (make bench has it, too); PEERS=1: EAIK from PyPI beside
 make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
                            beside Pinocchio; ROBOTS="panda pr2": these only
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
@@ -171,6 +173,10 @@ bench-points: packages compiled
 	@mkdir -p tests/bench/out
 	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/points/run tests/bench/out/points
 
+bench-reach: packages compiled
+	@mkdir -p tests/bench/out
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/reach/run tests/bench/out/reach
+
 bench-robots: packages compiled
 	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the robots from PyPI'; exit 1; }
 	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
@@ -235,4 +241,5 @@ clean:
 	rm -rf share/manual/gsmbp-tutorial.ipynb
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
-	rm -rf tests/bench/passages.md tests/bench/abbreviate.md
+	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
+	rm -rf tests/bench/reach.md tests/bench/robots.md

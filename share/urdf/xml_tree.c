@@ -6,7 +6,9 @@
    printable ASCII stand as \u00e9, so that the list holds nothing but plain strings and numbers.
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
-   one with a document type (DOCTYPE), or with what is no element is refused before it is parsed. */
+   one with a document type (DOCTYPE), or with what is no element is refused before it is parsed,
+   one of more than 20000 elements, or with an attribute of more than 10000 characters, before it
+   is printed. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,6 +17,8 @@
 #include <libxml/tree.h>
 
 #define LARGEST 10000000L
+#define LONGEST 10000                  /* characters of an attribute */
+#define MOST 20000L                    /* elements: five times those of the largest robots */
 
 static void put_text(const xmlChar *s)
 {
@@ -130,6 +134,21 @@ static void put_element(const xmlNode *node)
   printf("))\n");
 }
 
+/* the elements of a node and below, whose attributes are not too long */
+static long elements(const xmlNode *node)
+{
+  const xmlNode *child;
+  const xmlAttr *a;
+  long n = 1;
+  for (a = node->properties; a; a = a->next)
+    if (a->children && a->children->content && xmlStrlen(a->children->content) > LONGEST)
+      refuse(xmlGetLineNo((xmlNode *) node),
+             "expected at most 10000 characters in an attribute, found more");
+  for (child = node->children; child; child = child->next)
+    if (child->type == XML_ELEMENT_NODE) n += elements(child);
+  return n;
+}
+
 int main(int argc, char **argv)
 {
   long n, line;
@@ -151,6 +170,8 @@ int main(int argc, char **argv)
   if (!doc || !context->wellFormed)
     refuse(first_line, first_error[0] ? first_error : "no XML");
   if (doc->intSubset) forbidden(NULL, NULL, NULL, NULL);
+  if (elements(xmlDocGetRootElement(doc)) > MOST)
+    refuse(0, "expected at most 20000 elements, found more");
   put_element(xmlDocGetRootElement(doc));
   return 0;
 }

@@ -6,7 +6,14 @@
 ## Fortran in quad precision on random and on hard states, and that with Newton-Euler equations of
 ## its own. PEERS=1: SymPy, CasADi, Pinocchio and MuJoCo from PyPI on the same states in the same
 ## run; BENCH_CAP: seconds for one of their derivations (60). The steps are the functions of speed/,
-## in the order in which they are called here; the bench of the symbols follows.
+## in the order in which they are called here; the bench of the symbols and that of inverse
+## kinematics (EAIK beside, with PEERS=1) follow.
+
+1;
+## a report of its own, one step down
+function text = section (file)
+  text = regexprep (fileread (file), "^#", "##", "lineanchors");
+end
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
@@ -56,5 +63,12 @@ table = fullfile (here, "out", "symbols.md");
 if (system (sprintf ("'%s' '%s'", fullfile (here, "symbols"), table)) != 0)
   error ("bench: tests/bench/symbols failed; report.md is without its tables");
 end
-bench_save (fullfile (here, "report.md"), ...
-            [text, "\n", regexprep(fileread (table), "^#", "##", "lineanchors")]);
+text = [text, "\n", section(table)];
+bench_save (fullfile (here, "report.md"), text);
+
+setenv ("PEERS", {"", peers}{1 + with_peers});
+reach = fullfile (here, "reach", "run");
+if (system (sprintf ("'%s' '%s'", reach, fullfile (here, "out", "reach"))) != 0)
+  error ("bench: tests/bench/reach failed; report.md is without its table");
+end
+bench_save (fullfile (here, "report.md"), [text, "\n", section(fullfile (here, "reach.md"))]);
