@@ -42,12 +42,20 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
     endif
   endfor
   for i = 1:n
-    a = rows.a(i,:);
-    large = abs (a) > 1e-6 * max (abs (a));   # the rounding of what stands still has no places
-    k = find (a(1:end-1) .* a(2:end) < 0 & (large(1:end-1) | large(2:end)));
-    part = rows.a(i,k) ./ (rows.a(i,k) - rows.a(i,k+1));
-    rows.singular = [rows.singular, middle(k) + part .* (middle(k+1) - middle(k))];
+    turned = changes (middle, rows.a(i,:), s);
+    rows.singular = [rows.singular, turned];
   endfor
+endfunction
+
+## where A changes its sign; not where it is 0 but for rounding on a stretch, where a coordinate
+## stands still
+function x = changes (middle, a, s)
+  k = find (abs (a) > 1e-6 * max (abs (a)));
+  [from, to] = deal (k(1:end-1), k(2:end));
+  stretch = to > from + 1 & middle(to) - middle(from) > 4 * (s(end) - s(1)) / numel (middle);
+  turned = a(from) .* a(to) < 0 & ! stretch;
+  [from, to] = deal (from(turned), to(turned));
+  x = middle(from) + a(from) ./ (a(from) - a(to)) .* (middle(to) - middle(from));
 endfunction
 
 function x = above (x, size)
