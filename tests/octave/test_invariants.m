@@ -7,7 +7,8 @@ function test_invariants ()
     [~, name] = fileparts (scene.name);
     ## abbreviated: holds to its tolerance, test_abbreviate; springs of 1e10 N/m: differences see
     ## their rounding alone, test_trim
-    if (any (strcmp (name, {"base_robot_less", "trim_stiff"})))
+    ## beams bent by their length, where the energy cut at degree 2 is none: test_flexible
+    if (any (strcmp (name, {"base_robot_less", "trim_stiff"})) || strncmp (name, "case_f4_", 8))
       continue;
     end
     m = gsmbp_fixture (name);
