@@ -145,8 +145,9 @@ test-reach: packages-test compiled
 OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
-bench-c: packages compiled
+bench-c: packages-test compiled
 	@for flags in -O2 '-O3 -march=native -ffp-contract=fast'; do tests/bench/c_speed.py $$flags || exit 1; done
+	GSMBP_TIMES=yes tests/run sh/python
 
 bench: packages compiled
 	@mkdir -p tests/bench/out
