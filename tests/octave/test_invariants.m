@@ -32,7 +32,7 @@ function test_invariants ()
     if (any (strcmp (m.subroutines, "lin")) && any (strcmp (m.subroutines, "inv")))
       motion_model (name, m, d);
     end
-    if (d.nlam > 0)
+    if (d.nlam > 0 && any (strcmp (m.subroutines, "prj")))
       constraints (name, m, d);
     end
   end
@@ -129,7 +129,7 @@ function power (name, m, d)
     v([m.events.input]) = strcmp ({m.events.kind}, "stick");   # friction slides, stops are free
     [xd, ~] = m.rhs (0, x, v);
     drives = 0;
-    if (d.nlam > 0)
+    if (d.nlam > 0 && any (strcmp (m.subroutines, "prj")))
       [~, phit] = m.con (0, x(1:d.nq), x(d.nq + (1:d.nu)));
       if (any (phit))
         [~, lam, ~] = m.acc (0, x, v);
