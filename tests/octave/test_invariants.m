@@ -129,7 +129,7 @@ function power (name, m, d)
     v([m.events.input]) = strcmp ({m.events.kind}, "stick");   # friction slides, stops are free
     [xd, ~] = m.rhs (0, x, v);
     drives = 0;
-    if (d.nlam > 0 && any (strcmp (m.subroutines, "prj")))
+    if (d.nlam > 0)
       [~, phit] = m.con (0, x(1:d.nq), x(d.nq + (1:d.nu)));
       if (any (phit))
         [~, lam, ~] = m.acc (0, x, v);
