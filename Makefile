@@ -34,9 +34,9 @@ make test-malformed        300 malformed scenes against their verdicts, and muta
                            (make test takes 25)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a sample);
                            SCENES="FILE.mac ...": these only
-make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each, there and back, and
-                           poses beside singular ones; ARMS="puma scara": these only; SEED, COUNT
-make bench-c               speed of emitted C beside emitted Fortran
+make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where solutions
+                           are eigenvalues), there and back, and beside singular ones; ARMS="puma scara": these only; SEED, COUNT
+make bench-c               speed of emitted C beside emitted Fortran, of the module of Python beside C
 make bench                 tests/bench/report.md, report.json and figures
                            PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo, EAIK from PyPI beside
                            BENCH_SYSTEMS="puma3 puma6": these only
@@ -243,4 +243,4 @@ clean:
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
-	rm -rf tests/bench/reach.md tests/bench/robots.md
+	rm -rf tests/bench/reach.md tests/bench/robots.md tests/bench/devices.md tests/bench/devices.json

@@ -12,7 +12,7 @@ within_stops (gsf_instance *a, double *pos, double *speed, double *ends, double 
   s->hld (a->d[GSF_T], a->x, a->v, a->cst, row, s->nev, pos, speed, ends);
   for (int k = 0; k < s->nev; k++)
     {
-      const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6 * (high - low);
+      const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6;
       if (s->event_kinds[k] == 2 && (pos[k] < low - near || pos[k] > high + near))
         return gsf_fail (a, GSF_ERROR,
                          "the start is beyond an end of a stop, %s: expected %g to %g, found %g",

@@ -434,9 +434,9 @@ impossible_starts (void)
 {
   int refused = 0, wrong = 0;
   for (int i = 0; i < m->scene->nx; i++)
-    for (int k = -10; k <= 10; k++)
+    for (int k = m->nmargins > 0 ? -10 : -11; k <= 10; k++) /* -11: a little below 0 */
       {
-        int found = start_at (i, 0.3 * k * m->nominal[i]);
+        int found = start_at (i, k < -10 ? -1e-4 : 0.3 * k * m->nominal[i]);
         refused += found == 1;
         wrong += found < 0;
       }

@@ -2,22 +2,10 @@
 ## and equations written down apart from the package.
 
 function test_examples_joints ()
-  hooke (example ("hooke"), beside ("hooke", "hooke_double"));
-  lead_screw (example ("lead_screw"));
-  spinning_top (example ("spinning_top"));
-  rolling_disc (example ("rolling_disc"), beside ("rolling_disc", "rolling_disc_angles"));
-end
-
-## the model of examples/NAME, as `make examples` builds it
-function m = example (name)
-  root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
-  [status, text] = system (sprintf ("make --no-print-directory -C '%s' fortran_out/%s.f", root, ...
-                                    name));
-  gsmbp_check (["examples/" name " is derived"], status == 0);
-  if (status != 0)
-    error ("%s", text);
-  end
-  m = gsmbp_build (name);
+  hooke (example_model ("hooke"), beside ("hooke", "hooke_double"));
+  lead_screw (example_model ("lead_screw"));
+  spinning_top (example_model ("spinning_top"));
+  rolling_disc (example_model ("rolling_disc"), beside ("rolling_disc", "rolling_disc_angles"));
 end
 
 ## the model of a further scene in the folder of an example

@@ -4,11 +4,12 @@
 
 function test_examples_robots ()
   root = fullfile (fileparts (mfilename ("fullpath")), "..", "..", "examples");
+  addpath (fullfile (root, "..", "tests", "octave", "independent"));
   for name = {"welding_arm", "scara"}
     addpath (fullfile (root, name{1}));
   end
   arm = read_urdf (fullfile (root, "welding_arm", "welding_arm.urdf"));
-  m = example ("welding_arm");
+  m = example_model ("welding_arm");
   gsmbp_check ("welding arm: limits of the scene are those of the URDF", ...
                [cat(1, m.json.limits.low), cat(1, m.json.limits.high)] - arm.limits, 0);
   limited (m);
@@ -16,19 +17,7 @@ function test_examples_robots ()
   seams (arm, p);
   voltages (arm, m, p);
   margins (m);
-  scara (example ("scara"));
-end
-
-## the model of examples/NAME, as `make examples` builds it
-function m = example (name)
-  root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
-  [status, text] = system (sprintf ("make --no-print-directory -C '%s' fortran_out/%s.f", root, ...
-                                    name));
-  gsmbp_check (["examples/" name " is derived"], status == 0);
-  if (status != 0)
-    error ("%s", text);
-  end
-  m = gsmbp_build (name);
+  scara (example_model ("scara"));
 end
 
 ## joints from the base on (at: 3 x 8, turns of their places, axes: 0 where fixed) and what each
@@ -66,14 +55,9 @@ function [R, P] = poses (arm, q)
   q(end+1:numel (arm.mass)) = 0;
   for k = 1:numel (arm.mass)
     x += A * arm.at(:,k);
-    A *= turn ([0; 1; 0], arm.rpy(2,k)) * turn (arm.axis(:,k), q(k));
+    A *= ne_turn ([0; 1; 0], arm.rpy(2,k)) * ne_turn (arm.axis(:,k), q(k));
     [R(:,:,k), P(:,k)] = deal (A, x);
   end
-end
-
-function R = turn (axis, angle)
-  K = [0 -axis(3) axis(2); axis(3) 0 -axis(1); -axis(2) axis(1) 0];
-  R = eye (3) + sin (angle) * K + (1 - cos (angle)) * K^2;
 end
 
 ## a wrist bent beyond its limit: both wrists are out, and without limits the pose is reached

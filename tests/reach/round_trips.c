@@ -187,12 +187,11 @@ static int by_chance(long count)
 
 /* ------------------------------------------------------------- beside singular positions */
 
-/* the determinant, or of fewer coordinates than rows the product of singular values with no sign */
+/* the determinant, of as many coordinates as rows */
 static double determinant(double *q)
 {
   double j[6][NS], d = 1;
   jacobian(q, j);
-  if (NS != ROWS) return NAN;
   for (int k = 0; k < NS; k++) {
     int p = k;
     for (int i = k; i < NS; i++) if (fabs(j[i][k]) > fabs(j[p][k])) p = i;
@@ -263,6 +262,7 @@ static int beside_singular(long count)
 {
   struct tally t[7] = {{0}};
   int bad = 0;
+  if (NS != ROWS) return puts("ok: left out, fewer coordinates than the pose has rows"), 0;
   for (long k = 0, tries = 0; k < count && tries < 100*count; tries++) {
     double q[NQ], z[NQ], s[NS], v[NS][NS], n[NS], c[NQ], length = 0;
     position_by_chance(q);

@@ -34,13 +34,16 @@ def scene(line):
 
 
 def main(arms, folder, names):
-    for line in Path(arms).read_text().splitlines():
-        if line and not line.startswith("#"):
-            name, text, head = scene(line)
-            if not names or name in names:
-                Path(folder, name + ".mac").write_text(text)
-                Path(folder, name + ".h").write_text(head)
-                print(name)
+    lines = [line for line in Path(arms).read_text().splitlines() if line and line[0] != "#"]
+    unknown = set(names) - {line.split(";")[0].strip() for line in lines}
+    if unknown:
+        sys.exit("not ok no arm of the table is named " + ", ".join(sorted(unknown)))
+    for line in lines:
+        name, text, head = scene(line)
+        if not names or name in names:
+            Path(folder, name + ".mac").write_text(text)
+            Path(folder, name + ".h").write_text(head)
+            print(name)
 
 
 main(sys.argv[1], sys.argv[2], sys.argv[3:])

@@ -26,7 +26,7 @@ share/fmu/derive "$work/press.mac" "$work/fmu" >"$report" 2>&1
 told $? 'press becomes FMUs' "$report"
 tests/fmu/drive "$work/fmu" press 0.01 0 0
 # a name that a file of all FMUs has, too; capitals
-for scene in step Fmi2; do
+for scene in step Fmi2 fmi2; do
   sed "s/@name@/$scene/" tests/data/rod.in >"$work/$scene.mac"
   share/fmu/derive "$work/$scene.mac" "$work/fmu" >"$report" 2>&1
   told $? "$scene becomes FMUs" "$report"

@@ -1,7 +1,7 @@
 # gsmbp_package(scene, python): eight scenes become modules; one is installed by pip as its README
 # says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
-# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; how long 1e5 states
-# take beside a loop in C.
+# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; where GSMBP_TIMES
+# is set, how long 1e5 states take beside a loop in C.
 . tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)

@@ -5,7 +5,7 @@ import ctypes
 import numpy as np
 
 from . import _run
-from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, at
 
 Inverse = collections.namedtuple('Inverse', 't q u ud qj tau lam v x margins')
 
@@ -66,9 +66,6 @@ class _Follower:
             return np.stack([self.poly(t, k, side) for k in range(self.order + 1)], axis=1)
         pieces, order = self.poly.coefficients.shape[1:]
         number = ctypes.c_int
-
-        def at(a, skip=0):
-            return ctypes.c_void_p(address(a) + 8 * skip)
         info = LIBRARY.gs_loop_follow(
             SCENE, ctypes.c_double(t), number(side), number(self.order), number(len(self.planned)),
             at(self.planned), number(pieces), number(order), at(self.flat),

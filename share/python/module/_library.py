@@ -48,6 +48,11 @@ def address(array):
     return array.__array_interface__['data'][0]
 
 
+def at(array, skip=0):
+    """Its numbers from the one of this index on, as the run time takes them."""
+    return ctypes.c_void_p(address(array) + 8 * skip)
+
+
 def pointer(name):
     """A subroutine as an address, for the run time."""
     return ctypes.cast(getattr(LIBRARY, '%s_%s' % (NAME.lower(), name)), ctypes.c_void_p)

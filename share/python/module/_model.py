@@ -1,6 +1,5 @@
 """The scene with its parameters."""
 import collections
-import ctypes
 import difflib
 import types
 import warnings
@@ -8,7 +7,7 @@ import warnings
 import numpy as np
 
 from . import _inverse, _rules, _run
-from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, address
+from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
 
 Linear = collections.namedtuple('Linear', 'a b c d')
@@ -39,17 +38,17 @@ class Model(Routines):
     def __init__(self, /, **parameters):
         names = _names('parameters')
         values = np.zeros(max(1, len(names)))
-        LIBRARY.gs_loop_par(_pointer(values))
+        LIBRARY.gs_loop_par(at(values))
         for name, given in parameters.items():
             if name not in names:
                 raise KeyError(_unknown(name, names))
             values[names.index(name)] = _number(name, given)
-        self._parameters = types.MappingProxyType(
-            dict(zip(names, values[:len(names)].tolist())))
+        object.__setattr__(self, '_parameters', types.MappingProxyType(
+            dict(zip(names, values[:len(names)].tolist()))))
         if parameters:
             self._check(parameters)
-        self.cst = np.zeros(max(1, SIZES['ncst']))
-        info = LIBRARY.gs_loop_pre(_pointer(values), _pointer(self.cst))
+        object.__setattr__(self, 'cst', np.zeros(max(1, SIZES['ncst'])))
+        info = LIBRARY.gs_loop_pre(at(values), at(self.cst))
         if info != 0:
             raise Error('%s: the parameters: INFO = %d: %s' % (NAME, info, _run.meaning(
                 'pre', info)), info)
@@ -88,10 +87,8 @@ class Model(Routines):
                     NAME, name.upper(), _why(name)))
 
     def __setattr__(self, name, value):
-        if name not in ('_parameters', 'cst'):
-            raise AttributeError('%s: a model does not change: expected changed(%s=...), another '
-                                 'one; found a value for %s' % (NAME, name, name))
-        super().__setattr__(name, value)
+        raise AttributeError('%s: a model does not change: expected changed(%s=...), another '
+                             'one; found a value for %s' % (NAME, name, name))
 
     def __getattr__(self, name):
         if name.startswith('_'):
@@ -118,10 +115,6 @@ class Model(Routines):
 
     simulate = _run.simulate
     inverse = _inverse.inverse
-
-
-def _pointer(array):
-    return ctypes.c_void_p(address(array))
 
 
 # the requests of subroutines that a module calls by itself

@@ -7,7 +7,7 @@ import warnings
 import numpy as np
 
 from . import _rules
-from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, pointer
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, at, pointer
 from ._motion import Piecewise, as_piecewise
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
@@ -176,10 +176,6 @@ def _passed(model, t, x, v, k):
 
 # -------------------------------------------------------------------------------------- the plan
 
-def _at(array):
-    return ctypes.c_void_p(address(array))
-
-
 class _Pieces(ctypes.Structure):
     """gs_pieces of plan.h."""
 
@@ -226,7 +222,7 @@ class _Plan:
         given = ctypes.byref(self.given)
         ip = np.zeros(LIBRARY.gs_wholes(given), np.intc)
         rp = np.zeros(LIBRARY.gs_reals(given))
-        LIBRARY.gs_lay(given, _at(ip), _at(rp))
+        LIBRARY.gs_lay(given, at(ip), at(rp))
         return ip, rp
 
     def motion(self, given):
@@ -487,7 +483,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
            'v': np.zeros((max(1, NV), nt), order='F'), 'counts': np.zeros(20, np.intc),
            'values': np.zeros(20), 'times': times}
-    if LIBRARY.gs_due_from(SCENE, ctypes.c_double(times[0]), _at(model.cst), _at(ip), _at(rp)) != 0:
+    if LIBRARY.gs_due_from(SCENE, ctypes.c_double(times[0]), at(model.cst), at(ip), at(rp)) != 0:
         raise ValueError('%s: a sampled device has more than 2e9 samples behind it' % p.who)
     room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
     w = np.zeros(max(room, NU) + 20)
@@ -499,9 +495,9 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     begun = time.perf_counter()
     out['info'] = LIBRARY.gs_loop_run(
         SCENE, pointer('rha') if audit else None, p.callback, number(nx),
-        ctypes.c_double(times[0]), _at(x), number(nt), _at(times), number(len(stops) - 1),
-        _at(stops), _at(iopt), _at(ropt), _at(atol), _at(ip), _at(rp), _at(model.cst),
-        _at(out['x']), _at(out['v']), _at(out['counts']), _at(out['values']), _at(w),
+        ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
+        at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
+        at(out['x']), at(out['v']), at(out['counts']), at(out['values']), at(w),
         number(len(w)))
     out['seconds'] = time.perf_counter() - begun
     return out
@@ -592,7 +588,7 @@ def _failed(number, info, at):
 def _samples(run):
     """t, memory (nxk, n), v (nv, n) after each instant; memory at the end; how many there were."""
     sizes, nxk = np.zeros(3, np.intc), SIZES['nxk']
-    first = LIBRARY.gs_loop_samples(SCENE, _at(run['ip']), _at(run['rp']), _at(sizes))
+    first = LIBRARY.gs_loop_samples(SCENE, at(run['ip']), at(run['rp']), at(sizes))
     places, count, memory = sizes.tolist()
     record = _records(run, first, 1 + nxk + NV, min(places, count))
     return {'t': record[0], 'memory': record[1:1 + nxk], 'v': record[1 + nxk:],
@@ -606,7 +602,7 @@ def _records(run, first, width, n):
 def _events(model, run, nx):
     """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
     sizes = np.zeros(3, np.intc)
-    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), _at(run['ip']), _at(run['rp']), _at(sizes))
+    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
     record = _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1])))
     count = record.shape[1]
     numbers = record[1].astype(int) - 1

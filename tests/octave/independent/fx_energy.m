@@ -54,7 +54,7 @@ function T = kinetic_whole (beam, v, w, q, qd)
   weight = beam.gauss.weight;
   r = fx_field (beam, q, beam.gauss);
   d = fx_field (beam, q + 1i * h * qd, beam.gauss);
-  u = v + skew (w) * r.place + imag (d.place) / h;
+  u = v + cross (repmat (w, 1, columns (r.place)), r.place) + imag (d.place) / h;
   turned = w + imag (d.angles) / h;
   T = beam.rho * beam.L * sum (weight .* sum (u .^ 2)) / 2 ...
       + beam.L * sum (weight .* sum (turned .* (beam.J * turned))) / 2;
@@ -71,24 +71,14 @@ function now = poses (tree, q)
       if (! isempty (m))
         r = fx_field (m, q([m.modes.k]), b.section);
         p += R * r.place;
-        R = R * turn ([0; 0; 1], r.angles(3)) * turn ([0; 1; 0], r.angles(2)) ...
-            * turn ([1; 0; 0], r.angles(1));
+        R = R * ne_turn ([0; 0; 1], r.angles(3)) * ne_turn ([0; 1; 0], r.angles(2)) ...
+            * ne_turn ([1; 0; 0], r.angles(1));
       end
     end
     p += R * b.at;
     if (! isempty (b.turn))
-      R = R * turn (b.turn{1}, q(b.turn{2}));
+      R = R * ne_turn (b.turn{1} / norm (b.turn{1}), q(b.turn{2}));
     end
     now{k} = struct ("p", p, "R", R);
   end
-end
-
-function R = turn (e, a)
-  e = e / norm (e);
-  K = skew (e);
-  R = eye (3) + sin (a) * K + (1 - cos (a)) * K * K;
-end
-
-function K = skew (e)
-  K = [0, -e(3), e(2); e(3), 0, -e(1); -e(2), e(1), 0];
 end

@@ -9,7 +9,7 @@ function [phi, slope] = fx_shape (ends, i, xi)
     case "fixed_free"
       b = (i - 1/2) * pi;
     otherwise
-      s = ifelse_ (strcmp (ends, "clamped_free"), 1, -1);
+      s = merge (strcmp (ends, "clamped_free"), 1, -1);
       b = fzero (@(b) cos (b) + s / cosh (b), (i - s / 2) * pi + [-0.5, 0.5], optimset ("TolX", 0));
       sigma = (cosh (b) + s * cos (b)) / (sinh (b) + s * sin (b));
       ## cosh - sigma sinh = exp(-z) sigma_+ + exp(z) (1 - sigma)/2
@@ -23,12 +23,4 @@ function [phi, slope] = fx_shape (ends, i, xi)
   end
   phi = sqrt (2) * sin (b * xi);
   slope = sqrt (2) * b * cos (b * xi);
-end
-
-function v = ifelse_ (test, a, b)
-  if (test)
-    v = a;
-  else
-    v = b;
-  end
 end
