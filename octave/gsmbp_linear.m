@@ -83,59 +83,13 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
     o.reduced = state_numbers (m, o.reduced);
   endif
   if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
-    [T, independent] = tangent (m, t, x, o.reduced);
+    [T, independent] = gsmbp__tangent (who, m, t, x, o.reduced, zeros (0, 2));
   elseif (named && ! all (ismember (1:d.nq, o.reduced)))
     error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
             "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
   endif
   sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", ...
             m.states(independent), "InputName", m.inputs, "OutputName", outputs);
-endfunction
-
-## columns: the tangent vectors of the constraints that change one independent state each
-function [T, independent] = tangent (m, t, x, names)
-  d = m.sizes;
-  sets = m.orientation;
-  P = zeros (rows (sets), d.nq);
-  for k = 1:rows (sets)
-    P(k,sets(k,:)) = x(sets(k,:));
-  endfor
-  K = [P, zeros(rows (P), d.nx - d.nq)];
-  H = zeros (0, d.nu);
-  if (d.nlam > 0)
-    [DP, DV] = m.tan (t, x);
-    [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
-    P = [P; DP];
-    K = [K; DP, zeros(d.nlam, d.nx - d.nq); DV, H, zeros(d.nlam, d.nx - d.nq - d.nu)];
-  endif
-  if (strcmp (names, "auto"))
-    q = others (P, 1:d.nq);
-    if (d.nq == d.nu && numel (q) == numel (others (H, 1:d.nu)))
-      u = q;
-    else
-      u = others (H, 1:d.nu);
-    endif
-  else
-    [q, u] = chosen (m, names, H);
-  endif
-  independent = [q, d.nq + u, d.nq + d.nu + 1:d.nx];
-  N = null (K, 1e-9);
-  if (columns (N) != numel (independent) || rcond (N(independent,:)) < 1e-10)
-    error (["gsmbp_linear: %s: %s do not determine the motion here: the constraints leave %d " ...
-            "free states, %d are chosen"], m.name,
-           strjoin (m.states(independent), ", "), columns (N), numel (independent));
-  endif
-  T = N / N(independent,:);
-endfunction
-
-## the columns that a rank-revealing factorization leaves over
-function k = others (H, all_columns)
-  k = all_columns;
-  if (rows (H) > 0)
-    [~, R, p] = qr (H, "vector");
-    s = abs (diag (R(1:min (size (R)),1:min (size (R)))));
-    k = sort (p(sum (s > 1e-9 * max ([s; eps])) + 1:end));
-  endif
 endfunction
 
 ## where the NAMES of the option "reduced" stand among the states
@@ -145,18 +99,6 @@ function k = state_numbers (m, names)
   if (! all (k) || isempty (k))
     error ("gsmbp_linear: option \"reduced\": %s has no state %s", m.name,
            gsmbp__unknown ([names(! k)(:); {""}]{1}, m.states));
-  endif
-endfunction
-
-## numbers of coordinates and speeds among the states K
-function [q, u] = chosen (m, k, H)
-  d = m.sizes;
-  q = sort (k(k <= d.nq))(:)';
-  u = sort (k(k > d.nq & k <= d.nq + d.nu) - d.nq)(:)';
-  if (isempty (u) && d.nq == d.nu)
-    u = q;
-  elseif (isempty (u))
-    u = others (H, 1:d.nu);
   endif
 endfunction
 

@@ -24,6 +24,8 @@ function test_options ()
   options (@(varargin) gsmbp_assemble (c, xc, varargin{:}), ...
            {"hold", "time", "tolerance", "branches"});
   options (@(varargin) gsmbp_linear (m, 0, x, 0, varargin{:}), {"reduced", "start"});
+  options (@(varargin) gsmbp_modes (m, x, varargin{:}), ...
+           {"hold", "steady", "time", "input", "start"});
   options (@(varargin) gsmbp_inverse (c, plan, 0, varargin{:}), ...
            {"side", "input", "guess", "internal"});
   options (@(varargin) gsmbp_timing (m, 0, x, "seconds", 1e-5, varargin{:}), ...
@@ -41,6 +43,7 @@ function test_options ()
   arguments_of (@gsmbp_assemble, {c, xc});
   arguments_of (@gsmbp_linear, {m, 0, x, 0});
   arguments_of (@gsmbp_trim, {m, x, 0});
+  arguments_of (@gsmbp_modes, {m, x});
   arguments_of (@gsmbp_timing, {m, 0, x});
   arguments_of (@gsmbp_lqr, {m, plan, [0, 0.5], eye(3), 1});
   arguments_of (@gsmbp_animate, {c, r, png});

@@ -1,0 +1,324 @@
+## -*- texinfo -*-
+## @c category Linear models and control
+## @deftypefn  {} {@var{r} =} gsmbp_modes (@var{m}, @var{x})
+## @deftypefnx {} {@var{r} =} gsmbp_modes (@dots{}, "hold", @var{names}, "steady", true)
+## @deftypefnx {} {@var{r} =} gsmbp_modes (@dots{}, "spin", @var{name}, "speeds", @var{values})
+## Frequencies, damping ratios and shapes of small vibrations about a state, at rest or spinning.
+##
+## The model @var{m} is linearized by its exact Jacobians at the state @var{x} (@var{nx} states, or
+## the @var{nq} coordinates alone: the rest is then at its start, speeds zero).  With loops or Euler
+## parameters the modes are those of the independent deviations.  They are the modes of a motion
+## where @var{x} is an equilibrium or a steady motion (a blade that spins); elsewhere they are those
+## of the coefficients at @var{x}.
+##
+## Options:
+## @table @code
+## @item "hold"
+## names of coordinates that keep their motion: their speeds are held as they are by efforts of any
+## size, they do not vibrate (a shaft that is driven at constant speed)
+## @item "steady"
+## true: coordinates and states of devices that are not held are first moved, from @var{x}, to where
+## nothing but what is held moves at other than constant speed (the sag under gravity, the
+## deflection of a blade as it spins); speeds stay as given (false by default)
+## @item "spin", "speeds"
+## Campbell diagram: a coordinate, which is held, and the speeds that it takes, one after the other
+## (the frequencies are then columns); with "file" it is drawn too
+## @item "file"
+## PNG, PDF, SVG or EPS of the Campbell diagram, a .csv with the same numbers beside it
+## @item "orders"
+## lines of these multiples of the speed in the diagram ([1 2 3] by default)
+## @item "time", "input"
+## @var{t} [s] (0) and the @var{nv} inputs (zeros)
+## @item "start"
+## "check" or "project", as in @code{gsmbp_simulate}
+## @end table
+##
+## @var{r} has the fields
+## @table @code
+## @item frequency
+## of each mode that oscillates, the absolute value of its pair of eigenvalues [rad/s], ascending
+## @item damping
+## its damping ratio, negative where it grows
+## @item shapes
+## a column for each mode, a row for each coordinate: complex amplitudes, the largest of them 1
+## @item eigenvalues
+## of each mode, that with positive imaginary part [1/s]
+## @item real
+## the eigenvalues without imaginary part [1/s], ascending; positive: it grows (divergence)
+## @item rigid
+## how many eigenvalues are zero: what can be moved without any effect, and constant speeds
+## @item x
+## the state about which they are
+## @end table
+## With "spin" @code{frequency}, @code{damping}, @code{eigenvalues} and @code{x} have a column for
+## each entry of @code{speeds}, @code{shapes} a page, @code{real} is a cell array, @code{rigid} a
+## row; a row of @code{frequency} follows one mode by its shape from speed to speed, NaN where it is
+## none (it does not oscillate).
+##
+## Without an output argument frequencies, damping and the largest amplitudes are printed.
+## Eigenvalues below 1e-9 of the largest one are taken as zero.
+##
+## @c session octave
+## @example
+## >> gsmbp_derive ("examples/rotating_blade/rotating_blade.mac", "fortran_out");
+## >> m = gsmbp_build ("rotating_blade");
+## >> gsmbp_modes (m, m.initial, "spin", "theta", "speeds", [0 3 6])
+## rotating_blade: frequencies [rad/s] by speed [rad/s]
+##           0 :     3.79773     3.79773        23.8        23.8     66.6406     66.6406
+##           3 :     4.09756     5.07838     25.0739     24.8938     67.8524     67.9187
+##           6 :     4.81399      7.6925     28.5666     27.9294     71.3655     71.6173
+## >> x = m.initial;
+## >> x(strcmp (m.states, "theta_d")) = 6;
+## >> r = gsmbp_modes (m, x, "hold", "theta");
+## >> r.frequency(1:2)'
+## ans =
+##
+##    4.8140   7.6925
+## @end example
+##
+## Errors: a model without the subroutine JAC, with "hold" LIN; a state that does not fulfil the
+## constraints; an unknown coordinate; no steady state is found.
+## Source: own: eigenvalues of the exact Jacobians on the constraints' tangent space.
+## @seealso{gsmbp_linear, gsmbp_trim}
+## @end deftypefn
+
+function r = gsmbp_modes (m, x, varargin)
+  if (nargin < 2)
+    print_usage ();
+  endif
+  who = "gsmbp_modes";
+  gsmbp__model (who, m);
+  if (! any (strcmp (m.subroutines, "jac")))
+    gsmbp__no_jacobian (who, m);
+  endif
+  table = {"hold", {}, "names"; "steady", false, "flag"
+           "spin", "", "text"; "speeds", [], "numbers"
+           "file", "", "text"; "orders", [1, 2, 3], "numbers"
+           "time", 0, "number"; "input", [], "numbers"
+           "start", "check", {"check", "project"}};
+  o = gsmbp__options (who, table, varargin);
+  [held, spin] = what_is_held (who, m, o);
+  p = struct ("m", m, "t", o.time, "steady", o.steady, "start", o.start, "held", held);
+  p.v = gsmbp__vector (who, "option input", merge (isempty (o.input), zeros (m.sizes.nv, 1), ...
+                       o.input), m.sizes.nv, sprintf (" (the inputs %s)", ...
+                       strjoin (m.inputs', ", ")), m.inputs);
+  rest = m.initial(m.sizes.nq+1:end);
+  rest(1:m.sizes.nu) = 0;
+  x = gsmbp__guess (who, m, "x", x, rest);
+  if (isempty (spin))
+    one = modes_at (p, x);
+  else
+    one = over_speeds (p, x, held(end,2), o.speeds(:)');
+    draw (m, one, o);
+  endif
+  if (nargout > 0)
+    r = one;
+  else
+    show (m, one);
+  endif
+endfunction
+
+## rows of coordinate and speed; the one that spins is the last
+function [held, spin] = what_is_held (who, m, o)
+  spin = o.spin;
+  if (isempty (spin) != isempty (o.speeds))
+    error ("%s: options \"spin\" and \"speeds\" come together: expected both, found one", who);
+  endif
+  if (isempty (spin) && ! isempty (o.file))
+    error ("%s: option \"file\" is of a Campbell diagram: expected \"spin\" and \"speeds\"", who);
+  endif
+  names = cellstr (o.hold)(:)';
+  names = names(! cellfun (@isempty, names));
+  if (! isempty (spin))
+    names = [names(! strcmp (names, spin)), {spin}];
+  endif
+  held = zeros (numel (names), 2);
+  for k = 1:numel (names)
+    held(k,:) = pair_of (who, m, names{k});
+  endfor
+  if (! isempty (held) && ! all (ismember ({"lin", "mas"}, m.subroutines)))
+    error (["%s: %s was emitted without the subroutines LIN and MAS, which \"hold\" needs: add " ...
+            "the requests linear, mass"], who, m.name);
+  endif
+endfunction
+
+## a coordinate with a speed of its own
+function pair = pair_of (who, m, name)
+  q = find (strcmp (name, m.coordinates));
+  if (isempty (q))
+    error ("%s: option \"hold\": unknown coordinate %s", who, gsmbp__unknown (name, m.coordinates));
+  endif
+  u = find (strcmp ([name "_d"], m.speeds));
+  if (isempty (u) && m.sizes.nq == m.sizes.nu && isempty (m.angles))
+    u = q;
+  endif
+  if (isempty (u))
+    error ("%s: option \"hold\": %s has no speed of its own; expected a coordinate of a joint", ...
+           who, name);
+  endif
+  pair = [q, u];
+endfunction
+
+## modes of the one state X
+function r = modes_at (p, x)
+  m = p.m;
+  x = gsmbp__start ("gsmbp_modes", m, p.t, x, p.start);
+  if (p.steady)
+    x = steady (p, x);
+  endif
+  [T, k] = gsmbp__tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
+  A = gsmbp__held (m, p.t, x, p.v, p.held)(k,:) * T;
+  keep = find (any (A, 1));   # on the other states nothing depends
+  [V, e] = eig (A(keep,keep), "vector");
+  e(abs (e) <= 1e-9 * max ([abs(e); 0])) = 0;
+  pairs = find (imag (e) > 0);
+  [~, order] = sort (abs (e(pairs)));
+  pairs = pairs(order);
+  r.eigenvalues = e(pairs);
+  r.frequency = abs (e(pairs));
+  r.damping = 0 - real (e(pairs)) ./ r.frequency;
+  r.shapes = T(1:m.sizes.nq,keep) * V(:,pairs);
+  for i = 1:numel (pairs)
+    [~, top] = max (abs (r.shapes(:,i)));
+    r.shapes(:,i) /= r.shapes(top,i);
+  endfor
+  r.real = sort (real (e(imag (e) == 0 & e != 0)));
+  r.rigid = numel (k) - numel (keep) + sum (e == 0);
+  r.x = x;
+endfunction
+
+## X moved to where nothing but what is held moves at other than constant speed: Newton's method
+function x = steady (p, x)
+  [m, d] = deal (p.m, p.m.sizes);
+  speeds = d.nq + (1:d.nu);
+  for round_ = 1:30
+    [A, xd] = gsmbp__held (m, p.t, x, p.v, p.held);
+    [T, k] = gsmbp__tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
+    z = find (! ismember (k, speeds));
+    f = find (k > d.nq);
+    J = A(k(f),:) * T(:,z);
+    scale = abs (J) * m.nominal(k(z));
+    if (all (abs (xd(k(f))) <= 1e-12 * max (scale, m.nominal(k(f)))))
+      return;
+    endif
+    dz = -pinv (J .* m.nominal(k(z))') * xd(k(f)) .* m.nominal(k(z));
+    x += T(:,z) * dz;
+    x(speeds) -= T(speeds,z) * dz;
+    x = closed (p, x);
+    if (norm (dz ./ m.nominal(k(z)), Inf) <= 1e-12)
+      return;
+    endif
+  endfor
+  [~, worst] = max (abs (xd(k(f))) ./ m.nominal(k(f)));
+  error (["gsmbp_modes: %s: no steady state found near this one: %s still changes by %g a " ...
+          "second"], m.name, m.states{k(f(worst))}, xd(k(f(worst))));
+endfunction
+
+## X on the constraints; what is held stays where it is
+function x = closed (p, x)
+  [m, d] = deal (p.m, p.m.sizes);
+  if (d.nlam == 0 && d.nq == d.nu)
+    return;
+  endif
+  q = gsmbp_assemble (m, x, "hold", m.coordinates(p.held(:,1)), "time", p.t)(1:d.nq);
+  x(1:d.nq) = q;
+  if (d.nlam > 0)
+    u = d.nq + (1:d.nu);
+    [~, phit, H] = m.con (p.t, q, x(u));
+    E = eye (d.nu)(p.held(:,2),:);
+    x(u) -= pinv ([H; E]) * [H * x(u) + phit; zeros(rows (E), 1)];
+  endif
+endfunction
+
+## the modes at each of the speeds of one coordinate, each followed by its shape
+function r = over_speeds (p, x, u, speeds)
+  n = numel (speeds);
+  nan = @(rows_) NaN (rows_, n);
+  r = struct ("speeds", speeds, "frequency", nan (0), "damping", nan (0), "eigenvalues", nan (0),
+              "shapes", zeros (p.m.sizes.nq, 0, n), "real", {cell(1, n)}, "rigid", zeros (1, n),
+              "x", zeros (numel (x), n));
+  last = zeros (p.m.sizes.nq, 0);
+  for k = 1:n
+    x(p.m.sizes.nq + u) = speeds(k);
+    one = modes_at (p, x);
+    x = one.x;
+    [row, last] = followed (last, one.shapes);
+    r.frequency(end+1:max (row),:) = NaN;
+    [r.damping, r.eigenvalues] = deal (padded (r.damping, row), padded (r.eigenvalues, row));
+    r.shapes(:,end+1:max (row),:) = NaN;
+    r.frequency(row,k) = one.frequency;
+    r.damping(row,k) = one.damping;
+    r.eigenvalues(row,k) = one.eigenvalues;
+    r.shapes(:,:,k) = NaN;
+    r.shapes(:,row,k) = one.shapes;
+    [r.real{k}, r.rigid(k), r.x(:,k)] = deal (one.real, one.rigid, x);
+  endfor
+endfunction
+function y = padded (y, row)
+  y(end+1:max (row),:) = NaN;
+endfunction
+
+## ROW of each of the SHAPES: that of the most alike one of LAST, or a new one
+function [row, last] = followed (last, shapes)
+  n = columns (shapes);
+  row = zeros (1, n);
+  like = abs (unit (last)' * unit (shapes));
+  while (any (like(:) > 0.5))
+    [~, best] = max (like(:));
+    [i, j] = ind2sub (size (like), best);
+    row(j) = i;
+    like(i,:) = 0;
+    like(:,j) = 0;
+  endwhile
+  new = find (row == 0);
+  row(new) = columns (last) + (1:numel (new));
+  last(:,row) = shapes;
+endfunction
+function S = unit (S)
+  S ./= max (sqrt (sum (abs (S) .^ 2, 1)), realmin);
+endfunction
+
+## the Campbell diagram
+function draw (m, r, o)
+  if (isempty (o.file))
+    return;
+  endif
+  order = abs (r.speeds') * o.orders(:)';
+  names = arrayfun (@(k) sprintf ("mode %d: %s", k, main_part (m, r.shapes(:,k,:))), ...
+                    1:rows (r.frequency), "UniformOutput", false);
+  lines_ = arrayfun (@(k) sprintf ("%g x speed", k), o.orders(:)', "UniformOutput", false);
+  frequency = struct ("y", [r.frequency', order], "names", {[names, lines_]}, ...
+                      "label", "frequency [rad/s]");
+  damping = struct ("y", r.damping', "names", {names}, "label", "damping ratio [1]");
+  panels = {frequency, damping}(1:1 + any (abs (r.damping(:)) > 1e-6));
+  gsmbp_plot (o.file, r.speeds', panels{:}, "title", ["Campbell diagram of " m.name], ...
+              "xlabel", ["speed of " o.spin " [rad/s]"], "head", "speed", ...
+              "size", [16, 9 * numel(panels) + 3]);
+endfunction
+
+## the coordinate that moves most in a mode where it is first seen
+function name = main_part (m, shapes)
+  k = find (! isnan (shapes(1,1,:)), 1);
+  [~, top] = max (abs (shapes(:,1,k)));
+  name = m.coordinates{top};
+endfunction
+
+function show (m, r)
+  if (isfield (r, "speeds"))
+    printf ("%s: frequencies [rad/s] by speed [rad/s]\n", m.name);
+    printf (["%11.5g :" repmat(" %11.6g", 1, rows (r.frequency)) "\n"], [r.speeds; r.frequency]);
+    return;
+  endif
+  printf ("%s: %d modes\n%16s %12s  amplitudes\n", m.name, numel (r.frequency), ...
+          "frequency [rad/s]", "damping");
+  for k = 1:numel (r.frequency)
+    [~, order] = sort (abs (r.shapes(:,k)), "descend");
+    order = order(1:min (3, end))(:)';
+    said = arrayfun (@(i) sprintf ("%s %.3g", m.coordinates{i}, abs (r.shapes(i,k))), order, ...
+                     "UniformOutput", false);
+    printf ("%17.6g %12.3g  %s\n", r.frequency(k), r.damping(k), strjoin (said, ", "));
+  endfor
+  printf ("real eigenvalues [1/s]: %s; zero: %d\n", mat2str (r.real', 5), r.rigid);
+endfunction
+
+%!error <Invalid call> gsmbp_modes (1)
