@@ -61,6 +61,9 @@
 ## held outputs in the inputs @var{v} and memory @var{xk} after it, @var{y} from m.out
 ## @item g = m.evt (t, x, v, mode)
 ## event functions of @code{m.events}, above 0 where nothing happens
+## @item [row, s, sd, prm] = m.hld (t, x[, v])
+## their ports: rows of their speeds, positions, speeds, and numbers in 4 rows (a stop's: lower end,
+## upper end, restitution, speed below which it rests)
 ## @item [x, mode, v, info] = m.rst (t, x, v, mode, k)
 ## what happens at event @var{k}; 0: the modes that belong to a state; -1: what sticks
 ## comes to rest

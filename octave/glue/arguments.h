@@ -174,6 +174,20 @@ public:
     return mode;
   }
 
+  // those among the inputs of K states, v (number of the input, state), both from 0; what is no
+  // number is let through
+  template <typename F> void modes_among (int k, F v) const
+  {
+    for (int i = 0; i < S.nmode; i++)
+      for (int j = 0; j < k; j++)
+        {
+          double mode = double (v (S.modes[i] - 1, j));
+          if (! (mode == 0 || std::fabs (mode) == 1 || std::isnan (mode)))
+            error ("%s: argument v(%d), a mode: expected -1, 0 or 1, found %g", who ().c_str (),
+                   S.modes[i], mode);
+        }
+  }
+
   // the number of columns of the next argument
   int states (const char *name, int rows)
   {
@@ -217,6 +231,8 @@ public:
     const double *from = m.data ();
     std::size_t step = given == 1 ? 0 : rows;
     x.each ([&] (number& y, int i, int j) { y = from[i + step * j]; });
+    if (name == std::string ("v"))
+      modes_among (given, [&] (int i, int j) { return from[i + step * j]; });
     if (rows == S.nq || rows == S.nx)
       x.without_orientation (k, name[0] == 'q' || name[0] == 'x');
   }

@@ -39,10 +39,12 @@ read (arguments& a, const slot& s)
   const char *name = s.name.c_str ();
   if (s.cols > 1)
     return a.array (name, s.rows, s.cols);
-  if (! s.needed)
-    return a.vector_or_zero (name, s.rows);
-  bool coordinates = s.name == "q" || s.name == "x";
-  return coordinates ? a.coordinates (name, s.rows) : a.vector (name, s.rows);
+  if (s.name == "q" || s.name == "x")
+    return a.coordinates (name, s.rows);
+  reals x = s.needed ? a.vector (name, s.rows) : a.vector_or_zero (name, s.rows);
+  if (s.name == "v")
+    a.modes_among (1, [&] (int i, int) { return x[i]; });
+  return x;
 }
 
 // whole numbers that come back

@@ -2,6 +2,7 @@
    which gsmbp_build writes from the JSON:
      GSMBP_DECLARE  extern void pendulum_par_ (void), ...;
      GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
+     GSMBP_MODES    the numbers of the inputs that are modes, then 0
      GSMBP_TABLE    the members of gsmbp_scene by name: .name = "pendulum", .nq = 1, ...
      GSMBP_ROUTINES the subroutines: { "par", pendulum_par_, "" }, ...
      GSMBP_MEANINGS what their INFO says: { "rhs", 1, 0, "the mass matrix is singular" }, ...
@@ -12,10 +13,11 @@
 GSMBP_DECLARE
 
 static const int sets[] = { GSMBP_SETS };
+static const int modes[] = { GSMBP_MODES };
 static const gsmbp_routine routines[] = { GSMBP_ROUTINES { 0, 0, 0 } };
 static const gsmbp_meaning meanings[] = { GSMBP_MEANINGS { 0, 0, 0, 0 } };
 const gsmbp_scene gsmbp_the_scene
-    = { GSMBP_TABLE, .sets = sets, .routines = routines, .meanings = meanings };
+    = { GSMBP_TABLE, .sets = sets, .modes = modes, .routines = routines, .meanings = meanings };
 
 extern void *Ggsmbp_module (void *library, _Bool relative);
 

@@ -42,6 +42,7 @@ typedef struct
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const int *sets;   /* ... four numbers of coordinates each */
+  const int *modes;  /* nmode: the numbers of the inputs that are modes of devices with events */
   const gsmbp_routine *routines;   /* as they were emitted; the last has no name */
   const gsmbp_meaning *meanings;   /* the last has no name */
 } gsmbp_scene;

@@ -6,10 +6,12 @@ function gsmbp__check_stops (who, m, t, x)
   if (isempty (stops))
     return;
   endif
-  inside = m.evt (t, x, zeros (m.sizes.nv, 1), zeros (m.sizes.nmode, 1));
+  none = zeros (m.sizes.nv, 1);
+  inside = m.evt (t, x, none, zeros (m.sizes.nmode, 1));
   k = stops(find (inside(stops) < -1e-6, 1));
   if (! isempty (k))
-    error ("%s: %s: the start is beyond an end of the stop %s, by some %g (m or rad)", who, ...
-           m.name, m.events(k).name, -inside(k));
+    [~, place, ~, ends] = m.hld (t, x, none);
+    error (["%s: %s: the start is beyond an end of the stop %s: expected %g to %g, found %g " ...
+            "(m or rad)"], who, m.name, m.events(k).name, ends(1:2,k), place(k));
   endif
 endfunction

@@ -183,6 +183,10 @@ function text = sizes_header (json, symbol, has_input)
   sets = gsmbp__orientation (json);
   skeleton = gsmbp__skeleton (json);
   np = sum (skeleton.points) + numel ([skeleton.parts.bodies]);
+  modes = 0;
+  if (isfield (json, "events") && ! isempty (json.events))
+    modes = [json.events.input, 0];
+  endif
   members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", np, base, rows (sets));
   [routines, meanings, declared] = subroutines (json);
   if (has_input)
@@ -192,6 +196,7 @@ function text = sizes_header (json, symbol, has_input)
   text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
           "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
           "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
+          "#define GSMBP_MODES ", sprintf("%d, ", modes), "\n", ...
           "#define GSMBP_TABLE ", strjoin(members, ", "), "\n", ...
           "#define GSMBP_ROUTINES ", routines{:}, "\n#define GSMBP_MEANINGS ", meanings{:}, "\n"];
 endfunction

@@ -29,6 +29,11 @@ function s = states (m, K)
   s.ud = 5 * half (d.nu);
   s.tau = 20 * half (d.nu);
   s.v = 3 * half (d.nv);
+  modes = zeros (1, 0);
+  if (! isempty (m.events))
+    modes = [m.events.input];
+  end
+  s.v(modes,:) = randi ([-1, 1], numel (modes), K);
   s.x = [s.q; s.u; half(d.nx - d.nq - d.nu)];
   if (d.nlam > 0)
     for k = 1:K

@@ -113,7 +113,18 @@ function pendulum ()
                diff (r.events.t(on)) - arrayfun (swing, w0 * 0.7 .^ (n(1:end-1) + 1)), 1e-9);
   said = gsmbp_complaint (@() gsmbp_simulate (m, [-1 0 0 0], [0 1]));
   gsmbp_check ("a start beyond a stop is an error that names it",
-               ! isempty (strfind (said, "the start is beyond an end of the stop S, by some 1")));
+               ! isempty (strfind (said, ["beyond an end of the stop S: expected 0 to 100, " ...
+                                          "found -1"])));
+  x = [1 0 0 0]';
+  v = zeros (m.sizes.nv, 1);
+  v(m.events(1).input) = 0.5;
+  for call = {@() m.rhs(0, x, v), @() gsmbp_fixture("batch_stop").rhs_v (0, [x x], [0.5, 0])}
+    gsmbp_check ("a mode of 0.5 among the inputs is an error that tells it",
+                 ! isempty (strfind (gsmbp_complaint (call{1}),
+                                     "a mode: expected -1, 0 or 1, found 0.5")));
+  end
+  [~, ~, ~, info] = m.rst (0, x, 0 * v, zeros (m.sizes.nmode, 1), 0);
+  gsmbp_check ("modes in their range are taken", info, 0);
   said = gsmbp_complaint (@() gsmbp_trim (m, [1; 0; 0; 0]));
   gsmbp_check ("no Jacobian where there are events, and what could help",
                ! isempty (strfind (said, "event_pendulum has events (")));

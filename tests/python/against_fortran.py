@@ -15,6 +15,7 @@ scene = importlib.import_module(name)
 fortran = ctypes.CDLL(library)
 model = scene.Model()
 random = np.random.default_rng(20240229)
+MODES = [i for i, name in enumerate(model.inputs) if name.endswith('.mode')]
 
 
 def sizes_of(row, k):
@@ -33,6 +34,8 @@ def value(argument, shape, whole):
         scale = np.append(model.nominal, [1.0, 1.0])[:n] if argument == 'X' else 1.0
         x[:len(x)] *= np.resize(scale, n)
         x[:m] += start[:m]
+    if argument == 'V':
+        x[MODES] = random.integers(-1, 2, len(MODES))
     return x.reshape(shape, order='F')
 
 

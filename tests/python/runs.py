@@ -63,8 +63,23 @@ def ball():
         refuses('a value for %s' % name, AttributeError, ['does not change'], setattr, m, name, 0)
     refuses('a linear model where there are events', AttributeError, ['JAC: the scene has events'],
             m.linearize, 0, [1, 0, 0, 3])
-    refuses('a mode of 2', ValueError, ['-1, 0 or 1'], m.simulate, [1, 0, 0, 0], [0, 1],
-            modes=[2, 0])
+    for modes in ([2, 0], [0.5, 0], [0]):
+        refuses('modes %s' % modes, ValueError, ['-1, 0 or 1', 'found [%g' % modes[0]], m.simulate,
+                [1, 0, 0, 0], [0, 1], modes=modes)
+    x = np.array([1.0, 0, 0, 3])
+    for what, v in (('one state', [0.5, 0]), ('many', [[0, 0, 0.5], [0, 0, 0]])):
+        refuses('a mode of 0.5 among the inputs of %s' % what, ValueError,
+                ['rhs: argument v: ground_stop.mode: expected -1, 0 or 1; found 0.5'], m.rhs, 0, x,
+                v)
+    refuses('a mode that is no number', event_ball.Error, ['INFO = -3'], m.rhs, 0, x, [math.nan, 0])
+    close('modes of many states', m.rhs(0, x, [[0, 1], [0, 0]])[2], [-9.81, 0], 1e-12)
+    refuses('a mode of 2 of a subroutine', ValueError, ['argument mode', 'from -1 to 1; found 2'],
+            m.evt, 0, x, [2, 0])
+    refuses('... of 0.5', TypeError, ['argument mode', 'whole'], m.evt, 0, x, [0.5, 0])
+    refuses('an event of no number', event_ball.Error, ['INFO = -5'], m.rst, 0, x, [0, 0], [0, 0],
+            3)
+    refuses('... of one beyond all integers', ValueError, ['argument k'], m.rst, 0, x, [0, 0],
+            [0, 0], 2**32)
 
 
 def crank():
@@ -125,6 +140,9 @@ def sampled():
           1e-12)
     on = m.simulate(r.x[:, 2], [0.04, 0.1], memory=None)
     holds('sampled: inputs are held outputs', np.isfinite(on.v).all() and on.v.shape[0] == 8)
+    for k in (-1, m.sizes['nctl'] + 1):
+        refuses('device %d' % k, ValueError, ['ctl: argument k: expected whole numbers from 0 to'],
+                m.ctl, k, 0, m.out(0, x), np.zeros(m.sizes['nxk']), np.zeros(m.sizes['nv']))
     steps = r.samples['v'][0] / (2 * math.pi / 4096)
     close('sampled: the encoder counts whole steps', steps, np.round(steps), 1e-9)
     holds('... and it turned', np.abs(steps).max() > 3)
@@ -181,7 +199,11 @@ def parameters():
             setattr, m, 'l1', 3)
     refuses('a state that is none', TypeError, ['argument x', 'found None'], m.rhs, 0, None)
     plain = slider_crank.Model()
-    for what, given in (('rtol', 'small'), ('input', {'v': 1}), ('breaks', 'late')):
+    for times in ([0, math.nan], [0, math.inf], [1, 0], [[0, 1]], ['0', '1'], None):
+        refuses('times %r' % times, ValueError, ['times: expected rising finite'], plain.simulate,
+                plain.initial, times)
+    for what, given in (('rtol', 'small'), ('input', {'v': 1}), ('breaks', 'late'),
+                        ('maxsteps', 0.5), ('maxsteps', 2**31), ('audit', -1.0), ('errors', 'no')):
         refuses('%s %r' % (what, given), ValueError, ['simulate: %s: expected' % what],
                 plain.simulate, plain.initial, [0, 1], **{what: given})
     refuses('a state of another shape', ValueError, ['argument x', '(7)', '(2,)'], m.rhs, 0, [1, 2])

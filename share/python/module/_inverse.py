@@ -23,9 +23,9 @@ def inverse(self, motion, times, *, side=1, guess=None, internal=None):
     """
     who = NAME + '.inverse'
     poly, planned = _run.planned_motion(who, motion)
-    times = np.atleast_1d(np.asarray(times, float))
-    if times.ndim != 1 or not np.isfinite(times).all() or not (np.diff(times) > 0).all():
-        raise ValueError('%s: times: expected rising finite times [s]' % who)
+    times = _run.rising(who, times)
+    if side not in (-1, 1):
+        raise ValueError('%s: side: expected 1 (right) or -1 (left); found %r' % (who, side))
     start = self.initial
     guess = _run._vector(who, 'guess', start[:SIZES['nq']] if guess is None else guess, SIZES['nq'])
     devices = start[SIZES['nq'] + SIZES['nu']:] if internal is None else internal

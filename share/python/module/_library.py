@@ -62,10 +62,15 @@ def python_name(name):
     return name + '_' if keyword.iskeyword(name) else name
 
 
+MODES = [event['input'] - 1 for event in TABLE.get('events') or []]   # places in v
+# whole numbers that the subroutine does not check itself
+RANGES = {'mode': (-1, 1), 'ctl.k': (0, SIZES['nctl'])}
+
+
 class Argument:
     """An argument that Python hands over: its name, kind, intent and sizes for one state."""
 
-    def __init__(self, name, shape, sizes, meaning):
+    def __init__(self, routine, name, shape, sizes, meaning):
         kind, _, rest = shape.rpartition(' ')
         self.name = python_name(name.lower())
         self.whole = kind == 'integer'
@@ -76,6 +81,8 @@ class Argument:
         self.given = self.intent in ('in', 'inout')
         self.result = self.intent in ('out', 'inout')
         self.optional = self.name == 'v' and self.intent == 'in'
+        full = routine + '.' + self.name
+        self.range = RANGES.get(self.name, RANGES.get(full, (-2**31, 2**31 - 1)))
 
     def text(self):
         shape = 'a number' if not self.sizes else 'shape (%s)' % ', '.join(map(str, self.sizes))
@@ -89,19 +96,39 @@ class Argument:
     def array(self, who, value):
         """The value as an array of the right type and number of dimensions, read in place."""
         try:
-            a = np.asarray(value)
+            a = given = np.asarray(value)
             if a.dtype != self.type:
                 a = a.astype(self.type, casting='same_kind' if a.dtype.kind != 'i' else 'unsafe')
         except (TypeError, ValueError):
             raise TypeError('%s: argument %s: expected %s numbers; found %s' % (
                 who, self.name, 'whole' if self.whole else 'real',
                 value.dtype if isinstance(value, np.ndarray) else repr(value)[:60])) from None
+        if self.whole and a.size:
+            self.within(who, given)
         n = len(self.sizes)
         if a.shape[:n] != self.sizes or a.ndim > n + 1:
             self.refuse(who, a.shape)
+        if MODES and self.name == 'v':
+            self.modes(who, a)
         if n > 1 or not a.flags.aligned:
             a = np.asfortranarray(a)
         return a
+
+    def within(self, who, a):
+        """Whole numbers in their range."""
+        for k in (a.min(), a.max()):
+            if not self.range[0] <= k <= self.range[1]:
+                raise ValueError('%s: argument %s: expected whole numbers from %d to %d; found %d'
+                                 % (who, self.name, *self.range, k))
+
+    def modes(self, who, v):
+        """The modes among the inputs; what is no number is the matter of the subroutine."""
+        for k in MODES:
+            mode = np.atleast_1d(v[k])
+            wrong = mode[~(np.isin(mode, (-1, 0, 1)) | np.isnan(mode))]
+            if wrong.size:
+                raise ValueError('%s: argument v: %s: expected -1, 0 or 1; found %g' % (
+                    who, TABLE['inputs'][k]['name'], wrong[0]))
 
 
 class Routine:
@@ -118,7 +145,7 @@ class Routine:
         self.checked = 'INFO' in row['arguments']
         leading = {s[s.index('(') + 1:s.index(',')] for s in row['shapes'] if ',*)' in s}
         self.arguments = [
-            Argument(*one) for one in zip(row['arguments'], row['shapes'], row['sizes'],
+            Argument(self.name, *one) for one in zip(row['arguments'], row['shapes'], row['sizes'],
                                           row['meanings'])
             if one[0] not in ('CST', 'INFO') and one[0] not in leading]
         given = [a for a in self.arguments if a.given]

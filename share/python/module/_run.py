@@ -117,6 +117,21 @@ def _vector(who, what, given, n):
     return a.astype(float)
 
 
+def rising(who, given):
+    """Times as an array."""
+    times = np.atleast_1d(np.asarray(given))
+    if (times.dtype.kind not in 'fiu' or times.ndim != 1 or not np.isfinite(times).all()
+            or not (np.diff(times.astype(float)) > 0).all()):
+        raise ValueError('%s: times: expected rising finite times [s]; found %s' % (
+            who, np.array2string(times, threshold=6)))
+    return np.ascontiguousarray(times, float)
+
+
+def _is_number(x):
+    x = np.asarray(x)
+    return x.shape == () and x.dtype.kind in 'fiub' and bool(np.isfinite(x))
+
+
 def _start(who, model, t, x0, start):
     if start not in ('check', 'project'):
         raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
@@ -332,9 +347,10 @@ class _Plan:
         self.model._has('evt', 'rst')
         self.given.events = RECORDED
         if modes is not None:
-            given = [int(m) for m in modes]
-            if len(given) != n or not set(given) <= {-1, 0, 1}:
-                raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1' % (self.who, n))
+            given = np.asarray(modes)
+            if given.shape != (n,) or not np.isin(given, (-1, 0, 1)).all():
+                raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1; found %r' % (
+                    self.who, n, modes))
             self.put('modes', given, np.intc)
 
 
@@ -393,14 +409,18 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     stats["failure"].
     """
     who = NAME + '.simulate'
-    times = np.ascontiguousarray(times, float)
-    if times.ndim != 1 or len(times) < 2 or not (np.diff(times) > 0).all():
-        raise ValueError('%s: times: expected two or more rising times [s], that of x0 first' % who)
+    times = rising(who, times)
+    if len(times) < 2:
+        raise ValueError('%s: times: expected two or more, that of x0 first' % who)
+    if errors not in ('raise', 'return'):
+        raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
     model, way = _way(who, self, loops)
     x = _start(who, model, times[0], x0, start)
     iopt, ropt, atol = _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift)
     if audit is not None:
         model._has('rha', 'ene')
+        if not (_is_number(audit) and audit > 0):
+            raise ValueError('%s: audit: expected an energy above 0 [J]; found %r' % (who, audit))
         x = np.append(x, [0.0, 0.0])
         atol = np.append(atol, [rtol * audit] * 2)
     p = _Plan(who, model, len(x))
@@ -454,9 +474,11 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
         step = 1e-3 if method == 'rk4' else 0.0
     for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps),
                          ('rtol', rtol)):
-        if np.asarray(number).dtype.kind not in 'fiub' or not (
-                np.isscalar(number) and np.isfinite(number) and number >= 0):
+        if not (_is_number(number) and number >= 0):
             raise ValueError('%s: %s: expected a number >= 0; found %r' % (who, name, number))
+    if maxsteps != int(maxsteps) or maxsteps >= 2**31:
+        raise ValueError('%s: maxsteps: expected a whole number below 2^31; found %r' % (
+            who, maxsteps))
     if method == 'rk4' and step == 0:
         raise ValueError('%s: step: expected a number above 0; found 0' % who)
     least = 10 * np.finfo(float).eps
