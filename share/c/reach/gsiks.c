@@ -4,12 +4,27 @@
 #include <math.h>
 #include <string.h>
 
-/* of the radicands rad of a branch: is none negative, one at its limit, one close to it? */
-static int
-is_real (int nm, const double *rad, const double *lim, int *edge, int *beside)
+/* what is large for every radicand */
+static double
+large (int nm, const double *lim)
 {
-  int real = 1;
+  double wide = 1e-4;
+  for (int i = 0; i < nm; i++)
+    wide = gs_max (wide, 1e7 * lim[i]);
+  return wide;
+}
+
+/* of the radicands rad of a branch: is none negative, one at its limit, one close to it? Where all
+ * are above wide, as they are as a rule, all is said. */
+static int
+is_real (int nm, const double *rad, const double *lim, double wide, int *edge, int *beside)
+{
+  int real = 1, low = 0;
   *edge = *beside = 0;
+  for (int i = 0; i < nm; i++)
+    low += ! (rad[i] > wide);
+  if (low == 0)
+    return 1;
   for (int i = 0; i < nm; i++)
     {
       if (! (rad[i] >= -1e-12))
@@ -47,7 +62,7 @@ gsiks (int n, int nb, int nm, const double *qc, const double *rad, const double 
        const double *res, double *qs, int ldq, int *ns, int *br, double *dst, int *near)
 {
   int info = 0, edge, beside;
-  double least = -1.0;
+  double least = -1.0, wide = large (nm, lim);
   *ns = *near = 0;
   dst[0] = dst[1] = 0.0;
   if (ldq < n)
@@ -60,7 +75,7 @@ gsiks (int n, int nb, int nm, const double *qc, const double *rad, const double 
     }
   for (int k = 0; k < nb; k++)
     {
-      int real = is_real (nm, rad + nm * k, lim, &edge, &beside);
+      int real = is_real (nm, rad + nm * k, lim, wide, &edge, &beside);
       *near = *near || beside;
       if (! reaches (real, res + 2 * k, &least, dst))
         continue;
@@ -82,10 +97,10 @@ gsikq (int n, const double *q, const double *qs, int ldq, int ns)
 {
   for (int k = 0; k < ns; k++)
     {
-      double d = 0.0;
-      for (int i = 0; i < n; i++)
-        d = gs_max (d, fabs (q[i] - qs[i + ldq * k]));
-      if (d <= 1e-12)
+      int i = 0;
+      while (i < n && ! (fabs (q[i] - qs[i + ldq * k]) > 1e-12))
+        i++;
+      if (i == n)
         return k + 1;
     }
   return 0;

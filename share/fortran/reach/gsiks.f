@@ -48,8 +48,8 @@ C
       IMPLICIT NONE
       INTEGER            N, NB, NM, LDQ, NS, BR(NB), NEAR, INFO
       DOUBLE PRECISION   QC(N,NB), RAD(NM,NB), LIM(NM), RES(2,NB)
-      DOUBLE PRECISION   QS(LDQ,NB), DST(2), LEAST, MISS
-      INTEGER            I, K, GSIKQ
+      DOUBLE PRECISION   QS(LDQ,NB), DST(2), LEAST, MISS, WIDE
+      INTEGER            I, K, GSIKQ, LOW
       LOGICAL            REAL, EDGE, BESIDE
       EXTERNAL           GSIKQ
 C
@@ -63,6 +63,10 @@ C
          RETURN
       END IF
       LEAST = -1.0D0
+      WIDE = 1.0D-4
+      DO 2 I = 1, NM
+         WIDE = MAX( WIDE, 1.0D7*LIM(I) )
+    2 CONTINUE
       DO 5 K = 1, NB
          BR(K) = 0
          DO 3 I = 1, N
@@ -73,14 +77,21 @@ C
          REAL = .TRUE.
          EDGE = .FALSE.
          BESIDE = .FALSE.
-         DO 10 I = 1, NM
-            IF ( .NOT.( RAD(I,K).GE.-1.0D-12 ) ) REAL = .FALSE.
-            IF ( RAD(I,K).LE.LIM(I) ) EDGE = .TRUE.
-            IF ( LIM(I).GT.1.0D-20 .AND.
-     $           ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) BESIDE = .TRUE.
-            IF ( LIM(I).LE.1.0D-20 .AND. RAD(I,K).GT.LIM(I) .AND.
-     $           RAD(I,K).LE.1.0D-4 ) BESIDE = .TRUE.
-   10    CONTINUE
+C        -- where all of RAD is large, as it is as a rule, all is said
+         LOW = 0
+         DO 8 I = 1, NM
+            IF ( .NOT.( RAD(I,K).GT.WIDE ) ) LOW = LOW + 1
+    8    CONTINUE
+         IF ( LOW.GT.0 ) THEN
+            DO 10 I = 1, NM
+               IF ( .NOT.( RAD(I,K).GE.-1.0D-12 ) ) REAL = .FALSE.
+               IF ( RAD(I,K).LE.LIM(I) ) EDGE = .TRUE.
+               IF ( LIM(I).GT.1.0D-20 .AND.
+     $              ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) BESIDE = .TRUE.
+               IF ( LIM(I).LE.1.0D-20 .AND. RAD(I,K).GT.LIM(I) .AND.
+     $              RAD(I,K).LE.1.0D-4 ) BESIDE = .TRUE.
+   10       CONTINUE
+         END IF
          IF ( BESIDE ) NEAR = 1
          MISS = MAX( RES(1,K), RES(2,K) )
          IF ( .NOT.( REAL .AND. MISS.LE.1.0D-9 ) ) THEN
@@ -123,24 +134,21 @@ C     LDQ     (input) INTEGER, LDQ >= N.
 C     NS      (input) INTEGER, columns, NS >= 0.
 C
 C     METHOD
-C     The largest difference of a component.
+C     Differences of components, up to the first that is larger.
 C
 C     ERROR INDICATOR
 C     None.
 C
       IMPLICIT NONE
       INTEGER            N, LDQ, NS, I, K
-      DOUBLE PRECISION   Q(N), QS(LDQ,*), D
+      DOUBLE PRECISION   Q(N), QS(LDQ,*)
 C
       GSIKQ = 0
       DO 20 K = 1, NS
-         D = 0.0D0
          DO 10 I = 1, N
-            D = MAX( D, ABS( Q(I) - QS(I,K) ) )
+            IF ( ABS( Q(I) - QS(I,K) ).GT.1.0D-12 ) GO TO 20
    10    CONTINUE
-         IF ( D.LE.1.0D-12 ) THEN
-            GSIKQ = K
-            RETURN
-         END IF
+         GSIKQ = K
+         RETURN
    20 CONTINUE
       END
