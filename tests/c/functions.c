@@ -7,7 +7,7 @@
 
 double gseps_ (void), gsflr_ (const double *);
 int gsfin_ (const int *, const double *);
-void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ ();
+void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ (), gsatv_ (), gsatl_ ();
 
 static const double odd[] = { 0.0,     -0.0,   0.5,  -0.5,  1.0,      -1.0,       1e5,      -1e5,
                               1.00001e5, -2e5, 1e22, -1e300, 1e-300, INFINITY, -INFINITY, NAN,
@@ -163,6 +163,50 @@ blocks (void)
   finish ();
 }
 
+/* points in all directions, near and on the axes too, of sizes from 1e-290 to 1e290; in every tenth
+ * turn an odd one among them */
+static void
+points (void)
+{
+  begin ("gsatv");
+  for (int k = 0; k < 400; k++)
+    {
+      int n = pick (7), wide = k % 3 == 0;
+      pair y = pair_of (8 * n), x = pair_of (8 * n), a = pair_of (8 * n);
+      for (int i = 0; i < 8 * n; i++)
+        {
+          double size = pow (10.0, (wide ? 290.0 : 1.0) * chance ());
+          x.c[i] = pick (5) ? size * chance () : pick (2) ? -0.0 : 0.0;
+          y.c[i] = x.c[i] == 0.0 || pick (5) ? size * chance () : pick (2) ? -0.0 : 0.0;
+        }
+      if (n > 0 && k % 10 == 0)
+        (pick (2) ? x.c : y.c)[pick (8 * n)] = odd[pick (ODD)];
+      gsatv (n, y.c, x.c, a.c);
+      gsatv_ (&n, y.c, x.c, a.f);
+      same (a);
+      drop (y);
+      drop (x);
+      drop (a);
+    }
+  finish ();
+}
+
+static void
+one_point (void)
+{
+  begin ("gsatl");
+  for (int i = 0; i < ODD; i++)
+    for (int k = 0; k < ODD; k++)
+      {
+        pair a = pair_of (1);
+        gsatl (odd[i], odd[k], a.c);
+        gsatl_ (odd + i, odd + k, a.f);
+        same (a);
+        drop (a);
+      }
+  finish ();
+}
+
 int
 main (void)
 {
@@ -172,5 +216,7 @@ main (void)
   one_angle ("gs_sines, in line", gs_sines, gssc_);
   one_angle ("gsscl", gsscl, gsscl_);
   blocks ();
+  points ();
+  one_point ();
   return 0;
 }

@@ -39,6 +39,12 @@ void gsscl (double x, double *s, double *c);
 /* sines s and cosines c of n blocks of eight angles x, (8,n) all */
 void gsscv (int n, const double *x, double *s, double *c);
 
+/* angles a of n blocks of eight points (x,y), (8,n) all, as atan2 (y, x) [rad] */
+void gsatv (int n, const double *y, const double *x, double *a);
+
+/* the same of one point by the library */
+void gsatl (double y, double x, double *a);
+
 #ifdef __cplusplus
 }
 #endif
