@@ -7,7 +7,8 @@
 
 double gseps_ (void), gsflr_ (const double *);
 int gsfin_ (const int *, const double *);
-void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ (), gsatv_ (), gsatl_ ();
+void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ ();
+void gsatv_ (), gsatl_ ();
 
 static const double odd[] = { 0.0,     -0.0,   0.5,  -0.5,  1.0,      -1.0,       1e5,      -1e5,
                               1.00001e5, -2e5, 1e22, -1e300, 1e-300, INFINITY, -INFINITY, NAN,

@@ -43,7 +43,7 @@ block (const double *restrict y, const double *restrict x, double *restrict a,
     }
 }
 
-/* The error is below 1.6 units in the last place. Where the larger of |x| and |y| is not within
+/* The error is below 1.7 units in the last place. Where the larger of |x| and |y| is not within
  * 1e-290 and 1e300, or something is no number, all are left to gsatl. */
 void
 gsatv (int n, const double *y, const double *x, double *a)

@@ -17,7 +17,7 @@ C     tangent Q is LOW/BIG, or where that is above 0.55
 C     (LOW - BIG)/(LOW + BIG), of an angle that is less by pi/4; a
 C     polynomial gives the angle, and the octant what is added to it: M
 C     times pi/4, as two numbers, of which the first has 48 bits, so that
-C     M times it is exact. The error is below 1.6 units in the last
+C     M times it is exact. The error is below 1.7 units in the last
 C     place. Where BIG is not within 1D-290 and 1D300, or something is no
 C     number, and in a precision beyond double, all are left to GSATL.
 C
