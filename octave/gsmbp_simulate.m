@@ -254,9 +254,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
-  [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m);
-  [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp);
-  ip = gsmbp__event_plan (who, m, o, ip);
+  [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
+  plan = gsmbp__sampled (who, m, o, times, plan);
+  plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0);
   [x0, atol] = audit_states (who, m, o, x0, atol);
   breaks = unique ([breaks, double(o.breaks(:)')]);
@@ -271,7 +271,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
       m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, ...
-                atol, ip, rp, guess, callback, library, o.maxorder);
+                atol, plan, guess, callback, library, o.maxorder);
   if (strcmp (method, "auto"))
     method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
   endif

@@ -17,6 +17,7 @@
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include "gsmbp_cvode.h"
+#include "gsmbp/inputs.h"
 
 #if SUNDIALS_VERSION_MAJOR != 6
 # error "gsmbp_cvode.c is written for SUNDIALS 6 (Debian 12: libsundials-dev)"
@@ -150,7 +151,7 @@ add_feedback (run *s, double t, double *x, double *A)
   int side = side_at (s, t), n = r->nx;
   for (int j = 0; j < n; j++)
     {
-      double old = x[j], h = (s->r->ip[0] == 3 ? 1e-7 : 1)
+      double old = x[j], h = (s->r->ip[GS_V0] == 3 ? 1e-7 : 1)
                              * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
       if (! (h > 0))
         h = 1e-7;
@@ -180,14 +181,15 @@ jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector
   double *A = SUNDenseMatrix_Data (J);
   (void) yd, (void) t1, (void) t2, (void) t3;
   memcpy (s->trial, N_VGetArrayPointer (y), sizeof (double) * r->nx);
-  if ((r->ip[0] != 0 || r->ip[1] != 0) && (info = inputs (s, t, side, s->trial, s->v)) != 0)
+  if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
+      && (info = inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
   ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &r->nx, s->b, &r->nx, s->c, &ldy, s->d, &ldy,
                         &info);
   if (info != 0 && info != 2
       && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
     return outcome (info);
-  if (r->nv > 0 && (r->ip[0] == 3 || r->ip[1] == 1)
+  if (r->nv > 0 && (r->ip[GS_V0] == 3 || r->ip[GS_FEEDBACK] == 1)
       && (info = add_feedback (s, t, s->trial, A)) != 0)
     return info;
   return ! all_finite (r->nx * r->nx, A);
@@ -507,7 +509,7 @@ static int
 jumps (run *s)
 {
   const gsmbp_run *r = s->r;
-  if (r->ip[0] == 3)
+  if (r->ip[GS_V0] == 3)
     return 1;
   if (inputs (s, s->t, -1, s->x, s->dv) != 0 || inputs (s, s->t, 1, s->x, s->v) != 0)
     return 1;   /* the next step will say what is wrong */

@@ -1,7 +1,7 @@
 /* The table that the scene's part of a module hands to the generic part:
    sizes from the JSON and the emitted subroutines. */
-#ifndef GSMBP_SCENE_H
-#define GSMBP_SCENE_H
+#ifndef GSMBP_GLUE_SCENE_H
+#define GSMBP_GLUE_SCENE_H
 #ifdef __cplusplus
 extern "C" {
 #endif

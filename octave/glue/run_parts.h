@@ -2,7 +2,7 @@
 // library of CVODE.
 #pragma once
 
-#include "arguments.h"
+#include "run_plan.h"
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
 // cross Fortran frames; it is kept and thrown again behind the run.
@@ -49,25 +49,6 @@ user_input (void)
   return S.vin;
 }
 
-// The plan of the samples (see GSSMP) in IP and RP: its periods and delays, room for what lies
-// behind the memory
-static void
-set_samples (reals& cst, std::vector<int>& ip, reals& rp)
-{
-  if (ip.size () < 30)
-    error ("%s.sim: ip is too short", S.name);
-  if (ip[25] <= 0)
-    return;
-  const int *is = &ip[ip[25] - 1];
-  int nc = is[0], nh = is[3], np = is[4], ns = is[5], first = ip[26] - 1;
-  if (nc != S.nctl || is[1] != S.nxk || is[2] != S.ny)
-    error ("%s.sim: the plan of the samples is not of this scene", S.name);
-  rp.resize (first + 2 * nc + nh + S.nxk + S.ny + S.nv + np * (1 + nh)
-                 + std::size_t (ns) * (1 + S.nxk + S.nv),
-             number (0));
-  routine ("ctp") (&cst[0], &rp[first], &rp[first + nc]);
-}
-
 // whether N numbers are finite, none above what the emitted subroutines take
 static bool
 fine (const number *x, int n)
@@ -92,6 +73,17 @@ outputs_at (const reals& cst, int k, const number *t, const number *x, int ldx, 
           y(j, i) = double (one[j]);
       }
   return y;
+}
+
+// numbers of RP from a place in the plan on
+static Matrix
+part_of (run_plan& plan, const double *place, int rows, int cols)
+{
+  Matrix m (rows, cols);
+  const number *from = m.isempty () ? nullptr : plan.at (place);
+  for (octave_idx_type i = 0; i < m.numel (); i++)
+    m.xelem (i) = double (from[i]);
+  return m;
 }
 
 // K rows of N numbers, handed over as a column each; zero where nothing is given
@@ -162,55 +154,30 @@ do_margins (arguments& a, int)
 // after a run: a struct of the outputs at the output times, the record of the samples, the memory
 // at the end
 static octave_value
-samples (const reals& cst, const std::vector<int>& ip, const reals& rp, const reals& tout,
-         const reals& xout, const reals& vout, int ldx, int ldv, int reached)
+samples (const reals& cst, run_plan& plan, const reals& tout, const reals& xout,
+         const reals& vout, int ldx, int ldv, int reached)
 {
-  if (ip[25] <= 0)
+  if (S.nctl == 0)
     return Matrix ();
-  const int *is = &ip[ip[25] - 1];
-  int nc = is[0], nh = is[3], np = is[4], ns = std::min (is[5], is[6]), width = 1 + S.nxk + S.nv;
-  const number *s = &rp[ip[26] - 1];
+  const gs_samples a = plan.samples ();
   octave_scalar_map r;
   Matrix y = outputs_at (cst, reached, &tout[0], &xout[0], ldx, &vout[0], ldv);
-  Matrix memory (S.nxk, 1), record (width, ns);
-  s += 2 * nc + nh;
-  for (int i = 0; i < S.nxk; i++)
-    memory(i) = double (s[i]);
-  s += S.nxk + S.ny + S.nv + np * (1 + nh);
-  for (octave_idx_type i = 0; i < record.numel (); i++)
-    record.xelem (i) = double (s[i]);
   r.assign ("y", y);
-  r.assign ("memory", memory);
-  r.assign ("record", record);
-  r.assign ("instants", is[6]);
+  r.assign ("memory", part_of (plan, a.memory, S.nxk, 1));
+  r.assign ("record", part_of (plan, a.record, 1 + S.nxk + S.nv, std::min (a.ns, *a.count)));
+  r.assign ("instants", *a.count);
   return octave_value (r);
-}
-
-// The plan of the events (see GSRES): room in RP
-static void
-set_events (std::vector<int>& ip, reals& rp, int nx)
-{
-  if (ip[27] <= 0)
-    return;
-  const int *ie = &ip[ip[27] - 1];
-  if (ie[0] != S.nev)
-    error ("%s.sim: the plan of the events is not of this scene", S.name);
-  ip[28] = int (rp.size ()) + 1;
-  rp.resize (rp.size () + 5 * ie[0] + 3 * nx + std::size_t (ie[1]) * (3 + 2 * nx), number (0));
 }
 
 // after a run: the record of the events, a column for each: time, number, mode after, states
 // before, states after; how many there were
 static octave_value_list
-events (const std::vector<int>& ip, const reals& rp, int nx)
+events (run_plan& plan, int nx)
 {
-  if (ip[27] <= 0)
+  if (S.nev == 0)
     return ovl (Matrix (), 0);
-  const int *ie = &ip[ip[27] - 1];
-  Matrix record (3 + 2 * nx, std::min (ie[1], ie[2]));
-  for (octave_idx_type i = 0; i < record.numel (); i++)
-    record.xelem (i) = double (rp[ip[28] - 1 + 5 * ie[0] + 3 * nx + i]);
-  return ovl (record, ie[2]);
+  const gs_events a = plan.events ();
+  return ovl (part_of (plan, a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), *a.count);
 }
 
 #if ! defined (GSMBP_QUAD)

@@ -21,8 +21,7 @@ struct simulation
   int nt, nb;
   std::vector<int> iopt;
   reals ropt, atol;
-  std::vector<int> ip;
-  reals rp;
+  std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of CVODE; "": GSSIM alone
   int order;             // the largest one of CVODE
@@ -60,14 +59,12 @@ simulation::simulation (arguments& a)
   read_options (a);
   ropt = a.vector ("ropt", 3);
   atol = a.vector ("atol", nx);
-  ip = a.integers ("ip", -1);
-  rp = a.vector ("rp", -1);
+  plan.reset (new run_plan (a.value ("plan").scalar_map_value (), nx));
   reals guess = a.vector ("guess", S.nu);
   input = a.value ("input function");
   library = a.value ("library").string_value ();
   order = a.integers ("largest order", 1)[0];
-  set_samples (cst, ip, rp);
-  set_events (ip, rp, nx);
+  plan->due_from (double (t0), cst);
   make_room (guess);
   find_routines ();
 }
@@ -92,8 +89,8 @@ simulation::make_room (const reals& guess)
   const int statistics = 20;
   ldx = std::max (1, nx);
   ldv = std::max (1, S.nv);
-  lw = 2 * S.nu * (ip[3] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu + 10 * S.nq + 7 * S.nlam
-       + 3 * S.nlam * S.nu + 60;
+  lw = 2 * S.nu * (plan->ip[GS_DERIVATIVES] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu
+       + 10 * S.nq + 7 * S.nlam + 3 * S.nlam * S.nu + 60;
   w = room (lw);
   xout = room (ldx * nt);
   vout = room (ldv * nt);
@@ -113,20 +110,21 @@ simulation::find_routines (void)
   // coordinate partitioning keeps the loops closed by itself, but CVODE projects in every way
   const bool project = iopt[1] != 1
                        && (euler || (loops && (iopt[1] != 3 || ! library.empty ())));
-  const bool drift = loops && iopt[2] == 1, sampled = ip[25] > 0, events = ip[27] > 0;
-  const bool planned = ip[0] == 2;
+  const bool drift = loops && iopt[2] == 1, sampled = S.nctl > 0, events = S.nev > 0;
+  const std::vector<int>& ip = plan->ip;
+  const bool planned = ip[GS_V0] == 2;
   rhs = routine (audit ? "rha" : "rhs").f;
   prj = needed (project, "prj");
   con = needed (partition || drift, "con");
   kin = needed (partition || iopt[4], "kin");
   cmd = needed (planned, "cmd");
-  clo = needed (planned && ip[2] == 1, "clo");
+  clo = needed (planned && ip[GS_CLOSED] == 1, "clo");
   out = needed (sampled && S.ny > 0, "out");
   ctl = needed (sampled, "ctl");
   evt = needed (events, "evt");
   rst = needed (events, "rst");
   vin = gsmbp_absent;
-  if (ip[0] == 3)
+  if (ip[GS_V0] == 3)
     vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
                                       : user_input ();
 }
@@ -140,8 +138,8 @@ simulation::by_gssim (void)
   times.insert (times.end (), tbrk.begin (), tbrk.begin () + nb);
   options.insert (options.end (), atol.begin (), atol.end ());
   fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst, sizes, &times[0],
-                    &x0[0], &iopt[0], &options[0], &ip[0], &rp[0], &cst[0], &xout[0], &vout[0],
-                    &istat[0], &rstat[0], &w[0], &info);
+                    &x0[0], &iopt[0], &options[0], &plan->ip[0], &plan->rp[0], &cst[0], &xout[0],
+                    &vout[0], &istat[0], &rstat[0], &w[0], &info);
 }
 
 #if ! defined (GSMBP_QUAD)
@@ -186,8 +184,8 @@ simulation::by_cvode (bool resume)
   r.iopt = &iopt[0];
   r.ropt = &ropt[0];
   r.atol = &atol[0];
-  r.ip = &ip[0];
-  r.rp = &rp[0];
+  r.ip = &plan->ip[0];
+  r.rp = &plan->rp[0];
   r.cst = &cst[0];
   r.xout = &xout[0];
   r.vout = &vout[0];
@@ -226,8 +224,8 @@ simulation::results (void) const
   octave_value_list list = ovl (result (xout, nx, nt), inputs, counters,
                                 result (rstat, int (rstat.size ())), info, seconds,
                                 std::string (&text[0]));
-  list.append (samples (cst, ip, rp, tout, xout, vout, ldx, ldv, istat[4]));
-  list.append (events (ip, rp, nx));
+  list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[4]));
+  list.append (events (*plan, nx));
   return list;
 }
 

@@ -8,6 +8,8 @@
 function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   who = "gsmbp_build";
   glue = gsmbp__place ("octave", "glue");
+  c = gsmbp__place ("share", "c");
+  cc = strtrim (mkoctfile ("-p", "CC"));
   fortran = gsmbp__place ("share", "fortran");
   quad = strcmp (precision, "quad");
   f77 = strtrim (mkoctfile ("-p", "F77"));
@@ -34,13 +36,17 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   common = fullfile (folder, precision, "common");
   runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
   archive = fullfile (common, "libgsmbp.a");
-  parts = [runtime; glob(fullfile (glue, "*.*"))];
+  parts = [runtime; glob(fullfile (glue, "*.*")); glob(fullfile (c, "gsmbp", "*.h")); ...
+           {fullfile(c, "inputs", "gslay.c")}];
   stamp = flags_stamp (common, [f77 " " common_flags " " digest(parts)]);
   if (gsmbp__older (archive, {stamp}))
     place = scratch (common);
     guard = onCleanup (@() remove (place));
-    gsmbp__run (who, sprintf ("cd %s && %s %s -c%s && ar rcs libgsmbp.a *.o", quote (place), ...
-                              f77, common_flags,
+    ## the layout of a run's plan is that of the run time in C (glue/run_plan.h)
+    gsmbp__run (who, sprintf (["cd %s && ln -s %s c && " ...
+                               "%s -std=c99 -O2 -fPIC -Ic -c c/inputs/gslay.c && " ...
+                               "%s %s -c%s && ar rcs libgsmbp.a *.o"], quote (place), quote (c), ...
+                              cc, f77, common_flags,
                               sprintf (" %s", ...
                                   cellfun (@quote, runtime, "UniformOutput", false){:})));
     gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
@@ -50,8 +56,9 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     place = scratch (common);
     guard = onCleanup (@() remove (place));
     gsmbp__run (who, ...
-                sprintf ("cd %s && ln -s %s glue && %s %s -c -o module.o glue/gsmbp_module.cc", ...
-                         quote (place), quote (glue), mkoctfile_command (), define));
+                sprintf (["cd %s && ln -s %s glue && ln -s %s c && " ...
+                          "%s %s -Ic -c -o module.o glue/gsmbp_module.cc"], quote (place), ...
+                         quote (glue), quote (c), mkoctfile_command (), define));
     gsmbp__put_in_place (who, fullfile (place, "module.o"), module);
   endif
 
@@ -68,7 +75,6 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     guard = onCleanup (@() remove (place));
     gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
                   sizes_header (json, symbol, ! isempty (input)));
-    cc = strtrim (mkoctfile ("-p", "CC"));
     say_if_long (who, source);
     gsmbp__run (who, ...
                 sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, ...

@@ -1,8 +1,7 @@
-## ip = gsmbp__event_plan (who, m, o, ip)
-## The plan of the events (share/fortran/events/gsres.f) behind the array IP of gsinp.f,
-## where the scene M has events.  O: the options of gsmbp_simulate.
+## plan = gsmbp__event_plan (who, m, o, plan)
+## The plan of a run with its events, where the scene M has such.  O: the options of gsmbp_simulate.
 
-function ip = gsmbp__event_plan (who, m, o, ip)
+function plan = gsmbp__event_plan (who, m, o, plan)
   n = numel (m.events);
   if (n == 0)
     if (! isempty (o.modes))
@@ -22,10 +21,8 @@ function ip = gsmbp__event_plan (who, m, o, ip)
            && all (any (o.modes(:) == [-1, 0, 1], 2))))
     error ("%s: option modes: expected %d numbers, each -1, 0 or 1", who, n);
   endif
-  modes = zeros (1, n);
-  modes(1:numel (o.modes)) = o.modes;
-  kinds = 1 + strcmp ({m.events.kind}, "stop");
-  ip(28) = numel (ip) + 1;
-  ip = [ip, n, 10000, 0, 0, ! isempty(o.modes), zeros(1, 5), modes, [m.events.input], kinds, ...
-        zeros(1, 3 * n)];
+  plan.modes = double (o.modes(:)');
+  plan.events = 10000;
+  plan.event_inputs = [m.events.input];
+  plan.event_kinds = 1 + strcmp ({m.events.kind}, "stop");
 endfunction

@@ -1,10 +1,9 @@
-## [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
-## The plan of the samples (share/fortran/inputs/gssmp.f) behind the arrays IP and RP of
-## gsinp.f, where the scene M has sampled devices.  O: the options of
-## gsmbp_simulate (memory, held, samples); periods and delays are filled in by
+## plan = gsmbp__sampled (who, m, o, times, plan)
+## The plan of a run with its samples, where the scene M has sampled devices.  O: the options of
+## gsmbp_simulate (memory, samples); periods, delays and the first samples are filled in by
 ## the module.
 
-function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
+function plan = gsmbp__sampled (who, m, o, times, plan)
   d = m.sizes;
   nc = numel (m.controllers);
   if (nc == 0)
@@ -31,31 +30,17 @@ function [ip, rp] = gsmbp__sampled (who, m, o, times, ip, rp)
     error ("%s: option memory: expected %d finite numbers", who, d.nxk);
   endif
   check_memory (who, m, double (memory(:)'));
-  held = vertcat (m.controllers.outputs);
-  ## the sample k is at k*period; a start that differs from one by rounding only is one
-  k = round (times(1) ./ period);
-  k(abs (k .* period - times(1)) > 8 * eps * abs (times(1))) = NaN;
-  k(isnan (k)) = ceil (times(1) ./ period(isnan (k)));
-  if (any (times(end) ./ period > 2e9))
+  plan.memory = double (memory(:)');
+  if (any (max (abs (times([1, end]))) ./ period > 2e9))
     error ("%s: more than 2e9 samples", who);
   endif
-  places = sum ((delay > 0) .* (floor (delay ./ period + 1e-9) + 2));
-  instants = 0;
+  plan.on_the_way = sum ((delay > 0) .* (floor (delay ./ period + 1e-9) + 2));
   if (o.samples)
-    instants = sum ((1 + (delay > 0)) .* (floor ((times(end) - times(1)) ./ period) + 2));
+    plan.instants = sum ((1 + (delay > 0)) .* (floor ((times(end) - times(1)) ./ period) + 2));
   endif
-  again = double ([m.controllers.again])(:);
-  counts = cellfun (@numel, {m.controllers.outputs})(:);
-  plan = [nc; d.nxk; d.ny; numel(held); places; instants; 0; 0; 0; 0; k; counts; again; held; ...
-          zeros(places, 1)];
-  first = numel (ip) + 1;
-  ip(23:27) = [numel(held), first + 10 + 3 * nc, numel(rp) + 2 * nc + 1, first, numel(rp) + 1];
-  ip = [ip, plan'];
-  start = zeros (1, d.nv);
-  if (isnumeric (o.input) && numel (o.input) == d.nv)
-    start = double (o.input(:)');
-  endif
-  rp = [rp, period', delay', start(held), double(memory(:)')];
+  plan.held_counts = cellfun (@numel, {m.controllers.outputs});
+  plan.again = double ([m.controllers.again]);
+  plan.held_inputs = vertcat (m.controllers.outputs)';
 endfunction
 
 ## what the entries say of a memory that can be

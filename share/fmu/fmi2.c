@@ -13,21 +13,14 @@ typedef struct
   char *name;
 } instance;
 
-static void
-log_line (const instance *c, fmi2Status status, const char *text)
-{
-  const char *category = status == fmi2Discard ? "logStatusDiscard" : "logStatusError";
-  if (c->back.logger)
-    c->back.logger (c->back.componentEnvironment, c->name, status, category, "%s", text);
-}
-
 /* a status of this folder as one of the standard; its sentence is logged */
 static fmi2Status
 tell (const instance *c, int status)
 {
   static const fmi2Status all[] = { fmi2OK, fmi2Warning, fmi2Discard, fmi2Error };
-  if (status >= GSF_DISCARD)
-    log_line (c, all[status], c->a->text);
+  if (status != GSF_OK && c->back.logger)
+    c->back.logger (c->back.componentEnvironment, c->name, all[status], gsf_category[status], "%s",
+                    c->a->text);
   return all[status];
 }
 

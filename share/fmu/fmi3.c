@@ -17,9 +17,8 @@ static fmi3Status
 tell (const instance *c, int status)
 {
   static const fmi3Status all[] = { fmi3OK, fmi3Warning, fmi3Discard, fmi3Error };
-  if (status >= GSF_DISCARD && c->log)
-    c->log (c->environment, all[status],
-            status == GSF_DISCARD ? "logStatusDiscard" : "logStatusError", c->a->text);
+  if (status != GSF_OK && c->log)
+    c->log (c->environment, all[status], gsf_category[status], c->a->text);
   return all[status];
 }
 

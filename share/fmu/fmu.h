@@ -99,6 +99,8 @@ int gsf_nz (const gsf_model *m);
 /* ------------------------------------------------------------------------------------- instance */
 
 enum { GSF_OK, GSF_WARNING, GSF_DISCARD, GSF_ERROR };
+/* under which category each of them is logged */
+extern const char *const gsf_category[];
 
 enum gsf_phase
 {
@@ -153,6 +155,7 @@ typedef struct
   /* parts of i */
   int *set;        /* nx: 1 where the start was set */
   int *place;      /* ns: numbers of the states that z holds */
+  int *passed;     /* nmargins: 1 where a margin was passed at the end of the last step */
   int *ip;
   /* workspace */
   double *v, *xd, *y, *g, *w;
@@ -185,6 +188,10 @@ int gsf_enter (gsf_instance *a);
 int gsf_exit (gsf_instance *a);
 /* is the start within the stops and margins of the devices? */
 int gsf_possible (gsf_instance *a);
+/* a warning where a device has left the range of its laws since the last call */
+int gsf_watch (gsf_instance *a);
+/* adds to the text a margin that is passed at t in the state x under the inputs v */
+void gsf_outside (gsf_instance *a, double t, const double *x, const double *v);
 
 /* values by reference */
 int gsf_get (gsf_instance *a, unsigned reference, double *value);

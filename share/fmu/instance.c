@@ -94,7 +94,8 @@ divide (gsf_instance *a)
   a->rp = a->p + gsf_partition_size (s);
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
-  a->ip = a->place + gsf_ns (m);
+  a->passed = a->place + gsf_ns (m);
+  a->ip = a->passed + m->nmargins;
 }
 
 static size_t
@@ -108,7 +109,7 @@ numbers (const gsf_model *m)
 static size_t
 wholes (const gsf_model *m)
 {
-  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + gsf_plan_wholes (m);
+  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + gsf_plan_wholes (m);
 }
 
 /* workspace of a run, of the settled states, of the partition */
@@ -189,6 +190,9 @@ gsf_reset (gsf_instance *a)
 }
 
 /* ------------------------------------------------------------------------------ what goes wrong */
+
+const char *const gsf_category[]
+    = { "", "logStatusWarning", "logStatusDiscard", "logStatusError" };
 
 int
 gsf_fail (gsf_instance *a, int status, const char *format, ...)

@@ -1,8 +1,10 @@
 /* start.c: where no run can start: a port beyond an end of its stop, a device where its laws do not
- * hold. */
+ * hold; devices that leave the range of their laws later. */
 #include "fmu.h"
 
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* no port with a stop is beyond its ends; pos, speed, ends and row: as gs_hld writes them */
 static int
@@ -39,19 +41,27 @@ is_kept (gsf_instance *a, int k, double *margin, double *size)
   return kept;
 }
 
-/* the laws of all devices hold */
+/* does margin k hold? margin: what is found, then room for as many sizes */
 static int
-within_margins (gsf_instance *a, double *margin, double *size)
+holds (gsf_instance *a, int k, double *margin)
 {
   const gsf_model *m = a->m;
-  for (int k = 0; k < m->nmargins; k++)
-    if (! is_kept (a, k, margin, size))
-      {
-        m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
-        return gsf_fail (a, GSF_ERROR,
-                         "a device cannot start there: %s: expected above 0, found %g",
-                         m->margins[k], margin[k]);
-      }
+  double *size = margin + m->nmargins;
+  const int kept = is_kept (a, k, margin, size);
+  if (! kept)
+    m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
+  return kept;
+}
+
+/* the laws of all devices hold */
+static int
+within_margins (gsf_instance *a, double *margin)
+{
+  for (int k = 0; k < a->m->nmargins; k++)
+    if (! holds (a, k, margin))
+      return gsf_fail (a, GSF_ERROR,
+                       "a device cannot start there: %s: expected above 0, found %g",
+                       a->m->margins[k], margin[k]);
   return GSF_OK;
 }
 
@@ -66,7 +76,54 @@ gsf_possible (gsf_instance *a)
   if (status == GSF_OK && s->nev > 0)
     status = within_stops (a, w, w + s->nev, w + 2 * s->nev, w + 6 * s->nev);
   if (status == GSF_OK)
-    status = within_margins (a, w, w + a->m->nmargins);
+    status = within_margins (a, w);
   free (w);
   return status;
+}
+
+int
+gsf_watch (gsf_instance *a)
+{
+  const gsf_model *m = a->m;
+  double *margin = malloc ((2 * m->nmargins + 1) * sizeof *margin);
+  if (! margin)
+    return gsf_fail (a, GSF_ERROR, "out of memory");
+  int status = m->nmargins > 0 ? gsf_inputs (a) : GSF_OK;
+  for (int k = 0; k < m->nmargins && status == GSF_OK; k++)
+    {
+      const int was = a->passed[k];
+      a->passed[k] = ! holds (a, k, margin);
+      if (a->passed[k] && ! was)
+        status = gsf_fail (a, GSF_WARNING, "a device has left the range of its laws at or before "
+                           "t = %.9g s: %s: expected above 0, found %g", a->d[GSF_T],
+                           m->margins[k], margin[k]);
+    }
+  free (margin);
+  return status;
+}
+
+void
+gsf_outside (gsf_instance *a, double t, const double *x, const double *v)
+{
+  const gsf_model *m = a->m;
+  const size_t n = strlen (a->text), nx = m->scene->nx;
+  const double now = a->d[GSF_T];
+  double *room = malloc ((2 * m->nmargins + nx) * sizeof *room);
+  if (! room)
+    return;
+  memcpy (room, a->x, nx * sizeof *room);
+  memcpy (a->x, x, nx * sizeof *room);
+  memcpy (a->v, v, m->scene->nv * sizeof *v);
+  a->d[GSF_T] = t;
+  for (int k = 0; k < m->nmargins; k++)
+    if (! holds (a, k, room + nx))
+      {
+        snprintf (a->text + n, sizeof a->text - n, "; outside a margin: %s: expected above 0, "
+                  "found %g", m->margins[k], room[nx + k]);
+        break;
+      }
+  memcpy (a->x, room, nx * sizeof *room);
+  a->d[GSF_T] = now;
+  a->known = 0;
+  free (room);
 }

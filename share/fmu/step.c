@@ -1,6 +1,7 @@
 /* step.c: a communication step of co-simulation, by the integrator of Dormand and Prince of the run
  * time, with projection onto the constraints, events and samples (gssim). */
 #include "fmu.h"
+#include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
 #include "plan.h"
 
@@ -12,7 +13,7 @@ enum { GSF_MOST_STEPS = 10000000 };
 static const char *const routines[] = { "", "inputs", "rhs", "prj", "con", "gsprt", "out", "rst" };
 
 static int
-run_failed (gsf_instance *a, const gs_run *run, int info)
+why_failed (gsf_instance *a, const gs_run *run, int info)
 {
   const int which = run->istat[GS_FAILED];
   const double t = run->rstat[GS_T_REACHED];
@@ -32,6 +33,15 @@ run_failed (gsf_instance *a, const gs_run *run, int info)
   else if (info > 0)
     why = "a state or a rate is not finite";
   return gsf_fail (a, GSF_ERROR, "the run ended at t = %.15g s: %s", t, why);
+}
+
+static int
+run_failed (gsf_instance *a, const gs_run *run, int info)
+{
+  const int status = why_failed (a, run, info);
+  if (info > 0 && gsfin (a->m->scene->nx, run->xout) == 0)
+    gsf_outside (a, run->rstat[GS_T_REACHED], run->xout, run->vout);
+  return status;
 }
 
 /* the options of a run */
@@ -110,5 +120,5 @@ gsf_step (gsf_instance *a, double t)
     return run_failed (a, &run, info);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
   arrive (a, t);
-  return GSF_OK;
+  return gsf_watch (a);
 }

@@ -25,6 +25,21 @@ END
 share/fmu/derive "$work/press.mac" "$work/fmu" >"$report" 2>&1
 told $? 'press becomes FMUs' "$report"
 tests/fmu/drive "$work/fmu" press 0.01 0 0
+# the rod is driven out of its stroke, back and out at the other end
+cat >"$work/stroke.mac" <<'END'
+scene : gsmbp_scene("stroke", link(ram, mass = 100*kg),
+  prismatic(guide, ground, ram, axis = x, coordinate = s, start = 0.3*m), input(opening, unit = 1),
+  hydraulic_cylinder(cyl, joint = guide, variant = static, u = opening))$
+END
+share/fmu/derive "$work/stroke.mac" "$work/fmu" >"$report" 2>&1
+told $? 'stroke becomes FMUs' "$report"
+tests/fmu/drive "$work/fmu" stroke 0.98 -1 0.001 | tee "$work/said"
+grep -v ': 2 margins' "$work/said" >"$report"
+result 'they are the two ends of the stroke'
+tests/fmu/drive "$work/fmu" stroke 0.98 -1 0.003 | sed 's/not ok/said/' >"$work/said"
+grep -v 'outside a margin: cyl: piston within its stroke, rod out' "$work/said" >"$report"
+[ -s "$work/said" ] || echo 'nothing was said' >>"$report"
+result 'a run that ends far beyond its stroke says so'
 # a name that a file of all FMUs has, too; capitals
 for scene in step Fmi2 fmi2; do
   sed "s/@name@/$scene/" tests/data/rod.in >"$work/$scene.mac"

@@ -14,6 +14,8 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   fragments   texts of Fortran statements in gsmbp/ beside the folder that prints it
   unprinted   ... in that folder, beside the files that print statements
   readers     functions that read words of Fortran
+  layouts     places of the plan of a run (IP, RP) by number outside of the run time, whose file
+              share/c/inputs/gslay.c lays it out for everybody
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
 import contextlib
@@ -32,6 +34,7 @@ FRAGMENT = re.compile(r'CALL |\bIF \(|\bDO "?\d|CONTINUE|DOUBLE PRECISION|\bINTE
                       r'\bRETURN\b|GO TO|\.(?:EQ|NE|GT|LT|GE|LE|AND|OR|NOT)\.|INFO = |END IF')
 PRINTERS = ('statement_text', 'statements', 'expressions', 'lines', 'routine', 'header')
 READER = re.compile(r'gs__(?:tokens|plain_tokens|identifiers|array_of)[( )]')
+LAYOUT = re.compile(r'(?<![&>])\b(?:\w+(?:->|\.))*[iIrR][pP] ?[\[(] ?\(?\d')   # &ip[0] is all
 ORDINAL = re.compile(r'\b(?:third|fourth|fifth|sixth|seventh|eighth|ninth|tenth)\s*\(')
 
 
@@ -109,6 +112,21 @@ def unprinted(root):
     return [f for f in fragments(root) if '/fortran/' in f[0] and name(f[0]) not in PRINTERS]
 
 
+def layouts(root):
+    """the lines of octave/, share/python, share/fmu, share/package_c that number places of IP or
+    RP"""
+    for top in ('octave', 'share/python', 'share/fmu', 'share/package_c'):
+        for folder, _, files in os.walk(os.path.join(root, top)):
+            for f in sorted(files):
+                path = os.path.relpath(os.path.join(folder, f), root)
+                if not f.endswith(('.m', '.c', '.h', '.cc', '.py')):
+                    continue
+                with open(os.path.join(root, path), errors='replace') as lines:
+                    for k, line in enumerate(lines, 1):
+                        if LAYOUT.search(line):
+                            yield '%s:%d' % (path, k)
+
+
 def place(definition):
     return '%s:%d %s' % (definition.file, definition.line, definition.name)
 
@@ -133,6 +151,7 @@ def found(root):
         'fragments': ['%s %s' % f for f in fragments(root) if '/fortran/' not in f[0]],
         'unprinted': ['%s %s' % f for f in unprinted(root)],
         'readers': sorted({place(d) for d in code if READER.search(d.body.split(d.name, 1)[-1])}),
+        'layouts': list(layouts(root)),
     }
 
 

@@ -533,7 +533,7 @@ def _result(who, model, p, run, method, audit, errors):
     x = run['x'][:NX, :reached]
     r = Result(t=t, x=x, v=v, y=None, samples=None, events=None, audit=None)
     r.stats = _stats(model, run, method)
-    text = failure(run) if run['info'] != 0 else None
+    text = failure(run) + outside(model, run) if run['info'] != 0 else None
     r.stats['failure'] = text
     if text is not None and errors != 'return':
         raise Error('%s: %s' % (who, text), run['info'], r)
@@ -586,6 +586,18 @@ def failure(run):
     if info != 1 and counts[13] > 0:
         text += '; the steps are bound by stability'
     return text
+
+
+def outside(model, run):
+    """What is added to that where devices were outside their margins in the last state."""
+    k = int(run['counts'][4])
+    if k >= len(run['times']):
+        return ''
+    x, v = run['x'][:NX, k:k + 1], run['v'][:NV, k:k + 1]
+    if not (np.isfinite(x).all() and np.isfinite(v).all()):
+        return ''
+    return ''.join('; outside a margin: ' + sentence
+                   for sentence, _ in margins(model, run['values'][7:8], x, v))
 
 
 def _failed(number, info, at):

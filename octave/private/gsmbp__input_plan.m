@@ -1,38 +1,35 @@
-## [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m)
-## The arrays IP, RP of share/fortran/inputs/gsinp.f, the breaks and the function to call back.
-## O: the options of gsmbp_simulate.
+## [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
+## What the inputs are in a run: the fields of gs_plan (share/c/gsmbp/plan.h, which says what they
+## mean; [] is none) as a struct, the breaks and the function to call back.  O: the options of
+## gsmbp_simulate.  Where these numbers lie in IP and RP the run time knows alone.
 
-function [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m)
+function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
   d = m.sizes;
-  ip = zeros (1, 30);
-  ip(4) = m.order;
-  rp = breaks = [];
+  plan = struct ("inputs", 0, "derivatives", m.order, "constants", [], "table", [], ...
+                 "motion", [], "planned", [], "reference", [], "gain", [], "limits", [], ...
+                 "memory", [], "on_the_way", 0, "instants", 0, "modes", [], "events", 0);
   callback = 0;
   if (! isempty (o.motion))
     if (! isempty (o.input))
       error ("%s: give \"input\" or \"motion\", not both", who);
     endif
     [pp, planned] = gsmbp__motion (who, m, o.motion);
-    ip(1) = 2;
-    ip(3) = d.nlam > 0 && numel (planned) < d.nu;
-    ip(5) = numel (planned);
-    ip(22) = d.nq + d.nu + 1;
-    ip(30 + (1:numel (planned))) = planned;
-    [ip, rp, breaks] = put (ip, rp, breaks, 10, pp);
+    plan.inputs = 2;
+    plan.planned = planned;
+    plan.motion = pieces (pp);
   elseif (isempty (o.input))
-    ip(9) = 1;
-    rp = zeros (1, d.nv);
+    plan.constants = zeros (1, d.nv);
   elseif (isstruct (o.input))
-    ip(1) = 1;
-    [ip, rp, breaks] = put (ip, rp, breaks, 6, gsmbp__pp (who, o.input, d.nv, "the input"));
+    plan.inputs = 1;
+    plan.table = pieces (gsmbp__pp (who, o.input, d.nv, "the input"));
   elseif (is_function_handle (o.input))
-    ip(1) = 3;
+    plan.inputs = 3;
     callback = o.input;
   elseif (ischar (o.input))
     if (! strcmp (o.input, "user"))
       error ("%s: input \"%s\" is not known; only \"user\" is a word here", who, o.input);
     endif
-    ip(1) = 3;
+    plan.inputs = 3;
   else
     constants = o.input;
     if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv ...
@@ -41,8 +38,7 @@ function [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m)
               "function handle or \"user\", found %s"], who, d.nv, strjoin (m.inputs', ", "), ...
              gsmbp__shown (constants));
     endif
-    ip(9) = 1;
-    rp = double (constants(:)');
+    plan.constants = double (constants(:)');
   endif
 
   if (isempty (o.gain) && ! isempty (o.reference))
@@ -52,16 +48,21 @@ function [ip, rp, breaks, callback] = gsmbp__input_arrays (who, o, m)
     if (isempty (o.reference))
       error ("%s: a gain needs a reference, the state about which it acts", who);
     endif
-    ip(2) = 1;
-    [ip, rp, breaks] = put (ip, rp, breaks, 14, ...
-                            as_pp (who, o.reference, [d.nx 1], "the reference"));
-    [ip, rp, breaks] = put (ip, rp, breaks, 18, as_pp (who, o.gain, [d.nv d.nx], "the gain"));
+    plan.reference = pieces (as_pp (who, o.reference, [d.nx 1], "the reference"));
+    plan.gain = pieces (as_pp (who, o.gain, [d.nv d.nx], "the gain"));
   endif
-  [ip, rp] = limits (who, m, o, ip, rp);
+  plan.limits = limits (who, m, o);
+  breaks = [];
+  for part = {plan.table, plan.motion, plan.reference, plan.gain}
+    if (! isempty (part{1}))
+      breaks = [breaks, part{1}.numbers(2:part{1}.np)];
+    endif
+  endfor
 endfunction
 
-## what bounds the inputs of a state feedback, behind RP
-function [ip, rp] = limits (who, m, o, ip, rp)
+## what bounds the inputs of a state feedback, NV lower limits and NV upper ones
+function bounds = limits (who, m, o)
+  bounds = [];
   given = o.limits;
   nv = m.sizes.nv;
   if (isempty (given))
@@ -87,15 +88,13 @@ function [ip, rp] = limits (who, m, o, ip, rp)
     error ("%s: option limits: of %s the lower limit must be below the upper one; found %g and %g",
            who, m.inputs{k}, given(k,1), given(k,2));
   endif
-  ip(30) = numel (rp) + 1;
-  rp = [rp, max(min (given, 1e300), -1e300)(:)'];
+  bounds = max (min (given, 1e300), -1e300)(:)';
 endfunction
 
-## a piecewise polynomial into RP, its description into IP(PLACE:PLACE+3)
-function [ip, rp, breaks] = put (ip, rp, breaks, place, pp)
-  ip(place:place+3) = [pp.pieces, pp.order, numel(rp) + 1, numel(rp) + numel(pp.breaks) + 1];
-  rp = [rp, pp.breaks(:)', pp.coefs(:)'];
-  breaks = [breaks, pp.breaks(2:end-1)(:)'];
+## a piecewise polynomial as gs_pieces
+function p = pieces (pp)
+  p = struct ("nc", prod (pp.dim), "np", pp.pieces, "k", pp.order, ...
+              "numbers", [pp.breaks(:)', pp.coefs(:)']);
 endfunction
 
 ## a constant array as a piecewise polynomial of one piece

@@ -1,0 +1,170 @@
+// The plan of a run: what gsmbp_simulate says of its inputs, samples and events, laid out in IP and
+// RP by gs_lay of share/c, which alone knows where they stand.
+#pragma once
+
+#include "arguments.h"
+#include "gsmbp/plan.h"
+
+#include <list>
+
+class run_plan
+{
+public:
+
+  // the fields of gs_plan, and those of gs_scene that are for the plan; [] is none
+  run_plan (const octave_scalar_map& given, int nx);
+
+  // periods, delays and first samples of a run from T0 on
+  void due_from (double t0, const reals& cst);
+
+  // the parts of the plan: in IP, and in a copy of RP in double precision
+  gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
+  gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
+
+  // the place in RP of one in that copy
+  number *at (const double *place) { return &rp[place - &m_rp[0]]; }
+
+  std::vector<int> ip;
+  reals rp;
+
+private:
+
+  typedef std::vector<double> doubles;
+
+  const double *numbers (const char *name, int size);
+  const int *wholes (const char *name, int size);
+  gs_pieces pieces (const char *name);
+  int whole (const char *name) { return m_given.contents (name).int_value (); }
+  void read_scene (void);
+
+  octave_scalar_map m_given;
+  std::list<doubles> m_numbers;            // what m_scene and gs_plan point to
+  std::list<std::vector<int>> m_wholes;
+  gs_scene m_scene;
+  int m_nx;
+  doubles m_rp;
+};
+
+// SIZE numbers of a field, a null pointer where it is []
+const double *
+run_plan::numbers (const char *name, int size)
+{
+  Matrix m = m_given.contents (name).matrix_value ();
+  if (m.isempty ())
+    return nullptr;
+  if (m.numel () != size)
+    error ("%s.sim: %s: expected %d numbers, found %d", S.name, name, size, int (m.numel ()));
+  m_numbers.emplace_back (m.data (), m.data () + m.numel ());
+  return m_numbers.back ().data ();
+}
+
+const int *
+run_plan::wholes (const char *name, int size)
+{
+  const double *x = numbers (name, size);
+  m_wholes.emplace_back ();
+  if (x)
+    m_wholes.back ().assign (x, x + size);
+  return x ? m_wholes.back ().data () : nullptr;
+}
+
+// a piecewise polynomial: a struct with the fields of gs_pieces
+gs_pieces
+run_plan::pieces (const char *name)
+{
+  octave_value field = m_given.contents (name);
+  gs_pieces p = { 0, 0, 0, nullptr };
+  if (! field.isstruct ())
+    return p;
+  octave_scalar_map given = field.scalar_map_value ();
+  p.nc = given.contents ("nc").int_value ();
+  p.np = given.contents ("np").int_value ();
+  p.k = given.contents ("k").int_value ();
+  Matrix m = given.contents ("numbers").matrix_value ();
+  if (m.numel () != p.np + 1 + p.nc * p.np * p.k)
+    error ("%s.sim: %s: expected %d numbers, found %d", S.name, name,
+           p.np + 1 + p.nc * p.np * p.k, int (m.numel ()));
+  m_numbers.emplace_back (m.data (), m.data () + m.numel ());
+  p.numbers = m_numbers.back ().data ();
+  return p;
+}
+
+// CTP in double precision, as gs_due_from calls it
+static const reals *the_constants = nullptr;
+
+extern "C" void
+gsmbp_periods (const double *, double *period, double *delay)
+{
+  reals p = room (S.nctl), d = room (S.nctl);
+  routine ("ctp") (&(*the_constants)[0], &p[0], &d[0]);
+  std::copy (p.begin (), p.end (), period);
+  std::copy (d.begin (), d.end (), delay);
+}
+
+void
+run_plan::read_scene (void)
+{
+  m_scene = gs_scene ();
+  m_scene.nq = S.nq;
+  m_scene.nu = S.nu;
+  m_scene.nx = S.nx;
+  m_scene.nv = S.nv;
+  m_scene.ny = S.ny;
+  m_scene.nlam = S.nlam;
+  m_scene.ctp = gsmbp_periods;
+  m_scene.nev = S.nev;
+  m_scene.nctl = S.nctl;
+  m_scene.nxk = S.nxk;
+  if (S.nev > 0)
+    {
+      m_scene.event_inputs = wholes ("event_inputs", S.nev);
+      m_scene.event_kinds = wholes ("event_kinds", S.nev);
+    }
+  if (S.nctl > 0)
+    {
+      m_scene.held_counts = wholes ("held_counts", S.nctl);
+      m_scene.again = wholes ("again", S.nctl);
+      for (int k = 0; k < S.nctl; k++)
+        m_scene.nheld += m_scene.held_counts[k];
+      m_scene.held_inputs = wholes ("held_inputs", m_scene.nheld);
+    }
+}
+
+run_plan::run_plan (const octave_scalar_map& given, int nx)
+  : m_given (given), m_nx (nx)
+{
+  read_scene ();
+  gs_plan p = gs_plan ();
+  p.s = &m_scene;
+  p.nx = nx;
+  p.inputs = whole ("inputs");
+  p.derivatives = whole ("derivatives");
+  p.constants = numbers ("constants", S.nv);
+  p.table = pieces ("table");
+  p.motion = pieces ("motion");
+  p.planned = wholes ("planned", p.motion.nc);
+  p.reference = pieces ("reference");
+  p.gain = pieces ("gain");
+  p.limits = numbers ("limits", 2 * S.nv);
+  p.memory = numbers ("memory", S.nxk);
+  p.on_the_way = whole ("on_the_way");
+  p.instants = whole ("instants");
+  p.modes = wholes ("modes", S.nev);
+  p.events = whole ("events");
+  ip.assign (gs_wholes (&p), 0);
+  m_rp.assign (gs_reals (&p), 0.0);
+  gs_lay (&p, &ip[0], &m_rp[0]);
+  rp.assign (m_rp.begin (), m_rp.end ());
+}
+
+void
+run_plan::due_from (double t0, const reals& cst)
+{
+  if (S.nctl == 0)
+    return;
+  the_constants = &cst;
+  if (gs_due_from (&m_scene, t0, nullptr, &ip[0], &m_rp[0]) != 0)
+    error ("%s: more than 2e9 samples", "gsmbp_simulate");
+  gs_samples a = samples ();
+  routine ("ctp") (&cst[0], at (a.period), at (a.delay));
+}
