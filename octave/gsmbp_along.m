@@ -39,7 +39,7 @@ function f = gsmbp_along (path, times, side = 1)
   if (nargin < 2)
     print_usage ();
   endif
-  if (! (isstruct (path) && isscalar (path) && all (isfield (path, {"kind", "s", "axis"}))))
+  if (! (isstruct (path) && isscalar (path) && all (isfield (path, {"kind", "s", "times"}))))
     error ("gsmbp_along: expected a path of gsmbp_path, found %s", gsmbp__shown (path));
   endif
   s = reshape (gsmbp_evaluate (path.s, times, 2, side), [], 3)';
@@ -58,12 +58,9 @@ function f = gsmbp_along (path, times, side = 1)
   axis = path.rotation * path.axis;
   f.omega = axis * (ratio * s(2,:));
   f.alpha = axis * (ratio * s(3,:));
-  K = [0, -path.axis(3), path.axis(2); path.axis(3), 0, -path.axis(1); -path.axis(2), ...
-      path.axis(1), 0];
   f.R = zeros (3, 3, columns (s));
   for k = 1:columns (s)
-    angle = ratio * s(1,k);
-    f.R(:,:,k) = path.rotation * (eye (3) + sin (angle) * K + 2 * sin (angle / 2)^2 * K^2);
+    f.R(:,:,k) = path.rotation * gsmbp__rotated (ratio * s(1,k) * path.axis);
   endfor
 endfunction
 

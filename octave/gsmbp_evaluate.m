@@ -56,16 +56,16 @@ function f = gsmbp_evaluate (motion, times, nd = 0, side = 1)
   s = inside - breaks(piece);
   c = reshape (motion.coefs, n, motion.pieces, k);
   f = zeros (n, numel (times), nd + 1);
-  for j = 1:numel (times)
-    p = reshape (c(:,piece(j),:), n, k);
-    for d = 0:min (nd, k - 1)
-      f(:,j,d+1) = p * (s(j) .^ (columns (p)-1:-1:0)');
-      if (outside(j))
-        break;
-      endif
-      p = p(:,1:end-1) .* (columns (p)-1:-1:1);
+  p = c(:,piece,:);
+  for d = 0:min (nd, k - 1)
+    value = p(:,:,1);
+    for e = 2:k-d
+      value = value .* s + p(:,:,e);
     endfor
+    f(:,:,d+1) = value;
+    p = p(:,:,1:end-1) .* reshape (k-d-1:-1:1, 1, 1, []);
   endfor
+  f(:,outside,2:end) = 0;
 endfunction
 
 %!test

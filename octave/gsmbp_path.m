@@ -40,8 +40,9 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: points on one line are no circle; neighbours at one place are no spline; a matrix that
-## is no rotation; an option that is missing, unknown or not above 0.
+## Errors: points on one line are no circle; neighbours at one place are no spline, nor is one that
+## turns back on itself; a matrix that is no rotation; an option that is missing, unknown or not
+## above 0.
 ## Source: own; the rotation vector between the ends; for splines Kang and Park, International
 ## Journal for Numerical Methods in Engineering 46 (1999).
 ## @seealso{gsmbp_along, gsmbp_plan}

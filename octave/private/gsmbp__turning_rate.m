@@ -1,23 +1,40 @@
-## [A, wd] = gsmbp__turning_rate (r, rd, rdd)
+## [A, wd, slope] = gsmbp__turning_rate (r, rd, rdd)
 ## Of exp (r), r a rotation vector: its angular velocity in its own axes is A*rd; WD is the rate of
-## that.
+## that, SLOPE the derivative of WD by RD.
 
-function [A, wd] = gsmbp__turning_rate (r, rd, rdd)
-  ## series of (1 - cos x)/x^2 and (x - sin x)/x^3 and of their derivatives over x
-  n = 0:19;
-  x2 = r' * r;
-  signs = (-1) .^ n;
-  powers = x2 .^ n;
-  f = sum (signs .* powers ./ factorial (2 * n + 2));
-  g = sum (signs .* powers ./ factorial (2 * n + 3));
-  K = [0, -r(3), r(2); r(3), 0, -r(1); -r(2), r(1), 0];
+function [A, wd, slope] = gsmbp__turning_rate (r, rd, rdd)
+  [f, g, df, dg] = factors (norm (r));
+  K = gsmbp__cross (r);
   A = eye (3) - f * K + g * K^2;
   if (nargout < 2)
     return;
   endif
-  lower = [0, powers(1:end-1)];
-  fd = sum (signs .* 2 .* n .* lower ./ factorial (2 * n + 2)) * (r' * rd);
-  gd = sum (signs .* 2 .* n .* lower ./ factorial (2 * n + 3)) * (r' * rd);
   aside = K * rd;
-  wd = A * rdd - fd * aside + gd * K * aside + g * cross (rd, aside);
+  twice = K * aside;
+  along = r' * rd;
+  wd = A * rdd - df * along * aside + dg * along * twice + g * cross (rd, aside);
+  if (nargout > 2)
+    slope = (dg * twice - df * aside) * r' + along * (dg * K^2 - df * K) ...
+            + g * (gsmbp__cross (rd) * K - gsmbp__cross (aside));
+  endif
+endfunction
+
+## f = (1 - cos x)/x^2 and g = (x - sin x)/x^3 with their derivatives over x: by their series where
+## the closed forms lose digits
+function [f, g, df, dg] = factors (x)
+  if (x < 1)
+    n = 0:9;
+    signs = (-1) .^ n;
+    powers = x .^ (2 * n);
+    lower = 2 * n .* [0, powers(1:end-1)];
+    f = sum (signs .* powers ./ factorial (2 * n + 2));
+    g = sum (signs .* powers ./ factorial (2 * n + 3));
+    df = sum (signs .* lower ./ factorial (2 * n + 2));
+    dg = sum (signs .* lower ./ factorial (2 * n + 3));
+    return;
+  endif
+  f = (1 - cos (x)) / x^2;
+  g = (x - sin (x)) / x^3;
+  df = (sin (x) / x - 2 * f) / x^2;
+  dg = (f - 3 * g) / x^2;
 endfunction

@@ -16,38 +16,36 @@ function t = gsmbp__turning_spline (R, knots)
   rates = t.between ./ h;
   w = ([rates, rates(:,end)] + [rates(:,1), rates]) / 2;
   for iteration = 1:30
-    miss = jumps (t, w, h);
+    [miss, t.coefs, J] = jumps (t, w, h);
     if (norm (miss, Inf) <= 1e-13 * (1 + max (abs (rates(:))) / min (h)))
-      break;
+      return;
     endif
-    w -= reshape (slopes (t, w, h, miss) \ miss, 3, k);
+    w -= reshape (J \ miss, 3, k);
   endfor
   [~, t.coefs] = jumps (t, w, h);
 endfunction
 
-function J = slopes (t, w, h, miss)
-  step = 1e-7 * (1 + max (abs (w(:))));
-  J = zeros (numel (w));
-  for j = 1:numel (w)
-    moved = w;
-    moved(j) += step;
-    J(:,j) = (jumps (t, moved, h) - miss) / step;
-  endfor
-endfunction
-
-## jumps of the angular acceleration at all knots, where the angular velocities there are w; coefs
-function [miss, coefs] = jumps (t, w, h)
+## jumps of the angular acceleration at all knots, where the angular velocities there are w; coefs;
+## the derivatives of the jumps by w: those of a piece are in the rows and columns of its knots
+function [miss, coefs, J] = jumps (t, w, h)
   n = numel (h);
   coefs = zeros (3, 3, n);
-  begins = ends = zeros (3, n);
+  miss = zeros (3, n + 1);
+  blocks = zeros (6, 6, n);
   for i = 1:n
     r = t.between(:,i);
-    last = gsmbp__turning_rate (r) \ w(:,i+1);
+    back = inv (gsmbp__turning_rate (r));
+    last = back * w(:,i+1);
     square = (3 * r / h(i) - 2 * w(:,i) - last) / h(i);
     cube = (w(:,i) + last - 2 * r / h(i)) / h(i)^2;
     coefs(:,:,i) = [w(:,i), square, cube];
-    begins(:,i) = 2 * square;
-    [~, ends(:,i)] = gsmbp__turning_rate (r, last, 2 * square + 6 * cube * h(i));
+    [A, ends, slope] = gsmbp__turning_rate (r, last, 2 * square + 6 * cube * h(i));
+    miss(:,i:i+1) += [2 * square, -ends];
+    blocks(:,:,i) = [-4 / h(i) * eye(3), -2 / h(i) * back
+                     -2 / h(i) * A, -(4 / h(i) * A + slope) * back];
   endfor
-  miss = ([begins, zeros(3, 1)] - [zeros(3, 1), ends])(:);
+  miss = miss(:);
+  at = (1:6)' + 3 * (0:n-1);
+  from = repmat (reshape (at, 6, 1, n), 1, 6);
+  J = sparse (from(:), permute (from, [2, 1, 3])(:), blocks(:), 3 * n + 3, 3 * n + 3);
 endfunction

@@ -13,6 +13,7 @@ function test_path_spline ()
   path = gsmbp_path ("spline", points, o{:}, "rotations", R);
   knots (path, points, R);
   lengths (path);
+  lengths (gsmbp_path ("spline", [0 1 0 -1; 0 0 1e-4 1; 0 0 0 1e-3], o{:}));
   rates (path);
   continuous (path);
   about_one_axis (points, o);
@@ -115,4 +116,10 @@ function refused (points)
   said = gsmbp_complaint (@() gsmbp_path ("spline", points, "speed", 1, "acceleration", 1, ...
                                           "rotations", zeros (3, 3, 2)));
   gsmbp_check (["refused: " said], ! isempty (strfind (said, "expected 3 x 3 x 6, found 3x3x2")));
+  for row = {[0 1 0; 0 0 0; 0 0 0], "points 2 and 3: its tangent vanishes at [1, 0, 0]"
+             [0 1 0 1; 2 2 2 2; 0 1 0 1], "points 1 and 2: its tangent vanishes at [1.01"
+             [0 1e-3 0.5e-3 1; zeros(2, 4)], "points 1 and 2: its tangent vanishes at ["}'
+    said = gsmbp_complaint (@() gsmbp_path ("spline", row{1}, "speed", 1, "acceleration", 1));
+    gsmbp_check (["refused: " said], ! isempty (strfind (said, row{2})));
+  end
 end
