@@ -34,13 +34,14 @@
 ## @end table
 ## Options: "side": which limit to take at a break of the motion, 1 from the
 ## right (default), -1 from the left; "input": @var{nv} inputs from outside,
-## which tau counts (default zeros; v and the states of devices are NaN then, a
-## warning says so); "guess": the @var{nu} coordinates where
+## which tau counts (default zeros; v, margins and the states of devices are NaN then, no violations
+## are told; a warning says so); "guess": the @var{nu} coordinates where
 ## Newton's method for the loops begins (default @code{m.initial}); "quasistatic": true takes the
 ## drives as quasi-static, rates within them neglected (the variants without such states: a motor
 ## without inductance), v and margins are those, their states are NaN; "internal":
 ## states of the devices at the first time (default @code{m.initial}); "limits" of the inputs (what
-## a supply gives): one number (both ways), @var{nv} numbers, or @var{nv} x 2 (least, largest).
+## a supply gives): one number (both ways), @var{nv} numbers, or @var{nv} x 2 (least, largest);
+## default their @code{limits} in the scene.
 ##
 ## A motion with fewer continuous derivatives than the command needs
 ## (@code{m.order - 1}: the voltage of a motor with inductance, of order 3, needs a continuous
@@ -133,13 +134,20 @@ function r = gsmbp_inverse (m, motion, times, varargin)
       endif
     endif
   endfor
-  if (any (o.input != 0) && (static || has ("cmd")))
-    r.x(:,d.nq+d.nu+1:end) = r.v(:) = NaN;
+  known = static || has ("cmd");
+  if (known && any (o.input != 0))
+    known = false;
+    r.x(:,d.nq+d.nu+1:end) = r.v(:) = r.margins(:) = NaN;
     warning ("gsmbp:inverse", ...
-             ["%s: v and the states of devices in x are not determined (NaN): the command " ...
-              "takes no inputs from outside (option \"input\"); tau counts them"], who);
+             ["%s: v, margins and the states of devices in x are not determined (NaN): the " ...
+              "command takes no inputs from outside (option \"input\"); tau counts them"], who);
   endif
-  r.violations = gsmbp__violations (m, r, {m.margins, m.static_margins}{1 + static}, o.limits);
+  if (known)
+    texts = {m.margins, m.static_margins}{1 + static};
+    r.violations = gsmbp__violations (m, r, texts, o.limits);
+  else
+    r.violations = unknown_violations (who, m, o);
+  endif
   r.q = reshape (qj(:,1,:), d.nu, nt)';
   r.u = reshape (qj(:,2,:), d.nu, nt)';
   r.ud = reshape (qj(:,3,:), d.nu, nt)';
@@ -152,6 +160,21 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     r.y = gsmbp__outputs (m, r.t, r.x, r.v);
   endif
   r = gsmbp__named (m, r);
+endfunction
+
+## none, where the inputs are not determined: limits that were asked for are an error
+function list = unknown_violations (who, m, o)
+  reason = "the command takes no inputs from outside (option input)";
+  if (! any (o.input != 0))
+    reason = ["no inputs v: " gsmbp__why_left_out(m, "command")];
+  endif
+  if (o.limited)
+    error ("%s: option limits: the inputs are not determined: %s", who, reason);
+  elseif (any (isfinite (o.limits(:))))
+    warning ("gsmbp:inverse", ["%s: not compared with the limits of the inputs in the scene: " ...
+                               "%s"], who, reason);
+  endif
+  list = gsmbp__violations (m, struct ("v", []), {}, []);
 endfunction
 
 ## states of devices that a result without inputs does not tell, and why
@@ -198,7 +221,11 @@ function o = checked (who, m, o)
   o.internal = gsmbp__vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
                               m.states(d.nq+d.nu+1:end));
   o.input = gsmbp__vector (who, "option input", o.input, d.nv, "", m.inputs);
+  o.limited = ! isempty (o.limits);
   o.limits = gsmbp__bounds (who, "option limits", o.limits, d.nv);
+  if (! o.limited)
+    o.limits = gsmbp__scene_limits (m, m.inputs);
+  endif
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
     error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
   endif

@@ -16,7 +16,8 @@
 ## of them, as @code{gsmbp_inverse} gives @code{tau}
 ## @item "input"
 ## inputs of the scene, the drives as quasi-static (@code{gsmbp_inverse}, "quasistatic"); they must
-## be linear in the acceleration along the path
+## be linear in the acceleration along the path (default: their @code{limits} in the scene; Inf:
+## none)
 ## @end table
 ## Options: "start", "end": rates of s [1/s] at both ends (default 0); "rtol": the relative
 ## error of the time, as doubling the points tells it (default 3e-7); "points": how many there

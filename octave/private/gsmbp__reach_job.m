@@ -29,7 +29,7 @@ function job = gsmbp__reach_job (who, m, name, k, turned, options)
   job.start = gsmbp__vector (who, "option start", job.start, nq, "", m.coordinates);
   job.limits = options.limits;
   if (isempty (job.limits))
-    job.limits = of_scene (m);
+    job.limits = max (min (gsmbp__scene_limits (m, m.coordinates), 1e300), -1e300);
   elseif (! isequal (size (job.limits), [nq, 2]))
     error ("%s: option limits: expected %d x 2 numbers, found %d x %d", who, nq, ...
            rows (job.limits), columns (job.limits));
@@ -44,16 +44,6 @@ function job = gsmbp__reach_job (who, m, name, k, turned, options)
   if (job.branch > 0 && ! job.closed)
     error ("%s: option branch: %s is not reached by a closed form here, which has branches", ...
            who, name);
-  endif
-endfunction
-
-## the limits of the scene's joints at the values of its parameters when it was derived
-function limits = of_scene (m)
-  limits = repmat ([-1e300, 1e300], m.sizes.nq, 1);
-  if (isfield (m.json, "limits"))
-    [is_coordinate, k] = ismember (cellstr ({m.json.limits.name}), m.coordinates);
-    own = m.json.limits(is_coordinate);
-    limits(k(is_coordinate),:) = [vertcat(own.low), vertcat(own.high)];
   endif
 endfunction
 

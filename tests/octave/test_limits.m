@@ -1,10 +1,11 @@
 ## Plans within limits through the model: what a device cannot follow is refused, drives as
-## quasi-static, axes that arrive together, the least time along a path against an integration in
-## the phase plane by way of a place without inertia.
+## quasi-static, axes that arrive together, limits of inputs given in the scene, the least time along
+## a path against an integration in the phase plane by way of a place without inertia.
 
 function test_limits ()
   arrive_together ();
   refused ();
+  of_the_scene ();
   least_time ();
 end
 
@@ -42,6 +43,11 @@ function refused ()
   pushed = gsmbp_inverse (m, smooth, t, "quasistatic", true, "input", [1; 2]);
   gsmbp_check ("quasi-static with inputs from outside: v is not determined, and said so", ...
                [all(isnan (pushed.v(:))), ! isempty(strfind (lastwarn (), "not determined"))]);
+  gsmbp_check ("... no violations of what is not determined", isempty (pushed.violations));
+  said = gsmbp_complaint (@() gsmbp_inverse (m, smooth, t, "quasistatic", true, "input", [1; 2], ...
+                                             "limits", 24));
+  gsmbp_check (["... limits of it are refused: " said], ! isempty (strfind (said, ...
+      "option limits: the inputs are not determined: the command takes no inputs")));
   above_supply (m, smooth, t);
   less = gsmbp_set (m, "motor1_L", 1e-10, "motor2_L", 1e-10);
   exact = gsmbp_inverse (less, smooth, t);
@@ -66,6 +72,34 @@ function above_supply (m, plan, t)
   said = gsmbp_complaint (@() gsmbp_inverse (m, plan, t, "limits", [1, 2, 3]));
   gsmbp_check (["limits of another size: " said], ...
                ! isempty (strfind (said, "limits: expected one number, 2 numbers or 2 x 2")));
+end
+
+function of_the_scene ()
+  m = gsmbp_fixture ("limits_push");
+  path = gsmbp_plan ("table", [0 1], [0; 1.5]);
+  mass = m.mas (0, 0);
+  least = @(push, brake) sqrt (2 * 1.5 * mass * (1 / push + 1 / brake));
+  [~, told] = gsmbp_retime (m, path);   # it switches between two points: the error asked for
+  gsmbp_check ("least time within the limits of the scene", told.T / least (3, 2) - 1, 3e-7);
+  [~, told] = gsmbp_retime (m, path, "input", 6, "rtol", 1e-5);
+  gsmbp_check ("... within other limits", told.T / least (6, 6) - 1, 1e-9);
+  [~, told] = gsmbp_retime (m, path, "input", Inf, "effort", 1, "rtol", 1e-5);
+  gsmbp_check ("... without those of the input", told.T / least (1, 1) - 1, 1e-9);
+  plan = gsmbp_plan ("quintic", [0 1.5], [0 1]);
+  r = gsmbp_inverse (m, plan, linspace (0, 1, 21));
+  gsmbp_check (["inputs above the limits of the scene: " r.violations.said], ...
+               numel (r.violations) == 1 && r.violations.least == min ([3 - r.v; r.v + 2]));
+  r = gsmbp_inverse (m, plan, linspace (0, 1, 21), "limits", 6);
+  gsmbp_check ("... within others", isempty (r.violations));
+  bare = m;
+  bare.subroutines = setdiff (m.subroutines, "cmd");
+  said = gsmbp_complaint (@() gsmbp_inverse (bare, plan, 0.5, "limits", 6));
+  gsmbp_check (["limits without a command are refused: " said], ...
+               ! isempty (strfind (said, "option limits: the inputs are not determined: no inputs")));
+  lastwarn ("");
+  gsmbp_inverse (bare, plan, 0.5);
+  gsmbp_check (["limits of the scene without a command: " lastwarn()], ...
+               ! isempty (strfind (lastwarn (), "not compared with the limits of the inputs")));
 end
 
 function least_time ()
