@@ -35,11 +35,10 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   if (nargin < 1 || ! ischar (scene))
     print_usage ();
   endif
-  if (nargin > 1)
-    gsmbp__fits ("gsmbp_derive", "argument folder", folder, "text");
-  endif
   given = nargin > 1;
-  if (! given)
+  if (given)
+    gsmbp__fits ("gsmbp_derive", "argument folder", folder, "text");
+  else
     folder = tempname ();
     guard = onCleanup (@() remove (folder));
   endif

@@ -214,6 +214,24 @@ endfunction
 %!   confirm_recursive_rmdir (false, "local");
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!test <units as the field writes them, with the prefix of small numbers>
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! file = [tempname() ".svg"];
+%! micro = "\302\265";
+%! table = {"Pa", [micro "Pa"]; "W", [micro "W"]; "m/s", [micro "m/s"]; "N*m", [micro "N m"]
+%!          "ohm", [micro "\316\251"]; "m^2", [micro "m\302\262"]; "Wb", [micro "Wb"]};
+%! unwind_protect
+%!   for row = table'
+%!     gsmbp_plot (file, [0 1], struct ("y", [0; 2], "names", {{"a"}}, "label", ...
+%!                                      ["y [u" row{1} "]"]));
+%!     assert (any (strfind (fileread (file), ["[" row{2} "]"])));
+%!   endfor
+%! unwind_protect_cleanup
+%!   delete (file);
+%!   delete ([file(1:end-3) "csv"]);
+%! end_unwind_protect
 %!error <must end in .png, .pdf, .svg or .eps> gsmbp_plot ("a.gif", 1, struct ())
 %!error <panel 1: expected 2 rows, found 1>
 %! gsmbp_plot ("a.png", [1 2], struct ("y", 1, "names", {{"a"}}, "label", "b"))

@@ -105,10 +105,12 @@ function told = one_way (who, m, path, planned, limits, o, cells, about)
   told.T = told.t(end);
 endfunction
 
-## the places where another limit takes over
+## the places where another limit takes over; of many, where limits come and go, 20 along the path
 function s = switched (told)
   s = told.s(1 + find (! strcmp (told.limited(1:end-1), told.limited(2:end))));
-  s = s(1:min (end, 20));   # a limit that comes and goes is no switch
+  if (numel (s) > 20)
+    s = s(round (linspace (1, end, 20)));
+  endif
 endfunction
 
 ## breaks of the path and points between, closer towards the ends, and around the places ABOUT:

@@ -1,6 +1,6 @@
 ## film (FILE, FRAMES, OPTION, VALUE, ...)
 ## Draws bodies in space, without a screen, by the curves that make them: what gsmbp_animate does
-## not know, as the rim of a disc or the forks of a joint.
+## not know, as the thread of a screw or the forks of a joint.
 ##
 ## FRAMES is a cell array, one entry for each picture: a cell array with a row {P, STYLE, NAME} for
 ## each curve. P is 3 x n [m], ground axes; a column of NaN separates pieces. STYLE is gnuplot's, as

@@ -88,10 +88,8 @@ place = [0.05; 0.44; 0.08];
 K = [diag([400, 400, 4000, 100]), diag([6, 6, 60, 2]), zeros(4)];
 heavy = gsmbp_set (m, "mp", 2 * m.par.mp);
 ## the least time ends with a rest of 0.2 s, too
-held = @(p, d) mkpp ([p.breaks, p.breaks(end) + d], ...
-                     cat (2, reshape (p.coefs, 4, p.pieces, p.order), ...
-                          cat (3, zeros (4, 1, p.order - 1), ppval (p, p.breaks(end)))), 4);
-plans = {"double S", held(motion{best}, 0.1), false; "least time", held(quick, 0.2), true};
+plans = {"double S", scara_held(motion{best}, 0.1), false
+         "least time", scara_held(quick, 0.2), true};
 models = {"as planned", m; "part twice as heavy", heavy};
 puts ("\nsimulation (DOP853), voltages of the plan and feedback, within 24 V: the tool\n");
 printf ("%-12s %-22s %18s %28s %22s %14s\n", "plan", "", "off the plan [mm]", ...

@@ -61,7 +61,6 @@ endfor
 printf (["\nvoltages that the task needs, the straight seam at several speeds; " ...
          "the supply gives %g V\n"], supply);
 printf ("%8s  %s   margins\n", "[m/s]", sprintf ("%7s", joints ("|v|"){:}));
-few = p.t(2:2:end-1);
 for speed = [0.5, 0.4, 0.35]
   q = welding_plan (m, speed);
   times = q.t(2:2:end-1);

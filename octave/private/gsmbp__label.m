@@ -9,7 +9,7 @@ function text = gsmbp__label (text)
   endif
   unit = text(from(end):to(end));
   table = {'\*', " "; '\^2', "\302\262"; '\^3', "\302\263"; '\<(degrees|deg)\>', "\302\260"
-           'ohm\>', "\316\251"; '\<u(m|s|A|V|N|rad)\>', "\302\265$1"};
+           '\<u(m|s|A|V|N|rad|Pa|W|J|Hz|C|Wb|F|H|K|g|T|ohm)\>', "\302\265$1"; 'ohm\>', "\316\251"};
   for row = table'
     unit = regexprep (unit, row{:});
   endfor

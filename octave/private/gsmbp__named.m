@@ -3,9 +3,7 @@
 ## columns of its fields by name in the struct `of`.
 
 function r = gsmbp__named (m, r)
-  if (! isfield (r, "points"))
-    r.points = places (m, r);
-  endif
+  r.points = places (m, r);
   r.of = struct ();
   for row = gsmbp__table (m)
     if (isfield (r, row.field) && columns (r.(row.field)) >= row.column)

@@ -24,10 +24,7 @@ function y = outputs_of (m, r)
   if (isfield (r, "y") && rows (r.y) == numel (r.t))
     y = r.y;
   elseif (any (strcmp (m.subroutines, "out")) && isfield (r, "v"))
-    y = zeros (numel (r.t), numel (m.outputs));
-    for k = 1:numel (r.t)
-      [y(k,:), ~] = m.out (r.t(k), r.x(k,:)', r.v(k,:)');
-    endfor
+    y = gsmbp__outputs (m, r.t, r.x, r.v);
   endif
 endfunction
 

@@ -1,6 +1,6 @@
 ## Plans within limits through the model: what a device cannot follow is refused, drives as
-## quasi-static, axes that arrive together, limits of inputs given in the scene, the least time along
-## a path against an integration in the phase plane by way of a place without inertia.
+## quasi-static, axes that arrive together, limits of inputs given in the scene, the least time
+## along a path against an integration in the phase plane by way of a place without inertia.
 
 function test_limits ()
   arrive_together ();
@@ -95,7 +95,7 @@ function of_the_scene ()
   bare.subroutines = setdiff (m.subroutines, "cmd");
   said = gsmbp_complaint (@() gsmbp_inverse (bare, plan, 0.5, "limits", 6));
   gsmbp_check (["limits without a command are refused: " said], ...
-               ! isempty (strfind (said, "option limits: the inputs are not determined: no inputs")));
+               ! isempty (strfind (said, "the inputs are not determined: no inputs v: add it to")));
   lastwarn ("");
   gsmbp_inverse (bare, plan, 0.5);
   gsmbp_check (["limits of the scene without a command: " lastwarn()], ...

@@ -10,9 +10,9 @@ function [M, B, T, V] = fx_terms (tree, q, qd)
     M(:, k) = momentum (tree, q, E(:, k));
   end
   [T, V] = fx_energy (tree, q, qd);
-  B = difference (@(h) momentum (tree, q + h * qd, qd));
+  B = ne_difference (@(h) momentum (tree, q + h * qd, qd), 0.004);
   for k = 1:n
-    B(k) -= difference (@(h) lagrangian (tree, q + h * E(:, k), qd));
+    B(k) -= ne_difference (@(h) lagrangian (tree, q + h * E(:, k), qd), 0.004);
   end
 end
 
@@ -29,14 +29,4 @@ end
 function l = lagrangian (tree, q, qd)
   [T, V] = fx_energy (tree, q, qd);
   l = T - V;
-end
-
-## derivative of f at 0
-function d = difference (f)
-  h = 0.004;
-  c = [4/5, -1/5, 4/105, -1/280];
-  d = 0;
-  for k = 1:4
-    d += c(k) * (f (k * h) - f (-k * h)) / h;
-  end
 end
