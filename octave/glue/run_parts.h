@@ -86,41 +86,67 @@ part_of (run_plan& plan, const double *place, int rows, int cols)
   return m;
 }
 
-// K rows of N numbers, handed over as a column each; zero where nothing is given
+// The next argument, K rows of N numbers, row after row; zero where nothing is given and that may
+// be.  What is not finite is let through: it is the matter of its time.
 static reals
-rows_of (arguments& a, const char *name, int k, int n)
+rows_of (arguments& a, const char *name, int k, int n, bool needed = true)
 {
-  Matrix m = a.value (name).matrix_value ().transpose ();
-  reals x (m.data (), m.data () + m.numel ());
-  x.resize (std::max (x.size (), std::size_t (k) * n) + 1);   // &x[0] exists
+  const octave_value& v = a.value (name);
+  reals x (std::size_t (k) * n + 1, number (0));   // &x[0] exists
+  if (v.isempty () && (! needed || k * n == 0))
+    return x;
+  if (! v.isnumeric () || v.iscomplex ())
+    error ("%s: argument %s: expected real numbers, found %s", a.who ().c_str (), name,
+           v.class_name ().c_str ());
+  if (v.ndims () > 2 || v.rows () != k || v.columns () != n)
+    error ("%s: argument %s: expected %d x %d, found %s", a.who ().c_str (), name, k, n,
+           v.dims ().str ().c_str ());
+  Matrix m = v.matrix_value ();
+  for (int i = 0; i < k; i++)
+    for (int j = 0; j < n; j++)
+      x[std::size_t (n) * i + j] = m(i, j);
   return x;
 }
+
+// what the parts of a run are read from: constants, number of times, times, states (coordinates
+// alone where no inputs follow) and inputs, a row for each time
+struct given_run
+{
+  reals cst;
+  int k;
+  reals t, x, v;
+
+  given_run (arguments& a, bool inputs)
+    : cst (a.constants ()), k (a.integer_within ("number", 0, 2000000000)),
+      t (rows_of (a, "times", k, 1)),
+      x (inputs ? rows_of (a, "states", k, S.nx) : rows_of (a, "coordinates", k, S.nq)),
+      v (inputs ? rows_of (a, "inputs", k, S.nv, false) : reals (1, number (0))) { }
+
+  const number *states (int i) const { return &x[std::size_t (S.nx) * i]; }
+  const number *coordinates (int i) const { return &x[std::size_t (S.nq) * i]; }
+  const number *inputs (int i) const { return &v[std::size_t (S.nv) * i]; }
+};
 
 // (constants, number of times, times, states, inputs): outputs, a column each
 static octave_value_list
 do_outputs (arguments& a, int)
 {
-  reals cst = a.constants ();
-  int k = int (a.value ("number").int_value ());
-  reals t = rows_of (a, "times", k, 1), x = rows_of (a, "states", k, S.nx);
-  reals v = rows_of (a, "inputs", k, S.nv);
-  return ovl (outputs_at (cst, k, &t[0], &x[0], S.nx, &v[0], S.nv));
+  given_run r (a, true);
+  return ovl (outputs_at (r.cst, r.k, &r.t[0], r.states (0), S.nx, r.inputs (0), S.nv));
 }
 
 // (constants, number of times, times, coordinates, number of points): their places, a column each
 static octave_value_list
 do_places (arguments& a, int)
 {
-  reals cst = a.constants ();
-  int k = int (a.value ("number").int_value ());
-  reals t = rows_of (a, "times", k, 1), q = rows_of (a, "coordinates", k, S.nq);
-  int n = int (a.value ("points").int_value ());
-  Matrix places (3 * n, k, no_number);
+  given_run g (a, false);
+  int n = a.integer_within ("points", 0, 100000);
+  Matrix places (3 * n, g.k, no_number);
   reals p = room (3 * n), r = room (9 * n);
-  for (int i = 0; i < k; i++)
-    if (fine (&t[i], 1) && fine (&q[std::size_t (S.nq) * i], S.nq))
+  for (int i = 0; i < g.k; i++)
+    if (fine (&g.t[i], 1) && fine (g.coordinates (i), S.nq))
       {
-        routine ("pnt") (&t[i], &q[std::size_t (S.nq) * i], &cst[0], &p[0], &r[0]);
+        routine ("pnt") (&g.t[i], g.coordinates (i), &g.cst[0], &p[0], &r[0]);
         for (int j = 0; j < 3 * n; j++)
           places(j, i) = double (p[j]);
       }
@@ -132,16 +158,12 @@ do_places (arguments& a, int)
 static octave_value_list
 do_margins (arguments& a, int)
 {
-  reals cst = a.constants ();
-  int k = int (a.value ("number").int_value ());
-  reals t = rows_of (a, "times", k, 1), x = rows_of (a, "states", k, S.nx);
-  reals v = rows_of (a, "inputs", k, S.nv);
-  Matrix margins (S.nsm, k), sizes (S.nsm, k);
+  given_run r (a, true);
+  Matrix margins (S.nsm, r.k), sizes (S.nsm, r.k);
   reals g = room (S.nsm), size = room (S.nsm);
-  for (int i = 0; i < k; i++)
+  for (int i = 0; i < r.k; i++)
     {
-      routine ("mar") (&t[i], &x[std::size_t (S.nx) * i], &v[std::size_t (S.nv) * i], &cst[0],
-                       &g[0], &size[0]);
+      routine ("mar") (&r.t[i], r.states (i), r.inputs (i), &r.cst[0], &g[0], &size[0]);
       for (int j = 0; j < S.nsm; j++)
         {
           margins(j, i) = double (g[j]);

@@ -43,6 +43,14 @@ function outputs_of_a_run (m)
   r = gsmbp_inverse (lame, plan, t);
   wanted = arrayfun (@(k) m.out (t(k), r.x(k,:), r.v(k,:)), 1:numel (t))';
   gsmbp_check ("outputs along an inverse motion", r.y - wanted, 0);
+  part = @(varargin) m.module ("outputs", m.cst, 2, varargin{:});
+  gsmbp_check ("... without inputs", part ([0; 1], ones (2, 3), []) ...
+                                     - part ([0; 1], ones (2, 3), [0; 0]), 0);
+  says (@() part ([0; 1], ones (3, 2), []), ...
+        "motor_pendulum.outputs: argument states: expected 2 x 3, found 3x2");
+  says (@() part (0, ones (2, 3), []), "outputs: argument times: expected 2 x 1, found 1x1");
+  says (@() part ([0; 1], ones (2, 3), 1), "outputs: argument inputs: expected 2 x 1, found 1x1");
+  says (@() part ([0; 1], [], []), "outputs: argument states: expected 2 x 3, found 0x0");
   m.states = {"x"; "t"; "y"};   # names that a result has itself
   r = gsmbp_simulate (m, [0.2, 0, 0], t, "input", 3);
   gsmbp_check ("states x, t, y by name", [r.of.("x"), r.of.("t"), r.of.("y")] - r.x, 0);
