@@ -3,8 +3,8 @@
 #include "chains.h"
 #include "gsmbp/loops.h"
 
-void gsprj_ (), gspjq_ (), gspju_ (), gsnrm_ (), gsclo_ (), gsclq_ (), gscld_ (), gsclm_ (),
-  gsjac_ (), gsjdf_ (), gsjrw_ (), gsjth_ ();
+void gsprj_ (), gspjq_ (), gspju_ (), gsnrm_ (), gsnrq_ (), gsclo_ (), gsclq_ (), gscld_ (),
+  gsclm_ (), gsjac_ (), gsjdf_ (), gsjrw_ (), gsjth_ ();
 
 /* ------------------------------------------------------------ what the scenes lack */
 
@@ -60,13 +60,17 @@ static const int sets[8] = { 1, 2, 3, 4, 4, 2, 1, 3 };
 static void
 norms (void)
 {
-  begin ("gsnrm");
+  begin ("gsnrm, gsnrq");
   for (int k = 0; k < 100; k++)
     {
       const int ns = pick (3);
       pair q = pair_of (5), err = pair_of (1);
       gsnrm (ns, sets, q.c, err.c);
       gsnrm_ (&ns, sets, q.f, err.f);
+      same (q);
+      same (err);
+      gsnrq (q.c + 1, err.c);
+      gsnrq_ (q.f + 1, err.f);
       same (q);
       same (err);
       drop (q);

@@ -110,6 +110,16 @@ C
          E = MAX( E, ABS( Q(I) - 0.5D0 ) )
    10 CONTINUE
       CALL TELL( 'GSNRM: two sets', E )
+      Q(2) = 2.0D0
+      Q(3) = 4.0D0
+      Q(4) = 1.0D0
+      Q(5) = -2.0D0
+      ERR = 4.5D0
+      CALL GSNRQ( Q(2), ERR )
+      E = MAX( ABS( Q(2) - 0.4D0 ), ABS( Q(3) - 0.8D0 ),
+     $         ABS( Q(4) - 0.2D0 ), ABS( Q(5) + 0.4D0 ),
+     $         ABS( ERR - 4.5D0 ) )
+      CALL TELL( 'GSNRQ: one set', E )
       END
 C
 C     a slider crank, q = (crank, rod, slider) from the crank: closed
@@ -363,5 +373,5 @@ for precision in double quad; do
     { error = $1; sub(/^ *[^ ]+ /, "")
       print (error + 0 <= least ? "ok " : "not ok ") $0, "in " precision, "precision: error", error,
         "(at most " least ")" }
-    END { if (NR != 10) print "not ok " NR " of ten answers in " precision " precision" }'
+    END { if (NR != 11) print "not ok " NR " of eleven answers in " precision " precision" }'
 done

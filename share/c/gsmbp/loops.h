@@ -91,6 +91,9 @@ int gspju (const gs_scene *s, double t, const double *q, const double *u, const 
  * norm; err becomes no less than the largest error of a norm */
 void gsnrm (int ns, const int *iset, double *q, double *err);
 
+/* gsnrm for one set of neighbours, q (4) */
+void gsnrq (double *q, double *err);
+
 /* completes the motion qj (nu,0:r), r <= 3: the dependent coordinates id (nlam) and their
  * derivatives from the others, ia (nu-nlam), numbers from 1; the speeds are the rates. res: the
  * largest |phi| left. w: nlam*nlam + nlam*nu + 4*nlam; iw: nlam. info: < 0 as con; 1 a singular

@@ -17,3 +17,12 @@ gsnrm (int ns, const int *iset, double *q, double *err)
         *p[i] /= s;
     }
 }
+
+void
+gsnrq (double *q, double *err)
+{
+  const double s = sqrt (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  *err = gs_max (*err, fabs (s - 1.0));
+  for (int i = 0; i < 4; i++)
+    q[i] /= s;
+}

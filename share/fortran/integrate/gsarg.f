@@ -7,7 +7,7 @@ C
       IMPLICIT NONE
       INTEGER            SIZ(8), IOPT(*), R, INFO
       DOUBLE PRECISION   TIM(*), X0(*), ROPT(*)
-      INTEGER            GSFIN, NQ, NU, NX, NV, NLAM, NT, NB, I
+      INTEGER            GSFIN, NQ, NU, NX, NV, NLAM, NT, NB, I, LEAST
       EXTERNAL           GSFIN
 C
 C     -- sizes
@@ -19,13 +19,12 @@ C     -- sizes
       NT   = SIZ(6)
       NB   = SIZ(7)
       INFO = 0
-      IF ( NQ.LT.0 ) INFO = -101
-      IF ( NU.LT.0 ) INFO = -102
-      IF ( NX.LT.MAX( 1, NQ + NU ) ) INFO = -103
-      IF ( NV.LT.0 ) INFO = -104
-      IF ( NLAM.LT.0 ) INFO = -105
-      IF ( NT.LT.1 ) INFO = -106
-      IF ( NB.LT.0 ) INFO = -107
+      DO 5 I = 1, 7
+         LEAST = 0
+         IF ( I.EQ.3 ) LEAST = MAX( 1, NQ + NU )
+         IF ( I.EQ.6 ) LEAST = 1
+         IF ( SIZ(I).LT.LEAST ) INFO = -100 - I
+    5 CONTINUE
       I = 2*NU*( R + 1 ) + 24*NX + NV*NX + 2*NV + 8*NU + 10*NQ + 7*NLAM
      $    + 3*NLAM*NU
       IF ( SIZ(8).LT.I + 60 ) INFO = -108

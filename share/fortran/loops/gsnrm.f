@@ -26,3 +26,23 @@ C
          Q(ISET(4,K)) = Q(ISET(4,K))/S
    10 CONTINUE
       END
+      SUBROUTINE GSNRQ( Q, ERR )
+C
+C     PURPOSE
+C     GSNRM for one set of neighbours, without the places.
+C
+C     ARGUMENTS
+C     Q       (input/output) DOUBLE PRECISION array, dimension (4).
+C     ERR     (input/output) as GSNRM.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   Q(4), ERR
+      DOUBLE PRECISION   S
+C
+      S = SQRT( Q(1)**2 + Q(2)**2 + Q(3)**2 + Q(4)**2 )
+      ERR = MAX( ERR, ABS( S - 1.0D0 ) )
+      Q(1) = Q(1)/S
+      Q(2) = Q(2)/S
+      Q(3) = Q(3)/S
+      Q(4) = Q(4)/S
+      END

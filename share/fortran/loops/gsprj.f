@@ -97,11 +97,10 @@ C
      $                   H(NLAM,*), P(*), PT(*), G(*), F(*), DX(*),
      $                   LAM(*), W(*), DQ(*)
       DOUBLE PRECISION   R, OLD, ERR, EPS, GSEPS
-      EXTERNAL           GSEPS, GSKKR, GSNRM
-      INTEGER            I, K, GRP(1)
+      EXTERNAL           GSEPS, GSKKT, GSNRM
+      INTEGER            I, K
 C
       EPS = GSEPS()
-      GRP(1) = 0
       OLD = 0.0D0
       DO 10 I = 1, NU
          F(I) = 0.0D0
@@ -119,8 +118,7 @@ C
          IF ( K.GT.2 .AND. R.GE.OLD .AND. R.LE.1.0D-11 ) RETURN
          OLD = R
          CALL MAS( T, Q, CST, A, NU )
-         CALL GSKKR( NU, NLAM, A, NU, H, NLAM, F, P, 5.0D4*EPS, GRP, DX,
-     $               LAM, W, INFO )
+         CALL GSKKT( NU, NLAM, A, NU, H, NLAM, F, P, DX, LAM, W, INFO )
          IF ( INFO.EQ.1 ) RETURN
 C
 C        -- a step of more than half a radian (or metre) is shortened

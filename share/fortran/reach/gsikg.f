@@ -68,13 +68,13 @@ C     -- lengths beside their largest, about the middle of the points
    50    CONTINUE
    60 CONTINUE
       NREG = 0
+      DO 70 J = 1, 6
+         DO 65 I = 1, 3
+            KB(I,J) = KA(I,J)
+            PB(I,J) = PC(I,J)
+   65    CONTINUE
+   70 CONTINUE
       DO 80 L = 0, 5
-         DO 70 J = 1, 6
-            DO 65 I = 1, 3
-               IF ( L.EQ.0 ) KB(I,J) = KA(I,J)
-               IF ( L.EQ.0 ) PB(I,J) = PC(I,J)
-   65       CONTINUE
-   70    CONTINUE
          IF ( L.GT.0 ) CALL GSIK6( R, P2, KB, PB )
          L0 = L
          CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
