@@ -9,7 +9,8 @@
         ((or (atom e) (member (caar e) '(bigfloat mrat rat)) (not (gs-inexact-p e))) e)
         (t (let ((inside (and (member (caar e) '(mplus mtimes mexpt mquotient mminus mdifference))
                               (or calculated (> (gs-typed-numbers e) 1)))))
-             (cons (list (caar e)) (mapcar #'(lambda (x) (gs-typed x inside)) (cdr e)))))))
+             (cons (cons (caar e) (member 'array (cdar e)))   ; f(0.2)[3] stays one
+                   (mapcar #'(lambda (x) (gs-typed x inside)) (cdr e)))))))
 
 ;;; how many numbers an expression calculates with; the exponent of a symbol is none
 (defun gs-typed-numbers (e)

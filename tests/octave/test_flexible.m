@@ -14,6 +14,7 @@ function test_flexible ()
   end
   rod_in_a_loop ();
   held_at_its_tip ();
+  section_loads ();
 end
 
 ## four states: M, N + G + elastic and damping efforts, inverse and forward dynamics, payload
@@ -154,4 +155,22 @@ function held_at_its_tip ()
   gsmbp_check ("a beam held at its tip: energies", E, 1e-13);
   ## the mass matrix has the condition 1e5
   gsmbp_check ("a beam held at its tip: modal accelerations", b(9:10) ./ a(9:10) - 1, 1e-9);
+end
+
+## Loads of a section in equilibrium: of bending those of statics, since the shapes hold the exact
+## deflection; of torsion and stretch the sums of two sines.
+function section_loads ()
+  m = gsmbp_fixture ("flexible_loads");
+  v = [0.4; 0.03; -0.02; 0.05];
+  r = gsmbp_trim (m, zeros (m.sizes.nx, 1), v);
+  y = m.out (0, r.x, v);
+  k = ([1, 2] - 1/2) * pi;
+  part = sum (2 * sin (k) .* cos (k / 4) ./ k);
+  [N, Mz, My] = deal (part * v(1), 0.6 * v(2), -0.6 * v(3));
+  expected = [part * v(4); My; Mz; N; v(2:3)];
+  ## the load moves with the tip: of second degree in its deflection
+  gsmbp_check ("loads of a section: torsion, bending, normal force, shear", ...
+               (y(1:6) - expected) ./ expected, 1e-4);
+  strain_ = N / 2e5 - 0.01 * Mz / 400 - 0.02 * My / 500;
+  gsmbp_check ("loads of a section: strain of a fibre", y(7) / strain_ - 1, 1e-4);
 end
