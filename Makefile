@@ -19,7 +19,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-random test-malformed test-reach \
+.PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed test-reach \
         test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-points bench-reach bench-robots same doc manual install uninstall package clean \
         packages-manual packages-pdf packages-report packages-screen check-report check-screen \
@@ -28,6 +28,8 @@ DESTDIR :=
 define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
+make test-whole            all tests, those at length of which make test takes a part: pkg test,
+                           doctest, modules that were cut short
 make test-random           2000 scenes made by chance against each of two independent formulations
                            (make test takes 40 and 10); SEED=1 COUNT=2000: others
 make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
@@ -123,6 +125,9 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 
 test: packages-test
 	@tests/run
+
+test-whole: packages-test
+	@GSMBP_WHOLE=yes tests/run
 
 # SEED and COUNT: other scenes or mutants, and how many
 SEED ?= 1

@@ -415,10 +415,17 @@ function cut_modules ()
   common = fullfile (folder, "double", "common");
   stiff = @(m) gsmbp_simulate (m, [0; 0; 0], [0, 0.1], "method", "cvode").x(end,:);
   x = stiff (m);
-  for file = {m.file, fullfile(common, "libgsmbp.a"), fullfile(common, "gsmbp_module.o"), ...
-              fullfile(common, "libgsmbp_cvode.so")}
+  whole = ! isempty (getenv ("GSMBP_WHOLE"));
+  files = {m.file, fullfile(common, "libgsmbp.a"), fullfile(common, "gsmbp_module.o"), ...
+           fullfile(common, "libgsmbp_cvode.so")};
+  for k = 1:numel (files)
+    file = files(k);
     text = fileread (file{1});
-    for part = {text(1:round (end / 2)), "", [text(1:end-100), zeros(1, 100)]}
+    parts = {text(1:round (end / 2)), "", [text(1:end-100), zeros(1, 100)]};
+    if (k > 1 && ! whole)     # what takes long to build: each in one of the ways
+      parts = parts(k - 1);
+    end
+    for part = parts
       delete (file{1});   # what is loaded now must not change
       put (file{1}, part{1});
       if (! strcmp (file{1}, m.file))
