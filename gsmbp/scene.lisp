@@ -29,6 +29,7 @@
                 "gsmbp_scene: expected gsmbp_scene(name, element, ...); found no argument"))
             (gs-apart
               #'(lambda ()
+                  (gs-need-no-assignment elements)
                   (gs-need-simple elements)
                   (mfuncall '$gs__scene_typed (meval (cadr form))
                             (simplify (cons '(mlist) elements)))))))

@@ -38,6 +38,22 @@
                    found: ~a (~a)"
                   option (gs-as-written (caar e)) (gs-as-written (cadr e))
                   (gs-as-written part) ($gs__last_error)))))))
+;;; Stops at the first of the elements, as typed, that holds an assignment where name = value should
+;;; stand: link(a, mass : 3), parameters = [m : 1*kg]. Nothing is assigned.
+(defun gs-need-no-assignment (elements)
+  (let* ((e (find-if #'gs-assigned-in elements)) (part (gs-assigned-in e)))
+    (when e
+      ($gs__raise
+        (format nil "gsmbp_scene: ~@[~a: ~]expected name = value; found: ~a, which assigns"
+                (cond ((eq e part) nil)
+                      ((eq (caar e) 'mequal) (gs-as-written (cadr e)))
+                      (t (format nil "~a ~a" (gs-as-written (caar e)) (gs-as-written (cadr e)))))
+                (gs-as-written part))))))
+(defun gs-assigned-in (e) (or (gs-assigned e) (and (consp e) (some #'gs-assigned (cdr e)))))
+(defun gs-assigned (e)
+  (cond ((atom e) nil)
+        ((member (caar e) '(msetq mset mdefine mdefmacro)) e)
+        ((member (caar e) '(mlist mequal)) (some #'gs-assigned (cdr e)))))
 (defvar gs-tried nil)
 (defun $gs__try_to_simplify () (simplify (copy-tree gs-tried)) t)
 (defun gs-simplifies (e)
