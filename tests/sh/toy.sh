@@ -1,5 +1,6 @@
 # A routine is added by a row of gs__request_rows and its specification: tests/data/toy.diff does so
-# in a copy (KEN, the kinetic energy alone); its handle in Octave is there by itself.
+# in a copy (KEN, the kinetic energy alone); its handle in Octave, its prototype in C, its method
+# and stub in Python are there by themselves.
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -35,3 +36,21 @@ sed 1q "$work/said" | grep -qx 1
 told $? 'its handle gives the first of the energies' "$report"
 grep -q 'toy.ken: argument u is missing; expected m.ken (t, q, u)' "$work/said"
 told $? 'its handle says what it expects' "$work/said"
+
+# C and Python: no line of theirs
+(cd "$work" && share/make/maxima "$work/log" "load(\"gsmbp/gsmbp.mac\")\$ load(\"toy.mac\")\$
+  gsmbp_c(scene, requests)\$ gsmbp_package(scene, python, directory = \"toy_python\")\$" &&
+  cd toy_python && /usr/bin/python3 setup.py -q build_py -d ../module) >"$report" 2>&1
+told $? 'C and a module of Python are made' "$report"
+grep -qE '^(void|double|int)? *toy_ken \(' "$work"/fortran_out/toy.h
+told $? 'its prototype is in the header' "$work/fortran_out/toy.h"
+grep -q 'def ken(self, t: ' "$work"/module/toy/_routines.pyi
+told $? 'its stub is in the module' "$work/module/toy/_routines.pyi"
+PYTHONPATH=$work/module /usr/bin/python3 -c '
+import toy, numpy
+m = toy.Model()
+q, u = [0.3, -0.2, 0.5], [1, -2, 0.7]
+e = m.ene(0, numpy.concatenate([q, u, [0.1]]))
+assert abs(m.ken(0, q, u) - e[0]) <= 1e-14 * e[0] and e[0] > 0.1
+assert "kinetic" in toy.Model.ken.__doc__' >"$report" 2>&1
+told $? 'its method gives the first of the energies' "$report"
