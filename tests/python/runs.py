@@ -207,6 +207,8 @@ def parameters():
         refuses('%s %r' % (what, given), ValueError, ['simulate: %s: expected' % what],
                 plain.simulate, plain.initial, [0, 1], **{what: given})
     refuses('a state of another shape', ValueError, ['argument x', '(7)', '(2,)'], m.rhs, 0, [1, 2])
+    for t in (math.nan, [0, math.inf, 0]):
+        refuses('a time of %s' % t, ValueError, ['argument t', 'finite times'], m.rhs, t, m.initial)
     refuses('complex numbers', TypeError, ['argument x'], m.rhs, 0, [1j] * 7)
     refuses('text', TypeError, ['argument x'], m.rhs, 0, ['a'] * 7)
     refuses('too many arguments', TypeError, ['at most'], m.rhs, 0, m.initial, [0], 1)

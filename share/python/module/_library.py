@@ -108,6 +108,9 @@ class Argument:
         n = len(self.sizes)
         if a.shape[:n] != self.sizes or a.ndim > n + 1:
             self.refuse(who, a.shape)
+        if self.name == 't' and not np.isfinite(a).all():
+            raise ValueError('%s: argument t: expected finite times [s]; found %s' % (
+                who, np.array2string(a, threshold=6)))
         if MODES and self.name == 'v':
             self.modes(who, a)
         if n > 1 or not a.flags.aligned:
@@ -272,7 +275,8 @@ class Kept:
     """A call of a subroutine for one state with its arrays kept: the quickest way, of one thread.
 
     The arguments are attributes, arrays to be filled in place (numbers are arrays without
-    dimensions: call.t[...] = 0.5); call() computes and returns INFO.
+    dimensions: call.t[...] = 0.5); call() computes and returns INFO. What they hold is not looked at
+    but by the subroutine, which takes a mode as the nearest whole number.
     """
 
     def __init__(self, routine, model):
