@@ -131,7 +131,7 @@ typedef struct
 } arm;
 
 /* an arm by chance of n joints and a pose that it reaches; way 1: slides too, 2: axes of a wrist
- * meet, 3: the pose is out of reach */
+ * meet, 3: the pose is out of reach, 4: four of six axes almost parallel */
 static arm
 arm_of (int n, int way)
 {
@@ -151,6 +151,11 @@ arm_of (int n, int way)
       if (j >= n)
         a.kind[j] = 0, a.q[j] = 0.0, memset (k, 0, 3 * sizeof (double));
     }
+  for (int j = 0; j < 6 && way == 4; j++)
+    for (int i = 0; i < 3; i++)
+      a.ka[3 * j + i] = i == (j == 0 || j == 4 ? 2 : 1);
+  if (way == 4)
+    a.q[4] = 3e-8 * a.q[4];
   for (int j = 5; j >= 0; j--)
     {
       double s = sin (a.q[j]), c = cos (a.q[j]), *k = a.ka + 3 * j, zero[3];
@@ -258,6 +263,39 @@ generals (void)
     }
   finish ();
   holds (found > 30 && more > 0, "gsikg and gsikz find positions");
+}
+
+/* close to singular positions: solutions along the curve on which the tool hardly moves, from a
+ * guess that is wrong on it and from one that is off it */
+static void
+singulars (void)
+{
+  int found = 0;
+  begin ("gsikz, gsik0, gsik2, gsik3, gsik4, gsik5, gsik7, gsik8, gsik9");
+  for (int k = 0; k < 20; k++)
+    {
+      arm a = arm_of (6, 4);
+      int nc = k % 2, nf = nc, bc[4] = { 1 }, bf[4] = { 1 }, info = 1, near = 0;
+      pair guess = pair_of (24), qs = pair_of (24);
+      double rad[] = { 1e-9, 1e-9, k % 3 ? 1e-9 : -1e-4, 1e-9 }, lim[] = { 1e-14 };
+      for (int i = 0; i < 24; i++)
+        guess.c[i] = a.q[i % 6] + 1e-6 * guess.c[i];
+      for (int j = 0; j < 4; j++)
+        guess.c[6 * j + 5] += 0.3 * j, guess.c[6 * j + 3] -= 0.3 * j;
+      memcpy (qs.c, guess.c, 6 * sizeof (double));
+      both (guess), both (qs);
+      int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 4, 1, guess.c, rad, lim, qs.c, &nc, bc, 1);
+      gsikz_ (I (6), a.kind, a.ka, a.pa, a.r, a.p, I (4), I (1), guess.f, rad, lim, qs.f, &nf, bf,
+              &info);
+      same_int (made, info), same_int (nc, nf), whole (4, bc, bf);
+      same (qs);
+      for (int j = 0; j < nc; j++)
+        near |= gsikk (6, a.kind, qs.c + 6 * j, a.q) < 1e-6;
+      found += near;
+      drop (guess), drop (qs);
+    }
+  finish ();
+  holds (found > 17, "gsikz finds positions close to singular ones");
 }
 
 /* arms of two to five joints: one solution refined, others looked for beside it */
@@ -429,6 +467,7 @@ main (void)
   generals ();
   centres ();
   poses ();
+  singulars ();
   fewer ();
   return 0;
 }

@@ -26,25 +26,61 @@ int gsiks (int n, int nb, int nm, const double *qc, const double *rad, const dou
 /* which of the ns columns of qs is q, to 1e-12, from 1; 0: none */
 int gsikq (int n, const double *q, const double *qs, int ldq, int ns);
 
-/* solutions of n (1 to 6) joints refined, and made complete close to a double one; qs (n,nb), ns,
+/* solutions of n (1 to 6) joints refined, and made complete close to singular ones; qs (n,nb), ns,
  * br, info as gsiks left them; info anew is returned */
 int gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
            const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
            double *qs, int *ns, int *br, int info);
 
+/* for gsikz: the solutions that are there refined */
+void gsik5 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+            const double *p, int nb, double *qs, int *ns, int *br);
+
+/* for gsikz: the two solutions beside a singular position q0 (n), z (6) from gsiko; info anew is
+ * returned */
+int gsik4 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, const double *q0, const double *z, int nb, double *qs, int *ns, int *br,
+           int info);
+
 /* for gsikz: the largest difference of two positions (n), modulo a turn */
 double gsikk (int n, const int *kind, const double *q, const double *z);
 
 /* for gsikz: the direction z (6) in which the tool moves least at q (n), the least singular value
- * s */
+ * beside the largest s */
 void gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, const double *q, double *z, double *s);
 
-/* for gsikz: a solution q (6) put among the others if it is new, or in the place of one that misses
- * the pose by more; s as gsiko */
+/* for gsikz: a solution q (6) put among the others if it is new, or in the place of one that is the
+ * same and misses the pose by more */
 int gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
-           const double *p, const double *q, double s, int nb, double *qs, int *ns, int *br,
-           int info);
+           const double *p, const double *q, int nb, double *qs, int *ns, int *br, int info);
+
+/* for gsikz: are the solutions q (6) and s (n) the same? closer: q misses the pose by less */
+int gsik7 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, const double *q, const double *s, int *closer);
+
+/* for gsik7: the size of an arm and its pose, at least 1 */
+double gsik0 (int n, const double *pa, const double *p);
+
+/* for gsikz: solutions of six joints along the curve close to q0 (6) on which the tool hardly moves;
+ * qw (6,400): the nw positions on curves so far; info anew is returned */
+int gsik2 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+           const double *q0, int nb, double *qs, int *ns, int *br, int info, int *nw, double *qw);
+
+/* for gsik2: a position q (6) brought to the curve in at most m steps; z (6), u (6): the direction
+ * of the curve and that in which the tool cannot move, on that side of what they were; g: what is
+ * missed in direction u; s: the least singular value, with the sign that belongs to both */
+void gsik3 (int m, const int *kind, const double *ka, const double *pa, const double *r,
+            const double *p, double *q, double *z, double *u, double *g, double *s);
+
+/* for gsik2: the length of the difference of two positions (6), modulo turns */
+double gsik8 (const int *kind, const double *q, const double *z);
+
+/* for gsik2: the solution in the step h between two positions of the curve: qb, zb, ub, gb as gsik3
+ * of the first, g of the second; info anew is returned */
+int gsik9 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+           const double *qb, const double *zb, const double *ub, double gb, double g, double h,
+           int nb, double *qs, int *ns, int *br, int info);
 
 /* how far a place is from what the n (1 to 3) joints ahead of a wrist reach [m], from the nb
  * guesses qc (nc,nb), rows at+1 to at+n */
@@ -152,7 +188,7 @@ void gsikv (const double *ka, const double *pa, const double *r, const double *f
 /* for gsikv: angles 4 and 5 from the products v (3,4) of their half tangents */
 void gsikx (const double *v, double *q4, double *q5);
 
-/* a candidate q (6; behind the n-th joint 0) refined; good: 1 if less than 1e-10 of the pose is
+/* a candidate q (6; behind the n-th joint 0) refined; good: 1 if less than 1e-11 of the pose is
  * missed; w: 42, iw: 6 */
 void gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, double *q, double *w, int *iw, int *good);

@@ -36,7 +36,7 @@ gscir (const double *co, double *sc, double *rad)
   gsciq (co, size, &far, a);
   gscie (a, zr, zi);
   for (int k = 0; k < 4; k++)
-    if (fabs (zi[k]) <= 1e-6 * (1.0 + zr[k] * zr[k]))
+    if (fabs (zi[k]) <= 1e-3 * (1.0 + zr[k] * zr[k]))
       {
         double th = refined (co, size, far + 2.0 * atan (zr[k]));
         gscif (co, th, &f, &fd);

@@ -476,28 +476,46 @@ gsiki (int n, double *w, int *iw)
   return info;
 }
 
-/* one step of Newton, none longer than 0.3; w as gsiki, whose info it returns */
+/* one step of Newton, none longer than 0.3, its length without that big; w as gsiki, whose info it
+ * returns */
 static int
-newton (int n, double *q, double *w, int *iw)
+newton (int n, double *q, double *w, int *iw, double *big)
 {
-  double *s = w + 36, big = 0.0;
+  double *s = w + 36;
   int info = gsiki (n, w, iw);
   if (info != 0)
     return info;
+  *big = 0.0;
   for (int i = 0; i < 6; i++)
-    big = gs_max (big, fabs (s[i]));
-  big = gs_min (1.0, 0.3 / gs_max (big, 1e-300));
+    *big = gs_max (*big, fabs (s[i]));
+  double part = gs_min (1.0, 0.3 / gs_max (*big, 1e-300));
   for (int i = 0; i < 6; i++)
-    q[i] = q[i] + big * s[i];
+    q[i] = q[i] + part * s[i];
   return 0;
 }
 
-/* at most 40 steps on the exact Jacobian; the best position counts */
+/* two steps from best in all directions but the one in which the tool hardly moves; last: the least
+ * that was missed */
+static void
+without_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+             double *w, double *best, double *last)
+{
+  double q[6], z[6] = { 0.0 }, u[6] = { 0.0 }, g, s, miss;
+  memcpy (q, best, sizeof q);
+  gsik3 (2, kind, ka, pa, r, p, q, z, u, &g, &s);
+  gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
+  if (miss < *last)
+    memcpy (best, q, sizeof q);
+  *last = gs_min (*last, miss);
+}
+
+/* at most 40 steps on the exact Jacobian; the best position counts. The end is where a step makes it
+ * no better, but not a long one between two solutions. */
 void
 gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, double *q, double *w, int *iw, int *good)
 {
-  double miss, last = -1.0, best[6];
+  double miss, last = -1.0, big = 0.0, best[6];
   for (int it = 0; it < 40; it++)
     {
       gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
@@ -510,12 +528,14 @@ gsikn (int n, const int *kind, const double *ka, const double *pa, const double 
           if (miss <= 2e-16)
             break;
         }
-      else if (last <= 1e-12)
+      else if (last <= 2e-15 || (last <= 1e-12 && big <= 1e-9))
         break;
-      if (newton (n, q, w, iw) != 0)
+      if (newton (n, q, w, iw, &big) != 0)
         break;
     }
-  *good = last >= 0.0 && last <= 1e-10;
+  if (n == 6 && last > 2e-15 && last <= 1e-9)
+    without_one (kind, ka, pa, r, p, w, best, &last);
+  *good = last >= 0.0 && last <= 1e-11;
   for (int i = 0; i < 6 && *good; i++)
     q[i] = kind[i] == 1 ? atan2 (sin (best[i]), cos (best[i])) : best[i];
 }

@@ -8,7 +8,7 @@
 static double
 large (int nm, const double *lim)
 {
-  double wide = 1e-4;
+  double wide = 1e-6;
   for (int i = 0; i < nm; i++)
     wide = gs_max (wide, 1e7 * lim[i]);
   return wide;
@@ -33,7 +33,7 @@ is_real (int nm, const double *rad, const double *lim, double wide, int *edge, i
         *edge = 1;
       if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
         *beside = 1;
-      if (lim[i] <= 1e-20 && rad[i] > lim[i] && rad[i] <= 1e-4)
+      if (lim[i] <= 1e-20 && rad[i] > lim[i] && rad[i] <= 1e-6)
         *beside = 1;
     }
   return real;

@@ -5,6 +5,171 @@
 #include <math.h>
 #include <string.h>
 
+enum
+{
+  NEAR = 1,
+  OUT = 2,
+  FREE = 4
+};
+
+/* NEAR: a radicand of a branch is close to 0, OUT: one is below, FREE: a coordinate is free */
+static int
+marks (int nm, const double *rad, const double *lim)
+{
+  int mark = 0;
+  for (int i = 0; i < nm; i++)
+    {
+      if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
+        mark |= NEAR;
+      if (lim[i] <= 1e-20 && rad[i] <= lim[i])
+        mark |= FREE;
+      if (! (rad[i] >= -1e7 * lim[i]))
+        mark |= OUT;
+    }
+  return mark;
+}
+
+/* the n coordinates q, then 0 */
+static void
+six (int n, const double *q, double *x)
+{
+  memset (x, 0, 6 * sizeof (double));
+  memcpy (x, q, n * sizeof (double));
+}
+
+/* places as those of a point on the last axis: px (3,6), d (3) */
+static void
+about_last (int n, const double *pa, const double *r, const double *p, double *px, double *d)
+{
+  const double *o = pa + 3 * (n - 1);
+  for (int i = 0; i < 3; i++)
+    {
+      d[i] = r[i] * o[0] + r[i + 3] * o[1] + r[i + 6] * o[2] - o[i] + p[i];
+      for (int j = 0; j < 6; j++)
+        px[i + 3 * j] = pa[i + 3 * j] - o[i];
+    }
+}
+
+/* was no solution close to branch k (from 1) found, where it may have lost its digits? */
+static int
+is_unsure (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, const double *q, int k, const double *qs, int ns, const int *br)
+{
+  double h = 1.0, z[6], s;
+  for (int j = 0; j < ns; j++)
+    if (br[j] == k)
+      h = gsikk (n, kind, q, qs + n * j);
+  if (! (h > 1e-9 && n == 6))
+    return 0;
+  gsiko (n, kind, ka, pa, r, p, q, z, &s);
+  return s <= 1e-4 && h > gs_min (1e-6, 1e-9 + 1e-14 / s);
+}
+
+/* Newton's method on the pose from every solution (gsik5), then from both sides of every branch
+ * whose radicands are above -1e7 times lim and one of them close to 0 (gsik4). Where the Jacobian
+ * has almost lost rank a branch may have lost its digits: where it was not refined to a solution
+ * close to it, the curve on which the tool hardly moves is followed (gsik2); also near a branch that
+ * has a radicand close to 0 and another one below. New solutions take the numbers of branches that
+ * have none. */
+int
+gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
+       double *qs, int *ns, int *br, int info)
+{
+  double z[6], q[6], e[6], qw[2400], s, px[18], d[3];
+  int nw = 0;
+  about_last (n, pa, r, p, px, d);
+  gsik5 (n, kind, ka, px, r, d, nb, qs, ns, br);
+  for (int k = 0; k < nb; k++)
+    {
+      int mark = marks (nm, rad + nm * k, lim), walk = 0;
+      six (n, qc + n * k, q);
+      if (mark == (NEAR | OUT) && n == 6)
+        {
+          gsiky (kind, ka, px, r, d, q, e, &s);
+          walk = s <= 1e-8;
+        }
+      else if (! (mark & (OUT | FREE)))
+        {
+          if (mark & NEAR)
+            {
+              gsiko (n, kind, ka, px, r, d, q, z, &s);
+              info = gsik4 (n, kind, ka, px, r, d, q, z, nb, qs, ns, br, info);
+            }
+          walk = is_unsure (n, kind, ka, px, r, d, q, k + 1, qs, *ns, br);
+        }
+      if (walk)
+        info = gsik2 (kind, ka, px, r, d, q, nb, qs, ns, br, info, &nw, qw);
+    }
+  return *ns == 0 ? 1 : info;
+}
+
+/* a solution refined into q: is it one? */
+static int
+refined (int n, const int *kind, const double *ka, const double *pa, const double *r,
+         const double *p, const double *solution, double size, double *q)
+{
+  double w[42], e[6], miss;
+  int iw[6], good;
+  six (n, solution, q);
+  gsikj (kind, ka, pa, r, p, q, w, e, &miss);
+  gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
+  if (! good || (miss <= 1e-14 * size && gsikk (n, kind, q, solution) > 1e-2))
+    memcpy (q, solution, n * sizeof (double));
+  return good || miss <= 1e-11;
+}
+
+/* Newton's method on the pose. One that misses more than 1e-14 of the size of the arm may become one
+ * far from it, others stay close. One that is not refined is kept if it misses less than 1e-11. One
+ * that becomes another is left out. */
+void
+gsik5 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, int nb, double *qs, int *ns, int *br)
+{
+  const double size = gsik0 (n, pa, p);
+  const int m = *ns;
+  (void)nb;
+  *ns = 0;
+  for (int k = 0; k < m; k++)
+    {
+      double q[6];
+      int closer, keep = refined (n, kind, ka, pa, r, p, qs + n * k, size, q);
+      for (int l = 0; l < *ns && keep; l++)
+        keep = ! gsik7 (n, kind, ka, pa, r, p, q, qs + n * l, &closer);
+      if (! keep)
+        continue;
+      br[*ns] = br[k];
+      memcpy (qs + n * *ns, q, n * sizeof (double));
+      (*ns)++;
+    }
+  for (int k = *ns; k < m; k++)
+    {
+      br[k] = 0;
+      memset (qs + n * k, 0, n * sizeof (double));
+    }
+}
+
+/* Newton's method from five places on each side: along z the pose is missed by a parabola, and it
+ * stays on its side of the vertex */
+int
+gsik4 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, const double *q0, const double *z, int nb, double *qs, int *ns, int *br,
+       int info)
+{
+  double q[6], w[42], h = 1e-2;
+  int iw[6], good;
+  for (int l = 0; l < 5; l++, h = 0.1 * h)
+    for (int way = -1; way <= 1; way += 2)
+      {
+        for (int i = 0; i < 6; i++)
+          q[i] = i < n ? q0[i] + way * h * z[i] : way * h * z[i];
+        gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
+        if (good)
+          info = gsikp (n, kind, ka, pa, r, p, q, nb, qs, ns, br, info);
+      }
+  return info;
+}
+
 double
 gsikk (int n, const int *kind, const double *q, const double *z)
 {
@@ -19,121 +184,147 @@ gsikk (int n, const int *kind, const double *q, const double *z)
   return d;
 }
 
-/* is a branch almost real, and no coordinate free? */
-static int
-is_near (int nm, const double *rad, const double *lim)
-{
-  int good = 0, out = 0;
-  for (int i = 0; i < nm; i++)
-    {
-      if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
-        good = 1;
-      if (lim[i] <= 1e-20 && rad[i] <= lim[i])
-        out = 1;
-      if (! (rad[i] >= -1e7 * lim[i]))
-        out = 1;
-    }
-  return good && ! out;
-}
-
-/* Newton's method on the pose from every solution */
-static void
-refined (int n, const int *kind, const double *ka, const double *pa, const double *r,
-         const double *p, double *qs, int ns)
-{
-  double q[6] = { 0.0 }, w[42];
-  int iw[6], good;
-  for (int k = 0; k < ns; k++)
-    {
-      memcpy (q, qs + n * k, n * sizeof (double));
-      gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
-      if (good && gsikk (n, kind, q, qs + n * k) <= 1e-2)
-        memcpy (qs + n * k, q, n * sizeof (double));
-    }
-}
-
-/* from every solution, then from every branch whose radicands are above -1e7 times lim and one of
- * them close to 0, from places on both sides of it, where the Jacobian loses rank. A pair closer
- * than 3e-8 (more where the Jacobian is almost singular) counts once: the one that misses less. New
- * ones take the numbers of branches that have none. */
-int
-gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
-       double *qs, int *ns, int *br, int info)
-{
-  double z[6], q[6], w[42], s;
-  int iw[6], good;
-  refined (n, kind, ka, pa, r, p, qs, *ns);
-  for (int k = 0; k < nb; k++)
-    {
-      if (! is_near (nm, rad + nm * k, lim))
-        continue;
-      gsiko (n, kind, ka, pa, r, p, qc + n * k, z, &s);
-      double h = 1e-2;
-      for (int l = 0; l < 5; l++, h = 0.1 * h)
-        for (int way = -1; way <= 1; way += 2)
-          {
-            for (int i = 0; i < 6; i++)
-              q[i] = i < n ? qc[i + n * k] + way * h * z[i] : way * h * z[i];
-            gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
-            if (good)
-              info = gsikp (n, kind, ka, pa, r, p, q, s, nb, qs, ns, br, info);
-          }
-    }
-  return info;
-}
-
 void
 gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, const double *q, double *z, double *s)
 {
-  double qa[6] = { 0.0 }, j[36], e[6], v[36], sv[6], miss;
+  double qa[6], j[36], e[6], v[36], sv[6], miss;
   int rank;
-  memcpy (qa, q, n * sizeof (double));
+  six (n, q, qa);
   gsikj (kind, ka, pa, r, p, qa, j, e, &miss);
   gssvd (6, n, j, 6, v, 6, sv, 1e-14, &rank);
-  memset (z, 0, 6 * sizeof (double));
-  memcpy (z, v + 6 * (n - 1), n * sizeof (double));
-  *s = sv[n - 1];
+  six (n, v + 6 * (n - 1), z);
+  *s = sv[n - 1] / gs_max (sv[0], 1e-300);
 }
 
-/* does q miss the pose by less than the solution of n coordinates? */
+/* the place of the solution that misses the pose most, if that is more than most; else -1 */
 static int
-is_closer (int n, const int *kind, const double *ka, const double *pa, const double *r,
-           const double *p, const double *q, const double *solution)
+worst (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, double most, const double *qs, int ns)
 {
-  double qa[6] = { 0.0 }, j[36], e[6], here, there;
-  memcpy (qa, solution, n * sizeof (double));
-  gsikj (kind, ka, pa, r, p, q, j, e, &here);
-  gsikj (kind, ka, pa, r, p, qa, j, e, &there);
-  return here + 1e-15 < 0.5 * there;
+  double x[6], j[36], e[6], miss;
+  int l = -1;
+  for (int k = 0; k < ns; k++)
+    {
+      six (n, qs + n * k, x);
+      gsikj (kind, ka, pa, r, p, x, j, e, &miss);
+      if (! (miss > most))
+        continue;
+      most = miss;
+      l = k;
+    }
+  return l;
 }
 
+/* the least number of a branch, from 1, that none of the ns solutions has; nb + 1 */
+static int
+free_number (int nb, int ns, const int *br)
+{
+  int l = 1;
+  for (int k = 0; l <= nb && k < ns; k++)
+    if (br[k] == l)
+      {
+        l++;
+        k = -1;
+      }
+  return l;
+}
+
+/* compared with each by gsik7; one that misses more than 1e-14 of the size of the arm is none. Where
+ * there is no room it takes that of the one that misses most, if that is more than this. */
 int
 gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, const double *q, double s, int nb, double *qs, int *ns, int *br, int info)
+       const double *p, const double *q, int nb, double *qs, int *ns, int *br, int info)
 {
-  double tol = 3e-8 + 1e-13 / gs_max (s, 1e-10);
+  const double most = 1e-14 * gsik0 (n, pa, p);
+  double j[36], e[6], miss;
+  int closer;
+  gsikj (kind, ka, pa, r, p, q, j, e, &miss);
+  if (miss > most)
+    return info;
   for (int k = 0; k < *ns; k++)
-    if (gsikk (n, kind, q, qs + n * k) <= tol)
+    if (gsik7 (n, kind, ka, pa, r, p, q, qs + n * k, &closer))
       {
-        if (is_closer (n, kind, ka, pa, r, p, q, qs + n * k))
+        if (closer)
           memcpy (qs + n * k, q, n * sizeof (double));
         return info;
       }
-  if (*ns >= nb)
+  int full = *ns >= nb, at = full ? worst (n, kind, ka, pa, r, p, most, qs, *ns) : *ns;
+  if (at >= 0)
+    memcpy (qs + n * at, q, n * sizeof (double));
+  if (full)
     return info;
-  memcpy (qs + n * *ns, q, n * sizeof (double));
+  int l = free_number (nb, *ns, br);
   (*ns)++;
-  for (int l = 1; l <= nb; l++)
+  if (l > nb)
+    return info;
+  br[*ns - 1] = l;
+  return info == 1 ? 0 : info;
+}
+
+/* two of six joints: by the signed least singular values a at s (6), b at q (6); here, there: what q
+ * and s miss */
+static int
+are_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+         const double *q, const double *s, double size, double here, double there, int *closer)
+{
+  double x[6], z[6] = { 0.0 }, u[6] = { 0.0 }, g, a, b, d = gsik8 (kind, q, s);
+  memcpy (x, s, sizeof x);
+  gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &a);
+  memcpy (x, q, sizeof x);
+  gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &b);
+  int one = d * fabs (a - b) <= 8.0 * size;
+  if (a * b > 0.0)
+    one = (d - 3e-8) * gs_max (fabs (a), fabs (b)) <= 1e1 * size + 2.0 * (here + there);
+  if (fabs (a) <= 0.25 * fabs (b) && here <= there
+      && d * fabs (b) <= 4.0 * gs_max (there, size))
+    one = *closer = 1;
+  return one;
+}
+
+/* A pose is known to about 1e-15 of its size e, a solution to e over the least singular value of the
+ * Jacobian. Where the determinants have the same sign two solutions within ten times that, what they
+ * miss and 3e-8 are the same. Where they have not a singular position is between them, where the
+ * pose is missed by an eighth of the distance times the sum of these values: they are the same where
+ * that is below e. So is s if it is that position, taken for a double solution: if its value is
+ * below a quarter of that of q and what it misses is between. Of fewer joints than the pose has
+ * freedoms two are the same if half way between them the pose is missed by no more than 2 e above
+ * what they miss. */
+int
+gsik7 (int n, const int *kind, const double *ka, const double *pa, const double *r,
+       const double *p, const double *q, const double *s, int *closer)
+{
+  double x[6], j[36], e[6], here, there, d;
+  *closer = 0;
+  if (! (gsikk (n, kind, q, s) <= 0.1))
+    return 0;
+  const double size = 1e-15 * gsik0 (n, pa, p);
+  six (n, s, x);
+  gsikj (kind, ka, pa, r, p, q, j, e, &here);
+  gsikj (kind, ka, pa, r, p, x, j, e, &there);
+  *closer = here + 1e-15 < 0.5 * there;
+  if (n == 6)
+    return are_one (kind, ka, pa, r, p, q, s, size, here, there, closer);
+  for (int i = 0; i < n; i++)
     {
-      int k = 0;
-      while (k < *ns - 1 && br[k] != l)
-        k++;
-      if (k < *ns - 1)
-        continue;
-      br[*ns - 1] = l;
-      return info == 1 ? 0 : info;
+      d = q[i] - s[i];
+      if (kind[i] == 1)
+        d = atan2 (sin (d), cos (d));
+      x[i] = s[i] + 0.5 * d;
     }
-  return info;
+  gsikj (kind, ka, pa, r, p, x, j, e, &d);
+  return d <= gs_max (here, there) + 2.0 * size;
+}
+
+double
+gsik0 (int n, const double *pa, const double *p)
+{
+  double size = 1.0;
+  for (int i = 0; i < 3; i++)
+    {
+      size = gs_max (size, fabs (p[i]));
+      for (int j = 0; j < n; j++)
+        size = gs_max (size, fabs (pa[i + 3 * j]));
+    }
+  return size;
 }

@@ -17,7 +17,8 @@ C     METHOD
 C     The tangent of half the angle from a place where the sum is large
 C     solves an equation of degree four, whose roots Aberth's iteration
 C     finds together; real ones are refined by Newton's method on the sum
-C     itself. A root is real where the sum is below 1D-14 of its size.
+C     itself. A root is real where the sum is below 1D-14 of its size, of
+C     several that coincide also where they are found apart by 1D-3.
 C
 C     REFERENCES
 C     O. Aberth, Mathematics of Computation 27 (1973), 339-344.
@@ -45,7 +46,7 @@ C
       CALL GSCIQ( CO, SIZE, FAR, A )
       CALL GSCIE( A, ZR, ZI )
       DO 40 K = 1, 4
-         IF ( ABS( ZI(K) ).LE.1.0D-6*( 1.0D0 + ZR(K)**2 ) ) THEN
+         IF ( ABS( ZI(K) ).LE.1.0D-3*( 1.0D0 + ZR(K)**2 ) ) THEN
             TH = FAR + 2.0D0*ATAN( ZR(K) )
             DO 30 I = 1, 4
                CALL GSCIF( CO, TH, F, FD )

@@ -30,7 +30,7 @@ C     can make this singular everywhere: then the same with the last axes
 C     carried by the pose to the front of the chain, until two orders of
 C     the joints are regular; where none is, the same of four arms very
 C     close to this one. Every candidate is refined by Newton's method on
-C     the pose and taken if it misses less than 1D-10 of it.
+C     the pose and taken if it misses less than 1D-11 of it.
 C
 C     REFERENCES
 C     M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508.
@@ -760,23 +760,28 @@ C             m]; behind the N-th 0.
 C     W       (workspace) DOUBLE PRECISION array, dimension (42).
 C     IW      (workspace) INTEGER array, dimension (6).
 C     GOOD    (output) LOGICAL, whether the pose is missed by less than
-C             1D-10.
+C             1D-11.
 C
 C     METHOD
 C     Newton's method on the exact Jacobian, at most 40 steps, none longer
-C     than 0.3 rad; of fewer than six joints that of Gauss and Newton.
+C     than 0.3 rad; of fewer than six joints that of Gauss and Newton. The
+C     end is where a step makes it no better, but not a long one between
+C     two solutions: they are found behind that. Where rounding is left at
+C     a Jacobian that has almost lost rank, two steps in all directions
+C     but that one (GSIK3).
 C
 C     ERROR INDICATOR
 C     None.
 C
       IMPLICIT NONE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), Q(6), W(6,7)
-      DOUBLE PRECISION   MISS, LAST, BEST(6), BIG
+      DOUBLE PRECISION   MISS, LAST, BEST(6), BIG, PART, Z(6), U(6)
       INTEGER            N, KIND(6), IW(6), I, IT, INFO
       LOGICAL            GOOD
-      EXTERNAL           GSIKI, GSIKJ
+      EXTERNAL           GSIKI, GSIKJ, GSIK3
 C
       LAST = -1.0D0
+      BIG = 0.0D0
       DO 40 IT = 1, 40
          CALL GSIKJ( KIND, KA, PA, R, P, Q, W, W(1,7), MISS )
          IF ( .NOT.( MISS.LE.1.0D10 ) ) GO TO 50
@@ -786,7 +791,8 @@ C
                BEST(I) = Q(I)
    10       CONTINUE
             IF ( MISS.LE.2.0D-16 ) GO TO 50
-         ELSE IF ( LAST.LE.1.0D-12 ) THEN
+         ELSE IF ( LAST.LE.2.0D-15 .OR.
+     $             LAST.LE.1.0D-12 .AND. BIG.LE.1.0D-9 ) THEN
             GO TO 50
          END IF
          CALL GSIKI( N, W, IW, INFO )
@@ -795,13 +801,26 @@ C
          DO 20 I = 1, 6
             BIG = MAX( BIG, ABS( W(I,7) ) )
    20    CONTINUE
-         BIG = MIN( 1.0D0, 0.3D0/MAX( BIG, 1.0D-300 ) )
+         PART = MIN( 1.0D0, 0.3D0/MAX( BIG, 1.0D-300 ) )
          DO 30 I = 1, 6
-            Q(I) = Q(I) + BIG*W(I,7)
+            Q(I) = Q(I) + PART*W(I,7)
    30    CONTINUE
    40 CONTINUE
    50 CONTINUE
-      GOOD = LAST.GE.0.0D0 .AND. LAST.LE.1.0D-10
+      IF ( N.EQ.6 .AND. LAST.GT.2.0D-15 .AND. LAST.LE.1.0D-9 ) THEN
+         DO 55 I = 1, 6
+            Q(I) = BEST(I)
+            Z(I) = 0.0D0
+            U(I) = 0.0D0
+   55    CONTINUE
+         CALL GSIK3( 2, KIND, KA, PA, R, P, Q, Z, U, BIG, PART )
+         CALL GSIKJ( KIND, KA, PA, R, P, Q, W, W(1,7), MISS )
+         DO 58 I = 1, 6
+            IF ( MISS.LT.LAST ) BEST(I) = Q(I)
+   58    CONTINUE
+         LAST = MIN( LAST, MISS )
+      END IF
+      GOOD = LAST.GE.0.0D0 .AND. LAST.LE.1.0D-11
       IF ( .NOT.GOOD ) RETURN
       DO 60 I = 1, 6
          Q(I) = BEST(I)

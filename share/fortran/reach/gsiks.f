@@ -29,7 +29,7 @@ C             there is no solution what the best branch misses [m, 1]; of a
 C             root that is not real the branch has 0 in its place.
 C     NEAR    (output) INTEGER, 1 where a branch is close to another or a
 C             coordinate almost free: the radicand of a root is within 1D7
-C             times LIM of 0, a square (LIM below 1D-20) below 1D-4; or
+C             times LIM of 0, a square (LIM below 1D-20) below 1D-6; or
 C             where a solution misses more than 1D-13; else 0.
 C     INFO    (output) INTEGER, see below.
 C
@@ -63,7 +63,7 @@ C
          RETURN
       END IF
       LEAST = -1.0D0
-      WIDE = 1.0D-4
+      WIDE = 1.0D-6
       DO 2 I = 1, NM
          WIDE = MAX( WIDE, 1.0D7*LIM(I) )
     2 CONTINUE
@@ -89,7 +89,7 @@ C        -- where all of RAD is large, as it is as a rule, all is said
                IF ( LIM(I).GT.1.0D-20 .AND.
      $              ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) BESIDE = .TRUE.
                IF ( LIM(I).LE.1.0D-20 .AND. RAD(I,K).GT.LIM(I) .AND.
-     $              RAD(I,K).LE.1.0D-4 ) BESIDE = .TRUE.
+     $              RAD(I,K).LE.1.0D-6 ) BESIDE = .TRUE.
    10       CONTINUE
          END IF
          IF ( BESIDE ) NEAR = 1
