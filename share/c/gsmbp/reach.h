@@ -26,8 +26,8 @@ int gsiks (int n, int nb, int nm, const double *qc, const double *rad, const dou
 /* which of the ns columns of qs is q, to 1e-12, from 1; 0: none */
 int gsikq (int n, const double *q, const double *qs, int ldq, int ns);
 
-/* solutions of n (1 to 6) joints refined, and made complete close to singular ones; qs (n,nb), ns,
- * br, info as gsiks left them; info anew is returned */
+/* solutions of n (1 to 6) joints refined, and made complete close to singular ones; qs (n,nb),
+ * ns, br, info as gsiks left them; info anew is returned */
 int gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
            const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
            double *qs, int *ns, int *br, int info);
@@ -50,8 +50,8 @@ double gsikk (int n, const int *kind, const double *q, const double *z);
 void gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, const double *q, double *z, double *s);
 
-/* for gsikz: a solution q (6) put among the others if it is new, or in the place of one that is the
- * same and misses the pose by more */
+/* for gsikz: a solution q (6) put among the others if it is new, or in the place of one that is
+ * the same and misses the pose by more */
 int gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
            const double *p, const double *q, int nb, double *qs, int *ns, int *br, int info);
 
@@ -62,22 +62,22 @@ int gsik7 (int n, const int *kind, const double *ka, const double *pa, const dou
 /* for gsik7: the size of an arm and its pose, at least 1 */
 double gsik0 (int n, const double *pa, const double *p);
 
-/* for gsikz: solutions of six joints along the curve close to q0 (6) on which the tool hardly moves;
- * qw (6,400): the nw positions on curves so far; info anew is returned */
+/* for gsikz: solutions of six joints along the curve close to q0 (6) on which the tool hardly
+ * moves; qw (6,400): the nw positions on curves so far; info anew is returned */
 int gsik2 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
            const double *q0, int nb, double *qs, int *ns, int *br, int info, int *nw, double *qw);
 
-/* for gsik2: a position q (6) brought to the curve in at most m steps; z (6), u (6): the direction
- * of the curve and that in which the tool cannot move, on that side of what they were; g: what is
- * missed in direction u; s: the least singular value, with the sign that belongs to both */
+/* for gsik2: a position q (6) brought to the curve in at most m steps; z (6), u (6): the
+ * direction of the curve and that in which the tool cannot move, on that side of what they were; g:
+ * what is missed in direction u; s: the least singular value, with the sign that belongs to both */
 void gsik3 (int m, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, double *q, double *z, double *u, double *g, double *s);
 
 /* for gsik2: the length of the difference of two positions (6), modulo turns */
 double gsik8 (const int *kind, const double *q, const double *z);
 
-/* for gsik2: the solution in the step h between two positions of the curve: qb, zb, ub, gb as gsik3
- * of the first, g of the second; info anew is returned */
+/* for gsik2: the solution in the step h between two positions of the curve: qb, zb, ub, gb as
+ * gsik3 of the first, g of the second; info anew is returned */
 int gsik9 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
            const double *qb, const double *zb, const double *ub, double gb, double g, double h,
            int nb, double *qs, int *ns, int *br, int info);
@@ -87,17 +87,18 @@ int gsik9 (const int *kind, const double *ka, const double *pa, const double *r,
 void gsikd (gs_ikc *ikc, int n, int nc, int nb, int at, const double *p, const double *r,
             const double *qg, const double *cst, const double *qc, double *dst);
 
-/* how close six joints come to a pose out of reach, dst (2) [m, rad], from nb guesses qc (6,nb), 0:
- * eight of its own; x0 (3): the tool's point where all coordinates are 0 */
+/* how close six joints come to a pose out of reach, dst (2) [m, rad], from nb guesses qc (6,nb),
+ * 0: eight of its own; x0 (3): the tool's point where all coordinates are 0 */
 void gsiku (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
             const double *x0, int nb, const double *qc, double *dst);
 
-/* for gsiku: the closest position near the guess q, what it misses e (6), and the square of that */
+/* for gsiku: the closest position near the guess q, what it misses e (6), and the square of that
+ * */
 void gsiky (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
             double *q, double *e, double *f);
 
-/* sine and cosine sc (2,4) of the angles th at which co[0] cos 2th + co[1] sin 2th + co[2] cos th +
- * co[3] sin th + co[4] = 0; rad (4): -1 where there is none, 0 at a double one */
+/* sine and cosine sc (2,4) of the angles th at which co[0] cos 2th + co[1] sin 2th + co[2] cos
+ * th + co[3] sin th + co[4] = 0; rad (4): -1 where there is none, 0 at a double one */
 void gscir (const double *co, double *sc, double *rad);
 
 /* for gscir: that sum and its derivative */
@@ -109,8 +110,8 @@ void gsciq (const double *co, double size, double *far, double *a);
 /* for gscir: the roots zr + i*zi (4) of a[0] + ... + a[4]*x**4 */
 void gscie (const double *a, double *zr, double *zi);
 
-/* coordinates q that bring point k (from 1) of npt to the place p and (job = 1) the axes r, from a
- * guess, within qlo and qhi, with the loops closed; iv (nq): the speeds (from 1) that are rates;
+/* coordinates q that bring point k (from 1) of npt to the place p and (job = 1) the axes r, from
+ * a guess, within qlo and qhi, with the loops closed; iv (nq): the speeds (from 1) that are rates;
  * dst (2): what is missed; w as GSNIK. info: 1 not reached, < 0 as con */
 int gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
            const double *p, const double *r, double *q, const double *qlo, const double *qhi,
@@ -134,8 +135,8 @@ void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j
             const int *iv, double *u, const double *cst, double *a, double *b, double *s,
             double *qn, double *qdot);
 
-/* all angles qc (6,16) of six revolute joints in any position to each other, ns solutions, rising;
- * w: 1200, iw: 24 */
+/* all angles qc (6,16) of six revolute joints in any position to each other, ns solutions,
+ * rising; w: 1200, iw: 24 */
 void gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc,
             int *ns, double *w, int *iw);
 
@@ -173,12 +174,12 @@ void gsike (const double *f, const double *g, double *h, double *w);
 /* for gsike: row i (from 1) of h (6,9) in half tangents, from b (6,3,3) */
 void gsikh (const double *b, int i, double *h);
 
-/* for gsikg: the matrix a (24,24) whose eigenvalues are half tangents of angle 3 from shift on; s2
- * (12,12), x (12,24), iw (12) are workspace. info: 1 singular, 2 almost so */
+/* for gsikg: the matrix a (24,24) whose eigenvalues are half tangents of angle 3 from shift on;
+ * s2 (12,12), x (12,24), iw (12) are workspace. info: 1 singular, 2 almost so */
 int gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw);
 
-/* for gsikg: twelve equations s (12,12): those of cosine times a, of sine times b, of one times c;
- * d: 0 */
+/* for gsikg: twelve equations s (12,12): those of cosine times a, of sine times b, of one times
+ * c; d: 0 */
 void gsikm (const double *h, double a, double b, double c, double d, double *s);
 
 /* for gsikg: the other angles of a candidate, whose angle 3 is in q (6); w: 500 */

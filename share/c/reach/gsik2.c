@@ -43,9 +43,9 @@ walk (const int *kind, const double *ka, const double *pa, const double *r, cons
   return 0;
 }
 
-/* On the curve the pose is missed in the direction only in which the tool cannot move. In steps of
- * 0.1 both ways: where what is missed changes its sign there is a solution, and two may be where it
- * is least. The end is where more than 1e-3 is missed, a step behind where the curve closes, or
+/* On the curve the pose is missed in the direction only in which the tool cannot move. In steps
+ * of 0.1 both ways: where what is missed changes its sign there is a solution, and two may be where
+ * it is least. The end is where more than 1e-3 is missed, a step behind where the curve closes, or
  * where it has been before. */
 int
 gsik2 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
@@ -118,7 +118,8 @@ across (const double *b, const double *sv, double *x)
     }
 }
 
-/* x and v6, the direction of the curve, on the side of u and z in their places; -1: v6 was turned */
+/* x and v6, the direction of the curve, on the side of u and z in their places; -1: v6 was
+ * turned */
 static double
 oriented (const double *x, const double *v6, double *z, double *u)
 {

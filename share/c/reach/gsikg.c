@@ -56,7 +56,7 @@ middle (const double *pa, double *pc, double *cen)
  * backwards. Axes that are parallel can make this singular everywhere: then the same with the last
  * axes carried by the pose to the front of the chain, until two orders of the joints are regular;
  * where none is, the same of four arms very close to this one. Every candidate is refined by
- * Newton's method on the pose and taken if it misses less than 1e-10 of it.
+ * Newton's method on the pose and taken if it misses less than 1e-11 of it.
  *
  * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
  * Robotics Automation 10 (1994), 648-657. */
@@ -476,8 +476,8 @@ gsiki (int n, double *w, int *iw)
   return info;
 }
 
-/* one step of Newton, none longer than 0.3, its length without that big; w as gsiki, whose info it
- * returns */
+/* one step of Newton, none longer than 0.3, its length without that big; w as gsiki, whose info
+ * it returns */
 static int
 newton (int n, double *q, double *w, int *iw, double *big)
 {
@@ -494,8 +494,8 @@ newton (int n, double *q, double *w, int *iw, double *big)
   return 0;
 }
 
-/* two steps from best in all directions but the one in which the tool hardly moves; last: the least
- * that was missed */
+/* two steps from best in all directions but the one in which the tool hardly moves; last: the
+ * least that was missed */
 static void
 without_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
              double *w, double *best, double *last)
@@ -509,8 +509,8 @@ without_one (const int *kind, const double *ka, const double *pa, const double *
   *last = gs_min (*last, miss);
 }
 
-/* at most 40 steps on the exact Jacobian; the best position counts. The end is where a step makes it
- * no better, but not a long one between two solutions. */
+/* at most 40 steps on the exact Jacobian; the best position counts. The end is where a step
+ * makes it no better, but not a long one between two solutions. */
 void
 gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, double *q, double *w, int *iw, int *good)

@@ -68,9 +68,9 @@ is_unsure (int n, const int *kind, const double *ka, const double *pa, const dou
 /* Newton's method on the pose from every solution (gsik5), then from both sides of every branch
  * whose radicands are above -1e7 times lim and one of them close to 0 (gsik4). Where the Jacobian
  * has almost lost rank a branch may have lost its digits: where it was not refined to a solution
- * close to it, the curve on which the tool hardly moves is followed (gsik2); also near a branch that
- * has a radicand close to 0 and another one below. New solutions take the numbers of branches that
- * have none. */
+ * close to it, the curve on which the tool hardly moves is followed (gsik2); also near a branch
+ * that has a radicand close to 0 and another one below. New solutions take the numbers of branches
+ * that have none. */
 int
 gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
@@ -119,9 +119,9 @@ refined (int n, const int *kind, const double *ka, const double *pa, const doubl
   return good || miss <= 1e-11;
 }
 
-/* Newton's method on the pose. One that misses more than 1e-14 of the size of the arm may become one
- * far from it, others stay close. One that is not refined is kept if it misses less than 1e-11. One
- * that becomes another is left out. */
+/* Newton's method on the pose. One that misses more than 1e-14 of the size of the arm may become
+ * one far from it, others stay close. One that is not refined is kept if it misses less than 1e-11.
+ * One that becomes another is left out. */
 void
 gsik5 (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, int nb, double *qs, int *ns, int *br)
@@ -230,8 +230,8 @@ free_number (int nb, int ns, const int *br)
   return l;
 }
 
-/* compared with each by gsik7; one that misses more than 1e-14 of the size of the arm is none. Where
- * there is no room it takes that of the one that misses most, if that is more than this. */
+/* compared with each by gsik7; one that misses more than 1e-14 of the size of the arm is none.
+ * Where there is no room it takes that of the one that misses most, if that is more than this. */
 int
 gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, const double *q, int nb, double *qs, int *ns, int *br, int info)
@@ -262,8 +262,8 @@ gsikp (int n, const int *kind, const double *ka, const double *pa, const double 
   return info == 1 ? 0 : info;
 }
 
-/* two of six joints: by the signed least singular values a at s (6), b at q (6); here, there: what q
- * and s miss */
+/* two of six joints: by the signed least singular values a at s (6), b at q (6); here, there:
+ * what q and s miss */
 static int
 are_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
          const double *q, const double *s, double size, double here, double there, int *closer)
@@ -273,23 +273,25 @@ are_one (const int *kind, const double *ka, const double *pa, const double *r, c
   gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &a);
   memcpy (x, q, sizeof x);
   gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &b);
-  int one = d * fabs (a - b) <= 8.0 * size;
+  int one = d * fabs (a - b) <= 2.0 * size;
   if (a * b > 0.0)
     one = (d - 3e-8) * gs_max (fabs (a), fabs (b)) <= 1e1 * size + 2.0 * (here + there);
-  if (fabs (a) <= 0.25 * fabs (b) && here <= there
-      && d * fabs (b) <= 4.0 * gs_max (there, size))
-    one = *closer = 1;
+  if (fabs (a) <= 0.25 * fabs (b) && d * fabs (b) <= 4.0 * gs_max (there, size))
+    {
+      one = 1;
+      *closer = there > 2.0 * size && here <= 0.5 * there;
+    }
   return one;
 }
 
-/* A pose is known to about 1e-15 of its size e, a solution to e over the least singular value of the
- * Jacobian. Where the determinants have the same sign two solutions within ten times that, what they
- * miss and 3e-8 are the same. Where they have not a singular position is between them, where the
- * pose is missed by an eighth of the distance times the sum of these values: they are the same where
- * that is below e. So is s if it is that position, taken for a double solution: if its value is
- * below a quarter of that of q and what it misses is between. Of fewer joints than the pose has
- * freedoms two are the same if half way between them the pose is missed by no more than 2 e above
- * what they miss. */
+/* A pose is known to about 1e-15 of its size e, a solution to e over the least singular value of
+ * the Jacobian. Where the determinants have the same sign two solutions within ten times that, what
+ * they miss and 3e-8 are the same. Where they have not a singular position is between them, where
+ * the pose is missed by an eighth of the distance times the sum of these values: they are the same
+ * where that is below e/4. So is s if it is that position, taken for a double solution: if its
+ * value is below a quarter of that of q and what it misses, or e, is between; q takes its place
+ * where it misses more than 2 e. Of fewer joints than the pose has freedoms two are the same if
+ * half way between them the pose is missed by no more than 2 e above what they miss. */
 int
 gsik7 (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, const double *q, const double *s, int *closer)

@@ -344,14 +344,15 @@ C     METHOD
 C     A pose is known to about 1D-15 of its size E, a solution to E over
 C     the least singular value of the Jacobian. Where the determinants
 C     have the same sign two solutions within ten times that, what they
-C     miss and 3D-8 are the same. Where they have not a singular position is between
-C     them, where the pose is missed by an eighth of the distance times
-C     the sum of these values: they are the same where that is below E.
-C     So is S if it is that position, taken for a double solution: if its
-C     value is below a quarter of that of Q and what it misses is between.
-C     Of fewer joints than the pose has freedoms two are the same if half
-C     way between them the pose is missed by no more than 2 E above what
-C     they miss.
+C     miss and 3D-8 are the same. Where they have not a singular position
+C     is between them, where the pose is missed by an eighth of the
+C     distance times the sum of these values: they are the same where that
+C     is below E/4. So is S if it is that position, taken for a double
+C     solution: if its value is below a quarter of that of Q and what it
+C     misses, or E, is between; Q takes its place where it misses more
+C     than 2 E. Of fewer joints than the pose has freedoms two are the
+C     same if half way between them the pose is missed by no more than 2 E
+C     above what they miss.
 C
 C     ERROR INDICATOR
 C     None.
@@ -384,14 +385,14 @@ C
             X(I) = Q(I)
    20    CONTINUE
          CALL GSIK3( 0, KIND, KA, PA, R, P, X, Z, U, G, B )
-         SAME = D*ABS( A - B ).LE.8.0D0*SIZE
+         SAME = D*ABS( A - B ).LE.2.0D0*SIZE
          IF ( A*B.GT.0.0D0 ) SAME = ( D - 3.0D-8 )
      $        *MAX( ABS( A ), ABS( B ) )
      $        .LE.1.0D1*SIZE + 2.0D0*( HERE + THERE )
-         IF ( ABS( A ).LE.0.25D0*ABS( B ) .AND. HERE.LE.THERE .AND.
+         IF ( ABS( A ).LE.0.25D0*ABS( B ) .AND.
      $        D*ABS( B ).LE.4.0D0*MAX( THERE, SIZE ) ) THEN
             SAME = .TRUE.
-            CLOSER = .TRUE.
+            CLOSER = THERE.GT.2.0D0*SIZE .AND. HERE.LE.0.5D0*THERE
          END IF
       ELSE
          DO 30 I = 1, N
