@@ -8,11 +8,15 @@ trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 report=$work/out.txt
 octave_run() {   # in the user's folder, with a home and packages of its own
   (cd "$work/user" && HOME=$work/home without_root_powers timeout 200 octave-cli -qf --no-history \
-    --eval "pkg ('prefix', '$work/pkg', '$work/pkg'); pkg ('local_list', '$work/list'); $1" \
+    --eval "pkg ('prefix', '$work/pkg', '$work/pkg'); pkg ('local_list', '$work/list');
+      pkg ('global_list', '$work/all'); $1" \
     </dev/null) >"$report" 2>&1
 }
 says() { grep -q -- "$1" "$report"; }
 mkdir "$work/home" "$work/user" "$work/tree"
+# the packages of the system, in a list of its own: root installs for everybody
+all=$(octave-cli -qf --eval 'printf ("%s", pkg ("global_list"))' 2>/dev/null)
+[ ! -f "$all" ] || cp "$all" "$work/all"
 version=$(sed -n 's/.*gsmbp_version, "\([^"]*\)".*/\1/p' gsmbp/kernel/version.mac)
 
 # in copies of the tree: what lies there beside it does not count, nor do times, nor the umask
@@ -26,6 +30,8 @@ told $? 'make package' "$report"
 (umask 077 && touch "$work/tree/b/octave/junk" && sleep 1.1 && make -C "$work/tree/b" package) \
   >"$report" 2>&1
 file=share/package/gsmbp-$version.tar.gz
+check 'the version of CITATION.cff is that of version.mac' \
+  grep -qx "version: \"$version\"" CITATION.cff
 check 'the same tree, the same bytes' cmp "$work/tree/a/$file" "$work/tree/b/$file"
 mv "$work/tree/a/$file" "$work"
 rm -rf "$work/tree"

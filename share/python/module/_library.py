@@ -275,8 +275,8 @@ class Kept:
     """A call of a subroutine for one state with its arrays kept: the quickest way, of one thread.
 
     The arguments are attributes, arrays to be filled in place (numbers are arrays without
-    dimensions: call.t[...] = 0.5); call() computes and returns INFO. What they hold is not looked at
-    but by the subroutine, which takes a mode as the nearest whole number.
+    dimensions: call.t[...] = 0.5); call() computes and returns INFO. Only the subroutine looks at
+    what they hold; it takes a mode as the nearest whole number.
     """
 
     def __init__(self, routine, model):
