@@ -274,3 +274,5 @@ endfunction
 %!error <option "speed" has no value> gsmbp_plan ("trapezoid", [0 1], "speed")
 %!error <option acceleration: expected one number or 1 numbers above 0, found \[\]>
 %! gsmbp_plan ("double_s", [0 1], "speed", 1)
+%!error <option speed: expected one number or 1 numbers above 0, found -1>
+%! gsmbp_plan ("double_s", [0 1], "speed", -1)

@@ -29,7 +29,10 @@ function o = limits (who, n, pairs, jerk)
     table(end+1,:) = {"jerk", [], "numbers"};
   endif
   o = gsmbp__options (who, table, pairs);
-  for name = setdiff (table(:,1)', {"synchronized", "at"})
+  names = setdiff (table(:,1)', {"synchronized", "at"}, "stable");
+  ## a value that is wrong is told before one that is missing
+  left_out = cellfun (@(name) isempty (o.(name)), names);
+  for name = [names(! left_out), names(left_out)]
     value = double (o.(name{1})(:));
     bound = any (strcmp (name{1}, {"speed", "acceleration", "jerk"}));
     if (isscalar (value))
