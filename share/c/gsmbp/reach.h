@@ -140,6 +140,10 @@ void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j
 void gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc,
             int *ns, double *w, int *iw);
 
+/* for gsikg: its solutions made complete close to singular ones */
+void gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc,
+            int *ns);
+
 /* for gsikg: the last axis of a chain carried to its front by the displacement it makes */
 void gsik6 (const double *r, const double *p, double *ka, double *pa);
 

@@ -48,30 +48,13 @@ middle (const double *pa, double *pc, double *cen)
   return size;
 }
 
-/* The line of axis 6, told by point p and direction l, gives fifteen numbers (p, l, p.p, p.l,
- * p x l, (p.p)l - 2(p.l)p, 1) that every displacement changes linearly; fourteen equations between
- * those moved by joints 3 to 5 and those moved back by joints 2 and 1. The angles 1 and 2 are
- * eliminated linearly, six equations are left, and as many times the half tangent of angle 4: the
- * half tangent of angle 3 is an eigenvalue of a matrix of order 24. That, and the same of the chain
- * backwards. Axes that are parallel can make this singular everywhere: then the same with the last
- * axes carried by the pose to the front of the chain, until two orders of the joints are regular;
- * where none is, the same of four arms very close to this one. Every candidate is refined by
- * Newton's method on the pose and taken if it misses less than 1e-11 of it.
- *
- * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
- * Robotics Automation 10 (1994), 648-657. */
-void
-gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns,
-       double *w, int *iw)
+/* all orders of the joints until two are regular, or one was; else four neighbours of this arm, whose
+ * lengths beside their largest are pc */
+static void
+candidates (const double *ka, const double *pc, const double *r, const double *p2, double *qc,
+            int *ns, double *w, int *iw)
 {
-  double kb[18], pb[18], pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
-  *ns = 0;
-  if (! (size > 0.0))
-    return;
-  for (int i = 0; i < 3; i++)
-    p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
-  for (int j = 0; j < 18; j++)
-    pc[j] = pc[j] / size;
+  double kb[18], pb[18];
   int regular = 0;
   memcpy (kb, ka, sizeof kb);
   memcpy (pb, pc, sizeof pb);
@@ -90,6 +73,69 @@ gsikg (const double *ka, const double *pa, const double *r, const double *p, dou
       neighbour (l, ka, pc, kb, pb);
       gsikb (kb, pb, r, p2, ka, pc, 0, qc, ns, &regular, w, iw);
     }
+}
+
+/* The line of axis 6, told by point p and direction l, gives fifteen numbers (p, l, p.p, p.l,
+ * p x l, (p.p)l - 2(p.l)p, 1) that every displacement changes linearly; fourteen equations between
+ * those moved by joints 3 to 5 and those moved back by joints 2 and 1. The angles 1 and 2 are
+ * eliminated linearly, six equations are left, and as many times the half tangent of angle 4: the
+ * half tangent of angle 3 is an eigenvalue of a matrix of order 24. That, and the same of the chain
+ * backwards. Axes that are parallel can make this singular everywhere: then the same with the last
+ * axes carried by the pose to the front of the chain, until two orders of the joints are regular;
+ * where none is, the same of four arms very close to this one. Every candidate is refined by
+ * Newton's method on the pose and taken if it misses less than 1e-11 of it; close to singular positions
+ * others are looked for as gsikz does.
+ *
+ * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
+ * Robotics Automation 10 (1994), 648-657. */
+void
+gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns,
+       double *w, int *iw)
+{
+  double pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
+  *ns = 0;
+  if (! (size > 0.0))
+    return;
+  for (int i = 0; i < 3; i++)
+    p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
+  for (int j = 0; j < 18; j++)
+    pc[j] = pc[j] / size;
+  candidates (ka, pc, r, p2, qc, ns, w, iw);
+  gsigc (ka, pc, r, p2, qc, ns);
+}
+
+/* as gsikz, from the solutions where the least singular value of the Jacobian is below 1e-4 of the
+ * largest */
+void
+gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns)
+{
+  const int kind[] = { 1, 1, 1, 1, 1, 1 };
+  double q[96], z[6], qw[2400], s;
+  int br[16] = { 0 }, m = 0, nw = 0;
+  for (int k = 0; k < *ns; k++)
+    {
+      gsiko (6, kind, ka, pa, r, p, qc + 6 * k, z, &s);
+      m += s <= 1e-4;
+      memcpy (q + 6 * k, qc + 6 * k, 6 * sizeof (double));
+      br[k] = k + 1;
+    }
+  if (m == 0)
+    return;
+  gsik5 (6, kind, ka, pa, r, p, 16, q, ns, br);
+  m = *ns;
+  for (int k = 0; k < m; k++)
+    {
+      gsiko (6, kind, ka, pa, r, p, q + 6 * k, z, &s);
+      if (! (s <= 1e-4))
+        continue;
+      memcpy (qc, q + 6 * k, 6 * sizeof (double));
+      gsik4 (6, kind, ka, pa, r, p, qc, z, 16, q, ns, br, 0);
+      gsik2 (kind, ka, pa, r, p, qc, 16, q, ns, br, 0, &nw, qw);
+    }
+  m = *ns;
+  *ns = 0;
+  for (int k = 0; k < m; k++)
+    gsika (q + 6 * k, qc, ns);
 }
 
 void

@@ -30,7 +30,8 @@ C     can make this singular everywhere: then the same with the last axes
 C     carried by the pose to the front of the chain, until two orders of
 C     the joints are regular; where none is, the same of four arms very
 C     close to this one. Every candidate is refined by Newton's method on
-C     the pose and taken if it misses less than 1D-11 of it.
+C     the pose and taken if it misses less than 1D-11 of it; close to
+C     singular positions others are looked for as GSIKZ does.
 C
 C     REFERENCES
 C     M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508.
@@ -42,7 +43,7 @@ C
       DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), P2(3), SIZE
       DOUBLE PRECISION   PC(3,6), CEN(3)
       INTEGER            NS, IW(24), I, J, L, L0, NREG
-      EXTERNAL           GSIKB, GSIK6
+      EXTERNAL           GSIKB, GSIK6, GSIGC
 C
 C     -- lengths beside their largest, about the middle of the points
       NS = 0
@@ -78,9 +79,9 @@ C     -- lengths beside their largest, about the middle of the points
          IF ( L.GT.0 ) CALL GSIK6( R, P2, KB, PB )
          L0 = L
          CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
-         IF ( NREG.GE.2 ) RETURN
+         IF ( NREG.GE.2 ) GO TO 130
    80 CONTINUE
-      IF ( NREG.GT.0 ) RETURN
+      IF ( NREG.GT.0 ) GO TO 130
 C     -- no order is regular: four neighbours of this arm
       DO 120 L = 1, 4
          DO 110 J = 1, 6
@@ -96,6 +97,64 @@ C     -- no order is regular: four neighbours of this arm
          L0 = 0
          CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
   120 CONTINUE
+  130 CONTINUE
+      CALL GSIGC( KA, PC, R, P2, QC, NS )
+      END
+C
+      SUBROUTINE GSIGC( KA, PA, R, P, QC, NS )
+C
+C     PURPOSE
+C     For GSIKG: solutions made complete close to singular ones.
+C
+C     ARGUMENTS
+C     KA, PA, R, P (input) as GSIKG.
+C     QC, NS  (input/output) as GSIKG.
+C
+C     METHOD
+C     As GSIKZ, from the solutions where the least singular value of the
+C     Jacobian is below 1D-4 of the largest.
+C
+C     ERROR INDICATOR
+C     None.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
+      DOUBLE PRECISION   Q(6,16), Z(6), QW(6,400), S
+      INTEGER            NS, M, BR(16), KIND(6), I, K, INFO, NW
+      EXTERNAL           GSIKA, GSIKO, GSIK2, GSIK4, GSIK5
+      DATA               KIND / 6*1 /
+C
+      M = 0
+      DO 20 K = 1, NS
+         CALL GSIKO( 6, KIND, KA, PA, R, P, QC(1,K), Z, S )
+         IF ( S.LE.1.0D-4 ) M = M + 1
+         DO 10 I = 1, 6
+            Q(I,K) = QC(I,K)
+   10    CONTINUE
+         BR(K) = K
+   20 CONTINUE
+      IF ( M.EQ.0 ) RETURN
+      INFO = 0
+      NW = 0
+      CALL GSIK5( 6, KIND, KA, PA, R, P, 16, Q, NS, BR )
+      M = NS
+      DO 30 K = 1, M
+         CALL GSIKO( 6, KIND, KA, PA, R, P, Q(1,K), Z, S )
+         IF ( S.LE.1.0D-4 ) THEN
+            DO 25 I = 1, 6
+               QC(I,1) = Q(I,K)
+   25       CONTINUE
+            CALL GSIK4( 6, KIND, KA, PA, R, P, QC, Z, 16, Q, NS, BR,
+     $                  INFO )
+            CALL GSIK2( KIND, KA, PA, R, P, QC, 16, Q, NS, BR, INFO, NW,
+     $                  QW )
+         END IF
+   30 CONTINUE
+      M = NS
+      NS = 0
+      DO 40 K = 1, M
+         CALL GSIKA( Q(1,K), QC, NS )
+   40 CONTINUE
       END
 C
       SUBROUTINE GSIK6( R, P, KA, PA )
