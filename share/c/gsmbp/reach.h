@@ -118,7 +118,7 @@ int gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k
            const int *iv, int ns, const int *iset, const double *cst, double *w, double *dst);
 
 /* for gsnik: what a position misses, res (nr), its length f; u (nu): zeros. info as con */
-int gsnir (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
+int gsnir (const gs_scene *g, double t, int nu, int nlam, int npt, int k, int job,
            const double *p, const double *r, const double *q, const double *u, const double *cst,
            double *res, int nr, double *w, double *f, double *dst);
 
@@ -129,11 +129,11 @@ void gsniv (const double *r, const double *s, double *v);
 int gsnij (const gs_scene *g, double t, const double *q, int nu, int nlam, int npt, int k, int job,
            const double *u, const double *cst, double *j, int nr, double *w);
 
-/* for gsnik: a damped step from q to qn; a (nu,nu), b, s (nu), qdot (nq) are workspace */
+/* for gsnik: a damped step from q to qn; a (nu,nu), s (nu), qdot (nq) are workspace */
 void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j,
             const double *res, double mu, const double *q, const double *qlo, const double *qhi,
-            const int *iv, double *u, const double *cst, double *a, double *b, double *s,
-            double *qn, double *qdot);
+            const int *iv, double *u, const double *cst, double *a, double *s, double *qn,
+            double *qdot);
 
 /* all angles qc (6,16) of six revolute joints in any position to each other, ns solutions,
  * rising; w: 1200, iw: 24 */
@@ -183,8 +183,8 @@ void gsikh (const double *b, int i, double *h);
 int gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw);
 
 /* for gsikg: twelve equations s (12,12): those of cosine times a, of sine times b, of one times
- * c; d: 0 */
-void gsikm (const double *h, double a, double b, double c, double d, double *s);
+ * c */
+void gsikm (const double *h, double a, double b, double c, double *s);
 
 /* for gsikg: the other angles of a candidate, whose angle 3 is in q (6); w: 500 */
 void gsikv (const double *ka, const double *pa, const double *r, const double *f, const double *g,

@@ -377,9 +377,9 @@ gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw
   for (int k = 1; k <= 8; k++)
     {
       double th = 0.37 + 0.785398 * k, c = cos (th), s = sin (th), big = 0.0;
-      gsikm (h, -c, -s, 1.0, 0.0, s2);
-      gsikm (h, c, s, 1.0, 0.0, x);
-      gsikm (h, -2.0 * s, 2.0 * c, 0.0, 0.0, x + 144);
+      gsikm (h, -c, -s, 1.0, s2);
+      gsikm (h, c, s, 1.0, x);
+      gsikm (h, -2.0 * s, 2.0 * c, 0.0, x + 144);
       if (gsleq (12, 24, s2, 12, x, 12, iw) != 0)
         continue;
       for (int i = 0; i < 288; i++)
@@ -395,12 +395,12 @@ gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw
 }
 
 void
-gsikm (const double *h, double a, double b, double c, double d, double *s)
+gsikm (const double *h, double a, double b, double c, double *s)
 {
   for (int i = 0; i < 6; i++)
     {
       for (int j = 0; j < 12; j++)
-        s[i + 12 * j] = s[6 + i + 12 * j] = d;
+        s[i + 12 * j] = s[6 + i + 12 * j] = 0.0;
       for (int j = 0; j < 9; j++)
         s[i + 12 * j] = s[6 + i + 12 * (3 + j)]
             = a * h[i + 6 * j] + b * h[i + 6 * j + 54] + c * h[i + 6 * j + 108];
@@ -462,7 +462,7 @@ gsikv (const double *ka, const double *pa, const double *r, const double *f, con
 {
   double s[14], b[14], y[8] = { 0.0 };
   int rank;
-  gsikm (h, cos (q[2]), sin (q[2]), 1.0, 0.0, w);
+  gsikm (h, cos (q[2]), sin (q[2]), 1.0, w);
   gssvd (12, 12, w, 12, w + 144, 12, s, 1e-14, &rank);
   gsikx (w + 144 + 132, q + 3, q + 4);
   right_side (f, g, q, b);

@@ -25,22 +25,22 @@ gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, in
 {
   const int nr = 3 + 3 * job + nlam;
   double *res = w, *resn = res + nr, *j = resn + nr, *s = j + nr * nu, *qn = s + nu;
-  double *a = qn + nq, *b = a + nu * nu, *u = b + nu, f, fn, mu = 1e-3, err = 0.0;
+  double *a = qn + nq, *u = a + nu * nu, f, fn, mu = 1e-3, err = 0.0;
   w = u + nu;
   for (int i = 0; i < nq; i++)
     q[i] = within (q[i], qlo[i], qhi[i]);
   gsnrm (ns, iset, q, &err);
   for (int i = 0; i < nu; i++)
     u[i] = 0.0;
-  int info = gsnir (g, t, nq, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
+  int info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
   for (int n = 0; info >= 0 && n < 200 && ! (f <= 1e-15) && mu <= 1e8; n++)
     {
       info = gsnij (g, t, q, nu, nlam, npt, k, job, u, cst, j, nr, w);
       for (int better = 0; info >= 0 && ! better && mu <= 1e8;)
         {
-          gsnis (g, t, nq, nu, nr, j, res, mu, q, qlo, qhi, iv, u, cst, a, b, s, qn, w);
+          gsnis (g, t, nq, nu, nr, j, res, mu, q, qlo, qhi, iv, u, cst, a, s, qn, w);
           gsnrm (ns, iset, qn, &err);
-          info = gsnir (g, t, nq, nu, nlam, npt, k, job, p, r, qn, u, cst, resn, nr, w, &fn, dst);
+          info = gsnir (g, t, nu, nlam, npt, k, job, p, r, qn, u, cst, resn, nr, w, &fn, dst);
           better = info >= 0 && fn < f;
           mu = better ? gs_max (0.1 * mu, 1e-14) : 8.0 * mu;
           if (! better)
@@ -51,17 +51,16 @@ gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, in
         }
     }
   if (info >= 0)
-    info = gsnir (g, t, nq, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
+    info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
   return info < 0 ? info : ! (f <= 1e-9);
 }
 
 int
-gsnir (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
+gsnir (const gs_scene *g, double t, int nu, int nlam, int npt, int k, int job,
        const double *p, const double *r, const double *q, const double *u, const double *cst,
        double *res, int nr, double *w, double *f, double *dst)
 {
   int info = 0;
-  (void)nq;
   g->pnt (t, q, cst, w, w + 3 * npt);
   for (int i = 0; i < 3; i++)
     res[i] = p[i] - w[3 * (k - 1) + i];
@@ -183,10 +182,9 @@ held (int nq, const double *q, const double *qlo, const double *qhi, const int *
 void
 gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j, const double *res,
        double mu, const double *q, const double *qlo, const double *qhi, const int *iv, double *u,
-       const double *cst, double *a, double *b, double *s, double *qn, double *qdot)
+       const double *cst, double *a, double *s, double *qn, double *qdot)
 {
   double big = 0.0;
-  (void)b;
   for (int i = 0; i < nu; i++)
     u[i] = 0.0;
   for (int try = 0; try <= nu; try++)

@@ -609,9 +609,9 @@ C
          TH = 0.37D0 + 0.785398D0*K
          C = COS( TH )
          S = SIN( TH )
-         CALL GSIKM( H, -C, -S, 1.0D0, 0.0D0, S2 )
-         CALL GSIKM( H, C, S, 1.0D0, 0.0D0, X )
-         CALL GSIKM( H, -2.0D0*S, 2.0D0*C, 0.0D0, 0.0D0, X(1,13) )
+         CALL GSIKM( H, -C, -S, 1.0D0, S2 )
+         CALL GSIKM( H, C, S, 1.0D0, X )
+         CALL GSIKM( H, -2.0D0*S, 2.0D0*C, 0.0D0, X(1,13) )
          CALL GSLEQ( 12, 24, S2, 12, X, 12, IW, BAD )
          IF ( BAD.EQ.0 ) THEN
             BIG = 0.0D0
@@ -640,7 +640,7 @@ C
       IF ( LEAST.GT.1.0D4 ) INFO = 2
       END
 C
-      SUBROUTINE GSIKM( H, A, B, C, D, S )
+      SUBROUTINE GSIKM( H, A, B, C, S )
 C
 C     PURPOSE
 C     For GSIKG: twelve equations from the six, those times x4 too.
@@ -649,7 +649,6 @@ C     ARGUMENTS
 C     H       (input) from GSIKE.
 C     A, B, C (input) DOUBLE PRECISION: the six are A times those of cos,
 C             B of sin, C of 1.
-C     D       (input) DOUBLE PRECISION, 0.
 C     S       (output) DOUBLE PRECISION array, dimension (12,12): columns
 C             x4**i * x5**j, i = 0 to 3, j = 0 to 2 first.
 C
@@ -660,13 +659,13 @@ C     ERROR INDICATOR
 C     None.
 C
       IMPLICIT NONE
-      DOUBLE PRECISION   H(6,9,3), A, B, C, D, S(12,12)
+      DOUBLE PRECISION   H(6,9,3), A, B, C, S(12,12)
       INTEGER            I, J
 C
       DO 30 I = 1, 6
          DO 10 J = 1, 12
-            S(I,J) = D
-            S(6+I,J) = D
+            S(I,J) = 0.0D0
+            S(6+I,J) = 0.0D0
    10    CONTINUE
          DO 20 J = 1, 9
             S(I,J) = A*H(I,J,1) + B*H(I,J,2) + C*H(I,J,3)
@@ -700,7 +699,7 @@ C
       INTEGER            I, J, K, L, RANK
       EXTERNAL           GSIKM, GSSVD, GSIKX, GSIKT
 C
-      CALL GSIKM( H, COS( Q(3) ), SIN( Q(3) ), 1.0D0, 0.0D0, W )
+      CALL GSIKM( H, COS( Q(3) ), SIN( Q(3) ), 1.0D0, W )
       CALL GSSVD( 12, 12, W, 12, W(145), 12, S, 1.0D-14, RANK )
       CALL GSIKX( W(145+132), Q(4), Q(5) )
 C     -- right side of the equations for angles 1 and 2

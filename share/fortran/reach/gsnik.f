@@ -27,7 +27,7 @@ C             speed that is the rate of a coordinate, or 0.
 C     NS, ISET as GSNRM.
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     W       (workspace) DOUBLE PRECISION array, dimension (NU*NU +
-C             (6+NLAM)*(NU+2) + 4*NU + 2*NQ + 12*NPT + 6*NPT*(NU+1) +
+C             (6+NLAM)*(NU+2) + 2*NU + 2*NQ + 12*NPT + 6*NPT*(NU+1) +
 C             NLAM*(NU+3)).
 C     DST     (output) DOUBLE PRECISION array, dimension (2): what the
 C             position misses, of the place [m], of the axes [rad].
@@ -52,7 +52,7 @@ C
       DOUBLE PRECISION   T, P(3), R(3,3), Q(NQ), QLO(NQ), QHI(NQ)
       DOUBLE PRECISION   CST(*), W(*), DST(2)
       DOUBLE PRECISION   F, FN, MU, ERR
-      INTEGER            NR, IR, IRN, IJ, IS, IQ, IW, IA, IB, IU, I, N
+      INTEGER            NR, IR, IRN, IJ, IS, IQ, IW, IA, IU, I, N
       EXTERNAL           GSNIR, GSNIJ, GSNIS, GSNRM
 C
       NR = 3 + 3*JOB + NLAM
@@ -62,8 +62,7 @@ C
       IS = IJ + NR*NU
       IQ = IS + NU
       IA = IQ + NQ
-      IB = IA + NU*NU
-      IU = IB + NU
+      IU = IA + NU*NU
       IW = IU + NU
       ERR = 0.0D0
       DO 10 I = 1, NQ
@@ -73,7 +72,7 @@ C
       DO 20 I = 0, NU - 1
          W(IU+I) = 0.0D0
    20 CONTINUE
-      CALL GSNIR( PNT, CON, T, NQ, NU, NLAM, NPT, K, JOB, P, R, Q,
+      CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
      $            W(IU), CST, W(IR), NR, W(IW), F, DST, INFO )
       IF ( INFO.LT.0 ) RETURN
       MU = 1.0D-3
@@ -84,9 +83,9 @@ C
          IF ( INFO.LT.0 ) RETURN
    30    CONTINUE
          CALL GSNIS( KIN, T, NQ, NU, NR, W(IJ), W(IR), MU, Q, QLO, QHI,
-     $               IV, W(IU), CST, W(IA), W(IB), W(IS), W(IQ), W(IW) )
+     $               IV, W(IU), CST, W(IA), W(IS), W(IQ), W(IW) )
          CALL GSNRM( NS, ISET, W(IQ), ERR )
-         CALL GSNIR( PNT, CON, T, NQ, NU, NLAM, NPT, K, JOB, P, R,
+         CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R,
      $               W(IQ), W(IU), CST, W(IRN), NR, W(IW), FN, DST,
      $               INFO )
          IF ( INFO.LT.0 ) RETURN
@@ -105,14 +104,14 @@ C
          F = FN
    50 CONTINUE
    60 CONTINUE
-      CALL GSNIR( PNT, CON, T, NQ, NU, NLAM, NPT, K, JOB, P, R, Q,
+      CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
      $            W(IU), CST, W(IR), NR, W(IW), F, DST, INFO )
       IF ( INFO.LT.0 ) RETURN
       INFO = 0
       IF ( .NOT.( F.LE.1.0D-9 ) ) INFO = 1
       END
 C
-      SUBROUTINE GSNIR( PNT, CON, T, NQ, NU, NLAM, NPT, K, JOB, P, R, Q,
+      SUBROUTINE GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
      $                  U, CST, RES, NR, W, F, DST, INFO )
 C
 C     PURPOSE
@@ -136,8 +135,8 @@ C     INFO as CON.
 C
       IMPLICIT NONE
       EXTERNAL           PNT, CON
-      INTEGER            NQ, NU, NLAM, NPT, K, JOB, NR, INFO
-      DOUBLE PRECISION   T, P(3), R(3,3), Q(NQ), U(NU), CST(*), RES(NR)
+      INTEGER            NU, NLAM, NPT, K, JOB, NR, INFO
+      DOUBLE PRECISION   T, P(3), R(3,3), Q(*), U(NU), CST(*), RES(NR)
       DOUBLE PRECISION   W(*), F, DST(2)
       INTEGER            I, IC
       EXTERNAL           GSNIV
@@ -271,7 +270,7 @@ C
       END
 C
       SUBROUTINE GSNIS( KIN, T, NQ, NU, NR, RJ, RES, MU, Q, QLO, QHI,
-     $                  IV, U, CST, A, B, S, QN, QDOT )
+     $                  IV, U, CST, A, S, QN, QDOT )
 C
 C     PURPOSE
 C     For GSNIK: one damped step, QN, from Q.
@@ -280,7 +279,7 @@ C     ARGUMENTS
 C     as GSNIK, GSNIR and GSNIJ, and
 C     MU      (input) DOUBLE PRECISION, the damping.
 C     A       (workspace) DOUBLE PRECISION array, dimension (NU,NU).
-C     B, S    (workspace) DOUBLE PRECISION arrays, dimension (NU).
+C     S       (workspace) DOUBLE PRECISION array, dimension (NU).
 C     QN      (output) DOUBLE PRECISION array, dimension (NQ).
 C     QDOT    (workspace) DOUBLE PRECISION array, dimension (NQ).
 C
@@ -295,7 +294,7 @@ C
       EXTERNAL           KIN
       INTEGER            NQ, NU, NR, IV(NQ)
       DOUBLE PRECISION   T, RJ(NR,NU), RES(NR), MU, Q(NQ), QLO(NQ)
-      DOUBLE PRECISION   QHI(NQ), U(NU), CST(*), A(NU,NU), B(NU), S(NU)
+      DOUBLE PRECISION   QHI(NQ), U(NU), CST(*), A(NU,NU), S(NU)
       DOUBLE PRECISION   QN(NQ), QDOT(NQ), BIG
       INTEGER            I, J, L, INFO, MORE, TRY
       EXTERNAL           GSSPD
