@@ -42,6 +42,22 @@
                 (mapcar #'(lambda (a) (list '(mlist simp) (car a) (cdr a))) attributes))
           (cons '(mlist simp) (mapcar #'gs-xml-node children)))))
 
+;;; the children of an element that have the tag
+(defun $gs__xml_all (e tag)
+  (cons '(mlist simp)
+        (remove-if-not #'(lambda (c) (equal (cadr c) tag)) (cdr (nth 4 e)))))
+
+;;; The value of a statement as text, evaluated as if no symbol in it had a value in the session.
+(defun $gs__with_no_values (text)
+  (let* ((statement (mfuncall '$parse_string text))
+         (symbols (remove-if-not #'boundp (intersection (gs-symbols-in statement) (cdr $values))))
+         (values (mapcar #'symbol-value symbols)))
+    (unwind-protect (progn (mapc #'makunbound symbols) (meval statement))
+      (mapc #'set symbols values))))
+(defun gs-symbols-in (e)
+  (cond ((consp e) (delete-duplicates (mapcan #'gs-symbols-in (cdr e))))
+        ((symbolp e) (list e))))
+
 ;;; The number of a text such as -1.5e-3, exact; false if it is none, or beyond what a double holds.
 (defun $gs__typed_number (s)
   (let* ((e (position #\e s :test #'char-equal))

@@ -6,9 +6,9 @@
    printable ASCII stand as \u00e9, so that the list holds nothing but plain strings and numbers.
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
-   one with a document type (DOCTYPE), or with what is no element is refused before it is parsed,
-   one of more than 20000 elements, or with an attribute of more than 10000 characters, before it
-   is printed. */
+   one with a document type (DOCTYPE), of more than 20000 elements, or with an element of more than
+   1000 attributes is refused before it is parsed, one of more than 1000 links or joints, or with
+   an attribute of more than 10000 characters, before it is printed. */
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,6 +19,8 @@
 #define LARGEST 10000000L
 #define LONGEST 10000                  /* characters of an attribute */
 #define MOST 20000L                    /* elements: five times those of the largest robots */
+#define MOST_ATTRIBUTES 1000L          /* of an element: a parser's time grows with their square */
+#define MOST_PARTS 1000L               /* links, joints: more make no equations one waits for */
 
 static void put_text(const xmlChar *s)
 {
@@ -74,6 +76,46 @@ static int holds(const char *text, long n, const char *word, long *line)
     if (!word[k]) return 1;
   }
   return 0;
+}
+
+/* where the text behind i has its first end from there on: a place behind it */
+static long behind(const char *text, long n, long i, const char *end, long *line)
+{
+  long k = 0;
+  for (; i < n && end[k]; i++) {
+    if (text[i] == '\n') ++*line;
+    if (text[i]) k = text[i] == end[k] ? k + 1 : text[i] == end[0] ? k ? k : 1 : 0;
+  }
+  return i;
+}
+
+/* refuses a text of too many elements, or with one of too many attributes, in whatever encoding
+   that keeps ASCII or puts zeros between */
+static void count_tags(const char *text, long n)
+{
+  long i = 0, line = 1, many = 0;
+  while (i < n) {
+    char c[4] = "";
+    long k = 0, j, attributes = 0;
+    char quote = 0;
+    if (text[i] == '\n') ++line;
+    if (text[i++] != '<') continue;
+    for (j = i; j < n && k < 3; j++)
+      if (text[j]) c[k++] = text[j];
+    if (!strcmp(c, "!--")) { i = behind(text, n, j, "-->", &line); continue; }
+    if (!strcmp(c, "![C")) { i = behind(text, n, j, "]]>", &line); continue; }
+    if (c[0] == '?') { i = behind(text, n, i, "?>", &line); continue; }
+    if (c[0] == '/') continue;
+    if (++many > MOST) refuse(0, "expected at most 20000 elements, found more");
+    for (j = line; i < n && (quote || text[i] != '>'); i++) {
+      if (text[i] == '\n') ++j;
+      if (quote) { if (text[i] == quote) quote = 0; }
+      else if (text[i] == '"' || text[i] == '\'') quote = text[i];
+      else if (text[i] == '=' && ++attributes > MOST_ATTRIBUTES)
+        refuse(line, "expected at most 1000 attributes of an element, found more");
+    }
+    line = j;
+  }
 }
 
 static void forbidden(void *context, const xmlChar *name, const xmlChar *id, const xmlChar *system)
@@ -149,6 +191,18 @@ static long elements(const xmlNode *node)
   return n;
 }
 
+/* refuses too many children of that tag */
+static void count_parts(const xmlNode *root, const char *tag)
+{
+  const xmlNode *child;
+  char what[100];
+  long n = 0;
+  for (child = root->children; child; child = child->next)
+    n += child->type == XML_ELEMENT_NODE && !strcmp((const char *) child->name, tag);
+  snprintf(what, sizeof what, "expected at most %ld elements %s, found %ld", MOST_PARTS, tag, n);
+  if (n > MOST_PARTS) refuse(xmlGetLineNo((xmlNode *) root), what);
+}
+
 int main(int argc, char **argv)
 {
   long n, line;
@@ -160,6 +214,7 @@ int main(int argc, char **argv)
   if (holds(text, n, "<!DOCTYPE", &line))
     refuse(line,
            "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read");
+  count_tags(text, n);
   xmlSetExternalEntityLoader(nothing_else);
   xmlSetStructuredErrorFunc(NULL, noted);
   context = xmlNewParserCtxt();
@@ -172,6 +227,8 @@ int main(int argc, char **argv)
   if (doc->intSubset) forbidden(NULL, NULL, NULL, NULL);
   if (elements(xmlDocGetRootElement(doc)) > MOST)
     refuse(0, "expected at most 20000 elements, found more");
+  count_parts(xmlDocGetRootElement(doc), "link");
+  count_parts(xmlDocGetRootElement(doc), "joint");
   put_element(xmlDocGetRootElement(doc));
   return 0;
 }
