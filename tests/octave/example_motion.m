@@ -63,6 +63,11 @@ function [m, x0, t, options, what] = example_motion (name, build)
                            [0; -m.par.r * sin(0.5); m.par.r * cos(0.5); 0; 0.5; 0; 0; 0; 0; 1; ...
                             0; 8], "hold", {"heading", "lean", "roll"});
       [t, joules, what] = deal (0:0.5:60, 1, "60 s, leaning by 0.5 rad at 8 rad/s");
+    case "rotating_blade"
+      [x0, t, joules, what] = deal ([0; 0.3; 0; 0; 0.2; 0; 0; 4; zeros(6, 1)], 0:0.1:5, 100, ...
+                                    "5 s, bent both ways on a free hub");
+    case {"rotating_blade_spin_up", "rotating_blade_linear"}
+      [x0, t, joules, what] = deal (m.initial, 0:0.1:5, 100, "5 s of the spin-up");
     case "scara"
       [~, q] = scara_gate (m, 2);
       options = {"motion", scara_cycle(q)};
