@@ -63,8 +63,8 @@ speeds = 0:0.25:8;
 r = gsmbp_modes (m, m.initial, "spin", "theta", "speeds", speeds, "orders", 1:4, ...
                  "file", "out/figure_campbell.png");
 puts ("frequencies [rad/s]: in the plane of rotation (lag), out of it (flap), three modes each\n");
-printf ("%12s %10s %10s %10s %10s %10s %10s %26s\n", "speed [rad/s]", "lag 1", "flap 1", "lag 2", ...
-        "flap 2", "lag 3", "flap 3", "flap^2 - lag^2 - speed^2");
+printf ("%12s %10s %10s %10s %10s %10s %10s %26s\n", "speed [rad/s]", "lag 1", "flap 1", ...
+        "lag 2", "flap 2", "lag 3", "flap 3", "flap^2 - lag^2 - speed^2");
 for k = find (ismember (speeds, [0 2 4 6 8]))
   lag = [];
   flap = [];
