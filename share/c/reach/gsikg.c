@@ -48,8 +48,8 @@ middle (const double *pa, double *pc, double *cen)
   return size;
 }
 
-/* all orders of the joints until two are regular, or one was; else four neighbours of this arm, whose
- * lengths beside their largest are pc */
+/* all orders of the joints until two are regular, or one was; else four neighbours of this arm,
+ * whose lengths beside their largest are pc */
 static void
 candidates (const double *ka, const double *pc, const double *r, const double *p2, double *qc,
             int *ns, double *w, int *iw)
@@ -83,8 +83,8 @@ candidates (const double *ka, const double *pc, const double *r, const double *p
  * backwards. Axes that are parallel can make this singular everywhere: then the same with the last
  * axes carried by the pose to the front of the chain, until two orders of the joints are regular;
  * where none is, the same of four arms very close to this one. Every candidate is refined by
- * Newton's method on the pose and taken if it misses less than 1e-11 of it; close to singular positions
- * others are looked for as gsikz does.
+ * Newton's method on the pose and taken if it misses less than 1e-11 of it; close to singular
+ * positions others are looked for as gsikz does.
  *
  * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
  * Robotics Automation 10 (1994), 648-657. */
