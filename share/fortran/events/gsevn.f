@@ -1,7 +1,7 @@
       SUBROUTINE GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
-     $                  WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM,
-     $                  IP, RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT,
-     $                  RSTAT, IE, RE, GAUSS, FOUND, INFO )
+     $                  WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V,
+     $                  ROPT, XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS,
+     $                  FOUND, INFO )
 C
 C     PURPOSE
 C     Looks for the first event within a step; if there is one, the step
@@ -13,6 +13,7 @@ C     METHOD  (input) INTEGER, 4, 8 or 12: the step from (T,X) was
 C             GSRK4's, GSDP8's or GSPSG's, whose polynomial has the
 C             states within it: it is not done again.
 C     WAY     (input) INTEGER, the way of the loops, see GSSIM.
+C     SIZ, ROPT (input) as GSSIM.
 C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
 C             exit the time of the event where there is one.
 C     XN      (input/output) DOUBLE PRECISION array, dimension (NX), the
@@ -39,16 +40,22 @@ C     as any other.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
-      INTEGER            METHOD, WAY, SIDE, NQ, NU, NX, NV, NLAM, IP(*),
-     $                   ISTAT(*), IE(*), FOUND, INFO
-      DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
-     $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
-     $                   RSTAT(*), RE(*), GAUSS(3)
-      INTEGER            NE, JM, JK, JA, JL, KD, I, NS, FIRST
+      INTEGER            METHOD, WAY, SIDE, SIZ(8), IP(*), ISTAT(*),
+     $                   IE(*), FOUND, INFO
+      DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), ROPT(*),
+     $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
+     $                   GAUSS(3)
+      INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
+     $                   I, NS, FIRST
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF
       LOGICAL            HELD, FINE
       EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS
 C
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
       FOUND = 0
       INFO  = 0
       EPS = GSEPS()
@@ -97,9 +104,9 @@ C     -- the first function that falls to 0; the part before it again
       FOUND = FIRST
       IF ( FOUND.GT.0 ) THEN
          CALL GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
-     $               WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM, IP,
-     $               RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT, RSTAT,
-     $               IE, RE, GAUSS, FOUND, THF, INFO )
+     $               WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V, ROPT,
+     $               XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS, FOUND,
+     $               THF, INFO )
          RETURN
       END IF
 C
@@ -258,9 +265,9 @@ C
    10 CONTINUE
       END
       SUBROUTINE GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
-     $                  WAY, T, TN, SIDE, H, X, NQ, NU, NX, NV, NLAM,
-     $                  IP, RP, CST, V, RTOL, ATOL, XN, W, WI, P, ISTAT,
-     $                  RSTAT, IE, RE, GAUSS, I, START, INFO )
+     $                  WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V,
+     $                  ROPT, XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS,
+     $                  I, START, INFO )
 C
 C     PURPOSE
 C     The step of GSEVN once more, as long as it must be for event
@@ -273,16 +280,21 @@ C             its polynomial has the zero.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
-      INTEGER            METHOD, WAY, SIDE, NQ, NU, NX, NV, NLAM, IP(*),
-     $                   ISTAT(*), IE(*), I, INFO
-      DOUBLE PRECISION   T, TN, H, X(NX), RP(*), CST(*), V(*), RTOL,
-     $                   ATOL(*), XN(NX), W(NX,*), WI(*), P(*),
-     $                   RSTAT(*), RE(*), GAUSS(3), START
-      INTEGER            NE, KD, KX, K, J, S
+      INTEGER            METHOD, WAY, SIDE, SIZ(8), IP(*), ISTAT(*),
+     $                   IE(*), I, INFO
+      DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), ROPT(*),
+     $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
+     $                   GAUSS(3), START
+      INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, K, J, S
       DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, ERR,
      $                   EPS, GSEPS
       EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4
 C
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
       EPS = GSEPS()
       NE = IE(1)
       KD = 1 + 5*NE
@@ -314,9 +326,9 @@ C
      $                  RE(KX) )
          ELSE
             CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
-     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RTOL,
-     $                  ATOL, RE(KX), ERR, W, WI, P, ISTAT, RSTAT, INFO
-     $                  )
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, ROPT(2),
+     $                  ROPT(4), RE(KX), ERR, W, WI, P, ISTAT, RSTAT,
+     $                  INFO )
          END IF
          IF ( INFO.NE.0 ) RETURN
          IF ( METHOD.NE.12 .AND. WAY.NE.1 .AND. ( NQ.GT.NU .OR.

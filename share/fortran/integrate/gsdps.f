@@ -1,8 +1,7 @@
       SUBROUTINE GSDPS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, TEND, TS, SIDE, HMAX, T0, NQ, NU, NX, NV,
-     $                  NLAM, NT, TOUT, NB, TBRK, IT, IB, IOPT, ROPT,
-     $                  ATOL, IP, RP, CST, XOUT, LDX, VOUT, LDV, M, LM,
-     $                  IW, W, ISTAT, RSTAT, INFO )
+     $                  STP, ISTP, HMAX, SIZ, TIM, IOPT, ROPT, IP, RP,
+     $                  CST, XOUT, VOUT, M, LM, IW, W, ISTAT, RSTAT,
+     $                  INFO )
 C
 C     PURPOSE
 C     From one stop to the next by the method of Dormand and Prince, or
@@ -10,13 +9,11 @@ C     through a singular position, which may end before or behind it.
 C
 C     ARGUMENTS
 C     As GSSIM, and
-C     T       (input/output) DOUBLE PRECISION, the time, TB on exit [s].
-C     TB, SIDE (input/output) the stop, see GSSTO; on exit the one that
+C     T       (input/output) DOUBLE PRECISION, the time, that of the
+C             stop on exit [s].
+C     STP, ISTP (input/output) the stop, see GSSTO; on exit the one that
 C             was reached.
-C     TEND, TS (input) see GSSTO.
 C     HMAX    (input) DOUBLE PRECISION, the largest step [s].
-C     IT      (input/output) INTEGER, the next output time, IB (input)
-C             the next break.
 C     M       (input/output) DOUBLE PRECISION array, dimension (11),
 C             what is remembered from step to step: (1) the next step,
 C             0 before the first one; (2) the last one [s]; (3) the
@@ -42,37 +39,32 @@ C     INFO    (output) INTEGER, as GSSIM: 0, 1, 2, 3, 5 or 8.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, NT, NB, IT, IB,
-     $                   IOPT(*), IP(*), LDX, LDV, LM(6), IW(7),
+      INTEGER            ISTP(3), SIZ(8), IOPT(*), IP(*), LM(6), IW(7),
      $                   ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, TEND, TS, HMAX, T0, TOUT(*), TBRK(*),
-     $                   ROPT(*), ATOL(*), RP(*), CST(*), XOUT(LDX,*),
-     $                   VOUT(LDV,*), M(11), W(*), RSTAT(*)
+      DOUBLE PRECISION   T, STP(3), HMAX, TIM(*), ROPT(*), RP(*),
+     $                   CST(*), XOUT(*), VOUT(*), M(11), W(*), RSTAT(*)
       EXTERNAL           GSDPF, GSPSS, GSDPT
       DOUBLE PRECISION   HLIM
-      INTEGER            IX, IXN, IV, IC, IK, IO, IQ, TAKEN
+      INTEGER            IX, IXN, IV, IC, IK, TAKEN
 C
       IV = IW(3)
       IC = IW(4)
       IK = IW(5)
-      IO = IW(6)
-      IQ = IW(7)
    10 IX  = IW(1)
       IXN = IW(2)
       IF ( LM(1).EQ.1 ) THEN
          CALL GSDPF( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, M(2),
-     $               MIN( HMAX, TB - T ), W(IX), NQ, NU, NX, NV, NLAM,
-     $               IP, RP, CST, W(IV), ROPT(2), ATOL, W(IK), W, W(IC),
-     $               LM(2), M(1), ISTAT, RSTAT, INFO )
+     $               MIN( HMAX, STP(1) - T ), W(IX), SIZ(1), SIZ(2),
+     $               SIZ(3), SIZ(4), SIZ(5), IP, RP, CST, W(IV),
+     $               ROPT(2), ROPT(4), W(IK), W, W(IC), LM(2), M(1),
+     $               ISTAT, RSTAT, INFO )
          LM(1) = 0
          IF ( INFO.NE.0 ) RETURN
       END IF
-      CALL GSPSS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $            TEND, TS, SIDE, MIN( M(1), HMAX ), T0, NQ, NU, NX, NV,
-     $            NLAM, NT, TOUT, NB, TBRK, IT, IB, IOPT, ROPT, ATOL,
-     $            IP, RP, CST, XOUT, LDX, VOUT, LDV, W(IX), W(IXN),
-     $            W(IV), W(IK), W(IO), W(IQ), W, W(IC), M(5), M(8),
-     $            LM(5), LM(6), HLIM, TAKEN, ISTAT, RSTAT, INFO )
+      CALL GSPSS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, STP,
+     $            ISTP, MIN( M(1), HMAX ), SIZ, TIM, IOPT, ROPT, IP, RP,
+     $            CST, XOUT, VOUT, W(IC), M, LM, IW, W, HLIM, TAKEN,
+     $            ISTAT, RSTAT, INFO )
       IF ( TAKEN.EQ.0 .AND. INFO.EQ.0 ) THEN
          IF ( LM(6).GT.0 ) THEN
             INFO = 3
@@ -80,11 +72,10 @@ C
             ISTAT(7) = 8
             RETURN
          END IF
-         CALL GSDPT( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $               SIDE, MIN( M(1), HMAX, HLIM ), NQ, NU, NX, NV,
-     $               NLAM, IOPT, ROPT, ATOL, IP, RP, CST, W(IX), W(IXN),
-     $               W(IV), W(IK), W, W(IC), M, LM, TAKEN, ISTAT, RSTAT,
-     $               INFO )
+         CALL GSDPT( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $               STP(1), ISTP(1), MIN( M(1), HMAX, HLIM ), SIZ,
+     $               IOPT, ROPT, IP, RP, CST, W(IX), W(IXN), W(IV),
+     $               W(IK), W, W(IC), M, LM, TAKEN, ISTAT, RSTAT, INFO )
       ELSE IF ( TAKEN.EQ.1 ) THEN
          LM(1) = 1
          LM(2) = 0
@@ -93,7 +84,7 @@ C
          IW(1) = IXN
          IW(2) = IX
       END IF
-      IF ( INFO.EQ.0 .AND. T.LT.TB ) GO TO 10
+      IF ( INFO.EQ.0 .AND. T.LT.STP(1) ) GO TO 10
       END
       SUBROUTINE GSDPF( RHS, CON, KIN, CMD, CLO, VIN, METHOD, T, H,
      $                  LEFT, X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V,

@@ -1,7 +1,7 @@
       SUBROUTINE GSDPT( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, SIDE, HTRY, NQ, NU, NX, NV, NLAM, IOPT,
-     $                  ROPT, ATOL, IP, RP, CST, X, XN, V, F, W, P, M,
-     $                  LM, TAKEN, ISTAT, RSTAT, INFO )
+     $                  TB, SIDE, HTRY, SIZ, IOPT, ROPT, IP, RP, CST,
+     $                  X, XN, V, F, W, P, M, LM, TAKEN, ISTAT, RSTAT,
+     $                  INFO )
 C
 C     PURPOSE
 C     One trial step of GSDP8 within a run, onto the constraints and up
@@ -9,6 +9,7 @@ C     to an event in it, and the length of the next one.
 C
 C     ARGUMENTS
 C     As GSDPS, and
+C     TB, SIDE (input) STP(1) and ISTP(1) of GSDPS.
 C     HTRY    (input) DOUBLE PRECISION, the step to be tried [s]: less
 C             where the stop is near.
 C     X       (input) DOUBLE PRECISION array, dimension (NX), the state.
@@ -21,15 +22,19 @@ C     INFO    (output) INTEGER, as GSSIM: 0, 1, 2, 3 or 8.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IOPT(*), IP(*),
-     $                   LM(6), TAKEN, ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, HTRY, ROPT(*), ATOL(*), RP(*), CST(*),
-     $                   X(*), XN(*), V(*), F(NX,*), W(*), P(*), M(11),
-     $                   RSTAT(*)
+      INTEGER            SIDE, SIZ(8), IOPT(*), IP(*), LM(6), TAKEN,
+     $                   ISTAT(*), INFO
+      DOUBLE PRECISION   T, TB, HTRY, ROPT(*), RP(*), CST(*), X(*),
+     $                   XN(*), V(*), F(*), W(*), P(*), M(11), RSTAT(*)
       EXTERNAL           GSEPS, GSDPP, GSDP8, GSEVN, GSDPC, GSEVR
       DOUBLE PRECISION   GSEPS, EPS, TN, H, ERR, FAC, GAUSS(3)
-      INTEGER            I, AT, LOOSE, EVENT, IER
+      INTEGER            NQ, NU, NX, NV, NLAM, I, AT, LOOSE, EVENT, IER
 C
+      NQ    = SIZ(1)
+      NU    = SIZ(2)
+      NX    = SIZ(3)
+      NV    = SIZ(4)
+      NLAM  = SIZ(5)
       TAKEN = 0
       EPS = GSEPS()
       H  = HTRY
@@ -55,8 +60,8 @@ C
       IF ( LM(4).GT.20000 ) RETURN
       INFO = 0
       CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, X, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, ROPT(2), ATOL, XN, ERR,
-     $            F, W, P, ISTAT, RSTAT, IER )
+     $            NX, NV, NLAM, IP, RP, CST, V, ROPT(2), ROPT(4), XN,
+     $            ERR, F, W, P, ISTAT, RSTAT, IER )
       FAC = ERR
       IF ( IOPT(5).EQ.1 .AND. P(13).LT.0.25D0*P(14) )
      $   ERR = ERR*ROPT(2)/MAX( ROPT(2), M(6) )
@@ -70,9 +75,9 @@ C     -- up to an event, if there is one within a good step
             GAUSS(I) = 0.0D0
    10    CONTINUE
          CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
-     $               IOPT(2), T, TN, AT, H, X, NQ, NU, NX, NV, NLAM, IP,
-     $               RP, CST, V, ROPT(2), ATOL, XN, F, W, P, ISTAT,
-     $               RSTAT, IP(IP(28)), RP(IP(29)), GAUSS, EVENT, IER )
+     $               IOPT(2), T, TN, AT, H, X, SIZ, IP, RP, CST, V,
+     $               ROPT, XN, F, W, P, ISTAT, RSTAT, IP(IP(28)),
+     $               RP(IP(29)), GAUSS, EVENT, IER )
          M(2) = H
          IF ( EVENT.LT.0 ) ERR = 1.0D10
       END IF
@@ -80,7 +85,7 @@ C
 C     -- a good step: onto the constraints with it
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 )
      $   CALL GSDPC( PRJ, CON, KIN, TN, TB, X, XN, NQ, NU, NX, NLAM,
-     $               IOPT, ROPT, ATOL, CST, P, M(7), LM(3), ISTAT,
+     $               IOPT, ROPT, ROPT(4), CST, P, M(7), LM(3), ISTAT,
      $               RSTAT, IER )
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
          TAKEN = 1

@@ -1,9 +1,7 @@
       SUBROUTINE GSPEN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, TEND, TS, SIDE, TC, D, ERR, EIT, TMIN, SMIN,
-     $                  NQ, NU, NX, NS, NV, NLAM, TOUT, NB, TBRK, IT,
-     $                  IB, IOPT, ROPT, ATOL, IP, RP, CST, XOUT, LDX,
-     $                  VOUT, LDV, X, XN, V, F, W, P, JOB, M, BEGIN,
-     $                  TAKEN, AGAIN, ISTAT, RSTAT, INFO )
+     $                  STP, ISTP, PAS, SIZ, TIM, IOPT, ROPT, IP, RP,
+     $                  CST, XOUT, VOUT, P, M, LM, IW, W, TAKEN, AGAIN,
+     $                  ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
 C     A good step of GSPSG is taken: to its end or to the next break,
@@ -11,87 +9,95 @@ C     sample or end of the run, or up to an event, onto the constraints
 C     there; the outputs within it.
 C
 C     ARGUMENTS
-C     As GSPSS and GSPSG, and
-C     D       (input/output) DOUBLE PRECISION, a quarter where AGAIN is.
+C     As GSPSS, and
+C     PAS     (input/output) as GSPTR has it; D a quarter where AGAIN
+C             is.
 C     AGAIN   (output) INTEGER, 1 if the state could not be moved onto
 C             the constraints: a shorter step is to be tried; else 0.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIDE, NQ, NU, NX, NS, NV, NLAM, NB, IT, IB,
-     $                   IOPT(*), IP(*), LDX, LDV, BEGIN, TAKEN, AGAIN,
-     $                   ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, TEND, TS, TC, D, ERR, EIT, TMIN, SMIN,
-     $                   TOUT(*), TBRK(*), ROPT(*), ATOL(*), RP(*),
-     $                   CST(*), XOUT(LDX,*), VOUT(LDV,*), X(*), XN(*),
-     $                   V(*), F(NX,*), W(*), P(*), JOB, M(4), RSTAT(*)
+      INTEGER            ISTP(3), SIZ(8), IOPT(*), IP(*), LM(6), IW(7),
+     $                   TAKEN, AGAIN, ISTAT(*), INFO
+      DOUBLE PRECISION   T, STP(3), PAS(6), TIM(*), ROPT(*), RP(*),
+     $                   CST(*), XOUT(*), VOUT(*), P(*), M(11), W(*),
+     $                   RSTAT(*)
       EXTERNAL           GSPBC, GSPEV, GSPCK, GSPOU, GSEVR
-      DOUBLE PRECISION   GAP, TN
-      INTEGER            STOPS, EVENT, IER
+      DOUBLE PRECISION   GAP, TN, TC, D
+      INTEGER            NQ, NU, NX, NV, IX, IXN, STOPS, EVENT, IER
 C
+      NQ = SIZ(1)
+      NU = SIZ(2)
+      NX = SIZ(3)
+      NV = SIZ(4)
+      IX = IW(1)
+      IXN = IW(2)
+      TC = PAS(1)
+      D  = PAS(2)
       AGAIN = 0
       INFO  = 3
-      IF ( BEGIN.NE.0 ) THEN
+      IF ( LM(6).NE.0 ) THEN
 C        are the speeds those of a motion that leads out of it?
-         CALL GSPBC( KIN, T, X, TC, D, NQ, NX, NS, CST, F, XN, GAP )
+         CALL GSPBC( KIN, T, W(IX), TC, D, NQ, NX, LM(5), CST, W(IW(5)),
+     $               W(IXN), GAP )
          IF ( GAP.GT.1.0D-6 + 1.0D2*ROPT(2) ) THEN
-            ISTAT(6) = 4 - MAX( 0, BEGIN )
+            ISTAT(6) = 4 - MAX( 0, LM(6) )
             ISTAT(7) = 8
             RETURN
          END IF
       END IF
       TN = TC + D
       STOPS = 0
-      IF ( TEND.LE.TN ) THEN
-         TN = TEND
+      IF ( STP(2).LE.TN ) THEN
+         TN = STP(2)
          STOPS = 1
       END IF
       IF ( TN.LE.T + 0.01D0*D .AND. STOPS.EQ.0 ) THEN
-         M(1) = T + D
+         M(8) = T + D
          INFO = 0
          RETURN
       END IF
       CALL GSPEV( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, T, TN, STOPS,
-     $            TC, D, NQ, NU, NX, NS, NV, NLAM, IOPT, ROPT, ATOL, IP,
-     $            RP, CST, X, XN, V, F, W, P, EVENT, ISTAT, RSTAT, IER )
+     $            TC, D, LM(5), SIZ, IOPT, ROPT, IP, RP, CST, IW, W, P,
+     $            EVENT, ISTAT, RSTAT, IER )
       IF ( IER.NE.0 ) RETURN
-      CALL GSPCK( PRJ, CON, KIN, TN, XN, TC, D, NQ, NU, NX, NLAM, IOPT,
-     $            CST, P, JOB, ISTAT, RSTAT, IER )
+      CALL GSPCK( PRJ, CON, KIN, TN, W(IXN), TC, D, NQ, NU, NX, SIZ(5),
+     $            IOPT, CST, P, M(5), ISTAT, RSTAT, IER )
       IF ( IER.NE.0 ) THEN
          INFO = 0
-         IF ( M(3).GT.0.15D0 ) THEN
-            M(3) = 0.25D0*M(3)
-            D    = 0.25D0*D
-            AGAIN = 1
+         IF ( M(10).GT.0.15D0 ) THEN
+            M(10)  = 0.25D0*M(10)
+            PAS(2) = 0.25D0*D
+            AGAIN  = 1
          ELSE
-            M(1) = TC + D
+            M(8) = TC + D
          END IF
          RETURN
       END IF
-      BEGIN = -MIN( 1, EVENT )
-      CALL GSPOU( CMD, CLO, VIN, T, TN, TC, D, NU, NX, NS, NV, TOUT, IP,
-     $            RP, CST, X, F, W, XOUT, LDX, VOUT, LDV, IT, ISTAT,
-     $            IER )
+      LM(6) = -MIN( 1, EVENT )
+      CALL GSPOU( CMD, CLO, VIN, T, TN, TC, D, NU, NX, LM(5), NV,
+     $            TIM(2), IP, RP, CST, W(IX), W(IW(5)), W, XOUT, NX,
+     $            VOUT, MAX( 1, NV ), ISTP(2), ISTAT, IER )
       IF ( IER.NE.0 ) RETURN
 C
 C     -- the stop that it is
-      TB   = TN
-      SIDE = 1
+      STP(1)  = TN
+      ISTP(1) = 1
       IF ( STOPS.EQ.1 ) THEN
-         IF ( IB.LE.NB ) THEN
-            IF ( TBRK(IB).LE.TN ) SIDE = -1
+         IF ( ISTP(3).LE.SIZ(7) ) THEN
+            IF ( TIM(1+SIZ(6)+ISTP(3)).LE.TN ) ISTP(1) = -1
          END IF
-         IF ( TS.LE.TN ) SIDE = -1
+         IF ( STP(3).LE.TN ) ISTP(1) = -1
       END IF
-      IF ( SMIN.LT.0.01D0*P(14) .AND. TMIN.GE.T .AND. TMIN.LE.TN
-     $     .AND. TMIN.GT.M(2) ) THEN
+      IF ( PAS(6).LT.0.01D0*P(14) .AND. PAS(5).GE.T .AND. PAS(5).LE.TN
+     $     .AND. PAS(5).GT.M(9) ) THEN
          ISTAT(11) = ISTAT(11) + 1
-         IF ( ISTAT(11).EQ.1 ) RSTAT(16) = TMIN
-         RSTAT(17) = TMIN
-         M(2) = TMIN + 0.1D0*D
+         IF ( ISTAT(11).EQ.1 ) RSTAT(16) = PAS(5)
+         RSTAT(17) = PAS(5)
+         M(9) = PAS(5) + 0.1D0*D
       END IF
-      IF ( TN.GE.TC + D ) M(1) = TC + D
-      IF ( MAX( ERR, EIT ).GT.1.0D0 ) ISTAT(20) = ISTAT(20) + 1
+      IF ( TN.GE.TC + D ) M(8) = TC + D
+      IF ( MAX( PAS(3), PAS(4) ).GT.1.0D0 ) ISTAT(20) = ISTAT(20) + 1
       TAKEN = 1
       RSTAT(7) = MAX( RSTAT(7), TN - T )
       T = TN
@@ -99,31 +105,30 @@ C     -- the stop that it is
       ISTAT(2) = ISTAT(2) + 1
       ISTAT(6) = 0
       ISTAT(7) = 0
-      IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, XN, NU,
-     $   NX, NV, IP, RP, CST, V, W, ISTAT, EVENT, IER )
+      IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IXN),
+     $   NU, NX, NV, IP, RP, CST, W(IW(3)), W, ISTAT, EVENT, IER )
       IF ( IER.EQ.0 ) INFO = 0
       END
       SUBROUTINE GSPEV( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, T, TN,
-     $                  STOPS, TC, D, NQ, NU, NX, NS, NV, NLAM, IOPT,
-     $                  ROPT, ATOL, IP, RP, CST, X, XN, V, F, W, P,
-     $                  EVENT, ISTAT, RSTAT, INFO )
+     $                  STOPS, TC, D, NS, SIZ, IOPT, ROPT, IP, RP, CST,
+     $                  IW, W, P, EVENT, ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
-C     The state XN at TN on the path of GSPSG, or at the first event
-C     before it: then TN is its time, EVENT its number and STOPS, which
-C     says that TN is a stop, 0.
+C     The next state in W at TN on the path of GSPSG, or at the first
+C     event before it: then TN is its time, EVENT its number and STOPS,
+C     which says that TN is a stop, 0.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
-      INTEGER            STOPS, NQ, NU, NX, NS, NV, NLAM, IOPT(*),
-     $                   IP(*), EVENT, ISTAT(*), INFO
-      DOUBLE PRECISION   T, TN, TC, D, ROPT(*), ATOL(*), RP(*), CST(*),
-     $                   X(*), XN(*), V(*), F(NX,*), W(*), P(*),
-     $                   RSTAT(*)
+      INTEGER            STOPS, NS, SIZ(8), IOPT(*), IP(*), IW(7),
+     $                   EVENT, ISTAT(*), INFO
+      DOUBLE PRECISION   T, TN, TC, D, ROPT(*), RP(*), CST(*), W(*),
+     $                   P(*), RSTAT(*)
       EXTERNAL           GSGLN, GSGLQ, GSPTH, GSEVN
       DOUBLE PRECISION   B(12), C(12), WT(12), GAUSS(3), H
-      INTEGER            AT
+      INTEGER            NX, AT
 C
+      NX    = SIZ(3)
       INFO  = 0
       EVENT = 0
       GAUSS(1) = TC
@@ -131,14 +136,14 @@ C
       GAUSS(3) = DBLE( NS )
       CALL GSGLN( NS, C, WT )
    10 CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TN - TC )/D, B )
-      CALL GSPTH( NX, NS, NX, X, D, B, F, XN )
+      CALL GSPTH( NX, NS, NX, W(IW(1)), D, B, W(IW(5)), W(IW(2)) )
       IF ( IP(28).LE.0 ) RETURN
       AT = 1
       IF ( STOPS.EQ.1 ) AT = -1
       H = TN - T
       CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, 12, IOPT(2),
-     $            T, TN, AT, H, X, NQ, NU, NX, NV, NLAM, IP, RP, CST,
-     $            V, ROPT(2), ATOL, XN, F, W, P, ISTAT, RSTAT,
+     $            T, TN, AT, H, W(IW(1)), SIZ, IP, RP, CST, W(IW(3)),
+     $            ROPT, W(IW(2)), W(IW(5)), W, P, ISTAT, RSTAT,
      $            IP(IP(28)), RP(IP(29)), GAUSS, EVENT, INFO )
       IF ( INFO.NE.0 ) RETURN
       IF ( EVENT.NE.0 ) STOPS = 0

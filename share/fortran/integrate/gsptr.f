@@ -1,8 +1,6 @@
-      SUBROUTINE GSPTR( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, T0,
-     $                  NQ, NU, NX, NS, NV, NLAM, NT, TOUT, NB, TBRK,
-     $                  IB, IP, RP, CST, V, RTOL, ATOL, F, XN, FN, SIZ,
-     $                  W, P, JOB, ISTAT, RSTAT, ERR, EIT, TMIN, SMIN,
-     $                  INFO )
+      SUBROUTINE GSPTR( RHS, CON, KIN, CMD, CLO, VIN, T, IB, SIZ, TIM,
+     $                  ROPT, IP, RP, CST, P, JOB, NS, IW, W, ISTAT,
+     $                  RSTAT, PAS, INFO )
 C
 C     PURPOSE
 C     One trial step of GSPSG from TC - D to TC + D within a run, with
@@ -10,36 +8,41 @@ C     the partition that holds at its far end and the inputs between two
 C     breaks continued beyond these.
 C
 C     ARGUMENTS
-C     As GSPSG and GSPSS, and
-C     SIZ     (workspace) DOUBLE PRECISION array, dimension (NLAM).
-C     TMIN    (output) DOUBLE PRECISION, TS of GSPSG [s].
+C     As GSPSS, and
+C     IB      (input) INTEGER, the next break.
+C     JOB, NS (input) M(5) and LM(5) of GSDPS.
+C     PAS     (input/output) DOUBLE PRECISION array, dimension (6): (1)
+C             TC and (2) D, the step; on exit (3) ERR, (4) EIT, (5) TS
+C             and (6) SMIN of GSPSG, too.
 C     INFO    (output) INTEGER, as GSPSG.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
-      INTEGER            NQ, NU, NX, NS, NV, NLAM, NT, NB, IB, IP(*),
-     $                   ISTAT(*), INFO
-      DOUBLE PRECISION   T, X(*), TC, D, T0, TOUT(*), TBRK(*), RP(*),
-     $                   CST(*), V(*), RTOL, ATOL(*), F(NX,*), XN(*),
-     $                   FN(*), SIZ(*), W(*), P(*), JOB, RSTAT(*), ERR,
-     $                   EIT, TMIN, SMIN
+      INTEGER            IB, SIZ(8), IP(*), NS, IW(7), ISTAT(*), INFO
+      DOUBLE PRECISION   T, TIM(*), ROPT(*), RP(*), CST(*), P(*), JOB,
+     $                   W(*), RSTAT(*), PAS(6)
       EXTERNAL           GSPFE, GSPSG
       DOUBLE PRECISION   TV(3)
+      INTEGER            NT
 C
+      NT   = SIZ(6)
       P(1) = 2.0D0
       P(2) = -1.0D0
-      CALL GSPFE( CON, KIN, T, X, TC, D, NQ, NU, NX, NS, NLAM, CST, F,
-     $            XN, SIZ, P )
-      TV(1) = T0
-      TV(2) = TOUT(NT)
-      IF ( IB.GT.1 ) TV(1) = TBRK(IB-1)
-      IF ( IB.LE.NB ) TV(2) = TBRK(IB)
+      CALL GSPFE( CON, KIN, T, W(IW(1)), PAS(1), PAS(2), SIZ(1), SIZ(2),
+     $            SIZ(3), NS, SIZ(5), CST, W(IW(5)), W(IW(2)),
+     $            W(IW(7)), P )
+      TV(1) = TIM(1)
+      TV(2) = TIM(1+NT)
+      IF ( IB.GT.1 ) TV(1) = TIM(NT+IB)
+      IF ( IB.LE.SIZ(7) ) TV(2) = TIM(NT+1+IB)
       TV(3) = 0.0D0
-      IF ( MAX( TV(1) - TC, TC - TV(2) ) + D.GT.TV(2) - TV(1) )
-     $   TV(3) = TV(2) - TV(1)
-      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, X, TC, D, TV, NQ, NU,
-     $            NX, NS, NV, NLAM, IP, RP, CST, V, RTOL, ATOL, F, XN,
-     $            FN, W, P, ISTAT, RSTAT, ERR, EIT, TMIN, SMIN, INFO )
+      IF ( MAX( TV(1) - PAS(1), PAS(1) - TV(2) ) + PAS(2).GT.TV(2) -
+     $     TV(1) ) TV(3) = TV(2) - TV(1)
+      CALL GSPSG( RHS, CON, KIN, CMD, CLO, VIN, T, W(IW(1)), PAS(1),
+     $            PAS(2), TV, SIZ(1), SIZ(2), SIZ(3), NS, SIZ(4),
+     $            SIZ(5), IP, RP, CST, W(IW(3)), ROPT(2), ROPT(4),
+     $            W(IW(5)), W(IW(2)), W(IW(6)), W, P, ISTAT, RSTAT,
+     $            PAS(3), PAS(4), PAS(5), PAS(6), INFO )
       P(1) = JOB
       P(2) = -1.0D0
       END

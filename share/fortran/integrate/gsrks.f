@@ -1,6 +1,6 @@
       SUBROUTINE GSRKS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, SIDE, NQ, NU, NX, NV, NLAM, IOPT, ROPT,
-     $                  ATOL, IP, RP, CST, IW, W, ISTAT, RSTAT, INFO )
+     $                  TB, SIDE, SIZ, IOPT, ROPT, IP, RP, CST, IW, W,
+     $                  ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
 C     From one stop to the next by the classical method of Runge and
@@ -24,15 +24,20 @@ C     event or the stop is there.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IOPT(*), IP(*),
-     $                   IW(7), ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, ROPT(*), ATOL(*), RP(*), CST(*), W(*),
-     $                   RSTAT(*)
+      INTEGER            SIDE, SIZ(8), IOPT(*), IP(*), IW(7), ISTAT(*),
+     $                   INFO
+      DOUBLE PRECISION   T, TB, ROPT(*), RP(*), CST(*), W(*), RSTAT(*)
       INTEGER            GSFIN
       EXTERNAL           GSFIN, GSSTD, GSRK4, GSEVN, GSCHK, GSEVR
       DOUBLE PRECISION   TA, TN, H, HR, GAUSS(3), NOJUMP(3)
-      INTEGER            I, K, N, AT, EVENT, IX, IXN, IV, IC, IK, IER
+      INTEGER            NQ, NU, NX, NV, NLAM, I, K, N, AT, EVENT, IX,
+     $                   IXN, IV, IC, IK, IER
 C
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
       IV = IW(3)
       IC = IW(4)
       IK = IW(5)
@@ -63,17 +68,17 @@ C
          INFO = 3
          CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, H, W(IX),
      $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), ROPT(2),
-     $               ATOL, W(IK), W, W(IC), ISTAT, RSTAT )
+     $               ROPT(4), W(IK), W, W(IC), ISTAT, RSTAT )
          CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, W(IX),
      $               NQ, NU, NX, NV, NLAM, IP, RP, CST, W(IV), W(IXN),
      $               W(IK), W, W(IC), ISTAT, RSTAT, IER )
          IF ( IER.NE.0 ) RETURN
          IF ( IP(28).GT.0 ) THEN
             CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
-     $                  IOPT(2), T, TN, AT, H, W(IX), NQ, NU, NX, NV,
-     $                  NLAM, IP, RP, CST, W(IV), ROPT(2), ATOL, W(IXN),
-     $                  W(IK), W, W(IC), ISTAT, RSTAT, IP(IP(28)),
-     $                  RP(IP(29)), GAUSS, EVENT, IER )
+     $                  IOPT(2), T, TN, AT, H, W(IX), SIZ, IP, RP, CST,
+     $                  W(IV), ROPT, W(IXN), W(IK), W, W(IC), ISTAT,
+     $                  RSTAT, IP(IP(28)), RP(IP(29)), GAUSS, EVENT,
+     $                  IER )
             IF ( IER.NE.0 ) RETURN
             IF ( EVENT.LT.0 ) THEN
                TA = T

@@ -181,9 +181,9 @@ C
       DOUBLE PRECISION   TIM(*), X0(*), ROPT(*), RP(*), CST(*), XOUT(*),
      $                   VOUT(*), RSTAT(20), W(*)
       EXTERNAL           GSARG, GSINI, GSBGN, GSSTO, GSRKS, GSDPS, GSINP
-      DOUBLE PRECISION   T, TB, TEND, TS, HMAX, M(11)
-      INTEGER            NQ, NU, NX, NV, NLAM, NT, NB, LDV, I, IT, IB,
-     $                   SIDE, ACTED, LM(6), IW(7), IV, IC
+      DOUBLE PRECISION   T, STP(3), HMAX, M(11)
+      INTEGER            NQ, NU, NX, NV, NLAM, NT, I, ISTP(3), ACTED,
+     $                   LM(6), IW(7), IV, IC
 C
       CALL GSARG( SIZ, TIM, X0, IOPT, ROPT, IP(4), INFO )
       IF ( INFO.NE.0 ) RETURN
@@ -193,15 +193,13 @@ C
       NV   = SIZ(4)
       NLAM = SIZ(5)
       NT   = SIZ(6)
-      NB   = SIZ(7)
-      LDV  = MAX( 1, NV )
       CALL GSINI( TIM(1), X0, TIM(NT+1), NQ, NU, NX, NV, NLAM, IOPT,
      $            ROPT, IP(4), IW, W, M, LM, HMAX, ISTAT, RSTAT )
       IV = IW(3)
       IC = IW(4)
       T  = TIM(1)
-      IT = 1
-      IB = 1
+      ISTP(2) = 1
+      ISTP(3) = 1
       CALL GSBGN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, OUT, CTL, EVT, RST,
      $            T, W(IW(1)), HMAX, NQ, NU, NX, NV, NLAM, IOPT, IP, RP,
      $            CST, W(IV), W(IW(5)), W(IW(2)), W(IW(6)), W(IW(7)), W,
@@ -210,32 +208,29 @@ C
 C
 C     -- from stop to stop
    10 RSTAT(8) = T
-      CALL GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, W(IW(1)), NU,
-     $            NX, NV, NT, TIM(2), NB, TIM(NT+2), IP, RP, CST, W(IV),
-     $            W, XOUT, NX, VOUT, LDV, IT, IB, TB, TEND, TS, SIDE,
+      CALL GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, W(IW(1)), SIZ,
+     $            TIM, IP, RP, CST, W(IV), W, XOUT, VOUT, STP, ISTP,
      $            ACTED, ISTAT, INFO )
       IF ( INFO.NE.0 ) GO TO 20
-      IF ( IT.GT.NT ) RETURN
+      IF ( ISTP(2).GT.NT ) RETURN
       IF ( ACTED.EQ.1 ) THEN
          LM(1) = 1
          LM(2) = 0
       END IF
       IF ( IOPT(1).EQ.4 ) THEN
-         CALL GSRKS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $               SIDE, NQ, NU, NX, NV, NLAM, IOPT, ROPT, ROPT(4),
-     $               IP, RP, CST, IW, W, ISTAT, RSTAT, INFO )
+         CALL GSRKS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $               STP(1), ISTP(1), SIZ, IOPT, ROPT, IP, RP, CST, IW,
+     $               W, ISTAT, RSTAT, INFO )
       ELSE
-         CALL GSDPS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $               TEND, TS, SIDE, HMAX, TIM(1), NQ, NU, NX, NV,
-     $               NLAM, NT, TIM(2), NB, TIM(NT+2), IT, IB, IOPT,
-     $               ROPT, ROPT(4), IP, RP, CST, XOUT, NX, VOUT, LDV,
-     $               M, LM, IW, W, ISTAT, RSTAT, INFO )
+         CALL GSDPS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $               STP, ISTP, HMAX, SIZ, TIM, IOPT, ROPT, IP, RP, CST,
+     $               XOUT, VOUT, M, LM, IW, W, ISTAT, RSTAT, INFO )
       END IF
       IF ( INFO.NE.0 ) GO TO 20
 C
 C     -- the inputs at the stop, from the left, for the record
-      CALL GSINP( CMD, CLO, VIN, T, SIDE, W(IW(1)), NU, NX, NV, IP, RP,
-     $            CST, W(IV), W, I )
+      CALL GSINP( CMD, CLO, VIN, T, ISTP(1), W(IW(1)), NU, NX, NV, IP,
+     $            RP, CST, W(IV), W, I )
       IF ( I.EQ.0 ) GO TO 10
       INFO = 3
       ISTAT(6) = I
@@ -247,7 +242,7 @@ C     -- it failed: where it came to
          XOUT(NX*ISTAT(5)+I) = W(IW(1)+I-1)
    30 CONTINUE
       DO 40 I = 1, NV
-         VOUT(LDV*ISTAT(5)+I) = W(IV+I-1)
+         VOUT(NV*ISTAT(5)+I) = W(IV+I-1)
    40 CONTINUE
       END
       SUBROUTINE GSINI( T0, X0, TLAST, NQ, NU, NX, NV, NLAM, IOPT, ROPT,

@@ -1,6 +1,5 @@
-      SUBROUTINE GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, X, NU, NX,
-     $                  NV, NT, TOUT, NB, TBRK, IP, RP, CST, V, W, XOUT,
-     $                  LDX, VOUT, LDV, IT, IB, TB, TEND, TS, SIDE,
+      SUBROUTINE GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, X, SIZ,
+     $                  TIM, IP, RP, CST, V, W, XOUT, VOUT, STP, ISTP,
      $                  ACTED, ISTAT, INFO )
 C
 C     PURPOSE
@@ -10,45 +9,53 @@ C
 C     ARGUMENTS
 C     As GSSIM, and
 C     T, X    (input) the time and the state.
-C     IT, IB  (input/output) INTEGER, numbers of the next output time,
-C             NT + 1 at the end of the run, and of the next break.
-C     TB      (output) DOUBLE PRECISION, the time of the next stop [s].
-C     TEND    (output) DOUBLE PRECISION, the next break, sample or end
-C             of the run [s].
-C     TS      (output) DOUBLE PRECISION, the next sample [s].
-C     SIDE    (output) INTEGER: -1 if the next stop is a break, a
-C             sample or the end of the run, where the limits of the
-C             inputs are from the left, else 1.
+C     STP     (output) DOUBLE PRECISION array, dimension (3): the times
+C             of (1) the next stop, (2) the next break, sample or end of
+C             the run and (3) the next sample [s].
+C     ISTP    (input/output) INTEGER array, dimension (3):
+C             (1) on exit -1 if the next stop is a break, a sample or
+C                 the end of the run, where the limits of the inputs are
+C                 from the left, else 1;
+C             (2) the number of the next output time, NT + 1 at the end
+C                 of the run, and (3) that of the next break.
 C     ACTED   (output) INTEGER, 1 if the integration starts again here.
 C     INFO    (output) INTEGER, as GSSIM: 0 or 3.
 C
       IMPLICIT NONE
       EXTERNAL           OUT, CTL, CMD, CLO, VIN, EVT, RST
-      INTEGER            NU, NX, NV, NT, NB, IP(*), LDX, LDV, IT, IB,
-     $                   SIDE, ACTED, ISTAT(*), INFO
-      DOUBLE PRECISION   T, X(*), TOUT(*), TBRK(*), RP(*), CST(*), V(*),
-     $                   W(*), XOUT(LDX,*), VOUT(LDV,*), TB, TEND, TS
-      DOUBLE PRECISION   GSEPS, EPS
+      INTEGER            SIZ(8), IP(*), ISTP(3), ACTED, ISTAT(*), INFO
+      DOUBLE PRECISION   T, X(*), TIM(*), RP(*), CST(*), V(*), W(*),
+     $                   XOUT(*), VOUT(*), STP(3)
+      DOUBLE PRECISION   GSEPS, EPS, TB, TS
       EXTERNAL           GSEPS, GSDUE, GSEVR
-      INTEGER            I, IER
+      INTEGER            NU, NX, NV, NT, NB, IT, IB, SIDE, I, IER
 C
+      NU = SIZ(2)
+      NX = SIZ(3)
+      NV = SIZ(4)
+      NT = SIZ(6)
+      NB = SIZ(7)
+      IT = ISTP(2)
+      IB = ISTP(3)
       INFO  = 0
       ACTED = 0
       EPS   = GSEPS()
-      IF ( T.GE.TOUT(IT) ) THEN
+      IF ( T.GE.TIM(1+IT) ) THEN
          DO 10 I = 1, NX
-            XOUT(I,IT) = X(I)
+            XOUT(NX*(IT-1)+I) = X(I)
    10    CONTINUE
          DO 20 I = 1, NV
-            VOUT(I,IT) = V(I)
+            VOUT(NV*(IT-1)+I) = V(I)
    20    CONTINUE
          ISTAT(5) = IT
          IT = IT + 1
+         ISTP(2) = IT
          IF ( IT.GT.NT ) RETURN
       END IF
    30 IF ( IB.LE.NB ) THEN
-         IF ( TBRK(IB).LE.T ) THEN
+         IF ( TIM(1+NT+IB).LE.T ) THEN
             IB = IB + 1
+            ISTP(3) = IB
             ACTED = 1
             GO TO 30
          END IF
@@ -66,17 +73,20 @@ C     -- samples; TS is the time of the next ones
       IF ( IER.NE.0 ) RETURN
 C
 C     -- the next stop
-      TB = TOUT(IT)
+      TB = TIM(1+IT)
       SIDE = 1
       IF ( IT.EQ.NT ) SIDE = -1
       IF ( IB.LE.NB ) THEN
-         IF ( TBRK(IB).LE.TB ) SIDE = -1
-         TB = MIN( TB, TBRK(IB) )
+         IF ( TIM(1+NT+IB).LE.TB ) SIDE = -1
+         TB = MIN( TB, TIM(1+NT+IB) )
       END IF
       IF ( TS.LE.TB + 8.0D0*EPS*ABS( TB ) ) THEN
          SIDE = -1
          IF ( TS.LT.TB - 8.0D0*EPS*ABS( TB ) ) TB = TS
       END IF
-      TEND = MIN( TOUT(NT), TS )
-      IF ( IB.LE.NB ) TEND = MIN( TEND, TBRK(IB) )
+      STP(1) = TB
+      STP(2) = MIN( TIM(1+NT), TS )
+      IF ( IB.LE.NB ) STP(2) = MIN( STP(2), TIM(1+NT+IB) )
+      STP(3)  = TS
+      ISTP(1) = SIDE
       END
