@@ -76,8 +76,8 @@ C        are the speeds those of a motion that leads out of it?
       END IF
       LM(6) = -MIN( 1, EVENT )
       CALL GSPOU( CMD, CLO, VIN, T, TN, TC, D, NU, NX, LM(5), NV,
-     $            TIM(2), IP, RP, CST, W(IX), W(IW(5)), W, XOUT, NX,
-     $            VOUT, MAX( 1, NV ), ISTP(2), ISTAT, IER )
+     $            TIM(2), IP, RP, CST, W(IX), W(IW(5)), W, XOUT, VOUT,
+     $            ISTP(2), ISTAT, IER )
       IF ( IER.NE.0 ) RETURN
 C
 C     -- the stop that it is
@@ -184,8 +184,8 @@ C
       P(2) = -1.0D0
       END
       SUBROUTINE GSPOU( CMD, CLO, VIN, T, TN, TC, D, NU, NX, NS, NV,
-     $                  TOUT, IP, RP, CST, X, F, W, XOUT, LDX, VOUT,
-     $                  LDV, IT, ISTAT, INFO )
+     $                  TOUT, IP, RP, CST, X, F, W, XOUT, VOUT, IT,
+     $                  ISTAT, INFO )
 C
 C     PURPOSE
 C     The outputs before TN, from the polynomial of GSPSG; IT is the
@@ -193,10 +193,9 @@ C     next one.  INFO is 0 or that of the inputs.
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN
-      INTEGER            NU, NX, NS, NV, IP(*), LDX, LDV, IT, ISTAT(*),
-     $                   INFO
+      INTEGER            NU, NX, NS, NV, IP(*), IT, ISTAT(*), INFO
       DOUBLE PRECISION   T, TN, TC, D, TOUT(*), RP(*), CST(*), X(*),
-     $                   F(NX,*), W(*), XOUT(LDX,*), VOUT(LDV,*)
+     $                   F(NX,*), W(*), XOUT(NX,*), VOUT(*)
       EXTERNAL           GSGLN, GSGLQ, GSPTH, GSINP
       DOUBLE PRECISION   B(12), C(12), WT(12)
 C
@@ -206,7 +205,7 @@ C
       CALL GSGLQ( NS, C, WT, ( T - TC )/D, ( TOUT(IT) - TC )/D, B )
       CALL GSPTH( NX, NS, NX, X, D, B, F, XOUT(1,IT) )
       CALL GSINP( CMD, CLO, VIN, TOUT(IT), 1, XOUT(1,IT), NU, NX, NV,
-     $            IP, RP, CST, VOUT(1,IT), W, INFO )
+     $            IP, RP, CST, VOUT(NV*(IT-1)+1), W, INFO )
       ISTAT(6) = INFO
       ISTAT(7) = 1
       IF ( INFO.NE.0 ) RETURN
