@@ -75,6 +75,7 @@ function gsmbp_plot (file, t, varargin)
   endif
   t = t(:);
   check (who, t, panels);
+  o.limits = [min(t), max(t)];
   data = t;
   heads = {o.head};
   for i = 1:numel (panels)

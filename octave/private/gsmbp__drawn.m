@@ -1,6 +1,7 @@
 ## lines = gsmbp__drawn (table, panels, o, size)
 ## What gnuplot is told to draw the panels from the file TABLE, one above the other, SIZE [cm]: the
-## legend above each, curves that differ without their colours, none hidden by another.
+## legend above each, curves that differ without their colours, none hidden by another.  o: the
+## options of gsmbp_plot, and limits, the ends of the abscissa.
 
 function lines = gsmbp__drawn (table, panels, o, size)
   n = numel (panels);
@@ -20,6 +21,9 @@ function lines = gsmbp__drawn (table, panels, o, size)
            sprintf("set rmargin at screen %.4f", 1 - 0.45 / size(1)), axes_of(o.scale)};
   if (any (strcmp (o.scale, {"linear", "semilogy"})))
     lines{end+1} = "set autoscale xfix";
+    if (all (isfinite (o.limits)) && diff (o.limits) > 0)   # the same where curves have gaps
+      lines{end+1} = sprintf ("set xrange [%.17g:%.17g]", o.limits);
+    endif
   endif
   if (any (strcmp (o.scale, {"linear", "semilogx"})))   # no curve on the frame
     lines{end+1} = "set offsets graph 0, graph 0, graph 0.03, graph 0.03; set autoscale yfix";

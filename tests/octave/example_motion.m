@@ -13,6 +13,9 @@ function [m, x0, t, options, what] = example_motion (name, build)
                                     1, "0.03 s of the benchmark");
     case "bricard"
       [x0, t, joules, what] = deal (m.initial, 0:0.25:10, 10, "falls for 10 s");
+    case "flexible_arm"
+      [x0, t, options, joules, what] = deal (m.initial, 0:0.01:0.5, {"input", 6}, 1, ...
+          "a step of 6 V");
     case "four_bar"
       options = {"motion", mkpp([0, 10], [2*pi, 0])};
       [x0, t, joules, what] = deal ([], 0:0.25:10, 1, "ten turns by computed torque");
