@@ -7,7 +7,7 @@ void gseig_ (), gshes_ (), gshqr_ (), gshqs_ (), gsiks_ (), gsikz_ (), gsiko_ ()
   gsikd_ (), gsiku_ (), gsiky_ (), gscir_ (), gscif_ (), gsciq_ (), gscie_ (), gsnik_ (), gsnir_ (),
   gsniv_ (), gsnij_ (), gsnis_ (), gsikg_ (), gsikb_ (), gsik1_ (), gsikt_ (), gsikw_ (), gsikf_ (),
   gsikl_ (), gsikr_ (), gsike_ (), gsikh_ (), gsikc_ (), gsikm_ (), gsikv_ (), gsikx_ (), gsikn_ (),
-  gsikj_ (), gsika_ (), gsiki_ ();
+  gsikj_ (), gsika_ (), gsiki_ (), gsipz_ ();
 int gsikq_ ();
 double gsikk_ ();
 
@@ -298,6 +298,35 @@ singulars (void)
   holds (found > 17, "gsikz finds positions close to singular ones");
 }
 
+/* three joints that bring a point to a place: one solution refined, others looked for beside it */
+static void
+places (void)
+{
+  int good = 0;
+  begin ("gsipz");
+  for (int k = 0; k < 40; k++)
+    {
+      int nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
+      arm a = arm_of (3, k % 2);
+      pair qc = pair_of (6), qs = pair_of (6), x0 = pair_of (3);
+      double rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
+      for (int i = 0; i < 6; i++)
+        qc.c[i] = a.q[i % 3] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
+      both (qc), both (qs), both (x0);
+      int made = gsipz (a.kind, a.ka, a.pa, a.r, a.p, x0.c, 2, 1, qc.c, rad, lim, qs.c, &nc, bc, 0);
+      gsipz_ (a.kind, a.ka, a.pa, a.r, a.p, x0.f, I (2), I (1), qc.f, rad, lim, qs.f, &nf, bf,
+              &info);
+      same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
+      same (qs);
+      for (int i = 0; i < 3; i++)
+        miss = fmax (miss, fabs (sin (0.5 * (qs.c[i] - a.q[i]))));
+      good += miss < 1e-11;
+      drop (qc), drop (qs), drop (x0);
+    }
+  finish ();
+  holds (good > 30, "gsipz refines solutions");
+}
+
 /* arms of two to five joints: one solution refined, others looked for beside it */
 static void
 fewer (void)
@@ -468,6 +497,7 @@ main (void)
   centres ();
   poses ();
   singulars ();
+  places ();
   fewer ();
   return 0;
 }

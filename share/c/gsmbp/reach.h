@@ -32,6 +32,12 @@ int gsikz (int n, const int *kind, const double *ka, const double *pa, const dou
            const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
            double *qs, int *ns, int *br, int info);
 
+/* gsikz of three joints that bring the point x0 (3; all coordinates 0) to the place r x0 + p; nb at
+ * most 16 */
+int gsipz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+           const double *x0, int nb, int nm, const double *qc, const double *rad, const double *lim,
+           double *qs, int *ns, int *br, int info);
+
 /* for gsikz: the solutions that are there refined */
 void gsik5 (int n, const int *kind, const double *ka, const double *pa, const double *r,
             const double *p, int nb, double *qs, int *ns, int *br);

@@ -600,7 +600,7 @@ moved (const int *kind, const double *ka, const double *pa, const double *q, dou
           k[i] = turned (a, i, ka + 3 * n);
           o[i] = turned (a, i, pa + 3 * n) + x[i];
         }
-      if (kind[n] == 0)
+      if (kind[n] != 1)
         {
           for (int i = 0; i < 3; i++)
             x[i] = x[i] + q[n] * k[i];
@@ -610,6 +610,20 @@ moved (const int *kind, const double *ka, const double *pa, const double *q, dou
       gsikt (k, o, s, c, x, a);
       gsikt (k, o, s, c, e, a + 3);
       gsikt (k, o, s, c, e, a + 6);
+    }
+}
+
+/* the place alone is asked for: joints 4 to 6 are none, with unit rows in the place of those of the
+ * rotation */
+static void
+place_alone (const double *q, double *rj, double *e)
+{
+  for (int j = 0; j < 3; j++)
+    {
+      for (int i = 3; i < 6; i++)
+        rj[i + 6 * j] = 0.0;
+      rj[(3 + j) * 7] = 1.0;
+      e[3 + j] = -q[3 + j];
     }
 }
 
@@ -627,15 +641,18 @@ gsikj (const int *kind, const double *ka, const double *pa, const double *r, con
           o[i] = x[i] - j[i];
           k[i] = j[3 + i];
           j[i] = k[i];
-          j[3 + i] = kind[n] == 0 ? 0.0 : k[i];
+          j[3 + i] = kind[n] != 1 ? 0.0 : k[i];
         }
-      if (kind[n] == 0)
+      if (kind[n] != 1)
         continue;
       j[0] = k[1] * o[2] - k[2] * o[1];
       j[1] = k[2] * o[0] - k[0] * o[2];
       j[2] = k[0] * o[1] - k[1] * o[0];
     }
-  gsniv (r, a, e + 3);
+  if (kind[3] == 2)
+    place_alone (q, rj, e);
+  else
+    gsniv (r, a, e + 3);
   *miss = 0.0;
   for (int i = 0; i < 3; i++)
     {

@@ -104,6 +104,32 @@ gsikz (int n, const int *kind, const double *ka, const double *pa, const double 
   return *ns == 0 ? 1 : info;
 }
 
+/* six joints, of which three are none, see gsikj; about the point */
+int
+gsipz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+       const double *x0, int nb, int nm, const double *qc, const double *rad, const double *lim,
+       double *qs, int *ns, int *br, int info)
+{
+  const int k6[] = { kind[0], kind[1], kind[2], 2, 2, 2 };
+  double c6[96] = { 0.0 }, s6[96] = { 0.0 }, a6[18] = { 0.0 }, p6[18] = { 0.0 }, d[3];
+  for (int i = 0; i < 3; i++)
+    {
+      d[i] = r[i] * x0[0] + r[i + 3] * x0[1] + r[i + 6] * x0[2] - x0[i] + p[i];
+      for (int j = 0; j < 3; j++)
+        p6[i + 3 * j] = pa[i + 3 * j] - x0[i];
+    }
+  memcpy (a6, ka, 9 * sizeof (double));
+  for (int k = 0; k < nb; k++)
+    {
+      six (3, qc + 3 * k, c6 + 6 * k);
+      six (3, qs + 3 * k, s6 + 6 * k);
+    }
+  info = gsikz (6, k6, a6, p6, r, d, nb, nm, c6, rad, lim, s6, ns, br, info);
+  for (int k = 0; k < nb; k++)
+    memcpy (qs + 3 * k, s6 + 6 * k, 3 * sizeof (double));
+  return info;
+}
+
 /* a solution refined into q: is it one? */
 static int
 refined (int n, const int *kind, const double *ka, const double *pa, const double *r,

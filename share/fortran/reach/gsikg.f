@@ -948,7 +948,9 @@ C             and rotation vector, wanted less there.
 C     MISS    (output) DOUBLE PRECISION, the largest of E.
 C
 C     METHOD
-C     Axes and points moved from the first joint on.
+C     Axes and points moved from the first joint on. Where KIND(4) is 2
+C     the place alone is asked for: joints 4 to 6 are none, with unit rows
+C     in the place of those of the rotation.
 C
 C     ERROR INDICATOR
 C     None.
@@ -973,7 +975,7 @@ C     -- A, X: rotation of the joints so far, and where the origin comes
             O(I) = A(I,1)*PA(1,J) + A(I,2)*PA(2,J) + A(I,3)*PA(3,J)
      $             + X(I)
    30    CONTINUE
-         IF ( KIND(J).EQ.0 ) THEN
+         IF ( KIND(J).NE.1 ) THEN
             DO 35 I = 1, 3
                X(I) = X(I) + Q(J)*K(I)
    35       CONTINUE
@@ -997,7 +999,7 @@ C     -- A, X: rotation of the joints so far, and where the origin comes
             O(I) = X(I) - RJ(I,J)
             K(I) = RJ(3+I,J)
    70    CONTINUE
-         IF ( KIND(J).EQ.0 ) THEN
+         IF ( KIND(J).NE.1 ) THEN
             DO 75 I = 1, 3
                RJ(I,J) = K(I)
                RJ(3+I,J) = 0.0D0
@@ -1008,7 +1010,17 @@ C     -- A, X: rotation of the joints so far, and where the origin comes
             RJ(3,J) = K(1)*O(2) - K(2)*O(1)
          END IF
    80 CONTINUE
-      CALL GSNIV( R, A, E(4) )
+      IF ( KIND(4).EQ.2 ) THEN
+         DO 86 J = 1, 3
+            DO 84 I = 4, 6
+               RJ(I,J) = 0.0D0
+   84       CONTINUE
+            RJ(3+J,3+J) = 1.0D0
+            E(3+J) = -Q(3+J)
+   86    CONTINUE
+      ELSE
+         CALL GSNIV( R, A, E(4) )
+      END IF
       MISS = 0.0D0
       DO 90 I = 1, 3
          E(I) = P(I) - X(I)

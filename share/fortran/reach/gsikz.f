@@ -88,6 +88,60 @@ C
       IF ( NS.EQ.0 ) INFO = 1
       END
 C
+      SUBROUTINE GSIPZ( KIND, KA, PA, R, P, X0, NB, NM, QC, RAD, LIM,
+     $                  QS, NS, BR, INFO )
+C
+C     PURPOSE
+C     GSIKZ of three joints that bring a point to a place.
+C
+C     ARGUMENTS
+C     KIND, KA, PA (input) as GSIKN, of which three joints count.
+C     R, P    (input) as GSIKN; X0 shall come to R*X0 + P.
+C     X0      (input) DOUBLE PRECISION array, dimension (3): the point where
+C             all coordinates are 0 [m].
+C     NB      (input) INTEGER, branches, NB <= 16.
+C     NM, QC, RAD, LIM, QS, NS, BR, INFO as GSIKZ, N = 3.
+C
+C     METHOD
+C     Six joints, of which three are none, see GSIKJ; about the point.
+C
+C     ERROR INDICATOR
+C     None of its own.
+C
+      IMPLICIT NONE
+      INTEGER            KIND(6), NB, NM, NS, BR(NB), INFO, K6(6), I, J
+      DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), X0(3), QC(3,NB)
+      DOUBLE PRECISION   RAD(NM,NB), LIM(NM), QS(3,NB), C6(6,16)
+      DOUBLE PRECISION   S6(6,16), A6(3,6), P6(3,6), D(3)
+      EXTERNAL           GSIKZ
+C
+      DO 20 I = 1, 3
+         K6(I) = KIND(I)
+         K6(3+I) = 2
+         D(I) = R(I,1)*X0(1) + R(I,2)*X0(2) + R(I,3)*X0(3) - X0(I)
+     $          + P(I)
+         DO 10 J = 1, 3
+            A6(I,J) = KA(I,J)
+            A6(I,3+J) = 0.0D0
+            P6(I,J) = PA(I,J) - X0(I)
+            P6(I,3+J) = 0.0D0
+   10    CONTINUE
+         DO 15 J = 1, NB
+            C6(I,J) = QC(I,J)
+            C6(3+I,J) = 0.0D0
+            S6(I,J) = QS(I,J)
+            S6(3+I,J) = 0.0D0
+   15    CONTINUE
+   20 CONTINUE
+      CALL GSIKZ( 6, K6, A6, P6, R, D, NB, NM, C6, RAD, LIM, S6, NS, BR,
+     $            INFO )
+      DO 40 J = 1, NB
+         DO 30 I = 1, 3
+            QS(I,J) = S6(I,J)
+   30    CONTINUE
+   40 CONTINUE
+      END
+C
       SUBROUTINE GSIK5( N, KIND, KA, PA, R, P, NB, QS, NS, BR )
 C
 C     PURPOSE
