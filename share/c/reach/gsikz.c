@@ -9,10 +9,12 @@ enum
 {
   NEAR = 1,
   OUT = 2,
-  FREE = 4
+  FREE = 4,
+  CLOSE = 8
 };
 
-/* NEAR: a radicand of a branch is close to 0, OUT: one is below, FREE: a coordinate is free */
+/* NEAR: a radicand of a branch is close to 0, OUT: one is below, FREE: a coordinate is free, CLOSE:
+ * a number that it depends on is very close to its limit */
 static int
 marks (int nm, const double *rad, const double *lim)
 {
@@ -21,6 +23,8 @@ marks (int nm, const double *rad, const double *lim)
     {
       if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
         mark |= NEAR;
+      if (rad[i] <= 1e3 * lim[i])
+        mark |= CLOSE;
       if (lim[i] <= 1e-20 && rad[i] <= lim[i])
         mark |= FREE;
       if (! (rad[i] >= -1e7 * lim[i]))
@@ -50,15 +54,23 @@ about_last (int n, const double *pa, const double *r, const double *p, double *p
     }
 }
 
+/* how far the solution of branch k (from 1) is from q; 1 if there is none */
+static double
+away (int n, const int *kind, const double *q, int k, const double *qs, int ns, const int *br)
+{
+  double h = 1.0;
+  for (int j = 0; j < ns; j++)
+    if (br[j] == k)
+      h = gsikk (n, kind, q, qs + n * j);
+  return h;
+}
+
 /* was no solution close to branch k (from 1) found, where it may have lost its digits? */
 static int
 is_unsure (int n, const int *kind, const double *ka, const double *pa, const double *r,
            const double *p, const double *q, int k, const double *qs, int ns, const int *br)
 {
-  double h = 1.0, z[6], s;
-  for (int j = 0; j < ns; j++)
-    if (br[j] == k)
-      h = gsikk (n, kind, q, qs + n * j);
+  double h = away (n, kind, q, k, qs, ns, br), z[6], s;
   if (! (h > 1e-9 && n == 6))
     return 0;
   gsiko (n, kind, ka, pa, r, p, q, z, &s);
@@ -66,8 +78,9 @@ is_unsure (int n, const int *kind, const double *ka, const double *pa, const dou
 }
 
 /* Newton's method on the pose from every solution (gsik5), then from both sides of every branch
- * whose radicands are above -1e7 times lim and one of them close to 0 (gsik4). Where the Jacobian
- * has almost lost rank a branch may have lost its digits: where it was not refined to a solution
+ * whose radicands are above -1e7 times lim and one of them close to 0 (gsik4), but where none is
+ * within 1e3 times lim of it and the branch was refined to a solution within 1e-9: nothing is left
+ * to find there. Where the Jacobian has almost lost rank a branch may have lost its digits: where it was not refined to a solution
  * close to it, the curve on which the tool hardly moves is followed (gsik2); also near a branch
  * that has a radicand close to 0 and another one below. New solutions take the numbers of branches
  * that have none. */
@@ -84,14 +97,15 @@ gsikz (int n, const int *kind, const double *ka, const double *pa, const double 
     {
       int mark = marks (nm, rad + nm * k, lim), walk = 0;
       six (n, qc + n * k, q);
-      if (mark == (NEAR | OUT) && n == 6)
+      if ((mark & (NEAR | OUT | FREE)) == (NEAR | OUT) && n == 6)
         {
           gsiky (kind, ka, px, r, d, q, e, &s);
           walk = s <= 1e-8;
         }
       else if (! (mark & (OUT | FREE)))
         {
-          if (mark & NEAR)
+          if (mark & NEAR
+              && (mark & CLOSE || ! (away (n, kind, q, k + 1, qs, *ns, br) <= 1e-9)))
             {
               gsiko (n, kind, ka, px, r, d, q, z, &s);
               info = gsik4 (n, kind, ka, px, r, d, q, z, nb, qs, ns, br, info);

@@ -17,7 +17,9 @@ C
 C     METHOD
 C     Newton's method on the pose from every solution (GSIK5), then from
 C     both sides of every branch whose radicands are above -1D7 times LIM
-C     and one of them close to 0 (GSIK4). Where the Jacobian has almost
+C     and one of them close to 0 (GSIK4), but where none is within 1D3
+C     times LIM of it and the branch was refined to a solution within
+C     1D-9: nothing is left to find there. Where the Jacobian has almost
 C     lost rank a branch may have lost its digits: where it was not
 C     refined to a solution close to it, the curve on which the tool
 C     hardly moves is followed (GSIK2); also near a branch that has a
@@ -35,7 +37,7 @@ C
       DOUBLE PRECISION   Z(6), Q(6), E(6), QW(6,400), S, PX(3,6), D(3)
       DOUBLE PRECISION   H, GSIKK
       INTEGER            I, J, K, NW
-      LOGICAL            NEAR, OUT, FREE
+      LOGICAL            NEAR, OUT, FREE, SURE
       EXTERNAL           GSIKK, GSIKO, GSIKY, GSIK2, GSIK4, GSIK5
 C
       DO 6 I = 1, 3
@@ -51,9 +53,11 @@ C
          NEAR = .FALSE.
          OUT = .FALSE.
          FREE = .FALSE.
+         SURE = .TRUE.
          DO 10 I = 1, NM
             IF ( LIM(I).GT.1.0D-20 .AND.
      $           ABS( RAD(I,K) ).LE.1.0D7*LIM(I) ) NEAR = .TRUE.
+            IF ( RAD(I,K).LE.1.0D3*LIM(I) ) SURE = .FALSE.
             IF ( LIM(I).LE.1.0D-20 .AND. RAD(I,K).LE.LIM(I) )
      $         FREE = .TRUE.
             IF ( .NOT.( RAD(I,K).GE.-1.0D7*LIM(I) ) ) OUT = .TRUE.
@@ -67,7 +71,11 @@ C
             IF ( S.LE.1.0D-8 ) CALL GSIK2( KIND, KA, PX, R, D, Q, NB,
      $                                     QS, NS, BR, INFO, NW, QW )
          ELSE IF ( .NOT.( OUT .OR. FREE ) ) THEN
-            IF ( NEAR ) THEN
+            H = 1.0D0
+            DO 18 J = 1, NS
+               IF ( BR(J).EQ.K ) H = GSIKK( N, KIND, Q, QS(1,J) )
+   18       CONTINUE
+            IF ( NEAR .AND. .NOT.( SURE .AND. H.LE.1.0D-9 ) ) THEN
                CALL GSIKO( N, KIND, KA, PX, R, D, Q, Z, S )
                CALL GSIK4( N, KIND, KA, PX, R, D, Q, Z, NB, QS, NS, BR,
      $                     INFO )
