@@ -99,6 +99,13 @@ same (void *c, void *d)
 
 /* ------------------------------------------------------------------------------------- orderly */
 
+/* step k of 20; a warning, that a device has left the range of its laws, is no failure */
+static int
+failing (void *c, double end, int k)
+{
+  return STEP (c, end * k / 20, end / 20) > 1;
+}
+
 /* a whole run of co-simulation */
 static double until;
 static void *
@@ -107,7 +114,7 @@ whole_run (void *nothing)
   void *c = begun (1, until);
   (void)nothing;
   for (int k = 0; k < 20; k++)
-    if (STEP (c, until * k / 20, until / 20))
+    if (failing (c, until, k))
       return c;
   return c;
 }
@@ -193,21 +200,21 @@ cosimulation (double end)
   void *a = begun (1, end), *b = begun (1, end), *state = NULL, *copy = NULL;
   int bad = 0;
   for (int k = 0; k < 20; k++)
-    bad += STEP (a, end * k / 20, end / 20);
+    bad += failing (a, end, k);
   for (int k = 0; k < 10; k++)
-    bad += STEP (b, end * k / 20, end / 20);
+    bad += failing (b, end, k);
   size_t n = 0;
   bad += SAVE (b, &state) + SIZE (b, state, &n);
   char *bytes = calloc (n + 1, 1);
   bad += WRITE (b, state, bytes, n) + READ (b, bytes, n, &copy);
   for (int k = 10; k < 20; k++)
-    bad += STEP (b, end * k / 20, end / 20);
+    bad += failing (b, end, k);
   told (! bad, "co-simulation");
   told (same (a, b), "two instances give the same bits");
   void *c = make (1, m->token);
   bad = LOAD (c, copy);
   for (int k = 10; k < 20; k++)
-    bad += STEP (c, end * k / 20, end / 20);
+    bad += failing (c, end, k);
   told (! bad && same (a, c), "a state that was serialized goes on as the instance did");
   told (READ (c, bytes, n - 1, &state) == ERROR && READ (c, bytes + 1, n, &state) == ERROR,
         "bytes that are no state are refused");

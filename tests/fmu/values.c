@@ -53,7 +53,7 @@ cosimulation (const char *token, double end)
   void *c = begun (1, token, end);
   int bad = print (c);
   for (int k = 0; k < STEPS; k++)
-    bad += STEP (c, end * k / STEPS, end / STEPS) + print (c);
+    bad += (STEP (c, end * k / STEPS, end / STEPS) > 1) + print (c);
   bad += TERMINATE (c);
   FREE (c);
   return bad;
