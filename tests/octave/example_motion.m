@@ -11,6 +11,10 @@ function [m, x0, t, options, what] = example_motion (name, build)
       m.nominal(8:14) = 1000;   # the driver's absolute tolerance: speeds reach 1425 rad/s
       [x0, t, joules, what] = deal (gsmbp_assemble (m, m.initial, "hold", "beta"), 0:0.001:0.03, ...
                                     1, "0.03 s of the benchmark");
+    case {"bending_rod", "bending_rod_linear"}
+      x0 = gsmbp_assemble (m, [0; 0; 0.45; 0; 0; 100; -150; 0; 0; 0], "hold", "theta");
+      [t, options, joules, what] = deal (linspace (0, 0.12, 41), {"start", "project"}, 10, ...
+                                         "two turns at 100 rad/s");
     case "bricard"
       [x0, t, joules, what] = deal (m.initial, 0:0.25:10, 10, "falls for 10 s");
     case "flexible_arm"
