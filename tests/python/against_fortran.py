@@ -102,6 +102,8 @@ def many(short, row, arguments):
     for argument, v in arguments.items():
         whole = v.dtype == np.intc
         spread[argument] = np.stack([v if whole else v * (1 + 1e-3 * j) for j in range(k)], axis=-1)
+    if 'v' in spread:
+        spread['v'][MODES] = np.arange(k) % 3 - 1
     try:
         each = [routine(**{a: v[..., j] for a, v in spread.items()}) for j in range(k)]
         orders = [routine(**spread),
