@@ -2,6 +2,7 @@
 ## @c category Motions
 ## @deftypefn  {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path}, @var{limit}, @
 ## @var{value}, @dots{})
+## @deftypefnx {} {@var{motion} =} gsmbp_retime (@var{m}, @var{path})
 ## @deftypefnx {} {[@var{motion}, @var{told}] =} gsmbp_retime (@dots{})
 ## The least time in which a model can follow a path.
 ##
@@ -40,16 +41,16 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: a path that is none or of other components; no limit, or one of another size; efforts
-## that are not quadratic in the speed (friction other than viscous and dry); a place on the path
-## where no speed keeps the limits.
+## Errors: a path that is none or of other components; no limit here and in the scene, or one of
+## another size; efforts that are not quadratic in the speed (friction other than viscous and dry); a
+## place on the path where no speed keeps the limits.
 ## Source: Pham and Pham, IEEE Transactions on Robotics 34 (2018), reachable sets, here on
 ## midpoints.
 ## @seealso{gsmbp_plan, gsmbp_inverse, gsmbp_path}
 ## @end deftypefn
 
 function [motion, told] = gsmbp_retime (m, path, varargin)
-  if (nargin < 4)
+  if (nargin < 2)
     print_usage ();
   endif
   who = "gsmbp_retime";
