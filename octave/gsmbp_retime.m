@@ -42,8 +42,8 @@
 ## @end example
 ##
 ## Errors: a path that is none or of other components; no limit here and in the scene, or one of
-## another size; efforts that are not quadratic in the speed (friction other than viscous and dry); a
-## place on the path where no speed keeps the limits.
+## another size; efforts that are not quadratic in the speed (friction other than viscous and dry);
+## a place on the path where no speed keeps the limits.
 ## Source: Pham and Pham, IEEE Transactions on Robotics 34 (2018), reachable sets, here on
 ## midpoints.
 ## @seealso{gsmbp_plan, gsmbp_inverse, gsmbp_path}
