@@ -66,8 +66,8 @@ gsmbp_plot ("out/figure_turns.png", (theta - 12*pi) * 180 / pi, ...
 undamped = gsmbp_set (m, "zeta", 0);
 [~, ~, r] = turns (undamped, w);
 E = arrayfun (@(k) sum (undamped.ene (r.t(k), r.x(k,:)')(1:3)), 1:20:numel (r.t));
-printf (["\nwithout damping at %g rad/s: energy kept to %.1e of it over eight turns; gap of the " ...
-         "loop %.1e m\n\n"], w, max (abs (E - E(1))) / E(1), r.stats.drift.phi);
+printf (["\nwithout damping at %g rad/s: energy kept to %.1e of it over eight turns; gap of " ...
+         "the loop %.1e m\n\n"], w, max (abs (E - E(1))) / E(1), r.stats.drift.phi);
 
 ## ----------------------------------------------------- what it costs
 gsmbp_timing (m, 0, r.x(101,:));
