@@ -80,10 +80,10 @@ is_unsure (int n, const int *kind, const double *ka, const double *pa, const dou
 /* Newton's method on the pose from every solution (gsik5), then from both sides of every branch
  * whose radicands are above -1e7 times lim and one of them close to 0 (gsik4), but where none is
  * within 1e3 times lim of it and the branch was refined to a solution within 1e-9: nothing is left
- * to find there. Where the Jacobian has almost lost rank a branch may have lost its digits: where it was not refined to a solution
- * close to it, the curve on which the tool hardly moves is followed (gsik2); also near a branch
- * that has a radicand close to 0 and another one below. New solutions take the numbers of branches
- * that have none. */
+ * to find there. Where the Jacobian has almost lost rank a branch may have lost its digits: where
+ * it was not refined to a solution close to it, the curve on which the tool hardly moves is
+ * followed (gsik2); also near a branch that has a radicand close to 0 and another one below. New
+ * solutions take the numbers of branches that have none. */
 int
 gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
