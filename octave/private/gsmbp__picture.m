@@ -6,7 +6,8 @@ function lines = gsmbp__picture (skeleton, p, shades, path, s, title, o)
   d.dims = numel (s.axes);
   f.first = [0; cumsum(skeleton.points)(1:end-1)];
   f.bodies = 2:numel (skeleton.body);
-  f.corners = arrayfun (@(b) around (p(:,f.first(b) + (1:skeleton.joints(b)),1)), ...
+  f.corners = arrayfun (@(b) corners_of (p(:,f.first(b) + (1:skeleton.joints(b)),1), ...
+                                         is_beam (skeleton, b)), ...
                         1:numel (skeleton.body), "UniformOutput", false);
   d = below (d, skeleton, p(:,:,end), f, s);
   track = "lines lw 1.5 lc rgb '#999999'";
@@ -186,7 +187,7 @@ endfunction
 ## one link in one pose: plate, arm to the mass centre, line
 function d = link (d, here, joints, corners, s, color, shade, centres)
   q = outline (here, joints, corners);
-  if (columns (q) > 3)
+  if (columns (q) > 3 && ! corners.open)
     d = add (d, q, s, ...
              sprintf ("%s fc rgb '%s'", ...
                       {"filledcurves closed", "polygons fs solid noborder"}{d.dims - 1}, ...
@@ -203,17 +204,44 @@ function style = line_of (q)
   style = {"lines lw 5", "points pt 4 ps 2.4 lw 3.5"}{1 + (columns (q) == 1)};
 endfunction
 
-## the corners of a link: its joints (a closed polygon from three on), or its only joint and the
-## mass centre
+## the corners of a link: its joints (a closed polygon from three on; of a beam the line through its
+## sections), or its only joint and the mass centre
 function q = outline (q, joints, corners)
   if (joints >= 2)
-    q = q(:,corners);
+    q = q(:,corners.order);
   endif
-  if (joints >= 3)
+  if (corners.open)
+    q = smooth (q);
+  endif
+  if (joints >= 3 && ! corners.open)
     q(:,end+1) = q(:,1);
   endif
   if (all (max (q, [], 2) - min (q, [], 2) <= 1e-12))
     q = q(:,1);
+  endif
+endfunction
+
+## a smooth line through points
+function q = smooth (q)
+  t = [0, cumsum(sqrt (sumsq (diff (q, 1, 2), 1)))];
+  apart = [true, diff(t) > 1e-9 * t(end)];
+  if (sum (apart) > 2)
+    q = spline (t(apart), q(:,apart), linspace (0, t(end), 33));
+  endif
+endfunction
+
+## a beam: sections stand on it, which have a joint of their own each
+function yes = is_beam (skeleton, b)
+  yes = isfield (skeleton, "types") && skeleton.joints(b) > 1 ...
+        && any (strcmp (skeleton.types{b}, "section"));
+endfunction
+
+## the order in which the line of a link goes through its joints, and whether it stays open
+function corners = corners_of (q, beam)
+  corners = struct ("order", around (q), "open", beam);
+  if (beam)
+    [U, ~, ~] = svd (q - mean (q, 2));
+    [~, corners.order] = sort (U(:,1)' * q);
   endif
 endfunction
 

@@ -15,6 +15,7 @@ function test_flexible ()
   rod_in_a_loop ();
   held_at_its_tip ();
   section_loads ();
+  points_of_pictures ();
 end
 
 ## four states: M, N + G + elastic and damping efforts, inverse and forward dynamics, payload
@@ -173,4 +174,16 @@ function section_loads ()
                (y(1:6) - expected) ./ expected, 1e-5);
   strain_ = N / 2e5 - 0.01 * Mz / 400 - 0.02 * My / 500;
   gsmbp_check ("loads of a section: strain of a fibre", y(7) / strain_ - 1, 1e-5);
+end
+
+## In pictures the rod goes through its sections where it is bent to.
+function points_of_pictures ()
+  m = gsmbp_fixture ("flexible_slider_crank");
+  x = gsmbp_assemble (m, [0.8; -1; 0.5; 0.02; 0.005], "hold", {"q1", "rod_1", "rod_2"});
+  P = m.ske (0, x(1:5));
+  rod = sum (m.skeleton.points(1:2)) + (1:m.skeleton.joints(3));
+  c = x(1) + x(2);
+  across = [-sin(c), cos(c), 0] * (P(:,rod) - P(:,rod(1)));
+  ## tip and middle: shapes sqrt(2) sin(i pi xi)
+  gsmbp_check ("points of a picture: the rod bends", across - [0, 0, sqrt(2) * 0.02], 1e-14);
 end
