@@ -36,6 +36,15 @@ function test_invariants ()
   end
 end
 
+## inputs; those that are modes of ports are -1, 0 or 1
+function v = inputs (m, d)
+  v = uniform (d.nv);
+  if (! isempty (m.events))
+    modes = [m.events.input];
+    v(modes) = randi ([-1, 1], numel (modes), 1);
+  end
+end
+
 function x = uniform (n)
   x = 2 * rand (n, 1) - 1;
 end
@@ -133,7 +142,7 @@ function power (name, m, d)
   worst = 0;
   for trial = 1:20
     x = state (m, d);
-    v = uniform (d.nv);
+    v = inputs (m, d);
     v([m.events.input]) = strcmp ({m.events.kind}, "stick");   # friction slides, stops are free
     [xd, ~] = m.rhs (0, x, v);
     drives = 0;
@@ -163,7 +172,7 @@ function jacobians (name, m, d)
   for trial = 1:10
     do   # away from what the equations themselves tell: orientation angles near their singularity
       x = state (m, d);
-      v = uniform (d.nv);
+      v = inputs (m, d);
       [~, info] = m.rhs (0, x, v);
     until (info != 3)
     [A, B, C, D] = m.jac (0, x, v);
@@ -193,7 +202,7 @@ function motion_model (name, m, d)
     q = unit (m, uniform (d.nq));
     u = 2 * uniform (d.nu);
     ud = 5 * uniform (d.nu);
-    v = uniform (d.nv);
+    v = inputs (m, d);
     [M, B, C] = m.lin (0, q, u, ud, v);
     by_u = @(u) m.inv (0, q, u, ud, v);
     by_q = @(q) m.inv (0, q, u, ud, v);
