@@ -197,7 +197,7 @@ gsik9 (const int *kind, const double *ka, const double *pa, const double *r, con
   int iw[6], good, side = 0;
   for (int k = 0; k < 8; k++)
     {
-      double t = ga != ge ? a + (b - a) * (ga / (ga - ge)) : a;
+      double t = fabs (ga - ge) > 0 ? a + (b - a) * (ga / (ga - ge)) : a;
       for (int i = 0; i < 6; i++)
         q[i] = qb[i] + t * zb[i];
       memcpy (z, zb, sizeof z);

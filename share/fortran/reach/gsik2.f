@@ -76,7 +76,7 @@ C
             END IF
             IF ( .NOT.( ABS( G ).LE.1.0D-3 ) ) GO TO 70
             IF ( CLOSED ) RETURN
-            CLOSED = K.GT.2 .AND. GSIK8( KIND, Q, QF ).LE.0.6D0*H
+            IF ( K.GT.2 ) CLOSED = GSIK8( KIND, Q, QF ).LE.0.6D0*H
    60    CONTINUE
    70 CONTINUE
       END
@@ -247,7 +247,8 @@ C
       GE = G
       DO 20 K = 1, 8
          T = A
-         IF ( GA.NE.GE ) T = A + ( B - A )*( GA/( GA - GE ) )
+         IF ( ABS( GA - GE ).GT.0.0D0 )
+     $      T = A + ( B - A )*( GA/( GA - GE ) )
          DO 10 I = 1, 6
             Q(I) = QB(I) + T*ZB(I)
             Z(I) = ZB(I)

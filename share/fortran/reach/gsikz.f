@@ -170,7 +170,8 @@ C
       IMPLICIT NONE
       INTEGER            N, KIND(6), NB, NS, BR(NB), I, K, L, M, IW(6)
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QS(N,NB)
-      DOUBLE PRECISION   Q(6), W(42), E(6), MISS, SIZE, GSIKK, GSIK0
+      DOUBLE PRECISION   Q(6), W(42), E(6), MISS, SIZE, FAR, GSIKK
+      DOUBLE PRECISION   GSIK0
       LOGICAL            GOOD, KEEP, SAME, CLOSER
       EXTERNAL           GSIKJ, GSIKK, GSIKN, GSIK0, GSIK7
 C
@@ -185,8 +186,9 @@ C
          CALL GSIKJ( KIND, KA, PA, R, P, Q, W, E, MISS )
          CALL GSIKN( N, KIND, KA, PA, R, P, Q, W, IW, GOOD )
          KEEP = GOOD .OR. MISS.LE.1.0D-11
-         IF ( .NOT.GOOD .OR. MISS.LE.1.0D-14*SIZE .AND.
-     $        GSIKK( N, KIND, Q, QS(1,K) ).GT.1.0D-2 ) THEN
+         FAR = 0.0D0
+         IF ( MISS.LE.1.0D-14*SIZE ) FAR = GSIKK( N, KIND, Q, QS(1,K) )
+         IF ( .NOT.GOOD .OR. FAR.GT.1.0D-2 ) THEN
             DO 20 I = 1, N
                Q(I) = QS(I,K)
    20       CONTINUE
