@@ -221,10 +221,10 @@ endfunction
 %! endif
 %! file = [tempname() ".svg"];
 %! micro = "\302\265";
-%! table = {"Pa", [micro "Pa"]; "W", [micro "W"]; "m/s", [micro "m/s"]; "N*m", [micro "N m"]
-%!          "ohm", [micro "\316\251"]; "m^2", [micro "m\302\262"]; "Wb", [micro "Wb"]};
+%! written = {"Pa", [micro "Pa"]; "W", [micro "W"]; "m/s", [micro "m/s"]; "N*m", [micro "N m"]
+%!            "ohm", [micro "\316\251"]; "m^2", [micro "m\302\262"]; "Wb", [micro "Wb"]};
 %! unwind_protect
-%!   for row = table'
+%!   for row = written'
 %!     gsmbp_plot (file, [0 1], struct ("y", [0; 2], "names", {{"a"}}, "label", ...
 %!                                      ["y [u" row{1} "]"]));
 %!     assert (any (strfind (fileread (file), ["[" row{2} "]"])));
