@@ -29,9 +29,10 @@ define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
 make test-whole            all tests, those at length of which make test takes a part: pkg test,
-                           doctest, modules that were cut short
+                           doctest, modules that were cut short, Fortran of all scenes, the manual on
+                           ECL
 make test-random           2000 scenes made by chance against each of two independent formulations
-                           (make test takes 40 and 10); SEED=1 COUNT=2000: others
+                           (make test takes 30 and 6); SEED=1 COUNT=2000: others
 make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
                            (make test takes 25)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a sample);

@@ -2,7 +2,7 @@
 ## double precision by Maxima (tests/random/batch.mac) against the independent Newton-Euler
 ## formulation in maximal coordinates (independent/ne_*), at states drawn by chance.
 ##
-## GSMBP_RANDOM is the number of mechanisms (default 40), GSMBP_RANDOM_LINKS how many links they may
+## GSMBP_RANDOM is the number of mechanisms (default 30), GSMBP_RANDOM_LINKS how many links they may
 ## have (default 3), GSMBP_RANDOM_FIRST the seed of the first (default 1). tests/random/run COUNT
 ## FIRST LINKS sets them; make test-random asks for 2000 of up to 6 links. A residual may be 1e-10,
 ## times cond/1e6 where the matrix of the equations of motion is ill-conditioned (cond: of its
@@ -13,7 +13,7 @@ function test_random ()
   here = fileparts (mfilename ("fullpath"));
   addpath (fullfile (here, "independent"), fullfile (here, "..", "random"));
   itself ();
-  count = number_of ("GSMBP_RANDOM", 40);
+  count = number_of ("GSMBP_RANDOM", 30);
   first = number_of ("GSMBP_RANDOM_FIRST", 1);
   work = fullfile (getenv ("GSMBP_TEST_DIR"), "random");
   [~, ~] = mkdir (work);

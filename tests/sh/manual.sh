@@ -1,7 +1,7 @@
 # The manual: every session of its chapters is typed and compared (the others: sessions.sh); every
-# public function is in its index; every entry of the index opens in describe, on both Lisps;
-# example works for every function; every word of the scene language has its picture, or is said to
-# have none.
+# public function is in its index; every entry of the index opens in describe (on ECL too in make
+# test-whole); example works for every function; every word of the scene language has its picture,
+# or is said to have none.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -73,7 +73,7 @@ told $? 'the page of HTML has all pictures in it' "$report"
 rm -f "$report.html" "$report.page"
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
-for maxima in maxima maxima-sage; do
+for maxima in maxima ${GSMBP_WHOLE:+maxima-sage}; do
   has $maxima 'topics of the manual in describe' || continue
   rm -f "$report"
   MAXIMA=$maxima share/make/maxima "$report.log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
