@@ -66,7 +66,9 @@ fi
 
 # a scene of the user's; what all modules share is compiled once for all tests
 mkdir "$work/user/examples" && cd "$work/user" || exit 1
-for name in slider_crank puma560 spinning_top; do cp -R "$root/examples/$name" examples; done
+for name in slider_crank puma560 spinning_top rotating_blade; do
+  cp -R "$root/examples/$name" examples
+done
 common=$GSMBP_TEST_DIR/fortran_out/build/double/common
 for build in fortran_out/build/double elsewhere/fortran_out/build/double; do
   mkdir -p $build && ln -s "$common" $build
