@@ -19,8 +19,8 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed test-reach \
-        test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
+.PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
+        test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-points bench-reach bench-robots same doc manual install uninstall package clean \
         packages-manual packages-pdf packages-report packages-screen check-report check-screen \
         packages-fmu check-fmu
