@@ -79,13 +79,13 @@ end
 function tree = spatial_tree ()
   model = "second";
   I = [1, 1/10, 1/12; 1/10, 2, 1/11; 1/12, 1/11, 3];
-  arm = fx_beam (1.2, 3, diag ([1/5, 1/7, 1/9]), model, {
+  arm = fx_beam (1.2, 3, @(xi) [(1 - xi / 3) / 5; xi * 0 + 1/7; (1 + xi) / 9], model, {
     "y", "clamped_free", 1, 5, 400 / 1.2 ^ 3 * root(1) ^ 4
     "y", "clamped_free", 2, 6, 400 / 1.2 ^ 3 * root(2) ^ 4
     "z", "clamped_free", 1, 7, 500 / 1.2 ^ 3 * root(1) ^ 4
     "twist", "fixed_free", 1, 8, 70 / 1.2 * (pi / 2) ^ 2
     "stretch", "fixed_free", 1, 9, 9000 / 1.2 * (pi / 2) ^ 2});
-  fore = fx_beam (0.7, 1.1 / 0.7, zeros (3), model, {
+  fore = fx_beam (0.7, @(xi) 1.6 * (1 - xi / 2) + exp (-2 * xi), [0; 0; 0], model, {
     "z", "pinned_pinned", 1, 10, 90 / 0.7 ^ 3 * pi ^ 4
     "z", "pinned_pinned", 2, 11, 90 / 0.7 ^ 3 * (2 * pi) ^ 4});
   [z, no] = deal ([0; 0; 0], zeros (3));
@@ -101,8 +101,11 @@ end
 
 ## one beam that bends both ways and stretches, with a rigid body at its end
 function tree = one_beam (model)
-  arm = fx_beam (1.2, 3, diag ([0, 0, 0]), model, {
-    "y", @(xi) deal (xi .^ 2, 2 * xi), 0, 3, 400 / 1.2 ^ 3 * 4
+  ## the one of the model full is tapered
+  rho = merge (strcmp (model, "full"), {@(xi) 3 * (1 - xi / 2) .^ 2}, {3}){1};
+  EI = 400 * merge (strcmp (model, "full"), 1/3, 1);
+  arm = fx_beam (1.2, rho, [0; 0; 0], model, {
+    "y", @(xi) deal (xi .^ 2, 2 * xi), 0, 3, EI / 1.2 ^ 3 * 4
     "z", @(xi) deal (xi .^ 2, 2 * xi), 0, 4, 500 / 1.2 ^ 3 * 4
     "stretch", "fixed_free", 1, 5, 9000 / 1.2 * (pi / 2) ^ 2});
   z = [0; 0; 0];

@@ -31,8 +31,8 @@ function [T, V] = fx_energy (tree, q, qd)
       n = [b.beam.modes.k];
       T += kinetic (b.beam, v, w, q(n), qd(n));
       r = fx_field (b.beam, q(n), b.beam.gauss);
-      V -= b.beam.rho * b.beam.L ...
-           * sum (b.beam.gauss.weight .* (g' * r.place + tree.gravity' * now{k}.p));
+      V -= b.beam.L ...
+           * sum (b.beam.rho .* b.beam.gauss.weight .* (g' * r.place + tree.gravity' * now{k}.p));
       V += sum ([b.beam.modes.stiffness] .* q(n)' .^ 2) / 2;
     end
   end
@@ -56,8 +56,8 @@ function T = kinetic_whole (beam, v, w, q, qd)
   d = fx_field (beam, q + 1i * h * qd, beam.gauss);
   u = v + cross (repmat (w, 1, columns (r.place)), r.place) + imag (d.place) / h;
   turned = w + imag (d.angles) / h;
-  T = beam.rho * beam.L * sum (weight .* sum (u .^ 2)) / 2 ...
-      + beam.L * sum (weight .* sum (turned .* (beam.J * turned))) / 2;
+  T = beam.L * sum (beam.rho .* weight .* sum (u .^ 2)) / 2 ...
+      + beam.L * sum (weight .* sum (turned .* beam.J .* turned)) / 2;
 end
 
 ## [p, R] of every body
