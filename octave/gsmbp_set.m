@@ -7,7 +7,8 @@
 ##
 ## What depends on the parameters alone is computed anew and the handles of the
 ## result use it; the argument keeps its own.  A start that the scene states by
-## parameters, and filters and observers that start settled, follow in @code{m.initial}. What the
+## parameters, and filters and observers that start settled, follow in @code{m.initial}; beams that
+## start sagged stay where they were. What the
 ## scene would refuse is an error here: a negative mass or principal moment, a value out of
 ## the range of a device.
 ##

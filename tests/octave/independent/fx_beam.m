@@ -1,6 +1,7 @@
 ## B = fx_beam (L, RHO, J, MODEL, ROWS): a beam for fx_energy: length, mass by length, inertia of
 ## its sections by length (3 x 1), each a number or a function of xi (row), model
-## second, full or linear; ROWS of a cell array, one for each mode: kind (y, z, twist, stretch), ends and number of its shape (fx_shape) or a function of xi
+## second, full or linear; ROWS of a cell array, one for each mode: kind (y, z, twist, stretch),
+## ends and number of its shape (fx_shape) or a function of xi
 ## that gives [phi, slope] and 0, number of its coordinate, stiffness.
 
 function b = fx_beam (L, rho, J, model, rows)
