@@ -34,7 +34,7 @@ absent (const std::string& call, const char *request)
   std::string reason;
   auto is = [&] (const char *calls)
     { return std::strstr (calls, (" " + call + " ").c_str ()) != nullptr; };
-  if (S.nlam == 0 && is (" con inl clo acc acd tan "))
+  if (S.nlam == 0 && is (" con inl clo acc acd tan cop "))
     reason = "it has no loops";
   else if (S.nlam == 0 && S.nq == S.nu && is (" prj "))
     reason = "it has neither loops nor Euler parameters";
@@ -46,7 +46,7 @@ absent (const std::string& call, const char *request)
     reason = "no device of it has a margin that its state decides";
   else if (S.nlam == 0 && is (" ind red jpi "))
     reason = "it has no loops";
-  else if (S.ny == 0 && is (" out "))
+  else if (S.ny == 0 && is (" out oup "))
     reason = "it has no outputs";
   else
     reason = left_out (request);
@@ -72,6 +72,11 @@ static const known_routine known[]
         { "inv", "inverse", "t q u ud ?v cst >tau", "" },
         { "fwd", "forward", "t q u ?v ?tau cst >ud info", "" },
         { "mas", "mass", "t q cst >m(nu,nu) ld", "" },
+        { "rhp", "sensitivity",
+          "t x ?v cst >p(nx,nsp) ld >a(nx,nx) ld >b(nx,nv) ld >xd(nx) info", "" },
+        { "inp", "sensitivity", "t q u ud ?v cst >p(nu,nsp) ld", "" },
+        { "cop", "sensitivity", "t x cst >pp(nlam,nsp) ld >pv(nlam,nsp) ld", "" },
+        { "oup", "sensitivity", "t x ?v cst >p(ny,nsp) ld info", "" },
         { "reg", "regressor", "t q u ud ?v cst >y(nu,nbase) ld >p(nbase) >r(nu)", "" },
         { "bia", "bias", "t q u ?v cst >b(nu)", "" },
         { "kin", "kinematics", "t q u cst >qdot(nq)", "" },
