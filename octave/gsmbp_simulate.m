@@ -258,7 +258,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0);
-  [x0, atol] = audit_states (who, m, o, x0, atol);
+  carried = gsmbp__carried (who, m, o, t0, x0, atol);
+  [x0, atol] = audit_states (who, m, o, [x0(:); carried.x0], [atol(:); carried.atol]);
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
@@ -270,7 +271,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     guess = x0(1:d.nq);
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
-      m.module ("sim", m.cst, t0, x0, times, breaks, [numel(times), numel(breaks)], iopt, ropt, ...
+      m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, [numel(times), numel(breaks)], iopt, ropt, ...
                 atol, plan, guess, callback, library, o.maxorder);
   if (strcmp (method, "auto"))
     method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
@@ -304,6 +305,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     result.unique = m.unique.outputs;
   endif
   result = gsmbp__named (m, result);
+  if (! isempty (carried.names))
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached));
+  endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);

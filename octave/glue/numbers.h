@@ -66,6 +66,8 @@ extern "C"
   void gspln_ (void);
   void gskkt_ (void);
   void gsacc_ (void);
+  void gssen_ (void);
+  void gsspj_ (void);
   void gsspd_ (void);
   void gsleq_ (void);
   void gsfun_ (void);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "run_parts.h"
+#include "columns_by_parameters.h"
 
 // The arguments of GSSIM by their names, and who integrates.
 struct simulation
@@ -10,13 +11,15 @@ struct simulation
   simulation (arguments& a);
 
   void integrate (void);
+  bool carries (void) const { return columns->count () > 0; }
   octave_value_list results (void) const;
 
   reals cst;
   number t0;
   reals x0;
   int nx;
-  bool audit;   // the two states of an audit stand behind the others
+  std::unique_ptr<carried> columns;   // by parameters, behind the states
+  bool audit;                         // the two states of an audit stand behind the others
   reals tout, tbrk;
   int nt, nb;
   std::vector<int> iopt;
@@ -47,10 +50,12 @@ private:
 
 simulation::simulation (arguments& a)
   : cst (a.constants ()), t0 (a.scalar ("t0")), x0 (a.vector ("x0", -1)), nx (int (x0.size ())),
-    audit (nx == S.nx + 2), info (0), text (400, 0), seconds (0)
+    columns (columns_of (a.value ("columns").matrix_value ())), audit (nx == S.nx + 2 && ! carries ()),
+    info (0), text (400, 0), seconds (0)
 {
-  if (nx != S.nx && ! audit)
-    error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (), S.nx, nx);
+  if (nx != S.nx * (1 + columns->count ()) && ! audit)
+    error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (),
+           S.nx * (1 + columns->count ()), nx);
   tout = a.vector ("times", -1);
   tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
@@ -115,6 +120,13 @@ simulation::find_routines (void)
   const bool planned = ip[GS_V0] == 2;
   rhs = routine (audit ? "rha" : "rhs").f;
   prj = needed (project, "prj");
+  if (carries ())
+    {
+      rhs = reinterpret_cast<gsmbp_sub> (gsmbp_rates_with_columns);
+      columns->prj = prj;
+      if (project)
+        prj = reinterpret_cast<gsmbp_sub> (gsmbp_projection_with_columns);
+    }
   con = needed (partition || drift, "con");
   kin = needed (partition || iopt[4], "kin");
   cmd = needed (planned, "cmd");
@@ -236,6 +248,7 @@ do_sim (arguments& a, int)
   std::exception_ptr failure;
   the_input = &run.input;
   the_failure = &failure;
+  the_columns = run.columns.get ();
   run.integrate ();
   if (failure)
     std::rethrow_exception (failure);

@@ -44,6 +44,9 @@ endfunction
 function text = cause (m, number, info)
   if (number == 7 && info == 9)
     text = "more than 100 events at one instant";
+  elseif (any (number == [2, 3]) && info == 9)
+    text = ["the constraints lose rank here, where there are no derivatives by parameters " ...
+            "(option sensitivity)"];
   elseif (any (number == [3, 5]) && info == 3)
     text = ...
         ["no position that closes the loops was found nearby; the mechanism may be at the end " ...

@@ -22,5 +22,8 @@ function table = gsmbp__simulate_options (drift)
            "samples", true, "flag"
            "modes", [], "numbers"
            "audit", [], "positive"
+           "sensitivity", {}, "names"
+           "fixed", {}, "names"
+           "dx0", [], "numbers"
            "start", "check", {"check", "project"}};
 endfunction

@@ -1,0 +1,127 @@
+## c = gsmbp__carried (who, m, o, t0, x0, atol)
+## The derivatives that a run from X0 carries with its states, by the option sensitivity of
+## gsmbp_simulate (O): names; columns, for each the number of its column of m.rhp, 0 for a start
+## value; x0, their start, column after column; atol, their absolute tolerances, those of the states
+## ATOL beside the size of the parameter.
+
+function c = gsmbp__carried (who, m, o, t0, x0, atol)
+  c = struct ("names", {cellstr(o.sensitivity)(:)'}, "columns", [], "x0", [], "atol", []);
+  if (isempty (o.sensitivity))
+    c.names = {};
+    no_options_alone (who, o);
+    return;
+  endif
+  can (who, m, o);
+  d = m.sizes;
+  known = cellstr (m.json.sensitivity)(:)';
+  S = start_values (who, o, d.nx, numel (c.names));
+  for k = 1:numel (c.names)
+    name = c.names{k};
+    [is_parameter, column] = ismember (name, known);
+    [is_state, state] = ismember (name, m.states);
+    if (sum (strcmp (c.names, name)) > 1)
+      error ("%s: option sensitivity: %s is given twice", who, name);
+    elseif (is_parameter)
+      size_ = abs (m.par.(name)) + (m.par.(name) == 0);
+    elseif (is_state)
+      size_ = m.nominal(state);
+      S(state,k) += 1;
+    else
+      error (["%s: option sensitivity: expected parameters that %s was derived for " ...
+              "(request sensitivity: %s) or states, for their start values; found %s"], who, ...
+             m.name, strjoin (known, ", "), name);
+    endif
+    c.columns(k) = column;
+    c.atol = [c.atol; atol(:) / size_];
+  endfor
+  if (d.nlam > 0)
+    S = on_constraints (who, m, o, t0, x0(:), S, c.columns);
+  endif
+  c.x0 = S(:);
+endfunction
+
+function no_options_alone (who, o)
+  for name = {"fixed", "dx0"}
+    if (! isempty (o.(name{1})))
+      error ("%s: option %s needs option sensitivity", who, name{1});
+    endif
+  endfor
+endfunction
+
+## an error that names what is not carried with derivatives
+function can (who, m, o)
+  bad = "";
+  if (! any (strcmp (m.subroutines, "rhp")))
+    error (["%s: option sensitivity: %s was emitted without the subroutine RHP: derive it with " ...
+            "the request sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
+  elseif (any (strcmp (o.method, {"cvode", "auto"})))
+    bad = sprintf ("method \"%s\"; expected \"dp853\" or \"rk4\"", o.method);
+  elseif (! isempty (m.events))
+    bad = sprintf ("a scene with events (%s)", m.events(1).name);
+  elseif (! isempty (m.controllers))
+    bad = sprintf ("a scene with sampled devices (%s)", m.controllers(1).name);
+  elseif (! isempty (o.motion))
+    bad = "option motion, whose inputs depend on the parameters";
+  elseif (! isempty (o.gain))
+    bad = "option gain, whose inputs depend on the states";
+  elseif (is_function_handle (o.input) || ischar (o.input))
+    bad = "an input that may depend on the states; expected constants or a piecewise polynomial";
+  elseif (! isempty (o.audit))
+    bad = "option audit";
+  elseif (! any (strcmp (o.loops, {"", "baumgarte", "projection"})))
+    bad = sprintf ("the way \"%s\" of the loops; expected \"projection\" or \"baumgarte\"", ...
+                   gsmbp__shown (o.loops));
+  endif
+  if (! isempty (bad))
+    error ("%s: option sensitivity: no derivatives with %s", who, bad);
+  endif
+endfunction
+
+## what the user says of the start, by parameters
+function S = start_values (who, o, nx, n)
+  S = zeros (nx, n);
+  if (! isempty (o.dx0))
+    if (! isequal (size (o.dx0), [nx n]))
+      error ("%s: option dx0: expected %d x %d numbers (states by columns), found %d x %d", who, ...
+             nx, n, size (o.dx0));
+    endif
+    S = double (o.dx0);
+  endif
+endfunction
+
+## the start S made consistent: coordinates and speeds that are fixed keep theirs, the others follow
+function S = on_constraints (who, m, o, t, x, S, columns)
+  d = m.sizes;
+  for name = {"con", "tan", "cop"}
+    if (! any (strcmp (m.subroutines, name{1})))
+      error ("%s: option sensitivity needs the subroutine %s, which %s was emitted without", who, ...
+             toupper (name{1}), m.name);
+    endif
+  endfor
+  if (d.nq != d.nu)
+    error (["%s: option sensitivity: no derivatives with loops in a scene whose speeds are not " ...
+            "the rates of its coordinates"], who);
+  endif
+  names = cellstr (o.fixed);
+  if (isempty (o.fixed))
+    names = m.coordinates(m.actuated);
+  endif
+  q = 1:d.nq;
+  u = d.nq + (1:d.nu);
+  [~, ~, k] = gsmbp__independent (who, "option fixed (default: the actuated coordinates)", m, t, ...
+                                  x(q), x(u), names);
+  rest = setdiff (q, k);
+  [DP, DV] = m.tan (t, x);
+  [PP, PV] = m.cop (t, x);
+  [~, ~, H] = m.con (t, x(q), x(u));
+  PP = by_columns (PP, columns);
+  PV = by_columns (PV, columns);
+  positions = any (DP != 0, 2);
+  S(rest,:) = -DP(positions,rest) \ (PP(positions,:) + DP(positions,k) * S(k,:));
+  S(u(rest),:) = -H(:,rest) \ (PV + DV * S(q,:) + H(:,k) * S(u(k),:));
+endfunction
+
+function A = by_columns (P, columns)
+  P = [zeros(rows (P), 1), P];
+  A = P(:,1+columns);
+endfunction
