@@ -51,6 +51,15 @@
 ## the state moved onto the constraints, residual before
 ## @item [A, B, C, D, info] = m.jac (t, x[, v])
 ## exact Jacobians
+## @item [P, A, B, xd, info] = m.rhp (t, x[, v])
+## derivatives of the rates of the states by the parameters @code{m.json.sensitivity}, by states and
+## inputs, and these rates (request @code{sensitivity})
+## @item P = m.inp (t, q, u, ud[, v])
+## derivatives of the efforts of m.inv by these parameters
+## @item [P, info] = m.oup (t, x[, v])
+## derivatives of the outputs by them, at a given state
+## @item [P, R] = m.cop (t, x)
+## derivatives of the constraints and of their rates by them
 ## @item [y, info] = m.out (t, x[, v])
 ## outputs
 ## @item [v, xid, info] = m.cmd (t, qj[, xi])

@@ -93,6 +93,25 @@
 ## What impacts take counts as lost.  Not with feedback.
 ## @end table
 ##
+## Derivatives by parameters:
+## @table @code
+## @item "sensitivity"
+## names of parameters that the scene was derived for (request @code{sensitivity(m1, k)} of
+## @code{gsmbp_fortran}), or of states for their start values: S = dx/dp is integrated with the
+## states, S' = A S + P (m.rhp), its errors steer the steps as those of the states do.  The result
+## has the structs @code{dx} and @code{dy} by these names: derivatives of states and outputs at
+## fixed times, a row for each.  Loops: S is moved onto the derivatives of the constraints with the
+## states.  With constant inputs or a piecewise polynomial, "dp853" or "rk4", the ways "projection"
+## and "baumgarte"; not with events, samples, feedback, planned motions, the audit
+## @item "dx0"
+## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
+## by itself, 1, is added
+## @item "fixed"
+## with loops: the coordinates that keep their place (and their speeds) at the start while a
+## parameter changes, default the actuated ones; the others follow so that the loops stay closed.
+## The start of a run by other parameters is to be closed with the same coordinates held
+## @end table
+##
 ## Inputs (where nothing is said, zero):
 ## @table @code
 ## @item "input"
@@ -271,8 +290,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     guess = x0(1:d.nq);
   endif
   [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
-      m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, [numel(times), numel(breaks)], iopt, ropt, ...
-                atol, plan, guess, callback, library, o.maxorder);
+      m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, ...
+                [numel(times), numel(breaks)], iopt, ropt, atol, plan, ...
+                guess, callback, library, o.maxorder);
   if (strcmp (method, "auto"))
     method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
   endif

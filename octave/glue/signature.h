@@ -34,6 +34,7 @@ size_of (const std::string& word)
       = { GSMBP_SIZES (GSMBP_NAMED)
           { "np", S.np },
           { "nbase", S.nbase },
+          { "nsp", S.nsp },
           { "norders", S.nqj + 1 },            // a motion and its derivatives
           { "nresidual", 2 * S.nlam + 4 } };   // what PRJ and CLO need to tell one
   for (const auto& entry : sizes)

@@ -28,8 +28,8 @@ function c = gsmbp__carried (who, m, o, t0, x0, atol)
       S(state,k) += 1;
     else
       error (["%s: option sensitivity: expected parameters that %s was derived for " ...
-              "(request sensitivity: %s) or states, for their start values; found %s"], who, ...
-             m.name, strjoin (known, ", "), name);
+              "(request sensitivity: %s) or states, for their start values; found %s"], ...
+             who, m.name, strjoin (known, ", "), name);
     endif
     c.columns(k) = column;
     c.atol = [c.atol; atol(:) / size_];
@@ -69,7 +69,7 @@ function can (who, m, o)
   elseif (! isempty (o.audit))
     bad = "option audit";
   elseif (! any (strcmp (o.loops, {"", "baumgarte", "projection"})))
-    bad = sprintf ("the way \"%s\" of the loops; expected \"projection\" or \"baumgarte\"", ...
+    bad = sprintf ("the way %s of the loops; expected \"projection\" or \"baumgarte\"", ...
                    gsmbp__shown (o.loops));
   endif
   if (! isempty (bad))
@@ -94,8 +94,8 @@ function S = on_constraints (who, m, o, t, x, S, columns)
   d = m.sizes;
   for name = {"con", "tan", "cop"}
     if (! any (strcmp (m.subroutines, name{1})))
-      error ("%s: option sensitivity needs the subroutine %s, which %s was emitted without", who, ...
-             toupper (name{1}), m.name);
+      error ("%s: option sensitivity needs the subroutine %s, which %s was emitted without", ...
+             who, toupper (name{1}), m.name);
     endif
   endfor
   if (d.nq != d.nu)

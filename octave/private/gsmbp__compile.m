@@ -186,6 +186,10 @@ function text = sizes_header (json, symbol, has_input)
   if (isfield (json, "base_parameters"))
     base = numel (json.base_parameters);
   endif
+  by = 0;
+  if (isfield (json, "sensitivity"))
+    by = numel (cellstr (json.sensitivity));
+  endif
   sets = gsmbp__orientation (json);
   skeleton = gsmbp__skeleton (json);
   np = sum (skeleton.points) + numel ([skeleton.parts.bodies]);
@@ -193,7 +197,8 @@ function text = sizes_header (json, symbol, has_input)
   if (isfield (json, "events") && ! isempty (json.events))
     modes = [json.events.input, 0];
   endif
-  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsets = %d", np, base, rows (sets));
+  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsp = %d, .nsets = %d", np, base, by, ...
+                            rows (sets));
   [routines, meanings, declared] = subroutines (json);
   if (has_input)
     declared{end+1} = "gsvin_";

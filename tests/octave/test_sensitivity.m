@@ -1,0 +1,137 @@
+## Derivatives by parameters: subroutines against differences, runs against reference values and
+## differences, start values, refusals.
+
+function test_sensitivity ()
+  pendulum ();
+  m = gsmbp_fixture ("sensitivity_crank");
+  subroutines (gsmbp_fixture ("case_d1a"));
+  subroutines (m);
+  crank (m);
+  start_values (gsmbp_fixture ("case_d1a"));
+  refused (m);
+end
+
+## the case D1a: 6 parameters, 28 digits
+function pendulum ()
+  [~, ref] = gsmbp_case ("D1a_pendulum");
+  m = gsmbp_fixture ("case_d1a");
+  names = ref.parameters';
+  r = gsmbp_simulate (m, [1.2, -0.5], [0 0.5 1 2], "sensitivity", names, "rtol", 1e-12);
+  worst = 0;
+  for i = 1:3
+    expected = cell2mat (cellfun (@(c) str2double (c(:)'), ref.at(i).dxdp(:), ...
+                                  "UniformOutput", false))';
+    found = cell2mat (cellfun (@(p) r.dx.(p)(i+1,:), names, "UniformOutput", false)(:));
+    worst = max (worst, max (max (abs (found - expected), [], 2) ./ max (abs (expected), [], 2)));
+  end
+  gsmbp_check (sprintf ("D1a: dx/dp within 1e-11 of the reference, found %.2g", worst), ...
+               worst < 1e-11);
+  at_1e8 = gsmbp_simulate (m, [1.2, -0.5], [0 2], "sensitivity", names, "rtol", 1e-8);
+  far = max (cellfun (@(p) max (abs (at_1e8.dx.(p)(2,:) - r.dx.(p)(4,:))) ...
+                             / max (abs (r.dx.(p)(4,:))), names));
+  gsmbp_check (sprintf ("the error test has the columns: within 100 rtol, found %.2g", far), ...
+               far < 1e-6);
+  rk4 = gsmbp_simulate (m, [1.2, -0.5], [0 2], "sensitivity", "l", "method", "rk4", "step", 2e-4);
+  gsmbp_check ("rk4 carries them too", max (abs (rk4.dx.l(2,:) - r.dx.l(4,:))) < 1e-7);
+end
+
+## the emitted derivatives against central differences of order 6
+function subroutines (m)
+  d = m.sizes;
+  x = m.initial + 0.1 * (1:d.nx)';
+  if (d.nlam > 0)
+    x = gsmbp_assemble (m, x, "hold", "q1");
+  end
+  [q, u, ud, v] = deal (x(1:d.nq), x(d.nq+(1:d.nu)), (1:d.nu)', 0.7 * ones (d.nv, 1));
+  [P, A, B, xd] = m.rhp (0, x, v);
+  [A2, B2] = m.jac (0, x, v);
+  gsmbp_check ([m.name ": RHP has the Jacobians and rates of JAC and RHS"], ...
+               norm (A - A2, 1) < 1e-13 * norm (A2, 1) ...
+               && norm (B - B2, 1) < 1e-13 * (1 + norm (B2, 1)) ...
+               && norm (xd - m.rhs (0, x, v)) < 1e-13 * norm (xd));
+  pairs = {"RHP", P, @(m) m.rhs(0, x, v); "OUP", m.oup(0, x, v), @(m) m.out(0, x, v); ...
+           "INP", m.inp(0, q, u, ud, v), @(m) m.inv(0, q, u, ud, v)};
+  if (d.nlam > 0)
+    [PP, PV] = m.cop (0, x);
+    pairs = [pairs; {"COP", PP, @(m) m.con(0, q, u); "COP, rates", PV, @(m) rates(m, q, u)}];
+  end
+  names = cellstr (m.json.sensitivity)(:)';
+  for pair = pairs'
+    D = cell2mat (cellfun (@(p) differenced (pair{3}, m, p), names, "UniformOutput", false));
+    e = max (max (abs (pair{2} - D)) ./ max (1, max (abs (D))));
+    gsmbp_check (sprintf ("%s: %s is what differences give, found %.2g", m.name, pair{1}, e), ...
+                 e < 1e-9);
+  end
+end
+
+function r = rates (m, q, u)
+  [~, r, H] = m.con (0, q, u);
+  r += H * u;
+end
+
+function D = differenced (f, m, p)
+  h = 1e-3 * m.par.(p);
+  g = @(s) f (gsmbp_set (m, p, m.par.(p) + s * h));
+  D = (45 * (g(1) - g(-1)) - 9 * (g(2) - g(-2)) + (g(3) - g(-3))) / (60 * h);
+end
+
+## a loop: the start that follows the lengths, and the run, against differences of runs
+function crank (m)
+  names = {"l2", "rho", "km"};
+  run = @(m) gsmbp_simulate (m, closed (m), [0 0.1 0.3], "input", 12, "rtol", 1e-13);
+  r = gsmbp_simulate (m, closed (m), [0 0.1 0.3], "input", 12, "sensitivity", names, "rtol", 1e-11);
+  for p = names
+    D = differenced (@(m) [run(m).x, run(m).y], m, p{1});
+    found = [r.dx.(p{1}), r.dy.(p{1})];
+    e = norm (found - D, Inf) / norm (D, Inf);
+    gsmbp_check (sprintf ("slider-crank: dx, dy by %s as by differences, found %.2g", p{1}, e), ...
+                 e < 1e-8);
+  end
+  x = r.x(3,:)';
+  [DP, DV] = m.tan (0.3, x);
+  [PP, PV] = m.cop (0.3, x);
+  [~, ~, H] = m.con (0.3, x(1:3), x(4:6));
+  k = find (strcmp (cellstr (m.json.sensitivity), "l2"));
+  s = r.dx.l2(3,:)';
+  gsmbp_check ("they stay on the derivatives of the constraints", ...
+               norm (DP * s(1:3) + PP(:,k)) < 1e-12 ...
+               && norm (DV * s(1:3) + H * s(4:6) + PV(:,k)) < 1e-11);
+end
+
+function x = closed (m)
+  x = gsmbp_assemble (m, [0.3 -0.1 0.7 2 0 0 0.5], "hold", "q1");
+end
+
+## columns of start values are those of the flow
+function start_values (m)
+  r = gsmbp_simulate (m, [1.2, -0.5], [0 1], "sensitivity", {"theta", "m"}, "rtol", 1e-12, ...
+                      "dx0", [0 0.5; 0 0]);
+  g = @(s) gsmbp_simulate (m, [1.2 + s, -0.5], [0 1], "rtol", 1e-13).x(2,:);
+  h = 1e-3;
+  D = (45 * (g(h) - g(-h)) - 9 * (g(2*h) - g(-2*h)) + (g(3*h) - g(-3*h))) / (60 * h);
+  gsmbp_check ("by a start value, as by differences", norm (r.dx.theta(2,:) - D) < 1e-9);
+  alone = gsmbp_simulate (m, [1.2, -0.5], [0 1], "sensitivity", "m", "rtol", 1e-12);
+  gsmbp_check ("dx0: a start that moves with the parameter", ...
+               norm (r.dx.m(2,:) - alone.dx.m(2,:) - 0.5 * r.dx.theta(2,:)) < 1e-10);
+end
+
+function refused (m)
+  x = closed (m);
+  go = @(varargin) gsmbp_simulate (m, x, [0 0.1], varargin{:});
+  cases = {{"sensitivity", "nothing"}, "or states, for their start values; found nothing"; ...
+           {"sensitivity", "l1", "method", "cvode"}, "no derivatives with method \"cvode\""; ...
+           {"sensitivity", "l1", "loops", "partitioning"}, "the way \"partitioning\""; ...
+           {"sensitivity", "l1", "input", @(t, x) 1}, "an input that may depend on the states"; ...
+           {"sensitivity", "l1", "fixed", {"q1", "q2"}}, "expected 1 of the coordinates"; ...
+           {"sensitivity", {"l1", "l1"}}, "l1 is given twice"; ...
+           {"sensitivity", "l1", "dx0", 1}, "expected 7 x 1 numbers"; ...
+           {"dx0", 1}, "option dx0 needs option sensitivity"};
+  for one = cases'
+    gsmbp_check (["refused: " one{2}], ...
+                 any (strfind (gsmbp_complaint (@() go (one{1}{:})), one{2})));
+  end
+  event = gsmbp_fixture ("event_ball");
+  gsmbp_check ("a scene with events has no RHP", ...
+               any (strfind (gsmbp_complaint (@() gsmbp_simulate (event, event.initial, [0 1], ...
+                             "sensitivity", "m")), "without the subroutine RHP")));
+end
