@@ -9,6 +9,8 @@ function test_sensitivity ()
   crank (m);
   start_values (gsmbp_fixture ("case_d1a"));
   refused (m);
+  equilibrium (m);
+  frequency (gsmbp_fixture ("case_d1a"));
 end
 
 ## the case D1a: 6 parameters, 28 digits
@@ -134,4 +136,43 @@ function refused (m)
   gsmbp_check ("a scene with events has no RHP", ...
                any (strfind (gsmbp_complaint (@() gsmbp_simulate (event, event.initial, [0 1], ...
                              "sensitivity", "m")), "without the subroutine RHP")));
+end
+
+## an equilibrium that a motor holds, and its poles, against differences of others
+function equilibrium (m)
+  words = {"hold", "q1", "free", "motor.v"};
+  x0 = gsmbp_assemble (m, [0.3; -0.1; 0.7], "hold", "q1");
+  rest = @(m) gsmbp_trim (m, gsmbp_assemble (m, x0, "hold", "q1"), 0, words{:}, ...
+                          "tolerance", 1e-13);
+  at = @(m, e) gsmbp_sensitivity (m, e.x, e.v, words{:});
+  e = rest (m);
+  s = at (m, e);
+  for p = {"l1", "n"}
+    D = differenced (@(m) whole (m, rest (m), at), m, p{1});
+    found = {[s.dx.(p{1}); s.dv.(p{1}); s.dy.(p{1})], s.dpoles.(p{1})};
+    k = numel (found{1});
+    off = @(a, b) norm (a - b) / norm (b);
+    wrong = [off(found{1}, D(1:k)), off(found{2}, D(k+1:end))];
+    gsmbp_check (sprintf ("equilibrium and poles by %s, found %.2g, %.2g", p{1}, wrong), ...
+                 wrong(1) < 1e-9 && wrong(2) < 1e-7);
+  end
+  says = @(f, text) gsmbp_check (["refused: " text], any (strfind (gsmbp_complaint (f), text)));
+  says (@() gsmbp_sensitivity (m, e.x, e.v, "hold", "q1"), "there is no equilibrium near this one");
+  says (@() gsmbp_sensitivity (m, e.x, e.v, "free", "motor.v"), "does not stand alone");
+  says (@() gsmbp_sensitivity (m, e.x, 0, words{:}), "expected an equilibrium");
+  says (@() gsmbp_sensitivity (m, e.x, e.v, "hold", "q9"), "unknown name");
+end
+
+function y = whole (m, e, at)
+  y = [e.x; e.v; m.out(0, e.x, e.v); at(m, e).poles];
+end
+
+## the pendulum about its rest, by hand
+function frequency (m)
+  s = gsmbp_sensitivity (m, [0 0], []);
+  J = 0.05 + 1.3 * 0.16;
+  w = sqrt ((1.3 * 9.81 * 0.4 + 0.7) / J);
+  gsmbp_check ("frequency and damping of the pendulum by spring and damper", ...
+               norm ([s.frequency - w, s.dfrequency.k - 1/(2*w*J), s.ddamping.d - 1/(2*w*J)]) ...
+               < 1e-12);
 end
