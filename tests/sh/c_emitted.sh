@@ -14,16 +14,17 @@ pairs() {
   told $? "$what" "$report"
 }
 
-# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; two by chance
+# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; one by chance
 day=$(date +%j)
 by_chance=$(ls tests/scenes/*.mac | awk -v day="$day" '
-  { file[NR] = $0 } END { srand(day); for (k = 0; k < 2; k++) print file[int(1 + rand()*NR)] }')
-pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac tests/scenes/case_03a.mac \
-  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/own_words.mac \
-  tests/scenes/reach_parallel_apart.mac tests/scenes/reach_legs.mac $by_chance
+  { file[NR] = $0 } END { srand(day); print file[int(1 + rand()*NR)] }')
+pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac \
+  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac \
+  $(whole && echo tests/scenes/case_03a.mac tests/scenes/own_words.mac \
+    tests/scenes/reach_parallel_apart.mac) $by_chance
 (GSMBP_REQUESTS='[all, batch, regressor]' pairs 'batches and the regressor' \
   tests/scenes/batch_arm.mac tests/scenes/batch_bars.mac)
-(GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)
+whole && (GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)
 
 # -- names of C, of its library and of other alphabets; one that needs no parameter
 cat >"$work/names.mac" <<'M'

@@ -22,6 +22,7 @@ for name in $names; do
 done
 
 # -- in C, packages, the texts of an FMU
+whole || exit 0
 in_c="load(\"$PWD/gsmbp/gsmbp.mac\")\$ for name in [sampled_crank, orient_angles, event_crank] do (
   load(sconcat(\"$PWD/tests/scenes/\", name, \".mac\")),
   gsmbp_c(scene, [all, batch], ['directory = folder]))\$

@@ -8,8 +8,9 @@ trap 'rm -rf "$work"' EXIT
 report=$work/report
 strict="-O1 -Wall -Wextra -pedantic -Werror"
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
-for scene in examples/slider_crank/slider_crank tests/scenes/sampled_crank \
-  tests/scenes/event_crank tests/scenes/reach_scara examples/rolling_disc/rolling_disc; do
+others=$(whole && echo sampled_crank reach_scara)
+for scene in examples/slider_crank/slider_crank tests/scenes/event_crank \
+  $(for other in $others; do echo tests/scenes/$other; done) examples/rolling_disc/rolling_disc; do
   statements="$statements kill(scene)\$ load(\"$root/$scene.mac\")\$
     gsmbp_package(scene, c, directory = \"$work/${scene##*/}\")\$"
 done
@@ -17,7 +18,7 @@ share/make/maxima "$work/log" "$statements
   errcatch(gsmbp_package(scene, pascal))\$
   errcatch(gsmbp_package(scene, c, folder = \"x\"))\$
   gsmbp_package(scene, c, ['directory = \"$work/again\"])\$" >"$report" 2>&1
-told $? 'gsmbp_package(scene, c) of five scenes' "$report"
+told $? 'gsmbp_package(scene, c) of its scenes' "$report"
 check 'another language is refused' grep -q 'must be c or python; found: pascal' "$work/log"
 check 'an unknown option is refused' grep -q 'gsmbp_package: unknown option folder' "$work/log"
 check 'the same scene, the same bytes' diff -r "$work/rolling_disc" "$work/again"
@@ -31,19 +32,19 @@ builds() {
   check "${folder##*/}: its values" grep -qE '^([6-9]|[1-9][0-9]) passed, 0 failed$' "$report"
   check "${folder##*/}: a run of two seconds" grep -q '^info 0, .* t = 2 s$' "$report"
 }
-for name in sampled_crank rolling_disc reach_scara; do
+for name in rolling_disc $others; do
   check "$name: the run time of slider_crank" \
     diff -r "$work/slider_crank/runtime" "$work/$name/runtime"
 done
 builds slider_crank gcc CC=gcc CFLAGS="$strict"
 cp "$report" "$work/by_gcc"
 # which is compiled once
-for name in sampled_crank rolling_disc reach_scara; do
+for name in rolling_disc $others; do
   cp -R "$work/slider_crank/runtime/." "$work/$name/runtime"
 done
-builds sampled_crank gcc CC=gcc CFLAGS="$strict"
-builds rolling_disc gcc CC=gcc CFLAGS="$strict"
-builds reach_scara gcc CC=gcc CFLAGS="$strict"
+for name in rolling_disc $others; do
+  builds $name gcc CC=gcc CFLAGS="$strict"
+done
 builds event_crank 'sanitizers of gcc' CC=gcc \
   CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
   LDFLAGS=-fsanitize=address,undefined
@@ -51,14 +52,14 @@ if has clang 'packages by clang'; then
   make -s -C "$work/slider_crank" clean
   builds slider_crank clang CC=clang CFLAGS="$strict"
 fi
-if has cmake 'packages by cmake'; then
+if whole && has cmake 'packages by cmake'; then
   (cd "$work/slider_crank" && cmake -B built && cmake --build built &&
     ctest --test-dir built) >"$report" 2>&1
   told $? 'cmake, ctest' "$report"
 fi
 
 # -- every routine of the header is called by the test
-for name in slider_crank sampled_crank event_crank rolling_disc reach_scara; do
+for name in slider_crank event_crank rolling_disc $others; do
   sed -n "s/^[a-z]* ${name}_\([a-z0-9]*\) (.*/\1/p" "$work/$name/$name.h" |
     grep -vxE 'par|pre' | while read -r routine; do
       grep -q "call_$routine (" "$work/$name/test/reference.h" || echo "$name: $routine"

@@ -15,6 +15,9 @@ check() {
   told $? "$what" "${report:-}"
 }
 
+# whole: whether all is asked for (make test-whole), not a part of what takes long
+whole() { [ -n "${GSMBP_WHOLE:-}" ]; }
+
 fails() { ! "$@"; }
 
 # result WHAT: `ok WHAT` if the file $report is empty, else `not ok WHAT` and its first lines
