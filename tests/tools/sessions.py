@@ -160,7 +160,8 @@ def octave_answers(steps, folder):
 
 
 def shell_answers(steps, folder):
-    script = ['PATH=$(ls -d /usr/lib/ccache | tr "\\n" :)/usr/bin:$PATH; exec 2>&1', 'unset PIP_INDEX_URL PIP_FIND_LINKS',
+    first = '/usr/lib/ccache:' if '/usr/lib/ccache' in os.environ['PATH'] else ''
+    script = ['PATH=%s/usr/bin:$PATH; exec 2>&1' % first, 'unset PIP_INDEX_URL PIP_FIND_LINKS',
               'export PIP_NO_INDEX=1']
     for typed, _ in steps:
         script += ['\n'.join(typed), "printf '%s\\n'" % MARK]
