@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-points bench-reach bench-robots same doc manual install uninstall package clean \
+        bench-flexible bench-points bench-reach bench-robots same doc manual install uninstall package clean \
         packages-manual packages-pdf packages-report packages-screen check-report check-screen \
         packages-fmu check-fmu
 
@@ -50,6 +50,7 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
+make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
 make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
@@ -174,6 +175,10 @@ bench-devices: packages compiled
 bench-abbreviate: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
+
+bench-flexible: packages compiled
+	@mkdir -p tests/bench/out
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/flexible/run tests/bench/out/flexible
 
 bench-points: packages compiled
 	@mkdir -p tests/bench/out
