@@ -54,6 +54,8 @@
 ## @item [P, A, B, xd, info] = m.rhp (t, x[, v])
 ## derivatives of the rates of the states by the parameters @code{m.json.sensitivity}, by states and
 ## inputs, and these rates (request @code{sensitivity})
+## @item [Lx, Lv, Lp, info] = m.adj (t, x, v, L)
+## derivatives of L'*xd by states, inputs and these parameters, backwards (request @code{adjoint})
 ## @item P = m.inp (t, q, u, ud[, v])
 ## derivatives of the efforts of m.inv by these parameters
 ## @item [P, info] = m.oup (t, x[, v])

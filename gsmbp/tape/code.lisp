@@ -59,6 +59,27 @@
           (unless (eql d 0) (setf (gethash (gs-entry-name e) h) d)))))
     (gs-list (mapcar #'(lambda (x) (gs-name-one nm ($gs__rate h x) "")) (cdr outputs)))))
 
+;;; The other way round: derivatives of the sum of the outputs times their weights by the wanted
+;;; symbols, from the last entry of code to the first: a list of names. Their cost does not grow
+;;; with the number of symbols.
+(defun $gs__code_reverse (nm code outputs weights wanted)
+  (let ((terms (make-hash-table :test #'eq)) (trig (nth 6 (nth 3 nm))))
+    (labels ((partial (s rate)
+               (let ((h (make-hash-table :test #'eq))) (setf (gethash s h) 1) (funcall rate h)))
+             (add (s weight rate)
+               (let ((d (partial s rate)))
+                 (unless (eql d 0) (push (gs-times weight d) (gethash s terms)))))
+             (total (s)
+               (let ((l (gethash s terms))) (if l (gs-name-one nm (gs-plus (reverse l)) "bar") 0))))
+      (loop for e in (cdr outputs) for w in (cdr weights)
+            do (dolist (s (cdr ($gs__symbols e))) (add s w #'(lambda (h) ($gs__rate h e)))))
+      (dolist (e (reverse (cdr code)))
+        (let ((b (total (gs-entry-name e))))
+          (unless (eql b 0)
+            (dolist (s (gs-entry-symbols e))
+              (add s b #'(lambda (h) (gs-entry-rate h e (gethash (gs-entry-name e) trig))))))))
+      (gs-list (mapcar #'total (cdr wanted))))))
+
 ;;; a sine is differentiated through its partner: trig is [partner, angle, sin or cos], or false
 (defun gs-entry-rate (h e trig)
   (if (null trig) ($gs__rate h (gs-entry-expression e))

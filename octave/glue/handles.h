@@ -74,6 +74,7 @@ static const known_routine known[]
         { "mas", "mass", "t q cst >m(nu,nu) ld", "" },
         { "rhp", "sensitivity",
           "t x ?v cst >p(nx,nsp) ld >a(nx,nx) ld >b(nx,nv) ld >xd(nx) info", "" },
+        { "adj", "adjoint", "t x v cst l(nx) >xb(nx) >vb(nv) >pb(nsp) info", "" },
         { "inp", "sensitivity", "t q u ud ?v cst >p(nu,nsp) ld", "" },
         { "cop", "sensitivity", "t x cst >pp(nlam,nsp) ld >pv(nlam,nsp) ld", "" },
         { "oup", "sensitivity", "t x ?v cst >p(ny,nsp) ld info", "" },

@@ -41,6 +41,7 @@ function s = signatures ()
                     4}},
               "tan", {{"t x", 2}}, "prj", {{"t x", 2}}, "jac", {{"t x v", 2}},
               "rhp", {{"t x v", 2}}, "inp", {{"t q u ud v", 4}}, "oup", {{"t x v", 2}},
+              "adj", {{"t x v l", 4}},
               "cop", {{"t x", 2}}, "out", {{"t x v", ...
                     2}}, "cmd", {{"t qj xi", 2}}, "cmx", {{"t qj xi", 2}},
               "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "hld", {{"t x v", 2}},
@@ -102,6 +103,7 @@ function x = right (m, name)
     case "x"             x = m.initial;
     case "v"             x = zeros (d.nv, 1);
     case "y"             x = zeros (d.ny, 1);
+    case "l"             x = zeros (d.nx, 1);
     case "xk"            x = zeros (size_of (d, "nxk"), 1);
     case "mode"          x = zeros (size_of (d, "nmode"), 1);
     case "xi"            x = zeros (size_of (d, "na"), 1);

@@ -11,6 +11,9 @@ function test_sensitivity ()
   refused (m);
   equilibrium (m);
   frequency (gsmbp_fixture ("case_d1a"));
+  backwards (gsmbp_fixture ("case_d1a"), [1.2; -0.5], [], 2);
+  backwards (m, closed (m), 12, 0.3);
+  adjoint_refused (m);
 end
 
 ## the case D1a: 6 parameters, 28 digits
@@ -156,7 +159,8 @@ function equilibrium (m)
     gsmbp_check (sprintf ("equilibrium and poles by %s, found %.2g, %.2g", p{1}, wrong), ...
                  wrong(1) < 1e-9 && wrong(2) < 1e-7);
   end
-  says = @(f, text) gsmbp_check (["refused: " text], any (strfind (gsmbp_complaint (f), text)));
+  says = @(f, text) gsmbp_check (["refused: " text], ...
+                                 any (strfind (gsmbp_complaint (f), text)));
   says (@() gsmbp_sensitivity (m, e.x, e.v, "hold", "q1"), "there is no equilibrium near this one");
   says (@() gsmbp_sensitivity (m, e.x, e.v, "free", "motor.v"), "does not stand alone");
   says (@() gsmbp_sensitivity (m, e.x, 0, words{:}), "expected an equilibrium");
@@ -175,4 +179,46 @@ function frequency (m)
   gsmbp_check ("frequency and damping of the pendulum by spring and damper", ...
                norm ([s.frequency - w, s.dfrequency.k - 1/(2*w*J), s.ddamping.d - 1/(2*w*J)]) ...
                < 1e-12);
+end
+
+## ADJ against RHP, and the adjoint of a run against the columns that a run carries; an input in
+## pieces
+function backwards (m, x, v, T)
+  d = m.sizes;
+  [P, A, B] = m.rhp (0, x, v);
+  L = (1:d.nx)' / 3;
+  [xb, vb, pb] = m.adj (0, x, v, L);
+  off = norm ([xb - A' * L; vb - B' * L; pb - P' * L]) / norm ([xb; vb; pb]);
+  gsmbp_check (sprintf ("%s: ADJ is RHP transposed, found %.2g", m.name, off), off < 1e-13);
+  if (d.nv > 0)
+    v = gsmbp_plan ("table", [0 0.13 T], [5 12 9], 0);
+  end
+  times = linspace (0, T, 5);
+  a = gsmbp_adjoint (m, x, times, @(r) goals (r, d), "input", v, "rtol", 1e-11);
+  r = gsmbp_simulate (m, x, times, "input", v, "sensitivity", cellstr (m.json.sensitivity)', ...
+                      "rtol", 1e-12);
+  worst = 0;
+  for p = fieldnames (r.dx)'
+    e = [r.dx.(p{1})(end,1); 2 * r.y(:,1)' * r.dy.(p{1})(:,1)];
+    worst = max ([worst; abs(e - a.dJ.(p{1})) ./ max(1e-3, abs (e))]);
+  end
+  gsmbp_check (sprintf ("%s: the adjoint has the derivatives of a run, found %.2g", m.name, ...
+                        worst), worst < 1e-8);
+end
+
+function [J, Jx, Jy] = goals (r, d)
+  n = numel (r.t);
+  J = [r.x(end,1); sum(r.y(:,1) .^ 2)];
+  Jx = zeros (n, d.nx, 2);
+  Jx(n,1,1) = 1;
+  Jy = zeros (n, d.ny, 2);
+  Jy(:,1,2) = 2 * r.y(:,1);
+end
+
+function adjoint_refused (m)
+  says = @(f, text) gsmbp_check (["refused: " text], ...
+                                 any (strfind (gsmbp_complaint (f), text)));
+  says (@() gsmbp_adjoint (m, closed (m), [0 0.1], @(r) deal (1, 1)), "goal: expected Jx");
+  says (@() gsmbp_adjoint (gsmbp_fixture ("event_ball"), 0, [0 0.1], @(r) deal (1, 1)), ...
+        "without the subroutine ADJ");
 end

@@ -36,7 +36,7 @@ C
       IF ( INFO.EQ.2 ) INFO = 9
       IF ( INFO.NE.0 ) RETURN
 C
-C     -- coordinates whose rates are the speeds are done without products
+C     -- coordinates whose rates are the speeds: without products
       FIRST = NQ + 1
       DO 20 J = 1, NX
          DO 10 I = 1, NQ

@@ -1,0 +1,148 @@
+## -*- texinfo -*-
+## @c category Runs
+## @deftypefn  {} {@var{a} =} gsmbp_adjoint (@var{m}, @var{x0}, @var{times}, @var{goal})
+## @deftypefnx {} {@var{a} =} gsmbp_adjoint (@dots{}, "input", @var{v}, "rtol", @var{rtol})
+## Derivatives of goals of a run by all parameters and start values at once, by a run forward and
+## one way back through its steps.
+##
+## The cost does not grow with the number of parameters, but with that of the goals: with many
+## parameters and few goals this is the way, else option "sensitivity" of @code{gsmbp_simulate}.
+## The model @var{m} has the request @code{adjoint} (with @code{sensitivity(m1, k)}: these
+## parameters, else all).  @var{goal} is a function @code{[J, Jx, Jy] = goal (r)} of the run
+## @var{r}, a struct with @code{t}, @code{x}, @code{v}, @code{y} (rows for @var{times}, as of @code{gsmbp_simulate}):
+## @var{J}, the goals, a column; @var{Jx}, @var{Jy} their derivatives by @code{r.x} and @code{r.y},
+## of their size, with a page for each goal; @var{Jy} may be left out or [].
+##
+## Options: "input" (constants or a piecewise polynomial), "rtol" (1e-10), "atol", "start", "dx0"
+## and "fixed" as in @code{gsmbp_simulate} (@code{dx0}: @var{nx} rows, a column for each parameter).
+## The steps are those of dp853 with loops left to Baumgarte's terms.
+##
+## @var{a} has the fields @code{J}; @code{dJ}, a struct by the names of the parameters, a column
+## for the goals; @code{dx0}, their derivatives by the start values of the states, a row for each
+## goal (with loops those that keep them closed alone mean something); @code{run}, the run;
+## @code{steps}; @code{seconds}, forward and back.
+## They are the derivatives of the J that was computed (a discrete adjoint), whatever the tolerance.
+##
+## Errors: a model without ADJ; a scene with events or sampled devices; a goal whose derivatives
+## have not the size of the run; a build in quad precision; steps that become too small.
+## Source: own: reverse differentiation of straight-line code and of Runge-Kutta steps (Hager 2000).
+## @seealso{gsmbp_simulate, gsmbp_sensitivity}
+## @end deftypefn
+
+function a = gsmbp_adjoint (m, x0, times, goal, varargin)
+  if (nargin < 4)
+    print_usage ();
+  endif
+  who = "gsmbp_adjoint";
+  gsmbp__model (who, m);
+  o = options (who, m, varargin);
+  d = m.sizes;
+  times = gsmbp__times (who, times);
+  [x0, ~] = gsmbp__start (who, m, times(1), x0, o.start);
+  [rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, "dp853");
+  o.input = gsmbp__all_inputs (who, m, o.input, times(1), x0);
+  [plan, breaks] = gsmbp__input_plan (who, o, m);
+  S0 = gsmbp__carried (who, m, o, times(1), x0, atol);
+  stops = unique ([times(:)', breaks(breaks > times(1) & breaks < times(end))]);
+  [~, at] = ismember (times(:)', stops);
+  clock_ = tic ();
+  [record, counts, x, info, reached] = m.module ("forward", m.cst, plan, x0, stops', rtol, atol);
+  a.seconds = toc (clock_);
+  if (info != 0)
+    error ("%s: %s: the step became too small at t = %.9g s", who, m.name, reached);
+  endif
+  a.steps = columns (record);
+  r = run_of (m, o, times, x(:,at)');
+  [a.J, gx, gy] = weights (who, m, r, goal);
+  names = cellstr (m.json.sensitivity)(:);
+  dJ = zeros (numel (a.J), numel (names));
+  a.dx0 = zeros (numel (a.J), d.nx);
+  for g = 1:numel (a.J)
+    [wx, wp] = at_outputs (m, r, gx(:,:,g), gy(:,:,g), numel (names));
+    W = zeros (d.nx, numel (stops));
+    W(:,at) = wx;
+    clock_ = tic ();
+    [lx, pb, info, t] = m.module ("backward", m.cst, plan, record, counts, W);
+    a.seconds(1+g) = toc (clock_);
+    if (info != 0)
+      error ("%s: %s: ADJ failed with INFO = %d at t = %.9g s: %s", who, m.name, info, t, ...
+             m.module ("meaning", "adj", info));
+    endif
+    a.dx0(g,:) = lx';
+    dJ(g,:) = (pb + wp)' + lx' * reshape (S0.x0, d.nx, numel (names));
+  endfor
+  a.dJ = cell2struct (num2cell (dJ, 1)(:), names, 1);
+  a.run = r;
+endfunction
+
+## the options, completed by those that gsmbp__carried and gsmbp__input_plan read
+function o = options (who, m, given)
+  if (! any (strcmp (m.subroutines, "adj")))
+    error (["%s: %s was emitted without the subroutine ADJ: derive it with the request " ...
+            "adjoint of gsmbp_fortran"], who, m.name);
+  elseif (strcmp (m.precision, "quad"))
+    error ("%s: expected a build in double precision; %s was built in quad", who, m.name);
+  endif
+  table = {"input", [], "any"
+           "rtol", 1e-10, "tolerance"
+           "atol", [], "any"
+           "fixed", {}, "names"
+           "dx0", [], "numbers"
+           "start", "check", {"check", "project"}};
+  o = gsmbp__options (who, table, given);
+  o.sensitivity = m.json.sensitivity;
+  o.method = "dp853";
+  o.loops = "baumgarte";
+  for name = {"motion", "gain", "reference", "limits", "audit"}
+    o.(name{1}) = [];
+  endfor
+endfunction
+
+## the run as gsmbp_simulate gives it
+function r = run_of (m, o, times, x)
+  r.t = times(:);
+  r.x = x;
+  r.v = zeros (numel (r.t), m.sizes.nv);
+  if (isstruct (o.input))
+    r.v = reshape (ppval (o.input, r.t'), m.sizes.nv, [])';
+  elseif (! isempty (o.input))
+    r.v = repmat (o.input(:)', numel (r.t), 1);
+  endif
+  r.y = gsmbp__outputs (m, r.t, r.x, r.v);
+endfunction
+
+function [J, gx, gy] = weights (who, m, r, goal)
+  gy = [];
+  try
+    [J, gx, gy] = goal (r);
+  catch
+    [J, gx] = goal (r);
+  end_try_catch
+  J = J(:);
+  n = numel (J);
+  if (isempty (gx))
+    gx = zeros (rows (r.x), columns (r.x), n);
+  endif
+  if (isempty (gy))
+    gy = zeros (rows (r.y), columns (r.y), n);
+  endif
+  for one = {{"Jx", gx, r.x}, {"Jy", gy, r.y}}
+    [name, given, of] = one{1}{:};
+    if (! isequal ([size(given), 1](1:3), [size(of), n]))
+      error ("%s: goal: expected %s of %d x %d x %d numbers, found %s", who, name, size (of), n, ...
+             strjoin (cellstr (num2str (size (given)'))', " x "));
+    endif
+  endfor
+endfunction
+
+## weights of the states that a goal of states and outputs has at every time; what the outputs have
+## of the parameters themselves
+function [wx, wp] = at_outputs (m, r, gx, gy, np)
+  wx = gx';
+  wp = zeros (np, 1);
+  for i = find (any (gy, 2))'
+    [~, ~, C] = m.jac (r.t(i), r.x(i,:)', r.v(i,:)');
+    wx(:,i) += C' * gy(i,:)';
+    wp += m.oup (r.t(i), r.x(i,:)', r.v(i,:)')' * gy(i,:)';
+  endfor
+endfunction
