@@ -9,7 +9,8 @@
 ## parameters and few goals this is the way, else option "sensitivity" of @code{gsmbp_simulate}.
 ## The model @var{m} has the request @code{adjoint} (with @code{sensitivity(m1, k)}: these
 ## parameters, else all).  @var{goal} is a function @code{[J, Jx, Jy] = goal (r)} of the run
-## @var{r}, a struct with @code{t}, @code{x}, @code{v}, @code{y} (rows for @var{times}, as of @code{gsmbp_simulate}):
+## @var{r}, a struct with @code{t}, @code{x}, @code{v}, @code{y} (rows for @var{times}, as of
+## @code{gsmbp_simulate}):
 ## @var{J}, the goals, a column; @var{Jx}, @var{Jy} their derivatives by @code{r.x} and @code{r.y},
 ## of their size, with a page for each goal; @var{Jy} may be left out or [].
 ##
