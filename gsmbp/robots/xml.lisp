@@ -46,6 +46,26 @@
 (defun $gs__xml_all (e tag)
   (cons '(mlist simp)
         (remove-if-not #'(lambda (c) (equal (cadr c) tag)) (cdr (nth 4 e)))))
+;;; attributes, [[name, text], ...]; one of them, or false
+(defun $gs__xml_attributes (e) (nth 3 e))
+(defun $gs__xml_get (e name)
+  (caddr (find name (cdr (nth 3 e)) :key #'cadr :test #'equal)))
+;;; the n numbers of an attribute; false where it is missing or has others
+(defun $gs__xml_numbers (e name n)
+  (let* ((text (and e ($gs__xml_get e name)))
+         (l (and text (mapcar #'$gs__typed_number (cdr ($gs__blank_words text))))))
+    (and l (= (length l) n) (notany #'null l) (cons '(mlist simp) l))))
+;;; the numbers of attributes, one each; false where one is missing or has others
+(defun $gs__xml_values (e names)
+  (let ((l (mapcar #'(lambda (name) (cadr ($gs__xml_numbers e name 1))) (cdr names))))
+    (and (notany #'null l) (cons '(mlist simp) l))))
+;;; [xyz, rpy] of the child `origin`, 0 where they are missing; false where something else is there
+(defun $gs__xml_origin (e)
+  (let* ((all (and e (cdr ($gs__xml_all e "origin")))) (o (car all)) (zero '((mlist simp) 0 0 0)))
+    (flet ((part (name) (if (and o ($gs__xml_get o name)) ($gs__xml_numbers o name 3) zero)))
+      (let ((xyz (part "xyz")) (rpy (part "rpy")))
+        (and xyz rpy (null (cdr all)) (not (and o ($gs__xml_get o "quat_xyzw")))
+             (list '(mlist simp) xyz rpy))))))
 
 ;;; The value of a statement as text, evaluated as if no symbol in it had a value in the session.
 (defun $gs__with_no_values (text)

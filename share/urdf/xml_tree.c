@@ -6,7 +6,7 @@
    printable ASCII stand as \u00e9, so that the list holds nothing but plain strings and numbers.
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
-   one with a document type (DOCTYPE), of more than 20000 elements, or with an element of more than
+   one with a document type (DOCTYPE), of more than 12000 elements, or with an element of more than
    1000 attributes is refused before it is parsed, one of more than 1000 links or joints, or with
    an attribute of more than 10000 characters, before it is printed. */
 
@@ -18,7 +18,7 @@
 
 #define LARGEST 10000000L
 #define LONGEST 10000                  /* characters of an attribute */
-#define MOST 20000L                    /* elements: five times those of the largest robots */
+#define MOST 12000L                    /* elements: three times those of the largest robots */
 #define MOST_ATTRIBUTES 1000L          /* of an element: a parser's time grows with their square */
 #define MOST_PARTS 1000L               /* links, joints: more make no equations one waits for */
 
@@ -106,7 +106,7 @@ static void count_tags(const char *text, long n)
     if (!strcmp(c, "![C")) { i = behind(text, n, j, "]]>", &line); continue; }
     if (c[0] == '?') { i = behind(text, n, i, "?>", &line); continue; }
     if (c[0] == '/') continue;
-    if (++many > MOST) refuse(0, "expected at most 20000 elements, found more");
+    if (++many > MOST) refuse(0, "expected at most 12000 elements, found more");
     for (j = line; i < n && (quote || text[i] != '>'); i++) {
       if (text[i] == '\n') ++j;
       if (quote) { if (text[i] == quote) quote = 0; }
@@ -226,7 +226,7 @@ int main(int argc, char **argv)
     refuse(first_line, first_error[0] ? first_error : "no XML");
   if (doc->intSubset) forbidden(NULL, NULL, NULL, NULL);
   if (elements(xmlDocGetRootElement(doc)) > MOST)
-    refuse(0, "expected at most 20000 elements, found more");
+    refuse(0, "expected at most 12000 elements, found more");
   count_parts(xmlDocGetRootElement(doc), "link");
   count_parts(xmlDocGetRootElement(doc), "joint");
   put_element(xmlDocGetRootElement(doc));

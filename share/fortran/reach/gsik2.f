@@ -30,7 +30,7 @@ C
       DOUBLE PRECISION   GBB, H, S, GSIK8
       INTEGER            I, K, WAY
       LOGICAL            CLOSED
-      EXTERNAL           GSIK3, GSIK4, GSIK8, GSIK9
+      EXTERNAL           GSIK3, GSIK8, GSIK9, GSIQL
       PARAMETER          ( H = 1.0D-1 )
 C
       DO 10 I = 1, 6
@@ -62,11 +62,11 @@ C
    40       CONTINUE
             CALL GSIK3( 4, KIND, KA, PA, R, P, Q, Z, U, G, S )
             IF ( G*GB.LE.0.0D0 ) THEN
-               CALL GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, GB, G, H, NB,
-     $                     QS, NS, BR, INFO )
+               CALL GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, 0.0D0, GB, H,
+     $                     G, NB, QS, NS, BR, INFO )
             ELSE IF ( ABS( GB ).LE.MIN( ABS( G ), ABS( GBB ) ) ) THEN
-               CALL GSIK4( 6, KIND, KA, PA, R, P, QB, ZB, NB, QS, NS,
-     $                     BR, INFO )
+               CALL GSIQL( KIND, KA, PA, R, P, QB, ZB, UB, GB, H, NB,
+     $                     QS, NS, BR, INFO )
             END IF
             IF ( NW.LT.400 ) THEN
                NW = NW + 1
@@ -210,17 +210,18 @@ C
       GSIK8 = SQRT( GSIK8 )
       END
 C
-      SUBROUTINE GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, GB, G, H, NB,
-     $                  QS, NS, BR, INFO )
+      SUBROUTINE GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, A0, GA0, B0,
+     $                  GB0, NB, QS, NS, BR, INFO )
 C
 C     PURPOSE
 C     For GSIK2: the solution between two positions of the curve.
 C
 C     ARGUMENTS
 C     KIND, KA, PA, R, P, NB, QS, NS, BR, INFO as GSIKZ, N = 6.
-C     QB, ZB, UB, GB (input) of the first position, as GSIK3.
-C     G       (input) DOUBLE PRECISION, of the second.
-C     H       (input) DOUBLE PRECISION, the step between them.
+C     QB, ZB, UB (input) of a position, as GSIK3.
+C     A0, B0  (input) DOUBLE PRECISION, how far along ZB from there the
+C             curve is looked at.
+C     GA0, GB0 (input) DOUBLE PRECISION, what is missed there.
 C
 C     METHOD
 C     Eight times the place where a straight line vanishes, between
@@ -235,16 +236,16 @@ C
       INTEGER            KIND(6), NB, NS, BR(NB), INFO, I, K, IW(6)
       INTEGER            SIDE
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QB(6), ZB(6)
-      DOUBLE PRECISION   UB(6), GB, G, H, QS(6,NB), Q(6), Z(6), U(6)
-      DOUBLE PRECISION   A, B, GA, GE, GM, S, T, W(42)
+      DOUBLE PRECISION   UB(6), A0, GA0, B0, GB0, QS(6,NB), Q(6), Z(6)
+      DOUBLE PRECISION   U(6), A, B, GA, GE, GM, S, T, W(42)
       LOGICAL            GOOD
       EXTERNAL           GSIK3, GSIKN, GSIKP
 C
-      A = 0.0D0
-      B = H
+      A = A0
+      B = B0
       SIDE = 0
-      GA = GB
-      GE = G
+      GA = GA0
+      GE = GB0
       DO 20 K = 1, 8
          T = A
          IF ( ABS( GA - GE ).GT.0.0D0 )
@@ -274,4 +275,90 @@ C
       CALL GSIKN( 6, KIND, KA, PA, R, P, Q, W, IW, GOOD )
       IF ( GOOD ) CALL GSIKP( 6, KIND, KA, PA, R, P, Q, NB, QS, NS, BR,
      $                        INFO )
+      END
+C
+      SUBROUTINE GSIQL( KIND, KA, PA, R, P, QB, ZB, UB, GB, H, NB, QS,
+     $                  NS, BR, INFO )
+C
+C     PURPOSE
+C     For GSIK2: the two solutions about a position of the curve where
+C     less is missed than a step before and behind.
+C
+C     ARGUMENTS
+C     KIND, KA, PA, R, P, NB, QS, NS, BR, INFO as GSIKZ, N = 6.
+C     QB, ZB, UB, GB (input) of the position, as GSIK3.
+C     H       (input) DOUBLE PRECISION, the step.
+C
+C     METHOD
+C     The place of the least, by golden sections, until what is missed has
+C     the other sign: then a solution is on each side (GSIK9). Where it
+C     keeps its sign, and is flat to 1D-3 of itself, Newton's method from
+C     both sides of the least (GSIK4).
+C
+C     ERROR INDICATOR
+C     None.
+C
+      IMPLICIT NONE
+      INTEGER            KIND(6), NB, NS, BR(NB), INFO, I, K
+      DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QB(6), ZB(6)
+      DOUBLE PRECISION   UB(6), GB, H, QS(6,NB), Q(6), Z(6), U(6), X(4)
+      DOUBLE PRECISION   G(4), S, PHI
+      EXTERNAL           GSIK3, GSIK4, GSIK9
+      PARAMETER          ( PHI = 0.61803398874989485D0 )
+C
+C     -- X(1) < X(2) < X(3), the least about X(2); X(4) is new
+      X(1) = -H
+      X(3) = H
+      X(2) = 0.0D0
+      X(4) = -H
+      G(2) = ABS( GB )
+      DO 40 K = 1, 30
+         IF ( K.EQ.2 ) X(4) = H
+         IF ( K.GT.2 ) THEN
+            X(4) = X(2) + ( 1.0D0 - PHI )*( X(3) - X(2) )
+            IF ( X(2) - X(1).GT.X(3) - X(2) )
+     $         X(4) = X(2) - ( 1.0D0 - PHI )*( X(2) - X(1) )
+         END IF
+         DO 10 I = 1, 6
+            Q(I) = QB(I) + X(4)*ZB(I)
+            Z(I) = ZB(I)
+            U(I) = UB(I)
+   10    CONTINUE
+         CALL GSIK3( 4, KIND, KA, PA, R, P, Q, Z, U, G(4), S )
+         G(4) = SIGN( 1.0D0, GB )*G(4)
+         IF ( K.LE.2 ) THEN
+            G(2*K-1) = G(4)
+            IF ( .NOT.( G(4).GT.G(2) ) ) RETURN
+         ELSE IF ( G(4).LE.0.0D0 ) THEN
+            DO 20 I = 1, 4
+               G(I) = SIGN( 1.0D0, GB )*G(I)
+   20       CONTINUE
+            CALL GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, X(1), G(1),
+     $                  X(4), G(4), NB, QS, NS, BR, INFO )
+            CALL GSIK9( KIND, KA, PA, R, P, QB, ZB, UB, X(4), G(4),
+     $                  X(3), G(3), NB, QS, NS, BR, INFO )
+            RETURN
+         ELSE IF ( G(4).LT.G(2) ) THEN
+            I = 1
+            IF ( X(4).LT.X(2) ) I = 3
+            X(I) = X(2)
+            G(I) = G(2)
+            X(2) = X(4)
+            G(2) = G(4)
+         ELSE
+            I = 3
+            IF ( X(4).LT.X(2) ) I = 1
+            X(I) = X(4)
+            G(I) = G(4)
+         END IF
+         IF ( K.GE.2 .AND. MAX( G(1), G(3) ).LE.1.001D0*G(2) ) GO TO 45
+   40 CONTINUE
+   45 CONTINUE
+      DO 50 I = 1, 6
+         Q(I) = QB(I) + X(2)*ZB(I)
+         Z(I) = ZB(I)
+         U(I) = UB(I)
+   50 CONTINUE
+      CALL GSIK3( 4, KIND, KA, PA, R, P, Q, Z, U, G(4), S )
+      CALL GSIK4( 6, KIND, KA, PA, R, P, Q, Z, NB, QS, NS, BR, INFO )
       END

@@ -456,7 +456,7 @@ C
          IF ( ABS( A ).LE.0.25D0*ABS( B ) .AND.
      $        D*ABS( B ).LE.4.0D0*MAX( THERE, SIZE ) ) THEN
             SAME = .TRUE.
-            CLOSER = THERE.GT.2.0D0*SIZE .AND. HERE.LE.0.5D0*THERE
+            CLOSER = HERE.LE.0.25D0*THERE
          END IF
       ELSE
          DO 30 I = 1, N
