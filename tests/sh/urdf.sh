@@ -54,7 +54,7 @@ robot "$one" "$(joint continuous '<origin xyz="1e999999999 0 0"/>')" >b18_power.
 robot "$one" "$(joint continuous '<parent link="c"/>')" >b19_parents.urdf
 printf '<robot name="r"><link name="a">\n</robot>\n' >b20_open.urdf
 : >b21_empty.urdf
-awk 'BEGIN { for (i = 0; i < 15000; i++) printf "<a>" }' >b22_deep.urdf
+awk 'BEGIN { for (i = 0; i < 11000; i++) printf "<a>" }' >b22_deep.urdf
 awk 'BEGIN { print "<robot name=\"r\">"; for (i = 0; i < 500000; i++) printf "<link name=\"a\"/>"
   print "</robot>" }' >b23_many.urdf
 awk 'BEGIN { print "<robot name=\"r\">"; for (i = 0; i < 11000; i++) printf "<link name=\"a\"/>"
