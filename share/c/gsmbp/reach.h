@@ -82,11 +82,17 @@ void gsik3 (int m, const int *kind, const double *ka, const double *pa, const do
 /* for gsik2: the length of the difference of two positions (6), modulo turns */
 double gsik8 (const int *kind, const double *q, const double *z);
 
-/* for gsik2: the solution in the step h between two positions of the curve: qb, zb, ub, gb as
- * gsik3 of the first, g of the second; info anew is returned */
+/* for gsik2: the solution between two positions of the curve, a and b along zb from qb, where ga
+ * and gb of opposite signs are missed; qb, zb, ub as gsik3; info anew is returned */
 int gsik9 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-           const double *qb, const double *zb, const double *ub, double gb, double g, double h,
-           int nb, double *qs, int *ns, int *br, int info);
+           const double *qb, const double *zb, const double *ub, double a, double ga, double b,
+           double gb, int nb, double *qs, int *ns, int *br, int info);
+
+/* for gsik2: the two solutions about a position of the curve, qb, zb, ub, gb as gsik3, where less
+ * is missed than a step h before and behind; info anew is returned */
+int gsiql (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+           const double *qb, const double *zb, const double *ub, double gb, double h, int nb,
+           double *qs, int *ns, int *br, int info);
 
 /* how far a place is from what the n (1 to 3) joints ahead of a wrist reach [m], from the nb
  * guesses qc (nc,nb), rows at+1 to at+n */
@@ -123,17 +129,24 @@ int gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k
            const double *p, const double *r, double *q, const double *qlo, const double *qhi,
            const int *iv, int ns, const int *iset, const double *cst, double *w, double *dst);
 
+/* for gsnik: the same from the guess alone, to where nothing near comes closer; f: what q misses,
+ * where phi counts wt times */
+int gsnit (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
+           const double *p, const double *r, double *q, const double *qlo, const double *qhi,
+           const int *iv, int ns, const int *iset, const double *cst, double wt, double *w,
+           double *wp, double *f, double *dst);
+
 /* for gsnik: what a position misses, res (nr), its length f; u (nu): zeros. info as con */
 int gsnir (const gs_scene *g, double t, int nu, int nlam, int npt, int k, int job,
            const double *p, const double *r, const double *q, const double *u, const double *cst,
-           double *res, int nr, double *w, double *f, double *dst);
+           double wt, double *res, int nr, double *w, double *f, double *dst);
 
 /* the rotation vector v that turns the axes s into r */
 void gsniv (const double *r, const double *s, double *v);
 
 /* for gsnik: the Jacobian j (nr,nu) of what gsnir gives. info as con */
 int gsnij (const gs_scene *g, double t, const double *q, int nu, int nlam, int npt, int k, int job,
-           const double *u, const double *cst, double *j, int nr, double *w);
+           const double *u, const double *cst, double wt, double *j, int nr, double *w);
 
 /* for gsnik: a damped step from q to qn; a (nu,nu), s (nu), qdot (nq) are workspace */
 void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j,

@@ -29,9 +29,9 @@ walk (const int *kind, const double *ka, const double *pa, const double *r, cons
         q[i] = q[i] + h * at.z[i];
       gsik3 (4, kind, ka, pa, r, p, q, at.z, at.u, &at.g, &s);
       if (at.g * b.g <= 0.0)
-        *info = gsik9 (kind, ka, pa, r, p, b.q, b.z, b.u, b.g, at.g, h, nb, qs, ns, br, *info);
+        *info = gsik9 (kind, ka, pa, r, p, b.q, b.z, b.u, 0.0, b.g, h, at.g, nb, qs, ns, br, *info);
       else if (fabs (b.g) <= gs_min (fabs (at.g), fabs (gbb)))
-        *info = gsik4 (6, kind, ka, pa, r, p, b.q, b.z, nb, qs, ns, br, *info);
+        *info = gsiql (kind, ka, pa, r, p, b.q, b.z, b.u, b.g, h, nb, qs, ns, br, *info);
       if (*nw < 400)
         memcpy (qw + 6 * (*nw)++, q, 6 * sizeof (double));
       if (! (fabs (at.g) <= 1e-3))
@@ -190,10 +190,10 @@ gsik8 (const int *kind, const double *q, const double *z)
  * digits left in the direction of the curve */
 int
 gsik9 (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       const double *qb, const double *zb, const double *ub, double gb, double g, double h,
-       int nb, double *qs, int *ns, int *br, int info)
+       const double *qb, const double *zb, const double *ub, double a, double ga, double b,
+       double ge, int nb, double *qs, int *ns, int *br, int info)
 {
-  double q[6], z[6], u[6], w[42], s, gm, a = 0.0, b = h, ga = gb, ge = g;
+  double q[6], z[6], u[6], w[42], s, gm;
   int iw[6], good, side = 0;
   for (int k = 0; k < 8; k++)
     {
@@ -218,4 +218,72 @@ gsik9 (const int *kind, const double *ka, const double *pa, const double *r, con
   info = gsikp (6, kind, ka, pa, r, p, q, nb, qs, ns, br, info);
   gsikn (6, kind, ka, pa, r, p, q, w, iw, &good);
   return good ? gsikp (6, kind, ka, pa, r, p, q, nb, qs, ns, br, info) : info;
+}
+
+/* the place of the curve that is x along zb from qb */
+static place
+along (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+       const double *qb, const double *zb, const double *ub, double x)
+{
+  place at;
+  double s;
+  for (int i = 0; i < 6; i++)
+    at.q[i] = qb[i] + x * zb[i];
+  memcpy (at.z, zb, sizeof at.z);
+  memcpy (at.u, ub, sizeof at.u);
+  gsik3 (4, kind, ka, pa, r, p, at.q, at.z, at.u, &at.g, &s);
+  return at;
+}
+
+/* the new place x[3] with g[3] among x[0] < x[1] < x[2], the least about x[1] */
+static void
+narrowed (double *x, double *g)
+{
+  int i = g[3] < g[1] ? (x[3] < x[1] ? 2 : 0) : (x[3] < x[1] ? 0 : 2);
+  int from = g[3] < g[1] ? 1 : 3;
+  x[i] = x[from];
+  g[i] = g[from];
+  if (from == 1)
+    {
+      x[1] = x[3];
+      g[1] = g[3];
+    }
+}
+
+/* the place of the least, by golden sections, until what is missed has the other sign: then a
+ * solution is on each side; where it keeps its sign, and is flat to 1e-3 of itself, Newton's method
+ * from both sides of the least */
+int
+gsiql (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
+       const double *qb, const double *zb, const double *ub, double gb, double h, int nb,
+       double *qs, int *ns, int *br, int info)
+{
+  const double part = 1.0 - 0.61803398874989485, sign = copysign (1.0, gb);
+  double x[4] = { -h, 0.0, h, -h }, g[4] = { 0.0, fabs (gb), 0.0, 0.0 };
+  for (int k = 0; k < 30; k++)
+    {
+      if (k == 1)
+        x[3] = h;
+      else if (k > 1)
+        x[3] = x[1] - x[0] > x[2] - x[1] ? x[1] - part * (x[1] - x[0])
+                                         : x[1] + part * (x[2] - x[1]);
+      g[3] = sign * along (kind, ka, pa, r, p, qb, zb, ub, x[3]).g;
+      if (k < 2)
+        g[2 * k] = g[3];
+      if (k < 2 && ! (g[3] > g[1]))
+        return info;
+      if (k > 1 && g[3] <= 0.0)
+        {
+          info = gsik9 (kind, ka, pa, r, p, qb, zb, ub, x[0], sign * g[0], x[3], sign * g[3], nb,
+                        qs, ns, br, info);
+          return gsik9 (kind, ka, pa, r, p, qb, zb, ub, x[3], sign * g[3], x[2], sign * g[2], nb,
+                        qs, ns, br, info);
+        }
+      if (k > 1)
+        narrowed (x, g);
+      if (k > 0 && gs_max (g[0], g[2]) <= 1.001 * g[1])
+        break;
+    }
+  place at = along (kind, ka, pa, r, p, qb, zb, ub, x[1]);
+  return gsik4 (6, kind, ka, pa, r, p, at.q, at.z, nb, qs, ns, br, info);
 }

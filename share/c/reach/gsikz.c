@@ -319,7 +319,7 @@ are_one (const int *kind, const double *ka, const double *pa, const double *r, c
   if (fabs (a) <= 0.25 * fabs (b) && d * fabs (b) <= 4.0 * gs_max (there, size))
     {
       one = 1;
-      *closer = there > 2.0 * size && here <= 0.5 * there;
+      *closer = there > (kind[3] == 2 ? 0.5 : 2.0) * size && here <= 0.5 * there;
     }
   return one;
 }
@@ -330,8 +330,9 @@ are_one (const int *kind, const double *ka, const double *pa, const double *r, c
  * the pose is missed by an eighth of the distance times the sum of these values: they are the same
  * where that is below e/4. So is s if it is that position, taken for a double solution: if its
  * value is below a quarter of that of q and what it misses, or e, is between; q takes its place
- * where it misses more than 2 e. Of fewer joints than the pose has freedoms two are the same if
- * half way between them the pose is missed by no more than 2 e above what they miss. */
+ * where it misses more than 2 e (e/2 where the place alone counts). Of fewer joints than the pose
+ * has freedoms two are the same if half way between them the pose is missed by no more than 2 e
+ * above what they miss. */
 int
 gsik7 (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, const double *q, const double *s, int *closer)

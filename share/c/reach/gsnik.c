@@ -19,46 +19,90 @@ within (double x, double low, double high)
  *
  * D. Marquardt, SIAM J. Appl. Math. 11 (1963), 431-441. */
 int
-gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
+gsnit (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
        const double *p, const double *r, double *q, const double *qlo, const double *qhi,
-       const int *iv, int ns, const int *iset, const double *cst, double *w, double *dst)
+       const int *iv, int ns, const int *iset, const double *cst, double wt, double *w, double *wp,
+       double *f, double *dst)
 {
   const int nr = 3 + 3 * job + nlam;
   double *res = w, *resn = res + nr, *j = resn + nr, *s = j + nr * nu, *qn = s + nu;
-  double *a = qn + nq, *u = a + nu * nu, f, fn, mu = 1e-3, err = 0.0;
-  w = u + nu;
+  double *a = qn + nq, *u = a + nu * nu, fn, mu = 1e-3, err = 0.0;
   for (int i = 0; i < nq; i++)
     q[i] = within (q[i], qlo[i], qhi[i]);
   gsnrm (ns, iset, q, &err);
   for (int i = 0; i < nu; i++)
     u[i] = 0.0;
-  int info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
-  for (int n = 0; info >= 0 && n < 200 && ! (f <= 1e-15) && mu <= 1e8; n++)
+  int info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, wt, res, nr, wp, f, dst);
+  for (int n = 0; info >= 0 && n < 200 && ! (*f <= 1e-15) && mu <= 1e8; n++)
     {
-      info = gsnij (g, t, q, nu, nlam, npt, k, job, u, cst, j, nr, w);
+      info = gsnij (g, t, q, nu, nlam, npt, k, job, u, cst, wt, j, nr, wp);
       for (int better = 0; info >= 0 && ! better && mu <= 1e8;)
         {
-          gsnis (g, t, nq, nu, nr, j, res, mu, q, qlo, qhi, iv, u, cst, a, s, qn, w);
+          gsnis (g, t, nq, nu, nr, j, res, mu, q, qlo, qhi, iv, u, cst, a, s, qn, wp);
           gsnrm (ns, iset, qn, &err);
-          info = gsnir (g, t, nu, nlam, npt, k, job, p, r, qn, u, cst, resn, nr, w, &fn, dst);
-          better = info >= 0 && fn < f;
+          info = gsnir (g, t, nu, nlam, npt, k, job, p, r, qn, u, cst, wt, resn, nr, wp, &fn,
+                        dst);
+          better = info >= 0 && fn < *f;
           mu = better ? gs_max (0.1 * mu, 1e-14) : 8.0 * mu;
           if (! better)
             continue;
           memcpy (q, qn, nq * sizeof (double));
           memcpy (res, resn, nr * sizeof (double));
-          f = fn;
+          *f = fn;
         }
     }
+  return info;
+}
+
+/* Newton's method of least squares (gsnit). Where it ends without the pose, as on a position
+ * between two ways to it (a closed chain stretched out), it begins again from five positions beside
+ * the best one, 0.03 to 0.5 rad or m away. What is not reached then is approached with phi counting
+ * a thousand times, so that dst is the distance with the loops closed, to 1e-6 of itself. */
+int
+gsnik (const gs_scene *g, double t, int nq, int nu, int nlam, int npt, int k, int job,
+       const double *p, const double *r, double *q, const double *qlo, const double *qhi,
+       const int *iv, int ns, const int *iset, const double *cst, double *w, double *dst)
+{
+  const int nr = 3 + 3 * job + nlam;
+  double *s = w + (2 + nu) * nr, *u = s + nu + nq + nu * nu, *best = u + nu, *wp = best + nq;
+  double f, fb = 0.0, far = 0.03;
+  for (int n = 0; n < 6; n++)
+    {
+      if (n > 0)
+        {
+          for (int i = 0; i < nu; i++)
+            s[i] = far * sin (1.0 * (2 * (i + 1) + 3 * n * (i + 1) + n));
+          g->kin (t, best, s, cst, q);
+          for (int i = 0; i < nq; i++)
+            q[i] = best[i] + q[i];
+          far = 2.0 * far;
+        }
+      int info = gsnit (g, t, nq, nu, nlam, npt, k, job, p, r, q, qlo, qhi, iv, ns, iset, cst, 1.0,
+                        w, wp, &f, dst);
+      if (info < 0)
+        return info;
+      if (n == 0 || f < 0.999 * fb)
+        {
+          fb = f;
+          memcpy (best, q, nq * sizeof (double));
+        }
+      if (fb <= 1e-9)
+        break;
+    }
+  memcpy (q, best, nq * sizeof (double));
+  int info = fb > 1e-9 && nlam > 0 ? gsnit (g, t, nq, nu, nlam, npt, k, job, p, r, q, qlo, qhi, iv,
+                                            ns, iset, cst, 1e3, w, wp, &f, dst)
+                                   : 0;
+  memset (u, 0, nu * sizeof (double));
   if (info >= 0)
-    info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, res, nr, w, &f, dst);
+    info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, 1.0, w, nr, wp, &f, dst);
   return info < 0 ? info : ! (f <= 1e-9);
 }
 
 int
 gsnir (const gs_scene *g, double t, int nu, int nlam, int npt, int k, int job,
        const double *p, const double *r, const double *q, const double *u, const double *cst,
-       double *res, int nr, double *w, double *f, double *dst)
+       double wt, double *res, int nr, double *w, double *f, double *dst)
 {
   int info = 0;
   g->pnt (t, q, cst, w, w + 3 * npt);
@@ -76,7 +120,7 @@ gsnir (const gs_scene *g, double t, int nu, int nlam, int npt, int k, int job,
       double *phit = w + 12 * npt, *h = phit + nlam;
       info = g->con (t, q, u, cst, res + 3 + 3 * job, phit, h, nlam, h + nlam * nu);
       for (int i = 3 + 3 * job; i < nr; i++)
-        res[i] = -res[i];
+        res[i] = -wt * res[i];
     }
   *f = sqrt (gs_dot (nr, 0.0, res, res));
   return info;
@@ -127,7 +171,7 @@ gsniv (const double *r, const double *s, double *v)
 
 int
 gsnij (const gs_scene *g, double t, const double *q, int nu, int nlam, int npt, int k, int job,
-       const double *u, const double *cst, double *j, int nr, double *w)
+       const double *u, const double *cst, double wt, double *j, int nr, double *w)
 {
   const int n = 3 + 3 * job;
   g->jpt (t, q, u, cst, w, w + 6 * npt * nu);
@@ -138,7 +182,8 @@ gsnij (const gs_scene *g, double t, const double *q, int nu, int nlam, int npt, 
   double *phi = w + 6 * npt * (nu + 1), *h = phi + 2 * nlam;
   int info = g->con (t, q, u, cst, phi, phi + nlam, h, nlam, h + nlam * nu);
   for (int i = 0; i < nu; i++)
-    memcpy (j + n + nr * i, h + nlam * i, nlam * sizeof (double));
+    for (int l = 0; l < nlam; l++)
+      j[n + nr * i + l] = wt * h[nlam * i + l];
   return info;
 }
 

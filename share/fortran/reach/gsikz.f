@@ -414,9 +414,9 @@ C     distance times the sum of these values: they are the same where that
 C     is below E/4. So is S if it is that position, taken for a double
 C     solution: if its value is below a quarter of that of Q and what it
 C     misses, or E, is between; Q takes its place where it misses more
-C     than 2 E. Of fewer joints than the pose has freedoms two are the
-C     same if half way between them the pose is missed by no more than 2 E
-C     above what they miss.
+C     than 2 E (E/2 where the place alone counts). Of fewer joints than
+C     the pose has freedoms two are the same if half way between them the
+C     pose is missed by no more than 2 E above what they miss.
 C
 C     ERROR INDICATOR
 C     None.
@@ -456,7 +456,9 @@ C
          IF ( ABS( A ).LE.0.25D0*ABS( B ) .AND.
      $        D*ABS( B ).LE.4.0D0*MAX( THERE, SIZE ) ) THEN
             SAME = .TRUE.
-            CLOSER = HERE.LE.0.25D0*THERE
+            CLOSER = THERE.GT.2.0D0*SIZE .AND. HERE.LE.0.5D0*THERE
+            IF ( KIND(4).EQ.2 ) CLOSER = THERE.GT.0.5D0*SIZE .AND.
+     $                                   HERE.LE.0.5D0*THERE
          END IF
       ELSE
          DO 30 I = 1, N

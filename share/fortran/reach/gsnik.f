@@ -27,7 +27,7 @@ C             speed that is the rate of a coordinate, or 0.
 C     NS, ISET as GSNRM.
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     W       (workspace) DOUBLE PRECISION array, dimension (NU*NU +
-C             (6+NLAM)*(NU+2) + 2*NU + 2*NQ + 12*NPT + 6*NPT*(NU+1) +
+C             (6+NLAM)*(NU+2) + 2*NU + 3*NQ + 12*NPT + 6*NPT*(NU+1) +
 C             NLAM*(NU+3)).
 C     DST     (output) DOUBLE PRECISION array, dimension (2): what the
 C             position misses, of the place [m], of the axes [rad].
@@ -37,10 +37,12 @@ C             = 1: it is not; no position near Q comes closer;
 C             < 0: as CON.
 C
 C     METHOD
-C     Newton's method of least squares with damping (Levenberg and
-C     Marquardt) on place, rotation vector and phi, on the exact Jacobian;
-C     a coordinate at its limit does not move beyond it. At most 200
-C     steps, none longer than 0.5 rad or m.
+C     Newton's method of least squares with damping (GSNIT). Where it ends
+C     without the pose, as on a position between two ways to it (a closed
+C     chain stretched out), it begins again from five positions beside
+C     the best one, 0.03 to 0.5 rad or m away. What is not reached then is
+C     approached with phi counting a thousand times, so that DST is the
+C     distance with the loops closed, to 1D-6 of itself.
 C
 C     REFERENCES
 C     D. Marquardt, SIAM J. Appl. Math. 11 (1963), 431-441.
@@ -51,8 +53,89 @@ C
       INTEGER            ISET(4,*), INFO
       DOUBLE PRECISION   T, P(3), R(3,3), Q(NQ), QLO(NQ), QHI(NQ)
       DOUBLE PRECISION   CST(*), W(*), DST(2)
+      DOUBLE PRECISION   F, FB, FAR
+      INTEGER            NR, IS, IB, IU, IW, I, N
+      EXTERNAL           GSNIR, GSNIT
+C
+      NR = 3 + 3*JOB + NLAM
+      IS = 1 + ( 2 + NU )*NR
+      IU = IS + NU + NQ + NU*NU
+      IB = IU + NU
+      IW = IB + NQ
+      FB = 0.0D0
+      FAR = 0.03D0
+      DO 60 N = 0, 5
+         IF ( N.GT.0 ) THEN
+            DO 20 I = 1, NU
+               W(IS+I-1) = FAR*SIN( 1.0D0*( 2*I + 3*N*I + N ) )
+   20       CONTINUE
+            CALL KIN( T, W(IB), W(IS), CST, Q )
+            DO 30 I = 1, NQ
+               Q(I) = W(IB+I-1) + Q(I)
+   30       CONTINUE
+            FAR = 2.0D0*FAR
+         END IF
+         CALL GSNIT( PNT, JPT, KIN, CON, T, NQ, NU, NLAM, NPT, K, JOB,
+     $               P, R, Q, QLO, QHI, IV, NS, ISET, CST, 1.0D0, W,
+     $               W(IW), F, DST, INFO )
+         IF ( INFO.LT.0 ) RETURN
+         IF ( N.EQ.0 .OR. F.LT.0.999D0*FB ) THEN
+            FB = F
+            DO 40 I = 1, NQ
+               W(IB+I-1) = Q(I)
+   40       CONTINUE
+         END IF
+         IF ( FB.LE.1.0D-9 ) GO TO 70
+   60 CONTINUE
+   70 CONTINUE
+      DO 80 I = 1, NQ
+         Q(I) = W(IB+I-1)
+   80 CONTINUE
+      IF ( FB.GT.1.0D-9 .AND. NLAM.GT.0 ) CALL GSNIT( PNT, JPT, KIN,
+     $     CON, T, NQ, NU, NLAM, NPT, K, JOB, P, R, Q, QLO, QHI, IV, NS,
+     $     ISET, CST, 1.0D3, W, W(IW), F, DST, INFO )
+      IF ( INFO.LT.0 ) RETURN
+      DO 90 I = 1, NU
+         W(IU+I-1) = 0.0D0
+   90 CONTINUE
+      CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q, W(IU),
+     $            CST, 1.0D0, W, NR, W(IW), F, DST, INFO )
+      IF ( INFO.LT.0 ) RETURN
+      INFO = 0
+      IF ( .NOT.( F.LE.1.0D-9 ) ) INFO = 1
+      END
+C
+      SUBROUTINE GSNIT( PNT, JPT, KIN, CON, T, NQ, NU, NLAM, NPT, K,
+     $                  JOB, P, R, Q, QLO, QHI, IV, NS, ISET, CST, WT,
+     $                  W, WP, F, DST, INFO )
+C
+C     PURPOSE
+C     For GSNIK: from a guess to where nothing near comes closer.
+C
+C     ARGUMENTS
+C     as GSNIK, and
+C     WT      (input) DOUBLE PRECISION, how much phi counts.
+C     WP      (workspace) DOUBLE PRECISION array, dimension (12*NPT +
+C             6*NPT*(NU+1) + NLAM*(NU+3)).
+C     F       (output) DOUBLE PRECISION, what Q misses.
+C
+C     METHOD
+C     Newton's method of least squares with damping (Levenberg and
+C     Marquardt) on place, rotation vector and phi, on the exact Jacobian;
+C     a coordinate at its limit does not move beyond it. At most 200
+C     steps, none longer than 0.5 rad or m.
+C
+C     ERROR INDICATOR
+C     INFO as CON.
+C
+      IMPLICIT NONE
+      EXTERNAL           PNT, JPT, KIN, CON
+      INTEGER            NQ, NU, NLAM, NPT, K, JOB, IV(NQ), NS
+      INTEGER            ISET(4,*), INFO
+      DOUBLE PRECISION   T, P(3), R(3,3), Q(NQ), QLO(NQ), QHI(NQ)
+      DOUBLE PRECISION   CST(*), WT, W(*), WP(*), DST(2)
       DOUBLE PRECISION   F, FN, MU, ERR
-      INTEGER            NR, IR, IRN, IJ, IS, IQ, IW, IA, IU, I, N
+      INTEGER            NR, IR, IRN, IJ, IS, IQ, IA, IU, I, N
       EXTERNAL           GSNIR, GSNIJ, GSNIS, GSNRM
 C
       NR = 3 + 3*JOB + NLAM
@@ -63,7 +146,6 @@ C
       IQ = IS + NU
       IA = IQ + NQ
       IU = IA + NU*NU
-      IW = IU + NU
       ERR = 0.0D0
       DO 10 I = 1, NQ
          Q(I) = MIN( MAX( Q(I), QLO(I) ), QHI(I) )
@@ -73,26 +155,26 @@ C
          W(IU+I) = 0.0D0
    20 CONTINUE
       CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
-     $            W(IU), CST, W(IR), NR, W(IW), F, DST, INFO )
+     $            W(IU), CST, WT, W(IR), NR, WP, F, DST, INFO )
       IF ( INFO.LT.0 ) RETURN
       MU = 1.0D-3
       DO 50 N = 1, 200
-         IF ( F.LE.1.0D-15 ) GO TO 60
+         IF ( F.LE.1.0D-15 ) RETURN
          CALL GSNIJ( JPT, CON, T, Q, NU, NLAM, NPT, K, JOB, W(IU), CST,
-     $               W(IJ), NR, W(IW), INFO )
+     $               WT, W(IJ), NR, WP, INFO )
          IF ( INFO.LT.0 ) RETURN
    30    CONTINUE
          CALL GSNIS( KIN, T, NQ, NU, NR, W(IJ), W(IR), MU, Q, QLO, QHI,
-     $               IV, W(IU), CST, W(IA), W(IS), W(IQ), W(IW) )
+     $               IV, W(IU), CST, W(IA), W(IS), W(IQ), WP )
          CALL GSNRM( NS, ISET, W(IQ), ERR )
          CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R,
-     $               W(IQ), W(IU), CST, W(IRN), NR, W(IW), FN, DST,
+     $               W(IQ), W(IU), CST, WT, W(IRN), NR, WP, FN, DST,
      $               INFO )
          IF ( INFO.LT.0 ) RETURN
          IF ( .NOT.( FN.LT.F ) ) THEN
             MU = 8.0D0*MU
             IF ( MU.LE.1.0D8 ) GO TO 30
-            GO TO 60
+            RETURN
          END IF
          MU = MAX( 0.1D0*MU, 1.0D-14 )
          DO 40 I = 0, NQ - 1
@@ -103,16 +185,10 @@ C
    45    CONTINUE
          F = FN
    50 CONTINUE
-   60 CONTINUE
-      CALL GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
-     $            W(IU), CST, W(IR), NR, W(IW), F, DST, INFO )
-      IF ( INFO.LT.0 ) RETURN
-      INFO = 0
-      IF ( .NOT.( F.LE.1.0D-9 ) ) INFO = 1
       END
 C
       SUBROUTINE GSNIR( PNT, CON, T, NU, NLAM, NPT, K, JOB, P, R, Q,
-     $                  U, CST, RES, NR, W, F, DST, INFO )
+     $                  U, CST, WT, RES, NR, W, F, DST, INFO )
 C
 C     PURPOSE
 C     For GSNIK: what a position misses.
@@ -120,8 +196,9 @@ C
 C     ARGUMENTS
 C     as GSNIK, and
 C     U       (input) DOUBLE PRECISION array, dimension (NU): zeros.
+C     WT      (input) DOUBLE PRECISION, how much phi counts.
 C     RES     (output) DOUBLE PRECISION array, dimension (NR): place,
-C             rotation vector, phi: what is wanted less what is there.
+C             rotation vector, WT*phi: what is wanted less what is there.
 C     NR      (input) INTEGER, 3 + 3*JOB + NLAM.
 C     W       (workspace) DOUBLE PRECISION array, dimension (12*NPT +
 C             NLAM*(NU+3)).
@@ -137,7 +214,7 @@ C
       EXTERNAL           PNT, CON
       INTEGER            NU, NLAM, NPT, K, JOB, NR, INFO
       DOUBLE PRECISION   T, P(3), R(3,3), Q(*), U(NU), CST(*), RES(NR)
-      DOUBLE PRECISION   W(*), F, DST(2)
+      DOUBLE PRECISION   WT, W(*), F, DST(2)
       INTEGER            I, IC
       EXTERNAL           GSNIV
 C
@@ -157,7 +234,7 @@ C
          CALL CON( T, Q, U, CST, RES(4+3*JOB), W(IC), W(IC+NLAM), NLAM,
      $             W(IC+NLAM+NLAM*NU), INFO )
          DO 20 I = 4 + 3*JOB, NR
-            RES(I) = -RES(I)
+            RES(I) = -WT*RES(I)
    20    CONTINUE
       END IF
       F = 0.0D0
@@ -226,7 +303,7 @@ C
       END
 C
       SUBROUTINE GSNIJ( JPT, CON, T, Q, NU, NLAM, NPT, K, JOB, U, CST,
-     $                  RJ, NR, W, INFO )
+     $                  WT, RJ, NR, W, INFO )
 C
 C     PURPOSE
 C     For GSNIK: the Jacobian of place, rotation and phi in the speeds.
@@ -246,7 +323,7 @@ C
       IMPLICIT NONE
       EXTERNAL           JPT, CON
       INTEGER            NU, NLAM, NPT, K, JOB, NR, INFO
-      DOUBLE PRECISION   T, Q(*), U(NU), CST(*), RJ(NR,NU), W(*)
+      DOUBLE PRECISION   T, Q(*), U(NU), CST(*), WT, RJ(NR,NU), W(*)
       INTEGER            I, J, L, IC, N
 C
       INFO = 0
@@ -264,7 +341,7 @@ C
      $          W(IC+2*NLAM+NLAM*NU), INFO )
       DO 40 J = 1, NU
          DO 30 I = 1, NLAM
-            RJ(N+I,J) = W(IC+2*NLAM+(J-1)*NLAM+I-1)
+            RJ(N+I,J) = WT*W(IC+2*NLAM+(J-1)*NLAM+I-1)
    30    CONTINUE
    40 CONTINUE
       END
