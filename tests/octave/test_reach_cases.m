@@ -10,6 +10,7 @@ function test_reach_cases ()
   free_directions (gsmbp_fixture ("reach_puma"), gsmbp_fixture ("reach_stanford"));
   newton_within_limits (gsmbp_fixture ("reach_puma"));
   legs_out_of_reach (gsmbp_fixture ("reach_arms"));
+  stretched (gsmbp_fixture ("reach_crank"));
 end
 
 ## every pose of the tool is found again, the carriage given, whatever the lamp does
@@ -187,4 +188,15 @@ function legs_out_of_reach (m)
   [~, ns, ~, dst, info] = m.ikn (P, eye (3));
   near = 0.1 - norm (P + [0.2; 0; 0] - [0.6; 0; 0]);
   gsmbp_check ("two arms: too near: how far", dst(1) - near, 1e-12);
+end
+
+## from the stretched position, where no small step comes closer, and beyond reach, with the loop
+## closed: 0.2 and 0.45 long, the pin 0.03 beside and 0.05 behind the end of its way
+function stretched (m)
+  [q, info] = gsmbp_reach (m, "pin", [0.5; 0; 0], [], "start", [0; 0; 0.5]);
+  gsmbp_check ("stretched crank: said", strcmp (info.status, "ok"));
+  gsmbp_check ("stretched crank: law of cosines", abs (q(1)) - acos (0.0875 / 0.2), 1e-9);
+  [~, info] = gsmbp_reach (m, "pin", [0.7; 0.03; 0]);
+  gsmbp_check ("crank out of reach: said", strcmp (info.status, "unreachable"));
+  gsmbp_check ("crank out of reach: how far", info.distance(1) / hypot (0.05, 0.03) - 1, 1e-5);
 end
