@@ -1,11 +1,13 @@
 ## d = gsmbp__drawn_scene (drawing, number, place, turn, t)
 ## What the player draws (share/report/player.js): bodies with colours, solids, pairs of points,
-## arrows, camera.  NUMBER, PLACE, TURN: of gsmbp__drawn_poses at the times T.
+## arrows, beams with their axes (an instant in a row), camera.  NUMBER, PLACE, TURN: of
+## gsmbp__drawn_poses at the times T.
 
 function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
   first = @(texts) number (texts)(1,:);
   d.t = t;
-  points = points_of (drawing, first, place, turn);
+  [d.beams, d.axes_of_beams] = beams_of (drawing, number, place, turn);
+  points = [points_of(drawing, first, place, turn); reshape(d.axes_of_beams', 3, [])'];
   [d.bodies, d.extent, low, high] = bodies_of (drawing, first, place, turn, points);
   d.target = (low + high) / 2;
   flat = find (max (points, [], 1) - min (points, [], 1) < 1e-6 * d.extent);
@@ -13,6 +15,9 @@ function d = gsmbp__drawn_scene (drawing, number, place, turn, t)
     flat = [];                          # a single point that stays where it is
   endif
   d = camera (d, first (drawing.gravity), low, high, flat);
+  for b = 1:numel (d.beams)
+    d.beams{b}.color = d.bodies{d.beams{b}.body+1}.color;
+  endfor
   d.solids = gsmbp__drawn_solids (drawing, first, d);
   d.pairs = pairs_of (drawing, first);
   d.points = named_points (drawing, first);
@@ -39,6 +44,22 @@ function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn, p
   low = min (points, [], 1);
   high = max (points, [], 1);
   extent = max ([norm(high - low), 1e-3]);
+endfunction
+
+## beams that bend: their bodies, and the places along their axes in ground axes, an instant in a
+## row
+function [list, axes_] = beams_of (drawing, number, place, turn)
+  list = {};
+  axes_ = zeros (rows (place{1}), 0);
+  for beam = gsmbp__structs (drawing.beams)
+    b = beam.body;
+    along = number (beam.places);
+    for k = 1:3:columns (along)
+      axes_ = [axes_, place{b} + turn{b}(:,1:3:9) .* along(:,k) ...
+                      + turn{b}(:,2:3:9) .* along(:,k+1) + turn{b}(:,3:3:9) .* along(:,k+2)];
+    endfor
+    list{end+1} = struct ("body", b, "places", columns (along) / 3);
+  endfor
 endfunction
 
 ## the ways of mass centres, joints and ends of pairs

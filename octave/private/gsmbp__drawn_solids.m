@@ -12,19 +12,21 @@ function s = solid (kind, body, L, offset, color)
   s = struct ("kind", kind, "body", body, "m", [L(:)', offset(:)'], "color", color);
 endfunction
 
-## the shapes of the links; where there are none, a body of equal inertia; rods to its joints
+## the shapes of the links; where there are none, a body of equal inertia; rods to its joints; of a
+## beam its bent axis is drawn
 function list = solids_of_bodies (drawing, first, d)
   list = {};
   for b = 1:numel (drawing.bodies)
     body = drawing.bodies(b);
     color = d.bodies{b+1}.color;
     c = first (body.centre);
+    bent = any (cellfun (@(beam) beam.body == b, d.beams));
     shapes = gsmbp__structs (body.shapes);
     for s = shapes
       list{end+1} = shape (s, first, b, c, color);
     endfor
     wheels = gsmbp__structs (drawing.wheels);
-    if (isempty (shapes) && ! (! isempty (wheels) && any ([wheels.body] == b)))
+    if (isempty (shapes) && ! bent && ! (! isempty (wheels) && any ([wheels.body] == b)))
       I = reshape (first (body.inertia), 3, 3);
       list = [list, equal_inertia(first ({body.mass}), I, b, c, color, d.extent), ...
               rods(drawing, first, b, c, color, d.extent)];

@@ -12,10 +12,12 @@ function text = gsmbp__report_player (who, m, r, drawing, o)
   d = gsmbp__drawn_scene (drawing, number, place, turn, r.t(:)(list));
   poses = cellfun (@(p, R) [R, p], place, turn, "UniformOutput", false);
   poses = [repmat([1 0 0 0 1 0 0 0 1 0 0 0], numel (list), 1), poses{:}];
-  d.poses = base64_encode (single (poses'(:)));
-  d.arrows_v = base64_encode (single (d.arrows_v'(:)));
+  data = d;
+  data.poses = base64_encode (single (poses'(:)));
+  data.arrows_v = base64_encode (single (d.arrows_v'(:)));
+  data.axes_of_beams = base64_encode (single (d.axes_of_beams'(:)));
   script = fileread (gsmbp__place ("share", "report", "player.js"));
-  json = strrep (strrep (jsonencode (d), "&", '\u0026'), "<", '\u003c');
+  json = strrep (strrep (jsonencode (data), "&", '\u0026'), "<", '\u003c');
   text = [sprintf("<h2>The motion</h2>\n<div class=\"player\">\n"), controls(d), ...
           gsmbp__still(d, place, turn), sprintf("</div>\n"), ...
           "<script type=\"application/json\" id=\"motion\">", json, ...
@@ -55,7 +57,7 @@ function text = controls (d)
            "one instant.</p>"], ...
           ["<p>A link without a shape (option shape) is drawn as the box of equal mass and " ...
            "inertia, by its edges where that is large; rods lead from its mass centre to its " ...
-           "joints.</p>"]};
+           "joints. A beam is drawn by its bent axis.</p>"]};
   text = [text, sprintf("%s\n", said{:})];
 endfunction
 

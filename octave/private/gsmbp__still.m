@@ -13,6 +13,13 @@ function text = gsmbp__still (d, place, turn)
   for s = d.solids
     text = [text, solid_lines(s{1}, pose (s{1}.body), flat, d)];
   endfor
+  axes_ = d.target' - reshape (d.axes_of_beams(1,:), 3, []);
+  for beam = d.beams
+    for k = 2:beam{1}.places
+      text = [text, line_of(-flat * axes_(:,k-1:k), d.extent, beam{1}.color, 4)];
+    endfor
+    axes_(:,1:beam{1}.places) = [];
+  endfor
   for p = d.pairs
     ends = [point(pose (p{1}.body), p{1}.at), point(pose (p{1}.child), p{1}.child_at)];
     text = [text, line_of(flat * (ends - d.target'), d.extent, [.3 .3 .3], 2)];

@@ -2,7 +2,8 @@
 // element `motion`: times t; bodies (0 is ground), whose poses, 12 numbers a frame (rotation by
 // rows, place), are the float32 numbers of `poses`; solids {kind, body, m}: unit box, its edges,
 // cylinder (about z) or sphere, moved by the columns and the offset in m (12 numbers, in axes of the body);
-// pairs of points {kind, body, at, child, child_at}; points and frames {body, at, axes by rows};
+// pairs of points {kind, body, at, child, child_at}; beams {places, color}, whose axes are the
+// float32 numbers of `axes_of_beams`; points and frames {body, at, axes by rows};
 // arrows {body, at, v: index of force}; up, view.
 (() => {
 "use strict";
@@ -11,7 +12,7 @@ page.errors = "";
 window.addEventListener("error", e => { page.errors += e.message + "; "; });
 const D = JSON.parse($("motion").textContent), cv = $("scene3d");
 const floats = s => new Float32Array(Uint8Array.from(atob(s), c => c.charCodeAt(0)).buffer);
-const P = floats(D.poses), A = floats(D.arrows_v), NB = D.bodies.length, NF = D.t.length;
+const P = floats(D.poses), A = floats(D.arrows_v), B = floats(D.axes_of_beams), NB = D.bodies.length, NF = D.t.length;
 const gl = cv.getContext("webgl", { antialias: true, preserveDrawingBuffer: true });
 page.webgl = gl ? "yes" : "no";
 if (!gl) { cv.hidden = $("controls").hidden = true; $("no-webgl").hidden = false; return; }
@@ -120,6 +121,11 @@ const draw = () => {
     const parts = [turn(R, m.slice(0, 3)), turn(R, m.slice(3, 6)), turn(R, m.slice(6, 9)),
       place(R, m.slice(9)), s.color];
     if (s.kind === "edges") edges(...parts.slice(0, 4), s.color.map(c => .4 + .6*c)); else solid(s.kind, ...parts); }
+  let first = k*B.length/NF;   // beams by their bent axes
+  for (const b of D.beams) { const axis = [], r = D.extent*.008;
+    for (let i = 0; i < b.places; i++, first += 3) axis.push(Array.from(B.subarray(first, first + 3)));
+    for (let i = 1; i < b.places; i++) rod(axis[i-1], axis[i], r, b.color);
+    for (const p of axis) solid("sphere", [r, 0, 0], [0, r, 0], [0, 0, r], p, b.color); }
   for (const s of D.pairs) { const p = place(pose(k, s.body), s.at),
       q = place(pose(k, s.child), s.child_at), r = D.extent*.012;
     if (s.kind === "spring") path(helix(p, q, 1.6*r), [.25, .25, .25], gl.LINE_STRIP);

@@ -18,6 +18,25 @@ function test_report ()
   tables (r, w, text);
   pages (m, r, file, text);
   shapes (m);
+  bent ();
+end
+
+## the middle of the axis of a beam, as the point that stands there has it
+function bent ()
+  m = gsmbp_fixture ("flexible_slider_crank");
+  x0 = gsmbp_assemble (m, m.initial);
+  r = gsmbp_simulate (m, x0, 0:0.005:0.1);
+  file = fullfile (getenv ("GSMBP_TEST_DIR"), "bent_run.html");
+  gsmbp_report (m, r, file, "scene", fullfile (fileparts (fileparts (mfilename ("fullpath"))), ...
+                                               "scenes", "flexible_slider_crank.mac"));
+  d = jsondecode (regexp (fileread (file), 'id="motion">(.*?)</script>', "tokens", "once"){1});
+  places = double (reshape (typecast (matlab.net.base64decode (d.axes_of_beams), "single"), ...
+                            3, 13, []));
+  middle = cell2mat (arrayfun (@(k) m.pnt (d.t(k), r.x(k,1:m.sizes.nq)')(:,1), 1:numel (d.t), ...
+                               "UniformOutput", false));
+  gsmbp_check ("the bent axis of a beam", max (abs (squeeze (places(:,7,:)) - middle)(:)), 1e-6);
+  straight = (places(:,1,:) + places(:,13,:)) / 2;
+  gsmbp_check ("... which bends", max (abs (squeeze (straight) - middle)(:)) > 1e-4);
 end
 
 ## the shapes in the JSON, and what their sizes must be
