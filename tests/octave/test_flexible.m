@@ -12,6 +12,8 @@ function test_flexible ()
     compare (["flexible_" model{1}], one_beam (model{1}), ...
              [0.7; -0.4; 0.12; -0.09; 0.02], [1.3; 0.8; -0.9; 0.7; 0.31]);
   end
+  compare ("flexible_data", by_data (), [0.7; -0.4; 0.3; 0.12; -0.03], ...
+           [1.3; 0.8; -0.6; 0.7; 0.31]);
   rod_in_a_loop ();
   held_at_its_tip ();
   section_loads ();
@@ -114,6 +116,21 @@ function tree = one_beam (model)
     body(0, z, [], {[0; 0; 1], 1}, 2, [0.1; 0.2; -0.1], diag ([0.3, 0.4, 0.5]), [])
     body(1, [0.3; 0; 0.1], [], {[0; 1; 0], 2}, 0, z, zeros (3), arm)
     body(2, z, fx_sections(arm, 1), {}, 2.5, [1/3; 1/4; -1/5], diag ([1, 2, 3]), [])];
+end
+
+## the beam of share/flexible/cantilever.txt with a body at its end and one half way along
+function tree = by_data ()
+  rod = fx_beam (0.8, 1.5 / 0.8, [0; 0; 0], "second", {
+    "y", "clamped_free", 1, 4, 30 / 0.8 ^ 3 * root(1) ^ 4
+    "y", "clamped_free", 2, 5, 30 / 0.8 ^ 3 * root(2) ^ 4});
+  z = [0; 0; 0];
+  tree.gravity = [1; -9; 2];
+  tree.bodies = [
+    body(0, z, [], {[0; 0; 1], 1}, 2, [0.1; 0.2; -0.1], diag ([0.3, 0.4, 0.5]), [])
+    body(1, [0.3; 0; 0.1], [], {[0; 1; 0], 2}, 0, z, zeros (3), rod)
+    body(2, z, fx_sections(rod, 1), {}, 2.5, [1/3; 1/4; -1/5], diag ([1, 2, 2.5]), [])
+    body(2, z, fx_sections(rod, 1/2), {[1; 0; 0], 3}, 1.5, [0.2; 0.1; 0.3], ...
+         diag ([0.1, 0.2, 0.15]), [])];
 end
 
 function b = body (parent, at, section, turn, mass, centre, inertia, beam)
