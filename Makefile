@@ -21,9 +21,9 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-flexible bench-points bench-reach bench-robots same doc manual install uninstall package clean \
-        packages-manual packages-pdf packages-report packages-screen check-report check-screen \
-        packages-fmu check-fmu
+        bench-flexible bench-sensitivity bench-points bench-reach bench-robots same doc manual \
+        install uninstall package clean packages-manual packages-pdf packages-report packages-screen \
+        check-report check-screen packages-fmu check-fmu
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -51,6 +51,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations
+make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs alone and
+                           central differences, an adjoint of 40
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
 make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
@@ -179,6 +181,10 @@ bench-abbreviate: packages compiled
 bench-flexible: packages compiled
 	@mkdir -p tests/bench/out
 	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/flexible/run tests/bench/out/flexible
+
+bench-sensitivity: packages compiled
+	@mkdir -p tests/bench/out
+	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/sensitivity.m </dev/null
 
 bench-points: packages compiled
 	@mkdir -p tests/bench/out

@@ -50,7 +50,7 @@ private:
 
 simulation::simulation (arguments& a)
   : cst (a.constants ()), t0 (a.scalar ("t0")), x0 (a.vector ("x0", -1)), nx (int (x0.size ())),
-    columns (columns_of (a.value ("columns").matrix_value ())),
+    columns (columns_of (a.value ("columns").matrix_value (), cst)),
     audit (nx == S.nx + 2 && ! carries ()), info (0), text (400, 0), seconds (0)
 {
   if (nx != S.nx * (1 + columns->count ()) && ! audit)

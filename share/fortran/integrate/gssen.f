@@ -1,4 +1,4 @@
-      SUBROUTINE GSSEN( RHP, T, NQ, NX, NV, NP, NC, COL, X, V, CST, W,
+      SUBROUTINE GSSEN( RHP, T, NTOP, NX, NV, NP, NC, COL, X, V, CST, W,
      $                  XD, INFO )
 C
 C     PURPOSE
@@ -9,8 +9,11 @@ C     ARGUMENTS
 C     RHP     (external) <NAME>_RHP( T, X, V, CST, P, LDP, A, LDA, B,
 C             LDB, XD, INFO ).
 C     T       (input) DOUBLE PRECISION, the time [s].
-C     NQ, NX, NV, NP (input) INTEGER, the numbers of coordinates,
-C             states, inputs and parameters of RHP.
+C     NTOP    (input) INTEGER, the number of coordinates if the speeds
+C             are their rates, whatever the parameters are: their rows
+C             need no products; else 0.
+C     NX, NV, NP (input) INTEGER, the numbers of states, inputs and
+C             parameters of RHP.
 C     NC      (input) INTEGER, the number of columns of S.
 C     COL     (input) INTEGER array, dimension (NC): which column of P
 C             belongs to each column of S; 0: none, S is then by a start
@@ -20,94 +23,92 @@ C             states, then S, column after column.
 C     V       (input) DOUBLE PRECISION array, dimension (NV).
 C     CST     (input) DOUBLE PRECISION array, from <NAME>_PRE.
 C     W       (workspace) DOUBLE PRECISION array, dimension
-C             (NX*(NX+NP+NV)).
+C             (NX*(NX+NP+NV+1)).
 C     XD      (output) DOUBLE PRECISION array, dimension (NX*(1+NC)).
 C     INFO    (output) INTEGER, that of RHP, but 9 where the constraints
 C             have lost rank: there are no derivatives there.
 C
       IMPLICIT NONE
       EXTERNAL           RHP, GSSE1, GSSE4
-      INTEGER            NQ, NX, NV, NP, NC, COL(*), INFO
+      INTEGER            NTOP, NX, NV, NP, NC, COL(*), INFO
       DOUBLE PRECISION   T, X(NX,*), V(*), CST(*), W(NX,*), XD(NX,*)
-      INTEGER            I, J, K, FIRST
+      INTEGER            I, K, P(4)
 C
       CALL RHP( T, X, V, CST, W(1,NX+1), NX, W, NX, W(1,NX+NP+1), NX,
      $          XD, INFO )
       IF ( INFO.EQ.2 ) INFO = 9
       IF ( INFO.NE.0 ) RETURN
 C
-C     -- coordinates whose rates are the speeds: without products
-      FIRST = NQ + 1
-      DO 20 J = 1, NX
-         DO 10 I = 1, NQ
-            IF ( J.EQ.NQ + I ) THEN
-               IF ( ABS( W(I,J) - 1.0D0 ).GT.0.0D0 ) FIRST = 1
-            ELSE IF ( ABS( W(I,J) ).GT.0.0D0 ) THEN
-               FIRST = 1
-            END IF
-   10    CONTINUE
-   20 CONTINUE
-      IF ( 2*NQ.GT.NX ) FIRST = 1
-      DO 60 K = 1, NC
-         DO 30 I = 1, NX
-            XD(I,K+1) = 0.0D0
-   30    CONTINUE
-         IF ( COL(K).GT.0 ) THEN
-            DO 40 I = 1, NX
-               XD(I,K+1) = W(I,NX+COL(K))
-   40       CONTINUE
+C     -- a column of zeros for start values
+      DO 10 I = 1, NX
+         W(I,NX+NP+NV+1) = 0.0D0
+   10 CONTINUE
+      DO 30 K = 1, NC
+         P(1+MOD( K-1, 4 )) = NX + COL(K)
+         IF ( COL(K).EQ.0 ) P(1+MOD( K-1, 4 )) = NX + NP + NV + 1
+         IF ( MOD( K, 4 ).EQ.0 ) THEN
+            CALL GSSE4( NTOP, NX, W, W(1,P(1)), W(1,P(2)), W(1,P(3)),
+     $                  W(1,P(4)), X(1,K-2), XD(1,K-2) )
+         ELSE IF ( K.GT.NC - MOD( NC, 4 ) ) THEN
+            CALL GSSE1( NTOP, NX, W, W(1,P(1+MOD( K-1, 4 ))), X(1,K+1),
+     $                  XD(1,K+1) )
          END IF
-         DO 50 I = 1, FIRST - 1
-            XD(I,K+1) = XD(I,K+1) + X(NQ+I,K+1)
-   50    CONTINUE
-   60 CONTINUE
-      DO 70 K = 1, NC - 3, 4
-         CALL GSSE4( NX, FIRST, W, X(1,K+1), XD(1,K+1) )
-   70 CONTINUE
-      DO 80 K = NC - MOD( NC, 4 ) + 1, NC
-         CALL GSSE1( NX, FIRST, W, X(1,K+1), XD(1,K+1) )
-   80 CONTINUE
+   30 CONTINUE
       END
-      SUBROUTINE GSSE4( N, FIRST, A, S, R )
+      SUBROUTINE GSSE4( NTOP, N, A, P1, P2, P3, P4, S, R )
 C
 C     PURPOSE
-C     R = R + A*S of four columns, rows from FIRST on; part of GSSEN.
+C     R = P + A*S of four columns, part of GSSEN.
 C
       IMPLICIT NONE
-      INTEGER            N, FIRST
-      DOUBLE PRECISION   A(N,*), S(N,4), R(N,4)
-      DOUBLE PRECISION   B, S1, S2, S3, S4
+      INTEGER            NTOP, N
+      DOUBLE PRECISION   A(N,*), P1(*), P2(*), P3(*), P4(*), S(N,4),
+     $                   R(N,4)
+      DOUBLE PRECISION   R1, R2, R3, R4
       INTEGER            I, J
 C
-      DO 20 J = 1, N
-         S1 = S(J,1)
-         S2 = S(J,2)
-         S3 = S(J,3)
-         S4 = S(J,4)
-C$OMP SIMD
-         DO 10 I = FIRST, N
-            B = A(I,J)
-            R(I,1) = R(I,1) + B*S1
-            R(I,2) = R(I,2) + B*S2
-            R(I,3) = R(I,3) + B*S3
-            R(I,4) = R(I,4) + B*S4
-   10    CONTINUE
-   20 CONTINUE
+      DO 10 I = 1, NTOP
+         R(I,1) = P1(I) + S(NTOP+I,1)
+         R(I,2) = P2(I) + S(NTOP+I,2)
+         R(I,3) = P3(I) + S(NTOP+I,3)
+         R(I,4) = P4(I) + S(NTOP+I,4)
+   10 CONTINUE
+      DO 30 I = NTOP + 1, N
+         R1 = P1(I)
+         R2 = P2(I)
+         R3 = P3(I)
+         R4 = P4(I)
+         DO 20 J = 1, N
+            R1 = R1 + A(I,J)*S(J,1)
+            R2 = R2 + A(I,J)*S(J,2)
+            R3 = R3 + A(I,J)*S(J,3)
+            R4 = R4 + A(I,J)*S(J,4)
+   20    CONTINUE
+         R(I,1) = R1
+         R(I,2) = R2
+         R(I,3) = R3
+         R(I,4) = R4
+   30 CONTINUE
       END
-      SUBROUTINE GSSE1( N, FIRST, A, S, R )
+      SUBROUTINE GSSE1( NTOP, N, A, P, S, R )
 C
 C     PURPOSE
-C     R = R + A*S of one column, rows from FIRST on; part of GSSEN.
+C     R = P + A*S of one column, part of GSSEN.
 C
       IMPLICIT NONE
-      INTEGER            N, FIRST
-      DOUBLE PRECISION   A(N,*), S(N), R(N)
+      INTEGER            NTOP, N
+      DOUBLE PRECISION   A(N,*), P(*), S(*), R(*)
+      DOUBLE PRECISION   R1
       INTEGER            I, J
 C
-      DO 20 J = 1, N
-C$OMP SIMD
-         DO 10 I = FIRST, N
-            R(I) = R(I) + A(I,J)*S(J)
-   10    CONTINUE
-   20 CONTINUE
+      DO 10 I = 1, NTOP
+         R(I) = P(I) + S(NTOP+I)
+   10 CONTINUE
+      DO 30 I = NTOP + 1, N
+         R1 = P(I)
+         DO 20 J = 1, N
+            R1 = R1 + A(I,J)*S(J)
+   20    CONTINUE
+         R(I) = R1
+   30 CONTINUE
       END
