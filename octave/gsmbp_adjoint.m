@@ -116,7 +116,11 @@ function [J, gx, gy] = weights (who, m, r, goal)
   gy = [];
   try
     [J, gx, gy] = goal (r);
-  catch
+  catch err
+    ## one of two results: anything else that goes wrong is the user's to see
+    if (isempty (regexp (err.message, "nargin != nargout|too many outputs")))
+      rethrow (err);
+    endif
     [J, gx] = goal (r);
   end_try_catch
   J = J(:);
