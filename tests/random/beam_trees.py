@@ -54,7 +54,8 @@ def shape(ends, i, x):
 
 def cross(a, b):
     """a x each column of b, or columns by columns"""
-    a, b = np.broadcast_arrays(a if np.ndim(a) > 1 else a[:, None], b if np.ndim(b) > 1 else b[:, None])
+    a, b = (x if np.ndim(x) > 1 else x[:, None] for x in (a, b))
+    a, b = np.broadcast_arrays(a, b)
     return np.stack([a[1]*b[2] - a[2]*b[1], a[2]*b[0] - a[0]*b[2], a[0]*b[1] - a[1]*b[0]])
 
 
