@@ -96,6 +96,9 @@ function [m, x0, t, options, what] = example_motion (name, build)
       [x0, options, joules, what] = deal (x(1,:)', {"input", gsmbp_plan("table", t, force, 3)}, ...
           10, "6 s by computed force, a table of 5 ms");
       t = 0:0.25:6;
+    case {"two_link_arm", "two_link_rigid"}
+      [x0, t, options, joules, what] = deal (m.initial, 0:0.01:0.5, {"input", [5; -2]}, 1, ...
+          "steps of both torques");
     case "welding_arm"
       p = welding_plan (m, 0.35);
       options = {"motion", p.motion};
