@@ -22,7 +22,8 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-flexible bench-sensitivity bench-points bench-reach bench-robots same doc manual \
-        install uninstall package clean packages-manual packages-pdf packages-report packages-screen \
+        install uninstall package clean packages-manual packages-pdf packages-report \
+        packages-screen \
         check-report check-screen packages-fmu check-fmu
 
 define HELP
@@ -34,11 +35,13 @@ make test-random           2000 scenes made by chance against each of two indepe
                            (make test takes 30 and 6); SEED=1 COUNT=2000: others
 make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
                            (make test takes 25)
-make test-c                emitted C against emitted Fortran of all scenes (make test takes a sample);
-                           SCENES="FILE.mac ...": these only
-make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where solutions
-                           are eigenvalues), there and back, and beside singular ones; ARMS="puma scara": these only; SEED, COUNT
-make bench-c               speed of emitted C beside emitted Fortran, of the module of Python beside C
+make test-c                emitted C against emitted Fortran of all scenes (make test takes a
+                           sample); SCENES="FILE.mac ...": these only
+make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
+                           solutions are eigenvalues), there and back, and beside singular ones;
+                           ARMS="puma scara": these only; SEED, COUNT
+make bench-c               speed of emitted C beside emitted Fortran, of the module of Python
+                           beside C
 make bench                 tests/bench/report.md, report.json and figures
                            PEERS=1: SymPy, CasADi, Pinocchio, MuJoCo, EAIK from PyPI beside
                            BENCH_SYSTEMS="puma3 puma6": these only
@@ -51,8 +54,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations
-make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs alone and
-                           central differences, an adjoint of 40
+make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
+                           alone and central differences, an adjoint of 40
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
 make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
@@ -154,7 +157,8 @@ OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
 bench-c: packages-test compiled
-	@for flags in -O2 '-O3 -march=native -ffp-contract=fast'; do tests/bench/c_speed.py $$flags || exit 1; done
+	@for flags in -O2 '-O3 -march=native -ffp-contract=fast'; do \
+	  tests/bench/c_speed.py $$flags || exit 1; done
 	GSMBP_TIMES=yes tests/run sh/python
 
 bench: packages compiled
@@ -195,7 +199,8 @@ bench-reach: packages compiled
 	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/reach/run tests/bench/out/reach
 
 bench-robots: packages compiled
-	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the robots from PyPI'; exit 1; }
+	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the' \
+	  'robots from PyPI'; exit 1; }
 	ROBOTS='$(ROBOTS)' $(ONE_THREAD) tests/bench/robots/run
 
 # PATTERN: only the scenes whose path holds it
@@ -252,8 +257,10 @@ package:
 	@share/make/package
 
 clean:
-	rm -rf fortran_out share/package gsmbp/compiled examples/*/out tests/bench/out share/manual/functions.txt
-	rm -rf share/manual/gsmbp.info share/manual/gsmbp-index.lisp share/manual/gsmbp.html octave/doc.info
+	rm -rf fortran_out share/package gsmbp/compiled examples/*/out tests/bench/out \
+	  share/manual/functions.txt
+	rm -rf share/manual/gsmbp.info share/manual/gsmbp-index.lisp share/manual/gsmbp.html \
+	  octave/doc.info
 	rm -rf share/manual/gsmbp-notebook.html share/manual/gsmbp-tutorial.wxm
 	rm -rf share/manual/gsmbp-tutorial.ipynb
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)

@@ -73,7 +73,7 @@ def wide(root):
 
 
 def is_source(path):
-    script = '.' not in os.path.basename(path) and '/make/' in '/' + path
+    script = '.' not in os.path.basename(path)
     made = '/out/' in path or '/compiled/' in path or '/build/' in path
     return (path.endswith(SOURCES) or script) and not path.startswith(DATA) and not made
 
