@@ -99,7 +99,8 @@ function [text, names] = chain (n)
     names = [names, arrayfun(@(c) sprintf ("%s%d", c, k), "mlJdk", "UniformOutput", false)];
   end
   text = sprintf (["scene : gsmbp_scene(\"chain%d\", gravity = [0, -g, 0], %s, " ...
-                   "parameters = [%s])$"], n, strjoin (parts, ",\n  "), strjoin (parameters, ",\n  "));
+                   "parameters = [%s])$"], n, strjoin (parts, ",\n  "), ...
+                  strjoin (parameters, ",\n  "));
 end
 
 text = ["# Derivatives by parameters\n\n| scene | run | with 10 columns | ratio | error | " ...
