@@ -28,7 +28,8 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import deps
 
 SOURCES = ('.mac', '.lisp', '.m', '.py', '.sh', '.f', '.F', '.cc', '.c', '.h', '.awk')
-DATA = ('share/fmu/fmi/', 'tests/data/', 'tests/malformed/', 'tests/bench/peers/')
+DATA = ('share/fmu/fmi/', 'tests/data/', 'tests/malformed/', 'tests/bench/peers/',
+        'tests/fmu/cases', 'tests/reach/arms')
 INDEX = re.compile(r'(?<![\w%])[\w%]+_?(?:\[\d+\])+')
 FRAGMENT = re.compile(r'CALL |\bIF \(|\bDO "?\d|CONTINUE|DOUBLE PRECISION|\bINTEGER \w|EXTERNAL |'
                       r'\bRETURN\b|GO TO|\.(?:EQ|NE|GT|LT|GE|LE|AND|OR|NOT)\.|INFO = |END IF')
