@@ -555,14 +555,14 @@ without_one (const int *kind, const double *ka, const double *pa, const double *
   *last = gs_min (*last, miss);
 }
 
-/* at most 40 steps on the exact Jacobian; the best position counts. The end is where a step
- * makes it no better, but not a long one between two solutions. */
+/* at most 40 steps on the exact Jacobian, or 44 where the last ones are close; the best position
+ * counts. The end is where a step makes it no better, but not a long one between two solutions. */
 void
 gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
        const double *p, double *q, double *w, int *iw, int *good)
 {
   double miss, last = -1.0, big = 0.0, best[6];
-  for (int it = 0; it < 40; it++)
+  for (int it = 0; it < 44; it++)
     {
       gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
       if (! (miss <= 1e10))
@@ -575,6 +575,8 @@ gsikn (int n, const int *kind, const double *ka, const double *pa, const double 
             break;
         }
       else if (last <= 2e-15 || (last <= 1e-12 && big <= 1e-9))
+        break;
+      if (it >= 39 && last > 1e-6)
         break;
       if (newton (n, q, w, iw, &big) != 0)
         break;

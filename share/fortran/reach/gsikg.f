@@ -821,8 +821,8 @@ C     GOOD    (output) LOGICAL, whether the pose is missed by less than
 C             1D-11.
 C
 C     METHOD
-C     Newton's method on the exact Jacobian, at most 40 steps, none longer
-C     than 0.3 rad; of fewer than six joints that of Gauss and Newton. The
+C     Newton's method on the exact Jacobian, at most 40 steps, or 44 where
+C     the last ones are close, none longer than 0.3 rad; of fewer than six joints that of Gauss and Newton. The
 C     end is where a step makes it no better, but not a long one between
 C     two solutions: they are found behind that. Where rounding is left at
 C     a Jacobian that has almost lost rank, two steps in all directions
@@ -840,7 +840,7 @@ C
 C
       LAST = -1.0D0
       BIG = 0.0D0
-      DO 40 IT = 1, 40
+      DO 40 IT = 1, 44
          CALL GSIKJ( KIND, KA, PA, R, P, Q, W, W(1,7), MISS )
          IF ( .NOT.( MISS.LE.1.0D10 ) ) GO TO 50
          IF ( LAST.LT.0.0D0 .OR. MISS.LT.LAST ) THEN
@@ -853,6 +853,7 @@ C
      $             LAST.LE.1.0D-12 .AND. BIG.LE.1.0D-9 ) THEN
             GO TO 50
          END IF
+         IF ( IT.GE.40 .AND. LAST.GT.1.0D-6 ) GO TO 50
          CALL GSIKI( N, W, IW, INFO )
          IF ( INFO.NE.0 ) GO TO 50
          BIG = 0.0D0
