@@ -24,6 +24,27 @@
 ## @code{steps}; @code{seconds}, forward and back.
 ## They are the derivatives of the J that was computed (a discrete adjoint), whatever the tolerance.
 ##
+## @c session octave
+## @example
+## >> file = fopen ("swing.mac", "w");
+## >> fputs (file, "scene : gsmbp_scene(\"swing\", gravity = [0, -g, 0], ");
+## >> fputs (file, "link(rod, mass = m, centre = [l, 0, 0], inertia = [0, 0, 0.01]), ");
+## >> fputs (file, "revolute(A, ground, rod, axis = z, coordinate = q), ");
+## >> fputs (file, "input(tau, unit = N*m), drive(motor, joint = A, effort = tau), ");
+## >> fputs (file, "parameters = [g = 9.81, m = 2*kg, l = 0.5*m])$ ");
+## >> fputs (file, "requests : '[all, adjoint, sensitivity(m, l)]$");
+## >> fclose (file);
+## >> gsmbp_derive ("swing.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("swing");
+## >> goal = @@(r) deal (r.x(end,1), [zeros(rows (r.x) - 1, 2); 1 0]);
+## >> a = gsmbp_adjoint (m, [0; 0], [0 0.2 0.4], goal, "input", 9);
+## >> [a.J, a.dJ.m, a.dJ.l]
+## ans =
+##
+##   -0.1262  -0.6980  -2.5476
+## @end example
+##
 ## Errors: a model without ADJ; a scene with events or sampled devices; a goal whose derivatives
 ## have not the size of the run; a build in quad precision; steps that become too small.
 ## Source: own: reverse differentiation of straight-line code and of Runge-Kutta steps (Hager 2000).

@@ -27,6 +27,27 @@
 ## of the poles with positive imaginary part: absolute value [rad/s], damping ratio
 ## @end table
 ##
+## @c session octave
+## @example
+## >> file = fopen ("swing.mac", "w");
+## >> fputs (file, "scene : gsmbp_scene(\"swing\", gravity = [0, -g, 0], ");
+## >> fputs (file, "link(rod, mass = m, centre = [l, 0, 0], inertia = [0, 0, 0.01]), ");
+## >> fputs (file, "revolute(A, ground, rod, axis = z, coordinate = q), ");
+## >> fputs (file, "input(tau, unit = N*m), drive(motor, joint = A, effort = tau), ");
+## >> fputs (file, "parameters = [g = 9.81, m = 2*kg, l = 0.5*m])$ ");
+## >> fputs (file, "requests : '[all, adjoint, sensitivity(m, l)]$");
+## >> fclose (file);
+## >> gsmbp_derive ("swing.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("swing");
+## >> e = gsmbp_trim (m, [0.3; 0], 0, "hold", "q", "free", "tau");
+## >> s = gsmbp_sensitivity (m, e.x, e.v, "hold", "q", "free", "tau");
+## >> [s.dv.m, s.dv.l]
+## ans =
+##
+##     4.6859   18.7437
+## @end example
+##
 ## Errors: a state that is no equilibrium, or one that does not stand alone (the states that can be
 ## moved are named); a model without RHP; unknown names.
 ## Source: own: the implicit function theorem on the equations of motion; perturbation of

@@ -48,7 +48,8 @@ C     -- a column of zeros for start values
          IF ( COL(K).EQ.0 ) P(1+MOD( K-1, 4 )) = NX + NP + NV + 1
          IF ( MOD( K, 4 ).EQ.0 ) THEN
             CALL GSSE4( NTOP, NX, W, W(1,P(1)), W(1,P(2)), W(1,P(3)),
-     $                  W(1,P(4)), X(1,K-2), XD(1,K-2) )
+     $                  W(1,P(4)), X(1,MAX( K-2, 1 )),
+     $                  XD(1,MAX( K-2, 1 )) )
          ELSE IF ( K.GT.NC - MOD( NC, 4 ) ) THEN
             CALL GSSE1( NTOP, NX, W, W(1,P(1+MOD( K-1, 4 ))), X(1,K+1),
      $                  XD(1,K+1) )

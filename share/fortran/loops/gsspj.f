@@ -109,7 +109,7 @@ C
       INTEGER            M, N, NC, LDD, LDS, LDR, IW(*), INFO
       DOUBLE PRECISION   D(LDD,*), S(LDS,*), R(LDR,*), G(M,*)
       EXTERNAL           GSLEQ
-      INTEGER            I, J, K
+      INTEGER            I, J, K, L
 C
       DO 60 I = 1, M
          DO 20 J = 1, M
@@ -127,7 +127,8 @@ C
    50    CONTINUE
          IF ( G(I,I).LE.0.0D0 ) G(I,I) = 1.0D0
    60 CONTINUE
-      CALL GSLEQ( M, NC, G, M, R, LDR, IW, INFO )
+      L = M
+      CALL GSLEQ( L, NC, G, M, R, LDR, IW, INFO )
       IF ( INFO.NE.0 ) INFO = 9
       IF ( INFO.NE.0 ) RETURN
       DO 90 K = 1, NC

@@ -327,7 +327,7 @@ C     -- X(1) < X(2) < X(3), the least about X(2); X(4) is new
          CALL GSIK3( 4, KIND, KA, PA, R, P, Q, Z, U, G(4), S )
          G(4) = SIGN( 1.0D0, GB )*G(4)
          IF ( K.LE.2 ) THEN
-            G(2*K-1) = G(4)
+            G(MIN( 2*K-1, 3 )) = G(4)
             IF ( .NOT.( G(4).GT.G(2) ) ) RETURN
          ELSE IF ( G(4).LE.0.0D0 ) THEN
             DO 20 I = 1, 4

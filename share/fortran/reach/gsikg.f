@@ -821,10 +821,11 @@ C     GOOD    (output) LOGICAL, whether the pose is missed by less than
 C             1D-11.
 C
 C     METHOD
-C     Newton's method on the exact Jacobian, at most 40 steps, or 44 where
-C     the last ones are close, none longer than 0.3 rad; of fewer than six joints that of Gauss and Newton. The
-C     end is where a step makes it no better, but not a long one between
-C     two solutions: they are found behind that. Where rounding is left at
+C     Newton's method on the exact Jacobian, at most 40 steps, or 44
+C     where the last ones are close, none longer than 0.3 rad; of fewer
+C     than six joints that of Gauss and Newton. The end is where a step
+C     makes it no better, but not a long one between two solutions: they
+C     are found behind that. Where rounding is left at
 C     a Jacobian that has almost lost rank, two steps in all directions
 C     but that one (GSIK3).
 C
