@@ -128,7 +128,9 @@ C
          IF ( G(I,I).LE.0.0D0 ) G(I,I) = 1.0D0
    60 CONTINUE
       L = M
-      CALL GSLEQ( L, NC, G, M, R, LDR, IW, INFO )
+      K = M
+      J = LDR
+      CALL GSLEQ( L, NC, G, K, R, J, IW, INFO )
       IF ( INFO.NE.0 ) INFO = 9
       IF ( INFO.NE.0 ) RETURN
       DO 90 K = 1, NC
