@@ -29,7 +29,7 @@ DESTDIR :=
 define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
-make test-whole            all tests: those that make test takes in turns, a fifth of them a day
+make test-whole            all tests: those that make test takes in turns, an eighth a day
                            (tests/run), and at length those of which it takes a part
 make test-random           2000 scenes made by chance against each of two independent formulations
                            (make test takes 30 and 6); SEED=1 COUNT=2000: others

@@ -172,3 +172,7 @@ function [wx, wp] = at_outputs (m, r, gx, gy, np)
     wp += m.oup (r.t(i), r.x(i,:)', r.v(i,:)')' * gy(i,:)';
   endfor
 endfunction
+
+%!error <ADJ>
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! gsmbp_adjoint (gsmbp_hand ("motor_pendulum"), [0; 0; 0], [0 1], @(r) deal (0, 0));

@@ -43,6 +43,8 @@
 ##
 ## @c session octave
 ## @example
+## >> gsmbp_derive ("examples/puma560/puma560.mac", "fortran_out");
+## ...
 ## >> m = gsmbp_build ("puma560");
 ## >> [P, R] = m.pnt (0, [0.3; -0.2; 0.5]);
 ## >> [q, told] = gsmbp_reach (m, "wrist", P, R, "start", [0.2; 0; 0.4]);

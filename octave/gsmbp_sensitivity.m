@@ -195,3 +195,7 @@ function D = along (m, f, x, v, dx, dv, name)
   g = @(s) f (gsmbp_set (m, name, p + s * h), x + s * h * dx, v + s * h * dv);
   D = (45 * (g (1) - g (-1)) - 9 * (g (2) - g (-2)) + (g (3) - g (-3))) / (60 * h);
 endfunction
+
+%!error <without the subroutine RHP>
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! gsmbp_sensitivity (gsmbp_hand ("motor_pendulum"), [0; 0; 0]);

@@ -1,4 +1,4 @@
-# The Fortran: what is emitted for the scenes of the tests (a third of them, another one each day;
+# The Fortran: what is emitted for the scenes of the tests (a sixth of them, another one each day;
 # make test-whole: all), and the run time of share/fortran. Needs the scenes derived (tests/run does
 # that).
 . tests/tools/check.sh
@@ -36,7 +36,7 @@ ftnchek=no
 has ftnchek 'what it says of the emitted Fortran and the run time' && ftnchek=yes
 
 emitted=$(ls "$GSMBP_TEST_DIR"/fortran_out/*.f | awk -v day="$(date +%j)" -v all="$GSMBP_WHOLE" '
-  all != "" || NR % 3 == day % 3')
+  all != "" || NR % 6 == day % 6')
 for file in $emitted $(find share/fortran -name "*.f"); do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
   name=${file##*/}

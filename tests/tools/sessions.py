@@ -306,6 +306,7 @@ def rewritten(path, change):
 def main():
     write = '--write' in sys.argv
     only = next((a[len('--only='):] for a in sys.argv if a.startswith('--only=')), None)
+    without = next((a[len('--without='):] for a in sys.argv if a.startswith('--without=')), '')
     paths = [os.path.abspath(a) for a in sys.argv[1:] if not a.startswith('--')]
     found = [e for path in paths for e in examples(path, lines_of(path))]
     for e in found:
@@ -313,7 +314,7 @@ def main():
             print('not ok %s:%d: an example that belongs to no session' % (e.path, e.first))
     change = {}
     for name in dict.fromkeys(e.session for e in found if e.session):
-        if not only or name == only:
+        if name == only or not only and name not in without.split(','):
             change.update(judged(name, [e for e in found if e.session == name], write))
     if write:
         for path in {e.path for e in change}:
