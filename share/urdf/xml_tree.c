@@ -7,7 +7,7 @@
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
    one with a document type (DOCTYPE), of more than 12000 elements, or with an element of more than
-   1000 attributes is refused before it is parsed, one of more than 1000 links or joints, or with
+   1000 attributes is refused before it is parsed, one of more than 500 links or joints, or with
    an attribute of more than 10000 characters, before it is printed. */
 
 #include <stdio.h>
@@ -20,7 +20,7 @@
 #define LONGEST 10000                  /* characters of an attribute */
 #define MOST 12000L                    /* elements: three times those of the largest robots */
 #define MOST_ATTRIBUTES 1000L          /* of an element: a parser's time grows with their square */
-#define MOST_PARTS 1000L               /* links, joints: more make no equations one waits for */
+#define MOST_PARTS 500L                /* links, joints: more make no equations one waits for */
 
 static void put_text(const xmlChar *s)
 {

@@ -92,7 +92,7 @@ b20_open line 2: Opening and ending tag mismatch
 b21_empty the file is empty
 b22_deep line 1: Excessive depth
 b23_many expected at most 12000 elements, found more
-b24_links line 1: expected at most 1000 elements link, found 11000
+b24_links line 1: expected at most 500 elements link, found 11000
 b25_attributes line 1: expected at most 1000 attributes of an element
 b26_followers line 2, joint "j1": mimic: joints follow each other in a ring: "j1", "j2"
 END
