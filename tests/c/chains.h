@@ -175,7 +175,7 @@ con_ (const double *t, const double *q, const double *u, const double *cst, doub
   *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
 }
 
-static void
+static inline void
 kin_ (const double *t, const double *q, const double *u, const double *cst, double *qdot)
 {
   kin (*t, q, u, cst, qdot);

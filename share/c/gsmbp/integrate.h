@@ -157,6 +157,31 @@ int gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *
 int gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double *x,
            double *xn, double *err, double *w);
 
+/* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */
+void gsadt (double *a, double *b, double *c);
+
+/* one step of gsdp8 backwards, t, tn, side, h, x as there: from the derivatives lx (nx) of a goal
+ * by the state at tn to those by x, and, added up, those by parameters, pb (np). k (nx,12): the
+ * right-hand sides of its stages; ip, rp, wi: as gsinp, of whose inputs those are taken that depend
+ * on time alone; v (nv): kept where it is constant. w: 15*nx + nv + np. info: that of gsinp or of
+ * adj */
+int gsad8 (const gs_scene *s, double t, double tn, int side, double h, const double *x,
+           const double *k, int np, const int *ip, const double *rp, const double *cst, double *v,
+           double *lx, double *pb, double *w, double *wi);
+
+/* the rates xd of the states and, behind them, of their derivatives by parameters, nc columns, as x
+ * (nx,1+nc) has them. col (nc): which column of the np parameters of rhp, from 1; 0: a derivative
+ * by a start value. ntop: the number of coordinates if the speeds are their rates, else 0. w:
+ * nx*(nx+np+nv+1). info: that of rhp, but 9 where the constraints have lost rank */
+int gssen (const gs_scene *s, double t, int ntop, int np, int nc, const int *col, const double *x,
+           const double *v, const double *cst, double *w, double *xd);
+
+/* for gssen: r = p + a*y, of four columns and of one; a (n,n), y and r (n,4) or (n); the first ntop
+ * rows of a*y are those that lie ntop behind in y */
+void gsse4 (int ntop, int n, const double *a, const double *p1, const double *p2,
+            const double *p3, const double *p4, const double *y, double *r);
+void gsse1 (int ntop, int n, const double *a, const double *p, const double *y, double *r);
+
 /* a first step h <= hmax for gsdp8 [s]; w as there */
 int gshin (const gs_system *g, double t, double hmax, const double *x, double *w, double *h);
 

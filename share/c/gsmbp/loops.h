@@ -94,6 +94,18 @@ void gsnrm (int ns, const int *iset, double *q, double *err);
 /* gsnrm for one set of neighbours, q (4) */
 void gsnrq (double *q, double *err);
 
+/* the derivatives by parameters that stand behind the states in x (nx,1+nc), as gssen has them,
+ * onto those of the constraints by the least squares, coordinates first, then speeds; ns, iset: as
+ * gsprj, the norms stay. w: (nlam+ns)*(nq+nlam+ns+nc) + nlam*(nq+nu+2*np+3); iw: nlam + ns. info:
+ * < 0 as con; 9 where the constraints have lost rank */
+int gsspj (const gs_scene *s, double t, int ns, const int *iset, int np, int nc, const int *col,
+           double *x, const double *cst, double *w, int *iw);
+
+/* for gsspj: y (n,nc) is moved by the least squares onto d*y + r = 0, d (m,n), rows of zeros apart;
+ * r (m,nc) is destroyed; g (m,m), iw (m): workspace. info: 9 if rows are dependent */
+int gsspl (int m, int n, int nc, const double *d, int ldd, double *y, int ldy, double *r, int ldr,
+           double *g, int *iw);
+
 /* completes the motion qj (nu,0:r), r <= 3: the dependent coordinates id (nlam) and their
  * derivatives from the others, ia (nu-nlam), numbers from 1; the speeds are the rates. res: the
  * largest |phi| left. w: nlam*nlam + nlam*nu + 4*nlam; iw: nlam. info: < 0 as con; 1 a singular

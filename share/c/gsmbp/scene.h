@@ -36,6 +36,18 @@ typedef int gs_rst (double t, double *x, double *v, int *mode, int k, const doub
 typedef void gs_pnt (double t, const double *q, const double *cst, double *place, double *axes);
 typedef void gs_jpt (double t, const double *q, const double *u, const double *cst, double *jac,
                      double *gam);
+/* for derivatives by parameters: of the rates xd (nx) by parameters, states and inputs, p, a, b (nx
+ * rows each); of the sum of the rates times l (nx) by states, inputs and parameters, xb, vb, pb;
+ * of the constraints and of their rates by coordinates, dp, dv, and by parameters, pp, pv (nlam
+ * rows each) */
+typedef int gs_rhp (double t, const double *x, const double *v, const double *cst, double *p,
+                    int ldp, double *a, int lda, double *b, int ldb, double *xd);
+typedef int gs_adj (double t, const double *x, const double *v, const double *cst,
+                    const double *l, double *xb, double *vb, double *pb);
+typedef void gs_tan (double t, const double *x, const double *cst, double *dp, int ldp, double *dv,
+                     int ldv);
+typedef void gs_cop (double t, const double *x, const double *cst, double *pp, int ldpp,
+                     double *pv, int ldpv);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
 typedef int gs_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v);
 
@@ -62,6 +74,10 @@ typedef struct
   void *data; /* for vin */
   gs_pnt *pnt; /* points and frames, and their Jacobians, for gsnik */
   gs_jpt *jpt;
+  gs_rhp *rhp; /* for gssen */
+  gs_adj *adj; /* for gsad8 */
+  gs_tan *tan; /* for gsspj, as the next */
+  gs_cop *cop;
   /* for the plan of a run (plan.h); numbers of inputs count from 1 */
   int nev, nctl, nxk, nheld;     /* ports with events; sampled devices, memory, held outputs */
   const int *event_inputs;       /* nev: the mode of each, */

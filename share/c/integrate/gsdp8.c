@@ -110,6 +110,23 @@ static const double g1 = 2.4409448818897637795275590551181102362e-1;
 static const double g9 = 7.3384668828161185734136174154701250579e-1;
 static const double g12 = 2.2058823529411764705882352941176470588e-2;
 
+void
+gsadt (double *aa, double *bb, double *cc)
+{
+  for (int k = 1; k < 12; k++)
+    {
+      const int from = stage[k - 1].from;
+      aa[k] = stage[k - 1].a[0];
+      for (int j = from; j < k; j++)
+        aa[k + 12 * j] = stage[k - 1].a[1 + j - from];
+      if (k < 11)
+        cc[k] = stage[k - 1].c;
+    }
+  bb[0] = b[0];
+  for (int k = 5; k < 12; k++)
+    bb[k] = b[k - 4];
+}
+
 /* the sum of a[0]*stage 1 and a[1], ... times the stages from .. to - 1, of one state */
 static inline double
 sum (const double *a, const double *w, int nx, int from, int to)

@@ -1,0 +1,64 @@
+/* GSAD8: one step of GSDP8 backwards: from the derivatives of a goal by the state at its end to
+ * those by the state at its beginning and, added up, by parameters: the discrete adjoint, of the
+ * steps as they were taken.
+ *
+ * With k[i] = f(x + h*sum a[i,j]*k[j]) and the end x + h*sum b[i]*k[i], from the last stage to the
+ * first: l[i] = h*(b[i]*lx + sum a[m,i]*xb[m]), xb[i] = (df/dx)'*l[i]; then lx + sum xb[i]. */
+#include <string.h>
+
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+
+/* the state z of stage s and the weights l of its rates; xb (nx,12): those of the stages behind */
+static void
+at_stage (int s, int nx, double h, const double *a, double b, const double *x, const double *k,
+          const double *lx, const double *xb, double *z, double *l)
+{
+  for (int i = 0; i < nx; i++)
+    {
+      z[i] = x[i];
+      l[i] = b * lx[i];
+    }
+  for (int j = 0; j < s; j++)
+    for (int i = 0; i < nx; i++)
+      z[i] += h * a[s + 12 * j] * k[i + nx * j];
+  for (int j = s + 1; j < 12; j++)
+    for (int i = 0; i < nx; i++)
+      l[i] += a[j + 12 * s] * xb[i + nx * j];
+  for (int i = 0; i < nx; i++)
+    l[i] *= h;
+}
+
+int
+gsad8 (const gs_scene *s, double t, double tn, int side, double h, const double *x,
+       const double *k, int np, const int *ip, const double *rp, const double *cst, double *v,
+       double *lx, double *pb, double *w, double *wi)
+{
+  const int nx = s->nx;
+  double a[12 * 12], b[12], c[12];
+  double *const z = w + 12 * nx, *const l = z + nx, *const vb = l + nx, *const p = vb + s->nv;
+  memset (a, 0, sizeof a);
+  memset (b, 0, sizeof b);
+  c[0] = 0.0;
+  c[11] = 1.0;
+  gsadt (a, b, c);
+  for (int m = 11; m >= 0; m--)
+    {
+      int info = 0;
+      at_stage (m, nx, h, a, b[m], x, k, lx, w, z, l);
+      if (ip[GS_V0] != 0)
+        info = gsinp (s, m == 11 ? tn : t + c[m] * h, m == 11 ? side : 1, z, nx, ip, rp, cst, v,
+                      wi);
+      if (info != 0)
+        return info;
+      info = s->adj (t + c[m] * h, z, v, cst, l, w + nx * m, vb, p);
+      if (info != 0 && info != 3)
+        return info;
+      for (int i = 0; i < np; i++)
+        pb[i] += p[i];
+    }
+  for (int m = 0; m < 12; m++)
+    for (int i = 0; i < nx; i++)
+      lx[i] += w[i + nx * m];
+  return 0;
+}
