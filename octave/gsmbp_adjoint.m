@@ -133,17 +133,33 @@ function r = run_of (m, o, times, x)
   r.y = gsmbp__outputs (m, r.t, r.x, r.v);
 endfunction
 
-function [J, gx, gy] = weights (who, m, r, goal)
+## of goals with three results, or two; anything else that goes wrong in them is the user's to see
+function [J, gx, gy] = results (who, goal, r)
+  wanted = sprintf ("%s: argument goal: expected a function [J, Jx, Jy] = goal (r)", who);
+  if (! is_function_handle (goal))
+    error ("%s, found %s", wanted, gsmbp__shown (goal));
+  endif
   gy = [];
+  fewer = "nargin != nargout|too many outputs|undefined in return list|not enough";
   try
     [J, gx, gy] = goal (r);
   catch err
-    ## one of two results: anything else that goes wrong is the user's to see
-    if (isempty (regexp (err.message, "nargin != nargout|too many outputs")))
+    if (isempty (regexp (err.message, fewer)))
       rethrow (err);
     endif
-    [J, gx] = goal (r);
+    try
+      [J, gx] = goal (r);
+    catch err
+      if (isempty (regexp (err.message, fewer)))
+        rethrow (err);
+      endif
+      error ("%s, or [J, Jx], found one with fewer results", wanted);
+    end_try_catch
   end_try_catch
+endfunction
+
+function [J, gx, gy] = weights (who, m, r, goal)
+  [J, gx, gy] = results (who, goal, r);
   J = J(:);
   n = numel (J);
   if (isempty (gx))
