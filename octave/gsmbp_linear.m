@@ -2,6 +2,8 @@
 ## @c category Linear models and control
 ## @deftypefn  {} {@var{sys} =} gsmbp_linear (@var{m}, @var{t}, @var{x}, @var{v})
 ## @deftypefnx {} {[@var{sys}, @var{T}, @var{free}] =} gsmbp_linear (@dots{}, "reduced", @var{q})
+## @deftypefnx {} {[@var{sys}, @var{T}, @var{free}, @var{dropped}] =} gsmbp_linear (@dots{}, @
+## "drop", @var{q})
 ## The exact linear model of a scene as an @code{ss} object of the control
 ## package, with StateName, InputName and OutputName.
 ##
@@ -22,6 +24,14 @@
 ## exact: on the constraints' tangent space T the full model and the
 ## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
 ##
+## About a steady motion (@code{gsmbp_trim}, "steady") some coordinates run.  "drop" takes the
+## coordinates @var{q} out of the model (or "running": those that change at @var{x}), and those that
+## only follow them; their names are @var{dropped}.  Nothing else may depend on them, there and
+## further on, or it is an error.  What is left has constant coefficients: its poles tell of the
+## stability of the motion.  Outputs that follow what is dropped are left out, with a warning.  Of
+## constraints on speeds those speeds are taken as independent whose accelerations depend on the
+## fewest coordinates, unless "reduced" names them.
+##
 ## Poles tell of stability where the state stands still, or moves steadily in a
 ## coordinate on which nothing depends (the spin of a wheel in angles, not in Euler
 ## parameters, which move).
@@ -39,14 +49,14 @@
 ## @end example
 ##
 ## Errors: a model without the subroutine JAC; a state that does not fulfil
-## the constraints; coordinates in "reduced" that are unknown or do not
-## determine the motion.
+## the constraints; a coordinate to be dropped on which something depends;
+## coordinates in "reduced" that are unknown or do not determine the motion.
 ## Source: own: the Jacobians of _JAC are exact; the reduced model lives on
 ## the tangent space of the constraints.
 ## @seealso{gsmbp_build, gsmbp_trim, ss, lqr}
 ## @end deftypefn
 
-function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
+function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   if (nargin < 3)
     print_usage ();
   endif
@@ -60,6 +70,7 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   endif
   d = m.sizes;
   table = {"reduced", "auto", "names"
+           "drop", {}, "names"
            "start", "check", {"check", "project"}};
   o = gsmbp__options (who, table, varargin);
   t = gsmbp__vector (who, "t", t, 1);
@@ -82,14 +93,39 @@ function [sys, T, independent] = gsmbp_linear (m, t, x, v, varargin)
   if (named)
     o.reduced = state_numbers (m, o.reduced);
   endif
+  dropping = ! isempty (o.drop);
+  if (dropping && ischar (o.reduced))
+    [q, u] = gsmbp__free_speeds (m, t, x, []);
+    o.reduced = [q, d.nq + u];
+  endif
   if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
     [T, independent] = gsmbp__tangent (who, m, t, x, o.reduced, zeros (0, 2));
   elseif (named && ! all (ismember (1:d.nq, o.reduced)))
     error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
             "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
   endif
-  sys = ss (A(independent,:) * T, B(independent,:), C * T, D, "StateName", ...
-            m.states(independent), "InputName", m.inputs, "OutputName", outputs);
+  [A, B, C] = deal (A(independent,:) * T, B(independent,:), C * T);
+  dropped = {};
+  if (dropping)
+    keep = gsmbp__without (who, m, t, x, v, o.drop, A, independent);
+    dropped = m.states(independent(! keep))(:)';
+    seen = ! any (abs (C(:,! keep)) > 1e-12 * max (abs (C), [], 2), 2);
+    warn_of_outputs (m, outputs(! seen), dropped);
+    [A, B, C, D] = deal (A(keep,keep), B(keep,:), C(seen,keep), D(seen,:));
+    [T, independent, outputs] = deal (T(:,keep), independent(keep), outputs(seen));
+  endif
+  sys = ss (A, B, C, D, "StateName", m.states(independent), "InputName", m.inputs, ...
+            "OutputName", outputs);
+endfunction
+
+## outputs that follow what is dropped are no part of the model
+function warn_of_outputs (m, gone, dropped)
+  if (m.sizes.ny > 0 && ! isempty (gone))
+    warning ("gsmbp:dropped", "gsmbp_linear: %s: the output%s %s depend%s on %s and %s left out",
+             m.name, {"", "s"}{1 + (numel (gone) > 1)}, strjoin (gone(:)', ", "), ...
+             {"s", ""}{1 + (numel (gone) > 1)}, strjoin (dropped, ", "), ...
+             {"is", "are"}{1 + (numel (gone) > 1)});
+  endif
 endfunction
 
 ## where the NAMES of the option "reduced" stand among the states

@@ -134,29 +134,12 @@ function [held, spin] = what_is_held (who, m, o)
   endif
   held = zeros (numel (names), 2);
   for k = 1:numel (names)
-    held(k,:) = pair_of (who, m, names{k});
+    held(k,:) = gsmbp__own_speed (who, m, "hold", names{k});
   endfor
   if (! isempty (held) && ! all (ismember ({"lin", "mas"}, m.subroutines)))
     error (["%s: %s was emitted without the subroutines LIN and MAS, which \"hold\" needs: add " ...
             "the requests linear, mass"], who, m.name);
   endif
-endfunction
-
-## a coordinate with a speed of its own
-function pair = pair_of (who, m, name)
-  q = find (strcmp (name, m.coordinates));
-  if (isempty (q))
-    error ("%s: option \"hold\": unknown coordinate %s", who, gsmbp__unknown (name, m.coordinates));
-  endif
-  u = find (strcmp ([name "_d"], m.speeds));
-  if (isempty (u) && m.sizes.nq == m.sizes.nu && isempty (m.angles))
-    u = q;
-  endif
-  if (isempty (u))
-    error ("%s: option \"hold\": %s has no speed of its own; expected a coordinate of a joint", ...
-           who, name);
-  endif
-  pair = [q, u];
 endfunction
 
 ## modes of the one state X

@@ -3,9 +3,10 @@
 ## @deftypefn  {} {@var{r} =} gsmbp_trim (@var{m}, @var{x}, @var{v})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "hold", @var{names}, "free", @var{inputs})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "time", @var{t}, "tolerance", @var{tol})
+## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "steady", @var{names})
 ## @deftypefnx {} {@var{r} =} gsmbp_trim (@dots{}, "margins", @var{word})
 ## An equilibrium of a scene: a state at rest, with loops closed, in which
-## nothing is accelerated.
+## nothing is accelerated; or a steady motion.
 ##
 ## From the guess @var{x} (@var{nx} states, or the @var{nq} coordinates: the
 ## states of the devices then start as the scene says) and the inputs @var{v}
@@ -15,14 +16,22 @@
 ## are adjusted as well.  What a sampled device holds is an input here.
 ## A scene with events has no Jacobian and is refused.
 ##
+## With "steady" the coordinates @var{names} run on at the constant speeds that @var{x} has for
+## them: a motor at speed, a wheel that rolls straight on or in a circle, a top's precession.  The
+## other coordinates are at rest, but for those on which nothing depends (the place of what rolls).
+## Speeds named in "free" are adjusted as well, "hold" may name a coordinate that would be.  The
+## independent speeds are constant, dependent ones follow; that it stays so while the coordinates
+## run on is checked.
+##
 ## States count by their usual sizes (@code{m.nominal}), and the iteration goes
 ## on as long as the equations gain digits.  An equilibrium is one where every
 ## rate is below @var{tol} (default 1e-9) times the usual size of its state in a
 ## second, every constraint below @var{tol}, or where rounding of the terms
 ## hides the rest.
 ##
-## @var{r} has the fields @code{x}, @code{v}, @code{ud} (accelerations that are
-## left, zero to rounding), @code{lambda} (multipliers), @code{unique} (which
+## @var{r} has the fields @code{x}, @code{v}, @code{running} (names of coordinates that run),
+## @code{ud} (accelerations that are left, zero to rounding; of steady motions those of dependent
+## speeds need not be), @code{lambda} (multipliers), @code{unique} (which
 ## of them the equilibrium determines), @code{phi},
 ## @code{residual} (the largest of rates and constraints, of these sizes),
 ## @code{way} ("newton", "levenberg" or "transient": what was needed) and
@@ -45,9 +54,9 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: no equilibrium is found (the equations that do not vanish are
-## named); a constraint that moves with time; a margin of a device below 0; an
-## unknown name in "hold" or "free".
+## Errors: no equilibrium or steady motion is found (the equations that do not vanish are
+## named); one that is steady at an instant alone; a constraint that moves with time; a
+## margin of a device below 0; an unknown name in "hold" or "free".
 ## Source: own: Newton's method with the exact Jacobians, Levenberg's and a
 ## transient where it fails.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
@@ -63,6 +72,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   endif
   table = {"hold", {}, "names"
            "free", {}, "names"
+           "steady", {}, "names"
            "time", 0, "number"
            "tolerance", 1e-9, "tolerance"
            "margins", "check", {"check", "ignore"}};
@@ -111,13 +121,14 @@ function k = undriven (p, z)
   [~, J] = gsmbp__rest_equations (p, z);
   own = p.own(:)';
   device = find (own > p.m.sizes.nq + p.m.sizes.nu);
-  k = device(! any (J(own(device) - p.m.sizes.nq, :), 2)');
+  [~, row] = ismember (own(device), p.rows);
+  k = device(! any (J(row,:), 2)');
 endfunction
 
 ## with all speeds zero no constraint may move, nor begin to
 function check_rest (p, z)
   d = p.m.sizes;
-  if (d.nlam == 0)
+  if (d.nlam == 0 || ! isempty (p.steady))
     return;
   endif
   x = gsmbp__rest_state (p, z);
@@ -148,6 +159,10 @@ endfunction
 
 ## the same state some other times
 function check_time (p, z)
+  if (! isempty (p.steady))
+    gsmbp__steady_check (p, z);
+    return;
+  endif
   [f, J] = gsmbp__rest_equations (p, z);
   limit = max (p.tolerance * p.usual, 1e3 * eps * (abs (J) * max (abs (z), p.size)));
   for later = [0.618, 3.7, 19.1]
@@ -166,11 +181,18 @@ function r = result (p, z, way)
   xd = m.rhs (p.t, x, v);
   f = gsmbp__rest_equations (p, z);
   r = struct ("x", x, "v", v, "ud", xd(d.nq + (1:d.nu)), "lambda", zeros (0, 1), ...
-              "phi", zeros (0, 1), "residual", max ([abs(f) ./ p.usual; 0]), "way", way);
+              "phi", zeros (0, 1), "residual", max ([abs(f) ./ p.usual; 0]), "way", way, ...
+              "running", {names_of(p, xd)});
   if (d.nlam > 0)
     [~, r.lambda] = m.acc (p.t, x, v);
     r.phi = m.con (p.t, x(1:d.nq), zeros (d.nu, 1));
   endif
+endfunction
+
+## coordinates that run
+function names = names_of (p, xd)
+  k = p.running;
+  names = p.m.coordinates(k(abs (xd(k)) > 1e-12 * p.m.nominal(k)))(:)';
 endfunction
 
 ## what can be moved without effect on the equations: an orthonormal basis, in units of the

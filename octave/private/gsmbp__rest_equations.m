@@ -5,9 +5,12 @@ function [f, J] = gsmbp__rest_equations (p, z, t = p.t)
   [m, d] = deal (p.m, p.m.sizes);
   [x, v] = gsmbp__rest_state (p, z);
   [xd, ~] = m.rhs (t, x, v);
-  f = xd(d.nq + 1:end);
+  moves = ! isempty (p.steady);
+  f = xd(p.rows);
+  u = moves * x(d.nq + (1:d.nu));
   if (d.nlam > 0)
-    f = [f; m.con(t, x(1:d.nq), zeros (d.nu, 1))];
+    [phi, phit, H] = m.con (t, x(1:d.nq), u);
+    f = [f; phi; (H * u + phit)(1:moves * d.nlam)];
   endif
   [g, N] = norms (m, x);
   f = [f; g];
@@ -15,10 +18,12 @@ function [f, J] = gsmbp__rest_equations (p, z, t = p.t)
     return;
   endif
   [A, B, ~, ~, ~] = m.jac (t, x, v);
-  J = [A(d.nq + 1:end, p.own), B(d.nq + 1:end, p.inputs)];
+  J = [A(p.rows, p.own), B(p.rows, p.inputs)];
   if (d.nlam > 0)
-    P = [m.tan(t, x), zeros(d.nlam, d.nx - d.nq)];
-    J = [J; P(:,p.own), zeros(d.nlam, numel (p.inputs))];
+    [DP, DV] = m.tan (t, x);
+    P = [DP, zeros(d.nlam, d.nx - d.nq); ...
+         [DV, H, zeros(d.nlam, d.nx - d.nq - d.nu)](1:moves * d.nlam,:)];
+    J = [J; P(:,p.own), zeros(rows (P), numel (p.inputs))];
   endif
   J = [J; N(:,p.own), zeros(rows (N), numel (p.inputs))];
 endfunction

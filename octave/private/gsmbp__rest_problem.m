@@ -8,25 +8,36 @@ function p = gsmbp__rest_problem (m, x, v, o)
     gsmbp__no_jacobian (p.who, m);
   endif
   x = gsmbp__guess (p.who, m, "x", x, m.initial(d.nq + 1:d.nx));
-  x(d.nq + (1:d.nu)) = 0;
+  if (isempty (o.steady))
+    x(d.nq + (1:d.nu)) = 0;
+  endif
   if (isempty (v))
     v = zeros (d.nv, 1);
   endif
   named = sprintf (" (the inputs %s)", strjoin (m.inputs', ", "));
   v = gsmbp__vector (p.who, "v", v, d.nv, named, m.inputs);
   held = places (p.who, o.hold, m.states, "hold", "a state");
-  p.inputs = places (p.who, o.free, m.inputs, "free", "an input")(:)';
+  [p.inputs, speeds] = free_ones (p.who, m, o);
   p.own = setdiff ([1:d.nq, d.nq + d.nu + 1:d.nx], held);
   p.held = held;
+  given = x;
   if (d.nlam > 0 || d.nq > d.nu)
     x = closed (m, x, held, o.time);
   endif
   p.x = x;
   p.v = v;
+  p.rows = d.nq + 1:d.nx;   # the rates that vanish
+  p.running = [];
+  p.steady = [];
+  if (! isempty (o.steady))
+    p.x(d.nq + (1:d.nu)) = given(d.nq + (1:d.nu));
+    p = gsmbp__steady_problem (p, o.steady, speeds);
+  endif
   p.fixed = [];   # unknowns that stay where they are
-  p.z = [x(p.own)(:); v(p.inputs)(:)];
+  p.z = [p.x(p.own)(:); v(p.inputs)(:)];
   p.size = [m.nominal(p.own)(:); ones(numel (p.inputs), 1)];
-  p.usual = [m.nominal(d.nq + 1:d.nx); ones(d.nlam + rows (m.orientation), 1)];
+  p.usual = [m.nominal(p.rows); ones(d.nlam * (1 + ! isempty (p.steady)) + ...
+                                     rows (m.orientation), 1)];
   p.size = sizes (p);
 endfunction
 
@@ -46,6 +57,19 @@ function s = sizes (p)
       s(k) = max (least, abs (p.z(k)));
     endif
   endfor
+endfunction
+
+## numbers of the inputs, and of the speeds of a steady motion, that are free
+function [inputs, speeds] = free_ones (who, m, o)
+  if (isempty (o.steady))
+    inputs = places (who, o.free, m.inputs, "free", "an input")(:)';
+    speeds = [];
+    return;
+  endif
+  known = [m.inputs(:); m.speeds(:)];
+  k = places (who, o.free, known, "free", "an input or a speed")(:)';
+  inputs = k(k <= m.sizes.nv);
+  speeds = m.sizes.nq + k(k > m.sizes.nv) - m.sizes.nv;
 endfunction
 
 ## a closed state with the held coordinates where they are, if that can be had

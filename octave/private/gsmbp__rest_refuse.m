@@ -17,8 +17,9 @@ function gsmbp__rest_refuse (p, z)
     advice = ["these inputs act on it: " strjoin(help, ", ") " (option \"free\")"];
   endif
   [x, v] = gsmbp__rest_state (p, z);
-  error ("%s: %s: no equilibrium found near the guess; what does not vanish: %s%s; %s", p.who,
-         p.m.name, strjoin (left, ", "), gsmbp__outside (p.m, p.t, x, v), advice);
+  what = {"equilibrium", "steady motion"}{1 + ! isempty(p.steady)};
+  error ("%s: %s: no %s found near the guess; what does not vanish: %s%s; %s", p.who,
+         p.m.name, what, strjoin (left, ", "), gsmbp__outside (p.m, p.t, x, v), advice);
 endfunction
 
 ## inputs that act on what the states cannot take away
@@ -31,7 +32,7 @@ function list = helpers (p, z)
   K = J .* p.size' ./ row;
   g = f ./ row;
   [~, B, ~, ~, ~] = p.m.jac (p.t, x, v);
-  B = [B(d.nq + 1:end,:); zeros(rows (J) - d.nx + d.nq, d.nv)] ./ row;
+  B = [B(p.rows,:); zeros(rows (J) - numel (p.rows), d.nv)] ./ row;
   if (! all (isfinite ([K(:); g; B(:)])))
     return;
   endif

@@ -49,8 +49,8 @@ endfunction
 ## equilibrium
 function z = transient (p, z)
   [m, d] = deal (p.m, p.m.sizes);
-  if (isempty (p.own))
-    return;   # no state may move
+  if (isempty (p.own) || ! isempty (p.steady))
+    return;   # no state may move, or some go on moving
   endif
   moving = setdiff (1:d.nx, [p.held, d.nq + p.held(p.held <= d.nq & d.nq == d.nu)]);
   size = m.nominal(moving);
