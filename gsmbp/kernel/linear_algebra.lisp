@@ -117,3 +117,70 @@
     #'(lambda (r before) (declare (ignore before)) (position-if-not #'zerop r))
     #'(lambda (x s y) (mod (- x (* s y)) gs-prime))
     #'(lambda (y d) (mod (* y (gs-inverse d)) gs-prime))))
+
+;;; ---------------------------------------------------------------------------------------- modes
+
+(defun gs-square (m)
+  (let ((n (length (cdr m))))
+    (make-array (list n n) :initial-contents
+      (mapcar #'(lambda (r) (mapcar #'gs-real (cdr r))) (cdr m)))))
+
+;;; L of A = L L', in place; nil where a pivot is not positive
+(defun gs-cholesky (a n)
+  (dotimes (j n a)
+    (dotimes (k j) (decf (aref a j j) (* (aref a j k) (aref a j k))))
+    (if (> (aref a j j) 0) (setf (aref a j j) (sqrt (aref a j j))) (return nil))
+    (do ((i (1+ j) (1+ i))) ((>= i n))
+      (dotimes (k j) (decf (aref a i j) (* (aref a i k) (aref a j k))))
+      (setf (aref a i j) (/ (aref a i j) (aref a j j))))))
+
+;;; the rows of B replaced by those of L^-1 B
+(defun gs-solve-rows (l b n)
+  (dotimes (c n)
+    (dotimes (i n)
+      (dotimes (k i) (decf (aref b i c) (* (aref l i k) (aref b k c))))
+      (setf (aref b i c) (/ (aref b i c) (aref l i i))))))
+
+(defun gs-transpose (b n)
+  (dotimes (i n) (dotimes (j i) (rotatef (aref b i j) (aref b j i)))))
+
+;;; Jacobi's rotations of the symmetric A, until it is diagonal; the rows of V become its vectors
+(defun gs-rotate (a v n p q)
+  (let* ((th (/ (- (aref a q q) (aref a p p)) (* 2 (aref a p q))))
+         (u (/ (if (< th 0) -1.0d0 1.0d0) (+ (abs th) (sqrt (+ 1 (* th th))))))
+         (c (/ (sqrt (+ 1 (* u u))))) (s (* u c)))
+    (flet ((turn (m i j k l)
+             (let ((x (aref m i j)) (y (aref m k l)))
+               (setf (aref m i j) (- (* c x) (* s y)) (aref m k l) (+ (* s x) (* c y))))))
+      (dotimes (k n) (turn a k p k q))
+      (dotimes (k n) (turn a p k q k) (turn v p k q k)))))
+(defun gs-diagonalize (a v n)
+  (dotimes (sweep 60)
+    (let ((off 0.0d0) (all 0.0d0))
+      (dotimes (i n)
+        (dotimes (j n)
+          (incf all (abs (aref a i j)))
+          (unless (= i j) (incf off (abs (aref a i j))))))
+      (when (<= off (* 1d-15 all)) (return))
+      (dotimes (q n)
+        (dotimes (p q)
+          (when (> (abs (aref a p q)) (* 1d-30 (+ (abs (aref a p p)) (abs (aref a q q)))))
+            (gs-rotate a v n p q)))))))
+
+;;; gs__pencil_modes(K, M): [[x, v], ...] of K v = x M v, v'M v = 1, x rising; K and M symmetric;
+;;; false if M is not positive definite.
+(defun $gs__pencil_modes (k m)
+  (let* ((n (length (cdr k))) (a (gs-square k)) (l (gs-cholesky (gs-square m) n))
+         (v (make-array (list n n) :initial-element 0.0d0)) (found nil))
+    (when l
+      (gs-solve-rows l a n)
+      (gs-transpose a n)
+      (gs-solve-rows l a n)
+      (dotimes (i n) (setf (aref v i i) 1.0d0))
+      (gs-diagonalize a v n)
+      (dotimes (i n (gs-list (sort found #'< :key #'cadr)))
+        (do ((r (1- n) (1- r))) ((< r 0))   ; L' y = v
+          (do ((c (1+ r) (1+ c))) ((>= c n)) (decf (aref v i r) (* (aref l c r) (aref v i c))))
+          (setf (aref v i r) (/ (aref v i r) (aref l r r))))
+        (push (gs-list (list (aref a i i)
+                (gs-list (loop for c below n collect (aref v i c))))) found)))))
