@@ -161,6 +161,11 @@
 ## @item "input"
 ## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/inputs/gsinp.f}),
 ## used by @code{gsmbp_simulate} with input @code{"user"}
+## @item "controller"
+## a controller with a period (@code{gsmbp_control}, @code{gsmbp_pid}), or a cell array of them: the
+## machine with it as a further sampled device, which reads outputs of the scene and holds inputs.
+## Its Fortran is that of @code{gsmbp_controller}; its references are inputs behind those of the
+## scene, and at the trim where nothing else is said.  A run starts with its memory at the trim
 ## @end table
 ##
 ## @c session octave
@@ -203,7 +208,8 @@ function m = gsmbp_build (name, varargin)
            "precision", "double", {"double", "quad"}
            "directory", default_directory(name), "text"
            "build", "", "text"
-           "input", "", "text"};
+           "input", "", "text"
+           "controller", [], "any"};
   options = gsmbp__options ("gsmbp_build", table, varargin);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
     error (["gsmbp_build: option parameters: expected a struct of names and values, " ...
@@ -225,6 +231,9 @@ function m = gsmbp_build (name, varargin)
   endif
   build = make_absolute_filename (build);
   [json, texts] = gsmbp__scene_files (name, source, description);
+  if (! isempty (options.controller))
+    [json, source, texts] = controlled (json, texts{1}, options.controller, build);
+  endif
   ## Octave keeps what it has loaded, so other contents have another name
   place = hash ("md5", [source "|" input])(1:8);
   contents = [texts{:}];
@@ -252,6 +261,14 @@ function m = gsmbp_build (name, varargin)
   m.initial = gsmbp__initial (m);
   m = gsmbp_set (m, options.parameters);
   warn_of_start (m);
+endfunction
+
+## the scene with controllers, in a folder of what they are
+function [json, source, texts] = controlled (json, text, list, build)
+  said = hash ("md5", jsonencode (struct ("c", {list}, "text", text)))(1:12);
+  place = fullfile (build, "controlled", said);
+  [json, source, text] = gsmbp__with_controller (json, text, list, place);
+  texts = {text};
 endfunction
 
 ## the start of the scene may be where a device cannot be; in loops it is a guess, closed later

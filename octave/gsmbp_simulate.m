@@ -272,7 +272,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
-  o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
+  if (isempty (o.motion))
+    o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
+  endif
   [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);

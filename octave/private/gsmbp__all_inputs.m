@@ -1,7 +1,7 @@
 ## input = gsmbp__all_inputs (who, m, input, t, x)
 ## INPUT (numbers, a piecewise polynomial or a function) for the inputs of the
 ## scene M that no sampled device holds and that are no modes, as one for all
-## inputs, 0 in the other places.
+## inputs, in the other places what m.input_starts says (0 but for controllers about a trim).
 ## What is given for all inputs already comes back as it is.  A function is called at the time
 ## T and the state X to see that it gives what it must.
 
@@ -9,6 +9,10 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
   nv = m.sizes.nv;
   free = setdiff (1:nv, [vertcat(m.controllers.outputs); vertcat(m.events.input)]);
   n = numel (free);
+  if (isempty (input) && any (m.input_starts))
+    input = m.input_starts;
+    return;
+  endif
   if (is_function_handle (input))
     f = input;
     input = @(t, x) called (who, m, f, free, t, x);
@@ -16,19 +20,20 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
   elseif (n == nv)
     return;
   elseif (isnumeric (input) && ! isempty (input))
-    input = spread (input, free, nv);
+    input = spread (input, free, m.input_starts);
   elseif (isstruct (input) && isfield (input, "form") && strcmp (input.form, "pp") ...
             && prod (input.dim) == n)
     coefs = zeros (nv, input.pieces, input.order);
+    coefs(:,:,end) = repmat (m.input_starts, 1, input.pieces);
     coefs(free,:,:) = reshape (input.coefs, n, input.pieces, input.order);
     input = mkpp (input.breaks, reshape (coefs, nv * input.pieces, input.order), nv);
   endif
 endfunction
 
-function v = spread (given, free, nv)
+function v = spread (given, free, starts)
   v = given;
   if (numel (given) == numel (free))
-    v = zeros (nv, 1);
+    v = starts;
     v(free) = given;
   endif
 endfunction
@@ -49,7 +54,7 @@ function v = called (who, m, f, free, t, x)
   elseif (! all (abs (double (v(:))) <= 1e300))
     refuse (who, m, free, t, ["it gives " gsmbp__shown(v) ", which is not finite"]);
   endif
-  v = spread (double (v(:)), free, nv);
+  v = spread (double (v(:)), free, m.input_starts);
 endfunction
 
 function refuse (who, m, free, t, found)

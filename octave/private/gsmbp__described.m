@@ -36,6 +36,10 @@ function m = gsmbp__described (json)
     m.state_margins = cellstr (json.state_margins)(:);
   endif
   m.controllers = controllers (json);
+  m.input_starts = zeros (json.dimensions.nv, 1);
+  if (isfield (json, "input_starts"))
+    m.input_starts = double (json.input_starts(:));
+  endif
   m.events = struct ("name", {}, "entry", {}, "kind", {}, "input", {});
   if (isfield (json, "events") && ! isempty (json.events))
     m.events = json.events(:)';

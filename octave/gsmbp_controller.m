@@ -1,0 +1,60 @@
+## -*- texinfo -*-
+## @c category Linear models and control
+## @deftypefn  {} {@var{files} =} gsmbp_controller (@var{c}, @var{folder})
+## A controller as Fortran 77 and C99 of its own, for the computer of the machine.
+##
+## @var{c} is a controller with a period (@code{gsmbp_control}, @code{gsmbp_pid}).  Into the
+## @var{folder} (made if it is not there) come NAME.f with @code{SUBROUTINE NAME( Y, R, Z, U )} and
+## NAME.c with @code{void NAME (const double *y, const double *r, double *z, double *u)}, NAME.h
+## with its sizes, period and delay; @code{NAME_START( Z, U, PER, DEL )} and @code{NAME_start (z,
+## u)}.  One call is one sample: of the measurements Y and the references R it makes the outputs U
+## and the next memory Z, which is zero at the trim.
+## Limits and converters are in it.  It needs nothing else.  NAME is @code{c.name}.
+##
+## @c session control
+## @example
+## >> c = gsmbp_control (ss (A, B, [1 0], 0), [], "lqg", "period", 0.01, "name", "hold");
+## >> files = gsmbp_controller (c, "target");
+## >> [~, names, kinds] = cellfun (@@fileparts, files, "UniformOutput", false);
+## >> strcat (names, kinds)
+## ans =
+## @{
+##   [1,1] = hold.f
+##   [1,2] = hold.c
+##   [1,3] = hold.h
+## @}
+##
+## @end example
+##
+## Errors: a controller without a period; a name that is none of Fortran and C; a folder that cannot
+## be written.
+## Source: own.
+## @seealso{gsmbp_control, gsmbp_pid, gsmbp_build}
+## @end deftypefn
+
+function files = gsmbp_controller (c, folder)
+  if (nargin != 2 || ! ischar (folder))
+    print_usage ();
+  endif
+  who = "gsmbp_controller";
+  gsmbp__check_controller (who, c);
+  gsmbp__folder (who, folder);
+  file = @(kind) fullfile (folder, [c.name kind]);
+  files = {file(".f"), file(".c"), file(".h")};
+  gsmbp__write (who, files{1}, [gsmbp__controller_fortran(c, upper (c.name)), ...
+                                 gsmbp__controller_start(c, upper (c.name))]);
+  [text, header] = gsmbp__controller_c (c, c.name);
+  gsmbp__write (who, files{2}, text);
+  gsmbp__write (who, files{3}, header);
+endfunction
+
+%!testif ; ! isempty (pkg ("list", "control"))
+%! pkg load control
+%! c = gsmbp_control (ss ([0 1; 0 0], [0; 1], [1 0], 0), [], "lqg", "period", 0.01);
+%! folder = tempname ();
+%! guard = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+%! files = gsmbp_controller (c, folder);
+%! assert (all (cellfun (@(f) exist (f, "file"), files) == 2));
+%! c.name = "1";
+%! fail ("gsmbp_controller (c, folder)", "expected a name of letters");
+%!error <expected a controller of gsmbp_control> gsmbp_controller (1, "x")

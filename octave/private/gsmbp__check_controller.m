@@ -1,0 +1,19 @@
+## gsmbp__check_controller (who, c)
+## An error of WHO where C is no controller that a computer can run.
+
+function gsmbp__check_controller (who, c)
+  needed = {"A", "B", "C", "D", "G", "period", "delay", "name", "measured", "references", ...
+            "driven", "y0", "r0", "u0", "limits", "step_in", "step_out", "method"};
+  if (! (isstruct (c) && isscalar (c) && all (isfield (c, needed))))
+    error (["%s: expected a controller of gsmbp_control or gsmbp_pid (a struct with A, B, C, " ...
+            "D, ...), found %s"], who, gsmbp__shown (c));
+  endif
+  if (! (c.period > 0))
+    error (["%s: the controller %s has no period: expected one for a computer, option " ...
+            "\"period\" of gsmbp_control"], who, c.name);
+  endif
+  if (isempty (regexp (c.name, '^[A-Za-z][A-Za-z0-9_]{0,29}$', "once")))
+    error (["%s: the controller %s: expected a name of letters, digits and _ that begins with " ...
+            "a letter, at most 30"], who, c.name);
+  endif
+endfunction

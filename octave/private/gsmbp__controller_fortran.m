@@ -1,0 +1,85 @@
+## text = gsmbp__controller_fortran (c, name)
+## The controller C as Fortran 77: NAME( Y, R, Z, U ), one sample.
+
+function text = gsmbp__controller_fortran (c, name)
+  sizes = [numel(c.measured), numel(c.references), rows(c.A), numel(c.driven)];
+  dims = max (sizes, 1);
+  out = {sprintf("      SUBROUTINE %s( Y, R, Z, U )", name)};
+  out = [out, gsmbp__controller_head(c, name, "C")];
+  out{end+1} = "      IMPLICIT NONE";
+  out{end+1} = sprintf ("      DOUBLE PRECISION   Y(%d), R(%d), Z(%d), U(%d)", dims);
+  out{end+1} = sprintf ("      DOUBLE PRECISION   E(%d), W(%d), D(%d), N(%d), T", ...
+                        max (sizes(1) + sizes(2), 1), dims([4, 4, 3]));
+  out{end+1} = "C";
+  for step = gsmbp__controller_lines (c)'
+    out = [out, statement(step{:})];
+  endfor
+  out{end+1} = "      END";
+  text = sprintf ("%s\n", out{:});
+endfunction
+
+function lines = statement (target, kind, args)
+  to = place (target);
+  switch (kind)
+    case "copy"
+      lines = {sprintf("      %s = %s", to, place (args{1}))};
+    case "clip"
+      lines = {};
+      if (isfinite (args{2}))
+        lines{end+1} = sprintf ("      %s = MAX( %s, %s )", to, place (args{1}), number (args{2}));
+      endif
+      if (isfinite (args{3}))
+        lines{end+1} = sprintf ("      %s = MIN( %s, %s )", to, place (args{1}), number (args{3}));
+      endif
+    case "round"
+      lines = {sprintf("      T = %s/%s + 0.5D0", place (args{1}), number (args{2})), ...
+               sprintf("      %s = AINT( T )", to), ...
+               sprintf("      IF ( %s.GT.T ) %s = %s - 1.0D0", to, to, to), ...
+               sprintf("      %s = %s*%s", to, number (args{2}), to)};
+    case "sum"
+      lines = sum_of (to, args);
+  endswitch
+endfunction
+
+## a line for each term
+function lines = sum_of (to, terms)
+  lines = {};
+  if (isempty (terms))
+    lines = {sprintf("      %s = 0.0D0", to)};
+  endif
+  for k = 1:rows (terms)
+    [f, name] = terms{k,:};
+    if (isempty (name))
+      text = number (f);
+    elseif (f == 1)
+      text = place (name);
+    elseif (f == -1)
+      text = ["-" place(name)];
+    else
+      text = [number(f) "*" place(name)];
+    endif
+    if (k == 1 && ! strcmp (text, to))
+      lines{end+1} = sprintf ("      %s = %s", to, text);
+    elseif (k == 1)
+      continue;
+    elseif (text(1) == "-")
+      lines{end+1} = sprintf ("      %s = %s - %s", to, to, text(2:end));
+    else
+      lines{end+1} = sprintf ("      %s = %s + %s", to, to, text);
+    endif
+  endfor
+endfunction
+
+function text = place (name)
+  text = sprintf ("%s(%s)", upper (name(1)), name(2:end));
+endfunction
+
+function text = number (x)
+  text = strrep (sprintf ("%.17g", x), "e", "D");
+  if (! any (text == "D"))
+    text = [text "D0"];
+  endif
+  if (! any (text == "."))
+    text = regexprep (text, "D", ".0D");
+  endif
+endfunction

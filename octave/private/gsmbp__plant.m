@@ -1,0 +1,69 @@
+## p = gsmbp__plant (who, m, e, o)
+## The linear plant of a controller: A, B, C of what is measured and driven, names and values at the
+## trim E of the model M, or those of M where it is an ss object.  O: options of gsmbp_control.
+
+function p = gsmbp__plant (who, m, e, o)
+  if (isa (m, "lti"))
+    sys = ss (m);
+    if (isdt (sys))
+      error ("%s: expected a continuous model; give the period as an option", who);
+    endif
+    [inputs, outputs, states] = deal (named (sys.inname, "u"), named (sys.outname, "y"), ...
+                                      named (sys.stname, "x"));
+    [y, v, held] = deal (zeros (numel (outputs), 1), zeros (numel (inputs), 1), []);
+  else
+    gsmbp__model (who, m);
+    if (! (isstruct (e) && all (isfield (e, {"x", "v"}))))
+      error (["%s: argument e: expected the result of gsmbp_trim (a struct with x and v), " ...
+              "found %s"], who, gsmbp__shown (e));
+    endif
+    [sys, ~, states] = gsmbp_linear (m, 0, e.x, e.v, "reduced", o.reduced, "drop", o.drop);
+    [inputs, outputs, states] = deal (m.inputs, sys.outname, m.states(states));
+    v = double (e.v(:));
+    held = vertcat (m.controllers.outputs);
+    y = e.x(gsmbp__which (outputs, m.states)(gsmbp__which (outputs, m.states) > 0));
+    if (m.sizes.ny > 0)
+      y = m.out (0, e.x, v)(gsmbp__which (outputs, m.outputs));
+    endif
+  endif
+  k = chosen (who, "measured", o.measured, outputs, 1:numel (outputs));
+  j = chosen (who, "inputs", o.inputs, inputs, setdiff (1:numel (inputs), held));
+  direct = find (any (sys.d(k,j), 2), 1);
+  if (! isempty (direct))
+    error ("%s: the output %s follows the inputs directly, without a state between", who, ...
+           outputs{k(direct)});
+  endif
+  p = struct ("A", sys.a, "B", sys.b(:,j), "C", sys.c(k,:), "measured", {outputs(k)(:)}, ...
+              "driven", {inputs(j)(:)}, "states", {states(:)}, "y0", y(k)(:), "u0", v(j)(:));
+  both = [cellstr(o.integral)(:); cellstr(o.track)(:)];
+  both = both(! cellfun (@isempty, both));
+  if (! isempty (both) && ! isempty (o.integral) && ! isempty (o.track))
+    error ("%s: options integral and track: expected one of them, found both", who);
+  endif
+  p.followed = [];
+  if (! isempty (both))
+    p.followed = chosen (who, {"integral", "track"}{1 + isempty(o.integral)}, both, p.measured, []);
+  endif
+  p.references = strcat (p.measured(p.followed), "_ref");
+  p.r0 = p.y0(p.followed);
+endfunction
+
+function names = named (names, letter)
+  for k = find (cellfun (@isempty, names(:)'))
+    names{k} = sprintf ("%s%d", letter, k);
+  endfor
+endfunction
+
+function k = chosen (who, option, names, known, default)
+  names = cellstr (names);
+  names = names(! cellfun (@isempty, names));
+  if (isempty (names))
+    k = default;
+    return;
+  endif
+  k = gsmbp__which (names, known)(:)';
+  if (! all (k))
+    error ("%s: option %s: unknown name %s", who, option,
+           gsmbp__unknown (names{find (! k, 1)}, known));
+  endif
+endfunction

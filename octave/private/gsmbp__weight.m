@@ -1,0 +1,29 @@
+## M = gsmbp__weight (who, name, M, n, least)
+## The weight or covariance M, a matrix, a diagonal or a number, as an N x N matrix; an error of WHO
+## where it is none, or not above LEAST (0: may be singular, 1: may not).
+
+function M = gsmbp__weight (who, name, M, n, least)
+  given = M;
+  if (isscalar (M))
+    M = M * eye (n);
+  elseif (isvector (M) && numel (M) == n)
+    M = diag (M);
+  endif
+  if (! isequal (size (M), [n n]) || ! all (isfinite (M(:))))
+    error ("%s: option %s: expected a number, %d numbers or %d x %d numbers, found %s", who, ...
+           name, n, n, n, gsmbp__shown (size (given)));
+  endif
+  M = double (M);
+  if (norm (M - M', Inf) > 1e-12 * norm (M, Inf))
+    error ("%s: option %s: expected a symmetric matrix", who, name);
+  endif
+  M = (M + M') / 2;
+  if (n == 0)
+    return;
+  endif
+  smallest = min (eig (M));
+  if (smallest < -1e-12 * norm (M) || (least > 0 && smallest <= 0))
+    error ("%s: option %s: expected a matrix that is %s, found eigenvalues down to %g", who, ...
+           name, {"not negative", "positive"}{1 + (least > 0)}, smallest);
+  endif
+endfunction

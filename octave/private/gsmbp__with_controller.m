@@ -1,0 +1,163 @@
+## [json, source, text] = gsmbp__with_controller (json, text, list, folder)
+## The scene of the description JSON and of the Fortran TEXT with the controllers LIST (a struct or
+## a cell array of them) as further sampled devices: its description, its Fortran as a file SOURCE
+## below FOLDER, and TEXT itself.
+
+function [json, source, text] = gsmbp__with_controller (json, text, list, folder)
+  who = "gsmbp_build";
+  if (! iscell (list))
+    list = {list};
+  endif
+  own = numel (gsmbp__rows (json, "controllers"));
+  name = upper (json.name);
+  text = renamed (text, name, own);
+  parts = cell (1, numel (list));
+  held = [];
+  if (own > 0)
+    held = cellfun (@(row) row.outputs(:)', gsmbp__rows (json, "controllers"), ...
+                    "UniformOutput", false);
+    held = [held{:}];
+  endif
+  all_ = json;
+  for k = 1:numel (list)
+    gsmbp__check_controller (who, list{k});
+    [json, parts{k}, held] = joined (who, json, list{k}, name, k, held);
+  endfor
+  text = [text, sprintf("%s", parts{:}), entry(json, all_, list, name)];
+  json.subroutines = subroutines (json, name);
+  gsmbp__folder (who, folder);
+  source = fullfile (folder, [json.name ".f"]);
+  gsmbp__write (who, source, text);
+  gsmbp__write (who, [source(1:end-2) ".json"], jsonencode (json));
+endfunction
+
+## what the scene has of its own makes room for the new entry
+function text = renamed (text, name, own)
+  if (own > 0)
+    text = regexprep (text, ['\<' name '_CTL\>'], [name "_CTO"]);
+    text = regexprep (text, ['\<' name '_CTP\>'], [name "_CTQ"]);
+  endif
+endfunction
+
+## the description with one controller more, and the Fortran that takes its numbers from the scene
+function [json, text, held] = joined (who, json, c, name, k, held)
+  inputs = gsmbp__names (json.inputs);
+  outputs = {};
+  if (isfield (json, "outputs") && ! isempty (json.outputs))
+    outputs = gsmbp__names (json.outputs);
+  endif
+  reads = places (who, c, "measured", c.measured, outputs, ...
+                  "output of the scene: add output(name, expression)");
+  drives = places (who, c, "driven", c.driven, inputs, "input of the scene");
+  if (any (ismember (drives, held)))
+    error ("%s: the controller %s: the input %s has another device that holds it", who, c.name,
+           inputs{drives(find (ismember (drives, held), 1))});
+  endif
+  held = [held, drives];
+  nv = json.dimensions.nv;
+  nz = rows (c.A);
+  nr = numel (c.references);
+  json.dimensions.nv += nr;
+  json.dimensions.nxk += nz;
+  json.dimensions.nctl += 1;
+  [~, units] = gsmbp__names (json.outputs);
+  json.inputs = gsmbp__rows (json, "inputs");
+  for i = 1:nr
+    read = find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1);
+    json.inputs{end+1} = struct ("name", [c.name "." c.references{i}], "unit", ...
+                                 units{reads(read)});
+  endfor
+  one = struct ("name", c.name, "entry", c.method, "period", c.period, "delay", c.delay, ...
+                "memory", {arrayfun(@(i) sprintf ("%s.z%d", c.name, i), (1:nz)', ...
+                                    "UniformOutput", false)}, ...
+                "starts", zeros (nz, 1), "outputs", drives(:), "reads", reads(:), ...
+                "again", json.dimensions.nctl > 1, "possible", []);
+  before = [gsmbp__rows(json, "controllers"){:}];
+  json.controllers = [before, one];
+  if (! isfield (json, "input_starts"))
+    json.input_starts = zeros (nv, 1);
+  endif
+  json.input_starts(drives) = c.u0;
+  json.input_starts = [json.input_starts; c.r0(:)];
+  text = [gsmbp__controller_fortran(c, sprintf ("%s_CN%d", name, k)), ...
+          connection(c, name, k, reads, drives, nv)];
+endfunction
+
+function k = places (who, c, field, names, known, what)
+  k = gsmbp__which (names, known)(:)';
+  if (! all (k))
+    error ("%s: the controller %s: %s: expected the name of an %s; found %s", who, c.name, field,
+           what, gsmbp__unknown (names{find (! k, 1)}, known));
+  endif
+endfunction
+
+function text = connection (c, name, k, reads, drives, nv)
+  dims = max ([numel(reads), numel(c.references), numel(drives)], 1);
+  out = {sprintf("      SUBROUTINE %s_CD%d( Y, XK, V )", name, k), ...
+         sprintf("C     The controller %s on the outputs and inputs of the scene.", c.name), ...
+         "      IMPLICIT NONE", "      DOUBLE PRECISION   Y(*), XK(*), V(*)", ...
+         sprintf("      DOUBLE PRECISION   YC(%d), R(%d), U(%d)", dims), ...
+         sprintf("      EXTERNAL %s_CN%d", name, k), "C"};
+  for i = 1:numel (reads)
+    out{end+1} = sprintf ("      YC(%d) = Y(%d)", i, reads(i));
+  endfor
+  for i = 1:numel (c.references)
+    out{end+1} = sprintf ("      R(%d) = V(%d)", i, nv + i);
+  endfor
+  out{end+1} = sprintf ("      CALL %s_CN%d( YC, R, XK, U )", name, k);
+  for i = 1:numel (drives)
+    out{end+1} = sprintf ("      V(%d) = U(%d)", drives(i), i);
+  endfor
+  out{end+1} = "      END";
+  text = sprintf ("%s\n", out{:});
+endfunction
+
+## CTL and CTP of all
+function text = entry (json, before, list, name)
+  own = before.dimensions.nctl;
+  at = before.dimensions.nxk + 1;
+  out = {sprintf("      SUBROUTINE %s_CTL( K, T, Y, XK, CST, V )", name), ...
+         "      IMPLICIT NONE", "      INTEGER            K", ...
+         "      DOUBLE PRECISION   T, Y(*), XK(*), CST(*), V(*)", "C"};
+  if (own > 0)
+    out{end+1} = sprintf ("      IF ( K.LE.%d ) CALL %s_CTO( K, T, Y, XK, CST, V )", own, name);
+  endif
+  for k = 1:numel (list)
+    out = [out, {sprintf("      IF ( K.EQ.0 .OR. K.EQ.%d )", own + k), ...
+                 sprintf("     $   CALL %s_CD%d( Y, XK(%d), V )", name, k, at)}];
+    at += rows (list{k}.A);
+  endfor
+  out = [out, {"      END", sprintf("      SUBROUTINE %s_CTP( CST, PER, DEL )", name), ...
+               "      IMPLICIT NONE", "      DOUBLE PRECISION   CST(*), PER(*), DEL(*)", "C"}];
+  if (own > 0)
+    out{end+1} = sprintf ("      CALL %s_CTQ( CST, PER, DEL )", name);
+  endif
+  for k = 1:numel (list)
+    out{end+1} = sprintf ("      PER(%d) = %s", own + k, double_text (list{k}.period));
+    out{end+1} = sprintf ("      DEL(%d) = %s", own + k, double_text (list{k}.delay));
+  endfor
+  out{end+1} = "      END";
+  text = sprintf ("%s\n", out{:});
+endfunction
+
+function text = double_text (x)
+  text = strrep (sprintf ("%.16e", x), "e", "D");
+endfunction
+
+## rows for CTL and CTP; the inputs V of all are as many as there are now
+function list = subroutines (json, name)
+  list = gsmbp__rows (json, "subroutines");
+  full = cellfun (@(row) row.name, list, "UniformOutput", false);
+  list(ismember (full, strcat (name, {"_CTL", "_CTP"}))) = [];
+  for k = 1:numel (list)
+    if (isfield (list{k}, "shapes") && ! isempty (list{k}.shapes))
+      v = strcmp (cellstr (list{k}.arguments)(:)', "V");
+      shapes = cellstr (list{k}.shapes)(:)';
+      shapes(v) = regexprep (shapes(v), '^(in|inout)\(.*\)$', ...
+                             sprintf ("$1(%d)", json.dimensions.nv));
+      list{k}.shapes = shapes;
+    endif
+  endfor
+  list{end+1} = struct ("name", [name "_CTL"]);
+  list{end+1} = struct ("name", [name "_CTP"]);
+endfunction
