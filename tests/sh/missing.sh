@@ -70,9 +70,11 @@ if make_ packages && lines 0; then
   path_without
   rm -rf examples/*/out
   check 'without SUNDIALS: make examples' make_ examples
-  check 'without SUNDIALS: one line' lines 1
+  check 'without SUNDIALS and Ipopt: two lines' lines 2
   check 'without SUNDIALS: what is missing for what' \
     says 'GSMBP: missing: libsundials-dev, for method "cvode" of gsmbp_simulate'
+  check 'without Ipopt: what is missing for what' \
+    says 'GSMBP: missing: coinor-libipopt-dev, for gsmbp_optimal_motion'
   check 'without SUNDIALS: an example with it is left out' fails test -e examples/stiff/out/finished
   check 'without SUNDIALS: and named' \
     says 'examples/stiff is left out: it needs libsundials-dev'

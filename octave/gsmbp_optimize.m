@@ -1,0 +1,262 @@
+## -*- texinfo -*-
+## @c category Design
+## @deftypefn  {} {@var{r} =} gsmbp_optimize (@var{m}, @var{free}, @var{goal}, @var{demands}, @
+## @var{cases}, @var{options}, @dots{})
+## @deftypefnx {} {[@var{r}, @var{info}] =} gsmbp_optimize (@dots{})
+## The best design of a machine: parameters, starts, motions and gains that make a goal small and
+## meet demands in load cases.
+##
+## @var{free} says what may change, a cell array with a row for each variable:
+## @code{@{"k", 10, [1 100]@}} (name, start, bounds; -Inf, Inf: none) or
+## @code{@{"n", 20, @{10, 20, 50@}@}} (one of a list).  A name is that of a parameter of the model
+## @var{m}, of a state (its start in runs), or one of your own, for your functions.
+##
+## @var{cases} is a list of load cases, each a list of what another function is called with:
+## @table @code
+## @item @{"run", times, x0, @dots{}@}
+## a run; options of @code{gsmbp_simulate}.  With loops @code{x0} is closed with the actuated
+## coordinates (or those of "fixed") held
+## @item @{"inverse", motion, times, @dots{}@}
+## efforts and inputs along a motion; options of @code{gsmbp_inverse}
+## @item @{"rest", x, v, @dots{}@}
+## an equilibrium; options of @code{gsmbp_trim}; also @code{frequency1}, @code{damping1}, @dots{}
+## @item @{"positions", names, values, @dots{}@}
+## one position after the other, at rest: coordinates that are held and their values, a row each;
+## option "guess", coordinates from which the loops are closed
+## @end table
+## Any argument may be a function of one argument, the struct of the values by name: the
+## coefficients of a plan, gains, a start.  More options of a case: "name", "target" (a struct by
+## names: a number, one for each time, a piecewise polynomial or a function of the time), "band"
+## (0.02).
+##
+## @var{goal} has rows @code{@{word, name@}} or @code{@{word, name, factor@}}, which are added (a
+## negative factor: as large as possible); @var{demands} rows @code{@{word, name, relation, bound@}}
+## with the relation "<", ">" or "=".  The name of a case behind a row: of that case alone.  Names
+## are those of @code{gsmbp_names}, products of them ("motor.v*motor.i"), and "error.q": less its
+## target.
+## @table @code
+## @item start, end, mean, integral, square, rms
+## over the times of a case (square: the mean of squares)
+## @item drawn
+## the integral where it is positive: energy that is not given back
+## @item peak, max, min, each
+## largest modulus, largest, least; each: at every time
+## @item settling
+## the time until the modulus stays below "band" times its first value
+## @item value
+## of a free variable or parameter
+## @end table
+## A row may also be a function, @code{@{f@}}, @code{@{f, factor@}}, @code{@{f, relation, bound@}},
+## of the struct of the values, or of that and of the results of the cases by name; its second
+## result, if it has one, are its derivatives by the variables (columns).
+##
+## Derivatives are exact where @var{m} was derived for its parameters (request
+## @code{sensitivity(@dots{})}): states and outputs of runs with given inputs, equilibria,
+## positions, efforts of open chains; else differences of order 4, and @code{r.derivatives} says so.
+##
+## Options: "solver": "auto" (default), "slsqp", "mma", "cobyla" (NLopt, Debian package
+## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
+## more, by chance within the bounds, and "seed" of that chance; "tolerance" (1e-10); limits
+## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start.
+##
+## @var{r} has the fields @code{values} (by name), @code{J}, @code{model} (with these values),
+## @code{results} of the cases, @code{active} (bounds and demands that hold it back: text, value,
+## bound, multiplier: how much the goal falls for each unit that it is loosened), @code{solved},
+## @code{ended}, @code{limit} (a limit was reached), @code{violation} and @code{optimality} (what is
+## left of the conditions of an optimum, beside their sizes), @code{iterations},
+## @code{evaluations}, @code{starts} (all ends), @code{derivatives}, @code{report} (a text).
+##
+## Demands that cannot be met are an error that names a least set of them which contradict each
+## other; with @var{info} it is no error: 0 solved, 1 a limit was reached, 2 the demands
+## contradict each other (@code{r.conflict}), 3 the solver ended elsewhere; 1 and 3 are warnings
+## too.
+##
+## @c session octave
+## @example
+## >> file = fopen ("swing.mac", "w");
+## >> fputs (file, "scene : gsmbp_scene(\"swing\", gravity = [0, -g, 0], ");
+## >> fputs (file, "link(rod, mass = m, centre = [l, 0, 0], inertia = [0, 0, 0.01]), ");
+## >> fputs (file, "revolute(A, ground, rod, axis = z, coordinate = q), ");
+## >> fputs (file, "input(tau, unit = N*m), drive(motor, joint = A, effort = tau), ");
+## >> fputs (file, "parameters = [g = 9.81, m = 2*kg, l = 0.5*m])$ ");
+## >> fputs (file, "requests : '[all, adjoint, sensitivity(m, l)]$");
+## >> fclose (file);
+## >> gsmbp_derive ("swing.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("swing");
+## >> free = @{"l", 0.5, [0.1 1]@};
+## >> held = @{"positions", "q", 0@};
+## >> r = gsmbp_optimize (m, free, @{"value", "l", -1@}, @{"max", "effort.q", "<", 4@}, held);
+## >> abs (r.values.l - 4 / (2 * 9.81)) < 1e-8
+## ans = 1
+## >> r.active.text
+## ans = max effort.q < 4
+## @end example
+##
+## Errors: unknown names and words; a solver that is not installed; demands that contradict each
+## other; a variable on which nothing depends.
+## Source: own glue; solvers: Kraft (1994), SLSQP, in
+## NLopt (S. G. Johnson); Waechter and Biegler (2006), Ipopt.
+## @seealso{gsmbp_sensitivity, gsmbp_adjoint, gsmbp_simulate, gsmbp_inverse}
+## @end deftypefn
+
+function [r, info] = gsmbp_optimize (m, free, goal, varargin)
+  if (nargin < 3)
+    print_usage ();
+  endif
+  who = "gsmbp_optimize";
+  gsmbp__model (who, m);
+  given = [varargin, cell(1, max (0, 2 - numel (varargin)))];
+  o = gsmbp__options (who, known_options (), given(3:end));
+  P = problem (who, m, free, goal, given{1:2});
+  checked (P, o);
+  combinations = choices (P);
+  best = [];
+  ends = struct ("values", {}, "J", {}, "solved", {}, "violation", {}, "ended", {});
+  for k = 1:rows (combinations)
+    Q = chosen (P, combinations(k,:));
+    [one, here] = gsmbp__design_solve (who, Q, o);
+    ends = [ends, here];
+    if (better (one, best))
+      best = one;
+    endif
+  endfor
+  best.starts = ends;
+  [r, info] = gsmbp__design_result (who, best, o, P, rows (combinations));
+  if (nargout < 2 && info == 2)
+    error ("gsmbp:infeasible", "%s: %s: %s", who, m.name, r.ended);
+  elseif (any (info == [1, 3]))
+    warning ("gsmbp:optimize", "%s: %s: no optimum was found: %s", who, m.name, r.ended);
+  endif
+endfunction
+
+function table = known_options ()
+  table = {"solver", "auto", {"auto", "slsqp", "mma", "cobyla", "ipopt"}
+           "starts", 1, "whole"
+           "seed", 1, "whole"
+           "tolerance", 1e-10, "tolerance"
+           "iterations", 500, "whole"
+           "evaluations", 1000, "whole"
+           "seconds", Inf, "any"};
+endfunction
+
+function P = problem (who, m, free, goal, demands, cases)
+  P.who = who;
+  P.free = gsmbp__free_variables (who, m, free);
+  P.cases = gsmbp__design_cases (who, m, cases);
+  P.goal = gsmbp__design_rows (who, "goal", goal, P.cases, true);
+  P.demands = gsmbp__design_rows (who, "demands", demands, P.cases, false);
+  P.table = gsmbp__table (m);
+  P.also = {};
+  if (any (strcmp ({P.cases.kind}, "rest")))
+    P.also = {"frequency1", "damping1"};
+  endif
+  P.base = m;
+  P.used = 1:numel (P.cases);
+  P.given = struct ();
+  P.folder = fullfile (fileparts (fileparts (m.file)), "common");
+  P.why = {};
+  for c = P.cases
+    [P.exact.(c.name), why] = gsmbp__design_exact (m, P.free, c, fields (P, c));
+    if (! isempty (why))
+      P.why{end+1} = why;
+    endif
+  endfor
+endfunction
+
+## the fields of a case's result that goals and demands read
+function list = fields (P, c)
+  list = {};
+  for row = [P.goal, P.demands]
+    if (isempty (row.name) || strcmp (row.word, "value") ...
+        || ! any (strcmp ({P.cases(row.cases).name}, c.name)))
+      continue;
+    endif
+    for name = strtrim (strsplit (row.name, "*"))
+      plain = regexprep (name{1}, '^error\.', "");
+      k = find (strcmp ({P.table.name}, plain));
+      if (! isempty (k))
+        list{end+1} = P.table(k).field;
+      elseif (! isempty (regexp (plain, '^(frequency|damping)\d+$', "once")))
+        list{end+1} = "extra";
+      else
+        error ("%s: case %s: unknown quantity %s", P.who, c.name, ...
+               gsmbp__unknown (name{1}, [{P.table.name}, P.also]));
+      endif
+    endfor
+  endfor
+  list = unique (list);
+endfunction
+
+function checked (P, o)
+  if (o.starts < 1)
+    error ("%s: option starts: expected at least 1, found %d", P.who, o.starts);
+  elseif (! (isnumeric (o.seconds) && isscalar (o.seconds) && o.seconds > 0))
+    error ("%s: option seconds: expected a number above 0, found %s", P.who, ...
+           gsmbp__shown (o.seconds));
+  endif
+  endless = find (! isfinite ([P.free.high] - [P.free.low]), 1);
+  if (o.starts > 1 && ! isempty (endless))
+    error ("%s: option starts: expected finite bounds of %s, between which to start", P.who, ...
+           P.free(endless).name);
+  endif
+endfunction
+
+## a row for each combination of what is chosen from lists
+function list = choices (P)
+  list = zeros (1, 0);
+  for f = P.free(! cellfun (@isempty, {P.free.list}))
+    n = rows (list);
+    list = [repmat(list, numel (f.list), 1), kron(f.list(:), ones (n, 1))];
+  endfor
+  if (rows (list) > 1000)
+    error ("%s: expected at most 1000 combinations of choices, found %d", P.who, rows (list));
+  endif
+endfunction
+
+## the problem with these choices made
+function P = chosen (P, values)
+  discrete = ! cellfun (@isempty, {P.free.list});
+  k = 0;
+  for f = P.free(discrete)
+    P.given.(strrep (f.name, ".", "_")) = values(++k);
+    if (strcmp (f.kind, "parameter"))
+      P.base = gsmbp_set (P.base, f.name, values(k));
+    elseif (strcmp (f.kind, "state"))
+      error ("%s: argument free: %s: a start of a state cannot be chosen from a list", ...
+             P.who, f.name);
+    endif
+  endfor
+  P.free = P.free(! discrete);
+  for c = P.cases
+    P.exact.(c.name) = P.exact.(c.name)(! discrete);
+  endfor
+  parameters = find (strcmp ({P.free.kind}, "parameter"));
+  base = P.base;
+  names = {P.free(parameters).name};
+  P.model = @(p) with (base, names, p(parameters));
+endfunction
+
+function m = with (m, names, values)
+  if (! isempty (names))
+    m = gsmbp_set (m, cell2struct (num2cell (values(:)), names(:), 1));
+  endif
+endfunction
+
+## whether an end is to be preferred
+function yes = better (a, b)
+  yes = isempty (b);
+  if (! yes)
+    [fa, fb] = deal (a.violation <= 1e-6, b.violation <= 1e-6);
+    yes = (fa && ! fb) || (fa == fb && ((fa && a.e.J < b.e.J) ...
+                                        || (! fa && a.violation < b.violation)));
+  endif
+endfunction
+
+%!shared m
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! m = gsmbp_hand ("motor_pendulum");
+%!error <unknown word "peek", did you mean "peak"> 
+%! gsmbp_optimize (m, {"g", 9.81, [1 20]}, {"peek", "q"}, {}, {"run", [0 1], [0 0 0]})
+%!error <option solver: expected one of>
+%! gsmbp_optimize (m, {"g", 9, [1 20]}, {}, {}, {}, "solver", 1)

@@ -1,0 +1,186 @@
+## [R, D, rough] = gsmbp__design_case (P, c, p)
+## What a load case C gives with the values P of the free variables (of the problem P): a struct R
+## with the times t, the weights w of an integral over them, and matrices x, v, y, points, tau,
+## lambda, margins (a row for each time), and extra, a struct of numbers by names.  D: the same
+## fields with a page for each free variable.  ROUGH: which of these were taken by differences.
+
+function [R, D, rough] = gsmbp__design_case (P, c, p)
+  if (nargout < 2)
+    R = weighted (c, values (P, c, p, false));
+    return;
+  endif
+  rough = by_differences (P, c, p);
+  [R, D] = values (P, c, p, ! rough);
+  R = weighted (c, R);
+  for k = find (rough)
+    D = put (D, differenced (P, c, p, k), k, numel (p));
+  endfor
+endfunction
+
+## [R, D] = values: exact derivatives by the variables of the mask BY
+function [R, D] = values (P, c, p, by)
+  D = struct ();
+  given = gsmbp__filled ([c.args, c.options], p, P);
+  args = given(1:numel (c.args));
+  options = given(numel (c.args)+1:end);
+  m = P.model(p);
+  switch (c.kind)
+    case "run"
+      [R, D] = run (P, m, args, options, p, by);
+    case "inverse"
+      R = gsmbp_inverse (m, args{:}, options{:});
+      R.t = R.t(:);
+      if (any (by))
+        D = gsmbp__inverse_by (P, c, m, R, p, by);
+      endif
+    case "rest"
+      [R, D] = rest (P, m, args, options, p, by);
+    case "positions"
+      [R, D] = gsmbp__positions (P, m, c, args, options, p, by);
+  endswitch
+endfunction
+
+## the free variables that only differences can do: where a function of the user's depends on
+## them, and all, where a quantity has no exact derivatives
+function rough = by_differences (P, c, p)
+  rough = ! P.exact.(c.name);
+  if (all (rough))
+    return;
+  endif
+  handles = [c.args, c.options];
+  if (strcmp (c.kind, "inverse"))
+    handles(1) = [];   # through the equations of motion
+  elseif (strcmp (c.kind, "positions"))
+    handles(2) = [];   # through the constraints
+  endif
+  handles = handles(cellfun (@gsmbp__of_values, handles));
+  for h = handles
+    here = h{1}(gsmbp__as_struct (P, p));
+    for k = find (! rough)
+      q = p;
+      q(k) += 1e-3 * P.free(k).scale;
+      rough(k) = ! isequal (here, h{1}(gsmbp__as_struct (P, q)));
+    endfor
+  endfor
+endfunction
+
+function [R, D] = run (P, m, args, options, p, by)
+  D = struct ();
+  x0 = args{2}(:);
+  for k = find (strcmp ({P.free.kind}, "state"))
+    x0(strcmp (m.states, P.free(k).name)) = p(k);
+  endfor
+  if (m.sizes.nlam > 0)
+    held = m.coordinates(m.actuated);
+    at = find (strcmp (options(1:2:end), "fixed"));
+    if (! isempty (at))
+      held = options{2*at};
+    endif
+    x0 = gsmbp_assemble (m, x0, "hold", held);
+  endif
+  by &= ! strcmp ({P.free.kind}, "own");
+  names = {P.free(by).name};
+  if (isempty (names))
+    R = gsmbp_simulate (m, x0, args{1}, options{! leading(options, "fixed")});
+    return;
+  endif
+  R = gsmbp_simulate (m, x0, args{1}, options{:}, "sensitivity", names);
+  pages = find (by);
+  for k = 1:numel (names)
+    D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", 0 * R.v), pages(k), ...
+             numel (p));
+  endfor
+endfunction
+
+## the places of an option and its value
+function is = leading (options, name)
+  is = false (1, numel (options));
+  k = find (strcmp (options(1:2:end), name));
+  is([2*k-1, 2*k]) = true;
+endfunction
+
+function [R, D] = rest (P, m, args, options, p, by)
+  D = struct ();
+  e = gsmbp_trim (m, args{:}, options{:});
+  R = struct ("t", 0, "x", e.x', "v", e.v', "y", gsmbp__outputs (m, 0, e.x', e.v'));
+  R = gsmbp__named (m, R);
+  R.extra = struct ();
+  if (! all (ismember ({"rhp", "jac"}, m.subroutines)))
+    return;
+  endif
+  keep = ismember (options(1:2:end), {"hold", "free", "time"});
+  keep = reshape ([keep; keep], 1, []);
+  s = gsmbp_sensitivity (m, e.x, e.v, options{keep});
+  pages = find (by & strcmp ({P.free.kind}, "parameter"));
+  for i = 1:numel (s.frequency)
+    R.extra.(sprintf ("frequency%d", i)) = s.frequency(i);
+    R.extra.(sprintf ("damping%d", i)) = s.damping(i);
+  endfor
+  for k = pages
+    name = P.free(k).name;
+    one = struct ("x", s.dx.(name)', "v", s.dv.(name)', "y", s.dy.(name)');
+    one.extra = struct ();
+    for i = 1:numel (s.frequency)
+      one.extra.(sprintf ("frequency%d", i)) = s.dfrequency.(name)(i);
+      one.extra.(sprintf ("damping%d", i)) = s.ddamping.(name)(i);
+    endfor
+    D = put (D, one, k, numel (p));
+  endfor
+endfunction
+
+## the weights of an integral over the times: of a cubic spline, if none is negative; of single
+## positions and equilibria their mean
+function R = weighted (c, R)
+  n = numel (R.t);
+  if (! any (strcmp (c.kind, {"run", "inverse"})))
+    R.w = ones (n, 1) / n;
+  else
+    h = diff (R.t(:));
+    R.w = ([h; 0] + [0; h]) / 2;
+    if (n >= 4)
+      pp = ppint (spline (R.t(:)', eye (n)));
+      w = ppval (pp, R.t(end)) - ppval (pp, R.t(1));
+      if (all (w > 0))
+        R.w = w(:);
+      endif
+    endif
+  endif
+  if (! isfield (R, "extra"))
+    R.extra = struct ();
+  endif
+endfunction
+
+## page K of N of the derivatives
+function D = put (D, one, k, n)
+  for name = fieldnames (one)'
+    name = name{1};
+    value = one.(name);
+    if (isstruct (value))
+      if (! isfield (D, name))
+        D.(name) = struct ();
+      endif
+      D.(name) = put (D.(name), value, k, n);
+    elseif (isnumeric (value))
+      if (! isfield (D, name))
+        D.(name) = zeros ([size(value), n]);
+      endif
+      D.(name)(:,:,k) = value;
+    endif
+  endfor
+endfunction
+
+## by one variable, differences of order 4
+function D = differenced (P, c, p, k)
+  at = @(s) fields_of (values (P, c, gsmbp__moved (p, k, s), false (1, numel (p))));
+  D = gsmbp__slope (at, P.free(k), p(k));
+endfunction
+
+## the fields that are numbers
+function F = fields_of (R)
+  F = struct ();
+  for name = {"x", "v", "y", "points", "tau", "lambda", "margins", "extra"}
+    if (isfield (R, name{1}))
+      F.(name{1}) = R.(name{1});
+    endif
+  endfor
+endfunction

@@ -1,0 +1,56 @@
+## [exact, why] = gsmbp__design_exact (m, free, c, fields)
+## By which of the free variables a load case of the model M has exact derivatives of these fields
+## of its result (a mask; what comes in by functions of the user's apart), and why not by all.
+
+function [exact, why] = gsmbp__design_exact (m, free, c, fields)
+  why = "";
+  has = @(varargin) all (ismember (varargin, m.subroutines));
+  can = @(varargin) all (ismember (fields, varargin));
+  loops = m.sizes.nlam > 0;
+  outputs = ! any (strcmp (fields, "y")) || has ("jac", "oup");
+  by_motion = m.sizes.nx == m.sizes.nq + m.sizes.nu;
+  switch (c.kind)
+    case "run"
+      possible = can ("x", "y", "v") && has ("rhp") && outputs && plain_run (m, c) ...
+                 && (! loops || (has ("con", "tan", "cop") && m.sizes.nq == m.sizes.nu));
+    case "inverse"
+      possible = ! loops && has ("inv", "lin", "inp") && m.sizes.nq == m.sizes.nu ...
+                 && (can ("tau") || (by_motion && can ("x", "tau"))) && isempty (c.options);
+    case "rest"
+      possible = can ("x", "y", "v", "extra") && has ("rhp", "jac") && outputs;
+    case "positions"
+      possible = outputs && m.sizes.nq == m.sizes.nu && ((! loops && can ("x", "y", "tau") ...
+                              && has ("lin", "inp")) || (can ("x", "y") && has ("tan", "cop")));
+  endswitch
+  known = {};
+  if (isfield (m.json, "sensitivity"))
+    known = cellstr (m.json.sensitivity);
+  endif
+  exact = possible & (strcmp ({free.kind}, "own") | ismember ({free.name}, known) ...
+                      | (strcmp ({free.kind}, "state") & strcmp (c.kind, "run")));
+  if (! possible)
+    why = sprintf ("no exact derivatives of %s in case %s (%s)", strjoin (fields, ", "), c.name, ...
+                   c.kind);
+  elseif (! all (exact))
+    why = sprintf ("%s was not derived for %s (request sensitivity)", m.name, ...
+                   strjoin ({free(! exact).name}, ", "));
+  endif
+endfunction
+
+## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
+function yes = plain_run (m, c)
+  yes = isempty (m.events) && isempty (m.controllers);
+  for k = 1:2:numel (c.options)
+    value = c.options{k+1};
+    switch (c.options{k})
+      case {"motion", "gain", "audit"}
+        yes = false;
+      case "method"
+        yes = yes && any (strcmp (value, {"dp853", "rk4"}));
+      case "loops"
+        yes = yes && any (strcmp (value, {"baumgarte", "projection"}));
+      case "input"
+        yes = yes && ! ischar (value) && (! is_function_handle (value) || nargin (value) == 1);
+    endswitch
+  endfor
+endfunction

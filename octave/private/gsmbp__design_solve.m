@@ -1,0 +1,104 @@
+## [best, ends] = gsmbp__design_solve (who, P, o)
+## The best end of a design by its continuous variables, from one start or several.  BEST: what
+## gsmbp__nlp gives, with P, q (the problem), p (the values), solved, optimality, active.
+
+function [best, ends] = gsmbp__design_solve (who, P, o)
+  ends = struct ("values", {}, "J", {}, "solved", {}, "violation", {}, "ended", {});
+  best = [];
+  Z = places (P, o);
+  for k = 1:columns (Z)
+    [P, q] = set_up (P, Z(:,k));
+    used = solver (P, q, o);
+    r = one (who, P, q, setfield (o, "solver", used));
+    r.solver = used;
+    ends(end+1) = struct ("values", gsmbp__as_struct (P, r.p), "J", r.e.J, "solved", r.solved, ...
+                          "violation", r.violation, "ended", r.ended);
+    if (isempty (best) || (r.violation <= 1e-6) > (best.violation <= 1e-6) ...
+        || ((r.violation <= 1e-6) == (best.violation <= 1e-6) && r.e.J < best.e.J))
+      best = r;
+    endif
+  endfor
+endfunction
+
+## columns: the start, then others by chance
+function Z = places (P, o)
+  f = P.free;
+  scale = reshape ([f.scale], [], 1);
+  Z = reshape ([f.start], [], 1) ./ scale;
+  if (o.starts < 2 || isempty (f))
+    return;
+  endif
+  before = rand ("state");
+  guard = onCleanup (@() rand ("state", before));
+  rand ("state", o.seed);
+  low = [f.low]';
+  high = [f.high]';
+  Z = [Z, (low + (high - low) .* rand (numel (f), o.starts - 1)) ./ scale];
+endfunction
+
+function word = solver (P, q, o)
+  word = o.solver;
+  if (! strcmp (word, "auto"))
+    return;
+  endif
+  word = "slsqp";
+  if (q.newton || ! exist ("nlopt_optimize", "file"))
+    word = "ipopt";
+  endif
+endfunction
+
+## the problem of the solver, with a number above each peak that is a goal
+function [P, q] = set_up (P, start)
+  n = numel (P.free);
+  scale = reshape ([P.free.scale], [], 1);
+  peaks = sum ([P.goal.above]);
+  P.sizes = ones (1, peaks);
+  z = [start; zeros(peaks, 1)];
+  e = gsmbp__design_assess (P, z);
+  nothing_depends (P, e);
+  if (peaks > 0)
+    ## above all values from the beginning
+    for s = 1:peaks
+      k = e.A(:,n+s) != 0 & e.row == 0;
+      ahead = -e.g(k) ./ e.A(k,n+s);
+      top = merge (e.A(find (k, 1),n+s) < 0, max (ahead), min (ahead));
+      P.sizes(s) = max (abs (top), 1e-12);
+      z(n+s) = top / P.sizes(s);
+    endfor
+  endif
+  q.z0 = z;
+  q.low = [reshape([P.free.low], [], 1) ./ scale; -Inf(peaks, 1)];
+  q.high = [reshape([P.free.high], [], 1) ./ scale; Inf(peaks, 1)];
+  q.f = @(z) gsmbp__design_assess (P, z);
+  q.newton = ! isempty (P.goal) && all (strcmp ({P.goal.word}, "square")) ...
+             && all ([P.goal.factor] > 0) && isempty (P.demands);
+endfunction
+
+function nothing_depends (P, e)
+  for k = 1:numel (P.free)
+    if (e.gJ(k) == 0 && all (e.A(:,k) == 0) && strcmp (P.free(k).kind, "own"))
+      error ("%s: nothing depends on %s at the start (no parameter of %s has that name)", P.who, ...
+             P.free(k).name, P.base.name);
+    endif
+  endfor
+endfunction
+
+function r = one (who, P, q, o)
+  if (isempty (q.z0))
+    e = q.f(q.z0);
+    r = struct ("z", q.z0, "e", e, "iterations", 0, "evaluations", 1, "ended", ...
+                "nothing is free", ...
+                "limit", false, "trouble", "", "size_J", 1, "size_g", max ([abs(e.g), ...
+                        ones(numel (e.g), 1)], [], 2));
+    r.violation = max ([0; (e.low - e.g) ./ r.size_g; (e.g - e.high) ./ r.size_g]);
+    r.optimality = 0;
+  else
+    r = gsmbp__nlp (who, P.folder, q, o);
+  endif
+  [r.active, r.optimality] = gsmbp__design_prices (P, q, r);
+  r.p = r.e.p;
+  r.P = P;
+  r.q = q;
+  feasible = r.violation <= 1e-6;
+  r.solved = feasible && ! r.limit && (r.optimality <= 1e-4 || isempty (P.goal));
+endfunction

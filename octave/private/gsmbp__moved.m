@@ -1,0 +1,6 @@
+## p = gsmbp__moved (p, k, value)
+## The column P with its K-th number replaced.
+
+function p = gsmbp__moved (p, k, value)
+  p(k) = value;
+endfunction

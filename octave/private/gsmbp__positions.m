@@ -1,0 +1,109 @@
+## [R, D] = gsmbp__positions (P, m, c, args, options, p, by)
+## Positions at rest, one after the other: ARGS are the names of the coordinates that are held and
+## their values, a row for each position; loops are closed along the way.  Efforts are those that
+## hold them.  D: derivatives by the free variables of the mask BY.
+
+function [R, D] = gsmbp__positions (P, m, c, args, options, p, by)
+  d = m.sizes;
+  names = cellstr (args{1});
+  held = cellfun (@(name) find (strcmp (m.coordinates, name)), names(:)');
+  values = rowwise (c, args{2}, numel (held));
+  n = rows (values);
+  o = gsmbp__options ("gsmbp_optimize", {"guess", m.initial(1:d.nq), "numbers"}, options);
+  R = struct ("t", (1:n)', "x", zeros (n, d.nx), "v", zeros (n, d.nv), "extra", struct ());
+  q = o.guess(:);
+  for i = 1:n
+    q = position (m, q, held, values(i,:)');
+    R.x(i,:) = [q; zeros(d.nu, 1); m.initial(d.nq+d.nu+1:end)]';
+    if (d.nlam > 0 && any (strcmp (m.subroutines, "inl")))
+      [R.tau(i,:), R.lambda(i,:)] = m.inl (0, q, zeros (d.nu, 1), zeros (d.nu, 1));
+    elseif (any (strcmp (m.subroutines, "inv")))
+      R.tau(i,:) = m.inv (0, q, zeros (d.nu, 1), zeros (d.nu, 1));
+    endif
+  endfor
+  R.y = gsmbp__outputs (m, zeros (n, 1), R.x, R.v);
+  R = gsmbp__named (m, R);
+  D = struct ();
+  if (any (by))
+    D = derivatives (P, m, c, R, p, by, held);
+  endif
+endfunction
+
+function values = rowwise (c, values, n)
+  if (! (isnumeric (values) && isreal (values) && all (isfinite (values(:)))))
+    error (["gsmbp_optimize: case %s: expected finite numbers, a row for each position, " ...
+            "found %s"], c.name, gsmbp__shown (values));
+  elseif (n == 1)
+    values = values(:);
+  elseif (columns (values) != n)
+    error (["gsmbp_optimize: case %s: expected %d columns of values (held coordinates), " ...
+            "found %d"], c.name, n, columns (values));
+  endif
+endfunction
+
+## the coordinates with those that are held at their values
+function q = position (m, q, held, values)
+  d = m.sizes;
+  if (d.nlam == 0)
+    q(held) = values;
+  elseif (isequal (sort (held(:)), sort (m.actuated(:))))
+    [planned, order] = sort (held(:));
+    pp = mkpp ([0 1], values(order), numel (values));
+    q = gsmbp__whole_motion ("gsmbp_optimize", m, pp, planned, true, 0, 1, q)(:,1);
+  else
+    q(held) = values;
+    q = gsmbp_assemble (m, q, "hold", m.coordinates(held))(1:d.nq);
+  endif
+endfunction
+
+function D = derivatives (P, m, c, R, p, by, held)
+  d = m.sizes;
+  n = numel (p);
+  K = numel (R.t);
+  V = zeros (K, numel (held), n);
+  if (gsmbp__of_values (c.args{2}))
+    at = @(p) rowwise (c, c.args{2}(gsmbp__as_struct (P, p)), numel (held));
+    for k = find (by)
+      V(:,:,k) = gsmbp__slope (@(s) at (gsmbp__moved (p, k, s)), P.free(k), p(k));
+    endfor
+  endif
+  [has, column] = ismember ({P.free.name}, cellstr (m.json.sensitivity));
+  has &= by;
+  D = struct ("x", zeros (K, d.nx, n), "y", zeros (K, d.ny, n), "tau", zeros (K, d.nu, n));
+  for i = 1:K
+    x = R.x(i,:)';
+    dq = zeros (d.nq, n);
+    dq(held,:) = reshape (V(i,:,:), numel (held), n);
+    dq = followed (m, x, dq, held, has, column);
+    D.x(i,1:d.nq,:) = reshape (dq, 1, d.nq, n);
+    if (d.ny > 0 && all (ismember ({"jac", "oup"}, m.subroutines)))
+      [~, ~, C] = m.jac (0, x);
+      Y = C(:,1:d.nq) * dq;
+      Y(:,has) += m.oup (0, x)(:,column(has));
+      D.y(i,:,:) = reshape (Y, 1, d.ny, n);
+    endif
+    if (d.nlam == 0 && all (ismember ({"lin", "inp"}, m.subroutines)))
+      still = zeros (d.nu, 1);
+      [~, ~, C] = m.lin (0, x(1:d.nq), still, still);
+      T = C * dq;
+      T(:,has) += m.inp (0, x(1:d.nq), still, still)(:,column(has));
+      D.tau(i,:,:) = reshape (T, 1, d.nu, n);
+    endif
+  endfor
+  if (d.nlam > 0)
+    D = rmfield (D, "tau");
+  endif
+endfunction
+
+## the coordinates that follow so that the loops stay closed
+function dq = followed (m, x, dq, held, has, column)
+  if (m.sizes.nlam == 0)
+    return;
+  endif
+  others = setdiff (1:m.sizes.nq, held);
+  DP = m.tan (0, x);
+  PP = zeros (rows (DP), columns (dq));
+  PP(:,has) = m.cop (0, x)(:,column(has));
+  rows_ = any (DP != 0, 2);
+  dq(others,:) = -DP(rows_,others) \ (PP(rows_,:) + DP(rows_,held) * dq(held,:));
+endfunction

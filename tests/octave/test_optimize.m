@@ -1,0 +1,149 @@
+## gsmbp_optimize: known optima, multipliers, contradictions, limits, refusals.
+
+function test_optimize ()
+  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
+    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+    return;
+  end
+  lamp (gsmbp_fixture ("design_lamp"));
+  chosen (gsmbp_fixture ("design_lamp"));
+  contradicting (gsmbp_fixture ("design_lamp"));
+  refused (gsmbp_fixture ("design_lamp"));
+  gear (gsmbp_fixture ("design_drive"));
+  four_bar (gsmbp_fixture ("design_fourbar"));
+end
+
+function near (what, found, expected, tolerance)
+  off = max (abs (found - expected) ./ abs (expected));
+  gsmbp_check (sprintf ("%s, found %.2g off", what, off), off < tolerance);
+end
+
+## static balance: a spring, a counterweight (k*h*r = m*g*l; mc*lc = m*l); a damper for a run, held
+## against a search without derivatives
+function lamp (m)
+  still = {"positions", "q", linspace(-1.2, 1.3, 7)'};
+  k = (2 * 0.4 - 0.1) * 9.81 / (0.3 * 0.2);
+  for goal = {"square", "peak"}
+    r = gsmbp_optimize (m, {"k", 50, [1 1000]}, {goal{1}, "effort.q"}, {}, still);
+    near (["a spring balances the arm, by " goal{1}], r.values.k, k, 1e-6);
+    gsmbp_check ("with exact derivatives, solved", strcmp (r.derivatives, "exact") && r.solved);
+  end
+  free = {"mc", 1, [0.1 10]; "lc", 0.1, [0.01 0.4]};
+  r = gsmbp_optimize (gsmbp_set (m, "k", 0), free, {"end", "total"}, {"each", "effort.q", "=", ...
+                                                                      0}, ...
+                      still);
+  near ("the lightest counterweight", [r.values.mc, r.values.lc], [2, 0.4], 1e-6);
+  bound = r.active(strcmp ({r.active.kind}, "bound"));
+  near ("its multiplier at the longest arm, mc/lc", bound.multiplier, 5, 1e-5);
+  t = linspace (0, 2, 21)';
+  [r, info] = gsmbp_optimize (m, {"d", 0.5, [0 20]}, {"square", "q"}, {}, {"run", t, [0.5 0]});
+  w = r.results.case1.w';
+  f = @(d) w * gsmbp_simulate (gsmbp_set (m, "d", d), [0.5 0], t).x(:,1) .^ 2 / 2;
+  d = fminbnd (f, 5, 15, optimset ("TolX", 1e-8));
+  near ("the best damper of a run", r.values.d, d, 1e-6);
+  gsmbp_check ("solved", info == 0);
+  [r, info] = gsmbp_optimize (m, {"d", 0.5, [0 20]}, {"square", "q"}, {"value", "d", "<", 3; ...
+                              "end", "q", "<", 1}, {"run", t, [0.5 0]}, "solver", "ipopt");
+  gsmbp_check ("a demand that holds it back, with its price", info == 0 ...
+               && abs (r.values.d - 3) < 1e-6 && strcmp ({r.active.text}, "value d < 3") ...
+               && abs (r.active.multiplier + (f(3.001) - f(2.999)) / 0.002) < 1e-5);
+end
+
+## from a list, several starts that find the same end, one's own variable in a gain
+function chosen (m)
+  still = {"positions", "q", [-1; 0; 1]};
+  r = gsmbp_optimize (m, {"mc", 1, {0.5, 2, 8}; "k", 50, [1 1000]}, {"value", "k"}, ...
+                      {"peak", "effort.q", "<", 1e-3}, still, "starts", 2, "seed", 3);
+  near ("of a list the one with the softest spring", [r.values.mc, r.values.k], ...
+        [2, (0.8 - 0.2) * 9.81 / 0.06], 1e-3);
+  gsmbp_check ("all ends are told", numel (r.starts) == 6 && ! isempty (strfind (r.report, ...
+               "best of 6 ends (2 starts, 3 combinations)")));
+  t = linspace (0, 1, 21)';
+  m = gsmbp_set (m, "k", (2 * 0.4 - 0.1) * 9.81 / 0.06);
+  follow = {"run", t, [0.2 0], "gain", @(p) [p.kp, 2], "reference", [0 0]};
+  [r, info] = gsmbp_optimize (m, {"kp", 5, [0 50]}, {"value", "kp"}, {"end", "q", "<", 0.05}, ...
+                              follow);
+  late = gsmbp_simulate (m, [0.2 0], t, "gain", [r.values.kp 2], "reference", [0 0]).x(end,1);
+  gsmbp_check ("a gain, by differences, and it is said", info == 0 && abs (late - 0.05) < 1e-7 ...
+               && ! isempty (strfind (r.derivatives, "differences of order 4 by kp")));
+end
+
+function contradicting (m)
+  still = {"positions", "q", [-1; 0; 1]};
+  m = gsmbp_set (m, "k", 0);
+  free = {"mc", 1, [0.1 10]; "lc", 0.1, [0.01 0.4]};
+  demands = {"value", "lc", "<", 0.39; "peak", "effort.q", "<", 1; "end", "total", "<", 3.5
+             "value", "mc", ">", 0.2};
+  [r, info] = gsmbp_optimize (m, free, {"end", "total"}, demands, still);
+  gsmbp_check ("a least set of demands that contradict each other", info == 2 ...
+               && isequal (sort (r.conflict), sort ({"peak effort.q < 1", "end total < 3.5"})));
+  text = gsmbp_complaint (@() gsmbp_optimize (m, free, {"end", "total"}, demands, still));
+  gsmbp_check ("an error where nobody asks", ! isempty (strfind (text, "contradict each other")));
+  demands = {"peak", "effort.q", "<", -1};
+  [~, info] = gsmbp_optimize (m, free, {}, demands, still);
+  gsmbp_check ("one that cannot be met alone", info == 2);
+end
+
+function refused (m)
+  still = {"positions", "q", [-1; 0; 1]};
+  go = @(varargin) gsmbp_optimize (m, varargin{:});
+  goal = {"peak", "effort.q"};
+  cases = {{{"k", 50}, goal, {}, still}, "expected a cell array with a row {name, start"; ...
+           {{"k", 50, [1 2]}, goal, {}, still}, "expected a start from 1 to 2, found 50"; ...
+           {{"k", 50, [2 1]}, goal, {}, still}, "expected bounds [low, high]"; ...
+           {{"k", 5, [1 9]; "k", 5, [1 9]}, goal, {}, still}, "k is given twice"; ...
+           {{"kk", 50, [1 99]}, goal, {}, still}, "nothing depends on kk"; ...
+           {{"k", 50, [1 99]}, {"peek", "q"}, {}, still}, "unknown word \"peek\""; ...
+           {{"k", 50, [1 99]}, {"peak", "effort.w"}, {}, still}, ...
+               "unknown quantity \"effort.w\""; ...
+           {{"k", 50, [1 99]}, goal, {"peak", "q", "<=", 3}, still}, ...
+               "relation: expected one of"; ...
+           {{"k", 50, [1 99]}, goal, {}, {"ran", 1, 2}}, "unknown kind \"ran\""; ...
+           {{"k", 50, [1 99]}, goal, {}, {}}, "needs a load case"; ...
+           {{"k", 50, [1 99]}, {"peak", "error.q"}, {}, still}, "option \"target\""; ...
+           {{"k", 50, [1 Inf]}, goal, {}, still, "starts", 3}, "expected finite bounds of k"};
+  for one = cases'
+    text = gsmbp_complaint (@() go (one{1}{:}));
+    gsmbp_check (["refused: " one{2}], ! isempty (strfind (text, one{2})));
+  end
+  [r, info] = gsmbp_optimize (m, {"k", 50, [1 1000]}, {"peak", "effort.q"}, {}, still, ...
+                              "evaluations", 3, "solver", "slsqp");
+  gsmbp_check ("a limit says so", info == 1 && r.limit ...
+               && ! isempty (strfind (r.ended, "stopped at the limit of 3 evaluations")));
+end
+
+## D2a: the ratio of least copper loss, and with a motion that is free as well
+function gear (m)
+  d2a = gsmbp_set (m, "bl", 0, "bm", 0, "tl", 0);
+  best = gsmbp_plan ("profile", mkpp ([0 0.8], 6 * 1.2 / 0.8 ^ 2 * [-1/0.8, 1, 0]), 1);
+  t = linspace (0, 0.8, 9);
+  loss = @(p, r) 1.6 / (0.19 * p.n) ^ 2 * (r.case1.w' * r.case1.tau .^ 2);
+  r = gsmbp_optimize (d2a, {"n", 60, [5 300]}, {loss}, {}, {"inverse", best, t});
+  near ("D2a: ratio and energy", [r.values.n, r.J], ...
+        [94.868329805051379960, 2.1540166204986149584], 1e-6);
+  ## theta = cubic with two free coefficients; exact through the equations of motion
+  plan = @(p) mkpp ([0 0.8], [p.a, p.b, 0, 0]);
+  r = gsmbp_optimize (gsmbp_set (d2a, "n", 90), {"a", -1, [-99 99]; "b", 2, [-99 99]}, ...
+                      {"integral", "effort.q*effort.q"}, {"end", "q", "=", 1.2; ...
+                      "end", "q_d", "=", 0}, {"inverse", plan, t});
+  near ("the motion of least effort: 3 s^2 - 2 s^3", [r.values.a, r.values.b], ...
+        1.2 * [-2 / 0.8 ^ 3, 3 / 0.8 ^ 2], 1e-6);
+  gsmbp_check ("with exact derivatives", strcmp (r.derivatives, "exact"));
+end
+
+## ten unknowns of a four-bar from twelve places of its coupler point
+function four_bar (m)
+  turns = (0:11)' * pi / 6;
+  names = {"xa", "ya", "a", "b", "c", "dx", "dy", "cx", "cy", "th"};
+  made = [cellfun(@(n) m.par.(n), names(1:9)), 0.4];
+  path = gsmbp_optimize (m, {"th", 0.4, {0.4}}, {}, {}, {"positions", "q1", ...
+                                                         @(p) turns + p.th}).results;
+  target = struct ("px", path.case1.y(:,1), "py", path.case1.y(:,2));
+  start = made + [0.02 -0.02 0.01 0.02 -0.02 0.015 -0.02 0.01 -0.015 0.1];
+  free = [names', num2cell(start'), repmat({[-2 2]}, 10, 1)];
+  r = gsmbp_optimize (m, free, {"square", "error.px"; "square", "error.py"}, {}, ...
+                      {"positions", "q1", @(p) turns + p.th, "target", target});
+  off = cellfun (@(n) r.values.(n), names) - made;
+  gsmbp_check (sprintf ("a four-bar by its timed path, within 1e-7, found %.2g", ...
+                        max (abs (off))), max (abs (off)) < 1e-7);
+end
