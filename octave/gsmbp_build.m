@@ -22,6 +22,9 @@
 ## @item [Y, p, r] = m.reg (t, q, u, ud[, v])
 ## regressor: tau = Y*p + r, @var{p} the base parameters
 ## (@code{m.json.base_parameters}); emitted where @code{regressor} is requested
+## @item [q, u, ud, tau(, lam), info] = m.inq (t, q, u, ud[, v])
+## inverse dynamics with the modal coordinates of flexible links in quasi-static balance; emitted
+## where @code{static_modes} is requested; lam in closed chains
 ## @item [ud, info] = m.fwd (t, q, u, v, tau)
 ## accelerations of the tree
 ## @item [phi, phit, H, gam, info] = m.con (t, q[, u])

@@ -3,6 +3,7 @@
 ## shapes sqrt(2) sin(i pi s/l2), i = 1, 2; the loop is solved for the angle of the rod's chord.
 ## PAR: g, l1, l2, m1, m2, m3, EI.
 ##   accelerations (Z, ZD)
+##   efforts (Z, ZD, ZDD)   by z, that the motion needs
 ##   state (Z, ZD)   [crank, chord from the crank, slider, amplitudes] and their rates
 ##   rigid (A, AD)   acceleration of the crank where the rod stays straight
 ##
@@ -12,6 +13,7 @@
 function f = fx_slider_crank (p)
   p.rod = rod (p);
   f.accelerations = @(z, zd) accelerations (p, z, zd);
+  f.efforts = @(z, zd, zdd) efforts (p, z, zd, zdd);
   f.state = @(z, zd) state (p, z, zd);
   f.rigid = @(a, ad) rigid (p, a, ad);
 end
@@ -81,6 +83,11 @@ function M = of_rod (p, q)
 end
 
 function zdd = accelerations (p, z, zd)
+  [M, force] = motion (p, z, zd);
+  zdd = M \ force;
+end
+## M zdd = force where nothing drives
+function [M, force] = motion (p, z, zd)
   h = 1e-30;
   force = zeros (3, 1);
   for k = 1:3
@@ -89,7 +96,11 @@ function zdd = accelerations (p, z, zd)
     force(k) += zd' * pull / 2 - imag (V) / h;
     force -= pull * zd(k);
   end
-  zdd = real (M) \ force;
+  M = real (M);
+end
+function e = efforts (p, z, zd, zdd)
+  [M, force] = motion (p, z, zd);
+  e = M * zdd - force;
 end
 
 ## of the rigid mechanism: the amplitudes stay 0
