@@ -101,8 +101,12 @@
 ## states, S' = A S + P (m.rhp), its errors steer the steps as those of the states do.  The result
 ## has the structs @code{dx} and @code{dy} by these names: derivatives of states and outputs at
 ## fixed times, a row for each.  Loops: S is moved onto the derivatives of the constraints with the
-## states.  With constant inputs or a piecewise polynomial, "dp853" or "rk4", the ways "projection"
-## and "baumgarte"; not with events, samples, feedback, planned motions, the audit
+## states.  At events they jump with the states, as the time of the event moves.  Where that has no
+## derivative (the motion only grazes a stop or comes to rest just not; two events at one instant
+## whose times move apart) @code{stats.lost}, a struct array with @code{name}, @code{time},
+## @code{event} and @code{text}, and a printed warning tell it: from there on the numbers are NaN.
+## With constant inputs or a piecewise polynomial, "dp853" or "rk4", the ways "projection"
+## and "baumgarte"; not with samples, feedback, planned motions, the audit
 ## @item "dx0"
 ## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
 ## by itself, 1, is added
@@ -291,7 +295,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (d.nq == d.nu)
     guess = x0(1:d.nq);
   endif
-  [x, v, counts, values, info, seconds, text, sampled, events, number] = ...
+  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns] = ...
       m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, ...
                 [numel(times), numel(breaks)], iopt, ropt, atol, plan, ...
                 guess, callback, library, o.maxorder);
@@ -328,7 +332,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   result = gsmbp__named (m, result);
   if (! isempty (carried.names))
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached));
+    if (! isempty (turns))
+      lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
+    endif
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
@@ -356,6 +363,16 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
   endif
   x0 = [x0(:); 0; 0];
   atol = [atol(:); o.rtol * o.audit * [1; 1]];
+endfunction
+
+## the same run without derivatives, at other times
+function r = states_alone (m, x0, times, options)
+  drop = find (ismember (options(1:2:end), {"sensitivity", "dx0", "fixed"}));
+  options([2*drop-1, 2*drop]) = [];
+  for id = {"stiff", "singular", "margin", "angles", "tolerance"}
+    warning ("off", ["gsmbp:" id{1}], "local");
+  endfor
+  r = gsmbp_simulate (m, x0(1:m.sizes.nx), times, options{:});
 endfunction
 
 ## where a run ended before its time

@@ -13,10 +13,37 @@ struct carried
   reals w, w2;
   std::vector<int> iw;
 
+  // of each column: dtau/dp of the event that is at work; why it was given up (0: it was not), at
+  // which event and when
+  enum { grazing = 1, several, no_numbers };
+  reals tau;
+  std::vector<int> why, event;
+  std::vector<double> lost_at;
+  bool within;            // of the events of an instant one is done
+  int nx;                 // of the states with all columns
+
+  // of each event function the last two values and their times, the greatest one; where it came
+  // close to 0 and turned: number, time
+  std::vector<double> t1, t2, g1, g2, most;
+  std::vector<double> turns;
+  run_plan *plan;
+  const reals *cst;
+  reals wi, atol, vp;     // workspace of GSINP; tolerances; derivatives of the inputs, NV x columns
+  number rtol;
+
   int count (void) const { return int (col.size ()); }
 };
 
 static carried *the_columns = nullptr;   // only while a run lasts
+
+// columns that were given up stay zero
+static void
+drop_lost (const carried& c, number *x)
+{
+  for (int k = 0; k < c.count (); k++)
+    if (c.why[k] != 0)
+      std::fill (x + S.nx * (k + 1), x + S.nx * (k + 2), number (0));
+}
 
 extern "C" void
 gsmbp_rates_with_columns (const number *t, const number *x, const number *v, const number *cst,
@@ -26,6 +53,7 @@ gsmbp_rates_with_columns (const number *t, const number *x, const number *v, con
   const int nc = c.count ();
   fortran {gssen_} (c.rhp, t, &c.top, &S.nx, &S.nv, &S.nsp, &nc, &c.col[0], x, v, cst, &c.w[0], xd,
                     info);
+  drop_lost (c, xd);
 }
 
 extern "C" void
@@ -38,6 +66,7 @@ gsmbp_projection_with_columns (const number *t, number *x, const number *cst, nu
   if (*info == 0 || *info == 2)
     fortran {gsspj_} (c.con, c.tan, c.cop, t, &S.nx, &S.nq, &S.nu, &S.nlam, &S.nsets, S.sets,
                       &S.nsp, &nc, &c.col[0], x, cst, &c.w2[0], &c.iw[0], info);
+  drop_lost (c, x);
 }
 
 // are the speeds the rates of the coordinates? Two positions by chance tell, exactly.
@@ -86,5 +115,41 @@ columns_of (const Matrix& numbers, const reals& cst)
   c->w = room (S.nx * (S.nx + S.nsp + S.nv + 1));
   c->w2 = room (rows * (S.nq + rows + nc) + S.nlam * (S.nq + S.nu + 2 * S.nsp + 3));
   c->iw.assign (rows + 1, 0);
+  c->tau = room (nc);
+  c->why.assign (nc, 0);
+  c->event.assign (nc, 0);
+  c->lost_at.assign (nc, 0.0);
+  c->within = false;
+  c->vp = room (S.nv * nc);
   return c;
+}
+
+// what a run of the states with these columns adds: its plan, tolerances, workspace of GSINP
+static void
+with_run (carried& c, run_plan& plan, const reals& cst, number rtol, const reals& atol)
+{
+  c.nx = S.nx * (1 + c.count ());
+  c.plan = &plan;
+  c.cst = &cst;
+  c.rtol = rtol;
+  c.atol = atol;
+  c.wi = room (2 * S.nu * (plan.ip[GS_DERIVATIVES] + 1) + 5 * c.nx + S.nv * c.nx + 21);
+  if (S.nev > 0)
+    *plan.events ().tells = 1;
+  for (auto *list : { &c.t1, &c.t2, &c.g1, &c.g2, &c.most })
+    list->assign (S.nev, 0.0);
+}
+
+// of each column why it was given up, at which event and when
+static Matrix
+lost_columns (const carried& c)
+{
+  Matrix m (c.count (), 3);
+  for (int k = 0; k < c.count (); k++)
+    {
+      m(k, 0) = c.why[k];
+      m(k, 1) = c.event[k];
+      m(k, 2) = c.lost_at[k];
+    }
+  return m;
 }

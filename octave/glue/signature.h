@@ -35,6 +35,7 @@ size_of (const std::string& word)
           { "np", S.np },
           { "nbase", S.nbase },
           { "nsp", S.nsp },
+          { "nby", S.nx + S.nv + S.nsp + 1 },  // states, inputs, parameters, time
           { "norders", S.nqj + 1 },            // a motion and its derivatives
           { "nresidual", 2 * S.nlam + 4 } };   // what PRJ and CLO need to tell one
   for (const auto& entry : sizes)

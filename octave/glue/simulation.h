@@ -3,7 +3,7 @@
 #pragma once
 
 #include "run_parts.h"
-#include "columns_by_parameters.h"
+#include "columns_at_events.h"
 
 // The arguments of GSSIM by their names, and who integrates.
 struct simulation
@@ -70,6 +70,8 @@ simulation::simulation (arguments& a)
   library = a.value ("library").string_value ();
   order = a.integers ("largest order", 1)[0];
   plan->due_from (double (t0), cst);
+  if (carries ())
+    with_run (*columns, *plan, cst, ropt[1], atol);
   make_room (guess);
   find_routines ();
 }
@@ -135,6 +137,11 @@ simulation::find_routines (void)
   ctl = needed (sampled, "ctl");
   evt = needed (events, "evt");
   rst = needed (events, "rst");
+  if (carries () && events)
+    {
+      rst = reinterpret_cast<gsmbp_sub> (gsmbp_reset_with_columns);
+      evt = reinterpret_cast<gsmbp_sub> (gsmbp_events_watched);
+    }
   vin = gsmbp_absent;
   if (ip[GS_V0] == 3)
     vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
@@ -238,6 +245,8 @@ simulation::results (void) const
                                 std::string (&text[0]));
   list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[4]));
   list.append (events (*plan, nx));
+  list.append (lost_columns (*columns));
+  list.append (watched_turns (*columns));
   return list;
 }
 

@@ -56,8 +56,9 @@ function can (who, m, o)
             "the request sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
   elseif (any (strcmp (o.method, {"cvode", "auto"})))
     bad = sprintf ("method \"%s\"; expected \"dp853\" or \"rk4\"", o.method);
-  elseif (! isempty (m.events))
-    bad = sprintf ("a scene with events (%s)", m.events(1).name);
+  elseif (! isempty (m.events) && ! all (ismember ({"evp", "rsp"}, m.subroutines)))
+    error (["%s: option sensitivity needs the subroutines EVP and RSP at events (request " ...
+            "sensitivity), which %s was emitted without"], who, m.name);
   elseif (! isempty (m.controllers))
     bad = sprintf ("a scene with sampled devices (%s)", m.controllers(1).name);
   elseif (! isempty (o.motion))

@@ -1,16 +1,34 @@
-## r = gsmbp__derivatives (m, r, carried, S)
+## r = gsmbp__derivatives (m, r, carried, S, lost)
 ## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx and
-## dy by the names of what they are by, a row for each time.  S: the columns at all times.
+## dy by the names of what they are by, a row for each time.  S: the columns at all times; LOST: of
+## each one why there is none from some event on (0: there is), which event, when: NaN from there
+## on, and stats.lost, a struct array with name, time, event and text.
 
-function r = gsmbp__derivatives (m, r, carried, S)
+function r = gsmbp__derivatives (m, r, carried, S, lost)
   d = m.sizes;
   n = numel (r.t);
   S = reshape (S, d.nx, numel (carried.names), n);
+  for k = find (lost(:,1))'
+    S(:,k,r.t >= lost(k,3)) = NaN;
+  endfor
   Y = outputs (m, r, carried, S);
   r.dx = r.dy = struct ();
   for k = 1:numel (carried.names)
     r.dx.(carried.names{k}) = reshape (S(:,k,:), d.nx, n)';
     r.dy.(carried.names{k}) = reshape (Y(:,k,:), d.ny, n)';
+  endfor
+  r.stats.lost = lost_ones (m, carried.names, lost);
+endfunction
+
+## the columns that were given up
+function list = lost_ones (m, names, lost)
+  why = {"the motion only grazes there", ...
+         "another event at the same instant would come at another time", ...
+         "the equations there have no derivatives"};
+  list = struct ("name", {}, "time", {}, "event", {}, "text", {});
+  for k = find (lost(:,1))'
+    list(end+1) = struct ("name", names{k}, "time", lost(k,3), ...
+                          "event", m.events(lost(k,2)).name, "text", why{lost(k,1)});
   endfor
 endfunction
 

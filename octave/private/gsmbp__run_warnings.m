@@ -31,6 +31,12 @@ function gsmbp__run_warnings (who, m, s)
     warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
              one.said, one.time);
   endfor
+  if (isfield (s, "lost") && ! isempty (s.lost))
+    one = s.lost(1);
+    warning ("gsmbp:derivative", ["%s: %s: no derivatives by %s from t = %.9g s on (event of " ...
+                                  "%s): %s; they are NaN from there on"], who, m.name, ...
+             strjoin ({s.lost.name}, ", "), one.time, one.event, one.text);
+  endif
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
   if (strcmp (s.method, "rk4") && ! isnan (f.time))

@@ -49,6 +49,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
   int l = k == 0 && a.given == 1 ? -1 : k;
   int sticks = l == 0;      /* does anything come to rest? */
   double *stuck = NULL;     /* ... and its record */
+  *a.cause = k;
   for (;;)
     {
       double *r = NULL;
@@ -91,6 +92,12 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
       if (stuck)
         memcpy (stuck + 3 + nx, x, state);
       s->evt (t, x, v, a.mode, cst, a.g);
+    }
+  if (*a.tells == 1)
+    {
+      int info = s->rst (t, x, v, a.mode, -2, cst);
+      if (info != 0)
+        return info;
     }
   for (int i = 0; i < a.ne; i++)
     a.mark[i] = a.g[i] > 0.0;

@@ -17,6 +17,8 @@ typedef struct
   int *count;     /* events so far */
   int *since;     /* events since the time went on */
   int given;      /* 1 if the modes at the start are given */
+  int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2 */
+  int *cause;     /* while rst is called: what gsres was called with */
   int *mode;      /* ne */
   int *input;     /* ne: the numbers of the inputs that are the modes */
   int *kind;      /* ne: 1 friction, 2 stops */
@@ -43,6 +45,8 @@ gs_events_of (int nx, int *ie, double *re)
   a.count = ie + 2;
   a.since = ie + 3;
   a.given = ie[4];
+  a.tells = ie + 5;
+  a.cause = ie + 6;
   a.mode = ie + 10;
   a.input = a.mode + a.ne;
   a.kind = a.input + a.ne;
@@ -170,6 +174,40 @@ int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, 
  * (nh,nu) of the ports below, phit (nlam), the speeds u; w: nq + 2*nlam */
 int gsipm (const gs_scene *s, double t, const double *x, const double *cst, int nh,
            const double *row, double *a, double *h, double *phit, double *u, double *w);
+
+/* derivatives g (nc) of event function k of gsevt: d (6*nh,nc) those of pos, sd, prm of each port,
+ * z (n+nh,nc) behind n rows those of hold, read where port k is held */
+void gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const double *s,
+            const double *prm, const double *hold, const double *d, const double *z, double *g);
+
+/* gsjac with the rows of nh ports behind those of the constraints; act (nh): 1 held. info: 2 the
+ * rows are dependent */
+int gshjc (int nu, int nlam, int nh, int nq, int nz, const int *act, const double *lm,
+           const double *lb, const double *lc, double *k, double *z, int *iw);
+
+/* derivatives r (nu,nc) of the speeds after event k, by coordinates, speeds before, parameters,
+ * time, where they do not jump (hit -1); else hit, the port that is hit or 0, the jump ud (nu) of
+ * the speeds and the impulses p (nu+nlam+nh places) for gsipc. ua, ma: speeds and modes after;
+ * workspace c (n,n), iw (n), n = nu+nlam+nh. info: 2 the rows are dependent */
+int gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const int *mode,
+           const int *ma, const double *s, const double *sd, const double *prm, const double *x,
+           const double *ua, const double *row, const double *a, const double *h,
+           const double *phit, double *c, double *p, double *ud, int *iw, double *r, int *hit);
+
+/* 1 if port i (from 1) takes part in the impact k of gsipb, else 0 */
+int gsipa (int i, int k, const int *kind, const int *ma);
+
+/* the matrix c (n,n) of the impact of gsipb; a port that does not take part has no impulse */
+void gsipk (int nu, int nlam, int nh, int k, const int *kind, const int *ma, const double *row,
+            const double *a, const double *h, double *c);
+
+/* behind gsipb those of an impact, from d (6*nh,nxv+np+1), as of gsevg, and e (n,nq+np+1), the
+ * derivatives of its equations by coordinates, parameters, time; workspace c (n,n), b
+ * (n,nq+nu+np+1). info: as gsipb */
+int gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const int *kind,
+           const int *ma, const double *sd, const double *prm, const double *row, const double *a,
+           const double *h, const double *d, const double *e, double *c, double *b, int *iw,
+           double *r);
 
 #ifdef __cplusplus
 }

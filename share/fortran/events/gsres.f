@@ -20,7 +20,11 @@ C             IE(2)  NR, places for a record;
 C             IE(3)  events so far;
 C             IE(4)  events since the time went on;
 C             IE(5)  1 if the modes at the start are given;
-C             IE(6..10) zero;
+C             IE(6)  1: behind the events RST is called once more, with
+C                    K = -2 (GSMBP's runs that carry derivatives by
+C                    parameters have an RST of their own), else 0;
+C             IE(7)  (output) K, while RST is called;
+C             IE(8..10) zero;
 C             then NE modes, NE numbers of inputs that are the modes,
 C             NE kinds (see GSEVT), NE marks, 1 where the function was
 C             above 0 since its last event, and 2*NE workspace.
@@ -48,6 +52,7 @@ C
       JM = 10
       JK = 10 + 2*NE
       JA = 10 + 3*NE
+      IE(7) = K
       L  = K
       IF ( L.EQ.0 .AND. IE(5).EQ.1 ) L = -1
       LS = -1
@@ -120,6 +125,8 @@ C     -- what sticks comes to rest
    55    CONTINUE
          CALL EVT( T, X, V, IE(JM+1), CST, RE )
       END IF
+      IF ( IE(6).EQ.1 ) CALL RST( T, X, V, IE(JM+1), -2, CST, INFO )
+      IF ( INFO.NE.0 ) RETURN
       DO 60 I = 1, NE
          IE(JA+I) = 0
          IF ( RE(I).GT.0.0D0 ) IE(JA+I) = 1

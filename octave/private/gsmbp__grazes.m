@@ -1,0 +1,62 @@
+## lost = gsmbp__grazes (m, r, lost, turns, run, atol)
+## Events that a run R with derivatives just misses, or grazes without being seen: TURNS, a column
+## for each place where an event function comes close to 0 and turns (its number, the time), is
+## looked at in a run of the states alone, RUN (times), by a parabola through three states there.
+## Where the function's lowest value is within ten times what the tolerances ATOL make of it, or
+## that run has an event that R has not, there are no derivatives from there on: LOST as
+## gsmbp__derivatives has it.
+
+function lost = gsmbp__grazes (m, r, lost, turns, run, atol)
+  d = 1e-4;
+  turns = turns(:,turns(2,:) > r.t(1) + d & turns(2,:) < r.t(end) - d);
+  if (isempty (turns))
+    return;
+  endif
+  [~, order] = sort (turns(2,:));
+  turns = turns(:,order);
+  times = unique ([r.t(1); r.t(end); (ones (3, 1) * turns(2,:) + d * [-1; 0; 1] ...
+                                      * ones (1, columns (turns)))(:)]);
+  q = run (times');
+  found = unseen (r.events, q.events, 10 * d);
+  for turn = turns
+    [~, k] = ismember (turn(2) + d * [-1, 0, 1], times);
+    g = arrayfun (@(i) value (m, q, i, turn(1)), k);
+    bend = g(1) - 2 * g(2) + g(3);
+    low = g(2) - (g(3) - g(1)) ^ 2 / (8 * bend);
+    if (turn(2) < found(2) && bend > 0 && low <= 10 * size_of (m, q, k(2), turn(1), atol))
+      found = turn';
+    endif
+  endfor
+  if (isfinite (found(2)))
+    later = ! lost(:,1) | lost(:,3) > found(2);
+    lost(later,:) = ones (sum (later), 1) * [1, found];
+  endif
+endfunction
+
+## number and time of the first event that one of two runs has and the other has not
+function found = unseen (a, b, near)
+  found = [0, Inf];
+  n = min (numel (a.t), numel (b.t));
+  k = find (a.number(1:n) != b.number(1:n) | abs (a.t(1:n) - b.t(1:n)) > near, 1);
+  if (isempty (k))
+    k = n + 1;
+  endif
+  for e = [a, b]
+    if (k <= numel (e.t) && e.t(k) < found(2))
+      found = [e.number(k), e.t(k)];
+    endif
+  endfor
+endfunction
+
+function modes = modes_of (m, q, i)
+  modes = q.v(i,[m.events.input])';
+endfunction
+
+function g = value (m, q, i, number)
+  g = m.evt (q.t(i), q.x(i,:)', q.v(i,:)', modes_of (m, q, i))(number);
+endfunction
+
+function s = size_of (m, q, i, number, atol)
+  g = m.evp (q.t(i), q.x(i,:)', q.v(i,:)', modes_of (m, q, i), number);
+  s = abs (g(1:m.sizes.nx))' * atol(1:m.sizes.nx);
+endfunction

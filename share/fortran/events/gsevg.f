@@ -1,0 +1,89 @@
+      SUBROUTINE GSEVG( N, NH, NC, K, KIND, MODE, S, PRM, HOLD, D, Z,
+     $                  G )
+C
+C     PURPOSE
+C     The derivatives of event function K of GSEVT.
+C
+C     ARGUMENTS
+C     N       (input) INTEGER, the rows of Z ahead of those of the ports.
+C     NH      (input) INTEGER, the number of ports.
+C     NC      (input) INTEGER, the number of columns: what it is
+C             differentiated by.
+C     K       (input) INTEGER, the number of the port.
+C     KIND, MODE, S, PRM, HOLD (input) as GSEVT.
+C     D       (input) DOUBLE PRECISION array, dimension (6*NH,NC): of
+C             each port the derivatives of S, SD, PRM(1..4).
+C     Z       (input) DOUBLE PRECISION array, dimension (N+NH,NC): behind
+C             the first N rows the derivatives of HOLD; read where port K
+C             is held.
+C     G       (output) DOUBLE PRECISION array, dimension (NC).
+C
+      IMPLICIT NONE
+      INTEGER            N, NH, NC, K, KIND(*), MODE(*)
+      DOUBLE PRECISION   S(*), PRM(4,*), HOLD(*), D(6*NH,*), Z(N+NH,*),
+     $                   G(*)
+      DOUBLE PRECISION   A, B, R, SIDE
+      INTEGER            J, L
+C
+      L = 6*( K - 1 )
+      SIDE = DBLE( MODE(K) )
+      IF ( KIND(K).EQ.1 .AND. MODE(K).NE.0 ) THEN
+         DO 10 J = 1, NC
+            G(J) = SIDE*D(L+2,J) + 1.0D-9*D(L+4,J)
+   10    CONTINUE
+      ELSE IF ( KIND(K).EQ.2 .AND. MODE(K).EQ.0 ) THEN
+         R = PRM(2,K) - PRM(1,K)
+         A = ( PRM(2,K) - S(K) )/R
+         B = ( S(K) - PRM(1,K) )/R
+         DO 20 J = 1, NC
+            G(J) = ( A - B )*D(L+1,J) + B*B*D(L+4,J) - A*A*D(L+3,J)
+   20    CONTINUE
+      ELSE IF ( KIND(K).EQ.2 ) THEN
+         DO 30 J = 1, NC
+            G(J) = -SIDE*Z(N+K,J)
+   30    CONTINUE
+      ELSE
+         SIDE = SIGN( 1.0D0, HOLD(K) )
+         DO 40 J = 1, NC
+            G(J) = D(L+3,J) - SIDE*Z(N+K,J)
+   40    CONTINUE
+      END IF
+      END
+      SUBROUTINE GSHJC( NU, NLAM, NH, NQ, NZ, ACT, LM, LB, LC, K, Z, IW,
+     $                  INFO )
+C
+C     PURPOSE
+C     GSJAC of a scene with NH ports that may be held: their rows stand
+C     behind the constraints.
+C
+C     ARGUMENTS
+C     As GSJAC, with NLAM+NH for NLAM, and
+C     ACT     (input) INTEGER array, dimension (NH), 1: the port is held;
+C             else its row says that its effort is 0.
+C     INFO    (output) INTEGER, 0, or 2: the rows are dependent.
+C
+      IMPLICIT NONE
+      INTEGER            NU, NLAM, NH, NQ, NZ, ACT(*), IW(*), INFO
+      DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*),
+     $                   K(NU+NLAM+NH,*), Z(NU+NLAM+NH,*)
+      EXTERNAL           GSJAC
+      INTEGER            I, J, L
+C
+      DO 30 I = 1, NH
+         IF ( ACT(I).NE.1 ) THEN
+            L = NU + NLAM + I
+            DO 10 J = 1, NU + NLAM + NH
+               K(L,J) = 0.0D0
+               K(J,L) = 0.0D0
+   10       CONTINUE
+            K(L,L) = 1.0D0
+            DO 20 J = 1, NZ
+               Z(L,J) = 0.0D0
+   20       CONTINUE
+         END IF
+   30 CONTINUE
+      INFO = 0
+      J = NLAM + NH
+      CALL GSJAC( NU, J, NQ, NZ, LM, LB, LC, K, Z, IW, INFO )
+      IF ( INFO.NE.0 ) INFO = 2
+      END
