@@ -1,0 +1,23 @@
+## L = gsmbp__loop_response (c, w, i)
+## The loop of the controller C broken at the input I of its plant, the others closed, at the
+## frequencies W [rad/s], by the sign at which -1 is the critical point.
+
+function L = gsmbp__loop_response (c, w, i)
+  [F, H, S] = deal (c.plant.a, c.plant.b, c.plant.c);
+  nu = columns (H);
+  Dy = c.D(:,1:rows (S));
+  By = c.B(:,1:rows (S));
+  other = eye (nu);
+  other(i,i) = 0;
+  A = [F + H * other * Dy * S, H * other * c.C; By * S, c.A];
+  b = [H(:,i); zeros(rows (c.A), 1)];
+  k = [Dy(i,:) * S, c.C(i,:)];
+  if (c.period > 0)
+    L = -gsmbp__response (A, b, k, exp (1i * w * c.period));
+  else
+    L = -gsmbp__response (A, b, k, 1i * w);
+  endif
+  if (c.period == 0 && c.delay > 0)
+    L .*= exp (-1i * w * c.delay);
+  endif
+endfunction
