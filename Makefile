@@ -53,7 +53,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
-make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations
+make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations; models of
+                           beams beside a geometrically exact one, errors
 make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
                            alone and central differences, an adjoint of 40
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
