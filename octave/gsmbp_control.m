@@ -134,7 +134,7 @@ function c = finished (who, p, o, c, method)
   c.name = o.name;
   c.method = method;
   [c.period, c.delay] = deal (o.period, o.delay);
-  for field = {"measured", "driven", "references", "y0", "r0", "u0", "plant"}
+  for field = {"measured", "driven", "references", "y0", "r0", "u0", "x0", "plant"}
     c.(field{1}) = p.(field{1});
   endfor
   nu = numel (c.driven);

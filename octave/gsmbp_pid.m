@@ -150,7 +150,7 @@ function c = controller (p, o, kind, K, Ti, Td)
   c.name = o.name;
   c.method = kind;
   [c.period, c.delay] = deal (o.period, o.delay);
-  for field = {"measured", "driven", "references", "y0", "r0", "u0", "plant"}
+  for field = {"measured", "driven", "references", "y0", "r0", "u0", "x0", "plant"}
     c.(field{1}) = p.(field{1});
   endfor
   [c.step_in, c.step_out] = deal (o.step_in, o.step_out);

@@ -11,6 +11,7 @@ function p = gsmbp__plant (who, m, e, o)
     [inputs, outputs, states] = deal (named (sys.inname, "u"), named (sys.outname, "y"), ...
                                       named (sys.stname, "x"));
     [y, v, held] = deal (zeros (numel (outputs), 1), zeros (numel (inputs), 1), []);
+    x0 = zeros (numel (states), 1);
   else
     gsmbp__model (who, m);
     if (! (isstruct (e) && all (isfield (e, {"x", "v"}))))
@@ -18,6 +19,7 @@ function p = gsmbp__plant (who, m, e, o)
               "found %s"], who, gsmbp__shown (e));
     endif
     [sys, ~, states] = gsmbp_linear (m, 0, e.x, e.v, "reduced", o.reduced, "drop", o.drop);
+    x0 = e.x(states)(:);
     [inputs, outputs, states] = deal (m.inputs, sys.outname, m.states(states));
     v = double (e.v(:));
     held = vertcat (m.controllers.outputs);
@@ -34,7 +36,8 @@ function p = gsmbp__plant (who, m, e, o)
            outputs{k(direct)});
   endif
   p = struct ("A", sys.a, "B", sys.b(:,j), "C", sys.c(k,:), "measured", {outputs(k)(:)}, ...
-              "driven", {inputs(j)(:)}, "states", {states(:)}, "y0", y(k)(:), "u0", v(j)(:));
+              "driven", {inputs(j)(:)}, "states", {states(:)}, "y0", y(k)(:), "u0", v(j)(:), ...
+              "x0", x0);
   both = [cellstr(o.integral)(:); cellstr(o.track)(:)];
   both = both(! cellfun (@isempty, both));
   if (! isempty (both) && ! isempty (o.integral) && ! isempty (o.track))
