@@ -106,7 +106,7 @@
 ## whose times move apart) @code{stats.lost}, a struct array with @code{name}, @code{time},
 ## @code{event} and @code{text}, and a printed warning tell it: from there on the numbers are NaN.
 ## With constant inputs or a piecewise polynomial, "dp853" or "rk4", the ways "projection"
-## and "baumgarte"; not with samples, feedback, planned motions, the audit
+## and "baumgarte"; sampled devices that do not round; not with feedback, planned motions, the audit
 ## @item "dx0"
 ## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
 ## by itself, 1, is added
@@ -295,7 +295,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (d.nq == d.nu)
     guess = x0(1:d.nq);
   endif
-  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns] = ...
+  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held] = ...
       m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, ...
                 [numel(times), numel(breaks)], iopt, ropt, atol, plan, ...
                 guess, callback, library, o.maxorder);
@@ -335,7 +335,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     if (! isempty (turns))
       lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
     endif
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost);
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);

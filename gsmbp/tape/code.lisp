@@ -101,8 +101,19 @@
         ((eq (caar e) '%tanh) (gs-times (sub 1 (power e 2)) ($gs__rate h (cadr e))))
         ; Maxima writes x/|x|, which has no value at 0
         ((eq (caar e) 'mabs) (gs-times (take '(%signum) (cadr e)) ($gs__rate h (cadr e))))
-        ((eq (caar e) '%signum) 0)
+        ((member (caar e) '(%signum $round %round $gs__floor)) 0)
+        ((member (caar e) '($max %max $min %min)) (gs-greatest-rate h (caar e) (cdr e)))
         (t (gs-function-rate h ($op e) (cdr e)))))
+
+;;; of max(x, y, ...), min(x, y, ...): the one that it is decides
+(defun gs-greatest-rate (h f arguments)
+  (if (null (cdr arguments)) ($gs__rate h (car arguments))
+    (let* ((x (car arguments)) (y (simplifya (cons (list f) (cdr arguments)) t))
+           (a ($gs__rate h x)) (b (gs-greatest-rate h f (cdr arguments)))
+           (side (take '(%signum) (gs-difference x y)))
+           (half (list '(rat simp) 1 2)))
+      (if (member f '($min %min)) (setq side (gs-minus side)))
+      (gs-times half (gs-plus (list a b (gs-times side (gs-difference a b))))))))
 
 ;;; derivative of an expression by the coordinate q; atoms [s, c, angle]: s and c stand for the sine
 ;;; and cosine of the angle, [[coordinate, integer], ...]

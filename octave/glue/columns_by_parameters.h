@@ -4,7 +4,16 @@
 
 #include "run_plan.h"
 
-// What the two wrappers know beside their arguments: Fortran's externals carry nothing.
+// outputs of a sampled device on their way: their place in the plan, their range among the held
+// ones, when they arrive, the derivatives of all inputs with them
+struct sent_outputs
+{
+  int place, from, to;
+  double when;
+  reals vp;
+};
+
+// What the wrappers know beside their arguments: Fortran's externals carry nothing.
 struct carried
 {
   std::vector<int> col;   // of each column of S the column of RHP, 0 for a start value
@@ -26,6 +35,10 @@ struct carried
   // close to 0 and turned: number, time
   std::vector<double> t1, t2, g1, g2, most;
   std::vector<double> turns;
+
+  reals kp, yp;           // derivatives of memory and outputs, NXK and NY x columns
+  std::vector<sent_outputs> sent;
+  std::vector<double> kept;   // VP over time, see kept_inputs
   run_plan *plan;
   const reals *cst;
   reals wi, atol, vp;     // workspace of GSINP; tolerances; derivatives of the inputs, NV x columns
@@ -45,6 +58,21 @@ drop_lost (const carried& c, number *x)
       std::fill (x + S.nx * (k + 1), x + S.nx * (k + 2), number (0));
 }
 
+static void arrivals (carried& c);
+
+// what the rates get through inputs that depend on parameters; B is behind A and P in the workspace
+static void
+add_inputs (carried& c, number *xd)
+{
+  arrivals (c);
+  const number *b = &c.w[S.nx * (S.nx + S.nsp)];
+  for (int k = 0; k < c.count (); k++)
+    for (int j = 0; j < S.nv; j++)
+      if (c.vp[j + S.nv * k] != 0)
+        for (int i = 0; i < S.nx; i++)
+          xd[i + S.nx * (k + 1)] += b[i + S.nx * j] * c.vp[j + S.nv * k];
+}
+
 extern "C" void
 gsmbp_rates_with_columns (const number *t, const number *x, const number *v, const number *cst,
                           number *xd, int *info)
@@ -53,6 +81,8 @@ gsmbp_rates_with_columns (const number *t, const number *x, const number *v, con
   const int nc = c.count ();
   fortran {gssen_} (c.rhp, t, &c.top, &S.nx, &S.nv, &S.nsp, &nc, &c.col[0], x, v, cst, &c.w[0], xd,
                     info);
+  if (S.nctl > 0)
+    add_inputs (c, xd);
   drop_lost (c, xd);
 }
 
@@ -121,6 +151,8 @@ columns_of (const Matrix& numbers, const reals& cst)
   c->lost_at.assign (nc, 0.0);
   c->within = false;
   c->vp = room (S.nv * nc);
+  c->kp = room (S.nxk * nc);
+  c->yp = room (S.ny * nc);
   return c;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "run_parts.h"
-#include "columns_at_events.h"
+#include "columns_at_samples.h"
 
 // The arguments of GSSIM by their names, and who integrates.
 struct simulation
@@ -135,6 +135,12 @@ simulation::find_routines (void)
   clo = needed (planned && ip[GS_CLOSED] == 1, "clo");
   out = needed (sampled && S.ny > 0, "out");
   ctl = needed (sampled, "ctl");
+  if (carries () && sampled)
+    {
+      ctl = reinterpret_cast<gsmbp_sub> (gsmbp_control_with_columns);
+      if (S.ny > 0)
+        out = reinterpret_cast<gsmbp_sub> (gsmbp_outputs_with_columns);
+    }
   evt = needed (events, "evt");
   rst = needed (events, "rst");
   if (carries () && events)
@@ -247,6 +253,7 @@ simulation::results (void) const
   list.append (events (*plan, nx));
   list.append (lost_columns (*columns));
   list.append (watched_turns (*columns));
+  list.append (kept_inputs (*columns));
   return list;
 }
 

@@ -21,6 +21,9 @@ function c = gsmbp__carried (who, m, o, t0, x0, atol)
     [is_state, state] = ismember (name, m.states);
     if (sum (strcmp (c.names, name)) > 1)
       error ("%s: option sensitivity: %s is given twice", who, name);
+    elseif (is_parameter && moves_samples (m, name))
+      error (["%s: option sensitivity: %s moves the instants of sampled devices: there are no " ...
+              "derivatives by it"], who, name);
     elseif (is_parameter)
       size_ = abs (m.par.(name)) + (m.par.(name) == 0);
     elseif (is_state)
@@ -59,8 +62,13 @@ function can (who, m, o)
   elseif (! isempty (m.events) && ! all (ismember ({"evp", "rsp"}, m.subroutines)))
     error (["%s: option sensitivity needs the subroutines EVP and RSP at events (request " ...
             "sensitivity), which %s was emitted without"], who, m.name);
-  elseif (! isempty (m.controllers))
-    bad = sprintf ("a scene with sampled devices (%s)", m.controllers(1).name);
+  elseif (! isempty (m.controllers) && ! any (strcmp (m.subroutines, "ctd")))
+    error (["%s: option sensitivity needs the subroutine CTD at samples (request " ...
+            "sensitivity), which %s was emitted without"], who, m.name);
+  elseif (any ([m.controllers.rounds]))
+    bad = sprintf (["device %s, which rounds (the derivative of a step is 0, or none); " ...
+                    "expected a variant without rounding, as plain"], ...
+                   m.controllers(find ([m.controllers.rounds], 1)).name);
   elseif (! isempty (o.motion))
     bad = "option motion, whose inputs depend on the parameters";
   elseif (! isempty (o.gain))
@@ -76,6 +84,16 @@ function can (who, m, o)
   if (! isempty (bad))
     error ("%s: option sensitivity: no derivatives with %s", who, bad);
   endif
+endfunction
+
+## does a parameter stand in the period or delay of a sampled device?
+function is = moves_samples (m, name)
+  is = false;
+  for one = m.controllers(:)'
+    for text = {one.period, one.delay}
+      is = is || (ischar (text{1}) && any (strcmp (regexp (text{1}, '\w+', "match"), name)));
+    endfor
+  endfor
 endfunction
 
 ## what the user says of the start, by parameters

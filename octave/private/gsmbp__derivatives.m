@@ -1,17 +1,18 @@
-## r = gsmbp__derivatives (m, r, carried, S, lost)
+## r = gsmbp__derivatives (m, r, carried, S, lost, held)
 ## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx and
 ## dy by the names of what they are by, a row for each time.  S: the columns at all times; LOST: of
 ## each one why there is none from some event on (0: there is), which event, when: NaN from there
-## on, and stats.lost, a struct array with name, time, event and text.
+## on, and stats.lost, a struct array with name, time, event and text.  HELD: the derivatives of the
+## inputs that sampled devices hold, a column from each time on: time, inputs by columns.
 
-function r = gsmbp__derivatives (m, r, carried, S, lost)
+function r = gsmbp__derivatives (m, r, carried, S, lost, held)
   d = m.sizes;
   n = numel (r.t);
   S = reshape (S, d.nx, numel (carried.names), n);
   for k = find (lost(:,1))'
     S(:,k,r.t >= lost(k,3)) = NaN;
   endfor
-  Y = outputs (m, r, carried, S);
+  Y = outputs (m, r, carried, S, held);
   r.dx = r.dy = struct ();
   for k = 1:numel (carried.names)
     r.dx.(carried.names{k}) = reshape (S(:,k,:), d.nx, n)';
@@ -33,7 +34,7 @@ function list = lost_ones (m, names, lost)
 endfunction
 
 ## dy = C*S + what the parameters do by themselves; NaN where that is not emitted
-function Y = outputs (m, r, carried, S)
+function Y = outputs (m, r, carried, S, held)
   d = m.sizes;
   Y = NaN (d.ny, columns (S), numel (r.t));
   if (d.ny == 0 || ! all (ismember ({"oup", "jac"}, m.subroutines)))
@@ -42,8 +43,12 @@ function Y = outputs (m, r, carried, S)
   for i = 1:numel (r.t)
     x = r.x(i,:)';
     v = r.v(i,:)';
-    [~, ~, C] = m.jac (r.t(i), x, v);
+    [~, ~, C, D] = m.jac (r.t(i), x, v);
     P = [zeros(d.ny, 1), m.oup(r.t(i), x, v)];
     Y(:,:,i) = C * S(:,:,i) + P(:,1+carried.columns);
+    k = find (held(1,:) < r.t(i) - 1e-12 * abs (r.t(i)) | i == 1 & held(1,:) <= r.t(i), 1, "last");
+    if (! isempty (k))
+      Y(:,:,i) += D * reshape (held(2:end,k), d.nv, columns (S));
+    endif
   endfor
 endfunction

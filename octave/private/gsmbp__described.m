@@ -96,7 +96,7 @@ endfunction
 ## the sampled devices, a struct array
 function list = controllers (json)
   list = struct ("name", {}, "entry", {}, "period", {}, "delay", {}, "memory", {}, "starts", {}, ...
-                 "outputs", {}, "reads", {}, "again", {});
+                 "outputs", {}, "reads", {}, "again", {}, "rounds", {});
   if (isfield (json, "controllers") && ! isempty (json.controllers))
     list = json.controllers(:)';
     for k = 1:numel (list)

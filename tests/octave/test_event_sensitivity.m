@@ -9,6 +9,8 @@ function test_event_sensitivity ()
   guide ();
   grazing ();
   several ();
+  samples ();
+  cart ();
 end
 
 ## columns: height, speed; rows: by g, lo, e and the start, at 0.3, 1, 2, 2.4 s (none, one, three,
@@ -171,6 +173,57 @@ function several ()
                && ! isempty (strfind (said, "another event at the same instant")));
   gsmbp_check ("... and numbers where they do not", ...
                [r.dx.e(3,3), r.dx.e(3,4)] - [9.81 * hit - 0.3, -2/hit], 1e-9);
+end
+
+## a wheel under a digital PI controller, output at once or delayed, against its recursion by
+## complex steps
+function samples ()
+  m = gsmbp_fixture ("sensitivity_sampled");
+  names = {"J", "kp", "ki"};
+  for late = [0, 0.03]
+    m = gsmbp_set (m, "late", late);
+    r = gsmbp_simulate (m, [0; 0.1], [0 0.25 0.57], "sensitivity", [names, "q_d"], "input", [2; 0]);
+    p0 = [m.par.J, m.par.kp, m.par.ki, 0.1];
+    for i = 1:4
+      p = p0;
+      p(i) += 1e-30i;
+      D = imag ([recursion(p, late, 0.25); recursion(p, late, 0.57)]) / 1e-30;
+      name = [names, "q_d"]{i};
+      found = [r.dx.(name)(2:3,2), r.dy.(name)(2:3,1)];
+      gsmbp_check (sprintf ("digital PI, %g s late: speed and torque by %s", late, name), ...
+                   max (max (abs (found - D) ./ max (1, abs (D)))) < 1e-10);
+    end
+  end
+  says = @(f, text) gsmbp_check (["refused: " text], any (strfind (gsmbp_complaint (f), text)));
+  says (@() gsmbp_simulate (m, [0; 0], [0 1], "sensitivity", "period"), ...
+        "period moves the instants of sampled devices");
+end
+
+## [speed, torque] at T
+function y = recursion (p, late, T)
+  [J, kp, ki, w] = num2cell (p){:};
+  [I, now, next, t] = deal (0, 0, 0, 0);
+  for k = 0:9
+    e = 2 - w;
+    if (0.1 * k > T)
+      break;
+    end
+    next = kp * e + I;
+    I += ki * 0.1 * e;
+    part = max (0, min (T, 0.1 * k + late) - 0.1 * k);
+    w += now / J * part;
+    if (T > 0.1 * k + late)
+      now = next;
+      w += now / J * (min (T, 0.1 * (k + 1)) - 0.1 * k - late);
+    end
+  end
+  y = [w, now];
+end
+
+## a cart with dry friction under a digital controller, a pendulum on it that hits a stop
+function cart ()
+  m = gsmbp_fixture ("sensitivity_cart");
+  compare ("cart", m, @(m) [0.1; 2; 0; 0], [0 0.3 0.71], {"mc", "fc", "e", "kp"}, {}, {}, 1e-8);
 end
 
 function [r, said] = warned (f)
