@@ -8,7 +8,11 @@ function [number, place, turn] = gsmbp__drawn_poses (who, drawing, m, r, list)
   if (isfield (r, "v") && columns (r.v) == columns (v))
     v = r.v(list,:);
   endif
-  p = cellfun (@(name) m.par.(name), cellstr (drawing.parameters)(:)');
+  named = {};
+  if (! isempty (drawing.parameters))
+    named = cellstr (drawing.parameters)(:)';
+  endif
+  p = cellfun (@(name) m.par.(name), named);
   [t, x] = deal (r.t(:)(list), r.x(list,:));
   z = zeros (numel (list), numel (drawing.program));
   for k = 1:columns (z)

@@ -46,8 +46,8 @@ function [bodies, extent, low, high] = bodies_of (drawing, first, place, turn, p
   extent = max ([norm(high - low), 1e-3]);
 endfunction
 
-## beams that bend: their bodies, and the places along their axes in ground axes, an instant in a
-## row
+## links that bend: their bodies, the lines between their places (pairs of numbers), and the places
+## in ground axes, an instant in a row
 function [list, axes_] = beams_of (drawing, number, place, turn)
   list = {};
   axes_ = zeros (rows (place{1}), 0);
@@ -58,8 +58,22 @@ function [list, axes_] = beams_of (drawing, number, place, turn)
       axes_ = [axes_, place{b} + turn{b}(:,1:3:9) .* along(:,k) ...
                       + turn{b}(:,2:3:9) .* along(:,k+1) + turn{b}(:,3:3:9) .* along(:,k+2)];
     endfor
-    list{end+1} = struct ("body", b, "places", columns (along) / 3);
+    n = columns (along) / 3;
+    lines_ = [1:n-1; 2:n];
+    if (strcmp (beam.kind, "nodes"))
+      lines_ = neighbours (reshape (along(1,:), 3, []));
+    endif
+    list{end+1} = struct ("body", b, "places", n, "lines", lines_(:)');
   endfor
+endfunction
+
+## pairs of places between which there is a line: none is nearer to both than they are to each other
+## (the relative neighbourhood graph, which joins all)
+function pairs = neighbours (p)
+  d = sqrt (squeeze (sumsq (p - permute (p, [1, 3, 2]), 1)));
+  nearest = min (max (permute (d, [1, 3, 2]), permute (d, [3, 1, 2])), [], 3);
+  [a, b] = find (triu (nearest >= d * (1 - 1e-9), 1));
+  pairs = [a'; b'];
 endfunction
 
 ## the ways of mass centres, joints and ends of pairs

@@ -240,8 +240,11 @@ endfunction
 function corners = corners_of (q, beam)
   corners = struct ("order", around (q), "open", beam);
   if (beam)
-    [U, ~, ~] = svd (q - mean (q, 2));
-    [~, corners.order] = sort (U(:,1)' * q);
+    [U, S, ~] = svd (q - mean (q, 2));
+    corners.open = columns (q) < 3 || S(2,2) < 0.15 * S(1,1);   # nodes of a plate are no line
+    if (corners.open)
+      [~, corners.order] = sort (U(:,1)' * q);
+    endif
   endif
 endfunction
 

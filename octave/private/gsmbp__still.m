@@ -15,8 +15,8 @@ function text = gsmbp__still (d, place, turn)
   endfor
   axes_ = d.target' - reshape (d.axes_of_beams(1,:), 3, []);
   for beam = d.beams
-    for k = 2:beam{1}.places
-      text = [text, line_of(-flat * axes_(:,k-1:k), d.extent, beam{1}.color, 4)];
+    for line = reshape (beam{1}.lines, 2, [])
+      text = [text, line_of(-flat * axes_(:,line), d.extent, beam{1}.color, 4)];
     endfor
     axes_(:,1:beam{1}.places) = [];
   endfor

@@ -2,8 +2,9 @@
 // element `motion`: times t; bodies (0 is ground), whose poses, 12 numbers a frame (rotation by
 // rows, place), are the float32 numbers of `poses`; solids {kind, body, m}: unit box, its edges,
 // cylinder (about z) or sphere, moved by the columns and the offset in m (12 numbers, in axes of the body);
-// pairs of points {kind, body, at, child, child_at}; beams {places, color}, whose axes are the
-// float32 numbers of `axes_of_beams`; points and frames {body, at, axes by rows};
+// pairs of points {kind, body, at, child, child_at}; beams {places, lines, color}, whose places are
+// the float32 numbers of `axes_of_beams`, lines pairs of numbers of them;
+// points and frames {body, at, axes by rows};
 // arrows {body, at, v: index of force}; up, view.
 (() => {
 "use strict";
@@ -124,7 +125,7 @@ const draw = () => {
   let first = k*B.length/NF;   // beams by their bent axes
   for (const b of D.beams) { const axis = [], r = D.extent*.008;
     for (let i = 0; i < b.places; i++, first += 3) axis.push(Array.from(B.subarray(first, first + 3)));
-    for (let i = 1; i < b.places; i++) rod(axis[i-1], axis[i], r, b.color);
+    for (let i = 0; i < b.lines.length; i += 2) rod(axis[b.lines[i]-1], axis[b.lines[i+1]-1], r, b.color);
     for (const p of axis) solid("sphere", [r, 0, 0], [0, r, 0], [0, 0, r], p, b.color); }
   for (const s of D.pairs) { const p = place(pose(k, s.body), s.at),
       q = place(pose(k, s.child), s.child_at), r = D.extent*.012;

@@ -19,6 +19,33 @@ function test_report ()
   pages (m, r, file, text);
   shapes (m);
   bent ();
+  nodes ();
+end
+
+## a scene without parameters: the nodes of a flexible link by modal data as the links on them stand
+function nodes ()
+  m = gsmbp_fixture ("flexible_data");
+  x0 = m.initial;
+  x0(4:5) = [0.1; 0.02];
+  r = gsmbp_simulate (m, x0, 0:0.01:0.1);
+  file = fullfile (getenv ("GSMBP_TEST_DIR"), "nodes_run.html");
+  gsmbp_report (m, r, file, "scene", fullfile (fileparts (fileparts (mfilename ("fullpath"))), ...
+                                               "scenes", "flexible_data.mac"));
+  d = jsondecode (regexp (fileread (file), 'id="motion">(.*?)</script>', "tokens", "once"){1});
+  numbers = @(text) double (typecast (matlab.net.base64decode (text), "single"));
+  places = reshape (numbers (d.axes_of_beams), 3, d.beams.places, []);
+  all_poses = reshape (numbers (d.poses), 12, numel (d.bodies), []);
+  names = cellfun (@(b) b.name, as_cells (d.bodies), "UniformOutput", false);
+  on = @(name) all_poses(10:12,strcmp (names, name),:);
+  gsmbp_check ("nodes of a flexible link by modal data", ...
+               places - [on("rod"), on("rod_tip"), on("rod_mid")], 1e-6);
+  gsmbp_check ("... the lines between them", ...
+               isequal (sortrows (reshape (d.beams.lines, 2, [])'), [1, 3; 2, 3]));
+end
+function list = as_cells (list)
+  if (! iscell (list))
+    list = num2cell (list);
+  end
 end
 
 ## the middle of the axis of a beam, as the point that stands there has it
