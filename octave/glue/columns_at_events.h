@@ -53,13 +53,20 @@ event_slope (carried& c, number t, const number *x, const number *v, const int *
   return info;
 }
 
+// |a|, of quad precision, too
+static number
+magnitude (number a)
+{
+  return a < 0 ? -a : a;
+}
+
 // how far a tolerance of the states moves an event function
 static number
 event_tolerance (const carried& c, const number *g, const number *x)
 {
   number size = 0;
   for (int i = 0; i < S.nx; i++)
-    size += std::fabs (g[i]) * (c.atol[i] + c.rtol * std::fabs (x[i]));
+    size += magnitude (g[i]) * (c.atol[i] + c.rtol * magnitude (x[i]));
   return size;
 }
 
@@ -69,7 +76,7 @@ moment (const carried& c, const number *x, const number *f)
 {
   number fast = 0;
   for (int i = 0; i < S.nx; i++)
-    fast = std::max (fast, std::fabs (f[i]) * c.rtol / (c.atol[i] + c.rtol * std::fabs (x[i])));
+    fast = std::max (fast, magnitude (f[i]) * c.rtol / (c.atol[i] + c.rtol * magnitude (x[i])));
   return fast > 0 ? number (1e-6) / fast : number (0);
 }
 
@@ -88,8 +95,8 @@ grazes (carried& c, number t, const number *x, const number *v, const int *mode,
   int info = 0;
   routine ("rhs") (&earlier, &y[0], v, &(*c.cst)[0], &h[0], &info);
   event_slope (c, earlier, &y[0], v, mode, k, &h[0], slopes, &g2[0], &before);
-  const number bend = d > 0 ? std::fabs (rate - before) / d : number (0);
-  return ! (rate * rate > 10 * event_tolerance (c, g, x) * bend) || ! (std::fabs (rate) > 0);
+  const number bend = d > 0 ? magnitude (rate - before) / d : number (0);
+  return ! (rate * rate > 10 * event_tolerance (c, g, x) * bend) || ! (magnitude (rate) > 0);
 }
 
 // dtau/dp of event function K by all columns
@@ -143,12 +150,12 @@ another (carried& c, number t, const number *x, const number *v, const int *mode
       number rate = 0;
       if (i == k || e.mark[i-1] != 1
           || event_slope (c, t, x, v, mode, i, f, slopes, &g[0], &rate) != 0
-          || ! (std::fabs (values[i-1]) <= 10 * event_tolerance (c, &g[0], x))
+          || ! (magnitude (values[i-1]) <= 10 * event_tolerance (c, &g[0], x))
           || ! (rate < 0 && values[i-1] <= -10 * rate * moment (c, x, f)))
         continue;
       event_times (c, x + S.nx, &g[0], rate, &tau[0]);
       for (int j = 0; j < c.count (); j++)
-        if (! (std::fabs (tau[j] - c.tau[j]) <= number (1e-6) * std::fabs (c.tau[j])))
+        if (! (magnitude (tau[j] - c.tau[j]) <= number (1e-6) * magnitude (c.tau[j])))
           return i;
     }
   return 0;
