@@ -45,7 +45,8 @@ function motion_of_equations (name, m, x)
     gsmbp_check ([name ": the loop's accelerations"], (H * ud - gam) / max (abs (gam)), 1e-7);
   end
   gsmbp_check ([name ": equations of motion, of the largest effort"], b / scale, 1e-10);
-  gsmbp_check ([name ": rates of the coordinates"], isequal ([xd(1:d.nq); info], [m.kin(0, q, u); 0]));
+  gsmbp_check ([name ": rates of the coordinates"], ...
+               isequal ([xd(1:d.nq); info], [m.kin(0, q, u); 0]));
 end
 
 ## differences of sixth order with steps of h
