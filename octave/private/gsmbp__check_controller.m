@@ -2,6 +2,11 @@
 ## An error of WHO where C is no controller that a computer can run.
 
 function gsmbp__check_controller (who, c)
+  if (isstruct (c) && isfield (c, "cst"))
+    error (["%s: the controller %s (%s) calculates with the scene's INV: it is a part of the " ...
+            "machine's own Fortran, expected one of gsmbp_control or gsmbp_pid"], who, c.name, ...
+           c.method);
+  endif
   needed = {"A", "B", "C", "D", "G", "period", "delay", "name", "measured", "references", ...
             "driven", "y0", "r0", "u0", "limits", "step_in", "step_out", "method"};
   if (! (isstruct (c) && isscalar (c) && all (isfield (c, needed))))

@@ -20,7 +20,9 @@ function [json, source, text] = gsmbp__with_controller (json, text, list, folder
   endif
   all_ = json;
   for k = 1:numel (list)
-    gsmbp__check_controller (who, list{k});
+    if (! (isstruct (list{k}) && isfield (list{k}, "cst")))
+      gsmbp__check_controller (who, list{k});
+    endif
     [json, parts{k}, held] = joined (who, json, list{k}, name, k, held);
   endfor
   text = [text, sprintf("%s", parts{:}), entry(json, all_, list, name)];
@@ -63,9 +65,8 @@ function [json, text, held] = joined (who, json, c, name, k, held)
   [~, units] = gsmbp__names (json.outputs);
   json.inputs = gsmbp__rows (json, "inputs");
   for i = 1:nr
-    read = find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1);
     json.inputs{end+1} = struct ("name", [c.name "." c.references{i}], "unit", ...
-                                 units{reads(read)});
+                                 unit_of (c, i, units(reads)));
   endfor
   one = struct ("name", c.name, "entry", c.method, "period", c.period, "delay", c.delay, ...
                 "memory", {arrayfun(@(i) sprintf ("%s.z%d", c.name, i), (1:nz)', ...
@@ -79,8 +80,25 @@ function [json, text, held] = joined (who, json, c, name, k, held)
   endif
   json.input_starts(drives) = c.u0;
   json.input_starts = [json.input_starts; c.r0(:)];
-  text = [gsmbp__controller_fortran(c, sprintf ("%s_CN%d", name, k)), ...
-          connection(c, name, k, reads, drives, nv)];
+  if (isfield (c, "cst"))
+    text = gsmbp__model_controller (c, name, k, reads, drives, nv);
+  else
+    text = [gsmbp__controller_fortran(c, sprintf ("%s_CN%d", name, k)), ...
+            connection(c, name, k, reads, drives, nv)];
+  endif
+endfunction
+
+## of the measurement that follows it; accelerations have that of the speed a second
+function unit = unit_of (c, i, units)
+  read = find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1);
+  if (isfield (c, "cst"))
+    n = numel (c.driven);
+    read = min (i, i - n * (i > 2 * n));
+  endif
+  unit = units{read};
+  if (! isempty (regexp (c.references{i}, '_dd_ref$', "once")) && isfield (c, "cst"))
+    unit = regexprep ([unit "/s"], '/s/s$', '/s^2');
+  endif
 endfunction
 
 function k = places (who, c, field, names, known, what)
@@ -93,9 +111,9 @@ endfunction
 
 function text = connection (c, name, k, reads, drives, nv)
   dims = max ([numel(reads), numel(c.references), numel(drives)], 1);
-  out = {sprintf("      SUBROUTINE %s_CD%d( Y, XK, V )", name, k), ...
+  out = {sprintf("      SUBROUTINE %s_CD%d( T, Y, XK, CST, V )", name, k), ...
          sprintf("C     The controller %s on the outputs and inputs of the scene.", c.name), ...
-         "      IMPLICIT NONE", "      DOUBLE PRECISION   Y(*), XK(*), V(*)", ...
+         "      IMPLICIT NONE", "      DOUBLE PRECISION   T, Y(*), XK(*), CST(*), V(*)", ...
          sprintf("      DOUBLE PRECISION   YC(%d), R(%d), U(%d)", dims), ...
          sprintf("      EXTERNAL %s_CN%d", name, k), "C"};
   for i = 1:numel (reads)
@@ -124,7 +142,7 @@ function text = entry (json, before, list, name)
   endif
   for k = 1:numel (list)
     out = [out, {sprintf("      IF ( K.EQ.0 .OR. K.EQ.%d )", own + k), ...
-                 sprintf("     $   CALL %s_CD%d( Y, XK(%d), V )", name, k, at)}];
+                 sprintf("     $   CALL %s_CD%d( T, Y, XK(%d), CST, V )", name, k, at)}];
     at += rows (list{k}.A);
   endfor
   out = [out, {"      END", sprintf("      SUBROUTINE %s_CTP( CST, PER, DEL )", name), ...

@@ -37,7 +37,7 @@ has ftnchek 'what it says of the emitted Fortran and the run time' && ftnchek=ye
 
 emitted=$(ls "$GSMBP_TEST_DIR"/fortran_out/*.f | awk -v day="$(date +%j)" -v all="$GSMBP_WHOLE" '
   all != "" || NR % 6 == day % 6')
-for file in $emitted $(find share/fortran -name "*.f"); do
+for file in $emitted $(find share/fortran share/controllers -name "*.f"); do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
   name=${file##*/}
   emitted=no
