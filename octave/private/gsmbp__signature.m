@@ -39,6 +39,8 @@ function text = word (name, shape)
     text = [">#", name, dimensions(shape(12:end))];
   elseif (strcmp (shape, "in(*)") && any (strcmp (name, {"v", "xi"})))
     text = name;   # none in this scene
+  elseif (strcmp (shape, "in(*)") && strcmp (name, "lam"))
+    text = "lam(0)";
   endif
 endfunction
 
