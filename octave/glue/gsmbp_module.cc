@@ -14,9 +14,10 @@
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
     = { { "sim", do_sim }, { "forward", do_forward }, { "backward", do_backward },
-        { "outputs", do_outputs }, { "places", do_places },
-        { "margins", do_margins }, { "collocation", do_collocation }, { "par", do_par }, { "pre", do_pre }, { "meaning", do_meaning },
-        { "spline", do_spline }, { "kkt", do_kkt }, { "solve", do_solve }, { "calls", do_calls } };
+        { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
+        { "collocation", do_collocation }, { "par", do_par }, { "pre", do_pre },
+        { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
+        { "solve", do_solve }, { "calls", do_calls } };
 
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)

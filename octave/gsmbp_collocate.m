@@ -1,0 +1,164 @@
+## -*- texinfo -*-
+## @c category Design
+## @deftypefn  {} {@var{r} =} gsmbp_collocate (@var{m}, @var{x0}, @var{xf}, @var{option}, @
+## @var{value}, @dots{})
+## An optimal motion of the model @var{m} from the states @var{x0} to @var{xf}, by direct
+## collocation.
+##
+## @var{x0}, @var{xf}: @var{nx} numbers each, NaN where a state is free.  In a closed chain the
+## dependent coordinates and speeds at the end follow: numbers there are a guess.  The scene is
+## derived with the request @code{collocation}, whose straight-line code gives sparse exact
+## derivatives of first and second order; Ipopt solves.
+##
+## Options:
+## @table @code
+## @item "time"
+## the duration [s]: a number, or the least and the largest
+## @item "goal"
+## what is least: @code{"time"}, the name of an output of the scene, whose integral is meant, or
+## names and their weights, @code{@{"time", 1, "loss", 0.1@}}; default @code{"time"}
+## @item "inputs", "states", "outputs"
+## bounds on the way, a row @code{@{name, least, largest@}} for each; inputs have the limits of the
+## scene by default
+## @item "parameters"
+## parameters of the scene that are free, too, rows @code{@{name, least, largest@}}; the scene is
+## derived with @code{sensitivity(name, @dots{})} beside @code{collocation}
+## @item "method"
+## @code{"radau"} (Radau IIA, order 5; default) or @code{"lobatto"} (Hermite and Simpson, order 4,
+## inputs without jumps)
+## @item "intervals", "accuracy", "refinements"
+## intervals at first (20); the estimated error of the states, relative to their largest value or 1,
+## above which intervals are cut (1e-6), so often at most (6)
+## @item "guess"
+## a former result, or a struct with t, x, v (a row for each time)
+## @item "polish"
+## where inputs jump between their limits, solve once more with the instants of these jumps as
+## unknowns (default true)
+## @item "tolerance", "iterations", "seconds"
+## of Ipopt: 1e-9, 500 and 60 for each mesh
+## @end table
+##
+## The result:
+## @table @code
+## @item t, x, v, ud, lambda, y
+## a row for each point of the collocation: times [s], states, inputs, accelerations, multipliers,
+## outputs
+## @item goal, T, parameters
+## the least value, the duration, the free parameters by name
+## @item input, motion
+## the inputs as a piecewise polynomial, as @code{gsmbp_simulate} takes it, and the coordinates that
+## @code{gsmbp_inverse} takes as a planned motion ([] where the speeds are not their rates)
+## @item error, meshes
+## the estimated error of the states; of each mesh its intervals, iterations and error
+## @item active
+## the bounds that hold the goal back: name, which, from and until when, the integral of its
+## multiplier (what the goal gains by a unit of the bound)
+## @item switches
+## where it was polished the times at which inputs jump [s]
+## @item solved, ended
+## whether it is a solution, within the accuracy, and why it ended
+## @end table
+##
+## A motion that cannot be is no error: @code{solved} is false, a warning says why.
+##
+## @example
+## >> file = fopen ("block.mac", "w");
+## >> fputs (file, "scene : gsmbp_scene(\"block\", link(body, mass = m), ");
+## >> fputs (file, "prismatic(rail, ground, body, axis = x, coordinate = s), ");
+## >> fputs (file, "input(F, unit = N), force(push, body, vector = [F, 0, 0]), ");
+## >> fputs (file, "output(effort, F^2), parameters = [m = 1*kg])$ ");
+## >> fputs (file, "requests : '[all, collocation]$");
+## >> fclose (file);
+## >> gsmbp_derive ("block.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("block");
+## >> r = gsmbp_collocate (m, [0 0], [1 0], "goal", "effort", "time", 1);
+## >> round (1e4 * [r.goal, r.v([1 end])']) / 1e4
+## ans =
+##
+##    12    6   -6
+## @end example
+##
+## Errors: states of another size; an unknown name; bounds in the wrong order; a scene with events
+## or sampled devices; a missing subroutine; Ipopt is not installed.
+## Source: Betts, Practical Methods for Optimal Control and Estimation, 2010; Kelly, SIAM Review
+## 59(4), 2017 (Hermite and Simpson).
+## @seealso{gsmbp_optimize, gsmbp_inverse, gsmbp_simulate}
+## @end deftypefn
+
+function r = gsmbp_collocate (m, x0, xf, varargin)
+  if (nargin < 3)
+    print_usage ();
+  endif
+  who = "gsmbp_collocate";
+  gsmbp__model (who, m);
+  [p, o] = gsmbp__collocation_problem (who, m, x0, xf, varargin);
+  n = o.intervals;
+  mesh = struct ("rule", gsmbp__collocation_rule (o.method), ...
+                 "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
+  guess = gsmbp__collocation_guess (who, m, p, o.guess);
+  meshes = struct ("intervals", {}, "iterations", {}, "error", {}, "ended", {});
+  switches = zeros (0, 1);
+  for k = 0:o.refinements
+    s = gsmbp__collocation_solve (who, m, p, mesh, guess, o);
+    [s.error, errors] = gsmbp__collocation_errors (m, s);
+    meshes(end+1) = told (s);
+    active = gsmbp__collocation_active (m, p, s);
+    if (s.solved && o.polish)
+      [s, switches] = gsmbp__collocation_polish (who, m, p, s, o);
+    endif
+    if (! s.solved || s.error <= o.accuracy || k == o.refinements)
+      break;
+    endif
+    mesh = gsmbp__collocation_finer (mesh, errors, o.accuracy);
+    guess = s;
+  endfor
+  if (! isempty (switches))
+    meshes(end+1) = told (s);
+  endif
+  r = gsmbp__collocation_result (m, s);
+  r.active = active;
+  r.meshes = meshes;
+  r.switches = switches;
+  r.solved = s.solved && s.error <= o.accuracy;
+  if (s.solved && ! r.solved)
+    r.ended = sprintf (["stopped at the limit of %d refinements: the estimated error of the " ...
+                        "states is %.2g"], o.refinements, s.error);
+  endif
+  if (! r.solved)
+    warning ("gsmbp:collocation", "%s: %s: %s%s", who, m.name, r.ended, worst (m, s));
+  endif
+endfunction
+
+function one = told (s)
+  one = struct ("intervals", columns (s.c.left), "iterations", rows (s.log) - 1, ...
+                "error", s.error, "ended", s.ended);
+endfunction
+
+## what an equation that does not hold says, where none was solved
+function text = worst (m, s)
+  text = "";
+  if (s.solved)
+    return;
+  endif
+  [most, k] = max (max (s.c.glow - s.g, s.g - s.c.ghigh));
+  if (most > 1e-6)
+    text = sprintf ("; the equations miss by %.2g at most (%s)", most, named (m, s.c, k));
+  endif
+endfunction
+
+function name = named (m, c, k)
+  [i, j] = find (c.residual == k, 1);
+  if (! isempty (i))
+    names = [strcat("the equation of motion of ", m.speeds(:)); strcat("loop ", m.multipliers(:))];
+    name = names{i};
+    return;
+  endif
+  [i, j] = find (c.path == k, 1);
+  if (! isempty (i))
+    name = ["output " m.outputs{c.bounded(i)-c.output}];
+    return;
+  endif
+  i = mod (k - c.defect(1), c.d.nx) + 1;
+  name = ["state " m.states{i}];
+endfunction

@@ -1,0 +1,149 @@
+## [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
+## What gsmbp_collocate is asked for, checked.  P: x0, xf (NaN: free), t0, T (rows [least,
+## largest]), low, high (of the unknowns of a point), outputs (number, low, high), goal (number,
+## weight), goal_time, parameters (name, low, high); O: the other options.
+
+function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
+  table = {"time", [], "numbers"; "goal", "time", "any"; "inputs", {}, "any"; "states", {}, "any"
+           "outputs", {}, "any"; "parameters", {}, "any"; "method", "radau", {"lobatto", "radau"}
+           "intervals", 20, "whole"; "accuracy", 1e-6, "tolerance"; "refinements", 6, "whole"
+           "guess", [], "any"; "polish", true, "flag"; "tolerance", 1e-9, "tolerance"
+           "iterations", 500, "whole"; "seconds", 60, "positive"};
+  o = gsmbp__options (who, table, given);
+  needed (who, m, o);
+  p.x0 = ends (who, m, "x0", x0);
+  p.xf = ends (who, m, "xf", xf);
+  p.t0 = 0;
+  p.T = duration (who, o);
+  [p.goal, p.goal_time] = goal (who, m, o);
+  p.low = [-Inf(m.sizes.nx, 1); -Inf(m.sizes.nu + m.sizes.nlam, 1)];
+  p.high = -p.low;
+  list = bounds (who, "states", o.states, m.states);
+  p.low([list.number]) = [list.low];
+  p.high([list.number]) = [list.high];
+  scene = gsmbp__scene_limits (m, m.inputs);
+  list = bounds (who, "inputs", o.inputs, m.inputs);
+  scene([list.number],:) = [[list.low]', [list.high]'];
+  p.low = [p.low; scene(:,1)];
+  p.high = [p.high; scene(:,2)];
+  p.outputs = bounds (who, "outputs", o.outputs, m.outputs);
+  p.parameters = parameters (who, m, o);
+  if (m.sizes.nlam > 0)   # what follows at the end
+    free = true (m.sizes.nx, 1);
+    free([m.actuated(:); m.sizes.nq + m.actuated(:)]) = false;
+    free(m.sizes.nq+m.sizes.nu+1:end) = false;
+    p.followed = p.xf;
+    p.xf(free) = NaN;
+  else
+    p.followed = p.xf;
+  endif
+endfunction
+
+function needed (who, m, o)
+  if (! any (strcmp (m.subroutines, "dah")))
+    error ("%s: %s has not the subroutines DAE, DAJ, DAH: %s", who, m.name, ...
+           gsmbp__why_left_out (m, "collocation"));
+  elseif (isfield (m.json, "controllers") && ! isempty (m.json.controllers))
+    error ("%s: %s: expected a scene without sampled devices, found %s", who, m.name, ...
+           m.json.controllers(1).name);
+  elseif (o.intervals < 1)
+    error ("%s: option intervals: expected a whole number above 0, found 0", who);
+  endif
+endfunction
+
+function x = ends (who, m, name, x)
+  nx = m.sizes.nx;
+  if (! (isnumeric (x) && isreal (x) && numel (x) == nx && isvector (x)) ...
+      || any (isinf (x)))
+    error ("%s: argument %s: expected %d numbers (%s), NaN where one is free, found %s", who, ...
+           name, nx, strjoin (m.states(:)', ", "), gsmbp__shown (x));
+  endif
+  x = double (x(:));
+endfunction
+
+function T = duration (who, o)
+  T = o.time;
+  if (isempty (T))
+    error (["%s: option time: expected the duration, or the least and the largest, as " ...
+            "[0.1 10]; found nothing"], who);
+  elseif (numel (T) > 2 || any (T <= 0) || T(end) < T(1))
+    error ("%s: option time: expected the duration, or the least and the largest, found %s", ...
+           who, gsmbp__shown (T));
+  endif
+  T = [T(1), T(end)];
+endfunction
+
+## names and weights
+function [list, by_time] = goal (who, m, o)
+  list = struct ("number", {}, "weight", {});
+  by_time = 0;
+  given = o.goal;
+  if (ischar (given))
+    given = {given, 1};
+  endif
+  if (! (iscell (given) && mod (numel (given), 2) == 0 && ! isempty (given)))
+    error (["%s: option goal: expected \"time\", the name of an output, or names and weights " ...
+            "in turn, found %s"], who, gsmbp__shown (o.goal));
+  endif
+  for k = 1:2:numel (given)
+    name = given{k};
+    weight = given{k+1};
+    gsmbp__fits (who, "option goal: a name", name, "text");
+    gsmbp__fits (who, ["option goal: the weight of " name], weight, "number");
+    at = find (strcmp (m.outputs, name));
+    if (strcmp (name, "time"))
+      by_time += weight;
+    elseif (isempty (at))
+      error ("%s: option goal: unknown %s", who, ...
+             gsmbp__unknown (name, [{"time"}, m.outputs(:)']));
+    else
+      list(end+1) = struct ("number", at, "weight", weight);
+    endif
+  endfor
+endfunction
+
+## rows {name, least, largest}
+function list = bounds (who, what, given, names)
+  list = struct ("number", {}, "low", {}, "high", {});
+  if (! (isempty (given) || (iscell (given) && columns (given) == 3)))
+    error ("%s: option %s: expected rows {name, least, largest}, found %s", who, what, ...
+           gsmbp__shown (given));
+  endif
+  for row = given'
+    gsmbp__fits (who, ["option " what ": a name"], row{1}, "text");
+    k = find (strcmp (names, row{1}));
+    if (isempty (k))
+      error ("%s: option %s: unknown %s", who, what, gsmbp__unknown (row{1}, names(:)'));
+    endif
+    pair = [row{2:3}];
+    if (! (isnumeric (pair) && numel (pair) == 2 && isreal (pair) && pair(1) <= pair(2)))
+      error ("%s: option %s: %s: expected the least and the largest value, found %s", who, what, ...
+             row{1}, gsmbp__shown (row(2:3)'));
+    endif
+    list(end+1) = struct ("number", k, "low", pair(1), "high", pair(2));
+  endfor
+endfunction
+
+function list = parameters (who, m, o)
+  known = cellstr (m.json.collocation.parameters);
+  if (isempty (m.json.collocation.parameters))
+    known = {};
+  endif
+  given = bounds (who, "parameters", o.parameters, known);
+  if (numel (given) < numel (known) && ! isempty (o.parameters))
+    missing = setdiff (1:numel (known), [given.number])(1);
+    error (["%s: option parameters: expected bounds of all parameters of the request " ...
+            "(%s), found none of %s"], who, strjoin (known(:)', ", "), known{missing});
+  endif
+  list = struct ("name", {}, "low", {}, "high", {});
+  for k = 1:numel (known)
+    value = m.par.(known{k});
+    low = high = value;   # where none are free
+    if (! isempty (given))
+      one = given([given.number] == k);
+      low = one.low;
+      high = one.high;
+    endif
+    list(end+1) = struct ("name", known{k}, "low", low, "high", high);
+  endfor
+endfunction

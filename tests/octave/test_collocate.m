@@ -1,0 +1,210 @@
+## Optimal motions: the emitted functions and their derivatives, closed forms, the minimum
+## principle, what the machine does with the plan, refusals.
+
+function test_collocate ()
+  derivatives (gsmbp_fixture ("optimal_crank"));
+  derivatives (gsmbp_fixture ("optimal_cart"));
+  program (gsmbp_fixture ("optimal_crank"));
+  block (gsmbp_fixture ("optimal_block"));
+  bead (gsmbp_fixture ("optimal_bead"));
+  gear (gsmbp_fixture ("optimal_gear"));
+  swing_up (gsmbp_fixture ("optimal_cart"));
+  crank (gsmbp_fixture ("optimal_crank"));
+  refused (gsmbp_fixture ("optimal_cart"));
+end
+
+## DAE against the other subroutines, DAJ and DAH against differences
+function derivatives (m)
+  d = m.sizes;
+  s = m.json.collocation;
+  v = 0.3 * ones (d.nv, 1);
+  x = m.initial + 0.1 * (1:d.nx)';
+  lam = zeros (0, 1);
+  if (d.nlam > 0)
+    [ud, lam] = m.acc (0.4, x, v);
+    xd = m.rhs (0.4, x, v);
+  else
+    xd = m.rhs (0.4, x, v);
+    ud = xd(d.nq+(1:d.nu));
+  end
+  F = m.dae (0.4, x, ud, lam, v);
+  same = [zeros(s.residuals, 1); xd([1:d.nq, d.nq+d.nu+1:d.nx]); m.out(0.4, x, v)];
+  gsmbp_check ([m.name ": no residual at the accelerations of RHS, its rates, the outputs"], ...
+               norm (F - same, Inf) < 1e-11 * norm (F, Inf));
+  z = [0.4; x; ud; lam; v];
+  parts = @(z) mat2cell (z, [1, d.nx, d.nu, d.nlam, d.nv], 1);
+  of = @(f, z, varargin) f (parts (z){:}, varargin{:});
+  n = numel (z);
+  m0 = m;
+  names = cellstr (s.parameters)';
+  if (isempty (s.parameters))
+    names = {};
+  end
+  at = @(m, p) gsmbp_set (m, [names; num2cell(p(:)')](:){:});
+  p = cellfun (@(name) m.par.(name), names)(:);
+  G = full (sparse (s.jacobian(:,1), s.jacobian(:,2), of (m.daj, z), numel (F), n + numel (p)));
+  expected = slope (@(y) of (moved (m, at, y, n).dae, y(1:n)), [z; p]);
+  gsmbp_check ([m.name ": DAJ within 1e-9 of differences"], ...
+               norm (G - expected, Inf) < 1e-9 * norm (expected, Inf));
+  w = cos (1:numel (F))';
+  k = s.hessian;
+  gsmbp_check ([m.name ": DAH stands in the lower triangle, each entry once"], ...
+               all (k(:,1) >= k(:,2)) && rows (unique (k, "rows")) == rows (k));
+  H = full (sparse (k(:,1), k(:,2), of (m.dah, z, w), n + numel (p), n + numel (p)));
+  H += tril (H, -1)';
+  gradient = @(y) full (sparse (s.jacobian(:,1), s.jacobian(:,2), ...
+                                of (moved (m, at, y, n).daj, y(1:n)), numel (F), numel (y)))' * w;
+  expected = slope (gradient, [z; p]);
+  gsmbp_check ([m.name ": DAH within 1e-8 of differences"], ...
+               norm (H - expected, Inf) < 1e-8 * norm (expected, Inf));
+end
+
+function m = moved (m, at, y, n)
+  if (numel (y) > n)
+    m = at (m, y(n+1:end));
+  end
+end
+
+## central differences of order 4
+function J = slope (f, z)
+  J = [];
+  for k = 1:numel (z)
+    e = zeros (size (z));
+    e(k) = 1e-3 * max (abs (z(k)), 0.1);
+    J(:,k) = (8 * (f (z + e) - f (z - e)) - (f (z + 2*e) - f (z - 2*e))) / (12 * e(k));
+  end
+end
+
+## the derivatives of the whole program, two phases, both rules, parameters
+function program (m)
+  where = pwd ();
+  back = onCleanup (@() cd (where));
+  cd (fullfile (fileparts (which ("gsmbp_collocate")), "private"));   # its functions are not public
+  worst = [0 0 0];
+  for name = {"lobatto", "radau"}
+    mesh.rule = gsmbp__collocation_rule (name{1});
+    mesh.breaks = [1 1 2 2; 0 0.4 0 0.7; 0.4 1 0.7 1];
+    p = struct ("t0", 0.1, "goal_time", 0.3);
+    p.parameters = struct ("name", {"l1", "m3"});
+    p.outputs = struct ("number", 1, "low", -1, "high", 1);
+    p.goal = struct ("number", {1, 2}, "weight", {2, 0.5});
+    c = gsmbp__transcription (m, p, mesh);
+    f = gsmbp__transcribed (m, c);
+    z = [0.5 + 0.3 * sin((1:c.n-2)'); 0.21; 1.1];
+    l = cos (1:c.m)';
+    at = f ("places");
+    full_of = @(k, v, rows) full (sparse (at{k}(:,1), at{k}(:,2), v, rows, c.n));
+    J = full_of (1, f ("jac", z), c.m);
+    H = full_of (2, f ("hess", z, 0.7, l), c.n);
+    H += tril (H, -1)';
+    lagrange = @(z) 0.7 * f ("grad", z) + full_of (1, f ("jac", z), c.m)' * l;
+    pairs = {J, slope(@(z) f ("g", z), z); H, slope(lagrange, z)
+             f("grad", z)', slope(@(z) f ("f", z), z)};
+    for k = 1:3
+      worst(k) = max (worst(k), norm (pairs{k,1} - pairs{k,2}, Inf) / norm (pairs{k,2}, Inf));
+    end
+  end
+  gsmbp_check (sprintf ("Jacobian, Hessian, gradient: 1e-8, found %.1g %.1g %.1g", ...
+                        worst), all (worst < [1e-9, 1e-8, 1e-9]));
+end
+
+function block (m)
+  for method = {"radau", "lobatto"}
+    r = gsmbp_collocate (m, [0 0], [1 0], "goal", "effort", "time", 1, "method", method{1});
+    t = r.t;
+    gsmbp_check (["block, " method{1} ": cost 12, u = 6 - 12 t, x = 3 t^2 - 2 t^3"], ...
+                 r.solved && abs (r.goal - 12) < 1e-9 && norm (r.v - (6 - 12*t), Inf) < 1e-7 ...
+                 && norm (r.x(:,1) - (3*t.^2 - 2*t.^3), Inf) < 1e-9);
+  end
+  inverse = gsmbp_inverse (m, r.motion, [0.1; 0.5; 0.83]);
+  gsmbp_check ("gsmbp_inverse takes the motion, the inputs are those", ...
+               norm (inverse.tau - ppval (r.input, [0.1; 0.5; 0.83])(:)) < 1e-8);
+  for method = {"radau", "lobatto"}
+    r = gsmbp_collocate (m, [0 0], [1 0], "time", [0.1 5], "inputs", {"F", -2, 2}, "method", ...
+                         method{1});
+    gsmbp_check (["double integrator, " method{1} ": sqrt (2), polished to 1e-12"], ...
+                 r.solved && abs (r.goal - sqrt (2)) < 1e-12 ...
+                 && abs (r.switches - sqrt (0.5)) < 1e-12);
+  end
+  gsmbp_check ("both limits of the input hold it back", ...
+               isequal (sort ({r.active.bound}), {"largest", "least"}) ...
+               && all (strcmp ({r.active.name}, "F")));
+  r = gsmbp_collocate (m, [0 0], [1 0], "time", [0.1 5], "inputs", {"F", -2, 2}, "outputs", ...
+                       {"speed", -Inf, 0.5}, "polish", false, "accuracy", 1e-4);
+  ## 0.25 s up, 0.25 s down on 1/8 m, the rest at 0.5 m/s
+  gsmbp_check ("a bound of an output: 2.25 s", abs (r.goal - 2.25) < 1e-3 ...
+               && any (strcmp ({r.active.name}, "speed")));
+end
+
+function bead (m)
+  r = gsmbp_collocate (m, [0 10 0 0], [10 5 NaN NaN], "time", [0.1 10], "inputs", {"N", -20, 20});
+  gsmbp_check (sprintf ("brachistochrone: 1e-9, found %.2g", r.goal/1.80160312245308133 - 1), ...
+               abs (r.goal / 1.80160312245308133 - 1) < 1e-9 ...
+               && abs (hypot (r.x(end,3), r.x(end,4)) - 9.90285312422637116) < 1e-5);
+end
+
+## D2a: closed forms of the ratio and the energy
+function gear (m)
+  expected = [94.868329805051379960, 2.1540166204986149585
+              145.758289033132936500, 3.6194035598466068665
+              79.733469737575994726, 2.7053430482139276760];
+  without = {{"bm", 0, "bL", 0, "TL", 0}, {"bm", 0, "bL", 0}, {"TL", 0}};
+  for k = 1:3
+    r = gsmbp_collocate (gsmbp_set (m, without{k}{:}), [0 0], [1.2 0], "goal", "loss", "time", ...
+                         0.8, "parameters", {"n", 10, 400}, "accuracy", 1e-8);
+    off = abs ([r.parameters.n, r.goal] ./ expected(k,:) - 1);
+    gsmbp_check (sprintf ("D2a %d: ratio and energy within 1e-8, found %.2g, %.2g", k, off), ...
+                 r.solved && all (off < 1e-8));
+  end
+end
+
+## the machine with these inputs comes to the end; the plan's inverse dynamics gives them
+function swing_up (m)
+  r = gsmbp_collocate (m, [0 0 0 0], [1 pi 0 0], "goal", "effort", "time", 2, "states", ...
+                       {"p", -2, 2}, "accuracy", 1e-7);
+  s = gsmbp_simulate (m, [0 0 0 0], [0; 2], "input", r.input, "rtol", 1e-10);
+  off = norm (s.x(end,:) - [1 pi 0 0], Inf);
+  gsmbp_check (sprintf ("cart-pole: cost 58.80767, simulated end within 1e-6, found %.2g", ...
+                        off), r.solved && abs (r.goal - 58.80767) < 1e-4 && off < 1e-6);
+  slow = gsmbp_collocate (m, [0 0 0 0], [1 pi 0 0], "goal", {"drift", 1, "effort", 0.01}, ...
+                          "time", [1 3], "states", {"p", -2, 2}, "accuracy", 1e-5, ...
+                          "intervals", 30, "guess", r);
+  gsmbp_check ("a goal that depends on time, the duration free", slow.solved ...
+               && slow.goal < 0.01 * r.goal + trapz (r.t, r.y(:,2)));
+end
+
+## a loop with a motor, half a turn in the least time
+function crank (m)
+  x0 = m.initial;
+  xf = x0;
+  xf(1) = pi;
+  xf(end) = NaN;
+  r = gsmbp_collocate (m, x0, xf, "time", [0.05 5], "inputs", {m.inputs{1}, -24, 24});
+  s = gsmbp_simulate (m, x0, [0; r.T], "input", r.input, "rtol", 1e-9);
+  off = norm (s.x(end,[1 4]) - [pi 0], Inf);
+  gsmbp_check (sprintf ("crank: one jump, simulated end within 1e-4, found %.2g", off), ...
+               r.solved && numel (r.switches) == 1 && off < 1e-4);
+end
+
+function refused (m)
+  call = @(varargin) gsmbp_collocate (m, varargin{:});
+  z = zeros (1, 4);
+  wrong = {{z, [1 2]}, "argument xf: expected 4 numbers (p, th, p_d, th_d)"
+           {z, z}, "option time: expected the duration"
+           {z, z, "time", [2 1]}, "option time: expected the duration, or the least"
+           {z, z, "time", 1, "goal", "work"}, "option goal: unknown"
+           {z, z, "time", 1, "inputs", {"F", 2, 1}}, "inputs: F: expected the least"
+           {z, z, "time", 1, "outputs", {"x", 0, 1}}, "option outputs: unknown"
+           {z, z, "time", 1, "parameters", {"l", 0, 1}}, "option parameters: unknown"
+           {z, z, "time", 1, "guess", 3}, "option guess: expected a struct with t, x, v"};
+  for k = 1:rows (wrong)
+    text = gsmbp_complaint (@() call (wrong{k,1}{:}));
+    gsmbp_check (["refused: " text], ! isempty (strfind (text, wrong{k,2})));
+  end
+  warning ("off", "gsmbp:collocation", "local");
+  r = call (z, [1 pi 0 0], "time", 0.05);
+  gsmbp_check ("what cannot be is told", ! r.solved && ! isempty (r.ended));
+  other = gsmbp_fixture ("case_d1a");
+  text = gsmbp_complaint (@() gsmbp_collocate (other, [0 0], [1 0], "time", 1));
+  gsmbp_check (["refused: " text], ! isempty (strfind (text, "has not the subroutines DAE")));
+end
