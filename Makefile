@@ -21,7 +21,8 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-flexible bench-sensitivity bench-points bench-reach bench-robots same doc manual \
+        bench-flexible bench-sensitivity bench-collocation bench-points bench-reach bench-robots \
+        same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu
@@ -57,6 +58,8 @@ make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, o
                            beams beside a geometrically exact one, errors
 make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
                            alone and central differences, an adjoint of 40
+make bench-collocation     tests/bench/collocation.md: the program of an optimal motion, set up
+                           and evaluated; PEERS=1: CasADi from PyPI beside
 make bench-points          tests/bench/points.md: J and (dJ/dt) u of a six-axis arm, operations
                            PEERS=1: CasADi and Pinocchio from PyPI beside
 make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 beside its inverse
@@ -190,6 +193,11 @@ bench-flexible: packages compiled
 bench-sensitivity: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/sensitivity.m </dev/null
+
+bench-collocation: packages compiled
+	@mkdir -p tests/bench/out
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/collocation/run \
+	  tests/bench/out/collocation
 
 bench-points: packages compiled
 	@mkdir -p tests/bench/out

@@ -1,0 +1,49 @@
+## ours (root, out, sizes): the swing-up of tests/scenes/optimal_cart.mac by Hermite and Simpson: for
+## each number of intervals a line `N, ms to set up, ms for one evaluation of all derivatives,
+## iterations, goal`, as casadi_nlp.py prints them.
+
+function ours (root, out, sizes)
+  addpath (fullfile (root, "octave"));
+  gsmbp_derive (fullfile (root, "tests", "scenes", "optimal_cart.mac"), out);
+  m = gsmbp_build ("optimal_cart", "directory", out);
+  asked = {"goal", "effort", "time", 2, "states", {"p", -2, 2}, "method", "lobatto"};
+  cd (fullfile (root, "octave", "private"));   # the parts of gsmbp_collocate are not public
+  for n = sizes
+    [p, o] = gsmbp__collocation_problem ("ours", m, zeros (1, 4), [1 pi 0 0], asked);
+    mesh = struct ("rule", gsmbp__collocation_rule ("lobatto"), ...
+                   "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
+    guess = gsmbp__collocation_guess ("ours", m, p, []);
+    [setup, f, c] = set_up (m, p, mesh);
+    seconds = evaluation (f, c);
+    s = gsmbp__collocation_solve ("ours", m, p, mesh, guess, o);
+    printf ("%d %.3f %.4f %d %.14g\n", n, 1e3 * setup, 1e3 * seconds, rows (s.log) - 1, s.J);
+  end
+end
+
+function [least, f, c] = set_up (m, p, mesh)
+  least = Inf;
+  for k = 1:5
+    begin = tic ();
+    c = gsmbp__transcription (m, p, mesh);
+    f = gsmbp__transcribed (m, c);
+    f ("places");
+    least = min (least, toc (begin));
+  end
+end
+
+## goal, gradient, equations, Jacobian and Hessian at points that are new
+function least = evaluation (f, c)
+  least = Inf;
+  z = 0.1 * ones (c.n, 1);
+  l = 0.3 * ones (c.m, 1);
+  for k = 1:60
+    z(1) += 1e-3;
+    begin = tic ();
+    f ("f", z);
+    f ("grad", z);
+    f ("g", z);
+    f ("jac", z);
+    f ("hess", z, 1, l);
+    least = min (least, toc (begin));
+  end
+end
