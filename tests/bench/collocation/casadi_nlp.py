@@ -1,4 +1,4 @@
-"""The swing-up of a cart with a pole by Hermite and Simpson in CasADi (SX), with its Ipopt: for each
+"""The swing-up of a cart with a pole by Hermite and Simpson in CasADi (SX) with its Ipopt: for each
 number of intervals a line `N, ms to build, ms for one evaluation of all derivatives, iterations,
 goal`. Unknowns and equations as gsmbp_collocate has them with states and forces at the middles."""
 import sys

@@ -1,5 +1,5 @@
-## ours (root, out, sizes): the swing-up of tests/scenes/optimal_cart.mac by Hermite and Simpson: for
-## each number of intervals a line `N, ms to set up, ms for one evaluation of all derivatives,
+## ours (root, out, sizes): the swing-up of tests/scenes/optimal_cart.mac by Hermite and Simpson:
+## for each number of intervals a line `N, ms to set up, ms for one evaluation of all derivatives,
 ## iterations, goal`, as casadi_nlp.py prints them.
 
 function ours (root, out, sizes)
