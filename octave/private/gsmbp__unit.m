@@ -53,7 +53,7 @@ function table = units ()
            "s", 1, time; "ms", 1e-3, time; "us", 1e-6, time; "min", 60, time; "hour", 3600, time
            "rpm", 2*pi/60, -time; "Hz", 1, -time
            "N", 1, force; "kN", 1e3, force; "MN", 1e6, force; "mN", 1e-3, force
-           "Nm", 1, torque; "mNm", 1e-3, torque; "Ncm", 1e-2, torque
+           "Nm", 1, torque; "mNm", 1e-3, torque; "Nmm", 1e-3, torque; "Ncm", 1e-2, torque
            "J", 1, torque; "kJ", 1e3, torque; "W", 1, [1 2 -3 0 0]; "kW", 1e3, [1 2 -3 0 0]
            "Pa", 1, [1 -1 -2 0 0]; "kPa", 1e3, [1 -1 -2 0 0]; "MPa", 1e6, [1 -1 -2 0 0]
            "bar", 1e5, [1 -1 -2 0 0]; "l", 1e-3, 3*way

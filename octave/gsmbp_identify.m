@@ -1,0 +1,217 @@
+## -*- texinfo -*-
+## @c category Design
+## @deftypefn  {} {@var{e} =} gsmbp_identify (@var{m}, @var{data})
+## @deftypefnx {} {@var{e} =} gsmbp_identify (@var{m}, @var{data}, @var{option}, @var{value}, @
+## @dots{})
+## Estimate the base parameters of an open chain, with friction and motor constants, from a measured
+## motion and its efforts.
+##
+## @var{m} was derived with the request @code{regressor}: its efforts are Y*p + r, linear in the
+## base parameters p (@code{gsmbp_base_parameters}).  @var{data}, of @code{gsmbp_measured}: a struct
+## with @code{t}, @code{q}, @code{u}, @code{ud}, @code{tau}, a row for each time.  The rows of all
+## times are one system, solved by least squares through QR; the normal equations are not formed.
+##
+## Options:
+## @table @code
+## @item "sigma"
+## standard deviation of the noise of each effort (and of the voltage of each motor): one number or
+## one for each.  Rows are weighted with 1/sigma, the covariance is that of this noise.
+## @item "weights"
+## without "sigma": "equal" (default): ordinary least squares, the noise estimated from what
+## is left; "residual": weighted by what an ordinary one leaves of each effort
+## @item "coulomb", "viscous", "rotor", "offset"
+## further columns for the coordinates that are named (true: for all): sign(u), u, ud, 1, with the
+## names @code{q1_coulomb}, @dots{}.  Friction that the scene has in its joints is a base parameter
+## already.
+## @item "motors"
+## a struct array, for coordinates whose motor's current and voltage were measured instead of the
+## effort: @code{coordinate}, @code{ratio}, @code{current}, @code{voltage} (names of columns in
+## @code{data.other}), @code{inductance} (true: with the term L*i').  The effort is ratio*K*i, and v
+## = R*i + K*ratio*u are further rows: K, R, L are estimated with the rest.
+## @item "decimate"
+## n: both sides of the equations, every column of them, pass the same filter without shift
+## (Butterworth of order 4, cutoff 0.8/n of half the sampling frequency), then each n-th row is
+## kept; one period of the cutoff at both ends is left out.  The covariance counts the noise as
+## white, and the motion as well below the cutoff.  Needs times at equal distances.
+## @item "fixed"
+## names of parameters that keep the values of the model (further ones: 0)
+## @end table
+##
+## @var{e} has the fields
+## @table @code
+## @item names, units, p, sigma, percent
+## the estimates with standard deviations (of 100 p)
+## @item covariance
+## of p
+## @item nominal
+## the values in the model (NaN of motor constants)
+## @item condition, condition_scaled
+## of the (weighted) system as it stands, and with its columns scaled to length 1; the second does
+## not depend on units
+## @item rms, relative
+## of what is left of each effort (voltage); over the rms of the measured one
+## @item noise
+## the standard deviations that the weights and the covariance took
+## @item chi2, dof
+## weighted sum of squares of what is left, and rows less parameters: near each other where the
+## model and "sigma" fit
+## @item residual
+## times @code{t} x efforts, measured less estimated
+## @end table
+##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("pinned");
+## >> heavy = gsmbp_set (m, "mb", 2.5, "d", 0.3);
+## >> p = gsmbp_plan ("quintic", [0 2 -1], [0 1 2.5]);
+## >> r = gsmbp_inverse (heavy, p, 0:0.02:2.5);
+## >> data = struct ("t", r.t, "q", r.q, "u", r.u, "ud", r.ud, "tau", r.tau);
+## >> e = gsmbp_identify (m, data, "sigma", 0.1);
+## >> e.names'
+## ans =
+## @{
+##   [1,1] = bar_hx
+##   [1,2] = bar_hy
+##   [1,3] = bar_Izz
+##   [1,4] = pin_friction
+## @}
+## >> [e.p, e.sigma, e.nominal]
+## ans =
+##
+##    0.7500   0.0024   0.6000
+##   -0.0000   0.0020        0
+##    0.2850   0.0029   0.2400
+##    0.3000   0.0042   0.1000
+## @end example
+##
+## Errors: a scene with loops, or without REG; data of other sizes; parameters that the data do not
+## depend on or do not tell apart (named); an unknown coordinate or parameter.
+## Source: Gautier and Khalil (1990); Swevers et al., IEEE Transactions on Robotics and Automation
+## 13 (1997) (weights); Gautier and Briot (2014) (motor constants).
+## @seealso{gsmbp_measured, gsmbp_excite, gsmbp_consistent, gsmbp_adopt, gsmbp_validate}
+## @end deftypefn
+
+function e = gsmbp_identify (m, data, varargin)
+  if (nargin < 2)
+    print_usage ();
+  endif
+  who = "gsmbp_identify";
+  gsmbp__model (who, m);
+  gsmbp__open_chain (who, m);
+  table = {"sigma", [], "numbers"; "weights", "equal", {"equal", "residual"}
+           "coulomb", false, "any"; "viscous", false, "any"; "rotor", false, "any"
+           "offset", false, "any"; "motors", [], "any"; "fixed", {}, "names"
+           "decimate", 1, "whole"};
+  o = gsmbp__options (who, table, varargin);
+  o.motors = motors_of (who, m, o.motors);
+  data = gsmbp__sound_data (who, m, data, {o.motors.coordinate});
+  w = gsmbp__regression (who, m, data, o);
+  w = without (who, w, o.fixed);
+  [w, t] = gsmbp__decimated (who, w, data.t, o.decimate);
+  [f, noise, scale] = solved (who, w, o, m.sizes.nu + numel (o.motors));
+  e = result (w, f, noise, scale, numel (t));
+  e.t = t;
+  e.options = o;
+endfunction
+
+function list = motors_of (who, m, given)
+  list = struct ("coordinate", {}, "ratio", {}, "current", {}, "voltage", {}, "inductance", {});
+  if (isempty (given))
+    return;
+  endif
+  if (! (isstruct (given) && all (isfield (given, {"coordinate", "ratio", "current", "voltage"}))))
+    error (["%s: option motors: expected a struct array with the fields coordinate, ratio, " ...
+            "current, voltage, found %s"], who, gsmbp__shown (given));
+  endif
+  for a = given(:)'
+    if (! any (strcmp (m.coordinates, a.coordinate)))
+      error ("%s: option motors: unknown coordinate %s", who, ...
+             gsmbp__unknown (a.coordinate, m.coordinates(:)'));
+    endif
+    gsmbp__fits (who, "option motors: ratio", a.ratio, "number");
+    inductance = isfield (a, "inductance") && ! isempty (a.inductance) && a.inductance;
+    list(end+1) = struct ("coordinate", a.coordinate, "ratio", a.ratio, "current", a.current, ...
+                          "voltage", a.voltage, "inductance", inductance);
+  endfor
+endfunction
+
+## parameters that are not estimated go to the right with their values
+function w = without (who, w, fixed)
+  if (isempty (fixed))
+    return;
+  endif
+  for name = cellstr (fixed)(:)'
+    k = find (strcmp (w.names, name{1}));
+    if (isempty (k))
+      error ("%s: option fixed: unknown parameter %s", who, gsmbp__unknown (name{1}, w.names(:)'));
+    elseif (isnan (w.p(k)))
+      error ("%s: option fixed: the model has no value of %s", who, name{1});
+    endif
+    w.b -= w.Y(:,k) * w.p(k);
+    w.Y(:,k) = [];
+    [w.names(k), w.units(k), w.kind(k), w.p(k)] = deal ([]);
+  endfor
+endfunction
+
+## ordinary or weighted; NOISE of each group of rows, SCALE of the covariance
+function [f, noise, scale] = solved (who, w, o, groups)
+  scale = 1;
+  if (! isempty (o.sigma))
+    noise = o.sigma(:) * w.gain;
+    if (isscalar (noise))
+      noise = repmat (noise, groups, 1);
+    elseif (numel (noise) != groups || any (noise <= 0))
+      error ("%s: option sigma: expected one number above 0 or %d, found %s", who, groups, ...
+             gsmbp__shown (o.sigma));
+    endif
+    f = gsmbp__least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
+    return;
+  endif
+  f = gsmbp__least_squares (who, w.Y, w.b, w.names);
+  if (strcmp (o.weights, "equal"))
+    scale = max (f.rss / max (1, rows (w.Y) - columns (w.Y)), (eps * norm (w.b) + 1e-150) ^ 2) ...
+            * w.estimated ^ 2;
+    noise = repmat (sqrt (scale), groups, 1);
+    return;
+  endif
+  share = columns (w.Y) / groups;
+  for g = 1:groups
+    own = f.residual(w.group == g);
+    noise(g,1) = max (w.estimated * sqrt (sumsq (own) / max (1, numel (own) - share)), ...
+                      eps * norm (w.b(w.group == g)) + 1e-150);
+  endfor
+  f = gsmbp__least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
+endfunction
+
+function e = result (w, f, noise, scale, nt)
+  [e.names, e.units, e.p] = deal (w.names(:), w.units(:), f.p);
+  e.covariance = scale * f.covariance;
+  e.sigma = sqrt (diag (e.covariance));
+  e.percent = 100 * e.sigma ./ abs (e.p);
+  e.nominal = w.p;
+  [e.condition, e.condition_scaled] = deal (f.condition, f.condition_scaled);
+  e.residual = reshape (w.b - w.Y * f.p, [], 1);
+  groups = numel (noise);
+  for g = 1:groups
+    own = w.group == g;
+    e.rms(g,1) = sqrt (mean (e.residual(own) .^ 2));
+    e.relative(g,1) = e.rms(g) / sqrt (mean (w.measured(own) .^ 2));
+  endfor
+  e.noise = noise;
+  e.chi2 = sumsq (e.residual ./ noise(w.group));
+  e.dof = rows (w.Y) - columns (w.Y);
+  rest = zeros (nt, groups);
+  for g = 1:groups
+    rest(:,g) = e.residual(w.group == g);
+  endfor
+  e.residual = rest;
+  e.kind = w.kind(:);
+  [e.R, e.z] = deal (f.R / sqrt (scale), f.z / sqrt (scale));
+endfunction
+
+%!test
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! d = struct ("t", 0, "q", 0, "u", 0, "ud", 0, "tau", 0);
+%! fail ("gsmbp_identify (m, d)", "has no subroutine REG: derive it with the request");
+%! fail ("gsmbp_identify (gsmbp_hand (\"hand_crank\"), d)", "has loops or Euler parameters");

@@ -1,0 +1,7 @@
+## P = gsmbp__pseudo (ten)
+## The pseudo-inertia of ten standard parameters m, hx, hy, hz, Ixx, Iyy, Izz, Ixy, Ixz, Iyz.
+
+function P = gsmbp__pseudo (ten)
+  I = [ten(5), ten(8), ten(9); ten(8), ten(6), ten(10); ten(9), ten(10), ten(7)];
+  P = [trace(I) / 2 * eye(3) - I, ten(2:4)(:); ten(2:4)(:)', ten(1)];
+endfunction
