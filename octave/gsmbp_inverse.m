@@ -43,6 +43,12 @@
 ## a supply gives): one number (both ways), @var{nv} numbers, or @var{nv} x 2 (least, largest);
 ## default their @code{limits} in the scene.
 ##
+## Of a scene with flexible links that was emitted with the request @code{static_modes}
+## the motion may be that of the coordinates alone that INQ is given
+## (@code{m.json.given}): the modal coordinates, and what follows through loops, are then
+## in quasi-static balance, their rates zero; @code{tau} has a column for each coordinate,
+## zero but for those given; no inputs @code{v}, outputs and states of devices follow.
+##
 ## A motion with fewer continuous derivatives than the command needs
 ## (@code{m.order - 1}: the voltage of a motor with inductance, of order 3, needs a continuous
 ## acceleration) is an error that names the device and the time; "quasistatic" takes it.
@@ -83,6 +89,12 @@ function r = gsmbp_inverse (m, motion, times, varargin)
            "internal", m.initial(d.nq+d.nu+1:end), "numbers"
            "limits", [], "any"};
   o = gsmbp__options (who, table, varargin);
+  if (any (strcmp (m.subroutines, "inq"))
+      && prod (gsmbp__pp (who, motion).dim) == numel (m.json.given))
+    times = gsmbp__vector (who, "times", times, numel (times))';
+    r = gsmbp__inverse_modes (who, m, motion, times, checked (who, m, o));
+    return;
+  endif
   [pp, planned] = gsmbp__motion (who, m, motion);
   o = checked (who, m, o);
   times = gsmbp__vector (who, "times", times, numel (times))';

@@ -5,6 +5,7 @@
 function test_flexible_static ()
   addpath (fullfile (fileparts (mfilename ("fullpath")), "independent"));
   in_a_loop ();
+  along_a_motion ();
   in_a_tree ("flexible_tree", 4, [0.7; -0.4; 0.3; 0.5], [1.3; 0.8; -0.6; 0.9], [2; -1; 0.5; 3]);
   in_a_tree ("flexible_data", 3, [0.7; -0.4; 0.3], [1.3; 0.8; -0.6], [2; -1; 0.5]);
 end
@@ -36,6 +37,34 @@ function in_a_loop ()
     gsmbp_check ([name "multipliers"], ...
                  (m.inv (0, q, u, ud, []) - H' * lambda_ - found) / max (1, norm (lambda_)), 1e-12);
   end
+end
+
+## gsmbp_inverse of a motion of the crank alone: at one instant that of INQ; the loop stays closed
+function along_a_motion ()
+  m = gsmbp_fixture ("flexible_slider_crank");
+  plan = gsmbp_plan ("quintic", [0, 2], [0, 0.2]);
+  r = gsmbp_inverse (m, plan, linspace (0, 0.2, 21));
+  p = fx_slider_crank (m.par);
+  [a, ad, add] = deal (r.q(9,1), r.u(9,1), r.ud(9,1));
+  zero = [0; 0];
+  e = balanced (@(e) p.efforts ([a; e], [ad; zero], [add; zero])(2:3), zero);
+  tau = p.efforts ([a; e], [ad; zero], [add; zero]);
+  gsmbp_check ("gsmbp_inverse, modes quasi-static: amplitudes", r.q(9,4:5)' - e, 1e-12);
+  gsmbp_check ("gsmbp_inverse, modes quasi-static: torque", r.tau(9,1) / tau(1) - 1, 1e-9);
+  for k = 1:21
+    phi(:,k) = m.con (0, r.q(k,:)');
+  end
+  gsmbp_check ("gsmbp_inverse, modes quasi-static: the loop", phi, 1e-13);
+  gsmbp_check ("gsmbp_inverse, modes quasi-static: the plan", ...
+               r.q(:,1) - gsmbp_evaluate (plan, r.t)(:), 1e-14);
+  said = "";
+  try
+    gsmbp_inverse (gsmbp_set (m, "EI", 1e-4), plan, 0.1);
+  catch problem
+    said = problem.message;
+  end
+  gsmbp_check ("gsmbp_inverse, a rod that buckles: said", ...
+               ! isempty (strfind (said, "no quasi-static balance of the modes at t = 0.1 s")));
 end
 
 ## joints 1 to n are given, the modal coordinates behind them follow
