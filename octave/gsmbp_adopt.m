@@ -38,8 +38,8 @@
 ##    2.0000   0.1000
 ## @end example
 ##
-## Errors: unknown parameters; values that the scene refuses (a negative mass: take
-## @code{gsmbp_consistent}); no convergence.
+## Errors: unknown parameters; lengths and gravity, which are in the factors of base parameters;
+## values that the scene refuses (a negative mass: take @code{gsmbp_consistent}); no convergence.
 ## Source: own; least squares of least norm.
 ## @seealso{gsmbp_identify, gsmbp_consistent, gsmbp_set}
 ## @end deftypefn
@@ -61,6 +61,7 @@ function [m, table, misfit] = gsmbp_adopt (m, e, names, varargin)
              gsmbp__unknown (name{1}, fieldnames (m.par)'));
     endif
   endfor
+  only_in_p (who, m, names);
   base = strcmp (e.kind, "base");
   weight = inv (chol (e.covariance(base,base))');
   [theta, J, misfit] = fitted (who, m, e, base, weight, names, o.spread);
@@ -73,6 +74,22 @@ function [m, table, misfit] = gsmbp_adopt (m, e, names, varargin)
                     "UniformOutput", false);
     gsmbp__write (who, o.file, ["name,value,sigma,before,determined\n", [text{:}]]);
   endif
+endfunction
+
+## lengths and gravity are in the factors of the base parameters, which hold for their values alone
+function only_in_p (who, m, names)
+  d = m.sizes;
+  at = {0, sin((1:d.nq)'), cos((1:d.nu)'), sin(2 * (1:d.nu)'), zeros(d.nv, 1)};
+  Y = m.reg (at{:});
+  for name = names
+    other = m;
+    other.par.(name{1}) += 1e-3 * max (abs (other.par.(name{1})), 1e-3);
+    other = gsmbp__handles (other);
+    if (norm (other.reg (at{:}) - Y, Inf) > 1e-9 * norm (Y, Inf))
+      error (["%s: %s: parameter %s is in the factors of the base parameters (a length, " ...
+              "gravity): expected masses, centres, inertias or friction"], who, m.name, name{1});
+    endif
+  endfor
 endfunction
 
 ## Gauss-Newton with steps of least norm in parameters over their size

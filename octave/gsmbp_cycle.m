@@ -197,6 +197,12 @@ endfunction
 %! e = m.ene (0, [r.q(11,:), r.u(11,:)]')(1);
 %! one = gsmbp_cycle (m, gsmbp_inverse (m, plan, 0.5));
 %! assert (one.inertia, 2 * e / r.u(11,1) ^ 2, 1e-12);
+%!test <a motor in the scene would count twice>
+%! n = m;
+%! n.json.devices = struct ("name", "M", "entry", "dc_motor");
+%! n.par.M_J = 1e-4;
+%! r = struct ("t", 0, "x", 0, "v", 0);
+%! fail ("gsmbp_cycle (n, r)", "counts M_J = 0.0001 of dc_motor M");
 %!test <a table>
 %! c = gsmbp_cycle ([0 1 2 3; 1 4 5 6], "unit", "m", "inertia", 7);
 %! assert ({c.t, c.omega, c.alpha, c.torque, c.unit, c.inertia}, ...

@@ -90,11 +90,8 @@ function r = gsmbp_cylinder (cycle, varargin)
 endfunction
 
 function check_cycle (who, c)
-  if (! (isstruct (c) && isscalar (c) && all (isfield (c, {"t", "position", "omega", "torque", ...
-                                                          "unit"}))))
-    error ("%s: argument cycle: expected a struct of gsmbp_cycle, found %s", who, ...
-           gsmbp__shown (c));
-  elseif (! strcmp (c.unit, "m"))
+  gsmbp__sound_cycle (who, c);
+  if (! strcmp (c.unit, "m"))
     error ("%s: the axis turns; expected a cycle of one that slides", who);
   elseif (any (isnan (c.position)))
     error ("%s: expected a cycle with positions (option position of gsmbp_cycle), found none", who);

@@ -120,11 +120,8 @@ function r = gsmbp_drive (cycle, varargin)
 endfunction
 
 function check_cycle (who, c, o)
-  if (! (isstruct (c) && isscalar (c) && all (isfield (c, {"t", "omega", "alpha", "torque", ...
-                                                          "inertia", "unit"}))))
-    error ("%s: argument cycle: expected a struct of gsmbp_cycle, found %s", who, ...
-           gsmbp__shown (c));
-  elseif (isfinite (o.inertia_ratio) && isnan (c.inertia))
+  gsmbp__sound_cycle (who, c);
+  if (isfinite (o.inertia_ratio) && isnan (c.inertia))
     error (["%s: option inertia_ratio: the cycle knows no inertia; expected one of gsmbp_cycle " ...
             "(..., \"inertia\", value)"], who);
   elseif (strcmp (c.unit, "m") && ! isempty (o.gears))
@@ -293,4 +290,6 @@ endfunction
 %!error <option motors: expected a list of gsmbp_catalogue \("motors"\) with the fields name, R>
 %! gsmbp_drive (cycle (), "motors", struct ("name", "a"))
 %!error <expected a struct of gsmbp_cycle, found 3> gsmbp_drive (3)
+%!error <argument cycle: torque: expected a column of finite numbers>
+%! gsmbp_drive (setfield (cycle (), "torque", NaN (101, 1)))
 %!error <option goal: expected one of "mass", "energy"> gsmbp_drive (cycle (), "goal", "weight")

@@ -109,9 +109,22 @@ function e = gsmbp_identify (m, data, varargin)
   w = without (who, w, o.fixed);
   [w, t] = gsmbp__decimated (who, w, data.t, o.decimate);
   [f, noise, scale] = solved (who, w, o, m.sizes.nu + numel (o.motors));
-  e = result (w, f, noise, scale, numel (t));
+  e = result (m, w, f, noise, scale, numel (t));
   e.t = t;
   e.options = o;
+endfunction
+
+## units; those of the friction of a joint with one coordinate follow it
+function list = units_of (m, w)
+  list = w.units(:);
+  for k = find (cellfun (@isempty, list))'
+    for j = gsmbp__rows (m.json, "joints")
+      c = find (strcmp (m.coordinates, cellstr (j{1}.coordinates){1}));
+      if (strcmp ([j{1}.name "_friction"], w.names{k}) && ! isempty (c))
+        list{k} = {"N*m*s/rad", "N*s/m"}{1 + strncmp(m.units.coordinates{c}, "m", 1)};
+      endif
+    endfor
+  endfor
 endfunction
 
 function list = motors_of (who, m, given)
@@ -183,8 +196,8 @@ function [f, noise, scale] = solved (who, w, o, groups)
   f = gsmbp__least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
 endfunction
 
-function e = result (w, f, noise, scale, nt)
-  [e.names, e.units, e.p] = deal (w.names(:), w.units(:), f.p);
+function e = result (m, w, f, noise, scale, nt)
+  [e.names, e.units, e.p] = deal (w.names(:), units_of (m, w), f.p);
   e.covariance = scale * f.covariance;
   e.sigma = sqrt (diag (e.covariance));
   e.percent = 100 * e.sigma ./ abs (e.p);

@@ -19,5 +19,6 @@ function w = gsmbp__regressed (who, m, d)
   endfor
   w.Y = reshape (permute (Y, [1, 3, 2]), n * nt, []);
   [w.p, w.r] = deal (p, r(:));
-  [w.names, w.units] = deal ({m.json.base_parameters.name}', {m.json.base_parameters.unit}');
+  w.names = {m.json.base_parameters.name}';
+  w.units = {m.json.base_parameters.unit}';
 endfunction

@@ -8,6 +8,23 @@ function test_drive ()
   best_of_d4 (c, motors, gears, ref);
   ratios_of_d4 (r, ref);
   closed_forms ();
+  of_a_run ();
+end
+
+## the load cycle of a run is that of the plan that it followed
+function of_a_run ()
+  m = gsmbp_fixture ("ident_arm");
+  plan = gsmbp_plan ("quintic", [0.2 1 0; -0.3 0.5 -0.4], [0 0.7 1.6]);
+  t = linspace (0, 1.6, 41);
+  r = gsmbp_inverse (m, plan, t);
+  a = gsmbp_cycle (m, r, "q2");
+  b = gsmbp_cycle (m, gsmbp_simulate (m, r.x(1,:), t, "motion", plan), "q2");
+  ## the run follows the plan to its own tolerance, 1e-8
+  gsmbp_check ("a run and its plan", [a.torque - b.torque, a.omega - b.omega], 1e-7);
+  gsmbp_check ("the inertia", [a.inertia - m.mas(0, [0; 0])(2,2), a.inertia - b.inertia], 1e-14);
+  v = gsmbp_simulate (m, r.x(1,:), t, "input", gsmbp_plan ("table", t, r.v, 1));
+  b = gsmbp_cycle (m, v, "q2");
+  gsmbp_check ("the torque is the input of the ideal source", b.torque - v.v(:,2), 1e-13);
 end
 
 function [c, motors, gears, ref] = case_d4 ()

@@ -264,6 +264,9 @@ function written_back (m, d)
                "shoulder_friction")) - 1, 0.02);
   gsmbp_check ("... what was there before", table(k).before == 0.1);
   gsmbp_check ("... the file", strncmp (text, "name,value,sigma,before,determined\nm2,", 38));
+  gsmbp_check ("a length is not adopted", ! isempty (strfind (complaint (@() gsmbp_adopt (off, ...
+    e2, {"m2", "l1"})), "parameter l1 is in the factors of the base parameters")));
+  gsmbp_check ("units of friction", strcmp (e2.units{end}, "N*m*s/rad"));
   gsmbp_check ("mass and inertia of the upper link are not told apart", ...
                ! [table(strcmp ({table.name}, "m1")).determined]);
 end
