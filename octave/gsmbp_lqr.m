@@ -1,7 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Linear models and control
 ## @deftypefn  {} {@var{design} =} gsmbp_lqr (@var{m}, @var{motion}, @var{times}, @var{Q}, @var{R})
-## @deftypefnx {} {@var{design} =} gsmbp_lqr (..., "inputs", @var{names})
+## @deftypefnx {} {@var{design} =} gsmbp_lqr (..., "inputs", @var{names}, "design", @var{word})
 ## Linear state feedback that holds a scene about a planned motion.
 ##
 ## At each of the @var{times} [s] the exact linear model of the scene about the
@@ -13,6 +13,11 @@
 ## "inputs": the @var{names} of the inputs that the control has, in the order of
 ## @var{R} (default: all of @code{m.inputs}); the others are disturbances, their
 ## gains are zero.
+##
+## "design": "frozen" (default), as above: each time as if the motion stood still there; "varying":
+## the feedback that is best for the motion as a whole up to the last of the times, by Riccati's
+## differential equation backwards from the weight "Qend" (@var{nx} x @var{nx}; default: what is
+## left to come if the motion stood still at its end), in "steps" (default 20) between two times.
 ##
 ## @var{design} has the fields @code{gain} and @code{reference}, to be handed
 ## to @code{gsmbp_simulate} under these names together with "motion", and
@@ -32,10 +37,10 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: Q or R of another size; the control package missing; a motion that
+## Errors: Q, R or Qend of another size; the control package missing; a motion that
 ## the scene cannot follow.
-## Source: Riccati's equation, by lqr of the control package, at each time;
-## gains scheduled linearly.
+## Source: Riccati's equation, by lqr of the control package, at each time; along the motion by
+## Magnus' method of order 4 on its Hamiltonian matrix; gains scheduled linearly.
 ## @seealso{gsmbp_linear, gsmbp_simulate, lqr}
 ## @end deftypefn
 
@@ -48,7 +53,7 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
   gsmbp__fits ("gsmbp_lqr", "argument R", R, "numbers");
   [Q, R] = deal (double (Q), double (R));
   d = m.sizes;
-  hands = controlled (m, varargin);
+  [hands, o] = controlled (m, varargin);
   n = numel (hands);
   if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [n n]))
     error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d; found %s and %s", m.name, ...
@@ -62,6 +67,10 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
   nt = numel (times);
   gains = zeros (nt, d.nv * d.nx);
   chosen = "auto";
+  if (strcmp (o.design, "varying"))
+    [gains, design] = varying (m, motion, times, hands, Q, R, o);
+    nt = -nt;   # all is done
+  endif
   for i = 1:nt
     [sys, T, states] = gsmbp_linear (m, times(i), nominal.x(i,:)', nominal.v(i,:)', "reduced", ...
                                      chosen);
@@ -79,7 +88,7 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
     gains(i,:) = all_states(:)';
     design.poles(:,i) = poles;
   endfor
-  if (nt == 1)
+  if (abs (nt) == 1)
     design.gain = reshape (gains, d.nv, d.nx);
   else
     design.gain = gsmbp_plan ("table", times, gains, 1);
@@ -90,10 +99,61 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
   design.reference = gsmbp_plan ("table", fine, gsmbp_inverse (m, motion, fine).x, 3);
 endfunction
 
-## the numbers of the inputs that the control has
-function k = controlled (m, options)
-  table = {"inputs", {}, "names"};
-  names = gsmbp__options ("gsmbp_lqr", table, options).inputs;
+## the feedback that is best along the motion up to its end: Riccati's differential equation
+function [gains, design] = varying (m, motion, times, hands, Q, R, o)
+  d = m.sizes;
+  if (numel (times) < 2)
+    error ("gsmbp_lqr: option design: \"varying\" needs two times or more, found %d", ...
+           numel (times));
+  endif
+  last = linear_at (m, motion, times(end), hands, "auto");
+  chosen = last.chosen;
+  if (isempty (o.Qend))
+    [~, P] = gsmbp__riccati ("gsmbp_lqr", last.A, last.B, last.T' * Q * last.T, R, 0);
+  else
+    Qend = gsmbp__weight ("gsmbp_lqr", "Qend", o.Qend, d.nx, 0);
+    P = last.T' * Qend * last.T;
+  endif
+  P = gsmbp__riccati_along (@(t) matrices (m, motion, t, hands, chosen, Q, R), times, o.steps, P);
+  gains = zeros (numel (times), d.nv * d.nx);
+  at = linear_at (m, motion, times, hands, chosen);
+  for i = 1:numel (times)
+    K = zeros (d.nv, d.nx);
+    K(hands,at(i).states) = R \ (at(i).B' * P(:,:,i));
+    gains(i,:) = K(:)';
+    design.poles(:,i) = eig (at(i).A - at(i).B * K(hands,at(i).states));
+  endfor
+endfunction
+
+## rows of A, B R^-1 B', Q at the times
+function parts = matrices (m, motion, t, hands, chosen, Q, R)
+  at = linear_at (m, motion, t, hands, chosen);
+  parts = cell (numel (t), 3);
+  for k = 1:numel (t)
+    parts(k,:) = {at(k).A, at(k).B / R * at(k).B', at(k).T' * Q * at(k).T};
+  endfor
+endfunction
+
+## linear models about the motion at the times
+function list = linear_at (m, motion, times, hands, chosen)
+  nominal = gsmbp_inverse (m, motion, times);
+  for i = 1:numel (times)
+    [sys, T, states] = gsmbp_linear (m, times(i), nominal.x(i,:)', nominal.v(i,:)', "reduced", ...
+                                     chosen);
+    if (numel (states) < m.sizes.nx)
+      chosen = m.states(states(states <= m.sizes.nq + m.sizes.nu));
+    endif
+    [A, B] = ssdata (sys);
+    list(i) = struct ("A", A, "B", B(:,hands), "T", T, "states", states, "chosen", {chosen});
+  endfor
+endfunction
+
+## the numbers of the inputs that the control has, and the options
+function [k, o] = controlled (m, options)
+  table = {"inputs", {}, "names"; "design", "frozen", {"frozen", "varying"}
+           "Qend", [], "numbers"; "steps", 20, "whole"};
+  o = gsmbp__options ("gsmbp_lqr", table, options);
+  names = o.inputs;
   if (isempty (names))
     k = 1:m.sizes.nv;
     return;
@@ -117,6 +177,28 @@ endfunction
 %! assert (r.x(2,1), 2, 5e-3);
 %! same = gsmbp_lqr (m, plan, 0:0.25:1, diag ([100 1 0]), 0.01, "inputs", m.inputs{1});
 %! assert (same.poles, d.poles);
+%!testif ; ! isempty (pkg ("list", "control"))   # along a motion: at rest a matrix exponential
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! m = gsmbp_hand ("motor_pendulum");
+%! still = gsmbp_plan ("quintic", [0.3 0.3], [0 1]);
+%! [Q, R, E] = deal (diag ([100 1 0.1]), 0.5, diag ([3 2 0]));
+%! d = gsmbp_lqr (m, still, [0 0.004 0.01], Q, R, "design", "varying", "Qend", E);
+%! n = gsmbp_inverse (m, still, 0);
+%! [A, B] = m.jac (0, n.x', n.v');
+%! X = expm (-0.006 * [A, -B*(R\B'); -Q, -A']) * [eye(3); E];
+%! P = X(4:6,:) / X(1:3,:);
+%! assert (reshape (ppval (d.gain, 0.004), 1, 3), R \ B' * P, 1e-10);
+%! P = E;
+%! assert (reshape (ppval (d.gain, 0.01), 1, 3), R \ B' * P, 1e-12);
+%! move = gsmbp_plan ("septic", [0 2], [0 1]);   # order 4 where the model changes
+%! K = cell (1, 3);
+%! for k = 1:3
+%!   d = gsmbp_lqr (m, move, [0.6 0.65 0.7], Q, R, "design", "varying", "Qend", E, "steps", ...
+%!                  [8, 16, 32](k));
+%!   K{k} = ppval (d.gain, 0.6);
+%! endfor
+%! assert (norm (K{1} - K{3}) > 8 * norm (K{2} - K{3}));
+%! assert (norm (K{2} - K{3}) < 1e-5 * norm (K{3}));
 %!error <expected the name of an input, found "nobody"; known: >
 %! gsmbp_lqr (gsmbp_hand ("motor_pendulum"), [], 0, eye (3), 1, "inputs", "nobody")
 %!error <expected Q as 3 x 3> gsmbp_lqr (gsmbp_hand ("motor_pendulum"), [], 0, 1, 1)
