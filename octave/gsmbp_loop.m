@@ -44,6 +44,10 @@ function r = gsmbp_loop (c, file, mc, run, varargin)
     error ("%s: argument c: expected a controller of gsmbp_control or gsmbp_pid, found %s", who, ...
            gsmbp__shown (c));
   endif
+  if (isfield (c, "schedule"))
+    error (["%s: %s is a schedule: its loop is another at each point; expected one of its " ...
+            "controllers, c.schedule.laws{k}"], who, c.name);
+  endif
   o = gsmbp__options (who, {"size", [24, 27], "numbers"}, varargin);
   w = frequencies (c);
   for i = 1:numel (c.driven)

@@ -28,6 +28,10 @@ function [text, header] = gsmbp__controller_c (c, name)
          sprintf("#include \"%s.h\"", name), "", "void", [name " " taken], "{", ...
          sprintf("  double e[%d], w[%d], d[%d], n[%d];", max (sizes(1) + sizes(2), 1), ...
                  dims([4, 4, 3]))};
+  if (isfield (c, "schedule"))
+    out{end+1} = sprintf ("  double p[%d], m[%d], s, t;", dims([4, 3]));
+    body{end+1} = "(void) t; (void) m;";
+  endif
   out = [out, strcat({"  "}, body), {"  (void) y; (void) r; (void) z; (void) e; (void) n;", ...
          "}", "", "void", sprintf("%s_start (double z[%d], double u[%d])", name, dims([3, 4])), ...
          "{"}, strcat({"  "}, start), {"  (void) z;", "}"}];
@@ -54,6 +58,25 @@ function lines = statement (target, kind, args)
                        place (args{1}), number (args{2}))};
     case "sum"
       lines = sum_of (to, args);
+    case "add"
+      lines = sum_of (to, [{1, target}; args]);
+    case "when"
+      lines = {sprintf("%sif (%s < %s) {", {"", "} else "}{1 + args{2}}, to, number (args{1}))};
+    case "else"
+      lines = {"} else {"};
+    case "end"
+      lines = {"}"};
+    case "weight"
+      lines = {sprintf("s = (%s - (%s)) / %s;", to, number (args{1}), ...
+                       number (args{2} - args{1})), ...
+               "s = s > 1.0 ? 1.0 : s < 0.0 ? 0.0 : s;"};
+    case "keep"
+      lines = {sprintf("%s = %s;", to, place (args{1}))};
+    case "blend"
+      lines = {sprintf("%s = %s + s * (%s - %s);", to, place (args{1}), to, place (args{1}))};
+    case "gain"
+      lines = {sprintf("t = %s + s * (%s);", number (args{1}), number (args{2} - args{1})), ...
+               sprintf("%s += t * %s;", to, place (args{3}))};
   endswitch
 endfunction
 

@@ -10,6 +10,9 @@ function text = gsmbp__controller_fortran (c, name)
   out{end+1} = sprintf ("      DOUBLE PRECISION   Y(%d), R(%d), Z(%d), U(%d)", dims);
   out{end+1} = sprintf ("      DOUBLE PRECISION   E(%d), W(%d), D(%d), N(%d), T", ...
                         max (sizes(1) + sizes(2), 1), dims([4, 4, 3]));
+  if (isfield (c, "schedule"))
+    out{end+1} = sprintf ("      DOUBLE PRECISION   P(%d), M(%d), S", dims([4, 3]));
+  endif
   out{end+1} = "C";
   for step = gsmbp__controller_lines (c)'
     out = [out, statement(step{:})];
@@ -38,6 +41,28 @@ function lines = statement (target, kind, args)
                sprintf("      %s = %s*%s", to, number (args{2}), to)};
     case "sum"
       lines = sum_of (to, args);
+    case "add"
+      lines = sum_of (to, [{1, target}; args]);
+    case "when"
+      lines = {sprintf("      %sIF ( %s.LT.%s ) THEN", {"", "ELSE "}{1 + args{2}}, to, ...
+                       number (args{1}))};
+    case "else"
+      lines = {"      ELSE"};
+    case "end"
+      lines = {"      END IF"};
+    case "weight"
+      lines = {sprintf("      S = ( %s - %s )", to, number (args{1})), ...
+               sprintf("      S = S/%s", number (args{2} - args{1})), ...
+               "      S = MAX( 0.0D0, MIN( 1.0D0, S ) )"};
+      lines{1} = strrep (lines{1}, "- -", "+ ");
+    case "keep"
+      lines = {sprintf("      %s = %s", to, place (args{1}))};
+    case "blend"
+      lines = {sprintf("      %s = %s + S*( %s - %s )", to, place (args{1}), to, place (args{1}))};
+    case "gain"
+      lines = {sprintf("      T = %s", number (args{1})), ...
+               sprintf("      T = T + S*( %s )", number (args{2} - args{1})), ...
+               sprintf("      %s = %s + T*%s", to, to, place (args{3}))};
   endswitch
 endfunction
 

@@ -6,6 +6,7 @@ function test_control ()
   pkg load control
   designs ();
   alone ();
+  schedule ();
   limits ();
   beside_an_encoder ();
   output_feedback ();
@@ -80,31 +81,68 @@ function alone ()
   gsmbp_check ("alone: the run is at both limits", ...
                [min(r.samples.v(:,1)) + 0.7, max(r.samples.v(:,1)) - 1.2], 1e-12);
   gsmbp_check ("... and comes to its reference", r.x(end,1) - 0.1, 0.05);
+  [status, u] = compiled (c, r.y(1:end-1,1:2), 0.1);
+  gsmbp_check ("alone: Fortran and C compile without a warning and run", status == 0);
+  gsmbp_check ("alone: outputs in C and Fortran as in the run [N]", u - r.samples.v(:,1), 1e-12);
+end
+
+## what the controller's own C and Fortran give for rows of measurements, a column each
+function [status, u] = compiled (c, y, r)
   folder = tempname ();
   files = gsmbp_controller (c, folder);
   guard = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
   f = fopen (fullfile (folder, "main.c"), "w");
-  fputs (f, ["#include <stdio.h>\n#include \"upright.h\"\nvoid upright_ (double *, double *, " ...
-             "double *, double *);\nvoid upright_start_ (double *, double *, double *, " ...
-             "double *);\nint main (void)\n{\n  double y[2], r[1] = {0.1}, z[6], u[1], zf[6], " ...
-             "uf[1], p, d;" ...
-             "\n  upright_start (z, u);\n  upright_start_ (zf, uf, &p, &d);\n" ...
-             "  if (p != UPRIGHT_PERIOD || d != UPRIGHT_DELAY) return 1;\n" ...
-             "  while (scanf (\"%lf %lf\", y, y + 1) == 2) {\n    upright (y, r, z, u);\n" ...
-             "    upright_ (y, r, zf, uf);\n    printf (\"%.17g %.17g\\n\", u[0], uf[0]);\n" ...
-             "  }\n  return 0;\n}\n"]);
+  fprintf (f, ["#include <stdio.h>\n#include \"upright.h\"\nvoid upright_ (double *, double *, " ...
+               "double *, double *);\nvoid upright_start_ (double *, double *, double *, " ...
+               "double *);\nint main (void)\n{\n  double y[9], r[1] = {%g}, z[9], u[1], zf[9], " ...
+               "uf[1], p, d;\n  int k = 0;\n  upright_start (z, u);\n" ...
+               "  upright_start_ (zf, uf, &p, &d);\n" ...
+               "  if (p != UPRIGHT_PERIOD || d != UPRIGHT_DELAY) return 1;\n" ...
+               "  while (scanf (\"%%lf\", y + k) == 1) {\n    if (++k < %d) continue;\n" ...
+               "    k = 0;\n    upright (y, r, z, u);\n    upright_ (y, r, zf, uf);\n" ...
+               "    printf (\"%%.17g %%.17g\\n\", u[0], uf[0]);\n  }\n  return 0;\n}\n"], r, ...
+           columns (y));
   fclose (f);
   f = fopen (fullfile (folder, "y.txt"), "w");
-  fprintf (f, "%.17g %.17g\n", r.y(1:end-1,1:2)');
+  fprintf (f, "%.17g\n", y');
   fclose (f);
   [status, said] = system (sprintf (["cd %s && gfortran -std=legacy -Wall -Werror -c " ...
                                      "upright.f && gcc -std=c99 -Wall -Wextra -Werror -o main " ...
                                      "main.c upright.c upright.o -lgfortran -lm && " ...
                                      "./main <y.txt"], folder));
-  gsmbp_check ("alone: Fortran and C compile without a warning and run", status == 0);
   u = reshape (sscanf (said, "%f"), 2, [])';
-  gsmbp_check ("alone: outputs in C as in the run [N]", u(:,1) - r.samples.v(:,1), 1e-12);
-  gsmbp_check ("alone: outputs in Fortran as in the run [N]", u(:,2) - r.samples.v(:,1), 1e-12);
+end
+
+## a schedule in Fortran and C against the blended laws written anew
+function schedule ()
+  laws = cell (1, 3);
+  for k = 1:3
+    sys = ss ([0, 1; 0, -1], [0; k], [1, 0], 0, "OutputName", "place");
+    laws{k} = gsmbp_control (sys, [], "place", "poles", [-2, -3, -4], "integral", "place", ...
+                             "period", 0.02, "limits", 3, "name", "upright");
+    [laws{k}.u0, laws{k}.y0, laws{k}.r0] = deal (0.1 * k, 0.05 * k, 0.05 * k);
+  end
+  c = gsmbp_schedule (laws, "place", [0, 0.2, 0.5]);
+  y = [-0.3:0.05:0.9, 0.2, 0.5];
+  z = zeros (rows (c.A), 1);
+  for k = 1:numel (y)
+    i = 1 + (y(k) >= 0.2);
+    s = min (1, max (0, (y(k) - c.schedule.values(i)) / diff (c.schedule.values(i:i+1))));
+    [w, n, G] = deal (0);
+    for part = [1 - s, s; i, i + 1]
+      l = laws{part(2)};
+      e = [y(k) - l.y0; 0.4 - l.r0];
+      w += part(1) * (l.u0 + l.C * z + l.D * e);
+      n += part(1) * (l.A * z + l.B * e);
+      G += part(1) * l.G;
+    end
+    u(k,1) = max (-3, min (3, w));
+    z = n + G * (u(k) - w);
+  end
+  [status, found] = compiled (c, y', 0.4);
+  gsmbp_check ("schedule: it compiles without a warning and runs", status == 0);
+  gsmbp_check ("schedule: outputs in C and Fortran as the blended laws", found - u, 1e-12);
+  gsmbp_check ("schedule: at the limits too", max (abs (u)) - 3, 0);
 end
 
 ## the non-linear machine with converters, delay and limits: from how far it comes back

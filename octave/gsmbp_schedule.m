@@ -1,0 +1,77 @@
+## -*- texinfo -*-
+## @c category Linear models and control
+## @deftypefn  {} {@var{c} =} gsmbp_schedule (@var{laws}, @var{signal}, @var{values})
+## A gain schedule: controllers for several trims as one, blended by what is measured.
+##
+## @var{laws} is a cell array of two or more controllers of @code{gsmbp_control} or
+## @code{gsmbp_pid} with the same method, names, period, delay and sizes, designed about trims where
+## the measurement @var{signal} has the @var{values} (strictly increasing).  Between two values
+## outputs and next memory of both are blended linearly, trims included; outside the outer ones
+## hold.
+## Limits and converters are those of the first.
+##
+## @var{c} is for @code{gsmbp_build} and @code{gsmbp_controller} as any controller.  It starts at
+## the trim of the first.  @code{gsmbp_loop} tells margins of each of the @var{laws} at its own
+## trim.
+##
+## @c session control
+## @example
+## >> soft = gsmbp_pid (tf (1, [1 1]), [], "pi", "pm", 60, "Ti", 1, "delay", 0.05, "period", 0.05);
+## >> hard = gsmbp_pid (tf (4, [1 1]), [], "pi", "pm", 60, "Ti", 1, "delay", 0.05, "period", 0.05);
+## >> c = gsmbp_schedule (@{soft, hard@}, "y1", [0 10]);
+## >> c.schedule.values
+## ans =
+##
+##     0   10
+## @end example
+##
+## Errors: controllers that do not fit together; an unknown signal; values that do not increase.
+## Source: own: blended laws.
+## @seealso{gsmbp_control, gsmbp_pid, gsmbp_build, gsmbp_controller, gsmbp_lqr}
+## @end deftypefn
+
+function c = gsmbp_schedule (laws, signal, values)
+  if (nargin != 3)
+    print_usage ();
+  endif
+  who = "gsmbp_schedule";
+  if (! (iscell (laws) && numel (laws) > 1))
+    error ("%s: argument laws: expected a cell array of two or more controllers, found %s", who, ...
+           gsmbp__shown (laws));
+  endif
+  c = laws{1};
+  for k = 1:numel (laws)
+    gsmbp__check_controller (who, laws{k});
+    for field = {"method", "measured", "driven", "references", "period", "delay"}
+      if (! isequal (laws{k}.(field{1}), c.(field{1})))
+        error ("%s: controller %d has another %s than the first: expected %s, found %s", who, k, ...
+               field{1}, gsmbp__shown (c.(field{1})), gsmbp__shown (laws{k}.(field{1})));
+      endif
+    endfor
+    if (rows (laws{k}.A) != rows (c.A))
+      error (["%s: controller %d has another memory than the first: expected %d numbers, " ...
+              "found %d"], who, k, rows (c.A), rows (laws{k}.A));
+    endif
+  endfor
+  gsmbp__fits (who, "argument signal", signal, "text");
+  j = find (strcmp (signal, c.measured));
+  if (isempty (j))
+    error ("%s: argument signal: expected one of what is measured, found %s", who, ...
+           gsmbp__unknown (signal, c.measured));
+  endif
+  gsmbp__fits (who, "argument values", values, "numbers");
+  if (numel (values) != numel (laws) || ! all (diff (values(:)) > 0))
+    error ("%s: argument values: expected %d strictly increasing numbers, found %s", who, ...
+           numel (laws), gsmbp__shown (values));
+  endif
+  c.schedule = struct ("signal", j, "values", double (values(:)'), "laws", {laws(:)'});
+endfunction
+
+%!testif ; ! isempty (pkg ("list", "control"))
+%! pkg load control
+%! law = @(k) gsmbp_pid (tf (k, [1 1]), [], "pi", "pm", 60, "Ti", 1, "delay", 0.05, "period", 0.05);
+%! c = gsmbp_schedule ({law(1), law(4)}, "y1", [0 10]);
+%! assert (c.schedule.signal, 1);
+%! fail ("gsmbp_schedule ({law(1), law(4)}, \"y2\", [0 10])", "expected one of what is measured");
+%! fail ("gsmbp_schedule ({law(1), law(4)}, \"y1\", [10 0])", "strictly increasing");
+%!error <expected a cell array of two> gsmbp_schedule (1, "y", 1)
