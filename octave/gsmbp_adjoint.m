@@ -105,6 +105,10 @@ function o = options (who, m, given)
   elseif (strcmp (m.precision, "quad"))
     error ("%s: expected a build in double precision; %s was built in quad", who, m.name);
   endif
+  if (! isempty (m.controllers))
+    error ("%s: no adjoint through samples; %s has sampled devices (%s)", who, m.name, ...
+           m.controllers(1).name);
+  endif
   table = {"input", [], "any"
            "rtol", 1e-10, "tolerance"
            "atol", [], "any"
@@ -114,6 +118,7 @@ function o = options (who, m, given)
   o = gsmbp__options (who, table, given);
   o.sensitivity = m.json.sensitivity;
   o.method = "dp853";
+  o.of_time = false;
   o.loops = "baumgarte";
   for name = {"motion", "gain", "reference", "limits", "audit"}
     o.(name{1}) = [];

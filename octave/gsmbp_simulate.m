@@ -105,8 +105,9 @@
 ## derivative (the motion only grazes a stop or comes to rest just not; two events at one instant
 ## whose times move apart) @code{stats.lost}, a struct array with @code{name}, @code{time},
 ## @code{event} and @code{text}, and a printed warning tell it: from there on the numbers are NaN.
-## With constant inputs or a piecewise polynomial, "dp853" or "rk4", the ways "projection"
-## and "baumgarte"; sampled devices that do not round; not with feedback, planned motions, the audit
+## All methods; the ways "projection" and "baumgarte"; constant inputs, piecewise polynomials,
+## functions @code{@@(t, x)} in whose text x is not used, feedback; sampled devices that do not
+## round; not with planned motions, the audit
 ## @item "dx0"
 ## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
 ## by itself, 1, is added
@@ -277,9 +278,11 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   if (isempty (o.motion))
-    o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
+    o.of_time = of_time (o.input);
+  o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
   endif
   [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
+  o.bounds = plan.limits;
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0);
@@ -335,7 +338,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     if (! isempty (turns))
       lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
     endif
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held);
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, o);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
@@ -363,6 +366,15 @@ function [x0, atol] = audit_states (who, m, o, x0, atol)
   endif
   x0 = [x0(:); 0; 0];
   atol = [atol(:); o.rtol * o.audit * [1; 1]];
+endfunction
+
+## is an input a function of time, by its text?
+function is = of_time (f)
+  is = false;
+  if (is_function_handle (f))
+    part = regexp (func2str (f), '^@\(\s*\w+\s*,\s*(\w+)\s*\)(.*)$', "tokens", "once");
+    is = ! isempty (part) && ! any (strcmp (regexp (part{2}, '\w+', "match"), part{1}));
+  endif
 endfunction
 
 ## the same run without derivatives, at other times

@@ -4,37 +4,20 @@
 // every reset takes along.  Where there is no derivative the column is given up.
 #pragma once
 
-#include "columns_by_parameters.h"
+#include "columns_of_inputs.h"
 
 // the numbers of an instant: RHS at a state under its inputs from one side
 static void
 rates_at (carried& c, number t, const number *x, int side, number *v, number *f, int *info)
 {
-  fortran {gsinp_} (gsmbp_absent, gsmbp_absent, gsmbp_absent, &t, &side, x, &S.nu, &c.nx, &S.nv,
-                    c.plan->ip.data (), c.plan->rp.data (), &(*c.cst)[0], v, &c.wi[0], info);
+  fortran {gsinp_} (gsmbp_absent, gsmbp_absent,
+                    reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns), &t, &side, x, &S.nu,
+                    &c.nx, &S.nv, c.plan->ip.data (), c.plan->rp.data (), &(*c.cst)[0], v,
+                    &c.w3[0], info);
   if (*info == 0)
     routine ("rhs") (&t, x, v, &(*c.cst)[0], f, info);
   if (*info == 2 || *info == 3)
     *info = 0;
-}
-
-// rates of the inputs: of a table its slopes, else none
-static reals
-input_slopes (carried& c, number t, int side)
-{
-  reals f = room (2 * S.nv + 2);
-  const std::vector<int>& ip = c.plan->ip;
-  if (ip[GS_V0] == 1)
-    {
-      const int nd = 1, ld = std::max (1, S.nv);
-      int info = 0;
-      const int *table = &ip[GS_TABLE];
-      number *rp = c.plan->rp.data ();
-      fortran {gspln_} (&S.nv, table, table + 1, rp + table[2] - 1, rp + table[3] - 1, &t, &side,
-                        &nd, &f[0], &ld, &info);
-      f.erase (f.begin (), f.begin () + ld);
-    }
-  return f;
 }
 
 // derivatives of event function K, and its rate along the motion
@@ -51,13 +34,6 @@ event_slope (carried& c, number t, const number *x, const number *v, const int *
     if (slopes[i] != 0)
       *rate += g[S.nx + i] * slopes[i];
   return info;
-}
-
-// |a|, of quad precision, too
-static number
-magnitude (number a)
-{
-  return a < 0 ? -a : a;
 }
 
 // how far a tolerance of the states moves an event function
@@ -80,8 +56,8 @@ moment (const carried& c, const number *x, const number *f)
   return fast > 0 ? number (1e-6) / fast : number (0);
 }
 
-// does the motion only graze where the event function has the slope RATE? Within the tolerance its
-// slope would change by a tenth.
+// does the motion only graze where the event function has the slope RATE? Then an error of the
+// size of the tolerance makes another slope of it.
 static bool
 grazes (carried& c, number t, const number *x, const number *v, const int *mode, int k,
         const number *f, const number *slopes, const number *g, number rate)
@@ -96,20 +72,23 @@ grazes (carried& c, number t, const number *x, const number *v, const int *mode,
   routine ("rhs") (&earlier, &y[0], v, &(*c.cst)[0], &h[0], &info);
   event_slope (c, earlier, &y[0], v, mode, k, &h[0], slopes, &g2[0], &before);
   const number bend = d > 0 ? magnitude (rate - before) / d : number (0);
-  return ! (rate * rate > 10 * event_tolerance (c, g, x) * bend) || ! (magnitude (rate) > 0);
+  return ! (rate * rate > event_tolerance (c, g, x) * bend) || ! (magnitude (rate) > 0);
 }
 
 // dtau/dp of event function K by all columns
 static void
-event_times (const carried& c, const number *s, const number *g, number rate, number *tau)
+event_times (const carried& c, const number *s, const number *v, const number *g, number rate,
+             number *tau)
 {
+  reals dv = room (S.nv);
   for (int k = 0; k < c.count (); k++)
     {
       number sum = c.col[k] > 0 ? g[S.nx + S.nv + c.col[k] - 1] : number (0);
       for (int i = 0; i < S.nx; i++)
         sum += g[i] * s[i + S.nx * k];
+      input_columns (c, v, s + S.nx * k, k, &dv[0]);
       for (int i = 0; i < S.nv; i++)
-        sum += g[S.nx + i] * c.vp[i + S.nv * k];
+        sum += g[S.nx + i] * dv[i];
       tau[k] = sum != 0 ? -sum / rate : number (0);
     }
 }
@@ -153,7 +132,7 @@ another (carried& c, number t, const number *x, const number *v, const int *mode
           || ! (magnitude (values[i-1]) <= 10 * event_tolerance (c, &g[0], x))
           || ! (rate < 0 && values[i-1] <= -10 * rate * moment (c, x, f)))
         continue;
-      event_times (c, x + S.nx, &g[0], rate, &tau[0]);
+      event_times (c, x + S.nx, v, &g[0], rate, &tau[0]);
       for (int j = 0; j < c.count (); j++)
         if (! (magnitude (tau[j] - c.tau[j]) <= number (1e-6) * magnitude (c.tau[j])))
           return i;
@@ -166,13 +145,13 @@ static void
 begin_instant (carried& c, number t, number *x, const int *mode, int k)
 {
   reals v = room (S.nv), f = room (S.nx), g = room (S.nx + S.nv + S.nsp + 1);
-  const reals slopes = input_slopes (c, t, -1);
   number rate = 0;
   int info = 0;
   rates_at (c, t, x, -1, &v[0], &f[0], &info);
+  const reals slopes = input_slopes (c, t, -1, x, &v[0], &f[0]);
   if (info == 0)
     info = event_slope (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], &rate);
-  event_times (c, x + S.nx, &g[0], rate, &c.tau[0]);
+  event_times (c, x + S.nx, &v[0], &g[0], rate, &c.tau[0]);
   if (info != 0)
     give_up_moved (c, x, t, k, c.no_numbers);
   else if (grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate))

@@ -45,23 +45,26 @@ gsmbp_outputs_with_columns (const number *t, const number *x, const number *v, c
     return;
   const int nx = S.nx, ny = S.ny, nv = S.nv, ld = std::max (1, nx), ldy = std::max (1, ny);
   reals a = room (nx * nx), b = room (nx * nv), cm = room (ny * nx), d = room (ny * nv),
-        p = room (ny * S.nsp);
+        p = room (ny * S.nsp), dv = room (nv);
   int bad = 0;
   routine ("jac") (t, x, v, cst, &a[0], &ld, &b[0], &ld, &cm[0], &ldy, &d[0], &ldy, &bad);
   if (bad == 0)
     routine ("oup") (t, x, v, cst, &p[0], &ldy, &bad);
   for (int k = 0; k < c.count (); k++)
-    for (int i = 0; i < ny; i++)
-      {
-        number sum = c.col[k] > 0 ? p[i + ny * (c.col[k] - 1)] : number (0);
-        for (int j = 0; j < nx; j++)
-          sum += cm[i + ny * j] * x[j + nx * (k + 1)];
-        for (int j = 0; j < nv; j++)
-          sum += d[i + ny * j] * c.vp[j + nv * k];
-        c.yp[i + ny * k] = sum;
-        if (bad != 0)
-          give_up (c, const_cast<number *> (x), k, *t, 1, c.no_numbers);
-      }
+    {
+      input_columns (c, v, x + nx * (k + 1), k, &dv[0]);
+      for (int i = 0; i < ny; i++)
+        {
+          number sum = c.col[k] > 0 ? p[i + ny * (c.col[k] - 1)] : number (0);
+          for (int j = 0; j < nx; j++)
+            sum += cm[i + ny * j] * x[j + nx * (k + 1)];
+          for (int j = 0; j < nv; j++)
+            sum += d[i + ny * j] * dv[j];
+          c.yp[i + ny * k] = sum;
+        }
+      if (bad != 0)
+        give_up (c, const_cast<number *> (x), k, *t, 1, c.no_numbers);
+    }
 }
 
 // CTL, and the derivatives of held outputs and memory

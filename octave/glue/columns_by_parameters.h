@@ -36,12 +36,17 @@ struct carried
   std::vector<double> t1, t2, g1, g2, most;
   std::vector<double> turns;
 
+  std::vector<int> ip;    // IP of the run's own inputs where they depend on states, else empty
+  std::vector<char> own;  // which inputs are not held outputs or modes
+  reals gain;             // of the feedback, NV x NX, as it was last evaluated
+
   reals kp, yp;           // derivatives of memory and outputs, NXK and NY x columns
   std::vector<sent_outputs> sent;
   std::vector<double> kept;   // VP over time, see kept_inputs
   run_plan *plan;
   const reals *cst;
-  reals wi, atol, vp;     // workspace of GSINP; tolerances; derivatives of the inputs, NV x columns
+  reals wi, w3, atol;     // workspaces of GSINP; tolerances
+  reals vp;               // derivatives of the inputs, NV x columns
   number rtol;
 
   int count (void) const { return int (col.size ()); }
@@ -59,18 +64,24 @@ drop_lost (const carried& c, number *x)
 }
 
 static void arrivals (carried& c);
+static void input_columns (const carried& c, const number *v, const number *s, int k, number *dv);
 
-// what the rates get through inputs that depend on parameters; B is behind A and P in the workspace
+// what the rates get through inputs that depend on parameters and states; B is behind A and P in
+// the workspace
 static void
-add_inputs (carried& c, number *xd)
+add_inputs (carried& c, const number *x, const number *v, number *xd)
 {
-  arrivals (c);
+  if (S.nctl > 0)
+    arrivals (c);
   const number *b = &c.w[S.nx * (S.nx + S.nsp)];
+  reals dv = room (S.nv);
   for (int k = 0; k < c.count (); k++)
-    for (int j = 0; j < S.nv; j++)
-      if (c.vp[j + S.nv * k] != 0)
-        for (int i = 0; i < S.nx; i++)
-          xd[i + S.nx * (k + 1)] += b[i + S.nx * j] * c.vp[j + S.nv * k];
+    {
+      input_columns (c, v, x + S.nx * (k + 1), k, &dv[0]);
+      for (int j = 0; j < S.nv; j++)
+        for (int i = 0; i < S.nx && dv[j] != 0; i++)
+          xd[i + S.nx * (k + 1)] += b[i + S.nx * j] * dv[j];
+    }
 }
 
 extern "C" void
@@ -81,8 +92,8 @@ gsmbp_rates_with_columns (const number *t, const number *x, const number *v, con
   const int nc = c.count ();
   fortran {gssen_} (c.rhp, t, &c.top, &S.nx, &S.nv, &S.nsp, &nc, &c.col[0], x, v, cst, &c.w[0], xd,
                     info);
-  if (S.nctl > 0)
-    add_inputs (c, xd);
+  if (S.nctl > 0 || ! c.ip.empty ())
+    add_inputs (c, x, v, xd);
   drop_lost (c, xd);
 }
 
@@ -97,6 +108,26 @@ gsmbp_projection_with_columns (const number *t, number *x, const number *cst, nu
     fortran {gsspj_} (c.con, c.tan, c.cop, t, &S.nx, &S.nq, &S.nu, &S.nlam, &S.nsets, S.sets,
                       &S.nsp, &nc, &c.col[0], x, cst, &c.w2[0], &c.iw[0], info);
   drop_lost (c, x);
+}
+
+// JAC of states with columns, for CVODE: that of the states in every block of the diagonal.  How
+// the columns depend on the states is left out: it needs second derivatives, and Newton's
+// iteration, in which they follow the states, finds the same end without it.
+extern "C" void
+gsmbp_jacobian_with_columns (const number *t, const number *x, const number *v, const number *cst,
+                             number *a, const int *lda, number *b, const int *ldb, number *c,
+                             const int *ldc, number *d, const int *ldd, int *info)
+{
+  const carried& k = *the_columns;
+  const int nx = S.nx, n = k.count ();
+  for (int j = 0; j < nx * (n + 1); j++)
+    std::fill (a + *lda * j, a + *lda * j + nx * (n + 1), number (0));
+  for (int j = 0; j < S.nv; j++)
+    std::fill (b + *ldb * j, b + *ldb * j + nx * (n + 1), number (0));
+  routine ("jac") (t, x, v, cst, a, lda, b, ldb, c, ldc, d, ldd, info);
+  for (int i = 1; i <= n && k.why[i-1] == 0; i++)
+    for (int j = 0; j < nx; j++)
+      std::copy (a + *lda * j, a + *lda * j + nx, a + *lda * (j + nx * i) + nx * i);
 }
 
 // are the speeds the rates of the coordinates? Two positions by chance tell, exactly.
@@ -151,6 +182,7 @@ columns_of (const Matrix& numbers, const reals& cst)
   c->lost_at.assign (nc, 0.0);
   c->within = false;
   c->vp = room (S.nv * nc);
+  c->gain = room (S.nv * S.nx);
   c->kp = room (S.nxk * nc);
   c->yp = room (S.ny * nc);
   return c;
@@ -166,6 +198,7 @@ with_run (carried& c, run_plan& plan, const reals& cst, number rtol, const reals
   c.rtol = rtol;
   c.atol = atol;
   c.wi = room (2 * S.nu * (plan.ip[GS_DERIVATIVES] + 1) + 5 * c.nx + S.nv * c.nx + 21);
+  c.w3 = c.wi;
   if (S.nev > 0)
     *plan.events ().tells = 1;
   for (auto *list : { &c.t1, &c.t2, &c.g1, &c.g2, &c.most })

@@ -152,6 +152,8 @@ simulation::find_routines (void)
   if (ip[GS_V0] == 3)
     vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
                                       : user_input ();
+  if (carries () && takes_inputs (*columns, *plan))
+    vin = reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns);
 }
 
 void
@@ -184,6 +186,8 @@ simulation::by_cvode (bool resume)
   r.out = out;
   r.ctl = ctl;
   r.jac = jac ? jac->sub : nullptr;
+  if (jac && carries ())
+    r.jac = reinterpret_cast<gsmbp_sub> (gsmbp_jacobian_with_columns);
   r.gsfun = gsfun_;
   r.gsinp = gsinp_;
   r.gschk = gschk_;

@@ -57,8 +57,6 @@ function can (who, m, o)
   if (! any (strcmp (m.subroutines, "rhp")))
     error (["%s: option sensitivity: %s was emitted without the subroutine RHP: derive it with " ...
             "the request sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
-  elseif (any (strcmp (o.method, {"cvode", "auto"})))
-    bad = sprintf ("method \"%s\"; expected \"dp853\" or \"rk4\"", o.method);
   elseif (! isempty (m.events) && ! all (ismember ({"evp", "rsp"}, m.subroutines)))
     error (["%s: option sensitivity needs the subroutines EVP and RSP at events (request " ...
             "sensitivity), which %s was emitted without"], who, m.name);
@@ -71,10 +69,11 @@ function can (who, m, o)
                    m.controllers(find ([m.controllers.rounds], 1)).name);
   elseif (! isempty (o.motion))
     bad = "option motion, whose inputs depend on the parameters";
-  elseif (! isempty (o.gain))
-    bad = "option gain, whose inputs depend on the states";
-  elseif (is_function_handle (o.input) || ischar (o.input))
-    bad = "an input that may depend on the states; expected constants or a piecewise polynomial";
+  elseif (ischar (o.input) || is_function_handle (o.input) && ! o.of_time)
+    bad = ["an input that may depend on the states; expected constants, a piecewise polynomial " ...
+           "or a function @(t, x) in whose text x is not used"];
+  elseif (is_function_handle (o.input) && ! isempty (o.gain))
+    bad = "option gain about an input that is a function";
   elseif (! isempty (o.audit))
     bad = "option audit";
   elseif (! any (strcmp (o.loops, {"", "baumgarte", "projection"})))

@@ -1,18 +1,19 @@
-## r = gsmbp__derivatives (m, r, carried, S, lost, held)
+## r = gsmbp__derivatives (m, r, carried, S, lost, held, o)
 ## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx and
 ## dy by the names of what they are by, a row for each time.  S: the columns at all times; LOST: of
 ## each one why there is none from some event on (0: there is), which event, when: NaN from there
 ## on, and stats.lost, a struct array with name, time, event and text.  HELD: the derivatives of the
-## inputs that sampled devices hold, a column from each time on: time, inputs by columns.
+## inputs that sampled devices hold, a column from each time on: time, inputs by columns.  O: the
+## options of the run.
 
-function r = gsmbp__derivatives (m, r, carried, S, lost, held)
+function r = gsmbp__derivatives (m, r, carried, S, lost, held, o)
   d = m.sizes;
   n = numel (r.t);
   S = reshape (S, d.nx, numel (carried.names), n);
   for k = find (lost(:,1))'
     S(:,k,r.t >= lost(k,3)) = NaN;
   endfor
-  Y = outputs (m, r, carried, S, held);
+  Y = outputs (m, r, carried, S, held, o);
   r.dx = r.dy = struct ();
   for k = 1:numel (carried.names)
     r.dx.(carried.names{k}) = reshape (S(:,k,:), d.nx, n)';
@@ -34,7 +35,7 @@ function list = lost_ones (m, names, lost)
 endfunction
 
 ## dy = C*S + what the parameters do by themselves; NaN where that is not emitted
-function Y = outputs (m, r, carried, S, held)
+function Y = outputs (m, r, carried, S, held, o)
   d = m.sizes;
   Y = NaN (d.ny, columns (S), numel (r.t));
   if (d.ny == 0 || ! all (ismember ({"oup", "jac"}, m.subroutines)))
@@ -50,5 +51,21 @@ function Y = outputs (m, r, carried, S, held)
     if (! isempty (k))
       Y(:,:,i) += D * reshape (held(2:end,k), d.nv, columns (S));
     endif
+    if (! isempty (o.gain))
+      Y(:,:,i) -= D * (feedback (m, o, r.t(i), v) * S(:,:,i));
+    endif
   endfor
+endfunction
+
+## the gain at a time, from the left; 0 for inputs at their limits and those that are not its own
+function K = feedback (m, o, t, v)
+  K = o.gain;
+  if (isstruct (K))
+    K = reshape (ppval (K, t - 1e-12 * max (1, abs (t))), m.sizes.nv, m.sizes.nx);
+  endif
+  if (! isempty (o.bounds))
+    bounds = reshape (o.bounds, [], 2);
+    K(v <= bounds(:,1) | v >= bounds(:,2),:) = 0;
+  endif
+  K([vertcat(m.controllers.outputs); vertcat(m.events.input)],:) = 0;
 endfunction

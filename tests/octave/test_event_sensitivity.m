@@ -197,6 +197,7 @@ function samples ()
   says = @(f, text) gsmbp_check (["refused: " text], any (strfind (gsmbp_complaint (f), text)));
   says (@() gsmbp_simulate (m, [0; 0], [0 1], "sensitivity", "period"), ...
         "period moves the instants of sampled devices");
+  says (@() gsmbp_adjoint (m, [0; 0], [0 1], @(r) deal (1, 1)), "no adjoint through samples");
 end
 
 ## [speed, torque] at T

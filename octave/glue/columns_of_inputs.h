@@ -1,0 +1,138 @@
+// Inputs that depend on parameters or states in a run that carries derivatives: held outputs of
+// sampled devices (VP), feedback, functions of time.  A feedback is evaluated here, at the states
+// alone, and its gain kept: the outer GSINP sees a subroutine of the user.
+#pragma once
+
+#include "columns_by_parameters.h"
+
+// |a|, of quad precision, too
+static number
+magnitude (number a)
+{
+  return a < 0 ? -a : a;
+}
+
+extern "C" void
+gsmbp_inputs_with_columns (const number *t, const int *side, const number *x, const int *,
+                           const int *nv, const int *, const number *rp, const number *cst,
+                           number *v, int *info)
+{
+  carried& c = *the_columns;
+  const int ld = std::max (1, S.nv * S.nx), none = 0, *gain = &c.ip[GS_GAIN];
+  const int nk = S.nv * S.nx;
+  if (c.ip[GS_V0] == 3)
+    {
+      gsmbp_call_input (t, side, x, &S.nx, nv, nullptr, nullptr, nullptr, v, info);
+      return;
+    }
+  fortran {gsinp_} (gsmbp_absent, gsmbp_absent, gsmbp_absent, t, side, x, &S.nu, &S.nx, &S.nv,
+                    c.ip.data (), rp, cst, v, &c.wi[0], info);
+  if (c.ip[GS_FEEDBACK] == 1)
+    fortran {gspln_} (&nk, gain, gain + 1, rp + gain[2] - 1, rp + gain[3] - 1, t, side, &none,
+                      &c.gain[0], &ld, info);
+  *info = std::min (*info, 0);
+}
+
+// the run calls these inputs instead of its own
+static bool
+takes_inputs (carried& c, run_plan& plan)
+{
+  if (plan.ip[GS_V0] != 3 && plan.ip[GS_FEEDBACK] != 1)
+    return false;
+  c.ip = plan.ip;
+  c.ip[GS_HELD] = c.ip[GS_EVENTS] = 0;
+  plan.ip[GS_V0] = 3;
+  plan.ip[GS_FEEDBACK] = 0;
+  c.own.assign (S.nv, 1);
+  for (int i = 0; i < plan.ip[GS_HELD]; i++)
+    c.own[plan.samples ().input[i] - 1] = 0;
+  for (int i = 0; i < S.nev; i++)
+    c.own[plan.events ().input[i] - 1] = 0;
+  return true;
+}
+
+// does the feedback act on input I, and not its limit?
+static bool
+follows (const carried& c, const number *v, int i)
+{
+  if (c.ip.empty () || c.ip[GS_FEEDBACK] != 1 || ! c.own[i])
+    return false;
+  const number *limits = c.ip[GS_LIMITS] > 0 ? &c.plan->rp[c.ip[GS_LIMITS] - 1] : nullptr;
+  return ! limits || (v[i] > limits[i] && v[i] < limits[S.nv + i]);
+}
+
+// derivatives of the inputs V by column K, S its states
+static void
+input_columns (const carried& c, const number *v, const number *s, int k, number *dv)
+{
+  for (int i = 0; i < S.nv; i++)
+    {
+      dv[i] = c.vp[i + S.nv * k];
+      for (int j = 0; j < S.nx && follows (c, v, i); j++)
+        dv[i] -= c.gain[i + S.nv * j] * s[j];
+    }
+}
+
+// rates of a polynomial of the plan
+static reals
+polynomial_rates (carried& c, const int *where, int n, number t, int side)
+{
+  const int nd = 1, ld = std::max (1, n);
+  reals f = room (2 * ld);
+  int info = 0;
+  number *rp = c.plan->rp.data ();
+  fortran {gspln_} (&n, where, where + 1, rp + where[2] - 1, rp + where[3] - 1, &t, &side, &nd,
+                    &f[0], &ld, &info);
+  return reals (f.begin () + ld, f.end ());
+}
+
+// rates of a function of time, from the left: differences of order 4
+static reals
+function_rates (number t, const number *x, int side)
+{
+  static const double weights[] = { 25, -48, 36, -16, 3 };
+  const number h = number (1e-4) * std::max (number (1), magnitude (t)) * (side < 0 ? 1 : -1);
+  reals rate = room (S.nv), v = room (S.nv);
+  std::fill (rate.begin (), rate.end (), number (0));
+  for (int k = 0; k < 5; k++)
+    {
+      const number at = t - k * h;
+      int info = 0;
+      gsmbp_call_input (&at, &side, x, &S.nx, &S.nv, nullptr, nullptr, nullptr, &v[0], &info);
+      for (int i = 0; i < S.nv; i++)
+        rate[i] += weights[k] / (12 * h) * v[i];
+    }
+  return rate;
+}
+
+// rates of the inputs V along the motion with the rates F of the states
+static reals
+input_slopes (carried& c, number t, int side, const number *x, const number *v, const number *f)
+{
+  const std::vector<int>& ip = c.ip.empty () ? c.plan->ip : c.ip;
+  reals rate = room (S.nv);
+  std::fill (rate.begin (), rate.end (), number (0));
+  if (ip[GS_V0] == 1)
+    rate = polynomial_rates (c, &ip[GS_TABLE], S.nv, t, side);
+  else if (ip[GS_V0] == 3)
+    rate = function_rates (t, x, side);
+  if (ip[GS_FEEDBACK] != 1)
+    return rate;
+  const reals gains = polynomial_rates (c, &ip[GS_GAIN], S.nv * S.nx, t, side),
+              moves = polynomial_rates (c, &ip[GS_REFERENCE], S.nx, t, side);
+  const int ld = std::max (1, S.nx), none = 0, *where = &ip[GS_REFERENCE];
+  reals wanted = room (ld);
+  number *rp = c.plan->rp.data ();
+  int info = 0;
+  fortran {gspln_} (&S.nx, where, where + 1, rp + where[2] - 1, rp + where[3] - 1, &t, &side, &none,
+                    &wanted[0], &ld, &info);
+  for (int i = 0; i < S.nv; i++)
+    {
+      if (! follows (c, v, i))
+        rate[i] = c.own[i] ? number (0) : rate[i];
+      for (int j = 0; j < S.nx && follows (c, v, i); j++)
+        rate[i] -= gains[i + S.nv * j] * (x[j] - wanted[j])
+                   + c.gain[i + S.nv * j] * (f[j] - moves[j]);
+    }
+  return rate;
+}
