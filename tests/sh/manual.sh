@@ -1,7 +1,7 @@
-# The manual: every session of its chapters is typed and compared (the others: sessions.sh; the
-# longest in make test-whole); every public function is in its index; every entry of the index opens
-# in describe (on ECL too in make test-whole); example works for every function; every word of the
-# scene language has its picture, or is said to have none.
+# The manual: the sessions of its chapters are typed and compared, a third of them a day (the
+# others: sessions.sh; all, and the longest, in make test-whole); every public function is in its
+# index; every entry of the index opens in describe (on ECL too in make test-whole); example works
+# for every function; every word of the scene language has its picture, or is said to have none.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -29,7 +29,9 @@ result 'the table of nodes tells where they are'
 
 written=$(ls share/manual/*.texi |
   grep -vE '/(maxima|octave|entries|elements|laws|units|version|examples|functions)\.texi')
-/usr/bin/python3 tests/tools/sessions.py $(whole || echo --without=fmu,travel,robots) $written
+turn=$(($(date +%s) / 86400 % 3))/3
+/usr/bin/python3 tests/tools/sessions.py \
+  $(whole || echo --without=fmu,travel,robots "--turn=$turn") $written
 
 { grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
   sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do

@@ -9,7 +9,7 @@ where the shell has made that), in a new folder that looks like the top of the r
 example. In what is expected a line `...` stands for any lines, `...` at the end of a
 line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
 (1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
-left out. --write: what differs is written into the file instead, and pictures that the file shows
+left out. --turn=K/N: the part K of N of the sessions, by their names. --write: what differs is written into the file instead, and pictures that the file shows
 (@image{figures/NAME, ...}) are copied to figures/ beside it.
 """
 import os
@@ -19,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> '),
@@ -307,6 +308,8 @@ def main():
     write = '--write' in sys.argv
     only = next((a[len('--only='):] for a in sys.argv if a.startswith('--only=')), None)
     without = next((a[len('--without='):] for a in sys.argv if a.startswith('--without=')), '')
+    turn = next((a[len('--turn='):] for a in sys.argv if a.startswith('--turn=')), '0/1')
+    part, parts = (int(n) for n in turn.split('/'))
     paths = [os.path.abspath(a) for a in sys.argv[1:] if not a.startswith('--')]
     found = [e for path in paths for e in examples(path, lines_of(path))]
     for e in found:
@@ -314,7 +317,8 @@ def main():
             print('not ok %s:%d: an example that belongs to no session' % (e.path, e.first))
     change = {}
     for name in dict.fromkeys(e.session for e in found if e.session):
-        if name == only or not only and name not in without.split(','):
+        its_turn = zlib.crc32(name.encode()) % parts == part
+        if name == only or not only and its_turn and name not in without.split(','):
             change.update(judged(name, [e for e in found if e.session == name], write))
     if write:
         for path in {e.path for e in change}:
