@@ -11,8 +11,8 @@ function gsmbp__sound_cycle (who, c)
     x = c.(name{1});
     if (! (isnumeric (x) && isreal (x) && isequal (size (x), size (c.t)) && columns (x) == 1 ...
            && rows (x) > 1 && all (isfinite (x))))
-      error (["%s: argument cycle: %s: expected a column of finite numbers, one for each of two " ...
-              "or more times, found %s"], who, name{1}, gsmbp__shown (x));
+      error (["%s: argument cycle: %s: expected a column of finite numbers, one for each of " ...
+              "two or more times, found %s"], who, name{1}, gsmbp__shown (x));
     endif
   endfor
 endfunction
