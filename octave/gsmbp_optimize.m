@@ -19,7 +19,8 @@
 ## @item @{"inverse", motion, times, @dots{}@}
 ## efforts and inputs along a motion; options of @code{gsmbp_inverse}
 ## @item @{"rest", x, v, @dots{}@}
-## an equilibrium; options of @code{gsmbp_trim}; also @code{frequency1}, @code{damping1}, @dots{}
+## an equilibrium; options of @code{gsmbp_trim}; also @code{frequency1},
+## @code{damping1}, @dots{} of its oscillations and @code{decay} [1/s] of what dies out last
 ## @item @{"positions", names, values, @dots{}@}
 ## one position after the other, at rest: coordinates that are held and their values, a row each;
 ## option "guess", coordinates from which the loops are closed
@@ -149,7 +150,7 @@ function P = problem (who, m, free, goal, demands, cases)
   P.table = gsmbp__table (m);
   P.also = {};
   if (any (strcmp ({P.cases.kind}, "rest")))
-    P.also = {"frequency1", "damping1"};
+    P.also = {"frequency1", "damping1", "decay"};
   endif
   P.base = m;
   P.used = 1:numel (P.cases);
@@ -177,7 +178,7 @@ function list = fields (P, c)
       k = find (strcmp ({P.table.name}, plain));
       if (! isempty (k))
         list{end+1} = P.table(k).field;
-      elseif (! isempty (regexp (plain, '^(frequency|damping)\d+$', "once")))
+      elseif (! isempty (regexp (plain, '^(decay|(frequency|damping)\d+)$', "once")))
         list{end+1} = "extra";
       else
         error ("%s: case %s: unknown quantity %s", P.who, c.name, ...

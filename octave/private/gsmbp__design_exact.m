@@ -39,7 +39,9 @@ endfunction
 
 ## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
 function yes = plain_run (m, c)
-  yes = isempty (m.events) && isempty (m.controllers);
+  has = @(varargin) all (ismember (varargin, m.subroutines));
+  yes = (isempty (m.events) || has ("evp", "rsp")) ...
+        && (isempty (m.controllers) || (has ("ctd") && ! any ([m.controllers.rounds])));
   for k = 1:2:numel (c.options)
     value = c.options{k+1};
     switch (c.options{k})

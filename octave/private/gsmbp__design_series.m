@@ -24,7 +24,11 @@ function [y, Y] = gsmbp__design_series (P, c, R, D, name)
     endif
   else
     row = P.table(strcmp ({P.table.name}, name));
-    if (isempty (row))
+    if (! isempty (regexp (name, '^(frequency|damping)\d+$', "once")))
+      error ("%s: case %s: %s: found %d oscillations about the equilibrium", P.who, c.name, ...
+             name, ...
+             sum (strncmp (fieldnames (R.extra), "freq", 4)));
+    elseif (isempty (row))
       error ("%s: case %s: unknown quantity %s", P.who, c.name, ...
              gsmbp__unknown (name, [{P.table.name}, fieldnames(R.extra)', P.also]));
     elseif (! isfield (R, row.field) || columns (R.(row.field)) < row.column)

@@ -7,6 +7,7 @@ function test_optimize ()
   end
   lamp (gsmbp_fixture ("design_lamp"));
   chosen (gsmbp_fixture ("design_lamp"));
+  cases (gsmbp_fixture ("design_lamp"));
   contradicting (gsmbp_fixture ("design_lamp"));
   refused (gsmbp_fixture ("design_lamp"));
   gear (gsmbp_fixture ("design_drive"));
@@ -66,6 +67,33 @@ function chosen (m)
   late = gsmbp_simulate (m, [0.2 0], t, "gain", [r.values.kp 2], "reference", [0 0]).x(end,1);
   gsmbp_check ("a gain, by differences, and it is said", info == 0 && abs (late - 0.05) < 1e-7 ...
                && ! isempty (strfind (r.derivatives, "differences of order 4 by kp")));
+end
+
+## two load cases at once, a peak of runs, a frequency, a settling time, a tracking error
+function cases (m)
+  t = linspace (0, 1, 21)';
+  two = {{"run", t, [0.3 0], "input", 0, "name", "a"}, {"run", t, [-0.3 0], "input", 0, "name", ...
+                                                        "b"}};
+  [r, info] = gsmbp_optimize (m, {"d", 2, [0.1 20]}, {"peak", "q_d"}, {"end", "total", "<", 9}, ...
+                              two);
+  most = @(d) max ([abs(gsmbp_simulate (gsmbp_set (m, "d", d), [0.3 0], t, "input", 0).x(:,2)); ...
+                    abs(gsmbp_simulate (gsmbp_set (m, "d", d), [-0.3 0], t, "input", 0).x(:,2))]);
+  gsmbp_check ("the largest speed of two runs is as small as it can be, at a bound", info == 0 ...
+               && abs (r.values.d - 20) < 1e-6 && abs (r.J - most (20)) < 1e-8);
+  m = gsmbp_set (m, "mc", 8);
+  [r, info] = gsmbp_optimize (m, {"k", 50, [1 1000]; "lc", 0.1, [0.1 0.1001]}, {"value", "k"}, ...
+                              {"end", "frequency1", ">", 4}, {"rest", [0; 0], 0});
+  e = gsmbp_trim (r.model, [0; 0], 0);
+  w = abs (eig (r.model.jac (0, e.x, 0)));
+  near ("the softest spring for a frequency at rest", max (w), 4, 1e-6);
+  m = gsmbp_set (m, "mc", 2, "lc", 0.4, "k", 0.001, "d", 1);
+  follow = {"run", t, [0.2 0], "gain", @(p) [p.kp, 2], "reference", [0 0], "target", ...
+            struct("q", 0), "band", 0.1};
+  [r, info] = gsmbp_optimize (m, {"kp", 9, [1 50]}, {"value", "kp"}, ...
+                              {"settling", "error.q", "<", 0.6; "rms", "error.q", "<", 1}, follow);
+  x = gsmbp_simulate (m, [0.2 0], [0 0.6], "gain", [r.values.kp 2], "reference", [0 0]).x(2,1);
+  gsmbp_check (sprintf ("the softest gain that has settled in 0.6 s, %.5f of 0.02", x), ...
+               info == 0 && abs (x - 0.02) < 2e-4);
 end
 
 function contradicting (m)

@@ -74,7 +74,7 @@ if make_ packages && lines 0; then
   check 'without SUNDIALS: what is missing for what' \
     says 'GSMBP: missing: libsundials-dev, for method "cvode" of gsmbp_simulate'
   check 'without Ipopt: what is missing for what' \
-    says 'GSMBP: missing: coinor-libipopt-dev, for gsmbp_optimal_motion'
+    says 'GSMBP: missing: coinor-libipopt-dev, for gsmbp_collocate'
   check 'without SUNDIALS: an example with it is left out' fails test -e examples/stiff/out/finished
   check 'without SUNDIALS: and named' \
     says 'examples/stiff is left out: it needs libsundials-dev'
