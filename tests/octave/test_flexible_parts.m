@@ -15,6 +15,7 @@ function test_flexible_parts ()
   starts_at_rest (m);
   mount (m, somewhere (m));
   batches (m);
+  wall ();
 end
 
 ## a state on the constraints, bent by some mm
@@ -159,4 +160,23 @@ function batches (m)
            same(m.pnt_v (0, Q), one (@(k) m.pnt (0, Q(:,k))))
            same(m.jpt_v (0, Q, U), one (@(k) m.jpt (0, Q(:,k), U(:,k))))];
   gsmbp_check ("flexible_mounted: batches, of the largest entry", apart, 1e-12);
+end
+
+## What a wall exerts on a beam is what a free joint there needs to stand still while all else moves
+## as the beam does.
+function wall ()
+  [a, b] = deal (gsmbp_fixture ("flexible_wall"), gsmbp_fixture ("flexible_loose"));
+  n = a.sizes.nu;
+  q = 0.02 * cos (1:n)';
+  u = 0.5 * sin (1:n)';
+  [~, at] = ismember (a.coordinates, b.coordinates);
+  [Q, U, A] = deal (zeros (n + 6, 1));
+  [Q(at), U(at), A(at)] = deal (q, u, a.rhs (0, [q; u])(n+1:end));
+  tau = b.inv (0, Q, U, A);
+  T = [cos(0.3), -sin(0.3), 0; sin(0.3), cos(0.3), 0; 0, 0, 1];
+  others = setdiff (1:n+6, at);
+  expected = [T * tau(others(1:3)); T * tau(others(4:6))];
+  gsmbp_check ("a beam at a wall: force and moment of the wall", ...
+               (a.out (0, [q; u]) - expected) / max (abs (expected)), 1e-12);
+  gsmbp_check ("a beam at a wall: no efforts on the modes", tau(at) / max (abs (expected)), 1e-12);
 end
