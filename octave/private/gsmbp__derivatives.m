@@ -44,8 +44,12 @@ function Y = outputs (m, r, carried, S, held, o)
   for i = 1:numel (r.t)
     x = r.x(i,:)';
     v = r.v(i,:)';
-    [~, ~, C, D] = m.jac (r.t(i), x, v);
-    P = [zeros(d.ny, 1), m.oup(r.t(i), x, v)];
+    [~, ~, C, D, bad] = m.jac (r.t(i), x, v);
+    [P, worse] = m.oup (r.t(i), x, v);
+    if (bad > 0 || worse > 0)
+      continue;
+    endif
+    P = [zeros(d.ny, 1), P];
     Y(:,:,i) = C * S(:,:,i) + P(:,1+carried.columns);
     k = find (held(1,:) < r.t(i) - 1e-12 * abs (r.t(i)) | i == 1 & held(1,:) <= r.t(i), 1, "last");
     if (! isempty (k))

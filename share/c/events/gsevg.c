@@ -1,4 +1,6 @@
 /* GSEVG, GSHJC: derivatives of event functions, and of accelerations where ports are held. */
+#include <math.h>
+
 #include "gsmbp/events.h"
 #include "gsmbp/loops.h"
 
@@ -28,10 +30,51 @@ gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const dou
 }
 
 int
-gshjc (int nu, int nlam, int nh, int nq, int nz, const int *act, const double *lm,
-       const double *lb, const double *lc, double *k, double *z, int *iw)
+gshjd (int nu, int nlam, int nh, int *act, double *k)
 {
   const int n = nu + nlam + nh;
+  int twice = 0, r = 0;
+  for (int l = 0; l < nlam + nh; l++)
+    {
+      if (l >= nlam && act[l - nlam] != 1)
+        continue;
+      double size = 0.0, left = 0.0, *const v = k + n * r;
+      for (int j = 0; j < nu && r < nu; j++)
+        {
+          v[j] = k[nu + l + n * j];
+          size += v[j] * v[j];
+        }
+      for (int i = 0; i < 2 * r && r < nu; i++)
+        {
+          const double *const b = k + n * (i % r);
+          double s = 0.0;
+          for (int j = 0; j < nu; j++)
+            s += v[j] * b[j];
+          for (int j = 0; j < nu; j++)
+            v[j] -= s * b[j];
+        }
+      for (int j = 0; j < nu && r < nu; j++)
+        left += v[j] * v[j];
+      if (r < nu && left > 1e-20 * size)
+        {
+          for (int j = 0; j < nu; j++)
+            v[j] /= sqrt (left);
+          r++;
+        }
+      else if (l >= nlam)
+        {
+          act[l - nlam] = 0;
+          twice++;
+        }
+    }
+  return twice;
+}
+
+int
+gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, const double *lb,
+       const double *lc, double *k, double *z, int *iw)
+{
+  const int n = nu + nlam + nh, twice = gshjd (nu, nlam, nh, act, k);
   for (int i = 0; i < nh; i++)
     if (act[i] != 1)
       {
@@ -42,5 +85,7 @@ gshjc (int nu, int nlam, int nh, int nq, int nz, const int *act, const double *l
         for (int j = 0; j < nz; j++)
           z[l + n * j] = 0.0;
       }
-  return gsjac (nu, nlam + nh, nq, nz, lm, lb, lc, k, z, iw, 0) == 0 ? 0 : 2;
+  if (gsjac (nu, nlam + nh, nq, nz, lm, lb, lc, k, z, iw, 0) != 0)
+    return 2;
+  return twice > 0 ? 3 : 0;
 }

@@ -180,10 +180,14 @@ int gsipm (const gs_scene *s, double t, const double *x, const double *cst, int 
 void gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const double *s,
             const double *prm, const double *hold, const double *d, const double *z, double *g);
 
-/* gsjac with the rows of nh ports behind those of the constraints; act (nh): 1 held. info: 2 the
- * rows are dependent */
-int gshjc (int nu, int nlam, int nh, int nq, int nz, const int *act, const double *lm,
-           const double *lb, const double *lc, double *k, double *z, int *iw);
+/* gsjac with the rows of nh ports behind those of the constraints; act (nh): 1 held, 0 on exit
+ * where others hold it already. info: 2 the constraints are dependent, 3 ports are: their efforts
+ * are not unique */
+int gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, const double *lb,
+           const double *lc, double *k, double *z, int *iw);
+
+/* for gshjc: how many ports others hold already; their act becomes 0 */
+int gshjd (int nu, int nlam, int nh, int *act, double *k);
 
 /* derivatives r (nu,nc) of the speeds after event k, by coordinates, speeds before, parameters,
  * time, where they do not jump (hit -1); else hit, the port that is hit or 0, the jump ud (nu) of

@@ -58,17 +58,22 @@ C     behind the constraints.
 C
 C     ARGUMENTS
 C     As GSJAC, with NLAM+NH for NLAM, and
-C     ACT     (input) INTEGER array, dimension (NH), 1: the port is held;
-C             else its row says that its effort is 0.
-C     INFO    (output) INTEGER, 0, or 2: the rows are dependent.
+C     ACT     (input/output) INTEGER array, dimension (NH), 1: the port
+C             is held; else its row says that its effort is 0.  0 on
+C             exit where the constraints and the ports before it hold it
+C             already.
+C     INFO    (output) INTEGER, 0; 2: the constraints are dependent; 3:
+C             ports are, so that their efforts are not unique: those of
+C             the first ones stand for all, accelerations are right.
 C
       IMPLICIT NONE
       INTEGER            NU, NLAM, NH, NQ, NZ, ACT(*), IW(*), INFO
       DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*),
      $                   K(NU+NLAM+NH,*), Z(NU+NLAM+NH,*)
-      EXTERNAL           GSJAC
-      INTEGER            I, J, L
+      EXTERNAL           GSJAC, GSHJD
+      INTEGER            I, J, L, TWICE
 C
+      CALL GSHJD( NU, NLAM, NH, ACT, K, TWICE )
       DO 30 I = 1, NH
          IF ( ACT(I).NE.1 ) THEN
             L = NU + NLAM + I
@@ -86,4 +91,58 @@ C
       J = NLAM + NH
       CALL GSJAC( NU, J, NQ, NZ, LM, LB, LC, K, Z, IW, INFO )
       IF ( INFO.NE.0 ) INFO = 2
+      IF ( INFO.EQ.0 .AND. TWICE.GT.0 ) INFO = 3
+      END
+      SUBROUTINE GSHJD( NU, NLAM, NH, ACT, K, TWICE )
+C
+C     PURPOSE
+C     Which ports of GSHJC the constraints and the ports before them hold
+C     already: ACT becomes 0, TWICE is how many.
+C
+C     METHOD
+C     Gram and Schmidt; the first NU rows and columns of K are workspace.
+C
+      IMPLICIT NONE
+      INTEGER            NU, NLAM, NH, ACT(*), TWICE
+      DOUBLE PRECISION   K(NU+NLAM+NH,*)
+      DOUBLE PRECISION   S, SIZE
+      INTEGER            I, J, L, R, P
+C
+      TWICE = 0
+      R = 0
+      DO 80 L = 1, NLAM + NH
+         IF ( L.GT.NLAM ) THEN
+            IF ( ACT(MAX( 1, L - NLAM )).NE.1 ) GO TO 80
+         END IF
+         P = R + 1
+         IF ( P.GT.NU ) GO TO 70
+         SIZE = 0.0D0
+         DO 10 J = 1, NU
+            K(J,P) = K(NU+L,J)
+            SIZE = SIZE + K(J,P)**2
+   10    CONTINUE
+         DO 40 I = 1, 2*R
+            S = 0.0D0
+            DO 20 J = 1, NU
+               S = S + K(J,P)*K(J,1+MOD( I-1, R ))
+   20       CONTINUE
+            DO 30 J = 1, NU
+               K(J,P) = K(J,P) - S*K(J,1+MOD( I-1, R ))
+   30       CONTINUE
+   40    CONTINUE
+         S = 0.0D0
+         DO 50 J = 1, NU
+            S = S + K(J,P)**2
+   50    CONTINUE
+         IF ( S.LE.1.0D-20*SIZE ) GO TO 70
+         DO 60 J = 1, NU
+            K(J,P) = K(J,P)/SQRT( S )
+   60    CONTINUE
+         R = P
+         GO TO 80
+   70    IF ( L.GT.NLAM ) THEN
+            ACT(L-NLAM) = 0
+            TWICE = TWICE + 1
+         END IF
+   80 CONTINUE
       END
