@@ -16,16 +16,14 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
   p.t0 = 0;
   p.T = duration (who, o);
   [p.goal, p.goal_time] = goal (who, m, o);
-  p.low = [-Inf(m.sizes.nx, 1); -Inf(m.sizes.nu + m.sizes.nlam, 1)];
-  p.high = -p.low;
-  list = bounds (who, "states", o.states, m.states);
-  p.low([list.number]) = [list.low];
-  p.high([list.number]) = [list.high];
-  scene = gsmbp__scene_limits (m, m.inputs);
-  list = bounds (who, "inputs", o.inputs, m.inputs);
-  scene([list.number],:) = [[list.low]', [list.high]'];
-  p.low = [p.low; scene(:,1)];
-  p.high = [p.high; scene(:,2)];
+  d = m.sizes;
+  states = limits (who, m, "states", o.states, m.states);
+  inputs = limits (who, m, "inputs", o.inputs, m.inputs);
+  inner = repmat ([-Inf, Inf], d.nu + d.nlam, 1);   # accelerations and multipliers
+  p.low = [states(:,1); inner(:,1); inputs(:,1)];
+  p.high = [states(:,2); inner(:,2); inputs(:,2)];
+  within (who, m, "x0", p.x0, states);
+  within (who, m, "xf", p.xf, states);
   p.outputs = bounds (who, "outputs", o.outputs, m.outputs);
   p.parameters = parameters (who, m, o);
   if (m.sizes.nlam > 0)   # what follows at the end
@@ -100,6 +98,21 @@ function [list, by_time] = goal (who, m, o)
       list(end+1) = struct ("number", at, "weight", weight);
     endif
   endfor
+endfunction
+
+## rows [least, largest], those of the scene where none are given
+function list = limits (who, m, what, given, names)
+  list = gsmbp__scene_limits (m, names);
+  given = bounds (who, what, given, names);
+  list([given.number],:) = [[given.low]', [given.high]'];
+endfunction
+
+function within (who, m, name, x, list)
+  k = find (x < list(:,1) | x > list(:,2), 1);
+  if (! isempty (k))
+    error ("%s: argument %s: %s = %g is not within its bounds, %g to %g", who, name, m.states{k}, ...
+           x(k), list(k,:));
+  endif
 endfunction
 
 ## rows {name, least, largest}
