@@ -33,8 +33,8 @@
 ## @var{goal} has rows @code{@{word, name@}} or @code{@{word, name, factor@}}, which are added (a
 ## negative factor: as large as possible); @var{demands} rows @code{@{word, name, relation, bound@}}
 ## with the relation "<", ">" or "=".  The name of a case behind a row: of that case alone.  Names
-## are those of @code{gsmbp_names}, products of them ("motor.v*motor.i"), and "error.q": less its
-## target.
+## are those of @code{gsmbp_names}, products of them ("motor.v*motor.i"), "error.q": less its
+## target, and in runs "state_margin2", the second of @code{m.state_margins}.
 ## @table @code
 ## @item start, end, mean, integral, square, rms
 ## over the times of a case (square: the mean of squares)
@@ -180,6 +180,8 @@ function list = fields (P, c)
         list{end+1} = P.table(k).field;
       elseif (! isempty (regexp (plain, '^(decay|(frequency|damping)\d+)$', "once")))
         list{end+1} = "extra";
+      elseif (! isempty (regexp (plain, '^state_margin\d+$', "once")))
+        list{end+1} = "state_margins";
       else
         error ("%s: case %s: unknown quantity %s", P.who, c.name, ...
                gsmbp__unknown (name{1}, [{P.table.name}, P.also]));

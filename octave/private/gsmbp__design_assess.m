@@ -131,6 +131,8 @@ function [f, F] = value (P, name, p)
   par = P.base.par;
   if (any (k))
     f = p(k);
+  elseif (isfield (P.given, name))
+    f = P.given.(name);
   elseif (isfield (par, name))
     f = par.(name);
   else

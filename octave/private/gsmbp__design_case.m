@@ -81,15 +81,22 @@ function [R, D] = run (P, m, args, options, p, by)
   by &= ! strcmp ({P.free.kind}, "own");
   names = {P.free(by).name};
   if (isempty (names))
-    R = gsmbp_simulate (m, x0, args{1}, options{! leading(options, "fixed")});
+    R = with_margins (m, gsmbp_simulate (m, x0, args{1}, options{! leading(options, "fixed")}));
     return;
   endif
-  R = gsmbp_simulate (m, x0, args{1}, options{:}, "sensitivity", names);
+  R = with_margins (m, gsmbp_simulate (m, x0, args{1}, options{:}, "sensitivity", names));
   pages = find (by);
   for k = 1:numel (names)
     D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", 0 * R.v), pages(k), ...
              numel (p));
   endfor
+endfunction
+
+## the margins of its devices along a run (m.state_margins)
+function R = with_margins (m, R)
+  if (any (strcmp (m.subroutines, "mar")))
+    R.state_margins = m.module ("margins", m.cst, numel (R.t), R.t(:), R.x, R.v)';
+  endif
 endfunction
 
 ## the places of an option and its value
@@ -180,7 +187,7 @@ endfunction
 ## the fields that are numbers
 function F = fields_of (R)
   F = struct ();
-  for name = {"x", "v", "y", "points", "tau", "lambda", "margins", "extra"}
+  for name = {"x", "v", "y", "points", "tau", "lambda", "margins", "state_margins", "extra"}
     if (isfield (R, name{1}))
       F.(name{1}) = R.(name{1});
     endif

@@ -22,6 +22,18 @@ function [y, Y] = gsmbp__design_series (P, c, R, D, name)
     if (isfield (D, "extra") && isfield (D.extra, name))
       Y = reshape (D.extra.(name), 1, n);
     endif
+  elseif (! isempty (regexp (name, '^state_margin\d+$', "once")))
+    k = str2double (name(13:end));
+    if (! isfield (R, "state_margins") || k < 1 || k > columns (R.state_margins))
+      error ("%s: case %s: %s: expected the number of a margin (m.state_margins), 1 to %d", ...
+             P.who, ...
+             c.name, name, numel (P.base.state_margins));
+    endif
+    y = R.state_margins(:,k);
+    Y = zeros (numel (y), n);
+    if (isfield (D, "state_margins"))
+      Y = reshape (D.state_margins(:,k,:), numel (y), n);
+    endif
   else
     row = P.table(strcmp ({P.table.name}, name));
     if (! isempty (regexp (name, '^(frequency|damping)\d+$', "once")))

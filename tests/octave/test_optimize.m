@@ -10,6 +10,7 @@ function test_optimize ()
   cases (gsmbp_fixture ("design_lamp"));
   contradicting (gsmbp_fixture ("design_lamp"));
   refused (gsmbp_fixture ("design_lamp"));
+  press (gsmbp_fixture ("design_press"));
   gear (gsmbp_fixture ("design_drive"));
   four_bar (gsmbp_fixture ("design_fourbar"));
 end
@@ -138,6 +139,21 @@ function refused (m)
                               "evaluations", 3, "solver", "slsqp");
   gsmbp_check ("a limit says so", info == 1 && r.limit ...
                && ! isempty (strfind (r.ended, "stopped at the limit of 3 evaluations")));
+end
+
+## the valve that is opened so far that the stroke's margin is kept
+function press (m)
+  t = (0:0.01:0.2)';
+  run = {"run", t, m.initial, "input", @(p) p.u};
+  [r, info] = gsmbp_optimize (m, {"u", 1e-4, [0 1e-3]}, {"end", "q", -1}, ...
+                              {"min", "state_margin6", ">", 0.3}, run);
+  x = gsmbp_simulate (m, m.initial, t, "input", r.values.u).x;
+  near ("a margin over a run", max (x(:,1)), 0.4, 1e-6);
+  gsmbp_check ("solved", info == 0);
+  text = gsmbp_complaint (@() gsmbp_optimize (m, {"u", 1e-4, [0 1e-3]}, ...
+                                              {"end", "state_margin9"}, {}, run));
+  gsmbp_check ("refused: a margin that is none", ! isempty (strfind (text, ...
+               "expected the number of a margin (m.state_margins), 1 to 6")));
 end
 
 ## D2a: the ratio of least copper loss, and with a motion that is free as well
