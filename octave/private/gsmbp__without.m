@@ -18,7 +18,10 @@ function keep = gsmbp__without (who, m, t, x, v, names, A, k)
     endif
   endif
   size_ = m.nominal(k);
-  D = abs (A) .* size_' > 1e-9 * max (max (abs (A) .* size_', [], 2), 1e-9 * size_);
+  row = max (abs (A) .* size_', [], 2);
+  mechanical = (k <= d.nq + d.nu)';
+  least = 1e-11 * max ([row(mechanical); 0]) * mechanical;   # rounding, where a row is zero
+  D = abs (A) .* size_' > max (1e-9 * row, max (least, 1e-18 * size_));
   keep = ! ismember (k, gone);
   do   # what depends on them, and carries nothing else along
     more = keep & k <= d.nq & any (D(:,! keep), 2)' & ! any (D & keep', 1);
