@@ -39,6 +39,9 @@ function gsmbp__run_warnings (who, m, s)
   endif
   f = s.stiff;
   remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
+  if (! isnan (f.time) && any (strcmp (regexprep (f.state, '_d$', ""), of_modes (m))))
+    remedy = "leave that mode of a flexible link out, or take method \"cvode\"";
+  endif
   if (strcmp (s.method, "rk4") && ! isnan (f.time))
     warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...
                              "limit of stability, %.3g s (largest eigenvalue about %.3g 1/s, " ...
@@ -50,4 +53,14 @@ function gsmbp__run_warnings (who, m, s)
                              "of %s): %s"], who, m.name,
              f.time, f.step, f.eigenvalue, f.state, remedy);
   endif
+endfunction
+
+## modal coordinates: those that no joint has
+function names = of_modes (m)
+  names = m.coordinates(:)';
+  for joint = gsmbp__structs (m.json.joints)
+    if (! strcmp (joint.type, "section") && ! isempty (joint.coordinates))
+      names = setdiff (names, cellstr (joint.coordinates));
+    endif
+  endfor
 endfunction

@@ -30,6 +30,15 @@ function test_flexible_history ()
                (momentum - p.T0 * t') / max (momentum), 1e-9);
   flight ();
   bent_too_far ();
+  too_fast (gsmbp_set (m, "EI", 8e6));
+end
+
+## a mode beyond the stability of rk4: the advice is to leave it out
+function too_fast (m)
+  lastwarn ("");
+  [~, ~] = gsmbp_simulate (m, zeros (4, 1), [0, 0.01], "method", "rk4", "step", 1e-3);
+  gsmbp_check (["a mode that is too fast: " lastwarn()], ...
+               ! isempty (strfind (lastwarn (), "of blade_1_d): leave that mode of a flexible")));
 end
 
 ## A beam of the model full that nothing holds, with a body at its end: energy, momentum and moment
