@@ -158,6 +158,9 @@ function [x, steps] = newton (who, s, e, x, g, steps, most)
     f = merit (s, e, A, x, g);
     while (! (merit (s, e, A, x + step * d, g) <= f - 1e-4 * step * decrement + 4 * eps * abs (f)))
       step /= 2;
+      if (step < 1e-15)
+        error ("%s: no convergence: no step makes it less (decrement %.1e)", who, decrement / g);
+      endif
     endwhile
     x += step * d;
   until (decrement <= 1e-6 * g)

@@ -7,6 +7,9 @@
 function s = gsmbp__standard (m)
   list = gsmbp__rows (m.json, "standard_parameters");
   base = gsmbp__rows (m.json, "base_parameters");
+  if (isempty (list))
+    error ("%s: the JSON has no standard parameters: derive it again with this version", m.name);
+  endif
   s.names = cellfun (@(r) r.name, list, "UniformOutput", false)';
   words = fieldnames (m.par);
   values = cellfun (@(r) in_one (r, words), list, "UniformOutput", false);
