@@ -9,8 +9,9 @@ where the shell has made that), in a new folder that looks like the top of the r
 example. In what is expected a line `...` stands for any lines, `...` at the end of a
 line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
 (1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
-left out. --turn=K/N: the part K of N of the sessions, by their names. --write: what differs is written into the file instead, and pictures that the file shows
-(@image{figures/NAME, ...}) are copied to figures/ beside it.
+left out. --turn=K/N: the part K of N of the sessions, by their names. --write: what differs is
+written into the file instead, and pictures that the file shows (@image{figures/NAME, ...}) are
+copied to figures/ beside it.
 """
 import os
 import re
