@@ -40,6 +40,9 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
     endif
     plan.constants = double (constants(:)');
   endif
+  if (isempty (plan.constants) && any (m.input_starts))
+    plan.constants = m.input_starts';   # what is held before the first samples
+  endif
 
   if (isempty (o.gain) && ! isempty (o.reference))
     error ("%s: a reference needs a gain, with which the inputs follow it", who);

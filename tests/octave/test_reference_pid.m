@@ -61,6 +61,11 @@ function motor ()
   mc = gsmbp_build ("case_17a", "directory", folder, "controller", c);
   r = gsmbp_simulate (mc, e.x, [0, 0.1]);
   gsmbp_check ("motor: it starts at speed without a bump", r.x(end,2:3) - e.x(2:3)', 1e-10);
+  for input = {@(t, x) 100, mkpp([0, 1], 100)}
+    r = gsmbp_simulate (mc, e.x, [0, 0.1], "input", input{1});
+    gsmbp_check (["motor: nor with a reference as a " class(input{1})], ...
+                 r.x(end,2:3) - e.x(2:3)', 1e-10);
+  end
   r = gsmbp_simulate (mc, e.x, [0, 0.5], "input", 110);
   gsmbp_check ("motor: it comes to another speed", r.x(end,2) - 110, 1e-3);
   r = gsmbp_simulate (mc, e.x, [0, 1, 2], "input", 500);
