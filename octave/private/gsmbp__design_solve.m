@@ -7,9 +7,19 @@ function [best, ends] = gsmbp__design_solve (who, P, o)
   best = [];
   Z = places (P, o);
   for k = 1:columns (Z)
-    [P, q] = set_up (P, Z(:,k));
-    used = solver (P, q, o);
-    r = one (who, P, q, setfield (o, "solver", used));
+    try
+      [P, q] = set_up (P, Z(:,k));
+      used = solver (P, q, o);
+      r = one (who, P, q, setfield (o, "solver", used));
+    catch err
+      if (k == 1)
+        rethrow (err);
+      endif
+      values = gsmbp__as_struct (P, Z(:,k) .* reshape ([P.free.scale], [], 1));
+      ends(end+1) = struct ("values", values, "J", NaN, "solved", false, "violation", NaN, ...
+                            "ended", ["no start: " err.message]);
+      continue;
+    end_try_catch
     r.solver = used;
     ends(end+1) = struct ("values", gsmbp__as_struct (P, r.p), "J", r.e.J, "solved", r.solved, ...
                           "violation", r.violation, "ended", r.ended);

@@ -126,6 +126,10 @@ function r = by_nlopt (who, q, o, memory, e, size_J, size_g)
   upper = find (isfinite (e.high) & e.high > e.low);
   lower = find (isfinite (e.low) & e.high > e.low);
   equal = find (e.low == e.high);
+  if (! isempty (equal) && strcmp (o.solver, "mma"))
+    error (["%s: option solver: mma takes no equations (relation \"=\"); expected slsqp, " ...
+            "cobyla or ipopt"], who);
+  endif
   one = @(k, side) @(z) constraint (memory, z, k, side, size_g(k));
   t.fc = [arrayfun(@(k) one (k, 1), upper', "UniformOutput", false), ...
           arrayfun(@(k) one (k, -1), lower', "UniformOutput", false)];
