@@ -18,8 +18,8 @@
 ## what is least: @code{"time"}, the name of an output of the scene, whose integral is meant, or
 ## names and their weights, @code{@{"time", 1, "loss", 0.1@}}; default @code{"time"}
 ## @item "inputs", "states", "outputs"
-## bounds on the way, a row @code{@{name, least, largest@}} for each; inputs and coordinates have the
-## limits of the scene by default
+## bounds on the way, a row @code{@{name, least, largest@}} for each; inputs and coordinates have
+## the limits of the scene by default
 ## @item "parameters"
 ## parameters of the scene that are free, too, rows @code{@{name, least, largest@}}; the scene is
 ## derived with @code{sensitivity(name, @dots{})} beside @code{collocation}

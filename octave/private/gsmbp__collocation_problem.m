@@ -110,8 +110,8 @@ endfunction
 function within (who, m, name, x, list)
   k = find (x < list(:,1) | x > list(:,2), 1);
   if (! isempty (k))
-    error ("%s: argument %s: %s = %g is not within its bounds, %g to %g", who, name, m.states{k}, ...
-           x(k), list(k,:));
+    error ("%s: argument %s: %s = %g is not within its bounds, %g to %g", who, name, ...
+           m.states{k}, x(k), list(k,:));
   endif
 endfunction
 
