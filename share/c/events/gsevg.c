@@ -1,5 +1,6 @@
 /* GSEVG, GSHJC: derivatives of event functions, and of accelerations where ports are held. */
 #include <math.h>
+#include <string.h>
 
 #include "gsmbp/events.h"
 #include "gsmbp/loops.h"
@@ -27,6 +28,17 @@ gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const dou
   else
     for (int j = 0; j < nc; j++, d += ld, z += n + nh)
       g[j] = d[2] - (hold[port] < 0.0 ? -z[0] : z[0]);
+}
+
+void
+gshjp (int n, int l, int m, double *a, int way)
+{
+  if (l == n)
+    return;
+  for (int j = 1; j < m && way > 0; j++)
+    memmove (a + l * j, a + n * j, l * sizeof (double));
+  for (int j = m - 1; j > 0 && way < 0; j--)
+    memmove (a + n * j, a + l * j, l * sizeof (double));
 }
 
 int
@@ -75,17 +87,31 @@ gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, con
        const double *lc, double *k, double *z, int *iw)
 {
   const int n = nu + nlam + nh, twice = gshjd (nu, nlam, nh, act, k);
+  int l = nu + nlam;
   for (int i = 0; i < nh; i++)
-    if (act[i] != 1)
+    if (act[i] == 1)
       {
-        const int l = nu + nlam + i;
-        for (int j = 0; j < n; j++)
-          k[l + n * j] = k[j + n * l] = 0.0;
-        k[l + n * l] = 1.0;
+        const int from = nu + nlam + i;
+        for (int j = 0; j < nu; j++)
+          {
+            k[l + n * j] = k[from + n * j];
+            k[j + n * l] = k[j + n * from];
+          }
         for (int j = 0; j < nz; j++)
-          z[l + n * j] = 0.0;
+          z[l + n * j] = z[from + n * j];
+        l++;
       }
-  if (gsjac (nu, nlam + nh, nq, nz, lm, lb, lc, k, z, iw, 0) != 0)
+  gshjp (n, l, l, k, 1);
+  gshjp (n, l, nz, z, 1);
+  const int info = gsjac (nu, l - nu, nq, nz, lm, lb, lc, k, z, iw, 0);
+  gshjp (n, l, nz, z, -1);
+  for (int i = nh - 1; i >= 0; i--)
+    {
+      l -= act[i] == 1;
+      for (int j = 0; j < nz; j++)
+        z[nu + nlam + i + n * j] = act[i] == 1 ? z[l + n * j] : 0.0;
+    }
+  if (info != 0)
     return 2;
   return twice > 0 ? 3 : 0;
 }

@@ -186,6 +186,10 @@ void gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, cons
 int gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, const double *lb,
            const double *lc, double *k, double *z, int *iw);
 
+/* for gshjc: the first l rows of m columns of a (n,*) to the leading dimension l (way 1), or back
+ * (-1) */
+void gshjp (int n, int l, int m, double *a, int way);
+
 /* for gshjc: how many ports others hold already; their act becomes 0 */
 int gshjd (int nu, int nlam, int nh, int *act, double *k);
 

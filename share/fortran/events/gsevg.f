@@ -70,28 +70,68 @@ C
       INTEGER            NU, NLAM, NH, NQ, NZ, ACT(*), IW(*), INFO
       DOUBLE PRECISION   LM(NU,*), LB(NU,*), LC(NU,*),
      $                   K(NU+NLAM+NH,*), Z(NU+NLAM+NH,*)
-      EXTERNAL           GSJAC, GSHJD
-      INTEGER            I, J, L, TWICE
+      EXTERNAL           GSJAC, GSHJD, GSHJP
+      INTEGER            I, J, L, N, TWICE
 C
       CALL GSHJD( NU, NLAM, NH, ACT, K, TWICE )
+      N = NU + NLAM + NH
+      L = NU + NLAM
       DO 30 I = 1, NH
-         IF ( ACT(I).NE.1 ) THEN
-            L = NU + NLAM + I
-            DO 10 J = 1, NU + NLAM + NH
-               K(L,J) = 0.0D0
-               K(J,L) = 0.0D0
+         IF ( ACT(I).EQ.1 ) THEN
+            L = L + 1
+            DO 10 J = 1, NU
+               K(L,J) = K(NU+NLAM+I,J)
+               K(J,L) = K(J,NU+NLAM+I)
    10       CONTINUE
-            K(L,L) = 1.0D0
             DO 20 J = 1, NZ
-               Z(L,J) = 0.0D0
+               Z(L,J) = Z(NU+NLAM+I,J)
    20       CONTINUE
          END IF
    30 CONTINUE
+      CALL GSHJP( N, L, L, K, 1 )
+      CALL GSHJP( N, L, NZ, Z, 1 )
       INFO = 0
-      J = NLAM + NH
+      J = L - NU
       CALL GSJAC( NU, J, NQ, NZ, LM, LB, LC, K, Z, IW, INFO )
+      CALL GSHJP( N, L, NZ, Z, -1 )
+      DO 60 I = NH, 1, -1
+         DO 50 J = 1, NZ
+            IF ( ACT(I).EQ.1 ) THEN
+               Z(NU+NLAM+I,J) = Z(L,J)
+            ELSE
+               Z(NU+NLAM+I,J) = 0.0D0
+            END IF
+   50    CONTINUE
+         IF ( ACT(I).EQ.1 ) L = L - 1
+   60 CONTINUE
       IF ( INFO.NE.0 ) INFO = 2
       IF ( INFO.EQ.0 .AND. TWICE.GT.0 ) INFO = 3
+      END
+      SUBROUTINE GSHJP( N, L, M, A, WAY )
+C
+C     PURPOSE
+C     The first L rows of M columns of A(N,*) to a leading dimension of L
+C     (WAY = 1), or back (-1).
+C
+      IMPLICIT NONE
+      INTEGER            N, L, M, WAY
+      DOUBLE PRECISION   A(*)
+      INTEGER            I, J
+C
+      IF ( L.EQ.N ) RETURN
+      IF ( WAY.GT.0 ) THEN
+         DO 20 J = 1, M - 1
+            DO 10 I = 1, L
+               A(I+L*J) = A(I+N*J)
+   10       CONTINUE
+   20    CONTINUE
+      ELSE
+         DO 40 J = M - 1, 1, -1
+            DO 30 I = L, 1, -1
+               A(I+N*J) = A(I+L*J)
+   30       CONTINUE
+   40    CONTINUE
+      END IF
       END
       SUBROUTINE GSHJD( NU, NLAM, NH, ACT, K, TWICE )
 C
