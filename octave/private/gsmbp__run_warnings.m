@@ -55,8 +55,12 @@ function gsmbp__run_warnings (who, m, s)
   endif
 endfunction
 
-## modal coordinates: those that no joint has
+## modal coordinates: those that no joint has; none where the description has no joints
 function names = of_modes (m)
+  names = {};
+  if (! isfield (m, "json") || ! isfield (m.json, "joints"))
+    return;
+  endif
   names = m.coordinates(:)';
   for joint = gsmbp__structs (m.json.joints)
     if (! strcmp (joint.type, "section") && ! isempty (joint.coordinates))
