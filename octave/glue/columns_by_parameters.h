@@ -54,6 +54,13 @@ struct carried
 
 static carried *the_columns = nullptr;   // only while a run lasts
 
+// while the time of an event is looked for the columns do not matter
+static bool
+states_alone (const carried& c)
+{
+  return S.nev > 0 && *c.plan->events ().search == 1;
+}
+
 // columns that were given up stay zero
 static void
 drop_lost (const carried& c, number *x)
@@ -90,6 +97,12 @@ gsmbp_rates_with_columns (const number *t, const number *x, const number *v, con
 {
   carried& c = *the_columns;
   const int nc = c.count ();
+  if (states_alone (c))
+    {
+      routine ("rhs") (t, x, v, cst, xd, info);
+      std::fill (xd + S.nx, xd + S.nx * (nc + 1), number (0));
+      return;
+    }
   fortran {gssen_} (c.rhp, t, &c.top, &S.nx, &S.nv, &S.nsp, &nc, &c.col[0], x, v, cst, &c.w[0], xd,
                     info);
   if (S.nctl > 0 || ! c.ip.empty ())
@@ -104,7 +117,7 @@ gsmbp_projection_with_columns (const number *t, number *x, const number *cst, nu
   carried& c = *the_columns;
   const int nc = c.count ();
   fortran {c.prj} (t, x, cst, res, info);
-  if (*info == 0 || *info == 2)
+  if ((*info == 0 || *info == 2) && ! states_alone (c))
     fortran {gsspj_} (c.con, c.tan, c.cop, t, &S.nx, &S.nq, &S.nu, &S.nlam, &S.nsets, S.sets,
                       &S.nsp, &nc, &c.col[0], x, cst, &c.w2[0], &c.iw[0], info);
   drop_lost (c, x);

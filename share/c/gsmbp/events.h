@@ -18,6 +18,7 @@ typedef struct
   int *since;     /* events since the time went on */
   int given;      /* 1 if the modes at the start are given */
   int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2 */
+  int *search;    /* 1 while the time of an event is looked for (GSEVN in Fortran) */
   int *cause;     /* while rst is called: what gsres was called with */
   int *mode;      /* ne */
   int *input;     /* ne: the numbers of the inputs that are the modes */
@@ -47,6 +48,7 @@ gs_events_of (int nx, int *ie, double *re)
   a.given = ie[4];
   a.tells = ie + 5;
   a.cause = ie + 6;
+  a.search = ie + 7;
   a.mode = ie + 10;
   a.input = a.mode + a.ne;
   a.kind = a.input + a.ne;

@@ -309,7 +309,8 @@ C
       IF ( D.GT.0.0D0 ) SLOPE = -RE(NE+I)/D
       OLD  = 0.0D0
       GOLD = 0.0D0
-      DO 10 K = 1, 12
+      IE(8) = IE(6)
+      DO 10 K = 1, 13
          TE = T + TH*H
          S  = 1
          IF ( TH.GE.1.0D0 ) THEN
@@ -346,18 +347,22 @@ C
      $               RP, CST, V, WI, IE(11), RE(NE+1), INFO )
          IF ( INFO.NE.0 ) GO TO 900
          GC = RE(NE+I)
+         IF ( IE(6).EQ.1 .AND. IE(8).EQ.0 ) GO TO 20
          IF ( K.GT.1 .AND. ABS( TH - OLD ).GT.0.0D0 .AND.
      $        ABS( GC - GOLD ).GT.0.0D0 )
      $      SLOPE = ( GC - GOLD )/( TH - OLD )
          OLD  = TH
          GOLD = GC
-         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 20
+         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 5
          D = GC/SLOPE
-         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 20
+         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 5
          IF ( ABS( D*H ).LE.2.0D0*EPS*MAX( ABS( T ), ABS( TN ) ) )
-     $      GO TO 20
+     $      GO TO 5
          IF ( K.LT.12 ) TH = MIN( 1.0D0, MAX( 0.0D0, TH - D ) )
-         IF ( .NOT.( ABS( TH - OLD ).GT.0.0D0 ) ) GO TO 20
+         IF ( ABS( TH - OLD ).GT.0.0D0 ) GO TO 10
+    5    IF ( IE(6).NE.1 ) GO TO 20
+         TH = OLD
+         IE(8) = 0
    10 CONTINUE
    20 CONTINUE
       TN = TE

@@ -24,7 +24,9 @@ C             IE(6)  1: behind the events RST is called once more, with
 C                    K = -2 (GSMBP's runs that carry derivatives by
 C                    parameters have an RST of their own), else 0;
 C             IE(7)  (output) K, while RST is called;
-C             IE(8..10) zero;
+C             IE(8)  1 while GSEVN looks for the time of an event in a
+C                    run with IE(6) = 1: states alone are wanted;
+C             IE(9..10) zero;
 C             then NE modes, NE numbers of inputs that are the modes,
 C             NE kinds (see GSEVT), NE marks, 1 where the function was
 C             above 0 since its last event, and 2*NE workspace.
