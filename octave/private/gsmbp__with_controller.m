@@ -72,7 +72,8 @@ function [json, text, held] = joined (who, json, c, name, k, held)
                 "memory", {arrayfun(@(i) sprintf ("%s.z%d", c.name, i), (1:nz)', ...
                                     "UniformOutput", false)}, ...
                 "starts", zeros (nz, 1), "outputs", drives(:), "reads", reads(:), ...
-                "again", json.dimensions.nctl > 1, "possible", []);
+                "again", json.dimensions.nctl > 1, ...
+                "rounds", rounds (c), "possible", []);
   before = [gsmbp__rows(json, "controllers"){:}];
   json.controllers = [before, one];
   if (! isfield (json, "input_starts"))
@@ -86,6 +87,11 @@ function [json, text, held] = joined (who, json, c, name, k, held)
     text = [gsmbp__controller_fortran(c, sprintf ("%s_CN%d", name, k)), ...
             connection(c, name, k, reads, drives, nv)];
   endif
+endfunction
+
+## whether converters round; a controller of gsmbp_model_control has none
+function yes = rounds (c)
+  yes = isfield (c, "step_in") && any ([c.step_in(:); c.step_out(:)] > 0);
 endfunction
 
 ## of the measurement that follows it; accelerations have that of the speed a second
