@@ -172,7 +172,7 @@ endfunction
 function list = subroutines (json, name)
   list = gsmbp__rows (json, "subroutines");
   full = cellfun (@(row) row.name, list, "UniformOutput", false);
-  list(ismember (full, strcat (name, {"_CTL", "_CTP"}))) = [];
+  list(ismember (full, strcat (name, {"_CTL", "_CTP", "_CTD"}))) = [];
   for k = 1:numel (list)
     if (isfield (list{k}, "shapes") && ! isempty (list{k}.shapes))
       v = strcmp (cellstr (list{k}.arguments)(:)', "V");
