@@ -15,6 +15,7 @@ function c = gsmbp__carried (who, m, o, t0, x0, atol)
   d = m.sizes;
   known = cellstr (m.json.sensitivity)(:)';
   S = start_values (who, o, d.nx, numel (c.names));
+  sizes = [];
   for k = 1:numel (c.names)
     name = c.names{k};
     [is_parameter, column] = ismember (name, known);
@@ -35,11 +36,13 @@ function c = gsmbp__carried (who, m, o, t0, x0, atol)
              who, m.name, strjoin (known, ", "), name);
     endif
     c.columns(k) = column;
+    sizes(k) = size_;
     c.atol = [c.atol; atol(:) / size_];
   endfor
   if (d.nlam > 0)
     S = on_constraints (who, m, o, t0, x0(:), S, c.columns);
   endif
+  gsmbp__starts_on_stops (who, m, t0, x0(:), c.names, S, sizes);
   c.x0 = S(:);
 endfunction
 

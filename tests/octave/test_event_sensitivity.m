@@ -8,6 +8,7 @@ function test_event_sensitivity ()
   arm ();
   guide ();
   grazing ();
+  on_a_stop ();
   several ();
   samples ();
   cart ();
@@ -160,6 +161,18 @@ function grazing ()
                                           "fixed", "s"));
   gsmbp_check ("friction that comes to rest just not", ...
                all (isnan (r.dx.k(3,:))) && ! isempty (strfind (said, "event of rub")));
+end
+
+## a start at rest on a stop that moves with a parameter
+function on_a_stop ()
+  m = gsmbp_fixture ("sensitivity_ball");
+  run = @(varargin) gsmbp_simulate (m, [0.1 0 0 0], [0 1], "sensitivity", varargin{:});
+  text = gsmbp_complaint (@() run ("lo"));
+  gsmbp_check (["a start on a stop that moves with a parameter: " text], ...
+               ! isempty (strfind (text, "starts on the stop floor")));
+  gsmbp_check ("... and where the start moves with it", ...
+               run ("lo", "dx0", [1; 0; 0; 0]).dx.lo(2,:) - [1 0 0 0], 1e-12);
+  gsmbp_check ("... and by what does not move it", run ("e").dx.e(2,:), 1e-12);
 end
 
 ## a ball and a puck that hit at the same instant, which a parameter takes apart, and one does not
