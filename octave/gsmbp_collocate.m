@@ -61,6 +61,7 @@
 ##
 ## A motion that cannot be is no error: @code{solved} is false, a warning says why.
 ##
+## @c session octave
 ## @example
 ## >> file = fopen ("block.mac", "w");
 ## >> fputs (file, "scene : gsmbp_scene(\"block\", link(body, mass = m), ");

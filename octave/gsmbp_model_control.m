@@ -32,11 +32,26 @@
 ## with the controller of a @var{plan} of all coordinates (@code{gsmbp_plan}); other inputs are
 ## zero.
 ##
+## @c session octave
 ## @example
-## c = gsmbp_model_control (m, "computed torque", "Kp", 100, "Kd", 20, "period", 1e-3);
-## mc = gsmbp_build ("arm", "controller", c);
-## r = gsmbp_simulate (mc, mc.initial, 0:0.01:1, "input", ...
-##                     gsmbp_model_control (mc, "references", plan));
+## >> file = fopen ("turret.mac", "w");
+## >> fputs (file, "scene : gsmbp_scene(\"turret\", link(gun, mass = m, centre = [l, 0, 0]), ");
+## >> fputs (file, "revolute(A, ground, gun, axis = z, coordinate = q), ");
+## >> fputs (file, "input(tau, unit = N*m), drive(D, joint = A, effort = tau), ");
+## >> fputs (file, "output(angle, q), output(speed, q_d), parameters = [m = 2*kg, l = 0.3*m])$");
+## >> fclose (file);
+## >> gsmbp_derive ("turret.mac", "fortran_out");
+## ...
+## >> m = gsmbp_build ("turret");
+## >> c = gsmbp_model_control (m, "computed torque", "Kp", 100, "Kd", 20, "period", 1e-3);
+## >> mc = gsmbp_build ("turret", "controller", c);
+## >> plan = gsmbp_plan ("quintic", [0 1], [0 1]);
+## >> r = gsmbp_simulate (mc, [0.1; 0], [0 1], "input", ...
+##                        gsmbp_model_control (mc, "references", plan));
+## >> round (1e3 * r.x(:,1)')
+## ans =
+##
+##     100   1000
 ## @end example
 ##
 ## Errors: a scene with loops or Euler parameters; inputs that are no efforts of the speeds; no
