@@ -163,3 +163,7 @@ function name = named (m, c, k)
   i = mod (k - c.defect(1), c.d.nx) + 1;
   name = ["state " m.states{i}];
 endfunction
+
+%!error <DAE, DAJ, DAH>
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! gsmbp_collocate (gsmbp_hand ("motor_pendulum"), zeros (3, 1), zeros (3, 1), "time", 1);

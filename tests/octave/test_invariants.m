@@ -23,7 +23,7 @@ function test_invariants ()
     m = gsmbp_fixture (name);
     d = m.sizes;
     rand ("twister", double (name));   # states of its own: a new scene changes no other's
-    if (any (strcmp (m.subroutines, "mas")) && any (strcmp (m.subroutines, "inv")))
+    if (all (ismember ({"mas", "inv", "bia"}, m.subroutines)))
       mass (name, m, d);
     end
     ## pressures need states and steps of their own size: test_fluid, test_library
