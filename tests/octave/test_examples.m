@@ -89,7 +89,7 @@ end
 ## Hoeken's four-bar: loop and energies by complex numbers, acceleration from J(th) th'' + J'
 ## th'^2/2 + V' = 0
 function four_bar ()
-  m = gsmbp_build ("four_bar");
+  m = example_model ("four_bar");
   gsmbp_check ("four-bar: mobility 1", m.mobility.true == 1);
   w = 3;
   for th = [0.2 1.5 3 5]
@@ -127,7 +127,7 @@ end
 
 ## Andrews' squeezer: published first accelerations, 27 digits at 0.03 s
 function andrews ()
-  m = gsmbp_build ("andrews");
+  m = example_model ("andrews");
   tab = dlmread (fullfile (fileparts (mfilename ("fullpath")), "..", "data", ...
                            "04_andrews_squeezer", "reference.csv"), ",", 1, 0);
   x0 = gsmbp_assemble (m, tab(1,2:15)', "hold", "beta");
@@ -145,7 +145,7 @@ end
 ## Bricard's six-bar: sin q1 + sin q2 + sin q1 sin q2 = 0, hinges by rotations, acceleration from
 ## the one freedom
 function bricard ()
-  m = gsmbp_build ("bricard");
+  m = example_model ("bricard");
   gsmbp_check ("Bricard: Gruebler 0, true mobility 1", ...
                m.mobility.gruebler == 0 && m.mobility.true == 1);
   w = 1.3;
@@ -200,7 +200,7 @@ end
 ## Stewart platform: strokes of a pose, forces of legs without mass from the platform's balance,
 ## against the loops and their multipliers
 function stewart ()
-  m = gsmbp_build ("stewart");
+  m = example_model ("stewart");
   gsmbp_check ("Stewart: mobility 6", m.mobility.true == 6);
   p = m.par;
   at = @(v, k) turn_about (3, 2*pi/3*k) * [v; 0];
