@@ -59,7 +59,10 @@ function list = gsmbp_catalogue (kind, file)
     file = gsmbp__place ("share", "catalogue", [kind ".csv"]);
   endif
   gsmbp__fits (who, "argument file", file, "text");
-  [lines, numbers] = read_lines (who, file);
+  [lines, numbers] = gsmbp__csv_lines (who, file);
+  if (isempty (lines))
+    error ("%s: %s: expected a line with the heads of the columns, found none", who, file);
+  endif
   fields = gsmbp__catalogue_fields (kind);
   [place, factor] = heads (who, file, numbers(1), lines{1}, fields);
   [list, names] = deal ([], {});
@@ -76,45 +79,22 @@ function list = gsmbp_catalogue (kind, file)
   endif
 endfunction
 
-## the lines that are no remarks, and their numbers
-function [lines, numbers] = read_lines (who, file)
-  [f, reason] = fopen (file, "r");
-  if (f < 0)
-    error ("%s: cannot read %s: %s", who, file, reason);
-  endif
-  text = fread (f, Inf, "uint8=>char")';
-  fclose (f);
-  if (strncmp (text, "\357\273\277", 3))   # the mark of UTF-8
-    text(1:3) = [];
-  endif
-  lines = strtrim (strsplit (strrep (text, "\r", ""), "\n"));
-  numbers = find (! cellfun (@(l) isempty (l) || l(1) == "#", lines));
-  lines = lines(numbers);
-  if (isempty (lines))
-    error ("%s: %s: expected a line with the heads of the columns, found none", who, file);
-  endif
-endfunction
-
 ## the column of each field (the name first; 0: not there) and its factor to SI units
 function [place, factor] = heads (who, file, number, line, fields)
   known = [{"name"}; fields(:,1)]';
   [place, factor] = deal (zeros (1, numel (known)), ones (1, numel (known)));
-  cells = strtrim (strsplit (line, ",", "CollapseDelimiters", false));
-  for c = 1:numel (cells)
+  [names, units] = gsmbp__csv_heads (line);
+  for c = 1:numel (names)
     at = sprintf ("%s: line %d, column %d", file, number, c);
-    token = regexp (cells{c}, '^([^\[]*?)\s*(?:\[(.*)\])?$', "tokens", "once");
-    if (isempty (token))
-      token = {cells{c}};
-    endif
-    k = find (strcmp (known, token{1}));
+    k = find (strcmp (known, names{c}));
     if (isempty (k))
-      error ("%s: %s: unknown column %s", who, at, gsmbp__unknown (token{1}, known));
+      error ("%s: %s: unknown column %s", who, at, gsmbp__unknown (names{c}, known));
     elseif (place(k) > 0)
-      error ("%s: %s: the column %s is there twice", who, at, token{1});
+      error ("%s: %s: the column %s is there twice", who, at, names{c});
     endif
     place(k) = c;
-    if (numel (token) > 1 && ! isempty (token{2}) && k > 1)
-      factor(k) = unit_factor (who, sprintf ("%s, %s", at, token{1}), token{2}, fields{k-1,2});
+    if (! isempty (units{c}) && k > 1)
+      factor(k) = unit_factor (who, sprintf ("%s, %s", at, names{c}), units{c}, fields{k-1,2});
     endif
   endfor
   needed = [true; cellfun(@(d) isnumeric (d) && isnan (d), fields(:,3))]';

@@ -8,9 +8,9 @@ function [most, errors] = gsmbp__collocation_errors (m, s)
   at = [-0.8611363115940526, -0.3399810435848563, 0.3399810435848563, 0.8611363115940526];
   weight = [0.3478548451374538, 0.6521451548625461, 0.6521451548625461, 0.3478548451374538] / 2;
   at = (1 + at) / 2;
-  [L, S] = lagrange (c.mesh.rule.c, at);
-  f = rates (s);
-  m = of_parameters (m, c, s);
+  [L, S] = gsmbp__lagrange (c.mesh.rule.c, at);
+  f = gsmbp__collocation_rates (c, s.F, s.ud);
+  m = gsmbp__collocation_model (m, c, s.parameters);
   n = columns (c.left);
   errors = zeros (c.d.nx, n);
   T = s.T(c.mesh.breaks(1,:));
@@ -29,31 +29,4 @@ function [most, errors] = gsmbp__collocation_errors (m, s)
   errors(! isfinite (errors)) = Inf;
   errors = max (errors ./ (1 + max (abs (s.x), [], 2)), [], 1);
   most = max (errors);
-endfunction
-
-function m = of_parameters (m, c, s)
-  if (c.np > 0)
-    m = gsmbp_set (m, [c.parameters(:)'; num2cell(s.parameters(:)')](:){:});
-  endif
-endfunction
-
-function f = rates (s)
-  c = s.c;
-  f = zeros (c.d.nx, c.K);
-  l = find (c.rate);
-  f(l,:) = s.F(c.rate(l),:);
-  f(c.speed,:) = s.ud;
-endfunction
-
-## the polynomials that are 1 at one of the places C and 0 at the others, at the places X, and their
-## integrals from 0
-function [L, S] = lagrange (c, x)
-  n = numel (c);
-  L = S = zeros (n, numel (x));
-  for k = 1:n
-    p = poly (c([1:k-1, k+1:n]));
-    p /= polyval (p, c(k));
-    L(k,:) = polyval (p, x);
-    S(k,:) = polyval (polyint (p), x);
-  endfor
 endfunction

@@ -25,18 +25,9 @@ function s = ahead (c, s)
     return;
   endif
   q = c.stage(:,1);
-  w = weights_at (c.mesh.rule.c, 0);
+  w = gsmbp__lagrange (c.mesh.rule.c, 0);
   for name = {"v", "ud", "lambda"}
     s.(name{1})(:,1) = s.(name{1})(:,q) * w;
-  endfor
-endfunction
-
-function w = weights_at (at, x)
-  n = numel (at);
-  w = ones (n, 1);
-  for k = 1:n
-    others = at([1:k-1, k+1:n]);
-    w(k) = prod ((x - others) ./ (at(k) - others));
   endfor
 endfunction
 

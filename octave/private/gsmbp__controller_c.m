@@ -83,30 +83,8 @@ endfunction
 ## a statement for each term
 function lines = sum_of (to, terms)
   lines = {};
-  if (isempty (terms))
-    lines = {sprintf("%s = 0.0;", to)};
-  endif
-  for k = 1:rows (terms)
-    [f, name] = terms{k,:};
-    if (isempty (name))
-      text = number (f);
-    elseif (f == 1)
-      text = place (name);
-    elseif (f == -1)
-      text = ["-" place(name)];
-    else
-      text = [number(f) " * " place(name)];
-    endif
-    if (k == 1 && strcmp (text, to))
-      continue;
-    endif
-    sign_ = {"+=", "-="}{1 + (text(1) == "-" && k > 1)};
-    if (k == 1)
-      sign_ = "=";
-    elseif (text(1) == "-")
-      text = text(2:end);
-    endif
-    lines{end+1} = sprintf ("%s %s %s;", to, sign_, text);
+  for part = gsmbp__controller_terms (to, terms, @number, @place, " * ")'
+    lines{end+1} = sprintf ("%s %s %s;", to, {[part{1} "="], "="}{1 + (part{1} == "=")}, part{2});
   endfor
 endfunction
 

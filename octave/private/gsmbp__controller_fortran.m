@@ -69,28 +69,11 @@ endfunction
 ## a line for each term
 function lines = sum_of (to, terms)
   lines = {};
-  if (isempty (terms))
-    lines = {sprintf("      %s = 0.0D0", to)};
-  endif
-  for k = 1:rows (terms)
-    [f, name] = terms{k,:};
-    if (isempty (name))
-      text = number (f);
-    elseif (f == 1)
-      text = place (name);
-    elseif (f == -1)
-      text = ["-" place(name)];
+  for part = gsmbp__controller_terms (to, terms, @number, @place, "*")'
+    if (part{1} == "=")
+      lines{end+1} = sprintf ("      %s = %s", to, part{2});
     else
-      text = [number(f) "*" place(name)];
-    endif
-    if (k == 1 && ! strcmp (text, to))
-      lines{end+1} = sprintf ("      %s = %s", to, text);
-    elseif (k == 1)
-      continue;
-    elseif (text(1) == "-")
-      lines{end+1} = sprintf ("      %s = %s - %s", to, to, text(2:end));
-    else
-      lines{end+1} = sprintf ("      %s = %s + %s", to, to, text);
+      lines{end+1} = sprintf ("      %s = %s %s %s", to, to, part{:});
     endif
   endfor
 endfunction

@@ -6,13 +6,13 @@
 
 function [q, u] = gsmbp__free_speeds (m, t, x, first)
   d = m.sizes;
-  [P, H] = rows_of (m, t, x);
-  u = leading (null_of (H), first);
+  [P, H] = gsmbp__constraint_rows (m, t, x);
+  u = leading (gsmbp__null_space (H), first);
   q = u;
   if (! (d.nq == d.nu && d.nlam == 0))
     pairs = d.nq == d.nu && rank (P, 1e-9) == rank (H, 1e-9);
     wanted = merge (pairs, u, first(first <= d.nq));
-    q = leading (null_of (P), wanted);
+    q = leading (gsmbp__null_space (P), wanted);
   endif
   kept = first(ismember (first, u));
   others_ = setdiff (1:d.nu, kept);
@@ -49,37 +49,12 @@ endfunction
 
 function [T, own] = tangent (m, t, x, q, u)
   d = m.sizes;
-  [P, H, K] = rows_of (m, t, x);
+  [P, H, K] = gsmbp__constraint_rows (m, t, x);
   own = [q, d.nq + u, d.nq + d.nu + 1:d.nx];
   N = null (K, 1e-9);
   T = [];
   if (columns (N) == numel (own) && rcond (N(own,:)) > 1e-6)
     T = N / N(own,:);
-  endif
-endfunction
-
-## the constraints by coordinates, by speeds, by states
-function [P, H, K] = rows_of (m, t, x)
-  d = m.sizes;
-  sets = m.orientation;
-  P = zeros (rows (sets), d.nq);
-  for k = 1:rows (sets)
-    P(k,sets(k,:)) = x(sets(k,:));
-  endfor
-  H = zeros (0, d.nu);
-  K = [P, zeros(rows (P), d.nx - d.nq)];
-  if (d.nlam > 0)
-    [DP, DV] = m.tan (t, x);
-    [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
-    P = [P; DP];
-    K = [K; DP, zeros(d.nlam, d.nx - d.nq); DV, H, zeros(d.nlam, d.nx - d.nq - d.nu)];
-  endif
-endfunction
-
-function N = null_of (H)
-  N = eye (columns (H));
-  if (rows (H) > 0)
-    N = null (H, 1e-9);
   endif
 endfunction
 
@@ -91,7 +66,7 @@ function k = leading (N, first)
       k(end+1) = i;
     endif
   endfor
-  Q = null_of (N(k,:));
+  Q = gsmbp__null_space (N(k,:));
   [~, ~, order] = qr ((N * Q)', "vector");
   k = sort ([k, order(1:columns (Q))]);
 endfunction

@@ -18,7 +18,7 @@ function [A, xd] = gsmbp__held (m, t, x, v, held)
   if (d.nlam > 0)
     [~, ~, H] = m.con (t, q, u);
   endif
-  N = null_of (H);
+  N = gsmbp__null_space (H);
   S = N / (N' * M * N) * N';   # accelerations by efforts
   W = S(:,h);
   effort = -W(h,:) \ xd(s(h));
@@ -51,11 +51,4 @@ function D = moved (m, t, x, v, w, M, H, S, effort, h)
   endfor
   up = -pinv (H) * (rate (w) - still);
   D = up - S * (R + M * up);
-endfunction
-
-function N = null_of (H)
-  N = eye (columns (H));
-  if (rows (H) > 0)
-    N = null (H, 1e-9);
-  endif
 endfunction

@@ -6,19 +6,7 @@
 
 function [T, independent] = gsmbp__tangent (who, m, t, x, names, held)
   d = m.sizes;
-  sets = m.orientation;
-  P = zeros (rows (sets), d.nq);
-  for k = 1:rows (sets)
-    P(k,sets(k,:)) = x(sets(k,:));
-  endfor
-  K = [P, zeros(rows (P), d.nx - d.nq)];
-  H = zeros (0, d.nu);
-  if (d.nlam > 0)
-    [DP, DV] = m.tan (t, x);
-    [~, ~, H] = m.con (t, x(1:d.nq), x(d.nq + (1:d.nu)));
-    P = [P; DP];
-    K = [K; DP, zeros(d.nlam, d.nx - d.nq); DV, H, zeros(d.nlam, d.nx - d.nq - d.nu)];
-  endif
+  [P, H, K] = gsmbp__constraint_rows (m, t, x);
   for pair = held'
     P(end+1,pair(1)) = 1;
     H(end+1,pair(2)) = 1;
