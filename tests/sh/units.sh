@@ -1,0 +1,26 @@
+# The units of tables that Octave reads are those of scenes: each word of library/units.mac has the
+# same factor to SI units and the same powers of kg, m, s, A, K in octave/private/gsmbp__unit.m.
+. tests/tools/check.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+share/make/maxima "$work/log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
+  with_stdout(\"$work/units\", for u in gs__unit_symbols() do block([e : gs__unit(u), f, n],
+    f : subst(map(lambda([r], first(r) = 1), gs__si_units), e),
+    n : apply(\"+\", cons([0, 0, 0, 0, 0], map(lambda([r], second(r)*hipow(e, first(r))),
+      gs__si_units))),
+    if not freeof(%pi, f) or numberp(f) then f : bfloat(f),
+    if u = 'rpm then n : [0, 0, -1, 0, 0],
+    print(u, float(f), simplode(n, \" \"))))\$"
+words=$(wc -l <"$work/units")
+check "Maxima tells its units: $words" test "$words" -gt 80
+cd octave/private || exit 1
+octave-cli -qf --no-history --eval "
+  f = fopen ('$work/units');
+  c = textscan (f, '%s %f %f %f %f %f %f');
+  for k = 1:numel (c{1})
+    word = c{1}{k};
+    [factor, powers, unknown] = gsmbp__unit (word);
+    wanted = [c{3}(k), c{4}(k), c{5}(k), c{6}(k), c{7}(k)];
+    good = isempty (unknown) && abs (factor / c{2}(k) - 1) < 1e-15 && isequal (powers, wanted);
+    printf ('%s %s\n', {'not ok', 'ok'}{1 + good}, word);
+  end"
