@@ -29,9 +29,10 @@
 ## @table @code
 ## @item "method"
 ## "dp853" (default): Dormand-Prince 8(5,3) with step control; "rk4": classical
-## Runge-Kutta with fixed step; "cvode": for stiff scenes, BDF with the exact
-## Jacobian (CVODE of SUNDIALS, Debian package libsundials-dev); "auto": dp853
-## that goes on with cvode where its steps are found to be bound by stability
+## Runge-Kutta with fixed step; for stiff scenes "radau": collocation of Radau, IIA, of
+## the orders 5, 9 and 13 with the exact Jacobian, and "cvode": BDF with it (CVODE of
+## SUNDIALS, Debian package libsundials-dev); "auto": dp853 that goes on with radau
+## where its steps are found to be bound by stability
 ## @item "step"
 ## rk4: the step [s], default 1e-3 (shortened so that whole steps lead to each
 ## output time); else the first step, default automatic
@@ -44,8 +45,9 @@
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
 ## @item "maxorder"
-## cvode: the largest order, 1 to 5 (default).  Above 2 BDF is unstable for fast
-## oscillations with hardly any damping: where cvode takes steps as small as these
+## radau: the largest order, 5, 9 or 13 (default); cvode: 1 to 5 (default).  Above 2 BDF
+## is unstable for fast oscillations with hardly any damping: where cvode takes steps as
+## small as these
 ## although they have died out, take 2.
 ## @item "loops"
 ## the way of the loops (and of Euler parameters), a word of the table below
@@ -274,7 +276,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
             "(from 0 on: [0, %.15g])"], who, times, times);
   endif
   [m, way] = gsmbp__loop_way (who, o, m);
-  [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way);
+  [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
   [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
   if (isempty (o.motion))
@@ -291,8 +293,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
-  if (any (strcmp (method, {"cvode", "auto"})))
-    library = gsmbp__cvode (who, m);
+  if (any (strcmp (method, {"cvode", "radau", "auto"})))
+    library = gsmbp__implicit_library (who, m, strrep (method, "auto", "radau"));
   endif
   guess = zeros (d.nu, 1);
   if (d.nq == d.nu)
@@ -301,9 +303,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held] = ...
       m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, ...
                 [numel(times), numel(breaks)], iopt, ropt, atol, plan, ...
-                guess, callback, library, o.maxorder);
+                guess, callback, library, [order, ! isempty(m.internal)]);
   if (strcmp (method, "auto"))
-    method = {"dp853", "cvode"}{1 + (counts(14) > 0)};
+    method = {"dp853", "radau"}{1 + (counts(14) > 0)};
   endif
 
   reached = counts(5);
@@ -419,14 +421,14 @@ endfunction
 %! assert (r.stats.calls < 0.01 * e.stats.calls && strcmp (e.stats.stiff.state, "drive.i"));
 %!test <inputs are told from the left where they jump, at the end too>
 %! table = gsmbp_plan ("table", [0 0.5 1], [0 5 7], 0);
-%! for method = {"dp853", "rk4", "cvode"}(1:2 + gsmbp_has_sundials ())
+%! for method = {"dp853", "rk4", "radau", "cvode"}(1:3 + gsmbp_has_sundials ())
 %!   r = gsmbp_simulate (m, [0 0 0], [0 0.25 0.5 0.75 1], "input", table, "method", method{1});
 %!   assert (r.v', [0 0 0 5 5]);
 %! endfor
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <option method: expected one of "dp853", "rk4", "cvode", "auto", found "euler">
+%!error <option method: expected one of "dp853", "rk4", "cvode", "radau", "auto", found "euler">
 %! gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);

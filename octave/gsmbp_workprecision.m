@@ -12,7 +12,7 @@
 ## the shortest of several runs, divided by the simulated time.
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "dp853" (tolerances,
-## default 10.^-(4:2:14)), "cvode" (tolerances, default none);
+## default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none);
 ## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
@@ -52,7 +52,7 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
                           o.reference, "drift", false);
   span = times(end) - times(1);
   w = struct ([]);
-  for method = {"rk4", "dp853", "cvode"}
+  for method = {"rk4", "dp853", "cvode", "radau"}
     for step = o.(method{1})(:)'   # or tolerance
       w = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
     endfor
@@ -72,6 +72,7 @@ function [o, rest] = read_options (pairs)
   table = {"rk4", 10 .^ -(2:0.5:4), "numbers"
            "dp853", 10 .^ -(4:2:14), "numbers"
            "cvode", [], "numbers"
+           "radau", [], "numbers"
            "print", true, "flag"
            "file", "", "text"
            "seconds", 0.1, "nonnegative"
@@ -80,7 +81,7 @@ function [o, rest] = read_options (pairs)
   measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
   if (! isempty (measured))
     error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
-            "\"rk4\", \"dp853\", \"cvode\""], who, measured{1});
+            "\"rk4\", \"dp853\", \"cvode\", \"radau\""], who, measured{1});
   endif
   own = ismember (names, table(:,1));
   known = sort ([table(:,1); gsmbp__simulate_options(false)(:,1)])';
@@ -98,7 +99,7 @@ function [folder, build] = folders (m)
 endfunction
 
 function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
-  name = struct ("rk4", "step", "dp853", "rtol", "cvode", "rtol").(method);
+  name = struct ("rk4", "step", "dp853", "rtol", "cvode", "rtol", "radau", "rtol").(method);
   options = [rest, {"method", method, name, step, "drift", false}];
   [r, info] = gsmbp_simulate (m, x0, times, options{:});
   best = r.stats.seconds;
@@ -141,7 +142,7 @@ function figure_of (file, m, w)
     of = strcmp ({w.method}, methods{k});
     y(of,k) = max ([w(of).error]', 1e-17);
   endfor
-  labels = struct ("rk4", "RK4", "dp853", "DOP853", "cvode", "CVODE");
+  labels = struct ("rk4", "RK4", "dp853", "DOP853", "cvode", "CVODE", "radau", "Radau IIA");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
   gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", ...
                                "largest error [rad, m]", "style", ...

@@ -24,7 +24,7 @@
 #include <dlfcn.h>
 
 #include "gsmbp_scene.h"
-#include "gsmbp_cvode.h"
+#include "gsmbp_implicit.h"
 
 #if defined (GSMBP_QUAD)
 # include <quadmath.h>

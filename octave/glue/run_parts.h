@@ -203,16 +203,18 @@ events (run_plan& plan, int nx)
 }
 
 #if ! defined (GSMBP_QUAD)
-// the run by CVODE, in a library of its own
+// the run by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
 static int
-run_cvode (const std::string& library, const gsmbp_run& r)
+run_implicit (const std::string& library, const gsmbp_run& r)
 {
   static gsmbp_run_function *run = nullptr;
   static std::string loaded;
   if (loaded != library)
     {
+      std::string name = library.substr (library.rfind ("libgsmbp_") + 3);
+      name.resize (name.rfind (".so"));
       void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
-      void *address = handle ? dlsym (handle, "gsmbp_cvode") : nullptr;
+      void *address = handle ? dlsym (handle, name.c_str ()) : nullptr;
       if (! address)
         error ("gsmbp_simulate: cannot load %s: %s", library.c_str (), dlerror ());
       run = reinterpret_cast<gsmbp_run_function *> (address);

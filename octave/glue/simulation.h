@@ -27,7 +27,7 @@ struct simulation
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of CVODE; "": GSSIM alone
-  int order;             // the largest one of CVODE
+  std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too
 
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
 
@@ -44,7 +44,7 @@ private:
   void find_routines (void);
   void by_gssim (void);
 #if ! defined (GSMBP_QUAD)
-  void by_cvode (bool resume);
+  void by_implicit (bool resume);
 #endif
 };
 
@@ -68,7 +68,7 @@ simulation::simulation (arguments& a)
   reals guess = a.vector ("guess", S.nu);
   input = a.value ("input function");
   library = a.value ("library").string_value ();
-  order = a.integers ("largest order", 1)[0];
+  implicit = a.integers ("largest order, inputs of state", 2);
   plan->due_from (double (t0), cst);
   if (carries ())
     with_run (*columns, *plan, cst, ropt[1], atol);
@@ -172,7 +172,7 @@ simulation::by_gssim (void)
 #if ! defined (GSMBP_QUAD)
 // from the start, or on from where GSSIM found its steps bound by stability
 void
-simulation::by_cvode (bool resume)
+simulation::by_implicit (bool resume)
 {
   const gsmbp_routine *jac = emitted ("jac");
   gsmbp_run r = gsmbp_run ();
@@ -203,7 +203,8 @@ simulation::by_cvode (bool resume)
   r.ny = S.ny;
   r.nlam = S.nlam;
   r.resume = resume;
-  r.order = order;
+  r.order = implicit[0];
+  r.of_state = implicit[1];
   r.t0 = t0;
   r.x0 = &x0[0];
   r.nt = nt;
@@ -225,7 +226,7 @@ simulation::by_cvode (bool resume)
   r.w = &w[0];
   r.text = &text[0];
   r.length = int (text.size ());
-  info = run_cvode (library, r);
+  info = run_implicit (library, r);
 }
 #endif
 
@@ -238,7 +239,7 @@ simulation::integrate (void)
     by_gssim ();
 #if ! defined (GSMBP_QUAD)
   if (stiff || info == 5)   // found to be bound by stability
-    by_cvode (! stiff);
+    by_implicit (! stiff);
 #endif
   seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
 }

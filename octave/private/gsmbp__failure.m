@@ -1,6 +1,6 @@
 ## text = gsmbp__failure (m, info, counts, values, said, last)
-## Why a run of the model M ended: INFO, ISTAT (COUNTS) and RSTAT (VALUES) of GSSIM, what CVODE
-## SAID, and the LAST state, a struct with x and v (empty where there is none).
+## Why a run of the model M ended: INFO, ISTAT (COUNTS) and RSTAT (VALUES) of GSSIM, what its
+## method SAID, and the LAST state, a struct with x and v (empty where there is none).
 
 function text = gsmbp__failure (m, info, counts, values, said, last)
   at = sprintf ("at t = %.9g s", values(8));
@@ -23,9 +23,10 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
     case 6
-      text = sprintf ("CVODE stopped %s with flag %d: %s", at, counts(19), said);
+      by = {"the method", "CVODE"}{1 + ! isempty (said)};
+      text = sprintf ("%s stopped %s with flag %d: %s", by, at, counts(19), said);
     case 7
-      text = "there was no memory for CVODE";
+      text = "there was no memory for the method";
     case 8
       text = ["a rate of the states is not finite " at];
     otherwise

@@ -1,15 +1,16 @@
-## [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way)
+## [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way)
 ## The arrays IOPT and ROPT of share/fortran/integrate/gssim.f, the absolute tolerances and the
-## method.  O: the options of gsmbp_simulate, D: the sizes of the model M, WAY: of the loops.
+## method, the largest order.  O: the options of gsmbp_simulate, D: the sizes of the model M,
+## WAY: of the loops.
 
-function [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way)
-  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "auto", 9);
+function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way)
+  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "radau", 0, "auto", 9);
   if (! (ischar (o.method) && isfield (methods, o.method)))
-    error ("%s: method must be \"dp853\", \"rk4\", \"cvode\" or \"auto\", found %s", who, ...
-           gsmbp__shown (o.method));
+    error (["%s: method must be \"dp853\", \"rk4\", \"cvode\", \"radau\" or \"auto\", " ...
+            "found %s"], who, gsmbp__shown (o.method));
   endif
   method = o.method;
-  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "auto"})))
+  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "radau", "auto"})))
     error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
            m.name);
   endif
@@ -28,13 +29,23 @@ function [iopt, ropt, atol, method] = gsmbp__integration (who, o, d, m, way)
     error ("%s: option step: expected a number above 0, found 0", who);
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
-  if (! (isnumeric (o.maxorder) && isscalar (o.maxorder) && any (o.maxorder == 1:5)))
-    error ("%s: option maxorder: expected 1, 2, 3, 4 or 5, found %s", who, ...
-           gsmbp__shown (o.maxorder));
-  endif
+  order = maxorder (who, o.maxorder, method);
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
   endif
   iopt = [methods.(method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
   ropt = [o.step, o.rtol, o.maxstep];
+endfunction
+
+## what the implicit methods have: BDF the orders 1 to 5, collocation of Radau three
+function order = maxorder (who, order, method)
+  orders = {1:5, [5, 9, 13]}{1 + strcmp (method, "radau")};
+  if (isempty (order))
+    order = orders(end);
+  endif
+  if (! (isnumeric (order) && isscalar (order) && any (order == orders)))
+    error ("%s: option maxorder: expected one of %s, found %s", who, ...
+           strjoin (arrayfun (@num2str, orders, "uniformoutput", false), ", "), ...
+           gsmbp__shown (order));
+  endif
 endfunction

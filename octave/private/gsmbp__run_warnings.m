@@ -38,9 +38,9 @@ function gsmbp__run_warnings (who, m, s)
              strjoin ({s.lost.name}, ", "), one.time, one.event, one.text);
   endif
   f = s.stiff;
-  remedy = "take method \"cvode\", or a reduced variant of the actuator that is so fast";
+  remedy = "take method \"radau\", or a reduced variant of the actuator that is so fast";
   if (! isnan (f.time) && any (strcmp (regexprep (f.state, '_d$', ""), of_modes (m))))
-    remedy = "leave that mode of a flexible link out, or take method \"cvode\"";
+    remedy = "leave that mode of a flexible link out, or take method \"radau\"";
   endif
   if (strcmp (s.method, "rk4") && ! isnan (f.time))
     warning ("gsmbp:stiff", ["%s: %s: at t = %.6g s the step of rk4, %.3g s, is beyond its " ...

@@ -2,13 +2,13 @@
 ## The options of gsmbp_simulate: name, default (DRIFT for "drift"), kind.
 
 function table = gsmbp__simulate_options (drift)
-  table = {"method", "dp853", {"dp853", "rk4", "cvode", "auto"}
+  table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "auto"}
            "step", [], "nonnegative"
            "rtol", 1e-10, "tolerance"
            "atol", [], "any"
            "maxstep", 0, "nonnegative"
            "maxsteps", 0, "whole"
-           "maxorder", 5, [1, 5]
+           "maxorder", [], "any"
            "loops", "", "any"
            "projection", [], "flag"
            "drift", drift, "flag"

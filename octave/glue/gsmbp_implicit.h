@@ -1,8 +1,9 @@
-/* A run by CVODE: what the generic part of a module hands to the library of gsmbp_cvode.c, which is
-   built when method "cvode" is first asked for, so that nothing else needs SUNDIALS. Everything but
-   the members said below means what the argument of GSSIM with that name means. */
-#ifndef GSMBP_CVODE_H
-#define GSMBP_CVODE_H
+/* A run by an implicit method: what the generic part of a module hands to the library of
+   gsmbp_cvode.c or gsmbp_radau.c, which is built when its method is first asked for, so that
+   nothing else needs SUNDIALS. Everything but the members said below means what the
+   argument of GSSIM with that name means. */
+#ifndef GSMBP_GLUE_RUN_H
+#define GSMBP_GLUE_RUN_H
 #include "gsmbp_scene.h"
 #ifdef __cplusplus
 extern "C" {
@@ -14,7 +15,8 @@ typedef struct
       gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue; /* of the run time */
   int nq, nu, nx, nv, ny, nlam;
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
-      order;        /* the largest order of BDF, 1 to 5 */
+      of_state,     /* 1: the inputs of a planned motion follow states of devices as well */
+      order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13 */
   double t0, *x0;
   int nt, nb;
   double *tout, *tbrk;
@@ -30,9 +32,9 @@ typedef struct
   int length;       /* room in TEXT */
 } gsmbp_run;
 
-/* INFO as GSSIM, or 6 if CVODE failed, 7 if there was no memory */
+/* INFO as GSSIM, or 6 if the method failed, 7 if there was no memory */
 typedef int gsmbp_run_function (const gsmbp_run *);
-extern gsmbp_run_function gsmbp_cvode;
+extern gsmbp_run_function gsmbp_cvode, gsmbp_radau;
 #ifdef __cplusplus
 }
 #endif

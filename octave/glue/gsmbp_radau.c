@@ -1,0 +1,559 @@
+/* Collocation of Radau, IIA, of the orders 5, 9 and 13 with the emitted Jacobian, as a method of
+   implicit.c: for stiff scenes and small errors.
+
+   The stages of a step, Z(I) = X(I) - X, solve F - INVERSE*Z/H = 0 by a simplified Newton method,
+   one real and some complex systems of NX equations a turn (radau_rule.h, radau_solve.h).  Error,
+   step and order are chosen as Hairer and Wanner do (Stiff differential equations solved by Radau
+   methods, J. Comput. Appl. Math. 111, 1999).  Output times are met by steps, since the polynomial
+   within a step is less accurate than its end. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "implicit.h"
+#include "gsmbp/inputs.h"
+#include "radau_rule.h"
+#include "radau_solve.h"
+
+enum { AGAIN = 1, FATAL = -1 };                     /* flags */
+enum { GOOD, SLOW, NO_STATE };                      /* of an attempt; -1: it is over */
+
+typedef struct
+{
+  int n, stages, newton_limit;
+  const radau_rule *rule;
+  double *scale, enough;                            /* of errors; of the turns beside them */
+  double *J, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
+  double complex *lus, *y;
+  int *pivots;
+  double factored;                                  /* the step of the factors, 0: there are none */
+  double theta, contraction;                        /* of the last turns of Newton's method */
+  int of_time, turns, past_stages;
+  int fresh, stale;                                 /* Jacobian: of this state; to be taken anew */
+  int first, after_rejection, quiet;                /* QUIET: steps without a change of order */
+  double past_h, wish, old_h, old_error;
+  long tests, jacobians, newton, diverged, projections;   /* rejected steps by cause, work */
+} radau;
+
+/* ------------------------------------------------------------
+ * tolerances and order */
+
+static void
+take_order (gs_run *s, int stages)
+{
+  radau *w = s->memory;
+  w->stages = stages;
+  w->rule = gsmbp_radau_rule (stages);
+  w->enough = fmax (10 * DBL_EPSILON / s->r->ropt[1], 0.02);
+  w->newton_limit = 7 + 5 * (stages - 3) / 2;
+  w->factored = 0;
+}
+
+/* what an error is measured by, at the state of the run */
+static void
+take_scale (gs_run *s)
+{
+  radau *w = s->memory;
+  for (int i = 0; i < w->n; i++)
+    w->scale[i] = 1 / (s->r->atol[i] + s->r->ropt[1] * fabs (s->x[i]));
+}
+
+static double
+norm (const radau *w, int columns, const double *d)
+{
+  double sum = 0;
+  for (int k = 0; k < columns; k++)
+    for (int i = 0; i < w->n; i++)
+      sum += pow (d[i + w->n * k] * w->scale[i], 2);
+  return sqrt (sum / (w->n * columns));
+}
+
+/* ------------------------------------------------------------
+ * one step */
+
+/* without the emitted Jacobian: by differences */
+static int
+differences (gs_run *s, double *J)
+{
+  radau *w = s->memory;
+  int n = w->n, info;
+  for (int j = 0; j < n; j++)
+    {
+      double old = s->x[j], h = sqrt (DBL_EPSILON * fmax (1e-5, fabs (old)));
+      memcpy (w->x1, s->x, sizeof (double) * n);
+      w->x1[j] = old + h;
+      if ((info = gs_rate (s, s->t, w->x1, J + (size_t) n * j)) != 0)
+        return info;
+      for (int i = 0; i < n; i++)
+        J[i + (size_t) n * j] = (J[i + (size_t) n * j] - w->f0[i]) / (w->x1[j] - old);
+    }
+  return 0;
+}
+
+static int
+take_jacobian (gs_run *s)
+{
+  radau *w = s->memory;
+  w->jacobians++;
+  w->fresh = 1;
+  w->stale = 0;
+  w->factored = 0;
+  return gs_has_jacobian (s) ? gs_jacobian (s, s->t, s->x, w->J) : differences (s, w->J);
+}
+
+/* the factors for the step H; 1: singular */
+static int
+factorize (radau *w, double h)
+{
+  size_t n = w->n;
+  if (fabs (h - w->factored) <= 1e-9 * h)
+    return 0;
+  w->factored = h;
+  int singular = gsmbp_real_factors (n, w->rule->root / h, w->J, w->lu, w->pivots);
+  for (int k = 0; k < w->rule->pairs; k++)
+    singular |= gsmbp_complex_factors (n, w->rule->roots[k] / h, w->J, w->lus + n * n * k,
+                                       w->pivots + n * (k + 1));
+  return singular;
+}
+
+/* X += what the polynomial of the last step is at AT, in its lengths, above its end, at AT = 1 */
+static void
+add_past (const radau *w, double at, double *x)
+{
+  int n = w->n, m = w->past_stages;
+  const double *c = gsmbp_radau_rule (m)->c;
+  for (int j = 1; j <= m; j++)
+    {
+      double weight = 1;
+      for (int k = 0; k <= m; k++)
+        if (k != j)
+          weight *= (at - c[k]) / (c[j] - c[k]);
+      weight -= j == m;
+      for (int l = 0; l < n; l++)
+        x[l] += weight * w->past[l + n * (j - 1)];
+    }
+}
+
+/* The stages as the polynomial of the step before goes on, or zero. */
+static void
+predict (radau *w, double h)
+{
+  memset (w->z, 0, sizeof (double) * w->n * w->stages);
+  for (int i = 0; w->past_stages > 0 && i < w->stages; i++)
+    add_past (w, 1 + w->rule->c[i + 1] * h / w->past_h, w->z + w->n * i);
+}
+
+/* the inputs at the stages, where they follow the time alone: once for all turns */
+static int
+stage_inputs (gs_run *s, double h)
+{
+  radau *w = s->memory;
+  int info = 0;
+  for (int i = 0; info == 0 && s->r->nv > 0 && i < w->stages; i++)
+    {
+      memcpy (w->v + s->r->nv * i, s->v, sizeof (double) * s->r->nv);
+      if (s->r->ip[GS_V0] != 0)
+        info = gs_inputs (s, s->t + w->rule->c[i + 1] * h, w->v + s->r->nv * i);
+    }
+  return info;
+}
+
+static int
+stage_rate (gs_run *s, int i, double h, const double *x, double *xd)
+{
+  radau *w = s->memory;
+  double t = s->t + w->rule->c[i + 1] * h;
+  return w->of_time ? gs_rate_by (s, t, x, w->v + s->r->nv * i, xd) : gs_rate (s, t, x, xd);
+}
+
+/* G: what the stages Z miss */
+static int
+defects (gs_run *s, double h)
+{
+  radau *w = s->memory;
+  const radau_rule *rule = w->rule;
+  int n = w->n;
+  for (int i = 0; i < w->stages; i++)
+    {
+      double *g = w->g + n * i;
+      for (int l = 0; l < n; l++)
+        w->x1[l] = s->x[l] + w->z[l + n * i];
+      int info = stage_rate (s, i, h, w->x1, g);
+      if (info != 0)
+        return info;
+      for (int j = 0; j < w->stages; j++)
+        for (int l = 0; l < n; l++)
+          g[l] -= rule->inverse[i][j] / h * w->z[l + n * j];
+    }
+  return 0;
+}
+
+/* DZ: the step of Newton's method */
+static void
+correct (radau *w)
+{
+  const radau_rule *rule = w->rule;
+  size_t n = w->n;
+  double *y0 = w->error;
+  memset (y0, 0, sizeof (double) * n);
+  for (int i = 0; i < w->stages; i++)
+    for (size_t l = 0; l < n; l++)
+      y0[l] += rule->left[i] * w->g[l + n * i];
+  gsmbp_real_solve (n, w->lu, w->pivots, y0);
+  for (int i = 0; i < w->stages; i++)
+    for (size_t l = 0; l < n; l++)
+      w->dz[l + n * i] = rule->right[i] * y0[l];
+  for (int k = 0; k < rule->pairs; k++)
+    {
+      memset (w->y, 0, sizeof (double complex) * n);
+      for (int i = 0; i < w->stages; i++)
+        for (size_t l = 0; l < n; l++)
+          w->y[l] += rule->lefts[k][i] * w->g[l + n * i];
+      gsmbp_complex_solve (n, w->lus + n * n * k, w->pivots + n * (k + 1), w->y);
+      for (int i = 0; i < w->stages; i++)
+        for (size_t l = 0; l < n; l++)
+          w->dz[l + n * i] += 2 * creal (rule->rights[k][i] * w->y[l]);
+    }
+}
+
+/* The stages of the step H.  SHRINK: by what the step is to be multiplied where they were not
+ * found. */
+static int
+stages (gs_run *s, double h, double *shrink)
+{
+  radau *w = s->memory;
+  double last = 0, ratio = 0;
+  w->contraction = pow (fmax (w->contraction, 0.2), 0.8);
+  w->theta = 0;
+  *shrink = 0.5;
+  predict (w, h);
+  int info = w->of_time ? stage_inputs (s, h) : 0;
+  if (info != 0)
+    return info < 0 ? -1 : NO_STATE;
+  for (w->turns = 1; w->turns <= w->newton_limit; w->turns++)
+    {
+      int left = w->newton_limit - w->turns;
+      if ((info = defects (s, h)) != 0)
+        return info < 0 ? -1 : NO_STATE;
+      correct (w);
+      w->newton++;
+      double size = norm (w, w->stages, w->dz);
+      if (! (size < 1e30))
+        return SLOW;
+      if (w->turns > 1)
+        {
+          double now = size / last;
+          w->theta = w->turns == 2 ? now : sqrt (now * ratio);
+          ratio = now;
+          if (w->theta >= 0.99)
+            return SLOW;
+          w->contraction = w->theta / (1 - w->theta);
+          double end = w->contraction * size * pow (w->theta, left) / w->enough;
+          if (end >= 1)
+            {
+              *shrink = 0.8 * pow (fmin (end, 20), -1.0 / (4 + left));
+              return SLOW;
+            }
+        }
+      last = fmax (size, DBL_EPSILON);
+      for (int i = 0; i < w->n * w->stages; i++)
+        w->z[i] += w->dz[i];
+      if (w->contraction * size <= w->enough)
+        return GOOD;
+    }
+  return SLOW;
+}
+
+/* the estimated error beside the tolerance */
+static int
+estimate (gs_run *s, double h, double *error)
+{
+  radau *w = s->memory;
+  const radau_rule *rule = w->rule;
+  int n = w->n;
+  double *sum = w->g, *e = w->error;
+  for (int l = 0; l < n; l++)
+    {
+      sum[l] = 0;
+      for (int i = 0; i < w->stages; i++)
+        sum[l] += rule->root / h * rule->estimate[i] * w->z[l + n * i];
+      e[l] = w->f0[l] + sum[l];
+    }
+  gsmbp_real_solve (n, w->lu, w->pivots, e);
+  *error = fmax (norm (w, 1, e), 1e-10);
+  if (*error < 1 || ! (w->first || w->after_rejection))
+    return 0;
+  for (int l = 0; l < n; l++)
+    w->x1[l] = s->x[l] + e[l];
+  int info = gs_rate (s, s->t, w->x1, e);
+  if (info != 0)
+    return info;
+  for (int l = 0; l < n; l++)
+    e[l] += sum[l];
+  gsmbp_real_solve (n, w->lu, w->pivots, e);
+  *error = fmax (norm (w, 1, e), 1e-10);
+  return 0;
+}
+
+/* ------------------------------------------------------------
+ * from step to step */
+
+/* the step to be taken where H is wished: to STOP (TO, else it is HUGE_VAL), or half way to it */
+static double
+landing (const gs_run *s, double h, double *to)
+{
+  double way = s->stop - s->t;
+  *to = h >= way * (1 - 1e-10) ? s->stop : HUGE_VAL;
+  return h >= way * (1 - 1e-10) ? way : fmin (h, way / 2);
+}
+
+/* the length of the next step after one of H with the error ERROR */
+static double
+next_length (const radau *w, double h, double error)
+{
+  double limit = 2 * w->newton_limit, safe = 0.9 * fmin (1, (1 + limit) / (w->turns + limit)),
+         power = 1.0 / (w->stages + 1), by = safe * pow (error, -power);
+  if (error < 1 && w->old_h > 0)   /* as the errors of two steps foresee it */
+    by = fmin (by, 0.9 * h / w->old_h * pow (w->old_error / (error * error), power));
+  return h * fmin (8, fmax (0.2, by));
+}
+
+/* Order: up where the iteration hardly needs its second turn and steps do not change much, down
+ * where it is slow. */
+static void
+next_order (gs_run *s, double growth)
+{
+  radau *w = s->memory;
+  if (w->quiet > 0)
+    w->quiet--;
+  else if (w->turns > 1 && w->theta >= 0.8 && w->stages > 3)
+    {
+      take_order (s, w->stages - 2);
+      w->quiet = 10;
+    }
+  else if ((w->turns == 1 || w->theta <= 0.002) && growth > 0.8 && growth < 1.2
+           && 2 * w->stages + 3 <= s->r->order)
+    take_order (s, w->stages + 2);
+}
+
+/* The step H, to TO or by its length, is good: what the next one begins with.  Factors may stay
+ * where the iteration is quick and the step would hardly be longer. */
+static void
+keep (gs_run *s, double h, double to, double error)
+{
+  radau *w = s->memory;
+  double *swap = w->past, wish = next_length (w, h, error), growth = wish / h;
+  w->past = w->z;
+  w->z = swap;
+  w->past_stages = w->stages;
+  w->past_h = h;
+  w->old_h = h;
+  w->old_error = fmax (error, 1e-2);
+  w->fresh = 0;
+  w->stale = w->theta > 1e-3;
+  s->t = to < HUGE_VAL ? to : s->t + h;
+  s->h = h;
+  if (to < HUGE_VAL)
+    wish = fmax (wish, w->wish);
+  else if (! w->stale && growth >= 1 && growth <= 1.2)
+    wish = h;
+  w->wish = s->next = wish;
+  if (! w->first)
+    next_order (s, growth);
+  w->first = w->after_rejection = 0;
+}
+
+/* The step H was not good: one BY times as long, with a Jacobian of its state if ANEW. */
+static int
+again (gs_run *s, double h, double by, int anew)
+{
+  radau *w = s->memory;
+  w->wish = h * by;
+  w->after_rejection = 1;
+  if (w->wish <= 16 * DBL_EPSILON * fabs (s->t) || w->wish < 1e-300)
+    return GS_TOO_SMALL;
+  return anew && ! w->fresh && take_jacobian (s) != 0 ? FATAL : AGAIN;
+}
+
+/* after stages that were not found */
+static int
+diverged (gs_run *s, double h, double by, int outcome)
+{
+  radau *w = s->memory;
+  w->diverged++;
+  if (w->stages > 3 && w->theta >= 0.99)
+    {
+      take_order (s, w->stages - 2);
+      w->quiet = 10;
+    }
+  return again (s, h, by, outcome == SLOW);
+}
+
+/* X1: the end of the step H, at TO or by its length, on the constraints */
+static int
+end_of_step (gs_run *s, double h, double to)
+{
+  radau *w = s->memory;
+  double *end = w->error;
+  for (int l = 0; l < w->n; l++)
+    w->x1[l] = s->x[l] + w->z[l + w->n * (w->stages - 1)];
+  if (! gs_projects (s->r))
+    return 0;
+  int info = gs_moved (s, to < HUGE_VAL ? to : s->t + h, w->x1, end);
+  memcpy (w->x1, end, sizeof (double) * w->n);
+  return info;
+}
+
+/* one step of the length that is wished, if it is good; 0, a flag or AGAIN */
+static int
+attempt (gs_run *s)
+{
+  radau *w = s->memory;
+  double most = s->r->ropt[2] > 0 ? s->r->ropt[2] : HUGE_VAL,
+         to, by, error, h = landing (s, fmin (w->wish, most), &to);
+  if (factorize (w, h))
+    return again (s, h, 0.5, 0);
+  int info = stages (s, h, &by);
+  if (info != GOOD)
+    return info < 0 ? FATAL : diverged (s, h, by, info);
+  info = estimate (s, h, &error);
+  if (info < 0)
+    return FATAL;
+  if (info > 0 || ! (error < 1))
+    {
+      w->tests++;
+      return again (s, h, info > 0 ? 0.5 : w->first ? 0.1 : next_length (w, h, error) / h, 1);
+    }
+  if ((info = end_of_step (s, h, to)) != 0)
+    {
+      w->projections++;
+      return info < 0 ? FATAL : again (s, h, 0.25, 0);
+    }
+  keep (s, h, to, error);
+  return 0;
+}
+
+static int
+step (gs_run *s)
+{
+  radau *w = s->memory;
+  take_scale (s);
+  if (gs_rate (s, s->t, s->x, w->f0) != 0)
+    return GS_NO_RATES;
+  if (w->stale && take_jacobian (s) != 0)
+    return FATAL;
+  int outcome = AGAIN;
+  while (outcome == AGAIN)
+    outcome = attempt (s);
+  s->y = w->x1;
+  return outcome;
+}
+
+/* ------------------------------------------------------------
+ * the method */
+
+static int
+open_ (gs_run *s)
+{
+  size_t n = s->r->nx, m = n * STAGES;
+  radau *w = s->memory = calloc (1, sizeof (radau));
+  if (! w)
+    return 0;
+  w->n = n;
+  w->J = calloc (2 * n * n + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
+  w->lus = calloc (PAIRS * n * n + n, sizeof (double complex));
+  w->pivots = calloc (n * (PAIRS + 1), sizeof (int));
+  if (! w->J || ! w->lus || ! w->pivots)
+    return 0;
+  w->lu = w->J + n * n;
+  w->z = w->lu + n * n;
+  w->g = w->z + m;
+  w->dz = w->g + m;
+  w->past = w->dz + m;
+  w->f0 = w->past + m;
+  w->error = w->f0 + n;
+  w->x1 = w->error + n;
+  w->scale = w->x1 + n;
+  w->v = w->scale + n;
+  w->y = w->lus + PAIRS * n * n;
+  return 1;
+}
+
+static void
+close_ (gs_run *s)
+{
+  radau *w = s->memory;
+  if (! w)
+    return;
+  free (w->J);
+  free (w->lus);
+  free (w->pivots);
+  free (w);
+}
+
+/* a first step that changes the state by a hundredth of it */
+static int
+restart (gs_run *s)
+{
+  radau *w = s->memory;
+  take_scale (s);
+  w->first = 1;
+  w->of_time = gs_inputs_of_time (s);
+  w->past_stages = w->quiet = w->after_rejection = w->stale = 0;
+  w->contraction = 1;
+  w->old_h = 0;
+  if (gs_rate (s, s->t, s->x, w->f0) != 0)
+    return GS_NO_RATES;
+  if (take_jacobian (s) != 0)
+    return FATAL;
+  double rate = norm (w, 1, w->f0);
+  w->wish = rate > 0 ? 0.01 * fmax (norm (w, 1, s->x), 1) / rate : 1e-6;
+  return 0;
+}
+
+static int
+begin (gs_run *s)
+{
+  radau *w = s->memory;
+  take_order (s, s->r->order >= 9 && s->r->ropt[1] < 1e-6 ? 5 : 3);
+  int flag = restart (s);
+  if (s->r->ropt[0] > 0 && ! s->r->resume)
+    w->wish = s->r->ropt[0];
+  return flag;
+}
+
+static int
+between (gs_run *s, double t, double *x)
+{
+  const radau *w = s->memory;
+  memcpy (x, s->x, sizeof (double) * w->n);
+  add_past (w, 1 + (t - s->t) / w->past_h, x);
+  return 0;
+}
+
+static long
+rejected (gs_run *s)
+{
+  return ((radau *) s->memory)->tests;
+}
+
+static void
+count (gs_run *s)
+{
+  radau *w = s->memory;
+  int *istat = s->r->istat;
+  istat[2] += w->tests + w->diverged + w->projections;
+  istat[11] += w->projections;
+  istat[15] += w->jacobians;
+  istat[16] += w->newton;
+  istat[17] += w->diverged;
+  w->tests = w->diverged = w->projections = w->jacobians = w->newton = 0;
+}
+
+int
+gsmbp_radau (const gsmbp_run *r)
+{
+  static const gs_method collocation
+    = { open_, close_, begin, restart, step, between, rejected, count };
+  return gs_implicit_run (r, &collocation);
+}

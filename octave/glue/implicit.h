@@ -1,0 +1,62 @@
+/* Inside a library of an implicit method: the run (implicit.c), which every method shares, and what
+   a method is to it (gsmbp_cvode.c, gsmbp_radau.c). */
+#ifndef GSMBP_GLUE_IMPLICIT_H
+#define GSMBP_GLUE_IMPLICIT_H
+#include <stddef.h>
+#include "gsmbp_implicit.h"
+
+enum { INPUTS = 1, RHS, PRJ, CON, PARTITION, BEGINNING = 8 };   /* ISTAT(7) */
+/* INFO */
+enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_RATES };
+
+typedef struct gs_run gs_run;
+
+/* flags: no step, however short, is good; the rates at the state of the run are no numbers */
+enum { GS_TOO_SMALL = -1000, GS_NO_RATES };
+
+/* A method.  What begins and what steps gives a flag, below zero where it failed. */
+typedef struct
+{
+  int (*open) (gs_run *);              /* its memory; 0: there is none */
+  void (*close) (gs_run *);
+  int (*begin) (gs_run *);             /* at the time and state of the run */
+  int (*restart) (gs_run *);           /* the same, where the inputs have jumped */
+  int (*step) (gs_run *);              /* to STOP at most: T, Y, H, NEXT */
+  int (*between) (gs_run *, double t, double *x);   /* the state within the last step */
+  long (*rejected) (gs_run *);         /* steps that failed the test of their error */
+  void (*count) (gs_run *);            /* its statistics into ISTAT, then from zero */
+} gs_method;
+
+struct gs_run
+{
+  const gsmbp_run *r;
+  const gs_method *by;
+  void *memory;          /* the method's */
+  int side;              /* the limits of the inputs at STOP, a break, a sample or the end */
+  double stop, sample;   /* ... and the next sample */
+  int still;             /* steps in succession that hardly move the time */
+  double t, h, next;     /* the last step's end, its length and that of the next */
+  const double *y;       /* the state there, as the method leaves it */
+  double *x, *trial, *between, *v, *p, *b, *c, *d, *dv;
+  int *project,
+      *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
+};
+
+extern int gs_all_finite (int n, const double *x);
+
+/* What a method calls; 0, above 0: a smaller step may do, below 0: it is over */
+extern int gs_rate (gs_run *s, double t, const double *x, double *xd);
+/* The same in two parts, where the inputs follow the time alone: V (NV) at T, and the rate by it */
+extern int gs_inputs_of_time (const gs_run *s);
+extern int gs_inputs (gs_run *s, double t, double *v);
+extern int gs_rate_by (gs_run *s, double t, const double *x, double *v, double *xd);
+extern int gs_jacobian (gs_run *s, double t, const double *x, double *A);   /* A: NX x NX */
+/* MOVED: X at T, which a step from the state of the run led to, moved onto the constraints */
+extern int gs_moved (gs_run *s, double t, const double *x, double *moved);
+/* is the emitted Jacobian that of the states? not if GSFUN completes them */
+extern int gs_has_jacobian (const gs_run *s);
+/* is the state moved onto constraints (or Euler parameters onto their sphere)? */
+extern int gs_projects (const gsmbp_run *r);
+
+extern int gs_implicit_run (const gsmbp_run *r, const gs_method *by);
+#endif
