@@ -61,6 +61,9 @@
 ## derivatives of L'*xd by states, inputs and these parameters, backwards (request @code{adjoint})
 ## @item P = m.inp (t, q, u, ud[, v])
 ## derivatives of the efforts of m.inv by these parameters
+## @item D = m.ilp (t, q, u, ud, v, taua, lam)
+## derivatives of what vanishes along a motion of a closed chain, the rows of m.inl, constraints,
+## their first and second rates, by q, u, ud, [taua; lam] and these parameters
 ## @item [P, info] = m.oup (t, x[, v])
 ## derivatives of the outputs by them, at a given state
 ## @item [P, R] = m.cop (t, x)

@@ -54,7 +54,8 @@
 ##
 ## Derivatives are exact where @var{m} was derived for its parameters (request
 ## @code{sensitivity(@dots{})}): states and outputs of runs with given inputs, equilibria,
-## positions, efforts of open chains; else differences of order 4, and @code{r.derivatives} says so.
+## positions, efforts along motions and positions, through loops too; else differences of order 4,
+## and @code{r.derivatives} says so.
 ##
 ## Options: "solver": "auto" (default), "slsqp", "mma", "cobyla" (NLopt, Debian package
 ## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or

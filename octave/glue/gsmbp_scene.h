@@ -39,7 +39,7 @@ typedef struct
   GSMBP_SIZES (GSMBP_SIZE)
   int np;            /* points of the skeleton */
   int nbase;         /* base parameters */
-  int nsp;           /* parameters of RHP, INP, OUP, COP */
+  int nsp;           /* parameters of RHP, INP, ILP, OUP, COP */
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const int *sets;   /* ... four numbers of coordinates each */

@@ -76,6 +76,8 @@ static const known_routine known[]
           "t x ?v cst >p(nx,nsp) ld >a(nx,nx) ld >b(nx,nv) ld >xd(nx) info", "" },
         { "adj", "adjoint", "t x v cst l(nx) >xb(nx) >vb(nv) >pb(nsp) info", "" },
         { "inp", "sensitivity", "t q u ud ?v cst >p(nu,nsp) ld", "" },
+        { "ilp", "sensitivity",
+          "t q u ud v cst taua(nact) lam(nlam) >d(nilp,milp) ld", "" },
         { "cop", "sensitivity", "t x cst >pp(nlam,nsp) ld >pv(nlam,nsp) ld", "" },
         { "oup", "sensitivity", "t x ?v cst >p(ny,nsp) ld info", "" },
         { "reg", "regressor", "t q u ud ?v cst >y(nu,nbase) ld >p(nbase) >r(nu)", "" },

@@ -14,13 +14,16 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
       possible = can ("x", "y", "v") && has ("rhp") && outputs && plain_run (m, c) ...
                  && (! loops || (has ("con", "tan", "cop") && m.sizes.nq == m.sizes.nu));
     case "inverse"
-      possible = ! loops && has ("inv", "lin", "inp") && m.sizes.nq == m.sizes.nu ...
-                 && (can ("tau") || (by_motion && can ("x", "tau"))) && isempty (c.options);
+      possible = m.sizes.nq == m.sizes.nu && isempty (c.options) ...
+                 && (can ("tau", "lambda") || (by_motion && can ("x", "tau", "lambda"))) ...
+                 && ((! loops && has ("inv", "lin", "inp")) ...
+                     || (has ("ilp") && plans_actuated (m, c)));
     case "rest"
       possible = can ("x", "y", "v", "extra") && has ("rhp", "jac") && outputs;
     case "positions"
       possible = outputs && m.sizes.nq == m.sizes.nu && ((! loops && can ("x", "y", "tau") ...
-                              && has ("lin", "inp")) || (can ("x", "y") && has ("tan", "cop")));
+                              && has ("lin", "inp")) || (can ("x", "y") && has ("tan", "cop")) ...
+                     || (can ("x", "y", "tau", "lambda") && has ("tan", "cop", "ilp")));
   endswitch
   known = {};
   if (isfield (m.json, "sensitivity"))
@@ -34,6 +37,15 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
   elseif (! all (exact))
     why = sprintf ("%s was not derived for %s (request sensitivity)", m.name, ...
                    strjoin ({free(! exact).name}, ", "));
+  endif
+endfunction
+
+## whether the motion is that of the actuated coordinates alone
+function yes = plans_actuated (m, c)
+  motion = c.args{1};
+  yes = gsmbp__of_values (motion);
+  if (! yes)
+    yes = prod (gsmbp__pp ("gsmbp_optimize", motion).dim) == m.sizes.nact;
   endif
 endfunction
 

@@ -70,6 +70,14 @@ function D = derivatives (P, m, c, R, p, by, held)
   [has, column] = ismember ({P.free.name}, cellstr (m.json.sensitivity));
   has &= by;
   D = struct ("x", zeros (K, d.nx, n), "y", zeros (K, d.ny, n), "tau", zeros (K, d.nu, n));
+  by_loops = d.nlam > 0 && isfield (R, "tau") && any (strcmp (m.subroutines, "ilp"));
+  if (d.nlam > 0)
+    D = rmfield (D, "tau");
+  endif
+  if (by_loops)
+    D.tau = zeros (K, d.nact, n);
+    D.lambda = zeros (K, d.nlam, n);
+  endif
   for i = 1:K
     x = R.x(i,:)';
     dq = zeros (d.nq, n);
@@ -88,11 +96,25 @@ function D = derivatives (P, m, c, R, p, by, held)
       T = C * dq;
       T(:,has) += m.inp (0, x(1:d.nq), still, still)(:,column(has));
       D.tau(i,:,:) = reshape (T, 1, d.nu, n);
+    elseif (by_loops)
+      [T, L] = by_ilp (m, x, R.tau(i,:), R.lambda(i,:), dq, has, column);
+      D.tau(i,:,:) = reshape (T, 1, d.nact, n);
+      D.lambda(i,:,:) = reshape (L, 1, d.nlam, n);
     endif
   endfor
-  if (d.nlam > 0)
-    D = rmfield (D, "tau");
-  endif
+endfunction
+
+## efforts and multipliers of a closed chain at rest, whose coordinates change by DQ
+function [T, L] = by_ilp (m, x, tau, lam, dq, has, column)
+  d = m.sizes;
+  n = columns (dq);
+  P = zeros (numel (cellstr (m.json.sensitivity)), n);
+  P(sub2ind (size (P), column(has), find (has))) = 1;
+  planned = m.actuated(:)';
+  Q = zeros (numel (planned), 3, n);
+  Q(:,1,:) = reshape (dq(planned,:), numel (planned), 1, n);
+  motion = [x(1:d.nq), zeros(d.nu, 2)];
+  [~, T, L] = gsmbp__loop_slopes ("gsmbp_optimize", m, 0, motion, tau, lam, planned, Q, P);
 endfunction
 
 ## the coordinates that follow so that the loops stay closed

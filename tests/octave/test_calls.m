@@ -9,7 +9,8 @@ function test_calls ()
                 gsmbp_fixture("event_arm"), ...
             gsmbp_fixture("rolling_disc"), gsmbp_fixture("base_tree"), ...
                 gsmbp_fixture("trim_hydraulic"), gsmbp_fixture("points_bars"), ...
-                gsmbp_fixture("points_puma"), gsmbp_fixture("sensitivity_crank")};
+                gsmbp_fixture("points_puma"), gsmbp_fixture("sensitivity_crank"), ...
+            gsmbp_fixture("sensitivity_belt")};
   called = {};
   for k = 1:numel (models)
     called = union (called, every_handle (models{k}));
@@ -41,6 +42,7 @@ function s = signatures ()
                     4}},
               "tan", {{"t x", 2}}, "prj", {{"t x", 2}}, "jac", {{"t x v", 2}},
               "rhp", {{"t x v", 2}}, "inp", {{"t q u ud v", 4}}, "oup", {{"t x v", 2}},
+              "ilp", {{"t q u ud v taua lam", 7}}, "evp", {{"t x v mode k", 5}},
               "adj", {{"t x v l", 4}},
               "cop", {{"t x", 2}}, "out", {{"t x v", ...
                     2}}, "cmd", {{"t qj xi", 2}}, "cmx", {{"t qj xi", 2}},
@@ -96,8 +98,10 @@ function x = right (m, name)
   d = m.sizes;
   q = m.initial(1:d.nq);
   switch (name)
-    case {"t", "k"}      x = 0;
-    case "way"           x = 1;
+    case "t"             x = 0;
+    case {"way", "k"}    x = 1;
+    case "taua"          x = zeros (d.nact, 1);
+    case "lam"           x = zeros (d.nlam, 1);
     case "q"             x = q;
     case {"u", "ud", "tau"}  x = zeros (d.nu, 1);
     case "x"             x = m.initial;

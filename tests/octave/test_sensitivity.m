@@ -7,6 +7,7 @@ function test_sensitivity ()
   subroutines (gsmbp_fixture ("case_d1a"));
   subroutines (m);
   crank (m);
+  along_a_motion (m);
   inputs (m);
   start_values (gsmbp_fixture ("case_d1a"));
   refused (m);
@@ -102,6 +103,31 @@ function crank (m)
   gsmbp_check ("they stay on the derivatives of the constraints", ...
                norm (DP * s(1:3) + PP(:,k)) < 1e-12 ...
                && norm (DV * s(1:3) + H * s(4:6) + PV(:,k)) < 1e-11);
+end
+
+## ILP: efforts, multipliers, followers of a planned crank, against differences of order 6
+function along_a_motion (m)
+  plan = gsmbp_plan ("septic", [0.3 2], [0 1]);
+  names = cellstr (m.json.sensitivity)(:)';
+  r = gsmbp_inverse (m, plan, 0.4);
+  D = m.ilp (0.4, r.q, r.u, r.ud, 0, r.tau, r.lambda);
+  others = [2 3 5 6 8 9 10:12];
+  found = -D(:,others) \ D(:,13:end);
+  at = @(m) followed (gsmbp_inverse (m, plan, 0.4));
+  expected = cell2mat (cellfun (@(p) differenced (at, m, p), names, "UniformOutput", false));
+  e = max (max (abs (found - expected)) ./ max (abs (expected)));
+  gsmbp_check (sprintf ("ILP: a motion of a loop by parameters as by differences, found %.2g", ...
+                        e), e < 1e-8);
+  h = 1e-4;
+  moved = @(s) gsmbp_inverse (m, gsmbp_plan ("septic", [0.3 2] + s, [0 1]), 0.4);
+  by_start = -D(:,others) \ D(:,1);
+  slope = (followed (moved (h)) - followed (moved (-h))) / (2 * h);
+  e = max (abs (by_start - slope)) / max (abs (slope));
+  gsmbp_check (sprintf ("ILP: the same by the planned coordinate, found %.2g", e), e < 1e-6);
+end
+
+function f = followed (r)
+  f = [r.q(2:3)'; r.u(2:3)'; r.ud(2:3)'; r.tau'; r.lambda'];
 end
 
 ## inputs that follow the states or the time, against differences; the same run by BDF

@@ -1,0 +1,67 @@
+## gsmbp_optimize on closed chains: known optima of static balance, efforts along a motion.
+
+function test_optimize_loops ()
+  if (! exist ("nlopt_optimize", "file") || ! gsmbp_has_ipopt ())
+    printf ("ok left out: octave-nlopt or coinor-libipopt-dev is not installed\n");
+    return;
+  end
+  m = gsmbp_fixture ("design_linkage");
+  weights (gsmbp_set (m, "k", 0));
+  parallelogram (m);
+  along_a_plan (m);
+end
+
+function near (what, found, expected, tolerance)
+  off = max (abs (found - expected) ./ abs (expected));
+  gsmbp_check (sprintf ("%s, found %.2g off", what, off), off < tolerance);
+end
+
+## a four-bar balanced by two counterweights (Berkof and Lowen 1969): its centre stands still
+function weights (m)
+  p = m.par;
+  still = {"positions", "q1", (0.6:1:6)'};
+  r = gsmbp_optimize (m, {"r1", 0.05, [0 1]; "r3", 0.1, [0 1]}, {"square", "effort.q1"}, {}, still);
+  known = [p.m1 * p.s1 + p.m2 * (1 - p.e) * p.a, p.m3 * p.s3 + p.m2 * p.e * p.c];
+  near ("a four-bar is balanced by counterweights", [r.values.r1, r.values.r3], known, 1e-6);
+  gsmbp_check (["with exact derivatives: " r.derivatives], r.solved ...
+               && strcmp (r.derivatives, "exact"));
+  x = gsmbp_assemble (r.model, [0.6 0.1 1.4 0 0 0], "hold", "q1");
+  run = gsmbp_simulate (r.model, x, 0:0.1:0.5, "input", 0.5);
+  whole = (p.m1 + p.m2 + p.m3 + p.w1 + p.w3) * 9.81;
+  f = @(name) run.of.(["at_a." name]) + run.of.(["at_d." name]);
+  shake = max (abs ([f("x"); f("y") - whole])) / max (abs (run.of.("at_a.x")));
+  gsmbp_check (sprintf ("it shakes nothing while it runs, found %.2g", shake), shake < 1e-5);
+end
+
+## a parallelogram with a load on its coupler, balanced by a spring without a free length
+function parallelogram (m)
+  m = gsmbp_set (m, "d", 0.3, "c", 0.1, "s3", 0.04, "w1", 0, "w3", 0);
+  p = m.par;
+  known = 9.81 * (p.m1 * p.s1 + p.m2 * p.a + p.m3 * p.s3) / (p.h * p.r);
+  guess = {"guess", [0.5; -0.5; 0.5]};
+  for goal = {"square", "peak"}
+    r = gsmbp_optimize (m, {"k", 20, [1 1e4]}, {goal{1}, "effort.q1"}, {}, ...
+                        [{"positions", "q1", [0.5; 0.9; 1.3]}, guess]);
+    near (["a parallelogram is balanced by a spring, by " goal{1}], r.values.k, known, 1e-6);
+  end
+end
+
+## the weight of least mean square effort along a motion (the efforts are linear in it: least
+## squares); a free amplitude; a peak
+function along_a_plan (m)
+  t = linspace (0, 1, 21);
+  at = @(w) gsmbp_inverse (gsmbp_set (m, "w1", w), gsmbp_plan ("quintic", [0.6 2.6], [0 1]), t).tau;
+  plan = gsmbp_plan ("quintic", [0.6 2.6], [0 1]);
+  r = gsmbp_optimize (m, {"w1", 1, [0 50]}, {"square", "effort.q1"}, {}, {"inverse", plan, t});
+  [t0, t1] = deal (at (0), at (1) - at (0));
+  w = r.results.case1.w(:);
+  near ("the weight of least effort along a motion", r.values.w1, ...
+        -(t1' * (w .* t0)) / (t1' * (w .* t1)), 1e-6);
+  gsmbp_check ("with exact derivatives", strcmp (r.derivatives, "exact"));
+  go = @(p) gsmbp_plan ("quintic", [0.6 0.6 + p.s], [0 1]);
+  [r, info] = gsmbp_optimize (m, {"s", 0.5, [0.1 3]}, {"end", "q1", -1}, ...
+                              {"peak", "effort.q1", "<", 1.5}, {"inverse", go, t});
+  most = max (abs (gsmbp_inverse (m, go (r.values), t).tau));
+  gsmbp_check (sprintf ("the longest way with a bounded torque, %.9g of 1.5", most), info == 0 ...
+               && abs (most - 1.5) < 1e-6 && strcmp (r.derivatives, "exact"));
+end
