@@ -47,6 +47,8 @@
 ## end of the times a number above all of them, the larger the farther it is outside
 ## @item value
 ## of a free variable or parameter
+## @item mass
+## of links [kg]: "all" of them, or names ("arm, fore"); its derivatives are exact
 ## @end table
 ## A row may also be a function, @code{@{f@}}, @code{@{f, factor@}}, @code{@{f, relation, bound@}},
 ## of the struct of the values, or of that and of the results of the cases by name; its second
@@ -171,7 +173,7 @@ endfunction
 function list = fields (P, c)
   list = {};
   for row = [P.goal, P.demands]
-    if (isempty (row.name) || strcmp (row.word, "value") ...
+    if (isempty (row.name) || any (strcmp (row.word, {"value", "mass"})) ...
         || ! any (strcmp ({P.cases(row.cases).name}, c.name)))
       continue;
     endif

@@ -50,8 +50,8 @@ function [e, f, F, H] = total (P, e, D, row, p)
       error ("%s: goal %s: expected one number, found %d", P.who, row.text, numel (f));
     endif
     return;
-  elseif (strcmp (row.word, "value"))
-    [f, F] = value (P, row.name, p);
+  elseif (any (strcmp (row.word, {"value", "mass"})))
+    [f, F] = still (P, row, p);
     return;
   endif
   [f, F] = deal (0, zeros (1, n));
@@ -99,9 +99,9 @@ function e = demanded (P, e, D, k, p)
   widened = @(F) [F, zeros(rows (F), columns (e.A) - n)];
   range = struct ("lt", [-Inf, row.bound], "gt", [row.bound, Inf], "eq", row.bound * [1, 1]);
   range = range.(struct ("a", "lt", "b", "gt", "c", "eq").("abc"(row.relation == "<>=")));
-  if (! isempty (row.f) || strcmp (row.word, "value"))
+  if (! isempty (row.f) || any (strcmp (row.word, {"value", "mass"})))
     if (isempty (row.f))
-      [f, F] = value (P, row.name, p);
+      [f, F] = still (P, row, p);
     else
       [f, F, rough] = gsmbp__design_function (P, row, e.results, p);
       e.functions |= rough;
@@ -121,6 +121,21 @@ function e = demanded (P, e, D, k, p)
     endif
     [f, F] = gsmbp__design_word (word, y, Y, R, c.band);
     e = more (e, f, widened (F), range(1), range(2), k);
+  endfor
+endfunction
+
+## what needs no load case: a value, or the mass of links
+function [f, F] = still (P, row, p)
+  if (strcmp (row.word, "value"))
+    [f, F] = value (P, row.name, p);
+    return;
+  endif
+  [f, slopes] = gsmbp__mass (P.who, P.model (p), row.name);
+  F = zeros (1, numel (P.free));
+  for k = find (strcmp ({P.free.kind}, "parameter"))
+    if (isfield (slopes, P.free(k).name))
+      F(k) = slopes.(P.free(k).name);
+    endif
   endfor
 endfunction
 

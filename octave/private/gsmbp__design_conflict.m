@@ -77,7 +77,7 @@ endfunction
 
 ## the load cases that the demands read
 function k = used (P)
-  k = unique ([P.demands(! strcmp ({P.demands.word}, "value")).cases]);
+  k = unique ([P.demands(! ismember ({P.demands.word}, {"value", "mass"})).cases]);
   if (any (! cellfun (@isempty, {P.demands.f})))
     k = 1:numel (P.cases);
   endif

@@ -60,7 +60,7 @@ function r = named (who, here, r, row, cases)
            strjoin (cellfun (@gsmbp__shown, row, "UniformOutput", false), ", "));
   elseif (! any (strcmp (row{1}, words)))
     error ("%s: %s: unknown word %s", who, here, gsmbp__unknown (row{1}, words));
-  elseif (isempty (cases) && ! strcmp (row{1}, "value"))
+  elseif (isempty (cases) && ! any (strcmp (row{1}, {"value", "mass"})))
     error ("%s: %s: %s %s needs a load case (argument cases)", who, here, row{1:2});
   endif
   [r.word, r.name] = row{1:2};

@@ -6,7 +6,7 @@
 function [f, F] = gsmbp__design_word (word, y, Y, R, band)
   if (nargin == 0)
     f = {"start", "end", "mean", "integral", "drawn", "square", "rms", "peak", "max", "min", ...
-         "each", "settling", "value"};
+         "each", "settling", "value", "mass"};
     return;
   endif
   w = R.w(:)';

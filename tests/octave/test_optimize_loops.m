@@ -9,6 +9,7 @@ function test_optimize_loops ()
   weights (gsmbp_set (m, "k", 0));
   parallelogram (m);
   along_a_plan (m);
+  masses (m);
 end
 
 function near (what, found, expected, tolerance)
@@ -64,4 +65,27 @@ function along_a_plan (m)
   most = max (abs (gsmbp_inverse (m, go (r.values), t).tau));
   gsmbp_check (sprintf ("the longest way with a bounded torque, %.9g of 1.5", most), info == 0 ...
                && abs (most - 1.5) < 1e-6 && strcmp (r.derivatives, "exact"));
+end
+
+## the lightest weights that balance: the longest arms; of a rod of given density the longest one
+function masses (m)
+  still = {"positions", "q1", (0.6:1:6)'};
+  m = gsmbp_set (m, "k", 0);
+  free = {"w1", 1, [0 20]; "r1", 0.05, [0.01 0.08]; "w3", 1, [0 20]; "r3", 0.1, [0.01 0.3]};
+  r = gsmbp_optimize (m, free, {"mass", "front, back"}, {"each", "effort.q1", "=", 0}, still);
+  p = m.par;
+  known = [(p.m1*p.s1 + p.m2*(1 - p.e)*p.a) / 0.08, (p.m3*p.s3 + p.m2*p.e*p.c) / 0.3];
+  near ("the lightest weights that balance", [r.values.w1, r.values.w3, r.J], ...
+        [known, sum(known)], 1e-6);
+  crank = gsmbp_fixture ("sensitivity_crank");
+  p = crank.par;
+  r = gsmbp_optimize (crank, {"l2", 0.5, [0.1 9]; "rho", 3, [2.5 9]}, {"value", "l2", -1}, ...
+                      {"mass", "all", "<", 10});
+  near ("the longest rod of a machine of 10 kg", [r.values.l2, r.values.rho], ...
+        [(10 - p.m1 - p.m3) / 2.5, 2.5], 1e-6);
+  k = strncmp ({r.active.text}, "mass all < 10", 13);
+  near ("one more kilogram makes it longer by 1/rho", r.active(k).multiplier, 1 / 2.5, 1e-5);
+  text = gsmbp_complaint (@() gsmbp_optimize (crank, {"rho", 3, [1 9]}, {"mass", "rods"}));
+  gsmbp_check (["refused: " text], ! isempty (strfind (text, ...
+               'mass: unknown link "rods", did you mean "rod"')));
 end
