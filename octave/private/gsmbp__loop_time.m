@@ -30,7 +30,9 @@ function t = gsmbp__loop_time (who, c, mc, run)
   n = floor ((run.t(end) - run.t(1)) / c.period) + 1;
   r = zeros (numel (refs), n);
   if (isfield (run, "samples") && rows (run.samples.v) > 0)
-    k = min (1:n, rows (run.samples.v));
+    at = run.t(1) + (0:n-1) * c.period;   # instants at which outputs arrive are rows, too
+    at = at(at <= run.samples.t(end) + 1e-6 * c.period);
+    k = max (1, lookup (run.samples.t, at + 1e-6 * c.period));
     r = run.samples.v(k,refs)' - c.r0;
   endif
   t = sampled (c, t, x, r, run.t(1));

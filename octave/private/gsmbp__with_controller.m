@@ -94,8 +94,13 @@ function yes = rounds (c)
   yes = isfield (c, "step_in") && any ([c.step_in(:); c.step_out(:)] > 0);
 endfunction
 
-## of the measurement that follows it; accelerations have that of the speed a second
+## of the measurement that follows it, or as the controller says; accelerations have that of the
+## speed a second
 function unit = unit_of (c, i, units)
+  if (isfield (c, "units"))
+    unit = c.units{i};
+    return;
+  endif
   read = find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1);
   if (isfield (c, "cst"))
     n = numel (c.driven);

@@ -82,6 +82,9 @@ function [m, x0, t, options, what] = example_motion (name, build)
     case "slider_crank"
       options = {"motion", gsmbp_plan("profile", mkpp ([0 1 2 6], [4 0; -4 4; 0 0]), 2)};
       [x0, t, joules, what] = deal ([], 0:0.25:6, 10, "the profile by computed voltage");
+    case "slider_crank_design"
+      x0 = gsmbp_assemble (m, m.initial, "hold", "q1");
+      [t, options, joules, what] = deal (0:0.05:1, {"input", 6}, 1, "a step of 6 V");
     case "slider_crank_induction"
       [x0, t, options, joules, what] = deal (m.initial, 0:0.05:1.5, ...
           {"input", [220 * sqrt(2/3); 0; 377]}, 1000, "start on the mains");

@@ -1,0 +1,39 @@
+## d = gsmbp__machine_attempts (who, d)
+## The first choice of drives for the design D with which all demands are met, of those in the
+## order of the goal; where none of the first few is, the one that misses least. Adds attempts
+## (a row of structs: name of the drives, unmet) and found: whether there was any pair.
+
+function d = gsmbp__machine_attempts (who, d)
+  d.cycles = gsmbp__machine_cycles (d.model, d.axes, d.tasks);
+  d.drives = gsmbp__machine_drives (d.asked, d.cycles);
+  d.attempts = struct ("name", {}, "unmet", {});
+  counts = arrayfun (@(r) numel (r.order), d.drives);
+  d.found = all (counts > 0);
+  if (! d.found)
+    d.unmet = gsmbp__machine_no_drive (d);
+    return;
+  endif
+  places = ones (1, numel (d.axes));
+  [best, start] = deal ([], d);
+  for k = 1:d.asked.tries
+    one = gsmbp__machine_candidate (who, start, places);
+    names = arrayfun (@(j) one.drives(j).pairs(one.chosen(j)).name, 1:numel (one.axes), ...
+                      "UniformOutput", false);
+    one.attempts(end+1) = struct ("name", strjoin (names, ", "), "unmet", one.unmet);
+    start.attempts = one.attempts;
+    if (isempty (best) || missed (one) < missed (best))
+      best = one;
+    endif
+    next = ismember ({one.axes.coordinate}, {one.unmet.axis}) & places < counts;
+    if (! any (next))
+      break;
+    endif
+    places += next;
+  endfor
+  best.attempts = start.attempts;
+  d = best;
+endfunction
+
+function x = missed (d)
+  x = sum (max (0, [d.unmet.found] ./ [d.unmet.demanded] - 1)) + numel (d.unmet);
+endfunction

@@ -1,0 +1,15 @@
+## drives = gsmbp__machine_drives (s, cycles)
+## What gsmbp_drive says for the load cycle of each axis; order: the pairs that also keep the
+## reserve of the specification S, kept: how many keep the limits alone.
+
+function drives = gsmbp__machine_drives (s, cycles)
+  warning ("off", "gsmbp:drive", "local");
+  for j = 1:numel (cycles)
+    r = gsmbp_drive (cycles(j), "motors", s.motors, "gears", s.gears, "goal", s.goal, ...
+                     "inertia_ratio", s.inertia_ratio);
+    r.kept = numel (r.order);
+    most = @(k) max (cell2mat (struct2cell (r.pairs(k).utilization)));
+    r.order = r.order(arrayfun (most, r.order) <= 1 - s.reserve);
+    drives(j) = r;
+  endfor
+endfunction

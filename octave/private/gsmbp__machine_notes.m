@@ -1,0 +1,16 @@
+## notes = gsmbp__machine_notes (d)
+## What the design D did not look at, a cell array of sentences.
+
+function notes = gsmbp__machine_notes (d)
+  notes = {["runs show the motions and corners that were run, nothing between: a corner that " ...
+            "is worse than those, a motion that was not asked for, may exist"], ...
+           "margins of the linear loops (Ms) are those of the nominal values", ...
+           ["masses of motors and gears on moving links, and their elasticity, unless the " ...
+            "scene has them"]};
+  for a = d.axes
+    if (isempty (a.gear))
+      notes{end+1} = sprintf (["%s: no lossy_gear in the scene: the efficiency of the gear is " ...
+                               "in the choice of the drive, not in the runs"], a.coordinate);
+    endif
+  endfor
+endfunction

@@ -1,0 +1,78 @@
+## laws = gsmbp__machine_tuned (s, axes_, poses, goals)
+## A PID controller for each axis j: tuned to the largest sensitivity GOALS(j) at the first
+## pose, then at the one where these gains are worst, until the gains keep it at all poses;
+## where no pose gives such gains, with a slower integral. A row of structs: law (of gsmbp_pid),
+## at (number of the pose), worst (its largest Ms), tried (a row for each: pose, Kp, Ki, Kd,
+## largest Ms, its pose).
+
+function laws = gsmbp__machine_tuned (s, axes_, poses, goals)
+  for j = 1:numel (axes_)
+    plants = cell (1, numel (poses));
+    for k = 1:numel (poses)
+      plants{k} = gsmbp__machine_axis_plant (poses(k), axes_, j);
+    endfor
+    laws(j) = one_axis (s, plants, goals(j));
+  endfor
+endfunction
+
+## tuned to a little less, so that other poses may differ by rounding
+function best = one_axis (s, plants, goal)
+  best = struct ("law", [], "at", 0, "worst", Inf, "tried", zeros (0, 6));
+  best = at_poses (s, plants, goal, {}, best);
+  [Ti, Td] = deal (best.law.Ti, best.law.Td);
+  for slower = 1.5 .^ (1:8)
+    if (best.worst <= goal)
+      return;
+    endif
+    try
+      best = at_poses (s, plants, goal, {"Ti", Ti * slower, "Td", Td}, best);
+    catch problem
+      if (! strncmp (problem.message, "gsmbp_pid: no gain", 18))
+        rethrow (problem);
+      endif
+    end_try_catch
+  endfor
+endfunction
+
+function best = at_poses (s, plants, goal, times, best)
+  at = 1;
+  tried = zeros (0, 6);
+  while (! any (tried(:,1) == at))
+    c = gsmbp_pid (plants{at}, [], "pid", "ms", 1 + 0.995 * (goal - 1), times{:}, "bd", 1, ...
+                   "period", s.period, "delay", s.delay);
+    Ms = cellfun (@(sys) peak_of (c, sampled (sys, s)), plants);
+    [worst, next] = max (Ms);
+    tried(end+1,:) = [at, c.Kp, c.Ki, c.Kd, worst, next];
+    if (worst < best.worst || isempty (best.law))
+      [best.law, best.at, best.worst] = deal (c, at, worst);
+    endif
+    if (worst <= goal)
+      break;
+    endif
+    at = next;
+  endwhile
+  best.tried = [best.tried; tried];
+endfunction
+
+function plant = sampled (sys, s)
+  p = struct ("A", sys.a, "B", sys.b, "C", sys.c, "driven", {sys.inname}, "states", ...
+              {sys.stname}, "measured", {sys.outname});
+  o = struct ("period", s.period, "delay", s.delay);
+  plant = gsmbp__sampled_plant ("gsmbp_design", p, o).plant;
+endfunction
+
+## Ms of the controller C on another plant; infinite where the loop is not stable
+function top = peak_of (c, plant)
+  c.plant = plant;
+  if (max (abs (gsmbp__closed_poles (c))) >= 1)
+    top = Inf;
+    return;
+  endif
+  w = logspace (-4, 0, 800) * pi / c.period * (1 - 1e-9);
+  S = 1 ./ abs (1 + gsmbp__loop_response (c, w, 1));
+  [top, k] = max (S);
+  if (k > 1 && k < numel (w))   # the parabola through the three highest
+    p = polyfit (-1:1, S(k-1:k+1), 2);
+    top = p(3) - p(2) ^ 2 / (4 * p(1));
+  endif
+endfunction
