@@ -4,7 +4,8 @@
 
 function [f, slopes] = gsmbp__mass (who, m, name)
   if (! isfield (m.json, "masses"))
-    error ("%s: mass: %s was derived without the masses of its links: derive it again", who, m.name);
+    error ("%s: mass: %s was derived without the masses of its links: derive it again", who, ...
+           m.name);
   endif
   list = m.json.masses;
   if (! iscell (list))
