@@ -128,8 +128,7 @@ function r = gains (d, j)
   [law, a] = deal (d.laws(j), d.axes(j));
   c = law.law;
   pose = d.poses(law.at);
-  [~, k] = max ([d.loops(j,:).Ms]);
-  worst = d.loops(j,k);
+  worst = d.loops(j);
   why = {["u = Kp*(r - y) + Ki*integral(r - y) + Kd*rate(r - y), the rate with the lag Tf; it " ...
           "reads " a.output " and gives " a.motor ".v"], ...
          sprintf("every %.4g ms, its output comes %.4g ms later; both are in the loop exactly", ...

@@ -1,12 +1,12 @@
-## laws = gsmbp__machine_tuned (s, axes_, poses, goals)
+## laws = gsmbp__machine_tuned (s, axes_, poses, goals, laws, which_)
 ## A PID controller for each axis j: tuned to the largest sensitivity GOALS(j) at the first
 ## pose, then at the one where these gains are worst, until the gains keep it at all poses;
 ## where no pose gives such gains, with a slower integral. A row of structs: law (of gsmbp_pid),
 ## at (number of the pose), worst (its largest Ms), tried (a row for each: pose, Kp, Ki, Kd,
 ## largest Ms, its pose).
 
-function laws = gsmbp__machine_tuned (s, axes_, poses, goals)
-  for j = 1:numel (axes_)
+function laws = gsmbp__machine_tuned (s, axes_, poses, goals, laws, which_)
+  for j = which_
     plants = cell (1, numel (poses));
     for k = 1:numel (poses)
       plants{k} = gsmbp__machine_axis_plant (poses(k), axes_, j);
@@ -40,7 +40,7 @@ function best = at_poses (s, plants, goal, times, best)
   while (! any (tried(:,1) == at))
     c = gsmbp_pid (plants{at}, [], "pid", "ms", 1 + 0.995 * (goal - 1), times{:}, "bd", 1, ...
                    "period", s.period, "delay", s.delay);
-    Ms = cellfun (@(sys) peak_of (c, sampled (sys, s)), plants);
+    Ms = cellfun (@(sys) gsmbp__machine_peak (c, 1, sampled (sys, s)), plants);
     [worst, next] = max (Ms);
     tried(end+1,:) = [at, c.Kp, c.Ki, c.Kd, worst, next];
     if (worst < best.worst || isempty (best.law))
@@ -59,20 +59,4 @@ function plant = sampled (sys, s)
               {sys.stname}, "measured", {sys.outname});
   o = struct ("period", s.period, "delay", s.delay);
   plant = gsmbp__sampled_plant ("gsmbp_design", p, o).plant;
-endfunction
-
-## Ms of the controller C on another plant; infinite where the loop is not stable
-function top = peak_of (c, plant)
-  c.plant = plant;
-  if (max (abs (gsmbp__closed_poles (c))) >= 1)
-    top = Inf;
-    return;
-  endif
-  w = logspace (-4, 0, 800) * pi / c.period * (1 - 1e-9);
-  S = 1 ./ abs (1 + gsmbp__loop_response (c, w, 1));
-  [top, k] = max (S);
-  if (k > 1 && k < numel (w))   # the parabola through the three highest
-    p = polyfit (-1:1, S(k-1:k+1), 2);
-    top = p(3) - p(2) ^ 2 / (4 * p(1));
-  endif
 endfunction

@@ -56,6 +56,9 @@ function [m, x0, t, options, what] = example_motion (name, build)
     case "puma560"
       options = {"motion", gsmbp_plan("quintic", [0.5, 0; -0.75, 0; 0.5, 0], [0, 1])};
       [x0, t, joules, what] = deal ([], 0:0.1:1, 100, "the quintic by computed voltages");
+    case "puma560_design"
+      [x0, t, options, joules, what] = deal (m.initial, 0:0.05:0.5, {"input", [2; -3; 1]}, 10, ...
+          "steps of the voltages");
     case {"robot_joint", "robot_joint_continuous", "robot_joint_sampled"}
       [x0, t, options, what] = joint_run (m, name, build);
       joules = 50;

@@ -1,0 +1,18 @@
+## top = gsmbp__machine_peak (c, i, plant)
+## The largest sensitivity Ms of the loop of the controller C on a PLANT, broken at its input I, the
+## others closed, to some thousandths; infinite where it is not stable.
+
+function top = gsmbp__machine_peak (c, i, plant)
+  c.plant = plant;
+  if (max (abs (gsmbp__closed_poles (c))) >= 1)
+    top = Inf;
+    return;
+  endif
+  w = logspace (-4, 0, 800) * pi / c.period * (1 - 1e-9);
+  S = 1 ./ abs (1 + gsmbp__loop_response (c, w, i));
+  [top, k] = max (S);
+  if (k > 1 && k < numel (w))   # the parabola through the three highest
+    p = polyfit (-1:1, S(k-1:k+1), 2);
+    top = p(3) - p(2) ^ 2 / (4 * p(1));
+  endif
+endfunction
