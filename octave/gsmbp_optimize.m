@@ -62,14 +62,19 @@
 ## Options: "solver": "auto" (default), "slsqp", "mma", "cobyla" (NLopt, Debian package
 ## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
 ## more, by chance within the bounds, and "seed" of that chance; "tolerance" (1e-10); limits
-## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start.
+## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start.  "choices": all
+## combinations of the lists ("all", at most 1000) or "branch", branch and bound: choices are free
+## between two numbers of their lists first, and what cannot be better than the best found is left
+## out; as sure as the solutions of these relaxed problems are the best ones ("starts").  "auto"
+## (default): all up to 100 combinations.  "nodes" (1000): a limit of the problems that are solved.
 ##
 ## @var{r} has the fields @code{values} (by name), @code{J}, @code{model} (with these values),
 ## @code{results} of the cases, @code{active} (bounds and demands that hold it back: text, value,
 ## bound, multiplier: how much the goal falls for each unit that it is loosened), @code{solved},
 ## @code{ended}, @code{limit} (a limit was reached), @code{violation} and @code{optimality} (what is
 ## left of the conditions of an optimum, beside their sizes), @code{iterations},
-## @code{evaluations}, @code{starts} (all ends), @code{derivatives}, @code{report} (a text).
+## @code{evaluations}, @code{starts} (all ends), @code{derivatives}, @code{report} (a text),
+## @code{choices} (how the lists were searched, combinations, problems solved).
 ##
 ## Demands that cannot be met are an error that names a least set of them which contradict each
 ## other; with @var{info} it is no error: 0 solved, 1 a limit was reached, 2 the demands
@@ -115,19 +120,9 @@ function [r, info] = gsmbp_optimize (m, free, goal, varargin)
   o = gsmbp__options (who, known_options (), given(3:end));
   P = problem (who, m, free, goal, given{1:2});
   checked (P, o);
-  combinations = choices (P);
-  best = [];
-  ends = struct ("values", {}, "J", {}, "solved", {}, "violation", {}, "ended", {});
-  for k = 1:rows (combinations)
-    Q = chosen (P, combinations(k,:));
-    [one, here] = gsmbp__design_solve (who, Q, o);
-    ends = [ends, here];
-    if (better (one, best))
-      best = one;
-    endif
-  endfor
+  [best, ends, told] = gsmbp__design_choices (who, P, o);
   best.starts = ends;
-  [r, info] = gsmbp__design_result (who, best, o, P, rows (combinations));
+  [r, info] = gsmbp__design_result (who, best, o, P, told);
   if (nargout < 2 && info == 2)
     error ("gsmbp:infeasible", "%s: %s: %s", who, m.name, r.ended);
   elseif (any (info == [1, 3]))
@@ -142,7 +137,9 @@ function table = known_options ()
            "tolerance", 1e-10, "tolerance"
            "iterations", 500, "whole"
            "evaluations", 1000, "whole"
-           "seconds", Inf, "any"};
+           "seconds", Inf, "any"
+           "choices", "auto", {"auto", "all", "branch"}
+           "nodes", 1000, "whole"};
 endfunction
 
 function P = problem (who, m, free, goal, demands, cases)
@@ -206,57 +203,6 @@ function checked (P, o)
   if (o.starts > 1 && ! isempty (endless))
     error ("%s: option starts: expected finite bounds of %s, between which to start", P.who, ...
            P.free(endless).name);
-  endif
-endfunction
-
-## a row for each combination of what is chosen from lists
-function list = choices (P)
-  list = zeros (1, 0);
-  for f = P.free(! cellfun (@isempty, {P.free.list}))
-    n = rows (list);
-    list = [repmat(list, numel (f.list), 1), kron(f.list(:), ones (n, 1))];
-  endfor
-  if (rows (list) > 1000)
-    error ("%s: expected at most 1000 combinations of choices, found %d", P.who, rows (list));
-  endif
-endfunction
-
-## the problem with these choices made
-function P = chosen (P, values)
-  discrete = ! cellfun (@isempty, {P.free.list});
-  k = 0;
-  for f = P.free(discrete)
-    P.given.(strrep (f.name, ".", "_")) = values(++k);
-    if (strcmp (f.kind, "parameter"))
-      P.base = gsmbp_set (P.base, f.name, values(k));
-    elseif (strcmp (f.kind, "state"))
-      error ("%s: argument free: %s: a start of a state cannot be chosen from a list", ...
-             P.who, f.name);
-    endif
-  endfor
-  P.free = P.free(! discrete);
-  for c = P.cases
-    P.exact.(c.name) = P.exact.(c.name)(! discrete);
-  endfor
-  parameters = find (strcmp ({P.free.kind}, "parameter"));
-  base = P.base;
-  names = {P.free(parameters).name};
-  P.model = @(p) with (base, names, p(parameters));
-endfunction
-
-function m = with (m, names, values)
-  if (! isempty (names))
-    m = gsmbp_set (m, cell2struct (num2cell (values(:)), names(:), 1));
-  endif
-endfunction
-
-## whether an end is to be preferred
-function yes = better (a, b)
-  yes = isempty (b);
-  if (! yes)
-    [fa, fb] = deal (a.violation <= 1e-6, b.violation <= 1e-6);
-    yes = (fa && ! fb) || (fa == fb && ((fa && a.e.J < b.e.J) ...
-                                        || (! fa && a.violation < b.violation)));
   endif
 endfunction
 

@@ -1,7 +1,8 @@
-## [r, info] = gsmbp__design_result (who, best, o, P, combinations)
-## What gsmbp_optimize gives: from the best end; INFO as its help says.
+## [r, info] = gsmbp__design_result (who, best, o, P, tally)
+## What gsmbp_optimize gives: from the best end; TALLY: what gsmbp__design_choices tells of the choices;
+## INFO as the help of gsmbp_optimize says.
 
-function [r, info] = gsmbp__design_result (who, best, o, P, combinations)
+function [r, info] = gsmbp__design_result (who, best, o, P, tally)
   Q = best.P;
   r.values = gsmbp__as_struct (Q, best.p);
   r.J = best.e.J;
@@ -24,7 +25,8 @@ function [r, info] = gsmbp__design_result (who, best, o, P, combinations)
       r.ended = sprintf ("%s; at some values: %s", r.ended, best.trouble);
     endif
   endif
-  r.report = report (P, r, combinations);
+  r.choices = tally;
+  r.report = report (P, r, tally);
 endfunction
 
 function [r, info] = contradiction (who, r, Q, best, o)
@@ -42,6 +44,9 @@ function [r, info] = contradiction (who, r, Q, best, o)
     r.ended = sprintf ("%s (within %s)", r.ended, strjoin (bounds, ", "));
   endif
   r.ended = sprintf ("%s; they are missed by least at %s", r.ended, listed (r.values));
+  if (! isempty (fieldnames (Q.given)))
+    r.ended = sprintf ("%s, of all choices with %s", r.ended, listed (Q.given));
+  endif
 endfunction
 
 function text = listed (values)
@@ -79,7 +84,7 @@ function text = derivatives (Q, best)
   endif
 endfunction
 
-function text = report (P, r, combinations)
+function text = report (P, r, tally)
   line = @(varargin) [sprintf(varargin{:}) "\n"];
   text = line ("%s: goal %.9g, %s", P.base.name, r.J, r.ended);
   for f = P.free
@@ -96,8 +101,11 @@ function text = report (P, r, combinations)
   endfor
   text = [text, line("  %d evaluations, %s; derivatives: %s", r.evaluations, r.solver, ...
                      r.derivatives)];
-  if (numel (r.starts) > 1)
+  if (strcmp (tally.how, "branch"))
+    text = [text, line("  choices: branch and bound, %d problems solved for %d combinations", ...
+                       tally.solved, tally.combinations)];
+  elseif (numel (r.starts) > 1)
     text = [text, line("  best of %d ends (%d starts, %d combinations)", numel (r.starts), ...
-                       numel (r.starts) / combinations, combinations)];
+                       numel (r.starts) / tally.combinations, tally.combinations)];
   endif
 endfunction
