@@ -1,6 +1,6 @@
 ## Q = gsmbp__design_chosen (P, low, high, start)
-## The design P with its choices (from lists, in their order) narrowed: where LOW is HIGH, made; else
-## free between both.  START: values of all free variables to begin from (left out: their own).
+## The design P with its choices (from lists, in their order) narrowed: where LOW is HIGH, made;
+## else free between both.  START: values of all free variables to begin from (left out: their own).
 
 function Q = gsmbp__design_chosen (P, low, high, start)
   Q = P;

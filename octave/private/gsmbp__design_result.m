@@ -1,6 +1,6 @@
 ## [r, info] = gsmbp__design_result (who, best, o, P, tally)
-## What gsmbp_optimize gives: from the best end; TALLY: what gsmbp__design_choices tells of the choices;
-## INFO as the help of gsmbp_optimize says.
+## What gsmbp_optimize gives: from the best end; TALLY: what gsmbp__design_choices tells of
+## the choices; INFO as the help of gsmbp_optimize says.
 
 function [r, info] = gsmbp__design_result (who, best, o, P, tally)
   Q = best.P;
