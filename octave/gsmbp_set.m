@@ -54,30 +54,13 @@ function par = merged (m, pairs)
   [names, values] = gsmbp__pairs (["gsmbp_set: " m.name], "parameter", pairs);
   for i = 1:numel (names)
     [name, value] = deal (names{i}, values{i});
-    if (! isfield (par, name))
-      made_of_others (m, name);
-      error (["gsmbp_set: %s: unknown parameter %s (a number that an element of the scene was " ...
-              "given is fixed in the code: name it in parameters to change it)"], m.name,
-             gsmbp__unknown (name, fieldnames (par)'));
-    endif
+    gsmbp__known_parameter ("gsmbp_set", m, name);
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
       error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, ...
              gsmbp__shown (value));
     endif
     par.(name) = double (value);
   endfor
-endfunction
-
-## an error for a parameter that the scene makes of others
-function made_of_others (m, name)
-  if (! isfield (m.json, "dependent") || isempty (m.json.dependent))
-    return;
-  endif
-  k = find (strcmp (name, {m.json.dependent.name}), 1);
-  if (! isempty (k))
-    error ("gsmbp_set: %s: parameter %s is made of others, %s: expected one of these", m.name, ...
-           name, m.json.dependent(k).expression);
-  endif
 endfunction
 
 %!shared m

@@ -270,40 +270,11 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
-  times = gsmbp__times (who, times);
-  if (numel (times) < 2)
-    error (["%s: the times must be two or more, that of x0 first; found %.15g alone " ...
-            "(from 0 on: [0, %.15g])"], who, times, times);
-  endif
-  [m, way] = gsmbp__loop_way (who, o, m);
-  [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way);
-  t0 = times(1);
-  [x0, s.start] = gsmbp__start (who, m, t0, x0, o.start);
-  if (isempty (o.motion))
-    o.of_time = of_time (o.input);
-  o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
-  endif
-  [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
-  o.bounds = plan.limits;
-  plan = gsmbp__sampled (who, m, o, times, plan);
-  plan = gsmbp__event_plan (who, m, o, plan);
-  gsmbp__check_stops (who, m, t0, x0);
-  carried = gsmbp__carried (who, m, o, t0, x0, atol);
-  [x0, atol] = audit_states (who, m, o, [x0(:); carried.x0], [atol(:); carried.atol]);
-  breaks = unique ([breaks, double(o.breaks(:)')]);
-  breaks = breaks(breaks > t0 & breaks < times(end));
-  library = "";
-  if (any (strcmp (method, {"cvode", "radau", "auto"})))
-    library = gsmbp__implicit_library (who, m, strrep (method, "auto", "radau"));
-  endif
-  guess = zeros (d.nu, 1);
-  if (d.nq == d.nu)
-    guess = x0(1:d.nq);
-  endif
+  p = gsmbp__run_setup (who, m, x0, times, o);
+  [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
+  [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
   [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held] = ...
-      m.module ("sim", m.cst, t0, x0, carried.columns, times, breaks, ...
-                [numel(times), numel(breaks)], iopt, ropt, atol, plan, ...
-                guess, callback, library, [order, ! isempty(m.internal)]);
+      m.module ("sim", p.arguments{:});
   if (strcmp (method, "auto"))
     method = {"dp853", "radau"}{1 + (counts(14) > 0)};
   endif
@@ -348,34 +319,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   gsmbp__run_warnings (who, m, result.stats);
   if (info != 0 && nargout < 2)
     if (info == 3 && counts(7) == 8 && counts(6) < 4)
-      gsmbp__no_beginning (who, m, t0, x0, counts(6));
+      gsmbp__no_beginning (who, m, times(1), x0, counts(6));
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
-  endif
-endfunction
-
-## the two states of an audit and their tolerances
-function [x0, atol] = audit_states (who, m, o, x0, atol)
-  if (isempty (o.audit))
-    return;
-  endif
-  if (! any (strcmp (m.subroutines, "rha")))
-    error (["%s: option audit needs the subroutine RHA (request audit), which %s was " ...
-            "emitted without"], who, m.name);
-  elseif (! isempty (o.gain))
-    error ("%s: no audit with state feedback from outside", who);
-  endif
-  x0 = [x0(:); 0; 0];
-  atol = [atol(:); o.rtol * o.audit * [1; 1]];
-endfunction
-
-## is an input a function of time, by its text?
-function is = of_time (f)
-  is = false;
-  if (is_function_handle (f))
-    part = regexp (func2str (f), '^@\(\s*\w+\s*,\s*(\w+)\s*\)(.*)$', "tokens", "once");
-    is = ! isempty (part) && ! any (strcmp (regexp (part{2}, '\w+', "match"), part{1}));
   endif
 endfunction
 

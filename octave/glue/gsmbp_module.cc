@@ -8,12 +8,14 @@
 #include "parameters.h"
 #include "runtime.h"
 #include "simulation.h"
+#include "ensemble.h"
 #include "adjoint.h"
 #include "collocation.h"
 
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
-    = { { "sim", do_sim }, { "forward", do_forward }, { "backward", do_backward },
+    = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "forward", do_forward },
+        { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "collocation", do_collocation }, { "par", do_par }, { "pre", do_pre },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },

@@ -203,9 +203,9 @@ events (run_plan& plan, int nx)
 }
 
 #if ! defined (GSMBP_QUAD)
-// the run by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
-static int
-run_implicit (const std::string& library, const gsmbp_run& r)
+// who runs by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
+static gsmbp_run_function *
+implicit_run (const std::string& library)
 {
   static gsmbp_run_function *run = nullptr;
   static std::string loaded;
@@ -220,6 +220,6 @@ run_implicit (const std::string& library, const gsmbp_run& r)
       run = reinterpret_cast<gsmbp_run_function *> (address);
       loaded = library;
     }
-  return run (&r);
+  return run;
 }
 #endif

@@ -5,8 +5,18 @@
 #include "run_parts.h"
 #include "columns_at_samples.h"
 
+// What one run writes, and what may differ from run to run
+struct run_room
+{
+  reals cst, x0;
+  reals xout, vout, rstat, w;
+  std::vector<int> istat;
+  int info;
+  std::vector<char> text;   // what an implicit method said when it failed
+};
+
 // The arguments of GSSIM by their names, and who integrates.
-struct simulation
+struct simulation : run_room
 {
   simulation (arguments& a);
 
@@ -14,9 +24,10 @@ struct simulation
   bool carries (void) const { return columns->count () > 0; }
   octave_value_list results (void) const;
 
-  reals cst;
+  // a run in its own room, with the plan IP, RP; several may go on at a time
+  void run (run_room& r, std::vector<int>& ip, reals& rp) const;
+
   number t0;
-  reals x0;
   int nx;
   std::unique_ptr<carried> columns;   // by parameters, behind the states
   bool audit;                         // the two states of an audit stand behind the others
@@ -26,15 +37,15 @@ struct simulation
   reals ropt, atol;
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
-  std::string library;   // of CVODE; "": GSSIM alone
+  std::string library;   // of an implicit method; "": GSSIM alone
+#if ! defined (GSMBP_QUAD)
+  gsmbp_run_function *implicit_method = nullptr;
+#endif
   std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too
 
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
 
-  reals xout, vout, rstat, w;
-  std::vector<int> istat;
-  int ldx, ldv, lw, info;
-  std::vector<char> text;   // what CVODE said when it failed
+  int ldx, ldv, lw;
   double seconds;
 
 private:
@@ -42,17 +53,23 @@ private:
   void read_options (arguments& a);
   void make_room (const reals& guess);
   void find_routines (void);
-  void by_gssim (void);
+  void by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const;
 #if ! defined (GSMBP_QUAD)
-  void by_implicit (bool resume);
+  void by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const;
 #endif
 };
 
 simulation::simulation (arguments& a)
-  : cst (a.constants ()), t0 (a.scalar ("t0")), x0 (a.vector ("x0", -1)), nx (int (x0.size ())),
-    columns (columns_of (a.value ("columns").matrix_value (), cst)),
-    audit (nx == S.nx + 2 && ! carries ()), info (0), text (400, 0), seconds (0)
+  : seconds (0)
 {
+  cst = a.constants ();
+  t0 = a.scalar ("t0");
+  x0 = a.vector ("x0", -1);
+  nx = int (x0.size ());
+  columns = columns_of (a.value ("columns").matrix_value (), cst);
+  audit = nx == S.nx + 2 && ! carries ();
+  info = 0;
+  text.assign (400, 0);
   if (nx != S.nx * (1 + columns->count ()) && ! audit)
     error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (),
            S.nx * (1 + columns->count ()), nx);
@@ -68,6 +85,10 @@ simulation::simulation (arguments& a)
   reals guess = a.vector ("guess", S.nu);
   input = a.value ("input function");
   library = a.value ("library").string_value ();
+#if ! defined (GSMBP_QUAD)
+  if (! library.empty ())
+    implicit_method = implicit_run (library);
+#endif
   implicit = a.integers ("largest order, inputs of state", 2);
   plan->due_from (double (t0), cst);
   if (carries ())
@@ -157,90 +178,106 @@ simulation::find_routines (void)
 }
 
 void
-simulation::by_gssim (void)
+simulation::by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const
 {
   const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, nb, lw};
   reals times (1, t0), options = ropt;
+  std::vector<int> counts = iopt;
   times.insert (times.end (), tout.begin (), tout.begin () + nt);
   times.insert (times.end (), tbrk.begin (), tbrk.begin () + nb);
   options.insert (options.end (), atol.begin (), atol.end ());
   fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst, sizes, &times[0],
-                    &x0[0], &iopt[0], &options[0], &plan->ip[0], &plan->rp[0], &cst[0], &xout[0],
-                    &vout[0], &istat[0], &rstat[0], &w[0], &info);
+                    &r.x0[0], &counts[0], &options[0], &ip[0], &rp[0], &r.cst[0], &r.xout[0],
+                    &r.vout[0], &r.istat[0], &r.rstat[0], &r.w[0], &r.info);
 }
 
 #if ! defined (GSMBP_QUAD)
+// the scene's side of a run by an implicit method
+static void
+take_scene (gsmbp_run& g)
+{
+  g.gsfun = gsfun_;
+  g.gsinp = gsinp_;
+  g.gschk = gschk_;
+  g.gsjmp = gsjmp_;
+  g.gspst = gspst_;
+  g.gspnw = gspnw_;
+  g.gspbg = gspbg_;
+  g.gsdue = gsdue_;
+  g.nq = S.nq;
+  g.nu = S.nu;
+  g.nv = S.nv;
+  g.ny = S.ny;
+  g.nlam = S.nlam;
+}
+
 // from the start, or on from where GSSIM found its steps bound by stability
 void
-simulation::by_implicit (bool resume)
+simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const
 {
   const gsmbp_routine *jac = emitted ("jac");
-  gsmbp_run r = gsmbp_run ();
-  r.rhs = rhs;
-  r.prj = prj;
-  r.con = con;
-  r.kin = kin;
-  r.cmd = cmd;
-  r.clo = clo;
-  r.vin = vin;
-  r.out = out;
-  r.ctl = ctl;
-  r.jac = jac ? jac->sub : nullptr;
+  gsmbp_run g = gsmbp_run ();
+  reals times = tout, breaks = tbrk, options = ropt, absolute = atol;
+  std::vector<int> counts = iopt;
+  take_scene (g);
+  g.rhs = rhs;
+  g.prj = prj;
+  g.con = con;
+  g.kin = kin;
+  g.cmd = cmd;
+  g.clo = clo;
+  g.vin = vin;
+  g.out = out;
+  g.ctl = ctl;
+  g.jac = jac ? jac->sub : nullptr;
   if (jac && carries ())
-    r.jac = reinterpret_cast<gsmbp_sub> (gsmbp_jacobian_with_columns);
-  r.gsfun = gsfun_;
-  r.gsinp = gsinp_;
-  r.gschk = gschk_;
-  r.gsjmp = gsjmp_;
-  r.gspst = gspst_;
-  r.gspnw = gspnw_;
-  r.gspbg = gspbg_;
-  r.gsdue = gsdue_;
-  r.nq = S.nq;
-  r.nu = S.nu;
-  r.nx = nx;
-  r.nv = S.nv;
-  r.ny = S.ny;
-  r.nlam = S.nlam;
-  r.resume = resume;
-  r.order = implicit[0];
-  r.of_state = implicit[1];
-  r.t0 = t0;
-  r.x0 = &x0[0];
-  r.nt = nt;
-  r.nb = nb;
-  r.tout = &tout[0];
-  r.tbrk = &tbrk[0];
-  r.iopt = &iopt[0];
-  r.ropt = &ropt[0];
-  r.atol = &atol[0];
-  r.ip = &plan->ip[0];
-  r.rp = &plan->rp[0];
-  r.cst = &cst[0];
-  r.xout = &xout[0];
-  r.vout = &vout[0];
-  r.ldx = ldx;
-  r.ldv = ldv;
-  r.istat = &istat[0];
-  r.rstat = &rstat[0];
-  r.w = &w[0];
-  r.text = &text[0];
-  r.length = int (text.size ());
-  info = run_implicit (library, r);
+    g.jac = reinterpret_cast<gsmbp_sub> (gsmbp_jacobian_with_columns);
+  g.nx = nx;
+  g.resume = resume;
+  g.order = implicit[0];
+  g.of_state = implicit[1];
+  g.t0 = t0;
+  g.x0 = &r.x0[0];
+  g.nt = nt;
+  g.nb = nb;
+  g.tout = &times[0];
+  g.tbrk = &breaks[0];
+  g.iopt = &counts[0];
+  g.ropt = &options[0];
+  g.atol = &absolute[0];
+  g.ip = &ip[0];
+  g.rp = &rp[0];
+  g.cst = &r.cst[0];
+  g.xout = &r.xout[0];
+  g.vout = &r.vout[0];
+  g.ldx = ldx;
+  g.ldv = ldv;
+  g.istat = &r.istat[0];
+  g.rstat = &r.rstat[0];
+  g.w = &r.w[0];
+  g.text = &r.text[0];
+  g.length = int (r.text.size ());
+  r.info = implicit_method (&g);
 }
 #endif
+
+void
+simulation::run (run_room& r, std::vector<int>& ip, reals& rp) const
+{
+  const bool stiff = iopt[0] == 0;
+  if (! stiff)
+    by_gssim (r, ip, rp);
+#if ! defined (GSMBP_QUAD)
+  if (stiff || r.info == 5)   // found to be bound by stability
+    by_implicit (r, ip, rp, ! stiff);
+#endif
+}
 
 void
 simulation::integrate (void)
 {
   auto begin = std::chrono::steady_clock::now ();
-  const bool stiff = iopt[0] == 0;
-  if (! stiff)
-    by_gssim ();
-#if ! defined (GSMBP_QUAD)
-  if (stiff || info == 5)   // found to be bound by stability
-    by_implicit (! stiff);
-#endif
+  run (*this, plan->ip, plan->rp);
   seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
 }
 

@@ -1,0 +1,196 @@
+// Many runs of a scene by one plan, on all cores: parameters, starts and constant inputs differ
+// from run to run.  A run is a function of its own row alone, whoever runs it and when.
+#pragma once
+
+#include "simulation.h"
+
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+// what differs, a row for each run; no rows: as in the run of the beginning
+struct ensemble_rows
+{
+  int n;
+  std::vector<int> which;            // the parameters that a column stands for
+  Matrix par, table, starts, inputs;
+
+  ensemble_rows (arguments& a)
+    : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1)),
+      par (a.matrix ("par", S.npar, 1)), table (a.value ("table").matrix_value ()),
+      starts (a.value ("starts").matrix_value ()), inputs (a.value ("inputs").matrix_value ())
+  {
+    fits (table, int (which.size ()), "table");
+    fits (starts, S.nx, "starts");
+    fits (inputs, S.nv, "inputs");
+  }
+
+private:
+
+  void fits (const Matrix& m, int columns, const char *name) const
+  {
+    if (! m.isempty () && (m.rows () != n || m.columns () != columns))
+      error ("%s.ensemble: %s: expected %d x %d", S.name, name, n, columns);
+  }
+};
+
+// what comes back, a column or a page for each run
+struct ensemble_results
+{
+  NDArray x, v, y;
+  Matrix counts, values, info;
+
+  ensemble_results (int n, int nt)
+    : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
+      y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
+      info (2, n, 0.0)
+  { }
+};
+
+class ensemble
+{
+public:
+
+  ensemble (const simulation& s, const ensemble_rows& rows)
+    : m_s (s), m_rows (rows), m_results (rows.n, s.nt), m_next (0)
+  {
+    m_x = m_results.x.fortran_vec ();
+    m_v = m_results.v.fortran_vec ();
+    m_y = m_results.y.fortran_vec ();
+    m_counts = m_results.counts.fortran_vec ();
+    m_values = m_results.values.fortran_vec ();
+    m_info = m_results.info.fortran_vec ();
+  }
+
+  void run_all (int threads);
+  const ensemble_results& results (void) const { return m_results; }
+
+private:
+
+  void work (void);
+  bool prepare (int i, run_room& r, std::vector<int>& ip, reals& rp);
+  void keep (int i, const run_room& r, reals& one);
+
+  const simulation& m_s;
+  const ensemble_rows& m_rows;
+  ensemble_results m_results;
+  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info;
+  std::atomic<int> m_next;
+  std::mutex m_plan;
+};
+
+// the room of run I; false where its parameters cannot be
+bool
+ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
+{
+  const ensemble_rows& m = m_rows;
+  r = m_s;
+  if (! m.table.isempty ())
+    {
+      reals par = room (S.npar);
+      routine ("par") (&par[0]);
+      for (int k = 0; k < S.npar; k++)
+        if (double (par[k]) != m.par(k))
+          par[k] = decimal (m.par(k));
+      for (std::size_t k = 0; k < m.which.size (); k++)
+        par[m.which[k] - 1] = decimal (m.table(i, k));
+      int info = 0;
+      routine ("pre") (&par[0], &r.cst[0], &info);
+      m_info[2 * i + 1] = info;
+      if (info != 0)
+        return false;
+    }
+  for (int k = 0; k < S.nx && ! m.starts.isempty (); k++)
+    r.x0[k] = m.starts(i, k);
+  if (S.nctl > 0)   // their periods are the run's own
+    {
+      std::lock_guard<std::mutex> guard (m_plan);
+      m_s.plan->due_from (double (m_s.t0), r.cst);
+      ip = m_s.plan->ip;
+      rp = m_s.plan->rp;
+    }
+  else
+    {
+      ip = m_s.plan->ip;
+      rp = m_s.plan->rp;
+    }
+  for (int k = 0; k < S.nv && ! m.inputs.isempty (); k++)
+    rp[ip[GS_TABLE + 3] - 1 + k] = m.inputs(i, k);
+  for (int k = 0; k < S.nu && S.nq == S.nu; k++)
+    r.w[k] = r.x0[k];
+  return true;
+}
+
+// the rows that were reached, and the last state of a run that ended before its time
+void
+ensemble::keep (int i, const run_room& r, reals& one)
+{
+  const std::size_t nt = m_s.nt, reached = r.istat[4];
+  const std::size_t rows = std::min (nt, reached + (r.info != 0));
+  double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
+  for (std::size_t k = 0; k < rows; k++)
+    {
+      const number *state = &r.xout[m_s.ldx * k], *input = &r.vout[m_s.ldv * k];
+      for (int j = 0; j < S.nx; j++)
+        x[S.nx * k + j] = double (state[j]);
+      for (int j = 0; j < S.nv; j++)
+        v[S.nv * k + j] = double (input[j]);
+      int info = 0;
+      if (S.ny == 0 || k >= reached || ! fine (state, S.nx) || ! fine (input, S.nv))
+        continue;
+      routine ("out") (&m_s.tout[k], state, input, &r.cst[0], &one[0], &info);
+      for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
+        y[S.ny * k + j] = double (one[j]);
+    }
+  m_info[2 * i] = r.info;
+  for (int j = 0; j < 20; j++)
+    {
+      m_counts[20 * std::size_t (i) + j] = r.istat[j];
+      m_values[20 * std::size_t (i) + j] = double (r.rstat[j]);
+    }
+}
+
+// one run after the other, until none is left
+void
+ensemble::work (void)
+{
+  run_room r;
+  std::vector<int> ip;
+  reals rp, one = room (S.ny);
+  for (int i = m_next++; i < m_rows.n; i = m_next++)
+    if (prepare (i, r, ip, rp))
+      {
+        m_s.run (r, ip, rp);
+        keep (i, r, one);
+      }
+}
+
+void
+ensemble::run_all (int threads)
+{
+  std::vector<std::thread> others;
+  for (int k = 1; k < threads; k++)
+    others.emplace_back (&ensemble::work, this);
+  work ();
+  for (std::thread& t : others)
+    t.join ();
+}
+
+// (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
+// starts, inputs, threads): states, inputs, outputs, statistics, INFO of the run and of PRE,
+// seconds
+static octave_value_list
+do_ensemble (arguments& a, int)
+{
+  simulation s (a);
+  ensemble_rows rows (a);
+  int threads = a.integer_within ("threads", 1, 10000);
+  if (s.input.is_function_handle () || s.carries () || s.audit)
+    error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
+  auto begin = std::chrono::steady_clock::now ();
+  ensemble all (s, rows);
+  all.run_all (threads);
+  double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+  const ensemble_results& r = all.results ();
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took);
+}

@@ -1,0 +1,265 @@
+## -*- texinfo -*-
+## @c category Runs
+## @deftypefn {} {@var{e} =} gsmbp_ensemble (@var{m}, @var{x0}, @var{times}, @
+## @var{options}, @dots{})
+## Many runs of a scene, compiled and on all cores: parameters, starts and inputs that
+## differ from run to run.
+##
+## @var{m}, @var{x0} and @var{times} are those of @code{gsmbp_simulate}; what no option
+## below says is the same in all runs.
+## @table @code
+## @item "parameters"
+## a struct: a field of @var{n} values [SI] for each parameter that differs
+## @item "starts"
+## @var{n} rows of @var{nx} states instead of @var{x0}
+## @item "inputs"
+## @var{n} rows of @var{nv} constant inputs instead of "input"
+## @item "threads"
+## how many runs go on at a time, default all cores
+## @end table
+## All other options go to @code{gsmbp_simulate}, but "sensitivity", "audit", "samples" and
+## inputs by a function of Octave.
+##
+## A run depends on its own row alone: the same numbers come back, bit by bit, from
+## whatever number of threads, in whatever order, and from @code{gsmbp_set} and
+## @code{gsmbp_simulate} (where the tolerances are given: their defaults follow the sizes
+## of @var{m}).  One that fails ends alone.  With loops every start is moved onto the
+## constraints of its run; where that is further than 1e-6 (beside @code{m.nominal}) the run is
+## one that failed, but with "start", "project".
+##
+## @var{e} has the fields
+## @table @code
+## @item t, x, v, y
+## times, states, inputs, outputs: a row for each time, a page for each run; NaN where
+## a run did not come to
+## @item of
+## a function: @code{e.of ("motor.i")} has a row for each time and a column for each run, of
+## a state, an input or an output
+## @item final
+## the states at the last time, a row for each run
+## @item ok, reason, reached
+## for each run: whether it came to its end, if not why, and the time that it
+## reached [s]
+## @item calls, accepted, rejected
+## for each run: calls of the right-hand side, steps
+## @item parameters
+## as given
+## @item threads, seconds
+## of the runs alone
+## @end table
+##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> table = struct ("la", linspace (2e-3, 5e-3, 50));
+## >> e = gsmbp_ensemble (m, m.initial, [0, 0.1, 0.2], "input", 12, "parameters", table);
+## >> size (e.x), all (e.ok)
+## ans =
+##     3    7   50
+## ans = 1
+## @end example
+##
+## Errors: as @code{gsmbp_simulate}; a parameter that the scene has not; columns of other
+## lengths; numbers that are not finite.
+## Source: own.
+## @seealso{gsmbp_simulate, gsmbp_set}
+## @end deftypefn
+
+function e = gsmbp_ensemble (m, x0, times, varargin)
+  if (nargin < 3)
+    print_usage ();
+  endif
+  who = "gsmbp_ensemble";
+  gsmbp__model (who, m);
+  [own, o] = read_options (who, m, varargin);
+  rows = rows_of (who, m, own);
+  if (isempty (x0) && ! isempty (rows.starts))
+    x0 = rows.starts(1,:);
+  endif
+  p = gsmbp__run_setup (who, m, x0, times, o);
+  [x, v, y, counts, values, info, seconds] = run_all (p, m, rows);
+  e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
+              permute (y, [2, 1, 3]));
+  e = judged (e, p, rows, counts, values, info, size (x));
+  e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
+  e.final = permute (e.x(end,:,:), [3, 2, 1]);
+  [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
+  e.parameters = own.parameters;
+  [e.threads, e.seconds] = deal (rows.threads, seconds);
+endfunction
+
+## the runs whose parameters break no rule of the scene; NaN and zeros for the others
+function [x, v, y, counts, values, info, seconds] = run_all (p, m, rows)
+  good = strcmp (rows.broken, "");
+  sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
+           [m.sizes.ny, numel(p.times)], 20, 20, 2};
+  all_ = cell (1, 6);
+  for i = 1:6
+    all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
+  endfor
+  seconds = 0;
+  if (any (good))
+    of = @(x) x(good(1:size (x, 1)),:);
+    some = cell (1, 6);
+    [some{:}, seconds] = ...
+        p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
+                    cellfun (@double, struct2cell (m.par)), of (rows.table), of (rows.starts), ...
+                    of (rows.inputs), rows.threads);
+    for i = 1:6
+      if (i <= 3)
+        all_{i}(:,:,good) = some{i};
+      else
+        all_{i}(:,good) = some{i};
+      endif
+    endfor
+  endif
+  [x, v, y, counts, values, info] = all_{:};
+endfunction
+
+## its own options, and those of gsmbp_simulate
+function [own, o] = read_options (who, m, pairs)
+  table = {"parameters", struct(), "any"
+           "starts", [], "numbers"
+           "inputs", [], "numbers"
+           "threads", nproc(), "whole"};
+  [names, values] = gsmbp__pairs (who, "option", pairs);
+  known = gsmbp__simulate_options (any (strcmp (m.subroutines, "con")) && m.sizes.nlam > 0);
+  k = find (! ismember (names, [table(:,1); known(:,1)]), 1);
+  if (! isempty (k))
+    error ("%s: unknown option %s", who, ...
+           gsmbp__unknown (names{k}, sort ([table(:,1); known(:,1)])'));
+  endif
+  k = find (ismember (names, {"sensitivity", "dx0", "fixed", "audit", "samples"}), 1);
+  if (! isempty (k))
+    error ("%s: option %s is for one run alone, by gsmbp_simulate", who, names{k});
+  endif
+  mine = ismember (names, table(:,1));
+  own = gsmbp__options (who, table, [names(mine); values(mine)](:)');
+  o = gsmbp__options (who, known, [names(! mine); values(! mine)](:)');
+  o.samples = false;
+  if (! isempty (own.inputs) && ! (isempty (o.input) && isempty (o.motion)))
+    error ("%s: give \"input\" or \"inputs\", not both", who);
+  elseif (is_function_handle (o.input))
+    error (["%s: option input: expected constants, a piecewise polynomial or \"user\", found a " ...
+            "function of Octave, which cannot run on several cores"], who);
+  endif
+endfunction
+
+## what differs from run to run
+function rows = rows_of (who, m, own)
+  if (! (isstruct (own.parameters) && isscalar (own.parameters)))
+    error (["%s: option parameters: expected a struct with a field of values for each " ...
+            "parameter, found %s"], who, gsmbp__shown (own.parameters));
+  endif
+  if (! (own.threads >= 1))
+    error ("%s: option threads: expected a whole number above 0, found %g", who, own.threads);
+  endif
+  names = fieldnames (own.parameters)';
+  given = ! [isempty(own.starts), isempty(own.inputs)];
+  lengths = [cellfun(@(name) numel (own.parameters.(name)), names), ...
+             [size(own.starts, 1), size(own.inputs, 1)](given)];
+  what = [cellfun(@(name) ["parameter " name], names, "UniformOutput", false), ...
+          {"option starts", "option inputs"}(given)];
+  k = find (lengths != [lengths, 1](1), 1);
+  if (isempty (lengths) || ! isempty (k) || lengths(1) == 0)
+    differ (who, what, lengths, k);
+  endif
+  rows = struct ("n", lengths(1), "which", zeros (0, 1), "table", [], "starts", ...
+                 width (who, "starts", own.starts, m.sizes.nx), "inputs", ...
+                 width (who, "inputs", own.inputs, m.sizes.nv), "threads", own.threads, ...
+                 "broken", {repmat({""}, lengths(1), 1)});
+  for name = names
+    gsmbp__known_parameter (who, m, name{1});
+    values = own.parameters.(name{1})(:);
+    finite (who, ["parameter " name{1}], values);
+    rows.which(end+1,1) = find (strcmp (fieldnames (m.par), name{1}));
+    rows.table(:,end+1) = double (values);
+  endfor
+  if (! isempty (names))
+    rows.broken = gsmbp__broken_rules (m, own.parameters);
+  endif
+endfunction
+
+function differ (who, what, lengths, k)
+  if (isempty (lengths))
+    error (["%s: expected what differs from run to run, option \"parameters\", \"starts\" or " ...
+            "\"inputs\""], who);
+  elseif (lengths(1) == 0)
+    error ("%s: %s: expected one value or more, found none", who, what{1});
+  endif
+  error ("%s: %s: expected %d values, one for each run as %s, found %d", who, what{k}, ...
+         lengths(1), what{1}, lengths(k));
+endfunction
+
+function x = width (who, name, x, n)
+  if (! isempty (x) && columns (x) != n)
+    error ("%s: option %s: expected rows of %d numbers, found %d", who, name, n, columns (x));
+  endif
+  finite (who, ["option " name], x);
+endfunction
+
+function finite (who, what, x)
+  if (! (isnumeric (x) && isreal (x)))
+    error ("%s: %s: expected real numbers, found %s", who, what, gsmbp__shown (x));
+  endif
+  k = find (any (! isfinite (x), 2), 1);
+  if (! isempty (k))
+    error ("%s: %s: expected finite numbers, found %s in row %d", who, what, ...
+           gsmbp__shown (x(k,:)), k);
+  endif
+endfunction
+
+## which runs came to their end; those whose start was moved too far did not
+function e = judged (e, p, rows, counts, values, info, extent)
+  m = p.m;
+  n = rows.n;
+  start = rows.starts';
+  if (isempty (start))
+    start = repmat (p.x0, 1, n);
+  endif
+  at_first = reshape (e.x(1,:,:), m.sizes.nx, n);
+  moved = max (abs (at_first - start) ./ m.nominal, [], 1)';
+  far = strcmp (p.o.start, "check") & moved > 1e-6 & (m.sizes.nlam > 0 | m.sizes.nq > m.sizes.nu);
+  broken = ! strcmp (rows.broken, "");
+  e.ok = info(1,:)' == 0 & info(2,:)' == 0 & ! far & ! broken;
+  e.reached = values(8,:)';
+  e.reached(e.ok) = e.t(end);
+  e.reason = rows.broken;
+  e.reached(broken) = e.t(1);
+  for i = find (! e.ok & ! broken)'
+    e.reason{i} = reason (m, info(:,i), counts(:,i), values(:,i), moved(i), last_of (e, i, counts));
+  endfor
+  for i = find (! e.ok)'   # a state where a run ended is none at a time that was asked for
+    bad = {counts(5,i)+1:extent(2), 1:extent(2)}{1 + (far(i) || broken(i))};
+    [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
+  endfor
+endfunction
+
+function text = reason (m, info, counts, values, moved, last)
+  if (info(2) != 0)
+    text = ["its parameters cannot be: " m.module("meaning", "pre", info(2))];
+  elseif (info(1) != 0)
+    text = gsmbp__failure (m, info(1), counts, values, "", last);
+  else
+    text = sprintf (["its start was moved by %.3g onto its constraints (\"start\", " ...
+                     "\"project\" lets it)"], moved);
+  endif
+endfunction
+
+function last = last_of (e, i, counts)
+  k = counts(5,i) + 1;
+  last = [];
+  if (k <= rows (e.x) && all (abs ([e.x(k,:,i), e.v(k,:,i)]) <= 1e300))
+    last = struct ("x", e.x(k,:,i)', "v", e.v(k,:,i)');
+  endif
+endfunction
+
+%!shared m
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! m = gsmbp_hand ("motor_pendulum");
+%!test <each run is that of gsmbp_set and gsmbp_simulate>
+%! e = gsmbp_ensemble (m, [0.1 0 0], [0 0.2], "parameters", struct ("m", [1 1.2]), "atol", 1e-9);
+%! r = gsmbp_simulate (gsmbp_set (m, "m", 1.2), [0.1 0 0], [0 0.2], "atol", 1e-9);
+%! assert (e.x(:,:,2), r.x);
+%! assert (e.of ("drive.i")(2,:), e.final(:,3)');
+%!error <unknown parameter "mm"> gsmbp_ensemble (m, [0 0 0], [0 1], "parameters", struct ("mm", 1))

@@ -1,0 +1,67 @@
+## p = gsmbp__run_setup (who, m, x0, times, o)
+## A run of the model M from X0 at TIMES(1) by the options O of gsmbp_simulate, checked and laid
+## out: a struct with M (its way of the loops set), O (completed), X0 and ATOL (with the states of
+## an audit and of derivatives), TIMES, METHOD, ROPT, START (see gsmbp__start), CARRIED, and
+## ARGUMENTS of the module's "sim".
+
+function p = gsmbp__run_setup (who, m, x0, times, o)
+  d = m.sizes;
+  p.times = times = gsmbp__times (who, times);
+  if (numel (times) < 2)
+    error (["%s: the times must be two or more, that of x0 first; found %.15g alone " ...
+            "(from 0 on: [0, %.15g])"], who, times, times);
+  endif
+  [m, way] = gsmbp__loop_way (who, o, m);
+  [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
+  t0 = times(1);
+  [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start);
+  if (isempty (o.motion))
+    o.of_time = of_time (o.input);
+    o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
+  endif
+  [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
+  o.bounds = plan.limits;
+  plan = gsmbp__sampled (who, m, o, times, plan);
+  plan = gsmbp__event_plan (who, m, o, plan);
+  gsmbp__check_stops (who, m, t0, x0);
+  p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
+  [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);
+  breaks = unique ([breaks, double(o.breaks(:)')]);
+  breaks = breaks(breaks > t0 & breaks < times(end));
+  library = "";
+  if (any (strcmp (p.method, {"cvode", "radau", "auto"})))
+    library = gsmbp__implicit_library (who, m, strrep (p.method, "auto", "radau"));
+  endif
+  guess = zeros (d.nu, 1);
+  if (d.nq == d.nu)
+    guess = p.x0(1:d.nq);
+  endif
+  p.arguments = {m.cst, t0, p.x0, p.carried.columns, times, breaks, ...
+                 [numel(times), numel(breaks)], iopt, p.ropt, p.atol, plan, guess, callback, ...
+                 library, [order, ! isempty(m.internal)]};
+  [p.m, p.o] = deal (m, o);
+endfunction
+
+## the two states of an audit and their tolerances
+function [x0, atol] = audit_states (who, m, o, x0, atol)
+  if (isempty (o.audit))
+    return;
+  endif
+  if (! any (strcmp (m.subroutines, "rha")))
+    error (["%s: option audit needs the subroutine RHA (request audit), which %s was " ...
+            "emitted without"], who, m.name);
+  elseif (! isempty (o.gain))
+    error ("%s: no audit with state feedback from outside", who);
+  endif
+  x0 = [x0(:); 0; 0];
+  atol = [atol(:); o.rtol * o.audit * [1; 1]];
+endfunction
+
+## is an input a function of time, by its text?
+function is = of_time (f)
+  is = false;
+  if (is_function_handle (f))
+    part = regexp (func2str (f), '^@\(\s*\w+\s*,\s*(\w+)\s*\)(.*)$', "tokens", "once");
+    is = ! isempty (part) && ! any (strcmp (regexp (part{2}, '\w+', "match"), part{1}));
+  endif
+endfunction
