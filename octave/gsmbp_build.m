@@ -171,7 +171,9 @@
 ## a controller with a period (@code{gsmbp_control}, @code{gsmbp_pid}), or a cell array of them: the
 ## machine with it as a further sampled device, which reads outputs of the scene and holds inputs.
 ## Its Fortran is that of @code{gsmbp_controller}; its references are inputs behind those of the
-## scene, and at the trim where nothing else is said.  A run starts with its memory at the trim
+## scene, and at the trim where nothing else is said.  A run starts with its memory at the trim.
+## Option "sensitivity" of @code{gsmbp_simulate} goes through it where the scene has no sampled
+## devices of its own and the controller does not round
 ## @end table
 ##
 ## @c session octave

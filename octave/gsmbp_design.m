@@ -29,7 +29,10 @@
 ## @item "Ms"
 ## largest sensitivity of the loops, default 1.6
 ## @item "tolerances"
-## rows @code{@{"m3", 0.1@}}: a parameter and the share by which it may be off, either way
+## rows @code{@{"m3", 0.1@}}: a parameter and the share by which it may be off, either way; all
+## corners of up to three are run, of more those that derivatives call the worst.  These are carried
+## with the runs where the scene was derived for them (request @code{sensitivity(m3)}), else
+## differences
 ## @item "springs"
 ## rows @code{@{"k", [0 500]@}}: parameters that may be chosen so that the weight is balanced, and
 ## their bounds
@@ -51,7 +54,7 @@
 ## with all loops closed), and feedforward of the voltages where the accuracy asks for it.  Then the
 ## non-linear machine runs through all tasks with its controller: samples, delay, steps of
 ## converters, saturation, friction and losses of the gears; nominally, and at the corners of the
-## tolerances that derivatives of each quantity call its worst.  Where a demand is not met the next
+## tolerances.  Where a demand is not met the next
 ## drives of the order are tried.
 ##
 ## @var{r} has the fields
@@ -75,6 +78,8 @@
 ## @item controller, machine, runs
 ## for @code{gsmbp_controller} and @code{gsmbp_loop}; the model with it; its runs, one for each
 ## task, with @code{planned} and @code{error}
+## @item derivatives
+## how they were found
 ## @item axes, cycles, drives, attempts, laws, loops, poses, feedforward, references, corners
 ## the steps: load cycles, results of @code{gsmbp_drive}, choices that were tried with what they did
 ## not meet, controllers of @code{gsmbp_pid}, margins at the poses, what the controller's computer

@@ -16,7 +16,7 @@ function d = gsmbp__machine_candidate (who, d, places)
   d.references = gsmbp__machine_references (d);
   d = gsmbp__machine_loops (who, d);
   d.plain = [];
-  d.derivatives = "central differences of runs without converters";
+  d.derivatives = "";
   d = proven (who, d, false);
   if (any (strcmp ({d.unmet.name}, "tracking error")))
     d.plain = d.margins;

@@ -17,7 +17,7 @@ function d = gsmbp__machine_corners (d)
   if (isempty (names) || ! all (isfinite ([d.margins.found])))
     return;
   endif
-  slopes = gsmbp__machine_slopes (d, names);
+  [slopes, d.derivatives] = gsmbp__machine_slopes (d, names);
   signs = zeros (0, numel (names));
   for i = 1:numel (d.margins)
     [d.margins(i), both] = extremes (d.margins(i), slopes{i}, shares(:));

@@ -1,9 +1,9 @@
-## r = gsmbp__machine_run (d, m, mc, i, own)
+## r = gsmbp__machine_run (d, m, mc, i, own, option, value, ...)
 ## A run of the machine of the design D with its controller (model MC; M: the same parameters
 ## without it) through the task OWN, the i-th, with the references of its controller's computer.
 ## Also planned and error, a column for each axis, and whether it ended where it should.
 
-function r = gsmbp__machine_run (d, m, mc, i, own)
+function r = gsmbp__machine_run (d, m, mc, i, own, varargin)
   ref = d.references{i};
   table = zeros (numel (ref.t), mc.sizes.nv);
   table(:,gsmbp__which (strcat ("ctl.", {d.axes.output}, "_ref"), mc.inputs)) = ref.planned;
@@ -13,7 +13,8 @@ function r = gsmbp__machine_run (d, m, mc, i, own)
   endif
   [~, x0] = gsmbp__machine_command (m, d.axes, own, own.start);
   [r, info] = gsmbp_simulate (gsmbp_set (mc, own.values), x0(1,:)', ref.t, "input", ...
-                              gsmbp_plan ("table", ref.t, table, 1), "rtol", 1e-8);
+                              gsmbp_plan ("table", ref.t, table, 1), "rtol", 1e-8, ...
+                              varargin{:});
   r.ended = info == 0;
   r.planned = ref.planned(1:rows (r.x),:);
   r.error = r.x(:,[d.axes.k]) - r.planned;

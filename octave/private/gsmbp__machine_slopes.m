@@ -1,17 +1,41 @@
-## slopes = gsmbp__machine_slopes (d, names)
+## [slopes, said] = gsmbp__machine_slopes (d, names)
 ## Derivatives of the series of all measures of the design D by the parameters NAMES (columns),
-## for a change by their own value, a cell each: central differences of runs of the machine
-## without rounding.
+## for a change by their own value, a cell each, of the machine without converters; SAID: how.
+## Where the scene was derived for these parameters the derivatives of states and voltages are
+## carried with the runs; else they, and what follows from them, are central differences.
 
-function slopes = gsmbp__machine_slopes (d, names)
+function [slopes, said] = gsmbp__machine_slopes (d, names)
   d.machine = d.smooth;
+  known = isfield (d.model.json, "sensitivity") && any (strcmp (d.machine.subroutines, "ctd"));
+  if (known && all (ismember (names, cellstr (d.model.json.sensitivity))))
+    runs = gsmbp__machine_carried (d, names);
+    said = ["carried with the runs, without converters; what loads the gears alone, by " ...
+            "differences"];
+    at = @(k, h) moved (d, runs, names{k}, k, h);
+  else
+    said = "central differences of runs without converters";
+    at = @(k, h) gsmbp__machine_proof (d, struct (names{k}, 1 + h));
+  endif
   h = 1e-3;
-  at = @(name, x) {gsmbp__machine_proof(d, struct (name, x)).measures.series};
   slopes = cell (1, numel (d.proof.measures));
   for k = 1:numel (names)
-    [above, below] = deal (at (names{k}, 1 + h), at (names{k}, 1 - h));
+    [above, below] = deal ({at(k, h).measures.series}, {at(k, -h).measures.series});
     for i = 1:numel (slopes)
       slopes{i}(:,k) = (above{i} - below{i}) / (2 * h);
     endfor
   endfor
+endfunction
+
+## what is found where states and voltages are moved along their derivatives
+function p = moved (d, runs, name, k, h)
+  [m, ~, own] = gsmbp__machine_at (d, struct (name, 1 + h));
+  for i = 1:numel (runs)
+    r = runs{i};
+    r.x += h * r.slopes(:,:,k);
+    r.v(:,[d.axes.input]) += h * r.voltage_slopes(:,:,k);
+    r.error = r.x(:,[d.axes.k]) - r.planned;
+    p.runs{i} = r;
+  endfor
+  p.cycles = gsmbp__machine_cycles (m, d.axes, own);
+  p.measures = gsmbp__machine_measures (d, m, p);
 endfunction

@@ -27,6 +27,11 @@ function [json, source, text] = gsmbp__with_controller (json, text, list, folder
   endfor
   text = [text, sprintf("%s", parts{:}), entry(json, all_, list, name)];
   json.subroutines = subroutines (json, name);
+  if (own == 0 && any (strcmp (full_names (json), [name "_RHP"])) ...
+      && ! any (cellfun (@(c) isfield (c, "schedule") || isfield (c, "cst"), list)))
+    text = [text, slopes(json, all_, list, name)];
+    json.subroutines{end+1} = struct ("name", [name "_CTD"]);
+  endif
   gsmbp__folder (who, folder);
   source = fullfile (folder, [json.name ".f"]);
   gsmbp__write (who, source, text);
@@ -167,6 +172,35 @@ function text = entry (json, before, list, name)
   endfor
   out{end+1} = "      END";
   text = sprintf ("%s\n", out{:});
+endfunction
+
+function list = full_names (json)
+  list = cellfun (@(row) row.name, gsmbp__rows (json, "subroutines"), "UniformOutput", false);
+endfunction
+
+## CTD: derivatives of the sample of one of them; BEFORE: the scene without them
+function text = slopes (json, before, list, name)
+  d = json.dimensions;
+  n = d.nv + d.nxk;
+  at = struct ("sizes", [d.nv, d.nxk], "nv", before.dimensions.nv, "xk", 0);
+  out = {sprintf("      SUBROUTINE %s_CTD( K, T, Y, XK, CST, V, D )", name), ...
+         "      IMPLICIT NONE", "      INTEGER            K, I, J", ...
+         sprintf("      DOUBLE PRECISION   T, Y(*), XK(*), CST(*), V(*), D(%d,*)", n), ...
+         sprintf("      DO 20 J = 1, %d", n + d.ny + numel (cellstr (json.sensitivity))), ...
+         sprintf("      DO 10 I = 1, %d", n), ...
+         "      D(I,J) = 0.0D0", "      IF ( I.EQ.J ) D(I,J) = 1.0D0", "   10 CONTINUE", ...
+         "   20 CONTINUE"};
+  text = "";
+  rows_ = gsmbp__rows (json, "controllers");
+  for k = 1:numel (list)
+    [at.reads, at.drives] = deal (rows_{k}.reads, rows_{k}.outputs);
+    part = sprintf ("%s_CE%d", name, k);
+    out{end+1} = sprintf ("      IF ( K.EQ.%d ) CALL %s( Y, XK, V, D )", k, part);
+    text = [text, gsmbp__controller_slopes(list{k}, part, at)];
+    at.nv += numel (list{k}.references);
+    at.xk += rows (list{k}.A);
+  endfor
+  text = [text, sprintf("%s\n", out{:}, "      END")];
 endfunction
 
 function text = double_text (x)

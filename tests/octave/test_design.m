@@ -19,6 +19,7 @@ function test_design ()
   the_drive (m, s, r);
   the_spring (m, r);
   the_corners (s, r);
+  the_derivatives (r);
   the_page (r, fileread (s.file));
   what_is_not_met (m, s);
   refusals (m, s);
@@ -85,6 +86,27 @@ function the_corners (s, r)
     gsmbp_check (["the worst " o.name], o.worst / max (found(:,i)) - 1, 1e-9);
     ## derivatives do not know the steps of the encoder
     gsmbp_check (["to first order: " o.name], o.first - o.worst, 0.03*o.worst + i*1e-4);
+  end
+end
+
+## derivatives through the joined controller, limits among what it meets, against differences
+function the_derivatives (r)
+  gsmbp_check ("carried with the runs", double (! strncmp (r.derivatives, "carried", 7)), 0);
+  law = r.laws.law;
+  for limit = [40 8]
+    law.limits = [-limit, limit];
+    mc = gsmbp_build (r.model.name, "directory", r.model.directory, "controller", law, ...
+                      "parameters", r.model.par);
+    run = @(m, varargin) gsmbp_simulate (m, [0 0 0], 0:0.02:0.2, "input", 0.1, "rtol", 1e-12, ...
+                                         varargin{:});
+    a = run (mc, "sensitivity", {"ml", "motor_K"});
+    for name = {"ml", "motor_K"}
+      h = 1e-5 * mc.par.(name{1});
+      at = @(s) run (gsmbp_set (mc, name{1}, mc.par.(name{1}) + s * h)).x;
+      b = (8 * (at (1) - at (-1)) - (at (2) - at (-2))) / (12 * h);
+      told = sprintf ("derivatives by %s, voltage up to %g", name{1}, max (abs (a.v(:,1))));
+      gsmbp_check (told, (a.dx.(name{1}) - b) ./ max (abs (b)), 1e-6);
+    end
   end
 end
 
