@@ -192,7 +192,8 @@ def same_number(a, b):
     x, y = (float(v.lower().replace('d', 'e')) for v in (a, b))
     digits = a.lower().split('e')[0].partition('.')[2]
     power = float('1e' + (a.lower().partition('e')[2] or '0'))
-    return abs(x - y) <= max(1e-4*abs(x), 2.001*10.**-len(digits)*power, 1e-12)
+    last = 2.001*10.**-len(digits)*power if digits else 0.
+    return abs(x - y) <= max(1e-4*abs(x), last, 1e-12)
 
 
 def same_line(expected, said):

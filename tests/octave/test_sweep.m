@@ -1,0 +1,131 @@
+## Sweeps: plans against what is known of them, the table, statistics against closed forms,
+## indices of Sobol of a function whose indices are known, the same table from any number of threads.
+
+function test_sweep ()
+  m = gsmbp_fixture ("sweep_ishigami");
+  plans (m);
+  table (m);
+  indices (m);
+  yields (m);
+  refused (m);
+end
+
+function w = swept (m, varargin)
+  w = gsmbp_sweep (m, [1; 0], [0, 0.1], varargin{:});
+end
+
+function plans (m)
+  three = struct ("a", [0, 1], "c", [0, 1], "e", [0, 1]);
+  w = swept (m, "vary", three, "runs", 7);
+  ## the points of Joe and Kuo's program behind the first
+  known = [0.5 0.5 0.5; 0.75 0.25 0.25; 0.25 0.75 0.75; 0.375 0.375 0.625; 0.875 0.875 0.125; ...
+           0.625 0.125 0.875; 0.125 0.625 0.375];
+  gsmbp_check ("points of Sobol, three dimensions", w.values(:,1:3) - known, 2e-10);
+  many = struct ("a", [0, 1], "b", [0, 1], "c", [0, 1], "d", [0, 1], "e", [0, 1], "k", [1, 2], ...
+                 "m", [1, 2]);
+  w = swept (m, "vary", many, "runs", 1023);
+  u = w.values(:,1:7) - [0 0 0 0 0 1 1];
+  cells = sort (floor (u * 1024), 1);
+  gsmbp_check ("each of 1024 slices of seven dimensions has one point, but the first", ...
+               all (all (cells == (1:1023)')));
+  w = swept (m, "vary", many, "runs", 200, "plan", "latin");
+  gsmbp_check ("Latin hypercube: one point in each slice", ...
+               all (all (sort (floor ((w.values(:,1:7) - [0 0 0 0 0 1 1]) * 200), 1) == (0:199)')));
+  again = swept (m, "vary", many, "runs", 200, "plan", "latin", "threads", 3);
+  other = swept (m, "vary", many, "runs", 200, "plan", "latin", "seed", 2);
+  gsmbp_check ("the same seed and any number of threads: the same table, bit for bit", ...
+               isequal (w.values, again.values) && ! isequal (w.values(:,1), other.values(:,1)));
+  rand ("twister", 7);
+  a = rand ();
+  rand ("twister", 7);
+  long = swept (m, "vary", many, "runs", 300, "plan", "random");
+  gsmbp_check ("the user's generator goes on as it was", isequal (a, rand ()));
+  short = swept (m, "vary", many, "runs", 130, "plan", "random");
+  gsmbp_check ("a sample is a function of its number", ...
+               isequal (short.values(1:130,:), long.values(1:130,:)));
+  w = swept (m, "plan", "grid", "vary", struct ("a", [1 2 3], "b", [10 20]));
+  gsmbp_check ("grid", isequal (w.values(:,1:2), [1 10; 1 20; 2 10; 2 20; 3 10; 3 20]));
+  w = swept (m, "plan", "corners", "vary", struct ("a", [1 5 3], "b", {{"normal", 10, 1}}));
+  gsmbp_check ("corners", isequal (w.values(:,1:2), [1 7; 1 13; 5 7; 5 13]));
+  w = swept (m, "plan", "grid", "vary", struct ("a", [1 5 3]));
+  gsmbp_check ("a grid of one parameter", isequal (w.values(:,1), [1; 5; 3]));
+end
+
+## x = cos (w t), w^2 = k/m
+function table (m)
+  t = linspace (0, 1, 101);
+  vary = struct ("k", [6, 10], "m", {{"normal", 2, 0.1}});
+  w = gsmbp_sweep (m, [1; 0], t, "vary", vary, "runs", 50, "keep", ...
+                   {"final x1", "peak x1_d", "max x1", "min x1", "mean x1", "rms x1"});
+  o = sqrt (w.values(:,1) ./ w.values(:,2));
+  x = cos (o * t);
+  known = [x(:,end), max(abs (o .* sin (o * t)), [], 2), max(x, [], 2), min(x, [], 2), ...
+           trapz(t, x, 2), sqrt(trapz (t, x .^ 2, 2))];
+  gsmbp_check ("what is kept, against the closed form", w.values(:,3:end) - known, 1e-8);
+  gsmbp_check ("names and units", isequal (w.names(1:5), {"k", "m", "final x1", "peak x1_d", ...
+                                                "max x1"}) ...
+                 && isequal (w.units(1:4), {"N/m", "kg", "m", "m/s"}));
+  z = w.values(:,3);
+  gsmbp_check ("mean, deviation, median", [w.mean(1) - mean(z), w.std(1) - std(z), ...
+                                          w.quantiles(2,1) - median(z)], 1e-14);
+  gsmbp_check ("ranks: all that k does to the final place is one way", ...
+               w.correlation(1,1) < -0.9 && w.correlation(2,1) > 0);
+  w = gsmbp_sweep (m, [1; 0], t, "vary", struct ("m", {{"normal", 2, 0.1}}), "runs", 4095, ...
+                   "keep", "final x1");
+  gsmbp_check ("a normal distribution: mean and deviation", ...
+               [mean(w.values(:,1)) - 2, std(w.values(:,1)) / 0.1 - 1], 2e-3);
+end
+
+## S = 0.3139, 0.4424, 0; T = 0.5576, 0.4424, 0.2437 (a = 7, b = 0.1)
+function indices (m)
+  vary = struct ("a", [-pi, pi], "c", [-pi, pi], "e", [-pi, pi]);
+  w = swept (m, "vary", vary, "plan", "indices", "runs", 4095);
+  [first, total] = ishigami (7, 0.1);
+  gsmbp_check ("Ishigami: indices of first order", w.first - first, 0.01);
+  gsmbp_check ("Ishigami: total indices", w.total - total, 0.01);
+  gsmbp_check ("Ishigami: mean", w.mean - 3.5, 0.02);
+end
+
+function [first, total] = ishigami (a, b)
+  v1 = (1 + b * pi ^ 4 / 5) ^ 2 / 2;
+  v2 = a ^ 2 / 8;
+  v13 = b ^ 2 * pi ^ 8 * (1 / 18 - 1 / 50);
+  all_ = v1 + v2 + v13;
+  first = [v1; v2; 0] / all_;
+  total = [v1 + v13; v2; v13] / all_;
+end
+
+function yields (m)
+  w = swept (m, "vary", struct ("a", [0, 1]), "runs", 1023, "demand", ...
+             {"a", 0.25, Inf; "final ishigami", -Inf, Inf});
+  gsmbp_check ("yield: three quarters", w.yield - 0.75, 2e-3);
+  w = swept (m, "vary", struct ("m", [-1, 3]), "runs", 255, "demand", {"m", -Inf, Inf});
+  gsmbp_check (["masses that cannot be fail alone: " w.reason{find(! w.ok, 1)}], ...
+               w.yield == mean (w.ok) && abs (w.yield - 0.75) < 0.01 ...
+                 && all (isnan (w.values(! w.ok,2))) && isfinite (w.mean));
+end
+
+function refused (m)
+  one = {"vary", struct("a", [0, 1])};
+  wrong = {{}, "option vary: expected a struct";
+           {"vary", struct("a", 1)}, "option vary: a: expected [low, high]";
+           {"vary", struct("a", [2, 1])}, "option vary: a: expected [low, high]";
+           {"vary", struct("a", {{"normal", 1, 0}})}, "option vary: a: expected";
+           {"vary", struct("A", [0, 1])}, "unknown parameter \"A\", did you mean \"a\"";
+           [one, {"plan", "sobl"}], "option plan";
+           [one, {"runs", 0}], "option runs: expected a whole number above 0";
+           [one, {"keep", {"last x1"}}], "option keep: expected one of final, peak";
+           [one, {"keep", {"final x2"}}], "option keep: unknown \"x2\", did you mean";
+           [one, {"demand", {"b", 0, 1}}], "option demand: unknown \"b\"";
+           [one, {"runz", 3}], "unknown option \"runz\", did you mean \"runs\""};
+  for i = 1:rows (wrong)
+    said = "";
+    try
+      swept (m, wrong{i,1}{:});
+    catch err
+      said = err.message;
+    end
+    gsmbp_check (["refused: " said], strncmp (said, "gsmbp_sweep: ", 13) ...
+                   && ! isempty (strfind (said, wrong{i,2})));
+  end
+end
