@@ -1,5 +1,5 @@
 ## Sweeps: plans against what is known of them, the table, statistics against closed forms,
-## indices of Sobol of a function whose indices are known, the same table from any number of threads.
+## indices of Sobol of a function whose indices are known, the same table from any threads.
 
 function test_sweep ()
   m = gsmbp_fixture ("sweep_ishigami");
