@@ -61,7 +61,8 @@
 ##
 ## Options: "solver": "auto" (default), "slsqp", "mma", "cobyla" (NLopt, Debian package
 ## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
-## more, by chance within the bounds, and "seed" of that chance; "tolerance" (1e-10); limits
+## more, by chance within the bounds, and "seed" of that chance, or a matrix, a row of values for
+## each further start; "tolerance" (1e-10); limits
 ## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start.  "choices": all
 ## combinations of the lists ("all", at most 1000) or "branch", branch and bound: choices are free
 ## between two numbers of their lists first, and what cannot be better than the best found is left
@@ -121,6 +122,7 @@ function [r, info] = gsmbp_optimize (m, free, goal, varargin)
   o = gsmbp__options (who, known_options (), given(3:end));
   P = problem (who, m, free, goal, given{1:2});
   checked (P, o);
+  P.places = further (P, o);
   [best, ends, told] = gsmbp__design_choices (who, P, o);
   best.starts = ends;
   [r, info] = gsmbp__design_result (who, best, o, P, told);
@@ -133,7 +135,7 @@ endfunction
 
 function table = known_options ()
   table = {"solver", "auto", {"auto", "slsqp", "mma", "cobyla", "ipopt"}
-           "starts", 1, "whole"
+           "starts", 1, "numbers"
            "seed", 1, "whole"
            "tolerance", 1e-10, "tolerance"
            "iterations", 500, "whole"
@@ -193,15 +195,33 @@ function list = fields (P, c)
   list = unique (list);
 endfunction
 
+## further starts that are given, a row each
+function places = further (P, o)
+  places = zeros (0, numel (P.free));
+  if (! isscalar (o.starts))
+    places = o.starts;
+    if (columns (places) != numel (P.free))
+      error (["%s: option starts: expected a row for each further start, %d numbers (%s), " ...
+              "found %d columns"], P.who, numel (P.free), strjoin ({P.free.name}, ", "), ...
+             columns (places));
+    endif
+    [k, i] = find (! (places >= [P.free.low] & places <= [P.free.high]), 1);
+    if (! isempty (k))
+      error ("%s: option starts: row %d: expected %s from %g to %g, found %g", P.who, k, ...
+             P.free(i).name, P.free(i).low, P.free(i).high, places(k,i));
+    endif
+  endif
+endfunction
+
 function checked (P, o)
-  if (o.starts < 1)
-    error ("%s: option starts: expected at least 1, found %d", P.who, o.starts);
+  if (isscalar (o.starts) && ! (o.starts >= 1 && o.starts == fix (o.starts)))
+    error ("%s: option starts: expected a whole number, at least 1, found %g", P.who, o.starts);
   elseif (! (isnumeric (o.seconds) && isscalar (o.seconds) && o.seconds > 0))
     error ("%s: option seconds: expected a number above 0, found %s", P.who, ...
            gsmbp__shown (o.seconds));
   endif
   endless = find (! isfinite ([P.free.high] - [P.free.low]), 1);
-  if (o.starts > 1 && ! isempty (endless))
+  if (isscalar (o.starts) && o.starts > 1 && ! isempty (endless))
     error ("%s: option starts: expected finite bounds of %s, between which to start", P.who, ...
            P.free(endless).name);
   endif

@@ -47,7 +47,7 @@ function rough = by_differences (P, c, p)
   if (all (rough))
     return;
   endif
-  handles = [c.args, c.options];
+  handles = [c.args, c.options(! leading (c.options, "guess"))];   # it tells a branch, no more
   if (strcmp (c.kind, "inverse"))
     handles(1) = [];   # through the equations of motion
   elseif (strcmp (c.kind, "positions"))

@@ -30,6 +30,7 @@ function Q = gsmbp__design_chosen (P, low, high, start)
   for i = find (! made)
     Q.free(i).start = min (max (Q.free(i).start, Q.free(i).low), Q.free(i).high);
   endfor
+  Q.places = max (min (P.places, [Q.free.high]), [Q.free.low])(:,! made);
   Q.free = Q.free(! made);
   for c = P.cases
     Q.exact.(c.name) = Q.exact.(c.name)(! made);

@@ -30,12 +30,15 @@ function [best, ends] = gsmbp__design_solve (who, P, o)
   endfor
 endfunction
 
-## columns: the start, then others by chance
+## columns: the start, then others, given or by chance
 function Z = places (P, o)
   f = P.free;
   scale = reshape ([f.scale], [], 1);
   Z = reshape ([f.start], [], 1) ./ scale;
-  if (o.starts < 2 || isempty (f))
+  if (! isscalar (o.starts) && ! isempty (f))
+    Z = [Z, P.places' ./ scale];
+  endif
+  if (! isscalar (o.starts) || o.starts < 2 || isempty (f))
     return;
   endif
   before = rand ("state");

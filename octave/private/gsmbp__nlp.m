@@ -86,6 +86,10 @@ function r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g)
     p.hess = [row, col];
   endif
   o.options = {};
+  if (q.newton)
+    ## the barrier of the bounds stays below what flat sums of squares tell
+    o.options = {"mu_init", 1e-8, "bound_push", 1e-8, "bound_frac", 1e-8};
+  endif
   r = gsmbp__ipopt (who, folder, p, o);
   r.z = r.x;
   r.iterations = max (0, rows (r.log) - 1);

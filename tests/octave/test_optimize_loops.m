@@ -10,6 +10,7 @@ function test_optimize_loops ()
   parallelogram (m);
   along_a_plan (m);
   masses (m);
+  cognates (gsmbp_fixture ("design_fourbar"));
 end
 
 function near (what, found, expected, tolerance)
@@ -88,4 +89,60 @@ function masses (m)
   text = gsmbp_complaint (@() gsmbp_optimize (crank, {"rho", 3, [1 9]}, {"mass", "rods"}));
   gsmbp_check (["refused: " text], ! isempty (strfind (text, ...
                'mass: unknown link "rods", did you mean "rod"')));
+end
+
+## an untimed path of twelve places has three optima, Roberts' cognates, one from each start: the
+## angles between crank and coupler are unknown as well
+function cognates (m)
+  th = 0.4 + (0:11)' * pi / 6;
+  [known, P] = roberts (m.par, th);
+  target = struct ("px", real (P), "py", imag (P));
+  angles = arrayfun (@(k) sprintf ("t%d", k), 1:12, "UniformOutput", false);
+  names = [{"xa", "ya", "a", "b", "c", "dx", "dy", "cx", "cy"}, angles];
+  made = cell2mat (cellfun (@(k) [cellfun(@(n) k.(n), names(1:9)), k.q(:,2)'], known', ...
+                            "UniformOutput", false));
+  rand ("state", 3);
+  start = made + 0.01 * (2 * rand (size (made)) - 1);
+  free = [names', num2cell(start(1,:)'), repmat({[-9 9]}, 21, 1)];
+  near_by = @(p) known{nearest ([p.a, p.b, p.c], made(:,3:5))}.q(1,:)';
+  path = {"positions", "q2", @(p) cellfun(@(n) p.(n), angles)', "guess", near_by, "target", target};
+  r = gsmbp_optimize (m, free, {"square", "error.px"; "square", "error.py"}, {}, path, ...
+                      "starts", start(2:3,:), "evaluations", 100);
+  for k = 1:3
+    found = cellfun (@(n) r.starts(k).values.(n), names);
+    off = max (abs (found - made(k,:)));
+    gsmbp_check (sprintf ("cognate %d is an optimum, found %.2g off, %.2g missed", k, off, ...
+                          sqrt (r.starts(k).J)), off < 1e-6 && r.starts(k).J < 1e-16);
+  end
+  gsmbp_check ("with exact derivatives", strcmp (r.derivatives, "exact"));
+  text = gsmbp_complaint (@() gsmbp_optimize (m, free, {"square", "error.px"}, {}, path, ...
+                                              "starts", [1 2 3]));
+  gsmbp_check (["refused: " strtok(text, "(")], ! isempty (strfind (text, "found 3 columns")));
+end
+
+function k = nearest (x, rows_)
+  [~, k] = min (sum ((rows_ - x) .^ 2, 2));
+end
+
+## by complex numbers (Roberts 1875): crank, coupler, rocker r2, r3, r4, the point at k*r3
+function [list, P] = roberts (p, th)
+  g = p.dx + 1i * p.dy;
+  k = (p.cx + 1i * p.cy) / p.b;
+  [A0, r2] = deal (p.xa + 1i * p.ya, p.a * exp (1i * th));
+  v = g - r2;   # r3 - r4
+  r3 = p.b * v ./ abs (v) .* exp (1i * acos ((abs (v) .^ 2 + p.b ^ 2 - p.c ^ 2) ...
+                                             ./ (2 * abs (v) * p.b)));
+  r4 = r3 - v;
+  P = A0 + r2 + k * r3;
+  list = {four_bar(A0, r2, r3, r4, g, p.b * k), ...
+          four_bar(A0, k * r3, k * r2, k * r4, k * g, abs (k * p.a) / k), ...
+          four_bar(A0 + k * g, (1 - k) * r2, (k - 1) * r4, (k - 1) * r3, (1 - k) * g, ...
+                   abs (1 - k) * p.c * k / (k - 1))};
+end
+
+function f = four_bar (pivot, crank, coupler, rocker, ground, place)
+  f = struct ("xa", real (pivot), "ya", imag (pivot), "a", abs (crank(1)), "b", ...
+              abs (coupler(1)), "c", abs (rocker(1)), "dx", real (ground), "dy", imag (ground), ...
+              "cx", real (place), "cy", imag (place), "q", ...
+              [unwrap(angle (crank)), unwrap(angle (coupler ./ crank)), unwrap(angle (rocker))]);
 end

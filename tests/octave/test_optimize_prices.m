@@ -30,7 +30,8 @@ function prices (m)
     here = strcmp ({r.active.text}, texts{k});
     expected = merge (loosened(k) == 0, slope, -slope * loosened(k));
     found = [r.active(here).multiplier, NaN](1);
-    gsmbp_check (sprintf ("%s: multiplier %.6g, by differences %.6g", texts{k}, found, expected), ...
+    gsmbp_check (sprintf ("%s: multiplier %.6g, by differences %.6g", texts{k}, found, ...
+                          expected), ...
                  abs (found - expected) < 1e-4 * abs (expected));
   end
 end
@@ -74,8 +75,9 @@ function conflicts (m)
       demands(k,:) = {@(p) A(k,:) * [p.a; p.b], "<", b(k)};
     end
     [r, info] = gsmbp_optimize (m, free, {"value", "a"}, demands);
-    told = cellfun (@(t) find (cellfun (@(d, c) strcmp (t, sprintf ("%s < %g", func2str (d), c)), ...
-                                        demands(:,1), demands(:,3))), r.conflict);
+    texts = cellfun (@(d, c) sprintf ("%s < %g", func2str (d), c), demands(:,1), ...
+                     demands(:,3), "UniformOutput", false);
+    told = cellfun (@(t) find (strcmp (t, texts)), r.conflict);
     least = ! can (A(told,:), b(told));
     for k = 1:numel (told)
       less = told([1:k-1, k+1:end]);
