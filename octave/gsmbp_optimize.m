@@ -24,6 +24,10 @@
 ## @item @{"positions", names, values, @dots{}@}
 ## one position after the other, at rest: coordinates that are held and their values, a row each;
 ## option "guess", coordinates from which the loops are closed
+## @item @{"loop", controller@}
+## a control loop (@code{gsmbp_control}, @code{gsmbp_pid}), mostly a function of the values, or of
+## them and the model: @code{phase_margin} [rad], @code{gain_margin}, @code{delay_margin} [s] and
+## @code{Ms}, the worst of all inputs (@code{gsmbp_loop}; 1e6 where there is none)
 ## @end table
 ## Any argument may be a function of one argument, the struct of the values by name: the
 ## coefficients of a plan, gains, a start.  More options of a case: "name", "target" (a struct by
@@ -156,6 +160,9 @@ function P = problem (who, m, free, goal, demands, cases)
   if (any (strcmp ({P.cases.kind}, "rest")))
     P.also = {"frequency1", "damping1", "decay"};
   endif
+  if (any (strcmp ({P.cases.kind}, "loop")))
+    P.also = [P.also, {"phase_margin", "gain_margin", "delay_margin", "Ms"}];
+  endif
   P.base = m;
   P.used = 1:numel (P.cases);
   P.given = struct ();
@@ -182,7 +189,8 @@ function list = fields (P, c)
       k = find (strcmp ({P.table.name}, plain));
       if (! isempty (k))
         list{end+1} = P.table(k).field;
-      elseif (! isempty (regexp (plain, '^(decay|(frequency|damping)\d+)$', "once")))
+      elseif (! isempty (regexp (plain, ['^(decay|(frequency|damping)\d+|Ms|' ...
+                                         '(phase|gain|delay)_margin)$'], "once")))
         list{end+1} = "extra";
       elseif (! isempty (regexp (plain, '^state_margin\d+$', "once")))
         list{end+1} = "state_margins";

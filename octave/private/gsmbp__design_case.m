@@ -37,6 +37,8 @@ function [R, D] = values (P, c, p, by)
       [R, D] = rest (P, m, args, options, p, by);
     case "positions"
       [R, D] = gsmbp__positions (P, m, c, args, options, p, by);
+    case "loop"
+      R = loop (P, m, c, args{1}, p);
   endswitch
 endfunction
 
@@ -90,6 +92,28 @@ function [R, D] = run (P, m, args, options, p, by)
     D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", 0 * R.v), pages(k), ...
              numel (p));
   endfor
+endfunction
+
+## the margins of a control loop: the worst of its inputs
+function R = loop (P, m, c, law, p)
+  if (is_function_handle (law))
+    law = law(gsmbp__as_struct (P, p), m);
+  endif
+  try
+    r = gsmbp_loop (law);
+  catch err
+    error ("%s: case %s: %s", P.who, c.name, err.message);
+  end_try_catch
+  if (law.period == 0 && law.delay == 0)
+    late = max (real (gsmbp__closed_poles (law)));
+    if (late >= 0)
+      error ("%s: case %s: the loop is unstable (a pole at %g 1/s): it has no margins", P.who, ...
+             c.name, late);
+    endif
+  endif
+  R = struct ("t", 0, "extra", struct ("phase_margin", min ([r.phase, 1e6]), ...
+              "gain_margin", min ([r.gain, 1e6]), "Ms", max ([r.Ms]), ...
+              "delay_margin", min ([r.delay, 1e6])));
 endfunction
 
 ## the margins of its devices along a run (m.state_margins)

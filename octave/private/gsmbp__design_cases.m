@@ -25,7 +25,7 @@ endfunction
 ## number of arguments in front of the options
 function c = one (who, m, k, list)
   known = {"run", 2, "times, start"; "inverse", 2, "motion, times"; "rest", 2, "states, inputs"
-           "positions", 2, "names, values"};
+           "positions", 2, "names, values"; "loop", 1, "controller"};
   what = sprintf ("argument cases: case %d", k);
   if (! (iscell (list) && ! isempty (list) && ischar (list{1})))
     error ("%s: %s: expected a list {kind, arguments, ...}, found %s", who, what, ...
@@ -38,8 +38,9 @@ function c = one (who, m, k, list)
     error ("%s: %s: %s: expected %s, found %d arguments", who, what, list{1}, known{row,3}, ...
            numel (list) - 1);
   endif
-  c = struct ("kind", list{1}, "name", sprintf ("case%d", k), "args", {list(2:3)}, ...
-              "options", {list(4:end)}, "target", struct (), "band", 0.02);
+  c = struct ("kind", list{1}, "name", sprintf ("case%d", k), "args", ...
+              {list(1 + (1:known{row,2}))}, "options", {list(2+known{row,2}:end)}, ...
+              "target", struct (), "band", 0.02);
   for own = {"name", "target", "band"}
     c = taken (who, what, c, own{1});
   endfor

@@ -18,6 +18,8 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
                  && (can ("tau", "lambda") || (by_motion && can ("x", "tau", "lambda"))) ...
                  && ((! loops && has ("inv", "lin", "inp")) ...
                      || (has ("ilp") && plans_actuated (m, c)));
+    case "loop"
+      possible = false;
     case "rest"
       possible = can ("x", "y", "v", "extra") && has ("rhp", "jac") && outputs;
     case "positions"
