@@ -33,6 +33,7 @@ function d = gsmbp__machine_corners (d)
     factors = cell2struct (num2cell (1 + all_(k,:)(:) .* shares(:)), names(:), 1);
     d.corners(k) = struct ("signs", all_(k,:), "proof", gsmbp__machine_proof (d, factors));
   endfor
+  d.Ms_corners = gsmbp__machine_loops_at (d, all_ .* shares);
   found = cell2mat (arrayfun (@(c) [c.proof.measures.found]', d.corners, "UniformOutput", false));
   for i = 1:numel (d.margins)
     d.margins(i).predicted = which_(i);

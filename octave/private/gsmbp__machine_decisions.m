@@ -145,6 +145,10 @@ function r = gains (d, j)
     why{end+1} = sprintf (["the integral is slower, Ti = %.4g s, than one pose alone would " ...
                            "bear: one law has to do for all poses"], c.Ti);
   endif
+  if (isfield (d, "Ms_corners"))
+    why{end+1} = sprintf ("at the corners of the tolerances, at that pose: Ms at most %.4g", ...
+                          max (d.Ms_corners(j,:)));
+  endif
   other = {};
   for row = law.tried(law.tried(:,2) != c.Kp,:)'
     other{end+1} = sprintf (["gains of the pose of %s at %.4g s, Kp %.4g, Ki %.4g, Kd %.4g: Ms " ...

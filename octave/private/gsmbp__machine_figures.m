@@ -45,10 +45,14 @@ function text = tracking (d, i)
       y(1:numel (q),2) = q;
       names{2} = ["corner " gsmbp__machine_corner(d, one.corner)];
     endif
-    y = [y, repmat([1, -1] * d.asked.accuracy(j), rows (y), 1)];
-    names = [names, {"allowed", "allowed"}];
-    text = [text, gsmbp__svg_plot(sprintf ("Tracking error of %s, %s", a.coordinate, ...
-                                           d.tasks(i).name), r.t(1:rows (y)), y, names, ...
+    said = sprintf ("Tracking error of %s, %s; allowed: %.4g %s", a.coordinate, ...
+                    d.tasks(i).name, d.asked.accuracy(j), a.unit);
+    if (max (abs (y(:))) > d.asked.accuracy(j) / 4)
+      y = [y, repmat([1, -1] * d.asked.accuracy(j), rows (y), 1)];
+      names = [names, {"allowed", "allowed"}];
+    endif
+    text = [text, sprintf("<p>%s</p>\n", gsmbp__html (said)), ...
+            gsmbp__svg_plot(said, r.t(1:rows (y)), y, names, ...
                                   {"time [s]", sprintf("error of %s [%s]", a.coordinate, a.unit)})];
   endfor
 endfunction
@@ -56,6 +60,8 @@ endfunction
 function text = voltages (d, i)
   r = d.proof.runs{i};
   v = r.v(:,[d.axes.input]);
-  text = gsmbp__svg_plot (["Voltages, " d.tasks(i).name], r.t, v, strcat ({d.axes.motor}, ".v"), ...
-                          {"time [s]", "voltage [V]"});
+  said = ["Voltages, " d.tasks(i).name];
+  text = [sprintf("<p>%s</p>\n", gsmbp__html (said)), ...
+          gsmbp__svg_plot(said, r.t, v, strcat ({d.axes.motor}, ".v"), ...
+                          {"time [s]", "voltage [V]"})];
 endfunction

@@ -38,9 +38,7 @@ function text = asked (d)
                                                    [a.gear "none"(1:4 * isempty (a.gear))], ...
                                                    a.output), d.axes, "UniformOutput", false), ...
                            "; ")
-           "motions", strjoin(arrayfun (@(t) sprintf ("%s, %.5g s to %.5g s", t.name, t.start, ...
-                                                      t.stop), d.tasks, "UniformOutput", ...
-                                        false), "; ")
+           "motions", strjoin(arrayfun (@task, d.tasks, "UniformOutput", false), "; ")
            "accuracy", [number(s.accuracy) " (largest tracking error of each axis)"]
            "supply", sprintf("%g V, %g A", s.supply, s.current)
            "catalogue", sprintf("%d motors, %d gears", numel (s.motors), numel (s.gears))
@@ -50,10 +48,20 @@ function text = asked (d)
            "sampling", sprintf("every %g ms, delay %g ms, steps of the encoders %g", ...
                                1e3 * s.period, 1e3 * s.delay, s.encoder)
            "largest sensitivity Ms", number(s.Ms)
+           "springs", strjoin(cellfun (@(n, x) sprintf ("%s from %.4g to %.4g", n, x), ...
+                                       s.springs(:,1), s.springs(:,2), "UniformOutput", ...
+                                       false)', ", ")
            "tolerances", strjoin(cellfun (@(n, x) sprintf ("%s %.4g %%", n, 100 * x), ...
                                           s.tolerances(:,1), s.tolerances(:,2), ...
                                           "UniformOutput", false)', ", ")};
   text = [sprintf("<h2>What is asked</h2>\n"), gsmbp__html_table({"demand", "value"}, cells)];
+endfunction
+
+function text = task (t)
+  text = sprintf ("%s, %.5g s to %.5g s", t.name, t.start, t.stop);
+  for name = fieldnames (t.values)'
+    text = sprintf ("%s, %s = %.5g", text, name{1}, t.values.(name{1}));
+  endfor
 endfunction
 
 function text = chosen (d)
