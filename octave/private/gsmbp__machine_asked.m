@@ -5,7 +5,7 @@
 function s = gsmbp__machine_asked (who, given)
   table = {"motion", [], "any"; "accuracy", [], "numbers"
            "supply", Inf, "any"; "current", Inf, "any"
-           "motors", [], "any"; "gears", [], "any"
+           "motors", [], "any"; "gears", [], "any"; "screws", [], "any"
            "goal", "mass", {"mass", "energy", "energy_no_recovery", "cost", "power_peak", ...
                             "torque_rms"}
            "inertia_ratio", Inf, "any"; "reserve", 0, [0, 0.9]
@@ -42,6 +42,7 @@ function s = gsmbp__machine_asked (who, given)
   endif
   s.motors = gsmbp__parts (who, "motors", s.motors);
   s.gears = gsmbp__parts (who, "gears", s.gears);
+  s.screws = gsmbp__parts (who, "screws", s.screws);
 endfunction
 
 function list = rows_of (who, name, list, example, fits)

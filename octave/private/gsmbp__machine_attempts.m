@@ -16,9 +16,9 @@ function d = gsmbp__machine_attempts (who, d)
   places = ones (1, numel (d.axes));
   [best, start] = deal ([], d);
   for k = 1:d.asked.tries
-    one = gsmbp__machine_candidate (who, start, places);
-    names = arrayfun (@(j) one.drives(j).pairs(one.chosen(j)).name, 1:numel (one.axes), ...
-                      "UniformOutput", false);
+    one = tried (who, start, places);
+    names = arrayfun (@(j) start.drives(j).pairs(start.drives(j).order(places(j))).name, ...
+                      1:numel (start.axes), "UniformOutput", false);
     one.attempts(end+1) = struct ("name", strjoin (names, ", "), "unmet", one.unmet);
     start.attempts = one.attempts;
     if (isempty (best) || missed (one) < missed (best))
@@ -32,6 +32,23 @@ function d = gsmbp__machine_attempts (who, d)
   endfor
   best.attempts = start.attempts;
   d = best;
+endfunction
+
+## one that cannot be controlled is not found
+function d = tried (who, d, places)
+  try
+    d = gsmbp__machine_candidate (who, d, places);
+  catch problem
+    if (! strcmp (problem.identifier, "gsmbp:untuned"))
+      rethrow (problem);
+    endif
+    said = sprintf (["controller of %s: no gain of a PID controller sampled every %.4g s, " ...
+                     "delay %.4g s, has Ms at most %.4g"], problem.message, d.asked.period, ...
+                    d.asked.delay, d.asked.Ms);
+    d.found = false;
+    d.unmet = struct ("axis", problem.message, "name", "controller", "unit", "1", "found", Inf, ...
+                      "demanded", d.asked.Ms, "where", "nominally", "said", said);
+  end_try_catch
 endfunction
 
 function x = missed (d)

@@ -37,6 +37,7 @@ function axes_ = gsmbp__machine_axes (who, m, s)
     one.input = gsmbp__which ([one.motor ".v"], m.inputs);
     one.output = measured_by (who, m, one.coordinate);
     one.par = names_of (who, m, one, s);
+    ratio_alone (who, m, one);
     axes_(i) = one;
   endfor
 endfunction
@@ -59,6 +60,20 @@ function k = driven_by (who, m, name)
     change(j) = abs (m.rhs (0, y, v)(state) - before);
   endfor
   [~, k] = max (change);
+endfunction
+
+## nothing but n between the motor and the coordinate: the back-EMF says it
+function ratio_alone (who, m, one)
+  [x, v] = deal (m.initial, zeros (m.sizes.nv, 1));
+  y = x;
+  y(m.sizes.nq + one.k) += 1;
+  p = m.par;
+  n = -(m.rhs (0, y, v) - m.rhs (0, x, v))(one.state) * p.(one.par.L) / p.(one.par.K);
+  if (abs (n - p.(one.par.n)) > 1e-6 * abs (n))
+    error (["%s: the coordinate %s: %s turns %.6g times as fast and %s is %.6g: expected " ...
+            "nothing but the gear between them"], who, one.coordinate, one.motor, n, one.par.n, ...
+           p.(one.par.n));
+  endif
 endfunction
 
 function name = gear_of (devices, k)

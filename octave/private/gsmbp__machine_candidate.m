@@ -7,8 +7,9 @@ function d = gsmbp__machine_candidate (who, d, places)
   for j = 1:numel (d.axes)
     d.chosen(j) = d.drives(j).order(places(j));
     pair = d.drives(j).pairs(d.chosen(j));
-    d.motors(j) = d.drives(j).catalogues.motors(strcmp ({d.asked.motors.name}, pair.motor));
-    d.gears(j) = d.drives(j).catalogues.gears(strcmp ({d.asked.gears.name}, pair.gear));
+    list = d.drives(j).catalogues;
+    d.motors(j) = list.motors(strcmp ({list.motors.name}, pair.motor));
+    d.gears(j) = list.gears(strcmp ({list.gears.name}, pair.gear));
   endfor
   d.values = gsmbp__machine_values (d.model, d.axes, d.drives, d.chosen);
   d.model = gsmbp_set (d.model, d.values);

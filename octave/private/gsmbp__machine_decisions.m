@@ -9,7 +9,7 @@ function list = gsmbp__machine_decisions (d)
   for j = 1:numel (d.axes)
     if (isempty (d.drives(j).order))
       list(end+1) = no_drive (d, j);
-    else
+    elseif (d.found)
       list(end+1) = drive (d, j);
       list(end+1) = ratio (d, j);
     endif

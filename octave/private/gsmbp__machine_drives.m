@@ -5,8 +5,14 @@
 function drives = gsmbp__machine_drives (s, cycles)
   warning ("off", "gsmbp:drive", "local");
   for j = 1:numel (cycles)
-    r = gsmbp_drive (cycles(j), "motors", s.motors, "gears", s.gears, "goal", s.goal, ...
-                     "inertia_ratio", s.inertia_ratio);
+    gears = {"gears", s.gears};
+    if (strcmp (cycles(j).unit, "m"))
+      gears = {"screws", s.screws};
+    endif
+    if (isfinite (s.inertia_ratio))
+      gears = [gears, {"inertia_ratio", s.inertia_ratio}];
+    endif
+    r = gsmbp_drive (cycles(j), "motors", s.motors, gears{:}, "goal", s.goal);
     r.kept = numel (r.order);
     most = @(k) max (cell2mat (struct2cell (r.pairs(k).utilization)));
     r.order = r.order(arrayfun (most, r.order) <= 1 - s.reserve);

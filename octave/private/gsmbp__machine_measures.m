@@ -22,14 +22,15 @@ function list = of_axis (d, m, p, j)
   endif
   load_rms = sqrt (trapz (c.t, c.torque .^ 2) / (c.t(end) - c.t(1)));
   speed = n * along (@(r) r.x(:,m.sizes.nq + a.k));
+  effort = {"N*m", "N"}{1 + strcmp(a.unit, "m")};
   table = {"tracking error", a.unit, off, d.asked.accuracy(j)
            "T_peak", "N*m", K * along(@(r) r.x(:,a.state)), motor.T_peak
            "T_cont", "N*m", K * i_rms, motor.T_cont
            "thermal", "K", motor.Rth * R * i_rms ^ 2, motor.dT_max
            "omega_max", "rad/s", speed, motor.omega_max
            "voltage", "V", along(@(r) r.v(:,a.input)), motor.V_max
-           "gear_peak", "N*m", c.torque, gear.T_peak
-           "gear_cont", "N*m", load_rms, gear.T_cont
+           "gear_peak", effort, c.torque, gear.T_peak
+           "gear_cont", effort, load_rms, gear.T_cont
            "gear_speed", "rad/s", speed, gear.omega_in_max};
   for k = 1:rows (table)
     found = max (abs (table{k,3}));

@@ -41,7 +41,8 @@ function text = asked (d)
            "motions", strjoin(arrayfun (@task, d.tasks, "UniformOutput", false), "; ")
            "accuracy", [number(s.accuracy) " (largest tracking error of each axis)"]
            "supply", sprintf("%g V, %g A", s.supply, s.current)
-           "catalogue", sprintf("%d motors, %d gears", numel (s.motors), numel (s.gears))
+           "catalogue", sprintf("%d motors, %d gears, %d screws", numel (s.motors), ...
+                               numel (s.gears), numel (s.screws))
            "best by", s.goal
            "reserve of the drives", sprintf("%g %%", 100 * s.reserve)
            "largest load : motor inertia", number(s.inertia_ratio)
