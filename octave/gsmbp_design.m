@@ -7,10 +7,10 @@
 ##
 ## @var{m} is the model of an open chain, or of loops with one driven coordinate, in which a
 ## @code{dc_motor} drives each of these coordinates, best through a @code{lossy_gear}; their
-## constants are parameters (what a scene leaves out) and are set by the choice (on a coordinate that
-## slides @code{lossy_gear} has @code{ratio = 1*rad/m}).  An output of the
-## scene measures each coordinate (@code{output(angle, q)}).  The @var{specification} is a struct,
-## or names and values in turn:
+## constants are parameters (what a scene leaves out) and are set by the choice (on a coordinate
+## that slides @code{lossy_gear} has @code{ratio = 1*rad/m}).  An output of the scene measures
+## each coordinate (@code{output(angle, q)}).  The @var{specification} is a struct, or names and
+## values in turn:
 ## @table @code
 ## @item "motion"
 ## what the machine is to do: a plan of all driven coordinates (@code{gsmbp_plan}), or tasks, a cell
@@ -21,7 +21,8 @@
 ## @item "supply", "current"
 ## largest voltage [V] and current [A] of the amplifiers, default Inf
 ## @item "motors", "gears", "screws", "goal", "inertia_ratio"
-## catalogues (screws: of coordinates that slide), what the best is, largest load : motor inertia, as of @code{gsmbp_drive}
+## catalogues (screws: of coordinates that slide), what the best is, largest load : motor inertia,
+## as of @code{gsmbp_drive}
 ## @item "reserve"
 ## share of each limit that the drive is to leave free nominally, 0 to 0.9, default 0
 ## @item "period", "delay", "encoder", "step_out"
