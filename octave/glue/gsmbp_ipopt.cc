@@ -4,23 +4,29 @@
 // [x, status, J, g, lambda, zl, zu, log, text] = gsmbp_ipopt_solve (x0, low, high, glow, ghigh,
 //   jac, hess, f, options, most, seconds): jac, hess: rows and columns of the entries that are not
 // zero always (hess: lower triangle; [] where there is none), f (what, x, factor, lambda) gives
-// "f", "grad", "g", "jac", "hess" as columns, options: a cell array of names and values, most:
-// calls of f at new points at most, seconds: on the clock. log: a row for each iteration: J,
-// infeasibility, dual infeasibility, mu, step; text: the last error of f.
+// "f", "grad", "g", "jac", "hess" as columns, or is the address of a gsmbp_program, options: a cell
+// array of names and values, most: calls of f at new points at most, seconds: on the clock. log: a
+// row for each iteration: J, infeasibility, dual infeasibility, mu, step; text: the last error of f.
 #include <octave/oct.h>
 #include <octave/parse.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include <coin/IpStdCInterface.h>
+
+#include "gsmbp_program.h"
 
 namespace
 {
 struct problem
 {
   octave_value f;
+  const gsmbp_program *native = nullptr;   // instead of F
   Matrix jac, hess;
   int n, m;
   double most, seconds;
@@ -33,9 +39,19 @@ struct problem
   double spent (void) const
   { return std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count (); }
 
-  // the numbers that f gives; false: it has none here, or was interrupted
-  bool ask (const char *what, const double *x, int count, double *out, double factor = 1,
+  // the numbers of a part; false: it has none here, or was interrupted
+  bool ask (gsmbp_part part, const double *x, int count, double *out, double factor = 1,
             const double *lambda = nullptr)
+  {
+    static const char *const words[] = { "f", "grad", "g", "jac", "hess" };
+    if (native)
+      return native->evaluate (native->data, part, x, factor, lambda, out)
+             && std::all_of (out, out + count, [] (double a) { return std::fabs (a) <= 1e300; });
+    return ask_octave (words[part], x, count, out, factor, lambda);
+  }
+
+  bool ask_octave (const char *what, const double *x, int count, double *out, double factor,
+                   const double *lambda)
   {
     try
       {
@@ -84,13 +100,13 @@ value (Index, Number *x, Bool fresh, Number *out, UserDataPtr data)
 {
   problem& p = *static_cast<problem *> (data);
   p.points += fresh ? 1 : 0;
-  return p.ask ("f", x, 1, out);
+  return p.ask (GSMBP_GOAL, x, 1, out);
 }
 
 Bool
 gradient (Index n, Number *x, Bool, Number *out, UserDataPtr data)
 {
-  return static_cast<problem *> (data)->ask ("grad", x, n, out);
+  return static_cast<problem *> (data)->ask (GSMBP_GRADIENT, x, n, out);
 }
 
 Bool
@@ -98,7 +114,7 @@ constraints (Index, Number *x, Bool fresh, Index m, Number *out, UserDataPtr dat
 {
   problem& p = *static_cast<problem *> (data);
   p.points += fresh ? 1 : 0;
-  return p.ask ("g", x, m, out);
+  return p.ask (GSMBP_EQUATIONS, x, m, out);
 }
 
 Bool
@@ -107,7 +123,7 @@ jacobian (Index, Number *x, Bool, Index, Index count, Index *rows, Index *cols, 
 {
   problem& p = *static_cast<problem *> (data);
   if (out)
-    return p.ask ("jac", x, count, out);
+    return p.ask (GSMBP_JACOBIAN, x, count, out);
   places (p.jac, rows, cols);
   return TRUE;
 }
@@ -118,7 +134,7 @@ hessian (Index, Number *x, Bool, Number factor, Index, Number *lambda, Bool, Ind
 {
   problem& p = *static_cast<problem *> (data);
   if (out)
-    return p.ask ("hess", x, count, out, factor, lambda);
+    return p.ask (GSMBP_HESSIAN, x, count, out, factor, lambda);
   places (p.hess, rows, cols);
   return TRUE;
 }
@@ -170,6 +186,9 @@ DEFUN_DLD (gsmbp_ipopt_solve, args, , "Called by gsmbp__ipopt; not for direct us
   p.jac = args(5).matrix_value ();
   p.hess = args(6).matrix_value ();
   p.f = args(7);
+  if (p.f.is_uint64_type ())
+    p.native = reinterpret_cast<const gsmbp_program *> (
+        std::uintptr_t (p.f.uint64_scalar_value ().value ()));
   p.n = int (x.numel ());
   p.m = int (glow.numel ());
   p.most = args(9).double_value ();

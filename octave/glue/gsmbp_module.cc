@@ -17,7 +17,9 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
     = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "forward", do_forward },
         { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
-        { "collocation", do_collocation }, { "par", do_par }, { "pre", do_pre },
+        { "program", do_program },
+        { "program at", do_program_at }, { "program part", do_program_part },
+        { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
         { "solve", do_solve }, { "calls", do_calls } };
 

@@ -6,7 +6,7 @@
 function s = gsmbp__collocation_solve (who, m, p, mesh, guess, o)
   c = gsmbp__transcription (m, p, mesh);
   f = gsmbp__transcribed (m, c);
-  q = struct ("f", f, "glow", c.glow, "ghigh", c.ghigh);
+  q = struct ("f", f ("native"), "glow", c.glow, "ghigh", c.ghigh);
   places = f ("places");
   [q.jac, q.hess] = places{:};
   [q.low, q.high] = bounds (c, p);

@@ -1,8 +1,8 @@
 ## r = gsmbp__ipopt (who, folder, p, o)
 ## A problem solved by Ipopt (glue/gsmbp_ipopt.cc, built in FOLDER where it is missing or old).
 ## P: a struct with x0, low, high; glow, ghigh (of the constraints); jac, hess (places of the
-## entries, two columns; hess []: Ipopt's own by limited memory); f (what, x, factor, lambda).  O:
-## tolerance, iterations, evaluations, seconds, and options, more words of Ipopt with their
+## entries, two columns; hess []: Ipopt's own by limited memory); f (what, x, factor, lambda), or
+## the address of a program in a module.  O: tolerance, iterations, evaluations, seconds, and options, more words of Ipopt with their
 ## values. R: x, J, g, lambda, zl, zu, status (of Ipopt), ended (a sentence), solved, limit, log,
 ## text.
 
@@ -49,7 +49,8 @@ endfunction
 function file = glue (who, folder)
   file = fullfile (folder, "gsmbp_ipopt_solve.oct");
   source = gsmbp__place ("octave", "glue", "gsmbp_ipopt.cc");
-  if (! gsmbp__older (file, {source}))
+  program = gsmbp__place ("octave", "glue", "gsmbp_program.h");
+  if (! gsmbp__older (file, {source, program}))
     return;
   endif
   quote = @(text) ["'" strrep(text, "'", "'\\''") "'"];
