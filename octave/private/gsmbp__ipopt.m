@@ -2,9 +2,9 @@
 ## A problem solved by Ipopt (glue/gsmbp_ipopt.cc, built in FOLDER where it is missing or old).
 ## P: a struct with x0, low, high; glow, ghigh (of the constraints); jac, hess (places of the
 ## entries, two columns; hess []: Ipopt's own by limited memory); f (what, x, factor, lambda), or
-## the address of a program in a module.  O: tolerance, iterations, evaluations, seconds, and options, more words of Ipopt with their
-## values. R: x, J, g, lambda, zl, zu, status (of Ipopt), ended (a sentence), solved, limit, log,
-## text.
+## the address of a program in a module.  O: tolerance, iterations, evaluations, seconds, and
+## options, more words of Ipopt with their values. R: x, J, g, lambda, zl, zu, status (of Ipopt),
+## ended (a sentence), solved, limit, log, text.
 
 function r = gsmbp__ipopt (who, folder, p, o)
   persistent loaded = "";
