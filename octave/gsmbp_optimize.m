@@ -76,7 +76,7 @@
 ## @var{r} has the fields @code{values} (by name), @code{J}, @code{model} (with these values),
 ## @code{results} of the cases, @code{active} (bounds and demands that hold it back: text, value,
 ## bound, multiplier: how much the goal falls for each unit that it is loosened, of an equation how
-## much it rises for each unit that its bound rises), @code{solved},
+## much it rises for each unit that its bound rises; NaN where all is chosen), @code{solved},
 ## @code{ended}, @code{limit} (a limit was reached), @code{violation} and @code{optimality} (what is
 ## left of the conditions of an optimum, beside their sizes), @code{iterations},
 ## @code{evaluations}, @code{starts} (all ends), @code{derivatives}, @code{report} (a text),

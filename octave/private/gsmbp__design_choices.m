@@ -88,7 +88,9 @@ function [best, ends, told] = branched (who, P, o, lists, told)
     endif
     if (! isempty (failed))   # nothing is known of it: its halves
       why = failed;
-      open = [open, halves(P, lists, node, node.bound, node.start, false)(1:2 * ! whole)];
+      if (! whole)
+        open = [open, halves(P, lists, node, node.bound, node.start, false)];
+      endif
     elseif (one.violation > 1e-6)
       if (better (one, refused))
         refused = one;

@@ -53,6 +53,10 @@ function [active, off] = priced (active, M, g, size_J)
   if (isempty (active))
     off = max ([size_; 0]) / size_J;
     return;
+  elseif (isempty (g))   # all is chosen from lists: nothing can give way
+    [active.multiplier] = deal (NaN);
+    off = 0;
+    return;
   endif
   long = max (abs (M), [], 1);
   long(long == 0) = 1;

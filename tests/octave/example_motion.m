@@ -15,6 +15,9 @@ function [m, x0, t, options, what] = example_motion (name, build)
       x0 = gsmbp_assemble (m, [0; 0; 0.45; 0; 0; 100; -150; 0; 0; 0], "hold", "theta");
       [t, options, joules, what] = deal (linspace (0, 0.12, 41), {"start", "project"}, 10, ...
                                          "two turns at 100 rad/s");
+    case "balanced_linkage"
+      options = {"motion", gsmbp_plan("quintic", [0.6 2.6], [0 1])};
+      [x0, t, joules, what] = deal ([], 0:0.1:1, 10, "the swing by computed torque");
     case "bricard"
       [x0, t, joules, what] = deal (m.initial, 0:0.25:10, 10, "falls for 10 s");
     case "flexible_arm"

@@ -60,6 +60,9 @@ function limits_and_conflicts (m)
                               "choices", "branch");
   gsmbp_check (["none of four can, though a number between could: " r.ended], info == 2 ...
                && ! isempty (strfind (r.ended, "of all choices with mc = 1.5, lc = 0.7")));
+  r = gsmbp_optimize (m, {"mc", 1, {1, 2, 3}}, {"value", "mc", -1}, {"mass", "weight", "<", 2});
+  gsmbp_check ("a demand that is met with nothing to spare, all chosen: no multiplier", ...
+               r.values.mc == 2 && isnan (r.active.multiplier));
   text = gsmbp_complaint (@() gsmbp_optimize (m, free, {"mass", "weight"}, demands, still, ...
                                               "choices", "all"));
   gsmbp_check (["refused: " text], ! isempty (strfind (text, "found 3600")));
