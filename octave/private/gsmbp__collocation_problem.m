@@ -142,6 +142,11 @@ function list = parameters (who, m, o)
   if (isempty (m.json.collocation.parameters))
     known = {};
   endif
+  if (isempty (known) && iscell (o.parameters) && ! isempty (o.parameters))
+    error (["%s: option parameters: expected names that %s was derived for (request " ...
+            "collocation(name, ...) of gsmbp_fortran), found %s; it was derived for none"], who, ...
+           m.name, gsmbp__shown (o.parameters{1}));
+  endif
   given = bounds (who, "parameters", o.parameters, known);
   if (numel (given) < numel (known) && ! isempty (o.parameters))
     missing = setdiff (1:numel (known), [given.number])(1);

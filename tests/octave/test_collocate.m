@@ -195,7 +195,7 @@ function refused (m)
            {z, z, "time", 1, "goal", "work"}, "option goal: unknown"
            {z, z, "time", 1, "inputs", {"F", 2, 1}}, "inputs: F: expected the least"
            {z, z, "time", 1, "outputs", {"x", 0, 1}}, "option outputs: unknown"
-           {z, z, "time", 1, "parameters", {"l", 0, 1}}, "option parameters: unknown"
+           {z, z, "time", 1, "parameters", {"l", 0, 1}}, "it was derived for none"
            {z, z + 3, "time", 1, "states", {"p", -2, 2}}, "p = 3 is not within its bounds, -2 to 2"
            {z, z, "time", 1, "guess", 3}, "option guess: expected a struct with t, x, v"};
   for k = 1:rows (wrong)
