@@ -43,6 +43,11 @@
 ## @item t, x, v, ud, lambda, y
 ## a row for each point of the collocation: times [s], states, inputs, accelerations, multipliers,
 ## outputs
+## @item costates
+## the derivatives of the least value by the states, a row for each point: lambda of the minimum
+## principle, where the goal's integrand and lambda' * (rates of the states) make the
+## Hamiltonian.  To the accuracy of the states between intervals, with "radau" to a lower
+## order within them
 ## @item goal, T, parameters
 ## the least value, the duration, the free parameters by name
 ## @item input, motion

@@ -9,6 +9,7 @@ function test_collocate ()
   bead (gsmbp_fixture ("optimal_bead"));
   gear (gsmbp_fixture ("optimal_gear"));
   swing_up (gsmbp_fixture ("optimal_cart"));
+  costates (gsmbp_fixture ("optimal_block"), gsmbp_fixture ("optimal_cart"));
   crank (gsmbp_fixture ("optimal_crank"));
   refused (gsmbp_fixture ("optimal_cart"));
 end
@@ -184,6 +185,32 @@ function crank (m)
   off = norm (s.x(end,[1 4]) - [pi 0], Inf);
   gsmbp_check (sprintf ("crank: one jump, simulated end within 1e-4, found %.2g", off), ...
                r.solved && numel (r.switches) == 1 && off < 1e-4);
+end
+
+## the minimum principle: u = -lambda/2 for a block; H is constant where nothing depends on time,
+## and lambda what a start that is moved makes of the goal
+function costates (block, cart)
+  for method = {"radau", "lobatto"}
+    r = gsmbp_collocate (block, [0 0], [1 0], "goal", "effort", "time", 1, "method", method{1});
+    gsmbp_check (["block, " method{1} ": costates -24 and -12 + 24 t"], ...
+                 norm ([r.costates(:,1) + 24; r.costates(:,2) + 12 - 24*r.t], Inf) < 1e-9);
+  end
+  asked = {"goal", "effort", "time", 2, "states", {"p", -2, 2}};
+  r = gsmbp_collocate (cart, zeros (1, 4), [1 pi 0 0], asked{:});
+  at = mod (0:rows (r.t)-1, 3) == 0;   # between intervals
+  for k = find (at)
+    [rate, ~] = cart.rhs (r.t(k), r.x(k,:)', r.v(k,:)');
+    H(k) = r.y(k,strcmp (cart.outputs, "effort")) + r.costates(k,:) * rate;
+  end
+  H = H(at);
+  gsmbp_check (sprintf ("cart: the Hamiltonian is %.5f throughout", H(5)), ...
+               max (abs (H - H(5))) < 2e-3 * abs (H(5)));
+  for k = 1:2
+    moved = gsmbp_collocate (cart, [(2*k-3)*1e-5 0 0 0], [1 pi 0 0], asked{:}, "guess", r);
+    goals(k) = moved.goal;
+  end
+  gsmbp_check ("cart: the costate of the place, by differences", ...
+               abs (diff (goals) / 2e-5 - r.costates(1,1)) < 1e-4 * abs (r.costates(1,1)));
 end
 
 function refused (m)
