@@ -59,7 +59,8 @@
 ## result, if it has one, are its derivatives by the variables (columns).
 ##
 ## Derivatives are exact where @var{m} was derived for its parameters (request
-## @code{sensitivity(@dots{})}): states and outputs of runs with given inputs, equilibria,
+## @code{sensitivity(@dots{})}): states and outputs of runs with given inputs or feedback (by
+## gains where these are parameters of a controller in the scene), equilibria,
 ## positions, efforts along motions and positions, through loops too; else differences of order 4,
 ## and @code{r.derivatives} says so.
 ##

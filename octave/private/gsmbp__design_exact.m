@@ -11,7 +11,8 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
   by_motion = m.sizes.nx == m.sizes.nq + m.sizes.nu;
   switch (c.kind)
     case "run"
-      possible = can ("x", "y", "v") && has ("rhp") && outputs && plain_run (m, c) ...
+      possible = can ("x", "y", "v") && has ("rhp") && outputs ...
+                 && plain_run (m, c, any (strcmp (fields, "v"))) ...
                  && (! loops || (has ("con", "tan", "cop") && m.sizes.nq == m.sizes.nu));
     case "inverse"
       possible = m.sizes.nq == m.sizes.nu && isempty (c.options) ...
@@ -52,17 +53,17 @@ function yes = plans_actuated (m, c)
 endfunction
 
 ## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
-function yes = plain_run (m, c)
+function yes = plain_run (m, c, inputs)
   has = @(varargin) all (ismember (varargin, m.subroutines));
   yes = (isempty (m.events) || has ("evp", "rsp")) ...
         && (isempty (m.controllers) || (has ("ctd") && ! any ([m.controllers.rounds])));
   for k = 1:2:numel (c.options)
     value = c.options{k+1};
     switch (c.options{k})
-      case {"motion", "gain", "audit"}
+      case {"motion", "audit"}
         yes = false;
-      case "method"
-        yes = yes && any (strcmp (value, {"dp853", "rk4"}));
+      case "gain"   # the inputs follow the states
+        yes = yes && ! inputs;
       case "loops"
         yes = yes && any (strcmp (value, {"baumgarte", "projection"}));
       case "input"

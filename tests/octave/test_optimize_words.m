@@ -7,6 +7,7 @@ function test_optimize_words ()
   end
   currents (gsmbp_fixture ("sensitivity_crank"));
   runs (gsmbp_fixture ("design_lamp"));
+  gains (gsmbp_fixture ("design_lamp"), gsmbp_fixture ("sensitivity_sampled"));
   if (isempty (pkg ("list", "control")))
     printf ("ok left out: the margins of loops need the package control\n");
     return;
@@ -66,6 +67,26 @@ function runs (m)
   gsmbp_check (sprintf ("the damper that settles soonest: %.6g s; beside it %.6g, %.6g", ...
                         r.J, J), ...
                r.J <= min (J));
+end
+
+## under feedback that stops at a limit; gains of a digital controller of the scene itself
+function gains (m, s)
+  t = linspace (0, 1, 21)';
+  m = gsmbp_set (m, "k", 80);
+  law = {"gain", [20 2], "reference", [0.2 0], "limits", 3, "rtol", 1e-12};
+  r = gsmbp_optimize (m, {"d", 2, [0.1 20]}, {"rms", "error.q"}, {}, ...
+                      [{"run", t, [0.5 0], "target", struct("q", 0.2)}, law]);
+  w = r.results.case1.w(:)';
+  f = @(d) w * (gsmbp_simulate (gsmbp_set (m, "d", d), [0.5 0], t, law{:}).x(:,1) - 0.2) .^ 2;
+  near ("a damper under feedback", r.values.d, fminbnd (f, 3, 6, optimset ("TolX", 1e-10)), 1e-6);
+  gsmbp_check ("exact through the feedback", strcmp (r.derivatives, "exact"));
+  r = gsmbp_optimize (s, {"kp", 80, [10 150]}, {"rms", "error.q_d"}, {}, ...
+                      {"run", 2 * t, [0 0], "input", [1; 0], "target", struct("q_d", 1)});
+  f = @(kp) w * (gsmbp_simulate (gsmbp_set (s, "kp", kp), [0 0], 2 * t, "input", ...
+                                 [1; 0]).x(:,2) - 1) .^ 2;
+  known = fminbnd (f, 10, 150, optimset ("TolX", 1e-10));
+  near ("the gain of a digital controller of the scene", r.values.kp, known, 1e-6);
+  gsmbp_check ("exact through its samples", strcmp (r.derivatives, "exact"));
 end
 
 ## PI with the lag cancelled: L = c/(L s) exp(-L s): phase margin pi/2 - c, gain margin pi/(2 c),
