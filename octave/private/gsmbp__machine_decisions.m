@@ -38,7 +38,8 @@ function r = drive (d, j)
          gsmbp__machine_use(pair)};
   if (place > 1)
     why{end+1} = sprintf (["those before it were tried as whole machines and did not meet all " ...
-                           "demands (%s)"], told (d.attempts(1:end-1)));
+                           "demands (%s)"], told (d.attempts(! strcmp ({d.attempts.name}, ...
+                                                                       all_names (d)))));
   endif
   other = arrayfun (@(k) sprintf ("%s: %s; %s", t.pairs(k).name, figure_of (t.pairs(k), t.goal), ...
                                   gsmbp__machine_use (t.pairs(k))), ...
@@ -82,6 +83,12 @@ function list = better (t, chosen)
                            figure_of (t.pairs(k), t.goal), ...
                            strjoin (t.pairs(k).violated, ", "), gsmbp__machine_use (t.pairs(k)));
   endfor
+endfunction
+
+function text = all_names (d)
+  list = arrayfun (@(j) d.drives(j).pairs(d.chosen(j)).name, 1:numel (d.axes), ...
+                   "UniformOutput", false);
+  text = strjoin (list, ", ");
 endfunction
 
 function text = told (attempts)
@@ -162,8 +169,7 @@ function r = gains (d, j)
 endfunction
 
 function r = feedforward (d)
-  off = @(list) strjoin (arrayfun (@(one) sprintf ("%s %.4g %s", one.axis, one.found, one.unit), ...
-                                   list(strcmp ({list.name}, "tracking error")), ...
+  off = @(list) strjoin (arrayfun (@error_of, list(strcmp ({list.name}, "tracking error")), ...
                                    "UniformOutput", false), ", ");
   if (d.feedforward)
     r = decision ("Feedforward", "yes: the voltages of the motion, from the inverse model", ...
@@ -174,5 +180,12 @@ function r = feedforward (d)
   else
     r = decision ("Feedforward", "no", ...
                   {["the accuracy is kept without it: " off(d.margins)]}, {});
+  endif
+endfunction
+
+function text = error_of (one)
+  text = sprintf ("%s %.4g %s", one.axis, one.found, one.unit);
+  if (isfield (one, "worst") && ! isempty (one.worst))
+    text = sprintf ("%s, at a corner %.4g %s", text, one.worst, one.unit);
   endif
 endfunction
