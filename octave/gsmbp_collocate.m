@@ -15,8 +15,11 @@
 ## @item "time"
 ## the duration [s]: a number, or the least and the largest
 ## @item "goal"
-## what is least: @code{"time"}, the name of an output of the scene, whose integral is meant, or
-## names and their weights, @code{@{"time", 1, "loss", 0.1@}}; default @code{"time"}
+## what is least: @code{"time"}, the name of an output of the scene, whose integral is meant,
+## @code{"final NAME"}, a state or an output at the end, or such words and their weights,
+## @code{@{"time", 1, "loss", 0.1, "final height", -2@}}; default @code{"time"}
+## @item "final"
+## bounds of states at the end, rows @code{@{name, least, largest@}}
 ## @item "inputs", "states", "outputs"
 ## bounds on the way, a row @code{@{name, least, largest@}} for each; inputs and coordinates have
 ## the limits of the scene by default

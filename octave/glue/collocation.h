@@ -55,7 +55,7 @@ private:
   const octave_scalar_map *m_given;   // while it is read
   int K, nz, nT, np, nr, nf, nJ, nH, m_n, m_m;
   double t0, goal_time;
-  doubles tau, goals, integral, fixed;
+  doubles tau, goals, integral, final_x, final_f, fixed;
   wholes phase, rates, stages, bounded, own, left, of_defect, parameter, f_of, by, h_time;
   std::vector<triplet> plain, curved;
   std::vector<timed> by_time;
@@ -135,6 +135,8 @@ transcription::read_layout (void)
   tau = numbers ("tau");
   goals = numbers ("goal");
   integral = numbers ("weights");   // (nT,K)
+  final_x = numbers ("final_x");
+  final_f = numbers ("final_f");
   phase = places ("phase");
   rates = places ("rate");          // -1 where a rate is an acceleration
   stages = places ("stages");
@@ -152,7 +154,7 @@ transcription::read_layout (void)
   nH = int (column ("H", 0).size ());
   columns_of = places ("columns");
   for (int e = 0; e < nJ; e++)
-    if (goals[f_of[e] - 1] != 0)
+    if (goals[f_of[e] - 1] != 0 || final_f[f_of[e] - 1] != 0)
       gradient_of.push_back (e);
 }
 
@@ -285,6 +287,10 @@ transcription::goal (void) const
       if (goals[i] != 0)
         for (int p = 0; p < nT; p++)
           sum += T[p] * integral[nT * q + p] * goals[i] * double (F[nf * q + i]);
+  for (int i = 0; i < nf; i++)
+    sum += final_f[i] * double (F[nf * (K - 1) + i]);
+  for (int j = 0; j < S.nx; j++)
+    sum += final_x[j] * double (state (K - 1)[j]);
   return sum;
 }
 
@@ -300,8 +306,12 @@ transcription::gradient (double *g)
       for (int p = 0; p < nT; p++)
         whole += T[p] * integral[nT * q + p];
       for (int e : gradient_of)
-        g[columns_of[(1 + nz + np) * q + by[e] - 1]] += double (G[nJ * q + e]) * goals[f_of[e] - 1]
-                                                       * (by[e] == 1 ? tau[q] : 1) * whole;
+        {
+          const double at_end = q == K - 1 ? final_f[f_of[e] - 1] : 0;
+          g[columns_of[(1 + nz + np) * q + by[e] - 1]]
+              += double (G[nJ * q + e]) * (by[e] == 1 ? tau[q] : 1)
+                 * (goals[f_of[e] - 1] * whole + at_end);
+        }
       for (int i = 0; i < nf; i++)
         here += goals[i] * double (F[nf * q + i]);
       for (int p = 0; p < nT; p++)
@@ -309,6 +319,8 @@ transcription::gradient (double *g)
     }
   for (int p = 0; p < nT; p++)
     durations[p] += goal_time;
+  for (int j = 0; j < S.nx; j++)
+    g[std::size_t (K - 1) * nz + j] += final_x[j];
 }
 
 void
@@ -370,6 +382,8 @@ transcription::weights (double factor, const double *lambda)
   for (int p = 0; p < nT; p++)
     for (std::size_t i = 0; i < std::size_t (nf) * K; i++)
       m_w[i] += T[p] * bare[std::size_t (p) * nf * K + i];
+  for (int i = 0; i < nf; i++)
+    m_w[nf * (K - 1) + i] += factor * final_f[i];
   for (int q : stages)
     for (int i = 0; i < nr; i++)
       m_w[nf * q + i] += *lambda++;

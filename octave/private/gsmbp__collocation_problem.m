@@ -5,7 +5,8 @@
 
 function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
   table = {"time", [], "numbers"; "goal", "time", "any"; "inputs", {}, "any"; "states", {}, "any"
-           "outputs", {}, "any"; "parameters", {}, "any"; "method", "radau", {"lobatto", "radau"}
+           "outputs", {}, "any"; "final", {}, "any"; "parameters", {}, "any"
+           "method", "radau", {"lobatto", "radau"}
            "intervals", 20, "whole"; "accuracy", 1e-6, "tolerance"; "refinements", 6, "whole"
            "guess", [], "any"; "polish", true, "flag"; "tolerance", 1e-9, "tolerance"
            "iterations", 500, "whole"; "seconds", 60, "positive"};
@@ -15,7 +16,7 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
   p.xf = ends (who, m, "xf", xf);
   p.t0 = 0;
   p.T = duration (who, o);
-  [p.goal, p.goal_time] = goal (who, m, o);
+  [p.goal, p.goal_time, p.final] = goal (who, m, o);
   d = m.sizes;
   states = limits (who, m, "states", o.states, m.states);
   inputs = limits (who, m, "inputs", o.inputs, m.inputs);
@@ -24,6 +25,7 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
   p.high = [states(:,2); inner(:,2); inputs(:,2)];
   within (who, m, "x0", p.x0, states);
   within (who, m, "xf", p.xf, states);
+  p.ends = bounds (who, "final", o.final, m.states);
   p.outputs = bounds (who, "outputs", o.outputs, m.outputs);
   p.parameters = parameters (who, m, o);
   if (m.sizes.nlam > 0)   # what follows at the end
@@ -71,8 +73,9 @@ function T = duration (who, o)
   T = [T(1), T(end)];
 endfunction
 
-## names and weights
-function [list, by_time] = goal (who, m, o)
+## names and weights: of integrals, of the time, of states and outputs at the end
+function [list, by_time, final] = goal (who, m, o)
+  final = struct ("x", zeros (m.sizes.nx, 1), "y", zeros (numel (m.outputs), 1));
   list = struct ("number", {}, "weight", {});
   by_time = 0;
   given = o.goal;
@@ -91,6 +94,8 @@ function [list, by_time] = goal (who, m, o)
     at = find (strcmp (m.outputs, name));
     if (strcmp (name, "time"))
       by_time += weight;
+    elseif (strncmp (name, "final ", 6))
+      final = at_end (who, m, name, weight, final);
     elseif (isempty (at))
       error ("%s: option goal: unknown %s", who, ...
              gsmbp__unknown (name, [{"time"}, m.outputs(:)']));
@@ -98,6 +103,18 @@ function [list, by_time] = goal (who, m, o)
       list(end+1) = struct ("number", at, "weight", weight);
     endif
   endfor
+endfunction
+
+function final = at_end (who, m, name, weight, final)
+  k = find (strcmp ([m.states(:); m.outputs(:)], name(7:end)), 1);
+  if (isempty (k))
+    error ("%s: option goal: unknown %s", who, ...
+           gsmbp__unknown (name, strcat ({"final "}, [m.states(:); m.outputs(:)]')));
+  elseif (k <= m.sizes.nx)
+    final.x(k) += weight;
+  else
+    final.y(k-m.sizes.nx) += weight;
+  endif
 endfunction
 
 ## rows [least, largest], those of the scene where none are given
@@ -144,8 +161,8 @@ function list = parameters (who, m, o)
   endif
   if (isempty (known) && iscell (o.parameters) && ! isempty (o.parameters))
     error (["%s: option parameters: expected names that %s was derived for (request " ...
-            "collocation(name, ...) of gsmbp_fortran), found %s; it was derived for none"], who, ...
-           m.name, gsmbp__shown (o.parameters{1}));
+            "sensitivity(name, ...) beside collocation), found %s; it was derived for none"], ...
+           who, m.name, gsmbp__shown (o.parameters{1}));
   endif
   given = bounds (who, "parameters", o.parameters, known);
   if (numel (given) < numel (known) && ! isempty (o.parameters))

@@ -29,6 +29,10 @@ function [low, high] = bounds (c, p)
   high = repmat (p.high, 1, c.K);
   [low(:,1), high(:,1)] = fixed (low(:,1), high(:,1), p.x0);
   [low(:,end), high(:,end)] = fixed (low(:,end), high(:,end), p.xf);
+  for one = p.ends
+    low(one.number,end) = max (low(one.number,end), one.low);
+    high(one.number,end) = min (high(one.number,end), one.high);
+  endfor
   if (isfield (p, "held"))   # inputs of each phase
     v = c.nz - c.d.nv + (1:c.d.nv);
     low(v,:) = high(v,:) = p.held(:,c.phase);

@@ -11,6 +11,7 @@ function test_collocate ()
   swing_up (gsmbp_fixture ("optimal_cart"));
   costates (gsmbp_fixture ("optimal_block"), gsmbp_fixture ("optimal_cart"));
   crank (gsmbp_fixture ("optimal_crank"));
+  ends (gsmbp_fixture ("optimal_block"));
   refused (gsmbp_fixture ("optimal_cart"));
 end
 
@@ -89,6 +90,7 @@ function program (m)
     p.parameters = struct ("name", {"l1", "m3"});
     p.outputs = struct ("number", 1, "low", -1, "high", 1);
     p.goal = struct ("number", {1, 2}, "weight", {2, 0.5});
+    p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
     c = gsmbp__transcription (m, p, mesh);
     f = gsmbp__transcribed (m, c);
     z = [0.5 + 0.3 * sin((1:c.n-2)'); 0.21; 1.1];
@@ -213,6 +215,23 @@ function costates (block, cart)
                abs (diff (goals) / 2e-5 - r.costates(1,1)) < 1e-4 * abs (r.costates(1,1)));
 end
 
+## the end is free, within a range, or worth something: u = 3 s (1 - t) for a path s in 1 s
+function ends (m)
+  for method = {"radau", "lobatto"}
+    r = gsmbp_collocate (m, [0 0], [NaN NaN], "time", 1, "method", method{1}, "goal", ...
+                         {"effort", 1, "final x_b", -3});
+    gsmbp_check (["the place at the end in the goal, " method{1} ": -3/4"], ...
+                 r.solved && abs (r.goal + 0.75) < 1e-8 ...
+                   && norm (r.v - 1.5 * (1 - r.t), Inf) < 1e-6);
+    r = gsmbp_collocate (m, [0 0], [NaN NaN], "time", 1, "method", method{1}, "goal", "effort", ...
+                         "final", {"x_b", 0.5, 1});
+    gsmbp_check (["the place at the end in a range, " method{1} ": 3/4"], ...
+                 r.solved && abs (r.goal - 0.75) < 1e-8 && abs (r.x(end,1) - 0.5) < 1e-8);
+  end
+  r = gsmbp_collocate (m, [0 0], [1 NaN], "time", 1, "goal", {"effort", 1, "final effort", 2});
+  gsmbp_check ("an output at the end in the goal", r.solved && abs (r.v(end)) < 1e-6);
+end
+
 function refused (m)
   call = @(varargin) gsmbp_collocate (m, varargin{:});
   z = zeros (1, 4);
@@ -220,6 +239,8 @@ function refused (m)
            {z, z}, "option time: expected the duration"
            {z, z, "time", [2 1]}, "option time: expected the duration, or the least"
            {z, z, "time", 1, "goal", "work"}, "option goal: unknown"
+           {z, z, "time", 1, "goal", "final q"}, "option goal: unknown"
+           {z, z, "time", 1, "final", {"q", 0, 1}}, "option final: unknown"
            {z, z, "time", 1, "inputs", {"F", 2, 1}}, "inputs: F: expected the least"
            {z, z, "time", 1, "outputs", {"x", 0, 1}}, "option outputs: unknown"
            {z, z, "time", 1, "parameters", {"l", 0, 1}}, "it was derived for none"
