@@ -229,6 +229,9 @@ function checked (P, o)
     error ("%s: option seconds: expected a number above 0, found %s", P.who, ...
            gsmbp__shown (o.seconds));
   endif
+  if (o.nodes < 1)
+    error ("%s: option nodes: expected at least 1, found %d", P.who, o.nodes);
+  endif
   endless = find (! isfinite ([P.free.high] - [P.free.low]), 1);
   if (isscalar (o.starts) && o.starts > 1 && ! isempty (endless))
     error ("%s: option starts: expected finite bounds of %s, between which to start", P.who, ...

@@ -17,8 +17,19 @@ function [R, D, rough] = gsmbp__design_case (P, c, p)
   endfor
 endfunction
 
-## [R, D] = values: exact derivatives by the variables of the mask BY
+## [R, D] = values: exact derivatives by the variables of the mask BY; errors name the case
 function [R, D] = values (P, c, p, by)
+  try
+    [R, D] = calculated (P, c, p, by);
+  catch err
+    if (! strncmp (err.message, P.who, numel (P.who)))
+      err.message = sprintf ("%s: case %s: %s", P.who, c.name, err.message);
+    endif
+    rethrow (err);
+  end_try_catch
+endfunction
+
+function [R, D] = calculated (P, c, p, by)
   D = struct ();
   given = gsmbp__filled ([c.args, c.options], p, P);
   args = given(1:numel (c.args));
@@ -99,11 +110,7 @@ function R = loop (P, m, c, law, p)
   if (is_function_handle (law))
     law = law(gsmbp__as_struct (P, p), m);
   endif
-  try
-    r = gsmbp_loop (law);
-  catch err
-    error ("%s: case %s: %s", P.who, c.name, err.message);
-  end_try_catch
+  r = gsmbp_loop (law);
   if (law.period == 0 && law.delay == 0)
     late = max (real (gsmbp__closed_poles (law)));
     if (late >= 0)

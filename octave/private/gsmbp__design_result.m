@@ -26,6 +26,12 @@ function [r, info] = gsmbp__design_result (who, best, o, P, tally)
     endif
   endif
   r.choices = tally;
+  moved = any ([best.e.gJ(1:numel (Q.free))'; best.e.A(:,1:numel (Q.free))] != 0, 1);
+  idle = {Q.free(! moved & ismember ({Q.free.name}, Q.idle)).name};
+  if (! isempty (idle))
+    warning ("gsmbp:idle", "%s: %s: nothing depends on %s, at the start and at the end", who, ...
+             r.model.name, strjoin (idle, ", "));
+  endif
   r.report = report (P, r, tally);
 endfunction
 

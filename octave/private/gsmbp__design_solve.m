@@ -68,7 +68,7 @@ function [P, q] = set_up (P, start)
   P.sizes = ones (1, peaks);
   z = [start; zeros(peaks, 1)];
   e = gsmbp__design_assess (P, z);
-  nothing_depends (P, e);
+  P.idle = nothing_depends (P, e);
   if (peaks > 0)
     ## above all values from the beginning
     for s = 1:peaks
@@ -87,9 +87,15 @@ function [P, q] = set_up (P, start)
              && all ([P.goal.factor] > 0) && isempty (P.demands);
 endfunction
 
-function nothing_depends (P, e)
+## the parameters on which nothing depends at the start; of a variable of the user's an error
+function idle = nothing_depends (P, e)
+  idle = {};
   for k = 1:numel (P.free)
-    if (e.gJ(k) == 0 && all (e.A(:,k) == 0) && strcmp (P.free(k).kind, "own"))
+    if (! (e.gJ(k) == 0 && all (e.A(:,k) == 0)))
+      continue;
+    endif
+    idle{end+1} = P.free(k).name;
+    if (strcmp (P.free(k).kind, "own"))
       error ("%s: nothing depends on %s at the start (no parameter of %s has that name)", P.who, ...
              P.free(k).name, P.base.name);
     endif

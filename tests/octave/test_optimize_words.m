@@ -86,6 +86,14 @@ function gains (m, s)
                                  [1; 0]).x(:,2) - 1) .^ 2;
   known = fminbnd (f, 10, 150, optimset ("TolX", 1e-10));
   near ("the gain of a digital controller of the scene", r.values.kp, known, 1e-6);
+  lastwarn ("");
+  gsmbp_optimize (m, {"k", 50, [1 1000]; "mc", 1, [0.5 2]}, {"mass", "all"});
+  gsmbp_check (["told: " lastwarn()], ...
+               ! isempty (strfind (lastwarn (), "nothing depends on k, at")));
+  text = gsmbp_complaint (@() gsmbp_optimize (m, {"k", 50, [1 1000]}, {"end", "q"}, {}, ...
+                                              {"run", [1 0], [0 0], "name", "back"}));
+  gsmbp_check (["the case is named: " text], ...
+               ! isempty (strfind (text, "gsmbp_optimize: case back: ")));
   gsmbp_check ("exact through its samples", strcmp (r.derivatives, "exact"));
 end
 
