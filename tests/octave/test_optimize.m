@@ -172,6 +172,10 @@ function gear (m)
   r = gsmbp_optimize (d2a, {"n", 60, [5 300]}, {loss}, {}, {"inverse", best, t});
   near ("D2a: ratio and energy", [r.values.n, r.J], ...
         [94.868329805051379960, 2.1540166204986149584], 1e-6);
+  loaded = @(p, r) 1.6 / (0.19 * p.n) ^ 2 * (r.case1.w' * (r.case1.tau + 25) .^ 2);
+  r = gsmbp_optimize (d2a, {"n", 90, [5 300]}, {loaded}, {}, {"inverse", best, t});
+  near ("D2a, with a load torque", [r.values.n, r.J], ...
+        [145.758289033132936499777, 3.61940355984660686649], 1e-6);
   ## theta = cubic with two free coefficients; exact through the equations of motion
   plan = @(p) mkpp ([0 0.8], [p.a, p.b, 0, 0]);
   r = gsmbp_optimize (gsmbp_set (d2a, "n", 90), {"a", -1, [-99 99]; "b", 2, [-99 99]}, ...
