@@ -139,3 +139,11 @@ function r = gsmbp_design (m, varargin)
   endif
   r = gsmbp__machine_result (d);
 endfunction
+
+%!shared m
+%! addpath (fullfile (fileparts (which ("gsmbp_build")), "hand"));
+%! m = gsmbp_hand ("motor_pendulum");
+%!error <the specification lacks motion> gsmbp_design (m, struct ())
+%!error <unknown option "motin", did you mean "motion"> gsmbp_design (m, struct ("motin", 1))
+%!error <the specification lacks accuracy>
+%! gsmbp_design (m, struct ("motion", gsmbp_plan ("quintic", [0 1], [0 1])));

@@ -79,12 +79,17 @@ function names = of_joints (m)
   end
 end
 
-## a state around the start; loops are closed by the model's own projection
+## a state around the start; loops are closed by the model's own projection, which beams follow most
+## easily: nearer to it where there are some
 function x = state (m, d)
+  near = 0.1;
+  if (numel (of_joints (m)) < d.nq)
+    near = 0.01;
+  end
   x = uniform (d.nx);
   x(d.nq + (1:d.nu)) *= 2;
   if (d.nlam > 0)
-    x(1:d.nq) = unit (m, m.initial(1:d.nq) + 0.1 * uniform (d.nq));
+    x(1:d.nq) = unit (m, m.initial(1:d.nq) + near * uniform (d.nq));
     x = m.prj (0, x);
   else
     x(1:d.nq) = unit (m, m.initial(1:d.nq) + x(1:d.nq));
