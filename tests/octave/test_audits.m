@@ -1,5 +1,5 @@
 ## Every example on the motion of its driver at the default tolerance: what the energy audit cannot
-## find is below 1e-8 of the energy that passed. A third of the examples a day; make test-whole: all.
+## find is below 1e-8 of the energy that passed. Those derived today; make test-whole: all.
 
 function test_audits ()
   root = fullfile (fileparts (mfilename ("fullpath")), "..", "..");
