@@ -36,6 +36,6 @@ function m = build (name, others, own)
   if (any (strcmp (name, others)))
     m = gsmbp_build (name, "directory", own);
   else
-    m = gsmbp_build (name);
+    m = example_model (name);
   end
 end
