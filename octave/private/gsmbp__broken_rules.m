@@ -6,31 +6,43 @@ function reason = gsmbp__broken_rules (m, table)
   names = fieldnames (table)';
   n = numel (table.(names{1}));
   reason = repmat ({""}, n, 1);
-  for rule = gsmbp__rules (m)
-    own = cellstr (rule{1}.parameters);
-    if (! any (ismember (own, names)))
+  for name = fieldnames (m.par)'
+    m.par.(name{1}) *= ones (n, 1);
+  endfor
+  for name = names
+    m.par.(name{1}) = double (table.(name{1})(:));
+  endfor
+  for rule = gsmbp__rows (m.json, "rules")
+    if (! any (ismember (cellstr (rule{1}.parameters), names)))
       continue;
     endif
-    p = cellfun (@(name) column (m, table, name, n), own, "UniformOutput", false);
-    v = cellfun (@(e) gsmbp__rule_value (e, p) .* ones (n, 1), cellstr (rule{1}.values)(:)', ...
+    v = cellfun (@(e) values (m, rule{1}, e, n), cellstr (rule{1}.values)(:)', ...
                  "UniformOutput", false);
     v = [v{:}];
     for i = suspects (rule{1}.rule, v)'
       what = gsmbp__rule_failure (rule{1}.rule, v(i,:)');
       if (! isempty (what) && isempty (reason{i}))
-        found = cellfun (@(name, x) sprintf ("%s = %g", name, x(i)), own(:)', p(:)', ...
-                         "UniformOutput", false);
-        reason{i} = sprintf ("%s %s; found: %s", rule{1}.place, what, strjoin (found, ", "));
+        reason{i} = sprintf ("%s %s; found: %s", rule{1}.place, what, found (m, rule{1}, i));
       endif
     endfor
+    i = find (any (v < 0, 2), 1);
+    if (strcmp (rule{1}.rule, "rather_nonnegative") && ! isempty (i))
+      warning ("gsmbp:negative", "%s: %s is negative, it gives energy to the motion: %s", ...
+               m.name, rule{1}.place, found (m, rule{1}, i));
+    endif
   endfor
 endfunction
 
-function x = column (m, table, name, n)
-  x = m.par.(name) * ones (n, 1);
-  if (isfield (table, name))
-    x = double (table.(name)(:));
-  endif
+## an expression in the columns of the parameters
+function v = values (m, rule, expression, n)
+  rule.value = regexprep (expression, '(?<!\.)([*/^])', '.$1');
+  v = gsmbp__value (m, rule, []) .* ones (n, 1);
+endfunction
+
+function text = found (m, rule, i)
+  pairs = cellfun (@(name) sprintf ("%s = %g", name, m.par.(name)(i)), ...
+                   cellstr (rule.parameters)(:)', "UniformOutput", false);
+  text = strjoin (pairs, ", ");
 endfunction
 
 ## the rows that may break a rule: those of values that are fine by a look are none

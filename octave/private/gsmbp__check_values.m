@@ -3,14 +3,14 @@
 ## (m.json.rules: place, rule, parameters, and expressions in them as p1, p2, ...).
 
 function gsmbp__check_values (m)
-  for rule = gsmbp__rules (m)
+  for rule = gsmbp__rows (m.json, "rules")
     check (m, rule{1}, cellstr (rule{1}.parameters), cellstr (rule{1}.values));
   endfor
 endfunction
 
 function check (m, rule, names, expressions)
   p = cellfun (@(name) m.par.(name), names, "UniformOutput", false);
-  v = cellfun (@(e) gsmbp__rule_value (e, p), expressions);
+  v = cellfun (@(e) gsmbp__value (m, setfield (rule, "value", e), []), expressions);
   what = gsmbp__rule_failure (rule.rule, double (v(:)));
   negative = isempty (what) && strcmp (rule.rule, "rather_nonnegative") && v < 0;
   if (isempty (what) && ! negative)

@@ -7,10 +7,7 @@ function [f, slopes] = gsmbp__mass (who, m, name)
     error ("%s: mass: %s was derived without the masses of its links: derive it again", who, ...
            m.name);
   endif
-  list = m.json.masses;
-  if (! iscell (list))
-    list = num2cell (list);
-  endif
+  list = gsmbp__rows (m.json, "masses");
   known = cellfun (@(row) row.link, list, "UniformOutput", false);
   chosen = 1:numel (known);
   if (! strcmp (name, "all"))
