@@ -193,10 +193,10 @@
 ## points: the mechanism may go on in more than one way), as the pivots after
 ## the steps and within long ones show it (of several within one step: one); first
 ## and last time [s].  This is a printed warning too.  Only dp853 looks ahead for
-## such positions: how accurate rk4 and cvode pass one is left to chance.
+## such positions: how accurate the others pass one is left to chance.
 ## @item loose
 ## steps close to such positions whose estimated error is above the tolerance: there
-## it could not be kept.  A step through one keeps some 1e-13 at best.  rk4 and cvode:
+## it could not be kept.  A step through one keeps some 1e-13 at best.  The others:
 ## steps that end where the least pivot is below a hundredth of its largest value.
 ## They are a printed warning even where no such position was passed.
 ## @item least_pivot, least_pivot_at
@@ -221,7 +221,7 @@
 ## This is a printed warning too.  Only @var{times} are looked at, not what is between them:
 ## take them as close as the motion changes.
 ## @item method, jacobians, newton
-## the method of the last step; cvode: evaluations of the Jacobian, iterations
+## the method of the last step; radau, cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
 ## @item rtol, atol
 ## the tolerances that were kept to
@@ -256,8 +256,8 @@
 ## device cannot be; an argument or option that is unknown, of another size or
 ## not finite; a run that fails, unless info is taken.
 ## Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I
-## (dp853, rk4); SUNDIALS (cvode); the ways of the loops and the rest are own,
-## as the heads in share/fortran say.
+## (dp853, rk4); II, and J. Comput. Appl. Math. 111, 1999 (radau); SUNDIALS (cvode);
+## the ways of the loops and the rest are own, as the heads in share/fortran say.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
 ## @end deftypefn
 

@@ -159,7 +159,7 @@ step (gs_run *s)
   bdf *b = s->memory;
   int flag = CVodeSetStopTime (b->memory, s->stop);
   if (flag < 0 || (flag = CVode (b->memory, s->stop, b->y, &s->t, CV_ONE_STEP)) < 0)
-    return flag;
+    return flag == CV_MEM_FAIL ? GS_NO_MEMORY : flag;
   s->y = N_VGetArrayPointer (b->y);
   CVodeGetLastStep (b->memory, &s->h);
   CVodeGetCurrentStep (b->memory, &s->next);

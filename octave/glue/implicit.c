@@ -41,8 +41,8 @@ typedef void jac_type (const double *t, const double *x, const double *v, double
 
 static const double no_jump[3] = { 0, 0, 0 };
 
-int
-gs_all_finite (int n, const double *x)
+static int
+all_finite (int n, const double *x)
 {
   for (int i = 0; i < n; i++)
     if (! (fabs (x[i]) <= 1e300))
@@ -102,7 +102,7 @@ rate (gs_run *s, double t, const double *x, int *ip, double *v, double *xd)
   ((fun_type *)r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &t, &side, s->trial,
                           &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, ip, r->rp, r->cst, v, xd, r->w,
                           s->p, r->istat, r->rstat, &info);
-  return info != 0 ? outcome (info) : ! gs_all_finite (r->nx, xd);
+  return info != 0 ? outcome (info) : ! all_finite (r->nx, xd);
 }
 
 int
@@ -177,7 +177,7 @@ gs_jacobian (gs_run *s, double t, const double *x, double *A)
   if (r->nv > 0 && ! gs_inputs_of_time (s)
       && (info = add_feedback (s, t, s->trial, A)) != 0)
     return info;
-  return ! gs_all_finite (r->nx * r->nx, A);
+  return ! all_finite (r->nx * r->nx, A);
 }
 
 int
@@ -390,7 +390,7 @@ accept (gs_run *s)
   r->rstat[6] = fmax (r->rstat[6], s->h);
   r->rstat[7] = s->t;
   r->rstat[8] = s->next;
-  if (! gs_all_finite (r->nx, s->y))
+  if (! all_finite (r->nx, s->y))
     return INFINITE;
   s->still = s->h <= 16 * DBL_EPSILON * fabs (s->t) ? s->still + 1 : 0;
   if (s->still >= 20)   /* a method might go on for ever */
@@ -426,6 +426,7 @@ failure (gs_run *s, int flag)
   return s->r->istat[6] != 0     ? ROUTINE
          : flag == GS_TOO_SMALL  ? SMALL
          : flag == GS_NO_RATES   ? NO_RATES
+         : flag == GS_NO_MEMORY  ? MEMORY
                                  : METHOD_FAILED;
 }
 

@@ -11,8 +11,9 @@ enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_
 
 typedef struct gs_run gs_run;
 
-/* flags: no step, however short, is good; the rates at the state of the run are no numbers */
-enum { GS_TOO_SMALL = -1000, GS_NO_RATES };
+/* flags: no step, however short, is good; the rates at the state of the run are no numbers; there
+ * is no memory */
+enum { GS_TOO_SMALL = -1000, GS_NO_RATES, GS_NO_MEMORY };
 
 /* A method.  What begins and what steps gives a flag, below zero where it failed. */
 typedef struct
@@ -41,8 +42,6 @@ struct gs_run
   int *project,
       *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
 };
-
-extern int gs_all_finite (int n, const double *x);
 
 /* What a method calls; 0, above 0: a smaller step may do, below 0: it is over */
 extern int gs_rate (gs_run *s, double t, const double *x, double *xd);

@@ -1,5 +1,5 @@
-// A run: what gsmbp_simulate hands over, the subroutines that it needs, GSSIM, CVODE where that is
-// asked for or steps are bound by stability, what comes back.
+// A run: what gsmbp_simulate hands over, the subroutines that it needs, GSSIM, an implicit method
+// where that is asked for or steps are bound by stability, what comes back.
 #pragma once
 
 #include "run_parts.h"
