@@ -101,15 +101,15 @@
 ## names of parameters that the scene was derived for (request @code{sensitivity(m1, k)} of
 ## @code{gsmbp_fortran}), or of states for their start values: S = dx/dp is integrated with the
 ## states, S' = A S + P (m.rhp), its errors steer the steps as those of the states do.  The result
-## has the structs @code{dx} and @code{dy} by these names: derivatives of states and outputs at
-## fixed times, a row for each.  Loops: S is moved onto the derivatives of the constraints with the
-## states.  At events they jump with the states, as the time of the event moves.  Where that has no
-## derivative (the motion only grazes a stop or comes to rest just not; two events at one instant
-## whose times move apart) @code{stats.lost}, a struct array with @code{name}, @code{time},
-## @code{event} and @code{text}, and a printed warning tell it: from there on the numbers are NaN.
-## All methods; the ways "projection" and "baumgarte"; constant inputs, piecewise polynomials,
-## functions @code{@@(t, x)} in whose text x is not used, feedback; sampled devices that do not
-## round; not with planned motions, the audit
+## has the structs @code{dx}, @code{dy}, @code{dv} by these names: derivatives of states, outputs
+## and inputs at fixed times, a row for each.  Loops: S is moved onto the derivatives of the
+## constraints with the states.  At events they jump with the states, as the time of the event
+## moves.  Where that has no derivative (the motion only grazes a stop or comes to rest just not;
+## two events at one instant whose times move apart) @code{stats.lost}, a struct array with
+## @code{name}, @code{time}, @code{event} and @code{text}, and a printed warning tell it: from there
+## on the numbers are NaN.  All methods; the ways "projection" and "baumgarte"; constant inputs,
+## piecewise polynomials, functions @code{@@(t, x)} in whose text x is not used, planned motions,
+## feedback; sampled devices that do not round; not the audit
 ## @item "dx0"
 ## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
 ## by itself, 1, is added
@@ -273,8 +273,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   p = gsmbp__run_setup (who, m, x0, times, o);
   [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
-  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held] = ...
-      m.module ("sim", p.arguments{:});
+  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held, ...
+   followed] = m.module ("sim", p.arguments{:});
   if (strcmp (method, "auto"))
     method = {"dp853", "radau"}{1 + (counts(14) > 0)};
   endif
@@ -311,7 +311,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     if (! isempty (turns))
       lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
     endif
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, o);
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, followed);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);

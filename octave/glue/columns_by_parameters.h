@@ -39,6 +39,8 @@ struct carried
   std::vector<int> ip;    // IP of the run's own inputs where they depend on states, else empty
   std::vector<char> own;  // which inputs are not held outputs or modes
   reals gain;             // of the feedback, NV x NX, as it was last evaluated
+  gsmbp_sub cmd, clo;     // of a planned motion; what CMP said of it where it was last evaluated:
+  reals vx, vm;           // derivatives of its inputs by states of devices, NV x NA, by parameters
 
   reals kp, yp;           // derivatives of memory and outputs, NXK and NY x columns
   std::vector<sent_outputs> sent;
@@ -196,6 +198,9 @@ columns_of (const Matrix& numbers, const reals& cst)
   c->within = false;
   c->vp = room (S.nv * nc);
   c->gain = room (S.nv * S.nx);
+  c->vx = room (S.nv * S.na);
+  c->vm = room (S.nv * S.nsp);
+  c->cmd = c->clo = gsmbp_absent;
   c->kp = room (S.nxk * nc);
   c->yp = room (S.ny * nc);
   return c;

@@ -12,6 +12,17 @@ magnitude (number a)
   return a < 0 ? -a : a;
 }
 
+// what CMP says of the planned motion that GSINP has left in its workspace
+static void
+planned_columns (carried& c, const number *t, const number *x, const number *cst, int *info)
+{
+  const int ld = std::max (1, S.nv), at = c.ip[GS_INTERNAL];
+  reals xi = room (S.na);
+  for (int i = 0; i < S.na; i++)
+    xi[i] = at > 0 ? x[at - 1 + i] : number (0);
+  routine ("cmp") (t, &c.wi[0], &xi[0], cst, &c.vx[0], &ld, &c.vm[0], &ld, info);
+}
+
 extern "C" void
 gsmbp_inputs_with_columns (const number *t, const int *side, const number *x, const int *,
                            const int *nv, const int *, const number *rp, const number *cst,
@@ -25,8 +36,12 @@ gsmbp_inputs_with_columns (const number *t, const int *side, const number *x, co
       gsmbp_call_input (t, side, x, &S.nx, nv, nullptr, nullptr, nullptr, v, info);
       return;
     }
-  fortran {gsinp_} (gsmbp_absent, gsmbp_absent, gsmbp_absent, t, side, x, &S.nu, &S.nx, &S.nv,
-                    c.ip.data (), rp, cst, v, &c.wi[0], info);
+  fortran {gsinp_} (c.cmd, c.clo, gsmbp_absent, t, side, x, &S.nu, &S.nx, &S.nv, c.ip.data (), rp,
+                    cst, v, &c.wi[0], info);
+  if (*info == 0 && c.ip[GS_V0] == 2 && ! states_alone (c))
+    planned_columns (c, t, x, cst, info);
+  if (*info != 0)
+    return;
   if (c.ip[GS_FEEDBACK] == 1)
     fortran {gspln_} (&nk, gain, gain + 1, rp + gain[2] - 1, rp + gain[3] - 1, t, side, &none,
                       &c.gain[0], &ld, info);
@@ -37,7 +52,7 @@ gsmbp_inputs_with_columns (const number *t, const int *side, const number *x, co
 static bool
 takes_inputs (carried& c, run_plan& plan)
 {
-  if (plan.ip[GS_V0] != 3 && plan.ip[GS_FEEDBACK] != 1)
+  if (plan.ip[GS_V0] < 2 && plan.ip[GS_FEEDBACK] != 1)
     return false;
   c.ip = plan.ip;
   c.ip[GS_HELD] = c.ip[GS_EVENTS] = 0;
@@ -51,14 +66,38 @@ takes_inputs (carried& c, run_plan& plan)
   return true;
 }
 
-// does the feedback act on input I, and not its limit?
+// does input I follow plan and feedback, and not its limit?
 static bool
-follows (const carried& c, const number *v, int i)
+free_input (const carried& c, const number *v, int i)
 {
-  if (c.ip.empty () || c.ip[GS_FEEDBACK] != 1 || ! c.own[i])
+  if (c.ip.empty () || ! c.own[i])
     return false;
-  const number *limits = c.ip[GS_LIMITS] > 0 ? &c.plan->rp[c.ip[GS_LIMITS] - 1] : nullptr;
+  const bool limited = c.ip[GS_FEEDBACK] == 1 && c.ip[GS_LIMITS] > 0;
+  const number *limits = limited ? &c.plan->rp[c.ip[GS_LIMITS] - 1] : nullptr;
   return ! limits || (v[i] > limits[i] && v[i] < limits[S.nv + i]);
+}
+
+// derivative of input I by column K, S its states, through the planned motion
+static number
+planned_change (const carried& c, const number *s, int k, int i)
+{
+  const int at = c.ip[GS_INTERNAL];
+  number sum = c.col[k] > 0 ? c.vm[i + S.nv * (c.col[k] - 1)] : number (0);
+  for (int j = 0; j < S.na && at > 0; j++)
+    sum += c.vx[i + S.nv * j] * s[at - 1 + j];
+  return sum;
+}
+
+// and of all that a run's plan gives, feedback too
+static number
+given_change (const carried& c, const number *v, const number *s, int k, int i)
+{
+  if (! free_input (c, v, i))
+    return 0;
+  number sum = c.ip[GS_V0] == 2 ? planned_change (c, s, k, i) : number (0);
+  for (int j = 0; j < S.nx && c.ip[GS_FEEDBACK] == 1; j++)
+    sum -= c.gain[i + S.nv * j] * s[j];
+  return sum;
 }
 
 // derivatives of the inputs V by column K, S its states
@@ -66,11 +105,30 @@ static void
 input_columns (const carried& c, const number *v, const number *s, int k, number *dv)
 {
   for (int i = 0; i < S.nv; i++)
+    dv[i] = c.vp[i + S.nv * k] + given_change (c, v, s, k, i);
+}
+
+// derivatives of the inputs that follow plan and feedback at the output times, from the left: a
+// column each, inputs by columns
+static Matrix
+given_inputs (carried& c, const reals& tout, const reals& xout, const reals& vout, int ldx, int ldv,
+              int reached)
+{
+  Matrix m (S.nv * c.count (), c.ip.empty () ? 0 : reached, 0.0);
+  reals v = room (S.nv);
+  const int side = -1;
+  for (int r = 0; r < m.columns (); r++)
     {
-      dv[i] = c.vp[i + S.nv * k];
-      for (int j = 0; j < S.nx && follows (c, v, i); j++)
-        dv[i] -= c.gain[i + S.nv * j] * s[j];
+      int info = 0;
+      const number *x = &xout[std::size_t (ldx) * r], *given = &vout[std::size_t (ldv) * r];
+      gsmbp_inputs_with_columns (&tout[r], &side, x, &S.nx, &S.nv, nullptr,
+                                 c.plan->rp.data (), &(*c.cst)[0], &v[0], &info);
+      for (int k = 0; k < c.count (); k++)
+        for (int i = 0; i < S.nv; i++)
+          m(i + S.nv * k, r) = info != 0 ? no_number
+                               : double (given_change (c, given, x + S.nx * (k + 1), k, i));
     }
+  return m;
 }
 
 // rates of a polynomial of the plan
@@ -105,7 +163,8 @@ function_rates (number t, const number *x, int side)
   return rate;
 }
 
-// rates of the inputs V along the motion with the rates F of the states
+// rates of the inputs V along the motion with the rates F of the states: at events, which no
+// planned motion has (devices with events have no inverse)
 static reals
 input_slopes (carried& c, number t, int side, const number *x, const number *v, const number *f)
 {
@@ -128,9 +187,9 @@ input_slopes (carried& c, number t, int side, const number *x, const number *v, 
                     &wanted[0], &ld, &info);
   for (int i = 0; i < S.nv; i++)
     {
-      if (! follows (c, v, i))
+      if (! free_input (c, v, i))
         rate[i] = c.own[i] ? number (0) : rate[i];
-      for (int j = 0; j < S.nx && follows (c, v, i); j++)
+      for (int j = 0; j < S.nx && free_input (c, v, i); j++)
         rate[i] -= gains[i + S.nv * j] * (x[j] - wanted[j])
                    + c.gain[i + S.nv * j] * (f[j] - moves[j]);
     }

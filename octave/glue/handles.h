@@ -93,6 +93,7 @@ static const known_routine known[]
         { "out", "output", "t x ?v cst >y(ny) info", "" },
         { "cmd", "command", "t qj ?xi cst >v >xid(na) info", "" },
         { "cmx", "command_states", "t qj ?xi cst >v >xid(na) >xa(na) >g(nmar) info", "" },
+        { "cmp", "sensitivity", "t qj ?xi cst >vx(nv,na) ld >vp(nv,nsp) ld info", "" },
         { "ctl", "control", "k[0:nctl] t y(ny) <xk(nxk) cst ?<v", "v xk" },
         { "ctp", "control", "cst >period(nctl) >delay(nctl)", "" },
         { "evt", "events", "t x v mode cst >g(nev)", "" },

@@ -22,7 +22,7 @@ struct simulation : run_room
 
   void integrate (void);
   bool carries (void) const { return columns->count () > 0; }
-  octave_value_list results (void) const;
+  octave_value_list results (void);
 
   // a run in its own room, with the plan IP, RP; several may go on at a time
   void run (run_room& r, std::vector<int>& ip, reals& rp) const;
@@ -126,6 +126,8 @@ simulation::make_room (const reals& guess)
   istat.assign (statistics, 0);
   for (int i = 0; i < S.nu; i++)
     w[i] = guess[i];
+  if (carries ())
+    std::copy (guess.begin (), guess.begin () + S.nu, columns->wi.begin ());
 }
 
 // those that the run calls; one that it needs and the scene has not is an error
@@ -173,6 +175,8 @@ simulation::find_routines (void)
   if (ip[GS_V0] == 3)
     vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
                                       : user_input ();
+  columns->cmd = cmd;
+  columns->clo = clo;
   if (carries () && takes_inputs (*columns, *plan))
     vin = reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns);
 }
@@ -282,7 +286,7 @@ simulation::integrate (void)
 }
 
 octave_value_list
-simulation::results (void) const
+simulation::results (void)
 {
   Matrix counters (octave_idx_type (istat.size ()), 1);
   for (std::size_t i = 0; i < istat.size (); i++)
@@ -296,6 +300,7 @@ simulation::results (void) const
   list.append (lost_columns (*columns));
   list.append (watched_turns (*columns));
   list.append (kept_inputs (*columns));
+  list.append (given_inputs (*columns, tout, xout, vout, ldx, ldv, istat[4]));
   return list;
 }
 

@@ -1,23 +1,26 @@
-## r = gsmbp__derivatives (m, r, carried, S, lost, held, o)
-## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx and
-## dy by the names of what they are by, a row for each time.  S: the columns at all times; LOST: of
-## each one why there is none from some event on (0: there is), which event, when: NaN from there
+## r = gsmbp__derivatives (m, r, carried, S, lost, held, given)
+## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx, dy
+## and dv by the names of what they are by, a row for each time.  S: the columns at all times; LOST:
+## of each one why there is none from some event on (0: there is), which event, when: NaN from there
 ## on, and stats.lost, a struct array with name, time, event and text.  HELD: the derivatives of the
-## inputs that sampled devices hold, a column from each time on: time, inputs by columns.  O: the
-## options of the run.
+## inputs that sampled devices hold, a column from each time on: time, inputs by columns.  GIVEN:
+## those of the inputs that follow a planned motion or feedback, a column for each time, or none.
 
-function r = gsmbp__derivatives (m, r, carried, S, lost, held, o)
+function r = gsmbp__derivatives (m, r, carried, S, lost, held, given)
   d = m.sizes;
   n = numel (r.t);
   S = reshape (S, d.nx, numel (carried.names), n);
   for k = find (lost(:,1))'
     S(:,k,r.t >= lost(k,3)) = NaN;
   endfor
-  Y = outputs (m, r, carried, S, held, o);
-  r.dx = r.dy = struct ();
+  V = inputs (m, r, numel (carried.names), held, given);
+  Y = outputs (m, r, carried, S, V);
+  r.dx = r.dy = r.dv = struct ();
   for k = 1:numel (carried.names)
     r.dx.(carried.names{k}) = reshape (S(:,k,:), d.nx, n)';
     r.dy.(carried.names{k}) = reshape (Y(:,k,:), d.ny, n)';
+    V(:,k,isnan (S(1,k,:))) = NaN;
+    r.dv.(carried.names{k}) = reshape (V(:,k,:), d.nv, n)';
   endfor
   r.stats.lost = lost_ones (m, carried.names, lost);
 endfunction
@@ -34,8 +37,22 @@ function list = lost_ones (m, names, lost)
   endfor
 endfunction
 
-## dy = C*S + what the parameters do by themselves; NaN where that is not emitted
-function Y = outputs (m, r, carried, S, held, o)
+## derivatives of the inputs, by columns and times
+function V = inputs (m, r, nc, held, given)
+  V = zeros (m.sizes.nv, nc, numel (r.t));
+  if (! isempty (given))
+    V = reshape (given, size (V));
+  endif
+  for i = 1:numel (r.t)
+    k = find (held(1,:) < r.t(i) - 1e-12 * abs (r.t(i)) | i == 1 & held(1,:) <= r.t(i), 1, "last");
+    if (! isempty (k))
+      V(:,:,i) += reshape (held(2:end,k), m.sizes.nv, nc);
+    endif
+  endfor
+endfunction
+
+## dy = C*S + D*V + what the parameters do by themselves; NaN where that is not emitted
+function Y = outputs (m, r, carried, S, V)
   d = m.sizes;
   Y = NaN (d.ny, columns (S), numel (r.t));
   if (d.ny == 0 || ! all (ismember ({"oup", "jac"}, m.subroutines)))
@@ -51,25 +68,8 @@ function Y = outputs (m, r, carried, S, held, o)
     endif
     P = [zeros(d.ny, 1), P];
     Y(:,:,i) = C * S(:,:,i) + P(:,1+carried.columns);
-    k = find (held(1,:) < r.t(i) - 1e-12 * abs (r.t(i)) | i == 1 & held(1,:) <= r.t(i), 1, "last");
-    if (! isempty (k))
-      Y(:,:,i) += D * reshape (held(2:end,k), d.nv, columns (S));
-    endif
-    if (! isempty (o.gain))
-      Y(:,:,i) -= D * (feedback (m, o, r.t(i), v) * S(:,:,i));
+    if (d.nv > 0)
+      Y(:,:,i) += D * V(:,:,i);
     endif
   endfor
-endfunction
-
-## the gain at a time, from the left; 0 for inputs at their limits and those that are not its own
-function K = feedback (m, o, t, v)
-  K = o.gain;
-  if (isstruct (K))
-    K = reshape (ppval (K, t - 1e-12 * max (1, abs (t))), m.sizes.nv, m.sizes.nx);
-  endif
-  if (! isempty (o.bounds))
-    bounds = reshape (o.bounds, [], 2);
-    K(v <= bounds(:,1) | v >= bounds(:,2),:) = 0;
-  endif
-  K([vertcat(m.controllers.outputs); vertcat(m.events.input)],:) = 0;
 endfunction

@@ -100,8 +100,8 @@ function [R, D] = run (P, m, args, options, p, by)
   R = with_margins (m, gsmbp_simulate (m, x0, args{1}, options{:}, "sensitivity", names));
   pages = find (by);
   for k = 1:numel (names)
-    D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", 0 * R.v), pages(k), ...
-             numel (p));
+    D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", R.dv.(names{k})), ...
+             pages(k), numel (p));
   endfor
 endfunction
 

@@ -12,7 +12,7 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
   switch (c.kind)
     case "run"
       possible = can ("x", "y", "v") && has ("rhp") && outputs ...
-                 && plain_run (m, c, any (strcmp (fields, "v"))) ...
+                 && plain_run (m, c) ...
                  && (! loops || (has ("con", "tan", "cop") && m.sizes.nq == m.sizes.nu));
     case "inverse"
       possible = m.sizes.nq == m.sizes.nu && isempty (c.options) ...
@@ -53,17 +53,17 @@ function yes = plans_actuated (m, c)
 endfunction
 
 ## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
-function yes = plain_run (m, c, inputs)
+function yes = plain_run (m, c)
   has = @(varargin) all (ismember (varargin, m.subroutines));
   yes = (isempty (m.events) || has ("evp", "rsp")) ...
         && (isempty (m.controllers) || (has ("ctd") && ! any ([m.controllers.rounds])));
   for k = 1:2:numel (c.options)
     value = c.options{k+1};
     switch (c.options{k})
-      case {"motion", "audit"}
+      case "audit"
         yes = false;
-      case "gain"   # the inputs follow the states
-        yes = yes && ! inputs;
+      case "motion"
+        yes = yes && has ("cmp");
       case "loops"
         yes = yes && any (strcmp (value, {"baumgarte", "projection"}));
       case "input"

@@ -9,6 +9,8 @@ function test_sensitivity ()
   crank (m);
   along_a_motion (m);
   inputs (m);
+  planned (m);
+  beside_a_plan (gsmbp_fixture ("sensitivity_planned"));
   start_values (gsmbp_fixture ("case_d1a"));
   refused (m);
   equilibrium (m);
@@ -76,8 +78,8 @@ function r = rates (m, q, u)
   r += H * u;
 end
 
-function D = differenced (f, m, p)
-  h = 1e-3 * m.par.(p);
+function D = differenced (f, m, p, step = 1e-3)
+  h = step * m.par.(p);
   g = @(s) f (gsmbp_set (m, p, m.par.(p) + s * h));
   D = (45 * (g(1) - g(-1)) - 9 * (g(2) - g(-2)) + (g(3) - g(-3))) / (60 * h);
 end
@@ -156,6 +158,55 @@ function inputs (m)
                       "method", "cvode");
   e = norm ([a.dx.la - b.dx.la; a.dx.n - b.dx.n], Inf) / norm ([a.dx.la; a.dx.n], Inf);
   gsmbp_check (sprintf ("cvode carries them too, found %.2g", e), e < 1e-8);
+end
+
+## inputs of a planned motion, alone and with feedback, of a loop: with the inductance through the
+## rates of its efforts
+function planned (m)
+  plan = gsmbp_plan ("septic", [0.3 2], [0 0.5]);
+  K = [30 0 0 2 0 0 0.1];
+  cases = {"a planned motion, by radau", {"method", "radau"}; ...
+           "with feedback within limits", {"gain", K, "reference", closed(m), "limits", 20}};
+  names = {"l2", "rho", "n", "la", "km"};
+  for one = cases'
+    run = @(m, varargin) gsmbp_simulate (m, closed (m), [0 0.2 0.4], "motion", plan, "rtol", ...
+                                         1e-13, one{2}{:}, varargin{:});
+    r = run (m, "sensitivity", names);
+    e = carried_off (r, names, @(m) run (m), m);
+    gsmbp_check (sprintf ("%s: dx, dv, dy as by differences, found %.2g", one{1}, e), e < 1e-7);
+  end
+end
+
+## a state that follows the plan by itself
+function beside_a_plan (m)
+  plan = gsmbp_plan ("septic", [0.2 1.4], [0 1]);
+  cases = {"bristles on a planned motion", {}; ...
+           "with feedback", {"gain", [40 5 0 0], "reference", [0.5; 0; 0; 0]}};
+  names = {"m", "l", "n", "la", "fc"};
+  for one = cases'
+    run = @(m, varargin) gsmbp_simulate (m, [0.25; 0; 3; 1e-4], [0 0.3 0.6], "motion", plan, ...
+                                         "rtol", 1e-13, one{2}{:}, varargin{:});
+    e = carried_off (run (m, "sensitivity", names), names, @(m) run (m), m);
+    gsmbp_check (sprintf ("%s: dx, dv, dy as by differences, found %.2g", one{1}, e), e < 1e-7);
+  end
+end
+
+## the worst of dx, dv, dy by these names beside differences
+function worst = carried_off (r, names, run, m)
+  worst = 0;
+  for p = names
+    D = differenced (@(m) all_of (run (m)), m, p{1}, 1e-2);
+    S = [r.dx.(p{1}), r.dv.(p{1}), r.dy.(p{1})];
+    width = cellfun (@columns, {r.x, r.v, r.y});
+    for part = mat2cell ([D; S], 2 * rows (D), width)
+      [d, s] = deal (part{1}(1:end/2,:), part{1}(end/2+1:end,:));
+      worst = max (worst, norm (d - s, Inf) / (norm (d, Inf) + eps));
+    end
+  end
+end
+
+function y = all_of (r)
+  y = [r.x, r.v, r.y];
 end
 
 function x = closed (m)
