@@ -20,7 +20,7 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
-        test-reach test-c bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
+        test-reach test-c test-sweep bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-flexible bench-sensitivity bench-control bench-collocation bench-points bench-reach \
         bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
@@ -41,6 +41,8 @@ make test-c                emitted C against emitted Fortran of all scenes (make
 make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
                            solutions are eigenvalues), there and back, and beside singular ones;
                            ARMS="puma scara": these only; SEED, COUNT
+make test-sweep            a sweep on disk killed at 30 instants by chance loses no finished chunk
+                           (make test: at 3); SEED, COUNT
 make bench-c               speed of emitted C beside emitted Fortran, of the module of Python
                            beside C
 make bench                 tests/bench/report.md, report.json and figures
@@ -158,6 +160,9 @@ test-malformed: packages-test compiled
 
 test-reach: packages-test compiled
 	@$(ONE_THREAD) tests/reach/run tests/bench/out/reach $(or $(COUNT),1000000) $(SEED) $(ARMS)
+
+test-sweep: packages-test compiled
+	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_kills $(or $(COUNT),30) $(SEED)
 
 OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

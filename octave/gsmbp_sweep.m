@@ -22,12 +22,23 @@
 ## @item "keep"
 ## what is kept of a run: "final NAME", "peak NAME" (the largest modulus), "max NAME",
 ## "min NAME", "mean NAME", "rms NAME" of states, inputs and outputs, at the @var{times} that
-## are asked for (mean and rms by the trapezoidal rule); default the last value of every
-## output, or of every state where there are none
+## are asked for (mean and rms by the trapezoidal rule), "at T NAME" at the one of these that is T,
+## "whole NAME" at all of them; default the last value of every output, or of every state where
+## there are none
 ## @item "demand"
 ## a cell with a row for each demand: what is kept, lower limit, upper limit
 ## @item "threads"
 ## see @code{gsmbp_ensemble}
+## @item "file"
+## the table goes into this file in HDF5, and on the way there every finished chunk of runs into
+## the folder @file{FILE.parts}, whole or not at all, so that a sweep that is killed loses the
+## chunk under way alone
+## @item "resume"
+## true: goes on with what an interrupted sweep left there, reads a finished @file{FILE}, or begins
+## where there is neither; the table is that of a sweep that was not interrupted, bit for bit.
+## What is of another sweep is an error that says what differs
+## @item "chunk"
+## how many runs a chunk has at most, default 4096; fewer where they take long
 ## @end table
 ##
 ## @var{w} has the fields
@@ -35,8 +46,11 @@
 ## @item names, units, values
 ## of the columns of the table, the parameters, then what is kept; a row for each run, NaN where
 ## it failed
-## @item ok, reason
+## @item ok, reason, reached
 ## as of @code{gsmbp_ensemble}
+## @item whole
+## without "file": of the whole runs that are kept, a struct array of name, unit, values (a row for
+## each run); with "file" they are there alone
 ## @item mean, std, min, max, quantiles
 ## of what is kept, over the runs that came to their end; quantiles at 0.05, 0.5, 0.95, a row each
 ## @item correlation
@@ -51,7 +65,12 @@
 ## @end table
 ##
 ## A sample is a function of the plan, the seed and its number; the table is the same for
-## any number of threads.
+## any number of threads, chunks and interruptions.
+##
+## The file has the data sets @code{/table} (a row for each run), @code{/names} and @code{/units} of
+## its columns (which are attributes of it, too), @code{/ok}, @code{/reached}, @code{/failed/run}
+## and @code{/failed/reason}, @code{/whole/NAME} and @code{/times}, @code{/description}.  Octave's
+## @code{load ("-hdf5", file)} gives arrays of two dimensions transposed: @code{s.table'}.
 ##
 ## @c session octave
 ## @example
@@ -65,7 +84,7 @@
 ## @end example
 ##
 ## Errors: as @code{gsmbp_ensemble}; a distribution or a word that is none; more than 20
-## parameters in a plan of Sobol points.
+## parameters in a plan of Sobol points; a file that is there already; a disk that is full.
 ## Source: Joe and Kuo, direction numbers (2008); Saltelli and others, variance based sensitivity
 ## analysis (2010), their estimates (b) and (f).
 ## @seealso{gsmbp_ensemble, gsmbp_simulate, gsmbp_design}
@@ -77,40 +96,32 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   endif
   who = "gsmbp_sweep";
   gsmbp__model (who, m);
-  [o, rest] = read_options (who, m, varargin);
+  [o, rest] = gsmbp__sweep_options (who, m, varargin);
   names = fieldnames (o.vary)';
   cellfun (@(name) gsmbp__known_parameter (who, m, name), names);
-  kept = gsmbp__kept (who, m, o.keep);
+  times = gsmbp__times (who, times);
+  kept = gsmbp__kept (who, m, o.keep, times);
   table = gsmbp__sweep_plan (who, o);
-  w = struct ("names", {[names, {kept.what}]}, "units", {[units_of(m, names), {kept.unit}]});
-  [values, w.ok, w.reason, w.seconds] = runs (m, x0, times, rest, names, table, kept, o.threads);
-  w.values = [table, values];
-  w = statistics (w, table, values, o);
-  w.yield = yield (who, w, o.demand);
-endfunction
-
-function [o, rest] = read_options (who, m, pairs)
-  table = {"vary", struct(), "any"
-           "plan", "sobol", {"sobol", "latin", "random", "grid", "corners", "indices"}
-           "runs", 256, "whole"
-           "seed", 1, "whole"
-           "keep", {}, "names"
-           "demand", {}, "any"
-           "threads", nproc(), "whole"};
-  [names, values] = gsmbp__pairs (who, "option", pairs);
-  known = gsmbp__simulate_options (false)(:,1);
-  k = find (! ismember (names, [table(:,1); known]), 1);
-  if (! isempty (k))
-    error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, sort ([table(:,1); known])'));
+  plain = kept(! [kept.whole]);
+  w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
+  s = struct ("m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, "table", ...
+              table, "kept", kept, "threads", o.threads, "chunk", o.chunk);
+  if (isempty (o.file))
+    r = gsmbp__sweep_runs (who, s, []);
+  else
+    told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
+    records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
+    r = gsmbp__sweep_on_disk (who, s, gsmbp__sweep_journal (who, m, o, told, records));
   endif
-  mine = ismember (names, table(:,1));
-  o = gsmbp__options (who, table, [names(mine); values(mine)](:)');
-  rest = [names(! mine); values(! mine)](:)';
-  if (! (isstruct (o.vary) && isscalar (o.vary) && numfields (o.vary) > 0))
-    error (["%s: option vary: expected a struct with a range, a list or a distribution for " ...
-            "each parameter, found %s"], who, gsmbp__shown (o.vary));
-  elseif (! (o.runs >= 1))
-    error ("%s: option runs: expected a whole number above 0, found %g", who, o.runs);
+  w.values = [table, r.values];
+  [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
+  w = gsmbp__sweep_statistics (w, table, r.values, o);
+  w.yield = yield (who, w, o.demand);
+  if (isempty (o.file))
+    w.whole = rmfield (kept([kept.whole]), {"what", "of", "whole", "way", "number", "time"});
+    for k = 1:numel (w.whole)
+      w.whole(k).values = r.whole{k};
+    endfor
   endif
 endfunction
 
@@ -120,44 +131,6 @@ function units = units_of (m, names)
     p = m.json.parameters(strcmp ({m.json.parameters.name}, names{k}));
     units{k} = p.unit;
   endfor
-endfunction
-
-## what is kept of all runs, some at a time: the runs themselves need not fit into memory
-function [values, ok, reason, seconds] = runs (m, x0, times, rest, names, table, kept, threads)
-  n = rows (table);
-  values = NaN (n, numel (kept));
-  [ok, reason, seconds] = deal (false (n, 1), repmat ({""}, n, 1), 0);
-  some = max (64, min (4096, floor (4e6 / (m.sizes.nx + 1) / numel (times))));
-  for first = 1:some:n
-    i = first:min (n, first + some - 1);
-    e = gsmbp_ensemble (m, x0, times, rest{:}, "threads", threads, "parameters", ...
-                        cell2struct (num2cell (table(i,:), 1), names, 2));
-    for k = 1:numel (kept)
-      values(i,k) = kept(k).of (e.t, e.of (kept(k).name));
-    endfor
-    values(i(! e.ok),:) = NaN;
-    [ok(i), reason(i)] = deal (e.ok, e.reason);
-    seconds += e.seconds;
-  endfor
-endfunction
-
-function w = statistics (w, table, values, o)
-  good = values(w.ok,:);
-  if (rows (good) < 2)
-    [w.mean, w.std, w.min, w.max] = deal (NaN (1, columns (values)));
-    w.quantiles = NaN (3, columns (values));
-  else
-    [w.mean, w.std] = deal (mean (good, 1), std (good, 0, 1));
-    [w.min, w.max] = deal (min (good, [], 1), max (good, [], 1));
-    w.quantiles = quantile (good, [0.05, 0.5, 0.95], 1, 7);
-  endif
-  w.correlation = NaN (columns (table), columns (values));
-  if (rows (good) > 2)
-    w.correlation = spearman (table(w.ok,:), good);
-  endif
-  if (strcmp (o.plan, "indices"))
-    [w.first, w.total] = gsmbp__sobol_indices (values, columns (table));
-  endif
 endfunction
 
 ## the share of the runs that keep all demands
@@ -186,3 +159,13 @@ endfunction
 %! assert (w.values(:,1:2), [1 .4; 1 .5; 1 .6; 1.2 .4; 1.2 .5; 1.2 .6]);
 %! assert (w.names{3}, ["final " {m.outputs, m.states}{1 + isempty(m.outputs)}{1}]);
 %!error <option plan> gsmbp_sweep (m, [0 0 0], [0 1], "vary", struct ("m", [1 2]), "plan", "all")
+%!test <what is on disk is what is in memory>
+%! file = [tempname() ".h5"];
+%! o = {"runs", 70, "vary", struct("m", [1 1.2]), "keep", {"rms q", "at 0.1 q"}, "chunk", 30};
+%! w = gsmbp_sweep (m, [0.1 0 0], [0 0.1 0.2], o{:}, "file", file);
+%! tidy = onCleanup (@() delete (file));
+%! assert (w.values, gsmbp_sweep (m, [0.1 0 0], [0 0.1 0.2], o{:}).values);
+%! s = load ("-hdf5", file);
+%! assert (s.table', w.values);
+%! assert (cellstr (s.names)', w.names);
+%! fail ("gsmbp_sweep (m, [0.1 0 0], [0 0.1 0.2], o{:}, \"file\", file)", "there is a file");

@@ -1,30 +1,81 @@
-## kept = gsmbp__kept (who, m, words)
-## What WORDS, as "peak motor.i", keep of a run of the model M: a struct array with what, name, unit
-## and of (t, z), a number for each column of z, a row for each time t.
+## kept = gsmbp__kept (who, m, words, times)
+## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
+## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
+## of z); whole; and for the program of a sweep the numbers of the way, the quantity, the time.
 
-function kept = gsmbp__kept (who, m, words)
+function kept = gsmbp__kept (who, m, words, times)
   if (isempty (words))
     words = cellfun (@(name) ["final " name], {m.outputs, m.states}{1 + isempty(m.outputs)}(:)', ...
                      "UniformOutput", false);
   endif
-  ways = struct ("final", @(t, z) z(end,:), "peak", @(t, z) max (abs (z), [], 1), ...
-                 "max", @(t, z) max (z, [], 1), "min", @(t, z) min (z, [], 1), ...
-                 "mean", @(t, z) trapz (t, z) / (t(end) - t(1)), ...
-                 "rms", @(t, z) sqrt (trapz (t, z .^ 2) / (t(end) - t(1))));
   names = [m.states(:); m.inputs(:); m.outputs(:)]';
   units = [m.units.states(:); m.units.inputs(:); m.units.outputs(:)]';
-  kept = struct ("what", {}, "name", {}, "unit", {}, "of", {});
+  kept = struct ("what", {}, "name", {}, "unit", {}, "of", {}, "whole", {}, "way", {}, "number", ...
+                 {}, "time", {});
   for word = cellstr (words)(:)'
-    parts = regexp (strtrim (word{1}), '^(\w+)\s+(.*)$', "tokens", "once");
-    if (isempty (parts) || ! isfield (ways, parts{1}))
-      error ("%s: option keep: expected one of %s and a name, found %s", who, ...
-             strjoin (fieldnames (ways)', ", "), gsmbp__shown (word{1}));
-    endif
-    k = find (strcmp (names, parts{2}), 1);
+    [way, name, at] = parts_of (who, word{1}, times);
+    k = find (strcmp (names, name), 1);
     if (isempty (k))
-      error ("%s: option keep: unknown %s", who, gsmbp__unknown (parts{2}, names));
+      error ("%s: option keep: unknown %s", who, gsmbp__unknown (name, names));
     endif
-    kept(end+1) = struct ("what", word{1}, "name", parts{2}, "unit", units{k}, "of", ...
-                          ways.(parts{1}));
+    kept(end+1) = struct ("what", word{1}, "name", name, "unit", units{k}, "of", ...
+                          of (way, at), "whole", strcmp (way, "whole"), "way", ...
+                          find (strcmp (ways (), way)), "number", k, "time", at);
   endfor
+endfunction
+
+function list = ways ()
+  list = {"final", "peak", "max", "min", "mean", "rms", "at", "whole"};
+endfunction
+
+## the way, the name, the number of the time
+function [way, name, at] = parts_of (who, word, times)
+  at = numel (times);
+  parts = regexp (strtrim (word), '^(\w+)\s+(.*)$', "tokens", "once");
+  if (isempty (parts) || ! any (strcmp (parts{1}, ways ())))
+    error ("%s: option keep: expected one of %s and a name, found %s", who, ...
+           strjoin (ways (), ", "), gsmbp__shown (word));
+  endif
+  [way, name] = parts{:};
+  if (! strcmp (way, "at"))
+    return;
+  endif
+  parts = regexp (name, '^(\S+)\s+(.*)$', "tokens", "once");
+  t = NaN;
+  if (! isempty (parts))
+    [t, name] = deal (str2double (parts{1}), parts{2});
+  endif
+  [off, at] = min (abs (times - t));
+  if (! (off <= 1e-12 * max (abs (times))))
+    error ("%s: option keep: expected one of the times and a name behind \"at\", found %s", who, ...
+           gsmbp__shown (word));
+  endif
+endfunction
+
+function f = of (way, at)
+  switch (way)
+    case {"final", "at"}
+      f = @(t, z) z(at,:);
+    case "peak"
+      f = @(t, z) max (abs (z), [], 1);
+    case "max"
+      f = @(t, z) max (z, [], 1);
+    case "min"
+      f = @(t, z) min (z, [], 1);
+    case "mean"
+      f = @mean_of;
+    case "rms"
+      f = @(t, z) sqrt (mean_of (t, z .* z));
+    case "whole"
+      f = @(t, z) z;
+  endswitch
+endfunction
+
+## the trapezoidal rule, one interval after the other: the same bits wherever it is done
+function s = mean_of (t, z)
+  s = zeros (1, columns (z));
+  for k = 2:numel (t)
+    s = s + (t(k) - t(k-1)) * (z(k,:) + z(k-1,:));
+  endfor
+  s = s / (2 * (t(end) - t(1)));
 endfunction

@@ -7,6 +7,7 @@ function test_sweep ()
   table (m);
   indices (m);
   yields (m);
+  on_disk (m);
   refused (m);
 end
 
@@ -105,6 +106,49 @@ function yields (m)
                  && all (isnan (w.values(! w.ok,2))) && isfinite (w.mean));
 end
 
+function on_disk (m)
+  folder = tempname ();
+  tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+  file = fullfile (folder, "a.h5");
+  t = [0, 0.05, 0.1];
+  o = {"runs", 100, "vary", struct("a", [0, 1], "m", [-1, 3]), "keep", ...
+       {"mean x1", "whole x1", "at 0.05 x1", "final x1"}};
+  run = @(varargin) gsmbp_sweep (m, [1; 0], t, o{:}, varargin{:});
+  plain = run ("chunk", 100);
+  w = run ("file", file, "threads", 2, "chunk", 7);
+  names = {"names", "units", "values", "ok", "reason", "reached", "mean", "yield"};
+  same = @(a, b) all (cellfun (@(f) isequaln (a.(f), b.(f)), names));
+  gsmbp_check ("chunks on disk: the same table and reasons, bit for bit", same (w, plain));
+  s = load ("-hdf5", file);
+  gsmbp_check ("the file has them", isequaln (s.table', w.values) ...
+                 && isequaln (s.whole.x1', plain.whole.values) && isequal (s.times(:)', t) ...
+                 && isequal (cellstr (s.units)', w.units) && isequal (double (s.ok(:)), w.ok) ...
+                 && isequal (double (s.failed.run(:)), find (! w.ok)) ...
+                 && isequal (cellstr (s.failed.reason), w.reason(! w.ok)));
+  gsmbp_check ("at a time: that of the whole run", isequaln (w.values(:,4), s.whole.x1(2,:)'));
+  gsmbp_check ("nothing else is left", numel (dir (folder)) == 3);
+  gsmbp_check ("a finished file is read", same (run ("file", file, "resume", true), plain));
+  bytes = fileread (file);
+  delete (file);
+  run ("file", file, "chunk", 33);
+  gsmbp_check ("the same sweep, the same bytes of the file", strcmp (bytes, fileread (file)));
+  of_another (run, file, {"seed", 2; "plan", "latin"; "rtol", 1e-7});
+end
+
+function of_another (run, file, others)
+  for k = 1:rows (others)
+    said = "";
+    try
+      run ("file", file, "resume", true, others{k,:});
+    catch err
+      said = err.message;
+    end
+    gsmbp_check (["another sweep is refused: " strrep(said, fileparts (file), "")], ...
+                 ! isempty (strfind (said, "is of another sweep: there `")) ...
+                   && ! isempty (strfind (said, others{k,1})));
+  end
+end
+
 function refused (m)
   one = {"vary", struct("a", [0, 1])};
   wrong = {{}, "option vary: expected a struct";
@@ -117,6 +161,10 @@ function refused (m)
            [one, {"keep", {"last x1"}}], "option keep: expected one of final, peak";
            [one, {"keep", {"final x2"}}], "option keep: unknown \"x2\", did you mean";
            [one, {"demand", {"b", 0, 1}}], "option demand: unknown \"b\"";
+           [one, {"keep", {"at 0.05 x1"}}], "one of the times and a name behind \"at\"";
+           [one, {"chunk", 0}], "option chunk: expected a whole number above 0";
+           [one, {"resume", true}], "option resume goes on with";
+           [one, {"file", tempdir()}], "is a folder";
            [one, {"runz", 3}], "unknown option \"runz\", did you mean \"runs\""};
   for i = 1:rows (wrong)
     said = "";

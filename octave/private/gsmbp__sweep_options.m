@@ -1,0 +1,36 @@
+## [o, rest] = gsmbp__sweep_options (who, m, pairs)
+## The options of gsmbp_sweep, and the names and values of those that are gsmbp_simulate's.
+
+function [o, rest] = gsmbp__sweep_options (who, m, pairs)
+  table = {"vary", struct(), "any"
+           "plan", "sobol", {"sobol", "latin", "random", "grid", "corners", "indices"}
+           "runs", 256, "whole"
+           "seed", 1, "whole"
+           "keep", {}, "names"
+           "demand", {}, "any"
+           "threads", nproc(), "whole"
+           "file", "", "text"
+           "resume", false, "flag"
+           "chunk", 4096, "whole"};
+  [names, values] = gsmbp__pairs (who, "option", pairs);
+  known = gsmbp__simulate_options (false)(:,1);
+  k = find (! ismember (names, [table(:,1); known]), 1);
+  if (! isempty (k))
+    error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, sort ([table(:,1); known])'));
+  endif
+  mine = ismember (names, table(:,1));
+  o = gsmbp__options (who, table, [names(mine); values(mine)](:)');
+  rest = [names(! mine); values(! mine)](:)';
+  if (! (isstruct (o.vary) && isscalar (o.vary) && numfields (o.vary) > 0))
+    error (["%s: option vary: expected a struct with a range, a list or a distribution for " ...
+            "each parameter, found %s"], who, gsmbp__shown (o.vary));
+  elseif (o.resume && isempty (o.file))
+    error ("%s: option resume goes on with what stands beside option file, which is missing", who);
+  endif
+  for name = {"runs", "threads", "chunk"}
+    if (! (o.(name{1}) >= 1))
+      error ("%s: option %s: expected a whole number above 0, found %g", who, name{1}, ...
+             o.(name{1}));
+    endif
+  endfor
+endfunction

@@ -1,0 +1,78 @@
+## r = gsmbp__sweep_runs (who, s, j)
+## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
+## names, table, kept, threads, chunk; J: a journal, [] for none.  R: values, ok,
+## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds.
+
+function r = gsmbp__sweep_runs (who, s, j)
+  n = rows (s.table);
+  whole = [s.kept.whole];
+  r = struct ("values", NaN (n, nnz (! whole)), "ok", false (n, 1), "reached", NaN (n, 1), ...
+              "reason", {repmat({""}, n, 1)}, "whole", {cell(1, nnz (whole))}, "seconds", 0);
+  missing = true (n, 1);
+  if (! isempty (j))
+    [r, missing] = read_chunks (r, j, missing);
+  else
+    r.whole(:) = {NaN(n, numel (s.times))};
+  endif
+  d = s.m.sizes;
+  most = floor (4e6 / (d.nx + d.nv + d.ny + 1) / numel (s.times));
+  most = min (s.chunk, max (s.threads, most));
+  some = min (64, most);
+  while (any (missing))
+    first = find (missing, 1);
+    last = min ([first + some - 1, n, first - 2 + find(! [missing(first:end); false], 1)]);
+    took = tic ();
+    [block, text, seconds] = chunk (s, first:last);
+    if (! isempty (j))
+      j.call ("write", j.folder, first - 1, block, text);
+    endif
+    r = taken (r, first, block, text, isempty (j), numel (s.times));
+    r.seconds += seconds;
+    missing(first:last) = false;
+    some = min (most, some * (1 + 3 * (toc (took) < 0.5)));
+  endwhile
+endfunction
+
+## those that are on disk; what is not whole is made again
+function [r, missing] = read_chunks (r, j, missing)
+  for name = j.call ("list", j.folder)'
+    [first, block, text] = j.call ("read", j.folder, name{1});
+    if (first < 0)
+      unlink (fullfile (j.folder, name{1}));
+      continue;
+    endif
+    r = taken (r, first + 1, block, text, false, 0);
+    missing(first+1:first+rows (block)) = false;
+  endfor
+endfunction
+
+## runs: a row for each, ok, reached, what is kept, whole runs; a line for each that failed
+function [block, text, seconds] = chunk (s, i)
+  e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "parameters", ...
+                      cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
+  kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
+  parts = cell (1, numel (kept));
+  for k = 1:numel (kept)
+    parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
+    parts{k}(! (e.ok | kept(k).whole),:) = NaN;
+  endfor
+  block = [e.ok, e.reached, parts{:}];
+  bad = find (! e.ok)';
+  lines = arrayfun (@(k) sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " ")), bad, ...
+                    "UniformOutput", false);
+  text = [lines{:}, ""];
+  seconds = e.seconds;
+endfunction
+
+function r = taken (r, first, block, text, with_whole, nt)
+  i = first:first+rows (block)-1;
+  k = columns (r.values);
+  [r.ok(i), r.reached(i), r.values(i,:)] = deal (block(:,1) != 0, block(:,2), block(:,3:2+k));
+  for w = 1:numel (r.whole) * with_whole
+    r.whole{w}(i,:) = block(:,2+k+(w-1)*nt+(1:nt));
+  endfor
+  for line = strsplit (text, "\n")(1:end-1)
+    parts = strsplit (line{1}, "\t");
+    r.reason{str2double(parts{1})} = parts{2};
+  endfor
+endfunction
