@@ -125,26 +125,6 @@ gsmbp_projection_with_columns (const number *t, number *x, const number *cst, nu
   drop_lost (c, x);
 }
 
-// JAC of states with columns, for CVODE: that of the states in every block of the diagonal.  How
-// the columns depend on the states is left out: it needs second derivatives, and Newton's
-// iteration, in which they follow the states, finds the same end without it.
-extern "C" void
-gsmbp_jacobian_with_columns (const number *t, const number *x, const number *v, const number *cst,
-                             number *a, const int *lda, number *b, const int *ldb, number *c,
-                             const int *ldc, number *d, const int *ldd, int *info)
-{
-  const carried& k = *the_columns;
-  const int nx = S.nx, n = k.count ();
-  for (int j = 0; j < nx * (n + 1); j++)
-    std::fill (a + *lda * j, a + *lda * j + nx * (n + 1), number (0));
-  for (int j = 0; j < S.nv; j++)
-    std::fill (b + *ldb * j, b + *ldb * j + nx * (n + 1), number (0));
-  routine ("jac") (t, x, v, cst, a, lda, b, ldb, c, ldc, d, ldd, info);
-  for (int i = 1; i <= n && k.why[i-1] == 0; i++)
-    for (int j = 0; j < nx; j++)
-      std::copy (a + *lda * j, a + *lda * j + nx, a + *lda * (j + nx * i) + nx * i);
-}
-
 // are the speeds the rates of the coordinates? Two positions by chance tell, exactly.
 static bool
 plain_speeds (const reals& cst)

@@ -12,7 +12,8 @@
 #include <cvode/cvode_proj.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_version.h>
-#include <sunlinsol/sunlinsol_dense.h>
+#include <sundials/sundials_dense.h>
+#include <sundials/sundials_linearsolver.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include "implicit.h"
 
@@ -26,6 +27,7 @@ typedef struct
   N_Vector y, atol, dense;
   SUNMatrix matrix;
   SUNLinearSolver solver;
+  sunindextype *pivots;
   void *memory;
 } bdf;
 
@@ -59,6 +61,34 @@ projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector 
   return info;
 }
 
+/* The linear solver: one dense matrix for the states and for every column of derivatives. */
+static SUNLinearSolver_Type
+direct (SUNLinearSolver solver)
+{
+  (void) solver;
+  return SUNLINEARSOLVER_DIRECT;
+}
+
+static int
+factorize (SUNLinearSolver solver, SUNMatrix A)
+{
+  bdf *b = solver->content;
+  return SUNDlsMat_denseGETRF (SUNDenseMatrix_Cols (A), SUNDenseMatrix_Rows (A),
+                               SUNDenseMatrix_Columns (A), b->pivots) > 0;
+}
+
+static int
+solve (SUNLinearSolver solver, SUNMatrix A, N_Vector x, N_Vector given, realtype tolerance)
+{
+  bdf *b = solver->content;
+  const sunindextype own = SUNDenseMatrix_Rows (A), n = N_VGetLength (x);
+  (void) tolerance;
+  N_VScale (1, given, x);
+  for (sunindextype i = 0; i < n; i += own)
+    SUNDlsMat_denseGETRS (SUNDenseMatrix_Cols (A), own, b->pivots, N_VGetArrayPointer (x) + i);
+  return 0;
+}
+
 /* CVODE's own words instead of a print on the terminal */
 static void
 said (int code, const char *module, const char *function, char *message, void *data)
@@ -75,19 +105,26 @@ said (int code, const char *module, const char *function, char *message, void *d
 static int
 open_ (gs_run *s)
 {
-  int nx = s->r->nx;
+  int nx = s->r->nx, own = gs_own_states (s->r);
   bdf *b = s->memory = calloc (1, sizeof (bdf));
   if (! b || SUNContext_Create (NULL, &b->context) != 0)
     return 0;
   b->y = N_VNew_Serial (nx, b->context);
   b->dense = N_VNew_Serial (nx, b->context);
   b->atol = N_VNew_Serial (nx, b->context);
-  b->matrix = SUNDenseMatrix (nx, nx, b->context);
+  b->matrix = SUNDenseMatrix (own, own, b->context);
   b->memory = CVodeCreate (CV_BDF, b->context);
   if (! b->y || ! b->dense || ! b->atol || ! b->matrix || ! b->memory)
     return 0;
-  b->solver = SUNLinSol_Dense (b->y, b->matrix, b->context);
-  return b->solver != NULL;
+  b->pivots = calloc (own, sizeof (sunindextype));
+  b->solver = SUNLinSolNewEmpty (b->context);
+  if (! b->solver || ! b->pivots)
+    return 0;
+  b->solver->content = b;
+  b->solver->ops->gettype = direct;
+  b->solver->ops->setup = factorize;
+  b->solver->ops->solve = solve;
+  return 1;
 }
 
 static void
@@ -99,7 +136,8 @@ close_ (gs_run *s)
   if (b->memory)
     CVodeFree (&b->memory);
   if (b->solver)
-    SUNLinSolFree (b->solver);
+    SUNLinSolFreeEmpty (b->solver);
+  free (b->pivots);
   if (b->matrix)
     SUNMatDestroy (b->matrix);
   N_VDestroy (b->y);
@@ -133,8 +171,7 @@ begin (gs_run *s)
       || (flag = CVodeSetInitStep (m, r->resume ? 0 : r->ropt[0])) < 0
       || (flag = CVodeSetMaxStep (m, r->ropt[2])) < 0 || (flag = CVodeSetMaxOrd (m, r->order)) < 0)
     return flag;
-  /* the Jacobian of states that GSFUN completes is not the emitted one */
-  if (gs_has_jacobian (s) && (flag = CVodeSetJacFn (m, jacobian)) < 0)
+  if ((flag = CVodeSetJacFn (m, jacobian)) < 0)
     return flag;
   if (gs_projects (r)
       && ((flag = CVodeSetProjFn (m, projection)) < 0

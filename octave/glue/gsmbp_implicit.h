@@ -13,7 +13,8 @@ typedef struct
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
       jac, /* a null pointer: difference quotients */
       gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue; /* of the run time */
-  int nq, nu, nx, nv, ny, nlam;
+  int nq, nu, nx, nv, ny, nlam,
+      columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
       of_state,     /* 1: the inputs of a planned motion follow states of devices as well */
       order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13 */

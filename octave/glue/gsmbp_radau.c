@@ -20,7 +20,7 @@ enum { GOOD, SLOW, NO_STATE };                      /* of an attempt; -1: it is 
 
 typedef struct
 {
-  int n, stages, newton_limit;
+  int n, own, stages, newton_limit;                 /* states, and those without columns */
   const radau_rule *rule;
   double *scale, enough;                            /* of errors; of the turns beside them */
   double *J, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
@@ -71,25 +71,6 @@ norm (const radau *w, int columns, const double *d)
 /* ------------------------------------------------------------
  * one step */
 
-/* without the emitted Jacobian: by differences */
-static int
-differences (gs_run *s, double *J)
-{
-  radau *w = s->memory;
-  int n = w->n, info;
-  for (int j = 0; j < n; j++)
-    {
-      double old = s->x[j], h = sqrt (DBL_EPSILON * fmax (1e-5, fabs (old)));
-      memcpy (w->x1, s->x, sizeof (double) * n);
-      w->x1[j] = old + h;
-      if ((info = gs_rate (s, s->t, w->x1, J + (size_t) n * j)) != 0)
-        return info;
-      for (int i = 0; i < n; i++)
-        J[i + (size_t) n * j] = (J[i + (size_t) n * j] - w->f0[i]) / (w->x1[j] - old);
-    }
-  return 0;
-}
-
 static int
 take_jacobian (gs_run *s)
 {
@@ -98,14 +79,14 @@ take_jacobian (gs_run *s)
   w->fresh = 1;
   w->stale = 0;
   w->factored = 0;
-  return gs_has_jacobian (s) ? gs_jacobian (s, s->t, s->x, w->J) : differences (s, w->J);
+  return gs_jacobian (s, s->t, s->x, w->J);
 }
 
 /* the factors for the step H; 1: singular */
 static int
 factorize (radau *w, double h)
 {
-  size_t n = w->n;
+  size_t n = w->own;
   if (fabs (h - w->factored) <= 1e-9 * h)
     return 0;
   w->factored = h;
@@ -114,6 +95,22 @@ factorize (radau *w, double h)
     singular |= gsmbp_complex_factors (n, w->rule->roots[k] / h, w->J, w->lus + n * n * k,
                                        w->pivots + n * (k + 1));
   return singular;
+}
+
+/* the states, then every column of derivatives */
+static void
+solve_real (const radau *w, double *x)
+{
+  for (int i = 0; i < w->n; i += w->own)
+    gsmbp_real_solve (w->own, w->lu, w->pivots, x + i);
+}
+
+static void
+solve_pair (const radau *w, int k, double complex *x)
+{
+  size_t n = w->own;
+  for (int i = 0; i < w->n; i += w->own)
+    gsmbp_complex_solve (w->own, w->lus + n * n * k, w->pivots + n * (k + 1), x + i);
 }
 
 /* X += what the polynomial of the last step is at AT, in its lengths, above its end, at AT = 1 */
@@ -199,7 +196,7 @@ correct (radau *w)
   for (int i = 0; i < w->stages; i++)
     for (size_t l = 0; l < n; l++)
       y0[l] += rule->left[i] * w->g[l + n * i];
-  gsmbp_real_solve (n, w->lu, w->pivots, y0);
+  solve_real (w, y0);
   for (int i = 0; i < w->stages; i++)
     for (size_t l = 0; l < n; l++)
       w->dz[l + n * i] = rule->right[i] * y0[l];
@@ -209,7 +206,7 @@ correct (radau *w)
       for (int i = 0; i < w->stages; i++)
         for (size_t l = 0; l < n; l++)
           w->y[l] += rule->lefts[k][i] * w->g[l + n * i];
-      gsmbp_complex_solve (n, w->lus + n * n * k, w->pivots + n * (k + 1), w->y);
+      solve_pair (w, k, w->y);
       for (int i = 0; i < w->stages; i++)
         for (size_t l = 0; l < n; l++)
           w->dz[l + n * i] += 2 * creal (rule->rights[k][i] * w->y[l]);
@@ -279,7 +276,7 @@ estimate (gs_run *s, double h, double *error)
         sum[l] += rule->root / h * rule->estimate[i] * w->z[l + n * i];
       e[l] = w->f0[l] + sum[l];
     }
-  gsmbp_real_solve (n, w->lu, w->pivots, e);
+  solve_real (w, e);
   *error = fmax (norm (w, 1, e), 1e-10);
   if (*error < 1 || ! (w->first || w->after_rejection))
     return 0;
@@ -290,7 +287,7 @@ estimate (gs_run *s, double h, double *error)
     return info;
   for (int l = 0; l < n; l++)
     e[l] += sum[l];
-  gsmbp_real_solve (n, w->lu, w->pivots, e);
+  solve_real (w, e);
   *error = fmax (norm (w, 1, e), 1e-10);
   return 0;
 }
@@ -455,18 +452,19 @@ step (gs_run *s)
 static int
 open_ (gs_run *s)
 {
-  size_t n = s->r->nx, m = n * STAGES;
+  size_t n = s->r->nx, own = gs_own_states (s->r), m = n * STAGES;
   radau *w = s->memory = calloc (1, sizeof (radau));
   if (! w)
     return 0;
   w->n = n;
-  w->J = calloc (2 * n * n + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
-  w->lus = calloc (PAIRS * n * n + n, sizeof (double complex));
-  w->pivots = calloc (n * (PAIRS + 1), sizeof (int));
+  w->own = own;
+  w->J = calloc (2 * own * own + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
+  w->lus = calloc (PAIRS * own * own + n, sizeof (double complex));
+  w->pivots = calloc (own * (PAIRS + 1), sizeof (int));
   if (! w->J || ! w->lus || ! w->pivots)
     return 0;
-  w->lu = w->J + n * n;
-  w->z = w->lu + n * n;
+  w->lu = w->J + own * own;
+  w->z = w->lu + own * own;
   w->g = w->z + m;
   w->dz = w->g + m;
   w->past = w->dz + m;
@@ -475,7 +473,7 @@ open_ (gs_run *s)
   w->x1 = w->error + n;
   w->scale = w->x1 + n;
   w->v = w->scale + n;
-  w->y = w->lus + PAIRS * n * n;
+  w->y = w->lus + PAIRS * own * own;
   return 1;
 }
 

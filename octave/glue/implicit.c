@@ -131,13 +131,19 @@ gs_inputs_of_time (const gs_run *s)
   return ip[GS_FEEDBACK] == 0 && (ip[GS_V0] < 2 || (ip[GS_V0] == 2 && ! s->r->of_state));
 }
 
+int
+gs_own_states (const gsmbp_run *r)
+{
+  return r->nx / (1 + r->columns);
+}
+
 /* A += B dV/dX: the inputs follow the state by a gain, by the user's routine or by the states of
  * devices; by differences, exact for a gain */
 static int
 add_feedback (gs_run *s, double t, double *x, double *A)
 {
   const gsmbp_run *r = s->r;
-  int side = side_at (s, t), n = r->nx;
+  int side = side_at (s, t), n = gs_own_states (r);
   for (int j = 0; j < n; j++)
     {
       double old = x[j], h = (s->r->ip[GS_V0] >= 2 ? 1e-7 : 1)
@@ -160,30 +166,59 @@ add_feedback (gs_run *s, double t, double *x, double *A)
   return 0;
 }
 
-int
-gs_jacobian (gs_run *s, double t, const double *x, double *A)
+/* without the emitted Jacobian: by differences; XD and TRIAL, rates and state beside it, are
+ * workspace */
+static int
+differences (gs_run *s, double t, const double *x, double *A)
+{
+  int n = gs_own_states (s->r), info;
+  double *f = s->work, *g = s->work + s->r->nx, *beside = s->work + 2 * s->r->nx;
+  if ((info = gs_rate (s, t, x, f)) != 0)
+    return info;
+  memcpy (beside, x, sizeof (double) * s->r->nx);
+  for (int j = 0; j < n; j++)
+    {
+      beside[j] = x[j] + sqrt (DBL_EPSILON * fmax (1e-5, fabs (x[j])));
+      if ((info = gs_rate (s, t, beside, g)) != 0)
+        return info;
+      for (int i = 0; i < n; i++)
+        A[i + (size_t) n * j] = (g[i] - f[i]) / (beside[j] - x[j]);
+      beside[j] = x[j];
+    }
+  return 0;
+}
+
+/* the emitted one, at the inputs of the state */
+static int
+emitted (gs_run *s, double t, const double *x, double *A)
 {
   const gsmbp_run *r = s->r;
-  int side = side_at (s, t), ldy = r->ny > 0 ? r->ny : 1, info = 0;
+  int side = side_at (s, t), ldy = r->ny > 0 ? r->ny : 1, info = 0, n = gs_own_states (r);
   memcpy (s->trial, x, sizeof (double) * r->nx);
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
       && (info = inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
-  ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &r->nx, s->b, &r->nx, s->c, &ldy, s->d, &ldy,
-                        &info);
+  ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &n, s->b, &n, s->c, &ldy, s->d, &ldy, &info);
   if (info != 0 && info != 2
       && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
     return outcome (info);
   if (r->nv > 0 && ! gs_inputs_of_time (s)
       && (info = add_feedback (s, t, s->trial, A)) != 0)
     return info;
-  return ! all_finite (r->nx * r->nx, A);
+  return ! all_finite (n * n, A);
+}
+
+/* is the emitted Jacobian that of the states? not if GSFUN completes them */
+static int
+has_jacobian (const gs_run *s)
+{
+  return s->r->jac && s->p[0] == 0;
 }
 
 int
-gs_has_jacobian (const gs_run *s)
+gs_jacobian (gs_run *s, double t, const double *x, double *A)
 {
-  return s->r->jac && s->p[0] == 0;
+  return has_jacobian (s) ? emitted (s, t, x, A) : differences (s, t, x, A);
 }
 
 /* ... and no jump to another branch, as GSSIM */
@@ -208,7 +243,7 @@ allocate (gs_run *s)
   size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1,
          np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
   int n = 6 + r->iopt[5];
-  s->x = calloc (3 * nx + 2 * nv + np + nx * nv + ny * nx + ny * nv, sizeof (double));
+  s->x = calloc (6 * nx + 2 * nv + np + nx * nv + ny * nx + ny * nv, sizeof (double));
   s->project = calloc (2 * n, sizeof (int));
   if (! s->x || ! s->project)
     return 0;
@@ -220,6 +255,7 @@ allocate (gs_run *s)
   s->b = s->p + np;
   s->c = s->b + nx * nv;
   s->d = s->c + ny * nx;
+  s->work = s->d + ny * nv;
   s->watch = s->project + n;
   memcpy (s->project, r->iopt, n * sizeof (int));
   memcpy (s->watch, r->iopt, n * sizeof (int));

@@ -38,7 +38,7 @@ struct gs_run
   int still;             /* steps in succession that hardly move the time */
   double t, h, next;     /* the last step's end, its length and that of the next */
   const double *y;       /* the state there, as the method leaves it */
-  double *x, *trial, *between, *v, *p, *b, *c, *d, *dv;
+  double *x, *trial, *between, *v, *p, *b, *c, *d, *dv, *work;
   int *project,
       *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
 };
@@ -49,11 +49,14 @@ extern int gs_rate (gs_run *s, double t, const double *x, double *xd);
 extern int gs_inputs_of_time (const gs_run *s);
 extern int gs_inputs (gs_run *s, double t, double *v);
 extern int gs_rate_by (gs_run *s, double t, const double *x, double *v, double *xd);
-extern int gs_jacobian (gs_run *s, double t, const double *x, double *A);   /* A: NX x NX */
+/* A: that of the own states, N x N. Columns of derivatives have the same one, each for itself: how
+ * they depend on the states is left out, which needs second derivatives; Newton's iteration, in
+ * which they follow the states, finds the same end without it. */
+extern int gs_jacobian (gs_run *s, double t, const double *x, double *A);
+/* the number of the states without columns */
+extern int gs_own_states (const gsmbp_run *r);
 /* MOVED: X at T, which a step from the state of the run led to, moved onto the constraints */
 extern int gs_moved (gs_run *s, double t, const double *x, double *moved);
-/* is the emitted Jacobian that of the states? not if GSFUN completes them */
-extern int gs_has_jacobian (const gs_run *s);
 /* is the state moved onto constraints (or Euler parameters onto their sphere)? */
 extern int gs_projects (const gsmbp_run *r);
 

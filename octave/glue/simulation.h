@@ -234,9 +234,8 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.out = out;
   g.ctl = ctl;
   g.jac = jac ? jac->sub : nullptr;
-  if (jac && carries ())
-    g.jac = reinterpret_cast<gsmbp_sub> (gsmbp_jacobian_with_columns);
   g.nx = nx;
+  g.columns = columns->count ();
   g.resume = resume;
   g.order = implicit[0];
   g.of_state = implicit[1];
