@@ -15,9 +15,10 @@
 ## @item "time"
 ## the duration [s]: a number, or the least and the largest
 ## @item "goal"
-## what is least: @code{"time"}, the name of an output of the scene, whose integral is meant,
+## what is least: @code{"time"}, the name of an output, state or input, whose integral is meant,
+## @code{"NAME^2"} or @code{"NAME*NAME"}, that of a square or product of states and inputs,
 ## @code{"final NAME"}, a state or an output at the end, or such words and their weights,
-## @code{@{"time", 1, "loss", 0.1, "final height", -2@}}; default @code{"time"}
+## @code{@{"time", 1, "F^2", 0.1, "final height", -2@}}; default @code{"time"}
 ## @item "final"
 ## bounds of states at the end, rows @code{@{name, least, largest@}}
 ## @item "inputs", "states", "outputs"

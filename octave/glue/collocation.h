@@ -30,6 +30,10 @@ private:
   struct timed { double k; int from, phase; };
   struct crossed { double k; int from, weight; };
   struct share { int column, point; double a; };   // of a rate at a point in a defect
+  // of the integrand in the unknowns of a point: a term; second derivatives by them and a duration
+  struct product { int a, b; double weight; };
+  struct own_curve { double k; int point; };
+  struct own_cross { int unknown, point, phase; };
 
   doubles numbers (const char *name) const;
   wholes places (const char *name) const;
@@ -37,6 +41,7 @@ private:
   int whole (const char *name) const { return m_given->contents (name).int_value (); }
   void read_layout (void);
   void read_triplets (void);
+  void read_integrand (void);
 
   bool move_to (const double *z);
   bool take_parameters (const double *p);
@@ -46,6 +51,10 @@ private:
   double rate (int j, int q) const;
   void sums (doubles& s) const;
   double goal (void) const;
+  double whole_weight (int q) const;
+  double own_integrand (int q) const;
+  double own_slope (int l, int q) const;
+  double *own_hessian (double factor, double *v) const;
   void gradient (double *g);
   void equations_at (double *g);
   void jacobian (double *v);
@@ -62,6 +71,11 @@ private:
   std::vector<crossed> mixed;
   std::vector<share> shares;
   wholes crossed_speeds, gradient_of;
+  doubles own_linear;                      // (nz,K)
+  wholes own_unknowns;                     // those that the integrand has
+  std::vector<product> own_products;
+  std::vector<own_curve> own_curves;
+  std::vector<own_cross> own_crosses;
   wholes columns_of;                       // of the program: (time, unknowns of a point; K)
 
   reals m_cst, m_par;
@@ -104,6 +118,7 @@ transcription::transcription (const octave_scalar_map& given, const reals& const
 {
   read_layout ();
   read_triplets ();
+  read_integrand ();
   m_t = room (K);
   m_x = room (S.nx * K);
   m_ud = room (S.nu * K);
@@ -180,6 +195,27 @@ transcription::read_triplets (void)
     shares.push_back ({ int (s(i, 0)) - 1, int (s(i, 1)) - 1, s(i, 2) });
 }
 
+void
+transcription::read_integrand (void)
+{
+  Matrix a = m_given->contents ("own_products").matrix_value (),
+         b = m_given->contents ("own_curved").matrix_value (),
+         c = m_given->contents ("own_crossed").matrix_value ();
+  own_linear = numbers ("own_linear");
+  for (octave_idx_type i = 0; i < a.rows (); i++)
+    own_products.push_back ({ int (a(i, 0)) - 1, int (a(i, 1)) - 1, a(i, 2) });
+  for (octave_idx_type i = 0; i < b.rows (); i++)
+    own_curves.push_back ({ b(i, 2), int (b(i, 3)) - 1 });
+  for (octave_idx_type i = 0; i < c.rows (); i++)
+    own_crosses.push_back ({ int (c(i, 2)) - 1, int (c(i, 3)) - 1, int (c(i, 4)) - 1 });
+  std::vector<bool> used (nz, false);
+  for (const own_cross& one : own_crosses)
+    used[one.unknown] = true;
+  for (int l = 0; l < nz; l++)
+    if (used[l])
+      own_unknowns.push_back (l);
+}
+
 int
 transcription::size_of (int part) const
 {
@@ -191,7 +227,8 @@ transcription::size_of (int part) const
     case GSMBP_FUNCTIONS: return nf * K;
     case GSMBP_JACOBIAN:
       return int (fixed.size () + plain.size () + by_time.size () + S.nx * own.size ());
-    default: return int (curved.size () + mixed.size () + crossed_speeds.size ());
+    default: return int (curved.size () + mixed.size () + crossed_speeds.size ()
+                         + own_curves.size () + own_crosses.size ());
     }
 }
 
@@ -276,12 +313,58 @@ transcription::sums (doubles& s) const
       s[S.nx * one.column + j] += one.a * rate (j, one.point);
 }
 
+// of the integral at the point Q, with the durations
+double
+transcription::whole_weight (int q) const
+{
+  double whole = 0;
+  for (int p = 0; p < nT; p++)
+    whole += T[p] * integral[nT * q + p];
+  return whole;
+}
+
+// what the goal integrates of the unknowns of the point Q; its derivative by the unknown L
+double
+transcription::own_integrand (int q) const
+{
+  const double *z = &m_z[std::size_t (nz) * q], *k = &own_linear[std::size_t (nz) * q];
+  double sum = 0;
+  for (int l : own_unknowns)
+    sum += k[l] * z[l];
+  for (const product& one : own_products)
+    sum += one.weight * z[one.a] * z[one.b];
+  return sum;
+}
+
+double
+transcription::own_slope (int l, int q) const
+{
+  const double *z = &m_z[std::size_t (nz) * q];
+  double sum = own_linear[std::size_t (nz) * q + l];
+  for (const product& one : own_products)
+    sum += one.weight * ((one.a == l ? z[one.b] : 0) + (one.b == l ? z[one.a] : 0));
+  return sum;
+}
+
+double *
+transcription::own_hessian (double factor, double *v) const
+{
+  for (const own_curve& one : own_curves)
+    *v++ = factor * one.k * whole_weight (one.point);
+  for (const own_cross& one : own_crosses)
+    *v++ = factor * integral[nT * one.point + one.phase] * own_slope (one.unknown, one.point);
+  return v;
+}
+
 double
 transcription::goal (void) const
 {
   double sum = 0;
   for (double t : T)
     sum += goal_time * t;
+  if (! own_unknowns.empty ())
+    for (int q = 0; q < K; q++)
+      sum += whole_weight (q) * own_integrand (q);
   for (int q = 0; q < K; q++)
     for (int i = 0; i < nf; i++)
       if (goals[i] != 0)
@@ -302,9 +385,10 @@ transcription::gradient (double *g)
   double *durations = g + std::size_t (K) * nz;
   for (int q = 0; q < K; q++)
     {
-      double whole = 0, here = 0;
-      for (int p = 0; p < nT; p++)
-        whole += T[p] * integral[nT * q + p];
+      const double whole = whole_weight (q);
+      double here = own_unknowns.empty () ? 0 : own_integrand (q);
+      for (int l : own_unknowns)
+        g[std::size_t (nz) * q + l] += whole * own_slope (l, q);
       for (int e : gradient_of)
         {
           const double at_end = q == K - 1 ? final_f[f_of[e] - 1] : 0;
@@ -407,6 +491,7 @@ transcription::hessian (double factor, const double *lambda, double *v)
     *v++ = one.k * double (G[one.from]) * bare[one.weight];
   for (int at : crossed_speeds)
     *v++ = speeds[at - 1];
+  own_hessian (factor, v);
 }
 
 bool

@@ -7,7 +7,8 @@
 function [s, switches] = gsmbp__collocation_polish (who, m, p, s, o)
   switches = zeros (0, 1);
   by_time = any (s.c.J(:,2) == 1 & s.c.J(:,1) <= s.c.output);
-  time_alone = p.goal_time > 0 && isempty (p.goal) && ! any ([p.final.x; p.final.y]);
+  time_alone = p.goal_time > 0 && isempty (p.goal) ...
+               && ! any ([p.final.x; p.final.y; p.own.linear]) && isempty (p.own.products);
   if (! time_alone || by_time || ! isempty (p.outputs) || s.c.nT > 1)
     return;
   endif

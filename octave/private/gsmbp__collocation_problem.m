@@ -16,7 +16,7 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
   p.xf = ends (who, m, "xf", xf);
   p.t0 = 0;
   p.T = duration (who, o);
-  [p.goal, p.goal_time, p.final] = goal (who, m, o);
+  [p.goal, p.goal_time, p.final, p.own] = goal (who, m, o);
   d = m.sizes;
   states = limits (who, m, "states", o.states, m.states);
   inputs = limits (who, m, "inputs", o.inputs, m.inputs);
@@ -73,9 +73,12 @@ function T = duration (who, o)
   T = [T(1), T(end)];
 endfunction
 
-## names and weights: of integrals, of the time, of states and outputs at the end
-function [list, by_time, final] = goal (who, m, o)
-  final = struct ("x", zeros (m.sizes.nx, 1), "y", zeros (numel (m.outputs), 1));
+## names and weights: of integrals of outputs, of the time, of states and outputs at the end, of
+## integrals of states and inputs
+function [list, by_time, final, own] = goal (who, m, o)
+  d = m.sizes;
+  final = struct ("x", zeros (d.nx, 1), "y", zeros (numel (m.outputs), 1));
+  own = struct ("linear", zeros (d.nx + d.nu + d.nlam + d.nv, 1), "products", zeros (0, 3));
   list = struct ("number", {}, "weight", {});
   by_time = 0;
   given = o.goal;
@@ -83,8 +86,8 @@ function [list, by_time, final] = goal (who, m, o)
     given = {given, 1};
   endif
   if (! (iscell (given) && mod (numel (given), 2) == 0 && ! isempty (given)))
-    error (["%s: option goal: expected \"time\", the name of an output, or names and weights " ...
-            "in turn, found %s"], who, gsmbp__shown (o.goal));
+    error (["%s: option goal: expected \"time\", the name of an output, state or input, or " ...
+            "names and weights in turn, found %s"], who, gsmbp__shown (o.goal));
   endif
   for k = 1:2:numel (given)
     name = given{k};
@@ -97,8 +100,11 @@ function [list, by_time, final] = goal (who, m, o)
     elseif (strncmp (name, "final ", 6))
       final = at_end (who, m, name, weight, final);
     elseif (isempty (at))
-      error ("%s: option goal: unknown %s", who, ...
-             gsmbp__unknown (name, [{"time"}, m.outputs(:)']));
+      [own, known] = gsmbp__collocation_term (m, name, weight, own);
+      if (! isempty (known))
+        error ("%s: option goal: unknown %s", who, ...
+               gsmbp__unknown (name, [{"time"}, m.outputs(:)', known]));
+      endif
     else
       list(end+1) = struct ("number", at, "weight", weight);
     endif

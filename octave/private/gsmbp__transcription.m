@@ -24,6 +24,7 @@ function c = gsmbp__transcription (m, p, mesh)
   c = equations (c, p);
   c = jacobian (c);
   c = second_derivatives (c);
+  c = integrand (c, p);
 endfunction
 
 ## the points: times, of which phase, whether a stage stands there; of each interval the left one
@@ -190,4 +191,29 @@ function l = crossed (c, phase, q)
   from = (q - 1) * nJ + e;
   weight = ((phase - 1) * c.K + q - 1) * c.nf + c.J(e,1);
   l = [max(a(:), b(:)), min(a(:), b(:)), factor(:), from(:), weight(:)];
+endfunction
+
+## What the goal integrates of the unknowns of a point: own_linear (a column for each point),
+## own_products ([a, b, weight], b not behind a), and its second derivatives: own_curved [row,
+## column, k, point], times the weight of the point; own_crossed [row, column, unknown, point,
+## phase], its derivative by the unknown times the weight without the duration.
+function c = integrand (c, p)
+  c.own_linear = repmat (p.own.linear, 1, c.K);
+  c.own_products = p.own.products;
+  q = find (any (c.weights, 1));
+  c.own_curved = c.own_crossed = [];
+  for one = c.own_products'
+    k = one(3) * (1 + (one(1) == one(2))) * ones (numel (q), 1);
+    c.own_curved = [c.own_curved; c.at(one(1), q)', c.at(one(2), q)', k, q'];
+  endfor
+  used = unique ([find(any (c.own_linear, 2)); c.own_products(:,1:2)(:)])(:);
+  for phase = 1:c.nT
+    q = find (c.weights(phase,:));
+    [l, point] = ndgrid (used, q);
+    T = (c.K * c.nz + phase) * ones (numel (l), 1);
+    c.own_crossed = [c.own_crossed
+                     T, c.at(l(:)', point(:)')', l(:), point(:), phase * ones(numel (l), 1)];
+  endfor
+  c.own_curved = reshape (c.own_curved, [], 4);
+  c.own_crossed = reshape (c.own_crossed, [], 5);
 endfunction

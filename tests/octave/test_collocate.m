@@ -91,6 +91,8 @@ function program (m)
     p.parameters = struct ("name", {"l1", "m3"});
     p.outputs = struct ("number", 1, "low", -1, "high", 1);
     p.goal = struct ("number", {1, 2}, "weight", {2, 0.5});
+    p.own = struct ("linear", (1:m.sizes.nx+m.sizes.nu+m.sizes.nlam+m.sizes.nv)', ...
+                    "products", [2 2 0.3; 5 1 -0.7]);
     p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
     c = gsmbp__transcription (m, p, mesh);
     f = gsmbp__transcribed (m, c);
@@ -113,6 +115,9 @@ function program (m)
 end
 
 function block (m)
+  r = gsmbp_collocate (m, [0 0], [1 0], "goal", {"F^2", 1, "F*x_b_d", 7, "x_b", 3}, "time", 1);
+  gsmbp_check (sprintf ("a goal of states and inputs without an output: %.9f", r.goal), ...
+               r.solved && abs (r.goal - 13.5 + 1/320) < 1e-9);
   for method = {"radau", "lobatto"}
     r = gsmbp_collocate (m, [0 0], [1 0], "goal", "effort", "time", 1, "method", method{1});
     t = r.t;
