@@ -4,32 +4,43 @@
 ## @dots{})
 ## @deftypefnx {} {@var{pp} =} gsmbp_model_control (@var{m}, "references", @var{plan})
 ## A controller that calculates with the equations of motion of the scene: computed torque,
-## feedforward, impedance.
+## feedforward, impedance; through loops and drives.
 ##
-## The model @var{m} is of an open chain with an ideal effort as input for each speed (word
-## @code{drive}), and outputs for its coordinates and speeds.  The controller is a device of
-## @file{share/controllers} in Fortran that calls the emitted INV (and MAS) of the scene, at
-## samples;
+## The model @var{m} has drives for all its freedoms, and outputs for the independent coordinates
+## (all of an open chain, the actuated ones of a closed one) and their speeds.  The controller is a
+## device of @file{share/controllers} in Fortran that calls subroutines of the scene, at samples:
+## INV and MAS of an open chain with an ideal effort on each coordinate (word @code{drive}); else
+## CLO, which closes the loops at what is measured, and the command of the drives (CMD; CMQ where
+## drives have states), through motors, gears and rotors.
 ## @code{gsmbp_build (name, "controller", c)} builds the machine with it.  @var{law}:
 ## @table @code
 ## @item "computed torque"
 ## errors obey e'' + Kd e' + Kp e + Ki integral(e) = 0: Kp [1/s^2], Kd [1/s], Ki [1/s^3]
 ## @item "feedforward"
-## INV of the wanted motion, and a PID controller of each coordinate: Kp, Kd, Ki in efforts
+## inputs of the wanted motion (with its third derivative where motors have inductance), and a PID
+## controller of each coordinate: Kp, Kd, Ki in units of the inputs
 ## @item "impedance"
 ## springs K and dampers D between the coordinates and the wanted motion, or "zeta", a damping ratio
-## by the mass matrix where the chain is
+## by the mass matrix where the machine is; the machine's inertia stays
+## @item "cartesian impedance"
+## springs K and dampers D between a tool ("frame": a point or frame of the scene) and the wanted
+## pose: one number or three [N/m, N s/m] for shifts, six (three for turns [N m, N m s]), or a
+## matrix 3 x 3 or 6 x 6; "axes" of K and D: "ground" or "tool"; "damping" of the coordinates beside
 ## @end table
 ##
 ## Options: "Kp", "Kd", "Ki", "K", "D", "zeta": a number or one for each coordinate; "period" [s]
 ## (needed), "delay", "limits", "step_out", "name" as in @code{gsmbp_control}; "measured", "inputs":
-## names of outputs (all coordinates, then all speeds) and of inputs (in the order of the speeds),
+## names of outputs (all independent coordinates, then their speeds) and of inputs of the drives,
 ## where they are not found by what they are.  "parameters": a struct of values that the controller
-## believes instead of those of the machine.
+## believes instead of those of the machine.  "trim": the result of @code{gsmbp_trim} (or a struct
+## with x) where a run starts, default @code{m.initial}: references, held inputs and the branch of
+## the loops are there.  Where the loops do not close at what is measured (at what is wanted, of a
+## feedforward) the inputs stay as they were.
 ##
 ## The references are inputs behind those of the scene: coordinates, then their rates, then their
-## accelerations.  @code{"references"} makes the "input" of @code{gsmbp_simulate} for the machine
-## with the controller of a @var{plan} of all coordinates (@code{gsmbp_plan}); other inputs are
+## accelerations; of a tool its place and the rotation vector of its axes, then their rates.
+## @code{"references"} makes the "input" of @code{gsmbp_simulate} for the machine
+## with the controller of a @var{plan} of all of them (@code{gsmbp_plan}); other inputs are
 ## zero.
 ##
 ## @c session octave
@@ -54,8 +65,8 @@
 ##     100   1000
 ## @end example
 ##
-## Errors: a scene with loops or Euler parameters; inputs that are no efforts of the speeds; no
-## output for a coordinate or speed; no period.
+## Errors: Euler parameters; freedoms without a drive; inputs that are no drives'; loops that do not
+## close at the start; no output for a coordinate or speed; no period.
 ## Source: Siciliano, Sciavicco, Villani, Oriolo, Robotics (inverse dynamics control, impedance).
 ## @seealso{gsmbp_build, gsmbp_control, gsmbp_plan, gsmbp_simulate}
 ## @end deftypefn
@@ -66,33 +77,36 @@ function c = gsmbp_model_control (m, law, varargin)
   endif
   who = "gsmbp_model_control";
   gsmbp__model (who, m);
-  laws = {"computed torque", "feedforward", "impedance", "references"};
+  laws = {"computed torque", "feedforward", "impedance", "cartesian impedance", "references"};
   gsmbp__fits (who, "argument law", law, laws);
-  n = m.sizes.nu;
   if (strcmp (law, "references"))
-    c = references (who, m, gsmbp__pp (who, varargin{1}, n, "argument plan"), n);
+    c = references (who, m, varargin{1});
     return;
   endif
   table = {"Kp", 0, "numbers"; "Kd", 0, "numbers"; "Ki", 0, "numbers"; "K", 0, "numbers"
            "D", 0, "numbers"; "zeta", 0, "nonnegative"; "period", 0, "nonnegative"
            "delay", 0, "nonnegative"; "limits", Inf, "any"; "step_out", 0, "nonnegative"
            "name", "ctl", "text"; "measured", {}, "names"; "inputs", {}, "names"
-           "parameters", struct(), "any"};
+           "parameters", struct(), "any"; "trim", [], "any"; "frame", "", "text"
+           "axes", "ground", {"ground", "tool"}; "damping", 0, "numbers"};
   o = gsmbp__options (who, table, varargin);
   check_scene (who, m, o);
-  c = struct ("method", law, "name", o.name, "period", o.period, "delay", o.delay);
-  for gain = {"Kp", "Kd", "Ki", "K", "D"}
-    c.(gain{1}) = spread (who, gain{1}, o.(gain{1}), n);
-  endfor
-  c.zeta = o.zeta;
-  c.measured = measured (who, m, o);
-  c.driven = driven (who, m, o);
-  c.references = [strcat(m.coordinates, "_ref"); strcat(m.coordinates, "_d_ref"); ...
-                  strcat(m.coordinates, "_dd_ref")];
-  [c.A, c.u0] = deal (eye (n), zeros (n, 1));
-  c.r0 = [m.initial(1:n); zeros(2 * n, 1)];
-  c.limits = gsmbp__two_limits (who, o.limits, c.driven, c.u0);
-  c.step_out = repmat (o.step_out, n, 1);
+  if (gsmbp__ideal_efforts (m, o) && ! strcmp (law, "cartesian impedance"))
+    c = gsmbp__at_efforts (who, m, o, law);
+    measured_ = 1:m.sizes.nu;
+  else
+    c = gsmbp__through_drives (who, m, o, law);
+    measured_ = c.through.independent;
+  endif
+  c.measured = measured (who, m, o, measured_);
+  if (strcmp (law, "cartesian impedance"))
+    c = gsmbp__of_tool (who, m, o, c);
+  else
+    c = of_coordinates (who, m, o, c, measured_);
+  endif
+  c.limits = gsmbp__two_limits (who, o.limits, c.driven, zeros (size (c.u0)));
+  c.u0 = min (max (c.u0, c.limits(:,1)), c.limits(:,2));
+  c.step_out = repmat (o.step_out, numel (c.driven), 1);
   c.cst = [];
   if (! isempty (fieldnames (o.parameters)))
     if (! strcmp (m.precision, "double"))
@@ -103,41 +117,75 @@ function c = gsmbp_model_control (m, law, varargin)
   endif
 endfunction
 
-## a plan with its rates and accelerations, one below the other, for the inputs of M that no device
-## holds; those that are no references are zero
-function pp = references (who, m, plan, n)
+## gains and references of laws in coordinates
+function c = of_coordinates (who, m, o, c, k)
+  n = numel (k);
+  for gain = {"Kp", "Kd", "Ki", "K", "D"}
+    c.(gain{1}) = spread (who, gain{1}, o.(gain{1}), n);
+  endfor
+  c.zeta = o.zeta;
+  order = 2;
+  if (isfield (c, "through"))
+    order = c.through.derivatives;
+  endif
+  c.references = c.units = cell (0, 1);
+  for j = 0:order
+    c.references = [c.references; strcat(m.coordinates(k), gsmbp__derivative_name (j))];
+    c.units = [c.units; cellfun(@(u) derived (u, j), m.units.coordinates(k)(:), ...
+                                "UniformOutput", false)];
+  endfor
+  x = m.initial;
+  if (! isempty (o.trim))
+    x = o.trim.x(:);
+  endif
+  c.r0 = [x(k); x(m.sizes.nq + k); zeros((order - 1) * n, 1)];
+endfunction
+
+function unit = derived (unit, k)
+  if (k == 1)
+    unit = [unit "/s"];
+  elseif (k > 1)
+    unit = sprintf ("%s/s^%d", unit, k);
+  endif
+endfunction
+
+## a plan with its derivatives, one below the other, for the inputs of M that no device holds; those
+## that are no references are zero
+function pp = references (who, m, plan)
   free = setdiff (1:m.sizes.nv, vertcat (m.controllers.outputs));
   names = regexprep (m.inputs(free), '^.*\.', "");
-  at = gsmbp__which ([strcat(m.coordinates, "_ref"); strcat(m.coordinates, "_d_ref"); ...
-                      strcat(m.coordinates, "_dd_ref")], names);
-  if (! all (at))
+  base = regexprep (names(! cellfun (@isempty, regexp (names, '_ref$'))), '_ref$', "");
+  base = base(ismember (strcat (base, "_d_ref"), names));
+  n = numel (base);
+  if (n == 0)
     error (["%s: %s has no inputs that are references of its coordinates; expected the model " ...
             "of gsmbp_build (name, \"controller\", c)"], who, m.name);
   endif
-  d = ppder (plan);
-  dd = ppder (d);
-  k = plan.order;
-  all_ = zeros (numel (free), plan.pieces, k);
-  coefs = zeros (3 * n, plan.pieces, k);
-  parts = {plan, d, dd};
-  for i = 1:3
-    p = parts{i};
-    own = reshape (p.coefs, n, plan.pieces, p.order);
-    coefs((i - 1) * n + (1:n),:,k - p.order + 1:k) = own;
-  endfor
-  all_(at,:,:) = coefs;
-  pp = mkpp (plan.breaks, reshape (all_, [], k), numel (free));
+  plan = gsmbp__pp (who, plan, n, ["argument plan (" strjoin(base', ", ") ")"]);
+  all_ = zeros (numel (free), plan.pieces, plan.order);
+  d = plan;
+  k = 0;
+  at = gsmbp__which (strcat (base, "_ref"), names);
+  while (all (at))
+    all_(at,:,plan.order-d.order+1:end) = reshape (d.coefs, n, plan.pieces, d.order);
+    d = ppder (d);
+    k += 1;
+    at = gsmbp__which (strcat (base, gsmbp__derivative_name (k)), names);
+  endwhile
+  pp = mkpp (plan.breaks, reshape (all_, [], plan.order), numel (free));
 endfunction
 
 function check_scene (who, m, o)
   d = m.sizes;
-  if (d.nlam > 0 || d.nq != d.nu)
-    error (["%s: %s: expected an open chain whose speeds are rates of its coordinates; found " ...
-            "%d constraints, %d coordinates and %d speeds"], who, m.name, d.nlam, d.nq, d.nu);
+  if (d.nq != d.nu)
+    error (["%s: %s: expected speeds that are the rates of its coordinates; found %d " ...
+            "coordinates and %d speeds"], who, m.name, d.nq, d.nu);
   endif
-  if (! all (ismember ({"inv", "mas", "jac"}, m.subroutines)))
-    error (["%s: %s was emitted without INV, MAS or JAC: add the requests inverse, mass, " ...
-            "jacobian"], who, m.name);
+  if (! any (strcmp (m.subroutines, "inv")))
+    error ("%s: %s was emitted without INV: add the request inverse", who, m.name);
+  endif
+  if (! (isempty (o.trim) || (isstruct (o.trim) && isfield (o.trim, "x"))))
+    error ("%s: option trim: expected the result of gsmbp_trim, found a %s", who, class (o.trim));
   endif
   if (! (o.period > 0))
     error ("%s: option period: expected the sampling period [s] of the controller, found 0", who);
@@ -156,10 +204,10 @@ function v = spread (who, name, v, n)
 endfunction
 
 ## outputs that are coordinates and speeds
-function names = measured (who, m, o)
+function names = measured (who, m, o, k)
   names = cellstr (o.measured)(:);
   names = names(! cellfun (@isempty, names));
-  wanted = [m.coordinates; m.speeds];
+  wanted = [m.coordinates(k); m.speeds(k)];
   if (isempty (names))
     list = gsmbp__rows (m.json, "outputs");
     said = cellfun (@(row) row.expression, list, "UniformOutput", false);
@@ -175,30 +223,6 @@ function names = measured (who, m, o)
   if (numel (names) != numel (wanted))
     error ("%s: option measured: expected %d outputs (%s), found %d", who, numel (wanted), ...
            strjoin (wanted', ", "), numel (names));
-  endif
-endfunction
-
-## inputs that are the efforts on the speeds
-function names = driven (who, m, o)
-  names = cellstr (o.inputs)(:);
-  names = names(! cellfun (@isempty, names));
-  if (isempty (names))
-    names = m.inputs;
-  endif
-  k = gsmbp__which (names, m.inputs);
-  n = m.sizes.nu;
-  if (numel (names) != n || ! all (k))
-    error ("%s: expected an input for each of the %d speeds (option inputs), found %s", who, n, ...
-           strjoin (names', ", "));
-  endif
-  [~, B] = m.jac (0, m.initial, zeros (m.sizes.nv, 1));
-  E = m.mas (0, m.initial(1:n)) * B(n + (1:n),k);
-  [i, j] = find (abs (E - eye (n)) > 1e-9, 1);
-  if (! isempty (i) || m.sizes.nx > 2 * n)
-    error (["%s: %s: expected ideal efforts (word drive) in the order of the speeds %s: an " ...
-            "input of 1 has to give an effort of 1 on its own speed at once; found others"], ...
-           who, ...
-           m.name, strjoin (m.speeds', ", "));
   endif
 endfunction
 

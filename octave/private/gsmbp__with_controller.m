@@ -76,7 +76,7 @@ function [json, text, held] = joined (who, json, c, name, k, held)
   one = struct ("name", c.name, "entry", c.method, "period", c.period, "delay", c.delay, ...
                 "memory", {arrayfun(@(i) sprintf ("%s.z%d", c.name, i), (1:nz)', ...
                                     "UniformOutput", false)}, ...
-                "starts", zeros (nz, 1), "outputs", drives(:), "reads", reads(:), ...
+                "starts", starts (c), "outputs", drives(:), "reads", reads(:), ...
                 "again", json.dimensions.nctl > 1, ...
                 "rounds", rounds (c), "possible", []);
   before = [gsmbp__rows(json, "controllers"){:}];
@@ -86,11 +86,21 @@ function [json, text, held] = joined (who, json, c, name, k, held)
   endif
   json.input_starts(drives) = c.u0;
   json.input_starts = [json.input_starts; c.r0(:)];
-  if (isfield (c, "cst"))
+  if (isfield (c, "through"))
+    text = gsmbp__through_controller (c, name, k, reads, drives, json.dimensions, nv);
+  elseif (isfield (c, "cst"))
     text = gsmbp__model_controller (c, name, k, reads, drives, nv);
   else
     text = [gsmbp__controller_fortran(c, sprintf ("%s_CN%d", name, k)), ...
             connection(c, name, k, reads, drives, nv)];
+  endif
+endfunction
+
+## what the memory starts with: zeros, at the trim, but for what a controller says itself
+function z = starts (c)
+  z = zeros (rows (c.A), 1);
+  if (isfield (c, "starts"))
+    z = c.starts;
   endif
 endfunction
 
@@ -99,22 +109,13 @@ function yes = rounds (c)
   yes = isfield (c, "step_in") && any ([c.step_in(:); c.step_out(:)] > 0);
 endfunction
 
-## of the measurement that follows it, or as the controller says; accelerations have that of the
-## speed a second
+## of the measurement that follows it, or as the controller says
 function unit = unit_of (c, i, units)
   if (isfield (c, "units"))
     unit = c.units{i};
     return;
   endif
-  read = find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1);
-  if (isfield (c, "cst"))
-    n = numel (c.driven);
-    read = min (i, i - n * (i > 2 * n));
-  endif
-  unit = units{read};
-  if (! isempty (regexp (c.references{i}, '_dd_ref$', "once")) && isfield (c, "cst"))
-    unit = regexprep ([unit "/s"], '/s/s$', '/s^2');
-  endif
+  unit = units{find (strcmp (strcat (c.measured, "_ref"), c.references{i}), 1)};
 endfunction
 
 function k = places (who, c, field, names, known, what)
