@@ -16,6 +16,9 @@
 ## @var{n} rows of @var{nv} constant inputs instead of "input"
 ## @item "threads"
 ## how many runs go on at a time, default all cores
+## @item "lanes"
+## whether sixteen runs of a thread go on side by side in vectors, if the scene was emitted with the
+## request @code{lanes}, the method is "dp853", "rk4" or "auto", the precision double; default true
 ## @end table
 ## All other options go to @code{gsmbp_simulate}, but "sensitivity", "audit", "samples" and
 ## inputs by a function of Octave.
@@ -23,8 +26,9 @@
 ## A run depends on its own row alone: the same numbers come back, bit by bit, from
 ## whatever number of threads, in whatever order, and from @code{gsmbp_set} and
 ## @code{gsmbp_simulate} (where the tolerances are given: their defaults follow the sizes
-## of @var{m}).  One that fails ends alone.  With loops every start is moved onto the
-## constraints of its run; where that is further than 1e-6 (beside @code{m.nominal}) the run is
+## of @var{m}).  In lanes they are the same in whatever lane, but beside
+## @code{gsmbp_simulate} as rounding has it.  One that fails ends alone.  With loops every
+## start is moved onto the constraints of its run; where that is further than 1e-6 (beside @code{m.nominal}) the run is
 ## one that failed, but with "start", "project".
 ##
 ## @var{e} has the fields
@@ -46,6 +50,8 @@
 ## as given
 ## @item threads, seconds
 ## of the runs alone
+## @item lanes
+## whether they were in lanes
 ## @end table
 ##
 ## @c session octave
@@ -77,7 +83,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     x0 = rows.starts(1,:);
   endif
   p = gsmbp__run_setup (who, m, x0, times, o);
-  [x, v, y, counts, values, info, seconds] = run_all (p, m, rows);
+  [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
   e = judged (e, p, rows, counts, values, info, size (x));
@@ -85,11 +91,11 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
-  [e.threads, e.seconds] = deal (rows.threads, seconds);
+  [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction
 
 ## the runs whose parameters break no rule of the scene; NaN and zeros for the others
-function [x, v, y, counts, values, info, seconds] = run_all (p, m, rows)
+function [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows)
   good = strcmp (rows.broken, "");
   sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
            [m.sizes.ny, numel(p.times)], 20, 20, 2};
@@ -98,13 +104,14 @@ function [x, v, y, counts, values, info, seconds] = run_all (p, m, rows)
     all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
   endfor
   seconds = 0;
+  lanes = false;
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
     some = cell (1, 6);
-    [some{:}, seconds] = ...
+    [some{:}, seconds, lanes] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (m.par)), of (rows.table), of (rows.starts), ...
-                    of (rows.inputs), rows.threads);
+                    of (rows.inputs), rows.threads, rows.lanes);
     for i = 1:6
       if (i <= 3)
         all_{i}(:,:,good) = some{i};
@@ -121,7 +128,8 @@ function [own, o] = read_options (who, m, pairs)
   table = {"parameters", struct(), "any"
            "starts", [], "numbers"
            "inputs", [], "numbers"
-           "threads", nproc(), "whole"};
+           "threads", nproc(), "whole"
+           "lanes", true, "flag"};
   [names, values] = gsmbp__pairs (who, "option", pairs);
   known = gsmbp__simulate_options (any (strcmp (m.subroutines, "con")) && m.sizes.nlam > 0);
   k = find (! ismember (names, [table(:,1); known(:,1)]), 1);
@@ -167,6 +175,7 @@ function rows = rows_of (who, m, own)
   rows = struct ("n", lengths(1), "which", zeros (0, 1), "table", [], "starts", ...
                  width (who, "starts", own.starts, m.sizes.nx), "inputs", ...
                  width (who, "inputs", own.inputs, m.sizes.nv), "threads", own.threads, ...
+                 "lanes", own.lanes, ...
                  "broken", {repmat({""}, lengths(1), 1)});
   for name = names
     gsmbp__known_parameter (who, m, name{1});

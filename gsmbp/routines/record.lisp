@@ -5,7 +5,9 @@
 ;;; is it a routine for many states at once?
 (defun $gs__batchp (r)
   (let* ((suffix ($@-function r '$suffix)) (n (length suffix)))
-    (and (> n 2) (string= (subseq suffix (- n 2)) "_V"))))
+    (and (> n 2)
+         (member (subseq suffix (- n 2)) '("_V" "_W") :test #'string=)
+         t)))
 
 ;;; the statements inside a statement
 (defun $gs__inner_statements (s)

@@ -2,7 +2,7 @@
 // from run to run.  A run is a function of its own row alone, whoever runs it and when.
 #pragma once
 
-#include "simulation.h"
+#include "lanes.h"
 
 #include <atomic>
 #include <mutex>
@@ -48,11 +48,15 @@ struct ensemble_results
 };
 
 class ensemble
+#if ! defined (GSMBP_QUAD)
+  : private lane_source
+#endif
 {
 public:
 
-  ensemble (const simulation& s, const ensemble_rows& rows)
-    : m_s (s), m_rows (rows), m_results (rows.n, s.nt), m_next (0)
+  // lanes: whether runs are in lanes where they can be
+  ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
+    : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0)
   {
     m_x = m_results.x.fortran_vec ();
     m_v = m_results.v.fortran_vec ();
@@ -64,15 +68,38 @@ public:
 
   void run_all (int threads);
   const ensemble_results& results (void) const { return m_results; }
+  bool in_lanes (void) const { return m_lanes; }
 
 private:
 
-  void work (void);
+  void work (int most);
   bool prepare (int i, run_room& r, std::vector<int>& ip, reals& rp);
   void keep (int i, const run_room& r, reals& one);
 
+#if defined (GSMBP_QUAD)
+  static bool in_lanes (const simulation&) { return false; }
+#else
+  static bool in_lanes (const simulation& s) { return lane_group::fits (s); }
+
+  bool next (lane_run& l)
+  {
+    do
+      l.i = m_next++;
+    while (l.i < m_rows.n && ! prepare (l.i, l.r, l.ip, l.rp));
+    return l.i < m_rows.n;
+  }
+
+  void done (lane_run& l)
+  {
+    reals one = room (S.ny);
+    m_s.go_on (l.r, l.ip, l.rp);
+    keep (l.i, l.r, one);
+  }
+#endif
+
   const simulation& m_s;
   const ensemble_rows& m_rows;
+  const bool m_lanes;
   ensemble_results m_results;
   double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info;
   std::atomic<int> m_next;
@@ -150,10 +177,18 @@ ensemble::keep (int i, const run_room& r, reals& one)
     }
 }
 
-// one run after the other, until none is left
+// one run after the other, until none is left, or in lanes, MOST of them
 void
-ensemble::work (void)
+ensemble::work (int most)
 {
+#if ! defined (GSMBP_QUAD)
+  if (m_lanes)
+    {
+      std::unique_ptr<lane_group> group (new lane_group (m_s, *this, most));
+      group->run_all ();
+      return;
+    }
+#endif
   run_room r;
   std::vector<int> ip;
   reals rp, one = room (S.ny);
@@ -168,29 +203,31 @@ ensemble::work (void)
 void
 ensemble::run_all (int threads)
 {
+  const int most = (m_rows.n - 1) / threads + 1;
   std::vector<std::thread> others;
   for (int k = 1; k < threads; k++)
-    others.emplace_back (&ensemble::work, this);
-  work ();
+    others.emplace_back (&ensemble::work, this, most);
+  work (most);
   for (std::thread& t : others)
     t.join ();
 }
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
-// starts, inputs, threads): states, inputs, outputs, statistics, INFO of the run and of PRE,
-// seconds
+// starts, inputs, threads, lanes): states, inputs, outputs, statistics, INFO of the run and of PRE,
+// seconds, whether in lanes
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
   simulation s (a);
   ensemble_rows rows (a);
   int threads = a.integer_within ("threads", 1, 10000);
+  bool lanes = a.integer_within ("lanes", 0, 1) == 1;
   if (s.input.is_function_handle () || s.carries () || s.audit)
     error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   auto begin = std::chrono::steady_clock::now ();
-  ensemble all (s, rows);
+  ensemble all (s, rows, lanes);
   all.run_all (threads);
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took);
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes ());
 }

@@ -121,6 +121,7 @@ static const known_routine known[]
         { "jpi", "independent_jacobians", "", "" },
         { "pnt_v", "batch", "", "" },
         { "jpt_v", "batch", "", "" },
+        { "rhs_w", "", "", "" },            // runs in lanes call it (lanes.h)
         { "pre", "", "par cst info", "" }
       };
 

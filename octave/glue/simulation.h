@@ -26,6 +26,8 @@ struct simulation : run_room
 
   // a run in its own room, with the plan IP, RP; several may go on at a time
   void run (run_room& r, std::vector<int>& ip, reals& rp) const;
+  // where one ended by GSSIM
+  void go_on (run_room& r, std::vector<int>& ip, reals& rp) const;
 
   number t0;
   int nx;
@@ -267,10 +269,16 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
 void
 simulation::run (run_room& r, std::vector<int>& ip, reals& rp) const
 {
-  const bool stiff = iopt[0] == 0;
-  if (! stiff)
+  if (iopt[0] != 0)
     by_gssim (r, ip, rp);
+  go_on (r, ip, rp);
+}
+
+void
+simulation::go_on (run_room& r, std::vector<int>& ip, reals& rp) const
+{
 #if ! defined (GSMBP_QUAD)
+  const bool stiff = iopt[0] == 0;
   if (stiff || r.info == 5)   // found to be bound by stability
     by_implicit (r, ip, rp, ! stiff);
 #endif

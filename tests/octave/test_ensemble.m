@@ -82,7 +82,8 @@ function stepped (drive, ball)
   t = 0:0.05:1;
   name = fieldnames (drive.par){1};
   e = gsmbp_ensemble (drive, [0; 0], t, "input", 1, "parameters", ...
-                      struct (name, drive.par.(name) * [1, 1.1, 0.9]), "atol", 1e-10, "threads", 2);
+                      struct (name, drive.par.(name) * [1, 1.1, 0.9]), "atol", 1e-10, "threads", ...
+                      2, "lanes", false);
   gsmbp_check ("a digital controller: bit for bit", ...
                all (e.ok) && alike_runs (e, drive, [0; 0], t, 3, "input", 1, "atol", 1e-10));
   name = fieldnames (ball.par){1};

@@ -45,8 +45,8 @@ block (const double *restrict x, double *restrict s, double *restrict c, double 
     }
 }
 
-/* The error is below one unit in the last place up to |x| = 1e5. Where a sum of f^2 over a row of x
- * shows a larger one (it is above 4e9) or one that is no number, all are left to the library. */
+/* The error is below one unit in the last place up to |x| = 1e5. Larger ones and those that are no
+ * number, which a sum of f^2 over a row of x shows (it is above 4e9), are left to the library. */
 void
 gsscv (int n, const double *x, double *s, double *c)
 {
@@ -57,7 +57,8 @@ gsscv (int n, const double *x, double *s, double *c)
     if (! (out[i] <= 4e9))
       {
         for (int k = 0; k < 8 * n; k++)
-          gsscl (x[k], s + k, c + k);
+          if (! (fabs (x[k]) <= 1e5))
+            gsscl (x[k], s + k, c + k);
         return;
       }
 }

@@ -16,10 +16,10 @@ C     X = F*pi/2 + Y + E, |Y| <= pi/4: pi/2 is taken off in three parts,
 C     the first two of 33 bits, so that F*P1 and F*P2 are exact; E is
 C     what rounding left of Y. Then polynomials in Y, and the quadrant
 C     F - 4*NINT( F/4 ) says which is which, with which sign. The error
-C     is below one unit in the last place up to |X| = 1D5. Where a sum
-C     of F**2 over X(I,:) shows a larger one (it is above 4D9) or one
-C     that is no number, and in a precision beyond double, all are left
-C     to SIN and COS.
+C     is below one unit in the last place up to |X| = 1D5. Larger ones
+C     and those that are no number, which a sum of F**2 over X(I,:)
+C     shows (it is above 4D9), and in a precision beyond double all are
+C     left to SIN and COS.
 C
 C     REFERENCES
 C     FDLIBM 5.3 (Sun Microsystems, 1993): e_rem_pio2.c, k_sin.c,
@@ -90,6 +90,7 @@ C$OMP SIMD
    50 CONTINUE
       DO 70 J = 1, N
          DO 60 I = 1, 8
+            IF ( MORE.LE.1.0D0 .AND. ABS( X(I,J) ).LE.1.0D5 ) GO TO 60
             S(I,J) = SIN( X(I,J) )
             C(I,J) = COS( X(I,J) )
    60    CONTINUE

@@ -26,16 +26,38 @@ C
      $                   ISTAT(*), INFO
       DOUBLE PRECISION   T, TB, HTRY, ROPT(*), RP(*), CST(*), X(*),
      $                   XN(*), V(*), F(*), W(*), P(*), M(11), RSTAT(*)
-      EXTERNAL           GSEPS, GSDPP, GSDP8, GSEVN, GSDPC, GSEVR
-      DOUBLE PRECISION   GSEPS, EPS, TN, H, ERR, FAC, GAUSS(3)
-      INTEGER            NQ, NU, NX, NV, NLAM, I, AT, LOOSE, EVENT, IER
+      EXTERNAL           GSDTA, GSDP8, GSDTB
+      DOUBLE PRECISION   TN, H, ERR
+      INTEGER            AT, IER
 C
-      NQ    = SIZ(1)
-      NU    = SIZ(2)
-      NX    = SIZ(3)
-      NV    = SIZ(4)
-      NLAM  = SIZ(5)
       TAKEN = 0
+      CALL GSDTA( CON, KIN, T, TB, SIDE, HTRY, SIZ, IOPT, CST, X, P, M,
+     $            LM, TN, AT, H, ISTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, X, SIZ(1),
+     $            SIZ(2), SIZ(3), SIZ(4), SIZ(5), IP, RP, CST, V,
+     $            ROPT(2), ROPT(4), XN, ERR, F, W, P, ISTAT, RSTAT, IER
+     $            )
+      CALL GSDTB( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
+     $            TN, AT, H, ERR, IER, SIZ, IOPT, ROPT, IP, RP, CST, X,
+     $            XN, V, F, W, P, M, LM, TAKEN, ISTAT, RSTAT, INFO )
+      END
+      SUBROUTINE GSDTA( CON, KIN, T, TB, SIDE, HTRY, SIZ, IOPT, CST, X,
+     $                  P, M, LM, TN, AT, H, ISTAT, INFO )
+C
+C     PURPOSE
+C     Before a trial step of GSDP8 from T: its length H, its end TN, AT
+C     < 0 where the inputs are taken from the left there, and whether
+C     there may be another step.  Arguments as GSDPT.
+C
+      IMPLICIT NONE
+      EXTERNAL           CON, KIN
+      INTEGER            SIDE, SIZ(8), IOPT(*), LM(6), AT, ISTAT(*),
+     $                   INFO
+      DOUBLE PRECISION   T, TB, HTRY, CST(*), X(*), P(*), M(11), TN, H
+      EXTERNAL           GSEPS, GSDPP
+      DOUBLE PRECISION   GSEPS, EPS
+C
       EPS = GSEPS()
       H  = HTRY
       TN = T + H
@@ -49,8 +71,8 @@ C
          TN = T + H
       END IF
       M(2) = H
-      CALL GSDPP( CON, KIN, T, X, H, NQ, NU, NLAM, IOPT, CST, M(3),
-     $            M(4), P, LM(4), ISTAT, INFO )
+      CALL GSDPP( CON, KIN, T, X, H, SIZ(1), SIZ(2), SIZ(5), IOPT, CST,
+     $            M(3), M(4), P, LM(4), ISTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       INFO = 1
       IF ( IOPT(4).GT.0 .AND. ISTAT(2) + ISTAT(3).GE.IOPT(4) ) RETURN
@@ -59,9 +81,36 @@ C
      $   RETURN
       IF ( LM(4).GT.20000 ) RETURN
       INFO = 0
-      CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, X, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, ROPT(2), ROPT(4), XN,
-     $            ERR, F, W, P, ISTAT, RSTAT, IER )
+      END
+      SUBROUTINE GSDTB( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $                  TB, TN, AT, H, ERR, IER, SIZ, IOPT, ROPT, IP,
+     $                  RP, CST, X, XN, V, F, W, P, M, LM, TAKEN, ISTAT,
+     $                  RSTAT, INFO )
+C
+C     PURPOSE
+C     After a trial step of GSDP8, with its ERR and its INFO in IER: up
+C     to an event in it, onto the constraints, and the length of the
+C     next one; or the length with which it is repeated.  Arguments as
+C     GSDPT, of which TAKEN = 0 on entry, and GSDTA; IER is changed.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
+      INTEGER            AT, IER, SIZ(8), IOPT(*), IP(*), LM(6), TAKEN,
+     $                   ISTAT(*), INFO
+      DOUBLE PRECISION   T, TB, TN, H, ERR, ROPT(*), RP(*), CST(*),
+     $                   X(*), XN(*), V(*), F(*), W(*), P(*), M(11),
+     $                   RSTAT(*)
+      EXTERNAL           GSEPS, GSEVN, GSDPC, GSEVR
+      DOUBLE PRECISION   GSEPS, EPS, FAC, GAUSS(3)
+      INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT
+C
+      NQ    = SIZ(1)
+      NU    = SIZ(2)
+      NX    = SIZ(3)
+      NV    = SIZ(4)
+      NLAM  = SIZ(5)
+      EPS   = GSEPS()
+      INFO  = 0
       FAC = ERR
       IF ( IOPT(5).EQ.1 .AND. P(13).LT.0.25D0*P(14) )
      $   ERR = ERR*ROPT(2)/MAX( ROPT(2), M(6) )
@@ -189,6 +238,8 @@ C
       EXTERNAL           GSJMP, GSCHK
       DOUBLE PRECISION   JUMP(3)
 C
+      INFO = 0
+      IF ( NLAM.EQ.0 .AND. NQ.EQ.NU ) RETURN
       CALL GSJMP( NQ, NU, X, XN, ROPT(2), ATOL, JUMP )
       JUMP(3) = 0.0D0
       IF ( IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND. NTRY.LT.5 .AND.

@@ -46,18 +46,14 @@ C
       INTEGER            METHOD, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*)
       DOUBLE PRECISION   T, H, X(*), RP(*), CST(*), V(*), RTOL, ATOL(*),
      $                   W(NX,*), WI(*), P(*), RSTAT(*)
-      EXTERNAL           GSSTF
-      DOUBLE PRECISION   S, A, B, RHO, LIMIT
-      INTEGER            I, K, N
+      EXTERNAL           GSSTE
+      DOUBLE PRECISION   S, A, B
+      INTEGER            I
 C
       IF ( ISTAT(14).GT.0 .OR. ISTAT(2).LT.ISTAT(18) ) RETURN
-      IF ( METHOD.EQ.4 ) THEN
-         ISTAT(18) = ISTAT(2) + MIN( 1000, MAX( 10, 9*ISTAT(2) ) )
-         LIMIT = 2.78D0
-      ELSE
-         LIMIT = 4.0D0
-         A = 0.0D0
-         B = 0.0D0
+      A = 0.0D0
+      B = 0.0D0
+      IF ( METHOD.NE.4 ) THEN
          DO 10 I = 1, NX
             S = ATOL(I) + RTOL*ABS( X(I) )
             IF ( S.GT.0.0D0 ) THEN
@@ -65,6 +61,36 @@ C
                B = B + ( ( X(I) - W(I,13) )/S )**2
             END IF
    10    CONTINUE
+      END IF
+      CALL GSSTE( RHS, CON, KIN, CMD, CLO, VIN, METHOD, T, H, X, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, V, RTOL, ATOL, A, B,
+     $            W(1,2), WI, P, ISTAT, RSTAT )
+      END
+      SUBROUTINE GSSTE( RHS, CON, KIN, CMD, CLO, VIN, METHOD, T, H, X,
+     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RTOL,
+     $                  ATOL, A, B, W, WI, P, ISTAT, RSTAT )
+C
+C     PURPOSE
+C     GSSTD with the sums of squares of the differences of the right-
+C     hand sides, A, and of the states, B, each divided by its
+C     tolerance.
+C     W       (workspace) DOUBLE PRECISION array, dimension (NX,4).
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            METHOD, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*)
+      DOUBLE PRECISION   T, H, X(*), RP(*), CST(*), V(*), RTOL, ATOL(*),
+     $                   A, B, W(*), WI(*), P(*), RSTAT(*)
+      EXTERNAL           GSSTF
+      DOUBLE PRECISION   RHO, LIMIT
+      INTEGER            K, N
+C
+      IF ( ISTAT(14).GT.0 .OR. ISTAT(2).LT.ISTAT(18) ) RETURN
+      IF ( METHOD.EQ.4 ) THEN
+         ISTAT(18) = ISTAT(2) + MIN( 1000, MAX( 10, 9*ISTAT(2) ) )
+         LIMIT = 2.78D0
+      ELSE
+         LIMIT = 4.0D0
          IF ( ABS( H )*SQRT( A ).GT.5.0D0*SQRT( B ) ) THEN
             ISTAT(16) = ISTAT(16) + 1
             ISTAT(17) = 0
@@ -78,7 +104,7 @@ C
          ISTAT(16) = 0
       END IF
       CALL GSSTF( RHS, CON, KIN, CMD, CLO, VIN, T, X, NQ, NU, NX, NV,
-     $            NLAM, IP, RP, CST, V, RTOL, ATOL, W(1,2), WI, P,
+     $            NLAM, IP, RP, CST, V, RTOL, ATOL, W, WI, P,
      $            ISTAT, RHO, K )
       IF ( RHO*ABS( H ).LE.LIMIT ) RETURN
       ISTAT(14) = 1

@@ -1,0 +1,795 @@
+// Many runs of a scene in lanes: the right-hand sides of sixteen runs at once by RHS_W, each with
+// parameters, inputs, time and a step of its own.  What a run does between them are the routines of
+// GSSIM, for each lane by itself, so that a run is that of GSSIM; one that has ended makes room for
+// the next.
+#pragma once
+
+#include "simulation.h"
+
+#if ! defined (GSMBP_QUAD)
+
+extern "C"
+{
+  void gsarg_ (void);
+  void gsini_ (void);
+  void gsbgn_ (void);
+  void gssto_ (void);
+  void gsste_ (void);
+  void gspss_ (void);
+  void gsdta_ (void);
+  void gsdtb_ (void);
+  void gsrkl_ (void);
+  void gsrkt_ (void);
+  void gsrkq_ (void);
+  void gsrk4_ (void);
+  void gslnc_ (void);
+  void gslns_ (void);
+  void gslnt_ (void);
+  void gslne_ (void);
+  void gslnb_ (void);
+  void gsln4_ (void);
+}
+
+const int lane_count = 16;
+
+// N numbers for each lane, a lane's K-th at [K * lane_count + lane], at a multiple of 64 bytes
+class lane_array
+{
+public:
+
+  explicit lane_array (int n) : m_room (std::size_t (std::max (1, n)) * lane_count + 8, 0.0)
+  {
+    std::size_t off = reinterpret_cast<std::uintptr_t> (m_room.data ()) % 64 / sizeof (double);
+    m_begin = m_room.data () + (8 - off) % 8;
+  }
+  lane_array (const lane_array&) = delete;
+
+  double *begin (void) { return m_begin; }
+  double& operator () (int k, int lane) { return m_begin[k * lane_count + lane]; }
+
+  void put (int lane, const double *from, int n)
+  {
+    for (int k = 0; k < n; k++)
+      m_begin[k * lane_count + lane] = from[k];
+  }
+
+  void get (int lane, double *to, int n) const
+  {
+    for (int k = 0; k < n; k++)
+      to[k] = m_begin[k * lane_count + lane];
+  }
+
+private:
+
+  std::vector<double> m_room;
+  double *m_begin;
+};
+
+// what GSSIM, GSDPS, GSDPT and GSRKS keep of one run
+struct lane_run
+{
+  run_room r;
+  std::vector<int> ip;
+  reals rp;
+  int i;                             // its number
+  bool busy, steps, alone, started;  // it has a run; which takes part in this step, or by itself;
+                                     // it has had one
+  double t, hmax, stp[3], m[11], tn, h, ta, hr;
+  int istp[3], lm[6], iw[7], at, k, n, ier;
+
+  double *w (int place) { return &r.w[iw[place] - 1]; }
+  double *state (void) { return w (0); }
+  double *next (void) { return w (1); }
+  double *inputs (void) { return w (2); }
+  double *partition (void) { return w (3); }
+  double *stages (void) { return w (4); }
+};
+
+// who has runs and takes their results
+struct lane_source
+{
+  virtual ~lane_source (void) { }
+  virtual bool next (lane_run& l) = 0;             // false: there is none any more
+  virtual void done (lane_run& l) = 0;
+};
+
+class lane_group
+{
+public:
+
+  // most: no more lanes than that have runs
+  lane_group (const simulation& s, lane_source& source, int most);
+
+  void run_all (void);
+
+  // whether runs of this simulation can be in lanes
+  static bool fits (const simulation& s)
+  { return emitted ("rhs_w") && s.iopt[0] != 0 && ! s.audit && ! s.carries (); }
+
+private:
+
+  void fill (int lane);
+  bool begin (lane_run& l);
+  bool to_next_stop (lane_run& l);
+  bool stopped (lane_run& l);
+  void finish (lane_run& l);
+  void end (int lane, int info);
+  void next_state (int lane);
+  void inputs_of (int lane, double t, int side, const double *x);
+  void activate (void);
+  void told (int lane, int info, double t);
+  void call_rates (const double *x, double *xd);
+  void stage_rates (int column, const double *t, double *x, bool last);
+  void park (int lane);
+  void take_numbers (int lane);
+  bool any (void) const;
+
+  void step_8 (void);
+  void rates_8 (void);
+  void rates_by_itself (int lane);
+  bool found_8 (int lane);
+  bool ready_8 (int lane);
+  void in_lanes_8 (void);
+  void stages_8 (void);
+  void by_itself_8 (int lane);
+  void after_8 (int lane);
+  void judge_8 (int lane, double err);
+
+  void step_4 (void);
+  void begin_way (lane_run& l);
+  bool ready_4 (int lane);
+  void stages_4 (void);
+  void by_itself_4 (int lane);
+  void after_4 (int lane);
+
+  const simulation& m_s;
+  lane_source& m_source;
+  const int m_most;
+  gsmbp_sub m_rhs;
+  int m_siz[8], m_numbers;
+  int m_info[lane_count], m_active[lane_count], m_calls[lane_count];
+  std::vector<int> m_iopt;
+  std::vector<double> m_tim, m_ropt, m_kept;
+  bool m_of_time;                    // inputs that are no constants
+  lane_run m_l[lane_count];
+  std::vector<int> m_n, m_j;         // of GSLNC
+  std::vector<double> m_c, m_ts;
+  lane_array m_x, m_xs, m_xn, m_f, m_h, m_v, m_cst;
+  lane_array m_t, m_stage_t, m_step, m_err, m_a, m_b;
+};
+
+lane_group::lane_group (const simulation& s, lane_source& source, int most)
+  : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
+    m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, s.nb, s.lw}, m_numbers (lane_count * s.nx),
+    m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c (144), m_ts (12),
+    m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
+    m_t (1), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1)
+{
+  m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
+  m_tim.insert (m_tim.end (), s.tbrk.begin (), s.tbrk.begin () + s.nb);
+  m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());
+  m_of_time = s.plan->ip[GS_V0] != 0 || s.plan->ip[GS_FEEDBACK] != 0;
+  fortran {gslnc_} (&m_n[0], &m_c[0], &m_j[0], &m_ts[0]);
+}
+
+bool
+lane_group::any (void) const
+{
+  return std::any_of (m_l, m_l + lane_count, [] (const lane_run& l) { return l.busy; });
+}
+
+void
+lane_group::run_all (void)
+{
+  for (lane_run& l : m_l)
+    {
+      l.busy = l.steps = l.alone = false;
+      l.started = false;
+    }
+  for (int k = 0; k < m_most; k++)
+    fill (k);
+  for (int k = 1; k < lane_count && any (); k++)
+    if (! m_l[k].started)   // it goes on with numbers that are good
+      take_numbers (k);
+  while (any ())
+    if (m_iopt[0] == 4)
+      step_4 ();
+    else
+      step_8 ();
+}
+
+// the next run that does not end at once; without one the lane goes on with numbers that are good
+void
+lane_group::fill (int lane)
+{
+  lane_run& l = m_l[lane];
+  for (l.busy = l.steps = l.alone = false; ! l.busy && m_source.next (l); )
+    if (begin (l))
+      l.busy = true;
+    else
+      finish (l);
+  park (lane);
+  if (! l.busy)
+    return;
+  l.started = true;
+  next_state (lane);
+  m_cst.put (lane, &l.r.cst[0], S.ncst);
+}
+
+void
+lane_group::next_state (int lane)
+{
+  m_x.put (lane, m_l[lane].state (), m_s.nx);
+  m_v.put (lane, m_l[lane].inputs (), S.nv);
+}
+
+// the state, inputs and constants of the first lane that has a run
+void
+lane_group::take_numbers (int lane)
+{
+  int from = 0;
+  while (! m_l[from].busy)
+    from++;
+  lane_run& l = m_l[from];
+  m_x.put (lane, l.state (), m_s.nx);
+  m_v.put (lane, l.inputs (), S.nv);
+  m_cst.put (lane, &l.r.cst[0], S.ncst);
+}
+
+// zero rates and steps: its state stays
+void
+lane_group::park (int lane)
+{
+  for (int k = 0; k < m_s.nx; k++)
+    m_h(k, lane) = 0;
+  for (int k = 0; k < 12 * m_s.nx; k++)
+    m_f(k, lane) = 0;
+  m_step(0, lane) = 0;
+  m_active[lane] = 0;
+}
+
+// the beginning of GSSIM; false where the run has ended
+bool
+lane_group::begin (lane_run& l)
+{
+  const simulation& s = m_s;
+  run_room& r = l.r;
+  fortran {gsarg_} (m_siz, &m_tim[0], &r.x0[0], &m_iopt[0], &m_ropt[0], &l.ip[GS_DERIVATIVES],
+                    &r.info);
+  if (r.info != 0)
+    return false;
+  fortran {gsini_} (&m_tim[0], &r.x0[0], &m_tim[s.nt], &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3],
+                    &m_siz[4], &m_iopt[0], &m_ropt[0], &l.ip[GS_DERIVATIVES], l.iw, &r.w[0], l.m,
+                    l.lm, &l.hmax, &r.istat[0], &r.rstat[0]);
+  l.t = s.t0;
+  l.istp[1] = l.istp[2] = 1;
+  fortran {gsbgn_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.out, s.ctl, s.evt, s.rst,
+                    &l.t, l.state (), &l.hmax, &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3],
+                    &m_siz[4], &m_iopt[0], l.ip.data (), l.rp.data (), &r.cst[0], l.inputs (),
+                    l.stages (), l.next (), l.w (5), l.w (6), &r.w[0], l.partition (), &l.m[4],
+                    &l.lm[5], &r.istat[0], &r.rstat[0], &r.info);
+  return r.info == 0 && to_next_stop (l);
+}
+
+// at a stop: outputs, samples, the next stop; false at the end of the run
+bool
+lane_group::to_next_stop (lane_run& l)
+{
+  const simulation& s = m_s;
+  run_room& r = l.r;
+  int acted = 0;
+  r.rstat[7] = l.t;
+  fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, l.state (), m_siz,
+                    &m_tim[0], l.ip.data (), l.rp.data (), &r.cst[0], l.inputs (), &r.w[0],
+                    &r.xout[0], &r.vout[0], l.stp, l.istp, &acted, &r.istat[0], &r.info);
+  if (r.info != 0 || l.istp[1] > s.nt)
+    return false;
+  if (acted == 1)
+    {
+      l.lm[0] = 1;
+      l.lm[1] = 0;
+    }
+  if (m_iopt[0] == 4)
+    {
+      l.ta = l.t;
+      l.hr = m_ropt[0];
+      begin_way (l);
+    }
+  return true;
+}
+
+// the inputs at a stop for the record, and on from there; false at the end of the run
+bool
+lane_group::stopped (lane_run& l)
+{
+  const simulation& s = m_s;
+  run_room& r = l.r;
+  int ier = 0;
+  fortran {gsinp_} (s.cmd, s.clo, s.vin, &l.t, &l.istp[0], l.state (), &m_siz[1], &m_siz[2],
+                    &m_siz[3], l.ip.data (), l.rp.data (), &r.cst[0], l.inputs (), &r.w[0], &ier);
+  if (ier == 0)
+    return to_next_stop (l);
+  r.info = 3;
+  r.istat[5] = ier;
+  r.istat[6] = 1;
+  return false;
+}
+
+// the run is over: where it came to if that is not its end
+void
+lane_group::finish (lane_run& l)
+{
+  run_room& r = l.r;
+  if (r.info >= 0 && r.istat[4] < m_s.nt)
+    {
+      std::copy_n (l.state (), m_s.nx, &r.xout[std::size_t (m_s.nx) * r.istat[4]]);
+      std::copy_n (l.inputs (), S.nv, &r.vout[std::size_t (S.nv) * r.istat[4]]);
+    }
+  m_source.done (l);
+}
+
+void
+lane_group::end (int lane, int info)
+{
+  m_l[lane].r.info = info;
+  finish (m_l[lane]);
+  fill (lane);
+}
+
+// the inputs of a lane at a time and state
+void
+lane_group::inputs_of (int lane, double t, int side, const double *x)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  int info = 0;
+  fortran {gsinp_} (s.cmd, s.clo, s.vin, &t, &side, x, &m_siz[1], &m_siz[2], &m_siz[3],
+                    l.ip.data (), l.rp.data (), &l.r.cst[0], l.inputs (), &l.r.w[0], &info);
+  if (info != 0)
+    {
+      l.ier = info;
+      l.r.istat[5] = info;
+      l.r.istat[6] = 1;
+      park (lane);
+      return;
+    }
+  m_v.put (lane, l.inputs (), S.nv);
+}
+
+void
+lane_group::call_rates (const double *x, double *xd)
+{
+  const int k = lane_count;
+  fortran {m_rhs} (m_stage_t.begin (), x, m_v.begin (), m_cst.begin (), xd, m_info, &k, &k);
+}
+
+// as GSFUT tells of an INFO that is not 0
+void
+lane_group::told (int lane, int info, double t)
+{
+  lane_run& l = m_l[lane];
+  std::vector<int>& istat = l.r.istat;
+  if (info == 2 || info == 3)
+    {
+      const int k = info + 6;
+      if (istat[k-1] == 0)
+        l.r.rstat[2 * k - 7] = t;
+      l.r.rstat[2 * k - 6] = t;
+      istat[k-1]++;
+    }
+  else
+    {
+      l.ier = info;
+      istat[5] = info;
+      istat[6] = 2;
+      park (lane);
+    }
+}
+
+// the right-hand sides of all lanes at the states X of a stage, in a column of F; those that take
+// part are told.  last: at the end of the step
+void
+lane_group::stage_rates (int column, const double *t, double *x, bool last)
+{
+  const int nx = m_s.nx;
+  std::copy_n (t, lane_count, m_stage_t.begin ());
+  for (int k = 0; m_of_time && k < lane_count; k++)
+    if (m_active[k])
+      {
+        double one[nx];
+        for (int j = 0; j < nx; j++)
+          one[j] = x[j * lane_count + k];
+        inputs_of (k, t[k], last ? m_l[k].at : 1, one);
+      }
+  call_rates (x, m_f.begin () + std::size_t (column) * m_numbers);
+  int some = 0;
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_calls[k] += m_active[k];
+      some |= m_info[k];
+    }
+  for (int k = 0; some != 0 && k < lane_count; k++)
+    if (m_active[k] && m_info[k] != 0)
+      told (k, m_info[k], t[k]);
+}
+
+// which lanes take part in what follows, and their calls of the right-hand side so far
+void
+lane_group::activate (void)
+{
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_active[k] = m_l[k].steps;
+      m_calls[k] = 0;
+    }
+}
+
+// ----- Dormand and Prince
+
+// one trial step of every run, as GSDPS does it
+void
+lane_group::step_8 (void)
+{
+  rates_8 ();
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.steps = l.alone = false;
+      l.steps = l.busy && found_8 (k) && ready_8 (k);
+      some = some || l.steps;
+    }
+  if (some)
+    in_lanes_8 ();
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      by_itself_8 (k);
+}
+
+void
+lane_group::in_lanes_8 (void)
+{
+  stages_8 ();
+  fortran {gslne_} (&lane_count, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), &m_ropt[1],
+                    &m_ropt[3], &m_c[0], m_xn.begin (), m_err.begin (), m_a.begin (), m_b.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].steps)
+      after_8 (k);
+}
+
+// the rates at the states where they are not yet known, and what GSSTE wants to know there
+void
+lane_group::rates_8 (void)
+{
+  bool all = true;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.alone = l.busy && l.lm[0] == 1 && l.partition ()[0] > 0;
+      l.steps = l.busy && l.lm[0] == 1 && ! l.alone;
+      l.ier = 0;
+      l.at = 1;
+      m_t(0, k) = l.busy ? l.t : m_s.t0;
+      all = all && (l.steps || ! l.busy);
+    }
+  if (! all)
+    m_kept.assign (m_f.begin (), m_f.begin () + m_numbers);
+  activate ();
+  stage_rates (0, m_t.begin (), m_x.begin (), false);
+  for (int k = 0; ! all && k < lane_count; k++)
+    for (int j = k; ! m_l[k].steps && j < m_numbers; j += lane_count)
+      m_f.begin ()[j] = m_kept[j];
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      rates_by_itself (k);
+  fortran {gslnb_} (&lane_count, &m_s.nx, m_x.begin (), m_f.begin (), m_xs.begin (), &m_ropt[1],
+                    &m_ropt[3], m_a.begin (), m_b.begin ());
+}
+
+void
+lane_group::rates_by_itself (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  const int side = 1;
+  fortran {gsfun_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &side, l.state (), &m_siz[0],
+                    &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (), l.rp.data (),
+                    &l.r.cst[0], l.inputs (), l.stages (), &l.r.w[0], l.partition (), &l.r.istat[0],
+                    &l.r.rstat[0], &l.ier);
+  next_state (lane);
+  m_f.put (lane, l.stages (), s.nx);
+}
+
+// GSDPF behind its call of the right-hand side; false where the run ended
+bool
+lane_group::found_8 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  if (l.lm[0] != 1)
+    return true;
+  l.lm[0] = 0;
+  double *f = l.stages (), *v = l.inputs ();
+  int info = l.ier != 0 ? 3 : 0;
+  m_f.get (lane, f, s.nx);
+  r.istat[0] += m_calls[lane];
+  if (info == 0 && ! fine (f, s.nx))
+    info = 8;
+  if (info == 0 && l.lm[1] == 1)
+    {
+      fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.m[1],
+                        l.state (), &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4],
+                        l.ip.data (), l.rp.data (), &r.cst[0], v, &m_ropt[1], &m_ropt[3], &m_a(0,
+                        lane), &m_b(0, lane), f + s.nx, &r.w[0], l.partition (), &r.istat[0],
+                        &r.rstat[0]);
+      if (r.istat[13] > 0 && m_iopt[0] == 9)
+        info = 5;
+    }
+  if (info == 0 && l.m[0] <= 0)
+    {
+      double left = std::min (l.hmax, l.stp[0] - l.t);
+      int ier = 0;
+      fortran {gshin_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &left, l.state (),
+                        &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                        l.rp.data (), &r.cst[0], v, &m_ropt[1], &m_ropt[3], f, &r.w[0],
+                        l.partition (), &r.istat[0], &r.rstat[0], &l.m[0], &ier);
+      if (ier != 0)
+        info = 3;
+    }
+  if (info != 0)
+    end (lane, info);
+  return info == 0;
+}
+
+// whether a trial step in the lane is next, of the length that it then has
+bool
+lane_group::ready_8 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  double most = 1e300, step = std::min (l.m[0], l.hmax);
+  int taken = 0, info = 0;
+  if (S.nlam > 0)
+    {
+      fortran {gspss_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, l.stp,
+                        l.istp, &step, m_siz, &m_tim[0], &m_iopt[0], &m_ropt[0], l.ip.data (),
+                        l.rp.data (), &r.cst[0], &r.xout[0], &r.vout[0], l.partition (), l.m, l.lm,
+                        l.iw, &r.w[0], &most, &taken, &r.istat[0], &r.rstat[0], &info);
+      if (taken == 1)
+        {
+          l.lm[0] = 1;
+          l.lm[1] = 0;
+          std::swap (l.iw[0], l.iw[1]);
+          next_state (lane);
+          if (info == 0 && l.t >= l.stp[0] && ! stopped (l))
+            info = -1;
+        }
+      else if (info == 0 && l.lm[5] > 0)
+        {
+          info = 3;
+          r.istat[5] = 3;
+          r.istat[6] = 8;
+        }
+    }
+  if (info == 0 && taken == 0)
+    {
+      step = std::min (step, most);
+      fortran {gsdta_} (s.con, s.kin, &l.t, &l.stp[0], &l.istp[0], &step, m_siz, &m_iopt[0],
+                        &r.cst[0], l.state (), l.partition (), l.m, l.lm, &l.tn, &l.at, &l.h,
+                        &r.istat[0], &info);
+    }
+  if (info != 0)
+    end (lane, info == -1 ? r.info : info);
+  else if (taken == 0 && l.partition ()[0] > 0)
+    l.alone = true;
+  else if (taken == 0)
+    {
+      m_step(0, lane) = l.h;
+      for (int k = 0; k < s.nx; k++)
+        m_h(k, lane) = l.h;
+      m_t(0, lane) = l.t;
+      return true;
+    }
+  park (lane);
+  return false;
+}
+
+void
+lane_group::stages_8 (void)
+{
+  double t[lane_count];
+  activate ();
+  for (int stage = 2; stage <= 12; stage++)
+    {
+      fortran {gslns_} (&m_numbers, &m_n[stage-1], &m_c[12*(stage-1)], &m_j[12*(stage-1)],
+                        m_h.begin (), m_x.begin (), m_f.begin (), m_xs.begin ());
+      fortran {gslnt_} (&lane_count, m_t.begin (), &m_ts[stage-1], m_step.begin (), t);
+      for (int k = 0; stage == 12 && k < lane_count; k++)
+        if (m_l[k].steps)
+          t[k] = m_l[k].tn;
+      stage_rates (stage - 1, t, m_xs.begin (), stage == 12);
+    }
+}
+
+void
+lane_group::after_8 (int lane)
+{
+  lane_run& l = m_l[lane];
+  m_xn.get (lane, l.next (), m_s.nx);
+  l.r.istat[0] += m_calls[lane];
+  if (S.nev > 0)
+    {
+      for (int k = 0; k < 12; k++)
+        for (int j = 0; j < m_s.nx; j++)
+          l.stages ()[m_s.nx * k + j] = m_f(m_s.nx * k + j, lane);
+      m_xs.get (lane, l.stages () + 12 * m_s.nx, m_s.nx);
+    }
+  judge_8 (lane, l.ier == 0 ? m_err(0, lane) : 0);
+}
+
+// a step whose stages are completed from independent coordinates (GSPRT)
+void
+lane_group::by_itself_8 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  double err = 0, *f = l.stages ();
+  fortran {gsdp8_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &l.tn, &l.at, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &l.r.cst[0], l.inputs (), &m_ropt[1], &m_ropt[3], l.next (), &err,
+                    f, &l.r.w[0], l.partition (), &l.r.istat[0], &l.r.rstat[0], &l.ier);
+  for (int j = 0; j < s.nx; j++)
+    m_f(11 * s.nx + j, lane) = f[11 * s.nx + j];
+  m_xs.put (lane, f + 12 * s.nx, s.nx);
+  judge_8 (lane, err);
+}
+
+void
+lane_group::judge_8 (int lane, double err)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  int taken = 0, info = 0;
+  fortran {gsdtb_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, &l.stp[0],
+                    &l.tn, &l.at, &l.h, &err, &l.ier, m_siz, &m_iopt[0], &m_ropt[0], l.ip.data (),
+                    l.rp.data (), &r.cst[0], l.state (), l.next (), l.inputs (), l.stages (),
+                    &r.w[0], l.partition (), l.m, l.lm, &taken, &r.istat[0], &r.rstat[0], &info);
+  if (taken == 1)
+    std::swap (l.iw[0], l.iw[1]);
+  if (info != 0)
+    end (lane, info);
+  else if (taken == 1)
+    {
+      if (l.t >= l.stp[0] && ! stopped (l))
+        end (lane, r.info);
+      else
+        next_state (lane);
+    }
+}
+
+// ----- Runge and Kutta
+
+void
+lane_group::begin_way (lane_run& l)
+{
+  l.k = 1;
+  fortran {gsrkl_} (&l.ta, &l.stp[0], &l.hr, &l.n, &l.h, &l.r.rstat[0]);
+}
+
+// one step of every run, as GSRKS does it
+void
+lane_group::step_4 (void)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.ier = 0;
+      l.steps = l.alone = false;
+      l.alone = l.busy && ready_4 (k) && l.partition ()[0] > 0;
+      l.steps = l.busy && ! l.alone;
+      some = some || l.steps;
+    }
+  if (some)
+    stages_4 ();
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      by_itself_4 (k);
+    else if (m_l[k].steps)
+      {
+        m_xn.get (k, m_l[k].next (), m_s.nx);
+        m_l[k].r.istat[0] += m_calls[k];
+        after_4 (k);
+      }
+}
+
+bool
+lane_group::ready_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  fortran {gsrkt_} (&l.ta, &l.stp[0], &l.istp[0], &l.h, &l.k, &l.n, &l.t, &l.tn, &l.at);
+  if (m_iopt[3] > 0 && r.istat[1] >= m_iopt[3])
+    {
+      end (lane, 1);
+      return m_l[lane].busy && ready_4 (lane);
+    }
+  const double none = 0;
+  fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &r.cst[0], l.inputs (), &m_ropt[1], &m_ropt[3], &none, &none,
+                    l.stages () + s.nx, &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
+  m_step(0, lane) = l.h;
+  m_t(0, lane) = l.t;
+  for (int k = 0; k < s.nx; k++)
+    m_h(k, lane) = l.h;
+  return true;
+}
+
+void
+lane_group::stages_4 (void)
+{
+  double t[lane_count], *x = m_x.begin ();
+  std::copy_n (m_t.begin (), lane_count, t);
+  activate ();
+  for (int stage = 1; stage <= 4; stage++)
+    {
+      for (int k = 0; k < lane_count; k++)
+        if (m_l[k].steps && stage > 1)
+          t[k] = stage == 4 ? m_l[k].tn : m_l[k].t + 0.5 * m_l[k].h;
+      stage_rates (std::min (stage, 2) - 1, t, x, stage == 4);
+      x = stage == 4 ? m_xn.begin () : m_xs.begin ();
+      fortran {gsln4_} (&stage, &m_numbers, m_h.begin (), m_x.begin (), m_f.begin (), x);
+    }
+}
+
+void
+lane_group::by_itself_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  fortran {gsrk4_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &l.tn, &l.at, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &l.r.cst[0], l.inputs (), l.next (), l.stages (), &l.r.w[0],
+                    l.partition (), &l.r.istat[0], &l.r.rstat[0], &l.ier);
+  after_4 (lane);
+}
+
+void
+lane_group::after_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  int again = 0, info = 0;
+  if (l.ier != 0)
+    {
+      end (lane, 3);
+      return;
+    }
+  fortran {gsrkq_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, &l.tn,
+                    &l.stp[0], &l.at, &l.h, &l.ta, &l.hr, m_siz, &m_iopt[0], &m_ropt[0],
+                    l.ip.data (), l.rp.data (), &r.cst[0], l.iw, &r.w[0], &r.istat[0], &r.rstat[0],
+                    &again, &info);
+  if (info == 0 && again == 1)
+    begin_way (l);
+  else if (info == 0 && ++l.k > l.n)
+    {
+      l.t = l.stp[0];
+      if (! stopped (l))
+        {
+          end (lane, r.info);
+          return;
+        }
+    }
+  if (info != 0)
+    end (lane, info);
+  else
+    next_state (lane);
+}
+
+#endif

@@ -1,0 +1,140 @@
+## Runs in lanes: those of one run after the other but for rounding, and the same bits whatever the
+## lane, the order, the number of threads and the runs beside; trees, loops, events, samples.
+
+function test_lanes ()
+  warning ("off", "gsmbp:stiff", "local");
+  arm = gsmbp_fixture ("batch_arm");
+  tree (arm);
+  neighbours (arm);
+  ends (arm);
+  loop (gsmbp_fixture ("batch_bars"));
+  stepped (gsmbp_fixture ("batch_stop"), gsmbp_fixture ("sampled_drive"));
+end
+
+## columns of parameters, starts and inputs of N runs
+function o = rows_of_arm (m, n)
+  rand ("twister", 5);
+  half = @(k) 2 * rand (n, k) - 1;
+  o = {"starts", half(m.sizes.nx), "inputs", half(m.sizes.nv), "parameters", ...
+       struct("m2", 17.4 + half (1), "f", 5 + half (1))};
+end
+
+function o = some (o, k)
+  o{2} = o{2}(k,:);
+  o{4} = o{4}(k,:);
+  o{6} = structfun (@(x) x(k), o{6}, "UniformOutput", false);
+end
+
+function same = equal_runs (a, i, b, k)
+  same = isequaln (a.x(:,:,i), b.x(:,:,k)) && isequaln (a.v(:,:,i), b.v(:,:,k)) ...
+           && isequaln (a.y(:,:,i), b.y(:,:,k)) && isequal (a.calls(i), b.calls(k)) ...
+           && isequal (a.ok(i), b.ok(k)) && isequaln (a.reached(i), b.reached(k));
+end
+
+function tree (m)
+  n = 45;
+  t = [0, 0.1, 0.15, 0.4];
+  rows = rows_of_arm (m, n);
+  for method = {{"dp853", "rtol", 1e-10, "atol", 1e-10}, {"rk4", "step", 2e-3}}
+    o = [{"method"}, method{1}];
+    e = gsmbp_ensemble (m, [], t, rows{:}, o{:}, "threads", 1);
+    f = gsmbp_ensemble (m, [], t, rows{:}, o{:}, "lanes", false);
+    name = method{1}{1};
+    gsmbp_check ([name ": in lanes, all come to their end"], e.lanes && ! f.lanes && all (e.ok));
+    gsmbp_check ([name ": as one after the other"], (e.x - f.x) ./ (1 + abs (f.x)), 1e-8);
+    gsmbp_check ([name ": their inputs"], isequal (e.v, f.v));
+    order = randperm (n);
+    g = gsmbp_ensemble (m, [], t, some (rows, order){:}, o{:}, "threads", 3);
+    gsmbp_check ([name ": in another order, by three threads, bit for bit"], ...
+                 equal_runs (g, 1:n, e, order));
+    g = gsmbp_ensemble (m, [], t, some (rows, 23){:}, o{:});
+    gsmbp_check ([name ": alone, bit for bit"], g.lanes && equal_runs (g, 1, e, 23));
+  end
+end
+
+## runs that fail, or are far out, change nothing of those beside them
+function neighbours (m)
+  n = 20;
+  rows = rows_of_arm (m, n);
+  o = {"atol", 1e-9, "threads", 1};
+  e = gsmbp_ensemble (m, [], [0, 0.2], rows{:}, o{:});
+  bad = rows;
+  bad{4}(3,1) = 3e300;
+  bad{2}(7,1) = 2e5;
+  bad{6}.m2(9) = -1;
+  bad{2}(12,8) = 1e160;
+  f = gsmbp_ensemble (m, [], [0, 0.2], bad{:}, o{:});
+  good = setdiff (1:n, [3, 7, 9, 12]);
+  gsmbp_check (["beside bad ones, bit for bit: " f.reason{3}], ...
+               ! f.ok(3) && f.ok(7) && ! f.ok(9) && ! f.ok(12) ...
+                 && equal_runs (e, good, f, good));
+  g = gsmbp_ensemble (m, [], [0, 0.2], bad{:}, o{:}, "lanes", false);
+  gsmbp_check ("as they end one after the other", ...
+               isequal (f.ok, g.ok) && isequal (f.reason([3, 9]), g.reason([3, 9])));
+end
+
+function ends (m)
+  rows = rows_of_arm (m, 18);
+  e = gsmbp_ensemble (m, [], [0, 0.1, 0.5], rows{:}, "maxsteps", 30);
+  f = gsmbp_ensemble (m, [], [0, 0.1, 0.5], rows{:}, "maxsteps", 30, "lanes", false);
+  gsmbp_check (["the limit of steps: " e.reason{1}], ...
+               ! all (e.ok) && isequal (e.ok, f.ok) && isequal (isnan (e.x), isnan (f.x)) ...
+                 && ! isempty (strfind (e.reason{find (! e.ok, 1)}, "maxsteps")));
+  pp = mkpp ([0, 0.05, 0.2], [10, 0; -10, 0.5]);
+  o = {"input", pp, "starts", rows{2}, "atol", 1e-11, "rtol", 1e-10};
+  e = gsmbp_ensemble (m, [], [0, 0.1, 0.2], repmat_input (m, o){:});
+  f = gsmbp_ensemble (m, [], [0, 0.1, 0.2], repmat_input (m, o){:}, "lanes", false);
+  gsmbp_check ("inputs from a table with a jump", e.x - f.x, 1e-8);
+  gsmbp_check ("those at the output times", isequal (e.v, f.v));
+end
+
+## the polynomial for as many inputs as the model has
+function o = repmat_input (m, o)
+  [breaks, coefficients] = unmkpp (o{2});
+  nv = m.sizes.nv;
+  o{2} = mkpp (breaks, kron (coefficients, ones (nv, 1)), nv);
+end
+
+## every length of its own start; one is a parallelogram that passes a singular position
+function loop (m)
+  n = 18;
+  t = [0, 0.2, 0.5];
+  lc = linspace (0.49, 0.52, n);
+  table = struct ("lc", lc, "lb", linspace (0.69, 0.7, n));
+  for way = {{"dp853", "rtol", 1e-9, "atol", 1e-9}, {"rk4", "step", 2e-3}}
+    o = [{"input", [12; 0.5](1:m.sizes.nv), "parameters", table, "start", "project", "method"}, ...
+         way{1}];
+    e = gsmbp_ensemble (m, m.initial, t, o{:}, "threads", 1);
+    f = gsmbp_ensemble (m, m.initial, t, o{:}, "lanes", false);
+    name = way{1}{1};
+    gsmbp_check ([name ": loops in lanes"], e.lanes && all (e.ok) && all (f.ok));
+    gsmbp_check ([name ": as one after the other"], e.x - f.x, 1e-6);
+    g = gsmbp_ensemble (m, m.initial, t, o{1:2}, "parameters", ...
+                        structfun (@(x) flip (x), table, "UniformOutput", false), o{5:end}, ...
+                        "threads", 2);
+    gsmbp_check ([name ": in another order, by two threads, bit for bit"], ...
+                 equal_runs (g, n:-1:1, e, 1:n));
+  end
+  [table.lc(4), table.lb(4)] = deal (0.25, 0.6);
+  g = gsmbp_ensemble (m, m.initial, t, o{1:2}, "parameters", table, o{5:end}, "threads", 1);
+  others = setdiff (1:n, 4);
+  gsmbp_check ("beside one that passes a singular position, bit for bit", ...
+               equal_runs (g, others, e, others));
+end
+
+function stepped (m, drive)
+  n = 18;
+  x0 = m.initial;
+  x0(3) = 1;
+  o = {"parameters", struct("g", linspace (9, 10, n)), "atol", 1e-10};
+  e = gsmbp_ensemble (m, x0, 0:0.25:1.5, o{:}, "threads", 1);
+  f = gsmbp_ensemble (m, x0, 0:0.25:1.5, o{:}, "lanes", false);
+  gsmbp_check ("events", e.x - f.x, 1e-7);
+  gsmbp_check ("events: all come to their end", e.lanes && all (e.ok) && all (f.ok));
+  o = {"input", 1, "parameters", struct("period", linspace (0.05, 0.1, n)), "atol", 1e-10};
+  e = gsmbp_ensemble (drive, [0; 0], 0:0.05:1, o{:});
+  f = gsmbp_ensemble (drive, [0; 0], 0:0.05:1, o{:}, "lanes", false);
+  gsmbp_check ("samples", e.x - f.x, 1e-9);
+  gsmbp_check ("samples: all come to their end", e.lanes && all (e.ok));
+  gsmbp_check ("what is held", e.v - f.v, 1e-6);
+end
