@@ -28,8 +28,8 @@
 ## @code{gsmbp_simulate} (where the tolerances are given: their defaults follow the sizes
 ## of @var{m}).  In lanes they are the same in whatever lane, but beside
 ## @code{gsmbp_simulate} as rounding has it.  One that fails ends alone.  With loops every
-## start is moved onto the constraints of its run; where that is further than 1e-6 (beside @code{m.nominal}) the run is
-## one that failed, but with "start", "project".
+## start is moved onto the constraints of its run; where that is further than 1e-6 (beside
+## @code{m.nominal}) the run is one that failed, but with "start", "project".
 ##
 ## @var{e} has the fields
 ## @table @code

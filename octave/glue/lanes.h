@@ -160,7 +160,8 @@ private:
 
 lane_group::lane_group (const simulation& s, lane_source& source, int most)
   : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
-    m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, s.nb, s.lw}, m_numbers (lane_count * s.nx),
+    m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, s.nb, s.lw},
+    m_numbers (lane_count * s.nx),
     m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c (144), m_ts (12),
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
     m_t (1), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1)
