@@ -1,5 +1,6 @@
-## Whipple's bicycle: eigenvalues of straight running against Meijaard, Papadopoulos, Ruina, Schwab
-## (2007), table 2; a steady turn goes on as it is found; M, C and K have their canonical form.
+## Whipple's bicycle: eigenvalues of straight running and M, C, K against Meijaard, Papadopoulos,
+## Ruina, Schwab (2007); a steady turn goes on as it is found; a rider's controller holds it at a speed
+## where it falls by itself, with samples, delay and limits, and where it fails.
 
 function test_bicycle ()
   pkg load control
@@ -43,4 +44,58 @@ function test_bicycle ()
   gsmbp_check ("bicycle, in a turn: it goes on so", y.x(end,kept) - r.x(kept)', 1e-7);
   [sys, ~, k] = gsmbp_linear (m, 0, r.x, [], "drop", drop);
   gsmbp_check ("bicycle, in a turn: constant coefficients", numel (k) == 5);
+  canonical (m, drop);
+  ridden (m, drop);
+end
+
+## M q'' + v C1 q' + (g K0 + v^2 K2) q, q = roll and steering; theirs is positive to the right
+function canonical (m, drop)
+  v = 4;
+  x = m.initial;
+  x(strcmp (m.states, "rw_d")) = v / 0.3;
+  r = gsmbp_trim (m, x, [], "steady", "rw");
+  k = gsmbp_mck (m, 0, r.x, r.v, "drop", drop);
+  [~, at] = ismember ({"roll_d", "steer_d"}, k.speeds);
+  [~, on] = ismember ({"roll", "steer"}, k.coordinates);
+  T = diag ([1, -1]);
+  M = [80.81722, 2.31941332208709; 2.31941332208709, 0.29784188199686];
+  C1 = [0, 33.86641391492494; -0.85035641456978, 1.68540397397560];
+  K0 = [-80.95, -2.59951685249872; -2.59951685249872, -0.80329488458618];
+  K2 = [0, 76.59734589573222; 0, 2.65431523794604];
+  gsmbp_check ("bicycle: M [kg m^2]", T * k.M(at,at) * T - M, 1e-11);
+  gsmbp_check ("bicycle: C [N m s]", T * k.C(at,at) * T - v * C1, 1e-11);
+  gsmbp_check ("bicycle: K [N m]", T * k.K(at,on) * T - 9.81 * K0 - v ^ 2 * K2, 1e-10);
+end
+
+## LQG from lean, bar and speed at 3 m/s, where it would fall: 100 Hz, 3 ms, 12 N m on the bar
+function ridden (m, drop)
+  at = @(name) find (strcmp (m.states, name));
+  x = m.initial;
+  x(at ("rw_d")) = 10;
+  e = gsmbp_trim (m, x, [], "steady", "rw");
+  sys = gsmbp_linear (m, 0, e.x, e.v, "drop", drop);
+  gsmbp_check ("bicycle, at 3 m/s: it falls by itself", max (real (pole (sys))) > 1);
+  c = gsmbp_control (m, e, "lqg", "drop", drop, "measured", {"lean", "bar", "speed"}, "Q", ...
+                     [10, 1, 1, 1, 1], "R", 0.01, "W", 1, "V", 1e-4, "period", 0.01, "delay", ...
+                     0.003, "limits", [12; 60], "step_in", [1e-3; 1e-3; 1e-2]);
+  gsmbp_check ("bicycle, ridden: roll, steering and their rates, and its speed", ...
+               isequal (c.states(1:5)(:)', m.states([at("roll"), at("steer"), at("roll_d"), ...
+                                                     at("rw_d"), at("steer_d")])(:)'));
+  mc = gsmbp_build (m.name, "directory", m.directory, "controller", c);
+  r = gsmbp_simulate (mc, e.x, [0, 1]);
+  gsmbp_check ("bicycle, ridden: straight on it goes on so", r.x(end,at ("roll")), 1e-3);
+  for lean = [0.15, 0.6]
+    x = e.x;
+    x(at ("roll")) = lean;
+    x = gsmbp_assemble (m, x, "hold", {"x", "y", "yaw", "roll", "rw", "fw", "steer"});
+    fell = false;
+    try
+      r = gsmbp_simulate (mc, x, 0:0.05:4);
+      fell = any (abs (r.x(end,[at("roll"), at("steer")])) > 0.05) || r.t(end) < 4;
+    catch
+      fell = true;
+    end
+    gsmbp_check (sprintf ("bicycle, ridden: from %.2g rad it %s", lean, {"holds", "falls"}{...
+                          1 + (lean > 0.3)}), fell == (lean > 0.3));
+  end
 end
