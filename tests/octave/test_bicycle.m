@@ -1,6 +1,6 @@
 ## Whipple's bicycle: eigenvalues of straight running and M, C, K against Meijaard, Papadopoulos,
-## Ruina, Schwab (2007); a steady turn goes on as it is found; a rider's controller holds it at a speed
-## where it falls by itself, with samples, delay and limits, and where it fails.
+## Ruina, Schwab (2007); a steady turn goes on as it is found; a rider's controller holds it at a
+## speed where it falls by itself, with samples, delay and limits, and where it fails.
 
 function test_bicycle ()
   pkg load control
