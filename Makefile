@@ -20,12 +20,12 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
-        test-reach test-c test-sweep bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
+        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
         bench-flexible bench-sensitivity bench-control bench-collocation bench-points bench-reach \
         bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
-        check-report check-screen packages-fmu check-fmu
+        check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -43,6 +43,10 @@ make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance ea
                            ARMS="puma scara": these only; SEED, COUNT
 make test-sweep            a sweep on disk killed at 30 instants by chance loses no finished chunk
                            (make test: at 3); SEED, COUNT
+make test-mpi              the program of a sweep under mpirun -n 2, a rank killed at 10 instants by
+                           chance: the table of one rank; SEED, COUNT
+make check-slurm           the same by the script for Slurm, in a cluster of this machine's own
+                           (as root)
 make bench-c               speed of emitted C beside emitted Fortran, of the module of Python
                            beside C
 make bench                 tests/bench/report.md, report.json and figures
@@ -105,7 +109,8 @@ packages:
 	@share/make/packages
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
-packages-test packages-manual packages-pdf packages-report packages-screen packages-fmu: packages-%:
+packages-test packages-manual packages-pdf packages-report packages-screen packages-fmu packages-mpi \
+packages-slurm: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -163,6 +168,12 @@ test-reach: packages-test compiled
 
 test-sweep: packages-test compiled
 	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_kills $(or $(COUNT),30) $(SEED)
+
+test-mpi: packages-mpi compiled
+	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_ranks $(or $(COUNT),10) $(SEED)
+
+check-slurm: packages-slurm compiled
+	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_slurm
 
 OCTAVE := octave-cli -qf --no-history
 ONE_THREAD := OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1

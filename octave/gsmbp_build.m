@@ -136,6 +136,7 @@
 ## behind the bodies: @code{name}, @code{kind}, @code{bodies}, one for each column), @code{removed}
 ## (constraint rows that were left out: a struct array with @code{row} and @code{reason}),
 ## @code{mobility} (a struct: Gruebler's count and what it is made of),
+## @code{sources} (the files of the Fortran: the scene's, that of option "input" or ""),
 ## @code{orientation} (a row of four numbers of coordinates for each set of
 ## Euler parameters), @code{angles} (joints whose orientation is in angles),
 ## @code{speed_rows} (numbers of the constraints on speeds alone),
@@ -260,6 +261,7 @@ function m = gsmbp_build (name, varargin)
   m.directory = folder;
   m.file = file;
   m.symbol = symbol;
+  m.sources = {source, input};
   m.module = str2func (symbol);
   m.json = json;
   m.unique = gsmbp__unique (m);

@@ -39,6 +39,11 @@
 ## What is of another sweep is an error that says what differs
 ## @item "chunk"
 ## how many runs a chunk has at most, default 4096; fewer where they take long
+## @item "program"
+## a folder: no runs, but a program for them is put there and built, in Fortran and C, without
+## Octave, for MPI where that is installed: @code{mpirun -n 64 folder/sweep}; @code{@var{w}.program}
+## is its file.  It writes @file{sweep.h5} there, by chunks as above: a start after an end of any
+## kind goes on, and so does "file" of that name with "resume"
 ## @end table
 ##
 ## @var{w} has the fields
@@ -106,11 +111,14 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   s = struct ("m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, "table", ...
               table, "kept", kept, "threads", o.threads, "chunk", o.chunk);
-  if (isempty (o.file))
+  told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
+  records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
+  if (! isempty (o.program))
+    w = struct ("program", gsmbp__sweep_program (who, s, records, o.program));
+    return;
+  elseif (isempty (o.file))
     r = gsmbp__sweep_runs (who, s, []);
   else
-    told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
-    records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
     r = gsmbp__sweep_on_disk (who, s, gsmbp__sweep_journal (who, m, o, told, records));
   endif
   w.values = [table, r.values];

@@ -9,12 +9,14 @@
 #include "runtime.h"
 #include "simulation.h"
 #include "ensemble.h"
+#include "job.h"
 #include "adjoint.h"
 #include "collocation.h"
 
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
-    = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "forward", do_forward },
+    = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "job", do_job },
+        { "forward", do_forward },
         { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "program", do_program },

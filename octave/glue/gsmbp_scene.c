@@ -19,6 +19,7 @@ static const gsmbp_meaning meanings[] = { GSMBP_MEANINGS { 0, 0, 0, 0 } };
 const gsmbp_scene gsmbp_the_scene
     = { GSMBP_TABLE, .sets = sets, .modes = modes, .routines = routines, .meanings = meanings };
 
+#if ! defined (GSMBP_NO_OCTAVE)   /* the program of a sweep has none */
 extern void *Ggsmbp_module (void *library, _Bool relative);
 
 void *
@@ -26,3 +27,4 @@ GSMBP_INSTALL (void *library, _Bool relative)
 {
   return Ggsmbp_module (library, relative);
 }
+#endif

@@ -13,21 +13,11 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   fortran = gsmbp__place ("share", "fortran");
   quad = strcmp (precision, "quad");
   f77 = strtrim (mkoctfile ("-p", "F77"));
-  ## never -ffast-math: it deletes the tests for what is no number.  Statements
-  ## are not packed into vectors: a copy of a number that is computed so may
-  ## differ in its last bit (M would not be symmetric), and GSSC is slower.  The
-  ## small loops of the run time are faster without the vectorization of -O3, on
-  ## places of their own in the cache, and copies of three numbers without a call
-  ## of memcpy.
-  ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
-  flags = ["-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
-  common_flags = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
-                  flags(4:end)];
+  [flags, common_flags] = gsmbp__fortran_flags (precision);
   body = "lapack";
   libraries = "-llapack -lblas";
   define = "";
   if (quad)
-    flags = common_flags = "-O2 -march=native -freal-8-real-16 -frecursive -fPIC";
     body = "plain";
     libraries = "-lquadmath";
     define = "-DGSMBP_QUAD";
@@ -74,7 +64,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     place = scratch (here);
     guard = onCleanup (@() remove (place));
     gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
-                  sizes_header (json, symbol, ! isempty (input)));
+                  gsmbp__sizes_header (json, symbol, ! isempty (input)));
     say_if_long (who, source);
     gsmbp__run (who, ...
                 sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, ...
@@ -98,15 +88,6 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
     ## modules of earlier contents
     old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct*"])), {file; [file ".md5"]});
     cellfun (@delete, old);
-  endif
-endfunction
-
-## gcc prefers vectors of 256 bits where the processor has 512; an option of
-## the x86 compilers only
-function option = widest ()
-  option = "";
-  if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
-    option = " -mprefer-vector-width=512";
   endif
 endfunction
 
@@ -153,93 +134,4 @@ endfunction
 function text = digest (files)
   texts = cellfun (@fileread, files, "UniformOutput", false);
   text = hash ("md5", [texts{:}]);
-endfunction
-
-## a size, 0 where the JSON does not say
-function n = size_of (d, name)
-  n = 0;
-  if (isfield (d, name))
-    n = d.(name);
-  endif
-endfunction
-
-## the requests that were asked for and are not there, with their reasons, as a constant of C
-function text = left_out (json)
-  text = "";
-  if (isfield (json, "left_out") && isstruct (json.left_out))
-    for one = json.left_out(:)'
-      text = [text, "\n", one.request, ": ", one.reason];
-    endfor
-  endif
-  text = strrep (undo_string_escapes ([text "\n"]), "?", "\\?");
-endfunction
-
-## the macros of gsmbp_scene.c; sizes are those that gsmbp_scene.h lists
-function text = sizes_header (json, symbol, has_input)
-  header = fileread (gsmbp__place ("octave", "glue", "gsmbp_scene.h"));
-  members = {[".name = \"" json.name "\""], [".symbol = \"" symbol "\""], ...
-             [".left_out = \"" left_out(json) "\""]};
-  for name = sizes_in (header)
-    members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
-  endfor
-  base = 0;
-  if (isfield (json, "base_parameters"))
-    base = numel (json.base_parameters);
-  endif
-  by = 0;
-  if (isfield (json, "sensitivity"))
-    by = numel (cellstr (json.sensitivity));
-  endif
-  sets = gsmbp__orientation (json);
-  skeleton = gsmbp__skeleton (json);
-  np = sum (skeleton.points) + numel ([skeleton.parts.bodies]);
-  modes = 0;
-  if (isfield (json, "events") && ! isempty (json.events))
-    modes = [json.events.input, 0];
-  endif
-  members{end+1} = sprintf (".np = %d, .nbase = %d, .nsp = %d, .nsets = %d", np, base, by, ...
-                            rows (sets));
-  [routines, meanings, declared] = subroutines (json);
-  if (has_input)
-    declared{end+1} = "gsvin_";
-    members{end+1} = ".vin = gsvin_";
-  endif
-  text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
-          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
-          "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
-          "#define GSMBP_MODES ", sprintf("%d, ", modes), "\n", ...
-          "#define GSMBP_TABLE ", strjoin(members, ", "), "\n", ...
-          "#define GSMBP_ROUTINES ", routines{:}, "\n#define GSMBP_MEANINGS ", meanings{:}, "\n"];
-endfunction
-
-## rows of C: the emitted subroutines by the ends of their names, the sentences of their INFO
-function [routines, meanings, declared] = subroutines (json)
-  routines = meanings = declared = {};
-  list = json.subroutines;
-  if (! iscell (list))
-    list = num2cell (list);
-  endif
-  for row = list(:)'
-    full = tolower (row{1}.name);
-    name = full(numel (json.name)+2:end);
-    declared{end+1} = [full "_"];
-    routines{end+1} = sprintf ("{ \"%s\", %s_, \"%s\" }, ", name, full, gsmbp__signature (row{1}));
-    if (isfield (row{1}, "info") && ! isempty (row{1}.info))
-      told = row{1}.info([row{1}.info.code] > 0)(:)';
-      meanings = [meanings, arrayfun(@(one) sentence (name, one), told, "UniformOutput", false)];
-    endif
-  endfor
-endfunction
-
-function row = sentence (name, info)
-  above = " (and so does every greater INFO)";
-  row = sprintf ("{ \"%s\", %d, %d, \"%s\" }, ", name, info.code, ...
-                 ! isempty (strfind (info.meaning, above)), ...
-                 regexprep (strrep (info.meaning, above, ""), '(["\\])', '\\$1'));
-endfunction
-
-## the names in the list X (one) X (two) ... of a header
-function names = sizes_in (header)
-  body = regexp (header, '#define GSMBP_SIZES\(X\)((?:[^\n]*\\\n)*[^\n]*)', "tokens", "once"){1};
-  names = [regexp(body, 'X \((\w+)\)', "tokens"){:}];
 endfunction

@@ -20,6 +20,7 @@ function j = gsmbp__sweep_journal (who, m, o, told, records)
   if (exist (said, "file"))
     found (who, o, [o.file ".parts"], "a sweep was interrupted that left %s");
     same_sweep (who, [o.file ".parts"], fileread (said), told);
+    gsmbp__write (who, j.job, gsmbp__sweep_job (records));   # the program keeps it elsewhere
     return;
   endif
   gsmbp__folder (who, fileparts (j.file));

@@ -10,6 +10,7 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "demand", {}, "any"
            "threads", nproc(), "whole"
            "file", "", "text"
+           "program", "", "text"
            "resume", false, "flag"
            "chunk", 4096, "whole"};
   [names, values] = gsmbp__pairs (who, "option", pairs);

@@ -1,0 +1,526 @@
+/* One run of a sweep without Octave; sweep_run.h says what it is. */
+#include "sweep_run.h"
+#include "gsmbp/plan.h"
+#include "gsmbp_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const gsmbp_scene *const S = &gsmbp_the_scene;
+
+extern void gssim_ (void), gsfun_ (void), gsinp_ (void), gschk_ (void), gsjmp_ (void),
+    gspst_ (void), gspnw_ (void), gspbg_ (void), gsdue_ (void);
+static void absent (void) { }
+
+/* an emitted subroutine by the end of its name, a null pointer where there is none */
+static gsmbp_sub
+emitted (const char *name)
+{
+  for (const gsmbp_routine *r = S->routines; r->name; r++)
+    if (strcmp (name, r->name) == 0)
+      return r->sub;
+  return NULL;
+}
+
+static gs_array
+numbers (const gs_job *job, const char *name)
+{
+  gs_array a;
+  a.x = gs_numbers (job, name, &a.n);
+  return a;
+}
+
+static int *
+wholes (const gs_job *job, const char *name, long long *count)
+{
+  const double *x = gs_numbers (job, name, count);
+  int *k = calloc ((size_t) *count + 1, sizeof (int));
+  for (long long i = 0; k && i < *count; i++)
+    k[i] = (int) x[i];
+  return k;
+}
+
+static int
+find_subs (gs_sweep *s, char *why)
+{
+  static const char *const names[GS_SUBS]
+      = { "rhs", "prj", "con", "kin", "cmd", "clo", "vin", "out", "ctl", "evt", "rst" };
+  gs_array called = numbers (s->job, "called");
+  for (int k = 0; k < GS_SUBS; k++)
+    {
+      int is = k < called.n && called.x[k] != 0;
+      s->sub[k] = is ? k == 6 ? S->vin : emitted (names[k]) : absent;
+      if (! s->sub[k])
+        return snprintf (why, GS_WHY, "%s has no subroutine %s", S->name, names[k]), 1;
+    }
+  return 0;
+}
+
+static int
+find_method (gs_sweep *s, char *why)
+{
+  long long n;
+  const char *method = gs_text (s->job, "library", &n);
+  s->implicit_method = NULL;
+#if defined (GS_RADAU)
+  if (strcmp (method, "radau") == 0)
+    s->implicit_method = gsmbp_radau;
+#endif
+#if defined (GS_CVODE)
+  if (strcmp (method, "cvode") == 0)
+    s->implicit_method = gsmbp_cvode;
+#endif
+  if (n == 0 || s->implicit_method)
+    return 0;
+  snprintf (why, GS_WHY, "this program was built without the method %s", method);
+  return 1;
+}
+
+/* lines RUN<tab>REASON of runs whose parameters break a rule of the scene */
+static int
+find_broken (gs_sweep *s, char *why)
+{
+  long long n;
+  const char *text = gs_text (s->job, "broken", &n);
+  s->broken = calloc ((size_t) s->runs + 1, sizeof (char *));
+  for (const char *p = text; s->broken && p && *p; p = strchr (p, '\n'), p = p ? p + 1 : p)
+    {
+      long long i = atoll (p);
+      const char *tab = strchr (p, '\t');
+      if (tab && i >= 1 && i <= s->runs)
+        s->broken[i - 1] = tab + 1;
+    }
+  if (! s->broken)
+    snprintf (why, GS_WHY, "no memory");
+  return ! s->broken;
+}
+
+static int
+read_kept (gs_sweep *s)
+{
+  long long n, m, l;
+  s->way = wholes (s->job, "way", &n);
+  s->number = wholes (s->job, "number", &m);
+  s->time = wholes (s->job, "time", &l);
+  for (long long k = 0; k < n; k++)
+    {
+      s->wholes += s->way[k] == GS_WHOLE;
+      s->kept += s->way[k] != GS_WHOLE;
+    }
+  s->columns = 2 + s->kept + s->wholes * s->tout.n;
+  return n != m || n != l;
+}
+
+static void
+read_numbers (gs_sweep *s)
+{
+  const gs_job *job = s->job;
+  long long n;
+  s->cst = numbers (job, "cst");
+  s->x0 = numbers (job, "x0");
+  s->tout = numbers (job, "tout");
+  s->tbrk = numbers (job, "tbrk");
+  s->ropt = numbers (job, "ropt");
+  s->atol = numbers (job, "atol");
+  s->rp = numbers (job, "rp");
+  s->guess = numbers (job, "guess");
+  s->par = numbers (job, "par");
+  s->samples = numbers (job, "samples");
+  s->nominal = numbers (job, "nominal");
+  s->ip = wholes (job, "ip", &s->nip);
+  s->iopt = wholes (job, "iopt", &s->niopt);
+  s->which = wholes (job, "which", &s->varied);
+  s->runs = s->varied > 0 ? s->samples.n / s->varied : 0;
+  int *sizes = wholes (job, "sizes", &n);
+  if (n == 4)
+    {
+      s->nx = sizes[0];
+      s->ldx = sizes[1];
+      s->ldv = sizes[2];
+      s->lw = sizes[3];
+    }
+  free (sizes);
+  s->order = (int) gs_number (job, "order", 5);
+  s->of_state = (int) gs_number (job, "of_state", 0);
+  s->check_start = (int) gs_number (job, "check_start", 1);
+  s->t0 = gs_number (job, "t0", 0);
+}
+
+int
+gs_open_sweep (gs_sweep *s, const gs_job *job, char *why)
+{
+  memset (s, 0, sizeof *s);
+  s->job = job;
+  long long n;
+  const char *symbol = gs_text (job, "symbol", &n);
+  if (strcmp (symbol, S->symbol) != 0)
+    return snprintf (why, GS_WHY, "the job is of another scene than the program: %s, not %s",
+                     symbol, S->symbol), 1;
+  read_numbers (s);
+  if (read_kept (s) || s->nx != S->nx || s->par.n != S->npar || s->runs < 1
+      || s->nominal.n != S->nx || s->x0.n != S->nx || s->atol.n != S->nx || s->niopt < 6)
+    return snprintf (why, GS_WHY, "the job is not whole"), 1;
+  return find_subs (s, why) || find_method (s, why) || find_broken (s, why);
+}
+
+void
+gs_close_sweep (gs_sweep *s)
+{
+  int *lists[] = { s->ip, s->iopt, s->which, s->way, s->number, s->time };
+  for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
+    free (lists[k]);
+  free (s->broken);
+}
+
+static double *
+room (long long n)
+{
+  return calloc ((size_t) (n < 1 ? 1 : n), sizeof (double));
+}
+
+gs_room *
+gs_make_room (const gs_sweep *s)
+{
+  gs_room *r = calloc (1, sizeof *r);
+  if (! r)
+    return NULL;
+  long long nt = s->tout.n;
+  r->cst = room (S->ncst);
+  r->x0 = room (S->nx);
+  r->xout = room (s->ldx * nt);
+  r->vout = room (s->ldv * nt);
+  r->yout = room (S->ny * nt);
+  r->rstat = room (20);
+  r->w = room (s->lw);
+  r->rp = room (s->rp.n);
+  r->par = room (S->npar);
+  r->times = room (1 + nt + s->tbrk.n);
+  r->options = room (s->ropt.n + s->atol.n);
+  r->ip = calloc ((size_t) s->nip + 1, sizeof (int));
+  r->iopt = calloc ((size_t) s->niopt + 1, sizeof (int));
+  r->istat = calloc (20, sizeof (int));
+  return r;
+}
+
+void
+gs_free_room (gs_room *r)
+{
+  void *all[] = { r->cst, r->x0, r->xout, r->vout, r->yout, r->rstat, r->w, r->rp, r->par, r->times,
+                  r->options, r->ip, r->iopt, r->istat, r };
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
+    free (all[k]);
+}
+
+static void
+copy (double *to, const double *from, long long n)
+{
+  if (n > 0)
+    memcpy (to, from, (size_t) n * sizeof (double));
+}
+
+static void
+zero (double *x, long long n)
+{
+  memset (x, 0, (size_t) n * sizeof (double));
+}
+
+static void
+periods (const double *cst, double *period, double *delay)
+{
+  ((void (*) (const double *, double *, double *)) emitted ("ctp")) (cst, period, delay);
+}
+
+/* the room of run I; INFO of PRE */
+static int
+prepare (const gs_sweep *s, gs_room *r, long long i)
+{
+  int info = 0;
+  copy (r->par, s->par.x, S->npar);
+  for (long long k = 0; k < s->varied; k++)
+    r->par[s->which[k] - 1] = s->samples.x[s->varied * i + k];
+  copy (r->cst, s->cst.x, s->cst.n);
+  ((void (*) (double *, double *, int *)) emitted ("pre")) (r->par, r->cst, &info);
+  copy (r->x0, s->x0.x, S->nx);
+  zero (r->w, s->lw);
+  zero (r->xout, s->ldx * s->tout.n);
+  zero (r->vout, s->ldv * s->tout.n);
+  zero (r->rstat, 20);
+  memset (r->istat, 0, 20 * sizeof (int));
+  r->info = 0;
+  r->text[0] = 0;
+  copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
+  memcpy (r->ip, s->ip, (size_t) s->nip * sizeof (int));
+  copy (r->rp, s->rp.x, s->rp.n);
+  if (S->nctl > 0 && info == 0)
+    {
+      gs_scene scene = { .nv = S->nv, .nctl = S->nctl, .ctp = periods };
+      gs_due_from (&scene, s->t0, r->cst, r->ip, r->rp);
+    }
+  r->times[0] = s->t0;
+  copy (r->times + 1, s->tout.x, s->tout.n);
+  copy (r->times + 1 + s->tout.n, s->tbrk.x, s->tbrk.n);
+  copy (r->options, s->ropt.x, s->ropt.n);
+  copy (r->options + s->ropt.n, s->atol.x, s->atol.n);
+  memcpy (r->iopt, s->iopt, (size_t) s->niopt * sizeof (int));
+  return info;
+}
+
+typedef void simulate (gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub,
+                       gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, const int *, double *, double *,
+                       int *, double *, int *, double *, double *, double *, double *, int *,
+                       double *, double *, int *);
+
+static void
+by_gssim (const gs_sweep *s, gs_room *r)
+{
+  const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, (int) s->tbrk.n,
+                        s->lw };
+  const gsmbp_sub *f = s->sub;
+  ((simulate *) gssim_) (f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10], sizes,
+                         r->times, r->x0, r->iopt, r->options, r->ip, r->rp, r->cst, r->xout,
+                         r->vout, r->istat, r->rstat, r->w, &r->info);
+}
+
+/* from the start, or on from where GSSIM found its steps bound by stability */
+static void
+by_implicit (const gs_sweep *s, gs_room *r, int resume)
+{
+  const gsmbp_sub *f = s->sub;
+  gsmbp_run g = {
+    .rhs = f[0], .prj = f[1], .con = f[2], .kin = f[3], .cmd = f[4], .clo = f[5], .vin = f[6],
+    .out = f[7], .ctl = f[8], .jac = emitted ("jac"), .gsfun = gsfun_, .gsinp = gsinp_,
+    .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_, .gspnw = gspnw_, .gspbg = gspbg_,
+    .gsdue = gsdue_, .nq = S->nq, .nu = S->nu, .nx = s->nx, .nv = S->nv, .ny = S->ny,
+    .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,
+    .x0 = r->x0, .nt = (int) s->tout.n, .nb = (int) s->tbrk.n, .tout = r->times + 1,
+    .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
+    .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
+    .vout = r->vout, .ldx = s->ldx, .ldv = s->ldv, .istat = r->istat, .rstat = r->rstat, .w = r->w,
+    .text = r->text, .length = (int) sizeof r->text
+  };
+  r->info = s->implicit_method (&g);
+}
+
+static int
+fine (const double *x, int n)
+{
+  for (int i = 0; i < n; i++)
+    if (! (fabs (x[i]) <= 1e300))
+      return 0;
+  return 1;
+}
+
+/* outputs at the times that were reached, not a number where there are none */
+static void
+outputs (const gs_sweep *s, gs_room *r, long long reached)
+{
+  gsmbp_sub out = S->ny > 0 ? emitted ("out") : NULL;
+  for (long long k = 0; k < s->tout.n; k++)
+    {
+      double *y = r->yout + S->ny * k, *x = r->xout + s->ldx * k, *v = r->vout + s->ldv * k;
+      double one[S->ny + 1], t = s->tout.x[k];
+      int info = 0;
+      for (int j = 0; j < S->ny; j++)
+        y[j] = NAN;
+      if (! out || k >= reached || ! fine (x, S->nx) || ! fine (v, S->nv))
+        continue;
+      ((void (*) (double *, double *, double *, double *, double *, int *)) out) (&t, x, v, r->cst,
+                                                                                 one, &info);
+      if (info == 0 || info == 2)
+        copy (y, one, S->ny);
+    }
+}
+
+/* state, input or output NUMBER (from 1) at time K; not a number from REACHED on */
+static double
+value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long long reached)
+{
+  int j = number - 1;
+  if (k >= reached)
+    return NAN;
+  if (j < S->nx)
+    return r->xout[s->ldx * k + j];
+  j -= S->nx;
+  return j < S->nv ? r->vout[s->ldv * k + j] : r->yout[S->ny * k + j - S->nv];
+}
+
+/* sum of the trapezoidal rule as gsmbp__kept has it, of the POWER 1 or 2 */
+static double
+mean (const gs_sweep *s, const gs_room *r, int number, long long reached, int power)
+{
+  double sum = 0, before = 0;
+  const double *t = s->tout.x;
+  for (long long k = 0; k < s->tout.n; k++)
+    {
+      double z = value_at (s, r, number, k, reached);
+      z = power == 2 ? z * z : z;
+      if (k > 0)
+        sum = sum + (t[k] - t[k - 1]) * (z + before);
+      before = z;
+    }
+  return sum / (2 * (t[s->tout.n - 1] - t[0]));
+}
+
+/* the largest of SIGN times the value, or of its modulus where SIGN is 0; numbers alone count */
+static double
+largest (const gs_sweep *s, const gs_room *r, int number, long long reached, int sign)
+{
+  double most = NAN;
+  for (long long k = 0; k < s->tout.n; k++)
+    {
+      double z = value_at (s, r, number, k, reached);
+      z = sign == 0 ? fabs (z) : sign * z;
+      if (! (z <= most) && ! isnan (z))
+        most = z;
+    }
+  return sign < 0 ? -most : most;
+}
+
+static double
+kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
+{
+  int number = s->number[k];
+  switch (s->way[k])
+    {
+    case GS_PEAK:
+      return largest (s, r, number, reached, 0);
+    case GS_MAX:
+      return largest (s, r, number, reached, 1);
+    case GS_MIN:
+      return largest (s, r, number, reached, -1);
+    case GS_MEAN:
+      return mean (s, r, number, reached, 1);
+    case GS_RMS:
+      return sqrt (mean (s, r, number, reached, 2));
+    default:
+      return value_at (s, r, number, s->time[k] - 1, reached);
+    }
+}
+
+/* the row: ok, the time that was reached, what is kept, whole runs */
+static void
+fill (const gs_sweep *s, const gs_room *r, int ok, double reached_time, long long reached,
+      double *row)
+{
+  long long at = 0;
+  *row++ = ok;
+  *row++ = reached_time;
+  for (long long k = 0; k < s->kept + s->wholes; k++)
+    if (s->way[k] != GS_WHOLE)
+      row[at++] = ok ? kept (s, r, k, reached) : NAN;
+  for (long long k = 0; k < s->kept + s->wholes; k++)
+    for (long long i = 0; i < s->tout.n && s->way[k] == GS_WHOLE; i++)
+      row[at++] = value_at (s, r, s->number[k], i, reached);
+}
+
+/* how far the start was moved, in usual sizes */
+static double
+moved (const gs_sweep *s, const gs_room *r)
+{
+  double most = 0;
+  for (int j = 0; j < S->nx; j++)
+    {
+      double off = fabs (r->xout[j] - s->x0.x[j]) / s->nominal.x[j];
+      most = off > most ? off : most;
+    }
+  return most;
+}
+
+/* what INFO of a subroutine says */
+static const char *
+meaning (const char *name, int info)
+{
+  const char *text
+      = "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
+  if (info == -1 && strcmp (name, "pre") == 0)
+    return "argument par (the parameters) is out of range or not finite";
+  if (info < 0)
+    return "an argument is out of range or not finite";
+  for (const gsmbp_meaning *m = S->meanings; m->name; m++)
+    if (strcmp (name, m->name) == 0 && (m->info == info || (m->and_above && info > m->info)))
+      text = m->text;
+  return text;
+}
+
+/* why a run ended, as gsmbp_simulate says it */
+static void
+failure (const gs_room *r, char *why)
+{
+  static const char *const routine[]
+      = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
+          "OUT or a sampled device", "an event" };
+  static const char *const names[] = { "cmd", "rhs", "prj", "con", "prj", "out", "rst" };
+  double t = r->rstat[7];
+  int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] - 1 : 0;
+  switch (r->info)
+    {
+    case 1:
+      snprintf (why, GS_WHY, "more steps than option maxsteps allows, at t = %.9g s", t);
+      break;
+    case 2:
+      snprintf (why, GS_WHY, "the step became too small at t = %.9g s: a singularity, or too "
+                "small a tolerance", t);
+      break;
+    case 3:
+      snprintf (why, GS_WHY, "%s failed with INFO = %d at t = %.9g s: %s", routine[who],
+                r->istat[5], t, meaning (names[who], r->istat[5]));
+      break;
+    case 4:
+      snprintf (why, GS_WHY, "the state is no longer finite at t = %.9g s: take smaller steps", t);
+      break;
+    case 6:
+      snprintf (why, GS_WHY, "the method stopped at t = %.9g s with flag %d: %.300s", t,
+                r->istat[18], r->text);
+      break;
+    case 7:
+      snprintf (why, GS_WHY, "there was no memory for the method");
+      break;
+    case 8:
+      snprintf (why, GS_WHY, "a rate of the states is not finite at t = %.9g s", t);
+      break;
+    default:
+      snprintf (why, GS_WHY, "GSSIM: INFO = %d", r->info);
+    }
+}
+
+/* one that was not begun */
+static void
+never (const gs_sweep *s, const gs_room *r, double *row)
+{
+  fill (s, r, 0, s->t0, 0, row);
+}
+
+void
+gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why)
+{
+  why[0] = 0;
+  if (s->broken[i])
+    {
+      snprintf (why, GS_WHY, "%.*s", (int) strcspn (s->broken[i], "\n"), s->broken[i]);
+      return never (s, r, row);
+    }
+  int pre = prepare (s, r, i);
+  if (pre != 0)
+    {
+      snprintf (why, GS_WHY, "its parameters cannot be: %s", meaning ("pre", pre));
+      return never (s, r, row);
+    }
+  int stiff = r->iopt[0] == 0;
+  if (! stiff)
+    by_gssim (s, r);
+  if (s->implicit_method && (stiff || r->info == 5))
+    by_implicit (s, r, ! stiff);
+  long long reached = r->istat[4];
+  outputs (s, r, reached);
+  double off = moved (s, r);
+  int far = s->check_start && off > 1e-6 && (S->nlam > 0 || S->nq > S->nu);
+  if (r->info != 0)
+    failure (r, why);
+  else if (far)
+    snprintf (why, GS_WHY, "its start was moved by %.3g onto its constraints (\"start\", "
+              "\"project\" lets it)", off);
+  int ok = r->info == 0 && ! far;
+  fill (s, r, ok, ok ? s->tout.x[s->tout.n - 1] : r->rstat[7], far ? 0 : reached, row);
+}

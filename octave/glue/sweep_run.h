@@ -1,0 +1,46 @@
+/* One run of a sweep without Octave: the job's numbers, the scene's subroutines, GSSIM or an
+   implicit method, what is kept.  A run is a function of its number alone. */
+#ifndef GSMBP_GLUE_SWEEP_RUN_H
+#define GSMBP_GLUE_SWEEP_RUN_H
+#include "gsmbp_implicit.h"
+#include "sweep_files.h"
+
+enum { GS_SUBS = 11 };   /* subroutines that GSSIM takes */
+enum { GS_FINAL = 1, GS_PEAK, GS_MAX, GS_MIN, GS_MEAN, GS_RMS, GS_AT, GS_WHOLE };
+
+typedef struct
+{
+  const double *x;
+  long long n;
+} gs_array;
+
+typedef struct
+{
+  const gs_job *job;
+  gs_array cst, x0, tout, tbrk, ropt, atol, rp, guess, par, samples, nominal;
+  int *ip, *iopt, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
+  long long nip, niopt, varied, runs, kept, wholes, columns;
+  int nx, ldx, ldv, lw, order, of_state, check_start;
+  double t0;
+  gsmbp_sub sub[GS_SUBS];
+  gsmbp_run_function *implicit_method;   /* a null pointer: GSSIM alone */
+  const char **broken;                   /* for each run: why its parameters cannot be, or null */
+} gs_sweep;
+
+typedef struct
+{
+  double *cst, *x0, *xout, *vout, *yout, *rstat, *w, *rp, *par, *times, *options;
+  int *ip, *istat, *iopt;
+  char text[400];
+  int info;
+} gs_room;
+
+/* 0, or WHY says what is wrong; the job has to stay */
+int gs_open_sweep (gs_sweep *s, const gs_job *job, char *why);
+void gs_close_sweep (gs_sweep *s);
+gs_room *gs_make_room (const gs_sweep *s);
+void gs_free_room (gs_room *r);
+
+/* run I (from 0) into ROW (s->columns); WHY: "", or why it failed */
+void gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why);
+#endif

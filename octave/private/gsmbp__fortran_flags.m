@@ -1,0 +1,28 @@
+## [flags, common] = gsmbp__fortran_flags (precision)
+## The options of the compiler for the Fortran of a scene, and for that of the run time, which all
+## scenes share, in that PRECISION, "double" or "quad".
+
+function [flags, common] = gsmbp__fortran_flags (precision)
+  ## never -ffast-math: it deletes the tests for what is no number.  Statements
+  ## are not packed into vectors: a copy of a number that is computed so may
+  ## differ in its last bit (M would not be symmetric), and GSSC is slower.  The
+  ## small loops of the run time are faster without the vectorization of -O3, on
+  ## places of their own in the cache, and copies of three numbers without a call
+  ## of memcpy.
+  ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
+  flags = ["-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
+  common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
+            flags(4:end)];
+  if (strcmp (precision, "quad"))
+    flags = common = "-O2 -march=native -freal-8-real-16 -frecursive -fPIC";
+  endif
+endfunction
+
+## gcc prefers vectors of 256 bits where the processor has 512; an option of
+## the x86 compilers only
+function option = widest ()
+  option = "";
+  if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
+    option = " -mprefer-vector-width=512";
+  endif
+endfunction

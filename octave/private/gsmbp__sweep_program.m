@@ -1,0 +1,121 @@
+## file = gsmbp__sweep_program (who, s, records, folder)
+## The program of a sweep in a FOLDER of its own: Fortran and C, a Makefile, the job, a script for
+## Slurm; built there.  S: as of gsmbp__sweep_runs; RECORDS: of gsmbp__sweep_records.  FILE: the
+## program.
+
+function file = gsmbp__sweep_program (who, s, records, folder)
+  m = s.m;
+  if (! strcmp (m.precision, "double"))
+    error ("%s: option program: expected a model in double precision, found %s", who, m.precision);
+  endif
+  folder = make_absolute_filename (folder);
+  gsmbp__folder (who, folder);
+  p = run_of (who, s);
+  library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');
+  records = [records; run_records(s, p, library); plan_records(m, p)];
+  take_sources (who, m, folder);
+  put (who, fullfile (folder, "gsmbp_sizes.h"), ...
+       gsmbp__sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
+  put (who, fullfile (folder, "Makefile"), makefile (library));
+  gsmbp__write (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", m.name));
+  gsmbp__write (who, fullfile (folder, "sweep.job"), gsmbp__sweep_job (records));
+  take_archive (who, m, fullfile (folder, "build"));
+  gsmbp__run (who, sprintf ("cd '%s' && make", strrep (folder, "'", "'\\''")));
+  file = fullfile (folder, "sweep");
+endfunction
+
+## the run, laid out
+function p = run_of (who, s)
+  m = s.m;
+  known = gsmbp__simulate_options (any (strcmp (m.subroutines, "con")) && m.sizes.nlam > 0);
+  k = find (ismember (s.rest(1:2:end), {"sensitivity", "dx0", "fixed", "audit", "samples"}), 1);
+  if (! isempty (k))
+    error ("%s: option %s is for one run alone, by gsmbp_simulate", who, s.rest{2*k-1});
+  endif
+  o = gsmbp__options (who, known, s.rest);
+  if (is_function_handle (o.input))
+    error (["%s: option input: expected constants, a piecewise polynomial or \"user\", found a " ...
+            "function of Octave, which cannot run on several cores"], who);
+  endif
+  o.samples = false;
+  p = gsmbp__run_setup (who, m, s.x0, s.times, o);
+endfunction
+
+## numbers, and the runs whose parameters break a rule of the scene
+function records = run_records (s, p, library)
+  m = s.m;
+  [~, which] = ismember (s.names, fieldnames (m.par));
+  broken = gsmbp__broken_rules (m, cell2struct (num2cell (s.table, 1), s.names, 2));
+  lines = cellfun (@(i, why) sprintf ("%d\t%s\n", i, strrep (why, "\n", " ")), ...
+                   num2cell (find (! strcmp (broken, ""))), broken(! strcmp (broken, "")), ...
+                   "UniformOutput", false);
+  kept = s.kept;
+  records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
+             "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
+             "nominal", m.nominal; "par", cellfun(@double, struct2cell (m.par))
+             "check_start", strcmp(p.o.start, "check")};
+endfunction
+
+function records = plan_records (m, p)
+  a = p.arguments;
+  [ip, rp, iopt, sizes, called] = m.module ("job", a{:});
+  records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
+             "atol", a{10}; "guess", a{12}; "order", a{15}(1); "of_state", a{15}(2); "ip", ip
+             "rp", rp; "iopt", iopt; "sizes", sizes; "called", called};
+endfunction
+
+function take_sources (who, m, folder)
+  glue = {"gsmbp_scene.c", "gsmbp_scene.h", "gsmbp_implicit.h", "implicit.c", "implicit.h", ...
+          "gsmbp_radau.c", "gsmbp_cvode.c", "radau_rule.c", "radau_rule.h", "radau_solve.c", ...
+          "radau_solve.h", "sweep_files.c", "sweep_files.h", "sweep_table.c", "sweep_run.c", ...
+          "sweep_run.h", "sweep_program.c"};
+  for name = glue
+    take (who, gsmbp__place ("octave", "glue", name{1}), fullfile (folder, "glue"));
+  endfor
+  fortran = gsmbp__place ("share", "fortran");
+  for file = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", "lapack", ...
+                                                                   "*.f"))]'
+    take (who, file{1}, fullfile (folder, "fortran"));
+  endfor
+  for file = glob (gsmbp__place ("share", "c", "gsmbp", "*.h"))'
+    take (who, file{1}, fullfile (folder, "c", "gsmbp"));
+  endfor
+  take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
+  put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
+  if (! isempty (m.sources{2}))
+    put (who, fullfile (folder, "input.f"), fileread (m.sources{2}));
+  endif
+endfunction
+
+## what the modules share is what the program links
+function take_archive (who, m, folder)
+  gsmbp__folder (who, folder);
+  file = fullfile (fileparts (fileparts (m.file)), "common", "libgsmbp.a");
+  put (who, fullfile (folder, "libgsmbp.a"), fileread (file));
+endfunction
+
+function take (who, file, folder)
+  [~, name, kind] = fileparts (file);
+  put (who, fullfile (folder, [name kind]), fileread (file));
+endfunction
+
+## a file that says the same keeps its time: make compiles what has changed
+function put (who, file, text)
+  if (! exist (file, "file") || ! strcmp (fileread (file), text))
+    gsmbp__write (who, file, text);
+  endif
+endfunction
+
+function text = makefile (library)
+  [flags, common] = gsmbp__fortran_flags ("double");
+  text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
+                 "@runtime@", common, "@method@", library);
+endfunction
+
+## a file of share/sweep, its marks filled in
+function text = filled (name, varargin)
+  text = fileread (gsmbp__place ("share", "sweep", name));
+  for k = 1:2:numel (varargin)
+    text = strrep (text, varargin{k}, varargin{k+1});
+  endfor
+endfunction

@@ -1,0 +1,82 @@
+## The program of a sweep, Fortran and C without Octave: its table is, bit for bit, that of Octave,
+## with loops, events, samples, implicit methods, rules that are broken, runs that fail, from any
+## number of threads; it goes on with what Octave began, and Octave with what it began.
+
+function test_sweep_program ()
+  warning ("off", "gsmbp:stiff", "local");
+  folder = tempname ();
+  mkdir (folder);
+  tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+  before = getenv ("MPI");
+  setenv ("MPI", "no");
+  back = onCleanup (@() setenv ("MPI", before));
+  axis = gsmbp_hand ("motor_pendulum");
+  axis.json.rules = struct ("place", "link arm", "rule", "positive", "parameters", {{"m", "l"}}, ...
+                            "values", {{"p1*p2^2"}});
+  vary = struct ("m", [-0.2, 1.2], "l", {{"normal", 0.5, 0.01}});
+  keep = {"rms q", "at 0.1 q", "whole drive.i", "min q_d", "mean drive.i", "peak q", "max q"};
+  same (folder, "axis", axis, {[0.1 0 0], 0:0.1:0.5, "vary", vary, "input", 3, "keep", keep, ...
+                               "plan", "random", "runs", 60});
+  few = {[0.1 0 0], 0:0.1:1, "vary", struct("m", [1, 1.2]), "runs", 5};
+  same (folder, "short of steps", axis, [few, {"maxsteps", 12}]);
+  for method = {"rk4", "radau", "auto"}
+    step = {{}, {"step", 1e-3}}{1 + strcmp(method{1}, "rk4")};
+    same (folder, method{1}, axis, [few, {"input", 3, "method", method{1}}, step]);
+  end
+  crank = gsmbp_fixture ("case_02a_motor");
+  x0 = gsmbp_assemble (crank, [0.3; -0.1; 0; zeros(4, 1)]);
+  same (folder, "loops", crank, {x0, 0:0.1:0.5, "vary", struct("La", [0.02, 0.03], "l2", ...
+        crank.par.l2 * [1, 1 + 1e-4]), "runs", 9, "input", 5});
+  drive = gsmbp_fixture ("sampled_drive");
+  name = fieldnames (drive.par){1};
+  same (folder, "samples", drive, {[0; 0], 0:0.05:1, "vary", struct(name, drive.par.(name) * ...
+        [0.9, 1.1]), "input", 1, "runs", 9});
+  ball = gsmbp_fixture ("event_ball");
+  name = fieldnames (ball.par){1};
+  same (folder, "events", ball, {ball.initial, 0:0.05:1, "vary", struct(name, ...
+        ball.par.(name) * [0.9, 1.1]), "runs", 9});
+  refused (axis, few, folder);
+end
+
+function same (folder, what, m, given)
+  place = fullfile (folder, "program");
+  files = fullfile (folder, {"octave.h5", "sweep.h5"});
+  w = gsmbp_sweep (m, given{:}, "file", files{1});
+  p = gsmbp_sweep (m, given{:}, "program", place);
+  [code, said] = system (sprintf ("cd / && %s -t 3 -o %s 2>&1", p.program, files{2}));
+  gsmbp_check ([what ": the program ends well: " strtrim(strrep (said, folder, ""))], code == 0);
+  [a, b] = deal (load ("-hdf5", files{1}), load ("-hdf5", files{2}));
+  fields = {"table", "ok", "reached", "names", "units", "description"};
+  alike = cellfun (@(f) isequaln (a.(f), b.(f)), fields);
+  if (isfield (a, "whole"))
+    alike(end+1) = isequaln (a.whole, b.whole);
+  end
+  if (isfield (a, "failed"))
+    alike(end+1) = isequal (a.failed.run, b.failed.run) && reasons (a, b);
+  end
+  gsmbp_check (sprintf ("%s: the table of Octave, bit for bit; %d of %d runs failed", what, ...
+                        nnz (! w.ok), numel (w.ok)), all (alike));
+  r = gsmbp_sweep (m, given{:}, "file", files{2}, "resume", true);
+  gsmbp_check ([what ": Octave takes it for its own"], isequaln (r.values, w.values));
+  cellfun (@delete, files);
+end
+
+## what Octave adds to a reason, the program does not know
+function is = reasons (a, b)
+  [a, b] = deal (cellstr (a.failed.reason), cellstr (b.failed.reason));
+  is = all (cellfun (@(x, y) strncmp (x, y, numel (y)) && ! isempty (y), a, b));
+end
+
+function refused (m, few, folder)
+  wrong = {{"input", @(t, x) 1}, "found a function of Octave"
+           {"audit", 1}, "option audit is for one run alone"};
+  for k = 1:rows (wrong)
+    said = "";
+    try
+      gsmbp_sweep (m, few{:}, wrong{k,1}{:}, "program", folder);
+    catch err
+      said = err.message;
+    end
+    gsmbp_check (["refused: " said], ! isempty (strfind (said, wrong{k,2})));
+  end
+end
