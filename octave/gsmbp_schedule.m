@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Linear models and control
 ## @deftypefn  {} {@var{c} =} gsmbp_schedule (@var{laws}, @var{signal}, @var{values})
+## @deftypefnx {} {@var{c} =} gsmbp_schedule (@dots{}, "start", @var{k})
 ## A gain schedule: controllers for several trims as one, blended by what is measured.
 ##
 ## @var{laws} is a cell array of two or more controllers of @code{gsmbp_control} or
@@ -11,7 +12,8 @@
 ## Limits and converters are those of the first.
 ##
 ## @var{c} is for @code{gsmbp_build} and @code{gsmbp_controller} as any controller.  It starts at
-## the trim of the first.  @code{gsmbp_loop} tells margins of each of the @var{laws} at its own
+## the trim of number @var{k} of the laws (default 1): references and held outputs are there.
+## @code{gsmbp_loop} tells margins of each of the @var{laws} at its own
 ## trim.
 ##
 ## @c session control
@@ -25,16 +27,18 @@
 ##     0   10
 ## @end example
 ##
-## Errors: controllers that do not fit together; an unknown signal; values that do not increase.
+## Errors: controllers that do not fit together; an unknown signal; values that do not increase; a
+## start that is none of the laws.
 ## Source: own: blended laws.
 ## @seealso{gsmbp_control, gsmbp_pid, gsmbp_build, gsmbp_controller, gsmbp_lqr}
 ## @end deftypefn
 
-function c = gsmbp_schedule (laws, signal, values)
-  if (nargin != 3)
+function c = gsmbp_schedule (laws, signal, values, varargin)
+  if (nargin < 3)
     print_usage ();
   endif
   who = "gsmbp_schedule";
+  o = gsmbp__options (who, {"start", 1, "number"}, varargin);
   if (! (iscell (laws) && numel (laws) > 1))
     error ("%s: argument laws: expected a cell array of two or more controllers, found %s", who, ...
            gsmbp__shown (laws));
@@ -64,6 +68,13 @@ function c = gsmbp_schedule (laws, signal, values)
     error ("%s: argument values: expected %d strictly increasing numbers, found %s", who, ...
            numel (laws), gsmbp__shown (values));
   endif
+  if (! any (o.start == 1:numel (laws)))
+    error ("%s: option start: expected the number of one of the %d laws, found %g", who, ...
+           numel (laws), o.start);
+  endif
+  for field = {"y0", "r0", "u0"}
+    c.(field{1}) = laws{o.start}.(field{1});
+  endfor
   c.schedule = struct ("signal", j, "values", double (values(:)'), "laws", {laws(:)'});
 endfunction
 
@@ -74,4 +85,5 @@ endfunction
 %! assert (c.schedule.signal, 1);
 %! fail ("gsmbp_schedule ({law(1), law(4)}, \"y2\", [0 10])", "expected one of what is measured");
 %! fail ("gsmbp_schedule ({law(1), law(4)}, \"y1\", [10 0])", "strictly increasing");
+%! fail ("gsmbp_schedule ({law(1), law(4)}, \"y1\", [0 1], \"start\", 3)", "2 laws, found 3");
 %!error <expected a cell array of two> gsmbp_schedule (1, "y", 1)

@@ -124,7 +124,7 @@ K = {...
   "H-infinity", gsmbp_control(m, e, "hinf", "weights", {tf(0.5, [0.2 1]), 0.01, []}, ...
                               common{:}, encoder{:})
   "PID, Ms 1.6", gsmbp_pid(m, e, "pid", "ms", 1.6, "Ti", 0.4, "Td", 0.1, common{:}, encoder{:})
-  "schedule of five LQR", gsmbp_schedule(laws, "angle", places)};
+  "schedule of five LQR", gsmbp_schedule(laws, "angle", places, "start", 3)};
 text = "";
 for k = 1:rows (K)
   loop = K{k,2};
