@@ -52,6 +52,9 @@
 ## of the runs alone
 ## @item lanes
 ## whether they were in lanes
+## @item stopped
+## "interrupted" by Ctrl-C or "timeout" (that of all runs together), with what there is so far
+## and a warning (@code{gsmbp:stopped}); else ""
 ## @end table
 ##
 ## @c session octave
@@ -91,6 +94,8 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
+  done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
+  e.stopped = gsmbp__stopped (who, m, max ([0, info(1,info(1,:) >= 9)]), done, true);
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction
 
@@ -245,7 +250,9 @@ function e = judged (e, p, rows, counts, values, info, extent)
 endfunction
 
 function text = reason (m, info, counts, values, moved, last)
-  if (info(2) != 0)
+  if (any (info(1) == [9, 10]) && counts(1) == 0)
+    text = {"not begun: interrupted by Ctrl-C", "not begun: ended by option timeout"}{info(1) - 8};
+  elseif (info(2) != 0)
     text = ["its parameters cannot be: " m.module("meaning", "pre", info(2))];
   elseif (info(1) != 0)
     text = gsmbp__failure (m, info(1), counts, values, "", last);

@@ -44,6 +44,8 @@
 ## @code{m.nominal}: what is below is raised to that, with a warning
 ## @item "maxstep", "maxsteps"
 ## the largest step [s], the largest number of steps; 0 (default): no limit
+## @item "timeout"
+## the wall time [s] after which the run ends with the rows so far; 0 (default): no limit
 ## @item "maxorder"
 ## radau: the largest order, 5, 9 or 13 (default); cvode: 1 to 5 (default).  Above 2 BDF
 ## is unstable for fast oscillations with hardly any damping: where cvode takes steps as
@@ -240,6 +242,11 @@
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
 ##
+## Ctrl-C ends the run, and not what called it (a second one within half a second does), and so does
+## "timeout": no error.  The rows so far are those of the whole run, bit by bit;
+## @code{stats.stopped} is "interrupted" or "timeout" (else ""), @var{info} is 9 or 10, and where
+## it is not taken a warning (@code{gsmbp:stopped}) says so.
+##
 ## @c session octave
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
@@ -317,7 +324,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);
   gsmbp__run_warnings (who, m, result.stats);
-  if (info != 0 && nargout < 2)
+  at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
+  result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
+  if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
     if (info == 3 && counts(7) == 8 && counts(6) < 4)
       gsmbp__no_beginning (who, m, times(1), x0, counts(6));
     endif
@@ -328,7 +337,7 @@ endfunction
 
 ## the same run without derivatives, at other times
 function r = states_alone (m, x0, times, options)
-  drop = find (ismember (options(1:2:end), {"sensitivity", "dx0", "fixed"}));
+  drop = find (ismember (options(1:2:end), {"sensitivity", "dx0", "fixed", "timeout"}));
   options([2*drop-1, 2*drop]) = [];
   for id = {"stiff", "singular", "margin", "angles", "tolerance"}
     warning ("off", ["gsmbp:" id{1}], "local");

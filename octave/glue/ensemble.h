@@ -56,7 +56,8 @@ public:
 
   // lanes: whether runs are in lanes where they can be
   ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
-    : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0)
+    : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
+      m_done (0)
   {
     m_x = m_results.x.fortran_vec ();
     m_v = m_results.v.fortran_vec ();
@@ -94,6 +95,7 @@ private:
     reals one = room (S.ny);
     m_s.go_on (l.r, l.ip, l.rp);
     keep (l.i, l.r, one);
+    the_patience->reached (++m_done);
   }
 #endif
 
@@ -102,15 +104,21 @@ private:
   const bool m_lanes;
   ensemble_results m_results;
   double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info;
-  std::atomic<int> m_next;
+  std::atomic<int> m_next, m_done;
   std::mutex m_plan;
 };
 
-// the room of run I; false where its parameters cannot be
+// the room of run I; false where its parameters cannot be, or all is to end
 bool
 ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
 {
   const ensemble_rows& m = m_rows;
+  if (the_patience->why () != patience::none)
+    {
+      m_info[2 * i] = the_patience->why ();   // no calls
+      m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
+      return false;
+    }
   r = m_s;
   if (! m.table.isempty ())
     {
@@ -197,6 +205,7 @@ ensemble::work (int most)
       {
         m_s.run (r, ip, rp);
         keep (i, r, one);
+        the_patience->reached (++m_done);
       }
 }
 
@@ -226,7 +235,9 @@ do_ensemble (arguments& a, int)
     error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   auto begin = std::chrono::steady_clock::now ();
   ensemble all (s, rows, lanes);
+  patience p (s.rhs, s.timeout, 0, rows.n, "runs");
   all.run_all (threads);
+  p.settle ();
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
   return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes ());

@@ -13,6 +13,14 @@
 #include "adjoint.h"
 #include "collocation.h"
 
+// what Ctrl-C is to Octave
+static octave_value_list
+do_interrupt (arguments&, int)
+{
+  octave::interpreter::the_interpreter ()->recover_from_exception ();
+  throw octave::interrupt_exception ();
+}
+
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
     = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "job", do_job },
@@ -23,7 +31,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "program at", do_program_at }, { "program part", do_program_part },
         { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
-        { "solve", do_solve }, { "calls", do_calls } };
+        { "solve", do_solve }, { "interrupt", do_interrupt }, { "calls", do_calls } };
 
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)

@@ -123,6 +123,7 @@ private:
   void park (int lane);
   void take_numbers (int lane);
   bool any (void) const;
+  bool left (void);
 
   void step_8 (void);
   void rates_8 (void);
@@ -192,11 +193,23 @@ lane_group::run_all (void)
   for (int k = 1; k < lane_count && any (); k++)
     if (! m_l[k].started)   // it goes on with numbers that are good
       take_numbers (k);
-  while (any ())
+  while (any () && ! left ())
     if (m_iopt[0] == 4)
       step_4 ();
     else
       step_8 ();
+}
+
+// were all runs ended from outside?  Then those of the lanes are where they stand.
+bool
+lane_group::left (void)
+{
+  if (! patience::asked () || ! the_patience->look (0))
+    return false;
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].busy)
+      end (k, the_patience->why ());
+  return true;
 }
 
 // the next run that does not end at once; without one the lane goes on with numbers that are good

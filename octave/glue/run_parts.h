@@ -2,6 +2,7 @@
 // library of CVODE.
 #pragma once
 
+#include "patience.h"
 #include "run_plan.h"
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
@@ -16,7 +17,9 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
                   const int *nv, const int *, const number *, const number *,
                   number *v, int *info)
 {
-  *info = 0;
+  *info = the_patience->why () == patience::none ? 0 : -1000;
+  if (*info != 0)
+    return;
   try
     {
       Matrix state (*nx, 1);
@@ -31,9 +34,16 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
       for (int i = 0; i < *nv; i++)
         v[i] = given[i];
     }
+  catch (const octave::interrupt_exception&)
+    {
+      octave::interpreter::the_interpreter ()->recover_from_exception ();
+      the_patience->stop (patience::interrupted);
+      *info = -1000;
+    }
   catch (...)
     {
       *the_failure = std::current_exception ();
+      the_patience->stop (patience::failed);
       *info = -1000;
     }
 }

@@ -44,6 +44,7 @@ struct simulation : run_room
   gsmbp_run_function *implicit_method = nullptr;
 #endif
   std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too
+  double timeout;              // wall time [s]; 0: none
 
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
 
@@ -56,6 +57,8 @@ private:
   void make_room (const reals& guess);
   void find_routines (void);
   void by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const;
+  void by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
+                 const int *counts, const number *options) const;
 #if ! defined (GSMBP_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const;
 #endif
@@ -92,6 +95,7 @@ simulation::simulation (arguments& a)
     implicit_method = implicit_run (library);
 #endif
   implicit = a.integers ("largest order, inputs of state", 2);
+  timeout = double (a.scalar ("timeout"));
   plan->due_from (double (t0), cst);
   if (carries ())
     with_run (*columns, *plan, cst, ropt[1], atol);
@@ -122,7 +126,7 @@ simulation::make_room (const reals& guess)
   lw = 2 * S.nu * (plan->ip[GS_DERIVATIVES] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu
        + 10 * S.nq + 7 * S.nlam + 3 * S.nlam * S.nu + 60;
   w = room (lw);
-  xout = room (ldx * nt);
+  xout.assign (std::size_t (ldx) * nt, no_number);   // where a run is left
   vout = room (ldv * nt);
   rstat = room (statistics);
   istat.assign (statistics, 0);
@@ -192,9 +196,24 @@ simulation::by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const
   times.insert (times.end (), tout.begin (), tout.begin () + nt);
   times.insert (times.end (), tbrk.begin (), tbrk.begin () + nb);
   options.insert (options.end (), atol.begin (), atol.end ());
-  fortran {gssim_} (rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst, sizes, &times[0],
-                    &r.x0[0], &counts[0], &options[0], &ip[0], &rp[0], &r.cst[0], &r.xout[0],
-                    &r.vout[0], &r.istat[0], &r.rstat[0], &r.w[0], &r.info);
+  by_gssim (r, &ip[0], &rp[0], sizes, &times[0], &counts[0], &options[0]);
+}
+
+// what is left behind by the jump out of the right-hand side are frames of Fortran
+void
+simulation::by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
+                      const int *counts, const number *options) const
+{
+  const gsmbp_sub rates = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
+  std::jmp_buf out;
+  the_exit = &out;
+  if (setjmp (out) == 0)
+    fortran {gssim_} (rates, prj, con, kin, cmd, clo, vin, this->out, ctl, evt, rst,
+                      sizes, times, &r.x0[0], counts, options, ip, rp, &r.cst[0], &r.xout[0],
+                      &r.vout[0], &r.istat[0], &r.rstat[0], &r.w[0], &r.info);
+  else
+    r.info = the_patience->why ();
+  the_exit = nullptr;
 }
 
 #if ! defined (GSMBP_QUAD)
@@ -226,7 +245,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   reals times = tout, breaks = tbrk, options = ropt, absolute = atol;
   std::vector<int> counts = iopt;
   take_scene (g);
-  g.rhs = rhs;
+  g.rhs = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
   g.prj = prj;
   g.con = con;
   g.kin = kin;
@@ -263,6 +282,8 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.text = &r.text[0];
   g.length = int (r.text.size ());
   r.info = implicit_method (&g);
+  if (r.info != 0 && the_patience->why () != patience::none)
+    r.info = the_patience->why ();
 }
 #endif
 
@@ -298,8 +319,9 @@ simulation::results (void)
   Matrix counters (octave_idx_type (istat.size ()), 1);
   for (std::size_t i = 0; i < istat.size (); i++)
     counters(i) = istat[i];
-  Matrix inputs = S.nv > 0 ? result (vout, S.nv, nt) : Matrix (0, nt);
-  octave_value_list list = ovl (result (xout, nx, nt), inputs, counters,
+  const int n = std::min (nt, istat[4] + 1);   // behind the rows so far the last state, if any
+  Matrix inputs = S.nv > 0 ? result (vout, S.nv, n) : Matrix (0, n);
+  octave_value_list list = ovl (result (xout, nx, n), inputs, counters,
                                 result (rstat, int (rstat.size ())), info, seconds,
                                 std::string (&text[0]));
   list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[4]));
@@ -319,7 +341,13 @@ do_sim (arguments& a, int)
   the_input = &run.input;
   the_failure = &failure;
   the_columns = run.columns.get ();
-  run.integrate ();
+  {
+    patience p (run.rhs, run.timeout, double (run.t0), double (run.tout[run.nt - 1]), "s");
+    run.integrate ();
+    if (run.info != 0 && p.why () != patience::none)
+      run.info = p.why ();
+    p.settle ();
+  }
   if (failure)
     std::rethrow_exception (failure);
   return run.results ();

@@ -29,6 +29,10 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
       text = "there was no memory for the method";
     case 8
       text = ["a rate of the states is not finite " at];
+    case 9
+      text = ["interrupted by Ctrl-C " at];
+    case 10
+      text = ["ended by option timeout " at];
     otherwise
       text = sprintf ("GSSIM: INFO = %d", info);
   endswitch

@@ -8,6 +8,7 @@ function table = gsmbp__simulate_options (drift)
            "atol", [], "any"
            "maxstep", 0, "nonnegative"
            "maxsteps", 0, "whole"
+           "timeout", 0, "nonnegative"
            "maxorder", [], "any"
            "loops", "", "any"
            "projection", [], "flag"

@@ -1,0 +1,192 @@
+// Runs that are ended from outside, by Ctrl-C or after a wall time, with the rows so far, and that
+// tell a terminal how far they are.  Octave takes SIGINT in a thread of its own and counts it in
+// octave_interrupt_state: that, and one word, is all that a call of the right-hand side looks at.
+#pragma once
+
+#include "numbers.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <csetjmp>
+#include <csignal>
+#include <mutex>
+#include <thread>
+#include <unistd.h>
+
+class patience
+{
+public:
+
+  // INFO
+  enum reason { none = 0, interrupted = 9, timed_out = 10, failed = 11 };
+
+  // what runs from FIRST to LAST (time or number of runs); WHAT: its unit
+  patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what);
+  ~patience (void);
+  patience (const patience&) = delete;
+
+  reason why (void) const { return reason (m_why.load ()); }
+  void stop (reason why);
+  void reached (double at) { m_at = at; }
+  // at a call of the right-hand side: is it over?
+  bool look (double t);
+  // behind the runs: a Ctrl-C that ended them is dealt with; one within half a second of such a
+  // one is left to Octave, so that whatever called them ends, too
+  void settle (void);
+
+  static bool asked (void)
+  {
+    return word.load (std::memory_order_relaxed) != 0 || signalled ();
+  }
+  static bool signalled (void)
+  {
+    return *const_cast<const volatile sig_atomic_t *> (&octave_interrupt_state) > 0;
+  }
+
+  gsmbp_sub rates;
+  const bool in_time;   // the time of the run is how far it is
+
+private:
+
+  typedef std::chrono::steady_clock clock;
+  enum { tell = 1, leave };
+
+  double seconds (void) const
+  {
+    return std::chrono::duration<double> (clock::now () - m_begin).count ();
+  }
+  void watch (void);
+  void show (void);
+
+  static std::atomic<int> word;   // not 0: look
+
+  patience *m_outer;
+  std::atomic<int> m_why;
+  std::atomic<double> m_at;
+  clock::time_point m_begin;
+  double m_timeout, m_first, m_last;
+  const char *m_what;
+  bool m_terminal, m_shown, m_over;
+  std::mutex m_mutex;
+  std::condition_variable m_end;
+  std::thread m_watcher;
+};
+
+std::atomic<int> patience::word (0);
+static patience *the_patience = nullptr;
+// where a run of GSSIM is left from; a null pointer: INFO < 0 ends it
+static thread_local std::jmp_buf *the_exit = nullptr;
+
+patience::patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what)
+  : rates (rhs), in_time (*what == 's'), m_outer (the_patience), m_why (none), m_at (first),
+    m_begin (clock::now ()), m_timeout (timeout), m_first (first), m_last (last), m_what (what),
+    m_terminal (isatty (2)), m_shown (false), m_over (false)
+{
+  word = 0;
+  the_patience = this;
+  if (m_timeout > 0 || m_terminal)
+    m_watcher = std::thread (&patience::watch, this);
+}
+
+patience::~patience (void)
+{
+  if (m_watcher.joinable ())
+    {
+      {
+        std::lock_guard<std::mutex> guard (m_mutex);
+        m_over = true;
+      }
+      m_end.notify_one ();
+      m_watcher.join ();
+    }
+  if (m_shown)
+    std::fputs ("\r\033[K", stderr);
+  the_patience = m_outer;
+  word = m_outer && m_outer->why () != none ? leave : 0;
+}
+
+void
+patience::stop (reason why)
+{
+  int before = none;
+  m_why.compare_exchange_strong (before, why);
+  word = leave;
+}
+
+bool
+patience::look (double t)
+{
+  if (signalled ())
+    stop (interrupted);
+  if (in_time)
+    m_at = t;
+  int told = tell;
+  word.compare_exchange_strong (told, 0);
+  return why () != none;
+}
+
+void
+patience::settle (void)
+{
+  static clock::time_point last = clock::now () - std::chrono::hours (1);
+  if (why () != interrupted)
+    return;
+  if (clock::now () - last > std::chrono::milliseconds (500))
+    octave_interrupt_state = 0;
+  else
+    octave_signal_caught = octave_interrupt_state = 1;
+  last = clock::now ();
+  OCTAVE_QUIT;
+}
+
+// in a thread of its own, where there is a wall time or a terminal
+void
+patience::watch (void)
+{
+  double show_at = 2;
+  std::unique_lock<std::mutex> lock (m_mutex);
+  while (! m_over)
+    {
+      double next = std::min (m_terminal ? show_at : HUGE_VAL,
+                              m_timeout > 0 && why () == none ? m_timeout : HUGE_VAL);
+      double wait = std::max (0.001, std::min (3600.0, next - seconds ()));
+      m_end.wait_for (lock, std::chrono::duration<double> (wait));
+      if (m_over)
+        return;
+      if (m_timeout > 0 && seconds () >= m_timeout)
+        stop (timed_out);
+      if (m_terminal && seconds () >= show_at)
+        {
+          show ();
+          show_at = seconds () + 0.5;
+        }
+    }
+}
+
+void
+patience::show (void)
+{
+  double at = m_at, done = (at - m_first) / (m_last - m_first);
+  std::fprintf (stderr, "\r%s: %.4g of %.6g %s", S.name, at, m_last, m_what);
+  if (done > 0)
+    std::fprintf (stderr, ", %.0f s left", std::ceil (seconds () * (1 - done) / done));
+  std::fputs ("\033[K", stderr);
+  std::fflush (stderr);
+  m_shown = true;
+  int quiet = 0;
+  word.compare_exchange_strong (quiet, tell);
+}
+
+// The right-hand side as a run calls it.  A run of GSSIM, which owns nothing, is left by a jump.
+extern "C" void
+gsmbp_patient_rates (const number *t, number *x, number *v, number *cst, number *xd, int *info)
+{
+  if (patience::asked () && the_patience->look (double (*t)))
+    {
+      if (the_exit)
+        std::longjmp (*the_exit, 1);
+      *info = -1000;
+      return;
+    }
+  fortran {the_patience->rates} (t, x, v, cst, xd, info);
+}

@@ -1,0 +1,28 @@
+## word = gsmbp__stopped (who, m, info, at, say)
+## What ended a run of the model M from outside, by INFO of glue/patience.h: "interrupted",
+## "timeout", "" where nothing did.  SAY: a warning tells so, and how far it came (AT).  Ctrl-C
+## under another function of the package ends that too: half a run is no part of its result.
+
+function word = gsmbp__stopped (who, m, info, at, say)
+  word = "";
+  if (! any (info == [9, 10]))
+    return;
+  endif
+  word = {"interrupted", "timeout"}{info - 8};
+  if (info == 9 && within_another (dbstack ("-completenames")))
+    m.module ("interrupt");
+  endif
+  if (say)
+    how = {"interrupted by Ctrl-C", "ended by option timeout"}{info - 8};
+    warning ("gsmbp:stopped", "%s: %s: %s %s; the result has what there is so far", who, m.name, ...
+             how, at);
+  endif
+endfunction
+
+## is one of the callers a function of the package that does not give such results itself?
+function yes = within_another (stack)
+  own = regexp ({stack.name}, '^gsmbp_(simulate|ensemble|sweep|_sweep\w*|_stopped)\>', "once");
+  folder = [gsmbp__place("octave") filesep];
+  here = strncmp ({stack.file}, folder, numel (folder));
+  yes = any (here & cellfun (@isempty, own));
+endfunction
