@@ -86,7 +86,7 @@ function gsmbp_plot (file, t, varargin)
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
   size = size_of (who, o, numel (panels));
-  gsmbp__gnuplot (who, file, terminal (tolower (kind), size, o), ...
+  gsmbp__gnuplot (who, file, gsmbp__terminal (tolower (kind), size, o), ...
                   gsmbp__drawn (table, panels, o, size), table);
 endfunction
 
@@ -137,21 +137,6 @@ function size = size_of (who, o, n)
     endif
     size = double (o.size(:)');
   endif
-endfunction
-
-function text = terminal (kind, size, o)
-  switch (kind)
-    case ".png"
-      text = sprintf ("pngcairo size %d,%d fontscale %.4f linewidth %.4f", ...
-                      round (size * o.dpi / 2.54), o.dpi / 96, o.dpi / 110);
-    case ".pdf"
-      text = sprintf ("pdfcairo size %.4fcm,%.4fcm fontscale 0.75 linewidth 1", size);
-    case ".eps"
-      text = sprintf ("epscairo size %.4fcm,%.4fcm fontscale 0.75 linewidth 1", size);
-    case ".svg"
-      text = sprintf ("svg size %d,%d fontscale 1.3333 linewidth 0.9", round (size * 96 / 2.54));
-  endswitch
-  text = sprintf ("%s enhanced font 'FreeSans,%g'", text, o.fontsize);
 endfunction
 
 function check (who, t, panels)

@@ -63,6 +63,10 @@
 ## @item first, total
 ## plan "indices": the indices of Sobol, a row for each parameter, a column for what is
 ## kept: the share of the variance that a parameter makes alone, and with all others
+## @item corner
+## plan "corners": a struct array, one for what is kept: name; largest and least of it; at_largest
+## and at_least, the corners in words, as "la high, km low"; failed, those whose run did not come
+## to its end
 ## @item yield
 ## the share of all runs that came to their end and keep all demands
 ## @item seconds
@@ -125,6 +129,9 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   w = gsmbp__sweep_statistics (w, table, r.values, o);
   w.yield = yield (who, w, o.demand);
+  if (strcmp (o.plan, "corners"))
+    w.corner = gsmbp__sweep_corners (w, table, r.values);
+  endif
   if (isempty (o.file))
     w.whole = rmfield (kept([kept.whole]), {"what", "of", "whole", "way", "number", "time"});
     for k = 1:numel (w.whole)

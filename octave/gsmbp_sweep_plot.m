@@ -1,0 +1,208 @@
+## -*- texinfo -*-
+## @c category Figures
+## @deftypefn  {} {} gsmbp_sweep_plot (@var{file}, @var{w}, "scatter", @var{name})
+## @deftypefnx {} {} gsmbp_sweep_plot (@var{file}, @var{w}, "tornado", @var{name})
+## @deftypefnx {} {} gsmbp_sweep_plot (@var{file}, @var{w}, "indices", @var{name})
+## Draw a sweep: @var{w} of @code{gsmbp_sweep}; @var{file} ends in .png, .pdf, .svg or .eps, the
+## numbers come into the .csv beside it.  @var{name} is one of what was kept (default the first).
+##
+## @code{"scatter"}: it over each parameter, a point for each run that came to its end (5000 at
+## most), with the correlation of ranks.
+##
+## @code{"tornado"}: a bar for each parameter, the longest on top: from where to where a linear fit
+## to all runs says that it goes while the parameter goes from its quantile 0.05 to that of 0.95,
+## the others at their means; below it says what share of the variance the fit explains.
+##
+## @code{"indices"}: the indices of Sobol of a sweep by the plan "indices", alone and with the
+## others.
+##
+## @c session octave
+## @example
+## >> m = gsmbp_build ("slider_crank");
+## >> vary = struct ("la", [4e-3 6e-3], "km", @{@{"normal", 0.228, 0.005@}@});
+## >> w = gsmbp_sweep (m, m.initial, [0 0.1 0.2], "input", 12, "vary", vary, "runs", 64, ...
+##                     "keep", @{["final " m.states@{4@}]@});
+## >> gsmbp_sweep_plot ("scatter.png", w, "scatter");
+## >> gsmbp_sweep_plot ("tornado.png", w, "tornado");
+## @end example
+##
+## Errors: no result of gsmbp_sweep; a name that it has not; fewer runs than a fit needs; indices of
+## another plan.
+## Source: own; the drawing is gnuplot's.
+## @seealso{gsmbp_sweep, gsmbp_plot}
+## @end deftypefn
+
+function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
+  if (nargin < 2 || ! ischar (file))
+    print_usage ();
+  endif
+  who = "gsmbp_sweep_plot";
+  if (! (isstruct (w) && isscalar (w) && all (isfield (w, {"names", "values", "correlation"}))))
+    error ("%s: argument w: expected a result of gsmbp_sweep, found %s", who, gsmbp__shown (w));
+  endif
+  gsmbp__fits (who, "argument kind", kind, {"scatter", "tornado", "indices"});
+  [~, ~, ending] = fileparts (file);
+  if (! any (strcmpi (ending, {".png", ".pdf", ".svg", ".eps"})))
+    error ("%s: the file must end in .png, .pdf, .svg or .eps, found: %s", who, file);
+  endif
+  s = chosen (who, w, name);
+  switch (kind)
+    case "scatter"
+      [lines, heads, data, size] = scatter (w, s);
+    case "tornado"
+      [lines, heads, data, size] = tornado (who, s);
+    case "indices"
+      [lines, heads, data, size] = indices (who, w, s);
+  endswitch
+  table = sprintf ("%s-%d.csv", file(1:end-numel (ending)), getpid ());
+  guard = onCleanup (@() gsmbp__discard (table));
+  gsmbp_csv (table, heads, data);
+  look = struct ("dpi", 160, "fontsize", 10);
+  gsmbp__gnuplot (who, file, gsmbp__terminal (tolower (ending), size, look), lines, table);
+endfunction
+
+## the runs that came to their end: parameters P, the quantity Z, names and labels
+function s = chosen (who, w, name)
+  k = rows (w.correlation);
+  s.at = k + 1;
+  if (! isempty (name))
+    s.at = k + find (strcmp (w.names(k+1:end), name), 1);
+    if (isempty (s.at))
+      error ("%s: argument name: unknown %s", who, gsmbp__unknown (name, w.names(k+1:end)));
+    endif
+  endif
+  if (s.at > columns (w.values))
+    error ("%s: nothing was kept of the runs but whole ones, which gsmbp_plot draws", who);
+  endif
+  s.p = w.values(w.ok,1:k);
+  s.z = w.values(w.ok,s.at);
+  s.names = w.names(1:k);
+  s.name = w.names{s.at};
+  s.labels = cellfun (@label, w.names, w.units, "UniformOutput", false);
+endfunction
+
+function text = label (name, unit)
+  text = gsmbp__label ([name, [" [" unit "]"](1:end*! isempty (unit))]);
+endfunction
+
+function lines = begun (n, wide)
+  lines = {"set encoding utf8", "unset key", "set border 3 lc rgb '#4d4d4d'", ...
+           "set tics nomirror out", sprintf("set multiplot layout %d,%d", ceil (n / wide), wide)};
+endfunction
+
+function text = quoted (text)
+  text = [gsmbp__quoted(text) " noenhanced"];
+endfunction
+
+function [lines, heads, data, size] = scatter (w, s)
+  k = numel (s.names);
+  wide = min (k, 3);
+  size = [1.5 + 5.5 * wide, 6 * ceil(k / wide)];
+  some = unique (round (linspace (1, rows (s.p), min (rows (s.p), 5000))));
+  lines = [begun(k, wide), {"set autoscale xfix"}];
+  first = mod (0:k-1, wide) == 0;   # in its row
+  for j = 1:k
+    lines = [lines, {sprintf("set title %s", ...
+                             quoted (sprintf ("ranks: %+.2f", w.correlation(j,s.at-k)))), ...
+                     sprintf("set xtics %.9g", step_of (s.p(:,j))), ...
+                     sprintf("set xlabel %s", quoted (s.labels{j})), ...
+                     sprintf("set ylabel %s", quoted ({"", s.labels{s.at}}{1 + first(j)})), ...
+                     "$d << END", sprintf("%.9g %.9g\n", [s.p(some,j), s.z(some)]'), "END", ...
+                     "plot $d with points pt 7 ps 0.3 lc rgb '#00459a'"}];
+  endfor
+  heads = [s.names, {s.name}];
+  data = [s.p(some,:), s.z(some)];
+endfunction
+
+## at most four marks of an axis
+function step = step_of (x)
+  step = max (max (x) - min (x), realmin) / 3.5;
+  ten = 10 ^ floor (log10 (step));
+  step = ten * [1, 2, 5, 10](find (step <= ten * [1, 2, 5, 10], 1));
+endfunction
+
+function [lines, heads, data, size] = tornado (who, s)
+  [n, k] = deal (rows (s.p), numel (s.names));
+  centred = s.p - mean (s.p, 1);
+  if (n < k + 2 || rank (centred ./ max (std (s.p, 0, 1), realmin)) < k)
+    error (["%s: a tornado of %d parameters needs runs in which each of them varies for " ...
+            "itself, %d or more; found %d"], who, k, k + 2, n);
+  endif
+  slope = (centred ./ std (s.p, 0, 1)) \ (s.z - mean (s.z));
+  ends = (quantile (s.p, [0.05, 0.95], 1, 7) - mean (s.p, 1)) ./ std (s.p, 0, 1);
+  bars = mean (s.z) + ends' .* slope;
+  [~, order] = sort (abs (diff (bars, 1, 2)), "descend");
+  bars = bars(order,:);
+  share = 1 - sumsq (s.z - mean (s.z) - (centred ./ std (s.p, 0, 1)) * slope) ...
+              / max (sumsq (s.z - mean (s.z)), realmin);
+  said = sprintf ("%s; a linear fit explains %.3g %% of its variance", s.labels{s.at}, 100 * share);
+  lines = barred (s.names(order), bars, mean (s.z), said, {"at the parameter's low end", ...
+                                                        "at its high end"});
+  size = [16, 3.2 + 0.9 * k];
+  [heads, data] = deal ({"parameter", "low", "high"}, [order(:), bars]);
+endfunction
+
+## two bars a row, from FROM on
+function lines = barred (names, bars, from, said, keys)
+  k = numel (names);
+  y = (k:-1:1)';
+  tics = strjoin (arrayfun (@(i) sprintf ("%s %d", gsmbp__quoted (names{i}), y(i)), 1:k, ...
+                            "UniformOutput", false), ", ");
+  lines = {"set encoding utf8", "set border 1 lc rgb '#4d4d4d'", "set tics nomirror out", ...
+           ["set ytics (" tics ") noenhanced scale 0"], sprintf("set yrange [0.4:%g]", k + 0.6), ...
+           sprintf("set xlabel %s", quoted (said)), "set key outside top center horizontal", ...
+           "set style fill solid 0.85 noborder", "set offsets graph 0.04, graph 0.04, 0, 0"};
+  for c = 1:2
+    lines = [lines, {sprintf("$d%d << END", c), ...
+                     sprintf("%.9g %d %.9g %.9g %.9g %.9g\n", ...
+                             [bars(:,c), y, min(from, bars(:,c)), max(from, bars(:,c)), ...
+                              y - 0.34, y + 0.34]'), "END"}];
+  endfor
+  lines = [lines, {sprintf(["set arrow from %.9g, graph 0 to %.9g, graph 1 nohead lc rgb " ...
+                            "'#4d4d4d' front"], from, from), ...
+                   sprintf(["plot $d1 with boxxyerror lc rgb '#00459a' title %s, " ...
+                            "$d2 with boxxyerror lc rgb '#cc3318' title %s"], ...
+                           gsmbp__quoted (keys{1}), gsmbp__quoted (keys{2}))}];
+endfunction
+
+function [lines, heads, data, size] = indices (who, w, s)
+  if (! isfield (w, "first"))
+    error ("%s: expected a sweep by the plan \"indices\"", who);
+  endif
+  k = numel (s.names);
+  values = [w.first(:,s.at-k), w.total(:,s.at-k)];
+  [~, order] = sort (values(:,2), "descend");
+  both = values(order,:);
+  y = (k:-1:1)';
+  lines = barred (s.names(order), both, 0, ["share of the variance of " s.name], ...
+                  {"alone", "with all others"});
+  lines(strncmp (lines, "set offsets", 11)) = {sprintf("set xrange [%.9g:*]", min ([both(:); 0]))};
+  for c = 1:2   # one above the other
+    at = find (strcmp (lines, sprintf ("$d%d << END", c))) + 1;
+    low = y - 0.36 * (c == 2);
+    lines{at} = sprintf ("%.9g %.9g %.9g %.9g %.9g %.9g\n", ...
+                         [both(:,c), low + 0.18, min(0, both(:,c)), max(0, both(:,c)), low, ...
+                          low + 0.34]');
+  endfor
+  size = [16, 3.2 + 0.9 * k];
+  [heads, data] = deal ({"parameter", "first", "total"}, [order(:), both]);
+endfunction
+
+%!test
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! p = [1:9; [2 7 1 8 2 8 1 8 2]]';
+%! w = struct ("names", {{"a", "b_1", "final y"}}, "units", {{"m", "", "m/s"}}, "values", ...
+%!             [p, p(:,1) - 2 * p(:,2)], "ok", true (9, 1), "correlation", [0.5; -1], ...
+%!             "first", [0.2; 0.7], "total", [0.25; 0.8]);
+%! for kind = {"scatter", "tornado", "indices"}
+%!   file = [tempname() ".svg"];
+%!   gsmbp_sweep_plot (file, w, kind{1});
+%!   assert (exist (file, "file"), 2);
+%!   heads = strsplit (fgetl (f = fopen ([file(1:end-3) "csv"])), ",");
+%!   fclose (f);
+%!   assert (numel (heads), 3);
+%!   cellfun (@delete, {file, [file(1:end-3) "csv"]});
+%! endfor
+%!error <expected a result of gsmbp_sweep> gsmbp_sweep_plot ("a.png", 3)
