@@ -11,6 +11,11 @@
 ## hold.
 ## Limits and converters are those of the first.
 ##
+## The trim moves with @var{signal}: it is the reference that brings it back.  Laws without a
+## reference of it (option "track" of @code{gsmbp_control}; a PID controller has one) hold the
+## machine wherever it is put, those with integrals alone come back slowly or not at all: a warning
+## says so.
+##
 ## @var{c} is for @code{gsmbp_build} and @code{gsmbp_controller} as any controller.  It starts at
 ## the trim of number @var{k} of the laws (default 1): references and held outputs are there.
 ## @code{gsmbp_loop} tells margins of each of the @var{laws} at its own
@@ -72,10 +77,23 @@ function c = gsmbp_schedule (laws, signal, values, varargin)
     error ("%s: option start: expected the number of one of the %d laws, found %g", who, ...
            numel (laws), o.start);
   endif
+  warn_of_no_reference (who, laws, signal);
   for field = {"y0", "r0", "u0"}
     c.(field{1}) = laws{o.start}.(field{1});
   endfor
   c.schedule = struct ("signal", j, "values", double (values(:)'), "laws", {laws(:)'});
+endfunction
+
+## whether no law answers the reference of the signal at once
+function warn_of_no_reference (who, laws, signal)
+  k = find (strcmp (laws{1}.references, [signal "_ref"]));
+  at_once = @(law) any (law.D(:,numel (law.measured) + k)(:) != 0);
+  if (isempty (k) || ! any (cellfun (at_once, laws)))
+    warning ("gsmbp:schedule", ...
+             ["%s: no law answers a reference of %s at once (option track of gsmbp_control): " ...
+              "the trim moves with %s, and nothing but an integral brings it back"], who, ...
+             signal, signal);
+  endif
 endfunction
 
 %!testif ; ! isempty (pkg ("list", "control"))
@@ -86,4 +104,7 @@ endfunction
 %! fail ("gsmbp_schedule ({law(1), law(4)}, \"y2\", [0 10])", "expected one of what is measured");
 %! fail ("gsmbp_schedule ({law(1), law(4)}, \"y1\", [10 0])", "strictly increasing");
 %! fail ("gsmbp_schedule ({law(1), law(4)}, \"y1\", [0 1], \"start\", 3)", "2 laws, found 3");
+%! free_ = @(q) gsmbp_control (ss ([0 1; q 0], [0; 1], eye (2), 0), [], "lqr", "period", 0.1);
+%! warning ("error", "gsmbp:schedule", "local");
+%! fail ("gsmbp_schedule ({free_(1), free_(2)}, \"y1\", [0 1])", "no law answers a reference");
 %!error <expected a cell array of two> gsmbp_schedule (1, "y", 1)

@@ -5,7 +5,7 @@
 ## converter, samples at 500 Hz, 0.5 ms for the computer. Every design of gsmbp_control, gsmbp_pid,
 ## gsmbp_schedule and gsmbp_lqr on it: what its linear margins promise, and what the machine
 ## survives: 2.5 to 3 s later it is within 0.2 rad of upright, with more delay (from 0.05 rad)
-## within 0.03 rad. A schedule of regulators has no reference: it holds where it is put.
+## within 0.03 rad. Poles: those that are fast enough stay, the one to the right goes to the left.
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
@@ -107,8 +107,9 @@ all_ = {"step_in", [2*pi/4096, 0.02, 0.01]};
 two = {"measured", {"angle", "speed"}, "step_in", [2*pi/4096, 0.02]};
 cost = {"Q", [100 1 1e-4], "R", 0.01};
 noise = {"W", [1e-4 1 1], "V", 2e-7};
-poles_ = {"poles", [-8+4i, -8-4i, -300]};
-state = @(q) gsmbp_control (m, trim_at (q), "lqr", cost{:}, common{:}, all_{:});
+poles_ = {"poles", [-10, -14, -336]};   # without: 2.6, -9.9, -336
+state = @(q) gsmbp_control (m, trim_at (q), "lqr", cost{:}, "track", "angle", common{:}, ...
+                            all_{:});
 places = pi/2 + [-0.5 -0.25 0 0.25 0.5];
 laws = arrayfun (state, places, "UniformOutput", false);
 K = {...
@@ -134,28 +135,29 @@ for k = 1:rows (K)
   text = [text, measured(m, e, K{k,1}, K{k,2}, loop, fc)];
 end
 
-## the swing from hanging to upright in 0.8 s, held by gains along the motion: no samples in it
+## the swing from hanging to upright in 0.8 s, held by gains along the motion (weights 1, 0.1, 1e-4
+## of the states, 1 of the voltage), 18 V: no samples in it. The cost is that of the linear feedback
+## without friction and limit, from 0.3 rad beside the plan
 function line = along (m, fc, word, name)
-  plan = gsmbp_plan ("quintic", [-pi/2, pi/2], [0 1.5]);
-  d = gsmbp_lqr (m, plan, linspace (0, 1.5, 16), diag ([100 1 1e-4]), 0.01, "inputs", ...
-                 "drive.v", "design", word);
+  [Q, T] = deal ([1, 0.1, 1e-4], 0.8);
+  plan = gsmbp_plan ("quintic", [-pi/2, pi/2], [0 T]);
+  d = gsmbp_lqr (m, plan, linspace (0, T, 16), diag (Q), 1, "inputs", "drive.v", "design", word);
   x0 = gsmbp_inverse (m, plan, 0).x';
-  law = {"motion", plan, "gain", d.gain, "reference", d.reference, "limits", [Inf; 8]};
+  law = {"motion", plan, "gain", d.gain, "reference", d.reference};
+  t = linspace (0, T, 201)';
+  r = gsmbp_simulate (m, x0 + [0.3; 0; 0], t, law{:});
+  ref = gsmbp_inverse (m, plan, t);
+  cost = trapz (t, (r.x - ref.x) .^ 2 * Q' + (r.v(:,2) - ref.v(:,2)) .^ 2);
   ends_ = @(a, load) abs (gsmbp_simulate (gsmbp_set (m, "fc", fc, "l", 0.25 * load), ...
-                          x0 + [a; 0; 0], [0 1.5], law{:}).x(end,1) - pi/2);
-  angle = largest (@(a) ends_ (a, 1) < 0.2, 3.2);
-  longer = largest (@(s) ends_ (0, 1 + s) < 0.2, 3);
-  line = sprintf ("| %s | %.4f | %s | %s |\n", name, ends_ (0, 1), shown (angle, 3.2), ...
-                  shown (100 * longer, 300));
+                          x0 + [a; 0; 0], [0 T], law{:}, "limits", [Inf; 18]).x(end,1) - pi/2);
+  angle = largest (@(a) ends_ (a, 1) < 0.05, 1.6);
+  longer = largest (@(s) ends_ (0, 1 + s) < 0.05, 3);
+  line = sprintf ("| %s | %.4f | %.4f | %s | %s |\n", name, cost, ends_ (0.5, 1), ...
+                  shown (angle, 1.6), shown (100 * longer, 300));
   fputs (stdout, line);
 end
 
-swing = "";
-try
-  swing = [along(m, fc, "frozen", "frozen"), along(m, fc, "varying", "varying")];
-catch problem
-  printf ("swing: %s\n", problem.message);
-end
+swing = [along(m, fc, "frozen", "frozen"), along(m, fc, "varying", "varying")];
 
 f = fopen (fullfile (here, "control.md"), "w");
 fprintf (f, ["# Controllers on a machine with limits, friction, samples, steps and delay\n\n" ...
@@ -163,7 +165,8 @@ fprintf (f, ["# Controllers on a machine with limits, friction, samples, steps a
              "| design | phase margin, deg | gain margins | Ms | more delay promised, ms | " ...
              "reached, ms | angle at the start, rad | force at the end of the arm, N | " ...
              "rest, mrad |\n|---|---|---|---|---|---|---|---|---|\n%s\n" ...
-             "Along a swing from hanging to upright in 1.5 s, gains without samples:\n\n" ...
-             "| design | error at the end, rad | angle beside the plan at the start, rad | " ...
-             "arm longer than known, %% |\n|---|---|---|---|\n%s"], text, swing);
+             "Along a swing from hanging to upright in 0.8 s, gains without samples:\n\n" ...
+             "| design | cost from 0.3 rad beside | at the end, from 0.5 rad beside, rad | " ...
+             "angle beside that ends within 0.05 rad | arm longer that does, %% |\n" ...
+             "|---|---|---|---|---|\n%s"], text, swing);
 fclose (f);
