@@ -2,93 +2,97 @@
 ## The .oct module of a scene.  JSON: the decoded description; SOURCE: its
 ## Fortran; FOLDER: the build folder; PRECISION: "double" or "quad"; SYMBOL:
 ## the name by which Octave will call it; INPUT: "" or the user's Fortran file
-## with SUBROUTINE GSVIN.  Each part is built only when it is older than what
-## it is made of, in a folder of its own, and then moved into place.
+## with SUBROUTINE GSVIN.  Each part is built only where the texts that it is
+## made of have changed, in a folder of its own, and then moved into place.
 
 function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   who = "gsmbp_build";
-  glue = gsmbp__place ("octave", "glue");
-  c = gsmbp__place ("share", "c");
-  cc = strtrim (mkoctfile ("-p", "CC"));
-  fortran = gsmbp__place ("share", "fortran");
-  quad = strcmp (precision, "quad");
-  f77 = strtrim (mkoctfile ("-p", "F77"));
-  [flags, common_flags] = gsmbp__fortran_flags (precision);
-  body = "lapack";
-  libraries = "-llapack -lblas";
-  define = "";
-  if (quad)
-    body = "plain";
-    libraries = "-lquadmath";
-    define = "-DGSMBP_QUAD";
-  endif
-  ## what all scenes share, made anew where one of its sources says something else
-  common = fullfile (folder, precision, "common");
-  runtime = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", body, "*.f"))];
-  archive = fullfile (common, "libgsmbp.a");
-  parts = [runtime; glob(fullfile (glue, "*.*")); glob(fullfile (c, "gsmbp", "*.h")); ...
-           {fullfile(c, "inputs", "gslay.c")}];
-  stamp = flags_stamp (common, [f77 " " common_flags " " digest(parts)]);
-  if (gsmbp__older (archive, {stamp}))
-    place = scratch (common);
-    guard = onCleanup (@() remove (place));
-    ## the layout of a run's plan is that of the run time in C (glue/run_plan.h)
-    gsmbp__run (who, sprintf (["cd %s && ln -s %s c && " ...
-                               "%s -std=c99 -O2 -fPIC -Ic -c c/inputs/gslay.c && " ...
-                               "%s %s -c%s && ar rcs libgsmbp.a *.o"], quote (place), quote (c), ...
-                              cc, f77, common_flags,
-                              sprintf (" %s", ...
-                                  cellfun (@quote, runtime, "UniformOutput", false){:})));
-    gsmbp__put_in_place (who, fullfile (place, "libgsmbp.a"), archive);
-  endif
-  module = fullfile (common, "gsmbp_module.o");
-  if (gsmbp__older (module, {stamp}))
-    place = scratch (common);
-    guard = onCleanup (@() remove (place));
-    gsmbp__run (who, ...
-                sprintf (["cd %s && ln -s %s glue && ln -s %s c && " ...
-                          "%s %s -Ic -c -o module.o glue/gsmbp_module.cc"], quote (place), ...
-                         quote (glue), quote (c), mkoctfile_command (), define));
-    gsmbp__put_in_place (who, fullfile (place, "module.o"), module);
-  endif
-
-  ## the scene
+  w = words (fullfile (folder, precision, "common"), precision);
   here = fullfile (folder, precision, json.name);
   file = fullfile (here, [symbol ".oct"]);
-  stamp = flags_stamp (here, [f77 " " flags " " input]);
-  sources = {source; [source(1:end-2) ".json"]; archive; module; stamp};
+  own = {source; [source(1:end-2) ".json"]};
   if (! isempty (input))
-    sources{end+1} = input;
+    own{end+1} = input;
   endif
-  if (gsmbp__older (file, sources))
-    place = scratch (here);
-    guard = onCleanup (@() remove (place));
-    gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
-                  gsmbp__sizes_header (json, symbol, ! isempty (input)));
-    say_if_long (who, source);
-    gsmbp__run (who, ...
-                sprintf ("cd %s && %s %s -c -o scene_f.o %s", quote (place), f77, flags, ...
-                         quote (source)));
-    user = "";
-    if (! isempty (input))
-      gsmbp__run (who, ...
-                  sprintf ("cd %s && %s %s -c -o input.o %s", quote (place), f77, flags, ...
-                           quote (input)));
-      user = "input.o";
-    endif
-    ## mkoctfile gives its words to a shell once more: names without special characters
-    gsmbp__run (who, sprintf (["cd %s && ln -s %s glue && ln -s %s common && " ...
-                               "%s -O2 -fPIC -I. -Iglue -c -o scene.o glue/gsmbp_scene.c && " ...
-                               "%s -o module.oct common/gsmbp_module.o scene.o scene_f.o %s " ...
-                               "common/libgsmbp.a %s %s -Wl,--version-script=glue/module.map"],
-                              quote (place), quote (glue), quote (common), cc, ...
-                              mkoctfile_command (), user, libraries, ...
-                              strtrim (mkoctfile ("-p", "FLIBS"))));
-    gsmbp__put_in_place (who, fullfile (place, "module.oct"), file);
-    ## modules of earlier contents
+  flags = strjoin ({w.f77, w.flags, w.common_flags, OCTAVE_VERSION()});
+  made = gsmbp__built (who, file, flags, [own; w.runtime; w.generic; w.scene], ...
+                       @(place) scene (who, w, json, source, symbol, input, place));
+  if (made)   # modules of earlier contents
     old = setdiff (glob (fullfile (here, [symbol(1:end-8) "*.oct*"])), {file; [file ".md5"]});
     cellfun (@delete, old);
   endif
+endfunction
+
+## compilers, flags, folders; what the run time, the generic part and the tables of a scene are
+## made of
+function w = words (common, precision)
+  quad = strcmp (precision, "quad");
+  w = struct ("common", common, "glue", gsmbp__place ("octave", "glue"), "c", ...
+              gsmbp__place ("share", "c"), "cc", strtrim (mkoctfile ("-p", "CC")), "f77", ...
+              strtrim (mkoctfile ("-p", "F77")), "libraries", ...
+              {{"-llapack -lblas", "-lquadmath"}{1 + quad}}, "define", ...
+              {{"", "-DGSMBP_QUAD"}{1 + quad}});
+  [w.flags, w.common_flags] = gsmbp__fortran_flags (precision);
+  fortran = gsmbp__place ("share", "fortran");
+  w.fortran = [glob(fullfile (fortran, "*", "*.f")); ...
+               glob(fullfile (fortran, "solve", {"lapack", "plain"}{1 + quad}, "*.f"))];
+  headers = glob (fullfile (w.c, "gsmbp", "*.h"));
+  w.runtime = [w.fortran; headers; {fullfile(w.c, "inputs", "gslay.c")}];
+  w.generic = [headers; glob(fullfile (w.glue, "*.h")); {fullfile(w.glue, "gsmbp_module.cc")}];
+  w.scene = cellfun (@(name) fullfile (w.glue, name), {"gsmbp_scene.c"; "module.map"}, ...
+                     "UniformOutput", false);
+endfunction
+
+## what all scenes share
+function shared (who, w)
+  gsmbp__built (who, fullfile (w.common, "libgsmbp.a"), [w.f77 " " w.common_flags], w.runtime, ...
+                @(place) run_time (who, w, place));
+  gsmbp__built (who, fullfile (w.common, "gsmbp_module.o"), [OCTAVE_VERSION() " " w.define], ...
+                w.generic, @(place) generic (who, w, place));
+endfunction
+
+## the layout of a run's plan is that of the run time in C (glue/run_plan.h)
+function new = run_time (who, w, place)
+  new = "libgsmbp.a";
+  gsmbp__run (who, sprintf (["cd %s && ln -s %s c && " ...
+                             "%s -std=c99 -O2 -fPIC -Ic -c c/inputs/gslay.c && " ...
+                             "%s %s -c%s && ar rcs libgsmbp.a *.o"], quote (place), ...
+                            quote (w.c), w.cc, w.f77, w.common_flags, ...
+                            sprintf (" %s", ...
+                                cellfun (@quote, w.fortran, "UniformOutput", false){:})));
+endfunction
+
+## the generic part of all modules
+function new = generic (who, w, place)
+  new = "module.o";
+  gsmbp__run (who, sprintf (["cd %s && ln -s %s glue && ln -s %s c && " ...
+                             "%s %s -Ic -c -o module.o glue/gsmbp_module.cc"], quote (place), ...
+                            quote (w.glue), quote (w.c), mkoctfile_command (), w.define));
+endfunction
+
+function new = scene (who, w, json, source, symbol, input, place)
+  new = "module.oct";
+  shared (who, w);
+  compile = @(file, object) gsmbp__run (who, sprintf ("cd %s && %s %s -c -o %s %s", ...
+                                                      quote (place), w.f77, w.flags, object, ...
+                                                      quote (file)));
+  gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
+                gsmbp__sizes_header (json, symbol, ! isempty (input)));
+  say_if_long (who, source);
+  compile (source, "scene_f.o");
+  user = "";
+  if (! isempty (input))
+    compile (input, "input.o");
+    user = "input.o";
+  endif
+  ## mkoctfile gives its words to a shell once more: names without special characters
+  gsmbp__run (who, sprintf (["cd %s && ln -s %s glue && ln -s %s common && " ...
+                             "%s -O2 -fPIC -I. -Iglue -c -o scene.o glue/gsmbp_scene.c && " ...
+                             "%s -o module.oct common/gsmbp_module.o scene.o scene_f.o %s " ...
+                             "common/libgsmbp.a %s %s -Wl,--version-script=glue/module.map"], ...
+                            quote (place), quote (w.glue), quote (w.common), w.cc, ...
+                            mkoctfile_command (), user, w.libraries, ...
+                            strtrim (mkoctfile ("-p", "FLIBS"))));
 endfunction
 
 ## gfortran takes some 0.7 ms a line: what will take more than 10 s says so
@@ -110,28 +114,4 @@ function command = mkoctfile_command ()
   if (! exist (command(2:end-1), "file"))
     command = "mkoctfile";
   endif
-endfunction
-
-function place = scratch (folder)
-  place = fullfile (folder, sprintf (".new-%d-%d", getpid (), randi (1e9)));
-  gsmbp__folder ("gsmbp_build", place);
-endfunction
-
-function remove (place)
-  confirm_recursive_rmdir (false, "local");
-  rmdir (place, "s");
-endfunction
-
-## a file that is as new as the last change of TEXT
-function file = flags_stamp (folder, text)
-  file = fullfile (folder, "flags");
-  if (! exist (file, "file") || ! strcmp (fileread (file), text))
-    gsmbp__write ("gsmbp_build", file, text);
-  endif
-endfunction
-
-## what the files say; their times do not tell those of two installed versions apart
-function text = digest (files)
-  texts = cellfun (@fileread, files, "UniformOutput", false);
-  text = hash ("md5", [texts{:}]);
 endfunction

@@ -45,27 +45,22 @@ function text = sentence (status, o)
   endif
 endfunction
 
-## the module, built where it is missing or older than its source
+## the module, built where it is missing or made of other texts
 function file = glue (who, folder)
   file = fullfile (folder, "gsmbp_ipopt_solve.oct");
-  source = gsmbp__place ("octave", "glue", "gsmbp_ipopt.cc");
-  program = gsmbp__place ("octave", "glue", "gsmbp_program.h");
-  if (! gsmbp__older (file, {source, program}))
-    return;
-  endif
+  sources = cellfun (@(f) gsmbp__place ("octave", "glue", f), ...
+                     {"gsmbp_ipopt.cc"; "gsmbp_program.h"}, "UniformOutput", false);
+  gsmbp__built (who, file, OCTAVE_VERSION (), sources, ...
+                @(place) compile (who, sources{1}, place));
+endfunction
+
+function new = compile (who, source, place)
   quote = @(text) ["'" strrep(text, "'", "'\\''") "'"];
+  new = "new.oct";
   cc = strtrim (mkoctfile ("-p", "CC"));
   if (system (["echo '#include <coin/IpStdCInterface.h>' | " cc " -E - >/dev/null 2>&1"]) != 0)
     error ("%s: Ipopt is not installed (Debian: coinor-libipopt-dev)", who);
   endif
-  gsmbp__folder (who, folder);
-  new = fullfile (folder, sprintf (".ipopt-%d.oct", getpid ()));
-  unwind_protect
-    gsmbp__run (who, sprintf ("cd %s && mkoctfile -o %s %s -lipopt", quote (folder), ...
-                              quote (new), ...
-                              quote (source)));
-    gsmbp__put_in_place (who, new, file);
-  unwind_protect_cleanup
-    [~, ~] = unlink (new);   # there only if the command failed
-  end_unwind_protect
+  gsmbp__run (who, sprintf ("cd %s && mkoctfile -o new.oct %s -lipopt", quote (place), ...
+                            quote (source)));
 endfunction

@@ -4,24 +4,12 @@
 
 function call = gsmbp__sweep_files (who, m)
   persistent loaded = "";
-  quote = @(text) ["'" strrep(text, "'", "'\\''") "'"];
   folder = fullfile (fileparts (fileparts (m.file)), "common");
   file = fullfile (folder, "gsmbp_sweep_files.oct");
-  parts = {"sweep_files.c", "sweep_table.c", "gsmbp_sweep_files.cc"};
+  parts = {"sweep_files.c", "sweep_table.c", "gsmbp_sweep_files.cc", "sweep_files.h"};
   sources = cellfun (@(f) gsmbp__place ("octave", "glue", f), parts, "UniformOutput", false);
-  if (gsmbp__older (file, [sources, {gsmbp__place("octave", "glue", "sweep_files.h")}]))
-    gsmbp__folder (who, folder);
-    new = tempname (folder);
-    gsmbp__folder (who, new);
-    guard = onCleanup (@() remove (new));
-    [words, links] = gsmbp__hdf5 (who);
-    cc = strtrim (mkoctfile ("-p", "CC"));
-    gsmbp__run (who, sprintf (["cd %s && %s -std=gnu99 -O2 -fPIC %s -c %s %s && " ...
-                               "mkoctfile -o new.oct %s sweep_files.o sweep_table.o %s"], ...
-                              quote (new), cc, words, quote (sources{1}), quote (sources{2}), ...
-                              quote (sources{3}), links));
-    gsmbp__put_in_place (who, fullfile (new, "new.oct"), file);
-  endif
+  gsmbp__built (who, file, OCTAVE_VERSION (), sources, ...
+                @(place) compile (who, sources, place));
   if (! strcmp (loaded, file))
     gsmbp__load_module ("gsmbp_sweep_files", file, []);
     loaded = file;
@@ -29,7 +17,13 @@ function call = gsmbp__sweep_files (who, m)
   call = @gsmbp_sweep_files;
 endfunction
 
-function remove (folder)
-  confirm_recursive_rmdir (false, "local");
-  rmdir (folder, "s");
+function new = compile (who, sources, place)
+  quote = @(text) ["'" strrep(text, "'", "'\\''") "'"];
+  new = "new.oct";
+  [words, links] = gsmbp__hdf5 (who);
+  cc = strtrim (mkoctfile ("-p", "CC"));
+  gsmbp__run (who, sprintf (["cd %s && %s -std=gnu99 -O2 -fPIC %s -c %s %s && " ...
+                             "mkoctfile -o new.oct %s sweep_files.o sweep_table.o %s"], ...
+                            quote (place), cc, words, quote (sources{1}), quote (sources{2}), ...
+                            quote (sources{3}), links));
 endfunction

@@ -1,0 +1,10 @@
+## gsmbp__tell (template, values, ...)
+## A line on the terminal that the next one overwrites, "" clears it; nothing where the errors of
+## this session do not go to a terminal.
+
+function gsmbp__tell (varargin)
+  if (system ("test -t 2") == 0)
+    fprintf (stderr, "\r%s\033[K", sprintf (varargin{:}));
+    fflush (stderr);
+  endif
+endfunction

@@ -1,0 +1,69 @@
+## Modules by their contents, whatever the times of their files say; builds of one folder wait for
+## each other; what killed ones left is swept.
+
+function test_builds ()
+  folder = tempname ();
+  mkdir (folder);
+  copyfile (fullfile (fileparts (which ("gsmbp_hand")), "motor_pendulum.*"), folder);
+  shared = fileparts (fileparts (fileparts (gsmbp_hand ("motor_pendulum").file)));
+  build = @() gsmbp_build ("motor_pendulum", "directory", folder, "build", shared);
+  unwind_protect
+    by_contents (build, fullfile (folder, "motor_pendulum.f"));
+    in_turn (build);
+  unwind_protect_cleanup
+    confirm_recursive_rmdir (false, "local");
+    rmdir (folder, "s");
+  end_unwind_protect
+end
+
+function by_contents (build, source)
+  m = build ();
+  first = stat (m.file);
+  system (sprintf ("touch -d '1 hour' '%s'", source));
+  gsmbp_check ("a source that says the same is not compiled again", ...
+               stat (build ().file).ino == first.ino);
+  text = fileread (source);
+  put (source, strrep (text, "PAR(1) = 9.81D0", "PAR(1) = 1.62D0"));
+  system (sprintf ("touch -d '2000-01-01' '%s'", source));
+  gsmbp_check ("one that says something else is, whatever its time", build ().par.g == 1.62);
+  put (source, text);
+  gsmbp_check ("and back", build ().par.g == 9.81);
+  m = build ();
+  delete (m.file);   # this session has it loaded
+  put (m.file, "cut short");
+  gsmbp_check ("a module that is not what was built is built again", ...
+               stat (build ().file).size == first.size);
+end
+
+function in_turn (build)
+  m = build ();
+  here = fileparts (m.file);
+  mkdir (fullfile (here, ".new-1-1"));
+  put (fullfile (here, ".new-1-1", "scene_f.o"), "left by a build that was killed");
+  system (sprintf ("flock '%s' sleep 2 >/dev/null 2>&1 &", fullfile (here, "lock")));
+  pause (0.5);
+  start = tic ();
+  build ();
+  gsmbp_check ("what is there waits for nobody", toc (start) < 1.4);
+  delete (m.file);
+  build ();
+  gsmbp_check ("a build waits for another", toc (start) >= 1.4);
+  gsmbp_check ("what a killed build left is swept", ...
+               isempty (glob (fullfile (here, ".new-*"))));
+  child = sprintf (["addpath (\"%s\"); gsmbp_build (\"motor_pendulum\", \"directory\", \"%s\", " ...
+                    "\"build\", \"%s\");"], fileparts (which ("gsmbp_build")), m.directory, ...
+                   fileparts (fileparts (here)));
+  delete (m.file);
+  [in, out, pid] = popen2 ("octave-cli", {"-qf", "--eval", child});
+  build ();
+  built = stat (m.file).ino;
+  [~, status] = waitpid (pid);
+  gsmbp_check ("two at once: both are well", status == 0 && build ().par.g == 9.81);
+  gsmbp_check ("and one of them compiled", stat (m.file).ino == built);
+end
+
+function put (file, text)
+  f = fopen (file, "w");
+  fputs (f, text);
+  fclose (f);
+end
