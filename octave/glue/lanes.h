@@ -139,6 +139,9 @@ private:
   void step_4 (void);
   void begin_way (lane_run& l);
   bool ready_4 (int lane);
+  void watch_4 (void);
+  void watch_alone (int lane);
+  void eigenvalues (const bool *due, double *rho, int *state);
   void stages_4 (void);
   void by_itself_4 (int lane);
   void after_4 (int lane);
@@ -707,6 +710,7 @@ lane_group::step_4 (void)
       l.steps = l.busy && ! l.alone;
       some = some || l.steps;
     }
+  watch_4 ();
   if (some)
     stages_4 ();
   for (int k = 0; k < lane_count; k++)
@@ -732,16 +736,135 @@ lane_group::ready_4 (int lane)
       end (lane, 1);
       return m_l[lane].busy && ready_4 (lane);
     }
-  const double none = 0;
-  fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.h, l.state (),
-                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
-                    l.rp.data (), &r.cst[0], l.inputs (), &m_ropt[1], &m_ropt[3], &none, &none,
-                    l.stages () + s.nx, &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
   m_step(0, lane) = l.h;
   m_t(0, lane) = l.t;
   for (int k = 0; k < s.nx; k++)
     m_h(k, lane) = l.h;
   return true;
+}
+
+// GSSTD ahead of a step, for the runs where a look is due
+void
+lane_group::watch_4 (void)
+{
+  bool due[lane_count], some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      const std::vector<int>& istat = m_l[k].r.istat;
+      due[k] = m_l[k].busy && istat[13] == 0 && istat[1] >= istat[17];
+      if (due[k] && (m_l[k].alone || m_of_time))
+        {
+          watch_alone (k);
+          due[k] = false;
+        }
+      some = some || due[k];
+    }
+  if (! some)
+    return;
+  double rho[lane_count];
+  int state[lane_count];
+  eigenvalues (due, rho, state);
+  for (int k = 0; k < lane_count; k++)
+    if (due[k])
+      {
+        run_room& r = m_l[k].r;
+        r.istat[17] = r.istat[1] + std::min (1000, std::max (10, 9 * r.istat[1]));
+        if (rho[k] * std::fabs (m_l[k].h) <= 2.78)
+          continue;
+        r.istat[13] = 1;
+        r.istat[14] = state[k];
+        r.rstat[17] = m_l[k].t;
+        r.rstat[18] = rho[k];
+        r.rstat[19] = std::fabs (m_l[k].h);
+      }
+}
+
+void
+lane_group::watch_alone (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  const double none = 0;
+  fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &r.cst[0], l.inputs (), &m_ropt[1], &m_ropt[3], &none, &none,
+                    l.stages () + s.nx, &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
+}
+
+// GSSTF for all lanes that are due
+void
+lane_group::eigenvalues (const bool *due, double *rho, int *state)
+{
+  const int nx = m_s.nx;
+  const double d = std::sqrt (DBL_EPSILON), rtol = m_ropt[1];
+  double old[lane_count] = { }, sum[lane_count] = { };
+  int equal[lane_count] = { };
+  bool goes[lane_count];
+  double *base = m_f.begin (), *change = base + m_numbers, *size = change + m_numbers;
+  for (int k = 0; k < lane_count; k++)
+    {
+      goes[k] = due[k];
+      rho[k] = 0;
+      state[k] = 1;
+      m_stage_t(0, k) = m_l[k].busy ? m_l[k].t : m_s.t0;
+      for (int j = 0, i = k; j < nx; j++, i += lane_count)
+        {
+          const double x = std::fabs (m_x.begin ()[i]);
+          size[i] = rtol > 0 ? x + m_ropt[3 + j] / rtol : x + 1;
+          size[i] = size[i] > 0 ? size[i] : 1;
+          change[i] = size[i] * (0.5 + std::fmod (0.618 * (j + 1), 1.0));
+        }
+    }
+  call_rates (m_x.begin (), base);
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_l[k].r.istat[12] += due[k];
+      goes[k] = goes[k] && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
+    }
+  for (int turn = 1; turn <= 32 && std::any_of (goes, goes + lane_count, [] (bool g) { return g; });
+       turn++)
+    {
+      for (int k = 0; k < lane_count; k++)
+        {
+          double s = 0;
+          for (int j = k; j < m_numbers; j += lane_count)
+            s = std::max (s, std::fabs (change[j]) / size[j]);
+          goes[k] = goes[k] && s > 0 && s <= 1e300;
+          s = goes[k] ? d / s : 0;
+          for (int j = k; j < m_numbers; j += lane_count)
+            m_xs.begin ()[j] = goes[k] ? m_x.begin ()[j] + s * change[j] : m_x.begin ()[j];
+        }
+      call_rates (m_xs.begin (), change);
+      for (int k = 0; k < lane_count; k++)
+        {
+          if (! goes[k])
+            continue;
+          m_l[k].r.istat[12]++;
+          double growth = 0;
+          for (int j = 0, i = k; j < nx; j++, i += lane_count)
+            {
+              change[i] -= base[i];
+              if (std::fabs (change[i]) / size[i] > growth)
+                {
+                  growth = std::fabs (change[i]) / size[i];
+                  state[k] = j + 1;
+                }
+            }
+          growth /= d;
+          goes[k] = growth > 0 && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
+          if (! goes[k])
+            continue;
+          equal[k] = std::fabs (growth - old[k]) > 0.02 * growth ? 0 : equal[k] + 1;
+          old[k] = growth;
+          sum[k] += turn > 8 ? std::log (growth) : 0;
+          if (equal[k] == 3 || turn == 32)
+            {
+              rho[k] = equal[k] == 3 ? growth : std::exp (sum[k] / 24);
+              goes[k] = false;
+            }
+        }
+    }
 }
 
 void

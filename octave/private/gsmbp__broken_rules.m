@@ -48,8 +48,25 @@ endfunction
 ## the rows that may break a rule: those of values that are fine by a look are none
 function i = suspects (rule, v)
   fine = false (rows (v), 1);
-  if (any (strcmp (rule, {"nonnegative", "positive", "nonzero", "rather_nonnegative"})))
-    fine = all (v > 0 & isfinite (v), 2);
-  endif
+  switch (rule)
+    case {"nonnegative", "positive", "nonzero", "rather_nonnegative"}
+      fine = all (v > 0 & isfinite (v), 2);
+    case "fraction"
+      fine = all (v > 0 & v <= 1, 2);
+    case "inertia"
+      fine = are_inertias (v);
+  endswitch
   i = find (! fine);
+endfunction
+
+## matrices by rows that are diagonal without a negative number, or clearly positive definite, by
+## their leading minors
+function fine = are_inertias (v)
+  beside = max (abs (v(:,[2, 3, 4, 6, 7, 8])), [], 2);
+  size_ = max (abs (v), [], 2);
+  [xy, xz, yz] = deal ((v(:,2) + v(:,4)) / 2, (v(:,3) + v(:,7)) / 2, (v(:,6) + v(:,8)) / 2);
+  second = v(:,1) .* v(:,5) - xy .^ 2;
+  third = v(:,9) .* second - v(:,1) .* yz .^ 2 - v(:,5) .* xz .^ 2 + 2 * xy .* xz .* yz;
+  fine = all (isfinite (v), 2) & ((beside == 0 & all (v(:,[1, 5, 9]) >= 0, 2))
+         | (v(:,1) > 1e-9 * size_ & second > 1e-9 * size_ .^ 2 & third > 1e-9 * size_ .^ 3));
 endfunction
