@@ -20,9 +20,9 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
-        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices bench-abbreviate \
-        bench-flexible bench-sensitivity bench-control bench-collocation bench-points bench-reach \
-        bench-robots same doc manual \
+        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices \
+        bench-abbreviate bench-flexible bench-sensitivity bench-ensemble bench-control \
+        bench-collocation bench-points bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
@@ -64,6 +64,7 @@ make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, o
                            beams beside a geometrically exact one, errors
 make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
                            alone and central differences, an adjoint of 40
+make bench-ensemble        tests/bench/ensemble.md: many runs, in lanes beside one by one
 make bench-control         tests/bench/control.md: every design of controllers on a machine with
                            limits, friction, samples, steps and delay, and where it fails
 make bench-collocation     tests/bench/collocation.md: the program of an optimal motion, set up
@@ -212,6 +213,10 @@ bench-sensitivity: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/sensitivity.m </dev/null
 
+bench-ensemble: packages compiled
+	@mkdir -p tests/bench/out
+	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/ensemble.m </dev/null
+
 bench-control: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/control.m </dev/null
@@ -298,4 +303,4 @@ clean:
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
 	rm -rf tests/bench/reach.md tests/bench/robots.md tests/bench/devices.md tests/bench/devices.json
-	rm -f tests/bench/control.md
+	rm -f tests/bench/control.md tests/bench/ensemble.md

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+static const double points2[1] = { -5.77350269189625764509148780501957456e-1 };
+static const double weights2[1] = { 1.0 };
 static const double points8[4] = { -9.602898564975362316835608685694729904e-1,
                                    -7.966664774136267395915539364758304368e-1,
                                    -5.25532409916328985817739049189246349e-1,
@@ -26,7 +28,8 @@ static const double weights12[6] = { 4.717533638651182719461596148501706032e-2,
 void
 gsgln (int ns, double *c, double *wt)
 {
-  const double *points = ns == 8 ? points8 : points12, *weights = ns == 8 ? weights8 : weights12;
+  const double *points = ns == 2 ? points2 : ns == 8 ? points8 : points12;
+  const double *weights = ns == 2 ? weights2 : ns == 8 ? weights8 : weights12;
   for (int k = 0; k < ns / 2; k++)
     {
       c[k] = points[k];

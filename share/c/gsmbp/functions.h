@@ -16,7 +16,8 @@ int gsfin (int n, const double *x);
 /* the largest whole number that is not above x */
 double gsflr (double x);
 
-/* the ns points c of Gauss between -1 and 1, rising, and their weights wt; ns = 8 or 12 */
+/* the ns points c of Gauss between -1 and 1, rising, and their weights wt; ns = 2, 8 or
+ * 12 */
 void gsgln (int ns, double *c, double *wt);
 
 /* the polynomials p of Legendre of degrees 0 to n-1 at x, n >= 2 */

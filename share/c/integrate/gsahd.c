@@ -6,20 +6,23 @@
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
 
+/* rates that are linear in time need two points of Gauss */
+#define TWO 2
+
 /* how far one can see: the time in which the constraints turn by 1.2 rad; sp: the least pivot at
  * t */
 static double
-sight (const gs_system *g, double t, const double *x, double h, int ns, double *f, double *xt,
-       double *hc, double *sp)
+sight (const gs_system *g, double t, const double *x, double h, double *f, double *xt, double *hc,
+       double *sp)
 {
   const gs_scene *s = g->s;
   double far = 0.01 * h, turn = 0.0, other;
   for (int i = 0; i < 12; i++)
     {
-      gsprd (g, t, x, t, far, ns, f, xt);
-      gspvt (g, t, x, t, far, 0.0, ns, f, xt, sp);
+      gsprd (g, t, x, t, far, TWO, f, xt);
+      gspvt (g, t, x, t, far, 0.0, TWO, f, xt, sp);
       gspch (s->nq, s->nu, s->nlam, g->p, hc, 0, &turn);
-      gspvt (g, t, x, t, far, 1.0, ns, f, xt, &other);
+      gspvt (g, t, x, t, far, 1.0, TWO, f, xt, &other);
       gspch (s->nq, s->nu, s->nlam, g->p, hc, 1, &turn);
       if (turn <= 0.3)
         break;
@@ -29,17 +32,17 @@ sight (const gs_system *g, double t, const double *x, double h, int ns, double *
 }
 
 /* the eighth of turn, from 1, behind which the least pivot, s0 at t, has passed its next minimum;
- * 0: it passes none */
+ * 0: it passes none, or none that a line twice as steep as the looks beside it brings near to 0 */
 static int
-next_minimum (const gs_system *g, double t, const double *x, double turn, int ns, double s0,
+next_minimum (const gs_system *g, double t, const double *x, double turn, double s0,
               const double *f, double *xt)
 {
   double s1 = s0, s2;
   for (int k = 1; k <= 9; k++)
     {
-      gspvt (g, t, x, t, turn, 0.125 * k, ns, f, xt, &s2);
+      gspvt (g, t, x, t, turn, 0.125 * k, TWO, f, xt, &s2);
       if (k > 1 && s1 < s0 && s1 <= s2)
-        return k;
+        return 3.0 * s1 - 2.0 * gs_max (s0, s2) > 0.25 * g->p[GS_LARGEST] ? 0 : k;
       s0 = s1;
       s1 = s2;
     }
@@ -53,20 +56,21 @@ gsahd (const gs_system *g, double t, const double *x, double *h, gs_passage *a, 
   const double big = g->p[GS_LARGEST];
   double s0, smin, cs, from = -0.6, to = 1.0;
   a->d = 0.0;
-  a->turn = sight (g, t, x, *h, a->ns, f, xt, hc, &s0);
+  a->turn = sight (g, t, x, *h, f, xt, hc, &s0);
   *h = gs_min (*h, a->turn);
-  gsprd (g, t, x, t, a->turn, a->ns, f, xt);
+  gsprd (g, t, x, t, a->turn, TWO, f, xt);
   if (! (s0 < 0.3 * big))
     {
-      int k = next_minimum (g, t, x, a->turn, a->ns, s0, f, xt);
+      int k = next_minimum (g, t, x, a->turn, s0, f, xt);
       if (k == 0)
         return;
       from = 0.125 * (k - 2);
       to = 0.125 * k;
     }
-  gspmn (g, t, x, t, a->turn, from, to, a->ns, f, xt, &cs, &smin);
+  gspmn (g, t, x, t, a->turn, from, to, TWO, f, xt, &cs, &smin);
   if (smin > 0.2 * big)
     return;
+  gsprd (g, t, x, t, a->turn, a->ns, f, xt);
   a->tc = t + cs * a->turn;
   a->d = 0.8 * a->turn;
 }

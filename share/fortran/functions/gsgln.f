@@ -2,12 +2,13 @@
 C
 C     PURPOSE
 C     The NS points C and weights WT of Gauss between -1 and 1, the
-C     points rising; NS = 8 or 12.
+C     points rising; NS = 2, 8 or 12.
 C
       IMPLICIT NONE
       INTEGER            NS
       DOUBLE PRECISION   C(12), WT(12)
-      DOUBLE PRECISION   C8(4), W8(4), C12(6), W12(6)
+      DOUBLE PRECISION   C2, C8(4), W8(4), C12(6), W12(6)
+      PARAMETER ( C2 = -5.77350269189625764509148780501957456D-1 )
       INTEGER            K
       DATA C8
      $  / -9.602898564975362316835608685694729904D-1,
@@ -35,7 +36,10 @@ C
      $    2.491470458134027850005624360429512108D-1 /
 C
       DO 10 K = 1, NS/2
-         IF ( NS.EQ.8 ) THEN
+         IF ( NS.EQ.2 ) THEN
+            C(K)  = C2
+            WT(K) = 1.0D0
+         ELSE IF ( NS.EQ.8 ) THEN
             C(K)  = C8(K)
             WT(K) = W8(K)
          ELSE

@@ -20,6 +20,11 @@ C             one at TC; until D behind it the constraints turn by
 C             about 1 rad.
 C     TURN    (output) DOUBLE PRECISION, the time of 1.2 rad.
 C
+C     METHOD
+C     Rates that are linear in time need two points of Gauss.  Of three
+C     looks the middle one the least, the pivot between them is no less
+C     than a line twice as steep as they are has it.
+C
       IMPLICIT NONE
       EXTERNAL           CON, KIN
       INTEGER            NQ, NU, NX, NS, NLAM
@@ -27,18 +32,19 @@ C
      $                   HC(NLAM,*), P(*), TC, D, TURN
       DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG, T0
       EXTERNAL           GSPVT, GSPMN, GSPRD, GSPCH
-      INTEGER            I, K
+      INTEGER            I, K, N2
 C
 C     -- how far one can see
       D  = 0.0D0
       T0 = T
+      N2 = 2
       S = 0.01D0*H
       DO 10 I = 1, 12
-         CALL GSPRD( KIN, T, X, T0, S, NQ, NX, NS, CST, F, XT )
-         CALL GSPVT( CON, T, X, T0, S, 0.0D0, NQ, NU, NX, NS, NLAM, CST,
+         CALL GSPRD( KIN, T, X, T0, S, NQ, NX, N2, CST, F, XT )
+         CALL GSPVT( CON, T, X, T0, S, 0.0D0, NQ, NU, NX, N2, NLAM, CST,
      $         F, XT, P, S0 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 0, TURN )
-         CALL GSPVT( CON, T, X, T0, S, 1.0D0, NQ, NU, NX, NS, NLAM, CST,
+         CALL GSPVT( CON, T, X, T0, S, 1.0D0, NQ, NU, NX, N2, NLAM, CST,
      $         F, XT, P, S1 )
          CALL GSPCH( NQ, NU, NLAM, P, HC, 1, TURN )
          IF ( TURN.LE.0.3D0 ) GO TO 20
@@ -46,29 +52,31 @@ C     -- how far one can see
    10 CONTINUE
    20 TURN = 1.2D0*S/MAX( TURN, 1.0D-10 )
       H = MIN( H, TURN )
-      CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, NS, CST, F, XT )
+      CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, N2, CST, F, XT )
       BIG = P(14)
 C
 C     -- the next least pivot
       IF ( S0.LT.0.3D0*P(14) ) THEN
-         CALL GSPMN( CON, T, X, T0, TURN, -0.6D0, 1.0D0, NQ, NU, NX, NS,
+         CALL GSPMN( CON, T, X, T0, TURN, -0.6D0, 1.0D0, NQ, NU, NX, N2,
      $               NLAM, CST, F, XT, P, CS, SMIN )
       ELSE
          S1 = S0
          DO 30 K = 1, 9
             CALL GSPVT( CON, T, X, T0, TURN, 0.125D0*DBLE( K ), NQ, NU,
-     $                  NX, NS, NLAM, CST, F, XT, P, S2 )
+     $                  NX, N2, NLAM, CST, F, XT, P, S2 )
             IF ( K.GT.1 .AND. S1.LT.S0 .AND. S1.LE.S2 ) GO TO 40
             S0 = S1
             S1 = S2
    30    CONTINUE
          RETURN
-   40    CALL GSPMN( CON, T, X, T0, TURN, 0.125D0*DBLE( K-2 ),
-     $               0.125D0*DBLE( K ), NQ, NU, NX, NS, NLAM, CST, F,
+   40    IF ( 3.0D0*S1 - 2.0D0*MAX( S0, S2 ).GT.0.25D0*BIG ) RETURN
+         CALL GSPMN( CON, T, X, T0, TURN, 0.125D0*DBLE( K-2 ),
+     $               0.125D0*DBLE( K ), NQ, NU, NX, N2, NLAM, CST, F,
      $               XT, P, CS, SMIN )
       END IF
       IF ( SMIN.GT.0.2D0*BIG ) RETURN
 C
+      CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, NS, CST, F, XT )
       TC = T + CS*TURN
       D  = 0.8D0*TURN
       END

@@ -1,0 +1,95 @@
+## ensemble.m: the bench of many runs, called by `make bench-ensemble`. Writes ensemble.md beside
+## itself.
+##
+## Arms, a chain of four rods, a slider-crank with its motor: runs of 1 s from scattered starts, three
+## parameters of each run off by up to 1 percent. In lanes beside a compiled loop of single runs, one
+## thread, the same tolerance; two threads beside one; what Octave adds to a run. Times alternate, the
+## least of many counts. Errors: the largest of a coordinate at the end beside dp853 at rtol = 1e-13.
+
+here = fileparts (mfilename ("fullpath"));
+root = fileparts (fileparts (here));
+addpath (fullfile (root, "octave"));
+out = fullfile (here, "out", "ensemble");
+[~, ~] = mkdir (out);
+warning ("off", "gsmbp:stiff");
+
+## the scene of a file with the request lanes
+function m = scene_of (root, out, name, file)
+  copy = fullfile (out, [name ".mac"]);
+  f = fopen (copy, "w");
+  fprintf (f, "load(\"%s\")$\nrequests : [all, lanes]$\n", fullfile (root, file));
+  fclose (f);
+  gsmbp_derive (copy, out);
+  m = gsmbp_build (name, "directory", out);
+end
+
+## what differs from run to run
+function o = rows_of (m, n, scatter)
+  rand ("twister", 3);
+  half = @(k) 2 * rand (n, k) - 1;
+  names = fieldnames (m.par)(end-2:end)';
+  o = {"parameters", struct(), "starts", m.initial(:)' + scatter * half(m.sizes.nx)};
+  for name = names
+    o{2}.(name{1}) = m.par.(name{1}) * (1 + 0.01 * half (1));
+  end
+end
+
+## least times [s] of one by one, in lanes, in lanes by two threads, and of Octave beside lanes
+function [least, e, f] = timed (m, o)
+  least = Inf (1, 4);
+  started = tic ();
+  do
+    e = gsmbp_ensemble (m, [], [0, 1], o{:}, "threads", 1, "lanes", false);
+    whole = tic ();
+    f = gsmbp_ensemble (m, [], [0, 1], o{:}, "threads", 1);
+    octave = toc (whole) - f.seconds;
+    g = gsmbp_ensemble (m, [], [0, 1], o{:}, "threads", 2);
+    least = min (least, [e.seconds, f.seconds, g.seconds, octave]);
+  until (toc (started) > 30)
+  if (! (f.lanes && all (e.ok) && all (f.ok) && isequal (f.x, g.x)))
+    error ("%s: runs that failed, or differ by threads", m.name);
+  end
+end
+
+function text = row_of (root, out, name, file, method, scatter, given)
+  n = 2000;
+  m = scene_of (root, out, name, file);
+  o = [rows_of(m, n, scatter), given, {"method"}, method];
+  [least, e, f] = timed (m, o);
+  some = 1:100;
+  o{2} = structfun (@(x) x(some), o{2}, "UniformOutput", false);
+  o{4} = o{4}(some,:);
+  k = find (strcmp (o, "method"), 1);
+  best = gsmbp_ensemble (m, [], [0, 1], o{1:k-1}, "rtol", 1e-13, "atol", 1e-14);
+  q = 1:m.sizes.nq;
+  off = @(r) max (abs (r.final(some,q) - best.final(:,q))(:));
+  least *= 1e6 / n;
+  text = sprintf ("| %s | %s | %.2f | %.2f | %.2f | %.1e | %.1e | %.2f | %.1f |\n", name, method{1}, ...
+                  least(1), least(2), least(1) / least(2), off (e), off (f), ...
+                  least(2) / least(3), least(4));
+  printf ("%s", text);
+end
+
+systems = fullfile ("tests", "bench", "systems");
+crank = fullfile ("examples", "slider_crank", "slider_crank.mac");
+arm = fullfile ("examples", "puma560", "puma560.mac");
+puma = {"input", [10, 20, 30]};
+slider = {"input", 24, "start", "project"};
+dp853 = {"dp853", "rtol", 1e-8};
+rows = {"puma6", fullfile(systems, "puma6.mac"), dp853, 0.3, {}
+        "puma6", fullfile(systems, "puma6.mac"), {"rk4", "step", 0.01}, 0.3, {}
+        "pend4", fullfile(systems, "pend4.mac"), dp853, 0.3, {}
+        "pend4", fullfile(systems, "pend4.mac"), {"rk4", "step", 0.005}, 0.3, {}
+        "puma560", arm, dp853, 0.3, puma
+        "puma560", arm, {"rk4", "step", 0.002}, 0.3, puma
+        "slider_crank", crank, dp853, 0, slider
+        "slider_crank", crank, {"rk4", "step", 0.002}, 0, slider};
+text = ["| scene | method | one by one, us | in lanes, us | ratio | error one by one | error in " ...
+        "lanes | two threads | Octave, us |\n|---|---|---|---|---|---|---|---|---|\n"];
+for row = rows'
+  text = [text, row_of(root, out, row{[1, 2, 3, 4, 5]})];
+end
+f = fopen (fullfile (here, "ensemble.md"), "w");
+fprintf (f, ["# Many runs of 1 s, times of one run\n\nMade by `make bench-ensemble`; see " ...
+             "tests/bench/ensemble.m.\n\n%s"], text);
+fclose (f);
