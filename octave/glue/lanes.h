@@ -819,7 +819,8 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
   call_rates (m_x.begin (), base);
   for (int k = 0; k < lane_count; k++)
     {
-      m_l[k].r.istat[12] += due[k];
+      if (due[k])
+        m_l[k].r.istat[12]++;
       goes[k] = goes[k] && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
     }
   for (int turn = 1; turn <= 32 && std::any_of (goes, goes + lane_count, [] (bool g) { return g; });
