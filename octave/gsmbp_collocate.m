@@ -38,6 +38,9 @@
 ## @item "polish"
 ## where inputs jump between their limits, solve once more with the instants of these jumps as
 ## unknowns (default true)
+## @item "regularize"
+## on singular arcs, where the goal does not determine an input by itself and it chatters, the
+## weight of its roughness (1); 0: such arcs are told only
 ## @item "tolerance", "iterations", "seconds"
 ## of Ipopt: 1e-9, 500 and 60 for each mesh
 ## @end table
@@ -64,6 +67,9 @@
 ## multiplier (what the goal gains by a unit of the bound)
 ## @item switches
 ## where it was polished the times at which inputs jump [s]
+## @item singular
+## arcs where an input is between its limits without being bent by the Hamiltonian: input, name,
+## from, until [s], ringing (the largest distance from a smooth curve), weight (of its roughness)
 ## @item solved, ended
 ## whether it is a solution, within the accuracy, and why it ended
 ## @end table
@@ -103,46 +109,86 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
   who = "gsmbp_collocate";
   gsmbp__model (who, m);
   [p, o] = gsmbp__collocation_problem (who, m, x0, xf, varargin);
-  n = o.intervals;
-  mesh = struct ("rule", gsmbp__collocation_rule (o.method), ...
-                 "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
-  guess = gsmbp__collocation_guess (who, m, p, o.guess);
-  meshes = struct ("intervals", {}, "iterations", {}, "error", {}, "ended", {});
-  switches = zeros (0, 1);
-  for k = 0:o.refinements
-    s = gsmbp__collocation_solve (who, m, p, mesh, guess, o);
-    [s.error, errors] = gsmbp__collocation_errors (m, s);
-    meshes(end+1) = told (s);
-    active = gsmbp__collocation_active (m, p, s);
-    if (s.solved && o.polish)
-      [s, switches] = gsmbp__collocation_polish (who, m, p, s, o);
-    endif
-    if (! s.solved || s.error <= o.accuracy || k == o.refinements)
-      break;
-    endif
-    mesh = gsmbp__collocation_finer (mesh, errors, o.accuracy);
-    guess = s;
-  endfor
-  if (! isempty (switches))
-    meshes(end+1) = told (s);
-  endif
-  r = gsmbp__collocation_result (m, s);
-  r.active = active;
-  r.meshes = meshes;
-  r.switches = switches;
+  [s, found] = refined (who, m, p, o);
+  found.singular = rmfield (found.singular(! [found.singular.held]), "held");
+  r = gsmbp__collocation_result (m, s, found);
   r.solved = s.solved && s.error <= o.accuracy;
   if (s.solved && ! r.solved)
     r.ended = sprintf (["stopped at the limit of %d refinements: the estimated error of the " ...
                         "states is %.2g"], o.refinements, s.error);
   endif
+  r.ended = [r.ended, told(r.singular)];
   if (! r.solved)
     warning ("gsmbp:collocation", "%s: %s: %s%s", who, m.name, r.ended, worst (m, s));
   endif
 endfunction
 
-function one = told (s)
+## solved on finer and finer meshes; jumps and singular arcs
+function [s, r] = refined (who, m, p, o)
+  r = struct ("active", [], "meshes", [], "switches", zeros (0, 1), "singular", ...
+              gsmbp__collocation_singular (m, p, []));
+  n = o.intervals;
+  mesh = struct ("rule", gsmbp__collocation_rule (o.method), ...
+                 "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
+  guess = gsmbp__collocation_guess (who, m, p, o.guess);
+  for k = 0:o.refinements
+    [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r);
+    [polished, r.switches] = gsmbp__collocation_polish (who, m, p, s, o);
+    if (! isempty (r.switches))
+      s = polished;
+      r.meshes = [r.meshes, mesh_of(s)];
+      break;
+    endif
+    [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r);
+    if (! s.solved || s.error <= o.accuracy)
+      break;
+    endif
+    mesh = gsmbp__collocation_finer (mesh, errors, o.accuracy);
+    guess = s;
+  endfor
+endfunction
+
+function [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r)
+  s = gsmbp__collocation_solve (who, m, p, mesh, guess, o);
+  [s.error, errors] = gsmbp__collocation_errors (m, s);
+  r.active = gsmbp__collocation_active (m, p, s);
+  r.meshes = [r.meshes, mesh_of(s)];
+endfunction
+
+function one = mesh_of (s)
   one = struct ("intervals", columns (s.c.left), "iterations", rows (s.log) - 1, ...
                 "error", s.error, "ended", s.ended);
+endfunction
+
+## singular arcs: solved again where the inputs there were not yet made smooth
+function [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r)
+  again = ! isfield (p, "singular");
+  r.singular = gsmbp__collocation_singular (m, p, s);
+  p.singular = gsmbp__collocation_arcs (p, s, r.singular, o.regularize);
+  if (isempty (p.singular))
+    p = rmfield (p, "singular");
+    return;
+  endif
+  for k = 1:numel (p.singular)
+    r.singular(k).weight = p.singular(k).weight;
+  endfor
+  if (again && o.regularize > 0)
+    [new, errors_, r] = one_mesh (who, m, p, mesh, s, o, r);
+    if (new.solved)
+      s = new;
+      errors = errors_;
+    endif
+  endif
+endfunction
+
+function text = told (arcs)
+  text = "";
+  for one = arcs
+    text = sprintf ("%s; %s is singular from %.4g to %.4g s", text, one.name, one.from, one.until);
+    if (one.weight > 0)
+      text = [text, " (made smooth there)"];
+    endif
+  endfor
 endfunction
 
 ## what an equation that does not hold says, where none was solved

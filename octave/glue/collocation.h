@@ -34,6 +34,7 @@ private:
   struct product { int a, b; double weight; };
   struct own_curve { double k; int point; };
   struct own_cross { int unknown, point, phase; };
+  struct pair { int row, column; double k; };      // of a quadratic form of the program's unknowns
 
   doubles numbers (const char *name) const;
   wholes places (const char *name) const;
@@ -76,6 +77,7 @@ private:
   std::vector<product> own_products;
   std::vector<own_curve> own_curves;
   std::vector<own_cross> own_crosses;
+  std::vector<pair> rough;                 // lower triangle; half of the form is in the goal
   wholes columns_of;                       // of the program: (time, unknowns of a point; K)
 
   reals m_cst, m_par;
@@ -200,7 +202,8 @@ transcription::read_integrand (void)
 {
   Matrix a = m_given->contents ("own_products").matrix_value (),
          b = m_given->contents ("own_curved").matrix_value (),
-         c = m_given->contents ("own_crossed").matrix_value ();
+         c = m_given->contents ("own_crossed").matrix_value (),
+         d = m_given->contents ("rough").matrix_value ();
   own_linear = numbers ("own_linear");
   for (octave_idx_type i = 0; i < a.rows (); i++)
     own_products.push_back ({ int (a(i, 0)) - 1, int (a(i, 1)) - 1, a(i, 2) });
@@ -208,6 +211,8 @@ transcription::read_integrand (void)
     own_curves.push_back ({ b(i, 2), int (b(i, 3)) - 1 });
   for (octave_idx_type i = 0; i < c.rows (); i++)
     own_crosses.push_back ({ int (c(i, 2)) - 1, int (c(i, 3)) - 1, int (c(i, 4)) - 1 });
+  for (octave_idx_type i = 0; i < d.rows (); i++)
+    rough.push_back ({ int (d(i, 0)) - 1, int (d(i, 1)) - 1, d(i, 2) });
   std::vector<bool> used (nz, false);
   for (const own_cross& one : own_crosses)
     used[one.unknown] = true;
@@ -228,7 +233,7 @@ transcription::size_of (int part) const
     case GSMBP_JACOBIAN:
       return int (fixed.size () + plain.size () + by_time.size () + S.nx * own.size ());
     default: return int (curved.size () + mixed.size () + crossed_speeds.size ()
-                         + own_curves.size () + own_crosses.size ());
+                         + own_curves.size () + own_crosses.size () + rough.size ());
     }
 }
 
@@ -353,6 +358,8 @@ transcription::own_hessian (double factor, double *v) const
     *v++ = factor * one.k * whole_weight (one.point);
   for (const own_cross& one : own_crosses)
     *v++ = factor * integral[nT * one.point + one.phase] * own_slope (one.unknown, one.point);
+  for (const pair& one : rough)
+    *v++ = factor * one.k;
   return v;
 }
 
@@ -374,6 +381,8 @@ transcription::goal (void) const
     sum += final_f[i] * double (F[nf * (K - 1) + i]);
   for (int j = 0; j < S.nx; j++)
     sum += final_x[j] * double (state (K - 1)[j]);
+  for (const pair& one : rough)
+    sum += (one.row == one.column ? 0.5 : 1) * one.k * m_z[one.row] * m_z[one.column];
   return sum;
 }
 
@@ -405,6 +414,12 @@ transcription::gradient (double *g)
     durations[p] += goal_time;
   for (int j = 0; j < S.nx; j++)
     g[std::size_t (K - 1) * nz + j] += final_x[j];
+  for (const pair& one : rough)
+    {
+      g[one.row] += one.k * m_z[one.column];
+      if (one.row != one.column)
+        g[one.column] += one.k * m_z[one.row];
+    }
 }
 
 void

@@ -1,7 +1,9 @@
 ## g = gsmbp__collocation_guess (who, m, p, given)
 ## Where gsmbp_collocate begins: t (from 0 to 1), x, v, ud, lambda (a column for each), T,
 ## parameters. Without a guess GIVEN states lie on a line between the ends, in a closed chain moved
-## onto the loops; inputs are 0 or the nearest value; accelerations and multipliers follow.
+## onto the loops; inputs are 0 or the nearest value; accelerations are what these lines of the
+## speeds have: those of the machine there belong to another motion, from which Ipopt needs up to
+## twice as many iterations. With one, accelerations and multipliers follow from it.
 
 function g = gsmbp__collocation_guess (who, m, p, given)
   d = m.sizes;
@@ -84,4 +86,8 @@ function g = followed (m, g, straight)
     ud(! isfinite (ud)) = 0;
     g.ud(:,k) = ud;
   endfor
+  if (straight)
+    u = g.x(d.nq+(1:d.nu),[1 end]);
+    g.ud = repmat (diff (u, 1, 2) / g.T, 1, n);
+  endif
 endfunction

@@ -9,7 +9,7 @@ function [s, switches] = gsmbp__collocation_polish (who, m, p, s, o)
   by_time = any (s.c.J(:,2) == 1 & s.c.J(:,1) <= s.c.output);
   time_alone = p.goal_time > 0 && isempty (p.goal) ...
                && ! any ([p.final.x; p.final.y; p.own.linear]) && isempty (p.own.products);
-  if (! time_alone || by_time || ! isempty (p.outputs) || s.c.nT > 1)
+  if (! (s.solved && o.polish) || ! time_alone || by_time || ! isempty (p.outputs) || s.c.nT > 1)
     return;
   endif
   [levels, begins] = phases (p, s);
@@ -18,6 +18,9 @@ function [s, switches] = gsmbp__collocation_polish (who, m, p, s, o)
   endif
   mesh = struct ("rule", gsmbp__collocation_rule ("radau"), "breaks", pieces (s, begins));
   q = p;
+  if (isfield (q, "singular"))
+    q = rmfield (q, "singular");
+  endif
   q.held = levels;
   q.T = [0, p.T(2)];
   new = s;

@@ -8,7 +8,8 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
            "outputs", {}, "any"; "final", {}, "any"; "parameters", {}, "any"
            "method", "radau", {"lobatto", "radau"}
            "intervals", 20, "whole"; "accuracy", 1e-6, "tolerance"; "refinements", 6, "whole"
-           "guess", [], "any"; "polish", true, "flag"; "tolerance", 1e-9, "tolerance"
+           "guess", [], "any"; "polish", true, "flag"; "regularize", 1, "nonnegative"
+           "tolerance", 1e-9, "tolerance"
            "iterations", 500, "whole"; "seconds", 60, "positive"};
   o = gsmbp__options (who, table, given);
   needed (who, m, o);

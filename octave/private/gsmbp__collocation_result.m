@@ -1,8 +1,9 @@
-## r = gsmbp__collocation_result (m, s)
-## What gsmbp_collocate gives back of a solution S, a row for each point.
+## r = gsmbp__collocation_result (m, s, found)
+## What gsmbp_collocate gives back of a solution S, a row for each point, with the fields of FOUND.
 
-function r = gsmbp__collocation_result (m, s)
+function r = gsmbp__collocation_result (m, s, found)
   c = s.c;
+  r = found;
   r.t = s.times(:);
   r.x = s.x';
   s = ahead (c, s);
@@ -19,7 +20,7 @@ function r = gsmbp__collocation_result (m, s)
   r.parameters = cell2struct (num2cell (s.parameters(:)), c.parameters(:), 1);
   r.input = inputs (c, s);
   r.motion = motion (m, c, s);
-  r.costates = costates (c, s);
+  r.costates = gsmbp__collocation_costates (s);
   r.error = s.error;
   r.ended = s.ended;
 endfunction
@@ -76,16 +77,4 @@ function pp = motion (m, c, s)
   k3 = (20 * e - 8 * f .* h + g .* h.^2) ./ (2 * h.^3);
   n = numel (planned);
   pp = mkpp (t, cat (3, k5, k4, k3, a0 / 2, u0, q0), n);
-endfunction
-
-## The derivatives of the goal by the states at the points: the weights of the rates by the
-## multipliers of the defects beside those of the integral; where no stage stands at the beginning
-## of an interval what its defects have by the state there, which is more accurate.
-function l = costates (c, s)
-  Lambda = reshape (s.multipliers(c.defect(:)), c.d.nx, []);
-  l = ((Lambda * c.sums) ./ sum (c.weights, 1))';
-  if (! any (c.stages == 1))
-    own = numel (c.mesh.rule.own);
-    l(c.left,:) = -sum (reshape (Lambda, c.d.nx, own, []), 2)(:,:)';
-  endif
 endfunction

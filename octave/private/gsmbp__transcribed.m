@@ -17,12 +17,12 @@ function f = gsmbp__transcribed (m, c)
            "own_points", "left_points", ...
            "of_defect", "which", "par", "J", "H", "columns", "fixed", "plain", "timed", "of", ...
            "curved", "crossed", "crossed_speeds", "share_list", "own_linear", "own_products", ...
-           "own_curved", "own_crossed"};
+           "own_curved", "own_crossed", "rough"};
   given = cell2struct (cellfun (@(name) c.(name), taken(:), "UniformOutput", false), taken(:), 1);
   number = m.module ("program", m.cst, given);
   places = {[c.fixed(:,1:2); c.plain(:,1:2); c.timed(:,1:2); c.by_duration]
             [c.curved(:,1:2); c.crossed(:,1:2); c.crossed_speeds(:,1:2); c.own_curved(:,1:2)
-             c.own_crossed(:,1:2)]};
+             c.own_crossed(:,1:2); c.rough(:,1:2)]};
   f = @(varargin) answer (m, number, places, c.nf, varargin{:});
 endfunction
 

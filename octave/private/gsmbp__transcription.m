@@ -216,4 +216,8 @@ function c = integrand (c, p)
   endfor
   c.own_curved = reshape (c.own_curved, [], 4);
   c.own_crossed = reshape (c.own_crossed, [], 5);
+  c.rough = zeros (0, 3);   # what else the goal has: half of z' P z, the lower triangle of P
+  if (isfield (p, "singular"))
+    c.rough = gsmbp__collocation_roughness (c, p.singular);
+  endif
 endfunction

@@ -93,6 +93,7 @@ function program (m)
     p.goal = struct ("number", {1, 2}, "weight", {2, 0.5});
     p.own = struct ("linear", (1:m.sizes.nx+m.sizes.nu+m.sizes.nlam+m.sizes.nv)', ...
                     "products", [2 2 0.3; 5 1 -0.7]);
+    p.singular = struct ("input", 1, "from", 0, "until", 1, "weight", 40);
     p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
     c = gsmbp__transcription (m, p, mesh);
     f = gsmbp__transcribed (m, c);
