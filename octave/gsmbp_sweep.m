@@ -37,6 +37,8 @@
 ## true: goes on with what an interrupted sweep left there, reads a finished @file{FILE}, or begins
 ## where there is neither; the table is that of a sweep that was not interrupted, bit for bit.
 ## What is of another sweep is an error that says what differs
+## @item "timeout"
+## of the whole sweep [s]; 0, the default: none
 ## @item "chunk"
 ## how many runs a chunk has at most, default 4096; fewer where they take long
 ## @item "program"
@@ -68,7 +70,10 @@
 ## and at_least, the corners in words, as "la high, km low"; failed, those whose run did not come
 ## to its end
 ## @item yield
-## the share of all runs that came to their end and keep all demands
+## the share of all runs that were made, came to their end and keep all demands
+## @item stopped
+## "interrupted" by Ctrl-C or "timeout", with what there is so far and a warning; the finished
+## chunks of a "file" stay on disk for "resume"; else ""
 ## @item seconds
 ## of the runs alone
 ## @end table
@@ -114,7 +119,8 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   plain = kept(! [kept.whole]);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   s = struct ("m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, "table", ...
-              table, "kept", kept, "threads", o.threads, "chunk", o.chunk);
+              table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
+              "timeout", o.timeout);
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))
@@ -125,10 +131,11 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   else
     r = gsmbp__sweep_on_disk (who, s, gsmbp__sweep_journal (who, m, o, told, records));
   endif
+  w.stopped = said_if_stopped (who, m, o, r);
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   w = gsmbp__sweep_statistics (w, table, r.values, o);
-  w.yield = yield (who, w, o.demand);
+  w.yield = yield (who, w, o.demand, r.made);
   if (strcmp (o.plan, "corners"))
     w.corner = gsmbp__sweep_corners (w, table, r.values);
   endif
@@ -148,8 +155,18 @@ function units = units_of (m, names)
   endfor
 endfunction
 
+function stopped = said_if_stopped (who, m, o, r)
+  stopped = r.stopped;
+  if (! isempty (stopped))
+    how = {"; \"resume\", true goes on", ""}{1 + isempty(o.file)};
+    warning ("gsmbp:stopped", "%s: %s: %s with %d of %d runs made%s", who, m.name, ...
+             {stopped, "ended by option timeout"}{1 + strcmp(stopped, "timeout")}, ...
+             nnz (r.made), numel (r.made), how);
+  endif
+endfunction
+
 ## the share of the runs that keep all demands
-function share = yield (who, w, demands)
+function share = yield (who, w, demands, made)
   if (! (iscell (demands) && (isempty (demands) || columns (demands) == 3)))
     error (["%s: option demand: expected a cell with rows of what is kept, lower and upper " ...
             "limit"], who);
@@ -162,7 +179,7 @@ function share = yield (who, w, demands)
     endif
     keeps &= w.values(:,at) >= demands{k,2} & w.values(:,at) <= demands{k,3};
   endfor
-  share = mean (keeps);
+  share = mean (keeps(made));
 endfunction
 
 %!shared m

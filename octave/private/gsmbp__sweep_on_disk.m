@@ -7,6 +7,9 @@ function r = gsmbp__sweep_on_disk (who, s, j)
     r = of_file (j.file, columns (s.table), numel ([s.kept.whole]) - nnz ([s.kept.whole]));
   else
     r = gsmbp__sweep_runs (who, s, j);
+    if (! isempty (r.stopped))   # the chunks stay
+      return;
+    endif
     j.call ("export", j.job, j.folder, j.file);
   endif
   if (exist (j.folder, "dir"))
@@ -21,7 +24,7 @@ function r = of_file (file, varied, kept)
   n = numel (w.ok);
   r = struct ("values", reshape (w.table, varied + kept, n)(varied+1:end,:)', "ok", ...
               logical (w.ok(:)), "reached", w.reached(:), "reason", {repmat({""}, n, 1)}, ...
-              "whole", {{}}, "seconds", 0);
+              "whole", {{}}, "seconds", 0, "made", true (n, 1), "stopped", "");
   if (isfield (w, "failed"))
     r.reason(double (w.failed.run)) = cellstr (w.failed.reason);
   endif

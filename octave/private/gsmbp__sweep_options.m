@@ -11,10 +11,11 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "threads", nproc(), "whole"
            "file", "", "text"
            "program", "", "text"
+           "timeout", 0, "nonnegative"
            "resume", false, "flag"
            "chunk", 4096, "whole"};
   [names, values] = gsmbp__pairs (who, "option", pairs);
-  known = gsmbp__simulate_options (false)(:,1);
+  known = setdiff (gsmbp__simulate_options (false)(:,1), {"timeout"});
   k = find (! ismember (names, [table(:,1); known]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, sort ([table(:,1); known])'));

@@ -1,13 +1,15 @@
 ## r = gsmbp__sweep_runs (who, s, j)
 ## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
 ## names, table, kept, threads, chunk; J: a journal, [] for none.  R: values, ok,
-## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds.
+## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
+## (whether they were), stopped ("", or what ended all: a chunk under way is then none).
 
 function r = gsmbp__sweep_runs (who, s, j)
   n = rows (s.table);
   whole = [s.kept.whole];
   r = struct ("values", NaN (n, nnz (! whole)), "ok", false (n, 1), "reached", NaN (n, 1), ...
-              "reason", {repmat({""}, n, 1)}, "whole", {cell(1, nnz (whole))}, "seconds", 0);
+              "reason", {repmat({""}, n, 1)}, "whole", {cell(1, nnz (whole))}, "seconds", 0, ...
+              "stopped", "");
   missing = true (n, 1);
   if (! isempty (j))
     [r, missing] = read_chunks (r, j, missing);
@@ -18,11 +20,15 @@ function r = gsmbp__sweep_runs (who, s, j)
   most = floor (4e6 / (d.nx + d.nv + d.ny + 1) / numel (s.times));
   most = min (s.chunk, max (s.threads, most));
   some = min (64, most);
+  ends = time () + {s.timeout, Inf}{1 + (s.timeout == 0)};
   while (any (missing))
     first = find (missing, 1);
     last = min ([first + some - 1, n, first - 2 + find(! [missing(first:end); false], 1)]);
     took = tic ();
-    [block, text, seconds] = chunk (s, first:last);
+    [block, text, seconds, r.stopped] = chunk (s, first:last, ends - time ());
+    if (! isempty (r.stopped))
+      break;
+    endif
     if (! isempty (j))
       j.call ("write", j.folder, first - 1, block, text);
     endif
@@ -31,6 +37,8 @@ function r = gsmbp__sweep_runs (who, s, j)
     missing(first:last) = false;
     some = min (most, some * (1 + 3 * (toc (took) < 0.5)));
   endwhile
+  r.made = ! missing;
+  r.reason(missing) = {["not made: " r.stopped]};
 endfunction
 
 ## those that are on disk; what is not whole is made again
@@ -47,9 +55,16 @@ function [r, missing] = read_chunks (r, j, missing)
 endfunction
 
 ## runs: a row for each, ok, reached, what is kept, whole runs; a line for each that failed
-function [block, text, seconds] = chunk (s, i)
-  e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "parameters", ...
-                      cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
+function [block, text, seconds, stopped] = chunk (s, i, left)
+  warning ("off", "gsmbp:stopped", "local");   # the sweep says it
+  [block, text, seconds, stopped] = deal ([], "", 0, "timeout");
+  if (left <= 0)
+    return;
+  endif
+  e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "timeout", ...
+                      {left, 0}{1 + isinf(left)}, ...
+                      "parameters", cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
+  stopped = e.stopped;
   kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
   parts = cell (1, numel (kept));
   for k = 1:numel (kept)

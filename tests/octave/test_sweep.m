@@ -140,6 +140,20 @@ function on_disk (m)
   delete (file);
   run ("file", file, "chunk", 33);
   gsmbp_check ("the same sweep, the same bytes of the file", strcmp (bytes, fileread (file)));
+  delete (file);
+  warning ("off", "gsmbp:stopped", "local");
+  w = run ("file", file, "timeout", 1e-9);
+  gsmbp_check (["out of time: what was not made is no result: " w.reason{1}], ...
+               strcmp (w.stopped, "timeout") && ! any (w.ok) && isnan (w.yield) ...
+                 && ! exist (file, "file") && exist ([file ".parts"], "dir"));
+  slow = @(varargin) gsmbp_sweep (m, [1; 0], 0:0.1:20, "vary", struct ("m", [1, 3]), "runs", ...
+                                  40000, "keep", "final x1", varargin{:});
+  w = slow ("timeout", 0.6, "chunk", 4, "threads", 1);
+  gsmbp_check (sprintf ("a chunk that time ended is none: %d runs made", nnz (w.ok)), ...
+               strcmp (w.stopped, "timeout") && mod (sum (! strncmp (w.reason, "not made", 8)), ...
+                                                     4) == 0);
+  w = run ("file", file, "resume", true);
+  gsmbp_check ("it goes on, the same table", same (w, plain) && isempty (w.stopped));
   of_another (run, file, {"seed", 2; "plan", "latin"; "rtol", 1e-7});
 end
 
