@@ -17,7 +17,8 @@
 ## time: those of the machine, @var{run} of @code{gsmbp_simulate} of the model @var{mc} with the
 ## controller, beside those of the linear model from the same start with the same references;
 ## without them the answer of the linear model to steps of the references, or of a force at the
-## first input where there are none.  A .csv beside it has the loop by frequencies.  Option "size":
+## first input where there are none; what is small beside the rest has an axis of its own at the
+## right.  A .csv beside it has the loop by frequencies.  Option "size":
 ## [cm], default [24 27].
 ##
 ## @c session control

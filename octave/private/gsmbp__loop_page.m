@@ -10,13 +10,13 @@ function gsmbp__loop_page (who, file, c, w, L, margins, mc, run, size_)
     error ("%s: option size: expected width and height from 8 to 200 cm, found %s", who, ...
            gsmbp__shown (size_));
   endif
-  t = gsmbp__loop_time (who, c, mc, run);
+  [in_time, aside] = gsmbp__loop_responses (gsmbp__loop_time (who, c, mc, run));
   lines = {"set encoding utf8", "set grid lc rgb '#c8c8c8' lw 0.6 dt 1", "set border lw 0.8", ...
            "set key top right samplen 3 spacing 1.1 noenhanced opaque", ...
            sprintf(["set multiplot layout 3,2 title %s noenhanced " ...
-                    "margins 0.08,0.97,0.05,0.93 spacing 0.1,0.08"], ...
-                   gsmbp__quoted (heading (c, margins)))};
-  lines = [lines, bode(c, w, L, margins), nyquist(c, L, margins), locus(c), responses(t)];
+                    "margins 0.08,%g,0.05,0.93 spacing %g,0.08"], ...
+                   gsmbp__quoted (heading (c, margins)), [0.97, 0.1] + aside * [-0.06, 0.08])};
+  lines = [lines, bode(c, w, L, margins), nyquist(c, L, margins), locus(c), in_time];
   lines{end+1} = "unset multiplot";
   table = sprintf ("%s-%d.csv", file(1:end-numel (kind)), getpid ());
   names = [strcat({"real of L at "}, c.driven(:)'); strcat({"imaginary of L at "}, c.driven(:)')];
@@ -28,8 +28,12 @@ endfunction
 function text = heading (c, margins)
   [~, k] = max ([margins.Ms]);
   one = margins(k);
-  text = sprintf (["%s (%s): phase margin %.1f\302\260, gain margin %.3g, Ms %.3g, delay " ...
-                   "margin %.3g s"], c.name, c.method, abs (one.phase) * 180 / pi, one.gain, ...
+  at = "";
+  if (numel (margins) > 1)
+    at = [" at " c.driven{k}];
+  endif
+  text = sprintf (["%s (%s)%s: phase margin %.1f\302\260, gain margin %.3g, Ms %.3g, delay " ...
+                   "margin %.3g s"], c.name, c.method, at, abs (one.phase) * 180 / pi, one.gain, ...
                   one.Ms, one.delay);
   if (c.period > 0)
     text = [text sprintf("; period %.3g s, delay %.3g s", c.period, c.delay)];
@@ -48,13 +52,6 @@ function text = terminal (kind, s)
   text = [text " enhanced font 'FreeSans,9'"];
 endfunction
 
-## a block of data of gnuplot, columns of M
-function lines = block (name, M)
-  M = M.';
-  text = sprintf ([repmat(" %.9g", 1, rows (M)) "\n"], M);
-  lines = {sprintf("$%s << EOD", name), strrep(text(1:end-1), "Inf", "NaN"), "EOD"};
-endfunction
-
 function text = curve (name, columns_, k, title)
   colors = gsmbp__colors (k);
   text = sprintf ("$%s using %s with lines lw 1.8 dt %d lc rgb '%s' title %s", name, columns_, ...
@@ -69,7 +66,7 @@ function lines = bode (c, w, L, margins)
     phase(i,:) -= 2 * pi * round ((phase(i,k) + pi / 2) / (2 * pi));
   endfor
   keep = shown (L, w, margins);
-  lines = block ("L", [w(keep)', abs(L(:,keep)).', phase(:,keep).' * 180 / pi]);
+  lines = gsmbp__data_block ("L", [w(keep)', abs(L(:,keep)).', phase(:,keep).' * 180 / pi]);
   lines = [lines, {"set logscale xy", "set format xy '10^{%T}'", ...
                    "set xlabel 'frequency [rad/s]'", ...
                    "set ylabel '|L| [1]'", "set title 'Bode: magnitude'", ...
@@ -116,10 +113,10 @@ endfunction
 function lines = nyquist (c, L, margins)
   a = linspace (0, 2 * pi, 181)';
   Ms = max ([margins.Ms]);
-  lines = [block("C", [cos(a), sin(a), -1 + cos(a) / Ms, sin(a) / Ms])];
+  lines = [gsmbp__data_block("C", [cos(a), sin(a), -1 + cos(a) / Ms, sin(a) / Ms])];
   near = L;
   near(abs (near) > 20) = NaN;
-  lines = [lines, block("N", [real(near.'), imag(near.')])];
+  lines = [lines, gsmbp__data_block("N", [real(near.'), imag(near.')])];
   n = rows (L);
   list = {"$C using 1:2 with lines lw 0.8 dt 3 lc rgb '#4d4d4d' notitle", ...
           sprintf("$C using 3:4 with lines lw 0.8 lc rgb '#cc3318' title '1/Ms'"), ...
@@ -137,16 +134,16 @@ function lines = locus (c)
   [F, H, S] = deal (c.plant.a, c.plant.b, c.plant.c);
   ny = rows (S);
   [By, Dy] = deal (c.B(:,1:ny), c.D(:,1:ny));
-  gains = [0, logspace(-3, 1, 240)];
+  gains = [0, logspace(-3, 1, 1200)];
   poles = zeros (rows (F) + rows (c.A), numel (gains));
   ## G and observers know what is given: they are parts of A
   for k = 1:numel (gains)
     poles(:,k) = eig ([F + gains(k) * H * Dy * S, gains(k) * H * c.C; By * S, c.A]);
   endfor
   closed = eig ([F + H * Dy * S, H * c.C; By * S, c.A]);
-  lines = [block("R", [real(poles(:)), imag(poles(:))]), ...
-           block("O", [real(poles(:,1)), imag(poles(:,1))]), ...
-           block("P", [real(closed), imag(closed)])];
+  lines = [gsmbp__data_block("R", [real(poles(:)), imag(poles(:))]), ...
+           gsmbp__data_block("O", [real(poles(:,1)), imag(poles(:,1))]), ...
+           gsmbp__data_block("P", [real(closed), imag(closed)])];
   range = window (closed, poles(:,1), c.period);
   list = {"$R using 1:2 with points pt 7 ps 0.15 lc rgb '#00459a' notitle", ...
           "$O using 1:2 with points pt 2 ps 1 lc rgb '#4d4d4d' title 'gain 0'", ...
@@ -158,7 +155,7 @@ function lines = locus (c)
   endif
   if (c.period > 0)
     a = linspace (0, 2 * pi, 361)';
-    lines = [lines, block("U", [cos(a), sin(a)])];
+    lines = [lines, gsmbp__data_block("U", [cos(a), sin(a)])];
     list{end+1} = "$U using 1:2 with lines lw 0.8 lc rgb '#4d4d4d' notitle";
     name = "z [1]";
   endif
@@ -189,37 +186,4 @@ function r = window (closed, open_, h)
   [a, b] = deal (min (real (all_)), max ([real(all_); 0]));
   high = max ([abs(imag (all_)); 0.2 * (b - a)]);
   r = [a - 0.15 * (b - a), b + 0.15 * (b - a), -1.3 * high, 1.3 * high];
-endfunction
-
-## two panels: what is measured, what is given
-function lines = responses (t)
-  lines = {};
-  for part = {"y", "u"; "Response: measured", "Response: inputs"}
-    p = t.(part{1});
-    lines = [lines, block([upper(part{1}) "L"], [t.linear, p.linear])];
-    list = {};
-    n = numel (p.names);
-    if (! isempty (t.machine))
-      lines = [lines, block([upper(part{1}) "M"], [t.machine, p.machine])];
-    endif
-    for i = 1:n
-      if (! isempty (t.machine))
-        list{end+1} = sprintf (["$%sM using 1:%d with lines lw 2 lc rgb '%s' title %s"], ...
-                               upper (part{1}), 1 + i, gsmbp__colors (i){i}, ...
-                               gsmbp__quoted ([p.names{i} ", machine"]));
-      endif
-      list{end+1} = sprintf (["$%sL using 1:%d with %s lw 1.8 dt %s lc rgb '%s' title %s"], ...
-                             upper (part{1}), 1 + i, ...
-                             {"lines", "steps"}{1 + (t.stepped && part{1} == "u")}, ...
-                             {"(6,4)", "1"}{1 + isempty(t.machine)}, ...
-                             gsmbp__colors (i){i}, gsmbp__quoted ([p.names{i} ", linear"]));
-    endfor
-    room = min (0.5, 0.06 * numel (list) + 0.03);   # for the legend
-    lines = [lines, {sprintf("set offsets graph 0, graph 0, graph %g, graph 0.03", room), ...
-                     "set autoscale yfix", "set xlabel 'time [s]'", ...
-                     sprintf("set ylabel %s noenhanced", ...
-                             gsmbp__quoted (p.label)), ...
-                     sprintf("set title %s", gsmbp__quoted (part{2})), ...
-                     ["plot " strjoin(list, ", ")]}];
-  endfor
 endfunction

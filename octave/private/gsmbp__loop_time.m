@@ -1,11 +1,11 @@
 ## t = gsmbp__loop_time (who, c, mc, run)
 ## Responses in time of the controller C on its plant, and RUN, of the model MC with it: linear,
-## machine (times), y and u (names, label, linear, machine), stepped (u is held between samples).
+## machine (times), y and u (names, units, linear, machine), stepped (u is held between samples).
 
 function t = gsmbp__loop_time (who, c, mc, run)
   t = struct ("linear", [], "machine", [], "stepped", c.period > 0);
-  t.y = struct ("names", {c.measured(:)'}, "label", label ("", {}), "machine", [], "linear", []);
-  t.u = struct ("names", {c.driven(:)'}, "label", label ("", {}), "machine", [], "linear", []);
+  t.y = struct ("names", {c.measured(:)'}, "units", {{}}, "machine", [], "linear", []);
+  t.u = struct ("names", {c.driven(:)'}, "units", {{}}, "machine", [], "linear", []);
   if (isempty (mc))
     t = steps (c, t);
     return;
@@ -23,8 +23,8 @@ function t = gsmbp__loop_time (who, c, mc, run)
   t.machine = run.t;
   t.y.machine = run.y(:,reads);
   t.u.machine = run.v(:,drives);
-  t.y.label = label ("", unique (mc.units.outputs(reads)));
-  t.u.label = label ("", unique (mc.units.inputs(drives)));
+  t.y.units = mc.units.outputs(reads)(:)';
+  t.u.units = mc.units.inputs(drives)(:)';
   x = zeros (rows (c.plant.a), 1);
   x(own > 0) = run.x(1,own(own > 0))' - c.x0(1:sum (own > 0));
   n = floor ((run.t(end) - run.t(1)) / c.period) + 1;
@@ -36,13 +36,6 @@ function t = gsmbp__loop_time (who, c, mc, run)
     r = run.samples.v(k,refs)' - c.r0;
   endif
   t = sampled (c, t, x, r, run.t(1));
-endfunction
-
-function text = label (what, units)
-  text = ["[" strjoin(units(:)', "], [") "]"];
-  if (isempty (units))
-    text = "as of the model";
-  endif
 endfunction
 
 ## the difference equation; limits and converters are not in it
