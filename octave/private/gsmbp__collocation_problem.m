@@ -103,7 +103,7 @@ function [list, by_time, final, own] = goal (who, m, o)
     elseif (isempty (at))
       [own, known] = gsmbp__collocation_term (m, name, weight, own);
       if (! isempty (known))
-        error ("%s: option goal: unknown %s", who, ...
+        error ("%s: option goal: unknown %s; of states and inputs NAME^2, NAME*NAME", who, ...
                gsmbp__unknown (name, [{"time"}, m.outputs(:)', known]));
       endif
     else

@@ -257,6 +257,8 @@ function refused (m)
            {z, z, "time", [2 1]}, "option time: expected the duration, or the least"
            {z, z, "time", 1, "goal", "work"}, "option goal: unknown"
            {z, z, "time", 1, "goal", "final q"}, "option goal: unknown"
+           {z, z, "time", 1, "goal", "F^3"}, "of states and inputs NAME^2, NAME*NAME"
+           {z, z, "time", 1, "regularize", -1}, "option regularize: expected a finite number >= 0"
            {z, z, "time", 1, "final", {"q", 0, 1}}, "option final: unknown"
            {z, z, "time", 1, "inputs", {"F", 2, 1}}, "inputs: F: expected the least"
            {z, z, "time", 1, "outputs", {"x", 0, 1}}, "option outputs: unknown"
