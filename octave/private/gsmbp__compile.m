@@ -59,7 +59,8 @@ function new = run_time (who, w, place)
                              "%s %s -c%s && ar rcs libgsmbp.a *.o"], quote (place), ...
                             quote (w.c), w.cc, w.f77, w.common_flags, ...
                             sprintf (" %s", ...
-                                cellfun (@quote, w.fortran, "UniformOutput", false){:})));
+                                cellfun (@quote, w.fortran, "UniformOutput", false){:})), ...
+              "compiling what all scenes share, 1 of 2", 8);
 endfunction
 
 ## the generic part of all modules
@@ -67,7 +68,8 @@ function new = generic (who, w, place)
   new = "module.o";
   gsmbp__run (who, sprintf (["cd %s && ln -s %s glue && ln -s %s c && " ...
                              "%s %s -Ic -c -o module.o glue/gsmbp_module.cc"], quote (place), ...
-                            quote (w.glue), quote (w.c), mkoctfile_command (), w.define));
+                            quote (w.glue), quote (w.c), mkoctfile_command (), w.define), ...
+              "compiling what all scenes share, 2 of 2", 15);
 endfunction
 
 function new = scene (who, w, json, source, symbol, input, place)
@@ -75,10 +77,10 @@ function new = scene (who, w, json, source, symbol, input, place)
   shared (who, w);
   compile = @(file, object) gsmbp__run (who, sprintf ("cd %s && %s %s -c -o %s %s", ...
                                                       quote (place), w.f77, w.flags, object, ...
-                                                      quote (file)));
+                                                      quote (file)), ...
+                                       ["compiling " json.name], seconds_for (file));
   gsmbp__write (who, fullfile (place, "gsmbp_sizes.h"), ...
                 gsmbp__sizes_header (json, symbol, ! isempty (input)));
-  say_if_long (who, source);
   compile (source, "scene_f.o");
   user = "";
   if (! isempty (input))
@@ -95,14 +97,9 @@ function new = scene (who, w, json, source, symbol, input, place)
                             strtrim (mkoctfile ("-p", "FLIBS"))));
 endfunction
 
-## gfortran takes some 0.7 ms a line: what will take more than 10 s says so
-function say_if_long (who, source)
-  lines = sum (fileread (source) == "\n");
-  if (lines > 14000)
-    printf ("%s: %s has %d lines; compiling it takes about %d s\n", who, source, lines, ...
-            10 * ceil (lines / 14000));
-    fflush (stdout);
-  endif
+## gfortran takes some 0.7 ms a line
+function s = seconds_for (file)
+  s = 7e-4 * sum (fileread (file) == "\n");
 endfunction
 
 function text = quote (file)

@@ -1,9 +1,19 @@
 ## gsmbp__run (who, command)
+## gsmbp__run (who, command, what, seconds)
 ## Runs a shell command; an error of WHO shows the command and the beginning of what
-## it wrote.
+## it wrote.  With WHAT a terminal is told that it is done and how long it will take yet, where
+## that is more than 3 SECONDS by an estimate.
 
-function gsmbp__run (who, command)
-  [status, text] = system (["exec 2>&1; " command]);
+function gsmbp__run (who, command, what, seconds)
+  clock = "";
+  if (nargin > 2 && seconds > 3 && gsmbp__terminal ())
+    clock = sprintf (["(n=%d; while sleep 1; do n=$((n > 1 ? n - 1 : 1)); " ...
+                      "printf '\\r%%s, about %%d s left\\033[K' '%s: %s' $n; " ...
+                      "done) </dev/null >/dev/tty 2>/dev/null & t=$!; " ...
+                      "trap 'kill $t; printf \"\\r\\033[K\" >/dev/tty' EXIT; "], ...
+                     ceil (seconds), who, what);
+  endif
+  [status, text] = system (["exec 2>&1; " clock command]);
   if (status != 0)
     full = "";
     words = 'No space left|File size limit|File too large';

@@ -29,6 +29,9 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
   elseif (o.resume && isempty (o.file))
     error ("%s: option resume goes on with what stands beside option file, which is missing", who);
   endif
+  if (o.timeout > 0 && ! isempty (o.program))
+    error ("%s: option timeout is for the runs of this session, not for option program", who);
+  endif
   for name = {"runs", "threads", "chunk"}
     if (! (o.(name{1}) >= 1))
       error ("%s: option %s: expected a whole number above 0, found %g", who, name{1}, ...

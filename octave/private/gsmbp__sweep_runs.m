@@ -21,6 +21,8 @@ function r = gsmbp__sweep_runs (who, s, j)
   most = min (s.chunk, max (s.threads, most));
   some = min (64, most);
   ends = time () + {s.timeout, Inf}{1 + (s.timeout == 0)};
+  begin = tic ();
+  before = nnz (! missing);
   while (any (missing))
     first = find (missing, 1);
     last = min ([first + some - 1, n, first - 2 + find(! [missing(first:end); false], 1)]);
@@ -36,9 +38,20 @@ function r = gsmbp__sweep_runs (who, s, j)
     r.seconds += seconds;
     missing(first:last) = false;
     some = min (most, some * (1 + 3 * (toc (took) < 0.5)));
+    how_far (who, s.m, n, before, nnz (missing), toc (begin));
   endwhile
+  gsmbp__tell ("");
   r.made = ! missing;
   r.reason(missing) = {["not made: " r.stopped]};
+endfunction
+
+## on a terminal, where it takes long
+function how_far (who, m, n, before, missing, seconds)
+  done = n - before - missing;
+  if (seconds > 2 && done > 0)
+    gsmbp__tell ("%s: %s: %d of %d runs, %.0f s left", who, m.name, n - missing, n, ...
+                 ceil (seconds / done * missing));
+  endif
 endfunction
 
 ## those that are on disk; what is not whole is made again

@@ -3,7 +3,7 @@
 ## this session do not go to a terminal.
 
 function gsmbp__tell (varargin)
-  if (system ("test -t 2") == 0)
+  if (gsmbp__terminal ())
     fprintf (stderr, "\r%s\033[K", sprintf (varargin{:}));
     fflush (stderr);
   endif

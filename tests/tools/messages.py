@@ -37,7 +37,6 @@ TEXTS = [
     ('octave/private/gsmbp__failure.m', 'fastest'),
     ('octave/private/gsmbp__outside.m', 'gsmbp__outside'),
     ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
-    ('octave/private/gsmbp__compile.m', 'say_if_long'),
     ('octave/private/gsmbp__no_beginning.m', 'gsmbp__no_beginning'),
     ('octave/private/gsmbp__fits.m', 'gsmbp__fits'),
     ('octave/private/gsmbp__margins.m', 'sentence'),
