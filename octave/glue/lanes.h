@@ -296,9 +296,9 @@ lane_group::to_next_stop (lane_run& l)
   run_room& r = l.r;
   int acted = 0;
   r.rstat[7] = l.t;
-  fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, l.state (), m_siz,
-                    &m_tim[0], l.ip.data (), l.rp.data (), &r.cst[0], l.inputs (), &r.w[0],
-                    &r.xout[0], &r.vout[0], l.stp, l.istp, &acted, &r.istat[0], &r.info);
+  fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &m_iopt[0], &l.t,
+                    l.state (), m_siz, &m_tim[0], l.ip.data (), l.rp.data (), &r.cst[0],
+                    l.inputs (), &r.w[0], &r.xout[0], &r.vout[0], l.stp, l.istp, &acted, &r.istat[0], &r.info);
   if (r.info != 0 || l.istp[1] > s.nt)
     return false;
   if (acted == 1)
@@ -524,7 +524,7 @@ lane_group::found_8 (int lane)
   const simulation& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
-  if (l.lm[0] != 1)
+  if (l.lm[0] == 0)
     return true;
   l.lm[0] = 0;
   double *f = l.stages (), *v = l.inputs ();
@@ -636,7 +636,7 @@ lane_group::after_8 (int lane)
   lane_run& l = m_l[lane];
   m_xn.get (lane, l.next (), m_s.nx);
   l.r.istat[0] += m_calls[lane];
-  if (S.nev > 0)
+  if (S.nev > 0 || m_tim[l.istp[1]] < l.tn)
     {
       for (int k = 0; k < 12; k++)
         for (int j = 0; j < m_s.nx; j++)
@@ -671,9 +671,12 @@ lane_group::judge_8 (int lane, double err)
   run_room& r = l.r;
   int taken = 0, info = 0;
   fortran {gsdtb_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, &l.stp[0],
-                    &l.tn, &l.at, &l.h, &err, &l.ier, m_siz, &m_iopt[0], &m_ropt[0], l.ip.data (),
-                    l.rp.data (), &r.cst[0], l.state (), l.next (), l.inputs (), l.stages (),
-                    &r.w[0], l.partition (), l.m, l.lm, &taken, &r.istat[0], &r.rstat[0], &info);
+                    &l.tn, &l.at, &l.h, &err, &l.ier, m_siz, &m_tim[0], &m_iopt[0], &m_ropt[0],
+                    l.ip.data (), l.rp.data (), &r.cst[0], &r.xout[0], &r.vout[0], &l.istp[1],
+                    l.state (), l.next (), l.inputs (), l.stages (), &r.w[0], l.partition (), l.m,
+                    l.lm, &taken, &r.istat[0], &r.rstat[0], &info);
+  if (l.lm[0] == 2)   // the rates at the end of the step are known
+    m_f.put (lane, l.stages () + s.nx, s.nx);
   if (taken == 1)
     std::swap (l.iw[0], l.iw[1]);
   if (info != 0)

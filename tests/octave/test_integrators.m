@@ -38,7 +38,11 @@ function orders (m, q)
   end
   gsmbp_check (sprintf ("DOP853: order %.2f %.2f, less 8", log2 (e(1:2) ./ e(2:3))), ...
                log2 (e(1:2) ./ e(2:3)) - 8, 1);
-  gsmbp_check ("DOP853: twelve calls a step", r.stats.calls - 12 * r.stats.accepted - 1, 1);
+  gsmbp_check ("DOP853: twelve calls a step, three more where outputs lie within it", ...
+               r.stats.calls - 15 * r.stats.accepted - 1, 1);
+  r = gsmbp_simulate (q, x0, [0, 1], "input", 3, "rtol", 0.99, "atol", 1, "maxstep", h(3), ...
+                      "step", h(3));
+  gsmbp_check ("DOP853: twelve calls a step without", r.stats.calls - 12 * r.stats.accepted - 1, 1);
 end
 
 function tolerance (m, q)

@@ -45,14 +45,14 @@ ends (const gs_system *g, const gs_step *e, double *xdn)
   return e->method == 12 ? 0 : gsfun (g, e->tn, e->side, e->xn, xdn);
 }
 
-/* without an event in e: the number of a function that has not risen above 0 since its last event
- * and tells what happens just after that, else 0 */
+/* in e, or up to its event `first`: the number of a function that has not risen above 0 since its
+ * last event and tells what happens just after that, else 0 */
 static int
-still_below (const gs_events *a)
+still_below (const gs_events *a, int first)
 {
   int found = 0;
   for (int i = 0; i < a->ne; i++)
-    if (a->marks[i] == 0 && ! gs_is_held (a, i) && a->last[i] < 0.0)
+    if (i + 1 != first && a->marks[i] == 0 && ! gs_is_held (a, i) && a->last[i] < 0.0)
       found = i + 1;
   return found;
 }
@@ -87,19 +87,24 @@ gsevn (const gs_system *g, gs_step *e, int *found)
       else
         break;
     }
-  *found = first;
-  if (first > 0)
-    return gsevs (g, e, first, thf);
-
-  *found = still_below (&a);
-  if (*found == 0)
+  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  *found = still_below (&a, first);
+  if (*found > 0 && fabs (e->h) > instant)
+    *found = -1;
+  else if (first > 0)
+    {
+      *found = first;
+      info = gsevs (g, e, first, thf);
+      if (e->tn - e->t > instant)
+        *a.since = 0;
+      return info;
+    }
+  else if (*found == 0)
     {
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
       memcpy (a.g, a.last, a.ne * sizeof (double));
       *a.since = 0;
     }
-  else if (fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn)))
-    *found = -1;
   return 0;
 }
 

@@ -95,7 +95,7 @@ typedef struct
   double job;         /* M(5) p[0] as the way of the loops wants it */
   double loose;       /* M(6) the relative tolerance close to singular positions */
   double close;       /* M(7) how small the pivot may be where a step ends */
-  int fresh;          /* LM(1) 1 if the rates at x are to be computed */
+  int fresh;          /* LM(1) 1 if the rates at x are to be computed, 2 if gsdpd left them */
   int after;          /* LM(2) 1 if the last step was one of GSDP8 */
   int repeated;       /* LM(3) steps that were repeated for the pivot, */
   int slow;           /* LM(4) that were very short, one after the other */
@@ -133,7 +133,8 @@ int gsdps (gs_course *c);
 int gsdpf (gs_course *c);
 
 /* one trial step of gsdp8 of the length htry or less, onto the constraints and up to an event in
- * it, and the length of the next one; taken: 1 if it was good. info as gssim: 0, 1, 2, 3 */
+ * it, the outputs within it, and the length of the next one; taken: 1 if it was good. info as
+ * gssim: 0, 1, 2, 3 */
 int gsdpt (gs_course *c, double htry, int *taken);
 
 /* before a trial step of the length h: the partition that its stages need. info as gssim: 0, 3 */
@@ -156,6 +157,20 @@ int gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *
  * good if <= 1. w (nx,13): column 0 the rates at x, on entry */
 int gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double *x,
            double *xn, double *err, double *w);
+
+/* behind a step of gsdp8, arguments as there, its polynomial of order 7: f (nx,13): on entry its
+ * stages; on exit column 1 holds the rates at tn, 5 to 8 the coefficients that gsdpv takes; columns
+ * 0, 11 and 12 stay. xn: as it was moved onto the constraints; z (nx): workspace. info as gsfun */
+int gsdpd (const gs_system *g, double t, double tn, int side, double h, const double *x,
+           double *xn, double *f, double *z);
+
+/* the state z at the fraction b of the step from x to xn, on that polynomial */
+void gsdpv (int nx, double h, double b, const double *x, const double *xn, const double *f,
+            double *z);
+
+/* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
+ * constraints. info as gschk; if not 0, none is written */
+int gsdpo (gs_course *c, double tn, int side, double h);
 
 /* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */
 void gsadt (double *a, double *b, double *c);

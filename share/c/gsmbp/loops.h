@@ -18,6 +18,11 @@ extern "C" {
 int gschk (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
            const double *cst, double *p, int *istat, double *rstat);
 
+/* the first part of gschk alone: x is moved onto the constraints, by no more than jump[0] and
+ * jump[1] where jump[0] > 0. info as gschk: not 4 */
+int gsmov (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
+           const double *cst, double *p, int *istat, double *rstat);
+
 /* completes x: phi(q,t) = 0 and HC*u + phit = 0 by the dependent coordinates and speeds, which are
  * guesses on entry. info: 3 no position found, or what con returned */
 int gsprt (const gs_scene *s, double t, double *x, const double *cst, double *p);

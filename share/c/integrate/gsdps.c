@@ -1,5 +1,7 @@
 /* GSDPS: from one stop to the next by the method of Dormand and Prince, or through a singular
  * position. */
+#include <string.h>
+
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
@@ -33,7 +35,7 @@ gsdps (gs_course *c)
 {
   do
     {
-      if (c->fresh == 1)
+      if (c->fresh > 0)
         {
           int info = gsdpf (c);
           c->fresh = 0;
@@ -59,7 +61,9 @@ int
 gsdpf (gs_course *c)
 {
   const gs_system *g = &c->g;
-  if (gsfun (g, c->t, 1, c->x, c->f) != 0)
+  if (c->fresh == 2)
+    memcpy (c->f, c->f + g->nx, g->nx * sizeof (double));
+  else if (gsfun (g, c->t, 1, c->x, c->f) != 0)
     return GS_ROUTINE_FAILED;
   if (gsfin (g->nx, c->f) != 0)
     return GS_RATE_NOT_FINITE;

@@ -1,5 +1,5 @@
-/* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it, and
- * the length of the next one. */
+/* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it; the
+ * outputs within it; the length of the next one. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -36,9 +36,10 @@ is_far (const double *p)
   return p[GS_PIVOT] >= 0.25 * p[GS_LARGEST];
 }
 
-/* the step e was good: the next one, statistics, the event in it. info as gssim */
+/* the step e was good: the next one, statistics, the event in it. dense: 1 if the rates at its end
+ * are known. info as gssim */
 static int
-accept (gs_course *c, const gs_step *e, double err, int loose, int event)
+accept (gs_course *c, const gs_step *e, double err, int loose, int event, int dense)
 {
   const gs_system *g = &c->g;
   const double h = e->h;
@@ -58,7 +59,7 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event)
   g->istat[GS_FAILED] = 0;
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
-  c->fresh = 1;
+  c->fresh = dense == 1 && e->side > 0 && event <= 0 ? 2 : 1;
   c->after = 1;
   c->repeated = 0;
   c->near = 0.05;
@@ -138,10 +139,17 @@ gsdpt (gs_course *c, double htry, int *taken)
     }
   if (failed == 0 && err <= 1.0)
     failed = gsdpc (c, e.tn);
+  const int dense = failed == 0 && err <= 1.0 && c->run->tout[c->it] < e.tn;
+  if (dense)
+    {
+      failed = gsdpo (c, e.tn, e.side, event > 0 ? e.tn - c->t : e.h);
+      if (failed != 0)
+        g->p[GS_STEPS] = 0.0;
+    }
   if (failed != 0 || ! (err <= 1.0))
     return reject (c, e.h, err, failed);
   *taken = 1;
-  return accept (c, &e, err, loose, event);
+  return accept (c, &e, err, loose, event, dense);
 }
 
 /* The partition that the stages need, where the least pivot is below the share near of its largest

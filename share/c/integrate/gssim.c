@@ -12,9 +12,13 @@
  * constraints lose rank are watched for, and close to them (method 8) or where constraints are
  * redundant the ways 2, 4, 5 and 6 borrow from the way 3 (needs con, kin and iopt[2] = 1).
  *
- * Every stop (output time, break or sample) is met exactly, and so is every event; there the
- * integration starts again. Time is t0 + k*h within each way from stop to stop, never a running
- * sum. Method 4 cuts the way to each stop into equal steps of at most ropt[0]. A step of method 8
+ * Every stop (break, sample, the last output time; method 4: every output time) is met exactly,
+ * and so is every event; there the integration starts again. Time is t0 + k*h within each way from
+ * stop to stop, never a running sum. With method 8 the output times between are no stops: the
+ * states there come from the polynomial of order 7 of the step around them (GSDPO), for three calls
+ * of rhs more in such a step, and are moved onto the constraints as the end of the step is; a step
+ * where that cannot be is repeated, shorter.
+ * Method 4 cuts the way to each stop into equal steps of at most ropt[0]. A step of method 8
  * after which x cannot be moved onto the constraints, or only by a jump (more than a tenth of the
  * step's own move and 100 times the tolerance: another branch), is repeated with a quarter of its
  * length. Where the constraints lose rank ahead, before they have turned by 1.2 rad (GSAHD), the

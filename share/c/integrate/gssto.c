@@ -19,14 +19,28 @@ output (gs_course *c)
   r->istat[GS_N_OUTPUTS] = c->it;
 }
 
-/* tb, tend and side */
+/* the output time that is ts but for rounding, else ts */
+static double
+output_at (const gs_course *c)
+{
+  const gs_run *r = c->run;
+  const double fuzz = 8.0 * gseps () * fabs (c->ts);
+  double t = c->ts;
+  for (int i = c->it; i < r->nt && r->tout[i] <= c->ts + fuzz; i++)
+    if (r->tout[i] >= c->ts - fuzz)
+      t = r->tout[i];
+  return t;
+}
+
+/* tb, tend and side: method 4 stops at every output time */
 static void
 next_stop (gs_course *c)
 {
   const gs_run *r = c->run;
   const double eps = gseps ();
-  c->tb = r->tout[c->it];
-  c->side = c->it == r->nt - 1 ? -1 : 1;
+  const int it = r->iopt[GS_METHOD] == 4 ? c->it : r->nt - 1;
+  c->tb = r->tout[it];
+  c->side = it == r->nt - 1 ? -1 : 1;
   if (c->ib < r->nb)
     {
       if (r->tbrk[c->ib] <= c->tb)
@@ -37,7 +51,9 @@ next_stop (gs_course *c)
     {
       c->side = -1;
       if (c->ts < c->tb - 8.0 * eps * fabs (c->tb))
-        c->tb = c->ts;
+        c->tb = output_at (c);
+      if (c->ib < r->nb)
+        c->tb = gs_min (c->tb, r->tbrk[c->ib]);
     }
   c->tend = gs_min (r->tout[r->nt - 1], c->ts);
   if (c->ib < r->nb)

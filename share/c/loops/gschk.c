@@ -151,19 +151,30 @@ rank_of (check *c)
   return 0;
 }
 
-/* everything but the note of a failure */
+/* onto the constraints */
 static int
-run (check *c)
+move (check *c)
 {
   const gs_scene *s = c->s;
+  memcpy (c->a.before, c->x, (s->nq + s->nu) * sizeof *c->x);
   int way = c->iopt[1], info = complete (c);
   if (info == 0 && way != 1 && (way != 3 || s->nq > s->nu))
     info = project (c);
   if (info == 0 && c->jump[0] > 0.0 && way != 1 && jumped (c))
     info = 3;
+  if (info == 0)
+    c->istat[6] = NONE;
+  return info;
+}
+
+/* everything but the note of a failure */
+static int
+run (check *c)
+{
+  const gs_scene *s = c->s;
+  int way = c->iopt[1], info = move (c);
   if (info != 0)
     return info;
-  c->istat[6] = NONE;
   if (s->nlam == 0 || (c->iopt[2] != 1 && way != 3 && way != 6))
     return 0;
   info = drift (c);
@@ -180,8 +191,21 @@ gschk (const gs_scene *s, double t, double *x, const int *iopt, const double *ju
     return 0;
   check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
               gs_partition_of (s->nq, s->nu, s->nlam, p) };
-  memcpy (c.a.before, x, (s->nq + s->nu) * sizeof *x);
   int info = run (&c);
+  if (info != 0)
+    istat[5] = info;
+  return info;
+}
+
+int
+gsmov (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
+       const double *cst, double *p, int *istat, double *rstat)
+{
+  if (s->nlam == 0 && s->nq == s->nu)
+    return 0;
+  check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
+              gs_partition_of (s->nq, s->nu, s->nlam, p) };
+  int info = move (&c);
   if (info != 0)
     istat[5] = info;
   return info;

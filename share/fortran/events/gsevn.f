@@ -101,29 +101,30 @@ C     -- the first function that falls to 0; the part before it again
          NS = 8
          GO TO 10
       END IF
-      FOUND = FIRST
-      IF ( FOUND.GT.0 ) THEN
+C
+C     -- functions that have not risen above 0 since their last event
+      FOUND = 0
+      DO 20 I = 1, NE
+         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
+         IF ( I.NE.FIRST .AND. IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
+     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
+   20 CONTINUE
+      IF ( FOUND.GT.0 .AND.
+     $     ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+         FOUND = -1
+      ELSE IF ( FIRST.GT.0 ) THEN
+         FOUND = FIRST
          CALL GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
      $               WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V, ROPT,
      $               XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS, FOUND,
      $               THF, INFO )
-         RETURN
-      END IF
-C
-C     -- functions that have not risen above 0 since their last event
-      DO 20 I = 1, NE
-         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
-         IF ( IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
-     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
-   20 CONTINUE
-      IF ( FOUND.EQ.0 ) THEN
+         IF ( TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) IE(4) = 0
+      ELSE IF ( FOUND.EQ.0 ) THEN
          DO 30 I = 1, NE
             IE(JA+I) = IE(JL+I)
             RE(I) = RE(2*NE+I)
    30    CONTINUE
          IE(4) = 0
-      ELSE IF ( ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
-         FOUND = -1
       END IF
       RETURN
 C

@@ -26,7 +26,8 @@ C             which none is tried, (9) that before which none is counted
 C             [s], (10) the share of the length that is tried and (11)
 C             the time in which the constraints turn by 1.2 rad [s].
 C     LM      (input/output) INTEGER array, dimension (6): (1) 1 if the
-C             rates at X are to be computed, (2) 1 if the last step was
+C             rates at X are to be computed, 2 if they are those that
+C             GSDPD left, else 0; (2) 1 if the last step was
 C             one of GSDP8, (3) steps that were repeated for the pivot
 C             and (4) steps that were very short, one after the other;
 C             (5) the stages of a passage; (6) 1 in a singular position
@@ -52,11 +53,11 @@ C
       IK = IW(5)
    10 IX  = IW(1)
       IXN = IW(2)
-      IF ( LM(1).EQ.1 ) THEN
+      IF ( LM(1).GT.0 ) THEN
          CALL GSDPF( RHS, CON, KIN, CMD, CLO, VIN, IOPT(1), T, M(2),
      $               MIN( HMAX, STP(1) - T ), W(IX), SIZ(1), SIZ(2),
      $               SIZ(3), SIZ(4), SIZ(5), IP, RP, CST, W(IV),
-     $               ROPT(2), ROPT(4), W(IK), W, W(IC), LM(2), M(1),
+     $               ROPT(2), ROPT(4), W(IK), W, W(IC), LM, M(1),
      $               ISTAT, RSTAT, INFO )
          LM(1) = 0
          IF ( INFO.NE.0 ) RETURN
@@ -73,9 +74,10 @@ C
             RETURN
          END IF
          CALL GSDPT( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $               STP(1), ISTP(1), MIN( M(1), HMAX, HLIM ), SIZ,
-     $               IOPT, ROPT, IP, RP, CST, W(IX), W(IXN), W(IV),
-     $               W(IK), W, W(IC), M, LM, TAKEN, ISTAT, RSTAT, INFO )
+     $               STP, ISTP, MIN( M(1), HMAX, HLIM ), SIZ, TIM, IOPT,
+     $               ROPT, IP, RP, CST, XOUT, VOUT, W(IX), W(IXN),
+     $               W(IV), W(IK), W, W(IC), M, LM, TAKEN, ISTAT, RSTAT,
+     $               INFO )
       ELSE IF ( TAKEN.EQ.1 ) THEN
          LM(1) = 1
          LM(2) = 0
@@ -88,30 +90,38 @@ C
       END
       SUBROUTINE GSDPF( RHS, CON, KIN, CMD, CLO, VIN, METHOD, T, H,
      $                  LEFT, X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V,
-     $                  RTOL, ATOL, F, W, P, AFTER, HN, ISTAT, RSTAT,
+     $                  RTOL, ATOL, F, W, P, LM, HN, ISTAT, RSTAT,
      $                  INFO )
 C
 C     PURPOSE
-C     Before a step of GSDP8: the rates at X, F(*,1); behind one (AFTER
-C     is 1) of the length H whether stability binds it; a first step HN,
-C     no longer than LEFT, where HN is 0.  INFO as GSSIM: 0, 3, 5 or 8.
+C     Before a step of GSDP8: the rates at X, F(*,1), where LM(1) is 2
+C     from F(*,2); behind one (LM(2) is 1) of the length H whether
+C     stability binds it; a first step HN, no longer than LEFT, where HN
+C     is 0.  INFO as GSSIM: 0, 3, 5 or 8.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
-      INTEGER            METHOD, NQ, NU, NX, NV, NLAM, IP(*), AFTER,
+      INTEGER            METHOD, NQ, NU, NX, NV, NLAM, IP(*), LM(2),
      $                   ISTAT(*), INFO
       DOUBLE PRECISION   T, H, LEFT, X(*), RP(*), CST(*), V(*), RTOL,
      $                   ATOL(*), F(NX,*), W(*), P(*), HN, RSTAT(*)
-      INTEGER            GSFIN, IER
+      INTEGER            GSFIN, I, IER
       EXTERNAL           GSFIN, GSFUN, GSSTD, GSHIN
 C
       INFO = 3
-      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, X, NQ, NU, NX, NV,
-     $            NLAM, IP, RP, CST, V, F, W, P, ISTAT, RSTAT, IER )
-      IF ( IER.NE.0 ) RETURN
+      IF ( LM(1).EQ.2 ) THEN
+         DO 10 I = 1, NX
+            F(I,1) = F(I,2)
+   10    CONTINUE
+      ELSE
+         CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1, X, NQ, NU, NX,
+     $               NV, NLAM, IP, RP, CST, V, F, W, P, ISTAT, RSTAT,
+     $               IER )
+         IF ( IER.NE.0 ) RETURN
+      END IF
       INFO = 8
       IF ( GSFIN( NX, F ).NE.0 ) RETURN
-      IF ( AFTER.EQ.1 ) THEN
+      IF ( LM(2).EQ.1 ) THEN
          CALL GSSTD( RHS, CON, KIN, CMD, CLO, VIN, METHOD, T, H, X, NQ,
      $               NU, NX, NV, NLAM, IP, RP, CST, V, RTOL, ATOL, F, W,
      $               P, ISTAT, RSTAT )

@@ -1,15 +1,15 @@
       SUBROUTINE GSDPT( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, SIDE, HTRY, SIZ, IOPT, ROPT, IP, RP, CST,
-     $                  X, XN, V, F, W, P, M, LM, TAKEN, ISTAT, RSTAT,
-     $                  INFO )
+     $                  STP, ISTP, HTRY, SIZ, TIM, IOPT, ROPT, IP, RP,
+     $                  CST, XOUT, VOUT, X, XN, V, F, W, P, M, LM,
+     $                  TAKEN, ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
 C     One trial step of GSDP8 within a run, onto the constraints and up
-C     to an event in it, and the length of the next one.
+C     to an event in it; the outputs within it; the length of the next
+C     one.
 C
 C     ARGUMENTS
 C     As GSDPS, and
-C     TB, SIDE (input) STP(1) and ISTP(1) of GSDPS.
 C     HTRY    (input) DOUBLE PRECISION, the step to be tried [s]: less
 C             where the stop is near.
 C     X       (input) DOUBLE PRECISION array, dimension (NX), the state.
@@ -22,25 +22,27 @@ C     INFO    (output) INTEGER, as GSSIM: 0, 1, 2, 3 or 8.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIDE, SIZ(8), IOPT(*), IP(*), LM(6), TAKEN,
+      INTEGER            ISTP(3), SIZ(8), IOPT(*), IP(*), LM(6), TAKEN,
      $                   ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, HTRY, ROPT(*), RP(*), CST(*), X(*),
-     $                   XN(*), V(*), F(*), W(*), P(*), M(11), RSTAT(*)
+      DOUBLE PRECISION   T, STP(3), HTRY, TIM(*), ROPT(*), RP(*),
+     $                   CST(*), XOUT(*), VOUT(*), X(*), XN(*), V(*),
+     $                   F(*), W(*), P(*), M(11), RSTAT(*)
       EXTERNAL           GSDTA, GSDP8, GSDTB
       DOUBLE PRECISION   TN, H, ERR
       INTEGER            AT, IER
 C
       TAKEN = 0
-      CALL GSDTA( CON, KIN, T, TB, SIDE, HTRY, SIZ, IOPT, CST, X, P, M,
-     $            LM, TN, AT, H, ISTAT, INFO )
+      CALL GSDTA( CON, KIN, T, STP(1), ISTP(1), HTRY, SIZ, IOPT, CST, X,
+     $            P, M, LM, TN, AT, H, ISTAT, INFO )
       IF ( INFO.NE.0 ) RETURN
       CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TN, AT, H, X, SIZ(1),
      $            SIZ(2), SIZ(3), SIZ(4), SIZ(5), IP, RP, CST, V,
      $            ROPT(2), ROPT(4), XN, ERR, F, W, P, ISTAT, RSTAT, IER
      $            )
-      CALL GSDTB( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T, TB,
-     $            TN, AT, H, ERR, IER, SIZ, IOPT, ROPT, IP, RP, CST, X,
-     $            XN, V, F, W, P, M, LM, TAKEN, ISTAT, RSTAT, INFO )
+      CALL GSDTB( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
+     $            STP(1), TN, AT, H, ERR, IER, SIZ, TIM, IOPT, ROPT, IP,
+     $            RP, CST, XOUT, VOUT, ISTP(2), X, XN, V, F, W, P, M,
+     $            LM, TAKEN, ISTAT, RSTAT, INFO )
       END
       SUBROUTINE GSDTA( CON, KIN, T, TB, SIDE, HTRY, SIZ, IOPT, CST, X,
      $                  P, M, LM, TN, AT, H, ISTAT, INFO )
@@ -83,26 +85,27 @@ C
       INFO = 0
       END
       SUBROUTINE GSDTB( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST, T,
-     $                  TB, TN, AT, H, ERR, IER, SIZ, IOPT, ROPT, IP,
-     $                  RP, CST, X, XN, V, F, W, P, M, LM, TAKEN, ISTAT,
-     $                  RSTAT, INFO )
+     $                  TB, TN, AT, H, ERR, IER, SIZ, TIM, IOPT, ROPT,
+     $                  IP, RP, CST, XOUT, VOUT, IT, X, XN, V, F, W, P,
+     $                  M, LM, TAKEN, ISTAT, RSTAT, INFO )
 C
 C     PURPOSE
 C     After a trial step of GSDP8, with its ERR and its INFO in IER: up
-C     to an event in it, onto the constraints, and the length of the
-C     next one; or the length with which it is repeated.  Arguments as
-C     GSDPT, of which TAKEN = 0 on entry, and GSDTA; IER is changed.
+C     to an event in it, onto the constraints; the outputs within it, of
+C     which IT is the next; the length of the next step, or that with
+C     which it is repeated.  Arguments as GSDPT, of which TAKEN = 0 on
+C     entry, and GSDTA; IER is changed.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, RST
-      INTEGER            AT, IER, SIZ(8), IOPT(*), IP(*), LM(6), TAKEN,
-     $                   ISTAT(*), INFO
-      DOUBLE PRECISION   T, TB, TN, H, ERR, ROPT(*), RP(*), CST(*),
-     $                   X(*), XN(*), V(*), F(*), W(*), P(*), M(11),
-     $                   RSTAT(*)
-      EXTERNAL           GSEPS, GSEVN, GSDPC, GSEVR
-      DOUBLE PRECISION   GSEPS, EPS, FAC, GAUSS(3)
-      INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT
+      INTEGER            AT, IER, SIZ(8), IOPT(*), IP(*), IT, LM(6),
+     $                   TAKEN, ISTAT(*), INFO
+      DOUBLE PRECISION   T, TB, TN, H, ERR, TIM(*), ROPT(*), RP(*),
+     $                   CST(*), XOUT(*), VOUT(*), X(*), XN(*), V(*),
+     $                   F(*), W(*), P(*), M(11), RSTAT(*)
+      EXTERNAL           GSEPS, GSEVN, GSDPC, GSDPO, GSEVR
+      DOUBLE PRECISION   GSEPS, EPS, FAC, HD, GAUSS(3)
+      INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT, DENSE
 C
       NQ    = SIZ(1)
       NU    = SIZ(2)
@@ -136,6 +139,18 @@ C     -- a good step: onto the constraints with it
      $   CALL GSDPC( PRJ, CON, KIN, TN, TB, X, XN, NQ, NU, NX, NLAM,
      $               IOPT, ROPT, ROPT(4), CST, P, M(7), LM(3), ISTAT,
      $               RSTAT, IER )
+C
+C     -- the outputs within it
+      DENSE = 0
+      IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 .AND. TIM(1+IT).LT.TN ) THEN
+         DENSE = 1
+         HD = H
+         IF ( EVENT.GT.0 ) HD = TN - T
+         CALL GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, AT, HD,
+     $               X, XN, SIZ, TIM(2), IOPT, ROPT, IP, RP, CST, V, F,
+     $               W, P, XOUT, VOUT, IT, ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 ) P(4) = 0.0D0
+      END IF
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
          TAKEN = 1
          FAC = 6.0D0
@@ -153,6 +168,7 @@ C     -- a good step: onto the constraints with it
          ISTAT(20) = ISTAT(20) + LOOSE
          LM(6) = -MIN( 1, EVENT )
          LM(1) = 1
+         IF ( DENSE.EQ.1 .AND. AT.GT.0 ) LM(1) = 2
          LM(2) = 1
          LM(3) = 0
          M(3)  = 0.05D0
@@ -164,6 +180,7 @@ C     -- a good step: onto the constraints with it
             END IF
          END IF
          IF ( EVENT.GT.0 ) THEN
+            LM(1) = 1
             LM(2) = 0
             CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, XN, NU, NX, NV, IP,
      $                  RP, CST, V, W, ISTAT, EVENT, IER )

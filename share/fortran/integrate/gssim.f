@@ -123,9 +123,14 @@ C             motion's coordinates at T0 where CLO is used.
 C     INFO    (output) INTEGER, see below.
 C
 C     METHOD
-C     Every stop (output time, break or sample) is met exactly, and so
-C     is every event; there the integration starts again.  Time is
-C     t0 + k*h within each way from stop to stop, never a running sum.
+C     Every stop (break, sample, the last output time; method 4: every
+C     output time) is met exactly, and so is every event; there the
+C     integration starts again.  Time is t0 + k*h within each way from
+C     stop to stop, never a running sum.  With method 8 the output times
+C     between are no stops: the states there come from the polynomial of
+C     order 7 of the step around them (GSDPO), for three calls of RHS
+C     more in such a step, and are moved onto the constraints as the end
+C     of the step is; a step where that cannot be is repeated, shorter.
 C     A step of method 8 after which X cannot be moved onto the
 C     constraints, or only by a jump (more than a tenth of the step's
 C     own move and 100 times the tolerance: another branch), is repeated
@@ -208,9 +213,9 @@ C
 C
 C     -- from stop to stop
    10 RSTAT(8) = T
-      CALL GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, W(IW(1)), SIZ,
-     $            TIM, IP, RP, CST, W(IV), W, XOUT, VOUT, STP, ISTP,
-     $            ACTED, ISTAT, INFO )
+      CALL GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, IOPT(1), T,
+     $            W(IW(1)), SIZ, TIM, IP, RP, CST, W(IV), W, XOUT, VOUT,
+     $            STP, ISTP, ACTED, ISTAT, INFO )
       IF ( INFO.NE.0 ) GO TO 20
       IF ( ISTP(2).GT.NT ) RETURN
       IF ( ACTED.EQ.1 ) THEN

@@ -1,6 +1,6 @@
-      SUBROUTINE GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, X, SIZ,
-     $                  TIM, IP, RP, CST, V, W, XOUT, VOUT, STP, ISTP,
-     $                  ACTED, ISTAT, INFO )
+      SUBROUTINE GSSTO( OUT, CTL, CMD, CLO, VIN, EVT, RST, METHOD, T, X,
+     $                  SIZ, TIM, IP, RP, CST, V, W, XOUT, VOUT, STP,
+     $                  ISTP, ACTED, ISTAT, INFO )
 C
 C     PURPOSE
 C     At a stop of a run: the output, the samples and events that are
@@ -8,6 +8,7 @@ C     due there, and the next stop.
 C
 C     ARGUMENTS
 C     As GSSIM, and
+C     METHOD  (input) INTEGER, IOPT(1).
 C     T, X    (input) the time and the state.
 C     STP     (output) DOUBLE PRECISION array, dimension (3): the times
 C             of (1) the next stop, (2) the next break, sample or end of
@@ -21,9 +22,14 @@ C                 of the run, and (3) that of the next break.
 C     ACTED   (output) INTEGER, 1 if the integration starts again here.
 C     INFO    (output) INTEGER, as GSSIM: 0 or 3.
 C
+C     METHOD
+C     Method 4 stops at every output time; the others at an output time
+C     that is that of a sample but for rounding, and at the last one.
+C
       IMPLICIT NONE
       EXTERNAL           OUT, CTL, CMD, CLO, VIN, EVT, RST
-      INTEGER            SIZ(8), IP(*), ISTP(3), ACTED, ISTAT(*), INFO
+      INTEGER            METHOD, SIZ(8), IP(*), ISTP(3), ACTED,
+     $                   ISTAT(*), INFO
       DOUBLE PRECISION   T, X(*), TIM(*), RP(*), CST(*), V(*), W(*),
      $                   XOUT(*), VOUT(*), STP(3)
       DOUBLE PRECISION   GSEPS, EPS, TB, TS
@@ -73,9 +79,11 @@ C     -- samples; TS is the time of the next ones
       IF ( IER.NE.0 ) RETURN
 C
 C     -- the next stop
-      TB = TIM(1+IT)
+      I = NT
+      IF ( METHOD.EQ.4 ) I = IT
+      TB = TIM(1+I)
       SIDE = 1
-      IF ( IT.EQ.NT ) SIDE = -1
+      IF ( I.EQ.NT ) SIDE = -1
       IF ( IB.LE.NB ) THEN
          IF ( TIM(1+NT+IB).LE.TB ) SIDE = -1
          TB = MIN( TB, TIM(1+NT+IB) )
@@ -83,6 +91,11 @@ C     -- the next stop
       IF ( TS.LE.TB + 8.0D0*EPS*ABS( TB ) ) THEN
          SIDE = -1
          IF ( TS.LT.TB - 8.0D0*EPS*ABS( TB ) ) TB = TS
+         DO 40 I = IT, NT
+            IF ( TIM(1+I).GT.TS + 8.0D0*EPS*ABS( TS ) ) GO TO 50
+            IF ( TIM(1+I).GE.TS - 8.0D0*EPS*ABS( TS ) ) TB = TIM(1+I)
+   40    CONTINUE
+   50    IF ( IB.LE.NB ) TB = MIN( TB, TIM(1+NT+IB) )
       END IF
       STP(1) = TB
       STP(2) = MIN( TIM(1+NT), TS )

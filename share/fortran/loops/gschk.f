@@ -23,8 +23,8 @@ C
       INTEGER            NQ, NU, NX, NLAM, IOPT(*), ISTAT(*), INFO
       DOUBLE PRECISION   T, X(*), JUMP(3), CST(*), P(*), RSTAT(*)
       DOUBLE PRECISION   S, BIG, GAP, RATE, LEAST, TMIN
-      EXTERNAL           GSPRT, GSPNW, GSPRC, GSPAS
-      INTEGER            I, J, K, WAY, IW, IT, IG, IH, IQ
+      EXTERNAL           GSMOV, GSPRC, GSPAS
+      INTEGER            I, J, K, WAY, IW, IT, IG, IH
 C
       INFO = 0
       IF ( NLAM.EQ.0 .AND. NQ.EQ.NU ) RETURN
@@ -33,42 +33,11 @@ C
       IT = IW + NLAM
       IG = IT + NLAM
       IH = IG + NLAM + 10
-      IQ = IH + 2*NLAM*NU + 4*NU + 2*NLAM
 C
 C     -- onto the constraints
-      DO 5 I = 1, NQ + NU
-         P(IQ+NQ+I-1) = X(I)
-    5 CONTINUE
-      IF ( P(1).GT.0.0D0 .AND. P(2).LT.0.0D0 ) THEN
-         CALL GSPNW( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
-         ISTAT(7) = 4
-         IF ( INFO.NE.0 ) GO TO 100
-      END IF
-      IF ( P(1).GT.1.0D0 ) THEN
-C        twice: the speeds then belong to the last position
-         CALL GSPRT( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
-         ISTAT(7) = 5
-         IF ( INFO.NE.0 ) GO TO 100
-         CALL GSPRT( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
-         IF ( INFO.NE.0 ) GO TO 100
-      END IF
-      IF ( WAY.NE.1 .AND. ( WAY.NE.3 .OR. NQ.GT.NU ) ) THEN
-         CALL PRJ( T, X, CST, P(IW), INFO )
-         ISTAT(4) = ISTAT(4) + 1
-         ISTAT(7) = 3
-         IF ( INFO.EQ.2 ) INFO = 0
-         IF ( INFO.NE.0 ) GO TO 100
-         RSTAT(5) = MAX( RSTAT(5), ABS( P(IW) ) )
-      END IF
-      IF ( JUMP(1).GT.0.0D0 .AND. WAY.NE.1 ) THEN
-         DO 8 I = 1, NQ + NU
-            K = 1
-            IF ( I.GT.NQ ) K = 2
-            IF ( .NOT.( ABS( X(I) - P(IQ+NQ+I-1) ).LE.JUMP(K) ) )
-     $         INFO = 3
-    8    CONTINUE
-         IF ( INFO.NE.0 ) GO TO 100
-      END IF
+      CALL GSMOV( PRJ, CON, KIN, T, X, NQ, NU, NLAM, IOPT, JUMP, CST, P,
+     $            ISTAT, RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
       ISTAT(7) = 0
       IF ( NLAM.EQ.0 ) RETURN
       IF ( IOPT(3).NE.1 .AND. WAY.NE.3 .AND. WAY.NE.6 ) RETURN
@@ -140,4 +109,63 @@ C     -- rank and partition
       RETURN
 C
   100 ISTAT(6) = INFO
+      END
+      SUBROUTINE GSMOV( PRJ, CON, KIN, T, X, NQ, NU, NLAM, IOPT, JUMP,
+     $                  CST, P, ISTAT, RSTAT, INFO )
+C
+C     PURPOSE
+C     X is moved onto the constraints in the way that IOPT(2) says.
+C
+C     ARGUMENTS
+C     As GSCHK.
+C
+      IMPLICIT NONE
+      EXTERNAL           PRJ, CON, KIN
+      INTEGER            NQ, NU, NLAM, IOPT(*), ISTAT(*), INFO
+      DOUBLE PRECISION   T, X(*), JUMP(2), CST(*), P(*), RSTAT(*)
+      EXTERNAL           GSPRT, GSPNW
+      INTEGER            I, K, WAY, IW, IQ
+C
+      INFO = 0
+      IF ( NLAM.EQ.0 .AND. NQ.EQ.NU ) RETURN
+      WAY = IOPT(2)
+      IW  = 15 + 3*NU + NQ + 2*NLAM
+      IQ  = IW + 3*NLAM + 10 + 2*NLAM*NU + 4*NU + 2*NLAM
+      DO 5 I = 1, NQ + NU
+         P(IQ+NQ+I-1) = X(I)
+    5 CONTINUE
+      IF ( P(1).GT.0.0D0 .AND. P(2).LT.0.0D0 ) THEN
+         CALL GSPNW( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
+         ISTAT(7) = 4
+         IF ( INFO.NE.0 ) GO TO 20
+      END IF
+      IF ( P(1).GT.1.0D0 ) THEN
+C        twice: the speeds then belong to the last position
+         CALL GSPRT( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
+         ISTAT(7) = 5
+         IF ( INFO.NE.0 ) GO TO 20
+         CALL GSPRT( CON, KIN, T, X, NQ, NU, NLAM, CST, P, INFO )
+         IF ( INFO.NE.0 ) GO TO 20
+      END IF
+      IF ( WAY.NE.1 .AND. ( WAY.NE.3 .OR. NQ.GT.NU ) ) THEN
+         CALL PRJ( T, X, CST, P(IW), INFO )
+         ISTAT(4) = ISTAT(4) + 1
+         ISTAT(7) = 3
+         IF ( INFO.EQ.2 ) INFO = 0
+         IF ( INFO.NE.0 ) GO TO 20
+         RSTAT(5) = MAX( RSTAT(5), ABS( P(IW) ) )
+      END IF
+      IF ( JUMP(1).GT.0.0D0 .AND. WAY.NE.1 ) THEN
+         DO 8 I = 1, NQ + NU
+            K = 1
+            IF ( I.GT.NQ ) K = 2
+            IF ( .NOT.( ABS( X(I) - P(IQ+NQ+I-1) ).LE.JUMP(K) ) )
+     $         INFO = 3
+    8    CONTINUE
+         IF ( INFO.NE.0 ) GO TO 20
+      END IF
+      ISTAT(7) = 0
+      RETURN
+C
+   20 ISTAT(6) = INFO
       END

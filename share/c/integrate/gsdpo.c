@@ -1,0 +1,40 @@
+/* GSDPO: the outputs within a step of GSDP8, from its polynomial (GSDPD), moved onto the
+ * constraints as the ends of steps are. */
+#include <stddef.h>
+
+#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
+
+int
+gsdpo (gs_course *c, double tn, int side, double h)
+{
+  const gs_system *g = &c->g;
+  const gs_run *r = c->run;
+  double jump[3];
+  gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
+  int k = c->it,
+      info = gsdpd (g, c->t, tn, side, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k);
+  for (; info == 0 && r->tout[k] < tn; k++)
+    {
+      const double t = r->tout[k];
+      double *x = r->xout + (size_t)r->ldx * k, *v = r->vout + (size_t)r->ldv * k;
+      gsdpv (g->nx, h, (t - c->t) / h, c->x, c->xn, c->f, x);
+      info = gsmov (g->s, t, x, g->iopt, jump, g->cst, g->p, g->istat, g->rstat);
+      if (info != 0)
+        return info;
+      info = gsinp (g->s, t, 1, x, g->nx, g->ip, g->rp, g->cst, v, g->w);
+      if (info != 0)
+        {
+          g->istat[GS_FAILED_INFO] = info;
+          g->istat[GS_FAILED] = 1;
+          return info;
+        }
+    }
+  if (info == 0)
+    {
+      c->it = k;
+      g->istat[GS_N_OUTPUTS] = k;
+    }
+  return info;
+}

@@ -1,0 +1,56 @@
+      SUBROUTINE GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, SIDE,
+     $                  H, X, XN, SIZ, TOUT, IOPT, ROPT, IP, RP, CST, V,
+     $                  F, W, P, XOUT, VOUT, IT, ISTAT, RSTAT, INFO )
+C
+C     PURPOSE
+C     The outputs within a step of GSDP8, from its polynomial (GSDPD),
+C     moved onto the constraints as the ends of steps are.
+C
+C     ARGUMENTS
+C     As GSDPD, and
+C     SIZ, IOPT, ROPT, XOUT, VOUT (input, output) as GSSIM.
+C     TOUT    (input) DOUBLE PRECISION array, dimension (NT), the output
+C             times [s].
+C     IT      (input/output) INTEGER, the number of the next output
+C             time, which lies before TN on entry.
+C     INFO    (output) INTEGER, as GSCHK; then IT is what it was.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
+      INTEGER            SIDE, SIZ(8), IOPT(*), IP(*), IT, ISTAT(*),
+     $                   INFO
+      DOUBLE PRECISION   T, TN, H, X(*), XN(*), TOUT(*), ROPT(*), RP(*),
+     $                   CST(*), V(*), F(*), W(*), P(*), XOUT(SIZ(3),*),
+     $                   VOUT(*), RSTAT(*)
+      EXTERNAL           GSJMP, GSDPD, GSDPV, GSMOV, GSINP
+      DOUBLE PRECISION   JUMP(2)
+      INTEGER            NQ, NU, NX, NV, I
+C
+      NQ = SIZ(1)
+      NU = SIZ(2)
+      NX = SIZ(3)
+      NV = SIZ(4)
+      CALL GSJMP( NQ, NU, X, XN, ROPT(2), ROPT(4), JUMP )
+      CALL GSDPD( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X, XN,
+     $            NQ, NU, NX, NV, SIZ(5), IP, RP, CST, V, F, W, P,
+     $            XOUT(1,IT), ISTAT, RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      I = IT
+   10 IF ( TOUT(I).LT.TN ) THEN
+         CALL GSDPV( NX, H, ( TOUT(I) - T )/H, X, XN, F, XOUT(1,I) )
+         CALL GSMOV( PRJ, CON, KIN, TOUT(I), XOUT(1,I), NQ, NU, SIZ(5),
+     $               IOPT, JUMP, CST, P, ISTAT, RSTAT, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         CALL GSINP( CMD, CLO, VIN, TOUT(I), 1, XOUT(1,I), NU, NX, NV,
+     $               IP, RP, CST, VOUT(NV*(I-1)+1), W, INFO )
+         IF ( INFO.NE.0 ) THEN
+            ISTAT(6) = INFO
+            ISTAT(7) = 1
+            RETURN
+         END IF
+         I = I + 1
+         GO TO 10
+      END IF
+      IT = I
+      ISTAT(5) = I - 1
+      END
