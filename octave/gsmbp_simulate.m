@@ -6,8 +6,10 @@
 ## Simulate a scene; the whole loop runs compiled.
 ##
 ## @var{m} is a model of @code{gsmbp_build}, @var{x0} its @var{nx} states at
-## @var{times}(1) [s]; the states at all @var{times} (strictly increasing, each
-## met exactly) come back as rows.
+## @var{times}(1) [s]; the states at all @var{times} (strictly increasing) come back as
+## rows.  They cost no steps: dp853 takes those between its steps from a polynomial of order 7,
+## radau and cvode from their own, each moved onto the constraints as the ends of steps are; rk4
+## ends its steps there.
 ##
 ## The start must fulfil the constraints: phi = 0, their rates, Euler parameters of
 ## length one.  A start that misses one of them by more than 1e-6 (each beside what

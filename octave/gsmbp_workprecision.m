@@ -2,6 +2,7 @@
 ## @c category Speed and accuracy
 ## @deftypefn  {} {@var{w} =} gsmbp_workprecision (@var{m}, @var{x0}, @var{times}, @
 ## @var{options}, @dots{})
+## @deftypefnx {} {[@var{w}, @var{best}] =} gsmbp_workprecision (@dots{})
 ## Speed against error: what a simulation costs and how far it is from the
 ## truth, for several methods, steps and tolerances.
 ##
@@ -12,7 +13,8 @@
 ## the shortest of several runs, divided by the simulated time.
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "dp853" (tolerances,
-## default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none);
+## default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none; where none of these four
+## is given radau's are 10.^-(4:2:12) if the scene has JAC);
 ## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
@@ -21,15 +23,21 @@
 ## @var{w} is a struct array with the fields @code{method}, @code{step} (or
 ## tolerance), @code{calls} of the right-hand side, @code{seconds} for each
 ## simulated second, @code{error} (coordinates), @code{error_states};
-## @code{w(1).reference} holds the rows of the truth.
+## @code{w(1).reference} holds the rows of the truth.  @var{best}, a struct array, names for each
+## power of ten of the error that was reached the fastest measurement that keeps to it:
+## @code{below} (that power), @code{method}, @code{step}, @code{seconds}, @code{error}; the printed
+## table ends with it.
 ##
 ## @c session octave
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
 ## >> ways = @{"rk4", 1e-3, "dp853", [1e-6 1e-9], "seconds", 0.01, "print", false@};
-## >> w = gsmbp_workprecision (m, m.initial, [0 0.1], "input", 12, ways@{:@});
+## >> [w, best] = gsmbp_workprecision (m, m.initial, [0 0.1], "input", 12, ways@{:@});
 ## >> numel (w), max ([w.error]) < 1e-6
 ## ans = 3
+## ans = 1
+## >> isempty (best), best(1).below >= best(1).error
+## ans = 0
 ## ans = 1
 ## @end example
 ##
@@ -39,12 +47,12 @@
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 
-function w = gsmbp_workprecision (m, x0, times, varargin)
+function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
   if (nargin < 3)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_workprecision", m);
-  [o, rest] = read_options (varargin);
+  [o, rest] = read_options (varargin, any (strcmp (m.subroutines, "jac")));
   [folder, build] = folders (m);
   q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, ...
                    "parameters", m.par);
@@ -58,16 +66,17 @@ function w = gsmbp_workprecision (m, x0, times, varargin)
     endfor
   endfor
   w(1).reference = truth.x;
+  best = best_of (w);
   if (o.print)
-    show (m, w, span, times(1));
+    show (m, w, best, span, times(1));
   endif
   if (! isempty (o.file))
     figure_of (o.file, m, w);
   endif
 endfunction
 
-## its own options, and those for gsmbp_simulate
-function [o, rest] = read_options (pairs)
+## its own options, and those for gsmbp_simulate; JAC: the scene has what radau needs
+function [o, rest] = read_options (pairs, jac)
   who = "gsmbp_workprecision";
   table = {"rk4", 10 .^ -(2:0.5:4), "numbers"
            "dp853", 10 .^ -(4:2:14), "numbers"
@@ -90,6 +99,9 @@ function [o, rest] = read_options (pairs)
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));
   endif
   o = gsmbp__options (who, table, [names(own); values(own)](:)');
+  if (jac && ! any (ismember (table(1:4,1), names)))
+    o.radau = 10 .^ -(4:2:12);
+  endif
   rest = [names(! own); values(! own)](:)';
 endfunction
 
@@ -123,7 +135,21 @@ function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
   w = [w, one];
 endfunction
 
-function show (m, w, span, t0)
+## for each power of ten of the error the fastest measurement whose error is not above it
+function best = best_of (w)
+  best = struct ("below", {}, "method", {}, "step", {}, "seconds", {}, "error", {});
+  reached = [w.error];
+  powers = ceil (log10 (max (reached(isfinite (reached)), 1e-17)));
+  for power = sort (unique (powers), "descend")
+    fit = find (reached <= 10 ^ power);
+    [~, k] = min ([w(fit).seconds]);
+    one = w(fit(k));
+    best(end+1) = struct ("below", 10 ^ power, "method", one.method, "step", one.step, ...
+                          "seconds", one.seconds, "error", one.error);
+  endfor
+endfunction
+
+function show (m, w, best, span, t0)
   printf (["%s: speed against error over %g s (from t = %g s); reference: quad " "precision\n"], ...
           m.name, span, t0);
   printf ("%-8s %-12s %10s %22s %14s %14s\n", "method", "step or tol", "calls", ...
@@ -131,6 +157,10 @@ function show (m, w, span, t0)
   for one = w
     printf ("%-8s %-12.3g %10d %22.2f %14.2e %14.2e\n", one.method, one.step, one.calls, ...
             1e6 * one.seconds, one.error, one.error_states);
+  endfor
+  for one = best
+    printf ("error of coordinates below %g: %s with %g, %.2f microseconds/second\n", one.below, ...
+            one.method, one.step, 1e6 * one.seconds);
   endfor
 endfunction
 
@@ -158,6 +188,18 @@ endfunction
 %!                          false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
+%!test <the best at each error is the fastest that keeps to it; radau is measured by itself>
+%! m = gsmbp_hand ("motor_pendulum");
+%! [w, best] = gsmbp_workprecision (m, [1 0 0], [0 0.2], "print", false, "seconds", 0);
+%! assert (unique ({w.method}), {"dp853", "radau", "rk4"});
+%! for one = best
+%!   fit = w([w.error] <= one.below);
+%!   assert (one.seconds, min ([fit.seconds]));
+%!   assert (one.error <= one.below);
+%! endfor
+%! assert (any ([w.error] <= best(end).below) && ! any ([w.error] <= best(end).below / 10));
+%!test
+%! m = gsmbp_hand ("motor_pendulum");
 %! if (! gsmbp_has_sundials ())
 %!   return;
 %! endif

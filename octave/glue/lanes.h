@@ -298,7 +298,8 @@ lane_group::to_next_stop (lane_run& l)
   r.rstat[7] = l.t;
   fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &m_iopt[0], &l.t,
                     l.state (), m_siz, &m_tim[0], l.ip.data (), l.rp.data (), &r.cst[0],
-                    l.inputs (), &r.w[0], &r.xout[0], &r.vout[0], l.stp, l.istp, &acted, &r.istat[0], &r.info);
+                    l.inputs (), &r.w[0], &r.xout[0], &r.vout[0], l.stp, l.istp, &acted,
+                    &r.istat[0], &r.info);
   if (r.info != 0 || l.istp[1] > s.nt)
     return false;
   if (acted == 1)
