@@ -7,6 +7,7 @@ function test_integrators ()
   c = gsmbp_hand ("hand_crank");
   orders (m, q);
   tolerance (m, q);
+  within_steps (q, m, c);
   jumps (m, q);
   kinds_of_input (m);
   feedback (m);
@@ -32,7 +33,7 @@ function orders (m, q)
   ## steps of Dormand-Prince held fixed by maxstep; in quad the order shows over the whole range
   h = [0.25, 0.125, 0.0625];
   for k = 1:3
-    r = gsmbp_simulate (q, x0, 0:h(k):1, "input", 3, "rtol", 0.99, "atol", 1, "maxstep", h(k), ...
+    r = gsmbp_simulate (q, x0, 0:h(k)/2:1, "input", 3, "rtol", 0.99, "atol", 1, "maxstep", h(k), ...
                         "step", h(k));
     e(k) = norm (r.x(end,:) - exact);
   end
@@ -71,6 +72,36 @@ function tolerance (m, q)
   r = gsmbp_simulate (m, x0, [0, 10], "method", "rk4", "step", 1e-4);
   gsmbp_check ("RK4: 1e5 steps, time reached less 10 s", r.stats.reached - 10, 0);
   gsmbp_check ("RK4: 1e5 steps taken", r.stats.accepted - 1e5, 0);
+end
+
+## outputs within steps: order 7 of the polynomial, on the constraints, no step more
+function within_steps (q, m, c)
+  q = gsmbp_set (q, "L_a", 0.2);
+  x0 = [1; 0.5; 0];
+  times = 0:0.01:1;
+  exact = gsmbp_simulate (q, x0, times, "rtol", 1e-26, "atol", 1e-26).x;
+  h = [0.25, 0.125, 0.0625];
+  for k = 1:3
+    r = gsmbp_simulate (q, x0, times, "rtol", 0.99, "atol", 1, "maxstep", h(k), "step", h(k));
+    e(k) = max (max (abs (r.x - exact)));
+  end
+  gsmbp_check (sprintf ("rows within steps: order %.2f %.2f, less 8", log2 (e(1:2) ./ e(2:3))), ...
+               log2 (e(1:2) ./ e(2:3)) - 8, 1);
+  start = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);
+  nq = c.sizes.nq;
+  for way = {"projection", "partitioning"}
+    two = gsmbp_simulate (c, start, [0, 1], "loops", way{1});
+    r = gsmbp_simulate (c, start, linspace (0, 1, 301), "loops", way{1});
+    gap = arrayfun (@(k) max (abs (c.con (r.t(k), r.x(k,1:nq)', r.x(k,nq+1:end)'))), 1:301);
+    gsmbp_check ([way{1} ": rows within steps are on the constraints"], gap, 1e-13);
+    gsmbp_check ([way{1} ": rows take no steps"], r.stats.accepted - two.stats.accepted, 0);
+    gsmbp_check ([way{1} ": nor move the end"], r.x(end,:) - two.x(end,:), 1e-13);
+  end
+  ## a row that is the time of a break but for rounding, one behind it
+  wave = gsmbp_plan ("table", [0, 0.3, 1], [5; -5; -5], 0);
+  r = gsmbp_simulate (m, x0, [0, 0.3, 0.3 + 1e-15, 1], "input", wave);
+  gsmbp_check ("the inputs at a break from the left, behind it from the right", ...
+               r.v' - [5, 5, -5, -5], 0);
 end
 
 ## a square wave: only stopping at the jumps keeps the order

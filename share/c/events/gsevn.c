@@ -16,6 +16,7 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
+#include "gsmbp/partition.h"
 
 static gs_events
 plan (const gs_system *g)
@@ -57,6 +58,15 @@ still_below (const gs_events *a, int first)
   return found;
 }
 
+/* the largest error of a step up to an event beside the tolerance: see gsdpt */
+static double
+most_error (const gs_system *g)
+{
+  if (g->s->nlam > 0 && g->p[GS_PIVOT] < 0.25 * g->p[GS_LARGEST])
+    return gs_max (1.0, pow (gseps (), 2.0 / 3.0) / g->ropt[1]);
+  return 1.0;
+}
+
 int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
@@ -94,7 +104,10 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   else if (first > 0)
     {
       *found = first;
-      info = gsevs (g, e, first, thf);
+      double err;
+      info = gsevs (g, e, first, thf, &err);
+      if (err > most_error (g) && fabs (e->h) > instant)
+        *found = -1;
       if (e->tn - e->t > instant)
         *a.since = 0;
       return info;
@@ -212,13 +225,14 @@ gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
   return 0;
 }
 
-/* e again with the length th*h to te, into end, onto the constraints. info as gsevn */
+/* e again with the length th*h to te, into end, onto the constraints; err as gsevs. info as gsevn */
 static int
-again (const gs_system *g, const gs_step *e, double th, double te, int side, const gs_events *a)
+again (const gs_system *g, const gs_step *e, double th, double te, int side, const gs_events *a,
+       double *err)
 {
   const gs_scene *s = g->s;
   const int way = g->iopt[GS_LOOPS];
-  double err, res;
+  double res;
   int info = 0;
   if (e->method == 12)
     {
@@ -228,7 +242,7 @@ again (const gs_system *g, const gs_step *e, double th, double te, int side, con
   if (e->method == 4)
     info = gsrk4 (g, e->t, te, side, th * e->h, e->x, a->end, e->f);
   else
-    info = gsdp8 (g, e->t, te, side, th * e->h, e->x, a->end, &err, e->f);
+    info = gsdp8 (g, e->t, te, side, th * e->h, e->x, a->end, err, e->f);
   if (info != 0)
     return info;
   if (way != 1 && (s->nq > s->nu || (s->nlam > 0 && way != 3)))
@@ -257,8 +271,9 @@ first_slope (const gs_system *g, const gs_step *e, int i, double th, double *slo
 }
 
 int
-gsevs (const gs_system *g, gs_step *e, int i, double start)
+gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
 {
+  *err = 0.0;
   const gs_events a = plan (g);
   const double least = 2.0 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
   double th = start, te = e->tn, slope, old = 0.0, gold = 0.0;
@@ -269,7 +284,7 @@ gsevs (const gs_system *g, gs_step *e, int i, double start)
     {
       te = th >= 1.0 ? e->tn : e->t + th * e->h;
       const int side = th >= 1.0 ? e->side : 1;
-      info = again (g, e, th, te, side, &a);
+      info = again (g, e, th, te, side, &a, err);
       if (info != 0)
         return info;
       info = gsevv (g, te, side, a.end, a.mode, a.now);

@@ -22,7 +22,8 @@ C     GAUSS   (input) DOUBLE PRECISION array, dimension (3): TC, D, NS
 C             of GSPSG, for METHOD = 12.
 C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
-C             after the last event.
+C             after the last event, or its error, up to the event, is
+C             too large.
 C     INFO    (output) INTEGER, 0 or the INFO of what failed.
 C
 C     METHOD
@@ -47,7 +48,7 @@ C
      $                   GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
      $                   I, NS, FIRST
-      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF
+      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR
       LOGICAL            HELD, FINE
       EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS
 C
@@ -117,7 +118,13 @@ C     -- functions that have not risen above 0 since their last event
          CALL GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
      $               WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V, ROPT,
      $               XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS, FOUND,
-     $               THF, INFO )
+     $               THF, ERR, INFO )
+         TH = 1.0D0
+         IF ( NLAM.GT.0 .AND. P(13).LT.0.25D0*P(14) )
+     $      TH = MAX( TH, EPS**( 2.0D0/3.0D0 )/ROPT(2) )
+         IF ( ERR.GT.TH .AND.
+     $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) )
+     $      FOUND = -1
          IF ( TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) IE(4) = 0
       ELSE IF ( FOUND.EQ.0 ) THEN
          DO 30 I = 1, NE
@@ -268,7 +275,7 @@ C
       SUBROUTINE GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
      $                  WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V,
      $                  ROPT, XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS,
-     $                  I, START, INFO )
+     $                  I, START, ERR, INFO )
 C
 C     PURPOSE
 C     The step of GSEVN once more, as long as it must be for event
@@ -278,6 +285,7 @@ C     ARGUMENTS
 C     As GSEVN, and
 C     START   (input) DOUBLE PRECISION, the fraction of the step where
 C             its polynomial has the zero.
+C     ERR     (output) DOUBLE PRECISION, that of GSDP8, else 0.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
@@ -285,10 +293,10 @@ C
      $                   IE(*), I, INFO
       DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), ROPT(*),
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
-     $                   GAUSS(3), START
+     $                   GAUSS(3), START, ERR
       INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, K, J, S
-      DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, ERR,
-     $                   EPS, GSEPS
+      DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, EPS,
+     $                   GSEPS
       EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4
 C
       NQ   = SIZ(1)
@@ -300,6 +308,7 @@ C
       NE = IE(1)
       KD = 1 + 5*NE
       KX = KD + 2*NX
+      ERR = 0.0D0
       TH = START
       D = MIN( 1.0D-3, 0.5D0*TH )
       CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, TH - D, 1,
