@@ -224,9 +224,16 @@ extern "C" void
 gsmbp_events_watched (const number *t, const number *x, const number *v, const int *mode,
                       const number *cst, number *g)
 {
+  carried& c = *the_columns;
   routine ("evt") (t, x, v, mode, cst, g);
   for (int i = 0; i < S.nev; i++)
-    watch (*the_columns, i, double (*t), double (g[i]));
+    if (states_alone (c))   // the ends of steps that close in on an event are no motion
+      {
+        c.t1[i] = c.t2[i] = double (*t);
+        c.g1[i] = c.g2[i] = double (g[i]);
+      }
+    else
+      watch (c, i, double (*t), double (g[i]));
 }
 
 // the turns: a column each, number and time

@@ -2,6 +2,7 @@
 ## Events that a run R with derivatives just misses, or grazes without being seen: TURNS, a column
 ## for each place where an event function comes close to 0 and turns (its number, the time), is
 ## looked at in a run of the states alone, RUN (times), by a parabola through three states there.
+## These are 1e-4 s apart, less where an event is nearer: beyond one the parabola says nothing.
 ## Where the function's lowest value is within ten times what the tolerances ATOL make of it, or
 ## that run has an event that R has not, there are no derivatives from there on: LOST as
 ## gsmbp__derivatives has it.
@@ -14,17 +15,20 @@ function lost = gsmbp__grazes (m, r, lost, turns, run, atol)
   endif
   [~, order] = sort (turns(2,:));
   turns = turns(:,order);
-  times = unique ([r.t(1); r.t(end); (ones (3, 1) * turns(2,:) + d * [-1; 0; 1] ...
-                                      * ones (1, columns (turns)))(:)]);
+  steps = arrayfun (@(t) min (d, max (1e-9, 0.4 * min ([Inf; abs(t - r.events.t)]))), turns(2,:));
+  times = unique ([r.t(1); r.t(end); (ones (3, 1) * turns(2,:) + [-1; 0; 1] * steps)(:)]);
   q = run (times');
   found = unseen (r.events, q.events, 10 * d);
-  for turn = turns
-    [~, k] = ismember (turn(2) + d * [-1, 0, 1], times);
+  for turn = [turns; steps]
+    [~, k] = ismember (turn(2) + turn(3) * [-1, 0, 1], times);
     g = arrayfun (@(i) value (m, q, i, turn(1)), k);
     bend = g(1) - 2 * g(2) + g(3);
     low = g(2) - (g(3) - g(1)) ^ 2 / (8 * bend);
-    if (turn(2) < found(2) && bend > 0 && low <= 10 * size_of (m, q, k(2), turn(1), atol))
-      found = turn';
+    lowest = turn(2) + turn(3) * (g(1) - g(3)) / (2 * bend);
+    beyond = any ((r.events.t - turn(2)) .* (r.events.t - lowest) < 0);
+    if (turn(2) < found(2) && bend > 0 && ! beyond ...
+          && low <= 10 * size_of (m, q, k(2), turn(1), atol))
+      found = turn(1:2)';
     endif
   endfor
   if (isfinite (found(2)))
