@@ -225,7 +225,8 @@ gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
   return 0;
 }
 
-/* e again with the length th*h to te, into end, onto the constraints; err as gsevs. info as gsevn */
+/* e again with the length th*h to te, into end, onto the constraints; err as gsevs. info as
+ * gsevn */
 static int
 again (const gs_system *g, const gs_step *e, double th, double te, int side, const gs_events *a,
        double *err)
