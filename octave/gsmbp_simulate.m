@@ -33,13 +33,14 @@
 ## "dp853" (default): Dormand-Prince 8(5,3) with step control; "rk4": classical
 ## Runge-Kutta with fixed step; for stiff scenes "radau": collocation of Radau, IIA, of
 ## the orders 5, 9 and 13 with the exact Jacobian, and "cvode": BDF with it (CVODE of
-## SUNDIALS, Debian package libsundials-dev); "auto": dp853 that goes on with radau
-## where its steps are found to be bound by stability
+## SUNDIALS, Debian package libsundials-dev); for long runs that keep their energy
+## "gauss": collocation of Gauss with fixed step, of the orders 4, 6 and 8; "auto": dp853 that
+## goes on with radau where its steps are found to be bound by stability
 ## @item "step"
-## rk4: the step [s], default 1e-3 (shortened so that whole steps lead to each
+## rk4, gauss: the step [s], default 1e-3 (shortened so that whole steps lead to each
 ## output time); else the first step, default automatic
 ## @item "rtol", "atol"
-## all but rk4: relative tolerance, default 1e-10; absolute tolerance, one number or
+## all but rk4 and gauss: relative tolerance, default 1e-10; absolute tolerance, one number or
 ## one for each state in its unit, default @code{rtol} times the usual size of
 ## each state (@code{m.nominal}).  Both are at least ten units of rounding of the
 ## build's precision (2.2e-15; quad 1.9e-33), a hundred with cvode, @code{atol} times
@@ -49,10 +50,9 @@
 ## @item "timeout"
 ## the wall time [s] after which the run ends with the rows so far; 0 (default): no limit
 ## @item "maxorder"
-## radau: the largest order, 5, 9 or 13 (default); cvode: 1 to 5 (default).  Above 2 BDF
-## is unstable for fast oscillations with hardly any damping: where cvode takes steps as
-## small as these
-## although they have died out, take 2.
+## gauss: the order, 4, 6 (default) or 8; radau: the largest order, 5, 9 or 13 (default);
+## cvode: 1 to 5 (default).  Above 2 BDF is unstable for fast oscillations with hardly any
+## damping: where cvode takes steps as small as these although they have died out, take 2.
 ## @item "loops"
 ## the way of the loops (and of Euler parameters), a word of the table below
 ## @item "projection"
@@ -386,7 +386,7 @@ endfunction
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <option method: expected one of "dp853", "rk4", "cvode", "radau", "auto", found "euler">
+%!error <option method: expected one of "dp853", "rk4", "cvode", "radau", "gauss", "auto", found
 %! gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);

@@ -1,6 +1,6 @@
 /* A run by an implicit method: what the generic part of a module hands to the library of
-   gsmbp_cvode.c or gsmbp_radau.c, which is built when its method is first asked for, so that
-   nothing else needs SUNDIALS. Everything but the members said below means what the
+   gsmbp_cvode.c, gsmbp_radau.c or gsmbp_gauss.c, which is built when its method is first asked for,
+   so that nothing else needs SUNDIALS. Everything but the members said below means what the
    argument of GSSIM with that name means. */
 #ifndef GSMBP_GLUE_RUN_H
 #define GSMBP_GLUE_RUN_H
@@ -17,7 +17,7 @@ typedef struct
       columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
       of_state,     /* 1: the inputs of a planned motion follow states of devices as well */
-      order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13 */
+      order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6 or 8 */
   double t0, *x0;
   int nt, nb;
   double *tout, *tbrk;
@@ -35,7 +35,7 @@ typedef struct
 
 /* INFO as GSSIM, or 6 if the method failed, 7 if there was no memory */
 typedef int gsmbp_run_function (const gsmbp_run *);
-extern gsmbp_run_function gsmbp_cvode, gsmbp_radau;
+extern gsmbp_run_function gsmbp_cvode, gsmbp_radau, gsmbp_gauss;
 #ifdef __cplusplus
 }
 #endif

@@ -4,8 +4,8 @@
    The stages of a step, Z(I) = X(I) - X, solve F - INVERSE*Z/H = 0 by a simplified Newton method,
    one real and some complex systems of NX equations a turn (radau_rule.h, radau_solve.h).  Error,
    step and order are chosen as Hairer and Wanner do (Stiff differential equations solved by Radau
-   methods, J. Comput. Appl. Math. 111, 1999).  Output times are met by steps, since the polynomial
-   within a step is less accurate than its end. */
+   methods, J. Comput. Appl. Math. 111, 1999).  Output times may lie within a step, where the
+   polynomial through its stages gives the state. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

@@ -221,6 +221,20 @@ gs_jacobian (gs_run *s, double t, const double *x, double *A)
   return has_jacobian (s) ? emitted (s, t, x, A) : differences (s, t, x, A);
 }
 
+int
+gs_completes (const gs_run *s)
+{
+  return s->p[0] > 0;
+}
+
+int
+gs_completed (gs_run *s, double t, const double *x, double *completed)
+{
+  int info = gs_rate (s, t, x, s->work);
+  memcpy (completed, s->trial, sizeof (double) * s->r->nx);
+  return info;
+}
+
 /* ... and no jump to another branch, as GSSIM */
 int
 gs_moved (gs_run *s, double t, const double *x, double *moved)

@@ -1,5 +1,5 @@
 /* Inside a library of an implicit method: the run (implicit.c), which every method shares, and what
-   a method is to it (gsmbp_cvode.c, gsmbp_radau.c). */
+   a method is to it (gsmbp_cvode.c, gsmbp_radau.c, gsmbp_gauss.c). */
 #ifndef GSMBP_GLUE_IMPLICIT_H
 #define GSMBP_GLUE_IMPLICIT_H
 #include <stddef.h>
@@ -57,6 +57,9 @@ extern int gs_jacobian (gs_run *s, double t, const double *x, double *A);
 extern int gs_own_states (const gsmbp_run *r);
 /* MOVED: X at T, which a step from the state of the run led to, moved onto the constraints */
 extern int gs_moved (gs_run *s, double t, const double *x, double *moved);
+/* does GSFUN complete the state from independent coordinates? X at T so */
+extern int gs_completes (const gs_run *s);
+extern int gs_completed (gs_run *s, double t, const double *x, double *completed);
 /* is the state moved onto constraints (or Euler parameters onto their sphere)? */
 extern int gs_projects (const gsmbp_run *r);
 

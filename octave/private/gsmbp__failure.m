@@ -23,8 +23,7 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
     case 6
-      by = {"the method", "CVODE"}{1 + ! isempty (said)};
-      text = sprintf ("%s stopped %s with flag %d: %s", by, at, counts(19), said);
+      text = sprintf ("the method stopped %s with flag %d: %s", at, counts(19), said);
     case 7
       text = "there was no memory for the method";
     case 8

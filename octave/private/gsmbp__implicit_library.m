@@ -1,15 +1,16 @@
 ## library = gsmbp__implicit_library (who, m, method)
-## The shared library of an implicit METHOD, "cvode" or "radau" (glue/implicit.c and
+## The shared library of an implicit METHOD, "cvode", "radau" or "gauss" (glue/implicit.c and
 ## glue/gsmbp_METHOD.c), for the module of the model M, built where it is missing or old: only who
 ## asks for CVODE needs SUNDIALS.
 
 function library = gsmbp__implicit_library (who, m, method)
   common = fullfile (fileparts (fileparts (m.file)), "common");
   library = fullfile (common, ["libgsmbp_" method ".so"]);
-  parts = {"implicit.c", ["gsmbp_" method ".c"], "radau_rule.c", "radau_solve.c"};
+  parts = {"implicit.c", ["gsmbp_" method ".c"]};
   links = "-lm";
-  if (strcmp (method, "cvode"))
-    parts = parts(1:2);
+  if (strcmp (method, "radau"))
+    parts = [parts, {"radau_rule.c", "radau_solve.c"}];
+  elseif (strcmp (method, "cvode"))
     links = ["-lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense " ...
              "-lsundials_sunlinsoldense -lm"];
   endif

@@ -4,19 +4,19 @@
 ## WAY: of the loops.
 
 function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way)
-  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "radau", 0, "auto", 9);
+  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "radau", 0, "gauss", 0, "auto", 9);
   if (! (ischar (o.method) && isfield (methods, o.method)))
-    error (["%s: method must be \"dp853\", \"rk4\", \"cvode\", \"radau\" or \"auto\", " ...
-            "found %s"], who, gsmbp__shown (o.method));
+    error (["%s: method must be \"dp853\", \"rk4\", \"cvode\", \"radau\", \"gauss\" or " ...
+            "\"auto\", found %s"], who, gsmbp__shown (o.method));
   endif
   method = o.method;
-  if (strcmp (m.precision, "quad") && any (strcmp (method, {"cvode", "radau", "auto"})))
+  if (strcmp (m.precision, "quad") && ! any (strcmp (method, {"dp853", "rk4"})))
     error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
            m.name);
   endif
-  rk4 = strcmp (o.method, "rk4");
+  fixed = any (strcmp (o.method, {"rk4", "gauss"}));
   if (isempty (o.step))
-    o.step = 1e-3 * rk4;
+    o.step = 1e-3 * fixed;
   endif
   for name = {"step", "maxstep", "maxsteps"}
     value = o.(name{1});
@@ -25,7 +25,7 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
       error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
     endif
   endfor
-  if (rk4 && o.step == 0)
+  if (fixed && o.step == 0)
     error ("%s: option step: expected a number above 0, found 0", who);
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
@@ -37,11 +37,16 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
   ropt = [o.step, o.rtol, o.maxstep];
 endfunction
 
-## what the implicit methods have: BDF the orders 1 to 5, collocation of Radau three
+## what the implicit methods have: BDF the orders 1 to 5, collocation of Radau and Gauss three
 function order = maxorder (who, order, method)
-  orders = {1:5, [5, 9, 13]}{1 + strcmp (method, "radau")};
+  orders = struct ("radau", [5, 9, 13], "gauss", [4, 6, 8]);
+  if (isfield (orders, method))
+    orders = orders.(method);
+  else
+    orders = 1:5;
+  endif
   if (isempty (order))
-    order = orders(end);
+    order = orders(end - strcmp (method, "gauss"));
   endif
   if (! (isnumeric (order) && isscalar (order) && any (order == orders)))
     error ("%s: option maxorder: expected one of %s, found %s", who, ...

@@ -10,6 +10,9 @@ function [m, way] = gsmbp__loop_way (who, o, m)
   word = o.loops;
   if (isempty (word))
     word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
+    if (strcmp (o.method, "gauss") && d.nlam > 0 && has ("kin") && has ("con"))
+      word = "partitioning";   # the steps are those of the independent coordinates alone
+    endif
     if (! isempty (o.projection))
       word = words{1 + logical(o.projection)};
     endif

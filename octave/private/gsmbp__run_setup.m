@@ -28,7 +28,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   breaks = unique ([breaks, double(o.breaks(:)')]);
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
-  if (any (strcmp (p.method, {"cvode", "radau", "auto"})))
+  if (! any (strcmp (p.method, {"dp853", "rk4"})))
     library = gsmbp__implicit_library (who, m, strrep (p.method, "auto", "radau"));
   endif
   guess = zeros (d.nu, 1);

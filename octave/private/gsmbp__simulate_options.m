@@ -2,7 +2,7 @@
 ## The options of gsmbp_simulate: name, default (DRIFT for "drift"), kind.
 
 function table = gsmbp__simulate_options (drift)
-  table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "auto"}
+  table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "gauss", "auto"}
            "step", [], "nonnegative"
            "rtol", 1e-10, "tolerance"
            "atol", [], "any"

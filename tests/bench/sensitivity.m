@@ -3,9 +3,10 @@
 ##
 ## Slider-crank with motor, four-bar, PUMA with motors, ten parameters each: the run with their
 ## columns beside the run alone and beside central differences (20 runs, as they stand and at the
-## tolerance that they need for their best error); a chain of eight links with 40 parameters: the
-## adjoint beside the run alone. Times alternate, the least of many counts. Errors: beside columns
-## at rtol = 1e-13.
+## tolerance that they need for their best error); motions that bounce, stick and slide; a chain of
+## eight links with 40 parameters: the adjoint beside the run alone. Times alternate, the least of
+## many counts. Errors: beside the same run in quad precision at rtol = 1e-18, of one with another
+## (times the parameter, beside the largest).
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
@@ -14,17 +15,31 @@ out = fullfile (here, "out", "sensitivity");
 [~, ~] = mkdir (out);
 
 ## the scene of a file with requests of its own
-function m = scene_of (out, name, text, names)
+## and its build in quad precision
+function [m, q] = scene_of (out, name, text, names, words = "adjoint, ")
   file = fullfile (out, [name ".mac"]);
   f = fopen (file, "w");
-  fprintf (f, "%s\nrequests : '[all, adjoint, sensitivity(%s)]$\n", text, strjoin (names, ", "));
+  fprintf (f, "%s\nrequests : '[all, %ssensitivity(%s)]$\n", text, words, ...
+           strjoin (names, ", "));
   fclose (f);
   gsmbp_derive (file, out);
   m = gsmbp_build (name, "directory", out);
+  q = gsmbp_build (name, "directory", out, "precision", "quad");
 end
 
 function text = example_of (root, name)
   text = sprintf ("load(\"%s\")$", fullfile (root, "examples", name, [name ".mac"]));
+end
+
+## the four-bar with a spring and a damper at the rocker and a rotor on the crank
+function text = loaded_four_bar (root)
+  text = fileread (fullfile (root, "examples", "four_bar", "four_bar.mac"));
+  text = strrep (text, "inertia = [0, mu*la^3/12, mu*la^3/12]", ...
+                 "inertia = [0, mu*la^3/12, mu*la^3/12 + jr]");
+  text = strrep (text, "drive(motor, joint = A),", ["drive(motor, joint = A), " ...
+                 "spring(sp, stiffness = k, joint = D), damper(da, damping = c, joint = D),"]);
+  text = strrep (text, "mp = 0.2*kg]", ["mp = 0.2*kg, k = 1*N*m/rad, c = 0.05*N*m*s/rad, " ...
+                 "jr = 1e-3*kg*m^2]"]);
 end
 
 ## least times of calls that alternate
@@ -38,8 +53,9 @@ function least = alternate (calls)
   end
 end
 
-function e = worst (found, exact, names)
-  e = max (cellfun (@(p) norm (found.(p) - exact.(p), Inf) / norm (exact.(p), Inf), names));
+function e = worst (m, found, exact, names)
+  by = @(of) cellfun (@(p) m.par.(p) * norm (of(p), Inf), names);
+  e = max (by (@(p) found.(p) - exact.(p))) / max (by (@(p) exact.(p)));
 end
 
 ## central differences of the end, relative steps H
@@ -60,26 +76,36 @@ function [x, seconds] = at_end (m, x0, T, v, rtol)
 end
 
 ## a row of the table
-function row = machine (m, names, x0, T, v)
+function row = machine (m, q, names, x0, T, v)
   x = x0 (m);
-  go = @(rtol) gsmbp_simulate (m, x, [0 T], "input", v, "rtol", rtol, "sensitivity", names);
+  go = @(m, rtol) gsmbp_simulate (m, x, [0 T], "input", v, "rtol", rtol, "sensitivity", names);
   take = @(r) structfun (@(a) a(end,:), r.dx, "UniformOutput", false);
   alone = @() gsmbp_simulate (m, x, [0 T], "input", v).stats.seconds;
-  t = alternate ({alone, @() go(1e-10).stats.seconds});
-  exact = take (go (1e-13));
-  own = worst (take (go (1e-10)), exact, names);
+  t = alternate ({alone, @() go(m, 1e-10).stats.seconds});
+  exact = take (go (q, 1e-18));
+  own = arrayfun (@(rtol) worst (m, take (go (m, rtol)), exact, names), [1e-10, 1e-12]);
   best = Inf;
   for rtol = [1e-10, 1e-13]
     for h = [1e-4, 1e-5, 1e-6]
       [D, seconds] = differences (@(m) at_end (m, x0, T, v, rtol), m, names, h);
-      if (worst (D, exact, names) < best)
-        [best, time, at] = deal (worst (D, exact, names), seconds, rtol);
+      if (worst (m, D, exact, names) < best)
+        [best, time, at] = deal (worst (m, D, exact, names), seconds, rtol);
       end
     end
   end
-  row = sprintf ("| %s | %.3g ms | %.3g ms | %.2f | %.1e | %.3g ms, rtol %g | %.1e | %.3f |\n", ...
-                 m.name, 1e3 * t(1), 1e3 * t(2), t(2) / t(1), own, 1e3 * time, at, best, ...
-                 t(2) / time);
+  row = sprintf (["| %s | %.3g ms | %.3g ms | %.2f | %.1e, %.1e | %.3g ms, rtol %g | %.1e " ...
+                  "| %.3f |\n"], m.name, 1e3 * t(1), 1e3 * t(2), t(2) / t(1), own, ...
+                 1e3 * time, at, best, t(2) / time);
+end
+
+## a motion with events
+function row = jumping (m, q, names, x0, T, options)
+  go = @(m, rtol) gsmbp_simulate (m, x0, [0 T], "rtol", rtol, "sensitivity", names, options{:});
+  r = go (m, 1e-10);
+  take = @(r) structfun (@(a) a(end,:), r.dx, "UniformOutput", false);
+  exact = take (go (q, 1e-18));
+  e = arrayfun (@(rtol) worst (m, take (go (m, rtol)), exact, names), [1e-10, 1e-12]);
+  row = sprintf ("| %s | %d | %.1e | %.1e |\n", m.name, numel (r.events.t), e);
 end
 
 ## a chain of N links with five parameters each
@@ -103,28 +129,43 @@ function [text, names] = chain (n)
                   strjoin (parameters, ",\n  "));
 end
 
-text = ["# Derivatives by parameters\n\n| scene | run | with 10 columns | ratio | error | " ...
+text = ["# Derivatives by parameters\n\n| scene | run | with 10 columns | ratio " ...
+        "| error, rtol 1e-10, 1e-12 | " ...
         "central differences | their error | ratio |\n|---|---|---|---|---|---|---|---|\n"];
 names = {"g", "l1", "l2", "m1", "m2", "m3", "n", "ra", "la", "km"};
-m = scene_of (out, "slider_crank", example_of (root, "slider_crank"), names);
-text = [text, machine(m, names, @(m) gsmbp_assemble (m, [0.3 -0.1 0.7 2 0 0 0.5], "hold", "q1"), ...
-                      0.5, 12)];
-names = {"g", "la", "lb", "lc", "ld", "mu", "mp"};
-m = scene_of (out, "four_bar", example_of (root, "four_bar"), names);
-text = [text, machine(m, names, @(m) gsmbp_assemble (m, [1 -0.1 1.4 3 0 0], "hold", "theta"), ...
+[m, q] = scene_of (out, "slider_crank", example_of (root, "slider_crank"), names);
+start = @(m) gsmbp_assemble (m, [0.3 -0.1 0.7 2 0 0 0.5], "hold", "q1");
+text = [text, machine(m, q, names, start, 0.5, 12)];
+names = {"g", "la", "lb", "lc", "ld", "mu", "mp", "k", "c", "jr"};
+[m, q] = scene_of (out, "four_bar", loaded_four_bar (root), names);
+text = [text, machine(m, q, names, @(m) gsmbp_assemble (m, [1 -0.1 1.4 3 0 0], "hold", "theta"), ...
                       0.5, 0.3)];
 names = {"g", "a2", "d3", "m2", "m3", "jy1", "n1", "jm", "ra", "la"};
-m = scene_of (out, "puma560", example_of (root, "puma560"), names);
-text = [text, machine(m, names, @(m) [0.1 0.2 -0.3 0.1 0.2 0.3 0.5 -0.2 0.1]', 0.05, [5 -10 3])];
+[m, q] = scene_of (out, "puma560", example_of (root, "puma560"), names);
+text = [text, machine(m, q, names, @(m) [0.1 0.2 -0.3 0.1 0.2 0.3 0.5 -0.2 0.1]', 0.05, [5 -10 3])];
+
+text = [text, "\n| motion with events | events | error at rtol 1e-10 | at 1e-12 |\n" ...
+        "|---|---|---|---|\n"];
+cases = {"ball", {"g", "lo", "e"}, [1 0 0.3 0], 2.4, {}; ...
+         "belt", {"m", "k", "fc", "vb"}, [0; 0.05; 0.5; 0.4], 1.5, ...
+         {"fixed", "s", "dx0", [0 0 0 0; 0 0 0 0; 0 0 0 1; 0 0 0 -1]}; ...
+         "arm", {"m1", "l", "hi", "e", "f1", "f2"}, [1.5; 0.3; 0; 5], 2, ...
+         {"input", mkpp([0 3], [0.4 -0.5])}};
+for one = cases'
+  name = ["sensitivity_" one{1}];
+  [m, q] = scene_of (out, name, fileread (fullfile (root, "tests", "scenes", [name ".mac"])), ...
+                     one{2}, "");
+  text = [text, jumping(m, q, one{2:end})];
+end
 
 [scene, names] = chain (8);
-m = scene_of (out, "chain8", scene, names);
+[m, q] = scene_of (out, "chain8", scene, names);
 x = [0.3 * ones(8, 1); zeros(8, 1)];
 goal = @(r) deal (r.x(end,1), [zeros(1, 16); eye(1, 16)]);
 t = alternate ({@() gsmbp_simulate(m, x, [0 1]).stats.seconds, ...
                 @() sum(gsmbp_adjoint (m, x, [0 1], goal).seconds)});
 a = gsmbp_adjoint (m, x, [0 1], goal);
-r = gsmbp_simulate (m, x, [0 1], "rtol", 1e-13, "sensitivity", names);
+r = gsmbp_simulate (q, x, [0 1], "rtol", 1e-18, "sensitivity", names);
 e = max (cellfun (@(p) abs (a.dJ.(p) - r.dx.(p)(end,1)), names)) ...
     / max (cellfun (@(p) abs (r.dx.(p)(end,1)), names));
 text = [text, sprintf(["\nchain8, 40 parameters, one goal: run %.3g ms, adjoint (forward and " ...

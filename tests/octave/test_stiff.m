@@ -310,7 +310,7 @@ function failures (m)
   end
   printf ("   (%s)\n", said);
   gsmbp_check ("CVODE's words and the time are in the error", ...
-               ! isempty (regexp (said, 'CVODE stopped at t = 0 s with flag -\d+: .*[a-z]')));
+               ! isempty (regexp (said, 'the method stopped at t = 0 s with flag -\d+: .*[a-z]')));
   for wrong = {{"method", "bdf"}, {"method", "cvode", "maxorder", 6}, ...
                {"method", "cvode", "rtol", 0}}
     failed = false;

@@ -4,6 +4,7 @@
 #include "gsmbp/solve.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 /* the constraints at x into the arrays of the partition; what con returned, but 0 for 2 */
 static int
@@ -13,33 +14,35 @@ constraints (const gs_scene *s, double t, const double *x, const double *cst, gs
   return info == 2 ? 0 : info;
 }
 
-/* the displacement that closes the loops: dq = kin(du); its rank */
-static int
-displacement (const gs_scene *s, double t, const double *x, const double *cst, int r2,
+/* the displacement that closes the loops, by the factorization in the partition of that rank: dq =
+ * kin(du) */
+static void
+displacement (const gs_scene *s, double t, const double *x, const double *cst, int r2, int rank,
               gs_partition *a)
 {
-  int rank;
-  gspfa (s->nlam, r2, a->hc, a->displ, a->rows, a->y, a->piv, a->beta, a->siz, &rank);
   for (int i = 0; i < s->nlam; i++)
     a->rhs[i] = -a->rows[i] * a->phi[i];
   gspls (s->nlam, r2, rank, a->y, a->piv, a->beta, a->rhs, s->nu, a->displ, a->du);
   s->kin (t, x, a->du, cst, a->dq);
-  return rank;
 }
 
-/* Newton's method on the dependent displacements, until hc belongs to a position that fulfils the
- * constraints; rank: that of its last factorization. info as gsprt */
+/* Newton's method on the dependent displacements, until one is so small that what is left is
+ * rounding; hc and its factorization, of that rank, are those of that place. info as gsprt */
 static int
 positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs_partition *a,
            int *rank)
 {
-  double old = 0.0;
+  double old = 0.0, near = 1e-2 * sqrt (gseps ());
+  bool closed = false;
   for (int k = 0; k < 30; k++)
     {
       int info = constraints (s, t, x, cst, a);
       if (info != 0)
         return info;
-      *rank = displacement (s, t, x, cst, r2, a);
+      gspfa (s->nlam, r2, a->hc, a->displ, a->rows, a->y, a->piv, a->beta, a->siz, rank);
+      if (closed)
+        return 0;
+      displacement (s, t, x, cst, r2, *rank, a);
       double d = 0.0, big = 1.0;
       for (int i = 0; i < s->nq; i++)
         {
@@ -51,8 +54,7 @@ positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs
       double part = gs_min (1.0, 0.5 / gs_max (d, 0.5));
       for (int i = 0; i < s->nq; i++)
         x[i] += part * a->dq[i];
-      if (d <= 4.0 * gseps () * big || (k > 0 && d >= 0.25 * old && d <= 1e-8 * big))
-        return 0;
+      closed = d <= near || (k > 0 && d >= 0.25 * old && d <= 1e-8 * big);
       old = d;
     }
   return 3;

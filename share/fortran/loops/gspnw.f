@@ -49,6 +49,8 @@ C     is seen to vanish).  A set that has been chosen is kept as long as the
 C     volume that its columns span is at least 0.8 of the best one's
 C     (the product of the diagonals of their triangular factors): where
 C     it is much less, errors of the independent ones are multiplied.
+C     With P(1) = 3 it is kept down to 0.05: every change costs a method
+C     that keeps the energy some of that.
 C
 C     ARGUMENTS
 C     As GSPRT, and
@@ -62,7 +64,7 @@ C
       EXTERNAL           KIN
       INTEGER            NQ, NU, NLAM, RANK, CHANGE
       DOUBLE PRECISION   T, X(*), CST(*), P(*), LEAST
-      DOUBLE PRECISION   S
+      DOUBLE PRECISION   S, KEPT
       EXTERNAL           GSLPV, GSVOL, GSQRC, GSPWT
       INTEGER            I, J, K, N, IO, IM, IE, IR, IH, IY, IB, IP, IS,
      $                   IU
@@ -95,7 +97,9 @@ C     -- is the present one good enough?
    20    CONTINUE
          CALL GSVOL( NLAM, RANK, P(IY), P(IS), S )
       END IF
-      IF ( S.LT.0.8D0 ) THEN
+      KEPT = 0.8D0
+      IF ( P(1).GT.2.5D0 ) KEPT = 0.05D0
+      IF ( S.LT.KEPT ) THEN
          IF ( P(2).GE.0.0D0 ) CHANGE = 1
          P(2)  = DBLE( RANK )
          P(11) = P(2)

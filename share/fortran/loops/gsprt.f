@@ -18,7 +18,8 @@ C     P       (input/output) DOUBLE PRECISION array, dimension
 C             (24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU), by GSPRC:
 C             P(1)   0 for no partition, 1 for speeds alone (Kane with
 C                    dependent speeds), 2 for coordinates and speeds
-C                    (coordinate partitioning);
+C                    (coordinate partitioning), 3 the same with a set
+C                    that is kept as long as it may be;
 C             P(2)   R, the number of dependent speeds, < 0 if no set
 C                    has been chosen;
 C             P(3)   the largest rank that the constraints had so far;
@@ -44,9 +45,10 @@ C
 C     METHOD
 C     Newton's method on the dependent speeds' displacements du, with
 C     dq = KIN(du), so that Euler parameters stay on their sphere but
-C     for terms of second order.  Columns of HC that are dependent are
-C     left where they are; more rows than columns are solved by least
-C     squares.
+C     for terms of second order, until a displacement is so small that
+C     what is left is rounding; the speeds come from HC at that place.
+C     Columns of HC that are dependent are left where they are; more
+C     rows than columns are solved by least squares.
 C
 C     REFERENCE
 C     Wehage and Haug 1982, generalized coordinate partitioning for
@@ -56,7 +58,8 @@ C
       EXTERNAL           CON, KIN
       INTEGER            NQ, NU, NLAM, INFO
       DOUBLE PRECISION   T, X(*), CST(*), P(*)
-      DOUBLE PRECISION   GSEPS, EPS, D, OLD, BIG, S
+      DOUBLE PRECISION   GSEPS, D, NEAR, OLD, BIG, S
+      LOGICAL            CLOSED
       EXTERNAL           GSEPS, GSPFA, GSPLS
       INTEGER            I, J, K, R, R2, RANK, IO, IE, IR, IW, IT, IG,
      $                   IH, IY, IB, IP, IS, IC, IU, ID
@@ -79,8 +82,9 @@ C
       IC = IS + NU + NLAM
       IU = IC + NLAM
       ID = IU + NU
-      EPS = GSEPS()
+      NEAR = 1.0D-2*SQRT( GSEPS() )
       OLD = 0.0D0
+      CLOSED = .FALSE.
 C
       DO 100 K = 1, 30
          CALL CON( T, X, X(NQ+1), CST, P(IW), P(IT), P(IH), NLAM, P(IG),
@@ -92,6 +96,7 @@ C
 C        -- the displacement that closes the loops
          CALL GSPFA( NLAM, R2, P(IH), P(IE), P(IR), P(IY), P(IP), P(IB),
      $               P(IS), RANK )
+         IF ( CLOSED ) GO TO 110
          DO 30 I = 1, NLAM
             P(IC+I-1) = -P(IR+I-1)*P(IW+I-1)
    30    CONTINUE
@@ -109,9 +114,8 @@ C        -- the displacement that closes the loops
          DO 50 I = 1, NQ
             X(I) = X(I) + S*P(ID+I-1)
    50    CONTINUE
-         IF ( D.LE.4.0D0*EPS*BIG ) GO TO 110
-         IF ( K.GT.1 .AND. D.GE.0.25D0*OLD .AND. D.LE.1.0D-8*BIG )
-     $      GO TO 110
+         CLOSED = D.LE.NEAR .OR. ( K.GT.1 .AND. D.GE.0.25D0*OLD
+     $            .AND. D.LE.1.0D-8*BIG )
          OLD = D
   100 CONTINUE
   120 INFO = 3

@@ -1,0 +1,81 @@
+## Collocation of Gauss: its orders, the energy of long free runs, loops, inputs, failures.
+
+function test_gauss ()
+  m = gsmbp_fixture ("gauss_arms");
+  orders (m);
+  energy (m);
+  crank (gsmbp_hand ("hand_crank"));
+  inputs (gsmbp_hand ("motor_pendulum"));
+  failures (m, gsmbp_hand ("motor_pendulum"));
+end
+
+function varargout = gauss (m, x0, t, varargin)
+  [varargout{1:nargout}] = gsmbp_simulate (m, x0, t, "method", "gauss", varargin{:});
+end
+
+## half the step: 2^order of the error
+function orders (m)
+  x0 = [-1; 0.3; 0; 0];
+  exact = gsmbp_simulate (m, x0, [0 1], "rtol", 1e-14).x(2,:);
+  for order = [4 6 8]
+    h = 0.04;
+    e = arrayfun (@(h) norm (gauss (m, x0, [0 1], "maxorder", order, "step", h).x(2,:) - exact), ...
+                  [h, h/2]);
+    gsmbp_check (sprintf ("order %d, found %.2f (error %.2g)", order, log2 (e(1) / e(2)), e(2)), ...
+                 abs (log2 (e(1) / e(2)) - order) < 0.4);
+  end
+  r = gauss (m, x0, [0 0.013 1]);
+  gsmbp_check ("whole steps to every output time", r.stats.accepted == 13 + 987 ...
+               && abs (r.stats.largest_step - 1e-3) < 1e-15);
+end
+
+## 4e4 steps: the energy stays where it is, that of dp853 at the same cost does not
+function energy (m)
+  x0 = [-1; 0.3; 0; 0];
+  t = 0:10:100;
+  r = gauss (m, x0, t, "step", 2.5e-3);
+  gsmbp_check (sprintf ("energy of 40000 steps, found %.2g", swing (m, r)), swing (m, r) < 1e-13);
+  other = gsmbp_simulate (m, x0, t, "rtol", 1e-8);
+  gsmbp_check (sprintf ("dp853 at 1e-8: %.2g", swing (m, other)), swing (m, other) > 1e-10);
+end
+
+function e = swing (m, r)
+  E = arrayfun (@(k) sum (m.ene (r.t(k), r.x(k,:)')(1:2)), 1:numel (r.t));
+  e = max (abs (E - E(1))) / abs (E(1));
+end
+
+function crank (m)
+  x0 = gsmbp_assemble (m, [0.3 -0.1 0.7 12 0 0]);
+  exact = gsmbp_simulate (m, x0, [0 0.5 1], "rtol", 1e-13);
+  for way = {"", "projection", "baumgarte"}
+    r = gauss (m, x0, [0 0.5 1], "loops", way{1});
+    gsmbp_check (sprintf ("a loop, \"%s\": found %.2g, phi %.2g", way{1}, gap (r, exact), ...
+                          r.stats.drift.phi), gap (r, exact) < 1e-8);
+  end
+  r = gauss (m, x0, [0 1]);
+  gsmbp_check ("the loops stay closed", r.stats.drift.phi < 1e-14 && r.stats.drift.phidot < 1e-13);
+end
+
+function e = gap (a, b)
+  e = max (max (abs (a.x - b.x) ./ max (1, max (abs (b.x)))));
+end
+
+function inputs (m)
+  table = gsmbp_plan ("table", [0 0.3331 1], [0 5 -2], 0);
+  for given = {{"input", table}, {"input", @(t, x) 3 * sin(5 * t)}, ...
+               {"gain", [40 3 0.1], "reference", [0.5; 0; 0]}}
+    r = gauss (m, [0.1; 0; 0], 0:0.25:1, "step", 5e-3, "maxorder", 8, given{1}{:});
+    e = gap (r, gsmbp_simulate (m, [0.1; 0; 0], 0:0.25:1, "rtol", 1e-13, given{1}{:}));
+    gsmbp_check (sprintf ("inputs, found %.2g", e), e < 1e-9);
+  end
+end
+
+function failures (m, motor)
+  says = @(f, text) gsmbp_check (["refused: " text], ...
+                                 any (strfind (gsmbp_complaint (f), text)));
+  says (@() gauss (m, [0 0 0 0], [0 1], "step", 0), "option step: expected a number above 0");
+  says (@() gauss (m, [0 0 0 0], [0 1], "maxorder", 5), "expected one of 4, 6, 8, found 5");
+  stiff = gsmbp_set (motor, "L_a", 1e-6);
+  says (@() gauss (stiff, [0.2; 0; 0], [0 1], "input", 3, "step", 0.01), ...
+        "the iteration does not end: take a shorter step");
+end
