@@ -35,6 +35,9 @@
 ## corners of up to three are run, of more those that derivatives call the worst.  These are carried
 ## with the runs where the scene was derived for them (request @code{sensitivity(m3)}), else
 ## differences
+## @item "yield"
+## a number of runs, default 0: the machine runs that often with parameters by chance within the
+## tolerances
 ## @item "springs"
 ## rows @code{@{"k", [0 500]@}}: parameters that may be chosen so that the weight is balanced, and
 ## their bounds
@@ -80,6 +83,9 @@
 ## @item controller, machine, runs
 ## for @code{gsmbp_controller} and @code{gsmbp_loop}; the model with it; its runs, one for each
 ## task, with @code{planned} and @code{error}
+## @item yield
+## with option "yield": @code{runs}, @code{met}, @code{share}, @code{between} (a 95 % interval of
+## the share), and @code{measures}, the same for each margin, with @code{worst}, the most that is used
 ## @item derivatives
 ## how they were found
 ## @item axes, cycles, drives, attempts, laws, loops, poses, feedforward, references, corners
@@ -128,6 +134,7 @@ function r = gsmbp_design (m, varargin)
   d = gsmbp__machine_checked (who, m, d);
   d = gsmbp__machine_balanced (m, d);
   d = gsmbp__machine_attempts (who, d);
+  d = gsmbp__machine_yield (d);
   d.decisions = gsmbp__machine_decisions (d);
   d.notes = gsmbp__machine_notes (d);
   d = gsmbp__machine_more (d);

@@ -12,7 +12,7 @@ function s = gsmbp__machine_asked (who, given)
            "period", [], "positive"; "delay", 0, "nonnegative"
            "encoder", 0, "nonnegative"; "step_out", 0, "nonnegative"
            "Ms", 1.6, "positive"
-           "tolerances", cell(0, 2), "any"; "springs", cell(0, 2), "any"
+           "tolerances", cell(0, 2), "any"; "yield", 0, "whole"; "springs", cell(0, 2), "any"
            "axes", cell(0, 3), "any"; "linear", struct(), "any"
            "tries", 5, "whole"; "file", "", "text"};
   s = gsmbp__options (who, table, given);

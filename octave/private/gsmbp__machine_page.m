@@ -6,7 +6,7 @@ function gsmbp__machine_page (who, d, file)
   [head, foot] = gsmbp__html_page (["Design of " d.model.name]);
   parts = {verdict(d), asked(d), chosen(d)};
   if (d.found)
-    parts = [parts, {gsmbp__machine_figures(d), margins(d)}];
+    parts = [parts, {gsmbp__machine_figures(d), margins(d), yields(d)}];
   endif
   parts = [parts, {more(d), parameters(d), limits_of(d)}];
   gsmbp__write (who, make_absolute_filename (file), [head, parts{:}, foot]);
@@ -74,6 +74,25 @@ function text = chosen (d)
       text = [text, sprintf("<p>Instead:</p>\n"), list_of(one.alternatives)];
     endif
   endfor
+endfunction
+
+## how many machines within the tolerances keep their limits
+function text = yields (d)
+  text = "";
+  y = d.yield;
+  if (isempty (y))
+    return;
+  endif
+  said = sprintf (["%d of %d machines with parameters by chance within the tolerances keep all " ...
+                   "limits: a yield of %.1f %%, 95 %% interval %.1f to %.1f %%."], ...
+                  y.met, y.runs, 100 * y.share, 100 * y.between);
+  cells = cell (0, 4);
+  for one = y.measures
+    cells(end+1,:) = {one.axis, one.name, sprintf("%.1f %%", 100 * one.share), ...
+                      sprintf("%.0f %%", 100 * one.worst)};
+  endfor
+  text = [sprintf("<h2>Yield</h2>\n<p>%s</p>\n", gsmbp__html (said)), ...
+          gsmbp__html_table({"axis", "quantity", "keep their limit", "most that is used"}, cells)];
 endfunction
 
 function text = margins (d)

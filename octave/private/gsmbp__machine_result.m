@@ -6,7 +6,8 @@ function r = gsmbp__machine_result (d)
               d.more, "notes", {d.notes}, "axes", d.axes, "cycles", d.cycles, ...
               "drives", d.drives, "attempts", d.attempts);
   for name = {"values", "model", "controller", "laws", "loops", "poses", "machine", ...
-              "feedforward", "references", "margins", "corners", "derivatives"}
+              "feedforward", "references", "margins", "corners", "derivatives", ...
+              "yield"}
     r.(name{1}) = [];
     if (isfield (d, name{1}))
       r.(name{1}) = d.(name{1});

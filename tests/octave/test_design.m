@@ -12,6 +12,7 @@ function test_design ()
               "period", 2e-3, "delay", 1e-3, "encoder", 1e-4);
   s.springs = {"k", [0 2000]};
   s.tolerances = {"ml", 0.1; "motor_K", 0.05};
+  s.yield = 4;
   s.file = [tempname() ".html"];
   tidy = onCleanup (@() unlink (s.file));
   r = gsmbp_design (m, s);
@@ -21,6 +22,8 @@ function test_design ()
   the_corners (s, r);
   the_derivatives (r);
   the_page (r, fileread (s.file));
+  the_yield (r, fileread (s.file));
+  s.yield = 0;
   what_is_not_met (m, s);
   refusals (m, s);
 end
@@ -58,6 +61,19 @@ end
 ## the spring without a free length carries the weight everywhere: k*0.3*0.1 = ml*g*lc
 function the_spring (m, r)
   gsmbp_check ("the spring", r.model.par.k / (5*9.81*0.3/(0.3*0.1)) - 1, 1e-6);
+end
+
+## the first point of Sobol is the middle: the nominal machine; the corners are the worst
+function the_yield (r, page)
+  used = [r.margins.used];
+  worst = [r.margins.worst] ./ [r.margins.limit];
+  y = r.yield;
+  gsmbp_check ("yield: four machines, all of them within the corners that are met", ...
+               y.runs == 4 && y.met == 4 && y.share == 1 && y.between(1) < 1);
+  gsmbp_check ("none uses less than the nominal one at its most, none more than the corners", ...
+               all ([y.measures.worst] > used - 1e-6 & [y.measures.worst] < 1.02 * worst + 1e-6));
+  gsmbp_check ("the page tells the yield", ...
+               ! isempty (strfind (page, "a yield of 100.0 %, 95 % interval 51.0 to 100.0 %")));
 end
 
 ## runs at all four corners by hand: what was found at those that were chosen is the worst
