@@ -91,6 +91,7 @@ function c = gsmbp_model_control (m, law, varargin)
            "axes", "ground", {"ground", "tool"}; "damping", 0, "numbers"};
   o = gsmbp__options (who, table, varargin);
   check_scene (who, m, o);
+  check_gains (who, law, o);
   if (gsmbp__ideal_efforts (m, o) && ! strcmp (law, "cartesian impedance"))
     c = gsmbp__at_efforts (who, m, o, law);
     measured_ = 1:m.sizes.nu;
@@ -105,7 +106,7 @@ function c = gsmbp_model_control (m, law, varargin)
     c = of_coordinates (who, m, o, c, measured_);
   endif
   c.limits = gsmbp__two_limits (who, o.limits, c.driven, zeros (size (c.u0)));
-  c.u0 = min (max (c.u0, c.limits(:,1)), c.limits(:,2));
+  c.u0 = within (who, o, c);
   c.step_out = repmat (o.step_out, numel (c.driven), 1);
   c.cst = [];
   if (! isempty (fieldnames (o.parameters)))
@@ -192,6 +193,32 @@ function check_scene (who, m, o)
   endif
 endfunction
 
+## inputs that are held before the first command; a trim that they cannot hold is told
+function u = within (who, o, c)
+  u = min (max (c.u0, c.limits(:,1)), c.limits(:,2));
+  k = find (u != c.u0, 1);
+  if (! isempty (k) && ! isempty (o.trim))
+    warning ("gsmbp:limits", "%s: %s has to be %g at the trim, beyond its limits %g and %g", ...
+             who, c.driven{k}, c.u0(k), c.limits(k,:));
+  endif
+endfunction
+
+## gains of another law say nothing here
+function check_gains (who, law, o)
+  taken = {"Kp", "Kd", "Ki"};
+  if (strcmp (law, "impedance"))
+    taken = {"K", "D", "zeta"};
+  elseif (strcmp (law, "cartesian impedance"))
+    taken = {"K", "D", "damping", "frame"};
+  endif
+  for name = setdiff ({"Kp", "Kd", "Ki", "K", "D", "zeta", "damping", "frame"}, taken)
+    if (any (o.(name{1})(:) != 0))
+      error ("%s: option %s: %s has none, expected %s", who, name{1}, law, ...
+             strjoin (taken, ", "));
+    endif
+  endfor
+endfunction
+
 function v = spread (who, name, v, n)
   if (isscalar (v))
     v = repmat (v, n, 1);
@@ -219,6 +246,10 @@ function names = measured (who, m, o, k)
       endif
       names{k,1} = list{at}.name;
     endfor
+  endif
+  if (! all (gsmbp__which (names, m.outputs)))
+    error ("%s: option measured: expected names of outputs, found %s", who, ...
+           gsmbp__unknown (names{find (! gsmbp__which (names, m.outputs), 1)}, m.outputs));
   endif
   if (numel (names) != numel (wanted))
     error ("%s: option measured: expected %d outputs (%s), found %d", who, numel (wanted), ...

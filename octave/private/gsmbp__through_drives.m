@@ -93,6 +93,10 @@ function [v, S] = inputs_of (who, m, t, q, u)
     TR(:,j) = (closed (who, m, rest) - still)(:,2);
   endfor
   v = at (m, t.command, closed (who, m, one));
+  if (numel (v) != m.sizes.nv)
+    error (["%s: %s has references of a controller among its inputs (%s): expected the model " ...
+            "of the scene, without controllers"], who, m.name, m.inputs{end});
+  endif
   name = t.command;   # rates within the drives apart
   if (any (strcmp (m.subroutines, "cmq")))
     name = "cmq";
