@@ -85,7 +85,8 @@
 ## task, with @code{planned} and @code{error}
 ## @item yield
 ## with option "yield": @code{runs}, @code{met}, @code{share}, @code{between} (a 95 % interval of
-## the share), and @code{measures}, the same for each margin, with @code{worst}, the most that is used
+## the share), and @code{measures}, the same for each margin, with @code{worst}, the most that is
+## used
 ## @item derivatives
 ## how they were found
 ## @item axes, cycles, drives, attempts, laws, loops, poses, feedforward, references, corners
