@@ -86,7 +86,7 @@ function gsmbp_plot (file, t, varargin)
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
   size = size_of (who, o, numel (panels));
-  gsmbp__gnuplot (who, file, gsmbp__terminal (tolower (kind), size, o), ...
+  gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (kind), size, o), ...
                   gsmbp__drawn (table, panels, o, size), table);
 endfunction
 

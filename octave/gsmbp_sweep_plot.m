@@ -58,7 +58,7 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
   look = struct ("dpi", 160, "fontsize", 10);
-  gsmbp__gnuplot (who, file, gsmbp__terminal (tolower (ending), size, look), lines, table);
+  gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (ending), size, look), lines, table);
 endfunction
 
 ## the runs that came to their end: parameters P, the quantity Z, names and labels
