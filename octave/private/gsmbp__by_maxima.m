@@ -9,7 +9,8 @@ function text = gsmbp__by_maxima (caller, script, scene, folder)
   endif
   words = {script, make_absolute_filename(scene), make_absolute_filename(folder)};
   quoted = cellfun (@(s) ["'" strrep(s, "'", "'\\''") "'"], words, "UniformOutput", false);
-  [status, text] = system (sprintf ("%s 2>&1 && times", strjoin (quoted, " ")));
+  tell = {"", "GSMBP_TELL=/dev/tty "}{1 + gsmbp__terminal()};
+  [status, text] = system (sprintf ("%s%s 2>&1 && times", tell, strjoin (quoted, " ")));
   if (status != 0)
     lines = regexp (text, '^derive: ([^\n]*)', "tokens", "lineanchors");
     if (isempty (lines))
