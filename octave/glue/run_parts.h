@@ -17,7 +17,8 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
                   const int *nv, const int *, const number *, const number *,
                   number *v, int *info)
 {
-  *info = the_patience->why () == patience::none ? 0 : -1000;
+  // behind a run, where derivatives of its inputs are asked for, there is no patience
+  *info = ! the_patience || the_patience->why () == patience::none ? 0 : -1000;
   if (*info != 0)
     return;
   try
@@ -37,13 +38,15 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
   catch (const octave::interrupt_exception&)
     {
       octave::interpreter::the_interpreter ()->recover_from_exception ();
-      the_patience->stop (patience::interrupted);
+      if (the_patience)
+        the_patience->stop (patience::interrupted);
       *info = -1000;
     }
   catch (...)
     {
       *the_failure = std::current_exception ();
-      the_patience->stop (patience::failed);
+      if (the_patience)
+        the_patience->stop (patience::failed);
       *info = -1000;
     }
 }
