@@ -73,6 +73,9 @@
 ## @item [v, xid, info] = m.cmd (t, qj[, xi])
 ## @item [v, xid, xa, margins, info] = m.cmx (t, qj[, xi])
 ## inputs for a motion; @var{qj} is @var{nu} x (1 + command order)
+## @item [Vx, Vp, info] = m.cmp (t, qj[, xi])
+## derivatives of these inputs by states of the devices and by the parameters
+## @code{m.json.sensitivity} (request @code{sensitivity})
 ## @item [v, xk] = m.ctl (k, t, y, xk, v)
 ## one sample of device @var{k} of @code{m.controllers} (0: of all in their order):
 ## held outputs in the inputs @var{v} and memory @var{xk} after it, @var{y} from m.out
