@@ -206,7 +206,8 @@ endfunction
 function name = named (m, c, k)
   [i, j] = find (c.residual == k, 1);
   if (! isempty (i))
-    names = [strcat("the equation of motion of ", m.speeds(:)); strcat("loop ", m.multipliers(:))];
+    names = [strcat({"the equation of motion of "}, m.speeds(:)); ...
+             strcat({"loop "}, m.multipliers(:))];
     name = names{i};
     return;
   endif

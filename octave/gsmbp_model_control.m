@@ -225,8 +225,8 @@ function v = spread (who, name, v, n)
   endif
   v = double (v(:));
   if (numel (v) != n || any (v < 0) || ! all (isfinite (v)))
-    error ("%s: option %s: expected 1 or %d numbers that are not negative, found %s", who, name, ...
-           n, gsmbp__shown (v));
+    error ("%s: option %s: expected %snumbers that are not negative, found %s", who, name, ...
+           {sprintf("1 or %d ", n), "1 of "}{1 + (n == 1)}, gsmbp__shown (v));
   endif
 endfunction
 
@@ -255,6 +255,20 @@ function names = measured (who, m, o, k)
     error ("%s: option measured: expected %d outputs (%s), found %d", who, numel (wanted), ...
            strjoin (wanted', ", "), numel (names));
   endif
+  is_one (who, m, names, wanted);
+endfunction
+
+## an output of another unit than its coordinate or speed is none of it
+function is_one (who, m, names, wanted)
+  for k = 1:numel (names)
+    unit = m.units.outputs{strcmp (m.outputs, names{k})};
+    needed = m.units.states{strcmp (m.states, wanted{k})};
+    plain = @(unit) regexprep (unit, '\<rad\>', "1");
+    if (! any (strcmp (unit, {"", "1"})) && ! strcmp (plain (unit), plain (needed)))
+      error (["%s: option measured: expected an output that is %s, in %s; found %s, in %s"], ...
+             who, wanted{k}, needed, names{k}, unit);
+    endif
+  endfor
 endfunction
 
 %!error <Invalid call> gsmbp_model_control (1)

@@ -386,7 +386,7 @@ endfunction
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])
 %!error <strictly increasing> gsmbp_simulate (m, [0 0 0], [0 1 1])
-%!error <option method: expected one of "dp853", "rk4", "cvode", "radau", "gauss", "auto", found
+%!error <expected one of "dp853", "rk4", "cvode", "radau", "gauss", "auto", found "euler">
 %! gsmbp_simulate (m, [0 0 0], [0 1], "method", "euler")
 %!test <six words, of which hand_crank knows three>
 %! x0 = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0]);

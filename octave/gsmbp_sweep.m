@@ -118,6 +118,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   table = gsmbp__sweep_plan (who, o);
   plain = kept(! [kept.whole]);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
+  check_demands (who, o.demand, w.names);
   s = struct ("m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, "table", ...
               table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
               "timeout", o.timeout);
@@ -135,7 +136,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   w = gsmbp__sweep_statistics (w, table, r.values, o);
-  w.yield = yield (who, w, o.demand, r.made);
+  w.yield = yield (w, o.demand, r.made);
   if (strcmp (o.plan, "corners"))
     w.corner = gsmbp__sweep_corners (w, table, r.values);
   endif
@@ -165,19 +166,30 @@ function stopped = said_if_stopped (who, m, o, r)
   endif
 endfunction
 
-## the share of the runs that keep all demands
-function share = yield (who, w, demands, made)
+## rows of what is kept, lower and upper limit
+function check_demands (who, demands, names)
   if (! (iscell (demands) && (isempty (demands) || columns (demands) == 3)))
     error (["%s: option demand: expected a cell with rows of what is kept, lower and upper " ...
             "limit"], who);
   endif
-  keeps = w.ok;
-  for k = 1:rows (demands)
-    at = find (strcmp (w.names, demands{k,1}), 1);
-    if (isempty (at))
-      error ("%s: option demand: unknown %s", who, gsmbp__unknown (demands{k,1}, w.names));
+  for row = demands'
+    if (! (ischar (row{1}) && any (strcmp (names, row{1}))))
+      error ("%s: option demand: unknown %s", who, gsmbp__unknown (row{1}, names));
+    elseif (! (isscalar (row{2}) && isscalar (row{3}) && isreal ([row{2:3}]) ...
+               && row{2} <= row{3}))
+      error (["%s: option demand: %s: expected a lower limit and an upper one that is not " ...
+              "below it, found %s and %s"], who, row{1}, gsmbp__shown (row{2}), ...
+             gsmbp__shown (row{3}));
     endif
-    keeps &= w.values(:,at) >= demands{k,2} & w.values(:,at) <= demands{k,3};
+  endfor
+endfunction
+
+## the share of the runs that keep all demands
+function share = yield (w, demands, made)
+  keeps = w.ok;
+  for row = demands'
+    value = w.values(:,strcmp (w.names, row{1}));
+    keeps &= value >= row{2} & value <= row{3};
   endfor
   share = mean (keeps(made));
 endfunction

@@ -228,7 +228,7 @@ next_way (gs_run *s)
 {
   gauss *w = s->memory;
   const gsmbp_run *r = s->r;
-  double to = s->stop, h = r->ropt[0];
+  double to = s->stop, h = r->ropt[2] > 0 ? fmin (r->ropt[0], r->ropt[2]) : r->ropt[0];
   if (r->istat[4] < r->nt && r->tout[r->istat[4]] < to)
     to = r->tout[r->istat[4]];
   w->from = s->t;

@@ -19,10 +19,11 @@ function word = gsmbp__stopped (who, m, info, at, say)
   endif
 endfunction
 
-## is one of the callers a function of the package that does not give such results itself?
+## is one of the callers in a file of the package that does not give such results itself?
 function yes = within_another (stack)
-  own = regexp ({stack.name}, '^gsmbp_(simulate|ensemble|sweep|_sweep\w*|_stopped)\>', "once");
   folder = [gsmbp__place("octave") filesep];
-  here = strncmp ({stack.file}, folder, numel (folder));
-  yes = any (here & cellfun (@isempty, own));
+  here = {stack(strncmp ({stack.file}, folder, numel (folder))).file};
+  [~, names] = cellfun (@fileparts, here, "UniformOutput", false);
+  own = '^gsmbp_(simulate|ensemble|sweep|_sweep\w*|_stopped)$';
+  yes = any (cellfun (@isempty, regexp (names, own, "once")));
 endfunction

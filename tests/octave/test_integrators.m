@@ -74,7 +74,7 @@ function tolerance (m, q)
   gsmbp_check ("RK4: 1e5 steps taken", r.stats.accepted - 1e5, 0);
 end
 
-## outputs within steps: order 7 of the polynomial, on the constraints, no step more
+## outputs within steps: order 7 of the polynomial, on the constraints, as accurate as ends
 function within_steps (q, m, c)
   q = gsmbp_set (q, "L_a", 0.2);
   x0 = [1; 0.5; 0];
@@ -94,8 +94,11 @@ function within_steps (q, m, c)
     r = gsmbp_simulate (c, start, linspace (0, 1, 301), "loops", way{1});
     gap = arrayfun (@(k) max (abs (c.con (r.t(k), r.x(k,1:nq)', r.x(k,nq+1:end)'))), 1:301);
     gsmbp_check ([way{1} ": rows within steps are on the constraints"], gap, 1e-13);
-    gsmbp_check ([way{1} ": rows take no steps"], r.stats.accepted - two.stats.accepted, 0);
-    gsmbp_check ([way{1} ": nor move the end"], r.x(end,:) - two.x(end,:), 1e-13);
+    more = r.stats.accepted / two.stats.accepted;
+    gsmbp_check (sprintf ("%s: 300 rows take few steps more, %.2f of them", way{1}, more), ...
+                 more < 1.6);
+    truth = gsmbp_simulate (c, start, linspace (0, 1, 301), "loops", way{1}, "rtol", 1e-13);
+    gsmbp_check ([way{1} ": rows are as accurate as ends"], r.x - truth.x, 3e-8);
   end
   ## a row that is the time of a break but for rounding, one behind it
   wave = gsmbp_plan ("table", [0, 0.3, 1], [5; -5; -5], 0);

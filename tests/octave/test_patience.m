@@ -19,6 +19,7 @@ function test_patience ()
   late(end+1) = by_signal (axis, "a function of the user", {"input", @(t, x) 1});
   gsmbp_check ("within 0.1 s", min (late) < 0.1 && median (late) < 0.2);
   many (axis);
+  many_at_once (axis);
   if (! isempty (getenv ("GSMBP_WHOLE")))   # it builds in quad precision
     inside (axis);
   end
@@ -79,6 +80,16 @@ function many (m)
   f = gsmbp_ensemble (m, m.initial, t, "input", 1, "maxstep", 1e-4, "parameters", ...
                       struct ("m", table.m(k)));
   gsmbp_check ("many runs: those that ended are the same", isequal (e.x(:,:,k), f.x));
+end
+
+## a sweep keeps the chunks that were finished
+function many_at_once (m)
+  system (sprintf ("(sleep 1.5; kill -INT %d) >/dev/null 2>&1 &", getpid ()));
+  w = gsmbp_sweep (m, m.initial, 0:0.01:5, "input", 1, "vary", struct ("m", [1 2]), "runs", 1e6, ...
+                   "keep", {"final q"});
+  gsmbp_check ("a sweep: Ctrl-C ends it, finished runs stay", ...
+               strcmp (w.stopped, "interrupted") && any (w.ok) && ! all (w.ok) ...
+                 && all (isfinite (w.values(w.ok,2))));
 end
 
 ## under another function of the package Ctrl-C ends that: half a run is no part of its result

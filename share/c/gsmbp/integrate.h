@@ -168,9 +168,15 @@ int gsdpd (const gs_system *g, double t, double tn, int side, double h, const do
 void gsdpv (int nx, double h, double b, const double *x, const double *xn, const double *f,
             double *z);
 
+/* the error of that polynomial beside three tolerances, at most 1 where it is as accurate as the
+ * step: its state at the place of the last stage of gsdpd less z (nx), as gsdpd left it. w (nx):
+ * workspace */
+double gsdpq (const gs_system *g, double h, const double *x, const double *xn, const double *f,
+              const double *z, double *w);
+
 /* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
- * constraints. info as gschk; if not 0, none is written */
-int gsdpo (gs_course *c, double tn, int side, double h);
+ * constraints; off: gsdpq. info as gschk, or 90 if off is above 1; if not 0, none is written */
+int gsdpo (gs_course *c, double tn, int side, double h, double *off);
 
 /* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */
 void gsadt (double *a, double *b, double *c);

@@ -167,7 +167,7 @@ gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double
         return info;
     }
 
-  const double *counts = g->p[GS_WAY] > 0.0 ? g->p + GS_PARTS + nu : 0;
+  const double *counts = g->p[GS_WAY] > 0.0 && g->p[GS_DEPENDENT] < nu ? g->p + GS_PARTS + nu : 0;
   double e5 = 0.0, e3 = 0.0;
   int n = nx;
   for (int i = 0; i < nx; i++)

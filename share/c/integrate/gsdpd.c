@@ -6,7 +6,11 @@
  *
  * Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.6 (dense output
  * for the method of order 8). */
+#include <math.h>
+
+#include "gsmbp/arith.h"
 #include "gsmbp/integrate.h"
+#include "gsmbp/loops.h"
 
 /* the stages 14 to 16: at t + c*h; the columns of f whose stages they take, and the factors of
  * these.  Stage 13, the rates at the end, and they stand in the columns 1 to 4, which are free. */
@@ -143,4 +147,26 @@ gsdpv (int nx, double h, double b, const double *x, const double *xn, const doub
       r = r3 + b * (r4 + (1.0 - b) * r);
       z[i] = x[i] + b * (move + (1.0 - b) * r);
     }
+}
+
+double
+gsdpq (const gs_system *g, double h, const double *x, const double *xn, const double *f,
+       const double *z, double *w)
+{
+  const int nu = g->s->nu, top = g->s->nq + nu;
+  const double *counts
+      = g->p[GS_WAY] > 0.0 && g->p[GS_DEPENDENT] < nu ? g->p + GS_PARTS + nu : 0;
+  double e = 0.0;
+  int n = 0;
+  gsdpv (g->nx, h, 7.0 / 9.0, x, xn, f, w);
+  for (int i = 0; i < g->nx; i++)
+    {
+      const double size = g->atol[i] + g->ropt[1] * gs_max (fabs (x[i]), fabs (xn[i])),
+                   off = (w[i] - z[i]) / size;
+      if ((counts && i < top && counts[i] <= 0.0) || ! (size > 0.0))
+        continue;
+      e += off * off;
+      n++;
+    }
+  return 0.3 * sqrt (e / gs_most (1, n));
 }

@@ -7,14 +7,20 @@
 #include "gsmbp/loops.h"
 
 int
-gsdpo (gs_course *c, double tn, int side, double h)
+gsdpo (gs_course *c, double tn, int side, double h, double *off)
 {
   const gs_system *g = &c->g;
   const gs_run *r = c->run;
   double jump[3];
+  *off = 1.0;
   gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
   int k = c->it,
       info = gsdpd (g, c->t, tn, side, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k);
+  if (info == 0)
+    {
+      *off = gsdpq (g, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k, c->f + 2 * g->nx);
+      info = *off <= 1.0 ? 0 : 90;
+    }
   for (; info == 0 && r->tout[k] < tn; k++)
     {
       const double t = r->tout[k];

@@ -9,6 +9,9 @@
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
 
+/* of gsdpo: the polynomial is not as accurate as the step */
+enum { INACCURATE = 90 };
+
 /* the length of the step and its end: no short one is left before the stop */
 static gs_step
 lengthen (const gs_course *c, double h)
@@ -36,10 +39,10 @@ is_far (const double *p)
   return p[GS_PIVOT] >= 0.25 * p[GS_LARGEST];
 }
 
-/* the step e was good: the next one, statistics, the event in it. dense: 1 if the rates at its end
- * are known. info as gssim */
+/* the step e was good: the next one, statistics, the event in it. dense: the longest step with
+ * outputs within it; 0: this one has none, the rates at its end are not known. info as gssim */
 static int
-accept (gs_course *c, const gs_step *e, double err, int loose, int event, int dense)
+accept (gs_course *c, const gs_step *e, double err, int loose, int event, double dense)
 {
   const gs_system *g = &c->g;
   const double h = e->h;
@@ -49,6 +52,8 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, int de
   fac = gs_max (fac, 1.0 / 3.0);
   if (h >= 0.99 * c->next || h * fac > c->next)
     c->next = h * fac;
+  if (dense > 0.0 && c->run->tout[c->it] < e->tn + c->next)
+    c->next = gs_min (c->next, dense);
   c->t = e->tn;
   g->rstat[GS_H_LEAST] = gs_min (g->rstat[GS_H_LEAST], h);
   g->rstat[GS_H_LARGEST] = gs_max (g->rstat[GS_H_LARGEST], h);
@@ -59,7 +64,7 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, int de
   g->istat[GS_FAILED] = 0;
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
-  c->fresh = dense == 1 && e->side > 0 && event <= 0 ? 2 : 1;
+  c->fresh = dense > 0.0 && e->side > 0 && event <= 0 ? 2 : 1;
   c->after = 1;
   c->repeated = 0;
   c->near = 0.05;
@@ -81,9 +86,9 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, int de
   return 0;
 }
 
-/* ... was not: failed is what failed within it, or 0. info as gssim */
+/* ... was not: failed is what failed within it, or 0; dense as accept. info as gssim */
 static int
-reject (gs_course *c, double h, double err, int failed)
+reject (gs_course *c, double h, double err, int failed, double dense)
 {
   const gs_system *g = &c->g;
   double fac = 0.25;
@@ -94,7 +99,9 @@ reject (gs_course *c, double h, double err, int failed)
   if (! (err <= 1e300 && failed == 0)
       && c->next <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (c->tb)))
     return failed != 0 ? GS_ROUTINE_FAILED : GS_RATE_NOT_FINITE;
-  if (failed != 0)
+  if (failed == INACCURATE)
+    c->next = dense;
+  else if (failed != 0)
     g->p[GS_DEPENDENT] = -1.0;
   if (failed == 4 && g->istat[GS_FAILED] == 3)
     {
@@ -139,15 +146,18 @@ gsdpt (gs_course *c, double htry, int *taken)
     }
   if (failed == 0 && err <= 1.0)
     failed = gsdpc (c, e.tn);
-  const int dense = failed == 0 && err <= 1.0 && c->run->tout[c->it] < e.tn;
-  if (dense)
+  double dense = 0.0;
+  if (failed == 0 && err <= 1.0 && c->run->tout[c->it] < e.tn)
     {
-      failed = gsdpo (c, e.tn, e.side, event > 0 ? e.tn - c->t : e.h);
-      if (failed != 0)
+      const double h = event > 0 ? e.tn - c->t : e.h;
+      double off;
+      failed = gsdpo (c, e.tn, e.side, h, &off);
+      if (failed != 0 && failed != INACCURATE)
         g->p[GS_STEPS] = 0.0;
+      dense = h * gs_max (0.3, 0.9 * pow (gs_max (off, 1e-8), -0.125));
     }
   if (failed != 0 || ! (err <= 1.0))
-    return reject (c, e.h, err, failed);
+    return reject (c, e.h, err, failed, dense);
   *taken = 1;
   return accept (c, &e, err, loose, event, dense);
 }

@@ -242,7 +242,8 @@ C     -- the result and the error
          D5 = E1*W(I,1) + E6*W(I,6) + E7*W(I,7) + E8*W(I,8)
      $      + E9*W(I,9) + E10*W(I,10) + E11*W(I,11) + E12*W(I,12)
          S  = ATOL(I) + RTOL*MAX( ABS( X(I) ), ABS( XN(I) ) )
-         IF ( P(1).GT.0.0D0 .AND. I.LE.NQ + NU ) THEN
+         IF ( P(1).GT.0.0D0 .AND. I.LE.NQ + NU .AND.
+     $        NINT( P(2) ).LT.NU ) THEN
             IF ( P(14+NU+I).LE.0.0D0 ) THEN
                N = N - 1
                D3 = 0.0D0

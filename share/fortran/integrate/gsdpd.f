@@ -198,3 +198,46 @@ C
          Z(I) = X(I) + B*( D + ( 1.0D0 - B )*R )
    10 CONTINUE
       END
+      SUBROUTINE GSDPQ( NQ, NU, NX, H, X, XN, F, P, RTOL, ATOL, Z, W,
+     $                  OFF )
+C
+C     PURPOSE
+C     How accurate is the polynomial that GSDPD left in F?
+C
+C     ARGUMENTS
+C     NQ, NU, NX, H, X, XN, P, RTOL, ATOL  as GSDP8.
+C     F       (input) DOUBLE PRECISION array, dimension (NX,13), and
+C     Z       (input) DOUBLE PRECISION array, dimension (NX), as GSDPD
+C             left them: Z is the state of its last stage.
+C     W       (workspace) DOUBLE PRECISION array, dimension (NX).
+C     OFF     (output) DOUBLE PRECISION, its error beside three of the
+C             tolerances: at most 1 where it is as accurate as the step.
+C
+C     METHOD
+C     The error is its state at the place of the last stage of GSDPD
+C     less Z. In steps that stability bounds the ends are damped and
+C     what is within them is not.
+C
+      IMPLICIT NONE
+      INTEGER            NQ, NU, NX
+      DOUBLE PRECISION   H, X(NX), XN(NX), F(NX,13), P(*), RTOL,
+     $                   ATOL(NX), Z(NX), W(NX), OFF
+      EXTERNAL           GSDPV
+      DOUBLE PRECISION   E, S
+      INTEGER            I, N
+C
+      CALL GSDPV( NX, H, 7.0D0/9.0D0, X, XN, F, W )
+      E = 0.0D0
+      N = 0
+      DO 10 I = 1, NX
+         IF ( P(1).GT.0.0D0 .AND. I.LE.NQ + NU .AND.
+     $        NINT( P(2) ).LT.NU ) THEN
+            IF ( P(14+NU+I).LE.0.0D0 ) GO TO 10
+         END IF
+         S = ATOL(I) + RTOL*MAX( ABS( X(I) ), ABS( XN(I) ) )
+         IF ( .NOT.( S.GT.0.0D0 ) ) GO TO 10
+         E = E + ( ( W(I) - Z(I) )/S )**2
+         N = N + 1
+   10 CONTINUE
+      OFF = 0.3D0*SQRT( E/DBLE( MAX( 1, N ) ) )
+      END

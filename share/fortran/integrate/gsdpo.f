@@ -1,6 +1,7 @@
       SUBROUTINE GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, SIDE,
      $                  H, X, XN, SIZ, TOUT, IOPT, ROPT, IP, RP, CST, V,
-     $                  F, W, P, XOUT, VOUT, IT, ISTAT, RSTAT, INFO )
+     $                  F, W, P, XOUT, VOUT, IT, OFF, ISTAT, RSTAT,
+     $                  INFO )
 C
 C     PURPOSE
 C     The outputs within a step of GSDP8, from its polynomial (GSDPD),
@@ -13,35 +14,43 @@ C     TOUT    (input) DOUBLE PRECISION array, dimension (NT), the output
 C             times [s].
 C     IT      (input/output) INTEGER, the number of the next output
 C             time, which lies before TN on entry.
-C     INFO    (output) INTEGER, as GSCHK; then IT is what it was.
+C     OFF     (output) DOUBLE PRECISION, that of GSDPQ.
+C     INFO    (output) INTEGER, as GSCHK, or 90 if the polynomial is not
+C             as accurate as the step (GSDPQ); then IT is what it was.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
       INTEGER            SIDE, SIZ(8), IOPT(*), IP(*), IT, ISTAT(*),
      $                   INFO
       DOUBLE PRECISION   T, TN, H, X(*), XN(*), TOUT(*), ROPT(*), RP(*),
-     $                   CST(*), V(*), F(*), W(*), P(*), XOUT(SIZ(3),*),
-     $                   VOUT(*), RSTAT(*)
-      EXTERNAL           GSJMP, GSDPD, GSDPV, GSMOV, GSINP
+     $                   CST(*), V(*), F(*), W(*), P(*), XOUT(*),
+     $                   VOUT(*), OFF, RSTAT(*)
+      EXTERNAL           GSJMP, GSDPD, GSDPQ, GSDPV, GSMOV, GSINP
       DOUBLE PRECISION   JUMP(2)
-      INTEGER            NQ, NU, NX, NV, I
+      INTEGER            NQ, NU, NX, NV, I, IX
 C
       NQ = SIZ(1)
       NU = SIZ(2)
       NX = SIZ(3)
       NV = SIZ(4)
+      OFF = 1.0D0
       CALL GSJMP( NQ, NU, X, XN, ROPT(2), ROPT(4), JUMP )
       CALL GSDPD( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X, XN,
      $            NQ, NU, NX, NV, SIZ(5), IP, RP, CST, V, F, W, P,
-     $            XOUT(1,IT), ISTAT, RSTAT, INFO )
+     $            XOUT(NX*(IT-1)+1), ISTAT, RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      CALL GSDPQ( NQ, NU, NX, H, X, XN, F, P, ROPT(2), ROPT(4),
+     $            XOUT(NX*(IT-1)+1), F(NX*2+1), OFF )
+      IF ( .NOT.( OFF.LE.1.0D0 ) ) INFO = 90
       IF ( INFO.NE.0 ) RETURN
       I = IT
    10 IF ( TOUT(I).LT.TN ) THEN
-         CALL GSDPV( NX, H, ( TOUT(I) - T )/H, X, XN, F, XOUT(1,I) )
-         CALL GSMOV( PRJ, CON, KIN, TOUT(I), XOUT(1,I), NQ, NU, SIZ(5),
+         IX = NX*( I - 1 ) + 1
+         CALL GSDPV( NX, H, ( TOUT(I) - T )/H, X, XN, F, XOUT(IX) )
+         CALL GSMOV( PRJ, CON, KIN, TOUT(I), XOUT(IX), NQ, NU, SIZ(5),
      $               IOPT, JUMP, CST, P, ISTAT, RSTAT, INFO )
          IF ( INFO.NE.0 ) RETURN
-         CALL GSINP( CMD, CLO, VIN, TOUT(I), 1, XOUT(1,I), NU, NX, NV,
+         CALL GSINP( CMD, CLO, VIN, TOUT(I), 1, XOUT(IX), NU, NX, NV,
      $               IP, RP, CST, VOUT(NV*(I-1)+1), W, INFO )
          IF ( INFO.NE.0 ) THEN
             ISTAT(6) = INFO

@@ -104,7 +104,7 @@ C
      $                   CST(*), XOUT(*), VOUT(*), X(*), XN(*), V(*),
      $                   F(*), W(*), P(*), M(11), RSTAT(*)
       EXTERNAL           GSEPS, GSEVN, GSDPC, GSDPO, GSEVR
-      DOUBLE PRECISION   GSEPS, EPS, FAC, HD, GAUSS(3)
+      DOUBLE PRECISION   GSEPS, EPS, FAC, HD, OFF, GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT, DENSE
 C
       NQ    = SIZ(1)
@@ -148,8 +148,9 @@ C     -- the outputs within it
          IF ( EVENT.GT.0 ) HD = TN - T
          CALL GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, AT, HD,
      $               X, XN, SIZ, TIM(2), IOPT, ROPT, IP, RP, CST, V, F,
-     $               W, P, XOUT, VOUT, IT, ISTAT, RSTAT, IER )
-         IF ( IER.NE.0 ) P(4) = 0.0D0
+     $               W, P, XOUT, VOUT, IT, OFF, ISTAT, RSTAT, IER )
+         IF ( IER.NE.0 .AND. IER.NE.90 ) P(4) = 0.0D0
+         HD = HD*MAX( 0.3D0, 0.9D0*MAX( OFF, 1.0D-8 )**(-0.125D0) )
       END IF
       IF ( IER.EQ.0 .AND. ERR.LE.1.0D0 ) THEN
          TAKEN = 1
@@ -157,6 +158,9 @@ C     -- the outputs within it
          IF ( ERR.GT.0.0D0 ) FAC = MIN( FAC, 0.9D0*ERR**(-0.125D0) )
          FAC = MAX( FAC, 1.0D0/3.0D0 )
          IF ( H.GE.0.99D0*M(1) .OR. H*FAC.GT.M(1) ) M(1) = H*FAC
+         IF ( DENSE.EQ.1 ) THEN
+            IF ( TIM(1+IT).LT.TN + M(1) ) M(1) = MIN( M(1), HD )
+         END IF
          T = TN
          RSTAT(6) = MIN( RSTAT(6), H )
          RSTAT(7) = MAX( RSTAT(7), H )
@@ -198,7 +202,8 @@ C     -- the outputs within it
             IF ( IER.NE.0 ) INFO = 3
             RETURN
          END IF
-         IF ( IER.NE.0 ) P(2) = -1.0D0
+         IF ( IER.EQ.90 ) M(1) = HD
+         IF ( IER.NE.0 .AND. IER.NE.90 ) P(2) = -1.0D0
          IF ( IER.EQ.4 .AND. ISTAT(7).EQ.3 ) THEN
             M(1)  = 0.7D0*H
             LM(3) = LM(3) + 1
