@@ -175,7 +175,8 @@ double gsdpq (const gs_system *g, double h, const double *x, const double *xn, c
               const double *z, double *w);
 
 /* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
- * constraints; off: gsdpq. info as gschk, or 90 if off is above 1; if not 0, none is written */
+ * constraints; off: gsdpq. info as gschk, or 90 if off is above 1 and the scene has no events; if
+ * not 0, none is written */
 int gsdpo (gs_course *c, double tn, int side, double h, double *off);
 
 /* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */

@@ -19,7 +19,7 @@ gsdpo (gs_course *c, double tn, int side, double h, double *off)
   if (info == 0)
     {
       *off = gsdpq (g, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k, c->f + 2 * g->nx);
-      info = *off <= 1.0 ? 0 : 90;
+      info = *off <= 1.0 || g->ip[GS_EVENTS] > 0 ? 0 : 90;   /* gsevn has seen the step */
     }
   for (; info == 0 && r->tout[k] < tn; k++)
     {

@@ -17,6 +17,8 @@ C             time, which lies before TN on entry.
 C     OFF     (output) DOUBLE PRECISION, that of GSDPQ.
 C     INFO    (output) INTEGER, as GSCHK, or 90 if the polynomial is not
 C             as accurate as the step (GSDPQ); then IT is what it was.
+C             With events it is not 90: GSEVN has seen the step, which
+C             is not to be taken again; the next one is shorter.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
@@ -41,7 +43,7 @@ C
       IF ( INFO.NE.0 ) RETURN
       CALL GSDPQ( NQ, NU, NX, H, X, XN, F, P, ROPT(2), ROPT(4),
      $            XOUT(NX*(IT-1)+1), F(NX*2+1), OFF )
-      IF ( .NOT.( OFF.LE.1.0D0 ) ) INFO = 90
+      IF ( .NOT.( OFF.LE.1.0D0 ) .AND. IP(28).LE.0 ) INFO = 90
       IF ( INFO.NE.0 ) RETURN
       I = IT
    10 IF ( TOUT(I).LT.TN ) THEN
