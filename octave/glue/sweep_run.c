@@ -64,13 +64,9 @@ find_method (gs_sweep *s, char *why)
   long long n;
   const char *method = gs_text (s->job, "library", &n);
   s->implicit_method = NULL;
-#if defined (GS_RADAU)
-  if (strcmp (method, "radau") == 0)
-    s->implicit_method = gsmbp_radau;
-#endif
-#if defined (GS_CVODE)
-  if (strcmp (method, "cvode") == 0)
-    s->implicit_method = gsmbp_cvode;
+#if defined (GS_IMPLICIT)   /* that of the library libgsmbp_NAME, GS_IMPLICIT_NAME */
+  if (strcmp (method, GS_IMPLICIT_NAME) == 0)
+    s->implicit_method = GS_IMPLICIT;
 #endif
   if (n == 0 || s->implicit_method)
     return 0;

@@ -6,6 +6,10 @@
 function library = gsmbp__implicit_library (who, m, method)
   common = fullfile (fileparts (fileparts (m.file)), "common");
   library = fullfile (common, ["libgsmbp_" method ".so"]);
+  persistent looked_at = {};   # its texts, by this session: it is in use from then on
+  if (any (strcmp (looked_at, library)) && ! isempty (stat (library)))
+    return;
+  endif
   parts = {"implicit.c", ["gsmbp_" method ".c"]};
   links = "-lm";
   if (strcmp (method, "radau"))
@@ -21,6 +25,7 @@ function library = gsmbp__implicit_library (who, m, method)
                 [sources; glob(glue ("*.h")); ...
                  glob(gsmbp__place ("share", "c", "gsmbp", "*.h"))], ...
                 @(place) compile (who, cc, sources, links, place));
+  looked_at{end+1} = library;
 endfunction
 
 function new = compile (who, cc, sources, links, place)

@@ -19,8 +19,8 @@ function test_sweep_program ()
                                "plan", "random", "runs", 60});
   few = {[0.1 0 0], 0:0.1:1, "vary", struct("m", [1, 1.2]), "runs", 5};
   same (folder, "short of steps", axis, [few, {"maxsteps", 12}]);
-  for method = {"rk4", "radau", "auto"}
-    step = {{}, {"step", 1e-3}}{1 + strcmp(method{1}, "rk4")};
+  for method = {"rk4", "gauss", "radau", "auto"}
+    step = {{}, {"step", 1e-3}}{1 + any(strcmp (method{1}, {"rk4", "gauss"}))};
     same (folder, method{1}, axis, [few, {"input", 3, "method", method{1}}, step]);
   end
   crank = gsmbp_fixture ("case_02a_motor");
