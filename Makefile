@@ -21,8 +21,8 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices \
-        bench-abbreviate bench-flexible bench-sensitivity bench-ensemble bench-control \
-        bench-collocation bench-points bench-reach bench-robots same doc manual \
+        bench-abbreviate bench-flexible bench-sensitivity bench-runs bench-ensemble \
+        bench-control bench-collocation bench-points bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
@@ -64,6 +64,7 @@ make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, o
                            beams beside a geometrically exact one, errors
 make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
                            alone and central differences, an adjoint of 40
+make bench-runs            tests/bench/runs.md: what output times cost, the energy of long runs
 make bench-ensemble        tests/bench/ensemble.md: many runs, in lanes beside one by one
 make bench-control         tests/bench/control.md: every design of controllers on a machine with
                            limits, friction, samples, steps and delay, and where it fails
@@ -213,6 +214,10 @@ bench-sensitivity: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/sensitivity.m </dev/null
 
+bench-runs: packages compiled
+	@mkdir -p tests/bench/out
+	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/runs.m </dev/null
+
 bench-ensemble: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/ensemble.m </dev/null
@@ -303,4 +308,4 @@ clean:
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
 	rm -rf tests/bench/reach.md tests/bench/robots.md tests/bench/devices.md tests/bench/devices.json
-	rm -f tests/bench/control.md tests/bench/ensemble.md
+	rm -f tests/bench/control.md tests/bench/ensemble.md tests/bench/runs.md

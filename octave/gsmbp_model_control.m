@@ -232,8 +232,7 @@ endfunction
 
 ## outputs that are coordinates and speeds
 function names = measured (who, m, o, k)
-  names = cellstr (o.measured)(:);
-  names = names(! cellfun (@isempty, names));
+  names = gsmbp__asked_names (o.measured);
   wanted = [m.coordinates(k); m.speeds(k)];
   if (isempty (names))
     list = gsmbp__rows (m.json, "outputs");

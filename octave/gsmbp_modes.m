@@ -127,8 +127,7 @@ function [held, spin] = what_is_held (who, m, o)
   if (isempty (spin) && ! isempty (o.file))
     error ("%s: option \"file\" is of a Campbell diagram: expected \"spin\" and \"speeds\"", who);
   endif
-  names = cellstr (o.hold)(:)';
-  names = names(! cellfun (@isempty, names));
+  names = gsmbp__asked_names (o.hold)';
   if (! isempty (spin))
     names = [names(! strcmp (names, spin)), {spin}];
   endif

@@ -7,9 +7,9 @@
 ##
 ## @var{m} is a model of @code{gsmbp_build}, @var{x0} its @var{nx} states at
 ## @var{times}(1) [s]; the states at all @var{times} (strictly increasing) come back as
-## rows.  They cost no steps: dp853 takes those between its steps from a polynomial of order 7,
-## radau and cvode from their own, each moved onto the constraints as the ends of steps are; rk4
-## ends its steps there.
+## rows.  Steps need not end there: dp853 takes those between its steps from a polynomial of
+## order 7 that is as accurate as they are, radau and cvode from their own, each moved onto the
+## constraints as the ends of steps are; rk4 and gauss end their steps there.
 ##
 ## The start must fulfil the constraints: phi = 0, their rates, Euler parameters of
 ## length one.  A start that misses one of them by more than 1e-6 (each beside what

@@ -166,8 +166,7 @@ add_feedback (gs_run *s, double t, double *x, double *A)
   return 0;
 }
 
-/* without the emitted Jacobian: by differences; XD and TRIAL, rates and state beside it, are
- * workspace */
+/* without the emitted Jacobian: by differences */
 static int
 differences (gs_run *s, double t, const double *x, double *A)
 {

@@ -5,8 +5,7 @@
 function c = gsmbp__at_efforts (who, m, o, law)
   n = m.sizes.nu;
   c = struct ("method", law, "name", o.name, "period", o.period, "delay", o.delay);
-  c.driven = cellstr (o.inputs)(:);
-  c.driven = c.driven(! cellfun (@isempty, c.driven));
+  c.driven = gsmbp__asked_names (o.inputs);
   if (isempty (c.driven))
     c.driven = m.inputs;
   endif

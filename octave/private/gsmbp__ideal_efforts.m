@@ -6,8 +6,7 @@ function yes = gsmbp__ideal_efforts (m, o)
   n = m.sizes.nu;
   yes = m.sizes.nlam == 0 && m.sizes.nx == 2 * n ...
         && all (ismember ({"mas", "jac"}, m.subroutines));
-  names = cellstr (o.inputs)(:);
-  names = names(! cellfun (@isempty, names));
+  names = gsmbp__asked_names (o.inputs);
   if (isempty (names))
     names = m.inputs;
   endif

@@ -38,8 +38,7 @@ function p = gsmbp__plant (who, m, e, o)
   p = struct ("A", sys.a, "B", sys.b(:,j), "C", sys.c(k,:), "measured", {outputs(k)(:)}, ...
               "driven", {inputs(j)(:)}, "states", {states(:)}, "y0", y(k)(:), "u0", v(j)(:), ...
               "x0", x0);
-  both = [cellstr(o.integral)(:); cellstr(o.track)(:)];
-  both = both(! cellfun (@isempty, both));
+  both = [gsmbp__asked_names(o.integral); gsmbp__asked_names(o.track)];
   if (! isempty (both) && ! isempty (o.integral) && ! isempty (o.track))
     error ("%s: options integral and track: expected one of them, found both", who);
   endif
@@ -58,8 +57,7 @@ function names = named (names, letter)
 endfunction
 
 function k = chosen (who, option, names, known, default)
-  names = cellstr (names);
-  names = names(! cellfun (@isempty, names));
+  names = gsmbp__asked_names (names);
   if (isempty (names))
     k = default;
     return;

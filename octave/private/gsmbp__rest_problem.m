@@ -86,7 +86,7 @@ function x = closed (m, x, held, t)
 endfunction
 
 function k = places (who, names, all_names, option, what)
-  names = cellstr (names)(! cellfun (@isempty, cellstr (names)));
+  names = gsmbp__asked_names (names)';
   k = gsmbp__which (names, all_names);
   if (! all (k))
     error ("%s: option \"%s\": expected the name of %s, found %s", who, option, what,

@@ -135,8 +135,7 @@ endfunction
 function [names, acts] = driven (who, m, o, S)
   acts = abs (S) > 1e-7 * max (abs (S(:)));
   drives = any (acts, 2);
-  names = cellstr (o.inputs)(:);
-  names = names(! cellfun (@isempty, names));
+  names = gsmbp__asked_names (o.inputs);
   if (isempty (names))
     k = find (drives);
     [~, order] = sort (arrayfun (@(i) find (acts(i,:), 1), k));
