@@ -40,8 +40,8 @@ function [most, last] = energy (m, r)
   [most, last] = deal (max (abs (off)), off(end));
 end
 
-text = ["# Single runs\n\n| scene | rtol | calls, 2 rows | calls, 1001 rows | error of the rows |\n" ...
-        "|---|---|---|---|---|\n"];
+text = ["# Single runs\n\n| scene | rtol | calls, 2 rows | calls, 1001 rows " ...
+        "| error of the rows |\n|---|---|---|---|---|\n"];
 scenes = fullfile (root, "tests", "scenes");
 crank = scene_of (out, fullfile (scenes, "sensitivity_crank.mac"));
 arms = scene_of (out, fullfile (scenes, "gauss_arms.mac"));
