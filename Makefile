@@ -189,55 +189,19 @@ bench: packages compiled
 	@mkdir -p tests/bench/out
 	timeout -k 10 7200 $(OCTAVE) tests/bench/run.m </dev/null
 
-bench-loops: packages compiled
-	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/loops.m </dev/null
-
 bench-passages: packages compiled
 	@mkdir -p tests/bench/out
 	RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
 	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
 
-bench-devices: packages compiled
+bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-ensemble \
+bench-control: bench-%: packages compiled
 	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/devices.m </dev/null
+	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null
 
-bench-abbreviate: packages compiled
+bench-flexible bench-collocation bench-points bench-reach: bench-%: packages compiled
 	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/abbreviate.m </dev/null
-
-bench-flexible: packages compiled
-	@mkdir -p tests/bench/out
-	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/flexible/run tests/bench/out/flexible
-
-bench-sensitivity: packages compiled
-	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/sensitivity.m </dev/null
-
-bench-runs: packages compiled
-	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/runs.m </dev/null
-
-bench-ensemble: packages compiled
-	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/ensemble.m </dev/null
-
-bench-control: packages compiled
-	@mkdir -p tests/bench/out
-	$(ONE_THREAD) timeout -k 10 3600 $(OCTAVE) tests/bench/control.m </dev/null
-
-bench-collocation: packages compiled
-	@mkdir -p tests/bench/out
-	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/collocation/run \
-	  tests/bench/out/collocation
-
-bench-points: packages compiled
-	@mkdir -p tests/bench/out
-	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/points/run tests/bench/out/points
-
-bench-reach: packages compiled
-	@mkdir -p tests/bench/out
-	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/reach/run tests/bench/out/reach
+	PEERS='$(PEERS)' $(ONE_THREAD) timeout -k 10 3600 tests/bench/$*/run tests/bench/out/$*
 
 bench-robots: packages compiled
 	@[ -n '$(PEERS)' ] || { echo 'bench-robots: say PEERS=1: it takes Pinocchio and the' \

@@ -181,32 +181,33 @@ run (check *c)
   return info != 0 ? info : rank_of (c);
 }
 
+/* the note of a failure of PART */
+static int
+noted (int (*part) (check *), const gs_scene *s, double t, double *x, const int *iopt,
+       const double *jump, const double *cst, double *p, int *istat, double *rstat)
+{
+  if (s->nlam == 0 && s->nq == s->nu)
+    return 0;
+  check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
+              gs_partition_of (s->nq, s->nu, s->nlam, p) };
+  int info = part (&c);
+  if (info != 0)
+    istat[5] = info;
+  return info;
+}
+
 /* Not fulfilled are constraints of which more than 1e-6 of the largest coordinate (or of 1) is
  * left. */
 int
 gschk (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
        const double *cst, double *p, int *istat, double *rstat)
 {
-  if (s->nlam == 0 && s->nq == s->nu)
-    return 0;
-  check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
-              gs_partition_of (s->nq, s->nu, s->nlam, p) };
-  int info = run (&c);
-  if (info != 0)
-    istat[5] = info;
-  return info;
+  return noted (run, s, t, x, iopt, jump, cst, p, istat, rstat);
 }
 
 int
 gsmov (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
        const double *cst, double *p, int *istat, double *rstat)
 {
-  if (s->nlam == 0 && s->nq == s->nu)
-    return 0;
-  check c = { s, t, x, iopt, jump, cst, p, istat, rstat,
-              gs_partition_of (s->nq, s->nu, s->nlam, p) };
-  int info = move (&c);
-  if (info != 0)
-    istat[5] = info;
-  return info;
+  return noted (move, s, t, x, iopt, jump, cst, p, istat, rstat);
 }
