@@ -5,16 +5,16 @@
 ## wait for each other, and what killed ones left there is swept.  MADE: whether it was made here.
 
 function made = gsmbp__built (who, target, flags, sources, make)
-  key = sum_of (flags, sources);
-  made = ! is_there (target, key);
+  made = ! gsmbp__is_built (target, flags, sources);
   if (! made)
     return;
   endif
   folder = fileparts (target);
   gsmbp__folder (who, folder);
   lock = gsmbp__lock (who, folder);
-  made = ! is_there (target, key);   # by who had the lock
-  if (! made)
+  [ready, key] = gsmbp__is_built (target, flags, sources);   # by who had the lock
+  made = ! ready;
+  if (ready)
     return;
   endif
   cellfun (@remove, glob (fullfile (folder, ".new-*")));
@@ -30,19 +30,6 @@ function made = gsmbp__built (who, target, flags, sources, make)
   unwind_protect_cleanup
     remove (place);
   end_unwind_protect
-endfunction
-
-## times in whole seconds do not tell what was edited in the second of a build
-function key = sum_of (flags, sources)
-  sums = cellfun (@(file) hash ("md5", fileread (file)), sources, "UniformOutput", false);
-  key = hash ("md5", sprintf ("%s\n", flags, sums{:}));
-endfunction
-
-## a module that is cut short would end Octave when it is loaded
-function yes = is_there (target, key)
-  said = [target ".md5"];
-  yes = ! isempty (stat (target)) && ! isempty (stat (said)) ...
-        && strcmp (fileread (said), [hash("md5", fileread (target)) " " key "\n"]);
 endfunction
 
 function remove (place)

@@ -61,6 +61,6 @@ function new = compile (who, source, place)
   if (system (["echo '#include <coin/IpStdCInterface.h>' | " cc " -E - >/dev/null 2>&1"]) != 0)
     error ("%s: Ipopt is not installed (Debian: coinor-libipopt-dev)", who);
   endif
-  gsmbp__run (who, sprintf ("cd %s && mkoctfile -o new.oct %s -lipopt", quote (place), ...
+  gsmbp__run (who, sprintf ("cd %s && mkoctfile -g0 -o new.oct %s -lipopt", quote (place), ...
                             quote (source)));
 endfunction
