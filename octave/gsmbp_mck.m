@@ -48,6 +48,7 @@ function r = gsmbp_mck (m, t, x, v, varargin)
   endif
   who = "gsmbp_mck";
   gsmbp__model (who, m);
+  gsmbp__moving (who, m);
   if (! any (strcmp (m.subroutines, "mas")))
     error ("%s: %s was emitted without the subroutine MAS: add the request mass", who, m.name);
   endif

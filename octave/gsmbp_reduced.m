@@ -51,6 +51,7 @@ function r = gsmbp_reduced (m, t, q, u, names, v = [])
   endif
   who = "gsmbp_reduced";
   gsmbp__model (who, m);
+  gsmbp__moving (who, m);
   gsmbp__fits (who, "argument names", names, "names");
   u = gsmbp__vector (who, "u", u, m.sizes.nu, "", m.speeds);
   [r.T, r.c, r.independent] = gsmbp__independent (who, "argument names", m, t, q, u, names);

@@ -3,6 +3,7 @@
 ## components mean, the actuated ones of the scene or all of an open chain.
 
 function [pp, planned] = gsmbp__motion (who, m, motion)
+  gsmbp__moving (who, m);
   pp = gsmbp__pp (who, motion);
   n = prod (pp.dim);
   if (n == m.sizes.nu && (m.sizes.nlam == 0 || n == numel (m.actuated)))

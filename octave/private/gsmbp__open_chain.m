@@ -3,6 +3,7 @@
 ## with its regressor.
 
 function gsmbp__open_chain (who, m)
+  gsmbp__moving (who, m);
   if (m.sizes.nlam > 0 || m.sizes.nq != m.sizes.nu)
     error (["%s: %s has loops or Euler parameters: expected an open chain whose speeds are the " ...
             "rates of its coordinates"], who, m.name);
