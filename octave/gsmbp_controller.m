@@ -1,6 +1,7 @@
 ## -*- texinfo -*-
 ## @c category Linear models and control
 ## @deftypefn  {} {@var{files} =} gsmbp_controller (@var{c}, @var{folder})
+## @deftypefnx {} {@var{files} =} gsmbp_controller (@var{c}, @var{folder}, @var{scene})
 ## A controller as Fortran 77 and C99 of its own, for the computer of the machine.
 ##
 ## @var{c} is a controller with a period (@code{gsmbp_control}, @code{gsmbp_pid}).  Into the
@@ -10,6 +11,12 @@
 ## u)}.  One call is one sample: of the measurements Y and the references R it makes the outputs U
 ## and the next memory Z, which is zero at the trim.
 ## Limits and converters are in it.  It needs nothing else.  NAME is @code{c.name}.
+##
+## A controller of @code{gsmbp_model_control} calculates with the scene: @var{scene} is the file of
+## it, which is derived with the subroutines that the controller calls.  NAME.f has them and what
+## they call; beside NAME.c, NAME.h come the scene's C, the run time in C and its headers.  The call
+## has the time, NAME( T, Y, R, Z, U ), and U must hold the outputs of the sample before: they stay
+## where the loops do not close or the drives cannot give the motion, and Z counts it.
 ##
 ## @c session control
 ## @example
@@ -27,17 +34,29 @@
 ## @end example
 ##
 ## Errors: a controller without a period; a name that is none of Fortran and C; a folder that cannot
-## be written.
+## be written; a file of a scene that is missing, or not that of the controller.
 ## Source: own.
 ## @seealso{gsmbp_control, gsmbp_pid, gsmbp_build}
 ## @end deftypefn
 
-function files = gsmbp_controller (c, folder)
-  if (nargin != 2 || ! ischar (folder))
+function files = gsmbp_controller (c, folder, scene)
+  if (nargin < 2 || ! ischar (folder))
     print_usage ();
   endif
   who = "gsmbp_controller";
+  if (nargin < 3)
+    scene = "";
+  endif
+  if (isstruct (c) && isfield (c, "scene"))
+    gsmbp__controller_name (who, c);
+    files = gsmbp__target (who, c, folder, scene);
+    return;
+  endif
   gsmbp__check_controller (who, c);
+  if (! isempty (scene))
+    error ("%s: the controller %s (%s) is linear: expected no scene, found %s", who, c.name, ...
+           c.method, gsmbp__shown (scene));
+  endif
   gsmbp__folder (who, folder);
   file = @(kind) fullfile (folder, [c.name kind]);
   files = {file(".f"), file(".c"), file(".h")};

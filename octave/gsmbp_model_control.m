@@ -109,13 +109,16 @@ function c = gsmbp_model_control (m, law, varargin)
   c.u0 = within (who, o, c);
   c.step_out = repmat (o.step_out, numel (c.driven), 1);
   c.cst = [];
+  believed = m;
   if (! isempty (fieldnames (o.parameters)))
     if (! strcmp (m.precision, "double"))
       error ("%s: option parameters: expected a model in double precision, found %s", who, ...
              m.precision);
     endif
-    c.cst = typecast (gsmbp_set (m, o.parameters).cst, "double");
+    believed = gsmbp_set (m, o.parameters);
+    c.cst = typecast (believed.cst, "double");
   endif
+  c.scene = struct ("name", m.name, "hash", m.scene_hash, "parameters", believed.par);
 endfunction
 
 ## gains and references of laws in coordinates
@@ -217,6 +220,9 @@ function check_gains (who, law, o)
              strjoin (taken, ", "));
     endif
   endfor
+  if (! strcmp (law, "feedforward") && all (o.(taken{1})(:) == 0))
+    error ("%s: option %s: %s needs it, a number > 0; found none", who, taken{1}, law);
+  endif
 endfunction
 
 function v = spread (who, name, v, n)

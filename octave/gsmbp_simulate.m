@@ -233,6 +233,11 @@
 ## of the accepted steps [s]; the time to which the run came [s]
 ## @item events, instants
 ## how many events and instants of sampled devices there were, in scenes that have such
+## @item held
+## with controllers of @code{gsmbp_model_control} through loops or drives: a struct array of their
+## @code{name}, how many @code{samples} had no command (the inputs stayed as they were, because the
+## loops do not close at what is measured or the drives cannot give the motion), the time of the
+## @code{first} [s].  This is a printed warning too.
 ## @end table
 ## With sampled devices also @code{memory} (theirs at the end; what is on its way to an output then
 ## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
@@ -309,6 +314,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   if (! isempty (o.audit))
     result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
+  endif
+  if (isstruct (sampled))
+    s.held = gsmbp__held_samples (m, result, o.memory);
   endif
   result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
   if (! isfield (result, "y"))

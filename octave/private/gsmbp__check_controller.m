@@ -17,8 +17,5 @@ function gsmbp__check_controller (who, c)
     error (["%s: the controller %s has no period: expected one for a computer, option " ...
             "\"period\" of gsmbp_control"], who, c.name);
   endif
-  if (isempty (regexp (c.name, '^[A-Za-z][A-Za-z0-9_]{0,29}$', "once")))
-    error (["%s: the controller %s: expected a name of letters, digits and _ that begins with " ...
-            "a letter, at most 30"], who, c.name);
-  endif
+  gsmbp__controller_name (who, c);
 endfunction

@@ -6,7 +6,7 @@
 function text = gsmbp__model_controller (c, name, k, reads, drives, nv)
   n = numel (drives);
   device = struct ("computed_torque", "gsctq", "feedforward", "gsffw", "impedance", ...
-                   "gsimp").(strrep (c.method, " ", "_"));
+                   "gsimt").(strrep (c.method, " ", "_"));
   own = sprintf ("%s_CN%d", name, k);
   source = fileread (gsmbp__place ("share", "controllers", [device ".f"]));
   source = regexprep (source, ['\<' upper(device) '\>'], own);
@@ -73,8 +73,9 @@ function lines = given (c, i, drive, number)
                             number (c.period), i, i);
   endif
   if (c.step_out(i) > 0)
-    lines{end+1} = sprintf ("      TAU(%d) = %s*ANINT( TAU(%d)/%s )", i, number (c.step_out(i)), ...
-                            i, number (c.step_out(i)));
+    step = number (c.step_out(i));
+    lines = [lines, {sprintf("      TAU(%d) = %s*", i, step), ...
+                     sprintf("     $   ANINT( TAU(%d)/%s )", i, step)}];
   endif
   lines{end+1} = sprintf ("      V(%d) = TAU(%d)", drive, i);
 endfunction

@@ -31,6 +31,9 @@ function gsmbp__run_warnings (who, m, s)
     warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
              one.said, one.time);
   endfor
+  if (isfield (s, "held"))
+    warn_of_held (who, m, s.held([s.held.samples] > 0));
+  endif
   if (isfield (s, "lost") && ! isempty (s.lost))
     one = s.lost(1);
     warning ("gsmbp:derivative", ["%s: %s: no derivatives by %s from t = %.9g s on (event of " ...
@@ -53,6 +56,19 @@ function gsmbp__run_warnings (who, m, s)
                              "of %s): %s"], who, m.name,
              f.time, f.step, f.eigenvalue, f.state, remedy);
   endif
+endfunction
+
+function warn_of_held (who, m, list)
+  for one = list
+    at = "";
+    if (! isnan (one.first))
+      at = sprintf (", the first at t = %.6g s", one.first);
+    endif
+    warning ("gsmbp:held", ["%s: %s: the controller %s had no command at %d sample%s%s: the " ...
+                            "inputs stayed as they were (the loops do not close at what is " ...
+                            "measured or wanted, or the drives cannot give this motion)"], who, ...
+             m.name, one.name, one.samples, {"", "s"}{1 + (one.samples != 1)}, at);
+  endfor
 endfunction
 
 ## modal coordinates: those that no joint has; none where the description has no joints

@@ -80,7 +80,10 @@ function out = sample (c, name, t, device, reads, drives)
   out = [out, lines, {"C"}, given(c, t, reads, drives)];
   out = [out, {"      DO 10 I = 1, NR", "         RJ(I) = V(NV+I)", "   10 CONTINUE"}];
   out = [out, guesses(t, na), call_(c, t, device, constants, name)];
-  out = [out, {"      IF ( INFO.NE.0 ) RETURN"}, kept(t, na)];
+  last = rows (c.A);
+  out = [out, {"      IF ( INFO.NE.0 ) THEN", ...
+               sprintf("         XK(%d) = XK(%d) + 1.0D0", last, last), ...
+               "         RETURN", "      END IF"}, kept(t, na)];
   for i = 1:numel (drives)
     out = [out, limited(c, t, i, drives(i))];
   endfor
@@ -212,7 +215,8 @@ function out = limited (c, t, i, drive)
   endfor
   if (c.step_out(i) > 0)
     step = number (c.step_out(i));
-    out{end+1} = sprintf ("      VC(%d) = %s*ANINT( VC(%d)/%s )", drive, step, drive, step);
+    out = [out, {sprintf("      VC(%d) = %s*", drive, step), ...
+                 sprintf("     $   ANINT( VC(%d)/%s )", drive, step)}];
   endif
   out{end+1} = sprintf ("      V(%d) = VC(%d)", drive, drive);
 endfunction

@@ -1,8 +1,9 @@
 ## c = gsmbp__through_drives (who, m, o, law)
 ## A controller of gsmbp_model_control for the model M through loops and drives: it calls the
 ## closure of the loops (CLO) and the command of the drives (CMD; CMQ where they have states).
-## Field THROUGH: the independent coordinates, derivatives in the motion, the subroutine, which
-## inputs an effort on each independent coordinate asks for.
+## Its memory: integrals, coordinates of the loops, how many samples had no command (for
+## gsmbp__held_samples).  Field THROUGH: the independent coordinates, derivatives in the motion, the
+## subroutine, which inputs an effort on each independent coordinate asks for.
 
 function c = gsmbp__through_drives (who, m, o, law)
   t.law = law;
@@ -10,6 +11,7 @@ function c = gsmbp__through_drives (who, m, o, law)
   if (m.sizes.nlam > 0)
     t.independent = m.actuated;
   endif
+  t.loops = m.sizes.nlam > 0;
   t.order = max (m.order, 2);
   t.cartesian = strcmp (law, "cartesian impedance");
   [t.command, t.derivatives] = command (who, m, law, t);
@@ -36,12 +38,10 @@ function c = gsmbp__through_drives (who, m, o, law)
            strjoin (m.coordinates(t.independent)', ", "));
   endif
   c.through = t;
-  n = numel (t.independent);
-  c.A = eye (n * (1 - t.cartesian) + m.sizes.nu * (m.sizes.nlam > 0));
-  c.starts = zeros (rows (c.A), 1);
-  if (m.sizes.nlam > 0)
-    c.starts(end-m.sizes.nu+1:end) = t.guess;
-  endif
+  guess = t.guess(1:end * (m.sizes.nlam > 0));
+  integrals = zeros (numel (t.independent) * (1 - t.cartesian), 1);
+  c.starts = [integrals; guess; 0];   # the last one counts samples without a command
+  c.A = eye (numel (c.starts));
 endfunction
 
 ## CMD or CMQ, and the derivatives of the references

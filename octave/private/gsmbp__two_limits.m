@@ -18,6 +18,11 @@ function limits = gsmbp__two_limits (who, given, names, u0)
     error ("%s: option limits: expected 1, %d or %d x 2 numbers, found %d x %d", who, n, n, ...
            size (given));
   endif
+  k = find (! (limits(:,1) < limits(:,2)), 1);
+  if (! isempty (k))
+    error ("%s: option limits: %s: expected the lower one, then the upper; found %g and %g", ...
+           who, names{k}, limits(k,:));
+  endif
   k = find (! (limits(:,1) < u0 & u0 < limits(:,2)), 1);
   if (! isempty (k))
     error ("%s: option limits: %s is %g at the trim, expected between its limits; found %g and %g",

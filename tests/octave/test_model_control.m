@@ -82,5 +82,5 @@ function refused (m)
   c = gsmbp_model_control (m, "impedance", "K", 1, "period", 1, "inputs", {"t1", "t2"});
   said = gsmbp_complaint (@() gsmbp_controller (c, tempname ()));
   gsmbp_check ("refused: alone, without the scene", ...
-               ! isempty (strfind (said, "calculates with the scene's INV")));
+               ! isempty (strfind (said, "calculates with subroutines of control_arm")));
 end

@@ -1,4 +1,4 @@
-      SUBROUTINE GSIMP(
+      SUBROUTINE GSIMT(
      $   INV, MAS, N, T, Q, U, QR, UR, AR, K, D, ZETA, V, CST, A, M,
      $   TAU )
 C

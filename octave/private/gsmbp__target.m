@@ -1,0 +1,91 @@
+## files = gsmbp__target (who, c, folder, scene)
+## The controller C of gsmbp_model_control alone, in FOLDER: NAME.f; NAME.c, NAME.h with the scene's
+## C and the run time that both call.  SCENE: its file, derived again with the routines that the
+## controller calls and no others.
+
+function files = gsmbp__target (who, c, folder, scene)
+  if (! (ischar (scene) && ! isempty (scene)))
+    error (["%s: the controller %s (%s) calculates with subroutines of %s: expected the file " ...
+            "of this scene as the third argument, found none"], who, c.name, c.method, ...
+           c.scene.name);
+  endif
+  [~, name] = fileparts (scene);
+  if (! strcmp (name, c.scene.name))
+    error ("%s: the controller %s: expected the file of the scene %s, found %s", who, c.name, ...
+           c.scene.name, scene);
+  elseif (exist (scene, "file") != 2)
+    error ("%s: there is no scene file %s", who, scene);
+  elseif (strcmpi (c.name, c.scene.name))
+    error ("%s: the controller %s: expected another name than that of its scene", who, c.name);
+  endif
+  place = tempname ();
+  gsmbp__folder (who, place);
+  guard = onCleanup (@() remove (place));
+  derive (who, c, scene, place);
+  json = jsondecode (fileread (fullfile (place, [name ".json"])), "makeValidName", false);
+  if (! strcmp (json.scene_hash, c.scene.hash))
+    error (["%s: the controller %s: expected the file of the scene that it was made for (%s, " ...
+            "hash %s), found hash %s in %s"], who, c.name, name, c.scene.hash, json.scene_hash, ...
+           scene);
+  endif
+  t = struct ("json", json, "name", name, "nz", rows (c.A), "cst", json.dimensions.ncst, ...
+              "drives", gsmbp__which (c.driven, gsmbp__names (json.inputs))(:)', ...
+              "values", cellfun (@(one) c.scene.parameters.(one), ...
+                                 gsmbp__names (json.parameters))(:)');
+  files = {write_fortran(who, c, t, folder, place)};
+  files = [files, write_c(who, c, t, folder, place)];
+endfunction
+
+function remove (place)
+  confirm_recursive_rmdir (false, "local");
+  rmdir (place, "s");
+endfunction
+
+## the scene with the requests of the controller, as Fortran and C
+function derive (who, c, scene, place)
+  asked = {"inverse", "mass"};
+  if (isfield (c, "through"))
+    asked = [{"mass"}, {"closure"}(1:+c.through.loops), ...
+             struct("cmd", "command", "cmq", "quasi_static").(c.through.command), ...
+             {"points", "point_jacobians"}(1:2 * c.through.cartesian)];
+  endif
+  plain = @(text) strrep (strrep (text, '\', '\\'), '"', '\"');
+  [~, name] = fileparts (scene);
+  copy = fullfile (place, [name ".mac"]);
+  statements = ["load(\"%s\")$\nrequests : [%s]$\n" ...
+                "gsmbp_c(scene, requests, [directory = \"%s\"])$\n"];
+  gsmbp__write (who, copy, sprintf (statements, plain (make_absolute_filename (scene)), ...
+                                    strjoin (asked, ", "), plain (place)));
+  warning ("off", "gsmbp:derive", "local");   # said when the model was derived
+  gsmbp__by_maxima (who, gsmbp__place ("share", "make", "derive"), copy, place);
+endfunction
+
+## one file: the controller, the scene's subroutines, what these call of share/fortran
+function file = write_fortran (who, c, t, folder, place)
+  text = [gsmbp__target_fortran(c, t), fileread(fullfile (place, [t.name ".f"]))];
+  more = cellfun (@fileread, gsmbp__target_needs (text, "f"), "UniformOutput", false);
+  file = fullfile (folder, [c.name ".f"]);
+  gsmbp__write (who, file, [text, more{:}]);
+endfunction
+
+function files = write_c (who, c, t, folder, place)
+  [source, header] = gsmbp__target_c (c, t);
+  texts = {[c.name ".c"], source; [c.name ".h"], header};
+  for kind = {".c", ".h"}
+    file = [t.name kind{1}];
+    texts(end+1,:) = {file, fileread(fullfile (place, file))};
+  endfor
+  needed = gsmbp__target_needs ([source, texts{3,2}], "c");
+  headers = glob (gsmbp__place ("share", "c", "gsmbp", "*.h"))';
+  parts = [needed, {gsmbp__place("share", "controllers", "controllers.h")}, headers];
+  for file = parts
+    [~, base, kind] = fileparts (file{1});
+    inside = {"", "gsmbp"}{1 + any (strcmp (file{1}, headers))};
+    texts(end+1,:) = {fullfile(inside, [base kind]), fileread(file{1})};
+  endfor
+  gsmbp__folder (who, fullfile (folder, "gsmbp"));
+  files = cellfun (@(name) fullfile (folder, name), texts(:,1)', "UniformOutput", false);
+  for k = 1:numel (files)
+    gsmbp__write (who, files{k}, texts{k,2});
+  endfor
+endfunction
