@@ -1,4 +1,4 @@
-# The manual: the sessions of its chapters are typed and compared, a sixth of them a day (the
+# The manual: the sessions of its chapters are typed and compared, an eighth of them a day (the
 # others: sessions.sh; all, and the longest, in make test-whole); every public function is in its
 # index; every entry of the index opens in describe (on ECL too in make test-whole); example works
 # for every function; every word of the scene language has its picture, or is said to have none.
@@ -29,7 +29,7 @@ result 'the table of nodes tells where they are'
 
 written=$(ls share/manual/*.texi |
   grep -vE '/(maxima|octave|entries|elements|laws|units|version|examples|functions)\.texi')
-turn=$(($(date +%s) / 86400 % 6))/6
+turn=$(($(date +%s) / 86400 % 8))/8
 /usr/bin/python3 tests/tools/sessions.py \
   $(whole || echo --without=fmu,travel,robots "--turn=$turn") $written
 
