@@ -1,5 +1,5 @@
-// The programs of optimal motions (gsmbp_collocate) that are kept, the last ones, by the numbers that
-// they were given; gsmbp_ipopt_solve has one by its place.
+// The programs of optimal motions (gsmbp_collocate) that are kept, the last ones, by the numbers
+// that they were given; gsmbp_ipopt_solve has one by its place.
 #pragma once
 
 #include "transcription_parts.h"
