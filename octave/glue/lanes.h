@@ -15,6 +15,7 @@ extern "C"
   void gsbgn_ (void);
   void gssto_ (void);
   void gsste_ (void);
+  void gsstd_ (void);
   void gspss_ (void);
   void gsdta_ (void);
   void gsdtb_ (void);
@@ -26,7 +27,13 @@ extern "C"
   void gslns_ (void);
   void gslnt_ (void);
   void gslne_ (void);
-  void gslnb_ (void);
+  void gslnk_ (void);
+  void gslna_ (void);
+  void gslnj_ (void);
+  void gslnu_ (void);
+  void gslnp_ (void);
+  void gslnr_ (void);
+  void gslnq_ (void);
   void gsln4_ (void);
 }
 
@@ -46,6 +53,7 @@ public:
 
   double *begin (void) { return m_begin; }
   double& operator () (int k, int lane) { return m_begin[k * lane_count + lane]; }
+  double operator () (int k, int lane) const { return m_begin[k * lane_count + lane]; }
 
   void put (int lane, const double *from, int n)
   {
@@ -74,6 +82,7 @@ struct lane_run
   int i;                             // its number
   bool busy, steps, alone, started;  // it has a run; which takes part in this step, or by itself;
                                      // it has had one
+  bool joined;                       // what it remembers is in the columns of the group
   double t, hmax, stp[3], m[11], tn, h, ta, hr;
   int istp[3], lm[6], iw[7], at, k, n, ier;
 
@@ -119,7 +128,15 @@ private:
   void activate (void);
   void told (int lane, int info, double t);
   void call_rates (const double *x, double *xd);
-  void stage_rates (int column, const double *t, double *x, bool last);
+  void stage_rates (double *xd, const double *t, double *x, bool last);
+  void join (int lane);
+  void part (int lane);
+  void join_8 (int lane);
+  void part_8 (int lane);
+  void join_4 (int lane);
+  void part_4 (int lane);
+  void part_where (const lane_array& is);
+  bool keep_on (int lane);
   void park (int lane);
   void take_numbers (int lane);
   bool any (void) const;
@@ -127,10 +144,12 @@ private:
 
   void step_8 (void);
   void rates_8 (void);
+  bool begun_8 (void);
   void rates_by_itself (int lane);
   bool found_8 (int lane);
   bool ready_8 (int lane);
   void in_lanes_8 (void);
+  void judge_all_8 (void);
   void stages_8 (void);
   void by_itself_8 (int lane);
   void after_8 (int lane);
@@ -139,6 +158,8 @@ private:
   void step_4 (void);
   void begin_way (lane_run& l);
   bool ready_4 (int lane);
+  bool begun_4 (void);
+  void judge_all_4 (void);
   void watch_4 (void);
   void watch_alone (int lane);
   void eigenvalues (const bool *due, double *rho, int *state);
@@ -153,28 +174,32 @@ private:
   int m_siz[8], m_numbers;
   int m_info[lane_count], m_active[lane_count], m_calls[lane_count];
   std::vector<int> m_iopt;
-  std::vector<double> m_tim, m_ropt, m_kept;
+  std::vector<double> m_tim, m_ropt;
   bool m_of_time;                    // inputs that are no constants
   lane_run m_l[lane_count];
   std::vector<int> m_n, m_j;         // of GSLNC
-  std::vector<double> m_c, m_ts;
+  std::vector<double> m_c8, m_ts;
   lane_array m_x, m_xs, m_xn, m_f, m_h, m_v, m_cst;
-  lane_array m_t, m_stage_t, m_step, m_err, m_a, m_b;
+  lane_array m_new, m_stage_t, m_step, m_err, m_a, m_b;
+  // of the runs that have joined, see GSLNA and GSLNP
+  lane_array m_c, m_runs, m_slow, m_fresh, m_limit, m_tn, m_at, m_r;
 };
 
 lane_group::lane_group (const simulation& s, lane_source& source, int most)
   : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
     m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, s.nb, s.lw},
     m_numbers (lane_count * s.nx),
-    m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c (144), m_ts (12),
+    m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c8 (144), m_ts (12),
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
-    m_t (1), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1)
+    m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (24), m_runs (1),
+    m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1)
 {
+  std::fill_n (m_limit.begin (), lane_count, 1e300);
   m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
   m_tim.insert (m_tim.end (), s.tbrk.begin (), s.tbrk.begin () + s.nb);
   m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());
   m_of_time = s.plan->ip[GS_V0] != 0 || s.plan->ip[GS_FEEDBACK] != 0;
-  fortran {gslnc_} (&m_n[0], &m_c[0], &m_j[0], &m_ts[0]);
+  fortran {gslnc_} (&m_n[0], &m_c8[0], &m_j[0], &m_ts[0]);
 }
 
 bool
@@ -188,7 +213,7 @@ lane_group::run_all (void)
 {
   for (lane_run& l : m_l)
     {
-      l.busy = l.steps = l.alone = false;
+      l.busy = l.steps = l.alone = l.joined = false;
       l.started = false;
     }
   for (int k = 0; k < m_most; k++)
@@ -211,7 +236,10 @@ lane_group::left (void)
     return false;
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].busy)
-      end (k, the_patience->why ());
+      {
+        part (k);
+        end (k, the_patience->why ());
+      }
   return true;
 }
 
@@ -404,10 +432,10 @@ lane_group::told (int lane, int info, double t)
     }
 }
 
-// the right-hand sides of all lanes at the states X of a stage, in a column of F; those that take
-// part are told.  last: at the end of the step
+// the right-hand sides of all lanes at the states X of a stage; those that take part are told.
+// last: at the end of the step
 void
-lane_group::stage_rates (int column, const double *t, double *x, bool last)
+lane_group::stage_rates (double *xd, const double *t, double *x, bool last)
 {
   const int nx = m_s.nx;
   std::copy_n (t, lane_count, m_stage_t.begin ());
@@ -419,7 +447,7 @@ lane_group::stage_rates (int column, const double *t, double *x, bool last)
           one[j] = x[j * lane_count + k];
         inputs_of (k, t[k], last ? m_l[k].at : 1, one);
       }
-  call_rates (x, m_f.begin () + std::size_t (column) * m_numbers);
+  call_rates (x, xd);
   int some = 0;
   for (int k = 0; k < lane_count; k++)
     {
@@ -442,6 +470,151 @@ lane_group::activate (void)
     }
 }
 
+// ----- Runs that have joined: what they remember from step to step is in columns, in vectors with
+// that of the others.  They part where a step is none of the usual ones.
+
+// places in m_c, those of GSLNA less 1
+enum
+{
+  c_t, c_next, c_longest, c_stop, c_due, c_least, c_most, c_good, c_others, c_limit, c_bound,
+  c_free, c_calls, c_fresh, c_behind, c_side, c_last, c_near, c_far, c_then, c_moved, c_stiff,
+  c_pivot, c_largest
+};
+// and of GSLNP, where they are others
+enum { c_from = 1, c_step, c_number = 4, c_count, c_look = 16 };
+
+void
+lane_group::join (int lane)
+{
+  lane_run& l = m_l[lane];
+  l.joined = l.busy && S.nlam == 0 && S.nq == S.nu && l.partition ()[0] <= 0;
+  m_runs(0, lane) = l.joined;
+  if (! l.joined)
+    return;
+  m_c(c_t, lane) = l.t;
+  m_c(c_stop, lane) = l.stp[0];
+  m_c(c_side, lane) = l.istp[0];
+  m_c(c_limit, lane) = m_iopt[3] > 0 ? m_iopt[3] : 1e300;
+  m_c(c_calls, lane) = l.r.istat[0];
+  m_c(c_good, lane) = l.r.istat[1];
+  m_c(c_moved, lane) = 0;
+  if (m_iopt[0] == 4)
+    join_4 (lane);
+  else
+    join_8 (lane);
+}
+
+void
+lane_group::join_8 (int lane)
+{
+  const lane_run& l = m_l[lane];
+  const std::vector<int>& n = l.r.istat;
+  m_c(c_next, lane) = l.m[0];
+  m_c(c_longest, lane) = l.hmax;
+  m_c(c_due, lane) = l.ip[GS_EVENTS] > 0 ? -1e300 : m_tim[l.istp[1]];
+  m_c(c_least, lane) = l.r.rstat[5];
+  m_c(c_most, lane) = l.r.rstat[6];
+  m_c(c_others, lane) = n[2];
+  m_c(c_bound, lane) = n[15];
+  m_c(c_free, lane) = n[16];
+  m_c(c_fresh, lane) = l.lm[0];
+  m_c(c_behind, lane) = l.lm[1];
+  m_c(c_last, lane) = l.m[1];
+  m_c(c_near, lane) = l.m[2];
+  m_c(c_far, lane) = l.m[3];
+  m_c(c_then, lane) = l.r.rstat[8];
+  m_c(c_stiff, lane) = n[13];
+  m_c(c_pivot, lane) = m_c(c_largest, lane) = 0;
+}
+
+void
+lane_group::join_4 (int lane)
+{
+  const lane_run& l = m_l[lane];
+  m_c(c_from, lane) = l.ta;
+  m_c(c_step, lane) = l.h;
+  m_c(c_number, lane) = l.k;
+  m_c(c_count, lane) = l.n;
+  m_c(c_look, lane) = l.r.istat[13] == 0 ? l.r.istat[17] : 1e300;
+}
+
+void
+lane_group::part (int lane)
+{
+  lane_run& l = m_l[lane];
+  if (! l.joined)
+    return;
+  l.joined = false;
+  m_runs(0, lane) = 0;
+  std::vector<int>& n = l.r.istat;
+  m_x.get (lane, l.state (), m_s.nx);
+  l.t = m_c(c_t, lane);
+  l.h = m_step(0, lane);
+  l.tn = m_tn(0, lane);
+  l.at = int (m_at(0, lane));
+  n[0] = int (m_c(c_calls, lane));
+  n[1] = int (m_c(c_good, lane));
+  if (m_c(c_moved, lane) > 0)
+    {
+      l.r.rstat[7] = l.t;
+      n[5] = n[6] = 0;
+    }
+  if (m_iopt[0] == 4)
+    part_4 (lane);
+  else
+    part_8 (lane);
+}
+
+void
+lane_group::part_8 (int lane)
+{
+  lane_run& l = m_l[lane];
+  std::vector<int>& n = l.r.istat;
+  l.m[0] = m_c(c_next, lane);
+  l.m[1] = m_c(c_last, lane);
+  l.m[2] = m_c(c_near, lane);
+  l.m[3] = m_c(c_far, lane);
+  l.r.rstat[5] = m_c(c_least, lane);
+  l.r.rstat[6] = m_c(c_most, lane);
+  l.r.rstat[8] = m_c(c_then, lane);
+  l.lm[0] = int (m_c(c_fresh, lane));
+  l.lm[1] = int (m_c(c_behind, lane));
+  l.lm[3] = 0;
+  if (m_c(c_moved, lane) > 0)
+    l.lm[2] = l.lm[5] = 0;
+  n[2] = int (m_c(c_others, lane));
+  n[15] = int (m_c(c_bound, lane));
+  n[16] = int (m_c(c_free, lane));
+}
+
+void
+lane_group::part_4 (int lane)
+{
+  lane_run& l = m_l[lane];
+  l.k = int (m_c(c_number, lane));
+  l.h = m_c(c_step, lane);
+}
+
+void
+lane_group::part_where (const lane_array& is)
+{
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].joined && (m_l[k].ier != 0 || is(0, k) > 0))
+      part (k);
+}
+
+// at a stop, the run parted: on from there, or its end
+bool
+lane_group::keep_on (int lane)
+{
+  lane_run& l = m_l[lane];
+  if (stopped (l))
+    next_state (lane);
+  else
+    end (lane, l.r.info);
+  return l.busy;
+}
+
 // ----- Dormand and Prince
 
 // one trial step of every run, as GSDPS does it
@@ -449,19 +622,71 @@ void
 lane_group::step_8 (void)
 {
   rates_8 ();
-  bool some = false;
-  for (int k = 0; k < lane_count; k++)
-    {
-      lane_run& l = m_l[k];
-      l.steps = l.alone = false;
-      l.steps = l.busy && found_8 (k) && ready_8 (k);
-      some = some || l.steps;
-    }
-  if (some)
+  if (begun_8 ())
     in_lanes_8 ();
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].alone)
       by_itself_8 (k);
+}
+
+// the rates at the states where they are not yet known
+void
+lane_group::rates_8 (void)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      if (! l.joined)
+        {
+          join (k);
+          m_c(c_t, k) = l.busy ? l.t : m_s.t0;
+        }
+      int wanted = l.joined ? int (m_c(c_fresh, k)) : l.busy ? l.lm[0] : 0;
+      l.alone = wanted == 1 && l.partition ()[0] > 0;
+      l.steps = wanted == 1 && ! l.alone;
+      l.ier = 0;
+      l.at = 1;
+      m_fresh(0, k) = l.steps;
+      some = some || l.steps;
+    }
+  activate ();
+  if (some)
+    stage_rates (m_new.begin (), m_c.begin (), m_x.begin (), false);
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      rates_by_itself (k);
+}
+
+// which runs are ready for a step in lanes; false: none
+bool
+lane_group::begun_8 (void)
+{
+  const int many = m_iopt[0] == 9 ? 100 : 500;
+  fortran {gslnk_} (&lane_count, &m_s.nx, m_fresh.begin (), m_new.begin (), m_f.begin (),
+                    m_x.begin (), m_xs.begin (), &m_ropt[1], &m_ropt[3], &many, m_c.begin (),
+                    m_slow.begin ());
+  part_where (m_slow);
+  fortran {gslna_} (&lane_count, &m_s.nx, m_runs.begin (), m_c.begin (), m_limit.begin (),
+                    m_step.begin (), m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
+  part_where (m_slow);
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.steps = l.joined;
+      l.alone = false;
+      if (l.joined)
+        l.at = int (m_at(0, k));
+      else if (l.busy && found_8 (k) && ready_8 (k))
+        {
+          l.steps = true;
+          m_c(c_t, k) = l.t;
+          m_tn(0, k) = l.tn;
+        }
+      some = some || l.steps;
+    }
+  return some;
 }
 
 void
@@ -469,39 +694,35 @@ lane_group::in_lanes_8 (void)
 {
   stages_8 ();
   fortran {gslne_} (&lane_count, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), &m_ropt[1],
-                    &m_ropt[3], &m_c[0], m_xn.begin (), m_err.begin (), m_a.begin (), m_b.begin ());
-  for (int k = 0; k < lane_count; k++)
-    if (m_l[k].steps)
-      after_8 (k);
+                    &m_ropt[3], &m_c8[0], m_xn.begin (), m_err.begin (), m_a.begin (),
+                    m_b.begin ());
+  judge_all_8 ();
 }
 
-// the rates at the states where they are not yet known, and what GSSTE wants to know there
 void
-lane_group::rates_8 (void)
+lane_group::judge_all_8 (void)
 {
-  bool all = true;
+  fortran {gslnj_} (&lane_count, m_runs.begin (), m_c.begin (), m_tn.begin (), m_err.begin (),
+                    m_r.begin ());
   for (int k = 0; k < lane_count; k++)
-    {
-      lane_run& l = m_l[k];
-      l.alone = l.busy && l.lm[0] == 1 && l.partition ()[0] > 0;
-      l.steps = l.busy && l.lm[0] == 1 && ! l.alone;
-      l.ier = 0;
-      l.at = 1;
-      m_t(0, k) = l.busy ? l.t : m_s.t0;
-      all = all && (l.steps || ! l.busy);
-    }
-  if (! all)
-    m_kept.assign (m_f.begin (), m_f.begin () + m_numbers);
-  activate ();
-  stage_rates (0, m_t.begin (), m_x.begin (), false);
-  for (int k = 0; ! all && k < lane_count; k++)
-    for (int j = k; ! m_l[k].steps && j < m_numbers; j += lane_count)
-      m_f.begin ()[j] = m_kept[j];
+    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
+      {
+        part (k);
+        m_r(0, k) = 0;
+      }
+  fortran {gslnu_} (&lane_count, &m_s.nx, m_r.begin (), m_step.begin (), m_tn.begin (),
+                    m_err.begin (), m_c.begin (), m_x.begin (), m_xn.begin ());
   for (int k = 0; k < lane_count; k++)
-    if (m_l[k].alone)
-      rates_by_itself (k);
-  fortran {gslnb_} (&lane_count, &m_s.nx, m_x.begin (), m_f.begin (), m_xs.begin (), &m_ropt[1],
-                    &m_ropt[3], m_a.begin (), m_b.begin ());
+    if (! m_l[k].joined)
+      {
+        if (m_l[k].steps)
+          after_8 (k);
+      }
+    else if (m_r(0, k) == 1 && m_c(c_t, k) >= m_c(c_stop, k))
+      {
+        part (k);
+        keep_on (k);
+      }
 }
 
 void
@@ -536,11 +757,13 @@ lane_group::found_8 (int lane)
     info = 8;
   if (info == 0 && l.lm[1] == 1)
     {
-      fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.m[1],
+      for (int j = 0; j < s.nx; j++)
+        f[11 * s.nx + j] = m_f(11 * s.nx + j, lane);
+      m_xs.get (lane, f + 12 * s.nx, s.nx);
+      fortran {gsstd_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.m[1],
                         l.state (), &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4],
-                        l.ip.data (), l.rp.data (), &r.cst[0], v, &m_ropt[1], &m_ropt[3], &m_a(0,
-                        lane), &m_b(0, lane), f + s.nx, &r.w[0], l.partition (), &r.istat[0],
-                        &r.rstat[0]);
+                        l.ip.data (), l.rp.data (), &r.cst[0], v, &m_ropt[1], &m_ropt[3], f,
+                        &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
       if (r.istat[13] > 0 && m_iopt[0] == 9)
         info = 5;
     }
@@ -607,7 +830,6 @@ lane_group::ready_8 (int lane)
       m_step(0, lane) = l.h;
       for (int k = 0; k < s.nx; k++)
         m_h(k, lane) = l.h;
-      m_t(0, lane) = l.t;
       return true;
     }
   park (lane);
@@ -621,13 +843,13 @@ lane_group::stages_8 (void)
   activate ();
   for (int stage = 2; stage <= 12; stage++)
     {
-      fortran {gslns_} (&m_numbers, &m_n[stage-1], &m_c[12*(stage-1)], &m_j[12*(stage-1)],
+      fortran {gslns_} (&m_numbers, &m_n[stage-1], &m_c8[12*(stage-1)], &m_j[12*(stage-1)],
                         m_h.begin (), m_x.begin (), m_f.begin (), m_xs.begin ());
-      fortran {gslnt_} (&lane_count, m_t.begin (), &m_ts[stage-1], m_step.begin (), t);
-      for (int k = 0; stage == 12 && k < lane_count; k++)
-        if (m_l[k].steps)
-          t[k] = m_l[k].tn;
-      stage_rates (stage - 1, t, m_xs.begin (), stage == 12);
+      fortran {gslnt_} (&lane_count, m_c.begin (), &m_ts[stage-1], m_step.begin (), t);
+      if (stage == 12)
+        std::copy_n (m_tn.begin (), lane_count, t);
+      stage_rates (m_f.begin () + std::size_t (stage - 1) * m_numbers, t, m_xs.begin (),
+                   stage == 12);
     }
 }
 
@@ -637,7 +859,7 @@ lane_group::after_8 (int lane)
   lane_run& l = m_l[lane];
   m_xn.get (lane, l.next (), m_s.nx);
   l.r.istat[0] += m_calls[lane];
-  if (S.nev > 0 || m_tim[l.istp[1]] < l.tn)
+  if (l.ip[GS_EVENTS] > 0 || m_tim[l.istp[1]] < l.tn)
     {
       for (int k = 0; k < 12; k++)
         for (int j = 0; j < m_s.nx; j++)
@@ -682,13 +904,10 @@ lane_group::judge_8 (int lane, double err)
     std::swap (l.iw[0], l.iw[1]);
   if (info != 0)
     end (lane, info);
+  else if (taken == 1 && l.t >= l.stp[0])
+    keep_on (lane);
   else if (taken == 1)
-    {
-      if (l.t >= l.stp[0] && ! stopped (l))
-        end (lane, r.info);
-      else
-        next_state (lane);
-    }
+    next_state (lane);
 }
 
 // ----- Runge and Kutta
@@ -704,27 +923,72 @@ lane_group::begin_way (lane_run& l)
 void
 lane_group::step_4 (void)
 {
-  bool some = false;
+  if (begun_4 ())
+    {
+      stages_4 ();
+      judge_all_4 ();
+    }
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      by_itself_4 (k);
+}
+
+bool
+lane_group::begun_4 (void)
+{
   for (int k = 0; k < lane_count; k++)
     {
       lane_run& l = m_l[k];
       l.ier = 0;
-      l.steps = l.alone = false;
-      l.alone = l.busy && ready_4 (k) && l.partition ()[0] > 0;
+      if (! l.joined)
+        join (k);
+      m_c(c_t, k) = l.joined ? m_c(c_t, k) : m_s.t0;
+      m_slow(0, k) = l.joined && m_c(c_good, k) >= m_c(c_look, k);
+    }
+  part_where (m_slow);
+  fortran {gslnp_} (&lane_count, &m_s.nx, m_runs.begin (), m_c.begin (), m_step.begin (),
+                    m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
+  part_where (m_slow);
+  bool some = false, apart = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.alone = ! l.joined && l.busy && ready_4 (k) && l.partition ()[0] > 0;
       l.steps = l.busy && ! l.alone;
       some = some || l.steps;
+      apart = apart || ! l.joined;
+      if (l.joined)
+        l.at = int (m_at(0, k));
     }
-  watch_4 ();
-  if (some)
-    stages_4 ();
+  if (apart)
+    watch_4 ();
+  return some;
+}
+
+void
+lane_group::judge_all_4 (void)
+{
+  fortran {gslnr_} (&lane_count, &m_s.nx, m_runs.begin (), m_xn.begin (), m_r.begin ());
   for (int k = 0; k < lane_count; k++)
-    if (m_l[k].alone)
-      by_itself_4 (k);
-    else if (m_l[k].steps)
+    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
+      {
+        part (k);
+        m_r(0, k) = 0;
+      }
+  fortran {gslnq_} (&lane_count, &m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
+                    m_xn.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (! m_l[k].joined && m_l[k].steps)
       {
         m_xn.get (k, m_l[k].next (), m_s.nx);
         m_l[k].r.istat[0] += m_calls[k];
         after_4 (k);
+      }
+    else if (m_l[k].joined && m_c(c_number, k) > m_c(c_count, k))
+      {
+        part (k);
+        m_l[k].t = m_l[k].stp[0];
+        keep_on (k);
       }
 }
 
@@ -741,7 +1005,8 @@ lane_group::ready_4 (int lane)
       return m_l[lane].busy && ready_4 (lane);
     }
   m_step(0, lane) = l.h;
-  m_t(0, lane) = l.t;
+  m_c(c_t, lane) = l.t;
+  m_tn(0, lane) = l.tn;
   for (int k = 0; k < s.nx; k++)
     m_h(k, lane) = l.h;
   return true;
@@ -755,7 +1020,7 @@ lane_group::watch_4 (void)
   for (int k = 0; k < lane_count; k++)
     {
       const std::vector<int>& istat = m_l[k].r.istat;
-      due[k] = m_l[k].busy && istat[13] == 0 && istat[1] >= istat[17];
+      due[k] = m_l[k].busy && ! m_l[k].joined && istat[13] == 0 && istat[1] >= istat[17];
       if (due[k] && (m_l[k].alone || m_of_time))
         {
           watch_alone (k);
@@ -811,7 +1076,7 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
       goes[k] = due[k];
       rho[k] = 0;
       state[k] = 1;
-      m_stage_t(0, k) = m_l[k].busy ? m_l[k].t : m_s.t0;
+      m_stage_t(0, k) = m_c(c_t, k);
       for (int j = 0, i = k; j < nx; j++, i += lane_count)
         {
           const double x = std::fabs (m_x.begin ()[i]);
@@ -876,14 +1141,13 @@ void
 lane_group::stages_4 (void)
 {
   double t[lane_count], *x = m_x.begin ();
-  std::copy_n (m_t.begin (), lane_count, t);
+  std::copy_n (m_c.begin (), lane_count, t);
   activate ();
   for (int stage = 1; stage <= 4; stage++)
     {
-      for (int k = 0; k < lane_count; k++)
-        if (m_l[k].steps && stage > 1)
-          t[k] = stage == 4 ? m_l[k].tn : m_l[k].t + 0.5 * m_l[k].h;
-      stage_rates (std::min (stage, 2) - 1, t, x, stage == 4);
+      for (int k = 0; k < lane_count && stage > 1; k++)
+        t[k] = stage == 4 ? m_tn(0, k) : m_c(c_t, k) + 0.5 * m_step(0, k);
+      stage_rates (m_f.begin () + (stage > 1 ? m_numbers : 0), t, x, stage == 4);
       x = stage == 4 ? m_xn.begin () : m_xs.begin ();
       fortran {gsln4_} (&stage, &m_numbers, m_h.begin (), m_x.begin (), m_f.begin (), x);
     }

@@ -222,36 +222,340 @@ C$OMP SIMD PRIVATE( S )
          ERR(L) = S
    40 CONTINUE
       END
-      SUBROUTINE GSLNB( K, NX, X, W, XS, RTOL, ATOL, A, B )
+      SUBROUTINE GSLNK( K, NX, FRESH, F, W, X, XS, RTOL, ATOL, NS, C,
+     $                  SLOW )
 C
 C     PURPOSE
-C     The sums A and B of GSSTE for K lanes: at the states X of a step's
-C     end, whose right-hand sides are W(:,:,1), XS the states and
-C     W(:,:,12) the right-hand sides of its last stage.
+C     GSDPF for K lanes behind the right-hand sides F: those of lanes
+C     that wanted them go to W; whether they are finite and stability
+C     binds the last step.
 C
 C     ARGUMENTS
-C     Arrays of lanes as GSLNE; A, B (output) of dimension (K).
+C     K, NX   (input) INTEGER, the numbers of lanes and of states.
+C     FRESH   (input) DOUBLE PRECISION array, dimension (K), 1 where the
+C             right-hand sides were wanted.
+C     F       (input) DOUBLE PRECISION array, dimension (K,NX).
+C     W       (input/output) DOUBLE PRECISION array, dimension
+C             (K,NX,12), column 12 that of the last stage of the step.
+C     X, XS   (input) DOUBLE PRECISION arrays, dimension (K,NX): the
+C             states, and those of that stage.
+C     RTOL, ATOL (input) as GSDP8.
+C     NS      (input) INTEGER, how many steps that look bound are too
+C             many.
+C     C       (input/output) DOUBLE PRECISION array, dimension (K,24),
+C             what is remembered of the runs, see GSLNA.
+C     SLOW    (output) DOUBLE PRECISION array, dimension (K), 1 where
+C             GSDPF has to look by itself.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
-      DOUBLE PRECISION   X(K,NX), W(K,NX,12), XS(K,NX), RTOL, ATOL(NX),
-     $                   A(K), B(K)
+      INTEGER            K, NX, NS
+      DOUBLE PRECISION   FRESH(K), F(K,NX), W(K,NX,12), X(K,NX),
+     $                   XS(K,NX), RTOL, ATOL(NX), C(K,24), SLOW(K)
       INTEGER            I, L
-      DOUBLE PRECISION   S, P, Q
+      DOUBLE PRECISION   S, P, Q, Y, A(64), B(64)
 C
       DO 10 L = 1, K
          A(L) = 0.0D0
          B(L) = 0.0D0
+         SLOW(L) = 0.0D0
    10 CONTINUE
       DO 30 I = 1, NX
-C$OMP SIMD PRIVATE( S, P, Q )
+C$OMP SIMD PRIVATE( S, P, Q, Y )
          DO 20 L = 1, K
+            Y = W(L,I,1)
+            IF ( FRESH(L).GT.0.0D0 ) Y = F(L,I)
+            W(L,I,1) = Y
             S = ATOL(I) + RTOL*ABS( X(L,I) )
             IF ( .NOT.( S.GT.0.0D0 ) ) S = 1.0D308
-            P = ( W(L,I,1) - W(L,I,12) )/S
+            P = ( Y - W(L,I,12) )/S
             Q = ( X(L,I) - XS(L,I) )/S
             A(L) = A(L) + P**2
             B(L) = B(L) + Q**2
+            P = SLOW(L)
+            IF ( .NOT.( ABS( Y ).LE.1.0D300 ) ) P = 1.0D0
+            SLOW(L) = P
+   20    CONTINUE
+   30 CONTINUE
+C$OMP SIMD PRIVATE( S, P, Q, Y )
+      DO 40 L = 1, K
+         S = C(L,11)
+         P = C(L,12)
+         Q = 0.0D0
+         IF ( ABS( C(L,17) )*SQRT( A(L) ).GT.5.0D0*SQRT( B(L) ) )
+     $      Q = 1.0D0
+         Y = S
+         IF ( Q.GT.0.0D0 ) Y = S + 1.0D0
+         IF ( Q.LE.0.0D0 .AND. P.GE.5.0D0 ) Y = 0.0D0
+         P = P + 1.0D0
+         IF ( Q.GT.0.0D0 ) P = 0.0D0
+         Q = SLOW(L)
+         IF ( C(L,2).LE.0.0D0 ) Q = 1.0D0
+         IF ( C(L,15).GT.0.0D0 .AND. C(L,22).LE.0.0D0 .AND.
+     $        Y.GE.DBLE( NS ) ) Q = 1.0D0
+         IF ( C(L,14).LE.0.0D0 ) Q = 0.0D0
+         SLOW(L) = Q
+         IF ( C(L,15).LE.0.0D0 .OR. C(L,14).LE.0.0D0 .OR.
+     $        C(L,22).GT.0.0D0 .OR. Q.GT.0.0D0 ) THEN
+            Y = S
+            P = C(L,12)
+         END IF
+         C(L,11) = Y
+         C(L,12) = P
+         IF ( Q.LE.0.0D0 ) C(L,13) = C(L,13) + FRESH(L)
+         IF ( Q.LE.0.0D0 ) C(L,14) = 0.0D0
+   40 CONTINUE
+      END
+      SUBROUTINE GSLNA( K, NX, RUNS, C, HLIM, H, HS, TN, AT, SLOW )
+C
+C     PURPOSE
+C     GSDTA for K lanes, far from singular positions: the lengths of the
+C     next trial steps.
+C
+C     ARGUMENTS
+C     K, NX   (input) INTEGER, the numbers of lanes and of states.
+C     RUNS    (input) DOUBLE PRECISION array, dimension (K), 1 where a
+C             step is next; 0: H is 0.
+C     C       (input/output) DOUBLE PRECISION array, dimension (K,24):
+C             of each run (1) the time, (2) M(1) of GSDPS, (3) the
+C             largest step, (4) the time of the stop and (16) its side,
+C             (5) the next output time, (6) and (7) the least and the
+C             largest step, (8) and (9) steps that were good and others,
+C             (10) how many there may be, (11) and (12) ISTAT(16) and
+C             ISTAT(17), (13) calls of the right-hand side, (14) and
+C             (15) LM(1) and LM(2), (17) to (19) M(2) to M(4), (20)
+C             RSTAT(9), (21) 1 if a step was good since it came here,
+C             (22) ISTAT(14), (23) and (24) P(13) and P(14).
+C     HLIM    (input) DOUBLE PRECISION array, dimension (K): no step is
+C             longer.
+C     H, HS   (output) DOUBLE PRECISION arrays, dimensions (K), (K,NX):
+C             the steps, and those that the states belong to.
+C     TN, AT  (output) DOUBLE PRECISION arrays, dimension (K), as GSDTA.
+C     SLOW    (output) DOUBLE PRECISION array, dimension (K), 1 where
+C             GSDTA has to look by itself.
+C
+      IMPLICIT NONE
+      INTEGER            K, NX
+      DOUBLE PRECISION   RUNS(K), C(K,24), HLIM(K), H(K), HS(K,NX),
+     $                   TN(K), AT(K), SLOW(K)
+      DOUBLE PRECISION   GSEPS, EPS, S, Z, Y, B
+      EXTERNAL           GSEPS
+      INTEGER            I, L
+C
+      EPS = 1.6D1*GSEPS()
+C$OMP SIMD PRIVATE( S, Z, Y, B )
+      DO 10 L = 1, K
+         B = C(L,4)
+         S = MIN( C(L,2), C(L,3), HLIM(L) )
+         Z = C(L,1) + S
+         Y = 1.0D0
+         IF ( C(L,1) + 1.01D0*S.GE.B ) THEN
+            S = B - C(L,1)
+            Z = B
+            Y = C(L,16)
+         ELSE IF ( C(L,1) + 2.0D0*S.GT.B ) THEN
+            S = 0.5D0*( B - C(L,1) )
+            Z = C(L,1) + S
+         END IF
+         AT(L) = Y
+         Y = 0.0D0
+         IF ( C(L,8) + C(L,9).GE.C(L,10) ) Y = 1.0D0
+         IF ( S.LE.EPS*MAX( ABS( C(L,1) ), ABS( B ) ) .AND. Z.LT.B )
+     $      Y = 1.0D0
+         IF ( RUNS(L).LE.0.0D0 ) THEN
+            S = 0.0D0
+            Z = C(L,1)
+            Y = 0.0D0
+         END IF
+         IF ( RUNS(L).GT.0.0D0 ) C(L,17) = S
+         SLOW(L) = Y
+         TN(L)   = Z
+         H(L)    = S
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD
+         DO 20 L = 1, K
+            HS(L,I) = H(L)
+   20    CONTINUE
+   30 CONTINUE
+      END
+      SUBROUTINE GSLNJ( K, RUNS, C, TN, ERR, R )
+C
+C     PURPOSE
+C     Trial steps of GSDP8 in K lanes: R is 1 where they are good, 2
+C     where they are to be repeated, 3 where GSDTB has to look by
+C     itself, 0 where there were none.  Arguments as GSLNA; ERR as
+C     GSLNE.
+C
+      IMPLICIT NONE
+      INTEGER            K
+      DOUBLE PRECISION   RUNS(K), C(K,24), TN(K), ERR(K), R(K)
+      DOUBLE PRECISION   S
+      INTEGER            L
+C
+C$OMP SIMD PRIVATE( S )
+      DO 10 L = 1, K
+         S = 2.0D0
+         IF ( ERR(L).LE.1.0D0 ) S = 1.0D0
+         IF ( ERR(L).LE.1.0D0 .AND. C(L,5).LT.TN(L) ) S = 3.0D0
+         IF ( .NOT.( ERR(L).LE.1.0D300 ) ) S = 3.0D0
+         IF ( RUNS(L).LE.0.0D0 ) S = 0.0D0
+         R(L) = S
+   10 CONTINUE
+      END
+      SUBROUTINE GSLNU( K, NX, R, H, TN, ERR, C, X, XN )
+C
+C     PURPOSE
+C     The end of a trial step in K lanes, see GSLNJ: where R is 1 X
+C     becomes XN; the lengths of the next steps, where R is 1 or 2.
+C     The eighth root of the error is that of three square roots.
+C
+      IMPLICIT NONE
+      INTEGER            K, NX
+      DOUBLE PRECISION   R(K), H(K), TN(K), ERR(K), C(K,24), X(K,NX),
+     $                   XN(K,NX)
+      DOUBLE PRECISION   S, Z, Y, F, G
+      INTEGER            I, L
+C
+C$OMP SIMD PRIVATE( S, Z, Y, F, G )
+      DO 10 L = 1, K
+         S = R(L)
+         F = MIN( 1.0D300, MAX( 1.0D-16, ERR(L) ) )
+         F = 0.9D0/SQRT( SQRT( SQRT( F ) ) )
+         G = H(L)*MAX( MIN( 6.0D0, F ), 1.0D0/3.0D0 )
+         Z = C(L,2)
+         Y = C(L,2)
+         IF ( H(L).GE.0.99D0*Z .OR. G.GT.Z ) Y = G
+         IF ( S.GT.1.5D0 ) Y = H(L)*MIN( 0.9D0, MAX( 0.2D0, F ) )
+         IF ( S.LT.0.5D0 .OR. S.GT.2.5D0 ) Y = Z
+         C(L,2) = Y
+         IF ( S.GT.0.5D0 .AND. S.LT.1.5D0 ) THEN
+            C(L,1)  = TN(L)
+            C(L,6)  = MIN( C(L,6), H(L) )
+            C(L,7)  = MAX( C(L,7), H(L) )
+            C(L,8)  = C(L,8) + 1.0D0
+            C(L,14) = 1.0D0
+            C(L,15) = 1.0D0
+            C(L,18) = 0.05D0
+            C(L,20) = Y
+            C(L,21) = 1.0D0
+            IF ( C(L,23).GE.0.25D0*C(L,24) ) C(L,19) = Y
+         END IF
+         IF ( S.GT.1.5D0 .AND. S.LT.2.5D0 ) THEN
+            C(L,9)  = C(L,9) + 1.0D0
+            C(L,18) = 0.25D0
+         END IF
+         IF ( S.GT.0.5D0 .AND. S.LT.2.5D0 ) C(L,13) = C(L,13) + 11.0D0
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD PRIVATE( Y )
+         DO 20 L = 1, K
+            Y = X(L,I)
+            IF ( R(L).GT.0.5D0 .AND. R(L).LT.1.5D0 ) Y = XN(L,I)
+            X(L,I) = Y
+   20    CONTINUE
+   30 CONTINUE
+      END
+      SUBROUTINE GSLNP( K, NX, RUNS, C, H, HS, TN, AT, SLOW )
+C
+C     PURPOSE
+C     GSRKT for K lanes: the next steps of GSRK4.
+C
+C     ARGUMENTS
+C     As GSLNA, but C: (1) the time, (2) where steps of this length
+C     began, (3) the length, (4) the time of the stop and (16) its side,
+C     (5) the number of the step and (6) how many there are, (8) steps
+C     that were done, (10) how many there may be, (13) calls, (17) when
+C     GSSTD is to look.
+C
+      IMPLICIT NONE
+      INTEGER            K, NX
+      DOUBLE PRECISION   RUNS(K), C(K,24), H(K), HS(K,NX), TN(K),
+     $                   AT(K), SLOW(K)
+      DOUBLE PRECISION   S, Y
+      INTEGER            I, L
+C
+C$OMP SIMD PRIVATE( S, Y )
+      DO 10 L = 1, K
+         S = C(L,3)
+         IF ( RUNS(L).LE.0.0D0 ) S = 0.0D0
+         H(L) = S
+         S = C(L,1)
+         IF ( RUNS(L).GT.0.0D0 ) S = C(L,2) + ( C(L,5) - 1.0D0 )*C(L,3)
+         C(L,1) = S
+         Y = 1.0D0
+         S = C(L,2) + C(L,5)*C(L,3)
+         IF ( C(L,5).GE.C(L,6) ) THEN
+            S = C(L,4)
+            Y = C(L,16)
+         END IF
+         AT(L) = Y
+         IF ( RUNS(L).LE.0.0D0 ) S = C(L,1)
+         TN(L) = S
+         Y = 0.0D0
+         IF ( C(L,8).GE.C(L,10) ) Y = 1.0D0
+         IF ( RUNS(L).LE.0.0D0 ) Y = 0.0D0
+         SLOW(L) = Y
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD
+         DO 20 L = 1, K
+            HS(L,I) = H(L)
+   20    CONTINUE
+   30 CONTINUE
+      END
+      SUBROUTINE GSLNR( K, NX, RUNS, XN, R )
+C
+C     PURPOSE
+C     Steps of GSRK4 in K lanes: R is 1 where they are good, 3 where a
+C     number of XN is not finite, 0 where there were none.
+C
+      IMPLICIT NONE
+      INTEGER            K, NX
+      DOUBLE PRECISION   RUNS(K), XN(K,NX), R(K)
+      DOUBLE PRECISION   Y
+      INTEGER            I, L
+C
+      DO 10 L = 1, K
+         R(L) = RUNS(L)
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD PRIVATE( Y )
+         DO 20 L = 1, K
+            Y = R(L)
+            IF ( .NOT.( ABS( XN(L,I) ).LE.1.0D300 ) .AND. Y.GT.0.0D0 )
+     $         Y = 3.0D0
+            R(L) = Y
+   20    CONTINUE
+   30 CONTINUE
+      END
+      SUBROUTINE GSLNQ( K, NX, R, TN, C, X, XN )
+C
+C     PURPOSE
+C     The end of a step of GSRK4 in K lanes, see GSLNR: where R is 1 X
+C     becomes XN.  C as GSLNP.
+C
+      IMPLICIT NONE
+      INTEGER            K, NX
+      DOUBLE PRECISION   R(K), TN(K), C(K,24), X(K,NX), XN(K,NX)
+      DOUBLE PRECISION   Y
+      INTEGER            I, L
+C
+C$OMP SIMD
+      DO 10 L = 1, K
+         IF ( R(L).GT.0.5D0 .AND. R(L).LT.1.5D0 ) THEN
+            C(L,1)  = TN(L)
+            C(L,5)  = C(L,5) + 1.0D0
+            C(L,8)  = C(L,8) + 1.0D0
+            C(L,13) = C(L,13) + 4.0D0
+            C(L,21) = 1.0D0
+         END IF
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD PRIVATE( Y )
+         DO 20 L = 1, K
+            Y = X(L,I)
+            IF ( R(L).GT.0.5D0 .AND. R(L).LT.1.5D0 ) Y = XN(L,I)
+            X(L,I) = Y
    20    CONTINUE
    30 CONTINUE
       END
