@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices \
-        bench-abbreviate bench-flexible bench-sensitivity bench-runs bench-ensemble \
+        bench-abbreviate bench-flexible bench-sensitivity bench-runs bench-long bench-ensemble \
         bench-control bench-collocation bench-points bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
@@ -65,6 +65,8 @@ make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, o
 make bench-sensitivity     tests/bench/sensitivity.md: derivatives by parameters beside runs
                            alone and central differences, an adjoint of 40
 make bench-runs            tests/bench/runs.md: what output times cost, the energy of long runs
+make bench-long            tests/bench/long.md: 1e7 steps of the unforced four-bar by method gauss:
+                           energy, loops, memory; STEPS=1e6: fewer
 make bench-ensemble        tests/bench/ensemble.md: many runs, in lanes beside one by one
 make bench-control         tests/bench/control.md: every design of controllers on a machine with
                            limits, friction, samples, steps and delay, and where it fails
@@ -194,8 +196,8 @@ bench-passages: packages compiled
 	RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
 	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
 
-bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-ensemble \
-bench-control: bench-%: packages compiled
+bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-long \
+bench-ensemble bench-control: bench-%: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null
 

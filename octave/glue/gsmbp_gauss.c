@@ -5,21 +5,26 @@
    fall; the first guess is the polynomial of the step before.  The state is kept with what rounding
    took from it (compensated summation), weights are of longer numbers, so that errors of rounding
    are not systematic (Hairer, McLachlan, Razakarivony, Achieving Brouwer's law with implicit
-   Runge-Kutta methods, BIT 48, 2008).  Whole steps lead to every output time, break and sample. */
+   Runge-Kutta methods, BIT 48, 2008).  Whole steps lead to every output time, break and sample.
+
+   Where they can be had the steps are those of coordinates and momenta (gauss_momenta.c), which
+   are symplectic; those of the states are symmetric in time. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "gauss_momenta.h"
+#include "gauss_rule.h"
 #include "implicit.h"
 
-enum { MOST = 4, TURNS = 100 };
-typedef long double longer;
+enum { TURNS = 100 };
 
 typedef struct
 {
-  int n, stages;
-  longer c[MOST], a[MOST][MOST], b[MOST], ahead[MOST][MOST];   /* AHEAD: from step to step */
+  int n;
+  gauss_rule rule;
+  gs_momenta *momenta;          /* if the steps are those of coordinates and momenta */
   double *k, *old, *x, *size;   /* rates of the stages, of the turn before; a state; usual sizes */
   double *lost;                 /* what rounding took from the state */
   double from, to;              /* the way that whole steps of H lead along, */
@@ -27,78 +32,6 @@ typedef struct
   int known;                    /* is there a step before, of the same length? */
   long turns;
 } gauss;
-
-/* ------------------------------------------------------------
- * the rule */
-
-/* the roots of the Legendre polynomials, on [0, 1] */
-static void
-nodes (gauss *w)
-{
-  if (w->stages == 2)
-    w->c[1] = sqrtl (1 / 3.0L);
-  else if (w->stages == 3)
-    w->c[2] = sqrtl (3 / 5.0L);
-  else
-    {
-      w->c[2] = sqrtl ((3 - 2 * sqrtl (6 / 5.0L)) / 7);
-      w->c[3] = sqrtl ((3 + 2 * sqrtl (6 / 5.0L)) / 7);
-    }
-  for (int i = 0; i < w->stages / 2; i++)
-    w->c[i] = -w->c[w->stages - 1 - i];
-  if (w->stages == 3)
-    w->c[1] = 0;
-  for (int i = 0; i < w->stages; i++)
-    w->c[i] = (1 + w->c[i]) / 2;
-}
-
-/* coefficients of Lagrange's polynomial J, the constant first */
-static void
-lagrange (const gauss *w, int j, longer *p)
-{
-  memset (p, 0, (MOST + 1) * sizeof (longer));
-  p[0] = 1;
-  for (int k = 0; k < w->stages; k++)
-    if (k != j)
-      for (int l = w->stages - 1; l >= 0; l--)
-        p[l] = ((l > 0 ? p[l - 1] : 0) - w->c[k] * p[l]) / (w->c[j] - w->c[k]);
-}
-
-static longer
-value (const gauss *w, const longer *p, longer at)
-{
-  longer sum = 0;
-  for (int l = w->stages - 1; l >= 0; l--)
-    sum = sum * at + p[l];
-  return sum;
-}
-
-static longer
-integral (const gauss *w, const longer *p, longer to)
-{
-  longer sum = 0;
-  for (int l = w->stages - 1; l >= 0; l--)
-    sum = sum * to + p[l] / (l + 1);
-  return sum * to;
-}
-
-static void
-take_rule (gauss *w, int order)
-{
-  longer p[MOST + 1];
-  w->stages = order / 2;
-  nodes (w);
-  for (int j = 0; j < w->stages; j++)
-    {
-      lagrange (w, j, p);
-      w->b[j] = integral (w, p, 1);
-      for (int i = 0; i < w->stages; i++)
-        {
-          w->a[i][j] = integral (w, p, w->c[i]);
-          w->ahead[i][j] = value (w, p, 1 + w->c[i]);
-        }
-    }
-}
 
 /* ------------------------------------------------------------
  * one step */
@@ -110,15 +43,15 @@ predict (gs_run *s)
   gauss *w = s->memory;
   int n = w->n, info = 0;
   double *before = w->old;
-  memcpy (before, w->k, sizeof (double) * n * w->stages);
+  memcpy (before, w->k, sizeof (double) * n * w->rule.stages);
   if (! w->known && (info = gs_rate (s, s->t, s->x, before)) != 0)
     return info;
-  for (int i = 0; i < w->stages; i++)
+  for (int i = 0; i < w->rule.stages; i++)
     for (int l = 0; l < n; l++)
       {
         longer sum = w->known ? 0 : before[l];
-        for (int j = 0; w->known && j < w->stages; j++)
-          sum += w->ahead[i][j] * before[l + n * j];
+        for (int j = 0; w->known && j < w->rule.stages; j++)
+          sum += w->rule.ahead[i][j] * before[l + n * j];
         w->k[l + n * i] = sum;
       }
   return 0;
@@ -132,8 +65,8 @@ stage (const gs_run *s, int i, double h)
   for (int l = 0; l < w->n; l++)
     {
       longer sum = 0;
-      for (int j = 0; j < w->stages; j++)
-        sum += w->a[i][j] * w->old[l + w->n * j];
+      for (int j = 0; j < w->rule.stages; j++)
+        sum += w->rule.a[i][j] * w->old[l + w->n * j];
       w->x[l] = s->x[l] + (w->lost[l] + h * sum);
     }
 }
@@ -145,11 +78,11 @@ turn (gs_run *s, double h, double *change)
   gauss *w = s->memory;
   int n = w->n, info;
   *change = 0;
-  memcpy (w->old, w->k, sizeof (double) * n * w->stages);
-  for (int i = 0; i < w->stages; i++)
+  memcpy (w->old, w->k, sizeof (double) * n * w->rule.stages);
+  for (int i = 0; i < w->rule.stages; i++)
     {
       stage (s, i, h);
-      if ((info = gs_rate (s, s->t + (double) w->c[i] * h, w->x, w->k + n * i)) != 0)
+      if ((info = gs_rate (s, s->t + (double) w->rule.c[i] * h, w->x, w->k + n * i)) != 0)
         return info;
       for (int l = 0; l < n; l++)
         *change = fmax (*change, h * fabs (w->k[l + n * i] - w->old[l + n * i]) / w->size[l]);
@@ -157,29 +90,30 @@ turn (gs_run *s, double h, double *change)
   return 0;
 }
 
-/* The rates of the stages; below zero where the iteration does not end.  It ends where the changes
- * are rounding and do not fall: at once where they are tiny, else (states whose rates are
- * sensitive) after some turns without a smaller one. */
+static int
+no_end (gs_run *s)
+{
+  snprintf (s->r->text, s->r->length, "%s",
+            "the iteration does not end: take a shorter step, or radau for a stiff scene");
+  return -2;
+}
+
+/* the rates of the stages; below zero where the iteration does not end */
 static int
 solve (gs_run *s, double h)
 {
   gauss *w = s->memory;
-  double change, least = HUGE_VAL;
-  int info = predict (s), idle = 0;
+  gs_settling so_far = { HUGE_VAL, 0 };
+  double change;
+  int info = predict (s);
   for (int i = 0; info == 0 && i < TURNS; i++)
     {
       info = turn (s, h, &change);
       w->turns++;
-      idle = change < least ? 0 : idle + 1;
-      least = fmin (least, change);
-      if (info == 0 && (change == 0 || (idle > 0 && least < 1e-13) || (idle > 4 && least < 1e-10)))
+      if (info == 0 && gs_settled (&so_far, change))
         return 0;
     }
-  if (info < 0)
-    return -1;
-  snprintf (s->r->text, s->r->length, "%s",
-            "the iteration does not end: take a shorter step, or radau for a stiff scene");
-  return -2;
+  return info < 0 ? -1 : no_end (s);
 }
 
 /* X at the end, and what rounding took from it */
@@ -190,8 +124,8 @@ sum_up (gs_run *s, double h)
   for (int l = 0; l < w->n; l++)
     {
       longer sum = 0;
-      for (int j = 0; j < w->stages; j++)
-        sum += w->b[j] * w->k[l + w->n * j];
+      for (int j = 0; j < w->rule.stages; j++)
+        sum += w->rule.b[j] * w->k[l + w->n * j];
       longer end = s->x[l] + (w->lost[l] + h * sum);
       w->x[l] = end;
       w->lost[l] = end - w->x[l];
@@ -238,23 +172,31 @@ next_way (gs_run *s)
 }
 
 static int
-step (gs_run *s)
+step_of_states (gs_run *s, double h, double t)
 {
   gauss *w = s->memory;
-  if (w->done >= w->steps)
-    next_way (s);
-  double h = (w->to - w->from) / w->steps;
   if (fabs (h - s->h) > 1e-9 * h)
     w->known = 0;
   int flag = solve (s, h);
   if (flag != 0)
     return flag;
   sum_up (s, h);
+  w->known = 1;
+  return on_constraints (s, t) != 0 ? -1 : 0;
+}
+
+static int
+step (gs_run *s)
+{
+  gauss *w = s->memory;
+  if (w->done >= w->steps)
+    next_way (s);
+  double h = (w->to - w->from) / w->steps;
   w->done++;
   double t = w->done == w->steps ? w->to : w->from + h * w->done;
-  if (on_constraints (s, t) != 0)
-    return -1;
-  w->known = 1;
+  int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
+  if (flag != 0)
+    return flag == GS_NO_END ? no_end (s) : flag;
   s->t = t;
   s->h = s->next = h;
   s->y = w->x;
@@ -268,6 +210,26 @@ restart (gs_run *s)
   memset (w->lost, 0, sizeof (double) * w->n);
   w->known = 0;
   w->done = w->steps = 0;
+  return w->momenta ? gs_restart_momenta (s, w->momenta) : 0;
+}
+
+/* are the steps those of coordinates and momenta? Where the emitted routines agree. */
+static int
+by_momenta (gs_run *s)
+{
+  gauss *w = s->memory;
+  if (! gs_has_momenta (s->r))
+    return 0;
+  w->momenta = gs_new_momenta (s, &w->rule, w->size);
+  if (! w->momenta)
+    return GS_NO_MEMORY;
+  if (gs_agree (s, w->momenta))
+    s->p[0] = 0;   /* no coordinates are completed from others */
+  else
+    {
+      gs_free_momenta (w->momenta);
+      w->momenta = NULL;
+    }
   return 0;
 }
 
@@ -275,12 +237,13 @@ static int
 begin (gs_run *s)
 {
   gauss *w = s->memory;
-  take_rule (w, s->r->order);
+  gsmbp_gauss_rule (&w->rule, s->r->order);
   if (s->p[0] == 2)
     s->p[0] = 3;   /* GSPRT: the partition is kept as long as it may be */
   for (int l = 0; l < w->n; l++)
     w->size[l] = s->r->ropt[1] > 0 && s->r->atol[l] > 0 ? s->r->atol[l] / s->r->ropt[1] : 1;
-  return restart (s);
+  int flag = by_momenta (s);
+  return flag != 0 ? flag : restart (s);
 }
 
 static int
@@ -291,11 +254,11 @@ open_ (gs_run *s)
   if (! w)
     return 0;
   w->n = n;
-  w->k = calloc ((2 * MOST + 3) * n, sizeof (double));
+  w->k = calloc ((2 * GAUSS + 3) * n, sizeof (double));
   if (! w->k)
     return 0;
-  w->old = w->k + MOST * n;
-  w->x = w->old + MOST * n;
+  w->old = w->k + GAUSS * n;
+  w->x = w->old + GAUSS * n;
   w->size = w->x + n;
   w->lost = w->size + n;
   return 1;
@@ -307,6 +270,7 @@ close_ (gs_run *s)
   gauss *w = s->memory;
   if (! w)
     return;
+  gs_free_momenta (w->momenta);
   free (w->k);
   free (w);
 }
@@ -331,7 +295,7 @@ static void
 count (gs_run *s)
 {
   gauss *w = s->memory;
-  s->r->istat[16] += w->turns;
+  s->r->istat[16] += w->turns + (w->momenta ? gs_momenta_turns (w->momenta) : 0);
   w->turns = 0;
 }
 

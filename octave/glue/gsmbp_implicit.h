@@ -12,6 +12,7 @@ typedef struct
 {
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
       jac, /* a null pointer: difference quotients */
+      lin, bia, mas, /* for the momenta of method gauss; null pointers: it takes the states */
       gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue; /* of the run time */
   int nq, nu, nx, nv, ny, nlam,
       columns;      /* of derivatives that are behind the states, among the NX */

@@ -112,9 +112,15 @@ gs_rate (gs_run *s, double t, const double *x, double *xd)
 }
 
 int
+gs_inputs_at (gs_run *s, double t, const double *x, double *v)
+{
+  return outcome (inputs (s, t, side_at (s, t), x, v));
+}
+
+int
 gs_inputs (gs_run *s, double t, double *v)
 {
-  return outcome (inputs (s, t, side_at (s, t), s->x, v));
+  return gs_inputs_at (s, t, s->x, v);
 }
 
 int
@@ -256,7 +262,7 @@ allocate (gs_run *s)
   size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1,
          np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
   int n = 6 + r->iopt[5];
-  s->x = calloc (6 * nx + 2 * nv + np + nx * nv + ny * nx + ny * nv, sizeof (double));
+  s->x = calloc (6 * nx + r->nq + 2 * nv + np + nx * nv + ny * nx + ny * nv, sizeof (double));
   s->project = calloc (2 * n, sizeof (int));
   if (! s->x || ! s->project)
     return 0;
@@ -269,6 +275,7 @@ allocate (gs_run *s)
   s->c = s->b + nx * nv;
   s->d = s->c + ny * nx;
   s->work = s->d + ny * nv;
+  s->turns = s->work + 3 * nx;
   s->watch = s->project + n;
   memcpy (s->project, r->iopt, n * sizeof (int));
   memcpy (s->watch, r->iopt, n * sizeof (int));
@@ -395,6 +402,15 @@ begin (gs_run *s)
   return samples (s, &acted);
 }
 
+/* a state, with the turns that were kept apart */
+static void
+turn_on (const gs_run *s, double *x)
+{
+  for (int l = 0; l < s->r->nq; l++)
+    if (s->turns[l] != 0)
+      x[l] += 2 * 3.14159265358979323846264338327950288L * s->turns[l];
+}
+
 /* the state X at the output time T: a column of the result */
 static int
 put_out (gs_run *s, double t, const double *x)
@@ -408,6 +424,7 @@ put_out (gs_run *s, double t, const double *x)
   if (inputs (s, t, side_at (s, t), column, s->v) != 0)
     return ROUTINE;
   memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * r->nv);
+  turn_on (s, column);
   r->istat[4] = k + 1;
   return FINISHED;
 }
@@ -567,6 +584,7 @@ gs_implicit_run (const gsmbp_run *r, const gs_method *by)
       info = go (&s);
       if (info != FINISHED && r->istat[4] < r->nt)   /* the last state, as GSSIM leaves it */
         {
+          turn_on (&s, s.x);
           memcpy (r->xout + (size_t) r->ldx * r->istat[4], s.x, sizeof (double) * r->nx);
           memcpy (r->vout + (size_t) r->ldv * r->istat[4], s.v, sizeof (double) * r->nv);
         }

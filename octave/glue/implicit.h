@@ -38,6 +38,7 @@ struct gs_run
   int still;             /* steps in succession that hardly move the time */
   double t, h, next;     /* the last step's end, its length and that of the next */
   const double *y;       /* the state there, as the method leaves it */
+  double *turns;         /* whole turns by which coordinates are farther than in the states */
   double *x, *trial, *between, *v, *p, *b, *c, *d, *dv, *work;
   int *project,
       *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
@@ -48,6 +49,7 @@ extern int gs_rate (gs_run *s, double t, const double *x, double *xd);
 /* The same in two parts, where the inputs follow the time alone: V (NV) at T, and the rate by it */
 extern int gs_inputs_of_time (const gs_run *s);
 extern int gs_inputs (gs_run *s, double t, double *v);
+extern int gs_inputs_at (gs_run *s, double t, const double *x, double *v);
 extern int gs_rate_by (gs_run *s, double t, const double *x, double *v, double *xd);
 /* A: that of the own states, N x N. Columns of derivatives have the same one, each for itself: how
  * they depend on the states is left out, which needs second derivatives; Newton's iteration, in

@@ -240,7 +240,10 @@ take_scene (gsmbp_run& g)
 void
 simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const
 {
-  const gsmbp_routine *jac = emitted ("jac");
+  auto there = [] (const char *name) {
+    const gsmbp_routine *f = emitted (name);
+    return f ? f->sub : nullptr;
+  };
   gsmbp_run g = gsmbp_run ();
   reals times = tout, breaks = tbrk, options = ropt, absolute = atol;
   std::vector<int> counts = iopt;
@@ -254,7 +257,10 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.vin = vin;
   g.out = out;
   g.ctl = ctl;
-  g.jac = jac ? jac->sub : nullptr;
+  g.jac = there ("jac");
+  g.lin = there ("lin");
+  g.bia = there ("bia");
+  g.mas = there ("mas");
   g.nx = nx;
   g.columns = columns->count ();
   g.resume = resume;

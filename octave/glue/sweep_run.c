@@ -286,7 +286,8 @@ by_implicit (const gs_sweep *s, gs_room *r, int resume)
   const gsmbp_sub *f = s->sub;
   gsmbp_run g = {
     .rhs = f[0], .prj = f[1], .con = f[2], .kin = f[3], .cmd = f[4], .clo = f[5], .vin = f[6],
-    .out = f[7], .ctl = f[8], .jac = emitted ("jac"), .gsfun = gsfun_, .gsinp = gsinp_,
+    .out = f[7], .ctl = f[8], .jac = emitted ("jac"), .lin = emitted ("lin"),
+    .bia = emitted ("bia"), .mas = emitted ("mas"), .gsfun = gsfun_, .gsinp = gsinp_,
     .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_, .gspnw = gspnw_, .gspbg = gspbg_,
     .gsdue = gsdue_, .nq = S->nq, .nu = S->nu, .nx = s->nx, .nv = S->nv, .ny = S->ny,
     .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,

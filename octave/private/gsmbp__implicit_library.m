@@ -14,6 +14,8 @@ function library = gsmbp__implicit_library (who, m, method)
   links = "-lm";
   if (strcmp (method, "radau"))
     parts = [parts, {"radau_rule.c", "radau_solve.c"}];
+  elseif (strcmp (method, "gauss"))
+    parts = [parts, {"gauss_rule.c", "gauss_momenta.c"}];
   elseif (strcmp (method, "cvode"))
     links = ["-lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense " ...
              "-lsundials_sunlinsoldense -lm"];

@@ -4,6 +4,8 @@ function test_gauss ()
   m = gsmbp_fixture ("gauss_arms");
   orders (m);
   energy (m);
+  turning (m, gsmbp_fixture ("gauss_bars"));
+  turned_back (gsmbp_fixture ("gauss_wheel"));
   crank (gsmbp_hand ("hand_crank"));
   inputs (gsmbp_hand ("motor_pendulum"));
   failures (m, gsmbp_hand ("motor_pendulum"));
@@ -39,9 +41,46 @@ function energy (m)
   gsmbp_check (sprintf ("dp853 at 1e-8: %.2g", swing (m, other)), swing (m, other) > 1e-10);
 end
 
-function e = swing (m, r)
+function e = energies (m, r)
   E = arrayfun (@(k) sum (m.ene (r.t(k), r.x(k,:)')(1:2)), 1:numel (r.t));
-  e = max (abs (E - E(1))) / abs (E(1));
+  e = (E - E(1)) / abs (E(1));
+end
+
+function e = swing (m, r)
+  e = max (abs (energies (m, r)));
+end
+
+## what turns on in one direction: the energy goes up and down within a turn, no more in the last
+## tenth of the run than in the first, and comes back; the loop stays closed
+function turning (arms, bars)
+  x0 = gsmbp_assemble (bars, [1 -0.1 1.4 10 0 0], "hold", "q1");
+  for one = {"arms", arms, [-1; 0.3; 40; -3], 3e-12, 5e-13
+             "bars", bars, x0, 3e-10, 1e-12}'
+    [name, m, start, most, mean_most] = one{:};
+    r = gauss (m, start, 0:0.01:40, "step", {1e-3, 2e-3}{1 + strcmp(name, "bars")});
+    e = energies (m, r);
+    first = e(1:400);
+    last = e(end-399:end);
+    gsmbp_check (sprintf (["%s that turn over %.0f rad: the energy at most off by %.2g, at " ...
+                           "last %.2g, in the mean %.2g, %.2g"], name, r.x(end,1), max (abs (first)), ...
+                          max (abs (last)), mean (first), mean (last)), ...
+                 r.x(end,1) > 300 && max (abs (e)) < most ...
+                 && max (abs (last)) < 1.2 * max (abs (first)) ...
+                 && abs (mean (last) - mean (first)) < mean_most);
+  end
+  gsmbp_check (sprintf ("their loop: %.2g, %.2g", r.stats.drift.phi, r.stats.drift.phidot), ...
+               r.stats.drift.phi < 2e-15 && r.stats.drift.phidot < 1e-14);
+end
+
+## a stop 16 turns away is met although turns are kept apart
+function turned_back (m)
+  t = 0:1:24;
+  exact = gsmbp_simulate (m, [0; 15], t, "method", "radau", "rtol", 1e-11).x;
+  r = gauss (m, [0; 15], t, "step", 5e-4);
+  e = max (abs (r.x - exact)(:));
+  gsmbp_check (sprintf ("a stop far away, found %.2g, farthest %.0f, %.0f", e, max (r.x(:,1)), ...
+                        min (r.x(:,1))), ...
+               e < 1e-3 && max (r.x(:,1)) > 80 && min (r.x(:,1)) < -80);
 end
 
 function crank (m)

@@ -1,0 +1,20 @@
+/* The rule of collocation at the points of Gauss (gauss_rule.c), with what loops need beside it. */
+#ifndef GSMBP_GLUE_GAUSS_RULE_H
+#define GSMBP_GLUE_GAUSS_RULE_H
+
+enum { GAUSS = 4 };   /* the most stages */
+typedef long double longer;
+
+typedef struct
+{
+  int stages;
+  longer c[GAUSS], a[GAUSS][GAUSS], b[GAUSS], ahead[GAUSS][GAUSS];   /* AHEAD: from step to step */
+  /* of the points of Lobatto, one more than stages, the first of which is the start: the
+     displacements there (TO, without the start), the impulses of forces that act there (at the
+     stages FORCE, without the end; WEIGHT), what they displace, solved (BACK) */
+  longer at[GAUSS + 1], weight[GAUSS + 1], to[GAUSS][GAUSS], force[GAUSS][GAUSS],
+      back[GAUSS][GAUSS];
+} gauss_rule;
+
+extern void gsmbp_gauss_rule (gauss_rule *w, int order);
+#endif
