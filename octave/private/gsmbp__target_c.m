@@ -216,7 +216,7 @@ function text = number (x)
     text = {"HUGE_VAL", "-HUGE_VAL"}{1 + (x < 0)};
     return;
   endif
-  text = sprintf ("%.17g", x);
+  text = gsmbp__digits (x);
   if (! any (ismember (text, ".en")))
     text = [text ".0"];
   endif

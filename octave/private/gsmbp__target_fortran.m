@@ -54,5 +54,8 @@ function lines = each (n, line)
 endfunction
 
 function text = number (x)
-  text = strrep (sprintf ("%.16e", x), "e", "D");
+  text = strrep (gsmbp__digits (x), "e", "D");
+  if (! any (text == "D"))
+    text = [text "D0"];
+  endif
 endfunction
