@@ -4,9 +4,10 @@
 
    A stage has p' = -B + (dM/dt) u, B from BIA, (dM/dt) u from two calls of LIN, whose C is
    linear in the accelerations that it is given: with UD = u and with UD = 0.  Constraints stand at
-   the points of Lobatto, as impulses along their gradients there; the last impulse puts the speeds onto them:
-   Jay, Specialized partitioned additive Runge-Kutta methods for systems of overdetermined DAEs with
-   holonomic constraints, SIAM J. Numer. Anal. 45, 2007.  No coordinates are chosen.
+   the points of Lobatto, as impulses along their gradients there; the last impulse puts the
+   speeds onto them: Jay, Specialized partitioned additive Runge-Kutta methods for systems of
+   overdetermined DAEs with holonomic constraints, SIAM J. Numer. Anal. 45, 2007.  No coordinates
+   are chosen.
 
    An angle that turns on loses digits as it grows, and the energy with them.  Coordinates that
    nothing but whole turns of leaves alone are therefore kept within half a turn, the turns apart;
