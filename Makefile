@@ -20,9 +20,9 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
-        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages bench-devices \
-        bench-abbreviate bench-flexible bench-sensitivity bench-runs bench-long bench-ensemble \
-        bench-control bench-collocation bench-points bench-reach bench-robots same doc manual \
+        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
+        bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
+        bench-long bench-ensemble bench-control bench-collocation bench-points bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
@@ -57,7 +57,9 @@ make bench-loops           tests/bench/loops.md: every way to integrate a loop o
 make bench-passages        tests/bench/passages.md: ten passages of singular positions
                            RUNS=1600: all; SEED
 make bench-devices         tests/bench/devices.md: full and reduced motors, speed against error;
-                           every example: energy audit, speed, global error
+                           every example: energy audit, speed, global error; then bench-stiff
+make bench-stiff           tests/bench/stiff.md: every example by dp853, radau, CVODE and ARKODE,
+                           the least time within an error; STIFF="puma560 hooke": these only
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations; models of
@@ -200,6 +202,12 @@ bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-lo
 bench-ensemble bench-control: bench-%: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null
+
+bench-devices: bench-stiff
+bench-stiff: packages compiled
+	@mkdir -p tests/bench/out
+	STIFF='$(STIFF)' $(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/stiff.m \
+	  </dev/null
 
 bench-flexible bench-collocation bench-points bench-reach: bench-%: packages compiled
 	@mkdir -p tests/bench/out

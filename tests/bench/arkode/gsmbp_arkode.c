@@ -1,0 +1,158 @@
+/* Diagonally implicit Runge-Kutta methods, ARKStep of SUNDIALS's ARKODE, with the emitted Jacobian,
+   as a method of implicit.c: a rival in `make bench-devices`.  Its order is the run's (2 to 5).
+
+   Loops: the state is moved onto the constraints behind every step.  Output times lie between the
+   steps, where ARKODE interpolates. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <arkode/arkode_arkstep.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#include "implicit.h"
+
+typedef struct
+{
+  SUNContext context;
+  N_Vector y, atol, dense;
+  SUNMatrix matrix;
+  SUNLinearSolver solver;
+  void *memory;
+} dirk;
+
+static int
+rate (realtype t, N_Vector y, N_Vector yd, void *data)
+{
+  return gs_rate (data, t, N_VGetArrayPointer (y), N_VGetArrayPointer (yd));
+}
+
+static int
+jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
+          N_Vector t3)
+{
+  (void) yd, (void) t1, (void) t2, (void) t3;
+  return gs_jacobian (data, t, N_VGetArrayPointer (y), SUNDenseMatrix_Data (J));
+}
+
+static int
+moved (realtype t, N_Vector y, void *data)
+{
+  gs_run *s = data;
+  int info = gs_moved (s, t, N_VGetArrayPointer (y), s->trial);
+  memcpy (N_VGetArrayPointer (y), s->trial, sizeof (double) * s->r->nx);
+  return info;
+}
+
+static void
+said (int code, const char *module, const char *function, char *message, void *data)
+{
+  const gsmbp_run *r = ((gs_run *) data)->r;
+  (void) module, (void) function;
+  if (code < 0 && r->length > 0)
+    snprintf (r->text, r->length, "%s", message);
+}
+
+static int
+open_ (gs_run *s)
+{
+  int nx = s->r->nx;
+  dirk *b = s->memory = calloc (1, sizeof (dirk));
+  if (! b || SUNContext_Create (NULL, &b->context) != 0)
+    return 0;
+  b->y = N_VNew_Serial (nx, b->context);
+  b->dense = N_VNew_Serial (nx, b->context);
+  b->atol = N_VNew_Serial (nx, b->context);
+  b->matrix = SUNDenseMatrix (nx, nx, b->context);
+  b->solver = SUNLinSol_Dense (b->y, b->matrix, b->context);
+  return 1;
+}
+
+static void
+close_ (gs_run *s)
+{
+  dirk *b = s->memory;
+  if (b->memory)
+    ARKStepFree (&b->memory);
+  SUNLinSolFree (b->solver);
+  SUNMatDestroy (b->matrix);
+  N_VDestroy (b->y);
+  N_VDestroy (b->dense);
+  N_VDestroy (b->atol);
+  SUNContext_Free (&b->context);
+  free (b);
+}
+
+static int
+begin (gs_run *s)
+{
+  const gsmbp_run *r = s->r;
+  dirk *b = s->memory;
+  int flag;
+  memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
+  memcpy (N_VGetArrayPointer (b->atol), r->atol, sizeof (double) * r->nx);
+  void *m = b->memory = ARKStepCreate (NULL, rate, s->t, b->y, b->context);
+  if ((flag = ARKStepSetErrHandlerFn (m, said, s)) < 0 || (flag = ARKStepSetUserData (m, s)) < 0
+      || (flag = ARKStepSVtolerances (m, r->ropt[1], b->atol)) < 0
+      || (flag = ARKStepSetLinearSolver (m, b->solver, b->matrix)) < 0
+      || (flag = ARKStepSetJacFn (m, jacobian)) < 0
+      || (flag = ARKStepSetMaxNumSteps (m, -1)) < 0 || (flag = ARKStepSetMaxHnilWarns (m, -1)) < 0
+      || (flag = ARKStepSetOrder (m, r->order)) < 0
+      || (flag = ARKStepSetInitStep (m, r->ropt[0])) < 0
+      || (flag = ARKStepSetMaxStep (m, r->ropt[2])) < 0)
+    return flag;
+  return gs_projects (r) ? ARKStepSetPostprocessStepFn (m, moved) : 0;
+}
+
+static int
+restart (gs_run *s)
+{
+  dirk *b = s->memory;
+  memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * s->r->nx);
+  return ARKStepReset (b->memory, s->t, b->y);
+}
+
+static int
+step (gs_run *s)
+{
+  dirk *b = s->memory;
+  int flag = ARKStepSetStopTime (b->memory, s->stop);
+  if (flag < 0 || (flag = ARKStepEvolve (b->memory, s->stop, b->y, &s->t, ARK_ONE_STEP)) < 0)
+    return flag;
+  s->y = N_VGetArrayPointer (b->y);
+  ARKStepGetLastStep (b->memory, &s->h);
+  ARKStepGetCurrentStep (b->memory, &s->next);
+  return flag;
+}
+
+static int
+between (gs_run *s, double t, double *x)
+{
+  dirk *b = s->memory;
+  int flag = ARKStepGetDky (b->memory, t, 0, b->dense);
+  memcpy (x, N_VGetArrayPointer (b->dense), sizeof (double) * s->r->nx);
+  return flag;
+}
+
+static long
+rejected (gs_run *s)
+{
+  long tests = 0;
+  ARKStepGetNumErrTestFails (((dirk *) s->memory)->memory, &tests);
+  return tests;
+}
+
+static void
+count (gs_run *s)
+{
+  (void) s;
+}
+
+int
+gsmbp_arkode (const gsmbp_run *r)
+{
+  static const gs_method arkstep
+    = { open_, close_, begin, restart, step, between, rejected, count };
+  return gs_implicit_run (r, &arkstep);
+}
