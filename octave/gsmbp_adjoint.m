@@ -65,6 +65,7 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
   o.input = gsmbp__all_inputs (who, m, o.input, times(1), x0);
   [plan, breaks] = gsmbp__input_plan (who, o, m);
   S0 = gsmbp__carried (who, m, o, times(1), x0, atol);
+  breaks = [breaks, gsmbp__switch_times(m)];
   stops = unique ([times(:)', breaks(breaks > times(1) & breaks < times(end))]);
   [~, at] = ismember (times(:)', stops);
   clock_ = tic ();

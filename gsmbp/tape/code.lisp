@@ -101,7 +101,7 @@
         ((eq (caar e) '%tanh) (gs-times (sub 1 (power e 2)) ($gs__rate h (cadr e))))
         ; Maxima writes x/|x|, which has no value at 0
         ((eq (caar e) 'mabs) (gs-times (take '(%signum) (cadr e)) ($gs__rate h (cadr e))))
-        ((member (caar e) '(%signum $round %round $gs__floor)) 0)
+        ((member (caar e) '(%signum $round %round $gs__floor $gs__after)) 0)
         ((member (caar e) '($max %max $min %min)) (gs-greatest-rate h (caar e) (cdr e)))
         (t (gs-function-rate h ($op e) (cdr e)))))
 

@@ -126,7 +126,8 @@
     (and (mnump n) (gs-negative-p n) (not (eq (cadr power) '$%e)))))
 (defun gs-count-call (function)
   (cond ((member function '(%sqrt $sqrt)) (incf *gs-sqrts*))
-        ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor)))
+        ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor
+                            $gs__after)))
         (t (incf *gs-calls*))))
 
 ;;; how many angles have their sine or cosine among the expressions

@@ -134,6 +134,7 @@ ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
       m_info[2 * i + 1] = info;
       if (info != 0)
         return false;
+      r.breaks = m_s.breaks_of (r.cst);
     }
   for (int k = 0; k < S.nx && ! m.starts.isempty (); k++)
     r.x0[k] = m.starts(i, k);

@@ -21,6 +21,7 @@ typedef struct
       order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6 or 8 */
   double t0, *x0;
   int nt, nb;
+  int switches;   /* the scene switches at this many of the breaks, at most */
   double *tout, *tbrk;
   int *iopt;
   double *ropt, *atol;

@@ -11,7 +11,7 @@ typedef void (*gsmbp_sub) (void);
    gsmbp__compile.m writes an initializer by name for each. */
 #define GSMBP_SIZES(X)                                                                             \
   X (nq) X (nu) X (nv) X (nx) X (ny) X (ne) X (nlam) X (ncst) X (npar) X (nqj) X (nact) X (na)     \
-  X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm)
+  X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm) X (nsw)
 #define GSMBP_SIZE(name) int name;
 
 /* an emitted subroutine: the end of its name, and its arguments as signature.h reads them, ""

@@ -106,6 +106,7 @@ static const known_routine known[]
         { "acd", "dense", "t x ?v cst way[1:4] >ud >lam(nlam) info", "" },
         { "tan", "tangent", "t x cst >dp(nlam,nq) ld >dv(nlam,nq) ld", "" },
         { "mar", "margins", "t x ?v cst >g(nsm) >sizes(nsm)", "" },
+        { "swi", "switches", "cst >ts(nsw)", "" },
         { "ske", "skeleton", "t q cst >p(3,np)", "" },
         { "inv_v", "batch", "t q u ud ?v cst >tau k ld", "" },
         { "mas_v", "batch", "t q cst >m(nu,nu) k ld", "" },
@@ -189,7 +190,7 @@ do_calls (arguments&, int)
 {
   string_vector names;
   for (const handle& h : handles ())
-    if (h.asked_for () && (! h.g.usage.empty () || ! h.code))
+    if (h.asked_for () && (! h.g.usage.empty () || ! h.code || h.name == "swi"))
       names.append (h.name);
   return octave_value (Cell (names));
 }

@@ -98,6 +98,8 @@ rate (gs_run *s, double t, const double *x, int *ip, double *v, double *xd)
 {
   const gsmbp_run *r = s->r;
   int side = side_at (s, t), info = 0;
+  if (side < 0)
+    t = s->stop;
   memcpy (s->trial, x, sizeof (double) * r->nx);   /* GSFUN may complete it */
   ((fun_type *)r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &t, &side, s->trial,
                           &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, ip, r->rp, r->cst, v, xd, r->w,
@@ -203,6 +205,8 @@ emitted (gs_run *s, double t, const double *x, double *A)
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
       && (info = inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
+  if (side < 0)   /* as GSLFT: what switches at the stop has not yet */
+    t = s->stop - fmax (2 * DBL_EPSILON * fabs (s->stop), 1e-300);
   ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &n, s->b, &n, s->c, &ldy, s->d, &ldy, &info);
   if (info != 0 && info != 2
       && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
@@ -469,6 +473,24 @@ accept (gs_run *s)
   return put_out_all (s);
 }
 
+/* does the scene switch where the run stands? Then its rates differ on both sides. */
+static int
+switched (gs_run *s)
+{
+  const int n = s->r->nx;
+  double *left = s->work, *right = s->work + n;
+  if (s->r->switches == 0)
+    return 0;
+  int info = gs_rate (s, s->stop, s->x, left);
+  s->side = 1;
+  info = info != 0 ? info : gs_rate (s, s->stop, s->x, right);
+  s->side = -1;
+  for (int k = 0; k < n && info == 0; k++)
+    if (fabs (right[k] - left[k]) > 1e-11 * (fabs (right[k]) + fabs (left[k])))
+      return 1;
+  return info != 0;
+}
+
 /* do the inputs jump at the break where the run stands? A user's routine may do what it likes. */
 static int
 jumps (gs_run *s)
@@ -481,7 +503,7 @@ jumps (gs_run *s)
   for (int k = 0; k < r->nv; k++)
     if (! (fabs (s->v[k] - s->dv[k]) <= 1e-11 * (fabs (s->v[k]) + fabs (s->dv[k]))))
       return 1;
-  return 0;
+  return switched (s);
 }
 
 /* the flag of a method; INFO */

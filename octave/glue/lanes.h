@@ -10,6 +10,7 @@
 
 extern "C"
 {
+  double gslft_ (const double *t, const int *side);
   void gsarg_ (void);
   void gsini_ (void);
   void gsbgn_ (void);
@@ -80,6 +81,8 @@ struct lane_run
   std::vector<int> ip;
   reals rp;
   int i;                             // its number
+  int siz[8];                        // SIZ and TIM of GSSIM, with breaks of its own
+  std::vector<double> tim;
   bool busy, steps, alone, started;  // it has a run; which takes part in this step, or by itself;
                                      // it has had one
   bool joined;                       // what it remembers is in the columns of the group
@@ -171,7 +174,7 @@ private:
   lane_source& m_source;
   const int m_most;
   gsmbp_sub m_rhs;
-  int m_siz[8], m_numbers;
+  int m_siz[8], m_numbers;           // m_siz, m_tim: without the breaks of a run
   int m_info[lane_count], m_active[lane_count], m_calls[lane_count];
   std::vector<int> m_iopt;
   std::vector<double> m_tim, m_ropt;
@@ -187,7 +190,7 @@ private:
 
 lane_group::lane_group (const simulation& s, lane_source& source, int most)
   : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
-    m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, s.nb, s.lw},
+    m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, 0, s.lw},
     m_numbers (lane_count * s.nx),
     m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c8 (144), m_ts (12),
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
@@ -196,7 +199,6 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
 {
   std::fill_n (m_limit.begin (), lane_count, 1e300);
   m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
-  m_tim.insert (m_tim.end (), s.tbrk.begin (), s.tbrk.begin () + s.nb);
   m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());
   m_of_time = s.plan->ip[GS_V0] != 0 || s.plan->ip[GS_FEEDBACK] != 0;
   fortran {gslnc_} (&m_n[0], &m_c8[0], &m_j[0], &m_ts[0]);
@@ -299,7 +301,11 @@ lane_group::begin (lane_run& l)
 {
   const simulation& s = m_s;
   run_room& r = l.r;
-  fortran {gsarg_} (m_siz, &m_tim[0], &r.x0[0], &m_iopt[0], &m_ropt[0], &l.ip[GS_DERIVATIVES],
+  l.tim = m_tim;
+  l.tim.insert (l.tim.end (), r.breaks.begin (), r.breaks.end ());
+  std::copy_n (m_siz, 8, l.siz);
+  l.siz[6] = int (r.breaks.size ());
+  fortran {gsarg_} (l.siz, &l.tim[0], &r.x0[0], &m_iopt[0], &m_ropt[0], &l.ip[GS_DERIVATIVES],
                     &r.info);
   if (r.info != 0)
     return false;
@@ -325,7 +331,7 @@ lane_group::to_next_stop (lane_run& l)
   int acted = 0;
   r.rstat[7] = l.t;
   fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &m_iopt[0], &l.t,
-                    l.state (), m_siz, &m_tim[0], l.ip.data (), l.rp.data (), &r.cst[0],
+                    l.state (), l.siz, &l.tim[0], l.ip.data (), l.rp.data (), &r.cst[0],
                     l.inputs (), &r.w[0], &r.xout[0], &r.vout[0], l.stp, l.istp, &acted,
                     &r.istat[0], &r.info);
   if (r.info != 0 || l.istp[1] > s.nt)
@@ -438,7 +444,8 @@ void
 lane_group::stage_rates (double *xd, const double *t, double *x, bool last)
 {
   const int nx = m_s.nx;
-  std::copy_n (t, lane_count, m_stage_t.begin ());
+  for (int k = 0; k < lane_count; k++)
+    m_stage_t(0, k) = last ? gslft_ (&t[k], &m_l[k].at) : t[k];
   for (int k = 0; m_of_time && k < lane_count; k++)
     if (m_active[k])
       {
@@ -795,7 +802,7 @@ lane_group::ready_8 (int lane)
   if (S.nlam > 0)
     {
       fortran {gspss_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, l.stp,
-                        l.istp, &step, m_siz, &m_tim[0], &m_iopt[0], &m_ropt[0], l.ip.data (),
+                        l.istp, &step, l.siz, &l.tim[0], &m_iopt[0], &m_ropt[0], l.ip.data (),
                         l.rp.data (), &r.cst[0], &r.xout[0], &r.vout[0], l.partition (), l.m, l.lm,
                         l.iw, &r.w[0], &most, &taken, &r.istat[0], &r.rstat[0], &info);
       if (taken == 1)
@@ -894,7 +901,7 @@ lane_group::judge_8 (int lane, double err)
   run_room& r = l.r;
   int taken = 0, info = 0;
   fortran {gsdtb_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, &l.stp[0],
-                    &l.tn, &l.at, &l.h, &err, &l.ier, m_siz, &m_tim[0], &m_iopt[0], &m_ropt[0],
+                    &l.tn, &l.at, &l.h, &err, &l.ier, l.siz, &l.tim[0], &m_iopt[0], &m_ropt[0],
                     l.ip.data (), l.rp.data (), &r.cst[0], &r.xout[0], &r.vout[0], &l.istp[1],
                     l.state (), l.next (), l.inputs (), l.stages (), &r.w[0], l.partition (), l.m,
                     l.lm, &taken, &r.istat[0], &r.rstat[0], &info);

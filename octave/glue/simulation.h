@@ -8,7 +8,7 @@
 // What one run writes, and what may differ from run to run
 struct run_room
 {
-  reals cst, x0;
+  reals cst, x0, breaks;    // breaks: of the inputs, and times at which the scene switches
   reals xout, vout, rstat, w;
   std::vector<int> istat;
   int info;
@@ -23,6 +23,9 @@ struct simulation : run_room
   void integrate (void);
   bool carries (void) const { return columns->count () > 0; }
   octave_value_list results (void);
+
+  // where a run with these constants ends its steps
+  reals breaks_of (const reals& constants) const;
 
   // a run in its own room, with the plan IP, RP; several may go on at a time
   void run (run_room& r, std::vector<int>& ip, reals& rp) const;
@@ -97,10 +100,26 @@ simulation::simulation (arguments& a)
   implicit = a.integers ("largest order, inputs of state", 2);
   timeout = double (a.scalar ("timeout"));
   plan->due_from (double (t0), cst);
+  breaks = breaks_of (cst);
   if (carries ())
     with_run (*columns, *plan, cst, ropt[1], atol);
   make_room (guess);
   find_routines ();
+}
+
+reals
+simulation::breaks_of (const reals& constants) const
+{
+  reals all (tbrk.begin (), tbrk.begin () + nb);
+  if (S.nsw == 0)
+    return all;
+  reals at = room (S.nsw);
+  routine ("swi") (&constants[0], &at[0]);
+  std::copy_if (at.begin (), at.begin () + S.nsw, std::back_inserter (all), [this] (number t)
+                { return t > t0 && t < tout[nt - 1]; });
+  std::sort (all.begin (), all.end ());
+  all.erase (std::unique (all.begin (), all.end ()), all.end ());
+  return all;
 }
 
 // method, way of the loops, drift, steps; from 7 on constraints on speeds
@@ -190,11 +209,11 @@ simulation::find_routines (void)
 void
 simulation::by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const
 {
-  const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, nb, lw};
+  const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, int (r.breaks.size ()), lw};
   reals times (1, t0), options = ropt;
   std::vector<int> counts = iopt;
   times.insert (times.end (), tout.begin (), tout.begin () + nt);
-  times.insert (times.end (), tbrk.begin (), tbrk.begin () + nb);
+  times.insert (times.end (), r.breaks.begin (), r.breaks.end ());
   options.insert (options.end (), atol.begin (), atol.end ());
   by_gssim (r, &ip[0], &rp[0], sizes, &times[0], &counts[0], &options[0]);
 }
@@ -245,7 +264,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
     return f ? f->sub : nullptr;
   };
   gsmbp_run g = gsmbp_run ();
-  reals times = tout, breaks = tbrk, options = ropt, absolute = atol;
+  reals times = tout, stops = r.breaks, options = ropt, absolute = atol;
   std::vector<int> counts = iopt;
   take_scene (g);
   g.rhs = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
@@ -269,9 +288,10 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.t0 = t0;
   g.x0 = &r.x0[0];
   g.nt = nt;
-  g.nb = nb;
+  g.nb = int (stops.size ());
+  g.switches = S.nsw;
   g.tout = &times[0];
-  g.tbrk = &breaks[0];
+  g.tbrk = stops.data ();
   g.iopt = &counts[0];
   g.ropt = &options[0];
   g.atol = &absolute[0];

@@ -192,7 +192,7 @@ gs_make_room (const gs_sweep *s)
   r->w = room (s->lw);
   r->rp = room (s->rp.n);
   r->par = room (S->npar);
-  r->times = room (1 + nt + s->tbrk.n);
+  r->times = room (1 + nt + s->tbrk.n + S->nsw);
   r->options = room (s->ropt.n + s->atol.n);
   r->ip = calloc ((size_t) s->nip + 1, sizeof (int));
   r->iopt = calloc ((size_t) s->niopt + 1, sizeof (int));
@@ -228,6 +228,34 @@ periods (const double *cst, double *period, double *delay)
   ((void (*) (const double *, double *, double *)) emitted ("ctp")) (cst, period, delay);
 }
 
+static int
+before (const void *a, const void *b)
+{
+  const double x = *(const double *) a, y = *(const double *) b;
+  return (x > y) - (x < y);
+}
+
+/* breaks of the inputs and the times at which the scene switches, behind the output times */
+static void
+set_breaks (const gs_sweep *s, gs_room *r)
+{
+  double *all = r->times + 1 + s->tout.n, *at = all + s->tbrk.n;
+  int n = (int) s->tbrk.n;
+  copy (all, s->tbrk.x, n);
+  r->nb = n;
+  if (S->nsw == 0)
+    return;
+  ((void (*) (const double *, double *)) emitted ("swi")) (r->cst, at);
+  for (int k = 0; k < S->nsw; k++)
+    if (at[k] > s->t0 && at[k] < s->tout.x[s->tout.n - 1])
+      all[n++] = at[k];
+  qsort (all, (size_t) n, sizeof *all, before);
+  r->nb = 0;
+  for (int k = 0; k < n; k++)
+    if (r->nb == 0 || all[k] > all[r->nb - 1])
+      all[r->nb++] = all[k];
+}
+
 /* the room of run I; INFO of PRE */
 static int
 prepare (const gs_sweep *s, gs_room *r, long long i)
@@ -256,7 +284,7 @@ prepare (const gs_sweep *s, gs_room *r, long long i)
     }
   r->times[0] = s->t0;
   copy (r->times + 1, s->tout.x, s->tout.n);
-  copy (r->times + 1 + s->tout.n, s->tbrk.x, s->tbrk.n);
+  set_breaks (s, r);
   copy (r->options, s->ropt.x, s->ropt.n);
   copy (r->options + s->ropt.n, s->atol.x, s->atol.n);
   memcpy (r->iopt, s->iopt, (size_t) s->niopt * sizeof (int));
@@ -271,8 +299,7 @@ typedef void simulate (gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gs
 static void
 by_gssim (const gs_sweep *s, gs_room *r)
 {
-  const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, (int) s->tbrk.n,
-                        s->lw };
+  const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, r->nb, s->lw };
   const gsmbp_sub *f = s->sub;
   ((simulate *) gssim_) (f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10], sizes,
                          r->times, r->x0, r->iopt, r->options, r->ip, r->rp, r->cst, r->xout,
@@ -291,7 +318,7 @@ by_implicit (const gs_sweep *s, gs_room *r, int resume)
     .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_, .gspnw = gspnw_, .gspbg = gspbg_,
     .gsdue = gsdue_, .nq = S->nq, .nu = S->nu, .nx = s->nx, .nv = S->nv, .ny = S->ny,
     .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,
-    .x0 = r->x0, .nt = (int) s->tout.n, .nb = (int) s->tbrk.n, .tout = r->times + 1,
+    .x0 = r->x0, .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,
     .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
     .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
     .vout = r->vout, .ldx = s->ldx, .ldv = s->ldv, .istat = r->istat, .rstat = r->rstat, .w = r->w,

@@ -30,6 +30,7 @@ typedef struct
 typedef struct
 {
   double *cst, *x0, *xout, *vout, *yout, *rstat, *w, *rp, *par, *times, *options;
+  int nb;   /* breaks behind the output times in times */
   int *ip, *istat, *iopt;
   char text[400];
   int info;

@@ -47,6 +47,9 @@ function needed (who, m, o)
   elseif (isfield (m.json, "controllers") && ! isempty (m.json.controllers))
     error ("%s: %s: expected a scene without sampled devices, found %s", who, m.name, ...
            m.json.controllers(1).name);
+  elseif (! isempty (gsmbp__switch_times (m)))
+    error ("%s: %s: expected a scene that does not switch, found a switch at t = %.9g s", who, ...
+           m.name, gsmbp__switch_times (m)(1));
   elseif (o.intervals < 1)
     error ("%s: option intervals: expected a whole number above 0, found 0", who);
   endif

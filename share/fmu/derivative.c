@@ -174,7 +174,7 @@ linear (gsf_instance *a, work *w)
     normalized (a, set, w->dx);
   if (s->nlam > 0 && completed (a, w))
     return GSF_DISCARD;
-  int info = a->m->jac (a->d[GSF_T], a->x, a->v, a->cst, w->a, s->nx, w->b, s->nx, w->c, ny, w->d,
+  int info = a->m->jac (gsf_time (a), a->x, a->v, a->cst, w->a, s->nx, w->b, s->nx, w->c, ny, w->d,
                         ny);
   if (! gsf_is_usable (info))
     return gsf_failed (a, GSF_DISCARD, "jac", info);

@@ -6,12 +6,35 @@
  * by rounding errors, and is met again where it comes back before it has risen. */
 #include "fmu.h"
 #include "plan.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/integrate.h"
 #include "gsmbp/system.h"
 
 #include <math.h>
 #include <string.h>
 
 #define GSF_LEVEL 1e-10
+
+void
+gsf_next_switch (gsf_instance *a)
+{
+  const gs_scene *s = a->m->scene;
+  double *ts = a->w + gs_room (s, s->nx, 0) - s->nsw;
+  a->d[GSF_T_SWITCH] = 2e300;
+  if (s->nsw == 0)
+    return;
+  s->swi (a->cst, ts);
+  for (int k = 0; k < s->nsw; k++)
+    if (ts[k] > a->d[GSF_T] && ts[k] < a->d[GSF_T_SWITCH])
+      a->d[GSF_T_SWITCH] = ts[k];
+}
+
+double
+gsf_time (const gsf_instance *a)
+{
+  const double t = a->d[GSF_T], due = a->d[GSF_T_SWITCH];
+  return t >= due ? gslft (due, -1) : t;
+}
 
 /* the event functions into a->g */
 static int
@@ -20,7 +43,7 @@ functions (gsf_instance *a)
   const gs_scene *s = a->m->scene;
   if (gsf_inputs (a))
     return GSF_ERROR;
-  s->evt (a->d[GSF_T], a->x, a->v, gsf_events (a).mode, a->cst, a->g);
+  s->evt (gsf_time (a), a->x, a->v, gsf_events (a).mode, a->cst, a->g);
   return GSF_OK;
 }
 
@@ -132,8 +155,11 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
   if (a->m->scene->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
     *gsf_events (a).since = 0;
   a->d[GSF_T_EVENT] = a->d[GSF_T];
+  gsf_next_switch (a);
   if (ports (a) || samples (a, &acted) || (acted && ports (a)) || coordinates (a, &chosen))
     return GSF_ERROR;
+  if (a->d[GSF_T_SWITCH] < a->d[GSF_T_NEXT])
+    a->d[GSF_T_NEXT] = a->d[GSF_T_SWITCH];
   memcpy (a->w, a->z, ns * sizeof (double));
   gsf_take (a);
   for (int k = 0; k < ns; k++)

@@ -134,6 +134,7 @@ enum
   GSF_H,          /* the next step of co-simulation */
   GSF_T_EVENT,    /* the last event */
   GSF_T_NEXT,     /* the next one that is known, or 2e300 */
+  GSF_T_SWITCH,   /* the next time at which the scene switches, or 2e300 */
   GSF_NUMBERS = 8
 };
 
@@ -216,7 +217,10 @@ double gsf_nominal (const gsf_instance *a, int state);
  * from where they are normalized; below 0 they must */
 int gsf_margins (gsf_instance *a, double *chosen, double *normal);
 
-/* events */
+/* events; gsf_next_switch finds the next time at which the scene switches; gsf_time is the time,
+ * but just before a switch that is due until its event has been */
+void gsf_next_switch (gsf_instance *a);
+double gsf_time (const gsf_instance *a);
 int gsf_indicators (gsf_instance *a, double *z);
 int gsf_indicator (gsf_instance *a, int k, double *z);
 int gsf_begin_events (gsf_instance *a);

@@ -183,6 +183,7 @@ gsf_reset (gsf_instance *a)
   a->d[GSF_T1] = 1e300;
   a->d[GSF_TOLERANCE] = 1e-10;
   a->d[GSF_T_NEXT] = 2e300;
+  a->d[GSF_T_SWITCH] = 2e300;
   a->m->par (a->par);
   a->m->start (a->par, a->xs);
   memcpy (a->x, a->xs, a->m->scene->nx * sizeof (double));

@@ -47,7 +47,7 @@ gsf_rates (gsf_instance *a)
     return GSF_ERROR;
   if (a->known & GSF_HAS_RATES)
     return GSF_OK;
-  int info = s->rhs (a->d[GSF_T], a->x, a->v, a->cst, a->xd);
+  int info = s->rhs (gsf_time (a), a->x, a->v, a->cst, a->xd);
   if (! gsf_is_usable (info))
     return gsf_failed (a, GSF_DISCARD, "rhs", info);
   if (gsfin (s->nx, a->xd) != 0)
@@ -65,7 +65,7 @@ gsf_outputs (gsf_instance *a)
     return GSF_ERROR;
   if (a->known & GSF_HAS_OUTPUTS)
     return GSF_OK;
-  int info = s->out ? s->out (a->d[GSF_T], a->x, a->v, a->cst, a->y) : 0;
+  int info = s->out ? s->out (gsf_time (a), a->x, a->v, a->cst, a->y) : 0;
   if (! gsf_is_usable (info))
     return gsf_failed (a, GSF_DISCARD, "out", info);
   a->known |= GSF_HAS_OUTPUTS;
@@ -347,6 +347,7 @@ prepare (gsf_instance *a)
   int info = m->pre (a->par, a->cst);
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, "pre", info);
+  gsf_next_switch (a);
   m->start (a->par, a->x);
   for (int i = 0; i < s->nx; i++)
     if (a->set[i])

@@ -70,6 +70,7 @@ arrive (gsf_instance *a, double t)
   double range, normal;
   memcpy (a->x, a->xout, a->m->scene->nx * sizeof (double));
   a->d[GSF_T] = t;
+  gsf_next_switch (a);
   a->known = 0;
   if (a->m->scene->nlam > 0 && gsf_margins (a, &range, &normal))
     gsf_choose (a);

@@ -11,6 +11,10 @@ missing=$(for p in zip unzip; do command -v $p >/dev/null || echo $p; done)
 [ -z "$missing" ] || { echo "ok left out without $missing: FMUs"; exit 0; }
 export GSMBP_FMU_CACHE=$work/cache
 
+share/fmu/derive tests/scenes/switch_circuit.mac "$work/fmu" >"$report" 2>&1
+told $? 'switch_circuit becomes FMUs' "$report"
+unzip -q -o "$work/fmu/switch_circuit_fmi2.fmu" -d "$work/switch"
+python3 tests/fmu/switch.py "$work/switch"
 for scene in event_crank $(whole && echo sampled_drive); do
   share/fmu/derive tests/scenes/$scene.mac "$work/fmu" >"$report" 2>&1
   told $? "$scene becomes FMUs" "$report"

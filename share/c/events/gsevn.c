@@ -365,6 +365,6 @@ gsevv (const gs_system *g, double t, int side, const double *x, const int *mode,
       if (info != 0)
         return info;
     }
-  g->s->evt (t, x, g->v, mode, g->cst, gv);
+  g->s->evt (gslft (t, side), x, g->v, mode, g->cst, gv);
   return 0;
 }

@@ -10,6 +10,9 @@ extern "C" {
 /* the distance from 1 to the next larger number */
 double gseps (void);
 
+/* the time that stands for t: with side < 0 one just before it, else t itself */
+double gslft (double t, int side);
+
 /* 0 if the n entries of x are finite, else the number of the first that is not, counted from 1 */
 int gsfin (int n, const double *x);
 

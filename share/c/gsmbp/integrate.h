@@ -87,6 +87,7 @@ typedef struct
   double tb;          /* the next stop [s] */
   double tend;        /* the next break, sample or end of the run [s] */
   double ts;          /* the next sample [s] */
+  double *switches;   /* nsw: times at which the scene switches [s] */
   int side;           /* -1 if the next stop is a break or a sample, else 1 */
   double next;        /* M(1) the next step, 0 before the first one [s] */
   double last;        /* M(2) the last one [s] */
@@ -112,6 +113,10 @@ int gs_room (const gs_scene *s, int nx, int r);
 int gsarg (const gs_scene *s, const gs_run *run);
 
 /* workspace, state, partition and memory of a run; statistics are 0 */
+/* the next time at which inputs may jump or the scene switches, above 1e300: none; the last one */
+double gs_next_break (const gs_course *c);
+double gs_last_break (const gs_course *c);
+
 void gsini (const gs_scene *s, gs_run *run, gs_course *c);
 
 /* the start: onto the constraints, what is due, a singular position. info as gssim: 0 or 3 */

@@ -48,6 +48,8 @@ typedef void gs_tan (double t, const double *x, const double *cst, double *dp, i
                      int ldv);
 typedef void gs_cop (double t, const double *x, const double *cst, double *pp, int ldpp,
                      double *pv, int ldpv);
+/* the nsw times at which the scene switches */
+typedef void gs_swi (const double *cst, double *ts);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
 typedef int gs_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v);
 
@@ -78,6 +80,8 @@ typedef struct
   gs_adj *adj; /* for gsad8 */
   gs_tan *tan; /* for gsspj, as the next */
   gs_cop *cop;
+  gs_swi *swi; /* for gssim, which ends its steps there */
+  int nsw;
   /* for the plan of a run (plan.h); numbers of inputs count from 1 */
   int nev, nctl, nxk, nheld;     /* ports with events; sampled devices, memory, held outputs */
   const int *event_inputs;       /* nev: the mode of each, */

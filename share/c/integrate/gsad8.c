@@ -6,6 +6,7 @@
  * first: l[i] = h*(b[i]*lx + sum a[m,i]*xb[m]), xb[i] = (df/dx)'*l[i]; then lx + sum xb[i]. */
 #include <string.h>
 
+#include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 
@@ -44,14 +45,15 @@ gsad8 (const gs_scene *s, double t, double tn, int side, double h, const double 
   gsadt (a, b, c);
   for (int m = 11; m >= 0; m--)
     {
+      const double at = m == 11 ? tn : t + c[m] * h;
+      const int side_here = m == 11 ? side : 1;
       int info = 0;
       at_stage (m, nx, h, a, b[m], x, k, lx, w, z, l);
       if (ip[GS_V0] != 0)
-        info = gsinp (s, m == 11 ? tn : t + c[m] * h, m == 11 ? side : 1, z, nx, ip, rp, cst, v,
-                      wi);
+        info = gsinp (s, at, side_here, z, nx, ip, rp, cst, v, wi);
       if (info != 0)
         return info;
-      info = s->adj (t + c[m] * h, z, v, cst, l, w + nx * m, vb, p);
+      info = s->adj (gslft (at, side_here), z, v, cst, l, w + nx * m, vb, p);
       if (info != 0 && info != 3)
         return info;
       for (int i = 0; i < np; i++)

@@ -5,6 +5,7 @@
  * close to a singularity of orientation angles (rhs returned 3). */
 #include <math.h>
 
+#include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
@@ -35,7 +36,7 @@ count (const gs_system *g, int k, double t)
 }
 
 /* The stages of GSPSG that lie beyond a jump of the inputs, at tv, have those before it,
- * continued. */
+ * continued. With side < 0 rhs is called just before t. */
 int
 gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, double *xd)
 {
@@ -53,7 +54,7 @@ gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, 
     }
   if (info != 0)
     return failed (g, info, 1);
-  info = g->s->rhs (t, x, g->v, g->cst, xd);
+  info = g->s->rhs (gslft (t, side), x, g->v, g->cst, xd);
   g->istat[GS_N_RHS]++;
   if (info == 2 || info == 3)
     count (g, info + 5, t);

@@ -41,10 +41,9 @@ shorten (gs_passage *a)
 static void
 set_stop (gs_course *c, double tn, int stops)
 {
-  const gs_run *r = c->run;
   c->tb = tn;
   c->side = 1;
-  if (stops == 1 && ((c->ib < r->nb && r->tbrk[c->ib] <= tn) || c->ts <= tn))
+  if (stops == 1 && (gs_next_break (c) <= tn || c->ts <= tn))
     c->side = -1;
 }
 

@@ -16,8 +16,8 @@ gsptr (gs_course *c)
   p[GS_WAY] = 2.0;
   p[GS_DEPENDENT] = -1.0;
   gspfe (c);
-  tv[0] = c->ib > 0 ? r->tbrk[c->ib - 1] : r->t0;
-  tv[1] = c->ib < r->nb ? r->tbrk[c->ib] : r->tout[r->nt - 1];
+  tv[0] = gs_last_break (c);
+  tv[1] = gs_min (gs_next_break (c), r->tout[r->nt - 1]);
   tv[2] = 0.0;
   if (gs_max (tv[0] - a->tc, a->tc - tv[1]) + a->d > tv[1] - tv[0])
     tv[2] = tv[1] - tv[0];

@@ -56,7 +56,7 @@ int
 gs_room (const gs_scene *s, int nx, int r)
 {
   return 2 * s->nu * (r + 1) + 24 * nx + s->nv * nx + 2 * s->nv + 8 * s->nu + 10 * s->nq
-         + 7 * s->nlam + 3 * s->nlam * s->nu + 60;
+         + 7 * s->nlam + 3 * s->nlam * s->nu + 60 + s->nsw;
 }
 
 /* from stop to stop. info as gssim */
@@ -124,6 +124,9 @@ divide_workspace (const gs_scene *s, gs_run *run, gs_course *c)
   c->f = c->g.p + 24 + 8 * nu + 10 * s->nq + 7 * nlam + 2 * nlam * nu;
   c->fn = c->f + 13 * nx;
   c->hc = c->fn + 3 * nx;
+  c->switches = run->w + gs_room (s, nx, run->ip[GS_DERIVATIVES]) - s->nsw;
+  if (s->nsw > 0)
+    s->swi (run->cst, c->switches);
 }
 
 static void

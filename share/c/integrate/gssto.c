@@ -19,6 +19,28 @@ output (gs_course *c)
   r->istat[GS_N_OUTPUTS] = c->it;
 }
 
+double
+gs_next_break (const gs_course *c)
+{
+  const gs_run *r = c->run;
+  double t = c->ib < r->nb ? r->tbrk[c->ib] : HUGE_VAL;
+  for (int k = 0; k < c->g.s->nsw; k++)
+    if (c->switches[k] > c->t && c->switches[k] < t)
+      t = c->switches[k];
+  return t;
+}
+
+double
+gs_last_break (const gs_course *c)
+{
+  const gs_run *r = c->run;
+  double t = c->ib > 0 ? r->tbrk[c->ib - 1] : r->t0;
+  for (int k = 0; k < c->g.s->nsw; k++)
+    if (c->switches[k] <= c->t && c->switches[k] > t)
+      t = c->switches[k];
+  return t;
+}
+
 /* the output time that is ts but for rounding, else ts */
 static double
 output_at (const gs_course *c)
@@ -41,23 +63,18 @@ next_stop (gs_course *c)
   const int it = r->iopt[GS_METHOD] == 4 ? c->it : r->nt - 1;
   c->tb = r->tout[it];
   c->side = it == r->nt - 1 ? -1 : 1;
-  if (c->ib < r->nb)
-    {
-      if (r->tbrk[c->ib] <= c->tb)
-        c->side = -1;
-      c->tb = gs_min (c->tb, r->tbrk[c->ib]);
-    }
+  const double next = gs_next_break (c);
+  if (next <= c->tb)
+    c->side = -1;
+  c->tb = gs_min (c->tb, next);
   if (c->ts <= c->tb + 8.0 * eps * fabs (c->tb))
     {
       c->side = -1;
       if (c->ts < c->tb - 8.0 * eps * fabs (c->tb))
         c->tb = output_at (c);
-      if (c->ib < r->nb)
-        c->tb = gs_min (c->tb, r->tbrk[c->ib]);
+      c->tb = gs_min (c->tb, next);
     }
-  c->tend = gs_min (r->tout[r->nt - 1], c->ts);
-  if (c->ib < r->nb)
-    c->tend = gs_min (c->tend, r->tbrk[c->ib]);
+  c->tend = gs_min (gs_min (r->tout[r->nt - 1], c->ts), next);
 }
 
 int
@@ -75,6 +92,8 @@ gssto (gs_course *c, int *acted)
     }
   for (; c->ib < r->nb && r->tbrk[c->ib] <= c->t; c->ib++)
     *acted = 1;
+  for (int k = 0; k < g->s->nsw; k++)
+    *acted |= c->switches[k] >= c->t && c->switches[k] <= c->t;
   if (gsdue (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, &c->ts,
              &sampled) != 0)
     return GS_ROUTINE_FAILED;

@@ -475,9 +475,12 @@ C
       EXTERNAL           CMD, CLO, VIN, EVT, GSINP
       INTEGER            SIDE, NU, NX, NV, IP(*), MODE(*), INFO
       DOUBLE PRECISION   T, X(NX), RP(*), CST(*), V(*), W(*), GV(*)
+      DOUBLE PRECISION   GSLFT
+      EXTERNAL           GSLFT
 C
       INFO = 0
       IF ( IP(1).NE.0 .OR. IP(2).NE.0 ) CALL GSINP( CMD, CLO, VIN, T,
      $   SIDE, X, NU, NX, NV, IP, RP, CST, V, W, INFO )
-      IF ( INFO.EQ.0 ) CALL EVT( T, X, V, MODE, CST, GV )
+      IF ( INFO.EQ.0 ) CALL EVT( GSLFT( T, SIDE ), X, V,
+     $   MODE, CST, GV )
       END

@@ -39,8 +39,8 @@ C
       INTEGER            SIDE, NU, NX, NV, NP, IP(*), INFO
       DOUBLE PRECISION   T, TN, H, X(*), K(NX,*), RP(*), CST(*), V(*),
      $                   LX(*), PB(*), W(NX,*), WI(*)
-      EXTERNAL           GSINP, GSNON
-      DOUBLE PRECISION   A(12,12), B(12), C(12), TS
+      EXTERNAL           GSINP, GSNON, GSLFT
+      DOUBLE PRECISION   A(12,12), B(12), C(12), TS, GSLFT
       INTEGER            I, J, L, S
 C
       DO 20 J = 1, 12
@@ -68,16 +68,16 @@ C     -- W: XB of the stages 1 to 12, then state, weights; the rest
          DO 70 I = 1, NX
             W(I,14) = H*W(I,14)
    70    CONTINUE
+         TS = T + C(S)*H
+         J  = 1
+         IF ( S.EQ.12 ) TS = TN
+         IF ( S.EQ.12 ) J = SIDE
          IF ( IP(1).NE.0 ) THEN
-            TS = T + C(S)*H
-            J  = 1
-            IF ( S.EQ.12 ) TS = TN
-            IF ( S.EQ.12 ) J = SIDE
             CALL GSINP( GSNON, GSNON, GSNON, TS, J, W(1,13), NU, NX, NV,
      $                  IP, RP, CST, V, WI, INFO )
             IF ( INFO.NE.0 ) RETURN
          END IF
-         CALL ADJ( T + C(S)*H, W(1,13), V, CST, W(1,14), W(1,S),
+         CALL ADJ( GSLFT( TS, J ), W(1,13), V, CST, W(1,14), W(1,S),
      $             W(1,15), W(NV+1,15), INFO )
          IF ( INFO.EQ.3 ) INFO = 0
          IF ( INFO.NE.0 ) RETURN

@@ -53,7 +53,7 @@ C     PURPOSE
 C     GSFUN with the inputs as they go on from the time TV to TF: the
 C     stages of GSPSG that lie beyond a jump of the inputs, at TV, have
 C     those before it, continued.  Where TF and TV differ V has 2*NV
-C     entries.
+C     entries.  With SIDE < 0 RHS is called just before T (GSLFT).
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
@@ -61,7 +61,8 @@ C
      $                   INFO
       DOUBLE PRECISION   T, TV, TF, X(*), RP(*), CST(*), V(*), XD(*),
      $                   W(*), P(*), RSTAT(*)
-      EXTERNAL           GSINP, GSINC, GSPRT
+      DOUBLE PRECISION   GSLFT
+      EXTERNAL           GSINP, GSINC, GSPRT, GSLFT
       INTEGER            K
 C
       INFO = 0
@@ -87,7 +88,7 @@ C
             RETURN
          END IF
       END IF
-      CALL RHS( T, X, V, CST, XD, INFO )
+      CALL RHS( GSLFT( T, SIDE ), X, V, CST, XD, INFO )
       ISTAT(1) = ISTAT(1) + 1
       IF ( INFO.EQ.2 .OR. INFO.EQ.3 ) THEN
          K = INFO + 6
