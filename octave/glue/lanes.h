@@ -35,6 +35,14 @@ extern "C"
   void gslnp_ (void);
   void gslnr_ (void);
   void gslnq_ (void);
+  void gslln_ (void);
+  void gsllj_ (void);
+  void gsllv_ (void);
+  void gsllt_ (void);
+  void gsllc_ (void);
+  void gsllu_ (void);
+  void gslla_ (void);
+  void gsllx_ (void);
   void gsln4_ (void);
 }
 
@@ -140,6 +148,22 @@ private:
   void part_4 (int lane);
   void part_where (const lane_array& is);
   bool keep_on (int lane);
+
+  // the loops of those that have joined
+  bool closes (const lane_run& l) const;
+  void join_loops (int lane);
+  void part_loops (int lane);
+  void jacobians (const double *t, const double *q, lane_array& hc);
+  void know_jacobians (void);
+  void project (void);
+  void onto_constraints (void);
+  void watch_loops (void);
+  void look_ahead (void);
+  bool far_ahead (const double *h);
+  void look_along (void);
+  bool passage (int lane, double from, double to);
+  double search (int lane, double from, double to, double& at);
+  double *sizes (void) { return &m_p(14 + 3 * S.nq, 0); }
   void park (int lane);
   void take_numbers (int lane);
   bool any (void) const;
@@ -182,10 +206,14 @@ private:
   lane_run m_l[lane_count];
   std::vector<int> m_n, m_j;         // of GSLNC
   std::vector<double> m_c8, m_ts;
-  lane_array m_x, m_xs, m_xn, m_f, m_h, m_v, m_cst;
+  lane_array m_x, m_xs, m_xn, m_f, m_h, m_v, m_cst, m_cst_1;
   lane_array m_new, m_stage_t, m_step, m_err, m_a, m_b;
   // of the runs that have joined, see GSLNA and GSLNP
   lane_array m_c, m_runs, m_slow, m_fresh, m_limit, m_tn, m_at, m_r;
+  // and of their loops
+  gsmbp_sub m_con, m_prj;
+  lane_array m_p, m_q, m_phi, m_rate, m_hc, m_hn, m_dq, m_du, m_long, m_y, m_w;
+  lane_array m_res, m_gap, m_left, m_live, m_rank, m_least, m_turn, m_margin, m_tau;
 };
 
 lane_group::lane_group (const simulation& s, lane_source& source, int most)
@@ -194,9 +222,19 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
     m_numbers (lane_count * s.nx),
     m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c8 (144), m_ts (12),
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
-    m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (24), m_runs (1),
-    m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1)
+    m_cst_1 (S.nlam > 0 ? S.ncst : 0),
+    m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (40), m_runs (1),
+    m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1), m_con (nullptr),
+    m_prj (nullptr), m_p (24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq), m_q (S.nq),
+    m_phi (S.nlam), m_rate (S.nlam), m_hc (S.nlam * S.nq), m_hn (S.nlam * S.nq), m_dq (S.nq),
+    m_du (S.nq), m_long (S.nlam), m_y (S.nlam * S.nq), m_w (S.nlam + 8), m_res (1), m_gap (1),
+    m_left (1), m_live (1), m_rank (1), m_least (1), m_turn (1), m_margin (1), m_tau (1)
 {
+  if (S.nlam > 0 && emitted ("prj_w") && emitted ("con_w"))
+    {
+      m_prj = emitted ("prj_w")->sub;
+      m_con = emitted ("con_w")->sub;
+    }
   std::fill_n (m_limit.begin (), lane_count, 1e300);
   m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
   m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());
@@ -485,7 +523,8 @@ enum
 {
   c_t, c_next, c_longest, c_stop, c_due, c_least, c_most, c_good, c_others, c_limit, c_bound,
   c_free, c_calls, c_fresh, c_behind, c_side, c_last, c_near, c_far, c_then, c_moved, c_stiff,
-  c_pivot, c_largest
+  c_pivot, c_largest, c_drift, c_projected = 28, c_smallest, c_smallest_at, c_projections, c_past,
+  c_turn, c_known
 };
 // and of GSLNP, where they are others
 enum { c_from = 1, c_step, c_number = 4, c_count, c_look = 16 };
@@ -494,7 +533,7 @@ void
 lane_group::join (int lane)
 {
   lane_run& l = m_l[lane];
-  l.joined = l.busy && S.nlam == 0 && S.nq == S.nu && l.partition ()[0] <= 0;
+  l.joined = l.busy && l.partition ()[0] <= 0 && closes (l);
   m_runs(0, lane) = l.joined;
   if (! l.joined)
     return;
@@ -505,6 +544,9 @@ lane_group::join (int lane)
   m_c(c_calls, lane) = l.r.istat[0];
   m_c(c_good, lane) = l.r.istat[1];
   m_c(c_moved, lane) = 0;
+  m_c(c_pivot, lane) = m_c(c_largest, lane) = 0;
+  if (S.nlam > 0)
+    join_loops (lane);
   if (m_iopt[0] == 4)
     join_4 (lane);
   else
@@ -531,7 +573,6 @@ lane_group::join_8 (int lane)
   m_c(c_far, lane) = l.m[3];
   m_c(c_then, lane) = l.r.rstat[8];
   m_c(c_stiff, lane) = n[13];
-  m_c(c_pivot, lane) = m_c(c_largest, lane) = 0;
 }
 
 void
@@ -566,6 +607,8 @@ lane_group::part (int lane)
       l.r.rstat[7] = l.t;
       n[5] = n[6] = 0;
     }
+  if (S.nlam > 0)
+    part_loops (lane);
   if (m_iopt[0] == 4)
     part_4 (lane);
   else
@@ -622,6 +665,325 @@ lane_group::keep_on (int lane)
   return l.busy;
 }
 
+// ----- The loops of those that have joined
+
+// whether what GSPSS and GSCHK do for the run is done in vectors
+bool
+lane_group::closes (const lane_run& l) const
+{
+  if (S.nlam == 0)
+    return S.nq == S.nu;
+  const int way = m_iopt[1];
+  return m_prj && way != 1 && way != 3 && way != 6 && m_iopt[4] == (m_iopt[2] == 1)
+         && l.lm[5] <= 0 && l.lm[2] == 0 && (m_iopt[0] == 4 || m_ropt[1] >= l.m[5]);
+}
+
+void
+lane_group::join_loops (int lane)
+{
+  lane_run& l = m_l[lane];
+  const double *rstat = &l.r.rstat[0], *p = l.partition ();
+  m_p.put (lane, p, 24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq);
+  m_c(c_pivot, lane) = p[12];
+  m_c(c_largest, lane) = p[13];
+  for (int k = 0; k < 5; k++)
+    m_c(c_drift + k, lane) = rstat[k];
+  m_c(c_smallest, lane) = rstat[13];
+  m_c(c_smallest_at, lane) = rstat[14];
+  m_c(c_projections, lane) = l.r.istat[3];
+  m_c(c_past, lane) = l.m[7];
+  m_c(c_turn, lane) = l.m[10];
+  m_c(c_known, lane) = 0;
+}
+
+void
+lane_group::part_loops (int lane)
+{
+  lane_run& l = m_l[lane];
+  double *rstat = &l.r.rstat[0];
+  m_p.get (lane, l.partition (), 24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq);
+  for (int k = 0; k < 5; k++)
+    rstat[k] = m_c(c_drift + k, lane);
+  rstat[13] = m_c(c_smallest, lane);
+  rstat[14] = m_c(c_smallest_at, lane);
+  l.r.istat[3] = int (m_c(c_projections, lane));
+  l.m[10] = m_c(c_turn, lane);
+}
+
+void
+lane_group::jacobians (const double *t, const double *q, lane_array& hc)
+{
+  const int k = lane_count;
+  fortran {m_con} (t, q, m_cst.begin (), hc.begin (), m_info, &k, &k);
+}
+
+// those at the states of the runs that have just joined
+void
+lane_group::know_jacobians (void)
+{
+  bool all = true;
+  for (int k = 0; k < lane_count; k++)
+    all = all && (m_runs(0, k) <= 0 || m_c(c_known, k) > 0);
+  if (all)
+    return;
+  jacobians (m_c.begin (), m_x.begin (), m_hn);
+  for (int k = 0; k < lane_count; k++)
+    if (m_runs(0, k) > 0 && m_c(c_known, k) <= 0)
+      {
+        for (int j = 0; j < S.nlam * S.nq; j++)
+          m_hc(j, k) = m_hn(j, k);
+        m_c(c_known, k) = 1;
+      }
+}
+
+// GSCHK for the good steps of those that have joined; where it is not the usual case they part,
+// with their states as the step left them
+void
+lane_group::project (void)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_live(0, k) = m_r(0, k) == 1;
+      m_slow(0, k) = 0;
+      some = some || m_r(0, k) == 1;
+    }
+  if (! some)
+    return;
+  if (m_iopt[4] == 1)
+    know_jacobians ();
+  std::copy_n (m_xn.begin (), m_numbers, m_new.begin ());
+  onto_constraints ();
+  if (m_iopt[4] == 1)
+    watch_loops ();
+  for (int k = 0; k < lane_count; k++)
+    if (m_r(0, k) == 1 && m_slow(0, k) > 0)
+      {
+        for (int j = k; j < m_numbers; j += lane_count)
+          m_xn.begin ()[j] = m_new.begin ()[j];
+        part (k);
+        m_r(0, k) = 0;
+      }
+    else if (m_r(0, k) == 1)
+      {
+        m_c(c_projections, k)++;
+        m_c(c_projected, k) = std::max (m_c(c_projected, k), m_res(0, k));
+      }
+  if (m_iopt[4] != 1)
+    return;
+  fortran {gsllu_} (&S.nlam, &S.nq, m_r.begin (), m_tn.begin (), m_xn.begin (),
+                    m_long.begin (), m_rank.begin (), m_least.begin (), m_gap.begin (),
+                    m_left.begin (), m_p.begin (), m_c.begin ());
+  for (int k = 0; k < lane_count; k++)
+    for (int j = 0; m_r(0, k) == 1 && j < S.nlam * S.nq; j++)
+      m_hc(j, k) = m_hn(j, k);
+}
+
+// GSPRJ; some turns, then it is left to each alone
+void
+lane_group::onto_constraints (void)
+{
+  const int n = lane_count;
+  int many = 1;
+  for (int turn = 1; turn <= 8 && many == 1; turn++)
+    {
+      fortran {m_prj} (m_tn.begin (), m_xn.begin (), m_cst.begin (), m_phi.begin (),
+                       m_rate.begin (), m_hn.begin (), m_dq.begin (), m_du.begin (), m_info, &n,
+                       &n);
+      fortran {gslln_} (&S.nlam, &S.nq, &turn, m_phi.begin (), m_rate.begin (),
+                        m_hn.begin (), m_dq.begin (), m_du.begin (), m_info, m_xn.begin (),
+                        m_res.begin (), m_gap.begin (), m_left.begin (), m_live.begin (),
+                        m_slow.begin (), &many);
+    }
+  for (int k = 0; k < lane_count; k++)
+    if (m_live(0, k) > 0)
+      m_slow(0, k) = 1;
+  if (m_iopt[0] != 4)
+    fortran {gsllj_} (&S.nq, m_x.begin (), m_xn.begin (), m_new.begin (), &m_ropt[1],
+                      &m_ropt[3], m_slow.begin ());
+}
+
+// the rank of the constraints, their least pivot
+void
+lane_group::watch_loops (void)
+{
+  fortran {gsllv_} (&S.nlam, &S.nq, m_hn.begin (), sizes (), m_long.begin (),
+                    m_y.begin (), m_w.begin (), m_rank.begin (), m_least.begin ());
+  fortran {gsllt_} (&S.nlam, &S.nq, m_hn.begin (), m_hc.begin (), m_long.begin (),
+                    m_turn.begin ());
+  for (int k = 0; k < lane_count; k++)
+    m_margin(0, k) = m_iopt[0] == 4 ? 0.01 : m_tn(0, k) < m_c(c_stop, k) ? m_l[k].m[6] : 0;
+  fortran {gsllc_} (&S.nq, m_xn.begin (), m_gap.begin (), m_rank.begin (),
+                    m_least.begin (), m_turn.begin (), m_margin.begin (), m_p.begin (),
+                    m_slow.begin ());
+}
+
+// GSPSS where no singular position is ahead; those that may have one part
+void
+lane_group::look_ahead (void)
+{
+  double h[lane_count];
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_fresh(0, k) = m_runs(0, k) > 0 && m_c(c_fresh, k) <= 0;
+      h[k] = std::min (m_c(c_next, k), m_c(c_longest, k));
+      m_limit(0, k) = 1e300;
+    }
+  fortran {gslla_} (m_fresh.begin (), m_c.begin (), m_p.begin (), m_live.begin ());
+  if (far_ahead (h))
+    look_along ();
+  part_where (m_slow);
+}
+
+// how far those can see that look; false: none
+bool
+lane_group::far_ahead (const double *h)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      m_slow(0, k) = 0;
+      some = some || m_live(0, k) > 0;
+      m_tau(0, k) = m_live(0, k) > 0 ? 0.01 * h[k] : 0;
+    }
+  if (! some)
+    return false;
+  know_jacobians ();
+  fortran {gsllx_} (&S.nq, m_c.begin (), m_x.begin (), m_f.begin (), m_tau.begin (),
+                    m_stage_t.begin (), m_q.begin ());
+  jacobians (m_stage_t.begin (), m_q.begin (), m_hn);
+  fortran {gsllt_} (&S.nlam, &S.nq, m_hn.begin (), m_hc.begin (), sizes (),
+                    m_turn.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (m_live(0, k) > 0)
+      {
+        if (m_info[k] != 0 || ! (m_turn(0, k) <= 0.3))
+          m_slow(0, k) = 1;
+        m_turn(0, k) = 1.2 * m_tau(0, k) / std::max (m_turn(0, k), 1e-10);
+      }
+  for (int k = 0; k < lane_count; k++)
+    if (m_live(0, k) > 0 && m_slow(0, k) <= 0)
+      {
+        m_c(c_turn, k) = m_turn(0, k);
+        m_limit(0, k) = std::min (h[k], m_turn(0, k));
+      }
+    else
+      m_live(0, k) = 0;
+  return true;
+}
+
+// The least pivots along the ways ahead, at 9 places, or 13 about the state where the pivot is
+// small already. Between three of which the middle one is the least the pivot is no less than a
+// line twice as steep as they are has it.
+void
+lane_group::look_along (void)
+{
+  const int places = 13;
+  double pivot[places + 2][lane_count];
+  int from[lane_count], last = 0;
+  for (int k = 0; k < lane_count; k++)
+    {
+      bool close = m_c(c_pivot, k) < 0.3 * m_c(c_largest, k);
+      from[k] = close ? 0 : -1;
+      pivot[0][k] = m_c(c_pivot, k);
+      last = std::max (last, m_live(0, k) <= 0 ? 0 : close ? places : 9);
+    }
+  for (int i = 0; i < last; i++)
+    {
+      for (int k = 0; k < lane_count; k++)
+        {
+          double part = from[k] < 0 ? 0.125 * (i + 1) : -0.6 + 1.6 / 12 * i;
+          m_tau(0, k) = m_live(0, k) > 0 ? part * m_turn(0, k) : 0;
+        }
+      fortran {gsllx_} (&S.nq, m_c.begin (), m_x.begin (), m_f.begin (),
+                        m_tau.begin (), m_stage_t.begin (), m_q.begin ());
+      jacobians (m_stage_t.begin (), m_q.begin (), m_hn);
+      fortran {gsllv_} (&S.nlam, &S.nq, m_hn.begin (), sizes (), m_long.begin (),
+                        m_y.begin (), m_w.begin (), m_rank.begin (), m_least.begin ());
+      for (int k = 0; k < lane_count; k++)
+        pivot[i + 1][k] = m_info[k] != 0 || m_rank(0, k) < m_p(2, k) ? 0 : m_least(0, k);
+    }
+  for (int k = 0; k < lane_count; k++)
+    for (int i = from[k] + 1, n = from[k] < 0 ? 9 : places; m_live(0, k) > 0 && i <= n; i++)
+      {
+        bool ahead = from[k] < 0, first = i == from[k] + 1;
+        if (ahead && (first || i == n))
+          continue;
+        double at = pivot[i][k];
+        double before = first ? pivot[i+1][k] : pivot[i-1][k];
+        double behind = i == n ? pivot[i-1][k] : pivot[i+1][k];
+        if (at > before || at > behind)
+          continue;
+        double share = ahead ? 0.25 : 0.2;
+        if (! (3 * at - 2 * std::max (before, behind) > share * m_c(c_largest, k)))
+          {
+            m_slow(0, k) = passage (k, from[k] < 0 ? 0.125 * (i - 1) : -0.6,
+                                    from[k] < 0 ? 0.125 * (i + 1) : 1);
+            break;
+          }
+        if (ahead)
+          break;
+      }
+}
+
+// is there a passage to be tried? If not yet, no step leads into it.
+bool
+lane_group::passage (int lane, double from, double to)
+{
+  double at, least = search (lane, from, to, at), turn = m_turn(0, lane), t = m_c(c_t, lane);
+  if (least > 0.2 * m_c(c_largest, lane))
+    return false;
+  double middle = t + at * turn, d = 0.8 * turn, full = m_l[lane].m[9] * d;
+  if (t > middle + 0.5 * d)
+    return false;
+  if (t >= middle - 1.05 * full)
+    return true;
+  m_limit(0, lane) = std::min (m_limit(0, lane), middle - full - t);
+  return false;
+}
+
+// the least pivot along the way of one run, as GSPMN finds it, by the lanes of all
+double
+lane_group::search (int lane, double from, double to, double& at)
+{
+  const int n = S.nq, m = S.nlam;
+  double least = 1e300, width = (to - from) / 12;
+  at = 0.5 * (from + to);
+  lane_array& cst = m_cst_1;
+  for (int j = 0; j < S.ncst; j++)
+    std::fill_n (&cst(j, 0), lane_count, m_cst(j, lane));
+  for (int j = 0; j < m; j++)
+    std::fill_n (&m_rate(j, 0), lane_count, sizes ()[j * lane_count + lane]);
+  for (int level = 0; level < 4; level++, width *= 0.2)
+    {
+      double middle = at, place[lane_count];
+      for (int k = 0; k < lane_count; k++)
+        {
+          place[k] = middle + std::min (k - 6, 6) * width;
+          double tau = place[k] * m_turn(0, lane);
+          m_stage_t(0, k) = m_c(c_t, lane) + tau;
+          for (int j = 0; j < n; j++)
+            m_q(j, k) = m_x(j, lane) + tau * (m_f(j, lane) + 0.5 * tau * m_f(n + j, lane));
+        }
+      const int many = lane_count;
+      fortran {m_con} (m_stage_t.begin (), m_q.begin (), cst.begin (), m_hn.begin (), m_info, &many,
+                       &many);
+      fortran {gsllv_} (&m, &n, m_hn.begin (), m_rate.begin (), m_long.begin (),
+                        m_y.begin (), m_w.begin (), m_rank.begin (), m_least.begin ());
+      for (int k = 0; k < 13; k++)
+        {
+          double pivot = m_rank(0, k) < m_p(2, lane) ? 0 : m_least(0, k);
+          if (m_info[k] == 0 && pivot < least && place[k] >= from - 0.1 * width
+              && place[k] <= to + 0.1 * width)
+            {
+              least = pivot;
+              at = place[k];
+            }
+        }
+    }
+  return least;
+}
+
 // ----- Dormand and Prince
 
 // one trial step of every run, as GSDPS does it
@@ -670,11 +1032,13 @@ bool
 lane_group::begun_8 (void)
 {
   const int many = m_iopt[0] == 9 ? 100 : 500;
-  fortran {gslnk_} (&lane_count, &m_s.nx, m_fresh.begin (), m_new.begin (), m_f.begin (),
+  fortran {gslnk_} (&m_s.nx, m_fresh.begin (), m_new.begin (), m_f.begin (),
                     m_x.begin (), m_xs.begin (), &m_ropt[1], &m_ropt[3], &many, m_c.begin (),
                     m_slow.begin ());
   part_where (m_slow);
-  fortran {gslna_} (&lane_count, &m_s.nx, m_runs.begin (), m_c.begin (), m_limit.begin (),
+  if (m_prj && m_iopt[4] == 1)
+    look_ahead ();
+  fortran {gslna_} (&m_s.nx, m_runs.begin (), m_c.begin (), m_limit.begin (),
                     m_step.begin (), m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
   part_where (m_slow);
   bool some = false;
@@ -700,7 +1064,7 @@ void
 lane_group::in_lanes_8 (void)
 {
   stages_8 ();
-  fortran {gslne_} (&lane_count, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), &m_ropt[1],
+  fortran {gslne_} (&m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), &m_ropt[1],
                     &m_ropt[3], &m_c8[0], m_xn.begin (), m_err.begin (), m_a.begin (),
                     m_b.begin ());
   judge_all_8 ();
@@ -709,7 +1073,7 @@ lane_group::in_lanes_8 (void)
 void
 lane_group::judge_all_8 (void)
 {
-  fortran {gslnj_} (&lane_count, m_runs.begin (), m_c.begin (), m_tn.begin (), m_err.begin (),
+  fortran {gslnj_} (m_runs.begin (), m_c.begin (), m_tn.begin (), m_err.begin (),
                     m_r.begin ());
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
@@ -717,7 +1081,9 @@ lane_group::judge_all_8 (void)
         part (k);
         m_r(0, k) = 0;
       }
-  fortran {gslnu_} (&lane_count, &m_s.nx, m_r.begin (), m_step.begin (), m_tn.begin (),
+  if (m_prj)
+    project ();
+  fortran {gslnu_} (&m_s.nx, m_r.begin (), m_step.begin (), m_tn.begin (),
                     m_err.begin (), m_c.begin (), m_x.begin (), m_xn.begin ());
   for (int k = 0; k < lane_count; k++)
     if (! m_l[k].joined)
@@ -852,7 +1218,7 @@ lane_group::stages_8 (void)
     {
       fortran {gslns_} (&m_numbers, &m_n[stage-1], &m_c8[12*(stage-1)], &m_j[12*(stage-1)],
                         m_h.begin (), m_x.begin (), m_f.begin (), m_xs.begin ());
-      fortran {gslnt_} (&lane_count, m_c.begin (), &m_ts[stage-1], m_step.begin (), t);
+      fortran {gslnt_} (m_c.begin (), &m_ts[stage-1], m_step.begin (), t);
       if (stage == 12)
         std::copy_n (m_tn.begin (), lane_count, t);
       stage_rates (m_f.begin () + std::size_t (stage - 1) * m_numbers, t, m_xs.begin (),
@@ -953,7 +1319,7 @@ lane_group::begun_4 (void)
       m_slow(0, k) = l.joined && m_c(c_good, k) >= m_c(c_look, k);
     }
   part_where (m_slow);
-  fortran {gslnp_} (&lane_count, &m_s.nx, m_runs.begin (), m_c.begin (), m_step.begin (),
+  fortran {gslnp_} (&m_s.nx, m_runs.begin (), m_c.begin (), m_step.begin (),
                     m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
   part_where (m_slow);
   bool some = false, apart = false;
@@ -975,14 +1341,16 @@ lane_group::begun_4 (void)
 void
 lane_group::judge_all_4 (void)
 {
-  fortran {gslnr_} (&lane_count, &m_s.nx, m_runs.begin (), m_xn.begin (), m_r.begin ());
+  fortran {gslnr_} (&m_s.nx, m_runs.begin (), m_xn.begin (), m_r.begin ());
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
       {
         part (k);
         m_r(0, k) = 0;
       }
-  fortran {gslnq_} (&lane_count, &m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
+  if (m_prj)
+    project ();
+  fortran {gslnq_} (&m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
                     m_xn.begin ());
   for (int k = 0; k < lane_count; k++)
     if (! m_l[k].joined && m_l[k].steps)

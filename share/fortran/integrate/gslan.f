@@ -128,13 +128,14 @@ C$OMP SIMD
    90    CONTINUE
       END IF
       END
-      SUBROUTINE GSLNT( K, T, C, H, TS )
+      SUBROUTINE GSLNT( T, C, H, TS )
 C
 C     PURPOSE
-C     The times T + C*H of a stage for K lanes, TS.
+C     The times T + C*H of a stage for all lanes, TS.
 C
       IMPLICIT NONE
       INTEGER            K
+      PARAMETER          ( K = 16 )
       DOUBLE PRECISION   T(K), C, H(K), TS(K)
       INTEGER            L
 C
@@ -143,14 +144,14 @@ C$OMP SIMD
          TS(L) = T(L) + C*H(L)
    10 CONTINUE
       END
-      SUBROUTINE GSLNE( K, NX, H, X, W, RTOL, ATOL, C, XN, ERR, S1, S2 )
+      SUBROUTINE GSLNE( NX, H, X, W, RTOL, ATOL, C, XN, ERR, S1, S2 )
 C
 C     PURPOSE
-C     The end of a step of GSDP8 for K lanes: the states and the
+C     The end of a step of GSDP8 for all lanes: the states and the
 C     estimated errors.
 C
 C     ARGUMENTS
-C     K, NX   (input) INTEGER, the numbers of lanes and of states.
+C     NX      (input) INTEGER, the number of states.
 C     H       (input) DOUBLE PRECISION array, dimension (K), the steps.
 C     X       (input) DOUBLE PRECISION array, dimension (K,NX).
 C     W       (input) DOUBLE PRECISION array, dimension (K,NX,12).
@@ -162,7 +163,9 @@ C     ERR     (output) DOUBLE PRECISION array, dimension (K), as GSDP8.
 C     S1, S2  (workspace) DOUBLE PRECISION arrays, dimension (K).
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   H(K), X(K,NX), W(K,NX,12), RTOL, ATOL(NX),
      $                   C(8), XN(K,NX), ERR(K), S1(K), S2(K)
       INTEGER            I, L
@@ -222,16 +225,16 @@ C$OMP SIMD PRIVATE( S )
          ERR(L) = S
    40 CONTINUE
       END
-      SUBROUTINE GSLNK( K, NX, FRESH, F, W, X, XS, RTOL, ATOL, NS, C,
+      SUBROUTINE GSLNK( NX, FRESH, F, W, X, XS, RTOL, ATOL, NS, C,
      $                  SLOW )
 C
 C     PURPOSE
-C     GSDPF for K lanes behind the right-hand sides F: those of lanes
+C     GSDPF for all lanes behind the right-hand sides F: those of lanes
 C     that wanted them go to W; whether they are finite and stability
 C     binds the last step.
 C
 C     ARGUMENTS
-C     K, NX   (input) INTEGER, the numbers of lanes and of states.
+C     NX      (input) INTEGER, the number of states.
 C     FRESH   (input) DOUBLE PRECISION array, dimension (K), 1 where the
 C             right-hand sides were wanted.
 C     F       (input) DOUBLE PRECISION array, dimension (K,NX).
@@ -248,7 +251,9 @@ C     SLOW    (output) DOUBLE PRECISION array, dimension (K), 1 where
 C             GSDPF has to look by itself.
 C
       IMPLICIT NONE
-      INTEGER            K, NX, NS
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX, NS
       DOUBLE PRECISION   FRESH(K), F(K,NX), W(K,NX,12), X(K,NX),
      $                   XS(K,NX), RTOL, ATOL(NX), C(K,24), SLOW(K)
       INTEGER            I, L
@@ -305,14 +310,14 @@ C$OMP SIMD PRIVATE( S, P, Q, Y )
          IF ( Q.LE.0.0D0 ) C(L,14) = 0.0D0
    40 CONTINUE
       END
-      SUBROUTINE GSLNA( K, NX, RUNS, C, HLIM, H, HS, TN, AT, SLOW )
+      SUBROUTINE GSLNA( NX, RUNS, C, HLIM, H, HS, TN, AT, SLOW )
 C
 C     PURPOSE
-C     GSDTA for K lanes, far from singular positions: the lengths of the
-C     next trial steps.
+C     GSDTA for all lanes, far from singular positions: the lengths of
+C     the next trial steps.
 C
 C     ARGUMENTS
-C     K, NX   (input) INTEGER, the numbers of lanes and of states.
+C     NX      (input) INTEGER, the number of states.
 C     RUNS    (input) DOUBLE PRECISION array, dimension (K), 1 where a
 C             step is next; 0: H is 0.
 C     C       (input/output) DOUBLE PRECISION array, dimension (K,24):
@@ -334,7 +339,9 @@ C     SLOW    (output) DOUBLE PRECISION array, dimension (K), 1 where
 C             GSDTA has to look by itself.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   RUNS(K), C(K,24), HLIM(K), H(K), HS(K,NX),
      $                   TN(K), AT(K), SLOW(K)
       DOUBLE PRECISION   GSEPS, EPS, S, Z, Y, B
@@ -361,6 +368,9 @@ C$OMP SIMD PRIVATE( S, Z, Y, B )
          IF ( C(L,8) + C(L,9).GE.C(L,10) ) Y = 1.0D0
          IF ( S.LE.EPS*MAX( ABS( C(L,1) ), ABS( B ) ) .AND. Z.LT.B )
      $      Y = 1.0D0
+         IF ( C(L,23).LT.C(L,18)*C(L,24) ) Y = 1.0D0
+         IF ( C(L,23).LT.0.25D0*C(L,24) .AND. S.LE.1.0D-4*C(L,19) )
+     $      Y = 1.0D0
          IF ( RUNS(L).LE.0.0D0 ) THEN
             S = 0.0D0
             Z = C(L,1)
@@ -378,16 +388,17 @@ C$OMP SIMD
    20    CONTINUE
    30 CONTINUE
       END
-      SUBROUTINE GSLNJ( K, RUNS, C, TN, ERR, R )
+      SUBROUTINE GSLNJ( RUNS, C, TN, ERR, R )
 C
 C     PURPOSE
-C     Trial steps of GSDP8 in K lanes: R is 1 where they are good, 2
+C     Trial steps of GSDP8 in all lanes: R is 1 where they are good, 2
 C     where they are to be repeated, 3 where GSDTB has to look by
 C     itself, 0 where there were none.  Arguments as GSLNA; ERR as
 C     GSLNE.
 C
       IMPLICIT NONE
       INTEGER            K
+      PARAMETER          ( K = 16 )
       DOUBLE PRECISION   RUNS(K), C(K,24), TN(K), ERR(K), R(K)
       DOUBLE PRECISION   S
       INTEGER            L
@@ -402,15 +413,17 @@ C$OMP SIMD PRIVATE( S )
          R(L) = S
    10 CONTINUE
       END
-      SUBROUTINE GSLNU( K, NX, R, H, TN, ERR, C, X, XN )
+      SUBROUTINE GSLNU( NX, R, H, TN, ERR, C, X, XN )
 C
 C     PURPOSE
-C     The end of a trial step in K lanes, see GSLNJ: where R is 1 X
+C     The end of a trial step in all lanes, see GSLNJ: where R is 1 X
 C     becomes XN; the lengths of the next steps, where R is 1 or 2.
 C     The eighth root of the error is that of three square roots.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   R(K), H(K), TN(K), ERR(K), C(K,24), X(K,NX),
      $                   XN(K,NX)
       DOUBLE PRECISION   S, Z, Y, F, G
@@ -455,10 +468,10 @@ C$OMP SIMD PRIVATE( Y )
    20    CONTINUE
    30 CONTINUE
       END
-      SUBROUTINE GSLNP( K, NX, RUNS, C, H, HS, TN, AT, SLOW )
+      SUBROUTINE GSLNP( NX, RUNS, C, H, HS, TN, AT, SLOW )
 C
 C     PURPOSE
-C     GSRKT for K lanes: the next steps of GSRK4.
+C     GSRKT for all lanes: the next steps of GSRK4.
 C
 C     ARGUMENTS
 C     As GSLNA, but C: (1) the time, (2) where steps of this length
@@ -468,7 +481,9 @@ C     that were done, (10) how many there may be, (13) calls, (17) when
 C     GSSTD is to look.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   RUNS(K), C(K,24), H(K), HS(K,NX), TN(K),
      $                   AT(K), SLOW(K)
       DOUBLE PRECISION   S, Y
@@ -503,14 +518,16 @@ C$OMP SIMD
    20    CONTINUE
    30 CONTINUE
       END
-      SUBROUTINE GSLNR( K, NX, RUNS, XN, R )
+      SUBROUTINE GSLNR( NX, RUNS, XN, R )
 C
 C     PURPOSE
-C     Steps of GSRK4 in K lanes: R is 1 where they are good, 3 where a
+C     Steps of GSRK4 in all lanes: R is 1 where they are good, 3 where a
 C     number of XN is not finite, 0 where there were none.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   RUNS(K), XN(K,NX), R(K)
       DOUBLE PRECISION   Y
       INTEGER            I, L
@@ -528,14 +545,16 @@ C$OMP SIMD PRIVATE( Y )
    20    CONTINUE
    30 CONTINUE
       END
-      SUBROUTINE GSLNQ( K, NX, R, TN, C, X, XN )
+      SUBROUTINE GSLNQ( NX, R, TN, C, X, XN )
 C
 C     PURPOSE
-C     The end of a step of GSRK4 in K lanes, see GSLNR: where R is 1 X
+C     The end of a step of GSRK4 in all lanes, see GSLNR: where R is 1 X
 C     becomes XN.  C as GSLNP.
 C
       IMPLICIT NONE
-      INTEGER            K, NX
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
       DOUBLE PRECISION   R(K), TN(K), C(K,24), X(K,NX), XN(K,NX)
       DOUBLE PRECISION   Y
       INTEGER            I, L
