@@ -76,6 +76,10 @@
 ## @item [Vx, Vp, info] = m.cmp (t, qj[, xi])
 ## derivatives of these inputs by states of the devices and by the parameters
 ## @code{m.json.sensitivity} (request @code{sensitivity})
+## @item [Vj, Xj, info] = m.cmj (t, qj[, xi])
+## derivatives of these inputs, and of the states of the devices along the motion, by the
+## coordinates that are planned, their derivatives in turn, and the parameters (request
+## @code{sensitivity})
 ## @item [v, xk] = m.ctl (k, t, y, xk, v)
 ## one sample of device @var{k} of @code{m.controllers} (0: of all in their order):
 ## held outputs in the inputs @var{v} and memory @var{xk} after it, @var{y} from m.out

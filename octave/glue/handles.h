@@ -94,6 +94,7 @@ static const known_routine known[]
         { "cmd", "command", "t qj ?xi cst >v >xid(na) info", "" },
         { "cmx", "command_states", "t qj ?xi cst >v >xid(na) >xa(na) >g(nmar) info", "" },
         { "cmp", "sensitivity", "t qj ?xi cst >vx(nv,na) ld >vp(nv,nsp) ld info", "" },
+        { "cmj", "sensitivity", "t qj ?xi cst >vj(nv,mcmj) ld >xj(na,mcmj) ld info", "" },
         { "ctl", "control", "k[0:nctl] t y(ny) <xk(nxk) cst ?<v", "v xk" },
         { "ctp", "control", "cst >period(nctl) >delay(nctl)", "" },
         { "evt", "events", "t x v mode cst >g(nev)", "" },

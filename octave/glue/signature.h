@@ -37,6 +37,7 @@ size_of (const std::string& word)
           { "nsp", S.nsp },
           { "nilp", S.nu + 3 * S.nlam },  // rows of ILP: efforts, constraints and two rates
           { "milp", S.nq + 3 * S.nu + S.nsp },
+          { "mcmj", S.nact * (S.nqj + 1) + S.nsp },
           { "nby", S.nx + S.nv + S.nsp + 1 },  // states, inputs, parameters, time
           { "norders", S.nqj + 1 },            // a motion and its derivatives
           { "nresidual", 2 * S.nlam + 4 } };   // what PRJ and CLO need to tell one

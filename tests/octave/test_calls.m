@@ -46,7 +46,7 @@ function s = signatures ()
               "adj", {{"t x v l", 4}},
               "cop", {{"t x", 2}}, "out", {{"t x v", ...
                     2}}, "cmd", {{"t qj xi", 2}}, "cmx", {{"t qj xi", 2}},
-              "cmp", {{"t qj xi", 2}},
+              "cmp", {{"t qj xi", 2}}, "cmj", {{"t qj xi", 2}},
               "ctl", {{"k t y xk v", 4}}, "evt", {{"t x v mode", 4}}, "hld", {{"t x v", 2}},
               "rst", {{"t x v mode k", 5}}, "clo", {{"t qj", 2}}, "ene", {{"t x v", 2}},
               "ske", {{"t q", 2}}, "mar", {{"t x v", 2}},
