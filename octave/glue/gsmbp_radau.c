@@ -23,8 +23,9 @@ typedef struct
   int n, own, stages, newton_limit;                 /* states, and those without columns */
   const radau_rule *rule;
   double *scale, enough;                            /* of errors; of the turns beside them */
-  double *J, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
-  double complex *lus, *y;
+  radau_order order;                                /* of elimination */
+  double *J, *ordered, *ordered_x, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
+  double complex *lus, *y, *ordered_y;
   int *pivots;
   double factored;                                  /* the step of the factors, 0: there are none */
   double theta, contraction;                        /* of the last turns of Newton's method */
@@ -79,22 +80,40 @@ take_jacobian (gs_run *s)
   w->fresh = 1;
   w->stale = 0;
   w->factored = 0;
-  return gs_jacobian (s, s->t, s->x, w->J);
+  int info = gs_jacobian (s, s->t, s->x, w->J);
+  if (info == 0)
+    gsmbp_take_order (&w->order, w->J, w->ordered);
+  return info;
+}
+
+/* LU of one system: the real one (0) or a pair; 1: singular */
+static int
+factors (radau *w, double h, int k)
+{
+  size_t n = w->own;
+  return k == 0 ? gsmbp_real_factors (&w->order, w->rule->root / h, w->ordered, w->lu, w->pivots)
+                : gsmbp_complex_factors (&w->order, w->rule->roots[k - 1] / h, w->ordered,
+                                         w->lus + n * n * (k - 1), w->pivots + n * k);
 }
 
 /* the factors for the step H; 1: singular */
 static int
 factorize (radau *w, double h)
 {
-  size_t n = w->own;
+  int info = 0;
   if (fabs (h - w->factored) <= 1e-9 * h)
     return 0;
   w->factored = h;
-  int singular = gsmbp_real_factors (n, w->rule->root / h, w->J, w->lu, w->pivots);
-  for (int k = 0; k < w->rule->pairs; k++)
-    singular |= gsmbp_complex_factors (n, w->rule->roots[k] / h, w->J, w->lus + n * n * k,
-                                       w->pivots + n * (k + 1));
-  return singular;
+  for (int k = 0; info == 0 && k <= w->rule->pairs; k++)
+    info = factors (w, h, k);
+  if (info == SMALL_PIVOT)   /* once in a run: all in one dense matrix */
+    {
+      gsmbp_take_order (&w->order, w->J, w->ordered);
+      info = 0;
+      for (int k = 0; info == 0 && k <= w->rule->pairs; k++)
+        info = factors (w, h, k);
+    }
+  return info;
 }
 
 /* the states, then every column of derivatives */
@@ -102,7 +121,7 @@ static void
 solve_real (const radau *w, double *x)
 {
   for (int i = 0; i < w->n; i += w->own)
-    gsmbp_real_solve (w->own, w->lu, w->pivots, x + i);
+    gsmbp_real_solve (&w->order, w->lu, w->pivots, x + i, w->ordered_x);
 }
 
 static void
@@ -110,7 +129,8 @@ solve_pair (const radau *w, int k, double complex *x)
 {
   size_t n = w->own;
   for (int i = 0; i < w->n; i += w->own)
-    gsmbp_complex_solve (w->own, w->lus + n * n * k, w->pivots + n * (k + 1), x + i);
+    gsmbp_complex_solve (&w->order, w->lus + n * n * k, w->pivots + n * (k + 1), x + i,
+                         w->ordered_y);
 }
 
 /* X += what the polynomial of the last step is at AT, in its lengths, above its end, at AT = 1 */
@@ -458,12 +478,14 @@ open_ (gs_run *s)
     return 0;
   w->n = n;
   w->own = own;
-  w->J = calloc (2 * own * own + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
-  w->lus = calloc (PAIRS * own * own + n, sizeof (double complex));
+  w->J = calloc (3 * own * own + own + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
+  w->lus = calloc (PAIRS * own * own + n + own, sizeof (double complex));
   w->pivots = calloc (own * (PAIRS + 1), sizeof (int));
-  if (! w->J || ! w->lus || ! w->pivots)
+  if (! w->J || ! w->lus || ! w->pivots || ! gsmbp_new_order (&w->order, own))
     return 0;
-  w->lu = w->J + own * own;
+  w->ordered = w->J + own * own;
+  w->ordered_x = w->ordered + own * own;
+  w->lu = w->ordered_x + own;
   w->z = w->lu + own * own;
   w->g = w->z + m;
   w->dz = w->g + m;
@@ -474,6 +496,7 @@ open_ (gs_run *s)
   w->scale = w->x1 + n;
   w->v = w->scale + n;
   w->y = w->lus + PAIRS * own * own;
+  w->ordered_y = w->y + n;
   return 1;
 }
 
@@ -483,6 +506,7 @@ close_ (gs_run *s)
   radau *w = s->memory;
   if (! w)
     return;
+  gsmbp_free_order (&w->order);
   free (w->J);
   free (w->lus);
   free (w->pivots);

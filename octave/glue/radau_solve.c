@@ -1,28 +1,25 @@
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 #include "radau_solve.h"
 
 /* Both kinds of number by one text: columns are eliminated by those to their left as a whole. */
-#define FACTORS(NAME, NUMBER, SIZE)                                                                \
-  int NAME (int n, NUMBER shift, const double *J, NUMBER *lu, int *pivot)                          \
+#define DENSE(NAME, NUMBER, SIZE)                                                                  \
+  static int NAME (int n, int ld, NUMBER *lu, int *pivot)                                          \
   {                                                                                                \
-    for (ptrdiff_t k = 0; k < (ptrdiff_t) n * n; k++)                                              \
-      lu[k] = -J[k];                                                                               \
-    for (ptrdiff_t k = 0; k < n; k++)                                                              \
-      lu[k + n * k] += shift;                                                                      \
     for (int k = 0; k < n; k++)                                                                    \
       {                                                                                            \
-        NUMBER *a = lu + (ptrdiff_t) n * k;                                                        \
+        NUMBER *a = lu + (ptrdiff_t) ld * k;                                                       \
         int p = k;                                                                                 \
         for (int i = k + 1; i < n; i++)                                                            \
           if (SIZE (a[i]) > SIZE (a[p]))                                                           \
             p = i;                                                                                 \
         pivot[k] = p;                                                                              \
         if (! (SIZE (a[p]) > 0))                                                                   \
-          return 1;                                                                                \
+          return SINGULAR;                                                                         \
         for (int j = 0; p != k && j < n; j++)                                                      \
           {                                                                                        \
-            NUMBER *row = lu + (ptrdiff_t) n * j, swap = row[k];                                   \
+            NUMBER *row = lu + (ptrdiff_t) ld * j, swap = row[k];                                  \
             row[k] = row[p], row[p] = swap;                                                        \
           }                                                                                        \
         NUMBER over = 1 / a[k];                                                                    \
@@ -30,7 +27,7 @@
           a[i] *= over;                                                                            \
         for (int j = k + 1; j < n; j++)                                                            \
           {                                                                                        \
-            NUMBER *b = lu + (ptrdiff_t) n * j, factor = b[k];                                     \
+            NUMBER *b = lu + (ptrdiff_t) ld * j, factor = b[k];                                    \
             if (factor != 0)                                                                       \
               for (int i = k + 1; i < n; i++)                                                      \
                 b[i] -= factor * a[i];                                                             \
@@ -39,29 +36,86 @@
     return 0;                                                                                      \
   }
 
-#define SOLVE(NAME, NUMBER)                                                                        \
-  void NAME (int n, const NUMBER *lu, const int *pivot, NUMBER *x)                                 \
+/* the pivots along the lists; their inverses stay on the diagonal */
+#define LISTS(NAME, NUMBER, SIZE)                                                                  \
+  static int NAME (const radau_order *o, const double *J, NUMBER shift, NUMBER *lu)                \
   {                                                                                                \
-    for (int k = 0; k < n; k++)                                                                    \
+    ptrdiff_t n = o->n;                                                                            \
+    for (ptrdiff_t k = 0; k < o->sparse; k++)                                                      \
       {                                                                                            \
-        NUMBER swap = x[pivot[k]];                                                                 \
-        x[pivot[k]] = x[k], x[k] = swap;                                                           \
+        NUMBER *a = lu + n * k;                                                                    \
+        if (! (SIZE (a[k]) > 1e-6 * (SIZE (shift) + fabs (J[k + n * k]))))                         \
+          return SMALL_PIVOT;                                                                      \
+        a[k] = 1 / a[k];                                                                           \
+        for (int i = o->row_from[k]; i < o->row_from[k + 1]; i++)                                  \
+          a[o->rows[i]] *= a[k];                                                                   \
+        for (int j = o->column_from[k]; j < o->column_from[k + 1]; j++)                            \
+          {                                                                                        \
+            NUMBER *b = lu + n * o->columns[j], factor = b[k];                                     \
+            for (int i = o->row_from[k]; i < o->row_from[k + 1]; i++)                              \
+              b[o->rows[i]] -= factor * a[o->rows[i]];                                             \
+          }                                                                                        \
       }                                                                                            \
-    for (int k = 0; k < n; k++)                                                                    \
-      for (int i = k + 1; i < n; i++)                                                              \
-        x[i] -= x[k] * lu[i + (ptrdiff_t) n * k];                                                  \
-    for (int k = n - 1; k >= 0; k--)                                                               \
+    return 0;                                                                                      \
+  }
+
+#define FACTORS(NAME, NUMBER, ALONG_LISTS, OF_DENSE)                                               \
+  int NAME (radau_order *o, NUMBER shift, const double *J, NUMBER *lu, int *pivot)                 \
+  {                                                                                                \
+    ptrdiff_t n = o->n, m = o->sparse;                                                             \
+    for (ptrdiff_t k = 0; k < n * n; k++)                                                          \
+      lu[k] = -J[k];                                                                               \
+    for (ptrdiff_t k = 0; k < n; k++)                                                              \
+      lu[k + n * k] += shift;                                                                      \
+    int info = ALONG_LISTS (o, J, shift, lu);                                                      \
+    if (info == SMALL_PIVOT)                                                                       \
+      o->plain = 1;                                                                                \
+    return info != 0 ? info : OF_DENSE (n - m, n, lu + m + n * m, pivot);                          \
+  }
+
+#define SOLVE(NAME, NUMBER)                                                                        \
+  void NAME (const radau_order *o, const NUMBER *lu, const int *pivot, NUMBER *x, NUMBER *work)    \
+  {                                                                                                \
+    ptrdiff_t n = o->n, m = o->sparse, d = n - m;                                                  \
+    for (ptrdiff_t k = 0; k < n; k++)                                                              \
+      work[k] = x[o->order[k]];                                                                    \
+    for (ptrdiff_t k = 0; k < m; k++)                                                              \
+      for (int i = o->row_from[k]; i < o->row_from[k + 1]; i++)                                    \
+        work[o->rows[i]] -= lu[o->rows[i] + n * k] * work[k];                                      \
+    const NUMBER *a = lu + m + n * m;                                                              \
+    NUMBER *y = work + m;                                                                          \
+    for (ptrdiff_t k = 0; k < d; k++)                                                              \
       {                                                                                            \
-        x[k] /= lu[k + (ptrdiff_t) n * k];                                                         \
-        for (int i = 0; i < k; i++)                                                                \
-          x[i] -= x[k] * lu[i + (ptrdiff_t) n * k];                                                \
+        NUMBER swap = y[pivot[k]];                                                                 \
+        y[pivot[k]] = y[k], y[k] = swap;                                                           \
       }                                                                                            \
+    for (ptrdiff_t k = 0; k < d; k++)                                                              \
+      for (ptrdiff_t i = k + 1; i < d; i++)                                                        \
+        y[i] -= y[k] * a[i + n * k];                                                               \
+    for (ptrdiff_t k = d - 1; k >= 0; k--)                                                         \
+      {                                                                                            \
+        y[k] /= a[k + n * k];                                                                      \
+        for (ptrdiff_t i = 0; i < k; i++)                                                          \
+          y[i] -= y[k] * a[i + n * k];                                                             \
+      }                                                                                            \
+    for (ptrdiff_t k = m - 1; k >= 0; k--)                                                         \
+      {                                                                                            \
+        for (int j = o->column_from[k]; j < o->column_from[k + 1]; j++)                            \
+          work[k] -= lu[k + n * o->columns[j]] * work[o->columns[j]];                              \
+        work[k] *= lu[k + n * k];                                                                  \
+      }                                                                                            \
+    for (ptrdiff_t k = 0; k < n; k++)                                                              \
+      x[o->order[k]] = work[k];                                                                    \
   }
 
 /* as large, for the choice of pivots */
 #define TAXI(z) (fabs (creal (z)) + fabs (cimag (z)))
 
-FACTORS (gsmbp_real_factors, double, fabs)
+DENSE (real_dense, double, fabs)
+DENSE (complex_dense, double complex, TAXI)
+LISTS (real_lists, double, fabs)
+LISTS (complex_lists, double complex, TAXI)
+FACTORS (gsmbp_real_factors, double, real_lists, real_dense)
+FACTORS (gsmbp_complex_factors, double complex, complex_lists, complex_dense)
 SOLVE (gsmbp_real_solve, double)
-FACTORS (gsmbp_complex_factors, double complex, TAXI)
 SOLVE (gsmbp_complex_solve, double complex)

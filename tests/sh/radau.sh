@@ -53,3 +53,93 @@ for s in 3 5 7; do
   grep -qx "$s 1 1 1 1 1" "$report"
   told $? "the rule of $s stages has order $((2 * s - 1)), its stages order $s" "$report"
 done
+
+# Linear systems along lists: the residuals of systems of many shapes, real and complex; a pivot that
+# vanishes on the diagonal; places that appear later.
+cat >"$work/solve.c" <<'EOF'
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include "radau_solve.h"
+
+enum { MOST = 40 };
+static double J[MOST * MOST], ordered[MOST * MOST], lu[MOST * MOST], x[MOST], work[MOST];
+static double complex clu[MOST * MOST], cx[MOST], cwork[MOST];
+static int pivot[MOST];
+
+/* the largest residual of (SHIFT - J) X = 1, 2, ...; the order is taken again where it has to be */
+static double
+residual (radau_order *o, double complex shift)
+{
+  int n = o->n;
+  double worst = 0;
+  gsmbp_take_order (o, J, ordered);
+  if (gsmbp_real_factors (o, creal (shift), ordered, lu, pivot) == SMALL_PIVOT)
+    {
+      gsmbp_take_order (o, J, ordered);
+      if (gsmbp_real_factors (o, creal (shift), ordered, lu, pivot) != 0)
+        return 1;
+    }
+  if (gsmbp_complex_factors (o, shift, ordered, clu, pivot) != 0)
+    return 1;
+  for (int i = 0; i < n; i++)
+    cx[i] = i + 1;
+  gsmbp_complex_solve (o, clu, pivot, cx, cwork);
+  if (gsmbp_real_factors (o, creal (shift), ordered, lu, pivot) != 0)
+    return 1;
+  for (int i = 0; i < n; i++)
+    x[i] = i + 1;
+  gsmbp_real_solve (o, lu, pivot, x, work);
+  for (int i = 0; i < n; i++)
+    {
+      double r = creal (shift) * x[i] - (i + 1);
+      double complex c = shift * cx[i] - (i + 1);
+      for (int j = 0; j < n; j++)
+        r -= J[i + n * j] * x[j], c -= J[i + n * j] * cx[j];
+      worst = fmax (worst, fmax (fabs (r), cabs (c)) / (i + 1));
+    }
+  return worst;
+}
+
+int
+main (void)
+{
+  double worst = 0;
+  int lists = 0;
+  srand (1);
+  for (int turn = 0; turn < 400; turn++)
+    {
+      radau_order o;
+      int n = 1 + rand () % MOST, apart = 1 + rand () % 8, full = rand () % 3;
+      gsmbp_new_order (&o, n);
+      for (int k = 0; k < 2; k++)   /* then with more places */
+        {
+          for (int i = 0; i < n; i++)
+            for (int j = 0; j < n; j++)
+              J[i + n * j] = (i / apart == j / apart || rand () % 40 < full + 2 * k)
+                             * (rand () / (double) RAND_MAX - 0.5);
+          worst = fmax (worst, residual (&o, 8 + 5 * I));
+          lists += o.sparse > 0 && o.sparse < n;
+        }
+      gsmbp_free_order (&o);
+    }
+  printf ("%s %d\n", worst < 1e-12 ? "small" : "large", lists > 200);
+  radau_order o;
+  gsmbp_new_order (&o, 8);
+  for (int i = 0; i < 8; i++)   /* blocks with the shift 2 on their diagonals */
+    for (int j = 0; j < 8; j++)
+      J[i + 8 * j] = i / 2 == j / 2 ? (i == j) + 1 : 0;
+  double r = residual (&o, 2);
+  printf ("%s %d\n", r < 1e-14 ? "small" : "large", o.sparse == 0 && o.plain);
+  gsmbp_free_order (&o);
+  return 0;
+}
+EOF
+gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror -Ioctave/glue \
+  -o "$work/solve" "$work/solve.c" octave/glue/radau_solve.c octave/glue/radau_order.c -lm \
+  >"$report" 2>&1
+told $? 'the linear systems compile' "$report"
+"$work/solve" >"$report" 2>&1
+[ "$(cat "$report")" = 'small 1
+small 1' ]
+told $? 'systems along lists have small residuals, with pivots that vanish on the diagonal' "$report"
