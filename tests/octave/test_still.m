@@ -10,6 +10,9 @@ function test_still ()
   poles_and_rest (m);
   many_runs (m);
   refusals (m);
+  plant = gsmbp_fixture ("still_plant");
+  motors (plant);
+  oil (plant);
 end
 
 ## the voltage and the current of a series circuit behind a step of v, below critical damping
@@ -94,5 +97,36 @@ function refusals (m)
     said = gsmbp_complaint (ask{1});
     gsmbp_check (["what needs coordinates says so: " said], ...
                  ! isempty (strfind (said, "in still_rlc nothing moves")));
+  end
+end
+
+## a motor by the matrix of its two equations, the same with its rotor locked, heat by that current
+function motors (m)
+  t = linspace (0, 1, 11)';
+  r = gsmbp_simulate (m, zeros (5, 1), t, "input", 12, "rtol", 1e-11);
+  A = [-2/0.1, -0.3/0.1; 0.3/0.01, -0.02/0.01];
+  rest = -A \ [12/0.1; 0];
+  exact = cell2mat (arrayfun (@(t) (rest - expm (A * t) * rest)', t, "UniformOutput", false));
+  gsmbp_check ("a motor with a free rotor", r.x(:,1:2) - exact, 1e-8);
+  current = @(t) 6 * (1 - exp (-20 * t));
+  gsmbp_check ("with its rotor locked", r.x(:,3) - current (t), 1e-8);
+  warmer = arrayfun (@(t) quadgk (@(s) 2 * current (s) .^ 2 .* exp (-(t - s) / 20) / 10, 0, t, ...
+                                  "AbsTol", 1e-12, "RelTol", 1e-12), t);
+  gsmbp_check ("its winding gets warm", r.of.("W.warmer") - warmer, 1e-8);
+end
+
+## the time to each pressure by quadrature, up to the switch and from there on
+function oil (m)
+  out = @(p) 4e-8 * p ./ (p .^ 2 + 1e8) .^ 0.25;
+  t = [linspace(0, 0.02, 6), linspace(0.024, 0.05, 6)];
+  for method = {"dp853", "radau", "cvode"}
+    r = gsmbp_simulate (m, zeros (5, 1), t, "method", method{1}, "rtol", 1e-10, "atol", ...
+                        [1e-10 1e-10 1e-10 1e-10 1e-4]);
+    p = r.of.("O.p");
+    took = @(from, to, pumped) quadgk (@(p) 1e-3 / 1.4e9 ./ (pumped - out (p)), from, to, ...
+                                       "RelTol", 1e-12, "AbsTol", 1e-14);
+    error = [arrayfun(@(k) took (0, p(k), 1e-4) - t(k), 2:6), ...
+             arrayfun(@(k) took (p(6), p(k), 0) - (t(k) - 0.02), 7:12)];
+    gsmbp_check (["oil that is pumped up to a time by " method{1}], error, 1e-9);
   end
 end
