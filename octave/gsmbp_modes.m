@@ -40,7 +40,8 @@
 ## @item damping
 ## its damping ratio, negative where it grows
 ## @item shapes
-## a column for each mode, a row for each coordinate: complex amplitudes, the largest of them 1
+## a column for each mode, a row for each coordinate (where nothing moves, for each state): complex
+## amplitudes, the largest of them 1
 ## @item eigenvalues
 ## of each mode, that with positive imaginary part [1/s]
 ## @item real
@@ -159,7 +160,8 @@ function r = modes_at (p, x)
   r.eigenvalues = e(pairs);
   r.frequency = abs (e(pairs));
   r.damping = 0 - real (e(pairs)) ./ r.frequency;
-  r.shapes = T(1:m.sizes.nq,keep) * V(:,pairs);
+  told = merge (m.sizes.nq > 0, m.sizes.nq, m.sizes.nx);
+  r.shapes = T(1:told,keep) * V(:,pairs);
   for i = 1:numel (pairs)
     [~, top] = max (abs (r.shapes(:,i)));
     r.shapes(:,i) /= r.shapes(top,i);
@@ -296,7 +298,7 @@ function show (m, r)
   for k = 1:numel (r.frequency)
     [~, order] = sort (abs (r.shapes(:,k)), "descend");
     order = order(1:min (3, end))(:)';
-    said = arrayfun (@(i) sprintf ("%s %.3g", m.coordinates{i}, abs (r.shapes(i,k))), order, ...
+    said = arrayfun (@(i) sprintf ("%s %.3g", m.states{i}, abs (r.shapes(i,k))), order, ...
                      "UniformOutput", false);
     printf ("%17.6g %12.3g  %s\n", r.frequency(k), r.damping(k), strjoin (said, ", "));
   endfor

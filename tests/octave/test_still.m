@@ -73,6 +73,9 @@ function poles_and_rest (m)
   modes = gsmbp_modes (m, r.x, "input", r.v);
   gsmbp_check ("frequency and damping", ...
                [modes.frequency - 100, sort(modes.damping) - [0.25; 0.5]], 1e-10);
+  gsmbp_check ("shapes: the first circuit is still in the second's mode", ...
+               [size(modes.shapes) - [4 2], norm(modes.shapes(1:2,1)), ...
+                max(abs (modes.shapes)) - 1], 1e-12);
 end
 
 ## an ensemble is its single runs
