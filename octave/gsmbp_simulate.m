@@ -294,6 +294,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
 
   reached = counts(5);
+  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, values, events);
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
@@ -336,9 +337,19 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   gsmbp__run_warnings (who, m, result.stats);
   at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
+  if (! isempty (ender))
+    result.stats.stopped = ["event " ender];
+  endif
   if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
     if (info == 3 && counts(7) == 8 && counts(6) < 4)
       gsmbp__no_beginning (who, m, times(1), x0, counts(6));
+    endif
+    if (info == 3 && counts(7) == 7 && ! isempty (events))
+      last = events(2,end);
+      if (counts(6) == 10)
+        last = counts(19);
+      endif
+      text = [", " m.events(last).name ","];
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));

@@ -179,7 +179,7 @@ public:
   template <typename F> void modes_among (int k, F v) const
   {
     for (int i = 0; i < S.nmode; i++)
-      for (int j = 0; j < k; j++)
+      for (int j = 0; j < k && S.modes[i] > 0; j++)
         {
           double mode = double (v (S.modes[i] - 1, j));
           if (! (mode == 0 || std::fabs (mode) == 1 || std::isnan (mode)))

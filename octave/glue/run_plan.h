@@ -119,6 +119,9 @@ run_plan::read_scene (void)
     {
       m_scene.event_inputs = wholes ("event_inputs", S.nev);
       m_scene.event_kinds = wholes ("event_kinds", S.nev);
+      m_scene.nswitch = int (m_given.contents ("switch_events").matrix_value ().numel ());
+      m_scene.switch_events = wholes ("switch_events", m_scene.nswitch);
+      m_scene.switch_inputs = wholes ("switch_inputs", m_scene.nswitch);
     }
   if (S.nctl > 0)
     {

@@ -25,4 +25,19 @@ function plan = gsmbp__event_plan (who, m, o, plan)
   plan.events = 10000;
   plan.event_inputs = [m.events.input];
   plan.event_kinds = 1 + strcmp ({m.events.kind}, "stop");
+  plan = user_events (m, plan);
+endfunction
+
+## kinds of the events of the user; the inputs that they switch
+function plan = user_events (m, plan)
+  plan.switch_events = plan.switch_inputs = [];
+  if (! isfield (m.events, "ends"))
+    return;
+  endif
+  own = strcmp ({m.events.kind}, "event");
+  plan.event_kinds(own) = 3 + [m.events(own).ends];
+  for k = find (own)
+    plan.switch_inputs = [plan.switch_inputs, m.events(k).switches(:)'];
+    plan.switch_events(end+1:numel (plan.switch_inputs)) = k;
+  endfor
 endfunction

@@ -18,7 +18,7 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
       routine = ...
           {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
                  "OUT or a sampled device", "an event"}{counts(7)};
-      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
+      text = sprintf ("%s failed with INFO = %d %s: %s", [routine said], counts(6), at,
                       cause (m, counts(7), counts(6)));
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
@@ -48,6 +48,9 @@ endfunction
 function text = cause (m, number, info)
   if (number == 7 && info == 9)
     text = "more than 100 events at one instant";
+  elseif (number == 7 && info == 10)
+    text = ["an event comes faster and faster until its intervals are nothing beside the time " ...
+            "(a reset that brings its expression back to zero); expected a rest, or a stop"];
   elseif (any (number == [2, 3]) && info == 9)
     text = ["the constraints lose rank here, where there are no derivatives by parameters " ...
             "(option sensitivity)"];

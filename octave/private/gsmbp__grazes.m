@@ -53,7 +53,8 @@ function found = unseen (a, b, near)
 endfunction
 
 function modes = modes_of (m, q, i)
-  modes = q.v(i,[m.events.input])';
+  modes = zeros (numel (m.events), 1);
+  modes([m.events.input] > 0) = q.v(i,[m.events.input](find ([m.events.input])));
 endfunction
 
 function g = value (m, q, i, number)

@@ -5,7 +5,8 @@
  * (what repeats itself would hide between them), tell whether an event function falls to 0, and up
  * to 2048 where it has a lowest value that they do not resolve (ports that stick let steps grow,
  * whatever the inputs do); its zero by the method of Illinois. The part before it is looked at
- * again in the same way: there may be an earlier one.
+ * again in the same way: there may be an earlier one. Where a function of the user has just had its
+ * event more points are closer and closer to the beginning of the step.
  * From there on the step itself is made as long as it must be, by the secant method, so that the
  * state at the event is as accurate as any other. */
 #include <math.h>
@@ -53,7 +54,8 @@ still_below (const gs_events *a, int first)
 {
   int found = 0;
   for (int i = 0; i < a->ne; i++)
-    if (i + 1 != first && a->marks[i] == 0 && ! gs_is_held (a, i) && a->last[i] < 0.0)
+    if (i + 1 != first && a->marks[i] == 0 && ! gs_is_held (a, i) && ! gs_is_own (a, i)
+        && a->last[i] < 0.0)
       found = i + 1;
   return found;
 }
@@ -117,6 +119,14 @@ gsevn (const gs_system *g, gs_step *e, int *found)
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
       memcpy (a.g, a.last, a.ne * sizeof (double));
       *a.since = 0;
+      info = gsusz (&a, e->t, e->h, g->nx, &g->istat[GS_ACCUMULATES]);
+      gsusc (&a);
+      if (info != 0)
+        {
+          g->istat[GS_FAILED_INFO] = info;
+          g->istat[GS_FAILED] = 7;
+        }
+      return info;
     }
   return 0;
 }
@@ -136,8 +146,11 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
        int *fine)
 {
   const gs_events p = plan (g);
+  int j0 = 1;
   for (int i = 0; i < p.ne; i++)
     {
+      if (p.fresh[i] == 1)
+        j0 = -24;
       p.marks[i] = p.mark[i];
       p.before[i] = p.g[i];
       p.older[i] = -1.0;
@@ -145,11 +158,13 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
   *found = 0;
   *fine = 0;
   *th = 2.0;
-  for (int j = 1; j <= ns; j++)
+  for (int j = j0; j <= ns; j++)
     {
       double b = be * gsevp (j, ns);
-      double a = b - be * gsevp (j - 1, ns);
-      double c = b - a - be * gsevp (gs_most (0, j - 2), ns);
+      double a = j > j0 ? b - be * gsevp (j - 1, ns) : b;
+      double c = j > j0 ? b - a : 0.0;
+      if (j > j0 + 1)
+        c -= be * gsevp (j - 2, ns);
       int info = gsevb (g, e, b, j == ns ? side : 1);
       if (info != 0)
         return info;
@@ -167,7 +182,7 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
         else if (p.marks[i] == 1)
           {
             double zero = b;
-            info = gsevi (g, e, be * gsevp (j - 1, ns), &zero, i + 1);
+            info = gsevi (g, e, b - a, &zero, i + 1);
             if (info != 0)
               return info;
             if (zero < *th)
@@ -271,6 +286,38 @@ first_slope (const gs_system *g, const gs_step *e, int i, double th, double *slo
   return info;
 }
 
+/* the step e, of the fraction th, its end in te and a.end, the event functions there in a.now */
+static int
+tried (const gs_system *g, const gs_step *e, double th, double *te, const gs_events *a, double *err)
+{
+  const int side = th >= 1.0 ? e->side : 1;
+  *te = th >= 1.0 ? e->tn : e->t + th * e->h;
+  int info = again (g, e, th, *te, side, a, err);
+  if (info != 0)
+    return info;
+  info = gsevv (g, *te, side, a->end, a->mode, a->now);
+  if (info != 0)
+    return failed (g, info);
+  gsusg (a);
+  return 0;
+}
+
+/* an event of the user has happened: a little later than th its function i is not above 0 */
+static int
+past (const gs_system *g, const gs_step *e, int i, double th, double *te, const gs_events *a,
+      double *err)
+{
+  const double least = gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  for (int k = 0; k < 8 && gs_is_own (a, i - 1) && a->now[i - 1] > 0.0 && th < 1.0; k++)
+    {
+      th = gs_min (1.0, th + ldexp (1.0, k) * least / e->h);
+      int info = tried (g, e, th, te, a, err);
+      if (info != 0)
+        return info;
+    }
+  return 0;
+}
+
 int
 gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
 {
@@ -283,14 +330,9 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
     return failed (g, info);
   for (int k = 1; k <= 12; k++)
     {
-      te = th >= 1.0 ? e->tn : e->t + th * e->h;
-      const int side = th >= 1.0 ? e->side : 1;
-      info = again (g, e, th, te, side, &a, err);
+      info = tried (g, e, th, &te, &a, err);
       if (info != 0)
         return info;
-      info = gsevv (g, te, side, a.end, a.mode, a.now);
-      if (info != 0)
-        return failed (g, info);
       double gc = a.now[i - 1];
       if (k > 1 && fabs (th - old) > 0.0 && fabs (gc - gold) > 0.0)
         slope = (gc - gold) / (th - old);
@@ -306,6 +348,9 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
       if (! (fabs (th - old) > 0.0))
         break;
     }
+  info = past (g, e, i, th, &te, &a, err);
+  if (info != 0)
+    return info;
   e->tn = te;
   memcpy (e->xn, a.end, g->nx * sizeof (double));
   return 0;
@@ -316,15 +361,20 @@ gsevb (const gs_system *g, const gs_step *e, double b, int side)
 {
   const gs_events a = plan (g);
   gsevx (g->nx, e, b, a.xdn, a.z);
-  return gsevv (g, e->t + b * e->h, side, a.z, a.mode, a.now);
+  int info = gsevv (g, e->t + b * e->h, side, a.z, a.mode, a.now);
+  gsusg (&a);
+  return info;
 }
 
 /* the distances grow evenly, threefold from the first to the last */
 double
 gsevp (int j, int ns)
 {
-  double b = (double)j / ns;
-  return 0.5 * b * (1.0 + b);
+  double b = (double)gs_most (1, j) / ns;
+  b = 0.5 * b * (1.0 + b);
+  if (j < 1)
+    b *= pow (0.25, 1 - j);
+  return j < -24 ? 0.0 : b;
 }
 
 void

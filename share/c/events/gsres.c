@@ -1,7 +1,8 @@
 /* GSRES: an event of a run, and those that follow from it at the same instant.
  *
  * Where an event changes accelerations, ports that are held may no longer be: they are let go, the
- * most violated first. Those that stick then come to rest exactly. */
+ * most violated first. Those that stick then come to rest exactly. An event of the user that falls
+ * to 0 at the same instant, or by what another one sets, follows that one. */
 #include <string.h>
 
 #include "gsmbp/events.h"
@@ -35,7 +36,7 @@ next (const gs_events *a, int l)
         least = a->g[i];
       }
   for (int i = 0; i < a->ne && n == 0; i++)
-    if (i + 1 != l && a->kind[i] == 2 && a->mode[i] == 0 && a->mark[i] == 1 && a->g[i] <= 0.0)
+    if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0 && a->mark[i] == 1 && a->g[i] <= 0.0)
       n = i + 1;
   return n;
 }
@@ -50,6 +51,8 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
   int sticks = l == 0;      /* does anything come to rest? */
   double *stuck = NULL;     /* ... and its record */
   *a.cause = k;
+  *a.ended = 0;
+  gsuse (&a, k);
   for (;;)
     {
       double *r = NULL;
@@ -59,6 +62,12 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
           if (*a.since > 100)
             return 9;
           r = new_record (&a, t, x, nx, l);
+        }
+      double g = 0.0;
+      if (l > 0 && gs_is_own (&a, l - 1))
+        {
+          s->evt (t, x, v, a.mode, cst, a.now);
+          g = a.now[l - 1];
         }
       if (l >= 0)
         {
@@ -77,6 +86,8 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
           memcpy (r + 3 + nx, x, state);
         }
       s->evt (t, x, v, a.mode, cst, a.g);
+      if (l > 0 && gs_is_own (&a, l - 1))
+        gsusl (&a, l, k, g, v);
       int n = next (&a, l);
       if (l > 0)
         a.mark[l - 1] = 0;
@@ -99,6 +110,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
       if (info != 0)
         return info;
     }
+  gsusd (&a, a.g);
   for (int i = 0; i < a.ne; i++)
     a.mark[i] = a.g[i] > 0.0;
   return 0;

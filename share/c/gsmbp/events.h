@@ -4,6 +4,7 @@
 #ifndef GSMBP_EVENTS_H
 #define GSMBP_EVENTS_H
 
+#include "gsmbp/inputs.h"
 #include "gsmbp/system.h"
 
 #ifdef __cplusplus
@@ -20,11 +21,17 @@ typedef struct
   int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2 */
   int *search;    /* 1 while the time of an event is looked for (GSEVN in Fortran) */
   int *cause;     /* while rst is called: what gsres was called with */
+  int *ended;     /* the number of the event function that ends the run, 0: none does */
+  int ns;         /* inputs that are switched at events of the user */
   int *mode;      /* ne */
   int *input;     /* ne: the numbers of the inputs that are the modes */
-  int *kind;      /* ne: 1 friction, 2 stops */
+  int *kind;      /* ne: 1 friction, 2 stops, 3 an event of the user, 4 one that ends the run */
   int *mark;      /* ne: 1 where the function was above 0 since its last event */
   int *marks;     /* ne, workspace: the same at a place within a step */
+  int *fresh;     /* ne: 1 where the function has just had its event or the run begins */
+  int *by;        /* ns: numbers of event functions, */
+  int *switched;  /* ns: of the inputs that they switch, */
+  int *on;        /* ns: 1 where the input is held */
   double *g;      /* ne: event functions */
   double *now;    /* ne, workspace of gsevn from here on: event functions at a place of a step, */
   double *last;   /* ne: at the last point that was looked at, */
@@ -34,6 +41,8 @@ typedef struct
   double *z;      /* nx: the state at a place of a step */
   double *end;    /* nx: the state at the end of the step that was done again */
   double *record; /* (3+2*nx,nr): time, number, mode after, states before and after */
+  double *level;  /* ne: what a function of the user is at its last event but for rounding */
+  double *held;   /* ns: values of the inputs that are held */
 } gs_events;
 
 /* the plan of which ie and re are the arrays */
@@ -49,11 +58,17 @@ gs_events_of (int nx, int *ie, double *re)
   a.tells = ie + 5;
   a.cause = ie + 6;
   a.search = ie + 7;
+  a.ended = ie + 8;
+  a.ns = ie[9];
   a.mode = ie + 10;
   a.input = a.mode + a.ne;
   a.kind = a.input + a.ne;
   a.mark = a.kind + a.ne;
   a.marks = a.mark + a.ne;
+  a.fresh = a.marks + a.ne;
+  a.by = a.fresh + a.ne;
+  a.switched = a.by + a.ns;
+  a.on = a.switched + a.ns;
   a.g = re;
   a.now = a.g + a.ne;
   a.last = a.now + a.ne;
@@ -63,6 +78,8 @@ gs_events_of (int nx, int *ie, double *re)
   a.z = a.xdn + nx;
   a.end = a.z + nx;
   a.record = a.end + nx;
+  a.level = a.record + a.nr * (3 + 2 * nx);
+  a.held = a.level + a.ne;
   return a;
 }
 
@@ -71,6 +88,20 @@ static inline int
 gs_is_held (const gs_events *a, int i)
 {
   return (a->kind[i] == 1) == (a->mode[i] == 0);
+}
+
+/* has an event of the user ended the run whose plan ip is? */
+static inline int
+gs_ended (const int *ip)
+{
+  return ip[GS_EVENTS] > 0 && ip[ip[GS_EVENTS] + 7] > 0;
+}
+
+/* is function i (from 0) that of an event of the user? */
+static inline int
+gs_is_own (const gs_events *a, int i)
+{
+  return a->kind[i] > 2;
 }
 
 /* a step in which gsevn looks for events */
@@ -108,7 +139,7 @@ int gsevs (const gs_system *g, gs_step *e, int i, double start, double *err);
 /* event functions at the fraction b of the step e, on its polynomial, into the plan's now */
 int gsevb (const gs_system *g, const gs_step *e, double b, int side);
 
-/* the point j of ns of a step, as a fraction of it */
+/* the point j of ns of a step, as a fraction of it; from 0 to -24 each is a quarter of the next */
 double gsevp (int j, int ns);
 
 /* the state z at the fraction b of the step e; xdn: the rates at its end */
@@ -120,6 +151,29 @@ void gsevh (int nx, double h, double b, const double *x, const double *xd, const
 
 /* event functions gv under the inputs of a run. info: that of the inputs */
 int gsevv (const gs_system *g, double t, int side, const double *x, const int *mode, double *gv);
+
+/* before gsres acts at event k: which functions of the user have had their event just now; all of
+ * them at the start */
+void gsuse (const gs_events *a, int k);
+
+/* after event l of the user, which gsres met at event k: its level, the inputs in v that it
+ * switches, whether it ends the run; g: its function before the event */
+void gsusl (const gs_events *a, int l, int k, double g, const double *v);
+
+/* functions g of the user from their levels on; a level that later events of the same instant have
+ * left is none */
+void gsusd (const gs_events *a, double *g);
+
+/* the plan's now from the levels of the functions of the user on */
+void gsusg (const gs_events *a);
+
+/* after a step without an event: levels that functions of the user have left are none; no function
+ * has just had its event */
+void gsusc (const gs_events *a);
+
+/* after a step of the length h from t without an event: 10 where events of the user accumulate,
+ * else 0; which: the function that does */
+int gsusz (const gs_events *a, double t, double h, int nx, int *which);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
  * what failed, as istat[5] and istat[6] */

@@ -21,7 +21,8 @@ enum
   GS_ROUTINE_FAILED,   /* see istat[5] and istat[6] */
   GS_NOT_FINITE,       /* the state is no longer finite */
   GS_STIFF,            /* steps are bound by stability (method 9) */
-  GS_RATE_NOT_FINITE=8 /* a rate is not finite at the start, behind a stop or behind the end */
+  GS_RATE_NOT_FINITE=8, /* a rate is not finite at the start, behind a stop or behind the end */
+  GS_ENDED = 11        /* an event of the user has ended the run */
 };
 
 /* the arguments of GSSIM beside the scene; what SIZ and TIM hold has names of its own */

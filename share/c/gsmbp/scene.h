@@ -84,8 +84,11 @@ typedef struct
   int nsw;
   /* for the plan of a run (plan.h); numbers of inputs count from 1 */
   int nev, nctl, nxk, nheld;     /* ports with events; sampled devices, memory, held outputs */
-  const int *event_inputs;       /* nev: the mode of each, */
-  const int *event_kinds;        /* 1 friction, 2 stops */
+  const int *event_inputs;       /* nev: the mode of each, 0: none, */
+  const int *event_kinds;        /* 1 friction, 2 stops, 3 event of the user, 4 that ends the run */
+  int nswitch;                   /* inputs that events of the user switch: */
+  const int *switch_events;      /* nswitch: the numbers of these events, */
+  const int *switch_inputs;      /* of the inputs */
   const int *held_counts;        /* nctl: how many outputs each device holds */
   const int *again;              /* nctl: 1 if outputs are computed anew for it */
   const int *held_inputs;        /* nheld: device by device */

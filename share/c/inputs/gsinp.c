@@ -54,9 +54,9 @@ feedback (const gs_scene *s, double t, int side, const double *x, int nx, const 
   return other < 0 ? other : info;
 }
 
-/* what is held, modes */
+/* what is held, modes, what events of the user have switched */
 static void
-held (const int *ip, const double *rp, double *v)
+held (int nx, const int *ip, const double *rp, double *v)
 {
   for (int i = 0; i < ip[GS_HELD]; i++)
     v[ip[ip[GS_HELD + 1] - 1 + i] - 1] = rp[ip[GS_HELD_AT] - 1 + i];
@@ -64,7 +64,13 @@ held (const int *ip, const double *rp, double *v)
     return;
   const int *ie = ip + ip[GS_EVENTS] - 1, ne = ie[0], *mode = ie + 10, *input = mode + ne;
   for (int i = 0; i < ne; i++)
-    v[input[i] - 1] = mode[i];
+    if (input[i] > 0)
+      v[input[i] - 1] = mode[i];
+  const int ns = ie[9], *switched = ie + 10 + 6 * ne + ns, *on = switched + ns;
+  const double *value = rp + ip[GS_EVENTS + 1] - 1 + 6 * ne + 3 * nx + ie[1] * (3 + 2 * nx);
+  for (int i = 0; i < ns; i++)
+    if (on[i] == 1)
+      v[switched[i] - 1] = value[i];
 }
 
 int
@@ -85,6 +91,6 @@ gsinp (const gs_scene *s, double t, int side, const double *x, int nx, const int
     return info;
   if (ip[GS_FEEDBACK] != 0)
     info = feedback (s, t, side, x, nx, ip, rp, v, w);
-  held (ip, rp, v);
+  held (nx, ip, rp, v);
   return info;
 }

@@ -38,7 +38,8 @@ sample_reals (const gs_plan *p)
 int
 gs_wholes (const gs_plan *p)
 {
-  return GS_NUMBERS + p->motion.nc + sample_wholes (p) + (p->s->nev > 0 ? 10 + 5 * p->s->nev : 0);
+  return GS_NUMBERS + p->motion.nc + sample_wholes (p) 
+         + (p->s->nev > 0 ? 10 + 6 * p->s->nev + 3 * p->s->nswitch : 0);
 }
 
 int
@@ -47,7 +48,8 @@ gs_reals (const gs_plan *p)
   const int n = p->s->nev;
   return gs_most (1, p->s->nv) + length_of (&p->table) + length_of (&p->motion)
          + length_of (&p->reference) + length_of (&p->gain) + (p->limits ? 2 * p->s->nv : 0)
-         + sample_reals (p) + (n > 0 ? 5 * n + 3 * p->nx + p->events * (3 + 2 * p->nx) : 0) + 1;
+         + sample_reals (p) 
+         + (n > 0 ? 6 * n + 3 * p->nx + p->events * (3 + 2 * p->nx) + p->s->nswitch : 0) + 1;
 }
 
 /* numbers copied to the next places, from which on */
@@ -143,12 +145,18 @@ lay_events (const gs_plan *p, int *ip, double *rp, const place *at)
   ip[at->i] = s->nev;
   ip[at->i + 1] = p->events;
   ip[at->i + 4] = p->modes != 0;
+  ip[at->i + 9] = s->nswitch;
   gs_events a = gs_planned_events (p->nx, ip, rp);
   for (int k = 0; k < s->nev; k++)
     {
       a.mode[k] = p->modes ? p->modes[k] : 0;
       a.input[k] = s->event_inputs[k];
       a.kind[k] = s->event_kinds[k];
+    }
+  for (int k = 0; k < s->nswitch; k++)
+    {
+      a.by[k] = s->switch_events[k];
+      a.switched[k] = s->switch_inputs[k];
     }
 }
 

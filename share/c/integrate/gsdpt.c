@@ -82,6 +82,8 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
       c->after = 0;
       if (gsevr (g->s, c->t, c->xn, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, event) != 0)
         return GS_ROUTINE_FAILED;
+      if (gs_ended (g->ip))
+        return GS_ENDED;
     }
   return 0;
 }
@@ -143,6 +145,8 @@ gsdpt (gs_course *c, double htry, int *taken)
       failed = gsevn (g, &e, &event);
       if (event < 0)
         err = 1e10;
+      if (failed == 10 && g->istat[GS_FAILED] == 7)
+        return GS_ROUTINE_FAILED;
     }
   if (failed == 0 && err <= 1.0)
     failed = gsdpc (c, e.tn);

@@ -110,7 +110,7 @@ gspen (gs_course *c, int *taken, int *again)
   if (event > 0
       && gsevr (g->s, tn, c->xn, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, event) != 0)
     return GS_ROUTINE_FAILED;
-  return 0;
+  return event > 0 && gs_ended (g->ip) ? GS_ENDED : 0;
 }
 
 int

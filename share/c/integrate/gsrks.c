@@ -43,7 +43,7 @@ step (gs_course *c, gs_step *e, int *event)
   if (*event > 0
       && gsevr (s, e->tn, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, *event) != 0)
     return GS_ROUTINE_FAILED;
-  return 0;
+  return *event > 0 && gs_ended (g->ip) ? GS_ENDED : 0;
 }
 
 /* n steps of the length h from *ta on; n: how many were not taken, *ta and *hr being changed. info

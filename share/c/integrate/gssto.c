@@ -100,6 +100,8 @@ gssto (gs_course *c, int *acted)
   *acted = gs_most (*acted, sampled);
   if (gsevr (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, -1) != 0)
     return GS_ROUTINE_FAILED;
+  if (gs_ended (g->ip))
+    return GS_ENDED;
   next_stop (c);
   return 0;
 }

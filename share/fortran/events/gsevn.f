@@ -24,7 +24,8 @@ C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
 C             after the last event, or its error, up to the event, is
 C             too large.
-C     INFO    (output) INTEGER, 0 or the INFO of what failed.
+C     INFO    (output) INTEGER, 0 or the INFO of what failed; 10: events
+C     of the user accumulate.
 C
 C     METHOD
 C     Eight points of the cubic polynomial through both ends (or of that
@@ -34,7 +35,8 @@ C     an event function falls to 0, and up to 2048 where it has a lowest
 C     value that they do not resolve (ports that stick let steps grow,
 C     whatever the inputs do); its zero by the method of Illinois. The
 C     part before it is looked at again in the same way: there may be an
-C     earlier one.
+C     earlier one.  Where a function of the user has just had its event
+C     more points are closer and closer to the beginning of the step.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
 C     as any other.
@@ -50,7 +52,8 @@ C
      $                   I, NS, FIRST
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR
       LOGICAL            HELD, FINE
-      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS
+      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSUSC,
+     $                   GSUSZ
 C
       NQ   = SIZ(1)
       NU   = SIZ(2)
@@ -108,7 +111,7 @@ C     -- functions that have not risen above 0 since their last event
       DO 20 I = 1, NE
          HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
          IF ( I.NE.FIRST .AND. IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
-     $        RE(2*NE+I).LT.0.0D0 ) FOUND = I
+     $        IE(JK+I).LT.3 .AND. RE(2*NE+I).LT.0.0D0 ) FOUND = I
    20 CONTINUE
       IF ( FOUND.GT.0 .AND.
      $     ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
@@ -131,7 +134,13 @@ C     -- functions that have not risen above 0 since their last event
             IE(JA+I) = IE(JL+I)
             RE(I) = RE(2*NE+I)
    30    CONTINUE
+         CALL GSUSZ( T, H, NX, IE, RE, ISTAT(19), INFO )
+         CALL GSUSC( NX, IE, RE )
          IE(4) = 0
+         IF ( INFO.NE.0 ) THEN
+            ISTAT(6) = INFO
+            ISTAT(7) = 7
+         END IF
       END IF
       RETURN
 C
@@ -160,7 +169,7 @@ C
       DOUBLE PRECISION   GAUSS(3), T, H, BE, X(NX), W(NX,*), XN(NX),
      $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
       LOGICAL            FINE
-      INTEGER            NE, JA, JL, KG, I, J, S
+      INTEGER            NE, JA, JL, KG, I, J, S, J0
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, GSEVP
       EXTERNAL           GSEVP, GSEVB, GSEVI
 C
@@ -173,13 +182,20 @@ C
          RE(3*NE+I) = RE(I)
          RE(4*NE+I) = -1.0D0
    10 CONTINUE
+      J0 = 1
+      DO 15 I = 1, NE
+         IF ( IE(10+5*NE+I).EQ.1 ) J0 = -24
+   15 CONTINUE
       FOUND = 0
       FINE  = .FALSE.
       TH = 2.0D0
-      DO 40 J = 1, NS
+      DO 40 J = J0, NS
          B = BE*GSEVP( J, NS )
-         A = B - BE*GSEVP( J - 1, NS )
-         C = B - A - BE*GSEVP( MAX( 0, J - 2 ), NS )
+         A = B
+         C = 0.0D0
+         IF ( J.GT.J0 ) A = B - BE*GSEVP( J - 1, NS )
+         IF ( J.EQ.J0 + 1 ) C = B - A
+         IF ( J.GT.J0 + 1 ) C = B - A - BE*GSEVP( J - 2, NS )
          S = 1
          IF ( J.EQ.NS ) S = SIDE
          CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, B, S, NX,
@@ -206,8 +222,8 @@ C
             ELSE IF ( IE(JL+I).EQ.1 ) THEN
                C = B
                CALL GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H,
-     $                     BE*GSEVP( J - 1, NS ), C, I, NX, X, W, XN,
-     $                     NU, NV, IP, RP, CST, V, WI, IE, RE, INFO )
+     $                     B - A, C, I, NX, X, W, XN, NU, NV, IP, RP,
+     $                     CST, V, WI, IE, RE, INFO )
                IF ( INFO.NE.0 ) RETURN
                IF ( C.LT.TH ) THEN
                   TH = C
@@ -279,7 +295,8 @@ C
 C
 C     PURPOSE
 C     The step of GSEVN once more, as long as it must be for event
-C     function I to be 0 at its end, by the secant method.
+C     function I to be 0 at its end, by the secant method; an event of
+C     the user not above 0.
 C
 C     ARGUMENTS
 C     As GSEVN, and
@@ -294,10 +311,11 @@ C
       DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), ROPT(*),
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3), START, ERR
-      INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, K, J, S
+      INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, K, J, S, PAST
       DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, EPS,
      $                   GSEPS
-      EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4
+      EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4,
+     $                   GSUSG
 C
       NQ   = SIZ(1)
       NU   = SIZ(2)
@@ -320,7 +338,9 @@ C
       OLD  = 0.0D0
       GOLD = 0.0D0
       IE(8) = IE(6)
-      DO 10 K = 1, 13
+      PAST = 0
+      K = 0
+    2 K = K + 1
          TE = T + TH*H
          S  = 1
          IF ( TH.GE.1.0D0 ) THEN
@@ -356,7 +376,9 @@ C
          CALL GSEVV( CMD, CLO, VIN, EVT, TE, S, RE(KX), NU, NX, NV, IP,
      $               RP, CST, V, WI, IE(11), RE(NE+1), INFO )
          IF ( INFO.NE.0 ) GO TO 900
+         CALL GSUSG( NX, IE, RE )
          GC = RE(NE+I)
+         IF ( PAST.GT.0 ) GO TO 20
          IF ( IE(6).EQ.1 .AND. IE(8).EQ.0 ) GO TO 20
          IF ( K.GT.1 .AND. ABS( TH - OLD ).GT.0.0D0 .AND.
      $        ABS( GC - GOLD ).GT.0.0D0 )
@@ -373,8 +395,16 @@ C
     5    IF ( IE(6).NE.1 ) GO TO 20
          TH = OLD
          IE(8) = 0
-   10 CONTINUE
-   20 CONTINUE
+   10 IF ( K.LT.13 ) GO TO 2
+C
+C     -- an event of the user has happened: a little later it must be
+   20 IF ( IE(10+2*NE+I).GT.2 .AND. GC.GT.0.0D0 .AND. TH.LT.1.0D0 .AND.
+     $     PAST.LT.8 ) THEN
+         TH = MIN( 1.0D0, TH + 2.0D0**PAST*EPS*MAX( ABS( T ), ABS( TN )
+     $        )/H )
+         PAST = PAST + 1
+         GO TO 2
+      END IF
       TN = TE
       DO 30 J = 1, NX
          XN(J) = RE(KX+J-1)
@@ -398,7 +428,7 @@ C
       DOUBLE PRECISION   GAUSS(3), T, H, B, X(NX), W(NX,*), XN(NX),
      $                   RP(*), CST(*), V(*), WI(*), RE(*)
       INTEGER            NE, KD, KZ
-      EXTERNAL           GSEVX, GSEVV
+      EXTERNAL           GSEVX, GSEVV, GSUSG
 C
       NE = IE(1)
       KD = 1 + 5*NE
@@ -406,18 +436,22 @@ C
       CALL GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, RE(KD), RE(KZ) )
       CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, SIDE, RE(KZ), NU, NX, NV,
      $            IP, RP, CST, V, WI, IE(11), RE(NE+1), INFO )
+      CALL GSUSG( NX, IE, RE )
       END
       DOUBLE PRECISION FUNCTION GSEVP( J, NS )
 C
 C     PURPOSE
 C     The J-th of NS points of the step, as a fraction of it: their
-C     distances grow evenly, threefold from the first to the last.
+C     distances grow evenly, threefold from the first to the last.  From
+C     0 to -24 each is a quarter of the next; the one before is 0.
 C
       IMPLICIT NONE
       INTEGER            J, NS
       DOUBLE PRECISION   B
-      B = DBLE( J )/DBLE( NS )
+      B = DBLE( MAX( 1, J ) )/DBLE( NS )
       GSEVP = 0.5D0*B*( 1.0D0 + B )
+      IF ( J.LT.1 ) GSEVP = GSEVP*0.25D0**( 1 - J )
+      IF ( J.LT.-24 ) GSEVP = 0.0D0
       END
       SUBROUTINE GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, XDN, Z )
 C

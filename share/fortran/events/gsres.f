@@ -26,27 +26,39 @@ C                    parameters have an RST of their own), else 0;
 C             IE(7)  (output) K, while RST is called;
 C             IE(8)  1 while GSEVN looks for the time of an event in a
 C                    run with IE(6) = 1: states alone are wanted;
-C             IE(9..10) zero;
+C             IE(9)  (output) the number of the event function that ends
+C                    the run, 0: none does;
+C             IE(10) NS, how many inputs are switched at events of the
+C                    user;
 C             then NE modes, NE numbers of inputs that are the modes,
-C             NE kinds (see GSEVT), NE marks, 1 where the function was
-C             above 0 since its last event, and 2*NE workspace.
+C             NE kinds (1, 2: see GSEVT; 3: an event of the user, 4: one
+C             that ends the run), NE marks, 1 where the function was
+C             above 0 since its last event, NE workspace, NE flags, 1
+C             where the function has just had its event or the run
+C             begins; NS numbers of event functions, NS of the inputs
+C             that they switch, NS flags, 1 where the input is held.
 C     RE      (input/output) DOUBLE PRECISION array: NE event functions,
 C             4*NE and 3*NX workspace (GSEVN); then NR records: time, number, mode
-C             after, NX states before, NX after.
+C             after, NX states before, NX after; then NE levels, what an
+C             event function of the user is at its last event but for
+C             rounding errors (it counts from there), and NS values of
+C             inputs that are held.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
 C             more at one instant.
 C
 C     METHOD
+C     An event of the user that falls to 0 at the same instant, or by
+C     what another one sets, follows that one.
 C     Where an event changes accelerations, ports that are held may no
 C     longer be: they are let go, the most violated first.  Those that
 C     stick then come to rest exactly.
 C
       IMPLICIT NONE
-      EXTERNAL           EVT, RST
+      EXTERNAL           EVT, RST, GSUSE, GSUSL, GSUSD
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
       INTEGER            NE, JM, JK, JA, I, L, N, R, LS, RS
-      DOUBLE PRECISION   LEAST
+      DOUBLE PRECISION   LEAST, G
       LOGICAL            HELD
 C
       INFO = 0
@@ -55,6 +67,8 @@ C
       JK = 10 + 2*NE
       JA = 10 + 3*NE
       IE(7) = K
+      IE(9) = 0
+      CALL GSUSE( K, IE )
       L  = K
       IF ( L.EQ.0 .AND. IE(5).EQ.1 ) L = -1
       LS = -1
@@ -80,6 +94,11 @@ C
                RE(R+3+I) = X(I)
    20       CONTINUE
          END IF
+         IF ( L.GT.0 ) THEN
+            IF ( IE(JK+L).GT.2 )
+     $         CALL EVT( T, X, V, IE(JM+1), CST, RE(NE+1) )
+            G = RE(NE+L)
+         END IF
          CALL RST( T, X, V, IE(JM+1), L, CST, INFO )
          IF ( INFO.NE.0 ) RETURN
          IF ( L.GT.0 ) THEN
@@ -96,6 +115,9 @@ C
          END IF
       END IF
       CALL EVT( T, X, V, IE(JM+1), CST, RE )
+      IF ( L.GT.0 ) THEN
+         IF ( IE(JK+L).GT.2 ) CALL GSUSL( L, K, G, NX, V, IE, RE )
+      END IF
 C
 C     -- ports that cannot be held; other stops that are hit just now
       N = 0
@@ -108,7 +130,7 @@ C     -- ports that cannot be held; other stops that are hit just now
          END IF
    40 CONTINUE
       DO 50 I = 1, NE
-         IF ( N.EQ.0 .AND. I.NE.L .AND. IE(JK+I).EQ.2 .AND.
+         IF ( N.EQ.0 .AND. I.NE.L .AND. IE(JK+I).GE.2 .AND.
      $        IE(JM+I).EQ.0 .AND. IE(JA+I).EQ.1 .AND.
      $        RE(I).LE.0.0D0 ) N = I
    50 CONTINUE
@@ -129,6 +151,7 @@ C     -- what sticks comes to rest
       END IF
       IF ( IE(6).EQ.1 ) CALL RST( T, X, V, IE(JM+1), -2, CST, INFO )
       IF ( INFO.NE.0 ) RETURN
+      CALL GSUSD( NX, IE, RE, RE )
       DO 60 I = 1, NE
          IE(JA+I) = 0
          IF ( RE(I).GT.0.0D0 ) IE(JA+I) = 1

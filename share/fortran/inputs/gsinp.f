@@ -62,7 +62,7 @@ C
       EXTERNAL           CMD, CLO, VIN
       INTEGER            SIDE, NU, NX, NV, IP(*), INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
-      INTEGER            I, J, R, NA, IF1, IXI, IXR, IK, IER
+      INTEGER            I, J, K, R, NA, NS, IF1, IXI, IXR, IK, IER
 C
       INFO = 0
       R   = IP(4)
@@ -119,7 +119,7 @@ C     -- feedback
          V(I) = MIN( MAX( V(I), RP(IP(30)+I-1) ), RP(IP(30)+NV+I-1) )
    65 CONTINUE
 C
-C     -- what is held, modes
+C     -- what is held, modes, what events of the user have switched
    70 DO 80 I = 1, IP(23)
          V(IP(IP(24)+I-1)) = RP(IP(25)+I-1)
    80 CONTINUE
@@ -127,6 +127,12 @@ C     -- what is held, modes
       NA = IP(IP(28))
       J  = IP(28) + 10
       DO 90 I = 1, NA
-         V(IP(J+NA+I-1)) = DBLE( IP(J+I-1) )
+         IF ( IP(J+NA+I-1).GT.0 ) V(IP(J+NA+I-1)) = DBLE( IP(J+I-1) )
    90 CONTINUE
+      NS = IP(IP(28)+9)
+      J  = IP(28) + 10 + 6*NA
+      K  = IP(29) + 6*NA + 3*NX + IP(IP(28)+1)*( 3 + 2*NX )
+      DO 100 I = 1, NS
+         IF ( IP(J+2*NS+I-1).EQ.1 ) V(IP(J+NS+I-1)) = RP(K+I-1)
+  100 CONTINUE
       END

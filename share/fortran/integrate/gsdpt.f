@@ -132,6 +132,10 @@ C     -- up to an event, if there is one within a good step
      $               RP(IP(29)), GAUSS, EVENT, IER )
          M(2) = H
          IF ( EVENT.LT.0 ) ERR = 1.0D10
+         IF ( IER.EQ.10 .AND. ISTAT(7).EQ.7 ) THEN
+            INFO = 3
+            RETURN
+         END IF
       END IF
 C
 C     -- a good step: onto the constraints with it
@@ -188,6 +192,7 @@ C     -- the outputs within it
             LM(2) = 0
             CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, XN, NU, NX, NV, IP,
      $                  RP, CST, V, W, ISTAT, EVENT, IER )
+            IF ( IP(IP(28)+8).GT.0 ) INFO = 11
             IF ( IER.NE.0 ) INFO = 3
          END IF
       ELSE

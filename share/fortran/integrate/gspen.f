@@ -108,6 +108,9 @@ C     -- the stop that it is
       IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, W(IXN),
      $   NU, NX, NV, IP, RP, CST, W(IW(3)), W, ISTAT, EVENT, IER )
       IF ( IER.EQ.0 ) INFO = 0
+      IF ( EVENT.GT.0 .AND. IER.EQ.0 ) THEN
+         IF ( IP(IP(28)+8).GT.0 ) INFO = 11
+      END IF
       END
       SUBROUTINE GSPEV( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, T, TN,
      $                  STOPS, TC, D, NS, SIZ, IOPT, ROPT, IP, RP, CST,

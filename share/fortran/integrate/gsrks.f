@@ -168,6 +168,10 @@ C     -- the step is good
       IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, TN, W(IXN),
      $   NU, NX, NV, IP, RP, CST, W(IV), W, ISTAT, EVENT, IER )
       IF ( IER.NE.0 ) RETURN
+      IF ( EVENT.GT.0 ) THEN
+         IF ( IP(IP(28)+8).GT.0 ) INFO = 11
+         IF ( INFO.EQ.11 ) RETURN
+      END IF
       IF ( TN.LT.TB .AND. ( EVENT.GT.0 .OR. HR.LT.ROPT(1) ) ) THEN
          TA = TN
          HR = ROPT(1)

@@ -101,7 +101,8 @@ C             by a jump, or was too close to a singular position; (13)
 C             calls of RHS beside those in (1) that looked for bounds of
 C             stability; (14) 1 if steps are bound by stability (GSSTD)
 C             and (15) which state the eigenvalue belongs to; (16) to
-C             (18) memory of GSSTD; (19) zero; (20) steps close to
+C             (18) memory of GSSTD; (19) where (6) is 10
+C             and (7) is 7 the event that accumulates; (20) steps close to
 C             singular positions whose estimated error is above the
 C             tolerance; method 4: that end where the least pivot is
 C             below a hundredth of its largest value.
@@ -175,7 +176,8 @@ C     INFO = 5   steps are bound by stability (method 9);
 C     INFO = 8   a rate of the states is not finite at the start, behind
 C                a stop, or behind RSTAT(8) (method 8: no step from
 C                there, however short, ends in finite numbers).
-C     In the cases 1 to 5 and 8 the first ISTAT(5) columns of XOUT are
+C     INFO = 11  an event of the user has ended the run, at RSTAT(8).
+C     In the cases 1 to 5, 8 and 11 the first ISTAT(5) columns of XOUT are
 C     valid; where there is another it holds the state at RSTAT(8), and
 C     that of VOUT the inputs.
 C

@@ -20,7 +20,7 @@ C                 from the left, else 1;
 C             (2) the number of the next output time, NT + 1 at the end
 C                 of the run, and (3) that of the next break.
 C     ACTED   (output) INTEGER, 1 if the integration starts again here.
-C     INFO    (output) INTEGER, as GSSIM: 0 or 3.
+C     INFO    (output) INTEGER, as GSSIM: 0, 3 or 11.
 C
 C     METHOD
 C     Method 4 stops at every output time; the others at an output time
@@ -75,8 +75,11 @@ C     -- samples; TS is the time of the next ones
       ACTED = MAX( ACTED, I )
       CALL GSEVR( CMD, CLO, VIN, EVT, RST, T, X, NU, NX, NV, IP, RP,
      $            CST, V, W, ISTAT, -1, IER )
+      IF ( IP(28).GT.0 ) THEN
+         IF ( IP(IP(28)+8).GT.0 ) INFO = 11
+      END IF
       IF ( IER.NE.0 ) INFO = 3
-      IF ( IER.NE.0 ) RETURN
+      IF ( INFO.NE.0 ) RETURN
 C
 C     -- the next stop
       I = NT

@@ -1,0 +1,164 @@
+      SUBROUTINE GSUSE( K, IE )
+C
+C     PURPOSE
+C     Before GSRES acts at event K: which event functions of the user
+C     have had their event just now; all of them at the start (K = 0).
+C
+      IMPLICIT NONE
+      INTEGER            K, IE(*)
+      INTEGER            NE, I
+C
+      NE = IE(1)
+      DO 10 I = 1, NE
+         IF ( K.GE.0 ) IE(10+5*NE+I) = 0
+         IF ( K.EQ.0 .AND. IE(10+2*NE+I).GT.2 ) IE(10+5*NE+I) = 1
+   10 CONTINUE
+      END
+      SUBROUTINE GSUSL( L, K, G, NX, V, IE, RE )
+C
+C     PURPOSE
+C     After event L of the user, which GSRES met at event K: its level,
+C     the inputs that it switches, whether it ends the run.
+C
+C     ARGUMENTS
+C     L, K    (input) INTEGER, numbers of event functions.
+C     G       (input) DOUBLE PRECISION, function L before the event.
+C     NX      (input) INTEGER, the number of states.
+C     V       (input) DOUBLE PRECISION array, the inputs, switched.
+C     IE, RE  (input/output) as GSRES; RE(I) are the event functions
+C             after the event.
+C
+C     METHOD
+C     Where the event was looked for within a step (L = K) and what it
+C     sets has not changed its own function, this is 0 but for rounding
+C     errors: it is taken for 0, or a body that has just left the ground
+C     would be below it yet.
+C
+      IMPLICIT NONE
+      INTEGER            L, K, NX, IE(*)
+      DOUBLE PRECISION   G, V(*), RE(*)
+      INTEGER            NE, NS, JL, JS, I, J
+      DOUBLE PRECISION   SIZE, OLD
+C
+      NE = IE(1)
+      NS = IE(10)
+      JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
+      JS = 10 + 6*NE
+      IE(10+5*NE+L) = 1
+      OLD = RE(JL+L)
+      RE(JL+L) = 0.0D0
+      SIZE = MAX( ABS( RE(2*NE+L) ), ABS( RE(4*NE+L) ) )
+      IF ( L.EQ.K .AND. ABS( G - OLD ).LE.1.0D-2*SIZE .AND.
+     $     ABS( RE(L) - G ).LE.0.5D0*ABS( G ) ) RE(JL+L) = RE(L)
+      IF ( IE(10+2*NE+L).EQ.4 .AND. IE(9).EQ.0 ) IE(9) = L
+      DO 20 I = 1, NS
+         IF ( IE(JS+I).EQ.L ) THEN
+            DO 10 J = 1, NS
+               IF ( IE(JS+NS+J).EQ.IE(JS+NS+I) ) IE(JS+2*NS+J) = 0
+   10       CONTINUE
+            IE(JS+2*NS+I) = 1
+            RE(JL+NE+I) = V(IE(JS+NS+I))
+         END IF
+   20 CONTINUE
+      END
+      SUBROUTINE GSUSD( NX, IE, RE, G )
+C
+C     PURPOSE
+C     Event functions of the user, G, from their levels on.  A level
+C     that later events of the same instant have left is none.
+C
+      IMPLICIT NONE
+      INTEGER            NX, IE(*)
+      DOUBLE PRECISION   RE(*), G(*)
+      INTEGER            NE, JL, I
+C
+      NE = IE(1)
+      JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
+      DO 10 I = 1, NE
+         IF ( IE(10+2*NE+I).GT.2 ) THEN
+            IF ( ABS( G(I) - RE(JL+I) ).GT.ABS( RE(JL+I) ) )
+     $         RE(JL+I) = 0.0D0
+            G(I) = G(I) - RE(JL+I)
+         END IF
+   10 CONTINUE
+      END
+      SUBROUTINE GSUSG( NX, IE, RE )
+C
+C     PURPOSE
+C     Event functions in RE(NE+1..2*NE) of GSEVN from the levels of the
+C     user's on.
+C
+      IMPLICIT NONE
+      INTEGER            NX, IE(*)
+      DOUBLE PRECISION   RE(*)
+      INTEGER            NE, JL, I
+C
+      NE = IE(1)
+      JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
+      DO 10 I = 1, NE
+         IF ( IE(10+2*NE+I).GT.2 ) RE(NE+I) = RE(NE+I) - RE(JL+I)
+   10 CONTINUE
+      END
+      SUBROUTINE GSUSC( NX, IE, RE )
+C
+C     PURPOSE
+C     After a step without an event: levels that event functions of the
+C     user, RE(1..NE), have left behind are none; no function has just
+C     had its event.
+C
+      IMPLICIT NONE
+      INTEGER            NX, IE(*)
+      DOUBLE PRECISION   RE(*)
+      INTEGER            NE, JL, I
+      DOUBLE PRECISION   G
+C
+      NE = IE(1)
+      JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
+      DO 10 I = 1, NE
+         IF ( IE(10+2*NE+I).GT.2 ) THEN
+            IE(10+5*NE+I) = 0
+            G = RE(I) + RE(JL+I)
+            IF ( G*RE(I).GT.0.0D0 ) THEN
+               RE(I) = G
+               RE(JL+I) = 0.0D0
+            END IF
+         END IF
+   10 CONTINUE
+      END
+      SUBROUTINE GSUSZ( T, H, NX, IE, RE, WHICH, INFO )
+C
+C     PURPOSE
+C     After a step without an event: do events of the user accumulate?
+C
+C     ARGUMENTS
+C     T, H    (input) DOUBLE PRECISION, beginning and length of the step.
+C     NX      (input) INTEGER, the number of states.
+C     IE, RE  (input) as GSRES.
+C     WHICH   (output) INTEGER, the function that does, where INFO = 10.
+C     INFO    (output) INTEGER, 0; 10: they do.
+C
+C     METHOD
+C     A function that has just had four events within 1D-9 of the step,
+C     and does not rise again in it, has had infinitely many.
+C
+      IMPLICIT NONE
+      INTEGER            NX, IE(*), WHICH, INFO
+      DOUBLE PRECISION   T, H, RE(*)
+      INTEGER            NE, I, J, R, N
+C
+      INFO = 0
+      NE = IE(1)
+      DO 20 I = 1, NE
+         IF ( IE(10+5*NE+I).NE.1 .OR. IE(10+4*NE+I).NE.0 ) GO TO 20
+         N = 0
+         DO 10 J = MIN( IE(2), IE(3) ), 1, -1
+            R = 5*NE + 3*NX + ( J - 1 )*( 3 + 2*NX )
+            IF ( RE(R+1).LT.T - 1.0D-9*H ) GO TO 15
+            IF ( NINT( RE(R+2) ).EQ.I ) N = N + 1
+   10    CONTINUE
+   15    IF ( N.GE.4 .AND. IE(3).LE.IE(2) ) THEN
+            INFO  = 10
+            WHICH = I
+         END IF
+   20 CONTINUE
+      END

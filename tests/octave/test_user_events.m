@@ -1,0 +1,104 @@
+## Events on expressions of the user: report, stop, reset, switch against closed forms; what begins
+## true, comes twice, only touches or accumulates.
+
+function test_user_events ()
+  ball ();
+  accumulating ();
+  thermostat ();
+  pendulum ();
+end
+
+## thrown back with -e times its speed: every bounce and every top in closed form
+function ball ()
+  m = gsmbp_fixture ("user_bounce");
+  [g, e, h] = deal (9.81, 0.8, 1);
+  bounce = sqrt (2 * h / g);
+  v = g * bounce;
+  top = [];
+  while (bounce(end) < 3)
+    v *= e;
+    top(end+1) = bounce(end) + v / g;
+    bounce(end+1) = bounce(end) + 2 * v / g;
+  end
+  for method = {"dp853", "rk4"}
+    r = gsmbp_simulate (m, [h 0], 0:0.1:5, "method", method{1}, "step", 0.02);
+    of = @(name) r.events.t(strcmp (r.events.name, name));
+    wanted = bounce(bounce < 3)';
+    gsmbp_check (["times of bounces, " method{1}], ...
+                 of ("hit") - wanted, 1e-12);
+    gsmbp_check (["tops, " method{1}], ...
+                 of ("top") - (top(top < 3)'), 1e-12);
+    gsmbp_check (["the end, " method{1}], ...
+                 [of("done"), r.t(end)] - [3 3], 1e-12);
+    gsmbp_check (["what ended it is told, " method{1}], ...
+                 strcmp (r.stats.stopped, "event done"));
+    after = r.events.after(strcmp (r.events.name, "hit"),2);
+    gsmbp_check (["speeds, " method{1}], ...
+                 after - (g * bounce(1) * e .^ (1:numel (after))'), 1e-12);
+  end
+end
+
+## bounces that come faster and faster are an error in time, never a ball below the ground
+function accumulating ()
+  m = gsmbp_set (gsmbp_fixture ("user_bounce"), "e", 0.5, "last", 10);
+  for method = {"dp853", "rk4"}
+    said = "";
+    try
+      gsmbp_simulate (m, [1 0], [0 5], "method", method{1}, "step", 0.02);
+    catch failure
+      said = failure.message;
+    end
+    gsmbp_check (["bounces that accumulate are told, " method{1}], ...
+                 ! isempty (regexp (said, "an event, (hit|top), failed .* 1.3545709", "once")));
+  end
+end
+
+## v' = heat - v between 1 and 2, heated with 3: ln 2 up, ln 2 down; the middle in between
+function thermostat ()
+  m = gsmbp_fixture ("user_thermostat");
+  for method = {"dp853", "rk4"}
+    r = gsmbp_simulate (m, [0 1.5], [0 5 10], "input", 0, "method", method{1}, "step", 0.01, ...
+                        "rtol", 1e-12);
+    cold = r.events.t(strcmp (r.events.name, "cold"));
+    hot = r.events.t(strcmp (r.events.name, "hot"));
+    wanted = log (1.5) + log (2) * (0:2:20)';
+    near = 1e-12 + 1e-9 * strcmp (method{1}, "rk4");
+    gsmbp_check (["it gets cold, " method{1}], ...
+                 cold ./ wanted(wanted < 10) - 1, near);
+    gsmbp_check (["it gets hot, " method{1}], ...
+                 hot ./ (wanted(wanted + log (2) < 10) + log (2)) - 1, near);
+    middle = r.events.t(strcmp (r.events.name, "middle"));
+    gsmbp_check (["both ways through the middle, " method{1}], ...
+                 middle(1:2) - (log (1.5) + [log(2 / 1.5); log(2) + log(4 / 3)]), near);
+    heated = 3 * (mod (r.t(2:3) - log (1.5), 2 * log (2)) < log (2));
+    gsmbp_check (["the input is held, " method{1}], ...
+                 r.v(2:3) - heated, 0);
+  end
+end
+
+## from rest at amplitude a: it passes the lowest position every half period
+function pendulum ()
+  m = gsmbp_fixture ("user_section");
+  a = 1.2;
+  period = 4 * ellipke (sin (a / 2) ^ 2) / sqrt (9.81);
+  r = gsmbp_simulate (m, [a 0], [0 20], "rtol", 1e-13, "atol", 1e-14);
+  at = r.events.t(strcmp (r.events.name, "section"));
+  gsmbp_check ("sections of a pendulum", ...
+                 at - (period * (1:2:2*numel (at))' / 4), 1e-11);
+  turns = r.events.t(strcmp (r.events.name, "turn"));
+  gsmbp_check ("turns that end a swing", ...
+                 turns - period * (1:numel (turns))', 1e-10);
+  gsmbp_check ("no section twice, none missed", ...
+                 numel (at) == floor (20 / period * 2 + 0.5));
+  gsmbp_check ("a threshold that is not reached does not end it", ...
+                 isempty (r.stats.stopped));
+  r = gsmbp_simulate (m, [a 4], [0 20], "rtol", 1e-12);
+  gsmbp_check ("the end is at the threshold", ...
+                 r.x(end,1) - (100 * pi / 180), 1e-12);
+  ## energy: phi_d^2/2 - g cos (phi)
+  gsmbp_check ("its speed", ...
+                 r.x(end,2) - (sqrt (16 + 2 * 9.81 * (cos (100 * pi / 180) - cos (a)))), 1e-10);
+  r = gsmbp_simulate (m, [2 0.1], [0 0.005]);
+  gsmbp_check ("what is true at the start is no event", ...
+                 isempty (r.events.t));
+end
