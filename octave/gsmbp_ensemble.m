@@ -240,7 +240,10 @@ function e = judged (e, p, rows, counts, values, info, extent)
   e.reached(e.ok) = e.t(end);
   e.reason = rows.broken;
   e.reached(broken) = e.t(1);
-  for i = find (! e.ok & ! broken)'
+  idle = ! broken & counts(1,:)' == 0;   # those that were not begun, at a time many
+  e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
+  e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
+  for i = find (! e.ok & strcmp (e.reason, ""))'
     e.reason{i} = reason (m, info(:,i), counts(:,i), values(:,i), moved(i), last_of (e, i, counts));
   endfor
   for i = find (! e.ok)'   # a state where a run ended is none at a time that was asked for
@@ -250,9 +253,7 @@ function e = judged (e, p, rows, counts, values, info, extent)
 endfunction
 
 function text = reason (m, info, counts, values, moved, last)
-  if (any (info(1) == [9, 10]) && counts(1) == 0)
-    text = {"not begun: interrupted by Ctrl-C", "not begun: ended by option timeout"}{info(1) - 8};
-  elseif (info(2) != 0)
+  if (info(2) != 0)
     text = ["its parameters cannot be: " m.module("meaning", "pre", info(2))];
   elseif (info(1) != 0)
     text = gsmbp__failure (m, info(1), counts, values, "", last);

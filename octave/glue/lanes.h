@@ -605,7 +605,8 @@ lane_group::part (int lane)
   if (m_c(c_moved, lane) > 0)
     {
       l.r.rstat[7] = l.t;
-      n[5] = n[6] = 0;
+      if (l.ier == 0)   // else they tell what has just failed
+        n[5] = n[6] = 0;
     }
   if (S.nlam > 0)
     part_loops (lane);
