@@ -16,7 +16,8 @@
 ##
 ## Options: "input" (constants or a piecewise polynomial), "rtol" (1e-10), "atol", "start", "dx0"
 ## and "fixed" as in @code{gsmbp_simulate} (@code{dx0}: @var{nx} rows, a column for each parameter).
-## The steps are those of dp853 with loops left to Baumgarte's terms.
+## The steps are those of dp853 with loops left to Baumgarte's terms.  Ctrl-C, or "timeout" [s],
+## ends the ways forward and back; half of them is no result, and that is an error.
 ##
 ## @var{a} has the fields @code{J}; @code{dJ}, a struct by the names of the parameters, a column
 ## for the goals; @code{dx0}, their derivatives by the start values of the states, a row for each
@@ -46,7 +47,7 @@
 ## @end example
 ##
 ## Errors: a model without ADJ; a scene with events or sampled devices; a goal whose derivatives
-## have not the size of the run; a build in quad precision; steps that become too small.
+## have not the size of the run; a build in quad precision; steps that become too small; Ctrl-C.
 ## Source: own: reverse differentiation of straight-line code and of Runge-Kutta steps (Hager 2000).
 ## @seealso{gsmbp_simulate, gsmbp_sensitivity}
 ## @end deftypefn
@@ -69,8 +70,11 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
   stops = unique ([times(:)', breaks(breaks > times(1) & breaks < times(end))]);
   [~, at] = ismember (times(:)', stops);
   clock_ = tic ();
-  [record, counts, x, info, reached] = m.module ("forward", m.cst, plan, x0, stops', rtol, atol);
+  left = @() max (0, o.timeout - toc (clock_)) + (o.timeout > 0) * 1e-9;   # 0: no end
+  [record, counts, x, info, reached] = m.module ("forward", m.cst, plan, x0, stops', rtol, ...
+                                                 atol, left ());
   a.seconds = toc (clock_);
+  cut_short (who, m, info, "forward", reached);
   if (info != 0)
     error ("%s: %s: the step became too small at t = %.9g s", who, m.name, reached);
   endif
@@ -84,9 +88,10 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
     [wx, wp] = at_outputs (m, r, gx(:,:,g), gy(:,:,g), numel (names));
     W = zeros (d.nx, numel (stops));
     W(:,at) = wx;
-    clock_ = tic ();
-    [lx, pb, info, t] = m.module ("backward", m.cst, plan, record, counts, W);
-    a.seconds(1+g) = toc (clock_);
+    begin = tic ();
+    [lx, pb, info, t] = m.module ("backward", m.cst, plan, record, counts, W, left ());
+    a.seconds(1+g) = toc (begin);
+    cut_short (who, m, info, "back", t);
     if (info != 0)
       error ("%s: %s: ADJ failed with INFO = %d at t = %.9g s: %s", who, m.name, info, t, ...
              m.module ("meaning", "adj", info));
@@ -115,6 +120,7 @@ function o = options (who, m, given)
            "atol", [], "any"
            "fixed", {}, "names"
            "dx0", [], "numbers"
+           "timeout", 0, "nonnegative"
            "start", "check", {"check", "project"}};
   o = gsmbp__options (who, table, given);
   o.sensitivity = m.json.sensitivity;
@@ -124,6 +130,14 @@ function o = options (who, m, given)
   for name = {"motion", "gain", "reference", "limits", "audit"}
     o.(name{1}) = [];
   endfor
+endfunction
+
+function cut_short (who, m, info, way, at)
+  word = gsmbp__stopped (who, m, info, "", false);
+  if (! isempty (word))
+    error ("gsmbp:stopped", "%s: %s: %s on the way %s at t = %.9g s; half of it is no result", ...
+           who, m.name, gsmbp__stopped_by (word), way, at);
+  endif
 endfunction
 
 ## the run as gsmbp_simulate gives it

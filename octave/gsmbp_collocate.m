@@ -43,6 +43,8 @@
 ## weight of its roughness (1); 0: such arcs are told only
 ## @item "tolerance", "iterations", "seconds"
 ## of Ipopt: 1e-9, 500 and 60 for each mesh
+## @item "timeout"
+## of all meshes together [s]; 0, the default: none
 ## @end table
 ##
 ## The result:
@@ -72,6 +74,9 @@
 ## from, until [s], ringing (the largest distance from a smooth curve), weight (of its roughness)
 ## @item solved, ended
 ## whether it is a solution, within the accuracy, and why it ended
+## @item stopped
+## "interrupted" by Ctrl-C or "timeout": what is given back is the last mesh that was solved, or on
+## the first one where Ipopt stood; else ""
 ## @end table
 ##
 ## A motion that cannot be is no error: @code{solved} is false, a warning says why.
@@ -109,11 +114,16 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
   who = "gsmbp_collocate";
   gsmbp__model (who, m);
   [p, o] = gsmbp__collocation_problem (who, m, x0, xf, varargin);
+  o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
   [s, found] = refined (who, m, p, o);
   found.singular = rmfield (found.singular(! [found.singular.held]), "held");
   r = gsmbp__collocation_result (m, s, found);
   r.solved = s.solved && s.error <= o.accuracy;
-  if (s.solved && ! r.solved)
+  r.stopped = s.stopped;
+  gsmbp__stopped (who, m, 9 * strcmp (s.stopped, "interrupted"), "", false);
+  if (! isempty (s.stopped))
+    r.ended = [gsmbp__stopped_by(s.stopped) s.how_far];
+  elseif (s.solved && ! r.solved)
     r.ended = sprintf (["stopped at the limit of %d refinements: the estimated error of the " ...
                         "states is %.2g"], o.refinements, s.error);
   endif
@@ -131,28 +141,69 @@ function [s, r] = refined (who, m, p, o)
   mesh = struct ("rule", gsmbp__collocation_rule (o.method), ...
                  "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
   guess = gsmbp__collocation_guess (who, m, p, o.guess);
+  before = [];
   for k = 0:o.refinements
-    [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r);
-    [polished, r.switches] = gsmbp__collocation_polish (who, m, p, s, o);
-    if (! isempty (r.switches))
-      s = polished;
-      r.meshes = [r.meshes, mesh_of(s)];
+    [cut, s, errors, q, found] = m.module ("guarded", @() meshed (who, m, p, mesh, guess, o, r), ...
+                                           o.ends - time () + 0.2);
+    if (cut || ! isempty (s.stopped))
+      [s, r] = so_far (who, m, s, before, cut, r, found);
       break;
     endif
-    [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r);
-    if (! s.solved || s.error <= o.accuracy)
+    [p, r] = deal (q, found);
+    if (! isempty (r.switches) || ! s.solved || s.error <= o.accuracy)
       break;
     endif
     mesh = gsmbp__collocation_finer (mesh, errors, o.accuracy);
-    guess = s;
+    guess = before = s;
   endfor
+endfunction
+
+## solved on a mesh, with what jumps or is singular there
+function [s, errors, p, r] = meshed (who, m, p, mesh, guess, o, r)
+  [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r);
+  if (! isempty (s.stopped))
+    return;
+  endif
+  [polished, r.switches] = gsmbp__collocation_polish (who, m, p, s, o);
+  if (! isempty (r.switches))
+    s = polished;
+    r.meshes = [r.meshes, mesh_of(s)];
+  elseif (isempty (polished.stopped))
+    [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r);
+  else
+    s.stopped = polished.stopped;
+  endif
 endfunction
 
 function [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r)
   s = gsmbp__collocation_solve (who, m, p, mesh, guess, o);
+  errors = [];
+  if (! isempty (s.stopped) && ! isempty (r.meshes))   # the mesh before is given back
+    return;
+  endif
   [s.error, errors] = gsmbp__collocation_errors (m, s);
   r.active = gsmbp__collocation_active (m, p, s);
   r.meshes = [r.meshes, mesh_of(s)];
+endfunction
+
+## what is given back where the search was ended from outside: the mesh BEFORE, if any
+function [s, r] = so_far (who, m, s, before, cut, r, found)
+  word = {"interrupted", "timeout"}{max (1, cut)};
+  if (! cut)
+    word = s.stopped;
+  endif
+  if (! isempty (before))
+    s = setfield (before, "how_far", sprintf ("; solved on %d intervals, with an error of %.2g", ...
+                                              columns (before.c.left), before.error));
+  elseif (cut)
+    error ("gsmbp:stopped", "%s: %s: %s before there was a solution", who, m.name, ...
+           gsmbp__stopped_by (word));
+  else
+    s.how_far = " on the first mesh";
+    r = found;
+  endif
+  s.solved = false;
+  s.stopped = word;
 endfunction
 
 function one = mesh_of (s)
@@ -178,6 +229,7 @@ function [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r)
       s = new;
       errors = errors_;
     endif
+    s.stopped = new.stopped;
   endif
 endfunction
 

@@ -68,7 +68,8 @@
 ## octave-nlopt) or "ipopt" (coinor-libipopt-dev); "starts": how many places to start from, 1 or
 ## more, by chance within the bounds, and "seed" of that chance, or a matrix, a row of values for
 ## each further start; "tolerance" (1e-10); limits
-## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start.  "choices": all
+## "iterations" (500), "evaluations" (1000), "seconds" (Inf), each for a start, and "timeout" [s]
+## (0: none), of all together.  "choices": all
 ## combinations of the lists ("all", at most 1000) or "branch", branch and bound: choices are free
 ## between two numbers of their lists first, and what cannot be better than the best found is left
 ## out; as sure as the solutions of these relaxed problems are the best ones ("starts").  "auto"
@@ -79,7 +80,8 @@
 ## bound, multiplier: how much the goal falls for each unit that it is loosened, of an equation how
 ## much it rises for each unit that its bound rises; NaN where all is chosen), @code{solved},
 ## @code{ended}, @code{limit} (a limit was reached), @code{violation} and @code{optimality} (what is
-## left of the conditions of an optimum, beside their sizes), @code{iterations},
+## left of the conditions of an optimum, beside their sizes), @code{stopped} ("interrupted" by
+## Ctrl-C or "timeout": the best so far, with a warning; else ""), @code{iterations},
 ## @code{evaluations}, @code{starts} (all ends), @code{derivatives}, @code{report} (a text),
 ## @code{choices} (how the lists were searched, combinations, problems solved).
 ##
@@ -127,9 +129,17 @@ function [r, info] = gsmbp_optimize (m, free, goal, varargin)
   o = gsmbp__options (who, known_options (), given(3:end));
   P = problem (who, m, free, goal, given{1:2});
   checked (P, o);
+  o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
+  o.guard = @(f) m.module ("guarded", f, o.ends - time ());
   P.places = further (P, o);
-  [best, ends, told] = gsmbp__design_choices (who, P, o);
+  o.watch = @(f) m.module ("guarded", f, Inf);
+  [cut, best, ends, told] = o.watch (@() gsmbp__design_choices (who, P, o));
+  if (cut)
+    gsmbp__stopped (who, m, 9, "", false);
+    error ("gsmbp:stopped", "%s: %s: interrupted by Ctrl-C between evaluations", who, m.name);
+  endif
   best.starts = ends;
+  gsmbp__stopped (who, m, 9 * strcmp (best.stopped, "interrupted"), "", false);
   [r, info] = gsmbp__design_result (who, best, o, P, told);
   if (nargout < 2 && info == 2)
     error ("gsmbp:infeasible", "%s: %s: %s", who, m.name, r.ended);
@@ -146,6 +156,7 @@ function table = known_options ()
            "iterations", 500, "whole"
            "evaluations", 1000, "whole"
            "seconds", Inf, "any"
+           "timeout", 0, "nonnegative"
            "choices", "auto", {"auto", "all", "branch"}
            "nodes", 1000, "whole"};
 endfunction

@@ -2,6 +2,7 @@
 // GSDP8, without projection, events, samples.
 #pragma once
 
+#include "patience.h"
 #include "run_plan.h"
 
 // what both ways need beside the scene
@@ -62,9 +63,17 @@ struct adjoint_run
   int info;
 };
 
-// (constants, plan, x0, t0 and the stops, rtol, atol): a column for each step: begin, end, length,
-// side, state at the begin, its twelve right-hand sides; the number of steps up to each stop; the
-// state at each; INFO: 0, or 2 where the steps became too small
+// at a step that begins or ends at T: 0, or what ends it all (INFO of patience.h)
+static int
+ended_at (patience& p, number t)
+{
+  return patience::asked () && p.look (double (t)) ? p.why () : patience::none;
+}
+
+// (constants, plan, x0, t0 and the stops, rtol, atol, timeout): a column for each step: begin, end,
+// length, side, state at the begin, its twelve right-hand sides; the number of steps up to each
+// stop; the state at each; INFO: 0, 2 where the steps became too small, or that of patience.h; the
+// time that was reached
 static octave_value_list
 do_forward (arguments& a, int)
 {
@@ -74,6 +83,8 @@ do_forward (arguments& a, int)
   reals atol = a.vector ("atol", S.nx), w = room (13 * S.nx), xn = room (S.nx);
   std::vector<double> kept;
   const int ns = int (stops.size ());
+  patience p (nullptr, double (a.scalar ("timeout")), double (stops[0]), double (stops[ns - 1]),
+              "s");
   Matrix counts (ns, 1, 0.0), states (S.nx, ns, no_number);
   auto keep_state = [&] (int i) { for (int j = 0; j < S.nx; j++) states(j, i) = double (x[j]); };
   keep_state (0);
@@ -112,17 +123,21 @@ do_forward (arguments& a, int)
             h = length * std::min (number (0.9), std::max (number (0.2), factor));
           if (h < 1e-14 * std::max (number (1e-30), end))
             info = 2;
+          if (info == 0)
+            info = ended_at (p, t);
         }
       counts(i) = steps;
       keep_state (i);
     }
+  p.settle ();
   Matrix record (4 + 13 * S.nx, steps);
   std::copy (kept.begin (), kept.end (), record.fortran_vec ());
   return ovl (record, counts, states, info, double (t));
 }
 
 // (constants, plan, record of the forward way, numbers of steps up to each stop, weights of the
-// states at each stop): derivatives by the first state and by the parameters
+// states at each stop, timeout): derivatives by the first state and by the parameters; INFO: of
+// ADJ, or that of patience.h; the time that was reached
 static octave_value_list
 do_backward (arguments& a, int)
 {
@@ -134,6 +149,8 @@ do_backward (arguments& a, int)
   std::fill (lx.begin (), lx.end (), number (0));
   std::fill (pb.begin (), pb.end (), number (0));
   int at = int (record.columns ());
+  const double from = at > 0 ? record(1, at - 1) : 0, to = at > 0 ? record(0, 0) : 1;
+  patience patient (nullptr, double (a.scalar ("timeout")), from, to, "s, backward");
   for (int i = int (counts.numel ()) - 1; i >= 0; i--)
     {
       for (; i < int (counts.numel ()) - 1 && at > int (counts(i)); )
@@ -146,8 +163,13 @@ do_backward (arguments& a, int)
           fortran {gsad8_} (routine ("adj").f, &t, &tn, &side, &h, &x[0], &k[0], &S.nu, &S.nx,
                             &S.nv, &S.nsp, run.plan.ip.data (), run.plan.rp.data (), &run.cst[0],
                             &run.v[0], &lx[0], &pb[0], &w[0], &run.wi[0], &run.info);
+          if (run.info == 0)
+            run.info = ended_at (patient, t);
           if (run.info != 0)
-            return ovl (result (lx, S.nx), result (pb, S.nsp), run.info, double (t));
+            {
+              patient.settle ();
+              return ovl (result (lx, S.nx), result (pb, S.nsp), run.info, double (t));
+            }
         }
       for (int j = 0; j < S.nx; j++)
         lx[j] += weights(j, i);

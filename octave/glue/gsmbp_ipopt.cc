@@ -1,20 +1,27 @@
 // Ipopt for Octave by its interface in C (Debian: coinor-libipopt-dev), built when it is first
 // asked for (octave/private/gsmbp__ipopt.m).
 //
-// [x, status, J, g, lambda, zl, zu, log, text] = gsmbp_ipopt_solve (x0, low, high, glow, ghigh,
-//   jac, hess, f, options, most, seconds): jac, hess: rows and columns of the entries that are not
-// zero always (hess: lower triangle; [] where there is none), f (what, x, factor, lambda) gives
-// "f", "grad", "g", "jac", "hess" as columns, or is the address of a gsmbp_program, options: a cell
-// array of names and values, most: calls of f at new points at most, seconds: on the clock. log: a
-// row for each iteration: J, infeasibility, dual infeasibility, mu, step; text: the last error of f
+// [x, status, J, g, lambda, zl, zu, log, text, interrupted] = gsmbp_ipopt_solve (x0, low, high,
+//   glow, ghigh, jac, hess, f, options, most, seconds): jac, hess: rows and columns of the entries
+// that are not zero always (hess: lower triangle; [] where there is none), f (what, x, factor,
+// lambda) gives "f", "grad", "g", "jac", "hess" as columns, or is the address of a gsmbp_program,
+// options: a cell array of names and values, most: calls of f at new points at most, seconds: on
+// the clock. log: a row for each iteration: J, infeasibility, dual infeasibility, mu, step; text: the
+// last error of f; interrupted: by Ctrl-C, x is then the last iterate, the multipliers are NaN
 #include <octave/oct.h>
 #include <octave/parse.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <csignal>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <coin/IpStdCInterface.h>
@@ -23,6 +30,8 @@
 
 namespace
 {
+struct interruption { };   // thrown through Ipopt: an iteration of a large problem takes long
+
 struct problem
 {
   octave_value f;
@@ -31,23 +40,46 @@ struct problem
   int n, m;
   double most, seconds;
   long points = 0;
-  bool stopped = false, broken = false;
+  bool stopped = false;
+  std::atomic<bool> interrupted;
   std::string text;
-  std::vector<double> log;
+  std::vector<double> log, last;   // last: iterate
+  std::mutex mutex;                // of last
   std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now ();
+
+  problem (void) : interrupted (false) { }
 
   double spent (void) const
   { return std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count (); }
 
-  // the numbers of a part; false: it has none here, or was interrupted
+  // Ctrl-C, which Octave counts in a thread of its own
+  static bool signalled (void)
+  { return *const_cast<const volatile sig_atomic_t *> (&octave_interrupt_state) > 0; }
+
+  void leave_if_interrupted (void)
+  {
+    if (signalled ())
+      interrupted = true;
+    if (interrupted)
+      throw interruption ();
+  }
+
+  // the numbers of a part; false: it has none here
   bool ask (gsmbp_part part, const double *x, int count, double *out, double factor = 1,
             const double *lambda = nullptr)
   {
     static const char *const words[] = { "f", "grad", "g", "jac", "hess" };
+    leave_if_interrupted ();
     if (native)
-      return native->evaluate (native->data, part, x, factor, lambda, out)
-             && std::all_of (out, out + count, [] (double a) { return std::fabs (a) <= 1e300; });
+      return ask_native (part, x, count, out, factor, lambda);
     return ask_octave (words[part], x, count, out, factor, lambda);
+  }
+
+  bool ask_native (gsmbp_part part, const double *x, int count, double *out, double factor = 1,
+                   const double *lambda = nullptr)
+  {
+    return native->evaluate (native->data, part, x, factor, lambda, out)
+           && std::all_of (out, out + count, [] (double a) { return std::fabs (a) <= 1e300; });
   }
 
   bool ask_octave (const char *what, const double *x, int count, double *out, double factor,
@@ -78,9 +110,10 @@ struct problem
       }
     catch (const octave::interrupt_exception&)
       {
-        stopped = broken = true;
+        interrupted = true;
         octave::interpreter::the_interpreter ()->recover_from_exception ();
       }
+    leave_if_interrupted ();
     return false;
   }
 };
@@ -123,7 +156,13 @@ jacobian (Index, Number *x, Bool, Index, Index count, Index *rows, Index *cols, 
 {
   problem& p = *static_cast<problem *> (data);
   if (out)
-    return p.ask (GSMBP_JACOBIAN, x, count, out);
+    {
+      {
+        std::lock_guard<std::mutex> guard (p.mutex);
+        p.last.assign (x, x + p.n);
+      }
+      return p.ask (GSMBP_JACOBIAN, x, count, out);
+    }
   places (p.jac, rows, cols);
   return TRUE;
 }
@@ -146,10 +185,127 @@ after_each (Index, Index, Number J, Number primal, Number dual, Number mu, Numbe
   problem& p = *static_cast<problem *> (data);
   for (double one : { J, primal, dual, mu, step })
     p.log.push_back (one);
+  p.leave_if_interrupted ();
   if (p.points > p.most || p.spent () > p.seconds)
     p.stopped = true;
   return ! p.stopped;
 }
+
+// A problem at Ipopt, in a thread of its own where it is a program: MUMPS looks for no Ctrl-C, and
+// puts a large one in order for seconds.  Who is interrupted does not wait for that; the thread
+// ends at the next call.
+struct task
+{
+  problem p;
+  IpoptProblem nlp = nullptr;
+  ColumnVector x, g, lambda, zl, zu;
+  double J = 0;
+  int status = 5;
+  std::mutex mutex;
+  std::condition_variable end;
+  bool done = false;
+
+  void solve (void)
+  {
+    try
+      {
+        status = IpoptSolve (nlp, x.fortran_vec (), g.fortran_vec (), &J, lambda.fortran_vec (),
+                             zl.fortran_vec (), zu.fortran_vec (), &p);
+      }
+    catch (const interruption&)
+      { }
+    FreeIpoptProblem (nlp);
+    std::lock_guard<std::mutex> guard (mutex);
+    done = true;
+    end.notify_all ();
+  }
+
+  bool wait (double seconds)
+  {
+    std::unique_lock<std::mutex> lock (mutex);
+    return end.wait_for (lock, std::chrono::duration<double> (seconds), [this] { return done; });
+  }
+
+  // where it was interrupted: the last iterate, without multipliers
+  octave_value_list last (const ColumnVector& x0)
+  {
+    ColumnVector z = x0, values (p.m, octave::numeric_limits<double>::NaN ()),
+                 none (p.n, octave::numeric_limits<double>::NaN ());
+    double goal = none(0);
+    {
+      std::lock_guard<std::mutex> guard (p.mutex);
+      if (! p.last.empty ())
+        std::copy (p.last.begin (), p.last.end (), z.fortran_vec ());
+    }
+    ColumnVector prices = values;
+    if (p.native)
+      {
+        p.ask_native (GSMBP_GOAL, z.data (), 1, &goal);
+        p.ask_native (GSMBP_EQUATIONS, z.data (), p.m, values.fortran_vec ());
+      }
+    return ovl (z, 5, goal, values, prices, none, none);
+  }
+};
+
+// the thread that works, or one that was left alone
+struct worker
+{
+  std::thread thread;
+  std::shared_ptr<task> of;
+
+  ~worker (void)
+  {
+    if (thread.joinable ())
+      thread.join ();
+  }
+
+  // MUMPS is for one at a time
+  void free (void)
+  {
+    while (thread.joinable ())
+      if (of->wait (0.02))
+        thread.join ();
+      else
+        octave_quit ();
+  }
+
+  // false: interrupted, or LATE, and perhaps left alone
+  bool solve (const std::shared_ptr<task>& t, bool& late)
+  {
+    of = t;
+    thread = std::thread ([t] { t->solve (); });
+    while (! t->wait (0.01))
+      {
+        late = t->p.spent () > t->p.seconds + 0.05;
+        if (! late && ! problem::signalled ())
+          other_signals (t->p);
+        else
+          {
+            t->p.interrupted = true;
+            if (! t->wait (0.02))
+              return false;
+          }
+      }
+    thread.join ();
+    return ! t->p.interrupted;
+  }
+
+  // SIGTERM: Octave throws what ends it
+  static void other_signals (problem& p)
+  {
+    try
+      {
+        octave_quit ();
+      }
+    catch (...)
+      {
+        p.interrupted = true;
+        throw;
+      }
+  }
+};
+
+worker the_worker;
 
 void
 set_options (IpoptProblem nlp, const Cell& options)
@@ -179,37 +335,57 @@ DEFUN_DLD (gsmbp_ipopt_solve, args, , "Called by gsmbp__ipopt; not for direct us
 {
   if (args.length () != 11)
     error ("gsmbp_ipopt_solve: expected 11 arguments, found %d", int (args.length ()));
-  problem p;
-  ColumnVector x = args(0).column_vector_value (), low = args(1).column_vector_value (),
-               high = args(2).column_vector_value (), glow = args(3).column_vector_value (),
-               ghigh = args(4).column_vector_value ();
+  the_worker.free ();
+  const std::shared_ptr<task> t = std::make_shared<task> ();
+  problem& p = t->p;
+  const ColumnVector x0 = args(0).column_vector_value ();
+  ColumnVector low = args(1).column_vector_value (), high = args(2).column_vector_value (),
+               glow = args(3).column_vector_value (), ghigh = args(4).column_vector_value ();
   p.jac = args(5).matrix_value ();
   p.hess = args(6).matrix_value ();
   p.f = args(7);
   if (p.f.is_uint64_type ())
     p.native = reinterpret_cast<const gsmbp_program *> (
         std::uintptr_t (p.f.uint64_scalar_value ().value ()));
-  p.n = int (x.numel ());
+  p.n = int (x0.numel ());
   p.m = int (glow.numel ());
   p.most = args(9).double_value ();
   p.seconds = args(10).double_value ();
-  IpoptProblem nlp
-      = CreateIpoptProblem (p.n, low.fortran_vec (), high.fortran_vec (), p.m,
-                            glow.fortran_vec (), ghigh.fortran_vec (), Index (p.jac.rows ()),
-                            Index (p.hess.rows ()), 1, value, constraints, gradient, jacobian,
-                            hessian);
-  if (! nlp)
+  t->nlp = CreateIpoptProblem (p.n, low.fortran_vec (), high.fortran_vec (), p.m,
+                               glow.fortran_vec (), ghigh.fortran_vec (), Index (p.jac.rows ()),
+                               Index (p.hess.rows ()), 1, value, constraints, gradient, jacobian,
+                               hessian);
+  if (! t->nlp)
     error ("Ipopt: the problem could not be set up");
-  set_options (nlp, args(8).cell_value ());
-  SetIntermediateCallback (nlp, after_each);
-  ColumnVector g (p.m), lambda (p.m, 0.0), zl (p.n, 0.0), zu (p.n, 0.0);
-  double J = 0;
-  int status = IpoptSolve (nlp, x.fortran_vec (), g.fortran_vec (), &J, lambda.fortran_vec (),
-                           zl.fortran_vec (), zu.fortran_vec (), &p);
-  FreeIpoptProblem (nlp);
-  if (p.broken)
-    throw octave::interrupt_exception ();
-  Matrix log (5, p.log.size () / 5);
-  std::copy (p.log.begin (), p.log.end (), log.fortran_vec ());
-  return ovl (x, status, J, g, lambda, zl, zu, log.transpose (), p.text);
+  set_options (t->nlp, args(8).cell_value ());
+  SetIntermediateCallback (t->nlp, after_each);
+  t->x = x0;
+  t->g = ColumnVector (p.m);
+  t->lambda = ColumnVector (p.m, 0.0);
+  t->zl = t->zu = ColumnVector (p.n, 0.0);
+  bool whole = true, late = false;
+  if (p.native)
+    whole = the_worker.solve (t, late);
+  else
+    t->solve ();
+  octave_value_list r;
+  if (whole && ! p.interrupted)
+    r = ovl (t->x, t->status, t->J, t->g, t->lambda, t->zl, t->zu);
+  else
+    {
+      if (! late)
+        octave::interpreter::the_interpreter ()->recover_from_exception ();
+      r = t->last (x0);
+    }
+  octave_quit ();   // SIGTERM
+  Matrix log (5, 0);
+  if (whole)
+    {
+      log = Matrix (5, p.log.size () / 5);
+      std::copy (p.log.begin (), p.log.end (), log.fortran_vec ());
+    }
+  r.append (log.transpose ());
+  r.append (p.text);
+  r.append (p.interrupted && ! late);
+  return r;
 }

@@ -13,12 +13,42 @@
 #include "adjoint.h"
 #include "collocation.h"
 
+static bool the_interrupt_is_old = false;   // a run ended by it
+
 // what Ctrl-C is to Octave
 static octave_value_list
 do_interrupt (arguments&, int)
 {
+  the_interrupt_is_old = true;
   octave::interpreter::the_interpreter ()->recover_from_exception ();
   throw octave::interrupt_exception ();
+}
+
+// (function, seconds): 0, or by what it was ended, 1: Ctrl-C, 2: it took longer (Inf: never);
+// what it gives.  A second Ctrl-C within half a second ends who called, too.
+static octave_value_list
+do_guarded (arguments& a, int nargout)
+{
+  const octave_value f = a.value ("function");
+  alarm_clock late (a.value ("seconds").double_value ());
+  try
+    {
+      octave_value_list r = octave::feval (f, ovl (), std::max (0, nargout - 1));
+      late.off ();
+      return r.prepend (0.0);
+    }
+  catch (const octave::interrupt_exception&)
+    {
+      octave::interpreter::the_interpreter ()->recover_from_exception ();
+      late.off ();
+      const bool counted = the_interrupt_is_old;
+      the_interrupt_is_old = false;
+      if (! late.rang () && ! counted && patience::again ())
+        throw;
+    }
+  octave_value_list none (std::max (1, nargout), Matrix ());
+  none(0) = late.rang () ? 2.0 : 1.0;
+  return none;
 }
 
 // for the functions of octave/ and for tests
@@ -31,7 +61,8 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "program at", do_program_at }, { "program part", do_program_part },
         { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },
         { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
-        { "solve", do_solve }, { "interrupt", do_interrupt }, { "calls", do_calls } };
+        { "solve", do_solve }, { "interrupt", do_interrupt }, { "guarded", do_guarded },
+        { "calls", do_calls } };
 
 static octave_value_list
 dispatch (const std::string& call, const octave_value_list& args, int nargout)

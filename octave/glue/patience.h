@@ -1,6 +1,7 @@
 // Runs that are ended from outside, by Ctrl-C or after a wall time, with the rows so far, and that
 // tell a terminal how far they are.  Octave takes SIGINT in a thread of its own and counts it in
-// octave_interrupt_state: that, and one word, is all that a call of the right-hand side looks at.
+// octave_interrupt_state; of other signals, SIGTERM, octave_signal_caught tells.  These and one
+// word are all that a call of the right-hand side looks at.
 #pragma once
 
 #include "numbers.h"
@@ -30,13 +31,21 @@ public:
   void reached (double at) { m_at = at; }
   // at a call of the right-hand side: is it over?
   bool look (double t);
-  // behind the runs: a Ctrl-C that ended them is dealt with; one within half a second of such a
-  // one is left to Octave, so that whatever called them ends, too
+  // behind the runs: what Octave ends by is thrown; a Ctrl-C that ended them is dealt with; one
+  // within half a second of such a one is left to Octave, so that whatever called them ends, too
   void settle (void);
 
   static bool asked (void)
   {
-    return word.load (std::memory_order_relaxed) != 0 || signalled ();
+    return word.load (std::memory_order_relaxed) != 0 || signalled () || octave_signal_caught;
+  }
+  // whether a Ctrl-C came within half a second of the last one
+  static bool again (void)
+  {
+    static clock::time_point last = clock::now () - std::chrono::hours (1);
+    const clock::time_point before = last;
+    last = clock::now ();
+    return last - before <= std::chrono::milliseconds (500);
   }
   static bool signalled (void)
   {
@@ -57,10 +66,13 @@ private:
   }
   void watch (void);
   void show (void);
+  void other_signals (void);
 
   static std::atomic<int> word;   // not 0: look
 
   patience *m_outer;
+  const std::thread::id m_owner;   // Octave's
+  std::exception_ptr m_end_of_octave;
   std::atomic<int> m_why;
   std::atomic<double> m_at;
   clock::time_point m_begin;
@@ -72,15 +84,62 @@ private:
   std::thread m_watcher;
 };
 
+// A Ctrl-C of its own after so many seconds (Inf: never), until it is switched off
+class alarm_clock
+{
+public:
+
+  explicit alarm_clock (double seconds) : m_off (false), m_rang (false)
+  {
+    if (seconds < 1e9)
+      m_thread = std::thread (&alarm_clock::wait, this, std::max (0.0, seconds));
+  }
+  ~alarm_clock (void) { off (); }
+  alarm_clock (const alarm_clock&) = delete;
+
+  bool rang (void) const { return m_rang; }
+
+  void off (void)
+  {
+    if (! m_thread.joinable ())
+      return;
+    {
+      std::lock_guard<std::mutex> guard (m_mutex);
+      m_off = true;
+    }
+    m_end.notify_one ();
+    m_thread.join ();
+    if (m_rang)
+      octave_interrupt_state = 0;
+  }
+
+private:
+
+  void wait (double seconds)
+  {
+    std::unique_lock<std::mutex> lock (m_mutex);
+    m_rang = ! m_end.wait_for (lock, std::chrono::duration<double> (seconds),
+                               [this] { return m_off; });
+    if (m_rang)
+      octave_signal_caught = octave_interrupt_state = 1;
+  }
+
+  bool m_off, m_rang;
+  std::mutex m_mutex;
+  std::condition_variable m_end;
+  std::thread m_thread;
+};
+
 std::atomic<int> patience::word (0);
 static patience *the_patience = nullptr;
 // where a run of GSSIM is left from; a null pointer: INFO < 0 ends it
 static thread_local std::jmp_buf *the_exit = nullptr;
 
 patience::patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what)
-  : rates (rhs), in_time (*what == 's'), m_outer (the_patience), m_why (none), m_at (first),
-    m_begin (clock::now ()), m_timeout (timeout), m_first (first), m_last (last), m_what (what),
-    m_terminal (isatty (2)), m_shown (false), m_over (false)
+  : rates (rhs), in_time (*what == 's'), m_outer (the_patience),
+    m_owner (std::this_thread::get_id ()), m_why (none), m_at (first), m_begin (clock::now ()),
+    m_timeout (timeout), m_first (first), m_last (last), m_what (what), m_terminal (isatty (2)),
+    m_shown (false), m_over (false)
 {
   word = 0;
   the_patience = this;
@@ -118,6 +177,8 @@ patience::look (double t)
 {
   if (signalled ())
     stop (interrupted);
+  else if (octave_signal_caught && std::this_thread::get_id () == m_owner)
+    other_signals ();
   if (in_time)
     m_at = t;
   int told = tell;
@@ -125,17 +186,37 @@ patience::look (double t)
   return why () != none;
 }
 
+// what Octave has to do: for SIGTERM it throws, which ends it
+void
+patience::other_signals (void)
+{
+  try
+    {
+      OCTAVE_QUIT;
+    }
+  catch (const octave::interrupt_exception&)
+    {
+      octave::interpreter::the_interpreter ()->recover_from_exception ();
+      stop (interrupted);
+    }
+  catch (...)
+    {
+      m_end_of_octave = std::current_exception ();
+      stop (failed);
+    }
+}
+
 void
 patience::settle (void)
 {
-  static clock::time_point last = clock::now () - std::chrono::hours (1);
+  if (m_end_of_octave)
+    std::rethrow_exception (m_end_of_octave);
   if (why () != interrupted)
     return;
-  if (clock::now () - last > std::chrono::milliseconds (500))
-    octave_interrupt_state = 0;
-  else
+  if (again ())
     octave_signal_caught = octave_interrupt_state = 1;
-  last = clock::now ();
+  else
+    octave_interrupt_state = 0;
   OCTAVE_QUIT;
 }
 

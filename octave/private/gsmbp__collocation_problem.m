@@ -10,7 +10,7 @@ function [p, o] = gsmbp__collocation_problem (who, m, x0, xf, given)
            "intervals", 20, "whole"; "accuracy", 1e-6, "tolerance"; "refinements", 6, "whole"
            "guess", [], "any"; "polish", true, "flag"; "regularize", 1, "nonnegative"
            "tolerance", 1e-9, "tolerance"
-           "iterations", 500, "whole"; "seconds", 60, "positive"};
+           "iterations", 500, "whole"; "seconds", 60, "positive"; "timeout", 0, "nonnegative"};
   o = gsmbp__options (who, table, given);
   needed (who, m, o);
   p.x0 = ends (who, m, "x0", x0);

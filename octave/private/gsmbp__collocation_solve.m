@@ -1,7 +1,7 @@
 ## s = gsmbp__collocation_solve (who, m, p, mesh, guess, o)
 ## The program of gsmbp__transcription on MESH solved by Ipopt from GUESS (t from 0 to 1, x, v, ud,
 ## lambda, T, parameters).  S: c, z, t, x, ud, lambda, v, T, parameters, F (functions), g, low,
-## high, multipliers, and what gsmbp__ipopt tells.
+## high, multipliers, stopped ("", "interrupted", "timeout" at O.ends), and what gsmbp__ipopt tells.
 
 function s = gsmbp__collocation_solve (who, m, p, mesh, guess, o)
   c = gsmbp__transcription (m, p, mesh);
@@ -12,12 +12,17 @@ function s = gsmbp__collocation_solve (who, m, p, mesh, guess, o)
   [q.low, q.high] = bounds (c, p);
   q.x0 = start (c, guess, q);
   o.evaluations = Inf;
+  o.seconds = max (1e-3, min (o.seconds, o.ends - time ()));
   ## of MUMPS: some ten times as fast on these programs as what it does by itself; the adaptive
   ## barrier: a third fewer iterations on the cases of the tests
   o.options = {"mumps_scaling", int32(8), "mumps_pivot_order", int32(4), "mu_strategy", "adaptive"};
   folder = fullfile (fileparts (fileparts (m.file)), "common");
   r = gsmbp__ipopt (who, folder, q, o);
   s = taken_apart (c, r);
+  s.stopped = {"", "timeout"}{1 + (r.limit && time () >= o.ends)};
+  if (r.interrupted)
+    s.stopped = "interrupted";
+  endif
   s.c = c;
   s.low = q.low;
   s.high = q.high;

@@ -8,7 +8,7 @@
 function [best, ends, told] = gsmbp__design_choices (who, P, o)
   lists = {P.free(! cellfun (@isempty, {P.free.list})).list};
   told = struct ("how", o.choices, "combinations", prod (cellfun (@numel, lists)), "solved", 0, ...
-                 "limit", false, "open", Inf);
+                 "limit", false, "open", Inf, "stopped", "");
   if (strcmp (o.choices, "auto"))
     told.how = merge (told.combinations > 100, "branch", "all");
   endif
@@ -28,16 +28,25 @@ function [best, ends, told] = every_one (who, P, o, lists, told)
   ends = none ();
   list = combinations (lists);
   for k = 1:rows (list)
+    if (k > 1 && time () >= o.ends)
+      told.stopped = "timeout";
+      break;
+    endif
     [one, here, failed] = tried (who, gsmbp__design_chosen (P, list(k,:), list(k,:)), o);
     ends = [ends, here];
     told.solved++;
     if (isempty (failed) && better (one, best))
       best = one;
     endif
+    if (isempty (failed) && ! isempty (one.stopped))
+      told.stopped = one.stopped;
+      break;
+    endif
   endfor
-  if (isempty (best))
+  if (isempty (best) && isempty (told.stopped))
     rethrow (failed);
   endif
+  best = stopped (who, best, told, o);
 endfunction
 
 ## a problem solved, or why it cannot be calculated where it begins
@@ -46,6 +55,9 @@ function [one, ends, failed] = tried (who, Q, o)
   try
     [one, ends] = gsmbp__design_solve (who, Q, o);
   catch failed
+    if (strcmp (failed.identifier, "gsmbp:stopped"))
+      rethrow (failed);
+    endif
     values = Q.given;
     for f = Q.free
       values.(strrep (f.name, ".", "_")) = f.start;
@@ -74,6 +86,10 @@ function [best, ends, told] = branched (who, P, o, lists, told)
     [told.open, k] = min ([open.bound]);   # the best bound first
     if (! worth (told.open, best))
       break;
+    elseif (told.solved > 0 && time () >= o.ends)
+      told.stopped = "timeout";
+      told.limit = true;
+      break;
     elseif (told.solved >= o.nodes)
       told.limit = true;
       break;
@@ -83,6 +99,14 @@ function [best, ends, told] = branched (who, P, o, lists, told)
     [one, here, failed, values] = solved (who, P, o, lists, node);
     told.solved++;
     whole = all (node.from == node.to);
+    if (isempty (failed) && ! isempty (one.stopped))
+      told.stopped = one.stopped;
+      told.limit = true;
+      if (whole && worth (one.e.J, best) && one.violation <= 1e-6)
+        best = one;
+      endif
+      break;
+    endif
     if (whole)
       ends = [ends, here];
     endif
@@ -108,7 +132,7 @@ function [best, ends, told] = branched (who, P, o, lists, told)
   if (! told.limit)
     told.open = Inf;
   endif
-  if (isempty (best))
+  if (isempty (best) && isempty (told.stopped))
     best = refused;
   endif
   if (isempty (best) && ! told.limit)
@@ -119,7 +143,18 @@ endfunction
 
 ## the end that a limit leaves, if any
 function best = stopped (who, best, told, o)
-  if (isempty (best))
+  if (! isempty (told.stopped))
+    if (isempty (best))
+      error ("gsmbp:stopped", "%s: %s before a combination of choices was completed", who, ...
+             gsmbp__stopped_by (told.stopped));
+    endif
+    [best.stopped, best.limit, best.solved] = deal (told.stopped, true, false);
+    best.ended = gsmbp__stopped_by (told.stopped);
+    if (told.combinations > 1)
+      best.ended = sprintf ("%s after %d problems for %d combinations of choices", best.ended, ...
+                            told.solved, told.combinations);
+    endif
+  elseif (isempty (best) && told.limit)
     error (["%s: no combination of choices was completed within the limit of %d problems " ...
             "(option nodes); the best may reach %g"], who, o.nodes, told.open);
   elseif (told.limit)

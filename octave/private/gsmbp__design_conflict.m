@@ -65,6 +65,10 @@ function [z, miss] = relaxed (who, P, q, o, k, z0)
       endif
       continue;
     end_try_catch
+    if (! isempty (r.stopped))
+      error ("gsmbp:stopped", ["%s: %s while it was looked for the least set of demands that " ...
+                               "contradict each other"], who, gsmbp__stopped_by (r.stopped));
+    endif
     here = missed (gsmbp__design_assess (P, r.z(1:n)), ns, size_);
     if (sum (here) < sum (best))
       best = here;

@@ -10,7 +10,7 @@ function [r, info] = gsmbp__design_result (who, best, o, P, tally)
   r.results = best.e.results;
   r.active = told (best.active);
   for name = {"solved", "ended", "limit", "violation", "optimality", "iterations", ...
-              "evaluations", "solver", "starts"}
+              "evaluations", "solver", "starts", "stopped"}
     r.(name{1}) = best.(name{1});
   endfor
   r.derivatives = derivatives (Q, best);

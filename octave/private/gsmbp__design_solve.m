@@ -7,12 +7,24 @@ function [best, ends] = gsmbp__design_solve (who, P, o)
   best = [];
   Z = places (P, o);
   for k = 1:columns (Z)
+    if (k > 1 && time () >= o.ends)
+      best = cut_short (best, "timeout");
+      break;
+    endif
     try
-      [P, q] = set_up (P, Z(:,k));
+      [cut, P_, q] = o.guard (@() set_up (P, Z(:,k)));
+      if (cut)
+        error ("gsmbp:stopped", "%s: %s before the first values were there", who, ...
+               gsmbp__stopped_by ({"interrupted", "timeout"}{cut}));
+      endif
+      P = P_;
       used = solver (P, q, o);
       r = one (who, P, q, setfield (o, "solver", used));
     catch err
-      if (k == 1)
+      if (k > 1 && strcmp (err.identifier, "gsmbp:stopped"))
+        best = cut_short (best, {"interrupted", "timeout"}{1 + (time () >= o.ends)});
+        break;
+      elseif (k == 1)
         rethrow (err);
       endif
       values = gsmbp__as_struct (P, Z(:,k) .* reshape ([P.free.scale], [], 1));
@@ -27,7 +39,18 @@ function [best, ends] = gsmbp__design_solve (who, P, o)
         || ((r.violation <= 1e-6) == (best.violation <= 1e-6) && r.e.J < best.e.J))
       best = r;
     endif
+    if (! isempty (r.stopped))
+      best = cut_short (best, r.stopped);
+      break;
+    endif
   endfor
+endfunction
+
+function best = cut_short (best, stopped)
+  best.stopped = stopped;
+  best.ended = gsmbp__stopped_by (stopped);
+  best.limit = true;
+  best.solved = false;
 endfunction
 
 ## columns: the start, then others, given or by chance
@@ -108,8 +131,8 @@ function r = one (who, P, q, o)
     e = q.f(q.z0);
     r = struct ("z", q.z0, "e", e, "iterations", 0, "evaluations", 1, "ended", ...
                 ended, ...
-                "limit", false, "trouble", "", "size_J", 1, "size_g", max ([abs(e.g), ...
-                        ones(numel (e.g), 1)], [], 2));
+                "limit", false, "trouble", "", "stopped", "", "size_J", 1, ...
+                "size_g", max ([abs(e.g), ones(numel (e.g), 1)], [], 2));
     r.violation = max ([0; (e.low - e.g) ./ r.size_g; (e.g - e.high) ./ r.size_g]);
     r.optimality = 0;
   else

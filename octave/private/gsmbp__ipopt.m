@@ -4,7 +4,7 @@
 ## entries, two columns; hess []: Ipopt's own by limited memory); f (what, x, factor, lambda), or
 ## the address of a program in a module.  O: tolerance, iterations, evaluations, seconds, and
 ## options, more words of Ipopt with their values. R: x, J, g, lambda, zl, zu, status (of Ipopt),
-## ended (a sentence), solved, limit, log, text.
+## ended (a sentence), solved, limit, log, text, interrupted.
 
 function r = gsmbp__ipopt (who, folder, p, o)
   persistent loaded = "";
@@ -21,12 +21,15 @@ function r = gsmbp__ipopt (who, folder, p, o)
               "max_iter", int32(o.iterations), "acceptable_tol", 1e-7, "acceptable_iter", ...
                   int32(8), ...
               "bound_relax_factor", 1e-10}, way, o.options];
-  [r.x, r.status, r.J, r.g, r.lambda, r.zl, r.zu, r.log, r.text] = ...
+  [r.x, r.status, r.J, r.g, r.lambda, r.zl, r.zu, r.log, r.text, r.interrupted] = ...
       gsmbp_ipopt_solve (p.x0, p.low, p.high, p.glow, p.ghigh, p.jac, p.hess, p.f, options, ...
                          o.evaluations, o.seconds);
-  r.solved = any (r.status == [0, 1, 6]);
-  r.limit = any (r.status == [5, -1, -4]);
+  r.solved = any (r.status == [0, 1, 6]) && ! r.interrupted;
+  r.limit = any (r.status == [5, -1, -4]) || r.interrupted;
   r.ended = sentence (r.status, o);
+  if (r.interrupted)
+    r.ended = gsmbp__stopped_by ("interrupted");
+  endif
   r.infeasible = r.status == 2;
 endfunction
 

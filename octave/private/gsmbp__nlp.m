@@ -3,11 +3,13 @@
 ## low, high (constraints low <= g <= high) and H (the Hessian, where Q.newton).  O: solver,
 ## tolerance, iterations, evaluations, seconds.  R: z, e (what f gives there), violation (beside
 ## the sizes of the constraints), evaluations, iterations, ended, limit, trouble (the last error
-## of f).
+## of f), stopped ("", "interrupted" by Ctrl-C, or "timeout" at O.ends: z is then the best so far).
 
 function r = gsmbp__nlp (who, folder, q, o)
-  memory = memory_of (@(z) loosened (q.f(z)));
+  memory = memory_of (@(z) loosened (q.f(z)), o);
+  o.seconds = max (1e-3, min (o.seconds, o.ends - time ()));
   e = memory (q.z0, false);
+  nothing_yet (who, memory ("stopped"), e);
   size_J = max ([abs(e.J); abs(e.gJ); 1e-12]);
   size_g = sizes (e);
   if (strcmp (o.solver, "ipopt"))
@@ -15,11 +17,28 @@ function r = gsmbp__nlp (who, folder, q, o)
   else
     r = by_nlopt (who, q, o, memory, e, size_J, size_g);
   endif
+  late = r.limit && time () >= o.ends;
   r.z = min (max (r.z(:), q.low), q.high);
   [r.e, r.evaluations, r.trouble] = memory (r.z, false);
+  [r.stopped, best] = memory ("stopped");
+  if (late && isempty (r.stopped))
+    r.stopped = "timeout";
+  endif
+  if (! isempty (r.stopped))
+    [r.z, r.e] = deal (best, memory ("best"));
+    r.ended = gsmbp__stopped_by (r.stopped);
+    r.limit = true;
+  endif
   r.size_g = size_g;
   r.size_J = size_J;
   r.violation = violation (r.e, size_g);
+endfunction
+
+function nothing_yet (who, stopped, e)
+  if (isempty (e))
+    error ("gsmbp:stopped", "%s: %s before the first values were there", who, ...
+           gsmbp__stopped_by (stopped));
+  endif
 endfunction
 
 function s = sizes (e)
@@ -43,34 +62,59 @@ function v = violation (e, size_g)
   v = max ([0; (e.low - e.g) ./ size_g; (e.g - e.high) ./ size_g]);
 endfunction
 
-## f with its last point kept; a point where it fails is one without a value
-function at = memory_of (f)
-  recalled (f);
+## f with its last point and its best one kept; a point where it fails is one without a value; all
+## are, once Ctrl-C or O.ends was there, or at ("interrupted"): at ("stopped") tells which, at
+## ("best") what f gave at best
+function at = memory_of (f, o)
+  recalled (f, o);
   at = @recalled;
 endfunction
 
 function [e, count, text] = recalled (z, may_fail)
   persistent M;
-  if (nargin < 2)
-    M = struct ("f", z, "z", NaN, "e", [], "count", 0, "text", "");
+  if (is_function_handle (z))
+    M = struct ("f", z, "z", NaN, "e", [], "count", 0, "text", "", "ends", may_fail.ends, ...
+                "guard", may_fail.guard, "stopped", "", "best", [], "at", z, "miss", Inf);
+    return;
+  elseif (strcmp (z, "interrupted"))
+    M.stopped = z;
+    return;
+  elseif (ischar (z))
+    [e, count] = deal (M.(z), M.at);
     return;
   endif
   if (! isequal (M.z, z(:)))
-    M.z = NaN;
-    M.count++;
-    e = [];
-    try
-      e = M.f(z(:));
-    catch err
-      if (! may_fail)
-        rethrow (err);
-      endif
-      M.text = err.message;
-    end_try_catch
-    M.z = z(:);
-    M.e = e;
+    M = moved (M, z(:), may_fail);
   endif
   [e, count, text] = deal (M.e, M.count, M.text);
+endfunction
+
+function M = moved (M, z, may_fail)
+  M.z = NaN;
+  M.e = [];
+  if (isempty (M.stopped) && may_fail && time () > M.ends)
+    M.stopped = "timeout";
+  endif
+  if (! isempty (M.stopped))
+    return;
+  endif
+  M.count++;
+  try
+    [cut, M.e] = M.guard (@() M.f(z));
+    M.stopped = {"", "interrupted", "timeout"}{1 + cut};
+  catch err
+    if (! may_fail)
+      rethrow (err);
+    endif
+    M.text = err.message;
+  end_try_catch
+  M.z = z;
+  if (! isempty (M.e))
+    miss = max (1e-6, violation (M.e, sizes (M.e)));
+    if (isempty (M.best) || miss < M.miss || (miss == M.miss && M.e.J < M.best.J))
+      [M.best, M.at, M.miss] = deal (M.e, z, miss);
+    endif
+  endif
 endfunction
 
 function r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g)
@@ -93,6 +137,9 @@ function r = by_ipopt (who, folder, q, o, memory, e, size_J, size_g)
   r = gsmbp__ipopt (who, folder, p, o);
   r.z = r.x;
   r.iterations = max (0, rows (r.log) - 1);
+  if (r.interrupted)
+    memory ("interrupted");
+  endif
 endfunction
 
 function v = asked (memory, size_J, size_g, what, z, factor)
@@ -146,7 +193,18 @@ function r = by_nlopt (who, q, o, memory, e, size_J, size_g)
     endif
   endfor
   goal ();
-  [z, ~, code] = nlopt_optimize (t, q.z0');
+  try
+    [cut, z, ~, code] = o.watch (@() nlopt_optimize (t, q.z0'));
+    if (cut)
+      memory ("interrupted");
+      [z, code] = deal (q.z0', -5);   # the best so far takes its place
+    endif
+  catch err
+    if (! strcmp (err.identifier, "gsmbp:stopped"))
+      rethrow (err);
+    endif
+    [z, code] = deal (q.z0', -5);
+  end_try_catch
   r = struct ("z", z', "iterations", NaN, "limit", any (code == [5, 6]), "infeasible", false, ...
               "solved", any (code == [1, 3, 4]), "ended", sentence (code, o));
 endfunction
@@ -174,6 +232,7 @@ function varargout = goal (memory, z, size_J, size_g)
   endif
   e = memory (z', true);
   if (isempty (e))
+    stop (memory);
     varargout = {Inf, zeros(size (z))};
     return;
   endif
@@ -192,9 +251,16 @@ function varargout = goal (memory, z, size_J, size_g)
   endif
 endfunction
 
+function stop (memory)
+  if (! isempty (memory ("stopped")))
+    error ("gsmbp:stopped", "stopped");
+  endif
+endfunction
+
 function varargout = constraint (memory, z, k, side, size_)
   e = memory (z', true);
   if (isempty (e))
+    stop (memory);
     varargout = {Inf, zeros(size (z))};
   elseif (side > 0)
     varargout = {(e.g(k) - e.high(k)) / size_, e.A(k,:) / size_};

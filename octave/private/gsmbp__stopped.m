@@ -9,21 +9,21 @@ function word = gsmbp__stopped (who, m, info, at, say)
     return;
   endif
   word = {"interrupted", "timeout"}{info - 8};
-  if (info == 9 && within_another (dbstack ("-completenames")))
+  if (info == 9 && within_another (who, dbstack ("-completenames")))
     m.module ("interrupt");
   endif
   if (say)
-    how = {"interrupted by Ctrl-C", "ended by option timeout"}{info - 8};
     warning ("gsmbp:stopped", "%s: %s: %s %s; the result has what there is so far", who, m.name, ...
-             how, at);
+             gsmbp__stopped_by (word), at);
   endif
 endfunction
 
-## is one of the callers in a file of the package that does not give such results itself?
-function yes = within_another (stack)
+## is one of the callers of WHO in a file of the package that does not give such results itself?
+function yes = within_another (who, stack)
   folder = [gsmbp__place("octave") filesep];
+  stack(1:find (strcmp ({stack.name}, who), 1)) = [];
   here = {stack(strncmp ({stack.file}, folder, numel (folder))).file};
   [~, names] = cellfun (@fileparts, here, "UniformOutput", false);
-  own = '^gsmbp_(simulate|ensemble|sweep|_sweep\w*|_stopped)$';
+  own = '^gsmbp_(simulate|ensemble|sweep|_sweep\w*)$';
   yes = any (cellfun (@isempty, regexp (names, own, "once")));
 endfunction
