@@ -55,6 +55,8 @@
 ## @item stopped
 ## "interrupted" by Ctrl-C or "timeout" (that of all runs together), with what there is so far
 ## and a warning (@code{gsmbp:stopped}); else ""
+## @item cut
+## for each run: whether that ended it, or did not let it begin
 ## @end table
 ##
 ## @c session octave
@@ -95,6 +97,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
+  e.cut = info(1,:)' == 9 | info(1,:)' == 10;
   e.stopped = gsmbp__stopped (who, m, max ([0, info(1,info(1,:) >= 9)]), done, true);
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction

@@ -101,7 +101,10 @@ function text = run_summary (r, o)
   endif
   said = sprintf ("From t = %.6g s to %.6g s, %d instants", r.t(1), r.t(end), numel (r.t));
   if (isfield (r, "stats") && isfield (r.stats, "method"))
-    said = sprintf ("%s; method %s, rtol %.3g", said, r.stats.method, r.stats.rtol);
+    said = sprintf ("%s; method %s", said, r.stats.method);
+    if (isfinite (r.stats.rtol))
+      said = sprintf ("%s, rtol %.3g", said, r.stats.rtol);
+    endif
   endif
   text = [text, sprintf("<p>%s.</p>\n", gsmbp__html (said))];
 endfunction

@@ -50,7 +50,7 @@
 ## @item "timeout"
 ## the wall time [s] after which the run ends with the rows so far; 0 (default): no limit
 ## @item "maxorder"
-## gauss: the order, 4, 6 (default) or 8; radau: the largest order, 5, 9 or 13 (default);
+## gauss: the order, 4, 6 (default) or 8; radau, auto: the largest order, 5, 9 or 13 (default);
 ## cvode: 1 to 5 (default).  Above 2 BDF is unstable for fast oscillations with hardly any
 ## damping: where cvode takes steps as small as these although they have died out, take 2.
 ## @item "loops"
@@ -228,7 +228,7 @@
 ## the method of the last step; radau, cvode: evaluations of the Jacobian, iterations
 ## of Newton's method
 ## @item rtol, atol
-## the tolerances that were kept to
+## the tolerances that were kept to; NaN of rk4 and gauss, which have none
 ## @item smallest_step, largest_step, reached
 ## of the accepted steps [s]; the time to which the run came [s]
 ## @item events, instants
@@ -334,6 +334,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);
+  if (any (strcmp (result.stats.method, {"rk4", "gauss"})))
+    [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
+  endif
   gsmbp__run_warnings (who, m, result.stats);
   at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);

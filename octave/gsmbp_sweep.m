@@ -97,6 +97,9 @@
 ##    64    3
 ## @end example
 ##
+## A warning (@code{gsmbp:sign}) tells of lengths, masses, inertias that are above 0 in the
+## model and below in samples.
+##
 ## Errors: as @code{gsmbp_ensemble}; a distribution or a word that is none; more than 20
 ## parameters in a plan of Sobol points; a file that is there already; a disk that is full.
 ## Source: Joe and Kuo, direction numbers (2008); Saltelli and others, variance based sensitivity
@@ -119,8 +122,9 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   plain = kept(! [kept.whole]);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   check_demands (who, o.demand, w.names);
-  s = struct ("m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, "table", ...
-              table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
+  told_of_signs (who, m, names, w.units, table);
+  s = struct ("who", who, "m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, ...
+              "table", table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
               "timeout", o.timeout);
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
@@ -156,13 +160,24 @@ function units = units_of (m, names)
   endfor
 endfunction
 
+## a length, a mass or an inertia that the model has above 0 and samples have below
+function told_of_signs (who, m, names, units, table)
+  for k = 1:numel (names)
+    below = nnz (table(:,k) < 0);
+    if (below > 0 && any (strcmp (units{k}, {"m", "mm", "kg", "kg*m^2"})) && m.par.(names{k}) > 0)
+      warning ("gsmbp:sign", ["%s: option vary: %s is %g %s in the model, and below 0 in %d of " ...
+                              "%d samples"], who, names{k}, m.par.(names{k}), units{k}, below, ...
+               rows (table));
+    endif
+  endfor
+endfunction
+
 function stopped = said_if_stopped (who, m, o, r)
   stopped = r.stopped;
   if (! isempty (stopped))
     how = {"; \"resume\", true goes on", ""}{1 + isempty(o.file)};
     warning ("gsmbp:stopped", "%s: %s: %s with %d of %d runs made%s", who, m.name, ...
-             gsmbp__stopped_by (stopped), ...
-             nnz (r.made), numel (r.made), how);
+             gsmbp__stopped_by (stopped), nnz (r.made), numel (r.made), how);
   endif
 endfunction
 

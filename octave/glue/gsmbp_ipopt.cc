@@ -6,8 +6,9 @@
 // that are not zero always (hess: lower triangle; [] where there is none), f (what, x, factor,
 // lambda) gives "f", "grad", "g", "jac", "hess" as columns, or is the address of a gsmbp_program,
 // options: a cell array of names and values, most: calls of f at new points at most, seconds: on
-// the clock. log: a row for each iteration: J, infeasibility, dual infeasibility, mu, step; text: the
-// last error of f; interrupted: by Ctrl-C, x is then the last iterate, the multipliers are NaN
+// the clock. log: a row for each iteration: J, infeasibility, dual infeasibility, mu, step;
+// text: the last error of f; interrupted: by Ctrl-C, x is then the last iterate, the
+// multipliers are NaN
 #include <octave/oct.h>
 #include <octave/parse.h>
 

@@ -39,8 +39,11 @@ endfunction
 
 ## what the implicit methods have: BDF the orders 1 to 5, collocation of Radau and Gauss three
 function order = maxorder (who, order, method)
-  orders = struct ("radau", [5, 9, 13], "gauss", [4, 6, 8]);
-  if (isfield (orders, method))
+  orders = struct ("radau", [5, 9, 13], "auto", [5, 9, 13], "gauss", [4, 6, 8]);
+  if (any (strcmp (method, {"dp853", "rk4"})) && ! isempty (order))
+    error ("%s: option maxorder: method %s has one order alone, found %s", who, method, ...
+           gsmbp__shown (order));
+  elseif (isfield (orders, method))
     orders = orders.(method);
   else
     orders = 1:5;

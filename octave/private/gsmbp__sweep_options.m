@@ -29,6 +29,15 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
   elseif (o.resume && isempty (o.file))
     error ("%s: option resume goes on with what stands beside option file, which is missing", who);
   endif
+  for name = {"file", "program"}
+    if (isempty (o.(name{1})) && any (strcmp (names, name{1})))
+      error ("%s: option %s: expected a name, found an empty text", who, name{1});
+    endif
+  endfor
+  if (any (strcmp (o.plan, {"grid", "corners"})) && any (strcmp (names, "runs")))
+    error (["%s: option runs: expected none for the plan \"%s\", whose runs follow from option " ...
+            "vary, found %g"], who, o.plan, o.runs);
+  endif
   if (o.timeout > 0 && ! isempty (o.program))
     error ("%s: option timeout is for the runs of this session, not for option program", who);
   endif

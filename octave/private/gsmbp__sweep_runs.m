@@ -2,7 +2,8 @@
 ## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
 ## names, table, kept, threads, chunk; J: a journal, [] for none.  R: values, ok,
 ## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
-## (whether they were), stopped ("", or what ended all: a chunk under way is then none).
+## (whether they were), stopped ("", or what ended all; of the chunk under way the runs that came to
+## their end before are kept).
 
 function r = gsmbp__sweep_runs (who, s, j)
   n = rows (s.table);
@@ -13,7 +14,7 @@ function r = gsmbp__sweep_runs (who, s, j)
   missing = true (n, 1);
   if (! isempty (j))
     [r, missing] = read_chunks (r, j, missing);
-  else
+  elseif (any (whole))
     r.whole(:) = {NaN(n, numel (s.times))};
   endif
   d = s.m.sizes;
@@ -27,16 +28,25 @@ function r = gsmbp__sweep_runs (who, s, j)
     first = find (missing, 1);
     last = min ([first + some - 1, n, first - 2 + find(! [missing(first:end); false], 1)]);
     took = tic ();
-    [block, text, seconds, r.stopped] = chunk (s, first:last, ends - time ());
+    [cut, b] = s.m.module ("guarded", @() chunk (s, first:last, ends - time ()), Inf);
+    if (cut)   # between runs
+      r.stopped = "interrupted";
+      gsmbp__stopped (who, s.m, 9, "", false);
+      break;
+    endif
+    r.seconds += b.seconds;
+    for i = stretches (b.made)   # whole chunks on disk, however short
+      text = [b.lines{i(1):i(2)}, ""];
+      if (! isempty (j))
+        j.call ("write", j.folder, first + i(1) - 2, b.table(i(1):i(2),:), text);
+      endif
+      r = taken (r, first + i(1) - 1, b.table(i(1):i(2),:), text, isempty (j), numel (s.times));
+      missing(first-1+(i(1):i(2))) = false;
+    endfor
+    r.stopped = b.stopped;
     if (! isempty (r.stopped))
       break;
     endif
-    if (! isempty (j))
-      j.call ("write", j.folder, first - 1, block, text);
-    endif
-    r = taken (r, first, block, text, isempty (j), numel (s.times));
-    r.seconds += seconds;
-    missing(first:last) = false;
     some = min (most, some * (1 + 3 * (toc (took) < 0.5)));
     how_far (who, s.m, n, before, nnz (missing), toc (begin));
   endwhile
@@ -67,30 +77,43 @@ function [r, missing] = read_chunks (r, j, missing)
   endfor
 endfunction
 
-## runs: a row for each, ok, reached, what is kept, whole runs; a line for each that failed
-function [block, text, seconds, stopped] = chunk (s, i, left)
+## columns: first and last of the runs in a row that were made
+function pairs = stretches (made)
+  edges = diff ([false; made(:); false]);
+  pairs = [find(edges == 1)'; find(edges == -1)' - 1];
+endfunction
+
+## a block of runs: table, a row for each, ok, reached, what is kept, whole runs; lines, one for
+## each
+## that failed, else ""; made, whether it came to an end of its own; seconds, stopped
+function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
-  [block, text, seconds, stopped] = deal ([], "", 0, "timeout");
+  b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...
+              "timeout");
   if (left <= 0)
     return;
   endif
   ## without lanes: the program of the sweep (gsmbp__sweep_program) has none, its table is this one
-  e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "lanes", false, ...
-                      "timeout", {left, 0}{1 + isinf(left)}, ...
-                      "parameters", cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
-  stopped = e.stopped;
+  try
+    e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "lanes", false, ...
+                        "timeout", {left, 0}{1 + isinf(left)}, ...
+                        "parameters", cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
+  catch err   # of an option of the runs
+    err.message = strrep (err.message, "gsmbp_ensemble: ", [s.who ": "]);
+    rethrow (err);
+  end_try_catch
+  [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
   kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
   parts = cell (1, numel (kept));
   for k = 1:numel (kept)
     parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
     parts{k}(! (e.ok | kept(k).whole),:) = NaN;
   endfor
-  block = [e.ok, e.reached, parts{:}];
-  bad = find (! e.ok)';
-  lines = arrayfun (@(k) sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " ")), bad, ...
-                    "UniformOutput", false);
-  text = [lines{:}, ""];
-  seconds = e.seconds;
+  b.table = [e.ok, e.reached, parts{:}];
+  b.lines = repmat ({""}, size (e.ok));
+  for k = find (! e.ok)'
+    b.lines{k} = sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " "));
+  endfor
 endfunction
 
 function r = taken (r, first, block, text, with_whole, nt)

@@ -2,6 +2,7 @@
 ## indices of Sobol of a function whose indices are known, the same table from any threads.
 
 function test_sweep ()
+  warning ("off", "gsmbp:sign", "local");
   m = gsmbp_fixture ("sweep_ishigami");
   plans (m);
   table (m);
@@ -152,15 +153,26 @@ function on_disk (m)
   gsmbp_check (["out of time: what was not made is no result: " w.reason{1}], ...
                strcmp (w.stopped, "timeout") && ! any (w.ok) && isnan (w.yield) ...
                  && ! exist (file, "file") && exist ([file ".parts"], "dir"));
-  slow = @(varargin) gsmbp_sweep (m, [1; 0], 0:0.1:20, "vary", struct ("m", [1, 3]), "runs", ...
-                                  40000, "keep", "final x1", varargin{:});
-  w = slow ("timeout", 0.6, "chunk", 4, "threads", 1);
-  gsmbp_check (sprintf ("a chunk that time ended is none: %d runs made", nnz (w.ok)), ...
-               strcmp (w.stopped, "timeout") && mod (sum (! strncmp (w.reason, "not made", 8)), ...
-                                                     4) == 0);
+  out_of_time (m, fullfile (folder, "b.h5"));
   w = run ("file", file, "resume", true);
   gsmbp_check ("it goes on, the same table", same (w, plain) && isempty (w.stopped));
   of_another (run, file, {"seed", 2; "plan", "latin"; "rtol", 1e-7});
+end
+
+## of the chunk that time ends the runs that were made are kept, in memory and on disk
+function out_of_time (m, file)
+  slow = @(varargin) gsmbp_sweep (m, [1; 0], 0:0.1:20, "vary", struct ("m", [1, 3]), "keep", ...
+                                  "final x1", "chunk", 1e5, varargin{:});
+  w = slow ("runs", 4e4, "timeout", 0.6, "file", file);
+  k = find (w.ok);
+  gsmbp_check (sprintf ("%d runs were made in the time", numel (k)), strcmp (w.stopped, ...
+               "timeout") && numel (k) > 0 && numel (k) < 4e4);
+  k = k(k <= 300);
+  again = slow ("runs", 300);
+  gsmbp_check ("they are those of a whole sweep", isequal (w.values(k,:), again.values(k,:)));
+  more = slow ("runs", 4e4, "timeout", 0.4, "file", file, "resume", true);
+  gsmbp_check (sprintf ("they stay on disk, then %d", nnz (more.ok)), all (more.ok(k)) ...
+                 && nnz (more.ok) > nnz (w.ok) && isequal (more.values(w.ok,:), w.values(w.ok,:)));
 end
 
 function of_another (run, file, others)
@@ -172,7 +184,7 @@ function of_another (run, file, others)
       said = err.message;
     end
     gsmbp_check (["another sweep is refused: " strrep(said, fileparts (file), "")], ...
-                 ! isempty (strfind (said, "is of another sweep: there `")) ...
+                 ! isempty (strfind (said, "is of another sweep: there ")) ...
                    && ! isempty (strfind (said, others{k,1})));
   end
 end
@@ -190,6 +202,10 @@ function refused (m)
            [one, {"keep", {"final x2"}}], "option keep: unknown \"x2\", did you mean";
            [one, {"demand", {"b", 0, 1}}], "option demand: unknown \"b\"";
            [one, {"keep", {"at 0.05 x1"}}], "one of the times and a name behind \"at\"";
+           [one, {"file", ""}], "option file: expected a name, found an empty text";
+           [one, {"plan", "grid", "runs", 7}], "whose runs follow from option vary";
+           [one, {"method", "rk5"}], "option method: expected one of";
+           [one, {"maxorder", 5}], "option maxorder: method dp853 has one order alone";
            [one, {"chunk", 0}], "option chunk: expected a whole number above 0";
            [one, {"resume", true}], "option resume goes on with";
            [one, {"file", tempdir()}], "is a folder";
