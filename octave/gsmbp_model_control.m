@@ -90,6 +90,7 @@ function c = gsmbp_model_control (m, law, varargin)
            "parameters", struct(), "any"; "trim", [], "any"; "frame", "", "text"
            "axes", "ground", {"ground", "tool"}; "damping", 0, "numbers"};
   o = gsmbp__options (who, table, varargin);
+  gsmbp__controller_name (who, o);
   check_scene (who, m, o);
   check_gains (who, law, o);
   if (gsmbp__ideal_efforts (m, o) && ! strcmp (law, "cartesian impedance"))
@@ -220,7 +221,9 @@ function check_gains (who, law, o)
              strjoin (taken, ", "));
     endif
   endfor
-  if (! strcmp (law, "feedforward") && all (o.(taken{1})(:) == 0))
+  if (o.zeta != 0 && any (o.D(:) != 0))
+    error ("%s: option zeta: expected zeta or D, found both", who);
+  elseif (! strcmp (law, "feedforward") && all (o.(taken{1})(:) == 0))
     error ("%s: option %s: %s needs it, a number > 0; found none", who, taken{1}, law);
   endif
 endfunction
@@ -263,9 +266,16 @@ function names = measured (who, m, o, k)
   is_one (who, m, names, wanted);
 endfunction
 
-## an output of another unit than its coordinate or speed is none of it
+## an output of another unit than its coordinate or speed is none of it, nor is another one of them
 function is_one (who, m, names, wanted)
+  rows = gsmbp__rows (m.json, "outputs");
+  listed = cellfun (@(row) row.name, rows, "UniformOutput", false);
   for k = 1:numel (names)
+    said = rows{strcmp (listed, names{k})}.expression;
+    if (any (strcmp (said, wanted)) && ! strcmp (said, wanted{k}))
+      error (["%s: option measured: expected an output that is %s in place %d; found %s, " ...
+              "which is %s"], who, wanted{k}, k, names{k}, said);
+    endif
     unit = m.units.outputs{strcmp (m.outputs, names{k})};
     needed = m.units.states{strcmp (m.states, wanted{k})};
     plain = @(unit) regexprep (unit, '\<rad\>', "1");

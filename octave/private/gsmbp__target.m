@@ -6,8 +6,8 @@
 function files = gsmbp__target (who, c, folder, scene)
   if (! (ischar (scene) && ! isempty (scene)))
     error (["%s: the controller %s (%s) calculates with subroutines of %s: expected the file " ...
-            "of this scene as the third argument, found none"], who, c.name, c.method, ...
-           c.scene.name);
+            "of this scene as the third argument, found %s"], who, c.name, c.method, ...
+           c.scene.name, {gsmbp__shown(scene), "none"}{1 + isempty(scene)});
   endif
   [~, name] = fileparts (scene);
   if (! strcmp (name, c.scene.name))
