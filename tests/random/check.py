@@ -39,7 +39,8 @@ def massless_end(scene):
 
 # what the reasons say that a generator cannot foresee, and when they are justified
 REFUSALS = {
-    'nothing in it changes': lambda scene: scene.m.nx == 0,
+    'nothing in it changes': lambda scene: scene.m.nu == 0,
+    'nothing in the scene moves': lambda scene: scene.m.nu == 0,
     'a massless end link': massless_end
 }
 
