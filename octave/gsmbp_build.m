@@ -98,6 +98,8 @@
 ## @item [g, s] = m.mar (t, x[, v])
 ## margins of the devices (@code{m.state_margins}: strokes, pressures), above 0 where
 ## their laws hold, and the sizes of these numbers (of their terms)
+## @item ts = m.swi ()
+## the times at which the scene switches [s]
 ## @item [P, R] = m.pnt (t, q)
 ## places of the points and frames of the scene (@code{m.points}) in ground axes [m],
 ## 3 x @var{np}, and their axes side by side, 3 x 3@var{np} (@code{gsmbp_point} by name)

@@ -146,8 +146,8 @@
 ## reached the equations have a corner; step control finds it.  Held outputs of
 ## sampled devices and modes have no limits here.
 ## @item "breaks"
-## further times at which an input jumps.  At these and at the breaks of all
-## piecewise polynomials the integration stops and starts again.
+## further times at which an input jumps.  At these, at the breaks of all
+## piecewise polynomials and where the scene switches the integration stops and starts again.
 ## @end table
 ##
 ## Sampled devices (digital controllers, encoders) act within the compiled run: the

@@ -34,7 +34,8 @@ typedef struct
   int nt;             /* output times */
   const double *tout; /* nt: rising, tout[0] >= t0 [s] */
   int nb;             /* breaks */
-  const double *tbrk; /* nb: rising, times at which the inputs may jump [s] */
+  const double *tbrk; /* nb: rising, times at which the inputs may jump [s]; gssim stops
+                         where the scene switches by itself */
   const int *iopt;    /* 6 + iopt[5]: method (4, 8, 9), way of the loops (1 .. 6), 1 to record the
                          drift, most steps (0: any), 1 to watch for singular positions, number of
                          constraints on speeds alone, then their numbers from 1 */

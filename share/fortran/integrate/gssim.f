@@ -34,7 +34,7 @@ C     TIM     (input) DOUBLE PRECISION array, dimension (1+NT+NB):
 C             the initial time T0 [s];
 C             the output times TOUT, rising, TOUT(1) >= T0;
 C             the breaks TBRK, rising: times at which the inputs may
-C             jump.  The integration stops there, with the limits from
+C             jump or the scene switches (SWI).  The integration stops there, with the limits from
 C             the left, and starts again with the limits from the right.
 C     X0      (input) DOUBLE PRECISION array, dimension (NX).
 C     IOPT    (input) INTEGER array, dimension (6+IOPT(6)):
