@@ -11,7 +11,8 @@ function [f, F, rough] = gsmbp__design_function (P, row, results, p)
   try
     [f, F] = row.f(args{:});
   catch err
-    if (isempty (regexp (err.message, "undefined|too many outputs|nargin != nargout|nargout")))
+    if (isempty (regexp (err.message, ["undefined|too many outputs|" ...
+                                       "nargout|number of output arguments"])))
       rethrow (err);
     endif
     f = row.f(args{:});
@@ -19,6 +20,9 @@ function [f, F, rough] = gsmbp__design_function (P, row, results, p)
   f = f(:);
   if (! (isnumeric (f) && isreal (f) && ! isempty (f)))
     error ("%s: %s: expected real numbers, found %s", P.who, row.text, gsmbp__shown (f));
+  endif
+  if (! all (isfinite (f)))
+    error ("%s: %s: expected finite numbers, found %s", P.who, row.text, gsmbp__shown (f));
   endif
   rough = isempty (F);
   if (rough)

@@ -16,6 +16,7 @@ function D = gsmbp__slope (f, variable, at)
   endif
 endfunction
 
+## less the first value: of numbers that do not change exactly 0
 function D = combined (values, weights)
   D = values{1};
   if (isstruct (D))
@@ -24,9 +25,10 @@ function D = combined (values, weights)
       D.(name{1}) = combined (parts, weights);
     endfor
   else
-    D = weights(1) * D;
+    first = D;
+    D = zeros (size (first));
     for k = 2:numel (values)
-      D += weights(k) * values{k};
+      D += weights(k) * (values{k} - first);
     endfor
   endif
 endfunction
