@@ -43,7 +43,7 @@
 ## the states at the last time, a row for each run
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
-## reached [s]
+## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
 ## @item calls, accepted, rejected
 ## for each run: calls of the right-hand side, steps
 ## @item parameters
@@ -98,7 +98,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   e.parameters = own.parameters;
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
   e.cut = info(1,:)' == 9 | info(1,:)' == 10;
-  e.stopped = gsmbp__stopped (who, m, max ([0, info(1,info(1,:) >= 9)]), done, true);
+  e.stopped = gsmbp__stopped (who, m, max ([0, info(1,e.cut)]), done, true);
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction
 
@@ -238,9 +238,10 @@ function e = judged (e, p, rows, counts, values, info, extent)
   moved = max (abs (at_first - start) ./ m.nominal, [], 1)';
   far = strcmp (p.o.start, "check") & moved > 1e-6 & (m.sizes.nlam > 0 | m.sizes.nq > m.sizes.nu);
   broken = ! strcmp (rows.broken, "");
-  e.ok = info(1,:)' == 0 & info(2,:)' == 0 & ! far & ! broken;
+  ended = info(1,:)' == 11;   # by an event of the user
+  e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! far & ! broken;
   e.reached = values(8,:)';
-  e.reached(e.ok) = e.t(end);
+  e.reached(e.ok & ! ended) = e.t(end);
   e.reason = rows.broken;
   e.reached(broken) = e.t(1);
   idle = ! broken & counts(1,:)' == 0;   # those that were not begun, at a time many

@@ -157,22 +157,25 @@ ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
   return true;
 }
 
-// the rows that were reached, and the last state of a run that ended before its time
+// the rows that were reached, and the last state of a run that ended before its time; one that an
+// event of the user has ended (INFO 11) stays there
 void
 ensemble::keep (int i, const run_room& r, reals& one)
 {
   const std::size_t nt = m_s.nt, reached = r.istat[4];
-  const std::size_t rows = std::min (nt, reached + (r.info != 0));
+  const bool ended = r.info == 11;
+  const std::size_t rows = ended ? nt : std::min (nt, reached + (r.info != 0));
   double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
   for (std::size_t k = 0; k < rows; k++)
     {
-      const number *state = &r.xout[m_s.ldx * k], *input = &r.vout[m_s.ldv * k];
+      const std::size_t at = std::min (k, ended ? reached : k);
+      const number *state = &r.xout[m_s.ldx * at], *input = &r.vout[m_s.ldv * at];
       for (int j = 0; j < S.nx; j++)
         x[S.nx * k + j] = double (state[j]);
       for (int j = 0; j < S.nv; j++)
         v[S.nv * k + j] = double (input[j]);
       int info = 0;
-      if (S.ny == 0 || k >= reached || ! fine (state, S.nx) || ! fine (input, S.nv))
+      if (S.ny == 0 || (k >= reached && ! ended) || ! fine (state, S.nx) || ! fine (input, S.nv))
         continue;
       routine ("out") (&m_s.tout[k], state, input, &r.cst[0], &one[0], &info);
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)

@@ -357,6 +357,19 @@ outputs (const gs_sweep *s, gs_room *r, long long reached)
     }
 }
 
+/* a run that an event of the user has ended stays there: how many rows there are now */
+static long long
+stay (const gs_sweep *s, gs_room *r, long long reached)
+{
+  for (long long k = reached + 1; k < s->tout.n; k++)
+    {
+      copy (r->xout + s->ldx * k, r->xout + s->ldx * reached, S->nx);
+      copy (r->vout + s->ldv * k, r->vout + s->ldv * reached, S->nv);
+    }
+  r->info = 0;
+  return s->tout.n;
+}
+
 /* state, input or output NUMBER (from 1) at time K; not a number from REACHED on */
 static double
 value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long long reached)
@@ -537,6 +550,9 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
   if (s->implicit_method && (stiff || r->info == 5))
     by_implicit (s, r, ! stiff);
   long long reached = r->istat[4];
+  int ended = r->info == 11;
+  if (ended)
+    reached = stay (s, r, reached);
   outputs (s, r, reached);
   double off = moved (s, r);
   int far = s->check_start && off > 1e-6 && (S->nlam > 0 || S->nq > S->nu);
@@ -546,5 +562,5 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
     snprintf (why, GS_WHY, "its start was moved by %.3g onto its constraints (\"start\", "
               "\"project\" lets it)", off);
   int ok = r->info == 0 && ! far;
-  fill (s, r, ok, ok ? s->tout.x[s->tout.n - 1] : r->rstat[7], far ? 0 : reached, row);
+  fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[7], far ? 0 : reached, row);
 }

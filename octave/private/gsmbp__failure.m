@@ -48,6 +48,9 @@ endfunction
 function text = cause (m, number, info)
   if (number == 7 && info == 9)
     text = "more than 100 events at one instant";
+  elseif (number == 7 && info == 12)
+    text = ["a reset gives a state a value that the loops do not leave it; expected resets of " ...
+            "independent coordinates and speeds"];
   elseif (number == 7 && info == 10)
     text = ["an event comes faster and faster until its intervals are nothing beside the time " ...
             "(a reset that brings its expression back to zero); expected a rest, or a stop"];

@@ -6,6 +6,8 @@ function test_user_events ()
   accumulating ();
   thermostat ();
   pendulum ();
+  crank ();
+  many ();
 end
 
 ## thrown back with -e times its speed: every bounce and every top in closed form
@@ -101,4 +103,34 @@ function pendulum ()
   r = gsmbp_simulate (m, [2 0.1], [0 0.005]);
   gsmbp_check ("what is true at the start is no event", ...
                  isempty (r.events.t));
+end
+
+## closed loops: a reset of an independent speed keeps them closed, in every way of the loops; one
+## that they do not leave free is refused
+function crank ()
+  m = gsmbp_fixture ("user_crank");
+  x0 = gsmbp_assemble (m, [0.5 -0.6 0.38 3 0 0]);
+  for way = {"projection", "partitioning", "baumgarte"}
+    r = gsmbp_simulate (m, x0, [0 1], "loops", way{1});
+    gsmbp_check (["one kick, " way{1}], numel (r.events.t) == 1);
+    gsmbp_check (["all speeds twice as fast, " way{1}], ...
+                 r.events.after(1,4:6) - 2 * r.events.before(1,4:6), 1e-8);
+  end
+  said = gsmbp_complaint (@() gsmbp_simulate (gsmbp_set (m, "late", 2), x0, [0 2]));
+  gsmbp_check ("a reset that loops do not leave", ...
+               ! isempty (regexp (said, "an event, bad, failed .* the loops do not leave", "once")));
+end
+
+## runs of an ensemble as single ones; those that an event ends stay there
+function many ()
+  m = gsmbp_fixture ("user_bounce");
+  restitution = [0.75 0.8 0.9 0.95];
+  e = gsmbp_ensemble (m, [1 0], 0:0.5:5, "parameters", struct ("e", restitution));
+  for i = 1:4
+    r = gsmbp_simulate (gsmbp_set (m, "e", restitution(i)), [1 0], 0:0.5:5);
+    gsmbp_check (sprintf ("run %d as alone", i), e.x(1:rows (r.x)-1,:,i) - r.x(1:end-1,:), 1e-12);
+    gsmbp_check (sprintf ("run %d stays at its end", i), ...
+                 [e.final(i,:) - r.x(end,:), e.reached(i) - 3], 1e-12);
+  end
+  gsmbp_check ("they are at their ends", e.ok);
 end

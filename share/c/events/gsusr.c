@@ -39,7 +39,8 @@ gsusl (const gs_events *a, int l, int k, double g, const double *v)
   const double size = gs_max (fabs (a->last[i]), fabs (a->older[i]));
   a->fresh[i] = 1;
   a->level[i] = 0.0;
-  if (l == k && fabs (g - old) <= 1e-2 * size && fabs (a->g[i] - g) <= 0.5 * fabs (g))
+  if (l == k && fabs (g - old) <= 1e-2 * size
+      && fabs (a->g[i] - g) <= gs_max (0.5 * fabs (g), 1e-8 * size))
     a->level[i] = a->g[i];
   if (a->kind[i] == 4 && *a->ended == 0)
     *a->ended = l;

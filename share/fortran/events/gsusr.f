@@ -49,7 +49,8 @@ C
       RE(JL+L) = 0.0D0
       SIZE = MAX( ABS( RE(2*NE+L) ), ABS( RE(4*NE+L) ) )
       IF ( L.EQ.K .AND. ABS( G - OLD ).LE.1.0D-2*SIZE .AND.
-     $     ABS( RE(L) - G ).LE.0.5D0*ABS( G ) ) RE(JL+L) = RE(L)
+     $     ABS( RE(L) - G ).LE.MAX( 0.5D0*ABS( G ), 1.0D-8*SIZE ) )
+     $     RE(JL+L) = RE(L)
       IF ( IE(10+2*NE+L).EQ.4 .AND. IE(9).EQ.0 ) IE(9) = L
       DO 20 I = 1, NS
          IF ( IE(JS+I).EQ.L ) THEN
