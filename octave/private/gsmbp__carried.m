@@ -60,6 +60,9 @@ function can (who, m, o)
   if (! any (strcmp (m.subroutines, "rhp")))
     error (["%s: option sensitivity: %s was emitted without the subroutine RHP: derive it with " ...
             "the request sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
+  elseif (any (strcmp ({m.events.kind}, "event")))
+    bad = sprintf ("event %s of the scene's own", ...
+                   m.events(find (strcmp ({m.events.kind}, "event"), 1)).name);
   elseif (! isempty (m.events) && ! all (ismember ({"evp", "rsp"}, m.subroutines)))
     error (["%s: option sensitivity needs the subroutines EVP and RSP at events (request " ...
             "sensitivity), which %s was emitted without"], who, m.name);

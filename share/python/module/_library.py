@@ -62,7 +62,8 @@ def python_name(name):
     return name + '_' if keyword.iskeyword(name) else name
 
 
-MODES = [event['input'] - 1 for event in TABLE.get('events') or []]   # places in v
+MODES = [event['input'] - 1 for event in TABLE.get('events') or []   # places in v
+         if event['input'] > 0]
 # whole numbers that the subroutine does not check itself
 RANGES = {'mode': (-1, 1), 'ctl.k': (0, SIZES['nctl'])}
 

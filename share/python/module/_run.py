@@ -14,6 +14,7 @@ NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nl
 WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
 METHODS = {'rk4': 4, 'dp853': 8}
 RECORDED = 10000   # events
+ENDED = 11         # what a run says that an event of the user has ended
 VIN = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.c_int,
                        ctypes.POINTER(ctypes.c_double), ctypes.c_int, ctypes.c_int,
                        ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
@@ -157,6 +158,8 @@ def _start(who, model, t, x0, start):
 def _stops(who, model, t, x):
     events = TABLE.get('events') or []
     if not events or 'evt' not in ROUTINES:
+        return
+    if not any(event['kind'] == 'stop' for event in events):
         return
     inside = model.evt(t, x, np.zeros(len(events), np.intc))
     port = model.hld(t, x)
@@ -528,6 +531,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
 # ----------------------------------------------------------------------------- what comes back
 
 def _result(who, model, p, run, method, audit, errors):
+    ended = _ended(run)
     reached = int(run['counts'][4])
     t, v = run['times'][:reached], run['v'][:NV, :reached]
     x = run['x'][:NX, :reached]
@@ -535,6 +539,7 @@ def _result(who, model, p, run, method, audit, errors):
     r.stats = _stats(model, run, method)
     text = failure(run) + outside(model, run) if run['info'] != 0 else None
     r.stats['failure'] = text
+    r.stats['stopped'] = ended and 'event %s' % ended
     if text is not None and errors != 'return':
         raise Error('%s: %s' % (who, text), run['info'], r)
     with warnings.catch_warnings():
@@ -549,6 +554,25 @@ def _result(who, model, p, run, method, audit, errors):
         r.audit = _audit(model, r, run['x'][NX:, :reached])
     _tell(who, model, r, method)
     return r
+
+
+def _ended(run):
+    """Where an event of the user has ended a run: its name, and the state there is the last row."""
+    if run['info'] != ENDED:
+        return None
+    run['info'] = 0
+    last = run['values'][7]
+    sizes = np.zeros(3, np.intc)
+    nx = len(run['x'])
+    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
+    record = _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1])))
+    here = [TABLE['events'][int(k) - 1] for k in record[1, record[0] == last]]
+    k = int(run['counts'][4])
+    if k == 0 or run['times'][k - 1] < last:
+        run['times'] = np.array(run['times'], float)
+        run['times'][k] = last
+        run['counts'][4] += 1
+    return next((event['name'] for event in here if event['ends']), '')
 
 
 def _stats(model, run, method):
@@ -610,6 +634,10 @@ def _failed(number, info, at):
                'OUT or a sampled device', 'an event')[number - 1]
     if number == 7 and info == 9:
         cause = 'more than 100 events at one instant'
+    elif number == 7 and info == 10:
+        cause = 'an event comes faster and faster until its intervals are nothing beside the time'
+    elif number == 7 and info == 12:
+        cause = 'a reset gives a state a value that the loops do not leave it'
     elif number in (3, 5) and info == 3:
         cause = 'no position that closes the loops was found nearby'
     elif number == 3 and info == 4:
