@@ -14,7 +14,8 @@
 ##
 ## A controller of @code{gsmbp_model_control} calculates with the scene: @var{scene} is the file of
 ## it, which is derived with the subroutines that the controller calls.  NAME.f has them and what
-## they call; beside NAME.c, NAME.h come the scene's C, the run time in C and its headers.  The call
+## they call; beside NAME.c, NAME.h come the scene's C, the run time in C and its headers: compile
+## every @file{.c} of the folder, with the folder among the include paths (@code{-I}).  The call
 ## has the time, NAME( T, Y, R, Z, U ), and U must hold the outputs of the sample before: they stay
 ## where the loops do not close or the drives cannot give the motion, and Z counts it.
 ##
