@@ -8,6 +8,20 @@ function test_switches ()
   every_method (m);
   by_parameters (m);
   many_runs (m);
+  with_events (gsmbp_fixture ("switch_events"));
+end
+
+## events of the states behind a switch, and of an expression that switches, at its time
+function with_events (m)
+  half = 0.1 * log (2);
+  exact = [half; 2*half; 0.15; 0.1+0.1*log(5/2)];
+  for method = {"dp853", "rk4"}
+    r = gsmbp_simulate (m, [0; 0], [0 0.05 0.2 0.5], "method", method{1}, "step", 1e-3, ...
+                        "rtol", 1e-11);
+    gsmbp_check (["events of a scene that switches by " method{1}], r.events.t - exact, 1e-9);
+    gsmbp_check ("their names", isequal (r.events.name(:)', {"half", "half", "jump", "charged"}));
+    gsmbp_check ("an event ends the run", r.x(end,1) - 3, 1e-9);
+  end
 end
 
 ## the voltage of the capacitor, tau its time constant
