@@ -134,4 +134,6 @@ function many ()
                  [e.final(i,:) - r.x(end,:), e.reached(i) - 3], 1e-12);
   end
   gsmbp_check ("they are at their ends", e.ok);
+  e = gsmbp_ensemble (m, [1 0], 0:0.5:5, "parameters", struct ("e", [0.5 0.8]));
+  gsmbp_check ("one whose bounces accumulate fails, whatever comes then", e.ok' == [false, true]);
 end

@@ -69,6 +69,19 @@ most_error (const gs_system *g)
   return 1.0;
 }
 
+/* do events of the user accumulate before e, by its length h up to event first or without one? */
+static int
+accumulates (const gs_system *g, const gs_events *a, const gs_step *e, double h, int first)
+{
+  int info = gsusz (a, e->t, h, g->nx, first, &g->istat[GS_ACCUMULATES]);
+  if (info != 0)
+    {
+      g->istat[GS_FAILED_INFO] = info;
+      g->istat[GS_FAILED] = 7;
+    }
+  return info;
+}
+
 int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
@@ -112,20 +125,15 @@ gsevn (const gs_system *g, gs_step *e, int *found)
         *found = -1;
       if (e->tn - e->t > instant)
         *a.since = 0;
-      return info;
+      return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
     }
   else if (*found == 0)
     {
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
       memcpy (a.g, a.last, a.ne * sizeof (double));
       *a.since = 0;
-      info = gsusz (&a, e->t, e->h, g->nx, &g->istat[GS_ACCUMULATES]);
+      info = accumulates (g, &a, e, e->h, 0);
       gsusc (&a);
-      if (info != 0)
-        {
-          g->istat[GS_FAILED_INFO] = info;
-          g->istat[GS_FAILED] = 7;
-        }
       return info;
     }
   return 0;

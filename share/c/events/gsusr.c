@@ -101,11 +101,11 @@ since (const gs_events *a, int i, double from, int nx)
 /* a function that has just had four events within 1e-9 of the step, and does not rise again in it,
  * has had infinitely many */
 int
-gsusz (const gs_events *a, double t, double h, int nx, int *which)
+gsusz (const gs_events *a, double t, double h, int nx, int but, int *which)
 {
   int info = 0;
   for (int i = 0; i < a->ne; i++)
-    if (a->fresh[i] == 1 && a->marks[i] == 0 && since (a, i, t - 1e-9 * h, nx) >= 4
+    if (i + 1 != but && a->fresh[i] == 1 && a->marks[i] == 0 && since (a, i, t - 1e-9 * h, nx) >= 4
         && *a->count <= a->nr)
       {
         info = 10;

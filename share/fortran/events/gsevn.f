@@ -129,12 +129,17 @@ C     -- functions that have not risen above 0 since their last event
      $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) )
      $      FOUND = -1
          IF ( TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) IE(4) = 0
+         IF ( INFO.EQ.0 .AND. FOUND.GT.0 ) THEN
+            CALL GSUSZ( T, TN - T, NX, FIRST, IE, RE, ISTAT(19), INFO )
+            IF ( INFO.NE.0 ) ISTAT(6) = INFO
+            IF ( INFO.NE.0 ) ISTAT(7) = 7
+         END IF
       ELSE IF ( FOUND.EQ.0 ) THEN
          DO 30 I = 1, NE
             IE(JA+I) = IE(JL+I)
             RE(I) = RE(2*NE+I)
    30    CONTINUE
-         CALL GSUSZ( T, H, NX, IE, RE, ISTAT(19), INFO )
+         CALL GSUSZ( T, H, NX, 0, IE, RE, ISTAT(19), INFO )
          CALL GSUSC( NX, IE, RE )
          IE(4) = 0
          IF ( INFO.NE.0 ) THEN

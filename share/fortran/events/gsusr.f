@@ -126,14 +126,16 @@ C
          END IF
    10 CONTINUE
       END
-      SUBROUTINE GSUSZ( T, H, NX, IE, RE, WHICH, INFO )
+      SUBROUTINE GSUSZ( T, H, NX, NOT, IE, RE, WHICH, INFO )
 C
 C     PURPOSE
-C     After a step without an event: do events of the user accumulate?
+C     After a step, or its part up to an event: do events of the user
+C     accumulate?
 C
 C     ARGUMENTS
-C     T, H    (input) DOUBLE PRECISION, beginning and length of the step.
+C     T, H    (input) DOUBLE PRECISION, its beginning and length.
 C     NX      (input) INTEGER, the number of states.
+C     NOT     (input) INTEGER, the event function that ends it, or 0.
 C     IE, RE  (input) as GSRES.
 C     WHICH   (output) INTEGER, the function that does, where INFO = 10.
 C     INFO    (output) INTEGER, 0; 10: they do.
@@ -143,14 +145,15 @@ C     A function that has just had four events within 1D-9 of the step,
 C     and does not rise again in it, has had infinitely many.
 C
       IMPLICIT NONE
-      INTEGER            NX, IE(*), WHICH, INFO
+      INTEGER            NX, NOT, IE(*), WHICH, INFO
       DOUBLE PRECISION   T, H, RE(*)
       INTEGER            NE, I, J, R, N
 C
       INFO = 0
       NE = IE(1)
       DO 20 I = 1, NE
-         IF ( IE(10+5*NE+I).NE.1 .OR. IE(10+4*NE+I).NE.0 ) GO TO 20
+         IF ( IE(10+5*NE+I).NE.1 .OR. IE(10+4*NE+I).NE.0 .OR.
+     $        I.EQ.NOT ) GO TO 20
          N = 0
          DO 10 J = MIN( IE(2), IE(3) ), 1, -1
             R = 5*NE + 3*NX + ( J - 1 )*( 3 + 2*NX )
