@@ -22,7 +22,8 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
-        bench-long bench-ensemble bench-control bench-collocation bench-points bench-reach bench-robots same doc manual \
+        bench-long bench-ensemble bench-sweep bench-control bench-collocation bench-points \
+        bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
@@ -70,6 +71,7 @@ make bench-runs            tests/bench/runs.md: what output times cost, the ener
 make bench-long            tests/bench/long.md: 1e7 steps of the unforced four-bar by method gauss:
                            energy, loops, memory; STEPS=1e6: fewer
 make bench-ensemble        tests/bench/ensemble.md: many runs, in lanes beside one by one
+make bench-sweep           tests/bench/sweep.md: a sweep of 1e5 runs beside its integration; memory
 make bench-control         tests/bench/control.md: every design of controllers on a machine with
                            limits, friction, samples, steps and delay, and where it fails
 make bench-collocation     tests/bench/collocation.md: the program of an optimal motion, set up
@@ -199,9 +201,11 @@ bench-passages: packages compiled
 	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
 
 bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-long \
-bench-ensemble bench-control: bench-%: packages compiled
+bench-ensemble bench-sweep bench-control: bench-%: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null
+
+bench-sweep: fortran_out/slider_crank.f fortran_out/slider_crank.json
 
 bench-devices: bench-stiff
 bench-stiff: packages compiled

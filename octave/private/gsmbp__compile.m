@@ -35,13 +35,11 @@ function w = words (common, precision)
               {{"-llapack -lblas", "-lquadmath"}{1 + quad}}, "define", ...
               {{"", "-DGSMBP_QUAD"}{1 + quad}});
   [w.flags, w.common_flags] = gsmbp__fortran_flags (precision);
-  fortran = gsmbp__place ("share", "fortran");
-  w.fortran = [glob(fullfile (fortran, "*", "*.f")); ...
-               glob(fullfile (fortran, "solve", {"lapack", "plain"}{1 + quad}, "*.f"))];
   headers = glob (fullfile (w.c, "gsmbp", "*.h"));
-  w.runtime = [w.fortran; headers; {fullfile(w.c, "inputs", "gslay.c")}];
+  w.archive = gsmbp__archive (precision);
+  w.runtime = w.archive{3};
+  w.fortran = w.runtime(! cellfun (@isempty, regexp (w.runtime, '\.f$')));
   w.generic = [headers; glob(fullfile (w.glue, "*.h")); {fullfile(w.glue, "gsmbp_module.cc")}];
-  w.archive = {"libgsmbp.a", [w.f77 " " w.common_flags], w.runtime};
   w.object = {"gsmbp_module.o", [OCTAVE_VERSION() " " w.define], w.generic};
   w.scene = cellfun (@(name) fullfile (w.glue, name), {"gsmbp_scene.c"; "module.map"}, ...
                      "UniformOutput", false);

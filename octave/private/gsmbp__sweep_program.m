@@ -88,11 +88,19 @@ function take_sources (who, m, folder)
   endif
 endfunction
 
-## what the modules share is what the program links
+## the program links what the modules share, where that is found; else make makes it
 function take_archive (who, m, folder)
   gsmbp__folder (who, folder);
-  file = fullfile (fileparts (fileparts (m.file)), "common", "libgsmbp.a");
-  put (who, fullfile (folder, "libgsmbp.a"), fileread (file));
+  part = gsmbp__archive ("double");
+  [name, flags, sources] = part{:};
+  places = {fullfile(fileparts (fileparts (m.file)), "common", name), ...
+            gsmbp__place("fortran_out", "build", "double", "common", name)};
+  found = find (cellfun (@(file) gsmbp__is_built (file, flags, sources), places), 1);
+  if (isempty (found))
+    gsmbp__discard (fullfile (folder, name));
+  else
+    put (who, fullfile (folder, name), fileread (places{found}));
+  endif
 endfunction
 
 function take (who, file, folder)

@@ -10,11 +10,26 @@ m = gsmbp_hand ("motor_pendulum");
 [r, info] = gsmbp_simulate (m, m.initial, 0:1e5, "input", 1, "maxstep", 1e-3, "timeout", 3);
 e = gsmbp_ensemble (m, m.initial, [0 100], "input", 1, "maxstep", 1e-3, "timeout", 3, ...
                     "parameters", struct ("m", linspace (1, 2, 1e4)));
+w = gsmbp_sweep (m, m.initial, [0 20], "input", 1, "maxstep", 1e-3, "timeout", 4, "chunk", 20, ...
+                 "vary", struct ("m", [1 2]), "runs", 1e5, "keep", {"final q"});
+gsmbp_derive ("$work/slider_crank.mac", "$work/out");
+cd ("$root/octave/private");   # what gsmbp_build runs its compilers by
+gsmbp__run ("gsmbp_build", "sleep 2.5", "compiling a scene", 4);
 E1
+# a derivation that tells every stage, not those alone that come after ten seconds
+{ printf '?\\*gs\\-patience\\* : 0$\n'; cat examples/slider_crank/slider_crank.mac
+} >"$work/slider_crank.mac"
 script -qec "octave-cli -qf '$work/long.m'" "$work/terminal" >/dev/null 2>&1 </dev/null
 check 'a run: its time and the time that is left' \
   grep -q 'motor_pendulum: [0-9.]* of 100000 s, [0-9]* s left' "$work/terminal"
 check 'many runs: their number and the time that is left' \
   grep -q 'motor_pendulum: [0-9]* of 10000 runs, [0-9]* s left' "$work/terminal"
+check 'a sweep: the same of all its runs' \
+  grep -q 'gsmbp_sweep: motor_pendulum: [0-9]* of 100000 runs, [0-9]* s left' "$work/terminal"
+check 'a derivation: its stage and its time' \
+  grep -q 'gsmbp: [^:]*: .* ([0-9]* s so far' "$work/terminal"
+check 'a compilation: the time that is left' \
+  grep -q 'gsmbp_build: compiling a scene, about [0-9]* s left' "$work/terminal"
 octave-cli -qf "$work/long.m" >"$work/log" 2>&1 </dev/null
-check 'nothing of it in a log' fails grep -q 'left' "$work/log"
+check 'nothing of it in a log' fails grep -qE ' s left|[0-9] s so far' "$work/log"
+check 'nor in the log of the derivation' fails grep -q 'so far' "$work/out/slider_crank.log"
