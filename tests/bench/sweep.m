@@ -11,7 +11,8 @@ addpath (fullfile (root, "octave"));
 
 ## the most memory that the process had so far [MB]
 function mb = peak ()
-  mb = str2double (regexp (fileread ("/proc/self/status"), 'VmHWM:\s+(\d+)', "tokens"){1}{1}) / 1024;
+  said = regexp (fileread ("/proc/self/status"), 'VmHWM:\s+(\d+)', "tokens");
+  mb = str2double (said{1}{1}) / 1024;
 end
 
 function [whole, alone, mb] = swept (m, n, threads)
