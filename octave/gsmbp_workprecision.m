@@ -12,9 +12,9 @@
 ## any coordinate (and, apart, of any state) at any of the @var{times}; time is
 ## the shortest of several runs, divided by the simulated time.
 ##
-## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "dp853" (tolerances,
-## default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none; where none of these four
-## is given radau's are 10.^-(4:2:12), but of a build in quad);
+## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "gauss" (steps, default none), "dp853"
+## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none; where none of
+## these five is given radau's are 10.^-(4:2:12), but of a build in quad);
 ## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
@@ -60,7 +60,7 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
                           o.reference, "drift", false);
   span = times(end) - times(1);
   w = struct ([]);
-  for method = {"rk4", "dp853", "cvode", "radau"}
+  for method = {"rk4", "gauss", "dp853", "cvode", "radau"}
     for step = o.(method{1})(:)'   # or tolerance
       w = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
     endfor
@@ -79,6 +79,7 @@ endfunction
 function [o, rest] = read_options (pairs, radau)
   who = "gsmbp_workprecision";
   table = {"rk4", 10 .^ -(2:0.5:4), "numbers"
+           "gauss", [], "numbers"
            "dp853", 10 .^ -(4:2:14), "numbers"
            "cvode", [], "numbers"
            "radau", [], "numbers"
@@ -90,7 +91,7 @@ function [o, rest] = read_options (pairs, radau)
   measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
   if (! isempty (measured))
     error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
-            "\"rk4\", \"dp853\", \"cvode\", \"radau\""], who, measured{1});
+            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\""], who, measured{1});
   endif
   own = ismember (names, table(:,1));
   known = sort ([table(:,1); gsmbp__simulate_options(false)(:,1)])';
@@ -99,7 +100,7 @@ function [o, rest] = read_options (pairs, radau)
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));
   endif
   o = gsmbp__options (who, table, [names(own); values(own)](:)');
-  if (radau && ! any (ismember (table(1:4,1), names)))
+  if (radau && ! any (ismember (table(1:5,1), names)))
     o.radau = 10 .^ -(4:2:12);
   endif
   rest = [names(! own); values(! own)](:)';
@@ -111,7 +112,7 @@ function [folder, build] = folders (m)
 endfunction
 
 function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
-  name = struct ("rk4", "step", "dp853", "rtol", "cvode", "rtol", "radau", "rtol").(method);
+  name = {"rtol", "step"}{1 + any(strcmp (method, {"rk4", "gauss"}))};
   options = [rest, {"method", method, name, step, "drift", false}];
   [r, info] = gsmbp_simulate (m, x0, times, options{:});
   best = r.stats.seconds;
@@ -172,7 +173,8 @@ function figure_of (file, m, w)
     of = strcmp ({w.method}, methods{k});
     y(of,k) = max ([w(of).error]', 1e-17);
   endfor
-  labels = struct ("rk4", "RK4", "dp853", "DOP853", "cvode", "CVODE", "radau", "Radau IIA");
+  labels = struct ("rk4", "RK4", "gauss", "Gauss", "dp853", "DOP853", "cvode", "CVODE", "radau", ...
+                   "Radau IIA");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
   gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", ...
                                "largest error [rad, m]", "style", ...
@@ -188,6 +190,12 @@ endfunction
 %!                          false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
+%!test <collocation of Gauss: half the step, an error much smaller>
+%! m = gsmbp_hand ("motor_pendulum");
+%! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "gauss", [5e-3 2.5e-3], "rk4", [], "dp853", [], ...
+%!                          "print", false, "seconds", 0);
+%! assert ({w.method}, {"gauss", "gauss"});
+%! assert (w(1).error < 1e-6 && w(2).error < w(1).error / 3);
 %!test <the best at each error is the fastest that keeps to it; radau is measured by itself>
 %! m = gsmbp_hand ("motor_pendulum");
 %! [w, best] = gsmbp_workprecision (m, [1 0 0], [0 0.2], "print", false, "seconds", 0);

@@ -54,8 +54,8 @@ for s in 3 5 7; do
   told $? "the rule of $s stages has order $((2 * s - 1)), its stages order $s" "$report"
 done
 
-# Linear systems along lists: the residuals of systems of many shapes, real and complex; a pivot that
-# vanishes on the diagonal; places that appear later.
+# Linear systems along lists: the residuals of systems of many shapes, real and complex; a pivot
+# that vanishes on the diagonal; places that appear later.
 cat >"$work/solve.c" <<'EOF'
 #include <math.h>
 #include <stdio.h>
@@ -142,4 +142,5 @@ told $? 'the linear systems compile' "$report"
 "$work/solve" >"$report" 2>&1
 [ "$(cat "$report")" = 'small 1
 small 1' ]
-told $? 'systems along lists have small residuals, with pivots that vanish on the diagonal' "$report"
+told $? 'systems along lists have small residuals, also where pivots on the diagonal vanish' \
+  "$report"
