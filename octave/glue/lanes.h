@@ -124,7 +124,10 @@ public:
 
   // whether runs of this simulation can be in lanes
   static bool fits (const simulation& s)
-  { return emitted ("rhs_w") && s.iopt[0] != 0 && ! s.audit && ! s.carries (); }
+  {
+    return emitted ("rhs_w") && s.iopt[0] != 0 && ! s.audit && ! s.carries ()
+           && (S.nlam == 0 || s.iopt[1] <= 2);   // else it would be the right side of one run
+  }
 
 private:
 
@@ -533,7 +536,8 @@ void
 lane_group::join (int lane)
 {
   lane_run& l = m_l[lane];
-  l.joined = l.busy && l.partition ()[0] <= 0 && closes (l);
+  l.joined = l.busy && l.partition ()[0] <= 0 && closes (l)
+             && (m_iopt[0] != 4 || l.ip[GS_EVENTS] == 0);
   m_runs(0, lane) = l.joined;
   if (! l.joined)
     return;
@@ -675,7 +679,7 @@ lane_group::closes (const lane_run& l) const
   if (S.nlam == 0)
     return S.nq == S.nu;
   const int way = m_iopt[1];
-  return m_prj && way != 1 && way != 3 && way != 6 && m_iopt[4] == (m_iopt[2] == 1)
+  return m_prj && way == 2 && m_iopt[4] == (m_iopt[2] == 1)
          && l.lm[5] <= 0 && l.lm[2] == 0 && (m_iopt[0] == 4 || m_ropt[1] >= l.m[5]);
 }
 

@@ -123,6 +123,9 @@ function loop (m)
   [table.lc(4), table.lb(4)] = deal (0.25, 0.6);
   g = gsmbp_ensemble (m, m.initial, t, o{1:2}, "parameters", table, o{5:end}, "threads", 1);
   others = setdiff (1:n, 4);
+  h = gsmbp_ensemble (m, m.initial, [0, 0.01], o{1:2}, "start", "project", "loops", "nullspace", ...
+                      "parameters", struct ("lc", lc));
+  gsmbp_check ("a way of the loops that is that of one run has no lanes", ! h.lanes && all (h.ok));
   gsmbp_check ("beside one that passes a singular position, bit for bit", ...
                equal_runs (g, others, e, others));
 end
