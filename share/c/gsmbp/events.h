@@ -171,8 +171,8 @@ void gsusg (const gs_events *a);
  * has just had its event */
 void gsusc (const gs_events *a);
 
-/* after a step of the length h from t, without an event or up to that of function but: 10 where events of the user accumulate,
- * else 0; which: the function that does */
+/* after a step of the length h from t, without an event or up to that of function but: 10 where
+ * events of the user accumulate, else 0; which: the function that does */
 int gsusz (const gs_events *a, double t, double h, int nx, int but, int *which);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
