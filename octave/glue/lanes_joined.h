@@ -1,0 +1,158 @@
+// Runs in lanes that have joined: what they remember from step to step is in columns, in vectors
+// with that of the others.  They part where a step is none of the usual ones.
+#pragma once
+
+#include "lanes_fill.h"
+
+#if ! defined (GSMBP_QUAD)
+
+// places in m_c, those of GSLNA less 1
+enum
+{
+  c_t, c_next, c_longest, c_stop, c_due, c_least, c_most, c_good, c_others, c_limit, c_bound,
+  c_free, c_calls, c_fresh, c_behind, c_side, c_last, c_near, c_far, c_then, c_moved, c_stiff,
+  c_pivot, c_largest, c_drift, c_projected = 28, c_smallest, c_smallest_at, c_projections, c_past,
+  c_turn, c_known
+};
+// and of GSLNP, where they are others
+enum { c_from = 1, c_step, c_number = 4, c_count, c_look = 16 };
+
+void
+lane_group::join (int lane)
+{
+  lane_run& l = m_l[lane];
+  l.joined = l.busy && l.partition ()[0] <= 0 && closes (l)
+             && (m_iopt[0] != 4 || l.ip[GS_EVENTS] == 0);
+  m_runs(0, lane) = l.joined;
+  if (! l.joined)
+    return;
+  m_c(c_t, lane) = l.t;
+  m_c(c_stop, lane) = l.stp[0];
+  m_c(c_side, lane) = l.istp[0];
+  m_c(c_limit, lane) = m_iopt[3] > 0 ? m_iopt[3] : 1e300;
+  m_c(c_calls, lane) = l.r.istat[0];
+  m_c(c_good, lane) = l.r.istat[1];
+  m_c(c_moved, lane) = 0;
+  m_c(c_pivot, lane) = m_c(c_largest, lane) = 0;
+  if (S.nlam > 0)
+    join_loops (lane);
+  if (m_iopt[0] == 4)
+    join_4 (lane);
+  else
+    join_8 (lane);
+}
+
+void
+lane_group::join_8 (int lane)
+{
+  const lane_run& l = m_l[lane];
+  const std::vector<int>& n = l.r.istat;
+  m_c(c_next, lane) = l.m[0];
+  m_c(c_longest, lane) = l.hmax;
+  m_c(c_due, lane) = l.ip[GS_EVENTS] > 0 ? -1e300 : m_tim[l.istp[1]];
+  m_c(c_least, lane) = l.r.rstat[5];
+  m_c(c_most, lane) = l.r.rstat[6];
+  m_c(c_others, lane) = n[2];
+  m_c(c_bound, lane) = n[15];
+  m_c(c_free, lane) = n[16];
+  m_c(c_fresh, lane) = l.lm[0];
+  m_c(c_behind, lane) = l.lm[1];
+  m_c(c_last, lane) = l.m[1];
+  m_c(c_near, lane) = l.m[2];
+  m_c(c_far, lane) = l.m[3];
+  m_c(c_then, lane) = l.r.rstat[8];
+  m_c(c_stiff, lane) = n[13];
+}
+
+void
+lane_group::join_4 (int lane)
+{
+  const lane_run& l = m_l[lane];
+  m_c(c_from, lane) = l.ta;
+  m_c(c_step, lane) = l.h;
+  m_c(c_number, lane) = l.k;
+  m_c(c_count, lane) = l.n;
+  m_c(c_look, lane) = l.r.istat[13] == 0 ? l.r.istat[17] : 1e300;
+}
+
+void
+lane_group::part (int lane)
+{
+  lane_run& l = m_l[lane];
+  if (! l.joined)
+    return;
+  l.joined = false;
+  m_runs(0, lane) = 0;
+  std::vector<int>& n = l.r.istat;
+  m_x.get (lane, l.state (), m_s.nx);
+  l.t = m_c(c_t, lane);
+  l.h = m_step(0, lane);
+  l.tn = m_tn(0, lane);
+  l.at = int (m_at(0, lane));
+  n[0] = int (m_c(c_calls, lane));
+  n[1] = int (m_c(c_good, lane));
+  if (m_c(c_moved, lane) > 0)
+    {
+      l.r.rstat[7] = l.t;
+      if (l.ier == 0)   // else they tell what has just failed
+        n[5] = n[6] = 0;
+    }
+  if (S.nlam > 0)
+    part_loops (lane);
+  if (m_iopt[0] == 4)
+    part_4 (lane);
+  else
+    part_8 (lane);
+}
+
+void
+lane_group::part_8 (int lane)
+{
+  lane_run& l = m_l[lane];
+  std::vector<int>& n = l.r.istat;
+  l.m[0] = m_c(c_next, lane);
+  l.m[1] = m_c(c_last, lane);
+  l.m[2] = m_c(c_near, lane);
+  l.m[3] = m_c(c_far, lane);
+  l.r.rstat[5] = m_c(c_least, lane);
+  l.r.rstat[6] = m_c(c_most, lane);
+  l.r.rstat[8] = m_c(c_then, lane);
+  l.lm[0] = int (m_c(c_fresh, lane));
+  l.lm[1] = int (m_c(c_behind, lane));
+  l.lm[3] = 0;
+  if (m_c(c_moved, lane) > 0)
+    l.lm[2] = l.lm[5] = 0;
+  n[2] = int (m_c(c_others, lane));
+  n[15] = int (m_c(c_bound, lane));
+  n[16] = int (m_c(c_free, lane));
+}
+
+void
+lane_group::part_4 (int lane)
+{
+  lane_run& l = m_l[lane];
+  l.k = int (m_c(c_number, lane));
+  l.h = m_c(c_step, lane);
+}
+
+void
+lane_group::part_where (const lane_array& is)
+{
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].joined && (m_l[k].ier != 0 || is(0, k) > 0))
+      part (k);
+}
+
+// at a stop, the run parted: on from there, or its end
+bool
+lane_group::keep_on (int lane)
+{
+  lane_run& l = m_l[lane];
+  if (stopped (l))
+    next_state (lane);
+  else
+    end (lane, l.r.info);
+  return l.busy;
+}
+
+#endif

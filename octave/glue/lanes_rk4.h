@@ -1,0 +1,296 @@
+// Steps of Runge and Kutta of the runs in lanes.
+#pragma once
+
+#include "lanes_dp853.h"
+
+#if ! defined (GSMBP_QUAD)
+
+void
+lane_group::begin_way (lane_run& l)
+{
+  l.k = 1;
+  fortran {gsrkl_} (&l.ta, &l.stp[0], &l.hr, &l.n, &l.h, &l.r.rstat[0]);
+}
+
+// one step of every run, as GSRKS does it
+void
+lane_group::step_4 (void)
+{
+  if (begun_4 ())
+    {
+      stages_4 ();
+      judge_all_4 ();
+    }
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].alone)
+      by_itself_4 (k);
+}
+
+bool
+lane_group::begun_4 (void)
+{
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.ier = 0;
+      if (! l.joined)
+        join (k);
+      m_c(c_t, k) = l.joined ? m_c(c_t, k) : m_s.t0;
+      m_slow(0, k) = l.joined && m_c(c_good, k) >= m_c(c_look, k);
+    }
+  part_where (m_slow);
+  fortran {gslnp_} (&m_s.nx, m_runs.begin (), m_c.begin (), m_step.begin (),
+                    m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
+  part_where (m_slow);
+  bool some = false, apart = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      lane_run& l = m_l[k];
+      l.alone = ! l.joined && l.busy && ready_4 (k) && l.partition ()[0] > 0;
+      l.steps = l.busy && ! l.alone;
+      some = some || l.steps;
+      apart = apart || ! l.joined;
+      if (l.joined)
+        l.at = int (m_at(0, k));
+    }
+  if (apart)
+    watch_4 ();
+  return some;
+}
+
+void
+lane_group::judge_all_4 (void)
+{
+  fortran {gslnr_} (&m_s.nx, m_runs.begin (), m_xn.begin (), m_r.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
+      {
+        part (k);
+        m_r(0, k) = 0;
+      }
+  if (m_prj)
+    project ();
+  fortran {gslnq_} (&m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
+                    m_xn.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (! m_l[k].joined && m_l[k].steps)
+      {
+        m_xn.get (k, m_l[k].next (), m_s.nx);
+        m_l[k].r.istat[0] += m_calls[k];
+        after_4 (k);
+      }
+    else if (m_l[k].joined && m_c(c_number, k) > m_c(c_count, k))
+      {
+        part (k);
+        m_l[k].t = m_l[k].stp[0];
+        keep_on (k);
+      }
+}
+
+bool
+lane_group::ready_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  fortran {gsrkt_} (&l.ta, &l.stp[0], &l.istp[0], &l.h, &l.k, &l.n, &l.t, &l.tn, &l.at);
+  if (m_iopt[3] > 0 && r.istat[1] >= m_iopt[3])
+    {
+      end (lane, 1);
+      return m_l[lane].busy && ready_4 (lane);
+    }
+  m_step(0, lane) = l.h;
+  m_c(c_t, lane) = l.t;
+  m_tn(0, lane) = l.tn;
+  for (int k = 0; k < s.nx; k++)
+    m_h(k, lane) = l.h;
+  return true;
+}
+
+// GSSTD ahead of a step, for the runs where a look is due
+void
+lane_group::watch_4 (void)
+{
+  bool due[lane_count], some = false;
+  for (int k = 0; k < lane_count; k++)
+    {
+      const std::vector<int>& istat = m_l[k].r.istat;
+      due[k] = m_l[k].busy && ! m_l[k].joined && istat[13] == 0 && istat[1] >= istat[17];
+      if (due[k] && (m_l[k].alone || m_of_time))
+        {
+          watch_alone (k);
+          due[k] = false;
+        }
+      some = some || due[k];
+    }
+  if (! some)
+    return;
+  double rho[lane_count];
+  int state[lane_count];
+  eigenvalues (due, rho, state);
+  for (int k = 0; k < lane_count; k++)
+    if (due[k])
+      {
+        run_room& r = m_l[k].r;
+        r.istat[17] = r.istat[1] + std::min (1000, std::max (10, 9 * r.istat[1]));
+        if (rho[k] * std::fabs (m_l[k].h) <= 2.78)
+          continue;
+        r.istat[13] = 1;
+        r.istat[14] = state[k];
+        r.rstat[17] = m_l[k].t;
+        r.rstat[18] = rho[k];
+        r.rstat[19] = std::fabs (m_l[k].h);
+      }
+}
+
+void
+lane_group::watch_alone (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  const double none = 0;
+  fortran {gsste_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &m_iopt[0], &l.t, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &r.cst[0], l.inputs (), &m_ropt[1], &m_ropt[3], &none, &none,
+                    l.stages () + s.nx, &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
+}
+
+// GSSTF for all lanes that are due
+void
+lane_group::eigenvalues (const bool *due, double *rho, int *state)
+{
+  const int nx = m_s.nx;
+  const double d = std::sqrt (DBL_EPSILON), rtol = m_ropt[1];
+  double old[lane_count] = { }, sum[lane_count] = { };
+  int equal[lane_count] = { };
+  bool goes[lane_count];
+  double *base = m_f.begin (), *change = base + m_numbers, *size = change + m_numbers;
+  for (int k = 0; k < lane_count; k++)
+    {
+      goes[k] = due[k];
+      rho[k] = 0;
+      state[k] = 1;
+      m_stage_t(0, k) = m_c(c_t, k);
+      for (int j = 0, i = k; j < nx; j++, i += lane_count)
+        {
+          const double x = std::fabs (m_x.begin ()[i]);
+          size[i] = rtol > 0 ? x + m_ropt[3 + j] / rtol : x + 1;
+          size[i] = size[i] > 0 ? size[i] : 1;
+          change[i] = size[i] * (0.5 + std::fmod (0.618 * (j + 1), 1.0));
+        }
+    }
+  call_rates (m_x.begin (), base);
+  for (int k = 0; k < lane_count; k++)
+    {
+      if (due[k])
+        m_l[k].r.istat[12]++;
+      goes[k] = goes[k] && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
+    }
+  for (int turn = 1; turn <= 32 && std::any_of (goes, goes + lane_count, [] (bool g) { return g; });
+       turn++)
+    {
+      for (int k = 0; k < lane_count; k++)
+        {
+          double s = 0;
+          for (int j = k; j < m_numbers; j += lane_count)
+            s = std::max (s, std::fabs (change[j]) / size[j]);
+          goes[k] = goes[k] && s > 0 && s <= 1e300;
+          s = goes[k] ? d / s : 0;
+          for (int j = k; j < m_numbers; j += lane_count)
+            m_xs.begin ()[j] = goes[k] ? m_x.begin ()[j] + s * change[j] : m_x.begin ()[j];
+        }
+      call_rates (m_xs.begin (), change);
+      for (int k = 0; k < lane_count; k++)
+        {
+          if (! goes[k])
+            continue;
+          m_l[k].r.istat[12]++;
+          double growth = 0;
+          for (int j = 0, i = k; j < nx; j++, i += lane_count)
+            {
+              change[i] -= base[i];
+              if (std::fabs (change[i]) / size[i] > growth)
+                {
+                  growth = std::fabs (change[i]) / size[i];
+                  state[k] = j + 1;
+                }
+            }
+          growth /= d;
+          goes[k] = growth > 0 && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
+          if (! goes[k])
+            continue;
+          equal[k] = std::fabs (growth - old[k]) > 0.02 * growth ? 0 : equal[k] + 1;
+          old[k] = growth;
+          sum[k] += turn > 8 ? std::log (growth) : 0;
+          if (equal[k] == 3 || turn == 32)
+            {
+              rho[k] = equal[k] == 3 ? growth : std::exp (sum[k] / 24);
+              goes[k] = false;
+            }
+        }
+    }
+}
+
+void
+lane_group::stages_4 (void)
+{
+  double t[lane_count], *x = m_x.begin ();
+  std::copy_n (m_c.begin (), lane_count, t);
+  activate ();
+  for (int stage = 1; stage <= 4; stage++)
+    {
+      for (int k = 0; k < lane_count && stage > 1; k++)
+        t[k] = stage == 4 ? m_tn(0, k) : m_c(c_t, k) + 0.5 * m_step(0, k);
+      stage_rates (m_f.begin () + (stage > 1 ? m_numbers : 0), t, x, stage == 4);
+      x = stage == 4 ? m_xn.begin () : m_xs.begin ();
+      fortran {gsln4_} (&stage, &m_numbers, m_h.begin (), m_x.begin (), m_f.begin (), x);
+    }
+}
+
+void
+lane_group::by_itself_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  fortran {gsrk4_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &l.tn, &l.at, &l.h, l.state (),
+                    &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
+                    l.rp.data (), &l.r.cst[0], l.inputs (), l.next (), l.stages (), &l.r.w[0],
+                    l.partition (), &l.r.istat[0], &l.r.rstat[0], &l.ier);
+  after_4 (lane);
+}
+
+void
+lane_group::after_4 (int lane)
+{
+  const simulation& s = m_s;
+  lane_run& l = m_l[lane];
+  run_room& r = l.r;
+  int again = 0, info = 0;
+  if (l.ier != 0)
+    {
+      end (lane, 3);
+      return;
+    }
+  fortran {gsrkq_} (s.rhs, s.prj, s.con, s.kin, s.cmd, s.clo, s.vin, s.evt, s.rst, &l.t, &l.tn,
+                    &l.stp[0], &l.at, &l.h, &l.ta, &l.hr, m_siz, &m_iopt[0], &m_ropt[0],
+                    l.ip.data (), l.rp.data (), &r.cst[0], l.iw, &r.w[0], &r.istat[0], &r.rstat[0],
+                    &again, &info);
+  if (info == 0 && again == 1)
+    begin_way (l);
+  else if (info == 0 && ++l.k > l.n)
+    {
+      l.t = l.stp[0];
+      if (! stopped (l))
+        {
+          end (lane, r.info);
+          return;
+        }
+    }
+  if (info != 0)
+    end (lane, info);
+  else
+    next_state (lane);
+}
+
+#endif
