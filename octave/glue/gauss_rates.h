@@ -1,0 +1,55 @@
+/* The emitted routines as gauss_momenta.c calls them. */
+#ifndef GSMBP_GLUE_GAUSS_RATES_H
+#define GSMBP_GLUE_GAUSS_RATES_H
+#include "gauss_rows.h"
+#include "gsmbp/inputs.h"
+
+static int
+mass_at (gs_run *s, gs_momenta *w, double t, const double *q, double *mass)
+{
+  ((mas_type *) s->r->mas) (&t, q, s->r->cst, mass, &w->n);
+  return cholesky (w->n, mass);
+}
+
+/* constraints and their gradients, ROWS; 0 or a flag */
+static int
+constraints_at (gs_run *s, gs_momenta *w, double t, const double *q, double *phi, double *rows)
+{
+  int info = 0;
+  ((con_type *) s->r->con) (&t, q, w->zero, s->r->cst, phi, w->phit, rows, &w->m, w->gamma, &info);
+  return info == 0 || info == 2 ? 0 : -1;
+}
+
+/* X += FACTOR ROWS' FORCES */
+static void
+add_forces (const gs_momenta *w, const double *rows, double factor, const double *forces, double *x)
+{
+  for (int j = 0; j < w->n; j++)
+    for (int k = 0; k < w->m; k++)
+      x[j] += factor * rows[k + w->m * j] * forces[k];
+}
+
+/* at the state X: M, and F = -B + (dM/dt) u; 0 or a flag */
+static int
+rate_at (gs_run *s, gs_momenta *w, double t, const double *x, double *f)
+{
+  const gsmbp_run *r = s->r;
+  int n = w->n;
+  const double *u = x + n;
+  if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0) && gs_inputs_at (s, t, x, s->v) != 0)
+    return -1;
+  ((lin_type *) r->lin) (&t, x, u, w->zero, s->v, r->cst, w->mass, w->B, w->C0, &n);
+  ((lin_type *) r->lin) (&t, x, u, u, s->v, r->cst, w->mass, w->B, w->C, &n);
+  ((bia_type *) r->bia) (&t, x, u, s->v, r->cst, w->bias);
+  r->istat[0]++;
+  for (int i = 0; i < n; i++)
+    {
+      f[i] = -w->bias[i];
+      for (int j = 0; j < n; j++)
+        f[i] += (w->C[i + n * j] - w->C0[i + n * j]) * u[j];
+      if (! (fabs (f[i]) <= 1e300))
+        return -1;
+    }
+  return 0;
+}
+#endif

@@ -1,0 +1,135 @@
+/* Linear equations of gauss_momenta.c: M, and rows M^-1 rows' of constraints that may depend on
+   each other. */
+#ifndef GSMBP_GLUE_GAUSS_ROWS_H
+#define GSMBP_GLUE_GAUSS_ROWS_H
+#include <math.h>
+#include <string.h>
+#include "gauss_state.h"
+
+/* A = L L'; 0: A is not positive definite */
+static int
+cholesky (int n, double *a)
+{
+  for (int j = 0; j < n; j++)
+    {
+      double scale = a[j + n * j];
+      for (int k = 0; k < j; k++)
+        for (int i = j; i < n; i++)
+          a[i + n * j] -= a[i + n * k] * a[j + n * k];
+      if (! (a[j + n * j] > 1e-14 * fabs (scale)))
+        return 0;
+      double root = sqrt (a[j + n * j]);
+      for (int i = j; i < n; i++)
+        a[i + n * j] /= root;
+    }
+  return 1;
+}
+
+static void
+forward (int n, const double *l, double *x)
+{
+  for (int j = 0; j < n; j++)
+    {
+      x[j] /= l[j + n * j];
+      for (int i = j + 1; i < n; i++)
+        x[i] -= l[i + n * j] * x[j];
+    }
+}
+
+static void
+backward (int n, const double *l, double *x)
+{
+  for (int j = n - 1; j >= 0; j--)
+    {
+      for (int i = j + 1; i < n; i++)
+        x[j] -= l[i + n * j] * x[i];
+      x[j] /= l[j + n * j];
+    }
+}
+
+/* S = ROWS M^-1 ROWS'; MASS: factors of M */
+static void
+gram (gs_momenta *w, const double *rows, const double *mass)
+{
+  int n = w->n, m = w->m;
+  for (int k = 0; k < m; k++)
+    {
+      for (int j = 0; j < n; j++)
+        w->solved[j + n * k] = rows[k + m * j];
+      forward (n, mass, w->solved + n * k);
+    }
+  for (int i = 0; i < m; i++)
+    for (int k = 0; k < m; k++)
+      {
+        double sum = 0;
+        for (int j = 0; j < n; j++)
+          sum += w->solved[j + n * i] * w->solved[j + n * k];
+        w->S[i + m * k] = sum;
+      }
+}
+
+/* rows and columns A and B change places */
+static void
+exchange (gs_momenta *w, int a, int b)
+{
+  int m = w->m, number = w->order[a];
+  double *S = w->S, swap = w->scale[a];
+  w->scale[a] = w->scale[b], w->scale[b] = swap;
+  w->order[a] = w->order[b], w->order[b] = number;
+  for (int j = 0; j < m; j++)
+    swap = S[a + m * j], S[a + m * j] = S[b + m * j], S[b + m * j] = swap;
+  for (int j = 0; j < m; j++)
+    swap = S[j + m * a], S[j + m * a] = S[j + m * b], S[j + m * b] = swap;
+}
+
+/* S = L L', its rows in the order of their pivots, as far as they are independent */
+static void
+factorize (gs_momenta *w, const double *rows, const double *mass)
+{
+  int m = w->m;
+  double *S = w->S, *scale = w->scale;
+  gram (w, rows, mass);
+  for (int k = 0; k < m; k++)
+    w->order[k] = k, scale[k] = S[k + m * k];
+  for (w->rank = 0; w->rank < m; w->rank++)
+    {
+      int k = w->rank, best = k;
+      for (int i = k + 1; i < m; i++)
+        if (S[i + m * i] * scale[best] > S[best + m * best] * scale[i])
+          best = i;
+      if (! (S[best + m * best] > 1e-10 * scale[best]))
+        return;
+      exchange (w, k, best);
+      double root = sqrt (S[k + m * k]);
+      for (int i = k; i < m; i++)
+        S[i + m * k] /= root;
+      for (int j = k + 1; j < m; j++)
+        for (int i = k + 1; i < m; i++)
+          S[i + m * j] -= S[i + m * k] * S[j + m * k];
+    }
+}
+
+/* what solves S X = X; zero for rows that depend on others */
+static void
+solve_rows (gs_momenta *w, double *x)
+{
+  int m = w->m, r = w->rank;
+  double *y = w->side;
+  for (int i = 0; i < r; i++)
+    {
+      y[i] = x[w->order[i]];
+      for (int j = 0; j < i; j++)
+        y[i] -= w->S[i + m * j] * y[j];
+      y[i] /= w->S[i + m * i];
+    }
+  for (int i = r - 1; i >= 0; i--)
+    {
+      for (int j = i + 1; j < r; j++)
+        y[i] -= w->S[j + m * i] * y[j];
+      y[i] /= w->S[i + m * i];
+    }
+  memset (x, 0, sizeof (double) * m);
+  for (int i = 0; i < r; i++)
+    x[w->order[i]] = y[i];
+}
+#endif
