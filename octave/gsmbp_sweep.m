@@ -23,8 +23,15 @@
 ## what is kept of a run: "final NAME", "peak NAME" (the largest modulus), "max NAME",
 ## "min NAME", "mean NAME", "rms NAME" of states, inputs and outputs, at the @var{times} that
 ## are asked for (mean and rms by the trapezoidal rule), "at T NAME" at the one of these that is T,
-## "whole NAME" at all of them; default the last value of every output, or of every state where
-## there are none
+## "whole NAME" at all of them; "phase_margin" [rad], "gain_margin", "delay_margin" [s], "Ms" of
+## the control loop of option "loop"; default the last value of every output, or of every state
+## where there are none
+## @item "loop"
+## a function of the model with the parameters of a run that gives a controller
+## (@code{gsmbp_control}, @code{gsmbp_pid}): the margins are those of its loop (@code{gsmbp_loop}),
+## the worst of its inputs, 1e6 where there is no bound; a run whose loop has none failed.  For the
+## gains of one controller @var{c} on the machine of each run: a function that gives @var{c} with
+## the field @code{plant} of a controller that is designed for that model
 ## @item "demand"
 ## a cell with a row for each demand: what is kept, lower limit, upper limit
 ## @item "threads"
@@ -118,6 +125,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   cellfun (@(name) gsmbp__known_parameter (who, m, name), names);
   times = gsmbp__times (who, times);
   kept = gsmbp__kept (who, m, o.keep, times);
+  check_loop (who, o, kept);
   table = gsmbp__sweep_plan (who, o);
   plain = kept(! [kept.whole]);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
@@ -125,7 +133,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   told_of_signs (who, m, names, w.units, table);
   s = struct ("who", who, "m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, ...
               "table", table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
-              "timeout", o.timeout);
+              "timeout", o.timeout, "loop", o.loop);
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))
@@ -158,6 +166,21 @@ function units = units_of (m, names)
     p = m.json.parameters(strcmp ({m.json.parameters.name}, names{k}));
     units{k} = p.unit;
   endfor
+endfunction
+
+## margins that are kept have a loop, which Octave calculates
+function check_loop (who, o, kept)
+  asked = {kept([kept.way] == 0).what};
+  if (! (isempty (o.loop) || is_function_handle (o.loop)))
+    error (["%s: option loop: expected a function of the model that gives a controller, found " ...
+            "%s"], who, gsmbp__shown (o.loop));
+  elseif (isempty (asked) != isempty (o.loop))
+    error (["%s: margins in option keep (%s) and option loop, a function of the model that " ...
+            "gives a controller, belong together"], who, strjoin (asked, ", "));
+  elseif (! isempty (asked) && ! isempty (o.program))
+    error (["%s: option program: its runs have no margins: expected none in option keep, found " ...
+            "%s"], who, strjoin (asked, ", "));
+  endif
 endfunction
 
 ## a length, a mass or an inertia that the model has above 0 and samples have below

@@ -49,7 +49,7 @@ function [R, D] = calculated (P, c, p, by)
     case "positions"
       [R, D] = gsmbp__positions (P, m, c, args, options, p, by);
     case "loop"
-      R = loop (P, m, c, args{1}, p);
+      R = loop (P, m, args{1}, p);
   endswitch
 endfunction
 
@@ -106,21 +106,11 @@ function [R, D] = run (P, m, args, options, p, by)
 endfunction
 
 ## the margins of a control loop: the worst of its inputs
-function R = loop (P, m, c, law, p)
+function R = loop (P, m, law, p)
   if (is_function_handle (law))
     law = law(gsmbp__as_struct (P, p), m);
   endif
-  r = gsmbp_loop (law);
-  if (law.period == 0 && law.delay == 0)
-    late = max (real (gsmbp__closed_poles (law)));
-    if (late >= 0)
-      error ("%s: case %s: the loop is unstable (a pole at %g 1/s): it has no margins", P.who, ...
-             c.name, late);
-    endif
-  endif
-  R = struct ("t", 0, "extra", struct ("phase_margin", min ([r.phase, 1e6]), ...
-              "gain_margin", min ([r.gain, 1e6]), "Ms", max ([r.Ms]), ...
-              "delay_margin", min ([r.delay, 1e6])));
+  R = struct ("t", 0, "extra", gsmbp__least_margins (law));
 endfunction
 
 ## the margins of its devices along a run (m.state_margins)

@@ -1,7 +1,8 @@
 ## kept = gsmbp__kept (who, m, words, times)
 ## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
 ## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
-## of z); whole; and for the program of a sweep the numbers of the way, the quantity, the time.
+## of z); whole; and for the program of a sweep the numbers of the way, the quantity, the time.  A
+## margin of a control loop has the way 0.
 
 function kept = gsmbp__kept (who, m, words, times)
   if (isempty (words))
@@ -13,6 +14,12 @@ function kept = gsmbp__kept (who, m, words, times)
   kept = struct ("what", {}, "name", {}, "unit", {}, "of", {}, "whole", {}, "way", {}, "number", ...
                  {}, "time", {});
   for word = cellstr (words)(:)'
+    at = find (strcmp (word{1}, margins ()(:,1)));
+    if (at)
+      kept(end+1) = struct ("what", word{1}, "name", word{1}, "unit", margins (){at,2}, "of", ...
+                            [], "whole", false, "way", 0, "number", 0, "time", 0);
+      continue;
+    endif
     [way, name, at] = parts_of (who, word{1}, times);
     k = find (strcmp (names, name), 1);
     if (isempty (k))
@@ -24,6 +31,10 @@ function kept = gsmbp__kept (who, m, words, times)
   endfor
 endfunction
 
+function list = margins ()
+  list = {"phase_margin", "rad"; "gain_margin", "1"; "delay_margin", "s"; "Ms", "1"};
+endfunction
+
 function list = ways ()
   list = {"final", "peak", "max", "min", "mean", "rms", "at", "whole"};
 endfunction
@@ -33,8 +44,8 @@ function [way, name, at] = parts_of (who, word, times)
   at = numel (times);
   parts = regexp (strtrim (word), '^(\w+)\s+(.*)$', "tokens", "once");
   if (isempty (parts) || ! any (strcmp (parts{1}, ways ())))
-    error ("%s: option keep: expected one of %s and a name, found %s", who, ...
-           strjoin (ways (), ", "), gsmbp__shown (word));
+    error ("%s: option keep: expected one of %s and a name, or one of %s, found %s", who, ...
+           strjoin (ways (), ", "), strjoin (margins ()(:,1)', ", "), gsmbp__shown (word));
   endif
   [way, name] = parts{:};
   if (! strcmp (way, "at"))

@@ -7,6 +7,7 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "runs", 256, "whole"
            "seed", 1, "whole"
            "keep", {}, "names"
+           "loop", [], "any"
            "demand", {}, "any"
            "threads", nproc(), "whole"
            "file", "", "text"

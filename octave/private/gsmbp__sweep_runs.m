@@ -1,6 +1,6 @@
 ## r = gsmbp__sweep_runs (who, s, j)
 ## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
-## names, table, kept, threads, chunk; J: a journal, [] for none.  R: values, ok,
+## names, table, kept, threads, chunk, loop; J: a journal, [] for none.  R: values, ok,
 ## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
 ## (whether they were), stopped ("", or what ended all; of the chunk under way the runs that came to
 ## their end before are kept).
@@ -105,7 +105,14 @@ function b = chunk (s, i, left)
   [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
   kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
   parts = cell (1, numel (kept));
+  if (! isempty (s.loop))
+    [e, g] = margins (s, i, e);
+  endif
   for k = 1:numel (kept)
+    if (kept(k).way == 0)
+      parts{k} = [g.(kept(k).name)]';
+      continue;
+    endif
     parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
     parts{k}(! (e.ok | kept(k).whole),:) = NaN;
   endfor
@@ -113,6 +120,21 @@ function b = chunk (s, i, left)
   b.lines = repmat ({""}, size (e.ok));
   for k = find (! e.ok)'
     b.lines{k} = sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " "));
+  endfor
+endfunction
+
+## margins of the loops of the runs I, a struct array; a run without them failed
+function [e, g] = margins (s, i, e)
+  none = struct ("phase_margin", NaN, "gain_margin", NaN, "Ms", NaN, "delay_margin", NaN);
+  g = repmat (none, numel (i), 1);
+  for k = find (e.ok(:))'
+    try
+      m = gsmbp_set (s.m, cell2struct (num2cell (s.table(i(k),:)), s.names, 2));
+      g(k) = gsmbp__least_margins (s.loop(m));
+    catch err
+      e.ok(k) = false;
+      e.reason{k} = ["loop: " err.message];
+    end_try_catch
   endfor
 endfunction
 

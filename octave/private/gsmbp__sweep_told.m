@@ -7,6 +7,9 @@ function text = gsmbp__sweep_told (m, x0, times, rest, o, kept)
            ["start: " gsmbp__sweep_text(x0(:)')], ["times: " gsmbp__sweep_text(times(:)')], ...
            ["plan: " o.plan], sprintf("runs: %d", o.runs), sprintf("seed: %d", o.seed), ...
            ["keep: " strjoin({kept.what}, ", ")]};
+  if (! isempty (o.loop))
+    lines{end+1} = ["loop: " gsmbp__sweep_text(o.loop)];
+  endif
   for name = fieldnames (o.vary)'
     lines{end+1} = ["vary " name{1} ": " gsmbp__sweep_text(o.vary.(name{1}))];
   endfor

@@ -8,6 +8,7 @@ function test_sweep ()
   table (m);
   indices (m);
   yields (m);
+  margins (m);
   on_disk (m);
   refused (m);
 end
@@ -121,6 +122,39 @@ function yields (m)
                  && all (isnan (w.values(! w.ok,2))) && isfinite (w.mean));
 end
 
+## gains K of a mass 1 on a mass m: L = (K1 + K2 s) / (m s^2)
+function margins (m)
+  if (isempty (pkg ("list", "control")))
+    return;
+  end
+  pkg load control
+  plant = @(mass, sense) ss ([0 1; 0 0], [0; sense / mass], eye (2), 0);
+  c = gsmbp_control (plant (1, 1), [], "lqr", "Q", [1 0], "R", 1);
+  loop = @(m) on_plant (c, plant (m.par.m, 1));
+  o = {"vary", struct("m", [0.5, 3]), "runs", 7, "keep", {"phase_margin", "final x1", ...
+       "delay_margin", "Ms"}, "loop", loop, "demand", {"Ms", 0, 1.1; "phase_margin", pi / 3, pi}};
+  w = swept (m, o{:});
+  mass = w.values(:,1);
+  x = (2 + sqrt (4 + 4 * mass .^ 2)) ./ (2 * mass .^ 2);   # K1 = 1, K2^2 = 2
+  phase = atan (sqrt (2 * x));
+  gsmbp_check ("margins of the loop of each run: the phase [rad]", w.values(:,2) - phase, 1e-8);
+  gsmbp_check ("... the delay that it bears [s]", w.values(:,4) - phase ./ sqrt (x), 1e-8);
+  gsmbp_check ("... their units", isequal (w.units(2:5), {"rad", "m", "s", "1"}));
+  gsmbp_check ("... in demands", w.yield - mean (w.values(:,5) <= 1.1 & phase >= pi / 3), 1e-12);
+  file = [tempname() ".h5"];
+  tidy = onCleanup (@() delete (file));
+  disk = swept (m, o{:}, "file", file, "chunk", 3);
+  gsmbp_check ("... on disk", isequal (disk.values, w.values));
+  w = swept (m, o{1:6}, "loop", @(m) on_plant (c, plant (m.par.m, sign (m.par.m - 1))));
+  gsmbp_check ("a run whose loop is unstable failed, and says it", ...
+               all (w.ok == (w.values(:,1) > 1)) ...
+               && ! isempty (strfind (w.reason{find(! w.ok, 1)}, "loop: the loop is unstable")));
+end
+
+function c = on_plant (c, plant)
+  c.plant = plant;
+end
+
 function on_disk (m)
   folder = tempname ();
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
@@ -207,6 +241,10 @@ function refused (m)
            [one, {"method", "rk5"}], "option method: expected one of";
            [one, {"maxorder", 5}], "option maxorder: method dp853 has one order alone";
            [one, {"chunk", 0}], "option chunk: expected a whole number above 0";
+           [one, {"keep", {"Ms"}}], "option loop, a function of the model that gives";
+           [one, {"loop", 3}], "option loop: expected a function of the model";
+           [one, {"keep", {"Ms"}, "loop", @(m) 1, "program", tempname()}], ...
+           "expected none in option";
            [one, {"resume", true}], "option resume goes on with";
            [one, {"file", tempdir()}], "is a folder";
            [one, {"runz", 3}], "unknown option \"runz\", did you mean \"runs\""};
