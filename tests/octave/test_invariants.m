@@ -54,6 +54,7 @@ function v = inputs (m, d)
   v = uniform (d.nv);
   if (! isempty (m.events))
     modes = [m.events.input];
+    modes = modes(modes > 0);   # events of the user have none
     v(modes) = randi ([-1, 1], numel (modes), 1);
   end
 end
@@ -161,7 +162,8 @@ function power (name, m, d)
   for trial = 1:20
     x = state (m, d);
     v = inputs (m, d);
-    v([m.events.input]) = strcmp ({m.events.kind}, "stick");   # friction slides, stops are free
+    ports = m.events([m.events.input] > 0);
+    v([ports.input]) = strcmp ({ports.kind}, "stick");   # friction slides, stops are free
     [xd, ~] = m.rhs (0, x, v);
     drives = 0;
     if (d.nlam > 0)
