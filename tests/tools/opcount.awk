@@ -1,10 +1,10 @@
 # Operations of the assignments in fixed-form Fortran 77, one line a subroutine: NAME mul add div
-# sqrt trig. X**3 is two mul, unary minus, ABS, MAX, MIN and rounding are free, subscripts and
+# sqrt trig. X**3 is two mul, unary minus, ABS, SIGN, MAX, MIN, rounding are free, subscripts and
 # whole numbers do not count; trig is every other intrinsic call, and a power with a broken
 # exponent; CALL GSSC is a sine and a cosine, what it leaves in IDLE apart.
 BEGIN {
   set(trig, "SIN COS TAN ASIN ACOS ATAN ATAN2 SINH COSH TANH LOG EXP")
-  set(free, "SQRT ABS MAX MIN ANINT GSFLR")
+  set(free, "SQRT ABS SIGN MAX MIN ANINT GSFLR")
 }
 /^[Cc*!]/ || /^ *$/ { next }
 substr($0, 6, 1) !~ /[ 0]/ && length($0) > 5 { statement = statement substr($0, 7); next }
