@@ -152,7 +152,9 @@ endfunction
 
 ## times and coordinates of the result
 function [t, q] = motion (who, m, result)
-  gsmbp__moving (who, m);
+  if (isfield (m, "sizes"))
+    gsmbp__moving (who, m);
+  endif
   if (! isfield (m, "ske") || ! isfield (m, "skeleton") || isempty (m.skeleton.points))
     error (["%s: argument m has no handle ske: emit the scene with the request " ...
             "skeleton (gsmbp_fortran)"], who);

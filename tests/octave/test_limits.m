@@ -95,7 +95,7 @@ function of_the_scene ()
   bare.subroutines = setdiff (m.subroutines, "cmd");
   said = gsmbp_complaint (@() gsmbp_inverse (bare, plan, 0.5, "limits", 6));
   gsmbp_check (["limits without a command are refused: " said], ...
-               ! isempty (strfind (said, "the inputs are not determined: no inputs v: add it to")));
+               ! isempty (strfind (said, "not determined: no inputs v: made on request")));
   lastwarn ("");
   gsmbp_inverse (bare, plan, 0.5);
   gsmbp_check (["limits of the scene without a command: " lastwarn()], ...
