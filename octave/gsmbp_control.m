@@ -141,11 +141,7 @@ function c = finished (who, p, o, c, method)
   c.limits = gsmbp__two_limits (who, o.limits, c.driven, c.u0);
   c.step_in = spread (who, "step_in", o.step_in, numel (c.measured));
   c.step_out = spread (who, "step_out", o.step_out, nu);
-  c.poles = gsmbp__closed_poles (c);
-  worst = max ([real(c.poles); -Inf]);
-  if (c.period > 0)
-    worst = max ([abs(c.poles) - 1; -Inf]);
-  endif
+  [c.poles, worst] = gsmbp__closed_poles (c);
   if (! (worst < 0))
     error ("gsmbp:unstable", ["%s: the closed loop is not stable: poles %s"], who, ...
            gsmbp__pole_text (c.poles, c.period));

@@ -348,11 +348,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
       gsmbp__no_beginning (who, m, times(1), x0, counts(6));
     endif
     if (info == 3 && counts(7) == 7 && ! isempty (events))
-      last = events(2,end);
-      if (counts(6) == 10)
-        last = counts(19);
-      endif
-      text = [", " m.events(last).name ","];
+      text = [", " m.events(events(2,end)).name ","];
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));

@@ -125,7 +125,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   cellfun (@(name) gsmbp__known_parameter (who, m, name), names);
   times = gsmbp__times (who, times);
   kept = gsmbp__kept (who, m, o.keep, times);
-  check_loop (who, o, kept);
+  check_loop (who, m, o, kept);
   table = gsmbp__sweep_plan (who, o);
   plain = kept(! [kept.whole]);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
@@ -169,7 +169,7 @@ function units = units_of (m, names)
 endfunction
 
 ## margins that are kept have a loop, which Octave calculates
-function check_loop (who, o, kept)
+function check_loop (who, m, o, kept)
   asked = {kept([kept.way] == 0).what};
   if (! (isempty (o.loop) || is_function_handle (o.loop)))
     error (["%s: option loop: expected a function of the model that gives a controller, found " ...
@@ -180,6 +180,21 @@ function check_loop (who, o, kept)
   elseif (! isempty (asked) && ! isempty (o.program))
     error (["%s: option program: its runs have no margins: expected none in option keep, found " ...
             "%s"], who, strjoin (asked, ", "));
+  elseif (! isempty (asked))
+    check_law (who, m, o.loop);
+  endif
+endfunction
+
+## what it gives for the model as it is
+function check_law (who, m, loop)
+  try
+    law = loop (m);
+  catch err
+    error ("%s: option loop, at the parameters of the model: %s", who, err.message);
+  end_try_catch
+  if (! (isstruct (law) && isscalar (law) && isfield (law, "plant")))
+    error (["%s: option loop: expected that it gives a controller of gsmbp_control or " ...
+            "gsmbp_pid, found %s"], who, gsmbp__shown (law));
   endif
 endfunction
 

@@ -18,6 +18,9 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
       routine = ...
           {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
                  "OUT or a sampled device", "an event"}{counts(7)};
+      if (counts(7) == 7 && counts(6) == 10)
+        said = [", " m.events(counts(19)).name ","];
+      endif
       text = sprintf ("%s failed with INFO = %d %s: %s", [routine said], counts(6), at,
                       cause (m, counts(7), counts(6)));
     case 4

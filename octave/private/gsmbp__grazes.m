@@ -53,8 +53,9 @@ function found = unseen (a, b, near)
 endfunction
 
 function modes = modes_of (m, q, i)
-  modes = zeros (numel (m.events), 1);
-  modes([m.events.input] > 0) = q.v(i,[m.events.input](find ([m.events.input])));
+  inputs = [m.events.input];   # events of the user have none
+  modes = zeros (numel (inputs), 1);
+  modes(inputs > 0) = q.v(i,inputs(inputs > 0));
 endfunction
 
 function g = value (m, q, i, number)

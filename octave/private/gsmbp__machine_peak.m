@@ -4,7 +4,8 @@
 
 function top = gsmbp__machine_peak (c, i, plant)
   c.plant = plant;
-  if (max (abs (gsmbp__closed_poles (c))) >= 1)
+  [~, worst] = gsmbp__closed_poles (c);
+  if (worst >= 0)
     top = Inf;
     return;
   endif

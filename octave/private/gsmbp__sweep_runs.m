@@ -84,8 +84,7 @@ function pairs = stretches (made)
 endfunction
 
 ## a block of runs: table, a row for each, ok, reached, what is kept, whole runs; lines, one for
-## each
-## that failed, else ""; made, whether it came to an end of its own; seconds, stopped
+## each that failed, else ""; made, whether it came to an end of its own; seconds, stopped
 function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
   b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...

@@ -14,6 +14,12 @@ function text = gsmbp__sweep_text (x)
     endif
   elseif (is_function_handle (x))
     text = func2str (x);
+    with = functions (x);
+    if (isfield (with, "workspace") && numfields (with.workspace{1}) > 0)
+      text = [text ", sum of its variables " hash("md5", gsmbp__sweep_text (with.workspace{1}))];
+    endif
+  elseif (isobject (x))   # a linear model
+    text = [class(x) " " gsmbp__sweep_text(struct (x))];
   elseif (numel (x) <= 20 && ndims (x) == 2)
     text = mat2str (x, 17);
   else

@@ -30,10 +30,18 @@ function files = gsmbp__target (who, c, folder, scene)
   endif
   t = struct ("json", json, "name", name, "nz", rows (c.A), "cst", json.dimensions.ncst, ...
               "drives", gsmbp__which (c.driven, gsmbp__names (json.inputs))(:)', ...
-              "values", cellfun (@(one) c.scene.parameters.(one), ...
-                                 gsmbp__names (json.parameters))(:)');
+              "values", values_of (c, json));
   files = {write_fortran(who, c, t, folder, place)};
   files = [files, write_c(who, c, t, folder, place)];
+endfunction
+
+## of its parameters, as the controller believes them; those that were compiled into the model are
+## the scene's
+function values = values_of (c, json)
+  values = [json.parameters.value];
+  [known, at] = ismember (gsmbp__names (json.parameters), fieldnames (c.scene.parameters));
+  believed = struct2cell (c.scene.parameters);
+  values(known) = [believed{at(known)}];
 endfunction
 
 function remove (place)

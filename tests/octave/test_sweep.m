@@ -9,6 +9,7 @@ function test_sweep ()
   indices (m);
   yields (m);
   margins (m);
+  late_loops ();
   on_disk (m);
   refused (m);
 end
@@ -145,10 +146,39 @@ function margins (m)
   tidy = onCleanup (@() delete (file));
   disk = swept (m, o{:}, "file", file, "chunk", 3);
   gsmbp_check ("... on disk", isequal (disk.values, w.values));
+  c.D *= 2;   # the same words with another controller
+  o{8} = @(m) on_plant (c, plant (m.par.m, 1));
+  said = gsmbp_complaint (@() swept (m, o{:}, "file", file, "resume", true));
+  gsmbp_check ("... another loop is another sweep", ! isempty (strfind (said, "another sweep")));
   w = swept (m, o{1:6}, "loop", @(m) on_plant (c, plant (m.par.m, sign (m.par.m - 1))));
   gsmbp_check ("a run whose loop is unstable failed, and says it", ...
                all (w.ok == (w.values(:,1) > 1)) ...
                && ! isempty (strfind (w.reason{find(! w.ok, 1)}, "loop: the loop is unstable")));
+end
+
+function late_loops ()
+  if (isempty (pkg ("list", "control")))
+    return;
+  end
+  m = gsmbp_fixture ("sweep_ishigami");
+  c = gsmbp_control (ss ([0 1; 0 0], [0; 1], eye (2), 0), [], "lqr", "Q", [1 0], "R", 1, ...
+                     "period", 0.1);
+  ## a PI controller of a lag that it cancels: L = K exp (-0.4 s) / s bears pi/2/K
+  p = gsmbp_pid (tf (2, [1.5, 1]), [], "pi", "pm", 60, "Ti", 1.5, "delay", 0.4);
+  for row = {c, 20, "a pole at |z| = 1.75"; p, 6, "it bears a delay of 0.2 s"}'
+    [law, factor, said] = row{:};
+    grown = @(m) louder (law, 1 + m.par.a * (factor - 1));
+    w = swept (m, "vary", struct ("a", [0, 1]), "plan", "grid", "keep", {"delay_margin"}, ...
+               "loop", grown);
+    gsmbp_check (["unstable by samples or a delay: " said], isequal (w.ok, [true; false]) ...
+                 && ! isempty (strfind (w.reason{2}, said)));
+  end
+  gsmbp_check ("the delay that is left", p.margins.delay - 0.8, 1e-9);
+end
+
+function c = louder (c, factor)
+  c.C *= factor;
+  c.D *= factor;
 end
 
 function c = on_plant (c, plant)
@@ -243,6 +273,8 @@ function refused (m)
            [one, {"chunk", 0}], "option chunk: expected a whole number above 0";
            [one, {"keep", {"Ms"}}], "option loop, a function of the model that gives";
            [one, {"loop", 3}], "option loop: expected a function of the model";
+           [one, {"keep", {"Ms"}, "loop", @(m) 1}], "expected that it gives a controller";
+           [one, {"keep", {"Ms"}, "loop", @(m) m.nothing}], "at the parameters of the model: ";
            [one, {"keep", {"Ms"}, "loop", @(m) 1, "program", tempname()}], ...
            "expected none in option";
            [one, {"resume", true}], "option resume goes on with";
