@@ -12,8 +12,11 @@ grep -v '^#' tests/data/structure.txt | while read -r figure most goal; do
   if [ "${now:-1000000}" -le "$most" ]; then
     echo "ok $figure is $now, at most $most (the goal is $goal)"
   else
-    echo "not ok $figure is ${now:-not counted}, at most $most expected:" \
-      "python3 tests/tools/structure.py . --where $figure lists them"
+    case $figure in
+      read | pulled) where="these functions run" ;;
+      *) where="python3 tests/tools/structure.py . --where $figure lists them" ;;
+    esac
+    echo "not ok $figure is ${now:-not counted}, at most $most expected: $where"
     sed -n "s/^$figure /   /p" "$folder/functions.txt" | tr '\n' ' '
   fi
 done
