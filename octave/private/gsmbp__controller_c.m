@@ -22,7 +22,7 @@ function [text, header] = gsmbp__controller_c (c, name)
     body = [body, statement(step{:})];
   endfor
   start = [arrayfun(@(k) sprintf ("z[%d] = 0.0;", k - 1), 1:sizes(3), "UniformOutput", false), ...
-           arrayfun(@(k) sprintf ("u[%d] = %s;", k - 1, number (c.u0(k))), 1:sizes(4), ...
+           arrayfun(@(k) sprintf ("u[%d] = %s;", k - 1, gsmbp__c_number (c.u0(k))), 1:sizes(4), ...
                     "UniformOutput", false)];
   out = {sprintf("/* %s.c: see %s.h */", name, name), "#include <math.h>", ...
          sprintf("#include \"%s.h\"", name), "", "void", [name " " taken], "{", ...
@@ -46,36 +46,38 @@ function lines = statement (target, kind, args)
     case "clip"
       lines = {};
       if (isfinite (args{2}))
-        lines{end+1} = sprintf ("if (%s < %s) %s = %s;", to, number (args{2}), to, ...
-                                number (args{2}));
+        lines{end+1} = sprintf ("if (%s < %s) %s = %s;", to, gsmbp__c_number (args{2}), to, ...
+                                gsmbp__c_number (args{2}));
       endif
       if (isfinite (args{3}))
-        lines{end+1} = sprintf ("if (%s > %s) %s = %s;", to, number (args{3}), to, ...
-                                number (args{3}));
+        lines{end+1} = sprintf ("if (%s > %s) %s = %s;", to, gsmbp__c_number (args{3}), to, ...
+                                gsmbp__c_number (args{3}));
       endif
     case "round"
-      lines = {sprintf("%s = %s * floor (%s / %s + 0.5);", to, number (args{2}), ...
-                       place (args{1}), number (args{2}))};
+      lines = {sprintf("%s = %s * floor (%s / %s + 0.5);", to, gsmbp__c_number (args{2}), ...
+                       place (args{1}), gsmbp__c_number (args{2}))};
     case "sum"
       lines = sum_of (to, args);
     case "add"
       lines = sum_of (to, [{1, target}; args]);
     case "when"
-      lines = {sprintf("%sif (%s < %s) {", {"", "} else "}{1 + args{2}}, to, number (args{1}))};
+      lines = {sprintf("%sif (%s < %s) {", {"", "} else "}{1 + args{2}}, to, ...
+                       gsmbp__c_number (args{1}))};
     case "else"
       lines = {"} else {"};
     case "end"
       lines = {"}"};
     case "weight"
-      lines = {sprintf("s = (%s - (%s)) / %s;", to, number (args{1}), ...
-                       number (args{2} - args{1})), ...
+      lines = {sprintf("s = (%s - (%s)) / %s;", to, gsmbp__c_number (args{1}), ...
+                       gsmbp__c_number (args{2} - args{1})), ...
                "s = s > 1.0 ? 1.0 : s < 0.0 ? 0.0 : s;"};
     case "keep"
       lines = {sprintf("%s = %s;", to, place (args{1}))};
     case "blend"
       lines = {sprintf("%s = %s + s * (%s - %s);", to, place (args{1}), to, place (args{1}))};
     case "gain"
-      lines = {sprintf("t = %s + s * (%s);", number (args{1}), number (args{2} - args{1})), ...
+      lines = {sprintf("t = %s + s * (%s);", gsmbp__c_number (args{1}), ...
+                       gsmbp__c_number (args{2} - args{1})), ...
                sprintf("%s += t * %s;", to, place (args{3}))};
   endswitch
 endfunction
@@ -83,18 +85,11 @@ endfunction
 ## a statement for each term
 function lines = sum_of (to, terms)
   lines = {};
-  for part = gsmbp__controller_terms (to, terms, @number, @place, " * ")'
+  for part = gsmbp__controller_terms (to, terms, @gsmbp__c_number, @place, " * ")'
     lines{end+1} = sprintf ("%s %s %s;", to, {[part{1} "="], "="}{1 + (part{1} == "=")}, part{2});
   endfor
 endfunction
 
 function text = place (name)
   text = sprintf ("%s[%d]", name(1), str2double (name(2:end)) - 1);
-endfunction
-
-function text = number (x)
-  text = sprintf ("%.17g", x);
-  if (! any (ismember (text, ".en")))
-    text = [text ".0"];
-  endif
 endfunction

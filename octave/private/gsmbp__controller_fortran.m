@@ -29,30 +29,33 @@ function lines = statement (target, kind, args)
     case "clip"
       lines = {};
       if (isfinite (args{2}))
-        lines{end+1} = sprintf ("      %s = MAX( %s, %s )", to, place (args{1}), number (args{2}));
+        lines{end+1} = sprintf ("      %s = MAX( %s, %s )", to, place (args{1}), ...
+                                gsmbp__fortran_number (args{2}));
       endif
       if (isfinite (args{3}))
-        lines{end+1} = sprintf ("      %s = MIN( %s, %s )", to, place (args{1}), number (args{3}));
+        lines{end+1} = sprintf ("      %s = MIN( %s, %s )", to, place (args{1}), ...
+                                gsmbp__fortran_number (args{3}));
       endif
     case "round"
-      lines = {sprintf("      T = %s/%s + 0.5D0", place (args{1}), number (args{2})), ...
+      lines = {sprintf("      T = %s/%s + 0.5D0", place (args{1}), ...
+                       gsmbp__fortran_number (args{2})), ...
                sprintf("      %s = AINT( T )", to), ...
                sprintf("      IF ( %s.GT.T ) %s = %s - 1.0D0", to, to, to), ...
-               sprintf("      %s = %s*%s", to, number (args{2}), to)};
+               sprintf("      %s = %s*%s", to, gsmbp__fortran_number (args{2}), to)};
     case "sum"
       lines = sum_of (to, args);
     case "add"
       lines = sum_of (to, [{1, target}; args]);
     case "when"
       lines = {sprintf("      %sIF ( %s.LT.%s ) THEN", {"", "ELSE "}{1 + args{2}}, to, ...
-                       number (args{1}))};
+                       gsmbp__fortran_number (args{1}))};
     case "else"
       lines = {"      ELSE"};
     case "end"
       lines = {"      END IF"};
     case "weight"
-      lines = {sprintf("      S = ( %s - %s )", to, number (args{1})), ...
-               sprintf("      S = S/%s", number (args{2} - args{1})), ...
+      lines = {sprintf("      S = ( %s - %s )", to, gsmbp__fortran_number (args{1})), ...
+               sprintf("      S = S/%s", gsmbp__fortran_number (args{2} - args{1})), ...
                "      S = MAX( 0.0D0, MIN( 1.0D0, S ) )"};
       lines{1} = strrep (lines{1}, "- -", "+ ");
     case "keep"
@@ -60,8 +63,8 @@ function lines = statement (target, kind, args)
     case "blend"
       lines = {sprintf("      %s = %s + S*( %s - %s )", to, place (args{1}), to, place (args{1}))};
     case "gain"
-      lines = {sprintf("      T = %s", number (args{1})), ...
-               sprintf("      T = T + S*( %s )", number (args{2} - args{1})), ...
+      lines = {sprintf("      T = %s", gsmbp__fortran_number (args{1})), ...
+               sprintf("      T = T + S*( %s )", gsmbp__fortran_number (args{2} - args{1})), ...
                sprintf("      %s = %s + T*%s", to, to, place (args{3}))};
   endswitch
 endfunction
@@ -69,7 +72,7 @@ endfunction
 ## a line for each term
 function lines = sum_of (to, terms)
   lines = {};
-  for part = gsmbp__controller_terms (to, terms, @number, @place, "*")'
+  for part = gsmbp__controller_terms (to, terms, @gsmbp__fortran_number, @place, "*")'
     if (part{1} == "=")
       lines{end+1} = sprintf ("      %s = %s", to, part{2});
     else
@@ -80,14 +83,4 @@ endfunction
 
 function text = place (name)
   text = sprintf ("%s(%s)", upper (name(1)), name(2:end));
-endfunction
-
-function text = number (x)
-  text = strrep (sprintf ("%.17g", x), "e", "D");
-  if (! any (text == "D"))
-    text = [text "D0"];
-  endif
-  if (! any (text == "."))
-    text = regexprep (text, "D", ".0D");
-  endif
 endfunction

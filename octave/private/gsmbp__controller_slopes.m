@@ -73,6 +73,5 @@ endfunction
 
 ## an infinite one: larger than any voltage
 function text = number (x)
-  x = max (-1e300, min (1e300, x));
-  text = strrep (sprintf ("%.16e", x), "e", "D");
+  text = gsmbp__fortran_number (max (-1e300, min (1e300, x)));
 endfunction

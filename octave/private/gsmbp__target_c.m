@@ -49,11 +49,12 @@ function out = start (c, t)
     z = c.starts;
   endif
   out = [{"", sprintf("static const %s_parameters parameters = {", t.prefix)}, ...
-         each(numel (names), @(i) sprintf ("  %s, /* %s */", number (t.values(i)), names{i})), ...
+         each(numel (names), @(i) sprintf ("  %s, /* %s */", gsmbp__c_number (t.values(i)), ...
+                                           names{i})), ...
          {"};", "", "void", sprintf("%s_start (double z[%d], double u[%d])", c.name, ...
                                     t.nz + t.cst, t.nu), "{"}, ...
-         each(t.nz, @(i) sprintf ("  z[%d] = %s;", i - 1, number (z(i)))), ...
-         each(t.nu, @(i) sprintf ("  u[%d] = %s;", i - 1, number (c.u0(i)))), ...
+         each(t.nz, @(i) sprintf ("  z[%d] = %s;", i - 1, gsmbp__c_number (z(i)))), ...
+         each(t.nu, @(i) sprintf ("  u[%d] = %s;", i - 1, gsmbp__c_number (c.u0(i)))), ...
          {sprintf("  %s_pre (&parameters, z + %d);", t.prefix, t.nz), "}", ""}];
 endfunction
 
@@ -66,7 +67,7 @@ function [data, body] = at_efforts (c, t)
           sprintf("const double *cst = z + %d;", t.nz), ...
           sprintf("gs_sample s = { t, y, y + %d, r, r + %d, r + %d };", n, n, 2 * n), ...
           sprintf("gs_gains k = { kp, kd, %s, %s };", {"ki", "0"}{1 + impedance}, ...
-                  number (c.zeta)), "(void) qdd; (void) mt;"};
+                  gsmbp__c_number (c.zeta)), "(void) qdd; (void) mt;"};
   inv = [t.prefix "_inv"];
   switch (c.method)
     case "computed torque"
@@ -76,7 +77,7 @@ function [data, body] = at_efforts (c, t)
     case "impedance"
       body{end+1} = sprintf ("gsimt (%s, %s_mas, %d, &s, &k, v, cst, mt, tau);", inv, t.prefix, n);
   endswitch
-  integral = sprintf ("if (within) z[i] = z[i] + %s * (r[i] - y[i]);", number (c.period));
+  integral = sprintf ("if (within) z[i] = z[i] + %s * (r[i] - y[i]);", gsmbp__c_number (c.period));
   body = [body, {sprintf("for (int i = 0; i < %d; i++)", n), "  {", ...
                  "    int within = gslim (low[i], high[i], step[i], tau + i);", ...
                  ["    " {integral, "(void) within;"}{1 + impedance}], ...
@@ -152,7 +153,7 @@ function out = call_ (c, t, na, n, no)
       out = {"gs_gains k = { kp, kd, ki, 0.0 };", ...
              "int info = gsffd (&m, &s, rj, &k, z, pair, qg, qj, v);"};
     case "impedance"
-      out = [work, {sprintf("gs_gains k = { kp, kd, 0, %s };", number (c.zeta)), ...
+      out = [work, {sprintf("gs_gains k = { kp, kd, 0, %s };", gsmbp__c_number (c.zeta)), ...
                     "int info = gsimd (&m, &s, &k, qg, a, qj, wj, mt, tr, mr, v, iw);"}];
     case "cartesian impedance"
       p = c.tools;
@@ -179,7 +180,7 @@ function out = held (c, t, na, impedance)
                sprintf("      if (! within && acts[i + %d * j])", t.nu), ...
                "        limited[j] = 1;", "  }", ...
                sprintf("for (int j = 0; j < %d; j++)", na), "  if (! limited[j])", ...
-               sprintf("    z[j] = z[j] + %s * (rj[j] - y[j]);", number (c.period))}];
+               sprintf("    z[j] = z[j] + %s * (rj[j] - y[j]);", gsmbp__c_number (c.period))}];
   out = [{sprintf("int limited[%d] = { 0 };", na)}, out];
 endfunction
 
@@ -192,7 +193,7 @@ function out = gains_of (c, impedance)
 endfunction
 
 function out = numbers (name, x)
-  out = listed ("double", name, arrayfun (@number, x(:)', "UniformOutput", false));
+  out = listed ("double", name, arrayfun (@gsmbp__c_number, x(:)', "UniformOutput", false));
 endfunction
 function out = ints (name, k)
   out = listed ("int", name, arrayfun (@(i) sprintf ("%d", i), k(:)', "UniformOutput", false));
@@ -209,15 +210,4 @@ endfunction
 
 function lines = each (n, line)
   lines = arrayfun (line, 1:n, "UniformOutput", false);
-endfunction
-
-function text = number (x)
-  if (isinf (x))
-    text = {"HUGE_VAL", "-HUGE_VAL"}{1 + (x < 0)};
-    return;
-  endif
-  text = gsmbp__digits (x);
-  if (! any (ismember (text, ".en")))
-    text = [text ".0"];
-  endif
 endfunction

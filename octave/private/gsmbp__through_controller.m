@@ -90,14 +90,11 @@ function out = sample (c, name, t, device, reads, drives)
   if (! any (strfind (c.method, "impedance")))
     for i = 1:na
       out = [out, {sprintf("      IF ( FREE(%d) ) XK(%d) = XK(%d)", i, i, i), ...
-                   sprintf("     $   + %s*( RJ(%d) - Q(%d) )", number (c.period), i, i)}];
+                   sprintf("     $   + %s*( RJ(%d) - Q(%d) )", ...
+                           gsmbp__fortran_number (c.period), i, i)}];
     endfor
   endif
   out{end+1} = "      END";
-endfunction
-
-function text = number (x)
-  text = strrep (sprintf ("%.16e", x), "e", "D");
 endfunction
 
 function out = declared (c, name, t)
@@ -120,7 +117,7 @@ function [name, out] = believed (c)
     name = "OWN";
     out = {sprintf("      DOUBLE PRECISION   OWN(%d)", numel (c.cst)), "C"};
     for i = 1:numel (c.cst)
-      out{end+1} = sprintf ("      OWN(%d) = %s", i, number (c.cst(i)));
+      out{end+1} = sprintf ("      OWN(%d) = %s", i, gsmbp__fortran_number (c.cst(i)));
     endfor
   endif
 endfunction
@@ -142,14 +139,15 @@ function out = given (c, t, reads, drives)
                  sprintf("      U(%d) = Y(%d)", i, reads(n + i)), ...
                  sprintf("      FREE(%d) = .TRUE.", i)}];
     for gain = gains
-      out{end+1} = sprintf ("      %s(%d) = %s", gain{1}, i, number (c.(gain{2})(i)));
+      out{end+1} = sprintf ("      %s(%d) = %s", gain{1}, i, ...
+                            gsmbp__fortran_number (c.(gain{2})(i)));
     endfor
   endfor
   if (t.cartesian)
     for i = 1:36
       [j, k] = ind2sub ([6, 6], i);
-      out = [out, {sprintf("      K(%d,%d) = %s", j, k, number (c.K(j,k))), ...
-                   sprintf("      D(%d,%d) = %s", j, k, number (c.D(j,k)))}];
+      out = [out, {sprintf("      K(%d,%d) = %s", j, k, gsmbp__fortran_number (c.K(j,k))), ...
+                   sprintf("      D(%d,%d) = %s", j, k, gsmbp__fortran_number (c.D(j,k)))}];
     endfor
   endif
 endfunction
@@ -187,7 +185,7 @@ function out = call_ (c, t, device, constants, name)
               ["     $   RJ, KP, KD, KI, XK, ID, QG, " constants ", QJ, VC, INFO )"]};
     case "gsimd"
       more = {sprintf("     $   %s_MAS,", name), "     $   N, NA, NO, IA, T, Q, U,", refs, ...
-              sprintf("     $   KP, KD, %s,", number (c.zeta)), ...
+              sprintf("     $   KP, KD, %s,", gsmbp__fortran_number (c.zeta)), ...
               ["     $   QG, " constants ", A, QJ, WJ, M, TR, MR, VC, IW, INFO )"]};
     case "gscim"
       more = {sprintf("     $   %s_MAS, %s_PNT,", name, name), ...
@@ -207,14 +205,14 @@ function out = limited (c, t, i, drive)
   for row = {1, 2; "MAX", "MIN"}
     if (isfinite (c.limits(i,row{1})))
       out{end+1} = sprintf ("      VC(%d) = %s( VC(%d), %s )", drive, row{2}, drive, ...
-                            number (c.limits(i,row{1})));
+                            gsmbp__fortran_number (c.limits(i,row{1})));
     endif
   endfor
   for j = find (t.acts(i,:))
     out{end+1} = sprintf ("      IF ( RAW.NE.VC(%d) ) FREE(%d) = .FALSE.", drive, j);
   endfor
   if (c.step_out(i) > 0)
-    step = number (c.step_out(i));
+    step = gsmbp__fortran_number (c.step_out(i));
     out = [out, {sprintf("      VC(%d) = %s*", drive, step), ...
                  sprintf("     $   ANINT( VC(%d)/%s )", drive, step)}];
   endif

@@ -171,8 +171,8 @@ function text = entry (json, before, list, name)
     out{end+1} = sprintf ("      CALL %s_CTQ( CST, PER, DEL )", name);
   endif
   for k = 1:numel (list)
-    out{end+1} = sprintf ("      PER(%d) = %s", own + k, double_text (list{k}.period));
-    out{end+1} = sprintf ("      DEL(%d) = %s", own + k, double_text (list{k}.delay));
+    out{end+1} = sprintf ("      PER(%d) = %s", own + k, gsmbp__fortran_number (list{k}.period));
+    out{end+1} = sprintf ("      DEL(%d) = %s", own + k, gsmbp__fortran_number (list{k}.delay));
   endfor
   out{end+1} = "      END";
   text = sprintf ("%s\n", out{:});
@@ -205,10 +205,6 @@ function text = slopes (json, before, list, name)
     at.xk += rows (list{k}.A);
   endfor
   text = [text, sprintf("%s\n", out{:}, "      END")];
-endfunction
-
-function text = double_text (x)
-  text = strrep (sprintf ("%.16e", x), "e", "D");
 endfunction
 
 ## rows for CTL and CTP; the inputs V of all are as many as there are now

@@ -21,6 +21,7 @@ function test_target ()
   same (arm, x0, reach, 2, "feedforward", "Kp", 50, "Kd", 5, "Ki", 30, driven{:}, "step_out", ...
         0.05, "name", "ahead");
   same (arm, x0, reach, 2, "impedance", "K", [80; 60], "zeta", 0.7, driven{:}, "name", "soft");
+  numbers_compiled (x0, reach, driven);
   of_tools (bar, e);
   held (bar, e);
   refused (bar, e);
@@ -39,6 +40,24 @@ function same (m, x0, plan, n, law, varargin)
   t = (0:60) * c.period;
   r = gsmbp_simulate (mc, x0, t, "input", gsmbp_model_control (mc, "references", plan));
   against (law, m, c, r);
+end
+
+## a model whose Fortran has its numbers compiled in: it knows no parameters
+function numbers_compiled (x0, reach, driven)
+  folder = tempname ();
+  guard = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
+  mkdir (folder);
+  scenes = fullfile (fileparts (fileparts (mfilename ("fullpath"))), "scenes");
+  file = fullfile (folder, "control_arm.mac");
+  f = fopen (file, "w");
+  fprintf (f, ["load(\"%s\")$\n" ...
+               "gsmbp_fortran(scene, all, [numbers = compiled, directory = \"%s\"])$\n"], ...
+           fullfile (scenes, "control_arm.mac"), fullfile (folder, "compiled"));
+  fclose (f);
+  gsmbp_derive (file, fullfile (folder, "other"));
+  m = gsmbp_build ("control_arm", "directory", fullfile (folder, "compiled"));
+  gsmbp_check ("numbers compiled: no parameters", isempty (fieldnames (m.par)));
+  same (m, x0, reach, 2, "computed torque", "Kp", 100, "Kd", 20, driven{:}, "name", "fixed");
 end
 
 function against (law, m, c, r)
