@@ -15,7 +15,7 @@
 #include <sundials/sundials_dense.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include "implicit.h"
+#include "sundials_calls.h"
 
 #if SUNDIALS_VERSION_MAJOR != 6
 # error "gsmbp_cvode.c is written for SUNDIALS 6 (Debian 12: libsundials-dev)"
@@ -33,20 +33,6 @@ typedef struct
 
 /* ------------------------------------------------------------
  * what CVODE calls; a positive result: it tries a smaller step */
-
-static int
-rate (realtype t, N_Vector y, N_Vector yd, void *data)
-{
-  return gs_rate (data, t, N_VGetArrayPointer (y), N_VGetArrayPointer (yd));
-}
-
-static int
-jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
-          N_Vector t3)
-{
-  (void) yd, (void) t1, (void) t2, (void) t3;
-  return gs_jacobian (data, t, N_VGetArrayPointer (y), SUNDenseMatrix_Data (J));
-}
 
 static int
 projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector err, void *data)
@@ -87,16 +73,6 @@ solve (SUNLinearSolver solver, SUNMatrix A, N_Vector x, N_Vector given, realtype
   for (sunindextype i = 0; i < n; i += own)
     SUNDlsMat_denseGETRS (SUNDenseMatrix_Cols (A), own, b->pivots, N_VGetArrayPointer (x) + i);
   return 0;
-}
-
-/* CVODE's own words instead of a print on the terminal */
-static void
-said (int code, const char *module, const char *function, char *message, void *data)
-{
-  const gsmbp_run *r = ((gs_run *) data)->r;
-  (void) module, (void) function;
-  if (code < 0 && r->length > 0)
-    snprintf (r->text, r->length, "%s", message);
 }
 
 /* ------------------------------------------------------------

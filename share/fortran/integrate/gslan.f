@@ -427,7 +427,8 @@ C
       DOUBLE PRECISION   R(K), H(K), TN(K), ERR(K), C(K,24), X(K,NX),
      $                   XN(K,NX)
       DOUBLE PRECISION   S, Z, Y, F, G
-      INTEGER            I, L
+      INTEGER            L
+      EXTERNAL           GSLNG
 C
 C$OMP SIMD PRIVATE( S, Z, Y, F, G )
       DO 10 L = 1, K
@@ -459,14 +460,7 @@ C$OMP SIMD PRIVATE( S, Z, Y, F, G )
          END IF
          IF ( S.GT.0.5D0 .AND. S.LT.2.5D0 ) C(L,13) = C(L,13) + 11.0D0
    10 CONTINUE
-      DO 30 I = 1, NX
-C$OMP SIMD PRIVATE( Y )
-         DO 20 L = 1, K
-            Y = X(L,I)
-            IF ( R(L).GT.0.5D0 .AND. R(L).LT.1.5D0 ) Y = XN(L,I)
-            X(L,I) = Y
-   20    CONTINUE
-   30 CONTINUE
+      CALL GSLNG( NX, R, X, XN )
       END
       SUBROUTINE GSLNP( NX, RUNS, C, H, HS, TN, AT, SLOW )
 C
@@ -556,8 +550,8 @@ C
       PARAMETER          ( K = 16 )
       INTEGER            NX
       DOUBLE PRECISION   R(K), TN(K), C(K,24), X(K,NX), XN(K,NX)
-      DOUBLE PRECISION   Y
-      INTEGER            I, L
+      INTEGER            L
+      EXTERNAL           GSLNG
 C
 C$OMP SIMD
       DO 10 L = 1, K
@@ -569,6 +563,21 @@ C$OMP SIMD
             C(L,21) = 1.0D0
          END IF
    10 CONTINUE
+      CALL GSLNG( NX, R, X, XN )
+      END
+      SUBROUTINE GSLNG( NX, R, X, XN )
+C
+C     PURPOSE
+C     The states of all lanes behind a step: where R is 1 X becomes XN.
+C
+      IMPLICIT NONE
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
+      DOUBLE PRECISION   R(K), X(K,NX), XN(K,NX)
+      DOUBLE PRECISION   Y
+      INTEGER            I, L
+C
       DO 30 I = 1, NX
 C$OMP SIMD PRIVATE( Y )
          DO 20 L = 1, K

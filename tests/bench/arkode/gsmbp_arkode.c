@@ -11,7 +11,7 @@
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include "implicit.h"
+#include "sundials_calls.h"
 
 typedef struct
 {
@@ -23,35 +23,12 @@ typedef struct
 } dirk;
 
 static int
-rate (realtype t, N_Vector y, N_Vector yd, void *data)
-{
-  return gs_rate (data, t, N_VGetArrayPointer (y), N_VGetArrayPointer (yd));
-}
-
-static int
-jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
-          N_Vector t3)
-{
-  (void) yd, (void) t1, (void) t2, (void) t3;
-  return gs_jacobian (data, t, N_VGetArrayPointer (y), SUNDenseMatrix_Data (J));
-}
-
-static int
 moved (realtype t, N_Vector y, void *data)
 {
   gs_run *s = data;
   int info = gs_moved (s, t, N_VGetArrayPointer (y), s->trial);
   memcpy (N_VGetArrayPointer (y), s->trial, sizeof (double) * s->r->nx);
   return info;
-}
-
-static void
-said (int code, const char *module, const char *function, char *message, void *data)
-{
-  const gsmbp_run *r = ((gs_run *) data)->r;
-  (void) module, (void) function;
-  if (code < 0 && r->length > 0)
-    snprintf (r->text, r->length, "%s", message);
 }
 
 static int

@@ -1,0 +1,32 @@
+/* What integrators of SUNDIALS call: the emitted rates and Jacobian; a positive result: they try a
+   smaller step.  Their own words instead of a print on the terminal. */
+#ifndef GSMBP_GLUE_SUNDIALS_CALLS_H
+#define GSMBP_GLUE_SUNDIALS_CALLS_H
+#include <stdio.h>
+#include <nvector/nvector_serial.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#include "implicit.h"
+
+static int
+rate (realtype t, N_Vector y, N_Vector yd, void *data)
+{
+  return gs_rate (data, t, N_VGetArrayPointer (y), N_VGetArrayPointer (yd));
+}
+
+static int
+jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
+          N_Vector t3)
+{
+  (void) yd, (void) t1, (void) t2, (void) t3;
+  return gs_jacobian (data, t, N_VGetArrayPointer (y), SUNDenseMatrix_Data (J));
+}
+
+static void
+said (int code, const char *module, const char *function, char *message, void *data)
+{
+  const gsmbp_run *r = ((gs_run *) data)->r;
+  (void) module, (void) function;
+  if (code < 0 && r->length > 0)
+    snprintf (r->text, r->length, "%s", message);
+}
+#endif
