@@ -162,7 +162,7 @@
 ## @end table
 ##
 ## Events (variant @code{event} of friction and of stops) are met exactly as well,
-## with dp853 and rk4; their modes are inputs that belong to the run, "input" may
+## with every method; their modes are inputs that belong to the run, "input" may
 ## leave them out.
 ## @table @code
 ## @item "modes"

@@ -14,8 +14,7 @@
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "gauss" (steps, default none), "dp853"
 ## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none; where none of
-## these five is given radau's are 10.^-(4:2:12), but of a build in quad and of scenes with
-## events);
+## these five is given radau's are 10.^-(4:2:12), but of a build in quad);
 ## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
@@ -53,8 +52,7 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_workprecision", m);
-  smooth = strcmp (m.precision, "double") && isempty (m.events);
-  [o, rest] = read_options (varargin, smooth);
+  [o, rest] = read_options (varargin, strcmp (m.precision, "double"));
   [folder, build] = folders (m);
   q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, ...
                    "parameters", m.par);

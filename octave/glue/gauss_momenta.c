@@ -254,9 +254,8 @@ gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
     turned |= s->turns[l] != 0;
   if (flag == 0 && turned && ! same_turned (s, w, t, x, s->turns))
     {
-      memcpy (w->p, w->before, sizeof (double) * 3 * n);   /* and what was lost */
+      gs_take_back (w);
       give_turns (s, w, s->x);
-      w->known = 0;
       if ((flag = put_on (s, w, s->t, s->x)) != 0)
         return flag;
       flag = one_step (s, w, h, t, x);
@@ -264,6 +263,34 @@ gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
   if (flag == 0)
     take_turns (s, w, x);
   return flag;
+}
+
+void
+gs_take_back (gs_momenta *w)
+{
+  memcpy (w->p, w->before, sizeof (double) * 3 * w->n);   /* and what was lost */
+  w->known = 0;
+}
+
+int
+gs_momenta_between (gs_run *s, gs_momenta *w, longer at, double *x)
+{
+  longer b[GAUSS], v[GAUSS + 2];
+  int n = w->n, stages = w->rule->stages;
+  gsmbp_gauss_weights (w->rule, at, b);
+  gsmbp_gauss_values (w->rule, at, v);
+  for (int l = 0; l < n; l++)
+    {
+      longer q = 0, u = v[0] * s->x[n + l] + v[stages + 1] * s->y[n + l];
+      for (int j = 0; j < stages; j++)
+        {
+          q += b[j] * w->u[l + n * j];
+          u += v[j + 1] * w->u[l + n * j];
+        }
+      x[l] = s->x[l] + s->h * q;
+      x[n + l] = u;
+    }
+  return 0;
 }
 
 /* ------------------------------------------------------------
@@ -274,7 +301,7 @@ gs_has_momenta (const gsmbp_run *r)
 {
   int loops = r->nlam > 0;
   return r->lin && r->bia && r->mas && r->nq == r->nu && r->nx == 2 * r->nu && r->columns == 0
-         && r->nu > 0 && (! loops || (r->iopt[1] == 3 && r->iopt[5] == 0));
+         && r->nu > 0 && ! gs_has_ports (r) && (! loops || (r->iopt[1] == 3 && r->iopt[5] == 0));
 }
 
 gs_momenta *

@@ -142,3 +142,29 @@ gsmbp_gauss_rule (gauss_rule *w, int order)
     }
   loops (w);
 }
+
+void
+gsmbp_gauss_weights (const gauss_rule *w, longer at, longer *b)
+{
+  longer p[GAUSS + 1];
+  for (int j = 0; j < w->stages; j++)
+    {
+      lagrange (w->stages, w->c, j, p);
+      b[j] = integral (w->stages, p, at);
+    }
+}
+
+void
+gsmbp_gauss_values (const gauss_rule *w, longer at, longer *b)
+{
+  longer c[GAUSS + 2] = { 0 };
+  int n = w->stages + 2;
+  memcpy (c + 1, w->c, w->stages * sizeof (longer));
+  c[n - 1] = 1;
+  for (int j = 0; j < n; j++)
+    {
+      b[j] = 1;
+      for (int k = 0; k < n; k++)
+        b[j] *= k == j ? 1 : (at - c[k]) / (c[j] - c[k]);
+    }
+}

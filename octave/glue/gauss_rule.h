@@ -17,4 +17,8 @@ typedef struct
 } gauss_rule;
 
 extern void gsmbp_gauss_rule (gauss_rule *w, int order);
+/* B: the weights of the stages up to the fraction AT of a step */
+extern void gsmbp_gauss_weights (const gauss_rule *w, longer at, longer *b);
+/* ... of the states at the start, the stages and the end, for the polynomial through them */
+extern void gsmbp_gauss_values (const gauss_rule *w, longer at, longer *b);
 #endif

@@ -53,7 +53,7 @@ find_turning (gs_run *s, gs_momenta *w)
   double *turns = w->old;
   for (int l = 0; l < w->n; l++)
     {
-      w->turning[l] = gs_inputs_of_time (s);
+      w->turning[l] = gs_inputs_of_time (s) && ! gs_acts (s);
       memset (turns, 0, sizeof (double) * w->n);
       for (size_t k = 0; w->turning[l] && k < sizeof tried / sizeof tried[0]; k++)
         {

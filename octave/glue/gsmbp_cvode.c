@@ -179,6 +179,14 @@ step (gs_run *s)
   return flag;
 }
 
+/* from the state of the run */
+static int
+again (gs_run *s)
+{
+  int flag = restart (s);
+  return flag < 0 ? flag : step (s);
+}
+
 static int
 between (gs_run *s, double t, double *x)
 {
@@ -219,6 +227,7 @@ count (gs_run *s)
 int
 gsmbp_cvode (const gsmbp_run *r)
 {
-  static const gs_method bdf_ = { open_, close_, begin, restart, step, between, rejected, count };
+  static const gs_method bdf_
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 1 };
   return gs_implicit_run (r, &bdf_);
 }

@@ -26,7 +26,7 @@ typedef struct
   gauss_rule rule;
   gs_momenta *momenta;          /* if the steps are those of coordinates and momenta */
   double *k, *old, *x, *size;   /* rates of the stages, of the turn before; a state; usual sizes */
-  double *lost;                 /* what rounding took from the state */
+  double *lost, *before;        /* what rounding took from the state, and did before the step */
   double from, to;              /* the way that whole steps of H lead along, */
   long steps, done;             /* ... how many there are, how many are done */
   int known;                    /* is there a step before, of the same length? */
@@ -177,12 +177,27 @@ step_of_states (gs_run *s, double h, double t)
   gauss *w = s->memory;
   if (fabs (h - s->h) > 1e-9 * h)
     w->known = 0;
+  memcpy (w->before, w->lost, sizeof (double) * w->n);
   int flag = solve (s, h);
   if (flag != 0)
     return flag;
   sum_up (s, h);
   w->known = 1;
   return on_constraints (s, t) != 0 ? -1 : 0;
+}
+
+/* the step H to T */
+static int
+step_to (gs_run *s, double h, double t)
+{
+  gauss *w = s->memory;
+  int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
+  if (flag != 0)
+    return flag == GS_NO_END ? no_end (s) : flag;
+  s->t = t;
+  s->h = s->next = h;
+  s->y = w->x;
+  return 0;
 }
 
 static int
@@ -193,14 +208,18 @@ step (gs_run *s)
     next_way (s);
   double h = (w->to - w->from) / w->steps;
   w->done++;
-  double t = w->done == w->steps ? w->to : w->from + h * w->done;
-  int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
-  if (flag != 0)
-    return flag == GS_NO_END ? no_end (s) : flag;
-  s->t = t;
-  s->h = s->next = h;
-  s->y = w->x;
-  return 0;
+  return step_to (s, h, w->done == w->steps ? w->to : w->from + h * w->done);
+}
+
+static int
+again (gs_run *s)
+{
+  gauss *w = s->memory;
+  w->known = 0;
+  if (w->momenta)
+    gs_take_back (w->momenta);
+  memcpy (w->lost, w->before, sizeof (double) * w->n);
+  return step_to (s, s->stop - s->t, s->stop);
 }
 
 static int
@@ -254,13 +273,14 @@ open_ (gs_run *s)
   if (! w)
     return 0;
   w->n = n;
-  w->k = calloc ((2 * GAUSS + 3) * n, sizeof (double));
+  w->k = calloc ((2 * GAUSS + 4) * n, sizeof (double));
   if (! w->k)
     return 0;
   w->old = w->k + GAUSS * n;
   w->x = w->old + GAUSS * n;
   w->size = w->x + n;
   w->lost = w->size + n;
+  w->before = w->lost + n;
   return 1;
 }
 
@@ -275,13 +295,23 @@ close_ (gs_run *s)
   free (w);
 }
 
-/* no output time lies between steps */
+/* no output time lies between steps, but an event may: there the polynomial of the stages */
 static int
 between (gs_run *s, double t, double *x)
 {
-  (void) t;
-  memcpy (x, s->x, sizeof (double) * s->r->nx);
-  return -1;
+  gauss *w = s->memory;
+  longer b[GAUSS], at = 1 - (s->t - t) / s->h;
+  if (w->momenta)
+    return gs_momenta_between (s, w->momenta, at, x);
+  gsmbp_gauss_weights (&w->rule, at, b);
+  for (int l = 0; l < w->n; l++)
+    {
+      longer sum = 0;
+      for (int j = 0; j < w->rule.stages; j++)
+        sum += b[j] * w->k[l + w->n * j];
+      x[l] = s->x[l] + s->h * sum;
+    }
+  return 0;
 }
 
 static long
@@ -303,6 +333,6 @@ int
 gsmbp_gauss (const gsmbp_run *r)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, between, rejected, count };
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 0 };
   return gs_implicit_run (r, &collocation);
 }

@@ -10,10 +10,11 @@ extern "C" {
 #endif
 typedef struct
 {
-  gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl,
+  gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst,
       jac, /* a null pointer: difference quotients */
       lin, bia, mas, /* for the momenta of method gauss; null pointers: it takes the states */
-      gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue; /* of the run time */
+      gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue, gsevn, gsevr, gsevv,
+      gsusg; /* of the run time */
   int nq, nu, nx, nv, ny, nlam,
       columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */

@@ -466,6 +466,16 @@ step (gs_run *s)
   return outcome;
 }
 
+/* nothing is known of how its polynomial goes on: that was of the last step, from here as well */
+static int
+again_ (gs_run *s)
+{
+  radau *w = s->memory;
+  w->past_stages = 0;
+  w->wish = fmax (w->wish, s->stop - s->t);
+  return step (s);
+}
+
 /* ------------------------------------------------------------
  * the method */
 
@@ -548,7 +558,7 @@ static int
 between (gs_run *s, double t, double *x)
 {
   const radau *w = s->memory;
-  memcpy (x, s->x, sizeof (double) * w->n);
+  memcpy (x, s->y, sizeof (double) * w->n);
   add_past (w, 1 + (t - s->t) / w->past_h, x);
   return 0;
 }
@@ -576,6 +586,6 @@ int
 gsmbp_radau (const gsmbp_run *r)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, between, rejected, count };
+    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0 };
   return gs_implicit_run (r, &collocation);
 }

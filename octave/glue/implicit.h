@@ -7,7 +7,8 @@
 
 enum { INPUTS = 1, RHS, PRJ, CON, PARTITION, BEGINNING = 8 };   /* ISTAT(7) */
 /* INFO */
-enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_RATES };
+enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_RATES,
+       ENDED = 11 };
 
 typedef struct gs_run gs_run;
 
@@ -23,9 +24,11 @@ typedef struct
   int (*begin) (gs_run *);             /* at the time and state of the run */
   int (*restart) (gs_run *);           /* the same, where the inputs have jumped */
   int (*step) (gs_run *);              /* to STOP at most: T, Y, H, NEXT */
+  int (*again) (gs_run *);             /* instead of the last step one from T to STOP at most */
   int (*between) (gs_run *, double t, double *x);   /* the state within the last step */
   long (*rejected) (gs_run *);         /* steps that failed the test of their error */
   void (*count) (gs_run *);            /* its statistics into ISTAT, then from zero */
+  int dense;                           /* is the state within a step as accurate as its end? */
 } gs_method;
 
 struct gs_run
@@ -38,11 +41,16 @@ struct gs_run
   int still;             /* steps in succession that hardly move the time */
   double t, h, next;     /* the last step's end, its length and that of the next */
   const double *y;       /* the state there, as the method leaves it */
+  double *known, *event, *nodes;   /* a state within a step, at an event; GS_NODES of a step */
+  double *levels;        /* of event functions, before a step is looked at */
+  int *marks, *rising;   /* ... and what is known of them */
   double *turns;         /* whole turns by which coordinates are farther than in the states */
   double *x, *trial, *between, *v, *p, *b, *c, *d, *dv, *work;
   int *project,
       *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
 };
+
+enum { GS_NODES = 8 };   /* of GSEVQ */
 
 /* What a method calls; 0, above 0: a smaller step may do, below 0: it is over */
 extern int gs_rate (gs_run *s, double t, const double *x, double *xd);
@@ -62,6 +70,10 @@ extern int gs_moved (gs_run *s, double t, const double *x, double *moved);
 /* does GSFUN complete the state from independent coordinates? X at T so */
 extern int gs_completes (const gs_run *s);
 extern int gs_completed (gs_run *s, double t, const double *x, double *completed);
+/* do sampled devices or events act on the states as they are? */
+extern int gs_acts (const gs_run *s);
+/* are there ports that stick or hit stops? */
+extern int gs_has_ports (const gsmbp_run *r);
 /* is the state moved onto constraints (or Euler parameters onto their sphere)? */
 extern int gs_projects (const gsmbp_run *r);
 

@@ -81,6 +81,10 @@ extern "C"
   void gspnw_ (void);
   void gspbg_ (void);
   void gsdue_ (void);
+  void gsevn_ (void);
+  void gsevr_ (void);
+  void gsevv_ (void);
+  void gsusg_ (void);
 }
 
 static const gsmbp_scene& S = gsmbp_the_scene;

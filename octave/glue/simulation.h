@@ -248,6 +248,10 @@ take_scene (gsmbp_run& g)
   g.gspnw = gspnw_;
   g.gspbg = gspbg_;
   g.gsdue = gsdue_;
+  g.gsevn = gsevn_;
+  g.gsevr = gsevr_;
+  g.gsevv = gsevv_;
+  g.gsusg = gsusg_;
   g.nq = S.nq;
   g.nu = S.nu;
   g.nv = S.nv;
@@ -276,6 +280,8 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.vin = vin;
   g.out = out;
   g.ctl = ctl;
+  g.evt = evt;
+  g.rst = rst;
   g.jac = there ("jac");
   g.lin = there ("lin");
   g.bia = there ("bia");

@@ -13,10 +13,6 @@ function plan = gsmbp__event_plan (who, m, o, plan)
     error (["%s: %s has events, but was emitted without the subroutines EVT, RST " ...
             "(request events)"], who, m.name);
   endif
-  if (! any (strcmp (o.method, {"dp853", "rk4"})))
-    error ("%s: %s has events (%s): method must be \"dp853\" or \"rk4\"", who, m.name, ...
-           m.events(1).name);
-  endif
   if (! (isnumeric (o.modes) && any (numel (o.modes) == [0, n]) ...
            && all (any (o.modes(:) == [-1, 0, 1], 2))))
     error ("%s: option modes: expected %d numbers, each -1, 0 or 1", who, n);

@@ -1,5 +1,5 @@
 ## library = gsmbp__implicit_library (who, m, method)
-## The shared library of an implicit METHOD, "cvode", "radau" or "gauss" (glue/implicit.c and
+## The shared library of an implicit METHOD, "cvode", "radau" or "gauss" (glue/implicit*.c and
 ## glue/gsmbp_METHOD.c), for the module of the model M, built where it is missing or old: only who
 ## asks for CVODE needs SUNDIALS.
 
@@ -10,7 +10,7 @@ function library = gsmbp__implicit_library (who, m, method)
   if (any (strcmp (looked_at, library)) && ! isempty (stat (library)))
     return;
   endif
-  parts = {"implicit.c", ["gsmbp_" method ".c"]};
+  parts = {"implicit.c", "implicit_rates.c", "implicit_events.c", ["gsmbp_" method ".c"]};
   links = "-lm";
   if (strcmp (method, "radau"))
     parts = [parts, {"radau_rule.c", "radau_order.c", "radau_solve.c"}];

@@ -44,11 +44,11 @@ end
 function ball ()
   m = gsmbp_fixture ("sensitivity_ball");
   names = {"g", "lo", "e", "y1", "y1_d"};
-  for method = {"dp853", "rk4"}
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode", "auto"}
     r = gsmbp_simulate (m, [1 0 0.3 0], [0 0.3 1 2 2.4], "sensitivity", names, "method", method{1});
     off = off_table (r, names, ball_table (), @(x) x(:,[1, 3]));
-    gsmbp_check (sprintf ("ball, %s: dx/dp through four impacts within 1e-10, found %.2g", ...
-                          method{1}, off), off < 1e-10);
+    gsmbp_check (["ball, " method{1} ": dx/dp through four impacts"], off, ...
+                 1e-10 + 1e-8 * strcmp (method{1}, "cvode"));
   end
   at = @(m) gsmbp_simulate (m, [1 0 0.3 0], [0 2], "rtol", 1e-13).y(2,:);
   r = gsmbp_simulate (m, [1 0 0.3 0], [0 2], "sensitivity", {"m", "g"});
@@ -88,11 +88,15 @@ end
 function belt ()
   m = gsmbp_fixture ("sensitivity_belt");
   names = {"m", "k", "fc", "vb"};
-  r = gsmbp_simulate (m, [0; 0.05; 0.5; 0.4], [0 0.1 0.3 1 1.5], "sensitivity", names, ...
-                      "fixed", "s", "dx0", [0 0 0 0; 0 0 0 0; 0 0 0 1; 0 0 0 -1]);
-  gsmbp_check ("belt: it sticks and breaks away", isequal (r.events.mode, [0; -1]));
-  off = off_table (r, names, belt_table (), @(x) [x(:,1) + x(:,2), x(:,3) + x(:,4)]);
-  gsmbp_check (sprintf ("belt: dx/dp within 1e-10 of 50 digits, found %.2g", off), off < 1e-10);
+  for method = {"dp853", "radau", "gauss", "cvode"}
+    r = gsmbp_simulate (m, [0; 0.05; 0.5; 0.4], [0 0.1 0.3 1 1.5], "sensitivity", names, ...
+                        "fixed", "s", "dx0", [0 0 0 0; 0 0 0 0; 0 0 0 1; 0 0 0 -1], ...
+                        "method", method{1}, "step", 3e-4 * strcmp (method{1}, "gauss"));
+    gsmbp_check (["belt: it sticks and breaks away, " method{1}], isequal (r.events.mode, [0; -1]));
+    off = off_table (r, names, belt_table (), @(x) [x(:,1) + x(:,2), x(:,3) + x(:,4)]);
+    gsmbp_check (["belt, " method{1} ": dx/dp beside 50 digits"], off, ...
+                 1e-10 + 1e-8 * strcmp (method{1}, "cvode"));
+  end
 end
 
 function off = off_table (r, names, t, of)

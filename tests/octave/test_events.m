@@ -25,7 +25,7 @@ function slide ()
       - (t - p) ^ 2 / 2;
   stops = fzero (speed, [1, 1.2], optimset ("TolX", 1e-16));
   wanted = [way(1); way(stops) - way(1); way(1); way(stops) - way(1)];   # at 1, 2, 9, 10 s
-  for method = {"dp853", "rk4"}
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode", "auto"}
     r = gsmbp_simulate (m, [0 0], [0 1 2 9 10], "method", method{1}, "input", 0);
     what = ["stick and slip, " method{1}];
     gsmbp_check ([what ": position at 1, 2, 9 and 10 s"], r.x(2:end,1) - wanted, 1e-10);
@@ -64,26 +64,29 @@ end
 function ball ()
   m = gsmbp_fixture ("event_ball");
   g = 9.81;
-  for method = {"dp853", "rk4"}
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode", "auto"}
     r = gsmbp_simulate (m, [1 0 0 3], 0:0.25:6, "method", method{1}, "step", 1e-2);
     on = r.events.number == 1;
     t = r.events.t(on);
     n = (0:numel (t) - 1)';
     t1 = sqrt (2 / g);
     what = ["ball, " method{1}];
+    ## cvode: errors of its tolerance, beside which the last bounces are small
+    bdf = strcmp (method{1}, "cvode");
     gsmbp_check ([what ": times of the impacts"], t - t1 * (1 + 2 * 0.8 * (1 - 0.8 .^ n) / 0.2), ...
-                 1e-11);
+                 1e-11 + 1e-5 * bdf);
     ## of the smallest: 4e-10 m
     gsmbp_check ([what ": heights between impacts e^(2 n)"], ...
-                 r.events.after(on,3)(1:end-1) .^ 2 / (2 * g) ./ 0.64 .^ (n(1:end-1) + 1) - 1, ...
-                 1e-9);
+                 (r.events.after(on,3)(1:end-1) .^ 2 / (2 * g) ./ 0.64 .^ (n(1:end-1) + 1) - 1) ...
+                 .* 0.64 .^ (bdf * n(1:end-1)), 1e-9);
     gsmbp_check ([what ": loses 1 - e^2 of its energy at each, J of 20"], ...
-                 r.events.loss(on)(1:end-1) - 0.36 * 2 * g * 0.64 .^ n(1:end-1), 1e-12);
+                 r.events.loss(on)(1:end-1) - 0.36 * 2 * g * 0.64 .^ n(1:end-1), ...
+                 1e-12 + 1e-8 * bdf);
     gsmbp_check ([what ": number of impacts until the rebound is below 1e-4 m/s"], ...
                  numel (t) - ceil (log (1e-4 / sqrt (2 * g)) / log (0.8)), 0);
     gsmbp_check ([what ": rests on the floor"], [r.x(end,[1, 3]), r.v(end,1) + 1], 1e-12);
     gsmbp_check ([what ": all its energy is accounted for"], sum (r.events.loss(on)) - 2 * g, ...
-                 1e-10);
+                 1e-10 + 1e-7 * bdf);
     off = r.events.number == 2;
     gsmbp_check ([what ": puck between walls, e = 1: every second"], ...
                  r.events.t(off) - (2/3:5.9)', 1e-11);

@@ -7,6 +7,7 @@
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
+#include "gsmbp/functions.h"
 
 void
 gsuse (const gs_events *a, int k)
@@ -83,33 +84,46 @@ gsusc (const gs_events *a)
       }
 }
 
-/* events of function i (from 0) since `from`, as far as the record goes back */
+/* The last 100 events that are of function i (from 0), as far as they are not before `from`; within
+ * says that from is 1e-9 of the time from the last one to `to` before it. */
 static int
-since (const gs_events *a, int i, double from, int nx)
+since (const gs_events *a, int i, double from, int within, double to, int nx)
 {
   int n = 0;
-  for (int j = gs_least (a->nr, *a->count) - 1; j >= 0; j--)
+  for (int j = *a->count - 1; j >= gs_most (0, *a->count - 100); j--)
     {
       const double *r = a->record + j * (3 + 2 * nx);
+      if (lround (r[1]) != i + 1)
+        continue;
+      if (n == 0 && within)
+        from = r[0] - 1e-9 * (to - r[0]);
       if (r[0] < from)
         break;
-      n += lround (r[1]) == i + 1;
+      n++;
     }
   return n;
 }
 
-/* a function that has just had four events within 1e-9 of the step, and does not rise again in it,
- * has had infinitely many */
+/* A function has had infinitely many where four of its events lie within 1e-9 of the time since the
+ * last one, in which it has not risen; and where it has its fourth event within 1000 units of
+ * rounding of the time. */
 int
 gsusz (const gs_events *a, double t, double h, int nx, int but, int *which)
 {
   int info = 0;
+  if (*a->count > a->nr)
+    return info;
   for (int i = 0; i < a->ne; i++)
-    if (i + 1 != but && a->fresh[i] == 1 && a->marks[i] == 0 && since (a, i, t - 1e-9 * h, nx) >= 4
-        && *a->count <= a->nr)
-      {
-        info = 10;
-        *which = i + 1;
-      }
+    {
+      const int now = i + 1 == but;
+      if (! gs_is_own (a, i) || (! now && a->mark[i] + a->marks[i] > 0))
+        continue;
+      const double from = t + h - 1e3 * gseps () * fabs (t + h);
+      if (since (a, i, from, ! now, t + h, nx) >= (now ? 3 : 4))
+        {
+          info = 10;
+          *which = i + 1;
+        }
+    }
   return info;
 }

@@ -9,9 +9,11 @@ C     is done again up to it.
 C
 C     ARGUMENTS
 C     As GSDP8, GSRK4 (H is the whole step, W of either), GSRES, and
-C     METHOD  (input) INTEGER, 4, 8 or 12: the step from (T,X) was
+C     METHOD  (input) INTEGER, 4, 8, 9 or 12: the step from (T,X) was
 C             GSRK4's, GSDP8's or GSPSG's, whose polynomial has the
-C             states within it: it is not done again.
+C             states within it: it is not done again; 0: no more is one
+C             of an implicit method, whose states at the points of
+C             GSEVQ are in W.
 C     WAY     (input) INTEGER, the way of the loops, see GSSIM.
 C     SIZ, ROPT (input) as GSSIM.
 C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
@@ -29,7 +31,7 @@ C     of the user accumulate.
 C
 C     METHOD
 C     Eight points of the cubic polynomial through both ends (or of that
-C     of GSPSG), not evenly
+C     of GSPSG or GSEVQ), not evenly
 C     spaced (what repeats itself would hide between them), tell whether
 C     an event function falls to 0, and up to 2048 where it has a lowest
 C     value that they do not resolve (ports that stick let steps grow,
@@ -75,7 +77,7 @@ C
      $               INFO )
          IF ( INFO.NE.0 ) RETURN
       END IF
-      IF ( METHOD.NE.12 ) THEN
+      IF ( METHOD.NE.12 .AND. METHOD.NE.0 ) THEN
          CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
      $               NX, NV, NLAM, IP, RP, CST, V, RE(KD), WI, P, ISTAT,
      $               RSTAT, INFO )
@@ -357,7 +359,7 @@ C
             CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
      $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W,
      $                  WI, P, ISTAT, RSTAT, INFO )
-         ELSE IF ( METHOD.EQ.12 ) THEN
+         ELSE IF ( METHOD.EQ.12 .OR. METHOD.EQ.0 ) THEN
             CALL GSEVX( METHOD, GAUSS, T, H, TH, NX, X, W, XN, RE(KD),
      $                  RE(KX) )
          ELSE
@@ -367,8 +369,8 @@ C
      $                  INFO )
          END IF
          IF ( INFO.NE.0 ) RETURN
-         IF ( METHOD.NE.12 .AND. WAY.NE.1 .AND. ( NQ.GT.NU .OR.
-     $        ( NLAM.GT.0 .AND. WAY.NE.3 ) ) ) THEN
+         IF ( METHOD.NE.12 .AND. METHOD.NE.0 .AND. WAY.NE.1 .AND.
+     $        ( NQ.GT.NU .OR. ( NLAM.GT.0 .AND. WAY.NE.3 ) ) ) THEN
             CALL PRJ( TE, RE(KX), CST, C, INFO )
             ISTAT(4) = ISTAT(4) + 1
             IF ( INFO.EQ.2 ) INFO = 0
@@ -469,8 +471,12 @@ C
      $                   XDN(NX), Z(NX)
       DOUBLE PRECISION   C(12), WT(12), Q(12)
       INTEGER            NS
-      EXTERNAL           GSEVH, GSGLN, GSGLQ, GSPTH
+      EXTERNAL           GSEVH, GSEVQ, GSGLN, GSGLQ, GSPTH
 C
+      IF ( METHOD.EQ.0 ) THEN
+         CALL GSEVQ( NX, B, W, Z )
+         RETURN
+      END IF
       IF ( METHOD.NE.12 ) THEN
          CALL GSEVH( NX, H, B, X, W, XN, XDN, Z )
          RETURN
@@ -503,6 +509,39 @@ C
       DO 20 I = 1, NX
          Z(I) = XN(I)
    20 CONTINUE
+      END
+      SUBROUTINE GSEVQ( NX, B, W, Z )
+C
+C     PURPOSE
+C     The polynomial of order 7 at the fraction B of a step, from the
+C     states W at the fractions (1 - cos(i*pi/7))/2, i = 0, ..., 7; as
+C     what it is away from the first one, without rounding errors there.
+C
+      IMPLICIT NONE
+      INTEGER            NX
+      DOUBLE PRECISION   B, W(NX,8), Z(NX)
+      DOUBLE PRECISION   C(8), F
+      INTEGER            I, J, K
+C
+      DO 10 J = 1, 8
+         C(J) = 0.5D0*( 1.0D0 - COS( DBLE( J - 1 )*ACOS( -1.0D0 )
+     $                               /7.0D0 ) )
+   10 CONTINUE
+      DO 20 I = 1, NX
+         Z(I) = 0.0D0
+   20 CONTINUE
+      DO 50 J = 2, 8
+         F = 1.0D0
+         DO 30 K = 1, 8
+            IF ( K.NE.J ) F = F*( B - C(K) )/( C(J) - C(K) )
+   30    CONTINUE
+         DO 40 I = 1, NX
+            Z(I) = Z(I) + F*( W(I,J) - W(I,1) )
+   40    CONTINUE
+   50 CONTINUE
+      DO 60 I = 1, NX
+         Z(I) = W(I,1) + Z(I)
+   60 CONTINUE
       END
       SUBROUTINE GSEVV( CMD, CLO, VIN, EVT, T, SIDE, X, NU, NX, NV, IP,
      $                  RP, CST, V, W, MODE, GV, INFO )

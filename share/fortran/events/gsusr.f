@@ -141,26 +141,38 @@ C     WHICH   (output) INTEGER, the function that does, where INFO = 10.
 C     INFO    (output) INTEGER, 0; 10: they do.
 C
 C     METHOD
-C     A function that has just had four events within 1D-9 of the step,
-C     and does not rise again in it, has had infinitely many.
+C     A function has had infinitely many where four of its events lie
+C     within 1D-9 of the time since the last one, in which it has not
+C     risen; and where it has its fourth event within 1000 units of
+C     rounding of the time.  The last 100 events are looked at.
 C
       IMPLICIT NONE
       INTEGER            NX, NOT, IE(*), WHICH, INFO
       DOUBLE PRECISION   T, H, RE(*)
-      INTEGER            NE, I, J, R, N
+      INTEGER            NE, I, J, R, N, LEAST
+      DOUBLE PRECISION   FROM, GSEPS
+      EXTERNAL           GSEPS
 C
       INFO = 0
       NE = IE(1)
+      IF ( IE(3).GT.IE(2) ) RETURN
       DO 20 I = 1, NE
-         IF ( IE(10+5*NE+I).NE.1 .OR. IE(10+4*NE+I).NE.0 .OR.
-     $        I.EQ.NOT ) GO TO 20
+         IF ( IE(10+2*NE+I).LT.3 .OR. ( I.NE.NOT .AND.
+     $        IE(10+3*NE+I) + IE(10+4*NE+I).GT.0 ) ) GO TO 20
+         FROM  = T + H - 1.0D3*GSEPS()*ABS( T + H )
+         LEAST = 3
+         IF ( I.NE.NOT ) LEAST = 4
          N = 0
-         DO 10 J = MIN( IE(2), IE(3) ), 1, -1
+         DO 10 J = IE(3), MAX( 1, IE(3) - 99 ), -1
             R = 5*NE + 3*NX + ( J - 1 )*( 3 + 2*NX )
-            IF ( RE(R+1).LT.T - 1.0D-9*H ) GO TO 15
-            IF ( NINT( RE(R+2) ).EQ.I ) N = N + 1
+            IF ( NINT( RE(R+2) ).EQ.I ) THEN
+               IF ( N.EQ.0 .AND. I.NE.NOT )
+     $            FROM = RE(R+1) - 1.0D-9*( T + H - RE(R+1) )
+               IF ( RE(R+1).LT.FROM ) GO TO 15
+               N = N + 1
+            END IF
    10    CONTINUE
-   15    IF ( N.GE.4 .AND. IE(3).LE.IE(2) ) THEN
+   15    IF ( N.GE.LEAST ) THEN
             INFO  = 10
             WHICH = I
          END IF

@@ -1,0 +1,38 @@
+/* What the files of a run by an implicit method share (implicit.c, implicit_rates.c,
+   implicit_events.c), and no method calls. */
+#ifndef GSMBP_GLUE_IMPLICIT_PARTS_H
+#define GSMBP_GLUE_IMPLICIT_PARTS_H
+#include "implicit.h"
+
+/* the Fortran routine GSFUN: its address carries no type */
+typedef void fun_type (gsmbp_sub rhs, gsmbp_sub con, gsmbp_sub kin, gsmbp_sub cmd, gsmbp_sub clo,
+                       gsmbp_sub vin, const double *t, const int *side, double *x, const int *nq,
+                       const int *nu, const int *nx, const int *nv, const int *nlam, int *ip,
+                       double *rp, double *cst, double *v, double *xd, double *w, double *p,
+                       int *istat, double *rstat, int *info);
+
+static const double gs_no_jump[3] = { 0, 0, 0 };
+
+extern int gs_all_finite (int n, const double *x);
+/* below 0 where the limits from the left are wanted at T */
+extern int gs_side_at (const gs_run *s, double t);
+/* the inputs at T into V; INFO of GSINP */
+extern int gs_take_inputs (gs_run *s, double t, int side, const double *x, double *v);
+/* X at T moved onto the constraints, at most by JUMP; or looked after, by OPTIONS */
+extern int gs_check (gs_run *s, const int *options, double t, double *x, const double *jump);
+/* a state, with the turns that were kept apart */
+extern void gs_turn_on (const gs_run *s, double *x);
+/* the output times that the run has passed before LIMIT; INFO */
+extern int gs_put_out (gs_run *s, double limit);
+
+/* Events (implicit_events.c).  At the start; at a stop, where inputs may have jumped, ACTED: did
+   anything happen? INFO */
+extern int gs_has_events (const gs_run *s);
+extern int gs_event_functions (const gsmbp_run *r);   /* how many there are */
+extern int gs_first_events (gs_run *s);
+extern int gs_events_at_stop (gs_run *s, int *acted);
+extern int gs_ended_by_event (const gs_run *s);
+/* The step from FROM is good: up to the first event in it that changes something (EVENT = 1: the
+   state behind it is in Y), else all of it (EVENT = 0).  A flag of the method in *FLAG; INFO */
+extern int gs_events_in_step (gs_run *s, double from, int *event, int *flag);
+#endif
