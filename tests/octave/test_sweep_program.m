@@ -39,8 +39,10 @@ function test_sweep_program ()
   end
   ball = gsmbp_fixture ("event_ball");
   name = fieldnames (ball.par){1};
-  same (folder, "events", ball, {ball.initial, 0:0.05:1, "vary", struct(name, ...
-        ball.par.(name) * [0.9, 1.1]), "runs", 9});
+  for method = {"dp853", "radau"}
+    same (folder, ["events by " method{1}], ball, {ball.initial, 0:0.05:1, "vary", struct(name, ...
+          ball.par.(name) * [0.9, 1.1]), "runs", 9, "method", method{1}});
+  end
   refused (axis, few, folder);
 end
 

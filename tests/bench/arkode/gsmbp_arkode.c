@@ -130,6 +130,6 @@ int
 gsmbp_arkode (const gsmbp_run *r)
 {
   static const gs_method arkstep
-    = { open_, close_, begin, restart, step, between, rejected, count };
+    = { open_, close_, begin, restart, step, NULL, between, rejected, count, 1 };   /* no events */
   return gs_implicit_run (r, &arkstep);
 }
