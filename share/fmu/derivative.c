@@ -142,7 +142,7 @@ seeds (gsf_instance *a, size_t nk, const unsigned *knowns, const double *seed, w
         return gsf_fail (a, GSF_ERROR, "directional derivative: expected finite seeds, found %g",
                          seed[i]);
       if (block == GSF_INPUT)
-        w->dv[a->m->inputs[k]] += seed[i];
+        w->dv[a->m->inputs[k]] += gsf_is_overridden (a, a->m->inputs[k]) ? 0 : seed[i];
       else if (state >= 0)
         w->dx[state] += seed[i];
       else

@@ -1,5 +1,5 @@
-/* events.c: events of model exchange: ports that stick or hit a stop, samples, another choice of
- * independent coordinates, Euler parameters of the length 1.
+/* events.c: events of model exchange: ports that stick or hit a stop, events of the user (own.c),
+ * samples, another choice of independent coordinates, Euler parameters of the length 1.
  *
  * An event of a port is where its function falls below its level: 0 where it was above 0 since its
  * last event, else a little below where that event left it. So a stop that was just left is not hit
@@ -36,9 +36,8 @@ gsf_time (const gsf_instance *a)
   return t >= due ? gslft (due, -1) : t;
 }
 
-/* the event functions into a->g */
-static int
-functions (gsf_instance *a)
+int
+gsf_functions (gsf_instance *a)
 {
   const gs_scene *s = a->m->scene;
   if (gsf_inputs (a))
@@ -50,20 +49,24 @@ functions (gsf_instance *a)
 static int
 set_levels (gsf_instance *a)
 {
-  if (functions (a))
+  if (gsf_functions (a))
     return GSF_ERROR;
-  for (int k = 0; k < a->m->scene->nev; k++)
+  for (int k = 0; k < a->m->nports; k++)
     a->level[k] = a->g[k] > 0 ? 0 : a->g[k] - GSF_LEVEL;
   return GSF_OK;
 }
 
-/* event k (from 1), 0 the start, -1 inputs may have jumped, and those that follow */
-static int
-happens (gsf_instance *a, int k)
+int
+gsf_happens (gsf_instance *a, int k)
 {
   const gs_scene *s = a->m->scene;
+  const int own = a->m->nown > 0 && k != 0 && a->i[GSF_KIND] == GSF_EXCHANGE;
   if (gsf_inputs (a))
     return GSF_ERROR;
+  if (own)
+    gsf_before_own (a);
+  if (k < 0)
+    memset (gsf_events (a).fresh, 0, s->nev * sizeof (int));
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
   int info = gsres (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
@@ -72,7 +75,8 @@ happens (gsf_instance *a, int k)
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, "rst", info);
   ie[4] = 1;
-  return GSF_OK;
+  gsf_tally (a);
+  return own ? gsf_after_own (a) : GSF_OK;
 }
 
 int
@@ -84,17 +88,21 @@ gsf_begin_events (gsf_instance *a)
   ie[4] = 0;
   *gsf_events (a).since = 0;
   memset (gsf_events (a).mode, 0, a->m->scene->nev * sizeof (int));
-  return happens (a, 0) ? GSF_ERROR : set_levels (a);
+  if (gsf_happens (a, 0) || set_levels (a))
+    return GSF_ERROR;
+  gsf_begin_own (a);
+  return GSF_OK;
 }
 
-/* the port that fell below its level most, from 1, or 0 */
+/* the function that fell below its level most, from 1, or 0 */
 static int
 fallen (const gsf_instance *a)
 {
   int n = 0;
   double least = 0;
   for (int k = 0; k < a->m->scene->nev; k++)
-    if (a->g[k] <= a->level[k] && (n == 0 || a->g[k] < least))
+    if (a->g[k] <= a->level[k] && (n == 0 || a->g[k] < least)
+        && (k < a->m->nports || gsf_is_ready (a, k)))
       {
         n = k + 1;
         least = a->g[k];
@@ -102,18 +110,18 @@ fallen (const gsf_instance *a)
   return n;
 }
 
-/* ports at an instant of event mode */
+/* ports and events of the user at an instant of event mode */
 static int
 ports (gsf_instance *a)
 {
   if (a->m->scene->nev == 0)
     return GSF_OK;
-  if (functions (a))
+  if (gsf_functions (a))
     return GSF_ERROR;
-  int k = fallen (a);
-  if (k > 0 && happens (a, k))
-    return GSF_ERROR;
-  return happens (a, -1) ? GSF_ERROR : set_levels (a);
+  for (int k = fallen (a); k > 0; k = fallen (a))
+    if (gsf_happens (a, k) || set_levels (a))
+      return GSF_ERROR;
+  return gsf_happens (a, -1) ? GSF_ERROR : set_levels (a);
 }
 
 /* what sampled devices do at this instant, and when the next one is */
@@ -176,8 +184,9 @@ gsf_indicators (gsf_instance *a, double *z)
   double range, normal;
   if (status)
     return status;
-  if (n > 0 && functions (a))
+  if (n > 0 && gsf_functions (a))
     return GSF_ERROR;
+  gsf_risen_own (a, 0);
   for (int k = 0; k < n; k++)
     z[k] = a->g[k] - a->level[k];
   gsf_margins (a, &range, &normal);
@@ -209,9 +218,10 @@ gsf_completed (gsf_instance *a, int *event)
   *event = gsf_margins (a, &range, &normal);
   if (a->m->scene->nev == 0)
     return GSF_OK;
-  if (functions (a))
+  if (gsf_functions (a))
     return GSF_ERROR;
-  for (int k = 0; k < a->m->scene->nev; k++)
+  gsf_risen_own (a, 1);
+  for (int k = 0; k < a->m->nports; k++)
     if (a->g[k] > 0)
       {
         a->level[k] = 0;

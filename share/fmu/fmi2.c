@@ -291,6 +291,7 @@ fmi2NewDiscreteStates (fmi2Component component, fmi2EventInfo *info)
   memset (info, 0, sizeof *info);
   info->valuesOfContinuousStatesChanged = changed;
   info->nominalsOfContinuousStatesChanged = nominals;
+  info->terminateSimulation = c->a->i[GSF_ENDED] > 0;
   info->nextEventTimeDefined = c->a->d[GSF_T_NEXT] < 1e300;
   info->nextEventTime = info->nextEventTimeDefined ? c->a->d[GSF_T_NEXT] : 0;
   return tell (c, status);
@@ -407,7 +408,11 @@ fmi2DoStep (fmi2Component component, fmi2Real t, fmi2Real h, fmi2Boolean nothing
   (void)nothing_before;
   ENTER (COSIMULATION, GSF_STEP);
   int status = gsf_can_step (c->a, t, h);
-  return tell (c, status ? status : gsf_step (c->a, t + h));
+  if (status == GSF_OK)
+    status = gsf_step (c->a, t + h);
+  if (status <= GSF_WARNING && c->a->i[GSF_ENDED] > 0)
+    status = gsf_ended (c->a, GSF_DISCARD);
+  return tell (c, status);
 }
 
 fmi2Status
@@ -428,6 +433,17 @@ fmi2GetRealStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Real 
   return fmi2OK;
 }
 
+fmi2Status
+fmi2GetBooleanStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Boolean *value)
+{
+  ENTER (COSIMULATION, GSF_ANY);
+  NEED (1, value, value);
+  if (kind != fmi2Terminated)
+    return fmi2Discard;
+  *value = c->a->i[GSF_ENDED] > 0;
+  return fmi2OK;
+}
+
 #define NO_STATUS(function, type)                                                                  \
   fmi2Status function (fmi2Component component, const fmi2StatusKind kind, type *value)            \
   {                                                                                                \
@@ -438,5 +454,4 @@ fmi2GetRealStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Real 
   }
 NO_STATUS (fmi2GetStatus, fmi2Status)
 NO_STATUS (fmi2GetIntegerStatus, fmi2Integer)
-NO_STATUS (fmi2GetBooleanStatus, fmi2Boolean)
 NO_STATUS (fmi2GetStringStatus, fmi2String)

@@ -10,6 +10,7 @@ typedef struct
   gsf_instance *a;
   fmi3InstanceEnvironment environment;
   fmi3LogMessageCallback log;
+  int early;   /* 1: a step may end ahead of its end */
 } instance;
 
 /* a status of this folder as one of the standard; its sentence is logged */
@@ -110,7 +111,6 @@ fmi3InstantiateCoSimulation (fmi3String name, fmi3String token, fmi3String resou
   (void)resources;
   (void)visible;
   (void)on;
-  (void)early;
   (void)intermediate;
   (void)update;
   if (events)
@@ -120,7 +120,10 @@ fmi3InstantiateCoSimulation (fmi3String name, fmi3String token, fmi3String resou
   if (n > 0)
     return refuse (environment, log,
                    "fmi3InstantiateCoSimulation: this FMU has no intermediate variables");
-  return make (name, token, environment, log, GSF_COSIMULATION);
+  instance *c = make (name, token, environment, log, GSF_COSIMULATION);
+  if (c)
+    c->early = early != 0;
+  return c;
 }
 
 fmi3Instance
@@ -347,7 +350,8 @@ fmi3UpdateDiscreteStates (fmi3Instance component, fmi3Boolean *again, fmi3Boolea
   NEED (1, nominals, values);
   NEED (1, defined, next);
   int changed, others, status = gsf_event (c->a, &changed, &others);
-  *again = *terminate = fmi3False;
+  *again = fmi3False;
+  *terminate = c->a->i[GSF_ENDED] > 0;
   *nominals = others != 0;
   *values = changed != 0;
   *defined = c->a->d[GSF_T_NEXT] < 1e300;
@@ -471,6 +475,8 @@ fmi3DoStep (fmi3Instance component, fmi3Float64 t, fmi3Float64 h, fmi3Boolean no
   if (status == GSF_OK)
     status = gsf_step (c->a, t + h);
   *last = c->a->d[GSF_T];
+  *terminate = status <= GSF_WARNING && c->a->i[GSF_ENDED] > 0;
+  *early = *terminate && c->early && *last < t + h;
   return tell (c, status);
 }
 

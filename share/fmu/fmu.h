@@ -56,6 +56,13 @@ typedef struct
                                                        model exchange */
   int nin;
   const int *inputs;                                /* places of the importer's inputs in V */
+  int nports, nown;                                 /* event functions of ports, behind which those of
+                                                       the user stand; events of the user: */
+  const int *own;                                   /* which of them each of these functions is, */
+  const int *ends;                                  /* nown: 1 where one ends the run, */
+  const char *const *events;                        /* nown: their names, */
+  int nswitched;                                    /* inputs that they switch: */
+  const int *switched;                              /* places of these in V */
   int ninfos;
   const gsf_info *infos;
   int nbounds;
@@ -82,6 +89,10 @@ enum gsf_block
   GSF_HELD,       /* held outputs of sampled devices, */
   GSF_MEMORY,     /* their memory */
   GSF_PLACE,      /* which state each of GSF_CHOSEN is, from 1 */
+  GSF_TALLY,      /* events of the user: how often each has happened, */
+  GSF_WHEN,       /* when it did last */
+  GSF_OVERRIDDEN, /* inputs that they switch: 1 where one is held, */
+  GSF_USED,       /* its value for the scene */
   GSF_INDICATOR,  /* event indicators */
   GSF_BLOCKS
 };
@@ -123,6 +134,7 @@ enum
   GSF_PHASE = 0,
   GSF_KIND,
   GSF_STALE,      /* 1: parameters or starts were set, 2: a state or the time */
+  GSF_ENDED,      /* the event of the user, from 1, that has ended the run, or 0 */
   GSF_WHOLES = 8
 };
 /* numbers */
@@ -152,11 +164,16 @@ typedef struct
   double *z;       /* ns: states of model exchange */
   double *p;       /* the partition of a closed chain */
   double *level;   /* nev: an event is where its function falls below */
+  double *size;    /* nev: functions of the user: the largest value so far */
+  double *when;    /* nown: its last event */
   double *rp;
   /* parts of i */
   int *set;        /* nx: 1 where the start was set */
   int *place;      /* ns: numbers of the states that z holds */
   int *passed;     /* nmargins: 1 where a margin was passed at the end of the last step */
+  int *phase;      /* nev: functions of the user in model exchange: GSF_ARMED, ... */
+  int *low;        /* nev: events since it has last risen */
+  int *tally;      /* nown: events so far */
   int *ip;
   /* workspace */
   double *v, *xd, *y, *g, *w;
@@ -227,7 +244,28 @@ int gsf_begin_events (gsf_instance *a);
 int gsf_event (gsf_instance *a, int *changed, int *nominals);
 int gsf_completed (gsf_instance *a, int *event);
 
-/* may a step of the length h begin at t? one step of co-simulation to the time t */
+/* events of the user: where they are at the start; the records of those that have happened into
+ * tally, when and GSF_ENDED */
+void gsf_begin_own (gsf_instance *a);
+void gsf_tally (gsf_instance *a);
+/* in model exchange: before and after functions in a->g happen; where those that have risen count
+ * anew; as gsf_fail where events accumulate */
+void gsf_before_own (gsf_instance *a);
+int gsf_after_own (gsf_instance *a);
+void gsf_risen_own (gsf_instance *a, int completed);
+/* may function k (from 0) happen where it is at its level? */
+int gsf_is_ready (const gsf_instance *a, int k);
+/* the sentence of the event that has ended the run, with a status */
+int gsf_ended (gsf_instance *a, int status);
+/* event k (0 the start, -1 inputs may have jumped) and those that follow */
+int gsf_happens (gsf_instance *a, int k);
+/* the event functions at the state into a->g */
+int gsf_functions (gsf_instance *a);
+/* is the input at place k of V held by an event? */
+int gsf_is_overridden (const gsf_instance *a, int k);
+
+/* may a step of the length h begin at t? one step of co-simulation to the time t, or to an event
+ * that ends the run */
 int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
 

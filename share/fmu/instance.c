@@ -36,8 +36,9 @@ gsf_count (const gsf_model *m, int block)
   int chosen = s->nlam > 0 ? (m->nsq < s->nq ? m->nsq : 0) + m->nsu : 0;
   const int counts[GSF_BLOCKS] = {
     [GSF_TIME] = 1, [GSF_PARAMETER] = m->npar, [GSF_INPUT] = m->nin, [GSF_STATE] = s->nx,
-    [GSF_CHOSEN] = chosen, [GSF_RATE] = gsf_ns (m), [GSF_OUTPUT] = s->ny, [GSF_MODE] = s->nev,
-    [GSF_HELD] = s->nheld, [GSF_MEMORY] = s->nxk, [GSF_PLACE] = chosen,
+    [GSF_CHOSEN] = chosen, [GSF_RATE] = gsf_ns (m), [GSF_OUTPUT] = s->ny, [GSF_MODE] = m->nports,
+    [GSF_HELD] = s->nheld, [GSF_MEMORY] = s->nxk, [GSF_PLACE] = chosen, [GSF_TALLY] = m->nown,
+    [GSF_WHEN] = m->nown, [GSF_OVERRIDDEN] = m->nswitched, [GSF_USED] = m->nswitched,
     [GSF_INDICATOR] = gsf_nz (m)
   };
   return counts[block];
@@ -90,26 +91,32 @@ divide (gsf_instance *a)
   a->x = a->xr + s->nx;
   a->z = a->x + s->nx;
   a->level = a->z + gsf_ns (m);
-  a->p = a->level + m->scene->nev;
+  a->size = a->level + s->nev;
+  a->when = a->size + s->nev;
+  a->p = a->when + m->nown;
   a->rp = a->p + gsf_partition_size (s);
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
   a->passed = a->place + gsf_ns (m);
-  a->ip = a->passed + m->nmargins;
+  a->phase = a->passed + m->nmargins;
+  a->low = a->phase + s->nev;
+  a->tally = a->low + s->nev;
+  a->ip = a->tally + m->nown;
 }
 
 static size_t
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
-  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + s->nev
-         + gsf_partition_size (s) + gsf_plan_numbers (m);
+  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + 2 * s->nev
+         + m->nown + gsf_partition_size (s) + gsf_plan_numbers (m);
 }
 
 static size_t
 wholes (const gsf_model *m)
 {
-  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + gsf_plan_wholes (m);
+  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + 2 * m->scene->nev + m->nown
+         + gsf_plan_wholes (m);
 }
 
 /* workspace of a run, of the settled states, of the partition */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* inputs are constant within a step; nothing is recorded */
+/* inputs are constant within a step; events of the user are recorded */
 static gs_plan
 plan_of (const gsf_model *m)
 {
@@ -12,6 +12,7 @@ plan_of (const gsf_model *m)
   p.s = m->scene;
   p.nx = m->scene->nx;
   p.on_the_way = m->scene->nctl * GSF_ON_THE_WAY;
+  p.events = m->nown > 0 ? GSF_RECORDS : 0;
   return p;
 }
 
@@ -34,6 +35,12 @@ gsf_plan (gsf_instance *a)
 {
   const gs_plan p = plan_of (a->m);
   gs_lay (&p, a->ip, a->rp);
+  if (a->m->nown == 0)
+    return;
+  const gs_events e = gsf_events (a);
+  *e.tells = 2;
+  for (int k = a->m->nports; k < a->m->scene->nev; k++)
+    e.kind[k] = 4;   /* gssim comes back at each */
 }
 
 gs_samples

@@ -11,8 +11,8 @@ static int
 within_stops (gsf_instance *a, double *pos, double *speed, double *ends, double *row)
 {
   const gs_scene *s = a->m->scene;
-  s->hld (a->d[GSF_T], a->x, a->v, a->cst, row, s->nev, pos, speed, ends);
-  for (int k = 0; k < s->nev; k++)
+  s->hld (a->d[GSF_T], a->x, a->v, a->cst, row, a->m->nports, pos, speed, ends);
+  for (int k = 0; k < a->m->nports; k++)
     {
       const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6;
       if (s->event_kinds[k] == 2 && (pos[k] < low - near || pos[k] > high + near))
@@ -73,7 +73,7 @@ gsf_possible (gsf_instance *a)
   if (! w)
     return gsf_fail (a, GSF_ERROR, "out of memory");
   int status = gsf_inputs (a);
-  if (status == GSF_OK && s->nev > 0)
+  if (status == GSF_OK && a->m->nports > 0)
     status = within_stops (a, w, w + s->nev, w + 2 * s->nev, w + 6 * s->nev);
   if (status == GSF_OK)
     status = within_margins (a, w);

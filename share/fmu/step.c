@@ -19,6 +19,10 @@ why_failed (gsf_instance *a, const gs_run *run, int info)
   const double t = run->rstat[GS_T_REACHED];
   if (info == GS_ROUTINE_FAILED && which > 0 && which < 8)
     {
+      if (which == 7 && run->istat[GS_FAILED_INFO] == 10)
+        return gsf_fail (a, GSF_ERROR, "events accumulate at t = %.15g s: event %s happens again "
+                         "and again", t,
+                         a->m->events[a->m->own[run->istat[GS_ACCUMULATES] - 1 - a->m->nports]]);
       if (which == 7 && run->istat[GS_FAILED_INFO] == 9)
         return gsf_fail (a, GSF_ERROR, "100 events and more at one instant after t = %.15g s", t);
       return gsf_failed (a, GSF_ERROR, routines[which], run->istat[GS_FAILED_INFO]);
@@ -84,6 +88,8 @@ gsf_can_step (gsf_instance *a, double t, double h)
   if (! (fabs (t - now) <= 1e-9 * (1 + fabs (now))))
     return gsf_fail (a, GSF_ERROR, "a step begins where the last one ended, at t = %.15g s; found "
                      "t = %.15g s", now, t);
+  if (a->i[GSF_ENDED] > 0)
+    return gsf_ended (a, GSF_ERROR);
   if (! (h > 0 && h <= 1e300))
     return gsf_fail (a, GSF_ERROR, "expected a step above 0; found %g s", h);
   if (t + h > a->d[GSF_T1] + 1e-9 * (1 + fabs (a->d[GSF_T1])))
@@ -92,14 +98,14 @@ gsf_can_step (gsf_instance *a, double t, double h)
   return GSF_OK;
 }
 
-int
-gsf_step (gsf_instance *a, double t)
+/* from the time that is reached to t, or to the next event of the user */
+static int
+run_on (gsf_instance *a, double t)
 {
   const gs_scene *s = a->m->scene;
   const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 };
   gs_run run;
   memset (&run, 0, sizeof run);
-  options (a);
   run.nx = run.ldx = s->nx;
   run.t0 = a->d[GSF_T];
   run.x0 = a->x;
@@ -117,9 +123,22 @@ gsf_step (gsf_instance *a, double t)
   run.w = a->w;
   run.lw = gs_room (s, s->nx, 0);
   int info = gssim (s, &run);
-  if (info != GS_DONE)
+  if (info != GS_DONE && info != GS_ENDED)
     return run_failed (a, &run, info);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
-  arrive (a, t);
-  return gsf_watch (a);
+  arrive (a, info == GS_DONE ? t : run.rstat[GS_T_REACHED]);
+  return GSF_OK;
+}
+
+int
+gsf_step (gsf_instance *a, double t)
+{
+  options (a);
+  int status = a->m->nown > 0 ? gsf_happens (a, -1) : GSF_OK;
+  while (status == GSF_OK && a->d[GSF_T] < t && a->i[GSF_ENDED] == 0)
+    {
+      status = run_on (a, t);
+      gsf_tally (a);
+    }
+  return status ? status : gsf_watch (a);
 }

@@ -24,6 +24,8 @@ get_computed (gsf_instance *a, int block, int k, double *value)
 {
   int status = block == GSF_OUTPUT ? gsf_outputs (a)
              : block == GSF_RATE ? gsf_rates (a) : gsf_fresh (a);
+  if (status == GSF_OK && block == GSF_USED)
+    status = gsf_inputs (a);
   if (status)
     return status;
   switch (block)
@@ -45,6 +47,18 @@ get_computed (gsf_instance *a, int block, int k, double *value)
       break;
     case GSF_MODE:
       *value = gsf_events (a).mode[k];
+      break;
+    case GSF_TALLY:
+      *value = a->tally[k];
+      break;
+    case GSF_WHEN:
+      *value = a->when[k];
+      break;
+    case GSF_OVERRIDDEN:
+      *value = gsf_is_overridden (a, a->m->switched[k]);
+      break;
+    case GSF_USED:
+      *value = a->v[a->m->switched[k]];
       break;
     case GSF_HELD:
       *value = gsf_samples (a).value[k];

@@ -463,9 +463,9 @@ is_impossible (const double *x)
   int bad = 0;
   m->par (par);
   m->pre (par, cst);
-  if (s->nev > 0)
-    s->hld (0, x, v, cst, row, s->nev, pos, speed, ends);
-  for (int k = 0; k < s->nev; k++)
+  if (m->nports > 0)
+    s->hld (0, x, v, cst, row, m->nports, pos, speed, ends);
+  for (int k = 0; k < m->nports; k++)
     bad |= s->event_kinds[k] == 2
            && (pos[k] < ends[4 * k] - 1e-5 || pos[k] > ends[4 * k + 1] + 1e-5);
   if (m->nmargins > 0)
@@ -505,7 +505,7 @@ impossible_starts (void)
         wrong += found < 0;
       }
   int expected = m->nmargins > 0;
-  for (int k = 0; k < m->scene->nev; k++)
+  for (int k = 0; k < m->nports; k++)
     expected |= m->scene->event_kinds[k] == 2;
   told (wrong == 0 && (refused > 0) == expected, "starts beyond stops and margins, and no others, "
         "are refused");

@@ -1,5 +1,5 @@
-# gsmbp_fmu: a closed chain with ports that stick and hit a stop, a sampled device (make
-# test-whole), a cylinder:
+# gsmbp_fmu: a closed chain with ports that stick and hit a stop, events of the user, a sampled
+# device (make test-whole), a cylinder:
 # the archives are whole and the same twice, binaries export the functions of the standard and need
 # libc and libm, the sources give the same bits whatever the order of calls, wrong calls are errors
 # with a log line under the address sanitizer, also with a decimal comma. FMPy is in make check-fmu.
@@ -21,6 +21,17 @@ for scene in event_crank $(whole && echo sampled_drive); do
   tests/fmu/binaries "$work/fmu" $scene
   tests/fmu/drive "$work/fmu" $scene 0.4 40
 done
+# events of the user: reset and stop, switch, closed loops
+for scene in user_bounce user_thermostat user_crank; do
+  share/fmu/derive tests/scenes/$scene.mac "$work/fmu" >"$report" 2>&1
+  told $? "$scene becomes FMUs" "$report"
+  for standard in 2 3; do
+    unzip -q -o "$work/fmu/${scene}_fmi$standard.fmu" -d "$work/$scene$standard"
+    python3 tests/fmu/events.py $scene "$work/$scene$standard" $standard
+  done
+done
+tests/fmu/drive "$work/fmu" user_bounce 0.4 40
+whole && tests/fmu/drive "$work/fmu" user_crank 0.4 40
 # margins: pressures and the stroke of a cylinder
 cat >"$work/press.mac" <<'END'
 scene : gsmbp_scene("press", link(ram, mass = 20*kg),

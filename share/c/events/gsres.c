@@ -61,7 +61,8 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
           *a.since += 1;
           if (*a.since > 100)
             return 9;
-          r = new_record (&a, t, x, nx, l);
+          if (*a.tells != 2 || gs_is_own (&a, l - 1))
+            r = new_record (&a, t, x, nx, l);
         }
       double g = 0.0;
       if (l > 0 && gs_is_own (&a, l - 1))

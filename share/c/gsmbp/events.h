@@ -18,7 +18,8 @@ typedef struct
   int *count;     /* events so far */
   int *since;     /* events since the time went on */
   int given;      /* 1 if the modes at the start are given */
-  int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2 */
+  int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2; 2:
+                     only events of the user are recorded, and counted */
   int *search;    /* 1 while the time of an event is looked for (GSEVN in Fortran) */
   int *cause;     /* while rst is called: what gsres was called with */
   int *ended;     /* the number of the event function that ends the run, 0: none does */

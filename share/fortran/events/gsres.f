@@ -22,7 +22,8 @@ C             IE(4)  events since the time went on;
 C             IE(5)  1 if the modes at the start are given;
 C             IE(6)  1: behind the events RST is called once more, with
 C                    K = -2 (GSMBP's runs that carry derivatives by
-C                    parameters have an RST of their own), else 0;
+C                    parameters have an RST of their own); 2: only events
+C                    of the user are recorded, and counted; else 0;
 C             IE(7)  (output) K, while RST is called;
 C             IE(8)  1 while GSEVN looks for the time of an event in a
 C                    run with IE(6) = 1: states alone are wanted;
@@ -83,9 +84,11 @@ C
                INFO = 9
                RETURN
             END IF
-            IE(3) = IE(3) + 1
-            IF ( IE(3).LE.IE(2) ) R = 5*NE + 3*NX
-     $                                + ( IE(3) - 1 )*( 3 + 2*NX )
+            IF ( IE(6).NE.2 .OR. IE(JK+L).GT.2 ) THEN
+               IE(3) = IE(3) + 1
+               IF ( IE(3).LE.IE(2) ) R = 5*NE + 3*NX
+     $                                   + ( IE(3) - 1 )*( 3 + 2*NX )
+            END IF
          END IF
          IF ( R.GT.0 ) THEN
             RE(R+1) = T

@@ -1,0 +1,278 @@
+"""events.py SCENE FOLDER STANDARD: the FMU of a scene with events of the user, unpacked in FOLDER,
+against closed forms (user_bounce, user_thermostat) or what holds (user_crank), in both kinds:
+co-simulation with steps that end nowhere near an event, model exchange by classical Runge-Kutta,
+whose step ends where an indicator changes its sign. Prints a line `ok` or `not ok` a check."""
+import ctypes as c
+import glob
+import math
+import re
+import sys
+
+scene, folder, standard = sys.argv[1], sys.argv[2], int(sys.argv[3])
+text = open(folder + '/modelDescription.xml').read()
+token = re.search('(guid|instantiationToken)="([^"]*)"', text).group(2).encode()
+kind_of = 'ScalarVariable' if standard == 2 else 'Float64'
+ref = {n: int(r) for n, r in re.findall(f'<{kind_of} name="([^"]*)" valueReference="(\\d+)"', text)}
+so = c.CDLL(glob.glob(folder + '/binaries/*linux*/*.so')[0])
+P, D, N = c.c_void_p, c.c_double, c.c_size_t
+B = c.c_int if standard == 2 else c.c_bool
+log = []
+
+
+class Callbacks(c.Structure):
+    LOG = c.CFUNCTYPE(None, P, c.c_char_p, c.c_int, c.c_char_p, c.c_char_p, c.c_char_p)
+    _fields_ = [('logger', LOG), ('allocate', P), ('free', P), ('finished', P), ('env', P)]
+
+
+class Events(c.Structure):
+    _fields_ = [(n, c.c_int) for n in ('needed', 'terminate', 'nominals', 'values', 'defined')]
+    _fields_.append(('next', D))
+
+
+@Callbacks.LOG
+def logger(environment, name, status, category, form, words):
+    log.append(words.decode() if form == b'%s' else form.decode())
+
+
+log3 = c.CFUNCTYPE(None, P, c.c_int, c.c_char_p, c.c_char_p)(
+    lambda environment, status, category, words: log.append(words.decode()))
+libc = c.CDLL(None)
+callbacks = Callbacks(logger, c.cast(libc.calloc, P), c.cast(libc.free, P), None, None)
+
+
+def told(good, what):
+    print('%s %s %d.0: %s' % ('ok' if good else 'not ok', scene, standard, what))
+
+
+def near(error, most, what):
+    told(abs(error) <= most, '%s: %.1e (at most %.0e)' % (what, abs(error), most))
+
+
+class Instance:
+    def __init__(self, exchange, start, end=10.0):
+        if standard == 2:
+            so.fmi2Instantiate.restype = P
+            self.m = P(so.fmi2Instantiate(b'one', 0 if exchange else 1, token, b'',
+                                          c.byref(callbacks), 0, 0))
+            self('SetupExperiment', 1, D(1e-10), D(0), 1, D(end))
+            self('EnterInitializationMode')
+        else:
+            make = so['fmi3Instantiate' + ('ModelExchange' if exchange else 'CoSimulation')]
+            make.restype = P
+            more = [] if exchange else [B(0), B(1), None, N(0)]
+            self.m = P(make(b'one', token, b'', B(0), B(0), *more, None, log3, None))
+            self('EnterInitializationMode', B(1), D(1e-10), D(0), B(1), D(end))
+        self.put(start)
+        self('ExitInitializationMode')
+        self.n = len(re.findall('<(?:Unknown|ContinuousStateDerivative) ', re.sub(
+            '(?s)<Outputs>.*?</Outputs>|<InitialUnknowns>.*?</InitialUnknowns>', '', text)))
+        self.nz = len([n for n in ref if re.match(r'event\[', n)])
+
+    def status(self, name, *arguments):
+        return so['fmi%d%s' % (standard, name)](self.m, *arguments)
+
+    def __call__(self, name, *arguments):
+        if self.status(name, *arguments) != 0:
+            sys.exit('not ok %s %d.0: %s failed: %s' % (scene, standard, name, log[-1:]))
+
+    def put(self, values):
+        for name, value in values.items():
+            self('SetReal' if standard == 2 else 'SetFloat64', c.byref(c.c_uint(ref[name])), N(1),
+                 c.byref(D(value)), *([] if standard == 2 else [N(1)]))
+
+    def __getitem__(self, name):
+        v = D()
+        self('GetReal' if standard == 2 else 'GetFloat64', c.byref(c.c_uint(ref[name])), N(1),
+             c.byref(v), *([] if standard == 2 else [N(1)]))
+        return v.value
+
+    def step(self, t, h):
+        """has an event ended the run? and when"""
+        if standard == 2:
+            status, last, ended = self.status('DoStep', D(t), D(h), 1), D(t + h), c.c_int(0)
+            if status == 2:
+                self('GetRealStatus', 2, c.byref(last))
+                self('GetBooleanStatus', 3, c.byref(ended))
+            return status > 2 or ended.value, last.value
+        event, end, early, last = B(), B(), B(), D()
+        status = self.status('DoStep', D(t), D(h), B(1), c.byref(event), c.byref(end),
+                             c.byref(early), c.byref(last))
+        return status > 2 or end.value, last.value
+
+    def events(self):
+        """does the run end here?"""
+        if standard == 2:
+            e = Events()
+            self('NewDiscreteStates', c.byref(e))
+            return e.terminate
+        e = [B() for k in range(5)]
+        self('UpdateDiscreteStates', *map(c.byref, e), c.byref(D()))
+        return e[1].value
+
+    def states(self):
+        x = (D*self.n)()
+        self('GetContinuousStates', x, N(self.n))
+        return list(x)
+
+    def at(self, t, x):
+        self('SetTime', D(t))
+        self('SetContinuousStates', (D*self.n)(*x), N(self.n))
+
+    def rates(self, t, x):
+        d = (D*self.n)()
+        self.at(t, x)
+        self('GetDerivatives' if standard == 2 else 'GetContinuousStateDerivatives', d, N(self.n))
+        return list(d)
+
+    def signs(self, t, x):
+        z = (D*self.nz)()
+        self.at(t, x)
+        self('GetEventIndicators', z, N(self.nz))
+        return [one > 0 for one in z]
+
+
+def cosimulation(start, end, h, each, given=()):
+    """a run in steps of h; each(instance, t) behind every step"""
+    a, t = Instance(0, start), 0.0
+    while t < end - 1e-9:
+        for values in given:
+            a.put(values)
+        ended, last = a.step(t, h)
+        if ended:
+            return a, last
+        t += h
+        each(a, t)
+    return a, t
+
+
+def exchange(start, end, h, each):
+    """a run of model exchange; each(instance, t) behind every event"""
+    a, t = Instance(1, start), 0.0
+
+    def moved(t, x, h):
+        k = [a.rates(t, x)]
+        for part in (0.5, 0.5, 1):
+            k.append(a.rates(t + part*h, [p + part*h*q for p, q in zip(x, k[-1])]))
+        return [p + h/6*(q + 2*r + 2*s + u) for p, q, r, s, u in zip(x, *k)]
+
+    while t < end and not a.events():
+        each(a, t)
+        a('EnterContinuousTimeMode')
+        x = a.states()
+        signs = a.signs(t, x)
+        while t < end:
+            full = min(h, end - t)
+            y = moved(t, x, full)
+            low, high = 0.0, full
+            if a.signs(t + full, y) != signs:
+                for k in range(60):
+                    middle = 0.5*(low + high)
+                    if a.signs(t + middle, moved(t, x, middle)) != signs:
+                        high = middle
+                    else:
+                        low = middle
+                y = moved(t, x, high)
+            event, terminate = B(), B()
+            a.at(t + high, y)
+            a('CompletedIntegratorStep', *([] if standard == 2 else [B(1)]),
+              *([1] if standard == 2 else []), c.byref(event), c.byref(terminate))
+            t, x = t + high, y
+            if event.value or a.signs(t, x) != signs:
+                break
+        a('EnterEventMode')
+    each(a, t)
+    return a, t
+
+
+def counted(name):
+    """[function for each, times of the events of a name as they are told]"""
+    times = []
+
+    def each(a, t):
+        if a[name + '.count'] > len(times):
+            times.append(a[name + '.time'])
+    return each, times
+
+
+def bounce():
+    g, e = 9.81, 0.8
+    wanted = [math.sqrt(2/g)]
+    v = g*wanted[0]
+    while wanted[-1] < 3:
+        v *= e
+        wanted.append(wanted[-1] + 2*v/g)
+    wanted.pop()
+    for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-12),
+                               ('model exchange', exchange, 0.0113, 1e-9)):
+        each, times = counted('hit')
+        a, end = run({'y': 1.0}, 5.0, h, each)
+        told(len(times) == len(wanted), '%d bounces, %s' % (len(times), kind))
+        near(max(abs(p - q) for p, q in zip(times, wanted)), most, 'times of bounces, ' + kind)
+        near(end - 3, most, 'the end, ' + kind)
+        speed = g*wanted[0]*e**len(wanted)
+        fallen = 3 - wanted[-1]
+        near(a['y'] - (speed*fallen - g/2*fallen**2), 10*most, 'the place there, ' + kind)
+    a, end = cosimulation({'y': 1.0}, 5.0, 1.0, lambda a, t: None)
+    told(a['hit.count'] == len(wanted) and abs(a['hit.time'] - wanted[-1]) < 1e-12,
+         'bounces in long steps')
+    del log[:]
+    told(a.status('DoStep', *([D(3), D(1), 1] if standard == 2 else
+                              [D(3), D(1), B(1)] + [c.byref(D()) for k in range(4)])) == 3
+         and 'event done has ended the run' in log[-1], 'a run that has ended does not go on')
+    del log[:]
+    a, end = cosimulation({'y': 1.0, 'e': 0.5, 'last': 10.0}, 5.0, 0.1, lambda a, t: None)
+    told('events accumulate at t = 1.3545709' in log[-1], 'bounces that accumulate are an error')
+    try:
+        exchange({'y': 1.0, 'e': 0.5}, 2.0, 0.0113, lambda a, t: None)
+        told(0, 'bounces that accumulate are an error, model exchange')
+    except SystemExit as problem:
+        told('events accumulate at t = 1.354' in str(problem) and 'event hit' in str(problem),
+             'bounces that accumulate are an error, model exchange')
+
+
+def thermostat():
+    """v' = heat - v between 1 and 2, heated with 3 or not"""
+    cold, hot = [math.log(1.5) + k*math.log(4) for k in range(4)], []
+    hot = [t + math.log(2) for t in cold]
+    for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-9),
+                               ('model exchange', exchange, 0.0113, 1e-8)):
+        for name, wanted in (('cold', cold), ('hot', hot)):
+            each, times = counted(name)
+            a, t = run({'x_d': 1.5}, 5.5, h, each)
+            wanted = [w for w in wanted if w < t]
+            told(len(times) == len(wanted), '%d times %s, %s' % (len(times), name, kind))
+            near(max(abs(p - q) for p, q in zip(times, wanted)), most, name + ', ' + kind)
+    a = Instance(0, {'x_d': 1.5, 'heat': 0.25})
+    told((a['heat.held'], a['heat.used']) == (0, 0.25), 'an input is the importer\'s at first')
+    t = math.log(1.25/0.75)
+    a.step(0, 1)
+    near(a['cold.time'] - t, 1e-9, 'it gets cold later with some heat')
+    a.put({'heat': -7.0})
+    told((a['heat'], a['heat.held'], a['heat.used']) == (-7, 1, 3),
+         'an event holds it, whatever it is set to')
+
+
+def crank():
+    for kind, run, h in (('co-simulation', cosimulation, 1/14),
+                         ('model exchange', exchange, 0.0113)):
+        speeds = {}
+
+        def each(a, t):
+            speeds[a['kick.count']] = a['phi_d'], a['phi'], a['s'], a['beta']
+        a, t = run({'phi': 0.5, 'beta': -0.6, 's': 0.38, 'phi_d': 3.0}, 1.0, h, each)
+        told(a['kick.count'] == 1, 'one kick, ' + kind)
+        speed, phi, s, beta = speeds[1]
+        near(max(abs(s - 0.1*math.cos(phi) - 0.3*math.cos(phi + beta)),
+                 abs(0.1*math.sin(phi) + 0.3*math.sin(phi + beta))), 1e-10,
+             'the loop is closed, ' + kind)
+        yield kind, a['kick.time'], speed, a['phi']
+
+
+if scene == 'user_bounce':
+    bounce()
+elif scene == 'user_thermostat':
+    thermostat()
+else:
+    (_, t1, _, phi1), (_, t2, _, phi2) = crank()
+    near(t1 - t2, 1e-7, 'the kick of both kinds')
+    near(phi1 - phi2, 1e-6, 'the angle of both kinds')
