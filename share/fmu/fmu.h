@@ -56,8 +56,8 @@ typedef struct
                                                        model exchange */
   int nin;
   const int *inputs;                                /* places of the importer's inputs in V */
-  int nports, nown;                                 /* event functions of ports, behind which those of
-                                                       the user stand; events of the user: */
+  int nports, nown;                                 /* event functions of ports, behind which
+                                                       those of the user stand; its events: */
   const int *own;                                   /* which of them each of these functions is, */
   const int *ends;                                  /* nown: 1 where one ends the run, */
   const char *const *events;                        /* nown: their names, */
