@@ -92,7 +92,7 @@ correct_forces (gs_run *s, gs_momenta *w, double h)
       if (constraints_at (s, w, s->t + (double) rule->at[k + 1] * h, w->x, w->phi + m * k,
                           w->rows + n * m * (k + 1)) != 0)
         return -1;
-      solve_rows (w, w->phi + m * k);
+      solve_rows (&w->gram, w->phi + m * k);
     }
   for (int i = 0; i < stages; i++)
     for (int k = 0; k < stages; k++)
@@ -204,14 +204,14 @@ put_on (gs_run *s, gs_momenta *w, double t, double *x)
     return 0;
   if (constraints_at (s, w, t, x, w->phi, rows) != 0)
     return -1;
-  factorize (w, rows, w->masses);
+  factorize (&w->gram, rows, w->masses);
   for (int k = 0; k < m; k++)
     {
       w->phi[k] = w->phit[k];
       for (int j = 0; j < n; j++)
         w->phi[k] += rows[k + m * j] * u[j];
     }
-  solve_rows (w, w->phi);
+  solve_rows (&w->gram, w->phi);
   for (int j = 0; j < n; j++)
     {
       longer sum = 0;
@@ -311,9 +311,11 @@ gs_new_momenta (const gs_run *s, const gauss_rule *rule, const double *size)
   gs_momenta *w = calloc (1, sizeof (gs_momenta));
   double *next = calloc (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 4 * m
                          + (k + 3) * n * m + m * m, sizeof (double));
-  if (! w || ! next || ! (w->order = calloc (m + n + 1, sizeof (int))))
-    return free (next), free (w), NULL;
-  w->turning = w->order + m;
+  int *order = calloc (m + n + 1, sizeof (int));
+  double *gram;
+  if (! w || ! next || ! order)
+    return free (order), free (next), free (w), NULL;
+  w->turning = order + m;
   w->rule = rule;
   w->n = n;
   w->m = m;
@@ -325,10 +327,11 @@ gs_new_momenta (const gs_run *s, const gauss_rule *rule, const double *size)
         { &w->masses, n * n }, { &w->B, n * n }, { &w->C, n * n }, { &w->C0, n * n },
         { &w->u, k * n }, { &w->f, k * n }, { &w->old, k * n }, { &w->force, k * m },
         { &w->past, BEFORE * k * m }, { &w->phi, k * m }, { &w->phit, m }, { &w->gamma, m },
-        { &w->scale, m }, { &w->side, m }, { &w->rows, k * n * m }, { &w->solved, n * m },
-        { &w->turned, 2 * n * m }, { &w->before, 3 * n }, { &w->S, m * m } };
+        { &w->rows, k * n * m }, { &w->turned, 2 * n * m }, { &w->before, 3 * n },
+        { &gram, rows_room (n, m) } };
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; next += parts[i++].room)
     *parts[i].place = next;
+  place_rows (&w->gram, n, m, order, gram);
   return w;
 }
 
@@ -338,7 +341,7 @@ gs_free_momenta (gs_momenta *w)
   if (! w)
     return;
   free (w->numbers);
-  free (w->order);
+  free (w->gram.order);
   free (w);
 }
 
@@ -429,7 +432,7 @@ gs_agree (gs_run *s, gs_momenta *w)
     {
       if (constraints_at (s, w, s->t, s->x, w->phi, w->rows) != 0)
         return 0;
-      factorize (w, w->rows, w->masses);
+      factorize (&w->gram, w->rows, w->masses);
       memcpy (w->trial, miss, sizeof (double) * n);
       forward (n, w->masses, w->trial);
       backward (n, w->masses, w->trial);
@@ -439,7 +442,7 @@ gs_agree (gs_run *s, gs_momenta *w)
           for (int j = 0; j < n; j++)
             w->phi[k] += w->rows[k + m * j] * w->trial[j];
         }
-      solve_rows (w, w->phi);
+      solve_rows (&w->gram, w->phi);
       add_forces (w, w->rows, -1, w->phi, miss);
     }
   for (int i = 0; i < n; i++)

@@ -1,7 +1,7 @@
 /* The emitted routines as gauss_momenta.c calls them. */
 #ifndef GSMBP_GLUE_GAUSS_RATES_H
 #define GSMBP_GLUE_GAUSS_RATES_H
-#include "gauss_rows.h"
+#include "gauss_state.h"
 #include "gsmbp/inputs.h"
 
 static int

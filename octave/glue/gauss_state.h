@@ -2,17 +2,15 @@
 #ifndef GSMBP_GLUE_GAUSS_STATE_H
 #define GSMBP_GLUE_GAUSS_STATE_H
 #include "gauss_momenta.h"
+#include "rows.h"
 
 enum { TURNS = 100, BEFORE = 3 };
 
-typedef void con_type (const double *t, const double *q, const double *u, double *cst, double *phi,
-                       double *phit, double *hc, const int *ldh, double *gam, int *info);
 typedef void lin_type (const double *t, const double *q, const double *u, const double *ud,
                        const double *v, double *cst, double *m, double *b, double *c,
                        const int *ld);
 typedef void bia_type (const double *t, const double *q, const double *u, const double *v,
                        double *cst, double *b);
-typedef void mas_type (const double *t, const double *q, double *cst, double *m, const int *ldm);
 
 struct gs_momenta
 {
@@ -28,8 +26,7 @@ struct gs_momenta
   double *phi, *phit, *gamma, *rows, *turned;   /* constraints, their gradients */
   double *before;               /* coordinates, momenta, what they lost, before the step */
   int *turning;                 /* coordinates of which whole turns change nothing */
-  double *S, *solved, *scale, *side;                  /* rows M^-1 rows' at the start, factors */
-  int *order, rank;             /* ... in the order of their pivots */
+  gs_rows gram;                 /* rows M^-1 rows' at the start */
   double large;                 /* the largest momentum of usual speeds, at the start */
   int known, remembered;        /* is there a step before; how many sets of multipliers */
   long turns;

@@ -13,6 +13,7 @@ typedef struct
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst,
       jac, /* a null pointer: difference quotients */
       lin, bia, mas, /* for the momenta of method gauss; null pointers: it takes the states */
+      gradients,     /* CON, also where the run does not look after drift; a null pointer */
       gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue, gsevn, gsevr, gsevv,
       gsusg; /* of the run time */
   int nq, nu, nx, nv, ny, nlam,

@@ -12,8 +12,8 @@
 #include <string.h>
 #include "implicit.h"
 #include "gsmbp/inputs.h"
+#include "radau_loops.h"
 #include "radau_rule.h"
-#include "radau_solve.h"
 
 enum { AGAIN = 1, FATAL = -1 };                     /* flags */
 enum { GOOD, SLOW, NO_STATE };                      /* of an attempt; -1: it is over */
@@ -24,12 +24,14 @@ typedef struct
   const radau_rule *rule;
   double *scale, enough;                            /* of errors; of the turns beside them */
   radau_order order;                                /* of elimination */
+  gs_loops *loops;                                  /* null: there are none */
   double *J, *ordered, *ordered_x, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
   double complex *lus, *y, *ordered_y;
   int *pivots;
   double factored;                                  /* the step of the factors, 0: there are none */
   double theta, contraction;                        /* of the last turns of Newton's method */
   int of_time, turns, past_stages;
+  int settles;                                      /* are the constraints known where J is of? */
   int fresh, stale;                                 /* Jacobian: of this state; to be taken anew */
   int first, after_rejection, quiet;                /* QUIET: steps without a change of order */
   double past_h, wish, old_h, old_error;
@@ -81,6 +83,8 @@ take_jacobian (gs_run *s)
   w->stale = 0;
   w->factored = 0;
   int info = gs_jacobian (s, s->t, s->x, w->J);
+  if (info == 0 && w->loops)
+    w->settles = gs_take_loops (s, w->loops) == 0;
   if (info == 0)
     gsmbp_take_order (&w->order, w->J, w->ordered);
   return info;
@@ -406,17 +410,35 @@ diverged (gs_run *s, double h, double by, int outcome)
   return again (s, h, by, outcome == SLOW);
 }
 
+/* X1, of the step H to T, along what the scene does under forces of its constraints; as
+   gs_settle */
+static int
+settle (gs_run *s, double h, double t)
+{
+  radau *w = s->memory;
+  double *end = w->error;
+  gs_factors by = { .order = &w->order, .shift = w->rule->root / h, .lu = w->lu,
+                    .pivots = w->pivots, .work = w->ordered_x };
+  if (! w->settles || gs_completes (s))
+    return -1;
+  memcpy (end, w->x1, sizeof (double) * w->n);
+  int left = gs_settle (s, w->loops, &by, w->scale, t, end);
+  if (left >= 0)
+    memcpy (w->x1, end, sizeof (double) * w->n);
+  return left;
+}
+
 /* X1: the end of the step H, at TO or by its length, on the constraints */
 static int
 end_of_step (gs_run *s, double h, double to)
 {
   radau *w = s->memory;
-  double *end = w->error;
+  double *end = w->error, t = to < HUGE_VAL ? to : s->t + h;
   for (int l = 0; l < w->n; l++)
     w->x1[l] = s->x[l] + w->z[l + w->n * (w->stages - 1)];
-  if (! gs_projects (s->r))
+  if (! gs_projects (s->r) || settle (s, h, t) == 0)
     return 0;
-  int info = gs_moved (s, to < HUGE_VAL ? to : s->t + h, w->x1, end);
+  int info = gs_moved (s, t, w->x1, end);
   memcpy (w->x1, end, sizeof (double) * w->n);
   return info;
 }
@@ -493,6 +515,10 @@ open_ (gs_run *s)
   w->pivots = calloc (own * (PAIRS + 1), sizeof (int));
   if (! w->J || ! w->lus || ! w->pivots || ! gsmbp_new_order (&w->order, own))
     return 0;
+  int failed;
+  w->loops = gs_new_loops (s, &failed);
+  if (failed)
+    return 0;
   w->ordered = w->J + own * own;
   w->ordered_x = w->ordered + own * own;
   w->lu = w->ordered_x + own;
@@ -517,6 +543,7 @@ close_ (gs_run *s)
   if (! w)
     return;
   gsmbp_free_order (&w->order);
+  gs_free_loops (w->loops);
   free (w->J);
   free (w->lus);
   free (w->pivots);

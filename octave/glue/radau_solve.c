@@ -36,6 +36,25 @@
     return 0;                                                                                      \
   }
 
+#define DENSE_SOLVE(NAME, NUMBER)                                                                  \
+  static void NAME (int n, int ld, const NUMBER *lu, const int *pivot, NUMBER *y)                  \
+  {                                                                                                \
+    for (int k = 0; k < n; k++)                                                                    \
+      {                                                                                            \
+        NUMBER swap = y[pivot[k]];                                                                 \
+        y[pivot[k]] = y[k], y[k] = swap;                                                           \
+      }                                                                                            \
+    for (int k = 0; k < n; k++)                                                                    \
+      for (int i = k + 1; i < n; i++)                                                              \
+        y[i] -= y[k] * lu[i + (ptrdiff_t) ld * k];                                                 \
+    for (int k = n - 1; k >= 0; k--)                                                               \
+      {                                                                                            \
+        y[k] /= lu[k + (ptrdiff_t) ld * k];                                                        \
+        for (int i = 0; i < k; i++)                                                                \
+          y[i] -= y[k] * lu[i + (ptrdiff_t) ld * k];                                               \
+      }                                                                                            \
+  }
+
 /* the pivots along the lists; their inverses stay on the diagonal */
 #define LISTS(NAME, NUMBER, SIZE)                                                                  \
   static int NAME (const radau_order *o, const double *J, NUMBER shift, NUMBER *lu)                \
@@ -73,7 +92,7 @@
     return info != 0 ? info : OF_DENSE (n - m, n, lu + m + n * m, pivot);                          \
   }
 
-#define SOLVE(NAME, NUMBER)                                                                        \
+#define SOLVE(NAME, NUMBER, OF_DENSE)                                                              \
   void NAME (const radau_order *o, const NUMBER *lu, const int *pivot, NUMBER *x, NUMBER *work)    \
   {                                                                                                \
     ptrdiff_t n = o->n, m = o->sparse, d = n - m;                                                  \
@@ -82,22 +101,7 @@
     for (ptrdiff_t k = 0; k < m; k++)                                                              \
       for (int i = o->row_from[k]; i < o->row_from[k + 1]; i++)                                    \
         work[o->rows[i]] -= lu[o->rows[i] + n * k] * work[k];                                      \
-    const NUMBER *a = lu + m + n * m;                                                              \
-    NUMBER *y = work + m;                                                                          \
-    for (ptrdiff_t k = 0; k < d; k++)                                                              \
-      {                                                                                            \
-        NUMBER swap = y[pivot[k]];                                                                 \
-        y[pivot[k]] = y[k], y[k] = swap;                                                           \
-      }                                                                                            \
-    for (ptrdiff_t k = 0; k < d; k++)                                                              \
-      for (ptrdiff_t i = k + 1; i < d; i++)                                                        \
-        y[i] -= y[k] * a[i + n * k];                                                               \
-    for (ptrdiff_t k = d - 1; k >= 0; k--)                                                         \
-      {                                                                                            \
-        y[k] /= a[k + n * k];                                                                      \
-        for (ptrdiff_t i = 0; i < k; i++)                                                          \
-          y[i] -= y[k] * a[i + n * k];                                                             \
-      }                                                                                            \
+    OF_DENSE (d, n, lu + m + n * m, pivot, work + m);                                              \
     for (ptrdiff_t k = m - 1; k >= 0; k--)                                                         \
       {                                                                                            \
         for (int j = o->column_from[k]; j < o->column_from[k + 1]; j++)                            \
@@ -113,9 +117,23 @@
 
 DENSE (real_dense, double, fabs)
 DENSE (complex_dense, double complex, TAXI)
+DENSE_SOLVE (real_dense_solve, double)
+DENSE_SOLVE (complex_dense_solve, double complex)
 LISTS (real_lists, double, fabs)
 LISTS (complex_lists, double complex, TAXI)
 FACTORS (gsmbp_real_factors, double, real_lists, real_dense)
 FACTORS (gsmbp_complex_factors, double complex, complex_lists, complex_dense)
-SOLVE (gsmbp_real_solve, double)
-SOLVE (gsmbp_complex_solve, double complex)
+SOLVE (gsmbp_real_solve, double, real_dense_solve)
+SOLVE (gsmbp_complex_solve, double complex, complex_dense_solve)
+
+int
+gsmbp_dense_factors (int n, double *a, int *pivot)
+{
+  return real_dense (n, n, a, pivot);
+}
+
+void
+gsmbp_dense_solve (int n, const double *lu, const int *pivot, double *x)
+{
+  real_dense_solve (n, n, lu, pivot, x);
+}

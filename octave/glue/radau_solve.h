@@ -36,4 +36,7 @@ extern void gsmbp_real_solve (const radau_order *o, const double *lu, const int 
                               double *work);
 extern void gsmbp_complex_solve (const radau_order *o, const double complex *lu, const int *pivot,
                                  double complex *x, double complex *work);
+/* A dense matrix of order N, overwritten by its factors; 0, SINGULAR */
+extern int gsmbp_dense_factors (int n, double *a, int *pivot);
+extern void gsmbp_dense_solve (int n, const double *lu, const int *pivot, double *x);
 #endif

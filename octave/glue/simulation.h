@@ -286,6 +286,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.lin = there ("lin");
   g.bia = there ("bia");
   g.mas = there ("mas");
+  g.gradients = there ("con");
   g.nx = nx;
   g.columns = columns->count ();
   g.resume = resume;

@@ -1,10 +1,41 @@
-/* Linear equations of gauss_momenta.c: M, and rows M^-1 rows' of constraints that may depend on
-   each other. */
-#ifndef GSMBP_GLUE_GAUSS_ROWS_H
-#define GSMBP_GLUE_GAUSS_ROWS_H
+/* Linear equations of loops: M, and rows M^-1 rows' of constraints that may depend on each
+   other. */
+#ifndef GSMBP_GLUE_ROWS_H
+#define GSMBP_GLUE_ROWS_H
 #include <math.h>
 #include <string.h>
-#include "gauss_state.h"
+
+/* CON and MAS */
+typedef void con_type (const double *t, const double *q, const double *u, double *cst, double *phi,
+                       double *phit, double *hc, const int *ldh, double *gam, int *info);
+typedef void mas_type (const double *t, const double *q, double *cst, double *m, const int *ldm);
+
+typedef struct
+{
+  int n, m, rank;             /* speeds, rows, those that do not depend on others */
+  int *order;                 /* M: the rows in the order of their pivots */
+  double *S, *solved,         /* M x M: factors of rows M^-1 rows'; N x M: L^-1 rows', M = L L' */
+      *scale, *side;          /* M each */
+} gs_rows;
+
+/* how many numbers it needs, and their places in ROOM */
+static size_t
+rows_room (size_t n, size_t m)
+{
+  return m * m + n * m + 2 * m;
+}
+
+static void
+place_rows (gs_rows *w, int n, int m, int *order, double *room)
+{
+  w->n = n;
+  w->m = m;
+  w->order = order;
+  w->S = room;
+  w->solved = w->S + (size_t) m * m;
+  w->scale = w->solved + (size_t) n * m;
+  w->side = w->scale + m;
+}
 
 /* A = L L'; 0: A is not positive definite */
 static int
@@ -49,7 +80,7 @@ backward (int n, const double *l, double *x)
 
 /* S = ROWS M^-1 ROWS'; MASS: factors of M */
 static void
-gram (gs_momenta *w, const double *rows, const double *mass)
+gram (gs_rows *w, const double *rows, const double *mass)
 {
   int n = w->n, m = w->m;
   for (int k = 0; k < m; k++)
@@ -70,7 +101,7 @@ gram (gs_momenta *w, const double *rows, const double *mass)
 
 /* rows and columns A and B change places */
 static void
-exchange (gs_momenta *w, int a, int b)
+exchange (gs_rows *w, int a, int b)
 {
   int m = w->m, number = w->order[a];
   double *S = w->S, swap = w->scale[a];
@@ -84,7 +115,7 @@ exchange (gs_momenta *w, int a, int b)
 
 /* S = L L', its rows in the order of their pivots, as far as they are independent */
 static void
-factorize (gs_momenta *w, const double *rows, const double *mass)
+factorize (gs_rows *w, const double *rows, const double *mass)
 {
   int m = w->m;
   double *S = w->S, *scale = w->scale;
@@ -111,7 +142,7 @@ factorize (gs_momenta *w, const double *rows, const double *mass)
 
 /* what solves S X = X; zero for rows that depend on others */
 static void
-solve_rows (gs_momenta *w, double *x)
+solve_rows (gs_rows *w, double *x)
 {
   int m = w->m, r = w->rank;
   double *y = w->side;

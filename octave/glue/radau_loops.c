@@ -1,0 +1,200 @@
+/* How the end of a step comes onto the constraints.
+
+   The nearest state in the metric of the masses is moved along all coordinates, those of stiff
+   springs too: as far as the tolerance, beside which a spring of 1e9 N/m begins to swing.  So the
+   state goes along what the scene does when forces of the constraints work on it through an
+   implicit step,
+
+     (SHIFT*I - J) D = (0, M^-1 H', 0),
+
+   whose springs hold: positions by the coordinates of D, speeds by its speeds over SHIFT. */
+#include <float.h>
+#include <stdlib.h>
+#include "radau_loops.h"
+#include "rows.h"
+
+enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
+
+struct gs_loops
+{
+  int n, m, nq, own;            /* speeds, constraints, coordinates, states */
+  gs_rows gram;
+  double of;                    /* the shift of D, 0: it is to be taken anew */
+  int *pivots;                  /* of B */
+  double *numbers;              /* all that follow */
+  double *mass, *rows;          /* factors of M, the gradients, where J is of */
+  double *D;                    /* a column for each row that does not depend on others */
+  double *B, *here, *gap, *phit, *gamma, *side;   /* gradients HERE by D, what a state misses */
+};
+
+gs_loops *
+gs_new_loops (const gs_run *s, int *failed)
+{
+  const gsmbp_run *r = s->r;
+  size_t n = r->nu, m = r->nlam, own = gs_own_states (r);
+  *failed = 0;
+  if (m == 0 || ! r->mas || ! r->gradients)
+    return NULL;
+  *failed = 1;
+  gs_loops *w = calloc (1, sizeof (gs_loops));
+  int *order = calloc (2 * m, sizeof (int));
+  double *next = calloc (n * n + 2 * n * m + own * m + m * m + 4 * m + rows_room (n, m),
+                         sizeof (double));
+  if (! w || ! order || ! next)
+    return free (order), free (next), free (w), NULL;
+  *failed = 0;
+  w->n = n;
+  w->m = m;
+  w->nq = r->nq;
+  w->own = own;
+  w->pivots = order + m;
+  w->numbers = w->mass = next;
+  w->rows = w->mass + n * n;
+  w->here = w->rows + n * m;
+  w->D = w->here + n * m;
+  w->B = w->D + own * m;
+  w->gap = w->B + m * m;
+  w->phit = w->gap + m;
+  w->gamma = w->phit + m;
+  w->side = w->gamma + m;
+  place_rows (&w->gram, n, m, order, w->side + m);
+  return w;
+}
+
+void
+gs_free_loops (gs_loops *w)
+{
+  if (! w)
+    return;
+  free (w->gram.order);
+  free (w->numbers);
+  free (w);
+}
+
+/* GAP: the constraints at X, gradients in ROWS */
+static int
+constraints (gs_run *s, gs_loops *w, double t, const double *x, double *rows)
+{
+  int info = 0;
+  ((con_type *) s->r->gradients) (&t, x, x + w->nq, s->r->cst, w->gap, w->phit, rows, &w->m,
+                                  w->gamma, &info);
+  return info == 0 || info == 2 ? 0 : -1;
+}
+
+int
+gs_take_loops (gs_run *s, gs_loops *w)
+{
+  w->of = w->gram.rank = 0;
+  ((mas_type *) s->r->mas) (&s->t, s->x, s->r->cst, w->mass, &w->n);
+  if (! cholesky (w->n, w->mass) || constraints (s, w, s->t, s->x, w->rows) != 0)
+    return -1;
+  factorize (&w->gram, w->rows, w->mass);
+  return 0;
+}
+
+/* GAP: what the speeds of X miss */
+static void
+rates_missed (gs_loops *w, const double *x)
+{
+  for (int k = 0; k < w->m; k++)
+    {
+      w->gap[k] = w->phit[k];
+      for (int j = 0; j < w->n; j++)
+        w->gap[k] += w->here[k + w->m * j] * x[w->nq + j];
+    }
+}
+
+/* D, speeds over SHIFT: what they do to the rates of the constraints stands for what coordinates
+   do to the constraints */
+static void
+responses (gs_loops *w, const gs_factors *by)
+{
+  if (w->of == by->shift)
+    return;
+  w->of = by->shift;
+  memset (w->D, 0, sizeof (double) * w->own * w->m);
+  for (int k = 0; k < w->gram.rank; k++)
+    {
+      double *d = w->D + (size_t) w->own * k, *u = d + w->nq;
+      for (int j = 0; j < w->n; j++)
+        u[j] = by->shift * by->shift * w->rows[w->gram.order[k] + w->m * j];
+      forward (w->n, w->mass, u);
+      backward (w->n, w->mass, u);
+      gsmbp_real_solve (by->order, by->lu, by->pivots, d, by->work);
+      for (int j = 0; j < w->n; j++)
+        u[j] /= by->shift;
+    }
+}
+
+/* B = HERE D of the rows that do not depend on others, as factors */
+static int
+take_matrix (gs_loops *w)
+{
+  int r = w->gram.rank;
+  for (int k = 0; k < r; k++)
+    for (int i = 0; i < r; i++)
+      {
+        w->B[i + r * k] = 0;
+        for (int j = 0; j < w->n; j++)
+          w->B[i + r * k] += w->here[w->gram.order[i] + w->m * j]
+                             * w->D[w->nq + j + (size_t) w->own * k];
+      }
+  return gsmbp_dense_factors (r, w->B, w->pivots);
+}
+
+/* X, N of its places from FROM on, goes along D so that GAP vanishes; how far that is at most */
+static double
+go (gs_loops *w, const double *scale, double *x, int from, int n)
+{
+  int r = w->gram.rank;
+  double most = 0;
+  for (int i = 0; i < r; i++)
+    w->side[i] = w->gap[w->gram.order[i]];
+  gsmbp_dense_solve (r, w->B, w->pivots, w->side);
+  for (int l = from; l < from + n; l++)
+    {
+      double d = 0;
+      for (int k = 0; k < r; k++)
+        d += w->D[l + (size_t) w->own * k] * w->side[k];
+      x[l] -= d;
+      most = fmax (most, fabs (d * scale[l]));
+    }
+  return most;
+}
+
+/* Turns until they are no more than rounding, SPEEDS or positions; 0, or 1: something is left, or
+   -1: it leads too far. */
+static int
+go_on (gs_run *s, gs_loops *w, const double *scale, double t, double *x, int speeds)
+{
+  double last = HUGE_VAL, rounding = 8 * DBL_EPSILON / s->r->ropt[1], *before = &s->r->rstat[4];
+  for (int turn = 0; turn < TURNS; turn++)
+    {
+      if (constraints (s, w, t, x, w->here) != 0 || (turn == 0 && take_matrix (w) != 0))
+        return -1;
+      for (int k = 0; k < w->m && turn == 0 && ! speeds; k++)
+        *before = fmax (*before, fabs (w->gap[k]));
+      if (speeds)
+        rates_missed (w, x);
+      double size = speeds ? go (w, scale, x, w->nq, w->n) : go (w, scale, x, 0, w->nq);
+      if (! (size < FAR))
+        return -1;
+      if (size <= rounding)
+        return 0;
+      if (size > 0.25 * last)
+        return 1;
+      last = size;
+    }
+  return 1;
+}
+
+int
+gs_settle (gs_run *s, gs_loops *w, const gs_factors *by, const double *scale, double t, double *x)
+{
+  responses (w, by);
+  int positions = go_on (s, w, scale, t, x, 0);
+  int speeds = positions < 0 ? -1 : go_on (s, w, scale, t, x, 1);
+  int whole = positions == 0 && speeds == 0 && w->nq == w->n && s->r->columns == 0;
+  s->r->istat[3] += whole;
+  return speeds < 0 ? -1 : ! whole;
+}
