@@ -288,7 +288,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
   [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held, ...
-   followed] = m.module ("sim", p.arguments{:});
+   followed, moved] = m.module ("sim", p.arguments{:});
   if (strcmp (method, "auto"))
     method = {"dp853", "radau"}{1 + (counts(14) > 0)};
   endif
@@ -329,7 +329,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     if (! isempty (turns))
       lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
     endif
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, followed);
+    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, ...
+                                 followed, moved);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);

@@ -4,7 +4,7 @@
 // every reset takes along.  Where there is no derivative the column is given up.
 #pragma once
 
-#include "columns_of_inputs.h"
+#include "columns_through_resets.h"
 
 // the numbers of an instant: RHS at a state under its inputs from one side
 static void
@@ -93,29 +93,6 @@ event_times (const carried& c, const number *s, const number *v, const number *g
     }
 }
 
-// a column that has no derivative from now on: it is zero, and said to be lost
-static void
-give_up (carried& c, number *x, int k, number t, int event, int why)
-{
-  if (c.why[k] == 0)
-    {
-      c.why[k] = why;
-      c.event[k] = event;
-      c.lost_at[k] = double (t);
-    }
-  std::fill (x + S.nx * (k + 1), x + S.nx * (k + 2), number (0));
-  c.tau[k] = 0;
-}
-
-// those whose time of the event depends on the parameter
-static void
-give_up_moved (carried& c, number *x, number t, int event, int why)
-{
-  for (int k = 0; k < c.count (); k++)
-    if (c.tau[k] != 0 || ! (c.tau[k] == c.tau[k]))
-      give_up (c, x, k, t, event, why);
-}
-
 // is another event just coming at the same instant, whose time changes in another way?
 static int
 another (carried& c, number t, const number *x, const number *v, const int *mode, int k,
@@ -175,29 +152,6 @@ end_instant (carried& c, number t, number *x)
       x[i + S.nx * (j + 1)] -= f[i] * c.tau[j];
 }
 
-// S through a reset, whose derivatives by coordinates, speeds, parameters and time are R
-static void
-through_reset (carried& c, number *x, const reals& r)
-{
-  const int nm = S.nq + S.nu;
-  reals u = room (S.nu);
-  for (int k = 0; k < c.count (); k++)
-    {
-      number *s = x + S.nx * (k + 1);
-      for (int i = 0; i < S.nu; i++)
-        {
-          u[i] = r[i + S.nu * (nm + S.nsp)] * c.tau[k];
-          if (c.col[k] > 0)
-            u[i] += r[i + S.nu * (nm + c.col[k] - 1)];
-          for (int j = 0; j < nm; j++)
-            u[i] += r[i + S.nu * j] * s[j];
-        }
-      std::copy (u.begin (), u.begin () + S.nu, s + S.nq);
-      if (c.why[k] != 0)
-        std::fill (s, s + S.nx, number (0));
-    }
-}
-
 // A value of event function I: does the parabola through it and the last two turn close to 0?
 static void
 watch (carried& c, int i, double t, double g)
@@ -232,7 +186,7 @@ gsmbp_events_watched (const number *t, const number *x, const number *v, const i
         c.t1[i] = c.t2[i] = double (*t);
         c.g1[i] = c.g2[i] = double (g[i]);
       }
-    else
+    else if (c.changes[i])
       watch (c, i, double (*t), double (g[i]));
 }
 
@@ -245,13 +199,104 @@ watched_turns (const carried& c)
   return m;
 }
 
+// dtau/dp of event K is told with the events
+static void
+tell_times (carried& c, const reals& tau)
+{
+  const gs_events e = c.plan->events ();
+  if (*e.count > e.nr)
+    return;
+  for (int k = 0; k < c.count (); k++)
+    c.times.push_back (c.why[k] != 0 ? no_number : double (tau[k]));
+}
+
+// of an event that changes nothing: it goes past the derivatives, even where it only grazes
+static void
+tell_reported (carried& c, number t, number *x, const int *mode, int k)
+{
+  reals v = room (S.nv), f = room (S.nx), g = room (S.nx + S.nv + S.nsp + 1),
+        tau = room (c.count ());
+  number rate = 0;
+  int info = 0;
+  rates_at (c, t, x, -1, &v[0], &f[0], &info);
+  const reals slopes = input_slopes (c, t, -1, x, &v[0], &f[0]);
+  if (info == 0)
+    info = event_slope (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], &rate);
+  event_times (c, x + S.nx, &v[0], &g[0], rate, &tau[0]);
+  const bool none = info != 0 || grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate);
+  for (number& one : tau)
+    if (none && one != 0)
+      one = no_number;
+  tell_times (c, tau);
+}
+
+// derivatives of the inputs V at an instant, along the motion
+static void
+inputs_of_instant (carried& c, number t, const number *x, const number *v, int side)
+{
+  reals given = room (S.nv), f = room (S.nx);
+  int info = 0;
+  rates_at (c, t, x, side, &given[0], &f[0], &info);
+  const reals slopes = input_slopes (c, t, side, x, &given[0], &f[0]);
+  for (int k = 0; k < c.count (); k++)
+    {
+      input_columns (c, v, x + S.nx * (k + 1), k, &c.vt[S.nv * k]);
+      for (int i = 0; i < S.nv; i++)
+        c.vt[i + S.nv * k] += slopes[i] * c.tau[k];
+    }
+}
+
+// the ports at event K: they jump, or (-1) come to rest; X is the state behind it
+static void
+through_impact (carried& c, number t, const reals& before, const reals& inputs,
+                const std::vector<int>& modes, int k, number *x, const int *mode)
+{
+  reals r = room (S.nu * (S.nq + S.nu + S.nsp + 1));
+  int bad = 0;
+  routine ("rsp") (&t, &before[0], &inputs[0], &modes[0], &k, x + S.nq, mode, &(*c.cst)[0], &r[0],
+                   &bad);
+  if (bad == 0)
+    through_ports (c, x, r);
+  for (int j = 0; j < c.count () && bad != 0; j++)
+    give_up (c, x, j, t, std::max (1, k), c.no_numbers);
+}
+
+// an event of the user that sets something
+static void
+through_user (carried& c, number t, number *x, const user_change& u, int k)
+{
+  for (int j = 0; j < c.count () && u.bad != 0; j++)
+    give_up (c, x, j, t, k, c.no_numbers);
+  if (u.bad != 0)
+    return;
+  through_change (c, x, u);
+  through_lengths (c, x, u.xa);
+  drop_lost (c, x);
+  hold_switched (c, t, k);
+}
+
+// before the first event of an instant
+static void
+open_instant (carried& c, number t, number *x, const number *v, const int *mode, int k)
+{
+  const int cause = *c.plan->events ().cause;
+  std::fill (c.tau.begin (), c.tau.end (), number (0));
+  const reals states (x, x + c.nx);
+  if (cause > 0)
+    begin_instant (c, t, x, mode, k);
+  if (emitted ("urp"))
+    inputs_of_instant (c, t, &states[0], v, cause > 0 ? -1 : 1);
+  c.within = true;
+}
+
 extern "C" void
 gsmbp_reset_with_columns (const number *t, number *x, number *v, int *mode, const int *k,
                           const number *cst, int *info)
 {
   carried& c = *the_columns;
   *info = 0;
-  const int cause = *c.plan->events ().cause;
+  const gs_events e = c.plan->events ();
+  const bool own = *k > 0 && e.kind[*k - 1] > 2, changes = *k <= 0 || c.changes[*k - 1];
   if (*k == -2)
     {
       if (c.within)
@@ -259,23 +304,36 @@ gsmbp_reset_with_columns (const number *t, number *x, number *v, int *mode, cons
       c.within = false;
       return;
     }
+  if (! changes && ! c.within && *e.cause > 0)
+    tell_reported (c, *t, x, mode, *k);
+  else if (! changes)
+    tell_times (c, c.within ? c.tau : room (c.count ()));
+  if (! changes)
+    return routine ("rst") (t, x, v, mode, k, cst, info);
   if (! c.within)
-    {
-      std::fill (c.tau.begin (), c.tau.end (), number (0));
-      if (cause > 0)
-        begin_instant (c, *t, x, mode, *k);
-    }
-  c.within = true;
+    open_instant (c, *t, x, v, mode, *k);
+  if (*k > 0)
+    tell_times (c, c.tau);
   const reals before (x, x + S.nx), inputs (v, v + S.nv);
   const std::vector<int> modes (mode, mode + S.nev);
+  user_change u;
+  if (own)
+    u = change_of (c, *t, x, v, *k);
   routine ("rst") (t, x, v, mode, k, cst, info);
   if (*info != 0)
     return;
-  reals r = room (S.nu * (S.nq + S.nu + S.nsp + 1));
-  int bad = 0;
-  routine ("rsp") (t, &before[0], &inputs[0], &modes[0], k, x + S.nq, mode, cst, &r[0], &bad);
-  if (bad == 0)
-    through_reset (c, x, r);
-  for (int j = 0; j < c.count () && bad != 0; j++)
-    give_up (c, x, j, *t, std::max (1, *k), c.no_numbers);
+  if (own)
+    through_user (c, *t, x, u, *k);
+  if (emitted ("rsp") && ! (own && u.sets_states ()))
+    through_impact (c, *t, before, inputs, modes, own ? -1 : *k, x, mode);
+}
+
+// dtau/dp of all events: a column each
+static Matrix
+event_columns (const carried& c)
+{
+  const int n = std::max (1, c.count ());
+  Matrix m (c.count (), octave_idx_type (c.times.size () / n));
+  std::copy (c.times.begin (), c.times.end (), m.fortran_vec ());
+  return m;
 }

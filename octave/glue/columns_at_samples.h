@@ -4,14 +4,6 @@
 
 #include "columns_at_events.h"
 
-// VP from time T on, for the outputs of the scene
-static void
-keep_inputs (carried& c, double t)
-{
-  c.kept.push_back (t);
-  c.kept.insert (c.kept.end (), c.vp.begin (), c.vp.begin () + S.nv * c.count ());
-}
-
 // outputs that have arrived, the earliest first
 static void
 arrivals (carried& c)

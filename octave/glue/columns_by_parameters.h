@@ -24,11 +24,14 @@ struct carried
 
   // of each column: dtau/dp of the event that is at work; why it was given up (0: it was not), at
   // which event and when
-  enum { grazing = 1, several, no_numbers };
+  enum { grazing = 1, several, no_numbers, left_open };
   reals tau;
   std::vector<int> why, event;
   std::vector<double> lost_at;
   bool within;            // of the events of an instant one is done
+  reals vt;               // derivatives of its inputs along the motion, NV x columns
+  std::vector<double> times;   // dtau/dp of all events, event by event; not a number: there is none
+  std::vector<char> changes;   // of each event function: its event changes what follows
   int nx;                 // of the states with all columns
 
   // of each event function the last two values and their times, the greatest one; where it came
@@ -38,6 +41,7 @@ struct carried
 
   std::vector<int> ip;    // IP of the run's own inputs where they depend on states, else empty
   std::vector<char> own;  // which inputs are not held outputs or modes
+  std::vector<double> switched;   // when an event of the user has first set an input; else infinity
   reals gain;             // of the feedback, NV x NX, as it was last evaluated
   gsmbp_sub cmd, clo;     // of a planned motion; what CMP said of it where it was last evaluated:
   reals vx, vm;           // derivatives of its inputs by states of devices, NV x NA, by parameters
@@ -107,7 +111,7 @@ gsmbp_rates_with_columns (const number *t, const number *x, const number *v, con
     }
   fortran {gssen_} (c.rhp, t, &c.top, &S.nx, &S.nv, &S.nsp, &nc, &c.col[0], x, v, cst, &c.w[0], xd,
                     info);
-  if (S.nctl > 0 || ! c.ip.empty ())
+  if (S.nctl > 0 || ! c.ip.empty () || (S.nev > 0 && c.plan->events ().ns > 0))
     add_inputs (c, x, v, xd);
   drop_lost (c, xd);
 }
@@ -181,6 +185,8 @@ columns_of (const Matrix& numbers, const reals& cst)
   c->vx = room (S.nv * S.na);
   c->vm = room (S.nv * S.nsp);
   c->cmd = c->clo = gsmbp_absent;
+  c->vt = c->vp;
+  c->switched.assign (S.nv, std::numeric_limits<double>::infinity ());
   c->kp = room (S.nxk * nc);
   c->yp = room (S.ny * nc);
   return c;
@@ -198,7 +204,10 @@ with_run (carried& c, run_plan& plan, const reals& cst, number rtol, const reals
   c.wi = room (2 * S.nu * (plan.ip[GS_DERIVATIVES] + 1) + 5 * c.nx + S.nv * c.nx + 21);
   c.w3 = c.wi;
   if (S.nev > 0)
-    *plan.events ().tells = 1;
+    {
+      *plan.events ().tells = 1;
+      c.changes = plan.changing_events ();
+    }
   for (auto *list : { &c.t1, &c.t2, &c.g1, &c.g2, &c.most })
     list->assign (S.nev, 0.0);
 }

@@ -61,8 +61,9 @@ takes_inputs (carried& c, run_plan& plan)
   c.own.assign (S.nv, 1);
   for (int i = 0; i < plan.ip[GS_HELD]; i++)
     c.own[plan.samples ().input[i] - 1] = 0;
-  for (int i = 0; i < S.nev; i++)
-    c.own[plan.events ().input[i] - 1] = 0;
+  for (int i = 0; i < S.nev; i++)   // events of the user have no input
+    if (plan.events ().input[i] > 0)
+      c.own[plan.events ().input[i] - 1] = 0;
   return true;
 }
 
@@ -100,12 +101,20 @@ given_change (const carried& c, const number *v, const number *s, int k, int i)
   return sum;
 }
 
+// has an event of the user set input I before T?
+static bool
+is_set (const carried& c, int i, double t)
+{
+  return t > c.switched[i] + 1e-12 * std::fabs (t);
+}
+
 // derivatives of the inputs V by column K, S its states
 static void
 input_columns (const carried& c, const number *v, const number *s, int k, number *dv)
 {
   for (int i = 0; i < S.nv; i++)
-    dv[i] = c.vp[i + S.nv * k] + given_change (c, v, s, k, i);
+    dv[i] = c.vp[i + S.nv * k]
+            + (std::isfinite (c.switched[i]) ? number (0) : given_change (c, v, s, k, i));
 }
 
 // derivatives of the inputs that follow plan and feedback at the output times, from the left: a
@@ -125,8 +134,9 @@ given_inputs (carried& c, const reals& tout, const reals& xout, const reals& vou
                                  c.plan->rp.data (), &(*c.cst)[0], &v[0], &info);
       for (int k = 0; k < c.count (); k++)
         for (int i = 0; i < S.nv; i++)
-          m(i + S.nv * k, r) = info != 0 ? no_number
-                               : double (given_change (c, given, x + S.nx * (k + 1), k, i));
+          if (! is_set (c, i, double (tout[r])))
+            m(i + S.nv * k, r) = info != 0 ? no_number
+                                 : double (given_change (c, given, x + S.nx * (k + 1), k, i));
     }
   return m;
 }
@@ -144,9 +154,9 @@ polynomial_rates (carried& c, const int *where, int n, number t, int side)
   return reals (f.begin () + ld, f.end ());
 }
 
-// rates of a function of time, from the left: differences of order 4
-static reals
-function_rates (number t, const number *x, int side)
+// rates of a function of time, GIVEN (t, its values), from one side: differences of order 4
+template <typename F> static reals
+function_rates (number t, int side, F given)
 {
   static const double weights[] = { 25, -48, 36, -16, 3 };
   const number h = number (1e-4) * std::max (number (1), magnitude (t)) * (side < 0 ? 1 : -1);
@@ -154,27 +164,60 @@ function_rates (number t, const number *x, int side)
   std::fill (rate.begin (), rate.end (), number (0));
   for (int k = 0; k < 5; k++)
     {
-      const number at = t - k * h;
-      int info = 0;
-      gsmbp_call_input (&at, &side, x, &S.nx, &S.nv, nullptr, nullptr, nullptr, &v[0], &info);
+      given (t - k * h, &v[0]);
       for (int i = 0; i < S.nv; i++)
         rate[i] += weights[k] / (12 * h) * v[i];
     }
   return rate;
 }
 
-// rates of the inputs V along the motion with the rates F of the states: at events, which no
-// planned motion has (devices with events have no inverse)
+// of what a planned motion needs, through the states of devices too, whose rates are F
 static reals
-input_slopes (carried& c, number t, int side, const number *x, const number *v, const number *f)
+motion_rates (carried& c, number t, const number *x, const number *f, int side)
+{
+  std::vector<int> ip = c.ip;
+  ip[GS_FEEDBACK] = 0;
+  int info = 0;
+  reals rate = function_rates (t, side, [&] (number at, number *v)
+                               {
+                                 fortran {gsinp_} (c.cmd, c.clo, gsmbp_absent, &at, &side, x, &S.nu,
+                                                   &S.nx, &S.nv, ip.data (), c.plan->rp.data (),
+                                                   &(*c.cst)[0], v, &c.wi[0], &info);
+                               });
+  const int from = ip[GS_INTERNAL];
+  for (int i = 0; i < S.nv; i++)
+    for (int j = 0; j < S.na && from > 0; j++)
+      rate[i] += c.vx[i + S.nv * j] * f[from - 1 + j];
+  return rate;
+}
+
+// VP from time T on, for the outputs of the scene
+static void
+keep_inputs (carried& c, double t)
+{
+  c.kept.push_back (t);
+  c.kept.insert (c.kept.end (), c.vp.begin (), c.vp.begin () + S.nv * c.count ());
+}
+
+// rates of the inputs V that plan and feedback give, along the motion with the rates F of the
+// states
+static reals
+planned_slopes (carried& c, number t, int side, const number *x, const number *v, const number *f)
 {
   const std::vector<int>& ip = c.ip.empty () ? c.plan->ip : c.ip;
   reals rate = room (S.nv);
   std::fill (rate.begin (), rate.end (), number (0));
   if (ip[GS_V0] == 1)
     rate = polynomial_rates (c, &ip[GS_TABLE], S.nv, t, side);
+  else if (ip[GS_V0] == 2)
+    rate = motion_rates (c, t, x, f, side);
   else if (ip[GS_V0] == 3)
-    rate = function_rates (t, x, side);
+    rate = function_rates (t, side, [&] (number at, number *given)
+                           {
+                             int info = 0;
+                             gsmbp_call_input (&at, &side, x, &S.nx, &S.nv, nullptr, nullptr,
+                                               nullptr, given, &info);
+                           });
   if (ip[GS_FEEDBACK] != 1)
     return rate;
   const reals gains = polynomial_rates (c, &ip[GS_GAIN], S.nv * S.nx, t, side),
@@ -193,5 +236,17 @@ input_slopes (carried& c, number t, int side, const number *x, const number *v, 
         rate[i] -= gains[i + S.nv * j] * (x[j] - wanted[j])
                    + c.gain[i + S.nv * j] * (f[j] - moves[j]);
     }
+  return rate;
+}
+
+// and of all: those that an event of the user has switched stay as they are
+static reals
+input_slopes (carried& c, number t, int side, const number *x, const number *v, const number *f)
+{
+  reals rate = planned_slopes (c, t, side, x, v, f);
+  const gs_events e = c.plan->events ();
+  for (int j = 0; j < e.ns; j++)
+    if (e.on[j] == 1)
+      rate[e.switched[j] - 1] = 0;
   return rate;
 }

@@ -21,6 +21,9 @@ public:
   gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
 
+  // of each event function whether its event changes what follows
+  std::vector<char> changing_events (void);
+
   // the place in RP of one in that copy
   number *at (const double *place) { return &rp[place - &m_rp[0]]; }
 
@@ -99,6 +102,13 @@ gsmbp_periods (const double *, double *period, double *delay)
   routine ("ctp") (&(*the_constants)[0], &p[0], &d[0]);
   std::copy (p.begin (), p.end (), period);
   std::copy (d.begin (), d.end (), delay);
+}
+
+std::vector<char>
+run_plan::changing_events (void)
+{
+  const int *given = m_given.contains ("event_changes") ? wholes ("event_changes", S.nev) : nullptr;
+  return given ? std::vector<char> (given, given + S.nev) : std::vector<char> (S.nev, 1);
 }
 
 void

@@ -363,6 +363,7 @@ simulation::results (void)
   list.append (watched_turns (*columns));
   list.append (kept_inputs (*columns));
   list.append (given_inputs (*columns, tout, xout, vout, ldx, ldv, istat[4]));
+  list.append (event_columns (*columns));
   return list;
 }
 

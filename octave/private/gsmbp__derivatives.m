@@ -1,12 +1,13 @@
-## r = gsmbp__derivatives (m, r, carried, S, lost, held, given)
+## r = gsmbp__derivatives (m, r, carried, S, lost, held, given, moved)
 ## The result R of a run of M with the derivatives that it carried (gsmbp__carried): structs dx, dy
 ## and dv by the names of what they are by, a row for each time.  S: the columns at all times; LOST:
 ## of each one why there is none from some event on (0: there is), which event, when: NaN from there
 ## on, and stats.lost, a struct array with name, time, event and text.  HELD: the derivatives of the
 ## inputs that sampled devices hold, a column from each time on: time, inputs by columns.  GIVEN:
 ## those of the inputs that follow a planned motion or feedback, a column for each time, or none.
+## MOVED: those of the times of the events, a column for each: r.events.dt, a struct by the names.
 
-function r = gsmbp__derivatives (m, r, carried, S, lost, held, given)
+function r = gsmbp__derivatives (m, r, carried, S, lost, held, given, moved)
   d = m.sizes;
   n = numel (r.t);
   S = reshape (S, d.nx, numel (carried.names), n);
@@ -23,13 +24,28 @@ function r = gsmbp__derivatives (m, r, carried, S, lost, held, given)
     r.dv.(carried.names{k}) = reshape (V(:,k,:), d.nv, n)';
   endfor
   r.stats.lost = lost_ones (m, carried.names, lost);
+  if (! isempty (m.events))
+    r.events.dt = event_times (r.events, carried.names, moved, lost);
+  endif
+endfunction
+
+## derivatives of the times of the events, a struct by the names
+function dt = event_times (events, names, moved, lost)
+  dt = struct ();
+  for k = 1:numel (names)
+    dt.(names{k}) = moved(k,:)';
+    if (lost(k,1))
+      dt.(names{k})(events.t >= lost(k,3)) = NaN;
+    endif
+  endfor
 endfunction
 
 ## the columns that were given up
 function list = lost_ones (m, names, lost)
   why = {"the motion only grazes there", ...
          "another event at the same instant would come at another time", ...
-         "the equations there have no derivatives"};
+         "the equations there have no derivatives", ...
+         "what it resets is moved onto the constraints of a loop, which leave a choice"};
   list = struct ("name", {}, "time", {}, "event", {}, "text", {});
   for k = find (lost(:,1))'
     list(end+1) = struct ("name", names{k}, "time", lost(k,3), ...

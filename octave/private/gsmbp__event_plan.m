@@ -24,9 +24,10 @@ function plan = gsmbp__event_plan (who, m, o, plan)
   plan = user_events (m, plan);
 endfunction
 
-## kinds of the events of the user; the inputs that they switch
+## kinds of the events of the user; the inputs that they switch; which events change what follows
 function plan = user_events (m, plan)
   plan.switch_events = plan.switch_inputs = [];
+  plan.event_changes = double (gsmbp__event_changes (m));
   if (! isfield (m.events, "ends"))
     return;
   endif

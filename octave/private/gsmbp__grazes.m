@@ -18,7 +18,7 @@ function lost = gsmbp__grazes (m, r, lost, turns, run, atol)
   steps = arrayfun (@(t) min (d, max (1e-9, 0.4 * min ([Inf; abs(t - r.events.t)]))), turns(2,:));
   times = unique ([r.t(1); r.t(end); (ones (3, 1) * turns(2,:) + [-1; 0; 1] * steps)(:)]);
   q = run (times');
-  found = unseen (r.events, q.events, 10 * d);
+  found = unseen (changing (m, r.events), changing (m, q.events), 10 * d);
   for turn = [turns; steps]
     [~, k] = ismember (turn(2) + turn(3) * [-1, 0, 1], times);
     g = arrayfun (@(i) value (m, q, i, turn(1)), k);
@@ -35,6 +35,12 @@ function lost = gsmbp__grazes (m, r, lost, turns, run, atol)
     later = ! lost(:,1) | lost(:,3) > found(2);
     lost(later,:) = ones (sum (later), 1) * [1, found];
   endif
+endfunction
+
+## time and number of the events that change what follows
+function e = changing (m, e)
+  is = gsmbp__event_changes (m)(e.number);
+  e = struct ("t", e.t(is), "number", e.number(is));
 endfunction
 
 ## number and time of the first event that one of two runs has and the other has not
