@@ -4,7 +4,7 @@
 // every reset takes along.  Where there is no derivative the column is given up.
 #pragma once
 
-#include "columns_through_resets.h"
+#include "columns_on_loops.h"
 
 // the numbers of an instant: RHS at a state under its inputs from one side
 static void
@@ -152,15 +152,17 @@ end_instant (carried& c, number t, number *x)
       x[i + S.nx * (j + 1)] -= f[i] * c.tau[j];
 }
 
-// A value of event function I: does the parabola through it and the last two turn close to 0?
+// A value of event function I: does the parabola through it and the last two turn close to 0?  One
+// of the user is below it after its event.
 static void
 watch (carried& c, int i, double t, double g)
 {
+  const bool own = c.plan->events ().kind[i] > 2, above = std::min ({ c.g1[i], c.g2[i], g }) > 0;
   if (! (t > c.t2[i]))
     c.t1[i] = c.t2[i] = t;
   const double a = c.t2[i] - c.t1[i], b = t - c.t2[i];
   c.most[i] = std::max (c.most[i], g);
-  if (a > 0 && b > 0 && c.g2[i] < c.g1[i] && c.g2[i] <= g)
+  if (a > 0 && b > 0 && c.g2[i] < c.g1[i] && c.g2[i] <= g && (above || ! own))
     {
       const double s = (c.g2[i] - c.g1[i]) / a, bend = ((g - c.g2[i]) / b - s) / (a + b),
                    slope = s + a * bend, low = c.g2[i] - slope * slope / (4 * bend);
@@ -271,6 +273,7 @@ through_user (carried& c, number t, number *x, const user_change& u, int k)
     return;
   through_change (c, x, u);
   through_lengths (c, x, u.xa);
+  through_loops (c, t, x, u, k);
   drop_lost (c, x);
   hold_switched (c, t, k);
 }
@@ -281,6 +284,8 @@ open_instant (carried& c, number t, number *x, const number *v, const int *mode,
 {
   const int cause = *c.plan->events ().cause;
   std::fill (c.tau.begin (), c.tau.end (), number (0));
+  if (emitted ("urp"))
+    onto_loops (c, t, x);
   const reals states (x, x + c.nx);
   if (cause > 0)
     begin_instant (c, t, x, mode, k);
