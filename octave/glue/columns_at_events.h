@@ -152,24 +152,32 @@ end_instant (carried& c, number t, number *x)
       x[i + S.nx * (j + 1)] -= f[i] * c.tau[j];
 }
 
-// A value of event function I: does the parabola through it and the last two turn close to 0?  One
-// of the user is below it after its event.
+// The values G1, G2, G of event function I at T1, T2, T, above 0: does the parabola through them turn
+// close to 0?
+static void
+watch_turn (carried& c, int i, double t, double g1, double g2, double g)
+{
+  const double a = c.t2[i] - c.t1[i], b = t - c.t2[i];
+  if (! (a > 0 && b > 0 && g2 < g1 && g2 <= g))
+    return;
+  const double s = (g2 - g1) / a, bend = ((g - g2) / b - s) / (a + b), slope = s + a * bend,
+               low = g2 - slope * slope / (4 * bend);
+  if (low <= 0.02 * c.most[i] && std::max (g1, g) - low > 1e-9 * c.most[i]
+      && c.turns.size () < 2000)
+    c.turns.insert (c.turns.end (), { i + 1.0, c.t2[i] - slope / (2 * bend) });
+}
+
+// a value of event function I; one of the user may stay below 0
 static void
 watch (carried& c, int i, double t, double g)
 {
-  const bool own = c.plan->events ().kind[i] > 2, above = std::min ({ c.g1[i], c.g2[i], g }) > 0;
+  const bool own = c.plan->events ().kind[i] > 2;
+  const double side = own && c.g2[i] < 0 ? -1 : 1;
   if (! (t > c.t2[i]))
     c.t1[i] = c.t2[i] = t;
-  const double a = c.t2[i] - c.t1[i], b = t - c.t2[i];
-  c.most[i] = std::max (c.most[i], g);
-  if (a > 0 && b > 0 && c.g2[i] < c.g1[i] && c.g2[i] <= g && (above || ! own))
-    {
-      const double s = (c.g2[i] - c.g1[i]) / a, bend = ((g - c.g2[i]) / b - s) / (a + b),
-                   slope = s + a * bend, low = c.g2[i] - slope * slope / (4 * bend);
-      if (low <= 0.02 * c.most[i] && std::max (c.g1[i], g) - low > 1e-9 * c.most[i]
-          && c.turns.size () < 2000)
-        c.turns.insert (c.turns.end (), { i + 1.0, c.t2[i] - slope / (2 * bend) });
-    }
+  c.most[i] = std::max (c.most[i], side * g);
+  if (! own || std::min ({ side * c.g1[i], side * c.g2[i], side * g }) > 0)
+    watch_turn (c, i, t, side * c.g1[i], side * c.g2[i], side * g);
   c.t1[i] = c.t2[i];
   c.g1[i] = c.g2[i];
   c.t2[i] = t;

@@ -60,9 +60,10 @@ function can (who, m, o)
   if (! any (strcmp (m.subroutines, "rhp")))
     error (["%s: option sensitivity: %s was emitted without the subroutine RHP: derive it with " ...
             "the request sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
-  elseif (! isempty (missing_at_events (m)))
+  elseif (! isempty (gsmbp__missing_at_events (m)))
     error (["%s: option sensitivity needs the subroutine %s at events (request " ...
-            "sensitivity), which %s was emitted without"], who, missing_at_events (m), m.name);
+            "sensitivity), which %s was emitted without"], who, gsmbp__missing_at_events (m), ...
+           m.name);
   elseif (! isempty (m.controllers) && ! any (strcmp (m.subroutines, "ctd")))
     error (["%s: option sensitivity needs the subroutine CTD at samples (request " ...
             "sensitivity), which %s was emitted without"], who, m.name);
@@ -86,26 +87,6 @@ function can (who, m, o)
   endif
   if (! isempty (bad))
     error ("%s: option sensitivity: no derivatives with %s", who, bad);
-  endif
-endfunction
-
-## the first subroutine that events need and the model has not, or ""
-function name = missing_at_events (m)
-  own = strcmp ({m.events.kind}, "event");
-  needed = {"evp"};
-  if (isempty (m.events))
-    needed = {};
-  endif
-  if (any (! own))
-    needed{end+1} = "rsp";
-  endif
-  if (any (own & gsmbp__event_changes (m)))
-    needed{end+1} = "urp";
-  endif
-  missing = setdiff (needed, m.subroutines);
-  name = "";
-  if (! isempty (missing))
-    name = toupper (missing{1});
   endif
 endfunction
 

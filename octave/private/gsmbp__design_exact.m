@@ -57,7 +57,7 @@ endfunction
 ## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
 function yes = plain_run (m, c)
   has = @(varargin) all (ismember (varargin, m.subroutines));
-  yes = (isempty (m.events) || has ("evp", "rsp")) ...
+  yes = isempty (gsmbp__missing_at_events (m)) && ! ends (m) ...
         && (isempty (m.controllers) || (has ("ctd") && ! any ([m.controllers.rounds])));
   for k = 1:2:numel (c.options)
     value = c.options{k+1};
@@ -72,4 +72,9 @@ function yes = plain_run (m, c)
         yes = yes && ! ischar (value) && (! is_function_handle (value) || nargin (value) == 1);
     endswitch
   endfor
+endfunction
+
+## may an event of the scene end a run?
+function yes = ends (m)
+  yes = ! isempty (m.events) && isfield (m.events, "ends") && any ([m.events.ends]);
 endfunction

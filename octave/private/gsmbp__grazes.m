@@ -22,6 +22,7 @@ function lost = gsmbp__grazes (m, r, lost, turns, run, atol)
   for turn = [turns; steps]
     [~, k] = ismember (turn(2) + turn(3) * [-1, 0, 1], times);
     g = arrayfun (@(i) value (m, q, i, turn(1)), k);
+    g *= 1 - 2 * (g(1) < 0 && g(3) < 0);   # one of the user that does not rise above 0
     bend = g(1) - 2 * g(2) + g(3);
     low = g(2) - (g(3) - g(1)) ^ 2 / (8 * bend);
     lowest = turn(2) + turn(3) * (g(1) - g(3)) / (2 * bend);
