@@ -108,12 +108,15 @@
 ## has the structs @code{dx}, @code{dy}, @code{dv} by these names: derivatives of states, outputs
 ## and inputs at fixed times, a row for each.  Loops: S is moved onto the derivatives of the
 ## constraints with the states.  At events they jump with the states, as the time of the event
-## moves.  Where that has no derivative (the motion only grazes a stop or comes to rest just not;
-## two events at one instant whose times move apart) @code{stats.lost}, a struct array with
-## @code{name}, @code{time}, @code{event} and @code{text}, and a printed warning tell it: from there
-## on the numbers are NaN.  All methods; the ways "projection" and "baumgarte"; constant inputs,
-## piecewise polynomials, functions @code{@@(t, x)} in whose text x is not used, planned motions,
-## feedback; sampled devices that do not round; not the audit
+## moves; @code{events.dt}, a struct by these names, has the derivatives of the times of the events.
+## Where there is no derivative (the motion only grazes a stop or comes to rest just not; two events
+## at one instant whose times move apart; a reset that leaves speeds of a loop open)
+## @code{stats.lost}, a struct array with @code{name}, @code{time}, @code{event} and @code{text},
+## and a printed warning tell it: from there on the numbers are NaN.  The last row of a run that an
+## event ends is at a fixed time, too: the end itself changes by @code{dx + x' dt}.  All methods (at
+## events dp853 and rk4); the ways "projection" and "baumgarte"; constant inputs, piecewise
+## polynomials, functions @code{@@(t, x)} in whose text x is not used, planned motions, feedback;
+## sampled devices that do not round; not the audit
 ## @item "dx0"
 ## the derivatives at the start, @var{nx} rows, a column for each name, default zero; a start value
 ## by itself, 1, is added

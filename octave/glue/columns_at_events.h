@@ -152,8 +152,8 @@ end_instant (carried& c, number t, number *x)
       x[i + S.nx * (j + 1)] -= f[i] * c.tau[j];
 }
 
-// The values G1, G2, G of event function I at T1, T2, T, above 0: does the parabola through them turn
-// close to 0?
+// The values G1, G2, G of event function I at T1, T2, T, above 0: does the parabola through them
+// turn close to 0?
 static void
 watch_turn (carried& c, int i, double t, double g1, double g2, double g)
 {

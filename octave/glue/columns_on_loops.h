@@ -1,6 +1,6 @@
-// What an event of the user sets in a closed chain: the other coordinates and speeds follow from the
-// constraints.  Where these leave a choice, which the projection of the state decides, there are no
-// derivatives: columns are given up.
+// What an event of the user sets in a closed chain: the other coordinates and speeds follow from
+// the constraints.  Where these leave a choice, which the projection of the state decides, there
+// are no derivatives: columns are given up.
 #pragma once
 
 #include "columns_through_resets.h"

@@ -1,5 +1,5 @@
-// What the resets of an event do to the derivatives that a run carries: RSP of ports that are hit or
-// held, URP of what an event of the user sets.
+// What the resets of an event do to the derivatives that a run carries: RSP of ports that are hit
+// or held, URP of what an event of the user sets.
 #pragma once
 
 #include "columns_of_inputs.h"
