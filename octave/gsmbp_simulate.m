@@ -113,8 +113,8 @@
 ## at one instant whose times move apart; a reset that leaves speeds of a loop open)
 ## @code{stats.lost}, a struct array with @code{name}, @code{time}, @code{event} and @code{text},
 ## and a printed warning tell it: from there on the numbers are NaN.  The last row of a run that an
-## event ends is at a fixed time, too: the end itself changes by @code{dx + x' dt}.  All methods (at
-## events dp853 and rk4); the ways "projection" and "baumgarte"; constant inputs, piecewise
+## event ends is at a fixed time, too: the end itself changes by @code{dx + x' dt}.  All methods;
+## the ways "projection" and "baumgarte"; constant inputs, piecewise
 ## polynomials, functions @code{@@(t, x)} in whose text x is not used, planned motions, feedback;
 ## sampled devices that do not round; not the audit
 ## @item "dx0"
