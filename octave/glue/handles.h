@@ -40,7 +40,7 @@ absent (const std::string& call, const char *request)
     reason = "it has neither loops nor Euler parameters";
   else if (S.nctl == 0 && is (" ctl ctp "))
     reason = "it has no sampled devices";
-  else if (S.nev == 0 && is (" evt hld rst evp urp "))
+  else if (S.nev == 0 && is (" evt hld rst evp "))
     reason = "it has no events";
   else if (S.nsm == 0 && is (" mar "))
     reason = "no device of it has a margin that its state decides";
@@ -99,7 +99,6 @@ static const known_routine known[]
         { "ctp", "control", "cst >period(nctl) >delay(nctl)", "" },
         { "evt", "events", "t x v mode cst >g(nev)", "" },
         { "evp", "sensitivity", "t x v mode k[1:nev] cst >g(nby) info", "" },
-        { "urp", "sensitivity", "t x ?v cst k[1:nev] >r(nchange,nby) >xa(nx) info", "" },
         { "hld", "events", "t x ?v cst >row(nev,nu) ld >s(nev) >sd(nev) >prm(4,nev)", "" },
         { "rst", "events", "t <x <v <mode k[-1:nev] cst info", "x mode v" },
         { "clo", "closure", "t <qj cst >res(1/nresidual) info", "" },

@@ -39,7 +39,6 @@ size_of (const std::string& word)
           { "milp", S.nq + 3 * S.nu + S.nsp },
           { "mcmj", S.nact * (S.nqj + 1) + S.nsp },
           { "nby", S.nx + S.nv + S.nsp + 1 },  // states, inputs, parameters, time
-          { "nchange", S.nx + S.nv },          // states and inputs
           { "norders", S.nqj + 1 },            // a motion and its derivatives
           { "nresidual", 2 * S.nlam + 4 } };   // what PRJ and CLO need to tell one
   for (const auto& entry : sizes)
