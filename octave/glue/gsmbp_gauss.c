@@ -28,7 +28,8 @@ typedef struct
   double *k, *old, *x, *size;   /* rates of the stages, of the turn before; a state; usual sizes */
   double *lost, *before;        /* what rounding took from the state, and did before the step */
   double from, to;              /* the way that whole steps of H lead along, */
-  long steps, done;             /* ... how many there are, how many are done */
+  long steps, done;             /* ... how many there are, how many are done, */
+  double at;                    /* ... and where the last one ended */
   int known;                    /* is there a step before, of the same length? */
   long turns;
 } gauss;
@@ -168,6 +169,7 @@ next_way (gs_run *s)
   w->from = s->t;
   w->to = to;
   w->done = 0;
+  w->at = s->t;
   w->steps = lround (fmax (1, ceil ((to - s->t) / h * (1 - 1e-9))));
 }
 
@@ -204,11 +206,12 @@ static int
 step (gs_run *s)
 {
   gauss *w = s->memory;
-  if (w->done >= w->steps)
+  if (w->done >= w->steps || s->t != w->at)   /* one was made again, shorter */
     next_way (s);
   double h = (w->to - w->from) / w->steps;
   w->done++;
-  return step_to (s, h, w->done == w->steps ? w->to : w->from + h * w->done);
+  w->at = w->done == w->steps ? w->to : w->from + h * w->done;
+  return step_to (s, h, w->at);
 }
 
 static int

@@ -80,6 +80,9 @@ function thermostat ()
     gsmbp_check (["the input is held, " method{1}], ...
                  r.v(2:3) - heated, 0);
   end
+  ## below a threshold at the start: its first step is looked at more closely
+  r = gsmbp_simulate (m, [0 0.5], [0 0.15], "input", 3, "method", "gauss", "step", 0.01);
+  gsmbp_check ("all steps of gauss are done", r.x(2,2) - (3 - 2.5 * exp (-0.15)), 1e-12);
 end
 
 ## any restitution, ended by any method where its bounces accumulate
