@@ -179,6 +179,7 @@ def exchange(start, end, h, each):
             t, x = t + high, y
             if event.value or a.signs(t, x) != signs:
                 break
+        a.before = [a[name] for name in ('phi_d', 's_d') if name in ref]
         a('EnterEventMode')
     each(a, t)
     return a, t
@@ -258,6 +259,9 @@ def crank():
         speeds = {}
 
         def each(a, t):
+            if a['kick.count'] == 1 and 1 not in speeds and run is exchange:
+                near(max(abs(a['phi_d'] - 2*a.before[0]), abs(a['s_d'] - 2*a.before[1])), 1e-9,
+                     'a kick that doubles a speed doubles those of the loop')
             speeds[a['kick.count']] = a['phi_d'], a['phi'], a['s'], a['beta']
         a, t = run({'phi': 0.5, 'beta': -0.6, 's': 0.38, 'phi_d': 3.0}, 1.0, h, each)
         told(a['kick.count'] == 1, 'one kick, ' + kind)

@@ -11,6 +11,7 @@ import warnings
 import numpy as np
 
 import event_ball
+import own_events
 import puma6
 import robot_joint
 import sampled_crank
@@ -80,6 +81,56 @@ def ball():
             3)
     refuses('... of one beyond all integers', ValueError, ['argument k'], m.rst, 0, x, [0, 0],
             [0, 0], 2**32)
+
+
+def own():
+    """Events of the user: bounces, tops and the end in closed form, a cart between two speeds."""
+    m, g, e = own_events.Model(), 9.81, 0.8
+    hits = [math.sqrt(2 / g)]
+    speed, tops = g * hits[0], []
+    while hits[-1] < 3:
+        speed *= e
+        tops.append(hits[-1] + speed / g)
+        hits.append(hits[-1] + 2 * speed / g)
+    cold = math.log(1.5) + math.log(4) * np.arange(2)
+    wanted = {'hit': hits[:-1], 'top': [t for t in tops if t < 3], 'cold': cold, 'done': [3.0],
+              'hot': (cold + math.log(2))[:2]}
+    for method in ('dp853', 'rk4'):
+        r = m.simulate([1, 0, 0, 1.5], np.arange(0, 5.1, 0.5), method=method, step=5e-3, rtol=1e-12)
+        names = np.array(r.events['device'])
+        for name, times in wanted.items():
+            found = r.events['t'][names == name]
+            holds('%s: %s happens %d times' % (method, name, len(times)), len(found) == len(times))
+            close('%s: when %s happens [s]' % (method, name), found, times,
+                  1e-12 if method == 'dp853' or name in ('hit', 'top', 'done') else 1e-10)
+        holds('%s: what ended it is told' % method, r.stats['stopped'] == 'event done')
+        close('%s: the last row is the end [s]' % method, r.t[-1], 3, 1e-12)
+        hit = names == 'hit'
+        close('%s: speeds behind the bounces [m/s]' % method, r.events['after'][2, hit],
+              -e * r.events['before'][2, hit], 1e-15)
+        close('%s: the force is held [N]' % method, r.v[0, 1:-1],
+              3 * ((r.t[1:-1] - cold[0]) % math.log(4) < math.log(2)), 0)
+        close('%s: the middle, both ways' % method, r.events['before'][3, names == 'middle'], 1.5,
+              1e-10)
+    m = m.changed(e=0.5, last=10.0)
+    refuses('bounces that accumulate, with their event', own_events.Error,
+            ['an event, ', 'failed', '1.3545709'], m.simulate, [1, 0, 0, 1.5], [0, 5])
+    refuses('an unknown value of a speed behind a bounce', own_events.Error, ['INFO = -2'], m.rst,
+            0, [1, 0, math.nan, 0], [0], np.zeros(7, np.intc), 1)
+
+
+def rows():
+    """A thousand rows cost at most twice the calls of two, and are those of a finer run."""
+    for module in (slider_crank, spinning_top, robot_joint):
+        m, t = module.Model(), np.linspace(0, 1, 1000)
+        two = m.simulate(m.initial, [0, 1], rtol=1e-6)
+        many = m.simulate(m.initial, t, rtol=1e-6)
+        fine = m.simulate(m.initial, t, rtol=1e-11)
+        calls = many.stats['calls'], two.stats['calls']
+        holds('%s: 1000 rows, %d calls; 2 rows, %d' % (module.__name__, *calls),
+              two.stats['accepted'] < 500 and calls[0] <= 2 * calls[1])
+        scale = np.abs(fine.x).max(axis=1, keepdims=True) + np.array(m.nominal)[:, None]
+        close('%s: all its rows' % module.__name__, many.x / scale, fine.x / scale, 1e-5)
 
 
 def crank():
@@ -265,5 +316,5 @@ def threads():
     holds('a batch lets other threads run (%d turns)' % (after - before), after - before > 1000)
 
 
-for test in (ball, crank, sampled, others, parameters, threads):
+for test in (ball, own, rows, crank, sampled, others, parameters, threads):
     test()

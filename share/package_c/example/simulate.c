@@ -23,8 +23,8 @@ main (void)
   double *x = calloc (NX * TIMES, sizeof *x), *v = calloc ((NV + 1) * TIMES, sizeof *v), res;
   const int loops = s->nlam > 0 && s->con && s->prj;
   int iopt[6] = { 8, loops || s->nq > s->nu ? WAY : 1, loops, 0, loops && s->kin, 0 };
-  /* all inputs are zero; nothing is recorded of events and samples */
-  const gs_plan plan = { .s = s, .nx = NX, .on_the_way = 8 * s->nctl };
+  /* all inputs are zero; samples are not recorded */
+  const gs_plan plan = { .s = s, .nx = NX, .on_the_way = 8 * s->nctl, .events = 1000 };
   int *ip = calloc (gs_wholes (&plan), sizeof *ip);
   double *rp = calloc (gs_reals (&plan), sizeof *rp);
   @prefix@_par (&par);
@@ -53,6 +53,8 @@ main (void)
         printf (" %13.6g", x[NX * k + j]);
       printf ("\n");
     }
+  if (info == GS_ENDED)
+    printf ("an event has ended the run; ");
   printf ("info %d, %d steps, t = %g s\n", info, run.istat[GS_N_STEPS], run.rstat[GS_T_REACHED]);
   free (cst);
   free (ip);
@@ -60,5 +62,5 @@ main (void)
   free (x);
   free (v);
   free (run.w);
-  return info != 0;
+  return info != 0 && info != GS_ENDED;
 }

@@ -562,10 +562,7 @@ def _ended(run):
         return None
     run['info'] = 0
     last = run['values'][7]
-    sizes = np.zeros(3, np.intc)
-    nx = len(run['x'])
-    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
-    record = _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1])))
+    record = _recorded(run)[0]
     here = [TABLE['events'][int(k) - 1] for k in record[1, record[0] == last]]
     k = int(run['counts'][4])
     if k == 0 or run['times'][k - 1] < last:
@@ -601,7 +598,7 @@ def failure(run):
     counts, info = run['counts'], run['info']
     at = 'at t = %.9g s' % run['values'][7]
     if info == 3:
-        text = _failed(int(counts[6]), int(counts[5]), at)
+        text = _failed(int(counts[6]), int(counts[5]), at, _at_work(run))
     else:
         text = {1: 'more steps than maxsteps allows, ' + at,
                 2: 'the step became too small %s: a singularity, or too small a tolerance' % at,
@@ -624,7 +621,20 @@ def outside(model, run):
                    for sentence, _ in margins(model, run['values'][7:8], x, v))
 
 
-def _failed(number, info, at):
+def _at_work(run):
+    """', name,' of the event at which a run has failed, '' where that is not known."""
+    counts, number = run['counts'], 0
+    if counts[6] != 7:
+        return ''
+    if counts[5] == 10:
+        number = int(counts[18])
+    else:
+        record = _recorded(run)[0]
+        number = int(record[1, -1]) if record.shape[1] else 0
+    return ', %s,' % TABLE['events'][number - 1]['name'] if number > 0 else ''
+
+
+def _failed(number, info, at, name):
     if number == 8:
         if info == 4:
             return 'an event %s, where the constraints lose rank: how it goes on is not ' \
@@ -644,7 +654,7 @@ def _failed(number, info, at):
         cause = 'no step leads away from a position where the constraints lose rank'
     else:
         cause = meaning(('cmd', 'rhs', 'prj', 'con', 'prj', 'out', 'rst')[number - 1], info)
-    return '%s failed with INFO = %d %s: %s' % (routine, info, at, cause)
+    return '%s%s failed with INFO = %d %s: %s' % (routine, name, info, at, cause)
 
 
 def _samples(run):
@@ -661,11 +671,16 @@ def _records(run, first, width, n):
     return run['rp'][first:first + n * width].reshape(width, n, order='F')
 
 
+def _recorded(run):
+    """The records of events, a column each, and how many events there were."""
+    sizes, nx = np.zeros(3, np.intc), len(run['x'])
+    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
+    return _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1]))), int(sizes[1])
+
+
 def _events(model, run, nx):
     """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
-    sizes = np.zeros(3, np.intc)
-    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
-    record = _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1])))
+    record, all_ = _recorded(run)
     count = record.shape[1]
     numbers = record[1].astype(int) - 1
     before, after = record[3:3 + NX], record[3 + nx:3 + nx + NX]
@@ -674,7 +689,7 @@ def _events(model, run, nx):
         loss = (model.ene(record[0], before) - model.ene(record[0], after))[:3].sum(axis=0)
         loss[(before == after).all(axis=0)] = 0
     return {'t': record[0], 'number': numbers, 'mode': record[2].astype(int), 'before': before,
-            'after': after, 'loss': loss, 'count': int(sizes[1]),
+            'after': after, 'loss': loss, 'count': all_,
             'device': [TABLE['events'][k]['name'] for k in numbers]}
 
 
