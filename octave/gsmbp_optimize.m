@@ -15,7 +15,8 @@
 ## @table @code
 ## @item @{"run", times, x0, @dots{}@}
 ## a run; options of @code{gsmbp_simulate}.  With loops @code{x0} is closed with the actuated
-## coordinates (or those of "fixed") held
+## coordinates (or those of "fixed") held.  @code{end_time} [s]: when an event of the scene has
+## ended it, else the last of the times; rows behind such an end are as the last one
 ## @item @{"inverse", motion, times, @dots{}@}
 ## efforts and inputs along a motion; options of @code{gsmbp_inverse}
 ## @item @{"rest", x, v, @dots{}@}
@@ -172,6 +173,9 @@ function P = problem (who, m, free, goal, demands, cases)
   if (any (strcmp ({P.cases.kind}, "rest")))
     P.also = {"frequency1", "damping1", "decay"};
   endif
+  if (any (strcmp ({P.cases.kind}, "run")))
+    P.also{end+1} = "end_time";
+  endif
   if (any (strcmp ({P.cases.kind}, "loop")))
     P.also = [P.also, {"phase_margin", "gain_margin", "delay_margin", "Ms"}];
   endif
@@ -201,7 +205,7 @@ function list = fields (P, c)
       k = find (strcmp ({P.table.name}, plain));
       if (! isempty (k))
         list{end+1} = P.table(k).field;
-      elseif (! isempty (regexp (plain, ['^(decay|(frequency|damping)\d+|Ms|' ...
+      elseif (! isempty (regexp (plain, ['^(decay|(frequency|damping)\d+|Ms|end_time|' ...
                                          '(phase|gain|delay)_margin)$'], "once")))
         list{end+1} = "extra";
       elseif (! isempty (regexp (plain, '^state_margin\d+$', "once")))

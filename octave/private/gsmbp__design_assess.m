@@ -58,7 +58,7 @@ function [e, f, F, H] = total (P, e, D, row, p)
   for c = P.cases(row.cases)
     [y, Y] = gsmbp__design_series (P, c, e.results.(c.name), D.(c.name), row.name);
     R = e.results.(c.name);
-    [one, slope] = gsmbp__design_word (row.word, y, Y, R, c.band);
+    [one, slope] = gsmbp__design_word (row.word, y, Y, R, D.(c.name), c.band);
     f += one;
     F += slope;
     if (strcmp (row.word, "square"))
@@ -119,7 +119,7 @@ function e = demanded (P, e, D, k, p)
       endif
       word = "each";
     endif
-    [f, F] = gsmbp__design_word (word, y, Y, R, c.band);
+    [f, F] = gsmbp__design_word (word, y, Y, R, D.(c.name), c.band);
     e = more (e, f, widened (F), range(1), range(2), k);
   endfor
 endfunction

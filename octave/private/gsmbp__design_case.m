@@ -3,6 +3,7 @@
 ## with the times t, the weights w of an integral over them, and matrices x, v, y, points, tau,
 ## lambda, margins (a row for each time), and extra, a struct of numbers by names.  D: the same
 ## fields with a page for each free variable.  ROUGH: which of these were taken by differences.
+## Rows of a run behind the event that ends it repeat its last row, at weight 0.
 
 function [R, D, rough] = gsmbp__design_case (P, c, p)
   if (nargout < 2)
@@ -95,13 +96,14 @@ function [R, D] = run (P, m, args, options, p, by)
   names = {P.free(by).name};
   if (isempty (names))
     R = with_margins (m, gsmbp_simulate (m, x0, args{1}, options{! leading(options, "fixed")}));
+    R = gsmbp__design_end (m, R, numel (args{1}), names);
     return;
   endif
   R = with_margins (m, gsmbp_simulate (m, x0, args{1}, options{:}, "sensitivity", names));
+  [R, parts] = gsmbp__design_end (m, R, numel (args{1}), names);
   pages = find (by);
   for k = 1:numel (names)
-    D = put (D, struct ("x", R.dx.(names{k}), "y", R.dy.(names{k}), "v", R.dv.(names{k})), ...
-             pages(k), numel (p));
+    D = put (D, parts(k), pages(k), numel (p));
   endfor
 endfunction
 
@@ -158,22 +160,13 @@ function [R, D] = rest (P, m, args, options, p, by)
   endfor
 endfunction
 
-## the weights of an integral over the times: of a cubic spline, if none is negative; of single
-## positions and equilibria their mean
+## the weights of an integral over the times; of single positions and equilibria their mean
 function R = weighted (c, R)
   n = numel (R.t);
   if (! any (strcmp (c.kind, {"run", "inverse"})))
     R.w = ones (n, 1) / n;
-  else
-    h = diff (R.t(:));
-    R.w = ([h; 0] + [0; h]) / 2;
-    if (n >= 4)
-      pp = ppint (spline (R.t(:)', eye (n)));
-      w = ppval (pp, R.t(end)) - ppval (pp, R.t(1));
-      if (all (w > 0))
-        R.w = w(:);
-      endif
-    endif
+  elseif (! isfield (R, "w"))
+    R.w = gsmbp__weights (R.t(:));
   endif
   if (! isfield (R, "extra"))
     R.extra = struct ();
@@ -208,7 +201,8 @@ endfunction
 ## the fields that are numbers
 function F = fields_of (R)
   F = struct ();
-  for name = {"x", "v", "y", "points", "tau", "lambda", "margins", "state_margins", "extra"}
+  for name = {"x", "v", "y", "points", "tau", "lambda", "margins", "state_margins", "extra", ...
+              "w", "t"}
     if (isfield (R, name{1}))
       F.(name{1}) = R.(name{1});
     endif

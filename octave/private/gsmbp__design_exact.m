@@ -11,7 +11,7 @@ function [exact, why] = gsmbp__design_exact (m, free, c, fields)
   by_motion = m.sizes.nx == m.sizes.nq + m.sizes.nu;
   switch (c.kind)
     case "run"
-      possible = can ("x", "y", "v") && has ("rhp") && outputs ...
+      possible = can ("x", "y", "v", "extra") && has ("rhp") && outputs ...
                  && plain_run (m, c) ...
                  && (! loops || (has ("con", "tan", "cop") && m.sizes.nq == m.sizes.nu));
     case "inverse"
@@ -57,7 +57,7 @@ endfunction
 ## a run that carries derivatives: what gsmbp_simulate says of the option sensitivity
 function yes = plain_run (m, c)
   has = @(varargin) all (ismember (varargin, m.subroutines));
-  yes = isempty (gsmbp__missing_at_events (m)) && ! ends (m) ...
+  yes = isempty (gsmbp__missing_at_events (m)) && (! gsmbp__may_end (m) || constant_inputs (c)) ...
         && (isempty (m.controllers) || (has ("ctd") && ! any ([m.controllers.rounds])));
   for k = 1:2:numel (c.options)
     value = c.options{k+1};
@@ -74,7 +74,11 @@ function yes = plain_run (m, c)
   endfor
 endfunction
 
-## may an event of the scene end a run?
-function yes = ends (m)
-  yes = ! isempty (m.events) && isfield (m.events, "ends") && any ([m.events.ends]);
+## do the inputs of a run stay as they are? (The rate of what they become at its end is 0.)
+function yes = constant_inputs (c)
+  yes = ! any (ismember (c.options(1:2:end), {"motion", "gain"}));
+  k = find (strcmp (c.options(1:2:end), "input"), 1);
+  if (! isempty (k))
+    yes = yes && (isnumeric (c.options{2*k}) || is_function_handle (c.options{2*k}));
+  endif
 endfunction

@@ -28,7 +28,7 @@ function [active, off] = gsmbp__design_prices (P, q, r)
   for i = 1:numel (e.g)
     for side = [-1, 1]
       bound = merge (side < 0, e.low(i), e.high(i));
-      if (! (abs (e.g(i) - bound) <= near * r.size_g(i)) || (side > 0 && e.low(i) == e.high(i)))
+      if (! (abs (e.g(i) - bound) <= near * r.size_g(i)) || (side > 0 && equation (P, e, i)))
         continue;
       endif
       N(:,end+1) = -side * e.A(i,:)';
@@ -40,11 +40,16 @@ endfunction
 
 function a = of_row (P, e, i, bound)
   a = struct ("text", "the values of a peak", "kind", "peak", "value", e.g(i), "bound", bound, ...
-              "multiplier", 0, "k", e.row(i), "sign", 1 + (e.low(i) == e.high(i)));
+              "multiplier", 0, "k", e.row(i), "sign", 1 + equation (P, e, i));
   if (e.row(i) > 0)
     a.text = P.demands(e.row(i)).text;
     a.kind = "demand";
   endif
+endfunction
+
+## one that has some room where equations decide all is an equation, too
+function is = equation (P, e, i)
+  is = e.low(i) == e.high(i) || (e.row(i) > 0 && strcmp (P.demands(e.row(i)).relation, "="));
 endfunction
 
 ## gJ = N*m, m >= 0 (of equations: any)

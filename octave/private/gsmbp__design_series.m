@@ -16,12 +16,14 @@ function [y, Y] = gsmbp__design_series (P, c, R, D, name)
   elseif (strncmp (name, "error.", 6))
     [y, Y] = gsmbp__design_series (P, c, R, D, name(7:end));
     y -= target (c, R, name(7:end));
+    Y -= moved_target (c, R, D, name(7:end), size (Y));
   elseif (isfield (R.extra, name))
     y = R.extra.(name);
     Y = zeros (1, n);
     if (isfield (D, "extra") && isfield (D.extra, name))
       Y = reshape (D.extra.(name), 1, n);
     endif
+    [y, Y] = deal (repmat (y, numel (R.t), 1), repmat (Y, numel (R.t), 1));
   elseif (! isempty (regexp (name, '^state_margin\d+$', "once")))
     k = str2double (name(13:end));
     if (! isfield (R, "state_margins") || k < 1 || k > columns (R.state_margins))
@@ -55,6 +57,18 @@ function [y, Y] = gsmbp__design_series (P, c, R, D, name)
   if (! all (isfinite (y)))
     error ("%s: case %s: %s is not known (NaN)", P.who, c.name, name);
   endif
+endfunction
+
+## how the target of a quantity changes where an event moves the last time
+function Y = moved_target (c, R, D, name, sizes)
+  Y = zeros (sizes);
+  given = c.target.(name);
+  if (! isfield (D, "t") || ! any (D.t(:)) || isnumeric (given))
+    return;
+  endif
+  h = 1e-3 * (R.t(end) - R.t(1));
+  at = @(s) target (c, struct ("t", R.t + s * h), name);
+  Y = (8 * (at (1) - at (-1)) - (at (2) - at (-2))) / (12 * h) .* reshape (D.t, sizes);
 endfunction
 
 ## what a quantity should be: one number, one for each time, a piecewise polynomial or a function of
