@@ -79,14 +79,22 @@
 (defun gs-factors-text (texts)
   (gs-joined (cons (gs-said '$leading (car texts)) (cdr texts)) "*"))
 
-;;; b^n as factors in reverse order; n > 0 if it is a number
+;;; b^n as factors in reverse order; n > 0 if it is a number.  Roots of the order 4 are square roots
+;;; of square roots, which are faster than powers and as accurate
 (defun gs-power-texts (b n)
   (if (eq b '$%e)
       (list (gs-called '%exp (list n)))
-      (let ((h (if (mnump n) (gs-times 2 (gs-exact n)))))
-        (cond ((not (integerp h)) (list (gs-said '$raised b n)))
-              ((evenp h) (gs-integer-power b (/ h 2)))
-              (t (cons (gs-called '%sqrt (list b)) (gs-integer-power b (/ (1- h) 2))))))))
+      (let ((q (if (mnump n) (gs-times 4 (gs-exact n)))))
+        (cond ((not (integerp q)) (list (gs-said '$raised b n)))
+              ((evenp q) (gs-root-texts b (/ q 2)))
+              (t (cons (gs-called '%sqrt (list (list '(mexpt simp) b '((rat simp) 1 2))))
+                       (gs-root-texts b (/ (1- q) 2))))))))
+
+;;; b^(h/2) so
+(defun gs-root-texts (b h)
+  (if (evenp h)
+      (gs-integer-power b (/ h 2))
+      (cons (gs-called '%sqrt (list b)) (gs-integer-power b (/ (1- h) 2)))))
 
 (defun gs-integer-power (b n)
   (case n

@@ -164,6 +164,7 @@ private:
   void look_ahead (void);
   bool far_ahead (const double *h);
   void look_along (void);
+  bool close_by (int lane) const;
   bool passage (int lane, double from, double to);
   double search (int lane, double from, double to, double& at);
   double *sizes (void) { return &m_p(14 + 3 * S.nq, 0); }
@@ -216,7 +217,7 @@ private:
   // and of their loops
   gsmbp_sub m_con, m_prj;
   lane_array m_p, m_q, m_phi, m_rate, m_hc, m_hn, m_dq, m_du, m_long, m_y, m_w;
-  lane_array m_res, m_gap, m_left, m_live, m_rank, m_least, m_turn, m_margin, m_tau;
+  lane_array m_res, m_gap, m_left, m_live, m_rank, m_least, m_turn, m_way, m_margin, m_tau;
 };
 
 #endif

@@ -18,7 +18,7 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
     m_prj (nullptr), m_p (24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq), m_q (S.nq),
     m_phi (S.nlam), m_rate (S.nlam), m_hc (S.nlam * S.nq), m_hn (S.nlam * S.nq), m_dq (S.nq),
     m_du (S.nq), m_long (S.nlam), m_y (S.nlam * S.nq), m_w (S.nlam + 8), m_res (1), m_gap (1),
-    m_left (1), m_live (1), m_rank (1), m_least (1), m_turn (1), m_margin (1), m_tau (1)
+    m_left (1), m_live (1), m_rank (1), m_least (1), m_turn (1), m_way (1), m_margin (1), m_tau (1)
 {
   if (S.nlam > 0 && emitted ("prj_w") && emitted ("con_w"))
     {

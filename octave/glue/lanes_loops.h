@@ -174,6 +174,13 @@ lane_group::look_ahead (void)
   part_where (m_slow);
 }
 
+// is a singular position so near that it may lie behind as well?
+bool
+lane_group::close_by (int lane) const
+{
+  return m_c(c_pivot, lane) < 0.3 * m_c(c_largest, lane);
+}
+
 // how far those can see that look; false: none
 bool
 lane_group::far_ahead (const double *h)
@@ -203,8 +210,12 @@ lane_group::far_ahead (const double *h)
   for (int k = 0; k < lane_count; k++)
     if (m_live(0, k) > 0 && m_slow(0, k) <= 0)
       {
+        const double rest = 2 * (m_s.tout[m_s.nt - 1] - m_c(c_t, k));   // as GSAHD
         m_c(c_turn, k) = m_turn(0, k);
         m_limit(0, k) = std::min (h[k], m_turn(0, k));
+        m_way(0, k) = close_by (k) ? m_turn(0, k) : std::min (m_turn(0, k), rest);
+        if (m_way(0, k) < 0.1 * m_turn(0, k))
+          m_live(0, k) = 0;
       }
     else
       m_live(0, k) = 0;
@@ -222,7 +233,7 @@ lane_group::look_along (void)
   int from[lane_count], last = 0;
   for (int k = 0; k < lane_count; k++)
     {
-      bool close = m_c(c_pivot, k) < 0.3 * m_c(c_largest, k);
+      bool close = close_by (k);
       from[k] = close ? 0 : -1;
       pivot[0][k] = m_c(c_pivot, k);
       last = std::max (last, m_live(0, k) <= 0 ? 0 : close ? places : 9);
@@ -232,7 +243,7 @@ lane_group::look_along (void)
       for (int k = 0; k < lane_count; k++)
         {
           double part = from[k] < 0 ? 0.125 * (i + 1) : -0.6 + 1.6 / 12 * i;
-          m_tau(0, k) = m_live(0, k) > 0 ? part * m_turn(0, k) : 0;
+          m_tau(0, k) = m_live(0, k) > 0 ? part * m_way(0, k) : 0;
         }
       fortran {gsllx_} (&S.nq, m_c.begin (), m_x.begin (), m_f.begin (),
                         m_tau.begin (), m_stage_t.begin (), m_q.begin ());
@@ -272,7 +283,7 @@ lane_group::passage (int lane, double from, double to)
   double at, least = search (lane, from, to, at), turn = m_turn(0, lane), t = m_c(c_t, lane);
   if (least > 0.2 * m_c(c_largest, lane))
     return false;
-  double middle = t + at * turn, d = 0.8 * turn, full = m_l[lane].m[9] * d;
+  double middle = t + at * m_way(0, lane), d = 0.8 * turn, full = m_l[lane].m[9] * d;
   if (t > middle + 0.5 * d)
     return false;
   if (t >= middle - 1.05 * full)
@@ -299,7 +310,7 @@ lane_group::search (int lane, double from, double to, double& at)
       for (int k = 0; k < lane_count; k++)
         {
           place[k] = middle + std::min (k - 6, 6) * width;
-          double tau = place[k] * m_turn(0, lane);
+          double tau = place[k] * m_way(0, lane);
           m_stage_t(0, k) = m_c(c_t, lane) + tau;
           for (int j = 0; j < n; j++)
             m_q(j, k) = m_x(j, lane) + tau * (m_f(j, lane) + 0.5 * tau * m_f(n + j, lane));

@@ -293,8 +293,8 @@ void gspvt (const gs_system *g, double t, const double *x, double tc, double d, 
 
 /* looks for a position where the constraints lose rank: a->tc, d, turn; h: on exit no more than
  * what turns them by about 1 rad. f as gspsg; xt (nx), hc (nlam,nu): workspace */
-void gsahd (const gs_system *g, double t, const double *x, double *h, gs_passage *a, double *f,
-            double *xt, double *hc);
+void gsahd (const gs_system *g, double t, const double *x, double *h, double rest, gs_passage *a,
+            double *f, double *xt, double *hc);
 
 /* the rates f of gspsg for a path with linear rates of the coordinates; xt (nq): workspace */
 void gsprd (const gs_system *g, double t, const double *x, double tc, double d, int ns, double *f,

@@ -31,16 +31,16 @@ sight (const gs_system *g, double t, const double *x, double h, double *f, doubl
   return 1.2 * far / gs_max (turn, 1e-10);
 }
 
-/* the eighth of turn, from 1, behind which the least pivot, s0 at t, has passed its next minimum;
- * 0: it passes none, or none that a line twice as steep as the looks beside it brings near to 0 */
+/* the eighth of the way, from 1, behind which the least pivot, s0 at t, has passed its next
+ * minimum; 0: it passes none, or none that a line twice as steep as the looks beside it brings near to 0 */
 static int
-next_minimum (const gs_system *g, double t, const double *x, double turn, double s0,
+next_minimum (const gs_system *g, double t, const double *x, double way, double s0,
               const double *f, double *xt)
 {
   double s1 = s0, s2;
   for (int k = 1; k <= 9; k++)
     {
-      gspvt (g, t, x, t, turn, 0.125 * k, TWO, f, xt, &s2);
+      gspvt (g, t, x, t, way, 0.125 * k, TWO, f, xt, &s2);
       if (k > 1 && s1 < s0 && s1 <= s2)
         return 3.0 * s1 - 2.0 * gs_max (s0, s2) > 0.25 * g->p[GS_LARGEST] ? 0 : k;
       s0 = s1;
@@ -50,28 +50,31 @@ next_minimum (const gs_system *g, double t, const double *x, double turn, double
 }
 
 void
-gsahd (const gs_system *g, double t, const double *x, double *h, gs_passage *a, double *f,
-       double *xt, double *hc)
+gsahd (const gs_system *g, double t, const double *x, double *h, double rest, gs_passage *a,
+       double *f, double *xt, double *hc)
 {
   const double big = g->p[GS_LARGEST];
   double s0, smin, cs, from = -0.6, to = 1.0;
   a->d = 0.0;
   a->turn = sight (g, t, x, *h, f, xt, hc, &s0);
   *h = gs_min (*h, a->turn);
-  gsprd (g, t, x, t, a->turn, TWO, f, xt);
+  const double way = s0 >= 0.3 * big ? gs_min (a->turn, rest) : a->turn;
+  if (way < 0.1 * a->turn)   /* constraints that turn by 0.12 rad do not lose their rank */
+    return;
+  gsprd (g, t, x, t, way, TWO, f, xt);
   if (! (s0 < 0.3 * big))
     {
-      int k = next_minimum (g, t, x, a->turn, s0, f, xt);
+      int k = next_minimum (g, t, x, way, s0, f, xt);
       if (k == 0)
         return;
       from = 0.125 * (k - 2);
       to = 0.125 * k;
     }
-  gspmn (g, t, x, t, a->turn, from, to, TWO, f, xt, &cs, &smin);
+  gspmn (g, t, x, t, way, from, to, TWO, f, xt, &cs, &smin);
   if (smin > 0.2 * big)
     return;
   gsprd (g, t, x, t, a->turn, a->ns, f, xt);
-  a->tc = t + cs * a->turn;
+  a->tc = t + cs * way;
   a->d = 0.8 * a->turn;
 }
 

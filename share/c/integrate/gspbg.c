@@ -124,25 +124,22 @@ gspbh (const gs_scene *s, double t, const double *x, double hmax, const double *
   double turn = 0.0, big = 0.0;
   int last = 0;
   *h = 0.0;
-  for (int k = 0; k <= 42; k++)
+  for (int k = 0; k <= 24; k++)
     {
       for (int i = 0; i < s->nlam; i++)
         siz[i] = part.size[i];
       turn = 1e300;
       if (rank_behind (&b, *h) >= 0)
         turn = turned (s, part.hc, hc, &big, k == 0);
-      if (last == 1)
+      if (last == 2 || (turn <= 0.09 && (last == 1 || k == 21)))
         break;
-      if (turn > 0.09 || k == 41)
+      if (turn > 0.09)
         {
-          last = 1;
-          if (turn > 0.09)
-            *h = 0.5 * *h;
-          if (k < 2)
-            *h = 0.0;
+          last++;
+          *h = k < 2 ? 0.0 : 0.5 * *h;
         }
       else
-        *h = hmax * ldexp (1.0, k - 40);
+        *h = hmax * ldexp (1.0, 2 * k - 40);
     }
   if (! (turn >= 1e-4 && turn <= 0.09))
     *h = 0.0;

@@ -114,5 +114,6 @@ gspsw (gs_course *c, double h, double *hlim)
   if (! near && ! falls)
     return;
   *hlim = h;
-  gsahd (g, c->t, c->x, hlim, a, c->f, c->xn, c->hc);
+  const double rest = 2.0 * (c->run->tout[c->run->nt - 1] - c->t);
+  gsahd (g, c->t, c->x, hlim, rest, a, c->f, c->xn, c->hc);
 }

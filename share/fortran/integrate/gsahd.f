@@ -1,5 +1,5 @@
-      SUBROUTINE GSAHD( CON, KIN, T, X, H, NQ, NU, NX, NS, NLAM, CST, F,
-     $                  XT, HC, P, TC, D, TURN )
+      SUBROUTINE GSAHD( CON, KIN, T, X, H, REST, NQ, NU, NX, NS, NLAM,
+     $                  CST, F, XT, HC, P, TC, D, TURN )
 C
 C     PURPOSE
 C     Looks for a position where the constraints lose rank, from T on
@@ -10,6 +10,8 @@ C     ARGUMENTS
 C     As GSPSG, and
 C     H       (input/output) DOUBLE PRECISION, the next step, on exit no
 C             more than what turns the constraints by about 1 rad.
+C     REST    (input) DOUBLE PRECISION, twice the rest of the run: what
+C             is farther is none of its business.
 C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
 C             on entry column 1 is the right-hand side at (T,X), on exit
 C             the others are a path on from there for GSPTH, by rates of
@@ -23,14 +25,15 @@ C
 C     METHOD
 C     Rates that are linear in time need two points of Gauss.  Of three
 C     looks the middle one the least, the pivot between them is no less
-C     than a line twice as steep as they are has it.
+C     than a line twice as steep as they are has it.  Constraints that
+C     turn by less than 0.12 rad do not lose their rank.
 C
       IMPLICIT NONE
       EXTERNAL           CON, KIN
       INTEGER            NQ, NU, NX, NS, NLAM
-      DOUBLE PRECISION   T, X(*), H, CST(*), F(NX,13), XT(*),
+      DOUBLE PRECISION   T, X(*), H, REST, CST(*), F(NX,13), XT(*),
      $                   HC(NLAM,*), P(*), TC, D, TURN
-      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG, T0
+      DOUBLE PRECISION   S, S0, S1, S2, CS, SMIN, BIG, T0, WAY
       EXTERNAL           GSPVT, GSPMN, GSPRD, GSPCH
       INTEGER            I, K, N2
 C
@@ -52,17 +55,20 @@ C     -- how far one can see
    10 CONTINUE
    20 TURN = 1.2D0*S/MAX( TURN, 1.0D-10 )
       H = MIN( H, TURN )
-      CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, N2, CST, F, XT )
       BIG = P(14)
+      WAY = TURN
+      IF ( S0.GE.0.3D0*BIG ) WAY = MIN( TURN, REST )
+      IF ( WAY.LT.0.1D0*TURN ) RETURN
+      CALL GSPRD( KIN, T, X, T0, WAY, NQ, NX, N2, CST, F, XT )
 C
 C     -- the next least pivot
-      IF ( S0.LT.0.3D0*P(14) ) THEN
-         CALL GSPMN( CON, T, X, T0, TURN, -0.6D0, 1.0D0, NQ, NU, NX, N2,
+      IF ( S0.LT.0.3D0*BIG ) THEN
+         CALL GSPMN( CON, T, X, T0, WAY, -0.6D0, 1.0D0, NQ, NU, NX, N2,
      $               NLAM, CST, F, XT, P, CS, SMIN )
       ELSE
          S1 = S0
          DO 30 K = 1, 9
-            CALL GSPVT( CON, T, X, T0, TURN, 0.125D0*DBLE( K ), NQ, NU,
+            CALL GSPVT( CON, T, X, T0, WAY, 0.125D0*DBLE( K ), NQ, NU,
      $                  NX, N2, NLAM, CST, F, XT, P, S2 )
             IF ( K.GT.1 .AND. S1.LT.S0 .AND. S1.LE.S2 ) GO TO 40
             S0 = S1
@@ -70,14 +76,14 @@ C     -- the next least pivot
    30    CONTINUE
          RETURN
    40    IF ( 3.0D0*S1 - 2.0D0*MAX( S0, S2 ).GT.0.25D0*BIG ) RETURN
-         CALL GSPMN( CON, T, X, T0, TURN, 0.125D0*DBLE( K-2 ),
+         CALL GSPMN( CON, T, X, T0, WAY, 0.125D0*DBLE( K-2 ),
      $               0.125D0*DBLE( K ), NQ, NU, NX, N2, NLAM, CST, F,
      $               XT, P, CS, SMIN )
       END IF
       IF ( SMIN.GT.0.2D0*BIG ) RETURN
 C
       CALL GSPRD( KIN, T, X, T0, TURN, NQ, NX, NS, CST, F, XT )
-      TC = T + CS*TURN
+      TC = T + CS*WAY
       D  = 0.8D0*TURN
       END
       SUBROUTINE GSPRD( KIN, T, X, TC, D, NQ, NX, NS, CST, F, XT )

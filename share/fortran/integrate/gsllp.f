@@ -173,7 +173,7 @@ C
       INTEGER            M, N
       DOUBLE PRECISION   HC(K,M,N), SIZE(K,M), LONG(K,M), Y(K,M,N),
      $                   W(K,M+8), RANK(K), LEAST(K)
-      DOUBLE PRECISION   S, Z
+      DOUBLE PRECISION   S, Z, B
       INTEGER            I, J, L, C
 C
 C     -- W(*,M+1) the largest column, +2 its number, +3 the first one,
@@ -233,16 +233,16 @@ C$OMP SIMD
                   W(L,M+5) = W(L,M+5) + Y(L,I,J)*Y(L,I,J)
   115          CONTINUE
   120       CONTINUE
+            B = DBLE( J )
 C$OMP SIMD PRIVATE( S, Z )
             DO 130 L = 1, K
-               S = W(L,M+1)
+               S = W(L,M+1)*( 1.0D0 + 1.0D-8 )
                Z = W(L,M+2)
-               IF ( W(L,M+5).GT.S*( 1.0D0 + 1.0D-8 ) ) THEN
-                  S = W(L,M+5)
-                  Z = DBLE( J )
-               END IF
-               W(L,M+1) = S
+               IF ( W(L,M+5).GT.S ) Z = B
                W(L,M+2) = Z
+               Z = W(L,M+1)
+               IF ( W(L,M+5).GT.S ) Z = W(L,M+5)
+               W(L,M+1) = Z
   130       CONTINUE
   140    CONTINUE
 C$OMP SIMD PRIVATE( S, Z )

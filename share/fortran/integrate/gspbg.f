@@ -100,7 +100,7 @@ C
       H   = 0.0D0
       BIG = 0.0D0
       LAST = 0
-      DO 60 K = 0, 42
+      DO 60 K = 0, 24
          DO 10 I = 1, NLAM
             SIZ(I) = P(IM+I)
    10    CONTINUE
@@ -120,13 +120,14 @@ C
             IF ( K.EQ.0 ) BIG = MAX( BIG, R )
             IF ( R.GT.1.0D-6*BIG ) TURN = MAX( TURN, S/R )
    40    CONTINUE
-   50    IF ( LAST.EQ.1 ) GO TO 70
-         IF ( TURN.GT.0.09D0 .OR. K.EQ.41 ) THEN
-            LAST = 1
-            IF ( TURN.GT.0.09D0 ) H = 0.5D0*H
+   50    IF ( LAST.EQ.2 .OR. ( TURN.LE.0.09D0 .AND. ( LAST.EQ.1 .OR.
+     $        K.EQ.21 ) ) ) GO TO 70
+         IF ( TURN.GT.0.09D0 ) THEN
+            LAST = LAST + 1
+            H = 0.5D0*H
             IF ( K.LT.2 ) H = 0.0D0
          ELSE
-            H = HMAX*0.5D0**( 40 - K )
+            H = HMAX*0.25D0**( 20 - K )
          END IF
    60 CONTINUE
    70 IF ( .NOT.( TURN.GE.1.0D-4 .AND. TURN.LE.0.09D0 ) ) H = 0.0D0

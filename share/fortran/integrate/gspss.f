@@ -41,7 +41,8 @@ C
       HLIM  = 1.0D300
       D     = 0.0D0
       IF ( SIZ(5).GT.0 .AND. IOPT(5).EQ.1 .AND. IOPT(2).NE.1 .AND.
-     $     T.GE.M(8) ) CALL GSPSW( CON, KIN, T, W(IW(1)), H, SIZ(1),
+     $     T.GE.M(8) ) CALL GSPSW( CON, KIN, T, W(IW(1)), H,
+     $                             2.0D0*( TIM(1+SIZ(6)) - T ), SIZ(1),
      $                             SIZ(2), SIZ(3), LM(5), SIZ(5), CST,
      $                             W(IW(5)), W(IW(2)), W(IW(7)), P,
      $                             M(11), HLIM, TC, D )
@@ -106,19 +107,20 @@ C     -- where the rank is kept after all the usual steps do better
       D     = FAC*D
       GO TO 10
       END
-      SUBROUTINE GSPSW( CON, KIN, T, X, H, NQ, NU, NX, NS, NLAM, CST, F,
-     $                  XT, HC, P, TURN, HLIM, TC, D )
+      SUBROUTINE GSPSW( CON, KIN, T, X, H, REST, NQ, NU, NX, NS, NLAM,
+     $                  CST, F, XT, HC, P, TURN, HLIM, TC, D )
 C
 C     PURPOSE
 C     Looks ahead for a singular position (GSAHD), where the step H is
 C     so long, or the least pivot so small or falling so fast, that one
-C     may be near.  D is 0 if it did not look or saw none.
+C     may be near.  D is 0 if it did not look or saw none; REST as
+C     GSAHD.
 C
       IMPLICIT NONE
       EXTERNAL           CON, KIN
       INTEGER            NQ, NU, NX, NS, NLAM
-      DOUBLE PRECISION   T, X(*), H, CST(*), F(NX,*), XT(*), HC(*),
-     $                   P(*), TURN, HLIM, TC, D
+      DOUBLE PRECISION   T, X(*), H, REST, CST(*), F(NX,*), XT(*),
+     $                   HC(*), P(*), TURN, HLIM, TC, D
       EXTERNAL           GSAHD
       INTEGER            LOOK
 C
@@ -130,6 +132,6 @@ C
      $     MAX( 3.0D0*H, TURN )*( P(8) - P(10) ) ) LOOK = 1
       IF ( LOOK.EQ.0 ) RETURN
       HLIM = H
-      CALL GSAHD( CON, KIN, T, X, HLIM, NQ, NU, NX, NS, NLAM, CST, F,
-     $            XT, HC, P, TC, D, TURN )
+      CALL GSAHD( CON, KIN, T, X, HLIM, REST, NQ, NU, NX, NS, NLAM, CST,
+     $            F, XT, HC, P, TC, D, TURN )
       END
