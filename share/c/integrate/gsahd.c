@@ -32,7 +32,8 @@ sight (const gs_system *g, double t, const double *x, double h, double *f, doubl
 }
 
 /* the eighth of the way, from 1, behind which the least pivot, s0 at t, has passed its next
- * minimum; 0: it passes none, or none that a line twice as steep as the looks beside it brings near to 0 */
+ * minimum; 0: it passes none, or none that a line twice as steep as the looks beside it brings
+ * near to 0 */
 static int
 next_minimum (const gs_system *g, double t, const double *x, double way, double s0,
               const double *f, double *xt)
