@@ -22,7 +22,7 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
-        bench-long bench-ensemble bench-sweep bench-control bench-collocation bench-points \
+        bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation bench-points \
         bench-reach bench-robots same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
@@ -61,6 +61,8 @@ make bench-devices         tests/bench/devices.md: full and reduced motors, spee
                            every example: energy audit, speed, global error; then bench-stiff
 make bench-stiff           tests/bench/stiff.md: every example by dp853, radau, CVODE and ARKODE,
                            the least time within an error; STIFF="puma560 hooke": these only
+make bench-index2          tests/bench/index2.md: radau, loops in index 2 and by the equations with
+                           multipliers: steps, turns, time, error; stiff springs in loops
 make bench-abbreviate      tests/bench/abbreviate.md: the PUMA with the terms that matter, speed and
                            error beside the whole
 make bench-flexible        tests/bench/flexible.md: a two-link arm that bends, operations; models of
@@ -200,7 +202,7 @@ bench-passages: packages compiled
 	RUNS='$(RUNS)' SEED='$(SEED)' $(ONE_THREAD) \
 	timeout -k 10 21600 $(OCTAVE) tests/bench/passages.m </dev/null
 
-bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-long \
+bench-loops bench-devices bench-abbreviate bench-sensitivity bench-runs bench-long bench-index2 \
 bench-ensemble bench-sweep bench-control: bench-%: packages compiled
 	@mkdir -p tests/bench/out
 	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/$*.m </dev/null

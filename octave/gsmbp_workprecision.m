@@ -13,8 +13,9 @@
 ## the shortest of several runs, divided by the simulated time.
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "gauss" (steps, default none), "dp853"
-## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" (tolerances, default none; where none of
-## these five is given radau's are 10.^-(4:2:12), but of a build in quad);
+## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" and "index2", which is radau with
+## "loops", "index2" (tolerances, default none; where none of these six is given radau's are
+## 10.^-(4:2:12), but of a build in quad);
 ## "print" (default true) writes the table; "file": a
 ## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
 ## long each timing may take (default 0.1).  Any other option goes to
@@ -60,7 +61,7 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
                           o.reference, "drift", false);
   span = times(end) - times(1);
   w = struct ([]);
-  for method = {"rk4", "gauss", "dp853", "cvode", "radau"}
+  for method = {"rk4", "gauss", "dp853", "cvode", "radau", "index2"}
     for step = o.(method{1})(:)'   # or tolerance
       w = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
     endfor
@@ -83,6 +84,7 @@ function [o, rest] = read_options (pairs, radau)
            "dp853", 10 .^ -(4:2:14), "numbers"
            "cvode", [], "numbers"
            "radau", [], "numbers"
+           "index2", [], "numbers"
            "print", true, "flag"
            "file", "", "text"
            "seconds", 0.1, "nonnegative"
@@ -91,7 +93,7 @@ function [o, rest] = read_options (pairs, radau)
   measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
   if (! isempty (measured))
     error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
-            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\""], who, measured{1});
+            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\""], who, measured{1});
   endif
   own = ismember (names, table(:,1));
   known = sort ([table(:,1); gsmbp__simulate_options(false)(:,1)])';
@@ -100,7 +102,7 @@ function [o, rest] = read_options (pairs, radau)
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));
   endif
   o = gsmbp__options (who, table, [names(own); values(own)](:)');
-  if (radau && ! any (ismember (table(1:5,1), names)))
+  if (radau && ! any (ismember (table(1:6,1), names)))
     o.radau = 10 .^ -(4:2:12);
   endif
   rest = [names(! own); values(! own)](:)';
@@ -114,6 +116,9 @@ endfunction
 function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
   name = {"rtol", "step"}{1 + any(strcmp (method, {"rk4", "gauss"}))};
   options = [rest, {"method", method, name, step, "drift", false}];
+  if (strcmp (method, "index2"))
+    options = [in_index2(rest), {name, step, "drift", false}];
+  endif
   [r, info] = gsmbp_simulate (m, x0, times, options{:});
   best = r.stats.seconds;
   spent = best;
@@ -134,6 +139,13 @@ function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
   one.error_states = max (miss);
   one.reference = [];
   w = [w, one];
+endfunction
+
+## the options, with radau and the loops in index 2
+function options = in_index2 (rest)
+  other = reshape (rest, 2, []);
+  other(:,ismember (other(1,:), {"loops", "projection"})) = [];
+  options = [other(:)', {"method", "radau", "loops", "index2"}];
 endfunction
 
 ## for each power of ten of the error the fastest measurement whose error is not above it
@@ -174,7 +186,7 @@ function figure_of (file, m, w)
     y(of,k) = max ([w(of).error]', 1e-17);
   endfor
   labels = struct ("rk4", "RK4", "gauss", "Gauss", "dp853", "DOP853", "cvode", "CVODE", "radau", ...
-                   "Radau IIA");
+                   "Radau IIA", "index2", "Radau IIA, index 2");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
   gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", ...
                                "largest error [rad, m]", "style", ...

@@ -204,7 +204,7 @@ put_on (gs_run *s, gs_momenta *w, double t, double *x)
     return 0;
   if (constraints_at (s, w, t, x, w->phi, rows) != 0)
     return -1;
-  factorize (&w->gram, rows, w->masses);
+  factorize_rows (&w->gram, rows, w->masses);
   for (int k = 0; k < m; k++)
     {
       w->phi[k] = w->phit[k];
@@ -432,7 +432,7 @@ gs_agree (gs_run *s, gs_momenta *w)
     {
       if (constraints_at (s, w, s->t, s->x, w->phi, w->rows) != 0)
         return 0;
-      factorize (&w->gram, w->rows, w->masses);
+      factorize_rows (&w->gram, w->rows, w->masses);
       memcpy (w->trial, miss, sizeof (double) * n);
       forward (n, w->masses, w->trial);
       backward (n, w->masses, w->trial);

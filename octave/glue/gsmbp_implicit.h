@@ -14,12 +14,14 @@ typedef struct
       jac, /* a null pointer: difference quotients */
       lin, bia, mas, /* for the momenta of method gauss; null pointers: it takes the states */
       gradients,     /* CON, also where the run does not look after drift; a null pointer */
+      tan,           /* for loops in index 2 */
       gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue, gsevn, gsevr, gsevv,
       gsusg; /* of the run time */
   int nq, nu, nx, nv, ny, nlam,
       columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
       of_state,     /* 1: the inputs of a planned motion follow states of devices as well */
+      index2,       /* 1: loops in index 2, for Radau alone */
       order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6 or 8 */
   double t0, *x0;
   int nt, nb;

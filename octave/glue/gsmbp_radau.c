@@ -8,11 +8,12 @@
    polynomial through its stages gives the state. */
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "implicit.h"
 #include "gsmbp/inputs.h"
-#include "radau_loops.h"
+#include "radau_index2.h"
 #include "radau_rule.h"
 
 enum { AGAIN = 1, FATAL = -1 };                     /* flags */
@@ -25,6 +26,7 @@ typedef struct
   double *scale, enough;                            /* of errors; of the turns beside them */
   radau_order order;                                /* of elimination */
   gs_loops *loops;                                  /* null: there are none */
+  gs_index2 *index2;                                /* null: they are not in index 2 */
   double *J, *ordered, *ordered_x, *lu, *z, *g, *dz, *f0, *error, *x1, *past, *v;
   double complex *lus, *y, *ordered_y;
   int *pivots;
@@ -75,6 +77,13 @@ norm (const radau *w, int columns, const double *d)
  * one step */
 
 static int
+no_index2 (gs_run *s)
+{
+  snprintf (s->r->text, s->r->length, "loops in index 2 need M of the tree positive definite");
+  return FATAL;
+}
+
+static int
 take_jacobian (gs_run *s)
 {
   radau *w = s->memory;
@@ -85,6 +94,12 @@ take_jacobian (gs_run *s)
   int info = gs_jacobian (s, s->t, s->x, w->J);
   if (info == 0 && w->loops)
     w->settles = gs_take_loops (s, w->loops) == 0;
+  if (info == 0 && w->index2)
+    {
+      if (! w->settles)
+        return no_index2 (s);
+      gs_index2_jacobian (s, w->index2, w->J);
+    }
   if (info == 0)
     gsmbp_take_order (&w->order, w->J, w->ordered);
   return info;
@@ -126,6 +141,8 @@ solve_real (const radau *w, double *x)
 {
   for (int i = 0; i < w->n; i += w->own)
     gsmbp_real_solve (&w->order, w->lu, w->pivots, x + i, w->ordered_x);
+  if (w->index2)
+    gs_speeds (w->loops, x);
 }
 
 static void
@@ -135,6 +152,8 @@ solve_pair (const radau *w, int k, double complex *x)
   for (int i = 0; i < w->n; i += w->own)
     gsmbp_complex_solve (&w->order, w->lus + n * n * k, w->pivots + n * (k + 1), x + i,
                          w->ordered_y);
+  if (w->index2)
+    gs_index2_speeds (w->index2, x);
 }
 
 /* X += what the polynomial of the last step is at AT, in its lengths, above its end, at AT = 1 */
@@ -205,7 +224,12 @@ defects (gs_run *s, double h)
       for (int j = 0; j < w->stages; j++)
         for (int l = 0; l < n; l++)
           g[l] -= rule->inverse[i][j] / h * w->z[l + n * j];
+      double t = s->t + rule->c[i + 1] * h;
+      if (w->index2 && (info = gs_index2_stage (s, w->index2, i, t, w->x1)) != 0)
+        return info;
     }
+  if (w->index2)
+    gs_index2_defects (w->index2, rule, h, w->g, n);
   return 0;
 }
 
@@ -285,6 +309,14 @@ stages (gs_run *s, double h, double *shrink)
   return SLOW;
 }
 
+static void
+filter (radau *w, double *e)
+{
+  if (w->index2)
+    gs_index2_along (w->index2, e);
+  solve_real (w, e);
+}
+
 /* the estimated error beside the tolerance */
 static int
 estimate (gs_run *s, double h, double *error)
@@ -300,7 +332,7 @@ estimate (gs_run *s, double h, double *error)
         sum[l] += rule->root / h * rule->estimate[i] * w->z[l + n * i];
       e[l] = w->f0[l] + sum[l];
     }
-  solve_real (w, e);
+  filter (w, e);
   *error = fmax (norm (w, 1, e), 1e-10);
   if (*error < 1 || ! (w->first || w->after_rejection))
     return 0;
@@ -311,7 +343,7 @@ estimate (gs_run *s, double h, double *error)
     return info;
   for (int l = 0; l < n; l++)
     e[l] += sum[l];
-  solve_real (w, e);
+  filter (w, e);
   *error = fmax (norm (w, 1, e), 1e-10);
   return 0;
 }
@@ -519,6 +551,8 @@ open_ (gs_run *s)
   w->loops = gs_new_loops (s, &failed);
   if (failed)
     return 0;
+  if (s->r->index2 && w->loops && ! (w->index2 = gs_new_index2 (w->loops)))
+    return 0;
   w->ordered = w->J + own * own;
   w->ordered_x = w->ordered + own * own;
   w->lu = w->ordered_x + own;
@@ -544,6 +578,7 @@ close_ (gs_run *s)
     return;
   gsmbp_free_order (&w->order);
   gs_free_loops (w->loops);
+  gs_free_index2 (w->index2);
   free (w->J);
   free (w->lus);
   free (w->pivots);

@@ -11,21 +11,8 @@
 #include <float.h>
 #include <stdlib.h>
 #include "radau_loops.h"
-#include "rows.h"
 
 enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
-
-struct gs_loops
-{
-  int n, m, nq, own;            /* speeds, constraints, coordinates, states */
-  gs_rows gram;
-  double of;                    /* the shift of D, 0: it is to be taken anew */
-  int *pivots;                  /* of B */
-  double *numbers;              /* all that follow */
-  double *mass, *rows;          /* factors of M, the gradients, where J is of */
-  double *D;                    /* a column for each row that does not depend on others */
-  double *B, *here, *gap, *phit, *gamma, *side;   /* gradients HERE by D, what a state misses */
-};
 
 gs_loops *
 gs_new_loops (const gs_run *s, int *failed)
@@ -71,9 +58,8 @@ gs_free_loops (gs_loops *w)
   free (w);
 }
 
-/* GAP: the constraints at X, gradients in ROWS */
-static int
-constraints (gs_run *s, gs_loops *w, double t, const double *x, double *rows)
+int
+gs_constraints (gs_run *s, gs_loops *w, double t, const double *x, double *rows)
 {
   int info = 0;
   ((con_type *) s->r->gradients) (&t, x, x + w->nq, s->r->cst, w->gap, w->phit, rows, &w->m,
@@ -86,22 +72,29 @@ gs_take_loops (gs_run *s, gs_loops *w)
 {
   w->of = w->gram.rank = 0;
   ((mas_type *) s->r->mas) (&s->t, s->x, s->r->cst, w->mass, &w->n);
-  if (! cholesky (w->n, w->mass) || constraints (s, w, s->t, s->x, w->rows) != 0)
+  if (! cholesky (w->n, w->mass) || gs_constraints (s, w, s->t, s->x, w->rows) != 0)
     return -1;
-  factorize (&w->gram, w->rows, w->mass);
+  factorize_rows (&w->gram, w->rows, w->mass);
   return 0;
 }
 
-/* GAP: what the speeds of X miss */
-static void
-rates_missed (gs_loops *w, const double *x)
+void
+gs_rates_missed (gs_loops *w, const double *rows, const double *x)
 {
   for (int k = 0; k < w->m; k++)
     {
       w->gap[k] = w->phit[k];
       for (int j = 0; j < w->n; j++)
-        w->gap[k] += w->here[k + w->m * j] * x[w->nq + j];
+        w->gap[k] += rows[k + w->m * j] * x[w->nq + j];
     }
+}
+
+void
+gs_speeds (const gs_loops *w, double *x)
+{
+  for (int j = 0; w->slope && j < w->nq; j++)
+    for (int i = 0; i < w->n; i++)
+      x[w->nq + i] -= w->slope[i + w->n * j] * x[j];
 }
 
 /* D, speeds over SHIFT: what they do to the rates of the constraints stands for what coordinates
@@ -121,6 +114,7 @@ responses (gs_loops *w, const gs_factors *by)
       forward (w->n, w->mass, u);
       backward (w->n, w->mass, u);
       gsmbp_real_solve (by->order, by->lu, by->pivots, d, by->work);
+      gs_speeds (w, d);
       for (int j = 0; j < w->n; j++)
         u[j] /= by->shift;
     }
@@ -170,12 +164,12 @@ go_on (gs_run *s, gs_loops *w, const double *scale, double t, double *x, int spe
   double last = HUGE_VAL, rounding = 8 * DBL_EPSILON / s->r->ropt[1], *before = &s->r->rstat[4];
   for (int turn = 0; turn < TURNS; turn++)
     {
-      if (constraints (s, w, t, x, w->here) != 0 || (turn == 0 && take_matrix (w) != 0))
+      if (gs_constraints (s, w, t, x, w->here) != 0 || (turn == 0 && take_matrix (w) != 0))
         return -1;
       for (int k = 0; k < w->m && turn == 0 && ! speeds; k++)
         *before = fmax (*before, fabs (w->gap[k]));
       if (speeds)
-        rates_missed (w, x);
+        gs_rates_missed (w, w->here, x);
       double size = speeds ? go (w, scale, x, w->nq, w->n) : go (w, scale, x, 0, w->nq);
       if (! (size < FAR))
         return -1;

@@ -3,8 +3,20 @@
 #define GSMBP_GLUE_RADAU_LOOPS_H
 #include "implicit.h"
 #include "radau_solve.h"
+#include "rows.h"
 
-typedef struct gs_loops gs_loops;
+typedef struct
+{
+  int n, m, nq, own;            /* speeds, constraints, coordinates, states */
+  gs_rows gram;
+  double of;                    /* the shift of D, 0: it is to be taken anew */
+  int *pivots;                  /* of B */
+  double *numbers;              /* all that follow */
+  double *mass, *rows;          /* factors of M, the gradients, where J is of */
+  double *D;                    /* a column for each row that does not depend on others */
+  double *B, *here, *gap, *phit, *gamma, *side;   /* gradients HERE by D, what a state misses */
+  double *slope;                /* null, or with index 2: J is of speeds u + SLOPE q, N x NQ */
+} gs_loops;
 
 /* the factors of SHIFT*I - J; WORK: a number for each state */
 typedef struct
@@ -21,6 +33,12 @@ extern gs_loops *gs_new_loops (const gs_run *s, int *failed);
 extern void gs_free_loops (gs_loops *w);
 /* The constraints at the state of the run, where J is of; 0 or a flag. */
 extern int gs_take_loops (gs_run *s, gs_loops *w);
+/* GAP: the constraints at X, gradients in ROWS; 0 or a flag.  GAP: what the speeds of X miss, by
+   these. */
+extern int gs_constraints (gs_run *s, gs_loops *w, double t, const double *x, double *rows);
+extern void gs_rates_missed (gs_loops *w, const double *rows, const double *x);
+/* the speeds u of X, a solution with J that is of speeds u + SLOPE q */
+extern void gs_speeds (const gs_loops *w, double *x);
 /* X, of a step to T, onto the constraints along what the scene does under their forces.  SCALE:
    what errors are measured by.  0; 1: gs_moved has to do the rest (Euler parameters, columns of
    derivatives, what rounding left); -1: X is of no use. */

@@ -78,7 +78,7 @@ backward (int n, const double *l, double *x)
     }
 }
 
-/* S = ROWS M^-1 ROWS'; MASS: factors of M */
+/* S = ROWS M^-1 ROWS' in the order of the rows; MASS: factors of M */
 static void
 gram (gs_rows *w, const double *rows, const double *mass)
 {
@@ -92,9 +92,10 @@ gram (gs_rows *w, const double *rows, const double *mass)
   for (int i = 0; i < m; i++)
     for (int k = 0; k < m; k++)
       {
+        const double *a = w->solved + n * w->order[i], *b = w->solved + n * w->order[k];
         double sum = 0;
         for (int j = 0; j < n; j++)
-          sum += w->solved[j + n * i] * w->solved[j + n * k];
+          sum += a[j] * b[j];
         w->S[i + m * k] = sum;
       }
 }
@@ -113,15 +114,30 @@ exchange (gs_rows *w, int a, int b)
     swap = S[j + m * a], S[j + m * a] = S[j + m * b], S[j + m * b] = swap;
 }
 
+/* column K of the factors of S, whose pivot is above zero */
+static void
+take_column (gs_rows *w, int k)
+{
+  int m = w->m;
+  double *S = w->S, root = sqrt (S[k + m * k]);
+  for (int i = k; i < m; i++)
+    S[i + m * k] /= root;
+  for (int j = k + 1; j < m; j++)
+    for (int i = k + 1; i < m; i++)
+      S[i + m * j] -= S[i + m * k] * S[j + m * k];
+}
+
 /* S = L L', its rows in the order of their pivots, as far as they are independent */
 static void
-factorize (gs_rows *w, const double *rows, const double *mass)
+factorize_rows (gs_rows *w, const double *rows, const double *mass)
 {
   int m = w->m;
   double *S = w->S, *scale = w->scale;
+  for (int k = 0; k < m; k++)
+    w->order[k] = k;
   gram (w, rows, mass);
   for (int k = 0; k < m; k++)
-    w->order[k] = k, scale[k] = S[k + m * k];
+    scale[k] = S[k + m * k];
   for (w->rank = 0; w->rank < m; w->rank++)
     {
       int k = w->rank, best = k;
@@ -131,13 +147,23 @@ factorize (gs_rows *w, const double *rows, const double *mass)
       if (! (S[best + m * best] > 1e-10 * scale[best]))
         return;
       exchange (w, k, best);
-      double root = sqrt (S[k + m * k]);
-      for (int i = k; i < m; i++)
-        S[i + m * k] /= root;
-      for (int j = k + 1; j < m; j++)
-        for (int i = k + 1; i < m; i++)
-          S[i + m * j] -= S[i + m * k] * S[j + m * k];
+      take_column (w, k);
     }
+}
+
+/* ... the rows that are so in LIKE, in its order; 0: they depend on each other */
+static int
+factorize_like (gs_rows *w, const gs_rows *like, const double *rows, const double *mass)
+{
+  memcpy (w->order, like->order, sizeof (int) * w->m);
+  gram (w, rows, mass);
+  for (w->rank = 0; w->rank < like->rank; w->rank++)
+    {
+      if (! (w->S[w->rank + w->m * w->rank] > 0))
+        return 0;
+      take_column (w, w->rank);
+    }
+  return 1;
 }
 
 /* what solves S X = X; zero for rows that depend on others */

@@ -46,7 +46,8 @@ struct simulation : run_room
 #if ! defined (GSMBP_QUAD)
   gsmbp_run_function *implicit_method = nullptr;
 #endif
-  std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too
+  std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too;
+                               // ... if loops are in index 2
   double timeout;              // wall time [s]; 0: none
 
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
@@ -97,7 +98,7 @@ simulation::simulation (arguments& a)
   if (! library.empty ())
     implicit_method = implicit_run (library);
 #endif
-  implicit = a.integers ("largest order, inputs of state", 2);
+  implicit = a.integers ("largest order, inputs of state, index 2", 3);
   timeout = double (a.scalar ("timeout"));
   plan->due_from (double (t0), cst);
   breaks = breaks_of (cst);
@@ -287,11 +288,13 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.bia = there ("bia");
   g.mas = there ("mas");
   g.gradients = there ("con");
+  g.tan = there ("tan");
   g.nx = nx;
   g.columns = columns->count ();
   g.resume = resume;
   g.order = implicit[0];
   g.of_state = implicit[1];
+  g.index2 = implicit[2];
   g.t0 = t0;
   g.x0 = &r.x0[0];
   g.nt = nt;

@@ -141,6 +141,7 @@ read_numbers (gs_sweep *s)
   free (sizes);
   s->order = (int) gs_number (job, "order", 5);
   s->of_state = (int) gs_number (job, "of_state", 0);
+  s->index2 = (int) gs_number (job, "index2", 0);
   s->check_start = (int) gs_number (job, "check_start", 1);
   s->t0 = gs_number (job, "t0", 0);
 }
@@ -316,10 +317,11 @@ by_implicit (const gs_sweep *s, gs_room *r, int resume)
     .rhs = f[0], .prj = f[1], .con = f[2], .kin = f[3], .cmd = f[4], .clo = f[5], .vin = f[6],
     .out = f[7], .ctl = f[8], .evt = f[9], .rst = f[10], .jac = emitted ("jac"),
     .lin = emitted ("lin"), .bia = emitted ("bia"), .mas = emitted ("mas"),
-    .gradients = emitted ("con"), .gsfun = gsfun_, .gsinp = gsinp_, .gschk = gschk_,
-    .gsjmp = gsjmp_, .gspst = gspst_, .gspnw = gspnw_, .gspbg = gspbg_, .gsdue = gsdue_,
-    .gsevn = gsevn_, .gsevr = gsevr_, .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq,
-    .nu = S->nu, .nx = s->nx, .nv = S->nv, .ny = S->ny,
+    .gradients = emitted ("con"), .tan = emitted ("tan"), .index2 = s->index2,
+    .gsfun = gsfun_, .gsinp = gsinp_, .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_,
+    .gspnw = gspnw_, .gspbg = gspbg_, .gsdue = gsdue_, .gsevn = gsevn_, .gsevr = gsevr_,
+    .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq, .nu = S->nu, .nx = s->nx, .nv = S->nv,
+    .ny = S->ny,
     .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,
     .x0 = r->x0, .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,
     .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,

@@ -20,7 +20,7 @@ typedef struct
   gs_array cst, x0, tout, tbrk, ropt, atol, rp, guess, par, samples, nominal;
   int *ip, *iopt, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
   long long nip, niopt, varied, runs, kept, wholes, columns;
-  int nx, ldx, ldv, lw, order, of_state, check_start;
+  int nx, ldx, ldv, lw, order, of_state, index2, check_start;
   double t0;
   gsmbp_sub sub[GS_SUBS];
   gsmbp_run_function *implicit_method;   /* a null pointer: GSSIM alone */

@@ -1,9 +1,9 @@
-## [m, way] = gsmbp__loop_way (who, o, m)
-## The way of the loops: its number, and the model M with its parameter loop_method.  O: the options
-## of gsmbp_simulate.
+## [m, way, index2] = gsmbp__loop_way (who, o, m)
+## The way of the loops: its number, whether they are in index 2, and the model M with its parameter
+## loop_method.  O: the options of gsmbp_simulate.
 
-function [m, way] = gsmbp__loop_way (who, o, m)
-  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane"};
+function [m, way, index2] = gsmbp__loop_way (who, o, m)
+  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane", "index2"};
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   euler = d.nq > d.nu;
@@ -24,6 +24,11 @@ function [m, way] = gsmbp__loop_way (who, o, m)
     error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
            gsmbp__shown (word));
   endif
+  index2 = way == 7;
+  if (index2)
+    check_index2 (who, o, m);
+    [way, index2] = deal (2, d.nlam > 0);
+  endif
   if (d.nlam == 0 && isempty (o.projection))
     way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
   endif
@@ -42,6 +47,20 @@ function [m, way] = gsmbp__loop_way (who, o, m)
     if (! has (name{1}))
       error ("%s: the way \"%s\" needs the subroutine %s, which %s was emitted without", who, ...
              words{way}, toupper (name{1}), m.name);
+    endif
+  endfor
+endfunction
+
+## what index 2 needs
+function check_index2 (who, o, m)
+  if (! any (strcmp (o.method, {"radau", "auto"})))
+    error (["%s: the way \"index2\" of the loops is for method \"radau\" (or \"auto\"), " ...
+            "found method %s"], who, gsmbp__shown (o.method));
+  endif
+  for name = {"mas", "con", "tan"}
+    if (m.sizes.nlam > 0 && ! any (strcmp (m.subroutines, name{1})))
+      error (["%s: the way \"index2\" needs the subroutine %s, which %s was emitted " ...
+              "without"], who, toupper (name{1}), m.name);
     endif
   endfor
 endfunction

@@ -11,7 +11,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
     error (["%s: the times must be two or more, that of x0 first; found %.15g alone " ...
             "(from 0 on: [0, %.15g])"], who, times, times);
   endif
-  [m, way] = gsmbp__loop_way (who, o, m);
+  [m, way, index2] = gsmbp__loop_way (who, o, m);
   [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
   [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start);
@@ -37,7 +37,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   endif
   p.arguments = {m.cst, t0, p.x0, p.carried.columns, times, breaks, ...
                  [numel(times), numel(breaks)], iopt, p.ropt, p.atol, plan, guess, callback, ...
-                 library, [order, ! isempty(m.internal)], o.timeout};
+                 library, [order, ! isempty(m.internal), index2], o.timeout};
   [p.m, p.o] = deal (m, o);
 endfunction
 
