@@ -1,11 +1,12 @@
 ## guard = gsmbp__lock (who, folder)
 ## FOLDER is this session's alone until GUARD is cleared; who comes second waits.  A process of its
 ## own holds the lock (flock of util-linux) as long as its input is open: a session that is killed
-## leaves none behind.  Without flock nobody waits.
+## leaves none behind; what Ctrl-C has left running, and holds that input, does not keep it.  Without
+## flock nobody waits.
 
 function guard = gsmbp__lock (who, folder)
   file = strrep (fullfile (folder, "lock"), "'", "'\\''");
-  hold = "exec flock '%s' sh -c 'echo locked; exec cat >/dev/null' 2>/dev/null";
+  hold = "exec flock -o '%s' sh -c 'echo locked; exec cat >/dev/null' 2>/dev/null";
   [in, out, pid] = popen2 ("sh", {"-c", sprintf(hold, file)});
   guard = onCleanup (@() release (in, out, pid));
   start = tic ();
@@ -29,5 +30,6 @@ endfunction
 function release (in, out, pid)
   fclose (in);
   fclose (out);
-  waitpid (pid, WNOHANG);
+  kill (pid, SIG ().TERM);
+  waitpid (pid);
 endfunction

@@ -33,3 +33,25 @@ check 'a compilation: the time that is left' \
 octave-cli -qf "$work/long.m" >"$work/log" 2>&1 </dev/null
 check 'nothing of it in a log' fails grep -qE ' s left|[0-9] s so far' "$work/log"
 check 'nor in the log of the derivation' fails grep -q 'so far' "$work/out/slider_crank.log"
+
+# Ctrl-C in a derivation and in a compilation that Octave has started
+ends() {
+  ended=$1; shift
+  python3 tests/tools/typed.py "$@" >"$work/typed" 2>&1
+  sed 's/^/   /' "$work/typed"
+  check "$ended: the prompt comes at once" grep -q 'prompt after [01]\.' "$work/typed"
+  check "$ended: the session goes on" grep -q '^alive' "$work/typed"
+  check "$ended: nothing of it goes on" grep -q '^left: 0' "$work/typed"
+}
+path="addpath (\"$root/octave\");"
+ends 'Ctrl-C in a derivation' 2 "$path" \
+  "gsmbp_derive (\"$root/examples/stewart/stewart.mac\", \"$work/cut\");"
+check 'Ctrl-C in a derivation: nothing half-written' \
+  test -z "$(ls "$work/cut" | grep -v '\.log$')"
+cp "$work"/out/slider_crank.* "$work/cut"
+ends 'Ctrl-C in a compilation' 1.5 "$path" \
+  "m = gsmbp_build (\"slider_crank\", \"directory\", \"$work/cut\", \"precision\", \"quad\");"
+check 'Ctrl-C in a compilation: its lock is let go' \
+  timeout 5 flock "$work/cut/build/quad/slider_crank/lock" true
+check 'Ctrl-C in a compilation: no module' \
+  test -z "$(find "$work/cut" -name '*.oct')"
