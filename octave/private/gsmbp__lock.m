@@ -1,8 +1,8 @@
 ## guard = gsmbp__lock (who, folder)
 ## FOLDER is this session's alone until GUARD is cleared; who comes second waits.  A process of its
 ## own holds the lock (flock of util-linux) as long as its input is open: a session that is killed
-## leaves none behind; what Ctrl-C has left running, and holds that input, does not keep it.  Without
-## flock nobody waits.
+## leaves none behind; what Ctrl-C has left running, and holds that input, does not keep it.
+## Without flock nobody waits.
 
 function guard = gsmbp__lock (who, folder)
   file = strrep (fullfile (folder, "lock"), "'", "'\\''");
