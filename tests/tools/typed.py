@@ -1,6 +1,6 @@
 """typed.py SECONDS LINE ...: types lines at Octave in a terminal, Ctrl-C SECONDS after the last
-one; prints how long the prompt then took, what a sum typed there gives, and how many processes of the
-session are left a second later."""
+one; prints how long the prompt then took, what a sum typed there gives, and how many processes
+of the session are left a second later."""
 import os
 import pty
 import select
