@@ -93,28 +93,43 @@ event_times (const carried& c, const number *s, const number *v, const number *g
     }
 }
 
-// is another event just coming at the same instant, whose time changes in another way?
-static int
-another (carried& c, number t, const number *x, const number *v, const int *mode, int k,
-         const number *f, const number *slopes)
+// is event I just coming, along the motion with the rates F?  G: its derivatives
+static bool
+is_coming (carried& c, number t, const number *x, const number *v, const int *mode, int i,
+           const number *f, const number *slopes, number value, number *g, number *rate)
 {
-  const gs_events e = c.plan->events ();
+  if (c.plan->events ().mark[i - 1] != 1
+      || event_slope (c, t, x, v, mode, i, f, slopes, g, rate) != 0)
+    return false;
+  number size = 0;
+  for (int j = 0; j < S.nx; j++)
+    size += magnitude (g[j] * f[j]);
+  return *rate < number (-1e-9) * size   // else it is one by rounding errors
+         && magnitude (value) <= 10 * event_tolerance (c, g, x)
+         && value <= -10 * *rate * moment (c, x, f);
+}
+
+// Another event may just be coming at the instant of event K: columns by which its time changes in
+// another way are given up.  One that only reports matters to nobody, but has its own time.
+static void
+give_up_apart (carried& c, number t, number *x, const number *v, const int *mode, int k,
+               const number *f, const number *slopes)
+{
   reals values = room (S.nev), g = room (S.nx + S.nv + S.nsp + 1), tau = room (c.count ());
   routine ("evt") (&t, x, v, mode, &(*c.cst)[0], &values[0]);
+  c.reports.assign (S.nev, reals ());
   for (int i = 1; i <= S.nev; i++)
     {
       number rate = 0;
-      if (i == k || e.mark[i-1] != 1
-          || event_slope (c, t, x, v, mode, i, f, slopes, &g[0], &rate) != 0
-          || ! (magnitude (values[i-1]) <= 10 * event_tolerance (c, &g[0], x))
-          || ! (rate < 0 && values[i-1] <= -10 * rate * moment (c, x, f)))
+      if (i == k || ! is_coming (c, t, x, v, mode, i, f, slopes, values[i-1], &g[0], &rate))
         continue;
       event_times (c, x + S.nx, v, &g[0], rate, &tau[0]);
-      for (int j = 0; j < c.count (); j++)
+      if (! c.changes[i-1])
+        c.reports[i-1] = tau;
+      for (int j = 0; j < c.count () && c.changes[i-1]; j++)
         if (! (magnitude (tau[j] - c.tau[j]) <= number (1e-6) * magnitude (c.tau[j])))
-          return i;
+          give_up (c, x, j, t, k, c.several);
     }
-  return 0;
 }
 
 // the first event of an instant, K: dtau/dp, and S along the motion
@@ -133,8 +148,8 @@ begin_instant (carried& c, number t, number *x, const int *mode, int k)
     give_up_moved (c, x, t, k, c.no_numbers);
   else if (grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate))
     give_up_moved (c, x, t, k, c.grazing);
-  else if (another (c, t, x, &v[0], mode, k, &f[0], &slopes[0]))
-    give_up_moved (c, x, t, k, c.several);
+  else
+    give_up_apart (c, t, x, &v[0], mode, k, &f[0], &slopes[0]);
   for (int j = 0; j < c.count (); j++)
     for (int i = 0; i < S.nx; i++)
       x[i + S.nx * (j + 1)] += f[i] * c.tau[j];
@@ -292,6 +307,7 @@ open_instant (carried& c, number t, number *x, const number *v, const int *mode,
 {
   const int cause = *c.plan->events ().cause;
   std::fill (c.tau.begin (), c.tau.end (), number (0));
+  c.reports.assign (S.nev, reals ());
   if (emitted ("urp"))
     onto_loops (c, t, x);
   const reals states (x, x + c.nx);
@@ -320,7 +336,8 @@ gsmbp_reset_with_columns (const number *t, number *x, number *v, int *mode, cons
   if (! changes && ! c.within && *e.cause > 0)
     tell_reported (c, *t, x, mode, *k);
   else if (! changes)
-    tell_times (c, c.within ? c.tau : room (c.count ()));
+    tell_times (c, ! c.within ? room (c.count ()) : c.reports[*k - 1].empty () ? c.tau
+                                                  : c.reports[*k - 1]);
   if (! changes)
     return routine ("rst") (t, x, v, mode, k, cst, info);
   if (! c.within)

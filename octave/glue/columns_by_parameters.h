@@ -31,6 +31,7 @@ struct carried
   bool within;            // of the events of an instant one is done
   reals vt;               // derivatives of its inputs along the motion, NV x columns
   std::vector<double> times;   // dtau/dp of all events, event by event; not a number: there is none
+  std::vector<reals> reports;  // ... of those that come at this instant and only report
   std::vector<char> changes;   // of each event function: its event changes what follows
   int nx;                 // of the states with all columns
 

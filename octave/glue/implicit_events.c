@@ -386,10 +386,15 @@ changed (const gs_run *s, int count)
 }
 
 /* the end of the step at the event: S->event, onto the constraints where it is the polynomial's;
- * then the rows before it, and what happens at event I; INFO */
+ * then the rows before it, and what happens at event I, where other functions may have risen above
+ * 0 before it; INFO */
 static int
 act (gs_run *s, const place *p)
 {
+  gs_events e = plan (s);
+  for (int i = 0; i < e.ne && p->t - p->begin > shortest (p->begin, p->t); i++)
+    if (e.kind[i] >= OWN)
+      e.mark[i] |= e.marks[i];
   if (! s->by->dense)
     memcpy (s->event, s->y, sizeof (double) * s->r->nx);
   else if (gs_projects (s->r) && gs_check (s, s->project, p->t, s->event, gs_no_jump) != 0)

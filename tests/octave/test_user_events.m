@@ -9,6 +9,18 @@ function test_user_events ()
   pendulum ();
   crank ();
   many ();
+  pair ();
+end
+
+## two balls that bounce together, with a step from one bounce to the next
+function pair ()
+  m = gsmbp_fixture ("sensitivity_pair");
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode", "auto"}
+    r = gsmbp_simulate (m, [1; 1; 0; 0], [0 1.5], "method", method{1});
+    gsmbp_check (["both bounce twice, " method{1}], ...
+                 isequal (sort (r.events.number'), [1 1 2 2]) ...
+                 && all (r.x(end,1:2) > 0.4));
+  end
 end
 
 ## thrown back with -e times its speed: every bounce and every top in closed form

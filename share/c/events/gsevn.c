@@ -82,6 +82,15 @@ accumulates (const gs_system *g, const gs_events *a, const gs_step *e, double h,
   return info;
 }
 
+/* functions of the user that have been above 0 before an event count as such */
+static void
+above_before (const gs_events *a)
+{
+  for (int i = 0; i < a->ne; i++)
+    if (gs_is_own (a, i))
+      a->mark[i] |= a->marks[i];
+}
+
 int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
@@ -125,6 +134,8 @@ gsevn (const gs_system *g, gs_step *e, int *found)
         *found = -1;
       if (e->tn - e->t > instant)
         *a.since = 0;
+      if (info == 0 && *found > 0 && e->tn - e->t > instant)
+        above_before (&a);
       return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
     }
   else if (*found == 0)

@@ -39,6 +39,7 @@ C     whatever the inputs do); its zero by the method of Illinois. The
 C     part before it is looked at again in the same way: there may be an
 C     earlier one.  Where a function of the user has just had its event
 C     more points are closer and closer to the beginning of the step.
+C     Those of the user that have been above 0 before it count as such.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
 C     as any other.
@@ -53,7 +54,7 @@ C
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
      $                   I, NS, FIRST
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR
-      LOGICAL            HELD, FINE
+      LOGICAL            HELD, FINE, LATER
       EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSUSC,
      $                   GSUSZ
 C
@@ -130,8 +131,13 @@ C     -- functions that have not risen above 0 since their last event
          IF ( ERR.GT.TH .AND.
      $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) )
      $      FOUND = -1
-         IF ( TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) IE(4) = 0
+         LATER = TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) )
+         IF ( LATER ) IE(4) = 0
          IF ( INFO.EQ.0 .AND. FOUND.GT.0 ) THEN
+            DO 25 I = 1, NE
+               IF ( METHOD.NE.0 .AND. LATER .AND. IE(JL+I).EQ.1 .AND.
+     $              IE(JK+I).GT.2 ) IE(JA+I) = 1
+   25       CONTINUE
             CALL GSUSZ( T, TN - T, NX, FIRST, IE, RE, ISTAT(19), INFO )
             IF ( INFO.NE.0 ) ISTAT(6) = INFO
             IF ( INFO.NE.0 ) ISTAT(7) = 7
