@@ -88,8 +88,7 @@
 ## @item "index2"
 ## methods radau and auto: loops in index 2.  At the stages of a step speeds are on the constraints
 ## instead of accelerations, with multipliers of their own; the end is moved onto the constraints.
-## Mostly as accurate as "projection" in as many steps, which take half as long again and more;
-## fewer turns where springs in loops are very stiff and errors small
+## Mostly as accurate as "projection" in as many steps, which take half as long again and more
 ## @end table
 ##
 ## @table @code

@@ -36,6 +36,8 @@ typedef struct
   int settles;                                      /* are the constraints known where J is of? */
   int fresh, stale;                                 /* Jacobian: of this state; to be taken anew */
   int first, after_rejection, quiet;                /* QUIET: steps without a change of order */
+  int wait;                                         /* ... after the next fall behind a rise */
+  long risen;                                       /* steps since the order rose */
   double past_h, wish, old_h, old_error;
   long tests, jacobians, newton, diverged, projections;   /* rejected steps by cause, work */
 } radau;
@@ -261,6 +263,37 @@ correct (radau *w)
     }
 }
 
+/* are the inputs at the last state no numbers? */
+static int
+no_inputs (const gs_run *s)
+{
+  for (int k = 0; k < s->r->nv; k++)
+    if (! (fabs (s->v[k]) <= 1e300))
+      return 1;
+  return 0;
+}
+
+/* Are the stages going to be found, after a turn of the size SIZE behind one of the size LAST?  The
+ * second turn puts right what the first did to stiff springs and may be as large: then the third
+ * tells.  RATIO: of the sizes of the turns before.  SHRINK: as in STAGES. */
+static int
+converges (radau *w, double size, double last, double *ratio, double *shrink)
+{
+  int left = w->newton_limit - w->turns;
+  double now = size / last;
+  w->theta = w->turns == 2 ? now : sqrt (now * *ratio);
+  *ratio = now;
+  w->contraction = w->theta < 0.99 ? w->theta / (1 - w->theta) : 99;
+  if (w->turns == 2 && now < 2)
+    return 1;
+  if (w->theta >= 0.99)
+    return 0;
+  double end = w->contraction * size * pow (w->theta, left) / w->enough;
+  if (end >= 1)
+    *shrink = 0.8 * pow (fmin (end, 20), -1.0 / (4 + left));
+  return end < 1;
+}
+
 /* The stages of the step H.  SHRINK: by what the step is to be multiplied where they were not
  * found. */
 static int
@@ -277,29 +310,13 @@ stages (gs_run *s, double h, double *shrink)
     return info < 0 ? -1 : NO_STATE;
   for (w->turns = 1; w->turns <= w->newton_limit; w->turns++)
     {
-      int left = w->newton_limit - w->turns;
       if ((info = defects (s, h)) != 0)
-        return info < 0 ? -1 : NO_STATE;
+        return info < 0 && ! (w->turns > 1 && no_inputs (s)) ? -1 : NO_STATE;
       correct (w);
       w->newton++;
       double size = norm (w, w->stages, w->dz);
-      if (! (size < 1e30))
+      if (! (size < 1e30) || (w->turns > 1 && ! converges (w, size, last, &ratio, shrink)))
         return SLOW;
-      if (w->turns > 1)
-        {
-          double now = size / last;
-          w->theta = w->turns == 2 ? now : sqrt (now * ratio);
-          ratio = now;
-          if (w->theta >= 0.99)
-            return SLOW;
-          w->contraction = w->theta / (1 - w->theta);
-          double end = w->contraction * size * pow (w->theta, left) / w->enough;
-          if (end >= 1)
-            {
-              *shrink = 0.8 * pow (fmin (end, 20), -1.0 / (4 + left));
-              return SLOW;
-            }
-        }
       last = fmax (size, DBL_EPSILON);
       for (int i = 0; i < w->n * w->stages; i++)
         w->z[i] += w->dz[i];
@@ -377,6 +394,7 @@ static void
 next_order (gs_run *s, double growth)
 {
   radau *w = s->memory;
+  w->risen++;
   if (w->quiet > 0)
     w->quiet--;
   else if (w->turns > 1 && w->theta >= 0.8 && w->stages > 3)
@@ -386,7 +404,10 @@ next_order (gs_run *s, double growth)
     }
   else if ((w->turns == 1 || w->theta <= 0.002) && growth > 0.8 && growth < 1.2
            && 2 * w->stages + 3 <= s->r->order)
-    take_order (s, w->stages + 2);
+    {
+      take_order (s, w->stages + 2);
+      w->risen = 0;
+    }
 }
 
 /* The step H, to TO or by its length, is good: what the next one begins with.  Factors may stay
@@ -437,7 +458,8 @@ diverged (gs_run *s, double h, double by, int outcome)
   if (w->stages > 3 && w->theta >= 0.99)
     {
       take_order (s, w->stages - 2);
-      w->quiet = 10;
+      w->wait = w->risen > 20 ? 10 : w->wait < 500 ? 2 * w->wait : w->wait;
+      w->quiet = w->wait;
     }
   return again (s, h, by, outcome == SLOW);
 }
@@ -593,6 +615,7 @@ restart (gs_run *s)
   take_scale (s);
   w->first = 1;
   w->of_time = gs_inputs_of_time (s);
+  w->wait = 10;
   w->past_stages = w->quiet = w->after_rejection = w->stale = 0;
   w->contraction = 1;
   w->old_h = 0;
