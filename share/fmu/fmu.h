@@ -5,7 +5,7 @@
 #ifndef GSF_FMU_H
 #define GSF_FMU_H
 
-#include "gsmbp/scene.h"
+#include "gsmbp/integrate.h"
 
 #include <stddef.h>
 
@@ -135,6 +135,7 @@ enum
   GSF_KIND,
   GSF_STALE,      /* 1: parameters or starts were set, 2: a state or the time */
   GSF_ENDED,      /* the event of the user, from 1, that has ended the run, or 0 */
+  GSF_QUIET,      /* communication steps since an input has changed */
   GSF_WHOLES = 8
 };
 /* numbers */
@@ -147,7 +148,9 @@ enum
   GSF_T_EVENT,    /* the last event */
   GSF_T_NEXT,     /* the next one that is known, or 2e300 */
   GSF_T_SWITCH,   /* the next time at which the scene switches, or 2e300 */
-  GSF_NUMBERS = 8
+  GSF_AHEAD_T,    /* where the step behind which the time of co-simulation is has begun, */
+  GSF_AHEAD_H,    /* its length; 0: there is none */
+  GSF_NUMBERS = 10
 };
 
 typedef struct
@@ -166,6 +169,7 @@ typedef struct
   double *level;   /* nev: an event is where its function falls below */
   double *size;    /* nev: functions of the user: the largest value so far */
   double *when;    /* nown: its last event */
+  double *ahead;   /* (nx,11): the states at both ends of that step, its polynomial */
   double *rp;
   /* parts of i */
   int *set;        /* nx: 1 where the start was set */
@@ -268,6 +272,15 @@ int gsf_is_overridden (const gsf_instance *a, int k);
  * that ends the run */
 int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
+
+/* steps beyond a communication point: how far one to the point t may go, in a communication step of
+ * the length h [s]; one is kept, dropped; does it reach t? the state there into xout, 0: it could not be moved onto the
+ * constraints */
+double gsf_beyond (const gsf_instance *a, double t, double h);
+void gsf_keep (gsf_instance *a, const gs_dense *e);
+void gsf_forget (gsf_instance *a);
+int gsf_reaches (const gsf_instance *a, double t);
+int gsf_look (gsf_instance *a, double t);
 
 /* sum over the knowns of the derivative of unknown times seed */
 int gsf_directional (gsf_instance *a, size_t nu, const unsigned *unknowns, size_t nk,

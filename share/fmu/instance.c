@@ -93,7 +93,8 @@ divide (gsf_instance *a)
   a->level = a->z + gsf_ns (m);
   a->size = a->level + s->nev;
   a->when = a->size + s->nev;
-  a->p = a->when + m->nown;
+  a->ahead = a->when + m->nown;
+  a->p = a->ahead + 11 * s->nx;
   a->rp = a->p + gsf_partition_size (s);
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
@@ -108,7 +109,7 @@ static size_t
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
-  return GSF_NUMBERS + m->npar + m->ncst + 3 * s->nx + gsf_ns (m) + 2 * s->nev
+  return GSF_NUMBERS + m->npar + m->ncst + 14 * s->nx + gsf_ns (m) + 2 * s->nev
          + m->nown + gsf_partition_size (s) + gsf_plan_numbers (m);
 }
 

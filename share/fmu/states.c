@@ -348,6 +348,7 @@ prepare (gsf_instance *a)
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, "pre", info);
   gsf_next_switch (a);
+  gsf_forget (a);
   m->start (a->par, a->x);
   for (int i = 0; i < s->nx; i++)
     if (a->set[i])

@@ -98,9 +98,10 @@ gsf_can_step (gsf_instance *a, double t, double h)
   return GSF_OK;
 }
 
-/* from the time that is reached to t, or to the next event of the user */
+/* from the time that is reached to t, the end of a communication step of the length h, or to the
+ * next event of the user */
 static int
-run_on (gsf_instance *a, double t)
+run_on (gsf_instance *a, double t, double h)
 {
   const gs_scene *s = a->m->scene;
   const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 };
@@ -122,22 +123,48 @@ run_on (gsf_instance *a, double t)
   run.ldv = s->nv > 1 ? s->nv : 1;
   run.w = a->w;
   run.lw = gs_room (s, s->nx, 0);
+  run.beyond = gsf_beyond (a, t, h);
   int info = gssim (s, &run);
   if (info != GS_DONE && info != GS_ENDED)
     return run_failed (a, &run, info);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
+  gsf_keep (a, &run.last);
   arrive (a, info == GS_DONE ? t : run.rstat[GS_T_REACHED]);
   return GSF_OK;
+}
+
+/* through the step that goes beyond the time, to t or to its end; is t reached? */
+static int
+go_ahead (gsf_instance *a, double t)
+{
+  if (! (a->d[GSF_AHEAD_H] > 0))
+    return 0;
+  const int reached = gsf_reaches (a, t);
+  const double end = reached ? t : a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H];
+  if (! gsf_look (a, end))
+    {
+      gsf_forget (a);
+      return 0;
+    }
+  arrive (a, end);
+  if (! reached)
+    a->d[GSF_AHEAD_H] = 0;
+  return reached;
 }
 
 int
 gsf_step (gsf_instance *a, double t)
 {
+  const double h = t - a->d[GSF_T];
   options (a);
+  if (a->i[GSF_QUIET] < 2)
+    a->i[GSF_QUIET]++;
+  if (go_ahead (a, t))
+    return gsf_watch (a);
   int status = a->m->nown > 0 ? gsf_happens (a, -1) : GSF_OK;
   while (status == GSF_OK && a->d[GSF_T] < t && a->i[GSF_ENDED] == 0)
     {
-      status = run_on (a, t);
+      status = run_on (a, t, h);
       gsf_tally (a);
     }
   return status ? status : gsf_watch (a);

@@ -147,6 +147,8 @@ gsf_set (gsf_instance *a, unsigned reference, double value)
                      a->m->names[reference]);
   if (a->i[GSF_PHASE] == GSF_DONE)
     return gsf_fail (a, GSF_ERROR, "%s: the instance is terminated", a->m->names[reference]);
+  if (! (a->rp[a->m->inputs[k]] == value))
+    gsf_forget (a);
   a->rp[a->m->inputs[k]] = value;
   return GSF_OK;
 }

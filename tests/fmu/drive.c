@@ -2,7 +2,8 @@
  * sources of an FMU; STANDARD is 2 or 3. Prints a line `ok` or `not ok` for each check.
  *
  * Arguments: the end of the run [s], the number of wrong sequences (0: starts alone; -1: a run in
- * which margins of devices are passed alone), the value of all inputs. */
+ * which margins of devices are passed alone; -2: short communication steps alone), the value of all
+ * inputs. */
 #include "fmu/fmu.h"
 
 #include <locale.h>
@@ -511,6 +512,8 @@ impossible_starts (void)
         "are refused");
 }
 
+#include "short_steps.h"
+
 int
 main (int argc, char **argv)
 {
@@ -524,6 +527,11 @@ main (int argc, char **argv)
       snprintf (text, sizeof text, "%.1f", 1.5);
       told (strcmp (text, "1,5") == 0, "decimals have a comma");
     }
+  if (argc > 2 && atoi (argv[2]) == -2)
+    {
+      short_steps (end);
+      return 0;
+    }
   if (argc > 2 && atoi (argv[2]) < 0)
     {
       passing (end);
@@ -533,6 +541,7 @@ main (int argc, char **argv)
   if (argc > 2 && atoi (argv[2]) == 0)
     return 0;
   cosimulation (end);
+  short_steps (end);
   threads (end);
   exchange (end);
   wrong (argc > 2 ? atoi (argv[2]) : 100);

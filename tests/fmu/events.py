@@ -204,6 +204,7 @@ def bounce():
         wanted.append(wanted[-1] + 2*v/g)
     wanted.pop()
     for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-12),
+                               ('short steps', cosimulation, 0.0017, 1e-12),
                                ('model exchange', exchange, 0.0113, 1e-9)):
         each, times = counted('hit')
         a, end = run({'y': 1.0}, 5.0, h, each)
@@ -236,6 +237,7 @@ def thermostat():
     cold, hot = [math.log(1.5) + k*math.log(4) for k in range(4)], []
     hot = [t + math.log(2) for t in cold]
     for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-9),
+                               ('short steps', cosimulation, 0.0017, 1e-9),
                                ('model exchange', exchange, 0.0113, 1e-8)):
         for name, wanted in (('cold', cold), ('hot', hot)):
             each, times = counted(name)

@@ -25,6 +25,15 @@ enum
   GS_ENDED = 11        /* an event of the user has ended the run */
 };
 
+/* a step of gsdp8 with its polynomial, see gsdpv */
+typedef struct
+{
+  double t, h;        /* where it begins, its length [s] */
+  const double *x;    /* nx: the state at t */
+  const double *xn;   /* nx: the state at t + h */
+  const double *f;    /* (nx,13): as gsdpd has left it */
+} gs_dense;
+
 /* the arguments of GSSIM beside the scene; what SIZ and TIM hold has names of its own */
 typedef struct
 {
@@ -53,6 +62,9 @@ typedef struct
   double rstat[20];
   double *w;          /* lw: workspace; first nu entries: the guess of the planned motion */
   int lw;             /* >= gs_room */
+  double beyond;      /* method 8: the last step may end so far behind the last output time [s];
+                         0: it ends there, as always in the GSSIM of Fortran */
+  gs_dense last;      /* written where it did, else its h is 0; it lies in w */
 } gs_run;
 
 /* one step through a position where the constraints lose rank, and what is remembered from one such
@@ -87,6 +99,8 @@ typedef struct
   double hmax;        /* the largest step [s] */
   int it, ib;         /* the next output time and the next break, from 0 */
   double tb;          /* the next stop [s] */
+  double until;       /* tb, or the time behind it up to which a step may go [s] */
+  int strict;         /* 1: the next one must, for behind it is an event, or something fails */
   double tend;        /* the next break, sample or end of the run [s] */
   double ts;          /* the next sample [s] */
   double *switches;   /* nsw: times at which the scene switches [s] */

@@ -21,7 +21,7 @@ gsdpo (gs_course *c, double tn, int side, double h, double *off)
       *off = gsdpq (g, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k, c->f + 2 * g->nx);
       info = *off <= 1.0 || g->ip[GS_EVENTS] > 0 ? 0 : 90;   /* gsevn has seen the step */
     }
-  for (; info == 0 && r->tout[k] < tn; k++)
+  for (; info == 0 && k < r->nt && r->tout[k] < tn; k++)
     {
       const double t = r->tout[k];
       double *x = r->xout + (size_t)r->ldx * k, *v = r->vout + (size_t)r->ldv * k;

@@ -12,31 +12,34 @@
 /* of gsdpo: the polynomial is not as accurate as the step */
 enum { INACCURATE = 90 };
 
-/* the length of the step and its end: no short one is left before the stop */
-static gs_step
-lengthen (const gs_course *c, double h)
-{
-  gs_step e = { .method = c->g.iopt[GS_METHOD], .t = c->t, .h = h, .tn = c->t + h, .side = 1,
-                .x = c->x, .xn = c->xn, .f = c->f };
-  if (c->t + 1.01 * h >= c->tb)
-    {
-      e.h = c->tb - c->t;
-      e.tn = c->tb;
-      e.side = c->side;
-    }
-  else if (c->t + 2.0 * h > c->tb)
-    {
-      e.h = 0.5 * (c->tb - c->t);
-      e.tn = c->t + e.h;
-    }
-  return e;
-}
-
 /* is the least pivot far from 0? */
 static int
 is_far (const double *p)
 {
   return p[GS_PIVOT] >= 0.25 * p[GS_LARGEST];
+}
+
+/* the length of the step and its end: no short one is left before the stop, or before the time
+ * where a step may end behind it */
+static gs_step
+lengthen (const gs_course *c, double h)
+{
+  const int free = c->until > c->tb && c->strict == 0 && is_far (c->g.p);
+  const double tb = free ? c->until : c->tb;
+  gs_step e = { .method = c->g.iopt[GS_METHOD], .t = c->t, .h = h, .tn = c->t + h, .side = 1,
+                .x = c->x, .xn = c->xn, .f = c->f };
+  if (c->t + 1.01 * h >= tb)
+    {
+      e.h = tb - c->t;
+      e.tn = tb;
+      e.side = free ? -1 : c->side;
+    }
+  else if (c->t + 2.0 * h > tb)
+    {
+      e.h = 0.5 * (tb - c->t);
+      e.tn = c->t + e.h;
+    }
+  return e;
 }
 
 /* the step e was good: the next one, statistics, the event in it. dense: the longest step with
@@ -52,7 +55,7 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   fac = gs_max (fac, 1.0 / 3.0);
   if (h >= 0.99 * c->next || h * fac > c->next)
     c->next = h * fac;
-  if (dense > 0.0 && c->run->tout[c->it] < e->tn + c->next)
+  if (dense > 0.0 && (c->it >= c->run->nt || c->run->tout[c->it] < e->tn + c->next))
     c->next = gs_min (c->next, dense);
   c->t = e->tn;
   g->rstat[GS_H_LEAST] = gs_min (g->rstat[GS_H_LEAST], h);
@@ -147,6 +150,11 @@ gsdpt (gs_course *c, double htry, int *taken)
         err = 1e10;
       if (failed == 10 && g->istat[GS_FAILED] == 7)
         return GS_ROUTINE_FAILED;
+      if (failed == 0 && event > 0 && e.tn > c->tb)
+        {
+          c->strict = 1;
+          return 0;
+        }
     }
   if (failed == 0 && err <= 1.0)
     failed = gsdpc (c, e.tn);
@@ -161,8 +169,13 @@ gsdpt (gs_course *c, double htry, int *taken)
       dense = h * gs_max (0.3, 0.9 * pow (gs_max (off, 1e-8), -0.125));
     }
   if (failed != 0 || ! (err <= 1.0))
-    return reject (c, e.h, err, failed, dense);
+    {
+      c->strict |= e.tn > c->tb && failed != 0 && failed != INACCURATE;
+      return reject (c, e.h, err, failed, dense);
+    }
   *taken = 1;
+  if (c->it >= c->run->nt)
+    c->run->last = (gs_dense){ .t = c->t, .h = e.h, .x = c->x, .xn = c->xn, .f = c->f };
   return accept (c, &e, err, loose, event, dense);
 }
 

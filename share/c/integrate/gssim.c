@@ -77,7 +77,7 @@ stop_to_stop (gs_course *c)
           c->after = 0;
         }
       info = r->iopt[GS_METHOD] == 4 ? gsrks (c) : gsdps (c);
-      if (info != 0)
+      if (info != 0 || c->it >= r->nt)
         return info;
 
       /* the inputs at the stop, from the left, for the record */
@@ -176,11 +176,13 @@ gsini (const gs_scene *s, gs_run *run, gs_course *c)
       run->rstat[i] = 0.0;
     }
   run->rstat[GS_R_PIVOT] = 1.0;
+  run->last.h = 0.0;
   run->w[s->nu * (run->ip[GS_DERIVATIVES] + 1) + 1] = 0.0; /* for gsfol: a guess */
   memcpy (c->x, run->x0, run->nx * sizeof (double));
   gspst (s->nq, s->nu, s->nlam, run->iopt, c->g.p);
   c->t = run->t0;
   c->hmax = run->tout[run->nt - 1] - run->t0;
+  c->hmax += run->beyond;
   if (run->ropt[2] > 0.0)
     c->hmax = gs_min (c->hmax, run->ropt[2]);
   run->rstat[GS_H_LEAST] = c->hmax;

@@ -75,6 +75,12 @@ next_stop (gs_course *c)
       c->tb = gs_min (c->tb, next);
     }
   c->tend = gs_min (gs_min (r->tout[r->nt - 1], c->ts), next);
+  c->until = c->tb;
+  c->strict = 0;
+  const double soon = gs_min (c->ts, next);
+  if (r->iopt[GS_METHOD] == 8 && r->beyond > 0.0 && c->tb >= r->tout[r->nt - 1]
+      && soon > c->tb + 8.0 * eps * fabs (c->tb))
+    c->until = gs_min (c->tb + r->beyond, soon);
 }
 
 int
