@@ -273,9 +273,9 @@ int gsf_is_overridden (const gsf_instance *a, int k);
 int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
 
-/* steps beyond a communication point: how far one to the point t may go, in a communication step of
- * the length h [s]; one is kept, dropped; does it reach t? the state there into xout, 0: it could not be moved onto the
- * constraints */
+/* steps beyond a communication point: how far one to the point t may go, in a communication step
+ * of the length h [s]; one is kept, dropped; does it reach t? the state there into xout, 0: it
+ * could not be moved onto the constraints */
 double gsf_beyond (const gsf_instance *a, double t, double h);
 void gsf_keep (gsf_instance *a, const gs_dense *e);
 void gsf_forget (gsf_instance *a);
