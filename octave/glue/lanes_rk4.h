@@ -156,79 +156,75 @@ lane_group::watch_alone (int lane)
                     l.stages () + s.nx, &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
 }
 
+// what an iteration of GSSTF knows of the lanes
+struct lane_growth
+{
+  double old[lane_count] = { }, sum[lane_count] = { };
+  int equal[lane_count] = { };
+
+  // after a turn that let CHANGE grow so: has it ended? Then the eigenvalue, else 0
+  double settled (int k, double growth, int turn)
+  {
+    equal[k] = std::fabs (growth - old[k]) > 0.02 * growth ? 0 : equal[k] + 1;
+    old[k] = growth;
+    sum[k] += turn > 8 ? std::log (growth) : 0;
+    return equal[k] == 3 ? growth : turn == 32 ? std::exp (sum[k] / 24) : 0;
+  }
+};
+
+// rates at the states of the runs; where to GSSTF looks first, one by the usual sizes of the states
+void
+lane_group::begin_eigenvalues (double *base, double *change, double *size)
+{
+  const double rtol = m_ropt[1];
+  for (int j = 0, i = 0; j < m_s.nx; j++)
+    for (int k = 0; k < lane_count; k++, i++)
+      {
+        const double x = std::fabs (m_x.begin ()[i]),
+                     one = x + (rtol > 0 ? m_ropt[3 + j] / rtol : 1);
+        size[i] = one > 0 ? 1 / one : 1;
+        change[i] = (0.5 + std::fmod (0.618 * (j + 1), 1.0)) / size[i];
+      }
+  for (int k = 0; k < lane_count; k++)
+    m_stage_t(0, k) = m_c(c_t, k);
+  call_rates (m_x.begin (), base);
+}
+
 // GSSTF for all lanes that are due
 void
 lane_group::eigenvalues (const bool *due, double *rho, int *state)
 {
-  const int nx = m_s.nx;
-  const double d = std::sqrt (DBL_EPSILON), rtol = m_ropt[1];
-  double old[lane_count] = { }, sum[lane_count] = { };
-  int equal[lane_count] = { };
-  bool goes[lane_count];
+  const double d = std::sqrt (DBL_EPSILON);
+  lane_growth g;
+  lane_array& goes = m_live;
   double *base = m_f.begin (), *change = base + m_numbers, *size = change + m_numbers;
+  auto fine = [this] (int k) { return m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3; };
+  begin_eigenvalues (base, change, size);
   for (int k = 0; k < lane_count; k++)
     {
-      goes[k] = due[k];
+      if (due[k])   // others may have no run
+        m_l[k].r.istat[12]++;
+      goes(0, k) = due[k] && fine (k);
       rho[k] = 0;
       state[k] = 1;
-      m_stage_t(0, k) = m_c(c_t, k);
-      for (int j = 0, i = k; j < nx; j++, i += lane_count)
-        {
-          const double x = std::fabs (m_x.begin ()[i]);
-          size[i] = rtol > 0 ? x + m_ropt[3 + j] / rtol : x + 1;
-          size[i] = size[i] > 0 ? size[i] : 1;
-          change[i] = size[i] * (0.5 + std::fmod (0.618 * (j + 1), 1.0));
-        }
     }
-  call_rates (m_x.begin (), base);
-  for (int k = 0; k < lane_count; k++)
+  bool some = true;
+  for (int turn = 1; turn <= 32 && some; turn++)
     {
-      if (due[k])
-        m_l[k].r.istat[12]++;
-      goes[k] = goes[k] && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
-    }
-  for (int turn = 1; turn <= 32 && std::any_of (goes, goes + lane_count, [] (bool g) { return g; });
-       turn++)
-    {
-      for (int k = 0; k < lane_count; k++)
-        {
-          double s = 0;
-          for (int j = k; j < m_numbers; j += lane_count)
-            s = std::max (s, std::fabs (change[j]) / size[j]);
-          goes[k] = goes[k] && s > 0 && s <= 1e300;
-          s = goes[k] ? d / s : 0;
-          for (int j = k; j < m_numbers; j += lane_count)
-            m_xs.begin ()[j] = goes[k] ? m_x.begin ()[j] + s * change[j] : m_x.begin ()[j];
-        }
+      fortran {gslnh_} (&m_s.nx, &d, m_x.begin (), change, size, goes.begin (), m_xs.begin ());
       call_rates (m_xs.begin (), change);
+      fortran {gslni_} (&m_s.nx, base, size, change, m_a.begin (), m_b.begin ());
+      some = false;
       for (int k = 0; k < lane_count; k++)
-        {
-          if (! goes[k])
-            continue;
-          m_l[k].r.istat[12]++;
-          double growth = 0;
-          for (int j = 0, i = k; j < nx; j++, i += lane_count)
-            {
-              change[i] -= base[i];
-              if (std::fabs (change[i]) / size[i] > growth)
-                {
-                  growth = std::fabs (change[i]) / size[i];
-                  state[k] = j + 1;
-                }
-            }
-          growth /= d;
-          goes[k] = growth > 0 && (m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3);
-          if (! goes[k])
-            continue;
-          equal[k] = std::fabs (growth - old[k]) > 0.02 * growth ? 0 : equal[k] + 1;
-          old[k] = growth;
-          sum[k] += turn > 8 ? std::log (growth) : 0;
-          if (equal[k] == 3 || turn == 32)
-            {
-              rho[k] = equal[k] == 3 ? growth : std::exp (sum[k] / 24);
-              goes[k] = false;
-            }
-        }
+        if (goes(0, k) > 0)
+          {
+            const double growth = m_a(0, k) / d;
+            m_l[k].r.istat[12]++;
+            state[k] = int (m_b(0, k));
+            rho[k] = growth > 0 && fine (k) ? g.settled (k, growth, turn) : 0;
+            goes(0, k) = growth > 0 && fine (k) && rho[k] <= 0;
+            some = some || goes(0, k) > 0;
+          }
     }
 }
 

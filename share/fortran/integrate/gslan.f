@@ -635,3 +635,99 @@ C$OMP SIMD PRIVATE( H6 )
    40    CONTINUE
       END IF
       END
+      SUBROUTINE GSLNH( NX, D, X, CHANGE, SIZE, GOES, XS )
+C
+C     PURPOSE
+C     Before a turn of GSSTF, all lanes: the states beside those of the
+C     run.
+C
+C     ARGUMENTS
+C     NX      (input) INTEGER, the number of states.
+C     D       (input) DOUBLE PRECISION, how far they are beside them, of
+C             their sizes.
+C     X, CHANGE (input) DOUBLE PRECISION arrays, dimension (K,NX), the
+C             states and where to.
+C     SIZE    (input) DOUBLE PRECISION array, dimension (K,NX), one by
+C             the usual sizes of the states.
+C     GOES    (input/output) DOUBLE PRECISION array, dimension (K), 1
+C             for the lanes that take part; on exit those that CHANGE
+C             does not lead away do no longer.
+C     XS      (output) DOUBLE PRECISION array, dimension (K,NX).
+C
+      IMPLICIT NONE
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
+      DOUBLE PRECISION   D, X(K,NX), CHANGE(K,NX), SIZE(K,NX), GOES(K),
+     $                   XS(K,NX)
+      DOUBLE PRECISION   S(K), F
+      INTEGER            I, L
+C
+      DO 10 L = 1, K
+         S(L) = 0.0D0
+   10 CONTINUE
+      DO 30 I = 1, NX
+C$OMP SIMD PRIVATE( F )
+         DO 20 L = 1, K
+            F = ABS( CHANGE(L,I) )*SIZE(L,I)
+            S(L) = MAX( S(L), F )
+   20    CONTINUE
+   30 CONTINUE
+C$OMP SIMD PRIVATE( F )
+      DO 40 L = 1, K
+         F = GOES(L)
+         IF ( .NOT.( S(L).GT.0.0D0 ) ) F = 0.0D0
+         IF ( .NOT.( S(L).LE.1.0D300 ) ) F = 0.0D0
+         GOES(L) = F
+         IF ( F.LE.0.5D0 ) S(L) = 1.0D0
+         S(L) = F*D/S(L)
+   40 CONTINUE
+      DO 60 I = 1, NX
+C$OMP SIMD PRIVATE( F )
+         DO 50 L = 1, K
+            F = X(L,I)
+            IF ( GOES(L).GT.0.5D0 ) F = F + S(L)*CHANGE(L,I)
+            XS(L,I) = F
+   50    CONTINUE
+   60 CONTINUE
+      END
+      SUBROUTINE GSLNI( NX, BASE, SIZE, CHANGE, GROWTH, AT )
+C
+C     PURPOSE
+C     Behind it: the change of the rates, its largest entry beside the
+C     usual sizes of the states and which one that is, all lanes.
+C
+C     ARGUMENTS
+C     NX, SIZE as GSLNH.
+C     BASE    (input) DOUBLE PRECISION array, dimension (K,NX), the
+C             rates at the states of the run.
+C     CHANGE  (input/output) DOUBLE PRECISION array, dimension (K,NX),
+C             on entry the rates beside them, on exit less BASE.
+C     GROWTH, AT (output) DOUBLE PRECISION arrays, dimension (K).
+C
+      IMPLICIT NONE
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NX
+      DOUBLE PRECISION   BASE(K,NX), SIZE(K,NX), CHANGE(K,NX),
+     $                   GROWTH(K), AT(K)
+      DOUBLE PRECISION   F, G, B
+      INTEGER            I, L
+C
+      DO 10 L = 1, K
+         GROWTH(L) = 0.0D0
+         AT(L)     = 1.0D0
+   10 CONTINUE
+      DO 30 I = 1, NX
+         B = DBLE( I )
+C$OMP SIMD PRIVATE( F, G )
+         DO 20 L = 1, K
+            CHANGE(L,I) = CHANGE(L,I) - BASE(L,I)
+            F = ABS( CHANGE(L,I) )*SIZE(L,I)
+            G = AT(L)
+            IF ( F.GT.GROWTH(L) ) G = B
+            AT(L) = G
+            GROWTH(L) = MAX( GROWTH(L), F )
+   20    CONTINUE
+   30 CONTINUE
+      END
