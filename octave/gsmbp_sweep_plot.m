@@ -104,7 +104,7 @@ function [lines, heads, data, size] = scatter (w, s)
   for j = 1:k
     lines = [lines, {sprintf("set title %s", ...
                              quoted (sprintf ("ranks: %+.2f", w.correlation(j,s.at-k)))), ...
-                     sprintf("set xtics %.9g", step_of (s.p(:,j))), ...
+                     ["set xtics (" tics_of(s.p(:,j)) ")"], ...
                      sprintf("set xlabel %s", quoted (s.labels{j})), ...
                      sprintf("set ylabel %s", quoted ({"", s.labels{s.at}}{1 + first(j)})), ...
                      "$d << END", sprintf("%.9g %.9g\n", [s.p(some,j), s.z(some)]'), "END", ...
@@ -115,10 +115,20 @@ function [lines, heads, data, size] = scatter (w, s)
 endfunction
 
 ## at most four marks of an axis
-function step = step_of (x)
-  step = max (max (x) - min (x), realmin) / 3.5;
-  ten = 10 ^ floor (log10 (step));
-  step = ten * [1, 2, 5, 10](find (step <= ten * [1, 2, 5, 10], 1));
+function tics = tics_of (x)
+  range = max (x) - min (x);
+  if (! (range > 1e-9 * max (abs (x))))   # it does not vary
+    tics = sprintf ("%.9g", x(1));
+    return;
+  endif
+  ten = 10 ^ floor (log10 (range / 4.1));
+  step = ten * [1, 2, 2.5, 5, 10](find (range / 4.1 <= ten * [1, 2, 2.5, 5, 10], 1));
+  at = step * (ceil (min (x) / step):floor (max (x) / step));
+  texts = arrayfun (@(x) sprintf ("%.9g", x), at, "UniformOutput", false);
+  if (numel (at) > 2 && any (cellfun (@numel, texts) > 5))   # more have no room
+    texts = texts([1, end]);
+  endif
+  tics = strjoin (texts, ", ");
 endfunction
 
 function [lines, heads, data, size] = tornado (who, s)
