@@ -10,6 +10,21 @@ function test_user_events ()
   crank ();
   many ();
   pair ();
+  limit ();
+end
+
+## a reaction of a loop that rises through a limit at a steep slope, known but for rounding errors
+function limit ()
+  counts = [];
+  for mass = 1 + [1e-4, 2e-4, 3e-4]
+    m = gsmbp_set (gsmbp_fixture ("sensitivity_kick"), "m", mass);
+    x = gsmbp_assemble (m, [0.5 -0.6 0.38 3 0 0]', "hold", "phi");
+    for tolerance = [1e-10, 1e-13]
+      r = gsmbp_simulate (m, x, [0 0.8], "input", 3, "rtol", tolerance);
+      counts(end+1) = sum (strcmp (r.events.name, "force"));
+    end
+  end
+  gsmbp_check ("it is told once each time", counts == 2);
 end
 
 ## two balls that bounce together, with a step from one bounce to the next

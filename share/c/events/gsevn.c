@@ -165,6 +165,7 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
        int *fine)
 {
   const gs_events p = plan (g);
+  const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
   int j0 = 1;
   for (int i = 0; i < p.ne; i++)
     {
@@ -195,9 +196,10 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
           p.older[i] = p.before[i];
           p.before[i] = p.last[i];
         }
+      const int soon = fabs (b * e->h) <= near;
       for (int i = 0; i < p.ne; i++)
         if (p.last[i] > 0.0)
-          p.marks[i] = 1;
+          p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1);
         else if (p.marks[i] == 1)
           {
             double zero = b;

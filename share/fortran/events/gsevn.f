@@ -175,6 +175,10 @@ C     TH      (output) DOUBLE PRECISION, the fraction where it is 0.
 C     FINE    (output) LOGICAL, true if a function has a lowest value
 C             that these points do not resolve.
 C
+C     METHOD
+C     Where a function of the user has just had its event the sign of
+C     what it is within rounding errors of that time tells nothing.
+C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT
       INTEGER            METHOD, NS, SIDE, NX, NU, NV, IP(*), IE(*),
@@ -183,9 +187,12 @@ C
      $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
       LOGICAL            FINE
       INTEGER            NE, JA, JL, KG, I, J, S, J0
-      DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, GSEVP
-      EXTERNAL           GSEVP, GSEVB, GSEVI
+      DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
+     $                   GSEPS
+      LOGICAL            SOON
+      EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI
 C
+      NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
       NE = IE(1)
       JA = 10 + 3*NE
       JL = 10 + 4*NE
@@ -204,6 +211,7 @@ C
       TH = 2.0D0
       DO 40 J = J0, NS
          B = BE*GSEVP( J, NS )
+         SOON = ABS( B*H ).LE.NEAR
          A = B
          C = 0.0D0
          IF ( J.GT.J0 ) A = B - BE*GSEVP( J - 1, NS )
@@ -231,7 +239,8 @@ C
    20    CONTINUE
          DO 30 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
-               IE(JL+I) = 1
+               IF ( .NOT.( SOON .AND. IE(10+2*NE+I).GT.2 .AND.
+     $              IE(10+5*NE+I).EQ.1 ) ) IE(JL+I) = 1
             ELSE IF ( IE(JL+I).EQ.1 ) THEN
                C = B
                CALL GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H,
