@@ -130,6 +130,11 @@ gsevn (const gs_system *g, gs_step *e, int *found)
       *found = first;
       double err;
       info = gsevs (g, e, first, thf, &err);
+      if (info == 0 && e->wanted && e->tn > *e->wanted)
+        {
+          *found = -2;
+          return 0;
+        }
       if (err > most_error (g) && fabs (e->h) > instant)
         *found = -1;
       if (e->tn - e->t > instant)

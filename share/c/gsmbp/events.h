@@ -117,11 +117,12 @@ typedef struct
   double *f;    /* (nx,13): its stages, the first column are the rates at x */
   double tc, d; /* of gspsg: from tc - d to tc + d [s] */
   int ns;       /* ... with so many stages */
+  const double *wanted; /* a time behind which events are not, or a null pointer */
 } gs_step;
 
 /* the first event within the step e; if there is one the step is done again up to it. found: its
- * number, 0 none, -1 the step is too long to see what happens just after the last event. info: what
- * failed, as istat[5] and istat[6] */
+ * number, 0 none, -1 the step is too long to see what happens just after the last event, -2 it is
+ * not wanted: nothing is done. info: what failed, as istat[5] and istat[6] */
 int gsevn (const gs_system *g, gs_step *e, int *found);
 
 /* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to

@@ -1,6 +1,7 @@
 /* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it; the
  * outputs within it; the length of the next one. */
 #include <math.h>
+#include <stddef.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -27,7 +28,7 @@ lengthen (const gs_course *c, double h)
   const int free = c->until > c->tb && c->strict == 0 && is_far (c->g.p);
   const double tb = free ? c->until : c->tb;
   gs_step e = { .method = c->g.iopt[GS_METHOD], .t = c->t, .h = h, .tn = c->t + h, .side = 1,
-                .x = c->x, .xn = c->xn, .f = c->f };
+                .x = c->x, .xn = c->xn, .f = c->f, .wanted = free ? &c->tb : NULL };
   if (c->t + 1.01 * h >= tb)
     {
       e.h = tb - c->t;
@@ -150,7 +151,7 @@ gsdpt (gs_course *c, double htry, int *taken)
         err = 1e10;
       if (failed == 10 && g->istat[GS_FAILED] == 7)
         return GS_ROUTINE_FAILED;
-      if (failed == 0 && event > 0 && e.tn > c->tb)
+      if (event == -2)
         {
           c->strict = 1;
           return 0;
