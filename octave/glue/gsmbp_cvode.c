@@ -15,6 +15,7 @@
 #include <sundials/sundials_dense.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sunmatrix/sunmatrix_dense.h>
+#include "settle.h"
 #include "sundials_calls.h"
 
 #if SUNDIALS_VERSION_MAJOR != 6
@@ -29,10 +30,37 @@ typedef struct
   SUNLinearSolver solver;
   sunindextype *pivots;
   void *memory;
+  gs_run *run;
+  gs_loops *loops;              /* null: there are none */
+  double gamma, *scale;         /* the factors are those of I - GAMMA*J; of errors */
+  int settles;                  /* are the constraints known where J is of? */
 } bdf;
 
 /* ------------------------------------------------------------
  * what CVODE calls; a positive result: it tries a smaller step */
+
+static void
+solve_own (const void *of, double *x)
+{
+  const bdf *b = of;
+  const sunindextype own = SUNDenseMatrix_Rows (b->matrix);
+  SUNDlsMat_denseGETRS (SUNDenseMatrix_Cols (b->matrix), own, b->pivots, x);
+  for (sunindextype i = 0; i < own; i++)
+    x[i] *= b->gamma;
+}
+
+/* X along what the scene does under forces of its constraints; as gs_settle */
+static int
+settle (gs_run *s, double t, double *x)
+{
+  bdf *b = s->memory;
+  gs_factors by = { .shift = 1 / b->gamma, .solve = solve_own, .of = b };
+  if (! b->settles || gs_completes (s))
+    return -1;
+  for (int i = 0; i < s->r->nx; i++)
+    b->scale[i] = 1 / (s->r->atol[i] + s->r->ropt[1] * fabs (x[i]));
+  return gs_settle (s, b->loops, &by, b->scale, t, x);
+}
 
 static int
 projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector err, void *data)
@@ -41,9 +69,12 @@ projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector 
   const double *x = N_VGetArrayPointer (y);
   double *c = N_VGetArrayPointer (correction);
   (void) eps, (void) err;
-  int info = gs_moved (s, t, x, s->trial);
+  memcpy (c, x, sizeof (double) * s->r->nx);
+  int left = settle (s, t, c), info = 0;
+  if (left != 0)
+    info = gs_moved (s, t, left > 0 ? c : x, s->trial);
   for (int i = 0; info == 0 && i < s->r->nx; i++)
-    c[i] = s->trial[i] - x[i];
+    c[i] = (left != 0 ? s->trial[i] : c[i]) - x[i];
   return info;
 }
 
@@ -59,6 +90,8 @@ static int
 factorize (SUNLinearSolver solver, SUNMatrix A)
 {
   bdf *b = solver->content;
+  b->settles = b->loops && CVodeGetCurrentGamma (b->memory, &b->gamma) == 0
+               && gs_take_loops (b->run, b->loops) == 0;
   return SUNDlsMat_denseGETRF (SUNDenseMatrix_Cols (A), SUNDenseMatrix_Rows (A),
                                SUNDenseMatrix_Columns (A), b->pivots) > 0;
 }
@@ -93,8 +126,14 @@ open_ (gs_run *s)
   if (! b->y || ! b->dense || ! b->atol || ! b->matrix || ! b->memory)
     return 0;
   b->pivots = calloc (own, sizeof (sunindextype));
+  b->scale = calloc (nx, sizeof (double));
   b->solver = SUNLinSolNewEmpty (b->context);
-  if (! b->solver || ! b->pivots)
+  if (! b->solver || ! b->pivots || ! b->scale)
+    return 0;
+  int failed;
+  b->run = s;
+  b->loops = gs_new_loops (s, &failed);
+  if (failed)
     return 0;
   b->solver->content = b;
   b->solver->ops->gettype = direct;
@@ -114,6 +153,8 @@ close_ (gs_run *s)
   if (b->solver)
     SUNLinSolFreeEmpty (b->solver);
   free (b->pivots);
+  free (b->scale);
+  gs_free_loops (b->loops);
   if (b->matrix)
     SUNMatDestroy (b->matrix);
   N_VDestroy (b->y);

@@ -137,12 +137,20 @@ factorize (radau *w, double h)
   return info;
 }
 
+/* the own states */
+static void
+solve_own (const void *of, double *x)
+{
+  const radau *w = of;
+  gsmbp_real_solve (&w->order, w->lu, w->pivots, x, w->ordered_x);
+}
+
 /* the states, then every column of derivatives */
 static void
 solve_real (const radau *w, double *x)
 {
   for (int i = 0; i < w->n; i += w->own)
-    gsmbp_real_solve (&w->order, w->lu, w->pivots, x + i, w->ordered_x);
+    solve_own (w, x + i);
   if (w->index2)
     gs_speeds (w->loops, x);
 }
@@ -471,8 +479,7 @@ settle (gs_run *s, double h, double t)
 {
   radau *w = s->memory;
   double *end = w->error;
-  gs_factors by = { .order = &w->order, .shift = w->rule->root / h, .lu = w->lu,
-                    .pivots = w->pivots, .work = w->ordered_x };
+  gs_factors by = { .shift = w->rule->root / h, .solve = solve_own, .of = w };
   if (! w->settles || gs_completes (s))
     return -1;
   memcpy (end, w->x1, sizeof (double) * w->n);

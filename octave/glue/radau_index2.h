@@ -1,7 +1,7 @@
 /* Loops in index 2 in the steps of gsmbp_radau.c. */
 #ifndef GSMBP_GLUE_RADAU_INDEX2_H
 #define GSMBP_GLUE_RADAU_INDEX2_H
-#include "radau_loops.h"
+#include "settle.h"
 #include "radau_rule.h"
 
 typedef struct gs_index2 gs_index2;

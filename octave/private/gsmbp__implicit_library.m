@@ -13,11 +13,12 @@ function library = gsmbp__implicit_library (who, m, method)
   parts = {"implicit.c", "implicit_rates.c", "implicit_events.c", ["gsmbp_" method ".c"]};
   links = "-lm";
   if (strcmp (method, "radau"))
-    parts = [parts, {"radau_rule.c", "radau_order.c", "radau_solve.c", "radau_loops.c", ...
+    parts = [parts, {"radau_rule.c", "radau_order.c", "radau_solve.c", "settle.c", ...
                      "radau_index2.c"}];
   elseif (strcmp (method, "gauss"))
     parts = [parts, {"gauss_rule.c", "gauss_momenta.c"}];
   elseif (strcmp (method, "cvode"))
+    parts = [parts, {"settle.c", "radau_solve.c"}];
     links = ["-lsundials_cvode -lsundials_nvecserial -lsundials_sunmatrixdense " ...
              "-lsundials_sunlinsoldense -lm"];
   endif

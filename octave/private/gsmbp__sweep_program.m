@@ -67,7 +67,8 @@ endfunction
 
 function take_sources (who, m, folder)
   parts = {"gsmbp_scene.?", "gsmbp_implicit.h", "implicit*.?", "gsmbp_radau.c", "radau_*", ...
-           "gsmbp_cvode.c", "sundials_calls.h", "gsmbp_gauss.c", "gauss_*", "rows.h", "sweep_*"};
+           "gsmbp_cvode.c", "sundials_calls.h", "gsmbp_gauss.c", "gauss_*", "rows.h", ...
+           "settle.?", "sweep_*"};
   for file = glob (gsmbp__place ("octave", "glue", parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor

@@ -1,5 +1,5 @@
-## Collocation of Radau in loops with a stiff spring: steps that the move onto the constraints does
-## not make short, errors against dp853, drift.
+## Collocation of Radau and BDF in loops with a stiff spring: steps that the move onto the
+## constraints does not make short, errors against dp853, drift.
 
 function test_radau_loops ()
   warning ("off", "gsmbp:stiff", "local");
@@ -47,6 +47,15 @@ function steps (m, x0)
                    gap (r, exact) / rtol, 10);
     end
   end
+  for tol = [1e-4, 1e-6]
+    b = gsmbp_simulate (hard, x0, 0:0.05:1, "method", "cvode", "rtol", tol);
+    taken = b.stats.accepted + b.stats.rejected;
+    gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: %d steps, with those that failed", ...
+                          stiffness, tol, taken), taken < 800);
+    gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: error over tolerance", stiffness, tol), ...
+                 gap (b, exact) / tol, 100);
+  end
+  gsmbp_check ("... drift of cvode, m and m/s", [b.stats.drift.phi, b.stats.drift.phidot], 1e-13);
   other = radau (hard, x0, 0:0.05:1, "rtol", rtol, "drift", false);
   gsmbp_check ("the same where drift is not watched", ...
                isequal (other.x, r.x) && other.stats.accepted == r.stats.accepted);

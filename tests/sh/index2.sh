@@ -157,7 +157,7 @@ main (void)
 }
 END
 (cd octave/glue && gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror \
-  -Wno-unused-function -I. -o "$work/stages" "$work/stages.c" radau_index2.c radau_loops.c \
+  -Wno-unused-function -I. -o "$work/stages" "$work/stages.c" radau_index2.c settle.c \
   radau_rule.c radau_solve.c radau_order.c -lm -lpthread) >"$report" 2>&1
 told $? 'the stages compile' "$report"
 "$work/stages" >"$report" 2>&1

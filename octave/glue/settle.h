@@ -1,6 +1,6 @@
-/* The loops of a scene in the steps of gsmbp_radau.c. */
-#ifndef GSMBP_GLUE_RADAU_LOOPS_H
-#define GSMBP_GLUE_RADAU_LOOPS_H
+/* How the steps of gsmbp_radau.c and gsmbp_cvode.c come onto the constraints of loops. */
+#ifndef GSMBP_GLUE_SETTLE_H
+#define GSMBP_GLUE_SETTLE_H
 #include "implicit.h"
 #include "radau_solve.h"
 #include "rows.h"
@@ -18,14 +18,12 @@ typedef struct
   double *slope;                /* null, or with index 2: J is of speeds u + SLOPE q, N x NQ */
 } gs_loops;
 
-/* the factors of SHIFT*I - J; WORK: a number for each state */
+/* SOLVE (OF, X): what solves (SHIFT*I - J) X = X */
 typedef struct
 {
-  const radau_order *order;
   double shift;
-  const double *lu;
-  const int *pivots;
-  double *work;
+  void (*solve) (const void *of, double *x);
+  const void *of;
 } gs_factors;
 
 /* null: the scene has none, or there is no memory, which sets *FAILED */

@@ -10,7 +10,7 @@
    whose springs hold: positions by the coordinates of D, speeds by its speeds over SHIFT. */
 #include <float.h>
 #include <stdlib.h>
-#include "radau_loops.h"
+#include "settle.h"
 
 enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
 
@@ -113,7 +113,7 @@ responses (gs_loops *w, const gs_factors *by)
         u[j] = by->shift * by->shift * w->rows[w->gram.order[k] + w->m * j];
       forward (w->n, w->mass, u);
       backward (w->n, w->mass, u);
-      gsmbp_real_solve (by->order, by->lu, by->pivots, d, by->work);
+      by->solve (by->of, d);
       gs_speeds (w, d);
       for (int j = 0; j < w->n; j++)
         u[j] /= by->shift;
