@@ -309,7 +309,7 @@ gs_new_momenta (const gs_run *s, const gauss_rule *rule, const double *size)
 {
   size_t n = s->r->nu, m = s->r->nlam, k = GAUSS + 1;
   gs_momenta *w = calloc (1, sizeof (gs_momenta));
-  double *next = calloc (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 4 * m
+  double *next = calloc (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 5 * m
                          + (k + 3) * n * m + m * m, sizeof (double));
   int *order = calloc (m + n + 1, sizeof (int));
   double *gram;

@@ -15,14 +15,15 @@ typedef struct
   int n, m, rank;             /* speeds, rows, those that do not depend on others */
   int *order;                 /* M: the rows in the order of their pivots */
   double *S, *solved,         /* M x M: factors of rows M^-1 rows'; N x M: L^-1 rows', M = L L' */
-      *scale, *side;          /* M each */
+      *scale, *side,          /* M each */
+      *most;                  /* M: the largest diagonals of S so far, by row */
 } gs_rows;
 
 /* how many numbers it needs, and their places in ROOM */
 static size_t
 rows_room (size_t n, size_t m)
 {
-  return m * m + n * m + 2 * m;
+  return m * m + n * m + 3 * m;
 }
 
 static void
@@ -35,6 +36,7 @@ place_rows (gs_rows *w, int n, int m, int *order, double *room)
   w->solved = w->S + (size_t) m * m;
   w->scale = w->solved + (size_t) n * m;
   w->side = w->scale + m;
+  w->most = w->side + m;
 }
 
 /* A = L L'; 0: A is not positive definite */
@@ -127,6 +129,21 @@ take_column (gs_rows *w, int k)
       S[i + m * j] -= S[i + m * k] * S[j + m * k];
 }
 
+/* SCALE: what the diagonals of S are measured by, the largest so far; a row that has always been
+   nothing stays nothing */
+static void
+take_scale_of_rows (gs_rows *w)
+{
+  double big = 0;
+  for (int k = 0; k < w->m; k++)
+    {
+      w->most[k] = fmax (w->most[k], w->S[k + w->m * k]);
+      big = fmax (big, w->most[k]);
+    }
+  for (int k = 0; k < w->m; k++)
+    w->scale[k] = fmax (w->most[k], 1e-12 * big);
+}
+
 /* S = L L', its rows in the order of their pivots, as far as they are independent */
 static void
 factorize_rows (gs_rows *w, const double *rows, const double *mass)
@@ -136,8 +153,7 @@ factorize_rows (gs_rows *w, const double *rows, const double *mass)
   for (int k = 0; k < m; k++)
     w->order[k] = k;
   gram (w, rows, mass);
-  for (int k = 0; k < m; k++)
-    scale[k] = S[k + m * k];
+  take_scale_of_rows (w);
   for (w->rank = 0; w->rank < m; w->rank++)
     {
       int k = w->rank, best = k;
