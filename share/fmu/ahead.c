@@ -5,11 +5,13 @@
  * step behind it is as if it had never been. No step goes beyond a sample, a switch, an event or
  * the end of the experiment, so that nothing happens between the two. */
 #include "fmu.h"
+#include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
 #include "gsmbp/partition.h"
 #include "plan.h"
 
+#include <math.h>
 #include <string.h>
 
 /* steps go this many communication steps beyond at most: what happens in short times is seen */
@@ -44,10 +46,12 @@ gsf_keep (gsf_instance *a, const gs_dense *e)
   memcpy (a->ahead + 2 * nx, e->f, 9 * nx * sizeof (double));
 }
 
+/* but for rounding, as samples are met */
 int
 gsf_reaches (const gsf_instance *a, double t)
 {
-  return a->d[GSF_AHEAD_H] > 0 && t <= a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H];
+  const double end = a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H];
+  return a->d[GSF_AHEAD_H] > 0 && t <= end + 8 * gseps () * fabs (end);
 }
 
 /* xout onto the constraints, as the ends of steps are */
