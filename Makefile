@@ -22,8 +22,8 @@ DESTDIR :=
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
-        bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation bench-points \
-        bench-reach bench-robots same doc manual \
+        bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
+        bench-points bench-reach bench-robots bench-peers same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
@@ -84,6 +84,10 @@ make bench-reach           tests/bench/reach.md: all solutions of the PUMA 560 b
                            dynamics (make bench has it, too); PEERS=1: EAIK from PyPI beside
 make bench-robots PEERS=1  tests/bench/robots.md: real robots from URDF (PyPI: example-robot-data)
                            beside Pinocchio; ROBOTS="panda pr2": these only
+make bench-peers           tests/bench/peers.md and figures: whole runs of the PUMA, of six general
+                           links, of a slider-crank, time against error beside SciPy, MuJoCo,
+                           Drake and CasADi's code in the same integrator, all from PyPI (make
+                           bench PEERS=1 has it, too); BENCH_SYSTEMS="puma6": this only
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
@@ -196,6 +200,16 @@ bench-c: packages-test compiled
 bench: packages compiled
 	@mkdir -p tests/bench/out
 	timeout -k 10 7200 $(OCTAVE) tests/bench/run.m </dev/null
+	$(if $(PEERS),$(MAKE) --no-print-directory bench-peers)
+
+bench-peers: packages compiled
+	@mkdir -p tests/bench/out
+	tests/bench/rivals/setup tests/bench/out/peers
+	@for peer in scipy mpmath drake; do \
+	  tests/bench/rivals/environment tests/bench/out/peers $$peer || \
+	    echo "bench-peers: $$peer is not to be had and left out"; done
+	$(ONE_THREAD) timeout -k 10 7200 $(OCTAVE) tests/bench/peers.m \
+	  </dev/null
 
 bench-passages: packages compiled
 	@mkdir -p tests/bench/out

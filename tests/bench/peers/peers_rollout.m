@@ -1,0 +1,60 @@
+## text = peers_rollout (s, peers): 500 runs from scattered starts, by mujoco.rollout with RK4 and
+## by gsmbp_ensemble in lanes with RK4 and dp853, one thread each: at each step of MuJoCo's the
+## fastest of ours whose largest error is no larger.
+
+function text = peers_rollout (s, peers)
+  rand ("twister", 3);
+  x = s.x0 + 0.3 * (2 * rand (500, s.m.sizes.nx) - 1);
+  q = 1:s.m.sizes.nq;
+  starts = fullfile (s.folder, "starts.txt");
+  f = fopen (starts, "w");
+  fprintf (f, [repmat("%.17g ", 1, columns (x)) "\n"], x');
+  fclose (f);
+  best = gsmbp_ensemble (s.m, [], [0, s.end], "starts", x, "rtol", 1e-13, "atol", 1e-14);
+  steps = [0.02, 0.01, 0.005, 0.002, 0.001];
+  [theirs, miss] = deal (NaN (size (steps)));
+  for k = 1:numel (steps)
+    command = sprintf ("cd '%s' && '%s' -W ignore rollout.py '%s' '%s' %g 2>/dev/null", ...
+                       fileparts (mfilename ("fullpath")), ...
+                       fullfile (peers, "venv", "bin", "python"), s.folder, starts, steps(k));
+    [status, told] = system (command);
+    if (status != 0)
+      text = "\n* mujoco.rollout is not here\n";
+      return;
+    end
+    theirs(k) = str2double (told);
+    miss(k) = max (max (abs (load (fullfile (s.folder, "rollout.txt")) - best.final(:,q))));
+  end
+  w = ours (s, x, best.final(:,q));
+  text = "\n| mujoco.rollout, step | error | us a run | GSMBP in lanes, us | by | ratio |\n";
+  text = [text "|---|---|---|---|---|---|\n"];
+  for k = 1:numel (steps)
+    fit = w([w.error] <= miss(k));
+    if (! isempty (fit))
+      [least, j] = min ([fit.seconds]);
+      text = [text, sprintf("| %g | %.1e | %.1f | %.2f | %s %.2g | %.1f |\n", steps(k), miss(k), ...
+                            1e6 * theirs(k), 1e6 * least, fit(j).method, fit(j).setting, ...
+                            theirs(k) / least)];
+    end
+  end
+end
+
+## seconds a run, largest error
+function w = ours (s, x, exact)
+  w = struct ("method", {}, "setting", {}, "seconds", {}, "error", {});
+  for one = {"rk4", "step", 1 ./ round(10 .^ (1.5:0.1:3.2)); "dp853", "rtol", 10 .^ -(1:0.25:10)}'
+    for value = one{3}
+      least = Inf;
+      for k = 1:5
+        e = gsmbp_ensemble (s.m, [], [0, s.end], "starts", x, "method", one{1}, one{2}, value, ...
+                            "threads", 1);
+        least = min (least, e.seconds);
+      end
+      if (! (e.lanes && all (e.ok)))
+        continue;
+      end
+      w(end+1) = struct ("method", one{1}, "setting", value, "seconds", least / rows (x), ...
+                         "error", max (max (abs (e.final(:,1:columns (exact)) - exact))));
+    end
+  end
+end
