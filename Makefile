@@ -300,6 +300,7 @@ clean:
 	rm -rf share/manual/gsmbp-tutorial.ipynb
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
 	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
+	rm -f tests/bench/peers.md
 	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
 	rm -rf tests/bench/reach.md tests/bench/robots.md tests/bench/devices.md tests/bench/devices.json
 	rm -f tests/bench/control.md tests/bench/ensemble.md tests/bench/runs.md
