@@ -97,6 +97,57 @@ gs_speeds (const gs_loops *w, double *x)
       x[w->nq + i] -= w->slope[i + w->n * j] * x[j];
 }
 
+/* X, of forces: what they do through a step; speeds over SHIFT */
+static void
+respond (gs_loops *w, const gs_factors *by, double *x)
+{
+  double *u = x + w->nq;
+  for (int j = 0; j < w->n; j++)
+    u[j] *= by->shift * by->shift;
+  forward (w->n, w->mass, u);
+  backward (w->n, w->mass, u);
+  by->solve (by->of, x);
+  gs_speeds (w, x);
+  for (int j = 0; j < w->n; j++)
+    u[j] /= by->shift;
+}
+
+/* the kinetic energy of speeds, twice, MASS being the factors */
+static double
+energy (int n, const double *mass, const double *u)
+{
+  double sum = 0;
+  for (int j = 0; j < n; j++)
+    {
+      double y = 0;
+      for (int i = j; i < n; i++)
+        y += mass[i + n * j] * u[i];
+      sum += y * y;
+    }
+  return sum;
+}
+
+/* Does anything hold against forces of the constraints, all at once?  Else the metric of the masses
+   says the same as D. */
+static int
+is_held (gs_loops *w, const gs_factors *by)
+{
+  int n = w->n;
+  double *d = w->D, *u = d + w->nq, *free_ = w->here;
+  memset (d, 0, sizeof (double) * w->own);
+  for (int k = 0; k < w->gram.rank; k++)
+    for (int j = 0; j < n; j++)
+      u[j] += w->rows[w->gram.order[k] + w->m * j] / sqrt (w->gram.most[w->gram.order[k]]);
+  memcpy (free_, u, sizeof (double) * n);
+  forward (n, w->mass, free_);
+  backward (n, w->mass, free_);
+  respond (w, by, d);
+  double all = energy (n, w->mass, free_);
+  for (int j = 0; j < n; j++)
+    u[j] -= free_[j];
+  return ! (energy (n, w->mass, u) < 1e-4 * all);
+}
+
 /* D, speeds over SHIFT: what they do to the rates of the constraints stands for what coordinates
    do to the constraints */
 static void
@@ -105,18 +156,16 @@ responses (gs_loops *w, const gs_factors *by)
   if (w->of == by->shift)
     return;
   w->of = by->shift;
+  w->held = w->gram.rank > 0 && is_held (w, by);
+  if (! w->held)
+    return;
   memset (w->D, 0, sizeof (double) * w->own * w->m);
   for (int k = 0; k < w->gram.rank; k++)
     {
-      double *d = w->D + (size_t) w->own * k, *u = d + w->nq;
+      double *d = w->D + (size_t) w->own * k;
       for (int j = 0; j < w->n; j++)
-        u[j] = by->shift * by->shift * w->rows[w->gram.order[k] + w->m * j];
-      forward (w->n, w->mass, u);
-      backward (w->n, w->mass, u);
-      by->solve (by->of, d);
-      gs_speeds (w, d);
-      for (int j = 0; j < w->n; j++)
-        u[j] /= by->shift;
+        d[w->nq + j] = w->rows[w->gram.order[k] + w->m * j];
+      respond (w, by, d);
     }
 }
 
@@ -186,6 +235,8 @@ int
 gs_settle (gs_run *s, gs_loops *w, const gs_factors *by, const double *scale, double t, double *x)
 {
   responses (w, by);
+  if (! w->held)
+    return -1;
   int positions = go_on (s, w, scale, t, x, 0);
   int speeds = positions < 0 ? -1 : go_on (s, w, scale, t, x, 1);
   int whole = positions == 0 && speeds == 0 && w->nq == w->n && s->r->columns == 0;

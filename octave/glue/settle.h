@@ -11,6 +11,7 @@ typedef struct
   gs_rows gram;
   double of;                    /* the shift of D, 0: it is to be taken anew */
   int *pivots;                  /* of B */
+  int held;                     /* do springs or dampers hold against D? */
   double *numbers;              /* all that follow */
   double *mass, *rows;          /* factors of M, the gradients, where J is of */
   double *D;                    /* a column for each row that does not depend on others */
