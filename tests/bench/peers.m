@@ -7,7 +7,8 @@
 ## one process after the other, in turns, the least time of all counts. The truth is the emitted
 ## Fortran in quad precision, and beside it other equations with another integrator in 25 digits
 ## (truth.py). At every error it is told where another one is faster. BENCH_SYSTEMS="puma6 spat6":
-## these only; a peer that PyPI does not have here is told and left out.
+## these only; TURNS=1: how often, 3 otherwise; a peer that PyPI does not have here is told and left
+## out.
 
 here = fileparts (mfilename ("fullpath"));
 root = fileparts (fileparts (here));
