@@ -3,7 +3,7 @@
 
 function peers_figure (file, s, w)
   names = strtrim (strcat ({w.who}, {" "}, {w.method}));
-  shown = {};
+  shown = cell (1, 0);
   for start = {"GSMBP", "CasADi", "SciPy", "MuJoCo", "Drake"}
     of = strncmp (names, start{1}, numel (start{1}));
     shown = [shown, fastest(w(of), names(of), 3)];
@@ -17,9 +17,9 @@ function peers_figure (file, s, w)
     of = strcmp (names, shown{k});
     y(of,k) = max ([w(of).error], 1e-16);
   end
-  gsmbp_plot (file, 1e6 * x', struct ("y", y, "names", {shown}, "label", ...
-                                      "largest error at the end [rad, m]", "style", ...
-                                      "linespoints"), ...
+  panel = struct ("y", y, "label", "largest error at the end [rad, m]", "style", "linespoints");
+  panel.names = shown;
+  gsmbp_plot (file, 1e6 * x', panel, ...
               "xlabel", sprintf ("compute time for %g s [us]", s.end), "scale", "loglog", ...
               "title", [s.name ": speed against error"], "head", "microseconds", ...
               "size", [18, 16]);
@@ -35,9 +35,8 @@ function chosen = fastest (w, names, most)
       won{end+1} = names{fit(k)};
     end
   end
-  [chosen, ~, j] = unique (won, "stable");
-  if (! isempty (chosen))
-    [~, order] = sort (accumarray (j(:), 1), "descend");
-    chosen = chosen(sort (order(1:min (most, end))));
-  end
+  chosen = unique (won);
+  times = cellfun (@(name) nnz (strcmp (won, name)), chosen);
+  [~, order] = sort (times, "descend");
+  chosen = reshape (chosen(order(1:min (most, numel (order)))), 1, []);
 end
