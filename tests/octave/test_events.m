@@ -13,6 +13,7 @@ function test_events ()
   blocks ();
   slow_starts ();
   strut ();
+  by_radau ();
 end
 
 ## 1 kg under 1.5 sin (pi t) N against Coulomb friction of 1 N, from rest: it slides from p = asin
@@ -325,4 +326,22 @@ function strut ()
   gsmbp_check ("a strut that sticks: what the rail bears", ...
                [miss([1, 3]), y(strcmp (m.outputs, "bears.x"))], 1e-12);
   gsmbp_check ("a strut that sticks: a sensor of it with a lag", miss(2), 1e-9);
+end
+
+## radau meets the events of dp853, in the same order at the same times
+function by_radau ()
+  arm = gsmbp_fixture ("event_arm");
+  crank = gsmbp_fixture ("event_crank");
+  blocks = gsmbp_fixture ("event_blocks");
+  cases = {"arm", arm, [1.5; 0.3; 0; 5], 0:0.1:2, {"input", 0}
+           "slider-crank", crank, gsmbp_assemble(crank, crank.initial), 0:0.1:2, {"input", 8}
+           "six masses", blocks, zeros(12, 1), 0:0.5:20, {}};
+  for c = cases'
+    [what, m, x0, t, given] = deal (c{:});
+    a = gsmbp_simulate (m, x0, t, given{:}, "rtol", 1e-11);
+    r = gsmbp_simulate (m, x0, t, given{:}, "rtol", 1e-11, "method", "radau");
+    gsmbp_check ([what " by radau: the same events"], isequal (a.events.number, r.events.number));
+    gsmbp_check ([what " by radau: at the same times"], a.events.t - r.events.t, 1e-7);
+    gsmbp_check ([what " by radau: the same motion"], a.x - r.x, 1e-7);
+  end
 end
