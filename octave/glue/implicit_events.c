@@ -436,30 +436,97 @@ rises (gs_run *s, const place *p, int *is)
   return info;
 }
 
+/* The polynomial alone says that there is an event at P: the sign of its function at the end of the
+ * step is all that counts (as GSEVN: its flag is 2 or 3), which is made as it was.  A flag */
+static int
+by_its_end (gs_run *s, place *p)
+{
+  gs_events e = plan (s);
+  int flag = 0;
+  recall (s);
+  e.fresh[p->i - 1] = 3 - (e.fresh[p->i - 1] == 1);
+  if (! s->by->dense)
+    {
+      flag = once_more (s, p->from, p->end);
+      p->end = s->t;
+    }
+  return flag;
+}
+
+/* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or
+ * does it rise from there?  Else by_its_end.  A flag of the method in *FLAG, INFO */
+static int
+rose (gs_run *s, place *p, int *so, int *flag)
+{
+  gs_events e = plan (s);
+  int i = p->i - 1, info = FINISHED;
+  double g = -1;
+  *so = e.kind[i] < OWN || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
+  if (*so)
+    return info;
+  if (! s->by->dense && p->t - p->begin > 1e-9 * (p->end - p->begin))
+    {
+      double middle = p->begin + 0.5 * (p->t - p->begin);
+      *flag = once_more (s, p->from, middle);
+      if (*flag < 0 || (info = function (s, p->i, s->t, s->y, &g)) != 0)
+        return info;
+    }
+  *so = g > 0;
+  if (! *so)
+    *flag = by_its_end (s, p);
+  return info;
+}
+
+/* is there an event at P, as far as the polynomial and the rates there tell? TAKEN: 0 if not, -1 if
+ * the step is too long to say so; INFO */
+static int
+believed (gs_run *s, place *p, int *taken, int *flag)
+{
+  int so, risen = 0, info = rose (s, p, &so, flag);
+  *taken = so;
+  if (info != 0 || *flag < 0 || ! so || p->end - p->begin <= shortest (p->begin, p->end))
+    return info;
+  if (s->by->dense && (info = rises (s, p, &risen)) == 0 && risen)
+    recall (s);
+  if (risen || plan (s).fresh[p->i - 1] >= 2)   /* it falls, but not where the polynomial says */
+    *taken = -1;
+  return info;
+}
+
+/* the step up to the event at P; TAKEN: 0 if its function does not fall; INFO */
+static int
+up_to (gs_run *s, place *p, int *taken, int *flag)
+{
+  int info = s->by->dense ? FINISHED : locate (s, p, flag);
+  gs_events e = plan (s);
+  *taken = ! (info == 0 && *flag >= 0 && ! s->by->dense && s->t >= p->t && p->g > 0
+              && e.kind[p->i - 1] >= OWN && e.fresh[p->i - 1] < 2);
+  if (! *taken)
+    *flag = by_its_end (s, p);
+  return info;
+}
+
 /* the first event behind P->begin; *FOUND 0: there is none, -1: look again */
 static int
 next_event (gs_run *s, place *p, int *found, int *flag)
 {
   p->t = p->end;
-  int risen, info = look (s, p->begin, &p->t, found, flag);
+  int taken = -1, info = look (s, p->begin, &p->t, found, flag);
   if (info != 0 || *found == 0)
     return info;
   p->i = *found;
-  if (*found > 0 && s->by->dense && (info = rises (s, p, &risen)) == 0 && risen
-      && p->end - p->begin > shortest (p->begin, p->end))
-    {
-      recall (s);
-      *found = -1;
-    }
-  if (*found < 0)   /* too long to see what is just behind the last event */
+  if (*found > 0)
+    info = believed (s, p, &taken, flag);
+  if (info == 0 && *flag >= 0 && taken < 0)   /* too long to see what is just behind the last one */
     *flag = once_more (s, p->from, p->begin + 0.25 * (p->end - p->begin));
-  else if (! s->by->dense)
-    info = locate (s, p, flag);
-  if (info == 0 && *flag >= 0 && (*found < 0 || (! s->by->dense && s->t < p->t)))
+  else if (info == 0 && *flag >= 0 && taken > 0)
+    info = up_to (s, p, &taken, flag);
+  if (info == 0 && *flag >= 0 && (taken < 0 || (taken > 0 && ! s->by->dense && s->t < p->t)))
     {
       p->end = s->t;
-      *found = -1;
+      taken = -1;
     }
+  *found = taken > 0 ? p->i : -1;
   return info;
 }
 
@@ -469,6 +536,9 @@ gs_events_in_step (gs_run *s, double from, int *event, int *flag)
   place p = { .from = from, .begin = from, .end = s->t };
   int info, found;
   const double *end = s->y;
+  gs_events e = plan (s);
+  for (int i = 0; i < e.ne; i++)
+    e.fresh[i] = e.fresh[i] >= 2 ? 3 - e.fresh[i] : e.fresh[i];
   *event = *flag = 0;
   memcpy (s->known, s->x, sizeof (double) * s->r->nx);
   while ((info = next_event (s, &p, &found, flag)) == 0 && *flag >= 0 && found != 0)

@@ -5,6 +5,8 @@ function test_user_events ()
   ball ();
   accumulating ();
   restitutions ();
+  floors ();
+  from_rest ();
   thermostat ();
   pendulum ();
   crank ();
@@ -122,6 +124,30 @@ function restitutions ()
       gsmbp_check (sprintf ("bounces with e = %g, %s", e, method{1}), ...
                    any (strfind (said, "comes faster and faster")));
     end
+  end
+end
+
+## floors that are no round numbers: the last bounces drown in the rounding of the place
+function floors ()
+  m = gsmbp_fixture ("user_floor");
+  for e = [0.1 0.8]
+    for method = {"dp853", "rk4", "radau", "gauss", "cvode"}
+      of = gsmbp_set (m, "e", e);
+      said = gsmbp_complaint (@() gsmbp_simulate (of, [2 0], [0 20], "method", method{1}, ...
+                                                  "step", 0.02));
+      gsmbp_check (sprintf ("bounces on a floor with e = %g, %s", e, method{1}), ...
+                   any (strfind (said, "event, hit, failed")));
+    end
+  end
+end
+
+## s = t^4/12 has no event at 0, where it is flat, whatever a polynomial makes of it
+function from_rest ()
+  m = gsmbp_fixture ("user_flat");
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode"}
+    r = gsmbp_simulate (m, [0 0], 0:0.1:1, "method", method{1});
+    gsmbp_check (["no event where a motion begins flat, " method{1}], numel (r.events.t), 0);
+    gsmbp_check (["... nor another motion, " method{1}], r.x(end,1) - 1 / 12, 1e-9);
   end
 end
 

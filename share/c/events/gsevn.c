@@ -60,6 +60,9 @@ still_below (const gs_events *a, int first)
   return found;
 }
 
+static int tried (const gs_system *g, const gs_step *e, double th, double *te, const gs_events *a,
+                  double *err);
+
 /* the largest error of a step up to an event beside the tolerance: see gsdpt */
 static double
 most_error (const gs_system *g)
@@ -91,68 +94,132 @@ above_before (const gs_events *a)
       a->mark[i] |= a->marks[i];
 }
 
+/* the rates at the beginning of e again, which steps of gsrk4 write over */
+static int
+begin_again (const gs_system *g, const gs_step *e)
+{
+  return e->method == 4 ? gsfun (g, e->t, 1, e->x, e->f) : 0;
+}
+
+/* from here on the sign of function i at the end of the step is all that counts */
+static int
+by_its_end (const gs_system *g, const gs_step *e, int i)
+{
+  int *flag = plan (g).fresh + i - 1;
+  *flag = 3 - gs_least (1, *flag);
+  return begin_again (g, e);
+}
+
+/* Has function i been above 0 half way to its zero at th? Where it was not at the beginning, the
+ * step itself tells, not its polynomial. */
+static int
+rose (const gs_system *g, const gs_step *e, int i, double th, int *so)
+{
+  const gs_events a = plan (g);
+  double te, err;
+  *so = 1;
+  if (e->method == 12 || ! gs_is_own (&a, i - 1) || a.mark[i - 1] == 1)
+    return 0;
+  int info = tried (g, e, 0.5 * th, &te, &a, &err);
+  *so = a.now[i - 1] > 0.0;
+  return info != 0 || ! *so ? info : begin_again (g, e);
+}
+
+/* the first function that falls to 0 within e, and where on its polynomial; the part before it
+ * again; 0: none */
+static int
+first_event (const gs_system *g, gs_step *e, int *first, double *thf)
+{
+  int ns = 8, found;
+  double be = 1.0;
+  *first = 0;
+  *thf = 2.0;
+  for (;;)
+    {
+      double th;
+      int fine, so = 1, info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th, &fine);
+      if (info != 0)
+        return failed (g, info);
+      if (fine && ns < 2048)
+        {
+          ns *= 2;
+          continue;
+        }
+      if (! (found > 0 && th < 0.999 * *thf))
+        return 0;
+      if ((info = rose (g, e, found, th, &so)) != 0
+          || (! so && (info = by_its_end (g, e, found)) != 0))
+        return info;
+      *first = so ? found : 0;
+      *thf = so ? th : 2.0;
+      be = so ? th * (1.0 - 1e-9) : 1.0;
+      ns = 8;
+    }
+}
+
+/* the step e up to event `first` at the fraction thf of its polynomial; again: the polynomial alone
+ * says so */
+static int
+up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *again)
+{
+  const gs_events a = plan (g);
+  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  double err;
+  *found = first;
+  *again = 0;
+  if (a.fresh[first - 1] >= 2 && fabs (e->h) > instant)
+    {
+      *found = -1;
+      return 0;
+    }
+  int info = gsevs (g, e, first, thf, &err);
+  *again = info == 0 && err < 0.0;
+  if (*again)
+    return by_its_end (g, e, first);
+  if (info == 0 && e->wanted && e->tn > *e->wanted)
+    {
+      *found = -2;
+      return 0;
+    }
+  if (err > most_error (g) && fabs (e->h) > instant)
+    *found = -1;
+  if (e->tn - e->t > instant)
+    *a.since = 0;
+  if (info == 0 && *found > 0 && e->tn - e->t > instant)
+    above_before (&a);
+  return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
+}
+
 int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
   *found = 0;
-  int info = ends (g, e, a.xdn);
-  if (info != 0)
-    return info;
-
-  int ns = 8, first = 0;
-  double be = 1.0, thf = 2.0;
-  for (;;)
+  int first, again = 1, info = ends (g, e, a.xdn);
+  for (int i = 0; i < a.ne; i++)
+    if (a.fresh[i] >= 2)
+      a.fresh[i] = 3 - a.fresh[i];
+  while (info == 0 && again)
     {
-      double th;
-      int fine;
-      info = gsevl (g, e, be, ns, first == 0 ? e->side : 1, found, &th, &fine);
-      if (info != 0)
-        return failed (g, info);
-      if (fine && ns < 2048)
-        ns *= 2;
-      else if (*found > 0 && th < 0.999 * thf)
-        {
-          first = *found;
-          thf = th;
-          be = th * (1.0 - 1e-9);
-          ns = 8;
-        }
-      else
-        break;
-    }
-  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  *found = still_below (&a, first);
-  if (*found > 0 && fabs (e->h) > instant)
-    *found = -1;
-  else if (first > 0)
-    {
-      *found = first;
-      double err;
-      info = gsevs (g, e, first, thf, &err);
-      if (info == 0 && e->wanted && e->tn > *e->wanted)
-        {
-          *found = -2;
-          return 0;
-        }
-      if (err > most_error (g) && fabs (e->h) > instant)
+      double thf;
+      again = 0;
+      if ((info = first_event (g, e, &first, &thf)) != 0)
+        return info;
+      *found = still_below (&a, first);
+      if (*found > 0 && fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn)))
         *found = -1;
-      if (e->tn - e->t > instant)
-        *a.since = 0;
-      if (info == 0 && *found > 0 && e->tn - e->t > instant)
-        above_before (&a);
-      return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
+      else if (first > 0)
+        info = up_to (g, e, first, thf, found, &again);
     }
-  else if (*found == 0)
+  if (info == 0 && *found == 0)
     {
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
       memcpy (a.g, a.last, a.ne * sizeof (double));
       *a.since = 0;
       info = accumulates (g, &a, e, e->h, 0);
       gsusc (&a);
-      return info;
     }
-  return 0;
+  return info;
 }
 
 /* do the last three points, c and a apart, show a lowest value that they do not resolve? */
@@ -204,8 +271,9 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       const int soon = fabs (b * e->h) <= near;
       for (int i = 0; i < p.ne; i++)
         if (p.last[i] > 0.0)
-          p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1);
-        else if (p.marks[i] == 1)
+          p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1)
+                        && (p.fresh[i] < 2 || (j == ns && be >= 1.0));
+        else if (p.marks[i] == 1 && (p.fresh[i] < 2 || (j == ns && be >= 1.0)))
           {
             double zero = b;
             info = gsevi (g, e, b - a, &zero, i + 1);
@@ -377,6 +445,11 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
   info = past (g, e, i, th, &te, &a, err);
   if (info != 0)
     return info;
+  if (gs_is_own (&a, i - 1) && a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2)
+    {
+      *err = -1.0;
+      return 0;
+    }
   e->tn = te;
   memcpy (e->xn, a.end, g->nx * sizeof (double));
   return 0;

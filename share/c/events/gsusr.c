@@ -84,29 +84,44 @@ gsusc (const gs_events *a)
       }
 }
 
-/* The last 100 events that are of function i (from 0), as far as they are not before `from`; within
- * says that from is 1e-9 of the time from the last one to `to` before it. */
+/* The times of the last four events of function i (from 0) among the last 100 of all; how many
+ * there are; did the last one change states? */
 static int
-since (const gs_events *a, int i, double from, int within, double to, int nx)
+last_four (const gs_events *a, int i, int nx, double *t, int *reset)
 {
   int n = 0;
-  for (int j = *a->count - 1; j >= gs_most (0, *a->count - 100); j--)
+  *reset = 0;
+  for (int j = *a->count - 1; j >= gs_most (0, *a->count - 100) && n < 4; j--)
     {
       const double *r = a->record + j * (3 + 2 * nx);
       if (lround (r[1]) != i + 1)
         continue;
-      if (n == 0 && within)
-        from = r[0] - 1e-9 * (to - r[0]);
-      if (r[0] < from)
-        break;
-      n++;
+      for (int k = 0; n == 0 && k < nx; k++)
+        *reset |= fabs (r[3 + k] - r[3 + nx + k]) > 0.0;
+      t[n++] = r[0];
     }
   return n;
 }
 
 /* A function has had infinitely many where four of its events lie within 1e-9 of the time since the
- * last one, in which it has not risen; and where it has its fourth event within 1000 units of
- * rounding of the time. */
+ * last one, in which it has not risen; where three intervals between them fell one after the other,
+ * the last event has changed states and it has not risen for twice the last interval (bounces that
+ * drown in rounding errors); and where it has its fourth event within 1000 units of rounding of the
+ * time. */
+static int
+infinitely_many (const gs_events *a, int i, int now, double end, int nx)
+{
+  double t[4];
+  int reset, n = last_four (a, i, nx, t, &reset);
+  if (now)
+    return n >= 3 && ! (t[2] < end - 1e3 * gseps () * fabs (end));
+  if (n < 4)
+    return 0;
+  return ! (t[3] < t[0] - 1e-9 * (end - t[0]))
+         || (reset && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
+             && end - t[0] > 2.0 * (t[0] - t[1]));
+}
+
 int
 gsusz (const gs_events *a, double t, double h, int nx, int but, int *which)
 {
@@ -116,10 +131,8 @@ gsusz (const gs_events *a, double t, double h, int nx, int but, int *which)
   for (int i = 0; i < a->ne; i++)
     {
       const int now = i + 1 == but;
-      if (! gs_is_own (a, i) || (! now && a->mark[i] + a->marks[i] > 0))
-        continue;
-      const double from = t + h - 1e3 * gseps () * fabs (t + h);
-      if (since (a, i, from, ! now, t + h, nx) >= (now ? 3 : 4))
+      if (gs_is_own (a, i) && (now || a->mark[i] + a->marks[i] == 0)
+          && infinitely_many (a, i, now, t + h, nx))
         {
           info = 10;
           *which = i + 1;

@@ -135,7 +135,8 @@ int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, in
 int gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i);
 
 /* for gsevn: the step e once more, by the secant method as long as function i needs to be 0 at its
- * end; it starts at the fraction start. err: that of gsdp8, else 0 */
+ * end; it starts at the fraction start. err: that of gsdp8, else 0; -1: a function of the user does
+ * not fall, nothing is changed */
 int gsevs (const gs_system *g, gs_step *e, int i, double start, double *err);
 
 /* event functions at the fraction b of the step e, on its polynomial, into the plan's now */

@@ -39,6 +39,10 @@ C     whatever the inputs do); its zero by the method of Illinois. The
 C     part before it is looked at again in the same way: there may be an
 C     earlier one.  Where a function of the user has just had its event
 C     more points are closer and closer to the beginning of the step.
+C     A function of the user that rises above 0 on that polynomial first
+C     must do so on the step itself, half way to its zero, and one that
+C     falls to 0 must do that: else its sign at the end of this step is
+C     all that counts (its flag is 2 or 3).
 C     Those of the user that have been above 0 before it count as such.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
@@ -53,9 +57,9 @@ C
      $                   GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
      $                   I, NS, FIRST
-      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR
+      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE
       LOGICAL            HELD, FINE, LATER
-      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSUSC,
+      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSEVD, GSUSC,
      $                   GSUSZ
 C
       NQ   = SIZ(1)
@@ -86,6 +90,10 @@ C
       END IF
 C
 C     -- the first function that falls to 0; the part before it again
+      DO 5 I = 1, NE
+         IF ( METHOD.NE.0 .AND. IE(10+5*NE+I).GE.2 )
+     $      IE(10+5*NE+I) = 3 - IE(10+5*NE+I)
+    5 CONTINUE
       NS = 8
       BE = 1.0D0
       THF = 2.0D0
@@ -102,6 +110,23 @@ C     -- the first function that falls to 0; the part before it again
          GO TO 10
       END IF
       IF ( FOUND.GT.0 .AND. TH.LT.0.999D0*THF ) THEN
+C
+C        -- a function that was not above 0: is it so on the way there?
+         IF ( IE(JA+FOUND).EQ.0 .AND. IE(JK+FOUND).GT.2 .AND.
+     $        METHOD.NE.0 .AND. METHOD.NE.12 ) THEN
+            IE(8) = IE(6)
+            CALL GSEVD( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $                  WAY, T, TN, SIDE, H, 0.5D0*TH, X, SIZ, IP, RP,
+     $                  CST, V, ROPT, XN, W, WI, P, ISTAT, RSTAT, IE,
+     $                  RE, GAUSS, TE, ERR, INFO )
+            IE(8) = 0
+            IF ( INFO.NE.0 ) RETURN
+            IF ( .NOT.( RE(NE+FOUND).GT.0.0D0 ) ) GO TO 15
+            IF ( METHOD.EQ.4 ) CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN,
+     $         T, 1, X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W, WI, P,
+     $         ISTAT, RSTAT, INFO )
+            IF ( INFO.NE.0 ) RETURN
+         END IF
          FIRST = FOUND
          THF = TH
          BE = TH*( 1.0D0 - 1.0D-9 )
@@ -109,8 +134,23 @@ C     -- the first function that falls to 0; the part before it again
          GO TO 10
       END IF
 C
+      GO TO 16
+C
+C     -- what the polynomial alone says: all again without it
+   15 I = 10 + 5*NE + FOUND
+      IE(I) = 3 - MIN( 1, IE(I) )
+      BE = 1.0D0
+      THF = 2.0D0
+      FIRST = 0
+      NS = 8
+      IF ( METHOD.EQ.4 ) CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1,
+     $   X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W, WI, P, ISTAT,
+     $   RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      GO TO 10
+C
 C     -- functions that have not risen above 0 since their last event
-      FOUND = 0
+   16 FOUND = 0
       DO 20 I = 1, NE
          HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
          IF ( I.NE.FIRST .AND. IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
@@ -121,10 +161,19 @@ C     -- functions that have not risen above 0 since their last event
          FOUND = -1
       ELSE IF ( FIRST.GT.0 ) THEN
          FOUND = FIRST
+         IF ( IE(10+5*NE+FIRST).GE.2 .AND.
+     $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+            FOUND = -1
+            RETURN
+         END IF
          CALL GSEVS( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
      $               WAY, T, TN, SIDE, H, X, SIZ, IP, RP, CST, V, ROPT,
      $               XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS, FOUND,
      $               THF, ERR, INFO )
+         IF ( INFO.EQ.0 .AND. FOUND.EQ.0 ) THEN
+            FOUND = FIRST
+            GO TO 15
+         END IF
          TH = 1.0D0
          IF ( NLAM.GT.0 .AND. P(13).LT.0.25D0*P(14) )
      $      TH = MAX( TH, EPS**( 2.0D0/3.0D0 )/ROPT(2) )
@@ -240,8 +289,10 @@ C
          DO 30 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
                IF ( .NOT.( SOON .AND. IE(10+2*NE+I).GT.2 .AND.
-     $              IE(10+5*NE+I).EQ.1 ) ) IE(JL+I) = 1
-            ELSE IF ( IE(JL+I).EQ.1 ) THEN
+     $              IE(10+5*NE+I).EQ.1 ) .AND. ( IE(10+5*NE+I).LT.2 .OR.
+     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) ) IE(JL+I) = 1
+            ELSE IF ( IE(JL+I).EQ.1 .AND. ( IE(10+5*NE+I).LT.2 .OR.
+     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) ) THEN
                C = B
                CALL GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H,
      $                     B - A, C, I, NX, X, W, XN, NU, NV, IP, RP,
@@ -324,6 +375,8 @@ C     ARGUMENTS
 C     As GSEVN, and
 C     START   (input) DOUBLE PRECISION, the fraction of the step where
 C             its polynomial has the zero.
+C     I       (input/output) INTEGER, on exit 0 where a function of the
+C             user does not fall to 0: nothing is changed then.
 C     ERR     (output) DOUBLE PRECISION, that of GSDP8, else 0.
 C
       IMPLICIT NONE
@@ -333,17 +386,13 @@ C
       DOUBLE PRECISION   T, TN, H, X(*), RP(*), CST(*), V(*), ROPT(*),
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3), START, ERR
-      INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, K, J, S, PAST
-      DOUBLE PRECISION   C, D, GC, TH, OLD, GOLD, SLOPE, TE, HE, EPS,
-     $                   GSEPS
-      EXTERNAL           GSEPS, GSEVB, GSEVX, GSEVV, GSDP8, GSRK4,
-     $                   GSUSG
+      INTEGER            NU, NX, NV, NE, KD, KX, K, J, PAST
+      DOUBLE PRECISION   D, GC, TH, OLD, GOLD, SLOPE, TE, EPS, GSEPS
+      EXTERNAL           GSEPS, GSEVB, GSEVD
 C
-      NQ   = SIZ(1)
       NU   = SIZ(2)
       NX   = SIZ(3)
       NV   = SIZ(4)
-      NLAM = SIZ(5)
       EPS = GSEPS()
       NE = IE(1)
       KD = 1 + 5*NE
@@ -363,42 +412,11 @@ C
       PAST = 0
       K = 0
     2 K = K + 1
-         TE = T + TH*H
-         S  = 1
-         IF ( TH.GE.1.0D0 ) THEN
-            TE = TN
-            S  = SIDE
-         END IF
-         HE = TH*H
-         IF ( METHOD.EQ.4 ) THEN
-            CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
-     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W,
-     $                  WI, P, ISTAT, RSTAT, INFO )
-         ELSE IF ( METHOD.EQ.12 .OR. METHOD.EQ.0 ) THEN
-            CALL GSEVX( METHOD, GAUSS, T, H, TH, NX, X, W, XN, RE(KD),
-     $                  RE(KX) )
-         ELSE
-            CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X,
-     $                  NQ, NU, NX, NV, NLAM, IP, RP, CST, V, ROPT(2),
-     $                  ROPT(4), RE(KX), ERR, W, WI, P, ISTAT, RSTAT,
-     $                  INFO )
-         END IF
+         CALL GSEVD( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $               WAY, T, TN, SIDE, H, TH, X, SIZ, IP, RP, CST, V,
+     $               ROPT, XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS,
+     $               TE, ERR, INFO )
          IF ( INFO.NE.0 ) RETURN
-         IF ( METHOD.NE.12 .AND. METHOD.NE.0 .AND. WAY.NE.1 .AND.
-     $        ( NQ.GT.NU .OR. ( NLAM.GT.0 .AND. WAY.NE.3 ) ) ) THEN
-            CALL PRJ( TE, RE(KX), CST, C, INFO )
-            ISTAT(4) = ISTAT(4) + 1
-            IF ( INFO.EQ.2 ) INFO = 0
-            IF ( INFO.NE.0 ) THEN
-               ISTAT(6) = INFO
-               ISTAT(7) = 3
-               RETURN
-            END IF
-         END IF
-         CALL GSEVV( CMD, CLO, VIN, EVT, TE, S, RE(KX), NU, NX, NV, IP,
-     $               RP, CST, V, WI, IE(11), RE(NE+1), INFO )
-         IF ( INFO.NE.0 ) GO TO 900
-         CALL GSUSG( NX, IE, RE )
          GC = RE(NE+I)
          IF ( PAST.GT.0 ) GO TO 20
          IF ( IE(6).EQ.1 .AND. IE(8).EQ.0 ) GO TO 20
@@ -427,6 +445,11 @@ C     -- an event of the user has happened: a little later it must be
          PAST = PAST + 1
          GO TO 2
       END IF
+      IF ( IE(10+2*NE+I).GT.2 .AND. GC.GT.0.0D0 .AND. METHOD.NE.12 .AND.
+     $     METHOD.NE.0 .AND. IE(10+5*NE+I).LT.2 ) THEN
+         I = 0
+         RETURN
+      END IF
       TN = TE
       DO 30 J = 1, NX
          XN(J) = RE(KX+J-1)
@@ -435,6 +458,77 @@ C     -- an event of the user has happened: a little later it must be
 C
   900 ISTAT(6) = INFO
       ISTAT(7) = 1
+      END
+      SUBROUTINE GSEVD( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
+     $                  WAY, T, TN, SIDE, H, TH, X, SIZ, IP, RP, CST, V,
+     $                  ROPT, XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS,
+     $                  TE, ERR, INFO )
+C
+C     PURPOSE
+C     The fraction TH of the step of GSEVN once more, to TE: its end and
+C     the event functions there, RE(NE+1..2*NE).
+C
+C     ARGUMENTS
+C     As GSEVN and GSEVS.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT
+      INTEGER            METHOD, WAY, SIDE, SIZ(8), IP(*), ISTAT(*),
+     $                   IE(*), INFO
+      DOUBLE PRECISION   T, TN, H, TH, X(*), RP(*), CST(*), V(*),
+     $                   ROPT(*), XN(*), W(*), WI(*), P(*), RSTAT(*),
+     $                   RE(*), GAUSS(3), TE, ERR
+      INTEGER            NQ, NU, NX, NV, NLAM, NE, KD, KX, S
+      DOUBLE PRECISION   C, HE
+      EXTERNAL           GSEVX, GSEVV, GSDP8, GSRK4, GSUSG
+C
+      NQ   = SIZ(1)
+      NU   = SIZ(2)
+      NX   = SIZ(3)
+      NV   = SIZ(4)
+      NLAM = SIZ(5)
+      NE = IE(1)
+      KD = 1 + 5*NE
+      KX = KD + 2*NX
+      TE = T + TH*H
+      S  = 1
+      IF ( TH.GE.1.0D0 ) THEN
+         TE = TN
+         S  = SIDE
+      END IF
+      HE = TH*H
+      IF ( METHOD.EQ.4 ) THEN
+         CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X, NQ,
+     $               NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W, WI, P,
+     $               ISTAT, RSTAT, INFO )
+      ELSE IF ( METHOD.EQ.12 .OR. METHOD.EQ.0 ) THEN
+         CALL GSEVX( METHOD, GAUSS, T, H, TH, NX, X, W, XN, RE(KD),
+     $               RE(KX) )
+      ELSE
+         CALL GSDP8( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X, NQ,
+     $               NU, NX, NV, NLAM, IP, RP, CST, V, ROPT(2), ROPT(4),
+     $               RE(KX), ERR, W, WI, P, ISTAT, RSTAT, INFO )
+      END IF
+      IF ( INFO.NE.0 ) RETURN
+      IF ( METHOD.NE.12 .AND. METHOD.NE.0 .AND. WAY.NE.1 .AND.
+     $     ( NQ.GT.NU .OR. ( NLAM.GT.0 .AND. WAY.NE.3 ) ) ) THEN
+         CALL PRJ( TE, RE(KX), CST, C, INFO )
+         ISTAT(4) = ISTAT(4) + 1
+         IF ( INFO.EQ.2 ) INFO = 0
+         IF ( INFO.NE.0 ) THEN
+            ISTAT(6) = INFO
+            ISTAT(7) = 3
+            RETURN
+         END IF
+      END IF
+      CALL GSEVV( CMD, CLO, VIN, EVT, TE, S, RE(KX), NU, NX, NV, IP, RP,
+     $            CST, V, WI, IE(11), RE(NE+1), INFO )
+      IF ( INFO.NE.0 ) THEN
+         ISTAT(6) = INFO
+         ISTAT(7) = 1
+         RETURN
+      END IF
+      CALL GSUSG( NX, IE, RE )
       END
       SUBROUTINE GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, B,
      $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,

@@ -143,38 +143,51 @@ C
 C     METHOD
 C     A function has had infinitely many where four of its events lie
 C     within 1D-9 of the time since the last one, in which it has not
-C     risen; and where it has its fourth event within 1000 units of
-C     rounding of the time.  The last 100 events are looked at.
+C     risen; where three intervals between them fell one after the
+C     other, the last event has changed states and it has not risen for
+C     twice the last interval (bounces that drown in rounding errors);
+C     and where it has its fourth event within 1000 units of rounding of
+C     the time.  The last 100 events are looked at.
 C
       IMPLICIT NONE
       INTEGER            NX, NOT, IE(*), WHICH, INFO
       DOUBLE PRECISION   T, H, RE(*)
-      INTEGER            NE, I, J, R, N, LEAST
-      DOUBLE PRECISION   FROM, GSEPS
+      INTEGER            NE, I, J, K, R, N
+      DOUBLE PRECISION   TE(4), END, GSEPS
+      LOGICAL            RESET
       EXTERNAL           GSEPS
 C
       INFO = 0
       NE = IE(1)
+      END = T + H
       IF ( IE(3).GT.IE(2) ) RETURN
-      DO 20 I = 1, NE
+      DO 30 I = 1, NE
          IF ( IE(10+2*NE+I).LT.3 .OR. ( I.NE.NOT .AND.
-     $        IE(10+3*NE+I) + IE(10+4*NE+I).GT.0 ) ) GO TO 20
-         FROM  = T + H - 1.0D3*GSEPS()*ABS( T + H )
-         LEAST = 3
-         IF ( I.NE.NOT ) LEAST = 4
+     $        IE(10+3*NE+I) + IE(10+4*NE+I).GT.0 ) ) GO TO 30
+         RESET = .FALSE.
          N = 0
-         DO 10 J = IE(3), MAX( 1, IE(3) - 99 ), -1
+         DO 20 J = IE(3), MAX( 1, IE(3) - 99 ), -1
             R = 5*NE + 3*NX + ( J - 1 )*( 3 + 2*NX )
-            IF ( NINT( RE(R+2) ).EQ.I ) THEN
-               IF ( N.EQ.0 .AND. I.NE.NOT )
-     $            FROM = RE(R+1) - 1.0D-9*( T + H - RE(R+1) )
-               IF ( RE(R+1).LT.FROM ) GO TO 15
+            IF ( NINT( RE(R+2) ).EQ.I .AND. N.LT.4 ) THEN
                N = N + 1
+               TE(N) = RE(R+1)
+               DO 10 K = 1, NX
+                  IF ( N.EQ.1 .AND. ABS( RE(R+3+K) - RE(R+3+NX+K) )
+     $                 .GT.0.0D0 ) RESET = .TRUE.
+   10          CONTINUE
             END IF
-   10    CONTINUE
-   15    IF ( N.GE.LEAST ) THEN
-            INFO  = 10
-            WHICH = I
+   20    CONTINUE
+         IF ( I.EQ.NOT .AND. N.GE.3 ) THEN
+            IF ( TE(3).LT.END - 1.0D3*GSEPS()*ABS( END ) ) GO TO 30
+         ELSE IF ( I.NE.NOT .AND. N.EQ.4 ) THEN
+            IF ( TE(4).LT.TE(1) - 1.0D-9*( END - TE(1) ) .AND. .NOT.(
+     $           RESET .AND. TE(1) - TE(2).LT.TE(2) - TE(3) .AND.
+     $           TE(2) - TE(3).LT.TE(3) - TE(4) .AND.
+     $           END - TE(1).GT.2.0D0*( TE(1) - TE(2) ) ) ) GO TO 30
+         ELSE
+            GO TO 30
          END IF
-   20 CONTINUE
+         INFO  = 10
+         WHICH = I
+   30 CONTINUE
       END
