@@ -1,5 +1,5 @@
 /* What the files of a run by an implicit method share (implicit.c, implicit_rates.c,
-   implicit_events.c), and no method calls. */
+   implicit_events.c, implicit_look.c), and no method calls. */
 #ifndef GSMBP_GLUE_IMPLICIT_PARTS_H
 #define GSMBP_GLUE_IMPLICIT_PARTS_H
 #include "implicit.h"

@@ -10,7 +10,8 @@ function library = gsmbp__implicit_library (who, m, method)
   if (any (strcmp (looked_at, library)) && ! isempty (stat (library)))
     return;
   endif
-  parts = {"implicit.c", "implicit_rates.c", "implicit_events.c", ["gsmbp_" method ".c"]};
+  parts = {"implicit.c", "implicit_rates.c", "implicit_events.c", "implicit_look.c", ...
+           ["gsmbp_" method ".c"]};
   links = "-lm";
   if (strcmp (method, "radau"))
     parts = [parts, {"radau_rule.c", "radau_order.c", "radau_solve.c", "settle.c", ...

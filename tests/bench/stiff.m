@@ -22,7 +22,8 @@ end
 
 function library = build_arkode (root, out)
   library = fullfile (out, "libgsmbp_arkode.so");
-  glue = fullfile (root, "octave", "glue", {"implicit.c", "implicit_rates.c", "implicit_events.c"});
+  glue = fullfile (root, "octave", "glue", {"implicit.c", "implicit_rates.c", ...
+                                                       "implicit_events.c", "implicit_look.c"});
   sources = [{fullfile(root, "tests", "bench", "arkode", "gsmbp_arkode.c")}; glue(:)]';
   command = sprintf (["%s -std=gnu11 -O2 -march=native -fcx-limited-range -fPIC -shared -I%s " ...
                       "-I%s -o %s %s -lsundials_arkode -lsundials_nvecserial " ...
