@@ -198,9 +198,12 @@ function jacobians (name, m, d)
     [A, B, C, D] = m.jac (0, x, v);
     exact = [A, B; C, D];
     both = @(z) [m.rhs(0, z(1:d.nx), z(d.nx+1:end)); output(z(1:d.nx), z(d.nx+1:end))];
-    ## the longer step for rounding, the shorter one beside steep places (outputs at their bounds)
-    off = @(h) norm ((exact - differences (both, [x; v], h)) * tangent (m, x, d)) / norm (exact);
-    worst = max (worst, min (off (3e-4), off (3e-5)));
+    ## the longer step for rounding, the shorter one beside steep places (outputs at their bounds);
+    ## of 1 or of the usual size of the state (a pressure, where 1 Pa drowns in rounding)
+    usual = [max(1, m.nominal(:)); ones(d.nv, 1)];
+    off = @(h, by) norm ((exact - differences (@(z) both (by .* z), [x; v] ./ by, h) ./ by') ...
+                         * tangent (m, x, d)) / norm (exact);
+    worst = max (worst, min ([off(3e-4, 1), off(3e-5, 1), off(3e-4, usual), off(3e-5, usual)]));
   end
   gsmbp_check ([name " Jacobians of the state space against differences"], worst, 1e-8);
 end
