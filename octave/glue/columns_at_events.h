@@ -132,27 +132,40 @@ give_up_apart (carried& c, number t, number *x, const number *v, const int *mode
     }
 }
 
+// event K at the state X before it: inputs, rates, derivatives of its function; TAU: dtau/dp
+struct event_before
+{
+  reals v, f, slopes, g;
+  number rate = 0;
+  int info = 0;
+  bool grazing = false;
+
+  event_before (carried& c, number t, const number *x, const int *mode, int k, number *tau)
+    : v (room (S.nv)), f (room (S.nx)), g (room (S.nx + S.nv + S.nsp + 1))
+  {
+    rates_at (c, t, x, -1, &v[0], &f[0], &info);
+    slopes = input_slopes (c, t, -1, x, &v[0], &f[0]);
+    if (info == 0)
+      info = event_slope (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], &rate);
+    event_times (c, x + S.nx, &v[0], &g[0], rate, tau);
+    grazing = info == 0 && grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate);
+  }
+};
+
 // the first event of an instant, K: dtau/dp, and S along the motion
 static void
 begin_instant (carried& c, number t, number *x, const int *mode, int k)
 {
-  reals v = room (S.nv), f = room (S.nx), g = room (S.nx + S.nv + S.nsp + 1);
-  number rate = 0;
-  int info = 0;
-  rates_at (c, t, x, -1, &v[0], &f[0], &info);
-  const reals slopes = input_slopes (c, t, -1, x, &v[0], &f[0]);
-  if (info == 0)
-    info = event_slope (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], &rate);
-  event_times (c, x + S.nx, &v[0], &g[0], rate, &c.tau[0]);
-  if (info != 0)
+  const event_before e (c, t, x, mode, k, &c.tau[0]);
+  if (e.info != 0)
     give_up_moved (c, x, t, k, c.no_numbers);
-  else if (grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate))
+  else if (e.grazing)
     give_up_moved (c, x, t, k, c.grazing);
   else
-    give_up_apart (c, t, x, &v[0], mode, k, &f[0], &slopes[0]);
+    give_up_apart (c, t, x, &e.v[0], mode, k, &e.f[0], &e.slopes[0]);
   for (int j = 0; j < c.count (); j++)
     for (int i = 0; i < S.nx; i++)
-      x[i + S.nx * (j + 1)] += f[i] * c.tau[j];
+      x[i + S.nx * (j + 1)] += e.f[i] * c.tau[j];
 }
 
 // behind the last one: S at a fixed time
@@ -239,18 +252,10 @@ tell_times (carried& c, const reals& tau)
 static void
 tell_reported (carried& c, number t, number *x, const int *mode, int k)
 {
-  reals v = room (S.nv), f = room (S.nx), g = room (S.nx + S.nv + S.nsp + 1),
-        tau = room (c.count ());
-  number rate = 0;
-  int info = 0;
-  rates_at (c, t, x, -1, &v[0], &f[0], &info);
-  const reals slopes = input_slopes (c, t, -1, x, &v[0], &f[0]);
-  if (info == 0)
-    info = event_slope (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], &rate);
-  event_times (c, x + S.nx, &v[0], &g[0], rate, &tau[0]);
-  const bool none = info != 0 || grazes (c, t, x, &v[0], mode, k, &f[0], &slopes[0], &g[0], rate);
+  reals tau = room (c.count ());
+  const event_before e (c, t, x, mode, k, &tau[0]);
   for (number& one : tau)
-    if (none && one != 0)
+    if ((e.info != 0 || e.grazing) && one != 0)
       one = no_number;
   tell_times (c, tau);
 }

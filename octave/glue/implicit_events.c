@@ -112,19 +112,23 @@ act (gs_run *s, const place *p)
   return info != 0 ? info : happen (s, p->t, s->event, p->i);
 }
 
-/* from the event at P, which changed nothing, on: the step as it was; FLAG */
+/* the step as it was; FLAG */
+static int
+as_it_was (gs_run *s, place *p)
+{
+  int flag = s->by->dense ? 0 : gs_once_more (s, p->from, p->end);
+  if (! s->by->dense)
+    p->end = s->t;
+  return flag;
+}
+
+/* from the event at P, which changed nothing, on; FLAG */
 static int
 go_on (gs_run *s, place *p)
 {
-  int flag = 0;
   memcpy (s->known, s->event, sizeof (double) * s->r->nx);
   p->begin = p->t;
-  if (! s->by->dense)
-    {
-      flag = gs_once_more (s, p->from, p->end);
-      p->end = s->t;
-    }
-  return flag;
+  return as_it_was (s, p);
 }
 
 /* Does function I rise along the motion where the polynomial of the method, by its error, lets it
@@ -132,17 +136,10 @@ go_on (gs_run *s, place *p)
 static int
 rises (gs_run *s, const place *p, int *is)
 {
-  int info = FINISHED;
-  double d = 1e-3 * (p->end - p->begin), g, later, *x = s->nodes, *rate = s->work;
   *is = 0;
-  if (gs_events_planned (s).kind[p->i - 1] < OWN || gs_rate (s, p->t, s->event, rate) != 0)
-    return info;
-  for (int l = 0; l < s->r->nx; l++)
-    x[l] = s->event[l] + d * rate[l];
-  if ((info = gs_function (s, p->i, p->t, s->event, &g)) == 0
-      && (info = gs_function (s, p->i, p->t + d, x, &later)) == 0)
-    *is = later > g;
-  return info;
+  if (gs_events_planned (s).kind[p->i - 1] < OWN || gs_rate (s, p->t, s->event, s->work) != 0)
+    return FINISHED;
+  return gs_climbs (s, p->i, p->t, s->event, s->work, 1e-3 * (p->end - p->begin), is);
 }
 
 /* The polynomial alone says that there is an event at P: the sign of its function at the end of the
@@ -151,15 +148,9 @@ static int
 by_its_end (gs_run *s, place *p)
 {
   gs_events e = gs_events_planned (s);
-  int flag = 0;
   gs_recall (s);
   e.fresh[p->i - 1] = 3 - (e.fresh[p->i - 1] == 1);
-  if (! s->by->dense)
-    {
-      flag = gs_once_more (s, p->from, p->end);
-      p->end = s->t;
-    }
-  return flag;
+  return as_it_was (s, p);
 }
 
 /* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or

@@ -113,24 +113,32 @@ gs_recall (gs_run *s)
   memcpy (e.level, s->levels + e.ne, e.ne * sizeof (double));
 }
 
+int
+gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, int *is)
+{
+  double before, later, *beside = s->between;
+  for (int l = 0; l < s->r->nx; l++)
+    beside[l] = x[l] + d * rate[l];
+  int info = gs_function (s, i, t, x, &before);
+  if (info == 0)
+    info = gs_function (s, i, t + d, beside, &later);
+  *is = info == 0 && later > before;
+  return info;
+}
+
 /* S->rising: which functions of the user have just had their event at T, in S->known, and rise from
- * there, within D; INFO */
+ * there, within D, by the rates of take_nodes; INFO */
 static int
 take_rising (gs_run *s, double t, double d)
 {
   gs_events e = gs_events_planned (s);
-  int any = 0, info = FINISHED;
-  double before, *rate = s->work;   /* of take_nodes */
-  for (int i = 0; i < e.ne; i++)
-    any |= s->rising[i] = e.kind[i] >= OWN && e.fresh[i] == 1 && e.mark[i] == 0;
-  if (! any)
-    return info;
-  for (int l = 0; l < s->r->nx; l++)
-    s->event[l] = s->known[l] + d * rate[l];
+  int info = FINISHED;
   for (int i = 0; i < e.ne && info == 0; i++)
-    if (s->rising[i] && (info = gs_function (s, i + 1, t, s->known, &before)) == 0
-        && (info = gs_function (s, i + 1, t + d, s->event, &e.now[i])) == 0)
-      s->rising[i] = e.now[i] > before;
+    {
+      s->rising[i] = 0;
+      if (e.kind[i] >= OWN && e.fresh[i] == 1 && e.mark[i] == 0)
+        info = gs_climbs (s, i + 1, t, s->known, s->work, d, &s->rising[i]);
+    }
   return info;
 }
 

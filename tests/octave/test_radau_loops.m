@@ -13,17 +13,13 @@ function varargout = radau (m, x0, t, varargin)
   [varargout{1:nargout}] = gsmbp_simulate (m, x0, t, "method", "radau", varargin{:});
 end
 
-function e = gap (a, b)
-  e = max (max (abs (a.x - b.x) ./ max (1, max (abs (b.x)))));
-end
-
 ## swinging of 1.4e4 1/s that is hardly damped
 function truth (m, x0)
   t = 0:0.02:0.1;
   exact = gsmbp_simulate (m, x0, t, "rtol", 1e-13);
   for k = 1:4
     r = radau (m, x0, t, "rtol", 10 ^ -(2 * k + 2));
-    e(k) = gap (r, exact);
+    e(k) = state_gap (r, exact);
   end
   gsmbp_check ("a stiff spring in a loop: error over tolerance, 1e-4 to 1e-10", ...
                e ./ 10 .^ -(4:2:10), 10);
@@ -44,7 +40,7 @@ function steps (m, x0)
       gsmbp_check (sprintf ("%g N/m, rtol %g: %d steps, with those that failed", stiffness, ...
                             rtol, taken), taken < 70);
       gsmbp_check (sprintf ("%g N/m, rtol %g: error over tolerance", stiffness, rtol), ...
-                   gap (r, exact) / rtol, 10);
+                   state_gap (r, exact) / rtol, 10);
     end
   end
   for tol = [1e-4, 1e-6]
@@ -53,7 +49,7 @@ function steps (m, x0)
     gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: %d steps, with those that failed", ...
                           stiffness, tol, taken), taken < 800);
     gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: error over tolerance", stiffness, tol), ...
-                 gap (b, exact) / tol, 100);
+                 state_gap (b, exact) / tol, 100);
   end
   gsmbp_check ("... drift of cvode, m and m/s", [b.stats.drift.phi, b.stats.drift.phidot], 1e-13);
   other = radau (hard, x0, 0:0.05:1, "rtol", rtol, "drift", false);

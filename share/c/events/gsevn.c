@@ -94,20 +94,12 @@ above_before (const gs_events *a)
       a->mark[i] |= a->marks[i];
 }
 
-/* the rates at the beginning of e again, which steps of gsrk4 write over */
-static int
-begin_again (const gs_system *g, const gs_step *e)
-{
-  return e->method == 4 ? gsfun (g, e->t, 1, e->x, e->f) : 0;
-}
-
 /* from here on the sign of function i at the end of the step is all that counts */
-static int
-by_its_end (const gs_system *g, const gs_step *e, int i)
+static void
+by_its_end (const gs_system *g, int i)
 {
   int *flag = plan (g).fresh + i - 1;
   *flag = 3 - gs_least (1, *flag);
-  return begin_again (g, e);
 }
 
 /* Has function i been above 0 half way to its zero at th? Where it was not at the beginning, the
@@ -122,7 +114,7 @@ rose (const gs_system *g, const gs_step *e, int i, double th, int *so)
     return 0;
   int info = tried (g, e, 0.5 * th, &te, &a, &err);
   *so = a.now[i - 1] > 0.0;
-  return info != 0 || ! *so ? info : begin_again (g, e);
+  return info;
 }
 
 /* the first function that falls to 0 within e, and where on its polynomial; the part before it
@@ -147,9 +139,10 @@ first_event (const gs_system *g, gs_step *e, int *first, double *thf)
         }
       if (! (found > 0 && th < 0.999 * *thf))
         return 0;
-      if ((info = rose (g, e, found, th, &so)) != 0
-          || (! so && (info = by_its_end (g, e, found)) != 0))
+      if ((info = rose (g, e, found, th, &so)) != 0)
         return info;
+      if (! so)
+        by_its_end (g, found);
       *first = so ? found : 0;
       *thf = so ? th : 2.0;
       be = so ? th * (1.0 - 1e-9) : 1.0;
@@ -175,7 +168,10 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
   int info = gsevs (g, e, first, thf, &err);
   *again = info == 0 && err < 0.0;
   if (*again)
-    return by_its_end (g, e, first);
+    {
+      by_its_end (g, first);
+      return 0;
+    }
   if (info == 0 && e->wanted && e->tn > *e->wanted)
     {
       *found = -2;
@@ -350,7 +346,7 @@ again (const gs_system *g, const gs_step *e, double th, double te, int side, con
       return 0;
     }
   if (e->method == 4)
-    info = gsrk4 (g, e->t, te, side, th * e->h, e->x, a->end, e->f);
+    info = gsrk4 (g, e->t, te, side, th * e->h, e->x, a->end, e->f + g->nx);   /* rates at x stay */
   else
     info = gsdp8 (g, e->t, te, side, th * e->h, e->x, a->end, err, e->f);
   if (info != 0)

@@ -122,10 +122,6 @@ C        -- a function that was not above 0: is it so on the way there?
             IE(8) = 0
             IF ( INFO.NE.0 ) RETURN
             IF ( .NOT.( RE(NE+FOUND).GT.0.0D0 ) ) GO TO 15
-            IF ( METHOD.EQ.4 ) CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN,
-     $         T, 1, X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W, WI, P,
-     $         ISTAT, RSTAT, INFO )
-            IF ( INFO.NE.0 ) RETURN
          END IF
          FIRST = FOUND
          THF = TH
@@ -143,10 +139,6 @@ C     -- what the polynomial alone says: all again without it
       THF = 2.0D0
       FIRST = 0
       NS = 8
-      IF ( METHOD.EQ.4 ) CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T, 1,
-     $   X, NQ, NU, NX, NV, NLAM, IP, RP, CST, V, W, WI, P, ISTAT,
-     $   RSTAT, INFO )
-      IF ( INFO.NE.0 ) RETURN
       GO TO 10
 C
 C     -- functions that have not risen above 0 since their last event
@@ -466,7 +458,8 @@ C
 C
 C     PURPOSE
 C     The fraction TH of the step of GSEVN once more, to TE: its end and
-C     the event functions there, RE(NE+1..2*NE).
+C     the event functions there, RE(NE+1..2*NE).  The rates at X, the
+C     first column of W, stay.
 C
 C     ARGUMENTS
 C     As GSEVN and GSEVS.
@@ -499,8 +492,8 @@ C
       HE = TH*H
       IF ( METHOD.EQ.4 ) THEN
          CALL GSRK4( RHS, CON, KIN, CMD, CLO, VIN, T, TE, S, HE, X, NQ,
-     $               NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W, WI, P,
-     $               ISTAT, RSTAT, INFO )
+     $               NU, NX, NV, NLAM, IP, RP, CST, V, RE(KX), W(NX+1),
+     $               WI, P, ISTAT, RSTAT, INFO )
       ELSE IF ( METHOD.EQ.12 .OR. METHOD.EQ.0 ) THEN
          CALL GSEVX( METHOD, GAUSS, T, H, TH, NX, X, W, XN, RE(KD),
      $               RE(KX) )
