@@ -13,7 +13,7 @@
 ## @item "starts"
 ## @var{n} rows of @var{nx} states instead of @var{x0}
 ## @item "inputs"
-## @var{n} rows of @var{nv} constant inputs instead of "input"
+## @var{n} rows of constant inputs instead of "input", a column for each as there
 ## @item "threads"
 ## how many runs go on at a time, default all cores
 ## @item "lanes"
@@ -87,7 +87,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   if (isempty (x0) && ! isempty (rows.starts))
     x0 = rows.starts(1,:);
   endif
-  p = gsmbp__run_setup (who, m, x0, times, o);
+  p = gsmbp__run_setup (who, m, x0, times, o, false);
   [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
@@ -182,7 +182,7 @@ function rows = rows_of (who, m, own)
   endif
   rows = struct ("n", lengths(1), "which", zeros (0, 1), "table", [], "starts", ...
                  width (who, "starts", own.starts, m.sizes.nx), "inputs", ...
-                 width (who, "inputs", own.inputs, m.sizes.nv), "threads", own.threads, ...
+                 all_inputs (who, m, own.inputs), "threads", own.threads, ...
                  "lanes", own.lanes, ...
                  "broken", {repmat({""}, lengths(1), 1)});
   for name = names
@@ -206,6 +206,18 @@ function differ (who, what, lengths, k)
   endif
   error ("%s: %s: expected %d values, one for each run as %s, found %d", who, what{k}, ...
          lengths(1), what{1}, lengths(k));
+endfunction
+
+## those of all inputs; in the columns of modes and of what sampled devices hold what the runs begin
+## with, as gsmbp_simulate has it
+function v = all_inputs (who, m, given)
+  free = setdiff (1:m.sizes.nv, [vertcat(m.controllers.outputs); vertcat(m.events.input)]);
+  if (columns (given) == m.sizes.nv)
+    free = 1:m.sizes.nv;
+  endif
+  width (who, "inputs", given, numel (free));
+  v = repmat (m.input_starts(:)', rows (given), 1);
+  v(:,free) = given;
 endfunction
 
 function x = width (who, name, x, n)

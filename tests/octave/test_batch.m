@@ -4,7 +4,8 @@
 
 function test_batch ()
   rand ("twister", 11);
-  for name = {"batch_arm", "batch_bars", "batch_stop"}
+  for name = {"batch_arm", "batch_bars", "batch_stop", "event_crank", "event_strut", ...
+              "trim_integral"}
     m = gsmbp_fixture (name{1});
     sizes (name{1}, m);
     bad_states (name{1}, m);
@@ -132,7 +133,7 @@ end
 function bad_states (name, m)
   s = states (m, 21);
   good = batches (m, s);
-  s.q(end, 5) = NaN;
+  s.q(:, 5) = NaN;
   s.u(end, 20) = Inf;
   s.x(:, 5) = NaN;
   s.x(end, 20) = -Inf;

@@ -9,6 +9,9 @@ function test_lanes ()
   ends (arm);
   loop (gsmbp_fixture ("batch_bars"));
   stepped (gsmbp_fixture ("batch_stop"), gsmbp_fixture ("sampled_drive"));
+  held (gsmbp_fixture ("event_crank"), linspace (0, 2, 18), 0);
+  held (gsmbp_fixture ("event_strut"), linspace (10, 60, 18), 3);
+  late (gsmbp_fixture ("trim_integral"));
 end
 
 ## columns of parameters, starts and inputs of N runs
@@ -138,7 +141,7 @@ function stepped (m, drive)
   e = gsmbp_ensemble (m, x0, 0:0.25:1.5, o{:}, "threads", 1);
   f = gsmbp_ensemble (m, x0, 0:0.25:1.5, o{:}, "lanes", false);
   gsmbp_check ("events", e.x - f.x, 1e-7);
-  gsmbp_check ("events: a right side that is not vectorized has no lanes", ! e.lanes);
+  gsmbp_check ("events: in lanes", e.lanes);
   gsmbp_check ("events: all come to their end", all (e.ok) && all (f.ok));
   o = {"input", 1, "parameters", struct("period", linspace (0.05, 0.1, n)), "atol", 1e-10};
   e = gsmbp_ensemble (drive, [0; 0], 0:0.05:1, o{:});
@@ -146,4 +149,42 @@ function stepped (m, drive)
   gsmbp_check ("samples", e.x - f.x, 1e-9);
   gsmbp_check ("samples: all come to their end", e.lanes && all (e.ok));
   gsmbp_check ("what is held", e.v - f.v, 1e-6);
+end
+
+## ports that stick and hit stops, in a loop too: an effort for every run, by some of which nothing
+## moves; still: in how many at least
+function held (m, efforts, still)
+  n = numel (efforts);
+  t = 0:0.1:1;
+  o = {"inputs", efforts', "rtol", 1e-9, "atol", 1e-10};
+  if (m.sizes.nlam > 0)
+    o = [o, {"start", "project"}];
+  end
+  e = gsmbp_ensemble (m, m.initial, t, o{:}, "threads", 1);
+  f = gsmbp_ensemble (m, m.initial, t, o{:}, "lanes", false);
+  gsmbp_check ([m.name ": held ports in lanes"], e.lanes && all (e.ok) && all (f.ok));
+  gsmbp_check ([m.name ": as one after the other"], (e.x - f.x) ./ (1 + abs (f.x)), 1e-7);
+  moved = squeeze (max (abs (e.x(end,1:m.sizes.nq,:) - e.x(1,1:m.sizes.nq,:)), [], 2));
+  gsmbp_check ([m.name ": some stick, others slide"], ...
+               sum (moved < 1e-9) >= still && any (moved > 1e-3));
+  one = gsmbp_simulate (m, m.initial, t, "input", efforts(end), o{3:end});
+  gsmbp_check ([m.name ": as a run by itself"], ...
+               (e.x(:,:,end) - one.x) ./ (1 + abs (one.x)), 1e-7);
+  o{2} = flipud (o{2});
+  g = gsmbp_ensemble (m, m.initial, t, o{:}, "threads", 2);
+  gsmbp_check ([m.name ": in another order, by two threads, bit for bit"], ...
+               equal_runs (g, n:-1:1, e, 1:n));
+end
+
+## devices whose rates read accelerations and multipliers
+function late (m)
+  n = 18;
+  t = [0, 0.1, 0.4];
+  o = {"parameters", struct("w", linspace (4, 8, n)), "rtol", 1e-10, "atol", 1e-11, "start", ...
+       "project"};
+  e = gsmbp_ensemble (m, m.initial, t, o{:});
+  f = gsmbp_ensemble (m, m.initial, t, o{:}, "lanes", false);
+  gsmbp_check ("sensors of forces with a lag: in lanes", e.lanes && all (e.ok) && all (f.ok));
+  gsmbp_check ("sensors of forces: as one after the other", ...
+               (e.x - f.x) ./ (1 + abs (f.x)), 1e-8);
 end
