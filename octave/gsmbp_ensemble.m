@@ -87,7 +87,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   if (isempty (x0) && ! isempty (rows.starts))
     x0 = rows.starts(1,:);
   endif
-  p = gsmbp__run_setup (who, m, x0, times, o, false);
+  p = gsmbp__run_setup (who, m, x0, times, o);
   [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));

@@ -291,7 +291,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
-  p = gsmbp__run_setup (who, m, x0, times, o, true);
+  p = gsmbp__run_setup (who, m, x0, times, o);
   [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
   [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held, ...

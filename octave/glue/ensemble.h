@@ -142,14 +142,10 @@ ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
     {
       std::lock_guard<std::mutex> guard (m_plan);
       m_s.plan->due_from (double (m_s.t0), r.cst);
-      ip = m_s.plan->ip;
-      rp = m_s.plan->rp;
+      m_s.plan->begin (ip, rp);
     }
   else
-    {
-      ip = m_s.plan->ip;
-      rp = m_s.plan->rp;
-    }
+    m_s.plan->begin (ip, rp);
   for (int k = 0; k < S.nv && ! m.inputs.isempty (); k++)
     rp[ip[GS_TABLE + 3] - 1 + k] = m.inputs(i, k);
   for (int k = 0; k < S.nu && S.nq == S.nu; k++)

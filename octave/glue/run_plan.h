@@ -17,6 +17,10 @@ public:
   // periods, delays and first samples of a run from T0 on
   void due_from (double t0, const reals& cst);
 
+  // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
+  // written, stays as it is: it takes most of their room, and the time of a short run.
+  void begin (std::vector<int>& own_ip, reals& own_rp) const;
+
   // the parts of the plan: in IP, and in a copy of RP in double precision
   gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
@@ -46,7 +50,17 @@ private:
   gs_scene m_scene;
   int m_nx;
   doubles m_rp;
+  std::size_t m_record[2] = { 0, 0 };      // where in it the record of the events begins and ends
 };
+
+void
+run_plan::begin (std::vector<int>& own_ip, reals& own_rp) const
+{
+  own_ip = ip;
+  own_rp.resize (rp.size ());
+  std::copy_n (rp.begin (), m_record[0], own_rp.begin ());
+  std::copy (rp.begin () + m_record[1], rp.end (), own_rp.begin () + m_record[1]);
+}
 
 // SIZE numbers of a field, a null pointer where it is []
 const double *
@@ -168,6 +182,11 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
   m_rp.assign (gs_reals (&p), 0.0);
   gs_lay (&p, &ip[0], &m_rp[0]);
   rp.assign (m_rp.begin (), m_rp.end ());
+  if (ip[GS_EVENTS] > 0)
+    {
+      m_record[0] = events ().record - &m_rp[0];
+      m_record[1] = events ().level - &m_rp[0];
+    }
 }
 
 void

@@ -258,6 +258,23 @@ set_breaks (const gs_sweep *s, gs_room *r)
       all[r->nb++] = all[k];
 }
 
+/* its plan; the record of the events, of which nothing is read before it is written, stays as it
+ * is: it takes most of the room */
+static void
+lay_plan (const gs_sweep *s, gs_room *r)
+{
+  memcpy (r->ip, s->ip, (size_t) s->nip * sizeof (int));
+  if (r->ip[GS_EVENTS] == 0)
+    {
+      copy (r->rp, s->rp.x, s->rp.n);
+      return;
+    }
+  gs_events e = gs_planned_events (S->nx, r->ip, r->rp);
+  long long behind = e.level - r->rp;
+  copy (r->rp, s->rp.x, e.record - r->rp);
+  copy (r->rp + behind, s->rp.x + behind, s->rp.n - behind);
+}
+
 /* the room of run I; INFO of PRE */
 static int
 prepare (const gs_sweep *s, gs_room *r, long long i)
@@ -277,8 +294,7 @@ prepare (const gs_sweep *s, gs_room *r, long long i)
   r->info = 0;
   r->text[0] = 0;
   copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
-  memcpy (r->ip, s->ip, (size_t) s->nip * sizeof (int));
-  copy (r->rp, s->rp.x, s->rp.n);
+  lay_plan (s, r);
   if (S->nctl > 0 && info == 0)
     {
       gs_scene scene = { .nv = S->nv, .nctl = S->nctl, .ctp = periods };

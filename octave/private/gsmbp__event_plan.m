@@ -1,8 +1,7 @@
-## plan = gsmbp__event_plan (who, m, o, plan, told)
+## plan = gsmbp__event_plan (who, m, o, plan)
 ## The plan of a run with its events, where the scene M has such.  O: the options of gsmbp_simulate.
-## TOLD: whether the run tells of its events; the record takes most of the room of a short run.
 
-function plan = gsmbp__event_plan (who, m, o, plan, told)
+function plan = gsmbp__event_plan (who, m, o, plan)
   n = numel (m.events);
   if (n == 0)
     if (! isempty (o.modes))
@@ -20,9 +19,6 @@ function plan = gsmbp__event_plan (who, m, o, plan, told)
   endif
   plan.modes = double (o.modes(:)');
   plan.events = 10000;
-  if (! told && any (strcmp (o.method, {"dp853", "rk4"})))   # the others look at their record
-    plan.events = 0;
-  endif
   plan.event_inputs = [m.events.input];
   plan.event_kinds = 1 + strcmp ({m.events.kind}, "stop");
   plan = user_events (m, plan);

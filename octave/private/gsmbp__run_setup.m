@@ -1,10 +1,10 @@
-## p = gsmbp__run_setup (who, m, x0, times, o, told)
+## p = gsmbp__run_setup (who, m, x0, times, o)
 ## A run of the model M from X0 at TIMES(1) by the options O of gsmbp_simulate, checked and laid
 ## out: a struct with M (its way of the loops set), O (completed), X0 and ATOL (with the states of
 ## an audit and of derivatives), TIMES, METHOD, ROPT, START (see gsmbp__start), CARRIED, and
-## ARGUMENTS of the module's "sim".  TOLD: whether the run tells of its events.
+## ARGUMENTS of the module's "sim".
 
-function p = gsmbp__run_setup (who, m, x0, times, o, told)
+function p = gsmbp__run_setup (who, m, x0, times, o)
   d = m.sizes;
   p.times = times = gsmbp__times (who, times);
   if (numel (times) < 2)
@@ -21,7 +21,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o, told)
   endif
   [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
   plan = gsmbp__sampled (who, m, o, times, plan);
-  plan = gsmbp__event_plan (who, m, o, plan, told);
+  plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0);
   p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
   [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);

@@ -38,7 +38,7 @@ function p = run_of (who, s)
             "function of Octave, which cannot run on several cores"], who);
   endif
   o.samples = false;
-  p = gsmbp__run_setup (who, m, s.x0, s.times, o, false);
+  p = gsmbp__run_setup (who, m, s.x0, s.times, o);
 endfunction
 
 ## numbers, and the runs whose parameters break a rule of the scene

@@ -221,6 +221,10 @@ end
 function stop_in_the_position ()
   m = gsmbp_set (gsmbp_fixture ("passage_events"), "fc", 0.2, "hi", pi);
   sign_ = 2 * strncmp (m.coordinates, "q", 1)(:) - 1;
-  says (@() gsmbp_simulate (m, [sign_; 6 * sign_], [0, 1]), ...
-        "where the constraints lose rank: no motion with the speeds that it leaves");
+  said = gsmbp_complaint (@() gsmbp_simulate (m, [sign_; 6 * sign_], [0, 1]));
+  # rounding decides whether the step to it or the impact in it fails
+  gsmbp_check (["a stop in the position is refused: " said], ...
+               ! isempty (regexp (said, ["where the constraints lose rank: no motion with the " ...
+                                         "speeds that it leaves|no position that closes the loops"],
+                                  "once")));
 end
