@@ -117,7 +117,7 @@ lane_group::park (int lane)
 {
   for (int k = 0; k < m_s.nx; k++)
     m_h(k, lane) = 0;
-  for (int k = 0; k < 12 * m_s.nx; k++)
+  for (int k = 0; k < (m_iopt[0] == 4 ? 2 : 12) * m_s.nx; k++)   // those of its stages
     m_f(k, lane) = 0;
   m_step(0, lane) = 0;
   m_active[lane] = 0;
@@ -272,8 +272,9 @@ void
 lane_group::stage_rates (double *xd, const double *t, double *x, bool last)
 {
   const int nx = m_s.nx;
-  for (int k = 0; k < lane_count; k++)
-    m_stage_t(0, k) = last ? gslft_ (&t[k], &m_l[k].at) : t[k];
+  std::copy_n (t, lane_count, m_stage_t.begin ());
+  for (int k = 0; last && k < lane_count; k++)
+    m_stage_t(0, k) = gslft_ (&t[k], &m_l[k].at);
   for (int k = 0; m_of_time && k < lane_count; k++)
     if (m_active[k])
       {

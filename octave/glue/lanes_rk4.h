@@ -39,8 +39,8 @@ lane_group::begun_4 (void)
       m_slow(0, k) = l.joined && m_c(c_good, k) >= m_c(c_look, k);
     }
   part_where (m_slow);
-  fortran {gslnp_} (&m_s.nx, m_runs.begin (), m_c.begin (), m_step.begin (),
-                    m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
+  fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
+                    m_slow.begin ());
   part_where (m_slow);
   bool some = false, apart = false;
   for (int k = 0; k < lane_count; k++)
@@ -90,7 +90,6 @@ lane_group::judge_all_4 (void)
 bool
 lane_group::ready_4 (int lane)
 {
-  const simulation& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   fortran {gsrkt_} (&l.ta, &l.stp[0], &l.istp[0], &l.h, &l.k, &l.n, &l.t, &l.tn, &l.at);
@@ -102,8 +101,6 @@ lane_group::ready_4 (int lane)
   m_step(0, lane) = l.h;
   m_c(c_t, lane) = l.t;
   m_tn(0, lane) = l.tn;
-  for (int k = 0; k < s.nx; k++)
-    m_h(k, lane) = l.h;
   return true;
 }
 
@@ -159,8 +156,17 @@ lane_group::watch_alone (int lane)
 // what an iteration of GSSTF knows of the lanes
 struct lane_growth
 {
-  double old[lane_count] = { }, sum[lane_count] = { };
+  double old[lane_count] = { }, sum[lane_count] = { }, part[lane_count];
   int equal[lane_count] = { };
+
+  lane_growth (void) { std::fill_n (part, lane_count, 1.0); }
+
+  // whether an eigenvalue of 1/H can still be there
+  bool possible (int k, double h)
+  {
+    part[k] = std::min (1e300, part[k] * old[k] * h);
+    return part[k] >= 1e-6;
+  }
 
   // after a turn that let CHANGE grow so: has it ended? Then the eigenvalue, else 0
   double settled (int k, double growth, int turn)
@@ -222,7 +228,8 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
             m_l[k].r.istat[12]++;
             state[k] = int (m_b(0, k));
             rho[k] = growth > 0 && fine (k) ? g.settled (k, growth, turn) : 0;
-            goes(0, k) = growth > 0 && fine (k) && rho[k] <= 0;
+            goes(0, k) = growth > 0 && fine (k) && rho[k] <= 0
+                         && g.possible (k, std::fabs (m_l[k].h) / 2.78);
             some = some || goes(0, k) > 0;
           }
     }
@@ -240,7 +247,7 @@ lane_group::stages_4 (void)
         t[k] = stage == 4 ? m_tn(0, k) : m_c(c_t, k) + 0.5 * m_step(0, k);
       stage_rates (m_f.begin () + (stage > 1 ? m_numbers : 0), t, x, stage == 4);
       x = stage == 4 ? m_xn.begin () : m_xs.begin ();
-      fortran {gsln4_} (&stage, &m_numbers, m_h.begin (), m_x.begin (), m_f.begin (), x);
+      fortran {gsln4_} (&stage, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), x);
     }
 }
 

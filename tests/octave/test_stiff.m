@@ -8,6 +8,8 @@ function test_stiff ()
   single_axis (axis);
   tolerance (axis);
   bounds (axis);
+  looks (axis);
+  swinging (gsmbp_fixture ("trim_stiff"));
   inputs (axis);
   jumps (axis);
   feedback (axis);
@@ -113,6 +115,43 @@ function bounds (m)
                strcmp (id, "gsmbp:stiff") ...
                  && ! isempty (regexp (text, ...
                                  'at t = .*1/s, of drive\.i.*method "radau".*reduced variant')));
+end
+
+## a look at the bound far from it ends after a few calls of the right-hand side
+function looks (m)
+  m = gsmbp_set (m, "L_a", 0.0048);
+  x0 = [0.2; 0; 0];
+  h = 0.05 / max (abs (eig (m.jac (0, x0, 3))));
+  counted (0);
+  r = gsmbp_simulate (m, x0, [0, 10 * h], "input", @(t, x) counted (3), "method", "rk4", "step", h);
+  more = counted (0) - r.stats.calls;
+  gsmbp_check (sprintf ("rk4 far inside its limit: %d calls beside the %d of 10 steps", more, ...
+                        r.stats.calls), r.stats.calls == 40 && more <= 10);
+end
+
+## the constant V; 0 begins to count again, and gives how often there was another one
+function v = counted (v)
+  persistent n = 0;
+  if (v == 0)
+    [v, n] = deal (n, 0);
+  else
+    n++;
+  end
+end
+
+## undamped springs, frequencies of 1 to 1e5 1/s: the bound by the fastest of them
+function swinging (m)
+  x0 = zeros (m.sizes.nx, 1);
+  x0(m.sizes.nq) = 1;
+  largest = max (abs (eig (m.jac (0, x0))));
+  for z = [2.5, 3.1]
+    h = z / largest;
+    [r, ~] = gsmbp_simulate (m, x0, [0, 2 * h], "method", "rk4", "step", h * (1 + 1e-9));
+    heard = r.stats.stiff.eigenvalue;
+    gsmbp_check (sprintf ("springs, rk4 at %g over the eigenvalue %.3g: %.3g 1/s", z, largest, ...
+                          heard), ...
+                 isnan (heard) == (z < 2.8) && ! (abs (heard / largest - 1) > 0.05));
+  end
 end
 
 function inputs (m)

@@ -243,9 +243,10 @@ int gsinc (const gs_system *g, double tv, double tf, const double *x);
  * workspace */
 void gsstd (const gs_system *g, double t, double h, const double *x, double *w);
 
-/* the largest eigenvalue rho of the right-hand side by modulus [1/s], 0 where that failed; k: the
- * state (from 1) that moves most. w: 4*nx */
-void gsstf (const gs_system *g, double t, const double *x, double *w, double *rho, int *k);
+/* the largest eigenvalue rho of the right-hand side by modulus [1/s], 0 where that failed, or where
+ * none is above 1/h; k: the state (from 1) that moves most. w: 4*nx */
+void gsstf (const gs_system *g, double t, const double *x, double h, double *w, double *rho,
+            int *k);
 
 /* the passage of a position where the constraints lose rank, if one is ahead; h: the next step of
  * gsdp8; hlim: its longest one where there is no passage yet [s]; taken: 1 if it was passed. info

@@ -71,7 +71,7 @@ gsstd (const gs_system *g, double t, double h, const double *x, double *w)
     return;
   double rho;
   int k;
-  gsstf (g, t, x, w + g->nx, &rho, &k);
+  gsstf (g, t, x, fabs (h) / limit, w + g->nx, &rho, &k);
   if (rho * fabs (h) <= limit)
     return;
   istat[GS_IS_STIFF] = 1;

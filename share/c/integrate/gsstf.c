@@ -4,7 +4,10 @@
  * The power method on differences of the right-hand side. Lengths are the largest entry, divided
  * by atol[i]/rtol + |x[i]|. A real eigenvalue shows itself by equal growth in succession; under a
  * pair of complex ones growth goes up and down, and its geometric mean over the last 24 of 32
- * iterations is taken. */
+ * iterations is taken.
+ * An eigenvalue rho whose left vector has the part c of the first direction lets n iterations grow
+ * by c*rho^n or more. Once they have grown by less than 1e-6/h^n none with h*rho above 1 is left
+ * but where c is less than 1e-6, and that is the end: 0. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -58,11 +61,11 @@ turned (const gs_system *g, double t, const double *x, const double *xd, double 
 
 /* the eigenvalue, counting in the statistics of g */
 static double
-largest (const gs_system *g, double t, const double *x, double *w, int *k)
+largest (const gs_system *g, double t, const double *x, double h, double *w, int *k)
 {
   const int nx = g->nx;
   double *xd = w, *dir = w + nx, *z = w + 2 * nx, *unit = w + 3 * nx;
-  double old = 0.0, sum = 0.0;
+  double old = 0.0, sum = 0.0, part = 1.0;
   begin (g, x, dir, z, unit);
   if (gsfun (g, t, 1, z, xd) != 0)
     return 0.0;
@@ -77,12 +80,15 @@ largest (const gs_system *g, double t, const double *x, double *w, int *k)
         sum += log (growth);
       if (equal == 3)
         return growth;
+      part = gs_min (1e300, part * growth * h);
+      if (part < 1e-6)
+        return 0.0;
     }
   return exp (sum / 24.0);
 }
 
 void
-gsstf (const gs_system *g, double t, const double *x, double *w, double *rho, int *k)
+gsstf (const gs_system *g, double t, const double *x, double h, double *w, double *rho, int *k)
 {
   int istat[20] = { 0 };
   double rstat[20] = { 0 };
@@ -90,6 +96,6 @@ gsstf (const gs_system *g, double t, const double *x, double *w, double *rho, in
   own.istat = istat;
   own.rstat = rstat;
   *k = 1;
-  *rho = largest (&own, t, x, w, k);
+  *rho = largest (&own, t, x, h, w, k);
   g->istat[GS_N_STABILITY] += istat[GS_N_RHS];
 }

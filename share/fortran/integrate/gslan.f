@@ -462,7 +462,7 @@ C$OMP SIMD PRIVATE( S, Z, Y, F, G )
    10 CONTINUE
       CALL GSLNG( NX, R, X, XN )
       END
-      SUBROUTINE GSLNP( NX, RUNS, C, H, HS, TN, AT, SLOW )
+      SUBROUTINE GSLNP( RUNS, C, H, TN, AT, SLOW )
 C
 C     PURPOSE
 C     GSRKT for all lanes: the next steps of GSRK4.
@@ -477,11 +477,9 @@ C
       IMPLICIT NONE
       INTEGER            K
       PARAMETER          ( K = 16 )
-      INTEGER            NX
-      DOUBLE PRECISION   RUNS(K), C(K,24), H(K), HS(K,NX), TN(K),
-     $                   AT(K), SLOW(K)
+      DOUBLE PRECISION   RUNS(K), C(K,24), H(K), TN(K), AT(K), SLOW(K)
       DOUBLE PRECISION   S, Y
-      INTEGER            I, L
+      INTEGER            L
 C
 C$OMP SIMD PRIVATE( S, Y )
       DO 10 L = 1, K
@@ -505,39 +503,37 @@ C$OMP SIMD PRIVATE( S, Y )
          IF ( RUNS(L).LE.0.0D0 ) Y = 0.0D0
          SLOW(L) = Y
    10 CONTINUE
-      DO 30 I = 1, NX
-C$OMP SIMD
-         DO 20 L = 1, K
-            HS(L,I) = H(L)
-   20    CONTINUE
-   30 CONTINUE
       END
       SUBROUTINE GSLNR( NX, RUNS, XN, R )
 C
 C     PURPOSE
 C     Steps of GSRK4 in all lanes: R is 1 where they are good, 3 where a
-C     number of XN is not finite, 0 where there were none.
+C     number of XN may not be finite (their moduli add up to more than
+C     1E300), 0 where there were none.
 C
       IMPLICIT NONE
       INTEGER            K
       PARAMETER          ( K = 16 )
       INTEGER            NX
       DOUBLE PRECISION   RUNS(K), XN(K,NX), R(K)
-      DOUBLE PRECISION   Y
+      DOUBLE PRECISION   S(K), Y
       INTEGER            I, L
 C
       DO 10 L = 1, K
-         R(L) = RUNS(L)
+         S(L) = 0.0D0
    10 CONTINUE
       DO 30 I = 1, NX
-C$OMP SIMD PRIVATE( Y )
+C$OMP SIMD
          DO 20 L = 1, K
-            Y = R(L)
-            IF ( .NOT.( ABS( XN(L,I) ).LE.1.0D300 ) .AND. Y.GT.0.0D0 )
-     $         Y = 3.0D0
-            R(L) = Y
+            S(L) = S(L) + ABS( XN(L,I) )
    20    CONTINUE
    30 CONTINUE
+C$OMP SIMD PRIVATE( Y )
+      DO 40 L = 1, K
+         Y = RUNS(L)
+         IF ( .NOT.( S(L).LE.1.0D300 ) .AND. Y.GT.0.0D0 ) Y = 3.0D0
+         R(L) = Y
+   40 CONTINUE
       END
       SUBROUTINE GSLNQ( NX, R, TN, C, X, XN )
 C
@@ -587,52 +583,57 @@ C$OMP SIMD PRIVATE( Y )
    20    CONTINUE
    30 CONTINUE
       END
-      SUBROUTINE GSLN4( S, M, H, X, W, XS )
+      SUBROUTINE GSLN4( S, NX, H, X, W, XS )
 C
 C     PURPOSE
-C     The states of GSRK4 for many lanes, after its S-th right-hand
-C     side.
+C     The states of GSRK4 for all lanes, after its S-th right-hand side.
 C
 C     ARGUMENTS
 C     S       (input) INTEGER, 1 to 4.
-C     M       (input) INTEGER, the number of numbers, see GSLNS.
-C     H, X    (input) as GSLNS.
-C     W       (input/output) DOUBLE PRECISION array, dimension (M,2):
+C     NX      (input) INTEGER, the number of states.
+C     H       (input) DOUBLE PRECISION array, dimension (K), the steps.
+C     X       (input) DOUBLE PRECISION array, dimension (K,NX), the
+C             states.
+C     W       (input/output) DOUBLE PRECISION array, dimension (K,NX,2):
 C             on entry column 1 (S = 1) or 2 is the right-hand side.
-C     XS      (output) DOUBLE PRECISION array, dimension (M): the state
-C             for the next one, or behind the step.
+C     XS      (output) DOUBLE PRECISION array, dimension (K,NX): the
+C             state for the next one, or behind the step.
 C
       IMPLICIT NONE
-      INTEGER            S, M
-      DOUBLE PRECISION   H(M), X(M), W(M,2), XS(M)
-      DOUBLE PRECISION   H2, H6
-      INTEGER            I
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            S, NX
+      DOUBLE PRECISION   H(K), X(K,NX), W(K,NX,2), XS(K,NX)
+      DOUBLE PRECISION   HS(K)
+      INTEGER            I, L
 C
+      DO 10 L = 1, K
+         HS(L) = H(L)
+         IF ( S.LE.2 ) HS(L) = 0.5D0*H(L)
+         IF ( S.EQ.4 ) HS(L) = H(L)/6.0D0
+   10 CONTINUE
       IF ( S.EQ.1 ) THEN
-C$OMP SIMD PRIVATE( H2 )
-         DO 10 I = 1, M
-            H2 = 0.5D0*H(I)
-            XS(I) = X(I) + H2*W(I,1)
-   10    CONTINUE
-      ELSE IF ( S.EQ.2 ) THEN
-C$OMP SIMD PRIVATE( H2 )
-         DO 20 I = 1, M
-            H2 = 0.5D0*H(I)
-            XS(I)  = X(I) + H2*W(I,2)
-            W(I,1) = W(I,1) + 2.0D0*W(I,2)
-   20    CONTINUE
-      ELSE IF ( S.EQ.3 ) THEN
+         DO 30 I = 1, NX
 C$OMP SIMD
-         DO 30 I = 1, M
-            XS(I)  = X(I) + H(I)*W(I,2)
-            W(I,1) = W(I,1) + 2.0D0*W(I,2)
+            DO 20 L = 1, K
+               XS(L,I) = X(L,I) + HS(L)*W(L,I,1)
+   20       CONTINUE
    30    CONTINUE
+      ELSE IF ( S.LE.3 ) THEN
+         DO 50 I = 1, NX
+C$OMP SIMD
+            DO 40 L = 1, K
+               XS(L,I)  = X(L,I) + HS(L)*W(L,I,2)
+               W(L,I,1) = W(L,I,1) + 2.0D0*W(L,I,2)
+   40       CONTINUE
+   50    CONTINUE
       ELSE
-C$OMP SIMD PRIVATE( H6 )
-         DO 40 I = 1, M
-            H6 = H(I)/6.0D0
-            XS(I) = X(I) + H6*( W(I,1) + W(I,2) )
-   40    CONTINUE
+         DO 70 I = 1, NX
+C$OMP SIMD
+            DO 60 L = 1, K
+               XS(L,I) = X(L,I) + HS(L)*( W(L,I,1) + W(L,I,2) )
+   60       CONTINUE
+   70    CONTINUE
       END IF
       END
       SUBROUTINE GSLNH( NX, D, X, CHANGE, SIZE, GOES, XS )

@@ -104,8 +104,8 @@ C
          ISTAT(16) = 0
       END IF
       CALL GSSTF( RHS, CON, KIN, CMD, CLO, VIN, T, X, NQ, NU, NX, NV,
-     $            NLAM, IP, RP, CST, V, RTOL, ATOL, W, WI, P,
-     $            ISTAT, RHO, K )
+     $            NLAM, IP, RP, CST, V, RTOL, ATOL, ABS( H )/LIMIT, W,
+     $            WI, P, ISTAT, RHO, K )
       IF ( RHO*ABS( H ).LE.LIMIT ) RETURN
       ISTAT(14) = 1
       ISTAT(15) = K

@@ -1,6 +1,6 @@
       SUBROUTINE GSSTF( RHS, CON, KIN, CMD, CLO, VIN, T, X, NQ, NU, NX,
-     $                  NV, NLAM, IP, RP, CST, V, RTOL, ATOL, W, WI, P,
-     $                  ISTAT, RHO, K )
+     $                  NV, NLAM, IP, RP, CST, V, RTOL, ATOL, H, W, WI,
+     $                  P, ISTAT, RHO, K )
 C
 C     PURPOSE
 C     The largest eigenvalue of the right-hand side, by modulus, inputs
@@ -9,11 +9,13 @@ C
 C     ARGUMENTS
 C     As GSDP8, and
 C     X       (input) DOUBLE PRECISION array, dimension (NX).
+C     H       (input) DOUBLE PRECISION: an eigenvalue of which H times
+C             the modulus is less than 1 is not looked for [s].
 C     W       (workspace) DOUBLE PRECISION array, dimension (NX,4).
 C     ISTAT   (input/output) INTEGER array, GSSIM's statistics: entry 13
 C             counts the calls of RHS.
 C     RHO     (output) DOUBLE PRECISION, the estimate [1/s], or 0 if the
-C             right-hand side could not be computed.
+C             right-hand side could not be computed or if there is none.
 C     K       (output) INTEGER, the state that moves most in the
 C             direction of this eigenvalue, in its tolerance.
 C
@@ -23,13 +25,17 @@ C     are the largest entry, divided by ATOL(I)/RTOL + |X(I)|.  A real
 C     eigenvalue shows itself by equal growth in succession; under a
 C     pair of complex ones growth goes up and down, and its geometric
 C     mean over the last 24 of 32 iterations is taken.
+C     An eigenvalue RHO whose left vector has the part C of the first
+C     direction lets N iterations grow by C*RHO**N or more.  Once they
+C     have grown by less than 1E-6/H**N none with H*RHO above 1 is
+C     left but where C is less than 1E-6, and that is the end.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
       INTEGER            NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*), K
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), RTOL, ATOL(*),
-     $                   W(NX,4), WI(*), P(*), RHO
-      DOUBLE PRECISION   GSEPS, S, D, GROWTH, OLD, SUM, RST(20)
+     $                   H, W(NX,4), WI(*), P(*), RHO
+      DOUBLE PRECISION   GSEPS, S, D, GROWTH, OLD, SUM, PART, RST(20)
       EXTERNAL           GSEPS, GSFUN
       INTEGER            I, J, N, INFO, IST(20)
 C
@@ -53,6 +59,7 @@ C
       N   = 0
       OLD = 0.0D0
       SUM = 0.0D0
+      PART = 1.0D0
       D   = SQRT( GSEPS() )
       DO 100 J = 1, 32
          S = 0.0D0
@@ -87,6 +94,8 @@ C
             RHO = GROWTH
             GO TO 200
          END IF
+         PART = MIN( 1.0D300, PART*GROWTH*H )
+         IF ( PART.LT.1.0D-6 ) GO TO 200
   100 CONTINUE
       RHO = EXP( SUM/24.0D0 )
   200 ISTAT(13) = ISTAT(13) + IST(1)
