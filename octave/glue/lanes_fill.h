@@ -117,7 +117,7 @@ lane_group::park (int lane)
 {
   for (int k = 0; k < m_s.nx; k++)
     m_h(k, lane) = 0;
-  for (int k = 0; k < (m_iopt[0] == 4 ? 2 : 12) * m_s.nx; k++)   // those of its stages
+  for (int k = 0; k < (m_iopt[0] == 4 ? 4 : 12) * m_s.nx; k++)   // those of its stages
     m_f(k, lane) = 0;
   m_step(0, lane) = 0;
   m_active[lane] = 0;

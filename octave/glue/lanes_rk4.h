@@ -31,12 +31,13 @@ lane_group::begun_4 (void)
 {
   for (int k = 0; k < lane_count; k++)
     {
-      lane_run& l = m_l[k];
-      l.ier = 0;
-      if (! l.joined)
-        join (k);
-      m_c(c_t, k) = l.joined ? m_c(c_t, k) : m_s.t0;
-      m_slow(0, k) = l.joined && m_c(c_good, k) >= m_c(c_look, k);
+      if (m_runs(0, k) <= 0)   // a run that has joined and goes on has no error
+        {
+          m_l[k].ier = 0;
+          join (k);
+          m_c(c_t, k) = m_l[k].joined ? m_c(c_t, k) : m_s.t0;
+        }
+      m_slow(0, k) = m_runs(0, k) > 0 && m_c(c_good, k) >= m_c(c_look, k);
     }
   part_where (m_slow);
   fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
@@ -165,7 +166,7 @@ struct lane_growth
   bool possible (int k, double h)
   {
     part[k] = std::min (1e300, part[k] * old[k] * h);
-    return part[k] >= 1e-6;
+    return part[k] >= 1e-4;
   }
 
   // after a turn that let CHANGE grow so: has it ended? Then the eigenvalue, else 0
@@ -184,13 +185,16 @@ lane_group::begin_eigenvalues (double *base, double *change, double *size)
 {
   const double rtol = m_ropt[1];
   for (int j = 0, i = 0; j < m_s.nx; j++)
-    for (int k = 0; k < lane_count; k++, i++)
-      {
-        const double x = std::fabs (m_x.begin ()[i]),
-                     one = x + (rtol > 0 ? m_ropt[3 + j] / rtol : 1);
-        size[i] = one > 0 ? 1 / one : 1;
-        change[i] = (0.5 + std::fmod (0.618 * (j + 1), 1.0)) / size[i];
-      }
+    {
+      const double least = rtol > 0 ? m_ropt[3 + j] / rtol : 1,
+                   first = 0.5 + std::fmod (0.618 * (j + 1), 1.0);
+      for (int k = 0; k < lane_count; k++, i++)
+        {
+          const double usual = std::fabs (m_x.begin ()[i]) + least, one = usual > 0 ? usual : 1;
+          size[i] = 1 / one;
+          change[i] = first * one;
+        }
+    }
   for (int k = 0; k < lane_count; k++)
     m_stage_t(0, k) = m_c(c_t, k);
   call_rates (m_x.begin (), base);
@@ -238,14 +242,14 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
 void
 lane_group::stages_4 (void)
 {
-  double t[lane_count], *x = m_x.begin ();
-  std::copy_n (m_c.begin (), lane_count, t);
+  double half[lane_count], *x = m_x.begin ();
+  for (int k = 0; k < lane_count; k++)
+    half[k] = m_c(c_t, k) + 0.5 * m_step(0, k);
+  const double *t[] = { m_c.begin (), half, half, m_tn.begin () };
   activate ();
   for (int stage = 1; stage <= 4; stage++)
     {
-      for (int k = 0; k < lane_count && stage > 1; k++)
-        t[k] = stage == 4 ? m_tn(0, k) : m_c(c_t, k) + 0.5 * m_step(0, k);
-      stage_rates (m_f.begin () + (stage > 1 ? m_numbers : 0), t, x, stage == 4);
+      stage_rates (m_f.begin () + (stage - 1) * m_numbers, t[stage-1], x, stage == 4);
       x = stage == 4 ? m_xn.begin () : m_xs.begin ();
       fortran {gsln4_} (&stage, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), x);
     }

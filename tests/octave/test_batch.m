@@ -14,6 +14,7 @@ function test_batch ()
     rounding (name{1}, gsmbp_fixture (name{1}), gsmbp_fixture (name{1}, "precision", "quad"));
   end
   large_angles (gsmbp_fixture ("batch_arm"));
+  singular (gsmbp_fixture ("batch_bead"));
   lost_rank (gsmbp_fixture ("batch_bars", "parameters", struct ("lc", 0.25, "ld", 0.7)));
   ways (gsmbp_fixture ("batch_bars", "parameters", struct ("loop_method", 4)));
   arguments (gsmbp_fixture ("batch_arm"));
@@ -127,6 +128,21 @@ function large_angles (m)
   s.q(3, 20) = 1e9;
   gsmbp_check ("one large angle among small ones, in tolerances", ...
                distance (batches (m, s), singles (m, s)) ./ tolerance (), 1);
+end
+
+## states whose mass matrix is singular, one in a whole block, one in the block that overlaps: the
+## indicator of these alone
+function singular (m)
+  s = states (m, 21);
+  s.q(2,:) += 5;
+  s.x(2,:) += 5;
+  s.q(2,[3, 20]) = s.x(2,[3, 20]) = 0;
+  expected = double (ismember (1:21, [3, 20]));
+  [a, b] = deal (batches (m, s), singles (m, s));
+  gsmbp_check ("singular states: indicators of one by one", ...
+               isequal (b.fwd_info, expected) && isequal (b.rhs_info, expected));
+  gsmbp_check ("singular states: indicators at once", ...
+               isequal (a.fwd_info, expected) && isequal (a.rhs_info, expected));
 end
 
 ## a state that is no number: its own result and indicator, no other

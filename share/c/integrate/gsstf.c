@@ -6,8 +6,8 @@
  * pair of complex ones growth goes up and down, and its geometric mean over the last 24 of 32
  * iterations is taken.
  * An eigenvalue rho whose left vector has the part c of the first direction lets n iterations grow
- * by c*rho^n or more. Once they have grown by less than 1e-6/h^n none with h*rho above 1 is left
- * but where c is less than 1e-6, and that is the end: 0. */
+ * by c*rho^n or more. Once they have grown by less than 1e-4/h^n none with h*rho above 1 is left
+ * but where c is less than 1e-4, and that is the end: 0. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -81,7 +81,7 @@ largest (const gs_system *g, double t, const double *x, double h, double *w, int
       if (equal == 3)
         return growth;
       part = gs_min (1e300, part * growth * h);
-      if (part < 1e-6)
+      if (part < 1e-4)
         return 0.0;
     }
   return exp (sum / 24.0);

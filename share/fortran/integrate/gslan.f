@@ -594,8 +594,8 @@ C     NX      (input) INTEGER, the number of states.
 C     H       (input) DOUBLE PRECISION array, dimension (K), the steps.
 C     X       (input) DOUBLE PRECISION array, dimension (K,NX), the
 C             states.
-C     W       (input/output) DOUBLE PRECISION array, dimension (K,NX,2):
-C             on entry column 1 (S = 1) or 2 is the right-hand side.
+C     W       (input) DOUBLE PRECISION array, dimension (K,NX,4): the
+C             right-hand sides 1 to S.
 C     XS      (output) DOUBLE PRECISION array, dimension (K,NX): the
 C             state for the next one, or behind the step.
 C
@@ -603,7 +603,7 @@ C
       INTEGER            K
       PARAMETER          ( K = 16 )
       INTEGER            S, NX
-      DOUBLE PRECISION   H(K), X(K,NX), W(K,NX,2), XS(K,NX)
+      DOUBLE PRECISION   H(K), X(K,NX), W(K,NX,4), XS(K,NX)
       DOUBLE PRECISION   HS(K)
       INTEGER            I, L
 C
@@ -612,28 +612,21 @@ C
          IF ( S.LE.2 ) HS(L) = 0.5D0*H(L)
          IF ( S.EQ.4 ) HS(L) = H(L)/6.0D0
    10 CONTINUE
-      IF ( S.EQ.1 ) THEN
+      IF ( S.LE.3 ) THEN
          DO 30 I = 1, NX
 C$OMP SIMD
             DO 20 L = 1, K
-               XS(L,I) = X(L,I) + HS(L)*W(L,I,1)
+               XS(L,I) = X(L,I) + HS(L)*W(L,I,S)
    20       CONTINUE
    30    CONTINUE
-      ELSE IF ( S.LE.3 ) THEN
+      ELSE
          DO 50 I = 1, NX
 C$OMP SIMD
             DO 40 L = 1, K
-               XS(L,I)  = X(L,I) + HS(L)*W(L,I,2)
-               W(L,I,1) = W(L,I,1) + 2.0D0*W(L,I,2)
+               XS(L,I) = X(L,I) + HS(L)*( W(L,I,1) + 2.0D0*W(L,I,2)
+     $                 + 2.0D0*W(L,I,3) + W(L,I,4) )
    40       CONTINUE
    50    CONTINUE
-      ELSE
-         DO 70 I = 1, NX
-C$OMP SIMD
-            DO 60 L = 1, K
-               XS(L,I) = X(L,I) + HS(L)*( W(L,I,1) + W(L,I,2) )
-   60       CONTINUE
-   70    CONTINUE
       END IF
       END
       SUBROUTINE GSLNH( NX, D, X, CHANGE, SIZE, GOES, XS )

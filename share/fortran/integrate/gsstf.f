@@ -27,8 +27,8 @@ C     pair of complex ones growth goes up and down, and its geometric
 C     mean over the last 24 of 32 iterations is taken.
 C     An eigenvalue RHO whose left vector has the part C of the first
 C     direction lets N iterations grow by C*RHO**N or more.  Once they
-C     have grown by less than 1E-6/H**N none with H*RHO above 1 is
-C     left but where C is less than 1E-6, and that is the end.
+C     have grown by less than 1E-4/H**N none with H*RHO above 1 is
+C     left but where C is less than 1E-4, and that is the end.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
@@ -95,7 +95,7 @@ C
             GO TO 200
          END IF
          PART = MIN( 1.0D300, PART*GROWTH*H )
-         IF ( PART.LT.1.0D-6 ) GO TO 200
+         IF ( PART.LT.1.0D-4 ) GO TO 200
   100 CONTINUE
       RHO = EXP( SUM/24.0D0 )
   200 ISTAT(13) = ISTAT(13) + IST(1)

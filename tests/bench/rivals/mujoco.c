@@ -34,8 +34,8 @@ void init(const char *path) {
     double *J = x + 16, armature = 0;
     if (x[12] == 0) { armature = J[2]; x[12] = J[0] = J[1] = J[2] = 1e-14; }
     t += sprintf(t,
-                 "<body pos='%.17g %.17g %.17g' xyaxes='%g %g %g %g %g %g'><joint type='%s' "
-                 "axis='0 0 1' armature='%.17g'/>"
+                 "<body pos='%.17g %.17g %.17g' xyaxes='%.17g %.17g %.17g %.17g %.17g %.17g'>"
+                 "<joint type='%s' axis='0 0 1' armature='%.17g'/>"
                  "<inertial pos='%.17g %.17g %.17g' mass='%.17g' fullinertia='%.17g %.17g %.17g "
                  "%.17g %.17g %.17g'/>",
                  x[9], x[10], x[11], x[0], x[3], x[6], x[1], x[4], x[7],
