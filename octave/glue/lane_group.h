@@ -195,7 +195,7 @@ private:
   void judge_all_4 (void);
   void watch_4 (void);
   void watch_alone (int lane);
-  void begin_eigenvalues (double *base, double *change, double *size);
+  void begin_eigenvalues (double *change, double *size);
   void eigenvalues (const bool *due, double *rho, int *state);
   void stages_4 (void);
   void by_itself_4 (int lane);

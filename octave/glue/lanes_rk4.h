@@ -43,19 +43,18 @@ lane_group::begun_4 (void)
   fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
                     m_slow.begin ());
   part_where (m_slow);
-  bool some = false, apart = false;
+  bool some = false;
   for (int k = 0; k < lane_count; k++)
     {
       lane_run& l = m_l[k];
       l.alone = ! l.joined && l.busy && ready_4 (k) && l.partition ()[0] > 0;
       l.steps = l.busy && ! l.alone;
       some = some || l.steps;
-      apart = apart || ! l.joined;
       if (l.joined)
         l.at = int (m_at(0, k));
+      else if (l.busy && (l.alone || m_of_time))
+        watch_alone (k);
     }
-  if (apart)
-    watch_4 ();
   return some;
 }
 
@@ -105,20 +104,15 @@ lane_group::ready_4 (int lane)
   return true;
 }
 
-// GSSTD ahead of a step, for the runs where a look is due
+// GSSTD ahead of a step, for the runs where a look is due; the rates at their states are known
 void
 lane_group::watch_4 (void)
 {
   bool due[lane_count], some = false;
   for (int k = 0; k < lane_count; k++)
     {
-      const std::vector<int>& istat = m_l[k].r.istat;
-      due[k] = m_l[k].busy && ! m_l[k].joined && istat[13] == 0 && istat[1] >= istat[17];
-      if (due[k] && (m_l[k].alone || m_of_time))
-        {
-          watch_alone (k);
-          due[k] = false;
-        }
+      const lane_run& l = m_l[k];
+      due[k] = l.steps && ! l.joined && l.r.istat[13] == 0 && l.r.istat[1] >= l.r.istat[17];
       some = some || due[k];
     }
   if (! some)
@@ -179,9 +173,9 @@ struct lane_growth
   }
 };
 
-// rates at the states of the runs; where to GSSTF looks first, one by the usual sizes of the states
+// where to GSSTF looks first, one by the usual sizes of the states
 void
-lane_group::begin_eigenvalues (double *base, double *change, double *size)
+lane_group::begin_eigenvalues (double *change, double *size)
 {
   const double rtol = m_ropt[1];
   for (int j = 0, i = 0; j < m_s.nx; j++)
@@ -195,12 +189,9 @@ lane_group::begin_eigenvalues (double *base, double *change, double *size)
           change[i] = first * one;
         }
     }
-  for (int k = 0; k < lane_count; k++)
-    m_stage_t(0, k) = m_c(c_t, k);
-  call_rates (m_x.begin (), base);
 }
 
-// GSSTF for all lanes that are due
+// GSSTF for all lanes that are due: behind the first stage of a step, by the rates that it leaves
 void
 lane_group::eigenvalues (const bool *due, double *rho, int *state)
 {
@@ -209,7 +200,7 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
   lane_array& goes = m_live;
   double *base = m_f.begin (), *change = base + m_numbers, *size = change + m_numbers;
   auto fine = [this] (int k) { return m_info[k] == 0 || m_info[k] == 2 || m_info[k] == 3; };
-  begin_eigenvalues (base, change, size);
+  begin_eigenvalues (change, size);
   for (int k = 0; k < lane_count; k++)
     {
       if (due[k])   // others may have no run
@@ -250,6 +241,8 @@ lane_group::stages_4 (void)
   for (int stage = 1; stage <= 4; stage++)
     {
       stage_rates (m_f.begin () + (stage - 1) * m_numbers, t[stage-1], x, stage == 4);
+      if (stage == 1)
+        watch_4 ();
       x = stage == 4 ? m_xn.begin () : m_xs.begin ();
       fortran {gsln4_} (&stage, &m_s.nx, m_step.begin (), m_x.begin (), m_f.begin (), x);
     }

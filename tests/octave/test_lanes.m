@@ -7,6 +7,7 @@ function test_lanes ()
   tree (arm);
   neighbours (arm);
   ends (arm);
+  bound (arm);
   loop (gsmbp_fixture ("batch_bars"));
   stepped (gsmbp_fixture ("batch_stop"), gsmbp_fixture ("sampled_drive"));
   held (gsmbp_fixture ("event_crank"), linspace (0, 2, 18), 0);
@@ -94,6 +95,21 @@ function ends (m)
   f = gsmbp_ensemble (m, [], [0, 0.1, 0.2], repmat_input (m, o){:}, "lanes", false);
   gsmbp_check ("inputs from a table with a jump", e.x - f.x, 1e-8);
   gsmbp_check ("those at the output times", isequal (e.v, f.v));
+end
+
+## steps of rk4 beyond what is stable for the motor's current: said of those runs that it breaks
+function bound (m)
+  n = 20;
+  rows = rows_of_arm (m, n);
+  rows{6}.M_L = m.par.M_L * [ones(10, 1); 0.2 * ones(10, 1)];
+  pole = max (abs (eig (m.jac (0, rows{2}(1,:)', rows{4}(1,:)'))));
+  o = {rows{:}, "method", "rk4", "step", 1.5 / pole};
+  e = gsmbp_ensemble (m, [], [0, 300 / pole], o{:}, "threads", 1);
+  f = gsmbp_ensemble (m, [], [0, 300 / pole], o{:}, "lanes", false);
+  heard = @(e) ! cellfun ("isempty", strfind (e.reason, "the steps are bound by stability"));
+  gsmbp_check (["unstable steps: " e.reason{20}], ...
+               e.lanes && isequal (heard (e)(:), (1:n)' > 10) && isequal (heard (f), heard (e)) ...
+                 && isequal (e.ok(:), (1:n)' <= 10));
 end
 
 ## the polynomial for as many inputs as the model has
