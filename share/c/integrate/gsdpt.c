@@ -2,6 +2,7 @@
  * outputs within it; the length of the next one. */
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -9,6 +10,7 @@
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
+#include "gsmbp/plan.h"
 
 /* of gsdpo: the polynomial is not as accurate as the step */
 enum { INACCURATE = 90 };
@@ -69,6 +71,11 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
   c->fresh = dense > 0.0 && e->side > 0 && event <= 0 ? 2 : 1;
+  if (g->ip[GS_EVENTS] > 0 && e->side > 0 && event <= 0 && g->s->nlam == 0 && g->s->nq == g->s->nu)
+    {
+      c->fresh = 2;   /* gsevn knows the rates where the step ends */
+      memcpy (c->f + g->nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, g->nx * sizeof *c->f);
+    }
   c->after = 1;
   c->repeated = 0;
   c->near = 0.05;

@@ -177,6 +177,14 @@ C     -- the outputs within it
          LM(6) = -MIN( 1, EVENT )
          LM(1) = 1
          IF ( DENSE.EQ.1 .AND. AT.GT.0 ) LM(1) = 2
+         IF ( IP(28).GT.0 .AND. AT.GT.0 .AND. NLAM.EQ.0 .AND. NQ.EQ.NU )
+     $        THEN
+C           -- GSEVN knows the rates where the step ends
+            LM(1) = 2
+            DO 20 I = 1, NX
+               F(NX+I) = RP(IP(29)-1+5*IP(IP(28))+I)
+   20       CONTINUE
+         END IF
          LM(2) = 1
          LM(3) = 0
          M(3)  = 0.05D0
