@@ -16,7 +16,7 @@ def routines(table):
     cut = len(table['name']) + 1
     every = [(row['name'][cut:].lower(), row) for row in table['subroutines']]
     return [(name, row) for name, row in every
-            if not name.endswith('_v') and name not in ('par', 'pre')]
+            if not name.endswith(('_v', '_w')) and name not in ('par', 'pre')]
 
 
 def arguments(row):

@@ -22,7 +22,7 @@ pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac \
   tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac \
   $(whole && echo tests/scenes/case_03a.mac tests/scenes/own_words.mac \
     tests/scenes/reach_parallel_apart.mac) $by_chance
-(GSMBP_REQUESTS='[all, batch, regressor]' pairs 'batches and the regressor' \
+(GSMBP_REQUESTS='[all, batch, lanes, regressor]' pairs 'batches, lanes and the regressor' \
   tests/scenes/batch_arm.mac tests/scenes/batch_bars.mac)
 whole && (GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)
 

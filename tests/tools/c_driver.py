@@ -38,7 +38,7 @@ class Scene:
         return self.wide      # a leading dimension, or *
 
     def size(self, name, dims):
-        if name == "CST":
+        if name == "CST" and dims == ["*"]:
             return self.d["ncst"]
         n = 1
         for dim in dims:
@@ -50,7 +50,7 @@ def whole_value(scene, routine, name):
     """a value of an integer argument"""
     if name.startswith("LD"):
         return str(scene.wide)
-    if name == "K" and routine.endswith("_V"):
+    if name == "K" and routine.endswith(("_V", "_W")):
         return f"1 + (19 * state) % {scene.wide}"
     if routine.endswith("_NIK"):
         return "1" if name == "K" else "state % 2"
@@ -82,18 +82,20 @@ def argument(scene, routine, name, shape):
         return [f"int f_{name} = {value};"], f"&f_{name}", f"f_{name}", []
     if not dims and intent == "in":
         return [f"double f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
-    if name == "CST":
+    if name == "CST" and not routine.endswith("_W"):
         return [], "cst_f", "cst_c", []
     kind = "int" if whole else "double"
     lines = [f"static {kind} f_{name}[{n}], c_{name}[{n}];"]
-    if whole:
+    if name == "CST" and intent == "in":   # of each state
+        lines.append(f"for (int i = 0; i < {n}; i++) f_CST[i] = cst_f[i/{scene.wide}];")
+    elif whole:
         lines.append(f"for (int i = 0; i < {n}; i++) f_{name}[i] = (int)(3 * chance ()) - 1;")
     else:
         lines.append(fill(name, n))
     lines.append(f"memcpy (c_{name}, f_{name}, sizeof c_{name});")
     checks = [] if intent == "in" else [
         f"same_{kind} (f_{name}, c_{name}, {n}, \"{routine} {name}\");"]
-    if name == "PAR":
+    if name == "PAR" and not routine.endswith("_W"):
         return lines, f"f_{name}", f"(void *)c_{name}", checks
     return lines, f"f_{name}", f"c_{name}", checks
 
