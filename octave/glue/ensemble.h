@@ -3,61 +3,16 @@
 #pragma once
 
 #include "lanes.h"
-
-#include <atomic>
-#include <mutex>
-#include <thread>
-
-// what differs, a row for each run; no rows: as in the run of the beginning
-struct ensemble_rows
-{
-  int n;
-  std::vector<int> which;            // the parameters that a column stands for
-  Matrix par, table, starts, inputs;
-
-  ensemble_rows (arguments& a)
-    : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1)),
-      par (a.matrix ("par", S.npar, 1)), table (a.value ("table").matrix_value ()),
-      starts (a.value ("starts").matrix_value ()), inputs (a.value ("inputs").matrix_value ())
-  {
-    fits (table, int (which.size ()), "table");
-    fits (starts, S.nx, "starts");
-    fits (inputs, S.nv, "inputs");
-  }
-
-private:
-
-  void fits (const Matrix& m, int columns, const char *name) const
-  {
-    if (! m.isempty () && (m.rows () != n || m.columns () != columns))
-      error ("%s.ensemble: %s: expected %d x %d", S.name, name, n, columns);
-  }
-};
-
-// what comes back, a column or a page for each run
-struct ensemble_results
-{
-  NDArray x, v, y;
-  Matrix counts, values, info;
-
-  ensemble_results (int n, int nt)
-    : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
-      y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0)
-  { }
-};
+#include "row_groups.h"
 
 class ensemble
-#if ! defined (GSMBP_QUAD)
-  : private lane_source
-#endif
 {
 public:
 
   // lanes: whether runs are in lanes where they can be
   ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
     : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
-      m_done (0)
+      m_done (0), m_common (rows.common ())
   {
     m_x = m_results.x.fortran_vec ();
     m_v = m_results.v.fortran_vec ();
@@ -73,8 +28,10 @@ public:
 
 private:
 
-  void work (int most);
-  bool prepare (int i, run_room& r, std::vector<int>& ip, reals& rp);
+  void work (int thread, int most);
+  bool over (int i);
+  int constants (const known_row& row, reals& cst) const;
+  bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, reals& rp);
   void keep (int i, const run_room& r, reals& one);
 
 #if defined (GSMBP_QUAD)
@@ -82,21 +39,21 @@ private:
 #else
   static bool in_lanes (const simulation& s) { return lane_group::fits (s); }
 
-  bool next (lane_run& l)
+  // a thread's
+  struct lane_rows : lane_source
   {
-    do
-      l.i = m_next++;
-    while (l.i < m_rows.n && ! prepare (l.i, l.r, l.ip, l.rp));
-    return l.i < m_rows.n;
-  }
+    ensemble& all;
+    const int thread;
 
-  void done (lane_run& l)
-  {
-    reals one = room (S.ny);
-    m_s.go_on (l.r, l.ip, l.rp);
-    keep (l.i, l.r, one);
-    the_patience->reached (++m_done);
-  }
+    lane_rows (ensemble& e, int k) : all (e), thread (k) { }
+    bool next (lane_run& l) { return all.next (l, thread); }
+    void done (lane_run& l) { all.done (l); }
+  };
+
+  bool next (lane_run& l, int thread);
+  void done (lane_run& l);
+
+  std::unique_ptr<row_groups> m_groups;   // none: PRE is called for each run
 #endif
 
   const simulation& m_s;
@@ -106,33 +63,48 @@ private:
   double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info;
   std::atomic<int> m_next, m_done;
   std::mutex m_plan;
+  const reals m_common;              // the parameters of all runs
 };
 
-// the room of run I; false where its parameters cannot be, or all is to end
+// whether all is to end before run I
 bool
-ensemble::prepare (int i, run_room& r, std::vector<int>& ip, reals& rp)
+ensemble::over (int i)
+{
+  if (the_patience->why () == patience::none)
+    return false;
+  m_info[2 * i] = the_patience->why ();   // no calls
+  m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
+  return true;
+}
+
+// the constants of a run; INFO of PRE
+int
+ensemble::constants (const known_row& row, reals& cst) const
+{
+#if ! defined (GSMBP_QUAD)
+  if (row.group)
+    return row.group->constants (row.place, cst);
+#endif
+  int info = 0;
+  reals par = m_common;
+  m_rows.put (row.i, par);
+  routine ("pre") (&par[0], &cst[0], &info);
+  return info;
+}
+
+// the room of a run; false where its parameters cannot be, or all is to end
+bool
+ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, reals& rp)
 {
   const ensemble_rows& m = m_rows;
-  if (the_patience->why () != patience::none)
-    {
-      m_info[2 * i] = the_patience->why ();   // no calls
-      m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
-      return false;
-    }
+  const int i = row.i;
+  if (over (i))
+    return false;
   r = m_s;
   if (! m.table.isempty ())
     {
-      reals par = room (S.npar);
-      routine ("par") (&par[0]);
-      for (int k = 0; k < S.npar; k++)
-        if (double (par[k]) != m.par(k))
-          par[k] = decimal (m.par(k));
-      for (std::size_t k = 0; k < m.which.size (); k++)
-        par[m.which[k] - 1] = decimal (m.table(i, k));
-      int info = 0;
-      routine ("pre") (&par[0], &r.cst[0], &info);
-      m_info[2 * i + 1] = info;
-      if (info != 0)
+      m_info[2 * i + 1] = constants (row, r.cst);
+      if (m_info[2 * i + 1] != 0)
         return false;
       r.breaks = m_s.breaks_of (r.cst);
     }
@@ -185,14 +157,42 @@ ensemble::keep (int i, const run_room& r, reals& one)
     }
 }
 
+#if ! defined (GSMBP_QUAD)
+
+bool
+ensemble::next (lane_run& l, int thread)
+{
+  known_row row = { 0, nullptr, 0 };
+  do
+    if (! m_groups)
+      row.i = m_next++;
+    else if (! m_groups->next (thread, row))
+      row.i = m_rows.n;
+  while (row.i < m_rows.n && ! prepare (row, l.r, l.ip, l.rp));
+  l.i = row.i;
+  return l.i < m_rows.n;
+}
+
+void
+ensemble::done (lane_run& l)
+{
+  reals one = room (S.ny);
+  m_s.go_on (l.r, l.ip, l.rp);
+  keep (l.i, l.r, one);
+  the_patience->reached (++m_done);
+}
+
+#endif
+
 // one run after the other, until none is left, or in lanes, MOST of them
 void
-ensemble::work (int most)
+ensemble::work (int thread, int most)
 {
 #if ! defined (GSMBP_QUAD)
   if (m_lanes)
     {
-      std::unique_ptr<lane_group> group (new lane_group (m_s, *this, most));
+      lane_rows mine (*this, thread);
+      std::unique_ptr<lane_group> group (new lane_group (m_s, mine, most));
       group->run_all ();
       return;
     }
@@ -201,7 +201,7 @@ ensemble::work (int most)
   std::vector<int> ip;
   reals rp, one = room (S.ny);
   for (int i = m_next++; i < m_rows.n; i = m_next++)
-    if (prepare (i, r, ip, rp))
+    if (prepare ({ i, nullptr, 0 }, r, ip, rp))
       {
         m_s.run (r, ip, rp);
         keep (i, r, one);
@@ -213,10 +213,14 @@ void
 ensemble::run_all (int threads)
 {
   const int most = (m_rows.n - 1) / threads + 1;
+#if ! defined (GSMBP_QUAD)
+  if (m_lanes && ! m_rows.table.isempty () && emitted ("pre_w"))
+    m_groups.reset (new row_groups (m_rows, m_common, threads, most));
+#endif
   std::vector<std::thread> others;
   for (int k = 1; k < threads; k++)
-    others.emplace_back (&ensemble::work, this, most);
-  work (most);
+    others.emplace_back (&ensemble::work, this, k, most);
+  work (0, most);
   for (std::thread& t : others)
     t.join ();
 }

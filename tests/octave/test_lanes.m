@@ -29,12 +29,6 @@ function o = some (o, k)
   o{6} = structfun (@(x) x(k), o{6}, "UniformOutput", false);
 end
 
-function same = equal_runs (a, i, b, k)
-  same = isequaln (a.x(:,:,i), b.x(:,:,k)) && isequaln (a.v(:,:,i), b.v(:,:,k)) ...
-           && isequaln (a.y(:,:,i), b.y(:,:,k)) && isequal (a.calls(i), b.calls(k)) ...
-           && isequal (a.ok(i), b.ok(k)) && isequaln (a.reached(i), b.reached(k));
-end
-
 function tree (m)
   n = 45;
   t = [0, 0.1, 0.15, 0.4];

@@ -1,0 +1,60 @@
+// What differs from run to run of an ensemble, and what comes back.
+#pragma once
+
+#include "parameters.h"
+#include "simulation.h"
+
+// what differs, a row for each run; no rows: as in the run of the beginning
+struct ensemble_rows
+{
+  int n;
+  std::vector<int> which;            // the parameters that a column stands for
+  Matrix par, table, starts, inputs;
+
+  ensemble_rows (arguments& a)
+    : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1)),
+      par (a.matrix ("par", S.npar, 1)), table (a.value ("table").matrix_value ()),
+      starts (a.value ("starts").matrix_value ()), inputs (a.value ("inputs").matrix_value ())
+  {
+    fits (table, int (which.size ()), "table");
+    fits (starts, S.nx, "starts");
+    fits (inputs, S.nv, "inputs");
+  }
+
+  // the parameters of all runs, and of one
+  reals common (void) const
+  {
+    reals p = room (S.npar);
+    routine ("par") (&p[0]);
+    for (int k = 0; k < S.npar; k++)
+      if (double (p[k]) != par(k))
+        p[k] = decimal (par(k));
+    return p;
+  }
+  void put (int i, reals& p) const
+  {
+    for (std::size_t k = 0; k < which.size (); k++)
+      p[which[k] - 1] = decimal (table(i, k));
+  }
+
+private:
+
+  void fits (const Matrix& m, int columns, const char *name) const
+  {
+    if (! m.isempty () && (m.rows () != n || m.columns () != columns))
+      error ("%s.ensemble: %s: expected %d x %d", S.name, name, n, columns);
+  }
+};
+
+// what comes back, a column or a page for each run
+struct ensemble_results
+{
+  NDArray x, v, y;
+  Matrix counts, values, info;
+
+  ensemble_results (int n, int nt)
+    : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
+      y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
+      info (2, n, 0.0)
+  { }
+};
