@@ -14,6 +14,7 @@ C
       DOUBLE PRECISION   P(*)
       INTEGER            I, N
 C
+C$OMP SIMD
       DO 10 I = 1, 24 + 8*NU + 10*NQ + 7*NLAM + 2*NLAM*NU
          P(I) = 0.0D0
    10 CONTINUE

@@ -124,7 +124,7 @@ def main(folder):
     rates = lambda y: list(y[n:]) + list(bodies.accelerations(y[:n], y[n:]))
     start = [mp.mpf(float(x)) for x in (*model.q, *model.v)]
     coarse, fine = (extrapolated(rates, start, model.end, steps, 9)
-                    for steps in ((36, 48) if model.pin is None else (64, 80)))
+                    for steps in ((36, 48) if model.pin is None else (100, 128)))
     certain = float(max(abs(a - b) for a, b in zip(coarse[:n], fine[:n])))
     row('mpmath', certain, 0, 0, fine[:n])
     with open(kept, 'w') as file:
