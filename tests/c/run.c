@@ -882,6 +882,8 @@ blocks_rst (double t, double *x, double *v, int *mode, int k, const double *cst)
   const double m[4] = { 1, 0, 0, 2 }, h[6] = { 1, 0, 1, 0, 1, 0 };
   double s[3], sd[3], prm[12], hold[3], ud[2], w[400];
   (void)cst;
+  if (k == -3)
+    return fails ("rst", t);
   blocks_ports (t, x, mode, s, sd, prm, hold, ud);
   int info = gsrst (2, 0, 3, k, kind, mode, s, sd, prm, hold, m, 2, h, 3, NULL, x + 2, w);
   if (fails ("evt", t))

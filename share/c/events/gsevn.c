@@ -408,6 +408,14 @@ past (const gs_system *g, const gs_step *e, int i, double th, double *te, const 
   return 0;
 }
 
+/* friction at port i (from 0) that slides since the beginning of the step, te being hardly later */
+static int
+has_just_been_let_go (const gs_step *e, double te, const gs_events *a, int i)
+{
+  return a->kind[i] == 1 && a->mode[i] != 0
+         && te - e->t <= 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+}
+
 int
 gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
 {
@@ -441,7 +449,8 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
   info = past (g, e, i, th, &te, &a, err);
   if (info != 0)
     return info;
-  if (gs_is_own (&a, i - 1) && a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2)
+  if (a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2
+      && (gs_is_own (&a, i - 1) || has_just_been_let_go (e, te, &a, i - 1)))
     {
       *err = -1.0;
       return 0;

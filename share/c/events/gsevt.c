@@ -5,7 +5,9 @@
  * where the upper or lower stop is in contact, else 0. prm (4,k): friction: the largest force that
  * holds, its Stribeck speed (a speed 1e-9 of this the other way is rest, not sliding back:
  * rounding errors where a stop holds the port, too); stops: lower and upper end, restitution,
- * speed of rebound below which the contact stays. */
+ * speed of rebound below which the contact stays. A port that rests where a stop is, held by
+ * something else, or leaves it does not hit it: what is left of its distance are rounding
+ * errors. */
 #include <math.h>
 
 #include "gsmbp/events.h"
@@ -20,7 +22,13 @@ gsevt (int k, const int *kind, const int *mode, const double *s, const double *s
     else if (kind[i] == 1)
       gv[i] = mode[i] * sd[i] + 1e-9 * prm[1];
     else if (mode[i] == 0)
-      gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
+      {
+        const double tiny = 1e-12 * (prm[1] - prm[0]);
+        gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
+        const double way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
+        if (gv[i] <= tiny && gv[i] >= -1e3 * tiny && way <= 1e-9 * prm[3])
+          gv[i] = tiny;
+      }
     else
       gv[i] = -(double)mode[i] * hold[i];
 }

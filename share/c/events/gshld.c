@@ -30,6 +30,11 @@ gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, cons
          *const row = hold + nh, *const pos = row + nh * nu, *const sd = pos + nh,
          *const prm = sd + nh, *const a = prm + 4 * nh, *const h = a + nu * nu,
          *const phit = h + (m + nh) * nu, *const u = phit + most, *const ww = u + nu;
+  if (k == -3)
+    {
+      gsrsf (s, t, x, v, mode, cst, nh, kind, ipl, w, ud, lam, hold, row, pos, sd, prm);
+      return 0;
+    }
   gshld (s, t, x, v, mode, cst, nh, kind, ipl, w, ud, lam, hold, row, pos, sd, prm);
   int info = gsipm (s, t, x, cst, nh, row, a, h, phit, u, ww);
   if (info != 0)

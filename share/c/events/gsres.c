@@ -23,9 +23,9 @@ new_record (const gs_events *a, double t, const double *x, int nx, int l)
 }
 
 /* after event l the next one at this instant: a port that cannot be held, another stop that is hit
- * just now; 0: none */
+ * just now, also at the start (k = 0); 0: none */
 static int
-next (const gs_events *a, int l)
+next (const gs_events *a, int l, int k)
 {
   int n = 0;
   double least = 0.0;
@@ -36,9 +36,34 @@ next (const gs_events *a, int l)
         least = a->g[i];
       }
   for (int i = 0; i < a->ne && n == 0; i++)
-    if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0 && a->mark[i] == 1 && a->g[i] <= 0.0)
+    if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0 && a->g[i] <= 0.0
+        && (a->mark[i] == 1 || (k == 0 && l <= 0 && a->kind[i] == 2)))
       n = i + 1;
   return n;
+}
+
+/* ... friction at rest that slides against its push, a stop that a port at rest is pushed
+ * against */
+static int
+against (const gs_scene *s, const gs_events *a, double t, double *x, double *v, const double *cst,
+         int l, int *n)
+{
+  int some = 0;
+  for (int i = 0; i < a->ne; i++)
+    {
+      a->marks[i] = a->mode[i];
+      some |= a->kind[i] <= 2 && ! gs_is_held (a, i);
+    }
+  int info = some ? s->rst (t, x, v, a->mode, -3, cst) : 0;
+  if (info != 0)
+    return info;
+  for (int i = 0; i < a->ne; i++)
+    {
+      if (a->mode[i] != a->marks[i] && i + 1 != l)
+        *n = i + 1;
+      a->mode[i] = a->marks[i];
+    }
+  return 0;
 }
 
 int
@@ -89,7 +114,10 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
       s->evt (t, x, v, a.mode, cst, a.g);
       if (l > 0 && gs_is_own (&a, l - 1))
         gsusl (&a, l, k, g, v);
-      int n = next (&a, l);
+      int n = next (&a, l, k);
+      int info = n == 0 ? against (s, &a, t, x, v, cst, l, &n) : 0;
+      if (info != 0)
+        return info;
       if (l > 0)
         a.mark[l - 1] = 0;
       if (n == 0)
@@ -113,6 +141,6 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
     }
   gsusd (&a, a.g);
   for (int i = 0; i < a.ne; i++)
-    a.mark[i] = a.g[i] > 0.0;
+    a.mark[i] = a.g[i] > 0.0 || (a.kind[i] == 1 && gs_is_held (&a, i));
   return 0;
 }

@@ -5,11 +5,13 @@
  * comes to rest exactly (l = -1), not before: where the loops stop a port by their geometry, as at
  * a dead centre, the rest of the machine would have to stop for it.
  * At a stop u+ = u + inv(A)*H'*p, so that the port's speed becomes -e times itself, without one
- * where the rebound would be slower than prm[3]: then the stop stays in contact. Constraints and
+ * where the rebound would be slower than prm[3]: then the stop stays in contact, as one does
+ * against which a port at rest is pushed. Constraints and
  * stops in contact take part in the impact and only push; friction does not: no finite force
  * resists an impulse. Then friction slides where its port moves. */
 #include <math.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/solve.h"
 
@@ -56,7 +58,10 @@ gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s, 
     {
       const double *stop = prm + 4 * i;
       const int end = stop[1] - s[i] < s[i] - stop[0] ? 1 : -1;
-      if (end * sd[i] <= 0.0)
+      if (fabs (sd[i]) <= 1e-9 * stop[3]
+          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= 1e-9 * (stop[1] - stop[0]))
+        mode[i] = end;
+      if (end * sd[i] <= 0.0 || mode[i] != 0)
         return 0;
       double e = stop[2];
       if (e * fabs (sd[i]) <= stop[3])

@@ -223,9 +223,18 @@ void gshld (const gs_scene *s, double t, const double *x, const double *v, const
             const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
             double *lam, double *hold, double *row, double *pos, double *sd, double *prm);
 
-/* what happens at event k of a scene, as l of gsrst: the modes in mode and in v change, the speeds
- * in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq + 6*nu + 14*(nlam+nh) +
- * 10*nh + 4. info: as con and gsrst */
+/* where friction at rest slides against its push, or a stop is pushed against at rest, the first
+ * such mode is changed. Arguments as gshld */
+void gsrsf (const gs_scene *s, double t, const double *x, const double *v, int *mode,
+            const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
+            double *lam, double *hold, double *row, double *pos, double *sd, double *prm);
+
+/* 1 if another port is held that moves as port i (from 0) does, else 0 */
+int gshlj (int nu, int nh, int i, const int *kind, const int *mode, const double *row);
+
+/* what happens at event k of a scene, as l of gsrst; -3: gsrsf. The modes in mode and in v change,
+ * the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq + 6*nu +
+ * 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
 int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
            int nh, const int *kind, const int *ipl, double *w);
 

@@ -368,7 +368,8 @@ C     As GSEVN, and
 C     START   (input) DOUBLE PRECISION, the fraction of the step where
 C             its polynomial has the zero.
 C     I       (input/output) INTEGER, on exit 0 where a function of the
-C             user does not fall to 0: nothing is changed then.
+C             user does not fall to 0, nor friction that has just been
+C             let go come to rest: nothing is changed then.
 C     ERR     (output) DOUBLE PRECISION, that of GSDP8, else 0.
 C
       IMPLICIT NONE
@@ -437,8 +438,10 @@ C     -- an event of the user has happened: a little later it must be
          PAST = PAST + 1
          GO TO 2
       END IF
-      IF ( IE(10+2*NE+I).GT.2 .AND. GC.GT.0.0D0 .AND. METHOD.NE.12 .AND.
-     $     METHOD.NE.0 .AND. IE(10+5*NE+I).LT.2 ) THEN
+      IF ( GC.GT.0.0D0 .AND. METHOD.NE.12 .AND. METHOD.NE.0 .AND.
+     $     IE(10+5*NE+I).LT.2 .AND. ( IE(10+2*NE+I).GT.2 .OR.
+     $     ( IE(10+2*NE+I).EQ.1 .AND. IE(10+I).NE.0 .AND. TE - T.LE.
+     $     1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) ) ) THEN
          I = 0
          RETURN
       END IF

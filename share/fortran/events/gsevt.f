@@ -24,10 +24,16 @@ C     HOLD    (input) DOUBLE PRECISION array, dimension (K), the efforts
 C             that hold the ports.
 C     GV      (output) DOUBLE PRECISION array, dimension (K).
 C
+C     METHOD
+C     A port that rests where a stop is, held by something else, or
+C     leaves it does not hit it: what is left of its distance are
+C     rounding errors.
+C
       IMPLICIT NONE
       INTEGER            K, KIND(*), MODE(*)
       DOUBLE PRECISION   S(*), SD(*), PRM(4,*), HOLD(*), GV(*)
       INTEGER            I
+      DOUBLE PRECISION   TINY, WAY
 C
       DO 10 I = 1, K
          IF ( KIND(I).EQ.1 .AND. MODE(I).EQ.0 ) THEN
@@ -37,6 +43,11 @@ C
          ELSE IF ( MODE(I).EQ.0 ) THEN
             GV(I) = ( PRM(2,I) - S(I) )*( S(I) - PRM(1,I) )
      $              /( PRM(2,I) - PRM(1,I) )
+            TINY = 1.0D-12*( PRM(2,I) - PRM(1,I) )
+            WAY = SD(I)
+            IF ( S(I) - PRM(1,I).LT.PRM(2,I) - S(I) ) WAY = -WAY
+            IF ( GV(I).LE.TINY .AND. GV(I).GE.-1.0D3*TINY .AND.
+     $           WAY.LE.1.0D-9*PRM(4,I) ) GV(I) = TINY
          ELSE
             GV(I) = -DBLE( MODE(I) )*HOLD(I)
          END IF

@@ -62,7 +62,7 @@ C             coordinates, NU speeds, ...; the speeds jump.
 C     V       (input/output) DOUBLE PRECISION array, the inputs; modes
 C             are set.
 C     MODE    (input/output) INTEGER array, dimension (NH).
-C     K       (input) INTEGER, which event: see L of GSRST.
+C     K       (input) INTEGER, which event: see L of GSRST; -3: GSRSF.
 C     NQ, NU, NLAM (input) INTEGER, the numbers of coordinates, speeds and
 C             constraints.
 C     W       (workspace) DOUBLE PRECISION array, dimension (3*NU*NU +
@@ -75,7 +75,7 @@ C
       INTEGER            MODE(*), K, NQ, NU, NV, NLAM, NH, KIND(*),
      $                   IPL(*), INFO
       DOUBLE PRECISION   T, X(*), V(*), CST(*), W(*)
-      EXTERNAL           GSHLD, GSIPM, GSRST
+      EXTERNAL           GSHLD, GSIPM, GSRSF, GSRST
       INTEGER            IL, IH, IR, IS, ID, IP, IA, IJ, IT, IU, IW, I
 C
 C     -- inputs, accelerations, multipliers, what holds, rows, places,
@@ -92,6 +92,12 @@ C        speeds and parameters of the ports, M, H, PHIT, speeds
       IU = IT + MAX( 1, NLAM )
       IW = IU + NU
       INFO = 0
+      IF ( K.EQ.-3 ) THEN
+         CALL GSRSF( STK, HLD, T, X, V, MODE, CST, NU, NV, NH, KIND,
+     $               IPL, W, W(1+NV), W(IL), W(IH), W(IR), W(IS), W(ID),
+     $               W(IP) )
+         RETURN
+      END IF
       CALL GSHLD( STK, HLD, T, X, V, MODE, CST, NV, NH, KIND, IPL, W,
      $            W(1+NV), W(IL), W(IH), W(IR), W(IS), W(ID), W(IP) )
       CALL GSIPM( MAS, CON, T, X, CST, NQ, NU, NLAM, NH, W(IR), W(IA),

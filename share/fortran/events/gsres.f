@@ -51,14 +51,15 @@ C     METHOD
 C     An event of the user that falls to 0 at the same instant, or by
 C     what another one sets, follows that one.
 C     Where an event changes accelerations, ports that are held may no
-C     longer be: they are let go, the most violated first.  Those that
-C     stick then come to rest exactly.
+C     longer be: they are let go, the most violated first; of those that
+C     are at rest and slide some may have to stick again, or are pushed
+C     against a stop (GSRSF).  Those that stick then come to rest exactly.
 C
       IMPLICIT NONE
       EXTERNAL           EVT, RST, GSUSE, GSUSL, GSUSD
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
-      INTEGER            NE, JM, JK, JA, I, L, N, R, LS, RS
+      INTEGER            NE, JM, JK, JA, JL, I, L, N, R, LS, RS
       DOUBLE PRECISION   LEAST, G
       LOGICAL            HELD
 C
@@ -67,6 +68,7 @@ C
       JM = 10
       JK = 10 + 2*NE
       JA = 10 + 3*NE
+      JL = 10 + 4*NE
       IE(7) = K
       IE(9) = 0
       CALL GSUSE( K, IE )
@@ -122,7 +124,8 @@ C
          IF ( IE(JK+L).GT.2 ) CALL GSUSL( L, K, G, NX, V, IE, RE )
       END IF
 C
-C     -- ports that cannot be held; other stops that are hit just now
+C     -- ports that cannot be held; other stops that are hit just now,
+C        also at the start
       N = 0
       LEAST = 0.0D0
       DO 40 I = 1, NE
@@ -134,9 +137,27 @@ C     -- ports that cannot be held; other stops that are hit just now
    40 CONTINUE
       DO 50 I = 1, NE
          IF ( N.EQ.0 .AND. I.NE.L .AND. IE(JK+I).GE.2 .AND.
-     $        IE(JM+I).EQ.0 .AND. IE(JA+I).EQ.1 .AND.
-     $        RE(I).LE.0.0D0 ) N = I
+     $        IE(JM+I).EQ.0 .AND. RE(I).LE.0.0D0 .AND.
+     $        ( IE(JA+I).EQ.1 .OR. ( K.EQ.0 .AND. L.LE.0 .AND.
+     $        IE(JK+I).EQ.2 ) ) ) N = I
    50 CONTINUE
+C
+C     -- friction at rest that slides against its push, stops that ports
+C        at rest are pushed against
+      IF ( N.EQ.0 ) THEN
+         R = 0
+         DO 52 I = 1, NE
+            IE(JL+I) = IE(JM+I)
+            HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
+            IF ( IE(JK+I).LE.2 .AND. .NOT.HELD ) R = 1
+   52    CONTINUE
+         IF ( R.EQ.1 ) CALL RST( T, X, V, IE(JM+1), -3, CST, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         DO 53 I = 1, NE
+            IF ( IE(JM+I).NE.IE(JL+I) .AND. I.NE.L ) N = I
+            IE(JM+I) = IE(JL+I)
+   53    CONTINUE
+      END IF
       IF ( L.GT.0 ) IE(JA+L) = 0
       IF ( N.GT.0 ) THEN
          L = N
@@ -156,7 +177,9 @@ C     -- what sticks comes to rest
       IF ( INFO.NE.0 ) RETURN
       CALL GSUSD( NX, IE, RE, RE )
       DO 60 I = 1, NE
+         HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
          IE(JA+I) = 0
-         IF ( RE(I).GT.0.0D0 ) IE(JA+I) = 1
+         IF ( RE(I).GT.0.0D0 .OR. ( IE(JK+I).EQ.1 .AND. HELD ) )
+     $      IE(JA+I) = 1
    60 CONTINUE
       END

@@ -31,7 +31,8 @@ C     geometry, as at a dead centre, the rest of the machine would have
 C     to stop for it.
 C     At a stop U+ = U + inv(A)*H'*p, so that the port's speed becomes
 C     -e times itself, (1) without one where the rebound would be slower
-C     than PRM(4): then the stop stays in contact. Constraints and stops
+C     than PRM(4): then the stop stays in contact, as one does against
+C     which a port at rest is pushed. Constraints and stops
 C     in contact take part in the impact and only push; friction does
 C     not: no finite force resists an impulse. Then friction slides
 C     where its port moves.
@@ -70,7 +71,10 @@ C
       ELSE
          I = -1
          IF ( PRM(2,L) - S(L).LT.S(L) - PRM(1,L) ) I = 1
-         IF ( DBLE( I )*SD(L).LE.0.0D0 ) RETURN
+         E = 1.0D-9*( PRM(2,L) - PRM(1,L) )
+         IF ( ABS( SD(L) ).LE.1.0D-9*PRM(4,L) .AND.
+     $        MIN( PRM(2,L) - S(L), S(L) - PRM(1,L) ).LE.E ) MODE(L) = I
+         IF ( DBLE( I )*SD(L).LE.0.0D0 .OR. MODE(L).NE.0 ) RETURN
          E = PRM(3,L)
          IF ( E*ABS( SD(L) ).LE.PRM(4,L) ) THEN
             E = 0.0D0
