@@ -9,6 +9,7 @@ function test_events_together ()
   shaken (gsmbp_fixture ("event_shaken"));
   pair (gsmbp_fixture ("event_pair"));
   start_on_a_stop (gsmbp_fixture ("batch_stop"));
+  dips (gsmbp_fixture ("user_dips"));
 end
 
 ## all runs come to their end, the same ones in lanes and by themselves
@@ -98,5 +99,19 @@ function start_on_a_stop (m)
     r = gsmbp_simulate (m, [way{1}, 0, way{2}, 0], [0 0.01]);
     gsmbp_check (sprintf ("a start on the stop at %g m, moving into it, is an impact", way{1}), ...
                  [r.events.t(1), r.events.after(1,3) + 0.7 * way{2}], 1e-12);
+  end
+end
+
+## a place that is passed for a short part of a step: 2 - h beyond it, in closed form
+function dips (m)
+  for beyond = [1e-3, 1e-5, 1e-7]
+    for rtol = [1e-8, 1e-10]
+      r = gsmbp_simulate (gsmbp_set (m, "h", 2 - beyond), [0 0], [0 20], "rtol", rtol);
+      half = acos (1 - beyond);
+      t = pi * [1 1 3 3 5 5]' + half * [-1 1 -1 1 -1 1]';
+      what = sprintf ("what passes by %g for a moment, rtol %g", beyond, rtol);
+      gsmbp_check ([what ": six events"], isequal (r.events.number', [1 2 1 2 1 2]));
+      gsmbp_check ([what ": when"], (r.events.t - t) / half, 0.1);
+    end
   end
 end

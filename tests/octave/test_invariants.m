@@ -15,8 +15,8 @@ function test_invariants ()
     if (! whole && strncmp (name, "library_", 8))
       continue;
     end
-    ## abbreviated: holds to its tolerance, test_abbreviate; springs of 1e8 and 1e10 N/m: differences
-    ## see their rounding alone, test_radau_loops, test_trim
+    ## abbreviated: holds to its tolerance, test_abbreviate; springs of 1e8 and 1e10 N/m:
+    ## differences see their rounding alone, test_radau_loops, test_trim
     if (any (strcmp (name, {"base_robot_less", "stiff_loop", "trim_stiff"})))
       continue;
     end

@@ -22,6 +22,7 @@ function test_patience ()
   many_at_once (axis);
   if (! isempty (getenv ("GSMBP_WHOLE")))   # it builds in quad precision
     inside (axis);
+    reference (axis);
   end
   if (gsmbp_has_sundials ())
     by_signal (axis, "cvode", {"input", 1, "method", "cvode", "maxstep", 1e-3});
@@ -80,6 +81,14 @@ function many (m)
   f = gsmbp_ensemble (m, m.initial, t, "input", 1, "maxstep", 1e-4, "parameters", ...
                       struct ("m", table.m(k)));
   gsmbp_check ("many runs: those that ended are the same", isequal (e.x(:,:,k), f.x));
+end
+
+## a reference that does not come to its end measures nothing
+function reference (m)
+  said = gsmbp_complaint (@() gsmbp_workprecision (m, m.initial, [0 1e7], "input", 1, "dp853", ...
+                                                   1e-6, "rk4", [], "timeout", 0.2));
+  gsmbp_check (["no reference, no measurement: " said], ...
+               ! isempty (strfind (said, "the reference, in quad precision, ended at t = ")));
 end
 
 ## a sweep keeps the chunks that were finished

@@ -118,9 +118,9 @@ rose (const gs_system *g, const gs_step *e, int i, double th, int *so)
 }
 
 /* the first function that falls to 0 within e, and where on its polynomial; the part before it
- * again; 0: none */
+ * again; 0: none. dip, low: who and low of gsevl in the last eight points */
 static int
-first_event (const gs_system *g, gs_step *e, int *first, double *thf)
+first_event (const gs_system *g, gs_step *e, int *first, double *thf, int *dip, double *low)
 {
   int ns = 8, found;
   double be = 1.0;
@@ -128,10 +128,16 @@ first_event (const gs_system *g, gs_step *e, int *first, double *thf)
   *thf = 2.0;
   for (;;)
     {
-      double th;
-      int fine, so = 1, info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th, &fine);
+      double th, lowest;
+      int fine, who, so = 1, info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th,
+                                           &fine, &who, &lowest);
       if (info != 0)
         return failed (g, info);
+      if (ns == 8)
+        {
+          *dip = who;
+          *low = lowest;
+        }
       if (fine && ns < 2048)
         {
           ns *= 2;
@@ -167,6 +173,12 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
     }
   int info = gsevs (g, e, first, thf, &err);
   *again = info == 0 && err < 0.0;
+  if (*again && a.kind[first - 1] == 2 && fabs (e->h) > instant)
+    {
+      *again = 0;
+      *found = -1;
+      return 0;
+    }
   if (*again)
     {
       by_its_end (g, first);
@@ -191,18 +203,26 @@ gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
   *found = 0;
-  int first, again = 1, info = ends (g, e, a.xdn);
+  int first, dip = 0, again = 1, info = ends (g, e, a.xdn);
+  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
   for (int i = 0; i < a.ne; i++)
     if (a.fresh[i] >= 2)
       a.fresh[i] = 3 - a.fresh[i];
   while (info == 0 && again)
     {
-      double thf;
+      double thf, low;
+      int hides = 0;
       again = 0;
-      if ((info = first_event (g, e, &first, &thf)) != 0)
+      if ((info = first_event (g, e, &first, &thf, &dip, &low)) != 0)
         return info;
+      if (first == 0 && dip > 0 && e->method == 8
+          && (info = gsevw (g, e, low, dip, &hides)) != 0)
+        return info;
+      *found = hides && fabs (e->h) > instant ? -1 : 0;
+      if (*found < 0)
+        return 0;
       *found = still_below (&a, first);
-      if (*found > 0 && fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn)))
+      if (*found > 0 && fabs (e->h) > instant)
         *found = -1;
       else if (first > 0)
         info = up_to (g, e, first, thf, found, &again);
@@ -228,9 +248,52 @@ unresolved (double older, double before, double now, double c, double a)
   return old < 0.0 && slope > 0.0 && 0.5 * (slope - old) * (a + c) > before;
 }
 
+/* the lowest point of the parabola through the last three points, that of function i, as a
+ * fraction from the second on (low), if it lies between them and is small beside its curvature:
+ * less than ratio times that, which becomes its own */
+static int
+dips (double older, double before, double now, double c, double a, double *ratio, double *low)
+{
+  if (! (older > 0.0 && before > 0.0 && now > 0.0))
+    return 0;
+  const double old = (before - older) / c, slope = (now - before) / a,
+               curve = (slope - old) / (a + c), d = old - c * curve;
+  if (! (d < 0.0 && slope + a * curve > 0.0 && older - 0.25 * (d * d) / curve < *ratio * curve))
+    return 0;
+  *ratio = (older - 0.25 * (d * d) / curve) / curve;
+  *low = 0.5 * d / curve;
+  return 1;
+}
+
+int
+gsevw (const gs_system *g, const gs_step *e, double low, int who, int *hides)
+{
+  const gs_events a = plan (g);
+  const double h = e->h, b = low * (1.0 - low);
+  gsevx (g->nx, e, 0.25, a.xdn, a.z);
+  int info = gsfun (g, e->t + 0.25 * h, 1, a.z, a.end);
+  if (info != 0)
+    return info;
+  if ((info = gsevb (g, e, low, 1)) != 0)
+    return failed (g, info);
+  const double least = a.now[who - 1];
+  gsevx (g->nx, e, low, a.xdn, a.z);
+  for (int i = 0; i < g->nx; i++)
+    {
+      double d = a.end[i] - 1.125 * (e->xn[i] - e->x[i]) / h - 0.1875 * e->f[i]
+                 + 0.3125 * a.xdn[i];
+      a.z[i] = a.z[i] + h * (d / 0.1875) * (b * b);
+    }
+  if ((info = gsevv (g, e->t + low * h, 1, a.z, a.mode, a.now)) != 0)
+    return failed (g, info);
+  gsusg (&a);
+  *hides = a.now[who - 1] <= fabs (a.now[who - 1] - least);
+  return 0;
+}
+
 int
 gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found, double *th,
-       int *fine)
+       int *fine, int *who, double *low)
 {
   const gs_events p = plan (g);
   const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
@@ -246,6 +309,8 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
   *found = 0;
   *fine = 0;
   *th = 2.0;
+  *who = 0;
+  double ratio = 2e-2;
   for (int j = j0; j <= ns; j++)
     {
       double b = be * gsevp (j, ns);
@@ -261,6 +326,12 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
           p.last[i] = p.now[i];
           if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
             *fine = 1;
+          double from;
+          if (dips (p.older[i], p.before[i], p.last[i], c, a, &ratio, &from))
+            {
+              *who = i + 1;
+              *low = b - a - c - from;
+            }
           p.older[i] = p.before[i];
           p.before[i] = p.last[i];
         }
@@ -408,11 +479,11 @@ past (const gs_system *g, const gs_step *e, int i, double th, double *te, const 
   return 0;
 }
 
-/* friction at port i (from 0) that slides since the beginning of the step, te being hardly later */
+/* port i (from 0) that slides or is away from its stop, te being hardly later than the beginning */
 static int
-has_just_been_let_go (const gs_step *e, double te, const gs_events *a, int i)
+has_just_gone (const gs_step *e, double te, const gs_events *a, int i)
 {
-  return a->kind[i] == 1 && a->mode[i] != 0
+  return ! gs_is_own (a, i) && ! gs_is_held (a, i)
          && te - e->t <= 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
 }
 
@@ -450,7 +521,7 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
   if (info != 0)
     return info;
   if (a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2
-      && (gs_is_own (&a, i - 1) || has_just_been_let_go (e, te, &a, i - 1)))
+      && (gs_is_own (&a, i - 1) || has_just_gone (e, te, &a, i - 1)))
     {
       *err = -1.0;
       return 0;

@@ -26,7 +26,7 @@ gsevt (int k, const int *kind, const int *mode, const double *s, const double *s
         const double tiny = 1e-12 * (prm[1] - prm[0]);
         gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
         const double way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
-        if (gv[i] <= tiny && gv[i] >= -1e3 * tiny && way <= 1e-9 * prm[3])
+        if (gv[i] <= tiny && gv[i] >= -1e6 * tiny && way <= 1e-9 * prm[3])
           gv[i] = tiny;
       }
     else

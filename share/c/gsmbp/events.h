@@ -126,9 +126,14 @@ typedef struct
 int gsevn (const gs_system *g, gs_step *e, int *found);
 
 /* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
- * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value */
+ * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; who: a
+ * function whose lowest value, at the fraction low, is small beside its curvature; 0: none */
 int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
-           double *th, int *fine);
+           double *th, int *fine, int *who, double *low);
+
+/* for gsevn: may the polynomial of e, a step of gsdp8, hide that function who falls below 0 at the
+ * fraction low? The rates at a fourth of the step give it one degree more */
+int gsevw (const gs_system *g, const gs_step *e, double low, int who, int *hides);
 
 /* for gsevl: the zero of function i between the fractions begin and *c, by the method of Illinois;
  * on exit it has fallen to 0 at *c */

@@ -56,11 +56,11 @@ C
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
-     $                   I, NS, FIRST
-      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE
-      LOGICAL            HELD, FINE, LATER
-      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSEVD, GSUSC,
-     $                   GSUSZ
+     $                   I, NS, FIRST, WHO, DIP
+      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, LOW, LOWD
+      LOGICAL            HELD, FINE, LATER, HIDES
+      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSEVD, GSEVW,
+     $                   GSUSC, GSUSZ
 C
       NQ   = SIZ(1)
       NU   = SIZ(2)
@@ -70,6 +70,7 @@ C
       FOUND = 0
       INFO  = 0
       EPS = GSEPS()
+      DIP = 0
       NE = IE(1)
       JM = 10
       JK = 10 + 2*NE
@@ -103,8 +104,12 @@ C     -- the first function that falls to 0; the part before it again
       IF ( FIRST.EQ.0 ) I = SIDE
       CALL GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS, I,
      $            NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
-     $            FOUND, TH, FINE, INFO )
+     $            FOUND, TH, FINE, WHO, LOW, INFO )
       IF ( INFO.NE.0 ) GO TO 900
+      IF ( NS.EQ.8 ) THEN
+         DIP = WHO
+         LOWD = LOW
+      END IF
       IF ( FINE .AND. NS.LT.2048 ) THEN
          NS = 2*NS
          GO TO 10
@@ -141,8 +146,20 @@ C     -- what the polynomial alone says: all again without it
       NS = 8
       GO TO 10
 C
+C     -- a lowest value that may be lower on the step itself
+   16 IF ( FIRST.EQ.0 .AND. DIP.GT.0 .AND. METHOD.GE.8 .AND.
+     $     METHOD.LE.9 ) THEN
+         CALL GSEVW( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, LOWD, DIP,
+     $               X, SIZ, IP, RP, CST, V, XN, W, WI, P,
+     $               ISTAT, RSTAT, IE, RE, HIDES, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         FOUND = -1
+         IF ( HIDES .AND. ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ),
+     $        ABS( TN ) ) ) RETURN
+      END IF
+C
 C     -- functions that have not risen above 0 since their last event
-   16 FOUND = 0
+      FOUND = 0
       DO 20 I = 1, NE
          HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
          IF ( I.NE.FIRST .AND. IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
@@ -163,6 +180,9 @@ C     -- functions that have not risen above 0 since their last event
      $               XN, W, WI, P, ISTAT, RSTAT, IE, RE, GAUSS, FOUND,
      $               THF, ERR, INFO )
          IF ( INFO.EQ.0 .AND. FOUND.EQ.0 ) THEN
+            FOUND = -1
+            IF ( IE(JK+FIRST).EQ.2 .AND. ABS( H ).GT.1.0D3*EPS*MAX(
+     $           ABS( T ), ABS( TN ) ) ) RETURN
             FOUND = FIRST
             GO TO 15
          END IF
@@ -203,7 +223,7 @@ C
       END
       SUBROUTINE GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS,
      $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
-     $                  IE, RE, FOUND, TH, FINE, INFO )
+     $                  IE, RE, FOUND, TH, FINE, WHO, LOW, INFO )
 C
 C     PURPOSE
 C     The first zero of an event function on the polynomial of GSEVN, up
@@ -215,6 +235,10 @@ C     FOUND   (output) INTEGER, the number of the function, 0: none.
 C     TH      (output) DOUBLE PRECISION, the fraction where it is 0.
 C     FINE    (output) LOGICAL, true if a function has a lowest value
 C             that these points do not resolve.
+C     WHO     (output) INTEGER, a function whose lowest value, at the
+C             fraction LOW (output), is small beside its curvature, so
+C             that it may be below 0 on the step itself (GSEVW); 0:
+C             none.
 C
 C     METHOD
 C     Where a function of the user has just had its event the sign of
@@ -225,11 +249,11 @@ C
       INTEGER            METHOD, NS, SIDE, NX, NU, NV, IP(*), IE(*),
      $                   FOUND, INFO
       DOUBLE PRECISION   GAUSS(3), T, H, BE, X(NX), W(NX,*), XN(NX),
-     $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
+     $                   RP(*), CST(*), V(*), WI(*), RE(*), TH, LOW
       LOGICAL            FINE
-      INTEGER            NE, JA, JL, KG, I, J, S, J0
+      INTEGER            NE, JA, JL, KG, I, J, S, J0, WHO
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
-     $                   GSEPS
+     $                   GSEPS, RATIO, CURVE, D
       LOGICAL            SOON
       EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI
 C
@@ -250,6 +274,8 @@ C
       FOUND = 0
       FINE  = .FALSE.
       TH = 2.0D0
+      WHO = 0
+      RATIO = 2.0D-2
       DO 40 J = J0, NS
          B = BE*GSEVP( J, NS )
          SOON = ABS( B*H ).LE.NEAR
@@ -274,6 +300,16 @@ C
                SLOPE = ( GB - GC )/A
                IF ( OLD.LT.0.0D0 .AND. SLOPE.GT.0.0D0 .AND.
      $              0.5D0*( SLOPE - OLD )*( A + C ).GT.GC ) FINE=.TRUE.
+C              -- the lowest point of the parabola through all three
+               CURVE = ( SLOPE - OLD )/( A + C )
+               D = OLD - C*CURVE
+               IF ( D.LT.0.0D0 .AND. SLOPE + A*CURVE.GT.0.0D0 ) THEN
+                  IF ( GA - 0.25D0*D**2/CURVE.LT.RATIO*CURVE ) THEN
+                     RATIO = ( GA - 0.25D0*D**2/CURVE )/CURVE
+                     WHO   = I
+                     LOW   = B - A - C - 0.5D0*D/CURVE
+                  END IF
+               END IF
             END IF
             RE(4*NE+I) = GC
             RE(3*NE+I) = GB
@@ -298,6 +334,66 @@ C
    30    CONTINUE
          IF ( FOUND.GT.0 ) RETURN
    40 CONTINUE
+      END
+      SUBROUTINE GSEVW( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, LOW,
+     $                  WHO, X, SIZ, IP, RP, CST, V, XN, W, WI,
+     $                  P, ISTAT, RSTAT, IE, RE, HIDES, INFO )
+C
+C     PURPOSE
+C     Whether the polynomial of GSEVN may hide that function WHO falls
+C     below 0 at the fraction LOW of a step of GSDP8, where it has its
+C     lowest value on it.
+C
+C     ARGUMENTS
+C     As GSEVN, GSEVL, and
+C     HIDES   (output) LOGICAL, true where the error of that polynomial
+C             is as large as the value itself.
+C
+C     METHOD
+C     The rates at a fourth of the step, beside those of the polynomial,
+C     give it one degree more: x += H*d*b**2*(1 - b)**2.
+C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN, EVT
+      INTEGER            WHO, SIZ(8), IP(*), ISTAT(*), IE(*), INFO
+      DOUBLE PRECISION   T, H, LOW, X(*), RP(*), CST(*), V(*),
+     $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*)
+      LOGICAL            HIDES
+      INTEGER            NX, NE, KD, KZ, KX, I
+      DOUBLE PRECISION   GAUSS(3), D, LEAST
+      EXTERNAL           GSFUN, GSEVB, GSEVX, GSEVV, GSUSG
+C
+      NX = SIZ(3)
+      NE = IE(1)
+      KD = 1 + 5*NE
+      KZ = KD + NX
+      KX = KZ + NX
+      GAUSS(1) = 0.0D0
+      CALL GSEVX( 8, GAUSS, T, H, 0.25D0, NX, X, W, XN, RE(KD), RE(KZ) )
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + 0.25D0*H, 1, RE(KZ),
+     $            SIZ(1), SIZ(2), NX, SIZ(4), SIZ(5), IP, RP, CST, V,
+     $            RE(KX), WI, P, ISTAT, RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      CALL GSEVB( CMD, CLO, VIN, EVT, 8, GAUSS, T, H, LOW, 1, NX, X, W,
+     $            XN, SIZ(2), SIZ(4), IP, RP, CST, V, WI, IE, RE, INFO )
+      IF ( INFO.NE.0 ) GO TO 900
+      LEAST = RE(NE+WHO)
+      CALL GSEVX( 8, GAUSS, T, H, LOW, NX, X, W, XN, RE(KD), RE(KZ) )
+      DO 10 I = 1, NX
+         D = RE(KX+I-1) - 1.125D0*( XN(I) - X(I) )/H - 0.1875D0*W(I)
+     $       + 0.3125D0*RE(KD+I-1)
+         RE(KZ+I-1) = RE(KZ+I-1)
+     $                + H*( D/0.1875D0 )*( LOW*( 1.0D0 - LOW ) )**2
+   10 CONTINUE
+      CALL GSEVV( CMD, CLO, VIN, EVT, T + LOW*H, 1, RE(KZ), SIZ(2), NX,
+     $            SIZ(4), IP, RP, CST, V, WI, IE(11), RE(NE+1), INFO )
+      IF ( INFO.NE.0 ) GO TO 900
+      CALL GSUSG( NX, IE, RE )
+      HIDES = RE(NE+WHO).LE.ABS( RE(NE+WHO) - LEAST )
+      RETURN
+C
+  900 ISTAT(6) = INFO
+      ISTAT(7) = 1
       END
       SUBROUTINE GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BEGIN,
      $                  C, I, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
@@ -368,8 +464,8 @@ C     As GSEVN, and
 C     START   (input) DOUBLE PRECISION, the fraction of the step where
 C             its polynomial has the zero.
 C     I       (input/output) INTEGER, on exit 0 where a function of the
-C             user does not fall to 0, nor friction that has just been
-C             let go come to rest: nothing is changed then.
+C             user does not fall to 0, nor a port that has just slid or
+C             rebounded come to rest or back: nothing is changed then.
 C     ERR     (output) DOUBLE PRECISION, that of GSDP8, else 0.
 C
       IMPLICIT NONE
@@ -440,8 +536,8 @@ C     -- an event of the user has happened: a little later it must be
       END IF
       IF ( GC.GT.0.0D0 .AND. METHOD.NE.12 .AND. METHOD.NE.0 .AND.
      $     IE(10+5*NE+I).LT.2 .AND. ( IE(10+2*NE+I).GT.2 .OR.
-     $     ( IE(10+2*NE+I).EQ.1 .AND. IE(10+I).NE.0 .AND. TE - T.LE.
-     $     1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) ) ) THEN
+     $     ( ( ( IE(10+2*NE+I).EQ.1 ) .NEQV. ( IE(10+I).EQ.0 ) ) .AND.
+     $     TE - T.LE.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) ) ) THEN
          I = 0
          RETURN
       END IF

@@ -46,7 +46,7 @@ C
             TINY = 1.0D-12*( PRM(2,I) - PRM(1,I) )
             WAY = SD(I)
             IF ( S(I) - PRM(1,I).LT.PRM(2,I) - S(I) ) WAY = -WAY
-            IF ( GV(I).LE.TINY .AND. GV(I).GE.-1.0D3*TINY .AND.
+            IF ( GV(I).LE.TINY .AND. GV(I).GE.-1.0D6*TINY .AND.
      $           WAY.LE.1.0D-9*PRM(4,I) ) GV(I) = TINY
          ELSE
             GV(I) = -DBLE( MODE(I) )*HOLD(I)
