@@ -108,6 +108,10 @@
              (symbolp (caddr e)) (null (cdddr e)) (gs-numbered-p tp table (caddr e)))
     (setf (gethash (caddr e) table)
           ($gs__free_symbol taken (gs-text (gs-shown-name (gethash s table)) "x2")))))
+;;; a symbol without the gs__ of those that are not the user's
+(defun gs-public-name (s)
+  (let ((text (gs-shown-name s)))
+    (if (eql 0 (search "gs__" text)) (subseq text 4) text)))
 ;;; cq2*cq3 is cq2cq3, cq2^2 is cq2cq2
 (defun gs-label-product (tp table taken s e)
   (let ((factors (cond ((atom e) nil)
@@ -119,7 +123,7 @@
       (let* ((names (mapcar #'(lambda (x) (gethash x table x)) factors))
              ;; a constant that is compiled in is a number by now
              (text (and (every #'symbolp names)
-                        (format nil "~{~a~}" (mapcar #'gs-shown-name names)))))
+                        (format nil "~{~a~}" (mapcar #'gs-public-name names)))))
         (when (and text (<= (length text) 12))
           (setf (gethash s table) ($gs__free_symbol taken (string-downcase text))))))))
 ;;; a temporary z1, z2, ... without a name of its own
