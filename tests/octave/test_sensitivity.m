@@ -10,7 +10,7 @@ function test_sensitivity ()
   along_a_motion (m);
   inputs (m);
   planned (m);
-  beside_a_plan (gsmbp_fixture ("sensitivity_planned"));
+  beside_a_plan (gsmbp_fixture ("sensitivity_bristles"));
   start_values (gsmbp_fixture ("case_d1a"));
   refused (m);
   equilibrium (m);
