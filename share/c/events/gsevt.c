@@ -6,8 +6,9 @@
  * holds, its Stribeck speed (a speed 1e-9 of this the other way is rest, not sliding back:
  * rounding errors where a stop holds the port, too); stops: lower and upper end, restitution,
  * speed of rebound below which the contact stays. A port that rests where a stop is, held by
- * something else, or leaves it does not hit it: what is left of its distance are rounding
- * errors. */
+ * something else, or leaves it does not hit it: what is left of its distance, up to 1e-12 of the
+ * range before its end and 1e-6 behind it, are errors of rounding and of the step that came
+ * there. */
 #include <math.h>
 
 #include "gsmbp/events.h"

@@ -26,8 +26,9 @@ C     GV      (output) DOUBLE PRECISION array, dimension (K).
 C
 C     METHOD
 C     A port that rests where a stop is, held by something else, or
-C     leaves it does not hit it: what is left of its distance are
-C     rounding errors.
+C     leaves it does not hit it: what is left of its distance, up to
+C     1D-12 of the range before its end and 1D-6 behind it, are errors
+C     of rounding and of the step that came there.
 C
       IMPLICIT NONE
       INTEGER            K, KIND(*), MODE(*)
