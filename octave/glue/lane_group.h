@@ -152,6 +152,7 @@ private:
   void join_4 (int lane);
   void part_4 (int lane);
   void part_where (const lane_array& is);
+  void part_failed (void);
   bool keep_on (int lane);
 
   // the loops of those that have joined
@@ -206,6 +207,9 @@ private:
   const int m_most;
   gsmbp_sub m_rhs;
   int m_siz[8], m_numbers;           // m_siz, m_tim: without the breaks of a run
+  int m_width;                       // lanes of which right-hand sides are computed
+  bool m_failed;                     // an IER may not be 0
+  bool m_together;                   // rk4: all lanes have joined and take part
   int m_info[lane_count], m_active[lane_count], m_calls[lane_count];
   std::vector<int> m_iopt;
   std::vector<double> m_tim, m_ropt;

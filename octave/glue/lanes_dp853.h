@@ -66,11 +66,10 @@ lane_group::begun_8 (void)
       lane_run& l = m_l[k];
       l.steps = l.joined;
       l.alone = false;
-      if (l.joined)
-        l.at = int (m_at(0, k));
-      else if (l.busy && found_8 (k) && ready_8 (k))
+      if (! l.joined && l.busy && found_8 (k) && ready_8 (k))
         {
           l.steps = true;
+          m_at(0, k) = l.at;
           m_c(c_t, k) = l.t;
           m_tn(0, k) = l.tn;
         }
@@ -94,12 +93,7 @@ lane_group::judge_all_8 (void)
 {
   fortran {gslnj_} (m_runs.begin (), m_c.begin (), m_tn.begin (), m_err.begin (),
                     m_r.begin ());
-  for (int k = 0; k < lane_count; k++)
-    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
-      {
-        part (k);
-        m_r(0, k) = 0;
-      }
+  part_failed ();
   if (m_prj)
     project ();
   fortran {gslnu_} (&m_s.nx, m_r.begin (), m_step.begin (), m_tn.begin (),

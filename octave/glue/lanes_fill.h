@@ -9,7 +9,7 @@
 lane_group::lane_group (const simulation& s, lane_source& source, int most)
   : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
     m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, 0, s.lw},
-    m_numbers (lane_count * s.nx),
+    m_numbers (lane_count * s.nx), m_width (lane_count), m_failed (false), m_together (false),
     m_iopt (s.iopt), m_tim (1, s.t0), m_ropt (s.ropt), m_n (12), m_j (144), m_c8 (144), m_ts (12),
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
     m_cst_1 (S.nlam > 0 ? S.ncst : 0),
@@ -229,6 +229,7 @@ lane_group::inputs_of (int lane, double t, int side, const double *x)
   if (info != 0)
     {
       l.ier = info;
+      m_failed = true;
       l.r.istat[5] = info;
       l.r.istat[6] = 1;
       park (lane);
@@ -241,7 +242,7 @@ void
 lane_group::call_rates (const double *x, double *xd)
 {
   const int k = lane_count;
-  fortran {m_rhs} (m_stage_t.begin (), x, m_v.begin (), m_cst.begin (), xd, m_info, &k, &k);
+  fortran {m_rhs} (m_stage_t.begin (), x, m_v.begin (), m_cst.begin (), xd, m_info, &m_width, &k);
 }
 
 // as GSFUT tells of an INFO that is not 0
@@ -261,6 +262,7 @@ lane_group::told (int lane, int info, double t)
   else
     {
       l.ier = info;
+      m_failed = true;
       istat[5] = info;
       istat[6] = 2;
       park (lane);
@@ -272,17 +274,18 @@ lane_group::told (int lane, int info, double t)
 void
 lane_group::stage_rates (double *xd, const double *t, double *x, bool last)
 {
-  const int nx = m_s.nx;
+  const int nx = m_s.nx, left = -1;
   std::copy_n (t, lane_count, m_stage_t.begin ());
   for (int k = 0; last && k < lane_count; k++)
-    m_stage_t(0, k) = gslft_ (&t[k], &m_l[k].at);
+    if (m_at(0, k) < 0)
+      m_stage_t(0, k) = gslft_ (&t[k], &left);
   for (int k = 0; m_of_time && k < lane_count; k++)
     if (m_active[k])
       {
         double one[nx];
         for (int j = 0; j < nx; j++)
           one[j] = x[j * lane_count + k];
-        inputs_of (k, t[k], last ? m_l[k].at : 1, one);
+        inputs_of (k, t[k], last ? int (m_at(0, k)) : 1, one);
       }
   call_rates (x, xd);
   int some = 0;
@@ -296,14 +299,19 @@ lane_group::stage_rates (double *xd, const double *t, double *x, bool last)
       told (k, m_info[k], t[k]);
 }
 
-// which lanes take part in what follows, and their calls of the right-hand side so far
+// which lanes take part in what follows, and their calls of the right-hand side so far; at the end
+// of many runs, or with few, half of the lanes do
 void
 lane_group::activate (void)
 {
+  m_width = lane_count / 2;
+  m_failed = false;
   for (int k = 0; k < lane_count; k++)
     {
       m_active[k] = m_l[k].steps;
       m_calls[k] = 0;
+      if (m_active[k] && k >= m_width)
+        m_width = lane_count;
     }
 }
 

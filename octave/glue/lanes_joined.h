@@ -135,12 +135,47 @@ lane_group::part_4 (int lane)
   l.h = m_c(c_step, lane);
 }
 
+// is a number of one of the lanes beyond a limit?
+static bool
+some_above (const lane_array& a, double limit)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    some |= a(0, k) > limit;
+  return some;
+}
+
+static bool
+some_below (const lane_array& a, double limit)
+{
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    some |= a(0, k) < limit;
+  return some;
+}
+
 void
 lane_group::part_where (const lane_array& is)
 {
+  if (! m_failed && ! some_above (is, 0))
+    return;
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].joined && (m_l[k].ier != 0 || is(0, k) > 0))
       part (k);
+}
+
+// the runs whose step has failed: by themselves it is told why
+void
+lane_group::part_failed (void)
+{
+  if (! m_failed && ! some_above (m_r, 2))
+    return;
+  for (int k = 0; k < lane_count; k++)
+    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
+      {
+        part (k);
+        m_r(0, k) = 0;
+      }
 }
 
 // at a stop, the run parted: on from there, or its end

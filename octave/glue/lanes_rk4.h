@@ -21,7 +21,7 @@ lane_group::step_4 (void)
       stages_4 ();
       judge_all_4 ();
     }
-  for (int k = 0; k < lane_count; k++)
+  for (int k = 0; ! m_together && k < lane_count; k++)
     if (m_l[k].alone)
       by_itself_4 (k);
 }
@@ -36,6 +36,7 @@ lane_group::begun_4 (void)
           m_l[k].ier = 0;
           join (k);
           m_c(c_t, k) = m_l[k].joined ? m_c(c_t, k) : m_s.t0;
+          m_together = false;
         }
       m_slow(0, k) = m_runs(0, k) > 0 && m_c(c_good, k) >= m_c(c_look, k);
     }
@@ -43,6 +44,9 @@ lane_group::begun_4 (void)
   fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
                     m_slow.begin ());
   part_where (m_slow);
+  if (m_together && ! some_below (m_runs, 1))
+    return true;
+  m_together = ! some_below (m_runs, 1);   // then as they are now until one parts
   bool some = false;
   for (int k = 0; k < lane_count; k++)
     {
@@ -51,8 +55,9 @@ lane_group::begun_4 (void)
       l.steps = l.busy && ! l.alone;
       some = some || l.steps;
       if (l.joined)
-        l.at = int (m_at(0, k));
-      else if (l.busy && (l.alone || m_of_time))
+        continue;
+      m_at(0, k) = l.at;
+      if (l.busy && (l.alone || m_of_time))
         watch_alone (k);
     }
   return some;
@@ -62,24 +67,20 @@ void
 lane_group::judge_all_4 (void)
 {
   fortran {gslnr_} (&m_s.nx, m_runs.begin (), m_xn.begin (), m_r.begin ());
-  for (int k = 0; k < lane_count; k++)
-    if (m_l[k].joined && (m_l[k].ier != 0 || m_r(0, k) > 2))
-      {
-        part (k);
-        m_r(0, k) = 0;
-      }
+  part_failed ();
   if (m_prj)
     project ();
   fortran {gslnq_} (&m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
                     m_xn.begin ());
+  const bool all = ! some_below (m_runs, 1);
   for (int k = 0; k < lane_count; k++)
-    if (! m_l[k].joined && m_l[k].steps)
+    if (! all && ! m_l[k].joined && m_l[k].steps)
       {
         m_xn.get (k, m_l[k].next (), m_s.nx);
         m_l[k].r.istat[0] += m_calls[k];
         after_4 (k);
       }
-    else if (m_l[k].joined && m_c(c_number, k) > m_c(c_count, k))
+    else if (m_c(c_number, k) > m_c(c_count, k) && m_l[k].joined)
       {
         part (k);
         m_l[k].t = m_l[k].stp[0];
