@@ -211,7 +211,7 @@ endfunction
 ## those of all inputs; in the columns of modes and of what sampled devices hold what the runs begin
 ## with, as gsmbp_simulate has it
 function v = all_inputs (who, m, given)
-  free = setdiff (1:m.sizes.nv, [vertcat(m.controllers.outputs); vertcat(m.events.input)]);
+  free = gsmbp__free_inputs (m);
   if (columns (given) == m.sizes.nv)
     free = 1:m.sizes.nv;
   endif

@@ -502,6 +502,30 @@ meaning (const char *name, int info)
   return text;
 }
 
+/* the sentence for INFO of the routine with that number, ISTAT(6) and ISTAT(7) of GSSIM, as
+   gsmbp__failure.m has it */
+static const char *
+cause (int number, int info)
+{
+  static const struct { int number, info; const char *text; } known[] = {
+    { 7, 9, "more than 100 events at one instant" },
+    { 7, 12, "a reset gives a state a value that the loops do not leave it; expected resets of "
+      "independent coordinates and speeds" },
+    { 7, 10, "an event comes faster and faster until its intervals are nothing beside the time (a "
+      "reset that brings its expression back to zero); expected a rest, or a stop" },
+    { 3, 3, "no position that closes the loops was found nearby; the mechanism may be at the end "
+      "of its range" },
+    { 5, 3, "no position that closes the loops was found nearby; the mechanism may be at the end "
+      "of its range" },
+    { 3, 4, "no step leads away from a position where the constraints lose rank" }
+  };
+  static const char *const names[] = { "cmd", "rhs", "prj", "con", "prj", "out", "rst" };
+  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+    if (known[k].number == number && known[k].info == info)
+      return known[k].text;
+  return meaning (names[number - 1], info);
+}
+
 /* why a run ended, as gsmbp_simulate says it */
 static void
 failure (const gs_room *r, char *why)
@@ -509,9 +533,8 @@ failure (const gs_room *r, char *why)
   static const char *const routine[]
       = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
           "OUT or a sampled device", "an event" };
-  static const char *const names[] = { "cmd", "rhs", "prj", "con", "prj", "out", "rst" };
   double t = r->rstat[7];
-  int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] - 1 : 0;
+  int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] : 1;
   switch (r->info)
     {
     case 1:
@@ -522,8 +545,13 @@ failure (const gs_room *r, char *why)
                 "small a tolerance", t);
       break;
     case 3:
-      snprintf (why, GS_WHY, "%s failed with INFO = %d at t = %.9g s: %s", routine[who],
-                r->istat[5], t, meaning (names[who], r->istat[5]));
+      if (r->istat[6] == 8)
+        snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no "
+                  "motion with the speeds that it leaves was found, how it goes on is not "
+                  "determined", t);
+      else
+        snprintf (why, GS_WHY, "%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
+                  r->istat[5], t, cause (who, r->istat[5]));
       break;
     case 4:
       snprintf (why, GS_WHY, "the state is no longer finite at t = %.9g s: take smaller steps", t);

@@ -7,7 +7,7 @@
 
 function input = gsmbp__all_inputs (who, m, input, t, x)
   nv = m.sizes.nv;
-  free = setdiff (1:nv, [vertcat(m.controllers.outputs); vertcat(m.events.input)]);
+  free = gsmbp__free_inputs (m);
   n = numel (free);
   if (isempty (input) && any (m.input_starts))
     input = m.input_starts;

@@ -21,7 +21,10 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
       if (counts(7) == 7 && counts(6) == 10)
         said = [", " m.events(counts(19)).name ","];
       endif
-      text = sprintf ("%s failed with INFO = %d %s: %s", [routine said], counts(6), at,
+      if (counts(7) == 7)   # else it may be of a step that was repeated
+        routine = [routine said];
+      endif
+      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
                       cause (m, counts(7), counts(6)));
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];

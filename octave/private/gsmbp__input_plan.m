@@ -21,6 +21,10 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
     plan.constants = zeros (1, d.nv);
   elseif (isstruct (o.input))
     plan.inputs = 1;
+    if (! (isfield (o.input, "dim") && prod (o.input.dim) == d.nv))
+      free = m.inputs(gsmbp__free_inputs (m))';
+      gsmbp__pp (who, o.input, numel (free), sprintf ("the input (%s)", strjoin (free, ", ")));
+    endif
     plan.table = pieces (gsmbp__pp (who, o.input, d.nv, "the input"));
   elseif (is_function_handle (o.input))
     plan.inputs = 3;
@@ -34,8 +38,9 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
     constants = o.input;
     if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv ...
              && all (isfinite (constants(:)))))
+      free = m.inputs(gsmbp__free_inputs (m))';
       error (["%s: input: expected %d finite numbers (%s), a piecewise polynomial, a " ...
-              "function handle or \"user\", found %s"], who, d.nv, strjoin (m.inputs', ", "), ...
+              "function handle or \"user\", found %s"], who, numel (free), strjoin (free, ", "), ...
              gsmbp__shown (constants));
     endif
     plan.constants = double (constants(:)');

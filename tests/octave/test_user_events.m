@@ -86,6 +86,10 @@ function accumulating ()
     gsmbp_check (["bounces that accumulate are told, " method{1}], ...
                  ! isempty (regexp (said, ["an event, (hit|top), failed .* " at], "once")));
   end
+  w = gsmbp_sweep (m, [1 0], [0 5], "vary", struct ("last", [10, 20]), ...
+                   "plan", "grid", "keep", {"final y"});
+  gsmbp_check (["a sweep tells it, too: " w.reason{1}], ! any (w.ok) ...
+               && all (! cellfun ("isempty", strfind (w.reason, "comes faster and faster"))));
 end
 
 ## v' = heat - v between 1 and 2, heated with 3: ln 2 up, ln 2 down; the middle in between
