@@ -41,6 +41,9 @@
 ## a state, an input or an output
 ## @item final
 ## the states at the last time, a row for each run
+## @item events
+## in scenes that have events, a struct with a row for each of all runs, run by run (10000 a run at
+## most): @code{run}, @code{t} [s], @code{number} (of @code{m.events}), @code{mode} (after it)
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
 ## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
@@ -88,12 +91,16 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     x0 = rows.starts(1,:);
   endif
   p = gsmbp__run_setup (who, m, x0, times, o);
-  [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows);
+  [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
   e = judged (e, p, rows, counts, values, info, size (x));
   e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
+  if (! isempty (m.events))
+    e.events = struct ("run", events(1,:)', "t", events(2,:)', "number", events(3,:)', "mode", ...
+                       events(4,:)');
+  endif
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
@@ -103,7 +110,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
 endfunction
 
 ## the runs whose parameters break no rule of the scene; NaN and zeros for the others
-function [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows)
+function [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m, rows)
   good = strcmp (rows.broken, "");
   sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
            [m.sizes.ny, numel(p.times)], 20, 20, 2};
@@ -111,15 +118,15 @@ function [x, v, y, counts, values, info, seconds, lanes] = run_all (p, m, rows)
   for i = 1:6
     all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
   endfor
-  seconds = 0;
-  lanes = false;
+  [seconds, lanes, events] = deal (0, false, zeros (4, 0));
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
     some = cell (1, 6);
-    [some{:}, seconds, lanes] = ...
+    [some{:}, seconds, lanes, events] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (m.par)), of (rows.table), of (rows.starts), ...
                     of (rows.inputs), rows.threads, rows.lanes);
+    events(1,:) = find (good)(events(1,:))(:)';
     for i = 1:6
       if (i <= 3)
         all_{i}(:,:,good) = some{i};

@@ -32,7 +32,7 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, reals& rp);
-  void keep (int i, const run_room& r, reals& one);
+  void keep (int i, const run_room& r, const std::vector<int>& ip, const reals& rp, reals& one);
 
 #if defined (GSMBP_QUAD)
   static bool in_lanes (const simulation&) { return false; }
@@ -128,7 +128,8 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, real
 // the rows that were reached, and the last state of a run that ended before its time; one that an
 // event of the user has ended (INFO 11) stays there
 void
-ensemble::keep (int i, const run_room& r, reals& one)
+ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const reals& rp,
+                reals& one)
 {
   const std::size_t nt = m_s.nt, reached = r.istat[4];
   const bool ended = r.info == 11;
@@ -149,6 +150,8 @@ ensemble::keep (int i, const run_room& r, reals& one)
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
         y[S.ny * k + j] = double (one[j]);
     }
+  if (S.nev > 0)
+    m_results.events[i] = m_s.plan->events_of (ip, rp);
   m_info[2 * i] = r.info;
   for (int j = 0; j < 20; j++)
     {
@@ -178,7 +181,7 @@ ensemble::done (lane_run& l)
 {
   reals one = room (S.ny);
   m_s.go_on (l.r, l.ip, l.rp);
-  keep (l.i, l.r, one);
+  keep (l.i, l.r, l.ip, l.rp, one);
   the_patience->reached (++m_done);
 }
 
@@ -204,7 +207,7 @@ ensemble::work (int thread, int most)
     if (prepare ({ i, nullptr, 0 }, r, ip, rp))
       {
         m_s.run (r, ip, rp);
-        keep (i, r, one);
+        keep (i, r, ip, rp, one);
         the_patience->reached (++m_done);
       }
 }
@@ -227,7 +230,7 @@ ensemble::run_all (int threads)
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
 // starts, inputs, threads, lanes): states, inputs, outputs, statistics, INFO of the run and of PRE,
-// seconds, whether in lanes
+// seconds, whether in lanes, events
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
@@ -244,5 +247,5 @@ do_ensemble (arguments& a, int)
   p.settle ();
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes ());
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events ());
 }

@@ -51,10 +51,29 @@ struct ensemble_results
 {
   NDArray x, v, y;
   Matrix counts, values, info;
+  std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)
     : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
       y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0)
+      info (2, n, 0.0), events (S.nev > 0 ? n : 0)
   { }
+
+  // a column for each event: run, time, number, mode after it
+  Matrix all_events (void) const
+  {
+    std::size_t many = 0;
+    for (const std::vector<double>& one : events)
+      many += one.size () / 3;
+    Matrix list (4, many);
+    double *to = list.fortran_vec ();
+    for (std::size_t i = 0; i < events.size (); i++)
+      for (std::size_t k = 0; k < events[i].size (); k++)
+        {
+          if (k % 3 == 0)
+            *to++ = double (i + 1);
+          *to++ = events[i][k];
+        }
+    return list;
+  }
 };

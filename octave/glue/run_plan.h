@@ -25,6 +25,9 @@ public:
   gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
 
+  // time, number and mode after it of each event of a run with those
+  std::vector<double> events_of (const std::vector<int>& own_ip, const reals& own_rp) const;
+
   // of each event function whether its event changes what follows
   std::vector<char> changing_events (void);
 
@@ -60,6 +63,17 @@ run_plan::begin (std::vector<int>& own_ip, reals& own_rp) const
   own_rp.resize (rp.size ());
   std::copy_n (rp.begin (), m_record[0], own_rp.begin ());
   std::copy (rp.begin () + m_record[1], rp.end (), own_rp.begin () + m_record[1]);
+}
+
+std::vector<double>
+run_plan::events_of (const std::vector<int>& own_ip, const reals& own_rp) const
+{
+  const int *e = &own_ip[own_ip[GS_EVENTS] - 1];
+  const std::size_t many = std::min (e[1], e[2]), width = 3 + 2 * std::size_t (m_nx);
+  std::vector<double> list (3 * many);
+  for (std::size_t k = 0; k < list.size (); k++)
+    list[k] = double (own_rp[m_record[0] + k / 3 * width + k % 3]);
+  return list;
 }
 
 // SIZE numbers of a field, a null pointer where it is []
