@@ -23,7 +23,8 @@
 ## what is kept of a run: "final NAME", "peak NAME" (the largest modulus), "max NAME",
 ## "min NAME", "mean NAME", "rms NAME" of states, inputs and outputs, at the @var{times} that
 ## are asked for (mean and rms by the trapezoidal rule), "at T NAME" at the one of these that is T,
-## "whole NAME" at all of them; "phase_margin" [rad], "gain_margin", "delay_margin" [s], "Ms" of
+## "whole NAME" at all of them; of events "first NAME", "last NAME", when [s] (NaN where there was
+## none), and "count NAME"; "phase_margin" [rad], "gain_margin", "delay_margin" [s], "Ms" of
 ## the control loop of option "loop"; default the last value of every output, or of every state
 ## where there are none
 ## @item "loop"

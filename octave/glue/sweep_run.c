@@ -126,6 +126,7 @@ read_numbers (gs_sweep *s)
   s->par = numbers (job, "par");
   s->samples = numbers (job, "samples");
   s->nominal = numbers (job, "nominal");
+  s->groups = numbers (job, "groups");
   s->ip = wholes (job, "ip", &s->nip);
   s->iopt = wholes (job, "iopt", &s->niopt);
   s->which = wholes (job, "which", &s->varied);
@@ -436,6 +437,24 @@ largest (const gs_sweep *s, const gs_room *r, int number, long long reached, int
   return sign < 0 ? -most : most;
 }
 
+/* of the events in the group NUMBER: when the first or the last one was, or how many there were */
+static double
+of_events (const gs_sweep *s, const gs_room *r, int way, int number)
+{
+  const gs_events a = gs_planned_events (s->nx, r->ip, r->rp);
+  int many = *a.count < a.nr ? *a.count : a.nr, count = 0;
+  double first = NAN, last = NAN;
+  for (int k = 0; k < many; k++)
+    {
+      const double *event = a.record + (size_t) k * (3 + 2 * (size_t) s->nx);
+      if ((int) s->groups.x[(int) event[1] - 1] != number)
+        continue;
+      first = count++ == 0 ? event[0] : first;
+      last = event[0];
+    }
+  return way == GS_COUNT ? count : way == GS_FIRST ? first : last;
+}
+
 static double
 kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
 {
@@ -450,6 +469,10 @@ kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
       return largest (s, r, number, reached, -1);
     case GS_MEAN:
       return mean (s, r, number, reached, 1);
+    case GS_FIRST:
+    case GS_LAST:
+    case GS_COUNT:
+      return of_events (s, r, s->way[k], number);
     case GS_RMS:
       return sqrt (mean (s, r, number, reached, 2));
     default:

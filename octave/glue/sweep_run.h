@@ -6,7 +6,8 @@
 #include "sweep_files.h"
 
 enum { GS_SUBS = 11 };   /* subroutines that GSSIM takes */
-enum { GS_FINAL = 1, GS_PEAK, GS_MAX, GS_MIN, GS_MEAN, GS_RMS, GS_AT, GS_WHOLE };
+enum { GS_FINAL = 1, GS_PEAK, GS_MAX, GS_MIN, GS_MEAN, GS_RMS, GS_AT, GS_WHOLE, GS_FIRST, GS_LAST,
+       GS_COUNT };
 
 typedef struct
 {
@@ -18,6 +19,7 @@ typedef struct
 {
   const gs_job *job;
   gs_array cst, x0, tout, tbrk, ropt, atol, rp, guess, par, samples, nominal;
+  gs_array groups;                                /* of each event the first one with its name */
   int *ip, *iopt, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
   long long nip, niopt, varied, runs, kept, wholes, columns;
   int nx, ldx, ldv, lw, order, of_state, index2, check_start;

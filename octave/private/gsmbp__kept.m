@@ -1,8 +1,9 @@
 ## kept = gsmbp__kept (who, m, words, times)
 ## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
 ## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
-## of z); whole; and for the program of a sweep the numbers of the way, the quantity, the time.  A
-## margin of a control loop has the way 0.
+## of z; of events of (events, n), those of an ensemble of n runs); whole; and for the program of a
+## sweep the numbers of the way, the quantity, the time.  A margin of a control loop has the way 0,
+## what is kept of events one above 8.
 
 function kept = gsmbp__kept (who, m, words, times)
   if (isempty (words))
@@ -21,13 +22,18 @@ function kept = gsmbp__kept (who, m, words, times)
       continue;
     endif
     [way, name, at] = parts_of (who, word{1}, times);
+    number = find (strcmp (ways (), way));
+    if (number > 8)
+      kept(end+1) = of_events (who, m, word{1}, name, number);
+      continue;
+    endif
     k = find (strcmp (names, name), 1);
     if (isempty (k))
       error ("%s: option keep: unknown %s", who, gsmbp__unknown (name, names));
     endif
     kept(end+1) = struct ("what", word{1}, "name", name, "unit", units{k}, "of", ...
                           of (way, at), "whole", strcmp (way, "whole"), "way", ...
-                          find (strcmp (ways (), way)), "number", k, "time", at);
+                          number, "number", k, "time", at);
   endfor
 endfunction
 
@@ -36,7 +42,7 @@ function list = margins ()
 endfunction
 
 function list = ways ()
-  list = {"final", "peak", "max", "min", "mean", "rms", "at", "whole"};
+  list = {"final", "peak", "max", "min", "mean", "rms", "at", "whole", "first", "last", "count"};
 endfunction
 
 ## the way, the name, the number of the time
@@ -60,6 +66,29 @@ function [way, name, at] = parts_of (who, word, times)
   if (! (off <= 1e-12 * max (abs (times))))
     error ("%s: option keep: expected one of the times and a name behind \"at\", found %s", who, ...
            gsmbp__shown (word));
+  endif
+endfunction
+
+## the time of the first or last event with the NAME, or how many there are
+function kept = of_events (who, m, word, name, way)
+  names = {m.events.name};
+  k = find (strcmp (names, name), 1);
+  if (isempty (k))
+    error ("%s: option keep: unknown event %s", who, gsmbp__unknown (name, unique (names)));
+  endif
+  groups = gsmbp__event_groups (m)(:);
+  f = {@min, @max, []}{way-8};
+  kept = struct ("what", word, "name", name, "unit", {"s", "s", "1"}{way-8}, "of", ...
+                 @(events, n) of_group (events, n, groups, k, f), "whole", false, "way", way, ...
+                 "number", k, "time", 1);
+endfunction
+
+function z = of_group (events, n, groups, k, f)
+  mine = groups(events.number) == k;
+  if (isempty (f))
+    z = accumarray ([events.run(mine); n], 1, [n, 1]) - ((1:n)' == n);
+  else
+    z = accumarray ([events.run(mine); n], [events.t(mine); NaN], [n, 1], f, NaN);
   endif
 endfunction
 

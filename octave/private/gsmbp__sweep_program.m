@@ -52,7 +52,8 @@ function records = run_records (s, p, library)
   kept = s.kept;
   records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
-             "nominal", m.nominal; "par", cellfun(@double, struct2cell (m.par))
+             "groups", gsmbp__event_groups(m); "nominal", m.nominal
+             "par", cellfun(@double, struct2cell (m.par))
              "check_start", strcmp(p.o.start, "check")};
 endfunction
 

@@ -112,7 +112,11 @@ function b = chunk (s, i, left)
       parts{k} = [g.(kept(k).name)]';
       continue;
     endif
-    parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
+    if (kept(k).way > 8)
+      parts{k} = kept(k).of (e.events, numel (e.ok));
+    else
+      parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
+    endif
     parts{k}(! (e.ok | kept(k).whole),:) = NaN;
   endfor
   b.table = [e.ok, e.reached, parts{:}];

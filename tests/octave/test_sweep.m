@@ -262,7 +262,8 @@ function refused (m)
            {"vary", struct("A", [0, 1])}, "unknown parameter \"A\", did you mean \"a\"";
            [one, {"plan", "sobl"}], "option plan";
            [one, {"runs", 0}], "option runs: expected a whole number above 0";
-           [one, {"keep", {"last x1"}}], "option keep: expected one of final, peak";
+           [one, {"keep", {"least x1"}}], "option keep: expected one of final, peak";
+           [one, {"keep", {"last x1"}}], "option keep: unknown event \"x1\"";
            [one, {"keep", {"final x2"}}], "option keep: unknown \"x2\", did you mean";
            [one, {"demand", {"b", 0, 1}}], "option demand: unknown \"b\"";
            [one, {"keep", {"at 0.05 x1"}}], "one of the times and a name behind \"at\"";

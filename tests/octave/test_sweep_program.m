@@ -40,10 +40,11 @@ function test_sweep_program ()
            "method", method{1}});
   end
   ball = gsmbp_fixture ("event_ball");
-  name = fieldnames (ball.par){1};
+  [name, hit] = deal (fieldnames (ball.par){1}, ball.events(1).name);
   for method = {"dp853", "radau"}
     same (folder, ["events by " method{1}], ball, {ball.initial, 0:0.05:1, "vary", struct(name, ...
-          ball.par.(name) * [0.9, 1.1]), "runs", 9, "method", method{1}});
+          ball.par.(name) * [0.9, 1.1]), "runs", 9, "method", method{1}, "keep", ...
+          {["final " ball.states{1}], ["first " hit], ["last " hit], ["count " hit]}});
   end
   refused (axis, few, folder);
 end

@@ -230,6 +230,13 @@ function many ()
                  && all (abs (e.events.t(mine) - r.events.t) < 1e-12));
   end
   gsmbp_check ("they are at their ends", e.ok);
+  w = gsmbp_sweep (m, [1 0], 0:0.5:5, "vary", struct ("e", [0.75 0.95]), "plan", "grid", ...
+                   "keep", {"first hit", "last hit", "count hit", "count done"});
+  for i = 1:2
+    t = e.events.t(e.events.run == [1, 4](i) & e.events.number == 1);
+    gsmbp_check ("a sweep keeps when the first one was, and the last, how many there were", ...
+                 w.values(i,2:5) - [sqrt(2 / m.par.g), t(end), numel(t), 1], 1e-9);
+  end
   e = gsmbp_ensemble (m, [1 0], 0:0.5:5, "parameters", struct ("e", [0.5 0.8]));
   gsmbp_check ("one whose bounces accumulate fails, whatever comes then", e.ok' == [false, true]);
 end
