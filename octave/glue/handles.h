@@ -126,6 +126,7 @@ static const known_routine known[]
         { "rhs_w", "", "", "" },            // runs in lanes call them (lanes.h)
         { "con_w", "", "", "" },
         { "prj_w", "", "", "" },
+        { "evt_w", "", "", "" },
         { "pre_w", "", "", "" },
         { "pre", "", "par cst info", "" }
       };

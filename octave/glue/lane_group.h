@@ -46,6 +46,10 @@ extern "C"
   void gsln4_ (void);
   void gslnh_ (void);
   void gslni_ (void);
+  void gslep_ (void);
+  void gsleg_ (void);
+  void gslen_ (void);
+  void gsleu_ (void);
 }
 
 const int lane_count = 16;
@@ -131,6 +135,15 @@ public:
            && (S.nlam == 0 || s.iopt[1] <= 2);   // else it would be the right side of one run
   }
 
+  // how many event functions are looked at in lanes; 0: each run looks by itself
+  static int looks_at (const simulation& s)
+  {
+    const std::vector<int>& ip = s.plan->ip;
+    if (s.iopt[0] == 4 || ip[GS_EVENTS] == 0 || ip[GS_V0] != 0 || ip[GS_FEEDBACK] != 0)
+      return 0;
+    return emitted ("evt_w") ? ip[ip[GS_EVENTS] - 1] : 0;
+  }
+
 private:
 
   void fill (int lane);
@@ -154,6 +167,13 @@ private:
   void part_where (const lane_array& is);
   void part_failed (void);
   bool keep_on (int lane);
+
+  // the events of those that have joined
+  gs_events events_of (lane_run& l);
+  void join_events (int lane);
+  void part_events (int lane);
+  void look_for_events (void);
+  void remember_quiet (void);
 
   // the loops of those that have joined
   bool closes (const lane_run& l) const;
@@ -221,6 +241,10 @@ private:
   lane_array m_new, m_stage_t, m_step, m_err, m_a, m_b;
   // of the runs that have joined, see GSLNA and GSLNP
   lane_array m_c, m_runs, m_slow, m_fresh, m_limit, m_tn, m_at, m_r;
+  // and of their events, see GSLEG
+  gsmbp_sub m_evt;
+  int m_events;
+  lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_now, m_needs, m_until, m_fn, m_z, m_loud;
   // and of their loops
   gsmbp_sub m_con, m_prj;
   lane_array m_p, m_q, m_phi, m_rate, m_hc, m_hn, m_dq, m_du, m_long, m_y, m_w;

@@ -1,7 +1,7 @@
 // Steps of Dormand and Prince of the runs in lanes.
 #pragma once
 
-#include "lanes_loops.h"
+#include "lanes_events.h"
 
 #if ! defined (GSMBP_QUAD)
 
@@ -94,10 +94,14 @@ lane_group::judge_all_8 (void)
   fortran {gslnj_} (m_runs.begin (), m_c.begin (), m_tn.begin (), m_err.begin (),
                     m_r.begin ());
   part_failed ();
+  if (m_events > 0)
+    look_for_events ();
   if (m_prj)
     project ();
   fortran {gslnu_} (&m_s.nx, m_r.begin (), m_step.begin (), m_tn.begin (),
                     m_err.begin (), m_c.begin (), m_x.begin (), m_xn.begin ());
+  if (m_events > 0)
+    remember_quiet ();
   for (int k = 0; k < lane_count; k++)
     if (! m_l[k].joined)
       {

@@ -14,7 +14,11 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
     m_x (s.nx), m_xs (s.nx), m_xn (s.nx), m_f (12 * s.nx), m_h (s.nx), m_v (S.nv), m_cst (S.ncst),
     m_cst_1 (S.nlam > 0 ? S.ncst : 0),
     m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (40), m_runs (1),
-    m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1), m_con (nullptr),
+    m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1), m_evt (nullptr),
+    m_events (looks_at (s)), m_looks (1), m_g (m_events), m_g0 (m_events),
+    m_old (m_events), m_older (m_events), m_mark (m_events), m_now (m_events),
+    m_needs (m_events), m_until (m_events), m_fn (m_events > 0 ? s.nx : 0),
+    m_z (m_events > 0 ? s.nx : 0), m_loud (1), m_con (nullptr),
     m_prj (nullptr), m_p (24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq), m_q (S.nq),
     m_phi (S.nlam), m_rate (S.nlam), m_hc (S.nlam * S.nq), m_hn (S.nlam * S.nq), m_dq (S.nq),
     m_du (S.nq), m_long (S.nlam), m_y (S.nlam * S.nq), m_w (S.nlam + 8), m_res (1), m_gap (1),
@@ -25,6 +29,8 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
       m_prj = emitted ("prj_w")->sub;
       m_con = emitted ("con_w")->sub;
     }
+  if (m_events > 0)
+    m_evt = emitted ("evt_w")->sub;
   std::fill_n (m_limit.begin (), lane_count, 1e300);
   m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
   m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());

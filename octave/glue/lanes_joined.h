@@ -49,7 +49,7 @@ lane_group::join_8 (int lane)
   const std::vector<int>& n = l.r.istat;
   m_c(c_next, lane) = l.m[0];
   m_c(c_longest, lane) = l.hmax;
-  m_c(c_due, lane) = l.ip[GS_EVENTS] > 0 ? -1e300 : m_tim[l.istp[1]];
+  m_c(c_due, lane) = m_tim[l.istp[1]];
   m_c(c_least, lane) = l.r.rstat[5];
   m_c(c_most, lane) = l.r.rstat[6];
   m_c(c_others, lane) = n[2];
@@ -62,6 +62,8 @@ lane_group::join_8 (int lane)
   m_c(c_far, lane) = l.m[3];
   m_c(c_then, lane) = l.r.rstat[8];
   m_c(c_stiff, lane) = n[13];
+  if (l.ip[GS_EVENTS] > 0)
+    join_events (lane);
 }
 
 void
@@ -125,6 +127,8 @@ lane_group::part_8 (int lane)
   n[2] = int (m_c(c_others, lane));
   n[15] = int (m_c(c_bound, lane));
   n[16] = int (m_c(c_free, lane));
+  if (m_events > 0)
+    part_events (lane);
 }
 
 void

@@ -1,0 +1,119 @@
+// The events of the runs in lanes that have joined: what GSEVN does where a step has none, by the
+// event functions of all lanes at once (EVT_W).  Where they do not say so, the run parts, and GSEVN
+// looks.
+#pragma once
+
+#include "lanes_loops.h"
+
+#if ! defined (GSMBP_QUAD)
+
+gs_events
+lane_group::events_of (lane_run& l)
+{
+  return gs_planned_events (m_s.nx, l.ip.data (), l.rp.data ());
+}
+
+// From when on GSUSZ may say that events of function i accumulate, where it does not rise above 0
+// again; a little before.
+static double
+accumulate_from (const gs_events& e, int i, int nx)
+{
+  const int records = *e.count;
+  if (! gs_is_own (&e, i) || records > e.nr)
+    return 1e300;
+  double t[4];
+  int n = 0;
+  bool reset = false;
+  for (int j = records - 1; j >= std::max (0, records - 100) && n < 4; j--)
+    {
+      const double *r = e.record + j * (3 + 2 * nx);
+      if (int (r[1]) != i + 1)
+        continue;
+      reset = reset || (n == 0 && ! std::equal (r + 3, r + 3 + nx, r + 3 + nx));
+      t[n++] = r[0];
+    }
+  if (n < 4)
+    return 1e300;
+  double from = t[0] + 1e9 * (t[0] - t[3]);
+  if (reset && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3])
+    from = std::min (from, t[0] + 2 * (t[0] - t[1]));
+  return from - 1e-9 * std::fabs (from);
+}
+
+// Where a function has just had its event, counts from a level of its own or waits for its sign at
+// the end of a step the run looks by itself.
+void
+lane_group::join_events (int lane)
+{
+  bool looks = m_events > 0;
+  gs_events e = events_of (m_l[lane]);
+  for (int i = 0; i < m_events; i++)
+    {
+      looks = looks && e.fresh[i] == 0 && ! (std::fabs (e.level[i]) > 0) && *e.tells != 1;
+      m_g0(i, lane) = e.g[i];
+      m_mark(i, lane) = e.mark[i];
+      m_needs(i, lane) = ! gs_is_own (&e, i) && ! gs_is_held (&e, i);
+      m_until(i, lane) = accumulate_from (e, i, m_s.nx);
+    }
+  m_looks(0, lane) = looks;
+  if (! looks)
+    m_c(c_due, lane) = -1e300;   // every step is told to GSDTB
+}
+
+void
+lane_group::part_events (int lane)
+{
+  if (m_c(c_moved, lane) <= 0)
+    return;
+  gs_events e = events_of (m_l[lane]);
+  *e.since = 0;
+  for (int i = 0; i < m_events; i++)
+    {
+      e.g[i] = m_g0(i, lane);
+      e.mark[i] = int (m_mark(i, lane));
+    }
+}
+
+// which good steps have none; the other runs part
+void
+lane_group::look_for_events (void)
+{
+  const int many = lane_count, left = -1;
+  bool some = false;
+  for (int k = 0; k < lane_count; k++)
+    some = some || m_r(0, k) == 1;
+  if (! some)
+    return;
+  for (int k = 0; k < lane_count; k++)
+    m_stage_t(0, k) = m_at(0, k) < 0 ? gslft_ (&m_tn(0, k), &left) : m_tn(0, k);
+  call_rates (m_xn.begin (), m_fn.begin ());
+  for (int k = 0; k < lane_count; k++)
+    m_loud(0, k) = m_info[k] != 0;
+  for (int j = 1; j <= 8; j++)
+    {
+      fortran {gslep_} (&m_s.nx, &j, m_step.begin (), m_c.begin (), m_at.begin (), m_x.begin (),
+                        m_f.begin (), m_xn.begin (), m_fn.begin (), m_z.begin (),
+                        m_stage_t.begin ());
+      fortran {m_evt} (m_stage_t.begin (), m_z.begin (), m_v.begin (), m_cst.begin (),
+                       m_g.begin (), m_info, &m_width, &many);
+      fortran {gsleg_} (&m_events, &j, m_g.begin (), m_info, m_g0.begin (), m_mark.begin (),
+                        m_old.begin (), m_older.begin (), m_now.begin (), m_loud.begin ());
+    }
+  fortran {gslen_} (&m_events, m_g.begin (), m_now.begin (), m_needs.begin (), m_until.begin (),
+                    m_tn.begin (), m_loud.begin ());
+  for (int k = 0; k < lane_count; k++)
+    if (m_r(0, k) == 1 && m_loud(0, k) > 0)
+      m_r(0, k) = 3;
+  part_failed ();
+}
+
+void
+lane_group::remember_quiet (void)
+{
+  const int known = S.nlam == 0 && S.nq == S.nu;
+  fortran {gsleu_} (&m_s.nx, &m_events, m_r.begin (), m_looks.begin (), &known, m_at.begin (),
+                    m_g.begin (), m_now.begin (), m_fn.begin (), m_g0.begin (), m_mark.begin (),
+                    m_f.begin (), m_c.begin ());
+}
+
+#endif
