@@ -31,8 +31,9 @@ private:
   void work (int thread, int most);
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
-  bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, reals& rp);
-  void keep (int i, const run_room& r, const std::vector<int>& ip, const reals& rp, reals& one);
+  bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
+  void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
+             reals& one);
 
 #if defined (GSMBP_QUAD)
   static bool in_lanes (const simulation&) { return false; }
@@ -94,7 +95,7 @@ ensemble::constants (const known_row& row, reals& cst) const
 
 // the room of a run; false where its parameters cannot be, or all is to end
 bool
-ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, reals& rp)
+ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp)
 {
   const ensemble_rows& m = m_rows;
   const int i = row.i;
@@ -128,7 +129,7 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, real
 // the rows that were reached, and the last state of a run that ended before its time; one that an
 // event of the user has ended (INFO 11) stays there
 void
-ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const reals& rp,
+ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
                 reals& one)
 {
   const std::size_t nt = m_s.nt, reached = r.istat[4];
@@ -180,7 +181,7 @@ void
 ensemble::done (lane_run& l)
 {
   reals one = room (S.ny);
-  m_s.go_on (l.r, l.ip, l.rp);
+  m_s.go_on (l.r, l.ip, l.rp.data ());
   keep (l.i, l.r, l.ip, l.rp, one);
   the_patience->reached (++m_done);
 }
@@ -202,11 +203,12 @@ ensemble::work (int thread, int most)
 #endif
   run_room r;
   std::vector<int> ip;
-  reals rp, one = room (S.ny);
+  unset_reals rp;
+  reals one = room (S.ny);
   for (int i = m_next++; i < m_rows.n; i = m_next++)
     if (prepare ({ i, nullptr, 0 }, r, ip, rp))
       {
-        m_s.run (r, ip, rp);
+        m_s.run (r, ip, rp.data ());
         keep (i, r, ip, rp, one);
         the_patience->reached (++m_done);
       }

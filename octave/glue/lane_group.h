@@ -93,7 +93,7 @@ struct lane_run
 {
   run_room r;
   std::vector<int> ip;
-  reals rp;
+  unset_reals rp;
   int i;                             // its number
   int siz[8];                        // SIZ and TIM of GSSIM, with breaks of its own
   std::vector<double> tim;

@@ -35,6 +35,19 @@ typedef double number;
 
 typedef std::vector<number> reals;
 
+// numbers of which those that nobody writes take no memory: they are not zero at first
+template <typename T>
+struct as_it_is : std::allocator<T>
+{
+  template <typename U> struct rebind { typedef as_it_is<U> other; };
+  template <typename U> void construct (U *) { }
+  template <typename U, typename... From> void construct (U *at, From&&... from)
+  {
+    ::new (static_cast<void *> (at)) U (std::forward<From> (from)...);
+  }
+};
+typedef std::vector<number, as_it_is<number>> unset_reals;
+
 static const double no_number = std::numeric_limits<double>::quiet_NaN ();
 
 // how often the next call is repeated to be timed (0: once, untimed), and the time of all

@@ -19,14 +19,14 @@ public:
 
   // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
   // written, stays as it is: it takes most of their room, and the time of a short run.
-  void begin (std::vector<int>& own_ip, reals& own_rp) const;
+  void begin (std::vector<int>& own_ip, unset_reals& own_rp) const;
 
   // the parts of the plan: in IP, and in a copy of RP in double precision
   gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
 
   // time, number and mode after it of each event of a run with those
-  std::vector<double> events_of (const std::vector<int>& own_ip, const reals& own_rp) const;
+  std::vector<double> events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const;
 
   // of each event function whether its event changes what follows
   std::vector<char> changing_events (void);
@@ -57,7 +57,7 @@ private:
 };
 
 void
-run_plan::begin (std::vector<int>& own_ip, reals& own_rp) const
+run_plan::begin (std::vector<int>& own_ip, unset_reals& own_rp) const
 {
   own_ip = ip;
   own_rp.resize (rp.size ());
@@ -66,7 +66,7 @@ run_plan::begin (std::vector<int>& own_ip, reals& own_rp) const
 }
 
 std::vector<double>
-run_plan::events_of (const std::vector<int>& own_ip, const reals& own_rp) const
+run_plan::events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const
 {
   const int *e = &own_ip[own_ip[GS_EVENTS] - 1];
   const std::size_t many = std::min (e[1], e[2]), width = 3 + 2 * std::size_t (m_nx);

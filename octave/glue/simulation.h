@@ -28,9 +28,9 @@ struct simulation : run_room
   reals breaks_of (const reals& constants) const;
 
   // a run in its own room, with the plan IP, RP; several may go on at a time
-  void run (run_room& r, std::vector<int>& ip, reals& rp) const;
+  void run (run_room& r, std::vector<int>& ip, number *rp) const;
   // where one ended by GSSIM
-  void go_on (run_room& r, std::vector<int>& ip, reals& rp) const;
+  void go_on (run_room& r, std::vector<int>& ip, number *rp) const;
 
   number t0;
   int nx;
@@ -60,11 +60,11 @@ private:
   void read_options (arguments& a);
   void make_room (const reals& guess);
   void find_routines (void);
-  void by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const;
+  void by_gssim (run_room& r, std::vector<int>& ip, number *rp) const;
   void by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
                  const int *counts, const number *options) const;
 #if ! defined (GSMBP_QUAD)
-  void by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const;
+  void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
 };
 
@@ -208,7 +208,7 @@ simulation::find_routines (void)
 }
 
 void
-simulation::by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const
+simulation::by_gssim (run_room& r, std::vector<int>& ip, number *rp) const
 {
   const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, int (r.breaks.size ()), lw};
   reals times (1, t0), options = ropt;
@@ -216,7 +216,7 @@ simulation::by_gssim (run_room& r, std::vector<int>& ip, reals& rp) const
   times.insert (times.end (), tout.begin (), tout.begin () + nt);
   times.insert (times.end (), r.breaks.begin (), r.breaks.end ());
   options.insert (options.end (), atol.begin (), atol.end ());
-  by_gssim (r, &ip[0], &rp[0], sizes, &times[0], &counts[0], &options[0]);
+  by_gssim (r, &ip[0], rp, sizes, &times[0], &counts[0], &options[0]);
 }
 
 // what is left behind by the jump out of the right-hand side are frames of Fortran
@@ -262,7 +262,7 @@ take_scene (gsmbp_run& g)
 
 // from the start, or on from where GSSIM found its steps bound by stability
 void
-simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resume) const
+simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const
 {
   auto there = [] (const char *name) {
     const gsmbp_routine *f = emitted (name);
@@ -306,7 +306,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
   g.ropt = &options[0];
   g.atol = &absolute[0];
   g.ip = &ip[0];
-  g.rp = &rp[0];
+  g.rp = rp;
   g.cst = &r.cst[0];
   g.xout = &r.xout[0];
   g.vout = &r.vout[0];
@@ -324,7 +324,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, reals& rp, bool resu
 #endif
 
 void
-simulation::run (run_room& r, std::vector<int>& ip, reals& rp) const
+simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
   if (iopt[0] != 0)
     by_gssim (r, ip, rp);
@@ -332,7 +332,7 @@ simulation::run (run_room& r, std::vector<int>& ip, reals& rp) const
 }
 
 void
-simulation::go_on (run_room& r, std::vector<int>& ip, reals& rp) const
+simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
 {
 #if ! defined (GSMBP_QUAD)
   const bool stiff = iopt[0] == 0;
@@ -345,7 +345,7 @@ void
 simulation::integrate (void)
 {
   auto begin = std::chrono::steady_clock::now ();
-  run (*this, plan->ip, plan->rp);
+  run (*this, plan->ip, plan->rp.data ());
   seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
 }
 
