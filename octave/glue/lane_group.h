@@ -48,6 +48,7 @@ extern "C"
   void gslni_ (void);
   void gslep_ (void);
   void gsleg_ (void);
+  void gsled_ (void);
   void gslen_ (void);
   void gsleu_ (void);
 }
@@ -172,6 +173,7 @@ private:
   gs_events events_of (lane_run& l);
   void join_events (int lane);
   void part_events (int lane);
+  void events_at (int j, int n);
   void look_for_events (void);
   void remember_quiet (void);
 
@@ -244,7 +246,8 @@ private:
   // and of their events, see GSLEG
   gsmbp_sub m_evt;
   int m_events;
-  lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_now, m_needs, m_until, m_fn, m_z, m_loud;
+  lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_most, m_apart, m_needs, m_until;
+  lane_array m_fn, m_z, m_loud;
   // and of their loops
   gsmbp_sub m_con, m_prj;
   lane_array m_p, m_q, m_phi, m_rate, m_hc, m_hn, m_dq, m_du, m_long, m_y, m_w;

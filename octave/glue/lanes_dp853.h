@@ -249,10 +249,11 @@ lane_group::after_8 (int lane)
   lane_run& l = m_l[lane];
   m_xn.get (lane, l.next (), m_s.nx);
   l.r.istat[0] += m_calls[lane];
-  // an event is looked for by the rates at the beginning, rows within the step need all
-  const bool rows = m_tim[l.istp[1]] < l.tn;
-  m_f.get (lane, l.stages (), rows ? 12 * m_s.nx : l.ip[GS_EVENTS] > 0 ? m_s.nx : 0);
-  if (rows)
+  // rows within the step and events in it need all stages
+  const bool all = m_tim[l.istp[1]] < l.tn || l.ip[GS_EVENTS] > 0;
+  if (all)
+    m_f.get (lane, l.stages (), 12 * m_s.nx);
+  if (all)
     m_xs.get (lane, l.stages () + 12 * m_s.nx, m_s.nx);
   judge_8 (lane, l.ier == 0 ? m_err(0, lane) : 0);
 }

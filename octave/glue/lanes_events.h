@@ -52,7 +52,7 @@ lane_group::join_events (int lane)
       looks = looks && e.fresh[i] == 0 && ! (std::fabs (e.level[i]) > 0) && *e.tells != 1;
       m_g0(i, lane) = e.g[i];
       m_mark(i, lane) = e.mark[i];
-      m_needs(i, lane) = ! gs_is_own (&e, i) && ! gs_is_held (&e, i);
+      m_needs(i, lane) = ! gs_is_own (&e, i);
       m_until(i, lane) = accumulate_from (e, i, m_s.nx);
     }
   m_looks(0, lane) = looks;
@@ -68,17 +68,25 @@ lane_group::part_events (int lane)
   gs_events e = events_of (m_l[lane]);
   *e.since = 0;
   for (int i = 0; i < m_events; i++)
-    {
-      e.g[i] = m_g0(i, lane);
-      e.mark[i] = int (m_mark(i, lane));
-    }
+    e.g[i] = m_g0(i, lane);
+}
+
+// the event functions at the J-th point of the steps, on the polynomial of degree N
+void
+lane_group::events_at (int j, int n)
+{
+  const int many = lane_count;
+  fortran {gslep_} (&m_s.nx, &j, &n, m_step.begin (), m_c.begin (), m_at.begin (), m_x.begin (),
+                    m_f.begin (), m_xn.begin (), m_fn.begin (), m_z.begin (), m_stage_t.begin ());
+  fortran {m_evt} (m_stage_t.begin (), m_z.begin (), m_v.begin (), m_cst.begin (), m_g.begin (),
+                   m_info, &m_width, &many);
 }
 
 // which good steps have none; the other runs part
 void
 lane_group::look_for_events (void)
 {
-  const int many = lane_count, left = -1;
+  const int left = -1;
   bool some = false;
   for (int k = 0; k < lane_count; k++)
     some = some || m_r(0, k) == 1;
@@ -91,16 +99,16 @@ lane_group::look_for_events (void)
     m_loud(0, k) = m_info[k] != 0;
   for (int j = 1; j <= 8; j++)
     {
-      fortran {gslep_} (&m_s.nx, &j, m_step.begin (), m_c.begin (), m_at.begin (), m_x.begin (),
-                        m_f.begin (), m_xn.begin (), m_fn.begin (), m_z.begin (),
-                        m_stage_t.begin ());
-      fortran {m_evt} (m_stage_t.begin (), m_z.begin (), m_v.begin (), m_cst.begin (),
-                       m_g.begin (), m_info, &m_width, &many);
+      events_at (j, 5);
       fortran {gsleg_} (&m_events, &j, m_g.begin (), m_info, m_g0.begin (), m_mark.begin (),
-                        m_old.begin (), m_older.begin (), m_now.begin (), m_loud.begin ());
+                        m_old.begin (), m_older.begin (), m_most.begin (), m_loud.begin ());
+      if (j != 4 && j != 6)
+        continue;
+      events_at (j, 3);
+      fortran {gsled_} (&m_events, &j, m_g.begin (), m_old.begin (), m_apart.begin ());
     }
-  fortran {gslen_} (&m_events, m_g.begin (), m_now.begin (), m_needs.begin (), m_until.begin (),
-                    m_tn.begin (), m_loud.begin ());
+  fortran {gslen_} (&m_events, m_apart.begin (), m_most.begin (), m_mark.begin (),
+                    m_needs.begin (), m_until.begin (), m_tn.begin (), m_loud.begin ());
   for (int k = 0; k < lane_count; k++)
     if (m_r(0, k) == 1 && m_loud(0, k) > 0)
       m_r(0, k) = 3;
@@ -112,8 +120,7 @@ lane_group::remember_quiet (void)
 {
   const int known = S.nlam == 0 && S.nq == S.nu;
   fortran {gsleu_} (&m_s.nx, &m_events, m_r.begin (), m_looks.begin (), &known, m_at.begin (),
-                    m_g.begin (), m_now.begin (), m_fn.begin (), m_g0.begin (), m_mark.begin (),
-                    m_f.begin (), m_c.begin ());
+                    m_g.begin (), m_fn.begin (), m_g0.begin (), m_f.begin (), m_c.begin ());
 }
 
 #endif

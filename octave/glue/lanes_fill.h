@@ -16,7 +16,7 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
     m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (40), m_runs (1),
     m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1), m_evt (nullptr),
     m_events (looks_at (s)), m_looks (1), m_g (m_events), m_g0 (m_events),
-    m_old (m_events), m_older (m_events), m_mark (m_events), m_now (m_events),
+    m_old (m_events), m_older (m_events), m_mark (m_events), m_most (m_events), m_apart (m_events),
     m_needs (m_events), m_until (m_events), m_fn (m_events > 0 ? s.nx : 0),
     m_z (m_events > 0 ? s.nx : 0), m_loud (1), m_con (nullptr),
     m_prj (nullptr), m_p (24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq), m_q (S.nq),

@@ -1,7 +1,10 @@
 /* GSEVN: looks for the first event within a step; if there is one, the step is done again up to
  * it.
  *
- * Eight points of the cubic polynomial through both ends (or of that of GSPSG), not evenly spaced
+ * Most steps of GSDP8 are quiet, which GSEVA tells; in the others states are those of its
+ * polynomial of order 7 (GSDPE), and a step is repeated where this is off by ten tolerances.
+ * Eight points of that polynomial (of the cubic one through both ends of a step of GSRK4, of that
+ * of GSPSG), not evenly spaced
  * (what repeats itself would hide between them), tell whether an event function falls to 0, and up
  * to 2048 where it has a lowest value that they do not resolve (ports that stick let steps grow,
  * whatever the inputs do); its zero by the method of Illinois. The part before it is looked at
@@ -102,10 +105,18 @@ by_its_end (const gs_system *g, int i)
   *flag = 3 - gs_least (1, *flag);
 }
 
+/* the step e, which was made again to another end, as it was first, and its polynomial */
+static int
+as_it_was (const gs_system *g, gs_step *e)
+{
+  double off;
+  return e->method == 8 ? gsevy (g, e, 1, &off) : 0;
+}
+
 /* Has function i been above 0 half way to its zero at th? Where it was not at the beginning, the
  * step itself tells, not its polynomial. */
 static int
-rose (const gs_system *g, const gs_step *e, int i, double th, int *so)
+rose (const gs_system *g, gs_step *e, int i, double th, int *so)
 {
   const gs_events a = plan (g);
   double te, err;
@@ -114,13 +125,13 @@ rose (const gs_system *g, const gs_step *e, int i, double th, int *so)
     return 0;
   int info = tried (g, e, 0.5 * th, &te, &a, &err);
   *so = a.now[i - 1] > 0.0;
-  return info;
+  return info == 0 ? as_it_was (g, e) : info;
 }
 
 /* the first function that falls to 0 within e, and where on its polynomial; the part before it
- * again; 0: none. dip, low: who and low of gsevl in the last eight points */
+ * again; 0: none */
 static int
-first_event (const gs_system *g, gs_step *e, int *first, double *thf, int *dip, double *low)
+first_event (const gs_system *g, gs_step *e, int *first, double *thf)
 {
   int ns = 8, found;
   double be = 1.0;
@@ -128,16 +139,11 @@ first_event (const gs_system *g, gs_step *e, int *first, double *thf, int *dip, 
   *thf = 2.0;
   for (;;)
     {
-      double th, lowest;
-      int fine, who, so = 1, info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th,
-                                           &fine, &who, &lowest);
+      double th;
+      int fine, so = 1,
+          info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th, &fine);
       if (info != 0)
         return failed (g, info);
-      if (ns == 8)
-        {
-          *dip = who;
-          *low = lowest;
-        }
       if (fine && ns < 2048)
         {
           ns *= 2;
@@ -182,7 +188,7 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
   if (*again)
     {
       by_its_end (g, first);
-      return 0;
+      return as_it_was (g, e);
     }
   if (info == 0 && e->wanted && e->tn > *e->wanted)
     {
@@ -198,31 +204,50 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
   return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
 }
 
+/* is the step e of gsdp8 quiet? Else its polynomial, and found: -1 where it is off by ten tolerances
+ * and the step is long enough to be repeated */
+static int
+look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
+{
+  double off;
+  *quiet = 0;
+  e->off = 0.0;
+  if (e->method != 8)
+    return 0;
+  int info = gseva (g, e, quiet);
+  if (info != 0)
+    return failed (g, info);
+  if (! *quiet && (info = gsevy (g, e, 0, &off)) == 0 && ! (off <= 3.0 * most_error (g)) && is_long)
+    {
+      e->off = off;
+      *found = -1;
+    }
+  return info;
+}
+
 int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
+  const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  int first = 0, quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
-  int first, dip = 0, again = 1, info = ends (g, e, a.xdn);
-  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
   for (int i = 0; i < a.ne; i++)
     if (a.fresh[i] >= 2)
       a.fresh[i] = 3 - a.fresh[i];
+  if (info == 0)
+    info = look (g, e, is_long, &quiet, found);
+  if (*found < 0)
+    return info;
+  again = ! quiet;
   while (info == 0 && again)
     {
-      double thf, low;
-      int hides = 0;
+      double thf;
       again = 0;
-      if ((info = first_event (g, e, &first, &thf, &dip, &low)) != 0)
+      if ((info = first_event (g, e, &first, &thf)) != 0)
         return info;
-      if (first == 0 && dip > 0 && e->method == 8
-          && (info = gsevw (g, e, low, dip, &hides)) != 0)
-        return info;
-      *found = hides && fabs (e->h) > instant ? -1 : 0;
-      if (*found < 0)
-        return 0;
       *found = still_below (&a, first);
-      if (*found > 0 && fabs (e->h) > instant)
+      if (*found > 0 && is_long)
         *found = -1;
       else if (first > 0)
         info = up_to (g, e, first, thf, found, &again);
@@ -238,62 +263,22 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   return info;
 }
 
-/* do the last three points, c and a apart, show a lowest value that they do not resolve? */
+/* do the last three points, c and a apart, show a lowest value that they do not resolve? Has the
+ * parabola through them its lowest point between them, or close to them? */
 static int
 unresolved (double older, double before, double now, double c, double a)
 {
   if (! (older > 0.0 && before > 0.0 && now > 0.0))
     return 0;
-  double old = (before - older) / c, slope = (now - before) / a;
-  return old < 0.0 && slope > 0.0 && 0.5 * (slope - old) * (a + c) > before;
-}
-
-/* the lowest point of the parabola through the last three points, that of function i, as a
- * fraction from the second on (low), if it lies between them and is small beside its curvature:
- * less than ratio times that, which becomes its own */
-static int
-dips (double older, double before, double now, double c, double a, double *ratio, double *low)
-{
-  if (! (older > 0.0 && before > 0.0 && now > 0.0))
-    return 0;
   const double old = (before - older) / c, slope = (now - before) / a,
-               curve = (slope - old) / (a + c), d = old - c * curve;
-  if (! (d < 0.0 && slope + a * curve > 0.0 && older - 0.25 * (d * d) / curve < *ratio * curve))
-    return 0;
-  *ratio = (older - 0.25 * (d * d) / curve) / curve;
-  *low = 0.5 * d / curve;
-  return 1;
-}
-
-int
-gsevw (const gs_system *g, const gs_step *e, double low, int who, int *hides)
-{
-  const gs_events a = plan (g);
-  const double h = e->h, b = low * (1.0 - low);
-  gsevx (g->nx, e, 0.25, a.xdn, a.z);
-  int info = gsfun (g, e->t + 0.25 * h, 1, a.z, a.end);
-  if (info != 0)
-    return info;
-  if ((info = gsevb (g, e, low, 1)) != 0)
-    return failed (g, info);
-  const double least = a.now[who - 1];
-  gsevx (g->nx, e, low, a.xdn, a.z);
-  for (int i = 0; i < g->nx; i++)
-    {
-      double d = a.end[i] - 1.125 * (e->xn[i] - e->x[i]) / h - 0.1875 * e->f[i]
-                 + 0.3125 * a.xdn[i];
-      a.z[i] = a.z[i] + h * (d / 0.1875) * (b * b);
-    }
-  if ((info = gsevv (g, e->t + low * h, 1, a.z, a.mode, a.now)) != 0)
-    return failed (g, info);
-  gsusg (&a);
-  *hides = a.now[who - 1] <= fabs (a.now[who - 1] - least);
-  return 0;
+               curve = (slope - old) / (a + c), s = a + c;
+  return old < 1.25 * c * curve && slope > -1.25 * a * curve
+         && 0.5 * (s * s) * curve > gs_min (gs_min (older, now), before);
 }
 
 int
 gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found, double *th,
-       int *fine, int *who, double *low)
+       int *fine)
 {
   const gs_events p = plan (g);
   const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
@@ -309,8 +294,6 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
   *found = 0;
   *fine = 0;
   *th = 2.0;
-  *who = 0;
-  double ratio = 2e-2;
   for (int j = j0; j <= ns; j++)
     {
       double b = be * gsevp (j, ns);
@@ -326,12 +309,6 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
           p.last[i] = p.now[i];
           if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
             *fine = 1;
-          double from;
-          if (dips (p.older[i], p.before[i], p.last[i], c, a, &ratio, &from))
-            {
-              *who = i + 1;
-              *low = b - a - c - from;
-            }
           p.older[i] = p.before[i];
           p.before[i] = p.last[i];
         }
@@ -487,41 +464,72 @@ has_just_gone (const gs_step *e, double te, const gs_events *a, int i)
          && te - e->t <= 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
 }
 
+/* where gsevs looks next, from th, where its function is gc: between lo, where it is above 0, and
+ * hi, where it is not (2: unknown). 0: nowhere, it is there or does not fall to 0 */
+static int
+further (int k, double d, double lo, double hi, double *th, int *there)
+{
+  const double old = *th;
+  if (hi <= 1.0)
+    {
+      *th -= d;
+      if (! (*th > lo && *th < hi) || k % 8 == 0)
+        *th = 0.5 * (lo + hi);
+      if (k < 80 && fabs (*th - old) > 0.0)
+        return 1;
+      *there = 1;
+      return 0;
+    }
+  if (! (k < 12 && fabs (d) <= 0.1))
+    return 0;
+  *th = gs_min (1.0, gs_max (0.0, *th - d));
+  return fabs (*th - old) > 0.0;
+}
+
+/* e made again up to the zero of function i, from the fraction th on; there: it has one */
+static int
+secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, double *th, double *te,
+        double *err, int *there)
+{
+  const double least = 2.0 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+  double slope, old = 0.0, gold = 0.0, lo = 0.0, hi = 2.0;
+  int info = first_slope (g, e, i, *th, &slope);
+  if (info != 0)
+    return failed (g, info);
+  *there = 0;
+  for (int k = 1;; k++)
+    {
+      if ((info = tried (g, e, *th, te, a, err)) != 0)
+        return info;
+      const double gc = a->now[i - 1];
+      if (gc > 0.0)
+        lo = gs_max (lo, *th);
+      else
+        hi = gs_min (hi, *th);
+      if (k > 1 && fabs (*th - old) > 0.0 && fabs (gc - gold) > 0.0)
+        slope = (gc - gold) / (*th - old);
+      old = *th;
+      gold = gc;
+      const double d = fabs (slope) > 0.0 ? gc / slope : 1.0;
+      *there = fabs (d * e->h) <= least || (hi - lo) * e->h <= least;
+      if (*there || ! further (k, d, lo, hi, th, there))
+        return 0;
+    }
+}
+
 int
 gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
 {
   *err = 0.0;
   const gs_events a = plan (g);
-  const double least = 2.0 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  double th = start, te = e->tn, slope, old = 0.0, gold = 0.0;
-  int info = first_slope (g, e, i, th, &slope);
-  if (info != 0)
-    return failed (g, info);
-  for (int k = 1; k <= 12; k++)
-    {
-      info = tried (g, e, th, &te, &a, err);
-      if (info != 0)
-        return info;
-      double gc = a.now[i - 1];
-      if (k > 1 && fabs (th - old) > 0.0 && fabs (gc - gold) > 0.0)
-        slope = (gc - gold) / (th - old);
-      old = th;
-      gold = gc;
-      if (! (fabs (slope) > 0.0))
-        break;
-      double d = gc / slope;
-      if (! (fabs (d) <= 0.1) || fabs (d * e->h) <= least)
-        break;
-      if (k < 12)
-        th = gs_min (1.0, gs_max (0.0, th - d));
-      if (! (fabs (th - old) > 0.0))
-        break;
-    }
-  info = past (g, e, i, th, &te, &a, err);
+  double th = start, te = e->tn;
+  int there, info = secant (g, e, &a, i, &th, &te, err, &there);
+  if (info == 0)
+    info = past (g, e, i, th, &te, &a, err);
   if (info != 0)
     return info;
   if (a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2
-      && (gs_is_own (&a, i - 1) || has_just_gone (e, te, &a, i - 1)))
+      && (gs_is_own (&a, i - 1) || has_just_gone (e, te, &a, i - 1) || ! there))
     {
       *err = -1.0;
       return 0;
@@ -555,9 +563,16 @@ gsevp (int j, int ns)
 void
 gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z)
 {
+  if (e->method == 8)
+    {
+      gsdpu (nx, e->h, b, e->x, e->f, e->xn, xdn, e->f + nx, z);
+      return;
+    }
   if (e->method != 12)
     {
       gsevh (nx, e->h, b, e->x, e->f, e->xn, xdn, z);
+      if (e->method == 5)
+        gsevc (nx, e->h, b, e->x, e->f, e->xn, xdn, z);
       return;
     }
   double c[12], wt[12], q[12];

@@ -109,16 +109,16 @@ last_four (const gs_events *a, int i, int nx, double *t, int *reset)
  * drown in rounding errors); and where it has its fourth event within 1000 units of rounding of the
  * time. */
 static int
-infinitely_many (const gs_events *a, int i, int now, double end, int nx)
+infinitely_many (const gs_events *a, int i, int now, double end, int nx, int *reset)
 {
   double t[4];
-  int reset, n = last_four (a, i, nx, t, &reset);
+  int n = last_four (a, i, nx, t, reset);
   if (now)
     return n >= 3 && ! (t[2] < end - 1e3 * gseps () * fabs (end));
   if (n < 4)
     return 0;
   return ! (t[3] < t[0] - 1e-9 * (end - t[0]))
-         || (reset && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
+         || (*reset && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
              && end - t[0] > 2.0 * (t[0] - t[1]));
 }
 
@@ -130,12 +130,14 @@ gsusz (const gs_events *a, double t, double h, int nx, int but, int *which)
     return info;
   for (int i = 0; i < a->ne; i++)
     {
+      int reset;
       const int now = i + 1 == but;
       if (gs_is_own (a, i) && (now || a->mark[i] + a->marks[i] == 0)
-          && infinitely_many (a, i, now, t + h, nx))
+          && infinitely_many (a, i, now, t + h, nx, &reset))
         {
+          if (info == 0 || reset)
+            *which = i + 1;
           info = 10;
-          *which = i + 1;
         }
     }
   return info;

@@ -114,34 +114,44 @@ typedef struct
   int side;     /* of tn: < 0 if a jump of the inputs may lie there */
   double *x;    /* nx: the state at t */
   double *xn;   /* nx: the state at tn */
-  double *f;    /* (nx,13): its stages, the first column are the rates at x */
+  double *f;    /* (nx,13): its stages, the first column are the rates at x; of gsdp8 columns 0
+                 * and 5 to 12 stay where there is no event */
   double tc, d; /* of gspsg: from tc - d to tc + d [s] */
   int ns;       /* ... with so many stages */
+  double off;   /* on exit of gsevn the error of the polynomial beside the tolerance where it is too
+                 * large, else 0 */
   const double *wanted; /* a time behind which events are not, or a null pointer */
 } gs_step;
 
 /* the first event within the step e; if there is one the step is done again up to it. found: its
- * number, 0 none, -1 the step is too long to see what happens just after the last event, -2 it is
+ * number, 0 none, -1 the step is too long to see what happens, -2 it is
  * not wanted: nothing is done. info: what failed, as istat[5] and istat[6] */
 int gsevn (const gs_system *g, gs_step *e, int *found);
 
-/* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
- * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; who: a
- * function whose lowest value, at the fraction low, is small beside its curvature; 0: none */
-int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
-           double *th, int *fine, int *who, double *low);
+/* for gsevn: quiet: 1 if no event function comes close to 0 in the step e of gsdp8, beside what a
+ * polynomial through its stages may hide; then the plan is as gsevl leaves it */
+int gseva (const gs_system *g, gs_step *e, int *quiet);
 
-/* for gsevn: may the polynomial of e, a step of gsdp8, hide that function who falls below 0 at the
- * fraction low? The rates at a fourth of the step give it one degree more */
-int gsevw (const gs_system *g, const gs_step *e, double low, int who, int *hides);
+/* for gseva: the error of a cubic polynomial through both ends of a step, at the fraction b of it,
+ * beside that in its middle */
+double gsevz (double b);
+
+/* for gsevn: the polynomial of order 7 of the step e of gsdp8 into the columns 1 to 4 of its
+ * stages; again: it was made again to another end, and is made as it was first; off: as gsdpq */
+int gsevy (const gs_system *g, const gs_step *e, int again, double *off);
+
+/* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
+ * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value */
+int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
+           double *th, int *fine);
 
 /* for gsevl: the zero of function i between the fractions begin and *c, by the method of Illinois;
  * on exit it has fallen to 0 at *c */
 int gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i);
 
 /* for gsevn: the step e once more, by the secant method as long as function i needs to be 0 at its
- * end; it starts at the fraction start. err: that of gsdp8, else 0; -1: a function of the user does
- * not fall, nothing is changed */
+ * end; it starts at the fraction start. err: that of gsdp8, else 0; -1: it
+ * does not fall to 0 on the step, though on its polynomial; its end is not changed */
 int gsevs (const gs_system *g, gs_step *e, int i, double start, double *err);
 
 /* event functions at the fraction b of the step e, on its polynomial, into the plan's now */
@@ -150,11 +160,17 @@ int gsevb (const gs_system *g, const gs_step *e, double b, int side);
 /* the point j of ns of a step, as a fraction of it; from 0 to -24 each is a quarter of the next */
 double gsevp (int j, int ns);
 
-/* the state z at the fraction b of the step e; xdn: the rates at its end */
+/* the state z at the fraction b of the step e; xdn: the rates at its end; method 3, 5: of a step of
+ * gsdp8 by gsevh, and by gsevc */
 void gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z);
 
 /* the cubic polynomial through the ends of a step of the length h, at the fraction b of it */
 void gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
+            const double *xdn, double *z);
+
+/* from the state z of gsevh at the fraction b of a step of gsdp8, with the stages f (nx,13), that of
+ * a polynomial of order 5: it has the rates of the stages 7 and 10 as well, at 1/4 and 3/5 */
+void gsevc (int nx, double h, double b, const double *x, const double *f, const double *xn,
             const double *xdn, double *z);
 
 /* event functions gv under the inputs of a run. info: that of the inputs */

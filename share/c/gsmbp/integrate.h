@@ -185,15 +185,28 @@ int gsdp8 (const gs_system *g, double t, double tn, int side, double h, const do
 int gsdpd (const gs_system *g, double t, double tn, int side, double h, const double *x,
            double *xn, double *f, double *z);
 
+/* the coefficients of that polynomial, three stages more: on entry column 1 of f holds the rates at
+ * the end; on exit columns to ... to + 3 (1 or 5) the coefficients c that gsdpu takes; 2 to 4 are
+ * changed, the others stay */
+int gsdpe (const gs_system *g, double t, double h, const double *x, double *f, int to, double *z);
+
 /* the state z at the fraction b of the step from x to xn, on that polynomial */
 void gsdpv (int nx, double h, double b, const double *x, const double *xn, const double *f,
             double *z);
+
+/* ... from the rates xd, xdn at the ends and the coefficients c of gsdpe; xn itself at the end */
+void gsdpu (int nx, double h, double b, const double *x, const double *xd, const double *xn,
+            const double *xdn, const double *c, double *z);
 
 /* the error of that polynomial beside three tolerances, at most 1 where it is as accurate as the
  * step: its state at the place of the last stage of gsdpd less z (nx), as gsdpd left it. w (nx):
  * workspace */
 double gsdpq (const gs_system *g, double h, const double *x, const double *xn, const double *f,
               const double *z, double *w);
+
+/* ... from the state w of the polynomial there */
+double gsdpn (const gs_system *g, const double *x, const double *xn, const double *z,
+              const double *w);
 
 /* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
  * constraints; off: gsdpq. info as gschk, or 90 if off is above 1 and the scene has no events; if

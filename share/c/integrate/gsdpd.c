@@ -118,8 +118,15 @@ int
 gsdpd (const gs_system *g, double t, double tn, int side, double h, const double *x, double *xn,
        double *f, double *z)
 {
+  int info = gsfun (g, tn, side, xn, f + g->nx);
+  return info == 0 ? gsdpe (g, t, h, x, f, 5, z) : info;
+}
+
+int
+gsdpe (const gs_system *g, double t, double h, const double *x, double *f, int to, double *z)
+{
   const int nx = g->nx;
-  int info = gsfun (g, tn, side, xn, f + nx);
+  int info = 0;
   for (int k = 0; k < 3 && info == 0; k++)
     {
       for (int i = 0; i < nx; i++)
@@ -132,7 +139,7 @@ gsdpd (const gs_system *g, double t, double tn, int side, double h, const double
       for (int k = 0; k < 4; k++)
         r[k] = sum (12, column, d[k], f + i, nx);
       for (int k = 0; k < 4; k++)
-        f[i + nx * (5 + k)] = r[k];
+        f[i + nx * (to + k)] = r[k];
     }
   return info;
 }
@@ -140,12 +147,19 @@ gsdpd (const gs_system *g, double t, double tn, int side, double h, const double
 void
 gsdpv (int nx, double h, double b, const double *x, const double *xn, const double *f, double *z)
 {
-  for (int i = 0; i < nx; i++, f++)
+  gsdpu (nx, h, b, x, f, xn, f + nx, f + 5 * nx, z);
+}
+
+void
+gsdpu (int nx, double h, double b, const double *x, const double *xd, const double *xn,
+       const double *xdn, const double *c, double *z)
+{
+  for (int i = 0; i < nx; i++, c++)
     {
-      const double move = xn[i] - x[i], r3 = h * f[0] - move, r4 = move - h * f[nx] - r3;
-      double r = h * (f[5 * nx] + b * (f[6 * nx] + (1.0 - b) * (f[7 * nx] + b * f[8 * nx])));
+      const double move = xn[i] - x[i], r3 = h * xd[i] - move, r4 = move - h * xdn[i] - r3;
+      double r = h * (c[0] + b * (c[nx] + (1.0 - b) * (c[2 * nx] + b * c[3 * nx])));
       r = r3 + b * (r4 + (1.0 - b) * r);
-      z[i] = x[i] + b * (move + (1.0 - b) * r);
+      z[i] = b < 1.0 ? x[i] + b * (move + (1.0 - b) * r) : xn[i];
     }
 }
 
@@ -153,12 +167,18 @@ double
 gsdpq (const gs_system *g, double h, const double *x, const double *xn, const double *f,
        const double *z, double *w)
 {
+  gsdpv (g->nx, h, 7.0 / 9.0, x, xn, f, w);
+  return gsdpn (g, x, xn, z, w);
+}
+
+double
+gsdpn (const gs_system *g, const double *x, const double *xn, const double *z, const double *w)
+{
   const int nu = g->s->nu, top = g->s->nq + nu;
   const double *counts
       = g->p[GS_WAY] > 0.0 && g->p[GS_DEPENDENT] < nu ? g->p + GS_PARTS + nu : 0;
   double e = 0.0;
   int n = 0;
-  gsdpv (g->nx, h, 7.0 / 9.0, x, xn, f, w);
   for (int i = 0; i < g->nx; i++)
     {
       const double size = g->atol[i] + g->ropt[1] * gs_max (fabs (x[i]), fabs (xn[i])),

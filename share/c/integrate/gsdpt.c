@@ -155,7 +155,7 @@ gsdpt (gs_course *c, double htry, int *taken)
     {
       failed = gsevn (g, &e, &event);
       if (event < 0)
-        err = 1e10;
+        err = e.off > 1.0 ? gs_min (1e10, e.off) : 1e10;
       if (failed == 10 && g->istat[GS_FAILED] == 7)
         return GS_ROUTINE_FAILED;
       if (event == -2)

@@ -13,15 +13,19 @@ C     METHOD  (input) INTEGER, 4, 8, 9 or 12: the step from (T,X) was
 C             GSRK4's, GSDP8's or GSPSG's, whose polynomial has the
 C             states within it: it is not done again; 0: no more is one
 C             of an implicit method, whose states at the points of
-C             GSEVQ are in W.
+C             GSEVQ are in W.  With 8 and 9 W holds the stages of
+C             GSDP8; where there is no event columns 1 and 6 to 13
+C             stay.
 C     WAY     (input) INTEGER, the way of the loops, see GSSIM.
 C     SIZ, ROPT (input) as GSSIM.
 C     TN      (input/output) DOUBLE PRECISION, the end of the step, on
 C             exit the time of the event where there is one.
 C     XN      (input/output) DOUBLE PRECISION array, dimension (NX), the
 C             state at TN.
-C     GAUSS   (input) DOUBLE PRECISION array, dimension (3): TC, D, NS
-C             of GSPSG, for METHOD = 12.
+C     GAUSS   (input/output) DOUBLE PRECISION array, dimension (3): TC,
+C             D, NS of GSPSG, for METHOD = 12; for 8 and 9 GAUSS(1) is
+C             on exit the error of the polynomial beside the tolerance
+C             where that is why FOUND is -1, else 0.
 C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
 C             after the last event, or its error, up to the event, is
@@ -30,8 +34,11 @@ C     INFO    (output) INTEGER, 0 or the INFO of what failed; 10: events
 C     of the user accumulate.
 C
 C     METHOD
-C     Eight points of the cubic polynomial through both ends (or of that
-C     of GSPSG or GSEVQ), not evenly
+C     Most steps of GSDP8 are quiet, which GSEVA tells; in the others
+C     states are those of its polynomial of order 7 (GSDPE), and a step
+C     is repeated where this is off by ten tolerances.
+C     Eight points of that polynomial (of the cubic one through both
+C     ends of a step of GSRK4, of that of GSPSG or GSEVQ), not evenly
 C     spaced (what repeats itself would hide between them), tell whether
 C     an event function falls to 0, and up to 2048 where it has a lowest
 C     value that they do not resolve (ports that stick let steps grow,
@@ -42,7 +49,8 @@ C     more points are closer and closer to the beginning of the step.
 C     A function of the user that rises above 0 on that polynomial first
 C     must do so on the step itself, half way to its zero, and one that
 C     falls to 0 must do that: else its sign at the end of this step is
-C     all that counts (its flag is 2 or 3).
+C     all that counts (its flag is 2 or 3), and for a stop the step is
+C     repeated.
 C     Those of the user that have been above 0 before it count as such.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
@@ -56,11 +64,11 @@ C
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
-     $                   I, NS, FIRST, WHO, DIP
-      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, LOW, LOWD
-      LOGICAL            HELD, FINE, LATER, HIDES
-      EXTERNAL           GSEPS, GSFUN, GSEVL, GSEVS, GSEVD, GSEVW,
-     $                   GSUSC, GSUSZ
+     $                   I, NS, FIRST
+      DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, MOST
+      LOGICAL            HELD, FINE, LATER, QUIET, LONG, DP8
+      EXTERNAL           GSEPS, GSFUN, GSEVA, GSEVL, GSEVS, GSEVD,
+     $                   GSEVY, GSUSC, GSUSZ
 C
       NQ   = SIZ(1)
       NU   = SIZ(2)
@@ -70,7 +78,11 @@ C
       FOUND = 0
       INFO  = 0
       EPS = GSEPS()
-      DIP = 0
+      DP8  = METHOD.EQ.8 .OR. METHOD.EQ.9
+      LONG = ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) )
+      MOST = 1.0D0
+      IF ( NLAM.GT.0 .AND. P(13).LT.0.25D0*P(14) )
+     $   MOST = MAX( MOST, EPS**( 2.0D0/3.0D0 )/ROPT(2) )
       NE = IE(1)
       JM = 10
       JK = 10 + 2*NE
@@ -95,21 +107,33 @@ C     -- the first function that falls to 0; the part before it again
          IF ( METHOD.NE.0 .AND. IE(10+5*NE+I).GE.2 )
      $      IE(10+5*NE+I) = 3 - IE(10+5*NE+I)
     5 CONTINUE
-      NS = 8
+      FIRST = 0
+      IF ( DP8 ) THEN
+         GAUSS(1) = 0.0D0
+         CALL GSEVA( CMD, CLO, VIN, EVT, T, H, SIDE, NX, X, W, XN, NU,
+     $               NV, IP, RP, CST, V, WI, IE, RE, QUIET, INFO )
+         IF ( INFO.NE.0 ) GO TO 900
+         IF ( QUIET ) GO TO 28
+         CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X,
+     $               SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P, ISTAT,
+     $               RSTAT, IE, RE, .FALSE., ERR, INFO )
+         IF ( INFO.NE.0 ) RETURN
+         IF ( .NOT.( ERR.LE.3.0D0*MOST ) .AND. LONG ) THEN
+            GAUSS(1) = ERR
+            FOUND = -1
+            RETURN
+         END IF
+      END IF
+    8 NS = 8
       BE = 1.0D0
       THF = 2.0D0
-      FIRST = 0
    10 CONTINUE
       I = 1
       IF ( FIRST.EQ.0 ) I = SIDE
       CALL GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS, I,
      $            NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
-     $            FOUND, TH, FINE, WHO, LOW, INFO )
+     $            FOUND, TH, FINE, INFO )
       IF ( INFO.NE.0 ) GO TO 900
-      IF ( NS.EQ.8 ) THEN
-         DIP = WHO
-         LOWD = LOW
-      END IF
       IF ( FINE .AND. NS.LT.2048 ) THEN
          NS = 2*NS
          GO TO 10
@@ -127,6 +151,10 @@ C        -- a function that was not above 0: is it so on the way there?
             IE(8) = 0
             IF ( INFO.NE.0 ) RETURN
             IF ( .NOT.( RE(NE+FOUND).GT.0.0D0 ) ) GO TO 15
+            IF ( DP8 ) CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN,
+     $         SIDE, H, X, SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P,
+     $         ISTAT, RSTAT, IE, RE, .TRUE., ERR, INFO )
+            IF ( INFO.NE.0 ) RETURN
          END IF
          FIRST = FOUND
          THF = TH
@@ -140,24 +168,14 @@ C
 C     -- what the polynomial alone says: all again without it
    15 I = 10 + 5*NE + FOUND
       IE(I) = 3 - MIN( 1, IE(I) )
-      BE = 1.0D0
-      THF = 2.0D0
+      IF ( DP8 ) CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE,
+     $   H, X, SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P, ISTAT, RSTAT,
+     $   IE, RE, .TRUE., ERR, INFO )
+      IF ( INFO.NE.0 ) RETURN
       FIRST = 0
-      NS = 8
-      GO TO 10
+      GO TO 8
 C
-C     -- a lowest value that may be lower on the step itself
-   16 IF ( FIRST.EQ.0 .AND. DIP.GT.0 .AND. METHOD.GE.8 .AND.
-     $     METHOD.LE.9 ) THEN
-         CALL GSEVW( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, LOWD, DIP,
-     $               X, SIZ, IP, RP, CST, V, XN, W, WI, P,
-     $               ISTAT, RSTAT, IE, RE, HIDES, INFO )
-         IF ( INFO.NE.0 ) RETURN
-         FOUND = -1
-         IF ( HIDES .AND. ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ),
-     $        ABS( TN ) ) ) RETURN
-      END IF
-C
+   16 CONTINUE
 C     -- functions that have not risen above 0 since their last event
       FOUND = 0
       DO 20 I = 1, NE
@@ -165,13 +183,11 @@ C     -- functions that have not risen above 0 since their last event
          IF ( I.NE.FIRST .AND. IE(JL+I).EQ.0 .AND. .NOT.HELD .AND.
      $        IE(JK+I).LT.3 .AND. RE(2*NE+I).LT.0.0D0 ) FOUND = I
    20 CONTINUE
-      IF ( FOUND.GT.0 .AND.
-     $     ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+      IF ( FOUND.GT.0 .AND. LONG ) THEN
          FOUND = -1
       ELSE IF ( FIRST.GT.0 ) THEN
          FOUND = FIRST
-         IF ( IE(10+5*NE+FIRST).GE.2 .AND.
-     $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) THEN
+         IF ( IE(10+5*NE+FIRST).GE.2 .AND. LONG ) THEN
             FOUND = -1
             RETURN
          END IF
@@ -181,17 +197,11 @@ C     -- functions that have not risen above 0 since their last event
      $               THF, ERR, INFO )
          IF ( INFO.EQ.0 .AND. FOUND.EQ.0 ) THEN
             FOUND = -1
-            IF ( IE(JK+FIRST).EQ.2 .AND. ABS( H ).GT.1.0D3*EPS*MAX(
-     $           ABS( T ), ABS( TN ) ) ) RETURN
+            IF ( IE(JK+FIRST).EQ.2 .AND. LONG ) RETURN
             FOUND = FIRST
             GO TO 15
          END IF
-         TH = 1.0D0
-         IF ( NLAM.GT.0 .AND. P(13).LT.0.25D0*P(14) )
-     $      TH = MAX( TH, EPS**( 2.0D0/3.0D0 )/ROPT(2) )
-         IF ( ERR.GT.TH .AND.
-     $        ABS( H ).GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) )
-     $      FOUND = -1
+         IF ( ERR.GT.MOST .AND. LONG ) FOUND = -1
          LATER = TN - T.GT.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) )
          IF ( LATER ) IE(4) = 0
          IF ( INFO.EQ.0 .AND. FOUND.GT.0 ) THEN
@@ -203,18 +213,20 @@ C     -- functions that have not risen above 0 since their last event
             IF ( INFO.NE.0 ) ISTAT(6) = INFO
             IF ( INFO.NE.0 ) ISTAT(7) = 7
          END IF
-      ELSE IF ( FOUND.EQ.0 ) THEN
-         DO 30 I = 1, NE
-            IE(JA+I) = IE(JL+I)
-            RE(I) = RE(2*NE+I)
-   30    CONTINUE
-         CALL GSUSZ( T, H, NX, 0, IE, RE, ISTAT(19), INFO )
-         CALL GSUSC( NX, IE, RE )
-         IE(4) = 0
-         IF ( INFO.NE.0 ) THEN
-            ISTAT(6) = INFO
-            ISTAT(7) = 7
-         END IF
+      END IF
+      IF ( FIRST.GT.0 .OR. FOUND.NE.0 ) RETURN
+C
+C     -- no event
+   28 DO 30 I = 1, NE
+         IE(JA+I) = IE(JL+I)
+         RE(I) = RE(2*NE+I)
+   30 CONTINUE
+      CALL GSUSZ( T, H, NX, 0, IE, RE, ISTAT(19), INFO )
+      CALL GSUSC( NX, IE, RE )
+      IE(4) = 0
+      IF ( INFO.NE.0 ) THEN
+         ISTAT(6) = INFO
+         ISTAT(7) = 7
       END IF
       RETURN
 C
@@ -223,7 +235,7 @@ C
       END
       SUBROUTINE GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS,
      $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
-     $                  IE, RE, FOUND, TH, FINE, WHO, LOW, INFO )
+     $                  IE, RE, FOUND, TH, FINE, INFO )
 C
 C     PURPOSE
 C     The first zero of an event function on the polynomial of GSEVN, up
@@ -235,10 +247,6 @@ C     FOUND   (output) INTEGER, the number of the function, 0: none.
 C     TH      (output) DOUBLE PRECISION, the fraction where it is 0.
 C     FINE    (output) LOGICAL, true if a function has a lowest value
 C             that these points do not resolve.
-C     WHO     (output) INTEGER, a function whose lowest value, at the
-C             fraction LOW (output), is small beside its curvature, so
-C             that it may be below 0 on the step itself (GSEVW); 0:
-C             none.
 C
 C     METHOD
 C     Where a function of the user has just had its event the sign of
@@ -249,11 +257,11 @@ C
       INTEGER            METHOD, NS, SIDE, NX, NU, NV, IP(*), IE(*),
      $                   FOUND, INFO
       DOUBLE PRECISION   GAUSS(3), T, H, BE, X(NX), W(NX,*), XN(NX),
-     $                   RP(*), CST(*), V(*), WI(*), RE(*), TH, LOW
+     $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
       LOGICAL            FINE
-      INTEGER            NE, JA, JL, KG, I, J, S, J0, WHO
+      INTEGER            NE, JA, JL, KG, I, J, S, J0
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
-     $                   GSEPS, RATIO, CURVE, D
+     $                   GSEPS, CURVE
       LOGICAL            SOON
       EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI
 C
@@ -274,8 +282,6 @@ C
       FOUND = 0
       FINE  = .FALSE.
       TH = 2.0D0
-      WHO = 0
-      RATIO = 2.0D-2
       DO 40 J = J0, NS
          B = BE*GSEVP( J, NS )
          SOON = ABS( B*H ).LE.NEAR
@@ -298,18 +304,12 @@ C
             IF ( GA.GT.0.0D0 .AND. GC.GT.0.0D0 .AND. GB.GT.0.0D0 ) THEN
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
-               IF ( OLD.LT.0.0D0 .AND. SLOPE.GT.0.0D0 .AND.
-     $              0.5D0*( SLOPE - OLD )*( A + C ).GT.GC ) FINE=.TRUE.
-C              -- the lowest point of the parabola through all three
                CURVE = ( SLOPE - OLD )/( A + C )
-               D = OLD - C*CURVE
-               IF ( D.LT.0.0D0 .AND. SLOPE + A*CURVE.GT.0.0D0 ) THEN
-                  IF ( GA - 0.25D0*D**2/CURVE.LT.RATIO*CURVE ) THEN
-                     RATIO = ( GA - 0.25D0*D**2/CURVE )/CURVE
-                     WHO   = I
-                     LOW   = B - A - C - 0.5D0*D/CURVE
-                  END IF
-               END IF
+C              -- has the parabola through all three its lowest point
+C                 between them, or close to them?
+               IF ( OLD.LT.1.25D0*C*CURVE .AND.
+     $              SLOPE.GT.-1.25D0*A*CURVE .AND. 0.5D0*( A + C )**2
+     $              *CURVE.GT.MIN( GA, GB, GC ) ) FINE = .TRUE.
             END IF
             RE(4*NE+I) = GC
             RE(3*NE+I) = GB
@@ -334,66 +334,6 @@ C              -- the lowest point of the parabola through all three
    30    CONTINUE
          IF ( FOUND.GT.0 ) RETURN
    40 CONTINUE
-      END
-      SUBROUTINE GSEVW( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, LOW,
-     $                  WHO, X, SIZ, IP, RP, CST, V, XN, W, WI,
-     $                  P, ISTAT, RSTAT, IE, RE, HIDES, INFO )
-C
-C     PURPOSE
-C     Whether the polynomial of GSEVN may hide that function WHO falls
-C     below 0 at the fraction LOW of a step of GSDP8, where it has its
-C     lowest value on it.
-C
-C     ARGUMENTS
-C     As GSEVN, GSEVL, and
-C     HIDES   (output) LOGICAL, true where the error of that polynomial
-C             is as large as the value itself.
-C
-C     METHOD
-C     The rates at a fourth of the step, beside those of the polynomial,
-C     give it one degree more: x += H*d*b**2*(1 - b)**2.
-C
-      IMPLICIT NONE
-      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN, EVT
-      INTEGER            WHO, SIZ(8), IP(*), ISTAT(*), IE(*), INFO
-      DOUBLE PRECISION   T, H, LOW, X(*), RP(*), CST(*), V(*),
-     $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*)
-      LOGICAL            HIDES
-      INTEGER            NX, NE, KD, KZ, KX, I
-      DOUBLE PRECISION   GAUSS(3), D, LEAST
-      EXTERNAL           GSFUN, GSEVB, GSEVX, GSEVV, GSUSG
-C
-      NX = SIZ(3)
-      NE = IE(1)
-      KD = 1 + 5*NE
-      KZ = KD + NX
-      KX = KZ + NX
-      GAUSS(1) = 0.0D0
-      CALL GSEVX( 8, GAUSS, T, H, 0.25D0, NX, X, W, XN, RE(KD), RE(KZ) )
-      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, T + 0.25D0*H, 1, RE(KZ),
-     $            SIZ(1), SIZ(2), NX, SIZ(4), SIZ(5), IP, RP, CST, V,
-     $            RE(KX), WI, P, ISTAT, RSTAT, INFO )
-      IF ( INFO.NE.0 ) RETURN
-      CALL GSEVB( CMD, CLO, VIN, EVT, 8, GAUSS, T, H, LOW, 1, NX, X, W,
-     $            XN, SIZ(2), SIZ(4), IP, RP, CST, V, WI, IE, RE, INFO )
-      IF ( INFO.NE.0 ) GO TO 900
-      LEAST = RE(NE+WHO)
-      CALL GSEVX( 8, GAUSS, T, H, LOW, NX, X, W, XN, RE(KD), RE(KZ) )
-      DO 10 I = 1, NX
-         D = RE(KX+I-1) - 1.125D0*( XN(I) - X(I) )/H - 0.1875D0*W(I)
-     $       + 0.3125D0*RE(KD+I-1)
-         RE(KZ+I-1) = RE(KZ+I-1)
-     $                + H*( D/0.1875D0 )*( LOW*( 1.0D0 - LOW ) )**2
-   10 CONTINUE
-      CALL GSEVV( CMD, CLO, VIN, EVT, T + LOW*H, 1, RE(KZ), SIZ(2), NX,
-     $            SIZ(4), IP, RP, CST, V, WI, IE(11), RE(NE+1), INFO )
-      IF ( INFO.NE.0 ) GO TO 900
-      CALL GSUSG( NX, IE, RE )
-      HIDES = RE(NE+WHO).LE.ABS( RE(NE+WHO) - LEAST )
-      RETURN
-C
-  900 ISTAT(6) = INFO
-      ISTAT(7) = 1
       END
       SUBROUTINE GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BEGIN,
      $                  C, I, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
@@ -456,16 +396,18 @@ C
 C
 C     PURPOSE
 C     The step of GSEVN once more, as long as it must be for event
-C     function I to be 0 at its end, by the secant method; an event of
-C     the user not above 0.
+C     function I to be 0 at its end, by the secant method between the
+C     last end where it is above 0 and the first where it is not; an
+C     event of the user not above 0.
 C
 C     ARGUMENTS
 C     As GSEVN, and
 C     START   (input) DOUBLE PRECISION, the fraction of the step where
 C             its polynomial has the zero.
-C     I       (input/output) INTEGER, on exit 0 where a function of the
-C             user does not fall to 0, nor a port that has just slid or
-C             rebounded come to rest or back: nothing is changed then.
+C     I       (input/output) INTEGER, on exit 0 where the function does
+C             not fall to 0 on the step, though on its polynomial, nor a
+C             port that has just slid or rebounded come to rest or back:
+C             XN and TN are not changed then.
 C     ERR     (output) DOUBLE PRECISION, that of GSDP8, else 0.
 C
       IMPLICIT NONE
@@ -476,7 +418,9 @@ C
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3), START, ERR
       INTEGER            NU, NX, NV, NE, KD, KX, K, J, PAST
-      DOUBLE PRECISION   D, GC, TH, OLD, GOLD, SLOPE, TE, EPS, GSEPS
+      DOUBLE PRECISION   D, GC, TH, OLD, GOLD, SLOPE, TE, EPS, GSEPS,
+     $                   LEAST, LO, HI
+      LOGICAL            THERE, GONE
       EXTERNAL           GSEPS, GSEVB, GSEVD
 C
       NU   = SIZ(2)
@@ -497,8 +441,12 @@ C
       IF ( D.GT.0.0D0 ) SLOPE = -RE(NE+I)/D
       OLD  = 0.0D0
       GOLD = 0.0D0
+      LEAST = 2.0D0*EPS*MAX( ABS( T ), ABS( TN ) )
       IE(8) = IE(6)
       PAST = 0
+      LO = 0.0D0
+      HI = 2.0D0
+      THERE = .FALSE.
       K = 0
     2 K = K + 1
          CALL GSEVD( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
@@ -509,35 +457,52 @@ C
          GC = RE(NE+I)
          IF ( PAST.GT.0 ) GO TO 20
          IF ( IE(6).EQ.1 .AND. IE(8).EQ.0 ) GO TO 20
+         IF ( GC.GT.0.0D0 ) THEN
+            LO = MAX( LO, TH )
+         ELSE
+            HI = MIN( HI, TH )
+         END IF
          IF ( K.GT.1 .AND. ABS( TH - OLD ).GT.0.0D0 .AND.
      $        ABS( GC - GOLD ).GT.0.0D0 )
      $      SLOPE = ( GC - GOLD )/( TH - OLD )
          OLD  = TH
          GOLD = GC
-         IF ( .NOT.( ABS( SLOPE ).GT.0.0D0 ) ) GO TO 5
-         D = GC/SLOPE
-         IF ( .NOT.( ABS( D ).LE.0.1D0 ) ) GO TO 5
-         IF ( ABS( D*H ).LE.2.0D0*EPS*MAX( ABS( T ), ABS( TN ) ) )
-     $      GO TO 5
-         IF ( K.LT.12 ) TH = MIN( 1.0D0, MAX( 0.0D0, TH - D ) )
-         IF ( ABS( TH - OLD ).GT.0.0D0 ) GO TO 10
-    5    IF ( IE(6).NE.1 ) GO TO 20
-         TH = OLD
-         IE(8) = 0
-   10 IF ( K.LT.13 ) GO TO 2
+         D = 1.0D0
+         IF ( ABS( SLOPE ).GT.0.0D0 ) D = GC/SLOPE
+         THERE = ABS( D*H ).LE.LEAST .OR. ( HI - LO )*H.LE.LEAST
+         IF ( THERE ) GO TO 5
+C
+C        -- the secant; half way between the bounds where it leaves them
+         IF ( HI.LE.1.0D0 ) THEN
+            TH = TH - D
+            IF ( .NOT.( TH.GT.LO .AND. TH.LT.HI ) .OR. MOD( K, 8 ).EQ.0
+     $         ) TH = 0.5D0*( LO + HI )
+            IF ( K.LT.80 .AND. ABS( TH - OLD ).GT.0.0D0 ) GO TO 2
+            THERE = .TRUE.
+         ELSE IF ( K.LT.12 .AND. ABS( D ).LE.0.1D0 ) THEN
+            TH = MIN( 1.0D0, MAX( 0.0D0, TH - D ) )
+            IF ( ABS( TH - OLD ).GT.0.0D0 ) GO TO 2
+         END IF
+    5    IF ( IE(6).EQ.1 ) THEN
+            TH = OLD
+            IE(8) = 0
+            GO TO 2
+         END IF
 C
 C     -- an event of the user has happened: a little later it must be
-   20 IF ( IE(10+2*NE+I).GT.2 .AND. GC.GT.0.0D0 .AND. TH.LT.1.0D0 .AND.
+   20 CONTINUE
+      IF ( IE(10+2*NE+I).GT.2 .AND. GC.GT.0.0D0 .AND. TH.LT.1.0D0 .AND.
      $     PAST.LT.8 ) THEN
          TH = MIN( 1.0D0, TH + 2.0D0**PAST*EPS*MAX( ABS( T ), ABS( TN )
      $        )/H )
          PAST = PAST + 1
          GO TO 2
       END IF
+      GONE = ( ( IE(10+2*NE+I).EQ.1 ) .NEQV. ( IE(10+I).EQ.0 ) ) .AND.
+     $       TE - T.LE.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) )
       IF ( GC.GT.0.0D0 .AND. METHOD.NE.12 .AND. METHOD.NE.0 .AND.
-     $     IE(10+5*NE+I).LT.2 .AND. ( IE(10+2*NE+I).GT.2 .OR.
-     $     ( ( ( IE(10+2*NE+I).EQ.1 ) .NEQV. ( IE(10+I).EQ.0 ) ) .AND.
-     $     TE - T.LE.1.0D3*EPS*MAX( ABS( T ), ABS( TN ) ) ) ) ) THEN
+     $     IE(10+5*NE+I).LT.2 .AND. ( IE(10+2*NE+I).GT.2 .OR. GONE .OR.
+     $     .NOT.THERE ) ) THEN
          I = 0
          RETURN
       END IF
@@ -664,7 +629,8 @@ C
       SUBROUTINE GSEVX( METHOD, GAUSS, T, H, B, NX, X, W, XN, XDN, Z )
 C
 C     PURPOSE
-C     The state Z at the fraction B of the step of GSEVN.
+C     The state Z at the fraction B of the step of GSEVN; METHOD = 3, 5:
+C     of a step of GSDP8 by GSEVH, and by GSEVC.
 C
       IMPLICIT NONE
       INTEGER            METHOD, NX
@@ -672,14 +638,19 @@ C
      $                   XDN(NX), Z(NX)
       DOUBLE PRECISION   C(12), WT(12), Q(12)
       INTEGER            NS
-      EXTERNAL           GSEVH, GSEVQ, GSGLN, GSGLQ, GSPTH
+      EXTERNAL           GSDPU, GSEVC, GSEVH, GSEVQ, GSGLN, GSGLQ, GSPTH
 C
       IF ( METHOD.EQ.0 ) THEN
          CALL GSEVQ( NX, B, W, Z )
          RETURN
       END IF
+      IF ( METHOD.EQ.8 .OR. METHOD.EQ.9 ) THEN
+         CALL GSDPU( NX, H, B, X, W, XN, XDN, W(1,2), Z )
+         RETURN
+      END IF
       IF ( METHOD.NE.12 ) THEN
          CALL GSEVH( NX, H, B, X, W, XN, XDN, Z )
+         IF ( METHOD.EQ.5 ) CALL GSEVC( NX, H, B, X, W, XN, XDN, Z )
          RETURN
       END IF
       NS = NINT( GAUSS(3) )

@@ -137,7 +137,8 @@ C     T, H    (input) DOUBLE PRECISION, its beginning and length.
 C     NX      (input) INTEGER, the number of states.
 C     NOT     (input) INTEGER, the event function that ends it, or 0.
 C     IE, RE  (input) as GSRES.
-C     WHICH   (output) INTEGER, the function that does, where INFO = 10.
+C     WHICH   (output) INTEGER, the function that does, where INFO = 10;
+C             of several one that changes states.
 C     INFO    (output) INTEGER, 0; 10: they do.
 C
 C     METHOD
@@ -187,7 +188,7 @@ C
          ELSE
             GO TO 30
          END IF
+         IF ( INFO.EQ.0 .OR. RESET ) WHICH = I
          INFO  = 10
-         WHICH = I
    30 CONTINUE
       END

@@ -19,6 +19,38 @@ C     W       (input/output) the W of GSINP.
 C     Z       (workspace) DOUBLE PRECISION array, dimension (NX).
 C     INFO    (output) INTEGER, 0 or the INFO of what failed.
 C
+      IMPLICIT NONE
+      EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
+      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+     $                   INFO
+      DOUBLE PRECISION   T, TN, H, X(*), XN(*), RP(*), CST(*), V(*),
+     $                   F(NX,13), W(*), P(*), Z(*), RSTAT(*)
+      EXTERNAL           GSFUN, GSDPE
+C
+      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
+     $            NX, NV, NLAM, IP, RP, CST, V, F(1,2), W, P, ISTAT,
+     $            RSTAT, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      CALL GSDPE( RHS, CON, KIN, CMD, CLO, VIN, T, H, X, NQ, NU, NX, NV,
+     $            NLAM, IP, RP, CST, V, F, 6, W, P, Z, ISTAT, RSTAT,
+     $            INFO )
+      END
+      SUBROUTINE GSDPE( RHS, CON, KIN, CMD, CLO, VIN, T, H, X, NQ, NU,
+     $                  NX, NV, NLAM, IP, RP, CST, V, F, K, W, P, Z,
+     $                  ISTAT, RSTAT, INFO )
+C
+C     PURPOSE
+C     The coefficients of the polynomial of GSDPD: three stages more.
+C
+C     ARGUMENTS
+C     As GSDPD, but
+C     F       (input/output) DOUBLE PRECISION array, dimension (NX,13):
+C             on entry the stages of GSDP8, in column 2 the rates at the
+C             end of the step; on exit columns K to K + 3 hold the
+C             coefficients that GSDPU takes; 3 to 5 are changed, the
+C             others stay.
+C     K       (input) INTEGER, 2 or 6.
+C
 C     METHOD
 C     The coefficients are the published ones, carried on to 38 digits
 C     as in GSDP8: A the nearest solution of the quadrature conditions
@@ -30,10 +62,10 @@ C     I, section II.6 (dense output for the method of order 8).
 C
       IMPLICIT NONE
       EXTERNAL           RHS, CON, KIN, CMD, CLO, VIN
-      INTEGER            SIDE, NQ, NU, NX, NV, NLAM, IP(*), ISTAT(*),
+      INTEGER            NQ, NU, NX, NV, NLAM, IP(*), K, ISTAT(*),
      $                   INFO
-      DOUBLE PRECISION   T, TN, H, X(*), XN(*), RP(*), CST(*), V(*),
-     $                   F(NX,13), W(*), P(*), Z(*), RSTAT(*)
+      DOUBLE PRECISION   T, H, X(*), RP(*), CST(*), V(*), F(NX,13),
+     $                   W(*), P(*), Z(*), RSTAT(*)
       EXTERNAL           GSFUN
       INTEGER            I
       DOUBLE PRECISION   C14, C15, C16, R5, R6, R7, R8
@@ -123,11 +155,7 @@ C
      $            C15   = 0.2D0,
      $            C16   = 7.7777777777777777777777777777777777778D-1 )
 C
-C     -- stages 13 to 16
-      CALL GSFUN( RHS, CON, KIN, CMD, CLO, VIN, TN, SIDE, XN, NQ, NU,
-     $            NX, NV, NLAM, IP, RP, CST, V, F(1,2), W, P, ISTAT,
-     $            RSTAT, INFO )
-      IF ( INFO.NE.0 ) RETURN
+C     -- stages 14 to 16
       DO 10 I = 1, NX
          Z(I) = X(I) + H*( A141*F(I,1) + A147*F(I,7) + A148*F(I,8)
      $        + A149*F(I,9) + A1410*F(I,10) + A1411*F(I,11)
@@ -170,10 +198,10 @@ C     -- the coefficients
          R8 = D71*F(I,1) + D76*F(I,6) + D77*F(I,7) + D78*F(I,8)
      $      + D79*F(I,9) + D710*F(I,10) + D711*F(I,11) + D712*F(I,12)
      $      + D713*F(I,2) + D714*F(I,3) + D715*F(I,4) + D716*F(I,5)
-         F(I,6) = R5
-         F(I,7) = R6
-         F(I,8) = R7
-         F(I,9) = R8
+         F(I,K) = R5
+         F(I,K+1) = R6
+         F(I,K+2) = R7
+         F(I,K+3) = R8
    40 CONTINUE
       END
       SUBROUTINE GSDPV( NX, H, B, X, XN, F, Z )
@@ -185,18 +213,36 @@ C
       IMPLICIT NONE
       INTEGER            NX
       DOUBLE PRECISION   H, B, X(NX), XN(NX), F(NX,13), Z(NX)
+      EXTERNAL           GSDPU
+C
+      CALL GSDPU( NX, H, B, X, F, XN, F(1,2), F(1,6), Z )
+      END
+      SUBROUTINE GSDPU( NX, H, B, X, XD, XN, XDN, C, Z )
+C
+C     PURPOSE
+C     As GSDPV, from the rates XD, XDN at the ends and the coefficients C
+C     of GSDPE; XN itself at the end.
+C
+      IMPLICIT NONE
+      INTEGER            NX
+      DOUBLE PRECISION   H, B, X(NX), XD(NX), XN(NX), XDN(NX), C(NX,4),
+     $                   Z(NX)
       DOUBLE PRECISION   D, R3, R4, R
       INTEGER            I
 C
       DO 10 I = 1, NX
          D  = XN(I) - X(I)
-         R3 = H*F(I,1) - D
-         R4 = D - H*F(I,2) - R3
-         R  = H*( F(I,6) + B*( F(I,7) + ( 1.0D0 - B )*( F(I,8)
-     $      + B*F(I,9) ) ) )
+         R3 = H*XD(I) - D
+         R4 = D - H*XDN(I) - R3
+         R  = H*( C(I,1) + B*( C(I,2) + ( 1.0D0 - B )*( C(I,3)
+     $      + B*C(I,4) ) ) )
          R  = R3 + B*( R4 + ( 1.0D0 - B )*R )
          Z(I) = X(I) + B*( D + ( 1.0D0 - B )*R )
    10 CONTINUE
+      IF ( B.LT.1.0D0 ) RETURN
+      DO 20 I = 1, NX
+         Z(I) = XN(I)
+   20 CONTINUE
       END
       SUBROUTINE GSDPQ( NQ, NU, NX, H, X, XN, F, P, RTOL, ATOL, Z, W,
      $                  OFF )
@@ -222,11 +268,23 @@ C
       INTEGER            NQ, NU, NX
       DOUBLE PRECISION   H, X(NX), XN(NX), F(NX,13), P(*), RTOL,
      $                   ATOL(NX), Z(NX), W(NX), OFF
-      EXTERNAL           GSDPV
+      EXTERNAL           GSDPV, GSDPN
+C
+      CALL GSDPV( NX, H, 7.0D0/9.0D0, X, XN, F, W )
+      CALL GSDPN( NQ, NU, NX, X, XN, P, RTOL, ATOL, Z, W, OFF )
+      END
+      SUBROUTINE GSDPN( NQ, NU, NX, X, XN, P, RTOL, ATOL, Z, W, OFF )
+C
+C     PURPOSE
+C     OFF of GSDPQ, from the state W of the polynomial and Z.
+C
+      IMPLICIT NONE
+      INTEGER            NQ, NU, NX
+      DOUBLE PRECISION   X(NX), XN(NX), P(*), RTOL, ATOL(NX), Z(NX),
+     $                   W(NX), OFF
       DOUBLE PRECISION   E, S
       INTEGER            I, N
 C
-      CALL GSDPV( NX, H, 7.0D0/9.0D0, X, XN, F, W )
       E = 0.0D0
       N = 0
       DO 10 I = 1, NX

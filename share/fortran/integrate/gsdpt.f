@@ -131,7 +131,10 @@ C     -- up to an event, if there is one within a good step
      $               ROPT, XN, F, W, P, ISTAT, RSTAT, IP(IP(28)),
      $               RP(IP(29)), GAUSS, EVENT, IER )
          M(2) = H
-         IF ( EVENT.LT.0 ) ERR = 1.0D10
+         IF ( EVENT.LT.0 ) THEN
+            ERR = 1.0D10
+            IF ( GAUSS(1).GT.1.0D0 ) ERR = MIN( ERR, GAUSS(1) )
+         END IF
          IF ( IER.EQ.10 .AND. ISTAT(7).EQ.7 ) THEN
             INFO = 3
             RETURN

@@ -1,35 +1,40 @@
-      SUBROUTINE GSLEP( NX, J, H, T, AT, X, F, XN, FN, Z, TZ )
+      SUBROUTINE GSLEP( NX, J, N, H, T, AT, X, F, XN, FN, Z, TZ )
 C
 C     PURPOSE
-C     Where GSEVN looks for events within a step of GSDP8, all lanes:
-C     the states at the J-th of its eight points, on the cubic
-C     polynomial through both ends, and their times.
+C     Where GSEVA looks for events within a step of GSDP8, all lanes:
+C     the states at the J-th of its eight points, and their times.
 C
 C     ARGUMENTS
 C     NX      (input) INTEGER, the number of states.
 C     J       (input) INTEGER, 1 to 8, where the step ends.
+C     N       (input) INTEGER, 3: on the cubic polynomial through both
+C             ends (GSEVH), 5: on that of GSEVC.
 C     H, T, AT (input) DOUBLE PRECISION arrays, dimension (K): steps,
 C             where they begin, AT < 0 where the end is taken from the
 C             left.
-C     X, F    (input) DOUBLE PRECISION arrays, dimension (K,NX), states
-C             and right-hand sides at the beginning.
-C     XN, FN  (input) DOUBLE PRECISION arrays, dimension (K,NX), those
-C             at the end.
+C     X       (input) DOUBLE PRECISION array, dimension (K,NX), states
+C             at the beginning.
+C     F       (input) DOUBLE PRECISION array, dimension (K,NX,12), the
+C             stages.
+C     XN, FN  (input) DOUBLE PRECISION arrays, dimension (K,NX), states
+C             and right-hand sides at the end.
 C     Z       (output) DOUBLE PRECISION array, dimension (K,NX).
 C     TZ      (output) DOUBLE PRECISION array, dimension (K).
 C
       IMPLICIT NONE
       INTEGER            K
       PARAMETER          ( K = 16 )
-      INTEGER            NX, J
-      DOUBLE PRECISION   H(K), T(K), AT(K), X(K,NX), F(K,NX), XN(K,NX),
-     $                   FN(K,NX), Z(K,NX), TZ(K)
-      DOUBLE PRECISION   GSEVP, GSLFT, B, P, Q(K), R(K)
+      INTEGER            NX, J, N
+      DOUBLE PRECISION   H(K), T(K), AT(K), X(K,NX), F(K,NX,12),
+     $                   XN(K,NX), FN(K,NX), Z(K,NX), TZ(K)
+      DOUBLE PRECISION   GSEVP, GSLFT, B, P, Q(K), R(K), E, S, D, C
       EXTERNAL           GSEVP, GSLFT
       INTEGER            I, L
 C
       B = GSEVP( J, 8 )
       P = B*B*( 3.0D0 - 2.0D0*B )
+      E = 0.0D0
+      IF ( N.EQ.5 ) E = ( B*( 1.0D0 - B ) )**2
 C$OMP SIMD
       DO 10 L = 1, K
          TZ(L) = T(L) + B*H(L)
@@ -38,10 +43,16 @@ C$OMP SIMD
    10 CONTINUE
       IF ( J.LT.8 ) THEN
          DO 30 I = 1, NX
-C$OMP SIMD
+C$OMP SIMD PRIVATE( S, C, D )
             DO 20 L = 1, K
-               Z(L,I) = X(L,I) + P*( XN(L,I) - X(L,I) ) + Q(L)*F(L,I)
-     $                + R(L)*FN(L,I)
+               S = ( XN(L,I) - X(L,I) )/H(L)
+               C = ( F(L,I,10) - 1.44D0*S + 0.32D0*F(L,I,1)
+     $             + 0.12D0*FN(L,I) )/( -0.096D0 )
+               D = ( F(L,I,7) - 1.125D0*S - 0.1875D0*F(L,I,1)
+     $             + 0.3125D0*FN(L,I) - 0.1875D0*C )/8.203125D-2
+               Z(L,I) = X(L,I) + P*( XN(L,I) - X(L,I) )
+     $                + Q(L)*F(L,I,1) + R(L)*FN(L,I)
+     $                + H(L)*E*( C + D*B )
    20       CONTINUE
    30    CONTINUE
          RETURN
@@ -56,11 +67,12 @@ C$OMP SIMD
          IF ( AT(L).LT.0.0D0 ) TZ(L) = GSLFT( TZ(L), -1 )
    60 CONTINUE
       END
-      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, OLD, OLDER, NOW, Q )
+      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, OLD, OLDER, LIMIT,
+     $                  Q )
 C
 C     PURPOSE
-C     What GSEVL sees at the J-th of the eight points of a step, all
-C     lanes: do the event functions leave it to GSEVN?
+C     What GSEVA sees at the J-th of the eight points of a step, all
+C     lanes.
 C
 C     ARGUMENTS
 C     NE      (input) INTEGER, the number of event functions.
@@ -75,89 +87,127 @@ C             been above 0 since its last event, else 0.
 C     OLD, OLDER (input/output) DOUBLE PRECISION arrays, dimension
 C             (K,NE): at the last point and the one before; any at the
 C             first point.
-C     NOW     (input/output) DOUBLE PRECISION array, dimension (K,NE),
-C             MARK as it is up to this point; any at the first one.
+C     LIMIT   (input/output) DOUBLE PRECISION array, dimension (K,NE):
+C             how far the polynomials of GSEVA may be apart for the step
+C             to be quiet; any at the first point.
 C     Q       (input/output) DOUBLE PRECISION array, dimension (K), 1 on
-C             exit where a function that was above 0 is no longer, one
-C             has a lowest value that the points do not resolve or that
-C             is small beside its curvature, or one is not known.
+C             exit where a function is not known.
 C
       IMPLICIT NONE
       INTEGER            K
       PARAMETER          ( K = 16 )
       INTEGER            NE, J, INFO(K)
       DOUBLE PRECISION   G(K,NE), G0(K,NE), MARK(K,NE), OLD(K,NE),
-     $                   OLDER(K,NE), NOW(K,NE), Q(K)
-      DOUBLE PRECISION   GSEVP, A, C, RA, RB, RC, S, P, D, Y, CURVE,
-     $                   FINE, LOW
-      EXTERNAL           GSEVP
+     $                   OLDER(K,NE), LIMIT(K,NE), Q(K)
+      DOUBLE PRECISION   GSEVP, GSEVZ, A, B, C, D, W, P, S, V, GA, GB,
+     $                   GC, CURVE, LEAST, START
+      EXTERNAL           GSEVP, GSEVZ
       INTEGER            I, L
 C
       DO 10 L = 1, K
          IF ( INFO(L).NE.0 ) Q(L) = 1.0D0
    10 CONTINUE
-      A = GSEVP( J, 8 )
+      B = GSEVP( J, 8 )
+      D = GSEVZ( B )
+      A = B
       C = 1.0D0
       IF ( J.GT.1 ) THEN
          C = GSEVP( J - 1, 8 )
-         A = A - C
+         A = B - C
+         D = MAX( D, GSEVZ( C ) )
+         IF ( J.GT.2 ) D = MAX( D, GSEVZ( GSEVP( J - 2, 8 ) ) )
          IF ( J.GT.2 ) C = C - GSEVP( J - 2, 8 )
       END IF
-      RA = 1.0D0/A
-      RC = 1.0D0/C
-      RB = 1.0D0/( A + C )
+      D = 0.5D0/D
+      W = A + C
+      START = 0.0D0
+      IF ( J.GT.2 ) START = 1.0D300
       DO 40 I = 1, NE
          IF ( J.EQ.1 ) THEN
 C$OMP SIMD
             DO 20 L = 1, K
-               OLD(L,I)   = G0(L,I)
-               OLDER(L,I) = -1.0D0
-               NOW(L,I)   = MARK(L,I)
+               OLDER(L,I) = G0(L,I)
+               OLD(L,I)   = G(L,I)
+               LIMIT(L,I) = D*G(L,I)*( 2.0D0*MARK(L,I) - 1.0D0 )
    20       CONTINUE
+         ELSE
+C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
+            DO 30 L = 1, K
+               V  = 2.0D0*MARK(L,I) - 1.0D0
+               GA = V*OLDER(L,I)
+               GC = V*OLD(L,I)
+               GB = V*G(L,I)
+               P = ( GC - GA )/C
+               S = ( GB - GC )/A
+               CURVE = ABS( S - P )/W
+               LEAST = MIN( GB, GC )
+               IF ( START.GT.P - 2.0D0*C*CURVE ) LEAST = MIN( LEAST,
+     $              GA )
+               CURVE = 0.125D0*W*W*CURVE
+               IF ( MIN( -P, S ).GT.0.0D0 ) CURVE = 4.0D0*CURVE
+               LEAST = D*( LEAST - CURVE )
+               IF ( .NOT.( LEAST.GE.LIMIT(L,I) ) ) LIMIT(L,I) = LEAST
+               OLDER(L,I) = OLD(L,I)
+               OLD(L,I)   = G(L,I)
+   30       CONTINUE
          END IF
-C$OMP SIMD PRIVATE( S, P, D, Y, CURVE, FINE, LOW )
-         DO 30 L = 1, K
-            P = ( OLD(L,I) - OLDER(L,I) )*RC
-            S = ( G(L,I) - OLD(L,I) )*RA
-            CURVE = ( S - P )*RB
-            D = P - C*CURVE
-            FINE = MIN( -P, S, 0.5D0*( S - P )*( A + C ) - OLD(L,I) )
-            LOW  = MIN( -D, S + A*CURVE, 2.0D-2*CURVE*CURVE
-     $             - OLDER(L,I)*CURVE + 0.25D0*D*D )
-            Y = Q(L)
-            IF ( MIN( OLDER(L,I), OLD(L,I), G(L,I), MAX( FINE, LOW ) )
-     $           .GT.0.0D0 ) Y = 1.0D0
-            IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) Y = 1.0D0
-            D = NOW(L,I)
-            IF ( G(L,I).LE.0.0D0 ) Y = MAX( Y, D )
-            IF ( G(L,I).GT.0.0D0 ) D = 1.0D0
-            Q(L) = Y
-            NOW(L,I)   = D
-            OLDER(L,I) = OLD(L,I)
-            OLD(L,I)   = G(L,I)
-   30    CONTINUE
    40 CONTINUE
       END
-      SUBROUTINE GSLEN( NE, G, NOW, NEEDS, UNTIL, TN, Q )
+      SUBROUTINE GSLED( NE, J, G, OLD, APART )
 C
 C     PURPOSE
-C     At the end of a step, all lanes: what GSEVN says of functions that
-C     have not risen above 0 since their last event.
+C     How far the polynomials of GSEVA are apart at the J-th of its
+C     points, all lanes.
 C
 C     ARGUMENTS
 C     As GSLEG, and
+C     G       (input) DOUBLE PRECISION array, dimension (K,NE), event
+C             functions on the cubic polynomial.
+C     OLD     (input) DOUBLE PRECISION array, dimension (K,NE), those on
+C             the other one.
+C     APART   (input/output) DOUBLE PRECISION array, dimension (K,NE),
+C             the largest difference, as in the middle of the step; any
+C             where J = 4.
+C
+      IMPLICIT NONE
+      INTEGER            K
+      PARAMETER          ( K = 16 )
+      INTEGER            NE, J
+      DOUBLE PRECISION   G(K,NE), OLD(K,NE), APART(K,NE)
+      DOUBLE PRECISION   GSEVP, GSEVZ, D
+      EXTERNAL           GSEVP, GSEVZ
+      INTEGER            I, L
+C
+      D = GSEVZ( GSEVP( J, 8 ) )
+      DO 20 I = 1, NE
+C$OMP SIMD
+         DO 10 L = 1, K
+            IF ( J.EQ.4 ) APART(L,I) = 0.0D0
+            APART(L,I) = MAX( APART(L,I), ABS( G(L,I) - OLD(L,I) )/D )
+   10    CONTINUE
+   20 CONTINUE
+      END
+      SUBROUTINE GSLEN( NE, APART, LIMIT, MARK, NEEDS, UNTIL, TN, Q )
+C
+C     PURPOSE
+C     At the end of a step, all lanes: is it quiet, as GSEVA says?
+C
+C     ARGUMENTS
+C     As GSLEG, GSLED, and
 C     NEEDS   (input) DOUBLE PRECISION array, dimension (K,NE), 1 where
-C             such a function must not be below 0.
+C             a function must be above 0.
 C     UNTIL   (input) DOUBLE PRECISION array, dimension (K,NE): from
 C             then on events of such a function may accumulate (GSUSZ).
 C     TN      (input) DOUBLE PRECISION array, dimension (K), the ends.
+C     Q       (input/output) DOUBLE PRECISION array, dimension (K), 1 on
+C             exit where it is not.
 C
       IMPLICIT NONE
       INTEGER            K
       PARAMETER          ( K = 16 )
       INTEGER            NE
-      DOUBLE PRECISION   G(K,NE), NOW(K,NE), NEEDS(K,NE), UNTIL(K,NE),
-     $                   TN(K), Q(K)
+      DOUBLE PRECISION   APART(K,NE), LIMIT(K,NE), MARK(K,NE),
+     $                   NEEDS(K,NE), UNTIL(K,NE), TN(K), Q(K)
       DOUBLE PRECISION   S, Y
       INTEGER            I, L
 C
@@ -166,15 +216,14 @@ C$OMP SIMD PRIVATE( S, Y )
          DO 10 L = 1, K
             Y = Q(L)
             S = NEEDS(L,I)
-            IF ( G(L,I).GE.0.0D0 ) S = 0.0D0
             IF ( TN(L).GE.UNTIL(L,I) ) S = 1.0D0
-            IF ( NOW(L,I).LE.0.0D0 ) Y = MAX( Y, S )
+            IF ( MARK(L,I).LE.0.0D0 ) Y = MAX( Y, S )
+            IF ( .NOT.( LIMIT(L,I).GT.APART(L,I) ) ) Y = 1.0D0
             Q(L) = Y
    10    CONTINUE
    20 CONTINUE
       END
-      SUBROUTINE GSLEU( NX, NE, R, LOOKS, KNOWN, AT, G, NOW, FN, G0,
-     $                  MARK, F, C )
+      SUBROUTINE GSLEU( NX, NE, R, LOOKS, KNOWN, AT, G, FN, G0, F, C )
 C
 C     PURPOSE
 C     After a good step without an event, all lanes: what GSEVN and
@@ -188,7 +237,7 @@ C     LOOKS   (input) DOUBLE PRECISION array, dimension (K), 1 where
 C             events were looked for.
 C     KNOWN   (input) INTEGER, 1 where the right-hand sides FN are those
 C             of the next step, unless inputs jump there: they go to F.
-C     G0, MARK (input/output) on exit those at the end.
+C     G0      (input/output) on exit those at the end.
 C     C       (input/output) DOUBLE PRECISION array, dimension (K,24),
 C             what is remembered of the runs, see GSLNA.
 C
@@ -196,9 +245,8 @@ C
       INTEGER            K
       PARAMETER          ( K = 16 )
       INTEGER            NX, NE, KNOWN
-      DOUBLE PRECISION   R(K), LOOKS(K), AT(K), G(K,NE), NOW(K,NE),
-     $                   FN(K,NX), G0(K,NE), MARK(K,NE), F(K,NX),
-     $                   C(K,24)
+      DOUBLE PRECISION   R(K), LOOKS(K), AT(K), G(K,NE), FN(K,NX),
+     $                   G0(K,NE), F(K,NX), C(K,24)
       DOUBLE PRECISION   IS(K), Y
       INTEGER            I, L
 C
@@ -214,9 +262,6 @@ C$OMP SIMD PRIVATE( Y )
             Y = G0(L,I)
             IF ( IS(L).GT.0.0D0 ) Y = G(L,I)
             G0(L,I) = Y
-            Y = MARK(L,I)
-            IF ( IS(L).GT.0.0D0 ) Y = NOW(L,I)
-            MARK(L,I) = Y
    20    CONTINUE
    30 CONTINUE
       IF ( KNOWN.NE.1 ) RETURN

@@ -1,0 +1,156 @@
+/* GSEVA: whether a step of GSDP8 is quiet: no event function comes close to 0 in it, beside what a
+ * polynomial through its stages may hide; else GSEVY, its polynomial of order 7.
+ *
+ * Eight points of the polynomial of GSEVC. What it is away from the cubic one of GSEVH, in two of
+ * them, is twice and more what it may be off; to this comes what functions may fall by between
+ * points, from their second differences. A function of the user that has just had its event, or one
+ * of a port that is not above 0, is not quiet. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/integrate.h"
+
+static gs_events
+plan (const gs_system *g)
+{
+  return gs_events_of (g->nx, g->ip + g->ip[GS_EVENTS] - 1, g->rp + g->ip[GS_EVENTS + 1] - 1);
+}
+
+/* the error of a cubic polynomial through both ends of a step, at the fraction b of it, beside that
+ * in its middle */
+double
+gsevz (double b)
+{
+  b *= 1.0 - b;
+  return 16.0 * (b * b);
+}
+
+/* what function i is at least around the last point, the j-th, and between the two before it, a
+ * and c apart */
+static double
+least (const gs_events *p, int i, int j, double c, double a)
+{
+  const double sign = p->mark[i] == 0 ? -1.0 : 1.0, older = sign * p->before[i],
+               before = sign * p->last[i], now = sign * p->now[i];
+  double low = now;
+  if (j == 1)
+    return low;
+  const double old = (before - older) / c, slope = (now - before) / a, s = a + c;
+  double curve = (slope - old) / s;
+  /* where it rises from its beginning that does not count */
+  if (j > 2 || ! (old > 2.0 * c * fabs (curve)))
+    low = gs_min (low, older);
+  low = gs_min (low, before);
+  curve = 0.125 * (s * s) * fabs (curve);
+  if (old < 0.0 && slope > 0.0)
+    curve *= 4.0;
+  return low - curve;
+}
+
+/* how far the polynomials of gsevc and gsevh are apart, into the plan's older */
+static int
+apart (const gs_system *g, gs_step *e, const gs_events *p)
+{
+  int info = 0;
+  for (int i = 0; i < p->ne; i++)
+    p->older[i] = 0.0;
+  for (int j = 4; j <= 6; j += 2)
+    {
+      const double b = gsevp (j, 8);
+      e->method = 3;
+      if ((info = gsevb (g, e, b, 1)) != 0)
+        break;
+      memcpy (p->last, p->now, p->ne * sizeof (double));
+      e->method = 5;
+      if ((info = gsevb (g, e, b, 1)) != 0)
+        break;
+      for (int i = 0; i < p->ne; i++)
+        p->older[i] = gs_max (p->older[i], fabs (p->now[i] - p->last[i]) / gsevz (b));
+    }
+  return info;
+}
+
+/* the points of gseva; 0: a function comes close to 0 in them */
+static int
+clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
+{
+  double c = 1.0, d;
+  memcpy (p->last, p->g, p->ne * sizeof (double));
+  memcpy (p->before, p->g, p->ne * sizeof (double));
+  for (int j = 1; j <= 8; j++)
+    {
+      const double b = gsevp (j, 8), a = j > 1 ? b - gsevp (j - 1, 8) : b;
+      if ((*info = gsevb (g, e, b, j == 8 ? e->side : 1)) != 0)
+        return 0;
+      d = gsevz (b);
+      if (j > 1)
+        d = gs_max (d, gsevz (b - a));
+      if (j > 2)
+        d = gs_max (d, gsevz (b - a - c));
+      for (int i = 0; i < p->ne; i++)
+        {
+          if (! (least (p, i, j, c, a) > 2.0 * d * p->older[i]))
+            return 0;
+          p->before[i] = p->last[i];
+          p->last[i] = p->now[i];
+        }
+      c = a;
+    }
+  return 1;
+}
+
+int
+gseva (const gs_system *g, gs_step *e, int *quiet)
+{
+  const gs_events p = plan (g);
+  const int method = e->method;
+  *quiet = 0;
+  for (int i = 0; i < p.ne; i++)
+    {
+      p.marks[i] = p.mark[i];
+      if (p.fresh[i] != 0 || (p.mark[i] == 0 && ! gs_is_own (&p, i)))
+        return 0;
+    }
+  int info = apart (g, e, &p);
+  if (info == 0)
+    *quiet = clear (g, e, &p, &info);
+  e->method = method;
+  return info;
+}
+
+int
+gsevy (const gs_system *g, const gs_step *e, int again, double *off)
+{
+  const gs_events p = plan (g);
+  const int nx = g->nx;
+  int info = again ? gsdp8 (g, e->t, e->tn, e->side, e->h, e->x, p.end, off, e->f) : 0;
+  if (info != 0)
+    return info;
+  memcpy (e->f + nx, p.xdn, nx * sizeof (double));
+  info = gsdpe (g, e->t, e->h, e->x, e->f, 1, p.end);
+  if (info != 0)
+    return info;
+  gsdpu (nx, e->h, 7.0 / 9.0, e->x, e->f, e->xn, p.xdn, e->f + nx, p.z);
+  *off = gsdpn (g, e->x, e->xn, p.end, p.z);
+  return 0;
+}
+
+/* z += h*b**2*(1 - b)**2*(p + q*b) */
+void
+gsevc (int nx, double h, double b, const double *x, const double *f, const double *xn,
+       const double *xdn, double *z)
+{
+  const double bb = b * (1.0 - b), factor = h * (bb * bb);
+  for (int i = 0; i < nx; i++)
+    {
+      const double s = (xn[i] - x[i]) / h;
+      const double p
+          = (f[i + 9 * nx] - 1.44 * s + 0.32 * f[i] + 0.12 * xdn[i]) / -0.096;
+      const double q
+          = (f[i + 6 * nx] - 1.125 * s - 0.1875 * f[i] + 0.3125 * xdn[i] - 0.1875 * p)
+            / 8.203125e-2;
+      z[i] = z[i] + factor * (p + q * b);
+    }
+}
