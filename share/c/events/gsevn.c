@@ -204,8 +204,8 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
   return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
 }
 
-/* is the step e of gsdp8 quiet? Else its polynomial, and found: -1 where it is off by ten tolerances
- * and the step is long enough to be repeated */
+/* is the step e of gsdp8 quiet? Else its polynomial, and found: -1 where it is off by ten
+ * tolerances and the step is long enough to be repeated */
 static int
 look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
 {

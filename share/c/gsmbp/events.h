@@ -168,8 +168,8 @@ void gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z);
 void gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
             const double *xdn, double *z);
 
-/* from the state z of gsevh at the fraction b of a step of gsdp8, with the stages f (nx,13), that of
- * a polynomial of order 5: it has the rates of the stages 7 and 10 as well, at 1/4 and 3/5 */
+/* from the state z of gsevh at the fraction b of a step of gsdp8, with the stages f (nx,13), that
+ * of a polynomial of order 5: it has the rates of the stages 7 and 10 as well, at 1/4 and 3/5 */
 void gsevc (int nx, double h, double b, const double *x, const double *f, const double *xn,
             const double *xdn, double *z);
 
