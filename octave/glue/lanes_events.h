@@ -101,13 +101,13 @@ lane_group::look_for_events (void)
     {
       events_at (j, 5);
       fortran {gsleg_} (&m_events, &j, m_g.begin (), m_info, m_g0.begin (), m_mark.begin (),
-                        m_old.begin (), m_older.begin (), m_most.begin (), m_loud.begin ());
+                        m_old.begin (), m_older.begin (), m_allowed.begin (), m_loud.begin ());
       if (j != 4 && j != 6)
         continue;
       events_at (j, 3);
       fortran {gsled_} (&m_events, &j, m_g.begin (), m_old.begin (), m_apart.begin ());
     }
-  fortran {gslen_} (&m_events, m_apart.begin (), m_most.begin (), m_mark.begin (),
+  fortran {gslen_} (&m_events, m_apart.begin (), m_allowed.begin (), m_mark.begin (),
                     m_needs.begin (), m_until.begin (), m_tn.begin (), m_loud.begin ());
   for (int k = 0; k < lane_count; k++)
     if (m_r(0, k) == 1 && m_loud(0, k) > 0)

@@ -45,7 +45,7 @@ C$OMP SIMD
          DO 30 I = 1, NX
 C$OMP SIMD PRIVATE( S, C, D )
             DO 20 L = 1, K
-               S = ( XN(L,I) - X(L,I) )/H(L)
+               S = ( XN(L,I) - X(L,I) )/MAX( H(L), 1.0D-300 )
                C = ( F(L,I,10) - 1.44D0*S + 0.32D0*F(L,I,1)
      $             + 0.12D0*FN(L,I) )/( -0.096D0 )
                D = ( F(L,I,7) - 1.125D0*S - 0.1875D0*F(L,I,1)
@@ -129,6 +129,8 @@ C$OMP SIMD
                OLDER(L,I) = G0(L,I)
                OLD(L,I)   = G(L,I)
                LIMIT(L,I) = D*G(L,I)*( 2.0D0*MARK(L,I) - 1.0D0 )
+               IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) LIMIT(L,I) =
+     $            -1.0D300
    20       CONTINUE
          ELSE
 C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
@@ -146,7 +148,8 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
                CURVE = 0.125D0*W*W*CURVE
                IF ( MIN( -P, S ).GT.0.0D0 ) CURVE = 4.0D0*CURVE
                LEAST = D*( LEAST - CURVE )
-               IF ( .NOT.( LEAST.GE.LIMIT(L,I) ) ) LIMIT(L,I) = LEAST
+               IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) LEAST = -1.0D300
+               LIMIT(L,I) = MIN( LIMIT(L,I), LEAST )
                OLDER(L,I) = OLD(L,I)
                OLD(L,I)   = G(L,I)
    30       CONTINUE
