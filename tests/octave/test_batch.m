@@ -18,6 +18,7 @@ function test_batch ()
   lost_rank (gsmbp_fixture ("batch_bars", "parameters", struct ("lc", 0.25, "ld", 0.7)));
   ways (gsmbp_fixture ("batch_bars", "parameters", struct ("loop_method", 4)));
   arguments (gsmbp_fixture ("batch_arm"));
+  decays (gsmbp_fixture ("batch_decay"));
 end
 
 ## K states, a column each: angles of half a turn to both sides; those of a closed chain on its
@@ -212,4 +213,17 @@ function arguments (m)
                                    "state 7: INFO = -2")));
   gsmbp_check ("not emitted unless asked for", ...
                ! any (strcmp (gsmbp_fixture ("case_03a").subroutines, "inv_v")));
+end
+
+## exponentials that underflow, also by infinite arguments; what is no number stays so
+function decays (m)
+  x = [0, -1, -700, -707.9, -708.1, -720, -760, -1e3, -1e200, -3e299, 1:6
+       0, 0.01, 0.05, 0.2, 0.266, 0.267, 0.3, 1, 1e3, -1e160, 1e299, 0.1, 0, 0, 0, 0];
+  many = m.rhs_v (zeros (1, 16), x);
+  one = cell2mat (arrayfun (@(k) m.rhs (0, x(:,k)), 1:16, "UniformOutput", false));
+  gsmbp_check ("exponentials that underflow", (many - one) ./ (1e-290 + abs (one)), 1e-14);
+  bad = gsmbp_set (m, "v", 0, "b", 0);
+  gsmbp_check ("one of 0/0", ...
+               isequaln (bad.rhs_v (zeros (1, 8), zeros (2, 8)), [0; NaN](:,ones (1, 8))) ...
+                 && isequaln (bad.rhs (0, [0; 0]), [0; NaN]));
 end
