@@ -13,6 +13,30 @@ function test_user_events ()
   many ();
   pair ();
   limit ();
+  sums ();
+end
+
+## a sum of coordinates passes a height up and down, as told by events up, down and both ways: its
+## rounding errors there are no events
+function sums ()
+  m = gsmbp_fixture ("event_sum");
+  w = sqrt ([m.par.k1, m.par.k2]);
+  t = linspace (0, 5, 20001);
+  starts = [0.82 0.9 -0.88 -0.6; -0.59 0.88 0.38 0.93; 1 0.7 0.95 -0.09; 0.2 -0.02 0.88 -0.25; ...
+            0.25 0.55 0.27 0.44; -0.44 -0.03 0.54 0.38; -0.94 -0.68 -0.12 0.3];
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode"}
+    wrong = 0;
+    for x = starts'
+      x = x';
+      sum_ = x(1:2) * cos (w' * t) + x(3:4) ./ w * sin (w' * t) - m.par.h;
+      [r, info] = gsmbp_simulate (m, x, [0 5], "method", method{1}, "step", 2e-3);
+      turns = diff (sum_ > 0);
+      count = @(name) nnz (strcmp (r.events.name, name));
+      wrong += info != 0 || ! isequal ([count("up"), count("down"), count("pass")], ...
+                                       [nnz(turns > 0), nnz(turns < 0), nnz(turns)]);
+    end
+    gsmbp_check (["a sum passes a height, " method{1}], wrong, 0);
+  end
 end
 
 ## a reaction of a loop that rises through a limit at a steep slope, known but for rounding errors

@@ -36,7 +36,8 @@ next (const gs_events *a, int l, int k)
         least = a->g[i];
       }
   for (int i = 0; i < a->ne && n == 0; i++)
-    if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0 && a->g[i] <= 0.0
+    if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0
+        && a->g[i] - (gs_is_own (a, i) ? a->level[i] : 0.0) <= 0.0
         && (a->mark[i] == 1 || (k == 0 && l <= 0 && a->kind[i] == 2)))
       n = i + 1;
   return n;

@@ -2,7 +2,8 @@
  *
  * Where an event was looked for within a step and what it sets has not changed its own function,
  * this is 0 but for rounding errors: its level. It is taken for 0, or a body that has just left the
- * ground would be below it yet. */
+ * ground would be below it yet. So are functions that were the same number within the step, and the
+ * same with the other sign. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -32,6 +33,24 @@ hold (const gs_events *a, int l, const double *v)
       }
 }
 
+/* the levels of the functions of the user that are function i, or the way back */
+static void
+levels_like (const gs_events *a, int i, double size)
+{
+  for (int j = 0; j < a->ne; j++)
+    {
+      const double like = copysign (1.0, a->last[j]) * copysign (1.0, a->last[i]);
+      if (gs_is_own (a, j) && j != i
+          && fabs (a->last[j] - like * a->last[i]) <= 1e-8 * fabs (a->last[i])
+          && fabs (a->g[j] - like * a->g[i]) <= 1e-8 * size)
+        {
+          a->level[j] = a->g[j];
+          if (like < 0.0)
+            a->fresh[j] = 1;
+        }
+    }
+}
+
 void
 gsusl (const gs_events *a, int l, int k, double g, const double *v)
 {
@@ -39,10 +58,14 @@ gsusl (const gs_events *a, int l, int k, double g, const double *v)
   const double old = a->level[i];
   const double size = gs_max (fabs (a->last[i]), fabs (a->older[i]));
   a->fresh[i] = 1;
-  a->level[i] = 0.0;
+  if (l == k || fabs (a->g[i] - old) > 0.0)
+    a->level[i] = 0.0;
   if (l == k && fabs (g - old) <= 1e-2 * size
       && fabs (a->g[i] - g) <= gs_max (0.5 * fabs (g), 1e-8 * size))
-    a->level[i] = a->g[i];
+    {
+      a->level[i] = a->g[i];
+      levels_like (a, i, size);
+    }
   if (a->kind[i] == 4 && *a->ended == 0)
     *a->ended = l;
   hold (a, l, v);

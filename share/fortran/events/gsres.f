@@ -59,7 +59,7 @@ C
       EXTERNAL           EVT, RST, GSUSE, GSUSL, GSUSD
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
-      INTEGER            NE, JM, JK, JA, JL, I, L, N, R, LS, RS
+      INTEGER            NE, JM, JK, JA, JL, JV, I, L, N, R, LS, RS
       DOUBLE PRECISION   LEAST, G
       LOGICAL            HELD
 C
@@ -69,6 +69,7 @@ C
       JK = 10 + 2*NE
       JA = 10 + 3*NE
       JL = 10 + 4*NE
+      JV = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
       IE(7) = K
       IE(9) = 0
       CALL GSUSE( K, IE )
@@ -136,8 +137,10 @@ C        also at the start
          END IF
    40 CONTINUE
       DO 50 I = 1, NE
+         G = RE(I)
+         IF ( IE(JK+I).GT.2 ) G = G - RE(JV+I)
          IF ( N.EQ.0 .AND. I.NE.L .AND. IE(JK+I).GE.2 .AND.
-     $        IE(JM+I).EQ.0 .AND. RE(I).LE.0.0D0 .AND.
+     $        IE(JM+I).EQ.0 .AND. G.LE.0.0D0 .AND.
      $        ( IE(JA+I).EQ.1 .OR. ( K.EQ.0 .AND. L.LE.0 .AND.
      $        IE(JK+I).EQ.2 ) ) ) N = I
    50 CONTINUE

@@ -32,13 +32,16 @@ C     METHOD
 C     Where the event was looked for within a step (L = K) and what it
 C     sets has not changed its own function, this is 0 but for rounding
 C     errors: it is taken for 0, or a body that has just left the ground
-C     would be below it yet.
+C     would be below it yet.  So are functions that were the same number
+C     within the step: their events are at the same instant (GSRES); and
+C     the same with the other sign, the way back, which would fall by
+C     rounding errors.
 C
       IMPLICIT NONE
       INTEGER            L, K, NX, IE(*)
       DOUBLE PRECISION   G, V(*), RE(*)
       INTEGER            NE, NS, JL, JS, I, J
-      DOUBLE PRECISION   SIZE, OLD
+      DOUBLE PRECISION   SIZE, OLD, LIKE
 C
       NE = IE(1)
       NS = IE(10)
@@ -46,11 +49,22 @@ C
       JS = 10 + 6*NE
       IE(10+5*NE+L) = 1
       OLD = RE(JL+L)
-      RE(JL+L) = 0.0D0
+      IF ( L.EQ.K .OR. ABS( RE(L) - OLD ).GT.0.0D0 ) RE(JL+L) = 0.0D0
       SIZE = MAX( ABS( RE(2*NE+L) ), ABS( RE(4*NE+L) ) )
       IF ( L.EQ.K .AND. ABS( G - OLD ).LE.1.0D-2*SIZE .AND.
-     $     ABS( RE(L) - G ).LE.MAX( 0.5D0*ABS( G ), 1.0D-8*SIZE ) )
-     $     RE(JL+L) = RE(L)
+     $     ABS( RE(L) - G ).LE.MAX( 0.5D0*ABS( G ), 1.0D-8*SIZE ) ) THEN
+         RE(JL+L) = RE(L)
+         DO 5 I = 1, NE
+            LIKE = SIGN( 1.0D0, RE(2*NE+I) )*SIGN( 1.0D0, RE(2*NE+L) )
+            IF ( IE(10+2*NE+I).GT.2 .AND. I.NE.L .AND.
+     $           ABS( RE(2*NE+I) - LIKE*RE(2*NE+L) )
+     $           .LE.1.0D-8*ABS( RE(2*NE+L) ) .AND.
+     $           ABS( RE(I) - LIKE*RE(L) ).LE.1.0D-8*SIZE ) THEN
+               RE(JL+I) = RE(I)
+               IF ( LIKE.LT.0.0D0 ) IE(10+5*NE+I) = 1
+            END IF
+    5    CONTINUE
+      END IF
       IF ( IE(10+2*NE+L).EQ.4 .AND. IE(9).EQ.0 ) IE(9) = L
       DO 20 I = 1, NS
          IF ( IE(JS+I).EQ.L ) THEN
