@@ -239,7 +239,8 @@
 ## @item smallest_step, largest_step, reached
 ## of the accepted steps [s]; the time to which the run came [s]
 ## @item events, instants
-## how many events and instants of sampled devices there were, in scenes that have such
+## how many events and instants of sampled devices there were, in scenes that have such; more
+## events than the 10000 that the result has are a printed warning too (@code{gsmbp:events})
 ## @item held
 ## with controllers of @code{gsmbp_model_control} through loops or drives: a struct array of their
 ## @code{name}, how many @code{samples} had no command (the inputs stayed as they were, because the
@@ -345,7 +346,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (any (strcmp (result.stats.method, {"rk4", "gauss"})))
     [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
   endif
-  gsmbp__run_warnings (who, m, result.stats);
+  gsmbp__run_warnings (who, m, result.stats, columns (events));
   at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
   if (! isempty (ender))
@@ -357,6 +358,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     endif
     if (info == 3 && counts(7) == 7 && ! isempty (events))
       text = [", " m.events(events(2,end)).name ","];
+      values(8) = max (values(8), events(1,end));   # the others than GSSIM: their last step
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,
            gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
@@ -367,7 +369,7 @@ endfunction
 function r = states_alone (m, x0, times, options)
   drop = find (ismember (options(1:2:end), {"sensitivity", "dx0", "fixed", "timeout"}));
   options([2*drop-1, 2*drop]) = [];
-  for id = {"stiff", "singular", "margin", "angles", "tolerance"}
+  for id = {"stiff", "singular", "margin", "angles", "tolerance", "events"}
     warning ("off", ["gsmbp:" id{1}], "local");
   endfor
   r = gsmbp_simulate (m, x0(1:m.sizes.nx), times, options{:});
@@ -452,4 +454,6 @@ endfunction
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
 %!error <expected real numbers>
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
+%!error <3e\+06 s in steps of 0.001 s are 3e\+09 steps of rk4; expected 2e9 at the most>
+%! gsmbp_simulate (m, [0 0 0], [0 3e6], "method", "rk4", "timeout", 1)
 %!error <input: expected 1 finite> gsmbp_simulate (m, [0 0 0], [0 1], "input", [1 2])

@@ -14,6 +14,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   [m, way, index2] = gsmbp__loop_way (who, o, m);
   [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
+  check_number (who, p.method, p.ropt(1), times(end) - t0);
   [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start);
   if (isempty (o.motion))
     o.of_time = of_time (o.input);
@@ -39,6 +40,14 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
                  [numel(times), numel(breaks)], iopt, p.ropt, p.atol, plan, guess, callback, ...
                  library, [order, ! isempty(m.internal), index2], o.timeout};
   [p.m, p.o] = deal (m, o);
+endfunction
+
+## the number of steps of a fixed length: what GSSIM (gsarg.f) counts to
+function check_number (who, method, step, span)
+  if (any (strcmp (method, {"rk4", "gauss"})) && span / step > 2e9)
+    error (["%s: option step: %g s in steps of %g s are %.3g steps of %s; expected 2e9 at the " ...
+            "most: longer steps, or shorter runs"], who, span, step, span / step, method);
+  endif
 endfunction
 
 ## the two states of an audit and their tolerances

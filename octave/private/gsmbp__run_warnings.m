@@ -1,7 +1,8 @@
-## gsmbp__run_warnings (who, m, s)
-## What the result of a run of M does not show by itself: S, its statistics, as warnings.
+## gsmbp__run_warnings (who, m, s, listed)
+## What the result of a run of M does not show by itself: S, its statistics, as warnings.  LISTED:
+## how many events the result has.
 
-function gsmbp__run_warnings (who, m, s)
+function gsmbp__run_warnings (who, m, s, listed)
   if (s.singular_positions > 0)
     care = "";
     if (! strcmp (s.method, "dp853"))
@@ -31,6 +32,11 @@ function gsmbp__run_warnings (who, m, s)
     warning ("gsmbp:margin", "%s: %s: %s at the least, passed first at t = %.6g s", who, m.name,
              one.said, one.time);
   endfor
+  if (isfield (s, "events") && s.events > listed)
+    warning ("gsmbp:events", ["%s: %s: there were %d events, the result has the first %d of " ...
+                              "them: take shorter runs to have all"], who, m.name, s.events, ...
+             listed);
+  endif
   if (isfield (s, "held"))
     warn_of_held (who, m, s.held([s.held.samples] > 0));
   endif

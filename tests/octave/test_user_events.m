@@ -8,6 +8,7 @@ function test_user_events ()
   floors ();
   from_rest ();
   thermostat ();
+  recorded ();
   pendulum ();
   crank ();
   many ();
@@ -142,6 +143,23 @@ function thermostat ()
   gsmbp_check ("all steps of gauss are done", r.x(2,2) - (3 - 2.5 * exp (-0.15)), 1e-12);
 end
 
+## the record has 10000 events; that there were more, of which all act, is a warning
+function recorded ()
+  m = gsmbp_fixture ("user_thermostat");
+  from = @(first, T) floor ((T - first) / log (2) + 1);
+  for T = [3400, 3600]
+    lastwarn ("", "");
+    r = gsmbp_simulate (m, [0 1.5], [0 T], "input", 0);
+    [said, id] = lastwarn ();
+    wanted = from (log (1.5), T) + from (log (1.5) + log (4 / 3), T);
+    gsmbp_check (sprintf ("events in %g s", T), r.stats.events - wanted, 0);
+    gsmbp_check ("those of the record", numel (r.events.t) - min (wanted, 10000), 0);
+    told = sprintf ("there were %d events, the result has the first 10000 of them", wanted);
+    gsmbp_check (["the warning: " said], strcmp (id, "gsmbp:events") == (wanted > 10000) ...
+                 && (wanted <= 10000 || any (strfind (said, told))));
+  end
+end
+
 ## any restitution, ended by any method where its bounces accumulate
 function restitutions ()
   for e = [0.01 0.1 0.9]
@@ -231,9 +249,16 @@ function crank ()
       gsmbp_check (["to the same end, " what], r.x(end,:) - alone.x(end,:), 1e-6);
     end
   end
-  said = gsmbp_complaint (@() gsmbp_simulate (gsmbp_set (m, "late", 2), x0, [0 2]));
-  gsmbp_check ("a reset that loops do not leave", ...
-               ! isempty (regexp (said, "an event, bad, failed .* loops do not leave", "once")));
+  ## when it comes there: told by a reset that changes nothing
+  there = gsmbp_simulate (gsmbp_set (m, "early", 2, "kicked", 1), x0, [0 2]).events.t;
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode", "auto"}
+    said = gsmbp_complaint (@() gsmbp_simulate (gsmbp_set (m, "early", 20, "late", 2), x0, ...
+                                                [0 2], "method", method{1}));
+    at = regexp (said, "an event, bad, failed .* at t = (\\S+) s: .* loops do not leave", ...
+                 "tokens", "once");
+    gsmbp_check (["a reset that loops do not leave, " method{1}], numel (at) == 1);
+    gsmbp_check (["... and when, " method{1}], str2double (at) - there, 1e-7);
+  end
 end
 
 ## runs of an ensemble as single ones; those that an event ends stay there
