@@ -109,7 +109,8 @@
 ## model and below in samples.
 ##
 ## Errors: as @code{gsmbp_ensemble}; a distribution or a word that is none; more than 20
-## parameters in a plan of Sobol points; a file that is there already; a disk that is full.
+## parameters in a plan of Sobol points; a table of more than 1e9 numbers; both "file" and
+## "program"; a file that is there already; a disk that is full.
 ## Source: Joe and Kuo, direction numbers (2008); Saltelli and others, variance based sensitivity
 ## analysis (2010), their estimates (b) and (f).
 ## @seealso{gsmbp_ensemble, gsmbp_simulate, gsmbp_design}
@@ -127,8 +128,9 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   times = gsmbp__times (who, times);
   kept = gsmbp__kept (who, m, o.keep, times);
   check_loop (who, m, o, kept);
-  table = gsmbp__sweep_plan (who, o);
   plain = kept(! [kept.whole]);
+  rest_of = isempty (o.file) * nnz ([kept.whole]) * numel (times);   # of whole runs
+  table = gsmbp__sweep_plan (who, o, numel (plain) + rest_of);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   check_demands (who, o.demand, w.names);
   told_of_signs (who, m, names, w.units, table);
@@ -257,6 +259,14 @@ endfunction
 %! assert (w.values(:,1:2), [1 .4; 1 .5; 1 .6; 1.2 .4; 1.2 .5; 1.2 .6]);
 %! assert (w.names{3}, ["final " {m.outputs, m.states}{1 + isempty(m.outputs)}{1}]);
 %!error <option plan> gsmbp_sweep (m, [0 0 0], [0 1], "vary", struct ("m", [1 2]), "plan", "all")
+%!error <option vary is missing: expected a struct> gsmbp_sweep (m, [0 0 0], [0 1])
+%!error <1e\+10 runs with 2 numbers each are 2e\+10 numbers; expected 1e9 at the most>
+%! gsmbp_sweep (m, [0 0 0], [0 1], "vary", struct ("m", [1 2]), "runs", 1e10)
+%!error <1e\+09 runs with 4 numbers each>
+%! gsmbp_sweep (m, [0 0 0], [0 1], "vary", struct ("m", 1:1e5, "l", 1:1e4), "plan", "grid", ...
+%!              "keep", {"final q", "peak q"})
+%!error <options file and program: expected one of them>
+%! gsmbp_sweep (m, [0 0 0], [0 1], "vary", struct ("m", [1 2]), "file", "a.h5", "program", "a")
 %!test <what is on disk is what is in memory>
 %! file = [tempname() ".h5"];
 %! o = {"runs", 70, "vary", struct("m", [1 1.2]), "keep", {"rms q", "at 0.1 q"}, "chunk", 30};

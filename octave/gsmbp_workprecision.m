@@ -9,8 +9,9 @@
 ## The truth is the same Fortran built in quad precision, integrated by
 ## Dormand-Prince 8(5,3) at a tolerance of 1e-18 (option "reference"), from the same
 ## @var{x0} over the same @var{times}.  The error is the largest deviation of
-## any coordinate (and, apart, of any state) at any of the @var{times}; time is
-## the shortest of several runs, divided by the simulated time.
+## any coordinate (and, apart, of any state) at any of the @var{times}; in a scene without
+## coordinates it is that of any state.  Time is the shortest of several runs, divided by the
+## simulated time.
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "gauss" (steps, default none), "dp853"
 ## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" and "index2", which is radau with
@@ -23,7 +24,8 @@
 ##
 ## @var{w} is a struct array with the fields @code{method}, @code{step} (or
 ## tolerance), @code{calls} of the right-hand side, @code{seconds} for each
-## simulated second, @code{error} (coordinates), @code{error_states};
+## simulated second, @code{error} (coordinates, or states where there are none),
+## @code{error_states};
 ## @code{w(1).reference} holds the rows of the truth.  @var{best}, a struct array, names for each
 ## power of ten of the error that was reached the fastest measurement that keeps to it:
 ## @code{below} (that power), @code{method}, @code{step}, @code{seconds}, @code{error}; the printed
@@ -42,7 +44,7 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: an option that is measured itself or unknown; a reference that
+## Errors: an option that is measured itself or unknown; no step and no tolerance; a reference that
 ## fails or does not come to its end. The error of a run that does not is Inf.
 ## Source: own; Hairer's work-precision diagram.
 ## @seealso{gsmbp_simulate}
@@ -109,6 +111,10 @@ function [o, rest] = read_options (pairs, radau)
   if (radau && ! any (ismember (table(1:6,1), names)))
     o.radau = 10 .^ -(4:2:12);
   endif
+  if (all (cellfun (@(name) isempty (o.(name)), table(1:6,1))))
+    error (["%s: nothing to measure: expected steps or tolerances in one of the options \"rk4\", " ...
+            "\"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\", found none"], who);
+  endif
   rest = [names(! own); values(! own)](:)';
 endfunction
 
@@ -139,10 +145,18 @@ function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
   if (info == 0 && rows (r.x) == rows (truth.x))
     miss = max (abs (r.x - truth.x), [], 1);
   endif
-  one.error = max (miss(1:m.sizes.nq));
+  one.error = max (miss(1:last_measured (m)));
   one.error_states = max (miss);
   one.reference = [];
   w = [w, one];
+endfunction
+
+## the errors are those of the coordinates, where there are any
+function n = last_measured (m)
+  n = m.sizes.nq;
+  if (n == 0)
+    n = m.sizes.nx;
+  endif
 endfunction
 
 ## the options, with radau and the loops in index 2
@@ -171,12 +185,14 @@ function show (m, w, best, span, t0)
           m.name, span, t0);
   printf ("%-8s %-12s %10s %22s %14s %14s\n", "method", "step or tol", "calls", ...
           "microseconds/second", "error coord.", "error states");
+  of = {"states", "coordinates"}{1 + (m.sizes.nq > 0)};
   for one = w
-    printf ("%-8s %-12.3g %10d %22.2f %14.2e %14.2e\n", one.method, one.step, one.calls, ...
-            1e6 * one.seconds, one.error, one.error_states);
+    coordinates = {"-", sprintf("%.2e", one.error)}{1 + (m.sizes.nq > 0)};
+    printf ("%-8s %-12.3g %10d %22.2f %14s %14.2e\n", one.method, one.step, one.calls, ...
+            1e6 * one.seconds, coordinates, one.error_states);
   endfor
   for one = best
-    printf ("error of coordinates below %g: %s with %g, %.2f microseconds/second\n", one.below, ...
+    printf ("error of %s below %g: %s with %g, %.2f microseconds/second\n", of, one.below, ...
             one.method, one.step, 1e6 * one.seconds);
   endfor
 endfunction
@@ -192,8 +208,8 @@ function figure_of (file, m, w)
   labels = struct ("rk4", "RK4", "gauss", "Gauss", "dp853", "DOP853", "cvode", "CVODE", "radau", ...
                    "Radau IIA", "index2", "Radau IIA, index 2");
   names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
-  gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", ...
-                               "largest error [rad, m]", "style", ...
+  label = {"largest error of a state", "largest error [rad, m]"}{1 + (m.sizes.nq > 0)};
+  gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", label, "style", ...
                                "linespoints"), "xlabel",
               "compute time for 1 s [us]", "scale", "loglog", "title", [m.name ...
                     ": speed against error"], "head", "microseconds_per_second");
@@ -206,6 +222,8 @@ endfunction
 %!                          false, "seconds", 0);
 %! assert (log2 (w(1).error / w(2).error), 4, 0.2);
 %! assert (w(3).error < 1e-11);
+%!error <nothing to measure: expected steps or tolerances>
+%! gsmbp_workprecision (gsmbp_hand ("motor_pendulum"), [1 0 0], [0 0.5], "rk4", [], "dp853", [])
 %!test <collocation of Gauss: half the step, an error much smaller>
 %! m = gsmbp_hand ("motor_pendulum");
 %! w = gsmbp_workprecision (m, [1 0 0], [0 0.5], "gauss", [5e-3 2.5e-3], "rk4", [], "dp853", [], ...

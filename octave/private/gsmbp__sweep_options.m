@@ -24,11 +24,18 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
   mine = ismember (names, table(:,1));
   o = gsmbp__options (who, table, [names(mine); values(mine)](:)');
   rest = [names(! mine); values(! mine)](:)';
-  if (! (isstruct (o.vary) && isscalar (o.vary) && numfields (o.vary) > 0))
+  if (! any (strcmp (names, "vary")))
+    error (["%s: option vary is missing: expected a struct with a range, a list or a " ...
+            "distribution for each parameter that varies"], who);
+  elseif (! (isstruct (o.vary) && isscalar (o.vary) && numfields (o.vary) > 0))
     error (["%s: option vary: expected a struct with a range, a list or a distribution for " ...
             "each parameter, found %s"], who, gsmbp__shown (o.vary));
   elseif (o.resume && isempty (o.file))
     error ("%s: option resume goes on with what stands beside option file, which is missing", who);
+  endif
+  if (! (isempty (o.file) || isempty (o.program)))
+    error (["%s: options file and program: expected one of them: a program writes its table " ...
+            "itself, sweep.h5 in its folder"], who);
   endif
   for name = {"file", "program"}
     if (isempty (o.(name{1})) && any (strcmp (names, name{1})))

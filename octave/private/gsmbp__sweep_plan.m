@@ -1,11 +1,12 @@
-## table = gsmbp__sweep_plan (who, o)
+## table = gsmbp__sweep_plan (who, o, more)
 ## The samples of a sweep by the options O of gsmbp_sweep (vary, plan, runs, seed): a row each, a
-## column for each parameter of O.vary.
+## column for each parameter of O.vary.  MORE: how many numbers of each run are kept beside.
 
-function table = gsmbp__sweep_plan (who, o)
+function table = gsmbp__sweep_plan (who, o, more)
   laws = cellfun (@(name) law (who, name, o.vary.(name)), fieldnames (o.vary)', ...
                   "UniformOutput", false);
   k = numel (laws);
+  check_size (who, o, laws, k + more);
   switch (o.plan)
     case {"grid", "corners"}
       ends = cellfun (@(l) l.(o.plan), laws, "UniformOutput", false);
@@ -24,6 +25,21 @@ function table = gsmbp__sweep_plan (who, o)
   for j = 1:k
     table(:,j) = laws{j}.at (u(:,j));
   endfor
+endfunction
+
+## the table in the memory: 1e9 numbers, 8 GB, at the most
+function check_size (who, o, laws, width)
+  runs = o.runs;
+  if (any (strcmp (o.plan, {"grid", "corners"})))
+    runs = prod (cellfun (@(l) numel (l.(o.plan)), laws));
+  elseif (strcmp (o.plan, "indices"))
+    runs *= numel (laws) + 2;
+  endif
+  if (runs * width > 1e9)
+    error (["%s: %g runs with %d numbers each are %.3g numbers; expected 1e9 at the most, " ...
+            "which take 8 GB: fewer runs, or less of option keep"], who, runs, width, ...
+           runs * width);
+  endif
 endfunction
 
 ## a distribution: its values AT shares of the probability, those of a grid, its ends
