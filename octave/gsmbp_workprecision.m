@@ -112,8 +112,8 @@ function [o, rest] = read_options (pairs, radau)
     o.radau = 10 .^ -(4:2:12);
   endif
   if (all (cellfun (@(name) isempty (o.(name)), table(1:6,1))))
-    error (["%s: nothing to measure: expected steps or tolerances in one of the options \"rk4\", " ...
-            "\"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\", found none"], who);
+    error (["%s: nothing to measure: expected steps or tolerances in one of the options " ...
+            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\", found none"], who);
   endif
   rest = [names(! own); values(! own)](:)';
 endfunction
