@@ -255,7 +255,8 @@ end
 
 function refused (m)
   one = {"vary", struct("a", [0, 1])};
-  wrong = {{}, "option vary: expected a struct";
+  wrong = {{}, "option vary is missing: expected a struct";
+           {"vary", []}, "option vary: expected a struct";
            {"vary", struct("a", 1)}, "option vary: a: expected [low, high]";
            {"vary", struct("a", [2, 1])}, "option vary: a: expected [low, high]";
            {"vary", struct("a", {{"normal", 1, 0}})}, "option vary: a: expected";
