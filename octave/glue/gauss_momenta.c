@@ -189,22 +189,33 @@ sum_up (gs_run *s, gs_momenta *w, double h, double *x)
     }
 }
 
+/* what a step finds of its start, X at T: masses, the gradients of the constraints */
+static int
+place_at (gs_run *s, gs_momenta *w, double t, const double *x)
+{
+  if (! mass_at (s, w, t, x, w->masses))
+    return -1;
+  if (w->m == 0)
+    return 0;
+  if (constraints_at (s, w, t, x, w->phi, w->rows) != 0)
+    return -1;
+  factorize_rows (&w->gram, w->rows, w->masses);
+  return 0;
+}
+
 /* the speeds at the end from the momenta, these on the constraints */
 static int
 put_on (gs_run *s, gs_momenta *w, double t, double *x)
 {
   int n = w->n, m = w->m;
   double *u = x + n, *rows = w->rows;
-  if (! mass_at (s, w, t, x, w->masses))
+  if (place_at (s, w, t, x) != 0)
     return -1;
   memcpy (u, w->p, sizeof (double) * n);
   forward (n, w->masses, u);
   backward (n, w->masses, u);
   if (m == 0)
     return 0;
-  if (constraints_at (s, w, t, x, w->phi, rows) != 0)
-    return -1;
-  factorize_rows (&w->gram, rows, w->masses);
   for (int k = 0; k < m; k++)
     {
       w->phi[k] = w->phit[k];
@@ -254,7 +265,8 @@ gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
     turned |= s->turns[l] != 0;
   if (flag == 0 && turned && ! same_turned (s, w, t, x, s->turns))
     {
-      gs_take_back (w);
+      if ((flag = gs_take_back (s, w)) != 0)
+        return flag;
       give_turns (s, w, s->x);
       if ((flag = put_on (s, w, s->t, s->x)) != 0)
         return flag;
@@ -265,11 +277,12 @@ gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
   return flag;
 }
 
-void
-gs_take_back (gs_momenta *w)
+int
+gs_take_back (gs_run *s, gs_momenta *w)
 {
   memcpy (w->p, w->before, sizeof (double) * 3 * w->n);   /* and what was lost */
   w->known = 0;
+  return place_at (s, w, s->t, s->x);
 }
 
 int

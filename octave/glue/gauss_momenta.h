@@ -18,8 +18,9 @@ extern int gs_restart_momenta (gs_run *s, gs_momenta *w);
 /* the step H to T, X: the state there; a flag, or GS_NO_END where the iteration does not end */
 enum { GS_NO_END = 1 };
 extern int gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x);
-/* the momenta as they were before the last step, to be made again */
-extern void gs_take_back (gs_momenta *w);
+/* the momenta and constraints as they were before the last step, to be made again from the time and
+   state of the run; a flag */
+extern int gs_take_back (gs_run *s, gs_momenta *w);
 /* X: the state at the fraction AT of the last step, whose end is Y */
 extern int gs_momenta_between (gs_run *s, gs_momenta *w, longer at, double *x);
 extern long gs_momenta_turns (gs_momenta *w);   /* then from zero */

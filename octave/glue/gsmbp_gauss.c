@@ -218,11 +218,12 @@ static int
 again (gs_run *s)
 {
   gauss *w = s->memory;
+  double h = s->stop == w->at ? (w->to - w->from) / w->steps : s->stop - s->t;
   w->known = 0;
-  if (w->momenta)
-    gs_take_back (w->momenta);
+  if (w->momenta && gs_take_back (s, w->momenta) != 0)
+    return -1;
   memcpy (w->lost, w->before, sizeof (double) * w->n);
-  return step_to (s, s->stop - s->t, s->stop);
+  return step_to (s, h, s->stop);
 }
 
 static int

@@ -6,6 +6,7 @@ function test_gauss ()
   energy (m);
   turning (m, gsmbp_fixture ("gauss_bars"));
   turned_back (gsmbp_fixture ("gauss_wheel"));
+  told (gsmbp_fixture ("gauss_bars"), gsmbp_fixture ("gauss_told"));
   crank (gsmbp_hand ("hand_crank"));
   inputs (gsmbp_hand ("motor_pendulum"));
   failures (m, gsmbp_hand ("motor_pendulum"));
@@ -81,6 +82,26 @@ function turned_back (m)
   gsmbp_check (sprintf ("a stop far away, found %.2g, farthest %.0f, %.0f", e, max (r.x(:,1)), ...
                         min (r.x(:,1))), ...
                e < 1e-3 && max (r.x(:,1)) > 80 && min (r.x(:,1)) < -80);
+end
+
+## events that only tell, some a turn, leave the motion of a loop as it is without them
+function told (bars, m)
+  x0 = gsmbp_assemble (bars, [1 -0.1 1.4 10 0 0], "hold", "q1");
+  t = 0:0.25:2;
+  exact = gsmbp_simulate (bars, x0, t, "rtol", 1e-13);
+  for order = [4 6 8]
+    options = {"step", 1e-3, "maxorder", order};
+    alone = gauss (bars, x0, t, options{:});
+    r = gauss (m, x0, t, options{:});
+    e = max (abs (energies (m, r)));
+    [gap, most] = deal (state_gap (r, exact), state_gap (alone, exact));
+    many = numel (r.events.t);
+    what = sprintf ("order %d, a loop with %d events that tell: energy %.2g, ", order, many, e);
+    gsmbp_check (sprintf ("%s%.2g beside dp853 (%.2g without events)", what, gap, most), ...
+                 many >= 10 && r.stats.accepted == alone.stats.accepted ...
+                 && e < 2 * max (abs (energies (bars, alone))) + 1e-13 ...
+                 && gap < most + 1e-9 && state_gap (r, alone) < 1e-10);
+  end
 end
 
 function crank (m)
