@@ -136,10 +136,13 @@ go_on (gs_run *s, place *p)
 static int
 rises (gs_run *s, const place *p, int *is)
 {
+  double g, by;
   *is = 0;
   if (gs_events_planned (s).kind[p->i - 1] < OWN || gs_rate (s, p->t, s->event, s->work) != 0)
     return FINISHED;
-  return gs_climbs (s, p->i, p->t, s->event, s->work, 1e-3 * (p->end - p->begin), is);
+  int info = gs_climbs (s, p->i, p->t, s->event, s->work, 1e-3 * (p->end - p->begin), &g, &by);
+  *is = by > 0;
+  return info;
 }
 
 /* The polynomial alone says that there is an event at P: the sign of its function at the end of the

@@ -114,30 +114,35 @@ gs_recall (gs_run *s)
 }
 
 int
-gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, int *is)
+gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, double *g,
+           double *by)
 {
-  double before, later, *beside = s->between;
+  double later, *beside = s->between;
   for (int l = 0; l < s->r->nx; l++)
     beside[l] = x[l] + d * rate[l];
-  int info = gs_function (s, i, t, x, &before);
+  int info = gs_function (s, i, t, x, g);
   if (info == 0)
     info = gs_function (s, i, t + d, beside, &later);
-  *is = info == 0 && later > before;
+  *by = info == 0 ? later - *g : 0;
   return info;
 }
 
-/* S->rising: which functions of the user have just had their event at T, in S->known, and rise from
- * there, within D, by the rates of take_nodes; INFO */
+/* S->rising: which functions of the user have just had their event at T (or the run begins), in
+ * S->known, and rise from there above 0 before T + H, by the rates of take_nodes; INFO */
 static int
-take_rising (gs_run *s, double t, double d)
+take_rising (gs_run *s, double t, double h)
 {
   gs_events e = gs_events_planned (s);
+  double g, by;
   int info = FINISHED;
   for (int i = 0; i < e.ne && info == 0; i++)
     {
       s->rising[i] = 0;
       if (e.kind[i] >= OWN && e.fresh[i] == 1 && e.mark[i] == 0)
-        info = gs_climbs (s, i + 1, t, s->known, s->work, d, &s->rising[i]);
+        {
+          info = gs_climbs (s, i + 1, t, s->known, s->work, 1e-3 * h, &g, &by);
+          s->rising[i] = by > 0 && g + 1e3 * by > 0;
+        }
     }
   return info;
 }
@@ -188,7 +193,7 @@ gs_look (gs_run *s, double from, double *to, int *found, int *flag)
   *found = 0;
   if ((*flag = take_nodes (s, from, *to)) < 0)
     return FINISHED;
-  int info = take_rising (s, from, 1e-3 * (end - from)), which;
+  int info = take_rising (s, from, end - from), which;
   remember (s);
   if (info != 0 || (info = search (s, from, to, found)) != 0 || (which = sunk (s)) == 0)
     return info;

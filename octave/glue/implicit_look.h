@@ -30,9 +30,10 @@ typedef struct { double from, begin, end, t, g; int i; } place;
 
 /* event function I at T in the state X; INFO */
 extern int gs_function (gs_run *s, int i, double t, const double *x, double *g);
-/* does function I rise within D of T along the motion from X, whose rates are RATE? INFO */
+/* G: function I at T in X; BY: how far it rises within D along the motion, whose rates are RATE;
+   INFO */
 extern int gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d,
-                      int *is);
+                      double *g, double *by);
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
    state there, S->event, on the polynomial; FOUND as GSEVN.  A flag of the method in *FLAG, INFO */
 extern int gs_look (gs_run *s, double from, double *to, int *found, int *flag);
