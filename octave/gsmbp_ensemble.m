@@ -90,7 +90,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   if (isempty (x0) && ! isempty (rows.starts))
     x0 = rows.starts(1,:);
   endif
-  p = gsmbp__run_setup (who, m, x0, times, o);
+  p = gsmbp__from_given (gsmbp__run_setup (who, m, x0, times, o), x0);
   [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
@@ -124,8 +124,9 @@ function [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m
     some = cell (1, 6);
     [some{:}, seconds, lanes, events] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
-                    cellfun (@double, struct2cell (m.par)), of (rows.table), of (rows.starts), ...
-                    of (rows.inputs), rows.threads, rows.lanes);
+                    cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
+                    of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
+                    rows.lanes);
     events(1,:) = find (good)(events(1,:))(:)';
     for i = 1:6
       if (i <= 3)

@@ -4,6 +4,7 @@
 
 #include "lanes.h"
 #include "row_groups.h"
+#include "start.h"
 
 class ensemble
 {
@@ -32,6 +33,7 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
+  bool begins (int i, run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
              reals& one);
 
@@ -93,7 +95,27 @@ ensemble::constants (const known_row& row, reals& cst) const
   return info;
 }
 
-// the room of a run; false where its parameters cannot be, or all is to end
+// the start of run I on its constraints; false where there is none near
+bool
+ensemble::begins (int i, run_room& r) const
+{
+  if (S.nlam == 0 && S.nq == S.nu)
+    return true;
+  const gsmbp_routine *con = emitted ("con"), *prj = emitted ("prj");
+  const gs_start start = { &S, con ? con->sub : nullptr, prj ? prj->sub : nullptr,
+                           m_rows.nominal.data (), m_rows.check };
+  reals work = room (gs_start_room (&S));
+  const int info = gs_take_start (&start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
+  if (info == 0)
+    return true;
+  m_info[2 * i] = 3;   // as GSSIM: a subroutine failed, PRJ
+  m_counts[20 * std::size_t (i) + 5] = info;
+  m_counts[20 * std::size_t (i) + 6] = 3;
+  m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
+  return false;
+}
+
+// the room of a run; false where its parameters or its start cannot be, or all is to end
 bool
 ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp)
 {
@@ -111,6 +133,8 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unse
     }
   for (int k = 0; k < S.nx && ! m.starts.isempty (); k++)
     r.x0[k] = m.starts(i, k);
+  if (! begins (i, r))
+    return false;
   if (S.nctl > 0)   // their periods are the run's own
     {
       std::lock_guard<std::mutex> guard (m_plan);
@@ -231,8 +255,8 @@ ensemble::run_all (int threads)
 }
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
-// starts, inputs, threads, lanes): states, inputs, outputs, statistics, INFO of the run and of PRE,
-// seconds, whether in lanes, events
+// starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
+// outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events
 static octave_value_list
 do_ensemble (arguments& a, int)
 {

@@ -9,12 +9,14 @@ struct ensemble_rows
 {
   int n;
   std::vector<int> which;            // the parameters that a column stands for
-  Matrix par, table, starts, inputs;
+  Matrix par, table, starts, inputs, nominal;
+  int check;                         // should starts be closed, or are they moved from anywhere?
 
   ensemble_rows (arguments& a)
     : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1)),
       par (a.matrix ("par", S.npar, 1)), table (a.value ("table").matrix_value ()),
-      starts (a.value ("starts").matrix_value ()), inputs (a.value ("inputs").matrix_value ())
+      starts (a.value ("starts").matrix_value ()), inputs (a.value ("inputs").matrix_value ()),
+      nominal (a.matrix ("nominal", S.nx, 1)), check (a.integer_within ("check", 0, 1))
   {
     fits (table, int (which.size ()), "table");
     fits (starts, S.nx, "starts");

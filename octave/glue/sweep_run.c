@@ -2,6 +2,7 @@
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
 #include "gsmbp_scene.h"
+#include "start.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -259,6 +260,19 @@ set_breaks (const gs_sweep *s, gs_room *r)
       all[r->nb++] = all[k];
 }
 
+/* the start of a run on its constraints; INFO as GSSIM, where there is none near */
+static int
+take_start (const gs_sweep *s, gs_room *r)
+{
+  const gs_start start = { S, emitted ("con"), emitted ("prj"), s->nominal.x, s->check_start };
+  double *work = room (gs_start_room (S));
+  r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : 0;
+  r->istat[6] = r->istat[5] != 0 ? 3 : 0;   /* PRJ */
+  r->rstat[7] = s->t0;
+  free (work);
+  return ! work ? 7 : r->istat[5] != 0 ? 3 : 0;
+}
+
 /* its plan; the record of the events, of which nothing is read before it is written, stays as it
  * is: it takes most of the room */
 static void
@@ -292,8 +306,8 @@ prepare (const gs_sweep *s, gs_room *r, long long i)
   zero (r->vout, s->ldv * s->tout.n);
   zero (r->rstat, 20);
   memset (r->istat, 0, 20 * sizeof (int));
-  r->info = 0;
   r->text[0] = 0;
+  r->info = info == 0 ? take_start (s, r) : 0;
   copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
   lay_plan (s, r);
   if (S->nctl > 0 && info == 0)
@@ -617,9 +631,10 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
       return never (s, r, row);
     }
   int stiff = r->iopt[0] == 0;
-  if (! stiff)
+  int begins = r->info == 0;
+  if (begins && ! stiff)
     by_gssim (s, r);
-  if (s->implicit_method && (stiff || r->info == 5))
+  if (begins && s->implicit_method && (stiff || r->info == 5))
     by_implicit (s, r, ! stiff);
   long long reached = r->istat[4];
   int ended = r->info == 11;

@@ -12,7 +12,7 @@ function file = gsmbp__sweep_program (who, s, records, folder)
   gsmbp__folder (who, folder);
   p = run_of (who, s);
   library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');
-  records = [records; run_records(s, p, library); plan_records(m, p)];
+  records = [records; run_records(s, p, library); plan_records(p)];
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
        gsmbp__sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
@@ -38,12 +38,12 @@ function p = run_of (who, s)
             "function of Octave, which cannot run on several cores"], who);
   endif
   o.samples = false;
-  p = gsmbp__run_setup (who, m, s.x0, s.times, o);
+  p = gsmbp__from_given (gsmbp__run_setup (who, m, s.x0, s.times, o), s.x0);
 endfunction
 
 ## numbers, and the runs whose parameters break a rule of the scene
 function records = run_records (s, p, library)
-  m = s.m;
+  m = p.m;
   [~, which] = ismember (s.names, fieldnames (m.par));
   broken = gsmbp__broken_rules (m, cell2struct (num2cell (s.table, 1), s.names, 2));
   lines = cellfun (@(i, why) sprintf ("%d\t%s\n", i, strrep (why, "\n", " ")), ...
@@ -57,8 +57,8 @@ function records = run_records (s, p, library)
              "check_start", strcmp(p.o.start, "check")};
 endfunction
 
-function records = plan_records (m, p)
-  a = p.arguments;
+function records = plan_records (p)
+  [a, m] = deal (p.arguments, p.m);
   [ip, rp, iopt, sizes, called] = m.module ("job", a{:});
   records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
              "atol", a{10}; "guess", a{12}; "order", a{15}(1); "of_state", a{15}(2)
@@ -69,7 +69,7 @@ endfunction
 function take_sources (who, m, folder)
   parts = {"gsmbp_scene.?", "gsmbp_implicit.h", "implicit*.?", "gsmbp_radau.c", "radau_*", ...
            "gsmbp_cvode.c", "sundials_calls.h", "gsmbp_gauss.c", "gauss_*", "rows.h", ...
-           "settle.?", "sweep_*"};
+           "settle.?", "start.h", "sweep_*"};
   for file = glob (gsmbp__place ("octave", "glue", parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor

@@ -7,6 +7,8 @@ function test_ensemble ()
   alike (axis);
   starts_and_inputs (axis);
   crank (gsmbp_fixture ("case_02a_motor"));
+  closed (gsmbp_fixture ("case_02a_motor"));
+  too_short (gsmbp_fixture ("driven_fourbar"));
   stepped (gsmbp_fixture ("sampled_drive"), gsmbp_fixture ("event_ball"));
   failing (axis);
   refused (axis);
@@ -76,6 +78,44 @@ function crank (m)
   last = e.x(end,:,2)';
   [phi, ~, ~] = n.con (0.5, last(1:m.sizes.nq), last(m.sizes.nq+1:m.sizes.nq+m.sizes.nu));
   gsmbp_check ("loops: moved onto them where that is wanted, m", phi, 1e-12);
+end
+
+## in every way of the loops: starts are closed for the rods of their runs
+function closed (m)
+  t = [0, 0.1, 0.2];
+  x0 = gsmbp_assemble (m, [0.3; -0.1; 0; zeros(4, 1)]);
+  rods = struct ("l2", m.par.l2 * [1, 1 + 1e-8, 1 + 1e-4, 1.01]);
+  for way = {"projection", "dp853"; "baumgarte", "dp853"; "baumgarte", "gauss"
+             "partitioning", "dp853"; "partitioning", "radau"; "kane", "rk4"}'
+    options = {"input", 5, "rtol", 1e-9, "atol", 1e-9, "loops", way{1}, "method", way{2}};
+    what = [way{1} ", " way{2} ": "];
+    e = gsmbp_ensemble (m, x0, t, options{:}, "parameters", rods, "lanes", false);
+    gsmbp_check ([what "rods that do not fit: " e.reason{3}], ...
+                 isequal (e.ok', [true, true, false, false]) ...
+                 && all (strncmp (e.reason(3:4), "its start was moved by", 22)));
+    gsmbp_check ([what "one that fits but for 1e-8"], alike_runs (e, m, x0, t, 2, options{:}));
+    off = x0 + [0; 0.02; 0; zeros(4, 1)];
+    for start = {x0, off}
+      options = [options(1:10), {"start", "project"}];
+      e = gsmbp_ensemble (m, start{1}, t, options{:}, "parameters", rods, "lanes", false);
+      same = arrayfun (@(i) alike_runs (e, m, start{1}, t, i, options{:}), 1:4);
+      gsmbp_check ([what "moved, bit for bit"], all (e.ok) && all (same));
+    end
+    e = gsmbp_ensemble (m, [], t, options{1:10}, "starts", [x0, off]', "lanes", false);
+    gsmbp_check ([what "a start that is open"], isequal (e.ok', [true, false]));
+  end
+end
+
+## no position closes the loop
+function too_short (m)
+  x0 = gsmbp_assemble (m, m.initial);
+  for way = {"projection", "baumgarte", "partitioning"}
+    e = gsmbp_ensemble (m, x0, [0, 0.1], "loops", way{1}, "parameters", ...
+                        struct ("lc", m.par.lc * [1, 0.02]), "start", "project");
+    gsmbp_check ([way{1} ": " e.reason{2}], ...
+                 isequal (e.ok', [true, false]) && all (isnan (e.x(:,:,2)(:))) ...
+                 && any (strfind (e.reason{2}, "no position that closes the loops")));
+  end
 end
 
 function stepped (drive, ball)

@@ -29,6 +29,11 @@ function test_sweep_program ()
         crank.par.l2 * [1, 1 + 1e-4]), "runs", 9, "input", 5});
   same (folder, "loops in index 2", crank, {x0, 0:0.1:0.5, "vary", struct("La", [0.02, 0.03]), ...
         "runs", 5, "input", 5, "method", "radau", "loops", "index2"});
+  rods = struct ("l2", crank.par.l2 * [1, 1.01]);
+  for way = {"baumgarte", "check"; "partitioning", "project"}'
+    same (folder, ["loops by " way{1}], crank, {x0, 0:0.1:0.3, "vary", rods, "runs", 5, "input", ...
+          5, "method", "radau", "loops", way{1}, "start", way{2}});
+  end
   drive = gsmbp_fixture ("sampled_drive");
   name = fieldnames (drive.par){1};
   same (folder, "samples", drive, {[0; 0], 0:0.05:1, "vary", struct(name, drive.par.(name) * ...

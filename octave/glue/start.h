@@ -1,0 +1,133 @@
+/* The start of a run on its constraints, as octave/private/gsmbp__start.m has it: for runs of
+   ensembles, whose parameters or starts are their own (ensemble.h, sweep_run.c). */
+#ifndef GSMBP_GLUE_START_H
+#define GSMBP_GLUE_START_H
+#include "gsmbp_scene.h"
+#include <float.h>
+#include <math.h>
+
+#if defined (GSMBP_QUAD)
+typedef __float128 gs_real;
+#else
+typedef double gs_real;
+#endif
+
+typedef void gs_con_type (const gs_real *t, const gs_real *q, const gs_real *u, gs_real *cst,
+                          gs_real *phi, gs_real *phit, gs_real *rows, const int *ld,
+                          gs_real *gamma, int *info);
+typedef void gs_prj_type (const gs_real *t, gs_real *x, gs_real *cst, gs_real *off, int *info);
+
+/* CON, PRJ: null pointers where they were not emitted; NOMINAL: usual sizes of the states; CHECK:
+   is the start one that should be closed? */
+typedef struct { const gsmbp_scene *scene; gsmbp_sub con, prj; const double *nominal; int check; }
+  gs_start;
+
+/* how many numbers gs_take_start works with */
+static int
+gs_start_room (const gsmbp_scene *s)
+{
+  return s->nx + s->nlam * (4 + s->nu) + 1;
+}
+
+/* the larger one; not a number where one is none */
+static double
+gs_larger (double a, double b)
+{
+  return isnan (a) || b <= a ? a : b;
+}
+
+/* X, with Euler parameters of length one in Y; by how much the length of one is off */
+static double
+gs_unit_sets (const gsmbp_scene *s, const gs_real *x, gs_real *y)
+{
+  double most = 0;
+  for (int i = 0; i < s->nx; i++)
+    y[i] = x[i];
+  for (int k = 0; k < s->nsets; k++)
+    {
+      const int *set = s->sets + 4 * k;
+      double sum = 0;
+      for (int j = 0; j < 4; j++)
+        sum += (double) (x[set[j] - 1] * x[set[j] - 1]);
+      for (int j = 0; j < 4; j++)
+        y[set[j] - 1] /= sqrt (sum);
+      most = gs_larger (most, fabs (sqrt (sum) - 1));
+    }
+  return most;
+}
+
+/* row I of the constraints at X, where the usual sizes make SIZE of it */
+static double
+gs_row_off (const gs_start *a, int i, const gs_real *x, const gs_real *phi, double size)
+{
+  const int m = a->scene->nlam;
+  const gs_real *u = x + a->scene->nq, *phit = phi + m, *rows = phit + 2 * m;
+  double rate = (double) phit[i], fast = 0;
+  for (int j = 0; j < a->scene->nu; j++)
+    {
+      rate += (double) (rows[i + m * j] * u[j]);
+      fast += fabs ((double) (rows[i + m * j] * u[j]));
+    }
+  fast = fmax (fmax (size, fast), fabs ((double) phit[i]));
+  return gs_larger (fabs ((double) phi[i]) / size, fabs (rate) / fast);
+}
+
+/* what the usual speeds make of row I */
+static double
+gs_row_size (const gs_start *a, int i, const gs_real *rows)
+{
+  double sum = 0;
+  for (int j = 0; j < a->scene->nu; j++)
+    {
+      double one = (double) rows[i + a->scene->nlam * j] * a->nominal[a->scene->nq + j];
+      sum += one * one;
+    }
+  return sqrt (sum);
+}
+
+/* how far the state X is from its constraints, as octave/private/gsmbp__residuals.m */
+static double
+gs_start_off (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst, gs_real *w)
+{
+  const gsmbp_scene *s = a->scene;
+  const int m = s->nlam;
+  gs_real *phi = w + s->nx, *rows = phi + 3 * m;
+  double most = gs_unit_sets (s, x, w), largest = 0;
+  int info = 0;
+  if (m == 0 || ! a->con)
+    return most;
+  ((gs_con_type *) a->con) (&t, w, w + s->nq, cst, phi, phi + m, rows, &m, phi + 2 * m, &info);
+  if (info != 0 && info != 2)
+    return HUGE_VAL;
+  for (int i = 0; i < m; i++)
+    largest = fmax (largest, gs_row_size (a, i, rows));
+  for (int i = 0; i < m; i++)
+    {
+      double size = fmax (gs_row_size (a, i, rows), 1e-3 * largest);
+      most = gs_larger (most, gs_row_off (a, i, w, phi, size > 0 ? size : 1));
+    }
+  return most;
+}
+
+/* X at T moved onto the constraints, by PRJ, unless it is there but for rounding; INFO of PRJ, 3
+   where none was found (W: gs_start_room numbers) */
+static int
+gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
+{
+  const gsmbp_scene *s = a->scene;
+  int info = 0;
+  if (s->nlam == 0 && s->nq == s->nu)
+    return 0;
+  double off = gs_start_off (a, t, x, cst, w);
+  if (off <= 100 * DBL_EPSILON && (a->check || s->nlam == 0 || a->con))
+    return 0;
+  if (! a->prj)
+    return a->check && off <= 1e-6 ? 0 : 3;
+  ((gs_prj_type *) a->prj) (&t, x, cst, w, &info);
+  for (int i = 0; i < s->nx; i++)
+    x[i] = (double) x[i];
+  if (info != 0 && info != 2)
+    return info;
+  return gs_start_off (a, t, x, cst, w) <= 1e-6 ? 0 : 3;
+}
+#endif
