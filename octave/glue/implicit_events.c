@@ -234,6 +234,19 @@ next_event (gs_run *s, place *p, int *found, int *flag)
   return info;
 }
 
+/* The step made again ends before the last event that was told, or could not be made: on from that
+ * event, as from one that changes something.  The functions are as they were behind it. */
+static void
+on_from_told (gs_run *s, const place *p, int *event, int *flag)
+{
+  gs_recall (s);
+  memcpy (s->event, s->known, sizeof (double) * s->r->nx);
+  s->t = p->begin;
+  s->y = s->event;
+  *event = 1;
+  *flag = 0;
+}
+
 int
 gs_events_in_step (gs_run *s, double from, int *event, int *flag)
 {
@@ -245,19 +258,30 @@ gs_events_in_step (gs_run *s, double from, int *event, int *flag)
     e.fresh[i] = e.fresh[i] >= 2 ? 3 - e.fresh[i] : e.fresh[i];
   *event = *flag = 0;
   memcpy (s->known, s->x, sizeof (double) * s->r->nx);
-  while ((info = next_event (s, &p, &found, flag)) == 0 && *flag >= 0 && found != 0)
+  while ((info = next_event (s, &p, &found, flag)) == 0)
     {
+      if (p.begin > from && (*flag < 0 || p.end < p.begin))
+        {
+          on_from_told (s, &p, event, flag);
+          return FINISHED;
+        }
+      if (*flag < 0 || found == 0)
+        break;
       if (found < 0)
         continue;
       int so_far = *gs_events_planned (s).count;
       if ((info = act (s, &p)) != 0)
         return info;
       *event = changed (s, so_far);
-      if (! *event && (*flag = go_on (s, &p)) < 0)
-        break;
+      if (! *event && (*flag = go_on (s, &p)) < 0)   /* on from the event, too */
+        {
+          memcpy (s->event, s->known, sizeof (double) * s->r->nx);
+          *event = 1;
+        }
       if (*event || p.end <= p.t)
         {
           *event = 1;
+          *flag = 0;
           s->t = p.t;
           s->y = s->event;
           return FINISHED;

@@ -15,6 +15,25 @@ function test_user_events ()
   pair ();
   limit ();
   sums ();
+  slab ();
+end
+
+## an event is told just before another one, up to which radau makes its step again, perhaps shorter
+## than to the first one
+function slab ()
+  m = gsmbp_fixture ("event_slab");
+  for d = [0.18, 0.25, -0.21, 0.3]
+    at = [];
+    for method = {"dp853", "radau", "cvode"}
+      [r, info] = gsmbp_simulate (m, [0 d 0 0], [0 2], "method", method{1});
+      told = strcmp (r.events.name, "go");
+      gsmbp_check (sprintf ("a block from %g m, %s: each passage once", d, method{1}), ...
+                   info == 0 && all (diff (r.events.t(told)) > 1e-4));
+      at = [at, {r.events.t(told)}];
+    end
+    gsmbp_check ("at the same times", numel (at{1}) == numel (at{2}) ...
+                 && max (abs (at{1} - at{2})) < 1e-7);
+  end
 end
 
 ## a sum of coordinates passes a height up and down, as told by events up, down and both ways: its
