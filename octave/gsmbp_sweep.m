@@ -67,7 +67,8 @@
 ## without "file": of the whole runs that are kept, a struct array of name, unit, values (a row for
 ## each run); with "file" they are there alone
 ## @item mean, std, min, max, quantiles
-## of what is kept, over the runs that came to their end; quantiles at 0.05, 0.5, 0.95, a row each
+## of what is kept, over the runs that came to their end and have it (an event may never have been;
+## then no demand of it is kept); quantiles at 0.05, 0.5, 0.95, a row each
 ## @item correlation
 ## of ranks (Spearman) of what is kept, a column each, with the parameters, a row each
 ## @item first, total

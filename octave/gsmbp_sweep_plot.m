@@ -61,7 +61,8 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
   gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (ending), size, look), lines, table);
 endfunction
 
-## the runs that came to their end: parameters P, the quantity Z, names and labels
+## the runs that came to their end and have a number there: parameters P, the quantity Z, names and
+## labels
 function s = chosen (who, w, name)
   k = rows (w.correlation);
   s.at = k + 1;
@@ -74,8 +75,9 @@ function s = chosen (who, w, name)
   if (s.at > columns (w.values))
     error ("%s: nothing was kept of the runs but whole ones, which gsmbp_plot draws", who);
   endif
-  s.p = w.values(w.ok,1:k);
-  s.z = w.values(w.ok,s.at);
+  here = w.ok & ! isnan (w.values(:,s.at));
+  s.p = w.values(here,1:k);
+  s.z = w.values(here,s.at);
   s.names = w.names(1:k);
   s.name = w.names{s.at};
   s.labels = cellfun (@label, w.names, w.units, "UniformOutput", false);

@@ -2,18 +2,21 @@
 ## The indices of Sobol of K parameters, a row each, for the columns of VALUES, which stand in the
 ## arrangement of Saltelli: A, B, then A with one column of B after the other.  Saltelli and others
 ## (2010), table 2: (b) for the first order, (f), Jansen's, for the total; samples with a run that
-## failed are left out.
+## has no number in a column are left out there.
 
 function [first, total] = gsmbp__sobol_indices (values, k)
   n = rows (values) / (k + 2);
-  v = permute (reshape (values, n, k + 2, columns (values)), [1, 3, 2]);
-  v = v(all (all (isfinite (v), 3), 2),:,:);
-  [a, b] = deal (v(:,:,1), v(:,:,2));
-  variance = var ([a; b], 1, 1);
+  v = reshape (values, n, k + 2, columns (values));
   [first, total] = deal (NaN (k, columns (values)));
-  for j = 1:k
-    c = v(:,:,2+j);
-    first(j,:) = mean ((b - mean ([a; b], 1)) .* (c - a), 1) ./ variance;
-    total(j,:) = mean ((a - c) .^ 2, 1) / 2 ./ variance;
+  for i = 1:columns (values)
+    x = v(:,:,i);
+    x = x(all (isfinite (x), 2),:);
+    [a, b] = deal (x(:,1), x(:,2));
+    variance = var ([a; b], 1);
+    for j = 1:k
+      c = x(:,2+j);
+      first(j,i) = mean ((b - mean ([a; b])) .* (c - a)) / variance;
+      total(j,i) = mean ((a - c) .^ 2) / 2 / variance;
+    endfor
   endfor
 endfunction

@@ -11,7 +11,7 @@ function c = gsmbp__sweep_corners (w, table, values)
   c = struct ("name", w.names(k+1:end), "largest", NaN, "at_largest", "", "least", NaN, ...
               "at_least", "", "failed", {{}});
   [c.failed] = deal (failed);
-  for j = 1:numel (c) * any (w.ok)
+  for j = find (any (! isnan (values(w.ok,:)), 1))
     [c(j).largest, i] = max (values(:,j));
     c(j).at_largest = word (i);
     [c(j).least, i] = min (values(:,j));

@@ -73,6 +73,27 @@ function limit ()
   gsmbp_check ("it is told once each time", counts == 2);
 end
 
+## statistics of what some runs never have: those of the others, each column by itself
+function never (m)
+  w = gsmbp_sweep (m, [1 0], 0:0.5:1, "vary", struct ("last", [0.2 1], "g", [8 12]), "runs", 40, ...
+                   "keep", {"count hit", "first hit"}, "demand", {"first hit", 0, 1});
+  here = w.values(:,3) > 0;
+  first = sqrt (2 ./ w.values(here,2));
+  gsmbp_check ("some never hit", w.ok & any (here) & ! all (here) ...
+                                 & isnan (w.values(:,4)) == ! here);
+  gsmbp_check ("mean, deviation, ends, quantiles of the others", ...
+               [w.mean(2), w.std(2), w.min(2), w.max(2), w.quantiles(2,2)] ...
+                 - [mean(first), std(first), min(first), max(first), median(first)], 1e-8);
+  gsmbp_check ("ranks: the heavier the sooner, all of the others", w.correlation(2,2) + 1, 1e-12);
+  gsmbp_check ("the demand is kept by these", w.yield - mean (here), 1e-12);
+  s = {m, [1 0], 0:0.5:1, "vary", struct("last", [0.2 1], "g", [8 12]), "plan", "indices", ...
+       "runs", 32};
+  [one, both] = deal (gsmbp_sweep (s{:}, "keep", {"count hit"}), ...
+                      gsmbp_sweep (s{:}, "keep", {"first hit", "count hit"}));
+  gsmbp_check ("indices of a column do not depend on the others", ...
+               [one.first - both.first(:,2), one.total - both.total(:,2)], 0);
+end
+
 ## two balls that bounce together, with a step from one bounce to the next
 function pair ()
   m = gsmbp_fixture ("sensitivity_pair");
@@ -305,6 +326,7 @@ function many ()
     gsmbp_check ("a sweep keeps when the first one was, and the last, how many there were", ...
                  w.values(i,2:5) - [sqrt(2 / m.par.g), t(end), numel(t), 1], 1e-9);
   end
+  never (m);
   e = gsmbp_ensemble (m, [1 0], 0:0.5:5, "parameters", struct ("e", [0.5 0.8]));
   gsmbp_check ("one whose bounces accumulate fails, whatever comes then", e.ok' == [false, true]);
 end
