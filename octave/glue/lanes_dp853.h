@@ -252,9 +252,10 @@ lane_group::after_8 (int lane)
   // rows within the step and events in it need all stages
   const bool all = m_tim[l.istp[1]] < l.tn || l.ip[GS_EVENTS] > 0;
   if (all)
-    m_f.get (lane, l.stages (), 12 * m_s.nx);
-  if (all)
-    m_xs.get (lane, l.stages () + 12 * m_s.nx, m_s.nx);
+    {
+      m_f.get (lane, l.stages (), 12 * m_s.nx);
+      m_xs.get (lane, l.stages () + 12 * m_s.nx, m_s.nx);
+    }
   judge_8 (lane, l.ier == 0 ? m_err(0, lane) : 0);
 }
 

@@ -44,9 +44,10 @@ lane_group::begun_4 (void)
   fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
                     m_slow.begin ());
   part_where (m_slow);
-  if (m_together && ! some_below (m_runs, 1))
+  const bool all = ! some_below (m_runs, 1);
+  if (m_together && all)
     return true;
-  m_together = ! some_below (m_runs, 1);   // then as they are now until one parts
+  m_together = all;   // then as they are now until one parts
   bool some = false;
   for (int k = 0; k < lane_count; k++)
     {

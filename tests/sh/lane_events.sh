@@ -2,6 +2,7 @@
 # states by chance; the bits of a state are the same at every place, also beside bad ones, which it
 # leaves to the caller. Scenes whose EVT is no straight line have none, and gsmbp_fortran says so.
 . tests/tools/check.sh
+. tests/tools/lanes.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -79,19 +80,6 @@ contains
 end program
 F
 
-# vectorized FILE: the loop with the whole of EVT_W, by the report of the compiler
-vectorized() {
-  awk 'FILENAME != "report" {
-      if (/^      SUBROUTINE/) inside = /_EVT_W\(/
-      if (inside && /-- all of one state/) whole = 1
-      if (whole && /DO [0-9]+ IS = 1, 8/) { first = FNR; label = $2 + 0 }
-      if (whole && first && $1 == label && /CONTINUE/) { last = FNR; whole = 0 }
-      next
-    }
-    /optimized: loop vectorized/ { split($0, p, ":"); if (p[2] >= first && p[2] <= last) ok = 1 }
-    END { exit !ok }' "$1" report
-}
-size() { sed -n "s/.*\"$2\": \([0-9]*\).*/\1/p" "$1.json" | head -n 1; }
 # columns NAME ARRAY: of an argument of EVT_W; 0 where it has none
 columns() {
   sed -n '/_EVT_W(/,/^      END/p' "$1.f" | tr -d '\n' | grep -o "[ ,]$2(LDK,[0-9]*)" | head -n 1 |
@@ -108,7 +96,7 @@ while read -r name ports; do
     s/= NE/= $(columns "$name" GV)/
     s/= PORTS/= $ports/" beside.f90 >main.f90
   gfortran $flags -fopt-info-vec -c "$name.f" >report 2>&1
-  vectorized "$name.f"
+  vectorized EVT_W "$name.f"
   told $? "$name: EVT_W is vectorized" report
   gfortran -O1 -ffree-line-length-none -o beside main.f90 "$name.o" gs*.o >>log 2>&1 &&
     ./beside >values

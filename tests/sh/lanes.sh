@@ -2,6 +2,7 @@
 # errors are not larger; the bits of a set of parameters are the same at every place, whatever the
 # number of sets and those beside it, also bad ones, which it leaves to the caller.
 . tests/tools/check.sh
+. tests/tools/lanes.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -163,19 +164,6 @@ routines() {
     }
     inside' "$2"
 }
-# vectorized FILE: the loop with the whole of PRE_W, by the report of the compiler
-vectorized() {
-  awk 'FILENAME != "report" {
-      if (/^      SUBROUTINE/) inside = /_PRE_W\(/
-      if (inside && /-- all of one state/) whole = 1
-      if (whole && /DO [0-9]+ IS = 1, 8/) { first = FNR; label = $2 + 0 }
-      if (whole && first && $1 == label && /CONTINUE/) { last = FNR; whole = 0 }
-      next
-    }
-    /optimized: loop vectorized/ { split($0, p, ":"); if (p[2] >= first && p[2] <= last) ok = 1 }
-    END { exit !ok }' "$1" report
-}
-size() { sed -n "s/.*\"$2\": \([0-9]*\).*/\1/p" "$1.json" | head -n 1; }
 
 gfortran -O2 -march=native -fopenmp-simd -c "$root"/share/fortran/functions/gs*.f
 flags='-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd -frecursive'
@@ -188,7 +176,7 @@ for name in puma560 slider_crank andrews hooke puma6 pend2; do
     beside.f90 >main.f90
   gfortran $flags -fopt-info-vec -c scene.f >report 2>&1
   if [ "$name" != andrews ]; then   # it has an arc tangent
-    vectorized scene.f
+    vectorized PRE_W scene.f
     told $? "$name: PRE_W is vectorized" report
   fi
   gfortran -O1 -freal-8-real-16 -c qpre.f quad.f && gfortran -O1 -o beside main.f90 scene.o \
