@@ -42,8 +42,13 @@
 ## @item final
 ## the states at the last time, a row for each run
 ## @item events
-## in scenes that have events, a struct with a row for each of all runs, run by run (10000 a run at
-## most): @code{run}, @code{t} [s], @code{number} (of @code{m.events}), @code{mode} (after it)
+## in scenes that have events, a struct with a row for each of all runs, run by run: @code{run},
+## @code{t} [s], @code{number} (of @code{m.events}), @code{mode} (after it); of a run the first
+## 10000 of them, and a warning (@code{gsmbp:events}) where one had more
+## @item counted
+## in scenes that have events, a struct with a row for each run and a column for each of
+## @code{m.events}: @code{count}, how many there were, @code{first} and @code{last} [s], when the
+## first and the last one was (NaN: there was none); of all events, those that are not listed, too
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
 ## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
@@ -91,7 +96,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     x0 = rows.starts(1,:);
   endif
   p = gsmbp__from_given (gsmbp__run_setup (who, m, x0, times, o), x0);
-  [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m, rows);
+  [x, v, y, counts, values, info, counted, seconds, lanes, events] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
   e = judged (e, p, rows, counts, values, info, size (x));
@@ -100,6 +105,8 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   if (! isempty (m.events))
     e.events = struct ("run", events(1,:)', "t", events(2,:)', "number", events(3,:)', "mode", ...
                        events(4,:)');
+    e.counted = counted_of (numel (m.events), counted);
+    warn_of_more (who, m, sum (e.counted.count, 2), accumarray (events(1,:)', 1, [rows.n, 1]));
   endif
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
@@ -110,25 +117,25 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
 endfunction
 
 ## the runs whose parameters break no rule of the scene; NaN and zeros for the others
-function [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m, rows)
+function [x, v, y, counts, values, info, counted, seconds, lanes, events] = run_all (p, m, rows)
   good = strcmp (rows.broken, "");
   sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
-           [m.sizes.ny, numel(p.times)], 20, 20, 2};
-  all_ = cell (1, 6);
-  for i = 1:6
+           [m.sizes.ny, numel(p.times)], 20, 20, 2, 3 * numel(m.events)};
+  all_ = cell (1, 7);
+  for i = 1:7
     all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
   endfor
   [seconds, lanes, events] = deal (0, false, zeros (4, 0));
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
-    some = cell (1, 6);
-    [some{:}, seconds, lanes, events] = ...
+    some = cell (1, 7);
+    [some{1:6}, seconds, lanes, events, some{7}] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
                     of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
                     rows.lanes);
     events(1,:) = find (good)(events(1,:))(:)';
-    for i = 1:6
+    for i = 1:7
       if (i <= 3)
         all_{i}(:,:,good) = some{i};
       else
@@ -136,7 +143,27 @@ function [x, v, y, counts, values, info, seconds, lanes, events] = run_all (p, m
       endif
     endfor
   endif
-  [x, v, y, counts, values, info] = all_{:};
+  [x, v, y, counts, values, info, counted] = all_{:};
+endfunction
+
+## columns for the N event functions from rows of counts and times
+function c = counted_of (n, counted)
+  part = @(k) counted(k*n+(1:n),:)';
+  c = struct ("count", part (0), "first", part (1), "last", part (2));
+  none = c.count == 0;
+  [c.first(none), c.last(none)] = deal (NaN);
+endfunction
+
+## runs that had more events than are listed
+function warn_of_more (who, m, count, listed)
+  more = count > listed;
+  if (any (more))
+    [most, k] = max (count .* more);
+    warning ("gsmbp:events", ["%s: %s: %d of %d runs had more events than are listed of a run " ...
+                              "(run %d has %d, the first %d of them are): take shorter runs to " ...
+                              "have all; those of e.counted are of all"], who, m.name, ...
+             nnz (more), numel (more), k, most, listed(k));
+  endif
 endfunction
 
 ## its own options, and those of gsmbp_simulate

@@ -302,7 +302,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
 
   reached = counts(5);
-  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, values, events);
+  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, values, number(2));
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
@@ -319,7 +319,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   if (! isempty (m.events))
     result.events = gsmbp__event_list (m, events);
-    s.events = number;
+    s.events = number(1);
   endif
   if (! isempty (o.audit))
     result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
@@ -356,8 +356,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     if (info == 3 && counts(7) == 8 && counts(6) < 4)
       gsmbp__no_beginning (who, m, times(1), x0, counts(6));
     endif
-    if (info == 3 && counts(7) == 7 && ! isempty (events))
-      text = [", " m.events(events(2,end)).name ","];
+    if (info == 3 && counts(7) == 7 && number(3) > 0)
+      text = [", " m.events(number(3)).name ","];
       values(8) = max (values(8), events(1,end));   # the others than GSSIM: their last step
     endif
     error ("gsmbp:info", "%s: %s: %s", who, m.name,

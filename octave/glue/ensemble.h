@@ -21,6 +21,7 @@ public:
     m_counts = m_results.counts.fortran_vec ();
     m_values = m_results.values.fortran_vec ();
     m_info = m_results.info.fortran_vec ();
+    m_counted = m_results.counted.fortran_vec ();
   }
 
   void run_all (int threads);
@@ -63,7 +64,7 @@ private:
   const ensemble_rows& m_rows;
   const bool m_lanes;
   ensemble_results m_results;
-  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info;
+  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info, *m_counted;
   std::atomic<int> m_next, m_done;
   std::mutex m_plan;
   const reals m_common;              // the parameters of all runs
@@ -176,7 +177,10 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
         y[S.ny * k + j] = double (one[j]);
     }
   if (S.nev > 0)
-    m_results.events[i] = m_s.plan->events_of (ip, rp);
+    {
+      m_results.events[i] = m_s.plan->events_of (ip, rp);
+      m_s.plan->counted (ip, rp, m_counted + std::size_t (3) * S.nev * i);
+    }
   m_info[2 * i] = r.info;
   for (int j = 0; j < 20; j++)
     {
@@ -256,7 +260,8 @@ ensemble::run_all (int threads)
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
 // starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
-// outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events
+// outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events, how many of
+// each function there were and when
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
@@ -273,5 +278,6 @@ do_ensemble (arguments& a, int)
   p.settle ();
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events ());
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events (),
+              r.counted);
 }

@@ -52,13 +52,13 @@ private:
 struct ensemble_results
 {
   NDArray x, v, y;
-  Matrix counts, values, info;
+  Matrix counts, values, info, counted;   // COUNTED: as run_plan has it
   std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)
     : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
       y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0), events (S.nev > 0 ? n : 0)
+      info (2, n, 0.0), counted (3 * S.nev, n, 0.0), events (S.nev > 0 ? n : 0)
   { }
 
   // a column for each event: run, time, number, mode after it

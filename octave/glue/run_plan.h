@@ -27,6 +27,9 @@ public:
 
   // time, number and mode after it of each event of a run with those
   std::vector<double> events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const;
+  // of each event function how many events it had, when the first and the last one was, into three
+  // columns of TO, one behind the other; not a number where there was none
+  void counted (const std::vector<int>& own_ip, const unset_reals& own_rp, double *to) const;
 
   // of each event function whether its event changes what follows
   std::vector<char> changing_events (void);
@@ -54,6 +57,7 @@ private:
   int m_nx;
   doubles m_rp;
   std::size_t m_record[2] = { 0, 0 };      // where in it the record of the events begins and ends
+  std::size_t m_first, m_latest, m_times;  // ... where those of gs_events are, in RP and in IP
 };
 
 void
@@ -74,6 +78,18 @@ run_plan::events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) 
   for (std::size_t k = 0; k < list.size (); k++)
     list[k] = double (own_rp[m_record[0] + k / 3 * width + k % 3]);
   return list;
+}
+
+void
+run_plan::counted (const std::vector<int>& own_ip, const unset_reals& own_rp, double *to) const
+{
+  for (int k = 0; k < S.nev; k++)
+    {
+      const int times = own_ip[m_times + k];
+      to[k] = times;
+      to[S.nev + k] = times > 0 ? double (own_rp[m_first + k]) : no_number;
+      to[2 * S.nev + k] = times > 0 ? double (own_rp[m_latest + k]) : no_number;
+    }
 }
 
 // SIZE numbers of a field, a null pointer where it is []
@@ -198,8 +214,12 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
   rp.assign (m_rp.begin (), m_rp.end ());
   if (ip[GS_EVENTS] > 0)
     {
-      m_record[0] = events ().record - &m_rp[0];
-      m_record[1] = events ().level - &m_rp[0];
+      const gs_events e = events ();
+      m_record[0] = e.record - &m_rp[0];
+      m_record[1] = e.level - &m_rp[0];
+      m_first = e.first - &m_rp[0];
+      m_latest = e.latest - &m_rp[0];
+      m_times = e.times - &ip[0];
     }
 }
 

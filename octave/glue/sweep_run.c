@@ -456,15 +456,15 @@ static double
 of_events (const gs_sweep *s, const gs_room *r, int way, int number)
 {
   const gs_events a = gs_planned_events (s->nx, r->ip, r->rp);
-  int many = *a.count < a.nr ? *a.count : a.nr, count = 0;
+  int count = 0;
   double first = NAN, last = NAN;
-  for (int k = 0; k < many; k++)
+  for (int k = 0; k < a.ne; k++)
     {
-      const double *event = a.record + (size_t) k * (3 + 2 * (size_t) s->nx);
-      if ((int) s->groups.x[(int) event[1] - 1] != number)
+      if ((int) s->groups.x[k] != number || a.times[k] == 0)
         continue;
-      first = count++ == 0 ? event[0] : first;
-      last = event[0];
+      first = count == 0 ? a.first[k] : fmin (first, a.first[k]);
+      last = count == 0 ? a.latest[k] : fmax (last, a.latest[k]);
+      count += a.times[k];
     }
   return way == GS_COUNT ? count : way == GS_FIRST ? first : last;
 }

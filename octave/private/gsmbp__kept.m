@@ -1,7 +1,7 @@
 ## kept = gsmbp__kept (who, m, words, times)
 ## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
 ## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
-## of z; of events of (events, n), those of an ensemble of n runs); whole; and for the program of a
+## of z; of events of (counted), of an ensemble); whole; and for the program of a
 ## sweep the numbers of the way, the quantity, the time.  A margin of a control loop has the way 0,
 ## what is kept of events one above 8.
 
@@ -76,20 +76,11 @@ function kept = of_events (who, m, word, name, way)
   if (isempty (k))
     error ("%s: option keep: unknown event %s", who, gsmbp__unknown (name, unique (names)));
   endif
-  groups = gsmbp__event_groups (m)(:);
-  f = {@min, @max, []}{way-8};
-  kept = struct ("what", word, "name", name, "unit", {"s", "s", "1"}{way-8}, "of", ...
-                 @(events, n) of_group (events, n, groups, k, f), "whole", false, "way", way, ...
-                 "number", k, "time", 1);
-endfunction
-
-function z = of_group (events, n, groups, k, f)
-  mine = groups(events.number) == k;
-  if (isempty (f))
-    z = accumarray ([events.run(mine); n], 1, [n, 1]) - ((1:n)' == n);
-  else
-    z = accumarray ([events.run(mine); n], [events.t(mine); NaN], [n, 1], f, NaN);
-  endif
+  mine = gsmbp__event_groups (m) == k;
+  parts = {@(c) min(c.first(:,mine), [], 2), @(c) max(c.last(:,mine), [], 2), ...
+           @(c) sum(c.count(:,mine), 2)};
+  kept = struct ("what", word, "name", name, "unit", {"s", "s", "1"}{way-8}, "of", parts{way-8}, ...
+                 "whole", false, "way", way, "number", k, "time", 1);
 endfunction
 
 function f = of (way, at)

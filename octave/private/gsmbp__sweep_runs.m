@@ -87,6 +87,7 @@ endfunction
 ## each that failed, else ""; made, whether it came to an end of its own; seconds, stopped
 function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
+  warning ("off", "gsmbp:events", "local");    # what is kept counts all
   b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...
               "timeout");
   if (left <= 0)
@@ -113,7 +114,7 @@ function b = chunk (s, i, left)
       continue;
     endif
     if (kept(k).way > 8)
-      parts{k} = kept(k).of (e.events, numel (e.ok));
+      parts{k} = kept(k).of (e.counted);
     else
       parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
     endif

@@ -213,8 +213,8 @@ events (test *a, int ne, const int *kind, const int *input, int nr)
   ie[1] = nr;
   memcpy (ie + 10 + ne, input, ne * sizeof (int));
   memcpy (ie + 10 + 2 * ne, kind, ne * sizeof (int));
-  a->nip += 10 + 6 * ne;
-  a->nrp += 5 * ne + 3 * a->run.nx + nr * (3 + 2 * a->run.nx);
+  a->nip += 11 + 7 * ne;
+  a->nrp += 8 * ne + 3 * a->run.nx + nr * (3 + 2 * a->run.nx);
 }
 
 /* the plan of the samples: nc devices with periods and delays, held outputs of each and their

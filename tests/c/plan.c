@@ -163,8 +163,8 @@ same_parts (const gs_plan *p, int *ip, double *rp, test *f)
       for (int k = 0; k < 2; k++)
         same_int (c.mode[k] + 10 * c.input[k] + 100 * c.kind[k],
                   d.mode[k] + 10 * d.input[k] + 100 * d.kind[k]);
-      same_int (c.record + p->events * (3 + 2 * NX) < rp + gs_reals (p), 1);
-      same_int (c.marks + 2 <= ip + gs_wholes (p), 1);
+      same_int (c.latest + 2 <= rp + gs_reals (p), 1);
+      same_int (c.newest + 1 <= ip + gs_wholes (p), 1);
     }
 }
 

@@ -13,6 +13,10 @@ static double *
 new_record (const gs_events *a, double t, const double *x, int nx, int l)
 {
   *a->count += 1;
+  if (a->times[l - 1]++ == 0)
+    a->first[l - 1] = t;
+  a->latest[l - 1] = t;
+  *a->newest = l;
   if (*a->count > a->nr)
     return NULL;
   double *r = a->record + (*a->count - 1) * (3 + 2 * nx);

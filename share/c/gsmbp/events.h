@@ -33,6 +33,8 @@ typedef struct
   int *by;        /* ns: numbers of event functions, */
   int *switched;  /* ns: of the inputs that they switch, */
   int *on;        /* ns: 1 where the input is held */
+  int *times;     /* ne: how many events a function has had */
+  int *newest;    /* which one has had the last one, 0: none has */
   double *g;      /* ne: event functions */
   double *now;    /* ne, workspace of gsevn from here on: event functions at a place of a step, */
   double *last;   /* ne: at the last point that was looked at, */
@@ -44,6 +46,8 @@ typedef struct
   double *record; /* (3+2*nx,nr): time, number, mode after, states before and after */
   double *level;  /* ne: what a function of the user is at its last event but for rounding */
   double *held;   /* ns: values of the inputs that are held */
+  double *first;  /* ne: when a function had its first event, where it has had one, */
+  double *latest; /* ne: and its last one */
 } gs_events;
 
 /* the plan of which ie and re are the arrays */
@@ -70,6 +74,8 @@ gs_events_of (int nx, int *ie, double *re)
   a.by = a.fresh + a.ne;
   a.switched = a.by + a.ns;
   a.on = a.switched + a.ns;
+  a.times = a.on + a.ns;
+  a.newest = a.times + a.ne;
   a.g = re;
   a.now = a.g + a.ne;
   a.last = a.now + a.ne;
@@ -81,6 +87,8 @@ gs_events_of (int nx, int *ie, double *re)
   a.record = a.end + nx;
   a.level = a.record + a.nr * (3 + 2 * nx);
   a.held = a.level + a.ne;
+  a.first = a.held + a.ns;
+  a.latest = a.first + a.ne;
   return a;
 }
 

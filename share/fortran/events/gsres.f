@@ -37,13 +37,16 @@ C             that ends the run), NE marks, 1 where the function was
 C             above 0 since its last event, NE workspace, NE flags, 1
 C             where the function has just had its event or the run
 C             begins; NS numbers of event functions, NS of the inputs
-C             that they switch, NS flags, 1 where the input is held.
+C             that they switch, NS flags, 1 where the input is held; NE
+C             numbers, how many events a function has had, and the
+C             number of the one that has had the last, 0: none has.
 C     RE      (input/output) DOUBLE PRECISION array: NE event functions,
 C             4*NE and 3*NX workspace (GSEVN); then NR records: time, number, mode
 C             after, NX states before, NX after; then NE levels, what an
 C             event function of the user is at its last event but for
-C             rounding errors (it counts from there), and NS values of
-C             inputs that are held.
+C             rounding errors (it counts from there), NS values of
+C             inputs that are held, NE times of the first and NE of the
+C             last event of a function that has had one.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
 C             more at one instant.
 C
@@ -59,7 +62,8 @@ C
       EXTERNAL           EVT, RST, GSUSE, GSUSL, GSUSD
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
-      INTEGER            NE, JM, JK, JA, JL, JV, I, L, N, R, LS, RS
+      INTEGER            NE, JM, JK, JA, JL, JV, JC, JT, I, L, N, R, LS,
+     $                   RS
       DOUBLE PRECISION   LEAST, G
       LOGICAL            HELD
 C
@@ -70,6 +74,8 @@ C
       JA = 10 + 3*NE
       JL = 10 + 4*NE
       JV = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
+      JC = 10 + 6*NE + 3*IE(10)
+      JT = JV + NE + IE(10)
       IE(7) = K
       IE(9) = 0
       CALL GSUSE( K, IE )
@@ -89,6 +95,10 @@ C
             END IF
             IF ( IE(6).NE.2 .OR. IE(JK+L).GT.2 ) THEN
                IE(3) = IE(3) + 1
+               IE(JC+L) = IE(JC+L) + 1
+               IE(JC+NE+1) = L
+               IF ( IE(JC+L).EQ.1 ) RE(JT+L) = T
+               RE(JT+NE+L) = T
                IF ( IE(3).LE.IE(2) ) R = 5*NE + 3*NX
      $                                   + ( IE(3) - 1 )*( 3 + 2*NX )
             END IF

@@ -46,13 +46,15 @@ gs_loop_samples (const gs_scene *s, int *ip, double *rp, int *sizes)
   return (int)(a.record - rp);
 }
 
-/* the same of the events */
+/* the same of the events, then the numbers of the one that ended the run and of the last one */
 int
 gs_loop_events (int nx, int *ip, double *rp, int *sizes)
 {
   gs_events a = gs_planned_events (nx, ip, rp);
   sizes[0] = a.nr;
   sizes[1] = *a.count;
+  sizes[2] = *a.ended;
+  sizes[3] = *a.newest;
   return (int)(a.record - rp);
 }
 

@@ -562,14 +562,13 @@ def _ended(run):
         return None
     run['info'] = 0
     last = run['values'][7]
-    record = _recorded(run)[0]
-    here = [TABLE['events'][int(k) - 1] for k in record[1, record[0] == last]]
+    number = int(_recorded(run)[2])
     k = int(run['counts'][4])
     if k == 0 or run['times'][k - 1] < last:
         run['times'] = np.array(run['times'], float)
         run['times'][k] = last
         run['counts'][4] += 1
-    return next((event['name'] for event in here if event['ends']), '')
+    return TABLE['events'][number - 1]['name']
 
 
 def _stats(model, run, method):
@@ -629,8 +628,7 @@ def _at_work(run):
     if counts[5] == 10:
         number = int(counts[18])
     else:
-        record = _recorded(run)[0]
-        number = int(record[1, -1]) if record.shape[1] else 0
+        number = int(_recorded(run)[3])
     return ', %s,' % TABLE['events'][number - 1]['name'] if number > 0 else ''
 
 
@@ -672,15 +670,16 @@ def _records(run, first, width, n):
 
 
 def _recorded(run):
-    """The records of events, a column each, and how many events there were."""
-    sizes, nx = np.zeros(3, np.intc), len(run['x'])
+    """The records of events, a column each; how many events there were; the numbers of the one that
+    ended the run and of the last one, 0 where there was none."""
+    sizes, nx = np.zeros(4, np.intc), len(run['x'])
     first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
-    return _records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1]))), int(sizes[1])
+    return (_records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1]))), *sizes[1:].tolist())
 
 
 def _events(model, run, nx):
     """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
-    record, all_ = _recorded(run)
+    record, all_ = _recorded(run)[:2]
     count = record.shape[1]
     numbers = record[1].astype(int) - 1
     before, after = record[3:3 + NX], record[3 + nx:3 + nx + NX]
