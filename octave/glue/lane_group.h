@@ -193,7 +193,8 @@ private:
   bool passage (int lane, double from, double to);
   double search (int lane, double from, double to, double& at);
   double *sizes (void) { return &m_p(14 + 3 * S.nq, 0); }
-  void park (int lane);
+  void park (int lane, int known = 0);
+  void rest (int lane);
   void take_numbers (int lane);
   bool any (void) const;
   bool left (void);

@@ -118,16 +118,29 @@ lane_group::take_numbers (int lane)
   m_cst.put (lane, &l.r.cst[0], S.ncst);
 }
 
-// zero rates and steps: its state stays
+// zero rates and steps: its state stays.  The rates of the first KNOWN stages do, too.
 void
-lane_group::park (int lane)
+lane_group::park (int lane, int known)
 {
   for (int k = 0; k < m_s.nx; k++)
     m_h(k, lane) = 0;
-  for (int k = 0; k < (m_iopt[0] == 4 ? 4 : 12) * m_s.nx; k++)   // those of its stages
+  for (int k = known * m_s.nx; k < (m_iopt[0] == 4 ? 4 : 12) * m_s.nx; k++)
     m_f(k, lane) = 0;
   m_step(0, lane) = 0;
   m_active[lane] = 0;
+}
+
+// for the rest of a step in which a stage has failed: the next trial begins with the same rates
+// and is shorter than this one
+void
+lane_group::rest (int lane)
+{
+  bool known = true;
+  for (int k = 0; k < m_s.nx; k++)
+    known = known && std::fabs (m_f(k, lane)) <= 1e300;
+  if (m_l[lane].joined)
+    m_l[lane].h = m_step(0, lane);
+  park (lane, known);
 }
 
 // the beginning of GSSIM; false where the run has ended
@@ -238,7 +251,7 @@ lane_group::inputs_of (int lane, double t, int side, const double *x)
       m_failed = true;
       l.r.istat[5] = info;
       l.r.istat[6] = 1;
-      park (lane);
+      rest (lane);
       return;
     }
   m_v.put (lane, l.inputs (), S.nv);
@@ -271,7 +284,7 @@ lane_group::told (int lane, int info, double t)
       m_failed = true;
       istat[5] = info;
       istat[6] = 2;
-      park (lane);
+      rest (lane);
     }
 }
 

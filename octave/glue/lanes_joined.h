@@ -88,7 +88,8 @@ lane_group::part (int lane)
   std::vector<int>& n = l.r.istat;
   m_x.get (lane, l.state (), m_s.nx);
   l.t = m_c(c_t, lane);
-  l.h = m_step(0, lane);
+  if (l.ier == 0)   // else that of the step that has failed
+    l.h = m_step(0, lane);
   l.tn = m_tn(0, lane);
   l.at = int (m_at(0, lane));
   n[0] = int (m_c(c_calls, lane));
