@@ -295,11 +295,25 @@ function e = judged (e, p, rows, counts, values, info, extent)
   e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
   e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
   for i = find (! e.ok & strcmp (e.reason, ""))'
-    e.reason{i} = reason (m, info(:,i), counts(:,i), values(:,i), moved(i), last_of (e, i, counts));
+    if (info(1,i) == 3 && counts(7,i) == 7 && counts(6,i) == 13)
+      e.reason{i} = gsmbp__wrong_mode (of_row (m, rows, i), e.t(1), at_first(:,i), p.o.modes, ...
+                                       counts(19,i));
+    else
+      e.reason{i} = reason (m, info(:,i), counts(:,i), values(:,i), moved(i), ...
+                            last_of (e, i, counts));
+    endif
   endfor
   for i = find (! e.ok)'   # a state where a run ended is none at a time that was asked for
     bad = {counts(5,i)+1:extent(2), 1:extent(2)}{1 + (far(i) || broken(i))};
     [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
+  endfor
+endfunction
+
+## the model with the parameters of run I
+function m = of_row (m, rows, i)
+  names = fieldnames (m.par)(rows.which);
+  for k = 1:numel (names)
+    m = gsmbp_set (m, names{k}, rows.table(i,k));
   endfor
 endfunction
 

@@ -173,8 +173,9 @@
 ## leave them out.
 ## @table @code
 ## @item "modes"
-## the modes at @var{times}(1), one for each of @code{m.events}; default: as the
-## state says
+## the modes at @var{times}(1), one for each of @code{m.events} (0 for an event of the user), as a
+## run before has them in its @code{v}; default: as the state says.  Modes that contradict the
+## state are an error
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
@@ -297,6 +298,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
   [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held, ...
    followed, moved] = m.module ("sim", p.arguments{:});
+  if (info == 3 && counts(7) == 7 && counts(6) == 13)
+    error ("%s: %s: %s", who, m.name,
+           gsmbp__wrong_mode (m, times(1), x0(1:d.nx), o.modes, counts(19)));
+  endif
   if (strcmp (method, "auto"))
     method = {"dp853", "radau"}{1 + (counts(14) > 0)};
   endif

@@ -546,6 +546,7 @@ cause (int number, int info)
 {
   static const struct { int number, info; const char *text; } known[] = {
     { 7, 9, "more than 100 events at one instant" },
+    { 7, 13, "a mode that is given contradicts the state" },
     { 7, 12, "a reset gives a state a value that the loops do not leave it; expected resets of "
       "independent coordinates and speeds" },
     { 7, 10, "an event comes faster and faster until its intervals are nothing beside the time (a "

@@ -1,10 +1,14 @@
-## gsmbp__check_stops (who, m, t, x)
-## No port with a stop (variant event) of the model M may be beyond its ends at the start X.
+## gsmbp__check_stops (who, m, t, x, modes)
+## No port with a stop (variant event) of the model M may be beyond its ends at the start X, but one
+## that MODES say is in contact: what it may be off by then the run time decides (GSRSM).
 
-function gsmbp__check_stops (who, m, t, x)
+function gsmbp__check_stops (who, m, t, x, modes)
   stops = find (strcmp ({m.events.kind}, "stop"));
   if (isempty (stops))
     return;
+  endif
+  if (! isempty (modes))
+    stops = stops(modes(stops) == 0);
   endif
   none = zeros (m.sizes.nv, 1);
   inside = m.evt (t, x, none, zeros (m.sizes.nmode, 1));

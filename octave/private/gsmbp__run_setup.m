@@ -23,7 +23,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);
-  gsmbp__check_stops (who, m, t0, x0);
+  gsmbp__check_stops (who, m, t0, x0, o.modes);
   p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
   [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);
   breaks = unique ([breaks, double(o.breaks(:)')]);

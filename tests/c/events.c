@@ -276,12 +276,12 @@ con_ (const double *t, const double *q, const double *u, const double *cst, doub
 static void
 ports_of_a_scene (void)
 {
-  int jumps = 0;
-  begin ("gshld, gsipt, gsipm");
+  int jumps = 0, wrong = 0;
+  begin ("gshld, gsipt, gsipm, gsrsm");
   for (int i = 0; i < 2000; i++)
     {
       ports p = some_ports ();
-      const int n = p.n, nv = p.k + 1, l = pick (p.k + 2) - 1;
+      const int n = p.n, nv = p.k + 1, l = pick (5) == 0 ? -4 : pick (p.k + 2) - 1;
       const int ipl[4] = { 2, 1, 3, 4 };
       gs_scene s = { .nq = n, .nu = n, .nx = 2 * n, .nv = nv, .nlam = p.m, .mas = mas, .con = con,
                      .stk = stk, .hld = hld };
@@ -292,6 +292,7 @@ ports_of_a_scene (void)
       int info = 0;
       here = &p;
       const double before = x.c[n];
+      const ports was = p;
       int made = gsipt (&s, t, x.c, v.c, p.mode, l, 0, p.k, p.kind, ipl, w.c);
       gsipt_ (stk_, hld_, mas_, con_, &t, x.f, v.f, p.fmode, &l, (double *)0, &n, &n, &nv, &p.m,
               &p.k, p.kind, ipl, w.f, &info);
@@ -299,7 +300,10 @@ ports_of_a_scene (void)
       same (x);
       same (v);
       for (int j = 0; j < p.k; j++)
-        same_int (p.mode[j], p.fmode[j]);
+        {
+          same_int (p.mode[j], p.fmode[j]);
+          wrong += l == -4 && p.mode[j] != was.mode[j];
+        }
       jumps += x.c[n] != before;
       drop (x);
       drop (v);
@@ -308,6 +312,7 @@ ports_of_a_scene (void)
     }
   finish ();
   holds (jumps > 100, "... speeds that jump");
+  holds (wrong > 100, "... modes that contradict the state");
 }
 
 int

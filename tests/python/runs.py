@@ -67,6 +67,14 @@ def ball():
     for modes in ([2, 0], [0.5, 0], [0]):
         refuses('modes %s' % modes, ValueError, ['-1, 0 or 1', 'found [%g' % modes[0]], m.simulate,
                 [1, 0, 0, 0], [0, 1], modes=modes)
+    for x0, modes, words in (
+            ([1, 0, 0, 0], [-1, 0], ['expected 0 of ground_stop, which is at 1', 'found -1']),
+            ([0, 2, 0, 1], [-1, 1], ['expected 0 of walls, which moves at 1', 'found 1'])):
+        refuses('modes %s of %s' % (modes, x0), ValueError, words, m.simulate, x0, [0, 1],
+                modes=modes)
+    r = m.simulate([1, 0, 0, 3], [0, 5, 6])
+    again = m.simulate(r.x[:, 1], [5, 6], modes=r.v[:2, 1].astype(int))
+    close('a run goes on with the modes of another', again.x[:, -1], r.x[:, -1], 1e-9)
     x = np.array([1.0, 0, 0, 3])
     for what, v in (('one state', [0.5, 0]), ('many', [[0, 0, 0.5], [0, 0, 0]])):
         refuses('a mode of 0.5 among the inputs of %s' % what, ValueError,

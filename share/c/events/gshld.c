@@ -35,6 +35,12 @@ gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, cons
       gsrsf (s, t, x, v, mode, cst, nh, kind, ipl, w, ud, lam, hold, row, pos, sd, prm);
       return 0;
     }
+  if (k == -4)
+    {
+      s->hld (t, x, v, cst, row, nh, pos, sd, prm);
+      gsrsm (nu, m, nh, kind, mode, row, pos, sd, prm, x + s->nq);
+      return 0;
+    }
   gshld (s, t, x, v, mode, cst, nh, kind, ipl, w, ud, lam, hold, row, pos, sd, prm);
   int info = gsipm (s, t, x, cst, nh, row, a, h, phit, u, ww);
   if (info != 0)

@@ -71,6 +71,31 @@ against (const gs_scene *s, const gs_events *a, double t, double *x, double *v, 
   return 0;
 }
 
+/* do the modes that are given at the start agree with the state? info: 13, ended: the first one
+ * that does not */
+int
+gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v, const double *cst)
+{
+  int ports = 0, info = 0;
+  for (int i = 0; i < a->ne; i++)
+    {
+      a->marks[i] = a->mode[i];
+      ports |= ! gs_is_own (a, i);
+    }
+  if (ports && (info = s->rst (t, x, v, a->mode, -4, cst)) != 0)
+    return info;
+  for (int i = a->ne - 1; i >= 0; i--)
+    {
+      if (a->mode[i] != a->marks[i] || (gs_is_own (a, i) && a->mode[i] != 0))
+        {
+          *a->ended = i + 1;
+          info = 13;
+        }
+      a->mode[i] = a->marks[i];
+    }
+  return info;
+}
+
 int
 gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
        int *ie, double *re)
@@ -83,6 +108,12 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
   *a.cause = k;
   *a.ended = 0;
   gsuse (&a, k);
+  if (k == 0 && a.given == 1)
+    {
+      int info = gsrsg (s, &a, t, x, v, cst);
+      if (info != 0)
+        return info;
+    }
   for (;;)
     {
       double *r = NULL;

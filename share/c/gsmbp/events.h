@@ -213,9 +213,14 @@ int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, 
            double *v, double *w, int *istat, int k);
 
 /* event k (0 the start, -1 inputs may have jumped) and those that follow from it at the same
- * instant. info: that of rst; 9: 100 events and more at one instant */
+ * instant. info: that of rst; 9: 100 events and more at one instant; 13: as gsrsg */
 int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
            int *ie, double *re);
+
+/* do the modes that are given at the start agree with the state? info: that of rst; 13: the one in
+ * a->ended does not */
+int gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v,
+           const double *cst);
 
 /* event functions gv of k ports, above 0 where nothing happens; prm (4,k) as GSEVT */
 void gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
@@ -261,9 +266,14 @@ void gsrsf (const gs_scene *s, double t, const double *x, const double *v, int *
 /* 1 if another port is held that moves as port i (from 0) does, else 0 */
 int gshlj (int nu, int nh, int i, const int *kind, const int *mode, const double *row);
 
-/* what happens at event k of a scene, as l of gsrst; -3: gsrsf. The modes in mode and in v change,
- * the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq + 6*nu +
- * 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
+/* modes that contradict the state are changed to what it says. Arguments as gshld, u (nu): the
+ * speeds */
+void gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const double *row,
+            const double *s, const double *sd, const double *prm, const double *u);
+
+/* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm. The modes in mode and in
+ * v change, the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq +
+ * 6*nu + 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
 int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
            int nh, const int *kind, const int *ipl, double *w);
 

@@ -35,7 +35,8 @@ typedef struct
   const double *memory;    /* nxk: of the sampled devices, otherwise as the scene has it */
   int on_the_way;          /* places for outputs of sampled devices that are on their way */
   int instants;            /* samples that are recorded */
-  const int *modes;        /* nev: of the ports at the start, otherwise they are found */
+  const int *modes;        /* nev: of the ports at the start, otherwise they are found; where they
+                              contradict the state a run fails, istat[GS_FAILED_INFO] is 13 */
   int events;              /* events that are recorded */
 } gs_plan;
 

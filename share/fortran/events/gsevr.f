@@ -28,5 +28,6 @@ C
      $            INFO )
       ISTAT(6) = INFO
       ISTAT(7) = 7
+      IF ( INFO.EQ.13 ) ISTAT(19) = IP(IP(28)+8)
       IF ( INFO.EQ.0 ) ISTAT(7) = 0
       END

@@ -62,7 +62,8 @@ C             coordinates, NU speeds, ...; the speeds jump.
 C     V       (input/output) DOUBLE PRECISION array, the inputs; modes
 C             are set.
 C     MODE    (input/output) INTEGER array, dimension (NH).
-C     K       (input) INTEGER, which event: see L of GSRST; -3: GSRSF.
+C     K       (input) INTEGER, which event: see L of GSRST; -3: GSRSF;
+C             -4: GSRSM.
 C     NQ, NU, NLAM (input) INTEGER, the numbers of coordinates, speeds and
 C             constraints.
 C     W       (workspace) DOUBLE PRECISION array, dimension (3*NU*NU +
@@ -75,7 +76,7 @@ C
       INTEGER            MODE(*), K, NQ, NU, NV, NLAM, NH, KIND(*),
      $                   IPL(*), INFO
       DOUBLE PRECISION   T, X(*), V(*), CST(*), W(*)
-      EXTERNAL           GSHLD, GSIPM, GSRSF, GSRST
+      EXTERNAL           GSHLD, GSIPM, GSRSF, GSRSM, GSRST
       INTEGER            IL, IH, IR, IS, ID, IP, IA, IJ, IT, IU, IW, I
 C
 C     -- inputs, accelerations, multipliers, what holds, rows, places,
@@ -96,6 +97,12 @@ C        speeds and parameters of the ports, M, H, PHIT, speeds
          CALL GSRSF( STK, HLD, T, X, V, MODE, CST, NU, NV, NH, KIND,
      $               IPL, W, W(1+NV), W(IL), W(IH), W(IR), W(IS), W(ID),
      $               W(IP) )
+         RETURN
+      END IF
+      IF ( K.EQ.-4 ) THEN
+         CALL HLD( T, X, V, CST, W(IR), NH, W(IS), W(ID), W(IP) )
+         CALL GSRSM( NU, NLAM, NH, KIND, MODE, W(IR), W(IS), W(ID),
+     $               W(IP), X(NQ+1) )
          RETURN
       END IF
       CALL GSHLD( STK, HLD, T, X, V, MODE, CST, NV, NH, KIND, IPL, W,

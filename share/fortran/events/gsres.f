@@ -28,7 +28,8 @@ C             IE(7)  (output) K, while RST is called;
 C             IE(8)  1 while GSEVN looks for the time of an event in a
 C                    run with IE(6) = 1: states alone are wanted;
 C             IE(9)  (output) the number of the event function that ends
-C                    the run, 0: none does;
+C                    the run, 0: none does; where INFO = 13 that of the
+C                    mode;
 C             IE(10) NS, how many inputs are switched at events of the
 C                    user;
 C             then NE modes, NE numbers of inputs that are the modes,
@@ -48,7 +49,8 @@ C             rounding errors (it counts from there), NS values of
 C             inputs that are held, NE times of the first and NE of the
 C             last event of a function that has had one.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
-C             more at one instant.
+C             more at one instant; 13: a mode that is given contradicts
+C             the state (GSRSM), or is one of an event of the user.
 C
 C     METHOD
 C     An event of the user that falls to 0 at the same instant, or by
@@ -59,7 +61,7 @@ C     are at rest and slide some may have to stick again, or are pushed
 C     against a stop (GSRSF).  Those that stick then come to rest exactly.
 C
       IMPLICIT NONE
-      EXTERNAL           EVT, RST, GSUSE, GSUSL, GSUSD
+      EXTERNAL           EVT, RST, GSRSG, GSUSE, GSUSL, GSUSD
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
       INTEGER            NE, JM, JK, JA, JL, JV, JC, JT, I, L, N, R, LS,
@@ -80,7 +82,11 @@ C
       IE(9) = 0
       CALL GSUSE( K, IE )
       L  = K
-      IF ( L.EQ.0 .AND. IE(5).EQ.1 ) L = -1
+      IF ( L.EQ.0 .AND. IE(5).EQ.1 ) THEN
+         L = -1
+         CALL GSRSG( RST, T, X, V, CST, IE, INFO )
+         IF ( INFO.NE.0 ) RETURN
+      END IF
       LS = -1
       RS = 0
       IF ( L.EQ.0 ) LS = 0
@@ -195,4 +201,39 @@ C     -- what sticks comes to rest
          IF ( RE(I).GT.0.0D0 .OR. ( IE(JK+I).EQ.1 .AND. HELD ) )
      $      IE(JA+I) = 1
    60 CONTINUE
+      END
+      SUBROUTINE GSRSG( RST, T, X, V, CST, IE, INFO )
+C
+C     PURPOSE
+C     Do the modes that are given at the start agree with the state?
+C
+C     ARGUMENTS
+C     As GSRES; IE(9) and INFO = 13 tell the first one that does not.
+C
+      IMPLICIT NONE
+      EXTERNAL           RST
+      INTEGER            IE(*), INFO
+      DOUBLE PRECISION   T, X(*), V(*), CST(*)
+      INTEGER            NE, JM, JK, JL, I, PORTS
+C
+      NE = IE(1)
+      JM = 10
+      JK = 10 + 2*NE
+      JL = 10 + 4*NE
+      INFO = 0
+      PORTS = 0
+      DO 10 I = 1, NE
+         IE(JL+I) = IE(JM+I)
+         IF ( IE(JK+I).LE.2 ) PORTS = 1
+   10 CONTINUE
+      IF ( PORTS.EQ.1 ) CALL RST( T, X, V, IE(JM+1), -4, CST, INFO )
+      IF ( INFO.NE.0 ) RETURN
+      DO 20 I = NE, 1, -1
+         IF ( IE(JM+I).NE.IE(JL+I) .OR. ( IE(JK+I).GT.2 .AND.
+     $        IE(JM+I).NE.0 ) ) THEN
+            IE(9) = I
+            INFO  = 13
+         END IF
+         IE(JM+I) = IE(JL+I)
+   20 CONTINUE
       END

@@ -14,6 +14,7 @@ NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nl
 WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
 METHODS = {'rk4': 4, 'dp853': 8}
 RECORDED = 10000   # events
+WRONG_MODE = 13    # INFO of GSRES: one that is given contradicts the state
 ENDED = 11         # what a run says that an event of the user has ended
 VIN = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.c_int,
                        ctypes.POINTER(ctypes.c_double), ctypes.c_int, ctypes.c_int,
@@ -133,7 +134,7 @@ def _is_number(x):
     return x.shape == () and x.dtype.kind in 'fiub' and bool(np.isfinite(x))
 
 
-def _start(who, model, t, x0, start):
+def _start(who, model, t, x0, start, modes):
     if start not in ('check', 'project'):
         raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
     x = _vector(who, 'x0', x0, NX)
@@ -151,11 +152,12 @@ def _start(who, model, t, x0, start):
     if start == 'check':
         for sentence, _ in margins(model, np.array([t]), x[:, None], np.zeros((NV, 1))):
             raise ValueError('%s: a device cannot be there: %s' % (who, sentence))
-        _stops(who, model, t, x)
+        _stops(who, model, t, x, modes)
     return x
 
 
-def _stops(who, model, t, x):
+def _stops(who, model, t, x, modes):
+    """No port may be beyond an end of its stop, but one that modes say is in contact."""
     events = TABLE.get('events') or []
     if not events or 'evt' not in ROUTINES:
         return
@@ -164,7 +166,8 @@ def _stops(who, model, t, x):
     inside = model.evt(t, x, np.zeros(len(events), np.intc))
     port = model.hld(t, x)
     for k, event in enumerate(events):
-        if event['kind'] == 'stop' and inside[k] < -1e-6:
+        if event['kind'] == 'stop' and inside[k] < -1e-6 and not (
+                modes is not None and np.size(modes) > k and np.ravel(modes)[k]):
             raise ValueError(
                 '%s: the start is beyond an end of the stop %s: expected %g to %g, found %g' % (
                     who, event['name'], *port.prm[:2, k], port.s[k]))
@@ -357,6 +360,20 @@ class _Plan:
             self.put('modes', given, np.intc)
 
 
+def _wrong_mode(model, t, x, modes, k):
+    """Why the mode of event k (from 0), of those that are given, contradicts the state (gsrsm)."""
+    wanted, why, event = 0, 'which has no mode', TABLE['events'][k]
+    if event['kind'] != 'event':
+        port = model.hld(t, x)
+        why = 'which moves at %.6g (m/s or rad/s)' % port.sd[k]
+        low, high = port.prm[:2, k]
+        if event['kind'] != 'stop':
+            wanted = 1 if port.sd[k] > 0 else -1
+        elif abs(port.s[k] - (high if modes[k] > 0 else low)) > 1e-6 * (high - low):
+            why = 'which is at %.6g between %.6g and %.6g (m or rad)' % (port.s[k], low, high)
+    return 'modes: expected %d of %s, %s; found %d' % (wanted, event['name'], why, modes[k])
+
+
 def free_inputs():
     """Places of the inputs that are neither held outputs of devices nor modes."""
     taken = {o for d in TABLE.get('controllers') or [] for o in d['outputs']}
@@ -418,7 +435,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     if errors not in ('raise', 'return'):
         raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
     model, way = _way(who, self, loops)
-    x = _start(who, model, times[0], x0, start)
+    x = _start(who, model, times[0], x0, start, modes)
     iopt, ropt, atol = _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift)
     if audit is not None:
         model._has('rha', 'ene')
@@ -442,6 +459,9 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.failure is not None:
         raise p.failure
+    if run['info'] == 3 and run['counts'][6] == 7 and run['counts'][5] == WRONG_MODE:
+        raise ValueError('%s: %s' % (who, _wrong_mode(model, times[0], x[:NX], modes,
+                                                      int(run['counts'][18]) - 1)))
     return _result(who, model, p, run, method, audit, errors)
 
 

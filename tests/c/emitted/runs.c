@@ -175,6 +175,30 @@ event_pendulum (void)
     }
 }
 
+/* modes at the start that are given: info and its port where they contradict the state */
+static void
+given_modes (void)
+{
+  static const struct { double at, speed; int mode, wrong; } starts[]
+    = { { 0, 1, 1, 0 }, { 0, 0, 1, 0 }, { 0, 1, 0, 1 }, { 0, -1, 1, 1 } };
+  char what[80];
+  for (int k = 0; k < 4; k++)
+    {
+      emitted_event_slide.par (par);
+      start (&emitted_event_slide, 8, 1, (double[]){ starts[k].at, starts[k].speed }, 2, 10);
+      events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
+      int *ie = a.ip + a.ip[GS_EVENTS] - 1;
+      ie[4] = 1;
+      ie[10] = starts[k].mode;
+      snprintf (what, sizeof what, "event_slide, given mode %d at %g m/s", starts[k].mode,
+                starts[k].speed);
+      compare (&a, what, starts[k].wrong ? 3 : 0);
+      if (starts[k].wrong)
+        holds (a.run.istat[GS_FAILED_INFO] == 13 && a.run.istat[GS_ACCUMULATES] == 1,
+               "... contradicts the state");
+    }
+}
+
 /* long steps, functions that fall again at once, waves within a step */
 static void
 rough_steps (void)
@@ -320,6 +344,7 @@ main (int argc, char **argv)
   slider_crank ();
   event_crank ();
   event_pendulum ();
+  given_modes ();
   rough_steps ();
   sampled_crank ();
   passage_events ();
