@@ -28,8 +28,8 @@
 ## @code{gsmbp_simulate} (where the tolerances are given: their defaults follow the sizes
 ## of @var{m}).  In lanes they are the same in whatever lane, but beside
 ## @code{gsmbp_simulate} as rounding has it.  One that fails ends alone.  With loops every
-## start is moved onto the constraints of its run; where that is further than 1e-6 (beside
-## @code{m.nominal}) the run is one that failed, but with "start", "project".
+## start is moved onto the constraints of its run; a run whose start @code{gsmbp_simulate}
+## refuses is one that failed.
 ##
 ## @var{e} has the fields
 ## @table @code
@@ -96,10 +96,10 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     x0 = rows.starts(1,:);
   endif
   p = gsmbp__from_given (gsmbp__run_setup (who, m, x0, times, o), x0);
-  [x, v, y, counts, values, info, counted, seconds, lanes, events] = run_all (p, m, rows);
+  [x, v, y, counts, values, info, counted, seconds, lanes, events, said] = run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
-  e = judged (e, p, rows, counts, values, info, size (x));
+  e = judged (e, p, rows, counts, values, info, said);
   e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
   if (! isempty (m.events))
@@ -117,7 +117,8 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
 endfunction
 
 ## the runs whose parameters break no rule of the scene; NaN and zeros for the others
-function [x, v, y, counts, values, info, counted, seconds, lanes, events] = run_all (p, m, rows)
+function [x, v, y, counts, values, info, counted, seconds, lanes, events, said] = ...
+      run_all (p, m, rows)
   good = strcmp (rows.broken, "");
   sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
            [m.sizes.ny, numel(p.times)], 20, 20, 2, 3 * numel(m.events)};
@@ -126,15 +127,19 @@ function [x, v, y, counts, values, info, counted, seconds, lanes, events] = run_
     all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
   endfor
   [seconds, lanes, events] = deal (0, false, zeros (4, 0));
+  said = repmat ({""}, rows.n, 1);
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
     some = cell (1, 7);
-    [some{1:6}, seconds, lanes, events, some{7}] = ...
+    [some{1:6}, seconds, lanes, events, some{7}, text] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
                     of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
                     rows.lanes);
     events(1,:) = find (good)(events(1,:))(:)';
+    if (! isempty (text))
+      said(good) = text;
+    endif
     for i = 1:7
       if (i <= 3)
         all_{i}(:,:,good) = some{i};
@@ -273,20 +278,11 @@ function finite (who, what, x)
   endif
 endfunction
 
-## which runs came to their end; those whose start was moved too far did not
-function e = judged (e, p, rows, counts, values, info, extent)
-  m = p.m;
-  n = rows.n;
-  start = rows.starts';
-  if (isempty (start))
-    start = repmat (p.x0, 1, n);
-  endif
-  at_first = reshape (e.x(1,:,:), m.sizes.nx, n);
-  moved = max (abs (at_first - start) ./ m.nominal, [], 1)';
-  far = strcmp (p.o.start, "check") & moved > 1e-6 & (m.sizes.nlam > 0 | m.sizes.nq > m.sizes.nu);
+## which runs came to their end
+function e = judged (e, p, rows, counts, values, info, said)
   broken = ! strcmp (rows.broken, "");
   ended = info(1,:)' == 11;   # by an event of the user
-  e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! far & ! broken;
+  e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! broken;
   e.reached = values(8,:)';
   e.reached(e.ok & ! ended) = e.t(end);
   e.reason = rows.broken;
@@ -295,37 +291,47 @@ function e = judged (e, p, rows, counts, values, info, extent)
   e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
   e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
   for i = find (! e.ok & strcmp (e.reason, ""))'
-    if (info(1,i) == 3 && counts(7,i) == 7 && counts(6,i) == 13)
-      e.reason{i} = gsmbp__wrong_mode (of_row (m, rows, i), e.t(1), at_first(:,i), p.o.modes, ...
-                                       counts(19,i));
-    else
-      e.reason{i} = reason (m, info(:,i), counts(:,i), values(:,i), moved(i), ...
-                            last_of (e, i, counts));
-    endif
+    e.reason{i} = reason (p, rows, i, info(:,i), counts(:,i), values(:,i), said{i}, ...
+                          last_of (e, i, counts));
   endfor
   for i = find (! e.ok)'   # a state where a run ended is none at a time that was asked for
-    bad = {counts(5,i)+1:extent(2), 1:extent(2)}{1 + (far(i) || broken(i))};
+    bad = counts(5,i)+1:numel (e.t);
     [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
   endfor
 endfunction
 
-## the model with the parameters of run I
-function m = of_row (m, rows, i)
-  names = fieldnames (m.par)(rows.which);
-  for k = 1:numel (names)
-    m = gsmbp_set (m, names{k}, rows.table(i,k));
-  endfor
+## why run I failed, as gsmbp_simulate says it of the model with its parameters
+function text = reason (p, rows, i, info, counts, values, said, last)
+  if (info(2) != 0)
+    text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
+    return;
+  endif
+  m = p.m;
+  if (! isempty (rows.table))
+    warning ("off", "gsmbp:negative", "local");
+    m = gsmbp_set (m, cell2struct (num2cell (rows.table(i,:)), fieldnames (m.par)(rows.which), 2));
+  endif
+  if (info(1) == 3 && counts(7) == 9)
+    text = off_constraints (m, p, rows, i);
+  elseif (info(1) == 3 && counts(7) == 7 && counts(6) == 13 && ! isempty (last))
+    text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, counts(19));
+  else
+    text = gsmbp__failure (m, info(1), counts, values, said, last);
+  endif
 endfunction
 
-function text = reason (m, info, counts, values, moved, last)
-  if (info(2) != 0)
-    text = ["its parameters cannot be: " m.module("meaning", "pre", info(2))];
-  elseif (info(1) != 0)
-    text = gsmbp__failure (m, info(1), counts, values, "", last);
-  else
-    text = sprintf (["its start was moved by %.3g onto its constraints (\"start\", " ...
-                     "\"project\" lets it)"], moved);
+## a start that is not taken (glue/start.h)
+function text = off_constraints (m, p, rows, i)
+  x = p.x0;
+  if (! isempty (rows.starts))
+    x = rows.starts(i,:);
   endif
+  text = sprintf ("expected a state on the constraints at t = %.9g s", p.times(1));
+  try
+    gsmbp__start ("gsmbp_ensemble", m, p.times(1), x, p.o.start);
+  catch err
+    text = regexprep (err.message, "^gsmbp_ensemble: [^:]*: ", "");
+  end_try_catch
 endfunction
 
 function last = last_of (e, i, counts)

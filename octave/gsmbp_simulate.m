@@ -358,15 +358,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     result.stats.stopped = ["event " ender];
   endif
   if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
-    if (info == 3 && counts(7) == 8 && counts(6) < 4)
-      gsmbp__no_beginning (who, m, times(1), x0, counts(6));
-    endif
-    if (info == 3 && counts(7) == 7 && number(3) > 0)
-      text = [", " m.events(number(3)).name ","];
-      values(8) = max (values(8), events(1,end));   # the others than GSSIM: their last step
-    endif
-    error ("gsmbp:info", "%s: %s: %s", who, m.name,
-           gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v)));
+    [text, id] = gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v));
+    error (id, "%s: %s: %s", who, m.name, text);
   endif
 endfunction
 

@@ -96,7 +96,8 @@ ensemble::constants (const known_row& row, reals& cst) const
   return info;
 }
 
-// the start of run I on its constraints; false where there is none near
+// the start of run I on its constraints; false where it cannot be taken: INFO 3, as GSSIM, ISTAT(7)
+// = 9 and a verdict of start.h
 bool
 ensemble::begins (int i, run_room& r) const
 {
@@ -106,12 +107,12 @@ ensemble::begins (int i, run_room& r) const
   const gs_start start = { &S, con ? con->sub : nullptr, prj ? prj->sub : nullptr,
                            m_rows.nominal.data (), m_rows.check };
   reals work = room (gs_start_room (&S));
-  const int info = gs_take_start (&start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
-  if (info == 0)
+  const int verdict = gs_take_start (&start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
+  if (verdict == GS_START_TAKEN)
     return true;
-  m_info[2 * i] = 3;   // as GSSIM: a subroutine failed, PRJ
-  m_counts[20 * std::size_t (i) + 5] = info;
-  m_counts[20 * std::size_t (i) + 6] = 3;
+  m_info[2 * i] = 3;
+  m_counts[20 * std::size_t (i) + 5] = verdict;
+  m_counts[20 * std::size_t (i) + 6] = 9;
   m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
   return false;
 }
@@ -182,6 +183,8 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       m_s.plan->counted (ip, rp, m_counted + std::size_t (3) * S.nev * i);
     }
   m_info[2 * i] = r.info;
+  if (r.info == 6)
+    m_results.said[i] = &r.text[0];
   for (int j = 0; j < 20; j++)
     {
       m_counts[20 * std::size_t (i) + j] = r.istat[j];
@@ -261,7 +264,7 @@ ensemble::run_all (int threads)
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
 // starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
 // outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events, how many of
-// each function there were and when
+// each function there were and when, what methods said that failed (a column of runs, {} if none)
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
@@ -279,5 +282,5 @@ do_ensemble (arguments& a, int)
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
   return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events (),
-              r.counted);
+              r.counted, r.all_said ());
 }

@@ -53,13 +53,24 @@ struct ensemble_results
 {
   NDArray x, v, y;
   Matrix counts, values, info, counted;   // COUNTED: as run_plan has it
+  std::vector<std::string> said;             // by an implicit method that failed
   std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)
     : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
       y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0), counted (3 * S.nev, n, 0.0), events (S.nev > 0 ? n : 0)
+      info (2, n, 0.0), counted (3 * S.nev, n, 0.0), said (n), events (S.nev > 0 ? n : 0)
   { }
+
+  Cell all_said (void) const
+  {
+    if (std::all_of (said.begin (), said.end (), [] (const std::string& s) { return s.empty (); }))
+      return Cell ();
+    Cell all (said.size (), 1);
+    for (std::size_t i = 0; i < said.size (); i++)
+      all(i) = said[i];
+    return all;
+  }
 
   // a column for each event: run, time, number, mode after it
   Matrix all_events (void) const

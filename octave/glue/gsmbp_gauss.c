@@ -194,6 +194,8 @@ step_to (gs_run *s, double h, double t)
 {
   gauss *w = s->memory;
   int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
+  if (flag == -1 && s->r->istat[6] == 0)
+    snprintf (s->r->text, s->r->length, "there are no rates at a stage: take a shorter step");
   if (flag != 0)
     return flag == GS_NO_END ? no_end (s) : flag;
   s->t = t;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "gsmbp/inputs.h"
+#include "gsmbp/plan.h"
 #include "implicit_parts.h"
 
 /* the Fortran routines: the addresses carry no types, these do */
@@ -384,6 +384,18 @@ go (gs_run *s)
   return info;
 }
 
+/* an event that failed has been later than the last step */
+static void
+tell_time (gs_run *s)
+{
+  const gsmbp_run *r = s->r;
+  if (r->istat[6] != 7)
+    return;
+  const gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
+  if (*e.newest > 0)
+    r->rstat[7] = fmax (r->rstat[7], e.latest[*e.newest - 1]);
+}
+
 int
 gs_implicit_run (const gsmbp_run *r, const gs_method *by)
 {
@@ -396,6 +408,8 @@ gs_implicit_run (const gsmbp_run *r, const gs_method *by)
   if (allocate (&s))
     {
       info = go (&s);
+      if (info == ROUTINE)
+        tell_time (&s);
       if (info != FINISHED && r->istat[4] < r->nt)   /* the last state, as GSSIM leaves it */
         {
           gs_turn_on (&s, s.x);

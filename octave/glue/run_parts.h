@@ -205,18 +205,16 @@ samples (const reals& cst, run_plan& plan, const reals& tout, const reals& xout,
 }
 
 // after a run: the record of the events, a column for each: time, number, mode after, states
-// before, states after; how many there were, the number of the one that ended the run, that of the
-// last one, 0 where there was none
+// before, states after; how many there were and the number of the one that ended the run, or 0
 static octave_value_list
 events (run_plan& plan, int nx)
 {
   if (S.nev == 0)
-    return ovl (Matrix (), Matrix (1, 3, 0.0));
+    return ovl (Matrix (), Matrix (1, 2, 0.0));
   const gs_events a = plan.events ();
-  Matrix numbers (1, 3);
+  Matrix numbers (1, 2);
   numbers(0) = *a.count;
   numbers(1) = *a.ended;
-  numbers(2) = *a.newest;
   return ovl (part_of (plan, a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), numbers);
 }
 

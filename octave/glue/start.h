@@ -22,11 +22,15 @@ typedef void gs_prj_type (const gs_real *t, gs_real *x, gs_real *cst, gs_real *o
 typedef struct { const gsmbp_scene *scene; gsmbp_sub con, prj; const double *nominal; int check; }
   gs_start;
 
+/* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
+   (of the usual sizes) although they are not; no state on them was found */
+enum { GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE };
+
 /* how many numbers gs_take_start works with */
 static int
 gs_start_room (const gsmbp_scene *s)
 {
-  return s->nx + s->nlam * (4 + s->nu) + 1;
+  return 2 * s->nx + s->nlam * (4 + s->nu) + 1;
 }
 
 /* the larger one; not a number where one is none */
@@ -109,25 +113,40 @@ gs_start_off (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst, gs_r
   return most;
 }
 
-/* X at T moved onto the constraints, by PRJ, unless it is there but for rounding; INFO of PRJ, 3
-   where none was found (W: gs_start_room numbers) */
+/* how far X is from where it was, in usual sizes */
+static double
+gs_start_moved (const gs_start *a, const gs_real *x, const gs_real *was)
+{
+  double most = 0;
+  for (int i = 0; i < a->scene->nx; i++)
+    most = gs_larger (most, fabs ((double) (x[i] - was[i])) / a->nominal[i]);
+  return most;
+}
+
+/* X at T moved onto the constraints, by PRJ, unless it is there but for rounding; a verdict (W:
+   gs_start_room numbers) */
 static int
 gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
 {
   const gsmbp_scene *s = a->scene;
+  gs_real *was = w + s->nx + s->nlam * (4 + s->nu);
   int info = 0;
   if (s->nlam == 0 && s->nq == s->nu)
-    return 0;
+    return GS_START_TAKEN;
   double off = gs_start_off (a, t, x, cst, w);
+  if (a->check && ! (off <= 1e-6))
+    return GS_START_OFF;
   if (off <= 100 * DBL_EPSILON && (a->check || s->nlam == 0 || a->con))
-    return 0;
+    return GS_START_TAKEN;
   if (! a->prj)
-    return a->check && off <= 1e-6 ? 0 : 3;
+    return a->check ? GS_START_TAKEN : GS_START_NONE;
+  for (int i = 0; i < s->nx; i++)
+    was[i] = x[i];
   ((gs_prj_type *) a->prj) (&t, x, cst, w, &info);
   for (int i = 0; i < s->nx; i++)
     x[i] = (double) x[i];
-  if (info != 0 && info != 2)
-    return info;
-  return gs_start_off (a, t, x, cst, w) <= 1e-6 ? 0 : 3;
+  if ((info != 0 && info != 2) || ! (gs_start_off (a, t, x, cst, w) <= 1e-6))
+    return GS_START_NONE;
+  return a->check && ! (gs_start_moved (a, x, was) <= 1e-3) ? GS_START_FAR : GS_START_TAKEN;
 }
 #endif

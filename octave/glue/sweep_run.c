@@ -266,8 +266,8 @@ take_start (const gs_sweep *s, gs_room *r)
 {
   const gs_start start = { S, emitted ("con"), emitted ("prj"), s->nominal.x, s->check_start };
   double *work = room (gs_start_room (S));
-  r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : 0;
-  r->istat[6] = r->istat[5] != 0 ? 3 : 0;   /* PRJ */
+  r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
+  r->istat[6] = r->istat[5] != 0 ? 9 : 0;   /* a verdict of start.h */
   r->rstat[7] = s->t0;
   free (work);
   return ! work ? 7 : r->istat[5] != 0 ? 3 : 0;
@@ -510,17 +510,26 @@ fill (const gs_sweep *s, const gs_room *r, int ok, double reached_time, long lon
       row[at++] = value_at (s, r, s->number[k], i, reached);
 }
 
-/* how far the start was moved, in usual sizes */
-static double
-moved (const gs_sweep *s, const gs_room *r)
+/* that argument K of a subroutine is out of range, as handles.h names it */
+static const char *
+out_of_range (const char *name, int k)
 {
-  double most = 0;
-  for (int j = 0; j < S->nx; j++)
-    {
-      double off = fabs (r->xout[j] - s->x0.x[j]) / s->nominal.x[j];
-      most = off > most ? off : most;
-    }
-  return most;
+#define OUT_OF_RANGE(what) "argument " what " is out of range or not finite"
+  static const struct { const char *name, *text[3]; } known[] = {
+    { "pre", { OUT_OF_RANGE ("par (the parameters)") } },
+    { "cmd", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("qj (the motion)"),
+               OUT_OF_RANGE ("xi (the internal states)") } },
+    { "prj", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("x (the states)") } },
+    { "con", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("q (the coordinates)"),
+               OUT_OF_RANGE ("u (the speeds)") } },
+    { "", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("x (the states)"), OUT_OF_RANGE ("v (the inputs)") } }
+  };
+  size_t i = 0, last = sizeof known / sizeof *known - 1;
+  while (i < last && strcmp (name, known[i].name) != 0)
+    i++;
+  return k >= 1 && k <= 3 && known[i].text[k - 1] ? known[i].text[k - 1]
+                                                  : OUT_OF_RANGE ("of the Fortran subroutine");
+#undef OUT_OF_RANGE
 }
 
 /* what INFO of a subroutine says */
@@ -529,10 +538,8 @@ meaning (const char *name, int info)
 {
   const char *text
       = "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
-  if (info == -1 && strcmp (name, "pre") == 0)
-    return "argument par (the parameters) is out of range or not finite";
   if (info < 0)
-    return "an argument is out of range or not finite";
+    return out_of_range (name, -info);
   for (const gsmbp_meaning *m = S->meanings; m->name; m++)
     if (strcmp (name, m->name) == 0 && (m->info == info || (m->and_above && info > m->info)))
       text = m->text;
@@ -564,15 +571,60 @@ cause (int number, int info)
   return meaning (names[number - 1], info);
 }
 
-/* why a run ended, as gsmbp_simulate says it */
+/* of a start that was not taken and of one that is left nowhere, what gsmbp_simulate begins with */
 static void
-failure (const gs_room *r, char *why)
+no_start (const gs_room *r, char *why)
+{
+  static const char *const reasons[] = { "only method \"dp853\" begins there",
+    "at rest it may go on in more than one way",
+    "no motion with these speeds was found that leaves it" };
+  double t = r->rstat[7];
+  if (r->istat[6] == 8)
+    snprintf (why, GS_WHY, "expected a start where the constraints are independent; at t = %.9g s "
+              "they lose rank: %s; start beside that position", t, reasons[r->istat[5] - 1]);
+  else if (r->istat[5] == GS_START_NONE)
+    snprintf (why, GS_WHY, "no state on the constraints was found near this one at t = %.9g s", t);
+  else
+    snprintf (why, GS_WHY, "expected a state on the constraints at t = %.9g s", t);
+}
+
+/* a subroutine that failed, or an event with its name */
+static void
+no_routine (const gs_sweep *s, const gs_room *r, char *why)
 {
   static const char *const routine[]
       = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
           "OUT or a sampled device", "an event" };
-  double t = r->rstat[7];
   int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] : 1;
+  long long n;
+  const char *name = gs_text (s->job, "event_names", &n);
+  for (int k = 1; name && k < r->istat[18]; k++)
+    name = strchr (name, '\n') ? strchr (name, '\n') + 1 : NULL;
+  if (who != 7 || r->istat[18] < 1)
+    name = NULL;
+  snprintf (why, GS_WHY, "%s%s%.*s%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
+            name ? ", " : "", name ? (int) strcspn (name, "\n") : 0, name ? name : "",
+            name ? "," : "", r->istat[5], r->rstat[7], cause (who, r->istat[5]));
+}
+
+static void
+failed_call (const gs_sweep *s, const gs_room *r, char *why)
+{
+  if (r->istat[6] == 9 || (r->istat[6] == 8 && r->istat[5] < 4))
+    no_start (r, why);
+  else if (r->istat[6] == 8)
+    snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no motion "
+              "with the speeds that it leaves was found, how it goes on is not determined",
+              r->rstat[7]);
+  else
+    no_routine (s, r, why);
+}
+
+/* why a run ended, as gsmbp_simulate says it */
+static void
+failure (const gs_sweep *s, const gs_room *r, char *why)
+{
+  double t = r->rstat[7];
   switch (r->info)
     {
     case 1:
@@ -583,13 +635,7 @@ failure (const gs_room *r, char *why)
                 "small a tolerance", t);
       break;
     case 3:
-      if (r->istat[6] == 8)
-        snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no "
-                  "motion with the speeds that it leaves was found, how it goes on is not "
-                  "determined", t);
-      else
-        snprintf (why, GS_WHY, "%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
-                  r->istat[5], t, cause (who, r->istat[5]));
+      failed_call (s, r, why);
       break;
     case 4:
       snprintf (why, GS_WHY, "the state is no longer finite at t = %.9g s: take smaller steps", t);
@@ -642,13 +688,8 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
   if (ended)
     reached = stay (s, r, reached);
   outputs (s, r, reached);
-  double off = moved (s, r);
-  int far = s->check_start && off > 1e-6 && (S->nlam > 0 || S->nq > S->nu);
-  if (r->info != 0)
-    failure (r, why);
-  else if (far)
-    snprintf (why, GS_WHY, "its start was moved by %.3g onto its constraints (\"start\", "
-              "\"project\" lets it)", off);
-  int ok = r->info == 0 && ! far;
-  fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[7], far ? 0 : reached, row);
+  int ok = r->info == 0;
+  if (! ok)
+    failure (s, r, why);
+  fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[7], reached, row);
 }

@@ -1,8 +1,10 @@
-## text = gsmbp__failure (m, info, counts, values, said, last)
-## Why a run of the model M ended: INFO, ISTAT (COUNTS) and RSTAT (VALUES) of GSSIM, what its
-## method SAID, and the LAST state, a struct with x and v (empty where there is none).
+## [text, id] = gsmbp__failure (m, info, counts, values, said, last)
+## Why a run of the model M, which has its parameters, ended: INFO, ISTAT (COUNTS) and RSTAT
+## (VALUES) of GSSIM, what its method SAID, and the LAST state, a struct with x and v (empty where
+## there is none).  ID: that of an error that says so.
 
-function text = gsmbp__failure (m, info, counts, values, said, last)
+function [text, id] = gsmbp__failure (m, info, counts, values, said, last)
+  id = "gsmbp:info";
   at = sprintf ("at t = %.9g s", values(8));
   switch (info)
     case 1
@@ -10,7 +12,10 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
-      if (counts(7) == 8)
+      if (counts(7) == 8 && counts(6) < 4)
+        [text, id] = deal (gsmbp__no_beginning (m, values(8), last, counts(6)), "gsmbp:start");
+        return;
+      elseif (counts(7) == 8)
         text = sprintf (["an event %s, where the constraints lose rank: no motion with the " ...
                          "speeds that it leaves was found, how it goes on is not determined"], at);
         return;
@@ -18,11 +23,8 @@ function text = gsmbp__failure (m, info, counts, values, said, last)
       routine = ...
           {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
                  "OUT or a sampled device", "an event"}{counts(7)};
-      if (counts(7) == 7 && counts(6) == 10)
-        said = [", " m.events(counts(19)).name ","];
-      endif
-      if (counts(7) == 7)   # else it may be of a step that was repeated
-        routine = [routine said];
+      if (counts(7) == 7 && counts(19) > 0)
+        routine = [routine ", " m.events(counts(19)).name ","];
       endif
       text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
                       cause (m, counts(7), counts(6)));

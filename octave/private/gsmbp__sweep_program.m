@@ -52,9 +52,17 @@ function records = run_records (s, p, library)
   kept = s.kept;
   records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
-             "groups", gsmbp__event_groups(m); "nominal", m.nominal
+             "groups", gsmbp__event_groups(m); "event_names", event_lines(m); "nominal", m.nominal
              "par", cellfun(@double, struct2cell (m.par))
              "check_start", strcmp(p.o.start, "check")};
+endfunction
+
+function text = event_lines (m)
+  names = {};
+  if (! isempty (m.events))
+    names = {m.events.name};
+  endif
+  text = sprintf ("%s\n", names{:});
 endfunction
 
 function records = plan_records (p)

@@ -101,10 +101,13 @@ function refused ()
   s = passage_scene ("parallelogram", gsmbp_hand ("hand_fourbar"));
   m = s.m;
   x = beside (s, 0);
-  lost = "at t = 0 s they lose rank, found in rows C.x";
+  lost = @(why) ["at t = 0 s they lose rank: " why ...
+                 "; start beside that position; found in rows C.x"];
   for method = {"rk4", "cvode"}
-    says (@() gsmbp_simulate (m, x, [0 1], "method", method{1}), [lost ": only method \"dp853\""]);
-    says (@() gsmbp_simulate (m, beside (s, 1e-7), [0 1], "method", method{1}), lost);
+    says (@() gsmbp_simulate (m, x, [0 1], "method", method{1}), ...
+          lost ("only method \"dp853\" begins there"));
+    says (@() gsmbp_simulate (m, beside (s, 1e-7), [0 1], "method", method{1}), ...
+          lost ("only method \"dp853\" begins there"));
     r = gsmbp_simulate (m, beside (s, 1e-2), [0 0.3], "method", method{1});
     gsmbp_check ([method{1} " begins 0.01 rad beside"], ...
                  energy (m, r.x(2,:)) / energy (m, x) - 1, 1e-9);
@@ -112,14 +115,15 @@ function refused ()
   rest = [x(1:3); 0; 0; 0];
   for method = {"dp853", "rk4", "cvode"}
     says (@() gsmbp_simulate (gsmbp_set (m, "g", 9.81), rest, [0 1], "method", method{1}), ...
-          [lost ": at rest it may go on in more than one way"]);
+          lost ("at rest it may go on in more than one way"));
   end
   r = gsmbp_simulate (m, rest, [0 1]);
   gsmbp_check ("without forces it stays at rest", r.x(2,:) - rest', 0);
   [~, ~, H] = m.con (0, x(1:3), x(4:6));
   N = null (H);
   u = N * (N' * [6; 2; 5]);   # fits the rates of the constraints, but no branch
-  says (@() gsmbp_simulate (m, [x(1:3); u], [0 1]), [lost ": no motion with these speeds"]);
+  says (@() gsmbp_simulate (m, [x(1:3); u], [0 1]), ...
+        lost ("no motion with these speeds was found that leaves it"));
 end
 
 ## rk4 and cvode report the position whatever their steps: long ones pass it within one of them

@@ -16,7 +16,8 @@ gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
   double *re = rp + ip[GS_EVENTS + 1] - 1;
   istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);
   istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 7 : 0;
-  if (istat[GS_FAILED_INFO] == 13)
-    istat[GS_ACCUMULATES] = ie[8];
+  if (istat[GS_FAILED] != 0)
+    istat[GS_ACCUMULATES]
+        = istat[GS_FAILED_INFO] == 13 ? ie[8] : *gs_events_of (nx, ie, re).newest;
   return istat[GS_FAILED_INFO];
 }

@@ -44,8 +44,9 @@ enum
   GS_IS_STIFF,          /* 1 if steps are bound by stability, and */
   GS_STIFF_STATE,       /* the state (from 1) that the eigenvalue belongs to */
   GS_STIFF_MEMORY,      /* 3 entries: memory of gsstd */
-  GS_ACCUMULATES = 18,  /* where GS_FAILED is 7: the event that does (GS_FAILED_INFO is 10), the one
-                           whose mode at the start contradicts the state (13) */
+  GS_ACCUMULATES = 18,  /* where GS_FAILED is 7: the event that failed, 0: none did; GS_FAILED_INFO
+                           is 10 where it accumulates, 13 where its mode at the start contradicts
+                           the state */
   GS_N_LOOSE            /* steps close to singular positions whose error is above the tolerance;
                            method 4: that end in one */
 };

@@ -9,13 +9,15 @@ C     ARGUMENTS
 C     As GSINP and GSRES, and
 C     ISTAT   (input/output) INTEGER array, GSSIM's statistics.
 C     INFO    (output) INTEGER, 0 or the INFO of what failed, which
-C             ISTAT(6) and ISTAT(7) tell as well.
+C             ISTAT(6) and ISTAT(7) tell as well; where that is RST or
+C             GSRES ISTAT(19) is the number of the event, or 0.
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT, RST
       INTEGER            NU, NX, NV, IP(*), ISTAT(*), K, INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
       EXTERNAL           GSINP, GSRES
+      INTEGER            JN
 C
       INFO = 0
       IF ( IP(28).LE.0 ) RETURN
@@ -28,6 +30,8 @@ C
      $            INFO )
       ISTAT(6) = INFO
       ISTAT(7) = 7
-      IF ( INFO.EQ.13 ) ISTAT(19) = IP(IP(28)+8)
       IF ( INFO.EQ.0 ) ISTAT(7) = 0
+      JN = IP(28) + 10 + 7*IP(IP(28)) + 3*IP(IP(28)+9)
+      IF ( INFO.NE.0 ) ISTAT(19) = IP(JN)
+      IF ( INFO.EQ.13 ) ISTAT(19) = IP(IP(28)+8)
       END

@@ -101,8 +101,8 @@ C             by a jump, or was too close to a singular position; (13)
 C             calls of RHS beside those in (1) that looked for bounds of
 C             stability; (14) 1 if steps are bound by stability (GSSTD)
 C             and (15) which state the eigenvalue belongs to; (16) to
-C             (18) memory of GSSTD; (19) where (6) is 10
-C             and (7) is 7 the event that accumulates; (20) steps close to
+C             (18) memory of GSSTD; (19) where (7) is 7 the event that
+C             failed, 0: none did; (20) steps close to
 C             singular positions whose estimated error is above the
 C             tolerance; method 4: that end where the least pivot is
 C             below a hundredth of its largest value.
