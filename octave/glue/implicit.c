@@ -225,6 +225,18 @@ gs_put_out (gs_run *s, double limit)
   return FINISHED;
 }
 
+/* the output times up to here; at the end of the run an event of the user that lies there; INFO */
+static int
+arrive (gs_run *s)
+{
+  const gsmbp_run *r = s->r;
+  int info = FINISHED;
+  if (s->t >= r->tout[r->nt - 1]
+      && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == FINISHED)
+    info = gs_events_at_end (s);
+  return info != FINISHED ? info : gs_put_out (s, s->t);
+}
+
 /* after a step, up to an EVENT or none: statistics, drift, the output times that it passed; INFO */
 static int
 accept (gs_run *s, int event)
@@ -246,7 +258,7 @@ accept (gs_run *s, int event)
   if (r->nlam > 0 && (r->iopt[2] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)
     return ROUTINE;
-  return event && gs_ended_by_event (s) ? ENDED : gs_put_out (s, s->t);
+  return event && gs_ended_by_event (s) ? ENDED : arrive (s);
 }
 
 /* does the scene switch where the run stands? Then its rates differ on both sides. */
@@ -325,7 +337,7 @@ advance (gs_run *s)
   if (s->stop - s->t <= 16 * DBL_EPSILON * fmax (fabs (s->t), fabs (s->stop)))
     {
       s->t = s->stop;
-      return gs_put_out (s, s->t);
+      return arrive (s);
     }
   while (s->t < s->stop)
     {

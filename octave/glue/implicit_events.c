@@ -12,6 +12,11 @@ typedef void evr_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub ev
                        int *ip, double *rp, double *cst, double *v, double *w, int *istat,
                        const int *k, int *info);
 
+typedef void end_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, gsmbp_sub rst,
+                       const double *t, double *x, const int *nu, const int *nx, const int *nv,
+                       int *ip, double *rp, double *cst, double *v, double *w, int *istat,
+                       int *info);
+
 int
 gs_has_events (const gs_run *s)
 {
@@ -68,6 +73,20 @@ gs_events_at_stop (gs_run *s, int *acted)
   int so_far = *gs_events_planned (s).count, info = happen (s, s->t, s->x, -1);
   *acted = *gs_events_planned (s).count > so_far;
   return info != 0 ? info : gs_ended_by_event (s) ? ENDED : FINISHED;
+}
+
+int
+gs_events_at_end (gs_run *s)
+{
+  const gsmbp_run *r = s->r;
+  int info = 0;
+  if (! gs_has_events (s))
+    return FINISHED;
+  if (gs_take_inputs (s, s->t, -1, s->x, s->v) != 0)
+    return ROUTINE;
+  ((end_type *) r->gsend) (r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x, &r->nu, &r->nx,
+                           &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &info);
+  return info != 0 ? ROUTINE : gs_ended_by_event (s) ? ENDED : FINISHED;
 }
 
 /* ------------------------------------------------------------

@@ -26,11 +26,12 @@ extern void gs_turn_on (const gs_run *s, double *x);
 extern int gs_put_out (gs_run *s, double limit);
 
 /* Events (implicit_events.c).  At the start; at a stop, where inputs may have jumped, ACTED: did
-   anything happen? INFO */
+   anything happen? At the end of the run, in S->x.  INFO */
 extern int gs_has_events (const gs_run *s);
 extern int gs_event_functions (const gsmbp_run *r);   /* how many there are */
 extern int gs_first_events (gs_run *s);
 extern int gs_events_at_stop (gs_run *s, int *acted);
+extern int gs_events_at_end (gs_run *s);
 extern int gs_ended_by_event (const gs_run *s);
 /* The step from FROM is good: up to the first event in it that changes something (EVENT = 1: the
    state behind it is in Y), else all of it (EVENT = 0).  A flag of the method in *FLAG; INFO */

@@ -95,6 +95,7 @@ extern "C"
   void gspbg_ (void);
   void gsdue_ (void);
   void gsevn_ (void);
+  void gsend_ (void);
   void gsevr_ (void);
   void gsevv_ (void);
   void gsusg_ (void);

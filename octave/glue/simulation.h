@@ -250,6 +250,7 @@ take_scene (gsmbp_run& g)
   g.gspbg = gspbg_;
   g.gsdue = gsdue_;
   g.gsevn = gsevn_;
+  g.gsend = gsend_;
   g.gsevr = gsevr_;
   g.gsevv = gsevv_;
   g.gsusg = gsusg_;

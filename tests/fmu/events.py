@@ -221,6 +221,9 @@ def bounce():
     told(a.status('DoStep', *([D(3), D(1), 1] if standard == 2 else
                               [D(3), D(1), B(1)] + [c.byref(D()) for k in range(4)])) == 3
          and 'event done has ended the run' in log[-1], 'a run that has ended does not go on')
+    a = Instance(0, {'y': 1.0}, 3.0)
+    ends = [a.step(k/2, 0.5) for k in range(6)]
+    told(ends[-1] == (1, 3.0) and a['done.count'] == 1, 'an event at the end of the experiment')
     del log[:]
     a, end = cosimulation({'y': 1.0, 'e': 0.5, 'last': 10.0}, 5.0, 0.1, lambda a, t: None)
     told('events accumulate at t = 1.3545709' in log[-1], 'bounces that accumulate are an error')

@@ -104,6 +104,10 @@ def own():
     wanted = {'hit': hits[:-1], 'top': [t for t in tops if t < 3], 'cold': cold, 'done': [3.0],
               'hot': (cold + math.log(2))[:2]}
     for method in ('dp853', 'rk4'):
+        r = m.simulate([1, 0, 0, 1.5], [0, 1, 3], method=method, step=5e-3)
+        holds('own events, %s: a stop at the last time' % method, r.stats['stopped'] == 'event done'
+              and r.t[-1] == 3 and len(r.t) == 3 and r.events['device'][-1] == 'done')
+    for method in ('dp853', 'rk4'):
         r = m.simulate([1, 0, 0, 1.5], np.arange(0, 5.1, 0.5), method=method, step=5e-3, rtol=1e-12)
         names = np.array(r.events['device'])
         for name, times in wanted.items():

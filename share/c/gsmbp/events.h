@@ -212,6 +212,16 @@ int gsusz (const gs_events *a, double t, double h, int nx, int but, int *which);
 int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
            double *v, double *w, int *istat, int k);
 
+/* the end of a run: an event of the user that lies at t itself; v: the inputs there from the left.
+ * info: as gsevr */
+int gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
+           double *v, double *w, int *istat);
+
+/* for gsend: the first event function of the user that has been above 0 since its last event and is
+ * not at t; 0: none */
+int gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
+           const double *cst);
+
 /* event k (0 the start, -1 inputs may have jumped) and those that follow from it at the same
  * instant. info: that of rst; 9: 100 events and more at one instant; 13: as gsrsg */
 int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,

@@ -58,7 +58,10 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   fac = gs_max (fac, 1.0 / 3.0);
   if (h >= 0.99 * c->next || h * fac > c->next)
     c->next = h * fac;
-  if (dense > 0.0 && (c->it >= c->run->nt || c->run->tout[c->it] < e->tn + c->next))
+  /* two events and an output between them at one time but for rounding: the next step need not be
+   * as short */
+  if (dense > 1e3 * gseps () * fabs (e->tn)
+      && (c->it >= c->run->nt || c->run->tout[c->it] < e->tn + c->next))
     c->next = gs_min (c->next, dense);
   c->t = e->tn;
   g->rstat[GS_H_LEAST] = gs_min (g->rstat[GS_H_LEAST], h);

@@ -90,6 +90,13 @@ gssto (gs_course *c, int *acted)
   const gs_run *r = c->run;
   int sampled;
   *acted = 0;
+  if (c->it == r->nt - 1 && c->t >= r->tout[c->it])
+    {
+      if (gsend (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat) != 0)
+        return GS_ROUTINE_FAILED;
+      if (gs_ended (g->ip))
+        return GS_ENDED;
+    }
   if (c->t >= r->tout[c->it])
     {
       output (c);

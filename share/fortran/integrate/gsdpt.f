@@ -165,7 +165,9 @@ C     -- the outputs within it
          IF ( ERR.GT.0.0D0 ) FAC = MIN( FAC, 0.9D0*ERR**(-0.125D0) )
          FAC = MAX( FAC, 1.0D0/3.0D0 )
          IF ( H.GE.0.99D0*M(1) .OR. H*FAC.GT.M(1) ) M(1) = H*FAC
-         IF ( DENSE.EQ.1 ) THEN
+         IF ( DENSE.EQ.1 .AND. HD.GT.1.0D3*EPS*ABS( TN ) ) THEN
+C           -- two events and an output between them at one time but for
+C              rounding: the next step need not be as short
             IF ( TIM(1+IT).LT.TN + M(1) ) M(1) = MIN( M(1), HD )
          END IF
          T = TN

@@ -4,12 +4,13 @@
 C
 C     PURPOSE
 C     At a stop of a run: the output, the samples and events that are
-C     due there, and the next stop.
+C     due there, and the next stop; at its end events of the user alone
+C     (GSEND).
 C
 C     ARGUMENTS
 C     As GSSIM, and
 C     METHOD  (input) INTEGER, IOPT(1).
-C     T, X    (input) the time and the state.
+C     T, X    (input) the time, (input/output) the state.
 C     STP     (output) DOUBLE PRECISION array, dimension (3): the times
 C             of (1) the next stop, (2) the next break, sample or end of
 C             the run and (3) the next sample [s].
@@ -33,7 +34,7 @@ C
       DOUBLE PRECISION   T, X(*), TIM(*), RP(*), CST(*), V(*), W(*),
      $                   XOUT(*), VOUT(*), STP(3)
       DOUBLE PRECISION   GSEPS, EPS, TB, TS
-      EXTERNAL           GSEPS, GSDUE, GSEVR
+      EXTERNAL           GSEPS, GSDUE, GSEND, GSEVR
       INTEGER            NU, NX, NV, NT, NB, IT, IB, SIDE, I, IER
 C
       NU = SIZ(2)
@@ -46,6 +47,15 @@ C
       INFO  = 0
       ACTED = 0
       EPS   = GSEPS()
+      IF ( IT.EQ.NT .AND. T.GE.TIM(1+NT) ) THEN
+         CALL GSEND( CMD, CLO, VIN, EVT, RST, T, X, NU, NX, NV, IP, RP,
+     $               CST, V, W, ISTAT, IER )
+         IF ( IER.NE.0 ) INFO = 3
+         IF ( IP(28).GT.0 ) THEN
+            IF ( IP(IP(28)+8).GT.0 .AND. INFO.EQ.0 ) INFO = 11
+         END IF
+         IF ( INFO.NE.0 ) RETURN
+      END IF
       IF ( T.GE.TIM(1+IT) ) THEN
          DO 10 I = 1, NX
             XOUT(NX*(IT-1)+I) = X(I)
