@@ -13,30 +13,13 @@ lane_group::events_of (lane_run& l)
   return gs_planned_events (m_s.nx, l.ip.data (), l.rp.data ());
 }
 
-// From when on GSUSZ may say that events of function i accumulate, where it does not rise above 0
-// again; a little before.
+// From when on GSUSZ may say that events of function i accumulate; a little before.
 static double
-accumulate_from (const gs_events& e, int i, int nx)
+accumulate_from (const gs_events& e, int i)
 {
-  const int records = *e.count;
-  if (! gs_is_own (&e, i) || records > e.nr)
+  if (! gs_is_own (&e, i) || e.kind[i] == 5)
     return 1e300;
-  double t[4];
-  int n = 0;
-  bool reset = false;
-  for (int j = records - 1; j >= std::max (0, records - 100) && n < 4; j--)
-    {
-      const double *r = e.record + j * (3 + 2 * nx);
-      if (int (r[1]) != i + 1)
-        continue;
-      reset = reset || (n == 0 && ! std::equal (r + 3, r + 3 + nx, r + 3 + nx));
-      t[n++] = r[0];
-    }
-  if (n < 4)
-    return 1e300;
-  double from = t[0] + 1e9 * (t[0] - t[3]);
-  if (reset && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3])
-    from = std::min (from, t[0] + 2 * (t[0] - t[1]));
+  const double from = gs_accumulates_from (gs_told (&e, i));
   return from - 1e-9 * std::fabs (from);
 }
 
@@ -53,7 +36,7 @@ lane_group::join_events (int lane)
       m_g0(i, lane) = e.g[i];
       m_mark(i, lane) = e.mark[i];
       m_needs(i, lane) = ! gs_is_own (&e, i);
-      m_until(i, lane) = accumulate_from (e, i, m_s.nx);
+      m_until(i, lane) = accumulate_from (e, i);
     }
   m_looks(0, lane) = looks;
   if (! looks)

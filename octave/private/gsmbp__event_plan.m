@@ -33,6 +33,7 @@ function plan = user_events (m, plan)
   endif
   own = strcmp ({m.events.kind}, "event");
   plan.event_kinds(own) = 3 + [m.events(own).ends];
+  plan.event_kinds(own & plan.event_kinds == 3 & ! plan.event_changes) = 5;
   for k = find (own)
     plan.switch_inputs = [plan.switch_inputs, m.events(k).switches(:)'];
     plan.switch_events(end+1:numel (plan.switch_inputs)) = k;

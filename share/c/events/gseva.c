@@ -91,7 +91,8 @@ clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
         d = gs_max (d, gsevz (b - a - c));
       for (int i = 0; i < p->ne; i++)
         {
-          if (! (least (p, i, j, c, a) > 2.0 * d * p->older[i]))
+          const double away = least (p, i, j, c, a), may = 2.0 * d * p->older[i];
+          if (! (away > may || (away >= may && p->mark[i] == 0)))
             return 0;
           p->before[i] = p->last[i];
           p->last[i] = p->now[i];

@@ -75,19 +75,6 @@ most_error (const gs_system *g)
   return 1.0;
 }
 
-/* do events of the user accumulate before e, by its length h up to event first or without one? */
-static int
-accumulates (const gs_system *g, const gs_events *a, const gs_step *e, double h, int first)
-{
-  int info = gsusz (a, e->t, h, g->nx, first, &g->istat[GS_ACCUMULATES]);
-  if (info != 0)
-    {
-      g->istat[GS_FAILED_INFO] = info;
-      g->istat[GS_FAILED] = 7;
-    }
-  return info;
-}
-
 /* functions of the user that have been above 0 before an event count as such */
 static void
 above_before (const gs_events *a)
@@ -201,7 +188,7 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
     *a.since = 0;
   if (info == 0 && *found > 0 && e->tn - e->t > instant)
     above_before (&a);
-  return info == 0 && *found > 0 ? accumulates (g, &a, e, e->tn - e->t, first) : info;
+  return info == 0 && *found > 0 ? gsusz (g, &a, e->t, e->tn - e->t, first, a.now) : info;
 }
 
 /* is the step e of gsdp8 quiet? Else its polynomial, and found: -1 where it is off by ten
@@ -257,7 +244,7 @@ gsevn (const gs_system *g, gs_step *e, int *found)
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
       memcpy (a.g, a.last, a.ne * sizeof (double));
       *a.since = 0;
-      info = accumulates (g, &a, e, e->h, 0);
+      info = gsusz (g, &a, e->t, e->h, 0, a.last);
       gsusc (&a);
     }
   return info;
@@ -316,7 +303,8 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       for (int i = 0; i < p.ne; i++)
         if (p.last[i] > 0.0)
           p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1)
-                        && (p.fresh[i] < 2 || (j == ns && be >= 1.0));
+                        && (p.fresh[i] < 2 || (j == ns && be >= 1.0))
+                        && gs_risen (&p, i, p.last[i]);
         else if (p.marks[i] == 1 && (p.fresh[i] < 2 || (j == ns && be >= 1.0)))
           {
             double zero = b;

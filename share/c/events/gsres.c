@@ -130,6 +130,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
         {
           s->evt (t, x, v, a.mode, cst, a.now);
           g = a.now[l - 1];
+          gsusb (&a, l, t, x);
         }
       if (l >= 0)
         {
@@ -149,7 +150,10 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
         }
       s->evt (t, x, v, a.mode, cst, a.g);
       if (l > 0 && gs_is_own (&a, l - 1))
-        gsusl (&a, l, k, g, v);
+        {
+          gsusa (&a, l, x);
+          gsusl (&a, l, k, g, v);
+        }
       int n = next (&a, l, k);
       int info = n == 0 ? against (s, &a, t, x, v, cst, l, &n) : 0;
       if (info != 0)
@@ -177,6 +181,6 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
     }
   gsusd (&a, a.g);
   for (int i = 0; i < a.ne; i++)
-    a.mark[i] = a.g[i] > 0.0 || (a.kind[i] == 1 && gs_is_held (&a, i));
+    a.mark[i] = gs_risen (&a, i, a.g[i]) || (a.kind[i] == 1 && gs_is_held (&a, i));
   return 0;
 }

@@ -134,13 +134,13 @@ gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const d
 {
   const int nr = m + k;
   double *wa = w, *wh = wa + n * n, *wf = wh + nr * n, *wg = wf + n, *wd = wg + nr, *wl = wd + n,
-         *ww = wl + nr;
+         *ww = wl + nr, x;
+  int info;
   for (int bad = 0; bad >= 0;)
     {
       int r = 0;
       for (int i = 0; i < nr; i++)
         {
-          double x;
           if (! takes_part (m, i, l, v, kind, mode, phit, &x))
             continue;
           for (int j = 0; j < n; j++)
@@ -158,7 +158,7 @@ gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const d
           for (int i = 0; i < n; i++)
             wa[i + n * j] = a[i + lda * j];
         }
-      int info = gskkt (n, r, wa, n, wh, nr, wf, wg, wd, wl, ww);
+      info = gskkt (n, r, wa, n, wh, nr, wf, wg, wd, wl, ww);
       if (info != 0 && info != 2)
         return info;
       bad = pulling (m, k, l, kind, mode, wl);
@@ -167,6 +167,12 @@ gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const d
     }
   for (int j = 0; j < n; j++)
     u[j] += wd[j];
+  for (int i = 0; i < k; i++)
+    {
+      int j = gsone (n, h + m + i, ldh);
+      if (i + 1 != l && j > 0 && info == 0 && takes_part (m, m + i, l, v, kind, mode, phit, &x))
+        u[j - 1] = 0.0;
+    }
   if (l != 0)
     slide (n, k, kind, mode, h + m, ldh, u, wd);
   return 0;

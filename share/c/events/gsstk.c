@@ -3,7 +3,8 @@
  *
  * Where the rows are dependent, each port is looked at beside the constraints alone: one whose row
  * depends on theirs (a slider at its dead centre) moves as they have it, whatever holds it. It does
- * not count as held; its effort would be without bound, towards rest. */
+ * not count as held; its effort would be without bound, towards rest. Else a speed that is a port's
+ * alone has the acceleration 0, not what rounding makes of it. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -48,6 +49,19 @@ leave_out (int n, int m, int k, const double *a, int lda, double *h, int ldh, do
 }
 
 int
+gsone (int n, const double *row, int ldr)
+{
+  int many = 0, one = 0;
+  for (int j = 0; j < n; j++)
+    if (fabs (row[ldr * j]) > 0.0)
+      {
+        many++;
+        one = j + 1;
+      }
+  return many > 1 ? 0 : one;
+}
+
+int
 gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const double *f,
        double *g, const int *act, double *ud, double *lam, double *hold, double *w)
 {
@@ -63,6 +77,12 @@ gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const 
         }
     }
   int info = gskkt (n, l, a, lda, h, ldh, f, g, ud, w, ww);
+  for (int i = m; i < l && info == 0; i++)
+    {
+      int j = gsone (n, h + i, ldh);
+      if (j > 0 && ! (fabs (g[i]) > 0.0))
+        ud[j - 1] = 0.0;
+    }
   if (info == 2 && l > m)
     {
       int r = l;

@@ -14,7 +14,7 @@ extern "C" {
 /* the plan of the events, see GSRES */
 typedef struct
 {
-  int ne, nr;     /* event functions (and modes), places for records */
+  int ne, nr, nx; /* event functions (and modes), places for records, states */
   int *count;     /* events so far */
   int *since;     /* events since the time went on */
   int given;      /* 1 if the modes at the start are given */
@@ -26,7 +26,8 @@ typedef struct
   int ns;         /* inputs that are switched at events of the user */
   int *mode;      /* ne */
   int *input;     /* ne: the numbers of the inputs that are the modes */
-  int *kind;      /* ne: 1 friction, 2 stops, 3 an event of the user, 4 one that ends the run */
+  int *kind;      /* ne: 1 friction, 2 stops, 3 an event of the user, 4 one that ends the run,
+                     5 one that only reports */
   int *mark;      /* ne: 1 where the function was above 0 since its last event */
   int *marks;     /* ne, workspace: the same at a place within a step */
   int *fresh;     /* ne: 1 where the function has just had its event or the run begins */
@@ -48,7 +49,18 @@ typedef struct
   double *held;   /* ns: values of the inputs that are held */
   double *first;  /* ne: when a function had its first event, where it has had one, */
   double *latest; /* ne: and its last one */
+  double *told;   /* (7+nx,ne): what is remembered of the user's: gs_told */
 } gs_events;
+
+/* What is remembered of an event function of the user: where this stands in its part of told. */
+enum
+{
+  GS_TOLD_TIMES = 0,    /* of its last four events, the last one first */
+  GS_TOLD_COUNT = 4,    /* how many they are, 4 at most */
+  GS_TOLD_CHANGED = 5,  /* 1 where the last one has changed states */
+  GS_TOLD_RISEN = 6,    /* what it must be above to have risen */
+  GS_TOLD_STATE = 7     /* nx: behind the last one */
+};
 
 /* the plan of which ie and re are the arrays */
 static inline gs_events
@@ -57,6 +69,7 @@ gs_events_of (int nx, int *ie, double *re)
   gs_events a;
   a.ne = ie[0];
   a.nr = ie[1];
+  a.nx = nx;
   a.count = ie + 2;
   a.since = ie + 3;
   a.given = ie[4];
@@ -89,6 +102,7 @@ gs_events_of (int nx, int *ie, double *re)
   a.held = a.level + a.ne;
   a.first = a.held + a.ns;
   a.latest = a.first + a.ne;
+  a.told = a.latest + a.ne;
   return a;
 }
 
@@ -111,6 +125,38 @@ static inline int
 gs_is_own (const gs_events *a, int i)
 {
   return a->kind[i] > 2;
+}
+
+/* what is remembered of function i (from 0) */
+static inline double *
+gs_told (const gs_events *a, int i)
+{
+  return a->told + i * (GS_TOLD_STATE + a->nx);
+}
+
+/* has function i (from 0), which is g, risen above 0? One that only reports must be above what
+ * rounding errors make of 0. */
+static inline int
+gs_risen (const gs_events *a, int i, double g)
+{
+  return g > 0.0 && (a->kind[i] != 5 || g > gs_told (a, i)[GS_TOLD_RISEN]);
+}
+
+/* From when on events of a function of the user accumulate that does not rise above 0 again; told:
+ * what is remembered of it. Where its last four events lie within 1e-9 of the time since then;
+ * where three intervals between them fell one after the other, and the last event has changed
+ * states, after twice the last interval (bounces that drown in rounding errors). */
+static inline double
+gs_accumulates_from (const double *told)
+{
+  const double *t = told + GS_TOLD_TIMES;
+  if (told[GS_TOLD_COUNT] < 4)
+    return 1e300;
+  const double from = t[0] + 1e9 * (t[0] - t[3]), soon = t[0] + 2.0 * (t[0] - t[1]);
+  return told[GS_TOLD_CHANGED] > 0.0 && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
+             && soon < from
+           ? soon
+           : from;
 }
 
 /* a step in which gsevn looks for events */
@@ -203,9 +249,13 @@ void gsusg (const gs_events *a);
  * has just had its event */
 void gsusc (const gs_events *a);
 
-/* after a step of the length h from t, without an event or up to that of function but: 10 where
- * events of the user accumulate, else 0; which: the function that does */
-int gsusz (const gs_events *a, double t, double h, int nx, int but, int *which);
+/* before event i of the user at the time t, and behind it: the state x is remembered */
+void gsusb (const gs_events *a, int i, double t, const double *x);
+void gsusa (const gs_events *a, int i, const double *x);
+
+/* After a step of the length h from t, without an event or up to that of function but: do events of
+ * the user accumulate? g (ne): their functions at the end. 10, and istat says so, or 0. */
+int gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
  * what failed, as istat[5] and istat[6] */
@@ -231,6 +281,9 @@ int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const doub
  * a->ended does not */
 int gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v,
            const double *cst);
+
+/* which of the n entries of a row, from 1, is not 0; 0: none, or several */
+int gsone (int n, const double *row, int ldr);
 
 /* event functions gv of k ports, above 0 where nothing happens; prm (4,k) as GSEVT */
 void gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,

@@ -17,7 +17,7 @@ C     cubic one of GSEVH, in two of them, is twice and more what it may
 C     be off; to this comes what functions may fall by between points,
 C     from their second differences.  A function of the user that has
 C     just had its event, or one of a port that is not above 0, is not
-C     quiet.
+C     quiet; one that is not above 0 may be 0 all the time.
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT
@@ -103,7 +103,9 @@ C              -- where it rises from its beginning that does not count
      $            CURVE = 4.0D0*CURVE
                LEAST = LEAST - CURVE
             END IF
-            IF ( .NOT.( LEAST.GT.2.0D0*D*RE(4*NE+I) ) ) RETURN
+            GA = 2.0D0*D*RE(4*NE+I)
+            IF ( .NOT.( LEAST.GT.GA .OR. ( LEAST.GE.GA .AND.
+     $           IE(JA+I).EQ.0 ) ) ) RETURN
             RE(3*NE+I) = RE(2*NE+I)
             RE(2*NE+I) = RE(NE+I)
    60    CONTINUE

@@ -209,9 +209,9 @@ C     -- functions that have not risen above 0 since their last event
                IF ( METHOD.NE.0 .AND. LATER .AND. IE(JL+I).EQ.1 .AND.
      $              IE(JK+I).GT.2 ) IE(JA+I) = 1
    25       CONTINUE
-            CALL GSUSZ( T, TN - T, NX, FIRST, IE, RE, ISTAT(19), INFO )
-            IF ( INFO.NE.0 ) ISTAT(6) = INFO
-            IF ( INFO.NE.0 ) ISTAT(7) = 7
+            CALL GSUSZ( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, TN - T,
+     $                  SIZ, FIRST, IP, RP, CST, V, WI, P, ISTAT, RSTAT,
+     $                  IE, RE, RE(NE+1), INFO )
          END IF
       END IF
       IF ( FIRST.GT.0 .OR. FOUND.NE.0 ) RETURN
@@ -221,13 +221,11 @@ C     -- no event
          IE(JA+I) = IE(JL+I)
          RE(I) = RE(2*NE+I)
    30 CONTINUE
-      CALL GSUSZ( T, H, NX, 0, IE, RE, ISTAT(19), INFO )
+      CALL GSUSZ( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, SIZ, 0, IP,
+     $            RP, CST, V, WI, P, ISTAT, RSTAT, IE, RE, RE(2*NE+1),
+     $            INFO )
       CALL GSUSC( NX, IE, RE )
       IE(4) = 0
-      IF ( INFO.NE.0 ) THEN
-         ISTAT(6) = INFO
-         ISTAT(7) = 7
-      END IF
       RETURN
 C
   900 ISTAT(6) = INFO
@@ -262,8 +260,8 @@ C
       INTEGER            NE, JA, JL, KG, I, J, S, J0
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
      $                   GSEPS, CURVE
-      LOGICAL            SOON
-      EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI
+      LOGICAL            SOON, GSUSU
+      EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI, GSUSU
 C
       NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
       NE = IE(1)
@@ -318,7 +316,8 @@ C                 between them, or close to them?
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
                IF ( .NOT.( SOON .AND. IE(10+2*NE+I).GT.2 .AND.
      $              IE(10+5*NE+I).EQ.1 ) .AND. ( IE(10+5*NE+I).LT.2 .OR.
-     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) ) IE(JL+I) = 1
+     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) .AND. GSUSU( I,
+     $              RE(2*NE+I), NX, IE, RE ) ) IE(JL+I) = 1
             ELSE IF ( IE(JL+I).EQ.1 .AND. ( IE(10+5*NE+I).LT.2 .OR.
      $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) ) THEN
                C = B

@@ -34,7 +34,7 @@ C             IE(10) NS, how many inputs are switched at events of the
 C                    user;
 C             then NE modes, NE numbers of inputs that are the modes,
 C             NE kinds (1, 2: see GSEVT; 3: an event of the user, 4: one
-C             that ends the run), NE marks, 1 where the function was
+C             that ends the run, 5: one that only reports), NE marks, 1 where the function was
 C             above 0 since its last event, NE workspace, NE flags, 1
 C             where the function has just had its event or the run
 C             begins; NS numbers of event functions, NS of the inputs
@@ -47,7 +47,9 @@ C             after, NX states before, NX after; then NE levels, what an
 C             event function of the user is at its last event but for
 C             rounding errors (it counts from there), NS values of
 C             inputs that are held, NE times of the first and NE of the
-C             last event of a function that has had one.
+C             last event of a function that has had one, and NE*(7+NX)
+C             numbers of what is remembered of the user's (GSUSI), at
+C             first 0.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and
 C             more at one instant; 13: a mode that is given contradicts
 C             the state (GSRSM), or is one of an event of the user.
@@ -61,13 +63,14 @@ C     are at rest and slide some may have to stick again, or are pushed
 C     against a stop (GSRSF).  Those that stick then come to rest exactly.
 C
       IMPLICIT NONE
-      EXTERNAL           EVT, RST, GSRSG, GSUSE, GSUSL, GSUSD
+      EXTERNAL           EVT, RST, GSRSG, GSUSA, GSUSB, GSUSD, GSUSE,
+     $                   GSUSL, GSUSU
       INTEGER            NX, K, IE(*), INFO
       DOUBLE PRECISION   T, X(NX), V(*), CST(*), RE(*)
       INTEGER            NE, JM, JK, JA, JL, JV, JC, JT, I, L, N, R, LS,
      $                   RS
       DOUBLE PRECISION   LEAST, G
-      LOGICAL            HELD
+      LOGICAL            HELD, GSUSU
 C
       INFO = 0
       NE = IE(1)
@@ -117,8 +120,10 @@ C
    20       CONTINUE
          END IF
          IF ( L.GT.0 ) THEN
-            IF ( IE(JK+L).GT.2 )
-     $         CALL EVT( T, X, V, IE(JM+1), CST, RE(NE+1) )
+            IF ( IE(JK+L).GT.2 ) THEN
+               CALL EVT( T, X, V, IE(JM+1), CST, RE(NE+1) )
+               CALL GSUSB( L, T, X, NX, IE, RE )
+            END IF
             G = RE(NE+L)
          END IF
          CALL RST( T, X, V, IE(JM+1), L, CST, INFO )
@@ -138,7 +143,10 @@ C
       END IF
       CALL EVT( T, X, V, IE(JM+1), CST, RE )
       IF ( L.GT.0 ) THEN
-         IF ( IE(JK+L).GT.2 ) CALL GSUSL( L, K, G, NX, V, IE, RE )
+         IF ( IE(JK+L).GT.2 ) THEN
+            CALL GSUSA( L, X, NX, IE, RE )
+            CALL GSUSL( L, K, G, NX, V, IE, RE )
+         END IF
       END IF
 C
 C     -- ports that cannot be held; other stops that are hit just now,
@@ -198,8 +206,8 @@ C     -- what sticks comes to rest
       DO 60 I = 1, NE
          HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
          IE(JA+I) = 0
-         IF ( RE(I).GT.0.0D0 .OR. ( IE(JK+I).EQ.1 .AND. HELD ) )
-     $      IE(JA+I) = 1
+         IF ( GSUSU( I, RE(I), NX, IE, RE ) .OR. ( IE(JK+I).EQ.1 .AND.
+     $        HELD ) ) IE(JA+I) = 1
    60 CONTINUE
       END
       SUBROUTINE GSRSG( RST, T, X, V, CST, IE, INFO )

@@ -90,15 +90,18 @@ C
 C     PURPOSE
 C     The impulse of GSRST after which the speed of port L is V (L = 0:
 C     of none), that of the ports in contact 0, and the constraints are
-C     fulfilled. L = 0: ports that stick are at rest as well.
+C     fulfilled. L = 0: ports that stick are at rest as well.  A speed
+C     that is such a port's alone is 0 without rounding errors, unless
+C     rows depend on each other.
 C
       IMPLICIT NONE
       INTEGER            N, M, K, L, KIND(*), MODE(*), LDA, LDH, INFO
       DOUBLE PRECISION   V, A(LDA,*), H(LDH,*), PHIT(*), U(*), W(*)
       INTEGER            I, J, R, T, ND, NR, IA, IH, IF, IG, ID, IL, IW,
-     $                   BAD
+     $                   BAD, GSONE
       DOUBLE PRECISION   X, SIZE
-      EXTERNAL           GSKKT
+      LOGICAL            FULL
+      EXTERNAL           GSKKT, GSONE
 C
       ND = N
       NR = M + K
@@ -146,6 +149,7 @@ C     -- rows that take part: W(IG) what they must change
    60 CONTINUE
       CALL GSKKT( N, R, W(IA), ND, W(IH), NR, W(IF), W(IG), W(ID),
      $            W(IL), W(IW), INFO )
+      FULL = INFO.EQ.0
       IF ( INFO.EQ.2 ) INFO = 0
       IF ( INFO.NE.0 ) RETURN
 C
@@ -170,6 +174,12 @@ C     -- a stop in contact cannot pull
       DO 80 J = 1, N
          U(J) = U(J) + W(ID+J-1)
    80 CONTINUE
+      DO 90 I = 1, K
+         J = GSONE( N, H(M+I,1), LDH )
+         IF ( I.NE.L .AND. J.GT.0 .AND. FULL .AND. ( ( KIND(I).EQ.2
+     $        .AND. MODE(I).NE.0 ) .OR. ( KIND(I).EQ.1 .AND.
+     $        MODE(I).EQ.0 .AND. L.EQ.0 ) ) ) U(J) = 0.0D0
+   90 CONTINUE
 C
 C     -- friction slides where its port moves
   100 CONTINUE

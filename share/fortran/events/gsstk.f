@@ -33,14 +33,16 @@ C     constraints alone: one whose row depends on theirs (a slider at
 C     its dead centre) moves as they have it, whatever holds it.  It
 C     does not count as held; its effort would be without bound, towards
 C     rest.
+C     Else a speed that is a port's alone has the acceleration 0, not
+C     what rounding makes of it.
 C
       IMPLICIT NONE
       INTEGER            N, M, K, LDA, LDH, ACT(*), INFO
       DOUBLE PRECISION   A(LDA,*), H(LDH,*), F(*), G(*), UD(*), LAM(*),
      $                   HOLD(*), W(*)
-      INTEGER            I, J, L, P, R
+      INTEGER            I, J, L, P, R, GSONE
       DOUBLE PRECISION   S, BIG
-      EXTERNAL           GSKKT, GSFRE
+      EXTERNAL           GSKKT, GSFRE, GSONE
       PARAMETER          ( BIG = 1.0D30 )
 C
 C     -- the rows of the ports that are held, behind the constraints
@@ -57,6 +59,13 @@ C     -- the rows of the ports that are held, behind the constraints
          END IF
    20 CONTINUE
       CALL GSKKT( N, L, A, LDA, H, LDH, F, G, UD, W, W(M+K+1), INFO )
+      IF ( INFO.EQ.0 ) THEN
+         DO 25 I = M + 1, L
+            J = GSONE( N, H(I,1), LDH )
+            IF ( J.GT.0 .AND. .NOT.( ABS( G(I) ).GT.0.0D0 ) )
+     $         UD(J) = 0.0D0
+   25    CONTINUE
+      END IF
       IF ( INFO.NE.2 .OR. L.EQ.M ) GO TO 60
 C
 C     -- ports that the constraints move or hold by themselves
@@ -159,4 +168,28 @@ C
          IF ( JOB.EQ.0 ) S = E
    50 CONTINUE
       IF ( SQRT( MAX( 0.0D0, E ) ).LE.5.0D5*GSEPS()*SQRT( S ) ) FREE = 0
+      END
+      INTEGER FUNCTION GSONE( N, ROW, LDR )
+C
+C     PURPOSE
+C     Which entry of a row is not 0; 0: none, or several.
+C
+C     ARGUMENTS
+C     N       (input) INTEGER, their number.
+C     ROW     (input) DOUBLE PRECISION array, dimension (LDR,N).
+C
+      IMPLICIT NONE
+      INTEGER            N, LDR
+      DOUBLE PRECISION   ROW(LDR,*)
+      INTEGER            J, MANY
+C
+      GSONE = 0
+      MANY = 0
+      DO 10 J = 1, N
+         IF ( ABS( ROW(1,J) ).GT.0.0D0 ) THEN
+            MANY = MANY + 1
+            GSONE = J
+         END IF
+   10 CONTINUE
+      IF ( MANY.GT.1 ) GSONE = 0
       END

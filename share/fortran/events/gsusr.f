@@ -36,12 +36,16 @@ C     would be below it yet.  So are functions that were the same number
 C     within the step: their events are at the same instant (GSRES); and
 C     the same with the other sign, the way back, which would fall by
 C     rounding errors.
+C     One that only reports has risen again where it is above 1000 units
+C     of rounding of what it was in that step: a speed that friction
+C     holds at 0 is not 0 but for rounding errors.
 C
       IMPLICIT NONE
       INTEGER            L, K, NX, IE(*)
       DOUBLE PRECISION   G, V(*), RE(*)
-      INTEGER            NE, NS, JL, JS, I, J
-      DOUBLE PRECISION   SIZE, OLD, LIKE
+      INTEGER            NE, NS, JL, JS, I, J, GSUSI
+      DOUBLE PRECISION   SIZE, OLD, LIKE, GSEPS
+      EXTERNAL           GSEPS, GSUSI
 C
       NE = IE(1)
       NS = IE(10)
@@ -51,6 +55,9 @@ C
       OLD = RE(JL+L)
       IF ( L.EQ.K .OR. ABS( RE(L) - OLD ).GT.0.0D0 ) RE(JL+L) = 0.0D0
       SIZE = MAX( ABS( RE(2*NE+L) ), ABS( RE(4*NE+L) ) )
+      J = GSUSI( L, NX, IE )
+      IF ( IE(10+2*NE+L).EQ.5 )
+     $   RE(J+7) = MAX( RE(J+7), 1.0D3*GSEPS()*SIZE )
       IF ( L.EQ.K .AND. ABS( G - OLD ).LE.1.0D-2*SIZE .AND.
      $     ABS( RE(L) - G ).LE.MAX( 0.5D0*ABS( G ), 1.0D-8*SIZE ) ) THEN
          RE(JL+L) = RE(L)
@@ -139,70 +146,4 @@ C
             END IF
          END IF
    10 CONTINUE
-      END
-      SUBROUTINE GSUSZ( T, H, NX, NOT, IE, RE, WHICH, INFO )
-C
-C     PURPOSE
-C     After a step, or its part up to an event: do events of the user
-C     accumulate?
-C
-C     ARGUMENTS
-C     T, H    (input) DOUBLE PRECISION, its beginning and length.
-C     NX      (input) INTEGER, the number of states.
-C     NOT     (input) INTEGER, the event function that ends it, or 0.
-C     IE, RE  (input) as GSRES.
-C     WHICH   (output) INTEGER, the function that does, where INFO = 10;
-C             of several one that changes states.
-C     INFO    (output) INTEGER, 0; 10: they do.
-C
-C     METHOD
-C     A function has had infinitely many where four of its events lie
-C     within 1D-9 of the time since the last one, in which it has not
-C     risen; where three intervals between them fell one after the
-C     other, the last event has changed states and it has not risen for
-C     twice the last interval (bounces that drown in rounding errors);
-C     and where it has its fourth event within 1000 units of rounding of
-C     the time.  The last 100 events are looked at.
-C
-      IMPLICIT NONE
-      INTEGER            NX, NOT, IE(*), WHICH, INFO
-      DOUBLE PRECISION   T, H, RE(*)
-      INTEGER            NE, I, J, K, R, N
-      DOUBLE PRECISION   TE(4), END, GSEPS
-      LOGICAL            RESET
-      EXTERNAL           GSEPS
-C
-      INFO = 0
-      NE = IE(1)
-      END = T + H
-      IF ( IE(3).GT.IE(2) ) RETURN
-      DO 30 I = 1, NE
-         IF ( IE(10+2*NE+I).LT.3 .OR. ( I.NE.NOT .AND.
-     $        IE(10+3*NE+I) + IE(10+4*NE+I).GT.0 ) ) GO TO 30
-         RESET = .FALSE.
-         N = 0
-         DO 20 J = IE(3), MAX( 1, IE(3) - 99 ), -1
-            R = 5*NE + 3*NX + ( J - 1 )*( 3 + 2*NX )
-            IF ( NINT( RE(R+2) ).EQ.I .AND. N.LT.4 ) THEN
-               N = N + 1
-               TE(N) = RE(R+1)
-               DO 10 K = 1, NX
-                  IF ( N.EQ.1 .AND. ABS( RE(R+3+K) - RE(R+3+NX+K) )
-     $                 .GT.0.0D0 ) RESET = .TRUE.
-   10          CONTINUE
-            END IF
-   20    CONTINUE
-         IF ( I.EQ.NOT .AND. N.GE.3 ) THEN
-            IF ( TE(3).LT.END - 1.0D3*GSEPS()*ABS( END ) ) GO TO 30
-         ELSE IF ( I.NE.NOT .AND. N.EQ.4 ) THEN
-            IF ( TE(4).LT.TE(1) - 1.0D-9*( END - TE(1) ) .AND. .NOT.(
-     $           RESET .AND. TE(1) - TE(2).LT.TE(2) - TE(3) .AND.
-     $           TE(2) - TE(3).LT.TE(3) - TE(4) .AND.
-     $           END - TE(1).GT.2.0D0*( TE(1) - TE(2) ) ) ) GO TO 30
-         ELSE
-            GO TO 30
-         END IF
-         IF ( INFO.EQ.0 .OR. RESET ) WHICH = I
-         INFO  = 10
-   30 CONTINUE
       END

@@ -200,7 +200,7 @@ C     As GSLEG, GSLED, and
 C     NEEDS   (input) DOUBLE PRECISION array, dimension (K,NE), 1 where
 C             a function must be above 0.
 C     UNTIL   (input) DOUBLE PRECISION array, dimension (K,NE): from
-C             then on events of such a function may accumulate (GSUSZ).
+C             then on events of such a function may accumulate (GSUST).
 C     TN      (input) DOUBLE PRECISION array, dimension (K), the ends.
 C     Q       (input/output) DOUBLE PRECISION array, dimension (K), 1 on
 C             exit where it is not.
@@ -221,7 +221,9 @@ C$OMP SIMD PRIVATE( S, Y )
             S = NEEDS(L,I)
             IF ( TN(L).GE.UNTIL(L,I) ) S = 1.0D0
             IF ( MARK(L,I).LE.0.0D0 ) Y = MAX( Y, S )
-            IF ( .NOT.( LIMIT(L,I).GT.APART(L,I) ) ) Y = 1.0D0
+            IF ( .NOT.( LIMIT(L,I).GT.APART(L,I) .OR. ( MARK(L,I)
+     $           .LE.0.0D0 .AND. LIMIT(L,I).GE.APART(L,I) ) ) )
+     $         Y = 1.0D0
             Q(L) = Y
    10    CONTINUE
    20 CONTINUE

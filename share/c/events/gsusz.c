@@ -1,0 +1,96 @@
+/* GSUSB, GSUSA, GSUSZ, GSUSF: what is remembered of events of the user, and whether they
+ * accumulate. */
+#include <math.h>
+#include <string.h>
+
+#include "gsmbp/arith.h"
+#include "gsmbp/events.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/inputs.h"
+
+void
+gsusb (const gs_events *a, int i, double t, const double *x)
+{
+  double *r = gs_told (a, i - 1);
+  for (int k = 3; k > 0; k--)
+    r[GS_TOLD_TIMES + k] = r[GS_TOLD_TIMES + k - 1];
+  r[GS_TOLD_TIMES] = t;
+  r[GS_TOLD_COUNT] = gs_min (4.0, r[GS_TOLD_COUNT] + 1.0);
+  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
+}
+
+void
+gsusa (const gs_events *a, int i, const double *x)
+{
+  double *r = gs_told (a, i - 1);
+  r[GS_TOLD_CHANGED] = 0.0;
+  for (int k = 0; k < a->nx; k++)
+    if (fabs (r[GS_TOLD_STATE + k] - x[k]) > 0.0)
+      r[GS_TOLD_CHANGED] = 1.0;
+  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
+}
+
+/* Behind its last event: does function i (from 0) rise, as one does that was thrown back, or does
+ * it go on falling? fell: how fast it has since, in the mean. Its rate is the difference quotient
+ * of second order along the rates of the states, of d to both sides. */
+static int
+rises (const gs_system *s, const gs_events *a, int i, double fell, double d)
+{
+  double *told = gs_told (a, i), *x = told + GS_TOLD_STATE;
+  const double t = told[GS_TOLD_TIMES];
+  double rate = 0.0;
+  if (gsfun (s, t, 1, x, a->end) != 0)
+    return 1;
+  for (int side = -1; side <= 1; side += 2)
+    {
+      for (int j = 0; j < a->nx; j++)
+        a->z[j] = x[j] + side * d * a->end[j];
+      if (gsevv (s, t + side * d, 1, a->z, a->before) != 0)
+        return 1;
+      rate += side * a->before[i] / (2.0 * d);
+    }
+  return ! (rate < -0.01 * fell);
+}
+
+/* A function has its fourth event within 1000 units of rounding of the time. One that only reports
+ * does not accumulate: it has to rise higher, tenfold, to have risen again. */
+static int
+at_once (const gs_events *a, int i, double end)
+{
+  double *told = gs_told (a, i), *risen = told + GS_TOLD_RISEN;
+  if (! (told[GS_TOLD_COUNT] >= 3.0
+         && told[GS_TOLD_TIMES + 2] >= end - 1e3 * gseps () * fabs (end)))
+    return 0;
+  if (a->kind[i] != 5)
+    return 1;
+  *risen = 10.0 * gs_max (*risen, gs_max (fabs (a->last[i]), fabs (a->older[i])));
+  return 0;
+}
+
+/* ... or it has not risen since its last event, though it should have */
+static int
+drowned (const gs_system *s, const gs_events *a, int i, double h, double end, double g)
+{
+  const double *told = gs_told (a, i);
+  if (a->mark[i] + a->marks[i] != 0 || a->kind[i] == 5 || ! (end >= gs_accumulates_from (told)))
+    return 0;
+  return rises (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
+                5e-6 * gs_max (h, s->rstat[GS_H_LARGEST]));
+}
+
+int
+gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g)
+{
+  int info = 0;
+  for (int i = 0; i < a->ne; i++)
+    if (gs_is_own (a, i)
+        && (i + 1 == but ? at_once (a, i, t + h) : drowned (s, a, i, h, t + h, g[i])))
+      {
+        if (info == 0 || gs_told (a, i)[GS_TOLD_CHANGED] > 0.0)
+          s->istat[GS_ACCUMULATES] = i + 1;
+        info = 10;
+        s->istat[GS_FAILED_INFO] = info;
+        s->istat[GS_FAILED] = 7;
+      }
+  return info;
+}
