@@ -97,19 +97,11 @@ static int
 changed (const gs_run *s, int count)
 {
   gs_events e = gs_events_planned (s);
-  size_t n = s->r->nx;
   if (*e.count > e.nr || gs_ended_by_event (s))
     return 1;
   for (; count < *e.count; count++)
-    {
-      const double *row = e.record + (3 + 2 * n) * count;
-      int k = (int) row[1];
-      if (e.kind[k - 1] != OWN || memcmp (row + 3, row + 3 + n, n * sizeof (double)) != 0)
-        return 1;
-      for (int i = 0; i < e.ns; i++)
-        if (e.by[i] == k)
-          return 1;
-    }
+    if (e.kind[(int) e.record[(3 + 2 * s->r->nx) * count + 1] - 1] != REPORT)
+      return 1;
   return 0;
 }
 

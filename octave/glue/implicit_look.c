@@ -117,13 +117,16 @@ int
 gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, double *g,
            double *by)
 {
-  double later, *beside = s->between;
-  for (int l = 0; l < s->r->nx; l++)
-    beside[l] = x[l] + d * rate[l];
+  double at[2] = { 0, 0 }, *beside = s->between;
   int info = gs_function (s, i, t, x, g);
-  if (info == 0)
-    info = gs_function (s, i, t + d, beside, &later);
-  *by = info == 0 ? later - *g : 0;
+  for (int k = 0; k < 2 && info == 0; k++)
+    {
+      double way = 0.5 * (k + 1) * d;
+      for (int l = 0; l < s->r->nx; l++)
+        beside[l] = x[l] + way * rate[l];
+      info = gs_function (s, i, t + way, beside, &at[k]);
+    }
+  *by = info == 0 ? 4 * (at[0] - *g) - (at[1] - *g) : 0;
   return info;
 }
 
@@ -141,7 +144,7 @@ take_rising (gs_run *s, double t, double h)
       if (e.kind[i] >= OWN && e.fresh[i] == 1 && e.mark[i] == 0)
         {
           info = gs_climbs (s, i + 1, t, s->known, s->work, 1e-3 * h, &g, &by);
-          s->rising[i] = by > 0 && g + 1e3 * by > 0;
+          s->rising[i] = by > 0 && gs_risen (&e, i, g + 1e3 * by);
         }
     }
   return info;
@@ -199,6 +202,8 @@ gs_look (gs_run *s, double from, double *to, int *found, int *flag)
     return info;
   if (end - from <= gs_shortest (from, end))
     {
+      if (gs_events_planned (s).kind[which - 1] == REPORT)
+        return info;
       s->r->istat[5] = 10;   /* as GSEVN: they accumulate */
       s->r->istat[6] = 7;
       s->r->istat[18] = which;

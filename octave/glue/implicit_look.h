@@ -4,7 +4,7 @@
 #include "gsmbp/plan.h"
 #include "implicit_parts.h"
 
-enum { OWN = 3 };   /* kind of an event of the user that does not end the run */
+enum { OWN = 3, REPORT = 5 };   /* kinds: the first of an event of the user, one that only reports */
 
 /* the plan of the events, and its arrays */
 static inline gs_events

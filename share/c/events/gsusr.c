@@ -3,8 +3,9 @@
  * Where an event was looked for within a step and what it sets has not changed its own function,
  * this is 0 but for rounding errors: its level. It is taken for 0, or a body that has just left the
  * ground would be below it yet. So are functions that were the same number within the step, and the
- * same with the other sign. One that only reports has risen again where it is above 1000 units of
- * rounding of what it was in that step: a speed that friction holds at 0 is not 0 but for rounding
+ * same with the other sign, which was below 0 before. To have risen a function must be above ten
+ * times its largest level so far; one that only reports above 1000 units of rounding of what it was
+ * in the step up to an event, too: a speed that is held at 0 may not be 0 but for rounding
  * errors. */
 #include <math.h>
 
@@ -15,9 +16,15 @@
 void
 gsuse (const gs_events *a, int k)
 {
-  if (k >= 0)
-    for (int i = 0; i < a->ne; i++)
-      a->fresh[i] = k == 0 && gs_is_own (a, i);
+  for (int i = 0; i < a->ne; i++)
+    {
+      double *risen = gs_told (a, i) + GS_TOLD_RISEN,
+             size = gs_max (fabs (a->g[i]), gs_max (fabs (a->last[i]), fabs (a->older[i])));
+      if (k >= 0)
+        a->fresh[i] = k == 0 && gs_is_own (a, i);
+      if (k > 0 && a->kind[i] == 5)
+        *risen = gs_max (*risen, 1e3 * gseps () * size);
+    }
 }
 
 /* the inputs that event l switches are held at their values in v */
@@ -48,7 +55,10 @@ levels_like (const gs_events *a, int i, double size)
         {
           a->level[j] = a->g[j];
           if (like < 0.0)
-            a->fresh[j] = 1;
+            {
+              a->mark[j] = 0;
+              a->fresh[j] = 1;
+            }
         }
     }
 }
@@ -59,9 +69,6 @@ gsusl (const gs_events *a, int l, int k, double g, const double *v)
   const int i = l - 1;
   const double old = a->level[i];
   const double size = gs_max (fabs (a->last[i]), fabs (a->older[i]));
-  double *risen = gs_told (a, i) + GS_TOLD_RISEN;
-  if (a->kind[i] == 5)
-    *risen = gs_max (*risen, 1e3 * gseps () * size);
   a->fresh[i] = 1;
   if (l == k || fabs (a->g[i] - old) > 0.0)
     a->level[i] = 0.0;
@@ -82,6 +89,8 @@ gsusd (const gs_events *a, double *g)
   for (int i = 0; i < a->ne; i++)
     if (gs_is_own (a, i))
       {
+        double *risen = gs_told (a, i) + GS_TOLD_RISEN;
+        *risen = gs_max (*risen, 10.0 * fabs (a->level[i]));
         if (fabs (g[i] - a->level[i]) > fabs (a->level[i]))
           a->level[i] = 0.0;
         g[i] -= a->level[i];

@@ -134,12 +134,12 @@ gs_told (const gs_events *a, int i)
   return a->told + i * (GS_TOLD_STATE + a->nx);
 }
 
-/* has function i (from 0), which is g, risen above 0? One that only reports must be above what
- * rounding errors make of 0. */
+/* has function i (from 0), which is g, risen above 0? One of the user must be above what rounding
+ * errors make of 0. */
 static inline int
 gs_risen (const gs_events *a, int i, double g)
 {
-  return g > 0.0 && (a->kind[i] != 5 || g > gs_told (a, i)[GS_TOLD_RISEN]);
+  return g > 0.0 && (! gs_is_own (a, i) || g > gs_told (a, i)[GS_TOLD_RISEN]);
 }
 
 /* From when on events of a function of the user accumulate that does not rise above 0 again; told:

@@ -83,7 +83,7 @@ C
       JT = JV + NE + IE(10)
       IE(7) = K
       IE(9) = 0
-      CALL GSUSE( K, IE )
+      CALL GSUSE( K, NX, IE, RE )
       L  = K
       IF ( L.EQ.0 .AND. IE(5).EQ.1 ) THEN
          L = -1

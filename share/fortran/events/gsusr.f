@@ -1,17 +1,31 @@
-      SUBROUTINE GSUSE( K, IE )
+      SUBROUTINE GSUSE( K, NX, IE, RE )
 C
 C     PURPOSE
 C     Before GSRES acts at event K: which event functions of the user
 C     have had their event just now; all of them at the start (K = 0).
+C     And what those that only report must be above to have risen.
+C
+C     METHOD
+C     That are 1000 units of rounding of what they were in the step up
+C     to an event: a speed that is held at 0 may not be 0 but for
+C     rounding errors.
 C
       IMPLICIT NONE
-      INTEGER            K, IE(*)
-      INTEGER            NE, I
+      INTEGER            K, NX, IE(*)
+      DOUBLE PRECISION   RE(*)
+      INTEGER            NE, I, J, GSUSI
+      DOUBLE PRECISION   GSEPS
+      EXTERNAL           GSEPS, GSUSI
 C
       NE = IE(1)
       DO 10 I = 1, NE
          IF ( K.GE.0 ) IE(10+5*NE+I) = 0
          IF ( K.EQ.0 .AND. IE(10+2*NE+I).GT.2 ) IE(10+5*NE+I) = 1
+         IF ( K.GT.0 .AND. IE(10+2*NE+I).EQ.5 ) THEN
+            J = GSUSI( I, NX, IE ) + 7
+            RE(J) = MAX( RE(J), 1.0D3*GSEPS()*MAX( ABS( RE(I) ),
+     $         ABS( RE(2*NE+I) ), ABS( RE(4*NE+I) ) ) )
+         END IF
    10 CONTINUE
       END
       SUBROUTINE GSUSL( L, K, G, NX, V, IE, RE )
@@ -35,17 +49,13 @@ C     errors: it is taken for 0, or a body that has just left the ground
 C     would be below it yet.  So are functions that were the same number
 C     within the step: their events are at the same instant (GSRES); and
 C     the same with the other sign, the way back, which would fall by
-C     rounding errors.
-C     One that only reports has risen again where it is above 1000 units
-C     of rounding of what it was in that step: a speed that friction
-C     holds at 0 is not 0 but for rounding errors.
+C     rounding errors; it was below 0 before.
 C
       IMPLICIT NONE
       INTEGER            L, K, NX, IE(*)
       DOUBLE PRECISION   G, V(*), RE(*)
-      INTEGER            NE, NS, JL, JS, I, J, GSUSI
-      DOUBLE PRECISION   SIZE, OLD, LIKE, GSEPS
-      EXTERNAL           GSEPS, GSUSI
+      INTEGER            NE, NS, JL, JS, I, J
+      DOUBLE PRECISION   SIZE, OLD, LIKE
 C
       NE = IE(1)
       NS = IE(10)
@@ -55,9 +65,6 @@ C
       OLD = RE(JL+L)
       IF ( L.EQ.K .OR. ABS( RE(L) - OLD ).GT.0.0D0 ) RE(JL+L) = 0.0D0
       SIZE = MAX( ABS( RE(2*NE+L) ), ABS( RE(4*NE+L) ) )
-      J = GSUSI( L, NX, IE )
-      IF ( IE(10+2*NE+L).EQ.5 )
-     $   RE(J+7) = MAX( RE(J+7), 1.0D3*GSEPS()*SIZE )
       IF ( L.EQ.K .AND. ABS( G - OLD ).LE.1.0D-2*SIZE .AND.
      $     ABS( RE(L) - G ).LE.MAX( 0.5D0*ABS( G ), 1.0D-8*SIZE ) ) THEN
          RE(JL+L) = RE(L)
@@ -68,7 +75,10 @@ C
      $           .LE.1.0D-8*ABS( RE(2*NE+L) ) .AND.
      $           ABS( RE(I) - LIKE*RE(L) ).LE.1.0D-8*SIZE ) THEN
                RE(JL+I) = RE(I)
-               IF ( LIKE.LT.0.0D0 ) IE(10+5*NE+I) = 1
+               IF ( LIKE.LT.0.0D0 ) THEN
+                  IE(10+3*NE+I) = 0
+                  IE(10+5*NE+I) = 1
+               END IF
             END IF
     5    CONTINUE
       END IF
@@ -87,17 +97,21 @@ C
 C
 C     PURPOSE
 C     Event functions of the user, G, from their levels on.  A level
-C     that later events of the same instant have left is none.
+C     that later events of the same instant have left is none.  To have
+C     risen they must be above ten times the largest level so far.
 C
       IMPLICIT NONE
       INTEGER            NX, IE(*)
       DOUBLE PRECISION   RE(*), G(*)
-      INTEGER            NE, JL, I
+      INTEGER            NE, JL, I, J, GSUSI
+      EXTERNAL           GSUSI
 C
       NE = IE(1)
       JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
       DO 10 I = 1, NE
          IF ( IE(10+2*NE+I).GT.2 ) THEN
+            J = GSUSI( I, NX, IE ) + 7
+            RE(J) = MAX( RE(J), 10.0D0*ABS( RE(JL+I) ) )
             IF ( ABS( G(I) - RE(JL+I) ).GT.ABS( RE(JL+I) ) )
      $         RE(JL+I) = 0.0D0
             G(I) = G(I) - RE(JL+I)

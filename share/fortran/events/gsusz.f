@@ -65,8 +65,8 @@ C     G       (input) DOUBLE PRECISION.
 C     IE, RE  (input) as GSRES.
 C
 C     METHOD
-C     One that only reports must be above what rounding errors make of
-C     0, see GSUSL and GSUSZ.
+C     One of the user must be above what rounding errors make of 0, see
+C     GSUSD, and GSUSE and GSUSZ for those that only report.
 C
       IMPLICIT NONE
       INTEGER            I, NX, IE(*), GSUSI
@@ -74,7 +74,7 @@ C
       EXTERNAL           GSUSI
 C
       GSUSU = G.GT.0.0D0
-      IF ( GSUSU .AND. IE(10+2*IE(1)+I).EQ.5 )
+      IF ( GSUSU .AND. IE(10+2*IE(1)+I).GT.2 )
      $   GSUSU = G.GT.RE(GSUSI( I, NX, IE )+7)
       END
       DOUBLE PRECISION FUNCTION GSUST( R )
