@@ -208,15 +208,25 @@ believed (gs_run *s, place *p, int *taken, int *flag)
   return info;
 }
 
-/* the step up to the event at P; TAKEN: 0 if its function does not fall; INFO */
+/* the step up to the event at P; TAKEN: 0 if its function does not fall, -1 if it does later in the
+ * step, which is too long to see where; INFO */
 static int
 up_to (gs_run *s, place *p, int *taken, int *flag)
 {
   int info = s->by->dense ? FINISHED : gs_locate (s, p, flag);
   gs_events e = gs_events_planned (s);
+  double g;
   *taken = ! (info == 0 && *flag >= 0 && ! s->by->dense && s->t >= p->t && p->g > 0
               && e.kind[p->i - 1] >= OWN && e.fresh[p->i - 1] < 2);
-  if (! *taken)
+  if (*taken)
+    return info;
+  *flag = as_it_was (s, p);
+  if (*flag < 0 || (info = gs_function (s, p->i, p->end, s->y, &g)) != 0)
+    return info;
+  gs_recall (s);
+  if (g <= 0 && p->end - p->begin > gs_shortest (p->begin, p->end))
+    *taken = -1;
+  else
     *flag = by_its_end (s, p);
   return info;
 }
@@ -232,10 +242,10 @@ next_event (gs_run *s, place *p, int *found, int *flag)
   p->i = *found;
   if (*found > 0)
     info = believed (s, p, &taken, flag);
+  if (info == 0 && *flag >= 0 && taken > 0)
+    info = up_to (s, p, &taken, flag);
   if (info == 0 && *flag >= 0 && taken < 0)   /* too long to see what is just behind the last one */
     *flag = gs_once_more (s, p->from, p->begin + 0.25 * (p->end - p->begin));
-  else if (info == 0 && *flag >= 0 && taken > 0)
-    info = up_to (s, p, &taken, flag);
   if (info == 0 && *flag >= 0 && (taken < 0 || (taken > 0 && ! s->by->dense && s->t < p->t)))
     {
       p->end = s->t;

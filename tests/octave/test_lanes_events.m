@@ -36,9 +36,7 @@ function beside (name, m, x0, t, o, where, e, tol)
   gsmbp_check ([name ": their states"], d(! isnan (d)), tol);
   gsmbp_check ([name ": where they end"], e.reached - f.reached, tol);
   gsmbp_check (sprintf ("%s: the same %d events", name, numel (e.events.t)), ...
-               isequal (e.events.run, f.events.run) ...
-                 && isequal (e.events.number, f.events.number) && ! isempty (e.events.t) ...
-                 && max (abs (e.events.t - f.events.t)) < tol);
+               ! isempty (e.events.t) && same_events (e, f, tol));
   order = randperm (n);
   g = gsmbp_ensemble (m, x0, t, some (o, where, order){:}, "threads", 3);
   gsmbp_check ([name ": in another order, by three threads, bit for bit"], ...
@@ -112,6 +110,20 @@ function arm (m)
     thrown += any (one.events.number == 6);
   end
   gsmbp_check ("an arm: it hits the stop, and is thrown back", stopped > 0 && thrown > 0);
+end
+
+## Where bounces accumulate rounding errors say which are the last: up to six, of heights of 1e-15,
+## may be missing on either side.
+function same = same_events (e, f, tol)
+  same = true;
+  for k = 1:numel (e.ok)
+    [a, b] = deal (e.events.run == k, f.events.run == k);
+    [ta, tb, na, nb] = deal (e.events.t(a), f.events.t(b), e.events.number(a), f.events.number(b));
+    m = min (numel (ta), numel (tb));
+    same = same && isequal (na(1:m), nb(1:m)) && all (abs (ta(1:m) - tb(1:m)) < tol) ...
+             && (numel (ta) == numel (tb)
+                 || (! e.ok(k) && m > 20 && abs (numel (ta) - numel (tb)) <= 6));
+  end
 end
 
 ## resets, a time that ends the runs; bounces that accumulate are an error of those runs

@@ -4,9 +4,9 @@
  * this is 0 but for rounding errors: its level. It is taken for 0, or a body that has just left the
  * ground would be below it yet. So are functions that were the same number within the step, and the
  * same with the other sign, which was below 0 before. To have risen a function must be above ten
- * times its largest level so far; one that only reports above 1000 units of rounding of what it was
- * in the step up to an event, too: a speed that is held at 0 may not be 0 but for rounding
- * errors. */
+ * times its level, and 0.7 of what that was at the event before; one that only reports above
+ * the largest so far, and 1000 units of rounding of what it was in the step up to an event: a speed
+ * that is held at 0 may not be 0 but for rounding errors. */
 #include <math.h>
 
 #include "gsmbp/arith.h"
@@ -90,6 +90,8 @@ gsusd (const gs_events *a, double *g)
     if (gs_is_own (a, i))
       {
         double *risen = gs_told (a, i) + GS_TOLD_RISEN;
+        if (a->kind[i] != 5 && a->fresh[i] == 1)
+          *risen *= 0.7;
         *risen = gs_max (*risen, 10.0 * fabs (a->level[i]));
         if (fabs (g[i] - a->level[i]) > fabs (a->level[i]))
           a->level[i] = 0.0;

@@ -98,7 +98,9 @@ C
 C     PURPOSE
 C     Event functions of the user, G, from their levels on.  A level
 C     that later events of the same instant have left is none.  To have
-C     risen they must be above ten times the largest level so far.
+C     risen they must be above ten times their level, and 0.7 of
+C     what that was at the event before (noise: levels may be small by
+C     chance); reports above the largest so far.
 C
       IMPLICIT NONE
       INTEGER            NX, IE(*)
@@ -111,6 +113,8 @@ C
       DO 10 I = 1, NE
          IF ( IE(10+2*NE+I).GT.2 ) THEN
             J = GSUSI( I, NX, IE ) + 7
+            IF ( IE(10+2*NE+I).NE.5 .AND. IE(10+5*NE+I).EQ.1 )
+     $         RE(J) = 0.7D0*RE(J)
             RE(J) = MAX( RE(J), 10.0D0*ABS( RE(JL+I) ) )
             IF ( ABS( G(I) - RE(JL+I) ).GT.ABS( RE(JL+I) ) )
      $         RE(JL+I) = 0.0D0
