@@ -32,7 +32,7 @@ function held (m)
       wrong += bad;
       missed += any (told{end}(k,1:2) < turns (r.x(:,3:4)));
     end
-    gsmbp_check (sprintf ("held speeds, %s: %d of %d runs come to their end", method{1}, ends, n), ...
+    gsmbp_check (sprintf ("held speeds, %s: %d of %d runs to their end", method{1}, ends, n), ...
                  ends == n);
     gsmbp_check ("... nothing is told while they are held", wrong == 0);
     gsmbp_check ("... whenever they turn", missed == 0);

@@ -6,7 +6,7 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/functions.h"
-#include "gsmbp/inputs.h"
+#include "gsmbp/integrate.h"
 
 void
 gsusb (const gs_events *a, int i, double t, const double *x)
@@ -30,11 +30,10 @@ gsusa (const gs_events *a, int i, const double *x)
   memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
 }
 
-/* Behind its last event: does function i (from 0) rise, as one does that was thrown back, or does
- * it go on falling? fell: how fast it has since, in the mean. Its rate is the difference quotient
- * of second order along the rates of the states, of d to both sides. */
-static int
-rises (const gs_system *s, const gs_events *a, int i, double fell, double d)
+/* The rate of the function is the difference quotient of second order along the rates of the
+ * states. */
+int
+gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d)
 {
   double *told = gs_told (a, i), *x = told + GS_TOLD_STATE;
   const double t = told[GS_TOLD_TIMES];
@@ -45,7 +44,7 @@ rises (const gs_system *s, const gs_events *a, int i, double fell, double d)
     {
       for (int j = 0; j < a->nx; j++)
         a->z[j] = x[j] + side * d * a->end[j];
-      if (gsevv (s, t + side * d, 1, a->z, a->before) != 0)
+      if (gsevv (s, t + side * d, 1, a->z, a->mode, a->before) != 0)
         return 1;
       rate += side * a->before[i] / (2.0 * d);
     }
@@ -74,7 +73,7 @@ drowned (const gs_system *s, const gs_events *a, int i, double h, double end, do
   const double *told = gs_told (a, i);
   if (a->mark[i] + a->marks[i] != 0 || a->kind[i] == 5 || ! (end >= gs_accumulates_from (told)))
     return 0;
-  return rises (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
+  return gsusf (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
                 5e-6 * gs_max (h, s->rstat[GS_H_LARGEST]));
 }
 

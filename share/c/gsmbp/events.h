@@ -253,6 +253,10 @@ void gsusc (const gs_events *a);
 void gsusb (const gs_events *a, int i, double t, const double *x);
 void gsusa (const gs_events *a, int i, const double *x);
 
+/* Behind its last event: does function i (from 0) rise, as one does that was thrown back, or does
+ * it go on falling (0)? fell: how fast it has since, in the mean; d: a small time. */
+int gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d);
+
 /* After a step of the length h from t, without an event or up to that of function but: do events of
  * the user accumulate? g (ne): their functions at the end. 10, and istat says so, or 0. */
 int gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g);

@@ -85,7 +85,7 @@ typedef struct
   /* for the plan of a run (plan.h); numbers of inputs count from 1 */
   int nev, nctl, nxk, nheld;     /* ports with events; sampled devices, memory, held outputs */
   const int *event_inputs;       /* nev: the mode of each, 0: none, */
-  const int *event_kinds;        /* 1 friction, 2 stops, of the user: 3, 4 ends the run, 5 reports */
+  const int *event_kinds;        /* 1 friction, 2 stops, the user's: 3, 4 ends runs, 5 reports */
   int nswitch;                   /* inputs that events of the user switch: */
   const int *switch_events;      /* nswitch: the numbers of these events, */
   const int *switch_inputs;      /* of the inputs */
