@@ -4,7 +4,7 @@
 #include "gsmbp/plan.h"
 #include "implicit_parts.h"
 
-enum { OWN = 3, REPORT = 5 };   /* kinds of events: the first of the user's, one that only reports */
+enum { OWN = 3, REPORT = 5 };   /* kinds: the first of the user's, one that only reports */
 
 /* the plan of the events, and its arrays */
 static inline gs_events
