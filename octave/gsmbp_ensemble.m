@@ -49,6 +49,11 @@
 ## in scenes that have events, a struct with a row for each run and a column for each of
 ## @code{m.events}: @code{count}, how many there were, @code{first} and @code{last} [s], when the
 ## first and the last one was (NaN: there was none); of all events, those that are not listed, too
+## @item margins, outside
+## in scenes whose devices have margins (@code{m.state_margins}: strokes, pressures), a row for each
+## run and a column for each of them: its least value at @var{times}, as far as the run came, and
+## whether it was passed there, as @code{stats.margins} of @code{gsmbp_simulate} says it; a warning
+## (@code{gsmbp:margin}) tells how many runs did so
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
 ## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
@@ -96,7 +101,8 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     x0 = rows.starts(1,:);
   endif
   p = gsmbp__from_given (gsmbp__run_setup (who, m, x0, times, o), x0);
-  [x, v, y, counts, values, info, counted, seconds, lanes, events, said] = run_all (p, m, rows);
+  [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+      run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
               permute (y, [2, 1, 3]));
   e = judged (e, p, rows, counts, values, info, said);
@@ -108,6 +114,9 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     e.counted = counted_of (numel (m.events), counted);
     warn_of_more (who, m, sum (e.counted.count, 2), accumarray (events(1,:)', 1, [rows.n, 1]));
   endif
+  if (! isempty (m.state_margins))
+    e = with_margins (who, e, p, rows, margins');
+  endif
   [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
   e.parameters = own.parameters;
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
@@ -117,21 +126,22 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
 endfunction
 
 ## the runs whose parameters break no rule of the scene; NaN and zeros for the others
-function [x, v, y, counts, values, info, counted, seconds, lanes, events, said] = ...
+function [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
       run_all (p, m, rows)
   good = strcmp (rows.broken, "");
   sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
-           [m.sizes.ny, numel(p.times)], 20, 20, 2, 3 * numel(m.events)};
-  all_ = cell (1, 7);
-  for i = 1:7
+           [m.sizes.ny, numel(p.times)], 20, 20, 2, 3 * numel(m.events), ...
+           2 * numel(m.state_margins)};
+  all_ = cell (1, 8);
+  for i = 1:8
     all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
   endfor
   [seconds, lanes, events] = deal (0, false, zeros (4, 0));
   said = repmat ({""}, rows.n, 1);
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
-    some = cell (1, 7);
-    [some{1:6}, seconds, lanes, events, some{7}, text] = ...
+    some = cell (1, 8);
+    [some{1:6}, seconds, lanes, events, some{7}, text, some{8}] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
                     of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
@@ -140,7 +150,7 @@ function [x, v, y, counts, values, info, counted, seconds, lanes, events, said] 
     if (! isempty (text))
       said(good) = text;
     endif
-    for i = 1:7
+    for i = 1:8
       if (i <= 3)
         all_{i}(:,:,good) = some{i};
       else
@@ -148,7 +158,7 @@ function [x, v, y, counts, values, info, counted, seconds, lanes, events, said] 
       endif
     endfor
   endif
-  [x, v, y, counts, values, info, counted] = all_{:};
+  [x, v, y, counts, values, info, counted, margins] = all_{:};
 endfunction
 
 ## columns for the N event functions from rows of counts and times
@@ -157,6 +167,27 @@ function c = counted_of (n, counted)
   c = struct ("count", part (0), "first", part (1), "last", part (2));
   none = c.count == 0;
   [c.first(none), c.last(none)] = deal (NaN);
+endfunction
+
+## margins of devices: their least values, which of them were passed, and a warning where some were
+function e = with_margins (who, e, p, rows, found)
+  n = numel (p.m.state_margins);
+  [outside, least] = deal (found(:,1:n) != 0, found(:,n+1:end));
+  least(! isfinite (e.x(1,1,:))(:) | isinf (least)) = NaN;
+  [e.margins, e.outside] = deal (least, outside);
+  bad = any (outside, 2);
+  k = find (bad, 1);
+  if (isempty (k))
+    return;
+  endif
+  m = of_row (p.m, rows, k);
+  here = all (isfinite (e.x(:,:,k)), 2);
+  list = gsmbp__margins (m, e.t(here), e.x(here,:,k), e.v(here,:,k));
+  if (! isempty (list))
+    warning ("gsmbp:margin", ["%s: %s: devices were outside of their margins in %d of %d runs; " ...
+                              "run %d, at t = %.6g s first: %s"], who, m.name, nnz (bad), ...
+             rows.n, k, list(1).time, list(1).said);
+  endif
 endfunction
 
 ## runs that had more events than are listed
@@ -300,17 +331,21 @@ function e = judged (e, p, rows, counts, values, info, said)
   endfor
 endfunction
 
+## the model with the parameters of run I
+function m = of_row (m, rows, i)
+  if (! isempty (rows.table))
+    warning ("off", "gsmbp:negative", "local");
+    m = gsmbp_set (m, cell2struct (num2cell (rows.table(i,:)), fieldnames (m.par)(rows.which), 2));
+  endif
+endfunction
+
 ## why run I failed, as gsmbp_simulate says it of the model with its parameters
 function text = reason (p, rows, i, info, counts, values, said, last)
   if (info(2) != 0)
     text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
     return;
   endif
-  m = p.m;
-  if (! isempty (rows.table))
-    warning ("off", "gsmbp:negative", "local");
-    m = gsmbp_set (m, cell2struct (num2cell (rows.table(i,:)), fieldnames (m.par)(rows.which), 2));
-  endif
+  m = of_row (p.m, rows, i);
   if (info(1) == 3 && counts(7) == 9)
     text = off_constraints (m, p, rows, i);
   elseif (info(1) == 3 && counts(7) == 7 && counts(6) == 13 && ! isempty (last))

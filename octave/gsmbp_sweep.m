@@ -24,9 +24,10 @@
 ## "min NAME", "mean NAME", "rms NAME" of states, inputs and outputs, at the @var{times} that
 ## are asked for (mean and rms by the trapezoidal rule), "at T NAME" at the one of these that is T,
 ## "whole NAME" at all of them; of events "first NAME", "last NAME", when [s] (NaN where there was
-## none), and "count NAME"; "phase_margin" [rad], "gain_margin", "delay_margin" [s], "Ms" of
-## the control loop of option "loop"; default the last value of every output, or of every state
-## where there are none
+## none), and "count NAME"; "state_margin1", the least value of the first margin of devices
+## (@code{m.state_margins}: strokes, pressures) at these times; "phase_margin" [rad],
+## "gain_margin", "delay_margin" [s], "Ms" of the control loop of option "loop"; default the last
+## value of every output, or of every state where there are none
 ## @item "loop"
 ## a function of the model with the parameters of a run that gives a controller
 ## (@code{gsmbp_control}, @code{gsmbp_pid}): the margins are those of its loop (@code{gsmbp_loop}),
@@ -149,6 +150,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
     r = gsmbp__sweep_on_disk (who, s, gsmbp__sweep_journal (who, m, o, told, records));
   endif
   w.stopped = said_if_stopped (who, m, o, r);
+  told_of_margins (who, m, r.outside, rows (table));
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   w = gsmbp__sweep_statistics (w, table, r.values, o);
@@ -220,6 +222,17 @@ function stopped = said_if_stopped (who, m, o, r)
     how = {"; \"resume\", true goes on", ""}{1 + isempty(o.file)};
     warning ("gsmbp:stopped", "%s: %s: %s with %d of %d runs made%s", who, m.name, ...
              gsmbp__stopped_by (stopped), nnz (r.made), numel (r.made), how);
+  endif
+endfunction
+
+## runs, with a margin of a device that was passed in each
+function told_of_margins (who, m, outside, n)
+  if (! isempty (outside))
+    [run, k] = deal (outside(1,1), outside(1,2));
+    warning ("gsmbp:margin", ["%s: %s: devices were outside of their margins in %d of %d runs, " ...
+                              "run %d first: %s: expected above 0; \"keep\", " ...
+                              "\"state_margin%d\" tells how far"], who, m.name, ...
+             rows (outside), n, run, m.state_margins{k}, k);
   endif
 endfunction
 

@@ -22,6 +22,7 @@ public:
     m_values = m_results.values.fortran_vec ();
     m_info = m_results.info.fortran_vec ();
     m_counted = m_results.counted.fortran_vec ();
+    m_margins = m_results.margins.fortran_vec ();
   }
 
   void run_all (int threads);
@@ -34,7 +35,9 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
+  gs_start start_of (void) const;
   bool begins (int i, run_room& r) const;
+  void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
              reals& one);
 
@@ -64,7 +67,7 @@ private:
   const ensemble_rows& m_rows;
   const bool m_lanes;
   ensemble_results m_results;
-  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info, *m_counted;
+  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info, *m_counted, *m_margins;
   std::atomic<int> m_next, m_done;
   std::mutex m_plan;
   const reals m_common;              // the parameters of all runs
@@ -96,16 +99,39 @@ ensemble::constants (const known_row& row, reals& cst) const
   return info;
 }
 
+gs_start
+ensemble::start_of (void) const
+{
+  auto sub = [] (const char *name) {
+    const gsmbp_routine *f = emitted (name);
+    return f ? f->sub : nullptr;
+  };
+  return { &S, sub ("con"), sub ("prj"), sub ("mar"), m_rows.nominal.data (), m_rows.check };
+}
+
+// the margins of the devices in the first ROWS, of which those behind REACHED are as that one
+void
+ensemble::margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const
+{
+  const gs_start start = start_of ();
+  if (S.nsm == 0 || ! start.mar)
+    return;
+  reals work = room (gs_margins_room (&S)), cst = r.cst;
+  double *passed = m_margins + std::size_t (2) * S.nsm * i;
+  for (std::size_t k = 0; k < rows; k++)
+    {
+      const std::size_t at = std::min (k, reached);
+      gs_margins (&start, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at], &cst[0],
+                  passed, passed + S.nsm, &work[0]);
+    }
+}
+
 // the start of run I on its constraints; false where it cannot be taken: INFO 3, as GSSIM, ISTAT(7)
 // = 9 and a verdict of start.h
 bool
 ensemble::begins (int i, run_room& r) const
 {
-  if (S.nlam == 0 && S.nq == S.nu)
-    return true;
-  const gsmbp_routine *con = emitted ("con"), *prj = emitted ("prj");
-  const gs_start start = { &S, con ? con->sub : nullptr, prj ? prj->sub : nullptr,
-                           m_rows.nominal.data (), m_rows.check };
+  const gs_start start = start_of ();
   reals work = room (gs_start_room (&S));
   const int verdict = gs_take_start (&start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
   if (verdict == GS_START_TAKEN)
@@ -177,6 +203,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
         y[S.ny * k + j] = double (one[j]);
     }
+  margins (i, ended ? nt : std::min (nt, reached), reached, r);
   if (S.nev > 0)
     {
       m_results.events[i] = m_s.plan->events_of (ip, rp);
@@ -264,7 +291,8 @@ ensemble::run_all (int threads)
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
 // starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
 // outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events, how many of
-// each function there were and when, what methods said that failed (a column of runs, {} if none)
+// each function there were and when, what methods said that failed (a column of runs, {} if none),
+// which margins of devices were passed, their least values
 static octave_value_list
 do_ensemble (arguments& a, int)
 {
@@ -282,5 +310,5 @@ do_ensemble (arguments& a, int)
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
   const ensemble_results& r = all.results ();
   return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events (),
-              r.counted, r.all_said ());
+              r.counted, r.all_said (), r.margins);
 }

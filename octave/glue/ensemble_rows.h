@@ -53,14 +53,20 @@ struct ensemble_results
 {
   NDArray x, v, y;
   Matrix counts, values, info, counted;   // COUNTED: as run_plan has it
+  Matrix margins;   // of devices, as start.h has it: which were passed, then the least values
   std::vector<std::string> said;             // by an implicit method that failed
   std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)
     : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
       y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0), counted (3 * S.nev, n, 0.0), said (n), events (S.nev > 0 ? n : 0)
-  { }
+      info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
+      margins (2 * S.nsm, n, 0.0), said (n), events (S.nev > 0 ? n : 0)
+  {
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < S.nsm; k++)
+        margins(S.nsm + k, i) = HUGE_VAL;
+  }
 
   Cell all_said (void) const
   {

@@ -5,6 +5,7 @@
 #include "gsmbp_scene.h"
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 #if defined (GSMBP_QUAD)
 typedef __float128 gs_real;
@@ -16,21 +17,36 @@ typedef void gs_con_type (const gs_real *t, const gs_real *q, const gs_real *u, 
                           gs_real *phi, gs_real *phit, gs_real *rows, const int *ld,
                           gs_real *gamma, int *info);
 typedef void gs_prj_type (const gs_real *t, gs_real *x, gs_real *cst, gs_real *off, int *info);
+typedef void gs_mar_type (const gs_real *t, const gs_real *x, const gs_real *v, gs_real *cst,
+                          gs_real *margins, gs_real *sizes);
 
-/* CON, PRJ: null pointers where they were not emitted; NOMINAL: usual sizes of the states; CHECK:
-   is the start one that should be closed? */
-typedef struct { const gsmbp_scene *scene; gsmbp_sub con, prj; const double *nominal; int check; }
-  gs_start;
+/* CON, PRJ, MAR: null pointers where they were not emitted; NOMINAL: usual sizes of the states;
+   CHECK: is the start one that should be closed, and where devices can be? */
+typedef struct
+{
+  const gsmbp_scene *scene;
+  gsmbp_sub con, prj, mar;
+  const double *nominal;
+  int check;
+} gs_start;
 
 /* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
-   (of the usual sizes) although they are not; no state on them was found */
-enum { GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE };
+   (of the usual sizes) although they are not; no state on them was found; a device cannot be
+   there */
+enum { GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE };
 
 /* how many numbers gs_take_start works with */
 static int
 gs_start_room (const gsmbp_scene *s)
 {
   return 2 * s->nx + s->nlam * (4 + s->nu) + 1;
+}
+
+/* how many numbers gs_margins works with */
+static int
+gs_margins_room (const gsmbp_scene *s)
+{
+  return s->nx + 2 * s->nsm;
 }
 
 /* the larger one; not a number where one is none */
@@ -123,10 +139,70 @@ gs_start_moved (const gs_start *a, const gs_real *x, const gs_real *was)
   return most;
 }
 
+/* margin K of the devices, as gsmbp__margins.m: is there a state beside X, by 1e-6 of a usual size,
+   where it holds? */
+static int
+gs_margin_beside (const gs_start *a, gs_real t, const gs_real *x, const gs_real *v, gs_real *cst,
+                  int k, gs_real *w)
+{
+  const gsmbp_scene *s = a->scene;
+  gs_real *y = w, *g = w + s->nx, *size = g + s->nsm;
+  for (int j = 0; j < 2 * s->nx; j++)
+    {
+      int i = j / 2;
+      for (int l = 0; l < s->nx; l++)
+        y[l] = x[l];
+      y[i] = (double) x[i] + (j % 2 == 0 ? 1 : -1) * 1e-6 * a->nominal[i];
+      ((gs_mar_type *) a->mar) (&t, y, v, cst, g, size);
+      if (g[k] >= 0)
+        return 1;
+    }
+  return 0;
+}
+
+/* the margins of the devices in the state X at T under the inputs V: PASSED, 1 where one is, LEAST,
+   the least values so far (W: gs_margins_room numbers).  How many are passed */
+static int
+gs_margins (const gs_start *a, gs_real t, const gs_real *x, const gs_real *v, gs_real *cst,
+            double *passed, double *least, gs_real *w)
+{
+  const gsmbp_scene *s = a->scene;
+  gs_real *g = w + s->nx, *size = g + s->nsm;
+  int many = 0;
+  ((gs_mar_type *) a->mar) (&t, x, v, cst, g, size);
+  for (int k = 0; k < s->nsm; k++)
+    {
+      double now = (double) g[k], rounding = -1e-9 * (double) size[k];
+      if (! isnan (least[k]) && ! (now >= least[k]))
+        least[k] = now;
+      if (now >= rounding || passed[k] > 0)
+        continue;
+      passed[k] = ! gs_margin_beside (a, t, x, v, cst, k, w);
+      many += passed[k] > 0;
+      ((gs_mar_type *) a->mar) (&t, x, v, cst, g, size);
+    }
+  return many;
+}
+
+/* is a device where it cannot be at the start X? */
+static int
+gs_start_outside (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
+{
+  const gsmbp_scene *s = a->scene;
+  const int n = s->nsm;
+  gs_real *w = a->check && a->mar && n > 0
+                 ? (gs_real *) calloc (gs_margins_room (s) + s->nv + 1, sizeof (gs_real)) : NULL;
+  double *some = w ? (double *) calloc (2 * n, sizeof (double)) : NULL;
+  int many = some ? gs_margins (a, t, x, w + gs_margins_room (s), cst, some, some + n, w) : 0;
+  free (w);
+  free (some);
+  return many;
+}
+
 /* X at T moved onto the constraints, by PRJ, unless it is there but for rounding; a verdict (W:
    gs_start_room numbers) */
 static int
-gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
+gs_close_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
 {
   const gsmbp_scene *s = a->scene;
   gs_real *was = w + s->nx + s->nlam * (4 + s->nu);
@@ -148,5 +224,13 @@ gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *
   if ((info != 0 && info != 2) || ! (gs_start_off (a, t, x, cst, w) <= 1e-6))
     return GS_START_NONE;
   return a->check && ! (gs_start_moved (a, x, was) <= 1e-3) ? GS_START_FAR : GS_START_TAKEN;
+}
+
+/* the same, and where devices can be */
+static int
+gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
+{
+  int verdict = gs_close_start (a, t, x, cst, w);
+  return verdict == GS_START_TAKEN && gs_start_outside (a, t, x, cst) ? GS_START_DEVICE : verdict;
 }
 #endif

@@ -264,7 +264,8 @@ set_breaks (const gs_sweep *s, gs_room *r)
 static int
 take_start (const gs_sweep *s, gs_room *r)
 {
-  const gs_start start = { S, emitted ("con"), emitted ("prj"), s->nominal.x, s->check_start };
+  const gs_start start = { S, emitted ("con"), emitted ("prj"), emitted ("mar"), s->nominal.x,
+                           s->check_start };
   double *work = room (gs_start_room (S));
   r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
   r->istat[6] = r->istat[5] != 0 ? 9 : 0;   /* a verdict of start.h */
@@ -419,6 +420,28 @@ value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long lon
   return j < S->nv ? r->vout[s->ldv * k + j] : r->yout[S->ny * k + j - S->nv];
 }
 
+/* the least value of margin NUMBER of the devices */
+static double
+of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
+{
+  const gs_start start = { S, NULL, NULL, emitted ("mar"), s->nominal.x, 0 };
+  double *work = start.mar ? room (gs_margins_room (S) + 2 * S->nsm) : NULL, least = NAN;
+  if (! work)
+    return NAN;
+  double *passed = work + gs_margins_room (S), *all = passed + S->nsm;
+  for (int k = 0; k < S->nsm; k++)
+    {
+      passed[k] = 1;   /* those need not be found */
+      all[k] = HUGE_VAL;
+    }
+  for (long long k = 0; k < reached; k++)
+    gs_margins (&start, s->tout.x[k], r->xout + s->ldx * k, r->vout + s->ldv * k, r->cst, passed,
+                all, work);
+  least = all[number - 1];
+  free (work);
+  return least;
+}
+
 /* sum of the trapezoidal rule as gsmbp__kept has it, of the POWER 1 or 2 */
 static double
 mean (const gs_sweep *s, const gs_room *r, int number, long long reached, int power)
@@ -470,7 +493,7 @@ of_events (const gs_sweep *s, const gs_room *r, int way, int number)
 }
 
 static double
-kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
+kept (const gs_sweep *s, gs_room *r, long long k, long long reached)
 {
   int number = s->number[k];
   switch (s->way[k])
@@ -487,6 +510,8 @@ kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
     case GS_LAST:
     case GS_COUNT:
       return of_events (s, r, s->way[k], number);
+    case GS_MARGIN:
+      return of_margins (s, r, number, reached);
     case GS_RMS:
       return sqrt (mean (s, r, number, reached, 2));
     default:
@@ -496,7 +521,7 @@ kept (const gs_sweep *s, const gs_room *r, long long k, long long reached)
 
 /* the row: ok, the time that was reached, what is kept, whole runs */
 static void
-fill (const gs_sweep *s, const gs_room *r, int ok, double reached_time, long long reached,
+fill (const gs_sweep *s, gs_room *r, int ok, double reached_time, long long reached,
       double *row)
 {
   long long at = 0;
@@ -582,6 +607,8 @@ no_start (const gs_room *r, char *why)
   if (r->istat[6] == 8)
     snprintf (why, GS_WHY, "expected a start where the constraints are independent; at t = %.9g s "
               "they lose rank: %s; start beside that position", t, reasons[r->istat[5] - 1]);
+  else if (r->istat[5] == GS_START_DEVICE)
+    snprintf (why, GS_WHY, "a device cannot be there");
   else if (r->istat[5] == GS_START_NONE)
     snprintf (why, GS_WHY, "no state on the constraints was found near this one at t = %.9g s", t);
   else
@@ -657,7 +684,7 @@ failure (const gs_sweep *s, const gs_room *r, char *why)
 
 /* one that was not begun */
 static void
-never (const gs_sweep *s, const gs_room *r, double *row)
+never (const gs_sweep *s, gs_room *r, double *row)
 {
   fill (s, r, 0, s->t0, 0, row);
 }

@@ -7,7 +7,7 @@
 
 enum { GS_SUBS = 11 };   /* subroutines that GSSIM takes */
 enum { GS_FINAL = 1, GS_PEAK, GS_MAX, GS_MIN, GS_MEAN, GS_RMS, GS_AT, GS_WHOLE, GS_FIRST, GS_LAST,
-       GS_COUNT };
+       GS_COUNT, GS_MARGIN };
 
 typedef struct
 {

@@ -1,9 +1,9 @@
 ## kept = gsmbp__kept (who, m, words, times)
 ## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
 ## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
-## of z; of events of (counted), of an ensemble); whole; and for the program of a
-## sweep the numbers of the way, the quantity, the time.  A margin of a control loop has the way 0,
-## what is kept of events one above 8.
+## of z; of events of (counted), of margins of devices of (margins), of an ensemble); whole; and
+## for the program of a sweep the numbers of the way, the quantity, the time.  A margin of a control loop has the way 0,
+## what is kept of events and of margins of devices one above 8.
 
 function kept = gsmbp__kept (who, m, words, times)
   if (isempty (words))
@@ -19,6 +19,10 @@ function kept = gsmbp__kept (who, m, words, times)
     if (at)
       kept(end+1) = struct ("what", word{1}, "name", word{1}, "unit", margins (){at,2}, "of", ...
                             [], "whole", false, "way", 0, "number", 0, "time", 0);
+      continue;
+    endif
+    if (! isempty (regexp (word{1}, '^state_margin\d+$', "once")))
+      kept(end+1) = of_margin (who, m, word{1});
       continue;
     endif
     [way, name, at] = parts_of (who, word{1}, times);
@@ -67,6 +71,18 @@ function [way, name, at] = parts_of (who, word, times)
     error ("%s: option keep: expected one of the times and a name behind \"at\", found %s", who, ...
            gsmbp__shown (word));
   endif
+endfunction
+
+## the least value of a margin of the devices
+function kept = of_margin (who, m, word)
+  k = str2double (word(13:end));
+  n = numel (m.state_margins);
+  if (k < 1 || k > n)
+    error ("%s: option keep: %s: expected the number of a margin (m.state_margins), %s", who, ...
+           word, {sprintf("1 to %d", n), "of which there is none"}{1 + (n == 0)});
+  endif
+  kept = struct ("what", word, "name", m.state_margins{k}, "unit", "", "of", ...
+                 @(least) least(:,k), "whole", false, "way", 12, "number", k, "time", 1);
 endfunction
 
 ## the time of the first or last event with the NAME, or how many there are

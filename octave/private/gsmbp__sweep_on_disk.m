@@ -24,7 +24,8 @@ function r = of_file (file, varied, kept)
   n = numel (w.ok);
   r = struct ("values", reshape (w.table, varied + kept, n)(varied+1:end,:)', "ok", ...
               logical (w.ok(:)), "reached", w.reached(:), "reason", {repmat({""}, n, 1)}, ...
-              "whole", {{}}, "seconds", 0, "made", true (n, 1), "stopped", "");
+              "whole", {{}}, "seconds", 0, "made", true (n, 1), "stopped", "", "outside", ...
+              zeros (0, 2));
   if (isfield (w, "failed"))
     r.reason(double (w.failed.run)) = cellstr (w.failed.reason);
   endif

@@ -3,14 +3,15 @@
 ## names, table, kept, threads, chunk, loop; J: a journal, [] for none.  R: values, ok,
 ## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
 ## (whether they were), stopped ("", or what ended all; of the chunk under way the runs that came to
-## their end before are kept).
+## their end before are kept), outside (a row for each run that was made now in which devices left
+## their margins: its number, that of the first of these margins).
 
 function r = gsmbp__sweep_runs (who, s, j)
   n = rows (s.table);
   whole = [s.kept.whole];
   r = struct ("values", NaN (n, nnz (! whole)), "ok", false (n, 1), "reached", NaN (n, 1), ...
               "reason", {repmat({""}, n, 1)}, "whole", {cell(1, nnz (whole))}, "seconds", 0, ...
-              "stopped", "");
+              "stopped", "", "outside", zeros (0, 2));
   missing = true (n, 1);
   if (! isempty (j))
     [r, missing] = read_chunks (r, j, missing);
@@ -35,6 +36,7 @@ function r = gsmbp__sweep_runs (who, s, j)
       break;
     endif
     r.seconds += b.seconds;
+    r.outside = [r.outside; b.outside];
     for i = stretches (b.made)   # whole chunks on disk, however short
       text = [b.lines{i(1):i(2)}, ""];
       if (! isempty (j))
@@ -88,8 +90,9 @@ endfunction
 function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
   warning ("off", "gsmbp:events", "local");    # what is kept counts all
+  warning ("off", "gsmbp:margin", "local");    # the sweep says it
   b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...
-              "timeout");
+              "timeout", "outside", zeros (0, 2));
   if (left <= 0)
     return;
   endif
@@ -103,6 +106,11 @@ function b = chunk (s, i, left)
     rethrow (err);
   end_try_catch
   [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
+  if (isfield (e, "outside"))
+    k = find (any (e.outside, 2));
+    [~, which] = max (e.outside(k,:), [], 2);
+    b.outside = [i(k)(:), which(:)];
+  endif
   kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
   parts = cell (1, numel (kept));
   if (! isempty (s.loop))
@@ -113,7 +121,9 @@ function b = chunk (s, i, left)
       parts{k} = [g.(kept(k).name)]';
       continue;
     endif
-    if (kept(k).way > 8)
+    if (kept(k).way == 12)
+      parts{k} = kept(k).of (e.margins);
+    elseif (kept(k).way > 8)
       parts{k} = kept(k).of (e.counted);
     else
       parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
