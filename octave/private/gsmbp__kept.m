@@ -1,9 +1,9 @@
 ## kept = gsmbp__kept (who, m, words, times)
 ## What WORDS, as "peak motor.i", keep of a run of the model M at TIMES: a struct array with what,
 ## name, unit; of (t, z), a number for each column of z, a row for each time t (of a whole run, all
-## of z; of events of (counted), of margins of devices of (margins), of an ensemble); whole; and
-## for the program of a sweep the numbers of the way, the quantity, the time.  A margin of a control loop has the way 0,
-## what is kept of events and of margins of devices one above 8.
+## of z; of events of (counted), of margins of devices of (margins), of an ensemble); whole; and for
+## the program of a sweep the numbers of the way, the quantity, the time.  A margin of a control
+## loop has the way 0, what is kept of events and of margins of devices one above 8.
 
 function kept = gsmbp__kept (who, m, words, times)
   if (isempty (words))
