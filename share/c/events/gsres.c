@@ -181,6 +181,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
     }
   gsusd (&a, a.g);
   for (int i = 0; i < a.ne; i++)
-    a.mark[i] = gs_risen (&a, i, a.g[i]) || (a.kind[i] == 1 && gs_is_held (&a, i));
+    a.mark[i] = (a.mark[i] == 1 && a.g[i] > 0.0) || gs_risen (&a, i, a.g[i])
+                || (a.kind[i] == 1 && gs_is_held (&a, i));
   return 0;
 }

@@ -203,9 +203,11 @@ C     -- what sticks comes to rest
       IF ( IE(6).EQ.1 ) CALL RST( T, X, V, IE(JM+1), -2, CST, INFO )
       IF ( INFO.NE.0 ) RETURN
       CALL GSUSD( NX, IE, RE, RE )
+C
+C     -- functions that are above 0 yet, or have risen
       DO 60 I = 1, NE
          HELD = ( IE(JK+I).EQ.1 ) .EQV. ( IE(JM+I).EQ.0 )
-         IE(JA+I) = 0
+         IF ( .NOT.( RE(I).GT.0.0D0 ) ) IE(JA+I) = 0
          IF ( GSUSU( I, RE(I), NX, IE, RE ) .OR. ( IE(JK+I).EQ.1 .AND.
      $        HELD ) ) IE(JA+I) = 1
    60 CONTINUE
