@@ -331,12 +331,16 @@ function e = judged (e, p, rows, counts, values, info, said)
   endfor
 endfunction
 
-## the model with the parameters of run I
+## the model with the parameters of run I, as far as a reason needs it: many runs may fail
 function m = of_row (m, rows, i)
-  if (! isempty (rows.table))
-    warning ("off", "gsmbp:negative", "local");
-    m = gsmbp_set (m, cell2struct (num2cell (rows.table(i,:)), fieldnames (m.par)(rows.which), 2));
+  if (isempty (rows.table))
+    return;
   endif
+  names = fieldnames (m.par)(rows.which);
+  for k = 1:numel (names)
+    m.par.(names{k}) = rows.table(i,k);
+  endfor
+  m = gsmbp__handles (m, {"rhs", "con", "prj", "mar", "hld"});
 endfunction
 
 ## why run I failed, as gsmbp_simulate says it of the model with its parameters

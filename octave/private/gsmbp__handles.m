@@ -1,12 +1,16 @@
 ## m = gsmbp__handles (m)
-## The constants m.cst of the parameters m.par and the handles that use them.
+## m = gsmbp__handles (m, calls)
+## The constants m.cst of the parameters m.par and the handles that use them, all or those of CALLS.
 
-function m = gsmbp__handles (m)
+function m = gsmbp__handles (m, calls)
   f = m.module;
   m.cst = f ("pre", struct2array_of (m.par));
   cst = m.cst;
   ## what is wrong with the arguments, or that a subroutine was not emitted, the module says
-  for name = f ("calls")'
+  if (nargin < 2)
+    calls = f ("calls")';
+  endif
+  for name = calls
     call = name{1};
     m.(call) = @(varargin) f (call, cst, varargin{:});
   endfor
