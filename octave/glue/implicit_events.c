@@ -168,7 +168,8 @@ by_its_end (gs_run *s, place *p)
 }
 
 /* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or
- * does it rise from there?  Else by_its_end.  A flag of the method in *FLAG, INFO */
+ * does it rise from there?  On the step made again; on a dense polynomial it must be so by more than
+ * that may be off.  Else by_its_end.  A flag of the method in *FLAG, INFO */
 static int
 rose (gs_run *s, place *p, int *so, int *flag)
 {
@@ -178,12 +179,15 @@ rose (gs_run *s, place *p, int *so, int *flag)
   *so = e.kind[i] < OWN || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
   if (*so)
     return info;
-  if (! s->by->dense && p->t - p->begin > 1e-9 * (p->end - p->begin))
+  if (p->t - p->begin > 1e-9 * (p->end - p->begin))
     {
-      double middle = p->begin + 0.5 * (p->t - p->begin);
-      *flag = gs_once_more (s, p->from, middle);
-      if (*flag < 0 || (info = gs_function (s, p->i, s->t, s->y, &g)) != 0)
+      const double middle = p->begin + 0.5 * (p->t - p->begin), most = fmax (e.last[i], e.g[i]);
+      const int dense = s->by->dense;
+      *flag = dense ? s->by->between (s, middle, s->work) : gs_once_more (s, p->from, middle);
+      if (*flag < 0 || (info = gs_function (s, p->i, dense ? middle : s->t, dense ? s->work : s->y,
+                                            &g)) != 0)
         return info;
+      g -= dense ? 1e-3 * fmax (most, -fmin (e.last[i], e.g[i])) : 0;
     }
   *so = g > 0;
   if (! *so)

@@ -27,6 +27,22 @@ gsevz (double b)
   return 16.0 * (b * b);
 }
 
+/* The parabola through the three points before misses the last one by more than half of what they
+ * are apart, and of what the function is. */
+int
+gsevf (const gs_events *p, int i, int j, double older, double before, double now, double c,
+       double a)
+{
+  double *told = gs_told (p, i), *bend = told + GS_TOLD_BEND;
+  const double curve = ((now - before) / a - (before - older) / c) / (a + c),
+               off = fabs (curve - *bend) * (a * (a + c)),
+               low = gs_min (gs_min (older, before), now),
+               high = gs_max (gs_max (older, before), now),
+               least = gs_min (gs_min (fabs (older), fabs (before)), fabs (now));
+  *bend = curve;
+  return j > 2 && 2.0 * off > high - low && off > told[GS_TOLD_RISEN] && least < 2.0 * off;
+}
+
 /* what function i is at least around the last point, the j-th, and between the two before it, a
  * and c apart */
 static double
@@ -91,6 +107,8 @@ clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
         d = gs_max (d, gsevz (b - a - c));
       for (int i = 0; i < p->ne; i++)
         {
+          if (j > 1 && gsevf (p, i, j, p->before[i], p->last[i], p->now[i], c, a))
+            return 0;
           const double away = least (p, i, j, c, a), may = 2.0 * d * p->older[i];
           if (! (away > may || (away >= may && p->mark[i] == 0)))
             return 0;

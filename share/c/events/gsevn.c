@@ -115,45 +115,67 @@ rose (const gs_system *g, gs_step *e, int i, double th, int *so)
   return info == 0 ? as_it_was (g, e) : info;
 }
 
-/* the first function that falls to 0 within e, and where on its polynomial; the part before it
- * again; 0: none */
-static int
-first_event (const gs_system *g, gs_step *e, int *first, double *thf)
+/* how the first event of a step is looked for */
+typedef struct
 {
-  int ns = 8, found;
+  int is_long; /* may the step be made shorter? */
+  int first;   /* its function, 0: none */
+  double thf;  /* and where it is on the polynomial of the step */
+  int ns;      /* in how many points */
+  int more;    /* 1 where these were more than those of other steps */
+  int fast;    /* 1 where a function is too fast for any, and the step may be made shorter */
+} search;
+
+/* what the polynomial alone says: all again in more points, and then without it */
+static void
+otherwise (const gs_system *g, search *l, int i)
+{
+  if (l->more)
+    by_its_end (g, i);
+  l->ns = l->more ? 8 : 512;
+  l->more = 1;
+}
+
+/* the first function that falls to 0 within e, and where on its polynomial; the part before it
+ * again */
+static int
+first_event (const gs_system *g, gs_step *e, search *l)
+{
+  int found;
   double be = 1.0;
-  *first = 0;
-  *thf = 2.0;
+  l->first = 0;
+  l->thf = 2.0;
   for (;;)
     {
       double th;
-      int fine, so = 1,
-          info = gsevl (g, e, be, ns, *first == 0 ? e->side : 1, &found, &th, &fine);
+      int fine, so = 1, info = gsevl (g, e, be, l->ns, l->first == 0 ? e->side : 1, &found, &th,
+                                      &fine, &l->fast);
       if (info != 0)
         return failed (g, info);
-      if (fine && ns < 2048)
+      if ((fine || l->fast) && l->ns < 2048)
         {
-          ns *= 2;
+          l->ns *= 2;
           continue;
         }
-      if (! (found > 0 && th < 0.999 * *thf))
+      l->fast &= l->is_long;
+      if (! (found > 0 && th < 0.999 * l->thf) || l->fast)
         return 0;
       if ((info = rose (g, e, found, th, &so)) != 0)
         return info;
-      if (! so)
-        by_its_end (g, found);
-      *first = so ? found : 0;
-      *thf = so ? th : 2.0;
+      l->first = so ? found : 0;
+      l->thf = so ? th : 2.0;
       be = so ? th * (1.0 - 1e-9) : 1.0;
-      ns = 8;
+      l->ns = 8;
+      if (! so)
+        otherwise (g, l, found);
     }
 }
 
-/* the step e up to event `first` at the fraction thf of its polynomial; again: the polynomial alone
- * says so */
+/* the step e up to its first event; again: the polynomial alone says so */
 static int
-up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *again)
+up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
 {
+  const int first = l->first;
   const gs_events a = plan (g);
   const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
   double err;
@@ -164,7 +186,7 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
       *found = -1;
       return 0;
     }
-  int info = gsevs (g, e, first, thf, &err);
+  int info = gsevs (g, e, first, l->thf, &err);
   *again = info == 0 && err < 0.0;
   if (*again && a.kind[first - 1] == 2 && fabs (e->h) > instant)
     {
@@ -174,7 +196,7 @@ up_to (const gs_system *g, gs_step *e, int first, double thf, int *found, int *a
     }
   if (*again)
     {
-      by_its_end (g, first);
+      otherwise (g, l, first);
       return as_it_was (g, e);
     }
   if (info == 0 && e->wanted && e->tn > *e->wanted)
@@ -217,7 +239,8 @@ gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
   const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  int first = 0, quiet = 0, again, info = ends (g, e, a.xdn);
+  search l = { .is_long = is_long, .ns = 8 };
+  int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
   for (int i = 0; i < a.ne; i++)
     if (a.fresh[i] >= 2)
@@ -229,15 +252,14 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   again = ! quiet;
   while (info == 0 && again)
     {
-      double thf;
       again = 0;
-      if ((info = first_event (g, e, &first, &thf)) != 0)
+      if ((info = first_event (g, e, &l)) != 0)
         return info;
-      *found = still_below (&a, first);
-      if (*found > 0 && is_long)
+      *found = still_below (&a, l.first);
+      if (l.fast || (*found > 0 && is_long))
         *found = -1;
-      else if (first > 0)
-        info = up_to (g, e, first, thf, found, &again);
+      else if (l.first > 0)
+        info = up_to (g, e, &l, found, &again);
     }
   if (info == 0 && *found == 0)
     {
@@ -265,11 +287,11 @@ unresolved (double older, double before, double now, double c, double a)
 
 int
 gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found, double *th,
-       int *fine)
+       int *fine, int *fast)
 {
   const gs_events p = plan (g);
   const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
-  int j0 = 1;
+  int j0 = 1, last = ns;
   for (int i = 0; i < p.ne; i++)
     {
       if (p.fresh[i] == 1)
@@ -280,6 +302,7 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
     }
   *found = 0;
   *fine = 0;
+  *fast = 0;
   *th = 2.0;
   for (int j = j0; j <= ns; j++)
     {
@@ -294,13 +317,17 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       for (int i = 0; i < p.ne; i++)
         {
           p.last[i] = p.now[i];
+          if (j > j0 && j > 1 && gsevf (&p, i, j, p.older[i], p.before[i], p.last[i], c, a))
+            *fast = 1;
           if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
             *fine = 1;
           p.older[i] = p.before[i];
           p.before[i] = p.last[i];
         }
-      const int soon = fabs (b * e->h) <= near;
-      for (int i = 0; i < p.ne; i++)
+      const int soon = fabs (b * e->h) <= near, seen = *found;
+      if (seen > 0 && j >= last)
+        return 0;
+      for (int i = 0; i < p.ne && seen == 0; i++)
         if (p.last[i] > 0.0)
           p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1)
                         && (p.fresh[i] < 2 || (j == ns && be >= 1.0))
@@ -317,8 +344,9 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
                 *found = i + 1;
               }
           }
-      if (*found > 0)
-        return 0;
+      /* behind a zero four points more are looked at: do they resolve it? */
+      if (seen == 0 && *found > 0)
+        last = gs_most (j, 0) + 4;
     }
   return 0;
 }

@@ -49,7 +49,7 @@ typedef struct
   double *held;   /* ns: values of the inputs that are held */
   double *first;  /* ne: when a function had its first event, where it has had one, */
   double *latest; /* ne: and its last one */
-  double *told;   /* (7+nx,ne): what is remembered of the user's: gs_told */
+  double *told;   /* (8+nx,ne): what is remembered of the user's: gs_told */
 } gs_events;
 
 /* What is remembered of an event function of the user: where this stands in its part of told. */
@@ -59,7 +59,8 @@ enum
   GS_TOLD_COUNT = 4,    /* how many they are, 4 at most */
   GS_TOLD_CHANGED = 5,  /* 1 where the last one has changed states */
   GS_TOLD_RISEN = 6,    /* what it must be above to have risen */
-  GS_TOLD_STATE = 7     /* nx: behind the last one */
+  GS_TOLD_BEND = 7,     /* workspace of gseva and gsevl */
+  GS_TOLD_STATE = 8     /* nx: behind the last one */
 };
 
 /* the plan of which ie and re are the arrays */
@@ -177,6 +178,12 @@ typedef struct
   const double *wanted; /* a time behind which events are not, or a null pointer */
 } gs_step;
 
+/* Is event function i (from 0) too fast for the points of a step, of which j has been looked at, so
+ * that it may pass 0 between them? It was older, before and now at the last three, c and a apart;
+ * from j = 3 on the point before was told. */
+int gsevf (const gs_events *p, int i, int j, double older, double before, double now, double c,
+           double a);
+
 /* the first event within the step e; if there is one the step is done again up to it. found: its
  * number, 0 none, -1 the step is too long to see what happens, -2 it is
  * not wanted: nothing is done. info: what failed, as istat[5] and istat[6] */
@@ -195,9 +202,10 @@ double gsevz (double b);
 int gsevy (const gs_system *g, const gs_step *e, int again, double *off);
 
 /* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
- * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value */
+ * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; fast: 1 if
+ * one is too fast for them */
 int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
-           double *th, int *fine);
+           double *th, int *fine, int *fast);
 
 /* for gsevl: the zero of function i between the fractions begin and *c, by the method of Illinois;
  * on exit it has fallen to 0 at *c */

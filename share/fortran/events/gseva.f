@@ -15,7 +15,8 @@ C     METHOD
 C     Eight points of the polynomial of GSEVC.  What it is away from the
 C     cubic one of GSEVH, in two of them, is twice and more what it may
 C     be off; to this comes what functions may fall by between points,
-C     from their second differences.  A function of the user that has
+C     from their second differences, which must not change faster than
+C     these points resolve (GSEVF).  A function of the user that has
 C     just had its event, or one of a port that is not above 0, is not
 C     quiet; one that is not above 0 may be 0 all the time.
 C
@@ -28,7 +29,8 @@ C
       INTEGER            NE, JK, JA, JL, I, J, S
       DOUBLE PRECISION   GAUSS(3), A, B, C, D, OLD, SLOPE, LEAST, CURVE,
      $                   GA, GB, GC, GSEVP, GSEVZ
-      EXTERNAL           GSEVP, GSEVZ, GSEVB
+      LOGICAL            GSEVF
+      EXTERNAL           GSEVP, GSEVZ, GSEVB, GSEVF
 C
       NE = IE(1)
       JK = 10 + 2*NE
@@ -94,6 +96,8 @@ C     -- the points: RE(2*NE+I) the last one, RE(3*NE+I) that before it
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
+               IF ( GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
+     $              A*( A + C ) ) ) RETURN
 C              -- where it rises from its beginning that does not count
                IF ( J.GT.2 .OR. .NOT.( OLD.GT.2.0D0*C*ABS( CURVE ) ) )
      $            LEAST = MIN( LEAST, GA )
@@ -112,6 +116,41 @@ C              -- where it rises from its beginning that does not count
          C = A
    70 CONTINUE
       QUIET = .TRUE.
+      END
+      LOGICAL FUNCTION GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE, W )
+C
+C     PURPOSE
+C     Is an event function too fast for the points that are looked at,
+C     so that it may pass 0 between them?
+C
+C     ARGUMENTS
+C     I       (input) INTEGER, its number.
+C     J       (input) INTEGER, the number of the last point: from 3 on
+C             the one before was told.
+C     NX      (input) INTEGER, the number of states.
+C     IE, RE  (input/output) as GSRES; CURVE is kept in RE (GSUSI).
+C     GA, GC, GB (input) DOUBLE PRECISION, what it is at the last three.
+C     CURVE   (input) DOUBLE PRECISION, their second divided difference.
+C     W       (input) DOUBLE PRECISION, the distance of the last point
+C             from the one before, times that from the first of them.
+C
+C     METHOD
+C     The parabola through the three points before misses the last one by
+C     more than half of what they are apart, and of what the function is.
+C
+      IMPLICIT NONE
+      INTEGER            I, J, NX, IE(*)
+      DOUBLE PRECISION   RE(*), GA, GC, GB, CURVE, W
+      DOUBLE PRECISION   OFF
+      INTEGER            K, GSUSI
+      EXTERNAL           GSUSI
+C
+      K = GSUSI( I, NX, IE )
+      OFF = ABS( CURVE - RE(K+8) )*W
+      GSEVF = J.GT.2 .AND. 2.0D0*OFF.GT.MAX( GA, GC, GB )
+     $        - MIN( GA, GC, GB ) .AND. OFF.GT.RE(K+7) .AND.
+     $        MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF
+      RE(K+8) = CURVE
       END
       DOUBLE PRECISION FUNCTION GSEVZ( B )
 C

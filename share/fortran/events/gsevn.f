@@ -66,7 +66,7 @@ C
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
      $                   I, NS, FIRST
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, MOST
-      LOGICAL            HELD, FINE, LATER, QUIET, LONG, DP8
+      LOGICAL            HELD, FINE, FAST, MORE, LATER, QUIET, LONG, DP8
       EXTERNAL           GSEPS, GSFUN, GSEVA, GSEVL, GSEVS, GSEVD,
      $                   GSEVY, GSUSC, GSUSZ
 C
@@ -124,7 +124,8 @@ C     -- the first function that falls to 0; the part before it again
             RETURN
          END IF
       END IF
-    8 NS = 8
+      MORE = .FALSE.
+      NS = 8
       BE = 1.0D0
       THF = 2.0D0
    10 CONTINUE
@@ -132,11 +133,15 @@ C     -- the first function that falls to 0; the part before it again
       IF ( FIRST.EQ.0 ) I = SIDE
       CALL GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS, I,
      $            NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
-     $            FOUND, TH, FINE, INFO )
+     $            FOUND, TH, FINE, FAST, INFO )
       IF ( INFO.NE.0 ) GO TO 900
-      IF ( FINE .AND. NS.LT.2048 ) THEN
+      IF ( ( FINE .OR. FAST ) .AND. NS.LT.2048 ) THEN
          NS = 2*NS
          GO TO 10
+      END IF
+      IF ( FAST .AND. LONG ) THEN
+         FOUND = -1
+         RETURN
       END IF
       IF ( FOUND.GT.0 .AND. TH.LT.0.999D0*THF ) THEN
 C
@@ -165,15 +170,21 @@ C        -- a function that was not above 0: is it so on the way there?
 C
       GO TO 16
 C
-C     -- what the polynomial alone says: all again without it
+C     -- what the polynomial alone says: all again in more points, and
+C        then without it
    15 I = 10 + 5*NE + FOUND
-      IE(I) = 3 - MIN( 1, IE(I) )
+      IF ( MORE ) IE(I) = 3 - MIN( 1, IE(I) )
       IF ( DP8 ) CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE,
      $   H, X, SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P, ISTAT, RSTAT,
      $   IE, RE, .TRUE., ERR, INFO )
       IF ( INFO.NE.0 ) RETURN
       FIRST = 0
-      GO TO 8
+      BE = 1.0D0
+      THF = 2.0D0
+      NS = 8
+      IF ( .NOT.MORE ) NS = 512
+      MORE = .TRUE.
+      GO TO 10
 C
    16 CONTINUE
 C     -- functions that have not risen above 0 since their last event
@@ -233,7 +244,7 @@ C
       END
       SUBROUTINE GSEVL( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BE, NS,
      $                  SIDE, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
-     $                  IE, RE, FOUND, TH, FINE, INFO )
+     $                  IE, RE, FOUND, TH, FINE, FAST, INFO )
 C
 C     PURPOSE
 C     The first zero of an event function on the polynomial of GSEVN, up
@@ -245,10 +256,12 @@ C     FOUND   (output) INTEGER, the number of the function, 0: none.
 C     TH      (output) DOUBLE PRECISION, the fraction where it is 0.
 C     FINE    (output) LOGICAL, true if a function has a lowest value
 C             that these points do not resolve.
+C     FAST    (output) LOGICAL, true if one is too fast for them.
 C
 C     METHOD
 C     Where a function of the user has just had its event the sign of
 C     what it is within rounding errors of that time tells nothing.
+C     Behind a zero four points more are looked at: do they resolve it?
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT
@@ -256,12 +269,12 @@ C
      $                   FOUND, INFO
       DOUBLE PRECISION   GAUSS(3), T, H, BE, X(NX), W(NX,*), XN(NX),
      $                   RP(*), CST(*), V(*), WI(*), RE(*), TH
-      LOGICAL            FINE
-      INTEGER            NE, JA, JL, KG, I, J, S, J0
+      LOGICAL            FINE, FAST
+      INTEGER            NE, JA, JL, KG, I, J, S, J0, LAST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
      $                   GSEPS, CURVE
-      LOGICAL            SOON, GSUSU
-      EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVI, GSUSU
+      LOGICAL            SOON, GSEVF, GSUSU
+      EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVF, GSEVI, GSUSU
 C
       NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
       NE = IE(1)
@@ -279,7 +292,9 @@ C
    15 CONTINUE
       FOUND = 0
       FINE  = .FALSE.
+      FAST  = .FALSE.
       TH = 2.0D0
+      LAST = NS
       DO 40 J = J0, NS
          B = BE*GSEVP( J, NS )
          SOON = ABS( B*H ).LE.NEAR
@@ -299,19 +314,26 @@ C
             GA = RE(4*NE+I)
             GC = RE(3*NE+I)
             GB = RE(2*NE+I)
-            IF ( GA.GT.0.0D0 .AND. GC.GT.0.0D0 .AND. GB.GT.0.0D0 ) THEN
+            IF ( J.GT.J0 ) THEN
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
+               IF ( J.GT.1 ) THEN
+                  IF ( GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
+     $                 A*( A + C ) ) ) FAST = .TRUE.
+               END IF
 C              -- has the parabola through all three its lowest point
 C                 between them, or close to them?
-               IF ( OLD.LT.1.25D0*C*CURVE .AND.
+               IF ( MIN( GA, GC, GB ).GT.0.0D0 .AND.
+     $              OLD.LT.1.25D0*C*CURVE .AND.
      $              SLOPE.GT.-1.25D0*A*CURVE .AND. 0.5D0*( A + C )**2
      $              *CURVE.GT.MIN( GA, GB, GC ) ) FINE = .TRUE.
             END IF
             RE(4*NE+I) = GC
             RE(3*NE+I) = GB
    20    CONTINUE
+         IF ( J.GE.LAST .AND. FOUND.GT.0 ) RETURN
+         IF ( FOUND.GT.0 ) GO TO 40
          DO 30 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
                IF ( .NOT.( SOON .AND. IE(10+2*NE+I).GT.2 .AND.
@@ -331,7 +353,7 @@ C                 between them, or close to them?
                END IF
             END IF
    30    CONTINUE
-         IF ( FOUND.GT.0 ) RETURN
+         IF ( FOUND.GT.0 ) LAST = MAX( J, 0 ) + 4
    40 CONTINUE
       END
       SUBROUTINE GSEVI( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, BEGIN,

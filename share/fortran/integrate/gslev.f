@@ -67,8 +67,8 @@ C$OMP SIMD
          IF ( AT(L).LT.0.0D0 ) TZ(L) = GSLFT( TZ(L), -1 )
    60 CONTINUE
       END
-      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, OLD, OLDER, LIMIT,
-     $                  Q )
+      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, RISEN, OLD, OLDER,
+     $                  BEND, LIMIT, Q )
 C
 C     PURPOSE
 C     What GSEVA sees at the J-th of the eight points of a step, all
@@ -84,9 +84,11 @@ C             not known.
 C     G0, MARK (input) DOUBLE PRECISION arrays, dimension (K,NE): what
 C             they are where the step begins; 1 where a function has
 C             been above 0 since its last event, else 0.
-C     OLD, OLDER (input/output) DOUBLE PRECISION arrays, dimension
-C             (K,NE): at the last point and the one before; any at the
-C             first point.
+C     RISEN   (input) DOUBLE PRECISION array, dimension (K,NE), what a
+C             function must be above to have risen.
+C     OLD, OLDER, BEND (input/output) DOUBLE PRECISION arrays, dimension
+C             (K,NE): at the last point and the one before, and their
+C             second divided difference (GSEVF); any at the first point.
 C     LIMIT   (input/output) DOUBLE PRECISION array, dimension (K,NE):
 C             how far the polynomials of GSEVA may be apart for the step
 C             to be quiet; any at the first point.
@@ -98,9 +100,10 @@ C
       PARAMETER          ( K = 16 )
       INTEGER            NE, J, INFO(K)
       DOUBLE PRECISION   G(K,NE), G0(K,NE), MARK(K,NE), OLD(K,NE),
-     $                   OLDER(K,NE), LIMIT(K,NE), Q(K)
+     $                   OLDER(K,NE), RISEN(K,NE), BEND(K,NE),
+     $                   LIMIT(K,NE), Q(K)
       DOUBLE PRECISION   GSEVP, GSEVZ, A, B, C, D, W, P, S, V, GA, GB,
-     $                   GC, CURVE, LEAST, START
+     $                   GC, CURVE, LEAST, START, OFF, NEAR, FAST
       EXTERNAL           GSEVP, GSEVZ
       INTEGER            I, L
 C
@@ -121,7 +124,9 @@ C
       D = 0.5D0/D
       W = A + C
       START = 0.0D0
+      FAST  = 0.0D0
       IF ( J.GT.2 ) START = 1.0D300
+      IF ( J.GT.2 ) FAST  = A*W
       DO 40 I = 1, NE
          IF ( J.EQ.1 ) THEN
 C$OMP SIMD
@@ -133,7 +138,7 @@ C$OMP SIMD
      $            -1.0D300
    20       CONTINUE
          ELSE
-C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
+C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR )
             DO 30 L = 1, K
                V  = 2.0D0*MARK(L,I) - 1.0D0
                GA = V*OLDER(L,I)
@@ -141,7 +146,11 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
                GB = V*G(L,I)
                P = ( GC - GA )/C
                S = ( GB - GC )/A
-               CURVE = ABS( S - P )/W
+               CURVE = ( S - P )/W
+               OFF  = ABS( CURVE - BEND(L,I) )*FAST
+               NEAR = MIN( ABS( GA ), ABS( GC ), ABS( GB ) )
+               BEND(L,I) = CURVE
+               CURVE = ABS( CURVE )
                LEAST = MIN( GB, GC )
                IF ( START.GT.P - 2.0D0*C*CURVE ) LEAST = MIN( LEAST,
      $              GA )
@@ -149,6 +158,9 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST )
                IF ( MIN( -P, S ).GT.0.0D0 ) CURVE = 4.0D0*CURVE
                LEAST = D*( LEAST - CURVE )
                IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) LEAST = -1.0D300
+               IF ( 2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB )
+     $              .AND. OFF.GT.RISEN(L,I) .AND. NEAR.LT.2.0D0*OFF )
+     $            LEAST = -1.0D300
                LIMIT(L,I) = MIN( LIMIT(L,I), LEAST )
                OLDER(L,I) = OLD(L,I)
                OLD(L,I)   = G(L,I)
