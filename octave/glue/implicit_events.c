@@ -168,8 +168,8 @@ by_its_end (gs_run *s, place *p)
 }
 
 /* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or
- * does it rise from there?  On the step made again; on a dense polynomial it must be so by more than
- * that may be off.  Else by_its_end.  A flag of the method in *FLAG, INFO */
+ * does it rise from there?  On the step made again; on a dense polynomial it must be so by more
+ * than that may be off.  Else by_its_end.  A flag of the method in *FLAG, INFO */
 static int
 rose (gs_run *s, place *p, int *so, int *flag)
 {

@@ -247,7 +247,7 @@ private:
   // and of their events, see GSLEG
   gsmbp_sub m_evt;
   int m_events;
-  lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_risen, m_bend, m_allowed, m_apart;
+  lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_noise, m_bend, m_allowed, m_apart;
   lane_array m_needs, m_until;
   lane_array m_fn, m_z, m_loud;
   // and of their loops

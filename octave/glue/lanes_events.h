@@ -35,7 +35,9 @@ lane_group::join_events (int lane)
       looks = looks && e.fresh[i] == 0 && ! (std::fabs (e.level[i]) > 0) && *e.tells != 1;
       m_g0(i, lane) = e.g[i];
       m_mark(i, lane) = e.mark[i];
-      m_risen(i, lane) = gs_told (&e, i)[GS_TOLD_RISEN];
+      const double *told = gs_told (&e, i);
+      m_noise(i, lane) = gs_is_own (&e, i)
+                           ? std::max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]) : 1e300;
       m_needs(i, lane) = ! gs_is_own (&e, i);
       m_until(i, lane) = accumulate_from (e, i);
     }
@@ -85,7 +87,7 @@ lane_group::look_for_events (void)
     {
       events_at (j, 5);
       fortran {gsleg_} (&m_events, &j, m_g.begin (), m_info, m_g0.begin (), m_mark.begin (),
-                        m_risen.begin (), m_old.begin (), m_older.begin (), m_bend.begin (),
+                        m_noise.begin (), m_old.begin (), m_older.begin (), m_bend.begin (),
                         m_allowed.begin (), m_loud.begin ());
       if (j != 4 && j != 6)
         continue;

@@ -4,9 +4,19 @@
 function test_events_accumulate ()
   warning ("off", "gsmbp:stiff", "local");
   warning ("off", "gsmbp:atol", "local");
+  warning ("off", "gsmbp:events", "local");
   held (gsmbp_fixture ("user_held"));
   count (gsmbp_fixture ("user_count"));
   thrown_back (gsmbp_fixture ("user_wall"));
+  late (gsmbp_fixture ("user_wall"));
+end
+
+## bounces that accumulate behind more events than the record has places for
+function late (m)
+  m = gsmbp_set (m, "many", 3e4);
+  [r, info] = gsmbp_simulate (m, [0.5 0 0 0 0 5], 0:0.01:2, "maxstep", 2e-5);
+  gsmbp_check (sprintf ("thrown back behind %d events", r.stats.events), ...
+               info == 3 && r.stats.events > 10000 && all (sin (r.x(:,1)) + 0.3 > -1e-9));
 end
 
 ## The methods tell the same reports, none while what holds the speed holds it, none again as it

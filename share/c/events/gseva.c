@@ -40,7 +40,8 @@ gsevf (const gs_events *p, int i, int j, double older, double before, double now
                high = gs_max (gs_max (older, before), now),
                least = gs_min (gs_min (fabs (older), fabs (before)), fabs (now));
   *bend = curve;
-  return j > 2 && 2.0 * off > high - low && off > told[GS_TOLD_RISEN] && least < 2.0 * off;
+  return j > 2 && gs_is_own (p, i) && 2.0 * off > high - low
+         && off > gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]) && least < 2.0 * off;
 }
 
 /* what function i is at least around the last point, the j-th, and between the two before it, a

@@ -118,7 +118,7 @@ rose (const gs_system *g, gs_step *e, int i, double th, int *so)
 /* how the first event of a step is looked for */
 typedef struct
 {
-  int is_long; /* may the step be made shorter? */
+  int is_long; /* may the step be made shorter where a function is fast? */
   int first;   /* its function, 0: none */
   double thf;  /* and where it is on the polynomial of the step */
   int ns;      /* in how many points */
@@ -239,7 +239,7 @@ gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
   const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  search l = { .is_long = is_long, .ns = 8 };
+  search l = { .is_long = is_long && e->h > 1e-2 * g->rstat[GS_H_LARGEST], .ns = 8 };
   int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
   for (int i = 0; i < a.ne; i++)
@@ -317,7 +317,8 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       for (int i = 0; i < p.ne; i++)
         {
           p.last[i] = p.now[i];
-          if (j > j0 && j > 1 && gsevf (&p, i, j, p.older[i], p.before[i], p.last[i], c, a))
+          if (j > j0 && j > 1 && a * e->h > near
+              && gsevf (&p, i, j, p.older[i], p.before[i], p.last[i], c, a))
             *fast = 1;
           if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
             *fine = 1;

@@ -18,12 +18,14 @@ gsuse (const gs_events *a, int k)
 {
   for (int i = 0; i < a->ne; i++)
     {
-      double *risen = gs_told (a, i) + GS_TOLD_RISEN,
+      double *told = gs_told (a, i),
              size = gs_max (fabs (a->g[i]), gs_max (fabs (a->last[i]), fabs (a->older[i])));
       if (k >= 0)
         a->fresh[i] = k == 0 && gs_is_own (a, i);
+      if (k > 0 && gs_is_own (a, i))
+        told[GS_TOLD_NOISE] = gs_max (told[GS_TOLD_NOISE], 1e3 * gseps () * size);
       if (k > 0 && a->kind[i] == 5)
-        *risen = gs_max (*risen, 1e3 * gseps () * size);
+        told[GS_TOLD_RISEN] = gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
     }
 }
 

@@ -49,7 +49,7 @@ typedef struct
   double *held;   /* ns: values of the inputs that are held */
   double *first;  /* ne: when a function had its first event, where it has had one, */
   double *latest; /* ne: and its last one */
-  double *told;   /* (8+nx,ne): what is remembered of the user's: gs_told */
+  double *told;   /* (9+nx,ne): what is remembered of the user's: gs_told */
 } gs_events;
 
 /* What is remembered of an event function of the user: where this stands in its part of told. */
@@ -60,7 +60,8 @@ enum
   GS_TOLD_CHANGED = 5,  /* 1 where the last one has changed states */
   GS_TOLD_RISEN = 6,    /* what it must be above to have risen */
   GS_TOLD_BEND = 7,     /* workspace of gseva and gsevl */
-  GS_TOLD_STATE = 8     /* nx: behind the last one */
+  GS_TOLD_NOISE = 8,    /* rounding errors of it: 1000 units of what it was up to events */
+  GS_TOLD_STATE = 9     /* nx: behind the last one */
 };
 
 /* the plan of which ie and re are the arrays */
@@ -202,8 +203,8 @@ double gsevz (double b);
 int gsevy (const gs_system *g, const gs_step *e, int again, double *off);
 
 /* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
- * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; fast: 1 if
- * one is too fast for them */
+ * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; fast:
+ * 1 if one is too fast for them */
 int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
            double *th, int *fine, int *fast);
 

@@ -120,7 +120,7 @@ C              -- where it rises from its beginning that does not count
       LOGICAL FUNCTION GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE, W )
 C
 C     PURPOSE
-C     Is an event function too fast for the points that are looked at,
+C     Is an event function of the user too fast for the points that are looked at,
 C     so that it may pass 0 between them?
 C
 C     ARGUMENTS
@@ -147,8 +147,9 @@ C
 C
       K = GSUSI( I, NX, IE )
       OFF = ABS( CURVE - RE(K+8) )*W
-      GSEVF = J.GT.2 .AND. 2.0D0*OFF.GT.MAX( GA, GC, GB )
-     $        - MIN( GA, GC, GB ) .AND. OFF.GT.RE(K+7) .AND.
+      GSEVF = J.GT.2 .AND. IE(10+2*IE(1)+I).GT.2 .AND.
+     $        2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
+     $        OFF.GT.MAX( RE(K+7), RE(K+9) ) .AND.
      $        MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF
       RE(K+8) = CURVE
       END

@@ -139,7 +139,7 @@ C     -- the first function that falls to 0; the part before it again
          NS = 2*NS
          GO TO 10
       END IF
-      IF ( FAST .AND. LONG ) THEN
+      IF ( FAST .AND. LONG .AND. H.GT.1.0D-2*RSTAT(7) ) THEN
          FOUND = -1
          RETURN
       END IF
@@ -273,7 +273,7 @@ C
       INTEGER            NE, JA, JL, KG, I, J, S, J0, LAST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
      $                   GSEPS, CURVE
-      LOGICAL            SOON, GSEVF, GSUSU
+      LOGICAL            SOON, ROSE, GSEVF, GSUSU
       EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVF, GSEVI, GSUSU
 C
       NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
@@ -318,7 +318,7 @@ C
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
-               IF ( J.GT.1 ) THEN
+               IF ( J.GT.1 .AND. A*H.GT.NEAR ) THEN
                   IF ( GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
      $                 A*( A + C ) ) ) FAST = .TRUE.
                END IF
@@ -336,10 +336,11 @@ C                 between them, or close to them?
          IF ( FOUND.GT.0 ) GO TO 40
          DO 30 I = 1, NE
             IF ( RE(2*NE+I).GT.0.0D0 ) THEN
+               ROSE = GSUSU( I, RE(2*NE+I), NX, IE, RE )
                IF ( .NOT.( SOON .AND. IE(10+2*NE+I).GT.2 .AND.
      $              IE(10+5*NE+I).EQ.1 ) .AND. ( IE(10+5*NE+I).LT.2 .OR.
-     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) .AND. GSUSU( I,
-     $              RE(2*NE+I), NX, IE, RE ) ) IE(JL+I) = 1
+     $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) .AND. ROSE )
+     $            IE(JL+I) = 1
             ELSE IF ( IE(JL+I).EQ.1 .AND. ( IE(10+5*NE+I).LT.2 .OR.
      $              ( J.EQ.NS .AND. BE.GE.1.0D0 ) ) ) THEN
                C = B

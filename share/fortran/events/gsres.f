@@ -47,7 +47,7 @@ C             after, NX states before, NX after; then NE levels, what an
 C             event function of the user is at its last event but for
 C             rounding errors (it counts from there), NS values of
 C             inputs that are held, NE times of the first and NE of the
-C             last event of a function that has had one, and NE*(8+NX)
+C             last event of a function that has had one, and NE*(9+NX)
 C             numbers of what is remembered of the user's (GSUSI), at
 C             first 0.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and

@@ -21,10 +21,11 @@ C
       DO 10 I = 1, NE
          IF ( K.GE.0 ) IE(10+5*NE+I) = 0
          IF ( K.EQ.0 .AND. IE(10+2*NE+I).GT.2 ) IE(10+5*NE+I) = 1
-         IF ( K.GT.0 .AND. IE(10+2*NE+I).EQ.5 ) THEN
-            J = GSUSI( I, NX, IE ) + 7
-            RE(J) = MAX( RE(J), 1.0D3*GSEPS()*MAX( ABS( RE(I) ),
+         IF ( K.GT.0 .AND. IE(10+2*NE+I).GT.2 ) THEN
+            J = GSUSI( I, NX, IE )
+            RE(J+9) = MAX( RE(J+9), 1.0D3*GSEPS()*MAX( ABS( RE(I) ),
      $         ABS( RE(2*NE+I) ), ABS( RE(4*NE+I) ) ) )
+            IF ( IE(10+2*NE+I).EQ.5 ) RE(J+7) = MAX( RE(J+7), RE(J+9) )
          END IF
    10 CONTINUE
       END

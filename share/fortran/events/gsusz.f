@@ -5,14 +5,15 @@ C     Where in RE of GSRES, behind this place, what is remembered of
 C     event function I of the user stands: 1 to 4 the times of its last
 C     events, the last one first; 5 how many they are, 4 at most; 6 is 1
 C     where the last one has changed states; 7 what it must be above to
-C     have risen; 8 workspace of GSEVA and GSEVL; then NX states behind
-C     the last one.
+C     have risen; 8 workspace of GSEVA and GSEVL; 9 rounding errors of
+C     it, 1000 units of what it was in steps up to events; then NX states
+C     behind the last one.
 C
       IMPLICIT NONE
       INTEGER            I, NX, IE(*)
 C
       GSUSI = 8*IE(1) + 3*NX + IE(2)*( 3 + 2*NX ) + IE(10)
-     $        + ( I - 1 )*( 8 + NX )
+     $        + ( I - 1 )*( 9 + NX )
       END
       SUBROUTINE GSUSB( I, T, X, NX, IE, RE )
 C
@@ -33,7 +34,7 @@ C
       RE(J+1) = T
       RE(J+5) = MIN( 4.0D0, RE(J+5) + 1.0D0 )
       DO 20 K = 1, NX
-         RE(J+8+K) = X(K)
+         RE(J+9+K) = X(K)
    20 CONTINUE
       END
       SUBROUTINE GSUSA( I, X, NX, IE, RE )
@@ -51,8 +52,8 @@ C
       J = GSUSI( I, NX, IE )
       RE(J+6) = 0.0D0
       DO 10 K = 1, NX
-         IF ( ABS( RE(J+8+K) - X(K) ).GT.0.0D0 ) RE(J+6) = 1.0D0
-         RE(J+8+K) = X(K)
+         IF ( ABS( RE(J+9+K) - X(K) ).GT.0.0D0 ) RE(J+6) = 1.0D0
+         RE(J+9+K) = X(K)
    10 CONTINUE
       END
       LOGICAL FUNCTION GSUSU( I, G, NX, IE, RE )
@@ -162,7 +163,7 @@ C
             IF ( YES ) CALL GSUSF( RHS, CON, KIN, CMD, CLO, VIN, EVT, I,
      $         -G(I)/MAX( 1.0D-300, END - RE(J+1) ), 5.0D-6*MAX( H,
      $         RSTAT(7) ), SIZ, IP, RP, CST, V, WI, P, ISTAT, RSTAT, IE,
-     $         RE, RE(J+1), RE(J+9), YES )
+     $         RE, RE(J+1), RE(J+10), YES )
          END IF
          IF ( YES ) THEN
             IF ( INFO.EQ.0 .OR. RE(J+6).GT.0.0D0 ) ISTAT(19) = I

@@ -67,7 +67,7 @@ C$OMP SIMD
          IF ( AT(L).LT.0.0D0 ) TZ(L) = GSLFT( TZ(L), -1 )
    60 CONTINUE
       END
-      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, RISEN, OLD, OLDER,
+      SUBROUTINE GSLEG( NE, J, G, INFO, G0, MARK, NOISE, OLD, OLDER,
      $                  BEND, LIMIT, Q )
 C
 C     PURPOSE
@@ -84,8 +84,8 @@ C             not known.
 C     G0, MARK (input) DOUBLE PRECISION arrays, dimension (K,NE): what
 C             they are where the step begins; 1 where a function has
 C             been above 0 since its last event, else 0.
-C     RISEN   (input) DOUBLE PRECISION array, dimension (K,NE), what a
-C             function must be above to have risen.
+C     NOISE   (input) DOUBLE PRECISION array, dimension (K,NE), what are
+C             rounding errors of a function (GSEVF).
 C     OLD, OLDER, BEND (input/output) DOUBLE PRECISION arrays, dimension
 C             (K,NE): at the last point and the one before, and their
 C             second divided difference (GSEVF); any at the first point.
@@ -100,7 +100,7 @@ C
       PARAMETER          ( K = 16 )
       INTEGER            NE, J, INFO(K)
       DOUBLE PRECISION   G(K,NE), G0(K,NE), MARK(K,NE), OLD(K,NE),
-     $                   OLDER(K,NE), RISEN(K,NE), BEND(K,NE),
+     $                   OLDER(K,NE), NOISE(K,NE), BEND(K,NE),
      $                   LIMIT(K,NE), Q(K)
       DOUBLE PRECISION   GSEVP, GSEVZ, A, B, C, D, W, P, S, V, GA, GB,
      $                   GC, CURVE, LEAST, START, OFF, NEAR, FAST
@@ -159,7 +159,7 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR )
                LEAST = D*( LEAST - CURVE )
                IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) LEAST = -1.0D300
                IF ( 2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB )
-     $              .AND. OFF.GT.RISEN(L,I) .AND. NEAR.LT.2.0D0*OFF )
+     $              .AND. OFF.GT.NOISE(L,I) .AND. NEAR.LT.2.0D0*OFF )
      $            LEAST = -1.0D300
                LIMIT(L,I) = MIN( LIMIT(L,I), LEAST )
                OLDER(L,I) = OLD(L,I)
