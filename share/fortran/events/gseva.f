@@ -29,7 +29,7 @@ C
       INTEGER            NE, JK, JA, JL, I, J, S
       DOUBLE PRECISION   GAUSS(3), A, B, C, D, OLD, SLOPE, LEAST, CURVE,
      $                   GA, GB, GC, GSEVP, GSEVZ
-      LOGICAL            GSEVF
+      LOGICAL            FAST
       EXTERNAL           GSEVP, GSEVZ, GSEVB, GSEVF
 C
       NE = IE(1)
@@ -96,8 +96,9 @@ C     -- the points: RE(2*NE+I) the last one, RE(3*NE+I) that before it
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
-               IF ( GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
-     $              A*( A + C ) ) ) RETURN
+               CALL GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
+     $                     A*( A + C ), FAST )
+               IF ( FAST ) RETURN
 C              -- where it rises from its beginning that does not count
                IF ( J.GT.2 .OR. .NOT.( OLD.GT.2.0D0*C*ABS( CURVE ) ) )
      $            LEAST = MIN( LEAST, GA )
@@ -117,7 +118,7 @@ C              -- where it rises from its beginning that does not count
    70 CONTINUE
       QUIET = .TRUE.
       END
-      LOGICAL FUNCTION GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE, W )
+      SUBROUTINE GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE, W, FAST )
 C
 C     PURPOSE
 C     Is an event function of the user too fast for the points that are looked at,
@@ -133,6 +134,7 @@ C     GA, GC, GB (input) DOUBLE PRECISION, what it is at the last three.
 C     CURVE   (input) DOUBLE PRECISION, their second divided difference.
 C     W       (input) DOUBLE PRECISION, the distance of the last point
 C             from the one before, times that from the first of them.
+C     FAST    (output) LOGICAL, true if it is.
 C
 C     METHOD
 C     The parabola through the three points before misses the last one by
@@ -141,13 +143,14 @@ C
       IMPLICIT NONE
       INTEGER            I, J, NX, IE(*)
       DOUBLE PRECISION   RE(*), GA, GC, GB, CURVE, W
+      LOGICAL            FAST
       DOUBLE PRECISION   OFF
       INTEGER            K, GSUSI
       EXTERNAL           GSUSI
 C
       K = GSUSI( I, NX, IE )
       OFF = ABS( CURVE - RE(K+8) )*W
-      GSEVF = J.GT.2 .AND. IE(10+2*IE(1)+I).GT.2 .AND.
+      FAST = J.GT.2 .AND. IE(10+2*IE(1)+I).GT.2 .AND.
      $        2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
      $        OFF.GT.MAX( RE(K+7), RE(K+9) ) .AND.
      $        MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF

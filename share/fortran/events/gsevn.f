@@ -273,7 +273,7 @@ C
       INTEGER            NE, JA, JL, KG, I, J, S, J0, LAST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
      $                   GSEPS, CURVE
-      LOGICAL            SOON, ROSE, GSEVF, GSUSU
+      LOGICAL            SOON, ROSE, THIS, GSUSU
       EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVF, GSEVI, GSUSU
 C
       NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
@@ -318,10 +318,10 @@ C
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
-               IF ( J.GT.1 .AND. A*H.GT.NEAR ) THEN
-                  IF ( GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
-     $                 A*( A + C ) ) ) FAST = .TRUE.
-               END IF
+               THIS = .FALSE.
+               IF ( J.GT.1 .AND. A*H.GT.NEAR ) CALL GSEVF( I, J, NX, IE,
+     $            RE, GA, GC, GB, CURVE, A*( A + C ), THIS )
+               FAST = FAST .OR. THIS
 C              -- has the parabola through all three its lowest point
 C                 between them, or close to them?
                IF ( MIN( GA, GC, GB ).GT.0.0D0 .AND.
