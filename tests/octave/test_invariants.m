@@ -43,7 +43,7 @@ function test_invariants ()
     if (any (strcmp (m.subroutines, "lin")) && any (strcmp (m.subroutines, "inv")))
       motion_model (name, m, d);
     end
-    if (d.nlam > 0)
+    if (d.nlam > 0 && any (strcmp (m.subroutines, "prj")))
       constraints (name, m, d);
     end
   end

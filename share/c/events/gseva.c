@@ -27,8 +27,9 @@ gsevz (double b)
   return 16.0 * (b * b);
 }
 
-/* The parabola through the three points before misses the last one by more than half of what they
- * are apart, and of what the function is. */
+/* It does not go on ever faster, as a power does from 0, and the parabola through the three points
+ * before misses the last one by more than half of what they are apart, and of what the function
+ * is. */
 int
 gsevf (const gs_events *p, int i, int j, double older, double before, double now, double c,
        double a)
@@ -40,8 +41,9 @@ gsevf (const gs_events *p, int i, int j, double older, double before, double now
                high = gs_max (gs_max (older, before), now),
                least = gs_min (gs_min (fabs (older), fabs (before)), fabs (now));
   *bend = curve;
-  return j > 2 && gs_is_own (p, i) && 2.0 * off > high - low
-         && off > gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]) && least < 2.0 * off;
+  return j > 2 && gs_is_own (p, i) && copysign (1.0, before - older) * curve < 0.0
+         && 2.0 * off > high - low && least < 2.0 * off
+         && off > gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
 }
 
 /* what function i is at least around the last point, the j-th, and between the two before it, a

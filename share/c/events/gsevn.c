@@ -239,7 +239,8 @@ gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
   const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  search l = { .is_long = is_long && e->h > 1e-2 * g->rstat[GS_H_LARGEST], .ns = 8 };
+  const double largest = g->rstat[GS_H_LARGEST];
+  search l = { .is_long = is_long && e->h > 1e-2 * largest && largest > 0.0, .ns = 8 };
   int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
   for (int i = 0; i < a.ne; i++)

@@ -137,7 +137,8 @@ C             from the one before, times that from the first of them.
 C     FAST    (output) LOGICAL, true if it is.
 C
 C     METHOD
-C     The parabola through the three points before misses the last one by
+C     It does not go on ever faster, as a power does from 0, and the
+C     parabola through the three points before misses the last one by
 C     more than half of what they are apart, and of what the function is.
 C
       IMPLICIT NONE
@@ -151,6 +152,7 @@ C
       K = GSUSI( I, NX, IE )
       OFF = ABS( CURVE - RE(K+8) )*W
       FAST = J.GT.2 .AND. IE(10+2*IE(1)+I).GT.2 .AND.
+     $       SIGN( 1.0D0, GC - GA )*CURVE.LT.0.0D0 .AND.
      $        2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
      $        OFF.GT.MAX( RE(K+7), RE(K+9) ) .AND.
      $        MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF

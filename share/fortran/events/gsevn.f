@@ -139,7 +139,8 @@ C     -- the first function that falls to 0; the part before it again
          NS = 2*NS
          GO TO 10
       END IF
-      IF ( FAST .AND. LONG .AND. H.GT.1.0D-2*RSTAT(7) ) THEN
+      IF ( FAST .AND. LONG .AND. H.GT.1.0D-2*RSTAT(7) .AND.
+     $     RSTAT(7).GT.0.0D0 ) THEN
          FOUND = -1
          RETURN
       END IF

@@ -103,7 +103,7 @@ C
      $                   OLDER(K,NE), NOISE(K,NE), BEND(K,NE),
      $                   LIMIT(K,NE), Q(K)
       DOUBLE PRECISION   GSEVP, GSEVZ, A, B, C, D, W, P, S, V, GA, GB,
-     $                   GC, CURVE, LEAST, START, OFF, NEAR, FAST
+     $                   GC, CURVE, LEAST, START, OFF, NEAR, FAST, TURN
       EXTERNAL           GSEVP, GSEVZ
       INTEGER            I, L
 C
@@ -138,7 +138,8 @@ C$OMP SIMD
      $            -1.0D300
    20       CONTINUE
          ELSE
-C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR )
+C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR,
+C$OMP$     TURN )
             DO 30 L = 1, K
                V  = 2.0D0*MARK(L,I) - 1.0D0
                GA = V*OLDER(L,I)
@@ -150,6 +151,7 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR )
                OFF  = ABS( CURVE - BEND(L,I) )*FAST
                NEAR = MIN( ABS( GA ), ABS( GC ), ABS( GB ) )
                BEND(L,I) = CURVE
+               TURN  = SIGN( 1.0D0, P )*CURVE
                CURVE = ABS( CURVE )
                LEAST = MIN( GB, GC )
                IF ( START.GT.P - 2.0D0*C*CURVE ) LEAST = MIN( LEAST,
@@ -159,8 +161,8 @@ C$OMP SIMD PRIVATE( V, GA, GB, GC, P, S, CURVE, LEAST, OFF, NEAR )
                LEAST = D*( LEAST - CURVE )
                IF ( .NOT.( ABS( G(L,I) ).LE.1.0D100 ) ) LEAST = -1.0D300
                IF ( 2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB )
-     $              .AND. OFF.GT.NOISE(L,I) .AND. NEAR.LT.2.0D0*OFF )
-     $            LEAST = -1.0D300
+     $              .AND. OFF.GT.NOISE(L,I) .AND. NEAR.LT.2.0D0*OFF
+     $              .AND. TURN.LT.0.0D0 ) LEAST = -1.0D300
                LIMIT(L,I) = MIN( LIMIT(L,I), LEAST )
                OLDER(L,I) = OLD(L,I)
                OLD(L,I)   = G(L,I)
