@@ -41,7 +41,7 @@ gsevf (const gs_events *p, int i, int j, double older, double before, double now
                high = gs_max (gs_max (older, before), now),
                least = gs_min (gs_min (fabs (older), fabs (before)), fabs (now));
   *bend = curve;
-  return j > 2 && gs_is_own (p, i) && copysign (1.0, before - older) * curve < 0.0
+  return j > 2 && copysign (1.0, before - older) * curve < 0.0
          && 2.0 * off > high - low && least < 2.0 * off
          && off > gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
 }
@@ -110,7 +110,8 @@ clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
         d = gs_max (d, gsevz (b - a - c));
       for (int i = 0; i < p->ne; i++)
         {
-          if (j > 1 && gsevf (p, i, j, p->before[i], p->last[i], p->now[i], c, a))
+          if (j > 1 && gs_is_own (p, i)
+              && gsevf (p, i, j, p->before[i], p->last[i], p->now[i], c, a))
             return 0;
           const double away = least (p, i, j, c, a), may = 2.0 * d * p->older[i];
           if (! (away > may || (away >= may && p->mark[i] == 0)))

@@ -292,11 +292,12 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
 {
   const gs_events p = plan (g);
   const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
-  int j0 = 1, last = ns;
+  int j0 = 1, last = ns, own = 0;
   for (int i = 0; i < p.ne; i++)
     {
       if (p.fresh[i] == 1)
         j0 = -24;
+      own |= gs_is_own (&p, i);
       p.marks[i] = p.mark[i];
       p.before[i] = p.g[i];
       p.older[i] = -1.0;
@@ -318,7 +319,7 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       for (int i = 0; i < p.ne; i++)
         {
           p.last[i] = p.now[i];
-          if (j > j0 && j > 1 && a * e->h > near
+          if (j > j0 && j > 1 && a * e->h > near && gs_is_own (&p, i)
               && gsevf (&p, i, j, p.older[i], p.before[i], p.last[i], c, a))
             *fast = 1;
           if (unresolved (p.older[i], p.before[i], p.last[i], c, a))
@@ -346,7 +347,10 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
                 *found = i + 1;
               }
           }
-      /* behind a zero four points more are looked at: do they resolve it? */
+      /* behind a zero four points more are looked at, where the user has events: do they resolve
+       * it? */
+      if (*found > 0 && ! own)
+        return 0;
       if (seen == 0 && *found > 0)
         last = gs_most (j, 0) + 4;
     }

@@ -96,8 +96,9 @@ C     -- the points: RE(2*NE+I) the last one, RE(3*NE+I) that before it
                OLD   = ( GC - GA )/C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
-               CALL GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
-     $                     A*( A + C ), FAST )
+               FAST = .FALSE.
+               IF ( IE(JK+I).GT.2 ) CALL GSEVF( I, J, NX, IE, RE, GA,
+     $            GC, GB, CURVE, A*( A + C ), FAST )
                IF ( FAST ) RETURN
 C              -- where it rises from its beginning that does not count
                IF ( J.GT.2 .OR. .NOT.( OLD.GT.2.0D0*C*ABS( CURVE ) ) )
@@ -151,7 +152,7 @@ C
 C
       K = GSUSI( I, NX, IE )
       OFF = ABS( CURVE - RE(K+8) )*W
-      FAST = J.GT.2 .AND. IE(10+2*IE(1)+I).GT.2 .AND.
+      FAST = J.GT.2 .AND.
      $       SIGN( 1.0D0, GC - GA )*CURVE.LT.0.0D0 .AND.
      $        2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
      $        OFF.GT.MAX( RE(K+7), RE(K+9) ) .AND.

@@ -262,7 +262,8 @@ C
 C     METHOD
 C     Where a function of the user has just had its event the sign of
 C     what it is within rounding errors of that time tells nothing.
-C     Behind a zero four points more are looked at: do they resolve it?
+C     Behind a zero four points more are looked at, where the user has
+C     events: do they resolve it?
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT
@@ -274,7 +275,7 @@ C
       INTEGER            NE, JA, JL, KG, I, J, S, J0, LAST
       DOUBLE PRECISION   A, B, C, GA, GB, GC, OLD, SLOPE, NEAR, GSEVP,
      $                   GSEPS, CURVE
-      LOGICAL            SOON, ROSE, THIS, GSUSU
+      LOGICAL            SOON, ROSE, THIS, OWN, GSUSU
       EXTERNAL           GSEVP, GSEPS, GSEVB, GSEVF, GSEVI, GSUSU
 C
       NEAR = 1.0D3*GSEPS()*MAX( ABS( T ), ABS( T + H ) )
@@ -288,8 +289,10 @@ C
          RE(4*NE+I) = -1.0D0
    10 CONTINUE
       J0 = 1
+      OWN = .FALSE.
       DO 15 I = 1, NE
          IF ( IE(10+5*NE+I).EQ.1 ) J0 = -24
+         IF ( IE(10+2*NE+I).GT.2 ) OWN = .TRUE.
    15 CONTINUE
       FOUND = 0
       FINE  = .FALSE.
@@ -320,8 +323,9 @@ C
                SLOPE = ( GB - GC )/A
                CURVE = ( SLOPE - OLD )/( A + C )
                THIS = .FALSE.
-               IF ( J.GT.1 .AND. A*H.GT.NEAR ) CALL GSEVF( I, J, NX, IE,
-     $            RE, GA, GC, GB, CURVE, A*( A + C ), THIS )
+               IF ( J.GT.1 .AND. A*H.GT.NEAR .AND. IE(10+2*NE+I).GT.2 )
+     $            CALL GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE,
+     $                        A*( A + C ), THIS )
                FAST = FAST .OR. THIS
 C              -- has the parabola through all three its lowest point
 C                 between them, or close to them?
@@ -355,6 +359,7 @@ C                 between them, or close to them?
                END IF
             END IF
    30    CONTINUE
+         IF ( FOUND.GT.0 .AND. .NOT.OWN ) RETURN
          IF ( FOUND.GT.0 ) LAST = MAX( J, 0 ) + 4
    40 CONTINUE
       END
