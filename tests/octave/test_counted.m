@@ -50,9 +50,7 @@ end
 function swept (m, T, low, known, from, last)
   folder = tempname ();
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
-  before = getenv ("MPI");
-  setenv ("MPI", "no");
-  back = onCleanup (@() setenv ("MPI", before));
+  back = without_mpi ();
   o = {[0 1.5], [0 T], "input", 0, "plan", "grid", "vary", struct("low", low), "keep", ...
        {"count cold", "first cold", "last cold", "count middle"}};
   lastwarn ("", "");

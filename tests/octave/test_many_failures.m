@@ -105,9 +105,7 @@ end
 function programs (m)
   folder = tempname ();
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
-  before = getenv ("MPI");
-  setenv ("MPI", "no");
-  back = onCleanup (@() setenv ("MPI", before));
+  back = without_mpi ();
   file = fullfile (folder, "sweep.h5");
   for row = causes ()'
     [what, par, x0, ~, more] = row{:};

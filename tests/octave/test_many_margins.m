@@ -44,9 +44,7 @@ end
 function swept (m)
   folder = tempname ();
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
-  before = getenv ("MPI");
-  setenv ("MPI", "no");
-  back = onCleanup (@() setenv ("MPI", before));
+  back = without_mpi ();
   fl = linspace (-20000, 60000, 6);
   t = 0:0.002:0.1;
   o = [{m.initial, t}, options(), {"vary", struct("fl", fl), "plan", "grid", "keep", ...

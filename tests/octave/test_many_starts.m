@@ -77,9 +77,7 @@ function links (m)
                && isequal (e.reason, said));
   folder = tempname ();
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
-  before = getenv ("MPI");
-  setenv ("MPI", "no");
-  back = onCleanup (@() setenv ("MPI", before));
+  back = without_mpi ();
   o = [{x0, [0, 1e-3]}, o, {"vary", table, "plan", "grid"}];
   w = gsmbp_sweep (m, o{:});
   gsmbp_check ("links: a sweep, too", isequal (w.ok, logical (good)) && isequal (w.reason, said));

@@ -7,9 +7,7 @@ function test_sweep_program ()
   folder = tempname ();
   mkdir (folder);
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
-  before = getenv ("MPI");
-  setenv ("MPI", "no");
-  back = onCleanup (@() setenv ("MPI", before));
+  back = without_mpi ();
   axis = gsmbp_hand ("motor_pendulum");
   axis.json.rules = struct ("place", "link arm", "rule", "positive", "parameters", {{"m", "l"}}, ...
                             "values", {{"p1*p2^2"}});
