@@ -36,7 +36,7 @@ gs_has_ports (const gsmbp_run *r)
     return 0;
   gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
   for (int i = 0; i < e.ne; i++)
-    if (e.kind[i] < OWN)
+    if (! gs_is_own (&e, i))
       return 1;
   return 0;
 }
@@ -100,7 +100,7 @@ changed (const gs_run *s, int count)
   if (*e.count > e.nr || gs_ended_by_event (s))
     return 1;
   for (; count < *e.count; count++)
-    if (e.kind[(int) e.record[(3 + 2 * s->r->nx) * count + 1] - 1] != REPORT)
+    if (! gs_reports (&e, (int) e.record[(3 + 2 * s->r->nx) * count + 1] - 1))
       return 1;
   return 0;
 }
@@ -113,7 +113,7 @@ act (gs_run *s, const place *p)
 {
   gs_events e = gs_events_planned (s);
   for (int i = 0; i < e.ne && p->t - p->begin > gs_shortest (p->begin, p->t); i++)
-    if (e.kind[i] >= OWN)
+    if (gs_is_own (&e, i))
       e.mark[i] |= e.marks[i];
   if (! s->by->dense)
     memcpy (s->event, s->y, sizeof (double) * s->r->nx);
@@ -147,9 +147,10 @@ go_on (gs_run *s, place *p)
 static int
 rises (gs_run *s, const place *p, int *is)
 {
+  const gs_events e = gs_events_planned (s);
   double g, by;
   *is = 0;
-  if (gs_events_planned (s).kind[p->i - 1] < OWN || gs_rate (s, p->t, s->event, s->work) != 0)
+  if (! gs_is_own (&e, p->i - 1) || gs_rate (s, p->t, s->event, s->work) != 0)
     return FINISHED;
   int info = gs_climbs (s, p->i, p->t, s->event, s->work, 1e-3 * (p->end - p->begin), &g, &by);
   *is = by > 0;
@@ -157,14 +158,12 @@ rises (gs_run *s, const place *p, int *is)
 }
 
 /* The polynomial alone says that there is an event at P: the sign of its function at the end of the
- * step is all that counts (as GSEVN: its flag is 2 or 3), which is made as it was.  A flag */
-static int
-by_its_end (gs_run *s, place *p)
+ * step, as it was, is all that counts (as GSEVN: its flag is 2 or 3) */
+static void
+by_its_end (gs_run *s, const place *p)
 {
   gs_events e = gs_events_planned (s);
-  gs_recall (s);
   e.fresh[p->i - 1] = 3 - (e.fresh[p->i - 1] == 1);
-  return as_it_was (s, p);
 }
 
 /* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or
@@ -176,7 +175,7 @@ rose (gs_run *s, place *p, int *so, int *flag)
   gs_events e = gs_events_planned (s);
   int i = p->i - 1, info = FINISHED;
   double g = -1;
-  *so = e.kind[i] < OWN || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
+  *so = ! gs_is_own (&e, i) || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
   if (*so)
     return info;
   if (p->t - p->begin > 1e-9 * (p->end - p->begin))
@@ -190,8 +189,11 @@ rose (gs_run *s, place *p, int *so, int *flag)
       g -= dense ? 1e-3 * fmax (most, -fmin (e.last[i], e.g[i])) : 0;
     }
   *so = g > 0;
-  if (! *so)
-    *flag = by_its_end (s, p);
+  if (*so)
+    return info;
+  gs_recall (s);
+  by_its_end (s, p);
+  *flag = as_it_was (s, p);
   return info;
 }
 
@@ -221,7 +223,7 @@ up_to (gs_run *s, place *p, int *taken, int *flag)
   gs_events e = gs_events_planned (s);
   double g;
   *taken = ! (info == 0 && *flag >= 0 && ! s->by->dense && s->t >= p->t && p->g > 0
-              && e.kind[p->i - 1] >= OWN && e.fresh[p->i - 1] < 2);
+              && gs_is_own (&e, p->i - 1) && e.fresh[p->i - 1] < 2);
   if (*taken)
     return info;
   *flag = as_it_was (s, p);
@@ -231,7 +233,7 @@ up_to (gs_run *s, place *p, int *taken, int *flag)
   if (g <= 0 && p->end - p->begin > gs_shortest (p->begin, p->end))
     *taken = -1;
   else
-    *flag = by_its_end (s, p);
+    by_its_end (s, p);
   return info;
 }
 

@@ -141,7 +141,7 @@ take_rising (gs_run *s, double t, double h)
   for (int i = 0; i < e.ne && info == 0; i++)
     {
       s->rising[i] = 0;
-      if (e.kind[i] >= OWN && e.fresh[i] == 1 && e.mark[i] == 0)
+      if (gs_is_own (&e, i) && e.fresh[i] == 1 && e.mark[i] == 0)
         {
           info = gs_climbs (s, i + 1, t, s->known, s->work, 1e-3 * h, &g, &by);
           s->rising[i] = by > 0 && gs_risen (&e, i, g + 1e3 * by);
@@ -202,7 +202,8 @@ gs_look (gs_run *s, double from, double *to, int *found, int *flag)
     return info;
   if (end - from <= gs_shortest (from, end))
     {
-      if (gs_events_planned (s).kind[which - 1] == REPORT)
+      const gs_events e = gs_events_planned (s);
+      if (gs_reports (&e, which - 1))
         return info;
       s->r->istat[5] = 10;   /* as GSEVN: they accumulate */
       s->r->istat[6] = 7;
@@ -254,7 +255,8 @@ tried (gs_run *s, place *p, int *flag)
 static int
 past (gs_run *s, place *p, int *flag)
 {
-  int info = FINISHED, own = gs_events_planned (s).kind[p->i - 1] >= OWN;
+  const gs_events e = gs_events_planned (s);
+  int info = FINISHED, own = gs_is_own (&e, p->i - 1);
   double least = DBL_EPSILON * fmax (fabs (p->from), fabs (p->end));
   for (int k = 0; k < 8 && own && info == 0 && *flag >= 0 && p->g > 0 && p->t < p->end; k++)
     {

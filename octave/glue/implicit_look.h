@@ -4,8 +4,6 @@
 #include "gsmbp/plan.h"
 #include "implicit_parts.h"
 
-enum { OWN = 3, REPORT = 5 };   /* kinds: the first of the user's, one that only reports */
-
 /* the plan of the events, and its arrays */
 static inline gs_events
 gs_events_planned (const gs_run *s)

@@ -17,9 +17,9 @@ lane_group::events_of (lane_run& l)
 static double
 accumulate_from (const gs_events& e, int i)
 {
-  if (! gs_is_own (&e, i) || e.kind[i] == 5)
+  if (! gs_is_own (&e, i))
     return 1e300;
-  const double from = gs_accumulates_from (gs_told (&e, i));
+  const double from = gs_accumulates_from (&e, i);
   return from - 1e-9 * std::fabs (from);
 }
 

@@ -214,7 +214,7 @@ events (test *a, int ne, const int *kind, const int *input, int nr)
   memcpy (ie + 10 + ne, input, ne * sizeof (int));
   memcpy (ie + 10 + 2 * ne, kind, ne * sizeof (int));
   a->nip += 11 + 7 * ne;
-  a->nrp += (17 + a->run.nx) * ne + 3 * a->run.nx + nr * (3 + 2 * a->run.nx);
+  a->nrp += (16 + a->run.nx) * ne + 3 * a->run.nx + nr * (3 + 2 * a->run.nx);
 }
 
 /* the plan of the samples: nc devices with periods and delays, held outputs of each and their

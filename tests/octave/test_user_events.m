@@ -299,6 +299,14 @@ function crank ()
     gsmbp_check (["a reset that loops do not leave, " method{1}], numel (at) == 1);
     gsmbp_check (["... and when, " method{1}], str2double (at) - there, 1e-7);
   end
+  ## at the last instant; methods whose steps are the same bits with that event and without
+  for method = {"dp853", "rk4", "gauss"}
+    o = {x0, [0 0.5], "method", method{1}};
+    last = gsmbp_simulate (gsmbp_set (m, "early", 20), o{:}).x(end,1);
+    said = gsmbp_complaint (@() gsmbp_simulate (gsmbp_set (m, "early", 20, "late", last), o{:}));
+    gsmbp_check (["... and at the last instant, " method{1}], ! isempty (strfind (said, ...
+                 "an event, bad, failed with INFO = 12 at t = 0.5 s")));
+  end
 end
 
 ## runs of an ensemble as single ones; those that an event ends stay there

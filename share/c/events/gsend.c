@@ -5,6 +5,7 @@
  * from there. No other event happens: ports find their modes where a run begins. */
 #include "gsmbp/events.h"
 #include "gsmbp/inputs.h"
+#include "gsmbp/plan.h"
 
 int
 gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
@@ -25,16 +26,11 @@ gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
 {
   if (ip[GS_EVENTS] <= 0)
     return 0;
-  int *ie = ip + ip[GS_EVENTS] - 1;
-  double *re = rp + ip[GS_EVENTS + 1] - 1;
-  const gs_events a = gs_events_of (nx, ie, re);
+  const gs_events a = gs_planned_events (nx, ip, rp);
   const int k = gsenf (s, &a, t, x, v, cst);
-  if (k == 0)
-    return 0;
-  istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);
-  istat[GS_FAILED] = 7;
-  if (istat[GS_FAILED_INFO] != 0)
-    return istat[GS_FAILED_INFO];
+  const int info = k > 0 ? gsevk (s, t, x, nx, ip, rp, cst, v, istat, k) : 0;
+  if (k == 0 || info != 0)
+    return info;
   istat[GS_FAILED_INFO] = gsinp (s, t, -1, x, nx, ip, rp, cst, v, w);
   istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 1 : 0;
   return istat[GS_FAILED_INFO];

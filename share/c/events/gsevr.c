@@ -1,4 +1,4 @@
-/* GSEVR: GSRES under the inputs of a run, from the right. */
+/* GSEVR: GSRES under the inputs of a run, from the right. GSEVK: what is told of it. */
 #include "gsmbp/events.h"
 #include "gsmbp/inputs.h"
 
@@ -12,6 +12,13 @@ gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
   istat[GS_FAILED] = 1;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
+  return gsevk (s, t, x, nx, ip, rp, cst, v, istat, k);
+}
+
+int
+gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
+       double *v, int *istat, int k)
+{
   int *ie = ip + ip[GS_EVENTS] - 1;
   double *re = rp + ip[GS_EVENTS + 1] - 1;
   istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);

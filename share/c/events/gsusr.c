@@ -24,7 +24,7 @@ gsuse (const gs_events *a, int k)
         a->fresh[i] = k == 0 && gs_is_own (a, i);
       if (k > 0 && gs_is_own (a, i))
         told[GS_TOLD_NOISE] = gs_max (told[GS_TOLD_NOISE], 1e3 * gseps () * size);
-      if (k > 0 && a->kind[i] == 5)
+      if (k > 0 && gs_reports (a, i))
         told[GS_TOLD_RISEN] = gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
     }
 }
@@ -92,7 +92,7 @@ gsusd (const gs_events *a, double *g)
     if (gs_is_own (a, i))
       {
         double *risen = gs_told (a, i) + GS_TOLD_RISEN;
-        if (a->kind[i] != 5 && a->fresh[i] == 1)
+        if (! gs_reports (a, i) && a->fresh[i] == 1)
           *risen *= 0.7;
         *risen = gs_max (*risen, 10.0 * fabs (a->level[i]));
         if (fabs (g[i] - a->level[i]) > fabs (a->level[i]))

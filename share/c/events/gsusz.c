@@ -15,7 +15,6 @@ gsusb (const gs_events *a, int i, double t, const double *x)
   for (int k = 3; k > 0; k--)
     r[GS_TOLD_TIMES + k] = r[GS_TOLD_TIMES + k - 1];
   r[GS_TOLD_TIMES] = t;
-  r[GS_TOLD_COUNT] = gs_min (4.0, r[GS_TOLD_COUNT] + 1.0);
   memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
 }
 
@@ -57,10 +56,9 @@ static int
 at_once (const gs_events *a, int i, double end)
 {
   double *told = gs_told (a, i), *risen = told + GS_TOLD_RISEN;
-  if (! (told[GS_TOLD_COUNT] >= 3.0
-         && told[GS_TOLD_TIMES + 2] >= end - 1e3 * gseps () * fabs (end)))
+  if (! (a->times[i] >= 3 && told[GS_TOLD_TIMES + 2] >= end - 1e3 * gseps () * fabs (end)))
     return 0;
-  if (a->kind[i] != 5)
+  if (! gs_reports (a, i))
     return 1;
   *risen = 10.0 * gs_max (*risen, gs_max (fabs (a->last[i]), fabs (a->older[i])));
   return 0;
@@ -71,7 +69,7 @@ static int
 drowned (const gs_system *s, const gs_events *a, int i, double h, double end, double g)
 {
   const double *told = gs_told (a, i);
-  if (a->mark[i] + a->marks[i] != 0 || a->kind[i] == 5 || ! (end >= gs_accumulates_from (told)))
+  if (a->mark[i] + a->marks[i] != 0 || ! (end >= gs_accumulates_from (a, i)))
     return 0;
   return gsusf (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
                 5e-6 * gs_max (h, s->rstat[GS_H_LARGEST]));

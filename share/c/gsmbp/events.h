@@ -49,19 +49,18 @@ typedef struct
   double *held;   /* ns: values of the inputs that are held */
   double *first;  /* ne: when a function had its first event, where it has had one, */
   double *latest; /* ne: and its last one */
-  double *told;   /* (9+nx,ne): what is remembered of the user's: gs_told */
+  double *told;   /* (8+nx,ne): what is remembered of the user's: gs_told */
 } gs_events;
 
 /* What is remembered of an event function of the user: where this stands in its part of told. */
 enum
 {
   GS_TOLD_TIMES = 0,    /* of its last four events, the last one first */
-  GS_TOLD_COUNT = 4,    /* how many they are, 4 at most */
-  GS_TOLD_CHANGED = 5,  /* 1 where the last one has changed states */
-  GS_TOLD_RISEN = 6,    /* what it must be above to have risen */
-  GS_TOLD_BEND = 7,     /* workspace of gseva and gsevl */
-  GS_TOLD_NOISE = 8,    /* rounding errors of it: 1000 units of what it was up to events */
-  GS_TOLD_STATE = 9     /* nx: behind the last one */
+  GS_TOLD_CHANGED = 4,  /* 1 where the last one has changed states */
+  GS_TOLD_RISEN = 5,    /* what it must be above to have risen */
+  GS_TOLD_BEND = 6,     /* workspace of gseva and gsevl */
+  GS_TOLD_NOISE = 7,    /* rounding errors of it: 1000 units of what it was up to events */
+  GS_TOLD_STATE = 8     /* nx: behind the last one */
 };
 
 /* the plan of which ie and re are the arrays */
@@ -129,6 +128,13 @@ gs_is_own (const gs_events *a, int i)
   return a->kind[i] > 2;
 }
 
+/* ... of one that only reports? */
+static inline int
+gs_reports (const gs_events *a, int i)
+{
+  return a->kind[i] == 5;
+}
+
 /* what is remembered of function i (from 0) */
 static inline double *
 gs_told (const gs_events *a, int i)
@@ -144,15 +150,15 @@ gs_risen (const gs_events *a, int i, double g)
   return g > 0.0 && (! gs_is_own (a, i) || g > gs_told (a, i)[GS_TOLD_RISEN]);
 }
 
-/* From when on events of a function of the user accumulate that does not rise above 0 again; told:
- * what is remembered of it. Where its last four events lie within 1e-9 of the time since then;
- * where three intervals between them fell one after the other, and the last event has changed
- * states, after twice the last interval (bounces that drown in rounding errors). */
+/* From when on events of function i (from 0), of the user, accumulate if it does not rise above 0
+ * again. Where its last four events lie within 1e-9 of the time since then; where three intervals
+ * between them fell one after the other, and the last event has changed states, after twice the
+ * last interval (bounces that drown in rounding errors). Those that only report do not. */
 static inline double
-gs_accumulates_from (const double *told)
+gs_accumulates_from (const gs_events *a, int i)
 {
-  const double *t = told + GS_TOLD_TIMES;
-  if (told[GS_TOLD_COUNT] < 4)
+  const double *told = gs_told (a, i), *t = told + GS_TOLD_TIMES;
+  if (a->times[i] < 4 || gs_reports (a, i))
     return 1e300;
   const double from = t[0] + 1e9 * (t[0] - t[3]), soon = t[0] + 2.0 * (t[0] - t[1]);
   return told[GS_TOLD_CHANGED] > 0.0 && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
@@ -274,6 +280,10 @@ int gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, 
  * what failed, as istat[5] and istat[6] */
 int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
            double *v, double *w, int *istat, int k);
+
+/* gsres within a run; info: what failed, as istat[5] and istat[6]; istat[18]: the event that did */
+int gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
+           double *v, int *istat, int k);
 
 /* the end of a run: an event of the user that lies at t itself; v: the inputs there from the left.
  * info: as gsevr */

@@ -49,7 +49,7 @@ gs_reals (const gs_plan *p)
   return gs_most (1, p->s->nv) + length_of (&p->table) + length_of (&p->motion)
          + length_of (&p->reference) + length_of (&p->gain) + (p->limits ? 2 * p->s->nv : 0)
          + sample_reals (p) 
-         + (n > 0 ? (17 + p->nx) * n + 3 * p->nx + p->events * (3 + 2 * p->nx) + p->s->nswitch : 0)
+         + (n > 0 ? (16 + p->nx) * n + 3 * p->nx + p->events * (3 + 2 * p->nx) + p->s->nswitch : 0)
          + 1;
 }
 

@@ -19,16 +19,13 @@ C
       INTEGER            NU, NX, NV, IP(*), ISTAT(*), INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
       INTEGER            K
-      EXTERNAL           GSENF, GSINP, GSRES
+      EXTERNAL           GSENF, GSEVK, GSINP
 C
       INFO = 0
       IF ( IP(28).LE.0 ) RETURN
       CALL GSENF( EVT, T, X, NX, V, CST, IP(IP(28)), RP(IP(29)), K )
       IF ( K.EQ.0 ) RETURN
-      CALL GSRES( EVT, RST, T, X, NX, V, CST, K, IP(IP(28)), RP(IP(29)),
-     $            INFO )
-      ISTAT(6) = INFO
-      ISTAT(7) = 7
+      CALL GSEVK( EVT, RST, T, X, NX, IP, RP, CST, V, ISTAT, K, INFO )
       IF ( INFO.NE.0 ) RETURN
       CALL GSINP( CMD, CLO, VIN, T, -1, X, NU, NX, NV, IP, RP, CST, V,
      $            W, INFO )

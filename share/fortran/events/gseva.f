@@ -122,8 +122,8 @@ C              -- where it rises from its beginning that does not count
       SUBROUTINE GSEVF( I, J, NX, IE, RE, GA, GC, GB, CURVE, W, FAST )
 C
 C     PURPOSE
-C     Is an event function of the user too fast for the points that are looked at,
-C     so that it may pass 0 between them?
+C     Is an event function of the user too fast for the points that are
+C     looked at, so that it may pass 0 between them?
 C
 C     ARGUMENTS
 C     I       (input) INTEGER, its number.
@@ -151,13 +151,12 @@ C
       EXTERNAL           GSUSI
 C
       K = GSUSI( I, NX, IE )
-      OFF = ABS( CURVE - RE(K+8) )*W
-      FAST = J.GT.2 .AND.
-     $       SIGN( 1.0D0, GC - GA )*CURVE.LT.0.0D0 .AND.
-     $        2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
-     $        OFF.GT.MAX( RE(K+7), RE(K+9) ) .AND.
-     $        MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF
-      RE(K+8) = CURVE
+      OFF = ABS( CURVE - RE(K+7) )*W
+      FAST = J.GT.2 .AND. SIGN( 1.0D0, GC - GA )*CURVE.LT.0.0D0 .AND.
+     $       2.0D0*OFF.GT.MAX( GA, GC, GB ) - MIN( GA, GC, GB ) .AND.
+     $       OFF.GT.MAX( RE(K+6), RE(K+8) ) .AND.
+     $       MIN( ABS( GA ), ABS( GC ), ABS( GB ) ).LT.2.0D0*OFF
+      RE(K+7) = CURVE
       END
       DOUBLE PRECISION FUNCTION GSEVZ( B )
 C

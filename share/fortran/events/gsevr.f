@@ -7,17 +7,13 @@ C     scene has no events.
 C
 C     ARGUMENTS
 C     As GSINP and GSRES, and
-C     ISTAT   (input/output) INTEGER array, GSSIM's statistics.
-C     INFO    (output) INTEGER, 0 or the INFO of what failed, which
-C             ISTAT(6) and ISTAT(7) tell as well; where that is RST or
-C             GSRES ISTAT(19) is the number of the event, or 0.
+C     ISTAT, INFO as GSEVK.
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT, RST
       INTEGER            NU, NX, NV, IP(*), ISTAT(*), K, INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
-      EXTERNAL           GSINP, GSRES
-      INTEGER            JN
+      EXTERNAL           GSEVK, GSINP
 C
       INFO = 0
       IF ( IP(28).LE.0 ) RETURN
@@ -25,7 +21,29 @@ C
      $            INFO )
       ISTAT(6) = INFO
       ISTAT(7) = 1
-      IF ( INFO.NE.0 ) RETURN
+      IF ( INFO.EQ.0 ) CALL GSEVK( EVT, RST, T, X, NX, IP, RP, CST, V,
+     $   ISTAT, K, INFO )
+      END
+      SUBROUTINE GSEVK( EVT, RST, T, X, NX, IP, RP, CST, V, ISTAT, K,
+     $                  INFO )
+C
+C     PURPOSE
+C     GSRES within a run, and what is told of it.
+C
+C     ARGUMENTS
+C     As GSRES, and
+C     IP, RP  (input/output) as GSINP.
+C     ISTAT   (input/output) INTEGER array, GSSIM's statistics.
+C     INFO    (output) INTEGER, 0 or the INFO of what failed, which
+C             ISTAT(6) and ISTAT(7) tell as well; where that is RST or
+C             GSRES ISTAT(19) is the number of the event, or 0.
+C
+      IMPLICIT NONE
+      EXTERNAL           EVT, RST, GSRES
+      INTEGER            NX, IP(*), ISTAT(*), K, INFO
+      DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*)
+      INTEGER            JN
+C
       CALL GSRES( EVT, RST, T, X, NX, V, CST, K, IP(IP(28)), RP(IP(29)),
      $            INFO )
       ISTAT(6) = INFO

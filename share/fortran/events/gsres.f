@@ -34,10 +34,10 @@ C             IE(10) NS, how many inputs are switched at events of the
 C                    user;
 C             then NE modes, NE numbers of inputs that are the modes,
 C             NE kinds (1, 2: see GSEVT; 3: an event of the user, 4: one
-C             that ends the run, 5: one that only reports), NE marks, 1 where the function was
-C             above 0 since its last event, NE workspace, NE flags, 1
-C             where the function has just had its event or the run
-C             begins; NS numbers of event functions, NS of the inputs
+C             that ends the run, 5: one that only reports), NE marks, 1
+C             where the function was above 0 since its last event, NE
+C             workspace, NE flags, 1 where the function has just had its
+C             event or the run begins; NS numbers of event functions, NS of the inputs
 C             that they switch, NS flags, 1 where the input is held; NE
 C             numbers, how many events a function has had, and the
 C             number of the one that has had the last, 0: none has.
@@ -47,7 +47,7 @@ C             after, NX states before, NX after; then NE levels, what an
 C             event function of the user is at its last event but for
 C             rounding errors (it counts from there), NS values of
 C             inputs that are held, NE times of the first and NE of the
-C             last event of a function that has had one, and NE*(9+NX)
+C             last event of a function that has had one, and NE*(8+NX)
 C             numbers of what is remembered of the user's (GSUSI), at
 C             first 0.
 C     INFO    (output) INTEGER, 0; the INFO of RST; 9: 100 events and

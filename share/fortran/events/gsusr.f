@@ -3,10 +3,11 @@ C
 C     PURPOSE
 C     Before GSRES acts at event K: which event functions of the user
 C     have had their event just now; all of them at the start (K = 0).
-C     And what those that only report must be above to have risen.
+C     And what their rounding errors are: those that only report must be
+C     above them to have risen.
 C
 C     METHOD
-C     That are 1000 units of rounding of what they were in the step up
+C     These are 1000 units of rounding of what they were in the step up
 C     to an event: a speed that is held at 0 may not be 0 but for
 C     rounding errors.
 C
@@ -23,9 +24,9 @@ C
          IF ( K.EQ.0 .AND. IE(10+2*NE+I).GT.2 ) IE(10+5*NE+I) = 1
          IF ( K.GT.0 .AND. IE(10+2*NE+I).GT.2 ) THEN
             J = GSUSI( I, NX, IE )
-            RE(J+9) = MAX( RE(J+9), 1.0D3*GSEPS()*MAX( ABS( RE(I) ),
+            RE(J+8) = MAX( RE(J+8), 1.0D3*GSEPS()*MAX( ABS( RE(I) ),
      $         ABS( RE(2*NE+I) ), ABS( RE(4*NE+I) ) ) )
-            IF ( IE(10+2*NE+I).EQ.5 ) RE(J+7) = MAX( RE(J+7), RE(J+9) )
+            IF ( IE(10+2*NE+I).EQ.5 ) RE(J+6) = MAX( RE(J+6), RE(J+8) )
          END IF
    10 CONTINUE
       END
@@ -113,7 +114,7 @@ C
       JL = 5*NE + 3*NX + IE(2)*( 3 + 2*NX )
       DO 10 I = 1, NE
          IF ( IE(10+2*NE+I).GT.2 ) THEN
-            J = GSUSI( I, NX, IE ) + 7
+            J = GSUSI( I, NX, IE ) + 6
             IF ( IE(10+2*NE+I).NE.5 .AND. IE(10+5*NE+I).EQ.1 )
      $         RE(J) = 0.7D0*RE(J)
             RE(J) = MAX( RE(J), 10.0D0*ABS( RE(JL+I) ) )

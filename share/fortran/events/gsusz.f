@@ -3,17 +3,16 @@ C
 C     PURPOSE
 C     Where in RE of GSRES, behind this place, what is remembered of
 C     event function I of the user stands: 1 to 4 the times of its last
-C     events, the last one first; 5 how many they are, 4 at most; 6 is 1
-C     where the last one has changed states; 7 what it must be above to
-C     have risen; 8 workspace of GSEVA and GSEVL; 9 rounding errors of
-C     it, 1000 units of what it was in steps up to events; then NX states
-C     behind the last one.
+C     events, the last one first; 5 is 1 where that has changed states;
+C     6 what it must be above to have risen; 7 workspace of GSEVA and
+C     GSEVL; 8 rounding errors of it, 1000 units of what it was in steps
+C     up to events; then NX states behind the last one.
 C
       IMPLICIT NONE
       INTEGER            I, NX, IE(*)
 C
       GSUSI = 8*IE(1) + 3*NX + IE(2)*( 3 + 2*NX ) + IE(10)
-     $        + ( I - 1 )*( 9 + NX )
+     $        + ( I - 1 )*( 8 + NX )
       END
       SUBROUTINE GSUSB( I, T, X, NX, IE, RE )
 C
@@ -32,9 +31,8 @@ C
          RE(J+K) = RE(J+K-1)
    10 CONTINUE
       RE(J+1) = T
-      RE(J+5) = MIN( 4.0D0, RE(J+5) + 1.0D0 )
       DO 20 K = 1, NX
-         RE(J+9+K) = X(K)
+         RE(J+8+K) = X(K)
    20 CONTINUE
       END
       SUBROUTINE GSUSA( I, X, NX, IE, RE )
@@ -50,10 +48,10 @@ C
       EXTERNAL           GSUSI
 C
       J = GSUSI( I, NX, IE )
-      RE(J+6) = 0.0D0
+      RE(J+5) = 0.0D0
       DO 10 K = 1, NX
-         IF ( ABS( RE(J+9+K) - X(K) ).GT.0.0D0 ) RE(J+6) = 1.0D0
-         RE(J+9+K) = X(K)
+         IF ( ABS( RE(J+8+K) - X(K) ).GT.0.0D0 ) RE(J+5) = 1.0D0
+         RE(J+8+K) = X(K)
    10 CONTINUE
       END
       LOGICAL FUNCTION GSUSU( I, G, NX, IE, RE )
@@ -77,7 +75,7 @@ C
 C
       GSUSU = G.GT.0.0D0
       IF ( GSUSU .AND. IE(10+2*IE(1)+I).GT.2 )
-     $   GSUSU = G.GT.RE(GSUSI( I, NX, IE )+7)
+     $   GSUSU = G.GT.RE(GSUSI( I, NX, IE )+6)
       END
       DOUBLE PRECISION FUNCTION GSUST( R )
 C
@@ -86,8 +84,8 @@ C     From when on the events of a function of the user accumulate that
 C     does not rise above 0 again.
 C
 C     ARGUMENTS
-C     R       (input) DOUBLE PRECISION array, dimension (6), what is
-C             remembered of it (GSUSI).
+C     R       (input) DOUBLE PRECISION array, dimension (5), what is
+C             remembered of it (GSUSI), of four events at least.
 C
 C     METHOD
 C     Where its last four events lie within 1D-9 of the time since then;
@@ -96,12 +94,10 @@ C     the last event has changed states, after twice the last interval
 C     (bounces that drown in rounding errors).
 C
       IMPLICIT NONE
-      DOUBLE PRECISION   R(6)
+      DOUBLE PRECISION   R(5)
 C
-      GSUST = 1.0D300
-      IF ( R(5).LT.4.0D0 ) RETURN
       GSUST = R(1) + 1.0D9*( R(1) - R(4) )
-      IF ( R(6).GT.0.0D0 .AND. R(1) - R(2).LT.R(2) - R(3) .AND.
+      IF ( R(5).GT.0.0D0 .AND. R(1) - R(2).LT.R(2) - R(3) .AND.
      $     R(2) - R(3).LT.R(3) - R(4) )
      $   GSUST = MIN( GSUST, R(1) + 2.0D0*( R(1) - R(2) ) )
       END
@@ -136,7 +132,7 @@ C
       INTEGER            SIZ(8), NOT, IP(*), ISTAT(*), IE(*), INFO
       DOUBLE PRECISION   T, H, RP(*), CST(*), V(*), WI(*), P(*),
      $                   RSTAT(*), RE(*), G(*)
-      INTEGER            NE, NX, I, J, GSUSI
+      INTEGER            NE, NX, I, J, JC, GSUSI
       DOUBLE PRECISION   END, GSEPS, GSUST
       LOGICAL            YES
       EXTERNAL           GSEPS, GSUSF, GSUSI, GSUST
@@ -144,29 +140,30 @@ C
       INFO = 0
       NX  = SIZ(3)
       NE  = IE(1)
+      JC  = 10 + 6*NE + 3*IE(10)
       END = T + H
       DO 10 I = 1, NE
          IF ( IE(10+2*NE+I).LT.3 ) GO TO 10
          J = GSUSI( I, NX, IE )
          YES = .FALSE.
          IF ( I.EQ.NOT ) THEN
-            IF ( RE(J+5).GE.3.0D0 ) YES = RE(J+3).GE.END
+            IF ( IE(JC+I).GE.3 ) YES = RE(J+3).GE.END
      $         - 1.0D3*GSEPS()*ABS( END )
             IF ( YES .AND. IE(10+2*NE+I).EQ.5 ) THEN
-               RE(J+7) = 10.0D0*MAX( RE(J+7), ABS( RE(2*NE+I) ),
+               RE(J+6) = 10.0D0*MAX( RE(J+6), ABS( RE(2*NE+I) ),
      $                               ABS( RE(4*NE+I) ) )
                YES = .FALSE.
             END IF
          ELSE IF ( IE(10+3*NE+I) + IE(10+4*NE+I).EQ.0 .AND.
      $             IE(10+2*NE+I).NE.5 ) THEN
-            YES = END.GE.GSUST( RE(J+1) )
+            IF ( IE(JC+I).GE.4 ) YES = END.GE.GSUST( RE(J+1) )
             IF ( YES ) CALL GSUSF( RHS, CON, KIN, CMD, CLO, VIN, EVT, I,
      $         -G(I)/MAX( 1.0D-300, END - RE(J+1) ), 5.0D-6*MAX( H,
      $         RSTAT(7) ), SIZ, IP, RP, CST, V, WI, P, ISTAT, RSTAT, IE,
-     $         RE, RE(J+1), RE(J+10), YES )
+     $         RE, RE(J+1), RE(J+9), YES )
          END IF
          IF ( YES ) THEN
-            IF ( INFO.EQ.0 .OR. RE(J+6).GT.0.0D0 ) ISTAT(19) = I
+            IF ( INFO.EQ.0 .OR. RE(J+5).GT.0.0D0 ) ISTAT(19) = I
             INFO = 10
             ISTAT(6) = INFO
             ISTAT(7) = 7
