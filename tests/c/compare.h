@@ -27,7 +27,7 @@ chance (void)
 static inline int
 pick (int n)
 {
-  return (int)(0.5 * (chance () + 1.0) * n) % n;
+  return (unsigned)(0.5 * (chance () + 1.0) * n) % n;
 }
 
 /* ------------------------------------------------------------ */

@@ -3,7 +3,7 @@
 #include "gsmbp/events.h"
 
 void gsevt_ (), gsrst_ (), gsimp_ (), gsstk_ (), gsfre_ (), gsevh_ (), gspth_ (), gsjmp_ (),
-  gshld_ (), gsipt_ (), gsipm_ ();
+  gshld_ (), gsipt_ (), gsipm_ (), gsevg_ (), gshjc_ (), gsipb_ (), gsipc_ ();
 double gsevp_ ();
 
 /* a symmetric matrix of order n, positive definite but for some cases */
@@ -277,11 +277,11 @@ static void
 ports_of_a_scene (void)
 {
   int jumps = 0, wrong = 0;
-  begin ("gshld, gsipt, gsipm, gsrsm");
+  begin ("gshld, gsipt, gsipm, gsrsf, gsrsm");
   for (int i = 0; i < 2000; i++)
     {
       ports p = some_ports ();
-      const int n = p.n, nv = p.k + 1, l = pick (5) == 0 ? -4 : pick (p.k + 2) - 1;
+      const int n = p.n, nv = p.k + 1, l = pick (5) == 0 ? -3 - pick (2) : pick (p.k + 2) - 1;
       const int ipl[4] = { 2, 1, 3, 4 };
       gs_scene s = { .nq = n, .nu = n, .nx = 2 * n, .nv = nv, .nlam = p.m, .mas = mas, .con = con,
                      .stk = stk, .hld = hld };
@@ -315,10 +315,132 @@ ports_of_a_scene (void)
   holds (wrong > 100, "... modes that contradict the state");
 }
 
+static void
+derivatives_of_functions (void)
+{
+  begin ("gsevg");
+  for (int i = 0; i < 1000; i++)
+    {
+      const int n = pick (5), nh = 1 + pick (4), nc = 1 + pick (4), k = 1 + pick (nh);
+      int kind[4], mode[4];
+      pair s = pair_of (nh), prm = pair_of (4 * nh), hold = pair_of (nh), d = pair_of (6 * nh * nc);
+      pair z = pair_of ((n + nh) * nc), g = pair_of (nc);
+      for (int j = 0; j < nh; j++)
+        {
+          kind[j] = 1 + pick (2);
+          mode[j] = pick (3) - 1;
+        }
+      gsevg (n, nh, nc, k, kind, mode, s.c, prm.c, hold.c, d.c, z.c, g.c);
+      gsevg_ (&n, &nh, &nc, &k, kind, mode, s.f, prm.f, hold.f, d.f, z.f, g.f);
+      same (g);
+      pair all[] = { s, prm, hold, d, z, g };
+      for (int j = 0; j < 6; j++)
+        drop (all[j]);
+    }
+  finish ();
+}
+
+static void
+derivatives_of_what_happens (void)
+{
+  int hits[3] = { 0 };
+  begin ("gsipb, gsipc");
+  for (int i = 0; i < 2000; i++)
+    {
+      ports p = some_ports ();
+      const int nu = p.n, nq = nu + pick (2), more = pick (3), np = pick (3), n = nu + p.nr,
+                nc = nq + nu + np + 1, nxv = nq + nu + more, l = pick (p.k + 2) - 1;
+      int after[4], ic[20], jf[20], hit, fhit, info = 0;
+      pair x = pair_of (nq + nu), ua = pair_of (nu), row = pair_of (p.k * nu);
+      pair h = pair_of (p.m * nu);
+      pair c = pair_of (n * n), q = pair_of (n), ud = pair_of (nu), r = pair_of (nu * nc);
+      pair d = pair_of (6 * p.k * (nxv + np + 1)), e = pair_of (n * (nq + np + 1));
+      pair b = pair_of (n * nc);
+      for (int j = 0; j < p.k; j++)
+        after[j] = pick (3) - 1;
+      int made = gsipb (nq, nu, p.m, p.k, nc, l, p.kind, p.mode, after, p.s.c, p.sd.c, p.prm.c, x.c,
+                        ua.c, row.c, p.a.c, h.c, p.phit.c, c.c, q.c, ud.c, ic, r.c, &hit);
+      gsipb_ (&nq, &nu, &p.m, &p.k, &nc, &l, p.kind, p.mode, after, p.s.f, p.sd.f, p.prm.f, x.f,
+              ua.f, row.f, p.a.f, h.f, p.phit.f, c.f, q.f, ud.f, jf, r.f, &fhit, &info);
+      same_int (made, info);
+      same_int (hit, fhit);
+      same (r);
+      if (hit >= 0 && made == 0)
+        {
+          same_numbers (p.nr, q.c, q.f);
+          same (ud);
+          made = gsipc (nq, nu, p.m, nxv, p.k, np, hit, l, p.kind, after, p.sd.c, p.prm.c, row.c,
+                        p.a.c, h.c, d.c, e.c, c.c, b.c, ic, r.c);
+          gsipc_ (&nq, &nu, &p.m, &nxv, &p.k, &np, &hit, &l, p.kind, after, p.sd.f, p.prm.f, row.f,
+                  p.a.f, h.f, d.f, e.f, c.f, b.f, jf, r.f, &info);
+          same_int (made, info);
+          if (made == 0)
+            same (r);
+        }
+      hits[hit < 0 ? 0 : hit > 0 ? 1 : 2]++;
+      pair all[] = { x, ua, row, h, c, q, ud, r, d, e, b };
+      for (int j = 0; j < 11; j++)
+        drop (all[j]);
+      drop_ports (p);
+    }
+  finish ();
+  holds (hits[0] > 100 && hits[1] > 50 && hits[2] > 100, "... no jump, a hit, a jump");
+}
+
+/* rows that say the same twice, ports that are free, constraints that depend on one another */
+static void
+jacobians_of_held_ports (void)
+{
+  int infos[4] = { 0 };
+  begin ("gshjc, gshjd, gshjp");
+  for (int i = 0; i < 1000; i++)
+    {
+      const int nu = 2 + pick (4), m = pick (nu), nh = 1 + pick (3), nq = nu + pick (2),
+                nz = nq + nu + pick (3), n = nu + m + nh;
+      pair lm = pair_of (nu * nu), lb = pair_of (nu * nu), lc = pair_of (nu * nq);
+      pair k = pair_of (n * n), z = pair_of (n * nz);
+      int c[20], f[20], held[3], fheld[3], info = 0;
+      for (int j = 0; j < nh; j++)
+        held[j] = fheld[j] = pick (3) > 0;
+      for (int j = 0; j < n * n; j++)
+        if (j % n >= nu && j / n >= nu)
+          k.c[j] = 0;
+      for (int l = nu; l < n; l++)
+        for (int j = 0; j < nu; j++)
+          {
+            if (i % 4 == 0 && l == n - 1 && m > 0)
+              k.c[l + n * j] = 3 * k.c[nu + n * j];
+            if (i % 9 == 0 && l == nu + 1 && m > 1)
+              k.c[l + n * j] = k.c[nu + n * j];
+            k.c[j + n * l] = k.c[l + n * j];
+          }
+      for (int l = 0; l < nu; l++)
+        for (int j = 0; j < nu; j++)
+          k.c[l + n * j] = l == j ? 4 : 0.5 / (l + j);
+      both (k);
+      const int made = gshjc (nu, m, nh, nq, nz, held, lm.c, lb.c, lc.c, k.c, z.c, c);
+      gshjc_ (&nu, &m, &nh, &nq, &nz, fheld, lm.f, lb.f, lc.f, k.f, z.f, f, &info);
+      same_int (made, info);
+      for (int j = 0; j < nh; j++)
+        same_int (held[j], fheld[j]);
+      same (z);
+      infos[made]++;
+      pair all[] = { lm, lb, lc, k, z };
+      for (int j = 0; j < 5; j++)
+        drop (all[j]);
+    }
+  finish ();
+  holds (infos[0] > 100 && infos[2] > 20 && infos[3] > 50,
+         "... unique, dependent constraints, dependent ports");
+}
+
 int
 main (void)
 {
   what_happens ();
+  derivatives_of_functions ();
+  derivatives_of_what_happens ();
+  jacobians_of_held_ports ();
   held_ports ();
   within_steps ();
   ports_of_a_scene ();

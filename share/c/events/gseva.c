@@ -110,8 +110,9 @@ clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
         d = gs_max (d, gsevz (b - a - c));
       for (int i = 0; i < p->ne; i++)
         {
+          const double sign = p->mark[i] == 0 ? -1.0 : 1.0;
           if (j > 1 && gs_is_own (p, i)
-              && gsevf (p, i, j, p->before[i], p->last[i], p->now[i], c, a))
+              && gsevf (p, i, j, sign * p->before[i], sign * p->last[i], sign * p->now[i], c, a))
             return 0;
           const double away = least (p, i, j, c, a), may = 2.0 * d * p->older[i];
           if (! (away > may || (away >= may && p->mark[i] == 0)))

@@ -94,9 +94,9 @@ gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const 
       for (int i = 0; i < nh; i++)
         if (! gsipa (i + 1, k, kind, ma))
           bj[nu + nlam + i] = 0.0;
-      const double *const dj = d + 6 * nh * jd + 6 * (hit - 1);
+      const int h6 = 6 * (hit - 1 + nh * jd);
       if (hit > 0 && ma[hit - 1] == 0)
-        bj[nu + nlam + hit - 1] -= prm[2 + 4 * (hit - 1)] * dj[1] + sd[hit - 1] * dj[4];
+        bj[nu + nlam + hit - 1] -= prm[2 + 4 * (hit - 1)] * d[h6 + 1] + sd[hit - 1] * d[h6 + 4];
     }
   gsipk (nu, nlam, nh, k, kind, ma, row, a, h, c);
   if (gsleq (n, nc, c, n, b, n, iw) != 0)

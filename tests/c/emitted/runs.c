@@ -3,8 +3,9 @@
 
 extern const emitted emitted_four_bar, emitted_slider_crank, emitted_event_crank,
     emitted_event_pendulum, emitted_event_ball, emitted_event_slide, emitted_event_blocks,
-    emitted_sampled_crank, emitted_passage_events,
-    emitted_parallelograms3;
+    emitted_sampled_crank, emitted_passage_events, emitted_parallelograms3, emitted_user_bounce,
+    emitted_user_count, emitted_user_crank, emitted_user_dips, emitted_user_held,
+    emitted_user_wheel;
 
 static test a;
 static double par[100];
@@ -237,6 +238,61 @@ rough_steps (void)
   compare (&a, "event_blocks, speeds of 1e252 m/s", 2);
 }
 
+/* events of the user: bounces, counted passages, in a loop, on speeds that friction holds, faster
+ * than the steps */
+static void
+user_events (void)
+{
+  static const struct
+  {
+    const emitted *e;
+    const char *name;
+    int ne, kind[8], input[8], least;
+    double x0[6], tend;
+  } runs[] = {
+    { &emitted_user_bounce, "user_bounce", 3, { 3, 5, 4 }, { 0 }, 4, { 1, 0 }, 2.5 },
+    { &emitted_user_count, "user_count", 3, { 3, 3, 3 }, { 0 }, 10, { 1, 2, 0, 5 }, 60 },
+    { &emitted_user_crank, "user_crank", 1, { 3 }, { 0 }, 1, { 0.5, -0.1, 0.4, 5, 0, 0 }, 1 },
+    { &emitted_user_held, "user_held", 8, { 1, 1, 5, 5, 5, 5, 5, 5 }, { 1, 2 }, 20, { 0, 0.1 },
+      5 },
+    { &emitted_user_wheel, "user_wheel", 1, { 5 }, { 0 }, 90, { 0, 20 }, 10 } };
+  char what[80];
+  for (int k = 0; k < 15; k++)
+    {
+      const emitted *e = runs[k % 5].e;
+      const int method = k < 10 ? 8 : 4;
+      e->par (par);
+      start (e, method, e->s.nlam > 0 ? 2 : 1, runs[k % 5].x0, runs[k % 5].tend, 40);
+      if (k < 5)
+        a.ropt[1] = 1e-5;
+      events (&a, runs[k % 5].ne, runs[k % 5].kind, runs[k % 5].input, 150);
+      snprintf (what, sizeof what, "%s, method %d", runs[k % 5].name, method);
+      compare (&a, what, 0);
+      seen (a.ip[a.ip[GS_EVENTS] + 1], runs[k % 5].least, "its events");
+    }
+}
+
+/* a place that is hardly reached: the polynomial of a step says so, or the step itself */
+static void
+user_dips (void)
+{
+  const emitted *e = &emitted_user_dips;
+  int told = 0;
+  begin ("user_dips");
+  for (int k = 0; k < 300; k++)
+    {
+      e->par (par);
+      par[2] = 2 + pow (10, -2 - k % 7) * chance ();
+      start (e, 8, 1, (double[]){ 0, 0 }, 20, 4);
+      a.ropt[1] = pow (10, -3 - k % 5);
+      events (&a, 2, (int[]){ 5, 5 }, (int[]){ 0, 0 }, 50);
+      compare_silently (&a);
+      told += a.ip[a.ip[GS_EVENTS] + 1] > 0;
+    }
+  finish ();
+  seen (told, 100, "its events");
+}
+
 static void
 sampled_crank (void)
 {
@@ -346,6 +402,8 @@ main (int argc, char **argv)
   event_pendulum ();
   given_modes ();
   rough_steps ();
+  user_events ();
+  user_dips ();
   sampled_crank ();
   passage_events ();
   parallelograms ();
