@@ -137,8 +137,8 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   check_demands (who, o.demand, w.names);
   told_of_signs (who, m, names, w.units, table);
   s = struct ("who", who, "m", m, "x0", x0, "times", times, "rest", {rest}, "names", {names}, ...
-              "table", table, "kept", kept, "threads", o.threads, "chunk", o.chunk, ...
-              "timeout", o.timeout, "loop", o.loop);
+              "table", table, "kept", kept, "threads", o.threads, "lanes", o.lanes, ...
+              "chunk", o.chunk, "timeout", o.timeout, "loop", o.loop);
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lanes.h"
-#include "row_groups.h"
+#include "ensemble_rows.h"
 #include "start.h"
 
 class ensemble
@@ -32,6 +32,7 @@ public:
 private:
 
   void work (int thread, int most);
+  static bool is_over (void) { return the_patience->why () != patience::none; }
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
@@ -44,7 +45,10 @@ private:
 #if defined (GSMBP_QUAD)
   static bool in_lanes (const simulation&) { return false; }
 #else
-  static bool in_lanes (const simulation& s) { return lane_group::fits (s); }
+  static bool in_lanes (const simulation& s)
+  {
+    return lane_group::fits (s.iopt) && ! s.audit && ! s.carries ();
+  }
 
   // a thread's
   struct lane_rows : lane_source
@@ -55,6 +59,10 @@ private:
     lane_rows (ensemble& e, int k) : all (e), thread (k) { }
     bool next (lane_run& l) { return all.next (l, thread); }
     void done (lane_run& l) { all.done (l); }
+    int over (void)
+    {
+      return patience::asked () && the_patience->look (0) ? the_patience->why () : patience::none;
+    }
   };
 
   bool next (lane_run& l, int thread);
@@ -77,7 +85,7 @@ private:
 bool
 ensemble::over (int i)
 {
-  if (the_patience->why () == patience::none)
+  if (! is_over ())
     return false;
   m_info[2 * i] = the_patience->why ();   // no calls
   m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
@@ -254,7 +262,7 @@ ensemble::work (int thread, int most)
   if (m_lanes)
     {
       lane_rows mine (*this, thread);
-      std::unique_ptr<lane_group> group (new lane_group (m_s, mine, most));
+      std::unique_ptr<lane_group> group (new lane_group (m_s, m_s.plan->ip, mine, most));
       group->run_all ();
       return;
     }
@@ -278,7 +286,7 @@ ensemble::run_all (int threads)
   const int most = (m_rows.n - 1) / threads + 1;
 #if ! defined (GSMBP_QUAD)
   if (m_lanes && ! m_rows.table.isempty () && emitted ("pre_w"))
-    m_groups.reset (new row_groups (m_rows, m_common, threads, most));
+    m_groups.reset (new row_groups (m_rows.varied (), m_common, threads, most, is_over));
 #endif
   std::vector<std::thread> others;
   for (int k = 1; k < threads; k++)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "parameters.h"
+#include "row_groups.h"
 #include "simulation.h"
 
 // what differs, a row for each run; no rows: as in the run of the beginning
@@ -22,6 +23,8 @@ struct ensemble_rows
     fits (starts, S.nx, "starts");
     fits (inputs, S.nv, "inputs");
   }
+
+  varied_rows varied (void) const { return { n, which, table.data (), 1, n }; }
 
   // the parameters of all runs, and of one
   reals common (void) const

@@ -4,7 +4,9 @@
 // the next.
 #pragma once
 
-#include "simulation.h"
+#include "run_room.h"
+
+#include "gsmbp/plan.h"
 
 #if ! defined (GSMBP_QUAD)
 
@@ -118,28 +120,28 @@ struct lane_source
   virtual ~lane_source (void) { }
   virtual bool next (lane_run& l) = 0;             // false: there is none any more
   virtual void done (lane_run& l) = 0;
+  virtual int over (void) = 0;                     // INFO of runs that end from outside; 0: go on
 };
 
 class lane_group
 {
 public:
 
-  // most: no more lanes than that have runs
-  lane_group (const simulation& s, lane_source& source, int most);
+  // ip: the plan of a run; most: no more lanes than that have runs
+  lane_group (const run_setting& s, const std::vector<int>& ip, lane_source& source, int most);
 
   void run_all (void);
 
-  // whether runs of this simulation can be in lanes
-  static bool fits (const simulation& s)
+  // whether runs with these options can be in lanes
+  static bool fits (const std::vector<int>& iopt)
   {
-    return emitted ("rhs_w") && s.iopt[0] != 0 && ! s.audit && ! s.carries ()
-           && (S.nlam == 0 || s.iopt[1] <= 2);   // else it would be the right side of one run
+    return emitted ("rhs_w") && iopt[0] != 0
+           && (S.nlam == 0 || iopt[1] <= 2);   // else it would be the right side of one run
   }
 
   // how many event functions are looked at in lanes; 0: each run looks by itself
-  static int looks_at (const simulation& s)
+  static int looks_at (const run_setting& s, const std::vector<int>& ip)
   {
-    const std::vector<int>& ip = s.plan->ip;
     if (s.iopt[0] == 4 || ip[GS_EVENTS] == 0 || ip[GS_V0] != 0 || ip[GS_FEEDBACK] != 0)
       return 0;
     return emitted ("evt_w") ? ip[ip[GS_EVENTS] - 1] : 0;
@@ -225,7 +227,7 @@ private:
   void by_itself_4 (int lane);
   void after_4 (int lane);
 
-  const simulation& m_s;
+  const run_setting& m_s;
   lane_source& m_source;
   const int m_most;
   gsmbp_sub m_rhs;

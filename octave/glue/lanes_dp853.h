@@ -118,7 +118,7 @@ lane_group::judge_all_8 (void)
 void
 lane_group::rates_by_itself (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   const int side = 1;
   fortran {gsfun_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &side, l.state (), &m_siz[0],
@@ -133,7 +133,7 @@ lane_group::rates_by_itself (int lane)
 bool
 lane_group::found_8 (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   if (l.lm[0] == 0)
@@ -177,7 +177,7 @@ lane_group::found_8 (int lane)
 bool
 lane_group::ready_8 (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   double most = 1e300, step = std::min (l.m[0], l.hmax);
@@ -263,7 +263,7 @@ lane_group::after_8 (int lane)
 void
 lane_group::by_itself_8 (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   double err = 0, *f = l.stages ();
   fortran {gsdp8_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &l.tn, &l.at, &l.h, l.state (),
@@ -279,7 +279,7 @@ lane_group::by_itself_8 (int lane)
 void
 lane_group::judge_8 (int lane, double err)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   int taken = 0, info = 0;

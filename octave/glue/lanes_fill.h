@@ -6,7 +6,8 @@
 
 #if ! defined (GSMBP_QUAD)
 
-lane_group::lane_group (const simulation& s, lane_source& source, int most)
+lane_group::lane_group (const run_setting& s, const std::vector<int>& ip, lane_source& source,
+                        int most)
   : m_s (s), m_source (source), m_most (std::min (most, lane_count)),
     m_rhs (emitted ("rhs_w")->sub), m_siz {S.nq, S.nu, s.nx, S.nv, S.nlam, s.nt, 0, s.lw},
     m_numbers (lane_count * s.nx), m_width (lane_count), m_failed (false), m_together (false),
@@ -15,7 +16,7 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
     m_cst_1 (S.nlam > 0 ? S.ncst : 0),
     m_new (s.nx), m_stage_t (1), m_step (1), m_err (1), m_a (1), m_b (1), m_c (40), m_runs (1),
     m_slow (1), m_fresh (1), m_limit (1), m_tn (1), m_at (1), m_r (1), m_evt (nullptr),
-    m_events (looks_at (s)), m_looks (1), m_g (m_events), m_g0 (m_events),
+    m_events (looks_at (s, ip)), m_looks (1), m_g (m_events), m_g0 (m_events),
     m_old (m_events), m_older (m_events), m_mark (m_events), m_noise (m_events),
     m_bend (m_events), m_allowed (m_events), m_apart (m_events), m_needs (m_events),
     m_until (m_events), m_fn (m_events > 0 ? s.nx : 0), m_z (m_events > 0 ? s.nx : 0), m_loud (1),
@@ -35,7 +36,7 @@ lane_group::lane_group (const simulation& s, lane_source& source, int most)
   std::fill_n (m_limit.begin (), lane_count, 1e300);
   m_tim.insert (m_tim.end (), s.tout.begin (), s.tout.begin () + s.nt);
   m_ropt.insert (m_ropt.end (), s.atol.begin (), s.atol.end ());
-  m_of_time = s.plan->ip[GS_V0] != 0 || s.plan->ip[GS_FEEDBACK] != 0;
+  m_of_time = ip[GS_V0] != 0 || ip[GS_FEEDBACK] != 0;
   fortran {gslnc_} (&m_n[0], &m_c8[0], &m_j[0], &m_ts[0]);
 }
 
@@ -69,13 +70,14 @@ lane_group::run_all (void)
 bool
 lane_group::left (void)
 {
-  if (! patience::asked () || ! the_patience->look (0))
+  const int info = m_source.over ();
+  if (info == 0)
     return false;
   for (int k = 0; k < lane_count; k++)
     if (m_l[k].busy)
       {
         part (k);
-        end (k, the_patience->why ());
+        end (k, info);
       }
   return true;
 }
@@ -148,7 +150,7 @@ lane_group::rest (int lane)
 bool
 lane_group::begin (lane_run& l)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   run_room& r = l.r;
   l.tim = m_tim;
   l.tim.insert (l.tim.end (), r.breaks.begin (), r.breaks.end ());
@@ -175,7 +177,7 @@ lane_group::begin (lane_run& l)
 bool
 lane_group::to_next_stop (lane_run& l)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   run_room& r = l.r;
   int acted = 0;
   r.rstat[7] = l.t;
@@ -203,7 +205,7 @@ lane_group::to_next_stop (lane_run& l)
 bool
 lane_group::stopped (lane_run& l)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   run_room& r = l.r;
   int ier = 0;
   fortran {gsinp_} (s.cmd, s.clo, s.vin, &l.t, &l.istp[0], l.state (), &m_siz[1], &m_siz[2],
@@ -241,7 +243,7 @@ lane_group::end (int lane, int info)
 void
 lane_group::inputs_of (int lane, double t, int side, const double *x)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   int info = 0;
   fortran {gsinp_} (s.cmd, s.clo, s.vin, &t, &side, x, &m_siz[1], &m_siz[2], &m_siz[3],

@@ -140,7 +140,7 @@ lane_group::watch_4 (void)
 void
 lane_group::watch_alone (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   const double none = 0;
@@ -253,7 +253,7 @@ lane_group::stages_4 (void)
 void
 lane_group::by_itself_4 (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   fortran {gsrk4_} (s.rhs, s.con, s.kin, s.cmd, s.clo, s.vin, &l.t, &l.tn, &l.at, &l.h, l.state (),
                     &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4], l.ip.data (),
@@ -265,7 +265,7 @@ lane_group::by_itself_4 (int lane)
 void
 lane_group::after_4 (int lane)
 {
-  const simulation& s = m_s;
+  const run_setting& s = m_s;
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   int again = 0, info = 0;

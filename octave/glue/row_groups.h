@@ -3,14 +3,27 @@
 // waits for a thread while another one is idle.
 #pragma once
 
-#include "ensemble_rows.h"
 #include "lane_group.h"
 
 #include <atomic>
-#include <mutex>
 #include <thread>
 
 class row_group;
+
+// the parameters that differ from run to run: of each column the number, and the values, a row of
+// TABLE for each run
+struct varied_rows
+{
+  int n;
+  std::vector<int> which;
+  const double *table;
+  std::ptrdiff_t next_row, next_column;
+
+  double operator () (int i, std::size_t column) const
+  {
+    return table[i * next_row + std::ptrdiff_t (column) * next_column];
+  }
+};
 
 // a run, and its place in the group that has its constants; no group: PRE is to be called
 struct known_row
@@ -34,7 +47,7 @@ public:
   }
 
   bool take (known_row& row);
-  bool fill (const ensemble_rows& rows, std::atomic<int>& next, int most);
+  bool fill (const varied_rows& rows, std::atomic<int>& next, int most, bool over);
 
   int constants (int place, reals& cst) const
   {
@@ -44,7 +57,7 @@ public:
 
 private:
 
-  void know (const ensemble_rows& rows);
+  void know (const varied_rows& rows);
 
   std::atomic<int> m_left;   // rows that nobody has taken; -1: their constants are not known yet
   int m_size, m_first, m_info[lane_count];
@@ -73,7 +86,7 @@ row_group::take (known_row& row)
 // By its own thread, when it has none: the next rows of the table, at most MOST.  It is marked
 // before they are taken, so that who finds the table empty finds the last ones here.
 bool
-row_group::fill (const ensemble_rows& rows, std::atomic<int>& next, int most)
+row_group::fill (const varied_rows& rows, std::atomic<int>& next, int most, bool over)
 {
   m_left = -1;
   const int first = next < rows.n ? int (next.fetch_add (most)) : rows.n;
@@ -82,7 +95,7 @@ row_group::fill (const ensemble_rows& rows, std::atomic<int>& next, int most)
     {
       m_first = first;
       m_size = size;
-      if (the_patience->why () == patience::none)
+      if (! over)
         know (rows);
     }
   m_left = size;
@@ -92,19 +105,19 @@ row_group::fill (const ensemble_rows& rows, std::atomic<int>& next, int most)
 // Always sixteen sets of parameters, so that the bits of a run are those of any group: the first
 // row stands in the places behind the last one.  What PRE_W leaves is done by PRE.
 void
-row_group::know (const ensemble_rows& rows)
+row_group::know (const varied_rows& rows)
 {
   const int k = lane_count;
   for (std::size_t c = 0; c < rows.which.size (); c++)
     for (int j = 0; j < lane_count; j++)
-      m_par(rows.which[c] - 1, j) = rows.table(m_first + (j < m_size ? j : 0), c);
+      m_par(rows.which[c] - 1, j) = rows(m_first + (j < m_size ? j : 0), c);
   fortran {emitted ("pre_w")->sub} (m_par.begin (), m_cst.begin (), m_info, &k, &k);
   for (int j = 0; j < m_size; j++)
     if (m_info[j] != 0)
       {
         reals par = room (S.npar), cst = room (S.ncst);
         m_par.get (j, &par[0], S.npar);
-        routine ("pre") (&par[0], &cst[0], &m_info[j]);
+        fortran {emitted ("pre")->sub} (&par[0], &cst[0], &m_info[j]);
         m_cst.put (j, &cst[0], S.ncst);
       }
 }
@@ -114,8 +127,10 @@ class row_groups
 {
 public:
 
-  row_groups (const ensemble_rows& rows, const reals& common, int threads, int most)
-    : m_rows (rows), m_most (std::min (most, lane_count)), m_next (0)
+  // over: whether all is to end
+  row_groups (const varied_rows& rows, const reals& common, int threads, int most,
+              bool (*over) (void))
+    : m_rows (rows), m_most (std::min (most, lane_count)), m_over (over), m_next (0)
   {
     for (int k = 0; k < threads; k++)
       m_groups.emplace_back (new row_group (common));
@@ -125,7 +140,7 @@ public:
   bool next (int thread, known_row& row)
   {
     row_group& own = *m_groups[thread];
-    if (own.take (row) || (own.fill (m_rows, m_next, m_most) && own.take (row)))
+    if (own.take (row) || (own.fill (m_rows, m_next, m_most, m_over ()) && own.take (row)))
       return true;
     return std::any_of (m_groups.begin (), m_groups.end (),
                         [&] (const std::unique_ptr<row_group>& g) { return g->take (row); });
@@ -133,8 +148,9 @@ public:
 
 private:
 
-  const ensemble_rows& m_rows;
+  const varied_rows m_rows;
   const int m_most;                  // rows of a group
+  bool (*const m_over) (void);
   std::atomic<int> m_next;
   std::vector<std::unique_ptr<row_group>> m_groups;
 };

@@ -62,13 +62,6 @@ user_input (void)
   return S.vin;
 }
 
-// whether N numbers are finite, none above what the emitted subroutines take
-static bool
-fine (const number *x, int n)
-{
-  return std::all_of (x, x + n, [] (number a) { return std::fabs (double (a)) <= 1e300; });
-}
-
 // the outputs at K states, a column each; not a number where a state or an input is none or the
 // subroutine cannot calculate them
 static Matrix

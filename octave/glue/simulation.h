@@ -3,20 +3,11 @@
 #pragma once
 
 #include "run_parts.h"
+#include "run_room.h"
 #include "columns_at_samples.h"
 
-// What one run writes, and what may differ from run to run
-struct run_room
-{
-  reals cst, x0, breaks;    // breaks: of the inputs, and times at which the scene switches
-  reals xout, vout, rstat, w;
-  std::vector<int> istat;
-  int info;
-  std::vector<char> text;   // what an implicit method said when it failed
-};
-
 // The arguments of GSSIM by their names, and who integrates.
-struct simulation : run_room
+struct simulation : run_room, run_setting
 {
   simulation (arguments& a);
 
@@ -32,14 +23,10 @@ struct simulation : run_room
   // where one ended by GSSIM
   void go_on (run_room& r, std::vector<int>& ip, number *rp) const;
 
-  number t0;
-  int nx;
   std::unique_ptr<carried> columns;   // by parameters, behind the states
   bool audit;                         // the two states of an audit stand behind the others
-  reals tout, tbrk;
-  int nt, nb;
-  std::vector<int> iopt;
-  reals ropt, atol;
+  reals tbrk;
+  int nb;
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of an implicit method; "": GSSIM alone
@@ -49,10 +36,6 @@ struct simulation : run_room
   std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too;
                                // ... if loops are in index 2
   double timeout;              // wall time [s]; 0: none
-
-  gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
-
-  int ldx, ldv, lw;
   double seconds;
 
 private:

@@ -7,7 +7,7 @@
    made again, so that a start after an end of whatever kind goes on.  At the end they become the
    table FILE.  It is the same for any number of ranks and threads. */
 #define _GNU_SOURCE
-#include "sweep_run.h"
+#include "sweep_lanes.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -52,12 +52,51 @@ typedef struct
   char (*why)[GS_WHY];
   pthread_mutex_t lock;
   long long next;
+  gs_lanes *lanes;   /* a null pointer: one run after the other */
+  int thread;        /* the next one's number */
 } chunk_work;
+
+/* runs side by side, in a program that has them */
+#if defined (GS_LANES)
+static gs_lanes *
+open_lanes (const chunk_work *w, int threads)
+{
+  if (! w->sweep->lanes || ! gs_fit_lanes (w->sweep))
+    return NULL;
+  return gs_open_lanes (w->sweep, w->c.first, w->c.n, threads, w->c.values, w->why);
+}
+
+static int
+run_lanes (chunk_work *w)
+{
+  pthread_mutex_lock (&w->lock);
+  int thread = w->thread++;
+  pthread_mutex_unlock (&w->lock);
+  return gs_run_lanes (w->lanes, thread);
+}
+
+static void
+close_lanes (chunk_work *w)
+{
+  if (w->lanes)
+    gs_close_lanes (w->lanes);
+}
+#else
+static gs_lanes *open_lanes (const chunk_work *w, int threads) { (void) w, (void) threads; return 0; }
+static int run_lanes (chunk_work *w) { (void) w; return 1; }
+static void close_lanes (chunk_work *w) { (void) w; }
+#endif
 
 static void *
 run_rows (void *data)
 {
   chunk_work *w = data;
+  if (w->lanes)
+    {
+      if (run_lanes (w) != 0)
+        stop ("no memory");
+      return NULL;
+    }
   gs_room *r = gs_make_room (w->sweep);
   if (! r)
     stop ("no memory");
@@ -92,7 +131,7 @@ told (chunk_work *w)
 static void
 run_chunk (const gs_sweep *s, const char *folder, int threads, long long first, long long n)
 {
-  chunk_work w = { .sweep = s, .c = { first, n, s->columns, 0, NULL, NULL } };
+  chunk_work w = { .sweep = s, .c = { first, n, s->columns, 0, NULL, NULL }, .lanes = NULL };
   pthread_t others[threads];
   char why[GS_WHY] = "";
   w.c.values = calloc ((size_t) (n * s->columns), sizeof (double));
@@ -100,12 +139,14 @@ run_chunk (const gs_sweep *s, const char *folder, int threads, long long first, 
   if (! w.c.values || ! w.why)
     stop ("no memory");
   pthread_mutex_init (&w.lock, NULL);
+  w.lanes = open_lanes (&w, threads);
   for (int k = 1; k < threads; k++)
     if (pthread_create (&others[k], NULL, run_rows, &w) != 0)
       stop ("cannot begin a thread");
   run_rows (&w);
   for (int k = 1; k < threads; k++)
     pthread_join (others[k], NULL);
+  close_lanes (&w);
   told (&w);
   if (gs_write_chunk (folder, &w.c, why) != 0)
     stop (why);

@@ -145,6 +145,7 @@ read_numbers (gs_sweep *s)
   s->of_state = (int) gs_number (job, "of_state", 0);
   s->index2 = (int) gs_number (job, "index2", 0);
   s->check_start = (int) gs_number (job, "check_start", 1);
+  s->lanes = (int) gs_number (job, "lanes", 0);
   s->t0 = gs_number (job, "t0", 0);
 }
 
@@ -274,33 +275,33 @@ take_start (const gs_sweep *s, gs_room *r)
   return ! work ? 7 : r->istat[5] != 0 ? 3 : 0;
 }
 
-/* its plan; the record of the events, of which nothing is read before it is written, stays as it
- * is: it takes most of the room */
-static void
-lay_plan (const gs_sweep *s, gs_room *r)
+/* the plan of a run and what came of it; the record of the events, of which nothing is read before
+   it is written, stays as it is: it takes most of the room */
+void
+gs_take_plan (const gs_sweep *s, const int *from_ip, const double *from, int *ip, double *rp)
 {
-  memcpy (r->ip, s->ip, (size_t) s->nip * sizeof (int));
-  if (r->ip[GS_EVENTS] == 0)
+  memcpy (ip, from_ip, (size_t) s->nip * sizeof (int));
+  if (ip[GS_EVENTS] == 0)
     {
-      copy (r->rp, s->rp.x, s->rp.n);
+      copy (rp, from, s->rp.n);
       return;
     }
-  gs_events e = gs_planned_events (S->nx, r->ip, r->rp);
-  long long behind = e.level - r->rp;
-  copy (r->rp, s->rp.x, e.record - r->rp);
-  copy (r->rp + behind, s->rp.x + behind, s->rp.n - behind);
+  gs_events e = gs_planned_events (S->nx, ip, rp);
+  long long behind = e.level - rp;
+  copy (rp, from, e.record - rp);
+  copy (rp + behind, from + behind, s->rp.n - behind);
 }
 
-/* the room of run I; INFO of PRE */
+/* the room of run I; INFO of PRE: that of the constants CST if they are known */
 static int
-prepare (const gs_sweep *s, gs_room *r, long long i)
+prepare (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info)
 {
-  int info = 0;
   copy (r->par, s->par.x, S->npar);
   for (long long k = 0; k < s->varied; k++)
     r->par[s->which[k] - 1] = s->samples.x[s->varied * i + k];
-  copy (r->cst, s->cst.x, s->cst.n);
-  ((void (*) (double *, double *, int *)) emitted ("pre")) (r->par, r->cst, &info);
+  copy (r->cst, cst ? cst : s->cst.x, s->cst.n);
+  if (! cst)
+    ((void (*) (double *, double *, int *)) emitted ("pre")) (r->par, r->cst, &info);
   copy (r->x0, s->x0.x, S->nx);
   zero (r->w, s->lw);
   zero (r->xout, s->ldx * s->tout.n);
@@ -310,7 +311,7 @@ prepare (const gs_sweep *s, gs_room *r, long long i)
   r->text[0] = 0;
   r->info = info == 0 ? take_start (s, r) : 0;
   copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
-  lay_plan (s, r);
+  gs_take_plan (s, s->ip, s->rp.x, r->ip, r->rp);
   if (S->nctl > 0 && info == 0)
     {
       gs_scene scene = { .nv = S->nv, .nctl = S->nctl, .ctp = periods };
@@ -689,27 +690,30 @@ never (const gs_sweep *s, gs_room *r, double *row)
   fill (s, r, 0, s->t0, 0, row);
 }
 
-void
-gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why)
+int
+gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info, double *row,
+              char *why)
 {
   why[0] = 0;
   if (s->broken[i])
     {
       snprintf (why, GS_WHY, "%.*s", (int) strcspn (s->broken[i], "\n"), s->broken[i]);
-      return never (s, r, row);
+      never (s, r, row);
+      return 0;
     }
-  int pre = prepare (s, r, i);
-  if (pre != 0)
-    {
-      snprintf (why, GS_WHY, "its parameters cannot be: %s", meaning ("pre", pre));
-      return never (s, r, row);
-    }
-  int stiff = r->iopt[0] == 0;
-  int begins = r->info == 0;
-  if (begins && ! stiff)
-    by_gssim (s, r);
-  if (begins && s->implicit_method && (stiff || r->info == 5))
-    by_implicit (s, r, ! stiff);
+  info = prepare (s, r, i, cst, info);
+  if (info == 0)
+    return 1;
+  snprintf (why, GS_WHY, "its parameters cannot be: %s", meaning ("pre", info));
+  never (s, r, row);
+  return 0;
+}
+
+void
+gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
+{
+  if (s->implicit_method && r->iopt[0] != 0 && r->info == 5)
+    by_implicit (s, r, 1);
   long long reached = r->istat[4];
   int ended = r->info == 11;
   if (ended)
@@ -719,4 +723,16 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
   if (! ok)
     failure (s, r, why);
   fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[7], reached, row);
+}
+
+void
+gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why)
+{
+  if (! gs_begin_row (s, r, i, NULL, 0, row, why))
+    return;
+  if (r->info == 0 && r->iopt[0] != 0)
+    by_gssim (s, r);
+  else if (r->info == 0 && s->implicit_method)
+    by_implicit (s, r, 0);
+  gs_end_row (s, r, row, why);
 }

@@ -23,6 +23,7 @@ typedef struct
   int *ip, *iopt, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
   long long nip, niopt, varied, runs, kept, wholes, columns;
   int nx, ldx, ldv, lw, order, of_state, index2, check_start;
+  int lanes;                             /* 1: in lanes, where they can be */
   double t0;
   gsmbp_sub sub[GS_SUBS];
   gsmbp_run_function *implicit_method;   /* a null pointer: GSSIM alone */
@@ -46,4 +47,14 @@ void gs_free_room (gs_room *r);
 
 /* run I (from 0) into ROW (s->columns); WHY: "", or why it failed */
 void gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why);
+
+/* the same in two parts, between which R is run. CST: its constants, INFO that of PRE for them; a
+   null pointer: PRE is called. 0: it does not begin and its row is filled; else it is run where
+   r->info is 0 */
+int gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info,
+                  double *row, char *why);
+void gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why);
+
+/* a plan from one room into another, but for the record of the events */
+void gs_take_plan (const gs_sweep *s, const int *from_ip, const double *from, int *ip, double *rp);
 #endif

@@ -10,6 +10,7 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "loop", [], "any"
            "demand", {}, "any"
            "threads", nproc(), "whole"
+           "lanes", true, "flag"
            "file", "", "text"
            "program", "", "text"
            "timeout", 0, "nonnegative"

@@ -16,7 +16,7 @@ function file = gsmbp__sweep_program (who, s, records, folder)
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
        gsmbp__sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
-  put (who, fullfile (folder, "Makefile"), makefile (library));
+  put (who, fullfile (folder, "Makefile"), makefile (library, {"", "yes"}{1 + has_lanes(m)}));
   gsmbp__write (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", m.name));
   gsmbp__write (who, fullfile (folder, "sweep.job"), gsmbp__sweep_job (records));
   take_archive (who, m, fullfile (folder, "build"));
@@ -54,7 +54,7 @@ function records = run_records (s, p, library)
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
              "groups", gsmbp__event_groups(m); "event_names", event_lines(m); "nominal", m.nominal
              "par", cellfun(@double, struct2cell (m.par))
-             "check_start", strcmp(p.o.start, "check")};
+             "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
 endfunction
 
 function text = event_lines (m)
@@ -77,7 +77,7 @@ endfunction
 function take_sources (who, m, folder)
   parts = {"gsmbp_scene.?", "gsmbp_implicit.h", "implicit*.?", "gsmbp_radau.c", "radau_*", ...
            "gsmbp_cvode.c", "sundials_calls.h", "gsmbp_gauss.c", "gauss_*", "rows.h", ...
-           "settle.?", "start.h", "sweep_*"};
+           "settle.?", "start.h", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
   for file = glob (gsmbp__place ("octave", "glue", parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor
@@ -123,10 +123,14 @@ function put (who, file, text)
   endif
 endfunction
 
-function text = makefile (library)
+function is = has_lanes (m)
+  is = any (strcmp (m.subroutines, "rhs_w"));
+endfunction
+
+function text = makefile (library, lanes)
   [flags, common] = gsmbp__fortran_flags ("double");
   text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
-                 "@runtime@", common, "@method@", library);
+                 "@runtime@", common, "@method@", library, "@lanes@", lanes);
 endfunction
 
 ## a file of share/sweep, its marks filled in

@@ -1,6 +1,6 @@
 ## r = gsmbp__sweep_runs (who, s, j)
 ## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
-## names, table, kept, threads, chunk, loop; J: a journal, [] for none.  R: values, ok,
+## names, table, kept, threads, lanes, chunk, loop; J: a journal, [] for none.  R: values, ok,
 ## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
 ## (whether they were), stopped ("", or what ended all; of the chunk under way the runs that came to
 ## their end before are kept), outside (a row for each run that was made now in which devices left
@@ -96,9 +96,8 @@ function b = chunk (s, i, left)
   if (left <= 0)
     return;
   endif
-  ## without lanes: the program of the sweep (gsmbp__sweep_program) has none, its table is this one
   try
-    e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "lanes", false, ...
+    e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "lanes", s.lanes, ...
                         "timeout", {left, 0}{1 + isinf(left)}, ...
                         "parameters", cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
   catch err   # of an option of the runs

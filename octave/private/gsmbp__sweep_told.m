@@ -10,6 +10,9 @@ function text = gsmbp__sweep_told (m, x0, times, rest, o, kept)
   if (! isempty (o.loop))
     lines{end+1} = ["loop: " gsmbp__sweep_text(o.loop)];
   endif
+  if (any (strcmp (m.subroutines, "rhs_w")))
+    lines{end+1} = sprintf ("lanes: %d", o.lanes);
+  endif
   for name = fieldnames (o.vary)'
     lines{end+1} = ["vary " name{1} ": " gsmbp__sweep_text(o.vary.(name{1}))];
   endfor

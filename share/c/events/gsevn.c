@@ -213,24 +213,42 @@ up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
   return info == 0 && *found > 0 ? gsusz (g, &a, e->t, e->tn - e->t, first, a.now) : info;
 }
 
-/* is the step e of gsdp8 quiet? Else its polynomial, and found: -1 where it is off by ten
- * tolerances and the step is long enough to be repeated */
+/* the polynomial of a step of gsdp8; found: -1 where it is off by more than most and the step is
+ * long enough to be repeated */
 static int
-look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
+polynomial (const gs_system *g, gs_step *e, int is_long, double most, int *found)
 {
   double off;
-  *quiet = 0;
-  e->off = 0.0;
-  if (e->method != 8)
-    return 0;
-  int info = gseva (g, e, quiet);
+  const int info = gsevy (g, e, 0, &off);
   if (info != 0)
-    return failed (g, info);
-  if (! *quiet && (info = gsevy (g, e, 0, &off)) == 0 && ! (off <= 3.0 * most_error (g)) && is_long)
+    return info;
+  e->rows_off = off;
+  if (! (off <= most) && is_long)
     {
       e->off = off;
       *found = -1;
     }
+  return 0;
+}
+
+/* is the step e of gsdp8 quiet? Else its polynomial, which must be within ten tolerances, or within
+ * three where outputs are to be taken from it */
+static int
+look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
+{
+  *quiet = 0;
+  e->off = 0.0;
+  if (e->method != 8)
+    return 0;
+  const double most = most_error (g);
+  int info = e->rows ? polynomial (g, e, is_long, most, found) : 0;
+  if (info != 0 || *found < 0)
+    return info;
+  info = gseva (g, e, quiet);
+  if (info != 0)
+    return failed (g, info);
+  if (! *quiet && ! e->rows)
+    info = polynomial (g, e, is_long, 3.0 * most, found);
   return info;
 }
 

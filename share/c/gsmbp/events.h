@@ -182,6 +182,8 @@ typedef struct
   int ns;       /* ... with so many stages */
   double off;   /* on exit of gsevn the error of the polynomial beside the tolerance where it is too
                  * large, else 0 */
+  int rows;     /* 1: outputs lie within the step, its polynomial must be within three tolerances */
+  double rows_off; /* ... gsdpq of it; where there is no event it is in columns 1 to 4 of f */
   const double *wanted; /* a time behind which events are not, or a null pointer */
 } gs_step;
 

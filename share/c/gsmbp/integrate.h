@@ -209,8 +209,9 @@ double gsdpn (const gs_system *g, const double *x, const double *xn, const doubl
               const double *w);
 
 /* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
- * constraints; off: gsdpq. info as gschk, or 90 if off is above 1 and the scene has no events; if
- * not 0, none is written */
+ * constraints; off: gsdpq, on entry 0 and more where gsevn has told it (rows_off) and left the
+ * polynomial. info as gschk, or 90 if off is above 1 and the scene has no events; if not 0, none is
+ * written */
 int gsdpo (gs_course *c, double tn, int side, double h, double *off);
 
 /* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */

@@ -1,10 +1,33 @@
 /* GSDPO: the outputs within a step of GSDP8, from its polynomial (GSDPD), moved onto the
  * constraints as the ends of steps are. */
 #include <stddef.h>
+#include <string.h>
 
+#include "gsmbp/events.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
+#include "gsmbp/plan.h"
+
+/* the polynomial of the step, that of gsevn where off is not below 0; z (nx): workspace */
+static int
+polynomial (gs_course *c, double tn, int side, double h, double *z, double *off)
+{
+  const gs_system *g = &c->g;
+  const size_t nx = g->nx;
+  if (*off >= 0.0)
+    {
+      memmove (c->f + 5 * nx, c->f + nx, 4 * nx * sizeof (double));
+      memcpy (c->f + nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, nx * sizeof (double));
+      return 0;
+    }
+  *off = 1.0;
+  const int info = gsdpd (g, c->t, tn, side, h, c->x, c->xn, c->f, z);
+  if (info != 0)
+    return info;
+  *off = gsdpq (g, h, c->x, c->xn, c->f, z, c->f + 2 * nx);
+  return *off <= 1.0 || g->ip[GS_EVENTS] > 0 ? 0 : 90;   /* gsevn has seen the step */
+}
 
 int
 gsdpo (gs_course *c, double tn, int side, double h, double *off)
@@ -12,15 +35,9 @@ gsdpo (gs_course *c, double tn, int side, double h, double *off)
   const gs_system *g = &c->g;
   const gs_run *r = c->run;
   double jump[3];
-  *off = 1.0;
+  int k = c->it;
   gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
-  int k = c->it,
-      info = gsdpd (g, c->t, tn, side, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k);
-  if (info == 0)
-    {
-      *off = gsdpq (g, h, c->x, c->xn, c->f, r->xout + (size_t)r->ldx * k, c->f + 2 * g->nx);
-      info = *off <= 1.0 || g->ip[GS_EVENTS] > 0 ? 0 : 90;   /* gsevn has seen the step */
-    }
+  int info = polynomial (c, tn, side, h, r->xout + (size_t)r->ldx * k, off);
   for (; info == 0 && k < r->nt && r->tout[k] < tn; k++)
     {
       const double t = r->tout[k];

@@ -156,6 +156,7 @@ gsdpt (gs_course *c, double htry, int *taken)
   int event = 0;
   if (g->ip[GS_EVENTS] > 0 && failed == 0 && err <= 1.0)
     {
+      e.rows = c->run->tout[c->it] < e.tn;
       failed = gsevn (g, &e, &event);
       if (event < 0)
         err = e.off > 1.0 ? gs_min (1e10, e.off) : 1e10;
@@ -173,7 +174,9 @@ gsdpt (gs_course *c, double htry, int *taken)
   if (failed == 0 && err <= 1.0 && c->run->tout[c->it] < e.tn)
     {
       const double h = event > 0 ? e.tn - c->t : e.h;
-      double off;
+      double off = -1.0;
+      if (g->ip[GS_EVENTS] > 0 && event == 0 && g->s->nlam == 0 && g->s->nq == g->s->nu)
+        off = e.rows_off;
       failed = gsdpo (c, e.tn, e.side, h, &off);
       if (failed != 0 && failed != INACCURATE)
         g->p[GS_STEPS] = 0.0;

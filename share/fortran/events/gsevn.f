@@ -25,7 +25,10 @@ C             state at TN.
 C     GAUSS   (input/output) DOUBLE PRECISION array, dimension (3): TC,
 C             D, NS of GSPSG, for METHOD = 12; for 8 and 9 GAUSS(1) is
 C             on exit the error of the polynomial beside the tolerance
-C             where that is why FOUND is -1, else 0.
+C             where that is why FOUND is -1, else 0; GAUSS(2) is on
+C             entry 1 where outputs lie within the step: then it must be
+C             within three tolerances, GAUSS(2) on exit OFF of GSEVY,
+C             and where FOUND is 0 it is in the columns 2 to 5 of W.
 C     FOUND   (output) INTEGER, the number of the event function; 0:
 C             none; -1: the step is too long to see what happens just
 C             after the last event, or its error, up to the event, is
@@ -36,7 +39,8 @@ C
 C     METHOD
 C     Most steps of GSDP8 are quiet, which GSEVA tells; in the others
 C     states are those of its polynomial of order 7 (GSDPE), and a step
-C     is repeated where this is off by ten tolerances.
+C     is repeated where this is off by ten tolerances, or by three where
+C     outputs are to be taken from it.
 C     Eight points of that polynomial (of the cubic one through both
 C     ends of a step of GSRK4, of that of GSPSG or GSEVQ), not evenly
 C     spaced (what repeats itself would hide between them), tell whether
@@ -66,7 +70,8 @@ C
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
      $                   I, NS, FIRST
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, MOST
-      LOGICAL            HELD, FINE, FAST, MORE, LATER, QUIET, LONG, DP8
+      LOGICAL            HELD, FINE, FAST, MORE, LATER, QUIET, LONG,
+     $                   DP8, ROWS
       EXTERNAL           GSEPS, GSFUN, GSEVA, GSEVL, GSEVS, GSEVD,
      $                   GSEVY, GSUSC, GSUSZ
 C
@@ -110,13 +115,26 @@ C     -- the first function that falls to 0; the part before it again
       FIRST = 0
       IF ( DP8 ) THEN
          GAUSS(1) = 0.0D0
+         ROWS = GAUSS(2).GT.0.0D0
+         IF ( ROWS ) THEN
+            CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X,
+     $                  SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P, ISTAT,
+     $                  RSTAT, IE, RE, .FALSE., ERR, INFO )
+            IF ( INFO.NE.0 ) RETURN
+            GAUSS(2) = ERR
+            IF ( .NOT.( ERR.LE.MOST ) .AND. LONG ) THEN
+               GAUSS(1) = ERR
+               FOUND = -1
+               RETURN
+            END IF
+         END IF
          CALL GSEVA( CMD, CLO, VIN, EVT, T, H, SIDE, NX, X, W, XN, NU,
      $               NV, IP, RP, CST, V, WI, IE, RE, QUIET, INFO )
          IF ( INFO.NE.0 ) GO TO 900
          IF ( QUIET ) GO TO 28
-         CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X,
-     $               SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P, ISTAT,
-     $               RSTAT, IE, RE, .FALSE., ERR, INFO )
+         IF ( .NOT.ROWS ) CALL GSEVY( RHS, CON, KIN, CMD, CLO, VIN, T,
+     $      TN, SIDE, H, X, SIZ, IP, RP, CST, V, ROPT, XN, W, WI, P,
+     $      ISTAT, RSTAT, IE, RE, .FALSE., ERR, INFO )
          IF ( INFO.NE.0 ) RETURN
          IF ( .NOT.( ERR.LE.3.0D0*MOST ) .AND. LONG ) THEN
             GAUSS(1) = ERR

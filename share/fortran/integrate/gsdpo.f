@@ -14,11 +14,13 @@ C     TOUT    (input) DOUBLE PRECISION array, dimension (NT), the output
 C             times [s].
 C     IT      (input/output) INTEGER, the number of the next output
 C             time, which lies before TN on entry.
-C     OFF     (output) DOUBLE PRECISION, that of GSDPQ.
+C     OFF     (input/output) DOUBLE PRECISION, that of GSDPQ; on entry
+C             0 and more where GSEVN has told it, and left its
+C             polynomial in F: no calls of RHS.
 C     INFO    (output) INTEGER, as GSCHK, or 90 if the polynomial is not
 C             as accurate as the step (GSDPQ); then IT is what it was.
-C             With events it is not 90: GSEVN has seen the step, which
-C             is not to be taken again; the next one is shorter.
+C             With events it is not 90: GSEVN, which repeats such a step
+C             before it looks for events, has seen this one.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
@@ -29,14 +31,24 @@ C
      $                   VOUT(*), OFF, RSTAT(*)
       EXTERNAL           GSJMP, GSDPD, GSDPQ, GSDPV, GSMOV, GSINP
       DOUBLE PRECISION   JUMP(2)
-      INTEGER            NQ, NU, NX, NV, I, IX
+      INTEGER            NQ, NU, NX, NV, I, IX, J
 C
       NQ = SIZ(1)
       NU = SIZ(2)
       NX = SIZ(3)
       NV = SIZ(4)
-      OFF = 1.0D0
       CALL GSJMP( NQ, NU, X, XN, ROPT(2), ROPT(4), JUMP )
+      INFO = 0
+      IF ( OFF.GE.0.0D0 ) THEN
+         DO 5 I = 1, NX
+            DO 3 J = 2, 5
+               F(NX*(J+3)+I) = F(NX*(J-1)+I)
+    3       CONTINUE
+            F(NX+I) = RP(IP(29)-1+5*IP(IP(28))+I)
+    5    CONTINUE
+         GO TO 8
+      END IF
+      OFF = 1.0D0
       CALL GSDPD( RHS, CON, KIN, CMD, CLO, VIN, T, TN, SIDE, H, X, XN,
      $            NQ, NU, NX, NV, SIZ(5), IP, RP, CST, V, F, W, P,
      $            XOUT(NX*(IT-1)+1), ISTAT, RSTAT, INFO )
@@ -45,7 +57,7 @@ C
      $            XOUT(NX*(IT-1)+1), F(NX*2+1), OFF )
       IF ( .NOT.( OFF.LE.1.0D0 ) .AND. IP(28).LE.0 ) INFO = 90
       IF ( INFO.NE.0 ) RETURN
-      I = IT
+    8 I = IT
    10 IF ( TOUT(I).LT.TN ) THEN
          IX = NX*( I - 1 ) + 1
          CALL GSDPV( NX, H, ( TOUT(I) - T )/H, X, XN, F, XOUT(IX) )

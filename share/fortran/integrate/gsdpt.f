@@ -126,6 +126,7 @@ C     -- up to an event, if there is one within a good step
          DO 10 I = 1, 3
             GAUSS(I) = 0.0D0
    10    CONTINUE
+         IF ( TIM(1+IT).LT.TN ) GAUSS(2) = 1.0D0
          CALL GSEVN( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, IOPT(1),
      $               IOPT(2), T, TN, AT, H, X, SIZ, IP, RP, CST, V,
      $               ROPT, XN, F, W, P, ISTAT, RSTAT, IP(IP(28)),
@@ -153,6 +154,9 @@ C     -- the outputs within it
          DENSE = 1
          HD = H
          IF ( EVENT.GT.0 ) HD = TN - T
+         OFF = -1.0D0
+         IF ( IP(28).GT.0 .AND. EVENT.EQ.0 .AND. NLAM.EQ.0 .AND.
+     $        NQ.EQ.NU ) OFF = GAUSS(2)
          CALL GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, AT, HD,
      $               X, XN, SIZ, TIM(2), IOPT, ROPT, IP, RP, CST, V, F,
      $               W, P, XOUT, VOUT, IT, OFF, ISTAT, RSTAT, IER )

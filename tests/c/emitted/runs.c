@@ -290,7 +290,7 @@ user_dips (void)
       told += a.ip[a.ip[GS_EVENTS] + 1] > 0;
     }
   finish ();
-  seen (told, 100, "its events");
+  seen (told, 50, "its events");
 }
 
 static void

@@ -1,0 +1,113 @@
+// Numbers in double or quad precision and calls of Fortran subroutines; nothing of Octave.
+#pragma once
+
+#include <algorithm>
+#include <cfloat>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gsmbp_scene.h"
+
+#if defined (GSMBP_QUAD)
+# include <quadmath.h>
+typedef __float128 number;
+#else
+typedef double number;
+#endif
+
+typedef std::vector<number> reals;
+
+// numbers of which those that nobody writes take no memory: they are not zero at first
+template <typename T>
+struct as_it_is : std::allocator<T>
+{
+  template <typename U> struct rebind { typedef as_it_is<U> other; };
+  template <typename U> void construct (U *) { }
+  template <typename U, typename... From> void construct (U *at, From&&... from)
+  {
+    ::new (static_cast<void *> (at)) U (std::forward<From> (from)...);
+  }
+};
+typedef std::vector<number, as_it_is<number>> unset_reals;
+
+// how often the next call is repeated to be timed (0: once, untimed), and the time of all
+static long the_repeats = 0;
+static double the_seconds = 0;
+
+// A Fortran subroutine: the address carries no types, the call states them.
+struct fortran
+{
+  gsmbp_sub f;
+  template <typename... T> void operator () (T... a) const
+  {
+    // volatile: the compiler may not look behind the pointer, whose declared type has no arguments
+    gsmbp_sub volatile hidden = f;
+    auto call = reinterpret_cast<void (*) (T...)> (hidden);
+    if (the_repeats == 0)
+      return call (a...);
+    auto begin = std::chrono::steady_clock::now ();
+    for (long i = 0; i < the_repeats; i++)
+      call (a...);
+    the_seconds
+        = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
+  }
+};
+
+extern "C"
+{
+  void gssim_ (void);
+  void gspln_ (void);
+  void gskkt_ (void);
+  void gsacc_ (void);
+  void gssen_ (void);
+  void gsad8_ (void);
+  void gsdp8_ (void);
+  void gshin_ (void);
+  void gsspj_ (void);
+  void gsspd_ (void);
+  void gsleq_ (void);
+  void gsfun_ (void);
+  void gsinp_ (void);
+  void gschk_ (void);
+  void gsjmp_ (void);
+  void gspst_ (void);
+  void gspnw_ (void);
+  void gspbg_ (void);
+  void gsdue_ (void);
+  void gsevn_ (void);
+  void gsend_ (void);
+  void gsevr_ (void);
+  void gsevv_ (void);
+  void gsusg_ (void);
+}
+
+static const gsmbp_scene& S = gsmbp_the_scene;
+
+// an emitted subroutine by the end of its name, a null pointer where there is none
+static inline const gsmbp_routine *
+emitted (const std::string& name)
+{
+  for (const gsmbp_routine *r = S.routines; r->name; r++)
+    if (name == r->name)
+      return r;
+  return nullptr;
+}
+
+static inline reals
+room (int n)
+{
+  return reals (std::max (1, n), number (0));
+}
+
+// whether N numbers are finite, none above what the emitted subroutines take
+static inline bool
+fine (const number *x, int n)
+{
+  return std::all_of (x, x + n, [] (number a) { return std::fabs (double (a)) <= 1e300; });
+}
