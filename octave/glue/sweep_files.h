@@ -53,6 +53,9 @@ void gs_free_list (char **names, int count);
 
 /* all chunks of FOLDER as one table in FILE, written beside and renamed */
 int gs_export_sweep (const gs_job *job, const char *folder, const char *file, char *why);
+
+/* 1 if FILE is the table of that sweep */
+int gs_is_table_of (const gs_job *job, const char *file);
 #ifdef __cplusplus
 }
 #endif

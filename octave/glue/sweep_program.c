@@ -82,7 +82,13 @@ close_lanes (chunk_work *w)
     gs_close_lanes (w->lanes);
 }
 #else
-static gs_lanes *open_lanes (const chunk_work *w, int threads) { (void) w, (void) threads; return 0; }
+static gs_lanes *
+open_lanes (const chunk_work *w, int threads)
+{
+  (void) w, (void) threads;
+  return NULL;
+}
+
 static int run_lanes (chunk_work *w) { (void) w; return 1; }
 static void close_lanes (chunk_work *w) { (void) w; }
 #endif
@@ -452,6 +458,12 @@ main (int n, char **words)
 #endif
       if (rank == 0)
         finish (&o, &job, begin);
+    }
+  else if (rank == 0 && ! gs_is_table_of (&job, o.file))
+    {
+      snprintf (why, sizeof why, "%.400s is of another sweep: delete it, or give another -o",
+                o.file);
+      stop (why);
     }
   else if (rank == 0)
     printf ("sweep: %s is there\n", o.file);

@@ -326,3 +326,42 @@ gs_export_sweep (const gs_job *job, const char *folder, const char *file, char *
     unlink (beside);
   return bad;
 }
+
+/* are the rows of WIDTH characters the lines of a text? */
+static int
+same_lines (const char *rows, size_t n, size_t width, const char *text)
+{
+  for (size_t k = 0; k < n; k++)
+    {
+      size_t length = strcspn (text, "\n"), there = strnlen (rows + width * k, width);
+      if (text[length] == 0 || there != length || memcmp (rows + width * k, text, length) != 0)
+        return 0;
+      text += length + 1;
+    }
+  return *text == 0;
+}
+
+int
+gs_is_table_of (const gs_job *job, const char *file)
+{
+  long long size;
+  H5Eset_auto2 (H5E_DEFAULT, NULL, NULL);
+  hid_t f = H5Fopen (file, H5F_ACC_RDONLY, H5P_DEFAULT);
+  hid_t set = f < 0 ? -1 : H5Dopen2 (f, "description", H5P_DEFAULT);
+  hid_t type = set < 0 ? -1 : H5Dget_type (set), space = set < 0 ? -1 : H5Dget_space (set);
+  hssize_t n = space < 0 ? 0 : H5Sget_simple_extent_npoints (space);
+  size_t width = type < 0 ? 0 : H5Tget_size (type);
+  char *rows = n > 0 && width > 0 ? calloc ((size_t) n, width) : NULL;
+  int is = rows && H5Dread (set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, rows) >= 0
+           && same_lines (rows, (size_t) n, width, gs_text (job, "description", &size));
+  free (rows);
+  if (set >= 0)
+    {
+      H5Sclose (space);
+      H5Tclose (type);
+      H5Dclose (set);
+    }
+  if (f >= 0)
+    H5Fclose (f);
+  return is;
+}

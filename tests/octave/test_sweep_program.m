@@ -50,6 +50,22 @@ function test_sweep_program ()
           {["final " ball.states{1}], ["first " hit], ["last " hit], ["count " hit]}});
   end
   refused (axis, few, folder);
+  another (axis, few, folder);
+end
+
+## a table that is there must be that of the sweep
+function another (m, few, folder)
+  file = fullfile (folder, "table.h5");
+  p = gsmbp_sweep (m, few{:}, "program", fullfile (folder, "one"));
+  q = gsmbp_sweep (m, few{:}, "seed", 7, "plan", "random", "program", fullfile (folder, "two"));
+  run_it = @(w) system (sprintf ("%s -o %s 2>&1", w.program, file));
+  [codes(1), ~] = run_it (p);
+  [codes(2), said] = run_it (p);
+  gsmbp_check ("a table that is there is not made again", all (codes == 0) && ...
+               ! isempty (strfind (said, "table.h5 is there")));
+  [code, said] = run_it (q);
+  gsmbp_check (["... of another sweep: " strtrim(strrep (said, folder, ""))], code != 0 && ...
+               ! isempty (strfind (said, "table.h5 is of another sweep: delete it")));
 end
 
 function same (folder, what, m, given)

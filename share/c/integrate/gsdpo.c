@@ -1,9 +1,12 @@
 /* GSDPO: the outputs within a step of GSDP8, from its polynomial (GSDPD), moved onto the
  * constraints as the ends of steps are. */
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
+#include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
@@ -26,7 +29,10 @@ polynomial (gs_course *c, double tn, int side, double h, double *z, double *off)
   if (info != 0)
     return info;
   *off = gsdpq (g, h, c->x, c->xn, c->f, z, c->f + 2 * nx);
-  return *off <= 1.0 || g->ip[GS_EVENTS] > 0 ? 0 : 90;   /* gsevn has seen the step */
+  /* gsevn has seen the step; it is none but for rounding, as at a jump */
+  const int seen = g->ip[GS_EVENTS] > 0,
+            tiny = fabs (h) <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (tn));
+  return *off <= 1.0 || seen || tiny ? 0 : 90;
 }
 
 int

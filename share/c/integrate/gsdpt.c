@@ -112,7 +112,7 @@ reject (gs_course *c, double h, double err, int failed, double dense)
   if (failed == 0 && err <= 1e300)
     fac = gs_min (0.9, gs_max (0.2, 0.9 * pow (err, -0.125)));
   c->next = h * fac;
-  if (! (err <= 1e300 && failed == 0)
+  if (! (err <= 1e300 && failed == 0) && failed != INACCURATE
       && c->next <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (c->tb)))
     return failed != 0 ? GS_ROUTINE_FAILED : GS_RATE_NOT_FINITE;
   if (failed == INACCURATE)

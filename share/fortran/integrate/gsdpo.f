@@ -20,7 +20,8 @@ C             polynomial in F: no calls of RHS.
 C     INFO    (output) INTEGER, as GSCHK, or 90 if the polynomial is not
 C             as accurate as the step (GSDPQ); then IT is what it was.
 C             With events it is not 90: GSEVN, which repeats such a step
-C             before it looks for events, has seen this one.
+C             before it looks for events, has seen this one; nor in a
+C             step that is none but for rounding, as at a jump.
 C
       IMPLICIT NONE
       EXTERNAL           RHS, PRJ, CON, KIN, CMD, CLO, VIN
@@ -29,8 +30,8 @@ C
       DOUBLE PRECISION   T, TN, H, X(*), XN(*), TOUT(*), ROPT(*), RP(*),
      $                   CST(*), V(*), F(*), W(*), P(*), XOUT(*),
      $                   VOUT(*), OFF, RSTAT(*)
-      EXTERNAL           GSJMP, GSDPD, GSDPQ, GSDPV, GSMOV, GSINP
-      DOUBLE PRECISION   JUMP(2)
+      EXTERNAL           GSJMP, GSDPD, GSDPQ, GSDPV, GSMOV, GSINP, GSEPS
+      DOUBLE PRECISION   JUMP(2), GSEPS
       INTEGER            NQ, NU, NX, NV, I, IX, J
 C
       NQ = SIZ(1)
@@ -55,7 +56,8 @@ C
       IF ( INFO.NE.0 ) RETURN
       CALL GSDPQ( NQ, NU, NX, H, X, XN, F, P, ROPT(2), ROPT(4),
      $            XOUT(NX*(IT-1)+1), F(NX*2+1), OFF )
-      IF ( .NOT.( OFF.LE.1.0D0 ) .AND. IP(28).LE.0 ) INFO = 90
+      IF ( .NOT.( OFF.LE.1.0D0 ) .AND. IP(28).LE.0 .AND. ABS( H ).GT.
+     $     1.0D3*GSEPS()*MAX( ABS( T ), ABS( TN ) ) ) INFO = 90
       IF ( INFO.NE.0 ) RETURN
     8 I = IT
    10 IF ( TOUT(I).LT.TN ) THEN

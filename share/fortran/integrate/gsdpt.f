@@ -218,8 +218,8 @@ C           -- GSEVN knows the rates where the step ends
          IF ( IER.EQ.0 .AND. ERR.LE.1.0D300 )
      $      FAC = MIN( 0.9D0, MAX( 0.2D0, 0.9D0*ERR**(-0.125D0) ) )
          M(1) = H*FAC
-         IF ( .NOT.( ERR.LE.1.0D300 .AND. IER.EQ.0 ) .AND.
-     $        M(1).LE.1.0D3*EPS*MAX( ABS( T ), ABS( TB ) ) ) THEN
+         IF ( .NOT.( ERR.LE.1.0D300 .AND. IER.EQ.0 ) .AND. IER.NE.90
+     $        .AND. M(1).LE.1.0D3*EPS*MAX( ABS( T ), ABS( TB ) ) ) THEN
             INFO = 8
             IF ( IER.NE.0 ) INFO = 3
             RETURN
