@@ -273,7 +273,8 @@ gs_locate (gs_run *s, place *p, int *flag)
 {
   double slope = 0, t = 0, g = 0, least = 2 * DBL_EPSILON * fmax (fabs (p->from), fabs (p->end));
   /* one that is no time away from the beginning of the step: a step must have a length */
-  p->t = fmin (p->end, fmax (p->t, p->from + DBL_EPSILON * fabs (p->from)));
+  p->t = fmin (p->end,
+               fmax (p->t, p->from + DBL_EPSILON * fmax (fabs (p->from), p->end - p->from)));
   for (int turn = 0; turn < TURNS; turn++)
     {
       int info = tried (s, p, flag);

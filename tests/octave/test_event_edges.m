@@ -11,6 +11,7 @@ function test_event_edges ()
     chains (m, method{1});
     close_together (m, method{1});
     on_the_surface (m, method{1});
+    breakaway (gsmbp_fixture ("event_breakaway"), method{1});
   end
   many_runs (m);
   derivatives (m);
@@ -18,6 +19,19 @@ end
 
 function n = told (r, name)
   n = nnz (strcmp (r.events.name, name));
+end
+
+## A push that is at the beginning exactly what friction can hold, and grows, or does not: by the
+## closed form x = k*t^3/(6*m) of what is beyond it.
+function breakaway (m, method)
+  set_ = {"method", method, "step", 1e-3};
+  for k = [0, 1e-3, 1, 100]
+    for side = [1, -1]
+      r = gsmbp_simulate (gsmbp_set (m, "k", side * k), [0 0], [0 1], "input", 3 * side, set_{:});
+      gsmbp_check (sprintf ("%s: a breakaway at the start, %g N/s", method, side * k), ...
+                   r.x(end,1) - side * k / 6 / 0.8, 1e-9 * (1 + k));
+    end
+  end
 end
 
 ## a clock at the last time, exact but for no rounding: told, with its time; what it does is in the
