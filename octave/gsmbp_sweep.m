@@ -49,12 +49,16 @@
 ## @item "timeout"
 ## of the whole sweep [s]; 0, the default: none
 ## @item "chunk"
-## how many runs a chunk has at most, default 4096; fewer where they take long
+## how many runs a chunk has at most, default 16384; fewer where they take long
+## @item "lanes"
+## false: one run after the other; true, the default: side by side, where the scene was emitted with
+## the request lanes and the runs can be (@pxref{Runs in lanes})
 ## @item "program"
-## a folder: no runs, but a program for them is put there and built, in Fortran and C, without
-## Octave, for MPI where that is installed: @code{mpirun -n 64 folder/sweep}; @code{@var{w}.program}
-## is its file.  It writes @file{sweep.h5} there, by chunks as above: a start after an end of any
-## kind goes on, and so does "file" of that name with "resume"
+## a folder: no runs, but a program for them is put there and built, in Fortran and C (and C++ for
+## runs in lanes), without Octave, for MPI where that is installed:
+## @code{mpirun -n 64 folder/sweep}; @code{@var{w}.program} is its file.  It writes @file{sweep.h5}
+## there, by chunks as above: a start after an end of any kind goes on, and so does "file" of that
+## name with "resume"
 ## @end table
 ##
 ## @var{w} has the fields

@@ -209,7 +209,7 @@ open_dealer (dealer *d, const gs_sweep *s, const char *folder, int workers)
   int count;
   long long nt = s->tout.n > 0 ? s->tout.n : 1, room = (long long) 4e6 / (s->columns * nt);
   *d = (dealer){ .runs = s->runs, .left = s->runs, .workers = workers, .most = room };
-  d->most = d->most < 1 ? 1 : d->most > 4096 ? 4096 : d->most;
+  d->most = d->most < 1 ? 1 : d->most > 16384 ? 16384 : d->most;
   d->have = calloc ((size_t) s->runs + 1, 1);
   if (! d->have)
     stop ("no memory");

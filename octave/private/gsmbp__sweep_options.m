@@ -15,7 +15,7 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "program", "", "text"
            "timeout", 0, "nonnegative"
            "resume", false, "flag"
-           "chunk", 4096, "whole"};
+           "chunk", 16384, "whole"};
   [names, values] = gsmbp__pairs (who, "option", pairs);
   known = setdiff (gsmbp__simulate_options (false)(:,1), {"timeout"});
   k = find (! ismember (names, [table(:,1); known]), 1);
