@@ -31,7 +31,7 @@ C
      $                   CST(*), V(*), F(*), W(*), P(*), XOUT(*),
      $                   VOUT(*), OFF, RSTAT(*)
       EXTERNAL           GSJMP, GSDPD, GSDPQ, GSDPV, GSMOV, GSINP, GSEPS
-      DOUBLE PRECISION   JUMP(2), GSEPS
+      DOUBLE PRECISION   JUMP(2), LEAST, GSEPS
       INTEGER            NQ, NU, NX, NV, I, IX, J
 C
       NQ = SIZ(1)
@@ -56,8 +56,10 @@ C
       IF ( INFO.NE.0 ) RETURN
       CALL GSDPQ( NQ, NU, NX, H, X, XN, F, P, ROPT(2), ROPT(4),
      $            XOUT(NX*(IT-1)+1), F(NX*2+1), OFF )
+      LEAST = GSEPS()
+      LEAST = 1.0D3*LEAST*MAX( ABS( T ), ABS( TN ) )
       IF ( .NOT.( OFF.LE.1.0D0 ) .AND. IP(28).LE.0 .AND. ABS( H ).GT.
-     $     1.0D3*GSEPS()*MAX( ABS( T ), ABS( TN ) ) ) INFO = 90
+     $     LEAST ) INFO = 90
       IF ( INFO.NE.0 ) RETURN
     8 I = IT
    10 IF ( TOUT(I).LT.TN ) THEN
