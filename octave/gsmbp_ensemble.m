@@ -9,7 +9,7 @@
 ## below says is the same in all runs.
 ## @table @code
 ## @item "parameters"
-## a struct: a field of @var{n} values [SI] for each parameter that differs
+## a struct: a field of @var{n} values [SI], a vector, for each parameter that differs
 ## @item "starts"
 ## @var{n} rows of @var{nx} states instead of @var{x0}
 ## @item "inputs"
@@ -57,6 +57,7 @@
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
 ## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
+## Where all failed a warning (@code{gsmbp:failed}) says why the first did
 ## @item calls, accepted, rejected
 ## for each run: calls of the right-hand side, steps
 ## @item parameters
@@ -95,12 +96,12 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   endif
   who = "gsmbp_ensemble";
   gsmbp__model (who, m);
-  [own, o] = read_options (who, m, varargin);
+  [own, rest] = read_options (who, varargin);
   rows = rows_of (who, m, own);
   if (isempty (x0) && ! isempty (rows.starts))
     x0 = rows.starts(1,:);
   endif
-  p = gsmbp__from_given (gsmbp__run_setup (who, m, x0, times, o), x0);
+  p = gsmbp__run_of_many (who, m, x0, times, rest);
   [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
       run_all (p, m, rows);
   e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
@@ -122,6 +123,9 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
   e.cut = info(1,:)' == 9 | info(1,:)' == 10;
   e.stopped = gsmbp__stopped (who, m, max ([0, info(1,e.cut)]), done, true);
+  if (! any (e.cut))
+    gsmbp__all_failed (who, m, e.ok, e.reason);
+  endif
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction
 
@@ -203,32 +207,25 @@ function warn_of_more (who, m, count, listed)
 endfunction
 
 ## its own options, and those of gsmbp_simulate
-function [own, o] = read_options (who, m, pairs)
+function [own, rest] = read_options (who, pairs)
   table = {"parameters", struct(), "any"
-           "starts", [], "numbers"
-           "inputs", [], "numbers"
+           "starts", [], "any"
+           "inputs", [], "any"
            "threads", nproc(), "whole"
            "lanes", true, "flag"};
   [names, values] = gsmbp__pairs (who, "option", pairs);
-  known = gsmbp__simulate_options (any (strcmp (m.subroutines, "con")) && m.sizes.nlam > 0);
+  known = gsmbp__simulate_options (false);
   k = find (! ismember (names, [table(:,1); known(:,1)]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, ...
            gsmbp__unknown (names{k}, sort ([table(:,1); known(:,1)])'));
   endif
-  k = find (ismember (names, {"sensitivity", "dx0", "fixed", "audit", "samples"}), 1);
-  if (! isempty (k))
-    error ("%s: option %s is for one run alone, by gsmbp_simulate", who, names{k});
-  endif
   mine = ismember (names, table(:,1));
   own = gsmbp__options (who, table, [names(mine); values(mine)](:)');
-  o = gsmbp__options (who, known, [names(! mine); values(! mine)](:)');
-  o.samples = false;
-  if (! isempty (own.inputs) && ! (isempty (o.input) && isempty (o.motion)))
+  rest = [names(! mine); values(! mine)](:)';
+  given = rest(2 * find (ismember (rest(1:2:end), {"input", "motion"})));
+  if (! isempty (own.inputs) && ! all (cellfun (@isempty, given)))
     error ("%s: give \"input\" or \"inputs\", not both", who);
-  elseif (is_function_handle (o.input))
-    error (["%s: option input: expected constants, a piecewise polynomial or \"user\", found a " ...
-            "function of Octave, which cannot run on several cores"], who);
   endif
 endfunction
 
@@ -242,6 +239,7 @@ function rows = rows_of (who, m, own)
     error ("%s: option threads: expected a whole number above 0, found %g", who, own.threads);
   endif
   names = fieldnames (own.parameters)';
+  cellfun (@(name) no_matrix (who, ["parameter " name], own.parameters.(name)), names);
   given = ! [isempty(own.starts), isempty(own.inputs)];
   lengths = [cellfun(@(name) numel (own.parameters.(name)), names), ...
              [size(own.starts, 1), size(own.inputs, 1)](given)];
@@ -265,6 +263,14 @@ function rows = rows_of (who, m, own)
   endfor
   if (! isempty (names))
     rows.broken = gsmbp__broken_rules (m, own.parameters);
+  endif
+endfunction
+
+## a list of values for the runs
+function no_matrix (who, what, x)
+  if (! (isempty (x) || isvector (x)))
+    error ("%s: %s: expected a vector, found a %s matrix", who, what, ...
+           sprintf ("%dx", size (x))(1:end-1));
   endif
 endfunction
 
@@ -292,8 +298,9 @@ function v = all_inputs (who, m, given)
 endfunction
 
 function x = width (who, name, x, n)
-  if (! isempty (x) && columns (x) != n)
-    error ("%s: option %s: expected rows of %d numbers, found %d", who, name, n, columns (x));
+  if (! isempty (x) && (columns (x) != n || ndims (x) > 2))
+    error ("%s: option %s: expected rows of %d numbers, found %s", who, name, n, ...
+           sprintf ("%dx", size (x)(2:end))(1:end-1));
   endif
   finite (who, ["option " name], x);
 endfunction

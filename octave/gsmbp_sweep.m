@@ -16,7 +16,9 @@
 ## ends (of a normal distribution: three standard deviations); "indices": Sobol points
 ## in the arrangement of Saltelli, for the indices of Sobol, @code{n (k + 2)} runs
 ## @item "runs"
-## how many samples @var{n}, default 256; those of a grid or of corners follow from "vary"
+## how many samples @var{n}, default 256; those of a grid or of corners follow from "vary".
+## "indices": 63 at the least, below which columns of the points go together; 255 give indices
+## within some 0.04, 1023 within some 0.02 or, of what is nearly linear, 0.006
 ## @item "seed"
 ## of "latin" and "random", a whole number, default 1: the same seed, the same plan
 ## @item "keep"
@@ -27,7 +29,10 @@
 ## none), and "count NAME"; "state_margin1", the least value of the first margin of devices
 ## (@code{m.state_margins}: strokes, pressures) at these times; "phase_margin" [rad],
 ## "gain_margin", "delay_margin" [s], "Ms" of the control loop of option "loop"; default the last
-## value of every output, or of every state where there are none
+## value of every output, or of every state where there are none.  None is given twice.  A run that
+## an event of its scene ended stays in its last state: that is what final, at and whole have from
+## there on, and mean and rms count it up to the last of the @var{times}; peak, max, min, events and
+## margins are those of the motion
 ## @item "loop"
 ## a function of the model with the parameters of a run that gives a controller
 ## (@code{gsmbp_control}, @code{gsmbp_pid}): the margins are those of its loop (@code{gsmbp_loop}),
@@ -56,7 +61,8 @@
 ## @item "program"
 ## a folder: no runs, but a program for them is put there and built, in Fortran and C (and C++ for
 ## runs in lanes), without Octave, for MPI where that is installed:
-## @code{mpirun -n 64 folder/sweep}; @code{@var{w}.program} is its file.  It writes @file{sweep.h5}
+## @code{mpirun -n 64 folder/sweep}; @code{@var{w}.program} is its file.  The folder is new, empty,
+## or that of such a program without runs of another sweep.  The program writes @file{sweep.h5}
 ## there, by chunks as above: a start after an end of any kind goes on, and so does "file" of that
 ## name with "resume"
 ## @end table
@@ -78,7 +84,9 @@
 ## of ranks (Spearman) of what is kept, a column each, with the parameters, a row each
 ## @item first, total
 ## plan "indices": the indices of Sobol, a row for each parameter, a column for what is
-## kept: the share of the variance that a parameter makes alone, and with all others
+## kept: the share of the variance that a parameter makes alone, and with all others.  Samples of
+## which a run has no number are left out, with a warning (@code{gsmbp:indices}); NaN where fewer
+## than 32 are left
 ## @item corner
 ## plan "corners": a struct array, one for what is kept: name; largest and least of it; at_largest
 ## and at_least, the corners in words, as "la high, km low"; failed, those whose run did not come
@@ -112,11 +120,13 @@
 ## @end example
 ##
 ## A warning (@code{gsmbp:sign}) tells of lengths, masses, inertias that are above 0 in the
-## model and below in samples.
+## model and below in samples; another (@code{gsmbp:failed}) that all runs failed, and why the first
+## did.
 ##
-## Errors: as @code{gsmbp_ensemble}; a distribution or a word that is none; more than 20
-## parameters in a plan of Sobol points; a table of more than 1e9 numbers; both "file" and
-## "program"; a file that is there already; a disk that is full.
+## Errors: as @code{gsmbp_ensemble}, before anything is on the disk; a distribution or a word that
+## is none; more than 20 parameters in a plan of Sobol points, fewer than 63 samples for indices; a
+## table of more than 1e9 numbers; both "file" and "program"; a file or a folder of others that is
+## there already; a disk that is full.
 ## Source: Joe and Kuo, direction numbers (2008); Saltelli and others, variance based sensitivity
 ## analysis (2010), their estimates (b) and (f).
 ## @seealso{gsmbp_ensemble, gsmbp_simulate, gsmbp_design}
@@ -134,6 +144,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   times = gsmbp__times (who, times);
   kept = gsmbp__kept (who, m, o.keep, times);
   check_loop (who, m, o, kept);
+  p = gsmbp__run_of_many (who, m, x0, times, rest);   # before anything is on the disk
   plain = kept(! [kept.whole]);
   rest_of = isempty (o.file) * nnz ([kept.whole]) * numel (times);   # of whole runs
   table = gsmbp__sweep_plan (who, o, numel (plain) + rest_of);
@@ -146,7 +157,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))
-    w = struct ("program", gsmbp__sweep_program (who, s, records, o.program));
+    w = struct ("program", gsmbp__sweep_program (who, s, p, records, o.program));
     return;
   elseif (isempty (o.file))
     r = gsmbp__sweep_runs (who, s, []);
@@ -157,7 +168,11 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   told_of_margins (who, m, r.outside, rows (table));
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
-  w = gsmbp__sweep_statistics (w, table, r.values, o);
+  [w, out] = gsmbp__sweep_statistics (w, table, r.values, o);
+  if (isempty (w.stopped))
+    gsmbp__all_failed (who, m, w.ok, w.reason);
+    told_of_left_out (who, m, o.runs, {plain.what}, out);
+  endif
   w.yield = yield (w, o.demand, r.made);
   if (strcmp (o.plan, "corners"))
     w.corner = gsmbp__sweep_corners (w, table, r.values);
@@ -237,6 +252,17 @@ function told_of_margins (who, m, outside, n)
                               "run %d first: %s: expected above 0; \"keep\", " ...
                               "\"state_margin%d\" tells how far"], who, m.name, ...
              rows (outside), n, run, m.state_margins{k}, k);
+  endif
+endfunction
+
+## indices of Sobol without base samples of which a run has no number
+function told_of_left_out (who, m, n, kept, out)
+  [most, k] = max ([0, out]);
+  if (most > 0)
+    warning ("gsmbp:indices", ["%s: %s: the indices of %s are without %d of %d base samples, " ...
+                               "of which a run has no number (with fewer than 32 there are " ...
+                               "none)"], ...
+             who, m.name, kept{k-1}, most, n);
   endif
 endfunction
 

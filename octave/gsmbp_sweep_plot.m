@@ -7,7 +7,7 @@
 ## numbers come into the .csv beside it.  @var{name} is one of what was kept (default the first).
 ##
 ## @code{"scatter"}: it over each parameter, a point for each run that came to its end (5000 at
-## most), with the correlation of ranks.
+## most), with the correlation of ranks ("constant": what is kept, or the parameter, does not vary).
 ##
 ## @code{"tornado"}: a bar for each parameter, the longest on top: from where to where a linear fit
 ## to all runs says that it goes while the parameter goes from its quantile 0.05 to that of 0.95,
@@ -26,8 +26,8 @@
 ## >> gsmbp_sweep_plot ("tornado.png", w, "tornado");
 ## @end example
 ##
-## Errors: no result of gsmbp_sweep; a name that it has not; fewer runs than a fit needs; indices of
-## another plan.
+## Errors: no result of gsmbp_sweep; a name that it has not; no run that came to its end; fewer runs
+## than a fit needs; indices of another plan, or of what is constant.
 ## Source: own; the drawing is gnuplot's.
 ## @seealso{gsmbp_sweep, gsmbp_plot}
 ## @end deftypefn
@@ -76,6 +76,10 @@ function s = chosen (who, w, name)
     error ("%s: nothing was kept of the runs but whole ones, which gsmbp_plot draws", who);
   endif
   here = w.ok & ! isnan (w.values(:,s.at));
+  if (! any (here))
+    error ("%s: expected a run that came to its end and has %s, found none in %d runs", who, ...
+           w.names{s.at}, numel (here));
+  endif
   s.p = w.values(here,1:k);
   s.z = w.values(here,s.at);
   s.names = w.names(1:k);
@@ -105,7 +109,7 @@ function [lines, heads, data, size] = scatter (w, s)
   first = mod (0:k-1, wide) == 0;   # in its row
   for j = 1:k
     lines = [lines, {sprintf("set title %s", ...
-                             quoted (sprintf ("ranks: %+.2f", w.correlation(j,s.at-k)))), ...
+                             quoted (ranks (w.correlation(j,s.at-k), s.p(:,j), s.z))), ...
                      ["set xtics (" tics_of(s.p(:,j)) ")"], ...
                      sprintf("set xlabel %s", quoted (s.labels{j})), ...
                      sprintf("set ylabel %s", quoted ({"", s.labels{s.at}}{1 + first(j)})), ...
@@ -114,6 +118,17 @@ function [lines, heads, data, size] = scatter (w, s)
   endfor
   heads = [s.names, {s.name}];
   data = [s.p(some,:), s.z(some)];
+endfunction
+
+## the correlation of ranks, or why there is none
+function text = ranks (r, p, z)
+  if (! isnan (r))
+    text = sprintf ("ranks: %+.2f", r);
+  elseif (range (z) == 0 || range (p) == 0)
+    text = "constant";
+  else
+    text = "too few runs for ranks";
+  endif
 endfunction
 
 ## at most four marks of an axis
@@ -148,10 +163,20 @@ function [lines, heads, data, size] = tornado (who, s)
   share = 1 - sumsq (s.z - mean (s.z) - (centred ./ std (s.p, 0, 1)) * slope) ...
               / max (sumsq (s.z - mean (s.z)), realmin);
   said = sprintf ("%s; a linear fit explains %.3g %% of its variance", s.labels{s.at}, 100 * share);
-  lines = barred (s.names(order), bars, mean (s.z), said, {"at the parameter's low end", ...
-                                                        "at its high end"});
+  if (range (s.z) == 0)
+    said = [s.labels{s.at} "; constant"];
+  endif
+  lines = barred (s.names(order), bars, mean (s.z), said, ...
+                  {"parameter at its quantile 0.05", "at its quantile 0.95"});
   size = [16, 3.2 + 0.9 * k];
   [heads, data] = deal ({"parameter", "low", "high"}, [order(:), bars]);
+endfunction
+
+## a margin on the left that holds the names, in widths of a usual letter, of which gnuplot takes all
+function room = room_of (names)
+  wide = @(name) numel (name) + 0.5 * sum (isupper (name)) ...
+                 + 0.7 * sum (any (name == "MWmw@%"', 1));
+  room = 2.5 + max (cellfun (wide, names));
 endfunction
 
 ## two bars a row, from FROM on
@@ -162,7 +187,8 @@ function lines = barred (names, bars, from, said, keys)
                             "UniformOutput", false), ", ");
   lines = {"set encoding utf8", "set border 1 lc rgb '#4d4d4d'", "set tics nomirror out", ...
            ["set ytics (" tics ") noenhanced scale 0"], sprintf("set yrange [0.4:%g]", k + 0.6), ...
-           sprintf("set xlabel %s", quoted (said)), "set key outside top center horizontal", ...
+           sprintf("set xlabel %s", quoted (said)), sprintf("set lmargin %.3g", room_of (names)), ...
+           "set tmargin 2.5", "set key at screen 0.5, screen 0.98 center top horizontal", ...
            "set style fill solid 0.85 noborder", "set offsets graph 0.04, graph 0.04, 0, 0"};
   for c = 1:2
     lines = [lines, {sprintf("$d%d << END", c), ...
@@ -183,6 +209,9 @@ function [lines, heads, data, size] = indices (who, w, s)
   endif
   k = numel (s.names);
   values = [w.first(:,s.at-k), w.total(:,s.at-k)];
+  if (all (isnan (values(:))))
+    error ("%s: there are no indices of %s: it is constant, or too many runs failed", who, s.name);
+  endif
   [~, order] = sort (values(:,2), "descend");
   both = values(order,:);
   y = (k:-1:1)';
@@ -217,4 +246,29 @@ endfunction
 %!   assert (numel (heads), 3);
 %!   cellfun (@delete, {file, [file(1:end-3) "csv"]});
 %! endfor
+%!test <names have their room, what is constant is told, the legend says what is drawn>
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! p = [1:9; [2 7 1 8 2 8 1 8 2]]';
+%! w = struct ("names", {{"WW", "mm", "final y", "final z"}}, "units", {{"m", "", "m/s", ""}}, ...
+%!             "values", [p, p(:,1) - 2 * p(:,2), ones(9, 1)], "ok", true (9, 1), "correlation", ...
+%!             [0.5, NaN; -1, NaN], "first", [0.2, NaN; 0.7, NaN], "total", [0.25, NaN; 0.8, NaN]);
+%! file = [tempname() ".svg"];
+%! tidy = onCleanup (@() cellfun (@delete, {file, [file(1:end-3) "csv"]}));
+%! for kind = {"tornado", "indices"}
+%!   gsmbp_sweep_plot (file, w, kind{1});
+%!   text = fileread (file);
+%!   place = regexp (text, 'translate\(([\d.]+),[^>]*>\s*<text>(?:WW|mm)<', "tokens");
+%!   assert (numel (place), 2);
+%!   assert (str2double ([place{:}]) > 2 * 0.95 * 13.4);   # of the widest letter, in pixels
+%!   assert (isempty (strfind (text, "quantile 0.05")), strcmp (kind{1}, "indices"));
+%! endfor
+%! gsmbp_sweep_plot (file, w, "scatter", "final z");
+%! assert (numel (strfind (fileread (file), ">constant<")), 2);
+%! gsmbp_sweep_plot (file, w, "tornado", "final z");
+%! assert (numel (strfind (fileread (file), "final z; constant<")), 1);
+%! fail ("gsmbp_sweep_plot (file, w, \"indices\", \"final z\")", "no indices of final z: it is con");
+%! w.ok(:) = false;
+%! fail ("gsmbp_sweep_plot (file, w)", "a run that came to its end and has final y, found none in 9");
 %!error <expected a result of gsmbp_sweep> gsmbp_sweep_plot ("a.png", 3)

@@ -19,7 +19,7 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
     input (t, x);
   elseif (n == nv)
     return;
-  elseif (isnumeric (input) && ! isempty (input))
+  elseif (isnumeric (input) && isreal (input) && isvector (input) && all (isfinite (input)))
     input = spread (input, free, m.input_starts);
   elseif (isstruct (input) && isfield (input, "form") && strcmp (input.form, "pp") ...
             && prod (input.dim) == n)

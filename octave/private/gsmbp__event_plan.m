@@ -15,7 +15,8 @@ function plan = gsmbp__event_plan (who, m, o, plan)
   endif
   if (! (isnumeric (o.modes) && any (numel (o.modes) == [0, n]) ...
            && all (any (o.modes(:) == [-1, 0, 1], 2))))
-    error ("%s: option modes: expected %d numbers, each -1, 0 or 1", who, n);
+    error ("%s: option modes: expected %d numbers, each -1, 0 or 1, found %s", who, n, ...
+           gsmbp__shown (o.modes));
   endif
   plan.modes = double (o.modes(:)');
   plan.events = 10000;

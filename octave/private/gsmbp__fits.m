@@ -1,9 +1,9 @@
 ## gsmbp__fits (who, what, value, kind)
 ## An error of WHO about WHAT unless VALUE is of that KIND: "flag", "number" (real,
 ## finite), "positive", "whole" (a whole number >= 0), "numbers" (an array of real,
-## finite ones), "text", "names" (a text or a cell array of texts), or one of the words
-## of a cell array; [low, high]: a number within; "tolerance": a number above 0 and below 1;
-## "nonnegative": a finite number >= 0; "any": WHO looks at it later.
+## finite ones), "list" (a vector of such), "text", "names" (a text or a cell array of
+## texts), or one of the words of a cell array; [low, high]: a number within; "tolerance": a
+## number above 0 and below 1; "nonnegative": a finite number >= 0; "any": WHO looks at it later.
 
 function gsmbp__fits (who, what, value, kind)
   numbers = isnumeric (value) && isreal (value) && all (isfinite (value(:)));
@@ -34,6 +34,8 @@ function gsmbp__fits (who, what, value, kind)
         [wanted, fits] = deal ("a whole number >= 0", whole);
       case "numbers"
         [wanted, fits] = deal ("finite numbers", numbers);
+      case "list"
+        [wanted, fits] = deal ("a vector of finite numbers", numbers && isvector (value));
       case "text"
         [wanted, fits] = deal ("a text", ischar (value) && rows (value) <= 1);
       case "names"

@@ -14,7 +14,8 @@ function kept = gsmbp__kept (who, m, words, times)
   units = [m.units.states(:); m.units.inputs(:); m.units.outputs(:)]';
   kept = struct ("what", {}, "name", {}, "unit", {}, "of", {}, "whole", {}, "way", {}, "number", ...
                  {}, "time", {});
-  for word = cellstr (words)(:)'
+  words = once (who, cellstr (words)(:)');
+  for word = words
     at = find (strcmp (word{1}, margins ()(:,1)));
     if (at)
       kept(end+1) = struct ("what", word{1}, "name", word{1}, "unit", margins (){at,2}, "of", ...
@@ -41,6 +42,16 @@ function kept = gsmbp__kept (who, m, words, times)
   endfor
 endfunction
 
+## each of the words, without a blank too many, is there once
+function words = once (who, words)
+  words = regexprep (strtrim (words), '\s+', " ");
+  [~, first] = unique (words, "first");
+  again = setdiff (1:numel (words), first);
+  if (! isempty (again))
+    error ("%s: option keep: \"%s\" is given twice", who, words{again(1)});
+  endif
+endfunction
+
 function list = margins ()
   list = {"phase_margin", "rad"; "gain_margin", "1"; "delay_margin", "s"; "Ms", "1"};
 endfunction
@@ -54,8 +65,9 @@ function [way, name, at] = parts_of (who, word, times)
   at = numel (times);
   parts = regexp (strtrim (word), '^(\w+)\s+(.*)$', "tokens", "once");
   if (isempty (parts) || ! any (strcmp (parts{1}, ways ())))
-    error ("%s: option keep: expected one of %s and a name, or one of %s, found %s", who, ...
-           strjoin (ways (), ", "), strjoin (margins ()(:,1)', ", "), gsmbp__shown (word));
+    error (["%s: option keep: expected one of %s and a name, or one of %s, state_margin and a " ...
+            "number, found %s"], who, strjoin (ways (), ", "), ...
+           strjoin (margins ()(:,1)', ", "), gsmbp__shown (word));
   endif
   [way, name] = parts{:};
   if (! strcmp (way, "at"))

@@ -27,7 +27,8 @@ function plan = gsmbp__sampled (who, m, o, times, plan)
     memory = vertcat (m.controllers.starts);
   endif
   if (! (isnumeric (memory) && numel (memory) == d.nxk && all (isfinite (memory(:)))))
-    error ("%s: option memory: expected %d finite numbers", who, d.nxk);
+    error ("%s: option memory: expected %d finite numbers, found %s", who, d.nxk, ...
+           gsmbp__shown (memory));
   endif
   check_memory (who, m, double (memory(:)'));
   plan.memory = double (memory(:)');

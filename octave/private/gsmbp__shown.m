@@ -10,9 +10,15 @@ function text = gsmbp__shown (value)
       value = double (value);
     endif
     text = mat2str (value, 6);
+  elseif (iscell (value) && isrow (value) && numel (value) <= 4 && all (cellfun (@plain, value)))
+    text = ["{" strjoin(cellfun (@gsmbp__shown, value, "UniformOutput", false), ", ") "}"];
   elseif (is_function_handle (value))
     text = "a function handle";
   else
     text = sprintf ("a %s of size %s", class (value), sprintf ("%dx", size (value))(1:end-1));
   endif
+endfunction
+
+function is = plain (x)
+  is = (ischar (x) && rows (x) <= 1 && numel (x) <= 20) || (isnumeric (x) && isscalar (x));
 endfunction

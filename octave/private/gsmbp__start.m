@@ -8,7 +8,8 @@
 
 function [x, start] = gsmbp__start (who, m, t, x, wanted)
   d = m.sizes;
-  argument = {"x", "x0"}{1 + any(strcmp (who, {"gsmbp_simulate", "gsmbp_ensemble"}))};
+  argument = {"x", "x0"}{1 + any(strcmp (who, {"gsmbp_simulate", "gsmbp_ensemble", ...
+                                                "gsmbp_sweep", "gsmbp_workprecision"}))};
   x = gsmbp__vector (who, argument, x, d.nx, sprintf (" (the states of %s)", m.name),
                      m.states);
   no_lost_angle (who, argument, m, x);

@@ -6,6 +6,7 @@ function table = gsmbp__sweep_plan (who, o, more)
   laws = cellfun (@(name) law (who, name, o.vary.(name)), fieldnames (o.vary)', ...
                   "UniformOutput", false);
   k = numel (laws);
+  enough (who, o);
   check_size (who, o, laws, k + more);
   switch (o.plan)
     case {"grid", "corners"}
@@ -27,6 +28,17 @@ function table = gsmbp__sweep_plan (who, o, more)
   endfor
 endfunction
 
+## base samples of the plan "indices": with fewer columns of Sobol points, and so parameters, go
+## together (of ten parameters: 7 samples have columns that coincide, 31 such that correlate by
+## 0.99, 63 by 0.16 at most)
+function enough (who, o)
+  if (strcmp (o.plan, "indices") && o.runs < 63)
+    error (["%s: option runs: expected 63 samples or more for the plan \"indices\", below " ...
+            "which columns of Sobol points go together (255 give indices within some 0.04), " ...
+            "found %d"], who, o.runs);
+  endif
+endfunction
+
 ## the table in the memory: 1e9 numbers, 8 GB, at the most
 function check_size (who, o, laws, width)
   runs = o.runs;
@@ -44,6 +56,10 @@ endfunction
 
 ## a distribution: its values AT shares of the probability, those of a grid, its ends
 function l = law (who, name, given)
+  if (isnumeric (given) && ! (isempty (given) || isvector (given)))
+    error ("%s: option vary: %s: expected a vector, found a %s matrix", who, name, ...
+           sprintf ("%dx", size (given))(1:end-1));
+  endif
   numbers = isnumeric (given) && isreal (given) && all (isfinite (given(:)));
   normal = iscell (given) && numel (given) == 3 && strcmp (given{1}, "normal") ...
            && all (cellfun (@(x) isnumeric (x) && isreal (x) && isscalar (x) && isfinite (x), ...
@@ -62,7 +78,7 @@ function l = law (who, name, given)
     l.grid = l.corners = mean_ + 3 * sigma * [-1; 1];
   else
     error (["%s: option vary: %s: expected [low, high], a list of more numbers or {\"normal\", " ...
-            "mean, standard deviation}, found %s"], who, name, gsmbp__shown (given));
+            "mean, standard deviation above 0}, found %s"], who, name, gsmbp__shown (given));
   endif
 endfunction
 

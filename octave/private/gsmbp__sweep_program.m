@@ -1,16 +1,16 @@
-## file = gsmbp__sweep_program (who, s, records, folder)
+## file = gsmbp__sweep_program (who, s, p, records, folder)
 ## The program of a sweep in a FOLDER of its own: Fortran and C, a Makefile, the job, a script for
-## Slurm; built there.  S: as of gsmbp__sweep_runs; RECORDS: of gsmbp__sweep_records.  FILE: the
-## program.
+## Slurm; built there.  S: as of gsmbp__sweep_runs; P: a run (gsmbp__run_of_many); RECORDS: of
+## gsmbp__sweep_records.  FILE: the program.
 
-function file = gsmbp__sweep_program (who, s, records, folder)
+function file = gsmbp__sweep_program (who, s, p, records, folder)
   m = s.m;
   if (! strcmp (m.precision, "double"))
     error ("%s: option program: expected a model in double precision, found %s", who, m.precision);
   endif
+  gsmbp__sweep_place (who, folder, records{1,2});
   folder = make_absolute_filename (folder);
   gsmbp__folder (who, folder);
-  p = run_of (who, s);
   library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');
   records = [records; run_records(s, p, library); plan_records(p)];
   take_sources (who, m, folder);
@@ -22,23 +22,6 @@ function file = gsmbp__sweep_program (who, s, records, folder)
   take_archive (who, m, fullfile (folder, "build"));
   gsmbp__run (who, sprintf ("cd '%s' && make", strrep (folder, "'", "'\\''")));
   file = fullfile (folder, "sweep");
-endfunction
-
-## the run, laid out
-function p = run_of (who, s)
-  m = s.m;
-  known = gsmbp__simulate_options (any (strcmp (m.subroutines, "con")) && m.sizes.nlam > 0);
-  k = find (ismember (s.rest(1:2:end), {"sensitivity", "dx0", "fixed", "audit", "samples"}), 1);
-  if (! isempty (k))
-    error ("%s: option %s is for one run alone, by gsmbp_simulate", who, s.rest{2*k-1});
-  endif
-  o = gsmbp__options (who, known, s.rest);
-  if (is_function_handle (o.input))
-    error (["%s: option input: expected constants, a piecewise polynomial or \"user\", found a " ...
-            "function of Octave, which cannot run on several cores"], who);
-  endif
-  o.samples = false;
-  p = gsmbp__from_given (gsmbp__run_setup (who, m, s.x0, s.times, o), s.x0);
 endfunction
 
 ## numbers, and the runs whose parameters break a rule of the scene

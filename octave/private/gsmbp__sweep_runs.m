@@ -90,7 +90,9 @@ endfunction
 function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
   warning ("off", "gsmbp:events", "local");    # what is kept counts all
-  warning ("off", "gsmbp:margin", "local");    # the sweep says it
+  for id = {"margin", "failed", "tolerance"}   # the sweep says it
+    warning ("off", ["gsmbp:" id{1}], "local");
+  endfor
   b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...
               "timeout", "outside", zeros (0, 2));
   if (left <= 0)

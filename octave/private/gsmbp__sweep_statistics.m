@@ -1,9 +1,10 @@
-## w = gsmbp__sweep_statistics (w, table, values, o)
+## [w, out] = gsmbp__sweep_statistics (w, table, values, o)
 ## The result W of a sweep with the statistics of VALUES, what is kept, and the correlation with
 ## TABLE, the parameters: a column over the runs that came to their end and have a number there (an
-## event may never have been).
+## event may never have been).  OUT: of each, how many base samples its indices of Sobol are
+## without.
 
-function w = gsmbp__sweep_statistics (w, table, values, o)
+function [w, out] = gsmbp__sweep_statistics (w, table, values, o)
   n = columns (values);
   [w.mean, w.std, w.min, w.max] = deal (NaN (1, n));
   [w.quantiles, w.correlation] = deal (NaN (3, n), NaN (columns (table), n));
@@ -22,7 +23,8 @@ function w = gsmbp__sweep_statistics (w, table, values, o)
       w.correlation(:,k) = spearman (table(here,:), good);
     endif
   endfor
+  out = zeros (1, n);
   if (strcmp (o.plan, "indices"))
-    [w.first, w.total] = gsmbp__sobol_indices (values, columns (table));
+    [w.first, w.total, out] = gsmbp__sobol_indices (values, columns (table));
   endif
 endfunction

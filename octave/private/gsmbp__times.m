@@ -3,12 +3,25 @@
 
 function times = gsmbp__times (who, times)
   if (! (isnumeric (times) && isreal (times) && isvector (times) && all (isfinite (times))))
-    error ("%s: the times must be a vector of finite numbers", who);
+    error ("%s: the times must be a vector of finite numbers, found %s", who, found (times));
   endif
   times = double (times(:)');
   if (any (diff (times) <= 0))
     k = find (diff (times) <= 0, 1);
     error (["%s: the times must be strictly increasing; number %d is %.15g, the next " "%.15g"], ...
            who, k, times(k), times(k+1));
+  endif
+endfunction
+
+function text = found (times)
+  if (isempty (times))
+    text = "none";
+  elseif (! (isnumeric (times) && isreal (times)))
+    text = gsmbp__shown (times);
+  elseif (! isvector (times))
+    text = sprintf ("a %s matrix", sprintf ("%dx", size (times))(1:end-1));
+  else
+    k = find (! isfinite (times), 1);
+    text = sprintf ("%g as number %d", times(k), k);
   endif
 endfunction

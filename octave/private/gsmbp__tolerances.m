@@ -8,7 +8,8 @@
 ## warning; rk4 has no tolerances.
 
 function [rtol, atol] = gsmbp__tolerances (who, m, rtol, atol, method)
-  fits = isnumeric (atol) && isreal (atol) && any (numel (atol) == [0, 1, m.sizes.nx]);
+  fits = isnumeric (atol) && isreal (atol) && any (numel (atol) == [0, 1, m.sizes.nx]) ...
+         && (isempty (atol) || isvector (atol));
   if (! (fits && all (atol(:) >= 0) && all (isfinite (atol(:)))))
     error ("%s: option atol: expected one number or %d numbers, finite and >= 0, found %s", who,
            m.sizes.nx, gsmbp__shown (atol));
