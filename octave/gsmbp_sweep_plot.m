@@ -172,7 +172,7 @@ function [lines, heads, data, size] = tornado (who, s)
   [heads, data] = deal ({"parameter", "low", "high"}, [order(:), bars]);
 endfunction
 
-## a margin on the left that holds the names, in widths of a usual letter, of which gnuplot takes all
+## a margin on the left that holds the names, in widths of a usual letter; gnuplot takes all for such
 function room = room_of (names)
   wide = @(name) numel (name) + 0.5 * sum (isupper (name)) ...
                  + 0.7 * sum (any (name == "MWmw@%"', 1));
@@ -187,7 +187,8 @@ function lines = barred (names, bars, from, said, keys)
                             "UniformOutput", false), ", ");
   lines = {"set encoding utf8", "set border 1 lc rgb '#4d4d4d'", "set tics nomirror out", ...
            ["set ytics (" tics ") noenhanced scale 0"], sprintf("set yrange [0.4:%g]", k + 0.6), ...
-           sprintf("set xlabel %s", quoted (said)), sprintf("set lmargin %.3g", room_of (names)), ...
+           sprintf("set xlabel %s", quoted (said)), ...
+           sprintf("set lmargin %.3g", room_of (names)), ...
            "set tmargin 2.5", "set key at screen 0.5, screen 0.98 center top horizontal", ...
            "set style fill solid 0.85 noborder", "set offsets graph 0.04, graph 0.04, 0, 0"};
   for c = 1:2
@@ -268,7 +269,7 @@ endfunction
 %! assert (numel (strfind (fileread (file), ">constant<")), 2);
 %! gsmbp_sweep_plot (file, w, "tornado", "final z");
 %! assert (numel (strfind (fileread (file), "final z; constant<")), 1);
-%! fail ("gsmbp_sweep_plot (file, w, \"indices\", \"final z\")", "no indices of final z: it is con");
+%! fail ("gsmbp_sweep_plot (file, w, \"indices\", \"final z\")", "no indices of final z: it is");
 %! w.ok(:) = false;
-%! fail ("gsmbp_sweep_plot (file, w)", "a run that came to its end and has final y, found none in 9");
+%! fail ("gsmbp_sweep_plot (file, w)", "came to its end and has final y, found none in 9");
 %!error <expected a result of gsmbp_sweep> gsmbp_sweep_plot ("a.png", 3)
