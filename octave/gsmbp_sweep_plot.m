@@ -172,7 +172,7 @@ function [lines, heads, data, size] = tornado (who, s)
   [heads, data] = deal ({"parameter", "low", "high"}, [order(:), bars]);
 endfunction
 
-## a margin on the left that holds the names, in widths of a usual letter; gnuplot takes all for such
+## a margin on the left that holds the names, in widths of a usual letter
 function room = room_of (names)
   wide = @(name) numel (name) + 0.5 * sum (isupper (name)) ...
                  + 0.7 * sum (any (name == "MWmw@%"', 1));
