@@ -73,7 +73,7 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   g->istat[GS_FAILED] = 0;
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
-  c->fresh = dense > 0.0 && e->side > 0 && event <= 0 ? 2 : 1;
+  c->fresh = dense > 0.0 && e->side > 0 && g->ip[GS_EVENTS] == 0 ? 2 : 1;
   if (g->ip[GS_EVENTS] > 0 && e->side > 0 && event <= 0 && g->s->nlam == 0 && g->s->nq == g->s->nu)
     {
       c->fresh = 2;   /* gsevn knows the rates where the step ends */
@@ -175,7 +175,7 @@ gsdpt (gs_course *c, double htry, int *taken)
     {
       const double h = event > 0 ? e.tn - c->t : e.h;
       double off = -1.0;
-      if (g->ip[GS_EVENTS] > 0 && event == 0 && g->s->nlam == 0 && g->s->nq == g->s->nu)
+      if (g->ip[GS_EVENTS] > 0 && event == 0)
         off = e.rows_off;
       failed = gsdpo (c, e.tn, e.side, h, &off);
       if (failed != 0 && failed != INACCURATE)

@@ -155,8 +155,7 @@ C     -- the outputs within it
          HD = H
          IF ( EVENT.GT.0 ) HD = TN - T
          OFF = -1.0D0
-         IF ( IP(28).GT.0 .AND. EVENT.EQ.0 .AND. NLAM.EQ.0 .AND.
-     $        NQ.EQ.NU ) OFF = GAUSS(2)
+         IF ( IP(28).GT.0 .AND. EVENT.EQ.0 ) OFF = GAUSS(2)
          CALL GSDPO( RHS, PRJ, CON, KIN, CMD, CLO, VIN, T, TN, AT, HD,
      $               X, XN, SIZ, TIM(2), IOPT, ROPT, IP, RP, CST, V, F,
      $               W, P, XOUT, VOUT, IT, OFF, ISTAT, RSTAT, IER )
@@ -185,7 +184,7 @@ C              rounding: the next step need not be as short
          ISTAT(20) = ISTAT(20) + LOOSE
          LM(6) = -MIN( 1, EVENT )
          LM(1) = 1
-         IF ( DENSE.EQ.1 .AND. AT.GT.0 ) LM(1) = 2
+         IF ( DENSE.EQ.1 .AND. AT.GT.0 .AND. IP(28).LE.0 ) LM(1) = 2
          IF ( IP(28).GT.0 .AND. AT.GT.0 .AND. NLAM.EQ.0 .AND. NQ.EQ.NU )
      $        THEN
 C           -- GSEVN knows the rates where the step ends
