@@ -8,6 +8,7 @@ function test_events ()
   pendulum ();
   arm ();
   crank ();
+  rest ({"dp853", "radau"});
   dead_centre ();
   computer ();
   blocks ();
@@ -186,6 +187,22 @@ function crank ()
   r = gsmbp_simulate (m, x0, [0 4], "input", 2, "rtol", 1e-12);
   gsmbp_check ("slider-crank: friction in the guide holds it under 2 N m", ...
                [r.x(end,:) - x0', r.stats.events], 1e-11);
+end
+
+## pressed on the stop for ten hours: it neither creeps nor has more events, whatever the tolerance
+function rest (methods_)
+  m = gsmbp_fixture ("event_crank");
+  x0 = gsmbp_assemble (m, [0.5; -0.1; 0; 0; 0; 0]);
+  for method = methods_
+    for rtol = [1e-4, 1e-7]
+      o = {"input", 8, "rtol", rtol, "method", method{1}};
+      r = gsmbp_simulate (m, x0, [0 10 3600 36000], o{:});
+      brief = gsmbp_simulate (m, x0, [0 10], o{:});
+      what = sprintf ("slider-crank, %s, %g: ten hours on the stop", method{1}, rtol);
+      gsmbp_check (what, [r.x(3:end,3) + 0.2, r.x(3:end,6)], 1e-9);
+      gsmbp_check ([what ": no event there"], r.stats.events - brief.stats.events, 0);
+    end
+  end
 end
 
 ## a free crank whose slider rubs: through its dead centres, where the slider rests for an instant
