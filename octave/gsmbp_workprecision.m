@@ -15,11 +15,11 @@
 ##
 ## Options: "rk4" (steps [s], default 10.^-(2:0.5:4)), "gauss" (steps, default none), "dp853"
 ## (tolerances, default 10.^-(4:2:14)), "cvode", "radau" and "index2", which is radau with
-## "loops", "index2" (tolerances, default none; where none of these six is given radau's are
-## 10.^-(4:2:12), but of a build in quad);
+## "loops", "index2", for scenes with loops (tolerances, default none; where none of these six is
+## given radau's are 10.^-(4:2:12), but of a build in quad);
 ## "print" (default true) writes the table; "file": a
-## PNG for the figure (its numbers go into the .csv beside it); "seconds": how
-## long each timing may take (default 0.1).  Any other option goes to
+## file for the figure, .png, .pdf, .svg or .eps (its numbers go into the .csv beside it);
+## "seconds": how long each timing may take (default 0.1).  Any other option goes to
 ## @code{gsmbp_simulate} (input, motion, projection, @dots{}).
 ##
 ## @var{w} is a struct array with the fields @code{method}, @code{step} (or
@@ -44,8 +44,12 @@
 ## ans = 1
 ## @end example
 ##
-## Errors: an option that is measured itself or unknown; no step and no tolerance; a reference that
-## fails or does not come to its end. The error of a run that does not is Inf.
+## What runs warn of (@code{gsmbp:stiff}, @dots{}) is said once.
+##
+## Errors, all but the last before anything is measured: as @code{gsmbp_simulate}; an option that is
+## measured itself or unknown; no step and no tolerance, or such as cannot be; "index2" in a scene
+## without loops; another ending of "file" than .png, .pdf, .svg, .eps; a reference that fails or
+## does not come to its end.  The error of a run that does not is Inf.
 ## Source: own; Hairer's work-precision diagram.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
@@ -55,23 +59,17 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_workprecision", m);
-  [o, rest] = read_options (varargin, strcmp (m.precision, "double"));
-  [folder, build] = folders (m);
-  q = gsmbp_build (m.name, "precision", "quad", "directory", folder, "build", build, ...
-                   "parameters", m.par);
-  truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, "atol", ...
-                          o.reference, "drift", false);
-  if (any (strcmp (truth.stats.stopped, {"timeout", "interrupted"})))
-    error (["gsmbp_workprecision: the reference, in quad precision, ended at t = %.9g s of " ...
-            "%.9g: %s"], truth.t(end), times(end), truth.stats.stopped);
-  endif
+  [o, rest] = read_options (m, varargin);
+  check_runs (m, x0, times, o, rest);
+  truth = reference (m, x0, times, o, rest);
   span = times(end) - times(1);
-  w = struct ([]);
-  for method = {"rk4", "gauss", "dp853", "cvode", "radau", "index2"}
+  [w, stats] = deal (struct ([]), {});
+  for method = ways ()
     for step = o.(method{1})(:)'   # or tolerance
-      w = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
+      [w, stats{end+1}] = measure (w, m, x0, times, o, rest, truth, method{1}, step, span);
     endfor
   endfor
+  tell_once (m, stats);
   w(1).reference = truth.x;
   best = best_of (w);
   if (o.print)
@@ -82,15 +80,20 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
   endif
 endfunction
 
-## its own options, and those for gsmbp_simulate; RADAU: the build can do it
-function [o, rest] = read_options (pairs, radau)
+function list = ways ()
+  list = {"rk4", "gauss", "dp853", "cvode", "radau", "index2"};
+endfunction
+
+## its own options, and those for gsmbp_simulate
+function [o, rest] = read_options (m, pairs)
   who = "gsmbp_workprecision";
-  table = {"rk4", 10 .^ -(2:0.5:4), "numbers"
-           "gauss", [], "numbers"
-           "dp853", 10 .^ -(4:2:14), "numbers"
-           "cvode", [], "numbers"
-           "radau", [], "numbers"
-           "index2", [], "numbers"
+  radau = strcmp (m.precision, "double");   # quad has none
+  table = {"rk4", 10 .^ -(2:0.5:4), "list"
+           "gauss", [], "list"
+           "dp853", 10 .^ -(4:2:14), "list"
+           "cvode", [], "list"
+           "radau", [], "list"
+           "index2", [], "list"
            "print", true, "flag"
            "file", "", "text"
            "seconds", 0.1, "nonnegative"
@@ -115,21 +118,116 @@ function [o, rest] = read_options (pairs, radau)
     error (["%s: nothing to measure: expected steps or tolerances in one of the options " ...
             "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\", found none"], who);
   endif
+  check_own (who, m, o);
   rest = [names(! own); values(! own)](:)';
 endfunction
 
-function [folder, build] = folders (m)
-  build = fileparts (fileparts (fileparts (m.file)));
-  folder = m.directory;
+## steps above 0, tolerances above 0 and below 1, loops for index 2, a figure that can be
+function check_own (who, m, o)
+  for name = ways ()
+    x = o.(name{1});
+    steps = any (strcmp (name{1}, {"rk4", "gauss"}));
+    k = find (! (x > 0 & (x < 1 | steps)), 1);
+    if (! isempty (k))
+      error ("%s: option %s: expected %s, found %g", who, name{1}, ...
+             {"tolerances above 0 and below 1", "steps above 0"}{1 + steps}, x(k));
+    endif
+  endfor
+  if (! isempty (o.index2) && m.sizes.nlam == 0)
+    error ("%s: option index2: %s has no loops; expected none, found %s", who, m.name, ...
+           gsmbp__shown (o.index2));
+  endif
+  [~, ~, ending] = fileparts (o.file);
+  if (! (isempty (o.file) || any (strcmpi (ending, {".png", ".pdf", ".svg", ".eps"}))))
+    error ("%s: option file: the file must end in .png, .pdf, .svg or .eps, found: %s", who, ...
+           o.file);
+  endif
 endfunction
 
-function w = measure (w, m, x0, times, o, rest, truth, method, step, span)
+## every run, laid out and checked before one is made
+function check_runs (m, x0, times, o, rest)
+  laid_out (m, x0, times, rest, "reference");
+  for method = ways ()
+    for step = o.(method{1})(:)'
+      laid_out (m, x0, times, options_of (rest, method{1}, step), method{1});
+    endfor
+  endfor
+endfunction
+
+function laid_out (m, x0, times, options, name)
+  who = "gsmbp_workprecision";
+  try
+    gsmbp__run_setup (who, m, x0, times, ...
+                      gsmbp__options (who, gsmbp__simulate_options (false), options));
+  catch err
+    err.message = regexprep (err.message, "option (step|rtol)", ["option " name]);
+    rethrow (err);
+  end_try_catch
+endfunction
+
+## the truth
+function truth = reference (m, x0, times, o, rest)
+  build = fileparts (fileparts (fileparts (m.file)));
+  q = gsmbp_build (m.name, "precision", "quad", "directory", m.directory, "build", build, ...
+                   "parameters", m.par);
+  for id = [said_once(), {"stopped"}]
+    warning ("off", ["gsmbp:" id{1}], "local");
+  endfor
+  try
+    truth = gsmbp_simulate (q, x0, times, rest{:}, "method", "dp853", "rtol", o.reference, ...
+                            "atol", o.reference, "drift", false);
+  catch err
+    err.message = strrep (err.message, "gsmbp_simulate: ", ...
+                          "gsmbp_workprecision: the reference, in quad precision: ");
+    rethrow (err);
+  end_try_catch
+  if (any (strcmp (truth.stats.stopped, {"timeout", "interrupted"})))
+    error (["gsmbp_workprecision: the reference, in quad precision, ended at t = %.9g s of " ...
+            "%.9g: %s"], truth.stats.reached, times(end), truth.stats.stopped);
+  endif
+endfunction
+
+## what warnings of a run tell of the scene
+function list = said_once ()
+  list = {"stiff", "singular", "angles", "margin", "tolerance", "events", "held"};
+endfunction
+
+## of warnings of the runs with these STATS one of each kind
+function tell_once (m, stats)
+  for id = said_once ()
+    tell_first (m, stats, id{1});
+  endfor
+endfunction
+
+function tell_first (m, stats, id)
+  for other = setdiff (said_once (), {id})
+    warning ("off", ["gsmbp:" other{1}], "local");
+  endfor
+  lastwarn ("", "");
+  for s = stats
+    gsmbp__run_warnings ("gsmbp_workprecision", m, s{1}, Inf);
+    if (! isempty (lastwarn ()))
+      break;
+    endif
+  endfor
+endfunction
+
+## those of one measurement
+function options = options_of (rest, method, step)
   name = {"rtol", "step"}{1 + any(strcmp (method, {"rk4", "gauss"}))};
   options = [rest, {"method", method, name, step, "drift", false}];
   if (strcmp (method, "index2"))
     options = [in_index2(rest), {name, step, "drift", false}];
   endif
+endfunction
+
+function [w, stats] = measure (w, m, x0, times, o, rest, truth, method, step, span)
+  for id = said_once ()
+    warning ("off", ["gsmbp:" id{1}], "local");
+  endfor
+  options = options_of (rest, method, step);
   [r, info] = gsmbp_simulate (m, x0, times, options{:});
+  stats = r.stats;
   best = r.stats.seconds;
   spent = best;
   while (spent < o.seconds)

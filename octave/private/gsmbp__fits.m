@@ -35,7 +35,8 @@ function gsmbp__fits (who, what, value, kind)
       case "numbers"
         [wanted, fits] = deal ("finite numbers", numbers);
       case "list"
-        [wanted, fits] = deal ("a vector of finite numbers", numbers && isvector (value));
+        list = numbers && (isempty (value) || isvector (value));
+        [wanted, fits] = deal ("a vector of finite numbers", list);
       case "text"
         [wanted, fits] = deal ("a text", ischar (value) && rows (value) <= 1);
       case "names"

@@ -18,4 +18,46 @@ function test_workprecision ()
   rows = regexp (said, '\n(?:rk4|dp853) [^\n]* - +(\S+)', "tokens");
   gsmbp_check ("they stand in their column", str2double ([rows{:}]) ./ [w.error_states] - 1, 1e-2);
   gsmbp_check ("and are told as theirs", any (strfind (said, "error of states below")));
+  refused (gsmbp_hand ("motor_pendulum"));
+  once (gsmbp_hand ("motor_pendulum"));
+end
+
+## before anything is measured, in the name of the function
+function refused (m)
+  few = {"rk4", 1e-3, "dp853", 1e-6};
+  wrong = {[1 0 0], {"file", "x.foo"}, "option file: the file must end in .png"
+           [1 0 0], {"rk4", -1}, "option rk4: expected steps above 0, found -1"
+           [1 0 0], {"rk4", [1 2; 3 4]}, "option rk4: expected a vector of finite numbers"
+           [1 0 0], {"rk4", 1e-12}, "option rk4: 0.1 s in steps of 1e-12 s"
+           [1 0 0], {"gauss", [1e-3, 0]}, "option gauss: expected steps above 0, found 0"
+           [1 0 0], {"dp853", [1e-6, 2]}, "option dp853: expected tolerances above 0 and below 1"
+           [1 0 0], {"index2", 1e-6}, "option index2: motor_pendulum has no loops"
+           [1 NaN 0], few, "argument x0(2), q_d is not finite: NaN"
+           [1 0 0], [few, {"input", NaN}], "input: expected 1 finite numbers"};
+  for row = wrong'
+    begun = tic ();
+    said = gsmbp_complaint (@() gsmbp_workprecision (m, row{1}, [0 0.1], row{2}{:}, "seconds", ...
+                                                     20, "print", false));
+    gsmbp_check (["refused at once: " said], toc (begun) < 10 ...
+                 && strncmp (said, ["gsmbp_workprecision: " row{3}], 21 + numel (row{3})));
+  end
+  message = "";
+  said = evalc (["message = gsmbp_complaint (@() gsmbp_workprecision (m, [1 0 0], [0 1e4], " ...
+                 "few{:}, \"timeout\", 0.1));"]);
+  gsmbp_check (["out of time: " message], isempty (said) ...
+               && ! isempty (strfind (message, "the reference, in quad precision, ended at t =")));
+end
+
+## what all runs warn of
+function once (m)
+  m = gsmbp_set (m, "L_a", 1e-5);
+  o = {m, [0.2 0 0], [0 0.1], "input", 3, "rk4", [1e-4, 2e-5], "dp853", [1e-4, 1e-6], "seconds", ...
+       0.05, "print", false};
+  said = evalc ("gsmbp_workprecision (o{:});");
+  gsmbp_check (["stiffness is told once: " strtok(said, "\n")], ...
+               strncmp (said, "warning: gsmbp_workprecision: ", 30) ...
+               && numel (strfind (said, "warning: gsmbp_")) == 1);
+  gsmbp_check ("what is told stays so", strcmp (warning ("query", "gsmbp:stiff").state, "on"));
+  warning ("off", "gsmbp:stiff", "local");
+  gsmbp_check ("or not at all", isempty (evalc ("gsmbp_workprecision (o{:});")));
 end
