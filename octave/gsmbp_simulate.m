@@ -134,13 +134,15 @@
 ## @table @code
 ## @item "input"
 ## @var{nv} constants; a piecewise polynomial with @var{nv} components
-## (@code{gsmbp_plan ("table", @dots{})}); a function handle
+## (@code{gsmbp_plan ("table", @dots{})}), which before its first and after its last break holds the
+## value that it has there; a function handle
 ## @code{v = f (t, x)} (called back: slow); or "user": SUBROUTINE GSVIN of
 ## @code{gsmbp_build}'s option "input"
 ## @item "motion"
 ## instead of "input": a planned motion of the actuated coordinates (or of all
 ## coordinates of an open chain); the inputs that it needs come from the
-## inverse model within the compiled loop
+## inverse model within the compiled loop.  After its last break it is at rest where it is there:
+## let it end at rest, else its speed jumps there
 ## @item "gain", "reference"
 ## linear state feedback v = v0(t) - K(t)*(x - x0(t)) on top of these: K is
 ## @var{nv} x @var{nx}, or a piecewise polynomial with @var{nv}*@var{nx}
@@ -179,7 +181,8 @@
 ## @end table
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
-## @code{v} (the inputs; from the left where they jump), @code{y} (the outputs of the scene),
+## @code{v} (the inputs; from the left where they jump at a break or at an instant of a sampled
+## device, at the time of an event as they are behind it), @code{y} (the outputs of the scene),
 ## @code{points} (places of its points and frames, three columns each [m]), @code{of} (every
 ## column by its name: @code{r.of.("tip.x")}, see @code{gsmbp_names}), @code{unique} (which outputs
 ## the motion determines: not all reactions are in scenes with more constraints than their motion
@@ -252,9 +255,9 @@
 ## is lost) and @code{samples}, a struct with a row for each instant: @code{t} [s],
 ## @code{xk} (memory), @code{v} (inputs), both after it.
 ## With events also @code{events}, a struct with a row for each (10000 at most):
-## @code{t} [s], @code{number} (of @code{m.events}), @code{device}, @code{mode} (after
-## it), @code{loss} (of mechanical energy at an impact [J]), @code{before} and
-## @code{after} (states).
+## @code{t} [s], @code{number} (of @code{m.events}), @code{name} and @code{device} (both the name of
+## the event: of the device that has it, or that of the user), @code{mode} (after it), @code{loss}
+## (of mechanical energy at an impact [J]), @code{before} and @code{after} (states).
 ## If the run fails it is an error, unless @var{info} is taken: then the rows
 ## end where it failed.
 ##
@@ -408,6 +411,12 @@ endfunction
 %! for method = {"dp853", "rk4", "radau", "cvode"}(1:3 + gsmbp_has_sundials ())
 %!   r = gsmbp_simulate (m, [0 0 0], [0 0.25 0.5 0.75 1], "input", table, "method", method{1});
 %!   assert (r.v', [0 0 0 5 5]);
+%! endfor
+%!test <outside of its breaks a piecewise polynomial holds its ends>
+%! for method = {"dp853", "rk4", "radau"}
+%!   r = gsmbp_simulate (m, [0 0 0], [0 0.5 1 1.5], "input", mkpp ([0.5 1], [2 1]), "method", ...
+%!                       method{1});
+%!   assert (r.v', [1 1 2 2], 1e-15);
 %! endfor
 %!error <argument x0: expected 3 numbers> gsmbp_simulate (m, 1, [0 1])
 %!error <argument x0\(1\), q is not finite: NaN> gsmbp_simulate (m, [NaN 0 0], [0 1])

@@ -70,8 +70,8 @@
 ## @var{w} has the fields
 ## @table @code
 ## @item names, units, values
-## of the columns of the table, the parameters, then what is kept; a row for each run, NaN where
-## it failed
+## of the columns of the table, the parameters, then what is kept; a row for each run of the plan,
+## NaN in what is kept where it failed or, after Ctrl-C or a timeout, was not made
 ## @item ok, reason, reached
 ## as of @code{gsmbp_ensemble}
 ## @item whole

@@ -46,10 +46,10 @@
 ##
 ## What runs warn of (@code{gsmbp:stiff}, @dots{}) is said once.
 ##
-## Errors, all but the last before anything is measured: as @code{gsmbp_simulate}; an option that is
-## measured itself or unknown; no step and no tolerance, or such as cannot be; "index2" in a scene
-## without loops; another ending of "file" than .png, .pdf, .svg, .eps; a reference that fails or
-## does not come to its end.  The error of a run that does not is Inf.
+## Errors: as @code{gsmbp_simulate}; an option that is measured itself or unknown; no step and no
+## tolerance, or such as cannot be; "index2" in a scene without loops; another ending of "file" than
+## .png, .pdf, .svg, .eps: all before anything is measured; a reference that fails or does not come
+## to its end.  The error of a run that does not is Inf.
 ## Source: own; Hairer's work-precision diagram.
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn

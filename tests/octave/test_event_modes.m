@@ -3,6 +3,7 @@
 
 function test_event_modes ()
   from_other_runs ();
+  rows_at_events (gsmbp_fixture ("event_slide"));
   contradictions ();
   swing ();
   ensembles ();
@@ -13,6 +14,20 @@ function modes = modes_at (m, r, k)
   in = [m.events.input];
   modes = zeros (size (in));
   modes(in > 0) = r.v(k,in(in > 0));
+end
+
+## a row at the time of an event has the mode that is behind it
+function rows_at_events (m)
+  for method = {"dp853", "radau"}
+    o = {"method", method{1}};
+    r = gsmbp_simulate (m, [0; 0], [0 4], "input", 0, o{:});
+    [t, last] = unique (r.events.t, "last");
+    k = find (t > 0, 3);
+    again = gsmbp_simulate (m, [0; 0], [0; t(k); 4]', "input", 0, o{:});
+    gsmbp_check (["the mode behind an event at a row by " method{1}], ! isempty (k) ...
+                 && isequal (again.v(2:end-1,m.events(1).input), r.events.mode(last(k))) ...
+                 && isequal (r.events.name, r.events.device));
+  end
 end
 
 ## runs begin where others were, in the middle of sticking, contact and sliding
