@@ -328,7 +328,7 @@ endfunction
 %! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.gif", "fps", 60)
 %!error <option up: expected one of "x", "y", "z", found "w">
 %! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "up", "w")
-%!error <option times must lie within the result, from 0 to 1 s>
+%!error <option times must lie within the result, from 0 to 1 s, found >
 %! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "times", 2)
 %!error <no link "rod"; known: upper, lower>
 %! [m, r] = pendulum (0); gsmbp_animate (m, r, "a.png", "trace", "rod")

@@ -164,12 +164,13 @@ endfunction
 
 function motion = profile (rate, order = 1, start = [])
   if (! (isstruct (rate) && isfield (rate, "form") && strcmp (rate.form, "pp")))
-    error ("gsmbp_plan: the profile must be a piecewise polynomial, as of mkpp");
+    error ("gsmbp_plan: the profile must be a piecewise polynomial, as of mkpp, found %s", ...
+           gsmbp__shown (rate));
   endif
   gsmbp__fits ("gsmbp_plan", "argument start", start, "numbers");
   if (! (isnumeric (order) && isscalar (order) && any (order == [1 2 3])))
     error (["gsmbp_plan: the order of the profile must be 1 (velocity), 2 " ...
-            "(acceleration) or 3 (jerk)"]);
+            "(acceleration) or 3 (jerk), found %s"], gsmbp__shown (order));
   endif
   n = prod (rate.dim);
   if (isempty (start))
@@ -225,14 +226,16 @@ function motion = table (times, values, order = 1)
       coefs = reshape (pp.coefs, n, pp.pieces, pp.order);
       times = pp.breaks;
     otherwise
-      error ("gsmbp_plan: the order of a table must be 0, 1 or 3");
+      error ("gsmbp_plan: the order of a table must be 0, 1 or 3, found %s", ...
+             gsmbp__shown (order));
   endswitch
   motion = mkpp (times, coefs, n);
 endfunction
 
 function numbers (x, what)
   if (! (isnumeric (x) && isreal (x) && ndims (x) == 2 && all (isfinite (x(:)))))
-    error ("gsmbp_plan: %s must be a matrix of finite real numbers", what);
+    error ("gsmbp_plan: %s must be a matrix of finite real numbers, found %s", what, ...
+           gsmbp__shown (x));
   endif
 endfunction
 

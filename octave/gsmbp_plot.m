@@ -146,7 +146,8 @@ function check (who, t, panels)
   for i = 1:numel (panels)
     p = panels{i};
     if (! (isstruct (p) && isscalar (p) && all (isfield (p, {"y", "names", "label"}))))
-      error ("%s: panel %d must be a struct with the fields y, names, label", who, i);
+      error ("%s: panel %d must be a struct with the fields y, names, label, found %s", who, ...
+             i, gsmbp__shown (p));
     endif
     if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
       error (["%s: panel %d: expected numbers y, a list of names and a text label, found " ...

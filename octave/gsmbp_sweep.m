@@ -270,7 +270,7 @@ endfunction
 function check_demands (who, demands, names)
   if (! (iscell (demands) && (isempty (demands) || columns (demands) == 3)))
     error (["%s: option demand: expected a cell with rows of what is kept, lower and upper " ...
-            "limit"], who);
+            "limit, found %s"], who, gsmbp__shown (demands));
   endif
   for row = demands'
     if (! (ischar (row{1}) && any (strcmp (names, row{1}))))

@@ -10,13 +10,15 @@ function o = gsmbp__animation_options (who, o, skeleton, t, named)
   o.delay = round (100 / o.fps);
   if (! (isnumeric (o.view) && numel (o.view) == 2 && all (isfinite (o.view)) && o.view(1) >= 0 ...
            && o.view(1) <= 180))
-    error ("%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180", who);
+    error (["%s: option view must be two angles [tilt, turn] in degrees, tilt from 0 to 180, " ...
+            "found %s"], who, gsmbp__shown (o.view));
   endif
   o.view(2) = mod (o.view(2), 360);
   slack = 1e-9 * (1 + abs (t(end)) + abs (t(1)));
   if (! (isnumeric (o.times) && all (o.times(:) >= t(1) - slack) ...
            && all (o.times(:) <= t(end) + slack)))
-    error ("%s: option times must lie within the result, from %.9g to %.9g s", who, t(1), t(end));
+    error ("%s: option times must lie within the result, from %.9g to %.9g s, found %s", who, ...
+           t(1), t(end), gsmbp__shown (o.times));
   endif
   [o.trace, o.traced] = traced (who, o.trace, skeleton, named);
 endfunction
@@ -40,8 +42,8 @@ function [column, name] = traced (who, wanted, skeleton, named)
     column = last(k);
   elseif (! isempty (wanted))
     if (! (isnumeric (wanted) && isscalar (wanted) && any (wanted == 1:last(end))))
-      error ("%s: option trace must be the name of a link or a column of m.ske, 1 to %d", who, ...
-             last(end));
+      error (["%s: option trace must be the name of a link or a column of m.ske, 1 to %d, " ...
+              "found %s"], who, last(end), gsmbp__shown (wanted));
     endif
     column = wanted;
     k = find (column <= last, 1);

@@ -64,7 +64,8 @@ endfunction
 function list = choices (who, what, cells)
   good = @(c) isnumeric (c) && isreal (c) && isscalar (c) && isfinite (c);
   if (isempty (cells) || ! all (cellfun (good, cells(:))))
-    error ("%s: %s: expected a list of finite numbers to choose from", who, what);
+    error ("%s: %s: expected a list of finite numbers to choose from, found %s", who, what, ...
+           gsmbp__shown (cells));
   endif
   list = unique (double ([cells{:}]));
 endfunction

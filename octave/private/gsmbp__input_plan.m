@@ -79,7 +79,7 @@ function bounds = limits (who, m, o)
     error (["%s: option limits bounds what a state feedback gives and needs option gain; " ...
             "without feedback give an input that keeps to its limits"], who);
   elseif (! isnumeric (given) || any (isnan (given(:))) || ! isreal (given))
-    error ("%s: option limits: expected real numbers", who);
+    error ("%s: option limits: expected real numbers, found %s", who, gsmbp__shown (given));
   endif
   if (isscalar (given))
     given = repmat (given, nv, 1);
@@ -115,6 +115,7 @@ function pp = as_pp (who, value, dims, what)
             && all (isfinite (value(:))))
     pp = mkpp ([0 1], double (value(:)), numel (value));
   else
-    error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial", who, what, dims);
+    error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial, found %s", who, ...
+           what, dims, gsmbp__shown (value));
   endif
 endfunction

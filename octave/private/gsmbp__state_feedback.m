@@ -44,7 +44,8 @@ function z = in_plane (who, option, s, h)
            gsmbp__pole_text (s(real (s) >= 0), 0));
   endif
   if (norm (sort (imag (s)) + flipud (sort (imag (s)))) > 1e-12 * norm (s))
-    error ("%s: option %s: expected complex poles in conjugate pairs", who, option);
+    error ("%s: option %s: expected complex poles in conjugate pairs, found %s", who, option, ...
+           gsmbp__shown (s.'));
   endif
   z = s;
   if (h > 0)

@@ -15,7 +15,10 @@ function M = gsmbp__weight (who, name, M, n, least)
   endif
   M = double (M);
   if (norm (M - M', Inf) > 1e-12 * norm (M, Inf))
-    error ("%s: option %s: expected a symmetric matrix", who, name);
+    [~, k] = max (abs (M - M')(:));
+    [i, j] = ind2sub (size (M), k);
+    error ("%s: option %s: expected a symmetric matrix, found %g at (%d, %d), %g at (%d, %d)", ...
+           who, name, M(i,j), i, j, M(j,i), j, i);
   endif
   M = (M + M') / 2;
   if (n == 0)
