@@ -29,7 +29,7 @@ lengthen (const gs_course *c, double h)
 {
   const int free = c->until > c->tb && c->strict == 0 && is_far (c->g.p);
   const double tb = free ? c->until : c->tb;
-  gs_step e = { .method = c->g.iopt[GS_METHOD], .t = c->t, .h = h, .tn = c->t + h, .side = 1,
+  gs_step e = { .method = 8, .t = c->t, .h = h, .tn = c->t + h, .side = 1,
                 .x = c->x, .xn = c->xn, .f = c->f, .wanted = free ? &c->tb : NULL };
   if (c->t + 1.01 * h >= tb)
     {

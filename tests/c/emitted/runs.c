@@ -257,10 +257,10 @@ user_events (void)
       5 },
     { &emitted_user_wheel, "user_wheel", 1, { 5 }, { 0 }, 90, { 0, 20 }, 10 } };
   char what[80];
-  for (int k = 0; k < 15; k++)
+  for (int k = 0; k < 20; k++)
     {
       const emitted *e = runs[k % 5].e;
-      const int method = k < 10 ? 8 : 4;
+      const int method = (int[]){ 8, 8, 9, 4 }[k / 5];
       e->par (par);
       start (e, method, e->s.nlam > 0 ? 2 : 1, runs[k % 5].x0, runs[k % 5].tend, 40);
       if (k < 5)
