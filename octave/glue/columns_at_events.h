@@ -329,7 +329,7 @@ gsmbp_reset_with_columns (const number *t, number *x, number *v, int *mode, cons
 {
   carried& c = *the_columns;
   *info = 0;
-  if (*k == -3 || *k == -4)   // questions
+  if (*k <= -3)   // questions, and what moves by the errors of steps
     return routine ("rst") (t, x, v, mode, k, cst, info);
   const gs_events e = c.plan->events ();
   const bool own = *k > 0 && e.kind[*k - 1] > 2, changes = *k <= 0 || c.changes[*k - 1];

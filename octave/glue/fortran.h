@@ -82,6 +82,7 @@ extern "C"
   void gsdue_ (void);
   void gsevn_ (void);
   void gsend_ (void);
+  void gsevo_ (void);
   void gsevr_ (void);
   void gsevv_ (void);
   void gsusg_ (void);

@@ -339,6 +339,6 @@ int
 gsmbp_gauss (const gsmbp_run *r)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 0 };
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0 };
   return gs_implicit_run (r, &collocation);
 }

@@ -15,8 +15,8 @@ typedef struct
       lin, bia, mas, /* for the momenta of method gauss; null pointers: it takes the states */
       gradients,     /* CON, also where the run does not look after drift; a null pointer */
       tan,           /* for loops in index 2 */
-      gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue, gsend, gsevn, gsevr, gsevv,
-      gsusg; /* of the run time */
+      gsfun, gsinp, gschk, gsjmp, gspst, gspnw, gspbg, gsdue, gsend, gsevn, gsevo, gsevr,
+      gsevv, gsusg; /* of the run time */
   int nq, nu, nx, nv, ny, nlam,
       columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */

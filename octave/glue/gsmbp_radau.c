@@ -678,6 +678,6 @@ int
 gsmbp_radau (const gsmbp_run *r)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0 };
+    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1 };
   return gs_implicit_run (r, &collocation);
 }

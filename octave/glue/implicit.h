@@ -29,6 +29,7 @@ typedef struct
   long (*rejected) (gs_run *);         /* steps that failed the test of their error */
   void (*count) (gs_run *);            /* its statistics into ISTAT, then from zero */
   int dense;                           /* is the state within a step as accurate as its end? */
+  int moves;                           /* may the state be moved between steps? */
 } gs_method;
 
 struct gs_run

@@ -12,6 +12,10 @@ typedef void evr_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub ev
                        int *ip, double *rp, double *cst, double *v, double *w, int *istat,
                        const int *k, int *info);
 
+typedef void evo_type (gsmbp_sub rst, const int *method, const double *t, double *x, const int *nx,
+                       int *ip, double *rp, double *cst, double *v, const double *rtol,
+                       const double *atol, int *moved);
+
 typedef void end_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, gsmbp_sub rst,
                        const double *t, double *x, const int *nu, const int *nx, const int *nv,
                        int *ip, double *rp, double *cst, double *v, double *w, int *istat,
@@ -50,6 +54,18 @@ happen (gs_run *s, double t, double *x, int k)
   ((evr_type *) r->gsevr) (r->cmd, r->clo, r->vin, r->evt, r->rst, &t, x, &r->nu, &r->nx, &r->nv,
                            r->ip, r->rp, r->cst, s->v, r->w, r->istat, &k, &info);
   return info != 0 ? ROUTINE : FINISHED;
+}
+
+void
+gs_onto_held (gs_run *s)
+{
+  const gsmbp_run *r = s->r;
+  const int tolerances = 8;
+  int moved;
+  if (s->by->moves && gs_has_ports (r)
+      && gs_take_inputs (s, s->t, gs_side_at (s, s->t), s->x, s->v) == 0)
+    ((evo_type *) r->gsevo) (r->rst, &tolerances, &s->t, s->x, &r->nx, r->ip, r->rp, r->cst, s->v,
+                             &r->ropt[1], r->atol, &moved);
 }
 
 int

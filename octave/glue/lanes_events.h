@@ -23,13 +23,36 @@ accumulate_from (const gs_events& e, int i)
   return from - 1e-9 * std::fabs (from);
 }
 
+// Whether ports are held that have loops or other speeds beside them: behind each step the state is
+// moved to where they are held (GSEVO).
+static bool
+moves_held (const gs_events& e, lane_run& l)
+{
+  int nh = 0;
+  std::vector<int> held;
+  for (int i = 0; i < e.ne && ! gs_is_own (&e, i); i++, nh++)
+    if ((e.kind[i] == 1) == (e.mode[i] == 0))
+      held.push_back (i);
+  if (held.empty () || S.nlam > 0)
+    return ! held.empty ();
+  reals row = room (nh * S.nu), s = room (nh), sd = room (nh), prm = room (4 * nh);
+  fortran {emitted ("hld")->sub} (&l.t, l.state (), l.inputs (), &l.r.cst[0], &row[0], &nh, &s[0],
+                                  &sd[0], &prm[0]);
+  return std::any_of (held.begin (), held.end (), [&] (int i) {
+    int many = 0;
+    for (int j = 0; j < S.nu; j++)
+      many += std::fabs (row[i + nh * j]) > 0;
+    return many > 1;
+  });
+}
+
 // Where a function has just had its event, counts from a level of its own or waits for its sign at
-// the end of a step the run looks by itself.
+// the end of a step the run looks by itself, and where it is moved behind the step.
 void
 lane_group::join_events (int lane)
 {
-  bool looks = m_events > 0;
   gs_events e = events_of (m_l[lane]);
+  bool looks = m_events > 0 && ! moves_held (e, m_l[lane]);
   for (int i = 0; i < m_events; i++)
     {
       looks = looks && e.fresh[i] == 0 && ! (std::fabs (e.level[i]) > 0) && *e.tells != 1;

@@ -234,6 +234,7 @@ take_scene (gsmbp_run& g)
   g.gsdue = gsdue_;
   g.gsevn = gsevn_;
   g.gsend = gsend_;
+  g.gsevo = gsevo_;
   g.gsevr = gsevr_;
   g.gsevv = gsevv_;
   g.gsusg = gsusg_;

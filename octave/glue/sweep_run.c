@@ -13,7 +13,7 @@ static const gsmbp_scene *const S = &gsmbp_the_scene;
 
 extern void gssim_ (void), gsfun_ (void), gsinp_ (void), gschk_ (void), gsjmp_ (void),
     gspst_ (void), gspnw_ (void), gspbg_ (void), gsdue_ (void),
-    gsend_ (void), gsevn_ (void), gsevr_ (void), gsevv_ (void), gsusg_ (void);
+    gsend_ (void), gsevn_ (void), gsevo_ (void), gsevr_ (void), gsevv_ (void), gsusg_ (void);
 static void absent (void) { }
 
 /* an emitted subroutine by the end of its name, a null pointer where there is none */
@@ -353,7 +353,7 @@ by_implicit (const gs_sweep *s, gs_room *r, int resume)
     .gradients = emitted ("con"), .tan = emitted ("tan"), .index2 = s->index2,
     .gsfun = gsfun_, .gsinp = gsinp_, .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_,
     .gspnw = gspnw_, .gspbg = gspbg_, .gsdue = gsdue_, .gsend = gsend_, .gsevn = gsevn_,
-    .gsevr = gsevr_, .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq, .nu = S->nu, .nx = s->nx,
+    .gsevo = gsevo_, .gsevr = gsevr_, .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq, .nu = S->nu, .nx = s->nx,
     .nv = S->nv, .ny = S->ny,
     .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,
     .x0 = r->x0, .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,

@@ -1,7 +1,6 @@
 ## [m, way, index2] = gsmbp__loop_way (who, o, m)
 ## The way of the loops: its number, whether they are in index 2, and the model M with its parameter
-## loop_method; where ports may be held, without Baumgarte's terms in other ways than theirs.  O: the
-## options of gsmbp_simulate.
+## loop_method.  O: the options of gsmbp_simulate.
 
 function [m, way, index2] = gsmbp__loop_way (who, o, m)
   words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane", "index2"};
@@ -42,11 +41,6 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
     error (["%s: %s was derived without the ways nullspace, svd and kane (it has no " ...
             "parameter loop_method): derive the scene again"], who, m.name);
   endif
-  if (way > 1 && has_ports (m) && isfield (m.par, "baumgarte_alpha") ...
-      && any ([m.par.baumgarte_alpha, m.par.baumgarte_beta]))
-    ## in long steps, of ports at rest, their terms carry rounding errors into what is held
-    m = gsmbp_set (m, "baumgarte_alpha", 0, "baumgarte_beta", 0);
-  endif
   needs = {{}, {"prj"}, {"con", "kin", {"prj"}{ones (1, euler)}}, {"prj"}, {"prj"}, ...
            {"con", "kin", "prj"}}{way};
   for name = needs
@@ -55,10 +49,6 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
              words{way}, toupper (name{1}), m.name);
     endif
   endfor
-endfunction
-
-function is = has_ports (m)
-  is = ! isempty (m.events) && any (! strcmp ({m.events.kind}, "event"));
 endfunction
 
 ## what index 2 needs

@@ -335,23 +335,6 @@ close_loops (gsf_instance *a)
   return GSF_OK;
 }
 
-/* constants from the parameters: where ports may be held and loops are projected without Baumgarte's
- * terms, which in long steps of ports at rest carry rounding errors into what is held; INFO of PRE */
-static int
-constants (gsf_instance *a)
-{
-  const gsf_model *m = a->m;
-  const int without = m->nports > 0 && m->scene->nlam > 0 && m->scene->prj;
-  double par[m->npar + 1];
-  for (int k = 0; k < m->npar; k++)
-    {
-      const char *name = m->names[1 + k];
-      par[k] = without && (! strcmp (name, "baumgarte_alpha") || ! strcmp (name, "baumgarte_beta"))
-               ? 0.0 : a->par[k];
-    }
-  return m->pre (par, a->cst);
-}
-
 /* cst, the state, modes and the choice of coordinates from parameters and starts */
 static int
 prepare (gsf_instance *a)
@@ -361,7 +344,7 @@ prepare (gsf_instance *a)
   const char *rule = m->refuse (a->par);
   if (rule)
     return gsf_fail (a, GSF_ERROR, "parameters: %s", rule);
-  int info = constants (a);
+  int info = m->pre (a->par, a->cst);
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, "pre", info);
   gsf_next_switch (a);

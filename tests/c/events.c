@@ -277,11 +277,11 @@ static void
 ports_of_a_scene (void)
 {
   int jumps = 0, wrong = 0;
-  begin ("gshld, gsipt, gsipm, gsrsf, gsrsm");
+  begin ("gshld, gsipt, gsipm, gsrsf, gsrsm, gshpj");
   for (int i = 0; i < 2000; i++)
     {
       ports p = some_ports ();
-      const int n = p.n, nv = p.k + 1, l = pick (5) == 0 ? -3 - pick (2) : pick (p.k + 2) - 1;
+      const int n = p.n, nv = p.k + 1, l = pick (4) == 0 ? -3 - pick (3) : pick (p.k + 2) - 1;
       const int ipl[4] = { 2, 1, 3, 4 };
       gs_scene s = { .nq = n, .nu = n, .nx = 2 * n, .nv = nv, .nlam = p.m, .mas = mas, .con = con,
                      .stk = stk, .hld = hld };

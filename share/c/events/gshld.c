@@ -41,6 +41,8 @@ gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, cons
       gsrsm (nu, m, nh, kind, mode, row, pos, sd, prm, x + s->nq);
       return 0;
     }
+  if (k == -5)
+    return gshpj (s, t, x, v, cst, nh, kind, mode, row, pos, sd, prm, a, h, phit, u, ww);
   gshld (s, t, x, v, mode, cst, nh, kind, ipl, w, ud, lam, hold, row, pos, sd, prm);
   int info = gsipm (s, t, x, cst, nh, row, a, h, phit, u, ww);
   if (info != 0)

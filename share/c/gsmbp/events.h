@@ -359,7 +359,18 @@ int gshlj (int nu, int nh, int i, const int *kind, const int *mode, const double
 void gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const double *row,
             const double *s, const double *sd, const double *prm, const double *u);
 
-/* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm. The modes in mode and in
+/* the state x is moved to where the ports that are held are held; row, pos, sd, prm: workspace as
+ * gshld has them; a, h, phit, u, w: that of gsipt. info as con and gskkt, x moved in part */
+int gshpj (const gs_scene *s, double t, double *x, const double *v, const double *cst, int nh,
+           const int *kind, const int *mode, double *row, double *pos, double *sd, double *prm,
+           double *a, double *h, double *phit, double *u, double *w);
+
+/* ... behind a step (method 4: of gsrk4) of a run with the tolerances rtol and atol (nx), v its
+ * inputs at t, by no more than the errors of steps; 1 if x was moved, else 0 */
+int gsevo (const gs_scene *s, int method, double t, double *x, int nx, int *ip, double *rp,
+           const double *cst, double *v, double rtol, const double *atol);
+
+/* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm; -5: gshpj. The modes in mode and in
  * v change, the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq +
  * 6*nu + 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
 int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,

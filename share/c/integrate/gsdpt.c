@@ -74,7 +74,11 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
   c->fresh = dense > 0.0 && e->side > 0 && g->ip[GS_EVENTS] == 0 ? 2 : 1;
-  if (g->ip[GS_EVENTS] > 0 && e->side > 0 && event <= 0 && g->s->nlam == 0 && g->s->nq == g->s->nu)
+  const int moved = g->ip[GS_EVENTS] > 0 && event == 0
+                    && gsevo (g->s, g->iopt[GS_METHOD], e->tn, c->xn, g->nx, g->ip, g->rp, g->cst,
+                              g->v, g->ropt[1], g->atol);
+  if (g->ip[GS_EVENTS] > 0 && e->side > 0 && event <= 0 && g->s->nlam == 0 && g->s->nq == g->s->nu
+      && ! moved)
     {
       c->fresh = 2;   /* gsevn knows the rates where the step ends */
       memcpy (c->f + g->nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, g->nx * sizeof *c->f);

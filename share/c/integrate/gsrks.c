@@ -40,6 +40,9 @@ step (gs_course *c, gs_step *e, int *event)
   g->istat[GS_N_STEPS]++;
   if (gschk (s, e->tn, c->x, g->iopt, nojump, g->cst, g->p, g->istat, g->rstat) != 0)
     return GS_ROUTINE_FAILED;
+  if (g->ip[GS_EVENTS] > 0 && *event == 0)
+    gsevo (s, g->iopt[GS_METHOD], e->tn, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->ropt[1],
+           g->atol);
   if (*event > 0
       && gsevr (s, e->tn, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, *event) != 0)
     return GS_ROUTINE_FAILED;

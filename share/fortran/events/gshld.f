@@ -63,7 +63,7 @@ C     V       (input/output) DOUBLE PRECISION array, the inputs; modes
 C             are set.
 C     MODE    (input/output) INTEGER array, dimension (NH).
 C     K       (input) INTEGER, which event: see L of GSRST; -3: GSRSF;
-C             -4: GSRSM.
+C             -4: GSRSM; -5: GSHPJ.
 C     NQ, NU, NLAM (input) INTEGER, the numbers of coordinates, speeds and
 C             constraints.
 C     W       (workspace) DOUBLE PRECISION array, dimension (3*NU*NU +
@@ -76,7 +76,7 @@ C
       INTEGER            MODE(*), K, NQ, NU, NV, NLAM, NH, KIND(*),
      $                   IPL(*), INFO
       DOUBLE PRECISION   T, X(*), V(*), CST(*), W(*)
-      EXTERNAL           GSHLD, GSIPM, GSRSF, GSRSM, GSRST
+      EXTERNAL           GSHLD, GSHPJ, GSIPM, GSRSF, GSRSM, GSRST
       INTEGER            IL, IH, IR, IS, ID, IP, IA, IJ, IT, IU, IW, I
 C
 C     -- inputs, accelerations, multipliers, what holds, rows, places,
@@ -103,6 +103,12 @@ C        speeds and parameters of the ports, M, H, PHIT, speeds
          CALL HLD( T, X, V, CST, W(IR), NH, W(IS), W(ID), W(IP) )
          CALL GSRSM( NU, NLAM, NH, KIND, MODE, W(IR), W(IS), W(ID),
      $               W(IP), X(NQ+1) )
+         RETURN
+      END IF
+      IF ( K.EQ.-5 ) THEN
+         CALL GSHPJ( HLD, MAS, CON, T, X, V, CST, NQ, NU, NLAM, NH,
+     $               KIND, MODE, W(IR), W(IS), W(ID), W(IP), W(IA),
+     $               W(IJ), W(IT), W(IU), W(IW), INFO )
          RETURN
       END IF
       CALL GSHLD( STK, HLD, T, X, V, MODE, CST, NV, NH, KIND, IPL, W,

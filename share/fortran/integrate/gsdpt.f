@@ -103,9 +103,10 @@ C
       DOUBLE PRECISION   T, TB, TN, H, ERR, TIM(*), ROPT(*), RP(*),
      $                   CST(*), XOUT(*), VOUT(*), X(*), XN(*), V(*),
      $                   F(*), W(*), P(*), M(11), RSTAT(*)
-      EXTERNAL           GSEPS, GSEVN, GSDPC, GSDPO, GSEVR
+      EXTERNAL           GSEPS, GSEVN, GSDPC, GSDPO, GSEVO, GSEVR
       DOUBLE PRECISION   GSEPS, EPS, FAC, HD, OFF, GAUSS(3)
-      INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT, DENSE
+      INTEGER            NQ, NU, NX, NV, NLAM, I, LOOSE, EVENT, DENSE,
+     $                   MOVED
 C
       NQ    = SIZ(1)
       NU    = SIZ(2)
@@ -185,8 +186,11 @@ C              rounding: the next step need not be as short
          LM(6) = -MIN( 1, EVENT )
          LM(1) = 1
          IF ( DENSE.EQ.1 .AND. AT.GT.0 .AND. IP(28).LE.0 ) LM(1) = 2
-         IF ( IP(28).GT.0 .AND. AT.GT.0 .AND. NLAM.EQ.0 .AND. NQ.EQ.NU )
-     $        THEN
+         MOVED = 0
+         IF ( IP(28).GT.0 .AND. EVENT.EQ.0 ) CALL GSEVO( RST, IOPT(1),
+     $      TN, XN, NX, IP, RP, CST, V, ROPT(2), ROPT(4), MOVED )
+         IF ( IP(28).GT.0 .AND. AT.GT.0 .AND. NLAM.EQ.0 .AND. NQ.EQ.NU
+     $        .AND. MOVED.EQ.0 ) THEN
 C           -- GSEVN knows the rates where the step ends
             LM(1) = 2
             DO 20 I = 1, NX

@@ -116,7 +116,7 @@ C
       DOUBLE PRECISION   T, TN, TB, H, TA, HR, ROPT(*), RP(*), CST(*),
      $                   W(*), RSTAT(*)
       INTEGER            GSFIN
-      EXTERNAL           GSFIN, GSEVN, GSCHK, GSEVR
+      EXTERNAL           GSFIN, GSEVN, GSCHK, GSEVO, GSEVR
       DOUBLE PRECISION   GAUSS(3), NOJUMP(3)
       INTEGER            NQ, NU, NX, NV, NLAM, I, EVENT, IX, IXN, IV,
      $                   IC, IK, IER
@@ -165,6 +165,8 @@ C     -- the step is good
       CALL GSCHK( PRJ, CON, KIN, TN, W(IXN), NQ, NU, NX, NLAM, IOPT,
      $            NOJUMP, CST, W(IC), ISTAT, RSTAT, IER )
       IF ( IER.NE.0 ) RETURN
+      IF ( IP(28).GT.0 .AND. EVENT.EQ.0 ) CALL GSEVO( RST, IOPT(1), TN,
+     $   W(IXN), NX, IP, RP, CST, W(IV), ROPT(2), ROPT(4), I )
       IF ( EVENT.GT.0 ) CALL GSEVR( CMD, CLO, VIN, EVT, RST, TN, W(IXN),
      $   NU, NX, NV, IP, RP, CST, W(IV), W, ISTAT, EVENT, IER )
       IF ( IER.NE.0 ) RETURN

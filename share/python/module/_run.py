@@ -7,8 +7,7 @@ import warnings
 import numpy as np
 
 from . import _rules
-from ._library import (Error, LIBRARY, MODES, NAME, ROUTINES, SCENE, SIZES, TABLE, address, at,
-                       pointer)
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, at, pointer
 from ._motion import Piecewise, as_piecewise
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
@@ -481,10 +480,6 @@ def _way(who, model, loops):
     wanted = max(1, way - 2)
     if model.parameters.get('loop_method', wanted) != wanted:
         model = model.changed(loop_method=wanted)
-    gains = {name: 0.0 for name in ('baumgarte_alpha', 'baumgarte_beta')
-             if model.parameters.get(name, 0.0) != 0.0}
-    if gains and way > 1 and MODES:  # they would carry rounding errors into what is held
-        model = model.changed(**gains)
     return model, way
 
 
