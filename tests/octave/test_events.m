@@ -206,15 +206,16 @@ function rest (methods_)
   end
 end
 
-## A mass that swings on a string for a thousand seconds, and in lanes: its length stays, and it is a
-## pendulum with the angle alone.
+## A mass that swings on a string for a thousand seconds, and in lanes: its length stays, and it is
+## a pendulum with the angle alone.
 function taut ()
   m = gsmbp_fixture ("event_taut");
   x0 = [0.6 -0.8 0 0];
   far = @(x) max (abs (hypot (x(:,1), x(:,2)) - 1));
   for method = {"dp853", "rk4", "radau", "gauss"}
     for rtol = [1e-4, 1e-7]
-      r = gsmbp_simulate (m, x0, [0 1 10 100 1000], "rtol", rtol, "method", method{1}, "step", 1e-2);
+      r = gsmbp_simulate (m, x0, [0 1 10 100 1000], "rtol", rtol, "method", method{1}, ...
+                          "step", 1e-2);
       what = sprintf ("a taut string, %s, %g", method{1}, rtol);
       gsmbp_check ([what ": no event"], r.stats.events, 0);
       gsmbp_check ([what ": its length"], far (r.x), 3 * rtol);

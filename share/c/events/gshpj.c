@@ -1,10 +1,10 @@
-/* GSHPJ: a state is moved to where the ports that are held are held: stops in contact to their ends,
- * the speeds of all of them to 0; GSEVO: so behind a step of a run.
+/* GSHPJ: a state is moved to where the ports that are held are held: stops in contact to their
+ * ends, the speeds of all of them to 0; GSEVO: so behind a step of a run.
  *
  * As gsprj does with the loops: the nearest state in the metric of the mass matrix, on the
- * constraints as well, by two steps of Newton for the coordinates (where the speeds are their rates)
- * and one for the speeds. A port that is one of the speeds keeps both by itself where there are no
- * loops: x stays. */
+ * constraints as well, by two steps of Newton for the coordinates (where the speeds are their
+ * rates) and one for the speeds. A port that is one of the speeds keeps both by itself where there
+ * are no loops: x stays. */
 #include <math.h>
 #include <string.h>
 
@@ -33,8 +33,8 @@ end_of (const ports *p, int i)
 }
 
 /* how far they are from where they are held: off of stops beside the way between their ends, fast
- * of speeds beside the slowest rebound or Stribeck's speed; 0 where no held port has other speeds or
- * loops beside it */
+ * of speeds beside the slowest rebound or Stribeck's speed; 0 where no held port has other speeds
+ * or loops beside it */
 static void
 away (int nu, int nlam, const ports *p, double *off, double *fast)
 {

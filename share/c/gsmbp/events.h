@@ -370,9 +370,9 @@ int gshpj (const gs_scene *s, double t, double *x, const double *v, const double
 int gsevo (const gs_scene *s, int method, double t, double *x, int nx, int *ip, double *rp,
            const double *cst, double *v, double rtol, const double *atol);
 
-/* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm; -5: gshpj. The modes in mode and in
- * v change, the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 + nv + nq +
- * 6*nu + 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
+/* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm; -5: gshpj. The modes in
+ * mode and in v change, the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 +
+ * nv + nq + 6*nu + 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
 int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
            int nh, const int *kind, const int *ipl, double *w);
 
