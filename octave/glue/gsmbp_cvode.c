@@ -70,11 +70,15 @@ projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector 
   double *c = N_VGetArrayPointer (correction);
   (void) eps, (void) err;
   memcpy (c, x, sizeof (double) * s->r->nx);
-  int left = settle (s, t, c), info = 0;
+  int left = gs_projects (s->r) ? settle (s, t, c) : 0, info = 0;
   if (left != 0)
     info = gs_moved (s, t, left > 0 ? c : x, s->trial);
+  if (left != 0)
+    memcpy (c, s->trial, sizeof (double) * s->r->nx);
+  if (info == 0)
+    gs_onto_held (s, t, c);
   for (int i = 0; info == 0 && i < s->r->nx; i++)
-    c[i] = (left != 0 ? s->trial[i] : c[i]) - x[i];
+    c[i] -= x[i];
   return info;
 }
 
@@ -190,7 +194,7 @@ begin (gs_run *s)
     return flag;
   if ((flag = CVodeSetJacFn (m, jacobian)) < 0)
     return flag;
-  if (gs_projects (r)
+  if ((gs_projects (r) || gs_has_ports (r))
       && ((flag = CVodeSetProjFn (m, projection)) < 0
           || (flag = CVodeSetProjErrEst (m, SUNFALSE)) < 0))
     return flag;

@@ -254,8 +254,8 @@ accept (gs_run *s, int event)
   if (s->still >= 20)   /* a method might go on for ever */
     return SMALL;
   memcpy (s->x, s->y, sizeof (double) * r->nx);
-  if (! event)
-    gs_onto_held (s);
+  if (! event && s->by->moves)
+    gs_onto_held (s, s->t, s->x);
   memcpy (s->trial, s->x, sizeof (double) * r->nx);
   if (r->nlam > 0 && (r->iopt[2] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)

@@ -29,7 +29,7 @@ typedef struct
   long (*rejected) (gs_run *);         /* steps that failed the test of their error */
   void (*count) (gs_run *);            /* its statistics into ISTAT, then from zero */
   int dense;                           /* is the state within a step as accurate as its end? */
-  int moves;                           /* may the state be moved between steps? */
+  int moves;                           /* is X moved behind steps to where ports are held? */
 } gs_method;
 
 struct gs_run
@@ -68,6 +68,8 @@ extern int gs_jacobian (gs_run *s, double t, const double *x, double *A);
 extern int gs_own_states (const gsmbp_run *r);
 /* MOVED: X at T, which a step from the state of the run led to, moved onto the constraints */
 extern int gs_moved (gs_run *s, double t, const double *x, double *moved);
+/* X at T to where the ports that are held are held, by no more than the errors of steps */
+extern void gs_onto_held (gs_run *s, double t, double *x);
 /* does GSFUN complete the state from independent coordinates? X at T so */
 extern int gs_completes (const gs_run *s);
 extern int gs_completed (gs_run *s, double t, const double *x, double *completed);

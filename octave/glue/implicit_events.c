@@ -57,14 +57,13 @@ happen (gs_run *s, double t, double *x, int k)
 }
 
 void
-gs_onto_held (gs_run *s)
+gs_onto_held (gs_run *s, double t, double *x)
 {
   const gsmbp_run *r = s->r;
   const int tolerances = 8;
   int moved;
-  if (s->by->moves && gs_has_ports (r)
-      && gs_take_inputs (s, s->t, gs_side_at (s, s->t), s->x, s->v) == 0)
-    ((evo_type *) r->gsevo) (r->rst, &tolerances, &s->t, s->x, &r->nx, r->ip, r->rp, r->cst, s->v,
+  if (gs_has_ports (r) && gs_take_inputs (s, t, gs_side_at (s, t), x, s->v) == 0)
+    ((evo_type *) r->gsevo) (r->rst, &tolerances, &t, x, &r->nx, r->ip, r->rp, r->cst, s->v,
                              &r->ropt[1], r->atol, &moved);
 }
 

@@ -30,9 +30,6 @@ extern int gs_put_out (gs_run *s, double limit);
 extern int gs_has_events (const gs_run *s);
 extern int gs_event_functions (const gsmbp_run *r);   /* how many there are */
 extern int gs_first_events (gs_run *s);
-/* behind a step without an event: S->x to where the ports that are held are held, if the method
-   lets it be moved */
-extern void gs_onto_held (gs_run *s);
 extern int gs_events_at_stop (gs_run *s, int *acted);
 extern int gs_events_at_end (gs_run *s);
 extern int gs_ended_by_event (const gs_run *s);

@@ -212,7 +212,8 @@ function taut ()
   m = gsmbp_fixture ("event_taut");
   x0 = [0.6 -0.8 0 0];
   far = @(x) max (abs (hypot (x(:,1), x(:,2)) - 1));
-  for method = {"dp853", "rk4", "radau", "gauss"}
+  cvode = {{"cvode"}, {}}{2 - gsmbp_has_sundials()};
+  for method = [{"dp853", "rk4", "radau", "gauss"}, cvode]
     for rtol = [1e-4, 1e-7]
       r = gsmbp_simulate (m, x0, [0 1 10 100 1000], "rtol", rtol, "method", method{1}, ...
                           "step", 1e-2);
