@@ -232,15 +232,13 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
 bool
 ensemble::next (lane_run& l, int thread)
 {
-  known_row row = { 0, nullptr, 0 };
+  known_row row;
   do
-    if (! m_groups)
-      row.i = m_next++;
-    else if (! m_groups->next (thread, row))
-      row.i = m_rows.n;
-  while (row.i < m_rows.n && ! prepare (row, l.r, l.ip, l.rp));
+    if (! next_row (m_groups.get (), thread, m_next, m_rows.n, row))
+      return false;
+  while (! prepare (row, l.r, l.ip, l.rp));
   l.i = row.i;
-  return l.i < m_rows.n;
+  return true;
 }
 
 void

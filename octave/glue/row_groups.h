@@ -155,4 +155,15 @@ private:
   std::vector<std::unique_ptr<row_group>> m_groups;
 };
 
+// the next row of a thread, of GROUPS or, where there are none, of those that NEXT counts; false:
+// all N are taken
+static bool
+next_row (row_groups *groups, int thread, std::atomic<int>& next, int n, known_row& row)
+{
+  if (groups)
+    return groups->next (thread, row);
+  row = { next++, nullptr, 0 };
+  return row.i < n;
+}
+
 #endif

@@ -85,17 +85,10 @@ bool
 sweep_rows::next (lane_run& l)
 {
   const gs_sweep *s = m_all.s;
-  known_row known = { 0, nullptr, 0 };
+  known_row known;
   do
-    {
-      known.i = m_all.table.n;
-      if (! m_all.groups)
-        known.i = m_all.next++;
-      else if (! m_all.groups->next (m_thread, known))
-        known.i = m_all.table.n;
-      if (known.i >= m_all.table.n)
-        return false;
-    }
+    if (! next_row (m_all.groups.get (), m_thread, m_all.next, m_all.table.n, known))
+      return false;
   while (! begins (known));
   const double *breaks = m_r->times + 1 + s->tout.n;
   l.i = known.i;
