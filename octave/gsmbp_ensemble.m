@@ -104,8 +104,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   p = gsmbp__run_of_many (who, m, x0, times, rest);
   [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
       run_all (p, m, rows);
-  e = struct ("t", p.times(:), "x", permute (x, [2, 1, 3]), "v", permute (v, [2, 1, 3]), "y", ...
-              permute (y, [2, 1, 3]));
+  e = struct ("t", p.times(:), "x", x, "v", v, "y", y);
   e = judged (e, p, rows, counts, values, info, said);
   e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
@@ -133,36 +132,36 @@ endfunction
 function [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
       run_all (p, m, rows)
   good = strcmp (rows.broken, "");
-  sizes = {[m.sizes.nx, numel(p.times)], [m.sizes.nv, numel(p.times)], ...
-           [m.sizes.ny, numel(p.times)], 20, 20, 2, 3 * numel(m.events), ...
-           2 * numel(m.state_margins)};
-  all_ = cell (1, 8);
-  for i = 1:8
-    all_{i} = repmat ({NaN, 0}{1 + (i > 3)}, [sizes{i}, rows.n]);
-  endfor
+  n = {[numel(p.times), m.sizes.nx], [numel(p.times), m.sizes.nv], ...
+       [numel(p.times), m.sizes.ny], 20, 20, 2, 3 * numel(m.events), 2 * numel(m.state_margins)};
+  [parts, text] = deal (cellfun (@(k) zeros ([k, 0]), n, "UniformOutput", false), {});
   [seconds, lanes, events] = deal (0, false, zeros (4, 0));
-  said = repmat ({""}, rows.n, 1);
   if (any (good))
     of = @(x) x(good(1:size (x, 1)),:);
-    some = cell (1, 8);
-    [some{1:6}, seconds, lanes, events, some{7}, text, some{8}] = ...
+    [parts{1:6}, seconds, lanes, events, parts{7}, text, parts{8}] = ...
         p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
                     cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
                     of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
                     rows.lanes);
-    events(1,:) = find (good)(events(1,:))(:)';
-    if (! isempty (text))
-      said(good) = text;
-    endif
-    for i = 1:8
-      if (i <= 3)
-        all_{i}(:,:,good) = some{i};
-      else
-        all_{i}(:,good) = some{i};
-      endif
-    endfor
   endif
-  [x, v, y, counts, values, info, counted, margins] = all_{:};
+  if (! all (good))
+    for i = 1:8
+      parts{i} = among (parts{i}, n{i}, good, {NaN, 0}{1 + (i > 3)});
+    endfor
+    events(1,:) = find (good)(events(1,:))(:)';
+  endif
+  said = repmat ({""}, rows.n, 1);
+  if (! isempty (text))
+    said(good) = text;
+  endif
+  [x, v, y, counts, values, info, counted, margins] = parts{:};
+endfunction
+
+## SOME, of size K for each of the good ones of all runs, and NONE for the others
+function all_ = among (some, k, good, none)
+  all_ = repmat (none, [prod(k), numel(good)]);
+  all_(:,good) = reshape (some, prod (k), []);
+  all_ = reshape (all_, [k, numel(good)]);
 endfunction
 
 ## columns for the N event functions from rows of counts and times

@@ -201,15 +201,15 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       const std::size_t at = std::min (k, ended ? reached : k);
       const number *state = &r.xout[m_s.ldx * at], *input = &r.vout[m_s.ldv * at];
       for (int j = 0; j < S.nx; j++)
-        x[S.nx * k + j] = double (state[j]);
+        x[nt * j + k] = double (state[j]);
       for (int j = 0; j < S.nv; j++)
-        v[S.nv * k + j] = double (input[j]);
+        v[nt * j + k] = double (input[j]);
       int info = 0;
       if (S.ny == 0 || (k >= reached && ! ended) || ! fine (state, S.nx) || ! fine (input, S.nv))
         continue;
       routine ("out") (&m_s.tout[k], state, input, &r.cst[0], &one[0], &info);
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
-        y[S.ny * k + j] = double (one[j]);
+        y[nt * j + k] = double (one[j]);
     }
   margins (i, ended ? nt : std::min (nt, reached), reached, r);
   if (S.nev > 0)
@@ -296,9 +296,10 @@ ensemble::run_all (int threads)
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
 // starts, inputs, usual sizes, whether starts should be closed, threads, lanes): states, inputs,
-// outputs, statistics, INFO of the run and of PRE, seconds, whether in lanes, events, how many of
-// each function there were and when, what methods said that failed (a column of runs, {} if none),
-// which margins of devices were passed, their least values
+// outputs (a row for each time, a page for each run), statistics, INFO of the run and of PRE,
+// seconds, whether in lanes, events, how many of each function there were and when, what methods
+// said that failed (a column of runs, {} if none), which margins of devices were passed, their
+// least values
 static octave_value_list
 do_ensemble (arguments& a, int)
 {

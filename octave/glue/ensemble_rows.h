@@ -61,8 +61,8 @@ struct ensemble_results
   std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)
-    : x (dim_vector (S.nx, nt, n), no_number), v (dim_vector (S.nv, nt, n), no_number),
-      y (dim_vector (S.ny, nt, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
+    : x (dim_vector (nt, S.nx, n), no_number), v (dim_vector (nt, S.nv, n), no_number),
+      y (dim_vector (nt, S.ny, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
       info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
       margins (2 * S.nsm, n, 0.0), said (n), events (S.nev > 0 ? n : 0)
   {

@@ -15,17 +15,14 @@ function u = gsmbp__sobol (who, n, k)
     error (["%s: expected at most %d dimensions of a plan of Sobol points (\"indices\" needs " ...
             "two a parameter), found %d"], who, rows (known), k);
   endif
-  i = uint64 (1:n)';
-  gray = bitxor (i, bitshift (i, -1));
   u = zeros (n, k);
   for j = 1:k
     v = directions (known{j,:});
-    x = zeros (n, 1, "uint64");
-    for b = 1:32
-      on = bitand (gray, bitshift (uint64 (1), b - 1)) != 0;
-      x(on) = bitxor (x(on), v(b));
+    x = zeros (1, 1, "uint64");
+    for b = 1:ceil (log2 (n + 1))   # Gray's code: what is there in turned order, with bit b
+      x = [x; bitxor(flipud (x), v(b))];
     endfor
-    u(:,j) = (double (x) + 0.5) / 2 ^ 32;
+    u(:,j) = (double (x(2:n+1)) + 0.5) / 2 ^ 32;
   endfor
 endfunction
 
