@@ -20,9 +20,10 @@ typedef struct
   int nq, nu, nx, nv, ny, nlam,
       columns;      /* of derivatives that are behind the states, among the NX */
   int resume,       /* 1: goes on where GSSIM ended with INFO = 5 */
-      of_state,     /* 1: the inputs of a planned motion follow states of devices as well */
       index2,       /* 1: loops in index 2, for Radau alone */
-      order;        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6 or 8 */
+      order,        /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6 or 8 */
+      followed;     /* how many states of devices the inputs of a planned motion follow */
+  const int *follows;   /* ... and which ones, from 1 on */
   double t0, *x0;
   int nt, nb;
   int switches;   /* the scene switches at this many of the breaks, at most */

@@ -116,7 +116,7 @@ int
 gs_inputs_of_time (const gs_run *s)
 {
   const int *ip = s->r->ip;
-  return ip[GS_FEEDBACK] == 0 && (ip[GS_V0] < 2 || (ip[GS_V0] == 2 && ! s->r->of_state));
+  return ip[GS_FEEDBACK] == 0 && (ip[GS_V0] < 2 || (ip[GS_V0] == 2 && s->r->followed == 0));
 }
 
 int
@@ -125,33 +125,40 @@ gs_own_states (const gsmbp_run *r)
   return r->nx / (1 + r->columns);
 }
 
-/* A += B dV/dX: the inputs follow the state by a gain, by the user's routine or by the states of
- * devices; by differences, exact for a gain */
+/* A += B dV/dX(J) at the inputs S->v; by differences, exact for a gain */
+static int
+add_slope (gs_run *s, double t, double *x, int j, double *A)
+{
+  const gsmbp_run *r = s->r;
+  int side = gs_side_at (s, t), n = gs_own_states (r);
+  double old = x[j], h = (r->ip[GS_V0] >= 2 ? 1e-7 : 1)
+                         * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
+  if (! (h > 0))
+    h = 1e-7;
+  x[j] = old + h;
+  h = x[j] - old;
+  int info = gs_take_inputs (s, t, side, x, s->dv);
+  x[j] = old;
+  for (int k = 0; info == 0 && k < r->nv; k++)
+    {
+      double slope = (s->dv[k] - s->v[k]) / h;
+      for (int i = 0; slope != 0 && i < n; i++)
+        A[i + (size_t) n * j] += s->b[i + (size_t) n * k] * slope;
+    }
+  return outcome (info);
+}
+
+/* A += B dV/dX: the inputs follow the state by a gain or by the user's routine; those of a planned
+ * motion follow some states of devices */
 static int
 add_feedback (gs_run *s, double t, double *x, double *A)
 {
   const gsmbp_run *r = s->r;
-  int side = gs_side_at (s, t), n = gs_own_states (r);
-  for (int j = 0; j < n; j++)
-    {
-      double old = x[j], h = (s->r->ip[GS_V0] >= 2 ? 1e-7 : 1)
-                             * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
-      if (! (h > 0))
-        h = 1e-7;
-      x[j] = old + h;
-      h = x[j] - old;
-      int info = gs_take_inputs (s, t, side, x, s->dv);
-      x[j] = old;
-      if (info != 0)
-        return outcome (info);
-      for (int k = 0; k < r->nv; k++)
-        {
-          double slope = (s->dv[k] - s->v[k]) / h;
-          for (int i = 0; slope != 0 && i < n; i++)
-            A[i + (size_t) n * j] += s->b[i + (size_t) n * k] * slope;
-        }
-    }
-  return 0;
+  int planned = r->ip[GS_V0] == 2 && r->ip[GS_FEEDBACK] == 0, info = 0;
+  int n = planned ? r->followed : gs_own_states (r);
+  for (int k = 0; info == 0 && k < n; k++)
+    info = add_slope (s, t, x, planned ? r->follows[k] - 1 : k, A);
+  return info;
 }
 
 /* without the emitted Jacobian: by differences */
@@ -185,9 +192,11 @@ emitted (gs_run *s, double t, const double *x, double *A)
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
       && (info = gs_take_inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
+  double at = t;
   if (side < 0)   /* as GSLFT: what switches at the stop has not yet */
-    t = s->stop - fmax (2 * DBL_EPSILON * fabs (s->stop), 1e-300);
-  ((jac_type *)r->jac) (&t, s->trial, s->v, r->cst, A, &n, s->b, &n, s->c, &ldy, s->d, &ldy, &info);
+    at = s->stop - fmax (2 * DBL_EPSILON * fabs (s->stop), 1e-300);
+  ((jac_type *)r->jac) (&at, s->trial, s->v, r->cst, A, &n, s->b, &n, s->c, &ldy, s->d, &ldy,
+                        &info);
   if (info != 0 && info != 2
       && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
     return outcome (info);

@@ -33,8 +33,8 @@ struct simulation : run_room, run_setting
 #if ! defined (GSMBP_QUAD)
   gsmbp_run_function *implicit_method = nullptr;
 #endif
-  std::vector<int> implicit;   // the largest order; 1 if inputs of a motion follow the state too;
-                               // ... if loops are in index 2
+  std::vector<int> implicit;   // the largest order; 1 if loops are in index 2; the states that the
+                               // inputs of a motion follow, from 1 on
   double timeout;              // wall time [s]; 0: none
   double seconds;
 
@@ -81,7 +81,7 @@ simulation::simulation (arguments& a)
   if (! library.empty ())
     implicit_method = implicit_run (library);
 #endif
-  implicit = a.integers ("largest order, inputs of state, index 2", 3);
+  implicit = a.integers ("largest order, index 2, states that inputs follow", -1);
   timeout = double (a.scalar ("timeout"));
   plan->due_from (double (t0), cst);
   breaks = breaks_of (cst);
@@ -278,8 +278,9 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool res
   g.columns = columns->count ();
   g.resume = resume;
   g.order = implicit[0];
-  g.of_state = implicit[1];
-  g.index2 = implicit[2];
+  g.index2 = implicit[1];
+  g.followed = int (implicit.size ()) - 2;
+  g.follows = implicit.data () + 2;
   g.t0 = t0;
   g.x0 = &r.x0[0];
   g.nt = nt;

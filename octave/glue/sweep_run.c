@@ -130,6 +130,7 @@ read_numbers (gs_sweep *s)
   s->groups = numbers (job, "groups");
   s->ip = wholes (job, "ip", &s->nip);
   s->iopt = wholes (job, "iopt", &s->niopt);
+  s->follows = wholes (job, "follows", &s->followed);
   s->which = wholes (job, "which", &s->varied);
   s->runs = s->varied > 0 ? s->samples.n / s->varied : 0;
   int *sizes = wholes (job, "sizes", &n);
@@ -142,7 +143,6 @@ read_numbers (gs_sweep *s)
     }
   free (sizes);
   s->order = (int) gs_number (job, "order", 5);
-  s->of_state = (int) gs_number (job, "of_state", 0);
   s->index2 = (int) gs_number (job, "index2", 0);
   s->check_start = (int) gs_number (job, "check_start", 1);
   s->lanes = (int) gs_number (job, "lanes", 0);
@@ -169,7 +169,7 @@ gs_open_sweep (gs_sweep *s, const gs_job *job, char *why)
 void
 gs_close_sweep (gs_sweep *s)
 {
-  int *lists[] = { s->ip, s->iopt, s->which, s->way, s->number, s->time };
+  int *lists[] = { s->ip, s->iopt, s->follows, s->which, s->way, s->number, s->time };
   for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
     free (lists[k]);
   free (s->broken);
@@ -354,9 +354,9 @@ by_implicit (const gs_sweep *s, gs_room *r, int resume)
     .gsfun = gsfun_, .gsinp = gsinp_, .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_,
     .gspnw = gspnw_, .gspbg = gspbg_, .gsdue = gsdue_, .gsend = gsend_, .gsevn = gsevn_,
     .gsevo = gsevo_, .gsevr = gsevr_, .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq, .nu = S->nu,
-    .nx = s->nx, .nv = S->nv, .ny = S->ny,
-    .nlam = S->nlam, .resume = resume, .of_state = s->of_state, .order = s->order, .t0 = s->t0,
-    .x0 = r->x0, .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,
+    .nx = s->nx, .nv = S->nv, .ny = S->ny, .nlam = S->nlam, .resume = resume, .order = s->order,
+    .followed = (int) s->followed, .follows = s->follows, .t0 = s->t0, .x0 = r->x0,
+    .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,
     .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
     .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
     .vout = r->vout, .ldx = s->ldx, .ldv = s->ldv, .istat = r->istat, .rstat = r->rstat, .w = r->w,

@@ -20,9 +20,9 @@ typedef struct
   const gs_job *job;
   gs_array cst, x0, tout, tbrk, ropt, atol, rp, guess, par, samples, nominal;
   gs_array groups;                                /* of each event the first one with its name */
-  int *ip, *iopt, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
-  long long nip, niopt, varied, runs, kept, wholes, columns;
-  int nx, ldx, ldv, lw, order, of_state, index2, check_start;
+  int *ip, *iopt, *follows, *which, *way, *number, *time;   /* from 1 on, as GSMBP numbers things */
+  long long nip, niopt, followed, varied, runs, kept, wholes, columns;
+  int nx, ldx, ldv, lw, order, index2, check_start;
   int lanes;                             /* 1: in lanes, where they can be */
   double t0;
   gsmbp_sub sub[GS_SUBS];

@@ -38,7 +38,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   endif
   p.arguments = {m.cst, t0, p.x0, p.carried.columns, times, breaks, ...
                  [numel(times), numel(breaks)], iopt, p.ropt, p.atol, plan, guess, callback, ...
-                 library, [order, ! isempty(m.internal), index2], o.timeout};
+                 library, [order, index2, m.internal'], o.timeout};
   [p.m, p.o] = deal (m, o);
 endfunction
 

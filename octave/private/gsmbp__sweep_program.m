@@ -52,8 +52,8 @@ function records = plan_records (p)
   [a, m] = deal (p.arguments, p.m);
   [ip, rp, iopt, sizes, called] = m.module ("job", a{:});
   records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
-             "atol", a{10}; "guess", a{12}; "order", a{15}(1); "of_state", a{15}(2)
-             "index2", a{15}(3); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes
+             "atol", a{10}; "guess", a{12}; "order", a{15}(1); "index2", a{15}(2)
+             "follows", a{15}(3:end); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes
              "called", called};
 endfunction
 
