@@ -157,15 +157,19 @@ on_constraints (gs_run *s, double t)
 /* ------------------------------------------------------------
  * the method */
 
-/* the next way: to the stop or the next output time, in whole steps */
+/* the next way: to the stop or the next output time, in whole steps; not to one that is only just
+ * behind an event, as where it is that of the event in another run: it lies within the first step */
 static void
 next_way (gs_run *s)
 {
   gauss *w = s->memory;
   const gsmbp_run *r = s->r;
   double to = s->stop, h = r->ropt[2] > 0 ? fmin (r->ropt[0], r->ropt[2]) : r->ropt[0];
-  if (r->istat[4] < r->nt && r->tout[r->istat[4]] < to)
-    to = r->tout[r->istat[4]];
+  int k = r->istat[4];
+  while (k < r->nt && r->tout[k] - s->t < 1e-6 * h)
+    k++;
+  if (k < r->nt && r->tout[k] < to)
+    to = r->tout[k];
   w->from = s->t;
   w->to = to;
   w->done = 0;
@@ -301,7 +305,7 @@ close_ (gs_run *s)
   free (w);
 }
 
-/* no output time lies between steps, but an event may: there the polynomial of the stages */
+/* output times hardly lie between steps, but an event may: there the polynomial of the stages */
 static int
 between (gs_run *s, double t, double *x)
 {
