@@ -181,27 +181,52 @@ by_its_end (gs_run *s, const place *p)
   e.fresh[p->i - 1] = 3 - (e.fresh[p->i - 1] == 1);
 }
 
-/* Has the function of the event at P been above 0 half way there, if it was not at P->begin, or
- * does it rise from there?  On the step made again; on a dense polynomial it must be so by more
- * than that may be off.  Else by_its_end.  A flag of the method in *FLAG, INFO */
+/* Where the function of the event at P is highest on the polynomial of the step, of seven points on
+ * the way there, and how high; a flag of the method in *FLAG, INFO */
+static int
+highest (gs_run *s, const place *p, double *at, double *most, int *flag)
+{
+  double g;
+  *most = -HUGE_VAL;
+  for (int k = 1; k <= 7; k++)
+    {
+      const double t = p->begin + 0.125 * k * (p->t - p->begin);
+      *flag = s->by->between (s, t, s->between);
+      if (*flag < 0)
+        return FINISHED;
+      int info = gs_function (s, p->i, t, s->between, &g);
+      if (info != 0)
+        return info;
+      if (g > *most)
+        *at = t;
+      *most = fmax (*most, g);
+    }
+  return FINISHED;
+}
+
+/* Has the function of the event at P been above 0 on the way there, where it is highest on the
+ * polynomial, if it was not at P->begin, or does it rise from there?  On the step made again; on a
+ * dense polynomial it must be so by more than that may be off.  Else by_its_end.  A flag of the
+ * method in *FLAG, INFO */
 static int
 rose (gs_run *s, place *p, int *so, int *flag)
 {
   gs_events e = gs_events_planned (s);
   int i = p->i - 1, info = FINISHED;
-  double g = -1;
+  double g = -1, at = p->t;
   *so = ! gs_is_own (&e, i) || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
   if (*so)
     return info;
   if (p->t - p->begin > 1e-9 * (p->end - p->begin))
     {
-      const double middle = p->begin + 0.5 * (p->t - p->begin), most = fmax (e.last[i], e.g[i]);
-      const int dense = s->by->dense;
-      *flag = dense ? s->by->between (s, middle, s->work) : gs_once_more (s, p->from, middle);
-      if (*flag < 0 || (info = gs_function (s, p->i, dense ? middle : s->t, dense ? s->work : s->y,
-                                            &g)) != 0)
+      const double most = fmax (e.last[i], e.g[i]);
+      if ((info = highest (s, p, &at, &g, flag)) != 0 || *flag < 0)
         return info;
-      g -= dense ? 1e-3 * fmax (most, -fmin (e.last[i], e.g[i])) : 0;
+      if (s->by->dense)
+        g -= 1e-3 * fmax (most, -fmin (e.last[i], e.g[i]));
+      else if ((*flag = gs_once_more (s, p->from, at)) < 0
+               || (info = gs_function (s, p->i, s->t, s->y, &g)) != 0)
+        return info;
     }
   *so = g > 0;
   if (*so)

@@ -100,17 +100,20 @@ as_it_was (const gs_system *g, gs_step *e)
   return e->method == 8 ? gsevy (g, e, 1, &off) : 0;
 }
 
-/* Has function i been above 0 half way to its zero at th? Where it was not at the beginning, the
+/* Has function i been above 0 on the way to its zero at th? Where it was not at the beginning, the
  * step itself tells, not its polynomial. */
 static int
 rose (const gs_system *g, gs_step *e, int i, double th, int *so)
 {
   const gs_events a = plan (g);
-  double te, err;
+  double te, err, tm;
   *so = 1;
   if (e->method == 12 || ! gs_is_own (&a, i - 1) || a.mark[i - 1] == 1)
     return 0;
-  int info = tried (g, e, 0.5 * th, &te, &a, &err);
+  int info = gsevm (g, e, i, th, &tm);
+  if (info != 0)
+    return failed (g, info);
+  info = tried (g, e, tm * th, &te, &a, &err);
   *so = a.now[i - 1] > 0.0;
   return info == 0 ? as_it_was (g, e) : info;
 }
@@ -576,6 +579,27 @@ gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
     }
   e->tn = te;
   memcpy (e->xn, a.end, g->nx * sizeof (double));
+  return 0;
+}
+
+int
+gsevm (const gs_system *g, const gs_step *e, int i, double th, double *tm)
+{
+  const gs_events a = plan (g);
+  double most = 0.0;
+  *tm = 0.5;
+  for (int k = 1; k <= 7; k++)
+    {
+      const double c = 0.125 * k;
+      int info = gsevb (g, e, c * th, 1);
+      if (info != 0)
+        return info;
+      if (a.now[i - 1] > most)
+        {
+          most = a.now[i - 1];
+          *tm = c;
+        }
+    }
   return 0;
 }
 

@@ -225,6 +225,10 @@ int gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
  * does not fall to 0 on the step, though on its polynomial; its end is not changed */
 int gsevs (const gs_system *g, gs_step *e, int i, double start, double *err);
 
+/* where function i is highest on the polynomial of the step e, on the way to its zero at the
+   fraction th: of seven points the fraction tm of that way */
+int gsevm (const gs_system *g, const gs_step *e, int i, double th, double *tm);
+
 /* event functions at the fraction b of the step e, on its polynomial, into the plan's now */
 int gsevb (const gs_system *g, const gs_step *e, double b, int side);
 

@@ -17,8 +17,9 @@ C     cubic one of GSEVH, in two of them, is twice and more what it may
 C     be off; to this comes what functions may fall by between points,
 C     from their second differences, which must not change faster than
 C     these points resolve (GSEVF).  A function of the user that has
-C     just had its event, or one of a port that is not above 0, is not
-C     quiet; one that is not above 0 may be 0 all the time.
+C     just had its event or whose last events say that there are more
+C     (GSUSN), or one of a port that is not above 0, is not quiet; one
+C     that is not above 0 may be 0 all the time.
 C
       IMPLICIT NONE
       EXTERNAL           CMD, CLO, VIN, EVT
@@ -26,11 +27,11 @@ C
       DOUBLE PRECISION   T, H, X(NX), W(NX,*), XN(NX), RP(*), CST(*),
      $                   V(*), WI(*), RE(*)
       LOGICAL            QUIET
-      INTEGER            NE, JK, JA, JL, I, J, S
+      INTEGER            NE, JK, JA, JL, I, J, S, GSUSN
       DOUBLE PRECISION   GAUSS(3), A, B, C, D, OLD, SLOPE, LEAST, CURVE,
      $                   GA, GB, GC, GSEVP, GSEVZ
       LOGICAL            FAST
-      EXTERNAL           GSEVP, GSEVZ, GSEVB, GSEVF
+      EXTERNAL           GSEVP, GSEVZ, GSEVB, GSEVF, GSUSN
 C
       NE = IE(1)
       JK = 10 + 2*NE
@@ -45,6 +46,7 @@ C
          IF ( IE(JA+I).EQ.0 .AND. IE(JK+I).LE.2 ) RETURN
          RE(4*NE+I) = 0.0D0
    10 CONTINUE
+      IF ( GSUSN( T, H, NX, IE, RE ).GT.8 ) RETURN
 C
 C     -- how far both polynomials are apart: RE(4*NE+I)
       DO 40 J = 4, 6, 2

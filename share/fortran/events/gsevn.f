@@ -46,15 +46,17 @@ C     ends of a step of GSRK4, of that of GSPSG or GSEVQ), not evenly
 C     spaced (what repeats itself would hide between them), tell whether
 C     an event function falls to 0, and up to 2048 where it has a lowest
 C     value that they do not resolve (ports that stick let steps grow,
-C     whatever the inputs do); its zero by the method of Illinois. The
+C     whatever the inputs do), or its last events say so (GSUSN: where
+C     these are too few the step is too long); its zero by the method of
+C     Illinois. The
 C     part before it is looked at again in the same way: there may be an
 C     earlier one.  Where a function of the user has just had its event
 C     more points are closer and closer to the beginning of the step.
 C     A function of the user that rises above 0 on that polynomial first
-C     must do so on the step itself, half way to its zero, and one that
-C     falls to 0 must do that: else its sign at the end of this step is
-C     all that counts (its flag is 2 or 3), and for a stop the step is
-C     repeated.
+C     must do so on the step itself, where that polynomial is highest on
+C     the way to its zero, and one that falls to 0 must do that: else
+C     its sign at the end of this step is all that counts (its flag is 2
+C     or 3), and for a stop the step is repeated.
 C     Those of the user that have been above 0 before it count as such.
 C     From there on the step itself is made as long as it must be, by
 C     the secant method, so that the state at the event is as accurate
@@ -68,12 +70,12 @@ C
      $                   XN(*), W(*), WI(*), P(*), RSTAT(*), RE(*),
      $                   GAUSS(3)
       INTEGER            NQ, NU, NX, NV, NLAM, NE, JM, JK, JA, JL, KD,
-     $                   I, NS, FIRST
+     $                   I, NS, MANY, FIRST, GSUSN
       DOUBLE PRECISION   TH, EPS, GSEPS, BE, THF, ERR, TE, MOST
       LOGICAL            HELD, FINE, FAST, MORE, LATER, QUIET, LONG,
      $                   DP8, ROWS
-      EXTERNAL           GSEPS, GSFUN, GSEVA, GSEVL, GSEVS, GSEVD,
-     $                   GSEVY, GSUSC, GSUSZ
+      EXTERNAL           GSEPS, GSFUN, GSEVA, GSEVL, GSEVM, GSEVS,
+     $                   GSEVD, GSEVY, GSUSC, GSUSN, GSUSZ
 C
       NQ   = SIZ(1)
       NU   = SIZ(2)
@@ -143,7 +145,13 @@ C     -- the first function that falls to 0; the part before it again
          END IF
       END IF
       MORE = .FALSE.
-      NS = 8
+      MANY = GSUSN( T, H, NX, IE, RE )
+      IF ( MANY.GT.2048 .AND. LONG ) THEN
+         FOUND = -1
+         RETURN
+      END IF
+      MANY = MIN( MANY, 2048 )
+      NS = MANY
       BE = 1.0D0
       THF = 2.0D0
    10 CONTINUE
@@ -167,9 +175,13 @@ C
 C        -- a function that was not above 0: is it so on the way there?
          IF ( IE(JA+FOUND).EQ.0 .AND. IE(JK+FOUND).GT.2 .AND.
      $        METHOD.NE.0 .AND. METHOD.NE.12 ) THEN
+            CALL GSEVM( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, FOUND,
+     $                  TH, NX, X, W, XN, NU, NV, IP, RP, CST, V, WI,
+     $                  IE, RE, TE, INFO )
+            IF ( INFO.NE.0 ) GO TO 900
             IE(8) = IE(6)
             CALL GSEVD( RHS, PRJ, CON, KIN, CMD, CLO, VIN, EVT, METHOD,
-     $                  WAY, T, TN, SIDE, H, 0.5D0*TH, X, SIZ, IP, RP,
+     $                  WAY, T, TN, SIDE, H, TE*TH, X, SIZ, IP, RP,
      $                  CST, V, ROPT, XN, W, WI, P, ISTAT, RSTAT, IE,
      $                  RE, GAUSS, TE, ERR, INFO )
             IE(8) = 0
@@ -183,7 +195,7 @@ C        -- a function that was not above 0: is it so on the way there?
          FIRST = FOUND
          THF = TH
          BE = TH*( 1.0D0 - 1.0D-9 )
-         NS = 8
+         NS = MAX( 8, INT( BE*DBLE( MANY ) ) )
          GO TO 10
       END IF
 C
@@ -200,8 +212,8 @@ C        then without it
       FIRST = 0
       BE = 1.0D0
       THF = 2.0D0
-      NS = 8
-      IF ( .NOT.MORE ) NS = 512
+      NS = MANY
+      IF ( .NOT.MORE ) NS = MAX( MANY, 512 )
       MORE = .TRUE.
       GO TO 10
 C
@@ -656,6 +668,39 @@ C
       CALL GSEVV( CMD, CLO, VIN, EVT, T + B*H, SIDE, RE(KZ), NU, NX, NV,
      $            IP, RP, CST, V, WI, IE(11), RE(NE+1), INFO )
       CALL GSUSG( NX, IE, RE )
+      END
+      SUBROUTINE GSEVM( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, I, TH,
+     $                  NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE,
+     $                  RE, TM, INFO )
+C
+C     PURPOSE
+C     Where event function I is highest on the polynomial of GSEVN, on
+C     the way to its zero at the fraction TH of the step: of seven
+C     points the fraction TM of that way.
+C
+      IMPLICIT NONE
+      EXTERNAL           CMD, CLO, VIN, EVT
+      INTEGER            METHOD, I, NX, NU, NV, IP(*), IE(*), INFO
+      DOUBLE PRECISION   GAUSS(3), T, H, TH, X(NX), W(NX,*), XN(NX),
+     $                   RP(*), CST(*), V(*), WI(*), RE(*), TM
+      INTEGER            NE, K
+      DOUBLE PRECISION   C, MOST
+      EXTERNAL           GSEVB
+C
+      NE = IE(1)
+      TM = 0.5D0
+      MOST = 0.0D0
+      DO 10 K = 1, 7
+         C = 0.125D0*DBLE( K )
+         CALL GSEVB( CMD, CLO, VIN, EVT, METHOD, GAUSS, T, H, C*TH, 1,
+     $               NX, X, W, XN, NU, NV, IP, RP, CST, V, WI, IE, RE,
+     $               INFO )
+         IF ( INFO.NE.0 ) RETURN
+         IF ( RE(NE+I).GT.MOST ) THEN
+            MOST = RE(NE+I)
+            TM = C
+         END IF
+   10 CONTINUE
       END
       DOUBLE PRECISION FUNCTION GSEVP( J, NS )
 C

@@ -101,6 +101,34 @@ C
      $     R(2) - R(3).LT.R(3) - R(4) )
      $   GSUST = MIN( GSUST, R(1) + 2.0D0*( R(1) - R(2) ) )
       END
+      INTEGER FUNCTION GSUSN( T, H, NX, IE, RE )
+C
+C     PURPOSE
+C     In how many points event functions of the user must be looked at
+C     in a step from T to T + H: 8; where it goes past four intervals of
+C     the last events of a function 8 for each that it may hold.  What
+C     repeats itself may else look as if it were slow.
+C
+      IMPLICIT NONE
+      INTEGER            NX, IE(*)
+      DOUBLE PRECISION   T, H, RE(*)
+      INTEGER            NE, I, J, JC, GSUSI
+      DOUBLE PRECISION   D, SOON, MOST
+      EXTERNAL           GSUSI
+C
+      NE = IE(1)
+      JC = 10 + 6*NE + 3*IE(10)
+      MOST = 8.0D0
+      DO 10 I = 1, NE
+         IF ( IE(10+2*NE+I).LT.3 .OR. IE(JC+I).LT.4 ) GO TO 10
+         J = GSUSI( I, NX, IE )
+         D = ( RE(J+1) - RE(J+4) )/3.0D0
+         SOON = RE(J+1) + 4.0D0*D
+         IF ( T.LT.SOON .AND. T + H.GT.SOON )
+     $      MOST = MAX( MOST, MIN( 8.0D0*H, 1.0D6*D )/D )
+   10 CONTINUE
+      GSUSN = INT( MOST )
+      END
       SUBROUTINE GSUSZ( RHS, CON, KIN, CMD, CLO, VIN, EVT, T, H, SIZ,
      $                  NOT, IP, RP, CST, V, WI, P, ISTAT, RSTAT, IE,
      $                  RE, G, INFO )
