@@ -3,9 +3,12 @@
 python3 runs.py: the modules that it imports must be installed."""
 import inspect
 import math
+import os
 import pickle
+import signal
 import sys
 import threading
+import time
 import warnings
 
 import numpy as np
@@ -328,5 +331,56 @@ def threads():
     holds('a batch lets other threads run (%d turns)' % (after - before), after - before > 1000)
 
 
-for test in (ball, own, rows, crank, sampled, others, parameters, threads):
+def interrupted():
+    """Ctrl-C ends a run at once, whatever its inputs are; handlers of signals stay as they were."""
+    def late(signum, frame):
+        raise TimeoutError('late')
+
+    def nested(t, x):
+        return m.simulate(m.initial, long, input=12).x[0, -1]
+
+    def asleep(t, x):
+        time.sleep(10 * (t > 0.01))
+        return 12
+
+    def wait(after, number, inputs, **options):
+        """The seconds from the signal until the run has ended, or what came instead."""
+        timer = threading.Timer(after, os.kill, (os.getpid(), number))
+        timer.start()
+        begun = time.monotonic()
+        try:
+            m.simulate(m.initial, long, input=inputs, **options)
+            return 'a result'
+        except kinds[number]:
+            return time.monotonic() - begun - after
+        finally:
+            timer.join()
+
+    m, long = slider_crank.Model(), np.linspace(0, 1800, 601)
+    kinds = {signal.SIGINT: KeyboardInterrupt, signal.SIGALRM: TimeoutError}
+    old = {signal.SIGINT: signal.signal(signal.SIGINT, signal.default_int_handler),
+           signal.SIGALRM: signal.signal(signal.SIGALRM, late)}
+    own = {number: signal.getsignal(number) for number in old}
+    waits = {'a function, %d' % k: wait(0.1 + 0.01 * k, signal.SIGINT, lambda t, x: 12)
+             for k in range(12)}
+    waits['a function that sleeps'] = wait(0.1, signal.SIGINT, asleep)
+    waits['a run within'] = wait(0.1, signal.SIGINT, nested)
+    for number in own:
+        for method in ('dp853', 'rk4'):
+            waits['a constant, %s, %s' % (method, number)] = wait(
+                0.1, number, 12, method=method, step=1e-4)
+    for what, seconds in waits.items():
+        holds('Ctrl-C ends a run at once, inputs: %s (%s s)' % (what, seconds),
+              seconds != 'a result' and seconds < 1)
+    holds('handlers of signals stay', own == {k: signal.getsignal(k) for k in own})
+    calls = []
+    signal.signal(signal.SIGINT, lambda *_: calls.append(1))
+    threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT)).start()
+    r = m.simulate(m.initial, np.linspace(0, 300, 301), input=12)
+    holds('a handler that raises nothing lets a run go on', calls == [1] and r.t[-1] == 300)
+    for number, handler in old.items():
+        signal.signal(number, handler)
+
+
+for test in (ball, own, rows, crank, sampled, others, parameters, threads, interrupted):
     test()

@@ -1,14 +1,43 @@
 /* run.c: gssim and gsfol for the module, their arguments one by one. */
+#include <time.h>
+
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
 
-/* a run; rhs and vin: in the place of the scene's, or null pointers. info as gssim */
+/* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
+typedef int gs_ask (void);
+
+/* the run that asks: only one of the main thread of Python does, so that there is one at a time, or
+ * one within the function of inputs of another */
+typedef struct
+{
+  gs_rhs *rates;
+  gs_ask *ask;
+  clock_t next;
+  int calls, info;
+} gs_asking;
+static gs_asking asking;
+
+static int
+asking_rates (double t, const double *x, const double *v, const double *cst, double *xd)
+{
+  if (++asking.calls % 32 == 0 && asking.info == 0 && clock () >= asking.next)
+    {
+      asking.info = asking.ask ();
+      asking.next = clock () + CLOCKS_PER_SEC / 20;
+    }
+  return asking.info != 0 ? asking.info : asking.rates (t, x, v, cst, xd);
+}
+
+/* a run; rhs, vin: in the place of the scene's, or null pointers; ask may be one as well. info as
+ * gssim */
 int
-gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, int nx, double t0, const double *x0,
-             int nt, const double *tout, int nb, const double *tbrk, const int *iopt,
-             const double *ropt, const double *atol, int *ip, double *rp, const double *cst,
-             double *xout, double *vout, int *istat, double *rstat, double *w, int lw)
+gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_ask *ask, int nx, double t0,
+             const double *x0, int nt, const double *tout, int nb, const double *tbrk,
+             const int *iopt, const double *ropt, const double *atol, int *ip, double *rp,
+             const double *cst, double *xout, double *vout, int *istat, double *rstat, double *w,
+             int lw)
 {
   gs_scene own = *s;
   gs_run r = { .nx = nx, .t0 = t0, .x0 = x0, .nt = nt, .tout = tout, .nb = nb, .tbrk = tbrk,
@@ -18,7 +47,17 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, int nx, double t0, con
   if (rhs)
     own.rhs = rhs;
   own.vin = vin;
-  int info = gssim (&own, &r);
+  int info;
+  if (ask)
+    {
+      const gs_asking outer = asking;
+      asking = (gs_asking){ .rates = own.rhs, .ask = ask, .next = clock () };
+      own.rhs = asking_rates;
+      info = gssim (&own, &r);
+      asking = outer;
+    }
+  else
+    info = gssim (&own, &r);
   for (int i = 0; i < 20; i++)
     {
       istat[i] = r.istat[i];

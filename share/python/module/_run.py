@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 from . import _rules
+from ._ends import Ends
 from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, at, pointer
 from ._motion import Piecewise, as_piecewise
 
@@ -226,7 +227,7 @@ class _Plan:
         self.who, self.model = who, model
         self.given = _Given(s=SCENE, nx=nx, derivatives=TABLE['command_order'])
         self.held, self.breaks = {}, []
-        self.callback, self.failure = None, None
+        self.callback, self.ends = None, Ends()
 
     def put(self, name, numbers, kind=float):
         """An array of the plan, kept as long as it is."""
@@ -288,16 +289,14 @@ class _Plan:
         return Piecewise(poly.breaks, whole)
 
     def called(self, function, free):
+        def inputs(t, x, nx, v, nv):
+            found = np.atleast_1d(np.asarray(
+                function(t, np.ctypeslib.as_array(x, (nx,))[:NX].copy()), float))
+            np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = _vector(
+                self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
+
         def vin(t, side, x, nx, nv, data, v):
-            try:
-                found = np.atleast_1d(np.asarray(
-                    function(t, np.ctypeslib.as_array(x, (nx,))[:NX].copy()), float))
-                np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = _vector(
-                    self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
-                return 0
-            except BaseException as problem:  # no exception may cross the C
-                self.failure = problem
-                return -1000
+            return self.ends.call(inputs, t, x, nx, v, nv)
         return VIN(vin)
 
     def feedback(self, gain, reference, limits):
@@ -457,8 +456,8 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     stops = _breaks(who, breaks)
     stops = sorted({float(b) for b in [*p.breaks, *stops] if times[0] < b < times[-1]})
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
-    if p.failure is not None:
-        raise p.failure
+    if p.ends.failure is not None:
+        raise p.ends.failure
     if run['info'] == 3 and run['counts'][6] == 7 and run['counts'][5] == WRONG_MODE:
         raise ValueError('%s: %s' % (who, _wrong_mode(model, times[0], x[:NX], modes,
                                                       int(run['counts'][18]) - 1)))
@@ -538,12 +537,13 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     x, atol = np.ascontiguousarray(x), np.ascontiguousarray(atol)
     number = ctypes.c_int
     begun = time.perf_counter()
-    out['info'] = LIBRARY.gs_loop_run(
-        SCENE, pointer('rha') if audit else None, p.callback, number(nx),
-        ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
-        at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
-        at(out['x']), at(out['v']), at(out['counts']), at(out['values']), at(w),
-        number(len(w)))
+    with p.ends:
+        out['info'] = LIBRARY.gs_loop_run(
+            SCENE, pointer('rha') if audit else None, p.callback, p.ends.ask, number(nx),
+            ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
+            at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
+            at(out['x']), at(out['v']), at(out['counts']), at(out['values']), at(w),
+            number(len(w)))
     out['seconds'] = time.perf_counter() - begun
     return out
 
