@@ -150,7 +150,7 @@ function r = run_of (m, o, times, x)
   elseif (! isempty (o.input))
     r.v = repmat (o.input(:)', numel (r.t), 1);
   endif
-  r.y = gsmbp__outputs (m, r.t, r.x, r.v);
+  r.y = gsmbp__outputs (m, gsmbp__row_times (m, r.t), r.x, r.v);
 endfunction
 
 ## of goals with three results, or two; anything else that goes wrong in them is the user's to see
@@ -202,10 +202,11 @@ endfunction
 function [wx, wp] = at_outputs (m, r, gx, gy, np)
   wx = gx';
   wp = zeros (np, 1);
+  t = gsmbp__row_times (m, r.t);
   for i = find (any (gy, 2))'
-    [~, ~, C] = m.jac (r.t(i), r.x(i,:)', r.v(i,:)');
+    [~, ~, C] = m.jac (t(i), r.x(i,:)', r.v(i,:)');
     wx(:,i) += C' * gy(i,:)';
-    wp += m.oup (r.t(i), r.x(i,:)', r.v(i,:)')' * gy(i,:)';
+    wp += m.oup (t(i), r.x(i,:)', r.v(i,:)')' * gy(i,:)';
   endfor
 endfunction
 

@@ -182,9 +182,10 @@
 ##
 ## @var{result} has the fields @code{t}, @code{x} (a row for each time),
 ## @code{v} (the inputs; from the left where they jump at a break or at an instant of a sampled
-## device, at the time of an event as they are behind it), @code{y} (the outputs of the scene),
-## @code{points} (places of its points and frames, three columns each [m]), @code{of} (every
-## column by its name: @code{r.of.("tip.x")}, see @code{gsmbp_names}), @code{unique} (which outputs
+## device, at the time of an event as they are behind it), @code{y} (the outputs of the scene, of
+## the same side, also where it switches at a time), @code{points} (places of its points and
+## frames, three columns each [m]), @code{of} (every column by its name:
+## @code{r.of.("tip.x")}, see @code{gsmbp_names}), @code{unique} (which outputs
 ## the motion determines: not all reactions are in scenes with more constraints than their motion
 ## needs; @code{m.unique} tells it of every scene), @code{options} (a struct of
 ## those that were given) and @code{stats}:
@@ -337,7 +338,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
   if (! isfield (result, "y"))
-    result.y = gsmbp__outputs (m, result.t, result.x, result.v);
+    at = gsmbp__row_times (m, result.t, p.times);
+    result.y = gsmbp__outputs (m, at, result.x, result.v);
     result.unique = m.unique.outputs;
   endif
   result = gsmbp__named (m, result);

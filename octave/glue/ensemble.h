@@ -196,6 +196,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
   const bool ended = r.info == 11;
   const std::size_t rows = ended ? nt : std::min (nt, reached + (r.info != 0));
   double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
+  const reals switches = S.ny > 0 ? switch_times (r.cst) : reals ();
   for (std::size_t k = 0; k < rows; k++)
     {
       const std::size_t at = std::min (k, ended ? reached : k);
@@ -207,7 +208,8 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       int info = 0;
       if (S.ny == 0 || (k >= reached && ! ended) || ! fine (state, S.nx) || ! fine (input, S.nv))
         continue;
-      routine ("out") (&m_s.tout[k], state, input, &r.cst[0], &one[0], &info);
+      const number t = k < reached ? row_time (switches, &m_s.tout[0], int (k)) : m_s.tout[k];
+      routine ("out") (&t, state, input, &r.cst[0], &one[0], &info);
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
         y[nt * j + k] = double (one[j]);
     }

@@ -62,6 +62,38 @@ user_input (void)
   return S.vin;
 }
 
+// the times at which the scene switches
+static reals
+switch_times (const reals& cst)
+{
+  reals at = room (S.nsw);
+  if (S.nsw > 0)
+    routine ("swi") (&cst[0], &at[0]);
+  at.resize (S.nsw);
+  return at;
+}
+
+// The time that stands for row K of the output times: where the scene switches the row has what was
+// before, as the inputs in it (see GSLFT), but for the first one.
+static number
+row_time (const reals& switches, const number *tout, int k)
+{
+  number t = tout[k], off = std::max (number (2 * DBL_EPSILON) * (t < 0 ? -t : t), number (1e-300));
+  bool left = k > 0 && std::find (switches.begin (), switches.end (), t) != switches.end ();
+  return left ? t - off : t;
+}
+
+// the output times as they stand for the rows
+static reals
+row_times (const reals& cst, const reals& tout, int rows)
+{
+  const reals switches = switch_times (cst);
+  reals t = room (rows);
+  for (int k = 0; k < rows; k++)
+    t[k] = row_time (switches, &tout[0], k);
+  return t;
+}
+
 // the outputs at K states, a column each; not a number where a state or an input is none or the
 // subroutine cannot calculate them
 static Matrix
@@ -189,7 +221,8 @@ samples (const reals& cst, run_plan& plan, const reals& tout, const reals& xout,
     return Matrix ();
   const gs_samples a = plan.samples ();
   octave_scalar_map r;
-  Matrix y = outputs_at (cst, reached, &tout[0], &xout[0], ldx, &vout[0], ldv);
+  const reals t = row_times (cst, tout, reached);
+  Matrix y = outputs_at (cst, reached, &t[0], &xout[0], ldx, &vout[0], ldv);
   r.assign ("y", y);
   r.assign ("memory", part_of (plan, a.memory, S.nxk, 1));
   r.assign ("record", part_of (plan, a.record, 1 + S.nxk + S.nv, std::min (a.ns, *a.count)));

@@ -4,6 +4,7 @@
 #include "gsmbp_scene.h"
 #include "start.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -374,15 +375,30 @@ fine (const double *x, int n)
   return 1;
 }
 
+/* the time that stands for row K: where the scene switches it has what was before, as the inputs in
+   it (see GSLFT), but for the first one and those behind its end */
+static double
+row_time (const gs_sweep *s, const gs_room *r, const double *switches, long long k)
+{
+  const double t = s->tout.x[k];
+  for (int i = 0; i < S->nsw && k > 0 && k < r->istat[4]; i++)
+    if (switches[i] >= t && switches[i] <= t)
+      return t - fmax (2 * DBL_EPSILON * fabs (t), 1e-300);
+  return t;
+}
+
 /* outputs at the times that were reached, not a number where there are none */
 static void
 outputs (const gs_sweep *s, gs_room *r, long long reached)
 {
   gsmbp_sub out = S->ny > 0 ? emitted ("out") : NULL;
+  double switches[S->nsw + 1];
+  if (S->nsw > 0)
+    ((void (*) (const double *, double *)) emitted ("swi")) (r->cst, switches);
   for (long long k = 0; k < s->tout.n; k++)
     {
       double *y = r->yout + S->ny * k, *x = r->xout + s->ldx * k, *v = r->vout + s->ldv * k;
-      double one[S->ny + 1], t = s->tout.x[k];
+      double one[S->ny + 1], t = row_time (s, r, switches, k);
       int info = 0;
       for (int j = 0; j < S->ny; j++)
         y[j] = NAN;

@@ -74,11 +74,12 @@ function Y = outputs (m, r, carried, S, V)
   if (d.ny == 0 || ! all (ismember ({"oup", "jac"}, m.subroutines)))
     return;
   endif
-  for i = 1:numel (r.t)
+  t = gsmbp__row_times (m, r.t);
+  for i = 1:numel (t)
     x = r.x(i,:)';
     v = r.v(i,:)';
-    [~, ~, C, D, bad] = m.jac (r.t(i), x, v);
-    [P, worse] = m.oup (r.t(i), x, v);
+    [~, ~, C, D, bad] = m.jac (t(i), x, v);
+    [P, worse] = m.oup (t(i), x, v);
     if (bad > 0 || worse > 0)
       continue;
     endif

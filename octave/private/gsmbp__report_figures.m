@@ -24,7 +24,7 @@ function y = outputs_of (m, r)
   if (isfield (r, "y") && rows (r.y) == numel (r.t))
     y = r.y;
   elseif (any (strcmp (m.subroutines, "out")) && isfield (r, "v"))
-    y = gsmbp__outputs (m, r.t, r.x, r.v);
+    y = gsmbp__outputs (m, gsmbp__row_times (m, r.t), r.x, r.v);
   endif
 endfunction
 

@@ -40,7 +40,7 @@ function test_sweep_program ()
   for method = {"dp853", "radau"}
     same (folder, ["times at which it switches by " method{1}], circuit, ...
           {[0; 0], 0:0.05:1, "vary", struct("t1", [0.05, 0.4], "d", [0.01, 0.2]), "runs", 9, ...
-           "method", method{1}});
+           "method", method{1}, "keep", {"whole shown", "at 0.1 shown", "final A.u"}});
   end
   ball = gsmbp_fixture ("event_ball");
   [name, hit] = deal (fieldnames (ball.par){1}, ball.events(1).name);

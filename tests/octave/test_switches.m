@@ -8,6 +8,7 @@ function test_switches ()
   every_method (m);
   by_parameters (m);
   many_runs (m);
+  rows_at_switches (m);
   with_events (gsmbp_fixture ("switch_events"));
 end
 
@@ -62,6 +63,31 @@ function by_parameters (m)
           - closed_form (t, 0.1 - h/1000, 5, 0.1, 0.2, 0.7)) / (2 * h);
   gsmbp_check ("derivatives by the voltage", r.dx.vs(:,1) - r.x(:,1) / 5, 1e-9);
   gsmbp_check ("derivatives by the resistance", r.dx.r(:,1) - by_r, 1e-8);
+end
+
+## a row at a time at which the scene switches is of one side: its outputs are from before, as its
+## inputs and states; the first one is from behind
+function rows_at_switches (m)
+  t = [0 0.05 0.1 0.2 0.3];
+  jump = mkpp ([0 0.1 1], [1; 2]);
+  off = @(x, y) y - x(:,1) .* (t(:) <= 0.1) - (t(:) > 0.1);
+  for method = {"dp853", "rk4", "radau", "gauss", "cvode"}
+    o = {"method", method{1}, "step", 1e-3, "input", jump};
+    r = gsmbp_simulate (m, [3; 0], t, o{:});
+    gsmbp_check (["outputs of a row at a switch by " method{1}], off (r.x, r.y), 0);
+    gsmbp_check (["inputs of it by " method{1}], r.v(3) - 1, 0);
+  end
+  for method = {"dp853", "rk4", "radau"}
+    e = gsmbp_ensemble (m, [3; 0], t, "parameters", struct ("r", 100 * ones (20, 1)), ...
+                        "method", method{1}, "step", 1e-3);
+    gsmbp_check (["outputs of many runs at a switch by " method{1}], ...
+                 off (e.x(:,:,1), e.y(:,1,1)), 0);
+    gsmbp_check ("they are those of all", isequal (e.y, e.y(:,:,ones (1, 20))));
+  end
+  r = gsmbp_simulate (m, [3; 0], [0.1 0.2]);
+  gsmbp_check ("the first row is from behind", r.y - 1, 0);
+  r = gsmbp_simulate (m, [3; 0], t, "sensitivity", {"r"});
+  gsmbp_check ("derivatives of outputs at a switch", r.dy.r - r.dx.r(:,1) .* (t(:) <= 0.1), 0);
 end
 
 ## each run has times of its own, in lanes and one by one

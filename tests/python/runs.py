@@ -20,6 +20,7 @@ import robot_joint
 import sampled_crank
 import slider_crank
 import spinning_top
+import switch_circuit
 
 
 def holds(what, true):
@@ -215,6 +216,19 @@ def sampled():
     refuses('memory of another size', ValueError, ['memory'], m.simulate, x, [0, 1], memory=[1])
 
 
+def switched():
+    """A row at a time at which the scene switches is from before, but for the first one."""
+    m = switch_circuit.Model()
+    t = np.array([0, 0.05, 0.1, 0.2, 0.3])
+    jump = switch_circuit.table_of([0, 0.1], [1, 2], 0)
+    for method in ('dp853', 'rk4'):
+        r = m.simulate([3, 0], t, input=jump, method=method)
+        close('outputs of a row at a switch by %s' % method, r.y[0], np.where(t <= 0.1, r.x[0], 1),
+              0)
+        close('... and inputs', r.v[0, 2], 1, 0)
+    close('the first row is from behind', m.simulate([3, 0], [0.1, 0.2]).y[0], 1, 0)
+
+
 def others():
     m = puma6.Model()
     q, u, ud = np.random.default_rng(1).standard_normal((3, 6))
@@ -382,5 +396,5 @@ def interrupted():
         signal.signal(number, handler)
 
 
-for test in (ball, own, rows, crank, sampled, others, parameters, threads, interrupted):
+for test in (ball, own, rows, crank, sampled, switched, others, parameters, threads, interrupted):
     test()

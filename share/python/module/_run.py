@@ -551,6 +551,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
 # ----------------------------------------------------------------------------- what comes back
 
 def _result(who, model, p, run, method, audit, errors):
+    wanted = int(run['counts'][4])
     ended = _ended(run)
     reached = int(run['counts'][4])
     t, v = run['times'][:reached], run['v'][:NV, :reached]
@@ -565,7 +566,7 @@ def _result(who, model, p, run, method, audit, errors):
     with warnings.catch_warnings():
         warnings.simplefilter('ignore')
         if NY and 'out' in ROUTINES and reached:
-            r.y = model.out(t, x, v)
+            r.y = model.out(_row_times(model, t, wanted), x, v)
     if TABLE.get('controllers'):
         r.samples = _samples(run)
     if TABLE.get('events'):
@@ -574,6 +575,17 @@ def _result(who, model, p, run, method, audit, errors):
         r.audit = _audit(model, r, run['x'][NX:, :reached])
     _tell(who, model, r, method)
     return r
+
+
+def _row_times(model, t, wanted):
+    """The times that stand for the rows: where the scene switches a row has what was before, as the
+    inputs in it, but for the first one and that of an event which ends the run."""
+    if 'swi' not in ROUTINES:
+        return t
+    left = np.isin(t, model.swi())
+    left[0] = False
+    left[wanted:] = False
+    return np.where(left, t - np.maximum(2 * np.finfo(float).eps * np.abs(t), 1e-300), t)
 
 
 def _ended(run):
