@@ -9,7 +9,8 @@ trap 'rm -rf "$work"' EXIT
 report=$work/report
 python=/usr/bin/python3
 scenes='tests/scenes/event_ball tests/scenes/sampled_crank tests/scenes/switch_circuit
-  examples/slider_crank/slider_crank examples/robot_joint/robot_joint examples/spinning_top/spinning_top tests/bench/systems/puma6'
+  examples/slider_crank/slider_crank examples/robot_joint/robot_joint
+  examples/spinning_top/spinning_top tests/bench/systems/puma6'
 
 # -- the folders, in one session; again: the same bytes
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
