@@ -282,7 +282,21 @@ def parameters():
     for times in ([0, math.nan], [0, math.inf], [1, 0], [[0, 1]], ['0', '1'], None):
         refuses('times %r' % times, ValueError, ['times: expected rising finite'], plain.simulate,
                 plain.initial, times)
-    for what, given in (('rtol', 'small'), ('input', {'v': 1}), ('breaks', 'late'),
+    for given in (0, 1, 1.5, -1e-6, math.nan, 'small'):
+        refuses('rtol %r' % given, ValueError, ['simulate: rtol: expected a number above 0 and '
+                'below 1; found'], plain.simulate, plain.initial, [0, 1], rtol=given)
+    for given, words in (({'rtol': 1e-20}, 'rtol = 1e-20 is below'),
+                         ({'atol': 0}, 'atol = 0 of q1 is below')):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter('always')
+            r = plain.simulate(plain.initial, [0, 1e-3], **given)
+        holds('%s is raised, with a warning' % given, len(told) == 1 and words in str(
+            told[0].message) and told[0].category is slider_crank.RunWarning
+              and told[0].filename == __file__)
+    least = 10 * np.finfo(float).eps
+    holds('the tolerances that were kept', (r.stats['atol'] == least * plain.nominal).all()
+          and r.stats['rtol'] == 1e-10)
+    for what, given in (('input', {'v': 1}), ('breaks', 'late'),
                         ('maxsteps', 0.5), ('maxsteps', 2**31), ('audit', -1.0), ('errors', 'no')):
         refuses('%s %r' % (what, given), ValueError, ['simulate: %s: expected' % what],
                 plain.simulate, plain.initial, [0, 1], **{what: given})

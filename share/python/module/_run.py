@@ -436,12 +436,13 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     model, way = _way(who, self, loops)
     x = _start(who, model, times[0], x0, start, modes)
     iopt, ropt, atol = _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift)
+    kept = (float(ropt[1]), atol.copy()) if method != 'rk4' else (np.nan, np.full(NX, np.nan))
     if audit is not None:
         model._has('rha', 'ene')
         if not (_is_number(audit) and audit > 0):
             raise ValueError('%s: audit: expected an energy above 0 [J]; found %r' % (who, audit))
         x = np.append(x, [0.0, 0.0])
-        atol = np.append(atol, [rtol * audit] * 2)
+        atol = np.append(atol, [ropt[1] * audit] * 2)
     p = _Plan(who, model, len(x))
     if motion is not None and input is not None:
         raise ValueError('%s: give input or motion, not both' % who)
@@ -461,7 +462,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     if run['info'] == 3 and run['counts'][6] == 7 and run['counts'][5] == WRONG_MODE:
         raise ValueError('%s: %s' % (who, _wrong_mode(model, times[0], x[:NX], modes,
                                                       int(run['counts'][18]) - 1)))
-    return _result(who, model, p, run, method, audit, errors)
+    return _result(who, model, p, run, method, kept, audit, errors)
 
 
 def _way(who, model, loops):
@@ -494,8 +495,7 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
         raise ValueError('%s: method: expected "dp853" or "rk4"; found %r' % (who, method))
     if step is None:
         step = 1e-3 if method == 'rk4' else 0.0
-    for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps),
-                         ('rtol', rtol)):
+    for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps)):
         if not (_is_number(number) and number >= 0):
             raise ValueError('%s: %s: expected a number >= 0; found %r' % (who, name, number))
     if maxsteps != int(maxsteps) or maxsteps >= 2**31:
@@ -503,22 +503,36 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
             who, maxsteps))
     if method == 'rk4' and step == 0:
         raise ValueError('%s: step: expected a number above 0; found 0' % who)
-    least = 10 * np.finfo(float).eps
-    rtol = max(rtol, least)
-    if atol is None:
-        atol = rtol * model.nominal
-    else:
-        given, atol = atol, np.full(NX, atol) if np.isscalar(atol) else np.asarray(atol)
-        if atol.dtype.kind not in 'fiu' or atol.shape != (NX,) or not (
-                np.isfinite(atol).all() and (atol >= 0).all()):
-            raise ValueError('%s: atol: expected one finite number >= 0 or %d of them; found %r' % (
-                who, NX, given))
-    atol = np.maximum(atol, least * model.nominal)
+    rtol, atol = _tolerances(who, model, rtol, atol, method)
     watched = NLAM > 0 and 'con' in ROUTINES if drift is None else bool(drift)
     rows = TABLE.get('speed_rows') or []
     iopt = [METHODS[method], way, int(watched), int(maxsteps),
             int(watched and NLAM > 0 and 'kin' in ROUTINES), len(rows), *rows]
     return np.array(iopt, np.intc), np.array([step, rtol, maxstep], float), atol
+
+
+def _tolerances(who, model, rtol, atol, method):
+    """rtol, atol, neither below what the precision can keep: it is raised, with a warning."""
+    least = 10 * np.finfo(float).eps
+    if not (_is_number(rtol) and 0 < rtol < 1):
+        raise ValueError('%s: rtol: expected a number above 0 and below 1; found %r' % (who, rtol))
+    small = ['rtol = %g' % rtol] if rtol < least else []
+    rtol = max(float(rtol), least)
+    given, atol = atol, rtol * model.nominal if atol is None else np.asarray(atol)
+    if atol.shape == ():
+        atol = np.full(NX, atol)
+    if atol.dtype.kind not in 'fiu' or atol.shape != (NX,) or not (
+            np.isfinite(atol).all() and (atol >= 0).all()):
+        raise ValueError('%s: atol: expected one finite number >= 0 or %d of them; found %r' % (
+            who, NX, given))
+    low = np.flatnonzero(atol < least * model.nominal * (1 - 1e-9))
+    if len(low):
+        small.append('atol = %g of %s' % (atol[low[0]], model.states[low[0]]))
+    if small and method != 'rk4':
+        warnings.warn(
+            '%s: %s is below what double precision can keep; it was raised to %.2g (atol: times '
+            'm.nominal)' % (who, ', '.join(small), least), RunWarning, stacklevel=4)
+    return rtol, np.maximum(atol, least * model.nominal)
 
 
 def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
@@ -550,7 +564,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _result(who, model, p, run, method, audit, errors):
+def _result(who, model, p, run, method, kept, audit, errors):
     wanted = int(run['counts'][4])
     ended = _ended(run)
     reached = int(run['counts'][4])
@@ -558,6 +572,7 @@ def _result(who, model, p, run, method, audit, errors):
     x = run['x'][:NX, :reached]
     r = Result(t=t, x=x, v=v, y=None, samples=None, events=None, audit=None)
     r.stats = _stats(model, run, method)
+    r.stats['rtol'], r.stats['atol'] = kept
     text = failure(run) + outside(model, run) if run['info'] != 0 else None
     r.stats['failure'] = text
     r.stats['stopped'] = ended and 'event %s' % ended
