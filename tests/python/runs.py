@@ -40,7 +40,7 @@ def refuses(what, kind, words, function, *values, **named):
         found = '%s: %s' % (type(error).__name__, error)
         if isinstance(error, kind) and all(w in str(error) for w in words):
             return holds('%s is refused' % what, True)
-    return holds('%s is refused by %s, found %s' % (what, kind.__name__, found), False)
+    return holds('%s is refused by %s, found %s' % (what, kind, found), False)
 
 
 def ball():
@@ -320,6 +320,12 @@ def parameters():
         m.acd(0, [math.pi, 0, 0.3, 0, 0, 0, 0], 1)
         holds('INFO > 0 with results is a warning or nothing', all(
             issubclass(w.category, slider_crank.DependentWarning) for w in told))
+    for what, change in (
+            ('a state more', lambda: m.states.append('a')),
+            ('another unit', lambda: m.units['states'].update(q1='furlong')),
+            ('another usual size', lambda: m.nominal.fill(2)),
+            ('another parameter', lambda: m.parameters.update(l1=3))):
+        refuses('%s of all models' % what, (AttributeError, ValueError), [], change)
     holds('docstrings with units and shapes', all(
         'shape (7)' in getattr(slider_crank.Model, f).__doc__ and '[A]'
         in getattr(slider_crank.Model, f).__doc__ for f in ('rhs', 'out', 'jac')))

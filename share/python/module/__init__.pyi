@@ -60,12 +60,12 @@ Input = Union[ArrayLike, Piecewise, Callable[[float, Real], ArrayLike]]
 class Model(Routines):
     name: str
     sizes: Mapping[str, int]
-    coordinates: list[str]
-    speeds: list[str]
-    states: list[str]
-    inputs: list[str]
-    outputs: list[str]
-    multipliers: list[str]
+    coordinates: tuple[str, ...]
+    speeds: tuple[str, ...]
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    multipliers: tuple[str, ...]
     units: Mapping[str, Mapping[str, str]]
     nominal: Real
     cst: Real

@@ -14,11 +14,11 @@ Linear = collections.namedtuple('Linear', 'a b c d')
 
 
 def _names(part):
-    return [row['name'] for row in TABLE.get(part) or []]
+    return tuple(row['name'] for row in TABLE.get(part) or [])
 
 
 def _units(part):
-    return {row['name']: row['unit'] for row in TABLE.get(part) or []}
+    return types.MappingProxyType({row['name']: row['unit'] for row in TABLE.get(part) or []})
 
 
 class Model(Routines):
@@ -34,6 +34,7 @@ class Model(Routines):
     units = types.MappingProxyType({part: _units(part) for part in (
         'coordinates', 'speeds', 'states', 'inputs', 'outputs', 'parameters', 'multipliers')})
     nominal = np.array(TABLE.get('nominal') or [1.0] * SIZES['nx'], float)
+    nominal.flags.writeable = False
 
     def __init__(self, /, **parameters):
         names = _names('parameters')
