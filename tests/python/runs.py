@@ -259,6 +259,12 @@ def others():
     x[-3:] = [0.1, 0.2, 5]
     r = top.simulate(x, [0, 0.5], audit=1.0, start='project')
     holds('top: energy', r.audit['error'] < 1e-8)
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        for start in ('check', 'project'):
+            refuses('top: no orientation, %s' % start, ValueError, [
+                'expected Euler parameters of length 1, found (e0, e1, e2, e3) = [0.0, 0.0, 0.0, '
+                '0.0], which is no orientation'], top.simulate, np.zeros(7), [0, 1], start=start)
 
 
 def parameters():

@@ -139,6 +139,12 @@ def _start(who, model, t, x0, start, modes):
     if start not in ('check', 'project'):
         raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
     x = _vector(who, 'x0', x0, NX)
+    for places in TABLE.get('orientation') or []:
+        own = np.array(places) - 1
+        if not np.linalg.norm(x[own]) > 1e-3:
+            raise ValueError(
+                '%s: expected Euler parameters of length 1, found (%s) = %s, which is no '
+                'orientation' % (who, ', '.join(model.states[i] for i in own), x[own].tolist()))
     if NLAM or NQ != NU:
         names, scaled = residuals(model, t, x)
         k = int(np.argmax(np.abs(scaled))) if len(scaled) else 0
