@@ -1,8 +1,10 @@
 """What a module does beside calling subroutines: runs, plans, parameters, refusals.
 
 python3 runs.py: the modules that it imports must be installed."""
+import copy
 import inspect
 import math
+import multiprocessing
 import os
 import pickle
 import signal
@@ -338,7 +340,36 @@ def parameters():
     holds('attributes that are not there', 'did you mean' in _text(lambda: m.rhz))
     holds('every public function says what it does', all(
         inspect.getdoc(getattr(slider_crank, f)) for f in slider_crank.__all__ if f != 'table'))
-    holds('results can be pickled', pickle.loads(pickle.dumps(dict(m.parameters)))['l1'] == 0.1)
+
+
+def elsewhere():
+    """Models and results go to other processes and come back; copies of a model are the model."""
+    m = slider_crank.Model(l1=0.1)
+    again = pickle.loads(pickle.dumps(m))
+    holds('a model can be pickled', again.parameters == m.parameters
+          and np.array_equal(again.cst, m.cst) and again.parameters['l1'] == 0.1)
+    holds('a model can be copied', copy.copy(m) is m and copy.deepcopy([m])[0] is m)
+    models = [slider_crank.Model(l1=l) for l in (0.1, 0.15, 0.2)]
+    starts = [k.simulate(k.initial, [0, 1e-3], start='project').x[:, 0] for k in models]
+    wanted = [k.simulate(x, [0, 0.1], input=12) for k, x in zip(models, starts)]
+    with multiprocessing.get_context('fork').Pool(2) as pool:
+        found = pool.starmap(_simulated, zip(models, starts))
+        rates = pool.starmap(slider_crank.Model.con, [(k, 0, x[:3], x[3:6]) for k, x in
+                                                      zip(models, starts)])
+        try:
+            pool.apply(m.rhs, (0, [math.nan] * 7))
+        except slider_crank.Error as error:
+            holds('an error of another process', error.info == -2)
+    holds('runs of other processes, bit for bit', all(
+        np.array_equal(a.x, b.x) and a.stats['calls'] == b.stats['calls']
+        for a, b in zip(found, wanted)))
+    holds('results of subroutines there', all(
+        np.array_equal(r.phi, k.con(0, x[:3], x[3:6]).phi)
+        for r, k, x in zip(rates, models, starts)))
+
+
+def _simulated(model, x):
+    return model.simulate(x, [0, 0.1], input=12)
 
 
 def _text(function):
@@ -422,5 +453,6 @@ def interrupted():
         signal.signal(number, handler)
 
 
-for test in (ball, own, rows, crank, sampled, switched, others, parameters, threads, interrupted):
+for test in (ball, own, rows, crank, sampled, switched, others, parameters, elsewhere,
+             threads, interrupted):
     test()

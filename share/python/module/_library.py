@@ -303,3 +303,4 @@ for _row in TABLE['subroutines']:
     if not _row['name'].endswith(('_V', NAME.upper() + '_PAR', NAME.upper() + '_PRE')):
         _routine = Routine(_row)
         ROUTINES[_routine.name] = _routine
+        globals()[_routine.kind.__name__] = _routine.kind   # where pickle looks for it

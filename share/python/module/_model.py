@@ -77,6 +77,15 @@ class Model(Routines):
         """The scene with other values of some parameters."""
         return Model(**{**self._parameters, **parameters})
 
+    def __copy__(self):
+        return self
+
+    def __deepcopy__(self, memo):
+        return self
+
+    def __reduce__(self):
+        return _again, (dict(self._parameters),)
+
     def __repr__(self):
         return '<%s: %d states, %d inputs, %d outputs>' % (
             NAME, SIZES['nx'], SIZES['nv'], SIZES['ny'])
@@ -116,6 +125,13 @@ class Model(Routines):
 
     simulate = _run.simulate
     inverse = _inverse.inverse
+
+
+def _again(parameters):
+    """A model that has been pickled; what its parameters warn of was told when it was made."""
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        return Model(**parameters)
 
 
 # the requests of subroutines that a module calls by itself

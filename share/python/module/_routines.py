@@ -10,6 +10,7 @@ def _made(routine):
     def method(self, *values, **named):
         return routine(self, *values, **named)
     method.__name__ = routine.name
+    method.__module__ = __package__   # where pickle looks for it
     method.__qualname__ = 'Model.' + routine.name
     method.__doc__ = routine.documentation()
     return method
