@@ -11,6 +11,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -280,12 +281,23 @@ gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expected)
 
 /* --------------------------------------------------------------------------------- saved states */
 
-/* ahead of the two arrays in a saved state */
+/* ahead of the two arrays in a saved state; sum: of its bytes, 0 while it is no text of bytes */
 typedef struct
 {
   char token[64];
   size_t nd, ni, kind;
+  uint64_t sum;
 } header;
+
+/* the checksum FNV-1a of the bytes behind the header */
+static uint64_t
+sum_of (const char *state, size_t n)
+{
+  uint64_t sum = 14695981039346656037u;
+  for (size_t k = sizeof (header); k < n; k++)
+    sum = (sum ^ (unsigned char)state[k]) * 1099511628211u;
+  return sum;
+}
 
 static header
 header_of (const gsf_instance *a)
@@ -345,23 +357,45 @@ gsf_serialize (gsf_instance *a, const void *state, void *bytes, size_t n)
   if (! bytes || n < gsf_bytes (a))
     return gsf_fail (a, GSF_ERROR, "expected room for %lu bytes, found %lu",
                      (unsigned long)gsf_bytes (a), (unsigned long)n);
+  header h = header_of (a);
   memcpy (bytes, state, gsf_bytes (a));
+  h.sum = sum_of (bytes, gsf_bytes (a));
+  memcpy (bytes, &h, sizeof h);
   return GSF_OK;
+}
+
+/* are these the n bytes of a state of this FMU, as they were written? */
+static int
+is_whole (gsf_instance *a, const void *bytes, size_t n)
+{
+  header h, own = header_of (a);
+  if (n != gsf_bytes (a))
+    return ! gsf_fail (a, GSF_ERROR, "expected the %lu bytes of a state of this FMU and kind; "
+                       "found %lu", (unsigned long)gsf_bytes (a), (unsigned long)n);
+  memcpy (&h, bytes, sizeof h);
+  own.sum = h.sum;
+  if (memcmp (&h, &own, sizeof h) != 0)
+    return ! gsf_fail (a, GSF_ERROR, "expected the bytes of a state of this FMU and kind; found "
+                       "those of another, or damaged ones");
+  if (h.sum != sum_of (bytes, n))
+    return ! gsf_fail (a, GSF_ERROR, "the bytes of the state are damaged: their checksum does not "
+                       "fit");
+  return 1;
 }
 
 void *
 gsf_deserialize (gsf_instance *a, const void *bytes, size_t n, void *old)
 {
-  if (! bytes || n != gsf_bytes (a) || ! is_ours (a, bytes))
+  if (! is_whole (a, bytes, n))
+    return NULL;
+  char *b = old ? old : malloc (n);
+  if (! b)
     {
-      gsf_fail (a, GSF_ERROR, "expected the %lu bytes of a state of this FMU and kind; found %lu",
-                (unsigned long)gsf_bytes (a), (unsigned long)n);
+      gsf_fail (a, GSF_ERROR, "out of memory");
       return NULL;
     }
-  char *b = old ? old : malloc (n);
-  if (b)
-    memcpy (b, bytes, n);
-  else
-    gsf_fail (a, GSF_ERROR, "out of memory");
+  const header h = header_of (a);
+  memcpy (b, bytes, n);
+  memcpy (b, &h, sizeof h);
   return b;
 }

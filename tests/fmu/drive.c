@@ -193,6 +193,23 @@ threads (double end)
   told (good, "four instances in threads of their own give the same bits");
 }
 
+/* is each of n bytes of a state looked at, and does the log say what is wrong? */
+static int
+are_refused (void *c, char *bytes, size_t n)
+{
+  void *state = NULL;
+  int good = 1;
+  for (size_t k = 0; k < n; k += 7)
+    {
+      bytes[k] ^= 16;
+      good &= READ (c, bytes, n, &state) == ERROR && state == NULL && strstr (last, "damaged") != 0;
+      bytes[k] ^= 16;
+    }
+  good &= READ (c, bytes, n, &state) == 0;
+  DROP (c, &state);
+  return good;
+}
+
 /* two instances, one after the other and in turns, give the same bits; a saved state goes on as the
  * instance did */
 static void
@@ -219,6 +236,7 @@ cosimulation (double end)
   told (! bad && same (a, c), "a state that was serialized goes on as the instance did");
   told (READ (c, bytes, n - 1, &state) == ERROR && READ (c, bytes + 1, n, &state) == ERROR,
         "bytes that are no state are refused");
+  told (are_refused (c, bytes, n), "bytes of a state that are damaged are refused");
   DROP (b, &state);
   DROP (b, &copy);
   free (bytes);
