@@ -6,8 +6,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +37,32 @@ struct as_it_is : std::allocator<T>
   }
 };
 typedef std::vector<number, as_it_is<number>> unset_reals;
+
+// numbers that are zero at first: memory that nobody writes to is not touched
+template <typename T>
+class zeros
+{
+public:
+
+  explicit zeros (std::size_t n = 0)
+    : m_n (n), m_all (static_cast<T *> (std::calloc (n + 1, sizeof (T))), std::free)
+  {
+    if (! m_all)
+      throw std::bad_alloc ();
+  }
+
+  std::size_t size (void) const { return m_n; }
+  T *data (void) const { return m_all.get (); }
+  T *begin (void) const { return data (); }
+  T *end (void) const { return data () + m_n; }
+  T& operator[] (std::size_t k) const { return m_all.get ()[k]; }
+
+private:
+
+  std::size_t m_n;
+  std::unique_ptr<T, void (*) (void *)> m_all;
+};
+typedef zeros<number> zero_reals;
 
 // how often the next call is repeated to be timed (0: once, untimed), and the time of all
 static long the_repeats = 0;

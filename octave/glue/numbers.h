@@ -39,8 +39,9 @@ routine (const char *name)
   return fortran {r->sub};
 }
 
+template <typename list>
 static Matrix
-result (const reals& x, int rows, int cols = 1)
+result (const list& x, int rows, int cols = 1)
 {
   Matrix m (rows, cols);
   for (octave_idx_type i = 0; i < m.numel (); i++)

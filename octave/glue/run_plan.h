@@ -38,7 +38,7 @@ public:
   number *at (const double *place) { return &rp[place - &m_rp[0]]; }
 
   std::vector<int> ip;
-  reals rp;
+  zero_reals rp;   // the records of long runs with samples are most of it
 
 private:
 
@@ -49,13 +49,14 @@ private:
   gs_pieces pieces (const char *name);
   int whole (const char *name) { return m_given.contents (name).int_value (); }
   void read_scene (void);
+  void copy_but_samples (int instants);
 
   octave_scalar_map m_given;
   std::list<doubles> m_numbers;            // what m_scene and gs_plan point to
   std::list<std::vector<int>> m_wholes;
   gs_scene m_scene;
   int m_nx;
-  doubles m_rp;
+  zeros<double> m_rp;
   std::size_t m_record[2] = { 0, 0 };      // where in it the record of the events begins and ends
   std::size_t m_first, m_latest, m_times;  // ... where those of gs_events are, in RP and in IP
 };
@@ -187,6 +188,20 @@ run_plan::read_scene (void)
     }
 }
 
+// from M_RP to RP, but the record of the samples, in which nothing stands yet
+void
+run_plan::copy_but_samples (int instants)
+{
+  std::size_t first = m_rp.size (), behind = first;
+  if (S.nctl > 0)
+    {
+      first = samples ().record - &m_rp[0];
+      behind = first + std::size_t (instants) * (1 + S.nxk + S.nv);
+    }
+  std::copy_n (m_rp.begin (), first, rp.begin ());
+  std::copy (m_rp.begin () + behind, m_rp.end (), rp.begin () + behind);
+}
+
 run_plan::run_plan (const octave_scalar_map& given, int nx)
   : m_given (given), m_nx (nx)
 {
@@ -209,9 +224,10 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
   p.modes = wholes ("modes", S.nev);
   p.events = whole ("events");
   ip.assign (gs_wholes (&p), 0);
-  m_rp.assign (gs_reals (&p), 0.0);
+  m_rp = zeros<double> (gs_reals (&p));
   gs_lay (&p, &ip[0], &m_rp[0]);
-  rp.assign (m_rp.begin (), m_rp.end ());
+  rp = zero_reals (m_rp.size ());
+  copy_but_samples (p.instants);
   if (ip[GS_EVENTS] > 0)
     {
       const gs_events e = events ();

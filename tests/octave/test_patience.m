@@ -9,6 +9,7 @@ function test_patience ()
   axis = gsmbp_hand ("motor_pendulum");
   rand ("state", 5);
   by_time (axis);
+  with_room (gsmbp_fixture ("sampled_drive"));
   late = by_signal (axis, "dp853", {"input", 1, "maxstep", 1e-3});
   late(end+1) = by_signal (axis, "rk4", {"input", 1, "method", "rk4"});
   late(end+1) = by_signal (axis, "radau", {"input", 1, "method", "radau", "maxstep", 1e-3});
@@ -50,6 +51,16 @@ function by_time (m)
                any (strfind (gsmbp_complaint (@() gsmbp_simulate (m, m.initial, [0 1], ...
                                                                   "timeout", -1)), ...
                              "option timeout")));
+end
+
+## room for 6e7 records of samples, GBs of it, takes no time where a run does not come so far
+function with_room (m)
+  begun = tic ();
+  [r, info] = gsmbp_simulate (m, m.initial, [0 6e6], "timeout", 0.2, "maxstep", 1e-3);
+  spent = toc (begun);
+  gsmbp_check ("timeout: a run with room for many records", info == 10 && numel (r.t) == 1 ...
+               && ! isempty (r.samples.t) && r.samples.t(end) <= r.stats.reached);
+  gsmbp_check ("timeout: room that is not used takes no time", spent - 0.2, 1);
 end
 
 ## SIGINT to this session at a seeded instant of a run that would last for hours; how late it ended
