@@ -128,11 +128,11 @@ int gs_room (const gs_scene *s, int nx, int r);
 /* are the arguments within their ranges? info: as gssim */
 int gsarg (const gs_scene *s, const gs_run *run);
 
-/* workspace, state, partition and memory of a run; statistics are 0 */
 /* the next time at which inputs may jump or the scene switches, above 1e300: none; the last one */
 double gs_next_break (const gs_course *c);
 double gs_last_break (const gs_course *c);
 
+/* workspace, state, partition and memory of a run; statistics are 0 */
 void gsini (const gs_scene *s, gs_run *run, gs_course *c);
 
 /* the start: onto the constraints, what is due, a singular position. info as gssim: 0 or 3 */
