@@ -56,7 +56,9 @@ typedef struct
   const double *cst;  /* from <name>_pre */
   double *xout;       /* (ldx,nt): states at the output times */
   int ldx;            /* >= nx */
-  double *vout;       /* (ldv,nt): inputs there, from the left, but at t0 */
+  double *vout;       /* (ldv,nt): inputs there, from the left, but at t0; where the scene switches
+                         at t the outputs of the same side are those of <name>_out at
+                         gslft (t, -1), functions.h */
   int ldv;            /* >= max(1,nv) */
   int istat[20];      /* statistics, written */
   double rstat[20];
