@@ -158,7 +158,7 @@ on_constraints (gs_run *s, double t)
  * the method */
 
 /* the next way: to the stop or the next output time, in whole steps; not to one that is only just
- * behind an event, as where it is that of the event in another run: it lies within the first step */
+ * behind an event (that of the event in another run): it lies within the first step */
 static void
 next_way (gs_run *s)
 {

@@ -282,7 +282,8 @@ static int
 next_event (gs_run *s, place *p, int *found, int *flag)
 {
   p->t = p->end;
-  int taken = -1, info = gs_look (s, p->begin, &p->t, found, flag);
+  int taken = -1, told = s->by->dense && p->begin > p->from;
+  int info = gs_look (s, told, p->begin, &p->t, found, flag);
   if (info != 0 || *found == 0)
     return info;
   p->i = *found;

@@ -48,10 +48,11 @@ points (double *c, double *d)
 }
 
 /* S->nodes: the states between FROM and TO at the points of GSEVQ, bent so that value and slope at
- * the first are those of S->known: where an event has just been, its sign is decided there.  A
- * flag */
+ * the first are those of S->known: where an event has just been, its sign is decided there.  The
+ * value alone where S->known is one of them (TOLD): of such a state, again and again, slopes of
+ * what is stiff would go astray.  A flag */
 static int
-take_nodes (gs_run *s, double from, double to)
+take_nodes (gs_run *s, int told, double from, double to)
 {
   int n = s->r->nx, flag = 0;
   double c[GS_NODES], d[GS_NODES], h = to - from, *rate = s->work;
@@ -62,8 +63,8 @@ take_nodes (gs_run *s, double from, double to)
     return flag < 0 ? flag : GS_NO_RATES;
   for (int i = 0; i < n; i++)
     {
-      double value = s->known[i] - s->nodes[i], slope = h * rate[i];
-      for (int j = 0; j < GS_NODES; j++)
+      double value = s->known[i] - s->nodes[i], slope = told ? 0 : h * rate[i];
+      for (int j = 0; j < GS_NODES && ! told; j++)
         slope -= d[j] * (s->nodes[i + n * j] - s->nodes[i]);
       for (int j = 1; j < GS_NODES; j++)
         s->nodes[i + n * j]
@@ -190,11 +191,11 @@ search (gs_run *s, double from, double *to, int *found)
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
  * state there, S->event, on the polynomial; FOUND as GSEVN.  A flag of the method in *FLAG, INFO */
 int
-gs_look (gs_run *s, double from, double *to, int *found, int *flag)
+gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
 {
   const double end = *to;
   *found = 0;
-  if ((*flag = take_nodes (s, from, *to)) < 0)
+  if ((*flag = take_nodes (s, told, from, *to)) < 0)
     return FINISHED;
   int info = take_rising (s, from, end - from), which;
   remember (s);

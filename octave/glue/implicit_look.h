@@ -33,8 +33,9 @@ extern int gs_function (gs_run *s, int i, double t, const double *x, double *g);
 extern int gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d,
                       double *g, double *by);
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
-   state there, S->event, on the polynomial; FOUND as GSEVN.  A flag of the method in *FLAG, INFO */
-extern int gs_look (gs_run *s, double from, double *to, int *found, int *flag);
+   state there, S->event, on the polynomial; FOUND as GSEVN.  TOLD: S->known is a state of that
+   polynomial, where an event was only told.  A flag of the method in *FLAG, INFO */
+extern int gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag);
 /* the event functions as they were before it looked */
 extern void gs_recall (gs_run *s);
 /* the shortest step that may be made still shorter */

@@ -176,6 +176,7 @@ private:
   void join_events (int lane);
   void part_events (int lane);
   void events_at (int j, int n);
+  bool past_repeats (int lane);
   void look_for_events (void);
   void remember_quiet (void);
 
@@ -250,7 +251,7 @@ private:
   gsmbp_sub m_evt;
   int m_events;
   lane_array m_looks, m_g, m_g0, m_old, m_older, m_mark, m_noise, m_bend, m_allowed, m_apart;
-  lane_array m_needs, m_until;
+  lane_array m_needs, m_until, m_repeats;
   lane_array m_fn, m_z, m_loud;
   // and of their loops
   gsmbp_sub m_con, m_prj;

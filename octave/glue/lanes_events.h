@@ -63,6 +63,7 @@ lane_group::join_events (int lane)
                            ? std::max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]) : 1e300;
       m_needs(i, lane) = ! gs_is_own (&e, i);
       m_until(i, lane) = accumulate_from (e, i);
+      m_repeats(i, lane) = gs_is_own (&e, i) ? gs_repeats_until (&e, i) : -1e300;
     }
   m_looks(0, lane) = looks;
   if (! looks)
@@ -91,6 +92,17 @@ lane_group::events_at (int j, int n)
                    m_info, &m_width, &many);
 }
 
+// Does the step of a lane go past a time until which events of a function may repeat themselves?
+bool
+lane_group::past_repeats (int lane)
+{
+  const double end = m_tn(0, lane), begin = end - m_step(0, lane), fuzz = 1e-12 * std::fabs (end);
+  for (int i = 0; i < m_events; i++)
+    if (begin < m_repeats(i, lane) + fuzz && end > m_repeats(i, lane) - fuzz)
+      return true;
+  return false;
+}
+
 // which good steps have none; the other runs part
 void
 lane_group::look_for_events (void)
@@ -105,7 +117,7 @@ lane_group::look_for_events (void)
     m_stage_t(0, k) = m_at(0, k) < 0 ? gslft_ (&m_tn(0, k), &left) : m_tn(0, k);
   call_rates (m_xn.begin (), m_fn.begin ());
   for (int k = 0; k < lane_count; k++)
-    m_loud(0, k) = m_info[k] != 0;
+    m_loud(0, k) = m_info[k] != 0 || past_repeats (k);
   for (int j = 1; j <= 8; j++)
     {
       events_at (j, 5);

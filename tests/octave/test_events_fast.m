@@ -22,6 +22,8 @@ function test_events_fast ()
     gsmbp_check ([method{1} ": their times"], off, 1e-12);
   end
   ensemble (m);
+  spindle (methods_(! strcmp (methods_, "gauss")));
+  long (m, methods_(! ismember (methods_, {"rk4", "gauss"})));
 end
 
 ## when sin(3*w*t) rises above 1/2 up to T
@@ -37,4 +39,27 @@ function ensemble (m)
   many = accumarray (e.events.run(:), 1, [50, 1]);
   gsmbp_check ("an ensemble in lanes: all marks are told", ...
                e.lanes && isequal (many, arrayfun (@(w) numel (marks (w, 5)), w)));
+end
+
+## turns behind a motor, in steps of some seconds: half way between two of them sin(th) is 0 as well
+function spindle (methods_)
+  m = gsmbp_fixture ("user_spindle");
+  for method = methods_
+    e = gsmbp_ensemble (m, m.initial, [0 60], "parameters", struct ("J", [5e-4 1e-3 2e-3]), ...
+                        "method", method{1});
+    gsmbp_check ([method{1} ": all turns of a spindle are told"], all (e.ok) ...
+                 && isequal (e.counted.count, floor (e.final(:,1) / (2 * pi))));
+    r = gsmbp_simulate (m, m.initial, [0 60], "method", method{1});
+    gsmbp_check ([method{1} ": at whole turns"], ...
+                 max (abs (r.events.before(:,1)' ./ (2 * pi * (1:numel (r.events.t))) - 1)), 1e-12);
+  end
+end
+
+## a step of a free wheel might hold thousands of marks
+function long (m, methods_)
+  for method = methods_
+    e = gsmbp_ensemble (m, [0 20], [0 700], "parameters", struct ("J", 1), "method", method{1});
+    gsmbp_check ([method{1} ": all marks of a long run are told"], ...
+                 e.counted.count == numel (marks (20, 700)));
+  end
 end

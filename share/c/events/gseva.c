@@ -137,6 +137,8 @@ gseva (const gs_system *g, gs_step *e, int *quiet)
       if (p.fresh[i] != 0 || (p.mark[i] == 0 && ! gs_is_own (&p, i)))
         return 0;
     }
+  if (gsusn (&p, e->t, e->h) > 8)
+    return 0;
   int info = apart (g, e, &p);
   if (info == 0)
     *quiet = clear (g, e, &p, &info);

@@ -7,8 +7,9 @@
  * of GSPSG), not evenly spaced
  * (what repeats itself would hide between them), tell whether an event function falls to 0, and up
  * to 2048 where it has a lowest value that they do not resolve (ports that stick let steps grow,
- * whatever the inputs do); its zero by the method of Illinois. The part before it is looked at
- * again in the same way: there may be an earlier one. Where a function of the user has just had its
+ * whatever the inputs do), or its last events say so (GSUSN: where these are too few the step is
+ * too long); its zero by the method of Illinois. The part before it is looked at again in the same
+ * way: there may be an earlier one. Where a function of the user has just had its
  * event more points are closer and closer to the beginning of the step.
  * From there on the step itself is made as long as it must be, by the secant method, so that the
  * state at the event is as accurate as any other. */
@@ -125,6 +126,7 @@ typedef struct
   int first;   /* its function, 0: none */
   double thf;  /* and where it is on the polynomial of the step */
   int ns;      /* in how many points */
+  int many;    /* ... at least, all in all, see gsusn */
   int more;    /* 1 where these were more than those of other steps */
   int fast;    /* 1 where a function is too fast for any, and the step may be made shorter */
 } search;
@@ -135,7 +137,7 @@ otherwise (const gs_system *g, search *l, int i)
 {
   if (l->more)
     by_its_end (g, i);
-  l->ns = l->more ? 8 : 512;
+  l->ns = l->more ? l->many : l->many > 512 ? l->many : 512;
   l->more = 1;
 }
 
@@ -168,7 +170,7 @@ first_event (const gs_system *g, gs_step *e, search *l)
       l->first = so ? found : 0;
       l->thf = so ? th : 2.0;
       be = so ? th * (1.0 - 1e-9) : 1.0;
-      l->ns = 8;
+      l->ns = (int) gs_max (8.0, be * l->many);
       if (! so)
         otherwise (g, l, found);
     }
@@ -261,7 +263,7 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   const gs_events a = plan (g);
   const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
   const double largest = g->rstat[GS_H_LARGEST];
-  search l = { .is_long = is_long && e->h > 1e-2 * largest && largest > 0.0, .ns = 8 };
+  search l = { .is_long = is_long && e->h > 1e-2 * largest && largest > 0.0 };
   int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
   for (int i = 0; i < a.ne; i++)
@@ -272,6 +274,13 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   if (*found < 0)
     return info;
   again = ! quiet;
+  l.many = gsusn (&a, e->t, e->h);
+  if (info == 0 && again && l.many > 2048 && is_long)
+    {
+      *found = -1;
+      return 0;
+    }
+  l.ns = l.many = l.many < 2048 ? l.many : 2048;
   while (info == 0 && again)
     {
       again = 0;

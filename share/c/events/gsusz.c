@@ -1,4 +1,4 @@
-/* GSUSB, GSUSA, GSUSZ, GSUSF: what is remembered of events of the user, and whether they
+/* GSUSB, GSUSA, GSUSN, GSUSZ, GSUSF: what is remembered of events of the user, and whether they
  * accumulate. */
 #include <math.h>
 #include <string.h>
@@ -73,6 +73,20 @@ drowned (const gs_system *s, const gs_events *a, int i, double h, double end, do
     return 0;
   return gsusf (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
                 5e-6 * gs_max (h, s->rstat[GS_H_LARGEST]));
+}
+
+int
+gsusn (const gs_events *a, double t, double h)
+{
+  const double shortest = 1e-9 * gs_max (fabs (t), fabs (t + h));
+  double most = 8.0;
+  for (int i = 0; i < a->ne; i++)
+    {
+      const double d = gs_interval (a, i);
+      if (d > shortest && t < gs_repeats_until (a, i) && t + h > gs_repeats_until (a, i))
+        most = gs_max (most, gs_min (8.0 * h, 1e6 * d) / d);
+    }
+  return (int) most;
 }
 
 int

@@ -4,6 +4,8 @@
 #ifndef GSMBP_EVENTS_H
 #define GSMBP_EVENTS_H
 
+#include <math.h>
+
 #include "gsmbp/inputs.h"
 #include "gsmbp/system.h"
 
@@ -151,20 +153,38 @@ gs_risen (const gs_events *a, int i, double g)
 }
 
 /* From when on events of function i (from 0), of the user, accumulate if it does not rise above 0
- * again. Where its last four events lie within 1e-9 of the time since then; where three intervals
- * between them fell one after the other, and the last event has changed states, after twice the
- * last interval (bounces that drown in rounding errors). Those that only report do not. */
+ * again. Where its last four events lie within 1e-9 of the time since then. Where the last event
+ * has changed states and three intervals between them fell one after the other, after twice the
+ * last one; where all three are within 1e-8 of the time, whatever their order, after ten times as
+ * long (bounces that drown in rounding errors). Those that only report do not. */
 static inline double
 gs_accumulates_from (const gs_events *a, int i)
 {
   const double *told = gs_told (a, i), *t = told + GS_TOLD_TIMES;
   if (a->times[i] < 4 || gs_reports (a, i))
     return 1e300;
-  const double from = t[0] + 1e9 * (t[0] - t[3]), soon = t[0] + 2.0 * (t[0] - t[1]);
-  return told[GS_TOLD_CHANGED] > 0.0 && t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3]
-             && soon < from
-           ? soon
-           : from;
+  const double all = t[0] - t[3];
+  double from = t[0] + 1e9 * all;
+  if (! (told[GS_TOLD_CHANGED] > 0.0))
+    return from;
+  if (t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3])
+    from = fmin (from, t[0] + 2.0 * (t[0] - t[1]));
+  return all < 1e-8 * fabs (t[0]) ? fmin (from, t[0] + 10.0 * all) : from;
+}
+
+/* The mean interval of the last four events of function i (from 0), of the user; 0: there are not
+ * so many. A step that goes past four of them behind the last event may hold more than it seems. */
+static inline double
+gs_interval (const gs_events *a, int i)
+{
+  const double *t = gs_told (a, i) + GS_TOLD_TIMES;
+  return gs_is_own (a, i) && a->times[i] >= 4 ? (t[0] - t[3]) / 3.0 : 0.0;
+}
+
+static inline double
+gs_repeats_until (const gs_events *a, int i)
+{
+  return gs_told (a, i)[GS_TOLD_TIMES] + 4.0 * gs_interval (a, i);
 }
 
 /* a step in which gsevn looks for events */
@@ -280,6 +300,10 @@ int gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d)
 
 /* After a step of the length h from t, without an event or up to that of function but: do events of
  * the user accumulate? g (ne): their functions at the end. 10, and istat says so, or 0. */
+/* in how many points event functions must be looked at in a step from t to t + h: 8, where it goes
+   past gs_repeats_until 8 for each interval that it may hold; intervals of 1e-9 of the time are
+   those of events that accumulate */
+int gsusn (const gs_events *a, double t, double h);
 int gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:

@@ -93,8 +93,9 @@ gsrks (gs_course *c)
   double ta = c->t, hr = c->g.ropt[0];
   for (int n = 1; n > 0;)
     {
-      n = gs_most (1, (int)((c->tb - ta) / hr * (1.0 - 1e-9)) + 1);
-      const double h = (c->tb - ta) / n;
+      const double many = (c->tb - ta) / hr * (1.0 - 1e-9);
+      n = gs_most (1, (int) gs_min (many, 2e9) + 1);
+      const double h = many > 2e9 ? hr : (c->tb - ta) / n;   /* the first alone, then longer ones */
       rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
       rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
       int info = equal_steps (c, &ta, &hr, h, &n);

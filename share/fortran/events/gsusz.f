@@ -88,10 +88,11 @@ C     R       (input) DOUBLE PRECISION array, dimension (5), what is
 C             remembered of it (GSUSI), of four events at least.
 C
 C     METHOD
-C     Where its last four events lie within 1D-9 of the time since then;
-C     where three intervals between them fell one after the other, and
-C     the last event has changed states, after twice the last interval
-C     (bounces that drown in rounding errors).
+C     Where its last four events lie within 1D-9 of the time since then.
+C     Where the last event has changed states and three intervals
+C     between them fell one after the other, after twice the last one;
+C     where all three are within 1D-8 of the time, whatever their order,
+C     after ten times as long (bounces that drown in rounding errors).
 C
       IMPLICIT NONE
       DOUBLE PRECISION   R(5)
@@ -100,6 +101,8 @@ C
       IF ( R(5).GT.0.0D0 .AND. R(1) - R(2).LT.R(2) - R(3) .AND.
      $     R(2) - R(3).LT.R(3) - R(4) )
      $   GSUST = MIN( GSUST, R(1) + 2.0D0*( R(1) - R(2) ) )
+      IF ( R(5).GT.0.0D0 .AND. R(1) - R(4).LT.1.0D-8*ABS( R(1) ) )
+     $   GSUST = MIN( GSUST, R(1) + 10.0D0*( R(1) - R(4) ) )
       END
       INTEGER FUNCTION GSUSN( T, H, NX, IE, RE )
 C
@@ -107,24 +110,26 @@ C     PURPOSE
 C     In how many points event functions of the user must be looked at
 C     in a step from T to T + H: 8; where it goes past four intervals of
 C     the last events of a function 8 for each that it may hold.  What
-C     repeats itself may else look as if it were slow.
+C     repeats itself may else look as if it were slow.  Intervals of
+C     1D-9 of the time are those of events that accumulate.
 C
       IMPLICIT NONE
       INTEGER            NX, IE(*)
       DOUBLE PRECISION   T, H, RE(*)
       INTEGER            NE, I, J, JC, GSUSI
-      DOUBLE PRECISION   D, SOON, MOST
+      DOUBLE PRECISION   D, SOON, MOST, LEAST
       EXTERNAL           GSUSI
 C
       NE = IE(1)
       JC = 10 + 6*NE + 3*IE(10)
       MOST = 8.0D0
+      LEAST = 1.0D-9*MAX( ABS( T ), ABS( T + H ) )
       DO 10 I = 1, NE
          IF ( IE(10+2*NE+I).LT.3 .OR. IE(JC+I).LT.4 ) GO TO 10
          J = GSUSI( I, NX, IE )
          D = ( RE(J+1) - RE(J+4) )/3.0D0
          SOON = RE(J+1) + 4.0D0*D
-         IF ( T.LT.SOON .AND. T + H.GT.SOON )
+         IF ( D.GT.LEAST .AND. T.LT.SOON .AND. T + H.GT.SOON )
      $      MOST = MAX( MOST, MIN( 8.0D0*H, 1.0D6*D )/D )
    10 CONTINUE
       GSUSN = INT( MOST )

@@ -71,14 +71,16 @@ C
 C
 C     PURPOSE
 C     N equal steps H, no longer than HR, from TA to the stop TB of
-C     GSRKS.
+C     GSRKS; of very many the first is HR: behind it steps are longer.
 C
       IMPLICIT NONE
       INTEGER            N
-      DOUBLE PRECISION   TA, TB, HR, H, RSTAT(*)
+      DOUBLE PRECISION   TA, TB, HR, H, MANY, RSTAT(*)
 C
-      N = MAX( 1, INT( ( TB - TA )/HR*( 1.0D0 - 1.0D-9 ) ) + 1 )
+      MANY = ( TB - TA )/HR*( 1.0D0 - 1.0D-9 )
+      N = MAX( 1, INT( MIN( MANY, 2.0D9 ) ) + 1 )
       H = ( TB - TA )/DBLE( N )
+      IF ( MANY.GT.2.0D9 ) H = HR
       RSTAT(6) = MIN( RSTAT(6), H )
       RSTAT(7) = MAX( RSTAT(7), H )
       END
