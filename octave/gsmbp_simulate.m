@@ -157,6 +157,7 @@
 ## @item "breaks"
 ## further times at which an input jumps.  At these, at the breaks of all
 ## piecewise polynomials and where the scene switches the integration stops and starts again.
+## A function is called just before and just behind each, never in the jump itself.
 ## @end table
 ##
 ## Sampled devices (digital controllers, encoders) act within the compiled run: the

@@ -10,10 +10,23 @@
 // Only while a run lasts do these point to something: a static octave_value
 // would be destroyed after the interpreter.
 static const octave_value *the_input = nullptr;
+static const reals *the_breaks = nullptr;
 static std::exception_ptr *the_failure = nullptr;
 
+// the time at which such a function has the limit of a side: beside a break one just before or
+// behind it, whatever the function has in the jump itself
+static double
+beside_a_break (double t, int side)
+{
+  if (! the_breaks || std::none_of (the_breaks->begin (), the_breaks->end (),
+                                    [t] (number at) { return double (at) == t; }))
+    return t;
+  const double apart = std::max (2 * DBL_EPSILON * std::abs (t), 1e-300);
+  return side < 0 ? t - apart : t + apart;
+}
+
 extern "C" void
-gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
+gsmbp_call_input (const number *t, const int *side, const number *x, const int *nx,
                   const int *nv, const int *, const number *, const number *,
                   number *v, int *info)
 {
@@ -26,7 +39,8 @@ gsmbp_call_input (const number *t, const int *, const number *x, const int *nx,
       Matrix state (*nx, 1);
       for (int i = 0; i < *nx; i++)
         state.xelem (i) = double (x[i]);
-      octave_value_list r = octave::feval (*the_input, ovl (double (*t), state), 1);
+      const double time = beside_a_break (double (*t), *side);
+      octave_value_list r = octave::feval (*the_input, ovl (time, state), 1);
       octave_value_list only;
       if (r.length () > 0)
         only.append (r(0));

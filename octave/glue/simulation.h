@@ -362,6 +362,9 @@ do_sim (arguments& a, int)
   simulation run (a);
   std::exception_ptr failure;
   the_input = &run.input;
+  reals jumps = run.tbrk;
+  jumps.insert (jumps.end (), run.breaks.begin (), run.breaks.end ());
+  the_breaks = &jumps;
   the_failure = &failure;
   the_columns = run.columns.get ();
   {

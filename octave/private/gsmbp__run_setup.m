@@ -27,6 +27,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
   [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);
   breaks = unique ([breaks, double(o.breaks(:)')]);
+  ends = breaks(breaks == t0 | breaks == times(end));   # of them only a function of Octave is told
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
   if (! any (strcmp (p.method, {"dp853", "rk4"})))
@@ -36,9 +37,12 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   if (d.nq == d.nu)
     guess = p.x0(1:d.nq);
   endif
-  p.arguments = {m.cst, t0, p.x0, p.carried.columns, times, breaks, ...
-                 [numel(times), numel(breaks)], iopt, p.ropt, p.atol, plan, guess, callback, ...
-                 library, [order, index2, m.internal'], o.timeout};
+  counts = [numel(times), numel(breaks)];
+  if (is_function_handle (callback))
+    breaks = [breaks, ends];
+  endif
+  p.arguments = {m.cst, t0, p.x0, p.carried.columns, times, breaks, counts, iopt, p.ropt, ...
+                 p.atol, plan, guess, callback, library, [order, index2, m.internal'], o.timeout};
   [p.m, p.o] = deal (m, o);
 endfunction
 

@@ -118,9 +118,31 @@ function jumps (m, q)
   end
   gsmbp_check (sprintf ("RK4 with jumps of the input: order %.2f, less 4", log2 (e(1) / e(2))), ...
                log2 (e(1) / e(2)) - 4, 0.3);
+  by_functions (m, x0, wave);
   r = gsmbp_simulate (m, x0, [0, 0.131, 1], "input", wave, "rtol", 1e-12);
   gsmbp_check ("DOP853 with jumps of the input", r.x(3,:) - exact, 1e-11);
   gsmbp_check ("inputs are recorded from the left at a jump", r.v' - [5, 5, 0], 0);
+end
+
+## the same by functions that have in the jump itself the value before it or behind it, where
+## "breaks" tells the jumps: those in the run, and those where it begins and ends
+function by_functions (m, x0, wave)
+  at = wave.breaks(2:4);
+  behind = @(t, x) 5 - 10 * (t >= at(1)) + 10 * (t >= at(2)) - 5 * (t >= at(3));
+  before = @(t, x) 5 - 10 * (t > at(1)) + 10 * (t > at(2)) - 5 * (t > at(3));
+  run = @(v, x, t, varargin) gsmbp_simulate (m, x, t, "input", v, varargin{:});
+  for w = {{"method", "rk4", "step", 1e-3}, {"rtol", 1e-12}, {"method", "radau"}}
+    told = [w{1}, {"breaks", at}];
+    r = run (wave, x0, [0, at, 1], told{:});
+    for f = {behind, before}
+      s = run (f{1}, x0, [0, at, 1], told{:});
+      gsmbp_check ([w{1}{2} ": a function that jumps is a table that jumps"], s.x - r.x, 1e-9);
+      gsmbp_check ("... and is recorded from the left there", s.v - r.v, 0);
+      s = run (f{1}, x0, [0, at(1)], told{:});
+      s = run (f{1}, s.x(2,:), at(1:2), told{:});
+      gsmbp_check ("... in runs from jump to jump too", s.x(2,:) - r.x(3,:), 1e-9);
+    end
+  end
 end
 
 function kinds_of_input (m)
