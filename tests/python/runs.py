@@ -166,6 +166,12 @@ def crank():
           1e-7)
     close('crank: a function', m.simulate(m.initial, [0, 0.5], input=lambda t, x: 12).x[:, -1],
           r.x[:, -1], 1e-12)
+    jump = [slider_crank.table_of([0, 0.13, 0.25], [12, -3, -3], 0),
+            lambda t, x: 12 - 15 * (t > 0.13), lambda t, x: 12 - 15 * (t >= 0.13)]
+    jump = [m.simulate(m.initial, [0, 0.13, 0.25], input=f, breaks=[0.13], method='rk4', step=1e-3)
+            for f in jump]
+    close('crank: functions that jump, as a table', [r.x for r in jump], jump[0].x, 1e-12)
+    close('crank: ... from the left', [r.v for r in jump], jump[0].v, 0)
     move = slider_crank.plan('septic', [0, math.pi], [0, 1])
     i = m.inverse(move, np.linspace(0, 1, 9))
     p = m.simulate(i.x[:, 0], np.linspace(0, 1, 9), motion=move, rtol=1e-11)

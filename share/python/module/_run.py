@@ -232,7 +232,7 @@ class _Plan:
     def __init__(self, who, model, nx):
         self.who, self.model = who, model
         self.given = _Given(s=SCENE, nx=nx, derivatives=TABLE['command_order'])
-        self.held, self.breaks = {}, []
+        self.held, self.breaks, self.jumps = {}, [], frozenset()
         self.callback, self.ends = None, Ends()
 
     def put(self, name, numbers, kind=float):
@@ -294,6 +294,13 @@ class _Plan:
         whole[free] = poly.coefficients
         return Piecewise(poly.breaks, whole)
 
+    def beside(self, t, side):
+        """Where a function has the limit of a side: just before a jump, or behind it."""
+        if t not in self.jumps:
+            return t
+        apart = max(2 * np.finfo(float).eps * abs(t), 1e-300)
+        return t - apart if side < 0 else t + apart
+
     def called(self, function, free):
         def inputs(t, x, nx, v, nv):
             found = np.atleast_1d(np.asarray(
@@ -302,7 +309,7 @@ class _Plan:
                 self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
 
         def vin(t, side, x, nx, nv, data, v):
-            return self.ends.call(inputs, t, x, nx, v, nv)
+            return self.ends.call(inputs, self.beside(t, side), x, nx, v, nv)
         return VIN(vin)
 
     def feedback(self, gain, reference, limits):
@@ -426,7 +433,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     input: nv constants (without those of sampled devices and modes if you like), a Piecewise (plan,
     table_of, a PPoly of SciPy) or a function v = f(t, x); motion: a planned motion instead.
     gain (nv, nx), reference (nx,): state feedback on top, limits: what the inputs may be.
-    breaks: further times at which inputs jump [s].
+    breaks: further times at which inputs jump [s]; a function is called beside them, on both sides.
     memory: of the sampled devices; samples: whether their instants are recorded; modes: of the
     ports that stick or hit stops.
     audit: an energy usual in the scene [J]; the result then has audit, the balance at the times.
@@ -460,8 +467,8 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     p.feedback(gain, reference, limits)
     p.samples(times, memory, bool(samples))
     p.events(modes)
-    stops = _breaks(who, breaks)
-    stops = sorted({float(b) for b in [*p.breaks, *stops] if times[0] < b < times[-1]})
+    p.jumps = frozenset(float(b) for b in [*p.breaks, *_breaks(who, breaks)])
+    stops = sorted(b for b in p.jumps if times[0] < b < times[-1])
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.ends.failure is not None:
         raise p.ends.failure
