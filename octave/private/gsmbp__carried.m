@@ -126,13 +126,17 @@ function S = on_constraints (who, m, o, t, x, S, columns)
             "the rates of its coordinates"], who);
   endif
   names = cellstr (o.fixed);
+  what = "option fixed (default: the actuated coordinates)";
   if (isempty (o.fixed))
     names = m.coordinates(m.actuated);
+    if (isempty (names))
+      what = sprintf ("option fixed (no coordinate of %s is actuated: give those that keep %s)", ...
+                      m.name, "their place at the start");
+    endif
   endif
   q = 1:d.nq;
   u = d.nq + (1:d.nu);
-  [~, ~, k] = gsmbp__independent (who, "option fixed (default: the actuated coordinates)", m, t, ...
-                                  x(q), x(u), names);
+  [~, ~, k] = gsmbp__independent (who, what, m, t, x(q), x(u), names);
   rest = setdiff (q, k);
   [DP, DV] = m.tan (t, x);
   [PP, PV] = m.cop (t, x);

@@ -29,9 +29,10 @@ function [T, c, k] = gsmbp__independent (who, what, m, t, q, u, names)
     bad = numel (k) != freedoms || sum (d > 1e-10 * max (s)) < numel (rest);
   endif
   if (bad)
+    found = strjoin (cellstr (names)(:)', ", ");
+    found = {found, "none"}{1 + isempty(found)};
     error (["%s: %s: expected %d of the coordinates, from which the motion of the others " ...
-            "follows here; found %s"], who, what, freedoms, ...
-           strjoin (cellstr (names)(:)', ", "));
+            "follows here; found %s"], who, what, freedoms, found);
   endif
   if (! isempty (rest))
     T(rest,:) = -H(:,rest) \ H(:,k);

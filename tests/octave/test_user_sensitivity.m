@@ -8,6 +8,7 @@ function test_user_sensitivity ()
   planned ();
   kick ();
   pair ();
+  none_actuated ();
   left_open ();
   grazing ();
   refused ();
@@ -134,6 +135,18 @@ function compare (what, m, start, t, names, given, fixed, tolerance)
   end
   gsmbp_check (sprintf ("%s, %d events: as by differences", what, numel (r.events.t)), off, ...
                tolerance);
+end
+
+## loops without a motor: which coordinates keep their place at the start is to be said
+function none_actuated ()
+  m = gsmbp_fixture ("sensitivity_kick");
+  x = gsmbp_assemble (m, [0.5 -0.6 0.38 3 0 0]', "hold", "phi");
+  m.actuated = zeros (0, 1);   # as where a torque takes the place of the motor
+  said = gsmbp_complaint (@() gsmbp_simulate (m, x, [0 0.1], "input", 3, "sensitivity", "m"));
+  gsmbp_check (["no coordinate is actuated: " said], ...
+               any (strfind (said, "(no coordinate of sensitivity_kick is actuated: give")) ...
+               && any (strfind (said, "expected 1 of the coordinates, from which")) ...
+               && any (regexp (said, "found none$")));
 end
 
 ## a place of a crank that is set alone: the speeds are the projection's choice
