@@ -219,6 +219,19 @@ endfunction
 %!   delete (file);
 %!   delete ([file(1:end-3) "csv"]);
 %! end_unwind_protect
+%!test <wide letters of a legend have their room>
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! file = [tempname() ".svg"];
+%! tidy = onCleanup (@() cellfun (@delete, {file, [file(1:end-3) "csv"]}));
+%! apart = [];
+%! for names = {{"MWM8", "MWM9"}, {"abc8", "abc9"}}
+%!   gsmbp_plot (file, [0 1], struct ("y", eye (2), "names", names, "label", "y"));
+%!   at = regexp (fileread (file), 'translate\(([\d.]+),[^>]*>\s*<text>\w{3}[89]<', "tokens");
+%!   apart(end+1) = diff (str2double ([at{:}]));
+%! endfor
+%! assert (apart(1) > apart(2) + 10);   # pixels
 %!error <must end in .png, .pdf, .svg or .eps> gsmbp_plot ("a.gif", 1, struct ())
 %!error <panel 1: expected 2 rows, found 1>
 %! gsmbp_plot ("a.png", [1 2], struct ("y", 1, "names", {{"a"}}, "label", "b"))

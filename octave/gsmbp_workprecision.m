@@ -29,7 +29,8 @@
 ## @code{w(1).reference} holds the rows of the truth.  @var{best}, a struct array, names for each
 ## power of ten of the error that was reached the fastest measurement that keeps to it:
 ## @code{below} (that power), @code{method}, @code{step}, @code{seconds}, @code{error}; the printed
-## table ends with it.
+## table ends with it.  An error beyond the largest number of the truth (rk4 in steps that are not
+## stable, say) is an error of everything: such a measurement is the best of none, and not drawn.
 ##
 ## @c session octave
 ## @example
@@ -71,12 +72,13 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
   endfor
   tell_once (m, stats);
   w(1).reference = truth.x;
-  best = best_of (w);
+  useful = w([w.error] <= largest (m, truth));
+  best = best_of (useful);
   if (o.print)
     show (m, w, best, span, times(1));
   endif
   if (! isempty (o.file))
-    figure_of (o.file, m, w);
+    figure_of (o.file, m, {useful, w}{1 + isempty(useful)});
   endif
 endfunction
 
@@ -257,6 +259,15 @@ function n = last_measured (m)
   endif
 endfunction
 
+## the largest of what is measured; where all of it is 0, its usual size
+function most = largest (m, truth)
+  n = last_measured (m);
+  most = max (abs (truth.x(:,1:n)(:)));
+  if (most == 0)
+    most = max (m.nominal(1:n));
+  endif
+endfunction
+
 ## the options, with radau and the loops in index 2
 function options = in_index2 (rest)
   other = reshape (rest, 2, []);
@@ -268,7 +279,7 @@ endfunction
 function best = best_of (w)
   best = struct ("below", {}, "method", {}, "step", {}, "seconds", {}, "error", {});
   reached = [w.error];
-  powers = ceil (log10 (max (reached(isfinite (reached)), 1e-17)));
+  powers = ceil (log10 (max (reached, 1e-17)));
   for power = sort (unique (powers), "descend")
     fit = find (reached <= 10 ^ power);
     [~, k] = min ([w(fit).seconds]);

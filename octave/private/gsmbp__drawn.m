@@ -90,7 +90,7 @@ endfunction
 function rows = key_rows (p, width, em)
   rows = 0;
   if (numel (p.names) > 1 || isempty (strfind (p.label, p.names{1})))
-    entry = max (cellfun (@numel, p.names)) * em * 1.15 + 1.6;
+    entry = (max (cellfun (@numel, p.names)) + wider (p.names)) * em * 1.15 + 1.6;
     across = max (1, min (numel (p.names), floor ((width - 2.6) / entry)));
     rows = ceil (numel (p.names) / across);
   endif
@@ -100,8 +100,15 @@ function text = key_of (p, rows, size)
   text = "unset key";
   if (rows > 0)
     text = sprintf (["set key at graph 0.5,1.02 center bottom horizontal Left reverse " ...
-                     "noenhanced samplen 4 spacing 1.1 maxrows %d"], rows);
+                     "noenhanced samplen 4 spacing 1.1 maxrows %d width %.2g"], rows, ...
+                    wider (p.names));
   endif
+endfunction
+
+## by how many letters the names are longer than gnuplot takes them to be, where these are wide
+function n = wider (names)
+  by = @(name) 0.45 * sum (isupper (name)) + 0.4 * sum (any (name == "MWmw@%"', 1));
+  n = max (cellfun (by, names));
 endfunction
 
 ## each curve thinner than the one before, and with more gaps, so that both are seen where they meet

@@ -20,6 +20,26 @@ function test_workprecision ()
   gsmbp_check ("and are told as theirs", any (strfind (said, "error of states below")));
   refused (gsmbp_hand ("motor_pendulum"));
   once (gsmbp_hand ("motor_pendulum"));
+  far_off (gsmbp_hand ("motor_pendulum"));
+end
+
+## steps that are not stable: measured and told, but the best of nothing and not drawn
+function far_off (m)
+  m = gsmbp_set (m, "L_a", 1e-4);
+  warning ("off", "gsmbp:stiff", "local");
+  file = [tempname() ".svg"];
+  tidy = onCleanup (@() cellfun (@(e) unlink (strrep (file, ".svg", e)), {".svg", ".csv"}));
+  [w, best] = gsmbp_workprecision (m, [0.2 0 0], [0 0.02 0.04], "input", 3, "rk4", [2e-3, 1e-4], ...
+                                   "dp853", 1e-6, "seconds", 0, "print", false, "file", file);
+  gsmbp_check (sprintf ("far off by %.1e", w(1).error), w(1).error > 1e3 && isfinite (w(1).error));
+  gsmbp_check ("it is the best of nothing", ! isempty (best) && all ([best.below] < 1) ...
+                                            && all ([best.error] < 0.1));
+  table = csvread (strrep (file, ".svg", ".csv"), 1, 0);
+  gsmbp_check ("it is not drawn", rows (table) == 2 && all (table(:,2:end)(:) < 0.1 ...
+                                                            | isnan (table(:,2:end)(:))));
+  [~, best] = gsmbp_workprecision (m, [0.2 0 0], [0 0.04], "input", 3, "rk4", 2e-3, "seconds", ...
+                                   0, "dp853", [], "print", false);
+  gsmbp_check ("nothing is the best where all are far off", isempty (best));
 end
 
 ## before anything is measured, in the name of the function
