@@ -57,7 +57,7 @@
 ## @item ok, reason, reached
 ## for each run: whether it came to its end, if not why, and the time that it
 ## reached [s]; one that an event of its scene has ended is at its end, and its state stays there
-## Where all failed a warning (@code{gsmbp:failed}) says why the first did
+## Where half or more failed a warning (@code{gsmbp:failed}) says how many and why the first did
 ## @item calls, accepted, rejected
 ## for each run: calls of the right-hand side, steps
 ## @item parameters
@@ -123,7 +123,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   e.cut = info(1,:)' == 9 | info(1,:)' == 10;
   e.stopped = gsmbp__stopped (who, m, max ([0, info(1,e.cut)]), done, true);
   if (! any (e.cut))
-    gsmbp__all_failed (who, m, e.ok, e.reason);
+    gsmbp__most_failed (who, m, e.ok, e.reason);
   endif
   [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
 endfunction

@@ -120,8 +120,8 @@
 ## @end example
 ##
 ## A warning (@code{gsmbp:sign}) tells of lengths, masses, inertias that are above 0 in the
-## model and below in samples; another (@code{gsmbp:failed}) that all runs failed, and why the first
-## did.
+## model and below in samples; another (@code{gsmbp:failed}) that half of the runs or more failed,
+## how many, and why the first did: statistics are of the others.
 ##
 ## Errors: as @code{gsmbp_ensemble}, before anything is on the disk; a distribution or a word that
 ## is none; more than 20 parameters in a plan of Sobol points, fewer than 63 samples for indices; a
@@ -170,7 +170,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   [w, out] = gsmbp__sweep_statistics (w, table, r.values, o);
   if (isempty (w.stopped))
-    gsmbp__all_failed (who, m, w.ok, w.reason);
+    gsmbp__most_failed (who, m, w.ok, w.reason);
     told_of_left_out (who, m, o.runs, {plain.what}, out);
   endif
   w.yield = yield (w, o.demand, r.made);

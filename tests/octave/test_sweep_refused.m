@@ -190,9 +190,15 @@ function failures (m)
                  ["sweep_ishigami: all %d runs failed, run 1: link sledge: mass must not be " ...
                   "negative"], runs))));
   end
-  lastwarn ("");
-  gsmbp_ensemble (m, [1; 0], [0, 0.1], "parameters", struct ("m", [-1, 2]));
-  gsmbp_check ("one of two", isempty (lastwarn ()));
+  for n = 2:3
+    lastwarn ("");
+    gsmbp_ensemble (m, [1; 0], [0, 0.1], "parameters", struct ("m", [2, -1, 2](1:n)));
+    [text, id] = lastwarn ();
+    wanted = {["gsmbp_ensemble: sweep_ishigami: 1 of 2 runs failed, the first of them run 2: " ...
+               "link sledge: mass must not be negative; found: m = -1"], ""}{n-1};
+    gsmbp_check (sprintf ("one of %d: %s", n, text), strcmp (text, wanted) ...
+                                                     && strcmp (id, {"gsmbp:failed", ""}{n-1}));
+  end
   for kind = {"scatter", "tornado", "indices"}
     told ("no figure of them", @() gsmbp_sweep_plot ("a.png", w, kind{1}), ...
           "gsmbp_sweep_plot: expected a run that came to its end and has final ishigami");
