@@ -86,9 +86,10 @@
 ## independent ones before every call, positions are moved onto the
 ## constraints after every step
 ## @item "index2"
-## methods radau and auto: loops in index 2.  At the stages of a step speeds are on the constraints
-## instead of accelerations, with multipliers of their own; the end is moved onto the constraints.
-## Mostly as accurate as "projection" in as many steps, which take half as long again and more
+## methods radau and auto in scenes with loops: these in index 2.  At the stages of a step speeds
+## are on the constraints instead of accelerations, with multipliers of their own; the end is moved
+## onto the constraints.  Mostly as accurate as "projection" in as many steps, which take half as
+## long again and more
 ## @end table
 ##
 ## @table @code

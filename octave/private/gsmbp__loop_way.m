@@ -27,7 +27,7 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
   index2 = way == 7;
   if (index2)
     check_index2 (who, o, m);
-    [way, index2] = deal (2, d.nlam > 0);
+    way = 2;
   endif
   if (d.nlam == 0 && isempty (o.projection))
     way = 1 + (way > 1 && euler);   # nothing but Euler parameters to look after
@@ -53,12 +53,15 @@ endfunction
 
 ## what index 2 needs
 function check_index2 (who, o, m)
-  if (! any (strcmp (o.method, {"radau", "auto"})))
+  if (m.sizes.nlam == 0)
+    error (["%s: option loops: %s has no loops; expected another way of them, or none, found " ...
+            "\"index2\""], who, m.name);
+  elseif (! any (strcmp (o.method, {"radau", "auto"})))
     error (["%s: the way \"index2\" of the loops is for method \"radau\" (or \"auto\"), " ...
             "found method %s"], who, gsmbp__shown (o.method));
   endif
   for name = {"mas", "con", "tan"}
-    if (m.sizes.nlam > 0 && ! any (strcmp (m.subroutines, name{1})))
+    if (! any (strcmp (m.subroutines, name{1})))
       error (["%s: the way \"index2\" needs the subroutine %s, which %s was emitted " ...
               "without"], who, toupper (name{1}), m.name);
     endif

@@ -12,6 +12,8 @@ function text = gsmbp__shown (value)
     text = mat2str (value, 6);
   elseif (iscell (value) && isrow (value) && numel (value) <= 4 && all (cellfun (@plain, value)))
     text = ["{" strjoin(cellfun (@gsmbp__shown, value, "UniformOutput", false), ", ") "}"];
+  elseif (isstruct (value) && isscalar (value) && isempty (fieldnames (value)))
+    text = "a struct without fields";
   elseif (is_function_handle (value))
     text = "a function handle";
   else

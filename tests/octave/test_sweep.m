@@ -257,6 +257,7 @@ function refused (m)
   one = {"vary", struct("a", [0, 1])};
   wrong = {{}, "option vary is missing: expected a struct";
            {"vary", []}, "option vary: expected a struct";
+           {"vary", struct()}, "for each parameter, found a struct without fields";
            {"vary", struct("a", 1)}, "option vary: a: expected [low, high]";
            {"vary", struct("a", [2, 1])}, "option vary: a: expected [low, high]";
            {"vary", struct("a", {{"normal", 1, 0}})}, "option vary: a: expected";
