@@ -4,7 +4,8 @@
 ## @deftypefnx {} {} gsmbp_sweep_plot (@var{file}, @var{w}, "tornado", @var{name})
 ## @deftypefnx {} {} gsmbp_sweep_plot (@var{file}, @var{w}, "indices", @var{name})
 ## Draw a sweep: @var{w} of @code{gsmbp_sweep}; @var{file} ends in .png, .pdf, .svg or .eps, the
-## numbers come into the .csv beside it.  @var{name} is one of what was kept (default the first).
+## numbers come into the .csv beside it, a row for each run or, under "parameter", for the name of
+## each parameter.  @var{name} is one of what was kept (default the first).
 ##
 ## @code{"scatter"}: it over each parameter, a point for each run that came to its end (5000 at
 ## most), with the correlation of ranks ("constant": what is kept, or the parameter, does not vary).
@@ -46,19 +47,32 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
     error ("%s: the file must end in .png, .pdf, .svg or .eps, found: %s", who, file);
   endif
   s = chosen (who, w, name);
+  rows_of = {};   # names of parameters
   switch (kind)
     case "scatter"
       [lines, heads, data, size] = scatter (w, s);
     case "tornado"
-      [lines, heads, data, size] = tornado (who, s);
+      [lines, heads, data, size, rows_of] = tornado (who, s);
     case "indices"
-      [lines, heads, data, size] = indices (who, w, s);
+      [lines, heads, data, size, rows_of] = indices (who, w, s);
   endswitch
   table = sprintf ("%s-%d.csv", file(1:end-numel (ending)), getpid ());
   guard = onCleanup (@() gsmbp__discard (table));
-  gsmbp_csv (table, heads, data);
+  write_table (table, heads, rows_of, data);
   look = struct ("dpi", 160, "fontsize", 10);
   gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (ending), size, look), lines, table);
+endfunction
+
+## the numbers of a figure, each row behind a name where there are such
+function write_table (file, heads, names, data)
+  if (isempty (names))
+    gsmbp_csv (file, heads, data);
+    return;
+  endif
+  row = @(k) [names{k}, sprintf(",%.17g", data(k,:)), "\n"];
+  gsmbp__write ("gsmbp_sweep_plot", file, ...
+                [strjoin(heads, ","), "\n", arrayfun(row, 1:rows (data), ...
+                                                     "UniformOutput", false){:}]);
 endfunction
 
 ## the runs that came to their end and have a number there: parameters P, the quantity Z, names and
@@ -105,16 +119,20 @@ function [lines, heads, data, size] = scatter (w, s)
   wide = min (k, 3);
   size = [1.5 + 5.5 * wide, 6 * ceil(k / wide)];
   some = unique (round (linspace (1, rows (s.p), min (rows (s.p), 5000))));
-  lines = [begun(k, wide), {"set autoscale xfix"}];
+  lines = [begun(k, wide), {"set autoscale xfix; set autoscale yfix", ...
+                            ["set offsets " strjoin(repmat ({"graph 0.04"}, 1, 4), ", ")]}];
+  [tics, letters] = tics_of (s.z, Inf);
+  lines = [lines, {["set ytics (" tics ")"], sprintf("set lmargin %.3g", 4.5 + letters)}];
+  dot = min (0.9, max (0.3, 0.3 * (2000 / numel (some)) ^ (1/3)));
   first = mod (0:k-1, wide) == 0;   # in its row
   for j = 1:k
     lines = [lines, {sprintf("set title %s", ...
                              quoted (ranks (w.correlation(j,s.at-k), s.p(:,j), s.z))), ...
-                     ["set xtics (" tics_of(s.p(:,j)) ")"], ...
+                     ["set xtics (" tics_of(s.p(:,j), 5 - 2 * (letters > 5)) ")"], ...
                      sprintf("set xlabel %s", quoted (s.labels{j})), ...
                      sprintf("set ylabel %s", quoted ({"", s.labels{s.at}}{1 + first(j)})), ...
                      "$d << END", sprintf("%.9g %.9g\n", [s.p(some,j), s.z(some)]'), "END", ...
-                     "plot $d with points pt 7 ps 0.3 lc rgb '#00459a'"}];
+                     sprintf("plot $d with points pt 7 ps %.2g lc rgb '#00459a'", dot)}];
   endfor
   heads = [s.names, {s.name}];
   data = [s.p(some,:), s.z(some)];
@@ -131,24 +149,42 @@ function text = ranks (r, p, z)
   endif
 endfunction
 
-## at most four marks of an axis
-function tics = tics_of (x)
+## at most four marks of an axis, but two where they are longer than MOST letters; the letters of
+## the longest
+function [tics, letters] = tics_of (x, most)
   range = max (x) - min (x);
   if (! (range > 1e-9 * max (abs (x))))   # it does not vary
-    tics = sprintf ("%.9g", x(1));
+    [text, letters] = told (x(1), x(1));
+    tics = [gsmbp__quoted(text), sprintf(" %.9g", x(1))];
     return;
   endif
   ten = 10 ^ floor (log10 (range / 4.1));
   step = ten * [1, 2, 2.5, 5, 10](find (range / 4.1 <= ten * [1, 2, 2.5, 5, 10], 1));
   at = step * (ceil (min (x) / step):floor (max (x) / step));
-  texts = arrayfun (@(x) sprintf ("%.9g", x), at, "UniformOutput", false);
-  if (numel (at) > 2 && any (cellfun (@numel, texts) > 5))   # more have no room
-    texts = texts([1, end]);
+  [texts, letters] = arrayfun (@(x) told (x, max (abs (at))), at, "UniformOutput", false);
+  letters = max ([letters{:}]);
+  if (numel (at) > 2 && letters > most)   # more have no room
+    [at, texts] = deal (at([1, end]), texts([1, end]));
   endif
-  tics = strjoin (texts, ", ");
+  tics = strjoin (cellfun (@(text, x) sprintf ("%s %.9g", gsmbp__quoted (text), x), texts, ...
+                           num2cell (at), "UniformOutput", false), ", ");
 endfunction
 
-function [lines, heads, data, size] = tornado (who, s)
+## a number of an axis whose largest is MOST, as times a power of ten where that is small or large;
+## how many letters wide it is
+function [text, letters] = told (x, most)
+  text = sprintf ("%.9g", x);
+  letters = numel (text);
+  most = abs (most);
+  if (x != 0 && (most < 1e-2 || most >= 1e5))
+    power = floor (log10 (most) + 1e-9);
+    text = sprintf ("%.6g", x / 10 ^ power);
+    letters = numel (text) + 3 + 0.6 * numel (sprintf ("%d", power));
+    text = sprintf ("%s\302\26710^{%d}", text, power);
+  endif
+endfunction
+
+function [lines, heads, data, size, names] = tornado (who, s)
   [n, k] = deal (rows (s.p), numel (s.names));
   centred = s.p - mean (s.p, 1);
   if (n < k + 2 || rank (centred ./ max (std (s.p, 0, 1), realmin)) < k)
@@ -166,10 +202,11 @@ function [lines, heads, data, size] = tornado (who, s)
   if (range (s.z) == 0)
     said = [s.labels{s.at} "; constant"];
   endif
-  lines = barred (s.names(order), bars, mean (s.z), said, ...
+  names = s.names(order);
+  lines = barred (names, bars, mean (s.z), said, ...
                   {"parameter at its quantile 0.05", "at its quantile 0.95"});
   size = [16, 3.2 + 0.9 * k];
-  [heads, data] = deal ({"parameter", "low", "high"}, [order(:), bars]);
+  [heads, data] = deal ({"parameter", "low", "high"}, bars);
 endfunction
 
 ## a margin on the left that holds the names, in widths of a usual letter
@@ -204,7 +241,7 @@ function lines = barred (names, bars, from, said, keys)
                            gsmbp__quoted (keys{1}), gsmbp__quoted (keys{2}))}];
 endfunction
 
-function [lines, heads, data, size] = indices (who, w, s)
+function [lines, heads, data, size, names] = indices (who, w, s)
   if (! isfield (w, "first"))
     error ("%s: expected a sweep by the plan \"indices\"", who);
   endif
@@ -216,7 +253,8 @@ function [lines, heads, data, size] = indices (who, w, s)
   [~, order] = sort (values(:,2), "descend");
   both = values(order,:);
   y = (k:-1:1)';
-  lines = barred (s.names(order), both, 0, ["share of the variance of " s.name], ...
+  names = s.names(order);
+  lines = barred (names, both, 0, ["share of the variance of " s.name], ...
                   {"alone", "with all others"});
   lines(strncmp (lines, "set offsets", 11)) = {sprintf("set xrange [%.9g:*]", min ([both(:); 0]))};
   for c = 1:2   # one above the other
@@ -227,7 +265,7 @@ function [lines, heads, data, size] = indices (who, w, s)
                           low + 0.34]');
   endfor
   size = [16, 3.2 + 0.9 * k];
-  [heads, data] = deal ({"parameter", "first", "total"}, [order(:), both]);
+  [heads, data] = deal ({"parameter", "first", "total"}, both);
 endfunction
 
 %!test
@@ -272,4 +310,28 @@ endfunction
 %! fail ("gsmbp_sweep_plot (file, w, \"indices\", \"final z\")", "no indices of final z: it is");
 %! w.ok(:) = false;
 %! fail ("gsmbp_sweep_plot (file, w)", "came to its end and has final y, found none in 9");
+%!test <tables name the parameters; small numbers are told by powers; no point lies on the frame>
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! p = [1e-6 * (1:9); [2 7 1 8 2 8 1 8 2]]';
+%! w = struct ("names", {{"a", "b_1", "final y"}}, "units", {{"m", "", "m/s"}}, "values", ...
+%!             [p, 1e6 * p(:,1) - 2 * p(:,2)], "ok", true (9, 1), "correlation", [0.5; -1], ...
+%!             "first", [0.2; 0.7], "total", [0.25; 0.8]);
+%! file = [tempname() ".svg"];
+%! tidy = onCleanup (@() cellfun (@delete, {file, [file(1:end-3) "csv"]}));
+%! heads = {"parameter,low,high", "parameter,first,total"};
+%! for kind = {"tornado", "indices"; heads{:}}
+%!   gsmbp_sweep_plot (file, w, kind{1});
+%!   text = strsplit (fileread ([file(1:end-3) "csv"]), "\n");
+%!   assert (text{1}, kind{2});
+%!   assert (sort (strtok (text(2:3), ",")), {"a", "b_1"});
+%! endfor
+%! gsmbp_sweep_plot (file, w, "scatter");
+%! text = fileread (file);
+%! assert (numel (strfind (text, "\302\26710")), 2);   # marks of the first axis, no others
+%! ends = cellfun (@str2num, regexp (text, 'd=.M([\d.]+),([\d.]+) L', "tokens"){1});
+%! places = regexp (text, 'xlink:href=.#gpPt6. transform=.translate\(([\d.]+),', "tokens");
+%! assert (numel (places), 18);
+%! assert (min (str2double ([places{1:9}])) > ends(1) + 3);   # pixels
 %!error <expected a result of gsmbp_sweep> gsmbp_sweep_plot ("a.png", 3)
