@@ -4,7 +4,7 @@
 
 function r = gsmbp__sweep_on_disk (who, s, j)
   if (j.done)
-    r = of_file (j.file, columns (s.table), numel ([s.kept.whole]) - nnz ([s.kept.whole]));
+    r = of_file (who, j.file, columns (s.table), nnz (! [s.kept.whole]), nnz ([s.kept.whole]));
   else
     r = gsmbp__sweep_runs (who, s, j);
     if (! isempty (r.stopped))   # the chunks stay
@@ -19,8 +19,8 @@ function r = gsmbp__sweep_on_disk (who, s, j)
 endfunction
 
 ## a finished table; load gives arrays transposed
-function r = of_file (file, varied, kept)
-  w = load ("-hdf5", file);
+function r = of_file (who, file, varied, kept, wholes)
+  w = read_whole (who, file, wholes);
   n = numel (w.ok);
   r = struct ("values", reshape (w.table, varied + kept, n)(varied+1:end,:)', "ok", ...
               logical (w.ok(:)), "reached", w.reached(:), "reason", {repmat({""}, n, 1)}, ...
@@ -28,5 +28,20 @@ function r = of_file (file, varied, kept)
               zeros (0, 2));
   if (isfield (w, "failed"))
     r.reason(double (w.failed.run)) = cellstr (w.failed.reason);
+  endif
+endfunction
+
+## what load gives of a table: it leaves out what has not its checksum
+function w = read_whole (who, file, wholes)
+  w = struct ();
+  try
+    w = load ("-hdf5", file);
+  end_try_catch
+  has = @(names) all (isfield (w, names));
+  sound = has ({"table", "ok", "reached", "names", "units"});
+  sound = sound && (wholes == 0 || has ({"times", "whole"}) && numfields (w.whole) == wholes);
+  sound = sound && (all (w.ok) || has ("failed") && all (isfield (w.failed, {"run", "reason"})));
+  if (! sound)
+    error ("%s: %s is damaged: not all of it has its checksum; remove it to begin anew", who, file);
   endif
 endfunction

@@ -208,6 +208,13 @@ function on_disk (m)
   gsmbp_check ("nothing else is left", numel (dir (folder)) == 3);
   gsmbp_check ("a finished file is read", same (run ("file", file, "resume", true), plain));
   bytes = fileread (file);
+  number = char (typecast (w.values(50,3), "uint8"));
+  f = fopen (file, "w");
+  fwrite (f, strrep (bytes, number, number([8, 7, 3, 4, 5, 6, 2, 1])));
+  fclose (f);
+  said = gsmbp_complaint (@() run ("file", file, "resume", true));
+  gsmbp_check (["one that is changed is not: " said], numel (strfind (bytes, number)) == 1 ...
+               && ! isempty (strfind (said, "a.h5 is damaged: not all of it has its checksum")));
   delete (file);
   run ("file", file, "chunk", 33);
   gsmbp_check ("the same sweep, the same bytes of the file", strcmp (bytes, fileread (file)));
