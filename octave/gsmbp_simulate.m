@@ -38,7 +38,7 @@
 ## goes on with radau where its steps are found to be bound by stability
 ## @item "step"
 ## rk4, gauss: the step [s], default 1e-3 (shortened so that whole steps lead to each
-## output time); else the first step, default automatic
+## output time, and to "maxstep"); else the first step, default automatic
 ## @item "rtol", "atol"
 ## all but rk4 and gauss: relative tolerance, default 1e-10; absolute tolerance, one number or
 ## one for each state in its unit, default @code{rtol} times the usual size of
@@ -465,6 +465,8 @@ endfunction
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
 %!error <expected real numbers>
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
+%!error <option maxstep: 10 s in steps of 1e-09 s are 1e\+10 steps of rk4; expected 2e9 at the most>
+%! gsmbp_simulate (m, [0 0 0], [0 10], "method", "rk4", "maxstep", 1e-9)
 %!error <3e\+06 s in steps of 0.001 s are 3e\+09 steps of rk4; expected 2e9 at the most>
 %! gsmbp_simulate (m, [0 0 0], [0 3e6], "method", "rk4", "timeout", 1)
 %!error <input: expected 1 finite> gsmbp_simulate (m, [0 0 0], [0 1], "input", [1 2])

@@ -9,7 +9,7 @@ void
 lane_group::begin_way (lane_run& l)
 {
   l.k = 1;
-  fortran {gsrkl_} (&l.ta, &l.stp[0], &l.hr, &l.n, &l.h, &l.r.rstat[0]);
+  fortran {gsrkl_} (&l.ta, &l.stp[0], &l.hr, &m_ropt[2], &l.n, &l.h, &l.r.rstat[0]);
 }
 
 // one step of every run, as GSRKS does it

@@ -14,7 +14,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   [m, way, index2] = gsmbp__loop_way (who, o, m);
   [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
-  check_number (who, p.method, p.ropt(1), times(end) - t0);
+  check_number (who, p.method, p.ropt, times(end) - t0);
   [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start);
   if (isempty (o.motion))
     o.of_time = of_time (o.input);
@@ -47,10 +47,12 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
 endfunction
 
 ## the number of steps of a fixed length: what GSSIM (gsarg.f) counts to
-function check_number (who, method, step, span)
+function check_number (who, method, ropt, span)
+  [step, which] = min ([ropt(1), ropt(3)(ropt(3) > 0)]);
   if (any (strcmp (method, {"rk4", "gauss"})) && span / step > 2e9)
-    error (["%s: option step: %g s in steps of %g s are %.3g steps of %s; expected 2e9 at the " ...
-            "most: longer steps, or shorter runs"], who, span, step, span / step, method);
+    error (["%s: option %s: %g s in steps of %g s are %.3g steps of %s; expected 2e9 at the " ...
+            "most: longer steps, or shorter runs"], who, {"step", "maxstep"}{which}, span, step, ...
+           span / step, method);
   endif
 endfunction
 

@@ -131,6 +131,11 @@ tree (void)
   a.ropt[0] = 0.01;
   compare (&a, "pendulum, method 4", 0);
   start_pendulum (5, 40);
+  a.iopt[GS_METHOD] = 4;
+  a.ropt[0] = 0.5;
+  a.ropt[2] = 0.01;
+  compare (&a, "pendulum, method 4, a largest step", 0);
+  start_pendulum (5, 40);
   a.iopt[GS_METHOD] = 9;
   a.atol[0] = a.atol[1] = 0;
   compare (&a, "pendulum, method 9, no absolute tolerance", 0);

@@ -30,6 +30,11 @@ function orders (m, q)
   end
   gsmbp_check (sprintf ("RK4: order %.2f %.2f, less 4", log2 (e(1:2) ./ e(2:3))), ...
                log2 (e(1:2) ./ e(2:3)) - 4, 0.15);
+  told = {"input", 3, "method", "rk4", "step"};
+  r = gsmbp_simulate (m, x0, [0, 0.5, 1], told{:}, 0.1, "maxstep", h(3));
+  s = gsmbp_simulate (m, x0, [0, 0.5, 1], told{:}, h(3), "maxstep", 0.1);
+  gsmbp_check ("RK4: no step beyond maxstep", isequal (r.x, s.x) && r.stats.accepted == 200 ...
+                                              && r.stats.largest_step <= h(3) * (1 + 1e-12));
   ## steps of Dormand-Prince held fixed by maxstep; in quad the order shows over the whole range
   h = [0.25, 0.125, 0.0625];
   for k = 1:3

@@ -6,6 +6,7 @@ function test_lanes ()
   arm = gsmbp_fixture ("batch_arm");
   tree (arm);
   neighbours (arm);
+  longest (arm);
   ends (arm);
   bound (arm);
   loop (gsmbp_fixture ("batch_bars"));
@@ -48,6 +49,20 @@ function tree (m)
     g = gsmbp_ensemble (m, [], t, some (rows, 23){:}, o{:});
     gsmbp_check ([name ": alone, bit for bit"], g.lanes && equal_runs (g, 1, e, 23));
   end
+end
+
+## steps of rk4 are as long as "maxstep" lets them be, as those of single runs are
+function longest (m)
+  rows = rows_of_arm (m, 20);
+  t = [0, 0.1, 0.25];
+  o = {"method", "rk4", "threads", 1, "step"};
+  e = gsmbp_ensemble (m, [], t, rows{:}, o{:}, 1, "maxstep", 2e-3);
+  f = gsmbp_ensemble (m, [], t, rows{:}, o{:}, 2e-3);
+  gsmbp_check ("rk4: no step beyond maxstep, in lanes", e.lanes && equal_runs (e, 1:20, f, 1:20));
+  m = gsmbp_set (m, struct ("m2", rows{6}.m2(7), "f", rows{6}.f(7)));
+  r = gsmbp_simulate (m, rows{2}(7,:), t, "input", rows{4}(7,:), o{[1, 2, 5]}, 1, "maxstep", 2e-3);
+  gsmbp_check ("... as in a single run", ...
+               [(e.x(:,:,7) - r.x)(:); e.accepted(7) - r.stats.accepted], 1e-12);
 end
 
 ## runs that fail, or are far out, change nothing of those beside them

@@ -70,7 +70,8 @@ gsarg (const gs_scene *s, const gs_run *r)
     info = numbers (r);
   if (info != 0)
     return info;
-  if (r->iopt[GS_METHOD] == 4 && (r->tout[r->nt - 1] - r->t0) / r->ropt[0] > 2e9)
+  const double h = r->ropt[2] > 0.0 ? gs_min (r->ropt[0], r->ropt[2]) : r->ropt[0];
+  if (r->iopt[GS_METHOD] == 4 && r->tout[r->nt - 1] - r->t0 > 2e9 * h)
     info = -16;
   if (r->tout[0] < r->t0 || ! rising (r->nt, r->tout) || ! rising (r->nb, r->tbrk))
     info = -13;

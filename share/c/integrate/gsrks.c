@@ -1,5 +1,5 @@
 /* GSRKS: from one stop to the next by the classical method of Runge and Kutta, in equal steps of at
- * most ropt[0].
+ * most ropt[0], and ropt[2] where that is above 0.
  *
  * Time is ta + k*h, ta being the last place where the length of the steps changed. GSEVN may want
  * shorter steps: a tenth, until the event or the stop is there. */
@@ -90,12 +90,13 @@ int
 gsrks (gs_course *c)
 {
   double *rstat = c->g.rstat;
+  const double most = c->g.ropt[2] > 0.0 ? c->g.ropt[2] : c->g.ropt[0];
   double ta = c->t, hr = c->g.ropt[0];
   for (int n = 1; n > 0;)
     {
-      const double many = (c->tb - ta) / hr * (1.0 - 1e-9);
+      const double at_most = gs_min (hr, most), many = (c->tb - ta) / at_most * (1.0 - 1e-9);
       n = gs_most (1, (int) gs_min (many, 2e9) + 1);
-      const double h = many > 2e9 ? hr : (c->tb - ta) / n;   /* the first alone, then longer ones */
+      const double h = many > 2e9 ? at_most : (c->tb - ta) / n;   /* the first, then longer ones */
       rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
       rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
       int info = equal_steps (c, &ta, &hr, h, &n);

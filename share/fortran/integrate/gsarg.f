@@ -6,7 +6,7 @@ C     is 0, -i for the argument i of GSSIM, -100-k for SIZ(k).
 C
       IMPLICIT NONE
       INTEGER            SIZ(8), IOPT(*), R, INFO
-      DOUBLE PRECISION   TIM(*), X0(*), ROPT(*)
+      DOUBLE PRECISION   TIM(*), X0(*), ROPT(*), H
       INTEGER            GSFIN, NQ, NU, NX, NV, NLAM, NT, NB, I, LEAST
       EXTERNAL           GSFIN
 C
@@ -42,8 +42,9 @@ C     -- numbers and options
       IF ( INFO.NE.0 ) RETURN
 C
 C     -- times and tolerances
-      IF ( IOPT(1).EQ.4 .AND. ( TIM(NT+1) - TIM(1) )/ROPT(1).GT.2.0D9 )
-     $   INFO = -16
+      H = ROPT(1)
+      IF ( ROPT(3).GT.0.0D0 ) H = MIN( H, ROPT(3) )
+      IF ( IOPT(1).EQ.4 .AND. TIM(NT+1) - TIM(1).GT.2.0D9*H ) INFO = -16
       IF ( TIM(2).LT.TIM(1) ) INFO = -13
       DO 10 I = 3, NT + NB + 1
          IF ( I.NE.NT + 2 .AND. TIM(I).LE.TIM(I-1) ) INFO = -13

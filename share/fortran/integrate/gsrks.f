@@ -4,7 +4,8 @@
 C
 C     PURPOSE
 C     From one stop to the next by the classical method of Runge and
-C     Kutta, in equal steps of at most ROPT(1).
+C     Kutta, in equal steps of at most ROPT(1), and ROPT(3) where that is
+C     above 0.
 C
 C     ARGUMENTS
 C     As GSSIM, and
@@ -43,7 +44,7 @@ C
       TA = T
       HR = ROPT(1)
 C
-   20 CALL GSRKL( TA, TB, HR, N, H, RSTAT )
+   20 CALL GSRKL( TA, TB, HR, ROPT(3), N, H, RSTAT )
       DO 30 K = 1, N
          IX  = IW(1)
          IXN = IW(2)
@@ -67,20 +68,22 @@ C
       INFO = 0
       T = TB
       END
-      SUBROUTINE GSRKL( TA, TB, HR, N, H, RSTAT )
+      SUBROUTINE GSRKL( TA, TB, HR, HMAX, N, H, RSTAT )
 C
 C     PURPOSE
-C     N equal steps H, no longer than HR, from TA to the stop TB of
-C     GSRKS; of very many the first is HR: behind it steps are longer.
+C     N equal steps H, no longer than HR, and HMAX where that is above
+C     0, from TA to the stop TB of GSRKS; of very many the first is as
+C     long as that: behind it steps are longer.
 C
       IMPLICIT NONE
       INTEGER            N
-      DOUBLE PRECISION   TA, TB, HR, H, MANY, RSTAT(*)
+      DOUBLE PRECISION   TA, TB, HR, HMAX, H, MANY, RSTAT(*)
 C
-      MANY = ( TB - TA )/HR*( 1.0D0 - 1.0D-9 )
+      H = HR
+      IF ( HMAX.GT.0.0D0 ) H = MIN( HR, HMAX )
+      MANY = ( TB - TA )/H*( 1.0D0 - 1.0D-9 )
       N = MAX( 1, INT( MIN( MANY, 2.0D9 ) ) + 1 )
-      H = ( TB - TA )/DBLE( N )
-      IF ( MANY.GT.2.0D9 ) H = HR
+      IF ( MANY.LE.2.0D9 ) H = ( TB - TA )/DBLE( N )
       RSTAT(6) = MIN( RSTAT(6), H )
       RSTAT(7) = MAX( RSTAT(7), H )
       END

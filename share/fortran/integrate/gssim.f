@@ -71,7 +71,7 @@ C             (1) step [s].  Method 4: the largest step; the way to each
 C                 stop (output time or break) is cut into equal steps.
 C                 Method 8: the first step, or 0 for an automatic one;
 C             (2) method 8: relative tolerance;
-C             (3) method 8: the largest step [s], or 0 for none;
+C             (3) the largest step [s], or 0 for none;
 C             (4) to (3+NX) method 8: absolute tolerances ATOL, in the
 C                 units of the states.
 C     IP, RP  (input/output) the inputs and the plans of the samples and
