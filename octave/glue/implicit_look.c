@@ -118,16 +118,16 @@ int
 gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, double *g,
            double *by)
 {
-  double at[2] = { 0, 0 }, *beside = s->between;
+  double at[2] = { 0, 0 }, *beside = s->between, clear = fmax (d, gs_shortest (t, t));
   int info = gs_function (s, i, t, x, g);
   for (int k = 0; k < 2 && info == 0; k++)
     {
-      double way = 0.5 * (k + 1) * d;
+      double way = 0.5 * (k + 1) * clear;   /* beside rounding errors of the time */
       for (int l = 0; l < s->r->nx; l++)
         beside[l] = x[l] + way * rate[l];
       info = gs_function (s, i, t + way, beside, &at[k]);
     }
-  *by = info == 0 ? 4 * (at[0] - *g) - (at[1] - *g) : 0;
+  *by = info == 0 ? d / clear * (4 * (at[0] - *g) - (at[1] - *g)) : 0;
   return info;
 }
 

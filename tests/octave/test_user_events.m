@@ -16,6 +16,8 @@ function test_user_events ()
   limit ();
   sums ();
   slab ();
+  kicked ();
+  again ();
 end
 
 ## an event is told just before another one, up to which radau makes its step again, perhaps shorter
@@ -337,4 +339,36 @@ function many ()
   never (m);
   e = gsmbp_ensemble (m, [1 0], 0:0.5:5, "parameters", struct ("e", [0.5 0.8]));
   gsmbp_check ("one whose bounces accumulate fails, whatever comes then", e.ok' == [false, true]);
+end
+
+## a clock kicks what rests on a stop
+function kicked ()
+  m = gsmbp_fixture ("user_kick");
+  methods_ = {"dp853", "radau", "cvode"};
+  for method = methods_(1:2+gsmbp_has_sundials ())
+    kicks = at = [];
+    for tk = [4.1:0.35:7, 5]
+      r = gsmbp_simulate (gsmbp_set (m, "tk", tk), m.initial, [0, tk + 0.2], "method", ...
+                          method{1}, "rtol", 1e-10, "atol", 1e-10);
+      kicks(end+1) = sum (strcmp (r.events.name, "kick"));
+      at(end+1) = r.x(end,1);
+    end
+    gsmbp_check ([method{1} ": one kick each from a rest"], all (kicks == 1));
+    gsmbp_check ([method{1} ": up from there"], max (abs (at - (4 * 0.2 - 9.81 * 0.02))), 1e-7);
+  end
+end
+
+## output times where the events of a run before were
+function again ()
+  m = gsmbp_fixture ("user_governor");
+  x0 = gsmbp_assemble (m, m.initial, "hold", "th");
+  x0(4) = 10;
+  x0 = gsmbp_assemble (m, x0, "hold", "th");
+  told = [];
+  for step = linspace (2.6e-3, 3e-3, 20)
+    run = @(t) gsmbp_simulate (m, x0, t, "input", 1, "method", "gauss", "step", step);
+    at = run ([0 2]).events.t';
+    told(end+1) = numel (run (unique ([0 at 2])).events.t) - numel (at);
+  end
+  gsmbp_check ("gauss: the same events with rows at them", all (told == 0));
 end
