@@ -139,7 +139,7 @@ function check_own (who, m, o)
     error ("%s: option index2: %s has no loops; expected none, found %s", who, m.name, ...
            gsmbp__shown (o.index2));
   endif
-  [~, ~, ending] = fileparts (o.file);
+  [~, ~, ending] = fileparts ([o.file, ""]);
   if (! (isempty (o.file) || any (strcmpi (ending, {".png", ".pdf", ".svg", ".eps"}))))
     error ("%s: option file: the file must end in .png, .pdf, .svg or .eps, found: %s", who, ...
            o.file);
