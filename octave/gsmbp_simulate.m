@@ -164,7 +164,8 @@
 ## Sampled devices (digital controllers, encoders) act within the compiled run: the
 ## integration meets their instants, k times the period (k = 0, 1, @dots{}), exactly
 ## and starts again there.  The inputs that are their held outputs are theirs:
-## "input" may leave them out, or tell their values before the first sample.
+## "input" may leave them out, or tell their values before the first sample: constants, or what a
+## piecewise polynomial or a function is at @var{times}(1).
 ## @table @code
 ## @item "memory"
 ## their memory at @var{times}(1), @var{nxk} numbers, default as the entries say

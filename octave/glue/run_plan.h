@@ -248,5 +248,6 @@ run_plan::due_from (double t0, const reals& cst)
   if (gs_due_from (&m_scene, t0, nullptr, &ip[0], &m_rp[0]) != 0)
     error ("%s: more than 2e9 samples", "gsmbp_simulate");
   gs_samples a = samples ();
+  std::copy_n (a.value, a.nh, at (a.value));
   routine ("ctp") (&cst[0], at (a.period), at (a.delay));
 }

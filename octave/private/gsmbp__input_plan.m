@@ -45,7 +45,7 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
     endif
     plan.constants = double (constants(:)');
   endif
-  if (isempty (plan.constants) && any (m.input_starts))
+  if (isempty (plan.constants) && isempty (plan.table) && any (m.input_starts))
     plan.constants = m.input_starts';   # what is held before the first samples
   endif
 

@@ -21,6 +21,9 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
     o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
   endif
   [plan, breaks, callback] = gsmbp__input_plan (who, o, m);
+  if (is_function_handle (callback) && ! isempty (m.controllers))
+    plan.constants = callback (t0, x0)(:)';   # what is held before the first samples
+  endif
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0, o.modes);

@@ -149,6 +149,10 @@ same_parts (const gs_plan *p, int *ip, double *rp, test *f)
       gs_samples c = gs_planned_samples (&scene, ip, rp), d = gs_planned_samples (&scene, f->ip,
                                                                                   f->rp);
       same_int (gs_due_from (&scene, 0, (double[]){ 0.1, 0, 0.25, 0.05 }, ip, rp), 0);
+      if (p->inputs == 1 && ! p->constants)   /* told by the table */
+        gspln (NV, 2, 3, p->table.numbers, p->table.numbers + 3, 0, 1, 0, d.v, NV);
+      for (int k = 0; k < 2 && p->inputs == 1 && ! p->constants; k++)
+        d.value[k] = d.v[d.input[k] - 1];
       same_numbers (2 * 2 + 2 + 3, c.period, d.period);
       for (int k = 0; k < 2; k++)
         same_int (c.held[k] + 10 * c.anew[k] + 100 * c.input[k],

@@ -5,6 +5,7 @@
 function test_sampled ()
   single_step ();
   first_sample ();
+  told ();
   drive ();
   delays ();
   rates ();
@@ -36,6 +37,28 @@ function single_step ()
   gsmbp_check ("CTL: K = 0 is all devices in their order", isequal (v, v3) && isequal (xk, xk3));
   gsmbp_check ("CTL: a device leaves the others alone", ...
                isequal (v1(k ("A.out")), 0) && isequal (xk1(3:end), zeros (8, 1)));
+end
+
+## A run that begins between two samples: what is held is told by constants, tables and functions
+function told ()
+  m = gsmbp_fixture ("sampled_rates");
+  u = [0.3; 0.2];
+  first = gsmbp_simulate (m, [0.2 0 0 0], [0, 0.013], "input", u);
+  whole = gsmbp_simulate (m, [0.2 0 0 0], [0, 0.013, 0.1], "input", u);
+  v = first.v(end,:)';
+  rows = @(t) repmat (v', numel (t), 1);
+  inputs = {"constants", v; "a table", gsmbp_plan("table", [0 5], rows ([0 5]), 0); ...
+            "a table of order 1", gsmbp_plan("table", [0 5], rows ([0 5]), 1); ...
+            "a table that begins later", gsmbp_plan("table", [1 5], rows ([1 5]), 0); ...
+            "a function", @(t, x) v}';
+  for one = inputs
+    for method = {"dp853", "rk4", "radau"}
+      r = gsmbp_simulate (m, first.x(end,:), [0.013, 0.0131, 0.1], "input", one{2}, ...
+                          "memory", first.memory, "method", method{1});
+      gsmbp_check (sprintf ("what is held is told by %s, %s", one{1}, method{1}), ...
+                   [r.v(1:2,:)' - v, whole.v(end,:)' - r.v(end,:)'], 1e-9);
+    endfor
+  endfor
 end
 
 ## There is no rate at the first sample, whatever the reference and the derivative's gain; a memory

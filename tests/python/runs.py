@@ -214,6 +214,11 @@ def sampled():
     close('sampled: every millisecond', np.diff(np.unique(np.round(r.samples['t'], 9)))[:50], 1e-3,
           1e-12)
     on = m.simulate(r.x[:, 2], [0.04, 0.1], memory=None)
+    v = r.v[:, 2]
+    for what, given in (('constants', v), ('a table', sampled_crank.table_of(
+            [0, 1], [[c, c] for c in v], 0)), ('a function', lambda t, x: v)):
+        told = m.simulate(r.x[:, 2], [0.0405, 0.0407], input=given)
+        close('sampled: what is held between samples is told by %s' % what, told.v[:, 0], v, 1e-15)
     holds('sampled: inputs are held outputs', np.isfinite(on.v).all() and on.v.shape[0] == 8)
     for k in (-1, m.sizes['nctl'] + 1):
         refuses('device %d' % k, ValueError, ['ctl: argument k: expected whole numbers from 0 to'],

@@ -39,6 +39,7 @@ typedef struct
   int nc, nxk, ny, nh; /* devices, their memory, outputs of the scene, held outputs */
   int np, ns;          /* places for outputs on their way, for records */
   int *count;          /* instants so far */
+  int *tabled;         /* 1: what is held before the first samples is what the table v0 has there */
   int *next;           /* nc: the number of the next sample */
   int *held;           /* nc: how many held outputs it has */
   int *anew;           /* nc: 1 if y is to be computed anew for it after others acted */
@@ -67,6 +68,7 @@ gs_samples_of (int nv, int *is, double *rs)
   a.np = is[4];
   a.ns = is[5];
   a.count = is + 6;
+  a.tabled = is + 7;
   a.next = is + 10;
   a.held = a.next + a.nc;
   a.anew = a.held + a.nc;

@@ -25,7 +25,8 @@ typedef struct
   int nx;                  /* states of the run, s->nx, or s->nx + 2 with an audit */
   int inputs;              /* as ip[GS_V0] */
   int derivatives;         /* as ip[GS_DERIVATIVES] */
-  const double *constants; /* nv: inputs that are constant, held outputs before the first sample */
+  const double *constants; /* nv: inputs that are constant, held outputs before the first sample;
+                              without them those are what the table has at the start */
   gs_pieces table;         /* inputs over time */
   gs_pieces motion;        /* planned coordinates, */
   const int *planned;      /* motion.nc: their numbers */
@@ -47,7 +48,8 @@ int gs_reals (const gs_plan *p);
 /* ip and rp, which are zero */
 void gs_lay (const gs_plan *p, int *ip, double *rp);
 
-/* periods, delays and first samples of the sampled devices of a run from t0 on. info: k where the
+/* periods, delays and first samples of the sampled devices of a run from t0 on, and what a table
+ * tells of their outputs. info: k where the
  * period of device k (from 1) is not above 0 or its delay below 0; -k where it has 2e9 samples
  * behind it */
 int gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *rp);

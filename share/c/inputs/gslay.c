@@ -115,6 +115,7 @@ lay_samples (const gs_plan *p, int *ip, double *rp, place *at)
   ip[GS_SAMPLES + 1] = at->r + 1;
   memcpy (ip + at->i, head, sizeof head);
   gs_samples a = gs_planned_samples (s, ip, rp);
+  *a.tabled = p->inputs == 1 && ! p->constants;
   ip[GS_HELD] = s->nheld;
   ip[GS_HELD + 1] = (int)(a.input - ip) + 1;
   ip[GS_HELD_AT] = (int)(a.value - rp) + 1;
@@ -179,6 +180,27 @@ first_sample (double t0, double period)
   return fabs (k * period - t0) <= 8 * DBL_EPSILON * fabs (t0) ? k : ceil (t0 / period);
 }
 
+/* what is held before the first samples: the values of the table at t0, from the right, as GSPLN
+ * has them */
+static void
+hold_table (int nv, double t0, const int *ip, const double *rp, const gs_samples *a)
+{
+  if (*a->tabled == 0)
+    return;
+  const int np = ip[GS_TABLE], order = ip[GS_TABLE + 1];
+  const double *at = rp + ip[GS_TABLE + 2] - 1, *c = rp + ip[GS_TABLE + 3] - 1;
+  int i = 0;
+  while (i < np - 1 && t0 >= at[i + 1])
+    i++;
+  const double t = t0 < at[0] ? at[0] : t0 > at[np] ? at[np] : t0;
+  for (int k = 0; k < a->nh; k++)
+    {
+      a->value[k] = 0;
+      for (int j = 0; j < order; j++)
+        a->value[k] = a->value[k] * (t - at[i]) + c[a->input[k] - 1 + nv * (i + np * j)];
+    }
+}
+
 int
 gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *rp)
 {
@@ -195,5 +217,6 @@ gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *r
         return -(k + 1);
       a.next[k] = (int)next;
     }
+  hold_table (s->nv, t0, ip, rp, &a);
   return 0;
 }

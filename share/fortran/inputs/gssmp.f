@@ -20,7 +20,9 @@ C             IS(4)  NH, the number of held outputs of all devices;
 C             IS(5)  NP, places for outputs that are on their way;
 C             IS(6)  NS, places for a record of the instants; 0: none;
 C             IS(7)  instants so far;
-C             IS(8..10)  zero;
+C             IS(8)  1 where a table of the inputs tells the held outputs
+C                    before the first samples (gslay.c), else 0;
+C             IS(9..10)  zero;
 C             then for each device: the number K of its next sample, the
 C             number of its held outputs, 1 if Y must be computed anew
 C             for it after others acted (it reads them and the motion);

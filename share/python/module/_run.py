@@ -259,14 +259,17 @@ class _Plan:
         self.put('planned', planned, np.intc)
         self.pieces('motion', poly)
 
-    def inputs(self, given):
-        """Constants, a piecewise polynomial or a function v = f(t, x)."""
+    def inputs(self, given, t0, x0):
+        """Constants, a piecewise polynomial or a function v = f(t, x); what it is at the start is
+        what the sampled devices hold before their first samples."""
         free = free_inputs()
         if given is None:
             given = np.zeros(NV)
         if callable(given) and not isinstance(given, Piecewise) and not hasattr(given, 'c'):
             self.given.inputs = 3
             self.callback = self.called(given, free)
+            if TABLE.get('controllers'):
+                self.put('constants', self.told(given, free, t0, x0[:NX]))
         elif isinstance(given, Piecewise) or hasattr(given, 'c'):
             poly = as_piecewise(self.who, 'input', given, getattr(given, 'n', NV)
                                 if getattr(given, 'n', NV) in (NV, len(free)) else NV)
@@ -301,12 +304,15 @@ class _Plan:
         apart = max(2 * np.finfo(float).eps * abs(t), 1e-300)
         return t - apart if side < 0 else t + apart
 
+    def told(self, function, free, t, x):
+        """What a function v = f(t, x) gives, in all places."""
+        found = np.atleast_1d(np.asarray(function(t, x.copy()), float))
+        return _vector(self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
+
     def called(self, function, free):
         def inputs(t, x, nx, v, nv):
-            found = np.atleast_1d(np.asarray(
-                function(t, np.ctypeslib.as_array(x, (nx,))[:NX].copy()), float))
-            np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = _vector(
-                self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
+            own = np.ctypeslib.as_array(x, (nx,))[:NX]
+            np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = self.told(function, free, t, own)
 
         def vin(t, side, x, nx, nv, data, v):
             return self.ends.call(inputs, self.beside(t, side), x, nx, v, nv)
@@ -463,7 +469,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
         model._has('cmd')
         p.motion(motion)
     else:
-        p.inputs(input)
+        p.inputs(input, times[0], x)
     p.feedback(gain, reference, limits)
     p.samples(times, memory, bool(samples))
     p.events(modes)
