@@ -98,20 +98,28 @@ gsf_can_step (gsf_instance *a, double t, double h)
   return GSF_OK;
 }
 
+/* communication points are sums of steps: an event of the user that lies this near to one has
+ * happened there */
+static double
+rounding (const gsf_instance *a, double t)
+{
+  return a->m->nown > 0 ? 16 * gseps () * fabs (t) : 0;
+}
+
 /* from the time that is reached to t, the end of a communication step of the length h, or to the
  * next event of the user */
 static int
 run_on (gsf_instance *a, double t, double h)
 {
   const gs_scene *s = a->m->scene;
-  const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 };
+  const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 }, end = t + rounding (a, t);
   gs_run run;
   memset (&run, 0, sizeof run);
   run.nx = run.ldx = s->nx;
   run.t0 = a->d[GSF_T];
   run.x0 = a->x;
   run.nt = 1;
-  run.tout = &t;
+  run.tout = &end;
   run.iopt = a->iopt;
   run.ropt = ropt;
   run.atol = a->atol;
@@ -133,14 +141,20 @@ run_on (gsf_instance *a, double t, double h)
   return GSF_OK;
 }
 
-/* through the step that goes beyond the time, to t or to its end; is t reached? */
+/* through the step that goes beyond the time, to t or to its end; is t reached? Where the step ends
+ * at t itself and there are events of the user it is as if it had never been: one may lie there */
 static int
 go_ahead (gsf_instance *a, double t)
 {
   if (! (a->d[GSF_AHEAD_H] > 0))
     return 0;
   const int reached = gsf_reaches (a, t);
-  const double end = reached ? t : a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H];
+  const double last = a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H], end = reached ? t : last;
+  if (a->m->nown > 0 && reached && t + rounding (a, t) > last)
+    {
+      a->d[GSF_AHEAD_H] = 0;
+      return 0;
+    }
   if (! gsf_look (a, end))
     {
       gsf_forget (a);
@@ -156,13 +170,15 @@ int
 gsf_step (gsf_instance *a, double t)
 {
   const double h = t - a->d[GSF_T];
+  if (fabs (a->d[GSF_T1] - t) <= 1e-9 * h)   /* a sum of steps that is the stop time */
+    t = a->d[GSF_T1];
   options (a);
   if (a->i[GSF_QUIET] < 2)
     a->i[GSF_QUIET]++;
   if (go_ahead (a, t))
     return gsf_watch (a);
   int status = a->m->nown > 0 ? gsf_happens (a, -1) : GSF_OK;
-  while (status == GSF_OK && a->d[GSF_T] < t && a->i[GSF_ENDED] == 0)
+  while (status == GSF_OK && a->d[GSF_T] < t - rounding (a, t) && a->i[GSF_ENDED] == 0)
     {
       status = run_on (a, t, h);
       gsf_tally (a);

@@ -224,6 +224,7 @@ def bounce():
     a = Instance(0, {'y': 1.0}, 3.0)
     ends = [a.step(k/2, 0.5) for k in range(6)]
     told(ends[-1] == (1, 3.0) and a['done.count'] == 1, 'an event at the end of the experiment')
+    at_points()
     del log[:]
     a, end = cosimulation({'y': 1.0, 'e': 0.5, 'last': 10.0}, 5.0, 0.1, lambda a, t: None)
     told('events accumulate at t = 1.3545709' in log[-1], 'bounces that accumulate are an error')
@@ -233,6 +234,23 @@ def bounce():
     except SystemExit as problem:
         told('events accumulate at t = 1.354' in str(problem) and 'event hit' in str(problem),
              'bounces that accumulate are an error, model exchange')
+
+
+def at_points():
+    """An event at a time that is a communication point but for rounding, and the stop time or not:
+    it has happened there, whatever the steps are and whoever sums them"""
+    for last, stop in ((3, 3.0), (1, 10.0)):
+        for n in (8, 10, 16, 20, 32, 48, 64, 100, 128, 1000):
+            for summed in (0, 1):
+                a, t, h, steps = Instance(0, {'y': 1.0, 'last': last}, stop), 0.0, 1/n, 0
+                ended = 0
+                while steps < n*last and not ended:
+                    ended, end = a.step(t, h)
+                    steps += 1
+                    t = t + h if summed else steps*h
+                told(ended == 1 and steps == n*last and a['done.count'] == 1
+                     and abs(end - last) < 4e-15, 'an event at %d s, stop time %g, steps of 1/%d%s'
+                     % (last, stop, n, ', summed' if summed else ''))
 
 
 def thermostat():
