@@ -97,10 +97,13 @@ gs_events_at_end (gs_run *s)
   int info = 0;
   if (! gs_has_events (s))
     return FINISHED;
+  const int so_far = *gs_events_planned (s).count;
   if (gs_take_inputs (s, s->t, -1, s->x, s->v) != 0)
     return ROUTINE;
   ((end_type *) r->gsend) (r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x, &r->nu, &r->nx,
                            &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &info);
+  if (*gs_events_planned (s).count > so_far)
+    s->side = 1;   /* the row is behind it */
   return info != 0 ? ROUTINE : gs_ended_by_event (s) ? ENDED : FINISHED;
 }
 

@@ -9,6 +9,7 @@ function test_event_edges ()
   for method = methods_
     at_the_end (m, method{1});
     chains (m, method{1});
+    at_jumps (m, method{1});
     close_together (m, method{1});
     on_the_surface (m, method{1});
     breakaway (gsmbp_fixture ("event_breakaway"), method{1});
@@ -76,6 +77,30 @@ function chains (m, method)
     end
   end
   gsmbp_check ([method ": runs that go on: none twice, none lost"], [twice, lost], 0);
+end
+
+## an event that an input brings about where it jumps: of two runs that meet there the first tells it,
+## with the state and the input behind it; so it is where a clock lies there, too
+function at_jumps (m, method)
+  push = gsmbp_plan ("table", [0 0.25 0.5 0.75], [0 4 0 5]', 0);
+  set_ = {"method", method, "step", 0.1, "input", push};
+  for late = [100, 0.75]
+    c = gsmbp_set (m, "late", late);
+    whole = gsmbp_simulate (c, [1 5 0 0], [0 1], set_{:});
+    for T = [0.2, 0.25, 0.3, 0.5, 0.75, 0.8]
+      a = gsmbp_simulate (c, [1 5 0 0], [0 T], set_{:});
+      b = gsmbp_simulate (c, a.x(end,:), [T 1], set_{:});
+      gsmbp_check (sprintf ("%s: runs that meet at %g s, inputs jump, clock at %g s", method, T, ...
+                            late), [b.x(end,:) - whole.x(end,:), ...
+                                    told(a, "pushes") - (T >= 0.25) - (T >= 0.75), ...
+                                    told(b, "pushes") + told(a, "pushes") - 2, ...
+                                    told(a, "clock") + told(b, "clock") - (late < 1)], 1e-9);
+      if (any (T == [0.25 0.75]))
+        gsmbp_check (sprintf ("%s: ... the row at %g s", method, T), ...
+                     [a.v(end), a.x(end,3) - a.events.after(end,3)] - [3.5 + 2*T, 0], 1e-15);
+      endif
+    endfor
+  endfor
 end
 
 ## two events at one time but for rounding, and an output there: the run goes on

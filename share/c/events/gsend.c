@@ -2,7 +2,10 @@
  *
  * Steps end at a stop as it is just before (GSLFT); what the event functions are at t itself counts
  * here: an event belongs to the run if its function is not above 0 there, else to one that goes on
- * from there. No other event happens: ports find their modes where a run begins. */
+ * from there. So does one that a jump of the inputs at t brings about, as within a run (GSSTO,
+ * k = -1). No other event happens: ports find their modes where a run begins. Behind an event v is
+ * from the right. */
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/plan.h"
@@ -11,12 +14,12 @@ int
 gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
        const double *cst)
 {
-  int k = 0;
+  int k = -1;
   s->evt (t, x, v, a->mode, cst, a->now);
   gsusg (a);
   for (int i = a->ne - 1; i >= 0; i--)
-    if (gs_is_own (a, i) && a->mark[i] == 1 && a->now[i] <= 0.0)
-      k = i + 1;
+    if (gs_is_own (a, i) && a->mark[i] == 1)
+      k = a->now[i] <= 0.0 ? i + 1 : gs_most (k, 0);
   return k;
 }
 
@@ -27,11 +30,21 @@ gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
   if (ip[GS_EVENTS] <= 0)
     return 0;
   const gs_events a = gs_planned_events (nx, ip, rp);
-  const int k = gsenf (s, &a, t, x, v, cst);
-  const int info = k > 0 ? gsevk (s, t, x, nx, ip, rp, cst, v, istat, k) : 0;
-  if (k == 0 || info != 0)
+  int k = gsenf (s, &a, t, x, v, cst), side = k > 0 ? 1 : -1;
+  int info = k > 0 ? gsevk (s, t, x, nx, ip, rp, cst, v, istat, k) : 0;
+  if (k < 0 || info != 0)
     return info;
-  istat[GS_FAILED_INFO] = gsinp (s, t, -1, x, nx, ip, rp, cst, v, w);
+
+  /* from the right; nothing where the run has ended already */
+  if (gsinp (s, t, 1, x, nx, ip, rp, cst, v, w) == 0 && gs_ended (ip) == 0
+      && gsenf (s, &a, t, x, v, cst) > 0)
+    {
+      side = 1;
+      info = gsevk (s, t, x, nx, ip, rp, cst, v, istat, -1);
+      if (info != 0)
+        return info;
+    }
+  istat[GS_FAILED_INFO] = gsinp (s, t, side, x, nx, ip, rp, cst, v, w);
   istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 1 : 0;
   return istat[GS_FAILED_INFO];
 }

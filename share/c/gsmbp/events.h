@@ -315,13 +315,14 @@ int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, 
 int gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
            double *v, int *istat, int k);
 
-/* the end of a run: an event of the user that lies at t itself; v: the inputs there from the left.
+/* the end of a run: an event of the user that lies at t itself, or that inputs which jump there
+ * bring about; v: the inputs there from the left, behind an event from the right.
  * info: as gsevr */
 int gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
            double *v, double *w, int *istat);
 
 /* for gsend: the first event function of the user that has been above 0 since its last event and is
- * not at t; 0: none */
+ * not at t; 0: none; -1: none has been above 0 */
 int gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
            const double *cst);
 
