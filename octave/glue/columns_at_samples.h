@@ -31,6 +31,11 @@ gsmbp_outputs_with_columns (const number *t, const number *x, const number *v, c
                             number *y, int *info)
 {
   carried& c = *the_columns;
+  if (states_alone (c))   // on trial
+    {
+      routine ("out") (t, x, v, cst, y, info);
+      return;
+    }
   arrivals (c);
   routine ("out") (t, x, v, cst, y, info);
   if (*info != 0 && *info != 2 && *info != 3)
@@ -67,6 +72,11 @@ gsmbp_control_with_columns (const int *device, const number *t, const number *y,
   carried& c = *the_columns;
   const gs_samples s = c.plan->samples ();
   const int nv = S.nv, nk = S.nxk, ny = S.ny, rows = nv + nk;
+  if (states_alone (c))
+    {
+      routine ("ctl") (device, t, y, xk, cst, v);
+      return;
+    }
   arrivals (c);
   reals d = room (rows * (rows + ny + S.nsp)), z = room (rows), now = c.vp;
   routine ("ctd") (device, t, y, xk, cst, v, &d[0]);

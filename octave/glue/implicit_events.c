@@ -16,7 +16,8 @@ typedef void evo_type (gsmbp_sub rst, const int *method, const double *t, double
                        int *ip, double *rp, double *cst, double *v, const double *rtol,
                        const double *atol, int *moved);
 
-typedef void end_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, gsmbp_sub rst,
+typedef void end_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin,
+                       gsmbp_sub evt, gsmbp_sub rst,
                        const double *t, double *x, const int *nu, const int *nx, const int *nv,
                        int *ip, double *rp, double *cst, double *v, double *w, int *istat,
                        int *info);
@@ -98,10 +99,9 @@ gs_events_at_end (gs_run *s)
   if (! gs_has_events (s))
     return FINISHED;
   const int so_far = *gs_events_planned (s).count;
-  if (gs_take_inputs (s, s->t, -1, s->x, s->v) != 0)
-    return ROUTINE;
-  ((end_type *) r->gsend) (r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x, &r->nu, &r->nx,
-                           &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &info);
+  ((end_type *) r->gsend) (r->out, r->ctl, r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x,
+                           &r->nu, &r->nx, &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
+                           &info);
   if (*gs_events_planned (s).count > so_far)
     s->side = 1;   /* the row is behind it */
   return info != 0 ? ROUTINE : gs_ended_by_event (s) ? ENDED : FINISHED;

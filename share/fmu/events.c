@@ -163,8 +163,11 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
   if (a->m->scene->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
     *gsf_events (a).since = 0;
   a->d[GSF_T_EVENT] = a->d[GSF_T];
+  const int switched = a->d[GSF_T] >= a->d[GSF_T_SWITCH];
   gsf_next_switch (a);
-  if (ports (a) || samples (a, &acted) || (acted && ports (a)) || coordinates (a, &chosen))
+  /* what a switch alone would bring about does not count where samples are due, too */
+  if ((! switched && ports (a)) || samples (a, &acted) || ((acted || switched) && ports (a))
+      || coordinates (a, &chosen))
     return GSF_ERROR;
   if (a->d[GSF_T_SWITCH] < a->d[GSF_T_NEXT])
     a->d[GSF_T_NEXT] = a->d[GSF_T_SWITCH];

@@ -106,13 +106,33 @@ rounding (const gsf_instance *a, double t)
   return a->m->nown > 0 ? 16 * gseps () * fabs (t) : 0;
 }
 
+/* the end of a run to the communication point t: a little behind it, but not behind a sample, which
+ * belongs to the next step */
+static double
+end_of_run (const gsf_instance *a, double t)
+{
+  const gs_scene *s = a->m->scene;
+  const double near = rounding (a, t);
+  if (near == 0 || s->nctl == 0)
+    return t + near;
+  const gs_samples plan = gsf_samples (a);
+  for (int k = 0; k < 2 * s->nctl; k++)
+    {
+      const double period = plan.period[k / 2], delay = k % 2 ? plan.delay[k / 2] : 0;
+      const double due = round ((t - delay) / period) * period + delay;
+      if (fabs (due - t) <= near)
+        return due > t ? due : t;
+    }
+  return t + near;
+}
+
 /* from the time that is reached to t, the end of a communication step of the length h, or to the
  * next event of the user */
 static int
 run_on (gsf_instance *a, double t, double h)
 {
   const gs_scene *s = a->m->scene;
-  const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 }, end = t + rounding (a, t);
+  const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 }, end = end_of_run (a, t);
   gs_run run;
   memset (&run, 0, sizeof run);
   run.nx = run.ldx = s->nx;
@@ -177,7 +197,14 @@ gsf_step (gsf_instance *a, double t)
     a->i[GSF_QUIET]++;
   if (go_ahead (a, t))
     return gsf_watch (a);
-  int status = a->m->nown > 0 ? gsf_happens (a, -1) : GSF_OK;
+  int status = GSF_OK, istat[20] = { 0 };
+  if (a->m->nown > 0)
+    {
+      gsent (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v, a->w,
+             istat);
+      a->known = 0;
+      status = gsf_happens (a, -1);
+    }
   while (status == GSF_OK && a->d[GSF_T] < t - rounding (a, t) && a->i[GSF_ENDED] == 0)
     {
       status = run_on (a, t, h);

@@ -240,8 +240,8 @@ samples (test *a, int nc, const double *period, const double *delay, const int *
   memcpy (rs, period, nc * sizeof (double));
   memcpy (rs + nc, delay, nc * sizeof (double));
   memcpy (rs + 2 * nc + nh, memory, nxk * sizeof (double));
-  a->nip += 10 + 3 * nc + nh + np;
-  a->nrp += 2 * nc + nh + nxk + s->ny + s->nv + np * (1 + nh) + ns * (1 + nxk + s->nv);
+  a->nip += 11 + 4 * nc + nh + 2 * np;
+  a->nrp += 2 * nc + 2 * (nh + nxk) + s->ny + s->nv + 2 * np * (1 + nh) + ns * (1 + nxk + s->nv);
 }
 
 /* did anybody write behind the workspace? */

@@ -1,5 +1,5 @@
 """events.py SCENE FOLDER STANDARD: the FMU of a scene with events of the user, unpacked in FOLDER,
-against closed forms (user_bounce, user_thermostat) or what holds (user_crank), in both kinds:
+against closed forms (user_bounce, user_thermostat) or what holds (others), in both kinds:
 co-simulation with steps that end nowhere near an event, model exchange by classical Runge-Kutta,
 whose step ends where an indicator changes its sign. Prints a line `ok` or `not ok` a check."""
 import ctypes as c
@@ -100,13 +100,15 @@ class Instance:
         return status > 2 or end.value, last.value
 
     def events(self):
-        """does the run end here?"""
+        """does the run end here? next: the time of the next event that is known"""
         if standard == 2:
             e = Events()
             self('NewDiscreteStates', c.byref(e))
+            self.next = e.next if e.defined else math.inf
             return e.terminate
-        e = [B() for k in range(5)]
-        self('UpdateDiscreteStates', *map(c.byref, e), c.byref(D()))
+        e, next_ = [B() for k in range(5)], D()
+        self('UpdateDiscreteStates', *map(c.byref, e), c.byref(next_))
+        self.next = next_.value if e[4].value else math.inf
         return e[1].value
 
     def states(self):
@@ -161,7 +163,7 @@ def exchange(start, end, h, each):
         x = a.states()
         signs = a.signs(t, x)
         while t < end:
-            full = min(h, end - t)
+            full = min(h, end - t, a.next - t)
             y = moved(t, x, full)
             low, high = 0.0, full
             if a.signs(t + full, y) != signs:
@@ -176,8 +178,9 @@ def exchange(start, end, h, each):
             a.at(t + high, y)
             a('CompletedIntegratorStep', *([] if standard == 2 else [B(1)]),
               *([1] if standard == 2 else []), c.byref(event), c.byref(terminate))
-            t, x = t + high, y
-            if event.value or a.signs(t, x) != signs:
+            timed = high == full == a.next - t
+            t, x = a.next if timed else t + high, y
+            if event.value or timed or a.signs(t, x) != signs:
                 break
         a.before = [a[name] for name in ('phi_d', 's_d') if name in ref]
         a('EnterEventMode')
@@ -295,8 +298,27 @@ def crank():
         yield kind, a['kick.time'], speed, a['phi']
 
 
+def instant():
+    """A switch and a sample at one instant, which is a communication point or not: what the switch
+    alone brings about is no event"""
+    names = 'between', 'risen', 'switched', 'sampled', 'clock'
+    for t1, wanted in ((0.5, [0, 0, 1, 1, 1]), (0.52, [1, 0, 1, 0, 1])):
+        ends = []
+        for kind, run, h in (('co-simulation', cosimulation, 0.8), ('0.1 s', cosimulation, 0.1),
+                             ('0.01 s', cosimulation, 0.01), ('0.05 s', cosimulation, 0.05),
+                             ('1/64 s', cosimulation, 1/64), ('model exchange', exchange, 0.0113)):
+            a, t = run({'t1': t1}, 0.8, h, lambda a, t: None)
+            counts = [round(a[name + '.count']) for name in names]
+            told(counts == wanted, 'a switch at %g s, %s: %s' % (t1, kind, counts))
+            ends += [a['x'], a['x_d']] if h != 1/64 or t1 > 0.5 else []
+        first = ends[:2]*(len(ends)//2)
+        near(max(abs(p - q) for p, q in zip(ends, first)), 1e-8, '... the state at the end')
+
+
 if scene == 'user_bounce':
     bounce()
+elif scene == 'event_instant':
+    instant()
 elif scene == 'user_thermostat':
     thermostat()
 else:

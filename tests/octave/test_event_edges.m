@@ -10,6 +10,7 @@ function test_event_edges ()
     at_the_end (m, method{1});
     chains (m, method{1});
     at_jumps (m, method{1});
+    at_instants (gsmbp_fixture ("event_instant"), method{1});
     close_together (m, method{1});
     on_the_surface (m, method{1});
     breakaway (gsmbp_fixture ("event_breakaway"), method{1});
@@ -79,8 +80,8 @@ function chains (m, method)
   gsmbp_check ([method ": runs that go on: none twice, none lost"], [twice, lost], 0);
 end
 
-## an event that an input brings about where it jumps: of two runs that meet there the first tells it,
-## with the state and the input behind it; so it is where a clock lies there, too
+## an event that an input brings about where it jumps: of two runs that meet there the first tells
+## it, with the state and the input behind it; so it is where a clock lies there, too
 function at_jumps (m, method)
   push = gsmbp_plan ("table", [0 0.25 0.5 0.75], [0 4 0 5]', 0);
   set_ = {"method", method, "step", 0.1, "input", push};
@@ -99,6 +100,32 @@ function at_jumps (m, method)
         gsmbp_check (sprintf ("%s: ... the row at %g s", method, T), ...
                      [a.v(end), a.x(end,3) - a.events.after(end,3)] - [3.5 + 2*T, 0], 1e-15);
       endif
+    endfor
+  endfor
+end
+
+## a switch and a sample at one instant: what lies between the two is no event, what is behind both
+## is one, whether two runs meet there or not
+function at_instants (m, method)
+  set_ = {"method", method, "step", 0.01};
+  names = @(r) sort (r.events.name(:))';
+  for t1 = [0.5, 0.52]
+    c = gsmbp_set (m, "t1", t1);
+    whole = gsmbp_simulate (c, m.initial, [0 0.8], set_{:});
+    wanted = {{"clock", "sampled", "switched"}, {"between", "clock", "switched"}}{1 + (t1 > 0.5)};
+    gsmbp_check (sprintf ("%s: a switch at %g s: %s", method, t1, strjoin (names (whole))), ...
+                 isequal (names (whole), wanted));
+    for T = [0.25, 0.5, 0.51, 0.52]
+      a = b = gsmbp_simulate (c, m.initial, [0 T], set_{:});
+      told = names (a);
+      if (isempty (a.stats.stopped))
+        b = gsmbp_simulate (c, a.x(end,:), [T 0.8], "input", a.v(end,:), "memory", a.memory, ...
+                            set_{:});
+        told = sort ([told, names(b)]);
+      endif
+      gsmbp_check (sprintf ("%s: ... as in two runs that meet at %g s", method, T), ...
+                   isequal (told, wanted) && isequal (a.memory, a.samples.xk(end,:)') ...
+                   && max (abs (b.x(end,:) - whole.x(end,:))) < 1e-9);
     endfor
   endfor
 end

@@ -70,7 +70,7 @@ done
 mkdir "$work/emitted"
 scenes='four_bar slider_crank event_crank event_pendulum event_ball event_slide event_blocks
   sampled_crank passage_events parallelograms3 user_bounce user_count user_crank
-  user_dips user_held user_wheel'
+  user_dips user_held user_wheel event_instant'
 for scene in $scenes; do
   file=tests/scenes/$scene.mac out=$GSMBP_TEST_DIR/fortran_out
   [ -f "$file" ] || { file=examples/$scene/$scene.mac; out=$work/emitted; }

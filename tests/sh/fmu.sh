@@ -21,8 +21,8 @@ for scene in event_crank $(whole && echo sampled_drive); do
   tests/fmu/binaries "$work/fmu" $scene
   tests/fmu/drive "$work/fmu" $scene 0.4 40
 done
-# events of the user: reset and stop, switch, closed loops
-for scene in user_bounce user_thermostat user_crank; do
+# events of the user: reset and stop, switch, closed loops, samples
+for scene in user_bounce user_thermostat user_crank event_instant; do
   share/fmu/derive tests/scenes/$scene.mac "$work/fmu" >"$report" 2>&1
   told $? "$scene becomes FMUs" "$report"
   for standard in 2 3; do

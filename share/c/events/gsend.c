@@ -4,11 +4,14 @@
  * here: an event belongs to the run if its function is not above 0 there, else to one that goes on
  * from there. So does one that a jump of the inputs at t brings about, as within a run (GSSTO,
  * k = -1). No other event happens: ports find their modes where a run begins. Behind an event v is
- * from the right. */
+ * from the right. What a sample at t takes back is no event, either. */
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
+#include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/plan.h"
+
+#include <math.h>
 
 int
 gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
@@ -23,6 +26,54 @@ gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const d
   return k;
 }
 
+void
+gsent (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
+       const double *cst, double *v, double *w, int *istat)
+{
+  double ts;
+  int acted;
+  if (ip[GS_SAMPLES] <= 0 || ip[GS_EVENTS] <= 0)
+    return;
+  int *is = ip + ip[GS_SAMPLES] - 1;
+  double *rs = rp + ip[GS_SAMPLES + 1] - 1;
+  const gs_events a = gs_planned_events (nx, ip, rp);
+  if (gsnxt (s->nv, is, rs) > t + 8.0 * gseps () * fabs (t)
+      || gsinp (s, t, 1, x, nx, ip, rp, cst, v, w) != 0 || gsenf (s, &a, t, x, v, cst) <= 0)
+    return;
+  for (int i = 0; i < a.ne; i++)
+    a.marks[i] = a.mark[i] == 1 && a.now[i] <= 0.0;
+  gskep (0, s->nv, is, rs);
+  const int info = gsdue (s, t, x, nx, ip, rp, cst, v, w, istat, &ts, &acted);
+  gskep (1, s->nv, is, rs);
+  istat[GS_FAILED_INFO] = 0;
+  istat[GS_FAILED] = 0;
+  if (info != 0)
+    return;
+  gsenf (s, &a, t, x, v, cst);
+  for (int i = 0; i < a.ne; i++)
+    if (gs_is_own (&a, i) && a.marks[i] == 1 && a.now[i] > 0.0)
+      a.mark[i] = 0;
+}
+
+void
+gsenb (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
+       const double *cst, double *v, double *w)
+{
+  if (ip[GS_SAMPLES] <= 0 || ip[GS_EVENTS] <= 0
+      || gsnxt (s->nv, ip + ip[GS_SAMPLES] - 1, rp + ip[GS_SAMPLES + 1] - 1)
+           > t + 8.0 * gseps () * fabs (t))
+    return;
+  const gs_events a = gs_planned_events (nx, ip, rp);
+  if (gsinp (s, t, -1, x, nx, ip, rp, cst, v, w) == 0)
+    {
+      gsenf (s, &a, gslft (t, -1), x, v, cst);
+      for (int i = 0; i < a.ne; i++)
+        if (gs_is_own (&a, i) && a.now[i] <= 0.0)
+          a.mark[i] = 0;
+    }
+  gsinp (s, t, 1, x, nx, ip, rp, cst, v, w);
+}
+
 int
 gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
        double *v, double *w, int *istat)
@@ -30,6 +81,11 @@ gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
   if (ip[GS_EVENTS] <= 0)
     return 0;
   const gs_events a = gs_planned_events (nx, ip, rp);
+  gsent (s, t, x, nx, ip, rp, cst, v, w, istat);
+  istat[GS_FAILED_INFO] = gsinp (s, t, -1, x, nx, ip, rp, cst, v, w);
+  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 1 : 0;
+  if (istat[GS_FAILED_INFO] != 0)
+    return istat[GS_FAILED_INFO];
   int k = gsenf (s, &a, t, x, v, cst), side = k > 0 ? 1 : -1;
   int info = k > 0 ? gsevk (s, t, x, nx, ip, rp, cst, v, istat, k) : 0;
   if (k < 0 || info != 0)

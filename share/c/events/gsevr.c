@@ -1,4 +1,6 @@
-/* GSEVR: GSRES under the inputs of a run, from the right. GSEVK: what is told of it. */
+/* GSEVR: GSRES under the inputs of a run, from the right. At the start (k = 0) of a run where a
+ * sampled device acts functions of the user are marked only if they are above 0 just before, too
+ * (gsenb). GSEVK: what is told of it. */
 #include "gsmbp/events.h"
 #include "gsmbp/inputs.h"
 
@@ -12,7 +14,10 @@ gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
   istat[GS_FAILED] = 1;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
-  return gsevk (s, t, x, nx, ip, rp, cst, v, istat, k);
+  const int info = gsevk (s, t, x, nx, ip, rp, cst, v, istat, k);
+  if (info == 0 && k == 0)
+    gsenb (s, t, x, nx, ip, rp, cst, v, w);
+  return info;
 }
 
 int

@@ -316,10 +316,20 @@ int gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, 
            double *v, int *istat, int k);
 
 /* the end of a run: an event of the user that lies at t itself, or that inputs which jump there
- * bring about; v: the inputs there from the left, behind an event from the right.
+ * bring about; v, written: the inputs there from the left, behind an event from the right.
  * info: as gsevr */
 int gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
            double *v, double *w, int *istat);
+
+/* before what event functions of the user are at t counts, where a sampled device acts at t, too:
+ * one that is not above 0, but is so behind that, has no event. v: workspace */
+void gsent (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
+            const double *cst, double *v, double *w, int *istat);
+
+/* the other side of gsent, where a run begins: a function that a switch or a jump at t alone brings
+ * above 0, before a sampled device acts at t, has not been above 0. v: the inputs from the right */
+void gsenb (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
+            const double *cst, double *v, double *w);
 
 /* for gsend: the first event function of the user that has been above 0 since its last event and is
  * not at t; 0: none; -1: none has been above 0 */

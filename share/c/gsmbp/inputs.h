@@ -7,6 +7,8 @@
 
 #include "gsmbp/scene.h"
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -54,6 +56,8 @@ typedef struct
   double *when;        /* np: when outputs arrive [s] */
   double *sent;        /* (nh,np): these outputs */
   double *record;      /* (1+nxk+nv,ns): time, memory, inputs */
+  int *kept;           /* 1+nc+np, workspace: count, next and sender */
+  double *keeps;       /* nh+nxk + np*(1+nh), workspace: value and memory, when and sent */
 } gs_samples;
 
 /* the plan of which is and rs are the arrays */
@@ -83,6 +87,8 @@ gs_samples_of (int nv, int *is, double *rs)
   a.when = a.v + nv;
   a.sent = a.when + a.np;
   a.record = a.sent + a.np * a.nh;
+  a.kept = a.sender + a.np;
+  a.keeps = a.record + (size_t) a.ns * (1 + a.nxk + nv);
   return a;
 }
 
@@ -114,6 +120,9 @@ int gspln (int nc, int np, int k, const double *brk, const double *coef, double 
  * an output on its way */
 int gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *v, int *is,
            double *rs);
+
+/* what an instant changes in the plan of the samples is kept (back = 0), or as it was kept */
+void gskep (int back, int nv, int *is, double *rs);
 
 /* sampled devices at a stop of a run; ts: when one acts or gives out next [s]; acted: 1 if
  * something was due. info: what failed, as istat[5] and istat[6] */

@@ -22,7 +22,8 @@ length_of (const gs_pieces *a)
 static int
 sample_wholes (const gs_plan *p)
 {
-  return p->s->nctl > 0 ? 10 + 3 * p->s->nctl + p->s->nheld + p->on_the_way : 0;
+  const gs_scene *s = p->s;
+  return s->nctl > 0 ? 11 + 4 * s->nctl + s->nheld + 2 * p->on_the_way : 0;
 }
 
 static int
@@ -32,7 +33,7 @@ sample_reals (const gs_plan *p)
   if (s->nctl == 0)
     return 0;
   return 2 * s->nctl + s->nheld + s->nxk + s->ny + s->nv + p->on_the_way * (1 + s->nheld)
-         + p->instants * (1 + s->nxk + s->nv);
+         + p->instants * (1 + s->nxk + s->nv) + s->nheld + s->nxk + p->on_the_way * (1 + s->nheld);
 }
 
 int

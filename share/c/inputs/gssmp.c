@@ -113,3 +113,22 @@ gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *
   record (&a, s->nv, t, v);
   return 0;
 }
+
+static void
+keep (int back, size_t n, void *what, void *kept)
+{
+  if (n > 0)
+    memcpy (back ? what : kept, back ? kept : what, n);
+}
+
+void
+gskep (int back, int nv, int *is, double *rs)
+{
+  const gs_samples a = gs_samples_of (nv, is, rs);
+  const size_t whole = sizeof (int), real = sizeof (double), nk = a.nh + a.nxk;
+  keep (back, whole, a.count, a.kept);
+  keep (back, whole * a.nc, a.next, a.kept + 1);
+  keep (back, whole * a.np, a.sender, a.kept + 1 + a.nc);
+  keep (back, real * nk, a.value, a.keeps);
+  keep (back, real * a.np * (1 + a.nh), a.when, a.keeps + nk);
+}

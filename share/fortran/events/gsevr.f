@@ -3,7 +3,9 @@
 C
 C     PURPOSE
 C     GSRES under the inputs of a run, from the right; nothing where the
-C     scene has no events.
+C     scene has no events.  At the start (K = 0) of a run where a sampled
+C     device acts functions of the user are marked only if they are above
+C     0 just before, too (GSENB).
 C
 C     ARGUMENTS
 C     As GSINP and GSRES, and
@@ -13,7 +15,7 @@ C
       EXTERNAL           CMD, CLO, VIN, EVT, RST
       INTEGER            NU, NX, NV, IP(*), ISTAT(*), K, INFO
       DOUBLE PRECISION   T, X(*), RP(*), CST(*), V(*), W(*)
-      EXTERNAL           GSEVK, GSINP
+      EXTERNAL           GSENB, GSEVK, GSINP
 C
       INFO = 0
       IF ( IP(28).LE.0 ) RETURN
@@ -23,6 +25,8 @@ C
       ISTAT(7) = 1
       IF ( INFO.EQ.0 ) CALL GSEVK( EVT, RST, T, X, NX, IP, RP, CST, V,
      $   ISTAT, K, INFO )
+      IF ( INFO.EQ.0 .AND. K.EQ.0 ) CALL GSENB( CMD, CLO, VIN, EVT, T,
+     $   X, NU, NX, NV, IP, RP, CST, V, W )
       END
       SUBROUTINE GSEVK( EVT, RST, T, X, NX, IP, RP, CST, V, ISTAT, K,
      $                  INFO )

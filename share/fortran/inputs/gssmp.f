@@ -27,11 +27,13 @@ C             then for each device: the number K of its next sample, the
 C             number of its held outputs, 1 if Y must be computed anew
 C             for it after others acted (it reads them and the motion);
 C             then NH numbers of inputs, device by device;
-C             then NP numbers of devices, 0 where a place is free.
+C             then NP numbers of devices, 0 where a place is free, and
+C             1 + NC + NP workspace (GSKEP).
 C     S       (input/output) DOUBLE PRECISION array:
 C             NC periods, NC delays, NH held outputs, NXK memory, NY and
 C             NV workspace; then NP times and NP*NH outputs that are on
-C             their way; then NS records: time, NXK memory, NV inputs.
+C             their way; then NS records: time, NXK memory, NV inputs;
+C             then NH + NXK + NP*(1 + NH) workspace (GSKEP).
 C     INFO    (output) INTEGER, 0, the INFO of OUT, or -1 if there is no
 C             place for an output on its way.
 C
@@ -140,4 +142,47 @@ C     -- the record
       DO 110 I = 1, NV
          S(L+NXK+I) = V(I)
   110 CONTINUE
+      END
+      SUBROUTINE GSKEP( BACK, NV, IS, S )
+C
+C     PURPOSE
+C     What an instant of the sampled devices changes is kept (BACK = 0),
+C     or as it was kept (BACK = 1).
+C
+C     ARGUMENTS
+C     NV      (input) INTEGER, the number of inputs.
+C     IS, S   (input/output) the plan of the samples, see GSSMP.
+C
+      IMPLICIT NONE
+      INTEGER            BACK, NV, IS(*)
+      DOUBLE PRECISION   S(*)
+      INTEGER            NC, NK, NP, NQ, IQ, IK, JH, JQ, JK, I
+C
+      NC = IS(1)
+      NK = IS(4) + IS(2)
+      NP = IS(5)
+      NQ = NP*( 1 + IS(4) )
+      IQ = 10 + 3*NC + IS(4)
+      IK = IQ + NP + 1
+      JH = 2*NC
+      JQ = JH + NK + IS(3) + NV
+      JK = JQ + NQ + IS(6)*( 1 + IS(2) + NV )
+      IF ( BACK.EQ.0 ) IS(IK) = IS(7)
+      IS(7) = IS(IK)
+      DO 2 I = 1, NC
+         IF ( BACK.EQ.0 ) IS(IK+I) = IS(10+I)
+         IS(10+I) = IS(IK+I)
+    2 CONTINUE
+      DO 4 I = 1, NP
+         IF ( BACK.EQ.0 ) IS(IK+NC+I) = IS(IQ+I)
+         IS(IQ+I) = IS(IK+NC+I)
+    4 CONTINUE
+      DO 10 I = 1, NK
+         IF ( BACK.EQ.0 ) S(JK+I) = S(JH+I)
+         S(JH+I) = S(JK+I)
+   10 CONTINUE
+      DO 20 I = 1, NQ
+         IF ( BACK.EQ.0 ) S(JK+NK+I) = S(JQ+I)
+         S(JQ+I) = S(JK+NK+I)
+   20 CONTINUE
       END

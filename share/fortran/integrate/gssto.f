@@ -48,8 +48,8 @@ C
       ACTED = 0
       EPS   = GSEPS()
       IF ( IT.EQ.NT .AND. T.GE.TIM(1+NT) ) THEN
-         CALL GSEND( CMD, CLO, VIN, EVT, RST, T, X, NU, NX, NV, IP, RP,
-     $               CST, V, W, ISTAT, IER )
+         CALL GSEND( OUT, CTL, CMD, CLO, VIN, EVT, RST, T, X, NU, NX,
+     $               NV, IP, RP, CST, V, W, ISTAT, IER )
          IF ( IER.NE.0 ) INFO = 3
          IF ( IP(28).GT.0 ) THEN
             IF ( IP(IP(28)+8).GT.0 .AND. INFO.EQ.0 ) INFO = 11

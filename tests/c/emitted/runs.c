@@ -5,7 +5,7 @@ extern const emitted emitted_four_bar, emitted_slider_crank, emitted_event_crank
     emitted_event_pendulum, emitted_event_ball, emitted_event_slide, emitted_event_blocks,
     emitted_sampled_crank, emitted_passage_events, emitted_parallelograms3, emitted_user_bounce,
     emitted_user_count, emitted_user_crank, emitted_user_dips, emitted_user_held,
-    emitted_user_wheel;
+    emitted_user_wheel, emitted_event_instant;
 
 static test a;
 static double par[100];
@@ -311,6 +311,22 @@ sampled_crank (void)
     }
 }
 
+/* a switch and a sample at the end of a run, a sample at its start */
+static void
+event_instant (void)
+{
+  const emitted *e = &emitted_event_instant;
+  for (int method = 4; method <= 8; method += 4)
+    {
+      e->par (par);
+      start (e, method, 1, (double[]){ 0.1, 0 }, 0.5, 10);
+      sample (e, (int[]){ 1 }, (int[]){ 1 }, 20);
+      events (&a, 5, (int[]){ 4, 5, 3, 3, 5 }, (int[5]){ 0 }, 20);
+      compare (&a, method == 4 ? "event_instant, method 4" : "event_instant, method 8", 0);
+      seen (a.ip[a.ip[GS_EVENTS] + 1], 2, "its events");
+    }
+}
+
 static void
 passage_events (void)
 {
@@ -405,6 +421,7 @@ main (int argc, char **argv)
   user_events ();
   user_dips ();
   sampled_crank ();
+  event_instant ();
   passage_events ();
   parallelograms ();
   return 0;
