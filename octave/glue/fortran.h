@@ -89,6 +89,7 @@ struct fortran
 
 extern "C"
 {
+  number gslft_ (const number *t, const int *side);
   void gssim_ (void);
   void gspln_ (void);
   void gskkt_ (void);

@@ -12,7 +12,6 @@
 
 extern "C"
 {
-  double gslft_ (const double *t, const int *side);
   void gsarg_ (void);
   void gsini_ (void);
   void gsbgn_ (void);

@@ -63,7 +63,7 @@ lane_group::join_events (int lane)
                            ? std::max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]) : 1e300;
       m_needs(i, lane) = ! gs_is_own (&e, i);
       m_until(i, lane) = accumulate_from (e, i);
-      m_repeats(i, lane) = gs_is_own (&e, i) ? gs_repeats_until (&e, i) : -1e300;
+      m_repeats(i, lane) = gs_interval (&e, i) > 0 ? gs_repeats_until (&e, i) : -1e300;
     }
   m_looks(0, lane) = looks;
   if (! looks)

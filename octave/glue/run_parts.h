@@ -88,13 +88,13 @@ switch_times (const reals& cst)
 }
 
 // The time that stands for row K of the output times: where the scene switches the row has what was
-// before, as the inputs in it (see GSLFT), but for the first one.
+// before, as the inputs in it, but for the first one.
 static number
 row_time (const reals& switches, const number *tout, int k)
 {
-  number t = tout[k], off = std::max (number (2 * DBL_EPSILON) * (t < 0 ? -t : t), number (1e-300));
-  bool left = k > 0 && std::find (switches.begin (), switches.end (), t) != switches.end ();
-  return left ? t - off : t;
+  const int side
+    = k > 0 && std::find (switches.begin (), switches.end (), tout[k]) != switches.end () ? -1 : 1;
+  return gslft_ (&tout[k], &side);
 }
 
 // the output times as they stand for the rows

@@ -4,7 +4,6 @@
 #include "gsmbp_scene.h"
 #include "start.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,6 +11,7 @@
 
 static const gsmbp_scene *const S = &gsmbp_the_scene;
 
+extern double gslft_ (const double *t, const int *side);
 extern void gssim_ (void), gsfun_ (void), gsinp_ (void), gschk_ (void), gsjmp_ (void),
     gspst_ (void), gspnw_ (void), gspbg_ (void), gsdue_ (void),
     gsend_ (void), gsevn_ (void), gsevo_ (void), gsevr_ (void), gsevv_ (void), gsusg_ (void);
@@ -376,14 +376,15 @@ fine (const double *x, int n)
 }
 
 /* the time that stands for row K: where the scene switches it has what was before, as the inputs in
-   it (see GSLFT), but for the first one and those behind its end */
+   it, but for the first one and those behind its end */
 static double
 row_time (const gs_sweep *s, const gs_room *r, const double *switches, long long k)
 {
   const double t = s->tout.x[k];
+  const int left = -1;
   for (int i = 0; i < S->nsw && k > 0 && k < r->istat[4]; i++)
     if (switches[i] >= t && switches[i] <= t)
-      return t - fmax (2 * DBL_EPSILON * fabs (t), 1e-300);
+      return gslft_ (&t, &left);
   return t;
 }
 
