@@ -13,7 +13,8 @@ public:
   // lanes: whether runs are in lanes where they can be
   ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
     : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
-      m_done (0), m_common (rows.common ())
+      m_done (0), m_common (rows.common ()), m_start (start_of (rows)),
+      m_out (S.ny > 0 ? routine ("out") : fortran { nullptr })
   {
     m_x = m_results.x.fortran_vec ();
     m_v = m_results.v.fortran_vec ();
@@ -36,7 +37,7 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
-  gs_start start_of (void) const;
+  static gs_start start_of (const ensemble_rows& rows);
   bool begins (int i, run_room& r) const;
   void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
@@ -79,6 +80,8 @@ private:
   std::atomic<int> m_next, m_done;
   std::mutex m_plan;
   const reals m_common;              // the parameters of all runs
+  const gs_start m_start;
+  const fortran m_out;
 };
 
 // whether all is to end before run I
@@ -108,28 +111,27 @@ ensemble::constants (const known_row& row, reals& cst) const
 }
 
 gs_start
-ensemble::start_of (void) const
+ensemble::start_of (const ensemble_rows& rows)
 {
   auto sub = [] (const char *name) {
     const gsmbp_routine *f = emitted (name);
     return f ? f->sub : nullptr;
   };
-  return { &S, sub ("con"), sub ("prj"), sub ("mar"), m_rows.nominal.data (), m_rows.check };
+  return { &S, sub ("con"), sub ("prj"), sub ("mar"), rows.nominal.data (), rows.check };
 }
 
 // the margins of the devices in the first ROWS, of which those behind REACHED are as that one
 void
 ensemble::margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const
 {
-  const gs_start start = start_of ();
-  if (S.nsm == 0 || ! start.mar)
+  if (S.nsm == 0 || ! m_start.mar)
     return;
   reals work = room (gs_margins_room (&S)), cst = r.cst;
   double *passed = m_margins + std::size_t (2) * S.nsm * i;
   for (std::size_t k = 0; k < rows; k++)
     {
       const std::size_t at = std::min (k, reached);
-      gs_margins (&start, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at], &cst[0],
+      gs_margins (&m_start, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at], &cst[0],
                   passed, passed + S.nsm, &work[0]);
     }
 }
@@ -139,9 +141,8 @@ ensemble::margins (int i, std::size_t rows, std::size_t reached, const run_room&
 bool
 ensemble::begins (int i, run_room& r) const
 {
-  const gs_start start = start_of ();
   reals work = room (gs_start_room (&S));
-  const int verdict = gs_take_start (&start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
+  const int verdict = gs_take_start (&m_start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
   if (verdict == GS_START_TAKEN)
     return true;
   m_info[2 * i] = 3;
@@ -209,7 +210,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       if (S.ny == 0 || (k >= reached && ! ended) || ! fine (state, S.nx) || ! fine (input, S.nv))
         continue;
       const number t = k < reached ? row_time (switches, &m_s.tout[0], int (k)) : m_s.tout[k];
-      routine ("out") (&t, state, input, &r.cst[0], &one[0], &info);
+      m_out (&t, state, input, &r.cst[0], &one[0], &info);
       for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
         y[nt * j + k] = double (one[j]);
     }

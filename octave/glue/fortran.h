@@ -121,10 +121,10 @@ static const gsmbp_scene& S = gsmbp_the_scene;
 
 // an emitted subroutine by the end of its name, a null pointer where there is none
 static inline const gsmbp_routine *
-emitted (const std::string& name)
+emitted (const char *name)
 {
   for (const gsmbp_routine *r = S.routines; r->name; r++)
-    if (name == r->name)
+    if (std::strcmp (name, r->name) == 0)
       return r;
   return nullptr;
 }

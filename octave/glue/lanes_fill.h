@@ -330,7 +330,7 @@ lane_group::activate (void)
   m_failed = false;
   for (int k = 0; k < lane_count; k++)
     {
-      m_active[k] = m_l[k].steps;
+      m_active[k] = m_together || m_l[k].steps;
       m_calls[k] = 0;
       if (m_active[k] && k >= m_width)
         m_width = lane_count;

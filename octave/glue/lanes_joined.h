@@ -66,6 +66,13 @@ lane_group::join_8 (int lane)
     join_events (lane);
 }
 
+// after how many steps GSSTD is to look at a run
+static double
+next_look (const lane_run& l)
+{
+  return l.r.istat[13] == 0 ? l.r.istat[17] : 1e300;
+}
+
 void
 lane_group::join_4 (int lane)
 {
@@ -74,7 +81,7 @@ lane_group::join_4 (int lane)
   m_c(c_step, lane) = l.h;
   m_c(c_number, lane) = l.k;
   m_c(c_count, lane) = l.n;
-  m_c(c_look, lane) = l.r.istat[13] == 0 ? l.r.istat[17] : 1e300;
+  m_c(c_look, lane) = next_look (l);
 }
 
 void

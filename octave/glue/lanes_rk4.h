@@ -30,17 +30,13 @@ bool
 lane_group::begun_4 (void)
 {
   for (int k = 0; k < lane_count; k++)
-    {
-      if (m_runs(0, k) <= 0)   // a run that has joined and goes on has no error
-        {
-          m_l[k].ier = 0;
-          join (k);
-          m_c(c_t, k) = m_l[k].joined ? m_c(c_t, k) : m_s.t0;
-          m_together = false;
-        }
-      m_slow(0, k) = m_runs(0, k) > 0 && m_c(c_good, k) >= m_c(c_look, k);
-    }
-  part_where (m_slow);
+    if (m_runs(0, k) <= 0)   // a run that has joined and goes on has no error
+      {
+        m_l[k].ier = 0;
+        join (k);
+        m_c(c_t, k) = m_l[k].joined ? m_c(c_t, k) : m_s.t0;
+        m_together = false;
+      }
   fortran {gslnp_} (m_runs.begin (), m_c.begin (), m_step.begin (), m_tn.begin (), m_at.begin (),
                     m_slow.begin ());
   part_where (m_slow);
@@ -74,7 +70,10 @@ lane_group::judge_all_4 (void)
   fortran {gslnq_} (&m_s.nx, m_r.begin (), m_tn.begin (), m_c.begin (), m_x.begin (),
                     m_xn.begin ());
   const bool all = ! some_below (m_runs, 1);
+  bool ended = false;
   for (int k = 0; k < lane_count; k++)
+    ended |= m_c(c_number, k) > m_c(c_count, k);
+  for (int k = 0; (! all || ended) && k < lane_count; k++)
     if (! all && ! m_l[k].joined && m_l[k].steps)
       {
         m_xn.get (k, m_l[k].next (), m_s.nx);
@@ -102,6 +101,8 @@ lane_group::ready_4 (int lane)
     }
   m_step(0, lane) = l.h;
   m_c(c_t, lane) = l.t;
+  m_c(c_good, lane) = r.istat[1];
+  m_c(c_look, lane) = next_look (l);
   m_tn(0, lane) = l.tn;
   return true;
 }
@@ -113,9 +114,8 @@ lane_group::watch_4 (void)
   bool due[lane_count], some = false;
   for (int k = 0; k < lane_count; k++)
     {
-      const lane_run& l = m_l[k];
-      due[k] = l.steps && ! l.joined && l.r.istat[13] == 0 && l.r.istat[1] >= l.r.istat[17];
-      some = some || due[k];
+      due[k] = m_c(c_good, k) >= m_c(c_look, k) && m_active[k];
+      some |= due[k];
     }
   if (! some)
     return;
@@ -126,14 +126,17 @@ lane_group::watch_4 (void)
     if (due[k])
       {
         run_room& r = m_l[k].r;
-        r.istat[17] = r.istat[1] + std::min (1000, std::max (10, 9 * r.istat[1]));
-        if (rho[k] * std::fabs (m_l[k].h) <= 2.78)
-          continue;
-        r.istat[13] = 1;
-        r.istat[14] = state[k];
-        r.rstat[17] = m_l[k].t;
-        r.rstat[18] = rho[k];
-        r.rstat[19] = std::fabs (m_l[k].h);
+        const int good = int (m_c(c_good, k));
+        r.istat[17] = good + std::min (1000, std::max (10, 9 * good));
+        if (rho[k] * std::fabs (m_step(0, k)) > 2.78)
+          {
+            r.istat[13] = 1;
+            r.istat[14] = state[k];
+            r.rstat[17] = m_c(c_t, k);
+            r.rstat[18] = rho[k];
+            r.rstat[19] = std::fabs (m_step(0, k));
+          }
+        m_c(c_look, k) = next_look (m_l[k]);
       }
 }
 
@@ -226,7 +229,7 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
             state[k] = int (m_b(0, k));
             rho[k] = growth > 0 && fine (k) ? g.settled (k, growth, turn) : 0;
             goes(0, k) = growth > 0 && fine (k) && rho[k] <= 0
-                         && g.possible (k, std::fabs (m_l[k].h) / 2.78);
+                         && g.possible (k, std::fabs (m_step(0, k)) / 2.78);
             some = some || goes(0, k) > 0;
           }
     }

@@ -6,14 +6,11 @@ function reason = gsmbp__broken_rules (m, table)
   names = fieldnames (table)';
   n = numel (table.(names{1}));
   reason = repmat ({""}, n, 1);
-  for name = fieldnames (m.par)'
-    m.par.(name{1}) *= ones (n, 1);
-  endfor
   for name = names
     m.par.(name{1}) = double (table.(name{1})(:));
   endfor
   for rule = gsmbp__rows (m.json, "rules")
-    if (! any (ismember (cellstr (rule{1}.parameters), names)))
+    if (! any (cellfun (@(name) any (strcmp (name, rule{1}.parameters)), names)))
       continue;
     endif
     v = cellfun (@(e) values (m, rule{1}, e, n), cellstr (rule{1}.values)(:)', ...
@@ -40,7 +37,7 @@ function v = values (m, rule, expression, n)
 endfunction
 
 function text = found (m, rule, i)
-  pairs = cellfun (@(name) sprintf ("%s = %g", name, m.par.(name)(i)), ...
+  pairs = cellfun (@(name) sprintf ("%s = %g", name, m.par.(name)(min (i, end))), ...
                    cellstr (rule.parameters)(:)', "UniformOutput", false);
   text = strjoin (pairs, ", ");
 endfunction

@@ -1,10 +1,10 @@
 ## r = gsmbp__sweep_runs (who, s, j)
-## The runs of a sweep, some at a time: they need not fit into memory.  S: m, x0, times, rest,
-## names, table, kept, threads, lanes, chunk, loop; J: a journal, [] for none.  R: values, ok,
-## reached, reason, whole (a cell, a matrix for each whole run that is kept), seconds, made
-## (whether they were), stopped ("", or what ended all; of the chunk under way the runs that came to
-## their end before are kept), outside (a row for each run that was made now in which devices left
-## their margins: its number, that of the first of these margins).
+## The runs of a sweep, some at a time: they need not fit into memory.  S: m, times, plan (that of
+## one run, gsmbp__run_of_many), names, table, kept, threads, lanes, chunk, loop; J: a journal, []
+## for none.  R: values, ok, reached, reason, whole (a cell, a matrix for each whole run that is
+## kept), seconds, made (whether they were), stopped ("", or what ended all; of the chunk under way
+## the runs that came to their end before are kept), outside (a row for each run that was made now
+## in which devices left their margins: its number, that of the first of these margins).
 
 function r = gsmbp__sweep_runs (who, s, j)
   n = rows (s.table);
@@ -38,7 +38,7 @@ function r = gsmbp__sweep_runs (who, s, j)
     r.seconds += b.seconds;
     r.outside = [r.outside; b.outside];
     for i = stretches (b.made)   # whole chunks on disk, however short
-      text = [b.lines{i(1):i(2)}, ""];
+      text = [b.lines{i(1)-1+find(! b.table(i(1):i(2),1))}, ""];
       if (! isempty (j))
         j.call ("write", j.folder, first + i(1) - 2, b.table(i(1):i(2),:), text);
       endif
@@ -49,7 +49,7 @@ function r = gsmbp__sweep_runs (who, s, j)
     if (! isempty (r.stopped))
       break;
     endif
-    some = min (most, some * (1 + 3 * (toc (took) < 0.5)));
+    some = min (most, some * max (1, min (64, floor (1 / toc (took)))));
     how_far (who, s.m, n, before, nnz (missing), toc (begin));
   endwhile
   gsmbp__tell ("");
@@ -86,7 +86,7 @@ function pairs = stretches (made)
 endfunction
 
 ## a block of runs: table, a row for each, ok, reached, what is kept, whole runs; lines, one for
-## each that failed, else ""; made, whether it came to an end of its own; seconds, stopped
+## each that failed, else []; made, whether it came to an end of its own; seconds, stopped
 function b = chunk (s, i, left)
   warning ("off", "gsmbp:stopped", "local");   # the sweep says it
   warning ("off", "gsmbp:events", "local");    # what is kept counts all
@@ -98,14 +98,8 @@ function b = chunk (s, i, left)
   if (left <= 0)
     return;
   endif
-  try
-    e = gsmbp_ensemble (s.m, s.x0, s.times, s.rest{:}, "threads", s.threads, "lanes", s.lanes, ...
-                        "timeout", {left, 0}{1 + isinf(left)}, ...
-                        "parameters", cell2struct (num2cell (s.table(i,:), 1), s.names, 2));
-  catch err   # of an option of the runs
-    err.message = strrep (err.message, "gsmbp_ensemble: ", [s.who ": "]);
-    rethrow (err);
-  end_try_catch
+  s.plan.arguments{end} = {left, 0}{1 + isinf(left)};   # timeout
+  e = gsmbp__many_runs (s.who, s.plan, rows_of (s, i));
   [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
   if (isfield (e, "outside"))
     k = find (any (e.outside, 2));
@@ -127,15 +121,24 @@ function b = chunk (s, i, left)
     elseif (kept(k).way > 8)
       parts{k} = kept(k).of (e.counted);
     else
-      parts{k} = kept(k).of (e.t, e.of (kept(k).name)).';
+      parts{k} = kept(k).of (e.t, gsmbp__of_ensemble (s.who, s.m, e.x, e.v, e.y, kept(k).name)).';
     endif
     parts{k}(! (e.ok | kept(k).whole),:) = NaN;
   endfor
   b.table = [e.ok, e.reached, parts{:}];
-  b.lines = repmat ({""}, size (e.ok));
+  b.lines = cell (size (e.ok));
   for k = find (! e.ok)'
     b.lines{k} = sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " "));
   endfor
+endfunction
+
+## the runs I as gsmbp__many_runs has them
+function r = rows_of (s, i)
+  table = s.table(i,:);
+  [~, which] = ismember (s.names, fieldnames (s.m.par)');
+  broken = gsmbp__broken_rules (s.m, cell2struct (num2cell (table, 1), s.names, 2));
+  r = struct ("n", numel (i), "which", which(:), "table", table, "starts", [], "inputs", [], ...
+              "broken", {broken}, "threads", s.threads, "lanes", s.lanes);
 endfunction
 
 ## margins of the loops of the runs I, a struct array; a run without them failed

@@ -1,0 +1,180 @@
+## e = gsmbp__many_runs (who, p, rows)
+## Runs by the plan P of one of them (gsmbp__run_of_many).  ROWS: n, how many; which (numbers of the
+## parameters that differ), table (their values, a row for each run), starts and inputs (rows, [] for
+## none), broken (which rule the parameters of each break, "" for none), threads, lanes.  E: the
+## result of gsmbp_ensemble but for of, final and parameters, and cut, those that came to no end of
+## their own.
+
+function e = gsmbp__many_runs (who, p, rows)
+  m = p.m;
+  good = strcmp (rows.broken, "");
+  [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+      run_all (p, m, rows, good);
+  e = struct ("t", p.times(:), "x", x, "v", v, "y", y);
+  e = judged (e, p, rows, ! good, counts, values, info, said);
+  if (! isempty (m.events))
+    e.events = struct ("run", events(1,:)', "t", events(2,:)', "number", events(3,:)', "mode", ...
+                       events(4,:)');
+    e.counted = counted_of (numel (m.events), counted);
+    warn_of_more (who, m, sum (e.counted.count, 2), accumarray (events(1,:)', 1, [rows.n, 1]));
+  endif
+  if (! isempty (m.state_margins))
+    e = with_margins (who, e, p, rows, margins');
+  endif
+  [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
+  done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
+  e.cut = info(1,:)' == 9 | info(1,:)' == 10;
+  e.stopped = gsmbp__stopped (who, m, max ([0, info(1,e.cut)]), done, true);
+  if (! any (e.cut))
+    gsmbp__most_failed (who, m, e.ok, e.reason);
+  endif
+  [e.threads, e.lanes, e.seconds] = deal (rows.threads, lanes, seconds);
+endfunction
+
+## the runs whose parameters break no rule of the scene, GOOD; NaN and zeros for the others
+function [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+      run_all (p, m, rows, good)
+  n = {[numel(p.times), m.sizes.nx], [numel(p.times), m.sizes.nv], ...
+       [numel(p.times), m.sizes.ny], 20, 20, 2, 3 * numel(m.events), 2 * numel(m.state_margins)};
+  [parts, text] = deal (cellfun (@(k) zeros ([k, 0]), n, "UniformOutput", false), {});
+  [seconds, lanes, events] = deal (0, false, zeros (4, 0));
+  if (any (good))
+    of = {@(x) x(good(1:size (x, 1)),:), @(x) x}{1 + all(good)};
+    [parts{1:6}, seconds, lanes, events, parts{7}, text, parts{8}] = ...
+        p.m.module ("ensemble", p.arguments{:}, nnz (good), rows.which, ...
+                    cellfun (@double, struct2cell (p.m.par)), of (rows.table), of (rows.starts), ...
+                    of (rows.inputs), m.nominal, strcmp (p.o.start, "check"), rows.threads, ...
+                    rows.lanes);
+  endif
+  if (! all (good))
+    for i = 1:8
+      parts{i} = among (parts{i}, n{i}, good, {NaN, 0}{1 + (i > 3)});
+    endfor
+    events(1,:) = find (good)(events(1,:))(:)';
+  endif
+  said = repmat ({""}, rows.n, 1);
+  if (! isempty (text))
+    said(good) = text;
+  endif
+  [x, v, y, counts, values, info, counted, margins] = parts{:};
+endfunction
+
+## SOME, of size K for each of the good ones of all runs, and NONE for the others
+function all_ = among (some, k, good, none)
+  all_ = repmat (none, [prod(k), numel(good)]);
+  all_(:,good) = reshape (some, prod (k), []);
+  all_ = reshape (all_, [k, numel(good)]);
+endfunction
+
+## columns for the N event functions from rows of counts and times
+function c = counted_of (n, counted)
+  part = @(k) counted(k*n+(1:n),:)';
+  c = struct ("count", part (0), "first", part (1), "last", part (2));
+  none = c.count == 0;
+  [c.first(none), c.last(none)] = deal (NaN);
+endfunction
+
+## margins of devices: their least values, which of them were passed, and a warning where some were
+function e = with_margins (who, e, p, rows, found)
+  n = numel (p.m.state_margins);
+  [outside, least] = deal (found(:,1:n) != 0, found(:,n+1:end));
+  least(! isfinite (e.x(1,1,:))(:) | isinf (least)) = NaN;
+  [e.margins, e.outside] = deal (least, outside);
+  bad = any (outside, 2);
+  k = find (bad, 1);
+  if (isempty (k))
+    return;
+  endif
+  m = of_row (p.m, rows, k);
+  here = all (isfinite (e.x(:,:,k)), 2);
+  list = gsmbp__margins (m, e.t(here), e.x(here,:,k), e.v(here,:,k));
+  if (! isempty (list))
+    warning ("gsmbp:margin", ["%s: %s: devices were outside of their margins in %d of %d runs; " ...
+                              "run %d, at t = %.6g s first: %s"], who, m.name, nnz (bad), ...
+             rows.n, k, list(1).time, list(1).said);
+  endif
+endfunction
+
+## runs that had more events than are listed
+function warn_of_more (who, m, count, listed)
+  more = count > listed;
+  if (any (more))
+    [most, k] = max (count .* more);
+    warning ("gsmbp:events", ["%s: %s: %d of %d runs had more events than are listed of a run " ...
+                              "(run %d has %d, the first %d of them are): take shorter runs to " ...
+                              "have all; those of e.counted are of all"], who, m.name, ...
+             nnz (more), numel (more), k, most, listed(k));
+  endif
+endfunction
+
+## which runs came to their end; BROKEN: those whose parameters break a rule
+function e = judged (e, p, rows, broken, counts, values, info, said)
+  ended = info(1,:)' == 11;   # by an event of the user
+  e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! broken;
+  e.reached = values(8,:)';
+  e.reached(e.ok & ! ended) = e.t(end);
+  e.reason = rows.broken;
+  e.reached(broken) = e.t(1);
+  idle = ! broken & counts(1,:)' == 0;   # those that were not begun, at a time many
+  e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
+  e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
+  failed = find (! e.ok)';
+  for i = failed(cellfun ("isempty", e.reason(failed)))
+    e.reason{i} = reason (p, rows, i, info(:,i), counts(:,i), values(:,i), said{i}, ...
+                          last_of (e, i, counts));
+  endfor
+  for i = failed   # a state where a run ended is none at a time that was asked for
+    bad = counts(5,i)+1:numel (e.t);
+    [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
+  endfor
+endfunction
+
+## the model with the parameters of run I, as far as a reason needs it: many runs may fail
+function m = of_row (m, rows, i)
+  if (isempty (rows.table))
+    return;
+  endif
+  names = fieldnames (m.par)(rows.which);
+  for k = 1:numel (names)
+    m.par.(names{k}) = rows.table(i,k);
+  endfor
+  m = gsmbp__handles (m, {"rhs", "con", "prj", "mar", "hld"});
+endfunction
+
+## why run I failed, as gsmbp_simulate says it of the model with its parameters
+function text = reason (p, rows, i, info, counts, values, said, last)
+  if (info(2) != 0)
+    text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
+    return;
+  endif
+  m = of_row (p.m, rows, i);
+  if (info(1) == 3 && counts(7) == 9)
+    text = off_constraints (m, p, rows, i);
+  elseif (info(1) == 3 && counts(7) == 7 && counts(6) == 13 && ! isempty (last))
+    text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, counts(19));
+  else
+    text = gsmbp__failure (m, info(1), counts, values, said, last);
+  endif
+endfunction
+
+## a start that is not taken (glue/start.h)
+function text = off_constraints (m, p, rows, i)
+  x = p.x0;
+  if (! isempty (rows.starts))
+    x = rows.starts(i,:);
+  endif
+  text = sprintf ("expected a state on the constraints at t = %.9g s", p.times(1));
+  try
+    gsmbp__start ("gsmbp_ensemble", m, p.times(1), x, p.o.start);
+  catch err
+    text = regexprep (err.message, "^gsmbp_ensemble: [^:]*: ", "");
+  end_try_catch
+endfunction
+
+function last = last_of (e, i, counts)
+  k = counts(5,i) + 1;
+  last = [];
+  if (k <= rows (e.x) && all (abs ([e.x(k,:,i), e.v(k,:,i)]) <= 1e300))
+    last = struct ("x", e.x(k,:,i)', "v", e.v(k,:,i)');
+  endif
+endfunction
