@@ -24,7 +24,9 @@
 ## the quantity and its unit, for the axis, e.g. "torque [N m]"; a unit in plain letters ("[um]",
 ## "[m^2]", "[degrees]", "[ohm]") is shown with the signs of the field
 ## @item style
-## (optional) "lines" (default), "linespoints", "points" or "steps"
+## (optional) "lines" (default), "linespoints", "points", "steps" (a value holds to the next row) or
+## "fsteps" (it holds from the row before on: so are modes drawn, and what sampled devices hold); a
+## cell array has one for each curve
 ## @item heading
 ## (optional) what sets this panel apart, above it, e.g. "start 5 mm aside"
 ## @item factor
@@ -158,8 +160,7 @@ function check (who, t, panels)
       gsmbp__fits (who, sprintf ("panel %d: heading", i), p.heading, "text");
     endif
     if (isfield (p, "style"))
-      gsmbp__fits (who, sprintf ("panel %d: style", i), p.style, ...
-                   {"lines", "linespoints", "points", "steps"});
+      check_style (who, sprintf ("panel %d: style", i), p);
     endif
     if (rows (p.y) != numel (t))
       error ("%s: panel %d: expected %d rows, found %d", who, i, numel (t), rows (p.y));
@@ -167,6 +168,19 @@ function check (who, t, panels)
     if (columns (p.y) != numel (p.names))
       error ("%s: panel %d: %d names for %d curves", who, i, numel (p.names), columns (p.y));
     endif
+  endfor
+endfunction
+
+function check_style (who, what, p)
+  styles = p.style;
+  if (! iscell (styles))
+    styles = repmat ({styles}, size (p.names));
+  elseif (numel (styles) != numel (p.names))
+    error ("%s: %s: expected one for each of the %d curves, found %d", who, what, ...
+           numel (p.names), numel (styles));
+  endif
+  for style = styles(:)'
+    gsmbp__fits (who, what, style{1}, {"lines", "linespoints", "points", "steps", "fsteps"});
   endfor
 endfunction
 
@@ -201,6 +215,22 @@ endfunction
 %!   confirm_recursive_rmdir (false, "local");
 %!   rmdir (folder, "s");
 %! end_unwind_protect
+%!test <a curve in steps beside one in lines>
+%! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
+%!   return;
+%! endif
+%! file = [tempname() ".svg"];
+%! tidy = onCleanup (@() cellfun (@delete, {file, [file(1:end-3) "csv"]}));
+%! p = struct ("y", [0 0; 1 1; 3 3; 2 2], "names", {{"a", "b"}}, "label", "y", ...
+%!             "style", {{"lines", "fsteps"}});
+%! gsmbp_plot (file, 0:3, p);
+%! paths = regexp (fileread (file), "d='([^']*)'", "tokens");
+%! corners = cellfun (@(d) numel (regexp (d{1}, "[ML]")), paths);
+%! assert (any (corners == 2 + 4) && any (corners == 2 + 7));   # 2 in the legend
+%! p.style = {"lines"};
+%! fail ("gsmbp_plot (file, 0:3, p)", "panel 1: style: expected one for each of the 2 curves");
+%! p.style = {"lines", "stairs"};
+%! fail ("gsmbp_plot (file, 0:3, p)", "panel 1: style: expected one of .*, found \"stairs\"");
 %!test <units as the field writes them, with the prefix of small numbers>
 %! if (isempty (file_in_path (getenv ("PATH"), "gnuplot")))
 %!   return;

@@ -56,6 +56,8 @@ int gs_export_sweep (const gs_job *job, const char *folder, const char *file, ch
 
 /* 1 if FILE is the table of that sweep */
 int gs_is_table_of (const gs_job *job, const char *file);
+/* 1 if all of a table can be read and has its checksums */
+int gs_is_whole_table (const char *file);
 #ifdef __cplusplus
 }
 #endif

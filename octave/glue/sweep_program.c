@@ -465,6 +465,12 @@ main (int n, char **words)
                 o.file);
       stop (why);
     }
+  else if (rank == 0 && ! gs_is_whole_table (o.file))
+    {
+      snprintf (why, sizeof why, "%.400s is damaged: not all of it has its checksum; delete it to "
+                "begin anew", o.file);
+      stop (why);
+    }
   else if (rank == 0)
     printf ("sweep: %s is there\n", o.file);
   gs_close_sweep (&s);

@@ -117,17 +117,17 @@ function text = curves (table, p, column)
   if (isfield (p, "factor"))
     factor = p.factor;
   endif
-  style = "lines";
-  if (isfield (p, "style"))
-    style = p.style;
-  endif
   n = columns (p.y);
+  styles = repmat ({"lines"}, 1, n);
+  if (isfield (p, "style"))
+    styles(:) = p.style;
+  endif
   colors = gsmbp__colors (n);
   list = cell (1, n);
   for k = 1:n
     list{k} = sprintf ("%s using 1:(%.17g*column(%d)) skip 1 with %s lc rgb '%s' %s title %s", ...
-                       gsmbp__quoted (table), factor, column + k - 1, style, colors{k}, ...
-                       kind_of (k, n, style), gsmbp__quoted (p.names{k}));
+                       gsmbp__quoted (table), factor, column + k - 1, styles{k}, colors{k}, ...
+                       kind_of (k, n, styles{k}), gsmbp__quoted (p.names{k}));
   endfor
   text = strjoin (list, ", ");
 endfunction
@@ -144,7 +144,7 @@ function text = kind_of (k, n, style)
     dash = "1";
   endif
   text = sprintf ("lw %.2f dt %s pt %d ps 0.8", width, dash, marks(mod (k - 1, numel (marks)) + 1));
-  if (strcmp (style, "lines") || strcmp (style, "steps"))
+  if (any (strcmp (style, {"lines", "steps", "fsteps"})))
     text = sprintf ("lw %.2f dt %s", width, dash);
   endif
 endfunction

@@ -1,9 +1,8 @@
 ## e = gsmbp__many_runs (who, p, rows)
 ## Runs by the plan P of one of them (gsmbp__run_of_many).  ROWS: n, how many; which (numbers of the
-## parameters that differ), table (their values, a row for each run), starts and inputs (rows, [] for
-## none), broken (which rule the parameters of each break, "" for none), threads, lanes.  E: the
-## result of gsmbp_ensemble but for of, final and parameters, and cut, those that came to no end of
-## their own.
+## parameters that differ), table (their values, a row for each run), starts and inputs (rows, []
+## for none), broken (which rule the parameters of each break, "" for none), threads, lanes.  E: the
+## result of gsmbp_ensemble but for of, final and parameters.
 
 function e = gsmbp__many_runs (who, p, rows)
   m = p.m;

@@ -1,7 +1,7 @@
 ## panels = gsmbp__panels (who, m, r, names)
 ## The named quantities of a result as panels of gsmbp_plot, one for each unit, in the order of the
 ## names; `heads` are the column heads of a table, with units, `factor` what brings the numbers
-## to the unit of the axis.
+## to the unit of the axis; `style` draws what is held between its jumps in steps.
 
 function panels = gsmbp__panels (who, m, r, names)
   t = gsmbp__table (m);
@@ -17,14 +17,16 @@ function panels = gsmbp__panels (who, m, r, names)
     endif
     rows(end+1) = t(strcmp ({t.name}, name{1}));
   endfor
+  held = m.inputs(setdiff (1:m.sizes.nv, gsmbp__free_inputs (m)));
   panels = {};
   for unit = unique ({rows.unit}, "stable")
     these = rows(strcmp ({rows.unit}, unit{1}));
     y = cell2mat (cellfun (@(n) r.of.(n), {these.name}, "UniformOutput", false));
     [label, factor] = gsmbp__axis_label (unit{1}, y, these);
     heads = cellfun (@(n) head (n, unit{1}), {these.name}, "UniformOutput", false);
+    style = {"lines", "fsteps"}(1 + ismember ({these.name}, held));
     panels{end+1} = struct ("y", y, "names", {{these.name}}, "label", label, "heads", {heads}, ...
-                            "factor", factor);
+                            "factor", factor, "style", {style});
   endfor
 endfunction
 

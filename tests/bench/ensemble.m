@@ -36,9 +36,9 @@ function o = rows_of (m, n, scatter)
   end
 end
 
-## two processes at a time, each with these runs by one thread: mean time of a count [s], in seconds
-## in which both are at it
-function mean_ = two_processes (root, m, o)
+## processes at a time, each with these runs by so many threads: median of the times of a count
+## [s], in seconds in which all are at it
+function time_ = by_processes (root, m, o, processes, threads)
   here = tempname ();
   file = [here ".mat"];
   directory = fullfile (root, "tests", "bench", "out", "ensemble");
@@ -48,27 +48,25 @@ function mean_ = two_processes (root, m, o)
   fprintf (f, ["load ('%s'); addpath (fullfile (root, 'octave')); warning ('off', 'all');\n" ...
                "m = gsmbp_build ('%s', 'directory', directory);\n" ...
                "all = []; k = tic ();\nwhile (toc (k) < 12)\n" ...
-               "  e = gsmbp_ensemble (m, [], [0, 1], o{:}, 'threads', 1);\n" ...
+               "  e = gsmbp_ensemble (m, [], [0, 1], o{:}, 'threads', %d);\n" ...
                "  if (toc (k) > 3 && toc (k) < 9) all(end+1) = e.seconds; end\nend\n" ...
-               "printf ('%%.9g\\n', mean (all));\n"], file, m.name);
+               "printf ('%%.9g\\n', median (all));\n"], file, m.name, threads);
   fclose (f);
   one = sprintf ("octave-cli --no-init-file '%s'", script);
-  [~, text] = system (sprintf ("%s & %s; wait", one, one));
+  [~, text] = system ([repmat([one " & "], 1, processes) "wait"]);
   delete (file, script);
-  mean_ = mean (sscanf (text, "%f"));
+  time_ = mean (sscanf (text, "%f"));
 end
 
-## two threads beside two processes, in turns, by runs that take about a second, beside which what
-## Octave does between is little
+## two threads of a process beside two processes of one thread, in turns, the median of three, by
+## runs that take about a second, beside which what Octave does between is little
 function beside = threads_beside (root, m, o)
-  [threads, processes] = deal ([]);
-  for turn = 1:2
-    for k = 1:4
-      threads(end+1) = gsmbp_ensemble (m, [], [0, 1], o{:}, "threads", 2).seconds;
-    end
-    processes(end+1) = two_processes (root, m, o);
+  for turn = 1:3
+    threads = by_processes (root, m, o, 1, 2);
+    processes = by_processes (root, m, o, 2, 1);
+    beside(turn) = processes / 2 / threads;   # twice the runs in that time
   end
-  beside = mean (processes) / 2 / mean (threads);   # twice the runs in that time
+  beside = median (beside);
 end
 
 ## least times [s] of one by one, in lanes, in lanes by two threads, of Octave beside lanes, and of

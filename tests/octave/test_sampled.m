@@ -113,6 +113,7 @@ function drive ()
     gsmbp_check (["drive, " method{1} ": torque"], r.samples.v(:,end) - u', 1e-9);
     gsmbp_check (["drive, " method{1} ": memory"], r.samples.xk(:,1) - I(2:n+1)', 1e-9);
   end
+  drawn_in_steps (m, r);
   gsmbp_check ("drive: instants", ...
                [r.samples.t - t(1:n)'; numel(r.samples.t) - n; r.stats.instants - n], 0);
   gsmbp_check ("drive: outputs are those before the instants", r.y(2:end,1) - u', 1e-9);
@@ -140,6 +141,17 @@ function drive ()
   m = gsmbp_set (m, "period", 1 / 3000);
   r = gsmbp_simulate (m, [0 0], [1e4, 1e4 + 0.01], "input", 1);
   gsmbp_check ("drive: sample k is at k*period", r.samples.t - (3e7:3e7 + 29)' / 3000, 4e-12);
+end
+
+function drawn_in_steps (m, r)
+  file = [tempname() ".svg"];
+  tidy = onCleanup (@() cellfun (@delete, {file, [file(1:end-3) "csv"]}));
+  gsmbp_plot (file, m, r, {m.states{2}, m.inputs{end}});
+  paths = regexp (fileread (file), "d='([^']*)'", "tokens");
+  corners = cellfun (@(d) numel (regexp (d{1}, "[ML]")), paths);
+  n = numel (r.t);
+  gsmbp_check ("drive: what is held is drawn in steps, states in lines", ...
+               any (corners > 2 * n - 10 & corners < 2 * n + 3) && any (abs (corners - n) < 3));
 end
 
 ## delays shorter and longer than the period

@@ -66,6 +66,14 @@ function another (m, few, folder)
   [code, said] = run_it (q);
   gsmbp_check (["... of another sweep: " strtrim(strrep (said, folder, ""))], code != 0 && ...
                ! isempty (strfind (said, "table.h5 is of another sweep: delete it")));
+  f = fopen (file, "r+");
+  number = char (typecast (load ("-hdf5", file).table(end), "uint8"));
+  at = strfind (fread (f, Inf, "char=>char")', number);
+  fseek (f, at(1), "bof");
+  fwrite (f, 7);
+  fclose (f);
+  [code, said] = run_it (p);
+  gsmbp_check ("... a damaged one", code != 0 && ! isempty (strfind (said, "table.h5 is damaged")));
 end
 
 function same (folder, what, m, given)
