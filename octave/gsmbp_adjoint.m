@@ -146,7 +146,10 @@ function r = run_of (m, o, times, x)
   r.x = x;
   r.v = zeros (numel (r.t), m.sizes.nv);
   if (isstruct (o.input))
-    r.v = reshape (ppval (o.input, r.t'), m.sizes.nv, [])';
+    t = r.t';   # at a jump a row has what was before it, but for the first one
+    left = [false, ismember(t(2:end), o.input.breaks(2:end-1))];
+    t(left) = gsmbp__just_before (t(left));
+    r.v = reshape (ppval (o.input, t), m.sizes.nv, [])';
   elseif (! isempty (o.input))
     r.v = repmat (o.input(:)', numel (r.t), 1);
   endif

@@ -1,7 +1,6 @@
 ## t = gsmbp__row_times (m, t, wanted)
 ## The times that stand for the rows T of a run of the model M: where the scene switches in one of
 ## the WANTED output times the row has what was before, as the inputs in it, but for the first one.
-## They are those of GSLFT, just before.
 
 function t = gsmbp__row_times (m, t, wanted = t)
   at = gsmbp__switch_times (m);
@@ -10,5 +9,5 @@ function t = gsmbp__row_times (m, t, wanted = t)
   endif
   left = ismember (t, at) & ismember (t, wanted);
   left(1) = false;
-  t(left) -= max (2 * eps * abs (t(left)), 1e-300);
+  t(left) = gsmbp__just_before (t(left));
 endfunction
