@@ -1,7 +1,8 @@
-## w = peers_ours (w, s, who, m, methods): runs of a model in compiled code at many tolerances and
-## steps, as peers_rows; METHODS: a row {method, option, values, further options} for each.
+## w = peers_ours (w, s, who, m, methods, word): runs of a model in compiled code at many tolerances
+## and steps, as peers_rows; METHODS: a row {method, option, values, further options} for each;
+## WORD: what tells this model from another one of the same.
 
-function w = peers_ours (w, s, who, m, methods)
+function w = peers_ours (w, s, who, m, methods, word = "")
   for one = methods'
     [method, option, values, more] = one{:};
     for value = values
@@ -25,7 +26,8 @@ function w = peers_ours (w, s, who, m, methods)
         spent += again;
       end
       miss = max (abs (r.x(end,1:m.sizes.nq) - s.truth));
-      w = peers_rows (w, who, [method sprintf(" %s", more{:})], value, least, r.stats.calls, miss);
+      w = peers_rows (w, who, [method sprintf(" %s", more{:}) word], value, least, ...
+                      r.stats.calls, miss);
     end
   end
 end
