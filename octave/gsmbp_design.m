@@ -103,8 +103,8 @@
 ## >> m = gsmbp_build ("slider_crank");
 ## >> plan = gsmbp_plan ("quintic", [0 1], [0 0.5]);
 ## >> own = struct ("n", "n", "R", "ra", "L", "la", "K", "km", "J", "jm", "B", "bm");
-## >> r = gsmbp_design (m, "motion", plan, "accuracy", 0.01, "period", 2e-3, ...
-##                      "axes", @{"q1", own@}, "inertia_ratio", 10);
+## >> o = @{"motion", plan, "accuracy", 0.01, "period", 2e-3, "inertia_ratio", 10@};
+## >> r = gsmbp_design (m, o@{:@}, "axes", @{"q1", own@});
 ## >> r.met, r.best@{1@}.name
 ## ans = 1
 ## ans = S01+A049

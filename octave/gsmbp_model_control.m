@@ -57,8 +57,8 @@
 ## >> c = gsmbp_model_control (m, "computed torque", "Kp", 100, "Kd", 20, "period", 1e-3);
 ## >> mc = gsmbp_build ("turret", "controller", c);
 ## >> plan = gsmbp_plan ("quintic", [0 1], [0 1]);
-## >> r = gsmbp_simulate (mc, [0.1; 0], [0 1], "input", ...
-##                        gsmbp_model_control (mc, "references", plan));
+## >> law = gsmbp_model_control (mc, "references", plan);
+## >> r = gsmbp_simulate (mc, [0.1; 0], [0 1], "input", law);
 ## >> round (1e3 * r.x(:,1)')
 ## ans =
 ##

@@ -112,8 +112,9 @@
 ## @example
 ## >> m = gsmbp_build ("slider_crank");
 ## >> vary = struct ("la", [4e-3 6e-3], "km", @{@{"normal", 0.228, 0.005@}@});
-## >> w = gsmbp_sweep (m, m.initial, [0 0.1 0.2], "input", 12, "vary", vary, "runs", 64, ...
-##                     "keep", @{["final " m.states@{4@}]@});
+## >> kept = @{["final " m.states@{4@}]@};
+## >> o = @{"input", 12, "vary", vary, "runs", 64, "keep", kept@};
+## >> w = gsmbp_sweep (m, m.initial, [0 0.1 0.2], o@{:@});
 ## >> size (w.values)
 ## ans =
 ##    64    3

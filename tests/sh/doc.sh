@@ -53,3 +53,8 @@ silent=$(for file in octave/*.m; do
 done)
 [ -z "$silent" ] && echo 'ok each help of Octave says errors and source' ||
   echo "not ok not said:" $silent
+
+# what doctest cannot type
+lines=$(grep -nE '^## >>.*\.\.\.$' octave/gsmbp_*.m)
+[ -z "$lines" ] && echo 'ok examples of help texts are typed in single lines' ||
+  echo "not ok continued:" $lines
