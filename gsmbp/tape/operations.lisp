@@ -116,6 +116,7 @@
          (if (gs-divisor-p e)
              (gs-count-product 1 (list e))
              (incf *gs-muls* (1- (gs-count-power (cadr e) (caddr e))))))
+        ((eq (caar e) '$gs__decay) (gs-count-decay (cadr e)))
         (t (gs-count-call (caar e))
            (mapc #'gs-count-sum (cdr e)))))
 
@@ -133,10 +134,19 @@
   (let ((n (caddr power)))
     (and (mnump n) (gs-negative-p n) (not (eq (cadr power) '$%e)))))
 (defun gs-count-call (function)
-  (cond ((member function '(%sqrt $sqrt)) (incf *gs-sqrts*))
-        ((member function '(mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor
-                            $gs__after)))
-        (t (incf *gs-calls*))))
+  (case function
+    ((%sqrt $sqrt) (incf *gs-sqrts*))
+    ((mabs %abs $abs %signum $max %max $min %min $round %round $gs__floor))
+    ($gs__after (incf *gs-adds* 2))
+    (t (incf *gs-calls*))))
+;;; as fortran/routine.mac writes it: exp(x) + 0/(1 + x^2)
+(defun gs-count-decay (x)
+  (incf *gs-calls*)
+  (incf *gs-muls*)
+  (incf *gs-adds* 2)
+  (incf *gs-divs*)
+  (gs-count-sum x)
+  (gs-count-sum x))
 
 ;;; how many angles have their sine or cosine among the expressions
 (defun $gs__angle_count (expressions)
