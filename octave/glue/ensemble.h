@@ -13,7 +13,7 @@ public:
   // lanes: whether runs are in lanes where they can be
   ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
     : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
-      m_done (0), m_common (rows.common ()), m_start (start_of (rows)),
+      m_done (0), m_common (rows.common ()), m_start (start_of (s, rows)),
       m_out (S.ny > 0 ? routine ("out") : fortran { nullptr })
   {
     m_x = m_results.x.fortran_vec ();
@@ -37,7 +37,7 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
-  static gs_start start_of (const ensemble_rows& rows);
+  static gs_start start_of (const simulation& s, const ensemble_rows& rows);
   bool begins (int i, run_room& r) const;
   void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
@@ -111,13 +111,22 @@ ensemble::constants (const known_row& row, reals& cst) const
 }
 
 gs_start
-ensemble::start_of (const ensemble_rows& rows)
+ensemble::start_of (const simulation& s, const ensemble_rows& rows)
 {
   auto sub = [] (const char *name) {
     const gsmbp_routine *f = emitted (name);
     return f ? f->sub : nullptr;
   };
-  return { &S, sub ("con"), sub ("prj"), sub ("mar"), rows.nominal.data (), rows.check };
+  gs_start a = { &S, sub ("con"), sub ("prj"), sub ("mar"), rows.nominal.data (), rows.check,
+                 sub ("evt"), 0, nullptr, nullptr };
+  if (s.plan->ip[GS_EVENTS] > 0)
+    {
+      const gs_events e = s.plan->events ();
+      a.ne = e.ne;
+      a.kind = e.kind;
+      a.mode = e.given ? e.mode : nullptr;
+    }
+  return a;
 }
 
 // the margins of the devices in the first ROWS, of which those behind REACHED are as that one

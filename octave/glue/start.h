@@ -17,23 +17,32 @@ typedef void gs_con_type (const gs_real *t, const gs_real *q, const gs_real *u, 
                           gs_real *phi, gs_real *phit, gs_real *rows, const int *ld,
                           gs_real *gamma, int *info);
 typedef void gs_prj_type (const gs_real *t, gs_real *x, gs_real *cst, gs_real *off, int *info);
+typedef void gs_evt_type (const gs_real *t, const gs_real *x, const gs_real *v, const int *mode,
+                          gs_real *cst, gs_real *g);
 typedef void gs_mar_type (const gs_real *t, const gs_real *x, const gs_real *v, gs_real *cst,
                           gs_real *margins, gs_real *sizes);
 
-/* CON, PRJ, MAR: null pointers where they were not emitted; NOMINAL: usual sizes of the states;
-   CHECK: is the start one that should be closed, and where devices can be? */
+/* CON, PRJ, MAR, EVT: null pointers where they were not emitted; NOMINAL: usual sizes of the
+   states; CHECK: is the start one that should be closed, and where devices can be?  KIND, MODE: of
+   the NE event functions, as gs_events has them; MODE: null pointer where the modes are found. */
 typedef struct
 {
   const gsmbp_scene *scene;
   gsmbp_sub con, prj, mar;
   const double *nominal;
   int check;
+  gsmbp_sub evt;
+  int ne;
+  const int *kind, *mode;
 } gs_start;
 
 /* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
    (of the usual sizes) although they are not; no state on them was found; a device cannot be
-   there */
-enum { GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE };
+   there; the first of the stops (GS_START_STOP and its number less 1) is beyond its end */
+enum
+{
+  GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_STOP
+};
 
 /* how many numbers gs_take_start works with */
 static int
@@ -226,11 +235,35 @@ gs_close_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real 
   return a->check && ! (gs_start_moved (a, x, was) <= 1e-3) ? GS_START_FAR : GS_START_TAKEN;
 }
 
-/* the same, and where devices can be */
+/* the first stop that is beyond its end at the start X and that the modes leave free, from 1 on, as
+   octave/private/gsmbp__check_stops.m; 0: none is */
+static int
+gs_start_beyond (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
+{
+  const gsmbp_scene *s = a->scene;
+  gs_real *g = a->evt && a->ne > 0
+                 ? (gs_real *) calloc (a->ne + s->nv + 1, sizeof (gs_real)) : NULL;
+  int *mode = g ? (int *) calloc (s->nmode + 1, sizeof (int)) : NULL, found = 0;
+  if (mode)
+    ((gs_evt_type *) a->evt) (&t, x, g + a->ne, mode, cst, g);
+  for (int k = a->ne; mode && k > 0; k--)
+    if (a->kind[k-1] == 2 && ! (a->mode && a->mode[k-1] != 0) && g[k-1] < -1e-6)
+      found = k;
+  free (g);
+  free (mode);
+  return found;
+}
+
+/* the same, and where devices and stops can be */
 static int
 gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
 {
   int verdict = gs_close_start (a, t, x, cst, w);
-  return verdict == GS_START_TAKEN && gs_start_outside (a, t, x, cst) ? GS_START_DEVICE : verdict;
+  if (verdict != GS_START_TAKEN)
+    return verdict;
+  if (gs_start_outside (a, t, x, cst))
+    return GS_START_DEVICE;
+  int beyond = gs_start_beyond (a, t, x, cst);
+  return beyond > 0 ? GS_START_STOP + beyond - 1 : GS_START_TAKEN;
 }
 #endif

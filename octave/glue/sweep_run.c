@@ -266,8 +266,15 @@ set_breaks (const gs_sweep *s, gs_room *r)
 static int
 take_start (const gs_sweep *s, gs_room *r)
 {
-  const gs_start start = { S, emitted ("con"), emitted ("prj"), emitted ("mar"), s->nominal.x,
-                           s->check_start };
+  gs_start start = { S, emitted ("con"), emitted ("prj"), emitted ("mar"), s->nominal.x,
+                     s->check_start, emitted ("evt"), 0, NULL, NULL };
+  if (s->ip[GS_EVENTS] > 0)
+    {
+      const gs_events e = gs_planned_events (S->nx, s->ip, s->rp.x);
+      start.ne = e.ne;
+      start.kind = e.kind;
+      start.mode = e.given ? e.mode : NULL;
+    }
   double *work = room (gs_start_room (S));
   r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
   r->istat[6] = r->istat[5] != 0 ? 9 : 0;   /* a verdict of start.h */
@@ -442,7 +449,7 @@ value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long lon
 static double
 of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
 {
-  const gs_start start = { S, NULL, NULL, emitted ("mar"), s->nominal.x, 0 };
+  const gs_start start = { S, NULL, NULL, emitted ("mar"), s->nominal.x, 0, NULL, 0, NULL, NULL };
   double *work = start.mar ? room (gs_margins_room (S) + 2 * S->nsm) : NULL, least = NAN;
   if (! work)
     return NAN;
@@ -614,9 +621,21 @@ cause (int number, int info)
   return meaning (names[number - 1], info);
 }
 
+/* the name of event function K, from 1 on, and its length in N */
+static const char *
+name_of_event (const gs_sweep *s, int k, int *n)
+{
+  long long length;
+  const char *name = gs_text (s->job, "event_names", &length);
+  while (name && --k > 0)
+    name = strchr (name, '\n') ? strchr (name, '\n') + 1 : NULL;
+  *n = name ? (int) strcspn (name, "\n") : 0;
+  return name ? name : "";
+}
+
 /* of a start that was not taken and of one that is left nowhere, what gsmbp_simulate begins with */
 static void
-no_start (const gs_room *r, char *why)
+no_start (const gs_sweep *s, const gs_room *r, char *why)
 {
   static const char *const reasons[] = { "only method \"dp853\" begins there",
     "at rest it may go on in more than one way",
@@ -627,6 +646,12 @@ no_start (const gs_room *r, char *why)
               "they lose rank: %s; start beside that position", t, reasons[r->istat[5] - 1]);
   else if (r->istat[5] == GS_START_DEVICE)
     snprintf (why, GS_WHY, "a device cannot be there");
+  else if (r->istat[5] >= GS_START_STOP)
+    {
+      int n;
+      const char *name = name_of_event (s, r->istat[5] - GS_START_STOP + 1, &n);
+      snprintf (why, GS_WHY, "the start is beyond an end of the stop %.*s", n, name);
+    }
   else if (r->istat[5] == GS_START_NONE)
     snprintf (why, GS_WHY, "no state on the constraints was found near this one at t = %.9g s", t);
   else
@@ -641,22 +666,18 @@ no_routine (const gs_sweep *s, const gs_room *r, char *why)
       = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
           "OUT or a sampled device", "an event" };
   int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] : 1;
-  long long n;
-  const char *name = gs_text (s->job, "event_names", &n);
-  for (int k = 1; name && k < r->istat[18]; k++)
-    name = strchr (name, '\n') ? strchr (name, '\n') + 1 : NULL;
-  if (who != 7 || r->istat[18] < 1)
-    name = NULL;
+  int n = 0;
+  const char *name = who == 7 && r->istat[18] >= 1 ? name_of_event (s, r->istat[18], &n) : "";
   snprintf (why, GS_WHY, "%s%s%.*s%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
-            name ? ", " : "", name ? (int) strcspn (name, "\n") : 0, name ? name : "",
-            name ? "," : "", r->istat[5], r->rstat[7], cause (who, r->istat[5]));
+            n > 0 ? ", " : "", n, name, n > 0 ? "," : "", r->istat[5], r->rstat[7],
+            cause (who, r->istat[5]));
 }
 
 static void
 failed_call (const gs_sweep *s, const gs_room *r, char *why)
 {
   if (r->istat[6] == 9 || (r->istat[6] == 8 && r->istat[5] < 4))
-    no_start (r, why);
+    no_start (s, r, why);
   else if (r->istat[6] == 8)
     snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no motion "
               "with the speeds that it leaves was found, how it goes on is not determined",

@@ -137,7 +137,7 @@ function m = of_row (m, rows, i)
   for k = 1:numel (names)
     m.par.(names{k}) = rows.table(i,k);
   endfor
-  m = gsmbp__handles (m, {"rhs", "con", "prj", "mar", "hld"});
+  m = gsmbp__handles (m, {"rhs", "con", "prj", "mar", "hld", "evt"});
 endfunction
 
 ## why run I failed, as gsmbp_simulate says it of the model with its parameters
@@ -164,7 +164,8 @@ function text = off_constraints (m, p, rows, i)
   endif
   text = sprintf ("expected a state on the constraints at t = %.9g s", p.times(1));
   try
-    gsmbp__start ("gsmbp_ensemble", m, p.times(1), x, p.o.start);
+    x = gsmbp__start ("gsmbp_ensemble", m, p.times(1), x, p.o.start);
+    gsmbp__check_stops ("gsmbp_ensemble", m, p.times(1), x, p.o.modes);
   catch err
     text = regexprep (err.message, "^gsmbp_ensemble: [^:]*: ", "");
   end_try_catch

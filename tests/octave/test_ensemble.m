@@ -11,6 +11,7 @@ function test_ensemble ()
   too_short (gsmbp_fixture ("driven_fourbar"));
   stepped (gsmbp_fixture ("sampled_drive"), gsmbp_fixture ("event_ball"));
   failing (axis);
+  beyond (gsmbp_fixture ("stop_far"));
   refused (axis);
 end
 
@@ -131,6 +132,22 @@ function stepped (drive, ball)
                       struct (name, ball.par.(name) * [1, 1.1, 0.9]), "atol", 1e-10, "threads", 2);
   gsmbp_check ("events: bit for bit", ...
                all (e.ok) && alike_runs (e, ball, ball.initial, t, 2, "atol", 1e-10));
+end
+
+## starts beyond a stop are refused as gsmbp_simulate refuses them, but where a mode says contact
+function beyond (m)
+  warning ("off", "gsmbp:failed", "local");
+  x = [0.5, 0; -1, 0; 11, 0];
+  for method = {"dp853", "rk4", "radau"}
+    e = gsmbp_ensemble (m, x(1,:), [0, 1], "starts", x, "method", method{1});
+    said = arrayfun (@(k) gsmbp_complaint (@() gsmbp_simulate (m, x(k,:), [0, 1])), 2:3, ...
+                     "UniformOutput", false);
+    gsmbp_check ([method{1} ": starts beyond a stop: " e.reason{2}], isequal (e.ok', [1, 0, 0]) ...
+                 && all (cellfun (@(a, b) any (strfind (a, b)), said, e.reason(2:3)')) ...
+                 && any (strfind (e.reason{2}, "beyond an end of the stop floor")));
+  end
+  e = gsmbp_ensemble (m, [0, 0], [0, 1], "starts", [0, 0; -1, 0], "modes", [-1, 0]);
+  gsmbp_check ("... as simulated with modes", isequal (e.final(1,:), [0, 0]) && e.ok(1));
 end
 
 ## each alone, with its reason

@@ -5,6 +5,7 @@ function test_events ()
   slide ();
   breakaway ();
   ball ();
+  far_end ();
   pendulum ();
   arm ();
   crank ();
@@ -100,6 +101,21 @@ function ball ()
   ## resting from the start; thrown up again by nothing; no weight: contact or not, it stays
   r = gsmbp_simulate (m, [0 0 0 0], [0 2]);
   gsmbp_check ("a ball laid on the floor stays", [r.x(end,:), r.stats.events], 0);
+end
+
+## an end that is far away is no reason to rest in the air: at the top of a bounce the ball is slow
+function far_end ()
+  m = gsmbp_fixture ("stop_far");
+  for top = [1, 1e3, 1e6, 1e9]
+    far = gsmbp_set (m, "top", top);
+    r = gsmbp_simulate (far, [0.5, 0], 0:5);
+    hits = ceil (log (1e-4 / sqrt (2 * 9.81 * 0.5)) / log (0.7));
+    gsmbp_check (sprintf ("an end at %g m: it rests on the floor, after %d impacts", top, hits), ...
+                 abs (r.x(end,1)) <= 1e-13 && r.v(end) == -1 ...
+                   && nnz (r.events.number == 1) == hits);
+    r = gsmbp_simulate (far, [1e-3, 0], [0, 0.01]);
+    gsmbp_check ("... from rest 1 mm above it falls", r.x(end,1) - 1e-3 + 9.81 / 2 * 1e-4, 1e-12);
+  end
 end
 
 ## impact speeds e^n*w0, times between by the elliptic integral of each swing

@@ -42,6 +42,8 @@ function test_sweep_program ()
           {[0; 0], 0:0.05:1, "vary", struct("t1", [0.05, 0.4], "d", [0.01, 0.2]), "runs", 9, ...
            "method", method{1}, "keep", {"whole shown", "at 0.1 shown", "final A.u"}});
   end
+  same (folder, "starts beyond a stop", gsmbp_fixture ("stop_far"), {[0.5; 0], 0:0.1:1, "plan", ...
+        "grid", "vary", struct("top", [0.4, 0.6, 1e6])});
   ball = gsmbp_fixture ("event_ball");
   [name, hit] = deal (fieldnames (ball.par){1}, ball.events(1).name);
   for method = {"dp853", "radau"}

@@ -67,7 +67,7 @@ gsrsf (const gs_scene *s, double t, const double *x, const double *v, int *mode,
   for (int i = 0; i < nh; i++)
     {
       const double up = prm[4 * i + 1] - pos[i], down = pos[i] - prm[4 * i];
-      if (kind[i] != 2 || mode[i] != 0 || gs_min (up, down) > 1e-9 * (up + down)
+      if (kind[i] != 2 || mode[i] != 0 || gs_min (up, down) > gsate (pos[i], prm + 4 * i)
           || fabs (sd[i]) > 1e-9 * prm[4 * i + 3] || gshlj (s->nu, nh, i, kind, mode, row))
         continue;
       mode[i] = down < up ? -1 : 1;

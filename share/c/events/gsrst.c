@@ -15,6 +15,16 @@
 #include "gsmbp/events.h"
 #include "gsmbp/solve.h"
 
+/* GSATE: how near to an end of a stop a port at rest is at it: by rounding errors, and by the way
+ * that a rebound that is none makes in 1e-9 of a second; never more than 1e-9 of the range */
+double
+gsate (double s, const double *prm)
+{
+  const double end = prm[1] - s < s - prm[0] ? prm[1] : prm[0];
+  return gs_min (1e-9 * (prm[1] - prm[0]),
+                 1e-9 * prm[3] + 1e-12 * gs_max (fabs (s), fabs (end)));
+}
+
 /* the modes at the start */
 static void
 start (int k, const int *kind, int *mode, const double *s, const double *sd, const double *prm)
@@ -29,7 +39,7 @@ start (int k, const int *kind, int *mode, const double *s, const double *sd, con
         mode[i] = -1;
       if (kind[i] == 2 && fabs (sd[i]) <= prm[3])
         {
-          e = 1e-9 * (prm[1] - prm[0]);
+          e = gsate (s[i], prm);
           if (s[i] >= prm[1] - e)
             mode[i] = 1;
           if (s[i] <= prm[0] + e)

@@ -360,6 +360,9 @@ int gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double 
            const double *sd, const double *prm, const double *hold, const double *a, int lda,
            const double *h, int ldh, const double *phit, double *u, double *w);
 
+/* how near to an end of a stop, prm as gsevt has it, a port at rest is at it */
+double gsate (double s, const double *prm);
+
 /* the impulse of gsrst after which the speed of port l is v (l = 0: of none, and ports that stick
  * are at rest as well). info: as gskkt */
 int gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const double *a,

@@ -26,8 +26,8 @@ C
       DOUBLE PRECISION   T, X(*), V(*), CST(*), VM(*), UD(*), LAM(*),
      $                   HOLD(*), ROW(NH,*), S(*), SD(*), PRM(4,*)
       INTEGER            I, J, L, GSHLJ
-      DOUBLE PRECISION   A, B, C
-      EXTERNAL           GSHLD, GSHLJ
+      DOUBLE PRECISION   A, B, C, GSATE
+      EXTERNAL           GSATE, GSHLD, GSHLJ
 C
       CALL HLD( T, X, V, CST, ROW, NH, S, SD, PRM )
       DO 10 I = 1, NH
@@ -46,9 +46,9 @@ C
       DO 30 I = 1, NH
          A = PRM(2,I) - S(I)
          B = S(I) - PRM(1,I)
-         IF ( KIND(I).NE.2 .OR. MODE(I).NE.0 .OR. MIN( A, B ).GT.
-     $        1.0D-9*( A + B ) .OR. ABS( SD(I) ).GT.1.0D-9*PRM(4,I) )
-     $      GO TO 30
+         IF ( KIND(I).NE.2 .OR. MODE(I).NE.0 ) GO TO 30
+         IF ( MIN( A, B ).GT.GSATE( S(I), PRM(1,I) ) .OR.
+     $        ABS( SD(I) ).GT.1.0D-9*PRM(4,I) ) GO TO 30
          IF ( GSHLJ( NU, NH, I, KIND, MODE, ROW ).EQ.1 ) GO TO 30
          MODE(I) = 1
          IF ( B.LT.A ) MODE(I) = -1

@@ -42,8 +42,8 @@ C
       DOUBLE PRECISION   S(*), SD(*), PRM(4,*), HOLD(*), A(LDA,*),
      $                   H(LDH,*), PHIT(*), U(*), W(*)
       INTEGER            I
-      DOUBLE PRECISION   E
-      EXTERNAL           GSIMP
+      DOUBLE PRECISION   E, GSATE
+      EXTERNAL           GSATE, GSIMP
 C
       INFO = 0
       IF ( L.EQ.0 ) THEN
@@ -53,7 +53,7 @@ C
             IF ( KIND(I).EQ.1 .AND. SD(I).GT.E ) MODE(I) = 1
             IF ( KIND(I).EQ.1 .AND. SD(I).LT.-E ) MODE(I) = -1
             IF ( KIND(I).EQ.2 .AND. ABS( SD(I) ).LE.PRM(4,I) ) THEN
-               E = 1.0D-9*( PRM(2,I) - PRM(1,I) )
+               E = GSATE( S(I), PRM(1,I) )
                IF ( S(I).GE.PRM(2,I) - E ) MODE(I) = 1
                IF ( S(I).LE.PRM(1,I) + E ) MODE(I) = -1
             END IF
@@ -83,6 +83,26 @@ C
          CALL GSIMP( N, M, K, L, -E*SD(L), KIND, MODE, A, LDA, H, LDH,
      $               PHIT, U, W, INFO )
       END IF
+      END
+      DOUBLE PRECISION FUNCTION GSATE( S, PRM )
+C
+C     PURPOSE
+C     How near to an end of a stop a port at rest is at it: by rounding
+C     errors, and by the way that a rebound that is none makes in 1D-9 of
+C     a second; never more than 1D-9 of the range.
+C
+C     ARGUMENTS
+C     S       (input) DOUBLE PRECISION, the position.
+C     PRM     (input) DOUBLE PRECISION array, dimension (4), of the stop
+C             as GSEVT has it.
+C
+      IMPLICIT NONE
+      DOUBLE PRECISION   S, PRM(4), END
+C
+      END = PRM(1)
+      IF ( PRM(2) - S.LT.S - PRM(1) ) END = PRM(2)
+      GSATE = MIN( 1.0D-9*( PRM(2) - PRM(1) ), 1.0D-9*PRM(4)
+     $      + 1.0D-12*MAX( ABS( S ), ABS( END ) ) )
       END
       SUBROUTINE GSIMP( N, M, K, L, V, KIND, MODE, A, LDA, H, LDH, PHIT,
      $                  U, W, INFO )
