@@ -100,7 +100,8 @@
 ## less what came in and was lost [J]), @code{passed} (integral of the moduli of
 ## these powers [J]), @code{error}, the largest |balance| beside the largest of what
 ## passed, what is stored, and how far the kinetic energy swings (at @var{times}), the
-## rounding of the energies themselves apart.
+## rounding of the energies themselves apart; NaN where there is no energy at all (entries without
+## @code{energy}).
 ## What impacts take counts as lost.  Not with feedback.
 ## @end table
 ##

@@ -23,4 +23,7 @@ function a = gsmbp__audit (m, r, w)
   over = abs (a.balance) - rounding;
   over(over < 0) = 0;   # NaN stays
   a.error = norm (over, Inf) / max (size_of, realmin);
+  if (! any ([energy(:); a.passed]))   # there is nothing that could be balanced
+    a.error = NaN;
+  endif
 endfunction

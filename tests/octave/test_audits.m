@@ -30,6 +30,8 @@ function test_audits ()
     r = gsmbp_simulate (m, x0, t, options{:});
     gsmbp_check (sprintf ("%s, %s: energy audit", name{1}, what), r.audit.error, 1e-8);
   end
+  r = gsmbp_simulate (gsmbp_fixture ("switch_circuit"), [0; 0], [0, 0.01], "audit", 1);
+  gsmbp_check ("where there is no energy nothing is audited", isnan (r.audit.error));
 end
 
 function m = build (name, others, own)
