@@ -11,8 +11,8 @@
 ## @item "parameters"
 ## a struct: a field of @var{n} values [SI], a vector, for each parameter that differs
 ## @item "starts"
-## @var{n} rows of @var{nx} states instead of @var{x0}; with @var{x0} [] the first of them has to be a
-## start that gsmbp_simulate takes
+## @var{n} rows of @var{nx} states instead of @var{x0}; with @var{x0} [] the first of them has to be
+## a start that gsmbp_simulate takes
 ## @item "inputs"
 ## @var{n} rows of constant inputs instead of "input", a column for each as there
 ## @item "threads"

@@ -30,6 +30,11 @@ function test_audits ()
     r = gsmbp_simulate (m, x0, t, options{:});
     gsmbp_check (sprintf ("%s, %s: energy audit", name{1}, what), r.audit.error, 1e-8);
   end
+  m = gsmbp_fixture ("flexible_drive");
+  r = gsmbp_simulate (m, m.initial, [0, 1], "input", 2, "audit", 1, "start", "project");
+  gsmbp_check ("a rotor on an elastic coupling about the axis of the crank: energy audit", ...
+               r.audit.error, 1e-8);
+  gsmbp_check ("... it swings against the crank", max (abs (r.of.d)) > 1e-4);
   r = gsmbp_simulate (gsmbp_fixture ("switch_circuit"), [0; 0], [0, 0.01], "audit", 1);
   gsmbp_check ("where there is no energy nothing is audited", isnan (r.audit.error));
 end
