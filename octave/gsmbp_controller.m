@@ -21,6 +21,8 @@
 ##
 ## @c session control
 ## @example
+## >> pkg load control
+## >> A = [0 1; 0 0]; B = [0; 1];
 ## >> c = gsmbp_control (ss (A, B, [1 0], 0), [], "lqg", "period", 0.01, "name", "hold");
 ## >> files = gsmbp_controller (c, "target");
 ## >> [~, names, kinds] = cellfun (@@fileparts, files, "UniformOutput", false);

@@ -111,7 +111,7 @@
 ## >> r.decisions(2).chosen
 ## ans = n = 49
 ## >> r.more(1).value
-## ans = 2.1326
+## ans = 2.1328
 ## @end example
 ##
 ## Errors: a specification without motion, accuracy or period; names that the scene does not have; a

@@ -23,6 +23,8 @@
 ##
 ## @c session control
 ## @example
+## >> pkg load control
+## >> A = [0 1; 0 0]; B = [0; 1];
 ## >> c = gsmbp_control (ss (A, B, eye (2), 0), [], "lqr", "Q", [1 0], "R", 1);
 ## >> r = gsmbp_loop (c);
 ## >> [r.phase * 180 / pi, r.gain, r.Ms]
