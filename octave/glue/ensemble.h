@@ -122,9 +122,7 @@ ensemble::start_of (const simulation& s, const ensemble_rows& rows)
   if (s.plan->ip[GS_EVENTS] > 0)
     {
       const gs_events e = s.plan->events ();
-      a.ne = e.ne;
-      a.kind = e.kind;
-      a.mode = e.given ? e.mode : nullptr;
+      gs_start_events (&a, &e);
     }
   return a;
 }

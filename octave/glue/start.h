@@ -3,6 +3,7 @@
 #ifndef GSMBP_GLUE_START_H
 #define GSMBP_GLUE_START_H
 #include "gsmbp_scene.h"
+#include "gsmbp/plan.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -43,6 +44,17 @@ enum
 {
   GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_STOP
 };
+
+/* what A has to know of the planned events E: nothing where no stop is among them */
+static void
+gs_start_events (gs_start *a, const gs_events *e)
+{
+  for (int k = 0; k < e->ne; k++)
+    if (e->kind[k] == 2)
+      a->ne = e->ne;
+  a->kind = e->kind;
+  a->mode = e->given ? e->mode : NULL;
+}
 
 /* how many numbers gs_take_start works with */
 static int

@@ -271,9 +271,7 @@ take_start (const gs_sweep *s, gs_room *r)
   if (s->ip[GS_EVENTS] > 0)
     {
       const gs_events e = gs_planned_events (S->nx, s->ip, s->rp.x);
-      start.ne = e.ne;
-      start.kind = e.kind;
-      start.mode = e.given ? e.mode : NULL;
+      gs_start_events (&start, &e);
     }
   double *work = room (gs_start_room (S));
   r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
@@ -449,7 +447,7 @@ value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long lon
 static double
 of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
 {
-  const gs_start start = { S, NULL, NULL, emitted ("mar"), s->nominal.x, 0, NULL, 0, NULL, NULL };
+  const gs_start start = { .scene = S, .mar = emitted ("mar"), .nominal = s->nominal.x };
   double *work = start.mar ? room (gs_margins_room (S) + 2 * S->nsm) : NULL, least = NAN;
   if (! work)
     return NAN;

@@ -63,6 +63,8 @@ def ball():
         holds('ball, %s: the device has its name' % method, r.events['device'][0] == 'ground_stop')
     r = m.simulate([1, 0, 0, 3], [0, 0.1], audit=20.0)
     holds('ball: its energy balance, %.1e' % r.audit['error'], r.audit['error'] < 1e-12)
+    r = event_ball.Model(g=0).simulate([0.5, 0, 0, 0], [0, 0.1], audit=20.0)
+    holds('no energy, no balance of it', math.isnan(r.audit['error']))
     refuses('a start beyond a stop', ValueError, ['stop'], m.simulate, [-1, 0, 0, 3], [0, 1])
     refuses('... with its ends and the place', ValueError, ['expected 0 to', 'found -1'],
             m.simulate, [-1, 0, 0, 3], [0, 1])

@@ -769,9 +769,9 @@ def _audit(model, r, w):
     passed = w[1] + lost
     rounding = 64 * np.finfo(float).eps * np.abs(energy).sum(axis=0).max()
     size = max(passed[-1], np.abs(stored - stored[0]).max(), np.ptp(energy[0]))
-    return {'balance': balance, 'passed': passed,
-            'error': np.maximum(np.abs(balance) - rounding, 0).max()
-            / max(size, np.finfo(float).tiny)}
+    error = np.maximum(np.abs(balance) - rounding, 0).max() / max(size, np.finfo(float).tiny)
+    none = not (energy.any() or passed.any())   # there is nothing that could be balanced
+    return {'balance': balance, 'passed': passed, 'error': np.nan if none else error}
 
 
 def _tell(who, model, r, method):
