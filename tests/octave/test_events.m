@@ -115,6 +115,11 @@ function far_end ()
                    && nnz (r.events.number == 1) == hits);
     r = gsmbp_simulate (far, [1e-3, 0], [0, 0.01]);
     gsmbp_check ("... from rest 1 mm above it falls", r.x(end,1) - 1e-3 + 9.81 / 2 * 1e-4, 1e-12);
+    said = gsmbp_complaint (@() gsmbp_simulate (far, [-0.1, 0], [0, 1]));
+    gsmbp_check (["... a start 0.1 m below it is refused: " said], ...
+                 ! isempty (strfind (said, "beyond an end of the stop floor: expected 0 to ")));
+    said = gsmbp_complaint (@() gsmbp_simulate (far, [0.1, 0], [0, 1], "modes", [-1, 0]));
+    gsmbp_check (["... so is contact 0.1 m above it: " said], ! isempty (strfind (said, "floor")));
   end
 end
 

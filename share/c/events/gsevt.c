@@ -6,12 +6,23 @@
  * holds, its Stribeck speed (a speed 1e-9 of this the other way is rest, not sliding back:
  * rounding errors where a stop holds the port, too); stops: lower and upper end, restitution,
  * speed of rebound below which the contact stays. A port that rests where a stop is, held by
- * something else, or leaves it does not hit it: what is left of its distance, up to 1e-12 of the
- * range before its end and 1e-6 behind it, are errors of rounding and of the step that came
- * there. */
+ * something else, or leaves it does not hit it: what is left of its distance, up to 1e-12 of its
+ * travel (gstvl) before its end and 1e-6 behind it, are errors of rounding and of the step that
+ * came there. */
 #include <math.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
+
+/* GSTVL: the travel of a stop that errors at its nearer end are beside: its range, but no more than
+ * 1 [m or rad] or the modulus of that end, the larger one of them, as the other end may be out of
+ * reach */
+double
+gstvl (double s, const double *prm)
+{
+  const double end = prm[1] - s < s - prm[0] ? prm[1] : prm[0];
+  return gs_min (prm[1] - prm[0], gs_max (1.0, fabs (end)));
+}
 
 void
 gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
@@ -24,7 +35,7 @@ gsevt (int k, const int *kind, const int *mode, const double *s, const double *s
       gv[i] = mode[i] * sd[i] + 1e-9 * prm[1];
     else if (mode[i] == 0)
       {
-        const double tiny = 1e-12 * (prm[1] - prm[0]);
+        const double tiny = 1e-12 * gstvl (s[i], prm);
         gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
         const double way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
         if (gv[i] <= tiny && gv[i] >= -1e6 * tiny && way <= 1e-9 * prm[3])

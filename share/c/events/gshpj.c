@@ -46,7 +46,7 @@ away (int nu, int nlam, const ports *p, double *off, double *fast)
       if (! is_held (p, i))
         continue;
       const int stop = p->kind[i] == 2;
-      const double gap = stop ? fabs (end_of (p, i) - p->s[i]) / (prm[1] - prm[0]) : 0.0;
+      const double gap = stop ? fabs (end_of (p, i) - p->s[i]) / gstvl (p->s[i], prm) : 0.0;
       int n = 0;
       for (int j = 0; j < nu; j++)
         n += fabs (p->row[i + p->nh * j]) > 0.0;

@@ -44,7 +44,7 @@ gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const double *row, 
         }
       else if (mode[i] != 0)
         {
-          const double gap = fabs (mode[i] > 0 ? p[1] - s[i] : s[i] - p[0]) / (p[1] - p[0]);
+          const double gap = fabs (mode[i] > 0 ? p[1] - s[i] : s[i] - p[0]) / gstvl (s[i], p);
           if (loose)
             e = e + 1e2 * p[3];
           e = gs_max (e, p[3]);

@@ -16,13 +16,11 @@
 #include "gsmbp/solve.h"
 
 /* GSATE: how near to an end of a stop a port at rest is at it: by rounding errors, and by the way
- * that a rebound that is none makes in 1e-9 of a second; never more than 1e-9 of the range */
+ * that a rebound that is none makes in 1e-9 of a second; never more than 1e-9 of its travel */
 double
 gsate (double s, const double *prm)
 {
-  const double end = prm[1] - s < s - prm[0] ? prm[1] : prm[0];
-  return gs_min (1e-9 * (prm[1] - prm[0]),
-                 1e-9 * prm[3] + 1e-12 * gs_max (fabs (s), fabs (end)));
+  return gs_min (1e-9 * gstvl (s, prm), 1e-9 * prm[3] + 1e-12 * fabs (s));
 }
 
 /* the modes at the start */
@@ -69,7 +67,7 @@ gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s, 
       const double *stop = prm + 4 * i;
       const int end = stop[1] - s[i] < s[i] - stop[0] ? 1 : -1;
       if (fabs (sd[i]) <= 1e-9 * stop[3]
-          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= 1e-9 * (stop[1] - stop[0]))
+          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= 1e-9 * gstvl (s[i], stop))
         mode[i] = end;
       if (end * sd[i] <= 0.0 || mode[i] != 0)
         return 0;

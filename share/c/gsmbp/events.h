@@ -360,6 +360,9 @@ int gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double 
            const double *sd, const double *prm, const double *hold, const double *a, int lda,
            const double *h, int ldh, const double *phit, double *u, double *w);
 
+/* the travel of a stop, prm as gsevt has it, that errors at the end nearer to s are beside */
+double gstvl (double s, const double *prm);
+
 /* how near to an end of a stop, prm as gsevt has it, a port at rest is at it */
 double gsate (double s, const double *prm);
 

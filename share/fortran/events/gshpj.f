@@ -57,7 +57,8 @@ C
       INTEGER            NU, NLAM, NH, KIND(*), MODE(*)
       DOUBLE PRECISION   ROW(NH,*), S(*), SD(*), PRM(4,*), OFF, FAST
       INTEGER            I, J, N, LEAST
-      DOUBLE PRECISION   GAP, SLOW
+      DOUBLE PRECISION   GAP, SLOW, GSTVL
+      EXTERNAL           GSTVL
 C
       OFF  = 0.0D0
       FAST = 0.0D0
@@ -70,7 +71,7 @@ C
          ELSE IF ( KIND(I).EQ.2 .AND. MODE(I).NE.0 ) THEN
             GAP = PRM(1,I)
             IF ( MODE(I).GT.0 ) GAP = PRM(2,I)
-            GAP = ABS( GAP - S(I) )/( PRM(2,I) - PRM(1,I) )
+            GAP = ABS( GAP - S(I) )/GSTVL( S(I), PRM(1,I) )
             SLOW = PRM(4,I)
          END IF
          IF ( GAP.GE.0.0D0 ) THEN

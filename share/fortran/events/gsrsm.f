@@ -20,18 +20,19 @@ C     stop is not in contact away from its end, nor with a port that
 C     moves.  The end of a run may be the start of another one, so that
 C     there is room for its errors.  A port that is one of the speeds
 C     keeps its place to rounding where it is held: friction 1D-6 of its
-C     Stribeck speed, a stop 1D-6 of its range (as GSEVT) and its speed
+C     Stribeck speed, a stop 1D-6 of its travel (GSTVL) and its speed
 C     of rebound.  Held along a row that turns with the state, or beside
 C     loops, it moves by the errors of the steps: then the Stribeck
-C     speed itself, 1D-2 of the range, 100 speeds of rebound, and 1D-2
+C     speed itself, 1D-2 of the travel, 100 speeds of rebound, and 1D-2
 C     of the speeds that its row adds up.
 C
       IMPLICIT NONE
       INTEGER            NU, NLAM, NH, KIND(*), MODE(*)
       DOUBLE PRECISION   ROW(NH,*), S(*), SD(*), PRM(4,*), U(*)
       INTEGER            I, J, N
-      DOUBLE PRECISION   SIZE, E, GAP
+      DOUBLE PRECISION   SIZE, E, GAP, GSTVL
       LOGICAL            LOOSE
+      EXTERNAL           GSTVL
 C
       DO 20 I = 1, NH
          N = 0
@@ -51,7 +52,7 @@ C
          ELSE IF ( MODE(I).NE.0 ) THEN
             GAP = S(I) - PRM(1,I)
             IF ( MODE(I).GT.0 ) GAP = PRM(2,I) - S(I)
-            GAP = ABS( GAP )/( PRM(2,I) - PRM(1,I) )
+            GAP = ABS( GAP )/GSTVL( S(I), PRM(1,I) )
             IF ( LOOSE ) E = E + 1.0D2*PRM(4,I)
             E = MAX( E, PRM(4,I) )
             IF ( ABS( SD(I) ).GT.E .OR. GAP.GT.1.0D-2 .OR.

@@ -42,8 +42,8 @@ C
       DOUBLE PRECISION   S(*), SD(*), PRM(4,*), HOLD(*), A(LDA,*),
      $                   H(LDH,*), PHIT(*), U(*), W(*)
       INTEGER            I
-      DOUBLE PRECISION   E, GSATE
-      EXTERNAL           GSATE, GSIMP
+      DOUBLE PRECISION   E, GSATE, GSTVL
+      EXTERNAL           GSATE, GSIMP, GSTVL
 C
       INFO = 0
       IF ( L.EQ.0 ) THEN
@@ -71,7 +71,7 @@ C
       ELSE
          I = -1
          IF ( PRM(2,L) - S(L).LT.S(L) - PRM(1,L) ) I = 1
-         E = 1.0D-9*( PRM(2,L) - PRM(1,L) )
+         E = 1.0D-9*GSTVL( S(L), PRM(1,L) )
          IF ( ABS( SD(L) ).LE.1.0D-9*PRM(4,L) .AND.
      $        MIN( PRM(2,L) - S(L), S(L) - PRM(1,L) ).LE.E ) MODE(L) = I
          IF ( DBLE( I )*SD(L).LE.0.0D0 .OR. MODE(L).NE.0 ) RETURN
@@ -89,7 +89,7 @@ C
 C     PURPOSE
 C     How near to an end of a stop a port at rest is at it: by rounding
 C     errors, and by the way that a rebound that is none makes in 1D-9 of
-C     a second; never more than 1D-9 of the range.
+C     a second; never more than 1D-9 of its travel.
 C
 C     ARGUMENTS
 C     S       (input) DOUBLE PRECISION, the position.
@@ -97,12 +97,11 @@ C     PRM     (input) DOUBLE PRECISION array, dimension (4), of the stop
 C             as GSEVT has it.
 C
       IMPLICIT NONE
-      DOUBLE PRECISION   S, PRM(4), END
+      DOUBLE PRECISION   S, PRM(4), GSTVL
+      EXTERNAL           GSTVL
 C
-      END = PRM(1)
-      IF ( PRM(2) - S.LT.S - PRM(1) ) END = PRM(2)
-      GSATE = MIN( 1.0D-9*( PRM(2) - PRM(1) ), 1.0D-9*PRM(4)
-     $      + 1.0D-12*MAX( ABS( S ), ABS( END ) ) )
+      GSATE = GSTVL( S, PRM )
+      GSATE = MIN( 1.0D-9*GSATE, 1.0D-9*PRM(4) + 1.0D-12*ABS( S ) )
       END
       SUBROUTINE GSIMP( N, M, K, L, V, KIND, MODE, A, LDA, H, LDH, PHIT,
      $                  U, W, INFO )

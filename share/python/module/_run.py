@@ -387,9 +387,15 @@ def _wrong_mode(model, t, x, modes, k):
         low, high = port.prm[:2, k]
         if event['kind'] != 'stop':
             wanted = 1 if port.sd[k] > 0 else -1
-        elif abs(port.s[k] - (high if modes[k] > 0 else low)) > 1e-6 * (high - low):
+        elif (abs(port.s[k] - (high if modes[k] > 0 else low))
+              > 1e-6 * _travel(port.s[k], low, high)):
             why = 'which is at %.6g between %.6g and %.6g (m or rad)' % (port.s[k], low, high)
     return 'modes: expected %d of %s, %s; found %d' % (wanted, event['name'], why, modes[k])
+
+
+def _travel(place, low, high):
+    """That of a stop which errors at its nearer end are beside (gstvl)."""
+    return min(high - low, max(1.0, abs(high if high - place < place - low else low)))
 
 
 def free_inputs():
