@@ -18,6 +18,7 @@ function plan = gsmbp__event_plan (who, m, o, plan)
     error ("%s: option modes: expected %d numbers, each -1, 0 or 1, found %s", who, n, ...
            gsmbp__shown (o.modes));
   endif
+  gsmbp__no_mode_given (who, m, plan.constants, o.modes);
   plan.modes = double (o.modes(:)');
   plan.events = 10000;
   plan.event_inputs = [m.events.input];

@@ -49,13 +49,17 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   [p.m, p.o] = deal (m, o);
 endfunction
 
-## the number of steps of a fixed length: what GSSIM (gsarg.f) counts to
+## the number of steps: of a fixed length what GSSIM (gsarg.f) counts to, else what time resolves
 function check_number (who, method, ropt, span)
-  [step, which] = min ([ropt(1), ropt(3)(ropt(3) > 0)]);
-  if (any (strcmp (method, {"rk4", "gauss"})) && span / step > 2e9)
-    error (["%s: option %s: %g s in steps of %g s are %.3g steps of %s; expected 2e9 at the " ...
+  fixed = any (strcmp (method, {"rk4", "gauss"}));
+  most = [1e15, 2e9](1 + fixed);
+  steps = [ropt(1) * fixed, ropt(3)];
+  steps(steps == 0) = Inf;
+  [step, which] = min (steps);
+  if (span / step > most)
+    error (["%s: option %s: %g s in steps of %g s are %.3g steps of %s; expected %.0e at the " ...
             "most: longer steps, or shorter runs"], who, {"step", "maxstep"}{which}, span, step, ...
-           span / step, method);
+           span / step, method, most);
   endif
 endfunction
 

@@ -61,6 +61,14 @@ function breakaway ()
   gsmbp_check ("a push that jumps to 4 N at 1 s: it moves from then on", r.events.t(1) - 1, 0);
   gsmbp_check ("a mode that is given stays: forward at rest under a push", ...
                gsmbp_simulate (m, [0 0], [0 1], "input", 4, "modes", 1).x(end,1) > 0.1);
+  said = gsmbp_complaint (@() gsmbp_simulate (m, [0 0], [0 1], "input", [4 1]));
+  gsmbp_check (["a mode among the inputs: " said], ...
+               any (strfind (said, "is no input: expected 0 in its place")));
+  said = gsmbp_complaint (@() gsmbp_ensemble (m, [0 0], [0 1], "inputs", [4 0; 4 -1]));
+  gsmbp_check (["of many runs: " said], any (strfind (said, "or that of option modes; found -1")));
+  r = gsmbp_simulate (m, [0 0], [0 1], "input", [4 1], "modes", 1);
+  gsmbp_check ("one that is that of option modes", ...
+               r.x - gsmbp_simulate (m, [0 0], [0 1], "input", 4, "modes", 1).x, 0);
 end
 
 ## falls from 1 m, restitution 0.8: impact n at t1*(1 + 2*(e + .. + e^n)), heights e^(2 n); rests at

@@ -75,6 +75,8 @@ def ball():
     for modes in ([2, 0], [0.5, 0], [0]):
         refuses('modes %s' % modes, ValueError, ['-1, 0 or 1', 'found [%g' % modes[0]], m.simulate,
                 [1, 0, 0, 0], [0, 1], modes=modes)
+    refuses('a mode among the inputs', ValueError, ['walls is no input', 'found 1'], m.simulate,
+            [1, 0, 0, 0], [0, 1], input=[0, 1])
     for x0, modes, words in (
             ([1, 0, 0, 0], [-1, 0], ['expected 0 of ground_stop, which is at 1', 'found -1']),
             ([0, 2, 0, 1], [-1, 1], ['expected 0 of walls, which moves at 1', 'found 1'])):
@@ -198,6 +200,10 @@ def crank():
     moved = m.simulate(m.initial + 0.01, [0, 1e-3], start='project')
     con = m.con(0, moved.x[:3, 0], moved.x[3:6, 0])
     close('crank: a start that is moved', con.phi, 0, 1e-12)
+    refuses('a function that gives a text', ValueError, ['input at t = 0 s', "found 'on'"],
+            m.simulate, m.initial, [0, 1], input=lambda t, x: 'on')
+    refuses('a parameter as an attribute', AttributeError, ["expected m.parameters['"], getattr, m,
+            list(m.parameters)[0])
     refuses('a failing function', ZeroDivisionError, [], m.simulate, m.initial, [0, 1],
             input=lambda t, x: 1 / 0)
     refuses('an input that is not finite', ValueError, ['finite'], m.simulate, m.initial, [0, 1],

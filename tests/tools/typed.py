@@ -1,6 +1,6 @@
 """typed.py SECONDS LINE ...: types lines at Octave in a terminal, Ctrl-C SECONDS after the last
-one; prints how long the prompt then took, what a sum typed there gives, and how many processes
-of the session are left a second later."""
+one has begun another process; prints how long the prompt then took, what a sum typed there gives,
+and how many processes of the session are left a second later."""
 import os
 import pty
 import select
@@ -23,6 +23,13 @@ def said(terminal, what, limit):
     return what in heard
 
 
+def processes(session):
+    """how many processes it has started that have not ended"""
+    states = subprocess.run(["ps", "-o", "stat=", "--ppid", str(session)], capture_output=True,
+                            text=True, check=False).stdout.split()
+    return sum(not s.startswith("Z") for s in states)
+
+
 def main(delay, lines):
     session, terminal = pty.fork()
     if session == 0:
@@ -32,6 +39,9 @@ def main(delay, lines):
     for line in lines:
         os.write(terminal, line.encode() + b"\n")
         ready = said(terminal, PROMPT, 120) if line != lines[-1] else ready
+    end = time.time() + 60
+    while processes(session) == 0 and time.time() < end:
+        time.sleep(0.02)
     time.sleep(delay)
     start = time.time()
     os.write(terminal, b"\x03")
@@ -40,9 +50,7 @@ def main(delay, lines):
     os.write(terminal, b"x = 40 + 2\n")
     print("alive" if said(terminal, b"x = 42", 10) else "dead")
     time.sleep(1)
-    left = subprocess.run(["ps", "-o", "stat=", "--ppid", str(session)], capture_output=True,
-                          text=True, check=False).stdout.split()
-    print("left: %d" % sum(not s.startswith("Z") for s in left))
+    print("left: %d" % processes(session))
     os.write(terminal, b"exit\n")
     said(terminal, b"\0", 2)
 

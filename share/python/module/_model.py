@@ -105,6 +105,9 @@ class Model(Routines):
             raise AttributeError(name)
         if name in _REQUESTS:
             self._has(name)
+        if name in self._parameters:
+            raise AttributeError("%s: %s is a parameter: expected m.parameters['%s']" % (
+                NAME, name, name))
         raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, _nearest(
             name, list(ROUTINES))))
 

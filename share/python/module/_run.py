@@ -306,7 +306,12 @@ class _Plan:
 
     def told(self, function, free, t, x):
         """What a function v = f(t, x) gives, in all places."""
-        found = np.atleast_1d(np.asarray(function(t, x.copy()), float))
+        given = function(t, x.copy())
+        try:
+            found = np.atleast_1d(np.asarray(given, float))
+        except (TypeError, ValueError):
+            raise ValueError('%s: input at t = %.9g s: expected %d numbers; found %r' % (
+                self.who, t, NV, given)) from None
         return _vector(self.who, 'input at t = %.9g s' % t, self.constants(found, free), NV)
 
     def called(self, function, free):
@@ -376,6 +381,17 @@ class _Plan:
                 raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1; found %r' % (
                     self.who, n, modes))
             self.put('modes', given, np.intc)
+        self.no_mode_given(np.zeros(n) if modes is None else given)
+
+    def no_mode_given(self, modes):
+        """In the place of a mode, among all inputs, is 0 or what modes has."""
+        for event, wanted in zip(TABLE['events'], modes):
+            if event['input'] > 0 and 'constants' in self.held:
+                found = self.held['constants'][event['input'] - 1]
+                if found not in (0, wanted):
+                    raise ValueError(
+                        '%s: the mode of %s is no input: expected 0 in its place, or that of '
+                        'modes; found %g' % (self.who, event['name'], found))
 
 
 def _wrong_mode(model, t, x, modes, k):
