@@ -467,7 +467,7 @@ endfunction
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", [1 2 3])
 %!error <expected real numbers>
 %! gsmbp_simulate (m, [0 0 0], [0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN)
-%!error <option maxstep: 10 s in steps of 1e-09 s are 1e\+10 steps of rk4; expected 2e\+09 at the most>
+%!error <maxstep: 10 s in steps of 1e-09 s are 1e\+10 steps of rk4; expected 2e\+09 at the most>
 %! gsmbp_simulate (m, [0 0 0], [0 10], "method", "rk4", "maxstep", 1e-9)
 %!error <in steps of 1e-30 s are 1e\+31 steps of dp853; expected 1e\+15 at the most>
 %! gsmbp_simulate (m, [0 0 0], [0 10], "maxstep", 1e-30)
