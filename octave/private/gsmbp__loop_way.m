@@ -10,7 +10,7 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
   word = o.loops;
   if (isempty (word))
     word = words{1 + (has ("prj") && (d.nlam > 0 || euler))};
-    if (strcmp (o.method, "gauss") && d.nlam > 0 && has ("kin") && has ("con"))
+    if (strcmp (o.method, "gauss") && d.nlam > 0 && ! euler && has ("kin") && has ("con"))
       word = "partitioning";   # the steps are those of the independent coordinates alone
     endif
     if (! isempty (o.projection))

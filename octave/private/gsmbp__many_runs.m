@@ -7,10 +7,14 @@
 function e = gsmbp__many_runs (who, p, rows)
   m = p.m;
   good = strcmp (rows.broken, "");
-  [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+  e = struct ("t", p.times(:));
+  [e.x, e.v, e.y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
       run_all (p, m, rows, good);
-  e = struct ("t", p.times(:), "x", x, "v", v, "y", y);
-  e = judged (e, p, rows, ! good, counts, values, info, said);
+  [e, cut] = judged (e, p, rows, ! good, counts, values, info, said);
+  for i = cut'   # here, where nobody else has them: they are not copied, which takes seconds
+    bad = counts(5,i)+1:numel (e.t);
+    [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
+  endfor
   if (! isempty (m.events))
     e.events = struct ("run", events(1,:)', "t", events(2,:)', "number", events(3,:)', "mode", ...
                        events(4,:)');
@@ -106,15 +110,16 @@ function warn_of_more (who, m, count, listed)
   endif
 endfunction
 
-## which runs came to their end; BROKEN: those whose parameters break a rule
-function e = judged (e, p, rows, broken, counts, values, info, said)
+## which runs came to their end; BROKEN: those whose parameters break a rule; CUT: those whose rows
+## behind the last one are to be NaN: a state where a run ended is none at a time asked for
+function [e, cut] = judged (e, p, rows, broken, counts, values, info, said)
   ended = info(1,:)' == 11;   # by an event of the user
   e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! broken;
   e.reached = values(8,:)';
   e.reached(e.ok & ! ended) = e.t(end);
   e.reason = rows.broken;
   e.reached(broken) = e.t(1);
-  idle = ! broken & counts(1,:)' == 0;   # those that were not begun, at a time many
+  idle = ! broken & counts(1,:)' == 0 & any (info(1,:)' == [9, 10], 2);   # not begun, perhaps many
   e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
   e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
   failed = find (! e.ok)';
@@ -122,10 +127,7 @@ function e = judged (e, p, rows, broken, counts, values, info, said)
     e.reason{i} = reason (p, rows, i, info(:,i), counts(:,i), values(:,i), said{i}, ...
                           last_of (e, i, counts));
   endfor
-  for i = failed   # a state where a run ended is none at a time that was asked for
-    bad = counts(5,i)+1:numel (e.t);
-    [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
-  endfor
+  cut = find (! e.ok & ! idle);
 endfunction
 
 ## the model with the parameters of run I, as far as a reason needs it: many runs may fail

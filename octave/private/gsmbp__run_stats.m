@@ -30,10 +30,11 @@ function s = gsmbp__run_stats (s, m, result, method, counts, values)
   s.margins = gsmbp__margins (m, result.t, result.x, result.v);
 endfunction
 
+## of derivatives, behind the states, it is that of their state: their columns have its eigenvalues
 function s = stiffness (m, counts, values)
   s = struct ("time", NaN, "eigenvalue", NaN, "state", "", "step", NaN);
   if (counts(14) > 0)
-    s = struct ("time", values(18), "eigenvalue", values(19), "state", m.states{counts(15)}, ...
-                "step", values(20));
+    state = m.states{mod (counts(15) - 1, m.sizes.nx) + 1};
+    s = struct ("time", values(18), "eigenvalue", values(19), "state", state, "step", values(20));
   endif
 endfunction

@@ -127,6 +127,15 @@ function stepped (drive, ball)
                       2, "lanes", false);
   gsmbp_check ("a digital controller: bit for bit", ...
                all (e.ok) && alike_runs (e, drive, [0; 0], t, 3, "input", 1, "atol", 1e-10));
+  late = struct ("late", [0, 0.05, 0.35, 0.35], "period", [0.1, 0.1, 0.1, 0.02]);
+  for lanes = [false, true]
+    e = gsmbp_ensemble (drive, [0; 0], t, "input", 1, "parameters", late, "atol", 1e-10, ...
+                        "lanes", lanes);
+    gsmbp_check (sprintf ("delays of more periods than in the model, lanes %d", lanes), ...
+                 all (e.ok) && alike_runs (e, drive, [0; 0], t, 4, "input", 1, "atol", 1e-10));
+  end
+  w = gsmbp_sweep (drive, [0; 0], t, "input", 1, "vary", struct ("late", [0.01, 0.5]), "runs", 8);
+  gsmbp_check ("of a sweep", all (w.ok));
   name = fieldnames (ball.par){1};
   e = gsmbp_ensemble (ball, ball.initial, t, "parameters", ...
                       struct (name, ball.par.(name) * [1, 1.1, 0.9]), "atol", 1e-10, "threads", 2);

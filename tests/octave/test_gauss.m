@@ -6,6 +6,7 @@ function test_gauss ()
   energy (m);
   turning (m, gsmbp_fixture ("gauss_bars"));
   turned_back (gsmbp_fixture ("gauss_wheel"));
+  in_space (gsmbp_fixture ("gauss_space"));
   told (gsmbp_fixture ("gauss_bars"), gsmbp_fixture ("gauss_told"));
   crank (gsmbp_hand ("hand_crank"));
   inputs (gsmbp_hand ("motor_pendulum"));
@@ -102,6 +103,18 @@ function told (bars, m)
                  && e < 2 * max (abs (energies (bars, alone))) + 1e-13 ...
                  && gap < most + 1e-9 && state_gap (r, alone) < 1e-10);
   end
+end
+
+## Euler parameters: steps of the default length come to their end, as accurate as their order
+function in_space (m)
+  x0 = gsmbp_assemble (m, m.initial, "hold", "q1");
+  x0(strcmp (m.states, "q1_d")) = 8;
+  x0 = gsmbp_assemble (m, x0, "hold", "q1");
+  exact = gsmbp_simulate (m, x0, [0 1 2], "rtol", 1e-12);
+  [coarse, fine] = deal (gauss (m, x0, [0 1 2]), gauss (m, x0, [0 1 2], "step", 2.5e-4));
+  gsmbp_check (sprintf ("a loop in space: found %.2g, %.2g", state_gap (coarse, exact), ...
+                        state_gap (fine, exact)), ...
+               state_gap (coarse, exact) < 1e-7 && state_gap (fine, exact) < 1e-8);
 end
 
 function crank (m)

@@ -49,7 +49,7 @@ ends 'Ctrl-C in a derivation' 2 "$path" \
 check 'Ctrl-C in a derivation: nothing half-written' \
   test -z "$(ls "$work/cut" | grep -v '\.log$')"
 cp "$work"/out/slider_crank.* "$work/cut"
-ends 'Ctrl-C in a compilation' 1.5 "$path" \
+ends 'Ctrl-C in a compilation' 0.5 "$path" \
   "m = gsmbp_build (\"slider_crank\", \"directory\", \"$work/cut\", \"precision\", \"quad\");"
 check 'Ctrl-C in a compilation: its lock is let go' \
   timeout 5 flock "$work/cut/build/quad/slider_crank/lock" true
