@@ -330,8 +330,8 @@ do_ensemble (arguments& a, int)
               r.counted, r.all_said (), r.margins);
 }
 
-// (values of all parameters, numbers of those that a table is of, the table): the most places that a
-// run of its rows needs for outputs of sampled devices on their way (plan.h)
+// (values of all parameters, numbers of those that a table is of, the table): the most places that
+// a run of its rows needs for outputs of sampled devices on their way (plan.h)
 static octave_value_list
 do_on_the_way (arguments& a, int)
 {
