@@ -47,7 +47,10 @@ function gsmbp__run_warnings (who, m, s, listed)
              strjoin ({s.lost.name}, ", "), one.time, one.event, one.text);
   endif
   f = s.stiff;
-  remedy = "take method \"radau\", or a reduced variant of the actuator that is so fast";
+  remedy = "take method \"radau\"";
+  if (! isfield (m, "json") || ! isfield (m.json, "devices") || ! isempty (m.json.devices))
+    remedy = [remedy, ", or a reduced variant of the actuator that is so fast"];
+  endif
   if (! isnan (f.time) && any (strcmp (regexprep (f.state, '_d$', ""), of_modes (m))))
     remedy = "leave that mode of a flexible link out, or take method \"radau\"";
   endif
