@@ -39,6 +39,7 @@ private:
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
   static gs_start start_of (const simulation& s, const ensemble_rows& rows);
   bool begins (int i, run_room& r) const;
+  bool refused (int i, int verdict) const;   // false
   void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
              reals& one);
@@ -150,8 +151,12 @@ ensemble::begins (int i, run_room& r) const
 {
   reals work = room (gs_start_room (&S));
   const int verdict = gs_take_start (&m_start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
-  if (verdict == GS_START_TAKEN)
-    return true;
+  return verdict == GS_START_TAKEN || refused (i, verdict);
+}
+
+bool
+ensemble::refused (int i, int verdict) const
+{
   m_info[2 * i] = 3;
   m_counts[20 * std::size_t (i) + 5] = verdict;
   m_counts[20 * std::size_t (i) + 6] = 9;
@@ -182,7 +187,8 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unse
   if (S.nctl > 0)   // their periods are the run's own
     {
       std::lock_guard<std::mutex> guard (m_plan);
-      m_s.plan->due_from (double (m_s.t0), r.cst);
+      if (! m_s.plan->due_from (double (m_s.t0), r.cst))
+        return refused (i, GS_START_SAMPLES);
       m_s.plan->begin (ip, rp);
     }
   else
@@ -296,12 +302,27 @@ ensemble::run_all (int threads)
   if (m_lanes && ! m_rows.table.isempty () && emitted ("pre_w"))
     m_groups.reset (new row_groups (m_rows.varied (), m_common, threads, most, is_over));
 #endif
+  std::exception_ptr failed;   // no memory: Octave is told, behind all threads
+  auto guarded = [&] (int k) {
+    try
+      {
+        work (k, most);
+      }
+    catch (...)
+      {
+        std::lock_guard<std::mutex> guard (m_plan);
+        failed = std::current_exception ();
+        m_next = m_rows.n;
+      }
+  };
   std::vector<std::thread> others;
   for (int k = 1; k < threads; k++)
-    others.emplace_back (&ensemble::work, this, k, most);
-  work (0, most);
+    others.emplace_back (guarded, k);
+  guarded (0);
   for (std::thread& t : others)
     t.join ();
+  if (failed)
+    std::rethrow_exception (failed);
 }
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,

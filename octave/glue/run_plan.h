@@ -14,8 +14,8 @@ public:
   // the fields of gs_plan, and those of gs_scene that are for the plan; [] is none
   run_plan (const octave_scalar_map& given, int nx);
 
-  // periods, delays and first samples of a run from T0 on
-  void due_from (double t0, const reals& cst);
+  // periods, delays and first samples of a run from T0 on; false where they cannot be
+  bool due_from (double t0, const reals& cst);
 
   // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
   // written, stays as it is: it takes most of their room, and the time of a short run.
@@ -239,15 +239,16 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
     }
 }
 
-void
+bool
 run_plan::due_from (double t0, const reals& cst)
 {
   if (S.nctl == 0)
-    return;
+    return true;
   the_constants = &cst;
   if (gs_due_from (&m_scene, t0, nullptr, &ip[0], &m_rp[0]) != 0)
-    error ("%s: more than 2e9 samples", "gsmbp_simulate");
+    return false;
   gs_samples a = samples ();
   std::copy_n (a.value, a.nh, at (a.value));
   routine ("ctp") (&cst[0], at (a.period), at (a.delay));
+  return true;
 }

@@ -83,7 +83,8 @@ simulation::simulation (arguments& a)
 #endif
   implicit = a.integers ("largest order, index 2, states that inputs follow", -1);
   timeout = double (a.scalar ("timeout"));
-  plan->due_from (double (t0), cst);
+  if (! plan->due_from (double (t0), cst))
+    error ("%s: more than 2e9 samples", "gsmbp_simulate");
   breaks = breaks_of (cst);
   if (carries ())
     with_run (*columns, *plan, cst, ropt[1], atol);

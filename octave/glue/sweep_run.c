@@ -262,8 +262,18 @@ set_breaks (const gs_sweep *s, gs_room *r)
       all[r->nb++] = all[k];
 }
 
-/* the start of a run on its constraints; INFO as GSSIM, where there is none near */
-static int
+/* a start that is not taken: INFO as GSSIM, a verdict of start.h */
+static void
+refused (const gs_sweep *s, gs_room *r, int verdict)
+{
+  r->info = 3;
+  r->istat[5] = verdict;
+  r->istat[6] = 9;
+  r->rstat[7] = s->t0;
+}
+
+/* the start of a run on its constraints */
+static void
 take_start (const gs_sweep *s, gs_room *r)
 {
   gs_start start = { S, emitted ("con"), emitted ("prj"), emitted ("mar"), s->nominal.x,
@@ -274,11 +284,12 @@ take_start (const gs_sweep *s, gs_room *r)
       gs_start_events (&start, &e);
     }
   double *work = room (gs_start_room (S));
-  r->istat[5] = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
-  r->istat[6] = r->istat[5] != 0 ? 9 : 0;   /* a verdict of start.h */
-  r->rstat[7] = s->t0;
+  const int verdict = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
   free (work);
-  return ! work ? 7 : r->istat[5] != 0 ? 3 : 0;
+  r->rstat[7] = s->t0;
+  r->info = work ? 0 : 7;
+  if (verdict != GS_START_TAKEN)
+    refused (s, r, verdict);
 }
 
 /* the plan of a run and what came of it; the record of the events, of which nothing is read before
@@ -315,13 +326,16 @@ prepare (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info
   zero (r->rstat, 20);
   memset (r->istat, 0, 20 * sizeof (int));
   r->text[0] = 0;
-  r->info = info == 0 ? take_start (s, r) : 0;
+  r->info = 0;
+  if (info == 0)
+    take_start (s, r);
   copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
   gs_take_plan (s, s->ip, s->rp.x, r->ip, r->rp);
   if (S->nctl > 0 && info == 0)
     {
       gs_scene scene = { .nv = S->nv, .nctl = S->nctl, .ctp = periods };
-      gs_due_from (&scene, s->t0, r->cst, r->ip, r->rp);
+      if (gs_due_from (&scene, s->t0, r->cst, r->ip, r->rp) != 0 && r->info == 0)
+        refused (s, r, GS_START_SAMPLES);
     }
   r->times[0] = s->t0;
   copy (r->times + 1, s->tout.x, s->tout.n);
@@ -644,6 +658,9 @@ no_start (const gs_sweep *s, const gs_room *r, char *why)
               "they lose rank: %s; start beside that position", t, reasons[r->istat[5] - 1]);
   else if (r->istat[5] == GS_START_DEVICE)
     snprintf (why, GS_WHY, "a device cannot be there");
+  else if (r->istat[5] == GS_START_SAMPLES)
+    snprintf (why, GS_WHY, "sampled devices: expected periods above 0, delays of 0 or more and "
+              "fewer than 2e9 samples behind the start");
   else if (r->istat[5] >= GS_START_STOP)
     {
       int n;

@@ -149,7 +149,10 @@ function text = reason (p, rows, i, info, counts, values, said, last)
     return;
   endif
   m = of_row (p.m, rows, i);
-  if (info(1) == 3 && counts(7) == 9)
+  if (info(1) == 3 && counts(7) == 9 && counts(6) == 5)
+    text = ["sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 " ...
+            "samples behind the start"];
+  elseif (info(1) == 3 && counts(7) == 9)
     text = off_constraints (m, p, rows, i);
   elseif (info(1) == 3 && counts(7) == 7 && counts(6) == 13 && ! isempty (last))
     text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, counts(19));

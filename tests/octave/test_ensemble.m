@@ -134,6 +134,13 @@ function stepped (drive, ball)
     gsmbp_check (sprintf ("delays of more periods than in the model, lanes %d", lanes), ...
                  all (e.ok) && alike_runs (e, drive, [0; 0], t, 4, "input", 1, "atol", 1e-10));
   end
+  warning ("off", "gsmbp:failed", "local");
+  for lanes = [false, true]   # 1e12 periods lie behind the start
+    e = gsmbp_ensemble (drive, [0; 0], [1, 1.1], "input", 1, "parameters", ...
+                        struct ("period", [0.1, 1e-12, 0.1]), "lanes", lanes);
+    gsmbp_check (["samples beyond count: " e.reason{2}], isequal (e.ok', [true, false, true]) ...
+                 && any (strfind (e.reason{2}, "fewer than 2e9 samples behind the start")));
+  end
   w = gsmbp_sweep (drive, [0; 0], t, "input", 1, "vary", struct ("late", [0.01, 0.5]), "runs", 8);
   gsmbp_check ("of a sweep", all (w.ok));
   name = fieldnames (ball.par){1};
