@@ -104,7 +104,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   endif
   p = gsmbp__run_of_many (who, m, x0, times, rest);
   gsmbp__no_mode_given (who, m, rows.inputs, p.o.modes);
-  p = gsmbp__on_the_way (p, fieldnames (own.parameters)', rows.table);
+  p = gsmbp__for_all_delays (p, fieldnames (own.parameters)', rows.table);
   e = gsmbp__many_runs (who, p, rows);
   e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);

@@ -149,7 +149,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   plain = kept(! [kept.whole]);
   rest_of = isempty (o.file) * nnz ([kept.whole]) * numel (times);   # of whole runs
   table = gsmbp__sweep_plan (who, o, numel (plain) + rest_of);
-  p = gsmbp__on_the_way (p, names, table);
+  p = gsmbp__for_all_delays (p, names, table);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   check_demands (who, o.demand, w.names);
   told_of_signs (who, m, names, w.units, table);

@@ -351,18 +351,18 @@ do_ensemble (arguments& a, int)
               r.counted, r.all_said (), r.margins);
 }
 
-// (values of all parameters, numbers of those that a table is of, the table): the most places that
-// a run of its rows needs for outputs of sampled devices on their way (plan.h)
+// (values of all parameters, numbers of those that a table is of, the table): periods and delays of
+// the sampled devices, a column for each of its rows, zeros where PRE fails
 static octave_value_list
-do_on_the_way (arguments& a, int)
+do_periods (arguments& a, int)
 {
   const Matrix par = a.matrix ("par", S.npar, 1);
   const std::vector<int> which = a.integers ("parameters", -1);
   const Matrix table = a.value ("table").matrix_value ();
+  Matrix periods (S.nctl, table.rows (), 0.0), delays (S.nctl, table.rows (), 0.0);
   reals p = room (S.npar), cst = room (S.ncst), period = room (S.nctl), delay = room (S.nctl);
   for (int k = 0; k < S.npar; k++)
     p[k] = decimal (par(k));
-  double most = 0;
   for (octave_idx_type i = 0; i < table.rows (); i++)
     {
       int info = 0;
@@ -370,11 +370,11 @@ do_on_the_way (arguments& a, int)
         p[which[k] - 1] = decimal (table(i, k));
       routine ("pre") (&p[0], &cst[0], &info);
       routine ("ctp") (&cst[0], &period[0], &delay[0]);
-      double places = 0;
       for (int k = 0; k < S.nctl && info == 0; k++)
-        if (delay[k] > 0 && period[k] > 0)
-          places += std::floor (double (delay[k] / period[k]) + 1e-9) + 2;
-      most = std::max (most, places);
+        {
+          periods(k, i) = double (period[k]);
+          delays(k, i) = double (delay[k]);
+        }
     }
-  return ovl (most);
+  return ovl (periods, delays);
 }

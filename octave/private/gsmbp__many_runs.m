@@ -149,7 +149,7 @@ function text = reason (p, rows, i, info, counts, values, said, last)
     return;
   endif
   m = of_row (p.m, rows, i);
-  if (info(1) == 3 && counts(7) == 9 && counts(6) == 5)
+  if (info(1) == 3 && counts(7) == 9 && counts(6) == 5)   # GS_START_SAMPLES of glue/start.h
     text = ["sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 " ...
             "samples behind the start"];
   elseif (info(1) == 3 && counts(7) == 9)

@@ -35,7 +35,7 @@ function plan = gsmbp__sampled (who, m, o, times, plan)
   if (any (max (abs (times([1, end]))) ./ period > 2e9))
     error ("%s: more than 2e9 samples", who);
   endif
-  plan.on_the_way = sum ((delay > 0) .* (floor (delay ./ period + 1e-9) + 2));
+  plan.on_the_way = gsmbp__on_the_way (period, delay);
   if (o.samples)
     plan.instants = sum ((1 + (delay > 0)) .* (floor ((times(end) - times(1)) ./ period) + 2));
   endif

@@ -1,0 +1,13 @@
+## p = gsmbp__for_all_delays (p, names, table)
+## The plan P of one of many runs (gsmbp__run_of_many) with places for what sampled devices have
+## on the way in any of them: periods and delays are those of the parameters NAMES, whose values
+## are the rows of TABLE.
+
+function p = gsmbp__for_all_delays (p, names, table)
+  if (isempty (p.m.controllers) || isempty (table))
+    return;
+  endif
+  [~, which] = ismember (names, fieldnames (p.m.par)');
+  [period, delay] = p.m.module ("periods", cellfun (@double, struct2cell (p.m.par)), which, table);
+  p.arguments{11}.on_the_way = gsmbp__on_the_way (period, delay);
+endfunction
