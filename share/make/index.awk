@@ -1,7 +1,8 @@
 # index.awk FILE.info: prints what describe of Maxima (? and ??) reads, as Lisp. Run it under
 # LC_ALL=C: offsets are bytes, and the file must be ASCII and made by makeinfo --no-split.
 # An entry begins at " -- Category: [result =] name"; headings that follow at once (@deffnx) share
-# it; it ends before the next one or the end of the node.
+# it; it ends before the next one or the end of the node. A long heading continues on lines
+# indented by ten blanks.
 function close_entry(   i) {
   for (i = 1; i <= n; i++) if (!(name[i] in told)) {
     told[name[i]] = 1
@@ -31,7 +32,7 @@ BEGIN { n = split(ARGV[1], part, "/"); file = part[n]; n = 0; at = 0 }
 }
 /^\000?\010\[index/ { is_index = 1 }
 /^ -- [^:]*: / { if (!in_heading) { close_entry(); start = at } heading($0); in_heading = 1 }
-!/^ -- / { in_heading = 0 }
+!/^ -- / && !/^          / { in_heading = 0 }
 { at += length($0) + 1 }
 END {
   close_node()

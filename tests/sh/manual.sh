@@ -1,6 +1,6 @@
 # The manual: the sessions of its chapters are typed and compared, an eighth of them a day (the
 # others: sessions.sh; all, and the longest, in make test-whole); every public function is in its
-# index; every entry of the index opens in describe (on ECL too in make test-whole); example works
+# index; every entry of the index opens in describe with its text (on ECL too in make test-whole); example works
 # for every function; every word of the scene language has its picture, or is said to have none.
 . tests/tools/check.sh
 report=$(mktemp)
@@ -61,10 +61,21 @@ for path in sorted(glob.glob('octave/gsmbp_*.m')):
 code = open('share/manual/code.texi').read()
 rows = open('gsmbp/emit/requests.mac').read().split('gs__request_rows :')[1].split('$')[0]
 for word, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows):
-    if word not in code or not re.search(r'\b_?%s\b' % suffix, code):
+    if word not in code:
         print('code.texi: request %s, %s' % (word, suffix))
+# the first column of the table has every subroutine once
+made = {'PAR', 'PRE', 'STD'} | {suffix for _, suffix in re.findall(r'\[(\w+), "(\w+)", gs__d', rows)}
+for path in glob.glob('gsmbp/*/*.mac'):
+    made |= set(re.findall(r'suffix = "(\w+)"', open(path).read()))
+table = code.split('@headitem Subroutine @tab Does')[1].split('@end multitable')[0]
+listed = [name for row in re.findall(r'(?m)^@item (.*?) @tab', table)
+          for name in re.findall(r'_([A-Z0-9]+(?:_[VW])?)\b', row)]
+for name in sorted(made | set(listed)):
+    known = name in made or re.match(r'C[TD]\d', name)
+    if listed.count(name) != 1 or not known:
+        print('code.texi: subroutine _%s: %d times in the table' % (name, listed.count(name)))
 END
-result 'every option of Octave and every request stands in the manual'
+result 'every option of Octave, every request and, once, every subroutine is in the manual'
 
 /usr/bin/python3 tests/tools/pictures.py
 (cd share/manual && makeinfo --html --no-split -o "$report.html" gsmbp.texi) >"$report" 2>&1 &&
@@ -75,15 +86,19 @@ told $? 'the page of HTML has all pictures in it' "$report"
 rm -f "$report.html" "$report.page"
 
 names=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]* .*/"\1"/p' $index | paste -s -d ,)
+nodes=$(sed -n 's/^.*("\([^"]*\)" \. ("gsmbp.info" [0-9]* [0-9]*))*$/"\1"/p' $index | paste -s -d ,)
 for maxima in maxima ${GSMBP_WHOLE:+maxima-sage}; do
   has $maxima 'topics of the manual in describe' || continue
   rm -f "$report"
   MAXIMA=$maxima share/make/maxima "$report.log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$
     load(\"$PWD/tests/tools/topics.lisp\")\$ names : [$names]\$
-    lost : sublist(names, lambda([n], topic_opens(n) # true))\$
-    with_stdout(\"$report\", print(\"looked up\", length(names), lost))\$" >/dev/null 2>&1
-  grep -q '^looked up [1-9][0-9][0-9]* \[\]' "$report"
-  told $? "$maxima: every entry of the index opens in describe" "$report"
+    lost : sublist(names, lambda([n], topic_opens(n) # true))\$ nodes : [$nodes]\$
+    empty : sublist(nodes, lambda([n], node_opens(n) # true))\$
+    with_stdout(\"$report\", print(\"looked up\", length(names), lost),
+      print(\"sections\", length(nodes), empty))\$" >/dev/null 2>&1
+  grep -q '^looked up [1-9][0-9][0-9]* \[\]' "$report" &&
+    grep -q '^sections [1-9][0-9][0-9]* \[\]' "$report"
+  told $? "$maxima: every entry of the index opens in describe, with text after its heading" "$report"
 done
 
 # in a folder of its own: examples write files
