@@ -60,8 +60,9 @@
 ## @item goal, T, parameters
 ## the least value, the duration, the free parameters by name
 ## @item input, motion
-## the inputs as a piecewise polynomial, as @code{gsmbp_simulate} takes it, and the coordinates that
-## @code{gsmbp_inverse} takes as a planned motion ([] where the speeds are not their rates)
+## the inputs as a piecewise polynomial, as @code{gsmbp_simulate} takes it ([] for a scene without
+## inputs), and the coordinates that @code{gsmbp_inverse} takes as a planned motion ([] where the
+## speeds are not their rates)
 ## @item error, meshes
 ## the estimated error of the states; of each mesh its intervals, iterations and error
 ## @item active

@@ -156,6 +156,9 @@ function [k, o] = controlled (m, options)
   names = o.inputs;
   if (isempty (names))
     k = 1:m.sizes.nv;
+    if (isempty (k))
+      error ("gsmbp_lqr: argument m: expected a model with inputs; found none in %s", m.name);
+    endif
     return;
   endif
   names = cellstr (names);

@@ -21,8 +21,7 @@ function arcs = gsmbp__collocation_arcs (p, s, list, share)
     if (b < begins(end))
       b = begins(find (begins <= b, 1, "last"));
     endif
-    v = s.v(one.input,c.stages);
-    span = max (v) - min (v) + 1e-3 * max (abs (v));
+    span = gsmbp__input_width (s.v(one.input,c.stages));
     arcs(end+1) = struct ("input", one.input, "from", a, "until", b, "weight", ...
                           share * size_ / span ^ 2);
   endfor

@@ -41,6 +41,10 @@ endfunction
 function pp = inputs (c, s)
   n = columns (c.left);
   nv = c.d.nv;
+  pp = [];
+  if (nv == 0)
+    return;
+  endif
   coefs = zeros (nv, n, 3);
   for k = 1:n
     begin = s.times(c.left(k));
@@ -62,6 +66,9 @@ function pp = motion (m, c, s)
   planned = 1:d.nq;
   if (d.nlam > 0)
     planned = m.actuated(:)';
+  endif
+  if (isempty (planned))
+    return;
   endif
   t = s.times;
   h = reshape (diff (t), 1, []);

@@ -30,8 +30,8 @@ function list = gsmbp__collocation_singular (m, p, s)
   endfor
 endfunction
 
-## of each input at each stage whether it is between its limits; the width of each input; whether a
-## state or an output is at a limit
+## For each input at each stage, whether it is between its limits (never, where these are equal); the
+## width of each input; whether a state or an output is at a limit
 function [inner, span, held] = between (p, s, v)
   c = s.c;
   q = c.stages;
@@ -39,8 +39,8 @@ function [inner, span, held] = between (p, s, v)
   high = p.high(v);
   span = high - low;
   some = ! isfinite (span);
-  span(some) = 1e-3 + width (s.v(:,q))(some);
-  inner = ! at_limits (s.v(:,q), low, high, 1e-3 * span);
+  span(some) = gsmbp__input_width (s.v(:,q))(some);
+  inner = ! at_limits (s.v(:,q), low, high, 1e-3 * span) & span > 0;
   held = any (at_limits (s.x(:,q), p.low(1:c.d.nx), p.high(1:c.d.nx), ...
                          1e-6 * width (s.x)), 1);
   if (! isempty (p.outputs))

@@ -30,6 +30,9 @@ function p = gsmbp__plant (who, m, e, o)
   endif
   k = chosen (who, "measured", o.measured, outputs, 1:numel (outputs));
   j = chosen (who, "inputs", o.inputs, inputs, setdiff (1:numel (inputs), held));
+  if (isempty (j))
+    error ("%s: argument m: expected a model with inputs; found none", who);
+  endif
   direct = find (any (sys.d(k,j), 2), 1);
   if (! isempty (direct))
     error ("%s: the output %s follows the inputs directly, without a state between", who, ...

@@ -49,8 +49,8 @@ function c = local_places (c, s)
   c.at = @(l, i) base(i) + l;
   T = c.K * c.nz + c.phase;
   c.columns = [T; (1:c.nz)' + base; c.K * c.nz + c.nT + repmat((1:c.np)', 1, c.K)];
-  c.J = s.jacobian;
-  c.H = s.hessian;
+  c.J = reshape (s.jacobian, [], 2);   # [] where a scene has none
+  c.H = reshape (s.hessian, [], 2);
   ## rates of the states: of coordinates and devices functions, of speeds the accelerations
   c.rate = [c.nr + (1:d.nq), zeros(1, d.nu), c.nr + d.nq + (1:d.nx-d.nq-d.nu)];
   c.speed = d.nq + (1:d.nu);
