@@ -1,6 +1,6 @@
 ## Optimal motions of scenes without outputs, inputs or parameters, and with an input that stays at
-## zero: closed forms of a double integrator and of an oscillator. Designs of controllers for a scene
-## without inputs.
+## zero: closed forms of a double integrator and of an oscillator. Designs of controllers for a
+## scene without inputs.
 
 function test_collocate_bare ()
   idle (gsmbp_fixture ("idle_slide"));
