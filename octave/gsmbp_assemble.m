@@ -10,16 +10,20 @@
 ## speeds are then zero); the result is a column.  Coordinates and speeds are
 ## moved as little as possible in the metric of the mass matrix (subroutine
 ## PRJ), or, where "hold" names some of the coordinates, the named ones and
-## the speeds that move them stay as they are and the others follow by Newton's
-## method.  Euler parameters are normalized; of a set all four may be held (the
-## orientation) or none.  @var{t} is the time, 0 by default.
+## the speeds that move them stay as they are and the others follow on the
+## branch of the guess: the loops are closed near the guess first (the held
+## coordinates go where the others fit best), then the held coordinates are
+## moved to their values in small steps.  Euler parameters are normalized; of a
+## set all four may be held (the orientation) or none.  @var{t} is the time, 0
+## by default.
 ##
 ## States of devices that the guess does not hold are as in @code{m.initial}; filters
 ## and observers that are settled in the guess are settled in the result.
 ##
 ## If the loop does not close it is an error that says by how much it fails:
 ## the largest |phi| that is left, above @var{tol} (default 1e-10, in the
-## unit of the constraint).
+## unit of the constraint).  It is an error, too, if only another branch reaches
+## the values of the held coordinates.
 ##
 ## A position where the constraints lose rank (a change point; all links in one
 ## line, because degrees were typed for radians) is a warning.
@@ -52,8 +56,8 @@
 ## coordinate in "hold" that the model has not, or one alone of four Euler
 ## parameters; a guess of another size, not finite, or with zeros for Euler
 ## parameters.
-## Source: own: projection in the metric of the mass matrix (PRJ), else
-## Newton's method.
+## Source: own: projection in the metric of the mass matrix (PRJ); with "hold"
+## numerical continuation (Allgower and Georg 1990, chapter 6).
 ## @seealso{gsmbp_simulate}
 ## @end deftypefn
 
@@ -77,7 +81,8 @@ function x = gsmbp_assemble (m, guess, varargin)
       x = gsmbp__unit_orientations (m, x);
     endif
   elseif (o.branches == 0)
-    [x, complaint] = gsmbp__close_loops (m, x, o, held);
+    [x, complaint, other] = gsmbp__close_loops (m, x, o, held);
+    complaint = [complaint, other(1:end*isempty (complaint))];
     if (! isempty (complaint))
       error ("%s: %s: %s", who, m.name, complaint);
     endif

@@ -1,10 +1,18 @@
-## [x, complaint] = gsmbp__close_loops (m, x, o, held)
-## The guess X of a state of M moved onto the constraints, COMPLAINT "" or why not.  O: the options
-## of gsmbp_assemble; HELD: numbers of the coordinates that stay.
+## [x, complaint, other] = gsmbp__close_loops (m, x, o, held)
+## Move the guess X of a state of M onto the constraints; COMPLAINT is "" or the reason why this
+## failed, OTHER "" or the reason why X is not on the branch of the guess.  O: the options of
+## gsmbp_assemble; HELD: a mask of the coordinates that stay.
 
-function [x, complaint] = gsmbp__close_loops (m, x, o, held)
+function [x, complaint, other] = gsmbp__close_loops (m, x, o, held)
   d = m.sizes;
+  other = "";
   if (any (held))
+    [near, reached] = gsmbp__follow_branch (m, o.time, x, held);
+    if (reached < 1)
+      other = branch_end (m, near, x, held);
+    elseif (reached == 1)
+      x = near;
+    endif
     x = solve (m, x, o, held);
   else
     [x, ~, info] = m.prj (o.time, x);
@@ -20,9 +28,9 @@ function [x, complaint] = gsmbp__close_loops (m, x, o, held)
   [slip, j] = max (abs (rate));
   if (! (gap <= o.tolerance))
     complaint = sprintf (["the loop does not close: %s = %.6g is left of the constraints " ...
-                          "(tolerance " ...
-                          "%g); try another guess or check the lengths%s"], label (m, k), ...
-                         phi(k), o.tolerance, gsmbp__nowhere ([phi; rate]));
+                          "(tolerance %g); try another guess, the option \"branches\", or " ...
+                          "check the lengths%s"], label (m, k), phi(k), o.tolerance, ...
+                         gsmbp__nowhere ([phi; rate]));
   elseif (! (slip <= o.tolerance * max (1, norm (u))))
     complaint = sprintf ("the speeds do not fit the constraints: the rate of %s is %.6g%s", ...
                          label (m, j), rate(j), gsmbp__nowhere (rate));
@@ -34,17 +42,16 @@ function x = solve (m, x, o, held)
   d = m.sizes;
   x = gsmbp__unit_orientations (m, x);
   u = x(d.nq + (1:d.nu));
-  rows = setdiff (1:d.nlam, m.speed_rows);   # the others have no phi
   least = Inf;
   for iteration = 1:60
     q = x(1:d.nq);
-    [phi, ~, H, ~, ~] = m.con (o.time, q, u);
+    [H, K, phi] = gsmbp__loop_jacobian (m, o.time, x);
     if (norm (phi, Inf) < least)
       least = norm (phi, Inf);
       best = x;
     endif
-    [K, free] = moves (m, o.time, q, held);
-    step = -pinv (H(rows,free)) * phi(rows);
+    free = free_speeds (K, held);
+    step = -pinv (H(:,free)) * phi;
     move = K(:,free) * step / max (1, max (abs (step)));
     x(1:d.nq) += move;
     x = gsmbp__unit_orientations (m, x);
@@ -52,26 +59,27 @@ function x = solve (m, x, o, held)
       break;
     endif
   endfor
-  if (norm (m.con (o.time, x(1:d.nq), u), Inf) > least)
+  [~, K, phi] = gsmbp__loop_jacobian (m, o.time, x);
+  if (norm (phi, Inf) > least)
     x = best;
   endif
   [~, phit, H, ~, ~] = m.con (o.time, x(1:d.nq), u);
-  [~, free] = moves (m, o.time, x(1:d.nq), held);
+  free = free_speeds (K, held);
   u(free) -= pinv (H(:,free)) * (H * u + phit);
   x(d.nq + (1:d.nu)) = u;
 endfunction
 
-## q' = K*u, and which speeds move nothing that is held
-function [K, free] = moves (m, t, q, held)
-  d = m.sizes;
-  if (d.nq == d.nu && ! any (strcmp (m.subroutines, "kin")))
-    K = eye (d.nu);
-  else
-    e = eye (d.nu);
-    for j = d.nu:-1:1
-      K(:,j) = m.kin (t, q, e(:,j));
-    endfor
-  endif
+## where the branch of the guess ends: the state NEAR, before the held coordinates are as in X
+function text = branch_end (m, near, x, held)
+  [~, k] = max (abs (x - near)(find (held)));
+  k = find (held)(k);
+  text = sprintf (["option hold: expected %s = %.6g on the branch of the guess; found its end at " ...
+                   "%s = %.6g; another branch reaches it: list them with \"branches\", 20"], ...
+                  m.coordinates{k}, x(k), m.coordinates{k}, near(k));
+endfunction
+
+## the speeds that move nothing that is held; K: of q' = K*u
+function free = free_speeds (K, held)
   free = all (abs (K(held,:)) <= 1e-12, 1);
 endfunction
 

@@ -1,0 +1,131 @@
+## Assembly with coordinates held stays on the branch of its guess: from closed poses of six linkages
+## the held coordinates are moved by a step, the others are left as they were. Poses on both
+## branches are closed forms. GSMBP_WHOLE: 72 starts for every step.
+
+function test_branches ()
+  warning ("off", "gsmbp:singular", "local");
+  whole = ! isempty (getenv ("GSMBP_WHOLE"));
+  steps = [30, 35, 40, 45, 60, 90, -90];
+  for s = linkages ()
+    if (whole)
+      arrayfun (@(step) starts (s, step, 72), steps(abs (steps) <= s.most));
+    else
+      starts (s, s.most, s.count);
+    end
+  end
+  first_seen ();
+  ends ();
+end
+
+## models, their held coordinates, poses by the angle of the first and the branch +-1, its range and
+## the largest step [deg], starts of the short test.  Forks of Hooke's joints fit half a turn on, too:
+## a step of 90 deg has no nearer branch.
+function s = linkages ()
+  bar = gsmbp_hand ("hand_fourbar");
+  rocker = gsmbp_set (bar, "l1", 0.5, "l2", 1.2, "l3", 0.8, "l4", 1);
+  drag = gsmbp_set (bar, "l1", 0.6, "l2", 0.7, "l3", 0.7, "l4", 0.3);
+  crank = gsmbp_hand ("hand_crank");
+  bricards = gsmbp_fixture ("redundant_bricard");
+  fives = gsmbp_fixture ("control_fivebar");
+  s = struct ("name", {"crank-rocker", "double crank", "slider-crank", "Bricard's six-bar", ...
+                       "five-bar", "two Hooke's joints"}, ...
+              "m", {rocker, drag, crank, bricards, fives, gsmbp_fixture("close_universal")}, ...
+              "held", {{"q1"}, {"q1"}, {"q1"}, {"q1"}, {"q1", "q2"}, {"theta"}}, ...
+              "pose", {@(a, b) four_bar(rocker.par, a, b), @(a, b) four_bar(drag.par, a, b), ...
+                       @(a, b) slider_crank(crank.par, a, b), @bricard, @five_bar, @hooke}, ...
+              "range", {[0 360], [0 360], [0 360], [-110 110], [40 230], [0 360]}, ...
+              "most", {90, 90, 90, 90, 90, 60}, "count", {24, 8, 8, 6, 6, 6});
+end
+
+function q = four_bar (p, a, b)
+  B = p.l1 * exp (1i * a);
+  q3 = second (B - p.l4, p.l3, p.l2, b);
+  q = [a; arg(p.l4 + p.l3 * exp (1i * q3) - B); q3];
+end
+
+## the direction of a bar of length L from 0, whose end is R away from the point P
+function angle = second (p, l, r, b)
+  angle = arg (p) + b * acos ((l^2 + abs (p)^2 - r^2) / (2 * l * abs (p)));
+end
+
+function q = slider_crank (p, a, b)
+  q2 = asin (-p.l1 / p.l2 * sin (a));
+  if (b < 0)
+    q2 = pi - q2;
+  end
+  q = [a; q2; p.l1 * cos(a) + p.l2 * cos(q2)];
+end
+
+## cos(a) + cos(b) + cos(a)*cos(b) = 0
+function q = bricard (a, b)
+  other = b * acos (-cos (a) / (1 + cos (a)));
+  q = [a; other; a; other; a];
+end
+
+function q = five_bar (a, b)
+  q2 = a - 0.9;
+  A = 0.3 * exp (1i * a);
+  C = 0.2 + 0.3 * exp (1i * q2);
+  p2 = second (A - C, 0.4, 0.4, b);
+  q = [a; arg(C + 0.4 * exp (1i * p2) - A) - a; q2; p2 - q2];
+end
+
+## two universal joints, bends of 30 and 45 deg; on the other branch the driven fork is turned over
+function q = hooke (a, b)
+  bend = pi / 6;
+  q = [a; atan(tan(bend)*cos(a))-bend; asin(sin(bend)*sin(a)); ...
+       arg(cos(a)+1i*sin(a)*cos(bend)/cos(pi/4)) + pi*(b<0)];
+end
+
+## COUNT starts on both branches, each a step of the held coordinates [deg] away from a closed pose
+function starts (s, step, count)
+  k = cellfun (@(name) find (strcmp (s.m.coordinates, name)), s.held);
+  range = s.range;
+  if (diff (range) < 360)
+    range = [max(range(1), range(1) - step), min(range(2), range(2) - step)];
+  end
+  wrong = 0;
+  for i = 1:count
+    a = pi / 180 * (range(1) + diff (range) * i / count);
+    for b = [-1, 1]
+      right = s.pose (a + pi / 180 * step, b);
+      guess = s.pose (a, b);
+      guess(k) = right(k);
+      wrong += ! (error_of (s, guess, right) < 1e-7);
+    end
+  end
+  gsmbp_check (sprintf ("%s: %d starts on each of two branches, steps of %d deg: wrong ones", ...
+                        s.name, count, step), wrong, 0);
+end
+
+## NaN where there is an error
+function e = error_of (s, guess, right)
+  e = NaN;
+  try
+    off = gsmbp_assemble (s.m, guess, "hold", s.held)(1:s.m.sizes.nq) - right;
+    turning = strcmp (s.m.units.coordinates, "rad");
+    off(turning) = angle (exp (1i * off(turning)));
+    e = max (abs (off));
+  end
+end
+
+## the first start that ended on the mirror branch; the coordinates are not those of hand_fourbar
+function first_seen ()
+  m = gsmbp_set (gsmbp_hand ("hand_fourbar"), "l1", 0.5, "l2", 1.2, "l3", 0.8, "l4", 1);
+  x = gsmbp_assemble (m, [1.1345, 1.1345 - 0.3890, 0.7595], "hold", "q1");
+  gsmbp_check ("mirror branch of the crank-rocker: the rocker at 1.0681 rad", x(3) - 1.0681, 5e-5);
+end
+
+## a rod shorter than the crank: q1 = 2.8 is on another branch than q1 = 0
+function ends ()
+  m = gsmbp_set (gsmbp_hand ("hand_crank"), "l2", 0.1);
+  text = gsmbp_complaint (@() gsmbp_assemble (m, [2.8; 0; 0.3], "hold", "q1"));
+  gsmbp_check (["a branch that ends: " text], ! isempty (regexp (text, ["expected q1 = 2\\.8 " ...
+    "on the branch of the guess; found its end at q1 = 0\\.52[0-9]*; .*\"branches\""])));
+  text = gsmbp_complaint (@() gsmbp_assemble (m, [1; 0; 0.3], "hold", "q1"));
+  gsmbp_check (["no branch at all: " text], ! isempty (strfind (text, "does not close")) ...
+               && ! isempty (strfind (text, "\"branches\"")));
+  X = gsmbp_assemble (m, [2.8; 0; 0.3], "hold", "q1", "branches", 20);
+  gsmbp_check ("\"branches\" gives both poses at q1 = 2.8", sort (X(3,:)) ...
+               - 0.2 * cos (2.8) - sqrt (0.01 - 0.04 * sin (2.8)^2) * [-1, 1], 1e-12);
+end
