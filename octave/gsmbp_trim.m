@@ -17,7 +17,8 @@
 ## A scene with events has no Jacobian and is refused.
 ##
 ## With "steady" the coordinates @var{names} run on at the constant speeds that @var{x} has for
-## them: a motor at speed, a wheel that rolls straight on or in a circle, a top's precession.  The
+## them: a motor at speed, a wheel that rolls straight on or in a circle, a top's precession.
+## Coordinates that a motion of the scene drives (@code{motion = W*t}) run on with the time.  The
 ## other coordinates are at rest, but for those on which nothing depends (the place of what rolls).
 ## Speeds named in "free" are adjusted as well, "hold" may name a coordinate that would be.  The
 ## independent speeds are constant, dependent ones follow; that it stays so while the coordinates
@@ -139,7 +140,8 @@ function check_rest (p, z)
       rate = sprintf ([found{2} "%s%s"], found{1}(k), gsmbp__constraint_unit (p.m, k), found{3});
       error (["%s: %s: no state at rest at t = %g s: with all speeds zero the constraint %s " ...
               "%s, " ...
-              "it is driven with time; take a time at which it rests (option \"time\")"],
+              "it is driven with time; take a time at which it rests (option \"time\"), or let " ...
+              "the driven coordinate run on (option \"steady\")"],
              p.who, p.m.name, p.t, p.m.multipliers{k}, rate);
     endif
   endfor

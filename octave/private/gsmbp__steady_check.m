@@ -10,7 +10,7 @@ function gsmbp__steady_check (p, z)
   for later = [0.618, 3.7]
     y = x;
     y(p.running) += later * xd(p.running);
-    y = gsmbp__follow (m, p.t, y, p.free_coordinates, p.free_speeds);
+    y = gsmbp__follow (m, p.t + later, y, p.free_coordinates, p.free_speeds);
     [f, limit] = rates_at (p, y, v, p.t + later);
     k = find (! (abs (f) <= 100 * limit), 1);
     if (! isempty (k))

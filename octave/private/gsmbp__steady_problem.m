@@ -1,6 +1,7 @@
 ## p = gsmbp__steady_problem (p, names, free)
 ## The problem P of gsmbp__rest_problem where the coordinates NAMES run on at the constant speeds of
-## its state, which are unknowns if they are among the states FREE.
+## its state, which are unknowns if they are among the states FREE.  Coordinates that a motion drives
+## with time run on with it.
 
 function p = gsmbp__steady_problem (p, names, free)
   [m, d] = deal (p.m, p.m.sizes);
@@ -12,7 +13,7 @@ function p = gsmbp__steady_problem (p, names, free)
   [q, u] = gsmbp__free_speeds (m, p.t, p.x, pairs(:,2)');
   p.x = with_dependent_speeds (p, u);
   without = no_effect (p);
-  p.running = unique ([running, without]);
+  p.running = unique ([running, without, driven(p, u)]);
   p.steady = pairs;
   kept = [p.held(:)', d.nq + pairs(:,2)'];
   kept = setdiff (kept, free);
@@ -35,6 +36,15 @@ function x = with_dependent_speeds (p, u)
   s = d.nq + (1:d.nu);
   [~, phit, H] = m.con (p.t, x(1:d.nq), x(s));
   x(s) = [H; eye(d.nu)(u,:)] \ [-phit; x(d.nq + u)];
+endfunction
+
+## coordinates that move with time alone, while the speeds of the numbers U are zero
+function k = driven (p, u)
+  d = p.m.sizes;
+  p.x(d.nq + u) = 0;
+  x = with_dependent_speeds (p, u);
+  k = find (p.m.rhs (p.t, x, p.v)(1:d.nq) != 0)' * (d.nlam > 0);
+  k = k(k > 0);
 endfunction
 
 ## coordinates on which neither rates nor constraints depend

@@ -1,5 +1,6 @@
 ## Steady motions: a disc that rolls straight on and in a circle, a heavy top's precession, a motor
-## at speed, each against its closed form; ignorable coordinates dropped; M, C and K about them.
+## at speed, a driven shaft, each against its closed form; ignorable coordinates dropped; M, C and K
+## about them.
 
 function test_steady ()
   pkg load control
@@ -8,6 +9,7 @@ function test_steady ()
   top ();
   motor ();
   second_order ();
+  driven ();
   refused ();
 end
 
@@ -124,6 +126,28 @@ function second_order ()
                [k.M - [p.mc + p.mp, p.mp * p.l; p.mp * p.l, p.jp + p.mp * p.l ^ 2], ...
                 k.C - diag([p.b, p.c]), k.K - diag([0, -p.mp * p.g * p.l]), k.B - [1; 0]], 1e-13);
   gsmbp_check ("cart and pole: their parts", [k.S - k.K, k.N, k.D - k.C, k.G], 1e-14);
+end
+
+## a pendulum on a shaft that a motion turns: steady at cos(th) = g/(W^2 l), it swings with W sin(th)
+function driven ()
+  m = gsmbp_fixture ("steady_driven");
+  [W, l] = deal (m.par.W, m.par.l);
+  th = acos (m.par.g / (W ^ 2 * l));
+  for t = [0, 3]
+    r = gsmbp_trim (m, [W * t; 1; 0; zeros(3, 1)], [], "steady", "ps", "time", t);
+    gsmbp_check (sprintf ("driven shaft at %g s: steady motion", t), ...
+                 r.x - [W*t; th; -2*W*t; W; 0; -2*W], 1e-12);
+    gsmbp_check ("driven shaft: what runs", isequal (r.running, {"ps", "we"}));
+  end
+  s = gsmbp_simulate (m, gsmbp_trim (m, [0; th; 0; W; 0; -2*W], [], "steady", "ps").x, 0:0.5:5);
+  gsmbp_check ("driven shaft: the run stays there", s.x(:,2) - th, 1e-8);
+  f = gsmbp_modes (m, [0; th; 0; W; 0; -2*W]).frequency;
+  gsmbp_check ("driven shaft: frequency, relative", f / (W * sin (th)) - 1, 1e-9);
+  uneven = gsmbp_set (m, "d", 0.01);
+  said = gsmbp_complaint (@() gsmbp_trim (uneven, [0; th; 0; W; 0; 0], [], "steady", "ps"));
+  gsmbp_check (["a shaft that turns unevenly: " said], ! isempty (strfind (said, "no steady motion")));
+  said = gsmbp_complaint (@() gsmbp_trim (m, [0; th; 0; W; 0; 0]));
+  gsmbp_check ("rest of a driven shaft names \"steady\"", ! isempty (strfind (said, "\"steady\"")));
 end
 
 function refused ()
