@@ -64,8 +64,8 @@ function yes = dependent (m, t, x, held)
   yes = rank ([H; K]) < rank (H) + rank (K);
 endfunction
 
-## the pose with the held coordinates at VALUES, by tangent and corrector; KEPT: the steps were small
-## and fell quickly, thus it is on the branch of X
+## the pose with the held coordinates at VALUES, by tangent and corrector; KEPT: the corrector's
+## steps were small and fell quickly, thus the pose is on the branch of X
 function [x, kept] = advanced (m, t, x, held, values)
   kept = false;
   [H, K] = gsmbp__loop_jacobian (m, t, x);

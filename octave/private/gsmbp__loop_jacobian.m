@@ -1,6 +1,6 @@
 ## [H, K, phi] = gsmbp__loop_jacobian (m, t, x)
-## Return PHI of the constraints on the coordinates of the model M at the time T and the state X, the
-## Jacobian H of its rate by the speeds u, and K of q' = K*u.
+## Return PHI of the constraints on the coordinates of the model M at the time T and the state X,
+## the Jacobian H of its rate by the speeds u, and K of q' = K*u.
 
 function [H, K, phi] = gsmbp__loop_jacobian (m, t, x)
   d = m.sizes;

@@ -1,7 +1,7 @@
 ## p = gsmbp__steady_problem (p, names, free)
 ## The problem P of gsmbp__rest_problem where the coordinates NAMES run on at the constant speeds of
-## its state, which are unknowns if they are among the states FREE.  Coordinates that a motion drives
-## with time run on with it.
+## its state, which are unknowns if they are among the states FREE.  Coordinates that a motion
+## drives with time run on with it.
 
 function p = gsmbp__steady_problem (p, names, free)
   [m, d] = deal (p.m, p.m.sizes);

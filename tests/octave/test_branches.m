@@ -1,6 +1,6 @@
-## Assembly with coordinates held stays on the branch of its guess: from closed poses of six linkages
-## the held coordinates are moved by a step, the others are left as they were. Poses on both
-## branches are closed forms. GSMBP_WHOLE: 72 starts for every step.
+## Assembly with coordinates held stays on the branch of its guess: from closed poses of six
+## linkages the held coordinates are moved by a step, the others are left as they were. Poses on
+## both branches are closed forms. GSMBP_WHOLE: 72 starts for every step.
 
 function test_branches ()
   warning ("off", "gsmbp:singular", "local");
@@ -17,9 +17,9 @@ function test_branches ()
   ends ();
 end
 
-## models, their held coordinates, poses by the angle of the first and the branch +-1, its range and
-## the largest step [deg], starts of the short test.  Forks of Hooke's joints fit half a turn on, too:
-## a step of 90 deg has no nearer branch.
+## models, their held coordinates, poses by the angle of the first and the branch +-1, its range
+## and the largest step [deg], starts of the short test.  Forks of Hooke's joints fit half a turn
+## on, too: a step of 90 deg has no nearer branch.
 function s = linkages ()
   bar = gsmbp_hand ("hand_fourbar");
   rocker = gsmbp_set (bar, "l1", 0.5, "l2", 1.2, "l3", 0.8, "l4", 1);

@@ -128,7 +128,8 @@ function second_order ()
   gsmbp_check ("cart and pole: their parts", [k.S - k.K, k.N, k.D - k.C, k.G], 1e-14);
 end
 
-## a pendulum on a shaft that a motion turns: steady at cos(th) = g/(W^2 l), it swings with W sin(th)
+## a pendulum on a shaft that a motion turns: steady at cos(th) = g/(W^2 l), it swings with
+## W sin(th)
 function driven ()
   m = gsmbp_fixture ("steady_driven");
   [W, l] = deal (m.par.W, m.par.l);
@@ -145,9 +146,11 @@ function driven ()
   gsmbp_check ("driven shaft: frequency, relative", f / (W * sin (th)) - 1, 1e-9);
   uneven = gsmbp_set (m, "d", 0.01);
   said = gsmbp_complaint (@() gsmbp_trim (uneven, [0; th; 0; W; 0; 0], [], "steady", "ps"));
-  gsmbp_check (["a shaft that turns unevenly: " said], ! isempty (strfind (said, "no steady motion")));
+  gsmbp_check (["a shaft that turns unevenly: " said], ...
+               ! isempty (strfind (said, "no steady motion")));
   said = gsmbp_complaint (@() gsmbp_trim (m, [0; th; 0; W; 0; 0]));
-  gsmbp_check ("rest of a driven shaft names \"steady\"", ! isempty (strfind (said, "\"steady\"")));
+  gsmbp_check ("rest of a driven shaft names \"steady\"", ...
+               ! isempty (strfind (said, "\"steady\"")));
 end
 
 function refused ()
