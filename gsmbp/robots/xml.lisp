@@ -1,23 +1,25 @@
 ;;; robots/xml.lisp: XML as lists, by share/urdf/read; decimals as they are typed in a file.
 (in-package :maxima)
 
-;;; The elements of an XML file: [tag, line, [[attribute, value], ...], [child, ...]], or a string:
+;;; The elements of an XML file and the liberties that are taken where `lenient` is true, with
+;;; their lines: [[tag, line, [[attribute, value], ...], [child, ...]], [text, ...]]; or a string:
 ;;; what is wrong, with its line. `reader` is the program, `folder` a name that no file has.
-(defun $gs__xml_elements (reader file folder)
+(defun $gs__xml_elements (reader file folder lenient)
   (let ((list (concatenate 'string folder "/list")))
     (mfuncall '$system
-              (format nil "sh ~a ~a ~a" ($gs__shell_word reader) ($gs__shell_word file)
-                      ($gs__shell_word folder)))
+              (format nil "sh ~a ~a ~a~:[~; lenient~]" ($gs__shell_word reader)
+                      ($gs__shell_word file) ($gs__shell_word folder) lenient))
     (if (probe-file list)
-        (let ((tree (gs-read-list list)))
+        (destructuring-bind (tree notes) (gs-read-list list)
           (delete-file list)
           (mfuncall '$system (format nil "rmdir ~a" ($gs__shell_word folder)))
           (cond ((not (and (consp tree)
                            (stringp (if (eq (car tree) :error) (caddr tree) (car tree)))))
                  "the file cannot be parsed")
                 ((eq (car tree) :error)
-                 (format nil "~:[line ~a: ~;~*~]~a" (eql (cadr tree) 0) (cadr tree) (caddr tree)))
-                (t (gs-xml-node tree))))
+                 (gs-line-text (cdr tree)))
+                (t (list '(mlist simp) (gs-xml-node tree)
+                         (cons '(mlist simp) (mapcar #'gs-line-text notes))))))
         "the reader of XML (share/urdf/read) cannot be run")))
 
 (defun $gs__new_folder (above)
@@ -30,10 +32,17 @@
     (loop for c across s do (if (char= c #\') (write-string "'\\''" out) (write-char c out)))
     (write-char #\' out)))
 
+;;; a text with the number of its line, 0 for none
+(defun gs-line-text (said)
+  (format nil "~:[line ~a: ~;~*~]~a" (eql (car said) 0) (car said) (cadr said)))
+
+;;; (list notes): the list of a file, and the notes (:note line text) before it as (line text)
 (defun gs-read-list (file)
   (with-open-file (in file)
-    (let ((*read-eval* nil) (*readtable* (copy-readtable nil)) (*read-base* 10))
-      (read in nil nil))))
+    (let ((*read-eval* nil) (*readtable* (copy-readtable nil)) (*read-base* 10) (notes nil))
+      (loop for x = (read in nil nil)
+            while (and (consp x) (eq (car x) :note)) do (push (cdr x) notes)
+            finally (return (list x (nreverse notes)))))))
 
 (defun gs-xml-node (node)
   (destructuring-bind (tag line attributes children) node
@@ -68,12 +77,15 @@
              (list '(mlist simp) xyz rpy))))))
 
 ;;; The value of a statement as text, evaluated as if no symbol in it had a value in the session.
+;;; Maxima takes a symbol out of its list `values` where a function has it as a local variable
+;;; meanwhile: afterwards it is there again.
 (defun $gs__with_no_values (text)
   (let* ((statement (mfuncall '$parse_string text))
          (symbols (remove-if-not #'boundp (intersection (gs-symbols-in statement) (cdr $values))))
          (values (mapcar #'symbol-value symbols)))
     (unwind-protect (progn (mapc #'makunbound symbols) (meval statement))
-      (mapc #'set symbols values))))
+      (mapc #'set symbols values)
+      (dolist (s symbols) (add2lnc s $values)))))
 (defun gs-symbols-in (e)
   (cond ((consp e) (delete-duplicates (mapcan #'gs-symbols-in (cdr e))))
         ((symbolp e) (list e))))

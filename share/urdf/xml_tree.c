@@ -1,8 +1,10 @@
-/* xml_tree FILE: the elements of an XML file as one list for Lisp's reader, on stdout:
+/* xml_tree FILE [lenient]: the elements of an XML file as one list for Lisp's reader, on stdout:
 
      ("tag" line (("attribute" . "value") ...) (child ...))
 
-   or (:error line "what is wrong"). Texts between elements are left out. Characters beyond
+   or (:error line "what is wrong"). With the word lenient another version of XML is read as 1.0,
+   and a document type without declarations is left out: a list (:note line "what") before the
+   other one tells each. Texts between elements are left out. Characters beyond
    printable ASCII stand as \u00e9, so that the list holds nothing but plain strings and numbers.
 
    Nothing but FILE is read: no network, no external entity, no document type. A file over 10 MB,
@@ -10,12 +12,14 @@
    1000 attributes is refused before it is parsed, one of more than 500 links or joints, or with
    an attribute of more than 10000 characters, before it is printed. */
 
+#define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 
+#define TYPE "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read"
 #define LARGEST 10000000L
 #define LONGEST 10000                  /* characters of an attribute */
 #define MOST 12000L                    /* elements: three times those of the largest robots */
@@ -78,6 +82,66 @@ static int holds(const char *text, long n, const char *word, long *line)
   return 0;
 }
 
+static int lenient;
+
+static void note(long line, const char *what)
+{
+  printf("(:note %ld ", line);
+  put_text((const xmlChar *) what);
+  printf(")\n");
+}
+
+/* the version of XML that the text declares, *length characters; NULL where it declares none */
+static char *version_of(char *text, size_t *length)
+{
+  char *end, *v;
+  if (!strncmp(text, "\xef\xbb\xbf", 3)) text += 3;
+  end = strncmp(text, "<?xml", 5) ? NULL : strstr(text, "?>");
+  v = end ? strstr(text, "version") : NULL;
+  if (!v || v > end) return NULL;
+  v += strcspn(v, "\"'?");
+  *length = strcspn(v + 1, "\"'?");
+  return v[*length + 1] == *v ? v + 1 : NULL;
+}
+
+/* a version of XML that is none; lenient: 1.0 */
+static void take_version(char *text)
+{
+  size_t length;
+  char what[200], *v = version_of(text, &length);
+  if (!v || !strncmp(v, "1.", 2)) return;
+  snprintf(what, sizeof what, "XML version %.*s: expected 1.0%s", (int) (length < 20 ? length : 20),
+           v, length < 3 ? "; remedy: correct it" : lenient ? ": it is read as 1.0"
+           : "; remedy: correct it, or lenient = true: it is read as 1.0");
+  if (!lenient || length < 3) refuse(1, what);
+  note(1, what);
+  v[length] = ' ';
+  memset(v, ' ', length);
+  memcpy(v, "1.0", 3);
+  v[3] = v[-1];
+}
+
+/* lenient: blanks instead of a document type without declarations; one with them is refused */
+static void take_type(char *text, long n)
+{
+  long line;
+  char *from, *to, quote = 0;
+  while (lenient && (from = memmem(text, n, "<!DOCTYPE", 9))) {
+    for (to = from; to < text + n && (quote || (*to != '>' && *to != '[')); to++)
+      if (quote) { if (*to == quote) quote = 0; }
+      else if (*to == '"' || *to == '\'') quote = *to;
+    if (to == text + n || *to == '[') break;
+    holds(text, n, "<!DOCTYPE", &line);
+    note(line, "a document type (DOCTYPE): it is left out, nothing else is read");
+    for (; from <= to; from++)
+      if (*from != '\n') *from = ' ';
+  }
+  if (holds(text, n, "<!DOCTYPE", &line))
+    refuse(line, lenient ? TYPE ", with declarations not with lenient = true either; remedy: "
+           "take it out" : TYPE "; remedy: take it out, or lenient = true, where it has no "
+           "declarations");
+}
+
 /* where the text behind i has its first end from there on: a place behind it */
 static long behind(const char *text, long n, long i, const char *end, long *line)
 {
@@ -121,7 +185,7 @@ static void count_tags(const char *text, long n)
 static void forbidden(void *context, const xmlChar *name, const xmlChar *id, const xmlChar *system)
 {
   (void) context; (void) name; (void) id; (void) system;
-  refuse(0, "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read");
+  refuse(0, TYPE);
 }
 
 static xmlParserInputPtr nothing_else(const char *url, const char *id, xmlParserCtxtPtr context)
@@ -205,15 +269,15 @@ static void count_parts(const xmlNode *root, const char *tag)
 
 int main(int argc, char **argv)
 {
-  long n, line;
+  long n;
   char *text;
   xmlParserCtxtPtr context;
   xmlDocPtr doc;
-  if (argc != 2) return 1;
+  if (argc < 2) return 1;
+  lenient = argc > 2 && !strcmp(argv[2], "lenient");
   text = whole(argv[1], &n);
-  if (holds(text, n, "<!DOCTYPE", &line))
-    refuse(line,
-           "a document type (DOCTYPE) is not taken: no entity is expanded, nothing else is read");
+  take_type(text, n);
+  take_version(text);
   count_tags(text, n);
   xmlSetExternalEntityLoader(nothing_else);
   xmlSetStructuredErrorFunc(NULL, noted);
