@@ -178,7 +178,7 @@
       (gs-solve-rows l a n)
       (dotimes (i n) (setf (aref v i i) 1.0d0))
       (gs-diagonalize a v n)
-      (dotimes (i n (gs-list (sort found #'< :key #'cadr)))
+      (dotimes (i n (gs-list (stable-sort found #'< :key #'cadr)))
         (do ((r (1- n) (1- r))) ((< r 0))   ; L' y = v
           (do ((c (1+ r) (1+ c))) ((>= c n)) (decf (aref v i r) (* (aref l c r) (aref v i c))))
           (setf (aref v i r) (/ (aref v i r) (aref l r r))))

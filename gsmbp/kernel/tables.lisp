@@ -71,7 +71,7 @@
   #+ecl (eq (si:file-kind name t) :directory)
   #-(or gcl ecl) (and (directory name) t))
 (defun gs-file-names (part pattern)
-  (cons '(mlist simp) (sort (mapcar part (directory pattern)) #'string<)))
+  (cons '(mlist simp) (stable-sort (mapcar part (directory pattern)) #'string<)))
 (defun $gs__file_names (pattern) (gs-file-names #'pathname-name pattern))
 ;; the same with what stands behind the dot
 (defun $gs__whole_file_names (pattern) (gs-file-names #'file-namestring pattern))

@@ -200,7 +200,7 @@
       (setf (gethash (gs-entry-name x) entries) x)
       (dolist (s (gs-entry-symbols x)) (incf (gethash s uses 0))))
     (dolist (e outputs) (dolist (s (cdr ($gs__symbols e))) (incf (gethash s uses 0) 2)))
-    (dolist (x code (sort items #'< :key #'car))
+    (dolist (x code (stable-sort items #'< :key #'car))
       (when (and (gs-sum-p (gs-entry-expression x))
                  (not (gethash (gs-entry-name x) fixed)))
         (dolist (e (cdr (gs-entry-expression x)))

@@ -16,7 +16,7 @@
   ($gs__reach_symbols (gs-entries tp) (gs-nature tp) ($gs__symbols outputs) constants))
 (defun $gs__reach_symbols (entry nature symbols constants)
   (let ((seen (make-hash-table :test #'eq)) (found nil) (todo (cdr symbols)))
-    (do () ((null todo) (gs-list (sort found #'< :key #'gs-entry-number)))
+    (do () ((null todo) (gs-list (stable-sort found #'< :key #'gs-entry-number)))
       (let ((s (pop todo)))
         (unless (gethash s seen)
           (setf (gethash s seen) t)
@@ -35,7 +35,7 @@
                  (when (and e (eq (gethash s (gs-nature tp)) '$constant)) (push e found))))))
       (mapc #'take (cdr symbols))
       (dolist (code (cdr codes)) (dolist (e (cdr code)) (mapc #'take (gs-entry-symbols e)))))
-    (gs-list (mapcar #'gs-entry-name (sort found #'< :key #'gs-entry-number)))))
+    (gs-list (mapcar #'gs-entry-name (stable-sort found #'< :key #'gs-entry-number)))))
 
 ;;; The constants by which PRE comes to those that routines use, without these and the known ones.
 (defun $gs__helpers_of (tp constants known)

@@ -349,7 +349,7 @@
           (setq heap (gs-rest heap #'better))
           (if (not (equal top (standing best)))
               (note best)
-              (let* ((l (sort (copy-list (gethash best where)) #'< :key #'gs-node-number))
+              (let* ((l (stable-sort (copy-list (gethash best where)) #'< :key #'gs-node-number))
                      (v (gethash best two)) (m (and v (gethash v nodes))))
                 (unless m
                   (setq v (funcall fresh)
@@ -394,8 +394,8 @@
                    (setf (gethash v done) t)
                    (mapc #'visit (gs-operands n))
                    (push v l)))))
-      (dolist (v (sort (copy-list names) #'< :key
-                       #'(lambda (v) (let ((n (gethash v nodes))) (if n (gs-node-number n) 0)))))
+      (dolist (v (stable-sort (copy-list names) #'<
+                   :key #'(lambda (v) (let ((n (gethash v nodes))) (if n (gs-node-number n) 0)))))
         (visit v))
       (dolist (e outputs) (mapc #'visit (gs-symbols e))))
     (nreverse l)))
@@ -408,7 +408,8 @@
              (live () (setq names (remove-if-not #'(lambda (v) (gethash v nodes)) names)))
              (old-first ()
                (live)
-               (sort (copy-list names) #'< :key #'(lambda (v) (gs-node-number (gethash v nodes))))))
+               (stable-sort (copy-list names) #'<
+                            :key #'(lambda (v) (gs-node-number (gethash v nodes))))))
       (dolist (e (cdr code))
         (put (second e)
              (gs-enter-node (third e) (fourth e) (fifth e)
@@ -465,7 +466,7 @@
     (dolist (e (cdr needed)) (setf (gethash (second e) wanted) t))
     (dolist (s (cdr known)) (setf (gethash s ready) t))
     (maphash #'(lambda (s e) (unless (eq (gethash s nature) '$constant) (push e all))) entries)
-    (dolist (e (sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
+    (dolist (e (stable-sort all #'< :key #'fifth) (cons '(mlist simp) (nreverse found)))
       (when (or (gethash (second e) wanted)
                 (loop for s in (cdr (sixth e))
                       always (or (gethash s ready) (eq (gethash s nature) '$constant))))

@@ -23,7 +23,7 @@
                (setq sum (if own
                              (substitute (list q (add (cadr own) n)) own sum :test #'eq)
                              (append sum (list (list q n)))))))
-    (gs-list (mapcar #'gs-list (sort (remove 0 sum :key #'cadr) #'gs-ahead-p)))))
+    (gs-list (mapcar #'gs-list (stable-sort (remove 0 sum :key #'cadr) #'gs-ahead-p)))))
 (defun gs-ahead-p (x y)
   (let ((s ($sconcat (car x))) (u ($sconcat (car y))))
     (if (= (length s) (length u)) ($orderlessp s u) (< (length s) (length u)))))

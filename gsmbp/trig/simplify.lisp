@@ -167,8 +167,9 @@
 ;;; numbers of the atoms in an expression, ascending
 (defun gs-present (ruleset e)
   (let ((table ($@-function ruleset '$table)))
-    (sort (remove-duplicates
-            (loop for s in (cdr ($listofvars e)) when (gethash s table) collect it)) #'<)))
+    (stable-sort (remove-duplicates
+                   (loop for s in (cdr ($listofvars e)) when (gethash s table) collect it))
+                 #'<)))
 ;;; zero at an exact point, and then identically
 (defun gs-zero-p (ruleset p)
   (let ((point (gs-in-memory ruleset '$point

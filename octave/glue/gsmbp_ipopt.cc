@@ -55,7 +55,7 @@ struct problem
 
   // Ctrl-C, which Octave counts in a thread of its own
   static bool signalled (void)
-  { return *const_cast<const volatile sig_atomic_t *> (&octave_interrupt_state) > 0; }
+  { return octave_interrupt_state > 0; }
 
   void leave_if_interrupted (void)
   {

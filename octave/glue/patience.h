@@ -49,7 +49,7 @@ public:
   }
   static bool signalled (void)
   {
-    return *const_cast<const volatile sig_atomic_t *> (&octave_interrupt_state) > 0;
+    return octave_interrupt_state > 0;   // sig_atomic_t, std::atomic<int> since Octave 9
   }
 
   gsmbp_sub rates;
