@@ -8,19 +8,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <cvode/cvode.h>
 #include <cvode/cvode_proj.h>
 #include <nvector/nvector_serial.h>
-#include <sundials/sundials_version.h>
 #include <sundials/sundials_dense.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include "settle.h"
 #include "sundials_calls.h"
-
-#if SUNDIALS_VERSION_MAJOR != 6
-# error "gsmbp_cvode.c is written for SUNDIALS 6 (Debian 12: libsundials-dev)"
-#endif
 
 typedef struct
 {
@@ -63,7 +57,7 @@ settle (gs_run *s, double t, double *x)
 }
 
 static int
-projection (realtype t, N_Vector y, N_Vector correction, realtype eps, N_Vector err, void *data)
+projection (sunrealtype t, N_Vector y, N_Vector correction, sunrealtype eps, N_Vector err, void *data)
 {
   gs_run *s = data;
   const double *x = N_VGetArrayPointer (y);
@@ -101,7 +95,7 @@ factorize (SUNLinearSolver solver, SUNMatrix A)
 }
 
 static int
-solve (SUNLinearSolver solver, SUNMatrix A, N_Vector x, N_Vector given, realtype tolerance)
+solve (SUNLinearSolver solver, SUNMatrix A, N_Vector x, N_Vector given, sunrealtype tolerance)
 {
   bdf *b = solver->content;
   const sunindextype own = SUNDenseMatrix_Rows (A), n = N_VGetLength (x);
@@ -120,7 +114,7 @@ open_ (gs_run *s)
 {
   int nx = s->r->nx, own = gs_own_states (s->r);
   bdf *b = s->memory = calloc (1, sizeof (bdf));
-  if (! b || SUNContext_Create (NULL, &b->context) != 0)
+  if (! b || SUNContext_Create (SUN_COMM_NULL, &b->context) != 0)
     return 0;
   b->y = N_VNew_Serial (nx, b->context);
   b->dense = N_VNew_Serial (nx, b->context);
@@ -169,6 +163,17 @@ close_ (gs_run *s)
   free (b);
 }
 
+static int
+hears (gs_run *s)
+{
+  bdf *b = s->memory;
+#if SUNDIALS_VERSION_MAJOR == 6
+  return CVodeSetErrHandlerFn (b->memory, said, s);
+#else
+  return hear (b->context, s);
+#endif
+}
+
 /* What CVODE is told of the tolerances.  Its error test is one of a step: over a run, and in the
    steps of low order after every start, errors of BDF add up to some 100 times what is asked for,
    those of GSDP8 do not. */
@@ -185,7 +190,7 @@ begin (gs_run *s)
   memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
   for (int i = 0; i < r->nx; i++)
     N_VGetArrayPointer (b->atol)[i] = rtol / r->ropt[1] * r->atol[i];
-  if ((flag = CVodeSetErrHandlerFn (m, said, s)) < 0 || (flag = CVodeInit (m, rate, s->t, b->y)) < 0
+  if ((flag = hears (s)) < 0 || (flag = CVodeInit (m, rate, s->t, b->y)) < 0
       || (flag = CVodeSetUserData (m, s)) < 0 || (flag = CVodeSVtolerances (m, rtol, b->atol)) < 0
       || (flag = CVodeSetLinearSolver (m, b->solver, b->matrix)) < 0
       || (flag = CVodeSetMaxNumSteps (m, -1)) < 0 || (flag = CVodeSetMaxHnilWarns (m, -1)) < 0

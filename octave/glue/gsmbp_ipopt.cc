@@ -25,9 +25,8 @@
 #include <thread>
 #include <vector>
 
-#include <coin/IpStdCInterface.h>
-
 #include "gsmbp_program.h"
+#include "header_ipopt.h"
 
 namespace
 {

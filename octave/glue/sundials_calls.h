@@ -3,18 +3,19 @@
 #ifndef GSMBP_GLUE_SUNDIALS_CALLS_H
 #define GSMBP_GLUE_SUNDIALS_CALLS_H
 #include <stdio.h>
+#include "header_cvode.h"
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include "implicit.h"
 
 static int
-rate (realtype t, N_Vector y, N_Vector yd, void *data)
+rate (sunrealtype t, N_Vector y, N_Vector yd, void *data)
 {
   return gs_rate (data, t, N_VGetArrayPointer (y), N_VGetArrayPointer (yd));
 }
 
 static int
-jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
+jacobian (sunrealtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector t1, N_Vector t2,
           N_Vector t3)
 {
   (void) yd, (void) t1, (void) t2, (void) t3;
@@ -22,11 +23,35 @@ jacobian (realtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vector
 }
 
 static void
-said (int code, const char *module, const char *function, char *message, void *data)
+keep (int code, const char *message, void *data)
 {
   const gsmbp_run *r = ((gs_run *) data)->r;
-  (void) module, (void) function;
   if (code < 0 && r->length > 0)
     snprintf (r->text, r->length, "%s", message);
 }
+
+#if SUNDIALS_VERSION_MAJOR == 6
+static void
+said (int code, const char *module, const char *function, char *message, void *data)
+{
+  (void) module, (void) function;
+  keep (code, message, data);
+}
+#else
+static void
+said (int line, const char *function, const char *file, const char *message, SUNErrCode code,
+      void *data, SUNContext context)
+{
+  (void) line, (void) function, (void) file, (void) context;
+  keep (code, message, data);
+}
+
+/* in the place of every handler that the method has */
+static int
+hear (SUNContext context, gs_run *s)
+{
+  SUNContext_ClearErrHandlers (context);
+  return SUNContext_PushErrHandler (context, said, s);
+}
+#endif
 #endif

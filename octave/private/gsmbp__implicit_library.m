@@ -36,15 +36,18 @@ endfunction
 function new = compile (who, cc, sources, links, place)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
   new = "library.so";
-  if (any (strfind (links, "cvode"))
-      && system (["echo '#include <cvode/cvode.h>' | " cc " -E - >/dev/null 2>&1"]) != 0)
-    error (["%s: method \"cvode\" needs SUNDIALS, which is not installed (Debian: " ...
-            "libsundials-dev)"], who);
+  words = "";
+  if (any (strfind (links, "cvode")))
+    [words, found] = gsmbp__find_header ("cvode");
+    if (! found)
+      error (["%s: method \"cvode\" needs SUNDIALS 6 or 7, which is not installed (Debian: " ...
+              "libsundials-dev)"], who);
+    endif
   endif
   gsmbp__run (who, sprintf (["%s -std=gnu11 -O2 -march=native -fcx-limited-range -fPIC " ...
                              "-shared -I%s -o %s %s %s"], cc, ...
                             quote (gsmbp__place ("share", "c")), ...
                             quote (fullfile (place, new)), ...
                             strjoin (cellfun (quote, sources', "UniformOutput", false), " "), ...
-                            links));
+                            [links " " words]));
 endfunction

@@ -52,7 +52,7 @@ endfunction
 function file = glue (who, folder)
   file = fullfile (folder, "gsmbp_ipopt_solve.oct");
   sources = cellfun (@(f) gsmbp__place ("octave", "glue", f), ...
-                     {"gsmbp_ipopt.cc"; "gsmbp_program.h"}, "UniformOutput", false);
+                     {"gsmbp_ipopt.cc"; "gsmbp_program.h"; "header_ipopt.h"}, "UniformOutput", false);
   gsmbp__built (who, file, OCTAVE_VERSION (), sources, ...
                 @(place) compile (who, sources{1}, place));
 endfunction
@@ -60,8 +60,8 @@ endfunction
 function new = compile (who, source, place)
   quote = @(text) ["'" strrep(text, "'", "'\\''") "'"];
   new = "new.oct";
-  cc = strtrim (mkoctfile ("-p", "CC"));
-  if (system (["echo '#include <coin/IpStdCInterface.h>' | " cc " -E - >/dev/null 2>&1"]) != 0)
+  [~, found] = gsmbp__find_header ("ipopt");
+  if (! found)
     error ("%s: Ipopt is not installed (Debian: coinor-libipopt-dev)", who);
   endif
   gsmbp__run (who, sprintf ("cd %s && mkoctfile -g0 -o new.oct %s -lipopt", quote (place), ...

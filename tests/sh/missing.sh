@@ -23,14 +23,15 @@ path_without() {
   [ $headers = yes ] && return
   gcc=$(readlink -f "$bin/gcc")
   rm -f "$bin/gcc"
-  printf '#!/bin/sh\n[ "$*" = "-E -" ] && exit 1\nexec %s "$@"\n' "$gcc" >"$bin/gcc"
+  printf '#!/bin/sh\ncase $* in *"-E "*/header_*) exit 1 ;; esac\nexec %s "$@"\n' "$gcc" >"$bin/gcc"
   chmod +x "$bin/gcc"
 }
 here() { PATH=$bin "$@" >"$report" 2>&1; }
 make_() { here make --no-print-directory "$@"; }
 
-mkdir -p "$work/project/gsmbp" "$work/project/octave" "$work/project/share"
+mkdir -p "$work/project/gsmbp" "$work/project/octave/glue" "$work/project/share"
 cp Makefile "$work/project" && cp -R share/make "$work/project/share"
+cp octave/glue/find_header octave/glue/header_* "$work/project/octave/glue"
 cd "$work/project" || exit 1
 cat >gsmbp/gsmbp.mac <<'E1'
 gsmbp_fortran(name, requests, options) := block([folder : rhs(first(options))],
@@ -83,6 +84,29 @@ if make_ packages && lines 0; then
 else
   sed 's/^GSMBP: missing: /ok left out, for this machine is without: /' "$report"
 fi
+
+# an apt that has no maxima-sage, as Ubuntu's, of a root: what it has is installed, ftnchek here
+path_without
+fake() {
+  rm -f "$bin/$1"
+  printf '#!/bin/sh\n%s\n' "$2" >"$bin/$1"
+  chmod +x "$bin/$1"
+}
+all=$(share/make/packages list)
+fake id 'echo 0'
+fake dpkg-query "for p in $(echo " $all " | sed 's/ maxima-sage\(-share\)\? / /g; s/ ftnchek / /'); do
+  printf 'installed %s ' \$p; done; [ ! -e '$work/installed' ] || printf 'installed ftnchek '"
+fake apt-cache 'case $2 in maxima-sage*) echo "  Candidate: (none)" ;; *) echo "  Candidate: 1" ;; esac'
+fake apt-get "echo \"\$*\" >>'$work/asked'; case \$* in *maxima-sage*) exit 100 ;; esac
+case \$1 in install) touch '$work/installed' ;; esac"
+check 'apt without maxima-sage: make goes on' make_ packages
+check 'apt without maxima-sage: the rest is installed, and maxima-sage not asked for' \
+  test "$(grep -c 'install.* ftnchek$' "$work/asked") $(grep -c maxima-sage "$work/asked")" = '1 0'
+check 'apt without maxima-sage: named' says 'GSMBP: missing: maxima-sage, for Maxima on ECL'
+rm "$work/asked" "$work/installed"
+fake apt-get "echo \"\$*\" >>'$work/asked'; [ \$1 = update ]"
+check 'apt that fails: make goes on without what not everything needs' make_ packages
+check 'apt that fails: ftnchek, too, is named' says 'GSMBP: missing: ftnchek, for one of the tests'
 
 path_without gfortran dot
 check 'without a compiler make stops' fails make_ examples

@@ -23,7 +23,7 @@ typedef struct
 } dirk;
 
 static int
-moved (realtype t, N_Vector y, void *data)
+moved (sunrealtype t, N_Vector y, void *data)
 {
   gs_run *s = data;
   int info = gs_moved (s, t, N_VGetArrayPointer (y), s->trial);
@@ -36,7 +36,7 @@ open_ (gs_run *s)
 {
   int nx = s->r->nx;
   dirk *b = s->memory = calloc (1, sizeof (dirk));
-  if (! b || SUNContext_Create (NULL, &b->context) != 0)
+  if (! b || SUNContext_Create (SUN_COMM_NULL, &b->context) != 0)
     return 0;
   b->y = N_VNew_Serial (nx, b->context);
   b->dense = N_VNew_Serial (nx, b->context);
@@ -62,6 +62,17 @@ close_ (gs_run *s)
 }
 
 static int
+hears (gs_run *s)
+{
+  dirk *b = s->memory;
+#if SUNDIALS_VERSION_MAJOR == 6
+  return ARKStepSetErrHandlerFn (b->memory, said, s);
+#else
+  return hear (b->context, s);
+#endif
+}
+
+static int
 begin (gs_run *s)
 {
   const gsmbp_run *r = s->r;
@@ -70,7 +81,7 @@ begin (gs_run *s)
   memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
   memcpy (N_VGetArrayPointer (b->atol), r->atol, sizeof (double) * r->nx);
   void *m = b->memory = ARKStepCreate (NULL, rate, s->t, b->y, b->context);
-  if ((flag = ARKStepSetErrHandlerFn (m, said, s)) < 0 || (flag = ARKStepSetUserData (m, s)) < 0
+  if ((flag = hears (s)) < 0 || (flag = ARKStepSetUserData (m, s)) < 0
       || (flag = ARKStepSVtolerances (m, r->ropt[1], b->atol)) < 0
       || (flag = ARKStepSetLinearSolver (m, b->solver, b->matrix)) < 0
       || (flag = ARKStepSetJacFn (m, jacobian)) < 0

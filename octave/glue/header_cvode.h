@@ -1,0 +1,12 @@
+/* CVODE of SUNDIALS 6 and 7. */
+#ifndef GSMBP_GLUE_HEADER_CVODE_H
+#define GSMBP_GLUE_HEADER_CVODE_H
+#include <cvode/cvode.h>
+#include <sundials/sundials_version.h>
+
+#if SUNDIALS_VERSION_MAJOR == 6
+# define SUN_COMM_NULL NULL
+#elif SUNDIALS_VERSION_MAJOR != 7
+# error "method cvode is written for SUNDIALS 6 and 7 (Debian: libsundials-dev)"
+#endif
+#endif
