@@ -141,17 +141,21 @@
 
 (defvar *gs-apart* nil)
 
+;;; Expressions are written as Maxima 5.46 writes them, (-a)+b and -a*b, where 5.47 writes -a+b and
+;;; -(a*b): how strongly a minus binds in text is a property of mminus.
 (defun gs-apart (f)
   (if *gs-apart*
       (funcall f)
       (let ((*gs-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
-            (mark (cons bindlist loclist)) (changed (gs-changed-options)))
+            (minus (get 'mminus 'rbp)) (mark (cons bindlist loclist)) (changed (gs-changed-options)))
         (unwind-protect (progn
           (mbind (car changed) (cdr changed) nil)
           (gs-check-session)
           (setq declared (gs-declared-symbols))
           (dolist (d declared) (setf (symbol-plist (car d)) (gs-undeclared (cdr d))))
+          (setf (get 'mminus 'rbp) 100)
           (gs-interruptible #'(lambda () (gs-without-facts f))))
+          (setf (get 'mminus 'rbp) minus)
           (errlfun1 mark)
           (dolist (d declared) (setf (symbol-plist (car d)) (cdr d)))))))
 
