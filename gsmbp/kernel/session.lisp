@@ -147,7 +147,8 @@
   (if *gs-apart*
       (funcall f)
       (let ((*gs-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
-            (minus (get 'mminus 'rbp)) (mark (cons bindlist loclist)) (changed (gs-changed-options)))
+            (minus (get 'mminus 'rbp)) (mark (cons bindlist loclist))
+            (changed (gs-changed-options)))
         (unwind-protect (progn
           (mbind (car changed) (cdr changed) nil)
           (gs-check-session)

@@ -57,7 +57,8 @@ settle (gs_run *s, double t, double *x)
 }
 
 static int
-projection (sunrealtype t, N_Vector y, N_Vector correction, sunrealtype eps, N_Vector err, void *data)
+projection (sunrealtype t, N_Vector y, N_Vector correction, sunrealtype eps, N_Vector err,
+            void *data)
 {
   gs_run *s = data;
   const double *x = N_VGetArrayPointer (y);

@@ -52,7 +52,8 @@ endfunction
 function file = glue (who, folder)
   file = fullfile (folder, "gsmbp_ipopt_solve.oct");
   sources = cellfun (@(f) gsmbp__place ("octave", "glue", f), ...
-                     {"gsmbp_ipopt.cc"; "gsmbp_program.h"; "header_ipopt.h"}, "UniformOutput", false);
+                     {"gsmbp_ipopt.cc"; "gsmbp_program.h"; "header_ipopt.h"}, ...
+                     "UniformOutput", false);
   gsmbp__built (who, file, OCTAVE_VERSION (), sources, ...
                 @(place) compile (who, sources{1}, place));
 endfunction
