@@ -94,9 +94,11 @@ fake() {
 }
 all=$(share/make/packages list)
 fake id 'echo 0'
-fake dpkg-query "for p in $(echo " $all " | sed 's/ maxima-sage\(-share\)\? / /g; s/ ftnchek / /'); do
+there=$(echo " $all " | sed 's/ maxima-sage maxima-sage-share / /; s/ ftnchek / /')
+fake dpkg-query "for p in $there; do
   printf 'installed %s ' \$p; done; [ ! -e '$work/installed' ] || printf 'installed ftnchek '"
-fake apt-cache 'case $2 in maxima-sage*) echo "  Candidate: (none)" ;; *) echo "  Candidate: 1" ;; esac'
+fake apt-cache 'case $2 in maxima-sage*) echo "  Candidate: (none)" ;;
+*) echo "  Candidate: 1" ;; esac'
 fake apt-get "echo \"\$*\" >>'$work/asked'; case \$* in *maxima-sage*) exit 100 ;; esac
 case \$1 in install) touch '$work/installed' ;; esac"
 check 'apt without maxima-sage: make goes on' make_ packages
