@@ -26,7 +26,7 @@ DESTDIR :=
         bench-points bench-reach bench-robots bench-peers same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
-        check-report check-screen packages-fmu check-fmu packages-mpi packages-slurm check-slurm
+        check-report check-screen check-notebook check-portable packages-fmu check-fmu packages-mpi packages-slurm check-slurm
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -92,6 +92,10 @@ make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMM
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
                            REPORTS="stewart four_bar": these only
+make check-notebook        the tutorial's notebook runs as a whole in Jupyter, from PyPI
+make check-portable        Debian 12 and 13 and a Debian with what Ubuntu 24.04 has, in chroots: all
+                           examples, tests, the same texts, by Maxima on SBCL and ECL, too (as root;
+                           hours); PLACES="debian-13": these only
 make check-screen          the manual in Octave's doc and the notebook in wxMaxima, on a virtual
                            screen
 make check-fmu             the FMUs of every example, both standards and kinds: FMPy from PyPI in an
@@ -247,6 +251,13 @@ check-fmu: packages-fmu compiled
 	@tests/fmu/check $(FMUS)
 
 REPORTS ?= $(EXAMPLES)
+
+check-notebook: packages compiled
+	@tests/portable/notebook tests/bench/out/notebook
+
+# PLACES="debian-13": these only
+check-portable:
+	@tests/portable/check $(PLACES)
 
 check-report: packages-report $(REPORTS:%=fortran_out/%.f) | compiled
 	@tests/report/check $(REPORTS)

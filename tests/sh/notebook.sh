@@ -1,6 +1,7 @@
 # The tutorial as notebooks (share/make/notebook): every input of the Texinfo source is in them;
 # what wxMaxima opens runs in Maxima, and a matrix that is returned reaches the display of a front
-# end as it is; the page fetches nothing, shows the figures and has every equation that is printed
+# end as it is; in Jupyter every cell is whole and every scene that a cell derives was written by a
+# cell before (make check-notebook runs them); the page fetches nothing, shows the figures and has every equation that is printed
 # as MathML.
 . tests/tools/check.sh
 work=$(mktemp -d)
@@ -32,6 +33,29 @@ check('wxMaxima has every input of Maxima, %d' % len(first['maxima']),
       len(first['maxima']) > 15 and all(x in lines for x in first['maxima']))
 book = json.load(open(work + '/gsmbp-tutorial.ipynb'))
 code = [''.join(c['source']) for c in book['cells'] if c['cell_type'] == 'code']
+files = {}
+for k, x in enumerate(code):
+    name = re.match(r'%%file (\w+\.mac)\n', x)
+    if name:
+        files[name.group(1)] = k
+derived = [(k, re.match(r'gsmbp_derive \("(\w+\.mac)", "fortran_out"\);$', x))
+           for k, x in enumerate(code)]
+derived = [(k, m.group(1)) for k, m in derived if m]
+check('Jupyter: each scene is written and then derived, %d' % len(files),
+      len(files) > 4 and sorted(files) == sorted(n for k, n in derived)
+      and all(files[n] < k for k, n in derived), derived)
+check('Jupyter: the functions of GSMBP are found first', 'addpath' in code[0], code[0])
+own = code[0], 'clear'
+code = [x for x in code if not re.match('%%file|gsmbp_derive', x) and x not in own]
+sys.path.insert(0, 'share/make')
+sys.dont_write_bytecode = True
+from typed_lines import goes_on
+check('Jupyter: every cell is whole', not any(goes_on('octave', x) for x in code),
+      [x for x in code if goes_on('octave', x)])
+check('an open loop and an open call go on, closed ones do not',
+      [goes_on('octave', x) for x in ('for k = 1:3', 'for k = 1:3, f (k); end', 'f (1, ...',
+                                      'a = [1', 'x = "(";', "y = x';")] ==
+      [True, False, True, True, False, False])
 check('Jupyter: nbformat 4, every cell with its fields, every input of Octave, %d' % len(code),
       book['nbformat'] == 4 and [c.split('\n')[0] for c in code] == first['octave']
       and all({'metadata', 'source'} <= set(c) and

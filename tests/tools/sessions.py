@@ -23,6 +23,9 @@ import time
 import zlib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(ROOT, 'share', 'make'))
+from typed_lines import goes_on  # noqa: E402
 PROMPT = {'maxima': re.compile(r'\(%i\d+\) '), 'octave': re.compile(r'>> '),
           'shell': re.compile(r'\$ '), 'python': re.compile(r'>>> ')}
 DIRECTIVE = re.compile(r'(?:@c|<!--) (session|file) ([\w./-]+)')
@@ -52,26 +55,11 @@ class Example:
         for line in self.text:
             if PROMPT[self.kind].match(line):
                 found.append([[PROMPT[self.kind].sub('', line, count=1)], []])
-            elif not found[-1][1] and not complete(self.kind, '\n'.join(found[-1][0])):
+            elif not found[-1][1] and goes_on(self.kind, '\n'.join(found[-1][0])):
                 found[-1][0].append(line)
             else:
                 found[-1][1].append(line)
         return found
-
-
-def complete(kind, typed):
-    """whether an input ends here"""
-    if kind == 'shell':
-        return not typed.endswith('\\')
-    if kind == 'maxima':
-        return typed.startswith('?') or re.search(r'[;$]\s*$', typed) is not None
-    bare = re.sub(r"\"[^\"\n]*\"|'[^'\n]*'(?=[\s,;)\]}])", '', typed)
-    words = re.findall(r'(?<![\w.])(for|if|while|do|function|end\w*)\b', bare)
-    open_words = sum(-1 if w.startswith('end') else 1 for w in words if w != 'do')
-    if re.match(r'\s*(for|if|while|function)\b', bare) and open_words > 0:
-        return False
-    depth = sum(bare.count(c) for c in '([{') - sum(bare.count(c) for c in ')]}')
-    return depth <= 0 and not bare.rstrip().endswith('...')
 
 
 def texinfo_plain(line):
