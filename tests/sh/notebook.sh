@@ -1,8 +1,8 @@
 # The tutorial as notebooks (share/make/notebook): every input of the Texinfo source is in them;
 # what wxMaxima opens runs in Maxima, and a matrix that is returned reaches the display of a front
 # end as it is; in Jupyter every cell is whole and every scene that a cell derives was written by a
-# cell before (make check-notebook runs them); the page fetches nothing, shows the figures and has every equation that is printed
-# as MathML.
+# cell before (make check-notebook runs them); the page fetches nothing, shows the figures and has
+# every equation that is printed as MathML.
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
