@@ -20,6 +20,7 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
+        test-identify \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
@@ -42,6 +43,8 @@ make test-c                emitted C against emitted Fortran of all scenes (make
 make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
                            solutions are eigenvalues), there and back, and beside singular ones;
                            ARMS="puma scara": these only; SEED, COUNT
+make test-identify         total least squares: 1000 repeats with noise in positions and efforts
+                           against the Cramer-Rao bound (make test: 20); COUNT
 make test-sweep            a sweep on disk killed at 30 instants by chance loses no finished chunk
                            (make test: at 3); SEED, COUNT
 make test-mpi              the program of a sweep under mpirun -n 2, a rank killed at 10 instants by
@@ -183,6 +186,10 @@ test-malformed: packages-test compiled
 
 test-reach: packages-test compiled
 	@$(ONE_THREAD) tests/reach/run tests/bench/out/reach $(or $(COUNT),1000000) $(SEED) $(ARMS)
+
+test-identify: packages-test compiled
+	@GSMBP_TEST_DIR=$$(mktemp -d) GSMBP_TEST_LIMIT=7200 REPEATS=$(or $(COUNT),1000) \
+	  tests/run test_total
 
 test-sweep: packages-test compiled
 	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_kills $(or $(COUNT),30) $(SEED)

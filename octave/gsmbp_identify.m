@@ -10,6 +10,7 @@
 ## base parameters p (@code{gsmbp_base_parameters}).  @var{data}, of @code{gsmbp_measured}: a struct
 ## with @code{t}, @code{q}, @code{u}, @code{ud}, @code{tau}, a row for each time.  The rows of all
 ## times are one system, solved by least squares through QR; the normal equations are not formed.
+## What in the data is doubtful is a warning (and a field, @code{doubts}): it names column and size.
 ##
 ## Options:
 ## @table @code
@@ -35,6 +36,15 @@
 ## white, and the motion as well below the cutoff.  Needs times at equal distances.
 ## @item "fixed"
 ## names of parameters that keep the values of the model (further ones: 0)
+## @item "method"
+## "plain" (default): least squares of the efforts; the covariance takes the motion for exact, and
+## noise of positions, which derivatives enlarge, biases the estimates.  "total": total least
+## squares, of the efforts and the positions as they were measured (@code{data.raw}, or the data
+## themselves where they have no such field; speeds, accelerations and filter do not matter).  The
+## motion is a spline that is found together with the parameters; the noise of each column follows
+## from what is left of it (of the efforts: from "sigma" where it is given), and the covariance is
+## that of white noise in efforts and positions.  The times need not be at equal distances; "motors"
+## is refused, "decimate" and "weights" are those of the plain estimate
 ## @end table
 ##
 ## @var{e} has the fields
@@ -57,6 +67,14 @@
 ## model and "sigma" fit
 ## @item residual
 ## times @code{t} x efforts, measured less estimated
+## @item doubts
+## sentences: positions outside the limits of a joint; a residual above 0.3 of its signal (with
+## "sigma": above 3 sigma); masses, inertias or frictions that no body has; a residual that follows
+## the noise of the accelerations; columns that fit better swapped or with the other sign
+## @item plain, noise_q, motion, intervals
+## with "method" "total": the plain estimate (@code{p}, @code{sigma}, @code{covariance}), the noise
+## of each position, the motion that was found (@code{t}, @code{q}, @code{u}, @code{ud}) and the
+## number of intervals of its spline
 ## @end table
 ##
 ## @c session octave
@@ -85,9 +103,11 @@
 ## @end example
 ##
 ## Errors: a scene with loops, or without REG; data of other sizes; parameters that the data do not
-## depend on or do not tell apart (named); an unknown coordinate or parameter.
+## depend on or do not tell apart (named); an unknown coordinate or parameter; with "total": too few
+## times for a smooth motion, motors, no convergence.
 ## Source: Gautier and Khalil (1990); Swevers et al., IEEE Transactions on Robotics and Automation
-## 13 (1997) (weights); Gautier and Briot (2014) (motor constants).
+## 13 (1997) (weights); Gautier and Briot (2014) (motor constants); Seber and Wild, Nonlinear
+## Regression, 1989 (errors in variables).
 ## @seealso{gsmbp_measured, gsmbp_excite, gsmbp_consistent, gsmbp_adopt, gsmbp_validate}
 ## @end deftypefn
 
@@ -101,17 +121,42 @@ function e = gsmbp_identify (m, data, varargin)
   table = {"sigma", [], "numbers"; "weights", "equal", {"equal", "residual"}
            "coulomb", false, "any"; "viscous", false, "any"; "rotor", false, "any"
            "offset", false, "any"; "motors", [], "any"; "fixed", {}, "names"
-           "decimate", 1, "whole"};
+           "decimate", 1, "whole"; "method", "plain", {"plain", "total"}};
   o = gsmbp__options (who, table, varargin);
   o.motors = motors_of (who, m, o.motors);
   data = gsmbp__sound_data (who, m, data, {o.motors.coordinate});
-  w = gsmbp__regression (who, m, data, o);
-  w = without (who, w, o.fixed);
-  [w, t] = gsmbp__decimated (who, w, data.t, o.decimate);
+  regression = @(d) without (who, gsmbp__regression (who, m, d, o), o.fixed);
+  [w, t] = gsmbp__decimated (who, regression (data), data.t, o.decimate);
   [f, noise, scale] = solved (who, w, o, m.sizes.nu + numel (o.motors));
   e = result (m, w, f, noise, scale, numel (t));
   e.t = t;
+  if (strcmp (o.method, "total"))
+    [e, data] = in_total (who, m, data, e, regression, o);
+  endif
   e.options = o;
+  e.doubts = gsmbp__doubts (m, data, e, regression);
+  for said = e.doubts
+    warning ("gsmbp:identify", "%s: %s: %s", who, m.name, said{1});
+  endfor
+endfunction
+
+## by total least squares of what was measured, the PLAIN estimate beside it
+function [e, data] = in_total (who, m, data, plain, regression, o)
+  if (! isempty (o.motors))
+    error (["%s: option method: total takes measured efforts; found motors, whose currents and " ...
+            "voltages are measured instead"], who);
+  elseif (isfield (data, "raw"))
+    [data.t, data.q, data.tau] = deal (data.raw.t, data.raw.q, data.raw.tau);
+  endif
+  f = gsmbp__total (who, regression, data, o.sigma(:));
+  l = gsmbp__least_squares (who, f.w.Y ./ f.noise(f.w.group), f.w.b ./ f.noise(f.w.group), ...
+                            f.w.names);
+  [l.p, l.covariance, l.R] = deal (f.p, f.covariance, chol (inv (f.covariance)));
+  l.z = l.R * l.p;
+  e = result (m, f.w, l, f.noise, 1, numel (data.t));
+  [e.t, e.noise_q, e.intervals, data] = deal (data.t, f.noise_q, f.intervals, f.motion);
+  e.motion = struct ("t", data.t, "q", data.q, "u", data.u, "ud", data.ud);
+  e.plain = struct ("p", plain.p, "sigma", plain.sigma, "covariance", plain.covariance);
 endfunction
 
 ## units; those of the friction of a joint with one coordinate follow it

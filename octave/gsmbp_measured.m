@@ -23,7 +23,8 @@
 ## frequency [Hz] and order (even, default 4) of a Butterworth filter that the motion passes forward
 ## and backward: no shift in time, half the amplitude at the cutoff.  It should be well above what
 ## moves: efforts are left as they are, @code{gsmbp_identify} filters both sides of its equations
-## alike (option "decimate").
+## alike (option "decimate").  "auto": the cutoff with the least error of the accelerations, by the
+## noise of the positions and what the filter takes from their smooth part; @code{d.cutoff} is it
 ## @item "drop"
 ## seconds to leave out at both ends (default 1/cutoff, where a filter does not know what was
 ## before)
@@ -32,7 +33,9 @@
 ## coordinates (of the speeds, where these are there), which needs times at equal distances; the
 ## three rows at both ends without them are left out.
 ##
-## @var{d}: @code{t}, @code{q}, @code{u}, @code{ud}, @code{tau}, @code{other}, @code{other_d}.
+## @var{d}: @code{t}, @code{q}, @code{u}, @code{ud}, @code{tau}, @code{other}, @code{other_d},
+## @code{cutoff} ([]: no filter), @code{raw} (@code{t}, @code{q}, @code{tau} of all rows, as
+## measured).
 ##
 ## @c session octave
 ## @example
@@ -52,7 +55,7 @@
 ## Errors: a file that cannot be read; a column that is missing, a head that is there twice, a
 ## cell that is no number (line and column are said), a unit of another quantity; times that do not
 ## increase, or not by equal steps where a filter or a derivative needs them; a cutoff of half the
-## sampling frequency or more.
+## sampling frequency or more; times so short that no row is left (seconds called milliseconds).
 ## Source: own; Gautier, Identification of robots dynamics (filters and differences without shift).
 ## @seealso{gsmbp_identify, gsmbp_csv, gsmbp_names}
 ## @end deftypefn
@@ -65,10 +68,12 @@ function d = gsmbp_measured (m, data, varargin)
   gsmbp__model (who, m);
   gsmbp__open_chain (who, m);
   o = gsmbp__options (who, {"columns", {}, "names"; "also", {}, "names"
-                            "cutoff", [], "positive"; "order", 4, "whole"
+                            "cutoff", [], "any"; "order", 4, "whole"
                             "drop", [], "nonnegative"}, varargin);
   if (o.order < 2 || mod (o.order, 2) != 0)
     error ("%s: option order: expected an even number from 2 on, found %d", who, o.order);
+  elseif (! (isempty (o.cutoff) || strcmp (o.cutoff, "auto")))
+    gsmbp__fits (who, "option cutoff: \"auto\" or a frequency", o.cutoff, "positive");
   endif
   if (ischar (data))
     d = of_file (who, m, data, o);
@@ -76,6 +81,7 @@ function d = gsmbp_measured (m, data, varargin)
     d = of_struct (who, m, data);
   endif
   d.t = gsmbp__times (who, d.t)';
+  d.raw = struct ("t", d.t, "q", d.q, "tau", d.tau);
   d = smoothed (who, d, o);
 endfunction
 
@@ -169,10 +175,7 @@ function d = smoothed (who, d, o)
   smooth = d.other;
   if (! isempty (o.cutoff))
     uniform (who, d.t, "option cutoff");
-    if (o.cutoff >= 0.5 / h)
-      error (["%s: option cutoff: expected less than half the sampling frequency, %g Hz, " ...
-              "found %g"], who, 0.5 / h, o.cutoff);
-    endif
+    o.cutoff = cutoff_of (who, d, o, h);
     pass = @(x) gsmbp__zero_phase (x, h, o.cutoff, o.order);
     for name = {"q", "u", "ud"}
       if (! isempty (d.(name{1})))
@@ -191,10 +194,35 @@ function d = smoothed (who, d, o)
   endif
   keep = find (keep);
   if (isempty (keep))
-    error ("%s: no row is left of %d: the ends that are left out are longer than the data", who, ...
-           numel (d.t));
+    error (["%s: no row is left of %d: the times last %.3g s, steps of %.3g s; the filter and " ...
+            "the differences leave out %.3g s at both ends%s"], who, numel (d.t), ...
+           d.t(end) - d.t(1), h, max ([o.drop, 3 * h]), doubt_of (h));
   endif
   d = kept (d, keep);
+  d.cutoff = o.cutoff;
+endfunction
+
+## times that are seconds and called milliseconds, or the other way
+function text = doubt_of (h)
+  text = "";
+  if (h < 5e-5)
+    text = "; do the times have the unit that their head says (t [ms] for times in s)?";
+  elseif (h > 0.2)
+    text = "; are the times in milliseconds? Then their head is t [ms]";
+  endif
+endfunction
+
+function f = cutoff_of (who, d, o, h)
+  f = o.cutoff;
+  if (strcmp (f, "auto"))
+    f = gsmbp__best_cutoff (d.t, d.q, o.order);
+    if (isempty (f))
+      error ("%s: option cutoff: %d times are too few to propose one", who, numel (d.t));
+    endif
+  elseif (f >= 0.5 / h)
+    error (["%s: option cutoff: expected less than half the sampling frequency, %g Hz, found " ...
+            "%g%s"], who, 0.5 / h, f, doubt_of (h));
+  endif
 endfunction
 
 function d = with_derivatives (who, d, h, smooth)

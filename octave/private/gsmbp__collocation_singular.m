@@ -30,8 +30,8 @@ function list = gsmbp__collocation_singular (m, p, s)
   endfor
 endfunction
 
-## For each input at each stage: is it between its limits (never where these are equal)? The width of
-## each input; whether a state or an output is at a limit.
+## For each input at each stage: is it between its limits (never where these are equal)? The width
+## of each input; whether a state or an output is at a limit.
 function [inner, span, held] = between (p, s, v)
   c = s.c;
   q = c.stages;

@@ -43,6 +43,11 @@ TEXTS = [
     ('octave/private/gsmbp__no_beginning.m', 'gsmbp__no_beginning'),
     ('octave/private/gsmbp__fits.m', 'gsmbp__fits'),
     ('octave/private/gsmbp__margins.m', 'sentence'),
+    ('octave/private/gsmbp__doubts.m', 'outside'),
+    ('octave/private/gsmbp__doubts.m', 'large'),
+    ('octave/private/gsmbp__doubts.m', 'impossible'),
+    ('octave/private/gsmbp__doubts.m', 'noisy'),
+    ('octave/private/gsmbp__exchanged.m', 'gsmbp__exchanged'),
 ]
 FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z%\]*;]|~\n\s*')
 
