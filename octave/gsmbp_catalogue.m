@@ -23,7 +23,8 @@
 ## the input, 0), T_cont, T_peak (both at the output), omega_in_max, mass, cost
 ## @item "screws"
 ## lead (way in one turn), eta, eta_back (default eta; below 0 the screw locks itself and is driven
-## down, too), J (0), F_cont, F_peak, omega_max (of the screw), mass, cost
+## down, too), J (0), F_cont, F_peak, omega_max (of the screw), d_root (of the thread; default
+## infinite: not known), mass, cost
 ## @item "amplifiers"
 ## V_max, i_cont (rms), i_peak, mass, cost
 ## @item "cylinders"

@@ -30,6 +30,13 @@
 ## voltages (0: none)
 ## @item "Ms"
 ## largest sensitivity of the loops, default 1.6
+## @item "Ms_corners"
+## true: "Ms" is demanded at all corners of the tolerances (at most five), too, at all poses; by
+## default of the nominal machine alone, and reported at the corners
+## @item "support"
+## rows @code{@{"s", @{length, ends@}@}}: unsupported length [m] and ends of the screw of a
+## coordinate that slides, as of @code{gsmbp_drive}: then buckling and critical speed of the screw
+## are limits
 ## @item "tolerances"
 ## rows @code{@{"m3", 0.1@}}: a parameter and the share by which it may be off, either way; all
 ## corners of up to three are run, of more those that derivatives call the worst.  These are carried
@@ -59,7 +66,8 @@
 ## with all loops closed), and feedforward of the voltages where the accuracy asks for it.  Then the
 ## non-linear machine runs through all tasks with its controller: samples, delay, steps of
 ## converters, saturation, friction and losses of the gears; nominally, and at the corners of the
-## tolerances.  Where a demand is not met the next
+## tolerances.  Continuous torque and heat are those of the tasks, repeated without a pause: what is
+## to rest between them has to be in the plan.  Where a demand is not met the next
 ## drives of the order are tried.
 ##
 ## @var{r} has the fields
@@ -87,6 +95,9 @@
 ## with option "yield": @code{runs}, @code{met}, @code{share}, @code{between} (a 95 % interval of
 ## the share), and @code{measures}, the same for each margin, with @code{worst}, the most that is
 ## used
+## @item holding
+## for each axis the largest load at rest, and the torque of a brake at the motor that holds it:
+## @code{axis}, @code{load}, @code{torque}, @code{locks} (the gear locks itself), @code{where}
 ## @item derivatives
 ## how they were found
 ## @item axes, cycles, drives, attempts, laws, loops, poses, feedforward, references, corners
@@ -136,6 +147,9 @@ function r = gsmbp_design (m, varargin)
   d = gsmbp__machine_balanced (m, d);
   d = gsmbp__machine_attempts (who, d);
   d = gsmbp__machine_yield (d);
+  if (d.found)
+    d.holding = gsmbp__machine_holding (d);
+  endif
   d.decisions = gsmbp__machine_decisions (d);
   d.notes = gsmbp__machine_notes (d);
   d = gsmbp__machine_more (d);

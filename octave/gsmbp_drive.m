@@ -24,6 +24,9 @@
 ## |T|, rms of T, n*|omega|
 ## @item inertia
 ## load : motor, inertia/(n^2*(Jm + J_in)), where "inertia_ratio" is given
+## @item buckling, critical_speed
+## |T| against half of Euler's load of the screw, n*|omega| against 0.8 of its critical speed, where
+## "support" is given
 ## @item amplifier_voltage, current_peak, current_cont
 ## |V|, |i|, rms of i, where amplifiers are given
 ## @end table
@@ -31,8 +34,11 @@
 ## data; no amplifiers); "screws": instead of gears, for an axis that slides (the default there),
 ## n = 2*pi/lead; "goal": "mass" (default), "energy" (of V*i over the cycle, what the load
 ## gives back is used), "energy_no_recovery", "cost", "power_peak" (|Tm*n*omega|) or
-## "torque_rms"; "inertia_ratio": largest load : motor (default Inf); "device": names of a
-## motor and of a gear of a scene, for @code{parameters}.
+## "torque_rms"; "inertia_ratio": largest load : motor (default Inf); "support":
+## @code{@{length, ends@}}, the unsupported length [m] of a screw and its ends, "fixed-free",
+## "supported-supported", "fixed-supported" or "fixed-fixed", with which Euler's load and the
+## critical speed of the screw (steel, by its root diameter d_root) are limits, too; "device": names
+## of a motor and of a gear of a scene, for @code{parameters}.
 ##
 ## @var{r} has the fields
 ## @table @code
@@ -94,7 +100,7 @@ function r = gsmbp_drive (cycle, varargin)
   table = {"motors", [], "any"; "gears", [], "any"; "screws", [], "any"; "amplifiers", [], "any"
            "goal", "mass", {"mass", "energy", "energy_no_recovery", "cost", "power_peak", ...
                             "torque_rms"}
-           "inertia_ratio", Inf, "positive"
+           "inertia_ratio", Inf, "positive"; "support", {}, "any"
            "device", {}, "names"};
   o = gsmbp__options (who, table, varargin);
   check_cycle (who, cycle, o);
@@ -128,6 +134,8 @@ function check_cycle (who, c, o)
     error ("%s: option gears: the axis slides; expected screws", who);
   elseif (strcmp (c.unit, "rad") && ! isempty (o.screws))
     error ("%s: option screws: the axis turns; expected gears", who);
+  elseif (strcmp (c.unit, "rad") && ! isempty (o.support))
+    error ("%s: option support: the axis turns; expected an axis that slides, with a screw", who);
   endif
 endfunction
 
@@ -135,9 +143,11 @@ endfunction
 function [motors, gears, amplifiers] = lists_of (who, c, o)
   motors = gsmbp__parts (who, "motors", o.motors);
   if (strcmp (c.unit, "m"))
-    gears = arrayfun (@as_gear, gsmbp__parts (who, "screws", o.screws));
+    support = gsmbp__screw_support (who, o.support);
+    gears = arrayfun (@(s) as_gear (s, support), gsmbp__parts (who, "screws", o.screws));
   else
     gears = gsmbp__parts (who, "gears", o.gears);
+    [gears.F_buckling, gears.omega_critical] = deal (Inf);
   endif
   amplifiers = [];
   if (! isempty (o.amplifiers))
@@ -146,10 +156,11 @@ function [motors, gears, amplifiers] = lists_of (who, c, o)
 endfunction
 
 ## a screw: a gear whose ratio is in rad/m
-function g = as_gear (s)
+function g = as_gear (s, support)
   g = struct ("name", s.name, "ratio", 2 * pi / s.lead, "eta", s.eta, "eta_back", s.eta_back, ...
               "J_in", s.J, "T_cont", s.F_cont, "T_peak", s.F_peak, "omega_in_max", s.omega_max, ...
               "mass", s.mass, "cost", s.cost);
+  [g.F_buckling, g.omega_critical] = gsmbp__screw_limits (s, support);
 endfunction
 
 function best = best_of (who, r, o)

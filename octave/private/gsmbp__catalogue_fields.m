@@ -36,7 +36,8 @@ function table = gsmbp__catalogue_fields (kind)
                "J", "kg*m^2", 0, "nonnegative", "inertia of the screw"
                "F_cont", "N", NaN, "positive", "force of the load (rms)"
                "F_peak", "N", NaN, "positive", "peak force of the load"
-               "omega_max", "rad/s", NaN, "positive", "largest speed of the screw"};
+               "omega_max", "rad/s", NaN, "positive", "largest speed of the screw"
+               "d_root", "m", Inf, "positive", "root diameter (infinite: not known)"};
     case "amplifiers"
       table = {"V_max", "V", NaN, "positive", "largest voltage at the motor"
                "i_cont", "A", NaN, "positive", "continuous current (rms)"

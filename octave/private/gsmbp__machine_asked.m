@@ -11,7 +11,7 @@ function s = gsmbp__machine_asked (who, given)
            "inertia_ratio", Inf, "any"; "reserve", 0, [0, 0.9]
            "period", [], "positive"; "delay", 0, "nonnegative"
            "encoder", 0, "nonnegative"; "step_out", 0, "nonnegative"
-           "Ms", 1.6, "positive"
+           "Ms", 1.6, "positive"; "Ms_corners", false, "flag"; "support", cell(0, 2), "any"
            "tolerances", cell(0, 2), "any"; "yield", 0, "whole"; "springs", cell(0, 2), "any"
            "axes", cell(0, 3), "any"; "linear", struct(), "any"
            "tries", 5, "whole"; "file", "", "text"};
@@ -37,6 +37,12 @@ function s = gsmbp__machine_asked (who, given)
   endif
   s.tolerances = rows_of (who, "tolerances", s.tolerances, "{\"m3\", 0.1}", @is_share);
   s.springs = rows_of (who, "springs", s.springs, "{\"k\", [0 100]}", @is_range);
+  s.support = rows_of (who, "support", s.support, "{\"s\", {1.2, \"fixed-supported\"}}", @iscell);
+  cellfun (@(one) gsmbp__screw_support (who, one), s.support(:,2), "UniformOutput", false);
+  if (s.Ms_corners && rows (s.tolerances) > 5)
+    error ("%s: Ms_corners: expected at most 5 tolerances (32 corners), found %d", who, ...
+           rows (s.tolerances));
+  endif
   if (! isempty (s.file) && ! (numel (s.file) > 5 && strcmpi (s.file(end-4:end), ".html")))
     error ("%s: file: expected a name that ends in .html, found %s", who, s.file);
   endif

@@ -13,7 +13,12 @@ function d = gsmbp__machine_candidate (who, d, places)
   endfor
   d.values = gsmbp__machine_values (d.model, d.axes, d.drives, d.chosen);
   d.model = gsmbp_set (d.model, d.values);
-  d.poses = gsmbp__machine_poses (d.model, d.axes, d.tasks, d.asked);
+  d.poses = gsmbp__machine_poses (d.model, d.axes, d.tasks, d.asked, []);
+  if (d.asked.Ms_corners)
+    for signs = gsmbp__machine_signs (rows (d.asked.tolerances))'
+      d.poses = [d.poses, gsmbp__machine_poses(d.model, d.axes, d.tasks, d.asked, signs')];
+    endfor
+  endif
   d.references = gsmbp__machine_references (d);
   d = gsmbp__machine_loops (who, d);
   d.plain = [];

@@ -18,6 +18,12 @@ function d = gsmbp__machine_checked (who, m, d)
       endif
     endfor
   endfor
+  for name = d.asked.support(:,1)'
+    k = find (strcmp ({d.axes.coordinate}, name{1}));
+    if (isempty (k) || ! strcmp (d.axes(k).unit, "m"))
+      error ("%s: support: expected coordinates that slide and are driven, found %s", who, name{1});
+    endif
+  endfor
   chosen = arrayfun (@(a) struct2cell (a.par), d.axes, "UniformOutput", false);
   chosen = vertcat (chosen{:});
   own = chosen(isfield (m.par, chosen));

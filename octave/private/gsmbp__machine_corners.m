@@ -25,7 +25,7 @@ function d = gsmbp__machine_corners (d)
     signs = [signs; both];
   endfor
   if (numel (names) < 4)
-    signs = 1 - 2 * (dec2bin (0:2^numel (names) - 1) - "0");
+    signs = gsmbp__machine_signs (numel (names));
   endif
   all_ = unique (signs, "rows");
   [~, which_] = ismember (own, all_, "rows");
@@ -33,7 +33,9 @@ function d = gsmbp__machine_corners (d)
     factors = cell2struct (num2cell (1 + all_(k,:)(:) .* shares(:)), names(:), 1);
     d.corners(k) = struct ("signs", all_(k,:), "proof", gsmbp__machine_proof (d, factors));
   endfor
-  d.Ms_corners = gsmbp__machine_loops_at (d, all_ .* shares);
+  if (! d.asked.Ms_corners)
+    d.Ms_corners = gsmbp__machine_loops_at (d, all_ .* shares);
+  endif
   found = cell2mat (arrayfun (@(c) [c.proof.measures.found]', d.corners, "UniformOutput", false));
   for i = 1:numel (d.margins)
     d.margins(i).predicted = which_(i);

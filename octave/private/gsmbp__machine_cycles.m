@@ -23,7 +23,7 @@ function cycles = gsmbp__machine_cycles (m, axes_, tasks, n = 201)
     endfor
   endfor
   for j = 1:numel (axes_)
-    cycles(j) = behind (parts(:,j));
+    cycles(j) = setfield (behind (parts(:,j)), "coordinate", axes_(j).coordinate);
   endfor
 endfunction
 

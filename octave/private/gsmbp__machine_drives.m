@@ -7,7 +7,7 @@ function drives = gsmbp__machine_drives (s, cycles)
   for j = 1:numel (cycles)
     gears = {"gears", s.gears};
     if (strcmp (cycles(j).unit, "m"))
-      gears = {"screws", s.screws};
+      gears = {"screws", s.screws, "support", gsmbp__machine_support(s, cycles(j).coordinate)};
     endif
     if (isfinite (s.inertia_ratio))
       gears = [gears, {"inertia_ratio", s.inertia_ratio}];

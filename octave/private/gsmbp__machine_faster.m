@@ -100,5 +100,9 @@ function [motor, gear, what] = more_of (motor, gear, name)
       gear.T_cont *= 1.1;
     case "gear_speed"
       gear.omega_in_max *= 1.1;
+    case "buckling"
+      gear.F_buckling *= 1.1;
+    case "critical_speed"
+      gear.omega_critical *= 1.1;
   endswitch
 endfunction

@@ -43,7 +43,7 @@ function text = tracking (d, i)
       q = d.corners(one.corner).proof.runs{i}.error(:,j);
       y(:,2) = NaN;
       y(1:numel (q),2) = q;
-      names{2} = ["corner " gsmbp__machine_corner(d, one.corner)];
+      names{2} = ["corner " gsmbp__machine_corner(d.asked, d.corners(one.corner).signs)];
     endif
     said = sprintf ("Tracking error of %s, %s; allowed: %.4g %s", a.coordinate, ...
                     d.tasks(i).name, d.asked.accuracy(j), a.unit);

@@ -14,7 +14,11 @@ endfunction
 
 function text = verdict (d)
   if (isempty (d.unmet))
-    said = "All demands are met, nominally and at the corners of the tolerances that were run.";
+    said = ["All demands are met, nominally and at the corners of the tolerances that were " ...
+            "run; Ms is demanded of the nominal machine alone."];
+    if (d.asked.Ms_corners)
+      said = strrep (said, "of the nominal machine alone", "at all corners of the tolerances");
+    endif
     if (isempty (d.asked.tolerances))
       said = "All demands are met at the nominal values; no tolerances were given.";
     endif
@@ -105,7 +109,7 @@ function text = margins (d)
     if (! isempty (one.worst))
       row(6:9) = {sprintf("%.4g", one.first), sprintf("%.4g", one.worst), ...
                   sprintf("%.0f %%", 100 * one.worst / one.limit), ...
-                  gsmbp__machine_corner(d, one.corner)};
+                  gsmbp__machine_corner(d.asked, d.corners(one.corner).signs)};
     endif
     cells(end+1,:) = row;
   endfor

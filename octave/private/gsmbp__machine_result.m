@@ -7,7 +7,7 @@ function r = gsmbp__machine_result (d)
               "drives", d.drives, "attempts", d.attempts);
   for name = {"values", "model", "controller", "laws", "loops", "poses", "machine", ...
               "feedforward", "references", "margins", "corners", "derivatives", ...
-              "yield"}
+              "yield", "holding"}
     r.(name{1}) = [];
     if (isfield (d, name{1}))
       r.(name{1}) = d.(name{1});

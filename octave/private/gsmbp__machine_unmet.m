@@ -7,8 +7,8 @@ function list = gsmbp__machine_unmet (d)
                  "said", {});
   for j = 1:numel (d.axes)
     if (! (d.Ms(j) <= d.asked.Ms))
-      where = sprintf ("at the pose of %s at %.4g s", d.poses(d.Ms_at(j)).task, ...
-                       d.poses(d.Ms_at(j)).time);
+      pose = d.poses(d.Ms_at(j));
+      where = sprintf ("at the pose of %s at %.4g s%s", pose.task, pose.time, pose.corner);
       list(end+1) = row (d.axes(j).coordinate, "Ms", "1", d.Ms(j), d.asked.Ms, where);
     endif
   endfor
@@ -17,7 +17,8 @@ function list = gsmbp__machine_unmet (d)
       list(end+1) = row (one.axis, one.name, one.unit, one.found, one.limit, "nominally");
     elseif (isfield (one, "worst") && ! isempty (one.worst) && ! (one.worst <= one.limit))
       list(end+1) = row (one.axis, one.name, one.unit, one.worst, one.limit, ...
-                         ["at the corner " gsmbp__machine_corner(d, one.corner)]);
+                         ["at the corner " ...
+                          gsmbp__machine_corner(d.asked, d.corners(one.corner).signs)]);
     endif
   endfor
 endfunction

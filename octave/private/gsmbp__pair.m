@@ -34,6 +34,10 @@ function p = gsmbp__pair (c, motor, gear, amplifier, ratio_limit)
   if (isfinite (ratio_limit))
     use(end+1,:) = {"inertia", p.inertia_ratio, ratio_limit};
   endif
+  if (isfinite (gear.F_buckling))
+    use = [use; {"buckling", p.gear_torque_peak, gear.F_buckling
+                 "critical_speed", p.speed_max, gear.omega_critical}];
+  endif
   if (! isempty (amplifier))
     p.name = [p.name "+" amplifier.name];
     p.amplifier = amplifier.name;
