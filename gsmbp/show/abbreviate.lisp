@@ -36,21 +36,22 @@
 (defun gs-val-number (e)
   (coerce (let ((x ($float e))) (if (numberp x) x (merror "gsmbp_abbreviate: no number for ~M" e)))
           'double-float))
-;;; GCL has none
+;;; that of GCL overflows
 (defun gs-tanh (x)
   (let ((e (exp (* -2 (abs x)))))
-    (* (signum x) (/ (- 1 e) (+ 1 e)))))
-;;; functions of one argument: (value . derivative)
+    (* (cl:signum x) (/ (- 1 e) (+ 1 e)))))
+;;; functions of one argument: (value . derivative). In the package of Maxima the name tan has no
+;;; function, and signum of a double is an integer there.
 (defun gs-val-function (op)
   (case op
     (%sin (cons #'sin #'cos))
     (%cos (cons #'cos #'(lambda (x) (- (sin x)))))
-    (%tan (cons #'tan #'(lambda (x) (/ 1 (expt (cos x) 2)))))
+    (%tan (cons #'cl:tan #'(lambda (x) (/ 1 (expt (cos x) 2)))))
     (%tanh (cons #'gs-tanh #'(lambda (x) (- 1 (expt (gs-tanh x) 2)))))
     (%atan (cons #'atan #'(lambda (x) (/ 1 (+ 1 (* x x))))))
     (%exp (cons #'exp #'exp))
-    (mabs (cons #'abs #'signum))
-    (%signum (cons #'signum #'(lambda (x) (* 0 x))))
+    (mabs (cons #'abs #'cl:signum))
+    (%signum (cons #'cl:signum #'(lambda (x) (* 0 x))))
     (t (merror "gsmbp_abbreviate: ~M cannot be bounded" op))))
 
 (defun gs-exponent (e)
@@ -246,10 +247,15 @@
     (case op
       (%sin (gs-sine lo hi))
       (%cos (gs-sine (+ lo (/ pi 2)) (+ hi (/ pi 2))))
+      (%tan (gs-need-no-pole a e) (cons (cl:tan lo) (cl:tan hi)))
       (mabs (cons (if (<= lo 0 hi) 0d0 (min (abs lo) (abs hi))) (gs-iv-size a)))
       ((%tanh %atan %exp %signum)
        (let ((f (car (gs-val-function op)))) (cons (funcall f lo) (funcall f hi))))
-      (t (merror "gsmbp_abbreviate: ~M has no bound over these ranges" e)))))
+      (t (gs-no-bound e)))))
+(defun gs-no-bound (e) (merror "gsmbp_abbreviate: ~M has no bound over these ranges" e))
+;;; e is a tangent over the interval a: no pole lies in it
+(defun gs-need-no-pole (a e)
+  (unless (= (floor (+ (car a) (/ pi 2)) pi) (floor (+ (cdr a) (/ pi 2)) pi)) (gs-no-bound e)))
 (defun gs-sine (lo hi)
   (let ((lo (coerce lo 'double-float)) (hi (coerce hi 'double-float)))
     (flet ((holds (top) (let ((k (ceiling (/ (- lo top) (* 2 pi))))) (<= (+ top (* 2 pi k)) hi))))
@@ -259,8 +265,10 @@
 (defun gs-slope (op a e)
   (case op
     ((%sin %cos %tanh %atan mabs) 1d0)
+    (%tan (gs-need-no-pole a e)
+          (+ 1 (expt (max (abs (cl:tan (car a))) (abs (cl:tan (cdr a)))) 2)))
     (%exp (exp (cdr a)))
-    (t (merror "gsmbp_abbreviate: ~M has no bound over these ranges" e))))
+    (t (gs-no-bound e))))
 
 ;;; Interval and error bound of an expression, two values, by tables x (intervals) and r (errors).
 (defun gs-iv-value (x r e)
