@@ -24,3 +24,9 @@
 (defun $gs__remember (scene key f)
   (let ((held ($gs__held scene key)))
     (if held (cadr held) ($gs__hold scene key (mapply1 f nil f (list f))))))
+
+;;; A symbol that holds a value as long as somebody knows it, and what it holds, or false. Copies of
+;;; a scene share it; it is printed and saved as a name alone.
+(defun $gs__holder (value)
+  (let ((holder (gensym "$GS__HOLDER_"))) (setf (get holder 'gs-value) value) holder))
+(defun $gs__in_holder (holder) (get holder 'gs-value))
