@@ -35,7 +35,8 @@ make test                  all tests; the last line is "N passed, N failed"
 make test-whole            all tests: those that make test takes in turns, an eighth a day
                            (tests/run), and at length those of which it takes a part
 make test-random           2000 scenes made by chance against each of two independent formulations
-                           (make test takes 30 and 6); SEED=1 COUNT=2000: others
+                           (make test takes 30 and 6), and 300 expressions, literal beside emitted
+                           (make test takes 40); SEED=1 COUNT=2000: others
 make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
                            (make test takes 25)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a

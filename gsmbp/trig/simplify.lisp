@@ -77,8 +77,8 @@
   (let ((memo ($@-function ruleset '$memo)))
     (or ($gs__get memo key) ($gs__put memo key (funcall f)))))
 
-;;; the identities among the atoms (numbers) present in a polynomial: lists of three monomials
-;;; whose sum is zero
+;;; the identities among the atoms (numbers) present in a polynomial: lists of different
+;;; monomials, two or three, whose sum is zero
 (defun gs-identities (ruleset present)
   (gs-in-memory ruleset (gs-list present) #'(lambda () (gs-find-identities ruleset present))))
 (defun gs-find-identities (ruleset present)
@@ -88,7 +88,9 @@
     (flet ((atom-of (k) (gs-atom ruleset k)))
       (append
         (loop for (nil i j k sign) in (cdr ($unique (gs-list sums)))
-              append (gs-sum-identities (atom-of i) (atom-of j) (atom-of k) sign))
+              append (if (eql i j)
+                         (gs-double-identities (atom-of i) (atom-of k))
+                         (gs-sum-identities (atom-of i) (atom-of j) (atom-of k) sign)))
         (loop for i in present
               collect (destructuring-bind (s c angle) (cdr (atom-of i))
                         (declare (ignore angle))
@@ -119,6 +121,17 @@
             (list (minus ca) (mul cc cb) (mul sc sb))
             (list (minus sb) (mul sc ca) (minus cc sa))
             (list (minus cb) (mul cc ca) (mul sc sa))))))
+
+;;; those of an angle and its double, 2*a = c: q beside 2*q in an expression of the user
+(defun gs-double-identities (a c)
+  (destructuring-bind (sa ca s2 c2) (list (cadr a) (caddr a) (cadr c) (caddr c))
+    (flet ((times (&rest factors) (muln factors nil)))
+      (list (list (times -1 s2) (times 2 sa ca))
+            (list (times -1 c2) (power ca 2) (times -1 (power sa 2)))
+            (list (times -1 c2) 1 (times -2 (power sa 2)))
+            (list (times -1 c2) (times 2 (power ca 2)) -1)
+            (list (times -1 sa) (times s2 ca) (times -1 c2 sa))
+            (list (times -1 ca) (times c2 ca) (times s2 sa))))))
 
 ;;; ----------------------------------------------------------------------------- the shortest form
 
