@@ -24,7 +24,9 @@
 ## and backward: no shift in time, half the amplitude at the cutoff.  It should be well above what
 ## moves: efforts are left as they are, @code{gsmbp_identify} filters both sides of its equations
 ## alike (option "decimate").  "auto": the cutoff with the least error of the accelerations, by the
-## noise of the positions and what the filter takes from their smooth part; @code{d.cutoff} is it
+## noise of the positions and what the filter takes from their smooth part; @code{d.cutoff} is it.
+## "spline": no filter; positions, speeds and accelerations of a smooth spline through the
+## positions, whose times need not be at equal distances
 ## @item "drop"
 ## seconds to leave out at both ends (default 1/cutoff, where a filter does not know what was
 ## before)
@@ -72,8 +74,8 @@ function d = gsmbp_measured (m, data, varargin)
                             "drop", [], "nonnegative"}, varargin);
   if (o.order < 2 || mod (o.order, 2) != 0)
     error ("%s: option order: expected an even number from 2 on, found %d", who, o.order);
-  elseif (! (isempty (o.cutoff) || strcmp (o.cutoff, "auto")))
-    gsmbp__fits (who, "option cutoff: \"auto\" or a frequency", o.cutoff, "positive");
+  elseif (! (isempty (o.cutoff) || any (strcmp (o.cutoff, {"auto", "spline"}))))
+    gsmbp__fits (who, "option cutoff: \"auto\", \"spline\" or a frequency", o.cutoff, "positive");
   endif
   if (ischar (data))
     d = of_file (who, m, data, o);
@@ -173,7 +175,9 @@ endfunction
 function d = smoothed (who, d, o)
   h = mean (diff (d.t));
   smooth = d.other;
-  if (! isempty (o.cutoff))
+  if (strcmp (o.cutoff, "spline"))
+    [d, o.cutoff] = deal (by_spline (who, d), []);
+  elseif (! isempty (o.cutoff))
     uniform (who, d.t, "option cutoff");
     o.cutoff = cutoff_of (who, d, o, h);
     pass = @(x) gsmbp__zero_phase (x, h, o.cutoff, o.order);
@@ -200,6 +204,14 @@ function d = smoothed (who, d, o)
   endif
   d = kept (d, keep);
   d.cutoff = o.cutoff;
+endfunction
+
+function d = by_spline (who, d)
+  s = gsmbp__smoothed (d.t, d.q);
+  if (isempty (s))
+    error ("%s: %d times are too few for a smooth motion through them", who, numel (d.t));
+  endif
+  d = gsmbp__on_splines (d, s.B, s.c);
 endfunction
 
 ## times that are seconds and called milliseconds, or the other way
@@ -257,7 +269,7 @@ function uniform (who, t, what)
   [worst, k] = max (abs (step - mean (step)));
   if (worst > 1e-4 * mean (step))
     error (["%s: %s needs times at equal distances; from t = %.9g the step is %.9g s, the mean " ...
-            "is %.9g s"], who, what, t(k), step(k), mean (step));
+            "is %.9g s; take the option cutoff \"spline\""], who, what, t(k), step(k), mean (step));
   endif
 endfunction
 

@@ -88,5 +88,5 @@ function times (m, d)
                      " s at both ends; do the times have the unit that their head says"], ...
         "cutoff", 20);
   says (1000 * d.t, "found 20; are the times in milliseconds", "cutoff", 20);
-  says (d.t, "option cutoff: .auto. or a frequency", "cutoff", -1);
+  says (d.t, "option cutoff: .auto., .spline. or a frequency", "cutoff", -1);
 end
