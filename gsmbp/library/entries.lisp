@@ -25,7 +25,15 @@
 
 ;;; Value of a parameter of a device: the option as written (number or expression), else a parameter
 ;;; of its own; its ratio, 1 where none is given
-(defun $gs__device_value (device symbol) (or (gs-option device symbol) ($gs__own device symbol)))
+;;; (a default that is an expression of other parameters is no parameter: that expression of theirs)
+(defun $gs__device_value (device symbol)
+  (or (gs-option device symbol)
+      (let ((default (gs-default device symbol)))
+        (and default (not ($numberp default)) (mfuncall '$gs__device_expression device default)))
+      ($gs__own device symbol)))
+(defun gs-default (device symbol)
+  (let ((parameters ($gs__list_field (gs-entry-of device) '$parameters)))
+    (third (find symbol (cdr parameters) :key #'cadr :test #'eq))))
 (defun $gs__ratio (device) (or (gs-option device '$ratio) 1))
 (defun gs-option (device symbol) ($gs__field ($@-function device '$options) symbol))
 
