@@ -192,7 +192,7 @@ function p = named (devices, d)
   if (numel (devices) > 1)
     p.([devices{1} "_J"]) = d.Jm;
     p.([devices{2} "_n"]) = d.ratio;
-    p.([devices{2} "_eta"]) = d.eta;
+    p.([devices{2} "_ef"]) = d.eta;
     p.([devices{2} "_J"]) = d.J_in;
     if (d.tc > 0)
       p.([devices{2} "_Tc"]) = d.tc;
@@ -277,7 +277,7 @@ endfunction
 %! r = gsmbp_drive (cycle (), "amplifiers", a, "device", {"M", "G"});
 %! assert (numel (r.pairs), 8 * 22 * 8);
 %! assert (fieldnames (r.best.parameters)', {"M_R", "M_L", "M_K", "M_J", "M_B", "G_n", ...
-%!                                               "G_eta", "G_J", "G_Tc"});
+%!                                               "G_ef", "G_J", "G_Tc"});
 %! a(1).V_max = 0.1;
 %! p = gsmbp_drive (cycle (), "amplifiers", a(1)).pairs;
 %! assert (all (cellfun (@(v) any (strcmp (v, "amplifier_voltage")), {p.violated})));

@@ -105,7 +105,7 @@ function par = names_of (who, m, one, s)
   if (isempty (one.gear))
     par.n = [one.motor "_n"];
   else
-    for pair = {"n", "n"; "eta", "eta"; "Tc", "Tc"; "Jg", "J"}'
+    for pair = {"n", "n"; "eta", "ef"; "Tc", "Tc"; "Jg", "J"}'
       par.(pair{1}) = [one.gear "_" pair{2}];
     endfor
   endif
