@@ -29,8 +29,14 @@
 (defun $gs__device_value (device symbol)
   (or (gs-option device symbol)
       (let ((default (gs-default device symbol)))
-        (and default (not ($numberp default)) (mfuncall '$gs__device_expression device default)))
+        (and default (not ($numberp default)) ($gs__device_expression device default)))
       ($gs__own device symbol)))
+;;; an expression of the entry's parameters by what the scene gives for them
+(defun $gs__device_expression (device e)
+  (mfuncall '$psubst
+            (gs-list (mapcar #'(lambda (s) (list '(mequal) s ($gs__device_value device s)))
+                             (cdr ($listofvars e))))
+            e))
 (defun gs-default (device symbol)
   (let ((parameters ($gs__list_field (gs-entry-of device) '$parameters)))
     (third (find symbol (cdr parameters) :key #'cadr :test #'eq))))
