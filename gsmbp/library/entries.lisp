@@ -33,7 +33,7 @@
       ($gs__own device symbol)))
 ;;; an expression of the entry's parameters by what the scene gives for them
 (defun $gs__device_expression (device e)
-  (mfuncall '$psubst
+  (mfuncall '$sublis
             (gs-list (mapcar #'(lambda (s) (list '(mequal) s ($gs__device_value device s)))
                              (cdr ($listofvars e))))
             e))
