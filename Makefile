@@ -37,8 +37,8 @@ make test-whole            all tests: those that make test takes in turns, an ei
 make test-random           2000 scenes made by chance against each of two independent formulations
                            (make test takes 30 and 6), and 300 expressions, literal beside emitted
                            (make test takes 40); SEED=1 COUNT=2000: others
-make test-malformed        300 malformed scenes against their verdicts, and mutants of the examples
-                           (make test takes 25)
+make test-malformed        300 malformed scenes against their verdicts, mutants of the examples, 6000
+                           values of wrong types in options (make test takes 25, and 100)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a
                            sample); SCENES="FILE.mac ...": these only
 make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
@@ -181,7 +181,8 @@ test-c: packages-test compiled
 
 test-malformed: packages-test compiled
 	@{ tests/malformed/judge.py hand; \
-	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); } | \
+	   tests/malformed/judge.py mutants $(SEED) $(or $(COUNT),300); \
+	   tests/malformed/values.sh; } | \
 	  tee /dev/stderr | awk '/^ok / { n++ } /^not ok / { bad++ } \
 	    END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
 
