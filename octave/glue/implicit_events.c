@@ -257,6 +257,17 @@ believed (gs_run *s, place *p, int *taken, int *flag)
   return info;
 }
 
+/* Is function I that of the user, or of a port that has just begun to slide or rebounded, where the
+ * step to the event is hardly one?  These must be 0 on the step itself (GSEVS) */
+static int
+needs_step (const gs_events *e, const place *p)
+{
+  const int i = p->i - 1;
+  return gs_is_own (e, i) || ! p->there
+         || ((e->kind[i] == 1) != (e->mode[i] == 0)
+             && p->t - p->from <= gs_shortest (p->from, p->t));
+}
+
 /* the step up to the event at P; TAKEN: 0 if its function does not fall, -1 if it does later in the
  * step, which is too long to see where; INFO */
 static int
@@ -266,7 +277,7 @@ up_to (gs_run *s, place *p, int *taken, int *flag)
   gs_events e = gs_events_planned (s);
   double g;
   *taken = ! (info == 0 && *flag >= 0 && ! s->by->dense && s->t >= p->t && p->g > 0
-              && gs_is_own (&e, p->i - 1) && e.fresh[p->i - 1] < 2);
+              && needs_step (&e, p) && e.fresh[p->i - 1] < 2);
   if (*taken)
     return info;
   *flag = as_it_was (s, p);

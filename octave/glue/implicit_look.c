@@ -286,6 +286,7 @@ gs_locate (gs_run *s, place *p, int *flag)
       if (turn > 0 && p->g != g)
         slope = (p->g - g) / (p->t - t);
       double d = p->g / slope;
+      p->there = fabs (d) <= least;
       if (! (fabs (d) <= 0.1 * (p->end - p->from)) || fabs (d) <= least)
         break;
       t = p->t;

@@ -23,8 +23,9 @@ reals (const gs_run *s)
   return s->r->rp + s->r->ip[GS_EVENTS + 1] - 1;
 }
 
-/* What locates an event: the step from FROM ends at T, where function I is G. */
-typedef struct { double from, begin, end, t, g; int i; } place;
+/* What locates an event: the step from FROM ends at T, where function I is G; THERE: 0 but for
+   rounding of the time. */
+typedef struct { double from, begin, end, t, g; int i, there; } place;
 
 /* event function I at T in the state X; INFO */
 extern int gs_function (gs_run *s, int i, double t, const double *x, double *g);

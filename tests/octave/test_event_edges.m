@@ -15,6 +15,7 @@ function test_event_edges ()
     on_the_surface (m, method{1});
     breakaway (gsmbp_fixture ("event_breakaway"), method{1});
   end
+  pulled (gsmbp_fixture ("event_pulled"));
   many_runs (m);
   derivatives (m);
 end
@@ -32,6 +33,26 @@ function breakaway (m, method)
       r = gsmbp_simulate (gsmbp_set (m, "k", side * k), [0 0], [0 1], "input", 3 * side, set_{:});
       gsmbp_check (sprintf ("%s: a breakaway at the start, %g N/s", method, side * k), ...
                    r.x(end,1) - side * k / 6 / 0.8, 1e-9 * (1 + k));
+    end
+  end
+end
+
+## A block that sticks and slips: where friction falls within a small speed vs the slip is close to
+## that of vs = 0, a closed form.  Behind the breakaway the speed is rounding.
+function pulled (m)
+  p = m.par;
+  w = sqrt (p.k / p.m);
+  part = atan2 ((p.fs - p.fc) / p.k * w, p.v);
+  slip = (2 * pi - 2 * part) / w;
+  stick = 2 * (p.fs - p.fc) / p.k / p.v;
+  for vs = [1e-7, 3e-8, 1e-8]
+    for method = {"dp853", "radau", "auto"}
+      r = gsmbp_simulate (gsmbp_set (m, "vs", vs), [0; 0], 0:0.1:10, "method", method{1});
+      t = r.events.t;
+      gsmbp_check (sprintf ("%s: sticks and slips, vs = %g m/s: events", method{1}, vs), ...
+                   numel (t) - 28, 0);
+      gsmbp_check ("... breakaway, slip and period of vs = 0, beside sqrt(vs)", ...
+                   (t(1:3) - p.fs / p.k / p.v - [0; slip; slip + stick]) / sqrt (vs), 0.2);
     end
   end
 end
