@@ -66,7 +66,8 @@ function q = nearest_turns (q, before, job)
   q(j,:) -= t * ceil (max (q(j,:) - job.limits(j,2) - 1e-12, 0) / t);
 endfunction
 
-## a speed that does not move the tool, where rows of its Jacobian depend on each other
+## a speed that does not move the tool, where rows of its Jacobian depend on each other: to 3e-8,
+## the square root of rounding errors, to which a double solution is known (as GSIGS)
 function one = with_free (m, job, one)
   n = m.sizes.nu;
   J = m.jpt (job.time, one.q, zeros (n, 1))(1:3+3*job.whole,n*(job.tool-1)+1:n*job.tool);
@@ -76,7 +77,7 @@ function one = with_free (m, job, one)
   endif
   [~, s, V] = svd (J);
   s = diag (s);
-  if (min (s) < 1e-9 * max (s) && rows (J) >= n)
+  if (min (s) < 3e-8 * max (s) && rows (J) >= n)
     one.status = "singular";
     one.free = V(:,end);
   elseif (strcmp (one.status, "singular"))

@@ -238,8 +238,9 @@ generals (void)
       pair qc = pair_of (96), w = pair_of (1200);
       int iw[24], nc, nf, bc[16] = { 0 }, bf[16] = { 0 }, info = 1;
       both (qc), both (w);
-      gsikg (a.ka, a.pa, a.r, a.p, qc.c, &nc, w.c, iw);
-      gsikg_ (a.ka, a.pa, a.r, a.p, qc.f, &nf, w.f, iw);
+      same_int (gsikg (a.ka, a.pa, a.r, a.p, qc.c, &nc, w.c, iw),
+                (gsikg_ (a.ka, a.pa, a.r, a.p, qc.f, &nf, w.f, iw, &info), info));
+      info = 1;
       same_int (nc, nf);
       found += nc;
       same_numbers (6 * nc, qc.c, qc.f);

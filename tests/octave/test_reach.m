@@ -15,6 +15,8 @@ function test_reach ()
   seven_joints (gsmbp_fixture ("reach_seven"));
   legs (gsmbp_fixture ("reach_legs"));
   close_to_singular (gsmbp_fixture ("reach_puma"));
+  folded (gsmbp_fixture ("reach_parallel"));
+  double_solutions (gsmbp_fixture ("reach_general"));
   unreachable (gsmbp_fixture ("reach_scara"), gsmbp_fixture ("reach_puma"));
   paths (gsmbp_fixture ("reach_puma"));
   place_alone (gsmbp_fixture ("reach_puma"), gsmbp_fixture ("reach_general"));
@@ -181,6 +183,59 @@ function close_to_singular (m)
         1e-12);
     end
   end
+end
+
+## the elbow folded and stretched: INFO = 2, whatever rounding makes of the root
+function folded (m)
+  rand ("twister", 3);
+  for q3 = [0, pi]
+    wrong = 0;
+    for k = 1:25
+      q = 5.6 * (rand (6, 1) - 0.5);
+      q(3) = q3;
+      wrong += ! said_singular (m, q);
+    end
+    gsmbp_check (sprintf ("elbow at %g rad: of 25 poses not said to be singular", q3), wrong, 0);
+  end
+end
+
+## general arm: double solutions come once, with INFO = 2; others with INFO = 0
+function double_solutions (m)
+  rand ("twister", 3);
+  determinant = @(q) det (m.jpt (0, q, zeros (6, 1))(1:6,1:6));
+  at = linspace (-pi, pi, 40);
+  [count, wrong, twice, lost, plain] = deal (0);
+  while (count < 20)
+    q = 5.6 * (rand (6, 1) - 0.5);
+    [P, R] = m.pnt (0, q);
+    [~, ~, ~, ~, info] = m.ikn (P, R);
+    plain += info != 0;
+    f = @(x) determinant ([q(1:2); x; q(4:6)]);
+    y = arrayfun (f, at);
+    k = find (y(1:end-1) .* y(2:end) < 0, 1);
+    if (isempty (k))
+      continue;
+    end
+    count++;
+    q(3) = fzero (f, at(k:k+1));
+    [said, n] = said_singular (m, q);
+    wrong += ! said;
+    twice += n > 1;
+    lost += n == 0;
+  end
+  gsmbp_check ("general arm: of 20 singular poses not said to be so", wrong, 0);
+  gsmbp_check ("general arm: of their double solutions lost, twice", [lost, twice], 0);
+  gsmbp_check ("general arm: of other poses said to be singular", plain, 0);
+end
+
+## does IKN say that the pose of q is singular, and gsmbp_reach? N: solutions that are q to 1e-5
+function [yes, n] = said_singular (m, q)
+  [P, R] = m.pnt (0, q);
+  [qs, ns, ~, ~, info] = m.ikn (P, R);
+  [~, told] = gsmbp_reach (m, "tool", P, R, "start", q);
+  yes = info == 2 && strcmp (told.status, "singular");
+  off = qs(:,1:ns) - q;
+  n = sum (max (abs (off - 2 * pi * round (off / (2 * pi))), [], 1) < 1e-5);
 end
 
 function unreachable (scara, puma)

@@ -155,13 +155,22 @@ void gsnis (const gs_scene *g, double t, int nq, int nu, int nr, const double *j
             double *qdot);
 
 /* all angles qc (6,16) of six revolute joints in any position to each other, ns solutions,
- * rising; w: 1200, iw: 24 */
-void gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc,
-            int *ns, double *w, int *iw);
+ * rising; w: 1200, iw: 24. info: 2 a solution is singular */
+int gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc,
+           int *ns, double *w, int *iw);
 
-/* for gsikg: its solutions made complete close to singular ones */
-void gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc,
-            int *ns);
+/* for gsikg: its solutions made complete close to singular ones; info as gsikg */
+int gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc,
+           int *ns);
+
+/* for gsikg: of ns solutions q (6,16) double ones made one; info as gsikg */
+int gsigd (const double *ka, const double *pa, const double *r, const double *p, double *q,
+           int *ns);
+
+/* for gsikg and gsikz: info, or 2 where one of ns solutions qs (n,ns) is singular: the least
+ * singular value of the Jacobian is at most 3e-8 of the largest */
+int gsigs (int n, const int *kind, const double *ka, const double *pa, const double *r,
+           const double *p, const double *qs, int ns, int info);
 
 /* for gsikg: the last axis of a chain carried to its front by the displacement it makes */
 void gsik6 (const double *r, const double *p, double *ka, double *pa);

@@ -88,25 +88,25 @@ candidates (const double *ka, const double *pc, const double *r, const double *p
  *
  * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
  * Robotics Automation 10 (1994), 648-657. */
-void
+int
 gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns,
        double *w, int *iw)
 {
   double pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
   *ns = 0;
   if (! (size > 0.0))
-    return;
+    return 0;
   for (int i = 0; i < 3; i++)
     p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
   for (int j = 0; j < 18; j++)
     pc[j] = pc[j] / size;
   candidates (ka, pc, r, p2, qc, ns, w, iw);
-  gsigc (ka, pc, r, p2, qc, ns);
+  return gsigc (ka, pc, r, p2, qc, ns);
 }
 
 /* as gsikz, from the solutions where the least singular value of the Jacobian is below 1e-4 of the
  * largest */
-void
+int
 gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns)
 {
   const int kind[] = { 1, 1, 1, 1, 1, 1 };
@@ -120,7 +120,7 @@ gsigc (const double *ka, const double *pa, const double *r, const double *p, dou
       br[k] = k + 1;
     }
   if (m == 0)
-    return;
+    return 0;
   gsik5 (6, kind, ka, pa, r, p, 16, q, ns, br);
   m = *ns;
   for (int k = 0; k < m; k++)
@@ -132,10 +132,12 @@ gsigc (const double *ka, const double *pa, const double *r, const double *p, dou
       gsik4 (6, kind, ka, pa, r, p, qc, z, 16, q, ns, br, 0);
       gsik2 (kind, ka, pa, r, p, qc, 16, q, ns, br, 0, &nw, qw);
     }
+  int info = gsigd (ka, pa, r, p, q, ns);
   m = *ns;
   *ns = 0;
   for (int k = 0; k < m; k++)
     gsika (q + 6 * k, qc, ns);
+  return info;
 }
 
 void

@@ -115,7 +115,7 @@ gsikz (int n, const int *kind, const double *ka, const double *pa, const double 
       if (walk)
         info = gsik2 (kind, ka, px, r, d, q, nb, qs, ns, br, info, &nw, qw);
     }
-  return *ns == 0 ? 1 : info;
+  return *ns == 0 ? 1 : gsigs (n, kind, ka, px, r, d, qs, *ns, info);
 }
 
 /* six joints, of which three are none, see gsikj; about the point */

@@ -1,4 +1,4 @@
-      SUBROUTINE GSIKG( KA, PA, R, P, QC, NS, W, IW )
+      SUBROUTINE GSIKG( KA, PA, R, P, QC, NS, W, IW, INFO )
 C
 C     PURPOSE
 C     All angles of six revolute joints in any position to each other
@@ -16,6 +16,8 @@ C             angles of the NS solutions [rad], rising.
 C     NS      (output) INTEGER.
 C     W       (workspace) DOUBLE PRECISION array, dimension (1200).
 C     IW      (workspace) INTEGER array, dimension (24).
+C     INFO    (output) INTEGER, 0; 2: a solution is singular (two
+C             coincide, or a joint moves without the tool), see GSIGD.
 C
 C     METHOD
 C     The line of axis 6, told by point p and direction l, gives fifteen
@@ -42,11 +44,12 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
       DOUBLE PRECISION   W(*), KB(3,6), PB(3,6), P2(3), SIZE
       DOUBLE PRECISION   PC(3,6), CEN(3)
-      INTEGER            NS, IW(24), I, J, L, L0, NREG
+      INTEGER            NS, IW(24), INFO, I, J, L, L0, NREG
       EXTERNAL           GSIKB, GSIK6, GSIGC
 C
 C     -- lengths beside their largest, about the middle of the points
       NS = 0
+      INFO = 0
       SIZE = 0.0D0
       DO 20 I = 1, 3
          CEN(I) = 0.0D0
@@ -98,10 +101,10 @@ C     -- no order is regular: four neighbours of this arm
          CALL GSIKB( KB, PB, R, P2, KA, PC, L0, QC, NS, NREG, W, IW )
   120 CONTINUE
   130 CONTINUE
-      CALL GSIGC( KA, PC, R, P2, QC, NS )
+      CALL GSIGC( KA, PC, R, P2, QC, NS, INFO )
       END
 C
-      SUBROUTINE GSIGC( KA, PA, R, P, QC, NS )
+      SUBROUTINE GSIGC( KA, PA, R, P, QC, NS, INFO )
 C
 C     PURPOSE
 C     For GSIKG: solutions made complete close to singular ones.
@@ -109,10 +112,11 @@ C
 C     ARGUMENTS
 C     KA, PA, R, P (input) as GSIKG.
 C     QC, NS  (input/output) as GSIKG.
+C     INFO    (output) INTEGER, as GSIKG.
 C
 C     METHOD
 C     As GSIKZ, from the solutions where the least singular value of the
-C     Jacobian is below 1D-4 of the largest.
+C     Jacobian is below 1D-4 of the largest; double ones by GSIGD.
 C
 C     ERROR INDICATOR
 C     None.
@@ -121,10 +125,11 @@ C
       DOUBLE PRECISION   KA(3,6), PA(3,6), R(3,3), P(3), QC(6,16)
       DOUBLE PRECISION   Q(6,16), Z(6), QW(6,400), S
       INTEGER            NS, M, BR(16), KIND(6), I, K, INFO, NW
-      EXTERNAL           GSIKA, GSIKO, GSIK2, GSIK4, GSIK5
+      EXTERNAL           GSIGD, GSIKA, GSIKO, GSIK2, GSIK4, GSIK5
       DATA               KIND / 6*1 /
 C
       M = 0
+      INFO = 0
       DO 20 K = 1, NS
          CALL GSIKO( 6, KIND, KA, PA, R, P, QC(1,K), Z, S )
          IF ( S.LE.1.0D-4 ) M = M + 1
@@ -134,7 +139,6 @@ C
          BR(K) = K
    20 CONTINUE
       IF ( M.EQ.0 ) RETURN
-      INFO = 0
       NW = 0
       CALL GSIK5( 6, KIND, KA, PA, R, P, 16, Q, NS, BR )
       M = NS
@@ -150,6 +154,7 @@ C
      $                  QW )
          END IF
    30 CONTINUE
+      CALL GSIGD( KA, PA, R, P, Q, NS, INFO )
       M = NS
       NS = 0
       DO 40 K = 1, M

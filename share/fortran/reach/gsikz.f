@@ -25,7 +25,7 @@ C     refined to a solution close to it, the curve on which the tool
 C     hardly moves is followed (GSIK2); also near a branch that has a
 C     radicand close to 0 and another one below. New solutions take the
 C     numbers of branches that have none. Places are those of a point on
-C     the last axis.
+C     the last axis. Which are singular is seen once more (GSIGS).
 C
 C     ERROR INDICATOR
 C     None of its own.
@@ -38,7 +38,7 @@ C
       DOUBLE PRECISION   H, GSIKK
       INTEGER            I, J, K, NW
       LOGICAL            NEAR, OUT, FREE, SURE
-      EXTERNAL           GSIKK, GSIKO, GSIKY, GSIK2, GSIK4, GSIK5
+      EXTERNAL           GSIGS, GSIKK, GSIKO, GSIKY, GSIK2, GSIK4, GSIK5
 C
       DO 6 I = 1, 3
          D(I) = R(I,1)*PA(1,N) + R(I,2)*PA(2,N) + R(I,3)*PA(3,N)
@@ -94,6 +94,7 @@ C
          END IF
    40 CONTINUE
       IF ( NS.EQ.0 ) INFO = 1
+      CALL GSIGS( N, KIND, KA, PX, R, D, QS, NS, INFO )
       END
 C
       SUBROUTINE GSIPZ( KIND, KA, PA, R, P, X0, NB, NM, QC, RAD, LIM,
