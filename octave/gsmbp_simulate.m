@@ -135,7 +135,8 @@
 ## Inputs (where nothing is said, zero):
 ## @table @code
 ## @item "input"
-## @var{nv} constants; a piecewise polynomial with @var{nv} components
+## @var{nv} constants in the order of @code{m.inputs}, or by name,
+## @code{@{"u", 2, "motor.v", 12@}} or a struct; a piecewise polynomial with @var{nv} components
 ## (@code{gsmbp_plan ("table", @dots{})}), which before its first and after its last break holds the
 ## value that it has there; a function handle
 ## @code{v = f (t, x)} (called back: slow); or "user": SUBROUTINE GSVIN of

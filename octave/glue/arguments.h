@@ -174,6 +174,16 @@ public:
     return mode;
   }
 
+  // Inputs that are not given are zero; a mode cannot be: 0 is a stick or a lift-off.
+  void no_mode_left_out (const char *name) const
+  {
+    for (int i = 0; i < S.nmode && name == std::string ("v") && ! more (); i++)
+      if (S.modes[i] > 0)
+        error ("%s: argument v is missing: expected the inputs; v(%d) is the mode (-1, 0 or 1) of "
+               "a device with events, without which its friction or contact would be left out",
+               who ().c_str (), S.modes[i]);
+  }
+
   // those among the inputs of K states, v (number of the input, state), both from 0; what is no
   // number is let through
   template <typename F> void modes_among (int k, F v) const
@@ -220,6 +230,7 @@ public:
   {
     if (! needed && ! more ())
       {
+        no_mode_left_out (name);
         m_next++;
         return;
       }

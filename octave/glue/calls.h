@@ -41,6 +41,8 @@ read (arguments& a, const slot& s)
     return a.array (name, s.rows, s.cols);
   if (s.name == "q" || s.name == "x")
     return a.coordinates (name, s.rows);
+  if (! s.needed)
+    a.no_mode_left_out (name);
   reals x = s.needed ? a.vector (name, s.rows) : a.vector_or_zero (name, s.rows);
   if (s.name == "v")
     a.modes_among (1, [&] (int i, int) { return x[i]; });

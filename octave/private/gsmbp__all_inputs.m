@@ -1,5 +1,5 @@
 ## input = gsmbp__all_inputs (who, m, input, t, x)
-## INPUT (numbers, a piecewise polynomial or a function) for the inputs of the
+## INPUT (numbers, also by name, a piecewise polynomial or a function) for the inputs of the
 ## scene M that no sampled device holds and that are no modes, as one for all
 ## inputs, in the other places what m.input_starts says (0 but for controllers about a trim).
 ## What is given for all inputs already comes back as it is.  A function is called at the time
@@ -12,6 +12,9 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
   if (isempty (input) && any (m.input_starts))
     input = m.input_starts;
     return;
+  endif
+  if (iscell (input) || (isstruct (input) && ! isfield (input, "form")))
+    input = gsmbp__by_names (who, "option input", input, m.inputs(free));
   endif
   if (is_function_handle (input))
     f = input;

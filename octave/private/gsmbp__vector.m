@@ -2,11 +2,16 @@
 ## X as a column of N finite real numbers, none above 1e300 in size (which the emitted Fortran
 ## does not take); an error of WHO about the argument NAME otherwise (or the option, where NAME
 ## says so: "option start").  WHAT (may be left out)
-## says what the numbers are, NAMES (a cell array, may be left out) what each is called.
+## says what the numbers are, NAMES (a cell array, may be left out) what each is called: X may then
+## be a struct or a cell array of names and values, too.
 
 function x = gsmbp__vector (who, name, x, n, what = "", names = {})
   if (! strncmp (name, "option ", 7))
     name = ["argument " name];
+  endif
+  by_name = isstruct (x) || (iscell (x) && ! isempty (x) && iscellstr (x(1:2:end)));
+  if (by_name && numel (names) == n)
+    x = gsmbp__by_names (who, name, x, names);
   endif
   if (! (isnumeric (x) || islogical (x)) || ! isreal (x))
     found = class (x);

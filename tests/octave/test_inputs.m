@@ -13,6 +13,32 @@ function test_inputs ()
   audited ();
   starts (m, gsmbp_hand ("hand_crank"));
   ends (m);
+  by_name ();
+end
+
+## inputs by name, in any order, are those by position; a mode that is left out is no zero
+function by_name ()
+  m = gsmbp_fixture ("control_fivebar");
+  x = gsmbp_assemble (m, m.initial);
+  run_ = @(v) gsmbp_simulate (m, x, [0, 0.1], "input", v).x(end,:);
+  order = {"fy", 5, "D1.v", 12, "t2", 3, "fx", -4};
+  [~, place] = ismember (m.inputs, order(1:2:end));
+  values = [order{2:2:end}](place);
+  gsmbp_check ("inputs by name in a cell array", run_ (order) - run_ (values), 0);
+  named = cell2struct (num2cell (values(:)), m.inputs);
+  gsmbp_check ("inputs by name in a struct", run_ (named) - run_ (values), 0);
+  cases = {{order{1:6}}, "expected fx once, found it 0 times"; {order{:}, "fx", 1}, ...
+           "expected fx once, found it 2 times"; {order{1:6}, "fz", 1}, "did you mean"; ...
+           {order{1:7}, [1, 2]}, "fx: expected a number, found [1 2]"; ...
+           {3}, "expected {name, value"};
+  for row = cases'
+    gsmbp_check (["inputs by name: " row{2}], told (gsmbp_complaint (@() run_ (row{1})), row{2}));
+  end
+  m = gsmbp_fixture ("event_breakaway");
+  said = gsmbp_complaint (@() m.rhs (0, [0; 0.1]));
+  gsmbp_check (["a mode that is left out: " said], told (said, "argument v is missing"));
+  gsmbp_check ("a block that slides: acceleration", m.rhs (0, [0; 0.1], [5; 1]) ...
+               - [0.1; (5 - 3) / 0.8], 1e-15);
 end
 
 ## how many inputs are no held outputs
