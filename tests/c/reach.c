@@ -7,7 +7,7 @@ void gseig_ (), gshes_ (), gshqr_ (), gshqs_ (), gsiks_ (), gsikz_ (), gsiko_ ()
   gsikd_ (), gsiku_ (), gsiky_ (), gscir_ (), gscif_ (), gsciq_ (), gscie_ (), gsnik_ (), gsnir_ (),
   gsniv_ (), gsnij_ (), gsnis_ (), gsikg_ (), gsikb_ (), gsik1_ (), gsikt_ (), gsikw_ (), gsikf_ (),
   gsikl_ (), gsikr_ (), gsike_ (), gsikh_ (), gsikc_ (), gsikm_ (), gsikv_ (), gsikx_ (), gsikn_ (),
-  gsikj_ (), gsika_ (), gsiki_ (), gsipz_ ();
+  gsikj_ (), gsika_ (), gsiki_ (), gsipz_ (), gsigd_ (), gsigs_ ();
 int gsikq_ ();
 double gsikk_ ();
 
@@ -223,13 +223,33 @@ distances (void)
   finish ();
 }
 
+/* solutions, the first one twice: how many become one? */
+static int
+twice (const arm *a, const double *solutions, int n)
+{
+  pair q = pair_of (96);
+  int nc = n + 1, nf = n + 1, info, again = 0;
+  memcpy (q.c, solutions, 6 * n * sizeof (double));
+  for (int i = 0; i < 6; i++)
+    q.c[i + 6 * n] = q.c[i] + 1e-15;
+  both (q);
+  same_int (gsigd (a->ka, a->pa, a->r, a->p, q.c, &nc),
+            (gsigd_ (a->ka, a->pa, a->r, a->p, q.f, &nf, &info), info));
+  same_int (nc, nf);
+  same (q);
+  same_int (gsigs (6, a->kind, a->ka, a->pa, a->r, a->p, q.c, nc, 0),
+            (gsigs_ (I (6), a->kind, a->ka, a->pa, a->r, a->p, q.f, &nf, &again), again));
+  drop (q);
+  return n + 1 - nc;
+}
+
 /* all angles of arms, those of the last one parallel; then one solution is refined and others
  * looked for */
 static void
 generals (void)
 {
-  int found = 0, more = 0;
-  begin ("gsikg and its parts, gsikz, gsikp");
+  int found = 0, more = 0, ones = 0;
+  begin ("gsikg and its parts, gsikz, gsikp, gsigd, gsigs");
   for (int k = 0; k < 24; k++)
     {
       arm a = arm_of (6, k % 3 == 1 ? 0 : k % 4);
@@ -244,6 +264,8 @@ generals (void)
       same_int (nc, nf);
       found += nc;
       same_numbers (6 * nc, qc.c, qc.f);
+      if (nc > 0 && nc < 16)
+        ones += twice (&a, qc.c, nc);
       pair guess = pair_of (12), rad = pair_of (4), lim = pair_of (2), qs = pair_of (12);
       for (int i = 0; i < 12; i++)
         guess.c[i] = a.q[i % 6] + 1e-4 * guess.c[i];
@@ -264,6 +286,7 @@ generals (void)
     }
   finish ();
   holds (found > 30 && more > 0, "gsikg and gsikz find positions");
+  holds (ones > 5, "gsigd makes double solutions one");
 }
 
 /* close to singular positions: solutions along the curve on which the tool hardly moves, from a
