@@ -124,8 +124,8 @@
 ## @end table
 ## A handle whose subroutine was not emitted (@code{m.subroutines} names those that
 ## were) is an error that names the request.  Where @var{info} is not taken,
-## @var{info} != 0 is an error (lost rank of constraints, 2, a warning, which comes
-## once a model where constraints are redundant everywhere).
+## @var{info} != 0 is an error (lost rank of constraints, 2, a warning; none where
+## constraints are redundant everywhere, which @code{gsmbp_mobility} lists).
 ##
 ## Other fields: @code{gsmbp_version} and @code{scene_hash} (the version of GSMBP that
 ## emitted the scene, and a hash of what was written in it; "" where the JSON has none),

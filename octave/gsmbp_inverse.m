@@ -82,6 +82,9 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   who = "gsmbp_inverse";
   gsmbp__model (who, m);
   d = m.sizes;
+  if (isempty (times))
+    error ("%s: argument times: expected one time or more, found none", who);
+  endif
   table = {"side", 1, "number"
            "input", zeros(d.nv, 1), "numbers"
            "guess", m.initial(1:d.nq), "numbers"

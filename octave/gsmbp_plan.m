@@ -275,7 +275,9 @@ endfunction
 %! gsmbp_plan ("profile", 1, 2, 3, 4)
 %!error <table: expected times, values and an order, found \[0 1\]> gsmbp_plan ("table", [0 1])
 %!error <option "speed" has no value> gsmbp_plan ("trapezoid", [0 1], "speed")
-%!error <option acceleration: expected one number or 1 numbers above 0, found \[\]>
+%!error <option acceleration: expected one number above 0, found none>
 %! gsmbp_plan ("double_s", [0 1], "speed", 1)
-%!error <option speed: expected one number or 1 numbers above 0, found -1>
+%!error <option jerk: expected one number or 2 numbers above 0, found none>
+%! gsmbp_plan ("double_s", [0 1; 0 2], "speed", 1, "acceleration", 2)
+%!error <option speed: expected one number above 0, found -1>
 %! gsmbp_plan ("double_s", [0 1], "speed", -1)

@@ -39,6 +39,7 @@ typedef struct
   GSMBP_SIZES (GSMBP_SIZE)
   int np;            /* points of the skeleton */
   int nbase;         /* base parameters */
+  int redundant;     /* rows of the constraints that are redundant in general */
   int nsp;           /* parameters of RHP, INP, ILP, OUP, COP */
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */

@@ -5,14 +5,14 @@
 
 static std::string meaning (const std::string& call, int info);
 
-// Lost rank is news where it is not so everywhere: of a scene that has redundant constraints it is
-// said once a model.
+// Lost rank is a warning where it is not so everywhere; where the derivation did not find that the
+// scene has redundant constraints it is shown once per model.
 static bool the_rank_said = false, the_rank_full = false;
 
 static void
 say_rank (const char *call)
 {
-  if (the_rank_said && ! the_rank_full)
+  if ((the_rank_said || S.redundant > 0) && ! the_rank_full)
     return;
   the_rank_said = true;
   warning_with_id (

@@ -18,15 +18,11 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
   if (isempty (o.step))
     o.step = 1e-3 * fixed;
   endif
-  for name = {"step", "maxstep", "maxsteps"}
-    value = o.(name{1});
-    if (! (isnumeric (value) && isreal (value) && isscalar (value) && isfinite (value) ...
-             && value >= 0))
-      error ("%s: option %s: expected a number >= 0, found %s", who, name{1}, gsmbp__shown (value));
-    endif
-  endfor
-  if (fixed && o.step == 0)
-    error ("%s: option step: expected a number above 0, found 0", who);
+  gsmbp__fits (who, "option step", o.step, {"nonnegative", "positive"}{1 + fixed});
+  gsmbp__fits (who, "option maxstep", o.maxstep, "nonnegative");
+  if (o.maxsteps > 2e9)
+    error ("%s: option maxsteps: expected a whole number from 0 (no limit) to 2e9, found %g", ...
+           who, o.maxsteps);
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
   order = maxorder (who, o.maxorder, method);

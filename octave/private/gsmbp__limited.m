@@ -21,6 +21,14 @@ function [motion, laws] = gsmbp__limited (who, q, pairs, jerk)
   motion = gsmbp__joined (parts);
 endfunction
 
+## an option that was left out is empty
+function text = found (value)
+  text = "none";
+  if (! isempty (value))
+    text = gsmbp__shown (value);
+  endif
+endfunction
+
 function o = limits (who, n, pairs, jerk)
   table = {"speed", [], "numbers"; "acceleration", [], "numbers"
            "start", 0, "numbers"; "end", 0, "numbers"; "at", 0, "number"
@@ -39,8 +47,9 @@ function o = limits (who, n, pairs, jerk)
       value = repmat (value, n, 1);
     endif
     if (numel (value) != n || (bound && ! all (value > 0)))
-      error ("%s: option %s: expected one number or %d numbers%s, found %s", who, name{1}, n, ...
-             {"", " above 0"}{1 + bound}, gsmbp__shown (o.(name{1})));
+      wanted = {"one number", sprintf("one number or %d numbers", n)}{1 + (n > 1)};
+      error ("%s: option %s: expected %s%s, found %s", who, name{1}, wanted, ...
+             {"", " above 0"}{1 + bound}, found (o.(name{1})));
     endif
     o.(name{1}) = value;
   endfor

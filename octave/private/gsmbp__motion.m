@@ -15,6 +15,11 @@ function [pp, planned] = gsmbp__motion (who, m, motion)
     if (m.sizes.nlam == 0)   # what no device drives moves as well: it must be planned
       wanted = 1:m.sizes.nu;
     endif
+    if (isempty (wanted))
+      error (["%s: the planned motion of %s: expected drives or motors, whose joints it moves; " ...
+              "found none in this closed chain; add drive(NAME, joint = JOINT) to the scene"], ...
+             who, m.name);
+    endif
     error ("%s: the planned motion of %s: expected %d components (%s), found %d", who, m.name, ...
            numel (wanted), strjoin (m.coordinates(wanted)', ", "), n);
   endif

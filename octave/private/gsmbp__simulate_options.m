@@ -3,7 +3,7 @@
 
 function table = gsmbp__simulate_options (drift)
   table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "gauss", "auto"}
-           "step", [], "nonnegative"
+           "step", [], "any"
            "rtol", 1e-10, "tolerance"
            "atol", [], "any"
            "maxstep", 0, "nonnegative"

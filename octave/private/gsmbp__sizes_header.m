@@ -24,6 +24,7 @@ function text = gsmbp__sizes_header (json, symbol, has_input)
   if (isfield (json, "events") && ! isempty (json.events))
     modes = [json.events.input, 0];
   endif
+  members{end+1} = sprintf (".redundant = %d", redundant (json));
   members{end+1} = sprintf (".np = %d, .nbase = %d, .nsp = %d, .nsets = %d", np, base, by, ...
                             rows (sets));
   [routines, meanings, declared] = subroutines (json);
@@ -44,6 +45,14 @@ function n = size_of (d, name)
   n = 0;
   if (isfield (d, name))
     n = d.(name);
+  endif
+endfunction
+
+## how many rows of the constraints are redundant in general, as the derivation found
+function n = redundant (json)
+  n = 0;
+  if (isfield (json, "mobility") && isfield (json.mobility, "rank"))
+    n = json.mobility.rows - json.mobility.rank;
   endif
 endfunction
 

@@ -30,7 +30,7 @@ function nothing_left (m, folder)
   wrong = {[NaN 0 0], t, {}, "argument x0(1), q is not finite: NaN"
            [0 0], t, {}, "argument x0: expected 3 numbers"
            x, t, {"input", [1 2]}, "input: expected 1 finite numbers"
-           x, t, {"method", "rk4", "step", 0}, "option step: expected a number above 0"
+           x, t, {"method", "rk4", "step", 0}, "option step: expected a finite number above 0"
            x, t, {"method", 4}, "option method: expected one of"
            x, t, {"rtol", 2}, "option rtol: expected a number above 0"
            x, t, {"atol", [1 2]}, "option atol: expected one number or 3"
