@@ -123,6 +123,7 @@ endfunction
 %! text = fileread (file);
 %! assert (any (strfind (text, "&lt;script&gt;alert(1)&lt;/script&gt; &amp; more")));
 %! assert (isempty (strfind (text, "<script>alert")));
+%! assert (any (strfind (text, ["at " fullfile(m.directory, "motor_pendulum.html")])));
 %! assert (numel (strfind (text, "<svg")) >= 3);
 %! assert (numel (strfind (text, "<svg")), numel (strfind (text, "</svg>")));
 %!function text = page (m, r)

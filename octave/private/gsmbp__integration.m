@@ -24,6 +24,13 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
     error ("%s: option maxsteps: expected a whole number from 0 (no limit) to 2e9, found %g", ...
            who, o.maxsteps);
   endif
+  if (fixed && ! isempty (o.rtol) && isempty (o.audit))
+    warning ("gsmbp:option", ["%s: option rtol: method \"%s\" has steps of one length and does " ...
+                              "not use it; the option \"step\" sets its error"], who, method);
+  endif
+  if (isempty (o.rtol))
+    o.rtol = 1e-10;
+  endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
   order = maxorder (who, o.maxorder, method);
   if (o.drift && ! any (strcmp (m.subroutines, "con")))

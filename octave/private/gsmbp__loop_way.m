@@ -24,6 +24,10 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
     error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
            gsmbp__shown (word));
   endif
+  if (! isempty (o.loops) && d.nlam == 0 && ! euler && way < 7)
+    warning ("gsmbp:option", ["%s: option loops: %s is an open chain without constraints and " ...
+                              "does not use it"], who, m.name);
+  endif
   index2 = way == 7;
   if (index2)
     check_index2 (who, o, m);

@@ -7,7 +7,7 @@ function [head, foot, drawing] = gsmbp__report_page (who, m, o)
   mark = "<!-- parts of a run -->";
   text = page (who, m, o);
   if (isempty (text))
-    text = plain_page (m, mark);
+    text = plain_page (m, mark, fullfile (m.directory, [m.name ".html"]));
   endif
   place = strfind (text, mark);
   if (numel (place) != 1)
@@ -59,12 +59,13 @@ function text = written_now (who, scene)
   text = fileread (file);
 endfunction
 
-## a page without what Maxima says
-function text = plain_page (m, mark)
-  name = gsmbp__html (m.name);
+## a page without that of Maxima, which was not found at the place FILE
+function text = plain_page (m, mark, file)
   [head, foot] = gsmbp__html_page (["Run of " m.name]);
   text = [head, ...
-          sprintf(["<p>Equations, graph and player are not here: there was no page of Maxima. " ...
-                   "gsmbp_report(scene, html = \"%s.html\") in Maxima writes it.</p>\n"], name), ...
+          sprintf(["<p>Omitted: equations, graph and player. There is no report page of Maxima " ...
+                   "at %s: write it with gsmbp_report(scene, html = \"%s\") in Maxima, or pass " ...
+                   "the scene file: \"scene\", \"%s.mac\".</p>\n"], gsmbp__html(file), ...
+                  gsmbp__html(file), gsmbp__html(m.name)), ...
           mark, foot];
 endfunction

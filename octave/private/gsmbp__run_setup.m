@@ -28,6 +28,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   plan = gsmbp__event_plan (who, m, o, plan);
   gsmbp__check_stops (who, m, t0, x0, o.modes);
   p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
+  o.rtol = p.ropt(2);
   [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);
   breaks = unique ([breaks, double(o.breaks(:)')]);
   ends = breaks(breaks == t0 | breaks == times(end));   # of them only a function of Octave is told

@@ -4,7 +4,7 @@
 function table = gsmbp__simulate_options (drift)
   table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "gauss", "auto"}
            "step", [], "any"
-           "rtol", 1e-10, "tolerance"
+           "rtol", [], "tolerance"
            "atol", [], "any"
            "maxstep", 0, "nonnegative"
            "maxsteps", 0, "whole"

@@ -25,8 +25,8 @@ function j = gsmbp__sweep_journal (who, m, o, told, records)
   endif
   folder = fileparts (j.file);
   if (! exist (folder, "dir"))
-    error (["%s: option file: expected a file in a folder that exists; found no folder %s; make " ...
-            "it with mkdir"], who, folder);
+    error (["%s: option file: expected a file in a folder that exists; found no folder %s; " ...
+            "make it with mkdir"], who, folder);
   endif
   gsmbp__folder (who, j.folder);
   gsmbp__write (who, j.job, gsmbp__sweep_job (records));

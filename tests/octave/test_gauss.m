@@ -142,7 +142,8 @@ end
 function failures (m, motor)
   says = @(f, text) gsmbp_check (["refused: " text], ...
                                  any (strfind (gsmbp_complaint (f), text)));
-  says (@() gauss (m, [0 0 0 0], [0 1], "step", 0), "option step: expected a finite number above 0");
+  says (@() gauss (m, [0 0 0 0], [0 1], "step", 0), ...
+        "option step: expected a finite number above 0");
   says (@() gauss (m, [0 0 0 0], [0 1], "maxorder", 5), "expected one of 4, 6, 8, found 5");
   stiff = gsmbp_set (motor, "L_a", 1e-6);
   says (@() gauss (stiff, [0.2; 0; 0], [0 1], "input", 3, "step", 0.01), ...

@@ -14,6 +14,46 @@ function test_inputs ()
   starts (m, gsmbp_hand ("hand_crank"));
   ends (m);
   by_name ();
+  ranges (m, gsmbp_hand ("hand_fourbar"));
+  unused (m);
+end
+
+## ranges in words that name the option and agree with each other
+function ranges (m, bar)
+  run_ = @(varargin) gsmbp_simulate (m, [0; 0; 0], [0, 0.01], varargin{:});
+  few = "option maxsteps: expected a whole number from 0 (no limit) to 2e9, found ";
+  one = "option step: expected a finite number above 0, found ";
+  plan = gsmbp_plan ("quintic", [0, 0.1], [0, 1]);
+  free = bar;
+  free.actuated = zeros (0, 1);
+  cases = {@() run_("maxsteps", 1e30), [few "1e+30"]
+           @() run_("maxsteps", 2^31), [few "2.14748e+09"]
+           @() run_("method", "rk4", "step", 0), [one "0"]
+           @() run_("method", "rk4", "step", -1), [one "-1"]
+           @() run_("step", -1), "option step: expected a finite number >= 0, found -1"
+           @() gsmbp_plan("double_s", [0, 1], "speed", 1, "acceleration", 2), ...
+           "gsmbp_plan: option jerk: expected one number above 0, found none"
+           @() gsmbp_inverse(m, plan, []), ...
+           "gsmbp_inverse: argument times: expected one time or more, found none"
+           @() gsmbp_inverse(free, plan, 0), ...
+           "expected drives or motors, whose joints it moves; found none in this closed chain"};
+  for row = cases'
+    said = gsmbp_complaint (row{1});
+    gsmbp_check (said, told (said, row{2}));
+  end
+  gsmbp_check ("a run of 2e9 steps at most", isfinite (run_ ("maxsteps", 2e9).x(end)));
+end
+
+## options that a run does not use are a warning
+function unused (m)
+  for row = {{"method", "rk4", "rtol", 1e-6}, {"loops", "svd"}, {"method", "rk4"}, {"rtol", 1e-6}
+             "option rtol: method \"rk4\"", "option loops: motor_pendulum", "", ""}
+    lastwarn ("");
+    evalc ("gsmbp_simulate (m, [0; 0; 0], [0, 0.01], row{1}{:});");
+    seen = regexp (lastwarn (), 'option (rtol: method "rk4"|loops: motor_pendulum)|', "match", ...
+                   "once");
+    gsmbp_check (["what is not used: " lastwarn()], strcmp (seen, row{2}));
+  end
 end
 
 ## inputs by name, in any order, are those by position; a mode that is left out is no zero

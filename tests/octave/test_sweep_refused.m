@@ -10,6 +10,7 @@ function test_sweep_refused ()
   back = without_mpi ();
   nothing_left (m, folder);
   folders (m, folder);
+  no_folder (m, folder);
   values (m);
   samples (gsmbp_fixture ("sweep_ishigami"));
   failures (gsmbp_fixture ("sweep_ishigami"));
@@ -20,6 +21,15 @@ function told (what, f, word)
   said = gsmbp_complaint (f);
   gsmbp_check ([what ": " regexprep(said, '/[^ ]*/', "")], ! isempty (strfind (said, word)) ...
                && isempty (strfind (said, "\n")));
+end
+
+## the folder of a file is not made without being asked for
+function no_folder (m, folder)
+  place = fullfile (folder, "not", "there");
+  told ("a file in a folder that does not exist", ...
+        @() gsmbp_sweep (m, [0.1 0 0], [0 0.1], "vary", struct ("m", [1, 1.2]), "runs", 3, ...
+                         "file", fullfile (place, "a.h5")), "found no folder");
+  gsmbp_check ("... which is not made", ! exist (fileparts (place), "dir"));
 end
 
 ## wrong arguments, with "file" and with "program"

@@ -332,6 +332,22 @@ def parameters():
         refuses('a time of %s' % t, ValueError, ['argument t', 'finite times'], m.rhs, t, m.initial)
     refuses('complex numbers', TypeError, ['argument x'], m.rhs, 0, [1j] * 7)
     refuses('text', TypeError, ['argument x'], m.rhs, 0, ['a'] * 7)
+    words = [('simulate(mehtod=)', ['argument mehtod is unknown', 'did you mean method?'],
+              lambda: m.simulate(m.initial, [0, 1], mehtod='rk4')),
+             ('simulate(inputs=)', ['argument inputs is unknown', 'did you mean input?'],
+              lambda: m.simulate(m.initial, [0, 1], inputs=[0])),
+             ('linearize(x)', ['linearize: argument x is missing', 'linearize(t, x, v=None)'],
+              lambda: m.linearize(m.initial)),
+             ('inverse(3)', ['inverse: argument times is missing', 'inverse(motion, times, '],
+              lambda: m.inverse(3)),
+             ('simulate, the times twice', ['argument times is given twice'],
+              lambda: m.simulate(m.initial, [0, 1], times=[0, 1])),
+             ('simulate, three without names', ['at most 2 arguments', '(x0, times)', 'found 3'],
+              lambda: m.simulate(m.initial, [0, 1], 'rk4')),
+             ('Model(3)', ['.Model: expected at most 0', 'found 1', 'Model(NAME=value)'],
+              lambda: type(m)(3))]
+    for what, texts, call in words:
+        refuses(what, TypeError, texts, call)
     refuses('too many arguments', TypeError, ['at most'], m.rhs, 0, m.initial, [0], 1)
     refuses('an argument twice', TypeError, ['twice'], m.rhs, 0, m.initial, x=m.initial)
     refuses('a missing argument', TypeError, ['missing'], m.rhs, 0)

@@ -1,12 +1,12 @@
 """The scene with its parameters."""
 import collections
-import difflib
 import types
 import warnings
 
 import numpy as np
 
 from . import _inverse, _rules, _run
+from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
 
@@ -36,6 +36,7 @@ class Model(Routines):
     nominal = np.array(TABLE.get('nominal') or [1.0] * SIZES['nx'], float)
     nominal.flags.writeable = False
 
+    @explained
     def __init__(self, /, **parameters):
         names = _names('parameters')
         values = np.zeros(max(1, len(names)))
@@ -73,6 +74,7 @@ class Model(Routines):
         """The values of the parameters by their names, in SI units (units['parameters'])."""
         return self._parameters
 
+    @explained
     def changed(self, /, **parameters):
         """The scene with other values of some parameters."""
         return Model(**{**self._parameters, **parameters})
@@ -108,7 +110,7 @@ class Model(Routines):
         if name in self._parameters:
             raise AttributeError("%s: %s is a parameter: expected m.parameters['%s']" % (
                 NAME, name, name))
-        raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, _nearest(
+        raise AttributeError('%s has no subroutine or attribute %s%s' % (NAME, name, nearest(
             name, list(ROUTINES))))
 
     def kept(self, name):
@@ -121,13 +123,14 @@ class Model(Routines):
         """The states where the scene starts."""
         return _run.initial(self)
 
+    @explained
     def linearize(self, t, x, v=None):
         """The exact linear model at a state: a = dxd/dx, b = dxd/dv, c = dy/dx, d = dy/dv."""
         self._has('jac')
         return Linear(*(self.jac(t, x) if v is None else self.jac(t, x, v)))
 
-    simulate = _run.simulate
-    inverse = _inverse.inverse
+    simulate = explained(_run.simulate)
+    inverse = explained(_inverse.inverse)
 
 
 def _again(parameters):
@@ -149,17 +152,11 @@ def _why(name):
     return ''
 
 
-def _nearest(name, words):
-    found = ([w for w in words if w.lower() == name.lower()]
-             or difflib.get_close_matches(name, words, 3))
-    return '; did you mean %s?' % ' or '.join(found) if found else ''
-
-
 def _unknown(name, names):
     for row in TABLE.get('dependent') or []:
         if row['name'] == name:
             return '%s: parameter %s is made of others, %s' % (NAME, name, row['expression'])
-    return '%s: unknown parameter %s%s' % (NAME, name, _nearest(name, names) or (
+    return '%s: unknown parameter %s%s' % (NAME, name, nearest(name, names) or (
         '; expected one of ' + ', '.join(names)))
 
 
