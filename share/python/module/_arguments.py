@@ -36,7 +36,7 @@ def _wrong(function, signature, values, named):
     if len(values) > 1 + len(placed):
         return '%s: expected at most %d arguments without a name%s; found %d; type %s' % (
             who, len(placed), ' (%s)' % ', '.join(placed) if placed else '', len(values) - 1,
-            'Model(NAME=value), NAME a parameter' if name == 'Model' else typed)
+            typed if placed else '%s(NAME=value), NAME a parameter' % name)
     words = [p.name for p in known]
     for word in named:
         if word not in words:
