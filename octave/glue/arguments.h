@@ -174,9 +174,12 @@ public:
     return mode;
   }
 
-  // Inputs that are not given are zero; a mode cannot be: 0 is a stick or a lift-off.
+  // Inputs that are not given are zero; a mode cannot be: 0 is a stick or a lift-off.  Energies,
+  // stops and margins are the same in all modes.
   void no_mode_left_out (const char *name) const
   {
+    if (m_call == "ene" || m_call == "hld" || m_call == "mar")
+      return;
     for (int i = 0; i < S.nmode && name == std::string ("v") && ! more (); i++)
       if (S.modes[i] > 0)
         error ("%s: argument v is missing: expected the inputs; v(%d) is the mode (-1, 0 or 1) of "
