@@ -35,7 +35,9 @@
 ## @end table
 ##
 ## @var{info} has the fields @code{status}, a cell array of @qcode{"ok"}, @qcode{"singular"},
-## @qcode{"unreachable"} or @qcode{"limits"} for each pose; @code{distance}, 2 x @var{k}: what an
+## @qcode{"unreachable"} or @qcode{"limits"} for each pose (singular: the least singular value of
+## the Jacobian is at most 3e-8 of the largest, which is what rounding leaves of a double solution);
+## @code{distance}, 2 x @var{k}: what an
 ## unreachable pose misses at the least, of the place [m] (of a wrist's centre where there is one)
 ## and of the axes; @code{branch}; @code{solutions}, a cell array with all solutions of each pose,
 ## a column each (IKN); and @code{free}, nu x @var{k}: speeds that do not move the tool where the
