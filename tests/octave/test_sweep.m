@@ -187,6 +187,7 @@ end
 
 function on_disk (m)
   folder = tempname ();
+  mkdir (folder);
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
   file = fullfile (folder, "a.h5");
   t = [0, 0.05, 0.1];
