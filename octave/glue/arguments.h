@@ -174,8 +174,8 @@ public:
     return mode;
   }
 
-  // Inputs that are not given are zero; a mode cannot be: 0 is a stick or a lift-off.  Energies (not
-  // the power that is lost), stops and margins are the same in all modes.
+  // Inputs that are not given are zero; a mode cannot be: 0 is a stick or a lift-off.  Energies
+  // (not the power that is lost), stops and margins are the same in all modes.
   void no_mode_left_out (const char *name) const
   {
     if (m_call == "ene" || m_call == "hld" || m_call == "mar")
