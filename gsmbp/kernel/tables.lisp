@@ -76,41 +76,9 @@
 (defun $gs__file_names (pattern) (gs-file-names #'pathname-name pattern))
 ;; the same with what stands behind the dot
 (defun $gs__whole_file_names (pattern) (gs-file-names #'file-namestring pattern))
-;; the file gets a new name, in the place of one that has it
-(defun $gs__rename_file (old new)
-  #+ecl
-  (rename-file old new :if-exists t)
-  #-ecl
-  (rename-file old new)
-  t)
 ;; the directory of a path, with its last slash; "./" if it names none
 (defun $gs__directory (path)
   (let ((k (position #\/ path :from-end t))) (if k (subseq path 0 (1+ k)) "./")))
-;; <path>.tmp; <path>_tmp if the path has no extension, because Lisp would carry .tmp over when it
-;; renames
-(defun $gs__beside (path)
-  (let ((k (position-if #'(lambda (c) (find c "/.")) path :from-end t)))
-    (concatenate 'string path (if (and k (char= (char path k) #\.)) ".tmp" "_tmp"))))
-;; <path>.tmp takes the name <path>; full names, because Lisp merges the new name with the old one
-(defun $gs__rename (tmp)
-  (let ((full ($gs__whole_path tmp)))
-    ($gs__rename_file full (subseq full 0 (- (length full) 4)))))
-;; the file has these lines and nothing else: `nil`, or the number of the first line that is not as
-;; it should be. Lines may hold line ends.
-(defun $gs__first_wrong_line (name lines)
-  (let ((in ($openr name)) (n 0))
-    (unwind-protect
-        (flet ((same (text from to)
-                 (let ((got (read-line in nil nil)))
-                   (incf n)
-                   (and got (string= got text :start2 from :end2 to)))))
-          (dolist (line (cdr lines))
-            (do* ((from 0 (1+ to))
-                  (to (position #\newline line) (position #\newline line :start from)))
-                 ((null to) (unless (same line from nil) (return-from $gs__first_wrong_line n)))
-              (unless (same line from to) (return-from $gs__first_wrong_line n))))
-          (and (read-line in nil nil) (1+ n)))
-      (close in))))
 ;; the folder of that name, seen from everywhere
 (defun $gs__whole_path (name) (namestring (truename name)))
 ;; the rules of "^" in this session, as one thing that Maxima does not look into; and back to them

@@ -26,12 +26,6 @@
   (format nil "~a/gsmbp-~d-~d" above (get-universal-time)
           (random 1000000000 (make-random-state t))))
 
-(defun $gs__shell_word (s)
-  (with-output-to-string (out)
-    (write-char #\' out)
-    (loop for c across s do (if (char= c #\') (write-string "'\\''" out) (write-char c out)))
-    (write-char #\' out)))
-
 ;;; a text with the number of its line, 0 for none
 (defun gs-line-text (said)
   (format nil "~:[line ~a: ~;~*~]~a" (eql (car said) 0) (car said) (cadr said)))
