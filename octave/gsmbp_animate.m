@@ -113,7 +113,7 @@ function gsmbp_animate (m, result, file, varargin)
     path = reshape (points (rows_traced)(:,o.trace,:), 3, []);
   endif
 
-  table = sprintf ("%s-%d.csv", file(1:end-4), getpid ());
+  table = gsmbp__beside (who, [file(1:end-4) ".csv"]);
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads (m, named), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
   [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);

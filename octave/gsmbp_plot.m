@@ -84,7 +84,7 @@ function gsmbp_plot (file, t, varargin)
     data = [data, panels{i}.y];
     heads = [heads, heads_of(panels{i})];
   endfor
-  table = sprintf ("%s-%d.csv", file(1:end-numel (kind)), getpid ());
+  table = gsmbp__beside (who, [file(1:end-numel (kind)) ".csv"]);
   guard = onCleanup (@() gsmbp__discard (table));
   gsmbp_csv (table, heads, data);
   size = size_of (who, o, numel (panels));

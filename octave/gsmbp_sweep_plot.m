@@ -57,7 +57,7 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
     case "indices"
       [lines, heads, data, size, rows_of] = indices (who, w, s);
   endswitch
-  table = sprintf ("%s-%d.csv", file(1:end-numel (ending)), getpid ());
+  table = gsmbp__beside (who, [file(1:end-numel (ending)) ".csv"]);
   guard = onCleanup (@() gsmbp__discard (table));
   write_table (table, heads, rows_of, data);
   look = struct ("dpi", 160, "fontsize", 10);

@@ -161,29 +161,27 @@ put (int file, const void *data, size_t n)
   return 0;
 }
 
-/* beside, on the disk, then under its name */
 int
 gs_write_chunk (const char *folder, const gs_chunk *c, char *why)
 {
-  char name[4200], beside[4300];
+  char name[4200], part[GS_PATH];
   snprintf (name, sizeof name, "%.4000s/%012lld_%lld.part", folder, c->first, c->n);
-  snprintf (beside, sizeof beside, "%s.new", name);
+  if (gs_beside (name, part, why) != 0)
+    return 1;
   chunk_head h = { "", c->first, c->n, c->columns, c->length, sum_of (c) };
   memcpy (h.magic, magic, sizeof magic);
   errno = 0;
-  int file = open (beside, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  int file = open (part, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (file < 0)
-    return wrong (why, "cannot write", beside);
+    return wrong (why, "cannot write", name);
   int bad = put (file, &h, sizeof h)
             || put (file, c->values, sizeof (double) * (size_t) (c->n * c->columns))
-            || put (file, c->text, (size_t) c->length) || fdatasync (file) != 0;
-  int saved = errno;
+            || put (file, c->text, (size_t) c->length);
   bad = close (file) != 0 || bad;
-  if (! bad && rename (beside, name) == 0)
-    return 0;
-  errno = errno ? errno : saved;
+  if (! bad)
+    return gs_put_part (part, name, why);
   wrong (why, "cannot write", name);
-  unlink (beside);
+  unlink (part);
   return 1;
 }
 
@@ -248,9 +246,10 @@ by_name (const void *a, const void *b)
 int
 gs_list_chunks (const char *folder, int tidy, char ***names, int *count, char *why)
 {
-  char path[4400];
   *names = NULL;
   *count = 0;
+  if (tidy)
+    gs_remove_parts (folder);
   errno = 0;
   DIR *d = opendir (folder);
   if (! d)
@@ -258,10 +257,7 @@ gs_list_chunks (const char *folder, int tidy, char ***names, int *count, char *w
   int bad = 0;
   for (struct dirent *e = readdir (d); e && ! bad; e = readdir (d))
     {
-      snprintf (path, sizeof path, "%.4000s/%.300s", folder, e->d_name);
-      if (tidy && ends_with (e->d_name, ".part.new"))
-        unlink (path);
-      if (! ends_with (e->d_name, ".part"))
+      if (! ends_with (e->d_name, ".part") || e->d_name[0] == '.')
         continue;
       char **more = realloc (*names, (size_t) (*count + 1) * sizeof (char *));
       bad = ! more || ! (more[*count] = strdup (e->d_name));

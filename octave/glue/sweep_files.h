@@ -9,6 +9,16 @@ extern "C" {
 
 #define GS_WHY 600   /* room for what went wrong */
 
+#define GS_PATH 4400  /* room for the name of a part */
+
+/* A file appears complete or not at all: it is written as PART, a name next to TARGET that is this
+   process's, and put in place, flushed to the disk.  A symbolic link is followed.  1 and WHY if
+   TARGET is there and no regular file, or cannot be written; no part is left then. */
+int gs_beside (const char *target, char *part, char *why);
+int gs_put_part (const char *part, const char *target, char *why);
+/* the parts in FOLDER of processes that are no more */
+void gs_remove_parts (const char *folder);
+
 /* the job: records "NAME TYPE COUNT\n", the bytes, "\n"; TYPE d: doubles, s: characters */
 typedef struct
 {
@@ -51,7 +61,7 @@ void gs_free_chunk (gs_chunk *c);
 int gs_list_chunks (const char *folder, int tidy, char ***names, int *count, char *why);
 void gs_free_list (char **names, int count);
 
-/* all chunks of FOLDER as one table in FILE, written beside and renamed */
+/* all chunks of FOLDER as one table in FILE */
 int gs_export_sweep (const gs_job *job, const char *folder, const char *file, char *why);
 
 /* 1 if FILE is the table of that sweep */

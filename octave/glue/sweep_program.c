@@ -304,11 +304,20 @@ serve (dealer *d)
 static void
 put_text (const char *file, const char *text)
 {
-  char beside[PATH_MAX];
-  snprintf (beside, sizeof beside, "%.4000s.new", file);
-  FILE *f = fopen (beside, "w");
-  if (! f || fputs (text, f) < 0 || fclose (f) != 0 || rename (beside, file) != 0)
-    stop ("cannot write into the folder of the chunks");
+  char part[GS_PATH], why[GS_WHY];
+  if (gs_beside (file, part, why) != 0)
+    stop (why);
+  FILE *f = fopen (part, "w");
+  int bad = ! f || fputs (text, f) < 0;
+  if (f)
+    bad = fclose (f) != 0 || bad;
+  if (bad)
+    {
+      unlink (part);
+      stop ("cannot write into the folder of the chunks: is the disk full?");
+    }
+  if (gs_put_part (part, file, why) != 0)
+    stop (why);
 }
 
 static void

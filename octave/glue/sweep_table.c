@@ -5,7 +5,6 @@
 #include "sweep_files.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <hdf5.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -294,33 +293,19 @@ sizes (export *e)
   e->table = e->ok = e->reached = -1;
 }
 
-/* on the disk, then under its name */
-static int
-in_place (const char *beside, const char *file, char *why)
-{
-  errno = 0;
-  int f = open (beside, O_RDONLY);
-  int bad = f < 0 || fsync (f) != 0;
-  if (f >= 0)
-    close (f);
-  if (! bad && rename (beside, file) == 0)
-    return 0;
-  snprintf (why, GS_WHY, "cannot write %s: %s", file, strerror (errno));
-  return 1;
-}
-
 int
 gs_export_sweep (const gs_job *job, const char *folder, const char *file, char *why)
 {
-  char beside[4300];
+  char part[GS_PATH];
   export e = { .job = job, .folder = folder };
   sizes (&e);
-  snprintf (beside, sizeof beside, "%.4000s.%ld", file, (long) getpid ());
-  snprintf (why, GS_WHY, "cannot write %.500s", beside);
+  if (gs_beside (file, part, why) != 0)
+    return 1;
+  snprintf (why, GS_WHY, "cannot write %.500s", file);
   if (e.wholes > 200)
     return snprintf (why, GS_WHY, "more than 200 whole runs are kept"), 1;
   H5Eset_auto2 (H5E_DEFAULT, NULL, NULL);
-  e.file = H5Fcreate (beside, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  e.file = H5Fcreate (part, H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   if (e.file < 0)
     return 1;
   e.plain = H5Pcreate (H5P_DATASET_CREATE);
@@ -329,10 +314,11 @@ gs_export_sweep (const gs_job *job, const char *folder, const char *file, char *
   H5Pset_alloc_time (e.plain, H5D_ALLOC_TIME_EARLY);
   int bad = begin (&e) || put_chunks (&e, why) || put_failed (&e);
   end (&e);
-  bad = H5Fclose (e.file) < 0 || bad || in_place (beside, file, why);
-  if (bad)
-    unlink (beside);
-  return bad;
+  bad = H5Fclose (e.file) < 0 || bad;
+  if (! bad)
+    return gs_put_part (part, file, why);
+  unlink (part);
+  return 1;
 }
 
 /* are the rows of WIDTH characters the lines of a text? */

@@ -22,11 +22,9 @@ function made = gsmbp__built (who, target, flags, sources, make)
   gsmbp__folder (who, place);
   unwind_protect
     new = fullfile (place, make (place));
+    gsmbp__beside (who, target);
     gsmbp__write (who, [target ".md5"], [hash("md5", fileread (new)) " " key "\n"]);
-    [failed, reason] = rename (new, target);
-    if (failed)
-      error ("%s: cannot write %s: %s", who, target, reason);
-    endif
+    gsmbp__rename (who, new, target);
   unwind_protect_cleanup
     remove (place);
   end_unwind_protect

@@ -5,9 +5,8 @@
 ## FILE (.csv) together with it.
 
 function gsmbp__gnuplot (who, file, terminal, lines, table)
-  [folder, ~, kind] = fileparts (file);
-  gsmbp__folder (who, folder);
-  new = sprintf ("%s-%d%s", file(1:end-numel (kind)), getpid (), kind);
+  [~, ~, kind] = fileparts (file);
+  new = gsmbp__beside (who, file);
   script = [tempname() ".gp"];
   guards = {onCleanup(@() gsmbp__discard (script)), onCleanup(@() gsmbp__discard (new)), ...
             onCleanup(@() gsmbp__discard (table))};
@@ -19,12 +18,8 @@ function gsmbp__gnuplot (who, file, terminal, lines, table)
     error (["%s: cannot write %s: gnuplot left a part of it (is the disk full?); " ...
             "what was there before is as it was"], who, file);
   endif
-  for pair = {table, new; [file(1:end-numel (kind)) ".csv"], file}
-    [failed, reason] = rename (pair{:});
-    if (failed)
-      error ("%s: cannot write %s: %s", who, pair{2}, reason);
-    endif
-  endfor
+  gsmbp__rename (who, table, [file(1:end-numel (kind)) ".csv"]);
+  gsmbp__rename (who, new, file);
 endfunction
 
 ## does the picture end as its format says?

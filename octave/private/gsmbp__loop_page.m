@@ -18,7 +18,7 @@ function gsmbp__loop_page (who, file, c, w, L, margins, mc, run, size_)
                    gsmbp__quoted (heading (c, margins)), [0.97, 0.1] + aside * [-0.06, 0.08])};
   lines = [lines, bode(c, w, L, margins), nyquist(c, L, margins), locus(c), in_time];
   lines{end+1} = "unset multiplot";
-  table = sprintf ("%s-%d.csv", file(1:end-numel (kind)), getpid ());
+  table = gsmbp__beside (who, [file(1:end-numel (kind)) ".csv"]);
   names = [strcat({"real of L at "}, c.driven(:)'); strcat({"imaginary of L at "}, c.driven(:)')];
   gsmbp_csv (table, [{"frequency [rad/s]"}, names(:)'], ...
              [w', reshape([real(L'); imag(L')](:), numel (w), [])]);
