@@ -109,6 +109,24 @@ can_be (gsf_instance *a, unsigned reference, double value)
   return GSF_OK;
 }
 
+/* a coordinate, speed or state of a device that the importer integrates, set after the
+ * initialization, as gsf_set_states does; 0: it is none */
+static int
+set_state (gsf_instance *a, int k, double value)
+{
+  if (a->i[GSF_KIND] != GSF_EXCHANGE || ! (a->i[GSF_PHASE] & (GSF_EVENT | GSF_CONTINUOUS)))
+    return 0;
+  for (int j = 0; j < gsf_ns (a->m); j++)
+    if (a->place[j] == k)
+      {
+        a->z[j] = value;
+        if (a->i[GSF_STALE] == 0)
+          a->i[GSF_STALE] = 2;
+        return 1;
+      }
+  return 0;
+}
+
 /* set before the initialization ends */
 static int
 set_start (gsf_instance *a, int block, unsigned reference, int k, double value)
@@ -140,6 +158,8 @@ gsf_set (gsf_instance *a, unsigned reference, double value)
   if (status)
     return status;
   a->known = 0;
+  if (block == GSF_STATE && set_state (a, k, value))
+    return GSF_OK;
   if (block == GSF_PARAMETER || block == GSF_STATE || block == GSF_MEMORY)
     return set_start (a, block, reference, k, value);
   if (block != GSF_INPUT)

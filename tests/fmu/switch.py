@@ -12,7 +12,7 @@ text = open(folder + '/modelDescription.xml').read()
 guid = re.search('guid="([^"]*)"', text).group(1)
 variable = '<ScalarVariable name="([^"]*)" valueReference="(\\d+)"'
 ref = {n: int(r) for n, r in re.findall(variable, text)}
-so = c.CDLL(glob.glob(folder + '/binaries/linux64/*.so')[0])
+so = c.CDLL(glob.glob(folder + '/binaries/*/*.so')[0])
 so.fmi2Instantiate.restype = c.c_void_p
 P, D = c.c_void_p, c.c_double
 

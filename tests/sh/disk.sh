@@ -91,7 +91,7 @@ if mount -t tmpfs -o size=32k tmpfs "$work/small" 2>/dev/null; then
   old "$work/small"
   share/make/derive tests/scenes/case_03a.mac "$work/small" >"$work/out.txt" 2>&1
   check 'a file system that is full: derive is an error' test $? -ne 0
-  check 'and says so' says 'is the disk full'
+  check 'and says so' says 'No space left on device'
   check 'and keeps the old files' kept "$work/small"
 else
   echo 'ok no file system may be mounted here: only the limit was tested'
