@@ -16,12 +16,7 @@
 
 #include "gsmbp_scene.h"
 
-#if defined (GSMBP_QUAD)
-# include <quadmath.h>
-typedef __float128 number;
-#else
-typedef double number;
-#endif
+typedef gs_real number;
 
 typedef std::vector<number> reals;
 

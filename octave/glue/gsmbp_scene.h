@@ -2,10 +2,22 @@
    sizes from the JSON and the emitted subroutines. */
 #ifndef GSMBP_GLUE_SCENE_H
 #define GSMBP_GLUE_SCENE_H
+#include <float.h>
 #ifdef __cplusplus
 extern "C" {
 #endif
 typedef void (*gsmbp_sub) (void);
+
+/* a number of the Fortran: double, or IEEE quadruple, which is long double on ARM64 */
+#if ! defined (GSMBP_QUAD)
+typedef double gs_real;
+#elif defined (__SIZEOF_FLOAT128__)
+typedef __float128 gs_real;
+#elif LDBL_MANT_DIG == 113
+typedef long double gs_real;
+#else
+# error "this compiler has no quadruple precision: build with precision double"
+#endif
 
 /* The sizes, as the JSON's "dimensions" name them: the one place where they are listed.
    gsmbp__compile.m writes an initializer by name for each. */

@@ -8,12 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#if defined (GSMBP_QUAD)
-typedef __float128 gs_real;
-#else
-typedef double gs_real;
-#endif
-
 typedef void gs_con_type (const gs_real *t, const gs_real *q, const gs_real *u, gs_real *cst,
                           gs_real *phi, gs_real *phit, gs_real *rows, const int *ld,
                           gs_real *gamma, int *info);

@@ -1,7 +1,7 @@
 ## new = gsmbp__beside (who, file)
 ## The name NEW next to FILE under which its content is made before gsmbp__rename puts it in place;
-## a symbolic link is followed.  The folder is made if it is not there; parts that killed processes left in it are removed.  FILE has to be a regular file or
-## a new name, else it is an error of WHO.
+## a symbolic link is followed.  The folder is made if it is not there; parts that killed processes
+## left in it are removed.  FILE has to be a regular file or a new name, else it is an error of WHO.
 
 function new = gsmbp__beside (who, file)
   target = file;

@@ -32,7 +32,7 @@ function w = words (common, precision)
               "glue", gsmbp__place ("octave", "glue"), "c", gsmbp__place ("share", "c"), ...
               "cc", strtrim (mkoctfile ("-p", "CC")), "f77", strtrim (mkoctfile ("-p", "F77")), ...
               "libraries", ...
-              {{"-llapack -lblas", "-lquadmath"}{1 + quad}}, "define", ...
+              {{"-llapack -lblas", quadmath()}{1 + quad}}, "define", ...
               {{"", "-DGSMBP_QUAD"}{1 + quad}});
   [w.flags, w.common_flags] = gsmbp__fortran_flags (precision);
   headers = glob (fullfile (w.c, "gsmbp", "*.h"));
@@ -43,6 +43,12 @@ function w = words (common, precision)
   w.object = {"gsmbp_module.o", [OCTAVE_VERSION() " " w.define], w.generic};
   w.scene = cellfun (@(name) fullfile (w.glue, name), {"gsmbp_scene.c"; "module.map"}, ...
                      "UniformOutput", false);
+endfunction
+
+## the library of quadruple precision, which compilers for ARM64 neither have nor need
+function text = quadmath ()
+  [~, file] = system ([strtrim(mkoctfile ("-p", "CC")) " -print-file-name=libquadmath.so"]);
+  text = {"", "-lquadmath"}{1 + any(file == "/")};
 endfunction
 
 ## the folder of what all scenes share: the first one that has it, of those of this build, of the

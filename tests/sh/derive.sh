@@ -33,7 +33,8 @@ echo "scene : gsmbp_scene(\"syntax\", link(b, mass = 1)), $body" |
   says syntax "incorrect syntax: Too many )'s"
 echo 'f(x) := x$ scene : f(1, 2)$' |
   says maxima 'Too many arguments supplied to f(x); found: [1, 2]'
-GSMBP_TIMEOUT=2 says spat32 'stopped after 2 seconds of processor time' <tests/bench/systems/spat32.mac
+GSMBP_TIMEOUT=2 says spat32 'stopped after 2 seconds of processor time' \
+  <tests/bench/systems/spat32.mac
 share/make/derive "$work/nowhere.mac" "$work/out" 2>"$report"
 check 'derive: no file' \
   test "$(cat "$report")" = "derive: there is no scene file $work/nowhere.mac"
