@@ -20,7 +20,7 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
-        test-identify \
+        test-identify test-writers \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
@@ -48,6 +48,9 @@ make test-identify         total least squares: 1000 repeats with noise in posit
                            against the Cramer-Rao bound (make test: 20); COUNT
 make test-sweep            a sweep on disk killed at 30 instants by chance loses no finished chunk
                            (make test: at 3); SEED, COUNT
+make test-writers          every writer of files: killed at ten instants, on full disks of six
+                           sizes, twice at once, onto what is no regular file, without permission
+                           (make test takes a part); SEED
 make test-mpi              the program of a sweep under mpirun -n 2, a rank killed at 10 instants by
                            chance: the table of one rank; SEED, COUNT
 make check-slurm           the same by the script for Slurm, in a cluster of this machine's own
@@ -196,6 +199,10 @@ test-identify: packages-test compiled
 test-sweep: packages-test compiled
 	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_kills $(or $(COUNT),30) $(SEED)
 
+test-writers: packages-test compiled
+	@tests/writers/check all $(SEED) | tee /dev/stderr | awk '/^ok / { n++ } /^not ok / { bad++ } \
+	    END { print n + 0 " passed, " bad + 0 " failed"; exit bad > 0 || n == 0 }'
+
 test-mpi: packages-mpi compiled
 	@GSMBP_TEST_DIR=$$(mktemp -d) tests/tools/sweep_ranks $(or $(COUNT),10) $(SEED)
 
@@ -320,8 +327,5 @@ clean:
 	rm -rf share/manual/gsmbp-notebook.html share/manual/gsmbp-tutorial.wxm
 	rm -rf share/manual/gsmbp-tutorial.ipynb
 	rm -rf share/manual/gsmbp.pdf share/manual/gsmbp.demo $(GENERATED:%=share/manual/%)
-	rm -rf tests/bench/report.* tests/bench/loops.md tests/bench/loops.json
-	rm -f tests/bench/peers.md
-	rm -rf tests/bench/passages.md tests/bench/abbreviate.md tests/bench/points.md
-	rm -rf tests/bench/reach.md tests/bench/robots.md tests/bench/devices.md tests/bench/devices.json
-	rm -f tests/bench/control.md tests/bench/ensemble.md tests/bench/runs.md
+	rm -rf fmu_out octave-workspace tests/bench/report.* tests/bench/loops.json \
+	  tests/bench/devices.json $(wildcard tests/bench/*.md)

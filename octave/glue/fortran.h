@@ -16,6 +16,9 @@
 
 #include "gsmbp_scene.h"
 
+#if defined (GSMBP_QUAD) && defined (__SIZEOF_FLOAT128__)
+# include <quadmath.h>
+#endif
 typedef gs_real number;
 
 typedef std::vector<number> reals;

@@ -15,7 +15,11 @@ decimal (double x)
       if (std::strtod (text, nullptr) == x)
         break;
     }
+# if defined (__SIZEOF_FLOAT128__)
   return strtoflt128 (text, nullptr);
+# else
+  return std::strtold (text, nullptr);
+# endif
 }
 #else
 static number decimal (double x) { return x; }

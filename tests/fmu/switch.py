@@ -107,5 +107,25 @@ def exchange():
          'its time events')
 
 
+def by_name():
+    """states set by their value references are those of fmi2SetContinuousStates"""
+    m, e, found = begun(0), Events(), []
+    call('fmi2NewDiscreteStates', m, c.byref(e))
+    call('fmi2EnterContinuousTimeMode', m)
+    numbers = [int(k) - 1 for k in re.findall('derivative="(\\d+)"', text)]
+    references, x, d = (c.c_uint*2)(*numbers), (D*2)(0.25, -0.5), (D*2)()
+    for how in ('fmi2SetContinuousStates', 'fmi2SetReal'):
+        call('fmi2SetContinuousStates', m, (D*2)(0, 0), c.c_size_t(2))
+        if how == 'fmi2SetReal':
+            call(how, m, references, c.c_size_t(2), x)
+        else:
+            call(how, m, x, c.c_size_t(2))
+        call('fmi2GetDerivatives', m, d, c.c_size_t(2))
+        found.append(list(d))
+    told(max(abs(p - q) for p, q in zip(*found)) + (found[0] == [0, 0]), 0,
+         'states are set by name in model exchange')
+
+
 cosimulation()
 exchange()
+by_name()

@@ -86,3 +86,12 @@ chmod +x bin/*
 check 'with root they are installed' make_ packages
 check 'after an update' test "$(head -n 1 apt.txt)" = 'apt-get update'
 check 'by name' grep -q 'install -y --no-install-recommends maxima-share ghostscript$' apt.txt
+
+# what a command writes here (.gitignore), make clean removes, but for libraries and Python's own
+made=$(sed -n 's,^/\(.*[^/]\)$,\1,p' "$root/.gitignore" | tr -d '*')
+for file in $made; do mkdir -p "$(dirname "$file")" && touch "$file"; done
+mkdir -p fmu_out share/package && touch fmu_out/a.fmu share/package/a.tar.gz octave-workspace
+make_ clean
+for file in $made fmu_out share/package octave-workspace; do [ ! -e "$file" ] || echo "$file"; done \
+  >"$work/left"
+[ ! -s "$work/left" ]; told $? 'make clean leaves nothing that a command wrote' "$work/left"
