@@ -13,6 +13,21 @@
     #+sbcl
     (when (typep code 'sb-ext:process) (setq code (sb-ext:process-exit-code code)))
     (cond ((not (integerp code)) 1) ((> code 255) (ash code -8)) (t code))))
+;; the exit code of a task of share/make/place, which says nothing; 40 words at a time, because the
+;; command line of GCL is short
+(defun $gs__place_code (task words)
+  (let ((script (concatenate 'string (symbol-value '$gs__share) "make/place")))
+    (do ((l (cdr words) (nthcdr 40 l)) (code 0))
+        ((or (null l) (plusp code)) code)
+      (setq code
+              ($gs__exit_code
+               (format nil "~{~a~^ ~}"
+                       (mapcar #'$gs__shell_word
+                               (list* script "" task (subseq l 0 (min 40 (length l)))))))))))
+;; a folder, made if it is not there; what fails is found when its files are written
+(defun $gs__make_folder (folder)
+  (ignore-errors (ensure-directories-exist (concatenate 'string folder "/")))
+  '$done)
 ;; the file that a name means, seen from everywhere: a symbolic link is followed
 (defun $gs__real_file (path)
   (if (probe-file path)

@@ -65,13 +65,18 @@ for scene in step $(whole && echo Fmi2 fmi2); do
   told $? "$scene becomes FMUs" "$report"
   tests/fmu/drive "$work/fmu" $scene 0.2 5
 done
-mkdir "$work/again"
+# what killed runs left is not used: objects of another scene, where they were once and are now
+for left in step_fmu .new-99999999-step_fmu; do
+  mkdir -p "$work/again/$left/linux"
+  cp "$(find "$work/cache" -name '*.o' | head -n 1)" "$work/again/$left/linux/step.c.o"
+done
 share/fmu/derive "$work/step.mac" "$work/again" >/dev/null 2>&1
+rm -rf "$work/again/step_fmu"
 for standard in 2 3; do
   cmp "$work/fmu/step_fmi$standard.fmu" "$work/again/step_fmi$standard.fmu"
 done >"$report" 2>&1
 result 'the same scene gives the same archives'
-ls "$work/again" | grep -v -e '\.fmu$' -e '\.log$' >"$report"
+ls -A "$work/again" | grep -v -e '\.fmu$' -e '\.log$' >"$report"
 result 'nothing is left beside the archives'
 for standard in 2 3; do
   unzip -p "$work/fmu/event_crank_fmi$standard.fmu" modelDescription.xml >"$work/said.xml"
@@ -81,6 +86,24 @@ for standard in 2 3; do
   grep -q 'unit="N\*m"' "$work/said.xml" || echo 'no unit of the input'
 done >"$report" 2>&1
 result 'the descriptions are XML with modes and units'
+# a full disk; the folder of the binary is that of the machine for which gcc compiles
+mkdir "$work/small" "$work/arm" "$work/gcc"
+if mount -t tmpfs -o size=300k tmpfs "$work/small" 2>/dev/null; then
+  share/fmu/derive "$work/step.mac" "$work/small" 2>"$work/error" && echo 'it succeeds' >"$report"
+  grep -q 'derive: .*step.mac: gsmbp_fmu: ' "$work/error" || cat "$work/error" >>"$report"
+  ls -A "$work/small" | grep -v '\.log$' >>"$report"
+  umount "$work/small"
+  result 'on a full disk there is an error, no archive and no part of one'
+fi
+printf '#!/bin/sh\n[ "$1" = -dumpmachine ] && echo aarch64-linux-gnu && exit\nexec %s "$@"\n' \
+  "$(command -v gcc)" >"$work/gcc/gcc"
+chmod +x "$work/gcc/gcc"
+PATH=$work/gcc:$PATH share/fmu/derive "$work/step.mac" "$work/arm" >"$report" 2>&1
+for standard in 2 3; do
+  unzip -l "$work/arm/step_fmi$standard.fmu" | grep -q ' binaries/aarch64-linux/step.so$' ||
+    echo "not in version $standard"
+done >"$report" 2>&1
+result 'a compiler for ARM64 makes a binary in the folder of ARM64'
 PATH=$work share/fmu/build 2>/dev/null
 mkdir "$work/bare" "$work/empty"
 for program in $(ls /bin /usr/bin); do

@@ -92,6 +92,7 @@ made=$(sed -n 's,^/\(.*[^/]\)$,\1,p' "$root/.gitignore" | tr -d '*')
 for file in $made; do mkdir -p "$(dirname "$file")" && touch "$file"; done
 mkdir -p fmu_out share/package && touch fmu_out/a.fmu share/package/a.tar.gz octave-workspace
 make_ clean
-for file in $made fmu_out share/package octave-workspace; do [ ! -e "$file" ] || echo "$file"; done \
-  >"$work/left"
+for file in $made fmu_out share/package octave-workspace; do
+  [ ! -e "$file" ] || echo "$file"
+done >"$work/left"
 [ ! -s "$work/left" ]; told $? 'make clean leaves nothing that a command wrote' "$work/left"
