@@ -24,7 +24,6 @@ endfunction
 
 function s = models ()
   s.m = gsmbp_hand ("hand_crank");
-  s.pendulum = gsmbp_hand ("motor_pendulum");
   t = linspace (0, 1, 20);
   s.r = gsmbp_simulate (s.m, gsmbp_assemble (s.m, s.m.initial), t);
 endfunction
@@ -42,10 +41,6 @@ function written (s, writer, folder, version)
       gsmbp_animate (s.m, s.r, in ("c.gif"), "times", [0 1] * version / 4);
     case "report"
       gsmbp_report (s.m, s.r, in ("d.html"), "title", sprintf ("run %d", version));
-    case "sweep"
-      gsmbp_sweep (s.pendulum, [0.1 0 0], [0 0.1], "vary", struct ("m", {{"uniform", 1, 2}}), ...
-                   "runs", 20 * version, "plan", "random", "keep", {"final q"}, ...
-                   "file", in ("e.h5"), "threads", 1);
     otherwise
       error ("no writer %s", writer);
   endswitch

@@ -14,11 +14,12 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 TOOLS = {
     'maxima': ['fortran', 'c', 'graph', 'page', 'tex', 'urdf', 'import', 'package', 'python',
                'fmu'],
-    'octave': ['csv', 'figure', 'animation', 'report', 'sweep'],
+    'octave': ['csv', 'figure', 'animation', 'report'],
+    'c': ['chunk'],
     'shell': ['derive', 'html', 'picture', 'put', 'fmu_derive'],
 }
 # what takes long: only in the whole table
-LONG = ['package', 'python', 'fmu', 'derive', 'html', 'fmu_derive', 'sweep', 'animation']
+LONG = ['package', 'python', 'fmu', 'derive', 'html', 'fmu_derive', 'animation']
 SCENE = '''scene : gsmbp_scene("rod", link(a, mass = m, inertia = [1, 1, 1]),
   revolute(p, ground, a, axis = z, coordinate = q), parameters = [m = %d*kg])$
 requests : '[mass]$
@@ -33,7 +34,8 @@ COMMANDS = {
 
 
 def started(tool):
-    return shutil.which({'maxima': 'maxima', 'octave': 'octave-cli', 'shell': 'dot'}[tool])
+    return shutil.which({'maxima': 'maxima', 'octave': 'octave-cli', 'shell': 'dot',
+                         'c': 'gcc'}[tool])
 
 
 class Session:
@@ -67,6 +69,14 @@ class Session:
         return ['octave-cli', '-qf', '--no-history', '--path', ROOT + '/octave', '--path',
                 ROOT + '/octave/hand', '--path', ROOT + '/tests/writers', '--eval',
                 'gsmbp_writers ("%s/jobs")' % self.home]
+
+    def c(self):
+        glue = ROOT + '/octave/glue'
+        program = self.home + '/chunks'
+        subprocess.check_call(['gcc', '-std=gnu99', '-O1', '-w', '-I' + glue, '-o', program,
+                               ROOT + '/tests/writers/chunks.c', glue + '/sweep_files.c',
+                               glue + '/sweep_place.c'])
+        return [program, self.home + '/jobs']
 
     def shell(self):
         lines = ['echo READY']
