@@ -3,6 +3,10 @@
 ;;; them beside the compiled Lisp files (kernel/compiled.mac), each file's with its name.
 (in-package :maxima)
 
+;;; A source of Lisp loaded; SBCL warns of every function that comes in a later one.
+(defun $gs__load_lisp_file (file)
+  (handler-bind ((style-warning #'muffle-warning)) ($load file)))
+
 ;;; name of a file, without .mac -> its statements, and the time of the file that held them
 (defvar *gs-statements* nil)
 (defvar *gs-statements-time* 0)
