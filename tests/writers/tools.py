@@ -108,8 +108,15 @@ class Session:
             time.sleep(0.02)
 
     def kill(self):
+        """all of its processes, and until nobody has to be told of their end"""
         os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
+        for _ in range(500):
+            try:
+                os.killpg(self.process.pid, 0)
+            except ProcessLookupError:
+                return
+            time.sleep(0.02)
 
     def finish(self):
         """(succeeded, what was said) of each job"""
