@@ -7,6 +7,22 @@ function test_lossy_gear ()
   hoist ();
   racks ();
   arm ();
+  ranges ();
+end
+
+## what a scene refuses gsmbp_set refuses
+function ranges ()
+  m = gsmbp_fixture ("gear_worm");
+  for c = {"ef", 1.2, "1-ef must not be negative"; "ef", 0, "ef must be above 0"; ...
+           "eb", 1.1, "1-eb must not be negative"}'
+    text = gsmbp_complaint (@() gsmbp_set (m, c{1:2}));
+    gsmbp_check (["gsmbp_set refuses " c{3}], ! isempty (strfind (text, ["G: " c{3}])));
+  end
+  m = gsmbp_fixture ("design_lifter");
+  text = gsmbp_complaint (@() gsmbp_set (m, "gear_ef", 0.5));
+  gsmbp_check ("gsmbp_set: a smooth gear does not lock itself", ...
+               ! isempty (strfind (text, "a self-locking gear has variant = event")));
+  gsmbp_check ("gsmbp_set: just not", gsmbp_set (m, "gear_ef", 0.51).par.gear_ef == 0.51);
 end
 
 function [r, p] = case_of (name)
