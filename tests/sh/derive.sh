@@ -58,3 +58,15 @@ echo 'gsmbp_fortran(scene, [mass], [directory = "a[1]"])$' >>"$work/arm.mac"
 share/make/derive "$work/arm.mac" "$work/out" 2>"$report"
 one_line && grep -qF 'a[1]: [ in the name of a file or folder is a pattern to Lisp' "$report"
 told $? 'a folder that Lisp cannot name' "$report"
+
+# a folder for temporary files or for the log that cannot be: one sentence
+sentence() { one_line && grep -qF -- "$1" "$report"; }
+fails env TMPDIR="$work/nowhere" share/make/derive "$work/arm.mac" "$work/out" 2>"$report" &&
+  sentence "derive: expected a folder for temporary files; found TMPDIR=$work/nowhere"
+told $? 'derive: TMPDIR that is not there' "$report"
+fails share/make/derive "$work/arm.mac" /proc/nowhere 2>"$report" &&
+  sentence 'derive: /proc/nowhere/arm.f: there is no folder /proc/nowhere'
+told $? 'derive: a folder that cannot be made' "$report"
+fails share/make/maxima /proc/nowhere/log 'x$' 2>"$report" &&
+  sentence 'maxima: /proc/nowhere/log cannot be written'
+told $? 'maxima: a log that cannot be written' "$report"
