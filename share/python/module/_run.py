@@ -572,7 +572,7 @@ def _tolerances(who, model, rtol, atol, method):
     if small and method != 'rk4':
         warnings.warn(
             '%s: %s is below what double precision can keep; it was raised to %.2g (atol: times '
-            'm.nominal)' % (who, ', '.join(small), least), RunWarning, stacklevel=4)
+            'm.nominal)' % (who, ', '.join(small), least), RunWarning, stacklevel=5)
     return rtol, np.maximum(atol, least * model.nominal)
 
 
@@ -815,4 +815,4 @@ def _tell(who, model, r, method):
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
     for text in told:
-        warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=4)
+        warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=5)
