@@ -28,8 +28,8 @@ C
       DO 50 K = NS, 2, -1
          ONE = .FALSE.
          DO 30 J = 1, K - 1
-            IF ( ONE .OR. GSIKK( 6, KIND, Q(1,K), Q(1,J) ).GT.1.0D-4 )
-     $         GO TO 30
+            D = GSIKK( 6, KIND, Q(1,K), Q(1,J) )
+            IF ( ONE .OR. D.GT.1.0D-4 ) GO TO 30
             DO 10 I = 1, 6
                D = Q(I,K) - Q(I,J)
                D = Q(I,J) + 0.5D0*ATAN2( SIN( D ), COS( D ) )
