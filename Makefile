@@ -35,8 +35,9 @@ make test                  all tests; the last line is "N passed, N failed"
 make test-whole            all tests: those that make test takes in turns, an eighth a day
                            (tests/run), and at length those of which it takes a part
 make test-random           2000 scenes made by chance against each of two independent formulations
-                           (make test takes 30 and 6), and 300 expressions, literal beside emitted
-                           (make test takes 40); SEED=1 COUNT=2000: others
+                           (make test takes 30 and 6), 300 expressions, literal beside emitted (40),
+                           and 200 scenes beside twins of the same physics (10); SEED=1 COUNT=2000:
+                           others
 make test-malformed        300 malformed scenes against their verdicts, mutants of the examples, 6000
                            values of wrong types in options (make test takes 25, and 100)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a

@@ -8,7 +8,7 @@ import numpy as np
 FLAGS = ['-O0', '-fPIC', '-frecursive', '-w']
 
 
-def run_time(root, folder):
+def run_time(root, folder, optimized='-O1'):
     """the library of share/fortran as one shared object, made where it is older than its sources"""
     target = os.path.join(folder, 'libgs.so')
     sources = [f for folder in ('*', 'solve/lapack')
@@ -16,7 +16,7 @@ def run_time(root, folder):
     newest = max(os.path.getmtime(f) for f in sources)
     if not os.path.exists(target) or os.path.getmtime(target) < newest:
         new = '%s.%d' % (target, os.getpid())
-        subprocess.run(['gfortran', '-O1'] + FLAGS[1:] + ['-shared', '-o', new] + sources +
+        subprocess.run(['gfortran', optimized] + FLAGS[1:] + ['-shared', '-o', new] + sources +
                        ['-llapack', '-lblas'],
                        check=True)
         os.replace(new, target)
