@@ -68,6 +68,8 @@ def ball():
     refuses('a start beyond a stop', ValueError, ['stop'], m.simulate, [-1, 0, 0, 3], [0, 1])
     refuses('... with its ends and the place', ValueError, ['expected 0 to', 'found -1'],
             m.simulate, [-1, 0, 0, 3], [0, 1])
+    refuses('... with start="project", too', ValueError, ['beyond an end of the stop'],
+            m.simulate, [-1, 0, 0, 3], [0, 1], start='project')
     for name in ('cst', '_parameters', 'k'):
         refuses('a value for %s' % name, AttributeError, ['does not change'], setattr, m, name, 0)
     refuses('a linear model where there are events', AttributeError, ['JAC: the scene has events'],

@@ -159,7 +159,7 @@ def _start(who, model, t, x0, start, modes):
     if start == 'check':
         for sentence, _ in margins(model, np.array([t]), x[:, None], np.zeros((NV, 1))):
             raise ValueError('%s: a device cannot be there: %s' % (who, sentence))
-        _stops(who, model, t, x, modes)
+    _stops(who, model, t, x, modes)
     return x
 
 
