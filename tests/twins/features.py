@@ -102,7 +102,7 @@ def gear(b):
         return False
     r, name = b.r, b.named('G')
     word = r.choice(['pinion_gear', 'lossy_gear', 'harmonic_drive', 'backlash'])
-    more = {'pinion_gear': {}, 'lossy_gear': {'eta': '.8', 'Tc': '.2', 'w0': '1.5'},
+    more = {'pinion_gear': {}, 'lossy_gear': {'ef': '.8', 'Tc': '.2', 'w0': '1.5'},
             'harmonic_drive': {'K': '90', 'kappa': '1.5', 'c': '3', 'ke': '.02', 'eta': '.8',
                                'Tc': '.2', 'w0': '1.5'},
             'backlash': {'b': '.2', 'K': '60', 'vd': '1.5', 'eps': '.3'}}[word]
