@@ -34,3 +34,12 @@ sed '/^#/d; s/ .*//' tests/portable/ubuntu-24.04.txt | sort -u >"$work/known"
 report=$work/report
 diff "$work/wanted" "$work/known" >"$report"
 result 'the table of packages of Ubuntu is that of share/make/packages'
+
+# 5.47 writes file and place ahead of a wrong syntax
+printf '%s\n' 'load("x")' "/tmp/a b/s.mac:1:122:incorrect syntax: Too many )'s" 'axis = z))' '   ^' \
+  >"$work/new"
+sed 's/^.*:incorrect/incorrect/' "$work/new" >"$work/before"
+for log in new before; do
+  check "a wrong syntax in one line, log $log" \
+    test "$(share/make/error_in_log "$work/$log")" = "incorrect syntax: Too many )'s: axis = z))"
+done
