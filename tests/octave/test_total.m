@@ -15,7 +15,7 @@ function test_total ()
   [noise_q, noise] = deal ([5e-4, 0.05*pi/180], [1, 0.2]);
   exact (m, d);
   repeats (m, d, noise_q, noise, N);
-  uneven (m, d, noise_q, noise);
+  uneven (m, crane_motion ((0:0.005:5)'), noise_q, noise);
   refused (m, d);
 end
 
@@ -67,7 +67,8 @@ function [f, s] = noisy (m, d, noise_q, noise)
   f = gsmbp_measured (m, s, "cutoff", 20);
 end
 
-## missing rows and times that jitter; sigma given; further columns
+## missing rows and times that jitter; sigma given; further columns, dry friction among them, with
+## which full steps end in a cycle
 function uneven (m, d, noise_q, noise)
   warning ("off", "gsmbp:identify", "local");
   randn ("twister", 7);
