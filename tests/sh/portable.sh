@@ -1,5 +1,5 @@
 # What keeps the program the same in other systems (make check-portable tries them): stable sorts,
-# one way of writing a minus, Ubuntu's table of packages without a gap.
+# one way of writing a minus, Ubuntu's table of packages without a gap, a wrong syntax in one line.
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -36,8 +36,8 @@ diff "$work/wanted" "$work/known" >"$report"
 result 'the table of packages of Ubuntu is that of share/make/packages'
 
 # 5.47 writes file and place ahead of a wrong syntax
-printf '%s\n' 'load("x")' "/tmp/a b/s.mac:1:122:incorrect syntax: Too many )'s" 'axis = z))' '   ^' \
-  >"$work/new"
+printf '%s\n' 'load("x")' "/tmp/a b/s.mac:1:122:incorrect syntax: Too many )'s" 'axis = z))' \
+  '   ^' >"$work/new"
 sed 's/^.*:incorrect/incorrect/' "$work/new" >"$work/before"
 for log in new before; do
   check "a wrong syntax in one line, log $log" \
