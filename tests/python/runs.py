@@ -92,6 +92,8 @@ def ball():
         refuses('a mode of 0.5 among the inputs of %s' % what, ValueError,
                 ['rhs: argument v: ground_stop.mode: expected -1, 0 or 1; found 0.5'], m.rhs, 0, x,
                 v)
+    refuses('a mode that is left out', TypeError, ['argument v is missing', 'ground_stop.mode'],
+            m.rhs, 0, x)
     refuses('a mode that is no number', event_ball.Error, ['INFO = -3'], m.rhs, 0, x, [math.nan, 0])
     close('modes of many states', m.rhs(0, x, [[0, 1], [0, 0]])[2], [-9.81, 0], 1e-12)
     refuses('a mode of 2 of a subroutine', ValueError, ['argument mode', 'from -1 to 1; found 2'],

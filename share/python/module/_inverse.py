@@ -5,7 +5,7 @@ import ctypes
 import numpy as np
 
 from . import _run
-from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, at
+from ._library import Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, at
 
 Inverse = collections.namedtuple('Inverse', 't q u ud qj tau lam v x margins')
 
@@ -35,9 +35,9 @@ def inverse(self, motion, times, *, side=1, guess=None, internal=None):
     q, u, ud = (qj[:, k] for k in range(3))
     tau = lam = v = x = margins = None
     if SIZES['nlam'] and 'inl' in ROUTINES:
-        tau, lam = self.inl(times, q, u, ud)
+        tau, lam = self.inl(times, q, u, ud, **NO_INPUTS)
     elif 'inv' in ROUTINES:
-        tau = self.inv(times, q, u, ud)
+        tau = self.inv(times, q, u, ud, **NO_INPUTS)
     if 'cmx' in ROUTINES:
         states = _carried(who, self, poly, planned, guess, times, devices)
         found = self.cmx(times, qj, states)

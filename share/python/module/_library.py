@@ -64,6 +64,9 @@ def python_name(name):
 
 MODES = [event['input'] - 1 for event in TABLE.get('events') or []   # places in v
          if event['input'] > 0]
+# inputs where nothing else is said; a mode has to be said
+NO_INPUTS = {'v': np.zeros(SIZES['nv'])} if MODES else {}
+SAME_IN_ALL_MODES = ('ene', 'evt', 'hld', 'mar', 'rst')
 # whole numbers that the subroutine does not check itself
 RANGES = {'mode': (-1, 1), 'ctl.k': (0, SIZES['nctl'])}
 
@@ -235,6 +238,10 @@ class Routine:
         found.update(named)
         for a in self.given:
             if a.name not in found:
+                if a.optional and MODES and self.name not in SAME_IN_ALL_MODES:
+                    raise TypeError('%s: argument v is missing: expected the inputs; %s is a mode '
+                                    '(-1, 0 or 1) of a device with events' % (
+                                        who, TABLE['inputs'][MODES[0]]['name']))
                 if not (a.optional or 0 in a.sizes):
                     raise TypeError('%s: argument %s is missing (%s)' % (who, a.name, a.text()))
                 found[a.name] = self.nothing[a.name]

@@ -8,7 +8,8 @@ import numpy as np
 
 from . import _rules
 from ._ends import Ends
-from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, address, at, pointer
+from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
+                       pointer)
 from ._motion import Piecewise, as_piecewise
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
@@ -72,11 +73,11 @@ def _settled(model, x):
             except Error:
                 pass
         for _ in range(20):
-            f = model.rhs(0, y)
+            f = model.rhs(0, y, **NO_INPUTS)
             steps = 1e-3 * model.nominal[own]
             moved = np.asfortranarray(np.tile(y[:, None], len(own)))
             moved[own, np.arange(len(own))] += steps
-            slope = (model.rhs(0, moved)[own] - f[own, None]) / steps
+            slope = (model.rhs(0, moved, **NO_INPUTS)[own] - f[own, None]) / steps
             if not np.isfinite(slope).all() or np.linalg.matrix_rank(slope) < len(own):
                 return x
             step = np.linalg.solve(slope, f[own])
