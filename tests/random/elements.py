@@ -5,15 +5,20 @@ from joints import cross
 from mechanics import GROUND
 
 
+def ratio(name, letter):
+    """Return what may stand in a sine: an angle, or a length over 1 m."""
+    return name + '/m' if letter == 's' else name
+
+
 class Expression:
-    """A formula of the scene, evaluated in Python: t, coordinates c, rates c_d, inputs"""
+    """A formula of the scene, evaluated in Python: t, coordinates c, rates c_d, inputs, metre m"""
 
     def __init__(self, text):
         self.text = text
         self.code = compile(text.replace('^', '**'), text, 'eval')
 
     def value(self, m, s):
-        names = {'t': s.t, 'sin': math.sin, 'cos': math.cos, **s.v}
+        names = {'t': s.t, 'm': 1., 'sin': math.sin, 'cos': math.cos, **s.v}
         for j in m.tree:
             if 'b' not in j.letters():
                 names.update(zip(j.names, s.q[m.q_of[j.name]]))
@@ -245,9 +250,9 @@ class Holonomic:
 class OfSpeeds:
     """a*x' + (b + d*sin(x))*y' = 0"""
 
-    def __init__(self, x, y, a, b, d):
+    def __init__(self, x, y, a, b, d, turn):
         self.x, self.y, self.a, self.b, self.d = x, y, a, b, d
-        self.text = '%r*%s_d + (%r + (%r)*sin(%s))*%s_d' % (a, x, b, d, x, y)
+        self.text = '%r*%s_d + (%r + (%r)*sin(%s))*%s_d' % (a, x, b, d, turn, y)
 
     def rows(self, m, s, bodies):
         (ix, kx), (_, ky) = place_of(m, self.x), place_of(m, self.y)

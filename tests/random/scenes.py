@@ -9,7 +9,7 @@ import signals
 from beside import add_beside
 from points import add_points
 from elements import (Expression, Stand, Force, Gyroscope, Spring, Damper, Device, Law, Holonomic,
-                      OfSpeeds, Rolling)
+                      OfSpeeds, Rolling, ratio)
 from joints import AXES, Joint, rodrigues
 from ways import card
 from mechanics import GROUND, Mechanism, State, closed, closing_rows
@@ -359,7 +359,7 @@ class Scene:
                 q = self.coordinate(x), self.coordinate(y)
                 one, word = Holonomic(x, y, a, b, d, a*q[0] + b*q[1] + d*q[0]*q[1]), 'holonomic'
             else:
-                one, word = OfSpeeds(x, y, a, b, d), 'of speeds'
+                one, word = OfSpeeds(x, y, a, b, d, ratio(x, k)), 'of speeds'
             m.conditions.append(one)
             if self.independent(1):
                 self.words.append('constraint(own%d, %s)' % (len(m.conditions), one.text))
@@ -418,8 +418,8 @@ class Scene:
         if kind == 'time':
             return Expression('2*sin(3*t)')
         if kind == 'coordinate' and o:
-            x, y = r.choice(o)[0], r.choice(o)[0]
-            return Expression('3*sin(%s) - 0.5*%s_d + 0.7*%s*%s' % (x, y, x, y))
+            (x, k, _), y = r.choice(o), r.choice(o)[0]
+            return Expression('3*sin(%s) - 0.5*%s_d + 0.7*%s*%s' % (ratio(x, k), y, x, y))
         return Expression(repr(round(r.uniform(-5, 5), 2)))
 
     def force(self, name):
@@ -538,11 +538,11 @@ class Scene:
 
     def mix(self):
         """two speeds of the scene's own in place of two rates"""
-        (x, _, _), (y, _, _) = self.r.sample(self.ordinary(), 2)
+        (x, k, _), (y, _, _) = self.r.sample(self.ordinary(), 2)
         a, b = round(self.r.uniform(-.5, .5), 2), round(self.r.uniform(-.5, .5), 2)
         self.m.mixing = (x, y, a, b)
         self.words.append('speeds = [mix1 = %s_d + (%r)*%s_d, mix2 = %s_d + (%r)*sin(%s)*%s_d]' %
-                          (x, a, y, y, b, x, x))
+                          (x, a, y, y, b, ratio(x, k), x))
         self.tags.add('speeds of its own')
 
     # ----------------------------------------------------------------------------------------- text
