@@ -11,7 +11,7 @@
 (defun $gs__exit_code (command)
   (let ((code (mfuncall '$system command)))
     #+sbcl
-    (when (typep code 'sb-ext:process) (setq code (sb-ext:process-exit-code code)))
+    (when (sb-ext:process-p code) (setq code (sb-ext:process-exit-code code)))
     (cond ((not (integerp code)) 1) ((> code 255) (ash code -8)) (t code))))
 ;; the exit code of a task of share/make/place, which says nothing; 40 words at a time, because the
 ;; command line of GCL is short
