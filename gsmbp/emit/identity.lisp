@@ -19,7 +19,7 @@
 ;;; hexadecimal digits. Flags that the simplifier leaves on an operator do not count.
 (defun $gs__tree_hash (expression)
   (let ((hash #xcbf29ce484222325))
-    (labels ((add (text)
+    (gs-rec ((add (text)
                (map nil
                     #'(lambda (c)
                         (let ((code (char-code c)))

@@ -102,11 +102,11 @@
 ;;; heavy; what several have in common counts as that of those which own the rest of the constant
 ;;; too, where there are such. Without such parameters: the owners of all.
 (defun $gs__owners_by_mass (leaves heavy owners)
-  (labels ((heavy-p (x) (gethash x heavy))
+  (gs-rec ((heavy-p (x) (gethash x heavy))
            (owned (symbols) (loop for x in symbols append (cdr (gethash x owners)))))
     (let ((masses (remove-if-not #'heavy-p (cdr leaves)))
           (others (owned (remove-if #'heavy-p (cdr leaves)))))
-      (labels ((shared-p (owner) (member owner others :test #'equal))
+      (gs-rec ((shared-p (owner) (member owner others :test #'equal))
                (narrowed (own) (or (and (cdr own) (remove-if-not #'shared-p own)) own)))
         (gs-list
           (gs-first-seen

@@ -2,6 +2,11 @@
 ;;; of times (see kernel/errors.mac), in Lisp.
 (in-package :maxima)
 
+;;; labels whose functions are not inlined: GCL 2.7.1 compiles inlined recursive ones wrongly (they
+;;; return without having run)
+(defmacro gs-rec (functions &body body)
+  `(labels ,functions (declare (notinline ,@(mapcar #'car functions))) ,@body))
+
 ;;; the lists of a list, one behind the other; the sum of a list of terms
 (defun $gs__flat (l)
   (let ((all nil))

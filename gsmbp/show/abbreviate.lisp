@@ -161,7 +161,7 @@
 ;;; operations that go with the term e of a sum: those of names used nowhere else
 (defun gs-gain (e uses entries)
   (let ((n 1))
-    (labels ((take (x)
+    (gs-rec ((take (x)
                (cond ((symbolp x)
                       (let ((y (gethash x entries)))
                         (when (and y (eql (gethash x uses) 1)) (take (gs-entry-expression y)))))

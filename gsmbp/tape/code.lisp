@@ -64,7 +64,7 @@
 ;;; with the number of symbols.
 (defun $gs__code_reverse (nm code outputs weights wanted)
   (let ((terms (make-hash-table :test #'eq)) (trig (nth 6 (nth 3 nm))))
-    (labels ((partial (s rate)
+    (gs-rec ((partial (s rate)
                (let ((h (make-hash-table :test #'eq))) (setf (gethash s h) 1) (funcall rate h)))
              (add (s weight rate)
                (let ((d (partial s rate)))

@@ -109,7 +109,7 @@
 (defun gs-symbols (e) (cdr (gs-symbol-list e)))
 (defun gs-symbol-list (e)
   (let ((l nil))
-    (labels ((walk (x)
+    (gs-rec ((walk (x)
                (cond ((symbolp x) (unless (or (null x) ($constantp x)) (pushnew x l)))
                      ((consp x) (mapc #'walk (cdr x))))))
       (walk e))
@@ -303,7 +303,7 @@
 (defun gs-share-pairs (kind names nodes fresh put)
   (let ((where (make-hash-table :test #'eq)) (two (make-hash-table :test #'eq))
         (ids (make-hash-table :test #'eq)) (pairs (make-hash-table)) (heap nil))
-    (labels ((id (s) (or (gethash s ids) (setf (gethash s ids) (hash-table-count ids))))
+    (gs-rec ((id (s) (or (gethash s ids) (setf (gethash s ids) (hash-table-count ids))))
              ;; one list for each pair: Lisp's own hash of a list of names lets thousands share
              ;; a place
              (pair (p q)
@@ -388,7 +388,7 @@
 ;; names in an order in which each stands behind its operands, the oldest first
 (defun gs-ordered (names nodes outputs)
   (let ((done (make-hash-table :test #'eq)) (l nil))
-    (labels ((visit (v)
+    (gs-rec ((visit (v)
                (let ((n (gethash v nodes)))
                  (when (and n (not (gethash v done)))
                    (setf (gethash v done) t)
@@ -403,7 +403,7 @@
 (defun $gs__fewer (code outputs fixed fresh passes)
   (let ((nodes (make-hash-table :test #'eq)) (names nil) (outs (cdr outputs))
         (*gs-names* (make-hash-table :test #'equal)) (*gs-numbers* (make-hash-table :test #'eq)))
-    (labels ((put (v n) (setf (gethash v nodes) n) (push v names))
+    (gs-rec ((put (v n) (setf (gethash v nodes) n) (push v names))
              (new () (gs-tick) (mfuncall fresh))
              (live () (setq names (remove-if-not #'(lambda (v) (gethash v nodes)) names)))
              (old-first ()
@@ -449,7 +449,7 @@
 (defun $gs__by_need (code results)
   (let ((entry (make-hash-table :test #'eq)) (found nil))
     (dolist (e (cdr code)) (setf (gethash (second e) entry) e))
-    (labels ((visit (x) (dolist (s (cdr ($gs__symbols x)))
+    (gs-rec ((visit (x) (dolist (s (cdr ($gs__symbols x)))
                           (let ((e (gethash s entry)))
                             (when e
                               (remhash s entry)

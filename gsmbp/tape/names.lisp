@@ -42,7 +42,7 @@
 ;;; the symbols of an expression or a list that are no constants of Maxima, each once
 (defun $gs__symbols (e)
   (let ((l nil) (seen (if (and (consp e) (eq (caar e) 'mlist)) (make-hash-table :test #'eq))))
-    (labels ((walk (e)
+    (gs-rec ((walk (e)
                (cond ((consp e) (mapc #'walk (cdr e)))
                      ((or (not (symbolp e))
                           (if seen (gethash e seen) (member e l :test #'eq))

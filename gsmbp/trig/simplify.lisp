@@ -38,7 +38,7 @@
 
 ;;; whether an expression has more than `most` nodes
 (defun $gs__is_longer (e most)
-  (labels ((count-nodes (x)
+  (gs-rec ((count-nodes (x)
              (when (< (decf most) 0) (return-from $gs__is_longer t))
              (unless (atom x) (mapc #'count-nodes (cdr x)))))
     (count-nodes e)

@@ -98,7 +98,8 @@ fi
 printf '#!/bin/sh\n[ "$1" = -dumpmachine ] && echo aarch64-linux-gnu && exit\nexec %s "$@"\n' \
   "$(PATH=${PATH#/usr/lib/ccache:} command -v gcc)" >"$work/gcc/gcc"
 chmod +x "$work/gcc/gcc"
-PATH=$work/gcc:${PATH#/usr/lib/ccache:} share/fmu/derive "$work/step.mac" "$work/arm" >"$report" 2>&1
+PATH=$work/gcc:${PATH#/usr/lib/ccache:} \
+  share/fmu/derive "$work/step.mac" "$work/arm" >"$report" 2>&1
 for standard in 2 3; do
   unzip -l "$work/arm/step_fmi$standard.fmu" | grep -q ' binaries/aarch64-linux/step.so$' ||
     echo "not in version $standard"

@@ -8,6 +8,9 @@ report=$work/report
 # GCL 2.7 sorts lists with equal keys in another order than GCL 2.6, SBCL and ECL
 grep -rn "(sort " --include=*.lisp gsmbp >"$report"
 result 'Lisp sorts by stable-sort'
+# GCL 2.7.1 compiles inlined recursive functions wrongly
+grep -rn "(labels " --include=*.lisp gsmbp | grep -v 'kernel/lists.lisp:.*`(labels' >"$report"
+result 'local recursive functions are those of gs-rec'
 
 # a minus in text binds with 100 in Maxima 5.46, with 134 in 5.47
 cat >"$work/scene.mac" <<'M'
