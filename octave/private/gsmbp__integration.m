@@ -24,11 +24,11 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
     error ("%s: option maxsteps: expected a whole number from 0 (no limit) to 2e9, found %g", ...
            who, o.maxsteps);
   endif
-  if (fixed && ! isempty (o.rtol) && isempty (o.audit))
+  if (fixed && ! isnan (o.rtol) && isempty (o.audit))
     warning ("gsmbp:option", ["%s: option rtol: method \"%s\" has steps of one length and does " ...
                               "not use it; the option \"step\" sets its error"], who, method);
   endif
-  if (isempty (o.rtol))
+  if (isnan (o.rtol))
     o.rtol = 1e-10;
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);

@@ -1,10 +1,11 @@
 ## table = gsmbp__simulate_options (drift)
-## The options of gsmbp_simulate: name, default (DRIFT for "drift"), kind.
+## Return the options of gsmbp_simulate: name, default (DRIFT for "drift"), kind. The default NaN of
+## rtol is 1e-10; no user can give it, so that a tolerance that is not used can be reported.
 
 function table = gsmbp__simulate_options (drift)
   table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "gauss", "auto"}
            "step", [], "any"
-           "rtol", [], "tolerance"
+           "rtol", NaN, "tolerance"
            "atol", [], "any"
            "maxstep", 0, "nonnegative"
            "maxsteps", 0, "whole"
