@@ -9,6 +9,6 @@ function x = gsmbp__follow (m, t, x, q, u)
   endif
   own = [setdiff(1:d.nq, q), d.nq + setdiff(1:d.nu, u)];
   p = struct ("m", m, "t", t, "x", x, "v", zeros (d.nv, 1), "own", own, "inputs", [], ...
-              "rows", [], "fixed", [], "size", m.nominal(own)(:), "steady", [q(1), u(1)]);
+              "rows", [], "fixed", [], "size", m.nominal(own)(:), "steady", true);
   x(own) = gsmbp__rest_newton (p, x(own)(:));
 endfunction

@@ -69,8 +69,24 @@ function worm ()
     gsmbp_check ("worm: within", holds (t - 1e-6 * t) > 0);
     gsmbp_check ("worm: beyond", holds (t + 1e-6 * t) < 0);
   end
+  dry (m, p, ef, eb);
   jams (m, r, way, t1, load);
   runs (m, p, struct ("ef", ef, "Jg", p.Jg));
+end
+
+## with friction that does not grow with the load, the gear holds up to where it begins to slide:
+## T = x + h*(sqrt ((sigma*x)^2 + Tc^2) + h*delta*x) with the tooth torque x = -TL/n
+function dry (m, p, ef, eb)
+  Tc = 0.3;
+  m = gsmbp_set (m, "Tc", Tc);
+  [sigma, delta, x] = deal ((1/ef - eb) / 2, (1/ef + eb) / 2 - 1, -p.TL / 40);
+  for h = [1, -1]
+    t = x + delta * x + h * sqrt ((sigma * x) ^ 2 + Tc ^ 2);
+    gsmbp_check ("worm: with Tc it holds up to this torque", ...
+                 m.evt (0, [0; 0], [0; t; p.TL], 0) / p.TL, 1e-13);
+    xd = m.rhs (0, [0; 0], [h; t; p.TL]);
+    gsmbp_check ("worm: with Tc it slides beyond the same torque", xd(2), 1e-12);
+  end
 end
 
 function jams (m, r, way, t1, load)

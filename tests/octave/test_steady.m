@@ -10,11 +10,21 @@ function test_steady ()
   motor ();
   second_order ();
   driven ();
+  all_driven ();
   refused ();
 end
 
 function k = at (m, name)
   k = find (strcmp (m.states, name));
+end
+
+## every coordinate driven: the motion is steady, nothing is left when it is dropped
+function all_driven ()
+  m = gsmbp_fixture ("steady_turn");
+  r = gsmbp_trim (m, [0; 10], [], "steady", "q");
+  gsmbp_check ("all driven: the state of the motion", r.x(:) - [0; 10], 1e-12);
+  sys = gsmbp_linear (m, 0, [0; 10], [], "drop", "running");
+  gsmbp_check ("all driven: no state is left", isempty (sys.a));
 end
 
 ## A disc upright at the spin w: the lean l obeys (A + m R^2) l'' = (m g R - C (C + m R^2) w^2/A) l,
