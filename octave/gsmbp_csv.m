@@ -3,7 +3,8 @@
 ## @deftypefn  {} {} gsmbp_csv (@var{file}, @var{names}, @var{data})
 ## @deftypefnx {} {} gsmbp_csv (@var{file}, @var{m}, @var{result}, @var{names})
 ## Write the matrix @var{data} as comma-separated values under the column heads
-## @var{names} (a cell array of strings), each number with 17 digits.
+## @var{names} (a cell array of strings; in quotation marks where they hold a comma), each number
+## with 17 digits.
 ##
 ## Written beside and then renamed, so that @var{file} is whole or as it was before;
 ## a disk that is full is an error.
@@ -56,6 +57,8 @@ function gsmbp_csv (file, names, data, chosen)
   elseif (numel (names) != columns (data))
     error ("gsmbp_csv: %s: %d column heads for %d columns", file, numel (names), columns (data));
   endif
+  parted = cellfun (@(h) any (ismember (h, ",\"\r\n")), names);
+  names(parted) = strcat ('"', strrep (names(parted), '"', '""'), '"');
   row = [repmat("%.17g,", 1, columns (data))(1:end-1) "\n"];
   gsmbp__write ("gsmbp_csv", file, [strjoin(names(:)', ","), "\n", sprintf(row, data')]);
 endfunction
@@ -65,6 +68,8 @@ endfunction
 %! unwind_protect
 %!   gsmbp_csv (file, {"t", "q"}, [0 0.1; 1 pi]);
 %!   assert (fileread (file), "t,q\n0,0.10000000000000001\n1,3.1415926535897931\n");
+%!   gsmbp_csv (file, {"a,b", 'c"d', "e"}, [1 2 3]);
+%!   assert (fileread (file), "\"a,b\",\"c\"\"d\",e\n1,2,3\n");
 %! unwind_protect_cleanup
 %!   delete (file);
 %! end_unwind_protect
