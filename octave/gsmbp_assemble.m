@@ -164,9 +164,9 @@ function found = branches (who, m, guess, o, held)
   end_unwind_protect
   found = zeros (numel (guess), 0);
   first = "";
-  for x = guesses
+  for k = 1:columns (guesses)
     try
-      [x, complaint] = gsmbp__close_loops (m, x, o, held);
+      [x, complaint] = gsmbp__close_loops (m, guesses(:,k), o, held, k > 1);
     catch err
       complaint = err.message;
     end_try_catch

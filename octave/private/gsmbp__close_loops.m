@@ -1,17 +1,19 @@
-## [x, complaint, other] = gsmbp__close_loops (m, x, o, held)
+## [x, complaint, other] = gsmbp__close_loops (m, x, o, held, anywhere)
 ## Move the guess X of a state of M onto the constraints; COMPLAINT is "" or the reason why this
 ## failed, OTHER "" or the reason why X is not on the branch of the guess.  O: the options of
-## gsmbp_assemble; HELD: a mask of the coordinates that stay.
+## gsmbp_assemble; HELD: a mask of the coordinates that stay; ANYWHERE: X may end on any branch.
 
-function [x, complaint, other] = gsmbp__close_loops (m, x, o, held)
+function [x, complaint, other] = gsmbp__close_loops (m, x, o, held, anywhere = false)
   d = m.sizes;
   other = "";
   if (any (held))
-    [near, reached] = gsmbp__follow_branch (m, o.time, x, held);
-    if (reached < 1)
-      other = branch_end (m, near, x, held);
-    elseif (reached == 1)
-      x = near;
+    if (! anywhere)
+      [near, reached] = gsmbp__follow_branch (m, o.time, x, held);
+      if (reached < 1)
+        other = branch_end (m, near, x, held);
+      elseif (reached == 1)
+        x = near;
+      endif
     endif
     x = solve (m, x, o, held);
   else
