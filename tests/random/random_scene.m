@@ -530,7 +530,7 @@ function m = own_speeds (m)
   text = ...
       sprintf ("speeds = [mix1 = %s + %s*%s, mix2 = %s + %s*sin(%s)*%s]", m.u{ku(1)}, ...
                hundredths (a(1)), m.u{ku(2)}, m.u{ku(2)}, hundredths (a(2)), ...
-                  m.q{kq(1)}, m.u{ku(1)});
+                  ratio (m, kq(1)), m.u{ku(1)});
   [m.elements{end + 1}, m.u_own(ku)] = deal (text, {"mix1", "mix2"});
 end
 
@@ -566,6 +566,16 @@ function [q, u] = plain_coordinates (m)
     own = 1:(nu(b) - 3 * (nq(b) > nu(b)));
     q = [q, sum(nq(1:b-1)) + own];
     u = [u, sum(nu(1:b-1)) + own];
+  end
+end
+
+## what may stand in a sine: an angle, or a length over 1 m
+function text = ratio (m, kq)
+  [nq, ~] = ne_sizes (m);
+  b = find (cumsum (nq) >= kq, 1);
+  text = m.q{kq};
+  if (strcmp (ne_moves (m.joint(b)){kq - sum (nq(1:b-1))}{1}, "slide"))
+    text = [text "/m"];
   end
 end
 

@@ -490,6 +490,7 @@ class Scene:
             stand.ratio = r.choice([3., -2.5])
             where += ', ratio = %r' % stand.ratio
         self.source.__func__.measured = measured
+        self.source.__func__.turn = ratio(measured, letter)
         machine = make(r, name, where, self.source)
         machine.given = {k: Expression(e) for k, e in machine.given.items()}
         self.m.elements.append(Device(machine, stand))

@@ -22,13 +22,15 @@ SENSORS = {
 }
 
 
-def sensor(r, name, x):
-    """(words, formula, states, law) of a lag with gain, offset and range; or of an encoder"""
+def sensor(r, name, x, turn):
+    """Return (words, formula, states, law) of a sensor of the coordinate x: a lag with gain, offset
+    and range, or an encoder; turn: what may stand in a sine."""
     if r.random() < .15:
         return encoder(r, name, x)
     kind, variant = r.choice(list(SENSORS)), r.choice(list(LAGS))
-    measure = SENSORS[kind] % x
-    formula = '2*sin(%s)' % x if 'sin' in measure else measure
+    sine = 'sin' in SENSORS[kind]
+    measure = SENSORS[kind] % (turn if sine else x)
+    formula = '2*sin(%s)' % turn if sine else measure
     words, law = lagging(kind, name, measure, variant)
     return words, formula, [name + '_' + n for n in LAGS[variant]], law
 
@@ -216,7 +218,7 @@ def axis(r, name, stand, source):
     wired = {'reference': '0.5*sin(2*t)', 'measured': q, 'speed': q + '_d', 'forward': 'cos(2*t)'}
     sense = None
     if 'speed' not in keys and r.random() < .9:
-        text, formula, states, sense = sensor(r, s, q)
+        text, formula, states, sense = sensor(r, s, q, source.turn)
         words, given = [text], {s + '_measure': formula}
     given.update({c + '_' + n: wired[n] for n in keys if not (sense and n == 'measured')})
     links = ''.join(', %s = %s' % (n, s if sense and n == 'measured' else wired[n]) for n in keys)
