@@ -8,6 +8,8 @@
 ## @file{fortran_out/@var{name}.f} is compiled together with the run time of
 ## @file{share/fortran} into a module under @file{fortran_out/build}; what was
 ## built from the same texts is used as it is.  Two builds at once wait for each other.
+## The run time is compiled once for each user and kept in the cache folder
+## (@file{~/.cache/gsmbp}; @code{GSMBP_CACHE}).
 ##
 ## @var{m} is a struct.  Its handles call the emitted subroutines; vectors are
 ## columns (rows are taken too), units are SI, every argument is checked for

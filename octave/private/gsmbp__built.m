@@ -1,10 +1,12 @@
 ## made = gsmbp__built (who, target, flags, sources, make)
+## made = gsmbp__built (who, target, flags, sources, make, compiler)
 ## The file TARGET, made where it is missing, is not what was left there, or was made with other
 ## FLAGS or of other contents of the SOURCES (a cell array of names): a sum of them stands beside
 ## it.  MAKE (place) makes it in an empty folder and gives its name there.  Builds in one folder
 ## wait for each other, and what killed ones left there is swept.  MADE: whether it was made here.
+## With COMPILER, a command with options, a copy is kept in the user's cache folder (gsmbp__cached).
 
-function made = gsmbp__built (who, target, flags, sources, make)
+function made = gsmbp__built (who, target, flags, sources, make, compiler)
   made = ! gsmbp__is_built (target, flags, sources);
   if (! made)
     return;
@@ -20,6 +22,9 @@ function made = gsmbp__built (who, target, flags, sources, make)
   cellfun (@remove, glob (fullfile (folder, ".new-*")));
   place = fullfile (folder, sprintf (".new-%d-%d", getpid (), randi (1e9)));
   gsmbp__folder (who, place);
+  if (nargin > 5)
+    make = @(place) gsmbp__cached (who, target, compiler, key, make, place);
+  endif
   unwind_protect
     new = fullfile (place, make (place));
     gsmbp__beside (who, target);

@@ -4,7 +4,7 @@
 ## the name by which Octave will call it; INPUT: "" or the user's Fortran file
 ## with SUBROUTINE GSVIN.  Each part is built only where the texts that it is
 ## made of have changed, in a folder of its own, and then moved into place; what all scenes share
-## is taken from where it is already.
+## is compiled once for each user.
 
 function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   who = "gsmbp_build";
@@ -40,7 +40,9 @@ function w = words (common, precision)
   w.runtime = w.archive{3};
   w.fortran = w.runtime(! cellfun (@isempty, regexp (w.runtime, '\.f$')));
   w.generic = [headers; glob(fullfile (w.glue, "*.h")); {fullfile(w.glue, "gsmbp_module.cc")}];
-  w.object = {"gsmbp_module.o", [OCTAVE_VERSION() " " w.define], w.generic};
+  ## the generic part of all modules: as fast by -O1 as by -O2, in half the time
+  w.options = strtrim (["-g0 -O1 -Ic " w.define]);
+  w.object = {"gsmbp_module.o", [OCTAVE_VERSION() " " w.options], w.generic};
   w.scene = cellfun (@(name) fullfile (w.glue, name), {"gsmbp_scene.c"; "module.map"}, ...
                      "UniformOutput", false);
 endfunction
@@ -51,25 +53,14 @@ function text = quadmath ()
   text = {"", "-lquadmath"}{1 + any(file == "/")};
 endfunction
 
-## the folder of what all scenes share: the first one that has it, of those of this build, of the
-## last one in this session and of GSMBP itself; or it is made in the first
-function folder = shared (who, w)
-  persistent last = struct ();
-  places = {w.common, gsmbp__place("fortran_out", "build", w.precision, "common")};
-  if (isfield (last, w.precision))
-    places{end+1} = last.(w.precision);
-  endif
-  there = @(folder, part) gsmbp__is_built (fullfile (folder, part{1}), part{2:3});
-  both = @(folder) there (folder, w.archive) && there (folder, w.object);
-  found = find (cellfun (both, places), 1);
-  folder = places{[found, 1](1)};
-  if (isempty (found))
-    gsmbp__built (who, fullfile (folder, w.archive{1}), w.archive{2:3}, ...
-                  @(place) run_time (who, w, place));
-    gsmbp__built (who, fullfile (folder, w.object{1}), w.object{2:3}, ...
-                  @(place) generic (who, w, place));
-  endif
-  last.(w.precision) = folder;
+## what all scenes share
+function share (who, w)
+  build = @(part, make, compiler) gsmbp__built (who, fullfile (w.common, part{1}), part{2:3}, ...
+                                                make, compiler);
+  build (w.archive, @(place) run_time (who, w, place), w.archive{2});
+  own = mkoctfile_command ();
+  build (w.object, @(place) generic (who, w, place), ...
+         sprintf ("$(%s -p CXX) $(%s -p ALL_CXXFLAGS) %s", own, own, w.options));
 endfunction
 
 ## the layout of a run's plan is that of the run time in C (glue/run_plan.h)
@@ -81,22 +72,21 @@ function new = run_time (who, w, place)
                             quote (w.c), w.cc, w.f77, w.common_flags, ...
                             sprintf (" %s", ...
                                 cellfun (@quote, w.fortran, "UniformOutput", false){:})), ...
-              "compiling what all scenes share, 1 of 2", 8);
+              "compiling the run time, 1 of 2", 8);
 endfunction
 
-## the generic part of all modules: as fast by -O1 as by -O2, in half the time
 function new = generic (who, w, place)
   new = "module.o";
   command = ["cd %s && ln -s %s glue && ln -s %s c && " ...
-             "%s -g0 -O1 %s -Ic -c -o module.o glue/gsmbp_module.cc"];
+             "%s %s -c -o module.o glue/gsmbp_module.cc"];
   gsmbp__run (who, sprintf (command, quote (place), quote (w.glue), quote (w.c), ...
-                            mkoctfile_command (), w.define), ...
-              "compiling what all scenes share, 2 of 2", 12);
+                            mkoctfile_command (), w.options), ...
+              "compiling the run time, 2 of 2", 12);
 endfunction
 
 function new = scene (who, w, json, source, symbol, input, place)
   new = "module.oct";
-  common = shared (who, w);
+  share (who, w);
   compile = @(file, object) gsmbp__run (who, sprintf ("cd %s && %s %s -c -o %s %s", ...
                                                       quote (place), w.f77, w.flags, object, ...
                                                       quote (file)), ...
@@ -114,7 +104,7 @@ function new = scene (who, w, json, source, symbol, input, place)
                              "%s -O2 -fPIC -I. -Iglue -c -o scene.o glue/gsmbp_scene.c && " ...
                              "%s -o module.oct common/gsmbp_module.o scene.o scene_f.o %s " ...
                              "common/libgsmbp.a %s %s -Wl,--version-script=glue/module.map"], ...
-                            quote (place), quote (w.glue), quote (common), w.cc, ...
+                            quote (place), quote (w.glue), quote (w.common), w.cc, ...
                             mkoctfile_command (), user, w.libraries, ...
                             strtrim (mkoctfile ("-p", "FLIBS"))));
 endfunction

@@ -80,18 +80,16 @@ function take_sources (who, m, folder)
   endif
 endfunction
 
-## the program links what the modules share, where that is found; else make makes it
+## the program links what the modules share, where that is there; else make makes it
 function take_archive (who, m, folder)
   gsmbp__folder (who, folder);
   part = gsmbp__archive ("double");
   [name, flags, sources] = part{:};
-  places = {fullfile(fileparts (fileparts (m.file)), "common", name), ...
-            gsmbp__place("fortran_out", "build", "double", "common", name)};
-  found = find (cellfun (@(file) gsmbp__is_built (file, flags, sources), places), 1);
-  if (isempty (found))
-    gsmbp__discard (fullfile (folder, name));
+  made = fullfile (fileparts (fileparts (m.file)), "common", name);
+  if (gsmbp__is_built (made, flags, sources))
+    put (who, fullfile (folder, name), fileread (made));
   else
-    put (who, fullfile (folder, name), fileread (places{found}));
+    gsmbp__discard (fullfile (folder, name));
   endif
 endfunction
 

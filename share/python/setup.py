@@ -7,6 +7,7 @@ type checkers.
 import glob
 import json
 import os
+import subprocess
 import sys
 import tempfile
 
@@ -26,6 +27,31 @@ import render  # noqa: E402
 NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, 'src', '*', 'table.json'))[0]))
 with open(os.path.join(HERE, 'src', NAME, 'table.json'), encoding='utf-8') as file:
     TABLE = json.load(file)
+FLAGS = ['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0']
+
+
+def run_time(compiler, folder):
+    """The objects of the run time in the new FOLDER, kept in the user's cache folder (cache)."""
+    def cache(*words, **options):
+        return subprocess.run(['sh', os.path.join(HERE, 'cache'), *words], check=False, **options)
+    before = os.getcwd()
+    os.chdir(os.path.join(HERE, 'c'))
+    try:
+        names = [name for name in sorted(glob.glob('**/*.[ch]', recursive=True))
+                 if os.path.dirname(name) != 'scene']
+        texts = b''
+        for name in names:
+            with open(name, 'rb') as file:
+                texts += name.encode() + b'\n' + file.read()
+        said = cache('key', *compiler.compiler_so, *FLAGS, input=texts, stdout=subprocess.PIPE)
+        key = said.stdout.decode().strip()
+        if cache('take', key, folder).returncode != 0:
+            compiler.compile([name for name in names if name.endswith('.c')], output_dir=folder,
+                             include_dirs=['.'], extra_postargs=FLAGS)
+            cache('add', key, folder)
+    finally:
+        os.chdir(before)
+    return sorted(glob.glob(os.path.join(folder, '**', '*.o'), recursive=True))
 
 
 class Build(build_py):
@@ -42,14 +68,14 @@ class Build(build_py):
         compiler = new_compiler()
         customize_compiler(compiler)
         home = os.path.join(HERE, 'c')
-        sources = sorted(glob.glob(os.path.join(home, '**', '*.c'), recursive=True))
+        sources = sorted(glob.glob(os.path.join(home, 'scene', '*.c')))
         with tempfile.TemporaryDirectory() as folder:
             loops = os.path.join(folder, 'loops.c')
             render.write(loops, render.loops(TABLE))
             objects = compiler.compile(
                 sources + [loops], output_dir=folder,
-                include_dirs=[home, os.path.join(home, 'scene')],
-                extra_postargs=['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0'])
+                include_dirs=[home, os.path.join(home, 'scene')], extra_postargs=FLAGS)
+            objects += run_time(compiler, os.path.join(folder, 'common'))
             compiler.link_shared_object(objects, os.path.join(target, '_scene.so'),
                                         libraries=['m'])
 

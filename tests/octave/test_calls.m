@@ -427,7 +427,6 @@ function cut_modules ()
   whole = ! isempty (getenv ("GSMBP_WHOLE"));
   files = {m.file, fullfile(common, "libgsmbp.a"), fullfile(common, "gsmbp_module.o"), ...
            fullfile(common, "libgsmbp_cvode.so")};
-  files = files(cellfun (@(file) exist (file, "file"), files) == 2);   # others are elsewhere
   for k = 1:numel (files)
     file = files(k);
     text = fileread (file{1});

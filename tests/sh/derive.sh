@@ -53,7 +53,6 @@ odd="$work/it's c++ (1) \$x^"
 check 'a folder whose name has +, (, $, ^, a quote' share/make/derive "$work/arm.mac" "$odd"
 check 'a module is built there' env ODD="$odd" octave-cli -qf --no-history --path octave \
   --eval "m = gsmbp_build ('arm', 'directory', getenv ('ODD')); assert (m.mas (0, 0), 1)"
-check 'with what all scenes share from fortran_out' fails test -e "$odd/build/double/common"
 echo 'gsmbp_fortran(scene, [mass], [directory = "a[1]"])$' >>"$work/arm.mac"
 share/make/derive "$work/arm.mac" "$work/out" 2>"$report"
 one_line && grep -qF 'a[1]: [ in the name of a file or folder is a pattern to Lisp' "$report"

@@ -30,9 +30,6 @@ check 'load("gsmbp") by name, Fortran in the current folder' session 'load("gsmb
   '\[fortran_out/rod.f, fortran_out/rod.json\]'
 check 'the run time came along' test -d "$work/.maxima/gsmbp-files/share/fortran"
 check 'the manual came along' test -s "$work/.maxima/gsmbp-files/share/manual/gsmbp-index.lisp"
-mkdir -p fortran_out/build/double
-common=$GSMBP_TEST_DIR/fortran_out/build/double/common
-[ ! -d "$common" ] || ln -s "$common" fortran_out/build/double
 HOME=$work without_root_powers octave-cli -qf --no-history --eval "$told_octave;
   m = gsmbp_build ('rod'); puts ([m.file \"\\n\"])" </dev/null >"$report" 2>&1
 check 'Octave builds it in the current folder' says "$PWD/fortran_out/build/double/rod/gsmbp_d_rod_"

@@ -6,11 +6,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 report=$work/out
 
-# what is compiled already is taken along
 cp -Rp gsmbp octave share "$work"
-common=${GSMBP_TEST_DIR:-fortran_out}/fortran_out/build/double/common
-[ -d "$common" ] && mkdir -p "$work/fortran_out/build/double" &&
-  cp -Rp "$common" "$work/fortran_out/build/double"
 [ "$(grep -c '^diff' tests/data/toy.diff)" = 2 ] &&
   patch -d "$work" -p1 <tests/data/toy.diff >"$report" 2>&1
 told $? 'the diff of two files applies' "$report"

@@ -98,10 +98,6 @@ def workplace():
     for name in ('gsmbp', 'share', 'examples', 'tests'):
         os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
     shutil.copytree(os.path.join(ROOT, 'octave'), os.path.join(folder, 'octave'))
-    common = os.path.join(ROOT, 'fortran_out', 'build', 'double', 'common')
-    os.makedirs(common, exist_ok=True)
-    os.makedirs(os.path.join(folder, 'fortran_out', 'build', 'double'))
-    os.symlink(common, os.path.join(folder, 'fortran_out', 'build', 'double', 'common'))
     os.mkdir(os.path.join(folder, 'user'))
     with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
         f.write('load("%s/gsmbp/gsmbp.mac")$\n' % ROOT)
