@@ -75,3 +75,24 @@
         (mapc #'meval* (cdr known))
         ($load path))
     '$done))
+;;; The files of the list `names`. Maxima looks up each function that it defines in its list
+;;; `functions`; with 4000 of them that takes longer than all other steps of loading. Hence each file
+;;; begins with an empty list, and the lists are joined at the end, after an error, too.
+(defun $gs__load_sources (here names)
+  (let ((before $functions) (new nil))
+    (unwind-protect
+        (dolist (name (cdr names) '$done)
+          (let (($functions (list (car before))))
+            (unwind-protect ($gs__load_source here name)
+              (setq new (revappend (cdr $functions) new)))))
+      (setq $functions (gs-functions-joined before new)))))
+;;; the list `before` with the functions of `new`, the last of which comes first
+(defun gs-functions-joined (before new)
+  (let ((listed (make-hash-table :test 'eq)) (joined nil))
+    (flet ((add (f)
+             (unless (gethash (caar f) listed)
+               (setf (gethash (caar f) listed) t)
+               (push f joined))))
+      (mapc #'add new)
+      (mapc #'add (reverse (cdr before))))
+    (cons (car before) joined)))
