@@ -39,6 +39,7 @@ if grep -q 'compilation failed' "$work/out.txt"; then
   exit 0
 fi
 check 'compiled files are loaded' used
+rm -f gsmbp/compiled/*/start   # no image, which image.sh tests: the compiled file is loaded
 check 'with compiled files: the same text' same compiled
 file=$(ls gsmbp/compiled/*/gsmbp.*)
 compile
