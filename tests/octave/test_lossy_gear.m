@@ -7,6 +7,8 @@ function test_lossy_gear ()
   hoist ();
   racks ();
   arm ();
+  cascade ();
+  harmonic ();
   ranges ();
 end
 
@@ -211,6 +213,9 @@ function arm ()
     d(:, k) = (m.rhs (0, x + h, T) - m.rhs (0, x - h, T)) / 2e-6;
   end
   gsmbp_check ("arm: derivatives", A - d, 1e-6 * norm (d));
+  s = m.json.subroutines;
+  mul = @(w) s(strcmp ({s.name}, ["GEAR_ARM_" w])).operations.mul;
+  gsmbp_check ("arm: derivatives are short", mul ("JAC") < 2.5 * mul ("RHS"));
   s = gsmbp_simulate (m, x, linspace (0, 1, 5), "input", T, "audit", 1, "rtol", 1e-11, ...
                       "atol", 1e-11);
   gsmbp_check ("arm: energy of the run", s.audit.error, 1e-9);
@@ -228,4 +233,131 @@ function a = fixed_point (m, g, x, T)
     new = h .* (sqrt ((sigma .* tooth) .^ 2 + 0.01 ^ 2) + h .* delta .* tooth);
     loss = (loss + new) / 2;
   end
+end
+
+## gears on the shafts of others, by free bodies: motor and pinion of G; its gear, the shaft and the
+## pinion of H; the wheel
+function cascade ()
+  [m, e] = deal (gsmbp_fixture ("gear_cascade"), gsmbp_fixture ("gear_cascade_event"));
+  p = m.par;
+  G = struct ("n", p.n2, "ef", 0.8, "eb", 0.7, "J", p.J2, "B", p.B2, "Tc", p.T2);
+  H = struct ("n", p.n1, "ef", 0.75, "eb", 0.6, "J", p.J1, "B", p.B1, "Tc", p.T1);
+  P = setfield (setfield (setfield (H, "ef", 1), "eb", 1), "Tc", 0);
+  rand ("twister", 11);
+  for k = 1:30
+    w = sign (rand - 0.5) * (0.2 + rand);
+    [T, L] = deal (8 * rand - 4, 300 * rand - 150);
+    v = inputs_of (m, "LA.effort", L, "LB.effort", L, "MA.effort", -T, "MB.effort", T);
+    x = [0; 0; 0; w; w; 0.3];
+    [xd, info] = m.rhs (0, x, v);
+    [yd, jams] = e.rhs (0, [0; w], inputs_of (e, "H.mode", sign (w), "M.effort", T, ...
+                                              "L.effort", L));
+    gsmbp_check ("cascade: INFO", [info, jams] == 0);
+    wanted = [wheel(p.Jl, H, G, w, T, L); wheel(p.Jl, P, G, w, T, L)];
+    gsmbp_check ("cascade: free bodies", [xd(4:5); yd(2)] - wanted([1 2 1]), ...
+                 1e-11 * norm (wanted));
+    power = m.ene (0, x, v);
+    gsmbp_check ("cascade: no loss is negative", power(5) >= 0);
+  end
+  derivatives ("cascade", m, [0; 0; 0; 0.00002; 0.8; -0.6], v);
+  v = inputs_of (e, "H.mode", -1, "M.effort", 2);
+  derivatives ("cascade, event", e, [0; -0.7], v);
+  loads_and_runs (p, H);
+end
+
+## acceleration of a wheel with inertia Jl and speed w under the torque L, driven by gears H and G
+## and the torque T of the motor
+function a = wheel (Jl, H, G, w, T, L)
+  ws = H.n * w;
+  x_G = @(a) tooth (G, sign (w), T - G.n * G.B * ws - G.n * G.J * H.n * a);
+  x_H = @(a) tooth (H, sign (w), G.n * x_G (a) - H.B * ws - H.J * H.n * a);
+  a = zero_of (@(a) Jl * a - H.n * x_H (a) - L, 1e4);
+end
+## x of x + loss = arriving
+function x = tooth (g, h, arriving)
+  [sigma, delta] = deal ((1 / g.ef - g.eb) / 2, (1 / g.ef + g.eb) / 2 - 1);
+  x = zero_of (@(x) x + h * sqrt ((sigma * x) ^ 2 + g.Tc ^ 2) + delta * x - arriving, 1e7);
+end
+## zero of a function that rises, within +-size
+function x = zero_of (f, size)
+  x = fzero (f, [-size, size], optimset ("TolX", 0));
+end
+
+## derivatives beside differences
+function derivatives (what, m, x, v)
+  names = m.json.sensitivity;
+  [A, ~, C] = m.jac (0, x, v);
+  h = 1e-6 * max (abs (x), 1e-2 * (1:numel (x) <= numel (x) / 2)');
+  [Ad, Cd] = deal (zeros (size (A)), zeros (size (C)));
+  for k = 1:numel (x)
+    e = h(k) * ((1:numel (x))' == k);
+    Ad(:, k) = (m.rhs (0, x + e, v) - m.rhs (0, x - e, v)) / (2 * h(k));
+    if (! isempty (C))
+      Cd(:, k) = (m.out (0, x + e, v) - m.out (0, x - e, v)) / (2 * h(k));
+    end
+  end
+  gsmbp_check ([what ": derivatives by the state"], norm (A - Ad) / norm (A), 1e-7);
+  if (! isempty (C))
+    gsmbp_check ([what ": of the outputs"], norm (C - Cd) / norm (C), 1e-7);
+  end
+  P = m.rhp (0, x, v);
+  for k = 1:numel (names)
+    d = 1e-6 * m.par.(names{k});
+    g = (gsmbp_set (m, names{k}, m.par.(names{k}) + d).rhs (0, x, v) ...
+         - gsmbp_set (m, names{k}, m.par.(names{k}) - d).rhs (0, x, v)) / (2 * d);
+    gsmbp_check ([what ": derivative by " names{k}], norm (P(:, k) - g) / norm (g), 1e-7);
+  end
+end
+
+## the gear with events holds the wheel up to the torque at which it begins to slide: G, which is
+## smooth, loses nothing at rest; energy of runs; the torques of a motion
+function loads_and_runs (p, H)
+  e = gsmbp_fixture ("gear_cascade_event");
+  for h = [1, -1]
+    x = 40;
+    T = (x + h * sqrt (((1 / H.ef - H.eb) / 2 * x) ^ 2 + H.Tc ^ 2) ...
+         + ((1 / H.ef + H.eb) / 2 - 1) * x) / p.n2;
+    v = inputs_of (e, "M.effort", T, "L.effort", -H.n * x);
+    gsmbp_check ("cascade: at rest it holds up to this torque", e.evt (0, zeros (2, 1), v, 0), ...
+                 1e-11);
+  end
+  o = {"audit", 1, "rtol", 1e-12, "atol", 1e-12};
+  v = inputs_of (e, "M.effort", -8, "L.effort", 30);
+  s = gsmbp_simulate (e, [0; 1.5], linspace (0, 0.4, 5), "input", v, o{:});
+  gsmbp_check ("cascade, event: energy of the run", s.audit.error, 1e-9);
+  gsmbp_check ("cascade, event: it turns back", s.x(end, 2) < -0.1);
+  m = gsmbp_fixture ("gear_cascade");
+  v = inputs_of (m, "MA.effort", 2, "MB.effort", 1, "MC.effort", 0.3, "LA.effort", -20);
+  s = gsmbp_simulate (m, [0; 0; 0; 1.5; -1; 2], linspace (0, 0.4, 5), "input", v, o{:});
+  gsmbp_check ("cascade: energy of the run", s.audit.error, 1e-9);
+end
+
+## the rotor's torque is no tooth load of the rigid harmonic drive, either
+function harmonic ()
+  m = gsmbp_set (gsmbp_fixture ("gear_cascade"), "T2", 0);
+  p = m.par;
+  [n, J, mu] = deal (50, p.J2, 1 / p.eta - 1);
+  tried = 0;
+  for way = [1, -1]
+    for T = [1.2, -0.4, 0]
+      for L = [-80, 30]
+        v = inputs_of (m, "MC.effort", T, "LC.effort", L);
+        x = [zeros(5, 1); way];
+        Y = T - n * p.B2 * way;
+        for push = [1, -1]                      # of the tooth torque
+          k = 1 / (1 + way * push * mu);        # of what arrives this passes the teeth
+          a = (n * k * Y + L) / (p.Jl + n ^ 2 * k * J);
+          tooth = k * (Y - n * J * a);
+          if (push * tooth > 0)
+            tried++;
+            gsmbp_check ("harmonic drive, rigid: acceleration", m.rhs (0, x, v)(6) - a, ...
+                         1e-12 * abs (a));
+            gsmbp_check ("harmonic drive, rigid: torque", m.out (0, x, v) - n * tooth, ...
+                         1e-11 * abs (n * tooth));
+          end
+        end
+      end
+    end
+  end
+  gsmbp_check ("harmonic drive, rigid: one solution each", tried == 12);
 end
