@@ -98,7 +98,7 @@ GEARS = {
 # variants, with what each leaves out of its entry's numbers
 LESS = {
     'pinion_gear': {'full': [], 'massless': ['J']}, 'lossy_gear': {'ideal': ['ef']},
-    'harmonic_drive': {'full': [], 'elastic': ['c', 'ke'], 'rigid': []}, 'backlash':
+    'harmonic_drive': {'full': [], 'elastic': ['c', 'ke']}, 'backlash':
     {'full': [], 'tight': []}
 }
 
@@ -116,7 +116,7 @@ def geared_motor(r, name, stand, source):
         '%s(%s, %s%s, variant = %s)' % (kind, g, stand, options(p), variant),
         'dc_motor(%s, shaft = %s%s%s)' % (name, g, options(k), word)
     ]
-    elastic = kind in ('harmonic_drive', 'backlash') and variant not in ('rigid', 'tight')
+    elastic = kind in ('harmonic_drive', 'backlash') and variant != 'tight'
     for left in LESS[kind][variant]:
         p[left] = 1. if left == 'ef' else 0.
     if variant == 'ideal':
@@ -127,26 +127,15 @@ def geared_motor(r, name, stand, source):
 
 
 def rigid(name, g, p, k, read):
-    """tooth load x of a mesh with friction, T = x + h*sqrt((mu*x)^2 + Tc^2), found by halving"""
-
-    def tooth(T, omega):
-        if 'eta' not in p:
-            return T
-        h, mu = math.tanh(omega/p['w0']), 1/p['eta'] - 1
-        lo, hi = -4*abs(T) - 9, 4*abs(T) + 9
-        for _ in range(200):
-            x = (lo+hi)/2
-            lo, hi = (x, hi) if x + h*math.sqrt((mu*x)**2 + p['Tc']**2) < T else (lo, x)
-        return (lo+hi)/2
+    """a gear without compliance and friction in the mesh"""
 
     def at(x, inputs, s, w):
         n, rates = p['n'], {}
         torque, power, lost, field = motor(name, k, lambda x, u: read(u), rates)(x, inputs, n*w)
-        own = torque - k['B']*n*w
-        load = tooth(own, n*w)
+        load = torque - k['B']*n*w
         J = p['J'] + k['J']
         return Result(n*load, -n*n*p['B']*w, n*n*J, rates, field + J*(n*w)**2/2, power,
-                      lost + (own-load)*n*w + p['B']*(n*w)**2)
+                      lost + p['B']*(n*w)**2)
 
     return at
 
