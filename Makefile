@@ -19,7 +19,7 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test test-whole test-random test-malformed \
+.PHONY: help packages packages-test compiled examples test check test-whole test-random test-malformed \
         test-identify test-writers \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
@@ -32,6 +32,7 @@ DESTDIR :=
 define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
+make check                 the core of every folder, for people at work (tests/check.txt)
 make test-whole            all tests: those that make test takes in turns, an eighth a day
                            (tests/run), and at length those of which it takes a part
 make test-random           2000 scenes made by chance against each of two independent formulations
@@ -170,6 +171,9 @@ examples/%/out/finished: fortran_out/$$*.f fortran_out/$$*.json fortran_out/$$*.
 
 test: packages-test
 	@tests/run
+
+check: packages-test
+	@tests/run --table tests/check.txt
 
 test-whole: packages-test
 	@GSMBP_WHOLE=yes tests/run

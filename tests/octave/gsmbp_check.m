@@ -6,7 +6,12 @@ function passed = gsmbp_check (what, value, tolerance)
   word = {"not ok", "ok"};
   if (nargin < 3)
     passed = ! isempty (value) && all (logical (value(:)));
-    printf ("%s %s\n", word{1 + passed}, what);
+    said = "";
+    if (! passed)
+      said = sprintf (": expected true everywhere, found false in %d of %d entries", ...
+                      sum (! value(:)), numel (value));
+    end
+    printf ("%s %s%s\n", word{1 + passed}, what, said);
   else
     worst = max (abs (value(:)));
     passed = ! isempty (value) && ! any (isnan (value(:))) && worst <= tolerance;

@@ -1,9 +1,10 @@
 # What the shell tests share:  . tests/tools/check.sh
 
-# told CODE WHAT [FILE]: `ok WHAT` for the exit code 0, else `not ok WHAT` and the end of FILE
+# told CODE WHAT [FILE]: `ok WHAT` for the exit code 0, else `not ok WHAT`, the code and the end of
+# FILE, whose last line is the reason
 told() {
   if [ "$1" -eq 0 ]; then echo "ok $2"; return; fi
-  echo "not ok $2"
+  echo "not ok $2: expected exit code 0, found $1${3:+: $(tail -n 1 "$3" | cut -c 1-200)}"
   [ -z "${3:-}" ] || tail -n 20 "$3"
 }
 
@@ -22,7 +23,10 @@ fails() { ! "$@"; }
 
 # result WHAT: `ok WHAT` if the file $report is empty, else `not ok WHAT` and its first lines
 result() {
-  if [ -s "$report" ]; then echo "not ok $1"; head -n 8 "$report"; else echo "ok $1"; fi
+  if [ ! -s "$report" ]; then echo "ok $1"; return; fi
+  found="$(wc -l <"$report"): $(head -n 1 "$report" | cut -c 1-200)"
+  echo "not ok $1: expected no lines, found $found"
+  head -n 8 "$report"
 }
 
 # has PROGRAM WHAT: whether it is there; without it a line says that WHAT is left out
