@@ -41,7 +41,17 @@ function written (s, writer, folder, version)
       gsmbp_animate (s.m, s.r, in ("c.gif"), "times", [0 1] * version / 4);
     case "report"
       gsmbp_report (s.m, s.r, in ("d.html"), "title", sprintf ("run %d", version));
+    case "controller"
+      gsmbp_controller (proportional (version), folder);
     otherwise
       error ("no writer %s", writer);
   endswitch
+endfunction
+
+## a controller as of gsmbp_pid, without the package control
+function c = proportional (gain)
+  c = struct ("name", "hold", "method", "p", "period", 0.1, "delay", 0, "A", zeros (0), "B", ...
+              zeros (0, 2), "C", zeros (1, 0), "D", [-gain, gain], "G", zeros (0, 1), ...
+              "measured", {{"y"}}, "driven", {{"u"}}, "references", {{"r"}}, "y0", 0, "r0", 0, ...
+              "u0", 0, "limits", [-Inf, Inf], "step_in", 0, "step_out", 0);
 endfunction

@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 TOOLS = {
     'maxima': ['fortran', 'c', 'graph', 'page', 'tex', 'urdf', 'import', 'package', 'python',
                'fmu'],
-    'octave': ['csv', 'figure', 'animation', 'report'],
+    'octave': ['csv', 'figure', 'animation', 'report', 'controller'],
     'c': ['chunk'],
     'shell': ['derive', 'html', 'picture', 'put', 'fmu_derive'],
 }
