@@ -204,7 +204,9 @@ gsf_directional (gsf_instance *a, size_t nu, const unsigned *unknowns, size_t nk
   work w;
   if (! a->m->jac || (a->m->scene->nlam > 0 && ! a->m->tan))
     return gsf_fail (a, GSF_ERROR, "this FMU has no directional derivatives");
-  int status = gsf_fresh (a);
+  int status = gsf_show_samples (a);
+  if (status == GSF_OK)
+    status = gsf_fresh (a);
   if (status == GSF_OK)
     status = gsf_inputs (a);
   if (status)

@@ -125,8 +125,8 @@ ports (gsf_instance *a)
 }
 
 /* what sampled devices do at this instant, and when the next one is */
-static int
-samples (gsf_instance *a, int *acted)
+int
+gsf_take_samples (gsf_instance *a, int *acted)
 {
   int istat[20] = { 0 };
   a->d[GSF_T_NEXT] = 2e300;
@@ -166,8 +166,8 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
   const int switched = a->d[GSF_T] >= a->d[GSF_T_SWITCH];
   gsf_next_switch (a);
   /* what a switch alone would bring about does not count where samples are due, too */
-  if ((! switched && ports (a)) || samples (a, &acted) || ((acted || switched) && ports (a))
-      || coordinates (a, &chosen))
+  if ((! switched && ports (a)) || gsf_take_samples (a, &acted)
+      || ((acted || switched) && ports (a)) || coordinates (a, &chosen))
     return GSF_ERROR;
   if (a->d[GSF_T_SWITCH] < a->d[GSF_T_NEXT])
     a->d[GSF_T_NEXT] = a->d[GSF_T_SWITCH];

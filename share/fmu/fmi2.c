@@ -136,7 +136,7 @@ fmi2Status
 fmi2Terminate (fmi2Component component)
 {
   ENTER (BOTH, GSF_EVENT | GSF_CONTINUOUS | GSF_STEP);
-  c->a->i[GSF_PHASE] = GSF_DONE;
+  gsf_terminate (c->a);
   return fmi2OK;
 }
 
@@ -440,6 +440,7 @@ fmi2GetBooleanStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Bo
   NEED (1, value, value);
   if (kind != fmi2Terminated)
     return fmi2Discard;
+  gsf_hide_samples (c->a);
   *value = c->a->i[GSF_ENDED] > 0;
   return fmi2OK;
 }

@@ -175,7 +175,7 @@ fmi3Status
 fmi3Terminate (fmi3Instance component)
 {
   ENTER (BOTH, GSF_EVENT | GSF_CONTINUOUS | GSF_STEP);
-  c->a->i[GSF_PHASE] = GSF_DONE;
+  gsf_terminate (c->a);
   return fmi3OK;
 }
 

@@ -179,6 +179,10 @@ typedef struct
   int *low;        /* nev: events since it has last risen */
   int *tally;      /* nown: events so far */
   int *ip;
+  /* what d and i are before the samples that they show */
+  double *kept_d;
+  int *kept_i;
+  int shown;       /* 1: they show those at the communication point */
   /* workspace */
   double *v, *xd, *y, *g, *w;
   double *atol, *xout, *vout;
@@ -191,6 +195,7 @@ size_t gsf_partition_size (const gs_scene *s);
 gsf_instance *gsf_new (const gsf_model *m, int kind);
 void gsf_free (gsf_instance *a);
 void gsf_reset (gsf_instance *a);
+void gsf_terminate (gsf_instance *a);
 
 /* a status with its sentence */
 int gsf_fail (gsf_instance *a, int status, const char *format, ...);
@@ -272,6 +277,17 @@ int gsf_is_overridden (const gsf_instance *a, int k);
  * that ends the run */
 int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
+/* events of the user that inputs have brought about since the last step */
+int gsf_begin_step (gsf_instance *a);
+
+/* what sampled devices do at this instant, and when the next one is */
+int gsf_take_samples (gsf_instance *a, int *acted);
+/* co-simulation: the values after the samples at the communication point, those before them; is
+ * there a sample at t but for rounding, in a communication step of the length h [s]? Then t becomes
+ * its time */
+int gsf_show_samples (gsf_instance *a);
+void gsf_hide_samples (gsf_instance *a);
+int gsf_sample_near (const gsf_instance *a, double *t, double h);
 
 /* steps beyond a communication point: how far one to the point t may go, in a communication step
  * of the length h [s]; one is kept, dropped; does it reach t? the state there into xout, 0: it

@@ -153,9 +153,11 @@ gsf_new (const gsf_model *m, int kind)
   a->ni = wholes (m);
   a->d = calloc (a->nd, sizeof (double));
   a->i = calloc (a->ni, sizeof (int));
+  a->kept_d = calloc (a->nd, sizeof (double));
+  a->kept_i = calloc (a->ni, sizeof (int));
   a->iopt = calloc (6 + m->nspeedrows, sizeof (int));
   a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->scene->nev + 8 + room (s), sizeof (double));
-  if (! a->d || ! a->i || ! a->iopt || ! a->v)
+  if (! a->d || ! a->i || ! a->kept_d || ! a->kept_i || ! a->iopt || ! a->v)
     {
       gsf_free (a);
       return NULL;
@@ -174,6 +176,8 @@ gsf_free (gsf_instance *a)
     return;
   free (a->d);
   free (a->i);
+  free (a->kept_d);
+  free (a->kept_i);
   free (a->iopt);
   free (a->v);
   free (a);
@@ -183,6 +187,7 @@ void
 gsf_reset (gsf_instance *a)
 {
   const int kind = a->i[GSF_KIND];
+  a->shown = 0;
   memset (a->d, 0, a->nd * sizeof (double));
   memset (a->i, 0, a->ni * sizeof (int));
   a->known = 0;
@@ -197,6 +202,13 @@ gsf_reset (gsf_instance *a)
   a->m->start (a->par, a->xs);
   memcpy (a->x, a->xs, a->m->scene->nx * sizeof (double));
   gsf_plan (a);
+}
+
+void
+gsf_terminate (gsf_instance *a)
+{
+  gsf_hide_samples (a);
+  a->i[GSF_PHASE] = GSF_DONE;
 }
 
 /* ------------------------------------------------------------------------------ what goes wrong */
@@ -324,6 +336,7 @@ gsf_save (gsf_instance *a, void *old)
   char *b = old ? old : malloc (gsf_bytes (a));
   if (! b)
     return NULL;
+  gsf_hide_samples (a);
   memcpy (b, &h, sizeof h);
   memcpy (b + sizeof h, a->d, a->nd * sizeof (double));
   memcpy (b + sizeof h + a->nd * sizeof (double), a->i, a->ni * sizeof (int));
@@ -343,6 +356,7 @@ gsf_restore (gsf_instance *a, const void *state)
   if (! is_ours (a, state))
     return gsf_fail (a, GSF_ERROR, "expected a state saved by an instance of this FMU and kind");
   const char *b = (const char *)state + sizeof (header);
+  a->shown = 0;
   memcpy (a->d, b, a->nd * sizeof (double));
   memcpy (a->i, b + a->nd * sizeof (double), a->ni * sizeof (int));
   a->known = 0;

@@ -85,6 +85,7 @@ int
 gsf_can_step (gsf_instance *a, double t, double h)
 {
   const double now = a->d[GSF_T];
+  gsf_hide_samples (a);
   if (! (fabs (t - now) <= 1e-9 * (1 + fabs (now))))
     return gsf_fail (a, GSF_ERROR, "a step begins where the last one ended, at t = %.15g s; found "
                      "t = %.15g s", now, t);
@@ -111,19 +112,7 @@ rounding (const gsf_instance *a, double t)
 static double
 end_of_run (const gsf_instance *a, double t)
 {
-  const gs_scene *s = a->m->scene;
-  const double near = rounding (a, t);
-  if (near == 0 || s->nctl == 0)
-    return t + near;
-  const gs_samples plan = gsf_samples (a);
-  for (int k = 0; k < 2 * s->nctl; k++)
-    {
-      const double period = plan.period[k / 2], delay = k % 2 ? plan.delay[k / 2] : 0;
-      const double due = round ((t - delay) / period) * period + delay;
-      if (fabs (due - t) <= near)
-        return due > t ? due : t;
-    }
-  return t + near;
+  return gsf_sample_near (a, &t, 0) ? t : t + rounding (a, t);
 }
 
 /* from the time that is reached to t, the end of a communication step of the length h, or to the
@@ -187,24 +176,28 @@ go_ahead (gsf_instance *a, double t)
 }
 
 int
+gsf_begin_step (gsf_instance *a)
+{
+  int istat[20] = { 0 };
+  gsent (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v, a->w, istat);
+  a->known = 0;
+  return gsf_happens (a, -1);
+}
+
+int
 gsf_step (gsf_instance *a, double t)
 {
   const double h = t - a->d[GSF_T];
-  if (fabs (a->d[GSF_T1] - t) <= 1e-9 * h)   /* a sum of steps that is the stop time */
+  gsf_hide_samples (a);
+  gsf_sample_near (a, &t, h);                /* sums of steps that are a sample, */
+  if (fabs (a->d[GSF_T1] - t) <= 1e-9 * h)   /* the stop time */
     t = a->d[GSF_T1];
   options (a);
   if (a->i[GSF_QUIET] < 2)
     a->i[GSF_QUIET]++;
   if (go_ahead (a, t))
     return gsf_watch (a);
-  int status = GSF_OK, istat[20] = { 0 };
-  if (a->m->nown > 0)
-    {
-      gsent (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v, a->w,
-             istat);
-      a->known = 0;
-      status = gsf_happens (a, -1);
-    }
+  int status = a->m->nown > 0 ? gsf_begin_step (a) : GSF_OK;
   while (status == GSF_OK && a->d[GSF_T] < t - rounding (a, t) && a->i[GSF_ENDED] == 0)
     {
       status = run_on (a, t, h);

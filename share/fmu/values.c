@@ -73,6 +73,8 @@ int
 gsf_get (gsf_instance *a, unsigned reference, double *value)
 {
   int k, block = gsf_locate (a->m, reference, &k);
+  if (gsf_show_samples (a))
+    return GSF_ERROR;
   switch (block)
     {
     case GSF_BLOCKS:
@@ -154,6 +156,7 @@ gsf_set (gsf_instance *a, unsigned reference, double value)
   int k, block = gsf_locate (a->m, reference, &k);
   if (block == GSF_BLOCKS)
     return no_variable (a, reference);
+  gsf_hide_samples (a);
   int status = can_be (a, reference, value);
   if (status)
     return status;

@@ -26,13 +26,13 @@ function one (words, folder)
   fclose (file);
 endfunction
 
-arguments = argv ();
+given = argv ();
 warning ("off", "all");
-for line = strsplit (fileread (arguments{1}), "\n")
+for line = strsplit (fileread (given{1}), "\n")
   words = strsplit (strtrim (line{1}));
   if (numel (words) >= 3 && words{1}(1) != "#")
     try
-      one (words, arguments{2});
+      one (words, given{2});
     catch problem
       printf ("not ok reference of %s: %s\n", words{1}, problem.message);
     end_try_catch

@@ -113,11 +113,11 @@ def on_handles(emitted, end, tolerance, held=None):
 
 def held_inputs(path, description, end, start, parts):
     """the inputs in each of equal parts of a run of sampled devices, whose samples and delays are
-    multiples of such a part: from co-simulation, which has them from the left at the end of each"""
+    multiples of such a part: from co-simulation, which has them after the sample at its start"""
     names = [one['name'] for one in description['inputs']]
     result = simulate_fmu(path, fmi_type='CoSimulation', stop_time=end, relative_tolerance=TIGHT,
                           output_interval=end / parts, start_values=start, output=names)
-    return np.array([[row[name] for name in names] for row in result[1:]])
+    return np.array([[row[name] for name in names] for row in result[:-1]])
 
 
 def one(scene, end, kind, start, fmus, references, fortran):

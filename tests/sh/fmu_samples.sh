@@ -1,0 +1,28 @@
+# gsmbp_fmu: at a communication point that is a sample of a digital device both kinds of both
+# standards show the values after the sample, taken with the inputs that are set there, as
+# gsmbp_simulate takes it (scene sampled_inputs).
+. tests/tools/check.sh
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+report=$work/report
+missing=$(for p in zip unzip; do command -v $p >/dev/null || echo $p; done)
+[ -z "$missing" ] || { echo "ok left out without $missing: FMUs"; exit 0; }
+root=$PWD
+export GSMBP_TEST_DIR=${GSMBP_TEST_DIR:-$work}
+
+share/fmu/derive tests/scenes/sampled_inputs.mac "$work/fmu" >"$report" 2>&1
+told $? 'sampled_inputs becomes FMUs' "$report"
+for standard in 2 3; do
+  unzip -q -o "$work/fmu/sampled_inputs_fmi$standard.fmu" -d "$work/unpacked$standard"
+done
+# delays: none; an output that comes between points; one that comes at points of half a period
+for late in 0 0.03 0.05; do
+  mkdir "$work/$late"
+  octave-cli -qf --no-history --path "$root/octave" --path "$root/octave/hand" \
+    --path "$root/tests/octave" "$root/tests/fmu/samples.m" "$work/$late" $late >"$report" 2>&1
+  told $? "gsmbp_simulate runs with the delay $late s" "$report"
+  for standard in 2 3; do
+    python3 tests/fmu/samples.py sampled_inputs "$work/unpacked$standard" $standard \
+      "$work/$late" $late
+  done
+done
