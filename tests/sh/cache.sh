@@ -83,13 +83,16 @@ done >"$report" 2>&1
 result 'killed while it adds: nothing or all'
 sleep 0.5   # their children end
 touch -d '2 days ago' "$objects"/.new-* 2>/dev/null
-for k in $(seq 45); do touch -d "$k hours ago" "$objects/$k"; done
+for k in 1 2 3 4 5; do
+  truncate -s 30M "$objects/$k"
+  touch -d "$k hours ago" "$objects/$k"
+done
 touch -d '61 days ago' "$objects/old"
 keep && given
 check 'what killed ones left is removed' test -z "$(ls -A "$objects" | grep new)"
 check 'what was not used for 60 days is removed' fails test -e "$objects/old"
-check 'the 40 used last stay' test "$(ls "$objects" | wc -l)" = 40 -a -e "$objects/39" -a \
-  ! -e "$objects/40"
+check 'the 100 MB used last stay' test -e "$entry" -a -e "$objects/3" -a ! -e "$objects/4" -a \
+  ! -e "$objects/5"
 
 # nowhere to keep anything: no cache, no message
 none() {
@@ -133,7 +136,7 @@ cd '$work'; FOLDER=\$1 exec octave-cli -qf --no-history --path "\${2:-$root}/oct
   r = gsmbp_simulate (m, m.initial, 0:0.1:1, "input", 12, "method", "gauss", "step", 1e-3);
   printf ("%.17g %.17g %.17g", r.x(end,:));' </dev/null
 END
-# run FOLDER [SOURCES]: the same after what a terminal is told; again ...: without its library first
+# run FOLDER [SOURCES]: the same on a terminal; again ...: after its library was removed
 cat >"$work/run" <<END
 script -qec "sh '$work/octave_run' '\$1' '\${2:-$root}'" /dev/null </dev/null | tr -d '\r' |
   sed 's/.*\[K//'
