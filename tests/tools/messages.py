@@ -35,6 +35,7 @@ TEXTS = [
     ('gsmbp/scene/beam_limits.mac', 'gs__buckling_notes'),
     ('gsmbp/scene/beam_limits.mac', 'gs__section_notes'),
     ('gsmbp/scene/beam_limits.mac', 'gs__moments_left_out'),
+    ('gsmbp/scene/beam_limits.mac', 'gs__data_notes'),
     ('octave/private/gsmbp__failure.m', 'gsmbp__failure'),
     ('octave/private/gsmbp__failure.m', 'cause'),
     ('octave/private/gsmbp__failure.m', 'fastest'),
@@ -48,6 +49,11 @@ TEXTS = [
     ('octave/private/gsmbp__doubts.m', 'impossible'),
     ('octave/private/gsmbp__doubts.m', 'noisy'),
     ('octave/private/gsmbp__exchanged.m', 'gsmbp__exchanged'),
+    ('octave/private/gsmbp__late_efforts.m', 'gsmbp__late_efforts'),
+    ('octave/private/gsmbp__rescaled_efforts.m', 'gsmbp__rescaled_efforts'),
+    ('octave/private/gsmbp__wrong_rates.m', 'gsmbp__wrong_rates'),
+    ('octave/private/gsmbp__close_loops.m', 'branch_end'),
+    ('octave/private/gsmbp__close_loops.m', 'not_free'),
 ]
 FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z%\]*;]|~\n\s*')
 
