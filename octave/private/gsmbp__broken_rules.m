@@ -17,9 +17,9 @@ function reason = gsmbp__broken_rules (m, table)
                  "UniformOutput", false);
     v = [v{:}];
     for i = suspects (rule{1}.rule, v)'
-      what = gsmbp__rule_failure (rule{1}.rule, v(i,:)');
+      what = gsmbp__rule_failure (rule{1}, v(i,:)');
       if (! isempty (what) && isempty (reason{i}))
-        reason{i} = sprintf ("%s %s; found: %s", rule{1}.place, what, found (m, rule{1}, i));
+        reason{i} = sprintf ("%s; found: %s", what, found (m, rule{1}, i));
       endif
     endfor
     i = find (any (v < 0, 2), 1);

@@ -1,6 +1,7 @@
 ## gsmbp__check_values (m)
 ## Stops if the parameters m.par break a rule that the scene has for its values
-## (m.json.rules: place, rule, parameters, and expressions in them as p1, p2, ...).
+## (m.json.rules: place, rule, parameters, expressions in them as p1, p2, ..., and for an
+## inequality between parameters what is expected).
 
 function gsmbp__check_values (m)
   for rule = gsmbp__rows (m.json, "rules")
@@ -11,7 +12,7 @@ endfunction
 function check (m, rule, names, expressions)
   p = cellfun (@(name) m.par.(name), names, "UniformOutput", false);
   v = cellfun (@(e) gsmbp__value (m, setfield (rule, "value", e), []), expressions);
-  what = gsmbp__rule_failure (rule.rule, double (v(:)));
+  what = gsmbp__rule_failure (rule, double (v(:)));
   negative = isempty (what) && strcmp (rule.rule, "rather_nonnegative") && v < 0;
   if (isempty (what) && ! negative)
     return;
@@ -23,6 +24,6 @@ function check (m, rule, names, expressions)
     warning ("gsmbp:negative", "gsmbp_set: %s: %s is negative, it gives energy to the motion: %s",
              m.name, rule.place, pairs);
   else
-    error ("gsmbp_set: %s: %s %s; found: %s", m.name, rule.place, what, pairs);
+    error ("gsmbp_set: %s: %s; found: %s", m.name, what, pairs);
   endif
 endfunction

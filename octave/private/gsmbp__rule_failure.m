@@ -1,7 +1,19 @@
-## text = gsmbp__rule_failure (rule, v)
-## What is wrong with the values V (a column) under RULE, a word of m.json.rules; "" if nothing.
+## text = gsmbp__rule_failure (row, v)
+## What is wrong with the values V (a column) under the ROW of m.json.rules, with its place; "" if
+## nothing.
 
-function text = gsmbp__rule_failure (rule, v)
+function text = gsmbp__rule_failure (row, v)
+  text = broken (row.rule, v);
+  if (isempty (text))
+    return;
+  elseif (isfield (row, "expected") && ! isempty (row.expected))
+    text = sprintf ("%s: expected %s", row.place, row.expected);
+  else
+    text = sprintf ("%s %s", row.place, text);
+  endif
+endfunction
+
+function text = broken (rule, v)
   text = "";
   if (strcmp (rule, "axis") && ! all (isfinite (v)))
     text = "must not be the zero vector";

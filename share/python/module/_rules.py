@@ -84,6 +84,10 @@ def broken(rules, parameters):
             sentence = 'must be real and finite'
         elif holds(v):
             continue
-        found.append('%s %s; found: %s' % (rule['place'], sentence, ', '.join(
+        if 'expected' in rule:
+            text = '%s: expected %s' % (rule['place'], rule['expected'])
+        else:
+            text = '%s %s' % (rule['place'], sentence)
+        found.append('%s; found: %s' % (text, ', '.join(
             '%s = %g' % pair for pair in zip(rule['parameters'], own))))
     return found
