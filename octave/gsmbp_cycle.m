@@ -66,11 +66,8 @@ function c = of_table (who, table, pairs)
   if (! (isreal (table) && columns (table) == 4 && rows (table) > 1))
     error (["%s: argument table: expected a row of time, speed, acceleration and torque for " ...
             "each of two or more times, found %s"], who, gsmbp__shown (table));
-  elseif (! all (isfinite (table(:))))
-    [row, column] = find (! isfinite (table), 1);
-    error ("%s: argument table: expected finite numbers, found %g in row %d, column %d", who, ...
-           table(row,column), row, column);
   endif
+  gsmbp__finite_table (who, "argument table", table);
   c.t = gsmbp__times (who, table(:,1))';
   c.position = o.position(:);
   if (isempty (c.position))

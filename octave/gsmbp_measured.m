@@ -97,11 +97,7 @@ function d = of_struct (who, m, data)
     d.(name{1}) = [];
     if (isfield (data, name{1}) && ! isempty (data.(name{1})))
       x = data.(name{1});
-      if (! (isnumeric (x) && isreal (x) && all (isfinite (x(:))) ...
-             && isequal (size (x), [numel(d.t), m.sizes.nu])))
-        error ("%s: data.%s: expected %d x %d finite numbers, found %s", who, name{1}, ...
-               numel (d.t), m.sizes.nu, gsmbp__shown (x));
-      endif
+      gsmbp__data_table (who, m, name{1}, x, numel (d.t));
       d.(name{1}) = double (x);
     endif
   endfor

@@ -233,10 +233,11 @@ function motion = table (times, values, order = 1)
 endfunction
 
 function numbers (x, what)
-  if (! (isnumeric (x) && isreal (x) && ndims (x) == 2 && all (isfinite (x(:)))))
+  if (! (isnumeric (x) && isreal (x) && ndims (x) == 2))
     error ("gsmbp_plan: %s must be a matrix of finite real numbers, found %s", what, ...
            gsmbp__shown (x));
   endif
+  gsmbp__finite_table ("gsmbp_plan", what, x);
 endfunction
 
 %!test <quintic: values, speeds, accelerations at the ends>

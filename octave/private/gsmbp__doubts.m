@@ -1,16 +1,25 @@
 ## list = gsmbp__doubts (m, data, e, regression)
 ## Doubts in the DATA of the estimates E of gsmbp_identify, a cell array of sentences: positions
-## outside the limits of their joints, residuals that are large against the signal or SIGMA,
-## estimates that no body has, residuals that follow the noise of the accelerations, columns that
-## fit better swapped or with the other sign.  REGRESSION makes of data what gsmbp__regression
-## gives.
+## outside the limits of their joints, speeds that are not the rates of the positions, residuals
+## that are large against the signal or SIGMA, estimates that no body has, residuals that follow the
+## noise of the accelerations, columns that fit better swapped, with the other sign, shifted in time
+## or times a factor.  REGRESSION makes of data what gsmbp__regression gives.
 
 function list = gsmbp__doubts (m, data, e, regression)
   list = [large(m, e), impossible(m, e)];
   if (! isempty (list) && isempty (e.options.motors))
     list = [list, gsmbp__exchanged(m, data, regression)];
   endif
-  list = [outside(m, data), list, noisy(m, data, e)];
+  rates = gsmbp__wrong_rates (m, data);
+  if (isempty (rates) && isempty (e.options.motors))
+    w = regression (data);
+    of_efforts = gsmbp__rescaled_efforts (m, w);
+    if (isempty (of_efforts))
+      of_efforts = gsmbp__late_efforts (m, data, w);
+    endif
+    list = [list, of_efforts];
+  endif
+  list = [outside(m, data), rates, list, noisy(m, data, e)];
 endfunction
 
 function list = outside (m, data)

@@ -1,14 +1,16 @@
 ## list = gsmbp__exchanged (m, data, regression)
-## Sentences of the columns of measured DATA that fit much better with the other sign or swapped.
+## Sentences of the columns of measured DATA that fit much better with the other sign or swapped:
+## efforts, the motion, or both together.
 
 function list = gsmbp__exchanged (m, data, regression)
   list = {};
   n = m.sizes.nu;
   now = misfit (regression, data, n);
   [best, said] = deal (0.5 * now, {});
-  for kind = {"tau", "q"}
+  for kind = {"tau", "q", "all"}
+    signs = zeros (1, ! strcmp (kind{1}, "all"));   # all of the other sign: often a mirrored motion
     for a = 1:n
-      for b = [0, a+1:n]
+      for b = [signs, a+1:n]
         off = misfit (regression, changed (data, kind{1}, a, b), n);
         if (off < 0.99 * best)
           [best, said] = deal (off, {});
@@ -25,9 +27,10 @@ function list = gsmbp__exchanged (m, data, regression)
   endif
 endfunction
 
-## efforts or the motion, the column A with the other sign (B = 0) or swapped with B
+## efforts, the motion or all, the column A with the other sign (B = 0) or swapped with B
 function d = changed (d, kind, a, b)
-  for name = {{"tau"}, {"q", "u", "ud"}}{1 + strcmp(kind, "q")}
+  fields = struct ("tau", {{"tau"}}, "q", {{"q", "u", "ud"}}, "all", {{"q", "u", "ud", "tau"}});
+  for name = fields.(kind)
     if (b == 0)
       d.(name{1})(:,a) *= -1;
     else
@@ -38,7 +41,9 @@ endfunction
 
 function text = words (m, kind, a, b)
   head = {"effort.", ""}{1 + strcmp(kind, "q")};
-  if (b == 0)
+  if (strcmp (kind, "all"))
+    text = sprintf ("all columns of %s and %s swapped", m.coordinates{a}, m.coordinates{b});
+  elseif (b == 0)
     text = sprintf ("%s%s of the other sign", head, m.coordinates{a});
   else
     text = sprintf ("%s%s and %s%s swapped", head, m.coordinates{a}, head, m.coordinates{b});

@@ -17,10 +17,7 @@ function d = gsmbp__sound_data (who, m, d, without)
     if (strcmp (name{1}, "tau") && columns (x) == n)
       x(:,ismember (m.coordinates, without)) = 0;
     endif
-    if (! (isnumeric (x) && isreal (x) && isequal (size (x), [nt, n]) && all (isfinite (x(:)))))
-      error ("%s: data.%s: expected %d x %d finite numbers, found %s", who, name{1}, nt, n, ...
-             gsmbp__shown (x));
-    endif
+    gsmbp__data_table (who, m, name{1}, x, nt);
     d.(name{1}) = double (x);
   endfor
   for name = {"other", "other_d"}

@@ -24,6 +24,11 @@ function test_doubts ()
   one ({"effort.s: the residual correlates by -0.[5-9].* noise of the acceleration of s"}, "q", ...
         d.q + noise);
   no_body (m, d);
+  swapped_all (m, d);
+  late (m, d);
+  rescaled (m, d);
+  rates (m, d);
+  not_finite (m, d);
   proposed (m, d, noise);
   times (m, d);
 end
@@ -59,6 +64,78 @@ function no_body (m, d)
   e = identified (m, d, 20, "weights", "residual");
   gsmbp_check ("an inertia of 0.08 that is none", e.p(4) > 0.05 && numel (e.doubts) == 1 ...
                && any (strfind (e.doubts{1}, "no body has these masses and inertias")));
+end
+
+function swapped_all (m, d)
+  d = setfield (d, "q", d.q(:,[2 1]));
+  doubted (m, setfield (d, "tau", d.tau(:,[2 1])), ...
+           {"better with all columns of s and phi swapped: the residual is then 0.03"});
+end
+
+## efforts late and early by samples of 5 ms; friction that the model lacks is no delay
+function late (m, d)
+  x = d;
+  x.tau(4:end,1) = d.tau(1:end-3,1);
+  x.tau(1:end-4,2) = d.tau(5:end,2);
+  e = identified (m, x, 20);
+  said = regexp (e.doubts, ['^effort.(\w+) is (late|early) by ([\d.]+) s .* samples\) against ' ...
+                            'the motion: shifted, its residual is 0.[4-8]'], "tokens", "once");
+  gsmbp_check ("doubted: an effort late, the other one early", numel (e.doubts) == 2 ...
+               && isequal (said{1}(1:2)(:)', {"s", "late"}) ...
+               && isequal (said{2}(1:2)(:)', {"phi", "early"}));
+  gsmbp_check ("... by their delays", ...
+               [str2double(said{1}{3}) - 0.015, str2double(said{2}{3}) - 0.020], 0.001);
+  d = crane_motion ((0:0.005:5)');
+  few = {};
+  for seed = 1:8
+    randn ("twister", seed);
+    x.tau = d.tau + [1, 0.2] .* randn (size (d.tau)) ...
+            + [seed, 0.05*seed] .* [sign(d.u(:,1)), d.u(:,2).*abs(d.u(:,2))];
+    few = [few, identified(m, x, 20).doubts];
+  end
+  gsmbp_check ("... friction that the model lacks is no delay", ! any (cellfun (@(x) ...
+    ! isempty (regexp (x, "late|early|each other")), few)));
+end
+
+## one effort in another unit than the other, which shared parameters tell
+function rescaled (m, d)
+  for k = [0.001, 0.5, 2, 1000]
+    x = d;
+    x.tau(:,1) *= k;
+    e = identified (m, x, 20);
+    said = regexp ([e.doubts{:}], "fit each other better with effort.(\\w+) times ([\\d.e+-]+)", ...
+                   "tokens", "once");
+    factor = str2double (said{2}) ^ (1 - 2 * strcmp (said{1}, "phi"));
+    gsmbp_check (sprintf ("doubted: an effort times %g", k), abs (factor * k - 1) < 0.05);
+  end
+end
+
+## speeds and accelerations that are not the rates
+function rates (m, d)
+  f = struct ("t", d.t, "q", d.q, "u", d.u, "ud", d.ud, "tau", d.tau);
+  warning ("off", "gsmbp:identify", "local");
+  gsmbp_check ("measured speeds are not doubted", isempty (gsmbp_identify (m, f).doubts));
+  noise = [5e-4, 0.05*pi/180] .* randn (size (d.q));
+  gsmbp_check ("... nor where the positions have noise", ...
+               isempty (gsmbp_identify (m, setfield (f, "q", d.q + noise)).doubts));
+  one = @(said, varargin) gsmbp_check (["doubted: " said], any (! cellfun (@isempty, regexp ( ...
+    gsmbp_identify (m, setfield (f, varargin{:})).doubts, said))));
+  one ("u.phi is not the rate of phi: its integral misses it .* of the motion; times 0.0175 it", ...
+       "u", d.u .* [1, 180/pi]);
+  one ("u.s is not the rate of s: its integral misses it by an rms of 0.605", "u", d.u(:,[2 1]));
+  one ("ud.s is not the rate of u.s: .* which is 2 of the motion; times -1 it fits", ...
+       "ud", d.ud .* [-1, 1]);
+end
+
+function not_finite (m, d)
+  for field = {"q", "tau"}
+    x = struct ("t", d.t, "q", d.q, "u", d.u, "ud", d.ud, "tau", d.tau);
+    x.(field{1})(17,2) = NaN;
+    text = sprintf ("data.%s: expected finite numbers, found NaN in row 17, column 2 \\(phi\\)", ...
+                    field{1});
+    gsmbp_check (text, ! isempty (regexp (gsmbp_complaint (@() gsmbp_identify (m, x)), text)) ...
+                 && ! isempty (regexp (gsmbp_complaint (@() gsmbp_measured (m, x)), text)));
+  end
 end
 
 ## the error of the accelerations at the cutoff that is proposed and at others
