@@ -5,14 +5,16 @@
 
 function [x, complaint, other] = gsmbp__close_loops (m, x, o, held, anywhere = false)
   d = m.sizes;
-  other = "";
+  other = unreached = "";
   if (any (held))
     if (! anywhere)
       [near, reached] = gsmbp__follow_branch (m, o.time, x, held);
       if (reached < 1)
-        other = branch_end (m, near, x, held);
+        [other, unreached] = branch_end (m, near, x, held);
       elseif (reached == 1)
         x = near;
+      else
+        unreached = not_free (m, o.time, near, x, held);
       endif
     endif
     x = solve (m, x, o, held);
@@ -28,7 +30,10 @@ function [x, complaint, other] = gsmbp__close_loops (m, x, o, held, anywhere = f
   complaint = "";
   [gap, k] = max (abs (phi));
   [slip, j] = max (abs (rate));
-  if (! (gap <= o.tolerance))
+  closed = gap <= o.tolerance && slip <= o.tolerance * max (1, norm (u));
+  if (! closed && ! isempty (unreached))
+    complaint = unreached;
+  elseif (! (gap <= o.tolerance))
     complaint = sprintf (["the loop does not close: %s = %.6g is left of the constraints " ...
                           "(tolerance %g); try another guess, the option \"branches\", or " ...
                           "check the lengths%s"], label (m, k), phi(k), o.tolerance, ...
@@ -71,13 +76,53 @@ function x = solve (m, x, o, held)
   x(d.nq + (1:d.nu)) = u;
 endfunction
 
-## where the branch of the guess ends: the state NEAR, before the held coordinates are as in X
-function text = branch_end (m, near, x, held)
+## where the branch of the guess ends: the state NEAR, before the held coordinates are as in X;
+## UNREACHED: for values that no branch was found to reach
+function [text, unreached] = branch_end (m, near, x, held)
   [~, k] = max (abs (x - near)(find (held)));
   k = find (held)(k);
+  unreached = sprintf (["option hold: expected %s %s %.6g, where the branch of the guess ends; " ...
+                        "found %.6g, with which the loops do not close; other branches: option " ...
+                        "\"branches\""], m.coordinates{k}, ...
+                       {"at least", "at most"}{1 + (x(k) > near(k))}, near(k), x(k));
   text = sprintf (["option hold: expected %s = %.6g on the branch of the guess; found its end " ...
                    "at %s = %.6g; another branch reaches it: list them with \"branches\", 20"], ...
                   m.coordinates{k}, x(k), m.coordinates{k}, near(k));
+endfunction
+
+## coordinates that may not be held: driven or fixed by the constraints, or more of them than the
+## loops leave degrees of freedom; NEAR: the closed pose near the guess X; "" where they may be
+function text = not_free (m, t, near, x, held)
+  text = "";
+  [H, K, phi] = gsmbp__loop_jacobian (m, t, near);
+  if (norm (phi, Inf) > 1e-8)
+    return;
+  endif
+  for k = find (held)'
+    if (rank ([H; K(k,:)]) == rank (H))
+      text = sprintf (["option hold: %s is %s, at the time %g to %.6g; found %.6g; leave it " ...
+                       "out of hold, or take another time (option time)"], m.coordinates{k}, ...
+                      by_what (m, H, K(k,:)), t, near(k), x(k));
+      return;
+    endif
+  endfor
+  left = rank ([H; K(held,:)]) - rank (H);
+  if (left < sum (held))
+    text = sprintf (["option hold: the loops leave %d degree(s) of freedom to %s; expected at " ...
+                     "most as many coordinates to hold, found %d"], left, ...
+                    strjoin (m.coordinates(held)', ", "), sum (held));
+  endif
+endfunction
+
+## the row of the constraints that states one coordinate alone, K of its rate
+function text = by_what (m, H, K)
+  text = "fixed by the constraints";
+  for row = 1:rows (H)
+    if (any (H(row,:)) && ! any (H(row,K == 0)))
+      text = sprintf ("driven (%s)", label (m, row));
+      return;
+    endif
+  endfor
 endfunction
 
 ## the speeds that move nothing that is held; K: of q' = K*u
