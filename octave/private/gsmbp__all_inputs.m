@@ -14,6 +14,7 @@ function input = gsmbp__all_inputs (who, m, input, t, x)
     return;
   endif
   if (iscell (input) || (isstruct (input) && ! isfield (input, "form")))
+    gsmbp__no_mode_named (who, "option input", m, input);
     input = gsmbp__by_names (who, "option input", input, m.inputs(free));
   endif
   if (is_function_handle (input))

@@ -61,6 +61,7 @@ endfunction
 
 ## numbers of the inputs, and of the speeds of a steady motion, that are free
 function [inputs, speeds] = free_ones (who, m, o)
+  gsmbp__no_mode_named (who, "option free", m, gsmbp__asked_names (o.free));
   if (isempty (o.steady))
     inputs = places (who, o.free, m.inputs, "free", "an input")(:)';
     speeds = [];

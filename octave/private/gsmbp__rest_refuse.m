@@ -39,7 +39,7 @@ function list = helpers (p, z)
   if (! isempty (K))
     g -= K * (pinv (K, 1e-10 * max (norm (K), realmin)) * g);
   endif
-  for k = setdiff (1:d.nv, p.inputs)
+  for k = setdiff (1:d.nv, [p.inputs(:)', p.m.events(:).input])   # modes are no inputs
     if (norm (g) > 0 && abs (g' * B(:,k)) > 1e-6 * norm (g) * norm (B(:,k)))
       list{end+1} = p.m.inputs{k};
     endif

@@ -10,13 +10,39 @@ function test_lossy_gear ()
   cascade ();
   harmonic ();
   ranges ();
+  at_modes ();
 end
 
 ## what a scene refuses gsmbp_set refuses
+## a Jacobian at given modes: a worm held, and on the point of slipping under L = -16 N*m, where the
+## worm's effort is 16/(n*ef) = 1 N*m; modes are no inputs
+function at_modes ()
+  m = gsmbp_fixture ("gear_worm");
+  r = gsmbp_trim (m, [0.3; 0], [0; 0; -16]);
+  gsmbp_check ("gsmbp_trim: a worm that holds", r.x - [0.3; 0], 0);
+  r = gsmbp_trim (m, [0.3; 0], [1; 0; -16], "free", "M.effort");
+  gsmbp_check ("gsmbp_trim: at the mode of slip", r.v - [1; 1; -16], 1e-12);
+  mode = ["G.mode is the mode of an event (0: holds, -1 or 1: slips), no input; expected " ...
+          "inputs (M.effort"];
+  for f = {@() gsmbp_simulate(m, m.initial, [0 0.01], "input", {"G.mode", 1}), ...
+           @() gsmbp_simulate(m, m.initial, [0 0.01], "input", struct("G_mode", 1)), ...
+           @() gsmbp_trim(m, [0.3; 0], [0; 0; -16], "free", "G.mode"), ...
+           @() gsmbp_trim(m, [0.3; 0], [0; 0; -16], "steady", "q", "free", {"M.effort", "G.mode"})}
+    text = gsmbp_complaint (f{1});
+    gsmbp_check (["a mode is no input: " func2str(f{1})(1:18)], ! isempty (strfind (text, mode)));
+  end
+  text = gsmbp_complaint (@() gsmbp_trim (m, [0.3; 0], [1; 0; -16]));
+  gsmbp_check (["helpers: " text], ! isempty (strfind (text, "act on it: M.effort, L.effort (")));
+  m = gsmbp_fixture ("gear_hoist");
+  text = gsmbp_complaint (@() gsmbp_trim (m, m.initial, [0; 0]));
+  gsmbp_check (text, ! isempty (strfind (text, ["no Jacobian but at given modes; derive " ...
+                                                "it with request sensitivity(PARAMETER)"])));
+end
+
 function ranges ()
   m = gsmbp_fixture ("gear_worm");
-  for c = {"ef", 1.2, "1-ef must not be negative"; "ef", 0, "ef must be above 0"; ...
-           "eb", 1.1, "1-eb must not be negative"}'
+  for c = {"ef", 1.2, "expected ef <= 1; found: ef = 1.2"; "ef", 0, "ef must be above 0"; ...
+           "eb", 1.1, "expected eb <= 1; found: eb = 1.1"}'
     text = gsmbp_complaint (@() gsmbp_set (m, c{1:2}));
     gsmbp_check (["gsmbp_set refuses " c{3}], ! isempty (strfind (text, ["G: " c{3}])));
   end
