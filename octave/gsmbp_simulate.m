@@ -299,6 +299,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   who = "gsmbp_simulate";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x0", x0, "times", times);
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
@@ -362,6 +363,9 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
   endif
   gsmbp__run_warnings (who, m, result.stats, columns (events));
+  if (! isempty (m.events))
+    gsmbp__sharp_friction (who, m, result);
+  endif
   at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
   if (! isempty (ender))

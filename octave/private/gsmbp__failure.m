@@ -56,6 +56,10 @@ endfunction
 function text = cause (m, number, info)
   if (number == 7 && info == 9)
     text = "more than 100 events at one instant";
+    if (any (strcmp ({m.events.kind}, "stick")))
+      text = [text "; does friction fall within a speed vs below the tolerance of the speeds " ...
+              "(atol)? remedy: a larger vs, or method \"auto\""];
+    endif
   elseif (number == 7 && info == 12)
     text = ["a reset gives a state a value that the loops do not leave it; expected resets of " ...
             "independent coordinates and speeds"];
