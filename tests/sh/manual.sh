@@ -10,6 +10,14 @@ make --no-print-directory manual >"$report" 2>&1
 told $? 'info and index are made' "$report"
 make --no-print-directory manual >"$report" 2>&1
 result 'what is made is not made again'
+if whole; then
+  rm share/manual/units.texi
+  share/make/manual info >"$report" 2>&1
+  result 'share/make/manual info makes what it needs'
+fi
+share/make/manual >"$report" 2>&1 && echo 'not refused' >>"$report"
+sed -i '/^manual: expected sources, info, html or pdf; found nothing$/d' "$report"
+result 'share/make/manual without a word says which there are'
 (cd share/manual && makeinfo --no-split -o /dev/null gsmbp.texi) >"$report" 2>&1
 result 'makeinfo has no warning'
 index=share/manual/gsmbp-index.lisp
