@@ -58,6 +58,7 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
   endif
   who = "gsmbp_adjoint";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x0", x0, "times", times);
   o = options (who, m, varargin);
   d = m.sizes;
   times = gsmbp__times (who, times);

@@ -82,6 +82,7 @@ function gsmbp_animate (m, result, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_animate";
+  gsmbp__no_words (who, "result", result);
   table = {"times", [], "numbers"
            "speed", 1, "positive"
            "fps", 20, "positive"

@@ -67,6 +67,7 @@ function x = gsmbp_assemble (m, guess, varargin)
   endif
   who = "gsmbp_assemble";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "guess", guess);
   table = {"hold", {}, "names"
            "time", 0, "number"
            "tolerance", 1e-10, "positive"

@@ -114,6 +114,7 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
   endif
   who = "gsmbp_collocate";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x0", x0, "xf", xf);
   [p, o] = gsmbp__collocation_problem (who, m, x0, xf, varargin);
   o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
   [s, found] = refined (who, m, p, o);

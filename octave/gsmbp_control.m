@@ -100,6 +100,7 @@ function c = gsmbp_control (m, e, method, varargin)
     print_usage ();
   endif
   who = "gsmbp_control";
+  gsmbp__no_words (who, "e", e);
   if (isempty (which ("lqr")))
     pkg load control
   endif

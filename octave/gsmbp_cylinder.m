@@ -64,6 +64,7 @@ function r = gsmbp_cylinder (cycle, varargin)
     print_usage ();
   endif
   who = "gsmbp_cylinder";
+  gsmbp__no_words (who, "cycle", cycle);
   table = {"cylinders", [], "any"
            "supply", [], "positive"; "back", 0, "nonnegative"
            "flow", Inf, "positive"; "rated", Inf, "positive"; "drop", 35e5, "positive"

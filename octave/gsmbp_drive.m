@@ -97,6 +97,7 @@ function r = gsmbp_drive (cycle, varargin)
     print_usage ();
   endif
   who = "gsmbp_drive";
+  gsmbp__no_words (who, "cycle", cycle);
   table = {"motors", [], "any"; "gears", [], "any"; "screws", [], "any"; "amplifiers", [], "any"
            "goal", "mass", {"mass", "energy", "energy_no_recovery", "cost", "power_peak", ...
                             "torque_rms"}

@@ -97,6 +97,7 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   endif
   who = "gsmbp_ensemble";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x0", x0, "times", times);
   [own, rest] = read_options (who, varargin);
   rows = rows_of (who, m, own);
   if (isempty (x0) && ! isempty (rows.starts))

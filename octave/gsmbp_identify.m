@@ -70,7 +70,9 @@
 ## @item doubts
 ## sentences: positions outside the limits of a joint; a residual above 0.3 of its signal (with
 ## "sigma": above 3 sigma); masses, inertias or frictions that no body has; a residual that follows
-## the noise of the accelerations; columns that fit better swapped or with the other sign
+## the noise of the accelerations; columns that fit better swapped or with the other sign; efforts
+## that are late against the motion, or that fit each other better times a factor; speeds that are
+## not the rates of the positions
 ## @item plain, noise_q, motion, intervals
 ## with "method" "total": the plain estimate (@code{p}, @code{sigma}, @code{covariance}), the noise
 ## of each position, the motion that was found (@code{t}, @code{q}, @code{u}, @code{ud}) and the
@@ -117,6 +119,9 @@ function e = gsmbp_identify (m, data, varargin)
   endif
   who = "gsmbp_identify";
   gsmbp__model (who, m);
+  if (ischar (data))
+    gsmbp__sound_data (who, m, data, {});   # before the options say what they miss
+  endif
   gsmbp__open_chain (who, m);
   table = {"sigma", [], "numbers"; "weights", "equal", {"equal", "residual"}
            "coulomb", false, "any"; "viscous", false, "any"; "rotor", false, "any"

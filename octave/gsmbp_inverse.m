@@ -81,6 +81,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   endif
   who = "gsmbp_inverse";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "motion", motion, "times", times);
   d = m.sizes;
   if (isempty (times))
     error ("%s: argument times: expected one time or more, found none", who);

@@ -68,6 +68,7 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   if (nargin < 4 || isempty (v))
     v = zeros (m.sizes.nv, 1);
   endif
+  gsmbp__no_words (who, "t", t, "x", x, "v", v);
   d = m.sizes;
   table = {"reduced", "auto", "names"
            "drop", {}, "names"

@@ -64,6 +64,7 @@ function r = gsmbp_loop (c, file, mc, run, varargin)
     if (nargin < 4)
       [mc, run] = deal ([]);
     endif
+    gsmbp__no_words (who, "mc", mc, "run", run);
     gsmbp__loop_page (who, file, c, w, L, all_, mc, run, o.size);
   endif
   if (nargout > 0 || nargin == 1)

@@ -49,6 +49,7 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_lqr", m);
+  gsmbp__no_words ("gsmbp_lqr", "motion", motion, "times", times);
   gsmbp__fits ("gsmbp_lqr", "argument Q", Q, "numbers");
   gsmbp__fits ("gsmbp_lqr", "argument R", R, "numbers");
   [Q, R] = deal (double (Q), double (R));

@@ -55,6 +55,7 @@ function r = gsmbp_mck (m, t, x, v, varargin)
   if (nargin < 4)
     v = [];
   endif
+  gsmbp__no_words (who, "t", t, "x", x, "v", v);
   x = gsmbp__start (who, m, gsmbp__vector (who, "t", t, 1), x, "check");
   [sys, T, k] = gsmbp_linear (m, t, x, v, varargin{:});
   d = m.sizes;

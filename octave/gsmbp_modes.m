@@ -89,6 +89,7 @@ function r = gsmbp_modes (m, x, varargin)
   endif
   who = "gsmbp_modes";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x", x);
   if (! any (strcmp (m.subroutines, "jac")))
     gsmbp__no_jacobian (who, m);
   endif

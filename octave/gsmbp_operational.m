@@ -72,6 +72,7 @@ function o = gsmbp_operational (m, name, t, q, u, varargin)
   endif
   who = "gsmbp_operational";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "t", t, "q", q, "u", u);
   table = {"rows", 1:6, "numbers"; "frame", "ground", "text"; "independent", {}, "names"
            "inputs", [], "numbers"};
   options = gsmbp__options (who, table, varargin);

@@ -62,6 +62,7 @@ function c = gsmbp_pid (m, e, kind, varargin)
     print_usage ();
   endif
   who = "gsmbp_pid";
+  gsmbp__no_words (who, "e", e);
   if (isempty (which ("lqr")))
     pkg load control
   endif

@@ -93,6 +93,7 @@ function p = gsmbp_point (m, name, t, q, varargin)
   endif
   who = "gsmbp_point";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "t", t, "q", q);
   first = find (cellfun (@ischar, varargin), 1);
   if (isempty (first))
     first = numel (varargin) + 1;

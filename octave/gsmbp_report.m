@@ -58,6 +58,7 @@ function gsmbp_report (m, r, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_report";
+  gsmbp__no_words (who, "r", r);
   table = {"page", "", "text"
            "scene", "", "text"
            "workprecision", [], "any"

@@ -55,6 +55,7 @@ function [motion, told] = gsmbp_retime (m, path, varargin)
   endif
   who = "gsmbp_retime";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "path", path);
   [path, planned] = gsmbp__motion (who, m, path);
   table = {"speed", [], "any"; "effort", [], "any"; "input", [], "any"
            "start", 0, "nonnegative"; "end", 0, "nonnegative"; "rtol", 3e-7, "tolerance"

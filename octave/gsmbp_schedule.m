@@ -43,6 +43,7 @@ function c = gsmbp_schedule (laws, signal, values, varargin)
     print_usage ();
   endif
   who = "gsmbp_schedule";
+  gsmbp__no_words (who, "values", values);
   o = gsmbp__options (who, {"start", 1, "number"}, varargin);
   if (! (iscell (laws) && numel (laws) > 1))
     error ("%s: argument laws: expected a cell array of two or more controllers, found %s", who, ...

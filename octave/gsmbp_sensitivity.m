@@ -64,6 +64,7 @@ function s = gsmbp_sensitivity (m, x, v, varargin)
   if (nargin < 3 || isempty (v))
     v = zeros (m.sizes.nv, 1);
   endif
+  gsmbp__no_words (who, "x", x, "v", v);
   table = {"hold", {}, "names"
            "free", {}, "names"
            "time", 0, "number"};

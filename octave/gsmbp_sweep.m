@@ -139,6 +139,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   endif
   who = "gsmbp_sweep";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "x0", x0, "times", times);
   [o, rest] = gsmbp__sweep_options (who, m, varargin);
   names = fieldnames (o.vary)';
   cellfun (@(name) gsmbp__known_parameter (who, m, name), names);

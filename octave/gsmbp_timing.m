@@ -53,6 +53,7 @@ function s = gsmbp_timing (m, t, x, varargin)
   endif
   who = "gsmbp_timing";
   gsmbp__model (who, m);
+  gsmbp__no_words (who, "t", t, "x", x);
   d = m.sizes;
   table = {"input", zeros(d.nv, 1), "numbers"
            "qj", [], "numbers"

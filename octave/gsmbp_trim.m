@@ -14,7 +14,8 @@
 ## of devices are adjusted by Newton's method with the exact Jacobians; speeds
 ## are zero.  States named in "hold" keep their value, inputs named in "free"
 ## are adjusted as well.  What a sampled device holds is an input here.
-## A scene with events has no Jacobian and is refused.
+## A scene with events has a Jacobian with the request sensitivity alone, at the modes that
+## @var{v} holds (0: a port holds, the default; -1 or 1: it slips); else it is refused.
 ##
 ## With "steady" the coordinates @var{names} run on at the constant speeds that @var{x} has for
 ## them: a motor at speed, a wheel that rolls straight on or in a circle, a top's precession.
@@ -71,6 +72,7 @@ function r = gsmbp_trim (m, x, v, varargin)
   if (nargin < 3)
     v = [];
   endif
+  gsmbp__no_words ("gsmbp_trim", "x", x, "v", v);
   table = {"hold", {}, "names"
            "free", {}, "names"
            "steady", {}, "names"

@@ -37,6 +37,9 @@ function v = gsmbp_validate (m, e, data, varargin)
   endif
   who = "gsmbp_validate";
   gsmbp__model (who, m);
+  if (ischar (data))
+    gsmbp__sound_data (who, m, data, {});   # before the options say what they miss
+  endif
   gsmbp__open_chain (who, m);
   gsmbp__estimates (who, e);
   o = gsmbp__options (who, {"file", "", "text"}, varargin);

@@ -60,6 +60,7 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
     print_usage ();
   endif
   gsmbp__model ("gsmbp_workprecision", m);
+  gsmbp__no_words ("gsmbp_workprecision", "x0", x0, "times", times);
   [o, rest] = read_options (m, varargin);
   check_runs (m, x0, times, o, rest);
   truth = reference (m, x0, times, o, rest);

@@ -57,6 +57,47 @@ function test_options ()
   arguments_of (@gsmbp_plan, {"table", [0, 1], [1; 2], 1});
   arguments_of (@gsmbp_csv, {fullfile(folder, "a.csv"), {"a"}, 1});
   arguments_of (@gsmbp_plot, {png, [1, 2], panel});
+  left_out (m, png);
+end
+
+## An argument is left out, so that the name of an option stands for it: the error names the
+## argument, whatever follows.
+function left_out (m, png)
+  table = {@gsmbp_adjoint, "x0 times", {0}; @gsmbp_assemble, "guess", {}
+           @gsmbp_collocate, "x0 xf", {}; @gsmbp_ensemble, "x0 times", {}
+           @gsmbp_inverse, "motion times", {}; @gsmbp_linear, "t x v", {}
+           @gsmbp_mck, "t x v", {}; @gsmbp_modes, "x", {}; @gsmbp_retime, "path", {}
+           @gsmbp_sensitivity, "x v", {}; @gsmbp_simulate, "x0 times", {}
+           @gsmbp_sweep, "x0 times", {}; @gsmbp_timing, "t x", {}; @gsmbp_trim, "x v", {}
+           @gsmbp_workprecision, "x0 times", {}; @gsmbp_lqr, "motion times", {1, 1}
+           @gsmbp_animate, "result", {png}; @gsmbp_report, "r", {png}
+           @(m, varargin) gsmbp_point(m, "p", varargin{:}), "t q", {}
+           @(m, varargin) gsmbp_operational(m, "p", varargin{:}), "t q u", {}
+           @(m, varargin) gsmbp_reach(m, "p", varargin{:}), "P R", {}
+           @(m, varargin) gsmbp_drive(varargin{:}), "cycle", {}
+           @(m, varargin) gsmbp_cylinder(varargin{:}), "cycle", {}
+           @(m, varargin) gsmbp_control(m, varargin{:}), "e", {"lqr"}
+           @(m, varargin) gsmbp_schedule({}, "s", varargin{:}), "values", {}};
+  bad = {};
+  for row = table'
+    names = strsplit (row{2}, " ");
+    for k = 1:numel (names)
+      given = [repmat({0}, 1, numel (names)), row{3}];
+      given{k} = "steady";
+      for more = {{}, {"x"}, {"x", 1}}
+        found = complaint (row{1}, [{m}, given, more{1}]);
+        expected = sprintf (["^gsmbp_\\w+: argument %s: expected no text, found \"steady\"; " ...
+                             "options follow the arguments \\(%s\\): write \\[\\] for one"], ...
+                            names{k}, strjoin (names, ", "));
+        if (isempty (regexp (found, expected, "once")))
+          bad{end+1} = sprintf ("%s, %s: %s", func2str (row{1}), names{k}, found);
+        end
+      end
+    end
+  end
+  bad{end+1} = told (@gsmbp_trim, {m, [0.1, 0, 0], "steady", "s"}, ...
+                     "^gsmbp_trim: argument v: expected no text, found \"steady\"");
+  report ("gsmbp__no_words", bad);
 end
 
 function leave (before, folder)
