@@ -6,12 +6,14 @@
 ## of the speed is vs or more, or vs is below 5e-9 of the nominal speed.
 
 function gsmbp__sharp_friction (who, m, r)
-  if (! any (strcmp (r.stats.method, {"radau", "cvode"})) || isempty (r.events.t))
+  ports = find (strcmp ({m.events.kind}, "stick"));
+  if (! any (strcmp (r.stats.method, {"radau", "cvode"})) || isempty (r.events.t) ...
+      || isempty (ports))
     return;
   endif
   [rows, ~, ~, held] = m.hld (r.t(end), r.x(end,:)', r.v(end,:)');
   speeds = m.sizes.nq + (1:m.sizes.nu);
-  for k = find (strcmp ({m.events.kind}, "stick"))
+  for k = ports
     row = abs (rows(k,:));
     vs = held(2,k);
     [atol, nominal] = deal (row * r.stats.atol(speeds)(:), row * m.nominal(speeds)(:));
