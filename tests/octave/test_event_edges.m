@@ -61,7 +61,6 @@ end
 ## where friction falls too steeply for an implicit method the run says so; where it says nothing
 ## the events are right
 function too_sharp (m)
-  warning ("off", "gsmbp:events", "local");
   for c = {"radau", "radau", "radau", "radau", "dp853", "auto"
            1e-8, 1e-8, 1e-9, 1e-10, 1e-10, 1e-10
            1e-6, 1e-9, 1e-10, 1e-12, 1e-6, 1e-10
