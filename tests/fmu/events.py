@@ -201,8 +201,31 @@ def instant():
         near(max(abs(p - q) for p, q in zip(ends, first)), 1e-8, '... the state at the end')
 
 
+def slides():
+    """A cart that sticks until a sample pushes it: what both kinds show at samples, its mode and its
+    acceleration among it. The last point of model exchange is read before its event"""
+    names = 'q', 'q_d', 's', 's_d', 'der(q_d)', 'der(s_d)', 'S.mode', 'F.mode', 'C.out', 'C.I'
+    start, period, seen = {'s': 0.012, 'q': 0.8}, 0.002, []
+    for run, h in ((exchange, 1e-4), (cosimulation, period)):
+        rows = {}
+
+        def each(a, t):
+            k = round(t/period)
+            if abs(t - k*period) < 1e-9 and 0 < k < 150:
+                rows[k] = [a[name] for name in names]
+        run(start, 0.3, h, each)
+        seen.append(rows)
+    told(len(seen[0]) == 149 and seen[0].keys() == seen[1].keys(), '149 samples')
+    near(max(abs(p - q) for k in seen[0] for p, q in zip(seen[0][k], seen[1][k])), 1e-9,
+         'model exchange and co-simulation at samples')
+    modes = [row[names.index('F.mode')] for row in seen[1].values()]
+    told(set(modes) == {0, -1}, 'it sticks at some, slides at others')
+
+
 if scene == 'user_bounce':
     bounce()
+elif scene == 'event_pendulum':
+    slides()
 elif scene == 'event_instant':
     instant()
 elif scene == 'user_thermostat':

@@ -1,6 +1,7 @@
 # gsmbp_fmu: at a communication point that is a sample of a digital device both kinds of both
 # standards show the values after the sample, taken with the inputs that are set there, as
-# gsmbp_simulate takes it (scene sampled_inputs).
+# gsmbp_simulate takes it (scene sampled_inputs);
+# ports stick and slide as the sample pushes them (event_pendulum).
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -14,6 +15,13 @@ share/fmu/derive tests/scenes/sampled_inputs.mac "$work/fmu" >"$report" 2>&1
 told $? 'sampled_inputs becomes FMUs' "$report"
 for standard in 2 3; do
   unzip -q -o "$work/fmu/sampled_inputs_fmi$standard.fmu" -d "$work/unpacked$standard"
+done
+# ports that stick: modes after the sample
+share/fmu/derive tests/scenes/event_pendulum.mac "$work/fmu" >"$report" 2>&1
+told $? 'event_pendulum becomes FMUs' "$report"
+for standard in 2 3; do
+  unzip -q -o "$work/fmu/event_pendulum_fmi$standard.fmu" -d "$work/pendulum$standard"
+  python3 tests/fmu/events.py event_pendulum "$work/pendulum$standard" $standard
 done
 # delays: none; an output that comes between points; one that comes at points of half a period
 for late in 0 0.03 0.05; do
