@@ -202,8 +202,8 @@ def instant():
 
 
 def slides():
-    """A cart that sticks until a sample pushes it: what both kinds show at samples, its mode and its
-    acceleration among it. The last point of model exchange is read before its event"""
+    """A cart that sticks until a sample pushes it: what both kinds show at samples, its mode and
+    its acceleration among it. The last point of model exchange is read before its event"""
     names = 'q', 'q_d', 's', 's_d', 'der(q_d)', 'der(s_d)', 'S.mode', 'F.mode', 'C.out', 'C.I'
     start, period, seen = {'s': 0.012, 'q': 0.8}, 0.002, []
     for run, h in ((exchange, 1e-4), (cosimulation, period)):
