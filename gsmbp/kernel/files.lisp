@@ -14,7 +14,7 @@
     (when (sb-ext:process-p code) (setq code (sb-ext:process-exit-code code)))
     (cond ((not (integerp code)) 1) ((> code 255) (ash code -8)) (t code))))
 ;; the exit code of a task of share/make/place, which says nothing; 40 words at a time, because the
-;; command line of GCL is short
+;; command line of GCL is short. Lisp ignores Ctrl-C while a process runs; the process reports it.
 (defun $gs__place_code (task words)
   (let ((script (concatenate 'string (symbol-value '$gs__share) "make/place")))
     (do ((l (cdr words) (nthcdr 40 l)) (code 0))
@@ -23,7 +23,8 @@
               ($gs__exit_code
                (format nil "~{~a~^ ~}"
                        (mapcar #'$gs__shell_word
-                               (list* script "" task (subseq l 0 (min 40 (length l)))))))))))
+                               (list* script "" task (subseq l 0 (min 40 (length l))))))))
+      (when (eql code 130) (gs-interrupt)))))
 ;; a folder, made if it is not there; what fails is found when its files are written
 (defun $gs__make_folder (folder)
   (ignore-errors (ensure-directories-exist (concatenate 'string folder "/")))

@@ -119,6 +119,12 @@
 
 ;;; ------------------------------------------------------------------------------------- interrupts
 
+;;; Return to Maxima's prompt.
+(defun gs-interrupt ()
+  (fresh-line *standard-output*)
+  (format t "gsmbp: interrupted~%")
+  (throw 'macsyma-quit 'maxima-error))
+
 ;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any
 ;;; other: errcatch, and Maxima's own handlers in charat, substring and float, would take it for a
 ;;; failure of what they try, and go on.
@@ -131,9 +137,7 @@
         (setf (symbol-function 'si::terminal-interrupt)
               #'(lambda (&rest args) (declare (ignore args))
                   (setf (symbol-function 'si::terminal-interrupt) before)
-                  (fresh-line *standard-output*)
-                  (format t "gsmbp: interrupted~%")
-                  (throw 'macsyma-quit 'maxima-error)))
+                  (gs-interrupt)))
         (funcall f))
       (setf (symbol-function 'si::terminal-interrupt) before))))
 

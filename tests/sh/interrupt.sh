@@ -1,10 +1,11 @@
-# Ctrl-C (SIGINT) in a derivation: the session answers, nothing is half-written, and the next
+# Ctrl-C (SIGINT, to the processes of the session, too, as a terminal sends it) in a derivation: the
+# session answers, nothing is half-written, and the next
 # derivation writes what a fresh session writes.
 . tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)
 maxima=
-trap '[ -z "$maxima" ] || kill -KILL "$maxima" 2>/dev/null; rm -rf "$work"' EXIT
+trap '[ -z "$maxima" ] || kill -KILL "-$maxima" 2>/dev/null; rm -rf "$work"' EXIT
 say() { told "$2" "$1" "$work/log"; }
 # waits until the log holds a text, two minutes at most
 until_said() {
@@ -14,7 +15,7 @@ until_said() {
 }
 
 mkfifo "$work/in"
-"${MAXIMA:-maxima}" --very-quiet <"$work/in" >"$work/log" 2>&1 &
+setsid "${MAXIMA:-maxima}" --very-quiet <"$work/in" >"$work/log" 2>&1 &
 maxima=$!
 exec 3>"$work/in"
 mkdir "$work/cut" "$work/whole" "$work/fresh"
@@ -25,7 +26,7 @@ hundred="for k thru 100 do gsmbp_fortran(scene, all, directory = \"$work/cut\")"
 echo "print(\"BE\",\"GUN\")\$ $hundred\$" >&3
 until_said 'BE GUN'
 sleep 1
-kill -INT "$maxima"
+kill -INT "-$maxima"
 echo "print(\"AL\",\"IVE\")\$" >&3
 # a hundred derivations would take longer than until_said waits
 until_said 'AL IVE'; say 'the session answers after an interrupt' $?
@@ -34,7 +35,7 @@ for k in 1 2 3 4 5 6 7 8 9 10; do
   echo "print(\"BE\",\"GUN $k\")\$ errcatch($hundred)\$" >&3
   until_said "BE GUN $k"
   sleep 0.$((k * 97 % 89 + 10))
-  kill -INT "$maxima"
+  kill -INT "-$maxima"
   echo "print(\"AL\",\"IVE $k\")\$" >&3
   until_said "AL IVE $k" || break
 done
