@@ -63,7 +63,7 @@
     (unless (gethash (cadr e) h) (setf (gethash (cadr e) h) ($gs__float_of h (caddr e))))))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in
 ;; order
-(defun $gs__file_exists (name) (and (probe-file name) t))
+(defun $gs__file_exists (name) (and (probe-file ($gs__slashes name)) t))
 ;; is there a folder of that name? The system is asked: `directory` of GCL reads +, (, ^, ... as a
 ;; pattern
 (defun $gs__directoryp (name)

@@ -1,6 +1,6 @@
-# Ctrl-C (SIGINT, to the processes of the session, too, as a terminal sends it) in a derivation: the
-# session answers, nothing is half-written, and the next
-# derivation writes what a fresh session writes.
+# Ctrl-C in a derivation (SIGINT to the session and the processes that it has started, as a terminal
+# sends it): the session answers, nothing is half-written, and the next derivation writes what a
+# fresh session writes.
 . tests/tools/check.sh
 root=$PWD
 work=$(mktemp -d)

@@ -30,6 +30,14 @@ report=$work/log
 check 'how a minus binds in the session is as it was' grep -q '^own again' "$work/log"
 check 'the text has such a minus' grep -q '"expression": ".*-' "$work/100/minus.json"
 
+# GCL 2.7 takes a name with two slashes for none
+report=$work/log
+share/make/maxima "$work/log" "load(\"$PWD/gsmbp/gsmbp.mac\")\$ load(\"$work/scene.mac\")\$
+  gsmbp_fortran(scene, [rhs], 'directory = \"$work//twice//\")\$
+  gsmbp_package(scene, c, [rhs], 'directory = \"$work//package/\")\$"
+told $? 'folders whose names have two slashes' "$work/log"
+check 'their files are there' test -s "$work/twice/minus.f" -a -s "$work/package/minus.h"
+
 # every package that is installed has its line in Ubuntu's table
 share/make/packages list test manual pdf report screen mpi slurm fmu | tr ' ' '\n' | sort -u \
   >"$work/wanted"
