@@ -89,7 +89,8 @@ function about_one_axis (points, o)
   worst = way = 0;
   x = sort ([0, path.knots(end) * rand(1, 12)]);
   for k = 2:numel (x)
-    way += quadgk (@(x) arrayfun (rate, x), x(k-1), x(k), "AbsTol", 1e-13, "WayPoints", path.knots);
+    inside = path.knots(path.knots > x(k-1) & path.knots < x(k));
+    way += quadgk (@(x) arrayfun (rate, x), x(k-1), x(k), "AbsTol", 1e-13, "WayPoints", inside);
     t = fzero (@(t) gsmbp_evaluate (path.s, t) - way, path.times, optimset ("TolX", 1e-15));
     wanted = expm (gsmbp_evaluate (plan, x(k)) * cross_of (axis));
     worst = max (worst, max (max (abs (gsmbp_along (path, t).R - wanted))));
