@@ -25,14 +25,6 @@
                        (mapcar #'$gs__shell_word
                                (list* script "" task (subseq l 0 (min 40 (length l))))))))
       (when (eql code 130) (gs-interrupt)))))
-;; a name without repeated slashes, which are no name to GCL 2.7; that of a folder, with none at its
-;; end
-(defun $gs__slashes (path)
-  (if (stringp path) (gs-slashes path) path))
-(defun gs-slashes (path)
-  (coerce (loop for (c next) on (coerce path 'list)
-            unless (and (eql c #\/) (eql next #\/)) collect c) 'string))
-(defun $gs__folder (path) (string-right-trim "/" ($gs__slashes path)))
 ;; a folder, made if it is not there; what fails is found when its files are written
 (defun $gs__make_folder (folder)
   (ignore-errors (ensure-directories-exist (concatenate 'string ($gs__folder folder) "/")))

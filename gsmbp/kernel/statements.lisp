@@ -76,7 +76,7 @@
         ($load path))
     '$done))
 ;;; The files of the list `names`. Maxima looks up each function that it defines in its list
-;;; `functions`; with 4000 of them that takes longer than all other steps of loading. Hence each file
+;;; `functions`; with 4000 of them that takes longer than all other steps of loading. So each file
 ;;; begins with an empty list, and the lists are joined at the end, after an error, too.
 (defun $gs__load_sources (here names)
   (let ((before $functions) (new nil))

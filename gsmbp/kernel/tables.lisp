@@ -61,6 +61,14 @@
 (defun $gs__take_values (h entries)
   (dolist (e (cdr entries) h)
     (unless (gethash (cadr e) h) (setf (gethash (cadr e) h) ($gs__float_of h (caddr e))))))
+;; a name without repeated slashes, which are no name to GCL 2.7; that of a folder, with none at its
+;; end
+(defun $gs__slashes (path)
+  (if (stringp path) (gs-slashes path) path))
+(defun gs-slashes (path)
+  (coerce (loop for (c next) on (coerce path 'list)
+            unless (and (eql c #\/) (eql next #\/)) collect c) 'string))
+(defun $gs__folder (path) (string-right-trim "/" ($gs__slashes path)))
 ;; files: is there one of that name; names (without folder and extension) of those that match, in
 ;; order
 (defun $gs__file_exists (name) (and (probe-file ($gs__slashes name)) t))
