@@ -252,9 +252,9 @@ endfunction
 %! x = gsmbp_assemble (c, [0.3 -0.1 0.7 12 0 0], "hold", "q1", "branches", 20);
 %! assert (x(1,:), [0.3 0.3]);
 %! assert (x(3,:), 0.2 * cos (0.3) + [1 -1] * sqrt (0.25 - 0.04 * sin (0.3)^2), 1e-14);
-%!error <none of 6 guesses: the loop does not close>
+%!error <none of 6 guesses: option hold: expected q1 at least 2.618, .* do not close$>
 %! gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1", "branches", 5)
-%!error <loop does not close: phi of C\.y = 0.1[0-9]* is left>
+%!error <option hold: expected q1 at least 2.618, where the branch .*; other branches: option>
 %! gsmbp_assemble (gsmbp_set (c, "l2", 0.1), [pi/2 0 0], "hold", "q1")
 %!error <has no coordinate "q9"> gsmbp_assemble (c, [0.3 -0.1 0.7], "hold", "q9")
 %!error <argument guess: expected 6 numbers .*, found 1x2>

@@ -10,7 +10,7 @@ function [x, complaint, other] = gsmbp__close_loops (m, x, o, held, anywhere = f
     if (! anywhere)
       [near, reached] = gsmbp__follow_branch (m, o.time, x, held);
       if (reached < 1)
-        [other, unreached] = branch_end (m, near, x, held);
+        [other, unreached] = branch_end (m, near, x, held, o.branches > 0);
       elseif (reached == 1)
         x = near;
       else
@@ -77,14 +77,16 @@ function x = solve (m, x, o, held)
 endfunction
 
 ## where the branch of the guess ends: the state NEAR, before the held coordinates are as in X;
-## UNREACHED: for values that no branch was found to reach
-function [text, unreached] = branch_end (m, near, x, held)
+## UNREACHED: for values that no branch was found to reach; ALL_: of all branches
+function [text, unreached] = branch_end (m, near, x, held, all_)
   [~, k] = max (abs (x - near)(find (held)));
   k = find (held)(k);
   unreached = sprintf (["option hold: expected %s %s %.6g, where the branch of the guess ends; " ...
-                        "found %.6g, with which the loops do not close; other branches: option " ...
-                        "\"branches\""], m.coordinates{k}, ...
+                        "found %.6g, with which the loops do not close"], m.coordinates{k}, ...
                        {"at least", "at most"}{1 + (x(k) > near(k))}, near(k), x(k));
+  if (! all_)
+    unreached = [unreached "; other branches: option \"branches\""];
+  endif
   text = sprintf (["option hold: expected %s = %.6g on the branch of the guess; found its end " ...
                    "at %s = %.6g; another branch reaches it: list them with \"branches\", 20"], ...
                   m.coordinates{k}, x(k), m.coordinates{k}, near(k));
