@@ -171,9 +171,10 @@ def own_speeds(b):
     some = [x for x in b.simple if 'motion' not in x[2].options]
     if len(some) < 2 or any('reset' in e.options['rest_'][2] for e in b.scene.of('event')):
         return False
-    (x, k, _), (y, l, _) = b.r.sample(some, 2)
+    (x, kind, _), (y, _, _) = b.r.sample(some, 2)
+    turn = x + '/m' if kind == 'm' else x
     b.scene.speeds = {b.named('w'): '%s_d + (0.3)*%s_d' % (x, y),
-                      b.named('w'): '%s_d + (-0.4)*sin(%s)*%s_d' % (y, x, x)}
+                      b.named('w'): '%s_d + (-0.4)*sin(%s)*%s_d' % (y, turn, x)}
 
 
 def driven(b):
