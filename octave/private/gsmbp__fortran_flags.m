@@ -10,11 +10,12 @@ function [flags, common] = gsmbp__fortran_flags (precision)
   ## places of their own in the cache, and copies of three numbers without a call
   ## of memcpy.
   ## The loops of the batches (C$OMP SIMD) take the widest vectors there are.
-  flags = ["-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd" widest() " -frecursive -fPIC"];
+  processor = gsmbp__processor ();
+  flags = ["-O3 -fno-tree-slp-vectorize" processor " -fopenmp-simd" widest() " -frecursive -fPIC"];
   common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
             flags(4:end)];
   if (strcmp (precision, "quad"))
-    flags = common = "-O2 -march=native -freal-8-real-16 -frecursive -fPIC";
+    flags = common = ["-O2" processor " -freal-8-real-16 -frecursive -fPIC"];
   endif
 endfunction
 

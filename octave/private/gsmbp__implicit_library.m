@@ -26,7 +26,7 @@ function library = gsmbp__implicit_library (who, m, method)
   cc = strtrim (mkoctfile ("-p", "CC"));
   glue = @(f) gsmbp__place ("octave", "glue", f);
   sources = cellfun (glue, parts(:), "UniformOutput", false);
-  cc = [cc " -std=gnu11 -O2 -march=native -fcx-limited-range -fPIC -shared"];
+  cc = [cc " -std=gnu11 -O2" gsmbp__processor() " -fcx-limited-range -fPIC -shared"];
   kept = {cc};
   if (strcmp (method, "cvode"))   # which SUNDIALS there is is not in the key
     kept = {};

@@ -1,36 +1,31 @@
-# Batches: gfortran reports that it vectorized the loops over the states; GSSCV and GSSC, the sines
-# and cosines, against quad precision. Needs the scenes derived (tests/run does that).
+# Batches: the compiler vectorizes the loops over the states; GSSCV and GSSC, the sines and
+# cosines, against quad precision. Needs the scenes derived (tests/run does that).
 . tests/tools/check.sh
+. tests/tools/loops.sh
 functions=$PWD/share/fortran/functions
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit
 
-vectorize='-march=native -fopenmp-simd -fopt-info-vec'
 emitted=$GSMBP_TEST_DIR/fortran_out
 
-# loop_line ROUTINE FILE: of the loop with the whole of a routine
-loop_line() {
-  awk -v name="$1(" '/^      SUBROUTINE/ { inside = index($0, name) }
-    inside && /-- all of one state/ { whole = 1 }
-    inside && whole && /DO [0-9]+ IS = 1, 8/ { print FNR; whole = 0 }' "$2"
-}
-
-# the loop by its report: its own line, or that of its first statement
 for scene in batch_arm batch_bars batch_stop; do
   file=$emitted/$scene.f
-  gfortran -O3 $vectorize -frecursive -c "$file" -o object.o >report 2>&1
-  for routine in INV MAS BIA FWD RHS; do
-    line=$(loop_line "${routine}_V" "$file")
-    [ -n "$line" ] &&
-      grep -qE ":($line|$((line + 1))):[0-9]+: optimized: loop vectorized" report
-    told $? "$scene: ${routine}_V is vectorized" report
+  routines $scene "$file" 'INV_V MAS_V BIA_V FWD_V RHS_V' >batches.f
+  for march in $processors; do
+    vectorizer batches.f -O3 $march -frecursive
+    for routine in INV MAS BIA FWD RHS; do
+      vectorized "${routine}_V" batches.f
+      told $? "$scene: ${routine}_V is vectorized, $march" report
+    done
   done
   [ -s "$file" ] && ! grep -q 'One state after the other' "$file"
   told $? "$scene: nothing state by state"
 done
-gfortran -O2 $vectorize -c "$functions/gsscv.f" >report 2>&1
-grep -q 'loop vectorized' report; told $? 'GSSCV is vectorized' report
+for march in $processors; do
+  vectorizer "$functions/gsscv.f" -O2 $march && grep -q 'loop vectorized' report
+  told $? "GSSCV is vectorized, $march" report
+done
 
 # errors in units of the last place of the result: angles of either sign up to a size, then the
 # numbers next to multiples of pi/2, where all digits of pi count
@@ -41,6 +36,8 @@ program sines
   real(8) :: x(8,n), s(8,n), c(8,n), worst, half
   real(8) :: size(8) = [0.7d0, 4d0, 1d2, 1d4, 1d5, 1.1d5, 1d9, 1d22]
   integer :: i, k, j, near, way
+  call random_seed(size = k)
+  call random_seed(put = [(7919*i, i = 1, k)])
   half = acos(-1d0)/2
   do way = 0, 3
     near = mod(way, 2)
@@ -85,7 +82,7 @@ contains
   end function
 end program
 F
-gfortran -O2 -march=native -c "$functions/gssc.f" "$functions/gsscl.f" &&
+gfortran -O2 $native -fopenmp-simd -c "$functions"/gssc*.f &&
   gfortran -O1 -o sines sines.f90 gsscv.o gssc.o gsscl.o && ./sines >values ||
   echo 'not ok the program runs'
 awk 'NF == 4 {

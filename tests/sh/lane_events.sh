@@ -2,7 +2,7 @@
 # states by chance; the bits of a state are the same at every place, also beside bad ones, which it
 # leaves to the caller. Scenes whose EVT is no straight line have none, and gsmbp_fortran says so.
 . tests/tools/check.sh
-. tests/tools/lanes.sh
+. tests/tools/loops.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -86,18 +86,21 @@ columns() {
     sed 's/.*,\([0-9]*\))/\1/' | grep . || echo 0
 }
 
-gfortran -O2 -march=native -fopenmp-simd -c "$root"/share/fortran/*/gs*.f \
+gfortran -O2 $native -fopenmp-simd -c "$root"/share/fortran/*/gs*.f \
   "$root"/share/fortran/solve/plain/*.f 2>>log
-flags='-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd -frecursive'
+flags='-O3 -fno-tree-slp-vectorize -fopenmp-simd -frecursive'
 while read -r name ports; do
   [ -s "$name.f" ] || { echo "not ok $name is derived"; continue; }
   sed "s/NAME/$name/g; s/NPAR/$(size "$name" npar)/g; s/NCST/$(size "$name" ncst)/g
     s/= NX/= $(columns "$name" X)/; s/= NV/= $(columns "$name" V)/
     s/= NE/= $(columns "$name" GV)/
     s/= PORTS/= $ports/" beside.f90 >main.f90
-  gfortran $flags -fopt-info-vec -c "$name.f" >report 2>&1
-  vectorized EVT_W "$name.f"
-  told $? "$name: EVT_W is vectorized" report
+  routines "$name" "$name.f" EVT_W >lanes.f
+  for march in $processors; do
+    vectorizer lanes.f $flags $march && vectorized EVT_W lanes.f
+    told $? "$name: EVT_W is vectorized, $march" report
+  done
+  gfortran $flags $native -c "$name.f" >>log 2>&1
   gfortran -O1 -ffree-line-length-none -o beside main.f90 "$name.o" gs*.o >>log 2>&1 &&
     ./beside >values
   told $? "$name: the program runs" log

@@ -2,7 +2,7 @@
 # errors are not larger; the bits of a set of parameters are the same at every place, whatever the
 # number of sets and those beside it, also bad ones, which it leaves to the caller.
 . tests/tools/check.sh
-. tests/tools/lanes.sh
+. tests/tools/loops.sh
 root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -155,18 +155,8 @@ cat >quad.f <<'F'
       END
 F
 
-# routines NAME FILE WORD...: the text of these subroutines of a scene
-routines() {
-  awk -v name="$(echo "$1" | tr a-z A-Z)_" -v words="$3" '
-    BEGIN { n = split(words, word) }
-    /^      SUBROUTINE/ {
-      for (inside = i = 0; ++i <= n;) if (index($0, " " name word[i] "(")) inside = 1
-    }
-    inside' "$2"
-}
-
-gfortran -O2 -march=native -fopenmp-simd -c "$root"/share/fortran/functions/gs*.f
-flags='-O3 -fno-tree-slp-vectorize -march=native -fopenmp-simd -frecursive'
+gfortran -O2 $native -fopenmp-simd -c "$root"/share/fortran/functions/gs*.f
+flags='-O3 -fno-tree-slp-vectorize -fopenmp-simd -frecursive'
 for name in puma560 slider_crank andrews hooke puma6 pend2; do
   [ -s "$name.f" ] || { echo "not ok $name is derived"; continue; }
   routines "$name" "$name.f" 'PAR PRE PRE_W' >scene.f
@@ -174,11 +164,12 @@ for name in puma560 slider_crank andrews hooke puma6 pend2; do
     sed -E "s/[A-Z0-9_]*_PRE\(/QPRE(/; s/\bGS(FIN|SC)\b/QS\1/g" >qpre.f
   sed "s/NAME/$name/g; s/NPAR/$(size "$name" npar)/; s/NCST/$(size "$name" ncst)/" \
     beside.f90 >main.f90
-  gfortran $flags -fopt-info-vec -c scene.f >report 2>&1
-  if [ "$name" != andrews ]; then   # it has an arc tangent
-    vectorized PRE_W scene.f
-    told $? "$name: PRE_W is vectorized" report
-  fi
+  for march in $processors; do
+    [ "$name" != andrews ] || break   # it has an arc tangent
+    vectorizer scene.f $flags $march && vectorized PRE_W scene.f
+    told $? "$name: PRE_W is vectorized, $march" report
+  done
+  gfortran $flags $native -c scene.f
   gfortran -O1 -freal-8-real-16 -c qpre.f quad.f && gfortran -O1 -o beside main.f90 scene.o \
     qpre.o quad.o gs*.o && ./beside >values
   told $? "$name: the program runs"

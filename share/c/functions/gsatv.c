@@ -20,7 +20,8 @@ bend (double q)
 /* One block in a form that vectorizes; out counts where it is good.
  *
  * The tangent q of an angle of at most pi/8 or so, and the octant what is added to it: m times
- * pi/4, as two numbers, of which the first has 48 bits, so that m times it is exact. */
+ * pi/4, as two numbers, of which the first has 48 bits, so that m times it is exact. Sums in
+ * conditions would keep gcc from vectorizing the loop without masks (AVX-512). */
 static void
 block (const double *restrict y, const double *restrict x, double *restrict a,
        double *restrict out)
@@ -33,11 +34,11 @@ block (const double *restrict y, const double *restrict x, double *restrict a,
       double low = steep ? ax : ay, big = steep ? ay : ax;
       double m = steep ? 2.0 : 0.0, s = steep ? -1.0 : 1.0;
       out[i] += low >= 0.0 && big >= 1e-290 && big <= 1e300 ? 1.0 : 0.0;
-      int middle = low > 0.55 * big, left = x[i] < 0.0;
-      double num = middle ? low - big : low, den = middle ? low + big : big;
-      m = middle ? m + s : m;
-      m = left ? 4.0 - m : m;
-      s = left ? -s : s;
+      double middle = 0.5 - copysign (0.5, 0.55 * big - low);   /* 1 or 0 */
+      double num = low - middle * big, den = big + middle * low;
+      double side = copysign (1.0, x[i]);
+      m = 2.0 + side * (m + middle * s - 2.0);
+      s = side * s;
       double q = num / den;
       a[i] = copysign (m * ph + (s * q + (m * pl - s * bend (q))), y[i]);
     }
