@@ -241,6 +241,8 @@ cosimulation (double end)
   DROP (b, &state);
   DROP (b, &copy);
   free (bytes);
+  told (STEP (b, end, end / 20) == ERROR && strstr (last, "the experiment stops at"),
+        "a step beyond the end of the experiment is refused");
   TERMINATE (a);
   RESET (a);
   told (ENTER (a, 0, end) + EXIT (a) == 0, "it begins again after a reset");

@@ -10,6 +10,7 @@ function test_lanes ()
   ends (arm);
   bound (arm);
   loop (gsmbp_fixture ("batch_bars"));
+  through_flat (gsmbp_fixture ("batch_bars"));
   stepped (gsmbp_fixture ("batch_stop"), gsmbp_fixture ("sampled_drive"));
   held (gsmbp_fixture ("event_crank"), linspace (0, 2, 18), 0);
   held (gsmbp_fixture ("event_strut"), linspace (10, 60, 18), 3);
@@ -128,7 +129,7 @@ function o = repmat_input (m, o)
   o{2} = mkpp (breaks, kron (coefficients, ones (nv, 1)), nv);
 end
 
-## every length of its own start; one is a parallelogram that passes a singular position
+## every length of its own start
 function loop (m)
   n = 18;
   t = [0, 0.2, 0.5];
@@ -148,14 +149,35 @@ function loop (m)
     gsmbp_check ([name ": in another order, by two threads, bit for bit"], ...
                  equal_runs (g, n:-1:1, e, 1:n));
   end
-  [table.lc(4), table.lb(4)] = deal (0.25, 0.6);
-  g = gsmbp_ensemble (m, m.initial, t, o{1:2}, "parameters", table, o{5:end}, "threads", 1);
-  others = setdiff (1:n, 4);
   h = gsmbp_ensemble (m, m.initial, [0, 0.01], o{1:2}, "start", "project", "loops", "nullspace", ...
                       "parameters", struct ("lc", lc));
   gsmbp_check ("a way of the loops that is that of one run has no lanes", ! h.lanes && all (h.ok));
-  gsmbp_check ("beside one that passes a singular position, bit for bit", ...
-               equal_runs (g, others, e, others));
+end
+
+## one run is a parallelogram that falls through its flat position, where the constraints lose rank
+function through_flat (m)
+  n = 18;
+  t = [0, 0.2, 0.9];
+  starts = repmat (m.initial', n, 1);
+  starts(4,4:6) = [-12, 12, -12];
+  table = struct ("lc", linspace (0.49, 0.52, n), "lb", linspace (0.69, 0.7, n));
+  flat = table;
+  [flat.lc(4), flat.lb(4)] = deal (m.par.la, m.par.ld);
+  others = setdiff (1:n, 4);
+  input = mkpp ([0, 1], [5, -15; 1, -1](1:m.sizes.nv,:), m.sizes.nv);
+  for way = {{"dp853", "rtol", 1e-9, "atol", 1e-9}, {"rk4", "step", 2e-3}; 1e-7, 1e-10}
+    run = @(table, varargin) gsmbp_ensemble (m, [], t, "starts", starts, "parameters", table, ...
+                                             "input", input, "start", "project", "method", ...
+                                             way{1}{:}, varargin{:});
+    e = run (flat, "threads", 1);
+    f = run (flat, "lanes", false);
+    name = way{1}{1};
+    gsmbp_check ([name ": a run passes a singular position"], e.lanes && all (e.ok) ...
+                 && e.x(1,1,4) > 0.1 && e.x(end,1,4) < -0.1);
+    gsmbp_check ([name ": ... as it does alone"], e.x(:,:,4) - f.x(:,:,4), way{2});
+    gsmbp_check ([name ": ... and changes nothing of those beside it, bit for bit"], ...
+                 equal_runs (e, others, run (table, "threads", 1), others));
+  end
 end
 
 function stepped (m, drive)

@@ -358,6 +358,9 @@ def parameters():
     refuses('states that differ', ValueError, ['3 states'], m.inv, 0, np.zeros((3, 3)),
             np.zeros((3, 2)), np.zeros(3))
     refuses('NaN', slider_crank.Error, ['INFO = -2', 'argument 2, X'], m.rhs, 0, [math.nan] * 7)
+    holds('each INFO has its own meaning', all(
+        slider_crank._run.meaning(row['name'][len('slider_crank_'):], i['code']) == i['meaning']
+        for row in slider_crank._run.TABLE['subroutines'] for i in row['info']))
     try:
         m.rhs(0, np.array([[0.0, math.nan]] * 7))
     except slider_crank.Error as error:
