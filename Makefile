@@ -27,12 +27,15 @@ DESTDIR :=
         bench-points bench-reach bench-robots bench-peers same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
-        check-report check-screen check-notebook check-portable packages-fmu check-fmu packages-mpi packages-slurm check-slurm
+        check-environment check-report check-screen check-notebook check-portable packages-fmu \
+        check-fmu packages-mpi packages-slurm check-slurm
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
 make check                 the core of every folder, for people at work (tests/check.txt)
+make check-environment     the same a year from now (faketime), in Turkish, in another time zone with
+                           umask 077, offline, not as root: the same counts in all
 make test-whole            all tests: those that make test takes in turns, an eighth a day
                            (tests/run), and at length those of which it takes a part
 make test-random           2000 scenes made by chance against each of two independent formulations
@@ -174,6 +177,9 @@ test: packages-test
 
 check: packages-test
 	@tests/run --table tests/check.txt
+
+check-environment: packages-test
+	@tests/tools/environments
 
 test-whole: packages-test
 	@GSMBP_WHOLE=yes tests/run
