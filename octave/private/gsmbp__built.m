@@ -20,7 +20,7 @@ function made = gsmbp__built (who, target, flags, sources, make, compiler)
     return;
   endif
   cellfun (@remove, glob (fullfile (folder, ".new-*")));
-  place = fullfile (folder, sprintf (".new-%d-%d", getpid (), randi (1e9)));
+  place = tempname (folder, ".new-");   # not of rand, which is the user's
   gsmbp__folder (who, place);
   if (nargin > 5)
     make = @(place) gsmbp__cached (who, target, compiler, key, make, place);

@@ -1,10 +1,13 @@
 ## run_tests (FILE): calls the test function of FILE (test_x.m); its checks print `ok` or `not ok`
 ## (gsmbp_check). An error is one more failure, unless it says that SUNDIALS is not there.
+## Every test begins with the same random numbers.
 
 function run_tests (file)
   [folder, name] = fileparts (file);
   addpath (folder);
   warning ("off", "Octave:shadowed-function");
+  rand ("twister", 1);
+  randn ("twister", 1);
   try
     feval (name);
   catch err

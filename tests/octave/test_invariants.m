@@ -1,20 +1,11 @@
 ## What holds for every model, at random states: symmetry and definiteness of M, N against M (Mdot -
 ## 2C skew), power balance, constraints and their rates, linear models against differences. (Against
-## quad precision: test_quad.m.) A scene is judged by what it was emitted with. Every other scene a
-## day; make test-whole: all.
+## quad precision: test_quad.m.) A scene is judged by what it was emitted with.
 
 function test_invariants ()
   scenes = dir (fullfile (fileparts (mfilename ("fullpath")), "..", "scenes", "*.mac"))';
-  whole = ! isempty (getenv ("GSMBP_WHOLE"));
-  if (! whole)
-    scenes = scenes(1+mod (floor (time () / 86400), 2):2:end);
-  end
   for scene = scenes
     [~, name] = fileparts (scene.name);
-    ## derived in turns, with test_library
-    if (! whole && strncmp (name, "library_", 8))
-      continue;
-    end
     ## abbreviated: holds to its tolerance, test_abbreviate; springs of 1e8 and 1e10 N/m:
     ## differences see their rounding alone, test_radau_loops, test_trim
     if (any (strcmp (name, {"base_robot_less", "stiff_loop", "trim_stiff"})))

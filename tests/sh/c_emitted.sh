@@ -14,14 +14,12 @@ pairs() {
   told $? "$what" "$report"
 }
 
-# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; one by chance
-day=$(date +%j)
-by_chance=$(ls tests/scenes/*.mac | awk -v day="$day" '
-  { file[NR] = $0 } END { srand(day); print file[int(1 + rand()*NR)] }')
-pairs "C and Fortran: $(echo $by_chance)" tests/scenes/speeds_body.mac \
-  tests/scenes/event_crank.mac tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac \
-  $(whole && echo tests/scenes/case_03a.mac tests/scenes/own_words.mac \
-    tests/scenes/reach_parallel_apart.mac) $by_chance
+# -- trees, loops, Euler parameters, devices, events, samples, inverse kinematics; beams, fluids,
+# circuits, derivatives by parameters, events of the user
+scenes='speeds_body event_crank sampled_crank reach_legs flexible_mounted fluid_pneumatic
+  electric_others sensitivity_crank user_wheel mech_digital'
+whole && scenes="$scenes case_03a own_words reach_parallel_apart"
+pairs 'C and Fortran' $(printf 'tests/scenes/%s.mac ' $scenes)
 (GSMBP_REQUESTS='[all, batch, lanes, regressor]' pairs 'batches, lanes and the regressor' \
   tests/scenes/batch_arm.mac tests/scenes/batch_bars.mac)
 whole && (GSMBP_NUMBERS=compiled pairs 'parameters as numbers' tests/bench/systems/puma3.mac)

@@ -1,6 +1,5 @@
-# The Fortran: what is emitted for the scenes of the tests (a sixth of them, another one each day;
-# make test-whole: all), and the run time of share/fortran. Needs the scenes derived (tests/run does
-# that).
+# The Fortran: what is emitted for the scenes of the tests, and the run time of share/fortran. Needs
+# the scenes derived (tests/run does that).
 . tests/tools/check.sh
 root=$PWD
 flags='-std=f95 -frecursive -Wall -Wextra -pedantic -fimplicit-none -Wno-unused-dummy-argument'
@@ -31,13 +30,11 @@ length($0) > 72    { fault("beyond column 72: " $0) }
 A
 standard=all,no-long-name,no-name-underscore,no-implicit-none
 usage=no-arg-unused,no-ext-unused,no-arg-array-alias
-: "${GSMBP_WHOLE:=}"
 ftnchek=no
 has ftnchek 'what it says of the emitted Fortran and the run time' && ftnchek=yes
 
-emitted=$(ls "$GSMBP_TEST_DIR"/fortran_out/*.f | awk -v day="$(date +%j)" -v all="$GSMBP_WHOLE" '
-  all != "" || NR % 6 == day % 6')
-for file in $emitted $(find share/fortran share/controllers -name "*.f"); do
+for file in "$GSMBP_TEST_DIR"/fortran_out/*.f \
+  $(find share/fortran share/controllers -name "*.f"); do
   [ -f "$file" ] || { echo "not ok no Fortran at $file"; continue; }
   name=${file##*/}
   emitted=no

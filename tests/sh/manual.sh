@@ -1,8 +1,6 @@
-# The manual: the sessions of its chapters are typed and compared, an eighth of them a day (the
-# others: sessions.sh; all, and the longest, in make test-whole); every public function is in its
-# index; every entry of the index opens in describe with its text (on ECL too in make test-whole);
-# example works for every function; every word of the scene language has its picture, or is said to
-# have none.
+# The manual: every public function is in its index; every entry of the index opens in describe with
+# its text (on ECL too in make test-whole); example works for every function; every word of the
+# scene language has its picture, or is said to have none. Its sessions: sessions_*.sh.
 . tests/tools/check.sh
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
@@ -35,12 +33,6 @@ if len(rows) < 100 or text.count(b'\x1f\nFile: ') != len(rows):
     print('%d nodes in the table' % len(rows))
 END
 result 'the table of nodes tells where they are'
-
-written=$(ls share/manual/*.texi |
-  grep -vE '/(maxima|octave|entries|elements|laws|units|version|examples|functions)\.texi')
-turn=$(($(date +%s) / 86400 % 8))/8
-/usr/bin/python3 tests/tools/sessions.py \
-  $(whole || echo --without=fmu,travel,robots "--turn=$turn") $written
 
 { grep -oE '^gsmbp_[A-Za-z0-9_]+' share/manual/functions.txt; ls octave/gsmbp_*.m |
   sed 's|.*/||; s|\.m$||'; } | sort -u | while read -r name; do

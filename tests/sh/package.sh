@@ -96,7 +96,7 @@ if (! isempty (getenv ("SAMPLE")))
 end
 doctest (functions);
 END
-# those that build a scene which the manual's session has emitted before are typed by sessions.sh
+# those that build a scene which the manual's session has emitted before are typed by sessions_*.sh
 export SAMPLE="$(cd "$root" && grep -LE 'gsmbp_build \("(pinned|swing|turret)"' octave/gsmbp_*.m |
   sed 's,.*/,,; s,\.m$,,' | { [ -n "${GSMBP_WHOLE:-}" ] && cat || grep -wF "$(echo $sample |
   tr ' ' '\n')"; } | tr '\n' ' ')"

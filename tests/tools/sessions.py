@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""sessions.py [--write] FILE...: types the sessions that Texinfo or Markdown files print.
+"""sessions.py [--write] [FILE...]: types the sessions that Texinfo or Markdown files print (all of
+the manual, the help texts and the README).
 
 A line `@c session NAME` (Markdown: `<!-- session NAME -->`) begins a session (or goes on with it,
 in another file, too): the examples behind it whose first line begins with `(%i1) `, `>> `, `$ ` or
@@ -9,18 +10,18 @@ where the shell has made that), in a new folder that looks like the top of the r
 example. In what is expected a line `...` stands for any lines, `...` at the end of a
 line for the rest of it; numbers with a point may differ by 1e-4 or in their last digit, tiny ones
 (1e-12) altogether, times in seconds and parts of it, too; lines that tell of a long derivation are
-left out. --turn=K/N: the part K of N of the sessions, by their names. --write: what differs is
-written into the file instead, and pictures that the file shows (@image{figures/NAME, ...}) are
-copied to figures/ beside it.
+left out. --part=K/N: the part K of N of the sessions, of about the same length. --write: what
+differs is written into the file instead, and pictures that the file shows (@image{figures/NAME,
+...}) are copied to figures/ beside it.
 """
+import glob
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
-import zlib
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.dont_write_bytecode = True
@@ -257,9 +258,15 @@ def lines_of(path):
     return [re.sub('^## ?', '', line) for line in lines] if path.endswith('.m') else lines
 
 
+def processor_time():
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(u.ru_utime + u.ru_stime for u in used)
+
+
 def judged(name, members, write):
     """types a session; {example: its text as it should be} where that is not what was found"""
-    folder, change, begun = workplace(), {}, time.time()
+    begun = processor_time()
+    folder, change = workplace(), {}
     try:
         for e, answers in typed_session(members, folder).items():
             wrong = differs(answers)
@@ -272,7 +279,7 @@ def judged(name, members, write):
                 pictures(path, folder)
     finally:
         shutil.rmtree(folder)
-    print('session %s: %.1f s' % (name, time.time() - begun), flush=True)
+    print('session %s: %.1f s of processor time' % (name, processor_time() - begun), flush=True)
     return change
 
 
@@ -290,22 +297,40 @@ def rewritten(path, change):
     os.rename(path + '.new', path)
 
 
+def all_files():
+    """all that print sessions, but the chapters that `make manual` makes of help texts"""
+    copies = ['%s.texi' % name for name in ('maxima', 'octave', 'elements', 'entries')]
+    found = [glob.glob(os.path.join(ROOT, *place)) for place in
+             (('share', 'manual', '*.texi'), ('octave', 'gsmbp_*.m'), ('README.md',))]
+    return [path for paths in found for path in sorted(paths)
+            if os.path.basename(path) not in copies]
+
+
+def part_of(sessions, part, parts):
+    """the names of the sessions of a part: the longest first, each to the shortest part so far; a
+    session takes as long as some 15 inputs before its first one"""
+    length = {name: 15 + sum(len(e.steps()) for e in members if e.kind)
+              for name, members in sessions.items()}
+    taken = [[] for _ in range(parts)]
+    for name in sorted(length, key=lambda name: (-length[name], name)):
+        min(taken, key=lambda names: sum(length[n] for n in names)).append(name)
+    return taken[part - 1]
+
+
 def main():
     write = '--write' in sys.argv
     only = next((a[len('--only='):] for a in sys.argv if a.startswith('--only=')), None)
-    without = next((a[len('--without='):] for a in sys.argv if a.startswith('--without=')), '')
-    turn = next((a[len('--turn='):] for a in sys.argv if a.startswith('--turn=')), '0/1')
-    part, parts = (int(n) for n in turn.split('/'))
-    paths = [os.path.abspath(a) for a in sys.argv[1:] if not a.startswith('--')]
+    part = next((a[len('--part='):] for a in sys.argv if a.startswith('--part=')), '1/1')
+    paths = [os.path.abspath(a) for a in sys.argv[1:] if not a.startswith('--')] or all_files()
     found = [e for path in paths for e in examples(path, lines_of(path))]
     for e in found:
         if e.session is None:
             print('not ok %s:%d: an example that belongs to no session' % (e.path, e.first))
     change = {}
-    for name in dict.fromkeys(e.session for e in found if e.session):
-        its_turn = zlib.crc32(name.encode()) % parts == part
-        if name == only or not only and its_turn and name not in without.split(','):
-            change.update(judged(name, [e for e in found if e.session == name], write))
+    sessions = {name: [e for e in found if e.session == name]
+                for name in dict.fromkeys(e.session for e in found if e.session)}
+    for name in [only] if only else part_of(sessions, *map(int, part.split('/'))):
+        change.update(judged(name, sessions[name], write))
     if write:
         for path in {e.path for e in change}:
             rewritten(path, change)
