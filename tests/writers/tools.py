@@ -120,9 +120,11 @@ class Session:
 
     def finish(self):
         """(succeeded, what was said) of each job"""
+        why = 'the session ended: '
         try:
-            self.process.wait(timeout=1500)
+            self.process.wait(timeout=6000)
         except subprocess.TimeoutExpired:
+            why = 'the session was stopped after 6000 s: '
             self.kill()
         said = ('\n' + self.text()).split('\nJOB ')[1:]
         found = []
@@ -132,5 +134,5 @@ class Session:
             k = ends[0] if ends else len(lines)
             found.append((bool(ends) and lines[k] == 'DONE',
                           '\n'.join(line for line in lines[:k] if line.strip())))
-        return found + [(False, 'the session ended: ' + self.text()[-300:])] * (
+        return found + [(False, why + self.text()[-300:])] * (
             len(self.jobs) - len(found))
