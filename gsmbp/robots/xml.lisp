@@ -22,9 +22,10 @@
                          (cons '(mlist simp) (mapcar #'gs-line-text notes))))))
         "the reader of XML (share/urdf/read) cannot be run")))
 
+;;; a folder of this process, as share/make/place names those that it removes when their process is
+;;; gone: two sessions that begin in one second have the same random numbers
 (defun $gs__new_folder (above)
-  (format nil "~a/gsmbp-~d-~d" above (get-universal-time)
-          (random 1000000000 (make-random-state t))))
+  (format nil "~a/gsmbp-~d-~d" above (gs-session-id) (random 1000000000 (make-random-state t))))
 
 ;;; a text with the number of its line, 0 for none
 (defun gs-line-text (said)

@@ -25,8 +25,8 @@ only C '\<rename \(|freopen|mkstemp' 'octave/glue/sweep_place.c' \
   $(files octave share -name '*.c' -o -name '*.cc' -o -name '*.h')
 only C 'fopen \(.*"[wa]|O_CREAT|H5Fcreate' 'octave/glue/sweep_(files|table|program).c' \
   $(files octave share -name '*.c' -o -name '*.cc' -o -name '*.h')
-# install swaps a folder, a program of a sweep is made by its Makefile, objects are kept by tests
-only shell '\<(mv|mktemp) ' 'share/make/(place|install)|share/fmu/build|share/sweep/Makefile' \
+# install swaps a folder, the Makefile of a sweep makes its program, cache checks its entries
+only shell '\<(mv|mktemp) ' 'share/make/(place|install|cache)|share/sweep/Makefile' \
   $(grep -lE '^#!/bin/sh' -r share) share/sweep/Makefile
 # notebook writes into a temporary folder, render.py into that of pip
 only Python "os\\.(replace|rename)|open\\(.*'[wa]" 'share/make/notebook|share/python/render.py' \
