@@ -53,8 +53,9 @@
 ## @end example
 ##
 ## Errors: a loop that does not close, or a guess that no branch closes; a
-## coordinate in "hold" that the model has not, or one alone of four Euler
-## parameters; a guess of another size, not finite, or with zeros for Euler
+## coordinate in "hold" that the model has not, that a motion drives, that other held ones
+## determine, with a value that no branch reaches (named is the last one that is), or one alone
+## of four Euler parameters; a guess of another size, not finite, or with zeros for Euler
 ## parameters.
 ## Source: own: projection in the metric of the mass matrix (PRJ); with "hold"
 ## numerical continuation (Allgower and Georg 1990, chapter 6).
