@@ -35,6 +35,9 @@ echo 'f(x) := x$ scene : f(1, 2)$' |
   says maxima 'Too many arguments supplied to f(x); found: [1, 2]'
 GSMBP_TIMEOUT=2 says spat32 'stopped after 2 seconds of processor time' \
   <tests/bench/systems/spat32.mac
+GSMBP_TIMEOUT=1 share/make/page "$work/spat32.mac" "$work/page.html" 2>"$report"
+one_line && grep -q "spat32.mac: stopped after 1 seconds of processor time" "$report"
+told $? 'page: the limit of processor time' "$report"
 share/make/derive "$work/nowhere.mac" "$work/out" 2>"$report"
 check 'derive: no file' \
   test "$(cat "$report")" = "derive: there is no scene file $work/nowhere.mac"

@@ -73,6 +73,18 @@ export MAXIMA_TEMPDIR="$work"
 check 'not used with other variables of Maxima' fails used
 unset MAXIMA_TEMPDIR
 
+touch gsmbp/elsewhere.mac
+share/make/image make gsmbp/compiled/*GCL* &
+sleep 0.3
+kill -9 $!
+check 'not used after an update that was killed' fails used
+make_image & make_image
+wait
+check 'two updates at once: the same text' same two
+make_image
+check 'and an image' used
+check 'and nothing else' test -z "$(find gsmbp/compiled -name '.new-*')"
+
 image=$(ls gsmbp/compiled/*/image)
 cp --preserve=timestamps "$image" "$work/whole"
 head -c 30000000 "$work/whole" >"$image"
