@@ -33,6 +33,7 @@ echo "scene : gsmbp_scene(\"syntax\", link(b, mass = 1)), $body" |
   says syntax "incorrect syntax: Too many )'s"
 echo 'f(x) := x$ scene : f(1, 2)$' |
   says maxima 'Too many arguments supplied to f(x); found: [1, 2]'
+echo 'scene : ?car(3)$' | says lisp ''
 GSMBP_TIMEOUT=2 says spat32 'stopped after 2 seconds of processor time' \
   <tests/bench/systems/spat32.mac
 GSMBP_TIMEOUT=1 share/make/page "$work/spat32.mac" "$work/page.html" 2>"$report"
