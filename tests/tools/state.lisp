@@ -5,6 +5,7 @@
 (in-package :maxima)
 
 (defvar *state-depth* 0)
+(defvar *state-random* (random (expt 10 20)))   ; states of GCL 2.7 are not printed alike
 
 (defun state-of-parts (kind parts) (format nil "~a(~{~a~^ ~})" kind parts))
 (defun state-of-list (l)
@@ -21,7 +22,7 @@
   (cond ((consp x) (state-of-parts "" (state-of-list x)))
         ((hash-table-p x) (state-of-parts "table" (state-of-table x)))
         ((simple-vector-p x) (state-of-parts "vector" (state-of-list (coerce x 'list))))
-        ((random-state-p x) (prin1-to-string x))
+        ((random-state-p x) "random")
         ((functionp x) "function")
         ((packagep x) (package-name x))
         (t "object")))
