@@ -5,6 +5,7 @@
 (in-package :maxima)
 
 (defvar *state-depth* 0)
+(defvar *state-left* 0)     ; how many more objects of a symbol are written
 (defvar *state-random* (random (expt 10 20)))   ; states of GCL 2.7 are not printed alike
 
 (defun state-of-parts (kind parts) (format nil "~a(~{~a~^ ~})" kind parts))
@@ -27,6 +28,7 @@
         ((packagep x) (package-name x))
         (t "object")))
 (defun state-text (x)
+  (when (minusp (decf *state-left*)) (throw 'state-much "much"))
   (cond ((symbolp x) (if (symbol-package x) (prin1-to-string x) "symbol"))
         ((and (stringp x) (> (length x) 10000)) "long")
         ((or (numberp x) (characterp x) (stringp x) (pathnamep x)) (prin1-to-string x))
@@ -34,10 +36,12 @@
         (t (let ((*state-depth* (1+ *state-depth*))) (state-of-whole x)))))
 
 (defun state-of-symbol (s)
-  (format nil "~a: ~a, ~:[no~;a~] function, ~a" (state-text s)
+  (format nil "~a: ~a, ~:[no~;a~] function, ~a" (prin1-to-string s)
           (if (boundp s) (state-text (symbol-value s)) "no value")
           (fboundp s) (state-text (symbol-plist s))))
-(defun state-line (s) (ignore-errors (state-of-symbol s)))   ; some of GCL cannot be read
+(defun state-line (s)
+  (let ((*state-left* 300000))   ; some values of GCL cannot be read
+    (catch 'state-much (ignore-errors (state-of-symbol s)))))
 (defun state-lines ()
   (let ((found nil) (*print-length* nil) (*print-level* nil) (*print-pretty* nil)
         (*package* (find-package :keyword)))
