@@ -55,7 +55,7 @@ check 'and used' used
 check 'the same text from the image' same image
 state image
 told $? 'the state of a session from the image' "$report"
-diff "$work/state.sources" "$work/state.image" | cut -c 1-500 >"$report"
+diff "$work/state.sources" "$work/state.image" 2>&1 | cut -c 1-500 >"$report"
 result 'the two states are equal'
 functions=$(grep -c '^MAXIMA::\$GSMBP_' "$work/state.image")
 check 'the states have the functions of GSMBP' test "$functions" -gt 50
