@@ -36,8 +36,8 @@ make test                  all tests; the last line is "N passed, N failed"
 make check                 the core of every folder, for people at work (tests/check.txt)
 make check-environment     the same a year from now (faketime), in Turkish, in another time zone with
                            umask 077, offline, not as root: the same counts in all
-make test-whole            all tests: those that make test takes in turns, an eighth a day
-                           (tests/run), and at length those of which it takes a part
+make test-whole            all tests at length, before a release: all of what make test takes a part
+                           of
 make test-random           2000 scenes made by chance against each of two independent formulations
                            (make test takes 30 and 6), 300 expressions, literal beside emitted (40),
                            and 200 scenes beside twins of the same physics (10); SEED=1 COUNT=2000:
