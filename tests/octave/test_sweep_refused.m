@@ -126,14 +126,14 @@ function values (m)
            @() one([0 NaN 1]), "vector of finite numbers, found NaN as number 2"
            @() one([0 1; 2 3]), "vector of finite numbers, found a 2x2 matrix"
            @() one([]), "vector of finite numbers, found none"
-           @() one("ab"), "vector of finite numbers, found \"ab\""
+           @() one("ab"), "argument times: expected no text, found \"ab\""
            @() one([0 1], "breaks", [0.1 0.2; 0.3 0.4]), ...
            "option breaks: expected a vector of finite numbers, found [0.1 0.2;0.3 0.4]"
            @() sweep(struct ("m", [1 2]), "demand", 3), "lower and upper limit, found 3"
            @() one([0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN), ...
            "option limits: expected real numbers, found NaN"
            @() one([0 1], "gain", [1 0], "reference", [0 0 0]), "polynomial, found [1 0]"
-           @() gsmbp_plan("table", [0 1], [1 NaN]), "of finite real numbers, found [1 NaN]"
+           @() gsmbp_plan("table", [0 1], [1 NaN]), "expected finite numbers, found NaN in row 1, column 2"
            @() gsmbp_plan("table", [0 1], [1 2], 2), "must be 0, 1 or 3, found 2"
            @() gsmbp_plan("profile", 3), "a piecewise polynomial, as of mkpp, found 3"
            @() gsmbp_plan("profile", mkpp ([0 1], 1), 4), "or 3 (jerk), found 4"
