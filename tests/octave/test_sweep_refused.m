@@ -133,7 +133,8 @@ function values (m)
            @() one([0 1], "gain", [1 0 0], "reference", [0 0 0], "limits", NaN), ...
            "option limits: expected real numbers, found NaN"
            @() one([0 1], "gain", [1 0], "reference", [0 0 0]), "polynomial, found [1 0]"
-           @() gsmbp_plan("table", [0 1], [1 NaN]), "expected finite numbers, found NaN in row 1, column 2"
+           @() gsmbp_plan("table", [0 1], [1 NaN]), ...
+           "expected finite numbers, found NaN in row 1, column 2"
            @() gsmbp_plan("table", [0 1], [1 2], 2), "must be 0, 1 or 3, found 2"
            @() gsmbp_plan("profile", 3), "a piecewise polynomial, as of mkpp, found 3"
            @() gsmbp_plan("profile", mkpp ([0 1], 1), 4), "or 3 (jerk), found 4"
