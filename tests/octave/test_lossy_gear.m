@@ -208,13 +208,6 @@ function racks ()
   gsmbp_check ("rack: rotor before the mesh", x(3:4)' / a - 1, 1e-13);
 end
 
-function v = inputs_of (m, varargin)
-  v = zeros (numel (m.inputs), 1);
-  for k = 1:2:numel (varargin)
-    v(strcmp (m.inputs, varargin{k})) = varargin{k+1};
-  end
-end
-
 ## three gears that load each other by the inertia of the arm
 function arm ()
   m = gsmbp_fixture ("gear_arm");

@@ -171,10 +171,3 @@ function stopped ()
   s = gsmbp_simulate (m, x, linspace (0, 1, 5), "input", at (0, 0, 0, -3, 10), o{:});
   gsmbp_check ("stop: the motor does", s.x(end, :) - [-0.5, 0], 1e-10);
 end
-
-function v = inputs_of (m, varargin)
-  v = zeros (numel (m.inputs), 1);
-  for k = 1:2:numel (varargin)
-    v(strcmp (m.inputs, varargin{k})) = varargin{k+1};
-  end
-end
