@@ -107,6 +107,10 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
   gsmbp__no_mode_given (who, m, rows.inputs, p.o.modes);
   p = gsmbp__for_all_delays (p, fieldnames (own.parameters)', rows.table);
   e = gsmbp__many_runs (who, p, rows);
+  if (isfield (e, "sharp"))
+    gsmbp__sharp_friction (who, m, e.sharp, rows.n);
+    e = rmfield (e, "sharp");
+  endif
   e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
   e.parameters = own.parameters;

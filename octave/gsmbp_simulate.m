@@ -364,7 +364,10 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   endif
   gsmbp__run_warnings (who, m, result.stats, columns (events));
   if (! isempty (m.events))
-    gsmbp__sharp_friction (who, m, result);
+    run = struct ("run", 1, "method", result.stats.method, "atol", atol, "happened", ...
+                  unique (result.events.number), "t", result.t(end), "x", result.x(end,:), ...
+                  "v", result.v(end,:));
+    gsmbp__sharp_friction (who, m, gsmbp__sharp_ports (m, run), 1);
   endif
   at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);

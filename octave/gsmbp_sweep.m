@@ -160,6 +160,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
   records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))
+    gsmbp__sharp_friction (who, m, sharp_at_start (s), rows (table));
     w = struct ("program", gsmbp__sweep_program (who, s, p, records, o.program));
     return;
   elseif (isempty (o.file))
@@ -169,6 +170,7 @@ function w = gsmbp_sweep (m, x0, times, varargin)
   endif
   w.stopped = said_if_stopped (who, m, o, r);
   told_of_margins (who, m, r.outside, rows (table));
+  gsmbp__sharp_friction (who, m, r.sharp, rows (table));
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
   [w, out] = gsmbp__sweep_statistics (w, table, r.values, o);
@@ -256,6 +258,21 @@ function told_of_margins (who, m, outside, n)
                               "\"state_margin%d\" tells how far"], who, m.name, ...
              rows (outside), n, run, m.state_margins{k}, k);
   endif
+endfunction
+
+## ports of runs that a program makes: which events there will be is not known
+function list = sharp_at_start (s)
+  list = struct ([]);
+  [m, p] = deal (s.m, s.plan);
+  if (isempty (m.events) || ! any (strcmp (p.method, {"radau", "cvode"})))
+    return;
+  endif
+  all_ = gsmbp__sweep_rows (s, 1:rows (s.table));
+  for i = find (strcmp (all_.broken, ""))'
+    run = struct ("run", i, "method", p.method, "atol", p.atol, "happened", ...
+                  1:numel (m.events), "t", s.times(1), "x", p.x0, "v", m.input_starts);
+    list = [list, gsmbp__sharp_ports(gsmbp__run_model (m, all_, i), run)];
+  endfor
 endfunction
 
 ## indices of Sobol without base samples of which a run has no number

@@ -20,6 +20,7 @@ function e = gsmbp__many_runs (who, p, rows)
                        events(4,:)');
     e.counted = counted_of (numel (m.events), counted);
     warn_of_more (who, m, sum (e.counted.count, 2), accumarray (events(1,:)', 1, [rows.n, 1]));
+    e.sharp = sharp_runs (e, p, rows, counts);
   endif
   if (! isempty (m.state_margins))
     e = with_margins (who, e, p, rows, margins');
@@ -88,7 +89,7 @@ function e = with_margins (who, e, p, rows, found)
   if (isempty (k))
     return;
   endif
-  m = of_row (p.m, rows, k);
+  m = gsmbp__run_model (p.m, rows, k);
   here = all (isfinite (e.x(:,:,k)), 2);
   list = gsmbp__margins (m, e.t(here), e.x(here,:,k), e.v(here,:,k));
   if (! isempty (list))
@@ -108,6 +109,22 @@ function warn_of_more (who, m, count, listed)
                               "have all; those of e.counted are of all"], who, m.name, ...
              nnz (more), numel (more), k, most, listed(k));
   endif
+endfunction
+
+## ports whose friction falls too steeply for the method of their run (gsmbp__sharp_ports)
+function list = sharp_runs (e, p, rows, counts)
+  list = struct ([]);
+  for i = find (any (e.counted.count, 2) & counts(5,:)' > 0)'
+    run = struct ("run", i, "method", p.method, "atol", p.atol, "happened", ...
+                  find (e.counted.count(i,:)), "t", e.t(counts(5,i)), "x", e.x(counts(5,i),:,i), ...
+                  "v", e.v(counts(5,i),:,i));
+    if (strcmp (p.method, "auto"))
+      run.method = {"dp853", "radau"}{1 + (counts(14,i) > 0)};
+    endif
+    if (any (strcmp (run.method, {"radau", "cvode"})))
+      list = [list, gsmbp__sharp_ports(gsmbp__run_model (p.m, rows, i), run)];
+    endif
+  endfor
 endfunction
 
 ## which runs came to their end; BROKEN: those whose parameters break a rule; CUT: those whose rows
@@ -130,25 +147,13 @@ function [e, cut] = judged (e, p, rows, broken, counts, values, info, said)
   cut = find (! e.ok & ! idle);
 endfunction
 
-## the model with the parameters of run I, as far as a reason needs it: many runs may fail
-function m = of_row (m, rows, i)
-  if (isempty (rows.table))
-    return;
-  endif
-  names = fieldnames (m.par)(rows.which);
-  for k = 1:numel (names)
-    m.par.(names{k}) = rows.table(i,k);
-  endfor
-  m = gsmbp__handles (m, {"rhs", "con", "prj", "mar", "hld", "evt"});
-endfunction
-
 ## why run I failed, as gsmbp_simulate says it of the model with its parameters
 function text = reason (p, rows, i, info, counts, values, said, last)
   if (info(2) != 0)
     text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
     return;
   endif
-  m = of_row (p.m, rows, i);
+  m = gsmbp__run_model (p.m, rows, i);
   if (info(1) == 3 && counts(7) == 9 && counts(6) == 5)   # GS_START_SAMPLES of glue/start.h
     text = ["sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 " ...
             "samples behind the start"];

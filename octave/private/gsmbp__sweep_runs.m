@@ -4,14 +4,15 @@
 ## for none.  R: values, ok, reached, reason, whole (a cell, a matrix for each whole run that is
 ## kept), seconds, made (whether they were), stopped ("", or what ended all; of the chunk under way
 ## the runs that came to their end before are kept), outside (a row for each run that was made now
-## in which devices left their margins: its number, that of the first of these margins).
+## in which devices left their margins: its number, that of the first of these margins), sharp (of
+## these runs the ports of gsmbp__sharp_ports).
 
 function r = gsmbp__sweep_runs (who, s, j)
   n = rows (s.table);
   whole = [s.kept.whole];
   r = struct ("values", NaN (n, nnz (! whole)), "ok", false (n, 1), "reached", NaN (n, 1), ...
               "reason", {repmat({""}, n, 1)}, "whole", {cell(1, nnz (whole))}, "seconds", 0, ...
-              "stopped", "", "outside", zeros (0, 2));
+              "stopped", "", "outside", zeros (0, 2), "sharp", struct ([]));
   missing = true (n, 1);
   if (! isempty (j))
     [r, missing] = read_chunks (r, j, missing);
@@ -37,6 +38,7 @@ function r = gsmbp__sweep_runs (who, s, j)
     endif
     r.seconds += b.seconds;
     r.outside = [r.outside; b.outside];
+    r.sharp = [r.sharp, b.sharp];
     for i = stretches (b.made)   # whole chunks on disk, however short
       text = [b.lines{i(1)-1+find(! b.table(i(1):i(2),1))}, ""];
       if (! isempty (j))
@@ -94,17 +96,20 @@ function b = chunk (s, i, left)
     warning ("off", ["gsmbp:" id{1}], "local");
   endfor
   b = struct ("table", [], "lines", {{}}, "made", false (0, 1), "seconds", 0, "stopped", ...
-              "timeout", "outside", zeros (0, 2));
+              "timeout", "outside", zeros (0, 2), "sharp", struct ([]));
   if (left <= 0)
     return;
   endif
   s.plan.arguments{end} = {left, 0}{1 + isinf(left)};   # timeout
-  e = gsmbp__many_runs (s.who, s.plan, rows_of (s, i));
+  e = gsmbp__many_runs (s.who, s.plan, gsmbp__sweep_rows (s, i));
   [b.stopped, b.seconds, b.made] = deal (e.stopped, e.seconds, ! e.cut);
   if (isfield (e, "outside"))
     k = find (any (e.outside, 2));
     [~, which] = max (e.outside(k,:), [], 2);
     b.outside = [i(k)(:), which(:)];
+  endif
+  if (isfield (e, "sharp") && ! isempty (e.sharp))
+    b.sharp = arrayfun (@(one) setfield (one, "run", i(one.run)), e.sharp);
   endif
   kept = [s.kept(! [s.kept.whole]), s.kept([s.kept.whole])];
   parts = cell (1, numel (kept));
@@ -130,15 +135,6 @@ function b = chunk (s, i, left)
   for k = find (! e.ok)'
     b.lines{k} = sprintf ("%d\t%s\n", i(k), strrep (e.reason{k}, "\n", " "));
   endfor
-endfunction
-
-## the runs I as gsmbp__many_runs has them
-function r = rows_of (s, i)
-  table = s.table(i,:);
-  [~, which] = ismember (s.names, fieldnames (s.m.par)');
-  broken = gsmbp__broken_rules (s.m, cell2struct (num2cell (table, 1), s.names, 2));
-  r = struct ("n", numel (i), "which", which(:), "table", table, "starts", [], "inputs", [], ...
-              "broken", {broken}, "threads", s.threads, "lanes", s.lanes);
 endfunction
 
 ## margins of the loops of the runs I, a struct array; a run without them failed

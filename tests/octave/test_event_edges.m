@@ -17,6 +17,7 @@ function test_event_edges ()
   end
   pulled (gsmbp_fixture ("event_pulled"));
   too_sharp (gsmbp_fixture ("event_pulled"));
+  too_sharp_of_many (gsmbp_fixture ("event_pulled"));
   many_runs (m);
   derivatives (m);
 end
@@ -74,6 +75,26 @@ function too_sharp (m)
     gsmbp_check (sprintf ("%s, vs = %g, atol = %g: warned of, or 8 events", method, vs, atol), ...
                  warns == ! isempty (strfind (said, wanted)) ...
                  && (warns || (info == 0 && numel (r.events.t) == 8)));
+  end
+end
+
+## ... and so do ensembles, sweeps (in chunks, too) and programs of sweeps: which runs, once
+function too_sharp_of_many (m)
+  vs = [1e-7, 1e-10, 1e-8, 1e-9];
+  set_ = {"atol", 1e-12, "method"};
+  sweep = [{m, [0 0], 0:0.1:3, "vary", struct("vs", vs), "plan", "grid", "chunk", 1}, set_];
+  folder = tempname ();
+  tidy = onCleanup (@() confirm_recursive_rmdir (false) || rmdir (folder, "s"));
+  for c = {@() gsmbp_ensemble(m, [0 0], 0:0.1:3, "parameters", struct ("vs", vs), set_{:}, "radau")
+           @() gsmbp_sweep(sweep{:}, "radau")
+           @() gsmbp_sweep(sweep{:}, "radau", "program", folder)
+           @() gsmbp_sweep(sweep{:}, "dp853")}'
+    lastwarn ("");
+    c{1} ();
+    wanted = "vs = 1e-10, the tolerance of its speed (atol) is 1e-12 in run 2, the first of 2 such";
+    warns = isempty (strfind (func2str (c{1}), "dp853"));
+    gsmbp_check (["warned of: " func2str(c{1})], ...
+                 ! isempty (strfind (lastwarn (), wanted)) == warns);
   end
 end
 
