@@ -26,7 +26,8 @@
 ## the values of the held coordinates.
 ##
 ## A position where the constraints lose rank (a change point; all links in one
-## line, because degrees were typed for radians) is a warning.
+## line, because degrees were typed for radians) is a warning.  So is a held coordinate outside the
+## limits of its joint (@code{gsmbp:limits}): limits are not enforced.
 ##
 ## With "branches" the guess and @var{n} more around it are tried (angles up to
 ## half a turn away, lengths by the size of the mechanism, any orientation; the
@@ -91,6 +92,7 @@ function x = gsmbp_assemble (m, guess, varargin)
   else
     x = branches (who, m, x, o, held);
   endif
+  warn_of_limits (who, m, x(:,1), held);
   for k = 1:columns (x)
     warn_of_lost_rank (who, m, o.time, x(:,k));
   endfor
@@ -99,6 +101,17 @@ function x = gsmbp_assemble (m, guess, varargin)
       x(:,k) = gsmbp__settle (m, o.time, x(:,k));
     endfor
   endif
+endfunction
+
+function warn_of_limits (who, m, x, held)
+  limits = gsmbp__scene_limits (m, m.coordinates);
+  for k = find (held)'
+    if (! (limits(k,1) <= x(k) && x(k) <= limits(k,2)))
+      warning ("gsmbp:limits", ["%s: %s: option hold: %s = %.6g %s is outside the limits of " ...
+                                "its joint; expected %.6g to %.6g"], who, m.name, ...
+               m.coordinates{k}, x(k), m.units.coordinates{k}, limits(k,:));
+    endif
+  endfor
 endfunction
 
 function warn_of_lost_rank (who, m, t, x)

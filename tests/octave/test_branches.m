@@ -16,6 +16,7 @@ function test_branches ()
   first_seen ();
   unreached ();
   ends ();
+  beyond_limits ();
 end
 
 ## models, their held coordinates, poses by the angle of the first and the branch +-1, its range
@@ -163,4 +164,25 @@ function ends ()
   X = gsmbp_assemble (m, [2.8; 0; 0.3], "hold", "q1", "branches", 20);
   gsmbp_check ("\"branches\" gives both poses at q1 = 2.8", sort (X(3,:)) ...
                - 0.2 * cos (2.8) - sqrt (0.01 - 0.04 * sin (2.8)^2) * [-1, 1], 1e-12);
+end
+
+## a held value beyond the limits of its joint, where the loop closes: the pose, and a warning
+function beyond_limits ()
+  m = gsmbp_fixture ("free_crank");
+  limit = 150 * pi / 180;
+  for q1 = [limit, -limit, limit * (1 + 1e-9), -2.8, 2 * pi]
+    lastwarn ("");
+    x = gsmbp_assemble (m, [q1; 0; 0.5], "hold", "q1");
+    wanted = sprintf ("q1 = %.6g rad is outside the limits of its joint; expected -2.61799", q1);
+    warns = ! isempty (strfind (lastwarn (), wanted));
+    gsmbp_check (sprintf ("held at %.10g rad, limit 150 deg", q1), ...
+                 (x(1:3) - slider_crank (m.par, q1, 1))([1 3]), 1e-9);
+    gsmbp_check (["... " lastwarn()], warns == (abs (q1) > limit));
+  end
+  lastwarn ("");
+  gsmbp_assemble (m, [2.8; 0; 0.5]);
+  gsmbp_check ("not held: no warning", isempty (lastwarn ()));
+  X = gsmbp_assemble (m, [2.8; 0; 0.5], "hold", "q1", "branches", 20);
+  gsmbp_check (["both branches, one warning: " lastwarn()], columns (X) == 2 ...
+               && ! isempty (strfind (lastwarn (), "q1 = 2.8 rad is outside")));
 end
