@@ -25,6 +25,19 @@
               (push e found)
               (dolist (x (gs-entry-symbols e)) (unless (gethash x seen) (push x todo))))))))))
 
+;;; Do the outputs depend on one of these symbols?
+(defun $gs__reaches (tp outputs symbols)
+  (let ((entry (gs-entries tp)) (nature (gs-nature tp)) (seen (make-hash-table :test #'eq))
+        (todo (copy-list (cdr ($gs__symbols outputs)))))
+    (do () ((null todo) nil)
+      (let ((s (pop todo)))
+        (when (member s (cdr symbols) :test #'eq) (return t))
+        (unless (gethash s seen)
+          (setf (gethash s seen) t)
+          (let ((e (gethash s entry)))
+            (unless (or (null e) (eq (gethash s nature) '$constant))
+              (setq todo (append (gs-entry-symbols e) todo)))))))))
+
 ;;; The constants of the tape that code and symbols use, in the order of the tape.
 (defun $gs__constants_among (tp codes symbols)
   (let ((seen (make-hash-table :test #'eq)) (found nil))
