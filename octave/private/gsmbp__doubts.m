@@ -39,8 +39,11 @@ function list = outside (m, data)
   endfor
 endfunction
 
+## residuals above rounding; of an effort that is zero itself, above a small part of the others
 function list = large (m, e)
   list = {};
+  signal = e.rms ./ e.relative;
+  least = [1e-12, 1e-3](1 + (signal < 1e-9 * max (signal))) * max (signal);
   for g = 1:m.sizes.nu
     name = ["effort." m.coordinates{g}];
     allowed = Inf;
@@ -50,20 +53,22 @@ function list = large (m, e)
     if (e.rms(g) > 3 * allowed)
       list{end+1} = sprintf (["%s: the residual has an rms of %.3g, which is %.3g times its " ...
                               "sigma"], name, e.rms(g), e.rms(g) / allowed);
-    elseif (e.relative(g) > 0.3 && ! (e.rms(g) < 1.5 * allowed && isfinite (allowed)))
+    elseif (e.relative(g) > 0.3 && e.rms(g) > least(g)
+            && ! (e.rms(g) < 1.5 * allowed && isfinite (allowed)))
       list{end+1} = sprintf (["%s: the residual has an rms of %.3g, which is %.2g of the " ...
                               "signal"], name, e.rms(g), e.relative(g));
     endif
   endfor
 endfunction
 
-## estimates below zero that are sums of masses, moments about axes, frictions; others that no body
-## has, by what chi2 gains where a body is found
+## estimates below zero, by more than rounding, that are sums of masses, moments about axes,
+## frictions; others that no body has, by what chi2 gains where a body is found
 function list = impossible (m, e)
   list = {};
   s = gsmbp__standard (m);
   for k = gsmbp__never_negative (m, s, e)
-    if (e.p(k) < -3 * e.sigma(k))
+    part = -e.p(k) * norm (e.R(:,k)) / (norm (e.z) + realmin);   # of the efforts
+    if (e.p(k) < -3 * e.sigma(k) && part > 1e-9)
       list{end+1} = sprintf ("%s = %.4g +- %.2g is negative, which no body is", e.names{k}, ...
                              e.p(k), e.sigma(k));
     endif
@@ -78,16 +83,17 @@ function list = impossible (m, e)
   catch
     return;   # the search did not converge: nothing is said
   end_try_catch
-  if (gain > 25)
+  if (gain > 25 && gain > 1e-9 * sumsq (e.z))
     list{end+1} = sprintf (["no body has these masses and inertias: the nearest estimates that " ...
                             "bodies have (gsmbp_consistent) raise chi2 by %.3g"], gain);
   endif
 endfunction
 
-## the noise of positions: what the accelerations have above the motion itself
+## the noise of positions: what the accelerations have above the motion itself, where this is not
+## more than noise can make of it (else the filter took it from the motion)
 function list = noisy (m, data, e)
   list = {};
-  [extra, raw] = above_motion (data, e);
+  [extra, raw, most_noise] = above_motion (data, e);
   if (isempty (extra))
     return;
   endif
@@ -95,7 +101,7 @@ function list = noisy (m, data, e)
     r = e.residual(:,g);
     size_ = @(x) sqrt (mean (x .^ 2));
     c = (extra' * r) ./ (numel (r) * size_ (extra)' * size_ (r) + realmin);
-    c(size_ (extra) < 1e-6 * size_ (data.ud)) = 0;
+    c(size_ (extra) < 1e-6 * size_ (data.ud) | size_ (extra) > most_noise) = 0;
     [most, j] = max (abs (c));
     if (most * sqrt (numel (r)) > 5 && most > 0.1 && e.relative(g) > 1e-6)
       list{end+1} = sprintf (["effort.%s: the residual correlates by %.2f with the noise of " ...
@@ -109,9 +115,11 @@ function list = noisy (m, data, e)
   endfor
 endfunction
 
-## at the times of the residuals; the positions as measured
-function [extra, raw] = above_motion (data, e)
-  [extra, raw] = deal ([], data);
+## at the times of the residuals; the positions as measured; MOST_NOISE: an upper bound of the rms
+## that their noise has in the accelerations below the cutoff (without one: below half the sampling
+## frequency)
+function [extra, raw, most_noise] = above_motion (data, e)
+  [extra, raw, most_noise] = deal ([], data, 0);
   if (strcmp (e.options.method, "total") || columns (e.residual) != columns (data.q) ...
       || rows (e.residual) < 100)
     return;
@@ -122,5 +130,10 @@ function [extra, raw] = above_motion (data, e)
   if (isempty (s))
     return;
   endif
+  cutoff = 0.5 / median (diff (raw.t));
+  if (isfield (data, "cutoff") && ! isempty (data.cutoff))
+    cutoff = data.cutoff;
+  endif
+  most_noise = 3 * (2 * pi * cutoff) ^ 2 * s.noise;
   extra = interp1 (data.t, data.ud, e.t) - interp1 (raw.t, s.B{3} * s.c, e.t);
 endfunction

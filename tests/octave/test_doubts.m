@@ -31,6 +31,7 @@ function test_doubts ()
   not_finite (m, d);
   proposed (m, d, noise);
   times (m, d);
+  exact (m);
 end
 
 function sound_ (m, d)
@@ -166,4 +167,50 @@ function times (m, d)
         "cutoff", 20);
   says (1000 * d.t, "found 20; are the times in milliseconds", "cutoff", 20);
   says (d.t, "option cutoff: .auto., .spline. or a frequency", "cutoff", -1);
+end
+
+## exact data of five scenes, as they are, by differences and through the filter that is proposed:
+## no doubt, where an effort is zero neither; of the other sign they are doubted all the same
+function exact (crane)
+  robot = gsmbp_fixture ("base_robot");
+  scara = gsmbp_fixture ("ident_scara");
+  for m = {crane, robot, gsmbp_fixture("case_d5a"), gsmbp_fixture("ident_arm"), scara, ...
+           gsmbp_set(scara, "jq", 0)}
+    d = exact_motion (m{1});
+    few = struct ("t", d.t, "q", d.q, "tau", d.tau);
+    warning ("off", "gsmbp:identify", "local");
+    list = gsmbp_identify (m{1}, d, "weights", "residual").doubts;
+    for x = {d, gsmbp_measured(m{1}, few), gsmbp_measured(m{1}, few, "cutoff", "auto")}
+      list = [list, gsmbp_identify(m{1}, x{1}).doubts];
+    end
+    gsmbp_check ([m{1}.name ": exact data are not doubted" sprintf("; %s", list{:})], ...
+                 isempty (list));
+    x = gsmbp_measured (m{1}, few, "cutoff", 20);
+    gsmbp_check ("... what a filter takes from the motion is no noise", ...
+                 isempty (strfind ([gsmbp_identify(m{1}, x).doubts{:}, ""], "noise")));
+    e = gsmbp_identify (m{1}, setfield (d, "tau", -d.tau));
+    gsmbp_check ([m{1}.name ": ... but with efforts of the other sign"], ...
+                 any (! cellfun (@isempty, regexp (e.doubts, "is negative, which no body is$"))));
+  end
+end
+
+## three harmonics in 4 s, 0.02 s apart
+function d = exact_motion (m)
+  n = m.sizes.nu;
+  rand ("twister", 5);
+  t = (0:0.02:4)';
+  d = struct ("t", t, "q", zeros (numel (t), n), "u", zeros (numel (t), n), "ud", ...
+              zeros (numel (t), n), "tau", zeros (numel (t), n));
+  for j = 1:n
+    for w = 2 * pi / 5 * (1:3)
+      a = (2 * rand () - 1) * 2 * pi / 5 / w;
+      p = w * t + 2 * pi * rand ();
+      d.q(:,j) += a * sin (p);
+      d.u(:,j) += a * w * cos (p);
+      d.ud(:,j) -= a * w ^ 2 * sin (p);
+    end
+  end
+  for i = 1:numel (t)
+    d.tau(i,:) = m.inv (0, d.q(i,:)', d.u(i,:)', d.ud(i,:)', zeros (numel (m.inputs), 1));
+  end
 end
