@@ -5,6 +5,7 @@ function test_mechanical ()
   slides ();
   stops ();
   clearance ();
+  tight ();
   joint ();
   elastic ();
   control ();
@@ -124,6 +125,20 @@ function clearance ()
   finite ("backlash, edge of the gap", m, [0; 1; 0; 0; 0.05; 0], 0);
   finite ("backlash, middle of the gap", m, [0; 1; 0; 0; 0; 0], 0);
   audit ("backlash", gsmbp_set (m, "eps", 0.003, "G_B", 1e-3), [0; 1; 1; 0; 0; 0], 1, v);
+end
+
+## the same gear without its clearance: the torque that passes the mesh is what turns the wheel
+function tight ()
+  m = gsmbp_fixture ("mech_tight");
+  p = m.par;
+  for c = [0, 0, 2, -3; 3, 0.5, 0, -1; 0, 0, 4, 5]   # speed, torque of the drive, current
+    [w, T, i] = num2cell (c){:};
+    xd = m.rhs (0, [0.3; w], [T; i]);
+    wd = 5 * (T + 0.1*i - (p.E_B + 0.02)*5*w) / (p.iw + 25 * (0.003 + 0.004));
+    y = m.out (0, [0.3; w], [T; i]);
+    gsmbp_check (sprintf ("backlash, tight: acceleration, torque in the mesh %.4g N m, twist", ...
+                          y(1)), [xd(2) - wd; y - p.iw * wd * [1; 1/200]], 1e-13);
+  end
 end
 
 ## arm behind a harmonic drive with motor, friction, stops and a spring
