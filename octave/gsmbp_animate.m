@@ -94,7 +94,7 @@ function gsmbp_animate (m, result, file, varargin)
            "points", true, "flag"
            "width", 720, "positive"};
   o = gsmbp__options (who, table, varargin);
-  moving = numel (file) > 4 && strcmpi (file(end-3:end), ".gif");
+  moving = numel (file) > 4 && strcmp (tolower (file(end-3:end)), ".gif");
   if (! moving && ! (numel (file) > 4 && strcmpi (file(end-3:end), ".png")))
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
   endif

@@ -115,8 +115,8 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
     [A, B, C, D] = deal (A(keep,keep), B(keep,:), C(seen,keep), D(seen,:));
     [T, independent, outputs] = deal (T(:,keep), independent(keep), outputs(seen));
   endif
-  sys = ss (A, B, C, D, "StateName", m.states(independent), "InputName", m.inputs, ...
-            "OutputName", outputs);
+  sys = ss (A, B, C, D, "statename", m.states(independent), "inputname", m.inputs, ...
+            "outputname", outputs);
 endfunction
 
 ## outputs that follow what is dropped are no part of the model

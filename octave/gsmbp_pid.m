@@ -87,8 +87,8 @@ function c = gsmbp_pid (m, e, kind, varargin)
   if (o.period > 0)
     p = gsmbp__sampled_plant (who, p, o);
   else
-    [p.h, p.plant] = deal (0, ss (p.A, p.B, p.C, 0, "StateName", p.states, "InputName", ...
-                                  p.driven, "OutputName", p.measured));
+    [p.h, p.plant] = deal (0, ss (p.A, p.B, p.C, 0, "statename", p.states, "inputname", ...
+                                  p.driven, "outputname", p.measured));
   endif
   [K, Ti, Td] = gsmbp__pid_tuned (who, p, o, kind, goal);
   c = controller (p, o, kind, K, Ti, Td);

@@ -20,6 +20,6 @@ function sys = gsmbp__machine_axis_plant (pose, axes_, j)
     B(u(free)) = M(free,free) \ (M(free,:) * B(u));
     [A, B, C, states] = deal (A(keep,keep), B(keep), C(keep), states(keep));
   endif
-  sys = ss (A, B, C, 0, "StateName", m.states(states), "InputName", m.inputs{a.input}, ...
-            "OutputName", a.output);
+  sys = ss (A, B, C, 0, "statename", m.states(states), "inputname", m.inputs{a.input}, ...
+            "outputname", a.output);
 endfunction

@@ -15,8 +15,8 @@ function p = gsmbp__sampled_plant (who, p, o)
       error ("%s: option delay: expected a period too: the delay is that of a computer", who);
     endif
     [p.F, p.H0] = deal (p.A, p.B);
-    p.plant = ss (p.A, p.B, p.C, 0, "StateName", p.states, "InputName", p.driven, ...
-                  "OutputName", p.measured);
+    p.plant = ss (p.A, p.B, p.C, 0, "statename", p.states, "inputname", p.driven, ...
+                  "outputname", p.measured);
     return;
   endif
   p.whole = floor (o.delay / h + 1e-9);
@@ -34,8 +34,8 @@ function p = gsmbp__sampled_plant (who, p, o)
   for k = 1:p.count
     names = [names; strcat(p.driven, sprintf ("_%d", k))];
   endfor
-  p.plant = ss (Fz, Hz, [p.C, zeros(rows (p.C), p.count * nu)], 0, h, "StateName", names, ...
-                "InputName", p.driven, "OutputName", p.measured);
+  p.plant = ss (Fz, Hz, [p.C, zeros(rows (p.C), p.count * nu)], 0, h, "statename", names, ...
+                "inputname", p.driven, "outputname", p.measured);
 endfunction
 
 ## x after the time t, of x and of a constant input

@@ -1,4 +1,5 @@
 # Every function of the package is defined once: Maxima would silently keep the last definition.
+export LC_ALL=C   # A-Z: in Turkish they lack some letters
 package=$(ls gsmbp/*.mac gsmbp/*/*.mac)
 maxima=$(ls gsmbp/*.mac gsmbp/*/*.mac share/*/*.mac)
 lisp=$(ls gsmbp/*.lisp gsmbp/*/*.lisp 2>/dev/null)
