@@ -34,7 +34,7 @@ define HELP
 make examples              derive, emit, compile, run and plot the examples
 make test                  all tests; the last line is "N passed, N failed"
 make check                 the core of every folder, for people at work (tests/check.txt)
-make check-environment     the same a year from now (faketime), in Turkish, in another time zone with
+make check-environment     the same a year from now, in Turkish, in another time zone with
                            umask 077, offline, not as root: the same counts in all
 make test-whole            all tests at length, before a release: all of what make test takes a part
                            of
