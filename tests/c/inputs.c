@@ -1,7 +1,8 @@
 /* share/c/inputs against share/fortran/inputs: polynomials, planned motions, sampled devices */
 #include "bridge.h"
 
-void gspln_ (), gsppl_ (), gsbak_ (), gsfol_ (), gsinp_ (), gssmp_ (), gsdue_ ();
+void gspln_ (), gsppl_ (), gsbak_ (), gsfol_ (), gsinp_ (), gssmp_ (), gsdue_ (),
+  gskep_ ();
 double gsnxt_ ();
 
 /* times: before, at, between and behind the breaks */
@@ -198,7 +199,7 @@ static void
 samples_of_a_run (void)
 {
   static test c, f;
-  begin ("gsdue, gssmp, gsnxt");
+  begin ("gsdue, gssmp, gskep, gsnxt");
   bridged = &sampled;
   for (int i = 0; i < 60; i++)
     {
@@ -216,6 +217,20 @@ samples_of_a_run (void)
         {
           double x[4] = { chance (), chance (), t, 1 };
           int acted, actf, info = 0;
+          int *is = c.ip + c.ip[GS_SAMPLES] - 1;
+          double *rs = c.rp + c.ip[GS_SAMPLES + 1] - 1;
+          if (n % 3 == 1)   // on trial, and back
+            {
+              gskep (0, 3, is, rs);
+              gsdue (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts, &acted);
+              gskep (1, 3, is, rs);
+              int *isf = f.ip + f.ip[GS_SAMPLES] - 1;
+              double *rsf = f.rp + f.ip[GS_SAMPLES + 1] - 1;
+              gskep_ (I (0), I (3), isf, rsf);
+              gsdue_ (through.out, through.ctl, through.cmd, through.clo, through.vin, &t, x, I (2),
+                      I (4), I (3), f.ip, f.rp, f.cst, f.vout, f.w, f.run.istat, &tf, &actf, &info);
+              gskep_ (I (1), I (3), isf, rsf);
+            }
           gsdue_ (through.out, through.ctl, through.cmd, through.clo, through.vin, &t, x, I (2),
                   I (4), I (3), f.ip, f.rp, f.cst, f.vout, f.w, f.run.istat, &tf, &actf, &info);
           same_int (gsdue (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts,
@@ -228,8 +243,6 @@ samples_of_a_run (void)
             same_int (c.ip[k], f.ip[k]);
           for (int k = 0; k < 20; k++)
             same_int (c.run.istat[k], f.run.istat[k]);
-          int *is = c.ip + c.ip[GS_SAMPLES] - 1;
-          double *rs = c.rp + c.ip[GS_SAMPLES + 1] - 1;
           same_numbers (1, D (gsnxt (3, is, rs)), D (gsnxt_ (I (3), is, rs)));
         }
     }

@@ -20,4 +20,5 @@ function passed = gsmbp_check (what, value, tolerance)
     end
     printf ("%s %s: %.1e (at most %.0e)\n", word{1 + passed}, what, worst, tolerance);
   end
+  fflush (stdout);
 end

@@ -193,20 +193,26 @@ function several ()
 end
 
 ## a wheel under a digital PI controller, output at once or delayed, against its recursion by
-## complex steps
+## complex steps; the last run ends at an event, which adds a part of the held torque to the speed,
+## and at a sample, which belongs to a run from there on
 function samples ()
   m = gsmbp_fixture ("sensitivity_sampled");
   names = {"J", "kp", "ki"};
   for late = [0, 0.03]
     m = gsmbp_set (m, "late", late);
-    r = gsmbp_simulate (m, [0; 0.1], [0 0.25 0.57], "sensitivity", [names, "q_d"], "input", [2; 0]);
+    run = @(m, t) gsmbp_simulate (m, [0; 0.1], t, "sensitivity", [names, "q_d"], "input", [2; 0]);
+    r = run (m, [0 0.25 0.57]);
+    at_end = run (gsmbp_set (gsmbp_fixture ("sensitivity_clock"), "late", late), [0 0.6]);
+    gsmbp_check ("the run has the event at its end", at_end.events.t - 0.6, 1e-15);
     p0 = [m.par.J, m.par.kp, m.par.ki, 0.1];
     for i = 1:4
       p = p0;
       p(i) += 1e-30i;
-      D = imag ([recursion(p, late, 0.25); recursion(p, late, 0.57)]) / 1e-30;
+      D = imag ([recursion(p, late, 0.25); recursion(p, late, 0.57); ...
+                 recursion(p, late, 0.6 - eps) * [1, 0; 0.01, 1]]) / 1e-30;
       name = [names, "q_d"]{i};
-      found = [r.dx.(name)(2:3,2), r.dy.(name)(2:3,1)];
+      found = [r.dx.(name)(2:3,2), r.dy.(name)(2:3,1); ...
+               at_end.dx.(name)(2,2), at_end.dy.(name)(2,1)];
       gsmbp_check (sprintf ("digital PI, %g s late: speed and torque by %s", late, name), ...
                    max (max (abs (found - D) ./ max (1, abs (D)))) < 1e-10);
     end

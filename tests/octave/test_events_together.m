@@ -8,6 +8,7 @@ function test_events_together ()
   pushed (gsmbp_fixture ("event_slider"));
   shaken (gsmbp_fixture ("event_shaken"));
   pair (gsmbp_fixture ("event_pair"));
+  stack (gsmbp_fixture ("event_stack"));
   start_on_a_stop (gsmbp_fixture ("batch_stop"));
   dips (gsmbp_fixture ("user_dips"));
 end
@@ -92,6 +93,15 @@ function x = closed (push, v)
     b = push - 3 * sign (push);
     x += [b * (1 - stop)^2 / 2, b * (1 - stop)];
   end
+end
+
+## a push of 5 N from 1 s on, more than either friction holds: only the upper block, whose friction
+## lacks most, is let go; it loads the lower one with 1 N
+function stack (m)
+  r = gsmbp_simulate (m, zeros (1, 4), [0 1 2], "input", mkpp (0:2, [0; 5]));
+  gsmbp_check ("of two that may be let go, the one that lacks most", ...
+               isequal (r.events.name, {"F2"}) && r.events.mode == 1);
+  gsmbp_check ("... and where they are then", r.x(end,:) - [0, 2, 0, 4], 1e-9);
 end
 
 function start_on_a_stop (m)

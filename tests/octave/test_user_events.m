@@ -18,6 +18,7 @@ function test_user_events ()
   slab ();
   kicked ();
   again ();
+  too_many ();
 end
 
 ## an event is told just before another one, up to which radau makes its step again, perhaps shorter
@@ -371,4 +372,12 @@ function again ()
     told(end+1) = numel (run (unique ([0 at 2])).events.t) - numel (at);
   end
   gsmbp_check ("gauss: the same events with rows at them", all (told == 0));
+end
+
+## 101 events at one instant end a run, and the error names the reason and the time
+function too_many ()
+  m = gsmbp_fixture ("user_instant");
+  text = gsmbp_complaint (@() gsmbp_simulate (m, [0 2], [0 1]));
+  gsmbp_check (["too many events: " text], ...
+               ! isempty (regexp (text, 't = 0\.5\d* s.*more than 100 events at one instant')));
 end

@@ -107,6 +107,7 @@ def ball():
 
 def own():
     """Events of the user: bounces, tops and the end in closed form, a cart between two speeds."""
+    close('a start by a parameter', own_events.Model(h=2.0).initial, [2, 0, 0, 0], 0)
     m, g, e = own_events.Model(), 9.81, 0.8
     hits = [math.sqrt(2 / g)]
     speed, tops = g * hits[0], []
