@@ -245,6 +245,17 @@ function out_of_time (m, file)
   more = slow ("runs", 4e4, "timeout", 0.4, "file", file, "resume", true);
   gsmbp_check (sprintf ("they stay on disk, then %d", nnz (more.ok)), all (more.ok(k)) ...
                  && nnz (more.ok) > nnz (w.ok) && isequal (more.values(w.ok,:), w.values(w.ok,:)));
+  part = glob (fullfile ([file ".parts"], "000000000000_*.part")){1};
+  f = fopen (part, "r+");
+  at = 48 + 2 * 8 + 3;   # in the value of the first run, after the head
+  fseek (f, at, "bof");
+  byte = fread (f, 1);
+  fseek (f, at, "bof");
+  fwrite (f, 255 - byte);
+  fclose (f);
+  whole = slow ("runs", 4e4, "file", file, "resume", true);
+  gsmbp_check ("a part that is damaged is made again", all (whole.ok) ...
+                 && isequal (whole.values(k,:), again.values(k,:)));
 end
 
 function of_another (run, file, others)
