@@ -609,10 +609,13 @@ meaning (const char *name, int info)
 }
 
 /* the sentence for INFO of the routine with that number, ISTAT(6) and ISTAT(7) of GSSIM, as
-   gsmbp__failure.m has it */
+   gsmbp__failure.m has it; STICKS: do ports of the scene have friction with events */
 static const char *
-cause (int number, int info)
+cause (int number, int info, int sticks)
 {
+  if (number == 7 && info == 9 && sticks)
+    return "more than 100 events at one instant; does friction fall within a speed vs below the "
+           "tolerance of the speeds (atol)? remedy: a larger vs, or method \"dp853\"";
   static const struct { int number, info; const char *text; } known[] = {
     { 7, 9, "more than 100 events at one instant" },
     { 7, 13, "a mode that is given contradicts the state" },
@@ -673,6 +676,16 @@ no_start (const gs_sweep *s, const gs_room *r, char *why)
     snprintf (why, GS_WHY, "expected a state on the constraints at t = %.9g s", t);
 }
 
+static int
+has_sticks (const gs_sweep *s, const gs_room *r)
+{
+  const gs_events e = gs_planned_events (s->nx, r->ip, r->rp);
+  for (int k = 0; k < e.ne; k++)
+    if (e.kind[k] == 1)
+      return 1;
+  return 0;
+}
+
 /* a subroutine that failed, or an event with its name */
 static void
 no_routine (const gs_sweep *s, const gs_room *r, char *why)
@@ -685,7 +698,7 @@ no_routine (const gs_sweep *s, const gs_room *r, char *why)
   const char *name = who == 7 && r->istat[18] >= 1 ? name_of_event (s, r->istat[18], &n) : "";
   snprintf (why, GS_WHY, "%s%s%.*s%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
             n > 0 ? ", " : "", n, name, n > 0 ? "," : "", r->istat[5], r->rstat[7],
-            cause (who, r->istat[5]));
+            cause (who, r->istat[5], has_sticks (s, r)));
 }
 
 static void

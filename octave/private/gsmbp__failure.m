@@ -58,7 +58,7 @@ function text = cause (m, number, info)
     text = "more than 100 events at one instant";
     if (any (strcmp ({m.events.kind}, "stick")))
       text = [text "; does friction fall within a speed vs below the tolerance of the speeds " ...
-              "(atol)? remedy: a larger vs, or method \"auto\""];
+              "(atol)? remedy: a larger vs, or method \"dp853\""];
     endif
   elseif (number == 7 && info == 12)
     text = ["a reset gives a state a value that the loops do not leave it; expected resets of " ...

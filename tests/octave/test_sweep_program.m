@@ -51,8 +51,20 @@ function test_sweep_program ()
           ball.par.(name) * [0.9, 1.1]), "runs", 9, "method", method{1}, "keep", ...
           {["final " ball.states{1}], ["first " hit], ["last " hit], ["count " hit]}});
   end
+  too_sharp (folder, gsmbp_fixture ("event_pulled"));
   refused (axis, few, folder);
   another (axis, few, folder);
+end
+
+## friction that falls too steeply for radau: a run fails, and says the same
+function too_sharp (folder, m)
+  warning ("off", "gsmbp:events", "local");
+  given = {[0 0], 0:0.1:3, "vary", struct("vs", [1e-3, 1e-10, 1e-2]), "plan", "grid", "method", ...
+           "radau", "atol", 1e-12};
+  same (folder, "events that are none", m, given);
+  w = gsmbp_sweep (m, given{:});
+  gsmbp_check (["... " w.reason{2}], ! isempty (strfind (w.reason{2}, "INFO = 9 at t = 0.735")) ...
+               && ! isempty (strfind (w.reason{2}, "does friction fall within a speed vs")));
 end
 
 ## a table that is there must be that of the sweep

@@ -337,7 +337,9 @@ int gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, con
            const double *cst);
 
 /* event k (0 the start, -1 inputs may have jumped) and those that follow from it at the same
- * instant. info: that of rst; 9: 100 events and more at one instant; 13: as gsrsg */
+ * instant. info: that of rst; 13: as gsrsg; 9: more than 100 events at one instant (does
+ * friction fall within a speed vs below the tolerance of the speeds? remedy: a larger vs, or method
+ * "dp853") */
 int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
            int *ie, double *re);
 

@@ -731,12 +731,18 @@ def _failed(number, info, at, name):
                'OUT or a sampled device', 'an event')[number - 1]
     if number == 7 and info == 9:
         cause = 'more than 100 events at one instant'
+        if any(event['kind'] == 'stick' for event in TABLE['events']):
+            cause += '; does friction fall within a speed vs below the tolerance of the speeds ' \
+                '(atol)? remedy: a larger vs, or method "dp853"'
     elif number == 7 and info == 10:
-        cause = 'an event comes faster and faster until its intervals are nothing beside the time'
+        cause = 'an event comes faster and faster until its intervals are nothing beside the ' \
+            'time (a reset that brings its expression back to zero); expected a rest, or a stop'
     elif number == 7 and info == 12:
-        cause = 'a reset gives a state a value that the loops do not leave it'
+        cause = 'a reset gives a state a value that the loops do not leave it; expected resets ' \
+            'of independent coordinates and speeds'
     elif number in (3, 5) and info == 3:
-        cause = 'no position that closes the loops was found nearby'
+        cause = 'no position that closes the loops was found nearby; the mechanism may be at ' \
+            'the end of its range'
     elif number == 3 and info == 4:
         cause = 'no step leads away from a position where the constraints lose rank'
     else:
