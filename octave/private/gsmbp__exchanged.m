@@ -3,7 +3,6 @@
 ## efforts, the motion, or both together.
 
 function list = gsmbp__exchanged (m, data, regression)
-  list = {};
   n = m.sizes.nu;
   now = misfit (regression, data, n);
   [best, said] = deal (0.5 * now, {});
@@ -21,10 +20,7 @@ function list = gsmbp__exchanged (m, data, regression)
       endfor
     endfor
   endfor
-  if (! isempty (said))
-    list{1} = sprintf (["the data fit better with %s: the residual is then %.3g of the signal, " ...
-                        "now %.3g"], strjoin (said, ", or with "), best, now);
-  endif
+  list = gsmbp__fit_better ("the data fit", said, best, now);
 endfunction
 
 ## efforts, the motion or all, the column A with the other sign (B = 0) or swapped with B

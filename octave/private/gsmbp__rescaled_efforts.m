@@ -28,10 +28,7 @@ function list = gsmbp__rescaled_efforts (m, w)
       said{end+1} = sprintf ("effort.%s times %.3g", m.coordinates{g}, k(g));
     endif
   endfor
-  if (! isempty (said))
-    list{1} = sprintf (["the efforts fit each other better with %s: the residual is then %.3g " ...
-                        "of the signal, now %.3g"], strjoin (said, ", or with "), best, now);
-  endif
+  list = gsmbp__fit_better ("the efforts fit each other", said, best, now);
 endfunction
 
 ## the factor of the effort G, as a column of all: from the regression with the measured effort as a

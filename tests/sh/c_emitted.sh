@@ -2,9 +2,7 @@
 # and libm, writes no data of its own, and gives what the emitted Fortran gives (tests/tools/c_pair;
 # `make test-c` takes all scenes). A constant that is changed in the C is found.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 
 # pairs WHAT FILE...: as the environment says
 pairs() {

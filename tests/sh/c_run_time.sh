@@ -3,9 +3,7 @@
 # share/fortran gives: the drivers of tests/c call both. Every public routine is in a driver.
 . tests/tools/check.sh
 root=$PWD
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 mkdir "$work/c" "$work/fortran" "$work/clang"
 
 c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"

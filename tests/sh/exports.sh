@@ -2,9 +2,7 @@
 # length: python.sh, fmu.sh).
 . tests/tools/check.sh
 root=$PWD
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 python=/usr/bin/python3
 sed 's/@name@/swing/' tests/data/rod.in >"$work/swing.mac"
 share/make/maxima "$work/log" "load(\"$root/gsmbp/gsmbp.mac\")\$ load(\"$work/swing.mac\")\$
@@ -27,7 +25,7 @@ print(f'{"ok" if off < 1e-8 else "not ok"} it swings to the other side in half a
 END
 told $? 'the module runs'
 
-has unzip FMUs && has zip FMUs || exit 0
+has_all FMUs zip unzip || exit 0
 share/fmu/derive tests/scenes/switch_circuit.mac "$work/fmu" >"$report" 2>&1 &&
   unzip -q "$work/fmu/switch_circuit_fmi2.fmu" -d "$work/switch" >"$report" 2>&1
 told $? 'switch_circuit becomes FMUs' "$report"

@@ -4,11 +4,8 @@
 # libc and libm, the sources give the same bits whatever the order of calls, wrong calls are errors
 # with a log line under the address sanitizer, also with a decimal comma. FMPy is in make check-fmu.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
-missing=$(for p in zip unzip; do command -v $p >/dev/null || echo $p; done)
-[ -z "$missing" ] || { echo "ok left out without $missing: FMUs"; exit 0; }
+work_folder
+has_all FMUs zip unzip || exit 0
 
 { gcc -std=c99 -Wall -Wextra -Werror -Ishare/fmu -o "$work/rules" tests/fmu/rules.c -lm &&
   "$work/rules"; } >"$report" 2>&1

@@ -3,11 +3,8 @@
 # gsmbp_simulate takes it (scene sampled_inputs);
 # ports stick and slide as the sample pushes them (event_pendulum).
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
-missing=$(for p in zip unzip; do command -v $p >/dev/null || echo $p; done)
-[ -z "$missing" ] || { echo "ok left out without $missing: FMUs"; exit 0; }
+work_folder
+has_all FMUs zip unzip || exit 0
 root=$PWD
 export GSMBP_TEST_DIR=${GSMBP_TEST_DIR:-$work}
 

@@ -2,9 +2,7 @@
 # that depends on its place: what the defects say of multipliers and speeds, the matrix of Newton's
 # method.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 
 cat >"$work/stages.c" <<'END'
 #include <stdio.h>

@@ -1,9 +1,7 @@
 # Derived scenes in the user's cache folder (tests/tools/kept_scenes.py): the same bytes come back,
 # anything that takes part in a derivation makes another key, damage is noticed, two at once.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 export GSMBP_CACHE=$work/cache GSMBP_TEST_MAXIMA=5.46
 # a copy, in which sources are edited
 mkdir "$work/tree"

@@ -3,9 +3,7 @@
 # of gcc too. A wrong value is found.
 . tests/tools/check.sh
 root=$PWD
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 strict="-O1 -Wall -Wextra -pedantic -Werror"
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
 others=$(whole && echo sampled_crank reach_scara)

@@ -1,9 +1,7 @@
 # What keeps the program the same in other systems (make check-portable tries them): stable sorts,
 # one way of writing a minus, Ubuntu's table of packages without a gap, a wrong syntax in one line.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 
 # GCL 2.7 sorts lists with equal keys in another order than GCL 2.6, SBCL and ECL
 grep -rn "(sort " --include=*.lisp gsmbp >"$report"

@@ -4,9 +4,7 @@
 # is set, how long 1e5 states take beside a loop in C.
 . tests/tools/check.sh
 root=$PWD
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 python=/usr/bin/python3
 scenes='tests/scenes/event_ball tests/scenes/sampled_crank tests/scenes/switch_circuit
   examples/slider_crank/slider_crank examples/robot_joint/robot_joint

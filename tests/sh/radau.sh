@@ -1,9 +1,7 @@
 # The rules of octave/glue/radau_rule.c: places in (0, 1], quadrature of the order 2*S - 1, stages
 # of the order S, the inverse of A from its eigenvalues and eigenvectors.
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 
 cat >"$work/rules.c" <<'EOF'
 #include <math.h>

@@ -1,9 +1,7 @@
 # One function writes files in each language: nothing else opens files for writing or renames them.
 # A part of the table of writers and hazards (tests/writers/check; make test-writers has all of it).
 . tests/tools/check.sh
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-report=$work/report
+work_folder
 
 # only LANGUAGE PATTERN ALLOWED FILE...: lines of the files (comments left out) that hold the
 # pattern stand in files that ALLOWED, another pattern, names

@@ -29,6 +29,20 @@ result() {
   head -n 8 "$report"
 }
 
+# work_folder: a folder $work for the test, gone at its end, and in it the file $report
+work_folder() {
+  work=$(mktemp -d) || exit 1
+  trap 'rm -rf "$work"' EXIT
+  report=$work/report
+}
+
+# has_all WHAT PROGRAM...: whether all are there; without them a line says that WHAT is left out
+has_all() {
+  what=$1
+  shift
+  for program; do has "$program" "$what" || return 1; done
+}
+
 # has PROGRAM WHAT: whether it is there; without it a line says that WHAT is left out
 has() {
   command -v "$1" >/dev/null && return
