@@ -170,7 +170,7 @@ class Drawn:
             self.loop = None
             return
         u = np.array(self.u)
-        self.u = list(u - np.linalg.pinv(J) @ (J @ u))
+        self.u = [float(x) for x in u - np.linalg.pinv(J) @ (J @ u)]
         name = 'ground' if other is None else self.bodies[other]['name']
         self.joints.append('%s(close, %s, %s, at = %s, child_at = %s%s, cut = true)' % (
             'revolute' if self.flat else 'spherical', name, self.bodies[k]['name'],

@@ -101,7 +101,8 @@ def workplace():
     shutil.copytree(os.path.join(ROOT, 'octave'), os.path.join(folder, 'octave'))
     os.mkdir(os.path.join(folder, 'user'))
     with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
-        f.write('load("%s/gsmbp/gsmbp.mac")$\n' % ROOT)
+        # a minus at the prompt as the public functions write it, in every version of Maxima
+        f.write('load("%s/gsmbp/gsmbp.mac")$ ?putprop(?mminus, 100, ?rbp)$\n' % ROOT)
     return folder
 
 
