@@ -19,8 +19,8 @@ rotation (int m, const double *x, const double *y, double eps, double nothing, d
       q += y[i] * y[i];
       r += x[i] * y[i];
     }
-  int vanishing = gs_min (p, q) <= nothing;
-  if (gs_max (p, q) <= nothing)
+  int vanishing = p <= nothing || q <= nothing;
+  if (p <= nothing && q <= nothing)
     return 0;
   if (fabs (r) <= eps * sqrt (p) * sqrt (q) || vanishing)
     {
@@ -69,7 +69,9 @@ gssvd (int m, int n, double *b, int ldb, double *v, int ldv, double *s, double t
     {
       for (int i = 0; i < n; i++)
         v[i + ldv * j] = i == j;
-      big = gs_max (big, gs_dot (m, 0.0, b + ldb * j, b + ldb * j));
+      double p = gs_dot (m, 0.0, b + ldb * j, b + ldb * j);
+      if (p > big)
+        big = p;
     }
   for (int k = 0; k < 60; k++)
     if (sweep (m, n, b, ldb, v, ldv, eps, eps * eps * big) == 0)

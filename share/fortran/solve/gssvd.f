@@ -35,7 +35,9 @@ C
       DOUBLE PRECISION   GSEPS, EPS, BIG, P, Q, R, Z, C, D
       EXTERNAL           GSEPS, GSROT
       INTEGER            I, J, K, SWEEP, TURNS
+      LOGICAL            SMALL
 C
+C     (MIN and MAX of a NaN differ between compilers: none here)
       EPS = GSEPS()
       BIG = 0.0D0
       DO 30 J = 1, N
@@ -47,7 +49,7 @@ C
          DO 20 I = 1, M
             P = P + B(I,J)*B(I,J)
    20    CONTINUE
-         BIG = MAX( BIG, P )
+         IF ( P.GT.BIG ) BIG = P
    30 CONTINUE
 C
       DO 90 SWEEP = 1, 60
@@ -62,15 +64,16 @@ C
                   Q = Q + B(I,K)*B(I,K)
                   R = R + B(I,J)*B(I,K)
    40          CONTINUE
-               IF ( MAX( P, Q ).LE.EPS*EPS*BIG ) GO TO 70
+               SMALL = P.LE.EPS*EPS*BIG .OR. Q.LE.EPS*EPS*BIG
+               IF ( P.LE.EPS*EPS*BIG .AND. Q.LE.EPS*EPS*BIG ) GO TO 70
                IF ( ABS( R ).LE.EPS*SQRT( P )*SQRT( Q ) .OR.
-     $              MIN( P, Q ).LE.EPS*EPS*BIG ) THEN
+     $              SMALL ) THEN
 C
 C                 -- nothing to turn: at most an interchange
                   IF ( Q.LE.P ) GO TO 70
                   C = 0.0D0
                   D = 1.0D0
-                  IF ( MIN( P, Q ).GT.EPS*EPS*BIG ) TURNS = TURNS + 1
+                  IF ( .NOT.SMALL ) TURNS = TURNS + 1
                ELSE
                   Z = ( Q - P )/( 2.0D0*R )
                   D = SIGN( 1.0D0, Z )/( ABS( Z ) + SQRT( 1.0D0
