@@ -2,13 +2,14 @@
 # in a copy (KEN, the kinetic energy alone); its handle in Octave, its prototype in C, its method
 # and stub in Python are there by themselves.
 . tests/tools/check.sh
+root=$PWD
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 report=$work/out
 
 cp -Rp gsmbp octave share "$work"
 [ "$(grep -c '^diff' tests/data/toy.diff)" = 2 ] &&
-  patch -d "$work" -p1 <tests/data/toy.diff >"$report" 2>&1
+  (cd "$work" && git apply "$root/tests/data/toy.diff") >"$report" 2>&1
 told $? 'the diff of two files applies' "$report"
 (cd "$work" && share/make/compile) >"$report" 2>&1
 cp examples/slider_crank/slider_crank.mac "$work/toy.mac"
