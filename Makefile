@@ -19,8 +19,8 @@ DESTDIR :=
 .SUFFIXES:
 .SECONDARY:
 .SECONDEXPANSION:
-.PHONY: help packages packages-test compiled examples test check test-whole test-random test-malformed \
-        test-identify test-writers \
+.PHONY: help packages packages-test compiled examples test check test-processors test-whole \
+        test-random test-malformed test-identify test-writers \
         test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
@@ -36,6 +36,8 @@ make test                  all tests; the last line is "N passed, N failed"
 make check                 the core of every folder, for people at work (tests/check.txt)
 make check-environment     the same a year from now, in Turkish, in another time zone with
                            umask 077, offline, not as root: the same counts in all
+make test-processors       tests of numbers (tests/processors.txt) with code for x86-64, without fused
+                           multiply-add, and for x86-64-v3; PROCESSORS="x86-64": these only
 make test-whole            all tests at length, before a release: all of what make test takes a part
                            of
 make test-random           2000 scenes made by chance against each of two independent formulations
@@ -180,6 +182,13 @@ check: packages-test
 
 check-environment: packages-test
 	@tests/tools/environments
+
+PROCESSORS ?= x86-64 x86-64-v3
+test-processors: packages-test
+	@code=0; for processor in $(PROCESSORS); do \
+	  echo "GSMBP_MARCH=$$processor"; \
+	  GSMBP_MARCH=$$processor tests/run --table tests/processors.txt || code=1; \
+	done; exit $$code
 
 test-whole: packages-test
 	@GSMBP_WHOLE=yes tests/run
