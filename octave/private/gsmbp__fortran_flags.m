@@ -5,7 +5,9 @@
 function [flags, common] = gsmbp__fortran_flags (precision)
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
   ## are not packed into vectors: a copy of a number that is computed so may
-  ## differ in its last bit (M would not be symmetric), and GSSC is slower.  The
+  ## differ in its last bit (M would not be symmetric), GSSC is slower, and
+  ## gfortran 14 takes the vector versions of SIN, COS and ATAN2 of glibc, with
+  ## errors up to 4 units in the last place (their loops: GCC$ NOVECTOR).  The
   ## small loops of the run time are faster without the vectorization of -O3, on
   ## places of their own in the cache, and copies of three numbers without a call
   ## of memcpy.

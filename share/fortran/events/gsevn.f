@@ -786,6 +786,7 @@ C
       DOUBLE PRECISION   C(8), F
       INTEGER            I, J, K
 C
+CGCC$ NOVECTOR
       DO 10 J = 1, 8
          C(J) = 0.5D0*( 1.0D0 - COS( DBLE( J - 1 )*ACOS( -1.0D0 )
      $                               /7.0D0 ) )

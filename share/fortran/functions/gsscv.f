@@ -88,7 +88,9 @@ C$OMP SIMD
    40 CONTINUE
       RETURN
    50 CONTINUE
+CGCC$ NOVECTOR
       DO 70 J = 1, N
+CGCC$ NOVECTOR
          DO 60 I = 1, 8
             IF ( MORE.LE.1.0D0 .AND. ABS( X(I,J) ).LE.1.0D5 ) GO TO 60
             S(I,J) = SIN( X(I,J) )

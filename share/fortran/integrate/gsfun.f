@@ -118,6 +118,7 @@ C
       EXTERNAL           GSINP
       INTEGER            I, J, K
 C
+CGCC$ NOVECTOR
       DO 10 K = 1, 6
          Z(K) = -SIN( ATAN( 1.0D0 )*DBLE( 2*K - 1 )/6.0D0 )**2
    10 CONTINUE

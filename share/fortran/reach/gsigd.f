@@ -30,6 +30,7 @@ C
          DO 30 J = 1, K - 1
             D = GSIKK( 6, KIND, Q(1,K), Q(1,J) )
             IF ( ONE .OR. D.GT.1.0D-4 ) GO TO 30
+CGCC$ NOVECTOR
             DO 10 I = 1, 6
                D = Q(I,K) - Q(I,J)
                D = Q(I,J) + 0.5D0*ATAN2( SIN( D ), COS( D ) )

@@ -202,6 +202,7 @@ C
       DOUBLE PRECISION   Q(6), Z(6), T
 C
       GSIK8 = 0.0D0
+CGCC$ NOVECTOR
       DO 10 I = 1, 6
          T = Q(I) - Z(I)
          IF ( KIND(I).EQ.1 ) T = 2.0D0*SIN( 0.5D0*T )
@@ -268,6 +269,7 @@ C
             GE = GM
          END IF
    20 CONTINUE
+CGCC$ NOVECTOR
       DO 30 I = 1, 6
          IF ( KIND(I).EQ.1 ) Q(I) = ATAN2( SIN( Q(I) ), COS( Q(I) ) )
    30 CONTINUE

@@ -88,6 +88,7 @@ C     -- lengths beside their largest, about the middle of the points
 C     -- no order is regular: four neighbours of this arm
       DO 120 L = 1, 4
          DO 110 J = 1, 6
+CGCC$ NOVECTOR
             DO 100 I = 1, 3
                KB(I,J) = KA(I,J) + 3.0D-6*L*SIN( 1.0D0*( 7*I + 3*J*L ) )
                PB(I,J) = PC(I,J) + 3.0D-6*L*COS( 1.0D0*( 5*I + 4*J*L ) )
@@ -887,6 +888,7 @@ C
       END IF
       GOOD = LAST.GE.0.0D0 .AND. LAST.LE.1.0D-11
       IF ( .NOT.GOOD ) RETURN
+CGCC$ NOVECTOR
       DO 60 I = 1, 6
          Q(I) = BEST(I)
          IF ( KIND(I).EQ.1 ) Q(I) = ATAN2( SIN( Q(I) ), COS( Q(I) ) )
@@ -1056,6 +1058,7 @@ C
 C
       DO 20 J = 1, NS
          D = 0.0D0
+CGCC$ NOVECTOR
          DO 10 I = 1, 6
             D = MAX( D, ABS( SIN( 0.5D0*( Q(I) - QC(I,J) ) ) ) )
    10    CONTINUE

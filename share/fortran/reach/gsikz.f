@@ -278,6 +278,7 @@ C
       DOUBLE PRECISION   Q(N), Z(N), T
 C
       GSIKK = 0.0D0
+CGCC$ NOVECTOR
       DO 10 I = 1, N
          T = ABS( Q(I) - Z(I) )
          IF ( KIND(I).EQ.1 ) T = ABS( 2.0D0*SIN( 0.5D0*T ) )
@@ -462,6 +463,7 @@ C
      $                                   HERE.LE.0.5D0*THERE
          END IF
       ELSE
+CGCC$ NOVECTOR
          DO 30 I = 1, N
             D = Q(I) - S(I)
             IF ( KIND(I).EQ.1 ) D = ATAN2( SIN( D ), COS( D ) )

@@ -66,6 +66,7 @@ C
       FAR = 0.03D0
       DO 60 N = 0, 5
          IF ( N.GT.0 ) THEN
+CGCC$ NOVECTOR
             DO 20 I = 1, NU
                W(IS+I-1) = FAR*SIN( 1.0D0*( 2*I + 3*N*I + N ) )
    20       CONTINUE
