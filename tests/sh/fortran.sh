@@ -40,7 +40,9 @@ for file in "$GSMBP_TEST_DIR"/fortran_out/*.f \
   emitted=no
   case $file in "$GSMBP_TEST_DIR"/*) emitted=yes ;; esac
 
-  gfortran $flags -Og -S "$file" -o /dev/null >"$report" 2>&1
+  level=-O1   # -Og: two thirds of the time, with a false warning of gspas.f
+  [ $emitted = no ] || level=-Og
+  gfortran $flags $level -S "$file" -o /dev/null >"$report" 2>&1
   result "$name compiles without a warning"
 
   awk -v emitted=$emitted -f "$work/fixed_form.awk" "$file" >"$report"
