@@ -44,7 +44,7 @@ ends() {
   check "$ended: nothing of it goes on" grep -q '^left: 0' "$work/typed"
 }
 path="addpath (\"$root/octave\");"
-ends 'Ctrl-C in a derivation' 2 "$path" \
+ends 'Ctrl-C in a derivation' 0.8 "$path" \
   "gsmbp_derive (\"$root/examples/stewart/stewart.mac\", \"$work/cut\");"
 check 'Ctrl-C in a derivation: nothing half-written' \
   test -z "$(ls "$work/cut" | grep -v '\.log$')"
