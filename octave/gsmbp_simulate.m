@@ -363,7 +363,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
   endif
   gsmbp__run_warnings (who, m, result.stats, columns (events));
-  if (! isempty (m.events))
+  if (! isempty (m.events) && ! isempty (result.t))
     run = struct ("run", 1, "method", result.stats.method, "atol", atol, "happened", ...
                   unique (result.events.number), "t", result.t(end), "x", result.x(end,:), ...
                   "v", result.v(end,:));
