@@ -116,6 +116,47 @@ projections (void)
   holds (seen[0] > 200 && seen[1] > 5 && seen[3] > 3, "... done, singular and not found");
 }
 
+/* two rows that cannot hold together, q1 = 0 and q1 = a gap: beyond 1e-9 there is no such
+ * position */
+static double gap;
+static void
+two_rows (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+{
+  (void)t;
+  (void)cst;
+  phi[0] = q[0];
+  phi[1] = q[0] - gap;
+  phit[0] = phit[1] = dq[2] = dq[3] = 0.0;
+  dq[0] = dq[1] = 1.0;
+}
+
+static void
+impossible (void)
+{
+  const int nq = 2, m = 2, none = 0;
+  const double t = 0.0, cst[4] = { 1.0, 1e9, 1e9, 1e9 };
+  gs_scene s = { .nq = 2, .nu = 2, .nx = 4, .nlam = 2, .con = con, .kin = kin, .mas = mas };
+  begin ("gsprj");
+  scene = &s;
+  phi_of = two_rows;
+  int right = 0;
+  for (int k = 0; k <= 12; k++)
+    {
+      pair x = pair_of (4), res = pair_of (1), w = pair_of (100);
+      gap = 3.0 * pow (0.1, k);
+      int info = 0, made = gsprj (&s, t, x.c, 0, 0, sets, cst, res.c, w.c);
+      gsprj_ (con_, mas_, kin_, &t, x.f, &nq, &nq, &m, &none, &none, sets, cst, res.f, w.f, &info);
+      same_int (made, info);
+      same (x);
+      right += made == (k <= 9 ? 3 : 0);
+      drop (x);
+      drop (res);
+      drop (w);
+    }
+  finish ();
+  holds (right == 13, "... rows that cannot hold together are told");
+}
+
 static void
 motions (void)
 {
@@ -240,6 +281,7 @@ main (void)
 {
   norms ();
   projections ();
+  impossible ();
   motions ();
   jacobians ();
   rows ();

@@ -88,6 +88,23 @@ function another (m, few, folder)
   fclose (f);
   [code, said] = run_it (p);
   gsmbp_check ("... a damaged one", code != 0 && ! isempty (strfind (said, "table.h5 is damaged")));
+  damaged_job (p, folder);
+end
+
+## a job that is cut short in a record or between two, or that has bytes after its end
+function damaged_job (p, folder)
+  [job, file] = deal (fullfile (folder, "one", "sweep.job"), fullfile (folder, "none.h5"));
+  bytes = fileread (job);
+  n = numel (bytes) - numel (sprintf ("end s 0\n\n"));
+  for row = {"cut in a record", "cut between two", "with bytes after its end", "empty"
+             bytes(1:n-3), bytes(1:n), [bytes "more"], ""}
+    f = fopen (job, "w");
+    fwrite (f, row{2});
+    fclose (f);
+    [code, said] = system (sprintf ("%s -o %s 2>&1", p.program, file));
+    gsmbp_check (["a job " row{1} ": " strtrim(strrep (said, folder, ""))], code != 0 ...
+                 && ! isempty (strfind (said, "sweep.job: it is cut short")) && ! exist (file));
+  end
 end
 
 function same (folder, what, m, given)

@@ -1,5 +1,6 @@
 # The units of tables that Octave reads are those of scenes: each word of library/units.mac has the
-# same factor to SI units and the same powers of kg, m, s, A, K in octave/private/gsmbp__unit.m.
+# same factor to SI units and the same powers of kg, m, s, A, K in octave/private/gsmbp__unit.m;
+# units composed of several words against their definitions.
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -23,4 +24,15 @@ octave-cli -qf --no-history --eval "
     wanted = [c{3}(k), c{4}(k), c{5}(k), c{6}(k), c{7}(k)];
     good = isempty (unknown) && abs (factor / c{2}(k) - 1) < 1e-15 && isequal (powers, wanted);
     printf ('%s %s\n', {'not ok', 'ok'}{1 + good}, word);
+  end
+  composed = {'m/s', 1, [0 1 -1 0 0]; '1/s', 1, [0 0 -1 0 0]; 'km/hour', 1/3.6, [0 1 -1 0 0]
+              '1/min/mm', 1000/60, [0 -1 -1 0 0]; 'kg*m/s^2', 1, [1 1 -2 0 0]
+              'N*m/A', 1, [1 2 -2 -1 0]; 'V*s/rad', 1, [1 2 -2 -1 0]
+              'g*cm^2', 1e-7, [1 2 0 0 0]; 'J/kg/K', 1, [0 2 -2 0 -1]
+              'l/min', 1e-3/60, [0 3 -1 0 0]; 'kg/m*s^-1', 1, [1 -1 -1 0 0]};
+  for row = composed'
+    [factor, powers, unknown] = gsmbp__unit (row{1});
+    good = isempty (unknown) && abs (factor / row{2} - 1) < 1e-15 && isequal (powers, row{3});
+    printf ('%s %s: expected %.17g and powers [%s], found %.17g, [%s]\n', ...
+            {'not ok', 'ok'}{1 + good}, row{1:2}, num2str (row{3}), factor, num2str (powers));
   end"
