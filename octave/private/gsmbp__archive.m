@@ -10,5 +10,5 @@ function part = gsmbp__archive (precision)
   sources = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", solve, ...
                                                                   "*.f")); ...
              glob(fullfile (c, "gsmbp", "*.h")); {fullfile(c, "inputs", "gslay.c")}];
-  part = {"libgsmbp.a", [strtrim(mkoctfile ("-p", "F77")) " " flags], sources};
+  part = {"libgsmbp.a", [gsmbp__mkoctfile("F77") " " flags], sources};
 endfunction

@@ -30,10 +30,11 @@ function w = words (common, precision)
   quad = strcmp (precision, "quad");
   w = struct ("precision", precision, "common", common, ...
               "glue", gsmbp__place ("octave", "glue"), "c", gsmbp__place ("share", "c"), ...
-              "cc", strtrim (mkoctfile ("-p", "CC")), "f77", strtrim (mkoctfile ("-p", "F77")), ...
-              "libraries", ...
-              {{"-llapack -lblas", quadmath()}{1 + quad}}, "define", ...
-              {{"", "-DGSMBP_QUAD"}{1 + quad}});
+              "cc", gsmbp__mkoctfile ("CC"), "f77", gsmbp__mkoctfile ("F77"), ...
+              "libraries", "-llapack -lblas", "define", {{"", "-DGSMBP_QUAD"}{1 + quad}});
+  if (quad)
+    w.libraries = quadmath ();
+  endif
   [w.flags, w.common_flags] = gsmbp__fortran_flags (precision);
   headers = glob (fullfile (w.c, "gsmbp", "*.h"));
   w.archive = gsmbp__archive (precision);
@@ -50,7 +51,7 @@ endfunction
 
 ## the library of quadruple precision, which compilers for ARM64 neither have nor need
 function text = quadmath ()
-  [~, file] = system ([strtrim(mkoctfile ("-p", "CC")) " -print-file-name=libquadmath.so"]);
+  [~, file] = system ([gsmbp__mkoctfile("CC") " -print-file-name=libquadmath.so"]);
   text = {"", "-lquadmath"}{1 + any(file == "/")};
 endfunction
 
@@ -107,7 +108,7 @@ function new = scene (who, w, json, source, symbol, input, place)
                              "common/libgsmbp.a %s %s -Wl,--version-script=glue/module.map"], ...
                             quote (place), quote (w.glue), quote (w.common), w.cc, ...
                             mkoctfile_command (), user, w.libraries, ...
-                            strtrim (mkoctfile ("-p", "FLIBS"))));
+                            gsmbp__mkoctfile ("FLIBS")));
 endfunction
 
 ## gfortran takes some 0.7 ms a line

@@ -4,6 +4,26 @@
 ## result and column.
 
 function t = gsmbp__table (m)
+  persistent made = struct ();   # of the models in use: each run of a model asks for it
+  key = "";
+  if (isfield (m, "symbol"))
+    key = [m.symbol, sprintf(" %s", m.states{:}, m.inputs{:}, m.outputs{:}, m.multipliers{:}, ...
+                             m.margins{:}), sprintf(" %d", m.actuated)];
+  endif
+  if (isfield (made, key))
+    t = made.(key);
+    return;
+  endif
+  t = table_of (m);
+  if (! isempty (key))
+    if (numfields (made) >= 20)
+      made = struct ();
+    endif
+    made.(key) = t;
+  endif
+endfunction
+
+function t = table_of (m)
   t = struct ("name", {}, "unit", {}, "kind", {}, "meaning", {}, "field", {}, "column", {});
   d = m.sizes;
   devices = part (m, "devices");
