@@ -36,7 +36,7 @@ function m = gsmbp_set (m, varargin)
   m.par = merged (m, varargin);
   gsmbp__check_values (m);
   m = gsmbp__handles (m);
-  if (! isequal (m.par, old.par))
+  if (any ([struct2cell(m.par){:}] != [struct2cell(old.par){:}]))
     m.initial = moved (old, m);
   endif
 endfunction

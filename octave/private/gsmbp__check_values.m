@@ -5,20 +5,23 @@
 
 function gsmbp__check_values (m)
   for rule = gsmbp__rows (m.json, "rules")
-    check (m, rule{1}, cellstr (rule{1}.parameters), cellstr (rule{1}.values));
+    check (m, rule{1}, cellstr (rule{1}.values));
   endfor
 endfunction
 
-function check (m, rule, names, expressions)
-  p = cellfun (@(name) m.par.(name), names, "UniformOutput", false);
-  v = cellfun (@(e) gsmbp__value (m, setfield (rule, "value", e), []), expressions);
-  what = gsmbp__rule_failure (rule, double (v(:)));
+function check (m, rule, expressions)
+  v = zeros (numel (expressions), 1);
+  for k = 1:numel (expressions)
+    rule.value = expressions{k};
+    v(k) = gsmbp__value (m, rule, []);
+  endfor
+  what = gsmbp__rule_failure (rule, v);
   negative = isempty (what) && strcmp (rule.rule, "rather_nonnegative") && v < 0;
   if (isempty (what) && ! negative)
     return;
   endif
-  pairs = cellfun (@(name, x) sprintf ("%s = %g", name, x), names(:)', p(:)', ...
-                   "UniformOutput", false);
+  pairs = cellfun (@(name) sprintf ("%s = %g", name, m.par.(name)), ...
+                   cellstr (rule.parameters)(:)', "UniformOutput", false);
   pairs = strjoin (pairs, ", ");
   if (negative)
     warning ("gsmbp:negative", "gsmbp_set: %s: %s is negative, it gives energy to the motion: %s",
