@@ -121,13 +121,16 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   if (static)
     r.margins = zeros (nt, numel (m.static_margins));
   endif
-  motion_at = @(t, side, guess) gsmbp__whole_motion (who, m, pp, planned, closed, t, side, guess);
+  at = @(jet, t, guess) gsmbp__whole_motion (who, m, jet, planned, closed, t, guess);
+  jet_at = @(t, side) permute (gsmbp_evaluate (pp, t, m.order, side), [1, 3, 2]);
+  motion_at = @(t, guess) at (jet_at (t, 1), t, guess);
+  jets = jet_at (times, o.side);
   xi = o.internal;
   for i = 1:nt
     if (i > 1 && has ("cmx") && ! isempty (m.internal))
       xi = carried (m, motion_at, guess, xi, times(i-1), times(i));
     endif
-    one = motion_at (times(i), o.side, guess);
+    one = at (jets(:,:,i), times(i), guess);
     qj(:,:,i) = one;
     guess = one(:,1);
     if (loops)
@@ -268,7 +271,7 @@ function xi = carried (m, motion_at, guess, xi, from, to)
   if (state != 2)
     error (["gsmbp_inverse: %s: the internal states cannot be integrated from t = %.9g " ...
             "s to %.9g s: %s"], m.name, from, to, ...
-           reason (m, from, motion_at (from, 1, guess), xi, text));
+           reason (m, from, motion_at (from, guess), xi, text));
   endif
   xi(here) = y(end,:)';
 endfunction
@@ -284,7 +287,7 @@ endfunction
 
 function yd = internal_rates (m, motion_at, guess, xi, here, t, y)
   xi(here) = y;
-  [v, xid] = m.cmx (t, motion_at (t, 1, guess), xi);
+  [v, xid] = m.cmx (t, motion_at (t, guess), xi);
   yd = xid(here);
 endfunction
 

@@ -3,24 +3,11 @@
 ## gears add, from N times of each. They are taken as they are in the model M.
 
 function cycles = gsmbp__machine_cycles (m, axes_, tasks, n = 201)
-  warning ("off", "gsmbp:drive", "local");
-  none = struct ();
-  for a = axes_
-    for letter = {"J", "B", "Tc", "Jg"}
-      if (isfield (m.par, a.par.(letter{1})))
-        none.(a.par.(letter{1})) = 0;
-      endif
-    endfor
-  endfor
   parts = cell (numel (tasks), numel (axes_));
   for i = 1:numel (tasks)
-    one = tasks(i);
-    alone = gsmbp_set (gsmbp_set (m, one.values), none);
-    t = linspace (one.start, one.stop, n);
-    r = gsmbp_inverse (alone, one.plan, t, "quasistatic", true);
-    for j = 1:numel (axes_)
-      parts{i,j} = gsmbp_cycle (alone, r, axes_(j).coordinate);
-    endfor
+    alone = gsmbp__machine_alone (m, axes_, tasks(i));
+    t = linspace (tasks(i).start, tasks(i).stop, n);
+    parts(i,:) = gsmbp__machine_load (alone, axes_, tasks(i).plan, t);
   endfor
   for j = 1:numel (axes_)
     cycles(j) = setfield (behind (parts(:,j)), "coordinate", axes_(j).coordinate);

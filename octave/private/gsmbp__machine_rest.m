@@ -5,12 +5,10 @@
 function loads = gsmbp__machine_rest (m, axes_, tasks)
   loads = zeros (numel (axes_), 1);
   for one = tasks
-    for t = linspace (one.start, one.stop, 21)
-      q = gsmbp_evaluate (one.plan, t);
-      still = setfield (one, "plan", mkpp ([0, 1], q(:), numel (q)));
-      [still.start, still.stop] = deal (0, 1);
-      c = gsmbp__machine_cycles (m, axes_, still, 2);
-      loads = max (loads, arrayfun (@(c) max (abs (c.torque)), c)(:));
+    alone = gsmbp__machine_alone (m, axes_, one);
+    for q = gsmbp_evaluate (one.plan, linspace (one.start, one.stop, 21))
+      c = gsmbp__machine_load (alone, axes_, mkpp ([0, 1], q, numel (q)), 0);
+      loads = max (loads, cellfun (@(c) abs (c.torque), c)(:));
     endfor
   endfor
 endfunction

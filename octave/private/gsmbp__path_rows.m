@@ -75,9 +75,7 @@ function [f, guess] = quantities (who, m, planned, closed, guess, few, jet)
   one = zeros (m.sizes.nu, m.order + 1);
   one(planned,1:3) = jet;
   if (m.sizes.nlam > 0)
-    n = numel (planned);
-    pp = mkpp ([0, 1], reshape ([jet(:,3) / 2, jet(:,2), jet(:,1)], n, 1, 3), n);
-    one = gsmbp__whole_motion (who, m, pp, planned, closed, 0, 1, guess);
+    one = gsmbp__whole_motion (who, m, jet, planned, closed, 0, guess);
   endif
   guess = one(:,1);
   if (m.sizes.nlam > 0)

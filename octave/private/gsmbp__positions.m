@@ -48,8 +48,7 @@ function q = position (m, q, held, values)
     q(held) = values;
   elseif (isequal (sort (held(:)), sort (m.actuated(:))))
     [planned, order] = sort (held(:));
-    pp = mkpp ([0 1], values(order), numel (values));
-    q = gsmbp__whole_motion ("gsmbp_optimize", m, pp, planned, true, 0, 1, q)(:,1);
+    q = gsmbp__whole_motion ("gsmbp_optimize", m, values(order)(:), planned, true, 0, q)(:,1);
   else
     q(held) = values;
     q = gsmbp_assemble (m, q, "hold", m.coordinates(held))(1:d.nq);

@@ -1,10 +1,11 @@
-## one = gsmbp__whole_motion (who, m, pp, planned, closed, t, side, guess)
-## Coordinates, speeds and accelerations of all of M at T, the actuated ones as the motion PP says.
+## one = gsmbp__whole_motion (who, m, jet, planned, closed, t, guess)
+## Coordinates, speeds and accelerations of all of M at T, the planned ones as the JET says, whose
+## first column holds their values and whose others their derivatives (0 where it has none).
 
-function one = gsmbp__whole_motion (who, m, pp, planned, closed, t, side, guess)
+function one = gsmbp__whole_motion (who, m, jet, planned, closed, t, guess)
   one = zeros (m.sizes.nu, m.order + 1);
   one(:,1) = guess;
-  one(planned,:) = reshape (gsmbp_evaluate (pp, t, m.order, side), numel (planned), m.order + 1);
+  one(planned,1:columns (jet)) = jet;
   if (closed)
     one = follow (who, m, t, guess, one, planned);
   elseif (m.sizes.nlam > 0)
