@@ -39,6 +39,10 @@
       (walk expression))
     (format nil "~(~16,'0x~)" hash)))
 
+;;; a structure without its last field, which Maxima 5.49 does not let pass as one
+(defun $gs__all_but_last (e)
+  (cons (car e) (butlast (cdr e))))
+
 ;;; the digits of a number, whatever base the session prints in
 (defun gs-hashed-number (x)
   (with-standard-io-syntax (prin1-to-string (if (floatp x) (rational x) x))))

@@ -7,9 +7,9 @@
     (write-char #\' out)
     (loop for c across s do (if (char= c #\') (write-string "'\\''" out) (write-char c out)))
     (write-char #\' out)))
-;; the exit code of a command of the shell
+;; the exit code of a command of the shell. Maxima 5.49 on GCL runs that of system without a shell.
 (defun $gs__exit_code (command)
-  (let ((code (mfuncall '$system command)))
+  (let ((code #+gcl (si::system command) #-gcl (mfuncall '$system command)))
     #+sbcl
     (when (sb-ext:process-p code) (setq code (sb-ext:process-exit-code code)))
     (cond ((not (integerp code)) 1) ((> code 255) (ash code -8)) (t code))))

@@ -6,13 +6,13 @@
 ;;; what is wrong, with its line. `reader` is the program, `folder` a name that no file has.
 (defun $gs__xml_elements (reader file folder lenient)
   (let ((list (concatenate 'string folder "/list")))
-    (mfuncall '$system
-              (format nil "sh ~a ~a ~a~:[~; lenient~]" ($gs__shell_word reader)
-                      ($gs__shell_word file) ($gs__shell_word folder) lenient))
+    ($gs__exit_code
+     (format nil "sh ~a ~a ~a~:[~; lenient~]" ($gs__shell_word reader) ($gs__shell_word file)
+             ($gs__shell_word folder) lenient))
     (if (probe-file list)
         (destructuring-bind (tree notes) (gs-read-list list)
           (delete-file list)
-          (mfuncall '$system (format nil "rmdir ~a" ($gs__shell_word folder)))
+          ($gs__exit_code (format nil "rmdir ~a" ($gs__shell_word folder)))
           (cond ((not (and (consp tree)
                            (stringp (if (eq (car tree) :error) (caddr tree) (car tree)))))
                  "the file cannot be parsed")

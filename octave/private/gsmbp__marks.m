@@ -42,7 +42,7 @@ function m = gsmbp__marks (skeleton, centres, named, links)
   m.key = [m.key, gsmbp__part_keys(skeleton.parts)];
   column += numel ([skeleton.parts.bodies]);
   m.labels = struct ("column", {}, "name", {}, "body", {});
-  for k = find (! cellfun (@isempty, named))
+  for k = find (! cellfun (@isempty, named(:)'))
     m.labels(end+1) = struct ("column", column + k, "name", named{k}, "body", ...
                               find (strcmp (skeleton.body, links{k})));
   endfor

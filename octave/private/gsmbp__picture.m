@@ -40,7 +40,7 @@ function d = below (d, skeleton, p, f, s)
       q(s.axes(3),:) = s.low(3);
       d = add (d, q, s, "lines lw 3 lc rgb '#c4c4c4'");
     endfor
-    for one = skeleton.between(strcmp ({skeleton.between.kind}, "disc"))
+    for one = skeleton.between(strcmp ({skeleton.between.kind}, "disc"))(:)'
       q = gsmbp__rim (p(:,one.columns));
       q(s.axes(3),:) = s.low(3);
       d = add (d, q, s, "polygons fs solid noborder fc rgb '#dedede'");
