@@ -57,6 +57,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "periods", do_periods }, { "forward", do_forward },
         { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
+        { "energies", do_energies },
         { "program", do_program },
         { "program at", do_program_at }, { "program part", do_program_part },
         { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },

@@ -225,6 +225,24 @@ do_margins (arguments& a, int)
   return ovl (margins, sizes);
 }
 
+// (constants, number of times, times, states, inputs): energies and powers, a column each
+static octave_value_list
+do_energies (arguments& a, int)
+{
+  given_run r (a, true);
+  const int n = 5;
+  Matrix energies (n, r.k, no_number);
+  reals e = room (n);
+  for (int i = 0; i < r.k; i++)
+    if (fine (&r.t[i], 1) && fine (r.states (i), S.nx) && fine (r.inputs (i), S.nv))
+      {
+        routine ("ene") (&r.t[i], r.states (i), r.inputs (i), &r.cst[0], &e[0]);
+        for (int j = 0; j < n; j++)
+          energies(j, i) = double (e[j]);
+      }
+  return ovl (energies);
+}
+
 // after a run: a struct of the outputs at the output times, the record of the samples, the memory
 // at the end
 static octave_value

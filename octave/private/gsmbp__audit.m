@@ -6,10 +6,7 @@ function a = gsmbp__audit (m, r, w)
     a = struct ("balance", [], "passed", [], "error", NaN);
     return;
   endif
-  energy = zeros (rows (r.x), 3);   # kinetic, potential, in devices
-  for k = 1:rows (r.x)
-    energy(k,:) = m.ene (r.t(k), r.x(k,:)', r.v(k,:)')(1:3);
-  endfor
+  energy = gsmbp__energies (m, r.t, r.x, r.v)(:,1:3);   # kinetic, potential, in devices
   stored = sum (energy, 2);
   lost = zeros (rows (r.x), 1);   # in impacts
   if (isfield (r, "events"))
