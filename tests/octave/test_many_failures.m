@@ -107,9 +107,9 @@ function programs (m)
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
   back = without_mpi ();
   file = fullfile (folder, "sweep.h5");
-  for row = causes ()'
-    [what, par, x0, ~, more] = row{:};
-    for method = {"dp853", "radau", "gauss"}
+  for method = {"dp853", "radau", "gauss"}   # make compiles the program anew for each
+    for row = causes ()'
+      [what, par, x0, ~, more] = row{:};
       o = [{"method", method{1}, "rtol", 1e-9, "atol", 1e-9, "step", 0.013}, more];
       vary = struct ("e", [0.3, 0.31]);
       p = gsmbp_sweep (gsmbp_set (m, par), x0, [0 0.5 1 2], o{:}, "vary", vary, "plan", "grid", ...
