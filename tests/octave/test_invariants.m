@@ -13,6 +13,9 @@ function test_invariants ()
     end
     m = gsmbp_fixture (name);
     d = m.sizes;
+    joints = of_joints (m);
+    m.modal = ! ismember (m.coordinates, joints);
+    m.near = {0.1, 0.01}{1 + (numel (joints) < d.nq)};   # beams follow most easily nearer
     rand ("twister", double (name));   # states of its own: a new scene changes no other's
     if (all (ismember ({"mas", "inv", "bia"}, m.subroutines)))
       mass (name, m, d);
@@ -57,7 +60,7 @@ end
 ## Euler parameters among the coordinates made a unit vector; modal coordinates of beams, which
 ## belong to sections alone, made small, as the energy cut at degree 2 wants them
 function q = unit (m, q)
-  q(! ismember (m.coordinates, of_joints (m))) *= 2e-3;
+  q(m.modal) *= 2e-3;
   for set = reshape (m.json.orientation, [], 4 * ! isempty (m.json.orientation))'
     q(set) /= norm (q(set));
   end
@@ -71,17 +74,12 @@ function names = of_joints (m)
   end
 end
 
-## a state around the start; loops are closed by the model's own projection, which beams follow most
-## easily: nearer to it where there are some
+## a state around the start; loops are closed by the model's own projection
 function x = state (m, d)
-  near = 0.1;
-  if (numel (of_joints (m)) < d.nq)
-    near = 0.01;
-  end
   x = uniform (d.nx);
   x(d.nq + (1:d.nu)) *= 2;
   if (d.nlam > 0)
-    x(1:d.nq) = unit (m, m.initial(1:d.nq) + near * uniform (d.nq));
+    x(1:d.nq) = unit (m, m.initial(1:d.nq) + m.near * uniform (d.nq));
     x = m.prj (0, x);
   else
     x(1:d.nq) = unit (m, m.initial(1:d.nq) + x(1:d.nq));
@@ -101,8 +99,8 @@ end
 function J = differences (f, x, h)
   for k = 1:numel (x)
     e = h * (1:numel (x) == k)';
-    of = @(n) f(x + n * e) - f(x - n * e);
-    J(:, k) = (45 * of(1) - 9 * of(2) + of(3)) / (60 * h);
+    J(:, k) = (45 * (f(x + e) - f(x - e)) - 9 * (f(x + 2 * e) - f(x - 2 * e)) ...
+               + f(x + 3 * e) - f(x - 3 * e)) / (60 * h);
   end
 end
 
@@ -194,7 +192,14 @@ function jacobians (name, m, d)
     usual = [max(1, m.nominal(:)); ones(d.nv, 1)];
     off = @(h, by) norm ((exact - differences (@(z) both (by .* z), [x; v] ./ by, h) ./ by') ...
                          * tangent (m, x, d)) / norm (exact);
-    worst = max (worst, min ([off(3e-4, 1), off(3e-5, 1), off(3e-4, usual), off(3e-5, usual)]));
+    least = Inf;
+    for way = {{3e-4, 1}, {3e-5, 1}, {3e-4, usual}, {3e-5, usual}}
+      least = min (least, off(way{1}{:}));
+      if (least <= 1e-8)
+        break;
+      end
+    end
+    worst = max (worst, least);
   end
   gsmbp_check ([name " Jacobians of the state space against differences"], worst, 1e-8);
 end
