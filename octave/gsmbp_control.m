@@ -89,7 +89,8 @@
 ## @end example
 ##
 ## Errors: an unknown method, option or name; sizes that do not fit; states that cannot be
-## controlled or seen; poles that cannot be placed; a closed loop that is not stable.
+## controlled or seen; poles that cannot be placed; a closed loop that is not stable; a derivative
+## that is not finite.
 ## Source: Riccati's equations and H-infinity by the control package, on balanced states, refined by
 ## Newton's method (Kleinman); Luenberger; Levine and Athans.
 ## @seealso{gsmbp_trim, gsmbp_linear, gsmbp_build, gsmbp_controller, gsmbp_loop, gsmbp_pid}

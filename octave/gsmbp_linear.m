@@ -49,7 +49,8 @@
 ## @end example
 ##
 ## Errors: a model without the subroutine JAC; a state that does not fulfil
-## the constraints; a coordinate to be dropped on which something depends;
+## the constraints; a derivative of a rate that is not finite (of
+## an output: a warning); a coordinate to be dropped on which something depends;
 ## coordinates in "reduced" that are unknown or do not determine the motion.
 ## Source: own: the Jacobians of _JAC are exact; the reduced model lives on
 ## the tangent space of the constraints.
@@ -81,8 +82,9 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   if (isempty (which ("ss")))
     pkg load control
   endif
-  [A, B, C, D] = m.jac (t, x, v);
+  [A, B, C, D] = gsmbp__jacobian (who, m, t, x, v);
   outputs = m.outputs;
+  warn_of_derivatives (who, m, [C, D]);
   if (d.ny == 0)
     C = eye (d.nx);
     D = zeros (d.nx, d.nv);
@@ -117,6 +119,14 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   endif
   sys = ss (A, B, C, D, "statename", m.states(independent), "inputname", m.inputs, ...
             "outputname", outputs);
+endfunction
+
+## the rates have their derivatives, an output may have none
+function warn_of_derivatives (who, m, J)
+  text = gsmbp__not_finite (J, strcat ({"output "}, m.outputs(:)), [m.states(:); m.inputs(:)]);
+  if (! isempty (text))
+    warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
+  endif
 endfunction
 
 ## outputs that follow what is dropped are no part of the model

@@ -38,7 +38,7 @@
 ## @end example
 ##
 ## Errors: Q, R or Qend of another size; the control package missing; a motion that
-## the scene cannot follow.
+## the scene cannot follow; a derivative that is not finite.
 ## Source: Riccati's equation, by lqr of the control package, at each time; along the motion by
 ## Magnus' method of order 4 on its Hamiltonian matrix; gains scheduled linearly.
 ## @seealso{gsmbp_linear, gsmbp_simulate, lqr}

@@ -9,7 +9,7 @@
 ## the @var{nq} coordinates alone: the rest is then at its start, speeds zero).  With loops or Euler
 ## parameters the modes are those of the independent deviations.  They are the modes of a motion
 ## where @var{x} is an equilibrium or a steady motion (a blade that spins); elsewhere they are those
-## of the coefficients at @var{x}.
+## of the coefficients at @var{x}, and a warning gives the largest acceleration.
 ##
 ## Options:
 ## @table @code
@@ -40,14 +40,18 @@
 ## @item damping
 ## its damping ratio, negative where it grows
 ## @item shapes
-## a column for each mode, a row for each coordinate (where nothing moves, for each state): complex
-## amplitudes, the largest of them 1
+## a column for each mode, a row for each coordinate (in a scene without coordinates, for each
+## state): complex amplitudes, the largest of them 1, zeros where states of devices vibrate alone
 ## @item eigenvalues
 ## of each mode, that with positive imaginary part [1/s]
 ## @item real
 ## the eigenvalues without imaginary part [1/s], ascending; positive: it grows (divergence)
 ## @item rigid
-## how many eigenvalues are zero: what can be moved without any effect, and constant speeds
+## how many eigenvalues are zero: what can be moved without any effect, and constant speeds.  Such a
+## rigid mode has no column in @code{shapes}; its shape is the displacement without any effect, and
+## its coordinates move along in the other modes, so that the momentum stays (of two free discs with
+## a torsion spring between them, in angles relative to ground, the first by -J2/J1 where the second
+## moves by 1)
 ## @item x
 ## the state about which they are
 ## @end table
@@ -77,8 +81,8 @@
 ##    4.8140   7.6925
 ## @end example
 ##
-## Errors: a model without the subroutine JAC, with "hold" LIN; a state that does not fulfil the
-## constraints; an unknown coordinate; no steady state is found.
+## Errors: a model without the subroutine JAC, with "hold" LIN; a derivative that is not finite; a
+## state that does not fulfil the constraints; an unknown coordinate; no steady state is found.
 ## Source: own: eigenvalues of the exact Jacobians on the constraints' tangent space.
 ## @seealso{gsmbp_linear, gsmbp_trim}
 ## @end deftypefn
@@ -108,10 +112,14 @@ function r = gsmbp_modes (m, x, varargin)
   rest(1:m.sizes.nu) = 0;
   x = gsmbp__guess (who, m, "x", x, rest);
   if (isempty (spin))
-    one = modes_at (p, x);
+    [one, doubt] = modes_at (p, x);
   else
-    one = over_speeds (p, x, held(end,2), o.speeds(:)');
+    [one, doubt] = over_speeds (p, x, held(end,2), o.speeds(:)');
     draw (m, one, o);
+  endif
+  if (! isempty (doubt))
+    warning ("gsmbp:equilibrium", ["%s: %s: expected an equilibrium or a steady motion; found " ...
+             "%s; gsmbp_trim finds one, or option \"steady\""], who, m.name, doubt);
   endif
   if (nargout > 0)
     r = one;
@@ -143,33 +151,66 @@ function [held, spin] = what_is_held (who, m, o)
   endif
 endfunction
 
-## modes of the one state X
-function r = modes_at (p, x)
-  m = p.m;
-  x = gsmbp__start ("gsmbp_modes", m, p.t, x, p.start);
+## modes of the one state X; DOUBT: its largest acceleration, "" where there is none
+function [r, doubt] = modes_at (p, x)
+  [m, who] = deal (p.m, "gsmbp_modes");
+  x = gsmbp__start (who, m, p.t, x, p.start);
   if (p.steady)
     x = steady (p, x);
   endif
-  [T, k] = gsmbp__tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
-  A = gsmbp__held (m, p.t, x, p.v, p.held)(k,:) * T;
+  [T, k] = gsmbp__tangent (who, m, p.t, x, "auto", p.held);
+  [A, xd] = gsmbp__held (who, m, p.t, x, p.v, p.held);
+  A = without_rounding (A(k,:) * T, m.nominal(k)');
+  doubt = acceleration (m, k, A, xd);
   keep = find (any (A, 1));   # on the other states nothing depends
   [V, e] = eig (A(keep,keep), "vector");
   e(abs (e) <= 1e-9 * max ([abs(e); 0])) = 0;
-  pairs = find (imag (e) > 0);
+  pairs = find (imag (e) > 0)(:);
   [~, order] = sort (abs (e(pairs)));
   pairs = pairs(order);
   r.eigenvalues = e(pairs);
   r.frequency = abs (e(pairs));
   r.damping = 0 - real (e(pairs)) ./ r.frequency;
-  told = merge (m.sizes.nq > 0, m.sizes.nq, m.sizes.nx);
-  r.shapes = T(1:told,keep) * V(:,pairs);
-  for i = 1:numel (pairs)
-    [~, top] = max (abs (r.shapes(:,i)));
-    r.shapes(:,i) /= r.shapes(top,i);
-  endfor
+  W = A(:,keep) * V(:,pairs) ./ e(pairs)(:).';   # A*w = e*w gives the other states
+  W(keep,:) = V(:,pairs);
+  r.shapes = shapes (m, T * W);
   r.real = sort (real (e(imag (e) == 0 & e != 0)));
   r.rigid = numel (k) - numel (keep) + sum (e == 0);
   r.x = x;
+endfunction
+
+## entries below the rounding of the largest one of their row are zero: balancing would enlarge them
+function A = without_rounding (A, nominal)
+  share = abs (A) .* nominal;
+  A(share < 1e-17 * max (share, [], 2)) = 0;
+endfunction
+
+## the largest of the accelerations beside what a deviation of nominal magnitude gives
+function text = acceleration (m, k, A, xd)
+  text = "";
+  s = find (k > m.sizes.nq & k <= m.sizes.nq + m.sizes.nu);
+  limit = 1e-6 * max (abs (A(s,:)) * m.nominal(k), m.nominal(k(s)));
+  [most, worst] = max (abs (xd(k(s))) ./ limit);
+  if (! (isempty (most) || most <= 1))
+    i = k(s(worst));
+    text = sprintf ("%s with an acceleration of %.3g %s", m.states{i}, xd(i), ...
+                    strrep ([m.units.states{i} "/s"], "/s/s", "/s^2"));
+  endif
+endfunction
+
+## the shapes of the eigenvectors X: zero where states of devices vibrate alone
+function S = shapes (m, X)
+  told = merge (m.sizes.nq > 0, m.sizes.nq, m.sizes.nx);
+  S = X(1:told,:);
+  share = abs (X) ./ m.nominal;
+  for i = 1:columns (S)
+    [~, top] = max (abs (S(:,i)));
+    if (max (share(1:told,i)) > 1e-12 * max (share(:,i)))
+      S(:,i) /= S(top,i);
+    else
+      S(:,i) = 0;
+    endif
+  endfor
 endfunction
 
 ## X moved to where nothing but what is held moves at other than constant speed: Newton's method
@@ -177,7 +218,7 @@ function x = steady (p, x)
   [m, d] = deal (p.m, p.m.sizes);
   speeds = d.nq + (1:d.nu);
   for round_ = 1:30
-    [A, xd] = gsmbp__held (m, p.t, x, p.v, p.held);
+    [A, xd] = gsmbp__held ("gsmbp_modes", m, p.t, x, p.v, p.held);
     [T, k] = gsmbp__tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
     z = find (! ismember (k, speeds));
     f = find (k > d.nq);
@@ -216,16 +257,18 @@ function x = closed (p, x)
 endfunction
 
 ## the modes at each of the speeds of one coordinate, each followed by its shape
-function r = over_speeds (p, x, u, speeds)
+function [r, doubt] = over_speeds (p, x, u, speeds)
   n = numel (speeds);
   nan = @(rows_) NaN (rows_, n);
   r = struct ("speeds", speeds, "frequency", nan (0), "damping", nan (0), "eigenvalues", nan (0),
               "shapes", zeros (p.m.sizes.nq, 0, n), "real", {cell(1, n)}, "rigid", zeros (1, n),
               "x", zeros (numel (x), n));
   last = zeros (p.m.sizes.nq, 0);
+  doubt = "";
   for k = 1:n
     x(p.m.sizes.nq + u) = speeds(k);
-    one = modes_at (p, x);
+    [one, found] = modes_at (p, x);
+    doubt = {doubt, found}{1 + isempty(doubt)};   # the first one
     x = one.x;
     [row, last] = followed (last, one.shapes);
     r.frequency(end+1:max (row),:) = NaN;

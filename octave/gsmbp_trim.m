@@ -57,8 +57,9 @@
 ## @end example
 ##
 ## Errors: no equilibrium or steady motion is found (the equations that do not vanish are
-## named); one that is steady at an instant alone; a constraint that moves with time; a
-## margin of a device below 0; an unknown name in "hold" or "free".
+## named); a derivative that is not finite; one that is steady at an instant alone; a
+## constraint that moves with time; a margin of a device below 0; an unknown name in "hold" or
+## "free".
 ## Source: own: Newton's method with the exact Jacobians, Levenberg's and a
 ## transient where it fails.
 ## @seealso{gsmbp_linear, gsmbp_assemble}
@@ -82,11 +83,13 @@ function r = gsmbp_trim (m, x, v, varargin)
   o = gsmbp__options ("gsmbp_trim", table, varargin);
   p = gsmbp__rest_problem (m, x, v, o);
   check_rest (p, p.z);
+  check_derivatives (p, p.z);
   [z, way] = gsmbp__rest_solve (p);
   check_rest (p, z);
   if (! (gsmbp__rest_worst (p, z) <= 1))
     gsmbp__rest_refuse (p, z);
   endif
+  check_derivatives (p, z);
   free = spaces (p, z);
   [p, z] = nearest (p, z, free);
   check_time (p, z);
@@ -126,6 +129,15 @@ function k = undriven (p, z)
   device = find (own > p.m.sizes.nq + p.m.sizes.nu);
   [~, row] = ismember (own(device), p.rows);
   k = device(! any (J(row,:), 2)');
+endfunction
+
+## what Newton's method needs
+function check_derivatives (p, z)
+  [~, J] = gsmbp__rest_equations (p, z);
+  text = gsmbp__not_finite (J, gsmbp__rest_names (p), unknowns (p));
+  if (! isempty (text))
+    error ("gsmbp:derivative", "%s: %s: %s", p.who, p.m.name, text);
+  endif
 endfunction
 
 ## with all speeds zero no constraint may move, nor begin to

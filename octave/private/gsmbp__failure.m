@@ -46,7 +46,7 @@ function [text, id] = gsmbp__failure (m, info, counts, values, said, last)
   if (info != 1 && counts(14) > 0)
     text = [text "; the steps are bound by stability"];
   endif
-  text = [text, fastest(m, values(8), last, info)];
+  text = [text, fastest(m, values(8), last, info), no_derivative(m, values(8), last, info)];
   if (! isempty (last))
     text = [text, gsmbp__outside(m, values(8), last.x, last.v)];
   endif
@@ -95,4 +95,19 @@ function text = fastest (m, t, last, info)
   per_second = regexprep ([unit "/s"], "/s/s$", "/s^2");
   text = sprintf ("; there %s = %.6g %s has the rate %.6g %s%s", m.states{k}, last.x(k), unit,
                   rate(k), per_second, gsmbp__nowhere (rate(k)));
+endfunction
+
+## the derivative that an implicit method lacks, where the rates are finite
+function text = no_derivative (m, t, last, info)
+  text = "";
+  if (isempty (last) || info != 6 || ! any (strcmp (m.subroutines, "jac")))
+    return;
+  endif
+  [rates, ~] = m.rhs (t, last.x, last.v);
+  if (! all (isfinite (rates)))
+    return;
+  endif
+  [A, ~, ~, ~, ~] = m.jac (t, last.x, last.v);
+  text = gsmbp__not_finite (A, strcat ({"rate of "}, m.states(:)), m.states);
+  text = [merge(isempty (text), "", "; "), text];
 endfunction

@@ -1,11 +1,11 @@
-## [A, xd] = gsmbp__held (m, t, x, v, held)
+## [A, xd] = gsmbp__held (who, m, t, x, v, held)
 ## The Jacobian of the rates of the model M by its states and these rates, where efforts of any
 ## size hold speeds (the second column of HELD) as they are: the accelerations that these efforts
 ## give are taken out, with their own change by the coordinates.
 
-function [A, xd] = gsmbp__held (m, t, x, v, held)
+function [A, xd] = gsmbp__held (who, m, t, x, v, held)
   d = m.sizes;
-  A = m.jac (t, x, v);
+  A = gsmbp__jacobian (who, m, t, x, v);
   xd = m.rhs (t, x, v);
   if (isempty (held))
     return;

@@ -33,6 +33,11 @@ function p = gsmbp__plant (who, m, e, o)
   if (isempty (j))
     error ("%s: argument m: expected a model with inputs; found none", who);
   endif
+  text = gsmbp__not_finite ([sys.c(k,:), sys.d(k,j)], strcat ({"output "}, outputs(k)(:)), ...
+                            [states(:); inputs(j)(:)]);
+  if (! isempty (text))
+    error ("gsmbp:derivative", "%s: plant: %s", who, text);
+  endif
   direct = find (any (sys.d(k,j), 2), 1);
   if (! isempty (direct))
     error ("%s: the output %s follows the inputs directly, without a state between", who, ...

@@ -1,6 +1,7 @@
 ## What holds for every model, at random states: symmetry and definiteness of M, N against M (Mdot -
-## 2C skew), power balance, constraints and their rates, linear models against differences. (Against
-## quad precision: test_quad.m.) A scene is judged by what it was emitted with.
+## 2C skew), power balance, constraints and their rates, linear models against differences; at its
+## start the shapes of modes against the linear model. (Against quad precision: test_quad.m.) A
+## scene is judged by what it was emitted with.
 
 function test_invariants ()
   scenes = dir (fullfile (fileparts (mfilename ("fullpath")), "..", "scenes", "*.mac"))';
@@ -33,6 +34,9 @@ function test_invariants ()
     if (! fluid && isempty (m.events) && any (strcmp (m.subroutines, "jac")) ...
           && m.json.mobility.rank == d.nlam)
       jacobians (name, m, d);
+    end
+    if (isempty (m.events) && any (strcmp (m.subroutines, "jac")) && d.nq > 0)
+      shapes (name, m, d);
     end
     if (any (strcmp (m.subroutines, "lin")) && any (strcmp (m.subroutines, "inv")))
       motion_model (name, m, d);
@@ -170,6 +174,31 @@ function power (name, m, d)
                    abs (E(4)) + abs (E(5)) + norm (xd)));
   end
   gsmbp_check ([name " power balance"], worst, 1e-9);
+end
+
+## A v = e v for each mode that is shown: T z are the coordinates of its shape, the rest of z is the
+## best that there is
+function shapes (name, m, d)
+  [A, ~, ~, ~, info] = m.jac (0, m.initial, zeros (d.nv, 1));
+  if (! all (isfinite (A(:))) || info == 1)
+    return;   # a car at rest has no slip, points coincide, M is singular
+  end
+  warning ("off", "gsmbp:equilibrium", "local");
+  r = gsmbp_modes (m, m.initial, "start", "project");
+  [sys, T, k] = gsmbp_linear (m, 0, r.x, zeros (d.nv, 1));
+  A = sys.a .* m.nominal(k)' ./ m.nominal(k);
+  S = T(1:d.nq,:) .* m.nominal(k)' ./ m.nominal(1:d.nq);
+  worst = [];
+  for j = find (any (r.shapes, 1))
+    L = A - r.eigenvalues(j) * eye (rows (A));
+    L ./= max (abs (L), [], 2);
+    s = r.shapes(:,j) ./ m.nominal(1:d.nq);
+    z = [L; S] \ [zeros(rows (L), 1); s];
+    worst(end+1) = max (norm (L * z), norm (S * z - s)) / norm (s);
+  end
+  if (! isempty (worst))
+    gsmbp_check ([name " shapes of modes are of eigenvectors"], worst, 1e-9);
+  end
 end
 
 function jacobians (name, m, d)
