@@ -309,6 +309,8 @@ endfunction
 %!error <expected a column effort.q, found t, q> read (m, "t,q\n0,1\n1,2\n")
 %!error <line 3, column 2: expected a number, found x> read (m, "t,q\n0,1\n1,x\n")
 %!error <line 2: expected 2 cells, found 3> read (m, "t,q\n0,1,2\n")
+%!error <line 1: expected commas between the columns .*found semicolons> read (m, "t;q\n0,5;1\n")
+%!error <line 2: expected commas.*found tabs> read (m, "# of a logger\nt\tq\n0\t1\n")
 %!error <the head q is there twice> read (m, "t,q,q\n0,1,2\n")
 %!error <column 2, q: expected a unit like rad, found kg>
 %! read (m, "t,q [kg],effort.q\n0,1,2\n1,1,2\n")

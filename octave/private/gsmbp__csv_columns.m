@@ -9,6 +9,12 @@ function [heads, values, units] = gsmbp__csv_columns (who, file)
            numel (numbers));
   endif
   [heads, units] = gsmbp__csv_heads (lines{1});
+  others = {";", "semicolons"; "\t", "tabs"};
+  other = others(cellfun (@(c) any (lines{1} == c), others(:,1)),2);
+  if (isscalar (heads) && ! isempty (other))
+    error (["%s: %s: line %d: expected commas between the columns (and points in decimals), " ...
+            "found %s"], who, file, numbers(1), other{1});
+  endif
   for c = 2:numel (heads)
     if (any (strcmp (heads(1:c-1), heads{c})))
       error ("%s: %s: the head %s is there twice", who, file, heads{c});

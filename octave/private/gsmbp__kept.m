@@ -102,7 +102,13 @@ function kept = of_events (who, m, word, name, way)
   names = {m.events.name};
   k = find (strcmp (names, name), 1);
   if (isempty (k))
-    error ("%s: option keep: unknown event %s", who, gsmbp__unknown (name, unique (names)));
+    way_out = "";
+    if (any (strcmp (name, [m.states(:); m.inputs(:); m.outputs(:)])))
+      way_out = sprintf (["; \"%s\" is a quantity: write \"final %s\" (\"first\", \"last\" and " ...
+                          "\"count\" are of events)"], name, name);
+    endif
+    error ("%s: option keep: unknown event %s%s", who, gsmbp__unknown (name, unique (names)), ...
+           way_out);
   endif
   mine = gsmbp__event_groups (m) == k;
   parts = {@(c) min(c.first(:,mine), [], 2), @(c) max(c.last(:,mine), [], 2), ...

@@ -285,6 +285,7 @@ function refused (m)
            [one, {"runs", 0}], "option runs: expected a whole number above 0";
            [one, {"keep", {"least x1"}}], "option keep: expected one of final, peak";
            [one, {"keep", {"last x1"}}], "option keep: unknown event \"x1\"";
+           [one, {"keep", {"last x1"}}], "\"x1\" is a quantity: write \"final x1\"";
            [one, {"keep", {"final x2"}}], "option keep: unknown \"x2\", did you mean";
            [one, {"demand", {"b", 0, 1}}], "option demand: unknown \"b\"";
            [one, {"keep", {"at 0.05 x1"}}], "one of the times and a name behind \"at\"";

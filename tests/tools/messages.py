@@ -29,6 +29,8 @@ TEXTS = [
     ('gsmbp/emit/requests.mac', 'gs__say_too_long'),
     ('gsmbp/scene/value_rules.mac', 'gs__rule_texts'),
     ('gsmbp/scene/value_rules.mac', 'gs__warn_negative'),
+    ('gsmbp/library/dimensions.mac', 'gs__number_remedy'),
+    ('gsmbp/scene/written_units.mac', 'gs__name_notes'),
     ('gsmbp/scene/end_links.mac', 'gs__refuse_end'),
     ('gsmbp/scene/end_links.mac', 'gs__light_text'),
     ('gsmbp/scene/check.mac', 'gs__impossible_bodies'),
