@@ -115,7 +115,7 @@ function s = problem (who, m, e)
   s = with_start (who, m, s);
 endfunction
 
-## P0 of each link, scales of the scalars
+## the inverse of P0 of each link, scales of the scalars
 function s = with_start (who, m, s)
   P = arrayfun (@(k) gsmbp__pseudo (s.x(s.place(:,k))), 1:numel (s.links), "UniformOutput", false);
   mass = sum (cellfun (@(p) abs (p(4,4)), P)) / numel (P) + realmin;
@@ -132,7 +132,7 @@ function s = with_start (who, m, s)
       P{k} = s.D * V * diag (l) * V' * s.D;
       s.x(s.place(:,k)) = gsmbp__ten (P{k});
     endif
-    s.P0{k} = (P{k} + P{k}') / 2;
+    s.inverse{k} = inv ((P{k} + P{k}') / 2);
   endfor
   s.x(s.scalar) = max (s.x(s.scalar), 1e-3 * max (abs (s.x(s.scalar))) + 1e-9);
   s.first = s.x(s.scalar);
@@ -169,31 +169,32 @@ endfunction
 function f = merit (s, e, A, x, g)
   f = sumsq (A * x - e.z) / 2;
   for k = 1:numel (s.links)
-    [C, bad] = chol (gsmbp__pseudo (x(s.place(:,k))));
+    P = gsmbp__pseudo (x(s.place(:,k)));
+    [C, bad] = chol (P);
     if (bad)
       f = Inf;
       return;
     endif
-    f += g * (trace (s.P0{k} \ (C' * C)) - 2 * sum (log (diag (C))));
+    f += g * (s.inverse{k}(:)' * P(:) - 2 * sum (log (diag (C))));
   endfor
   y = x(s.scalar);
   f += g * sum (y ./ s.first - log (max (y, 0)));
 endfunction
 
-## gradient of the second term and a square root of its matrix of second derivatives
+## gradient of the second term and a square root of its matrix of second derivatives; the
+## pseudo-inertia is linear in its ten parameters: of the unit vectors it is E
 function [grad, U] = barrier (s, x)
+  persistent E = cell2mat (arrayfun (@(j) gsmbp__pseudo ((1:10 == j)')(:), 1:10, ...
+                                     "UniformOutput", false));
   grad = zeros (numel (x), 1);
   U = zeros (16 * numel (s.links) + numel (s.scalar), numel (x));
   for k = 1:numel (s.links)
     at = s.place(:,k);
     C = chol (gsmbp__pseudo (x(at)));
     invC = inv (C);
-    pull = inv (s.P0{k}) - invC * invC';
-    for j = 1:10
-      E = gsmbp__pseudo ((1:10 == j)');
-      grad(at(j)) = sum (sum (pull .* E));
-      U(16*(k-1)+(1:16),at(j)) = (invC' * E * invC)(:);
-    endfor
+    pull = s.inverse{k} - invC * invC';
+    grad(at) = E' * pull(:);
+    U(16*(k-1)+(1:16),at) = kron (invC', invC') * E;   # columns (invC' * E * invC)(:)
   endfor
   y = x(s.scalar);
   grad(s.scalar) = 1 ./ s.first - 1 ./ y;
