@@ -4,6 +4,7 @@
 
 function test_options ()
   warning ("off", "all", "local");
+  makeinfo_program ("true", "local");   # print_usage typesets the help text, which manual.sh does
   m = gsmbp_hand ("motor_pendulum");
   c = gsmbp_hand ("hand_crank");
   x = [0.1, 0, 0];
