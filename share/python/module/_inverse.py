@@ -63,7 +63,7 @@ class _Follower:
 
     def __call__(self, t, side):
         if not self.closed:
-            return np.stack([self.poly(t, k, side) for k in range(self.order + 1)], axis=1)
+            return np.stack(self.poly.derivatives(t, range(self.order + 1), side), axis=1)
         pieces, order = self.poly.coefficients.shape[1:]
         number = ctypes.c_int
         info = LIBRARY.gs_loop_follow(
@@ -106,9 +106,9 @@ def _integrated(who, rate, t, end, y, rtol=1e-11):
     """y at the time end, by Dormand and Prince of order 5."""
     h = (end - t) / 8
     atol = 1e-13 * max(1.0, np.abs(y).max(initial=0))
+    f = [rate(t, y)]
     while t < end:
         h = min(h, end - t)
-        f = [rate(t, y)]
         for a, c in zip(_A, _C):
             z = y + h * sum(x * g for x, g in zip(a, f))
             f.append(rate(t + c * h, z))
@@ -118,5 +118,6 @@ def _integrated(who, rate, t, end, y, rtol=1e-11):
             raise Error('%s: the internal states cannot be integrated beyond t = %.9g s' % (who, t))
         if ratio <= 1:
             t, y = (end if h >= end - t else t + h), z
+        f = [f[-1 if ratio <= 1 else 0]]   # the last rates are those where the next step begins
         h *= min(5.0, max(0.2, 0.9 * max(ratio, 1e-10) ** -0.2))
     return y

@@ -27,19 +27,28 @@ class Piecewise:
 
     def __call__(self, t, derivative=0, side=1):
         """Values at the times t, shape (n,) or (n, k); side -1: from the left at a break."""
+        return self.derivatives(t, (derivative,), side)[0]
+
+    def derivatives(self, t, orders, side=1):
+        """A list: the derivative of each of the rising orders."""
         t = np.asarray(t, float)
-        c = self.coefficients
-        for _ in range(derivative):
-            powers = np.arange(c.shape[2] - 1, 0, -1)
-            c = c[:, :, :-1] * powers if len(powers) else np.zeros(c.shape[:2] + (1,))
+        first, last = self.breaks[0], self.breaks[-1]
         piece = np.searchsorted(self.breaks, t, 'right' if side > 0 else 'left') - 1
-        piece = np.clip(piece, 0, c.shape[1] - 1)
-        outside = (t < self.breaks[0]) | (t > self.breaks[-1])
-        h = np.clip(t, self.breaks[0], self.breaks[-1]) - self.breaks[piece]
-        total = np.zeros((self.n,) + t.shape)
-        for j in range(c.shape[2]):
-            total = total * h + c[:, piece, j]
-        return np.where(outside, 0.0, total) if derivative else total
+        piece = np.minimum(np.maximum(piece, 0), len(self.breaks) - 2)   # np.clip is slower
+        h = np.minimum(np.maximum(t, first), last) - self.breaks[piece]
+        outside = (t < first) | (t > last)
+        c = self.coefficients[:, piece]
+        found = []
+        for order in range(orders[-1] + 1):
+            if order:
+                powers = np.arange(c.shape[-1] - 1, 0, -1)
+                c = c[..., :-1] * powers if len(powers) else np.zeros(c.shape[:-1] + (1,))
+            if order in orders:
+                total = np.zeros((self.n,) + t.shape)
+                for j in range(c.shape[-1]):
+                    total = total * h + c[..., j]
+                found.append(np.where(outside, 0.0, total) if order else total)
+        return found
 
     def flat(self):
         """The numbers as the run time has them: breaks, coefficients."""
