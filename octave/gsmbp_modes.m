@@ -160,8 +160,9 @@ function [r, doubt] = modes_at (p, x)
   endif
   [T, k] = gsmbp__tangent (who, m, p.t, x, "auto", p.held);
   [A, xd] = gsmbp__held (who, m, p.t, x, p.v, p.held);
-  A = without_rounding (A(k,:) * T, m.nominal(k)');
+  A = A(k,:) * T;
   doubt = acceleration (m, k, A, xd);
+  A = without_rounding (A .* m.nominal(k)' ./ m.nominal(k));   # in nominal magnitudes
   keep = find (any (A, 1));   # on the other states nothing depends
   [V, e] = eig (A(keep,keep), "vector");
   e(abs (e) <= 1e-9 * max ([abs(e); 0])) = 0;
@@ -173,16 +174,15 @@ function [r, doubt] = modes_at (p, x)
   r.damping = 0 - real (e(pairs)) ./ r.frequency;
   W = A(:,keep) * V(:,pairs) ./ e(pairs)(:).';   # A*w = e*w gives the other states
   W(keep,:) = V(:,pairs);
-  r.shapes = shapes (m, T * W);
+  r.shapes = shapes (m, T * (W .* m.nominal(k)));
   r.real = sort (real (e(imag (e) == 0 & e != 0)));
   r.rigid = numel (k) - numel (keep) + sum (e == 0);
   r.x = x;
 endfunction
 
 ## entries below the rounding of the largest one of their row are zero: balancing would enlarge them
-function A = without_rounding (A, nominal)
-  share = abs (A) .* nominal;
-  A(share < 1e-17 * max (share, [], 2)) = 0;
+function A = without_rounding (A)
+  A(abs (A) < 1e-17 * max (abs (A), [], 2)) = 0;
 endfunction
 
 ## the largest of the accelerations beside what a deviation of nominal magnitude gives
