@@ -6,7 +6,8 @@ report=$(mktemp)
 trap 'rm -f "$report"' EXIT
 make --no-print-directory manual >"$report" 2>&1
 told $? 'info and index are made' "$report"
-make --no-print-directory manual >"$report" 2>&1
+# what a system has no package for is said each time
+make --no-print-directory manual 2>&1 | grep -v '^GSMBP: missing: ' >"$report"
 result 'what is made is not made again'
 if whole; then
   rm share/manual/units.texi
