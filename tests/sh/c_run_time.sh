@@ -2,8 +2,6 @@
 # but the mathematical library, and gives bit for bit, or to 1e-14 of the largest entry, what
 # share/fortran gives: the drivers of tests/c call both. Every public routine is in a driver.
 . tests/tools/check.sh
-# statements apart, as in modules (gsmbp__fortran_flags)
-apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 root=$PWD
 work_folder
 mkdir "$work/c" "$work/fortran" "$work/clang"
@@ -13,7 +11,7 @@ strict="-Wall -Wextra -pedantic -Werror"
 
 # -- it compiles
 (cd "$work/fortran" &&
-  $apart -c "$root"/share/fortran/*/*.f \
+  $fortran_apart -c "$root"/share/fortran/*/*.f \
     "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 (cd "$work/c" && gcc $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
@@ -83,7 +81,7 @@ for scene in $scenes; do
     echo '#include "emitted_scene.h"'
   } >"$work/emitted/$scene.c"
   (cd "$work/emitted" &&
-    $apart -c "$out/$scene.f" -o "$scene.f.o" &&
+    $fortran_apart -c "$out/$scene.f" -o "$scene.f.o" &&
     gcc $c $strict -I"$root/tests/c/emitted" -c "$scene.c") >"$report" 2>&1 ||
     told 1 "the shims of $scene compile" "$report"
 done

@@ -3,8 +3,6 @@
 # the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; where GSMBP_TIMES
 # is set, how long 1e5 states take beside a loop in C.
 . tests/tools/check.sh
-# statements apart, as in modules (gsmbp__fortran_flags)
-apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 root=$PWD
 work_folder
 python=/usr/bin/python3
@@ -75,7 +73,7 @@ result 'share/python/taken has all words and modules of this Python'
 
 # -- every subroutine against the Fortran of the scene
 mkdir "$work/fortran"
-(cd "$work/fortran" && $apart -fPIC -c \
+(cd "$work/fortran" && $fortran_apart -fPIC -c \
   "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 for scene in tests/scenes/event_ball tests/scenes/sampled_crank \
@@ -83,7 +81,7 @@ for scene in tests/scenes/event_ball tests/scenes/sampled_crank \
   name=${scene##*/} out=$GSMBP_TEST_DIR/fortran_out
   [ -s "$out/$name.f" ] || { out=$work/fortran; share/make/derive "$scene.mac" "$out"; } \
     >"$report" 2>&1
-  $apart -fPIC -shared -o "$work/fortran/$name.so" \
+  $fortran_apart -fPIC -shared -o "$work/fortran/$name.so" \
     "$out/$name.f" "$work"/fortran/*.o >"$report" 2>&1 &&
     timeout 100 $python tests/python/against_fortran.py "$name" "$work/fortran/$name.so"
   told $? "$name against its Fortran" "$report"

@@ -29,6 +29,9 @@ result() {
   head -n 8 "$report"
 }
 
+# gfortran for comparisons bit for bit: statements apart, as in modules (gsmbp__fortran_flags)
+fortran_apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
+
 # work_folder: a folder $work for the test, gone at its end, and in it the file $report
 work_folder() {
   work=$(mktemp -d) || exit 1
