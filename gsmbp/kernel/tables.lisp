@@ -52,15 +52,18 @@
              (dolist (x (cdr e)) (push (gs-replace h x) a))
              (simplifya (cons (list (caar e)) (nreverse a)) nil)))))
 ;; the value of e, a list too, by a table that holds numbers for its symbols; the table takes the
-;; values of entries [symbol, expression] in their order, of those that it does not hold
-(defun $gs__float_of (h e)
-  (cond ((floatp e) e)
-        ((and (consp e) (eq (caar e) 'mlist))
-         (cons '(mlist simp) (mapcar #'(lambda (x) ($gs__float_of h x)) (cdr e))))
-        (t ($float ($gs__replace h e)))))
-(defun $gs__take_values (h entries)
+;; values of entries [symbol, expression] in their order, of those that it does not hold; number:
+;; `$float` or `$bfloat`
+(defun $gs__numeric_of (number h e)
+  (if (and (consp e) (eq (caar e) 'mlist))
+      (cons '(mlist simp) (mapcar #'(lambda (x) ($gs__numeric_of number h x)) (cdr e)))
+      (funcall number ($gs__replace h e))))
+(defun $gs__take_numeric (number h entries)
   (dolist (e (cdr entries) h)
-    (unless (gethash (cadr e) h) (setf (gethash (cadr e) h) ($gs__float_of h (caddr e))))))
+    (unless (gethash (cadr e) h)
+      (setf (gethash (cadr e) h) ($gs__numeric_of number h (caddr e))))))
+(defun $gs__float_of (h e) ($gs__numeric_of '$float h e))
+(defun $gs__take_values (h entries) ($gs__take_numeric '$float h entries))
 ;; a name without repeated slashes, which are no name to GCL 2.7; that of a folder, with none at its
 ;; end
 (defun $gs__slashes (path)
