@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test check test-processors test-whole \
         test-random test-malformed test-identify test-writers \
-        test-reach test-c test-sweep test-mpi bench bench-c bench-loops bench-passages \
+        test-reach test-c test-before test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
         bench-points bench-reach bench-robots bench-peers same doc manual \
@@ -48,6 +48,9 @@ make test-malformed        300 malformed scenes against their verdicts, mutants 
                            values of wrong types in options (make test takes 25, and 100)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a
                            sample); SCENES="FILE.mac ...": these only
+make test-before           some 3900 runs of all scenes by every method against those of an earlier
+                           commit (make test takes a share); SCENES=NAME: scenes with this in
+                           their names
 make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
                            solutions are eigenvalues), there and back, and beside singular ones;
                            ARMS="puma scara": these only; SEED, COUNT
@@ -201,6 +204,9 @@ test-random: packages-test compiled
 SCENES ?= $(wildcard examples/*/*.mac tests/scenes/*.mac tests/bench/systems/*.mac)
 test-c: packages-test compiled
 	@tests/tools/c_pairs $(SCENES)
+
+test-before: packages-test compiled
+	@tests/before/run check $(if $(filter command line environment,$(origin SCENES)),$(SCENES))
 
 test-malformed: packages-test compiled
 	@{ tests/malformed/judge.py hand; \

@@ -1,0 +1,69 @@
+## lines = before_differ (m, then, now)
+## Say how the run NOW of the model M differs from THEN (before_run), sentences in a row of cells,
+## empty if nothing does. Equal must be: INFO, identifiers and texts of errors, identifiers of
+## warnings, number, names, order and modes of events. Within a hundredth: the numbers in the
+## message of a run that failed on its way, where rounding takes part. States and times of events:
+## within the error of THEN (before_record), at least 1e-12. Calls, steps, failed steps,
+## projections: equal with rk4 without events, else within a tenth and 20.
+
+function lines = before_differ (m, then, now)
+  lines = {};
+  for field = {"info", "id", "warned", "happened", "events"}
+    [a, b] = deal (then.(field{1}), now.(field{1}));
+    if (! isequal (a, b) && ! (isempty (a) && isempty (b)))
+      lines{end + 1} = sprintf ("%s: expected %s, found %s", field{1}, shown (a), shown (b));
+    end
+  end
+  if (! alike (then.text, now.text, 0.01 * ! isempty (then.info)))
+    lines{end + 1} = sprintf ("expected \"%s\", found \"%s\"", then.text, now.text);
+  end
+  if (isempty (then.info) || ! isempty (lines))
+    return;
+  end
+  lines = counted (then, now);
+  if (then.info == 0)
+    lines = [lines, numbers(m, then, now)];
+  end
+end
+
+## the same words, and numbers within a share of each other
+function is = alike (a, b, share)
+  number = '-?\d+\.?\d*(e[-+]?\d+)?';
+  is = strcmp (a, b);
+  if (! is && share > 0 && strcmp (regexprep (a, number, "#"), regexprep (b, number, "#")))
+    a = str2double (regexp (a, number, "match"));
+    b = str2double (regexp (b, number, "match"));
+    is = all (abs (a - b) <= share * abs (a));
+  end
+end
+
+function text = shown (value)
+  text = disp (value)(1:end-1);
+end
+
+function lines = counted (then, now)
+  lines = {};
+  most = 20 + 0.1 * then.counts;
+  if (strncmp (then.name, "rk4", 3) && then.happened == 0)
+    most = 0;
+  end
+  if (any (abs (then.counts - now.counts) > most))
+    lines{1} = sprintf ("calls, steps, failed steps, projections: expected%s, found%s", ...
+                        sprintf (" %d", then.counts), sprintf (" %d", now.counts));
+  end
+end
+
+function lines = numbers (m, then, now)
+  lines = {};
+  allowed = max (1e-12, then.error);
+  allowed(isnan (then.error)) = 1e-6;
+  if (numel (then.x) != numel (now.x))
+    lines{1} = sprintf ("x: expected %d numbers, found %d", numel (then.x), numel (now.x));
+    return;
+  end
+  e = before_distance (m, then, now);
+  found = {"the last state", "the times of events"};
+  for k = find (! (e <= allowed))
+    lines{end + 1} = sprintf ("%s: expected within %.1e, found %.1e", found{k}, allowed(k), e(k));
+  end
+end
