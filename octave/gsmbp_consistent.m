@@ -155,8 +155,9 @@ function [x, steps] = newton (who, s, e, x, g, steps, most)
     d = B \ [e.z - A * x; -sqrt(g) * (U' \ grad)];
     decrement = sumsq (B * d);
     step = 1;
-    f = merit (s, e, A, x, g);
-    while (! (merit (s, e, A, x + step * d, g) <= f - 1e-4 * step * decrement + 4 * eps * abs (f)))
+    change = along (s, e, A, x, d, g);
+    rounding = 4 * eps * abs (merit (s, e, A, x, g));
+    while (! (change (step) <= rounding - 1e-4 * step * decrement))
       step /= 2;
       if (step < 1e-15)
         error ("%s: no convergence: no step makes it less (decrement %.1e)", who, decrement / g);
@@ -170,15 +171,37 @@ function f = merit (s, e, A, x, g)
   f = sumsq (A * x - e.z) / 2;
   for k = 1:numel (s.links)
     P = gsmbp__pseudo (x(s.place(:,k)));
-    [C, bad] = chol (P);
-    if (bad)
-      f = Inf;
-      return;
-    endif
-    f += g * (s.inverse{k}(:)' * P(:) - 2 * sum (log (diag (C))));
+    f += g * (s.inverse{k}(:)' * P(:) - 2 * sum (log (diag (chol (P)))));
   endfor
   y = x(s.scalar);
-  f += g * sum (y ./ s.first - log (max (y, 0)));
+  f += g * sum (y ./ s.first - log (y));
+endfunction
+
+## what a step adds to the merit, a function of its length along D: log (det (P + step*dP)) is
+## log (det (P)) and the sum of log (1 + step*l), l the eigenvalues of P^-1*dP
+function change = along (s, e, A, x, d, g)
+  [r, rd] = deal (A * x - e.z, A * d);
+  y = x(s.scalar);
+  dy = d(s.scalar);
+  linear = sum (dy ./ s.first);
+  l = dy ./ y;
+  for k = 1:numel (s.links)
+    C = chol (gsmbp__pseudo (x(s.place(:,k))));
+    dP = gsmbp__pseudo (d(s.place(:,k)));
+    linear += s.inverse{k}(:)' * dP(:);
+    W = C' \ dP / C;
+    l = [l; eig((W + W') / 2)];
+  endfor
+  change = @(step) by_step (step, r' * rd + g * linear, sumsq (rd) / 2, l, g);
+endfunction
+
+## Inf where a body is none any more, or nearly so
+function f = by_step (step, linear, square, l, g)
+  f = Inf;
+  left = 1 + step * l;
+  if (all (left > 1e-6))
+    f = step * linear + step ^ 2 * square - g * sum (log (left));
+  endif
 endfunction
 
 ## gradient of the second term and a square root of its matrix of second derivatives; the

@@ -233,10 +233,8 @@ endfunction
 
 function tau = efforts (m, s, c)
   d = motion_at (s, c);
-  tau = zeros (size (d.q));
-  for k = 1:numel (d.t)
-    tau(k,:) = abs (m.inv (d.t(k), d.q(k,:)', d.u(k,:)', d.ud(k,:)', zeros (m.sizes.nv, 1)));
-  endfor
+  tau = abs (m.module ("many", "inv", m.cst, d.t(:)', d.q', d.u', d.ud', ...
+                       zeros (m.sizes.nv, 1)))';
 endfunction
 
 function x = told (who, m, o, coarse, fine, c, x)

@@ -257,8 +257,8 @@ function e = result (m, w, f, noise, scale, nt)
   groups = numel (noise);
   for g = 1:groups
     own = w.group == g;
-    e.rms(g,1) = sqrt (mean (e.residual(own) .^ 2));
-    e.relative(g,1) = e.rms(g) / sqrt (mean (w.measured(own) .^ 2));
+    e.rms(g,1) = sqrt (sumsq (e.residual(own)) / sum (own));
+    e.relative(g,1) = e.rms(g) / sqrt (sumsq (w.measured(own)) / sum (own));
   endfor
   e.noise = noise;
   e.chi2 = sumsq (e.residual ./ noise(w.group));

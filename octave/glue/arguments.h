@@ -127,18 +127,23 @@ public:
 
   number scalar (const char *name) { return vector (name, 1)[0]; }
 
-  // coordinates, alone or before speeds and others; Euler parameters that are all zero are no
-  // orientation
+  // coordinates, alone or before speeds and others
   reals coordinates (const char *name, int size)
   {
     reals x = vector (name, size);
+    with_orientation (name, &x[0]);
+    return x;
+  }
+
+  // Euler parameters that are all zero are no orientation
+  void with_orientation (const char *name, const number *x) const
+  {
     for (int k = 0; k < S.nsets; k++)
-      if (no_orientation (&x[0], k, 1))
+      if (no_orientation (x, k, 1))
         error ("%s: argument %s: expected Euler parameters of length 1 in %s(%d), %s(%d), %s(%d), "
                "%s(%d), found zeros, which are no orientation",
                who ().c_str (), name, name, S.sets[4 * k], name, S.sets[4 * k + 1], name,
                S.sets[4 * k + 2], name, S.sets[4 * k + 3]);
-    return x;
   }
 
   std::vector<int> integers (const char *name, int size)

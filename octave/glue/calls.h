@@ -167,3 +167,112 @@ call_batch (const signature& g, gsmbp_sub f, arguments& a, int nargout)
     finish_batch (out, info, k, nargout, a.call ().c_str ());
   return out;
 }
+
+// the next argument for the states of a handle of one, a column for each; one column is of all
+static Matrix
+read_many (arguments& a, const slot& s, int& k)
+{
+  int n = s.rows * s.cols;
+  if (! s.needed && ! a.more ())
+    {
+      read (a, s);
+      return Matrix (n, 1, 0.0);
+    }
+  Matrix x = a.matrix (s.name.c_str (), n, -1);
+  int given = int (x.columns ());
+  if (s.name == "v")
+    a.modes_among (given, [&] (int i, int j) { return x(i, j); });
+  if (k == 1)
+    k = given;
+  if (given != k && given != 1)
+    error ("%s: argument %s: expected %d columns (or one for all), found %d", a.who ().c_str (),
+           s.name.c_str (), k, given);
+  return x;
+}
+
+// A subroutine of one state, called at K: what is given for all of them, what is found, and the
+// numbers of one.
+class many
+{
+public:
+
+  many (const signature& g, arguments& a)
+    : m_slots (g.slots), m_call (a), m_cst (a.constants ()), m_k (1)
+  {
+    for (std::size_t i = 0; i < m_slots.size (); i++)
+      {
+        const slot& s = m_slots[i];
+        bool real = s.what == slot::real;
+        if (! real && s.what != slot::constants && s.what != slot::leading
+            && s.what != slot::indicator)
+          error ("%s: it is called at one state", a.who ().c_str ());
+        m_one[i] = room (real ? s.room : 1);
+        if (s.in)
+          m_given[i] = read_many (a, s, m_k);
+        m_whole[i] = s.rows;
+        m_places[i] = real ? static_cast<void *> (m_one[i].data ())
+                      : s.what == slot::constants ? static_cast<void *> (m_cst.data ())
+                                                  : &m_whole[i];
+      }
+    for (std::size_t i = 0; i < m_slots.size (); i++)
+      m_found[i] = NDArray (m_slots[i].cols > 1
+                            ? dim_vector (m_slots[i].rows, m_slots[i].cols, m_k)
+                            : dim_vector (m_slots[i].rows, m_k), 0.0);
+  }
+
+  int states (void) const { return m_k; }
+
+  void call_at (gsmbp_sub f, int state)
+  {
+    std::size_t n = m_slots.size ();
+    for (std::size_t i = 0; i < n; i++)
+      if (m_slots[i].in)
+        {
+          const Matrix& x = m_given[i];
+          std::copy_n (x.data () + (x.columns () > 1 ? state * x.rows () : 0), x.rows (),
+                       m_one[i].begin ());
+          if (m_slots[i].name == "q" || m_slots[i].name == "x")
+            m_call.with_orientation (m_slots[i].name.c_str (), &m_one[i][0]);
+        }
+    call (f, m_places, n);
+    for (std::size_t i = 0; i < n; i++)
+      if (m_slots[i].what == slot::indicator)
+        m_found[i](state) = m_whole[i];
+      else if (m_slots[i].out)
+        {
+          octave_idx_type size = m_slots[i].rows * m_slots[i].cols;
+          double *to = m_found[i].fortran_vec () + state * size;
+          for (octave_idx_type j = 0; j < size; j++)
+            to[j] = double (m_one[i][j]);
+        }
+  }
+
+  // with a column (a page where one is a matrix) for each state
+  const NDArray& found (std::size_t slot) const { return m_found[slot]; }
+
+private:
+
+  const std::vector<slot>& m_slots;
+  arguments& m_call;
+  reals m_cst, m_one[most_slots];
+  Matrix m_given[most_slots];
+  NDArray m_found[most_slots];
+  void *m_places[most_slots];
+  int m_k, m_whole[most_slots];
+};
+
+// the results, then the indicators
+static octave_value_list
+call_many (const signature& g, gsmbp_sub f, arguments& a)
+{
+  many all (g, a);
+  for (int j = 0; j < all.states (); j++)
+    all.call_at (f, j);
+  octave_value_list out;
+  for (std::size_t i : g.results)
+    out.append (all.found (i));
+  for (std::size_t i = 0; i < g.slots.size (); i++)
+    if (g.slots[i].what == slot::indicator)
+      out.append (all.found (i));
+  return out;
+}

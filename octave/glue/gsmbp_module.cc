@@ -65,18 +65,29 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "solve", do_solve }, { "interrupt", do_interrupt }, { "guarded", do_guarded },
         { "calls", do_calls } };
 
-static octave_value_list
-dispatch (const std::string& call, const octave_value_list& args, int nargout)
+// what the handle CALL is; a null pointer: none
+static const handle *
+handle_by (const std::string& call)
 {
   for (const handle& h : handles ())
     if (call == h.name && h.asked_for ())
       {
         if (! h.code)
           absent (call, h.row->request);
-        arguments a (args, call, h.g.usage);
-        a.count_given ();
-        return (h.g.batch ? call_batch : call_once) (h.g, h.code->sub, a, nargout);
+        return &h;
       }
+  return nullptr;
+}
+
+static octave_value_list
+dispatch (const std::string& call, const octave_value_list& args, int nargout)
+{
+  if (const handle *h = handle_by (call))
+    {
+      arguments a (args, call, h->g.usage);
+      a.count_given ();
+      return (h->g.batch ? call_batch : call_once) (h->g, h->code->sub, a, nargout);
+    }
   for (const auto& service : services)
     if (call == service.name)
       {
@@ -84,6 +95,19 @@ dispatch (const std::string& call, const octave_value_list& args, int nargout)
         return service.call (a, nargout);
       }
   error ("%s: no subroutine %s", S.name, call.c_str ());
+}
+
+// ("many", call, its arguments with a column for each state ...)
+static octave_value_list
+do_many (const octave_value_list& args)
+{
+  const handle *h = args.length () > 2 && args(1).is_string () ? handle_by (args(1).string_value ())
+                                                               : nullptr;
+  if (! h)
+    error ("%s.many: expected the name of a subroutine and its arguments", S.name);
+  arguments a (args.slice (2, args.length () - 2), h->name, h->g.usage);
+  a.count_given ();
+  return call_many (h->g, h->code->sub, a);
 }
 
 // ("time", repetitions, call, its arguments ...): seconds for one call of the
@@ -113,6 +137,8 @@ DEFUNX_DLD (S.symbol, Fgsmbp_module, Ggsmbp_module, args, nargout,
   std::string call = args(0).string_value ();
   if (call == "time")
     return do_time (args);
+  if (call == "many")
+    return do_many (args);
   octave_value_list results = dispatch (call, args.slice (1, args.length () - 1), nargout);
   int most = int (results.length ());
   if (nargout > most)

@@ -27,7 +27,9 @@ endfunction
 function list = coordinates_of (who, m, word, given)
   list = 1:m.sizes.nu;
   if (islogical (given) || isempty (given) || isequal (given, 0) || isequal (given, 1))
-    list = list(repmat (! isempty (given) && given, 1, m.sizes.nu));
+    if (isempty (given) || ! given)
+      list = [];
+    endif
     return;
   endif
   if (! (ischar (given) || iscellstr (given)))

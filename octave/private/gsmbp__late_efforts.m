@@ -13,16 +13,17 @@ function list = gsmbp__late_efforts (m, data, w)
   endif
   own = 1:n*nt;
   by_time = @(x) reshape (x, n, nt)';
-  w.known = w.measured(own) - w.b(own);   # what the efforts hold beside Y*p
-  s = sqrt (mean (by_time (w.b(own) - w.Y(own,:) * (w.Y(own,:) \ w.b(own))) .^ 2))' + realmin;
+  known = reshape (w.measured(own) - w.b(own), n, nt);   # what the efforts hold beside Y*p
+  rms = @(x) sqrt (sumsq (by_time (x)) / nt);
+  s = rms (w.b(own) - w.Y(own,:) * (w.Y(own,:) \ w.b(own)))' + realmin;
   Q = basis (w.Y(own,:), data, s, n);
   step = median (diff (t));
   [late, by, doubt] = deal (zeros (1, n), zeros (1, n), Inf (1, n));   # efforts may be zero
   for turn = 1:4
     tau = moved (data.tau, t, late);
-    b = (tau'(:) - w.known) ./ repmat (s, nt, 1);
+    b = ((tau' - known) ./ s)(:);
     r = b - Q * (Q' * b);
-    rms_ = sqrt (mean (by_time (r) .^ 2));
+    rms_ = rms (r);
     if (turn == 1)
       before = rms_;
     elseif (turn == 4)
@@ -31,7 +32,7 @@ function list = gsmbp__late_efforts (m, data, w)
     estimated = tau - by_time (r) .* s';
     for g = find (any (data.tau != 0, 1))
       c = zeros (n, nt);
-      c(g,:) = -gradient (estimated(:,g)', t') / s(g);
+      c(g,:) = -central (estimated(:,g)) ./ central (t) / s(g);
       c = c(:) - Q * (Q' * c(:));
       by(g) = (c' * r) / (c' * c + realmin);
       doubt(g) = rms_(g) / (norm (c) + realmin);
@@ -49,6 +50,11 @@ function list = gsmbp__late_efforts (m, data, w)
   endfor
 endfunction
 
+## differences between the neighbours of each; at the ends to the one
+function d = central (x)
+  d = [x(2) - x(1); x(3:end) - x(1:end-2); x(end) - x(end-1)];
+endfunction
+
 ## an orthonormal basis of the columns of Y and of what joints may have beside the model, in rows
 ## divided by S
 function Q = basis (Y, data, s, n)
@@ -56,7 +62,7 @@ function Q = basis (Y, data, s, n)
     u = data.u(:,g);
     own{g} = kron ([u, sign(u), data.ud(:,g), ones(size (u))], ((1:n) == g)');
   endfor
-  A = [Y, own{:}] ./ repmat (s, rows (data.u), 1);
+  A = [Y, own{:}] ./ kron (ones (rows (data.u), 1), s);
   A ./= norm (A, "columns") + realmin;
   [U, S, ~] = svd (A, "econ");
   Q = U(:,diag (S) > 1e-8 * S(1));

@@ -9,7 +9,7 @@ function list = gsmbp__rescaled_efforts (m, w)
   at = 1:n * floor (sum (w.group <= n) / n);
   p = struct ("Y", w.Y(at,:), "group", w.group(at), "measured", w.measured(at));
   p.known = p.measured - w.b(at);
-  p.size = sqrt (mean (reshape (p.measured, n, []) .^ 2, 2));
+  p.size = sqrt (sumsq (reshape (p.measured, n, []), 2) / (numel (at) / n));
   if (n < 2 || any (p.size == 0) || isempty (p.Y))
     return;
   endif
@@ -58,5 +58,6 @@ function [r, Q, s] = rest (p, k)
 endfunction
 
 function size_ = left (p, k)
-  size_ = sqrt (mean (rest (p, k) .^ 2));
+  r = rest (p, k);
+  size_ = sqrt (sumsq (r) / numel (r));
 endfunction

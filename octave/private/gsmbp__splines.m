@@ -10,18 +10,13 @@ function B = gsmbp__splines (t, m)
   n = numel (x);
   row = repmat ((1:n)', 1, 6);
   column = piece + (1:6);
-  P = pieces (5);
+  persistent quintic = pieces (5);
+  P = quintic;
   B = cell (1, 3);
   for d = 0:2
-    value = zeros (n, 6);
-    for j = 1:6
-      p = P(j,:);
-      for k = 1:d
-        p = polyder (p);
-      endfor
-      value(:,j) = polyval (p, x) / h ^ d;
-    endfor
+    value = x .^ (5-d:-1:0) * P' / h ^ d;
     B{d+1} = sparse (row, column, value, n, m + 5);
+    P = P(:,1:end-1) .* (5-d:-1:1);
   endfor
 endfunction
 

@@ -41,10 +41,11 @@ function [x, s] = in_parts (t, x, rate)
     if (numel (at) > 1)
       s(at) = cumtrapz (t(at), rate(at));
     endif
-    [x(at), s(at)] = deal (x(at) - mean (x(at)), s(at) - mean (s(at)));
+    x(at) -= sum (x(at)) / numel (at);
+    s(at) -= sum (s(at)) / numel (at);
   endfor
 endfunction
 
 function r = size_of (x)
-  r = sqrt (mean (x .^ 2));
+  r = sqrt (sumsq (x) / numel (x));
 endfunction

@@ -23,6 +23,7 @@ function test_calls ()
                         strjoin (setdiff (fieldnames (signatures ()), called), ", ")), ...
                isequal (called(:), sort (fieldnames (signatures ()))));
   absent (models);
+  many (models{[1, 4, 7, 6]});
   no_orientation (gsmbp_fixture ("rolling_disc"), gsmbp_fixture ("batch_arm"));
   rank_once (gsmbp_fixture ("redundant_bricard"));
   meanings (models{1});
@@ -31,6 +32,35 @@ function test_calls ()
   damaged ();
   cut_modules ();
   altered ();
+end
+
+## a handle of one state called at many, as the package's own functions do
+function many (crank, sampled, tree, disc)
+  [nq, n] = deal (tree.sizes.nq, tree.sizes.nu);
+  [q, u, ud, v] = deal (rand (nq, 5), rand (n, 5), rand (n, 5), rand (tree.sizes.nv, 1));
+  at = @(varargin) tree.module ("many", "reg", tree.cst, varargin{:});
+  [Y, p, r] = at (0, q, u, ud, v);
+  same = size (Y, 3) == 5;
+  for k = 1:5
+    [one, values, rest] = tree.reg (0, q(:,k), u(:,k), ud(:,k), v);
+    same &= isequal (one, Y(:,:,k)) && isequal (values, p(:,k)) && isequal (rest, r(:,k));
+  end
+  gsmbp_check ("many states: as one by one", same);
+  [a, b] = deal (rand (crank.sizes.nq, 3), rand (crank.sizes.nu, 3));
+  [phi, ~, ~, ~, info] = crank.module ("many", "con", crank.cst, 0, a, b);
+  gsmbp_check ("... with indicators", isequal (info, zeros (1, 3)) ...
+               && isequal (phi(:,2), crank.con (0, a(:,2), b(:,2))));
+  says = @(text, f) gsmbp_check (["many states: " text], any (strfind (gsmbp_complaint (f), text)));
+  says ("argument u: expected 5 columns (or one for all), found 4", ...
+        @() at (0, q, u(:,1:4), ud, v));
+  says ("reg: argument ud is missing", @() at (0, q, u));
+  says ("argument q(1,3) is not finite: NaN", @() at (0, [rand(1, 2), NaN; rand(nq-1, 3)], u, ud));
+  says ("found zeros, which are no orientation", @() disc.module ( ...
+    "many", "mas", disc.cst, 0, [disc.initial(1:disc.sizes.nq), zeros(disc.sizes.nq, 1)]));
+  says ("ctl: it is called at one state", @() sampled.module ("many", "ctl", sampled.cst, 1, 0, ...
+                                                              0, 0));
+  says ("expected the name of a subroutine and its arguments", ...
+        @() crank.module ("many", "nothing", crank.cst, 0));
 end
 
 ## the arguments of each handle; those from the second number on may be left out
