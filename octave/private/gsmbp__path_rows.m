@@ -22,24 +22,25 @@ function rows = gsmbp__path_rows (who, m, path, planned, limits, s, guess)
     return;
   endif
   few = ! any (isfinite (limits.input(:)));
-  for k = 1:numel (middle)
-    at = @(rate, second) quantities (who, m, planned, closed, guess, few, ...
-                                     [q(:,k), dq(:,k) * rate, ...
-                                         dq(:,k) * second + ddq(:,k) * rate^2]);
-    [f1, guess] = at (1, 0);   # at rate 1, without acceleration
-    f = [f1, at(2, 0), at(3, 0)](used,:);
-    fa = at (1, 1)(used);
-    rounding = 32 * eps * max (abs ([f, fa]), [], 2);   # where a coordinate stands still
-    rows.a(:,k) = above (fa - f(:,1), rounding);
-    rows.b(:,k) = above ((f(:,3) - 2 * f(:,2) + f(:,1)) / 2, rounding);
-    rows.d(:,k) = above (f(:,2) - f(:,1) - 3 * rows.b(:,k), rounding);
-    rows.c(:,k) = f(:,1) - rows.d(:,k) - rows.b(:,k);
-    if (mod (k, 16) == 1)
-      there = at (1.5, -2)(used);
-      said = -2 * rows.a(:,k) + 2.25 * rows.b(:,k) + 1.5 * rows.d(:,k) + rows.c(:,k);
-      off = abs (there - said) > 1e-6 * (abs (f1(used)) + abs (there) + abs (rows.a(:,k)));
-      quadratic (who, m, rows.names(off), middle(k));
-    endif
+  at = @(k, rate, second, guess) quantities (who, m, planned, closed, few, guess, q(:,k), ...
+                                             dq(:,k) * rate, ...
+                                             dq(:,k) * second + ddq(:,k) * rate^2);
+  k = 1:numel (middle);
+  [f1, guess] = at (k, 1, 0, guess);   # at rate 1, without acceleration
+  f1 = f1(used,:);
+  [f2, f3, fa] = deal (at (k, 2, 0, guess)(used,:), at (k, 3, 0, guess)(used,:), ...
+                       at (k, 1, 1, guess)(used,:));
+  rounding = 32 * eps * max (abs (cat (3, f1, f2, f3, fa)), [], 3);   # a coordinate stands still
+  rows.a = above (fa - f1, rounding);
+  rows.b = above ((f3 - 2 * f2 + f1) / 2, rounding);
+  rows.d = above (f2 - f1 - 3 * rows.b, rounding);
+  rows.c = f1 - rows.d - rows.b;
+  k = 1:16:numel (middle);
+  there = at (k, 1.5, -2, guess(:,k))(used,:);
+  said = (-2 * rows.a + 2.25 * rows.b + 1.5 * rows.d + rows.c)(:,k);
+  off = abs (there - said) > 1e-6 * (abs (f1(:,k)) + abs (there) + abs (rows.a(:,k)));
+  for j = find (any (off, 1), 1)
+    quadratic (who, m, rows.names(off(:,j)), middle(k(j)));
   endfor
   for i = 1:n
     turned = changes (middle, rows.a(i,:), s);
@@ -63,33 +64,49 @@ function x = above (x, size)
 endfunction
 
 function quadratic (who, m, names, s)
-  if (! isempty (names))
-    error (["%s: %s: %s at s = %.6g is not linear in the acceleration and quadratic in the " ...
-            "speed: expected friction that is viscous or dry, drives that are linear"], ...
-           who, m.name, strjoin (names, ", "), s);
-  endif
+  error (["%s: %s: %s at s = %.6g is not linear in the acceleration and quadratic in the speed: " ...
+          "expected friction that is viscous or dry, drives that are linear"], who, m.name, ...
+         strjoin (names, ", "), s);
 endfunction
 
-## efforts of the planned coordinates, then the inputs (left out where FEW)
-function [f, guess] = quantities (who, m, planned, closed, guess, few, jet)
-  one = zeros (m.sizes.nu, m.order + 1);
-  one(planned,1:3) = jet;
+## Efforts of the planned coordinates, then the inputs (NaN where FEW), in the columns of Q, DQ,
+## DDQ; the coordinates there.  GUESS of closed chains: a column each, or one for the first.
+function [f, guess] = quantities (who, m, planned, closed, few, guess, q, dq, ddq)
   if (m.sizes.nlam > 0)
-    one = gsmbp__whole_motion (who, m, jet, planned, closed, 0, guess);
+    [f, guess] = of_loops (who, m, planned, closed, few, guess, q, dq, ddq);
+    return;
   endif
-  guess = one(:,1);
-  if (m.sizes.nlam > 0)
-    f = m.inl (0, one(:,1), one(:,2), one(:,3));
-  else
-    f = m.inv (0, one(:,1), one(:,2), one(:,3));
+  jets = zeros (m.sizes.nu, columns (q), m.order + 1);
+  jets(planned,:,1) = q;
+  jets(planned,:,2) = dq;
+  jets(planned,:,3) = ddq;
+  guess = jets(:,:,1);
+  f = [m.module("many", "inv", m.cst, 0, guess, jets(:,:,2), jets(:,:,3)); ...
+       commands(m, few, permute (jets, [1, 3, 2]))];
+endfunction
+
+function [f, found] = of_loops (who, m, planned, closed, few, guess, q, dq, ddq)
+  last = guess(:,1);
+  for k = 1:columns (q)
+    if (columns (guess) > 1)
+      last = guess(:,k);
+    endif
+    jet = gsmbp__whole_motion (who, m, [q(:,k), dq(:,k), ddq(:,k)], planned, closed, 0, last);
+    last = found(:,k) = jet(:,1);
+    f(:,k) = [m.inl(0, jet(:,1), jet(:,2), jet(:,3)); commands(m, few, jet)];
+  endfor
+endfunction
+
+## the inputs for the motions JETS, a page each
+function v = commands (m, few, jets)
+  v = NaN (m.sizes.nv, size (jets, 3));
+  call = "cmd";
+  if (any (strcmp (m.subroutines, "cmq")))
+    [call, jets] = deal ("cmq", jets(:,1:3,:));
   endif
-  v = NaN (m.sizes.nv, 1);
-  if (! few && any (strcmp (m.subroutines, "cmq")))
-    v = m.cmq (0, one(:,1:3));
-  elseif (! few)
-    v = m.cmd (0, one);
-  endif
-  f = [f(:); v(:)];
+  for k = 1:size (jets, 3) * ! few
+    v(:,k) = m.(call) (0, jets(:,:,k));
+  endfor
 endfunction
 
 function [q, dq, ddq] = path_at (path, s)

@@ -156,7 +156,8 @@ function x = way (c, theta, limit, from, x0, sign_, n)
   x = Inf (1, n + 1);
   at = (from + 1) / 2;
   x(at) = x0;
-  rate = @(k, x) bound (c, k, x, limit, sign_) * sin (theta(k));
+  [P, Q, R] = bounds (c, theta, limit, sign_);
+  rate = @(k, x) sign_ * min (P(:,k) + Q(:,k) * x + R(:,k) * sqrt (max (x, 0)));
   while (at + sign_ >= 1 && at + sign_ <= n + 1)
     k = 2 * at - 1;
     y = x(at);
@@ -173,10 +174,11 @@ function x = way (c, theta, limit, from, x0, sign_, n)
   end
 end
 
-function u = bound (c, k, x, limit, sign_)
-  a = c.a(:,k);
-  rest = c.b(:,k) * x + c.d(:,k) * sqrt (max (x, 0)) + c.e(:,k);
-  u = sign_ * min ((limit - sign_ * sign (a) .* rest) ./ abs (a));
+## what bounds dx/dtheta: sign_ times the least row of P + Q*x + R*sqrt (x)
+function [P, Q, R] = bounds (c, theta, limit, sign_)
+  by = sin (theta) ./ abs (c.a);
+  side = -sign_ * sign (c.a) .* by;
+  [P, Q, R] = deal (limit .* by + side .* c.e, side .* c.b, side .* c.d);
 end
 
 ## speed and acceleration in a place where the inertia of a row vanishes and the row holds

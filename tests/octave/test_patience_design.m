@@ -2,7 +2,9 @@
 ## best so far is given back, the session goes on.  SIGTERM in a run ends Octave as usual.
 
 function test_patience_design ()
-  warning ("off", "all", "local");
+  said = warning ();
+  loud = onCleanup (@() warning (said));   # "all" with "local" leaves them on
+  warning ("off", "all");
   rand ("state", 7);
   collocation (gsmbp_fixture ("optimal_cart"));
   design (gsmbp_hand ("motor_pendulum"));

@@ -29,25 +29,30 @@ function truth (m, x0)
                r.stats.drift.before_projection > 0 && r.stats.projections >= r.stats.accepted);
 end
 
-## The nearest state in the metric of the masses would make the spring swing anew in every step.
+## The nearest state in the metric of the masses would make the spring swing anew in every step. How
+## many steps one run takes changes with rounding; their mean hardly does, and a method that fails
+## takes ten times as many.
 function steps (m, x0)
+  taken = [];
   for stiffness = [1e9, 1e11]
     hard = gsmbp_set (m, "k", stiffness, "c", stiffness / 1e4);
     exact = radau (hard, x0, 0:0.05:1, "rtol", 1e-10);
     for rtol = [1e-4, 1e-6, 1e-8]
       r = radau (hard, x0, 0:0.05:1, "rtol", rtol);
-      taken = r.stats.accepted + r.stats.rejected;
-      gsmbp_check (sprintf ("%g N/m, rtol %g: %d steps, with those that failed", stiffness, ...
-                            rtol, taken), taken < 70);
+      taken(end+1) = r.stats.accepted + r.stats.rejected;
       gsmbp_check (sprintf ("%g N/m, rtol %g: error over tolerance", stiffness, rtol), ...
                    state_gap (r, exact) / rtol, 10);
     end
   end
+  told = sprintf ("1e9 and 1e11 N/m, rtol 1e-4 to 1e-8: steps with those that failed:%s", ...
+                  sprintf (" %d", taken));
+  gsmbp_check ([told ": mean"], mean (taken), 60);
+  gsmbp_check ([told ": most over median"], max (taken) / median (taken), 3);
   for tol = [1e-4, 1e-6]
     b = gsmbp_simulate (hard, x0, 0:0.05:1, "method", "cvode", "rtol", tol);
-    taken = b.stats.accepted + b.stats.rejected;
+    tried = b.stats.accepted + b.stats.rejected;
     gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: %d steps, with those that failed", ...
-                          stiffness, tol, taken), taken < 800);
+                          stiffness, tol, tried), tried < 800);
     gsmbp_check (sprintf ("%g N/m, cvode, rtol %g: error over tolerance", stiffness, tol), ...
                  state_gap (b, exact) / tol, 100);
   end
