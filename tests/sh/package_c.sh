@@ -44,7 +44,7 @@ for name in rolling_disc $others; do
   builds $name gcc CC=gcc CFLAGS="$strict"
 done
 builds event_crank 'sanitizers of gcc' CC=gcc \
-  CFLAGS="-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
+  CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
   LDFLAGS=-fsanitize=address,undefined
 if has clang 'packages by clang'; then
   make -s -C "$work/slider_crank" clean
