@@ -31,5 +31,9 @@
               #'(lambda ()
                   (gs-need-no-assignment elements)
                   (gs-need-simple elements)
-                  (mfuncall '$gs__scene_typed (meval (cadr form))
-                            (simplify (cons '(mlist) elements)))))))
+                  (let ((name (meval (cadr form))))
+                    (gs-clear-errors
+                      (format nil "gsmbp_scene: scene ~a" (gs-as-written name))
+                      #'(lambda ()
+                          (mfuncall '$gs__scene_typed name
+                                    (simplify (cons '(mlist) elements))))))))))

@@ -1,22 +1,50 @@
 ;;; kernel/errors.lisp: errors as one line; what Maxima said of an expression of the user's.
 (in-package :maxima)
 
-;;; Stops with the text. As Maxima's `error`, but for the list of functions that were being called,
+;;; Stop with the text. As Maxima's `error`, but for the list of functions that were being called,
 ;;; which holds their arguments: the whole scene.
 ;;; Under errcatch and in the debugger it is Maxima's own.
 ;;; The text is kept as a symbol, as Maxima does.
 (defun $gs__raise (text)
-  (let ((format (intern (maybe-invert-string-case (gs-tildes text)) :maxima)))
-    (when (or errcatch *mdebug*) (merror format))
-    (setq $error (list '(mlist simp) format))
-    (when $errormsg ($errormsg))
-    (fresh-line *standard-output*)
-    (format t " -- an error. To debug this try: debugmode(true);~%")
-    (throw 'macsyma-quit 'maxima-error)))
+  (gs-raise (intern (maybe-invert-string-case (gs-tildes text)) :maxima)))
+(defvar *gs-raised* nil)              ; the last text
+(defun gs-raise (format)
+  (setq *gs-raised* format)
+  (when (or errcatch *mdebug*) (merror format))
+  (setq $error (list '(mlist simp) format))
+  (when $errormsg ($errormsg))
+  (fresh-line *standard-output*)
+  (format t " -- an error. To debug this try: debugmode(true);~%")
+  (throw 'macsyma-quit 'maxima-error))
 
 (defun gs-tildes (text)
   (with-output-to-string (s)
     (loop for c across text do (when (char= c #\~) (write-char c s)) (write-char c s))))
+
+;;; The value of f(), the work of a public function: an error of Maxima's own in it becomes one of
+;;; GSMBP that names the function and the scene, `who`. Errors of Lisp stay what they are; so do all
+;;; while Maxima's debugger is on.
+(defvar *gs-clear* nil)
+(defun gs-clear-errors (who f)
+  (if (or *gs-clear* *mdebug*)
+      (funcall f)
+      (let* ((mark (cons bindlist loclist)) (failed nil)
+             (value (let ((*gs-clear* t) ($errormsg nil) (errcatch mark))
+                      (handler-case (funcall f) (maxima-$error () (setq failed t))))))
+        (when failed
+          (errlfun1 mark)
+          (gs-raise-clear who))
+        value)))
+(defun gs-raise-clear (who)
+  (if (and *gs-raised* (eq (cadr $error) *gs-raised*))
+      (gs-raise *gs-raised*)
+      (let ((text (string-right-trim "." ($gs__last_error))))
+        ($gs__raise
+          (if (or (search "undefined" text) (search "by zero" text) (search "log" text))
+              (format nil "~a: expected expressions that have a value; found: ~a; remedy: look for ~
+                           a divisor, or an argument of a logarithm, that is always 0" who text)
+              (format nil "~a: expected expressions that have a value; found: ~a; remedy: this is ~
+                           a fault of GSMBP, debugmode(true) shows where" who text))))))
 
 ;;; The text of Maxima's last error on one line; "" if there was none since gs__no_last_error().
 (defun $gs__no_last_error () (setq $error '((mlist simp) "")) t)

@@ -200,7 +200,12 @@
       (gs-miscounted name params least (length args)))
     (when (eq (car params) '$scene)
       ($gs__need_scene (gs-as-written name) (car args)))
-    (mapply1 e args name nil)))
+    (gs-clear-errors
+      (let ((s (car args)))             ; its first field is the name
+        (if ($gs__is_struct s '$gs__scene)
+            (format nil "~a: scene ~a" (gs-as-written name) (cadr s))
+            (gs-as-written name)))
+      #'(lambda () (mapply1 e args name nil)))))
 (defun gs-miscounted (name params least found)
   (mfuncall '$gs__error (gs-as-written name)
     (format nil "expected ~:[~;at least ~]~a argument~:p, ~a(~{~a~^, ~}); found ~a"
