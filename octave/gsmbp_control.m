@@ -50,7 +50,8 @@
 ## @item "weights"
 ## hinf: @{W1, W2, W3@}, each a number, a transfer function or []
 ## @item "name", "reduced", "drop"
-## name of the controller (default "ctl"); as in @code{gsmbp_linear}
+## name of the controller (default "ctl"); as in @code{gsmbp_linear}.  Where discs roll, coordinates
+## remain that no input reaches: "drop" takes them out
 ## @end table
 ##
 ## @var{c} holds what runs: with deviations e = [y - y0; r - r0] of measurements and references
@@ -120,6 +121,14 @@ function c = gsmbp_control (m, e, method, varargin)
   o = gsmbp__options (who, table, varargin);
   p = gsmbp__plant (who, m, e, o);
   p = gsmbp__sampled_plant (who, p, o);
+  try
+    c = finished (who, p, o, designed (who, p, o, method), method);
+  catch err
+    error (struct ("message", [err.message, p.rolling], "identifier", err.identifier));
+  end_try_catch
+endfunction
+
+function c = designed (who, p, o, method)
   switch (method)
     case "output"
       c = gsmbp__output_feedback (who, p, o);
@@ -128,7 +137,6 @@ function c = gsmbp_control (m, e, method, varargin)
     otherwise
       c = gsmbp__state_feedback (who, p, o, method);
   endswitch
-  c = finished (who, p, o, c, method);
 endfunction
 
 ## what all controllers have, and whether they hold the plant

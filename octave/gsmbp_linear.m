@@ -22,7 +22,10 @@
 ## the Jacobian) and the actuator states.  Then dx = @var{T} dz for the reduced
 ## deviations dz, which are the states of the numbers @var{free}.  It is
 ## exact: on the constraints' tangent space T the full model and the
-## reduced one agree.  "none" gives the full model (with Baumgarte's terms).
+## reduced one agree, but for rounding: an entry that should be 0 may be 1e-16
+## times those beside it, or times the terms of which it is the sum.  @code{eig}
+## balances, which can make much of such an entry; @code{gsmbp_modes} works in
+## nominal magnitudes instead.  "none" gives the full model (with Baumgarte's terms).
 ##
 ## About a steady motion (@code{gsmbp_trim}, "steady") some coordinates run.  "drop" takes the
 ## coordinates @var{q} out of the model (or "running": those that change at @var{x}), and those that

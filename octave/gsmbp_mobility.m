@@ -11,8 +11,8 @@
 ##
 ## @table @code
 ## @item gruebler
-## freedoms by counting: speeds of the tree less the rows that the cut joints
-## have by their types (drives and rolling are not counted)
+## freedoms by counting: speeds of the tree less the rows that the cut joints have by their types,
+## and less three for each disc that rolls (drives and other constraints are not counted)
 ## @item rows, rank
 ## constraint rows that are kept, and how many are independent at @var{x}
 ## @item mobility

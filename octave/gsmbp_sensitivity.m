@@ -93,11 +93,9 @@ function [dx, dv] = at_rest (who, m, o, x, v)
   hold_ = numbers (who, "hold", o.hold, m.states);
   free = numbers (who, "free", o.free, m.inputs);
   [P, A, B, rates] = m.rhp (o.time, x, v);
-  text = gsmbp__not_finite ([A, B, P], strcat ({"rate of "}, m.states(:)), ...
-                            [m.states(:); m.inputs(:); cellstr(m.json.sensitivity)(:)]);
-  if (! isempty (text))
-    error ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
-  endif
+  gsmbp__need_derivatives ([who, ": ", m.name], [A, B, P], ...
+                           strcat ({"rate of "}, m.states(:)), ...
+                           [m.states(:); m.inputs(:); cellstr(m.json.sensitivity)(:)]);
   if (any (x(d.nq+(1:d.nu))) || ! (max (abs (rates ./ m.nominal)) < 1e-6))
     error ("%s: %s: expected an equilibrium, as gsmbp_trim finds it; found rates up to %.3g", ...
            who, m.name, max (abs (rates ./ m.nominal)));

@@ -134,10 +134,7 @@ endfunction
 ## what Newton's method needs
 function check_derivatives (p, z)
   [~, J] = gsmbp__rest_equations (p, z);
-  text = gsmbp__not_finite (J, gsmbp__rest_names (p), unknowns (p));
-  if (! isempty (text))
-    error ("gsmbp:derivative", "%s: %s: %s", p.who, p.m.name, text);
-  endif
+  gsmbp__need_derivatives ([p.who, ": ", p.m.name], J, gsmbp__rest_names (p), unknowns (p));
 endfunction
 
 ## with all speeds zero no constraint may move, nor begin to

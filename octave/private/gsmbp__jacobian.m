@@ -4,9 +4,6 @@
 
 function [A, B, C, D] = gsmbp__jacobian (who, m, t, x, v)
   [A, B, C, D] = m.jac (t, x, v);
-  text = gsmbp__not_finite ([A, B], strcat ({"rate of "}, m.states(:)), ...
-                            [m.states(:); m.inputs(:)]);
-  if (! isempty (text))
-    error ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
-  endif
+  gsmbp__need_derivatives ([who, ": ", m.name], [A, B], strcat ({"rate of "}, m.states(:)), ...
+                           [m.states(:); m.inputs(:)]);
 endfunction

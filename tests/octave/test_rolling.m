@@ -10,6 +10,7 @@ function test_rolling ()
   steady (m);
   wobble (m);
   sleigh (gsmbp_fixture ("rolling_sleigh"));
+  cart (gsmbp_fixture ("rolling_cart"));
   bead (gsmbp_fixture ("rolling_bead"));
 end
 
@@ -158,4 +159,26 @@ function bead (m)
   gsmbp_check ("constraints of the user: kept over 2 s", kept, 1e-12);
   energy = 0.25 * (x(:, 6) .^ 2 + x(:, 7) .^ 2) + 0.5 * 9.81 * x(:, 2);
   gsmbp_check ("constraints of the user: energy of the bead, J", energy - energy(1), 1e-11);
+end
+
+## a cart on two wheels: 5 coordinates, of which rolling leaves 2 speeds; what control is told
+function cart (m)
+  pkg load control
+  gsmbp_check ("rolling: Gruebler's count has three rows of each disc", ...
+               gsmbp_mobility (m, m.initial).gruebler == -1);
+  e = struct ("x", m.initial, "v", [0; 0]);
+  said = gsmbp_complaint (@() gsmbp_control (m, e, "lqr", "measured", "head"));
+  gsmbp_check ("rolling: control says which coordinates remain", ...
+               ! isempty (strfind (said, ["leave 5 coordinates beside 2 speeds; remedy: option " ...
+                                          "drop with those that need no control (no rate " ...
+                                          "depends on x, y, yaw, ql, qr)"])));
+  warning ("off", "gsmbp:dropped", "local");
+  said = gsmbp_complaint (@() gsmbp_control (m, e, "lqr", "drop", m.coordinates, "measured", ...
+                                             "head"));
+  gsmbp_check ("rolling: an output that follows what is dropped is unknown", ...
+               ! isempty (strfind (said, "option measured: unknown name \"head\"")));
+  ## the heading is the second integral of the difference of the torques: its gain is sqrt(Q/R) = 1,
+  ## half of its square by each wheel
+  c = gsmbp_control (m, e, "lqr", "drop", {"x", "y", "ql", "qr"});
+  gsmbp_check ("rolling: a controller without them", abs (c.K(:,1)) - sqrt (0.5), 1e-12);
 end
