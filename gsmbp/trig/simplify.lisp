@@ -44,6 +44,10 @@
     (count-nodes e)
     nil))
 
+(defun $gs__nodes (e)
+  (gs-rec ((nodes (x) (if (atom x) 1 (reduce #'+ (mapcar #'nodes (cdr x)) :initial-value 1))))
+    (nodes e)))
+
 ;;; ----------------------------------------------------------------------------------------- terms
 
 (defun gs-terms-of (e) (if (gs-sum-p e) (cdr e) (list e)))
