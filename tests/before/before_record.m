@@ -3,9 +3,9 @@
 ## scene that was left out.
 ##
 ## The error of a run is the smaller of two, once for the last state and once for the times of
-## events: three times its distance from the same problem in quad precision; ten times its distance
-## from the run with a tenth of the tolerance, or with fixed steps from a state moved by 1e-14: what
-## its tolerance, or rounding, explains.
+## events: its distance from the same problem in quad precision; its distance from the run with a
+## tenth of the tolerance, or with fixed steps from a state moved by 1e-14: what its tolerance, or
+## rounding, explains.
 
 function before_record (scenes, file)
   id = fopen (file, "w");
@@ -42,8 +42,7 @@ function lines = recorded (scene)
     run = before_run (m, of);
     if (isempty (run.text))
       [right, known] = exact (m, quad, of, known);
-      run.error = min (3 * before_distance (m, run, right), ...
-                       10 * before_distance (m, run, again (m, of)));
+      run.error = min (before_distance (m, run, right), before_distance (m, run, again (m, of)));
     end
     lines{end + 1} = before_line (scene.name, run);
   end
