@@ -10,7 +10,8 @@
 ##     solver    options that only say how
 
 function runs = before_plan (m, given)
-  [rest, moving, v, free] = starts (m, given);
+  most = inputs (m);
+  [rest, moving, v] = starts (m, given, most);
   input = {"input", v};
   rows = {"dp853", "-", moving, input, {}
           "rk4", "-", moving, input, {}
@@ -20,9 +21,10 @@ function runs = before_plan (m, given)
           "gauss", "order4", moving, input, {"maxorder", 4}
           "cvode", "-", moving, input, {}
           "auto", "-", moving, input, {}
-          "dp853", "rest", rest, {}, {}};
-  if (any (free))
-    rows = [rows; driven(m, moving, v, free)];
+          "dp853", "rest", rest, {}, {}
+          "radau", "rest", rest, {}, {}};
+  if (any (most))
+    rows = [rows; driven(m, moving, v, most)];
   end
   if (m.sizes.nlam > 0)
     rows = [rows; loops(moving, input)];
@@ -49,31 +51,35 @@ function rows = loops (moving, input)
   end
 end
 
-## inputs that jump and rise; state feedback within limits
-function rows = driven (m, x, v, free)
+## inputs that jump and rise; state feedback, at MOST of the inputs, within limits
+function rows = driven (m, x, v, most)
   d = m.sizes;
   levels = [0 * v, 2 * v, -v];
   slopes = [3 * v, 0 * v, v];
   jumps = mkpp ([0 0.15 0.3 0.5], [slopes(:), levels(:)], d.nv);
-  gain = 0.05 * cos ((1:d.nv)' + 2 * (1:d.nx)) ./ m.nominal';
-  gain(! free,:) = 0;
-  feedback = {"input", v, "gain", gain, "reference", 0.9 * x, "limits", 0.15};
+  gain = 0.05 * most .* cos ((1:d.nv)' + 2 * (1:d.nx)) ./ m.nominal';
+  feedback = {"input", v, "gain", gain, "reference", 0.9 * x, "limits", 0.15 * max(most, 1e-9)};
   rows = {"dp853", "plan", x, {"input", jumps}, {}
           "radau", "plan", x, {"input", jumps}, {}
           "dp853", "feedback", x, feedback, {}};
 end
 
-## at rest; with speeds of a tenth of the nominal ones at most; inputs of several signs, and which
-## of them are FREE: not modes of events, which belong to the run
-function [rest, moving, v, free] = starts (m, given)
-  d = m.sizes;
-  v = 0.2 * cos (3 * (1:d.nv)');
-  free = true (d.nv, 1);
+## what is large for the inputs [SI]: strokes and openings of valves are small, modes of events
+## belong to the run
+function most = inputs (m)
+  most = ones (m.sizes.nv, 1);
+  most(strcmp (m.units.inputs, "m")) = 1e-3;
+  most(strcmp (m.units.inputs, "m^2")) = 1e-7;
   if (! isempty (m.events))
     own = [m.events.input];
-    free(own(own > 0)) = false;
+    most(own(own > 0)) = 0;
   end
-  v(! free) = 0;
+end
+
+## at rest; with speeds of a tenth of the nominal ones at most; inputs of several signs
+function [rest, moving, v] = starts (m, given, most)
+  d = m.sizes;
+  v = 0.2 * most .* cos (3 * (1:d.nv)');
   u = d.nq + (1:d.nu);
   rest = m.initial;
   moving = rest;

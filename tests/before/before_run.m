@@ -6,8 +6,8 @@ function run = before_run (m, of, options = {})
   run = before_empty ();
   run.name = of.name;
   start = {"check", "project"}{1 + any(strcmp (m.subroutines, "prj"))};
-  options = [{"method", of.method, "start", start, "maxsteps", 5000}, of.problem, of.solver, ...
-             options];
+  options = [{"method", of.method, "start", start, "maxsteps", 5000, "timeout", 120}, ...
+             of.problem, of.solver, options];
   [~, k] = unique (options(1:2:end), "last");   # the later of two is taken
   options = [options(2*k-1); options(2*k)];
   [r, info, run.id, run.text, run.warned] = called (m, of.x0, options);
