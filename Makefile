@@ -48,7 +48,7 @@ make test-malformed        300 malformed scenes against their verdicts, mutants 
                            values of wrong types in options (make test takes 25, and 100)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a
                            sample); SCENES="FILE.mac ...": these only
-make test-before           some 3900 runs of all scenes by every method against those of an earlier
+make test-before           some 4200 runs of all scenes by every method against those of an earlier
                            commit (make test takes a share); SCENES=NAME: scenes with this in
                            their names
 make test-reach            inverse kinematics of 45 arms: 1e6 poses by chance each (1e4 where
