@@ -30,13 +30,15 @@ endfunction
 ## else Newton's method may have met another branch, and half the step is tried.
 function one = follow (who, m, t, guess, one, planned)
   way = one(planned,1) - guess(planned);
-  step = 1;
-  for done = [0, 1e-3, 1e-2, 0.1, 1]   # the guess itself may be singular
-    [at, slope, info] = closed_at (m, t, guess, planned, guess(planned) + done * way, way);
-    if (info == 0)
-      break;
-    endif
-  endfor
+  [at, done, step, info] = deal (guess, 1, 1, 0);
+  if (any (way))   # else the guess is there
+    for done = [0, 1e-3, 1e-2, 0.1, 1]   # the guess itself may be singular
+      [at, slope, info] = closed_at (m, t, guess, planned, guess(planned) + done * way, way);
+      if (info == 0)
+        break;
+      endif
+    endfor
+  endif
   while (info == 0 && done < 1)
     step = min (step, 1 - done);
     target = guess(planned) + way * (done + step);

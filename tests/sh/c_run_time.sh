@@ -8,6 +8,8 @@ mkdir "$work/c" "$work/fortran" "$work/clang"
 
 c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"
 strict="-Wall -Wextra -pedantic -Werror"
+# the drivers, and emitted subroutines that Fortran and C call alike: not optimized
+driver="$c -O0 $strict"
 
 # -- it compiles
 (cd "$work/fortran" &&
@@ -58,11 +60,11 @@ nm "$work"/c/*.o | awk '$1 == "U" { print $2 }' | sort -u | grep -vxFf "$work/li
 result 'share/c calls nothing but itself and libm'
 
 # -- the drivers
-for driver in tests/c/*.c; do
-  name=$(basename "$driver" .c)
-  gcc $c $strict -o "$work/$name" "$driver" "$work"/c/*.o "$work"/fortran/*.o -lgfortran -lm \
-    >"$report" 2>&1 || told 1 "$driver compiles" "$report"
-  "$work/$name" || echo "not ok $driver ended with an error"
+for file in tests/c/*.c; do
+  name=$(basename "$file" .c)
+  gcc $driver -o "$work/$name" "$file" "$work"/c/*.o "$work"/fortran/*.o -lgfortran -lm \
+    >"$report" 2>&1 || told 1 "$file compiles" "$report"
+  "$work/$name" || echo "not ok $file ended with an error"
 done
 # -- emitted scenes: the Fortran and the C call the same emitted subroutines
 mkdir "$work/emitted"
@@ -81,11 +83,11 @@ for scene in $scenes; do
     echo '#include "emitted_scene.h"'
   } >"$work/emitted/$scene.c"
   (cd "$work/emitted" &&
-    $fortran_apart -c "$out/$scene.f" -o "$scene.f.o" &&
-    gcc $c $strict -I"$root/tests/c/emitted" -c "$scene.c") >"$report" 2>&1 ||
+    $fortran_apart -O0 -c "$out/$scene.f" -o "$scene.f.o" &&
+    gcc $driver -I"$root/tests/c/emitted" -c "$scene.c") >"$report" 2>&1 ||
     told 1 "the shims of $scene compile" "$report"
 done
-gcc $c $strict -o "$work/runs" tests/c/emitted/runs.c "$work"/emitted/*.o "$work"/c/*.o \
+gcc $driver -o "$work/runs" tests/c/emitted/runs.c "$work"/emitted/*.o "$work"/c/*.o \
   "$work"/fortran/*.o -lgfortran -lm >"$report" 2>&1 && "$work/runs"
 told $? 'runs of emitted scenes' "$report"
 
@@ -94,10 +96,10 @@ whole || exit 0
 mkdir "$work/cover"
 (cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
   >"$report" 2>&1
-for driver in tests/c/*.c tests/c/emitted/runs.c; do
+for file in tests/c/*.c tests/c/emitted/runs.c; do
   more=
-  [ "$driver" = tests/c/emitted/runs.c ] && more=$(ls "$work"/emitted/*.o)
-  gcc $c --coverage -o "$work/covered" "$driver" $more "$work"/cover/*.o "$work"/fortran/*.o \
+  [ "$file" = tests/c/emitted/runs.c ] && more=$(ls "$work"/emitted/*.o)
+  gcc $c --coverage -o "$work/covered" "$file" $more "$work"/cover/*.o "$work"/fortran/*.o \
     -lgfortran -lm && (cd "$work" && ./covered) >"$work/said" 2>&1
 done
 (cd "$work/cover" && gcov -f *.gcda) 2>"$work/said" |
