@@ -44,21 +44,23 @@ endfunction
 
 ## what the user's function gives, in all places
 function v = called (who, m, f, free, t, x)
-  [nx, nv] = deal (m.sizes.nx, m.sizes.nv);
   try
-    v = f (t, x(1:nx));
+    given = f (t, x(1:m.sizes.nx));
   catch err
     said = strtrim (strrep (err.message, "\n", " "));
     refuse (who, m, free, t, sprintf ("it ends with the error \"%s\"", said));
   end_try_catch
-  if (! (isnumeric (v) || islogical (v)) || ! isreal (v))
-    refuse (who, m, free, t, ["it gives " gsmbp__shown(v)]);
-  elseif (! any (numel (v) == [numel(free), nv]))
-    refuse (who, m, free, t, ["it gives " gsmbp__shown(v)]);
-  elseif (! all (abs (double (v(:))) <= 1e300))
-    refuse (who, m, free, t, ["it gives " gsmbp__shown(v) ", which is not finite"]);
+  n = numel (given);
+  if (! ((isnumeric (given) || islogical (given)) && isreal (given) ...
+         && (n == numel (free) || n == m.sizes.nv)))
+    refuse (who, m, free, t, ["it gives " gsmbp__shown(given)]);
   endif
-  v = spread (double (v(:)), free, m.input_starts);
+  v = double (given(:));
+  if (! all (abs (v) <= 1e300))
+    refuse (who, m, free, t, ["it gives " gsmbp__shown(given) ", which is not finite"]);
+  elseif (n < m.sizes.nv)
+    v = spread (v, free, m.input_starts);
+  endif
 endfunction
 
 function refuse (who, m, free, t, found)

@@ -3,31 +3,27 @@
 ## ROW.parameters, with the values m.par, and in states x1, x2, ..., with the values X.
 
 function value = gsmbp__value (m, row, x)
-  p = cell (1, 0);
+  p = {};
   if (! isempty (row.parameters))
     names = cellstr (row.parameters);
     for k = 1:numel (names)
       p{k} = m.par.(names{k});
     endfor
   endif
-  f = function_of (row.value, numel (p), numel (x));
-  value = double (f (p{:}, num2cell (x(:)'){:}));
+  f = function_of (row.value);
+  value = double (f (p, x));
 endfunction
 
 ## the expression as a function; to make one takes much longer than to call it
-function f = function_of (expression, np, nx)
+function f = function_of (expression)
   persistent made = struct ();
-  key = sprintf ("%d %d %s", np, nx, expression);
-  if (! isfield (made, key))
+  if (! isfield (made, expression))
     if (numfields (made) >= 2000)
       made = struct ();
     endif
-    letters = [numbered("p", np), numbered("x", nx)];
-    made.(key) = str2func (sprintf ("@(%s) %s", strjoin (letters, ", "), expression));
+    text = regexprep (expression, {'(?<!\w)p(\d+)(?!\w)', '(?<!\w)x(\d+)(?!\w)'}, ...
+                      {'p{$1}', 'x($1)'});
+    made.(expression) = str2func (["@(p, x) " text]);
   endif
-  f = made.(key);
-endfunction
-
-function names = numbered (letter, n)
-  names = arrayfun (@(k) sprintf ("%s%d", letter, k), 1:n, "UniformOutput", false);
+  f = made.(expression);
 endfunction
