@@ -5,14 +5,18 @@
 ## puts), but at the top, beside gsmbp/ and share/, in the Octave package (share/make/package).
 
 function path = gsmbp__place (varargin)
-  functions = fileparts (fileparts (mfilename ("fullpath")));
+  persistent functions = fileparts (fileparts (mfilename ("fullpath")));
+  persistent top = top_of (functions);
+  if (strcmp (varargin{1}, "octave"))
+    path = [functions, sprintf("/%s", varargin{2:end})];
+  else
+    path = [top, sprintf("/%s", varargin{:})];
+  endif
+endfunction
+
+function top = top_of (functions)
   top = functions;
   if (! isfolder (fullfile (functions, "share")))
     top = fileparts (functions);
-  endif
-  if (strcmp (varargin{1}, "octave"))
-    path = fullfile (functions, varargin{2:end});
-  else
-    path = fullfile (top, varargin{:});
   endif
 endfunction

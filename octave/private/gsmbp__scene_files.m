@@ -83,7 +83,7 @@ function check_fortran (json, source, text)
                "one of them is cut off or of another derivation"], source, one.name);
     endif
     if (isfield (one, "arguments"))
-      same_arguments (source, one, strtrim (strsplit (heads{here}{2}, ",")));
+      same_arguments (source, one, strrep (strrep (heads{here}{2}, " ", ""), "\n", ""));
     endif
   endfor
   if (isempty (regexp (code, '\n +END *\n*$', "once")))
@@ -95,9 +95,9 @@ endfunction
 
 function same_arguments (source, one, given)
   told = cellstr (one.arguments)(:)';
-  if (! isequal (upper (given), upper (told)))
+  if (! strcmpi (given, sprintf (",%s", told{:})(2:end)))
     refuse (["%s: SUBROUTINE %s has the arguments (%s), the .json beside it says (%s): " ...
-             "they are of two derivations"], source, one.name, strjoin (given, ", "),
+             "they are of two derivations"], source, one.name, strrep (given, ",", ", "),
             strjoin (told, ", "));
   endif
 endfunction
