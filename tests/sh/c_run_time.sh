@@ -4,7 +4,7 @@
 . tests/tools/check.sh
 root=$PWD
 work_folder
-mkdir "$work/c" "$work/fortran" "$work/clang"
+mkdir "$work/c" "$work/clang"
 
 c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"
 strict="-Wall -Wextra -pedantic -Werror"
@@ -12,9 +12,7 @@ strict="-Wall -Wextra -pedantic -Werror"
 driver="$c -O0 $strict"
 
 # -- it compiles
-(cd "$work/fortran" &&
-  $fortran_apart -c "$root"/share/fortran/*/*.f \
-    "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
+fortran_objects "$work/fortran" >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 (cd "$work/c" && gcc $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
 told $? 'gcc compiles share/c without a warning' "$report"

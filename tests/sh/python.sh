@@ -72,9 +72,7 @@ print(*[n for n in names if n[0] != "_" and n not in taken])' |
 result 'share/python/taken has all words and modules of this Python'
 
 # -- every subroutine against the Fortran of the scene
-mkdir "$work/fortran"
-(cd "$work/fortran" && $fortran_apart -fPIC -c \
-  "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
+fortran_objects "$work/fortran" >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 for scene in tests/scenes/event_ball tests/scenes/sampled_crank \
   examples/slider_crank/slider_crank; do

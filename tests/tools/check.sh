@@ -32,6 +32,17 @@ result() {
 # gfortran for comparisons bit for bit: statements apart, as in modules (gsmbp__fortran_flags)
 fortran_apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 
+# fortran_objects FOLDER: those of share/fortran by $fortran_apart in a new folder, from the cache
+# folder if they are kept there (share/make/cache)
+fortran_objects() {
+  into=$1
+  set -- "$PWD"/share/fortran/*/*.f "$PWD"/share/fortran/solve/plain/*.f
+  key=$(cat "$@" | share/make/cache key $fortran_apart -fPIC)
+  share/make/cache take "$key" "$into" && return
+  mkdir "$into" && (cd "$into" && $fortran_apart -fPIC -c "$@") || return
+  share/make/cache add "$key" "$into" || :   # there may be no cache folder
+}
+
 # work_folder: a folder $work for the test, gone at its end, and in it the file $report
 work_folder() {
   work=$(mktemp -d) || exit 1
