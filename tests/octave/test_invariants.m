@@ -99,13 +99,17 @@ function qd = rates (m, q, u)
 end
 
 ## sixth-order central difference along each coordinate of x, columns; step chosen for errors near
-## 1e-12 of the function's size
+## 1e-12 of the function's size; F takes many x, a column each
 function J = differences (f, x, h)
-  for k = 1:numel (x)
-    e = h * (1:numel (x) == k)';
-    J(:, k) = (45 * (f(x + e) - f(x - e)) - 9 * (f(x + 2 * e) - f(x - 2 * e)) ...
-               + f(x + 3 * e) - f(x - 3 * e)) / (60 * h);
-  end
+  n = numel (x);
+  F = reshape (f (x(:) + kron (eye (n), h * [1, -1, 2, -2, 3, -3])), [], 6, n);
+  D = F(:,[1, 3, 5],:) - F(:,[2, 4, 6],:);
+  J = reshape (45 * D(:,1,:) - 9 * D(:,2,:) + D(:,3,:), [], n) / (60 * h);
+end
+
+## the handle CALL at many states, a column each
+function varargout = many (m, call, varargin)
+  [varargout{1:nargout}] = m.module ("many", call, m.cst, varargin{:});
 end
 
 ## T' = u' (M u' + N) makes u' (Mdot u - 2 N) = 0 for speeds of any kind; Christoffel's symbols
@@ -121,7 +125,7 @@ function mass (name, m, d)
     [~, fails] = chol (M);
     definite &= ! fails;
     qd = rates (m, q, u);
-    Mdot = reshape (differences (@(s) m.mas (0, q + s * qd)(:), 0, 1e-3), d.nu, d.nu);
+    Mdot = reshape (differences (@(s) many (m, "mas", 0, q + s .* qd), 0, 1e-3), d.nu, d.nu);
     passive = (m.bia (0, q, u, v) - m.bia (0, q, -u, v)) / 2;
     N = m.bia (0, q, u, v) - m.bia (0, q, 0 * u, v) - passive;
     bias = m.bia (0, q, u, v);
@@ -129,7 +133,7 @@ function mass (name, m, d)
                       [norm(M - M'), abs(u' * (Mdot * u - 2 * N)) / norm(M), ...
                        norm(m.inv (0, q, u, u, v) - M * u - bias) / (norm(M) + norm(bias))]);
     if (d.nq == d.nu && isequal (qd, u))
-      dM = reshape (differences (@(q) m.mas (0, q)(:), q, 1e-3), d.nu, d.nu, d.nq);
+      dM = reshape (differences (@(q) many (m, "mas", 0, q), q, 1e-3), d.nu, d.nu, d.nq);
       along = reshape (sum (dM .* reshape (u, 1, [], 1), 2), d.nu, d.nu);
       worst(4) = max (worst(4), norm ((Mdot + along - along') / 2 * u - N) / norm (M));
     else
@@ -166,7 +170,7 @@ function power (name, m, d)
         drives = lam' * phit;
       end
     end
-    energy = @(s) [1, 1, 1, 0, 0] * m.ene (s, x + s * xd, v)(:);
+    energy = @(s) [1, 1, 1, 0, 0] * many (m, "ene", s, x + s .* xd, v);
     E = m.ene (0, x, v);
     rate = differences (energy, 0, 1e-4 / (1 + norm (xd)) ^ 0.5);
     worst = max (worst, ...
@@ -203,9 +207,9 @@ end
 
 function jacobians (name, m, d)
   worst = 0;
-  output = @(x, v) zeros (0, 1);
+  output = @(x, v) zeros (0, columns (x));
   if (d.ny > 0)
-    output = @(x, v) m.out (0, x, v);
+    output = @(x, v) many (m, "out", 0, x, v);
   end
   for trial = 1:10
     do   # away from what the equations themselves tell: orientation angles near their singularity
@@ -215,7 +219,8 @@ function jacobians (name, m, d)
     until (info != 3)
     [A, B, C, D] = m.jac (0, x, v);
     exact = [A, B; C, D];
-    both = @(z) [m.rhs(0, z(1:d.nx), z(d.nx+1:end)); output(z(1:d.nx), z(d.nx+1:end))];
+    both = @(z) [many(m, "rhs", 0, z(1:d.nx,:), z(d.nx+1:end,:)); ...
+                 output(z(1:d.nx,:), z(d.nx+1:end,:))];
     ## the longer step for rounding, the shorter one beside steep places (outputs at their bounds);
     ## of 1 or of the usual size of the state (a pressure, where 1 Pa drowns in rounding)
     usual = [max(1, m.nominal(:)); ones(d.nv, 1)];
@@ -252,8 +257,8 @@ function motion_model (name, m, d)
     ud = 5 * uniform (d.nu);
     v = inputs (m, d);
     [M, B, C] = m.lin (0, q, u, ud, v);
-    by_u = @(u) m.inv (0, q, u, ud, v);
-    by_q = @(q) m.inv (0, q, u, ud, v);
+    by_u = @(u) many (m, "inv", 0, q, u, ud, v);
+    by_q = @(q) many (m, "inv", 0, q, u, ud, v);
     B_wanted = differences (by_u, u, 1e-2);
     C_wanted = differences (by_q, q, 2.5e-4);   # springs between points that nearly meet
     if (apart (C_wanted, differences (by_q, q, 5e-4)) ...
@@ -291,9 +296,9 @@ function constraints (name, m, d)
     u = 2 * uniform (d.nu);
     [phi, phit, H, gam] = m.con (0, q, u);
     qd = rates (m, q, u);
-    move = differences (@(s) m.con (0, q + s * qd, u), 0, 1e-3);
+    move = differences (@(s) many (m, "con", 0, q + s .* qd, u), 0, 1e-3);
     worst(1) = max ([worst(1); abs(H * u - move)(holonomic)]);
-    rate = @(s) velocity_rows (m, s, q + s * qd, u);
+    rate = @(s) velocity_rows (m, s, q + s .* qd, u);
     worst(2) = max (worst(2), norm (gam + differences (rate, 0, 1e-3)) / max (1, norm (gam)));
     x = state (m, d);
     [phi, phit, H] = m.con (0, x(1:d.nq), x(d.nq + (1:d.nu)));
@@ -307,6 +312,6 @@ function constraints (name, m, d)
 end
 
 function r = velocity_rows (m, t, q, u)
-  [~, phit, H] = m.con (t, q, u);
-  r = H * u + phit;
+  [~, phit, H] = many (m, "con", t, q, u);
+  r = reshape (sum (H .* u', 2), rows (phit), []) + phit;
 end
