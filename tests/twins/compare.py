@@ -99,11 +99,11 @@ class Beside:
             self.close('EVT', found[n], wanted[n], max(1., np.max(np.abs(wanted[n]))))
 
     def jacobians(self, one, two):
-        """A, B; where rows of constraints depend on each other, along them only"""
+        """A, B; where rows of constraints depend on each other or are others, along them only"""
         if one['INFO'] or two['INFO'] or self.told.balls:
             return
         x, mapped = np.array(list(self.x.values())), self.mapped
-        if self.dependent:
+        if self.dependent or self.told.other_rows:
             tried = tangents(self.one, self.t, x, random.Random(1)) if self.one.has('prj') else []
             for d in tried:
                 wanted = mapped(one['A'] @ d)

@@ -65,11 +65,12 @@ class Glide:
 
 class Map:
     """names: {old: new}; signs: {old: -1}; R, p: of the base; joints: those that are reversed;
-    run: {parameter: value} that are set when the code runs"""
+    run: {parameter: value} that are set when the code runs; other_rows: whether constraints have
+    other values where they are not fulfilled"""
 
     def __init__(self):
         self.names, self.signs, self.balls, self.joints, self.run = {}, {}, [], set(), {}
-        self.R, self.p, self.done = np.eye(3), np.zeros(3), []
+        self.R, self.p, self.done, self.other_rows = np.eye(3), np.zeros(3), [], False
 
     def base(self, R, p):
         self.R = np.array([[float(x) for x in row] for row in R])

@@ -97,6 +97,9 @@ def reverse(scene, r, told):
                 if o[key] is None:
                     del o[key]
         told.reversed(J.name)
+        # a cut joint that slides measures along axes of its parent
+        told.other_rows |= 'cut' in o and J.word not in ('fixed', 'revolute', 'universal',
+                                                         'spherical')
         if J.word in KINDS and 'orientation' not in o and J.coordinates():
             o.pop('start', None)
             told.balls.append(KINDS[J.word](J.name, J.coordinates()))
