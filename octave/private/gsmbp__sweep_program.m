@@ -62,7 +62,7 @@ function take_sources (who, m, folder)
            "gsmbp_cvode.c", "sundials_calls.h", "header_cvode.h", "find_header", ...
            "gsmbp_gauss.c", "gauss_*", "rows.h", ...
            "settle.?", "start.h", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
-  for file = glob (gsmbp__place ("octave", "glue", parts))'
+  for file = glob (fullfile (gsmbp__place ("octave", "glue"), parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor
   fortran = gsmbp__place ("share", "fortran");
