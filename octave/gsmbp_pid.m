@@ -93,7 +93,7 @@ function c = gsmbp_pid (m, e, kind, varargin)
   [K, Ti, Td] = gsmbp__pid_tuned (who, p, o, kind, goal);
   c = controller (p, o, kind, K, Ti, Td);
   c.limits = gsmbp__two_limits (who, o.limits, c.driven, c.u0);
-  c.margins = gsmbp__loop_margins (@(w) gsmbp__loop_response (c, w, 1), ...
+  c.margins = gsmbp__loop_margins (gsmbp__loop_response (c, 1), ...
                                    gsmbp__frequencies (p, o.delay, [Ti, Td]));
   c.poles = [];
   if (o.period > 0 || o.delay == 0)

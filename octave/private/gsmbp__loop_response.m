@@ -1,8 +1,8 @@
-## L = gsmbp__loop_response (c, w, i)
-## The loop of the controller C broken at the input I of its plant, the others closed, at the
-## frequencies W [rad/s], by the sign at which -1 is the critical point.
+## L = gsmbp__loop_response (c, i)
+## The loop of the controller C broken at the input I of its plant, the others closed, a function of
+## the frequencies [rad/s], by the sign at which -1 is the critical point.
 
-function L = gsmbp__loop_response (c, w, i)
+function L = gsmbp__loop_response (c, i)
   [F, H, S] = deal (c.plant.a, c.plant.b, c.plant.c);
   nu = columns (H);
   Dy = c.D(:,1:rows (S));
@@ -12,12 +12,12 @@ function L = gsmbp__loop_response (c, w, i)
   A = [F + H * other * Dy * S, H * other * c.C; By * S, c.A];
   b = [H(:,i); zeros(rows (c.A), 1)];
   k = [Dy(i,:) * S, c.C(i,:)];
+  y = gsmbp__response (A, b, k);
   if (c.period > 0)
-    L = -gsmbp__response (A, b, k, exp (1i * w * c.period));
+    L = @(w) -y (exp (1i * w * c.period));
+  elseif (c.delay > 0)
+    L = @(w) -y (1i * w) .* exp (-1i * w * c.delay);
   else
-    L = -gsmbp__response (A, b, k, 1i * w);
-  endif
-  if (c.period == 0 && c.delay > 0)
-    L .*= exp (-1i * w * c.delay);
+    L = @(w) -y (1i * w);
   endif
 endfunction

@@ -4,7 +4,7 @@
 
 function [K, Ti, Td] = gsmbp__pid_tuned (who, p, o, kind, goal)
   [p.plant_a, p.plant_b, p.plant_c] = ssdata (p.plant);
-  [p.schur{1:3}] = triangular (p);
+  p.response = gsmbp__response (p.plant_a, p.plant_b, p.plant_c);
   q.p = p;
   q.o = o;
   q.w = gsmbp__frequencies (p, o.delay, [o.Ti, o.Td]);
@@ -39,28 +39,10 @@ endfunction
 ## the plant by frequencies
 function P = response (p, w, delay)
   if (p.h > 0)
-    points = exp (1i * w * p.h);
+    P = p.response (exp (1i * w * p.h));
   else
-    points = 1i * w;
+    P = p.response (1i * w) .* exp (-1i * w * delay);
   endif
-  [T, b, k] = deal (p.schur{:});
-  n = rows (T);
-  x = zeros (n, numel (w));
-  for i = n:-1:1
-    x(i,:) = (b(i) + T(i,i+1:n) * x(i+1:n,:)) ./ (points(:).' - T(i,i));
-  endfor
-  P = reshape (k * x, size (w));
-  if (p.h == 0)
-    P .*= exp (-1i * w * delay);
-  endif
-endfunction
-
-## the plant on Schur's axes
-function [T, b, k] = triangular (p)
-  [A, b, k] = gsmbp__balanced (p.plant_a, p.plant_b, p.plant_c);
-  [U, T] = schur (complex (A));
-  b = U' * b;
-  k = k * U;
 endfunction
 
 ## the controller of gain 1

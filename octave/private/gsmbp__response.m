@@ -1,12 +1,15 @@
-## y = gsmbp__response (A, b, k, s)
-## k (s I - A)^-1 b at all of the points S of the complex plane, by one Schur form.
+## y = gsmbp__response (A, b, k)
+## k (s I - A)^-1 b by one Schur form, a function of the points s of the complex plane.
 
-function y = gsmbp__response (A, b, k, s)
+function y = gsmbp__response (A, b, k)
   [A, b, k] = gsmbp__balanced (A, b, k);
   [U, T] = schur (complex (A));
-  b = U' * b;
-  k = k * U;
-  n = rows (A);
+  [b, k] = deal (U' * b, k * U);
+  y = @(s) at (T, b, k, s);
+endfunction
+
+function y = at (T, b, k, s)
+  n = rows (T);
   x = zeros (n, numel (s));
   for i = n:-1:1
     x(i,:) = (b(i) + T(i,i+1:n) * x(i+1:n,:)) ./ (s(:).' - T(i,i));
