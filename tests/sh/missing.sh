@@ -12,19 +12,31 @@ lines() { [ "$(grep -c '^GSMBP: missing: ' "$report")" -eq "$1" ]; }
 
 # every program but dpkg-query, apt-get and those named; gcc finds headers as `headers` says
 bin=$work/bin
+mkdir "$work/all"
+for folder in $(echo "$PATH" | tr : ' '); do
+  [ ! -d "$folder" ] || ln -s "$folder"/* "$work/all" 2>/dev/null
+done
+cp -R -P "$work/all" "$bin"
 headers=yes
+changed=   # programs in $bin that are not those of $work/all
 path_without() {
-  rm -rf "$bin"
-  mkdir "$bin"
-  for folder in $(echo "$PATH" | tr : ' '); do
-    [ ! -d "$folder" ] || ln -s "$folder"/* "$bin" 2>/dev/null
+  for program in $changed; do
+    rm -f "$bin/$program"
+    cp -P "$work/all/$program" "$bin" 2>/dev/null
   done
-  for program in dpkg-query apt-get "$@"; do rm -f "$bin/$program"; done
+  changed="dpkg-query apt-get $*"
+  for program in $changed; do rm -f "$bin/$program"; done
   [ $headers = yes ] && return
   gcc=$(readlink -f "$bin/gcc")
-  rm -f "$bin/gcc"
-  printf '#!/bin/sh\ncase $* in *"-E "*/header_*) exit 1 ;; esac\nexec %s "$@"\n' "$gcc" >"$bin/gcc"
-  chmod +x "$bin/gcc"
+  in_its_place gcc \
+    "$(printf 'case $* in *"-E "*/header_*) exit 1 ;; esac\nexec %s "$@"' "$gcc")"
+}
+# in_its_place PROGRAM TEXT: a script as this program
+in_its_place() {
+  changed="$changed $1"
+  rm -f "$bin/$1"
+  printf '#!/bin/sh\n%s\n' "$2" >"$bin/$1"
+  chmod +x "$bin/$1"
 }
 here() { PATH=$bin "$@" >"$report" 2>&1; }
 make_() { here make --no-print-directory "$@"; }
@@ -87,26 +99,21 @@ fi
 
 # an apt that has no maxima-sage, as Ubuntu's, of a root: what it has is installed, ftnchek here
 path_without
-fake() {
-  rm -f "$bin/$1"
-  printf '#!/bin/sh\n%s\n' "$2" >"$bin/$1"
-  chmod +x "$bin/$1"
-}
 all=$(share/make/packages list)
-fake id 'echo 0'
+in_its_place id 'echo 0'
 there=$(echo " $all " | sed 's/ maxima-sage maxima-sage-share / /; s/ ftnchek / /')
-fake dpkg-query "for p in $there; do
+in_its_place dpkg-query "for p in $there; do
   printf 'installed %s ' \$p; done; [ ! -e '$work/installed' ] || printf 'installed ftnchek '"
-fake apt-cache 'case $2 in maxima-sage*) echo "  Candidate: (none)" ;;
+in_its_place apt-cache 'case $2 in maxima-sage*) echo "  Candidate: (none)" ;;
 *) echo "  Candidate: 1" ;; esac'
-fake apt-get "echo \"\$*\" >>'$work/asked'; case \$* in *maxima-sage*) exit 100 ;; esac
+in_its_place apt-get "echo \"\$*\" >>'$work/asked'; case \$* in *maxima-sage*) exit 100 ;; esac
 case \$1 in install) touch '$work/installed' ;; esac"
 check 'apt without maxima-sage: make goes on' make_ packages
 check 'apt without maxima-sage: the rest is installed, and maxima-sage not asked for' \
   test "$(grep -c 'install.* ftnchek$' "$work/asked") $(grep -c maxima-sage "$work/asked")" = '1 0'
 check 'apt without maxima-sage: named' says 'GSMBP: missing: maxima-sage, for Maxima on ECL'
 rm "$work/asked" "$work/installed"
-fake apt-get "echo \"\$*\" >>'$work/asked'; [ \$1 = update ]"
+in_its_place apt-get "echo \"\$*\" >>'$work/asked'; [ \$1 = update ]"
 check 'apt that fails: make goes on without what not everything needs' make_ packages
 check 'apt that fails: ftnchek, too, is named' says 'GSMBP: missing: ftnchek, for one of the tests'
 
