@@ -3,7 +3,7 @@
 ##
 ##     name      METHOD VARIANT; the variant is - or what is special: a constraint method, rest (no
 ##               speeds, no inputs), plan (inputs that jump), feedback, audit, sensitivity, an
-##               order, undrifted (option drift false)
+##               order, undrifted (option drift false), far and unclosed (off the constraints)
 ##     method    of gsmbp_simulate
 ##     x0        the initial state
 ##     problem   options that say what is solved
@@ -27,7 +27,7 @@ function runs = before_plan (m, given)
     rows = [rows; driven(m, moving, v, most)];
   end
   if (m.sizes.nlam > 0)
-    rows = [rows; loops(moving, input)];
+    rows = [rows; loops(moving, input); unclosed(m, moving, input)];
   end
   if (any (strcmp (m.subroutines, "rha")))
     rows(end+1,:) = {"dp853", "audit", moving, [input, {"audit", 1}], {}};
@@ -49,6 +49,14 @@ function rows = loops (moving, input)
   for way = {"baumgarte", "partitioning", "nullspace", "svd", "kane"}
     rows(end+1,:) = {"dp853", way{1}, moving, input, [{"loops"}, way]};
   end
+end
+
+## from where the loops are not closed: the start moved onto the constraints, and refused
+function rows = unclosed (m, x, input)
+  q = 1:m.sizes.nq;
+  x(q) += 0.3 * cos (q') .* min (1, m.nominal(q));
+  rows = {"dp853", "far", x, input, {}
+          "dp853", "unclosed", x, [input, {"start", "check"}], {}};
 end
 
 ## inputs that jump and rise; state feedback, at MOST of the inputs, within limits
