@@ -91,6 +91,8 @@ class Drawn:
         if twist or (not self.flat and r.random() < 0.3):
             inertia = [abs(self.number(0.1)) + 0.0625 for _ in range(3)]
         model = r.choice(('second', 'second', 'full', 'linear'))
+        if not bending and not isinstance(ends, str):   # own shapes are those of bending
+            ends = 'clamped_free'
         families = [(d, ends, 20*(k + 1)) for k, d in enumerate(bending)]
         far = 'fixed_fixed' if ends in ('pinned_pinned', 'clamped_clamped') else 'fixed_free'
         families += [('twist', far, 30)]*twist + [('stretch', far, 400)]*stretch
