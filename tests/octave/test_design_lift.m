@@ -125,14 +125,17 @@ function Ms = at_corner (r, s, sign)
   late = expm (A*(s.period - s.delay)) * part (s.delay);   # of the input before
   now = part (s.period - s.delay);
   law = r.laws.law;
-  w = logspace (0, log10 (0.999*pi/s.period), 3000);
-  for k = 1:numel (w)
-    z = exp (1i*w(k)*s.period);
-    G = c*((z*eye (3) - phi)\(now + late/z));
-    K = law.C*((z*eye (rows (law.A)) - law.A)\law.B(:,1)) + law.D(1);
-    S(k) = 1/abs (1 - G*K);
-  end
+  z = exp (1i*logspace (0, log10 (0.999*pi/s.period), 3000)*s.period);
+  G = by_modes (phi, now, c, z) + by_modes (phi, late, c, z)./z;
+  K = by_modes (law.A, law.B(:,1), law.C, z) + law.D(1);
+  S = 1./abs (1 - G.*K);
   Ms = max (S);
+end
+
+## C*(z*I - A)^-1*b at all z; all eigenvalues differ
+function y = by_modes (A, b, C, z)
+  [V, l] = eig (A, "vector");
+  y = (C*V) * ((V\b)./(z - l));
 end
 
 function refused (m, s)
