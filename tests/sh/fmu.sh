@@ -96,7 +96,7 @@ if mount -t tmpfs -o size=300k tmpfs "$work/small" 2>/dev/null; then
   result 'on a full disk there is an error, no archive and no part of one'
 fi
 printf '#!/bin/sh\n[ "$1" = -dumpmachine ] && echo aarch64-linux-gnu && exit\nexec %s "$@"\n' \
-  "$(command -v ccache) $(PATH=${PATH#/usr/lib/ccache:} command -v gcc)" >"$work/gcc/gcc"
+  "$(PATH=${PATH#/usr/lib/ccache:} command -v gcc)" >"$work/gcc/gcc"
 chmod +x "$work/gcc/gcc"
 PATH=$work/gcc:${PATH#/usr/lib/ccache:} \
   share/fmu/derive "$work/step.mac" "$work/arm" >"$report" 2>&1
