@@ -35,7 +35,8 @@ function test_invariants ()
           && m.json.mobility.rank == d.nlam)
       jacobians (name, m, d);
     end
-    if (isempty (m.events) && any (strcmp (m.subroutines, "jac")) && d.nq > 0)
+    if (isempty (m.events) && any (strcmp (m.subroutines, "jac")) && d.nq > 0 ...
+          && (d.nlam == 0 || any (strcmp (m.subroutines, "prj"))))
       shapes (name, m, d);
     end
     if (any (strcmp (m.subroutines, "lin")) && any (strcmp (m.subroutines, "inv")))
