@@ -21,9 +21,9 @@
   (with-output-to-string (s)
     (loop for c across text do (when (char= c #\~) (write-char c s)) (write-char c s))))
 
-;;; The value of f(), the work of a public function: an error of Maxima's own in it becomes one of
-;;; GSMBP that names the function and the scene, `who`. Errors of Lisp stay what they are; so do all
-;;; while Maxima's debugger is on.
+;;; The value of f(), the work of a public function: an error of Maxima's own in it, whose text does
+;;; not begin with gsmbp, becomes one of GSMBP that names the function and the scene, `who`. Errors
+;;; of Lisp stay what they are; so do all while Maxima's debugger is on.
 (defvar *gs-clear* nil)
 (defun gs-clear-errors (who f)
   (if (or *gs-clear* *mdebug*)
@@ -40,11 +40,14 @@
       (gs-raise *gs-raised*)
       (let ((text (string-right-trim "." ($gs__last_error))))
         ($gs__raise
-          (if (or (search "undefined" text) (search "by zero" text) (search "log" text))
-              (format nil "~a: expected expressions that have a value; found: ~a; remedy: look for ~
-                           a divisor, or an argument of a logarithm, that is always 0" who text)
-              (format nil "~a: expected expressions that have a value; found: ~a; remedy: this is ~
-                           a fault of GSMBP, debugmode(true) shows where" who text))))))
+          (cond
+            ((eql 0 (search "gsmbp" text)) text)
+            ((or (search "undefined" text) (search "by zero" text) (search "log" text))
+             (format nil "~a: expected expressions that have a value; found: ~a; remedy: look for ~
+                          a divisor, or an argument of a logarithm, that is always 0" who text))
+            (t
+             (format nil "~a: expected expressions that have a value; found: ~a; remedy: this is ~
+                          a fault of GSMBP, debugmode(true) shows where" who text)))))))
 
 ;;; The text of Maxima's last error on one line; "" if there was none since gs__no_last_error().
 (defun $gs__no_last_error () (setq $error '((mlist simp) "")) t)
