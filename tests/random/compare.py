@@ -515,12 +515,13 @@ class Comparison:
                                                for g in given[1:]] + [code.cst, one]
             code.call(word, *args, *([99] if tells else [shape[0]] if word == 'mas' else []))
             true = wanted[word][i]
-            # rates that are all zero are computed as the rounding of forces that cancel
+            # what is all zero is computed as the rounding of forces that cancel
+            efforts = self.effort_size if word in ('inv', 'bia') else 1e-9
             still = word == 'rhs' and true is not None and np.max(np.abs(true)) < 1e-12
             self.note(word.upper() + '_V beside single',
-                      error(out[i], one, 1. if still else 1e-9))
+                      error(out[i], one, 1. if still else efforts))
             if true is not None and self.m.nu:
-                size = 1. if word == 'rhs' else self.effort_size if word in ('inv', 'bia') else 1e-9
+                size = 1. if word == 'rhs' else efforts
                 loose = {'fwd': max(1, self.condition*1e-4), 'rhs': self.loose}.get(word, 1)
                 known = ~np.isnan(true)
                 self.note(word.upper() + '_V', error(out[i][known], true[known], size)/loose)
