@@ -18,12 +18,11 @@ import time
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[1:1] = [os.path.join(os.path.dirname(HERE), 'random')]
 import modules  # noqa: E402
-from calls import SHORT  # noqa: E402
 from emitted import run_time  # noqa: E402
 from judge import ROOT, chunk  # noqa: E402
 from session import dies_with_parent  # noqa: E402
 
-CHUNK = 10 if SHORT else 5
+CHUNK = 5
 
 
 def report(results):
