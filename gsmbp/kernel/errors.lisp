@@ -21,9 +21,12 @@
   (with-output-to-string (s)
     (loop for c across text do (when (char= c #\~) (write-char c s)) (write-char c s))))
 
-;;; The value of f(), the work of a public function: an error of Maxima's own in it, whose text does
-;;; not begin with gsmbp, becomes one of GSMBP that names the function and the scene, `who`. Errors
-;;; of Lisp stay what they are; so do all while Maxima's debugger is on.
+;;; Is the last error one of GSMBP's?
+(defun $gs__raised_last () (and *gs-raised* (eq (cadr $error) *gs-raised*)))
+
+;;; The value of f(), the work of a public function: an error of Maxima's own in it becomes one of
+;;; GSMBP that names the function and the scene, `who`. Errors of Lisp stay what they are; so do all
+;;; while Maxima's debugger is on.
 (defvar *gs-clear* nil)
 (defun gs-clear-errors (who f)
   (if (or *gs-clear* *mdebug*)
@@ -36,12 +39,11 @@
           (gs-raise-clear who))
         value)))
 (defun gs-raise-clear (who)
-  (if (and *gs-raised* (eq (cadr $error) *gs-raised*))
+  (if ($gs__raised_last)
       (gs-raise *gs-raised*)
       (let ((text (string-right-trim "." ($gs__last_error))))
         ($gs__raise
           (cond
-            ((eql 0 (search "gsmbp" text)) text)
             ((or (search "undefined" text) (search "by zero" text) (search "log" text))
              (format nil "~a: expected expressions that have a value; found: ~a; remedy: look for ~
                           a divisor, or an argument of a logarithm, that is always 0" who text))

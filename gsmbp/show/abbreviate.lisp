@@ -34,7 +34,7 @@
       (gs-map #'(lambda (x) (expt x (coerce n 'double-float))) a)))
 
 (defun gs-val-number (e)
-  (coerce (let ((x ($float e))) (if (numberp x) x (merror "gsmbp_abbreviate: no number for ~M" e)))
+  (coerce (let ((x ($float e))) (if (numberp x) x (gs-abbreviate-stops "no number for " e)))
           'double-float))
 ;;; that of GCL overflows
 (defun gs-tanh (x)
@@ -52,7 +52,7 @@
     (%exp (cons #'exp #'exp))
     (mabs (cons #'abs #'cl:signum))
     (%signum (cons #'cl:signum #'(lambda (x) (* 0 x))))
-    (t (merror "gsmbp_abbreviate: ~M cannot be bounded" op))))
+    (t (gs-abbreviate-stops op " cannot be bounded"))))
 
 (defun gs-exponent (e)
   (let ((n (caddr e)))
@@ -252,7 +252,8 @@
       ((%tanh %atan %exp %signum)
        (let ((f (car (gs-val-function op)))) (cons (funcall f lo) (funcall f hi))))
       (t (gs-no-bound e)))))
-(defun gs-no-bound (e) (merror "gsmbp_abbreviate: ~M has no bound over these ranges" e))
+(defun gs-no-bound (e) (gs-abbreviate-stops e " has no bound over these ranges"))
+(defun gs-abbreviate-stops (&rest parts) (apply #'mfuncall '$gs__error "gsmbp_abbreviate" parts))
 ;;; e is a tangent over the interval a: no pole lies in it
 (defun gs-need-no-pole (a e)
   (unless (= (floor (+ (car a) (/ pi 2)) pi) (floor (+ (cdr a) (/ pi 2)) pi)) (gs-no-bound e)))

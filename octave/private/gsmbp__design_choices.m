@@ -38,31 +38,39 @@ function [best, ends, told] = every_one (who, P, o, lists, told)
     if (isempty (failed) && better (one, best))
       best = one;
     endif
-    if (isempty (failed) && ! isempty (one.stopped))
-      told.stopped = one.stopped;
+    told.stopped = ended (one, failed, o);
+    if (! isempty (told.stopped))
       break;
     endif
   endfor
-  if (isempty (best) && isempty (told.stopped))
+  if (isempty (best) && (isempty (told.stopped) || told.combinations == 1))
     rethrow (failed);
   endif
   best = stopped (who, best, told, o);
 endfunction
 
-## a problem solved, or why it cannot be calculated where it begins
+## what ended a problem from outside
+function word = ended (one, failed, o)
+  word = gsmbp__design_cut (failed, o);
+  if (isempty (failed))
+    word = one.stopped;
+  endif
+endfunction
+
+## a problem solved, or why it cannot be calculated where it begins, or what ended it there
 function [one, ends, failed] = tried (who, Q, o)
   failed = one = [];
   try
     [one, ends] = gsmbp__design_solve (who, Q, o);
   catch failed
-    if (strcmp (failed.identifier, "gsmbp:stopped"))
-      rethrow (failed);
+    ends = none ();
+    if (! isempty (gsmbp__design_cut (failed, o)))
+      return;
     endif
     values = Q.given;
     for f = Q.free
       values.(strrep (f.name, ".", "_")) = f.start;
     endfor
-    ends = none ();
     ends(1) = struct ("values", values, "J", NaN, "solved", false, "violation", NaN, ...
                       "ended", ["no start: " failed.message]);
   end_try_catch
@@ -99,10 +107,10 @@ function [best, ends, told] = branched (who, P, o, lists, told)
     [one, here, failed, values] = solved (who, P, o, lists, node);
     told.solved++;
     whole = all (node.from == node.to);
-    if (isempty (failed) && ! isempty (one.stopped))
-      told.stopped = one.stopped;
+    told.stopped = ended (one, failed, o);
+    if (! isempty (told.stopped))
       told.limit = true;
-      if (whole && worth (one.e.J, best) && one.violation <= 1e-6)
+      if (whole && isempty (failed) && worth (one.e.J, best) && one.violation <= 1e-6)
         best = one;
       endif
       break;
@@ -179,6 +187,8 @@ function [one, ends, failed, values] = solved (who, P, o, lists, node)
     [again, ~, lost] = tried (who, Q, setfield (o, "solver", other (one.solver)));
     if (isempty (lost) && better (again, one))
       one = again;
+    elseif (! isempty (gsmbp__design_cut (lost, o)))
+      failed = lost;
     endif
   endif
   values = node.start;

@@ -19,10 +19,14 @@ function [best, ends] = gsmbp__design_solve (who, P, o)
       endif
       P = P_;
       used = solver (P, q, o);
-      r = one (who, P, q, setfield (o, "solver", used));
+      [cut, r] = o.watch (@() one (who, P, q, setfield (o, "solver", used)));
+      if (cut)
+        error ("gsmbp:stopped", "%s: %s between evaluations", who, ...
+               gsmbp__stopped_by ("interrupted"));
+      endif
     catch err
-      if (k > 1 && strcmp (err.identifier, "gsmbp:stopped"))
-        best = cut_short (best, {"interrupted", "timeout"}{1 + (time () >= o.ends)});
+      if (k > 1 && ! isempty (gsmbp__design_cut (err, o)))
+        best = cut_short (best, gsmbp__design_cut (err, o));
         break;
       elseif (k == 1)
         rethrow (err);

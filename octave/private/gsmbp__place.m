@@ -8,9 +8,9 @@ function path = gsmbp__place (varargin)
   persistent functions = fileparts (fileparts (mfilename ("fullpath")));
   persistent top = top_of (functions);
   if (strcmp (varargin{1}, "octave"))
-    path = [functions, sprintf("/%s", varargin{2:end})];
+    path = fullfile (functions, varargin{2:end});
   else
-    path = [top, sprintf("/%s", varargin{:})];
+    path = fullfile (top, varargin{:});
   endif
 endfunction
 

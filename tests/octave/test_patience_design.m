@@ -56,13 +56,13 @@ function design (m)
   solve = @(varargin) gsmbp_optimize (m, free, {"peak", "q"}, {}, load_case, varargin{:});
   gsmbp_optimize (m, free(1,:), {"mean", "q"}, {}, {"run", [0 0.1], [0.1 0 0], "input", 1}, ...
                   "solver", "ipopt", "iterations", 1);   # it builds
-  [r, info] = solve ("timeout", 1, "starts", 60);
+  [r, info] = solve ("timeout", 1, "starts", 30);
   gsmbp_check ("a design: timeout: the best so far", info == 1 && strcmp (r.stopped, "timeout") ...
                  && r.limit && isfinite (r.J) && r.J <= 0.2562);
   late = [];
   for solver = {"slsqp", "cobyla", "ipopt"}
     if (strcmp (solver{1}, "ipopt") || exist ("nlopt_optimize", "file"))
-      [late(end+1), r, said] = interrupted (@() solve ("solver", solver{1}, "starts", 60), 2);
+      [late(end+1), r, said] = interrupted (@() solve ("solver", solver{1}, "starts", 30), 2);
       gsmbp_check (["a design by " solver{1} ": Ctrl-C: the best so far" said], isstruct (r) ...
                    && strcmp (r.stopped, "interrupted") && isfinite (r.J) && r.J <= 0.2562 ...
                      && strcmp (r.ended, "interrupted by Ctrl-C"));
