@@ -11,8 +11,7 @@
 (defun $gs__flat (l)
   (let ((all nil))
     (dolist (x (cdr l) (gs-list (nreverse all)))
-      (unless ($listp x)
-        ($gs__raise (format nil "gsmbp: expected a list of lists; found: ~a" ($string x))))
+      (unless ($listp x) (merror "a list of lists is expected; found: ~M" x))
       (setq all (revappend (cdr x) all)))))
 (defun $gs__sum (l) (addn (cdr l) nil))
 
