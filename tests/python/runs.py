@@ -426,7 +426,7 @@ def _text(function):
 def threads():
     """Another thread goes on while a batch is computed."""
     m = puma6.Model()
-    q = np.asfortranarray(np.zeros((6, 1000000)))
+    q = np.asfortranarray(np.zeros((6, 100000)))
     counted, stop = [0], threading.Event()
 
     def count():
@@ -434,7 +434,7 @@ def threads():
             counted[0] += 1
     thread = threading.Thread(target=count)
     old = sys.getswitchinterval()
-    sys.setswitchinterval(5.0)   # so long Python itself does not change threads
+    sys.setswitchinterval(0.3)   # so long Python itself does not change threads
     thread.start()
     before = counted[0]
     m.inv(0, q, q, q)

@@ -34,7 +34,7 @@ result 'nothing of this machine is in them'
 # -- installed as a stranger would, in an environment of its own without network
 cp -R "$work/folders/slider_crank" "$work/installed"
 chmod -R u+w "$work/installed"
-(cd "$work" && $python -m venv --system-site-packages environment &&
+(cd "$work" && $python -m venv --system-site-packages --without-pip environment &&
   unset PIP_FIND_LINKS PIP_INDEX_URL && cd installed &&
   PIP_NO_INDEX=1 ../environment/bin/python -m pip install -q --no-build-isolation .) \
   >"$report" 2>&1
