@@ -93,12 +93,21 @@ def examples(path, lines):
     return found
 
 
+def linked(source, target):
+    """A second name of a file; a copy on another disk."""
+    try:
+        os.link(source, target)
+    except OSError:
+        shutil.copy2(source, target)
+
+
 def workplace():
     """a folder that looks like the top of the repository, with nothing derived in it"""
     folder = tempfile.mkdtemp(prefix='session')
     for name in ('gsmbp', 'share', 'examples', 'tests'):
         os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
-    shutil.copytree(os.path.join(ROOT, 'octave'), os.path.join(folder, 'octave'))
+    shutil.copytree(os.path.join(ROOT, 'octave'), os.path.join(folder, 'octave'),
+                    copy_function=linked)
     os.mkdir(os.path.join(folder, 'user'))
     with open(os.path.join(folder, 'user', 'gsmbp.mac'), 'w') as f:
         # a minus at the prompt as the public functions write it, in every version of Maxima
