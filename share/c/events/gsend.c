@@ -11,37 +11,35 @@
 #include "gsmbp/inputs.h"
 #include "gsmbp/plan.h"
 
-#include <math.h>
-
 int
-gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
-       const double *cst)
+gsenf (const gs_scene *s, const gs_events *a, gs_real t, const gs_real *x, const gs_real *v,
+       const gs_real *cst)
 {
   int k = -1;
   s->evt (t, x, v, a->mode, cst, a->now);
   gsusg (a);
   for (int i = a->ne - 1; i >= 0; i--)
     if (gs_is_own (a, i) && a->mark[i] == 1)
-      k = a->now[i] <= 0.0 ? i + 1 : gs_most (k, 0);
+      k = a->now[i] <= 0 ? i + 1 : gs_most (k, 0);
   return k;
 }
 
 void
-gsent (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
-       const double *cst, double *v, double *w, int *istat)
+gsent (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
+       const gs_real *cst, gs_real *v, gs_real *w, int *istat)
 {
-  double ts;
+  gs_real ts;
   int acted;
   if (ip[GS_SAMPLES] <= 0 || ip[GS_EVENTS] <= 0)
     return;
   int *is = ip + ip[GS_SAMPLES] - 1;
-  double *rs = rp + ip[GS_SAMPLES + 1] - 1;
+  gs_real *rs = rp + ip[GS_SAMPLES + 1] - 1;
   const gs_events a = gs_planned_events (nx, ip, rp);
-  if (gsnxt (s->nv, is, rs) > t + 8.0 * gseps () * fabs (t)
+  if (gsnxt (s->nv, is, rs) > t + 8 * gseps () * gs_abs (t)
       || gsinp (s, t, 1, x, nx, ip, rp, cst, v, w) != 0 || gsenf (s, &a, t, x, v, cst) <= 0)
     return;
   for (int i = 0; i < a.ne; i++)
-    a.marks[i] = a.mark[i] == 1 && a.now[i] <= 0.0;
+    a.marks[i] = a.mark[i] == 1 && a.now[i] <= 0;
   gskep (0, s->nv, is, rs);
   const int info = gsdue (s, t, x, nx, ip, rp, cst, v, w, istat, &ts, &acted);
   gskep (1, s->nv, is, rs);
@@ -51,32 +49,32 @@ gsent (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp
     return;
   gsenf (s, &a, t, x, v, cst);
   for (int i = 0; i < a.ne; i++)
-    if (gs_is_own (&a, i) && a.marks[i] == 1 && a.now[i] > 0.0)
+    if (gs_is_own (&a, i) && a.marks[i] == 1 && a.now[i] > 0)
       a.mark[i] = 0;
 }
 
 void
-gsenb (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
-       const double *cst, double *v, double *w)
+gsenb (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
+       const gs_real *cst, gs_real *v, gs_real *w)
 {
   if (ip[GS_SAMPLES] <= 0 || ip[GS_EVENTS] <= 0
       || gsnxt (s->nv, ip + ip[GS_SAMPLES] - 1, rp + ip[GS_SAMPLES + 1] - 1)
-           > t + 8.0 * gseps () * fabs (t))
+           > t + 8 * gseps () * gs_abs (t))
     return;
   const gs_events a = gs_planned_events (nx, ip, rp);
   if (gsinp (s, t, -1, x, nx, ip, rp, cst, v, w) == 0)
     {
       gsenf (s, &a, gslft (t, -1), x, v, cst);
       for (int i = 0; i < a.ne; i++)
-        if (gs_is_own (&a, i) && a.now[i] <= 0.0)
+        if (gs_is_own (&a, i) && a.now[i] <= 0)
           a.mark[i] = 0;
     }
   gsinp (s, t, 1, x, nx, ip, rp, cst, v, w);
 }
 
 int
-gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-       double *v, double *w, int *istat)
+gsend (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, const gs_real *cst,
+       gs_real *v, gs_real *w, int *istat)
 {
   if (ip[GS_EVENTS] <= 0)
     return 0;

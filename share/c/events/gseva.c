@@ -5,7 +5,6 @@
  * them, is twice and more what it may be off; to this comes what functions may fall by between
  * points, from their second differences. A function of the user that has just had its event, or one
  * of a port that is not above 0, is not quiet. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -20,51 +19,51 @@ plan (const gs_system *g)
 
 /* the error of a cubic polynomial through both ends of a step, at the fraction b of it, beside that
  * in its middle */
-double
-gsevz (double b)
+gs_real
+gsevz (gs_real b)
 {
-  b *= 1.0 - b;
-  return 16.0 * (b * b);
+  b *= 1 - b;
+  return 16 * (b * b);
 }
 
 /* It does not go on ever faster, as a power does from 0, and the parabola through the three points
  * before misses the last one by more than half of what they are apart, and of what the function
  * is. */
 int
-gsevf (const gs_events *p, int i, int j, double older, double before, double now, double c,
-       double a)
+gsevf (const gs_events *p, int i, int j, gs_real older, gs_real before, gs_real now, gs_real c,
+       gs_real a)
 {
-  double *told = gs_told (p, i), *bend = told + GS_TOLD_BEND;
-  const double curve = ((now - before) / a - (before - older) / c) / (a + c),
-               off = fabs (curve - *bend) * (a * (a + c)),
+  gs_real *told = gs_told (p, i), *bend = told + GS_TOLD_BEND;
+  const gs_real curve = ((now - before) / a - (before - older) / c) / (a + c),
+               off = gs_abs (curve - *bend) * (a * (a + c)),
                low = gs_min (gs_min (older, before), now),
                high = gs_max (gs_max (older, before), now),
-               least = gs_min (gs_min (fabs (older), fabs (before)), fabs (now));
+               least = gs_min (gs_min (gs_abs (older), gs_abs (before)), gs_abs (now));
   *bend = curve;
-  return j > 2 && copysign (1.0, before - older) * curve < 0.0
-         && 2.0 * off > high - low && least < 2.0 * off
+  return j > 2 && gs_copysign (1, before - older) * curve < 0
+         && 2 * off > high - low && least < 2 * off
          && off > gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
 }
 
 /* what function i is at least around the last point, the j-th, and between the two before it, a
  * and c apart */
-static double
-least (const gs_events *p, int i, int j, double c, double a)
+static gs_real
+least (const gs_events *p, int i, int j, gs_real c, gs_real a)
 {
-  const double sign = p->mark[i] == 0 ? -1.0 : 1.0, older = sign * p->before[i],
+  const gs_real sign = p->mark[i] == 0 ? -1 : 1, older = sign * p->before[i],
                before = sign * p->last[i], now = sign * p->now[i];
-  double low = now;
+  gs_real low = now;
   if (j == 1)
     return low;
-  const double old = (before - older) / c, slope = (now - before) / a, s = a + c;
-  double curve = (slope - old) / s;
+  const gs_real old = (before - older) / c, slope = (now - before) / a, s = a + c;
+  gs_real curve = (slope - old) / s;
   /* where it rises from its beginning that does not count */
-  if (j > 2 || ! (old > 2.0 * c * fabs (curve)))
+  if (j > 2 || ! (old > 2 * c * gs_abs (curve)))
     low = gs_min (low, older);
   low = gs_min (low, before);
-  curve = 0.125 * (s * s) * fabs (curve);
-  if (old < 0.0 && slope > 0.0)
-    curve *= 4.0;
+  curve = GS_R (0.125) * (s * s) * gs_abs (curve);
+  if (old < 0 && slope > 0)
+    curve *= 4;
   return low - curve;
 }
 
@@ -74,19 +73,19 @@ apart (const gs_system *g, gs_step *e, const gs_events *p)
 {
   int info = 0;
   for (int i = 0; i < p->ne; i++)
-    p->older[i] = 0.0;
+    p->older[i] = 0;
   for (int j = 4; j <= 6; j += 2)
     {
-      const double b = gsevp (j, 8);
+      const gs_real b = gsevp (j, 8);
       e->method = 3;
       if ((info = gsevb (g, e, b, 1)) != 0)
         break;
-      memcpy (p->last, p->now, p->ne * sizeof (double));
+      memcpy (p->last, p->now, p->ne * sizeof (gs_real));
       e->method = 5;
       if ((info = gsevb (g, e, b, 1)) != 0)
         break;
       for (int i = 0; i < p->ne; i++)
-        p->older[i] = gs_max (p->older[i], fabs (p->now[i] - p->last[i]) / gsevz (b));
+        p->older[i] = gs_max (p->older[i], gs_abs (p->now[i] - p->last[i]) / gsevz (b));
     }
   return info;
 }
@@ -95,12 +94,12 @@ apart (const gs_system *g, gs_step *e, const gs_events *p)
 static int
 clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
 {
-  double c = 1.0, d;
-  memcpy (p->last, p->g, p->ne * sizeof (double));
-  memcpy (p->before, p->g, p->ne * sizeof (double));
+  gs_real c = 1, d;
+  memcpy (p->last, p->g, p->ne * sizeof (gs_real));
+  memcpy (p->before, p->g, p->ne * sizeof (gs_real));
   for (int j = 1; j <= 8; j++)
     {
-      const double b = gsevp (j, 8), a = j > 1 ? b - gsevp (j - 1, 8) : b;
+      const gs_real b = gsevp (j, 8), a = j > 1 ? b - gsevp (j - 1, 8) : b;
       if ((*info = gsevb (g, e, b, j == 8 ? e->side : 1)) != 0)
         return 0;
       d = gsevz (b);
@@ -110,11 +109,11 @@ clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
         d = gs_max (d, gsevz (b - a - c));
       for (int i = 0; i < p->ne; i++)
         {
-          const double sign = p->mark[i] == 0 ? -1.0 : 1.0;
+          const gs_real sign = p->mark[i] == 0 ? -1 : 1;
           if (j > 1 && gs_is_own (p, i)
               && gsevf (p, i, j, sign * p->before[i], sign * p->last[i], sign * p->now[i], c, a))
             return 0;
-          const double away = least (p, i, j, c, a), may = 2.0 * d * p->older[i];
+          const gs_real away = least (p, i, j, c, a), may = 2 * d * p->older[i];
           if (! (away > may || (away >= may && p->mark[i] == 0)))
             return 0;
           p->before[i] = p->last[i];
@@ -147,36 +146,38 @@ gseva (const gs_system *g, gs_step *e, int *quiet)
 }
 
 int
-gsevy (const gs_system *g, const gs_step *e, int again, double *off)
+gsevy (const gs_system *g, const gs_step *e, int again, gs_real *off)
 {
   const gs_events p = plan (g);
   const int nx = g->nx;
   int info = again ? gsdp8 (g, e->t, e->tn, e->side, e->h, e->x, p.end, off, e->f) : 0;
   if (info != 0)
     return info;
-  memcpy (e->f + nx, p.xdn, nx * sizeof (double));
+  memcpy (e->f + nx, p.xdn, nx * sizeof (gs_real));
   info = gsdpe (g, e->t, e->h, e->x, e->f, 1, p.end);
   if (info != 0)
     return info;
-  gsdpu (nx, e->h, 7.0 / 9.0, e->x, e->f, e->xn, p.xdn, e->f + nx, p.z);
+  gsdpu (nx, e->h, GS_R (7.0) / 9, e->x, e->f, e->xn, p.xdn, e->f + nx, p.z);
   *off = gsdpn (g, e->x, e->xn, p.end, p.z);
   return 0;
 }
 
 /* z += h*b**2*(1 - b)**2*(p + q*b) */
 void
-gsevc (int nx, double h, double b, const double *x, const double *f, const double *xn,
-       const double *xdn, double *z)
+gsevc (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *f, const gs_real *xn,
+       const gs_real *xdn, gs_real *z)
 {
-  const double bb = b * (1.0 - b), factor = h * (bb * bb);
+  const gs_real bb = b * (1 - b), factor = h * (bb * bb);
   for (int i = 0; i < nx; i++)
     {
-      const double s = (xn[i] - x[i]) / h;
-      const double p
-          = (f[i + 9 * nx] - 1.44 * s + 0.32 * f[i] + 0.12 * xdn[i]) / -0.096;
-      const double q
-          = (f[i + 6 * nx] - 1.125 * s - 0.1875 * f[i] + 0.3125 * xdn[i] - 0.1875 * p)
-            / 8.203125e-2;
+      const gs_real s = (xn[i] - x[i]) / h;
+      const gs_real p
+          = (f[i + 9 * nx] - GS_R (1.44) * s + GS_R (0.32) * f[i] + GS_R (0.12) * xdn[i])
+            / -GS_R (0.096);
+      const gs_real q
+          = (f[i + 6 * nx] - GS_R (1.125) * s - GS_R (0.1875) * f[i] + GS_R (0.3125) * xdn[i]
+             - GS_R (0.1875) * p)
+            / GS_R (8.203125e-2);
       z[i] = z[i] + factor * (p + q * b);
     }
 }

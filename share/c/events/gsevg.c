@@ -1,24 +1,23 @@
 /* GSEVG, GSHJC: derivatives of event functions, and of accelerations where ports are held. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/events.h"
 #include "gsmbp/loops.h"
 
 void
-gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const double *s,
-       const double *prm, const double *hold, const double *d, const double *z, double *g)
+gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const gs_real *s,
+       const gs_real *prm, const gs_real *hold, const gs_real *d, const gs_real *z, gs_real *g)
 {
   const int port = k - 1, ld = 6 * nh;
-  const double side = mode[port], *const p = prm + 4 * port;
+  const gs_real side = mode[port], *const p = prm + 4 * port;
   d += 6 * port;
   z += n + port;
   if (kind[port] == 1 && mode[port] != 0)
     for (int j = 0; j < nc; j++, d += ld)
-      g[j] = side * d[1] + 1e-9 * d[3];
+      g[j] = side * d[1] + GS_R (1e-9) * d[3];
   else if (kind[port] == 2 && mode[port] == 0)
     {
-      const double r = p[1] - p[0], a = (p[1] - s[port]) / r, b = (s[port] - p[0]) / r;
+      const gs_real r = p[1] - p[0], a = (p[1] - s[port]) / r, b = (s[port] - p[0]) / r;
       for (int j = 0; j < nc; j++, d += ld)
         g[j] = (a - b) * d[0] + b * b * d[3] - a * a * d[2];
     }
@@ -27,22 +26,22 @@ gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const dou
       g[j] = -side * z[0];
   else
     for (int j = 0; j < nc; j++, d += ld, z += n + nh)
-      g[j] = d[2] - (hold[port] < 0.0 ? -z[0] : z[0]);
+      g[j] = d[2] - (hold[port] < 0 ? -z[0] : z[0]);
 }
 
 void
-gshjp (int n, int l, int m, double *a, int way)
+gshjp (int n, int l, int m, gs_real *a, int way)
 {
   if (l == n)
     return;
   for (int j = 1; j < m && way > 0; j++)
-    memmove (a + l * j, a + n * j, l * sizeof (double));
+    memmove (a + l * j, a + n * j, l * sizeof (gs_real));
   for (int j = m - 1; j > 0 && way < 0; j--)
-    memmove (a + n * j, a + l * j, l * sizeof (double));
+    memmove (a + n * j, a + l * j, l * sizeof (gs_real));
 }
 
 int
-gshjd (int nu, int nlam, int nh, int *act, double *k)
+gshjd (int nu, int nlam, int nh, int *act, gs_real *k)
 {
   const int n = nu + nlam + nh;
   int twice = 0, r = 0;
@@ -50,7 +49,7 @@ gshjd (int nu, int nlam, int nh, int *act, double *k)
     {
       if (l >= nlam && act[l - nlam] != 1)
         continue;
-      double size = 0.0, left = 0.0, *const v = k + n * r;
+      gs_real size = 0, left = 0, *const v = k + n * r;
       for (int j = 0; j < nu && r < nu; j++)
         {
           v[j] = k[nu + l + n * j];
@@ -58,8 +57,8 @@ gshjd (int nu, int nlam, int nh, int *act, double *k)
         }
       for (int i = 0; i < 2 * r && r < nu; i++)
         {
-          const double *const b = k + n * (i % r);
-          double s = 0.0;
+          const gs_real *const b = k + n * (i % r);
+          gs_real s = 0;
           for (int j = 0; j < nu; j++)
             s += v[j] * b[j];
           for (int j = 0; j < nu; j++)
@@ -67,10 +66,10 @@ gshjd (int nu, int nlam, int nh, int *act, double *k)
         }
       for (int j = 0; j < nu && r < nu; j++)
         left += v[j] * v[j];
-      if (r < nu && left > 1e-20 * size)
+      if (r < nu && left > GS_R (1e-20) * size)
         {
           for (int j = 0; j < nu; j++)
-            v[j] /= sqrt (left);
+            v[j] /= gs_sqrt (left);
           r++;
         }
       else if (l >= nlam)
@@ -83,8 +82,8 @@ gshjd (int nu, int nlam, int nh, int *act, double *k)
 }
 
 int
-gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, const double *lb,
-       const double *lc, double *k, double *z, int *iw)
+gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const gs_real *lm, const gs_real *lb,
+       const gs_real *lc, gs_real *k, gs_real *z, int *iw)
 {
   const int n = nu + nlam + nh, twice = gshjd (nu, nlam, nh, act, k);
   int l = nu + nlam;
@@ -109,7 +108,7 @@ gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, con
     {
       l -= act[i] == 1;
       for (int j = 0; j < nz; j++)
-        z[nu + nlam + i + n * j] = act[i] == 1 ? z[l + n * j] : 0.0;
+        z[nu + nlam + i + n * j] = act[i] == 1 ? z[l + n * j] : 0;
     }
   if (info != 0)
     return 2;

@@ -13,7 +13,6 @@
  * event more points are closer and closer to the beginning of the step.
  * From there on the step itself is made as long as it must be, by the secant method, so that the
  * state at the event is as accurate as any other. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -40,7 +39,7 @@ failed (const gs_system *g, int info)
 
 /* rates at both ends of e, for the cubic polynomial */
 static int
-ends (const gs_system *g, const gs_step *e, double *xdn)
+ends (const gs_system *g, const gs_step *e, gs_real *xdn)
 {
   if (e->method == 4)
     {
@@ -59,21 +58,21 @@ still_below (const gs_events *a, int first)
   int found = 0;
   for (int i = 0; i < a->ne; i++)
     if (i + 1 != first && a->marks[i] == 0 && ! gs_is_held (a, i) && ! gs_is_own (a, i)
-        && a->last[i] < 0.0)
+        && a->last[i] < 0)
       found = i + 1;
   return found;
 }
 
-static int tried (const gs_system *g, const gs_step *e, double th, double *te, const gs_events *a,
-                  double *err);
+static int tried (const gs_system *g, const gs_step *e, gs_real th, gs_real *te, const gs_events *a,
+                  gs_real *err);
 
 /* the largest error of a step up to an event beside the tolerance: see gsdpt */
-static double
+static gs_real
 most_error (const gs_system *g)
 {
-  if (g->s->nlam > 0 && g->p[GS_PIVOT] < 0.25 * g->p[GS_LARGEST])
-    return gs_max (1.0, pow (gseps (), 2.0 / 3.0) / g->ropt[1]);
-  return 1.0;
+  if (g->s->nlam > 0 && g->p[GS_PIVOT] < GS_R (0.25) * g->p[GS_LARGEST])
+    return gs_max (1, gs_pow (gseps (), GS_R (2.0) / 3) / g->ropt[1]);
+  return 1;
 }
 
 /* functions of the user that have been above 0 before an event count as such */
@@ -97,17 +96,17 @@ by_its_end (const gs_system *g, int i)
 static int
 as_it_was (const gs_system *g, gs_step *e)
 {
-  double off;
+  gs_real off;
   return e->method == 8 ? gsevy (g, e, 1, &off) : 0;
 }
 
 /* Has function i been above 0 on the way to its zero at th? Where it was not at the beginning, the
  * step itself tells, not its polynomial. */
 static int
-rose (const gs_system *g, gs_step *e, int i, double th, int *so)
+rose (const gs_system *g, gs_step *e, int i, gs_real th, int *so)
 {
   const gs_events a = plan (g);
-  double te, err, tm;
+  gs_real te, err, tm;
   *so = 1;
   if (e->method == 12 || ! gs_is_own (&a, i - 1) || a.mark[i - 1] == 1)
     return 0;
@@ -115,7 +114,7 @@ rose (const gs_system *g, gs_step *e, int i, double th, int *so)
   if (info != 0)
     return failed (g, info);
   info = tried (g, e, tm * th, &te, &a, &err);
-  *so = a.now[i - 1] > 0.0;
+  *so = a.now[i - 1] > 0;
   return info == 0 ? as_it_was (g, e) : info;
 }
 
@@ -124,7 +123,7 @@ typedef struct
 {
   int is_long; /* may the step be made shorter where a function is fast? */
   int first;   /* its function, 0: none */
-  double thf;  /* and where it is on the polynomial of the step */
+  gs_real thf; /* and where it is on the polynomial of the step */
   int ns;      /* in how many points */
   int many;    /* ... at least, all in all, see gsusn */
   int more;    /* 1 where these were more than those of other steps */
@@ -147,12 +146,12 @@ static int
 first_event (const gs_system *g, gs_step *e, search *l)
 {
   int found;
-  double be = 1.0;
+  gs_real be = 1;
   l->first = 0;
-  l->thf = 2.0;
+  l->thf = 2;
   for (;;)
     {
-      double th;
+      gs_real th;
       int fine, so = 1, info = gsevl (g, e, be, l->ns, l->first == 0 ? e->side : 1, &found, &th,
                                       &fine, &l->fast);
       if (info != 0)
@@ -163,14 +162,14 @@ first_event (const gs_system *g, gs_step *e, search *l)
           continue;
         }
       l->fast &= l->is_long;
-      if (! (found > 0 && th < 0.999 * l->thf) || l->fast)
+      if (! (found > 0 && th < GS_R (0.999) * l->thf) || l->fast)
         return 0;
       if ((info = rose (g, e, found, th, &so)) != 0)
         return info;
       l->first = so ? found : 0;
-      l->thf = so ? th : 2.0;
-      be = so ? th * (1.0 - 1e-9) : 1.0;
-      l->ns = (int) gs_max (8.0, be * l->many);
+      l->thf = so ? th : 2;
+      be = so ? th * (1 - GS_R (1e-9)) : 1;
+      l->ns = (int) gs_max (8, be * l->many);
       if (! so)
         otherwise (g, l, found);
     }
@@ -182,18 +181,18 @@ up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
 {
   const int first = l->first;
   const gs_events a = plan (g);
-  const double instant = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  double err;
+  const gs_real instant = GS_R (1e3) * gseps () * gs_max (gs_abs (e->t), gs_abs (e->tn));
+  gs_real err;
   *found = first;
   *again = 0;
-  if (a.fresh[first - 1] >= 2 && fabs (e->h) > instant)
+  if (a.fresh[first - 1] >= 2 && gs_abs (e->h) > instant)
     {
       *found = -1;
       return 0;
     }
   int info = gsevs (g, e, first, l->thf, &err);
-  *again = info == 0 && err < 0.0;
-  if (*again && a.kind[first - 1] == 2 && fabs (e->h) > instant)
+  *again = info == 0 && err < 0;
+  if (*again && a.kind[first - 1] == 2 && gs_abs (e->h) > instant)
     {
       *again = 0;
       *found = -1;
@@ -209,7 +208,7 @@ up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
       *found = -2;
       return 0;
     }
-  if (err > most_error (g) && fabs (e->h) > instant)
+  if (err > most_error (g) && gs_abs (e->h) > instant)
     *found = -1;
   if (e->tn - e->t > instant)
     *a.since = 0;
@@ -221,9 +220,9 @@ up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
 /* the polynomial of a step of gsdp8; found: -1 where it is off by more than most and the step is
  * long enough to be repeated */
 static int
-polynomial (const gs_system *g, gs_step *e, int is_long, double most, int *found)
+polynomial (const gs_system *g, gs_step *e, int is_long, gs_real most, int *found)
 {
-  double off;
+  gs_real off;
   const int info = gsevy (g, e, 0, &off);
   if (info != 0)
     return info;
@@ -242,10 +241,10 @@ static int
 look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
 {
   *quiet = 0;
-  e->off = 0.0;
+  e->off = 0;
   if (e->method != 8)
     return 0;
-  const double most = most_error (g);
+  const gs_real most = most_error (g);
   int info = e->rows ? polynomial (g, e, is_long, most, found) : 0;
   if (info != 0 || *found < 0)
     return info;
@@ -253,7 +252,7 @@ look (const gs_system *g, gs_step *e, int is_long, int *quiet, int *found)
   if (info != 0)
     return failed (g, info);
   if (! *quiet && ! e->rows)
-    info = polynomial (g, e, is_long, 3.0 * most, found);
+    info = polynomial (g, e, is_long, 3 * most, found);
   return info;
 }
 
@@ -261,9 +260,10 @@ int
 gsevn (const gs_system *g, gs_step *e, int *found)
 {
   const gs_events a = plan (g);
-  const int is_long = fabs (e->h) > 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  const double largest = g->rstat[GS_H_LARGEST];
-  search l = { .is_long = is_long && e->h > 1e-2 * largest && largest > 0.0 };
+  const int is_long
+      = gs_abs (e->h) > GS_R (1e3) * gseps () * gs_max (gs_abs (e->t), gs_abs (e->tn));
+  const gs_real largest = g->rstat[GS_H_LARGEST];
+  search l = { .is_long = is_long && e->h > GS_R (1e-2) * largest && largest > 0 };
   int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
   for (int i = 0; i < a.ne; i++)
@@ -295,7 +295,7 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   if (info == 0 && *found == 0)
     {
       memcpy (a.mark, a.marks, a.ne * sizeof (int));
-      memcpy (a.g, a.last, a.ne * sizeof (double));
+      memcpy (a.g, a.last, a.ne * sizeof (gs_real));
       *a.since = 0;
       info = gsusz (g, &a, e->t, e->h, 0, a.last);
       gsusc (&a);
@@ -306,22 +306,22 @@ gsevn (const gs_system *g, gs_step *e, int *found)
 /* do the last three points, c and a apart, show a lowest value that they do not resolve? Has the
  * parabola through them its lowest point between them, or close to them? */
 static int
-unresolved (double older, double before, double now, double c, double a)
+unresolved (gs_real older, gs_real before, gs_real now, gs_real c, gs_real a)
 {
-  if (! (older > 0.0 && before > 0.0 && now > 0.0))
+  if (! (older > 0 && before > 0 && now > 0))
     return 0;
-  const double old = (before - older) / c, slope = (now - before) / a,
+  const gs_real old = (before - older) / c, slope = (now - before) / a,
                curve = (slope - old) / (a + c), s = a + c;
-  return old < 1.25 * c * curve && slope > -1.25 * a * curve
-         && 0.5 * (s * s) * curve > gs_min (gs_min (older, now), before);
+  return old < GS_R (1.25) * c * curve && slope > -GS_R (1.25) * a * curve
+         && GS_R (0.5) * (s * s) * curve > gs_min (gs_min (older, now), before);
 }
 
 int
-gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found, double *th,
+gsevl (const gs_system *g, const gs_step *e, gs_real be, int ns, int side, int *found, gs_real *th,
        int *fine, int *fast)
 {
   const gs_events p = plan (g);
-  const double near = 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->t + e->h));
+  const gs_real near = GS_R (1e3) * gseps () * gs_max (gs_abs (e->t), gs_abs (e->t + e->h));
   int j0 = 1, last = ns, own = 0;
   for (int i = 0; i < p.ne; i++)
     {
@@ -330,17 +330,17 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
       own |= gs_is_own (&p, i);
       p.marks[i] = p.mark[i];
       p.before[i] = p.g[i];
-      p.older[i] = -1.0;
+      p.older[i] = -1;
     }
   *found = 0;
   *fine = 0;
   *fast = 0;
-  *th = 2.0;
+  *th = 2;
   for (int j = j0; j <= ns; j++)
     {
-      double b = be * gsevp (j, ns);
-      double a = j > j0 ? b - be * gsevp (j - 1, ns) : b;
-      double c = j > j0 ? b - a : 0.0;
+      gs_real b = be * gsevp (j, ns);
+      gs_real a = j > j0 ? b - be * gsevp (j - 1, ns) : b;
+      gs_real c = j > j0 ? b - a : 0;
       if (j > j0 + 1)
         c -= be * gsevp (j - 2, ns);
       int info = gsevb (g, e, b, j == ns ? side : 1);
@@ -357,17 +357,17 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
           p.older[i] = p.before[i];
           p.before[i] = p.last[i];
         }
-      const int soon = fabs (b * e->h) <= near, seen = *found;
+      const int soon = gs_abs (b * e->h) <= near, seen = *found;
       if (seen > 0 && j >= last)
         return 0;
       for (int i = 0; i < p.ne && seen == 0; i++)
-        if (p.last[i] > 0.0)
+        if (p.last[i] > 0)
           p.marks[i] |= ! (soon && gs_is_own (&p, i) && p.fresh[i] == 1)
-                        && (p.fresh[i] < 2 || (j == ns && be >= 1.0))
+                        && (p.fresh[i] < 2 || (j == ns && be >= 1))
                         && gs_risen (&p, i, p.last[i]);
-        else if (p.marks[i] == 1 && (p.fresh[i] < 2 || (j == ns && be >= 1.0)))
+        else if (p.marks[i] == 1 && (p.fresh[i] < 2 || (j == ns && be >= 1)))
           {
-            double zero = b;
+            gs_real zero = b;
             info = gsevi (g, e, b - a, &zero, i + 1);
             if (info != 0)
               return info;
@@ -388,32 +388,32 @@ gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *f
 }
 
 int
-gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
+gsevi (const gs_system *g, const gs_step *e, gs_real begin, gs_real *c, int i)
 {
   const gs_events p = plan (g);
-  double a = begin, gb = p.last[i - 1];
+  gs_real a = begin, gb = p.last[i - 1];
   int info = gsevb (g, e, a, 1);
   if (info != 0)
     return info;
-  double ga = gs_max (p.now[i - 1], 0.0);
+  gs_real ga = gs_max (p.now[i - 1], 0);
   int kept = 0; /* the end that stayed: 1 c, -1 a */
   for (int k = 0; k < 60; k++)
     {
-      if (*c - a <= 1e-12 || ga - gb <= 0.0)
+      if (*c - a <= GS_R (1e-12) || ga - gb <= 0)
         return 0;
-      double d = (ga * *c - gb * a) / (ga - gb);
+      gs_real d = (ga * *c - gb * a) / (ga - gb);
       if (! (d > a && d < *c))
-        d = 0.5 * (a + *c);
+        d = GS_R (0.5) * (a + *c);
       info = gsevb (g, e, d, 1);
       if (info != 0)
         return info;
-      double gc = p.now[i - 1];
-      if (gc > 0.0)
+      gs_real gc = p.now[i - 1];
+      if (gc > 0)
         {
           a = d;
           ga = gc;
           if (kept == 1)
-            gb *= 0.5;
+            gb *= GS_R (0.5);
           kept = 1;
         }
       else
@@ -421,9 +421,9 @@ gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
           *c = d;
           gb = gc;
           if (kept == -1)
-            ga *= 0.5;
+            ga *= GS_R (0.5);
           kept = -1;
-          if (! (gc < 0.0))
+          if (! (gc < 0))
             a = *c;
         }
     }
@@ -433,12 +433,12 @@ gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i)
 /* e again with the length th*h to te, into end, onto the constraints; err as gsevs. info as
  * gsevn */
 static int
-again (const gs_system *g, const gs_step *e, double th, double te, int side, const gs_events *a,
-       double *err)
+again (const gs_system *g, const gs_step *e, gs_real th, gs_real te, int side, const gs_events *a,
+       gs_real *err)
 {
   const gs_scene *s = g->s;
   const int way = g->iopt[GS_LOOPS];
-  double res;
+  gs_real res;
   int info = 0;
   if (e->method == 12)
     {
@@ -468,20 +468,21 @@ again (const gs_system *g, const gs_step *e, double th, double te, int side, con
 
 /* the slope of function i before its zero at the fraction th of the polynomial of e */
 static int
-first_slope (const gs_system *g, const gs_step *e, int i, double th, double *slope)
+first_slope (const gs_system *g, const gs_step *e, int i, gs_real th, gs_real *slope)
 {
-  double d = gs_min (1e-3, 0.5 * th);
+  gs_real d = gs_min (GS_R (1e-3), GS_R (0.5) * th);
   int info = gsevb (g, e, th - d, 1);
-  *slope = d > 0.0 ? -plan (g).now[i - 1] / d : 0.0;
+  *slope = d > 0 ? -plan (g).now[i - 1] / d : 0;
   return info;
 }
 
 /* the step e, of the fraction th, its end in te and a.end, the event functions there in a.now */
 static int
-tried (const gs_system *g, const gs_step *e, double th, double *te, const gs_events *a, double *err)
+tried (const gs_system *g, const gs_step *e, gs_real th, gs_real *te, const gs_events *a,
+       gs_real *err)
 {
-  const int side = th >= 1.0 ? e->side : 1;
-  *te = th >= 1.0 ? e->tn : e->t + th * e->h;
+  const int side = th >= 1 ? e->side : 1;
+  *te = th >= 1 ? e->tn : e->t + th * e->h;
   int info = again (g, e, th, *te, side, a, err);
   if (info != 0)
     return info;
@@ -494,13 +495,13 @@ tried (const gs_system *g, const gs_step *e, double th, double *te, const gs_eve
 
 /* an event of the user has happened: a little later than th its function i is not above 0 */
 static int
-past (const gs_system *g, const gs_step *e, int i, double th, double *te, const gs_events *a,
-      double *err)
+past (const gs_system *g, const gs_step *e, int i, gs_real th, gs_real *te, const gs_events *a,
+      gs_real *err)
 {
-  const double least = gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  for (int k = 0; k < 8 && gs_is_own (a, i - 1) && a->now[i - 1] > 0.0 && th < 1.0; k++)
+  const gs_real least = gseps () * gs_max (gs_abs (e->t), gs_abs (e->tn));
+  for (int k = 0; k < 8 && gs_is_own (a, i - 1) && a->now[i - 1] > 0 && th < 1; k++)
     {
-      th = gs_min (1.0, th + ldexp (1.0, k) * least / e->h);
+      th = gs_min (1, th + gs_ldexp (1, k) * least / e->h);
       int info = tried (g, e, th, te, a, err);
       if (info != 0)
         return info;
@@ -510,41 +511,41 @@ past (const gs_system *g, const gs_step *e, int i, double th, double *te, const 
 
 /* port i (from 0) that slides or is away from its stop, te being hardly later than the beginning */
 static int
-has_just_gone (const gs_step *e, double te, const gs_events *a, int i)
+has_just_gone (const gs_step *e, gs_real te, const gs_events *a, int i)
 {
   return ! gs_is_own (a, i) && ! gs_is_held (a, i)
-         && te - e->t <= 1e3 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
+         && te - e->t <= GS_R (1e3) * gseps () * gs_max (gs_abs (e->t), gs_abs (e->tn));
 }
 
 /* where gsevs looks next, from th, where its function is gc: between lo, where it is above 0, and
  * hi, where it is not (2: unknown). 0: nowhere, it is there or does not fall to 0 */
 static int
-further (int k, double d, double lo, double hi, double *th, int *there)
+further (int k, gs_real d, gs_real lo, gs_real hi, gs_real *th, int *there)
 {
-  const double old = *th;
-  if (hi <= 1.0)
+  const gs_real old = *th;
+  if (hi <= 1)
     {
       *th -= d;
       if (! (*th > lo && *th < hi) || k % 8 == 0)
-        *th = 0.5 * (lo + hi);
-      if (k < 80 && fabs (*th - old) > 0.0)
+        *th = GS_R (0.5) * (lo + hi);
+      if (k < 80 && gs_abs (*th - old) > 0)
         return 1;
       *there = 1;
       return 0;
     }
-  if (! (k < 12 && fabs (d) <= 0.1))
+  if (! (k < 12 && gs_abs (d) <= GS_R (0.1)))
     return 0;
-  *th = gs_min (1.0, gs_max (0.0, *th - d));
-  return fabs (*th - old) > 0.0;
+  *th = gs_min (1, gs_max (0, *th - d));
+  return gs_abs (*th - old) > 0;
 }
 
 /* e made again up to the zero of function i, from the fraction th on; there: it has one */
 static int
-secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, double *th, double *te,
-        double *err, int *there)
+secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, gs_real *th, gs_real *te,
+        gs_real *err, int *there)
 {
-  const double least = 2.0 * gseps () * gs_max (fabs (e->t), fabs (e->tn));
-  double slope, old = 0.0, gold = 0.0, lo = 0.0, hi = 2.0;
+  const gs_real least = 2 * gseps () * gs_max (gs_abs (e->t), gs_abs (e->tn));
+  gs_real slope, old = 0, gold = 0, lo = 0, hi = 2;
   int info = first_slope (g, e, i, *th, &slope);
   if (info != 0)
     return failed (g, info);
@@ -553,53 +554,53 @@ secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, double 
     {
       if ((info = tried (g, e, *th, te, a, err)) != 0)
         return info;
-      const double gc = a->now[i - 1];
-      if (gc > 0.0)
+      const gs_real gc = a->now[i - 1];
+      if (gc > 0)
         lo = gs_max (lo, *th);
       else
         hi = gs_min (hi, *th);
-      if (k > 1 && fabs (*th - old) > 0.0 && fabs (gc - gold) > 0.0)
+      if (k > 1 && gs_abs (*th - old) > 0 && gs_abs (gc - gold) > 0)
         slope = (gc - gold) / (*th - old);
       old = *th;
       gold = gc;
-      const double d = fabs (slope) > 0.0 ? gc / slope : 1.0;
-      *there = fabs (d * e->h) <= least || (hi - lo) * e->h <= least;
+      const gs_real d = gs_abs (slope) > 0 ? gc / slope : 1;
+      *there = gs_abs (d * e->h) <= least || (hi - lo) * e->h <= least;
       if (*there || ! further (k, d, lo, hi, th, there))
         return 0;
     }
 }
 
 int
-gsevs (const gs_system *g, gs_step *e, int i, double start, double *err)
+gsevs (const gs_system *g, gs_step *e, int i, gs_real start, gs_real *err)
 {
-  *err = 0.0;
+  *err = 0;
   const gs_events a = plan (g);
-  double th = start, te = e->tn;
+  gs_real th = start, te = e->tn;
   int there, info = secant (g, e, &a, i, &th, &te, err, &there);
   if (info == 0)
     info = past (g, e, i, th, &te, &a, err);
   if (info != 0)
     return info;
-  if (a.now[i - 1] > 0.0 && e->method != 12 && a.fresh[i - 1] < 2
+  if (a.now[i - 1] > 0 && e->method != 12 && a.fresh[i - 1] < 2
       && (gs_is_own (&a, i - 1) || has_just_gone (e, te, &a, i - 1) || ! there))
     {
-      *err = -1.0;
+      *err = -1;
       return 0;
     }
   e->tn = te;
-  memcpy (e->xn, a.end, g->nx * sizeof (double));
+  memcpy (e->xn, a.end, g->nx * sizeof (gs_real));
   return 0;
 }
 
 int
-gsevm (const gs_system *g, const gs_step *e, int i, double th, double *tm)
+gsevm (const gs_system *g, const gs_step *e, int i, gs_real th, gs_real *tm)
 {
   const gs_events a = plan (g);
-  double most = 0.0;
-  *tm = 0.5;
+  gs_real most = 0;
+  *tm = GS_R (0.5);
   for (int k = 1; k <= 7; k++)
     {
-      const double c = 0.125 * k;
+      const gs_real c = GS_R (0.125) * k;
       int info = gsevb (g, e, c * th, 1);
       if (info != 0)
         return info;
@@ -613,7 +614,7 @@ gsevm (const gs_system *g, const gs_step *e, int i, double th, double *tm)
 }
 
 int
-gsevb (const gs_system *g, const gs_step *e, double b, int side)
+gsevb (const gs_system *g, const gs_step *e, gs_real b, int side)
 {
   const gs_events a = plan (g);
   gsevx (g->nx, e, b, a.xdn, a.z);
@@ -623,18 +624,18 @@ gsevb (const gs_system *g, const gs_step *e, double b, int side)
 }
 
 /* the distances grow evenly, threefold from the first to the last */
-double
+gs_real
 gsevp (int j, int ns)
 {
-  double b = (double)gs_most (1, j) / ns;
-  b = 0.5 * b * (1.0 + b);
+  gs_real b = (gs_real)gs_most (1, j) / ns;
+  b = GS_R (0.5) * b * (1 + b);
   if (j < 1)
-    b *= pow (0.25, 1 - j);
-  return j < -24 ? 0.0 : b;
+    b *= gs_pow (GS_R (0.25), 1 - j);
+  return j < -24 ? 0 : b;
 }
 
 void
-gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z)
+gsevx (int nx, const gs_step *e, gs_real b, const gs_real *xdn, gs_real *z)
 {
   if (e->method == 8)
     {
@@ -648,29 +649,29 @@ gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z)
         gsevc (nx, e->h, b, e->x, e->f, e->xn, xdn, z);
       return;
     }
-  double c[12], wt[12], q[12];
+  gs_real c[12], wt[12], q[12];
   gsgln (e->ns, c, wt);
   gsglq (e->ns, c, wt, (e->t - e->tc) / e->d, (e->t + b * e->h - e->tc) / e->d, q);
   gspth (nx, e->ns, nx, e->x, e->d, q, e->f, z);
 }
 
 void
-gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
-       const double *xdn, double *z)
+gsevh (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xd, const gs_real *xn,
+       const gs_real *xdn, gs_real *z)
 {
-  const double p = b * b * (3.0 - 2.0 * b);
-  const double q = h * b * (1.0 - b) * (1.0 - b);
-  const double r = h * b * b * (b - 1.0);
+  const gs_real p = b * b * (3 - 2 * b);
+  const gs_real q = h * b * (1 - b) * (1 - b);
+  const gs_real r = h * b * b * (b - 1);
   for (int i = 0; i < nx; i++)
     z[i] = x[i] + p * (xn[i] - x[i]) + q * xd[i] + r * xdn[i];
-  if (b < 1.0)
+  if (b < 1)
     return;
   for (int i = 0; i < nx; i++)
     z[i] = xn[i];
 }
 
 int
-gsevv (const gs_system *g, double t, int side, const double *x, const int *mode, double *gv)
+gsevv (const gs_system *g, gs_real t, int side, const gs_real *x, const int *mode, gs_real *gv)
 {
   if (g->ip[GS_V0] != 0 || g->ip[GS_FEEDBACK] != 0)
     {

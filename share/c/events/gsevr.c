@@ -5,8 +5,8 @@
 #include "gsmbp/inputs.h"
 
 int
-gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-       double *v, double *w, int *istat, int k)
+gsevr (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, const gs_real *cst,
+       gs_real *v, gs_real *w, int *istat, int k)
 {
   if (ip[GS_EVENTS] <= 0)
     return 0;
@@ -21,11 +21,11 @@ gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, cons
 }
 
 int
-gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-       double *v, int *istat, int k)
+gsevk (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, const gs_real *cst,
+       gs_real *v, int *istat, int k)
 {
   int *ie = ip + ip[GS_EVENTS] - 1;
-  double *re = rp + ip[GS_EVENTS + 1] - 1;
+  gs_real *re = rp + ip[GS_EVENTS + 1] - 1;
   istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);
   istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 7 : 0;
   if (istat[GS_FAILED] != 0)

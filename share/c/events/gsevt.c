@@ -9,7 +9,6 @@
  * something else, or leaves it does not hit it: what is left of its distance, up to 1e-12 of its
  * travel (gstvl) before its end and 1e-6 behind it, are errors of rounding and of the step that
  * came there. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -17,30 +16,30 @@
 /* GSTVL: the travel of a stop that errors at its nearer end are beside: its range, but no more than
  * 1 [m or rad] or the modulus of that end, the larger one of them, as the other end may be out of
  * reach */
-double
-gstvl (double s, const double *prm)
+gs_real
+gstvl (gs_real s, const gs_real *prm)
 {
-  const double end = prm[1] - s < s - prm[0] ? prm[1] : prm[0];
-  return gs_min (prm[1] - prm[0], gs_max (1.0, fabs (end)));
+  const gs_real end = prm[1] - s < s - prm[0] ? prm[1] : prm[0];
+  return gs_min (prm[1] - prm[0], gs_max (1, gs_abs (end)));
 }
 
 void
-gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
-       const double *prm, const double *hold, double *gv)
+gsevt (int k, const int *kind, const int *mode, const gs_real *s, const gs_real *sd,
+       const gs_real *prm, const gs_real *hold, gs_real *gv)
 {
   for (int i = 0; i < k; i++, prm += 4)
     if (kind[i] == 1 && mode[i] == 0)
-      gv[i] = prm[0] - fabs (hold[i]);
+      gv[i] = prm[0] - gs_abs (hold[i]);
     else if (kind[i] == 1)
-      gv[i] = mode[i] * sd[i] + 1e-9 * prm[1];
+      gv[i] = mode[i] * sd[i] + GS_R (1e-9) * prm[1];
     else if (mode[i] == 0)
       {
-        const double tiny = 1e-12 * gstvl (s[i], prm);
+        const gs_real tiny = GS_R (1e-12) * gstvl (s[i], prm);
         gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
-        const double way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
-        if (gv[i] <= tiny && gv[i] >= -1e6 * tiny && way <= 1e-9 * prm[3])
+        const gs_real way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
+        if (gv[i] <= tiny && gv[i] >= -GS_R (1e6) * tiny && way <= GS_R (1e-9) * prm[3])
           gv[i] = tiny;
       }
     else
-      gv[i] = -(double)mode[i] * hold[i];
+      gv[i] = -(gs_real)mode[i] * hold[i];
 }

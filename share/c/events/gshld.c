@@ -4,16 +4,16 @@
 #include <string.h>
 
 void
-gshld (const gs_scene *s, double t, const double *x, const double *v, const int *mode,
-       const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
-       double *lam, double *hold, double *row, double *pos, double *sd, double *prm)
+gshld (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, const int *mode,
+       const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *vm, gs_real *ud,
+       gs_real *lam, gs_real *hold, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm)
 {
   int held = 0;
-  memcpy (vm, v, s->nv * sizeof (double));
+  memcpy (vm, v, s->nv * sizeof (gs_real));
   for (int i = 0; i < nh; i++)
     {
       vm[ipl[i] - 1] = mode[i];
-      hold[i] = 0.0;
+      hold[i] = 0;
       held |= (kind[i] == 2 && mode[i] != 0) || (kind[i] == 1 && mode[i] == 0);
     }
   if (held)
@@ -22,11 +22,11 @@ gshld (const gs_scene *s, double t, const double *x, const double *v, const int 
 }
 
 int
-gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
-       int nh, const int *kind, const int *ipl, double *w)
+gsipt (const gs_scene *s, gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *cst,
+       int nh, const int *kind, const int *ipl, gs_real *w)
 {
   const int nu = s->nu, m = s->nlam, most = gs_most (1, m);
-  double *const ud = w + s->nv, *const lam = ud + nu, *const hold = lam + most,
+  gs_real *const ud = w + s->nv, *const lam = ud + nu, *const hold = lam + most,
          *const row = hold + nh, *const pos = row + nh * nu, *const sd = pos + nh,
          *const prm = sd + nh, *const a = prm + 4 * nh, *const h = a + nu * nu,
          *const phit = h + (m + nh) * nu, *const u = phit + most, *const ww = u + nu;
@@ -50,19 +50,19 @@ gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, cons
   info = gsrst (nu, m, nh, k, kind, mode, pos, sd, prm, hold, a, nu, h, m + nh, phit, u, ww);
   if (info != 0)
     return info;
-  memcpy (x + s->nq, u, nu * sizeof (double));
+  memcpy (x + s->nq, u, nu * sizeof (gs_real));
   for (int i = 0; i < nh; i++)
     v[ipl[i] - 1] = mode[i];
   return 0;
 }
 
 int
-gsipm (const gs_scene *s, double t, const double *x, const double *cst, int nh,
-       const double *row, double *a, double *h, double *phit, double *u, double *w)
+gsipm (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, int nh,
+       const gs_real *row, gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w)
 {
   const int nq = s->nq, nu = s->nu, m = s->nlam;
-  memcpy (w, x, nq * sizeof (double));
-  memcpy (u, x + nq, nu * sizeof (double));
+  memcpy (w, x, nq * sizeof (gs_real));
+  memcpy (u, x + nq, nu * sizeof (gs_real));
   s->mas (t, w, cst, a, nu);
   if (m > 0)
     {
@@ -71,6 +71,6 @@ gsipm (const gs_scene *s, double t, const double *x, const double *cst, int nh,
         return info;
     }
   for (int j = 0; j < nu; j++)
-    memcpy (h + m + (m + nh) * j, row + nh * j, nh * sizeof (double));
+    memcpy (h + m + (m + nh) * j, row + nh * j, nh * sizeof (gs_real));
   return 0;
 }

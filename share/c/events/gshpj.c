@@ -5,7 +5,6 @@
  * constraints as well, by two steps of Newton for the coordinates (where the speeds are their
  * rates) and one for the speeds. A port that is one of the speeds keeps both by itself where there
  * are no loops: x stays. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -17,7 +16,7 @@ typedef struct
 {
   int nh;
   const int *kind, *mode;
-  double *row, *s, *sd, *prm;
+  gs_real *row, *s, *sd, *prm;
 } ports;
 
 static int
@@ -26,7 +25,7 @@ is_held (const ports *p, int i)
   return p->kind[i] == 2 ? p->mode[i] != 0 : p->mode[i] == 0;
 }
 
-static double
+static gs_real
 end_of (const ports *p, int i)
 {
   return p->prm[4 * i + (p->mode[i] > 0 ? 1 : 0)];
@@ -36,35 +35,35 @@ end_of (const ports *p, int i)
  * of speeds beside the slowest rebound or Stribeck's speed; 0 where no held port has other speeds
  * or loops beside it */
 static void
-away (int nu, int nlam, const ports *p, double *off, double *fast)
+away (int nu, int nlam, const ports *p, gs_real *off, gs_real *fast)
 {
   int most = 0;
-  *off = *fast = 0.0;
+  *off = *fast = 0;
   for (int i = 0; i < p->nh; i++)
     {
-      const double *const prm = p->prm + 4 * i;
+      const gs_real *const prm = p->prm + 4 * i;
       if (! is_held (p, i))
         continue;
       const int stop = p->kind[i] == 2;
-      const double gap = stop ? fabs (end_of (p, i) - p->s[i]) / gstvl (p->s[i], prm) : 0.0;
+      const gs_real gap = stop ? gs_abs (end_of (p, i) - p->s[i]) / gstvl (p->s[i], prm) : 0;
       int n = 0;
       for (int j = 0; j < nu; j++)
-        n += fabs (p->row[i + p->nh * j]) > 0.0;
+        n += gs_abs (p->row[i + p->nh * j]) > 0;
       most = gs_most (most, n);
       *off = gs_max (*off, gap);
-      *fast = gs_max (*fast, fabs (p->sd[i]) / (stop ? prm[3] : prm[1]));
+      *fast = gs_max (*fast, gs_abs (p->sd[i]) / (stop ? prm[3] : prm[1]));
     }
   if (! (most > 1 || (most > 0 && nlam > 0)))
-    *off = *fast = 0.0;
+    *off = *fast = 0;
 }
 
 /* one step: the coordinates (job 1) or the speeds (2) */
 static int
-move (const gs_scene *s, int job, double t, double *x, const double *cst, const ports *p, double *a,
-      double *h, double *phit, double *u, double *w)
+move (const gs_scene *s, int job, gs_real t, gs_real *x, const gs_real *cst, const ports *p,
+      gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w)
 {
   const int nq = s->nq, nu = s->nu, nlam = s->nlam, nh = p->nh, m = nlam + nh;
-  double *const g = w + nq + 2 * nlam, *const f = g + m, *const d = f + nu, *const lam = d + nu,
+  gs_real *const g = w + nq + 2 * nlam, *const f = g + m, *const d = f + nu, *const lam = d + nu,
          *const ww = lam + m;
   int info = gsipm (s, t, x, cst, nh, p->row, a, h, phit, u, w), l = nlam;
   if (info != 0)
@@ -83,7 +82,7 @@ move (const gs_scene *s, int job, double t, double *x, const double *cst, const 
         h[l + m * j] = h[nlam + i + m * j];
       g[l++] = job == 1 ? end_of (p, i) - p->s[i] : -p->sd[i];
     }
-  memset (f, 0, nu * sizeof (double));
+  memset (f, 0, nu * sizeof (gs_real));
   info = gskkt (nu, l, a, nu, h, m, f, g, d, lam, ww);
   if (info != 0 && info != 2)
     return info;
@@ -93,29 +92,29 @@ move (const gs_scene *s, int job, double t, double *x, const double *cst, const 
 }
 
 int
-gshpj (const gs_scene *s, double t, double *x, const double *v, const double *cst, int nh,
-       const int *kind, const int *mode, double *row, double *pos, double *sd, double *prm,
-       double *a, double *h, double *phit, double *u, double *w)
+gshpj (const gs_scene *s, gs_real t, gs_real *x, const gs_real *v, const gs_real *cst, int nh,
+       const int *kind, const int *mode, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm,
+       gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w)
 {
   const ports p = { nh, kind, mode, row, pos, sd, prm };
-  double off, fast;
+  gs_real off, fast;
   s->hld (t, x, v, cst, row, nh, pos, sd, prm);
   away (s->nu, s->nlam, &p, &off, &fast);
-  for (int k = 0; k < 2 && s->nq == s->nu && off > 1e-14; k++)
+  for (int k = 0; k < 2 && s->nq == s->nu && off > GS_R (1e-14); k++)
     {
       int info = move (s, 1, t, x, cst, &p, a, h, phit, u, w);
       if (info != 0)
         return info;
       s->hld (t, x, v, cst, row, nh, pos, sd, prm);
       away (s->nu, s->nlam, &p, &off, &fast);
-      fast = gs_max (fast, 1.0);
+      fast = gs_max (fast, 1);
     }
-  return fast > 1e-14 ? move (s, 2, t, x, cst, &p, a, h, phit, u, w) : 0;
+  return fast > GS_R (1e-14) ? move (s, 2, t, x, cst, &p, a, h, phit, u, w) : 0;
 }
 
 int
-gsevo (const gs_scene *s, int method, double t, double *x, int nx, int *ip, double *rp,
-       const double *cst, double *v, double rtol, const double *atol)
+gsevo (const gs_scene *s, int method, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
+       const gs_real *cst, gs_real *v, gs_real rtol, const gs_real *atol)
 {
   const gs_events e = gs_events_of (nx, ip + ip[GS_EVENTS] - 1, rp + ip[GS_EVENTS + 1] - 1);
   int held = 0, moved = 0;
@@ -123,19 +122,19 @@ gsevo (const gs_scene *s, int method, double t, double *x, int nx, int *ip, doub
     held |= (e.kind[i] == 1 && e.mode[i] == 0) || (e.kind[i] == 2 && e.mode[i] != 0);
   if (! held)
     return 0;
-  memcpy (e.z, x, nx * sizeof (double));
+  memcpy (e.z, x, nx * sizeof (gs_real));
   int info = s->rst (t, x, v, e.mode, -5, cst);
   for (int i = 0; i < nx; i++)
     {
-      const double by = fabs (x[i] - e.z[i]),
-                   most = method == 4 ? 1e-3 * (1.0 + fabs (x[i]))
-                                      : 1e3 * (atol[i] + rtol * fabs (x[i]));
-      moved |= by > 0.0;
+      const gs_real by = gs_abs (x[i] - e.z[i]),
+                   most = method == 4 ? GS_R (1e-3) * (1 + gs_abs (x[i]))
+                                      : GS_R (1e3) * (atol[i] + rtol * gs_abs (x[i]));
+      moved |= by > 0;
       if (! (by <= most))
         info = 1;
     }
   if (info == 0)
     return moved;
-  memcpy (x, e.z, nx * sizeof (double));
+  memcpy (x, e.z, nx * sizeof (gs_real));
   return 0;
 }

@@ -14,44 +14,44 @@ gsipa (int i, int k, const int *kind, const int *ma)
 
 void
 gsipk (int nu, int nlam, int nh, int k, const int *kind, const int *ma,
-       const double *row, const double *a, const double *h, double *c)
+       const gs_real *row, const gs_real *a, const gs_real *h, gs_real *c)
 {
   const int n = nu + nlam + nh;
-  memset (c, 0, n * n * sizeof (double));
+  memset (c, 0, n * n * sizeof (gs_real));
   for (int j = 0; j < nu; j++)
     {
-      memcpy (c + n * j, a + nu * j, nu * sizeof (double));
+      memcpy (c + n * j, a + nu * j, nu * sizeof (gs_real));
       for (int i = 0; i < nlam + nh; i++)
         if (i < nlam || gsipa (i - nlam + 1, k, kind, ma))
           {
-            const double x = i < nlam ? h[i + nlam * j] : row[i - nlam + nh * j];
+            const gs_real x = i < nlam ? h[i + nlam * j] : row[i - nlam + nh * j];
             c[nu + i + n * j] = x;
             c[j + n * (nu + i)] = -x;
           }
     }
   for (int i = 0; i < nh; i++)
     if (! gsipa (i + 1, k, kind, ma))
-      c[(n + 1) * (nu + nlam + i)] = 1.0;
+      c[(n + 1) * (nu + nlam + i)] = 1;
 }
 
 int
 gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const int *mode,
-       const int *ma, const double *s, const double *sd, const double *prm, const double *x,
-       const double *ua, const double *row, const double *a, const double *h,
-       const double *phit, double *c, double *p, double *ud, int *iw, double *r, int *hit)
+       const int *ma, const gs_real *s, const gs_real *sd, const gs_real *prm, const gs_real *x,
+       const gs_real *ua, const gs_real *row, const gs_real *a, const gs_real *h,
+       const gs_real *phit, gs_real *c, gs_real *p, gs_real *ud, int *iw, gs_real *r, int *hit)
 {
   const int n = nu + nlam + nh;
-  memset (r, 0, nu * nc * sizeof (double));
+  memset (r, 0, nu * nc * sizeof (gs_real));
   for (int i = 0; i < nu; i++)
-    r[i + nu * (nq + i)] = 1.0;
+    r[i + nu * (nq + i)] = 1;
   *hit = -1;
   if (k == 0)
     return 0;
   if (k > 0)
     {
-      const double *const q = prm + 4 * (k - 1);
-      const double side = q[1] - s[k - 1] < s[k - 1] - q[0] ? 1.0 : -1.0;
-      if (kind[k - 1] == 1 || mode[k - 1] != 0 || side * sd[k - 1] <= 0.0)
+      const gs_real *const q = prm + 4 * (k - 1);
+      const gs_real side = q[1] - s[k - 1] < s[k - 1] - q[0] ? 1 : -1;
+      if (kind[k - 1] == 1 || mode[k - 1] != 0 || side * sd[k - 1] <= 0)
         return 0;
     }
   int rows = nlam;
@@ -61,7 +61,7 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
     return 0;
   *hit = gs_most (0, k);
   gsipk (nu, nlam, nh, k, kind, ma, row, a, h, c);
-  memset (p, 0, n * sizeof (double));
+  memset (p, 0, n * sizeof (gs_real));
   for (int i = nu; i < n; i++)
     {
       if (i < nu + nlam)
@@ -72,7 +72,7 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
         p[i] -= c[i + n * j] * x[nq + j];
     }
   const int info = gsleq (n, 1, c, n, p, n, iw) == 0 ? 0 : 2;
-  memmove (p, p + nu, (nlam + nh) * sizeof (double));
+  memmove (p, p + nu, (nlam + nh) * sizeof (gs_real));
   for (int i = 0; i < nu; i++)
     ud[i] = ua[i] - x[nq + i];
   return info;
@@ -80,20 +80,21 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
 
 int
 gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const int *kind,
-       const int *ma, const double *sd, const double *prm, const double *row, const double *a,
-       const double *h, const double *d, const double *e, double *c, double *b, int *iw, double *r)
+       const int *ma, const gs_real *sd, const gs_real *prm, const gs_real *row, const gs_real *a,
+       const gs_real *h, const gs_real *d, const gs_real *e, gs_real *c, gs_real *b, int *iw,
+       gs_real *r)
 {
   const int n = nu + nlam + nh, nc = nq + nu + np + 1;
   for (int j = 0; j < nc; j++)
     {
       const int behind = j >= nq + nu, je = behind ? j - nu : j,
                 jd = behind ? j - nq - nu + nxv : j;
-      double *const bj = b + n * j;
+      gs_real *const bj = b + n * j;
       for (int i = 0; i < n; i++)
-        bj[i] = j < nq || behind ? -e[i + n * je] : i < nu ? a[i + nu * (j - nq)] : 0.0;
+        bj[i] = j < nq || behind ? -e[i + n * je] : i < nu ? a[i + nu * (j - nq)] : 0;
       for (int i = 0; i < nh; i++)
         if (! gsipa (i + 1, k, kind, ma))
-          bj[nu + nlam + i] = 0.0;
+          bj[nu + nlam + i] = 0;
       const int h6 = 6 * (hit - 1 + nh * jd);
       if (hit > 0 && ma[hit - 1] == 0)
         bj[nu + nlam + hit - 1] -= prm[2 + 4 * (hit - 1)] * d[h6 + 1] + sd[hit - 1] * d[h6 + 4];
@@ -102,6 +103,6 @@ gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const 
   if (gsleq (n, nc, c, n, b, n, iw) != 0)
     return 2;
   for (int j = 0; j < nc; j++)
-    memcpy (r + nu * j, b + n * j, nu * sizeof (double));
+    memcpy (r + nu * j, b + n * j, nu * sizeof (gs_real));
   return 0;
 }

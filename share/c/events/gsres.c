@@ -9,8 +9,8 @@
 
 /* event l > 0 is counted; its record with the state before it, or a null pointer where there is no
  * place for one */
-static double *
-new_record (const gs_events *a, double t, const double *x, int nx, int l)
+static gs_real *
+new_record (const gs_events *a, gs_real t, const gs_real *x, int nx, int l)
 {
   *a->count += 1;
   if (a->times[l - 1]++ == 0)
@@ -19,10 +19,10 @@ new_record (const gs_events *a, double t, const double *x, int nx, int l)
   *a->newest = l;
   if (*a->count > a->nr)
     return NULL;
-  double *r = a->record + (*a->count - 1) * (3 + 2 * nx);
+  gs_real *r = a->record + (*a->count - 1) * (3 + 2 * nx);
   r[0] = t;
   r[1] = l;
-  memcpy (r + 3, x, nx * sizeof (double));
+  memcpy (r + 3, x, nx * sizeof (gs_real));
   return r;
 }
 
@@ -32,7 +32,7 @@ static int
 next (const gs_events *a, int l, int k)
 {
   int n = 0;
-  double least = 0.0;
+  gs_real least = 0;
   for (int i = 0; i < a->ne; i++)
     if (gs_is_held (a, i) && a->g[i] < least)
       {
@@ -41,7 +41,7 @@ next (const gs_events *a, int l, int k)
       }
   for (int i = 0; i < a->ne && n == 0; i++)
     if (i + 1 != l && a->kind[i] >= 2 && a->mode[i] == 0
-        && a->g[i] - (gs_is_own (a, i) ? a->level[i] : 0.0) <= 0.0
+        && a->g[i] - (gs_is_own (a, i) ? a->level[i] : 0) <= 0
         && (a->mark[i] == 1 || (k == 0 && l <= 0 && a->kind[i] == 2)))
       n = i + 1;
   return n;
@@ -50,8 +50,8 @@ next (const gs_events *a, int l, int k)
 /* ... friction at rest that slides against its push, a stop that a port at rest is pushed
  * against */
 static int
-against (const gs_scene *s, const gs_events *a, double t, double *x, double *v, const double *cst,
-         int l, int *n)
+against (const gs_scene *s, const gs_events *a, gs_real t, gs_real *x, gs_real *v,
+         const gs_real *cst, int l, int *n)
 {
   int some = 0;
   for (int i = 0; i < a->ne; i++)
@@ -74,7 +74,7 @@ against (const gs_scene *s, const gs_events *a, double t, double *x, double *v, 
 /* do the modes that are given at the start agree with the state? info: 13, ended: the first one
  * that does not */
 int
-gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v, const double *cst)
+gsrsg (const gs_scene *s, const gs_events *a, gs_real t, gs_real *x, gs_real *v, const gs_real *cst)
 {
   int ports = 0, info = 0;
   for (int i = 0; i < a->ne; i++)
@@ -97,14 +97,14 @@ gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v, co
 }
 
 int
-gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
-       int *ie, double *re)
+gsres (const gs_scene *s, gs_real t, gs_real *x, int nx, gs_real *v, const gs_real *cst, int k,
+       int *ie, gs_real *re)
 {
   const gs_events a = gs_events_of (nx, ie, re);
-  const size_t state = nx * sizeof (double);
+  const size_t state = nx * sizeof (gs_real);
   int l = k == 0 && a.given == 1 ? -1 : k;
   int sticks = l == 0;      /* does anything come to rest? */
-  double *stuck = NULL;     /* ... and its record */
+  gs_real *stuck = NULL;    /* ... and its record */
   *a.cause = k;
   *a.ended = 0;
   gsuse (&a, k);
@@ -116,7 +116,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
     }
   for (;;)
     {
-      double *r = NULL;
+      gs_real *r = NULL;
       if (l > 0)
         {
           *a.since += 1;
@@ -125,7 +125,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
           if (*a.tells != 2 || gs_is_own (&a, l - 1))
             r = new_record (&a, t, x, nx, l);
         }
-      double g = 0.0;
+      gs_real g = 0;
       if (l > 0 && gs_is_own (&a, l - 1))
         {
           s->evt (t, x, v, a.mode, cst, a.now);
@@ -181,7 +181,7 @@ gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *
     }
   gsusd (&a, a.g);
   for (int i = 0; i < a.ne; i++)
-    a.mark[i] = (a.mark[i] == 1 && a.g[i] > 0.0) || gs_risen (&a, i, a.g[i])
+    a.mark[i] = (a.mark[i] == 1 && a.g[i] > 0) || gs_risen (&a, i, a.g[i])
                 || (a.kind[i] == 1 && gs_is_held (&a, i));
   return 0;
 }

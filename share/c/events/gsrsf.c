@@ -6,40 +6,39 @@
  * the others being as they are, is beyond its limit and against the way it slides. This and what
  * lets ports go (gsres) are the pivots of a linear complementarity problem in the ports at rest. A
  * stop pushes if it would in contact. Where another port that moves alike is held, it is enough. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 
 /* GSHLJ: is another port held that moves as port i does (friction and a stop in one joint)? */
 int
-gshlj (int nu, int nh, int i, const int *kind, const int *mode, const double *row)
+gshlj (int nu, int nh, int i, const int *kind, const int *mode, const gs_real *row)
 {
   int found = 0;
   for (int j = 0; j < nh; j++)
     if (j != i && (kind[j] == 1) == (mode[j] == 0))
       {
-        double a = 0.0, b = 0.0, c = 0.0;
+        gs_real a = 0, b = 0, c = 0;
         for (int n = 0; n < nu; n++)
           {
-            const double x = row[i + nh * n], y = row[j + nh * n];
+            const gs_real x = row[i + nh * n], y = row[j + nh * n];
             a += x * x;
             b += y * y;
             c += x * y;
           }
-        found |= c * c >= (1.0 - 1e-12) * a * b;
+        found |= c * c >= (1 - GS_R (1e-12)) * a * b;
       }
   return found;
 }
 
 /* the largest of the efforts that hold and of those that may */
-static double
-largest (int nh, const int *kind, const double *hold, const double *prm)
+static gs_real
+largest (int nh, const int *kind, const gs_real *hold, const gs_real *prm)
 {
-  double c = 0.0;
+  gs_real c = 0;
   for (int j = 0; j < nh; j++)
     {
-      c = gs_max (c, fabs (hold[j]));
+      c = gs_max (c, gs_abs (hold[j]));
       if (kind[j] == 1)
         c = gs_max (c, prm[4 * j]);
     }
@@ -47,32 +46,32 @@ largest (int nh, const int *kind, const double *hold, const double *prm)
 }
 
 void
-gsrsf (const gs_scene *s, double t, const double *x, const double *v, int *mode,
-       const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
-       double *lam, double *hold, double *row, double *pos, double *sd, double *prm)
+gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mode,
+       const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *vm, gs_real *ud,
+       gs_real *lam, gs_real *hold, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm)
 {
   s->hld (t, x, v, cst, row, nh, pos, sd, prm);
   for (int i = 0; i < nh; i++)
     {
       const int way = mode[i];
-      if (kind[i] != 1 || way == 0 || fabs (sd[i]) > 1.000001e-9 * prm[4 * i + 1]
+      if (kind[i] != 1 || way == 0 || gs_abs (sd[i]) > GS_R (1.000001e-9) * prm[4 * i + 1]
           || gshlj (s->nu, nh, i, kind, mode, row))
         continue;
       mode[i] = 0;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if (way * hold[i] > -(1.0 - 1e-9) * prm[4 * i])
+      if (way * hold[i] > -(1 - GS_R (1e-9)) * prm[4 * i])
         return;
       mode[i] = way;
     }
   for (int i = 0; i < nh; i++)
     {
-      const double up = prm[4 * i + 1] - pos[i], down = pos[i] - prm[4 * i];
+      const gs_real up = prm[4 * i + 1] - pos[i], down = pos[i] - prm[4 * i];
       if (kind[i] != 2 || mode[i] != 0 || gs_min (up, down) > gsate (pos[i], prm + 4 * i)
-          || fabs (sd[i]) > 1e-9 * prm[4 * i + 3] || gshlj (s->nu, nh, i, kind, mode, row))
+          || gs_abs (sd[i]) > GS_R (1e-9) * prm[4 * i + 3] || gshlj (s->nu, nh, i, kind, mode, row))
         continue;
       mode[i] = down < up ? -1 : 1;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if (mode[i] * hold[i] < -1e-9 * largest (nh, kind, hold, prm))
+      if (mode[i] * hold[i] < -GS_R (1e-9) * largest (nh, kind, hold, prm))
         return;
       mode[i] = 0;
     }

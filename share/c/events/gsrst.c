@@ -9,7 +9,6 @@
  * against which a port at rest is pushed. Constraints and
  * stops in contact take part in the impact and only push; friction does not: no finite force
  * resists an impulse. Then friction slides where its port moves. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -17,25 +16,25 @@
 
 /* GSATE: how near to an end of a stop a port at rest is at it: by rounding errors, and by the way
  * that a rebound that is none makes in 1e-9 of a second; never more than 1e-9 of its travel */
-double
-gsate (double s, const double *prm)
+gs_real
+gsate (gs_real s, const gs_real *prm)
 {
-  return gs_min (1e-9 * gstvl (s, prm), 1e-9 * prm[3] + 1e-12 * fabs (s));
+  return gs_min (GS_R (1e-9) * gstvl (s, prm), GS_R (1e-9) * prm[3] + GS_R (1e-12) * gs_abs (s));
 }
 
 /* the modes at the start */
 static void
-start (int k, const int *kind, int *mode, const double *s, const double *sd, const double *prm)
+start (int k, const int *kind, int *mode, const gs_real *s, const gs_real *sd, const gs_real *prm)
 {
   for (int i = 0; i < k; i++, prm += 4)
     {
-      double e = 1e-9 * prm[1];
+      gs_real e = GS_R (1e-9) * prm[1];
       mode[i] = 0;
       if (kind[i] == 1 && sd[i] > e)
         mode[i] = 1;
       if (kind[i] == 1 && sd[i] < -e)
         mode[i] = -1;
-      if (kind[i] == 2 && fabs (sd[i]) <= prm[3])
+      if (kind[i] == 2 && gs_abs (sd[i]) <= prm[3])
         {
           e = gsate (s[i], prm);
           if (s[i] >= prm[1] - e)
@@ -47,34 +46,34 @@ start (int k, const int *kind, int *mode, const double *s, const double *sd, con
 }
 
 int
-gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s, const double *sd,
-       const double *prm, const double *hold, const double *a, int lda, const double *h, int ldh,
-       const double *phit, double *u, double *w)
+gsrst (int n, int m, int k, int l, const int *kind, int *mode, const gs_real *s, const gs_real *sd,
+       const gs_real *prm, const gs_real *hold, const gs_real *a, int lda, const gs_real *h,
+       int ldh, const gs_real *phit, gs_real *u, gs_real *w)
 {
   const int i = l - 1;
   if (l == 0)
     start (k, kind, mode, s, sd, prm);
   else if (l < 0)
-    return gsimp (n, m, k, 0, 0.0, kind, mode, a, lda, h, ldh, phit, u, w);
+    return gsimp (n, m, k, 0, 0, kind, mode, a, lda, h, ldh, phit, u, w);
   else if (kind[i] == 1 && mode[i] != 0)
     mode[i] = 0;
   else if (kind[i] == 1)
-    mode[i] = hold[i] > 0.0 ? -1 : 1;
+    mode[i] = hold[i] > 0 ? -1 : 1;
   else if (mode[i] != 0)
     mode[i] = 0;
   else
     {
-      const double *stop = prm + 4 * i;
+      const gs_real *stop = prm + 4 * i;
       const int end = stop[1] - s[i] < s[i] - stop[0] ? 1 : -1;
-      if (fabs (sd[i]) <= 1e-9 * stop[3]
-          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= 1e-9 * gstvl (s[i], stop))
+      if (gs_abs (sd[i]) <= GS_R (1e-9) * stop[3]
+          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= GS_R (1e-9) * gstvl (s[i], stop))
         mode[i] = end;
-      if (end * sd[i] <= 0.0 || mode[i] != 0)
+      if (end * sd[i] <= 0 || mode[i] != 0)
         return 0;
-      double e = stop[2];
-      if (e * fabs (sd[i]) <= stop[3])
+      gs_real e = stop[2];
+      if (e * gs_abs (sd[i]) <= stop[3])
         {
-          e = 0.0;
+          e = 0;
           mode[i] = end;
         }
       return gsimp (n, m, k, l, -e * sd[i], kind, mode, a, lda, h, ldh, phit, u, w);
@@ -85,10 +84,10 @@ gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s, 
 /* does row i of the constraints and ports take part in an impact at port l? Then what its speed
  * becomes */
 static int
-takes_part (int m, int i, int l, double v, const int *kind, const int *mode, const double *phit,
-            double *speed)
+takes_part (int m, int i, int l, gs_real v, const int *kind, const int *mode, const gs_real *phit,
+            gs_real *speed)
 {
-  *speed = 0.0;
+  *speed = 0;
   if (i < m)
     *speed = -phit[i];
   else if (i - m == l - 1)
@@ -101,7 +100,7 @@ takes_part (int m, int i, int l, double v, const int *kind, const int *mode, con
 
 /* the first stop in contact that would pull, lam being the impulses of the rows; -1: none */
 static int
-pulling (int m, int k, int l, const int *kind, const int *mode, const double *lam)
+pulling (int m, int k, int l, const int *kind, const int *mode, const gs_real *lam)
 {
   int r = m, bad = -1;
   for (int i = 0; i < k && l > 0; i++)
@@ -109,7 +108,7 @@ pulling (int m, int k, int l, const int *kind, const int *mode, const double *la
       r++;
     else if (kind[i] == 2 && mode[i] != 0)
       {
-        if (mode[i] * lam[r] > 0.0 && bad < 0)
+        if (mode[i] * lam[r] > 0 && bad < 0)
           bad = i;
         r++;
       }
@@ -118,30 +117,30 @@ pulling (int m, int k, int l, const int *kind, const int *mode, const double *la
 
 /* friction slides where its port moves, rows h of the ports; du is what the impact changed */
 static void
-slide (int n, int k, const int *kind, int *mode, const double *h, int ldh, const double *u,
-       const double *du)
+slide (int n, int k, const int *kind, int *mode, const gs_real *h, int ldh, const gs_real *u,
+       const gs_real *du)
 {
   for (int i = 0; i < k; i++)
     if (kind[i] == 1)
       {
-        double x = 0.0, size = 0.0;
+        gs_real x = 0, size = 0;
         for (int j = 0; j < n; j++)
           {
-            const double row = h[i + ldh * j];
+            const gs_real row = h[i + ldh * j];
             x += row * u[j];
-            size = size + fabs (row * u[j]) + fabs (row * du[j]);
+            size = size + gs_abs (row * u[j]) + gs_abs (row * du[j]);
           }
-        if (fabs (x) > 1e-10 * size)
-          mode[i] = x < 0.0 ? -1 : 1;
+        if (gs_abs (x) > GS_R (1e-10) * size)
+          mode[i] = x < 0 ? -1 : 1;
       }
 }
 
 int
-gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const double *a, int lda,
-       const double *h, int ldh, const double *phit, double *u, double *w)
+gsimp (int n, int m, int k, int l, gs_real v, const int *kind, int *mode, const gs_real *a, int lda,
+       const gs_real *h, int ldh, const gs_real *phit, gs_real *u, gs_real *w)
 {
   const int nr = m + k;
-  double *wa = w, *wh = wa + n * n, *wf = wh + nr * n, *wg = wf + n, *wd = wg + nr, *wl = wd + n,
+  gs_real *wa = w, *wh = wa + n * n, *wf = wh + nr * n, *wg = wf + n, *wd = wg + nr, *wl = wd + n,
          *ww = wl + nr, x;
   int info;
   for (int bad = 0; bad >= 0;)
@@ -162,7 +161,7 @@ gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const d
         return 0;
       for (int j = 0; j < n; j++)
         {
-          wf[j] = 0.0;
+          wf[j] = 0;
           for (int i = 0; i < n; i++)
             wa[i + n * j] = a[i + lda * j];
         }
@@ -179,7 +178,7 @@ gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const d
     {
       int j = gsone (n, h + m + i, ldh);
       if (i + 1 != l && j > 0 && info == 0 && takes_part (m, m + i, l, v, kind, mode, phit, &x))
-        u[j - 1] = 0.0;
+        u[j - 1] = 0;
     }
   if (l != 0)
     slide (n, k, kind, mode, h + m, ldh, u, wd);

@@ -5,17 +5,16 @@
  * depends on theirs (a slider at its dead centre) moves as they have it, whatever holds it. It does
  * not count as held; its effort would be without bound, towards rest. Else a speed that is a port's
  * alone has the acceleration 0, not what rounding makes of it. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-static const double without_bound = 1e30;
+static const gs_real without_bound = GS_R (1e30);
 
 static void
-copy_row (int n, double *h, int ldh, double *g, int to, int from)
+copy_row (int n, gs_real *h, int ldh, gs_real *g, int to, int from)
 {
   for (int j = 0; j < n; j++)
     h[to + ldh * j] = h[from + ldh * j];
@@ -25,8 +24,8 @@ copy_row (int n, double *h, int ldh, double *g, int to, int from)
 /* the ports among rows m .. that the constraints, with their accelerations ud, move or hold by
  * themselves are left out; the number of rows that stay */
 static int
-leave_out (int n, int m, int k, const double *a, int lda, double *h, int ldh, double *g,
-           const int *act, const double *ud, double *hold, double *w)
+leave_out (int n, int m, int k, const gs_real *a, int lda, gs_real *h, int ldh, gs_real *g,
+           const int *act, const gs_real *ud, gs_real *hold, gs_real *w)
 {
   int r = m, p = m;
   for (int i = 0; i < k; i++)
@@ -36,10 +35,10 @@ leave_out (int n, int m, int k, const double *a, int lda, double *h, int ldh, do
         gsfre (n, m, a, lda, h, ldh, p + 1, w, &free);
         if (free == 0)
           {
-            double s = -g[p];
+            gs_real s = -g[p];
             for (int j = 0; j < n; j++)
               s += h[p + ldh * j] * ud[j];
-            hold[i] = copysign (without_bound, -s);
+            hold[i] = gs_copysign (without_bound, -s);
           }
         else
           copy_row (n, h, ldh, g, r++, p);
@@ -49,11 +48,11 @@ leave_out (int n, int m, int k, const double *a, int lda, double *h, int ldh, do
 }
 
 int
-gsone (int n, const double *row, int ldr)
+gsone (int n, const gs_real *row, int ldr)
 {
   int many = 0, one = 0;
   for (int j = 0; j < n; j++)
-    if (fabs (row[ldr * j]) > 0.0)
+    if (gs_abs (row[ldr * j]) > 0)
       {
         many++;
         one = j + 1;
@@ -62,17 +61,17 @@ gsone (int n, const double *row, int ldr)
 }
 
 int
-gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const double *f,
-       double *g, const int *act, double *ud, double *lam, double *hold, double *w)
+gsstk (int n, int m, int k, const gs_real *a, int lda, gs_real *h, int ldh, const gs_real *f,
+       gs_real *g, const int *act, gs_real *ud, gs_real *lam, gs_real *hold, gs_real *w)
 {
-  double *const ww = w + m + k;
+  gs_real *const ww = w + m + k;
   int l = m;
   for (int i = 0; i < k; i++)
     {
-      hold[i] = 0.0;
+      hold[i] = 0;
       if (act[i] == 1)
         {
-          hold[i] = 1.0;
+          hold[i] = 1;
           copy_row (n, h, ldh, g, l++, m + i);
         }
     }
@@ -80,8 +79,8 @@ gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const 
   for (int i = m; i < l && info == 0; i++)
     {
       int j = gsone (n, h + i, ldh);
-      if (j > 0 && ! (fabs (g[i]) > 0.0))
-        ud[j - 1] = 0.0;
+      if (j > 0 && ! (gs_abs (g[i]) > 0))
+        ud[j - 1] = 0;
     }
   if (info == 2 && l > m)
     {
@@ -96,7 +95,7 @@ gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const 
     lam[i] = w[i];
   l = m;
   for (int i = 0; i < k; i++)
-    if (fabs (hold[i]) < without_bound && act[i] == 1)
+    if (gs_abs (hold[i]) < without_bound && act[i] == 1)
       hold[i] = w[l++];
   return info;
 }
@@ -105,19 +104,19 @@ gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const 
  * the square root of the ratio of their energies is below 1e-10, ten times the tolerance of gskkt.
  * Where A is singular by itself, that of the row alone is one with the largest mass. */
 void
-gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, double *w,
+gsfre (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, int p, gs_real *w,
        int *free)
 {
-  double *wf = w, *wu = wf + n, *wg = wu + n, *wl = wg + m, *ww = wl + m;
-  double big = 0.0, s = 0.0, e = 0.0;
+  gs_real *wf = w, *wu = wf + n, *wg = wu + n, *wl = wg + m, *ww = wl + m;
+  gs_real big = 0, s = 0, e = 0;
   for (int j = 0; j < n; j++)
     {
       wf[j] = h[p - 1 + ldh * j];
       big = gs_max (big, a[j + lda * j]);
-      s += 0.5 * (wf[j] * wf[j]);
+      s += GS_R (0.5) * (wf[j] * wf[j]);
     }
   for (int i = 0; i < m; i++)
-    wg[i] = 0.0;
+    wg[i] = 0;
   *free = 1;
   s /= big;
   for (int job = 0; job <= 1; job++)
@@ -127,16 +126,16 @@ gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, 
         continue;
       if (info == 1)
         return;
-      e = 0.0;
+      e = 0;
       for (int j = 0; j < n; j++)
         {
-          e += 0.5 * a[j + lda * j] * (wu[j] * wu[j]);
+          e += GS_R (0.5) * a[j + lda * j] * (wu[j] * wu[j]);
           for (int i = j + 1; i < n; i++)
             e += a[i + lda * j] * wu[i] * wu[j];
         }
       if (job == 0)
         s = e;
     }
-  if (sqrt (gs_max (0.0, e)) <= 5e5 * gseps () * sqrt (s))
+  if (gs_sqrt (gs_max (0, e)) <= GS_R (5e5) * gseps () * gs_sqrt (s))
     *free = 0;
 }

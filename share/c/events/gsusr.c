@@ -7,7 +7,6 @@
  * times its level, and 0.7 of what that was at the event before; one that only reports above
  * the largest so far, and 1000 units of rounding of what it was in the step up to an event: a speed
  * that is held at 0 may not be 0 but for rounding errors. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -18,12 +17,12 @@ gsuse (const gs_events *a, int k)
 {
   for (int i = 0; i < a->ne; i++)
     {
-      double *told = gs_told (a, i),
-             size = gs_max (fabs (a->g[i]), gs_max (fabs (a->last[i]), fabs (a->older[i])));
+      gs_real *told = gs_told (a, i),
+             size = gs_max (gs_abs (a->g[i]), gs_max (gs_abs (a->last[i]), gs_abs (a->older[i])));
       if (k >= 0)
         a->fresh[i] = k == 0 && gs_is_own (a, i);
       if (k > 0 && gs_is_own (a, i))
-        told[GS_TOLD_NOISE] = gs_max (told[GS_TOLD_NOISE], 1e3 * gseps () * size);
+        told[GS_TOLD_NOISE] = gs_max (told[GS_TOLD_NOISE], GS_R (1e3) * gseps () * size);
       if (k > 0 && gs_reports (a, i))
         told[GS_TOLD_RISEN] = gs_max (told[GS_TOLD_RISEN], told[GS_TOLD_NOISE]);
     }
@@ -31,7 +30,7 @@ gsuse (const gs_events *a, int k)
 
 /* the inputs that event l switches are held at their values in v */
 static void
-hold (const gs_events *a, int l, const double *v)
+hold (const gs_events *a, int l, const gs_real *v)
 {
   for (int i = 0; i < a->ns; i++)
     if (a->by[i] == l)
@@ -46,17 +45,17 @@ hold (const gs_events *a, int l, const double *v)
 
 /* the levels of the functions of the user that are function i, or the way back */
 static void
-levels_like (const gs_events *a, int i, double size)
+levels_like (const gs_events *a, int i, gs_real size)
 {
   for (int j = 0; j < a->ne; j++)
     {
-      const double like = copysign (1.0, a->last[j]) * copysign (1.0, a->last[i]);
+      const gs_real like = gs_copysign (1, a->last[j]) * gs_copysign (1, a->last[i]);
       if (gs_is_own (a, j) && j != i
-          && fabs (a->last[j] - like * a->last[i]) <= 1e-8 * fabs (a->last[i])
-          && fabs (a->g[j] - like * a->g[i]) <= 1e-8 * size)
+          && gs_abs (a->last[j] - like * a->last[i]) <= GS_R (1e-8) * gs_abs (a->last[i])
+          && gs_abs (a->g[j] - like * a->g[i]) <= GS_R (1e-8) * size)
         {
           a->level[j] = a->g[j];
-          if (like < 0.0)
+          if (like < 0)
             {
               a->mark[j] = 0;
               a->fresh[j] = 1;
@@ -66,16 +65,16 @@ levels_like (const gs_events *a, int i, double size)
 }
 
 void
-gsusl (const gs_events *a, int l, int k, double g, const double *v)
+gsusl (const gs_events *a, int l, int k, gs_real g, const gs_real *v)
 {
   const int i = l - 1;
-  const double old = a->level[i];
-  const double size = gs_max (fabs (a->last[i]), fabs (a->older[i]));
+  const gs_real old = a->level[i];
+  const gs_real size = gs_max (gs_abs (a->last[i]), gs_abs (a->older[i]));
   a->fresh[i] = 1;
-  if (l == k || fabs (a->g[i] - old) > 0.0)
-    a->level[i] = 0.0;
-  if (l == k && fabs (g - old) <= 1e-2 * size
-      && fabs (a->g[i] - g) <= gs_max (0.5 * fabs (g), 1e-8 * size))
+  if (l == k || gs_abs (a->g[i] - old) > 0)
+    a->level[i] = 0;
+  if (l == k && gs_abs (g - old) <= GS_R (1e-2) * size
+      && gs_abs (a->g[i] - g) <= gs_max (GS_R (0.5) * gs_abs (g), GS_R (1e-8) * size))
     {
       a->level[i] = a->g[i];
       levels_like (a, i, size);
@@ -86,17 +85,17 @@ gsusl (const gs_events *a, int l, int k, double g, const double *v)
 }
 
 void
-gsusd (const gs_events *a, double *g)
+gsusd (const gs_events *a, gs_real *g)
 {
   for (int i = 0; i < a->ne; i++)
     if (gs_is_own (a, i))
       {
-        double *risen = gs_told (a, i) + GS_TOLD_RISEN;
+        gs_real *risen = gs_told (a, i) + GS_TOLD_RISEN;
         if (! gs_reports (a, i) && a->fresh[i] == 1)
-          *risen *= 0.7;
-        *risen = gs_max (*risen, 10.0 * fabs (a->level[i]));
-        if (fabs (g[i] - a->level[i]) > fabs (a->level[i]))
-          a->level[i] = 0.0;
+          *risen *= GS_R (0.7);
+        *risen = gs_max (*risen, 10 * gs_abs (a->level[i]));
+        if (gs_abs (g[i] - a->level[i]) > gs_abs (a->level[i]))
+          a->level[i] = 0;
         g[i] -= a->level[i];
       }
 }
@@ -116,11 +115,11 @@ gsusc (const gs_events *a)
     if (gs_is_own (a, i))
       {
         a->fresh[i] = 0;
-        const double g = a->g[i] + a->level[i];
-        if (g * a->g[i] > 0.0)
+        const gs_real g = a->g[i] + a->level[i];
+        if (g * a->g[i] > 0)
           {
             a->g[i] = g;
-            a->level[i] = 0.0;
+            a->level[i] = 0;
           }
       }
 }

@@ -1,6 +1,5 @@
 /* GSUSB, GSUSA, GSUSN, GSUSZ, GSUSF: what is remembered of events of the user, and whether they
  * accumulate. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -9,34 +8,34 @@
 #include "gsmbp/integrate.h"
 
 void
-gsusb (const gs_events *a, int i, double t, const double *x)
+gsusb (const gs_events *a, int i, gs_real t, const gs_real *x)
 {
-  double *r = gs_told (a, i - 1);
+  gs_real *r = gs_told (a, i - 1);
   for (int k = 3; k > 0; k--)
     r[GS_TOLD_TIMES + k] = r[GS_TOLD_TIMES + k - 1];
   r[GS_TOLD_TIMES] = t;
-  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
+  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (gs_real));
 }
 
 void
-gsusa (const gs_events *a, int i, const double *x)
+gsusa (const gs_events *a, int i, const gs_real *x)
 {
-  double *r = gs_told (a, i - 1);
-  r[GS_TOLD_CHANGED] = 0.0;
+  gs_real *r = gs_told (a, i - 1);
+  r[GS_TOLD_CHANGED] = 0;
   for (int k = 0; k < a->nx; k++)
-    if (fabs (r[GS_TOLD_STATE + k] - x[k]) > 0.0)
-      r[GS_TOLD_CHANGED] = 1.0;
-  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (double));
+    if (gs_abs (r[GS_TOLD_STATE + k] - x[k]) > 0)
+      r[GS_TOLD_CHANGED] = 1;
+  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (gs_real));
 }
 
 /* The rate of the function is the difference quotient of second order along the rates of the
  * states. */
 int
-gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d)
+gsusf (const gs_system *s, const gs_events *a, int i, gs_real fell, gs_real d)
 {
-  double *told = gs_told (a, i), *x = told + GS_TOLD_STATE;
-  const double t = told[GS_TOLD_TIMES];
-  double rate = 0.0;
+  gs_real *told = gs_told (a, i), *x = told + GS_TOLD_STATE;
+  const gs_real t = told[GS_TOLD_TIMES];
+  gs_real rate = 0;
   if (gsfun (s, t, 1, x, a->end) != 0)
     return 1;
   for (int side = -1; side <= 1; side += 2)
@@ -45,59 +44,59 @@ gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d)
         a->z[j] = x[j] + side * d * a->end[j];
       if (gsevv (s, t + side * d, 1, a->z, a->mode, a->before) != 0)
         return 1;
-      rate += side * a->before[i] / (2.0 * d);
+      rate += side * a->before[i] / (2 * d);
     }
-  return ! (rate < -0.01 * fell);
+  return ! (rate < -GS_R (0.01) * fell);
 }
 
 /* A function has its fourth event within 1000 units of rounding of the time. One that only reports
  * does not accumulate: it has to rise higher, tenfold, to have risen again. */
 static int
-at_once (const gs_events *a, int i, double end)
+at_once (const gs_events *a, int i, gs_real end)
 {
-  double *told = gs_told (a, i), *risen = told + GS_TOLD_RISEN;
-  if (! (a->times[i] >= 3 && told[GS_TOLD_TIMES + 2] >= end - 1e3 * gseps () * fabs (end)))
+  gs_real *told = gs_told (a, i), *risen = told + GS_TOLD_RISEN;
+  if (! (a->times[i] >= 3 && told[GS_TOLD_TIMES + 2] >= end - GS_R (1e3) * gseps () * gs_abs (end)))
     return 0;
   if (! gs_reports (a, i))
     return 1;
-  *risen = 10.0 * gs_max (*risen, gs_max (fabs (a->last[i]), fabs (a->older[i])));
+  *risen = 10 * gs_max (*risen, gs_max (gs_abs (a->last[i]), gs_abs (a->older[i])));
   return 0;
 }
 
 /* ... or it has not risen since its last event, though it should have */
 static int
-drowned (const gs_system *s, const gs_events *a, int i, double h, double end, double g)
+drowned (const gs_system *s, const gs_events *a, int i, gs_real h, gs_real end, gs_real g)
 {
-  const double *told = gs_told (a, i);
+  const gs_real *told = gs_told (a, i);
   if (a->mark[i] + a->marks[i] != 0 || ! (end >= gs_accumulates_from (a, i)))
     return 0;
-  return gsusf (s, a, i, -g / gs_max (1e-300, end - told[GS_TOLD_TIMES]),
-                5e-6 * gs_max (h, s->rstat[GS_H_LARGEST]));
+  return gsusf (s, a, i, -g / gs_max (GS_TINY, end - told[GS_TOLD_TIMES]),
+                GS_R (5e-6) * gs_max (h, s->rstat[GS_H_LARGEST]));
 }
 
 int
-gsusn (const gs_events *a, double t, double h)
+gsusn (const gs_events *a, gs_real t, gs_real h)
 {
-  const double shortest = 1e-9 * gs_max (fabs (t), fabs (t + h));
-  double most = 8.0;
+  const gs_real shortest = GS_R (1e-9) * gs_max (gs_abs (t), gs_abs (t + h));
+  gs_real most = 8;
   for (int i = 0; i < a->ne; i++)
     {
-      const double d = gs_interval (a, i);
+      const gs_real d = gs_interval (a, i);
       if (d > shortest && t < gs_repeats_until (a, i) && t + h > gs_repeats_until (a, i))
-        most = gs_max (most, gs_min (8.0 * h, 1e6 * d) / d);
+        most = gs_max (most, gs_min (8 * h, GS_R (1e6) * d) / d);
     }
   return (int) most;
 }
 
 int
-gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g)
+gsusz (const gs_system *s, const gs_events *a, gs_real t, gs_real h, int but, const gs_real *g)
 {
   int info = 0;
   for (int i = 0; i < a->ne; i++)
     if (gs_is_own (a, i)
         && (i + 1 == but ? at_once (a, i, t + h) : drowned (s, a, i, h, t + h, g[i])))
       {
-        if (info == 0 || gs_told (a, i)[GS_TOLD_CHANGED] > 0.0)
+        if (info == 0 || gs_told (a, i)[GS_TOLD_CHANGED] > 0)
           s->istat[GS_ACCUMULATES] = i + 1;
         info = 10;
         s->istat[GS_FAILED_INFO] = info;

@@ -1,9 +1,7 @@
 #include "gsmbp/functions.h"
 
-#include <math.h>
-
 void
-gsatl (double y, double x, double *a)
+gsatl (gs_real y, gs_real x, gs_real *a)
 {
-  *a = atan2 (y, x);
+  *a = gs_atan2 (y, x);
 }

@@ -1,6 +1,7 @@
 #include "gsmbp/functions.h"
+#include "gsmbp/real.h"
 
-#include <math.h>
+#if GS_DIGITS == 53
 
 /* what atan (q) is less than q, |q| <= 0.55: coefficients of the least largest error (Remez) */
 static inline double
@@ -44,11 +45,18 @@ block (const double *restrict y, const double *restrict x, double *restrict a,
     }
 }
 
-/* The error is below 1.7 units in the last place. Where the larger of |x| and |y| is not within
- * 1e-290 and 1e300, or something is no number, all are left to gsatl. */
+#endif
+
+/* In double precision the error is below 1.7 units in the last place. Where the larger of |x| and
+ * |y| is not within 1e-290 and 1e300, or something is NaN, all are left to gsatl, as in another
+ * precision. */
 void
-gsatv (int n, const double *y, const double *x, double *a)
+gsatv (int n, const gs_real *y, const gs_real *x, gs_real *a)
 {
+#if GS_DIGITS != 53
+  for (int k = 0; k < 8 * n; k++)
+    gsatl (y[k], x[k], a + k);
+#else
   double out[8] = { 0 };
   for (int j = 0; j < n; j++)
     block (y + 8 * j, x + 8 * j, a + 8 * j, out);
@@ -59,4 +67,5 @@ gsatv (int n, const double *y, const double *x, double *a)
           gsatl (y[k], x[k], a + k);
         return;
       }
+#endif
 }

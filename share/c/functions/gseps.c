@@ -1,9 +1,9 @@
 #include "gsmbp/functions.h"
 
-#include <float.h>
 
-double
+
+gs_real
 gseps (void)
 {
-  return DBL_EPSILON;
+  return GS_EPSILON;
 }

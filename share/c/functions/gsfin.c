@@ -1,14 +1,12 @@
 #include "gsmbp/functions.h"
 
-#include <math.h>
-
 /* By magnitude: the comparison fails for infinities and for what is no number. Valid only where
  * -ffast-math is not used. */
 int
-gsfin (int n, const double *x)
+gsfin (int n, const gs_real *x)
 {
   for (int i = 0; i < n; i++)
-    if (! (fabs (x[i]) <= 1e300))
+    if (! (gs_abs (x[i]) <= GS_HUGE))
       return i + 1;
   return 0;
 }

@@ -1,10 +1,8 @@
 #include "gsmbp/functions.h"
 
-#include <math.h>
-
-double
-gsflr (double x)
+gs_real
+gsflr (gs_real x)
 {
-  double whole = trunc (x);
-  return whole > x ? whole - 1.0 : whole;
+  gs_real whole = gs_trunc (x);
+  return whole > x ? whole - 1 : whole;
 }

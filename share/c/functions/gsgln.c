@@ -1,35 +1,33 @@
 #include "gsmbp/functions.h"
 
-#include <math.h>
-
-static const double points2[1] = { -5.77350269189625764509148780501957456e-1 };
-static const double weights2[1] = { 1.0 };
-static const double points8[4] = { -9.602898564975362316835608685694729904e-1,
-                                   -7.966664774136267395915539364758304368e-1,
-                                   -5.25532409916328985817739049189246349e-1,
-                                   -1.834346424956498049394761423601839807e-1 };
-static const double weights8[4] = { 1.012285362903762591525313543099621901e-1,
-                                    2.223810344533744705443559944262408844e-1,
-                                    3.137066458778872873379622019866013133e-1,
-                                    3.626837833783619829651504492771956122e-1 };
-static const double points12[6] = { -9.81560634246719250690549090149280823e-1,
-                                    -9.041172563704748566784658661190961925e-1,
-                                    -7.69902674194304687036893833212818076e-1,
-                                    -5.873179542866174472967024189405342804e-1,
-                                    -3.678314989981801937526915366437175613e-1,
-                                    -1.2523340851146891547244136946385313e-1 };
-static const double weights12[6] = { 4.717533638651182719461596148501706032e-2,
-                                     1.069393259953184309602547181939962242e-1,
-                                     1.600783285433462263346525295433590719e-1,
-                                     2.031674267230659217490644558097983765e-1,
-                                     2.334925365383548087608498989248780563e-1,
-                                     2.491470458134027850005624360429512108e-1 };
+static const gs_real points2[1] = { -GS_R (5.77350269189625764509148780501957456e-1) };
+static const gs_real weights2[1] = { 1 };
+static const gs_real points8[4] = { -GS_R (9.602898564975362316835608685694729904e-1),
+                                   -GS_R (7.966664774136267395915539364758304368e-1),
+                                   -GS_R (5.25532409916328985817739049189246349e-1),
+                                   -GS_R (1.834346424956498049394761423601839807e-1) };
+static const gs_real weights8[4] = { GS_R (1.012285362903762591525313543099621901e-1),
+                                    GS_R (2.223810344533744705443559944262408844e-1),
+                                    GS_R (3.137066458778872873379622019866013133e-1),
+                                    GS_R (3.626837833783619829651504492771956122e-1) };
+static const gs_real points12[6] = { -GS_R (9.81560634246719250690549090149280823e-1),
+                                    -GS_R (9.041172563704748566784658661190961925e-1),
+                                    -GS_R (7.69902674194304687036893833212818076e-1),
+                                    -GS_R (5.873179542866174472967024189405342804e-1),
+                                    -GS_R (3.678314989981801937526915366437175613e-1),
+                                    -GS_R (1.2523340851146891547244136946385313e-1) };
+static const gs_real weights12[6] = { GS_R (4.717533638651182719461596148501706032e-2),
+                                     GS_R (1.069393259953184309602547181939962242e-1),
+                                     GS_R (1.600783285433462263346525295433590719e-1),
+                                     GS_R (2.031674267230659217490644558097983765e-1),
+                                     GS_R (2.334925365383548087608498989248780563e-1),
+                                     GS_R (2.491470458134027850005624360429512108e-1) };
 
 void
-gsgln (int ns, double *c, double *wt)
+gsgln (int ns, gs_real *c, gs_real *wt)
 {
-  const double *points = ns == 2 ? points2 : ns == 8 ? points8 : points12;
-  const double *weights = ns == 2 ? weights2 : ns == 8 ? weights8 : weights12;
+  const gs_real *points = ns == 2 ? points2 : ns == 8 ? points8 : points12;
+  const gs_real *weights = ns == 2 ? weights2 : ns == 8 ? weights8 : weights12;
   for (int k = 0; k < ns / 2; k++)
     {
       c[k] = points[k];
@@ -40,9 +38,9 @@ gsgln (int ns, double *c, double *wt)
 }
 
 void
-gslgp (int n, double x, double *p)
+gslgp (int n, gs_real x, gs_real *p)
 {
-  p[0] = 1.0;
+  p[0] = 1;
   p[1] = x;
   for (int j = 2; j < n; j++)
     p[j] = ((2 * j - 1) * x * p[j - 1] - (j - 1) * p[j - 2]) / j;
@@ -50,53 +48,53 @@ gslgp (int n, double x, double *p)
 
 /* By polynomials of Legendre, one degree after the other, of all points together. */
 void
-gsglq (int ns, const double *c, const double *wt, double ca, double cb, double *b)
+gsglq (int ns, const gs_real *c, const gs_real *wt, gs_real ca, gs_real cb, gs_real *b)
 {
-  double p[12], old[12], pa[13], pb[13];
+  gs_real p[12], old[12], pa[13], pb[13];
   gslgp (ns + 1, ca, pa);
   gslgp (ns + 1, cb, pb);
   for (int k = 0; k < ns; k++)
     {
-      old[k] = 1.0;
+      old[k] = 1;
       p[k] = c[k];
       b[k] = cb - ca;
     }
   for (int j = 2; j <= ns; j++)
     {
-      double s = (pb[j] - pb[j - 2]) - (pa[j] - pa[j - 2]);
-      double x = (2 * j - 1) / (double)j, y = (j - 1) / (double)j;
+      gs_real s = (pb[j] - pb[j - 2]) - (pa[j] - pa[j - 2]);
+      gs_real x = (2 * j - 1) / (gs_real)j, y = (j - 1) / (gs_real)j;
       for (int k = 0; k < ns; k++)
         {
           b[k] += p[k] * s;
-          double next = x * c[k] * p[k] - y * old[k];
+          gs_real next = x * c[k] * p[k] - y * old[k];
           old[k] = p[k];
           p[k] = next;
         }
     }
   for (int k = 0; k < ns; k++)
-    b[k] = 0.5 * wt[k] * b[k];
+    b[k] = GS_R (0.5) * wt[k] * b[k];
 }
 
 /* how many of z are nearer to cb than z[k]; of two as near the first counts as nearer */
 static int
-nearer (int n, const double *z, int k, double cb)
+nearer (int n, const gs_real *z, int k, gs_real cb)
 {
   int count = 0;
-  double own = fabs (z[k] - cb);
+  gs_real own = gs_abs (z[k] - cb);
   for (int j = 0; j < n; j++)
-    count += j < k ? fabs (z[j] - cb) <= own : j > k && fabs (z[j] - cb) < own;
+    count += j < k ? gs_abs (z[j] - cb) <= own : j > k && gs_abs (z[j] - cb) < own;
   return count;
 }
 
 /* four points and weights of Gauss */
 static void
-four_points (double *g, double *wg)
+four_points (gs_real *g, gs_real *wg)
 {
-  double root = sqrt (1.2);
-  g[3] = sqrt (3.0 / 7.0 + 2.0 / 7.0 * root);
-  g[2] = sqrt (3.0 / 7.0 - 2.0 / 7.0 * root);
-  wg[3] = 0.5 - sqrt (30.0) / 36.0;
-  wg[2] = 0.5 + sqrt (30.0) / 36.0;
+  gs_real root = gs_sqrt (GS_R (1.2));
+  g[3] = gs_sqrt (GS_R (3.0) / 7 + GS_R (2.0) / 7 * root);
+  g[2] = gs_sqrt (GS_R (3.0) / 7 - GS_R (2.0) / 7 * root);
+  wg[3] = GS_R (0.5) - gs_sqrt (30) / 36;
+  wg[2] = GS_R (0.5) + gs_sqrt (30) / 36;
   for (int i = 0; i < 2; i++)
     {
       g[i] = -g[3 - i];
@@ -105,24 +103,24 @@ four_points (double *g, double *wg)
 }
 
 void
-gslgi (int n, const double *z, double ca, double cb, double *b)
+gslgi (int n, const gs_real *z, gs_real ca, gs_real cb, gs_real *b)
 {
   int near[7], m = 0;
   for (int k = 0; k < n; k++)
     {
-      b[k] = 0.0;
+      b[k] = 0;
       if (m < 7 && nearer (n, z, k, cb) < 7)
         near[m++] = k;
     }
 
-  double g[4], wg[4];
+  gs_real g[4], wg[4];
   four_points (g, wg);
   for (int i = 0; i < 4; i++)
     {
-      double x = 0.5 * (ca + cb) + 0.5 * (cb - ca) * g[i];
+      gs_real x = GS_R (0.5) * (ca + cb) + GS_R (0.5) * (cb - ca) * g[i];
       for (int k = 0; k < m; k++)
         {
-          double s = 0.5 * (cb - ca) * wg[i];
+          gs_real s = GS_R (0.5) * (cb - ca) * wg[i];
           for (int j = 0; j < m; j++)
             if (j != k)
               s = s * (x - z[near[j]]) / (z[near[k]] - z[near[j]]);

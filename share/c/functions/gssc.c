@@ -2,7 +2,7 @@
 #include "gsmbp/sines.h"
 
 void
-gssc (double x, double *s, double *c)
+gssc (gs_real x, gs_real *s, gs_real *c)
 {
   gs_sines (x, s, c);
 }

@@ -1,10 +1,8 @@
 #include "gsmbp/functions.h"
 
-#include <math.h>
-
 void
-gsscl (double x, double *s, double *c)
+gsscl (gs_real x, gs_real *s, gs_real *c)
 {
-  *s = sin (x);
-  *c = cos (x);
+  *s = gs_sin (x);
+  *c = gs_cos (x);
 }

@@ -1,6 +1,7 @@
 #include "gsmbp/functions.h"
+#include "gsmbp/real.h"
 
-#include <math.h>
+#if GS_DIGITS == 53
 
 /* 6755399441055744 is 1.5*2^52: a number added and taken off again is rounded to a whole one */
 #define ROUND 6755399441055744.0
@@ -45,11 +46,18 @@ block (const double *restrict x, double *restrict s, double *restrict c, double 
     }
 }
 
-/* The error is below one unit in the last place up to |x| = 1e5. Larger ones and those that are no
- * number, which a sum of f^2 over a row of x shows (it is above 4e9), are left to the library. */
+#endif
+
+/* In double precision the error is below one unit in the last place up to |x| = 1e5. Larger ones
+ * and NaN, which a sum of f^2 over a row of x shows (it is above 4e9), are left to the library, as
+ * all are in another precision. */
 void
-gsscv (int n, const double *x, double *s, double *c)
+gsscv (int n, const gs_real *x, gs_real *s, gs_real *c)
 {
+#if GS_DIGITS != 53
+  for (int k = 0; k < 8 * n; k++)
+    gsscl (x[k], s + k, c + k);
+#else
   double out[8] = { 0 };
   for (int j = 0; j < n; j++)
     block (x + 8 * j, s + 8 * j, c + 8 * j, out);
@@ -61,4 +69,5 @@ gsscv (int n, const double *x, double *s, double *c)
             gsscl (x[k], s + k, c + k);
         return;
       }
+#endif
 }

@@ -3,6 +3,7 @@
 #ifndef GSMBP_ARITH_H
 #define GSMBP_ARITH_H
 
+#include "gsmbp/real.h"
 #include "gsmbp/expressions.h"
 
 static inline int
@@ -18,8 +19,8 @@ gs_least (int a, int b)
 }
 
 /* s + x'*y, summed from the first entry on */
-static inline double
-gs_dot (int n, double s, const double *x, const double *y)
+static inline gs_real
+gs_dot (int n, gs_real s, const gs_real *x, const gs_real *y)
 {
   for (int i = 0; i < n; i++)
     s += x[i] * y[i];
@@ -28,7 +29,7 @@ gs_dot (int n, double s, const double *x, const double *y)
 
 /* y := y - s*x; the two do not overlap */
 static inline void
-gs_take (int n, double s, const double *restrict x, double *restrict y)
+gs_take (int n, gs_real s, const gs_real *restrict x, gs_real *restrict y)
 {
   for (int i = 0; i < n; i++)
     y[i] -= s * x[i];
@@ -36,11 +37,11 @@ gs_take (int n, double s, const double *restrict x, double *restrict y)
 
 /* x and y change places */
 static inline void
-gs_swap (int n, double *x, double *y)
+gs_swap (int n, gs_real *x, gs_real *y)
 {
   for (int i = 0; i < n; i++)
     {
-      double s = x[i];
+      gs_real s = x[i];
       x[i] = y[i];
       y[i] = s;
     }
@@ -48,7 +49,7 @@ gs_swap (int n, double *x, double *y)
 
 /* y (n,m) := H', h (m,n) */
 static inline void
-gs_transpose (int n, int m, const double *h, int ldh, double *y)
+gs_transpose (int n, int m, const gs_real *h, int ldh, gs_real *y)
 {
   for (int i = 0; i < n; i++)
     for (int j = 0; j < m; j++)
@@ -57,11 +58,11 @@ gs_transpose (int n, int m, const double *h, int ldh, double *y)
 
 /* x of R'*x = P'*g, R the upper triangle of order r in y, P the interchanges piv */
 static inline void
-gs_forward (int r, const double *y, int ldy, const double *piv, const double *g, double *x)
+gs_forward (int r, const gs_real *y, int ldy, const gs_real *piv, const gs_real *g, gs_real *x)
 {
   for (int k = 0; k < r; k++)
     {
-      double s = g[(int)piv[k] - 1];
+      gs_real s = g[(int)piv[k] - 1];
       for (int i = 0; i < k; i++)
         s -= y[i + ldy * k] * x[i];
       x[k] = s / y[k + ldy * k];
@@ -70,11 +71,11 @@ gs_forward (int r, const double *y, int ldy, const double *piv, const double *g,
 
 /* x of R*P'*x = c; c is destroyed */
 static inline void
-gs_backward (int r, const double *y, int ldy, const double *piv, double *c, double *x)
+gs_backward (int r, const gs_real *y, int ldy, const gs_real *piv, gs_real *c, gs_real *x)
 {
   for (int k = r - 1; k >= 0; k--)
     {
-      double s = c[k] / y[k + ldy * k];
+      gs_real s = c[k] / y[k + ldy * k];
       x[(int)piv[k] - 1] = s;
       gs_take (k, s, y + ldy * k, c);
     }

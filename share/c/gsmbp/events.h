@@ -4,8 +4,7 @@
 #ifndef GSMBP_EVENTS_H
 #define GSMBP_EVENTS_H
 
-#include <math.h>
-
+#include "gsmbp/real.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/system.h"
 
@@ -38,20 +37,20 @@ typedef struct
   int *on;        /* ns: 1 where the input is held */
   int *times;     /* ne: how many events a function has had */
   int *newest;    /* which one has had the last one, 0: none has */
-  double *g;      /* ne: event functions */
-  double *now;    /* ne, workspace of gsevn from here on: event functions at a place of a step, */
-  double *last;   /* ne: at the last point that was looked at, */
-  double *before; /* ne: at the one before, as marks go on, */
-  double *older;  /* ne: at the one before that */
-  double *xdn;    /* nx: rates at the end of the step */
-  double *z;      /* nx: the state at a place of a step */
-  double *end;    /* nx: the state at the end of the step that was done again */
-  double *record; /* (3+2*nx,nr): time, number, mode after, states before and after */
-  double *level;  /* ne: what a function of the user is at its last event but for rounding */
-  double *held;   /* ns: values of the inputs that are held */
-  double *first;  /* ne: when a function had its first event, where it has had one, */
-  double *latest; /* ne: and its last one */
-  double *told;   /* (8+nx,ne): what is remembered of the user's: gs_told */
+  gs_real *g;     /* ne: event functions */
+  gs_real *now;   /* ne, workspace of gsevn from here on: event functions at a place of a step, */
+  gs_real *last;  /* ne: at the last point that was looked at, */
+  gs_real *before; /* ne: at the one before, as marks go on, */
+  gs_real *older; /* ne: at the one before that */
+  gs_real *xdn;   /* nx: rates at the end of the step */
+  gs_real *z;     /* nx: the state at a place of a step */
+  gs_real *end;   /* nx: the state at the end of the step that was done again */
+  gs_real *record; /* (3+2*nx,nr): time, number, mode after, states before and after */
+  gs_real *level; /* ne: what a function of the user is at its last event but for rounding */
+  gs_real *held;  /* ns: values of the inputs that are held */
+  gs_real *first; /* ne: when a function had its first event, where it has had one, */
+  gs_real *latest; /* ne: and its last one */
+  gs_real *told;  /* (8+nx,ne): what is remembered of the user's: gs_told */
 } gs_events;
 
 /* What is remembered of an event function of the user: where this stands in its part of told. */
@@ -67,7 +66,7 @@ enum
 
 /* the plan of which ie and re are the arrays */
 static inline gs_events
-gs_events_of (int nx, int *ie, double *re)
+gs_events_of (int nx, int *ie, gs_real *re)
 {
   gs_events a;
   a.ne = ie[0];
@@ -138,7 +137,7 @@ gs_reports (const gs_events *a, int i)
 }
 
 /* what is remembered of function i (from 0) */
-static inline double *
+static inline gs_real *
 gs_told (const gs_events *a, int i)
 {
   return a->told + i * (GS_TOLD_STATE + a->nx);
@@ -147,9 +146,9 @@ gs_told (const gs_events *a, int i)
 /* has function i (from 0), which is g, risen above 0? One of the user must be above what rounding
  * errors make of 0. */
 static inline int
-gs_risen (const gs_events *a, int i, double g)
+gs_risen (const gs_events *a, int i, gs_real g)
 {
-  return g > 0.0 && (! gs_is_own (a, i) || g > gs_told (a, i)[GS_TOLD_RISEN]);
+  return g > 0 && (! gs_is_own (a, i) || g > gs_told (a, i)[GS_TOLD_RISEN]);
 }
 
 /* From when on events of function i (from 0), of the user, accumulate if it does not rise above 0
@@ -157,61 +156,61 @@ gs_risen (const gs_events *a, int i, double g)
  * has changed states and three intervals between them fell one after the other, after twice the
  * last one; where all three are within 1e-8 of the time, whatever their order, after ten times as
  * long (bounces that drown in rounding errors). Those that only report do not. */
-static inline double
+static inline gs_real
 gs_accumulates_from (const gs_events *a, int i)
 {
-  const double *told = gs_told (a, i), *t = told + GS_TOLD_TIMES;
+  const gs_real *told = gs_told (a, i), *t = told + GS_TOLD_TIMES;
   if (a->times[i] < 4 || gs_reports (a, i))
-    return 1e300;
-  const double all = t[0] - t[3];
-  double from = t[0] + 1e9 * all;
-  if (! (told[GS_TOLD_CHANGED] > 0.0))
+    return GS_HUGE;
+  const gs_real all = t[0] - t[3];
+  gs_real from = t[0] + GS_R (1e9) * all;
+  if (! (told[GS_TOLD_CHANGED] > 0))
     return from;
   if (t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3])
-    from = fmin (from, t[0] + 2.0 * (t[0] - t[1]));
-  return all < 1e-8 * fabs (t[0]) ? fmin (from, t[0] + 10.0 * all) : from;
+    from = gs_fmin (from, t[0] + 2 * (t[0] - t[1]));
+  return all < GS_R (1e-8) * gs_abs (t[0]) ? gs_fmin (from, t[0] + 10 * all) : from;
 }
 
 /* The mean interval of the last four events of function i (from 0), of the user; 0: there are not
  * so many. A step that goes past four of them behind the last event may hold more than it seems. */
-static inline double
+static inline gs_real
 gs_interval (const gs_events *a, int i)
 {
-  const double *t = gs_told (a, i) + GS_TOLD_TIMES;
-  return gs_is_own (a, i) && a->times[i] >= 4 ? (t[0] - t[3]) / 3.0 : 0.0;
+  const gs_real *t = gs_told (a, i) + GS_TOLD_TIMES;
+  return gs_is_own (a, i) && a->times[i] >= 4 ? (t[0] - t[3]) / 3 : 0;
 }
 
-static inline double
+static inline gs_real
 gs_repeats_until (const gs_events *a, int i)
 {
-  return gs_told (a, i)[GS_TOLD_TIMES] + 4.0 * gs_interval (a, i);
+  return gs_told (a, i)[GS_TOLD_TIMES] + 4 * gs_interval (a, i);
 }
 
 /* a step in which gsevn looks for events */
 typedef struct
 {
   int method;   /* as iopt[0]; 12: a step of gspsg, whose polynomial has the states within */
-  double t, h;  /* where the step begins, its length [s] */
-  double tn;    /* its end, on exit of gsevn the time of the event [s] */
+  gs_real t, h; /* where the step begins, its length [s] */
+  gs_real tn;   /* its end, on exit of gsevn the time of the event [s] */
   int side;     /* of tn: < 0 if a jump of the inputs may lie there */
-  double *x;    /* nx: the state at t */
-  double *xn;   /* nx: the state at tn */
-  double *f;    /* (nx,13): its stages, the first column are the rates at x; of gsdp8 columns 0
+  gs_real *x;   /* nx: the state at t */
+  gs_real *xn;  /* nx: the state at tn */
+  gs_real *f;   /* (nx,13): its stages, the first column are the rates at x; of gsdp8 columns 0
                  * and 5 to 12 stay where there is no event */
-  double tc, d; /* of gspsg: from tc - d to tc + d [s] */
+  gs_real tc, d; /* of gspsg: from tc - d to tc + d [s] */
   int ns;       /* ... with so many stages */
-  double off;   /* on exit of gsevn the error of the polynomial beside the tolerance where it is too
+  gs_real off;  /* on exit of gsevn the error of the polynomial beside the tolerance where it is too
                  * large, else 0 */
   int rows;     /* 1: outputs lie within the step, its polynomial must be within three tolerances */
-  double rows_off; /* ... gsdpq of it; where there is no event it is in columns 1 to 4 of f */
-  const double *wanted; /* a time behind which events are not, or a null pointer */
+  gs_real rows_off; /* ... gsdpq of it; where there is no event it is in columns 1 to 4 of f */
+  const gs_real *wanted; /* a time behind which events are not, or a null pointer */
 } gs_step;
 
 /* Is event function i (from 0) too fast for the points of a step, of which j has been looked at, so
  * that it may pass 0 between them? It was older, before and now at the last three, c and a apart;
  * from j = 3 on the point before was told. */
-int gsevf (const gs_events *p, int i, int j, double older, double before, double now, double c,
-           double a);
+int gsevf (const gs_events *p, int i, int j, gs_real older, gs_real before, gs_real now, gs_real c,
+           gs_real a);
 
 /* the first event within the step e; if there is one the step is done again up to it. found: its
  * number, 0 none, -1 the step is too long to see what happens, -2 it is
@@ -224,52 +223,52 @@ int gseva (const gs_system *g, gs_step *e, int *quiet);
 
 /* for gseva: the error of a cubic polynomial through both ends of a step, at the fraction b of it,
  * beside that in its middle */
-double gsevz (double b);
+gs_real gsevz (gs_real b);
 
 /* for gsevn: the polynomial of order 7 of the step e of gsdp8 into the columns 1 to 4 of its
  * stages; again: it was made again to another end, and is made as it was first; off: as gsdpq */
-int gsevy (const gs_system *g, const gs_step *e, int again, double *off);
+int gsevy (const gs_system *g, const gs_step *e, int again, gs_real *off);
 
 /* for gsevn: the first zero, at the fraction th, of an event function on the polynomial of e up to
  * the fraction be, in ns points; side at be; fine: 1 if these do not resolve a lowest value; fast:
  * 1 if one is too fast for them */
-int gsevl (const gs_system *g, const gs_step *e, double be, int ns, int side, int *found,
-           double *th, int *fine, int *fast);
+int gsevl (const gs_system *g, const gs_step *e, gs_real be, int ns, int side, int *found,
+           gs_real *th, int *fine, int *fast);
 
 /* for gsevl: the zero of function i between the fractions begin and *c, by the method of Illinois;
  * on exit it has fallen to 0 at *c */
-int gsevi (const gs_system *g, const gs_step *e, double begin, double *c, int i);
+int gsevi (const gs_system *g, const gs_step *e, gs_real begin, gs_real *c, int i);
 
 /* for gsevn: the step e once more, by the secant method as long as function i needs to be 0 at its
  * end; it starts at the fraction start. err: that of gsdp8, else 0; -1: it
  * does not fall to 0 on the step, though on its polynomial; its end is not changed */
-int gsevs (const gs_system *g, gs_step *e, int i, double start, double *err);
+int gsevs (const gs_system *g, gs_step *e, int i, gs_real start, gs_real *err);
 
 /* where function i is highest on the polynomial of the step e, on the way to its zero at the
    fraction th: of seven points the fraction tm of that way */
-int gsevm (const gs_system *g, const gs_step *e, int i, double th, double *tm);
+int gsevm (const gs_system *g, const gs_step *e, int i, gs_real th, gs_real *tm);
 
 /* event functions at the fraction b of the step e, on its polynomial, into the plan's now */
-int gsevb (const gs_system *g, const gs_step *e, double b, int side);
+int gsevb (const gs_system *g, const gs_step *e, gs_real b, int side);
 
 /* the point j of ns of a step, as a fraction of it; from 0 to -24 each is a quarter of the next */
-double gsevp (int j, int ns);
+gs_real gsevp (int j, int ns);
 
 /* the state z at the fraction b of the step e; xdn: the rates at its end; method 3, 5: of a step of
  * gsdp8 by gsevh, and by gsevc */
-void gsevx (int nx, const gs_step *e, double b, const double *xdn, double *z);
+void gsevx (int nx, const gs_step *e, gs_real b, const gs_real *xdn, gs_real *z);
 
 /* the cubic polynomial through the ends of a step of the length h, at the fraction b of it */
-void gsevh (int nx, double h, double b, const double *x, const double *xd, const double *xn,
-            const double *xdn, double *z);
+void gsevh (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xd, const gs_real *xn,
+            const gs_real *xdn, gs_real *z);
 
 /* from the state z of gsevh at the fraction b of a step of gsdp8, with the stages f (nx,13), that
  * of a polynomial of order 5: it has the rates of the stages 7 and 10 as well, at 1/4 and 3/5 */
-void gsevc (int nx, double h, double b, const double *x, const double *f, const double *xn,
-            const double *xdn, double *z);
+void gsevc (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *f, const gs_real *xn,
+            const gs_real *xdn, gs_real *z);
 
 /* event functions gv under the inputs of a run. info: that of the inputs */
-int gsevv (const gs_system *g, double t, int side, const double *x, const int *mode, double *gv);
+int gsevv (const gs_system *g, gs_real t, int side, const gs_real *x, const int *mode, gs_real *gv);
 
 /* before gsres acts at event k: which functions of the user have had their event just now; all of
  * them at the start */
@@ -277,11 +276,11 @@ void gsuse (const gs_events *a, int k);
 
 /* after event l of the user, which gsres met at event k: its level, the inputs in v that it
  * switches, whether it ends the run; g: its function before the event */
-void gsusl (const gs_events *a, int l, int k, double g, const double *v);
+void gsusl (const gs_events *a, int l, int k, gs_real g, const gs_real *v);
 
 /* functions g of the user from their levels on; a level that later events of the same instant have
  * left is none */
-void gsusd (const gs_events *a, double *g);
+void gsusd (const gs_events *a, gs_real *g);
 
 /* the plan's now from the levels of the functions of the user on */
 void gsusg (const gs_events *a);
@@ -291,184 +290,185 @@ void gsusg (const gs_events *a);
 void gsusc (const gs_events *a);
 
 /* before event i of the user at the time t, and behind it: the state x is remembered */
-void gsusb (const gs_events *a, int i, double t, const double *x);
-void gsusa (const gs_events *a, int i, const double *x);
+void gsusb (const gs_events *a, int i, gs_real t, const gs_real *x);
+void gsusa (const gs_events *a, int i, const gs_real *x);
 
 /* Behind its last event: does function i (from 0) rise, as one does that was thrown back, or does
  * it go on falling (0)? fell: how fast it has since, in the mean; d: a small time. */
-int gsusf (const gs_system *s, const gs_events *a, int i, double fell, double d);
+int gsusf (const gs_system *s, const gs_events *a, int i, gs_real fell, gs_real d);
 
 /* After a step of the length h from t, without an event or up to that of function but: do events of
  * the user accumulate? g (ne): their functions at the end. 10, and istat says so, or 0. */
 /* in how many points event functions must be looked at in a step from t to t + h: 8, where it goes
    past gs_repeats_until 8 for each interval that it may hold; intervals of 1e-9 of the time are
    those of events that accumulate */
-int gsusn (const gs_events *a, double t, double h);
-int gsusz (const gs_system *s, const gs_events *a, double t, double h, int but, const double *g);
+int gsusn (const gs_events *a, gs_real t, gs_real h);
+int gsusz (const gs_system *s, const gs_events *a, gs_real t, gs_real h, int but, const gs_real *g);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
  * what failed, as istat[5] and istat[6] */
-int gsevr (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-           double *v, double *w, int *istat, int k);
+int gsevr (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
+           const gs_real *cst, gs_real *v, gs_real *w, int *istat, int k);
 
 /* gsres within a run; info: what failed, as istat[5] and istat[6]; istat[18]: the event that did */
-int gsevk (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-           double *v, int *istat, int k);
+int gsevk (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
+           const gs_real *cst, gs_real *v, int *istat, int k);
 
 /* the end of a run: an event of the user that lies at t itself, or that inputs which jump there
  * bring about; v, written: the inputs there from the left, behind an event from the right.
  * info: as gsevr */
-int gsend (const gs_scene *s, double t, double *x, int nx, int *ip, double *rp, const double *cst,
-           double *v, double *w, int *istat);
+int gsend (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
+           const gs_real *cst, gs_real *v, gs_real *w, int *istat);
 
 /* before what event functions of the user are at t counts, where a sampled device acts at t, too:
  * one that is not above 0, but is so behind that, has no event. v: workspace */
-void gsent (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
-            const double *cst, double *v, double *w, int *istat);
+void gsent (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
+            const gs_real *cst, gs_real *v, gs_real *w, int *istat);
 
 /* the other side of gsent, where a run begins: a function that a switch or a jump at t alone brings
  * above 0, before a sampled device acts at t, has not been above 0. v: the inputs from the right */
-void gsenb (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
-            const double *cst, double *v, double *w);
+void gsenb (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
+            const gs_real *cst, gs_real *v, gs_real *w);
 
 /* for gsend: the first event function of the user that has been above 0 since its last event and is
  * not at t; 0: none; -1: none has been above 0 */
-int gsenf (const gs_scene *s, const gs_events *a, double t, const double *x, const double *v,
-           const double *cst);
+int gsenf (const gs_scene *s, const gs_events *a, gs_real t, const gs_real *x, const gs_real *v,
+           const gs_real *cst);
 
 /* event k (0 the start, -1 inputs may have jumped) and those that follow from it at the same
  * instant. info: that of rst; 13: as gsrsg; 9: more than 100 events at one instant (does
  * friction fall within a speed vs below the tolerance of the speeds? remedy: a larger vs, or method
  * "dp853") */
-int gsres (const gs_scene *s, double t, double *x, int nx, double *v, const double *cst, int k,
-           int *ie, double *re);
+int gsres (const gs_scene *s, gs_real t, gs_real *x, int nx, gs_real *v, const gs_real *cst, int k,
+           int *ie, gs_real *re);
 
 /* do the modes that are given at the start agree with the state? info: that of rst; 13: the one in
  * a->ended does not */
-int gsrsg (const gs_scene *s, const gs_events *a, double t, double *x, double *v,
-           const double *cst);
+int gsrsg (const gs_scene *s, const gs_events *a, gs_real t, gs_real *x, gs_real *v,
+           const gs_real *cst);
 
 /* which of the n entries of a row, from 1, is not 0; 0: none, or several */
-int gsone (int n, const double *row, int ldr);
+int gsone (int n, const gs_real *row, int ldr);
 
 /* event functions gv of k ports, above 0 where nothing happens; prm (4,k) as GSEVT */
-void gsevt (int k, const int *kind, const int *mode, const double *s, const double *sd,
-            const double *prm, const double *hold, double *gv);
+void gsevt (int k, const int *kind, const int *mode, const gs_real *s, const gs_real *sd,
+            const gs_real *prm, const gs_real *hold, gs_real *gv);
 
 /* what happens at event l (0 the start, -1 what sticks comes to rest): modes change, speeds u jump;
  * a (lda,n), h (ldh,n) with m constraints and k ports. w: 2*n*n + 2*n*(m+k) + (m+k)**2 + 4*n +
  * 9*(m+k). info: 1 singular mass matrix */
-int gsrst (int n, int m, int k, int l, const int *kind, int *mode, const double *s,
-           const double *sd, const double *prm, const double *hold, const double *a, int lda,
-           const double *h, int ldh, const double *phit, double *u, double *w);
+int gsrst (int n, int m, int k, int l, const int *kind, int *mode, const gs_real *s,
+           const gs_real *sd, const gs_real *prm, const gs_real *hold, const gs_real *a, int lda,
+           const gs_real *h, int ldh, const gs_real *phit, gs_real *u, gs_real *w);
 
 /* the travel of a stop, prm as gsevt has it, that errors at the end nearer to s are beside */
-double gstvl (double s, const double *prm);
+gs_real gstvl (gs_real s, const gs_real *prm);
 
 /* how near to an end of a stop, prm as gsevt has it, a port at rest is at it */
-double gsate (double s, const double *prm);
+gs_real gsate (gs_real s, const gs_real *prm);
 
 /* the impulse of gsrst after which the speed of port l is v (l = 0: of none, and ports that stick
  * are at rest as well). info: as gskkt */
-int gsimp (int n, int m, int k, int l, double v, const int *kind, int *mode, const double *a,
-           int lda, const double *h, int ldh, const double *phit, double *u, double *w);
+int gsimp (int n, int m, int k, int l, gs_real v, const int *kind, int *mode, const gs_real *a,
+           int lda, const gs_real *h, int ldh, const gs_real *phit, gs_real *u, gs_real *w);
 
 /* accelerations ud, multipliers lam (m) where the ports with act = 1 are held, by the efforts hold
  * (k), +-1e30 where none can; rows of h (m+k,n) that are not active are overwritten. w: n*n +
  * n*(m+k) + (m+k)**2 + 4*n + 8*(m+k). info: as gskkt, dependent ports are no failure */
-int gsstk (int n, int m, int k, const double *a, int lda, double *h, int ldh, const double *f,
-           double *g, const int *act, double *ud, double *lam, double *hold, double *w);
+int gsstk (int n, int m, int k, const gs_real *a, int lda, gs_real *h, int ldh, const gs_real *f,
+           gs_real *g, const int *act, gs_real *ud, gs_real *lam, gs_real *hold, gs_real *w);
 
 /* free: 1 if an effort along row p (from 1) of h can change a speed that the first m rows leave
  * free, else 0 */
-void gsfre (int n, int m, const double *a, int lda, const double *h, int ldh, int p, double *w,
+void gsfre (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, int p, gs_real *w,
             int *free);
 
 /* the nh ports of a scene that may be held, as mode (nh) has them; kind (nh): 1 friction, 2 a stop;
  * ipl (nh): the places of the modes in v, from 1. vm (nv): v with these modes; hold (nh): what
  * holds the ports, 0 where nothing does; row (nh,nu), pos, sd (nh), prm (4,nh) as hld gives them;
  * workspace: ud (nu), lam (nlam, at least 1) */
-void gshld (const gs_scene *s, double t, const double *x, const double *v, const int *mode,
-            const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
-            double *lam, double *hold, double *row, double *pos, double *sd, double *prm);
+void gshld (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, const int *mode,
+            const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *vm, gs_real *ud,
+            gs_real *lam, gs_real *hold, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm);
 
 /* where friction at rest slides against its push, or a stop is pushed against at rest, the first
  * such mode is changed. Arguments as gshld */
-void gsrsf (const gs_scene *s, double t, const double *x, const double *v, int *mode,
-            const double *cst, int nh, const int *kind, const int *ipl, double *vm, double *ud,
-            double *lam, double *hold, double *row, double *pos, double *sd, double *prm);
+void gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mode,
+            const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *vm, gs_real *ud,
+            gs_real *lam, gs_real *hold, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm);
 
 /* 1 if another port is held that moves as port i (from 0) does, else 0 */
-int gshlj (int nu, int nh, int i, const int *kind, const int *mode, const double *row);
+int gshlj (int nu, int nh, int i, const int *kind, const int *mode, const gs_real *row);
 
 /* modes that contradict the state are changed to what it says. Arguments as gshld, u (nu): the
  * speeds */
-void gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const double *row,
-            const double *s, const double *sd, const double *prm, const double *u);
+void gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const gs_real *row,
+            const gs_real *s, const gs_real *sd, const gs_real *prm, const gs_real *u);
 
 /* the state x is moved to where the ports that are held are held; row, pos, sd, prm: workspace as
  * gshld has them; a, h, phit, u, w: that of gsipt. info as con and gskkt, x moved in part */
-int gshpj (const gs_scene *s, double t, double *x, const double *v, const double *cst, int nh,
-           const int *kind, const int *mode, double *row, double *pos, double *sd, double *prm,
-           double *a, double *h, double *phit, double *u, double *w);
+int gshpj (const gs_scene *s, gs_real t, gs_real *x, const gs_real *v, const gs_real *cst, int nh,
+           const int *kind, const int *mode, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm,
+           gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w);
 
 /* ... behind a step (method 4: of gsrk4) of a run with the tolerances rtol and atol (nx), v its
  * inputs at t, by no more than the errors of steps; 1 if x was moved, else 0 */
-int gsevo (const gs_scene *s, int method, double t, double *x, int nx, int *ip, double *rp,
-           const double *cst, double *v, double rtol, const double *atol);
+int gsevo (const gs_scene *s, int method, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
+           const gs_real *cst, gs_real *v, gs_real rtol, const gs_real *atol);
 
 /* what happens at event k of a scene, as l of gsrst; -3: gsrsf; -4: gsrsm; -5: gshpj. The modes in
  * mode and in v change, the speeds in x jump. w: 3*nu*nu + 3*nu*(nlam+nh) + nh*nu + (nlam+nh)**2 +
  * nv + nq + 6*nu + 14*(nlam+nh) + 10*nh + 4. info: as con and gsrst */
-int gsipt (const gs_scene *s, double t, double *x, double *v, int *mode, int k, const double *cst,
-           int nh, const int *kind, const int *ipl, double *w);
+int gsipt (const gs_scene *s, gs_real t, gs_real *x, gs_real *v, int *mode, int k,
+           const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *w);
 
 /* for gsipt: the mass matrix a (nu,nu), the Jacobian h (nlam+nh,nu) of the loops with the rows row
  * (nh,nu) of the ports below, phit (nlam), the speeds u; w: nq + 2*nlam */
-int gsipm (const gs_scene *s, double t, const double *x, const double *cst, int nh,
-           const double *row, double *a, double *h, double *phit, double *u, double *w);
+int gsipm (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, int nh,
+           const gs_real *row, gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w);
 
 /* derivatives g (nc) of event function k of gsevt: d (6*nh,nc) those of pos, sd, prm of each port,
  * z (n+nh,nc) behind n rows those of hold, read where port k is held */
-void gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const double *s,
-            const double *prm, const double *hold, const double *d, const double *z, double *g);
+void gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const gs_real *s,
+            const gs_real *prm, const gs_real *hold, const gs_real *d, const gs_real *z,
+            gs_real *g);
 
 /* gsjac with the rows of nh ports behind those of the constraints; act (nh): 1 held, 0 on exit
  * where others hold it already. info: 2 the constraints are dependent, 3 ports are: their efforts
  * are not unique */
-int gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const double *lm, const double *lb,
-           const double *lc, double *k, double *z, int *iw);
+int gshjc (int nu, int nlam, int nh, int nq, int nz, int *act, const gs_real *lm, const gs_real *lb,
+           const gs_real *lc, gs_real *k, gs_real *z, int *iw);
 
 /* for gshjc: the first l rows of m columns of a (n,*) to the leading dimension l (way 1), or back
  * (-1) */
-void gshjp (int n, int l, int m, double *a, int way);
+void gshjp (int n, int l, int m, gs_real *a, int way);
 
 /* for gshjc: how many ports others hold already; their act becomes 0 */
-int gshjd (int nu, int nlam, int nh, int *act, double *k);
+int gshjd (int nu, int nlam, int nh, int *act, gs_real *k);
 
 /* derivatives r (nu,nc) of the speeds after event k, by coordinates, speeds before, parameters,
  * time, where they do not jump (hit -1); else hit, the port that is hit or 0, the jump ud (nu) of
  * the speeds and the impulses p (nu+nlam+nh places) for gsipc. ua, ma: speeds and modes after;
  * workspace c (n,n), iw (n), n = nu+nlam+nh. info: 2 the rows are dependent */
 int gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const int *mode,
-           const int *ma, const double *s, const double *sd, const double *prm, const double *x,
-           const double *ua, const double *row, const double *a, const double *h,
-           const double *phit, double *c, double *p, double *ud, int *iw, double *r, int *hit);
+           const int *ma, const gs_real *s, const gs_real *sd, const gs_real *prm, const gs_real *x,
+           const gs_real *ua, const gs_real *row, const gs_real *a, const gs_real *h,
+           const gs_real *phit, gs_real *c, gs_real *p, gs_real *ud, int *iw, gs_real *r, int *hit);
 
 /* 1 if port i (from 1) takes part in the impact k of gsipb, else 0 */
 int gsipa (int i, int k, const int *kind, const int *ma);
 
 /* the matrix c (n,n) of the impact of gsipb; a port that does not take part has no impulse */
-void gsipk (int nu, int nlam, int nh, int k, const int *kind, const int *ma, const double *row,
-            const double *a, const double *h, double *c);
+void gsipk (int nu, int nlam, int nh, int k, const int *kind, const int *ma, const gs_real *row,
+            const gs_real *a, const gs_real *h, gs_real *c);
 
 /* behind gsipb those of an impact, from d (6*nh,nxv+np+1), as of gsevg, and e (n,nq+np+1), the
  * derivatives of its equations by coordinates, parameters, time; workspace c (n,n), b
  * (n,nq+nu+np+1). info: as gsipb */
 int gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const int *kind,
-           const int *ma, const double *sd, const double *prm, const double *row, const double *a,
-           const double *h, const double *d, const double *e, double *c, double *b, int *iw,
-           double *r);
+           const int *ma, const gs_real *sd, const gs_real *prm, const gs_real *row,
+           const gs_real *a, const gs_real *h, const gs_real *d, const gs_real *e, gs_real *c,
+           gs_real *b, int *iw, gs_real *r);
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,8 @@
 #ifndef GSMBP_EXPRESSIONS_H
 #define GSMBP_EXPRESSIONS_H
 
+#include "gsmbp/real.h"
+
 /* no turn of the loop behind it needs another */
 #if defined(__GNUC__) && ! defined(__clang__)
 #define GS_EACH_STATE _Pragma ("GCC ivdep")
@@ -11,33 +13,33 @@
 #define GS_EACH_STATE
 #endif
 
-static inline double
-gs_max (double a, double b)
+static inline gs_real
+gs_max (gs_real a, gs_real b)
 {
   return a > b ? a : b;
 }
 
-static inline double
-gs_min (double a, double b)
+static inline gs_real
+gs_min (gs_real a, gs_real b)
 {
   return a < b ? a : b;
 }
 
-static inline double
-gs_square (double x)
+static inline gs_real
+gs_square (gs_real x)
 {
   return x * x;
 }
 
 /* x to the power n >= 1: the product of the powers n - k and k, k from the table of addition chains
  * that gcc has (tree-ssa-math-opts.c) */
-static inline double
-gs_power (double x, int n)
+static inline gs_real
+gs_power (gs_real x, int n)
 {
   static const signed char part[33]
       = { 0,  1,  1,  2,  2,  3,  3,  4,  4,  6,  5,  6,  6,  10, 7,  9, 8,
           16, 16, 16, 10, 12, 11, 13, 12, 17, 13, 18, 14, 24, 15, 26, 16 };
-  double power[33] = { 1.0, x }, rest = 1.0;
+  gs_real power[33] = { 1, x }, rest = 1;
   for (; n > 32; n /= 2)
     {
       if (n % 2 == 1)

@@ -3,51 +3,53 @@
 #ifndef GSMBP_FUNCTIONS_H
 #define GSMBP_FUNCTIONS_H
 
+#include "gsmbp/real.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 /* the distance from 1 to the next larger number */
-double gseps (void);
+gs_real gseps (void);
 
 /* the time that stands for t: with side < 0 one just before it, else t itself */
-double gslft (double t, int side);
+gs_real gslft (gs_real t, int side);
 
 /* 0 if the n entries of x are finite, else the number of the first that is not, counted from 1 */
-int gsfin (int n, const double *x);
+int gsfin (int n, const gs_real *x);
 
 /* the largest whole number that is not above x */
-double gsflr (double x);
+gs_real gsflr (gs_real x);
 
 /* the ns points c of Gauss between -1 and 1, rising, and their weights wt; ns = 2, 8 or
  * 12 */
-void gsgln (int ns, double *c, double *wt);
+void gsgln (int ns, gs_real *c, gs_real *wt);
 
 /* the polynomials p of Legendre of degrees 0 to n-1 at x, n >= 2 */
-void gslgp (int n, double x, double *p);
+void gslgp (int n, gs_real x, gs_real *p);
 
 /* weights b (ns): sum b[k]*f(c[k]) = integral from ca to cb of the polynomial through f at the
  * points of gsgln */
-void gsglq (int ns, const double *c, const double *wt, double ca, double cb, double *b);
+void gsglq (int ns, const gs_real *c, const gs_real *wt, gs_real ca, gs_real cb, gs_real *b);
 
 /* weights b (n): the same of the polynomial through f at the places z (n) next to cb, seven at
  * most; the other b are 0 */
-void gslgi (int n, const double *z, double ca, double cb, double *b);
+void gslgi (int n, const gs_real *z, gs_real ca, gs_real cb, gs_real *b);
 
 /* sine s and cosine c of the angle x [rad] */
-void gssc (double x, double *s, double *c);
+void gssc (gs_real x, gs_real *s, gs_real *c);
 
 /* the same by the library, where gssc cannot */
-void gsscl (double x, double *s, double *c);
+void gsscl (gs_real x, gs_real *s, gs_real *c);
 
 /* sines s and cosines c of n blocks of eight angles x, (8,n) all */
-void gsscv (int n, const double *x, double *s, double *c);
+void gsscv (int n, const gs_real *x, gs_real *s, gs_real *c);
 
 /* angles a of n blocks of eight points (x,y), (8,n) all, as atan2 (y, x) [rad] */
-void gsatv (int n, const double *y, const double *x, double *a);
+void gsatv (int n, const gs_real *y, const gs_real *x, gs_real *a);
 
 /* the same of one point by the library */
-void gsatl (double y, double x, double *a);
+void gsatl (gs_real y, gs_real x, gs_real *a);
 
 #ifdef __cplusplus
 }

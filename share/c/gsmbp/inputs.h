@@ -5,6 +5,7 @@
 #ifndef GSMBP_INPUTS_H
 #define GSMBP_INPUTS_H
 
+#include "gsmbp/real.h"
 #include "gsmbp/scene.h"
 
 #include <stddef.h>
@@ -47,22 +48,22 @@ typedef struct
   int *anew;           /* nc: 1 if y is to be computed anew for it after others acted */
   int *input;          /* nh: the numbers of the inputs, device by device */
   int *sender;         /* np: the number of the device, 0 where the place is free */
-  double *period;      /* nc [s] */
-  double *delay;       /* nc [s] */
-  double *value;       /* nh: held outputs */
-  double *memory;      /* nxk */
-  double *y;           /* ny, workspace */
-  double *v;           /* nv, workspace */
-  double *when;        /* np: when outputs arrive [s] */
-  double *sent;        /* (nh,np): these outputs */
-  double *record;      /* (1+nxk+nv,ns): time, memory, inputs */
+  gs_real *period;     /* nc [s] */
+  gs_real *delay;      /* nc [s] */
+  gs_real *value;      /* nh: held outputs */
+  gs_real *memory;     /* nxk */
+  gs_real *y;          /* ny, workspace */
+  gs_real *v;          /* nv, workspace */
+  gs_real *when;       /* np: when outputs arrive [s] */
+  gs_real *sent;       /* (nh,np): these outputs */
+  gs_real *record;     /* (1+nxk+nv,ns): time, memory, inputs */
   int *kept;           /* 1+nc+np, workspace: count, next and sender */
-  double *keeps;       /* nh+nxk + np*(1+nh), workspace: value and memory, when and sent */
+  gs_real *keeps;      /* nh+nxk + np*(1+nh), workspace: value and memory, when and sent */
 } gs_samples;
 
 /* the plan of which is and rs are the arrays */
 static inline gs_samples
-gs_samples_of (int nv, int *is, double *rs)
+gs_samples_of (int nv, int *is, gs_real *rs)
 {
   gs_samples a;
   a.nc = is[0];
@@ -94,43 +95,43 @@ gs_samples_of (int nv, int *is, double *rs)
 
 /* the inputs v (nv) at t; side < 0: from the left at a jump. w: 2*nu*(r+1) + 5*nx + nv*nx + 20, its
  * first nu*(r+1) entries hold the planned motion. info: what cmd, clo or vin returned */
-int gsinp (const gs_scene *s, double t, int side, const double *x, int nx, const int *ip,
-           const double *rp, const double *cst, double *v, double *w);
+int gsinp (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
+           const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w);
 
 /* planned motion qj (nu,0:r) of a closed chain at t, of which na coordinates, numbers ipl, are
  * planned: the others by clo, on one branch. w: time of qj, 1 or 0 (qj is a guess), na*(r+1) + 2*nu
  * more. info: -i from gspln, what clo returned, 2 if the chain cannot follow */
-int gsfol (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int np, int k,
-           const double *brk, const double *coef, const double *cst, double *qj, double *w);
+int gsfol (const gs_scene *s, gs_real t, int side, int r, int na, const int *ipl, int np, int k,
+           const gs_real *brk, const gs_real *coef, const gs_real *cst, gs_real *qj, gs_real *w);
 
 /* the planned coordinates and their derivatives into their rows of qj; f (na,0:r) is workspace.
  * info: -i from gspln */
-int gsppl (double t, int side, int nu, int r, int na, const int *ipl, int np, int k,
-           const double *brk, const double *coef, double *f, double *qj);
+int gsppl (gs_real t, int side, int nu, int r, int na, const int *ipl, int np, int k,
+           const gs_real *brk, const gs_real *coef, gs_real *f, gs_real *qj);
 
 /* coordinates and speeds w (2*nu) back into qj */
-void gsbak (int nu, const double *w, double *qj);
+void gsbak (int nu, const gs_real *w, gs_real *qj);
 
 /* nc polynomials of np pieces of k coefficients, coef (nc,np,k), the highest power first, and nd
  * derivatives at t: f (ldf,0:nd). info: 1 outside, the end value is held; -i argument i */
-int gspln (int nc, int np, int k, const double *brk, const double *coef, double t, int side,
-           int nd, double *f, int ldf);
+int gspln (int nc, int np, int k, const gs_real *brk, const gs_real *coef, gs_real t, int side,
+           int nd, gs_real *f, int ldf);
 
 /* sampled devices at one instant: held outputs of v are set. info: that of out, or -1: no place for
  * an output on its way */
-int gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *v, int *is,
-           double *rs);
+int gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *v, int *is,
+           gs_real *rs);
 
 /* what an instant changes in the plan of the samples is kept (back = 0), or as it was kept */
-void gskep (int back, int nv, int *is, double *rs);
+void gskep (int back, int nv, int *is, gs_real *rs);
 
 /* sampled devices at a stop of a run; ts: when one acts or gives out next [s]; acted: 1 if
  * something was due. info: what failed, as istat[5] and istat[6] */
-int gsdue (const gs_scene *s, double t, const double *x, int nx, int *ip, double *rp,
-           const double *cst, double *v, double *w, int *istat, double *ts, int *acted);
+int gsdue (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
+           const gs_real *cst, gs_real *v, gs_real *w, int *istat, gs_real *ts, int *acted);
 
 /* the next time at which a sampled device acts or gives out [s] */
-double gsnxt (int nv, int *is, double *rs);
+gs_real gsnxt (int nv, int *is, gs_real *rs);
 
 #ifdef __cplusplus
 }

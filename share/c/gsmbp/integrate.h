@@ -5,6 +5,7 @@
 #ifndef GSMBP_INTEGRATE_H
 #define GSMBP_INTEGRATE_H
 
+#include "gsmbp/real.h"
 #include "gsmbp/system.h"
 
 #ifdef __cplusplus
@@ -28,43 +29,43 @@ enum
 /* a step of gsdp8 with its polynomial, see gsdpv */
 typedef struct
 {
-  double t, h;        /* where it begins, its length [s] */
-  const double *x;    /* nx: the state at t */
-  const double *xn;   /* nx: the state at t + h */
-  const double *f;    /* (nx,13): as gsdpd has left it */
+  gs_real t, h;       /* where it begins, its length [s] */
+  const gs_real *x;   /* nx: the state at t */
+  const gs_real *xn;  /* nx: the state at t + h */
+  const gs_real *f;   /* (nx,13): as gsdpd has left it */
 } gs_dense;
 
 /* the arguments of GSSIM beside the scene; what SIZ and TIM hold has names of its own */
 typedef struct
 {
   int nx;             /* states, s->nx, or s->nx + 2 with an audit */
-  double t0;          /* initial time [s] */
-  const double *x0;   /* nx: initial state */
+  gs_real t0;         /* initial time [s] */
+  const gs_real *x0;  /* nx: initial state */
   int nt;             /* output times */
-  const double *tout; /* nt: rising, tout[0] >= t0 [s] */
+  const gs_real *tout; /* nt: rising, tout[0] >= t0 [s] */
   int nb;             /* breaks */
-  const double *tbrk; /* nb: rising, times at which the inputs may jump [s]; gssim stops
+  const gs_real *tbrk; /* nb: rising, times at which the inputs may jump [s]; gssim stops
                          where the scene switches by itself */
   const int *iopt;    /* 6 + iopt[5]: method (4, 8, 9), way of the loops (1 .. 6), 1 to record the
                          drift, most steps (0: any), 1 to watch for singular positions, number of
                          constraints on speeds alone, then their numbers from 1 */
-  const double *ropt; /* 3: step [s] (method 8: the first one, or 0), relative tolerance, largest
+  const gs_real *ropt; /* 3: step [s] (method 8: the first one, or 0), relative tolerance, largest
                          step [s] or 0 */
-  const double *atol; /* nx: absolute tolerances, in the units of the states (method 8) */
+  const gs_real *atol; /* nx: absolute tolerances, in the units of the states (method 8) */
   int *ip;            /* the inputs and the plans of the samples and of the events, see inputs.h; */
-  double *rp;         /* next samples, held outputs, memories and modes go on in them */
-  const double *cst;  /* from <name>_pre */
-  double *xout;       /* (ldx,nt): states at the output times */
+  gs_real *rp;        /* next samples, held outputs, memories and modes go on in them */
+  const gs_real *cst; /* from <name>_pre */
+  gs_real *xout;      /* (ldx,nt): states at the output times */
   int ldx;            /* >= nx */
-  double *vout;       /* (ldv,nt): inputs there, from the left, but at t0; where the scene switches
+  gs_real *vout;      /* (ldv,nt): inputs there, from the left, but at t0; where the scene switches
                          at t the outputs of the same side are those of <name>_out at
                          gslft (t, -1), functions.h */
   int ldv;            /* >= max(1,nv) */
   int istat[20];      /* statistics, written */
-  double rstat[20];
-  double *w;          /* lw: workspace; first nu entries: the guess of the planned motion */
+  gs_real rstat[20];
+  gs_real *w;         /* lw: workspace; first nu entries: the guess of the planned motion */
   int lw;             /* >= gs_room */
-  double beyond;      /* method 8: the last step may end so far behind the last output time [s];
+  gs_real beyond;     /* method 8: the last step may end so far behind the last output time [s];
                          0: it ends there, as always in the GSSIM of Fortran */
   gs_dense last;      /* written where it did, else its h is 0; it lies in w */
 } gs_run;
@@ -73,17 +74,17 @@ typedef struct
  * step to the next */
 typedef struct
 {
-  double tc, d;      /* the step is from tc - d to tc + d; d = 0: there is none [s] */
+  gs_real tc, d;     /* the step is from tc - d to tc + d; d = 0: there is none [s] */
   int ns;            /* stages, 8 or 12 */
-  double tv[3];      /* the last jump of the inputs and the next one; if tv[2] > 0 inputs are
+  gs_real tv[3];     /* the last jump of the inputs and the next one; if tv[2] > 0 inputs are
                         continued beyond them by no more than that time [s] */
-  double err;        /* the estimated error beside the tolerance */
-  double eit;        /* what the last iteration moved: rounding errors, if not below 0.02 */
-  double tmin, smin; /* where the least pivot is least [s], and its value there */
-  double not_before; /* no passage is tried before this time [s] */
-  double counted;    /* ... none is counted [s] */
-  double share;      /* of the length that is tried */
-  double turn;       /* in this time the constraints turn by 1.2 rad [s] */
+  gs_real err;       /* the estimated error beside the tolerance */
+  gs_real eit;       /* what the last iteration moved: rounding errors, if not below 0.02 */
+  gs_real tmin, smin; /* where the least pivot is least [s], and its value there */
+  gs_real not_before; /* no passage is tried before this time [s] */
+  gs_real counted;   /* ... none is counted [s] */
+  gs_real share;     /* of the length that is tried */
+  gs_real turn;      /* in this time the constraints turn by 1.2 rad [s] */
   int begin;         /* 1 in a singular position where the run starts, -1 behind an event, 0 */
 } gs_passage;
 
@@ -92,28 +93,28 @@ typedef struct
 {
   gs_system g;
   gs_run *run;
-  double t;           /* the time [s], */
-  double *x;          /* nx: the state, */
-  double *xn;         /* nx: and the next one; the two change places */
-  double *f;          /* (nx,13): stages */
-  double *fn;         /* 3*nx: rates */
-  double *hc;         /* (nlam,nu): a Jacobian of the constraints */
-  double hmax;        /* the largest step [s] */
+  gs_real t;          /* the time [s], */
+  gs_real *x;         /* nx: the state, */
+  gs_real *xn;        /* nx: and the next one; the two change places */
+  gs_real *f;         /* (nx,13): stages */
+  gs_real *fn;        /* 3*nx: rates */
+  gs_real *hc;        /* (nlam,nu): a Jacobian of the constraints */
+  gs_real hmax;       /* the largest step [s] */
   int it, ib;         /* the next output time and the next break, from 0 */
-  double tb;          /* the next stop [s] */
-  double until;       /* tb, or the time behind it up to which a step may go [s] */
+  gs_real tb;         /* the next stop [s] */
+  gs_real until;      /* tb, or the time behind it up to which a step may go [s] */
   int strict;         /* 1: the next one must, for behind it is an event, or something fails */
-  double tend;        /* the next break, sample or end of the run [s] */
-  double ts;          /* the next sample [s] */
-  double *switches;   /* nsw: times at which the scene switches [s] */
+  gs_real tend;       /* the next break, sample or end of the run [s] */
+  gs_real ts;         /* the next sample [s] */
+  gs_real *switches;  /* nsw: times at which the scene switches [s] */
   int side;           /* -1 if the next stop is a break or a sample, else 1 */
-  double next;        /* M(1) the next step, 0 before the first one [s] */
-  double last;        /* M(2) the last one [s] */
-  double near;        /* M(3) the share of the least pivot below which GSPRT helps */
-  double far;         /* M(4) the next step far from singular positions [s] */
-  double job;         /* M(5) p[0] as the way of the loops wants it */
-  double loose;       /* M(6) the relative tolerance close to singular positions */
-  double close;       /* M(7) how small the pivot may be where a step ends */
+  gs_real next;       /* M(1) the next step, 0 before the first one [s] */
+  gs_real last;       /* M(2) the last one [s] */
+  gs_real near;       /* M(3) the share of the least pivot below which GSPRT helps */
+  gs_real far;        /* M(4) the next step far from singular positions [s] */
+  gs_real job;        /* M(5) p[0] as the way of the loops wants it */
+  gs_real loose;      /* M(6) the relative tolerance close to singular positions */
+  gs_real close;      /* M(7) how small the pivot may be where a step ends */
   int fresh;          /* LM(1) 1 if the rates at x are to be computed, 2 if gsdpd left them */
   int after;          /* LM(2) 1 if the last step was one of GSDP8 */
   int repeated;       /* LM(3) steps that were repeated for the pivot, */
@@ -131,8 +132,8 @@ int gs_room (const gs_scene *s, int nx, int r);
 int gsarg (const gs_scene *s, const gs_run *run);
 
 /* the next time at which inputs may jump or the scene switches, above 1e300: none; the last one */
-double gs_next_break (const gs_course *c);
-double gs_last_break (const gs_course *c);
+gs_real gs_next_break (const gs_course *c);
+gs_real gs_last_break (const gs_course *c);
 
 /* workspace, state, partition and memory of a run; statistics are 0 */
 void gsini (const gs_scene *s, gs_run *run, gs_course *c);
@@ -158,119 +159,121 @@ int gsdpf (gs_course *c);
 /* one trial step of gsdp8 of the length htry or less, onto the constraints and up to an event in
  * it, the outputs within it, and the length of the next one; taken: 1 if it was good. info as
  * gssim: 0, 1, 2, 3 */
-int gsdpt (gs_course *c, double htry, int *taken);
+int gsdpt (gs_course *c, gs_real htry, int *taken);
 
 /* before a trial step of the length h: the partition that its stages need. info as gssim: 0, 3 */
-int gsdpp (gs_course *c, double h);
+int gsdpp (gs_course *c, gs_real h);
 
 /* after a good step to tn: xn onto the constraints, but by no jump. info as gschk */
-int gsdpc (gs_course *c, double tn);
+int gsdpc (gs_course *c, gs_real tn);
 
 /* how far a coordinate, jump[0], and a speed, jump[1], may be moved after the step from x to xn */
-void gsjmp (int nq, int nu, const double *x, const double *xn, double rtol, const double *atol,
-            double *jump);
+void gsjmp (int nq, int nu, const gs_real *x, const gs_real *xn, gs_real rtol, const gs_real *atol,
+            gs_real *jump);
 
 /* one step of the classical Runge-Kutta method from x at t to xn at tn, which is t + h as the
  * caller rounds it; side < 0: a jump of the inputs may lie there. w: 3*nx. info as gsfun, as
  * below */
-int gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *x, double *xn,
-           double *w);
+int gsrk4 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, gs_real *x, gs_real *xn,
+           gs_real *w);
 
 /* one trial step of Dormand and Prince of order 8, as gsrk4; err: the error beside the tolerance,
  * good if <= 1. w (nx,13): column 0 the rates at x, on entry */
-int gsdp8 (const gs_system *g, double t, double tn, int side, double h, const double *x,
-           double *xn, double *err, double *w);
+int gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
+           gs_real *xn, gs_real *err, gs_real *w);
 
 /* behind a step of gsdp8, arguments as there, its polynomial of order 7: f (nx,13): on entry its
  * stages; on exit column 1 holds the rates at tn, 5 to 8 the coefficients that gsdpv takes; columns
  * 0, 11 and 12 stay. xn: as it was moved onto the constraints; z (nx): workspace. info as gsfun */
-int gsdpd (const gs_system *g, double t, double tn, int side, double h, const double *x,
-           double *xn, double *f, double *z);
+int gsdpd (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
+           gs_real *xn, gs_real *f, gs_real *z);
 
 /* the coefficients of that polynomial, three stages more: on entry column 1 of f holds the rates at
  * the end; on exit columns to ... to + 3 (1 or 5) the coefficients c that gsdpu takes; 2 to 4 are
  * changed, the others stay */
-int gsdpe (const gs_system *g, double t, double h, const double *x, double *f, int to, double *z);
+int gsdpe (const gs_system *g, gs_real t, gs_real h, const gs_real *x, gs_real *f, int to,
+           gs_real *z);
 
 /* the state z at the fraction b of the step from x to xn, on that polynomial */
-void gsdpv (int nx, double h, double b, const double *x, const double *xn, const double *f,
-            double *z);
+void gsdpv (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xn, const gs_real *f,
+            gs_real *z);
 
 /* ... from the rates xd, xdn at the ends and the coefficients c of gsdpe; xn itself at the end */
-void gsdpu (int nx, double h, double b, const double *x, const double *xd, const double *xn,
-            const double *xdn, const double *c, double *z);
+void gsdpu (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xd, const gs_real *xn,
+            const gs_real *xdn, const gs_real *c, gs_real *z);
 
 /* the error of that polynomial beside three tolerances, at most 1 where it is as accurate as the
  * step: its state at the place of the last stage of gsdpd less z (nx), as gsdpd left it. w (nx):
  * workspace */
-double gsdpq (const gs_system *g, double h, const double *x, const double *xn, const double *f,
-              const double *z, double *w);
+gs_real gsdpq (const gs_system *g, gs_real h, const gs_real *x, const gs_real *xn, const gs_real *f,
+               const gs_real *z, gs_real *w);
 
 /* ... from the state w of the polynomial there */
-double gsdpn (const gs_system *g, const double *x, const double *xn, const double *z,
-              const double *w);
+gs_real gsdpn (const gs_system *g, const gs_real *x, const gs_real *xn, const gs_real *z,
+               const gs_real *w);
 
 /* the outputs within a step of gsdp8 of the length h to tn, from that polynomial, moved onto the
  * constraints; off: gsdpq, on entry 0 and more where gsevn has told it (rows_off) and left the
  * polynomial. info as gschk, or 90 if off is above 1 and the scene has no events; if not 0, none is
  * written */
-int gsdpo (gs_course *c, double tn, int side, double h, double *off);
+int gsdpo (gs_course *c, gs_real tn, int side, gs_real h, gs_real *off);
 
 /* the coefficients of gsdp8 that are not zero, but c[11], which is 1: a (12,12), b (12), c (12) */
-void gsadt (double *a, double *b, double *c);
+void gsadt (gs_real *a, gs_real *b, gs_real *c);
 
 /* one step of gsdp8 backwards, t, tn, side, h, x as there: from the derivatives lx (nx) of a goal
  * by the state at tn to those by x, and, added up, those by parameters, pb (np). k (nx,12): the
  * right-hand sides of its stages; ip, rp, wi: as gsinp, of whose inputs those are taken that depend
  * on time alone; v (nv): kept where it is constant. w: 15*nx + nv + np. info: that of gsinp or of
  * adj */
-int gsad8 (const gs_scene *s, double t, double tn, int side, double h, const double *x,
-           const double *k, int np, const int *ip, const double *rp, const double *cst, double *v,
-           double *lx, double *pb, double *w, double *wi);
+int gsad8 (const gs_scene *s, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
+           const gs_real *k, int np, const int *ip, const gs_real *rp, const gs_real *cst,
+           gs_real *v, gs_real *lx, gs_real *pb, gs_real *w, gs_real *wi);
 
 /* the rates xd of the states and, behind them, of their derivatives by parameters, nc columns, as x
  * (nx,1+nc) has them. col (nc): which column of the np parameters of rhp, from 1; 0: a derivative
  * by a start value. ntop: the number of coordinates if the speeds are their rates, else 0. w:
  * nx*(nx+np+nv+1). info: that of rhp, but 9 where the constraints have lost rank */
-int gssen (const gs_scene *s, double t, int ntop, int np, int nc, const int *col, const double *x,
-           const double *v, const double *cst, double *w, double *xd);
+int gssen (const gs_scene *s, gs_real t, int ntop, int np, int nc, const int *col, const gs_real *x,
+           const gs_real *v, const gs_real *cst, gs_real *w, gs_real *xd);
 
 /* for gssen: r = p + a*y, of four columns and of one; a (n,n), y and r (n,4) or (n); the first ntop
  * rows of a*y are those that lie ntop behind in y */
-void gsse4 (int ntop, int n, const double *a, const double *p1, const double *p2,
-            const double *p3, const double *p4, const double *y, double *r);
-void gsse1 (int ntop, int n, const double *a, const double *p, const double *y, double *r);
+void gsse4 (int ntop, int n, const gs_real *a, const gs_real *p1, const gs_real *p2,
+            const gs_real *p3, const gs_real *p4, const gs_real *y, gs_real *r);
+void gsse1 (int ntop, int n, const gs_real *a, const gs_real *p, const gs_real *y, gs_real *r);
 
 /* a first step h <= hmax for gsdp8 [s]; w as there */
-int gshin (const gs_system *g, double t, double hmax, const double *x, double *w, double *h);
+int gshin (const gs_system *g, gs_real t, gs_real hmax, const gs_real *x, gs_real *w, gs_real *h);
 
 /* the right-hand side xd under its inputs; states of x that the partition completes are completed
  * first. info: what failed, as istat[5] and istat[6] */
-int gsfun (const gs_system *g, double t, int side, double *x, double *xd);
+int gsfun (const gs_system *g, gs_real t, int side, gs_real *x, gs_real *xd);
 
 /* gsfun with the inputs as they go on from the time tv to tf */
-int gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, double *xd);
+int gsfut (const gs_system *g, gs_real t, gs_real tv, gs_real tf, int side, gs_real *x,
+           gs_real *xd);
 
 /* the inputs at tf as those on the other side of tv go on there, by a polynomial */
-int gsinc (const gs_system *g, double tv, double tf, const double *x);
+int gsinc (const gs_system *g, gs_real tv, gs_real tf, const gs_real *x);
 
 /* watches for steps h that are bound by the stability of an explicit method: istat[13 .. 17],
  * rstat[17 .. 19]. w (nx,13): as gsdp8 left it, but column 0 the rates at x; columns 1 to 4 are
  * workspace */
-void gsstd (const gs_system *g, double t, double h, const double *x, double *w);
+void gsstd (const gs_system *g, gs_real t, gs_real h, const gs_real *x, gs_real *w);
 
 /* the largest eigenvalue rho of the right-hand side by modulus [1/s], 0 where that failed, or where
  * none is above 1/h; k: the state (from 1) that moves most. w: 4*nx */
-void gsstf (const gs_system *g, double t, const double *x, double h, double *w, double *rho,
+void gsstf (const gs_system *g, gs_real t, const gs_real *x, gs_real h, gs_real *w, gs_real *rho,
             int *k);
 
 /* the passage of a position where the constraints lose rank, if one is ahead; h: the next step of
  * gsdp8; hlim: its longest one where there is no passage yet [s]; taken: 1 if it was passed. info
  * as gssim: 0, 3 */
-int gspss (gs_course *c, double h, double *hlim, int *taken);
+int gspss (gs_course *c, gs_real h, gs_real *hlim, int *taken);
 
 /* looks ahead for such a position (gsahd), where one may be near */
-void gspsw (gs_course *c, double h, double *hlim);
+void gspsw (gs_course *c, gs_real h, gs_real *hlim);
 
 /* one trial step of gspsg, with the partition that holds at its far end. info as gspsg */
 int gsptr (gs_course *c);
@@ -284,74 +287,74 @@ int gspen (gs_course *c, int *taken, int *again);
 
 /* xn at tn on the path of gspsg, or at the first event before it: then tn is its time and stops,
  * which says that tn is a stop, 0. info: what failed */
-int gspev (gs_course *c, double *tn, int *stops, int *event);
+int gspev (gs_course *c, gs_real *tn, int *stops, int *event);
 
 /* gschk for xn at the end of a passage; close to the singular position nothing is moved */
-int gspck (gs_course *c, double tn);
+int gspck (gs_course *c, gs_real tn);
 
 /* the outputs before tn, from the polynomial of gspsg. info: that of the inputs */
-int gspou (gs_course *c, double tn);
+int gspou (gs_course *c, gs_real tn);
 
 /* one implicit step through a position where the constraints lose rank: a->err, eit, tmin, smin.
  * f (nx,13): column 0 the rates at x on entry, the others are the stages on exit; xn, fn (nx):
  * workspace. info: 1 the position lies too far from a->tc, 2 no convergence, 3 a stage failed */
-int gspsg (const gs_system *g, double t, const double *x, gs_passage *a, double *f, double *xn,
-           double *fn);
+int gspsg (const gs_system *g, gs_real t, const gs_real *x, gs_passage *a, gs_real *f, gs_real *xn,
+           gs_real *fn);
 
 /* the stages of gspsg, at c, for the first time, from c0 outwards: order (ns), from 1 */
-int gspsf (const gs_system *g, const double *x, const gs_passage *a, double c0, const double *c,
-           double *f, double *xn, int *order);
+int gspsf (const gs_system *g, const gs_real *x, const gs_passage *a, gs_real c0, const gs_real *c,
+           gs_real *f, gs_real *xn, int *order);
 
 /* the right-hand side of a stage of gspsg; tv as in gs_passage */
-int gspsr (const gs_system *g, double t, const double *tv, double *x, double *xd);
+int gspsr (const gs_system *g, gs_real t, const gs_real *tv, gs_real *x, gs_real *xd);
 
 /* the size err of d beside the tolerance, tol >= rtol for the relative one */
-void gsper (const gs_system *g, const double *x, const double *d, double tol, double *err);
+void gsper (const gs_system *g, const gs_real *x, const gs_real *d, gs_real tol, gs_real *err);
 
 /* xt = x + d*f(:,1:ns)*b, the first n states at the place of b (gsglq) in a step of gspsg; f
  * (ldf,13) */
-void gspth (int n, int ns, int ldf, const double *x, double d, const double *b, const double *f,
-            double *xt);
+void gspth (int n, int ns, int ldf, const gs_real *x, gs_real d, const gs_real *b, const gs_real *f,
+            gs_real *xt);
 
 /* the least pivot smin of the constraints and its place cs between ca and cb, on the path of gspsg
  * from x at t; xt (nx): workspace */
-void gspmn (const gs_system *g, double t, const double *x, double tc, double d, double ca,
-            double cb, int ns, const double *f, double *xt, double *cs, double *smin);
+void gspmn (const gs_system *g, gs_real t, const gs_real *x, gs_real tc, gs_real d, gs_real ca,
+            gs_real cb, int ns, const gs_real *f, gs_real *xt, gs_real *cs, gs_real *smin);
 
 /* the least pivot sp at tc + ct*d on that path, 1e300 where con fails */
-void gspvt (const gs_system *g, double t, const double *x, double tc, double d, double ct, int ns,
-            const double *f, double *xt, double *sp);
+void gspvt (const gs_system *g, gs_real t, const gs_real *x, gs_real tc, gs_real d, gs_real ct,
+            int ns, const gs_real *f, gs_real *xt, gs_real *sp);
 
 /* looks for a position where the constraints lose rank: a->tc, d, turn; h: on exit no more than
  * what turns them by about 1 rad. f as gspsg; xt (nx), hc (nlam,nu): workspace */
-void gsahd (const gs_system *g, double t, const double *x, double *h, double rest, gs_passage *a,
-            double *f, double *xt, double *hc);
+void gsahd (const gs_system *g, gs_real t, const gs_real *x, gs_real *h, gs_real rest,
+            gs_passage *a, gs_real *f, gs_real *xt, gs_real *hc);
 
 /* the rates f of gspsg for a path with linear rates of the coordinates; xt (nq): workspace */
-void gsprd (const gs_system *g, double t, const double *x, double tc, double d, int ns, double *f,
-            double *xt);
+void gsprd (const gs_system *g, gs_real t, const gs_real *x, gs_real tc, gs_real d, int ns,
+            gs_real *f, gs_real *xt);
 
 /* does a run start in or very close to a singular position, no further ahead than hmax? state: 0
  * no, 1 in one that the speeds lead out of, 2 at rest in one, -1 the constraints hardly turn. f:
  * the right-hand side; xt, xw (nq), hc (nlam,nu), siz (nlam): workspace */
-void gspbg (const gs_scene *s, double t, const double *x, double hmax, const double *cst,
-            const double *f, double *xt, double *xw, double *hc, double *siz, double *p,
+void gspbg (const gs_scene *s, gs_real t, const gs_real *x, gs_real hmax, const gs_real *cst,
+            const gs_real *f, gs_real *xt, gs_real *xw, gs_real *hc, gs_real *siz, gs_real *p,
             int *state);
 
 /* for gspbg: the time h until the constraints have turned by 0.3 rad, 0 if they hardly turn; rest:
  * 1 if the speeds hardly move the scene until then */
-void gspbh (const gs_scene *s, double t, const double *x, double hmax, const double *cst,
-            const double *f, double *xt, double *xw, double *hc, double *siz, double *p, double *h,
-            int *rest);
+void gspbh (const gs_scene *s, gs_real t, const gs_real *x, gs_real hmax, const gs_real *cst,
+            const gs_real *f, gs_real *xt, gs_real *xw, gs_real *hc, gs_real *siz, gs_real *p,
+            gs_real *h, int *rest);
 
 /* for gspbg: the pivots of the constraints h behind t, in p; their rank, -1 where con fails */
-void gspbv (const gs_scene *s, double t, const double *x, double h, const double *cst,
-            const double *f, double *xt, double *xw, double *siz, double *p, int *rank);
+void gspbv (const gs_scene *s, gs_real t, const gs_real *x, gs_real h, const gs_real *cst,
+            const gs_real *f, gs_real *xt, gs_real *xw, gs_real *siz, gs_real *p, int *rank);
 
 /* how far the speeds of x differ from those of the step of gspsg, beside the largest: gap; xw (nq):
  * workspace */
-void gspbc (const gs_system *g, double t, const double *x, const gs_passage *a, const double *f,
-            double *xw, double *gap);
+void gspbc (const gs_system *g, gs_real t, const gs_real *x, const gs_passage *a, const gs_real *f,
+            gs_real *xw, gs_real *gap);
 
 #ifdef __cplusplus
 }

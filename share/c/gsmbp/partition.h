@@ -5,6 +5,8 @@
 #ifndef GSMBP_PARTITION_H
 #define GSMBP_PARTITION_H
 
+#include "gsmbp/real.h"
+
 /* the first entries of p */
 enum
 {
@@ -24,29 +26,29 @@ enum
 /* the arrays behind them */
 typedef struct
 {
-  double *order;   /* nu: the numbers of the speeds, dependent ones first */
-  double *counts;  /* nq + nu: 0 for each coordinate and speed that is completed, else 1 */
-  double *size;    /* nlam: the largest lengths that the rows of hc had so far */
-  double *displ;   /* nu: the numbers of the speeds, those with dependent displacements first */
-  double *rows;    /* nlam: 0 for each constraint on speeds alone, else 1: set by the caller */
-  double *phi;     /* nlam, from here on workspace: what con writes, */
-  double *phit;    /* nlam */
-  double *gam;     /* nlam + 10 */
-  double *hc;      /* (nlam,nu): the Jacobian */
-  double *y;       /* (nlam,nu): its factorization by gsqrp or gsqrc, with */
-  double *beta;    /* nu */
-  double *piv;     /* nu */
-  double *siz;     /* nu + nlam */
-  double *rhs;     /* nlam: a right side */
-  double *du;      /* nu: displacements, followed by */
-  double *dq;      /* nq: those of the coordinates */
-  double *before;  /* nq + nu: the state before gschk moved it */
-  double *between; /* nq: a position between steps */
-  double *path;    /* (nq,6): positions and rates of the last three steps, for gspas */
+  gs_real *order;  /* nu: the numbers of the speeds, dependent ones first */
+  gs_real *counts; /* nq + nu: 0 for each coordinate and speed that is completed, else 1 */
+  gs_real *size;   /* nlam: the largest lengths that the rows of hc had so far */
+  gs_real *displ;  /* nu: the numbers of the speeds, those with dependent displacements first */
+  gs_real *rows;   /* nlam: 0 for each constraint on speeds alone, else 1: set by the caller */
+  gs_real *phi;    /* nlam, from here on workspace: what con writes, */
+  gs_real *phit;   /* nlam */
+  gs_real *gam;    /* nlam + 10 */
+  gs_real *hc;     /* (nlam,nu): the Jacobian */
+  gs_real *y;      /* (nlam,nu): its factorization by gsqrp or gsqrc, with */
+  gs_real *beta;   /* nu */
+  gs_real *piv;    /* nu */
+  gs_real *siz;    /* nu + nlam */
+  gs_real *rhs;    /* nlam: a right side */
+  gs_real *du;     /* nu: displacements, followed by */
+  gs_real *dq;     /* nq: those of the coordinates */
+  gs_real *before; /* nq + nu: the state before gschk moved it */
+  gs_real *between; /* nq: a position between steps */
+  gs_real *path;   /* (nq,6): positions and rates of the last three steps, for gspas */
 } gs_partition;
 
 static inline gs_partition
-gs_partition_of (int nq, int nu, int nlam, double *p)
+gs_partition_of (int nq, int nu, int nlam, gs_real *p)
 {
   gs_partition a;
   a.order = p + GS_PARTS;

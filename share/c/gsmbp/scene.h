@@ -9,49 +9,54 @@
 #ifndef GSMBP_SCENE_H
 #define GSMBP_SCENE_H
 
+#include "gsmbp/real.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-typedef int gs_rhs (double t, const double *x, const double *v, const double *cst, double *xd);
-typedef int gs_prj (double t, double *x, const double *cst, double *res);
-typedef int gs_con (double t, const double *q, const double *u, const double *cst, double *phi,
-                    double *phit, double *hc, int ldh, double *gam);
-typedef void gs_kin (double t, const double *q, const double *u, const double *cst, double *qdot);
-typedef int gs_cmd (double t, const double *qj, const double *xi, const double *cst, double *v,
-                    double *xid);
-typedef int gs_clo (double t, double *qj, const double *cst, double *res);
-typedef int gs_out (double t, const double *x, const double *v, const double *cst, double *y);
-typedef void gs_ctl (int k, double t, const double *y, double *xk, const double *cst, double *v);
-typedef void gs_mas (double t, const double *q, const double *cst, double *m, int ldm);
-typedef void gs_gad (double t, const double *qj, const double *cst, double *g);
-typedef int gs_stk (double t, const double *x, const double *v, const double *cst, double *ud,
-                    double *lam, double *hold);
-typedef void gs_hld (double t, const double *x, const double *v, const double *cst, double *row,
-                     int ldr, double *s, double *sd, double *prm);
-typedef void gs_ctp (const double *cst, double *period, double *delay);
-typedef void gs_evt (double t, const double *x, const double *v, const int *mode,
-                     const double *cst, double *gv);
-typedef int gs_rst (double t, double *x, double *v, int *mode, int k, const double *cst);
-typedef void gs_pnt (double t, const double *q, const double *cst, double *place, double *axes);
-typedef void gs_jpt (double t, const double *q, const double *u, const double *cst, double *jac,
-                     double *gam);
+typedef int gs_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd);
+typedef int gs_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res);
+typedef int gs_con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+                    gs_real *phit, gs_real *hc, int ldh, gs_real *gam);
+typedef void gs_kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,
+                     gs_real *qdot);
+typedef int gs_cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v,
+                    gs_real *xid);
+typedef int gs_clo (gs_real t, gs_real *qj, const gs_real *cst, gs_real *res);
+typedef int gs_out (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y);
+typedef void gs_ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst,
+                     gs_real *v);
+typedef void gs_mas (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m, int ldm);
+typedef void gs_gad (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g);
+typedef int gs_stk (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *ud,
+                    gs_real *lam, gs_real *hold);
+typedef void gs_hld (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,
+                     gs_real *row, int ldr, gs_real *s, gs_real *sd, gs_real *prm);
+typedef void gs_ctp (const gs_real *cst, gs_real *period, gs_real *delay);
+typedef void gs_evt (gs_real t, const gs_real *x, const gs_real *v, const int *mode,
+                     const gs_real *cst, gs_real *gv);
+typedef int gs_rst (gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *cst);
+typedef void gs_pnt (gs_real t, const gs_real *q, const gs_real *cst, gs_real *place,
+                     gs_real *axes);
+typedef void gs_jpt (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,
+                     gs_real *jac, gs_real *gam);
 /* for derivatives by parameters: of the rates xd (nx) by parameters, states and inputs, p, a, b (nx
  * rows each); of the sum of the rates times l (nx) by states, inputs and parameters, xb, vb, pb;
  * of the constraints and of their rates by coordinates, dp, dv, and by parameters, pp, pv (nlam
  * rows each) */
-typedef int gs_rhp (double t, const double *x, const double *v, const double *cst, double *p,
-                    int ldp, double *a, int lda, double *b, int ldb, double *xd);
-typedef int gs_adj (double t, const double *x, const double *v, const double *cst,
-                    const double *l, double *xb, double *vb, double *pb);
-typedef void gs_tan (double t, const double *x, const double *cst, double *dp, int ldp, double *dv,
-                     int ldv);
-typedef void gs_cop (double t, const double *x, const double *cst, double *pp, int ldpp,
-                     double *pv, int ldpv);
+typedef int gs_rhp (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p,
+                    int ldp, gs_real *a, int lda, gs_real *b, int ldb, gs_real *xd);
+typedef int gs_adj (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,
+                    const gs_real *l, gs_real *xb, gs_real *vb, gs_real *pb);
+typedef void gs_tangent (gs_real t, const gs_real *x, const gs_real *cst, gs_real *dp, int ldp,
+                         gs_real *dv, int ldv);
+typedef void gs_cop (gs_real t, const gs_real *x, const gs_real *cst, gs_real *pp, int ldpp,
+                     gs_real *pv, int ldpv);
 /* the nsw times at which the scene switches */
-typedef void gs_swi (const double *cst, double *ts);
+typedef void gs_swi (const gs_real *cst, gs_real *ts);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
-typedef int gs_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v);
+typedef int gs_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v);
 
 typedef struct
 {
@@ -78,7 +83,7 @@ typedef struct
   gs_jpt *jpt;
   gs_rhp *rhp; /* for gssen */
   gs_adj *adj; /* for gsad8 */
-  gs_tan *tan; /* for gsspj, as the next */
+  gs_tangent *tan; /* for gsspj, as the next */
   gs_cop *cop;
   gs_swi *swi; /* for gssim, which ends its steps there */
   int nsw;
@@ -92,7 +97,7 @@ typedef struct
   const int *held_counts;        /* nctl: how many outputs each device holds */
   const int *again;              /* nctl: 1 if outputs are computed anew for it */
   const int *held_inputs;        /* nheld: device by device */
-  const double *memory;          /* nxk: where it starts */
+  const gs_real *memory;         /* nxk: where it starts */
 } gs_scene;
 
 #ifdef __cplusplus

@@ -2,21 +2,24 @@
 #ifndef GSMBP_SINES_H
 #define GSMBP_SINES_H
 
-#include <math.h>
-
 #include "gsmbp/functions.h"
+#include "gsmbp/real.h"
 
 /* Sine s and cosine c of the angle x [rad].
  *
  * x = f*pi/2 + y + e, polynomials in y, and the quadrant says which of sine, cosine and their
  * opposites are asked for; without branches, that a processor would have to foresee. The error is
- * below one unit in the last place. Beyond |x| = 1e5, or where x is no number, by the library.
+ * below one unit in the last place. Beyond |x| = 1e5, where x is NaN, and in a precision other than
+ * double, gsscl computes both by the library.
  *
  * FDLIBM 5.3 (Sun Microsystems, 1993): e_rem_pio2.c, k_sin.c, k_cos.c: the parts of pi/2 and the
  * polynomials. */
 static inline void
-gs_sines (double x, double *s, double *c)
+gs_sines (gs_real x, gs_real *s, gs_real *c)
 {
+#if GS_DIGITS != 53
+  gsscl (x, s, c);
+#else
   const double round = 6755399441055744.0, twopi = 0.636619772367581382433;
   const double p1 = 1.5707963267341256, p2 = 6.077100506303966e-11, p3 = 2.0222662487959506e-21;
   const double s1 = -1.66666666666666324348e-01, s2 = 8.33333333332248946124e-03,
@@ -45,6 +48,7 @@ gs_sines (double x, double *s, double *c)
   out[4] = out[0];
   *s = out[k];
   *c = out[k + 1];
+#endif
 }
 
 #endif

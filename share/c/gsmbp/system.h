@@ -2,6 +2,7 @@
 #ifndef GSMBP_SYSTEM_H
 #define GSMBP_SYSTEM_H
 
+#include "gsmbp/real.h"
 #include "gsmbp/scene.h"
 
 #ifdef __cplusplus
@@ -78,16 +79,16 @@ typedef struct
   const gs_scene *s;
   int nx;             /* states; an audit adds two to those of s */
   const int *iopt;    /* options */
-  const double *ropt; /* step, relative tolerance, largest step */
-  const double *atol; /* nx: absolute tolerances */
+  const gs_real *ropt; /* step, relative tolerance, largest step */
+  const gs_real *atol; /* nx: absolute tolerances */
   int *ip;            /* the inputs and the plans of the samples and of the events, see inputs.h */
-  double *rp;
-  const double *cst;  /* from <name>_pre */
-  double *v;          /* 2*nv: inputs */
-  double *w;          /* workspace of gsinp */
-  double *p;          /* the partition, see partition.h */
+  gs_real *rp;
+  const gs_real *cst; /* from <name>_pre */
+  gs_real *v;         /* 2*nv: inputs */
+  gs_real *w;         /* workspace of gsinp */
+  gs_real *p;         /* the partition, see partition.h */
   int *istat;         /* 20: statistics */
-  double *rstat;      /* 20 */
+  gs_real *rstat;     /* 20 */
 } gs_system;
 
 #ifdef __cplusplus

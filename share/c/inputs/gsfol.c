@@ -6,7 +6,6 @@
  * rates at both ends times the step, but for a tenth of the larger rate (and 1e-6): else another
  * branch may have been met, and half the step is tried. qj stays on its branch when info is not
  * 0. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -14,63 +13,63 @@
 
 /* do the coordinates in qj follow from those in old by their rates? */
 static int
-follows (int nu, double dt, const double *old, const double *qj)
+follows (int nu, gs_real dt, const gs_real *old, const gs_real *qj)
 {
   for (int i = 0; i < nu; i++)
     {
-      double move = qj[i] - old[i] - 0.5 * dt * (qj[i + nu] + old[nu + i]);
-      double rate = gs_max (fabs (qj[i + nu]), fabs (old[nu + i]));
-      if (! (fabs (move) <= 0.1 * fabs (dt) * rate + 1e-6))
+      gs_real move = qj[i] - old[i] - GS_R (0.5) * dt * (qj[i + nu] + old[nu + i]);
+      gs_real rate = gs_max (gs_abs (qj[i + nu]), gs_abs (old[nu + i]));
+      if (! (gs_abs (move) <= GS_R (0.1) * gs_abs (dt) * rate + GS_R (1e-6)))
         return 0;
     }
   return 1;
 }
 
 int
-gsfol (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int np, int k,
-       const double *brk, const double *coef, const double *cst, double *qj, double *w)
+gsfol (const gs_scene *s, gs_real t, int side, int r, int na, const int *ipl, int np, int k,
+       const gs_real *brk, const gs_real *coef, const gs_real *cst, gs_real *qj, gs_real *w)
 {
   const int nu = s->nu;
-  double *const f = w + 2, *const old = f + na * (r + 1);
+  gs_real *const f = w + 2, *const old = f + na * (r + 1);
   int halvings = 0, info;
-  if (w[1] <= 0.0)
+  if (w[1] <= 0)
     w[0] = t;
-  double h = t - w[0];
+  gs_real h = t - w[0];
   for (;;)
     {
-      double tn = w[0] + h, res;
-      if (fabs (tn - t) <= 0.5 * fabs (h))
+      gs_real tn = w[0] + h, res;
+      if (gs_abs (tn - t) <= GS_R (0.5) * gs_abs (h))
         tn = t;
-      const int atend = fabs (tn - t) <= 0.0;
-      const double dt = tn - w[0];
-      memcpy (old, qj, 2 * nu * sizeof (double));
-      if (w[1] > 0.0)
+      const int atend = gs_abs (tn - t) <= 0;
+      const gs_real dt = tn - w[0];
+      memcpy (old, qj, 2 * nu * sizeof (gs_real));
+      if (w[1] > 0)
         for (int i = 0; i < nu; i++)
           qj[i] += dt * qj[i + nu];
       info = gsppl (tn, atend ? side : 1, nu, r, na, ipl, np, k, brk, coef, f, qj);
       if (info < 0)
         break;
       info = s->clo (tn, qj, cst, &res);
-      const int moves = atend || fabs (dt) > 0.0; /* not a step that rounding made 0 */
-      if (info == 0 && moves && (! (w[1] > 0.0) || follows (nu, dt, old, qj)))
+      const int moves = atend || gs_abs (dt) > 0; /* not a step that rounding made 0 */
+      if (info == 0 && moves && (! (w[1] > 0) || follows (nu, dt, old, qj)))
         {
           w[0] = tn;
-          w[1] = 1.0;
-          h = 2.0 * dt;
-          if (fabs (h) > fabs (t - tn))
+          w[1] = 1;
+          h = 2 * dt;
+          if (gs_abs (h) > gs_abs (t - tn))
             h = t - tn;
           if (atend)
             return 0;
           continue;
         }
-      if (w[1] <= 0.0 || halvings >= 100 || fabs (dt) <= 0.0)
+      if (w[1] <= 0 || halvings >= 100 || gs_abs (dt) <= 0)
         {
           if (info == 0)
             info = 2;
           break;
         }
       halvings++;
-      h = 0.5 * dt;
+      h = GS_R (0.5) * dt;
       gsbak (nu, old, qj);
     }
   gsbak (nu, old, qj);
@@ -78,8 +77,8 @@ gsfol (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int
 }
 
 int
-gsppl (double t, int side, int nu, int r, int na, const int *ipl, int np, int k, const double *brk,
-       const double *coef, double *f, double *qj)
+gsppl (gs_real t, int side, int nu, int r, int na, const int *ipl, int np, int k,
+       const gs_real *brk, const gs_real *coef, gs_real *f, gs_real *qj)
 {
   int info = gspln (na, np, k, brk, coef, t, side, r, f, gs_most (1, na));
   for (int j = 0; j <= r; j++)
@@ -89,7 +88,7 @@ gsppl (double t, int side, int nu, int r, int na, const int *ipl, int np, int k,
 }
 
 void
-gsbak (int nu, const double *w, double *qj)
+gsbak (int nu, const gs_real *w, gs_real *qj)
 {
-  memcpy (qj, w, 2 * nu * sizeof (double));
+  memcpy (qj, w, 2 * nu * sizeof (gs_real));
 }

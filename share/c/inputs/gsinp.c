@@ -7,7 +7,7 @@
 
 /* nc components of the polynomial that the four entries of ip describe; info < 0 where it fails */
 static int
-polynomial (int nc, const int *ip, const double *rp, double t, int side, double *f)
+polynomial (int nc, const int *ip, const gs_real *rp, gs_real t, int side, gs_real *f)
 {
   int info = gspln (nc, ip[0], ip[1], rp + ip[2] - 1, rp + ip[3] - 1, t, side, 0, f,
                     gs_most (1, nc));
@@ -16,12 +16,12 @@ polynomial (int nc, const int *ip, const double *rp, double t, int side, double 
 
 /* v by cmd, from the motion at t */
 static int
-planned (const gs_scene *s, double t, int side, const double *x, int nx, const int *ip,
-         const double *rp, const double *cst, double *v, double *w)
+planned (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
+         const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w)
 {
   const int r = ip[GS_DERIVATIVES], na = ip[GS_PLANNED], *pl = ip + GS_MOTION;
-  const double *brk = rp + pl[2] - 1, *coef = rp + pl[3] - 1;
-  double *f = w + s->nu * (r + 1), *xi = f + s->nu * (r + 1);
+  const gs_real *brk = rp + pl[2] - 1, *coef = rp + pl[3] - 1;
+  gs_real *f = w + s->nu * (r + 1), *xi = f + s->nu * (r + 1);
   int info;
   if (ip[GS_CLOSED] == 1)
     info = gsfol (s, t, side, r, na, ip + GS_NUMBERS, pl[0], pl[1], brk, coef, cst, w, f);
@@ -29,17 +29,17 @@ planned (const gs_scene *s, double t, int side, const double *x, int nx, const i
     info = gsppl (t, side, s->nu, r, na, ip + GS_NUMBERS, pl[0], pl[1], brk, coef, f, w);
   const int from = ip[GS_INTERNAL] - 1;
   for (int i = 0; i < nx; i++)
-    xi[i] = from >= 0 && from + i < nx ? x[from + i] : 0.0;
+    xi[i] = from >= 0 && from + i < nx ? x[from + i] : 0;
   return info != 0 ? info : s->cmd (t, w, xi, cst, v, xi + nx);
 }
 
 /* info < 0 where a polynomial fails */
 static int
-feedback (const gs_scene *s, double t, int side, const double *x, int nx, const int *ip,
-          const double *rp, double *v, double *w)
+feedback (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
+          const gs_real *rp, gs_real *v, gs_real *w)
 {
   const int nv = s->nv, r = ip[GS_DERIVATIVES];
-  double *x0 = w + 2 * s->nu * (r + 1) + 4 * nx + 20, *k = x0 + nx;
+  gs_real *x0 = w + 2 * s->nu * (r + 1) + 4 * nx + 20, *k = x0 + nx;
   int info = polynomial (nx, ip + GS_REFERENCE, rp, t, side, x0);
   int other = polynomial (nv * nx, ip + GS_GAIN, rp, t, side, k);
   for (int j = 0; j < nx; j++)
@@ -47,7 +47,7 @@ feedback (const gs_scene *s, double t, int side, const double *x, int nx, const 
       v[i] -= k[i + nv * j] * (x[j] - x0[j]);
   if (ip[GS_LIMITS] > 0)
     {
-      const double *low = rp + ip[GS_LIMITS] - 1, *high = low + nv;
+      const gs_real *low = rp + ip[GS_LIMITS] - 1, *high = low + nv;
       for (int i = 0; i < nv; i++)
         v[i] = gs_min (gs_max (v[i], low[i]), high[i]);
     }
@@ -56,7 +56,7 @@ feedback (const gs_scene *s, double t, int side, const double *x, int nx, const 
 
 /* what is held, modes, what events of the user have switched */
 static void
-held (int nx, const int *ip, const double *rp, double *v)
+held (int nx, const int *ip, const gs_real *rp, gs_real *v)
 {
   for (int i = 0; i < ip[GS_HELD]; i++)
     v[ip[ip[GS_HELD + 1] - 1 + i] - 1] = rp[ip[GS_HELD_AT] - 1 + i];
@@ -67,15 +67,15 @@ held (int nx, const int *ip, const double *rp, double *v)
     if (input[i] > 0)
       v[input[i] - 1] = mode[i];
   const int ns = ie[9], *switched = ie + 10 + 6 * ne + ns, *on = switched + ns;
-  const double *value = rp + ip[GS_EVENTS + 1] - 1 + 6 * ne + 3 * nx + ie[1] * (3 + 2 * nx);
+  const gs_real *value = rp + ip[GS_EVENTS + 1] - 1 + 6 * ne + 3 * nx + ie[1] * (3 + 2 * nx);
   for (int i = 0; i < ns; i++)
     if (on[i] == 1)
       v[switched[i] - 1] = value[i];
 }
 
 int
-gsinp (const gs_scene *s, double t, int side, const double *x, int nx, const int *ip,
-       const double *rp, const double *cst, double *v, double *w)
+gsinp (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
+       const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w)
 {
   int info = 0;
   if (ip[GS_V0] == 0)

@@ -3,8 +3,6 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/plan.h"
 
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
 /* where the next numbers go, from 0 */
@@ -56,17 +54,17 @@ gs_reals (const gs_plan *p)
 
 /* numbers copied to the next places, from which on */
 static int
-put (const double *numbers, int n, double *rp, place *at)
+put (const gs_real *numbers, int n, gs_real *rp, place *at)
 {
   const int first = at->r + 1;
   if (n > 0)
-    memcpy (rp + at->r, numbers, n * sizeof (double));
+    memcpy (rp + at->r, numbers, n * sizeof (gs_real));
   at->r += n;
   return first;
 }
 
 static void
-lay_pieces (const gs_pieces *a, int which, int *ip, double *rp, place *at)
+lay_pieces (const gs_pieces *a, int which, int *ip, gs_real *rp, place *at)
 {
   if (a->np == 0)
     return;
@@ -77,13 +75,13 @@ lay_pieces (const gs_pieces *a, int which, int *ip, double *rp, place *at)
 }
 
 static void
-lay_inputs (const gs_plan *p, int *ip, double *rp, place *at)
+lay_inputs (const gs_plan *p, int *ip, gs_real *rp, place *at)
 {
   const gs_scene *s = p->s;
   ip[GS_V0] = p->inputs;
   ip[GS_DERIVATIVES] = p->derivatives;
   if (p->constants)
-    memcpy (rp, p->constants, s->nv * sizeof (double));
+    memcpy (rp, p->constants, s->nv * sizeof (gs_real));
   at->r = gs_most (1, s->nv);
   if (p->inputs == 0)
     ip[GS_TABLE + 3] = 1;
@@ -105,10 +103,10 @@ lay_inputs (const gs_plan *p, int *ip, double *rp, place *at)
 }
 
 static void
-lay_samples (const gs_plan *p, int *ip, double *rp, place *at)
+lay_samples (const gs_plan *p, int *ip, gs_real *rp, place *at)
 {
   const gs_scene *s = p->s;
-  const double *memory = p->memory ? p->memory : s->memory;
+  const gs_real *memory = p->memory ? p->memory : s->memory;
   const int head[6] = { s->nctl, s->nxk, s->ny, s->nheld, p->on_the_way, p->instants };
   if (s->nctl == 0)
     return;
@@ -138,7 +136,7 @@ lay_samples (const gs_plan *p, int *ip, double *rp, place *at)
 }
 
 static void
-lay_events (const gs_plan *p, int *ip, double *rp, const place *at)
+lay_events (const gs_plan *p, int *ip, gs_real *rp, const place *at)
 {
   const gs_scene *s = p->s;
   if (s->nev == 0)
@@ -164,7 +162,7 @@ lay_events (const gs_plan *p, int *ip, double *rp, const place *at)
 }
 
 void
-gs_lay (const gs_plan *p, int *ip, double *rp)
+gs_lay (const gs_plan *p, int *ip, gs_real *rp)
 {
   place at = { GS_NUMBERS, 0 };
   lay_inputs (p, ip, rp, &at);
@@ -174,26 +172,26 @@ gs_lay (const gs_plan *p, int *ip, double *rp)
 
 /* the number of the first sample at t0 or later: sample k is at k*period; a start that differs from
  * one by rounding only is one */
-static double
-first_sample (double t0, double period)
+static gs_real
+first_sample (gs_real t0, gs_real period)
 {
-  double k = floor (t0 / period + 0.5);
-  return fabs (k * period - t0) <= 8 * DBL_EPSILON * fabs (t0) ? k : ceil (t0 / period);
+  gs_real k = gs_floor (t0 / period + GS_R (0.5));
+  return gs_abs (k * period - t0) <= 8 * GS_EPSILON * gs_abs (t0) ? k : gs_ceil (t0 / period);
 }
 
 /* what is held before the first samples: the values of the table at t0, from the right, as GSPLN
  * has them */
 static void
-hold_table (int nv, double t0, const int *ip, const double *rp, const gs_samples *a)
+hold_table (int nv, gs_real t0, const int *ip, const gs_real *rp, const gs_samples *a)
 {
   if (*a->tabled == 0)
     return;
   const int np = ip[GS_TABLE], order = ip[GS_TABLE + 1];
-  const double *at = rp + ip[GS_TABLE + 2] - 1, *c = rp + ip[GS_TABLE + 3] - 1;
+  const gs_real *at = rp + ip[GS_TABLE + 2] - 1, *c = rp + ip[GS_TABLE + 3] - 1;
   int i = 0;
   while (i < np - 1 && t0 >= at[i + 1])
     i++;
-  const double t = t0 < at[0] ? at[0] : t0 > at[np] ? at[np] : t0;
+  const gs_real t = t0 < at[0] ? at[0] : t0 > at[np] ? at[np] : t0;
   for (int k = 0; k < a->nh; k++)
     {
       a->value[k] = 0;
@@ -203,7 +201,7 @@ hold_table (int nv, double t0, const int *ip, const double *rp, const gs_samples
 }
 
 int
-gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *rp)
+gs_due_from (const gs_scene *s, gs_real t0, const gs_real *cst, int *ip, gs_real *rp)
 {
   if (s->nctl == 0)
     return 0;
@@ -213,8 +211,8 @@ gs_due_from (const gs_scene *s, double t0, const double *cst, int *ip, double *r
     {
       if (! (a.period[k] > 0) || ! (a.delay[k] >= 0))
         return k + 1;
-      double next = first_sample (t0, a.period[k]);
-      if (! (fabs (next) < 2e9))
+      gs_real next = first_sample (t0, a.period[k]);
+      if (! (gs_abs (next) < GS_R (2e9)))
         return -(k + 1);
       a.next[k] = (int)next;
     }

@@ -2,11 +2,11 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
 
-double
-gsnxt (int nv, int *is, double *rs)
+gs_real
+gsnxt (int nv, int *is, gs_real *rs)
 {
   gs_samples a = gs_samples_of (nv, is, rs);
-  double t = 1e300;
+  gs_real t = GS_HUGE;
   for (int i = 0; i < a.nc; i++)
     t = gs_min (t, a.next[i] * a.period[i]);
   for (int i = 0; i < a.np; i++)

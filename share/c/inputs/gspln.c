@@ -3,19 +3,18 @@
  * Binary search, then Horner's rule for value and derivatives. Before the first and after the last
  * break the value is held and the derivatives are zero; a distance of 1e-12 of the whole range does
  * not count as outside. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
 
 static int
-faulty (int nc, int np, int k, double t, int nd, int ldf)
+faulty (int nc, int np, int k, gs_real t, int nd, int ldf)
 {
   if (ldf < gs_most (1, nc))
     return -10;
   if (nd < 0)
     return -8;
-  if (! (fabs (t) <= 1e300))
+  if (! (gs_abs (t) <= GS_HUGE))
     return -6;
   if (k < 1)
     return -3;
@@ -26,7 +25,7 @@ faulty (int nc, int np, int k, double t, int nd, int ldf)
 
 /* the piece of t, at a break the one on its side */
 static int
-piece (int np, const double *brk, double t, int side)
+piece (int np, const gs_real *brk, gs_real t, int side)
 {
   int lo = 0, hi = np;
   while (hi - lo > 1)
@@ -41,26 +40,26 @@ piece (int np, const double *brk, double t, int side)
 }
 
 int
-gspln (int nc, int np, int k, const double *brk, const double *coef, double t, int side, int nd,
-       double *f, int ldf)
+gspln (int nc, int np, int k, const gs_real *brk, const gs_real *coef, gs_real t, int side, int nd,
+       gs_real *f, int ldf)
 {
   int info = faulty (nc, np, k, t, nd, ldf);
   if (info != 0)
     return info;
-  double tol = 1e-12 * (brk[np] - brk[0]);
+  gs_real tol = GS_R (1e-12) * (brk[np] - brk[0]);
   if (t < brk[0] - tol || t > brk[np] + tol)
     info = 1;
   int p = piece (np, brk, t, side);
-  double s = t - brk[p];
+  gs_real s = t - brk[p];
   if (info == 1)
     s = gs_min (gs_max (t, brk[0]), brk[np]) - brk[p];
 
   for (int i = 0; i < nc; i++)
     {
-      const double *c = coef + i + nc * p;
+      const gs_real *c = coef + i + nc * p;
       f[i] = c[0];
       for (int j = 1; j <= nd; j++)
-        f[i + ldf * j] = 0.0;
+        f[i + ldf * j] = 0;
       for (int l = 1; l < k; l++)
         {
           for (int j = gs_least (nd, l); j >= 1; j--)
@@ -68,10 +67,10 @@ gspln (int nc, int np, int k, const double *brk, const double *coef, double t, i
           f[i] = f[i] * s + c[nc * np * l];
         }
     }
-  double fact = 1.0;
+  gs_real fact = 1;
   for (int j = 1; j <= nd; j++)
     {
-      fact = info == 1 ? 0.0 : fact * j;
+      fact = info == 1 ? 0 : fact * j;
       for (int i = 0; i < nc; i++)
         f[i + ldf * j] *= fact;
     }

@@ -4,7 +4,6 @@
  * The sample k of a device is at k times its period. Instants that differ by rounding only are
  * one. There delayed outputs come first, then the devices act in their order, each with the
  * outputs that those ahead of it have left. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/functions.h"
@@ -12,7 +11,7 @@
 
 /* outputs first .. first + n - 1 of a device become those in from */
 static void
-hold (const gs_samples *a, int first, int n, const double *from, double *v)
+hold (const gs_samples *a, int first, int n, const gs_real *from, gs_real *v)
 {
   for (int j = first; j < first + n; j++)
     {
@@ -23,7 +22,7 @@ hold (const gs_samples *a, int first, int n, const double *from, double *v)
 
 /* outputs that arrive until late, the earliest first */
 static void
-arrive (const gs_samples *a, double late, double *v)
+arrive (const gs_samples *a, gs_real late, gs_real *v)
 {
   for (;;)
     {
@@ -59,23 +58,23 @@ send (const gs_samples *a, int k, int first)
 }
 
 static void
-record (const gs_samples *a, int nv, double t, const double *v)
+record (const gs_samples *a, int nv, gs_real t, const gs_real *v)
 {
   *a->count += 1;
   if (*a->count > a->ns)
     return;
-  double *r = a->record + (*a->count - 1) * (1 + a->nxk + nv);
+  gs_real *r = a->record + (*a->count - 1) * (1 + a->nxk + nv);
   r[0] = t;
-  memcpy (r + 1, a->memory, a->nxk * sizeof (double));
-  memcpy (r + 1 + a->nxk, v, nv * sizeof (double));
+  memcpy (r + 1, a->memory, a->nxk * sizeof (gs_real));
+  memcpy (r + 1 + a->nxk, v, nv * sizeof (gs_real));
 }
 
 int
-gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *v, int *is,
-       double *rs)
+gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *v, int *is,
+       gs_real *rs)
 {
   const gs_samples a = gs_samples_of (s->nv, is, rs);
-  const double late = t + 8.0 * gseps () * fabs (t);
+  const gs_real late = t + 8 * gseps () * gs_abs (t);
   arrive (&a, late, v);
 
   int old = 2; /* y: 0 of now, 1 of before others acted, 2 not yet computed */
@@ -91,10 +90,10 @@ gssmp (const gs_scene *s, double t, const double *x, const double *cst, double *
             return info;
           old = 0;
         }
-      memcpy (a.v, v, s->nv * sizeof (double));
+      memcpy (a.v, v, s->nv * sizeof (gs_real));
       s->ctl (k + 1, t, a.y, a.memory, cst, a.v);
       a.next[k]++;
-      if (a.delay[k] > 0.0)
+      if (a.delay[k] > 0)
         {
           if (! send (&a, k, first))
             return -1;
@@ -122,10 +121,10 @@ keep (int back, size_t n, void *what, void *kept)
 }
 
 void
-gskep (int back, int nv, int *is, double *rs)
+gskep (int back, int nv, int *is, gs_real *rs)
 {
   const gs_samples a = gs_samples_of (nv, is, rs);
-  const size_t whole = sizeof (int), real = sizeof (double), nk = a.nh + a.nxk;
+  const size_t whole = sizeof (int), real = sizeof (gs_real), nk = a.nh + a.nxk;
   keep (back, whole, a.count, a.kept);
   keep (back, whole * a.nc, a.next, a.kept + 1);
   keep (back, whole * a.np, a.sender, a.kept + 1 + a.nc);

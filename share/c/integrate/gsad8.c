@@ -12,8 +12,8 @@
 
 /* the state z of stage s and the weights l of its rates; xb (nx,12): those of the stages behind */
 static void
-at_stage (int s, int nx, double h, const double *a, double b, const double *x, const double *k,
-          const double *lx, const double *xb, double *z, double *l)
+at_stage (int s, int nx, gs_real h, const gs_real *a, gs_real b, const gs_real *x, const gs_real *k,
+          const gs_real *lx, const gs_real *xb, gs_real *z, gs_real *l)
 {
   for (int i = 0; i < nx; i++)
     {
@@ -31,21 +31,21 @@ at_stage (int s, int nx, double h, const double *a, double b, const double *x, c
 }
 
 int
-gsad8 (const gs_scene *s, double t, double tn, int side, double h, const double *x,
-       const double *k, int np, const int *ip, const double *rp, const double *cst, double *v,
-       double *lx, double *pb, double *w, double *wi)
+gsad8 (const gs_scene *s, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
+       const gs_real *k, int np, const int *ip, const gs_real *rp, const gs_real *cst, gs_real *v,
+       gs_real *lx, gs_real *pb, gs_real *w, gs_real *wi)
 {
   const int nx = s->nx;
-  double a[12 * 12], b[12], c[12];
-  double *const z = w + 12 * nx, *const l = z + nx, *const vb = l + nx, *const p = vb + s->nv;
+  gs_real a[12 * 12], b[12], c[12];
+  gs_real *const z = w + 12 * nx, *const l = z + nx, *const vb = l + nx, *const p = vb + s->nv;
   memset (a, 0, sizeof a);
   memset (b, 0, sizeof b);
-  c[0] = 0.0;
-  c[11] = 1.0;
+  c[0] = 0;
+  c[11] = 1;
   gsadt (a, b, c);
   for (int m = 11; m >= 0; m--)
     {
-      const double at = m == 11 ? tn : t + c[m] * h;
+      const gs_real at = m == 11 ? tn : t + c[m] * h;
       const int side_here = m == 11 ? side : 1;
       int info = 0;
       at_stage (m, nx, h, a, b[m], x, k, lx, w, z, l);

@@ -1,6 +1,5 @@
 /* GSARG: are the arguments of a run within their ranges? info is -i for the argument i of GSSIM,
  * -100-k for SIZ(k), -109 for ldx and -110 for ldv, which the Fortran does not have. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
@@ -38,23 +37,23 @@ static int
 numbers (const gs_run *r)
 {
   const int method = r->iopt[GS_METHOD], way = r->iopt[GS_LOOPS];
-  const double *ropt = r->ropt;
+  const gs_real *ropt = r->ropt;
   int info = 0;
-  if (! (fabs (r->t0) <= 1e300) || gsfin (r->nt, r->tout) != 0 || gsfin (r->nb, r->tbrk) != 0)
+  if (! (gs_abs (r->t0) <= GS_HUGE) || gsfin (r->nt, r->tout) != 0 || gsfin (r->nb, r->tbrk) != 0)
     info = -13;
   if (gsfin (r->nx, r->x0) != 0)
     info = -14;
   if ((method != 4 && method != 8 && method != 9) || way < 1 || way > 6)
     info = -15;
-  if (method == 4 && ! (ropt[0] > 0.0))
+  if (method == 4 && ! (ropt[0] > 0))
     info = -16;
-  if (method >= 8 && ! (ropt[1] > 0.0 && ropt[0] >= 0.0 && ropt[2] >= 0.0))
+  if (method >= 8 && ! (ropt[1] > 0 && ropt[0] >= 0 && ropt[2] >= 0))
     info = -16;
   return info;
 }
 
 static int
-rising (int n, const double *t)
+rising (int n, const gs_real *t)
 {
   for (int i = 1; i < n; i++)
     if (t[i] <= t[i - 1])
@@ -70,13 +69,13 @@ gsarg (const gs_scene *s, const gs_run *r)
     info = numbers (r);
   if (info != 0)
     return info;
-  const double h = r->ropt[2] > 0.0 ? gs_min (r->ropt[0], r->ropt[2]) : r->ropt[0];
-  if (r->iopt[GS_METHOD] == 4 && r->tout[r->nt - 1] - r->t0 > 2e9 * h)
+  const gs_real h = r->ropt[2] > 0 ? gs_min (r->ropt[0], r->ropt[2]) : r->ropt[0];
+  if (r->iopt[GS_METHOD] == 4 && r->tout[r->nt - 1] - r->t0 > GS_R (2e9) * h)
     info = -16;
   if (r->tout[0] < r->t0 || ! rising (r->nt, r->tout) || ! rising (r->nb, r->tbrk))
     info = -13;
   for (int i = 0; i < r->nx && r->iopt[GS_METHOD] >= 8; i++)
-    if (! (r->atol[i] >= 0.0))
+    if (! (r->atol[i] >= 0))
       info = -16;
   return info;
 }

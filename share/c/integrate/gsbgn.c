@@ -12,16 +12,16 @@
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
 
-static const double nojump[3] = { 0.0, 0.0, 0.0 };
+static const gs_real nojump[3] = { 0, 0, 0 };
 
 /* onto the constraints, inputs, events, samples */
 static int
 what_is_due (gs_course *c)
 {
   const gs_system *g = &c->g;
-  double ts;
+  gs_real ts;
   int acted;
-  g->p[GS_WAY] = 0.0;
+  g->p[GS_WAY] = 0;
   int info = gschk (g->s, c->t, c->x, g->iopt, nojump, g->cst, g->p, g->istat, g->rstat);
   g->p[GS_WAY] = c->job;
   if (info != 0)
@@ -44,8 +44,8 @@ singular (gs_course *c)
 {
   const gs_system *g = &c->g;
   gs_passage *a = &c->a;
-  double *siz = c->f + g->nx;
-  memset (c->f, 0, g->nx * sizeof (double));
+  gs_real *siz = c->f + g->nx;
+  memset (c->f, 0, g->nx * sizeof (gs_real));
   gspbg (g->s, c->t, c->x, c->hmax, g->cst, c->f, c->xn, c->fn, c->hc, siz, g->p, &a->begin);
   if (a->begin < 0)
     {
@@ -63,9 +63,9 @@ singular (gs_course *c)
     }
 
   /* dependent constraints: see gssim */
-  if (c->job < 2.0 && g->p[GS_RANK] < g->s->nlam)
+  if (c->job < 2 && g->p[GS_RANK] < g->s->nlam)
     {
-      c->job = 2.0;
+      c->job = 2;
       g->p[GS_WAY] = c->job;
     }
   return 0;
@@ -79,7 +79,7 @@ gsbgn (gs_course *c)
     return GS_ROUTINE_FAILED;
   if (g->s->nlam > 0 && g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && singular (c) != 0)
     return GS_ROUTINE_FAILED;
-  if (c->job > 0.0 && c->a.begin == 0
+  if (c->job > 0 && c->a.begin == 0
       && gspcn (g->s, c->t, c->x, g->cst, g->p, g->istat) != 0)
     return GS_ROUTINE_FAILED;
   return 0;

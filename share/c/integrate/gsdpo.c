@@ -1,6 +1,5 @@
 /* GSDPO: the outputs within a step of GSDP8, from its polynomial (GSDPD), moved onto the
  * constraints as the ends of steps are. */
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -14,40 +13,40 @@
 
 /* the polynomial of the step, that of gsevn where off is not below 0; z (nx): workspace */
 static int
-polynomial (gs_course *c, double tn, int side, double h, double *z, double *off)
+polynomial (gs_course *c, gs_real tn, int side, gs_real h, gs_real *z, gs_real *off)
 {
   const gs_system *g = &c->g;
   const size_t nx = g->nx;
-  if (*off >= 0.0)
+  if (*off >= 0)
     {
-      memmove (c->f + 5 * nx, c->f + nx, 4 * nx * sizeof (double));
-      memcpy (c->f + nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, nx * sizeof (double));
+      memmove (c->f + 5 * nx, c->f + nx, 4 * nx * sizeof (gs_real));
+      memcpy (c->f + nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, nx * sizeof (gs_real));
       return 0;
     }
-  *off = 1.0;
+  *off = 1;
   const int info = gsdpd (g, c->t, tn, side, h, c->x, c->xn, c->f, z);
   if (info != 0)
     return info;
   *off = gsdpq (g, h, c->x, c->xn, c->f, z, c->f + 2 * nx);
   /* gsevn has seen the step; it is none but for rounding, as at a jump */
   const int seen = g->ip[GS_EVENTS] > 0,
-            tiny = fabs (h) <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (tn));
-  return *off <= 1.0 || seen || tiny ? 0 : 90;
+            tiny = gs_abs (h) <= GS_R (1e3) * gseps () * gs_max (gs_abs (c->t), gs_abs (tn));
+  return *off <= 1 || seen || tiny ? 0 : 90;
 }
 
 int
-gsdpo (gs_course *c, double tn, int side, double h, double *off)
+gsdpo (gs_course *c, gs_real tn, int side, gs_real h, gs_real *off)
 {
   const gs_system *g = &c->g;
   const gs_run *r = c->run;
-  double jump[3];
+  gs_real jump[3];
   int k = c->it;
   gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
   int info = polynomial (c, tn, side, h, r->xout + (size_t)r->ldx * k, off);
   for (; info == 0 && k < r->nt && r->tout[k] < tn; k++)
     {
-      const double t = r->tout[k];
-      double *x = r->xout + (size_t)r->ldx * k, *v = r->vout + (size_t)r->ldv * k;
+      const gs_real t = r->tout[k];
+      gs_real *x = r->xout + (size_t)r->ldx * k, *v = r->vout + (size_t)r->ldv * k;
       gsdpv (g->nx, h, (t - c->t) / h, c->x, c->xn, c->f, x);
       info = gsmov (g->s, t, x, g->iopt, jump, g->cst, g->p, g->istat, g->rstat);
       if (info != 0)

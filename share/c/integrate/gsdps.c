@@ -10,7 +10,7 @@
 static int
 trial (gs_course *c, int *taken)
 {
-  double hlim;
+  gs_real hlim;
   int info = gspss (c, gs_min (c->next, c->hmax), &hlim, taken);
   if (*taken == 0 && info == 0)
     {
@@ -46,7 +46,7 @@ gsdps (gs_course *c)
       const int info = trial (c, &taken);
       if (taken == 1)
         {
-          double *x = c->x;
+          gs_real *x = c->x;
           c->x = c->xn;
           c->xn = x;
         }
@@ -62,7 +62,7 @@ gsdpf (gs_course *c)
 {
   const gs_system *g = &c->g;
   if (c->fresh == 2)
-    memcpy (c->f, c->f + g->nx, g->nx * sizeof (double));
+    memcpy (c->f, c->f + g->nx, g->nx * sizeof (gs_real));
   else if (gsfun (g, c->t, 1, c->x, c->f) != 0)
     return GS_ROUTINE_FAILED;
   if (gsfin (g->nx, c->f) != 0)
@@ -73,7 +73,7 @@ gsdpf (gs_course *c)
       if (g->istat[GS_IS_STIFF] > 0 && g->iopt[GS_METHOD] == 9)
         return GS_STIFF;
     }
-  if (c->next <= 0.0
+  if (c->next <= 0
       && gshin (g, c->t, gs_min (c->hmax, c->tb - c->t), c->x, c->f, &c->next) != 0)
     return GS_ROUTINE_FAILED;
   return 0;

@@ -1,6 +1,5 @@
 /* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it; the
  * outputs within it; the length of the next one. */
-#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -17,29 +16,29 @@ enum { INACCURATE = 90 };
 
 /* is the least pivot far from 0? */
 static int
-is_far (const double *p)
+is_far (const gs_real *p)
 {
-  return p[GS_PIVOT] >= 0.25 * p[GS_LARGEST];
+  return p[GS_PIVOT] >= GS_R (0.25) * p[GS_LARGEST];
 }
 
 /* the length of the step and its end: no short one is left before the stop, or before the time
  * where a step may end behind it */
 static gs_step
-lengthen (const gs_course *c, double h)
+lengthen (const gs_course *c, gs_real h)
 {
   const int free = c->until > c->tb && c->strict == 0 && is_far (c->g.p);
-  const double tb = free ? c->until : c->tb;
+  const gs_real tb = free ? c->until : c->tb;
   gs_step e = { .method = 8, .t = c->t, .h = h, .tn = c->t + h, .side = 1,
                 .x = c->x, .xn = c->xn, .f = c->f, .wanted = free ? &c->tb : NULL };
-  if (c->t + 1.01 * h >= tb)
+  if (c->t + GS_R (1.01) * h >= tb)
     {
       e.h = tb - c->t;
       e.tn = tb;
       e.side = free ? -1 : c->side;
     }
-  else if (c->t + 2.0 * h > tb)
+  else if (c->t + 2 * h > tb)
     {
-      e.h = 0.5 * (tb - c->t);
+      e.h = GS_R (0.5) * (tb - c->t);
       e.tn = c->t + e.h;
     }
   return e;
@@ -48,19 +47,19 @@ lengthen (const gs_course *c, double h)
 /* the step e was good: the next one, statistics, the event in it. dense: the longest step with
  * outputs within it; 0: this one has none, the rates at its end are not known. info as gssim */
 static int
-accept (gs_course *c, const gs_step *e, double err, int loose, int event, double dense)
+accept (gs_course *c, const gs_step *e, gs_real err, int loose, int event, gs_real dense)
 {
   const gs_system *g = &c->g;
-  const double h = e->h;
-  double fac = 6.0;
-  if (err > 0.0)
-    fac = gs_min (fac, 0.9 * pow (err, -0.125));
-  fac = gs_max (fac, 1.0 / 3.0);
-  if (h >= 0.99 * c->next || h * fac > c->next)
+  const gs_real h = e->h;
+  gs_real fac = 6;
+  if (err > 0)
+    fac = gs_min (fac, GS_R (0.9) * gs_pow (err, -GS_R (0.125)));
+  fac = gs_max (fac, GS_R (1.0) / 3);
+  if (h >= GS_R (0.99) * c->next || h * fac > c->next)
     c->next = h * fac;
   /* two events and an output between them at one time but for rounding: the next step need not be
    * as short */
-  if (dense > 1e3 * gseps () * fabs (e->tn)
+  if (dense > GS_R (1e3) * gseps () * gs_abs (e->tn)
       && (c->it >= c->run->nt || c->run->tout[c->it] < e->tn + c->next))
     c->next = gs_min (c->next, dense);
   c->t = e->tn;
@@ -73,7 +72,7 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
   g->istat[GS_FAILED] = 0;
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
-  c->fresh = dense > 0.0 && e->side > 0 && g->ip[GS_EVENTS] == 0 ? 2 : 1;
+  c->fresh = dense > 0 && e->side > 0 && g->ip[GS_EVENTS] == 0 ? 2 : 1;
   const int moved = g->ip[GS_EVENTS] > 0 && event == 0
                     && gsevo (g->s, g->iopt[GS_METHOD], e->tn, c->xn, g->nx, g->ip, g->rp, g->cst,
                               g->v, g->ropt[1], g->atol);
@@ -85,14 +84,14 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
     }
   c->after = 1;
   c->repeated = 0;
-  c->near = 0.05;
+  c->near = GS_R (0.05);
   if (is_far (g->p))
     {
       c->far = c->next;
       if (g->p[GS_WAY] > c->job)
         {
           g->p[GS_WAY] = c->job;
-          g->p[GS_DEPENDENT] = -1.0;
+          g->p[GS_DEPENDENT] = -1;
         }
     }
   if (event > 0)
@@ -108,32 +107,32 @@ accept (gs_course *c, const gs_step *e, double err, int loose, int event, double
 
 /* ... was not: failed is what failed within it, or 0; dense as accept. info as gssim */
 static int
-reject (gs_course *c, double h, double err, int failed, double dense)
+reject (gs_course *c, gs_real h, gs_real err, int failed, gs_real dense)
 {
   const gs_system *g = &c->g;
-  double fac = 0.25;
+  gs_real fac = GS_R (0.25);
   g->istat[GS_N_REJECTED]++;
-  if (failed == 0 && err <= 1e300)
-    fac = gs_min (0.9, gs_max (0.2, 0.9 * pow (err, -0.125)));
+  if (failed == 0 && err <= GS_HUGE)
+    fac = gs_min (GS_R (0.9), gs_max (GS_R (0.2), GS_R (0.9) * gs_pow (err, -GS_R (0.125))));
   c->next = h * fac;
-  if (! (err <= 1e300 && failed == 0) && failed != INACCURATE
-      && c->next <= 1e3 * gseps () * gs_max (fabs (c->t), fabs (c->tb)))
+  if (! (err <= GS_HUGE && failed == 0) && failed != INACCURATE
+      && c->next <= GS_R (1e3) * gseps () * gs_max (gs_abs (c->t), gs_abs (c->tb)))
     return failed != 0 ? GS_ROUTINE_FAILED : GS_RATE_NOT_FINITE;
   if (failed == INACCURATE)
     c->next = dense;
   else if (failed != 0)
-    g->p[GS_DEPENDENT] = -1.0;
+    g->p[GS_DEPENDENT] = -1;
   if (failed == 4 && g->istat[GS_FAILED] == 3)
     {
-      c->next = 0.7 * h;
+      c->next = GS_R (0.7) * h;
       c->repeated++;
     }
-  c->near = 0.25;
+  c->near = GS_R (0.25);
   return 0;
 }
 
 int
-gsdpt (gs_course *c, double htry, int *taken)
+gsdpt (gs_course *c, gs_real htry, int *taken)
 {
   const gs_system *g = &c->g;
   const int steps = g->istat[GS_N_STEPS] + g->istat[GS_N_REJECTED], most = g->iopt[GS_MOST_STEPS];
@@ -145,25 +144,25 @@ gsdpt (gs_course *c, double htry, int *taken)
     return info;
   if (most > 0 && steps >= most)
     return GS_TOO_MANY;
-  if (e.h <= 16.0 * gseps () * gs_max (fabs (c->t), fabs (c->tb)) && e.tn < c->tb)
+  if (e.h <= 16 * gseps () * gs_max (gs_abs (c->t), gs_abs (c->tb)) && e.tn < c->tb)
     return GS_TOO_SMALL;
   if (c->slow > 20000)
     return GS_TOO_SMALL;
 
-  double err;
+  gs_real err;
   int failed = gsdp8 (g, c->t, e.tn, e.side, e.h, c->x, c->xn, &err, c->f);
-  const double strict = err;
-  if (g->iopt[GS_WATCH] == 1 && g->p[GS_PIVOT] < 0.25 * g->p[GS_LARGEST])
+  const gs_real strict = err;
+  if (g->iopt[GS_WATCH] == 1 && g->p[GS_PIVOT] < GS_R (0.25) * g->p[GS_LARGEST])
     err = err * g->ropt[1] / gs_max (g->ropt[1], c->loose);
-  const int loose = strict > 1.0 && err <= 1.0;
+  const int loose = strict > 1 && err <= 1;
 
   int event = 0;
-  if (g->ip[GS_EVENTS] > 0 && failed == 0 && err <= 1.0)
+  if (g->ip[GS_EVENTS] > 0 && failed == 0 && err <= 1)
     {
       e.rows = c->run->tout[c->it] < e.tn;
       failed = gsevn (g, &e, &event);
       if (event < 0)
-        err = e.off > 1.0 ? gs_min (1e10, e.off) : 1e10;
+        err = e.off > 1 ? gs_min (GS_R (1e10), e.off) : GS_R (1e10);
       if (failed == 10 && g->istat[GS_FAILED] == 7)
         return GS_ROUTINE_FAILED;
       if (event == -2)
@@ -172,21 +171,22 @@ gsdpt (gs_course *c, double htry, int *taken)
           return 0;
         }
     }
-  if (failed == 0 && err <= 1.0)
+  if (failed == 0 && err <= 1)
     failed = gsdpc (c, e.tn);
-  double dense = 0.0;
-  if (failed == 0 && err <= 1.0 && c->run->tout[c->it] < e.tn)
+  gs_real dense = 0;
+  if (failed == 0 && err <= 1 && c->run->tout[c->it] < e.tn)
     {
-      const double h = event > 0 ? e.tn - c->t : e.h;
-      double off = -1.0;
+      const gs_real h = event > 0 ? e.tn - c->t : e.h;
+      gs_real off = -1;
       if (g->ip[GS_EVENTS] > 0 && event == 0)
         off = e.rows_off;
       failed = gsdpo (c, e.tn, e.side, h, &off);
       if (failed != 0 && failed != INACCURATE)
-        g->p[GS_STEPS] = 0.0;
-      dense = h * gs_max (0.3, 0.9 * pow (gs_max (off, 1e-8), -0.125));
+        g->p[GS_STEPS] = 0;
+      dense = h
+              * gs_max (GS_R (0.3), GS_R (0.9) * gs_pow (gs_max (off, GS_R (1e-8)), -GS_R (0.125)));
     }
-  if (failed != 0 || ! (err <= 1.0))
+  if (failed != 0 || ! (err <= 1))
     {
       c->strict |= e.tn > c->tb && failed != 0 && failed != INACCURATE;
       return reject (c, e.h, err, failed, dense);
@@ -200,24 +200,24 @@ gsdpt (gs_course *c, double htry, int *taken)
 /* The partition that the stages need, where the least pivot is below the share near of its largest
  * value by GSPRT, and how many steps were very short beside those far from singular positions. */
 int
-gsdpp (gs_course *c, double h)
+gsdpp (gs_course *c, gs_real h)
 {
   const gs_system *g = &c->g;
-  double *p = g->p;
-  if (g->s->nlam > 0 && g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && p[GS_WAY] < 2.0
+  gs_real *p = g->p;
+  if (g->s->nlam > 0 && g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && p[GS_WAY] < 2
       && p[GS_PIVOT] < c->near * p[GS_LARGEST])
     {
-      p[GS_WAY] = 2.0;
-      p[GS_DEPENDENT] = -1.0;
+      p[GS_WAY] = 2;
+      p[GS_DEPENDENT] = -1;
     }
-  if (p[GS_WAY] > 0.0 && p[GS_DEPENDENT] < 0.0)
+  if (p[GS_WAY] > 0 && p[GS_DEPENDENT] < 0)
     {
       g->istat[GS_N_PARTITIONS]++;
       if (gspcn (g->s, c->t, c->x, g->cst, p, g->istat) != 0)
         return GS_ROUTINE_FAILED;
     }
   c->slow++;
-  if (g->iopt[GS_WATCH] != 1 || h > 1e-4 * c->far || is_far (p))
+  if (g->iopt[GS_WATCH] != 1 || h > GS_R (1e-4) * c->far || is_far (p))
     c->slow = 0;
   return 0;
 }
@@ -225,12 +225,12 @@ gsdpp (gs_course *c, double h)
 /* By no jump, nor, the first five times, to where the least pivot is below the share close of its
  * largest value. */
 int
-gsdpc (gs_course *c, double tn)
+gsdpc (gs_course *c, gs_real tn)
 {
   const gs_system *g = &c->g;
-  double jump[3];
+  gs_real jump[3];
   gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
-  jump[2] = 0.0;
+  jump[2] = 0;
   if (g->iopt[GS_WATCH] == 1 && g->iopt[GS_LOOPS] != 1 && c->repeated < 5 && tn < c->tb)
     jump[2] = c->close;
   int info = gschk (g->s, tn, c->xn, g->iopt, jump, g->cst, g->p, g->istat, g->rstat);

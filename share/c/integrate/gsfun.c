@@ -3,7 +3,6 @@
  * v is kept where it is constant. istat[0] counts the calls, istat[7] those where the constraints
  * lost rank (rhs returned 2: its result is usable, multipliers are not unique), istat[8] those
  * close to a singularity of orientation angles (rhs returned 3). */
-#include <math.h>
 
 #include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
@@ -11,7 +10,7 @@
 #include "gsmbp/loops.h"
 
 int
-gsfun (const gs_system *g, double t, int side, double *x, double *xd)
+gsfun (const gs_system *g, gs_real t, int side, gs_real *x, gs_real *xd)
 {
   return gsfut (g, t, t, t, side, x, xd);
 }
@@ -26,9 +25,9 @@ failed (const gs_system *g, int info, int which)
 
 /* the calls istat[k] that are counted, with their first and last time */
 static void
-count (const gs_system *g, int k, double t)
+count (const gs_system *g, int k, gs_real t)
 {
-  double *when = g->rstat + 2 * k - 5;
+  gs_real *when = g->rstat + 2 * k - 5;
   if (g->istat[k] == 0)
     when[0] = t;
   when[1] = t;
@@ -38,10 +37,10 @@ count (const gs_system *g, int k, double t)
 /* The stages of GSPSG that lie beyond a jump of the inputs, at tv, have those before it,
  * continued. With side < 0 rhs is called just before t. */
 int
-gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, double *xd)
+gsfut (const gs_system *g, gs_real t, gs_real tv, gs_real tf, int side, gs_real *x, gs_real *xd)
 {
   int info = 0;
-  if (g->p[GS_WAY] > 0.0)
+  if (g->p[GS_WAY] > 0)
     info = gsprt (g->s, t, x, g->cst, g->p);
   if (info != 0)
     return failed (g, info, 5);
@@ -66,26 +65,26 @@ gsfut (const gs_system *g, double t, double tv, double tf, int side, double *x, 
 /* By the polynomial of degree 5 through six values as far from tv as tf at most, so that five
  * derivatives are continuous at tv. */
 int
-gsinc (const gs_system *g, double tv, double tf, const double *x)
+gsinc (const gs_system *g, gs_real tv, gs_real tf, const gs_real *x)
 {
   const int nv = g->s->nv;
-  double *vk = g->v + nv, z[6];
+  gs_real *vk = g->v + nv, z[6];
   for (int k = 0; k < 6; k++)
     {
-      double s = sin (atan (1.0) * (2 * k + 1) / 6.0);
+      gs_real s = gs_sin (gs_atan (1) * (2 * k + 1) / 6);
       z[k] = -(s * s);
     }
   for (int i = 0; i < nv; i++)
-    g->v[i] = 0.0;
+    g->v[i] = 0;
   for (int k = 0; k < 6; k++)
     {
       int info = gsinp (g->s, tv + z[k] * (tf - tv), 1, x, g->nx, g->ip, g->rp, g->cst, vk, g->w);
       if (info != 0)
         return info;
-      double s = 1.0;
+      gs_real s = 1;
       for (int j = 0; j < 6; j++)
         if (j != k)
-          s = s * (1.0 - z[j]) / (z[k] - z[j]);
+          s = s * (1 - z[j]) / (z[k] - z[j]);
       for (int i = 0; i < nv; i++)
         g->v[i] += s * vk[i];
     }

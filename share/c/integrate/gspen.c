@@ -14,9 +14,9 @@ static int
 does_not_lead_out (gs_course *c)
 {
   const gs_system *g = &c->g;
-  double gap;
+  gs_real gap;
   gspbc (g, c->t, c->x, &c->a, c->f, c->xn, &gap);
-  if (! (gap > 1e-6 + 1e2 * g->ropt[1]))
+  if (! (gap > GS_R (1e-6) + GS_R (1e2) * g->ropt[1]))
     return 0;
   g->istat[GS_FAILED_INFO] = 4 - gs_most (0, c->a.begin);
   g->istat[GS_FAILED] = 8;
@@ -27,10 +27,10 @@ does_not_lead_out (gs_course *c)
 static int
 shorten (gs_passage *a)
 {
-  if (a->share > 0.15)
+  if (a->share > GS_R (0.15))
     {
-      a->share = 0.25 * a->share;
-      a->d = 0.25 * a->d;
+      a->share = GS_R (0.25) * a->share;
+      a->d = GS_R (0.25) * a->d;
       return 1;
     }
   a->not_before = a->tc + a->d;
@@ -39,7 +39,7 @@ shorten (gs_passage *a)
 
 /* the stop that tn is */
 static void
-set_stop (gs_course *c, double tn, int stops)
+set_stop (gs_course *c, gs_real tn, int stops)
 {
   c->tb = tn;
   c->side = 1;
@@ -49,22 +49,22 @@ set_stop (gs_course *c, double tn, int stops)
 
 /* the step to tn is counted, and the position, if it was passed; t = tn */
 static void
-count (gs_course *c, double tn)
+count (gs_course *c, gs_real tn)
 {
   const gs_system *g = &c->g;
   gs_passage *a = &c->a;
-  if (a->smin < 0.01 * g->p[GS_LARGEST] && a->tmin >= c->t && a->tmin <= tn
+  if (a->smin < GS_R (0.01) * g->p[GS_LARGEST] && a->tmin >= c->t && a->tmin <= tn
       && a->tmin > a->counted)
     {
       g->istat[GS_N_PASSED]++;
       if (g->istat[GS_N_PASSED] == 1)
         g->rstat[GS_T_PASSED] = a->tmin;
       g->rstat[GS_T_PASSED + 1] = a->tmin;
-      a->counted = a->tmin + 0.1 * a->d;
+      a->counted = a->tmin + GS_R (0.1) * a->d;
     }
   if (tn >= a->tc + a->d)
     a->not_before = a->tc + a->d;
-  if (gs_max (a->err, a->eit) > 1.0)
+  if (gs_max (a->err, a->eit) > 1)
     g->istat[GS_N_LOOSE]++;
   g->rstat[GS_H_LARGEST] = gs_max (g->rstat[GS_H_LARGEST], tn - c->t);
   c->t = tn;
@@ -82,14 +82,14 @@ gspen (gs_course *c, int *taken, int *again)
   *again = 0;
   if (a->begin != 0 && does_not_lead_out (c))
     return GS_ROUTINE_FAILED;
-  double tn = a->tc + a->d;
+  gs_real tn = a->tc + a->d;
   int stops = 0, event;
   if (c->tend <= tn)
     {
       tn = c->tend;
       stops = 1;
     }
-  if (tn <= c->t + 0.01 * a->d && stops == 0)
+  if (tn <= c->t + GS_R (0.01) * a->d && stops == 0)
     {
       a->not_before = c->t + a->d;
       return 0;
@@ -114,11 +114,11 @@ gspen (gs_course *c, int *taken, int *again)
 }
 
 int
-gspev (gs_course *c, double *tn, int *stops, int *event)
+gspev (gs_course *c, gs_real *tn, int *stops, int *event)
 {
   const gs_system *g = &c->g;
   const gs_passage *a = &c->a;
-  double b[12], points[12], wt[12];
+  gs_real b[12], points[12], wt[12];
   *event = 0;
   gsgln (a->ns, points, wt);
   for (;;)
@@ -138,41 +138,41 @@ gspev (gs_course *c, double *tn, int *stops, int *event)
         *stops = 0;
       if (*event >= 0)
         return 0;
-      *tn = c->t + 0.1 * e.h;
+      *tn = c->t + GS_R (0.1) * e.h;
     }
 }
 
 int
-gspck (gs_course *c, double tn)
+gspck (gs_course *c, gs_real tn)
 {
-  static const double nojump[3] = { 0.0, 0.0, 0.0 };
+  static const gs_real nojump[3] = { 0, 0, 0 };
   const gs_system *g = &c->g;
   int iopt[6];
   memcpy (iopt, g->iopt, sizeof iopt);
-  g->p[GS_STEPS] = 0.0;
-  if (tn < c->a.tc + 0.6 * c->a.d)
+  g->p[GS_STEPS] = 0;
+  if (tn < c->a.tc + GS_R (0.6) * c->a.d)
     {
       iopt[GS_LOOPS] = 1;
-      g->p[GS_WAY] = 0.0;
+      g->p[GS_WAY] = 0;
     }
   int info = gschk (g->s, tn, c->xn, iopt, nojump, g->cst, g->p, g->istat, g->rstat);
   g->p[GS_WAY] = c->job;
-  g->p[GS_DEPENDENT] = -1.0;
+  g->p[GS_DEPENDENT] = -1;
   return info;
 }
 
 int
-gspou (gs_course *c, double tn)
+gspou (gs_course *c, gs_real tn)
 {
   const gs_system *g = &c->g;
   const gs_run *r = c->run;
   const gs_passage *a = &c->a;
-  double b[12], points[12], wt[12];
+  gs_real b[12], points[12], wt[12];
   gsgln (a->ns, points, wt);
   for (; r->tout[c->it] < tn; c->it++)
     {
-      const double t = r->tout[c->it];
-      double *x = r->xout + (size_t)r->ldx * c->it, *v = r->vout + (size_t)r->ldv * c->it;
+      const gs_real t = r->tout[c->it];
+      gs_real *x = r->xout + (size_t)r->ldx * c->it, *v = r->vout + (size_t)r->ldv * c->it;
       gsglq (a->ns, points, wt, (c->t - a->tc) / a->d, (t - a->tc) / a->d, b);
       gspth (g->nx, a->ns, g->nx, c->x, a->d, b, c->f, x);
       int info = gsinp (g->s, t, 1, x, g->nx, g->ip, g->rp, g->cst, v, g->w);

@@ -12,7 +12,6 @@
  *
  * Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, section II.7
  * (collocation). */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
@@ -23,22 +22,22 @@ enum { TOO_FAR = 1, DIVERGES, STAGE_FAILED };
 
 typedef struct
 {
-  double c[12], wt[12], c0; /* points and weights of the stages, the place of x */
+  gs_real c[12], wt[12], c0; /* points and weights of the stages, the place of x */
   int order[12];            /* of the stages, from 1 */
-  double tol;
+  gs_real tol;
 } points;
 
 /* all stages once more; a->eit: what that moved. info: of a stage that failed */
 static int
-iterate (const gs_system *g, const double *x, gs_passage *a, const points *z, double *f, double *xn,
-         double *fn)
+iterate (const gs_system *g, const gs_real *x, gs_passage *a, const points *z, gs_real *f,
+         gs_real *xn, gs_real *fn)
 {
   const int nx = g->nx;
-  a->eit = 0.0;
+  a->eit = 0;
   for (int j = 0; j < a->ns; j++)
     {
       const int k = z->order[j] - 1;
-      double b[12], size, *stage = f + nx * (k + 1);
+      gs_real b[12], size, *stage = f + nx * (k + 1);
       gsglq (a->ns, z->c, z->wt, z->c0, z->c[k], b);
       gspth (nx, a->ns, nx, x, a->d, b, f, xn);
       int info = gspsr (g, a->tc + z->c[k] * a->d, a->tv, xn, fn);
@@ -46,7 +45,7 @@ iterate (const gs_system *g, const double *x, gs_passage *a, const points *z, do
         return info;
       for (int i = 0; i < nx; i++)
         {
-          double old = stage[i];
+          gs_real old = stage[i];
           stage[i] = fn[i];
           fn[i] = a->d * z->wt[k] * (fn[i] - old);
         }
@@ -58,17 +57,17 @@ iterate (const gs_system *g, const double *x, gs_passage *a, const points *z, do
 
 /* until it moves no more */
 static int
-converge (const gs_system *g, const double *x, gs_passage *a, const points *z, double *f,
-          double *xn, double *fn)
+converge (const gs_system *g, const gs_real *x, gs_passage *a, const points *z, gs_real *f,
+          gs_real *xn, gs_real *fn)
 {
-  double old = 1e300;
+  gs_real old = GS_HUGE;
   for (int l = 1; l <= 40; l++)
     {
       if (iterate (g, x, a, z, f, xn, fn) != 0)
         return STAGE_FAILED;
-      if (! (a->eit <= 1e300))
+      if (! (a->eit <= GS_HUGE))
         return DIVERGES;
-      if (a->eit <= 0.02 || (l > 2 && a->eit > 0.5 * old && a->eit <= 30.0))
+      if (a->eit <= GS_R (0.02) || (l > 2 && a->eit > GS_R (0.5) * old && a->eit <= 30))
         return 0;
       old = a->eit;
     }
@@ -77,20 +76,20 @@ converge (const gs_system *g, const double *x, gs_passage *a, const points *z, d
 
 /* the error, by how the last coefficients of the polynomial fall */
 static void
-estimate (const gs_system *g, const double *x, gs_passage *a, const points *z, const double *f,
-          double *fn)
+estimate (const gs_system *g, const gs_real *x, gs_passage *a, const points *z, const gs_real *f,
+          gs_real *fn)
 {
   const int nx = g->nx, ns = a->ns;
-  double old = 0.0, size;
+  gs_real old = 0, size;
   for (int j = ns - 4; j < ns; j++)
     {
       for (int i = 0; i < nx; i++)
-        fn[i] = 0.0;
+        fn[i] = 0;
       for (int k = 0; k < ns; k++)
         {
-          double b[12];
+          gs_real b[12];
           gslgp (ns, z->c[k], b);
-          const double s = a->d * z->wt[k] * b[j] * 0.5;
+          const gs_real s = a->d * z->wt[k] * b[j] * GS_R (0.5);
           for (int i = 0; i < nx; i++)
             fn[i] += s * f[i + nx * (k + 1)];
         }
@@ -105,34 +104,34 @@ estimate (const gs_system *g, const double *x, gs_passage *a, const points *z, c
 }
 
 int
-gspsg (const gs_system *g, double t, const double *x, gs_passage *a, double *f, double *xn,
-       double *fn)
+gspsg (const gs_system *g, gs_real t, const gs_real *x, gs_passage *a, gs_real *f, gs_real *xn,
+       gs_real *fn)
 {
   points z;
-  double cs;
+  gs_real cs;
   gsgln (a->ns, z.c, z.wt);
   z.c0 = (t - a->tc) / a->d;
-  z.tol = gs_max (g->ropt[1], 5e3 * gseps ());
-  a->err = 0.0;
-  a->eit = 0.0;
+  z.tol = gs_max (g->ropt[1], GS_R (5e3) * gseps ());
+  a->err = 0;
+  a->eit = 0;
   if (gspsf (g, x, a, z.c0, z.c, f, xn, z.order) != 0)
     return STAGE_FAILED;
-  gspmn (g, t, x, a->tc, a->d, -0.7, 0.7, a->ns, f, xn, &cs, &a->smin);
+  gspmn (g, t, x, a->tc, a->d, -GS_R (0.7), GS_R (0.7), a->ns, f, xn, &cs, &a->smin);
   a->tmin = a->tc + cs * a->d;
-  if (fabs (cs) > 0.03)
+  if (gs_abs (cs) > GS_R (0.03))
     return TOO_FAR;
   int info = converge (g, x, a, &z, f, xn, fn);
   if (info != 0)
     return info;
   estimate (g, x, a, &z, f, fn);
-  gspmn (g, t, x, a->tc, a->d, -0.1, 0.1, a->ns, f, xn, &cs, &a->smin);
+  gspmn (g, t, x, a->tc, a->d, -GS_R (0.1), GS_R (0.1), a->ns, f, xn, &cs, &a->smin);
   a->tmin = a->tc + cs * a->d;
   return 0;
 }
 
 /* stages behind c0, then those before it, outwards; how many are behind it */
 static int
-outwards (int ns, double c0, const double *c, int *order)
+outwards (int ns, gs_real c0, const gs_real *c, int *order)
 {
   int n = 0;
   for (int k = 0; k < ns; k++)
@@ -148,11 +147,11 @@ outwards (int ns, double c0, const double *c, int *order)
 /* Each by the polynomial through up to seven of those that are known already; close to the singular
  * position its own rates are of no use once there are others. */
 int
-gspsf (const gs_system *g, const double *x, const gs_passage *a, double c0, const double *c,
-       double *f, double *xn, int *order)
+gspsf (const gs_system *g, const gs_real *x, const gs_passage *a, gs_real c0, const gs_real *c,
+       gs_real *f, gs_real *xn, int *order)
 {
   const int nx = g->nx, behind = outwards (a->ns, c0, c, order);
-  double place[13] = { c0 }, b[13], from = c0;
+  gs_real place[13] = { c0 }, b[13], from = c0;
   int known[13] = { 0 }, n = 1; /* columns of f at these places */
   for (int j = 0; j < a->ns; j++)
     {
@@ -163,7 +162,7 @@ gspsf (const gs_system *g, const double *x, const gs_passage *a, double c0, cons
           for (int i = 0; i < nx; i++)
             xn[i] = x[i];
         }
-      if (j == 1 && fabs (c0) < 0.1)
+      if (j == 1 && gs_abs (c0) < GS_R (0.1))
         {
           place[0] = place[1];
           known[0] = known[1];
@@ -185,32 +184,32 @@ gspsf (const gs_system *g, const double *x, const gs_passage *a, double c0, cons
 
 /* Beyond a jump of the inputs, at tv[0] or tv[1], with those up to it, continued. */
 int
-gspsr (const gs_system *g, double t, const double *tv, double *x, double *xd)
+gspsr (const gs_system *g, gs_real t, const gs_real *tv, gs_real *x, gs_real *xd)
 {
   const int side = t >= tv[1] ? -1 : 1;
-  const double te = gs_min (gs_max (t, tv[0]), tv[1]);
-  double tf = t;
-  if (tv[2] > 0.0)
-    tf = te + tv[2] * tanh ((t - te) / tv[2]);
+  const gs_real te = gs_min (gs_max (t, tv[0]), tv[1]);
+  gs_real tf = t;
+  if (tv[2] > 0)
+    tf = te + tv[2] * gs_tanh ((t - te) / tv[2]);
   return gsfut (g, t, te, tf, side, x, xd);
 }
 
 /* States that are completed from others are left out. */
 void
-gsper (const gs_system *g, const double *x, const double *d, double tol, double *err)
+gsper (const gs_system *g, const gs_real *x, const gs_real *d, gs_real tol, gs_real *err)
 {
-  const double *counts = g->p + GS_PARTS + g->s->nu, rtol = g->ropt[1];
+  const gs_real *counts = g->p + GS_PARTS + g->s->nu, rtol = g->ropt[1];
   const int moving = g->s->nq + g->s->nu;
   int n = 0;
-  *err = 0.0;
+  *err = 0;
   for (int i = 0; i < g->nx; i++)
     {
-      if (i < moving && ! (counts[i] > 0.0))
+      if (i < moving && ! (counts[i] > 0))
         continue;
       n++;
-      double s = (g->atol[i] / rtol + fabs (x[i])) * tol;
-      if (s > 0.0)
+      gs_real s = (g->atol[i] / rtol + gs_abs (x[i])) * tol;
+      if (s > 0)
         *err += (d[i] / s) * (d[i] / s);
     }
-  *err = sqrt (*err / gs_most (1, n));
+  *err = gs_sqrt (*err / gs_most (1, n));
 }

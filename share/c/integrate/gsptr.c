@@ -1,6 +1,5 @@
 /* GSPTR: one trial step of GSPSG from tc - d to tc + d within a run, with the partition that holds
  * at its far end and the inputs between two breaks continued beyond these. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
@@ -12,18 +11,18 @@ gsptr (gs_course *c)
 {
   const gs_run *r = c->run;
   gs_passage *a = &c->a;
-  double *p = c->g.p, *tv = a->tv;
-  p[GS_WAY] = 2.0;
-  p[GS_DEPENDENT] = -1.0;
+  gs_real *p = c->g.p, *tv = a->tv;
+  p[GS_WAY] = 2;
+  p[GS_DEPENDENT] = -1;
   gspfe (c);
   tv[0] = gs_last_break (c);
   tv[1] = gs_min (gs_next_break (c), r->tout[r->nt - 1]);
-  tv[2] = 0.0;
+  tv[2] = 0;
   if (gs_max (tv[0] - a->tc, a->tc - tv[1]) + a->d > tv[1] - tv[0])
     tv[2] = tv[1] - tv[0];
   int info = gspsg (&c->g, c->t, c->x, a, c->f, c->xn, c->fn);
   p[GS_WAY] = c->job;
-  p[GS_DEPENDENT] = -1.0;
+  p[GS_DEPENDENT] = -1;
   return info;
 }
 
@@ -35,14 +34,14 @@ gspfe (gs_course *c)
   const gs_system *g = &c->g;
   const gs_scene *s = g->s;
   const gs_passage *a = &c->a;
-  double *const siz = c->hc, *const size = gs_partition_of (s->nq, s->nu, s->nlam, g->p).size;
-  double b[12], points[12], wt[12];
-  if (fabs (c->t - a->tc) > 0.6 * a->d)
+  gs_real *const siz = c->hc, *const size = gs_partition_of (s->nq, s->nu, s->nlam, g->p).size;
+  gs_real b[12], points[12], wt[12];
+  if (gs_abs (c->t - a->tc) > GS_R (0.6) * a->d)
     {
       gspnw (s, c->t, c->x, g->cst, g->p);
       return;
     }
-  const double tf = a->tc + copysign (a->d, a->tc - c->t);
+  const gs_real tf = a->tc + gs_copysign (a->d, a->tc - c->t);
   gsprd (g, c->t, c->x, a->tc, a->d, a->ns, c->f, c->xn);
   gsgln (a->ns, points, wt);
   gsglq (a->ns, points, wt, (c->t - a->tc) / a->d, (tf - a->tc) / a->d, b);

@@ -4,12 +4,12 @@
 #include "gsmbp/integrate.h"
 
 int
-gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *x, double *xn,
-       double *w)
+gsrk4 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, gs_real *x, gs_real *xn,
+       gs_real *w)
 {
   const int nx = g->nx;
-  const double h2 = 0.5 * h, h6 = h / 6.0, tm = t + h2;
-  double *sum = w, *k = w + nx, *z = w + 2 * nx;
+  const gs_real h2 = GS_R (0.5) * h, h6 = h / 6, tm = t + h2;
+  gs_real *sum = w, *k = w + nx, *z = w + 2 * nx;
   int info = gsfun (g, t, 1, x, sum);
   if (info != 0)
     return info;
@@ -21,7 +21,7 @@ gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *x, d
   for (int i = 0; i < nx; i++)
     {
       z[i] = x[i] + h2 * k[i];
-      sum[i] += 2.0 * k[i];
+      sum[i] += 2 * k[i];
     }
   info = gsfun (g, tm, 1, z, k);
   if (info != 0)
@@ -29,7 +29,7 @@ gsrk4 (const gs_system *g, double t, double tn, int side, double h, double *x, d
   for (int i = 0; i < nx; i++)
     {
       z[i] = x[i] + h * k[i];
-      sum[i] += 2.0 * k[i];
+      sum[i] += 2 * k[i];
     }
   info = gsfun (g, tn, side, z, k);
   if (info != 0)

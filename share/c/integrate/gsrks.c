@@ -10,7 +10,7 @@
 #include "gsmbp/integrate.h"
 #include "gsmbp/loops.h"
 
-static const double nojump[3] = { 0.0, 0.0, 0.0 };
+static const gs_real nojump[3] = { 0, 0, 0 };
 
 /* one step from c->t to e->tn, or to the event in it; event: its number, 0, or -1: too long,
  * nothing is done. info as gssim */
@@ -52,7 +52,7 @@ step (gs_course *c, gs_step *e, int *event)
 /* n steps of the length h from *ta on; n: how many were not taken, *ta and *hr being changed. info
  * as gssim */
 static int
-equal_steps (gs_course *c, double *ta, double *hr, double h, int *n)
+equal_steps (gs_course *c, gs_real *ta, gs_real *hr, gs_real h, int *n)
 {
   const int all = *n;
   for (int k = 1; k <= all; k++, --*n)
@@ -73,7 +73,7 @@ equal_steps (gs_course *c, double *ta, double *hr, double h, int *n)
       if (event < 0)
         {
           *ta = c->t;
-          *hr = 0.1 * h;
+          *hr = GS_R (0.1) * h;
           return 0;
         }
       if (e.tn < c->tb && (event > 0 || *hr < c->g.ropt[0]))
@@ -89,14 +89,15 @@ equal_steps (gs_course *c, double *ta, double *hr, double h, int *n)
 int
 gsrks (gs_course *c)
 {
-  double *rstat = c->g.rstat;
-  const double most = c->g.ropt[2] > 0.0 ? c->g.ropt[2] : c->g.ropt[0];
-  double ta = c->t, hr = c->g.ropt[0];
+  gs_real *rstat = c->g.rstat;
+  const gs_real most = c->g.ropt[2] > 0 ? c->g.ropt[2] : c->g.ropt[0];
+  gs_real ta = c->t, hr = c->g.ropt[0];
   for (int n = 1; n > 0;)
     {
-      const double at_most = gs_min (hr, most), many = (c->tb - ta) / at_most * (1.0 - 1e-9);
-      n = gs_most (1, (int) gs_min (many, 2e9) + 1);
-      const double h = many > 2e9 ? at_most : (c->tb - ta) / n;   /* the first, then longer ones */
+      const gs_real at_most = gs_min (hr, most), many = (c->tb - ta) / at_most * (1 - GS_R (1e-9));
+      n = gs_most (1, (int) gs_min (many, GS_R (2e9)) + 1);
+      /* the first, then longer ones */
+      const gs_real h = many > GS_R (2e9) ? at_most : (c->tb - ta) / n;
       rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
       rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
       int info = equal_steps (c, &ta, &hr, h, &n);

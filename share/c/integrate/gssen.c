@@ -2,17 +2,17 @@
 #include "gsmbp/integrate.h"
 
 int
-gssen (const gs_scene *s, double t, int ntop, int np, int nc, const int *col, const double *x,
-       const double *v, const double *cst, double *w, double *xd)
+gssen (const gs_scene *s, gs_real t, int ntop, int np, int nc, const int *col, const gs_real *x,
+       const gs_real *v, const gs_real *cst, gs_real *w, gs_real *xd)
 {
   const int n = s->nx;
-  double *const wp = w + n * n, *const wb = wp + n * np, *const zeros = wb + n * s->nv;
-  const double *p[4];
+  gs_real *const wp = w + n * n, *const wb = wp + n * np, *const zeros = wb + n * s->nv;
+  const gs_real *p[4];
   const int info = s->rhp (t, x, v, cst, wp, n, w, n, wb, n, xd);
   if (info != 0)
     return info == 2 ? 9 : info;
   for (int i = 0; i < n; i++) /* for start values */
-    zeros[i] = 0.0;
+    zeros[i] = 0;
   for (int k = 0; k < nc; k++)
     {
       p[k % 4] = col[k] == 0 ? zeros : wp + n * (col[k] - 1);
@@ -25,11 +25,11 @@ gssen (const gs_scene *s, double t, int ntop, int np, int nc, const int *col, co
 }
 
 void
-gsse4 (int ntop, int n, const double *a, const double *p1, const double *p2, const double *p3,
-       const double *p4, const double *y, double *r)
+gsse4 (int ntop, int n, const gs_real *a, const gs_real *p1, const gs_real *p2, const gs_real *p3,
+       const gs_real *p4, const gs_real *y, gs_real *r)
 {
-  const double *y1 = y, *y2 = y1 + n, *y3 = y2 + n, *y4 = y3 + n;
-  double *r1 = r, *r2 = r1 + n, *r3 = r2 + n, *r4 = r3 + n;
+  const gs_real *y1 = y, *y2 = y1 + n, *y3 = y2 + n, *y4 = y3 + n;
+  gs_real *r1 = r, *r2 = r1 + n, *r3 = r2 + n, *r4 = r3 + n;
   for (int i = 0; i < ntop; i++)
     {
       r1[i] = p1[i] + y1[ntop + i];
@@ -39,10 +39,10 @@ gsse4 (int ntop, int n, const double *a, const double *p1, const double *p2, con
     }
   for (int i = ntop; i < n; i++)
     {
-      double s1 = p1[i], s2 = p2[i], s3 = p3[i], s4 = p4[i];
+      gs_real s1 = p1[i], s2 = p2[i], s3 = p3[i], s4 = p4[i];
       for (int j = 0; j < n; j++)
         {
-          const double e = a[i + n * j];
+          const gs_real e = a[i + n * j];
           s1 += e * y1[j];
           s2 += e * y2[j];
           s3 += e * y3[j];
@@ -56,13 +56,13 @@ gsse4 (int ntop, int n, const double *a, const double *p1, const double *p2, con
 }
 
 void
-gsse1 (int ntop, int n, const double *a, const double *p, const double *y, double *r)
+gsse1 (int ntop, int n, const gs_real *a, const gs_real *p, const gs_real *y, gs_real *r)
 {
   for (int i = 0; i < ntop; i++)
     r[i] = p[i] + y[ntop + i];
   for (int i = ntop; i < n; i++)
     {
-      double s = p[i];
+      gs_real s = p[i];
       for (int j = 0; j < n; j++)
         s += a[i + n * j] * y[j];
       r[i] = s;

@@ -43,7 +43,6 @@
  *
  * In the cases GS_TOO_MANY to GS_STIFF and GS_RATE_NOT_FINITE the first istat[4] columns of xout
  * are valid; where there is another it holds the state at rstat[7], and that of vout the inputs. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -107,8 +106,8 @@ gssim (const gs_scene *s, gs_run *run)
   const int k = run->istat[GS_N_OUTPUTS];
   if (info != 0 && k < run->nt)
     {
-      memcpy (run->xout + (size_t)run->ldx * k, c.x, run->nx * sizeof (double));
-      memcpy (run->vout + (size_t)run->ldv * k, c.g.v, s->nv * sizeof (double));
+      memcpy (run->xout + (size_t)run->ldx * k, c.x, run->nx * sizeof (gs_real));
+      memcpy (run->vout + (size_t)run->ldv * k, c.g.v, s->nv * sizeof (gs_real));
     }
   return info;
 }
@@ -133,18 +132,18 @@ static void
 start_memory (gs_course *c)
 {
   const gs_run *run = c->run;
-  const double eps = gseps ();
+  const gs_real eps = gseps ();
   c->next = run->ropt[0];
-  c->last = 0.0;
-  c->near = 0.05;
-  c->far = 0.0;
+  c->last = 0;
+  c->near = GS_R (0.05);
+  c->far = 0;
   c->job = c->g.p[GS_WAY];
-  c->loose = pow (eps, 2.0 / 3.0);
-  c->close = 0.25 * pow (eps / gs_max (run->ropt[1], c->loose), 1.0 / 3.0);
-  c->a.not_before = -1e300;
-  c->a.counted = -1e300;
-  c->a.share = 1.0;
-  c->a.turn = 0.0;
+  c->loose = gs_pow (eps, GS_R (2.0) / 3);
+  c->close = GS_R (0.25) * gs_pow (eps / gs_max (run->ropt[1], c->loose), GS_R (1.0) / 3);
+  c->a.not_before = -GS_HUGE;
+  c->a.counted = -GS_HUGE;
+  c->a.share = 1;
+  c->a.turn = 0;
   c->a.ns = 8;
   c->a.begin = 0;
   c->fresh = 1;
@@ -173,17 +172,17 @@ gsini (const gs_scene *s, gs_run *run, gs_course *c)
   for (int i = 0; i < 20; i++)
     {
       run->istat[i] = 0;
-      run->rstat[i] = 0.0;
+      run->rstat[i] = 0;
     }
-  run->rstat[GS_R_PIVOT] = 1.0;
-  run->last.h = 0.0;
-  run->w[s->nu * (run->ip[GS_DERIVATIVES] + 1) + 1] = 0.0; /* for gsfol: a guess */
-  memcpy (c->x, run->x0, run->nx * sizeof (double));
+  run->rstat[GS_R_PIVOT] = 1;
+  run->last.h = 0;
+  run->w[s->nu * (run->ip[GS_DERIVATIVES] + 1) + 1] = 0; /* for gsfol: a guess */
+  memcpy (c->x, run->x0, run->nx * sizeof (gs_real));
   gspst (s->nq, s->nu, s->nlam, run->iopt, c->g.p);
   c->t = run->t0;
   c->hmax = run->tout[run->nt - 1] - run->t0;
   c->hmax += run->beyond;
-  if (run->ropt[2] > 0.0)
+  if (run->ropt[2] > 0)
     c->hmax = gs_min (c->hmax, run->ropt[2]);
   run->rstat[GS_H_LEAST] = c->hmax;
   start_memory (c);

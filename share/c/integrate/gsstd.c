@@ -14,30 +14,29 @@
  *
  * Hairer, Wanner, Solving Ordinary Differential Equations II, section IV.2 (stiffness
  * detection). */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/integrate.h"
 
 /* have steps looked as if bound often enough? */
 static int
-suspect (const gs_system *g, double h, const double *x, const double *w)
+suspect (const gs_system *g, gs_real h, const gs_real *x, const gs_real *w)
 {
   const int nx = g->nx;
-  const double *xd = w, *xd12 = w + 11 * nx, *z = w + 12 * nx;
+  const gs_real *xd = w, *xd12 = w + 11 * nx, *z = w + 12 * nx;
   int *istat = g->istat;
-  double a = 0.0, b = 0.0;
+  gs_real a = 0, b = 0;
   for (int i = 0; i < nx; i++)
     {
-      double s = g->atol[i] + g->ropt[1] * fabs (x[i]);
-      if (s > 0.0)
+      gs_real s = g->atol[i] + g->ropt[1] * gs_abs (x[i]);
+      if (s > 0)
         {
-          double da = (xd[i] - xd12[i]) / s, db = (x[i] - z[i]) / s;
+          gs_real da = (xd[i] - xd12[i]) / s, db = (x[i] - z[i]) / s;
           a += da * da;
           b += db * db;
         }
     }
-  if (fabs (h) * sqrt (a) > 5.0 * sqrt (b))
+  if (gs_abs (h) * gs_sqrt (a) > 5 * gs_sqrt (b))
     {
       istat[GS_STIFF_MEMORY]++;
       istat[GS_STIFF_MEMORY + 1] = 0;
@@ -55,28 +54,28 @@ suspect (const gs_system *g, double h, const double *x, const double *w)
 }
 
 void
-gsstd (const gs_system *g, double t, double h, const double *x, double *w)
+gsstd (const gs_system *g, gs_real t, gs_real h, const gs_real *x, gs_real *w)
 {
   int *istat = g->istat;
-  double limit = 4.0;
+  gs_real limit = 4;
   if (istat[GS_IS_STIFF] > 0 || istat[GS_N_STEPS] < istat[GS_STIFF_MEMORY + 2])
     return;
   if (g->iopt[GS_METHOD] == 4)
     {
       const int n = gs_least (1000, istat[GS_N_STEPS]);
       istat[GS_STIFF_MEMORY + 2] = istat[GS_N_STEPS] + gs_least (1000, gs_most (10, 9 * n));
-      limit = 2.78;
+      limit = GS_R (2.78);
     }
   else if (! suspect (g, h, x, w))
     return;
-  double rho;
+  gs_real rho;
   int k;
-  gsstf (g, t, x, fabs (h) / limit, w + g->nx, &rho, &k);
-  if (rho * fabs (h) <= limit)
+  gsstf (g, t, x, gs_abs (h) / limit, w + g->nx, &rho, &k);
+  if (rho * gs_abs (h) <= limit)
     return;
   istat[GS_IS_STIFF] = 1;
   istat[GS_STIFF_STATE] = k;
   g->rstat[GS_T_STIFF] = t;
   g->rstat[GS_R_STIFF] = rho;
-  g->rstat[GS_H_STIFF] = fabs (h);
+  g->rstat[GS_H_STIFF] = gs_abs (h);
 }

@@ -8,7 +8,6 @@
  * An eigenvalue rho whose left vector has the part c of the first direction lets n iterations grow
  * by c*rho^n or more. Once they have grown by less than 1e-4/h^n none with h*rho above 1 is left
  * but where c is less than 1e-4, and that is the end: 0. */
-#include <math.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
@@ -16,40 +15,40 @@
 
 /* units of the states, and a direction to begin with */
 static void
-begin (const gs_system *g, const double *x, double *dir, double *z, double *unit)
+begin (const gs_system *g, const gs_real *x, gs_real *dir, gs_real *z, gs_real *unit)
 {
-  const double rtol = g->ropt[1];
+  const gs_real rtol = g->ropt[1];
   for (int i = 0; i < g->nx; i++)
     {
       z[i] = x[i];
-      unit[i] = rtol > 0.0 ? fabs (x[i]) + g->atol[i] / rtol : fabs (x[i]) + 1.0;
-      if (! (unit[i] > 0.0))
-        unit[i] = 1.0;
-      dir[i] = unit[i] * (0.5 + fmod (0.618 * (i + 1), 1.0));
+      unit[i] = rtol > 0 ? gs_abs (x[i]) + g->atol[i] / rtol : gs_abs (x[i]) + 1;
+      if (! (unit[i] > 0))
+        unit[i] = 1;
+      dir[i] = unit[i] * (GS_R (0.5) + gs_fmod (GS_R (0.618) * (i + 1), 1));
     }
 }
 
 /* the direction becomes what the right-hand side, xd at x, makes of it; growth: its length, 0 where
  * that failed */
-static double
-turned (const gs_system *g, double t, const double *x, const double *xd, double *dir, double *z,
-        const double *unit, int *k)
+static gs_real
+turned (const gs_system *g, gs_real t, const gs_real *x, const gs_real *xd, gs_real *dir,
+        gs_real *z, const gs_real *unit, int *k)
 {
-  const double d = sqrt (gseps ());
-  double s = 0.0, growth = 0.0;
+  const gs_real d = gs_sqrt (gseps ());
+  gs_real s = 0, growth = 0;
   for (int i = 0; i < g->nx; i++)
-    s = gs_max (s, fabs (dir[i]) / unit[i]);
-  if (! (s > 0.0 && s <= 1e300))
-    return 0.0;
+    s = gs_max (s, gs_abs (dir[i]) / unit[i]);
+  if (! (s > 0 && s <= GS_HUGE))
+    return 0;
   s = d / s;
   for (int i = 0; i < g->nx; i++)
     z[i] = x[i] + s * dir[i];
   if (gsfun (g, t, 1, z, dir) != 0)
-    return 0.0;
+    return 0;
   for (int i = 0; i < g->nx; i++)
     {
       dir[i] -= xd[i];
-      s = fabs (dir[i]) / unit[i];
+      s = gs_abs (dir[i]) / unit[i];
       if (s > growth)
         {
           growth = s;
@@ -60,38 +59,38 @@ turned (const gs_system *g, double t, const double *x, const double *xd, double 
 }
 
 /* the eigenvalue, counting in the statistics of g */
-static double
-largest (const gs_system *g, double t, const double *x, double h, double *w, int *k)
+static gs_real
+largest (const gs_system *g, gs_real t, const gs_real *x, gs_real h, gs_real *w, int *k)
 {
   const int nx = g->nx;
-  double *xd = w, *dir = w + nx, *z = w + 2 * nx, *unit = w + 3 * nx;
-  double old = 0.0, sum = 0.0, part = 1.0;
+  gs_real *xd = w, *dir = w + nx, *z = w + 2 * nx, *unit = w + 3 * nx;
+  gs_real old = 0, sum = 0, part = 1;
   begin (g, x, dir, z, unit);
   if (gsfun (g, t, 1, z, xd) != 0)
-    return 0.0;
+    return 0;
   for (int j = 1, equal = 0; j <= 32; j++)
     {
-      double growth = turned (g, t, x, xd, dir, z, unit, k);
-      if (! (growth > 0.0))
-        return 0.0;
-      equal = fabs (growth - old) > 0.02 * growth ? 0 : equal + 1;
+      gs_real growth = turned (g, t, x, xd, dir, z, unit, k);
+      if (! (growth > 0))
+        return 0;
+      equal = gs_abs (growth - old) > GS_R (0.02) * growth ? 0 : equal + 1;
       old = growth;
       if (j > 8)
-        sum += log (growth);
+        sum += gs_log (growth);
       if (equal == 3)
         return growth;
-      part = gs_min (1e300, part * growth * h);
-      if (part < 1e-4)
-        return 0.0;
+      part = gs_min (GS_HUGE, part * growth * h);
+      if (part < GS_R (1e-4))
+        return 0;
     }
-  return exp (sum / 24.0);
+  return gs_exp (sum / 24);
 }
 
 void
-gsstf (const gs_system *g, double t, const double *x, double h, double *w, double *rho, int *k)
+gsstf (const gs_system *g, gs_real t, const gs_real *x, gs_real h, gs_real *w, gs_real *rho, int *k)
 {
   int istat[20] = { 0 };
-  double rstat[20] = { 0 };
+  gs_real rstat[20] = { 0 };
   gs_system own = *g;
   own.istat = istat;
   own.rstat = rstat;

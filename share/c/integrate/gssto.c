@@ -1,6 +1,5 @@
 /* GSSTO: at a stop of a run: the output, the samples and events that are due there, and the next
  * stop. */
-#include <math.h>
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -13,28 +12,28 @@ static void
 output (gs_course *c)
 {
   gs_run *r = c->run;
-  memcpy (r->xout + (size_t)r->ldx * c->it, c->x, r->nx * sizeof (double));
-  memcpy (r->vout + (size_t)r->ldv * c->it, c->g.v, c->g.s->nv * sizeof (double));
+  memcpy (r->xout + (size_t)r->ldx * c->it, c->x, r->nx * sizeof (gs_real));
+  memcpy (r->vout + (size_t)r->ldv * c->it, c->g.v, c->g.s->nv * sizeof (gs_real));
   c->it++;
   r->istat[GS_N_OUTPUTS] = c->it;
 }
 
-double
+gs_real
 gs_next_break (const gs_course *c)
 {
   const gs_run *r = c->run;
-  double t = c->ib < r->nb ? r->tbrk[c->ib] : HUGE_VAL;
+  gs_real t = c->ib < r->nb ? r->tbrk[c->ib] : HUGE_VAL;
   for (int k = 0; k < c->g.s->nsw; k++)
     if (c->switches[k] > c->t && c->switches[k] < t)
       t = c->switches[k];
   return t;
 }
 
-double
+gs_real
 gs_last_break (const gs_course *c)
 {
   const gs_run *r = c->run;
-  double t = c->ib > 0 ? r->tbrk[c->ib - 1] : r->t0;
+  gs_real t = c->ib > 0 ? r->tbrk[c->ib - 1] : r->t0;
   for (int k = 0; k < c->g.s->nsw; k++)
     if (c->switches[k] <= c->t && c->switches[k] > t)
       t = c->switches[k];
@@ -42,12 +41,12 @@ gs_last_break (const gs_course *c)
 }
 
 /* the output time that is ts but for rounding, else ts */
-static double
+static gs_real
 output_at (const gs_course *c)
 {
   const gs_run *r = c->run;
-  const double fuzz = 8.0 * gseps () * fabs (c->ts);
-  double t = c->ts;
+  const gs_real fuzz = 8 * gseps () * gs_abs (c->ts);
+  gs_real t = c->ts;
   for (int i = c->it; i < r->nt && r->tout[i] <= c->ts + fuzz; i++)
     if (r->tout[i] >= c->ts - fuzz)
       t = r->tout[i];
@@ -59,27 +58,27 @@ static void
 next_stop (gs_course *c)
 {
   const gs_run *r = c->run;
-  const double eps = gseps ();
+  const gs_real eps = gseps ();
   const int it = r->iopt[GS_METHOD] == 4 ? c->it : r->nt - 1;
   c->tb = r->tout[it];
   c->side = it == r->nt - 1 ? -1 : 1;
-  const double next = gs_next_break (c);
+  const gs_real next = gs_next_break (c);
   if (next <= c->tb)
     c->side = -1;
   c->tb = gs_min (c->tb, next);
-  if (c->ts <= c->tb + 8.0 * eps * fabs (c->tb))
+  if (c->ts <= c->tb + 8 * eps * gs_abs (c->tb))
     {
       c->side = -1;
-      if (c->ts < c->tb - 8.0 * eps * fabs (c->tb))
+      if (c->ts < c->tb - 8 * eps * gs_abs (c->tb))
         c->tb = output_at (c);
       c->tb = gs_min (c->tb, next);
     }
   c->tend = gs_min (gs_min (r->tout[r->nt - 1], c->ts), next);
   c->until = c->tb;
   c->strict = 0;
-  const double soon = gs_min (c->ts, next);
-  if (r->iopt[GS_METHOD] == 8 && r->beyond > 0.0 && c->tb >= r->tout[r->nt - 1]
-      && soon > c->tb + 8.0 * eps * fabs (c->tb))
+  const gs_real soon = gs_min (c->ts, next);
+  if (r->iopt[GS_METHOD] == 8 && r->beyond > 0 && c->tb >= r->tout[r->nt - 1]
+      && soon > c->tb + 8 * eps * gs_abs (c->tb))
     c->until = gs_min (c->tb + r->beyond, soon);
 }
 

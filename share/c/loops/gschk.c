@@ -1,7 +1,6 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/loops.h"
 
-#include <math.h>
 #include <string.h>
 
 /* what istat[6] calls the routine that failed */
@@ -11,12 +10,12 @@ enum { NONE = 0, PRJ = 3, CON = 4, PRT = 5 };
 typedef struct
 {
   const gs_scene *s;
-  double t, *x;
+  gs_real t, *x;
   const int *iopt;
-  const double *jump, *cst;
-  double *p;
+  const gs_real *jump, *cst;
+  gs_real *p;
   int *istat;
-  double *rstat;
+  gs_real *rstat;
   gs_partition a;
 } check;
 
@@ -25,12 +24,12 @@ static int
 complete (check *c)
 {
   int info = 0;
-  if (c->p[GS_WAY] > 0.0 && c->p[GS_DEPENDENT] < 0.0)
+  if (c->p[GS_WAY] > 0 && c->p[GS_DEPENDENT] < 0)
     {
       info = gspnw (c->s, c->t, c->x, c->cst, c->p);
       c->istat[6] = CON;
     }
-  if (info == 0 && c->p[GS_WAY] > 1.0)
+  if (info == 0 && c->p[GS_WAY] > 1)
     {
       /* twice: the speeds then belong to the last position */
       info = gsprt (c->s, c->t, c->x, c->cst, c->p);
@@ -50,7 +49,7 @@ project (check *c)
   c->istat[6] = PRJ;
   if (info != 0 && info != 2)
     return info;
-  c->rstat[4] = gs_max (c->rstat[4], fabs (c->a.phi[0]));
+  c->rstat[4] = gs_max (c->rstat[4], gs_abs (c->a.phi[0]));
   return 0;
 }
 
@@ -60,7 +59,7 @@ jumped (check *c)
 {
   int nq = c->s->nq, far = 0;
   for (int i = 0; i < nq + c->s->nu; i++)
-    far |= ! (fabs (c->x[i] - c->a.before[i]) <= c->jump[i >= nq]);
+    far |= ! (gs_abs (c->x[i] - c->a.before[i]) <= c->jump[i >= nq]);
   return far;
 }
 
@@ -70,23 +69,23 @@ drift (check *c)
 {
   const gs_scene *s = c->s;
   gs_partition *a = &c->a;
-  double *x = c->x, big = 1.0, gap = 0.0, rate = 0.0;
+  gs_real *x = c->x, big = 1, gap = 0, rate = 0;
   int info = s->con (c->t, x, x + s->nq, c->cst, a->phi, a->phit, a->hc, s->nlam, a->gam);
   c->istat[6] = CON;
   if (info != 0 && info != 2)
     return info;
   c->istat[6] = NONE;
   for (int i = 0; i < s->nq; i++)
-    big = gs_max (big, fabs (x[i]));
+    big = gs_max (big, gs_abs (x[i]));
   for (int i = 0; i < s->nlam; i++)
     {
-      double v = a->phit[i];
+      gs_real v = a->phit[i];
       for (int j = 0; j < s->nu; j++)
         v += a->hc[i + s->nlam * j] * x[s->nq + j];
-      gap = gs_max (gap, fabs (a->phi[i]));
-      rate = gs_max (rate, fabs (v));
+      gap = gs_max (gap, gs_abs (a->phi[i]));
+      rate = gs_max (rate, gs_abs (v));
     }
-  if (c->iopt[1] != 1 && ! (gap <= 1e-6 * big))
+  if (c->iopt[1] != 1 && ! (gap <= GS_R (1e-6) * big))
     {
       c->istat[6] = c->iopt[1] == 3 ? PRT : PRJ;
       return 3;
@@ -107,17 +106,17 @@ drift (check *c)
 /* positions passed where the constraints lose rank; least: the least pivot now, on exit of the last
  * step, tmin: when */
 static void
-passages (check *c, double *least, double *tmin)
+passages (check *c, gs_real *least, gs_real *tmin)
 {
-  double s;
+  gs_real s;
   gspas (c->s, c->t, c->x, c->cst, c->p, tmin, &s);
-  if (s >= 0.0 && s < 0.01 * c->p[GS_LARGEST])
+  if (s >= 0 && s < GS_R (0.01) * c->p[GS_LARGEST])
     {
       if (++c->istat[10] == 1)
         c->rstat[15] = *tmin;
       c->rstat[16] = *tmin;
     }
-  if (s >= 0.0 && s < *least)
+  if (s >= 0 && s < *least)
     *least = s;
 }
 
@@ -125,12 +124,12 @@ passages (check *c, double *least, double *tmin)
 static int
 rank_of (check *c)
 {
-  double *p = c->p, least, tmin = c->t;
+  gs_real *p = c->p, least, tmin = c->t;
   int rank, change;
   gsprc (c->s, c->t, c->x, c->cst, p, &rank, &least, &change);
   c->istat[9] += change;
   if (rank < p[GS_RANK])
-    least = 0.0;
+    least = 0;
   if (least < c->jump[2] * p[GS_LARGEST])
     {
       c->istat[6] = PRJ;
@@ -139,7 +138,7 @@ rank_of (check *c)
   p[GS_RANK] = gs_max (p[GS_RANK], rank);
   p[GS_PIVOT] = least;
   p[GS_LARGEST] = gs_max (p[GS_LARGEST], least);
-  if (c->iopt[0] == 4 && c->iopt[4] == 1 && least < 0.01 * p[GS_LARGEST])
+  if (c->iopt[0] == 4 && c->iopt[4] == 1 && least < GS_R (0.01) * p[GS_LARGEST])
     c->istat[19]++;
   if (c->iopt[4] == 1)
     passages (c, &least, &tmin);
@@ -160,7 +159,7 @@ move (check *c)
   int way = c->iopt[1], info = complete (c);
   if (info == 0 && way != 1 && (way != 3 || s->nq > s->nu))
     info = project (c);
-  if (info == 0 && c->jump[0] > 0.0 && way != 1 && jumped (c))
+  if (info == 0 && c->jump[0] > 0 && way != 1 && jumped (c))
     info = 3;
   if (info == 0)
     c->istat[6] = NONE;
@@ -183,8 +182,8 @@ run (check *c)
 
 /* the note of a failure of PART */
 static int
-noted (int (*part) (check *), const gs_scene *s, double t, double *x, const int *iopt,
-       const double *jump, const double *cst, double *p, int *istat, double *rstat)
+noted (int (*part) (check *), const gs_scene *s, gs_real t, gs_real *x, const int *iopt,
+       const gs_real *jump, const gs_real *cst, gs_real *p, int *istat, gs_real *rstat)
 {
   if (s->nlam == 0 && s->nq == s->nu)
     return 0;
@@ -199,15 +198,15 @@ noted (int (*part) (check *), const gs_scene *s, double t, double *x, const int 
 /* Not fulfilled are constraints of which more than 1e-6 of the largest coordinate (or of 1) is
  * left. */
 int
-gschk (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
-       const double *cst, double *p, int *istat, double *rstat)
+gschk (const gs_scene *s, gs_real t, gs_real *x, const int *iopt, const gs_real *jump,
+       const gs_real *cst, gs_real *p, int *istat, gs_real *rstat)
 {
   return noted (run, s, t, x, iopt, jump, cst, p, istat, rstat);
 }
 
 int
-gsmov (const gs_scene *s, double t, double *x, const int *iopt, const double *jump,
-       const double *cst, double *p, int *istat, double *rstat)
+gsmov (const gs_scene *s, gs_real t, gs_real *x, const int *iopt, const gs_real *jump,
+       const gs_real *cst, gs_real *p, int *istat, gs_real *rstat)
 {
   return noted (move, s, t, x, iopt, jump, cst, p, istat, rstat);
 }

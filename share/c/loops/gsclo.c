@@ -5,37 +5,36 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 int
-gsclo (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
-       const double *cst, double *res, double *w, int *iw)
+gsclo (const gs_scene *s, gs_real t, gs_real *qj, int r, const int *id, const int *ia,
+       const gs_real *cst, gs_real *res, gs_real *w, int *iw)
 {
   const int nu = s->nu, m = s->nlam;
-  double *const h = w + m * m, *const p = h + m * nu, *const pt = p + m, *const g = pt + m,
+  gs_real *const h = w + m * m, *const p = h + m * nu, *const pt = p + m, *const g = pt + m,
          *const size = g + m;
   int info = gsclq (s, t, qj, id, cst, res, w, h, p, pt, g, iw);
   return info != 0 ? info : gscld (s, t, qj, r, id, ia, cst, w, h, p, pt, g, size, iw);
 }
 
 int
-gsclq (const gs_scene *s, double t, double *qj, const int *id, const double *cst, double *res,
-       double *m, double *h, double *p, double *pt, double *g, int *iw)
+gsclq (const gs_scene *s, gs_real t, gs_real *qj, const int *id, const gs_real *cst, gs_real *res,
+       gs_real *m, gs_real *h, gs_real *p, gs_real *pt, gs_real *g, int *iw)
 {
   const int n = s->nlam;
-  double old = 0.0;
+  gs_real old = 0;
   for (int k = 0;; k++)
     {
       int info = s->con (t, qj, qj + s->nu, cst, p, pt, h, n, g);
       if (info != 0)
         return info;
       if (k == 60)
-        return *res > 1e-9 ? 2 : 0;
-      *res = 0.0;
+        return *res > GS_R (1e-9) ? 2 : 0;
+      *res = 0;
       for (int i = 0; i < n; i++)
-        *res = gs_max (*res, fabs (p[i]));
-      if (*res <= 0.0 || (k > 1 && *res >= old && *res <= 1e-11))
+        *res = gs_max (*res, gs_abs (p[i]));
+      if (*res <= 0 || (k > 1 && *res >= old && *res <= GS_R (1e-11)))
         return 0;
       old = *res;
       gsclm (n, id, h, m);
@@ -48,21 +47,21 @@ gsclq (const gs_scene *s, double t, double *qj, const int *id, const double *cst
 
 /* of order k from HC_dep*x_dep = right - HC_ind*x_ind */
 int
-gscld (const gs_scene *s, double t, double *qj, int r, const int *id, const int *ia,
-       const double *cst, double *m, double *h, double *p, double *pt, double *g, double *size,
-       int *iw)
+gscld (const gs_scene *s, gs_real t, gs_real *qj, int r, const int *id, const int *ia,
+       const gs_real *cst, gs_real *m, gs_real *h, gs_real *p, gs_real *pt, gs_real *g,
+       gs_real *size, int *iw)
 {
   const int nu = s->nu, n = s->nlam;
   if (r < 1)
     return 0;
   gsclm (n, id, h, m);
   for (int i = 0; i < n; i++)
-    size[i] = 1.0;
+    size[i] = 1;
   if (gslqf (n, 1, m, n, size, n, iw) != 0)
     return 1;
   for (int k = 1; k <= r; k++)
     {
-      double *const qk = qj + nu * k;
+      gs_real *const qk = qj + nu * k;
       int info = 0;
       if (k == 2)
         info = s->con (t, qj, qj + nu, cst, p, pt, h, n, g);
@@ -85,8 +84,8 @@ gscld (const gs_scene *s, double t, double *qj, int r, const int *id, const int 
 }
 
 void
-gsclm (int nlam, const int *id, const double *h, double *m)
+gsclm (int nlam, const int *id, const gs_real *h, gs_real *m)
 {
   for (int j = 0; j < nlam; j++)
-    memcpy (m + nlam * j, h + nlam * (id[j] - 1), nlam * sizeof (double));
+    memcpy (m + nlam * j, h + nlam * (id[j] - 1), nlam * sizeof (gs_real));
 }

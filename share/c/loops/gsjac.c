@@ -5,8 +5,8 @@
 #include <string.h>
 
 int
-gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb, const double *lc,
-       double *k, double *z, int *iw, int info)
+gsjac (int nu, int nlam, int nq, int nz, const gs_real *lm, const gs_real *lb, const gs_real *lc,
+       gs_real *k, gs_real *z, int *iw, int info)
 {
   const int n = nu + nlam;
   for (int j = 0; j < nq; j++)
@@ -27,45 +27,45 @@ gsjac (int nu, int nlam, int nq, int nz, const double *lm, const double *lb, con
 }
 
 int
-gsjdf (int nu, int nlam, int nz, const double *lm, const double *h, const double *phi,
-       const int *grp, double *z, double *hc, double *ud, double *lam, double *w)
+gsjdf (int nu, int nlam, int nz, const gs_real *lm, const gs_real *h, const gs_real *phi,
+       const int *grp, gs_real *z, gs_real *hc, gs_real *ud, gs_real *lam, gs_real *w)
 {
-  double tol;
+  gs_real tol;
   gsrtl (nu, nlam, h, nlam, phi, grp, &tol, w);
-  memcpy (hc, h, nlam * nu * sizeof (double));
+  memcpy (hc, h, nlam * nu * sizeof (gs_real));
   for (int j = 0; j < nz; j++, z += nu + nlam)
     {
       if (gsacr (1, nu, nlam, lm, nu, hc, nlam, z, z + nu, tol, grp, ud, lam, w) == 1)
         return 1;
-      memcpy (z, ud, nu * sizeof (double));
-      memcpy (z + nu, lam, nlam * sizeof (double));
+      memcpy (z, ud, nu * sizeof (gs_real));
+      memcpy (z + nu, lam, nlam * sizeof (gs_real));
     }
   return 0;
 }
 
 void
-gsjrw (int nu, int nq, int nx, int nv, int quasi, const double *z, int ldz, double *a, int lda,
-       double *b, int ldb)
+gsjrw (int nu, int nq, int nx, int nv, int quasi, const gs_real *z, int ldz, gs_real *a, int lda,
+       gs_real *b, int ldb)
 {
   for (int j = 0; j < nx; j++)
-    memcpy (a + nq + lda * j, z + ldz * j, nu * sizeof (double));
+    memcpy (a + nq + lda * j, z + ldz * j, nu * sizeof (gs_real));
   for (int j = 0; j < nv; j++)
-    memcpy (b + nq + ldb * j, z + ldz * (nx + j), nu * sizeof (double));
+    memcpy (b + nq + ldb * j, z + ldz * (nx + j), nu * sizeof (gs_real));
   if (quasi == 1)
     return;
   for (int i = 0; i < nu; i++)
     {
       for (int j = 0; j < nx; j++)
-        a[i + lda * j] = 0.0;
-      a[i + lda * (nu + i)] = 1.0;
+        a[i + lda * j] = 0;
+      a[i + lda * (nu + i)] = 1;
       for (int j = 0; j < nv; j++)
-        b[i + ldb * j] = 0.0;
+        b[i + ldb * j] = 0;
     }
 }
 
 /* few rows along them, many down the columns */
 void
-gsjth (int nr, int nl, int nz, const double *by, int ldb, const double *z, int ldz, double *a,
+gsjth (int nr, int nl, int nz, const gs_real *by, int ldb, const gs_real *z, int ldz, gs_real *a,
        int lda)
 {
   if (nr < gs_least (nz, 6))

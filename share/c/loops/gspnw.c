@@ -2,23 +2,21 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 int
-gspnw (const gs_scene *s, double t, const double *x, const double *cst, double *p)
+gspnw (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p)
 {
   gs_partition a = gs_partition_of (s->nq, s->nu, s->nlam, p);
   int info = s->con (t, x, x + s->nq, cst, a.phi, a.phit, a.hc, s->nlam, a.gam), rank, change;
-  double least;
+  gs_real least;
   if (info != 0 && info != 2)
     return info;
-  p[GS_DEPENDENT] = -1.0;
+  p[GS_DEPENDENT] = -1;
   gsprc (s, t, x, cst, p, &rank, &least, &change);
   return 0;
 }
 
 int
-gspcn (const gs_scene *s, double t, const double *x, const double *cst, double *p, int *istat)
+gspcn (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p, int *istat)
 {
   int info = gspnw (s, t, x, cst, p);
   istat[5] = info;
@@ -28,15 +26,15 @@ gspcn (const gs_scene *s, double t, const double *x, const double *cst, double *
 
 /* the volume that the present dependent columns span beside that of the best rank ones, whose sizes
  * gslpv left; 0 if there are not as many. y is destroyed. */
-static double
-volume (const gs_scene *s, const double *p, int rank, gs_partition *a)
+static gs_real
+volume (const gs_scene *s, const gs_real *p, int rank, gs_partition *a)
 {
-  double ratio;
+  gs_real ratio;
   if ((int)p[GS_DEPENDENT] != rank)
-    return 0.0;
+    return 0;
   for (int j = 0; j < rank; j++)
     {
-      const double *col = a->hc + s->nlam * ((int)a->order[j] - 1);
+      const gs_real *col = a->hc + s->nlam * ((int)a->order[j] - 1);
       for (int i = 0; i < s->nlam; i++)
         a->y[i + s->nlam * j] = col[i] / a->size[i];
     }
@@ -51,11 +49,11 @@ displacements (const gs_scene *s, gs_partition *a)
   int rank;
   for (int i = 0; i < s->nlam; i++)
     {
-      double part = a->size[i] > 0.0 ? a->rows[i] / a->size[i] : 0.0;
+      gs_real part = a->size[i] > 0 ? a->rows[i] / a->size[i] : 0;
       for (int j = 0; j < s->nu; j++)
         a->y[i + s->nlam * j] = part * a->hc[i + s->nlam * j];
     }
-  gsqrc (s->nlam, s->nu, a->y, s->nlam, 1e-7, a->displ, a->beta, a->siz, &rank);
+  gsqrc (s->nlam, s->nu, a->y, s->nlam, GS_R (1e-7), a->displ, a->beta, a->siz, &rank);
   return rank;
 }
 
@@ -64,18 +62,18 @@ displacements (const gs_scene *s, gs_partition *a)
  * span is at least 0.8 of the best one's (the product of the diagonals of their triangular
  * factors): where it is much less, errors of the independent ones are multiplied. */
 void
-gsprc (const gs_scene *s, double t, const double *x, const double *cst, double *p, int *rank,
-       double *least, int *change)
+gsprc (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p, int *rank,
+       gs_real *least, int *change)
 {
   gs_partition a = gs_partition_of (s->nq, s->nu, s->nlam, p);
   *change = 0;
   gslpv (s->nu, s->nlam, a.hc, a.size, a.y, a.piv, a.beta, a.siz, rank, least);
-  if (p[GS_WAY] <= 0.0)
+  if (p[GS_WAY] <= 0)
     return;
 
-  if (volume (s, p, *rank, &a) < 0.8)
+  if (volume (s, p, *rank, &a) < GS_R (0.8))
     {
-      *change = p[GS_DEPENDENT] >= 0.0;
+      *change = p[GS_DEPENDENT] >= 0;
       p[GS_DEPENDENT] = *rank;
       p[GS_DISPLACED] = *rank;
       for (int j = 0; j < s->nu; j++)
@@ -84,49 +82,49 @@ gsprc (const gs_scene *s, double t, const double *x, const double *cst, double *
           a.displ[j] = a.piv[j];
         }
     }
-  else if (p[GS_NONHOLONOMIC] <= 0.0)
+  else if (p[GS_NONHOLONOMIC] <= 0)
     return;
 
-  if (p[GS_NONHOLONOMIC] > 0.0)
+  if (p[GS_NONHOLONOMIC] > 0)
     p[GS_DISPLACED] = displacements (s, &a);
   gspwt (s, t, x, cst, p, a.displ, a.du);
 }
 
 /* Those count that are not completed from others. */
 void
-gspwt (const gs_scene *s, double t, const double *x, const double *cst, double *p,
-       const double *order, double *w)
+gspwt (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p,
+       const gs_real *order, gs_real *w)
 {
   gs_partition a = gs_partition_of (s->nq, s->nu, s->nlam, p);
-  double *qdot = w + s->nu;
+  gs_real *qdot = w + s->nu;
   for (int i = 0; i < s->nq; i++)
-    a.counts[i] = p[GS_WAY] < 2.0;
+    a.counts[i] = p[GS_WAY] < 2;
   for (int j = 0; j < s->nu; j++)
     {
       a.counts[s->nq + (int)a.order[j] - 1] = j >= (int)p[GS_DEPENDENT];
-      w[j] = 0.0;
+      w[j] = 0;
     }
   for (int j = (int)p[GS_DISPLACED]; j < s->nu; j++)
     {
       int k = (int)order[j] - 1;
-      w[k] = 1.0;
+      w[k] = 1;
       s->kin (t, x, w, cst, qdot);
-      w[k] = 0.0;
+      w[k] = 0;
       for (int i = 0; i < s->nq; i++)
-        if (fabs (qdot[i]) > 1e-12)
-          a.counts[i] = 1.0;
+        if (gs_abs (qdot[i]) > GS_R (1e-12))
+          a.counts[i] = 1;
     }
 }
 
 void
-gsvol (int m, int r, double *y, const double *siz, double *ratio)
+gsvol (int m, int r, gs_real *y, const gs_real *siz, gs_real *ratio)
 {
-  *ratio = 1.0;
+  *ratio = 1;
   for (int k = 0; k < r; k++)
     {
-      double *col = y + k + m * k, d = gs_dot (m - k, 0.0, col, col), beta;
-      *ratio = *ratio * sqrt (d) / siz[k];
-      if (! (d > 0.0))
+      gs_real *col = y + k + m * k, d = gs_dot (m - k, 0, col, col), beta;
+      *ratio = *ratio * gs_sqrt (d) / siz[k];
+      if (! (d > 0))
         return;
       gshrf (m, r, k, y, m, d, &beta);
     }

@@ -6,27 +6,26 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 int
-gsprj (const gs_scene *s, double t, double *x, int quasi, int ns, const int *iset,
-       const double *cst, double *res, double *w)
+gsprj (const gs_scene *s, gs_real t, gs_real *x, int quasi, int ns, const int *iset,
+       const gs_real *cst, gs_real *res, gs_real *w)
 {
   const int nq = s->nq, nu = s->nu, m = s->nlam;
-  double *const h = w + nu * nu, *const p = h + m * nu, *const pt = p + m, *const g = pt + m,
+  gs_real *const h = w + nu * nu, *const p = h + m * nu, *const pt = p + m, *const g = pt + m,
          *const f = g + m, *const dx = f + nu, *const lam = dx + nu, *const q = lam + m,
          *const u = q + nq, *const dq = u + nu, *const ww = dq + nq;
-  *res = 0.0;
+  *res = 0;
   gsnrm (ns, iset, x, res);
-  memcpy (q, x, nq * sizeof (double));
-  memcpy (u, x + nq, nu * sizeof (double));
+  memcpy (q, x, nq * sizeof (gs_real));
+  memcpy (u, x + nq, nu * sizeof (gs_real));
   int info = gspjq (s, t, q, u, quasi, ns, iset, cst, res, w, h, p, pt, g, f, dx, lam, ww, dq);
   if (info == 0)
     info = gspju (s, t, q, u, cst, w, h, p, pt, f, dx, lam, ww);
   if (info != 0)
     return info;
-  memcpy (x, q, nq * sizeof (double));
+  memcpy (x, q, nq * sizeof (gs_real));
   for (int i = 0; i < nu; i++)
     x[nq + i] = u[i] + dx[i];
   return 0;
@@ -34,44 +33,44 @@ gsprj (const gs_scene *s, double t, double *x, int quasi, int ns, const int *ise
 
 /* q by the step dx; one of more than half a radian (or metre) is shortened */
 static void
-move (const gs_scene *s, double t, double *q, const double *dx, int quasi, const double *cst,
-      double *dq)
+move (const gs_scene *s, gs_real t, gs_real *q, const gs_real *dx, int quasi, const gs_real *cst,
+      gs_real *dq)
 {
-  double r = 0.5;
+  gs_real r = GS_R (0.5);
   for (int i = 0; i < s->nu; i++)
-    r = gs_max (r, fabs (dx[i]));
+    r = gs_max (r, gs_abs (dx[i]));
   if (quasi == 1)
     {
       s->kin (t, q, dx, cst, dq);
       dx = dq;
     }
   for (int i = 0; i < s->nq; i++)
-    q[i] += dx[i] * (0.5 / r);
+    q[i] += dx[i] * (GS_R (0.5) / r);
 }
 
 int
-gspjq (const gs_scene *s, double t, double *q, const double *u, int quasi, int ns,
-       const int *iset, const double *cst, double *res, double *a, double *h, double *p,
-       double *pt, double *g, double *f, double *dx, double *lam, double *w, double *dq)
+gspjq (const gs_scene *s, gs_real t, gs_real *q, const gs_real *u, int quasi, int ns,
+       const int *iset, const gs_real *cst, gs_real *res, gs_real *a, gs_real *h, gs_real *p,
+       gs_real *pt, gs_real *g, gs_real *f, gs_real *dx, gs_real *lam, gs_real *w, gs_real *dq)
 {
   const int nu = s->nu, m = s->nlam;
-  double old = 0.0, err = 0.0;
+  gs_real old = 0, err = 0;
   for (int i = 0; i < nu; i++)
-    f[i] = 0.0;
+    f[i] = 0;
   for (int k = 1; k <= 50; k++)
     {
       int info = s->con (t, q, u, cst, p, pt, h, m, g);
       if (info != 0)
         return info;
-      double r = 0.0;
+      gs_real r = 0;
       for (int i = 0; i < m; i++)
         {
-          r = gs_max (r, fabs (p[i]));
+          r = gs_max (r, gs_abs (p[i]));
           p[i] = -p[i];
         }
       if (k == 1)
         *res = gs_max (*res, r);
-      if (r <= 4.0 * gseps () || (k > 2 && r >= old && r <= 1e-11))
+      if (r <= 4 * gseps () || (k > 2 && r >= old && r <= GS_R (1e-11)))
         return 0;
       old = r;
       s->mas (t, q, cst, a, nu);
@@ -81,13 +80,13 @@ gspjq (const gs_scene *s, double t, double *q, const double *u, int quasi, int n
       move (s, t, q, dx, quasi, cst, dq);
       gsnrm (ns, iset, q, &err);
     }
-  return old > 1e-9 ? 3 : 0;
+  return old > GS_R (1e-9) ? 3 : 0;
 }
 
 int
-gspju (const gs_scene *s, double t, const double *q, const double *u, const double *cst,
-       double *a, const double *h, double *p, const double *pt, const double *f, double *dx,
-       double *lam, double *w)
+gspju (const gs_scene *s, gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,
+       gs_real *a, const gs_real *h, gs_real *p, const gs_real *pt, const gs_real *f, gs_real *dx,
+       gs_real *lam, gs_real *w)
 {
   const int nu = s->nu, m = s->nlam;
   s->mas (t, q, cst, a, nu);

@@ -3,12 +3,11 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <stdbool.h>
 
 /* the constraints at x into the arrays of the partition; what con returned, but 0 for 2 */
 static int
-constraints (const gs_scene *s, double t, const double *x, const double *cst, gs_partition *a)
+constraints (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_partition *a)
 {
   int info = s->con (t, x, x + s->nq, cst, a->phi, a->phit, a->hc, s->nlam, a->gam);
   return info == 2 ? 0 : info;
@@ -17,7 +16,7 @@ constraints (const gs_scene *s, double t, const double *x, const double *cst, gs
 /* the displacement that closes the loops, by the factorization in the partition of that rank: dq =
  * kin(du) */
 static void
-displacement (const gs_scene *s, double t, const double *x, const double *cst, int r2, int rank,
+displacement (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, int r2, int rank,
               gs_partition *a)
 {
   for (int i = 0; i < s->nlam; i++)
@@ -29,10 +28,10 @@ displacement (const gs_scene *s, double t, const double *x, const double *cst, i
 /* Newton's method on the dependent displacements, until one is so small that what is left is
  * rounding; hc and its factorization, of that rank, are those of that place. info as gsprt */
 static int
-positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs_partition *a,
+positions (const gs_scene *s, gs_real t, gs_real *x, const gs_real *cst, int r2, gs_partition *a,
            int *rank)
 {
-  double old = 0.0, near = 1e-2 * sqrt (gseps ());
+  gs_real old = 0, near = GS_R (1e-2) * gs_sqrt (gseps ());
   bool closed = false;
   for (int k = 0; k < 30; k++)
     {
@@ -43,18 +42,18 @@ positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs
       if (closed)
         return 0;
       displacement (s, t, x, cst, r2, *rank, a);
-      double d = 0.0, big = 1.0;
+      gs_real d = 0, big = 1;
       for (int i = 0; i < s->nq; i++)
         {
-          d = gs_max (d, fabs (a->dq[i]));
-          big = gs_max (big, fabs (x[i]));
+          d = gs_max (d, gs_abs (a->dq[i]));
+          big = gs_max (big, gs_abs (x[i]));
         }
-      if (! (d <= 1e300))
+      if (! (d <= GS_HUGE))
         return 3;
-      double part = gs_min (1.0, 0.5 / gs_max (d, 0.5));
+      gs_real part = gs_min (1, GS_R (0.5) / gs_max (d, GS_R (0.5)));
       for (int i = 0; i < s->nq; i++)
         x[i] += part * a->dq[i];
-      closed = d <= near || (k > 0 && d >= 0.25 * old && d <= 1e-8 * big);
+      closed = d <= near || (k > 0 && d >= GS_R (0.25) * old && d <= GS_R (1e-8) * big);
       old = d;
     }
   return 3;
@@ -62,12 +61,12 @@ positions (const gs_scene *s, double t, double *x, const double *cst, int r2, gs
 
 /* the dependent speeds: HC*u + phit = 0, by the factorization in the partition of that rank */
 static void
-speeds (const gs_scene *s, double *x, int r, int rank, gs_partition *a)
+speeds (const gs_scene *s, gs_real *x, int r, int rank, gs_partition *a)
 {
-  double *u = x + s->nq;
+  gs_real *u = x + s->nq;
   for (int i = 0; i < s->nlam; i++)
     {
-      double gap = -a->phit[i];
+      gs_real gap = -a->phit[i];
       for (int j = 0; j < s->nu; j++)
         gap -= a->hc[i + s->nlam * j] * u[j];
       a->rhs[i] = gap;
@@ -84,20 +83,20 @@ speeds (const gs_scene *s, double *x, int r, int rank, gs_partition *a)
  * Wehage and Haug 1982, generalized coordinate partitioning for dimension reduction in analysis of
  * constrained dynamic systems. */
 int
-gsprt (const gs_scene *s, double t, double *x, const double *cst, double *p)
+gsprt (const gs_scene *s, gs_real t, gs_real *x, const gs_real *cst, gs_real *p)
 {
   gs_partition a = gs_partition_of (s->nq, s->nu, s->nlam, p);
   int r = (int)p[GS_DEPENDENT], rank = 0;
   if (r <= 0)
     return 0;
-  int info = p[GS_WAY] < 2.0 ? constraints (s, t, x, cst, &a)
+  int info = p[GS_WAY] < 2 ? constraints (s, t, x, cst, &a)
                              : positions (s, t, x, cst, (int)p[GS_DISPLACED], &a, &rank);
   if (info != 0)
     return info;
-  if (p[GS_WAY] < 2.0 || p[GS_NONHOLONOMIC] > 0.0)
+  if (p[GS_WAY] < 2 || p[GS_NONHOLONOMIC] > 0)
     {
       for (int i = 0; i < s->nlam; i++)
-        a.rhs[i] = 1.0;
+        a.rhs[i] = 1;
       gspfa (s->nlam, r, a.hc, a.order, a.rhs, a.y, a.piv, a.beta, a.siz, &rank);
     }
   speeds (s, x, r, rank, &a);
@@ -105,24 +104,24 @@ gsprt (const gs_scene *s, double t, double *x, const double *cst, double *p)
 }
 
 void
-gspfa (int m, int r, const double *hc, const double *order, const double *rows, double *y,
-       double *piv, double *beta, double *siz, int *rank)
+gspfa (int m, int r, const gs_real *hc, const gs_real *order, const gs_real *rows, gs_real *y,
+       gs_real *piv, gs_real *beta, gs_real *siz, int *rank)
 {
   for (int j = 0; j < r; j++)
     {
-      const double *col = hc + m * ((int)order[j] - 1);
+      const gs_real *col = hc + m * ((int)order[j] - 1);
       for (int i = 0; i < m; i++)
         y[i + m * j] = rows[i] * col[i];
     }
-  gsqrp (m, r, y, m, 1e5 * gseps (), piv, beta, siz, rank);
+  gsqrp (m, r, y, m, GS_R (1e5) * gseps (), piv, beta, siz, rank);
 }
 
 void
-gspls (int m, int r, int rank, const double *y, const double *piv, const double *beta, double *b,
-       int nu, const double *order, double *du)
+gspls (int m, int r, int rank, const gs_real *y, const gs_real *piv, const gs_real *beta,
+       gs_real *b, int nu, const gs_real *order, gs_real *du)
 {
   for (int i = 0; i < nu; i++)
-    du[i] = 0.0;
+    du[i] = 0;
   if (r == 0)
     return;
   gsqmv (m, rank, y, m, beta, b, 1);

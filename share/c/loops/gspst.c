@@ -1,21 +1,21 @@
 #include "gsmbp/loops.h"
 
 void
-gspst (int nq, int nu, int nlam, const int *iopt, double *p)
+gspst (int nq, int nu, int nlam, const int *iopt, gs_real *p)
 {
-  double *rows = gs_partition_of (nq, nu, nlam, p).rows;
+  gs_real *rows = gs_partition_of (nq, nu, nlam, p).rows;
   for (int i = 0; i < 24 + 8 * nu + 10 * nq + 7 * nlam + 2 * nlam * nu; i++)
-    p[i] = 0.0;
+    p[i] = 0;
   if (nlam > 0 && iopt[1] == 3)
-    p[GS_WAY] = 2.0;
+    p[GS_WAY] = 2;
   if (nlam > 0 && iopt[1] == 6)
-    p[GS_WAY] = 1.0;
-  p[GS_DEPENDENT] = -1.0;
+    p[GS_WAY] = 1;
+  p[GS_DEPENDENT] = -1;
   for (int i = 0; i < nlam; i++)
-    rows[i] = 1.0;
+    rows[i] = 1;
   for (int i = 0; i < iopt[5]; i++)
     {
-      rows[iopt[6 + i] - 1] = 0.0;
-      p[GS_NONHOLONOMIC] = 1.0;
+      rows[iopt[6 + i] - 1] = 0;
+      p[GS_NONHOLONOMIC] = 1;
     }
 }

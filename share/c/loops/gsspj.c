@@ -7,41 +7,41 @@
 
 /* the right sides of the coordinates, n rows; pp: of the constraints by parameters */
 static void
-of_positions (int n, int nlam, int nc, const int *col, const double *pp, double *r)
+of_positions (int n, int nlam, int nc, const int *col, const gs_real *pp, gs_real *r)
 {
   for (int k = 0; k < nc; k++)
     for (int i = 0; i < n; i++)
-      r[i + n * k] = i < nlam && col[k] > 0 ? pp[i + nlam * (col[k] - 1)] : 0.0;
+      r[i + n * k] = i < nlam && col[k] > 0 ? pp[i + nlam * (col[k] - 1)] : 0;
 }
 
 /* those of the speeds; pv: of the rates of the constraints by parameters; dv: by coordinates */
 static void
-of_speeds (int nlam, int nq, int nx, int nc, const int *col, const double *pv, const double *dv,
-           const double *x, double *r)
+of_speeds (int nlam, int nq, int nx, int nc, const int *col, const gs_real *pv, const gs_real *dv,
+           const gs_real *x, gs_real *r)
 {
   for (int k = 0; k < nc; k++)
     for (int i = 0; i < nlam; i++)
       {
-        double *e = r + i + nlam * k;
-        *e = col[k] > 0 ? pv[i + nlam * (col[k] - 1)] : 0.0;
+        gs_real *e = r + i + nlam * k;
+        *e = col[k] > 0 ? pv[i + nlam * (col[k] - 1)] : 0;
         for (int j = 0; j < nq; j++)
           *e += dv[i + nlam * j] * x[j + nx * (k + 1)];
       }
 }
 
 int
-gsspj (const gs_scene *s, double t, int ns, const int *iset, int np, int nc, const int *col,
-       double *x, const double *cst, double *w, int *iw)
+gsspj (const gs_scene *s, gs_real t, int ns, const int *iset, int np, int nc, const int *col,
+       gs_real *x, const gs_real *cst, gs_real *w, int *iw)
 {
   const int nx = s->nx, nq = s->nq, nu = s->nu, nlam = s->nlam, n = nlam + ns;
   /* rows by coordinates, their squares, right sides; rates by coordinates, by speeds; by
      parameters; what con leaves */
-  double *const d = w, *const g = d + n * nq, *const r = g + n * n, *const dv = r + n * nc,
+  gs_real *const d = w, *const g = d + n * nq, *const r = g + n * n, *const dv = r + n * nc,
          *const h = dv + nlam * nq, *const pp = h + nlam * nu, *const pv = pp + nlam * np,
          *const f = pv + nlam * np;
   int info = 0;
   for (int i = 0; i < n * nq; i++)
-    d[i] = 0.0;
+    d[i] = 0;
   if (nlam > 0)
     {
       info = s->con (t, x, x + nq, cst, f, f + nlam, h, nlam, f + 2 * nlam);
@@ -65,29 +65,29 @@ gsspj (const gs_scene *s, double t, int ns, const int *iset, int np, int nc, con
 }
 
 int
-gsspl (int m, int n, int nc, const double *d, int ldd, double *y, int ldy, double *r, int ldr,
-       double *g, int *iw)
+gsspl (int m, int n, int nc, const gs_real *d, int ldd, gs_real *y, int ldy, gs_real *r, int ldr,
+       gs_real *g, int *iw)
 {
   for (int i = 0; i < m; i++)
     {
       for (int j = 0; j < m; j++)
         {
-          g[i + m * j] = 0.0;
+          g[i + m * j] = 0;
           for (int k = 0; k < n; k++)
             g[i + m * j] += d[i + ldd * k] * d[j + ldd * k];
         }
-      const int none = g[i + m * i] <= 0.0;
+      const int none = g[i + m * i] <= 0;
       for (int k = 0; k < nc; k++)
         {
-          double *e = r + i + ldr * k;
+          gs_real *e = r + i + ldr * k;
           *e = -*e;
           for (int j = 0; j < n; j++)
             *e -= d[i + ldd * j] * y[j + ldy * k];
           if (none)
-            *e = 0.0;
+            *e = 0;
         }
       if (none)
-        g[i + m * i] = 1.0;
+        g[i + m * i] = 1;
     }
   if (gsleq (m, nc, g, m, r, ldr, iw) != 0)
     return 9;

@@ -1,5 +1,4 @@
 /* Double and singular solutions of inverse kinematics. As gsigd.f. */
-#include <math.h>
 #include <string.h>
 #include "gsmbp/reach.h"
 
@@ -7,26 +6,27 @@ static const int turning[] = { 1, 1, 1, 1, 1, 1 };
 
 /* the position x half way between the solutions a and b: does it miss the pose by rounding only? */
 static int
-are_one (const double *ka, const double *pa, const double *r, const double *p, const double *a,
-         const double *b, double *x)
+are_one (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, const gs_real *a,
+         const gs_real *b, gs_real *x)
 {
-  double rj[36], e[6], miss;
-  if (gsikk (6, turning, a, b) > 1e-4)
+  gs_real rj[36], e[6], miss;
+  if (gsikk (6, turning, a, b) > GS_R (1e-4))
     return 0;
   for (int i = 0; i < 6; i++)
     {
-      double d = a[i] - b[i];
-      d = b[i] + 0.5 * atan2 (sin (d), cos (d));
-      x[i] = atan2 (sin (d), cos (d));
+      gs_real d = a[i] - b[i];
+      d = b[i] + GS_R (0.5) * gs_atan2 (gs_sin (d), gs_cos (d));
+      x[i] = gs_atan2 (gs_sin (d), gs_cos (d));
     }
   gsikj (turning, ka, pa, r, p, x, rj, e, &miss);
-  return miss <= 4e-14 * gsik0 (6, pa, p);
+  return miss <= GS_R (4e-14) * gsik0 (6, pa, p);
 }
 
 int
-gsigd (const double *ka, const double *pa, const double *r, const double *p, double *q, int *ns)
+gsigd (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, gs_real *q,
+       int *ns)
 {
-  double x[6];
+  gs_real x[6];
   int info = 0;
   for (int k = *ns - 1; k > 0; k--)
     for (int j = 0; j < k; j++)
@@ -35,21 +35,21 @@ gsigd (const double *ka, const double *pa, const double *r, const double *p, dou
           info = 2;
           --*ns;
           memcpy (q + 6 * j, x, sizeof x);
-          memmove (q + 6 * k, q + 6 * (k + 1), 6 * (*ns - k) * sizeof (double));
+          memmove (q + 6 * k, q + 6 * (k + 1), 6 * (*ns - k) * sizeof (gs_real));
           break;
         }
   return gsigs (6, turning, ka, pa, r, p, q, *ns, info);
 }
 
 int
-gsigs (int n, const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       const double *qs, int ns, int info)
+gsigs (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, const gs_real *qs, int ns, int info)
 {
-  double z[6], s;
+  gs_real z[6], s;
   for (int k = 0; k < ns; k++)
     {
       gsiko (n, kind, ka, pa, r, p, qs + n * k, z, &s);
-      info = s <= 3e-8 ? 2 : info;
+      info = s <= GS_R (3e-8) ? 2 : info;
     }
   return info;
 }

@@ -2,25 +2,24 @@
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 /* the squared length of e */
-static double
-square (const double *e)
+static gs_real
+square (const gs_real *e)
 {
   return e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
 }
 
 /* the damped step s of least squares: (j'j + mu) s = j'e */
 static void
-step (int n, const double *j, const double *e, double mu, double *s)
+step (int n, const gs_real *j, const gs_real *e, gs_real mu, gs_real *s)
 {
-  double a[9];
+  gs_real a[9];
   for (int i = 0; i < n; i++)
     {
-      const double *ji = j + 3 * i;
-      s[i] = gs_dot (3, 0.0, ji, e);
+      const gs_real *ji = j + 3 * i;
+      s[i] = gs_dot (3, 0, ji, e);
       for (int l = 0; l < n; l++)
         a[l + 3 * i] = j[3 * l] * ji[0] + j[3 * l + 1] * ji[1] + j[3 * l + 2] * ji[2];
       a[i + 3 * i] = a[i + 3 * i] + mu;
@@ -29,49 +28,49 @@ step (int n, const double *j, const double *e, double mu, double *s)
 }
 
 /* the least square near the guess q, by Levenberg and Marquardt, at most 1000 steps */
-static double
-closest (gs_ikc *ikc, int n, const double *p, const double *r, const double *qg,
-         const double *cst, double *q)
+static gs_real
+closest (gs_ikc *ikc, int n, const gs_real *p, const gs_real *r, const gs_real *qg,
+         const gs_real *cst, gs_real *q)
 {
-  double qn[3] = { 0.0 }, e[3], en[3], j[9] = { 0.0 }, jn[9] = { 0.0 }, s[3], mu = 1e-4;
+  gs_real qn[3] = { 0 }, e[3], en[3], j[9] = { 0 }, jn[9] = { 0 }, s[3], mu = GS_R (1e-4);
   ikc (p, r, qg, cst, q, e, j);
-  double f = square (e);
+  gs_real f = square (e);
   for (int it = 0; it < 1000; it++)
     {
       step (n, j, e, mu, s);
       for (int i = 0; i < n; i++)
         qn[i] = q[i] + s[i];
       ikc (p, r, qg, cst, qn, en, jn);
-      double fn = square (en);
+      gs_real fn = square (en);
       if (fn < f)
         {
-          mu = gs_max (0.1 * mu, 1e-15);
-          memcpy (q, qn, n * sizeof (double));
+          mu = gs_max (GS_R (0.1) * mu, GS_R (1e-15));
+          memcpy (q, qn, n * sizeof (gs_real));
           memcpy (e, en, sizeof e);
-          memcpy (j, jn, 3 * n * sizeof (double));
+          memcpy (j, jn, 3 * n * sizeof (gs_real));
           f = fn;
           continue;
         }
-      mu = 10.0 * mu;
-      if (mu > 1e6)
+      mu = 10 * mu;
+      if (mu > GS_R (1e6))
         break;
     }
   return f;
 }
 
 void
-gsikd (gs_ikc *ikc, int n, int nc, int nb, int at, const double *p, const double *r,
-       const double *qg, const double *cst, const double *qc, double *dst)
+gsikd (gs_ikc *ikc, int n, int nc, int nb, int at, const gs_real *p, const gs_real *r,
+       const gs_real *qg, const gs_real *cst, const gs_real *qc, gs_real *dst)
 {
-  double q[3];
-  *dst = -1.0;
+  gs_real q[3];
+  *dst = -1;
   for (int k = 0; k < nb; k++)
     {
       for (int i = 0; i < n; i++)
         q[i] = qc[at + i + nc * k];
-      double f = closest (ikc, n, p, r, qg, cst, q);
-      if (*dst < 0.0 || f < *dst)
+      gs_real f = closest (ikc, n, p, r, qg, cst, q);
+      if (*dst < 0 || f < *dst)
         *dst = f;
     }
-  *dst = sqrt (gs_max (*dst, 0.0));
+  *dst = gs_sqrt (gs_max (*dst, 0));
 }

@@ -2,48 +2,47 @@
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 /* entry i of R x, R (3,3) */
-static double
-turned (const double *r, int i, const double *x)
+static gs_real
+turned (const gs_real *r, int i, const gs_real *x)
 {
   return r[i] * x[0] + r[i + 3] * x[1] + r[i + 6] * x[2];
 }
 
 /* neighbour l of an arm: axes kb, points pb */
 static void
-neighbour (int l, const double *ka, const double *pc, double *kb, double *pb)
+neighbour (int l, const gs_real *ka, const gs_real *pc, gs_real *kb, gs_real *pb)
 {
   for (int j = 1; j <= 6; j++, ka += 3, pc += 3, kb += 3, pb += 3)
     {
       for (int i = 1; i <= 3; i++)
         {
-          kb[i - 1] = ka[i - 1] + 3e-6 * l * sin (1.0 * (7 * i + 3 * j * l));
-          pb[i - 1] = pc[i - 1] + 3e-6 * l * cos (1.0 * (5 * i + 4 * j * l));
+          kb[i - 1] = ka[i - 1] + GS_R (3e-6) * l * gs_sin (1 * (7 * i + 3 * j * l));
+          pb[i - 1] = pc[i - 1] + GS_R (3e-6) * l * gs_cos (1 * (5 * i + 4 * j * l));
         }
-      double size = sqrt (kb[0] * kb[0] + kb[1] * kb[1] + kb[2] * kb[2]);
+      gs_real size = gs_sqrt (kb[0] * kb[0] + kb[1] * kb[1] + kb[2] * kb[2]);
       for (int i = 0; i < 3; i++)
         kb[i] = kb[i] / size;
     }
 }
 
 /* the points pc of the arm about their middle cen, by their size, which is returned */
-static double
-middle (const double *pa, double *pc, double *cen)
+static gs_real
+middle (const gs_real *pa, gs_real *pc, gs_real *cen)
 {
-  double size = 0.0;
+  gs_real size = 0;
   for (int i = 0; i < 3; i++)
     {
-      cen[i] = 0.0;
+      cen[i] = 0;
       for (int j = 0; j < 6; j++)
-        cen[i] = cen[i] + pa[i + 3 * j] / 6.0;
+        cen[i] = cen[i] + pa[i + 3 * j] / 6;
     }
   for (int j = 0; j < 18; j++)
     {
       pc[j] = pa[j] - cen[j % 3];
-      size = gs_max (size, fabs (pc[j]));
+      size = gs_max (size, gs_abs (pc[j]));
     }
   return size;
 }
@@ -51,10 +50,10 @@ middle (const double *pa, double *pc, double *cen)
 /* all orders of the joints until two are regular, or one was; else four neighbours of this arm,
  * whose lengths beside their largest are pc */
 static void
-candidates (const double *ka, const double *pc, const double *r, const double *p2, double *qc,
-            int *ns, double *w, int *iw)
+candidates (const gs_real *ka, const gs_real *pc, const gs_real *r, const gs_real *p2, gs_real *qc,
+            int *ns, gs_real *w, int *iw)
 {
-  double kb[18], pb[18];
+  gs_real kb[18], pb[18];
   int regular = 0;
   memcpy (kb, ka, sizeof kb);
   memcpy (pb, pc, sizeof pb);
@@ -89,12 +88,12 @@ candidates (const double *ka, const double *pc, const double *r, const double *p
  * M. Raghavan, B. Roth, J. Mech. Design 115 (1993), 502-508. D. Manocha, J. Canny, IEEE Trans.
  * Robotics Automation 10 (1994), 648-657. */
 int
-gsikg (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns,
-       double *w, int *iw)
+gsikg (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, gs_real *qc,
+       int *ns, gs_real *w, int *iw)
 {
-  double pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
+  gs_real pc[18], p2[3], cen[3], size = middle (pa, pc, cen);
   *ns = 0;
-  if (! (size > 0.0))
+  if (! (size > 0))
     return 0;
   for (int i = 0; i < 3; i++)
     p2[i] = (p[i] + r[i] * cen[0] + r[i + 3] * cen[1] + r[i + 6] * cen[2] - cen[i]) / size;
@@ -107,16 +106,17 @@ gsikg (const double *ka, const double *pa, const double *r, const double *p, dou
 /* as gsikz, from the solutions where the least singular value of the Jacobian is below 1e-4 of the
  * largest */
 int
-gsigc (const double *ka, const double *pa, const double *r, const double *p, double *qc, int *ns)
+gsigc (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, gs_real *qc,
+       int *ns)
 {
   const int kind[] = { 1, 1, 1, 1, 1, 1 };
-  double q[96], z[6], qw[2400], s;
+  gs_real q[96], z[6], qw[2400], s;
   int br[16] = { 0 }, m = 0, nw = 0;
   for (int k = 0; k < *ns; k++)
     {
       gsiko (6, kind, ka, pa, r, p, qc + 6 * k, z, &s);
-      m += s <= 1e-4;
-      memcpy (q + 6 * k, qc + 6 * k, 6 * sizeof (double));
+      m += s <= GS_R (1e-4);
+      memcpy (q + 6 * k, qc + 6 * k, 6 * sizeof (gs_real));
       br[k] = k + 1;
     }
   if (m == 0)
@@ -126,9 +126,9 @@ gsigc (const double *ka, const double *pa, const double *r, const double *p, dou
   for (int k = 0; k < m; k++)
     {
       gsiko (6, kind, ka, pa, r, p, q + 6 * k, z, &s);
-      if (! (s <= 1e-4))
+      if (! (s <= GS_R (1e-4)))
         continue;
-      memcpy (qc, q + 6 * k, 6 * sizeof (double));
+      memcpy (qc, q + 6 * k, 6 * sizeof (gs_real));
       gsik4 (6, kind, ka, pa, r, p, qc, z, 16, q, ns, br, 0);
       gsik2 (kind, ka, pa, r, p, qc, 16, q, ns, br, 0, &nw, qw);
     }
@@ -141,30 +141,30 @@ gsigc (const double *ka, const double *pa, const double *r, const double *p, dou
 }
 
 void
-gsik6 (const double *r, const double *p, double *ka, double *pa)
+gsik6 (const gs_real *r, const gs_real *p, gs_real *ka, gs_real *pa)
 {
-  double k[3], x[3];
+  gs_real k[3], x[3];
   for (int i = 0; i < 3; i++)
     {
       k[i] = turned (r, i, ka + 15);
       x[i] = turned (r, i, pa + 15) + p[i];
     }
-  memmove (ka + 3, ka, 15 * sizeof (double));
-  memmove (pa + 3, pa, 15 * sizeof (double));
+  memmove (ka + 3, ka, 15 * sizeof (gs_real));
+  memmove (pa + 3, pa, 15 * sizeof (gs_real));
   memcpy (ka, k, sizeof k);
   memcpy (pa, x, sizeof x);
 }
 
 void
-gsikb (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-       const double *p0, int l0, double *qc, int *ns, int *regular, double *w, int *iw)
+gsikb (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, const gs_real *k0,
+       const gs_real *p0, int l0, gs_real *qc, int *ns, int *regular, gs_real *w, int *iw)
 {
-  double kb[18], pb[18], rb[9], d[3];
+  gs_real kb[18], pb[18], rb[9], d[3];
   *regular += gsik1 (ka, pa, r, p, k0, p0, r, p, 1, l0, qc, ns, w, iw) == 0;
   for (int j = 0; j < 6; j++)
     {
-      memcpy (kb + 3 * j, ka + 3 * (5 - j), 3 * sizeof (double));
-      memcpy (pb + 3 * j, pa + 3 * (5 - j), 3 * sizeof (double));
+      memcpy (kb + 3 * j, ka + 3 * (5 - j), 3 * sizeof (gs_real));
+      memcpy (pb + 3 * j, pa + 3 * (5 - j), 3 * sizeof (gs_real));
     }
   for (int i = 0; i < 3; i++)
     for (int l = 0; l < 3; l++)
@@ -175,12 +175,12 @@ gsikb (const double *ka, const double *pa, const double *r, const double *p, con
 }
 
 int
-gsik1 (const double *ka, const double *pa, const double *r, const double *p, const double *k0,
-       const double *p0, const double *r0, const double *d0, int way, int l0, double *qc, int *ns,
-       double *w, int *iw)
+gsik1 (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, const gs_real *k0,
+       const gs_real *p0, const gs_real *r0, const gs_real *d0, int way, int l0, gs_real *qc,
+       int *ns, gs_real *w, int *iw)
 {
   static const int kind[] = { 1, 1, 1, 1, 1, 1 };
-  double q[6], q0[6], f[14 * 27], g[14 * 9], h[6 * 9 * 3], shift, er[24], ei[24];
+  gs_real q[6], q0[6], f[14 * 27], g[14 * 9], h[6 * 9 * 3], shift, er[24], ei[24];
   int good, info;
   gsikl (ka, pa, f);
   gsikr (ka, pa, r, p, g);
@@ -190,13 +190,13 @@ gsik1 (const double *ka, const double *pa, const double *r, const double *p, con
     return 1;
   for (int i = 0; i < 24; i++)
     {
-      if (! (fabs (ei[i]) <= 1e-3 * (1.0 + fabs (er[i]))))
+      if (! (gs_abs (ei[i]) <= GS_R (1e-3) * (1 + gs_abs (er[i]))))
         continue;
-      q[2] = shift + 2.0 * atan (er[i]);
+      q[2] = shift + 2 * gs_atan (er[i]);
       gsikv (ka, pa, r, f, g, h, q, w);
       for (int j = 0; j < 3 && way < 0; j++)
         {
-          double t = q[j];
+          gs_real t = q[j];
           q[j] = -q[5 - j];
           q[5 - j] = -t;
         }
@@ -211,33 +211,33 @@ gsik1 (const double *ka, const double *pa, const double *r, const double *p, con
 
 /* x turned about the axis k through the origin */
 static void
-rodrigues (const double *k, double s, double c, double *x)
+rodrigues (const gs_real *k, gs_real s, gs_real c, gs_real *x)
 {
-  double d = k[0] * x[0] + k[1] * x[1] + k[2] * x[2], u[3];
+  gs_real d = k[0] * x[0] + k[1] * x[1] + k[2] * x[2], u[3];
   u[0] = k[1] * x[2] - k[2] * x[1];
   u[1] = k[2] * x[0] - k[0] * x[2];
   u[2] = k[0] * x[1] - k[1] * x[0];
   for (int i = 0; i < 3; i++)
-    x[i] = c * x[i] + s * u[i] + (1.0 - c) * d * k[i];
+    x[i] = c * x[i] + s * u[i] + (1 - c) * d * k[i];
 }
 
 void
-gsikt (const double *k, const double *p, double s, double c, double *x, double *e)
+gsikt (const gs_real *k, const gs_real *p, gs_real s, gs_real c, gs_real *x, gs_real *e)
 {
-  double y[3], u[3];
+  gs_real y[3], u[3];
   rodrigues (k, s, c, e);
   for (int i = 0; i < 3; i++)
     y[i] = x[i] - p[i];
-  double d = k[0] * y[0] + k[1] * y[1] + k[2] * y[2];
+  gs_real d = k[0] * y[0] + k[1] * y[1] + k[2] * y[2];
   u[0] = k[1] * y[2] - k[2] * y[1];
   u[1] = k[2] * y[0] - k[0] * y[2];
   u[2] = k[0] * y[1] - k[1] * y[0];
   for (int i = 0; i < 3; i++)
-    x[i] = p[i] + c * y[i] + s * u[i] + (1.0 - c) * d * k[i];
+    x[i] = p[i] + c * y[i] + s * u[i] + (1 - c) * d * k[i];
 }
 
 void
-gsikw (const double *x, const double *e, double *v)
+gsikw (const gs_real *x, const gs_real *e, gs_real *v)
 {
   v[6] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
   v[7] = x[0] * e[0] + x[1] * e[1] + x[2] * e[2];
@@ -248,31 +248,31 @@ gsikw (const double *x, const double *e, double *v)
     {
       v[i] = x[i];
       v[3 + i] = e[i];
-      v[11 + i] = v[6] * e[i] - 2.0 * v[7] * x[i];
+      v[11 + i] = v[6] * e[i] - 2 * v[7] * x[i];
     }
 }
 
 void
-gsikf (int m, int n, int l, double *f)
+gsikf (int m, int n, int l, gs_real *f)
 {
   const int k = m * n;
   for (int j = 0; j < l; j++, f += 3 * k)
     for (int i = 0; i < k; i++)
       {
-        double a = f[i], b = f[i + 2 * k];
-        f[i + 2 * k] = 0.5 * (a + b);
-        f[i] = 0.5 * (a - b);
+        gs_real a = f[i], b = f[i + 2 * k];
+        f[i + 2 * k] = GS_R (0.5) * (a + b);
+        f[i] = GS_R (0.5) * (a - b);
         f[i + k] = f[i + k] - f[i + 2 * k];
       }
 }
 
 /* sine and cosine of 0, 90 and 180 degrees */
-static const double sine[] = { 0.0, 1.0, 0.0 }, cosine[] = { 1.0, 0.0, -1.0 };
+static const gs_real sine[] = { 0, 1, 0 }, cosine[] = { 1, 0, -1 };
 
 void
-gsikl (const double *ka, const double *pa, double *f)
+gsikl (const gs_real *ka, const gs_real *pa, gs_real *f)
 {
-  double x[3], e[3];
+  gs_real x[3], e[3];
   for (int n = 0; n < 27; n++)
     {
       const int i = n / 9, j = n / 3 % 3, k = n % 3;
@@ -289,10 +289,10 @@ gsikl (const double *ka, const double *pa, double *f)
 }
 
 void
-gsikr (const double *ka, const double *pa, const double *r, const double *p, double *g)
+gsikr (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p, gs_real *g)
 {
-  static const double back[] = { 0.0, -1.0, 0.0 };
-  double x[3], e[3];
+  static const gs_real back[] = { 0, -1, 0 };
+  gs_real x[3], e[3];
   for (int n = 0; n < 9; n++)
     {
       const int i = n / 3, j = n % 3;
@@ -312,21 +312,21 @@ gsikr (const double *ka, const double *pa, const double *r, const double *p, dou
 /* combinations of the equations in which angles 1 and 2 have no part, by the singular vectors of
  * their coefficients */
 void
-gsike (const double *f, const double *g, double *h, double *w)
+gsike (const gs_real *f, const gs_real *g, gs_real *h, gs_real *w)
 {
-  double s[14], v[14 * 14], b[6 * 9];
+  gs_real s[14], v[14 * 14], b[6 * 9];
   int rank;
   gs_transpose (8, 14, g, 14, w);
-  gssvd (8, 14, w, 8, v, 14, s, 1e-14, &rank);
+  gssvd (8, 14, w, 8, v, 14, s, GS_R (1e-14), &rank);
   for (int k = 0; k < 3; k++)
     {
       for (int i = 0; i < 6; i++)
         for (int j = 0; j < 9; j++)
           {
-            double a = 0.0;
+            gs_real a = 0;
             for (int l = 0; l < 14; l++)
               {
-                double z = f[l + 14 * (j + 9 * k)];
+                gs_real z = f[l + 14 * (j + 9 * k)];
                 if (k == 2 && j == 8)
                   z = z - g[l + 14 * 8];
                 a = a + v[l + 14 * (8 + i)] * z;
@@ -339,70 +339,70 @@ gsike (const double *f, const double *g, double *h, double *w)
 }
 
 void
-gsikh (const double *b, int i, double *h)
+gsikh (const gs_real *b, int i, gs_real *h)
 {
-  double t[9];
+  gs_real t[9];
   b += i - 1;
   h += i - 1;
   for (int k = 0; k < 3; k++)
     {
       t[3 * k] = b[6 * (2 + 3 * k)] + b[6 * (3 * k)];
-      t[1 + 3 * k] = 2.0 * b[6 * (1 + 3 * k)];
+      t[1 + 3 * k] = 2 * b[6 * (1 + 3 * k)];
       t[2 + 3 * k] = b[6 * (2 + 3 * k)] - b[6 * (3 * k)];
     }
   for (int j = 0; j < 3; j++)
     {
       h[6 * j] = t[j + 6] + t[j];
-      h[6 * (3 + j)] = 2.0 * t[j + 3];
+      h[6 * (3 + j)] = 2 * t[j + 3];
       h[6 * (6 + j)] = t[j + 6] - t[j];
     }
 }
 
 /* a (24,24): the companion matrix of x (12,24) */
 static void
-companion (const double *x, double *a)
+companion (const gs_real *x, gs_real *a)
 {
   for (int j = 0; j < 24; j++)
     for (int i = 0; i < 12; i++)
       {
-        a[i + 24 * j] = j == 12 + i ? 1.0 : 0.0;
+        a[i + 24 * j] = j == 12 + i ? 1 : 0;
         a[12 + i + 24 * j] = -x[i + 12 * j];
       }
 }
 
 /* of eight places to begin the one with the smallest matrix */
 int
-gsikc (const double *h, double *shift, double *a, double *s2, double *x, int *iw)
+gsikc (const gs_real *h, gs_real *shift, gs_real *a, gs_real *s2, gs_real *x, int *iw)
 {
-  double least = -1.0;
+  gs_real least = -1;
   int info = 1;
   for (int k = 1; k <= 8; k++)
     {
-      double th = 0.37 + 0.785398 * k, c = cos (th), s = sin (th), big = 0.0;
-      gsikm (h, -c, -s, 1.0, s2);
-      gsikm (h, c, s, 1.0, x);
-      gsikm (h, -2.0 * s, 2.0 * c, 0.0, x + 144);
+      gs_real th = GS_R (0.37) + GS_R (0.785398) * k, c = gs_cos (th), s = gs_sin (th), big = 0;
+      gsikm (h, -c, -s, 1, s2);
+      gsikm (h, c, s, 1, x);
+      gsikm (h, -2 * s, 2 * c, 0, x + 144);
       if (gsleq (12, 24, s2, 12, x, 12, iw) != 0)
         continue;
       for (int i = 0; i < 288; i++)
-        big = gs_max (big, fabs (x[i]));
-      if (! (big <= 1e200 && (least < 0.0 || big < least)))
+        big = gs_max (big, gs_abs (x[i]));
+      if (! (big <= GS_R (1e200) && (least < 0 || big < least)))
         continue;
       least = big;
       *shift = th;
       info = 0;
       companion (x, a);
     }
-  return least > 1e4 ? 2 : info;
+  return least > GS_R (1e4) ? 2 : info;
 }
 
 void
-gsikm (const double *h, double a, double b, double c, double *s)
+gsikm (const gs_real *h, gs_real a, gs_real b, gs_real c, gs_real *s)
 {
   for (int i = 0; i < 6; i++)
     {
       for (int j = 0; j < 12; j++)
-        s[i + 12 * j] = s[6 + i + 12 * j] = 0.0;
+        s[i + 12 * j] = s[6 + i + 12 * j] = 0;
       for (int j = 0; j < 9; j++)
         s[i + 12 * j] = s[6 + i + 12 * (3 + j)]
             = a * h[i + 6 * j] + b * h[i + 6 * j + 54] + c * h[i + 6 * j + 108];
@@ -410,22 +410,22 @@ gsikm (const double *h, double a, double b, double c, double *s)
 }
 
 /* the factor of term k (0 cosine, 1 sine, 2 one) */
-static double
-times (double m, int k, double q)
+static gs_real
+times (gs_real m, int k, gs_real q)
 {
-  return k == 0 ? m * cos (q) : k == 1 ? m * sin (q) : m;
+  return k == 0 ? m * gs_cos (q) : k == 1 ? m * gs_sin (q) : m;
 }
 
 /* the right side b (14) of the equations for angles 1 and 2 */
 static void
-right_side (const double *f, const double *g, const double *q, double *b)
+right_side (const gs_real *f, const gs_real *g, const gs_real *q, gs_real *b)
 {
   for (int l = 0; l < 14; l++)
     {
       b[l] = -g[l + 14 * 8];
       for (int n = 0; n < 27; n++)
         {
-          double m = times (f[l + 14 * n], n % 3, q[4]);
+          gs_real m = times (f[l + 14 * n], n % 3, q[4]);
           m = times (m, n / 3 % 3, q[3]);
           b[l] = b[l] + times (m, n / 9, q[2]);
         }
@@ -433,25 +433,25 @@ right_side (const double *f, const double *g, const double *q, double *b)
 }
 
 /* angle 6: a direction u across its axis becomes e */
-static double
-last_angle (const double *ka, const double *pa, const double *r, const double *q)
+static gs_real
+last_angle (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *q)
 {
-  double u[3], e[3], x[3] = { 0.0 };
-  const double *k6 = ka + 15;
-  int k = fabs (k6[1]) < fabs (k6[0]) ? 1 : 0;
-  if (fabs (k6[2]) < fabs (k6[k]))
+  gs_real u[3], e[3], x[3] = { 0 };
+  const gs_real *k6 = ka + 15;
+  int k = gs_abs (k6[1]) < gs_abs (k6[0]) ? 1 : 0;
+  if (gs_abs (k6[2]) < gs_abs (k6[k]))
     k = 2;
   for (int i = 0; i < 3; i++)
     {
       u[i] = -k6[k] * k6[i];
       if (i == k)
-        u[i] = u[i] + 1.0;
+        u[i] = u[i] + 1;
     }
   for (int i = 0; i < 3; i++)
     e[i] = turned (r, i, u);
   for (int i = 0; i < 5; i++)
-    gsikt (ka + 3 * i, pa + 3 * i, -sin (q[i]), cos (q[i]), x, e);
-  return atan2 (k6[0] * (u[1] * e[2] - u[2] * e[1]) + k6[1] * (u[2] * e[0] - u[0] * e[2])
+    gsikt (ka + 3 * i, pa + 3 * i, -gs_sin (q[i]), gs_cos (q[i]), x, e);
+  return gs_atan2 (k6[0] * (u[1] * e[2] - u[2] * e[1]) + k6[1] * (u[2] * e[0] - u[0] * e[2])
                     + k6[2] * (u[0] * e[1] - u[1] * e[0]),
                 u[0] * e[0] + u[1] * e[1] + u[2] * e[2]);
 }
@@ -459,48 +459,48 @@ last_angle (const double *ka, const double *pa, const double *r, const double *q
 /* angles 4 and 5 from the vector that the twelve equations take to nothing, 1 and 2 by least
  * squares, 6 from the rotation */
 void
-gsikv (const double *ka, const double *pa, const double *r, const double *f, const double *g,
-       const double *h, double *q, double *w)
+gsikv (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *f, const gs_real *g,
+       const gs_real *h, gs_real *q, gs_real *w)
 {
-  double s[14], b[14], y[8] = { 0.0 };
+  gs_real s[14], b[14], y[8] = { 0 };
   int rank;
-  gsikm (h, cos (q[2]), sin (q[2]), 1.0, w);
-  gssvd (12, 12, w, 12, w + 144, 12, s, 1e-14, &rank);
+  gsikm (h, gs_cos (q[2]), gs_sin (q[2]), 1, w);
+  gssvd (12, 12, w, 12, w + 144, 12, s, GS_R (1e-14), &rank);
   gsikx (w + 144 + 132, q + 3, q + 4);
   right_side (f, g, q, b);
-  memcpy (w, g, 14 * 8 * sizeof (double));
-  gssvd (14, 8, w, 14, w + 112, 8, s, 1e-12, &rank);
+  memcpy (w, g, 14 * 8 * sizeof (gs_real));
+  gssvd (14, 8, w, 14, w + 112, 8, s, GS_R (1e-12), &rank);
   for (int k = 0; k < rank; k++)
     {
-      double m = gs_dot (14, 0.0, w + 14 * k, b) / gs_square (s[k]);
+      gs_real m = gs_dot (14, 0, w + 14 * k, b) / gs_square (s[k]);
       for (int j = 0; j < 8; j++)
         y[j] = y[j] + m * w[112 + 8 * k + j];
     }
-  q[0] = atan2 (y[5], y[2]);
-  q[1] = atan2 (y[7], y[6]);
+  q[0] = gs_atan2 (y[5], y[2]);
+  q[1] = gs_atan2 (y[7], y[6]);
   q[5] = last_angle (ka, pa, r, q);
 }
 
 /* the angle of the largest of pairs of entries, d apart, of v (3,4): ni rows, nj columns */
-static double
-ratio (const double *v, int ni, int nj, int d)
+static gs_real
+ratio (const gs_real *v, int ni, int nj, int d)
 {
-  double big = -1.0, q = 0.0;
+  gs_real big = -1, q = 0;
   for (int j = 0; j < nj; j++)
     for (int i = 0; i < ni; i++)
       {
-        double a = v[i + 3 * j], b = v[i + 3 * j + d], s = a * a + b * b;
+        gs_real a = v[i + 3 * j], b = v[i + 3 * j + d], s = a * a + b * b;
         if (s > big)
           {
             big = s;
-            q = 2.0 * atan2 (b, a);
+            q = 2 * gs_atan2 (b, a);
           }
       }
   return q;
 }
 
 void
-gsikx (const double *v, double *q4, double *q5)
+gsikx (const gs_real *v, gs_real *q4, gs_real *q5)
 {
   *q4 = ratio (v, 3, 3, 3);
   *q5 = ratio (v, 2, 4, 1);
@@ -508,16 +508,16 @@ gsikx (const double *v, double *q4, double *q5)
 
 /* linear equations; of fewer than six joints the normal equations of least squares */
 int
-gsiki (int n, double *w, int *iw)
+gsiki (int n, gs_real *w, int *iw)
 {
-  double a[36], s[6] = { 0.0 };
+  gs_real a[36], s[6] = { 0 };
   if (n == 6)
     return gsleq (6, 1, w, 6, w + 36, 6, iw);
   for (int i = 0; i < n; i++)
     {
       for (int k = 0; k < n; k++)
-        a[k + 6 * i] = gs_dot (6, 0.0, w + 6 * k, w + 6 * i);
-      s[i] = gs_dot (6, 0.0, w + 6 * i, w + 36);
+        a[k + 6 * i] = gs_dot (6, 0, w + 6 * k, w + 6 * i);
+      s[i] = gs_dot (6, 0, w + 6 * i, w + 36);
     }
   int info = gsspd (n, 1, a, 6, s, 6);
   memcpy (w + 36, s, sizeof s);
@@ -527,16 +527,16 @@ gsiki (int n, double *w, int *iw)
 /* one step of Newton, none longer than 0.3, its length without that big; w as gsiki, whose info
  * it returns */
 static int
-newton (int n, double *q, double *w, int *iw, double *big)
+newton (int n, gs_real *q, gs_real *w, int *iw, gs_real *big)
 {
-  double *s = w + 36;
+  gs_real *s = w + 36;
   int info = gsiki (n, w, iw);
   if (info != 0)
     return info;
-  *big = 0.0;
+  *big = 0;
   for (int i = 0; i < 6; i++)
-    *big = gs_max (*big, fabs (s[i]));
-  double part = gs_min (1.0, 0.3 / gs_max (*big, 1e-300));
+    *big = gs_max (*big, gs_abs (s[i]));
+  gs_real part = gs_min (1, GS_R (0.3) / gs_max (*big, GS_TINY));
   for (int i = 0; i < 6; i++)
     q[i] = q[i] + part * s[i];
   return 0;
@@ -545,10 +545,10 @@ newton (int n, double *q, double *w, int *iw, double *big)
 /* two steps from best in all directions but the one in which the tool hardly moves; last: the
  * least that was missed */
 static void
-without_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-             double *w, double *best, double *last)
+without_one (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+             const gs_real *p, gs_real *w, gs_real *best, gs_real *last)
 {
-  double q[6], z[6] = { 0.0 }, u[6] = { 0.0 }, g, s, miss;
+  gs_real q[6], z[6] = { 0 }, u[6] = { 0 }, g, s, miss;
   memcpy (q, best, sizeof q);
   gsik3 (2, kind, ka, pa, r, p, q, z, u, &g, &s);
   gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
@@ -560,45 +560,45 @@ without_one (const int *kind, const double *ka, const double *pa, const double *
 /* at most 40 steps on the exact Jacobian, or 44 where the last ones are close; the best position
  * counts. The end is where a step makes it no better, but not a long one between two solutions. */
 void
-gsikn (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, double *q, double *w, int *iw, int *good)
+gsikn (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, gs_real *q, gs_real *w, int *iw, int *good)
 {
-  double miss, last = -1.0, big = 0.0, best[6];
+  gs_real miss, last = -1, big = 0, best[6];
   for (int it = 0; it < 44; it++)
     {
       gsikj (kind, ka, pa, r, p, q, w, w + 36, &miss);
-      if (! (miss <= 1e10))
+      if (! (miss <= GS_R (1e10)))
         break;
-      if (last < 0.0 || miss < last)
+      if (last < 0 || miss < last)
         {
           last = miss;
           memcpy (best, q, sizeof best);
-          if (miss <= 2e-16)
+          if (miss <= GS_R (2e-16))
             break;
         }
-      else if (last <= 2e-15 || (last <= 1e-12 && big <= 1e-9))
+      else if (last <= GS_R (2e-15) || (last <= GS_R (1e-12) && big <= GS_R (1e-9)))
         break;
-      if (it >= 39 && last > 1e-6)
+      if (it >= 39 && last > GS_R (1e-6))
         break;
       if (newton (n, q, w, iw, &big) != 0)
         break;
     }
-  if (n == 6 && last > 2e-15 && last <= 1e-9)
+  if (n == 6 && last > GS_R (2e-15) && last <= GS_R (1e-9))
     without_one (kind, ka, pa, r, p, w, best, &last);
-  *good = last >= 0.0 && last <= 1e-11;
+  *good = last >= 0 && last <= GS_R (1e-11);
   for (int i = 0; i < 6 && *good; i++)
-    q[i] = kind[i] == 1 ? atan2 (sin (best[i]), cos (best[i])) : best[i];
+    q[i] = kind[i] == 1 ? gs_atan2 (gs_sin (best[i]), gs_cos (best[i])) : best[i];
 }
 
 /* axes and points moved from the first joint on: a, x are the rotation of the joints so far and
  * where the origin comes; j (6,6): points, then axes */
 static void
-moved (const int *kind, const double *ka, const double *pa, const double *q, double *a, double *x,
-       double *j)
+moved (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *q, gs_real *a,
+       gs_real *x, gs_real *j)
 {
   for (int n = 0; n < 6; n++, j += 6)
     {
-      double *o = j, *k = j + 3, e[3] = { 0.0 };
+      gs_real *o = j, *k = j + 3, e[3] = { 0 };
       for (int i = 0; i < 3; i++)
         {
           k[i] = turned (a, i, ka + 3 * n);
@@ -610,7 +610,7 @@ moved (const int *kind, const double *ka, const double *pa, const double *q, dou
             x[i] = x[i] + q[n] * k[i];
           continue;
         }
-      double s = sin (q[n]), c = cos (q[n]);
+      gs_real s = gs_sin (q[n]), c = gs_cos (q[n]);
       gsikt (k, o, s, c, x, a);
       gsikt (k, o, s, c, e, a + 3);
       gsikt (k, o, s, c, e, a + 6);
@@ -620,32 +620,32 @@ moved (const int *kind, const double *ka, const double *pa, const double *q, dou
 /* the place alone is asked for: joints 4 to 6 are none, with unit rows in the place of those of the
  * rotation */
 static void
-place_alone (const double *q, double *rj, double *e)
+place_alone (const gs_real *q, gs_real *rj, gs_real *e)
 {
   for (int j = 0; j < 3; j++)
     {
       for (int i = 3; i < 6; i++)
-        rj[i + 6 * j] = 0.0;
-      rj[(3 + j) * 7] = 1.0;
+        rj[i + 6 * j] = 0;
+      rj[(3 + j) * 7] = 1;
       e[3 + j] = -q[3 + j];
     }
 }
 
 void
-gsikj (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       const double *q, double *rj, double *e, double *miss)
+gsikj (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
+       const gs_real *q, gs_real *rj, gs_real *e, gs_real *miss)
 {
-  double a[9] = { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 }, x[3] = { 0.0 }, o[3], k[3];
+  gs_real a[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, x[3] = { 0 }, o[3], k[3];
   moved (kind, ka, pa, q, a, x, rj);
   for (int n = 0; n < 6; n++)
     {
-      double *j = rj + 6 * n;
+      gs_real *j = rj + 6 * n;
       for (int i = 0; i < 3; i++)
         {
           o[i] = x[i] - j[i];
           k[i] = j[3 + i];
           j[i] = k[i];
-          j[3 + i] = kind[n] != 1 ? 0.0 : k[i];
+          j[3 + i] = kind[n] != 1 ? 0 : k[i];
         }
       if (kind[n] != 1)
         continue;
@@ -657,30 +657,30 @@ gsikj (const int *kind, const double *ka, const double *pa, const double *r, con
     place_alone (q, rj, e);
   else
     gsniv (r, a, e + 3);
-  *miss = 0.0;
+  *miss = 0;
   for (int i = 0; i < 3; i++)
     {
       e[i] = p[i] - x[i];
-      *miss = gs_max (gs_max (*miss, fabs (e[i])), fabs (e[3 + i]));
+      *miss = gs_max (gs_max (*miss, gs_abs (e[i])), gs_abs (e[3 + i]));
     }
 }
 
 void
-gsika (const double *q, double *qc, int *ns)
+gsika (const gs_real *q, gs_real *qc, int *ns)
 {
   for (int j = 0; j < *ns; j++)
     {
-      double d = 0.0;
+      gs_real d = 0;
       for (int i = 0; i < 6; i++)
-        d = gs_max (d, fabs (sin (0.5 * (q[i] - qc[i + 6 * j]))));
-      if (d <= 5e-9)
+        d = gs_max (d, gs_abs (gs_sin (GS_R (0.5) * (q[i] - qc[i + 6 * j]))));
+      if (d <= GS_R (5e-9))
         return;
     }
   if (*ns >= 16)
     return;
   int k = *ns;
   for (; k >= 1 && qc[6 * (k - 1)] > q[0]; k--)
-    memcpy (qc + 6 * k, qc + 6 * (k - 1), 6 * sizeof (double));
-  memcpy (qc + 6 * k, q, 6 * sizeof (double));
+    memcpy (qc + 6 * k, qc + 6 * (k - 1), 6 * sizeof (gs_real));
+  memcpy (qc + 6 * k, q, 6 * sizeof (gs_real));
   (*ns)++;
 }

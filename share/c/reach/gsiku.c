@@ -2,22 +2,21 @@
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 /* the length of e (3) */
-static double
-length (const double *e)
+static gs_real
+length (const gs_real *e)
 {
-  return sqrt (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
+  return gs_sqrt (e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
 }
 
 /* least squares from every guess */
 void
-gsiku (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       const double *x0, int nb, const double *qc, double *dst)
+gsiku (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
+       const gs_real *x0, int nb, const gs_real *qc, gs_real *dst)
 {
-  double px[18], d[3], q[6], e[6], f, least = -1.0;
+  gs_real px[18], d[3], q[6], e[6], f, least = -1;
   for (int i = 0; i < 3; i++)
     {
       d[i] = r[i] * x0[0] + r[i + 3] * x0[1] + r[i + 6] * x0[2] + p[i] - x0[i];
@@ -27,9 +26,9 @@ gsiku (const int *kind, const double *ka, const double *pa, const double *r, con
   for (int k = 1; k <= (nb == 0 ? 8 : nb); k++)
     {
       for (int i = 0; i < 6; i++)
-        q[i] = nb == 0 ? 1.1 * (k * (2 * i + 3) % 7 - 3) : qc[i + 6 * (k - 1)];
+        q[i] = nb == 0 ? GS_R (1.1) * (k * (2 * i + 3) % 7 - 3) : qc[i + 6 * (k - 1)];
       gsiky (kind, ka, px, r, d, q, e, &f);
-      if (! (least < 0.0 || f < least))
+      if (! (least < 0 || f < least))
         continue;
       least = f;
       dst[0] = length (e);
@@ -39,14 +38,14 @@ gsiku (const int *kind, const double *ka, const double *pa, const double *r, con
 
 /* the damped step s: (j'j + mu) s = j'e */
 static void
-step (const double *j, const double *e, double mu, double *s)
+step (const gs_real *j, const gs_real *e, gs_real mu, gs_real *s)
 {
-  double a[36];
+  gs_real a[36];
   for (int i = 0; i < 6; i++)
     {
-      s[i] = gs_dot (6, 0.0, j + 6 * i, e);
+      s[i] = gs_dot (6, 0, j + 6 * i, e);
       for (int k = 0; k < 6; k++)
-        a[k + 6 * i] = gs_dot (6, 0.0, j + 6 * k, j + 6 * i);
+        a[k + 6 * i] = gs_dot (6, 0, j + 6 * k, j + 6 * i);
       a[i + 6 * i] = a[i + 6 * i] + mu;
     }
   (void)gsspd (6, 1, a, 6, s, 6);
@@ -54,30 +53,30 @@ step (const double *j, const double *e, double mu, double *s)
 
 /* Levenberg and Marquardt, at most 100 steps */
 void
-gsiky (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       double *q, double *e, double *f)
+gsiky (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
+       gs_real *q, gs_real *e, gs_real *f)
 {
-  double j[36], jn[36], en[6], qn[6], s[6], miss, mu = 1e-4;
+  gs_real j[36], jn[36], en[6], qn[6], s[6], miss, mu = GS_R (1e-4);
   gsikj (kind, ka, pa, r, p, q, j, e, &miss);
-  *f = gs_dot (6, 0.0, e, e);
+  *f = gs_dot (6, 0, e, e);
   for (int it = 0; it < 100; it++)
     {
       step (j, e, mu, s);
       for (int i = 0; i < 6; i++)
         qn[i] = q[i] + s[i];
       gsikj (kind, ka, pa, r, p, qn, jn, en, &miss);
-      double fn = gs_dot (6, 0.0, en, en);
+      gs_real fn = gs_dot (6, 0, en, en);
       if (fn < *f)
         {
-          mu = gs_max (0.1 * mu, 1e-15);
+          mu = gs_max (GS_R (0.1) * mu, GS_R (1e-15));
           memcpy (q, qn, sizeof qn);
           memcpy (e, en, sizeof en);
           memcpy (j, jn, sizeof jn);
           *f = fn;
           continue;
         }
-      mu = 10.0 * mu;
-      if (mu > 1e6)
+      mu = 10 * mu;
+      if (mu > GS_R (1e6))
         return;
     }
 }

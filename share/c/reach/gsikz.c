@@ -2,7 +2,6 @@
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
 #include <string.h>
 
 enum
@@ -16,18 +15,18 @@ enum
 /* NEAR: a radicand of a branch is close to 0, OUT: one is below, FREE: a coordinate is free, CLOSE:
  * a number that it depends on is very close to its limit */
 static int
-marks (int nm, const double *rad, const double *lim)
+marks (int nm, const gs_real *rad, const gs_real *lim)
 {
   int mark = 0;
   for (int i = 0; i < nm; i++)
     {
-      if (lim[i] > 1e-20 && fabs (rad[i]) <= 1e7 * lim[i])
+      if (lim[i] > GS_R (1e-20) && gs_abs (rad[i]) <= GS_R (1e7) * lim[i])
         mark |= NEAR;
-      if (rad[i] <= 1e3 * lim[i])
+      if (rad[i] <= GS_R (1e3) * lim[i])
         mark |= CLOSE;
-      if (lim[i] <= 1e-20 && rad[i] <= lim[i])
+      if (lim[i] <= GS_R (1e-20) && rad[i] <= lim[i])
         mark |= FREE;
-      if (! (rad[i] >= -1e7 * lim[i]))
+      if (! (rad[i] >= -GS_R (1e7) * lim[i]))
         mark |= OUT;
     }
   return mark;
@@ -35,17 +34,17 @@ marks (int nm, const double *rad, const double *lim)
 
 /* the n coordinates q, then 0 */
 static void
-six (int n, const double *q, double *x)
+six (int n, const gs_real *q, gs_real *x)
 {
-  memset (x, 0, 6 * sizeof (double));
-  memcpy (x, q, n * sizeof (double));
+  memset (x, 0, 6 * sizeof (gs_real));
+  memcpy (x, q, n * sizeof (gs_real));
 }
 
 /* places as those of a point on the last axis: px (3,6), d (3) */
 static void
-about_last (int n, const double *pa, const double *r, const double *p, double *px, double *d)
+about_last (int n, const gs_real *pa, const gs_real *r, const gs_real *p, gs_real *px, gs_real *d)
 {
-  const double *o = pa + 3 * (n - 1);
+  const gs_real *o = pa + 3 * (n - 1);
   for (int i = 0; i < 3; i++)
     {
       d[i] = r[i] * o[0] + r[i + 3] * o[1] + r[i + 6] * o[2] - o[i] + p[i];
@@ -55,10 +54,10 @@ about_last (int n, const double *pa, const double *r, const double *p, double *p
 }
 
 /* how far the solution of branch k (from 1) is from q; 1 if there is none */
-static double
-away (int n, const int *kind, const double *q, int k, const double *qs, int ns, const int *br)
+static gs_real
+away (int n, const int *kind, const gs_real *q, int k, const gs_real *qs, int ns, const int *br)
 {
-  double h = 1.0;
+  gs_real h = 1;
   for (int j = 0; j < ns; j++)
     if (br[j] == k)
       h = gsikk (n, kind, q, qs + n * j);
@@ -67,14 +66,14 @@ away (int n, const int *kind, const double *q, int k, const double *qs, int ns, 
 
 /* was no solution close to branch k (from 1) found, where it may have lost its digits? */
 static int
-is_unsure (int n, const int *kind, const double *ka, const double *pa, const double *r,
-           const double *p, const double *q, int k, const double *qs, int ns, const int *br)
+is_unsure (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+           const gs_real *p, const gs_real *q, int k, const gs_real *qs, int ns, const int *br)
 {
-  double h = away (n, kind, q, k, qs, ns, br), z[6], s;
-  if (! (h > 1e-9 && n == 6))
+  gs_real h = away (n, kind, q, k, qs, ns, br), z[6], s;
+  if (! (h > GS_R (1e-9) && n == 6))
     return 0;
   gsiko (n, kind, ka, pa, r, p, q, z, &s);
-  return s <= 1e-4 && h > gs_min (1e-6, 1e-9 + 1e-14 / s);
+  return s <= GS_R (1e-4) && h > gs_min (GS_R (1e-6), GS_R (1e-9) + GS_R (1e-14) / s);
 }
 
 /* Newton's method on the pose from every solution (gsik5), then from both sides of every branch
@@ -85,11 +84,11 @@ is_unsure (int n, const int *kind, const double *ka, const double *pa, const dou
  * followed (gsik2); also near a branch that has a radicand close to 0 and another one below. New
  * solutions take the numbers of branches that have none. */
 int
-gsikz (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, int nb, int nm, const double *qc, const double *rad, const double *lim,
-       double *qs, int *ns, int *br, int info)
+gsikz (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, int nb, int nm, const gs_real *qc, const gs_real *rad, const gs_real *lim,
+       gs_real *qs, int *ns, int *br, int info)
 {
-  double z[6], q[6], e[6], qw[2400], s, px[18], d[3];
+  gs_real z[6], q[6], e[6], qw[2400], s, px[18], d[3];
   int nw = 0;
   about_last (n, pa, r, p, px, d);
   gsik5 (n, kind, ka, px, r, d, nb, qs, ns, br);
@@ -100,12 +99,12 @@ gsikz (int n, const int *kind, const double *ka, const double *pa, const double 
       if ((mark & (NEAR | OUT | FREE)) == (NEAR | OUT) && n == 6)
         {
           gsiky (kind, ka, px, r, d, q, e, &s);
-          walk = s <= 1e-8;
+          walk = s <= GS_R (1e-8);
         }
       else if (! (mark & (OUT | FREE)))
         {
           if (mark & NEAR
-              && (mark & CLOSE || ! (away (n, kind, q, k + 1, qs, *ns, br) <= 1e-9)))
+              && (mark & CLOSE || ! (away (n, kind, q, k + 1, qs, *ns, br) <= GS_R (1e-9))))
             {
               gsiko (n, kind, ka, px, r, d, q, z, &s);
               info = gsik4 (n, kind, ka, px, r, d, q, z, nb, qs, ns, br, info);
@@ -120,19 +119,19 @@ gsikz (int n, const int *kind, const double *ka, const double *pa, const double 
 
 /* six joints, of which three are none, see gsikj; about the point */
 int
-gsipz (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-       const double *x0, int nb, int nm, const double *qc, const double *rad, const double *lim,
-       double *qs, int *ns, int *br, int info)
+gsipz (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
+       const gs_real *x0, int nb, int nm, const gs_real *qc, const gs_real *rad, const gs_real *lim,
+       gs_real *qs, int *ns, int *br, int info)
 {
   const int k6[] = { kind[0], kind[1], kind[2], 2, 2, 2 };
-  double c6[96] = { 0.0 }, s6[96] = { 0.0 }, a6[18] = { 0.0 }, p6[18] = { 0.0 }, d[3];
+  gs_real c6[96] = { 0 }, s6[96] = { 0 }, a6[18] = { 0 }, p6[18] = { 0 }, d[3];
   for (int i = 0; i < 3; i++)
     {
       d[i] = r[i] * x0[0] + r[i + 3] * x0[1] + r[i + 6] * x0[2] - x0[i] + p[i];
       for (int j = 0; j < 3; j++)
         p6[i + 3 * j] = pa[i + 3 * j] - x0[i];
     }
-  memcpy (a6, ka, 9 * sizeof (double));
+  memcpy (a6, ka, 9 * sizeof (gs_real));
   for (int k = 0; k < nb; k++)
     {
       six (3, qc + 3 * k, c6 + 6 * k);
@@ -140,65 +139,65 @@ gsipz (const int *kind, const double *ka, const double *pa, const double *r, con
     }
   info = gsikz (6, k6, a6, p6, r, d, nb, nm, c6, rad, lim, s6, ns, br, info);
   for (int k = 0; k < nb; k++)
-    memcpy (qs + 3 * k, s6 + 6 * k, 3 * sizeof (double));
+    memcpy (qs + 3 * k, s6 + 6 * k, 3 * sizeof (gs_real));
   return info;
 }
 
 /* a solution refined into q: is it one? */
 static int
-refined (int n, const int *kind, const double *ka, const double *pa, const double *r,
-         const double *p, const double *solution, double size, double *q)
+refined (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+         const gs_real *p, const gs_real *solution, gs_real size, gs_real *q)
 {
-  double w[42], e[6], miss;
+  gs_real w[42], e[6], miss;
   int iw[6], good;
   six (n, solution, q);
   gsikj (kind, ka, pa, r, p, q, w, e, &miss);
   gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
-  if (! good || (miss <= 1e-14 * size && gsikk (n, kind, q, solution) > 1e-2))
-    memcpy (q, solution, n * sizeof (double));
-  return good || miss <= 1e-11;
+  if (! good || (miss <= GS_R (1e-14) * size && gsikk (n, kind, q, solution) > GS_R (1e-2)))
+    memcpy (q, solution, n * sizeof (gs_real));
+  return good || miss <= GS_R (1e-11);
 }
 
 /* Newton's method on the pose. One that misses more than 1e-14 of the size of the arm may become
  * one far from it, others stay close. One that is not refined is kept if it misses less than 1e-11.
  * One that becomes another is left out. */
 void
-gsik5 (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, int nb, double *qs, int *ns, int *br)
+gsik5 (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, int nb, gs_real *qs, int *ns, int *br)
 {
-  const double size = gsik0 (n, pa, p);
+  const gs_real size = gsik0 (n, pa, p);
   const int m = *ns;
   (void)nb;
   *ns = 0;
   for (int k = 0; k < m; k++)
     {
-      double q[6];
+      gs_real q[6];
       int closer, keep = refined (n, kind, ka, pa, r, p, qs + n * k, size, q);
       for (int l = 0; l < *ns && keep; l++)
         keep = ! gsik7 (n, kind, ka, pa, r, p, q, qs + n * l, &closer);
       if (! keep)
         continue;
       br[*ns] = br[k];
-      memcpy (qs + n * *ns, q, n * sizeof (double));
+      memcpy (qs + n * *ns, q, n * sizeof (gs_real));
       (*ns)++;
     }
   for (int k = *ns; k < m; k++)
     {
       br[k] = 0;
-      memset (qs + n * k, 0, n * sizeof (double));
+      memset (qs + n * k, 0, n * sizeof (gs_real));
     }
 }
 
 /* Newton's method from five places on each side: along z the pose is missed by a parabola, and it
  * stays on its side of the vertex */
 int
-gsik4 (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, const double *q0, const double *z, int nb, double *qs, int *ns, int *br,
+gsik4 (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, const gs_real *q0, const gs_real *z, int nb, gs_real *qs, int *ns, int *br,
        int info)
 {
-  double q[6], w[42], h = 1e-2;
+  gs_real q[6], w[42], h = GS_R (1e-2);
   int iw[6], good;
-  for (int l = 0; l < 5; l++, h = 0.1 * h)
+  for (int l = 0; l < 5; l++, h = GS_R (0.1) * h)
     for (int way = -1; way <= 1; way += 2)
       {
         for (int i = 0; i < 6; i++)
@@ -210,39 +209,39 @@ gsik4 (int n, const int *kind, const double *ka, const double *pa, const double 
   return info;
 }
 
-double
-gsikk (int n, const int *kind, const double *q, const double *z)
+gs_real
+gsikk (int n, const int *kind, const gs_real *q, const gs_real *z)
 {
-  double d = 0.0;
+  gs_real d = 0;
   for (int i = 0; i < n; i++)
     {
-      double t = fabs (q[i] - z[i]);
+      gs_real t = gs_abs (q[i] - z[i]);
       if (kind[i] == 1)
-        t = fabs (2.0 * sin (0.5 * t));
+        t = gs_abs (2 * gs_sin (GS_R (0.5) * t));
       d = gs_max (d, t);
     }
   return d;
 }
 
 void
-gsiko (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, const double *q, double *z, double *s)
+gsiko (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, const gs_real *q, gs_real *z, gs_real *s)
 {
-  double qa[6], j[36], e[6], v[36], sv[6], miss;
+  gs_real qa[6], j[36], e[6], v[36], sv[6], miss;
   int rank;
   six (n, q, qa);
   gsikj (kind, ka, pa, r, p, qa, j, e, &miss);
-  gssvd (6, n, j, 6, v, 6, sv, 1e-14, &rank);
+  gssvd (6, n, j, 6, v, 6, sv, GS_R (1e-14), &rank);
   six (n, v + 6 * (n - 1), z);
-  *s = sv[n - 1] / gs_max (sv[0], 1e-300);
+  *s = sv[n - 1] / gs_max (sv[0], GS_TINY);
 }
 
 /* the place of the solution that misses the pose most, if that is more than most; else -1 */
 static int
-worst (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, double most, const double *qs, int ns)
+worst (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, gs_real most, const gs_real *qs, int ns)
 {
-  double x[6], j[36], e[6], miss;
+  gs_real x[6], j[36], e[6], miss;
   int l = -1;
   for (int k = 0; k < ns; k++)
     {
@@ -273,11 +272,11 @@ free_number (int nb, int ns, const int *br)
 /* compared with each by gsik7; one that misses more than 1e-14 of the size of the arm is none.
  * Where there is no room it takes that of the one that misses most, if that is more than this. */
 int
-gsikp (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, const double *q, int nb, double *qs, int *ns, int *br, int info)
+gsikp (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, const gs_real *q, int nb, gs_real *qs, int *ns, int *br, int info)
 {
-  const double most = 1e-14 * gsik0 (n, pa, p);
-  double j[36], e[6], miss;
+  const gs_real most = GS_R (1e-14) * gsik0 (n, pa, p);
+  gs_real j[36], e[6], miss;
   int closer;
   gsikj (kind, ka, pa, r, p, q, j, e, &miss);
   if (miss > most)
@@ -286,12 +285,12 @@ gsikp (int n, const int *kind, const double *ka, const double *pa, const double 
     if (gsik7 (n, kind, ka, pa, r, p, q, qs + n * k, &closer))
       {
         if (closer)
-          memcpy (qs + n * k, q, n * sizeof (double));
+          memcpy (qs + n * k, q, n * sizeof (gs_real));
         return info;
       }
   int full = *ns >= nb, at = full ? worst (n, kind, ka, pa, r, p, most, qs, *ns) : *ns;
   if (at >= 0)
-    memcpy (qs + n * at, q, n * sizeof (double));
+    memcpy (qs + n * at, q, n * sizeof (gs_real));
   if (full)
     return info;
   int l = free_number (nb, *ns, br);
@@ -305,21 +304,22 @@ gsikp (int n, const int *kind, const double *ka, const double *pa, const double 
 /* two of six joints: by the signed least singular values a at s (6), b at q (6); here, there:
  * what q and s miss */
 static int
-are_one (const int *kind, const double *ka, const double *pa, const double *r, const double *p,
-         const double *q, const double *s, double size, double here, double there, int *closer)
+are_one (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
+         const gs_real *q, const gs_real *s, gs_real size, gs_real here, gs_real there, int *closer)
 {
-  double x[6], z[6] = { 0.0 }, u[6] = { 0.0 }, g, a, b, d = gsik8 (kind, q, s);
+  gs_real x[6], z[6] = { 0 }, u[6] = { 0 }, g, a, b, d = gsik8 (kind, q, s);
   memcpy (x, s, sizeof x);
   gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &a);
   memcpy (x, q, sizeof x);
   gsik3 (0, kind, ka, pa, r, p, x, z, u, &g, &b);
-  int one = d * fabs (a - b) <= 2.0 * size;
-  if (a * b > 0.0)
-    one = (d - 3e-8) * gs_max (fabs (a), fabs (b)) <= 1e1 * size + 2.0 * (here + there);
-  if (fabs (a) <= 0.25 * fabs (b) && d * fabs (b) <= 4.0 * gs_max (there, size))
+  int one = d * gs_abs (a - b) <= 2 * size;
+  if (a * b > 0)
+    one = (d - GS_R (3e-8)) * gs_max (gs_abs (a), gs_abs (b))
+          <= 10 * size + 2 * (here + there);
+  if (gs_abs (a) <= GS_R (0.25) * gs_abs (b) && d * gs_abs (b) <= 4 * gs_max (there, size))
     {
       one = 1;
-      *closer = there > (kind[3] == 2 ? 0.5 : 2.0) * size && here <= 0.5 * there;
+      *closer = there > (kind[3] == 2 ? GS_R (0.5) : 2) * size && here <= GS_R (0.5) * there;
     }
   return one;
 }
@@ -334,40 +334,40 @@ are_one (const int *kind, const double *ka, const double *pa, const double *r, c
  * has freedoms two are the same if half way between them the pose is missed by no more than 2 e
  * above what they miss. */
 int
-gsik7 (int n, const int *kind, const double *ka, const double *pa, const double *r,
-       const double *p, const double *q, const double *s, int *closer)
+gsik7 (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r,
+       const gs_real *p, const gs_real *q, const gs_real *s, int *closer)
 {
-  double x[6], j[36], e[6], here, there, d;
+  gs_real x[6], j[36], e[6], here, there, d;
   *closer = 0;
-  if (! (gsikk (n, kind, q, s) <= 0.1))
+  if (! (gsikk (n, kind, q, s) <= GS_R (0.1)))
     return 0;
-  const double size = 1e-15 * gsik0 (n, pa, p);
+  const gs_real size = GS_R (1e-15) * gsik0 (n, pa, p);
   six (n, s, x);
   gsikj (kind, ka, pa, r, p, q, j, e, &here);
   gsikj (kind, ka, pa, r, p, x, j, e, &there);
-  *closer = here + 1e-15 < 0.5 * there;
+  *closer = here + GS_R (1e-15) < GS_R (0.5) * there;
   if (n == 6)
     return are_one (kind, ka, pa, r, p, q, s, size, here, there, closer);
   for (int i = 0; i < n; i++)
     {
       d = q[i] - s[i];
       if (kind[i] == 1)
-        d = atan2 (sin (d), cos (d));
-      x[i] = s[i] + 0.5 * d;
+        d = gs_atan2 (gs_sin (d), gs_cos (d));
+      x[i] = s[i] + GS_R (0.5) * d;
     }
   gsikj (kind, ka, pa, r, p, x, j, e, &d);
-  return d <= gs_max (here, there) + 2.0 * size;
+  return d <= gs_max (here, there) + 2 * size;
 }
 
-double
-gsik0 (int n, const double *pa, const double *p)
+gs_real
+gsik0 (int n, const gs_real *pa, const gs_real *p)
 {
-  double size = 1.0;
+  gs_real size = 1;
   for (int i = 0; i < 3; i++)
     {
-      size = gs_max (size, fabs (p[i]));
+      size = gs_max (size, gs_abs (p[i]));
       for (int j = 0; j < n; j++)
-        size = gs_max (size, fabs (pa[i + 3 * j]));
+        size = gs_max (size, gs_abs (pa[i + 3 * j]));
     }
   return size;
 }

@@ -3,11 +3,11 @@
 #include "gsmbp/solve.h"
 
 int
-gsacc (int way, int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double *ud, double *lam, double *w)
+gsacc (int way, int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh,
+       const gs_real *f, const gs_real *g, gs_real *ud, gs_real *lam, gs_real *w)
 {
   int grp[1] = { 0 };
-  return gsacr (way, n, m, a, lda, h, ldh, f, g, 5e4 * gseps (), grp, ud, lam, w);
+  return gsacr (way, n, m, a, lda, h, ldh, f, g, GS_R (5e4) * gseps (), grp, ud, lam, w);
 }
 
 /* Ways 2, 3, 4: ud = p + K*z, H*K = 0, H*p = g; K'*A*K*z = K'*(f - A*p). lam is the solution of
@@ -21,8 +21,9 @@ gsacc (int way, int n, int m, const double *a, int lda, const double *h, int ldh
  *   coordinates.
  * 4 Kane and Levinson 1985, Dynamics, sections 2.13 and 4.4. */
 int
-gsacr (int way, int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+gsacr (int way, int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh,
+       const gs_real *f, const gs_real *g, gs_real tol, const int *grp, gs_real *ud, gs_real *lam,
+       gs_real *w)
 {
   int info = 0;
   if (way < 1 || way > 4)
@@ -48,9 +49,9 @@ gsacr (int way, int n, int m, const double *a, int lda, const double *h, int ldh
   if (info == 1)
     {
       for (int i = 0; i < n; i++)
-        ud[i] = 0.0;
+        ud[i] = 0;
       for (int i = 0; i < m; i++)
-        lam[i] = 0.0;
+        lam[i] = 0;
     }
   return info;
 }

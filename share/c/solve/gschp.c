@@ -2,25 +2,23 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 /* Column by column; the strict upper triangle is not touched. */
 int
-gschp (int n, double *a, int lda)
+gschp (int n, gs_real *a, int lda)
 {
-  double eps = n * gseps ();
+  gs_real eps = n * gseps ();
   for (int j = 0; j < n; j++)
     {
-      double *col = a + lda * j, s = col[j], d = s;
+      gs_real *col = a + lda * j, s = col[j], d = s;
       for (int k = 0; k < j; k++)
         d -= a[j + lda * k] * a[j + lda * k];
-      if (! (d > eps * s && d <= 1e300))
+      if (! (d > eps * s && d <= GS_HUGE))
         return j + 1;
-      d = sqrt (d);
+      d = gs_sqrt (d);
       col[j] = d;
       for (int k = 0; k < j; k++)
         gs_take (n - j - 1, a[j + lda * k], a + j + 1 + lda * k, col + j + 1);
-      d = 1.0 / d;
+      d = 1 / d;
       for (int i = j + 1; i < n; i++)
         col[i] *= d;
     }

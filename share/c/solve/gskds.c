@@ -6,13 +6,13 @@
 typedef struct
 {
   int n, m, r;
-  const double *a;
+  const gs_real *a;
   int lda;
-  double *e, *dh, *piv;
+  gs_real *e, *dh, *piv;
 } kane;
 
 /* entry (i,j) of A in the order of piv */
-static double
+static gs_real
 mass (const kane *s, int i, int j)
 {
   int k = (int)s->piv[i] - 1, l = (int)s->piv[j] - 1;
@@ -20,7 +20,7 @@ mass (const kane *s, int i, int j)
 }
 
 /* entry (i,j) of C: how the dependent speed i follows from the independent one j */
-static double
+static gs_real
 follows (const kane *s, int i, int j)
 {
   return s->dh[i + s->m * (s->r + j)];
@@ -28,11 +28,11 @@ follows (const kane *s, int i, int j)
 
 /* x := inv(R1)*x, or -inv(R1)*x */
 static void
-upper (const kane *s, int negative, double *x)
+upper (const kane *s, int negative, gs_real *x)
 {
   for (int i = s->r - 1; i >= 0; i--)
     {
-      double t = negative ? -x[i] : x[i];
+      gs_real t = negative ? -x[i] : x[i];
       for (int k = i + 1; k < s->r; k++)
         t -= s->dh[i + s->m * k] * x[k];
       x[i] = t / s->dh[i + s->m * i];
@@ -41,19 +41,19 @@ upper (const kane *s, int negative, double *x)
 
 /* e = A11*C + A12 (r by n-r); c = f - A*(d,0) in the order of piv */
 static void
-forces (const kane *s, const double *f, const double *d, double *c)
+forces (const kane *s, const gs_real *f, const gs_real *d, gs_real *c)
 {
   for (int j = 0; j < s->n - s->r; j++)
     for (int i = 0; i < s->r; i++)
       {
-        double t = mass (s, i, s->r + j);
+        gs_real t = mass (s, i, s->r + j);
         for (int k = 0; k < s->r; k++)
           t += mass (s, i, k) * follows (s, k, j);
         s->e[i + s->n * j] = t;
       }
   for (int i = 0; i < s->n; i++)
     {
-      double t = f[(int)s->piv[i] - 1];
+      gs_real t = f[(int)s->piv[i] - 1];
       for (int k = 0; k < s->r; k++)
         t -= mass (s, i, k) * d[k];
       c[i] = t;
@@ -62,14 +62,14 @@ forces (const kane *s, const double *f, const double *d, double *c)
 
 /* the reduced equations: A22 + C'*e + A12'*C in b, c2 + C'*c1 in the rows of c from r on */
 static void
-reduce (const kane *s, double *b, double *c)
+reduce (const kane *s, gs_real *b, gs_real *c)
 {
   int n = s->n, r = s->r;
   for (int j = 0; j < n - r; j++)
     {
       for (int i = j; i < n - r; i++)
         {
-          double t = mass (s, r + i, r + j);
+          gs_real t = mass (s, r + i, r + j);
           for (int k = 0; k < r; k++)
             t = t + follows (s, k, i) * s->e[k + n * j] + mass (s, r + i, k) * follows (s, k, j);
           b[r + i + n * (r + j)] = t;
@@ -81,11 +81,11 @@ reduce (const kane *s, double *b, double *c)
 
 /* ud from d and the independent ones, in c from r on */
 static void
-speeds (const kane *s, const double *d, const double *c, double *ud)
+speeds (const kane *s, const gs_real *d, const gs_real *c, gs_real *ud)
 {
   for (int i = 0; i < s->n; i++)
     {
-      double t = i < s->r ? d[i] : c[i];
+      gs_real t = i < s->r ? d[i] : c[i];
       if (i < s->r)
         for (int j = 0; j < s->n - s->r; j++)
           t += follows (s, i, j) * c[s->r + j];
@@ -95,11 +95,11 @@ speeds (const kane *s, const double *d, const double *c, double *ud)
 
 /* lam = inv(R1')*(A*ud - f)1, what acts on the dependent speeds */
 static void
-reactions (const kane *s, const double *c, double *lam)
+reactions (const kane *s, const gs_real *c, gs_real *lam)
 {
   for (int i = 0; i < s->r; i++)
     {
-      double t = -c[i];
+      gs_real t = -c[i];
       for (int j = 0; j < s->n - s->r; j++)
         t += s->e[i + s->n * j] * c[s->r + j];
       for (int k = 0; k < i; k++)
@@ -114,10 +114,10 @@ reactions (const kane *s, const double *c, double *lam)
  *    (C'*A11*C + C'*A12 + A21*C + A22)*ud2 = f2 + C'*f1 - (A21 + C'*A11)*d,
  * lam = D*Q1*inv(R1')*(A*ud - f)1 if the rank is full. */
 int
-gskds (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+gskds (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       const gs_real *g, gs_real tol, const int *grp, gs_real *ud, gs_real *lam, gs_real *w)
 {
-  double *e = w + n * n, *dh = e + n * n, *beta = dh + n * m, *piv = beta + n, *siz = piv + n,
+  gs_real *e = w + n * n, *dh = e + n * n, *beta = dh + n * m, *piv = beta + n, *siz = piv + n,
          *c = siz + n, *scale = c + n, *d = scale + m;
   int r;
   gsrow (n, m, h, ldh, grp, dh, scale);

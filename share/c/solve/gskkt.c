@@ -3,11 +3,11 @@
 #include "gsmbp/solve.h"
 
 int
-gskkt (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double *ud, double *lam, double *w)
+gskkt (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       const gs_real *g, gs_real *ud, gs_real *lam, gs_real *w)
 {
   int grp[1] = { 0 };
-  return gskkr (n, m, a, lda, h, ldh, f, g, 5e4 * gseps (), grp, ud, lam, w);
+  return gskkr (n, m, a, lda, h, ldh, f, g, GS_R (5e4) * gseps (), grp, ud, lam, w);
 }
 
 /* 0, or -i if argument i of gskkr is out of range */
@@ -28,7 +28,7 @@ range (int n, int m, int lda, int ldh)
 
 /* the lower triangle of l := that of A */
 static void
-copy_lower (int n, const double *a, int lda, double *l, int ldl)
+copy_lower (int n, const gs_real *a, int lda, gs_real *l, int ldl)
 {
   for (int j = 0; j < n; j++)
     for (int i = j; i < n; i++)
@@ -37,9 +37,9 @@ copy_lower (int n, const double *a, int lda, double *l, int ldl)
 
 /* whether a pivot of the factor l of A is tiny */
 static int
-tiny_pivot (int n, const double *a, int lda, const double *l, int ldl)
+tiny_pivot (int n, const gs_real *a, int lda, const gs_real *l, int ldl)
 {
-  double small = 1e4 * n * gseps ();
+  gs_real small = GS_R (1e4) * n * gseps ();
   for (int j = 0; j < n; j++)
     if (l[j + ldl * j] * l[j + ldl * j] <= small * a[j + lda * j])
       return 1;
@@ -54,22 +54,22 @@ tiny_pivot (int n, const double *a, int lda, const double *l, int ldl)
  * solution: D is diagonal, of the size of A. Where constraints are dependent as well, g may not fit
  * all of them: lam then follows from ud and A, f alone (gslam). */
 int
-gskkr (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+gskkr (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       const gs_real *g, gs_real tol, const int *grp, gs_real *ud, gs_real *lam, gs_real *w)
 {
   int info = range (n, m, lda, ldh);
   if (info != 0)
     return info;
-  double *l = w, *y = l + n * n, *t = y + n * m, *z = t + m * m, *piv = z + 2 * n, *beta = piv + m,
+  gs_real *l = w, *y = l + n * n, *t = y + n * m, *z = t + m * m, *piv = z + 2 * n, *beta = piv + m,
          *siz = beta + m, *c = siz + m, *q = c + m;
   int ld = gs_most (1, n), r = 0;
   for (int j = 0; j < n; j++)
     {
-      ud[j] = 0.0;
+      ud[j] = 0;
       z[j] = f[j];
     }
   for (int j = 0; j < m; j++)
-    lam[j] = 0.0;
+    lam[j] = 0;
 
   /* A = L*L' */
   copy_lower (n, a, lda, l, ld);
@@ -114,10 +114,10 @@ gskkr (int n, int m, const double *a, int lda, const double *h, int ldh, const d
 }
 
 /* the worst pivot of the factor l beside the entries diag of the diagonal, at most 1 */
-static double
-worst_pivot (int n, const double *l, int ldl, const double *diag, int inc)
+static gs_real
+worst_pivot (int n, const gs_real *l, int ldl, const gs_real *diag, int inc)
 {
-  double worst = 1.0;
+  gs_real worst = 1;
   for (int j = 0; j < n; j++)
     worst = gs_min (worst, l[j + ldl * j] * l[j + ldl * j] / diag[inc * j]);
   return worst;
@@ -126,15 +126,15 @@ worst_pivot (int n, const double *l, int ldl, const double *diag, int inc)
 /* D[i]^2 = max(A[j,j])/size[i]^2, the sizes of gsrow: a row of rounding errors must not count as a
  * constraint. */
 int
-gsaug (int n, int m, const double *a, int lda, const double *h, int ldh, const double *g,
-       const int *grp, double *l, int ldl, double *z, double *y, double *d, int info)
+gsaug (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *g,
+       const int *grp, gs_real *l, int ldl, gs_real *z, gs_real *y, gs_real *d, int info)
 {
   /* the worst pivot of A alone, the size of A */
-  double first = info == 0 ? worst_pivot (n, l, ldl, a, lda + 1) : 0.0, worst = 0.0, big = 0.0;
+  gs_real first = info == 0 ? worst_pivot (n, l, ldl, a, lda + 1) : 0, worst = 0, big = 0;
   for (int j = 0; j < n; j++)
     big = gs_max (big, a[j + lda * j]);
-  if (! (big > 0.0))
-    big = 1.0;
+  if (! (big > 0))
+    big = 1;
 
   /* with the constraints */
   copy_lower (n, a, lda, l, ldl);
@@ -142,7 +142,7 @@ gsaug (int n, int m, const double *a, int lda, const double *h, int ldh, const d
   for (int k = 0; k < m; k++)
     for (int j = 0; j < n; j++)
       {
-        double s = big * y[k + m * j];
+        gs_real s = big * y[k + m * j];
         z[j] += s * d[k] * g[k];
         for (int i = j; i < n; i++)
           l[i + ldl * j] += s * y[k + m * i];
@@ -151,7 +151,7 @@ gsaug (int n, int m, const double *a, int lda, const double *h, int ldh, const d
     z[n + j] = l[j + ldl * j];
   if (gschf (n, l, ldl) == 0)
     worst = worst_pivot (n, l, ldl, z + n, 1);
-  if (worst >= first && worst > 1e2 * n * gseps ())
+  if (worst >= first && worst > GS_R (1e2) * n * gseps ())
     return 0;
 
   /* they do not help: A alone */

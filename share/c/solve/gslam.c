@@ -2,13 +2,11 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 void
-gslam (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       double tol, const int *grp, const double *ud, double *lam, double *w)
+gslam (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       gs_real tol, const int *grp, const gs_real *ud, gs_real *lam, gs_real *w)
 {
-  double *y = w, *c = y + n * m, *t = c + n, *piv = t + m * m, *beta = piv + m, *siz = beta + m,
+  gs_real *y = w, *c = y + n * m, *t = c + n, *piv = t + m * m, *beta = piv + m, *siz = beta + m,
          *q = siz + m;
   int r;
   gsmul (n, a, lda, ud, c);
@@ -22,23 +20,23 @@ gslam (int n, int m, const double *a, int lda, const double *h, int ldh, const d
 
 /* A size that is nothing to working precision beside the largest is replaced by that. */
 void
-gsrow (int n, int m, const double *h, int ldh, const int *grp, double *y, double *d)
+gsrow (int n, int m, const gs_real *h, int ldh, const int *grp, gs_real *y, gs_real *d)
 {
-  double tol = 1e2 * gseps (), big = 0.0;
+  gs_real tol = GS_R (1e2) * gseps (), big = 0;
   for (int i = 0; i < m; i++)
     {
-      double s = 0.0;
+      gs_real s = 0;
       for (int j = 0; j < n; j++)
         s += h[i + ldh * j] * h[i + ldh * j];
-      d[i] = sqrt (s);
+      d[i] = gs_sqrt (s);
       big = gs_max (big, d[i]);
     }
-  gsgrp (m, grp, 1e-3, d);
-  if (! (big > 0.0))
-    big = 1.0;
+  gsgrp (m, grp, GS_R (1e-3), d);
+  if (! (big > 0))
+    big = 1;
   for (int i = 0; i < m; i++)
     {
-      d[i] = 1.0 / (d[i] <= tol * big ? big : d[i]);
+      d[i] = 1 / (d[i] <= tol * big ? big : d[i]);
       for (int j = 0; j < n; j++)
         y[i + m * j] = d[i] * h[i + ldh * j];
     }

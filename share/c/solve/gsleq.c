@@ -2,11 +2,9 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 /* Gauss elimination with partial pivoting of the scaled matrix. */
 int
-gsleq (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
+gsleq (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb, int *iw)
 {
   int info = 0;
   if (n < 0)
@@ -25,33 +23,33 @@ gsleq (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
 }
 
 /* the power of two that brings big into [1,2), by way of [1/16,16) */
-static double
-power (double big)
+static gs_real
+power (gs_real big)
 {
-  double s = 1.0;
-  while (s * big >= 16.0)
-    s /= 16.0;
-  while (s * big < 0.0625)
-    s *= 16.0;
-  while (s * big >= 2.0)
-    s *= 0.5;
-  while (s * big < 1.0)
-    s *= 2.0;
+  gs_real s = 1;
+  while (s * big >= 16)
+    s /= 16;
+  while (s * big < GS_R (0.0625))
+    s *= 16;
+  while (s * big >= 2)
+    s *= GS_R (0.5);
+  while (s * big < 1)
+    s *= 2;
   return s;
 }
 
 int
-gslqf (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
+gslqf (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb, int *iw)
 {
   for (int i = 0; i < n; i++)
     {
-      double big = 0.0;
+      gs_real big = 0;
       for (int j = 0; j < n; j++)
-        if (! (fabs (a[i + lda * j]) <= big))
-          big = fabs (a[i + lda * j]);
-      if (! (big > 1e-300 && big <= 1e300))
+        if (! (gs_abs (a[i + lda * j]) <= big))
+          big = gs_abs (a[i + lda * j]);
+      if (! (big > GS_TINY && big <= GS_HUGE))
         return i + 1;
-      const double s = power (big);
+      const gs_real s = power (big);
       for (int j = 0; j < n; j++)
         a[i + lda * j] *= s;
       for (int j = 0; j < nrhs; j++)
@@ -65,16 +63,16 @@ gslqf (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
   const int info = gsluf (n, a, lda, iw);
   if (info != 0)
     return info;
-  const double tiny = 1e3 * gseps ();
+  const gs_real tiny = GS_R (1e3) * gseps ();
   for (int k = 0; k < n; k++)
-    if (! (fabs (a[k + lda * k]) > tiny))
+    if (! (gs_abs (a[k + lda * k]) > tiny))
       return k + 1;
   return 0;
 }
 
 /* Columns one by one, of four rows or more four at a time: the same operations. */
 void
-gslqs (int n, int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
+gslqs (int n, int nrhs, const gs_real *a, int lda, gs_real *b, int ldb, const int *iw)
 {
   if (n == 1)
     for (int j = 0; j < nrhs; j++)
@@ -82,7 +80,7 @@ gslqs (int n, int nrhs, const double *a, int lda, double *b, int ldb, const int 
   else if (n == 2)
     for (int j = 0; j < nrhs; j++, b += ldb)
       {
-        const double x = b[iw[0] - 1], y = (b[2 - iw[0]] - a[1] * x) / a[1 + lda];
+        const gs_real x = b[iw[0] - 1], y = (b[2 - iw[0]] - a[1] * x) / a[1 + lda];
         b[0] = (x - a[lda] * y) / a[0];
         b[1] = y;
       }
@@ -99,9 +97,9 @@ gslqs (int n, int nrhs, const double *a, int lda, double *b, int ldb, const int 
 }
 
 void
-gslq3 (int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
+gslq3 (int nrhs, const gs_real *a, int lda, gs_real *b, int ldb, const int *iw)
 {
-  const double *const a2 = a + lda, *const a3 = a2 + lda;
+  const gs_real *const a2 = a + lda, *const a3 = a2 + lda;
   int p[3] = { 0, 1, 2 }; /* the rows as they were interchanged */
   for (int k = 0; k < 2; k++)
     {
@@ -111,7 +109,7 @@ gslq3 (int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
     }
   for (int j = 0; j < nrhs; j++, b += ldb)
     {
-      double x = b[p[0]], y = b[p[1]] - a[1] * x, z = b[p[2]] - a[2] * x;
+      gs_real x = b[p[0]], y = b[p[1]] - a[1] * x, z = b[p[2]] - a[2] * x;
       z = (z - a2[2] * y) / a3[2];
       x -= a3[0] * z;
       y = (y - a3[1] * z) / a2[1];
@@ -122,7 +120,7 @@ gslq3 (int nrhs, const double *a, int lda, double *b, int ldb, const int *iw)
 }
 
 void
-gslqc (int n, const double *a, int lda, double *b, const int *iw)
+gslqc (int n, const gs_real *a, int lda, gs_real *b, const int *iw)
 {
   for (int k = 0; k < n; k++)
     gs_swap (1, b + iw[k] - 1, b + k);
@@ -137,10 +135,10 @@ gslqc (int n, const double *a, int lda, double *b, const int *iw)
 
 /* four columns: rows i = from ... to - 1 less a[i] times x */
 static void
-take_four (int from, int to, const double *restrict a, const double *x, double *restrict b,
+take_four (int from, int to, const gs_real *restrict a, const gs_real *x, gs_real *restrict b,
            int ldb)
 {
-  const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
+  const gs_real x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
   for (int i = from; i < to; i++)
     {
       b[i] -= a[i] * x0;
@@ -151,9 +149,9 @@ take_four (int from, int to, const double *restrict a, const double *x, double *
 }
 
 void
-gslq4 (int n, const double *a, int lda, double *b, int ldb, const int *iw)
+gslq4 (int n, const gs_real *a, int lda, gs_real *b, int ldb, const int *iw)
 {
-  double x[4];
+  gs_real x[4];
   for (int k = 0; k < n; k++)
     for (int j = 0; j < 4; j++)
       gs_swap (1, b + iw[k] - 1 + ldb * j, b + k + ldb * j);

@@ -3,8 +3,8 @@
 
 /* c := sign*Q'*(A*x - f), Q the reflections in y and beta */
 static void
-rest (int n, int r, const double *a, int lda, const double *x, const double *f, const double *y,
-      const double *beta, double sign, double *c)
+rest (int n, int r, const gs_real *a, int lda, const gs_real *x, const gs_real *f, const gs_real *y,
+      const gs_real *beta, gs_real sign, gs_real *c)
 {
   gsmul (n, a, lda, x, c);
   for (int i = 0; i < n; i++)
@@ -15,10 +15,10 @@ rest (int n, int r, const double *a, int lda, const double *x, const double *f, 
 /* H'*P = Q*R, Q = (Q1,Q2), K = Q2; with ud = Q*(x,z): R1'*x = P'*g, and
  * R*P'*lam = Q1'*(A*ud - f). */
 int
-gsnul (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+gsnul (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       const gs_real *g, gs_real tol, const int *grp, gs_real *ud, gs_real *lam, gs_real *w)
 {
-  double *reduced = w, *y = w + n * n, *c = y + n * m, *x = c + n, *t = x + n, *piv = t + m * m,
+  gs_real *reduced = w, *y = w + n * n, *c = y + n * m, *x = c + n, *t = x + n, *piv = t + m * m,
          *beta = piv + m, *siz = beta + m, *spare = siz + m;
   int r;
   gs_transpose (n, m, h, ldh, y);
@@ -27,11 +27,11 @@ gsnul (int n, int m, const double *a, int lda, const double *h, int ldh, const d
   /* x, and c = Q'*(f - A*Q1*x) */
   gs_forward (r, y, n, piv, g, x);
   for (int i = r; i < n; i++)
-    x[i] = 0.0;
+    x[i] = 0;
   for (int i = 0; i < n; i++)
     ud[i] = x[i];
   gsqmv (n, r, y, n, beta, ud, 0);
-  rest (n, r, a, lda, ud, f, y, beta, -1.0, c);
+  rest (n, r, a, lda, ud, f, y, beta, -1, c);
 
   /* the reduced equations */
   for (int j = r; j < n; j++)
@@ -49,7 +49,7 @@ gsnul (int n, int m, const double *a, int lda, const double *h, int ldh, const d
   gsqmv (n, r, y, n, beta, ud, 0);
 
   /* multipliers */
-  rest (n, r, a, lda, ud, f, y, beta, 1.0, c);
+  rest (n, r, a, lda, ud, f, y, beta, 1, c);
   if (r == m)
     {
       gs_backward (r, y, n, piv, c, lam);

@@ -2,10 +2,8 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 void
-gsqrp (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, double *siz,
+gsqrp (int n, int m, gs_real *y, int ldy, gs_real tol, gs_real *piv, gs_real *beta, gs_real *siz,
        int *rank)
 {
   int grp[1] = { 0 };
@@ -15,18 +13,18 @@ gsqrp (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, 
 /* for gsqrg: the column from k on of which most is left, relative to its size, or -1; left: the
  * square of that */
 static int
-most_left (int n, int m, int k, const double *y, int ldy, double tol, double small,
-           const double *siz, double *left)
+most_left (int n, int m, int k, const gs_real *y, int ldy, gs_real tol, gs_real small,
+           const gs_real *siz, gs_real *left)
 {
   int p = -1;
-  double best = tol * tol;
+  gs_real best = tol * tol;
   for (int j = k; j < m; j++)
     if (siz[j] > small)
       {
-        double s = gs_dot (n - k, 0.0, y + k + ldy * j, y + k + ldy * j);
+        gs_real s = gs_dot (n - k, 0, y + k + ldy * j, y + k + ldy * j);
         if (s > best * siz[j])
           {
-            best = s / siz[j] * (1.0 + 1e-8);
+            best = s / siz[j] * (1 + GS_R (1e-8));
             p = j;
             *left = s;
           }
@@ -37,24 +35,24 @@ most_left (int n, int m, int k, const double *y, int ldy, double tol, double sma
 /* In siz are squares. A column is also dependent if its size is not above tol/500 or 4e-14 times
  * the largest. */
 void
-gsqrg (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv, double *beta,
-       double *siz, int *rank)
+gsqrg (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *piv, gs_real *beta,
+       gs_real *siz, int *rank)
 {
-  double big = 0.0;
+  gs_real big = 0;
   for (int j = 0; j < m; j++)
     {
-      siz[j] = gs_dot (n, 0.0, y + ldy * j, y + ldy * j);
+      siz[j] = gs_dot (n, 0, y + ldy * j, y + ldy * j);
       piv[j] = j + 1;
       big = gs_max (big, siz[j]);
     }
-  gsgrp (m, grp, 1e-6, siz);
-  double small = gs_min (tol / 5e2, 2e2 * gseps ());
+  gsgrp (m, grp, GS_R (1e-6), siz);
+  gs_real small = gs_min (tol / GS_R (5e2), GS_R (2e2) * gseps ());
   small = small * small * big;
 
   *rank = 0;
   for (int k = 0; k < gs_least (n, m); k++)
     {
-      double d = 0.0;
+      gs_real d = 0;
       int p = most_left (n, m, k, y, ldy, tol, small, siz, &d);
       if (p < 0)
         return;
@@ -70,14 +68,14 @@ gsqrg (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv
 }
 
 void
-gsgrp (int m, const int *grp, double part, double *siz)
+gsgrp (int m, const int *grp, gs_real part, gs_real *siz)
 {
   if (grp[0] == 0)
     return;
-  double big = 0.0;
+  gs_real big = 0;
   for (int i = 0; i < m; i++)
     {
-      double *first = siz + grp[i] - 1;
+      gs_real *first = siz + grp[i] - 1;
       *first = gs_max (*first, siz[i]);
       big = gs_max (big, siz[i]);
     }
@@ -87,14 +85,14 @@ gsgrp (int m, const int *grp, double part, double *siz)
 
 /* for gsqrc: the column from k on of which most is left; left: the square of that */
 static int
-longest (int n, int m, int k, const double *y, int ldy, double *left)
+longest (int n, int m, int k, const gs_real *y, int ldy, gs_real *left)
 {
   int p = k;
-  *left = -1.0;
+  *left = -1;
   for (int j = k; j < m; j++)
     {
-      double s = gs_dot (n - k, 0.0, y + k + ldy * j, y + k + ldy * j);
-      if (s > *left * (1.0 + 1e-8))
+      gs_real s = gs_dot (n - k, 0, y + k + ldy * j, y + k + ldy * j);
+      if (s > *left * (1 + GS_R (1e-8)))
         {
           p = j;
           *left = s;
@@ -105,10 +103,10 @@ longest (int n, int m, int k, const double *y, int ldy, double *left)
 
 /* The first rank columns are far from dependent, and inv(R11)*R12 has no large entries. */
 void
-gsqrc (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, double *siz,
+gsqrc (int n, int m, gs_real *y, int ldy, gs_real tol, gs_real *piv, gs_real *beta, gs_real *siz,
        int *rank)
 {
-  double big = 0.0, d;
+  gs_real big = 0, d;
   for (int j = 0; j < m; j++)
     piv[j] = j + 1;
   *rank = 0;
@@ -125,7 +123,7 @@ gsqrc (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, 
           gs_swap (1, piv + k, piv + p);
         }
       *rank = k + 1;
-      siz[k] = sqrt (d);
+      siz[k] = gs_sqrt (d);
       gshrf (n, m, k, y, ldy, d, beta + k);
     }
 }
@@ -133,17 +131,17 @@ gsqrc (int n, int m, double *y, int ldy, double tol, double *piv, double *beta, 
 /* the columns of one reflection, v with the entries v[1..n-1] behind v[0] = 1: y := y - beta*v'y*v,
  * all of y below its first entry */
 static void
-reflect (int n, double beta, const double *v, double *y)
+reflect (int n, gs_real beta, const gs_real *v, gs_real *y)
 {
-  double s = gs_dot (n - 1, y[0], v + 1, y + 1) * beta;
+  gs_real s = gs_dot (n - 1, y[0], v + 1, y + 1) * beta;
   y[0] -= s;
   gs_take (n - 1, s, v + 1, y + 1);
 }
 
 void
-gshrf (int n, int m, int k, double *y, int ldy, double d, double *beta)
+gshrf (int n, int m, int k, gs_real *y, int ldy, gs_real d, gs_real *beta)
 {
-  double *v = y + k + ldy * k, r = -copysign (sqrt (d), v[0]), s = 1.0 / (v[0] - r);
+  gs_real *v = y + k + ldy * k, r = -gs_copysign (gs_sqrt (d), v[0]), s = 1 / (v[0] - r);
   *beta = (r - v[0]) / r;
   for (int i = 1; i < n - k; i++)
     v[i] *= s;
@@ -153,7 +151,7 @@ gshrf (int n, int m, int k, double *y, int ldy, double d, double *beta)
 }
 
 void
-gsqmv (int n, int k, const double *y, int ldy, const double *beta, double *b, int trans)
+gsqmv (int n, int k, const gs_real *y, int ldy, const gs_real *beta, gs_real *b, int trans)
 {
   for (int l = 0; l < k; l++)
     {

@@ -3,14 +3,14 @@
 #include "gsmbp/solve.h"
 
 int
-gsred (int n, int r, const double *a, int lda, double *b, double *z)
+gsred (int n, int r, const gs_real *a, int lda, gs_real *b, gs_real *z)
 {
   if (r == n)
     return 0;
-  double tol = 0.0;
+  gs_real tol = 0;
   for (int j = 0; j < n; j++)
     tol = gs_max (tol, a[j + lda * j]);
-  tol = 10.0 * n * gseps () * tol;
+  tol = GS_R (10.0) * n * gseps () * tol;
   int info = gsspd (n - r, 1, b + r + n * r, n, z + r, n) != 0;
   for (int j = r; j < n; j++)
     if (! (b[j + n * j] * b[j + n * j] > tol))
@@ -19,14 +19,14 @@ gsred (int n, int r, const double *a, int lda, double *b, double *z)
 }
 
 void
-gsmul (int n, const double *a, int lda, const double *x, double *y)
+gsmul (int n, const gs_real *a, int lda, const gs_real *x, gs_real *y)
 {
   for (int i = 0; i < n; i++)
-    y[i] = 0.0;
+    y[i] = 0;
   for (int j = 0; j < n; j++)
     {
-      const double *col = a + lda * j;
-      double s = x[j], r = col[j] * s;
+      const gs_real *col = a + lda * j;
+      gs_real s = x[j], r = col[j] * s;
       for (int i = j + 1; i < n; i++)
         {
           y[i] += col[i] * s;

@@ -2,8 +2,6 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 /* The next position on the constraints is about d = max |phi[i]|/size[i] [rad or m] away, size[i]
  * that of row i of h (gsqrg). On the way there, rows change by parts of the size of d: of a row
  * that is dependent there, some d times its size is left here. And where s times its size is left
@@ -15,20 +13,20 @@
  * Ortega and Rheinboldt 1970, Iterative solution of nonlinear equations in several variables,
  * 12.6. */
 void
-gsrtl (int n, int m, const double *h, int ldh, const double *phi, const int *grp, double *tol,
-       double *w)
+gsrtl (int n, int m, const gs_real *h, int ldh, const gs_real *phi, const int *grp, gs_real *tol,
+       gs_real *w)
 {
-  double d = 0.0;
+  gs_real d = 0;
   for (int i = 0; i < m; i++)
     {
-      double s = 0.0;
+      gs_real s = 0;
       for (int j = 0; j < n; j++)
         s += h[i + ldh * j] * h[i + ldh * j];
-      w[i] = sqrt (s);
+      w[i] = gs_sqrt (s);
     }
-  gsgrp (m, grp, 1e-3, w);
+  gsgrp (m, grp, GS_R (1e-3), w);
   for (int i = 0; i < m; i++)
-    if (w[i] > 0.0)
-      d = gs_max (d, fabs (phi[i]) / w[i]);
-  *tol = gs_min (1e-2, gs_max (5e4 * gseps (), sqrt (d)));
+    if (w[i] > 0)
+      d = gs_max (d, gs_abs (phi[i]) / w[i]);
+  *tol = gs_min (GS_R (1e-2), gs_max (GS_R (5e4) * gseps (), gs_sqrt (d)));
 }

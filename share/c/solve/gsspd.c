@@ -2,7 +2,7 @@
 #include "gsmbp/solve.h"
 
 int
-gsspd (int n, int nrhs, double *a, int lda, double *b, int ldb)
+gsspd (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb)
 {
   int info = 0;
   if (n < 0)

@@ -2,17 +2,15 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/solve.h"
 
-#include <math.h>
-
 /* For two columns x, y of m entries: cosine c and sine s of the rotation that makes them orthogonal
  * with the longer one first; 0 if they are so (to the angle eps, or where the shorter one squared
  * is not above nothing), 1 if it only interchanges the shorter one with one that is nothing, else
  * 2. */
 static int
-rotation (int m, const double *x, const double *y, double eps, double nothing, double *c,
-          double *s)
+rotation (int m, const gs_real *x, const gs_real *y, gs_real eps, gs_real nothing, gs_real *c,
+          gs_real *s)
 {
-  double p = 0.0, q = 0.0, r = 0.0;
+  gs_real p = 0, q = 0, r = 0;
   for (int i = 0; i < m; i++)
     {
       p += x[i] * x[i];
@@ -22,15 +20,15 @@ rotation (int m, const double *x, const double *y, double eps, double nothing, d
   int vanishing = p <= nothing || q <= nothing;
   if (p <= nothing && q <= nothing)
     return 0;
-  if (fabs (r) <= eps * sqrt (p) * sqrt (q) || vanishing)
+  if (gs_abs (r) <= eps * gs_sqrt (p) * gs_sqrt (q) || vanishing)
     {
-      *c = 0.0;
-      *s = 1.0;
+      *c = 0;
+      *s = 1;
       return q <= p ? 0 : vanishing ? 1 : 2;
     }
-  double z = (q - p) / (2.0 * r);
-  double d = copysign (1.0, z) / (fabs (z) + sqrt (1.0 + z * z));
-  double cosine = 1.0 / sqrt (1.0 + d * d), sine = -cosine * d;
+  gs_real z = (q - p) / (2 * r);
+  gs_real d = gs_copysign (1, z) / (gs_abs (z) + gs_sqrt (1 + z * z));
+  gs_real cosine = 1 / gs_sqrt (1 + d * d), sine = -cosine * d;
   *c = q > p ? -sine : cosine;
   *s = q > p ? cosine : sine;
   return 2;
@@ -38,10 +36,10 @@ rotation (int m, const double *x, const double *y, double eps, double nothing, d
 
 /* one cyclic sweep; 0 if nothing was left to turn */
 static int
-sweep (int m, int n, double *b, int ldb, double *v, int ldv, double eps, double nothing)
+sweep (int m, int n, gs_real *b, int ldb, gs_real *v, int ldv, gs_real eps, gs_real nothing)
 {
   int turns = 0;
-  double c, s;
+  gs_real c, s;
   for (int j = 0; j < n - 1; j++)
     for (int k = j + 1; k < n; k++)
       {
@@ -62,14 +60,14 @@ sweep (int m, int n, double *b, int ldb, double *v, int ldv, double eps, double 
  *
  * Golub, van Loan, Matrix Computations, section 8.6.3. */
 void
-gssvd (int m, int n, double *b, int ldb, double *v, int ldv, double *s, double tol, int *rank)
+gssvd (int m, int n, gs_real *b, int ldb, gs_real *v, int ldv, gs_real *s, gs_real tol, int *rank)
 {
-  double eps = gseps (), big = 0.0;
+  gs_real eps = gseps (), big = 0;
   for (int j = 0; j < n; j++)
     {
       for (int i = 0; i < n; i++)
         v[i + ldv * j] = i == j;
-      double p = gs_dot (m, 0.0, b + ldb * j, b + ldb * j);
+      gs_real p = gs_dot (m, 0, b + ldb * j, b + ldb * j);
       if (p > big)
         big = p;
     }
@@ -79,18 +77,18 @@ gssvd (int m, int n, double *b, int ldb, double *v, int ldv, double *s, double t
   *rank = 0;
   for (int j = 0; j < n; j++)
     {
-      s[j] = sqrt (gs_dot (m, 0.0, b + ldb * j, b + ldb * j));
+      s[j] = gs_sqrt (gs_dot (m, 0, b + ldb * j, b + ldb * j));
       if (j < gs_least (m, n) && *rank == j && s[j] > tol * s[0])
         *rank = j + 1;
     }
 }
 
 void
-gsrot (int n, double *x, double *y, double c, double s)
+gsrot (int n, gs_real *x, gs_real *y, gs_real c, gs_real s)
 {
   for (int i = 0; i < n; i++)
     {
-      double t = c * x[i] + s * y[i];
+      gs_real t = c * x[i] + s * y[i];
       y[i] = c * y[i] - s * x[i];
       x[i] = t;
     }

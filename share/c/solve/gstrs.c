@@ -2,16 +2,16 @@
 #include "gsmbp/solve.h"
 
 void
-gstrs (int n, int m, const double *l, int ldl, double *b, int ldb, int trans)
+gstrs (int n, int m, const gs_real *l, int ldl, gs_real *b, int ldb, int trans)
 {
   for (int i = 0; i < n; i++)
     {
       int k = trans == 0 ? i : n - 1 - i;
-      const double *col = l + ldl * k;
-      double r = 1.0 / col[k];
+      const gs_real *col = l + ldl * k;
+      gs_real r = 1 / col[k];
       for (int j = 0; j < m; j++)
         {
-          double *x = b + ldb * j;
+          gs_real *x = b + ldb * j;
           if (trans == 0)
             {
               x[k] *= r;
@@ -19,7 +19,7 @@ gstrs (int n, int m, const double *l, int ldl, double *b, int ldb, int trans)
             }
           else
             {
-              double s = x[k];
+              gs_real s = x[k];
               for (int h = k + 1; h < n; h++)
                 s -= col[h] * x[h];
               x[k] = s * r;

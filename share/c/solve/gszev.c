@@ -4,21 +4,21 @@
 /* the reduced equations: K'*A*K in the rows and columns of b from r on, K'*z in x; c (n) is
  * workspace */
 static void
-reduce (int n, int r, const double *a, int lda, const double *v, const double *z, double *c,
-        double *b, double *x)
+reduce (int n, int r, const gs_real *a, int lda, const gs_real *v, const gs_real *z, gs_real *c,
+        gs_real *b, gs_real *x)
 {
   for (int j = r; j < n; j++)
     {
       gsmul (n, a, lda, v + n * j, c);
       for (int k = j; k < n; k++)
-        b[k + n * j] = gs_dot (n, 0.0, v + n * k, c);
-      x[j] = gs_dot (n, 0.0, v + n * j, z);
+        b[k + n * j] = gs_dot (n, 0, v + n * k, c);
+      x[j] = gs_dot (n, 0, v + n * j, z);
     }
 }
 
 /* y := y + s*x */
 static void
-add (int n, double s, const double *x, double *y)
+add (int n, gs_real s, const gs_real *x, gs_real *y)
 {
   for (int i = 0; i < n; i++)
     y[i] += x[i] * s;
@@ -27,11 +27,11 @@ add (int n, double s, const double *x, double *y)
 /* D*H*V = U*S (D scales the rows), V = (V1,V2) with S2 = 0: p = V1*inv(S1)*U1'*D*g, K = V2, and
  * lam = D*U1*inv(S1)*V1'*(A*ud - f) if the rank is full. */
 int
-gszev (int n, int m, const double *a, int lda, const double *h, int ldh, const double *f,
-       const double *g, double tol, const int *grp, double *ud, double *lam, double *w)
+gszev (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const gs_real *f,
+       const gs_real *g, gs_real tol, const int *grp, gs_real *ud, gs_real *lam, gs_real *w)
 {
   /* dh: D*H, then U*S; siz: the singular values and then the reduced right side */
-  double *reduced = w, *v = w + n * n, *dh = v + n * n, *c = dh + n * m, *z = c + n, *siz = z + n,
+  gs_real *reduced = w, *v = w + n * n, *dh = v + n * n, *c = dh + n * m, *z = c + n, *siz = z + n,
          *d = siz + n;
   int r;
   gsrow (n, m, h, ldh, grp, dh, d);
@@ -39,10 +39,10 @@ gszev (int n, int m, const double *a, int lda, const double *h, int ldh, const d
 
   /* p, and f - A*p */
   for (int i = 0; i < n; i++)
-    ud[i] = 0.0;
+    ud[i] = 0;
   for (int j = 0; j < r; j++)
     {
-      double s = 0.0;
+      gs_real s = 0;
       for (int k = 0; k < m; k++)
         s += dh[k + m * j] * d[k] * g[k];
       add (n, s / siz[j] / siz[j], v + n * j, ud);
@@ -64,10 +64,10 @@ gszev (int n, int m, const double *a, int lda, const double *h, int ldh, const d
     }
   gsmul (n, a, lda, ud, c);
   for (int k = 0; k < m; k++)
-    lam[k] = 0.0;
+    lam[k] = 0;
   for (int j = 0; j < r; j++)
     {
-      double s = 0.0;
+      gs_real s = 0;
       for (int i = 0; i < n; i++)
         s += v[i + n * j] * (c[i] - f[i]);
       s = s / siz[j] / siz[j];

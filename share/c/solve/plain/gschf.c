@@ -1,7 +1,7 @@
 #include "gsmbp/solve.h"
 
 int
-gschf (int n, double *a, int lda)
+gschf (int n, gs_real *a, int lda)
 {
   return gschp (n, a, lda);
 }

@@ -1,7 +1,7 @@
 #include "gsmbp/solve.h"
 
 int
-gsluf (int n, double *a, int lda, int *iw)
+gsluf (int n, gs_real *a, int lda, int *iw)
 {
   return gslup (n, a, lda, iw);
 }
