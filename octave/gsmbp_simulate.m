@@ -306,18 +306,19 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   p = gsmbp__run_setup (who, m, x0, times, o);
   [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
-  [x, v, counts, values, info, seconds, text, sampled, events, number, lost, turns, held, ...
+  [x, v, stats, info, seconds, text, sampled, events, number, lost, turns, held, ...
    followed, moved] = m.module ("sim", p.arguments{:});
-  if (info == 3 && counts(7) == 7 && counts(6) == 13)
+  if (info == 3 && stats.failed == 7 && stats.failed_info == 13)
     error ("%s: %s: %s", who, m.name,
-           gsmbp__wrong_mode (m, times(1), x0(1:d.nx), o.modes, counts(19)));
+           gsmbp__wrong_mode (m, times(1), x0(1:d.nx), o.modes, stats.cause));
   endif
   if (strcmp (method, "auto"))
-    method = {"dp853", "radau"}{1 + (counts(14) > 0)};
+    method = {"dp853", "radau"}{1 + stats.stiff};
   endif
 
-  reached = counts(5);
-  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, values, number(2));
+  reached = stats.outputs;
+  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, stats.reached, ...
+                                                number(2));
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
@@ -342,7 +343,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (isstruct (sampled))
     s.held = gsmbp__held_samples (m, result, o.memory);
   endif
-  result.stats = gsmbp__run_stats (s, m, result, method, counts, values);
+  result.stats = gsmbp__run_stats (s, m, result, method, stats);
   if (! isfield (result, "y"))
     at = gsmbp__row_times (m, result.t, p.times);
     result.y = gsmbp__outputs (m, at, result.x, result.v);
@@ -369,13 +370,13 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
                   "v", result.v(end,:));
     gsmbp__sharp_friction (who, m, gsmbp__sharp_ports (m, run), 1);
   endif
-  at = sprintf ("at t = %.9g of %.9g s", values(8), times(end));
+  at = sprintf ("at t = %.9g of %.9g s", stats.reached, times(end));
   result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
   if (! isempty (ender))
     result.stats.stopped = ["event " ender];
   endif
   if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
-    [text, id] = gsmbp__failure (m, info, counts, values, text, last_state (m, reached, x, v));
+    [text, id] = gsmbp__failure (m, info, stats, text, last_state (m, reached, x, v));
     error (id, "%s: %s: %s", who, m.name, text);
   endif
 endfunction

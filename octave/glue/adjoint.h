@@ -12,8 +12,8 @@ struct adjoint_run
     : cst (a.constants ()), plan (a.value ("plan").scalar_map_value (), S.nx),
       v (room (2 * S.nv + 1)),
       wi (room (2 * S.nu * (plan.ip[GS_DERIVATIVES] + 1) + 5 * S.nx + S.nv * S.nx + 21)),
-      p (room (24 + 8 * S.nu + 10 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nu)), rstat (room (20)),
-      istat (20, 0), info (0)
+      p (room (24 + 8 * S.nu + 10 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nu)),
+      rstat (room (GS_MEASURED)), istat (GS_COUNTED, 0), info (0)
   {
     int side = 1;
     reals x = room (S.nx);

@@ -40,6 +40,8 @@ private:
   static gs_start start_of (const simulation& s, const ensemble_rows& rows);
   bool begins (int i, run_room& r) const;
   bool refused (int i, int verdict) const;   // false
+  double *counts_of (int i) const { return m_counts + std::size_t (GS_COUNTED) * i; }
+  double *values_of (int i) const { return m_values + std::size_t (GS_MEASURED) * i; }
   void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
              reals& one);
@@ -92,7 +94,7 @@ ensemble::over (int i)
   if (! is_over ())
     return false;
   m_info[2 * i] = the_patience->why ();   // no calls
-  m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
+  values_of (i)[GS_T_REACHED] = double (m_s.t0);
   return true;
 }
 
@@ -158,9 +160,9 @@ bool
 ensemble::refused (int i, int verdict) const
 {
   m_info[2 * i] = 3;
-  m_counts[20 * std::size_t (i) + 5] = verdict;
-  m_counts[20 * std::size_t (i) + 6] = 9;
-  m_values[20 * std::size_t (i) + 7] = double (m_s.t0);
+  counts_of (i)[GS_FAILED_INFO] = verdict;
+  counts_of (i)[GS_FAILED] = GS_BEFORE_START;
+  values_of (i)[GS_T_REACHED] = double (m_s.t0);
   return false;
 }
 
@@ -206,7 +208,7 @@ void
 ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
                 reals& one)
 {
-  const std::size_t nt = m_s.nt, reached = r.istat[4];
+  const std::size_t nt = m_s.nt, reached = r.istat[GS_N_OUTPUTS];
   const bool ended = r.info == 11;
   const std::size_t rows = ended ? nt : std::min (nt, reached + (r.info != 0));
   double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
@@ -236,11 +238,10 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
   m_info[2 * i] = r.info;
   if (r.info == 6)
     m_results.said[i] = &r.text[0];
-  for (int j = 0; j < 20; j++)
-    {
-      m_counts[20 * std::size_t (i) + j] = r.istat[j];
-      m_values[20 * std::size_t (i) + j] = double (r.rstat[j]);
-    }
+  for (int j = 0; j < GS_COUNTED; j++)
+    counts_of (i)[j] = r.istat[j];
+  for (int j = 0; j < GS_MEASURED; j++)
+    values_of (i)[j] = double (r.rstat[j]);
 }
 
 #if ! defined (GSMBP_QUAD)
@@ -349,6 +350,14 @@ do_ensemble (arguments& a, int)
   const ensemble_results& r = all.results ();
   return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events (),
               r.counted, r.all_said (), r.margins);
+}
+
+// (counts, values of runs as do_ensemble has them, a column each): a struct of rows
+static octave_value_list
+do_statistics (arguments& a, int)
+{
+  const Matrix counts = a.value ("counts").matrix_value ();
+  return ovl (named_statistics (counts, a.value ("values").matrix_value ()));
 }
 
 // (values of all parameters, numbers of those that a table is of, the table): periods and delays of

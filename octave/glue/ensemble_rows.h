@@ -62,8 +62,8 @@ struct ensemble_results
 
   ensemble_results (int n, int nt)
     : x (dim_vector (nt, S.nx, n), no_number), v (dim_vector (nt, S.nv, n), no_number),
-      y (dim_vector (nt, S.ny, n), no_number), counts (20, n, 0.0), values (20, n, 0.0),
-      info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
+      y (dim_vector (nt, S.ny, n), no_number), counts (GS_COUNTED, n, 0.0),
+      values (GS_MEASURED, n, 0.0), info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
       margins (2 * S.nsm, n, 0.0), said (n), events (S.nev > 0 ? n : 0)
   {
     for (int i = 0; i < n; i++)

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "gsmbp/options.h"
+#include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"
 
 #if defined (GSMBP_QUAD) && defined (__SIZEOF_FLOAT128__)

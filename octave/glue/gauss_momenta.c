@@ -314,7 +314,8 @@ gs_has_momenta (const gsmbp_run *r)
 {
   int loops = r->nlam > 0;
   return r->lin && r->bia && r->mas && r->nq == r->nu && r->nx == 2 * r->nu && r->columns == 0
-         && r->nu > 0 && ! gs_has_ports (r) && (! loops || (r->iopt[1] == 3 && r->iopt[5] == 0));
+         && r->nu > 0 && ! gs_has_ports (r)
+         && (! loops || (r->iopt[GS_LOOPS] == 3 && r->iopt[GS_ON_SPEEDS] == 0));
 }
 
 gs_momenta *

@@ -41,7 +41,7 @@ rate_at (gs_run *s, gs_momenta *w, double t, const double *x, double *f)
   ((lin_type *) r->lin) (&t, x, u, w->zero, s->v, r->cst, w->mass, w->B, w->C0, &n);
   ((lin_type *) r->lin) (&t, x, u, u, s->v, r->cst, w->mass, w->B, w->C, &n);
   ((bia_type *) r->bia) (&t, x, u, s->v, r->cst, w->bias);
-  r->istat[0]++;
+  r->istat[GS_N_RHS]++;
   for (int i = 0; i < n; i++)
     {
       f[i] = -w->bias[i];

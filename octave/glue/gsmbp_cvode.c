@@ -268,11 +268,11 @@ count (gs_run *s)
   if (gs_projects (s->r))
     CVodeGetNumProjFails (m, &projections);
   n = failed + diverged + projections;
-  s->r->istat[2] += n;
-  s->r->istat[11] += projections;
-  s->r->istat[15] += jacobians;
-  s->r->istat[16] += newton;
-  s->r->istat[17] += diverged;
+  s->r->istat[GS_N_REJECTED] += n;
+  s->r->istat[GS_N_REPEATED] += projections;
+  s->r->istat[GS_N_JACOBIANS] += jacobians;
+  s->r->istat[GS_N_NEWTON] += newton;
+  s->r->istat[GS_N_DIVERGED] += diverged;
 }
 
 int

@@ -165,7 +165,7 @@ next_way (gs_run *s)
   gauss *w = s->memory;
   const gsmbp_run *r = s->r;
   double to = s->stop, h = r->ropt[2] > 0 ? fmin (r->ropt[0], r->ropt[2]) : r->ropt[0];
-  int k = r->istat[4];
+  int k = r->istat[GS_N_OUTPUTS];
   while (k < r->nt && r->tout[k] - s->t < 1e-6 * h)
     k++;
   if (k < r->nt && r->tout[k] < to)
@@ -198,7 +198,7 @@ step_to (gs_run *s, double h, double t)
 {
   gauss *w = s->memory;
   int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
-  if (flag == -1 && s->r->istat[6] == 0)
+  if (flag == -1 && s->r->istat[GS_FAILED] == GS_AT_NOTHING)
     snprintf (s->r->text, s->r->length, "there are no rates at a stage: take a shorter step");
   if (flag != 0)
     return flag == GS_NO_END ? no_end (s) : flag;
@@ -335,7 +335,7 @@ static void
 count (gs_run *s)
 {
   gauss *w = s->memory;
-  s->r->istat[16] += w->turns + (w->momenta ? gs_momenta_turns (w->momenta) : 0);
+  s->r->istat[GS_N_NEWTON] += w->turns + (w->momenta ? gs_momenta_turns (w->momenta) : 0);
   w->turns = 0;
 }
 

@@ -4,6 +4,8 @@
    argument of GSSIM with that name means. */
 #ifndef GSMBP_GLUE_RUN_H
 #define GSMBP_GLUE_RUN_H
+#include "gsmbp/options.h"
+#include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"
 #ifdef __cplusplus
 extern "C" {

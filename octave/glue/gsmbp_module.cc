@@ -54,7 +54,8 @@ do_guarded (arguments& a, int nargout)
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
     = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "job", do_job },
-        { "periods", do_periods }, { "forward", do_forward },
+        { "periods", do_periods }, { "statistics", do_statistics },
+        { "forward", do_forward },
         { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },

@@ -666,11 +666,11 @@ count (gs_run *s)
 {
   radau *w = s->memory;
   int *istat = s->r->istat;
-  istat[2] += w->tests + w->diverged + w->projections;
-  istat[11] += w->projections;
-  istat[15] += w->jacobians;
-  istat[16] += w->newton;
-  istat[17] += w->diverged;
+  istat[GS_N_REJECTED] += w->tests + w->diverged + w->projections;
+  istat[GS_N_REPEATED] += w->projections;
+  istat[GS_N_JACOBIANS] += w->jacobians;
+  istat[GS_N_NEWTON] += w->newton;
+  istat[GS_N_DIVERGED] += w->diverged;
   w->tests = w->diverged = w->projections = w->jacobians = w->newton = 0;
 }
 

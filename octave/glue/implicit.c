@@ -30,7 +30,7 @@ allocate (gs_run *s)
   const gsmbp_run *r = s->r;
   size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1,
          np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
-  int n = 6 + r->iopt[5], ne = gs_event_functions (r);
+  int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (r);
   s->x = calloc ((8 + GS_NODES) * nx + r->nq + 2 * nv + np + nx * nv + ny * nx + ny * nv + 2 * ne,
                  sizeof (double));
   s->project = calloc (2 * n + 3 * ne, sizeof (int));
@@ -79,7 +79,7 @@ gs_acts (const gs_run *s)
 int
 gs_projects (const gsmbp_run *r)
 {
-  return r->iopt[1] != 1 && (r->nlam > 0 || r->nq > r->nu);
+  return r->iopt[GS_LOOPS] != 1 && (r->nlam > 0 || r->nq > r->nu);
 }
 
 /* the sampled devices; ACTED: did any? INFO */
@@ -101,18 +101,18 @@ start (gs_run *s)
   const gsmbp_run *r = s->r;
   if (r->resume)
     {
-      s->t = r->rstat[7];
-      memcpy (s->x, r->xout + (size_t) r->ldx * r->istat[4], sizeof (double) * r->nx);
-      r->istat[15] = r->istat[16] = r->istat[17] = 0;
+      s->t = r->rstat[GS_T_REACHED];
+      memcpy (s->x, r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], sizeof (double) * r->nx);
+      r->istat[GS_N_JACOBIANS] = r->istat[GS_N_NEWTON] = r->istat[GS_N_DIVERGED] = 0;
       return;
     }
   s->t = r->t0;
   memcpy (s->x, r->x0, sizeof (double) * r->nx);
-  memset (r->istat, 0, 20 * sizeof (int));
-  memset (r->rstat, 0, 20 * sizeof (double));
-  r->rstat[13] = 1;
-  r->rstat[5] = r->tout[r->nt - 1] - r->t0;
-  r->rstat[7] = r->t0;
+  memset (r->istat, 0, GS_COUNTED * sizeof (int));
+  memset (r->rstat, 0, GS_MEASURED * sizeof (double));
+  r->rstat[GS_R_PIVOT] = 1;
+  r->rstat[GS_H_LEAST] = r->tout[r->nt - 1] - r->t0;
+  r->rstat[GS_T_REACHED] = r->t0;
 }
 
 /* does the run start where the constraints lose rank? BDF does not begin there: INFO */
@@ -123,7 +123,7 @@ singular_start (gs_run *s)
   double hmax = r->tout[r->nt - 1] - s->t;
   size_t room = r->nx + 2 * (size_t) r->nq + (size_t) r->nlam * (r->nu + 1);
   int state = 0, side = 1, info = 0;
-  if (r->nlam == 0 || r->iopt[4] != 1 || r->iopt[1] == 1 || r->resume)
+  if (r->nlam == 0 || r->iopt[GS_WATCH] != 1 || r->iopt[GS_LOOPS] == 1 || r->resume)
     return FINISHED;
   double *f = calloc (room, sizeof (double));
   if (! f)
@@ -144,8 +144,8 @@ singular_start (gs_run *s)
   free (f);
   if (info == 0 && state > 0)
     {
-      r->istat[5] = state;
-      r->istat[6] = BEGINNING;
+      r->istat[GS_FAILED_INFO] = state;
+      r->istat[GS_FAILED] = GS_AT_START;
     }
   return info != 0 || state > 0 ? ROUTINE : FINISHED;
 }
@@ -167,7 +167,8 @@ begin (gs_run *s)
     return ROUTINE;
   if ((info = gs_first_events (s)) != 0 || (info = singular_start (s)) != 0)
     return info;
-  if (r->nlam > 0 && r->iopt[4] == 1 && r->iopt[1] != 1 && s->p[0] < 2 && s->p[2] < r->nlam)
+  if (r->nlam > 0 && r->iopt[GS_WATCH] == 1 && r->iopt[GS_LOOPS] != 1 && s->p[0] < 2
+      && s->p[2] < r->nlam)
     s->p[0] = 2;   /* dependent constraints: see METHOD of GSSIM */
   if (s->p[0] > 0)
     {
@@ -175,12 +176,12 @@ begin (gs_run *s)
                               &info);
       if (info != 0)
         {
-          r->istat[5] = info;
-          r->istat[6] = CON;
+          r->istat[GS_FAILED_INFO] = info;
+          r->istat[GS_FAILED] = GS_AT_CON;
           return ROUTINE;
         }
     }
-  r->istat[6] = 0;
+  r->istat[GS_FAILED] = GS_AT_NOTHING;
   return samples (s, &acted);
 }
 
@@ -197,7 +198,7 @@ static int
 put_out (gs_run *s, double t, const double *x)
 {
   const gsmbp_run *r = s->r;
-  int k = r->istat[4];
+  int k = r->istat[GS_N_OUTPUTS];
   double *column = r->xout + (size_t) r->ldx * k;
   memcpy (column, x, sizeof (double) * r->nx);
   if (gs_projects (r) && gs_check (s, s->project, t, column, gs_no_jump) != 0)
@@ -206,7 +207,7 @@ put_out (gs_run *s, double t, const double *x)
     return ROUTINE;
   memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * r->nv);
   gs_turn_on (s, column);
-  r->istat[4] = k + 1;
+  r->istat[GS_N_OUTPUTS] = k + 1;
   return FINISHED;
 }
 
@@ -214,9 +215,9 @@ int
 gs_put_out (gs_run *s, double limit)
 {
   const gsmbp_run *r = s->r;
-  while (r->istat[4] < r->nt && r->tout[r->istat[4]] <= limit)
+  while (r->istat[GS_N_OUTPUTS] < r->nt && r->tout[r->istat[GS_N_OUTPUTS]] <= limit)
     {
-      double t = r->tout[r->istat[4]];
+      double t = r->tout[r->istat[GS_N_OUTPUTS]];
       if (t < s->t && s->by->between (s, t, s->between) < 0)
         return METHOD_FAILED;
       if (put_out (s, t, t < s->t ? s->between : s->x) != 0)
@@ -242,12 +243,12 @@ static int
 accept (gs_run *s, int event)
 {
   const gsmbp_run *r = s->r;
-  r->istat[1]++;
-  r->istat[5] = r->istat[6] = 0;
-  r->rstat[5] = fmin (r->rstat[5], s->h);
-  r->rstat[6] = fmax (r->rstat[6], s->h);
-  r->rstat[7] = s->t;
-  r->rstat[8] = s->next;
+  r->istat[GS_N_STEPS]++;
+  r->istat[GS_FAILED_INFO] = r->istat[GS_FAILED] = GS_AT_NOTHING;
+  r->rstat[GS_H_LEAST] = fmin (r->rstat[GS_H_LEAST], s->h);
+  r->rstat[GS_H_LARGEST] = fmax (r->rstat[GS_H_LARGEST], s->h);
+  r->rstat[GS_T_REACHED] = s->t;
+  r->rstat[GS_H_NEXT] = s->next;
   if (! gs_all_finite (r->nx, s->y))
     return INFINITE;
   s->still = s->h <= 16 * DBL_EPSILON * fabs (s->t) ? s->still + 1 : 0;
@@ -257,7 +258,7 @@ accept (gs_run *s, int event)
   if (! event && s->by->moves)
     gs_onto_held (s, s->t, s->x);
   memcpy (s->trial, s->x, sizeof (double) * r->nx);
-  if (r->nlam > 0 && (r->iopt[2] == 1 || s->p[0] > 0)
+  if (r->nlam > 0 && (r->iopt[GS_DRIFT] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)
     return ROUTINE;
   return event && gs_ended_by_event (s) ? ENDED : arrive (s);
@@ -301,8 +302,8 @@ jumps (gs_run *s)
 static int
 failure (gs_run *s, int flag)
 {
-  s->r->istat[18] = flag;
-  return s->r->istat[6] != 0     ? ROUTINE
+  s->r->istat[GS_CAUSE] = flag;
+  return s->r->istat[GS_FAILED] != GS_AT_NOTHING     ? ROUTINE
          : flag == GS_TOO_SMALL  ? SMALL
          : flag == GS_NO_RATES   ? NO_RATES
          : flag == GS_NO_MEMORY  ? MEMORY
@@ -343,7 +344,9 @@ advance (gs_run *s)
     }
   while (s->t < s->stop)
     {
-      if (r->iopt[3] > 0 && r->istat[1] + r->istat[2] + s->by->rejected (s) >= r->iopt[3])
+      const int most = r->iopt[GS_MOST_STEPS];
+      if (most > 0
+          && r->istat[GS_N_STEPS] + r->istat[GS_N_REJECTED] + s->by->rejected (s) >= most)
         return STEPS;
       if ((info = next_step (s, &event)) != 0 || (info = accept (s, event)) != 0
           || (event && (info = start_again (s)) != 0))
@@ -378,7 +381,7 @@ go (gs_run *s)
     return info;
   if ((flag = s->by->begin (s)) < 0)
     return failure (s, flag);
-  while (r->istat[4] < r->nt)
+  while (r->istat[GS_N_OUTPUTS] < r->nt)
     {
       while (ib < r->nb && r->tbrk[ib] <= s->t)
         ib++;
@@ -387,7 +390,7 @@ go (gs_run *s)
       next_stop (s, ib < r->nb ? r->tbrk[ib] : HUGE_VAL);
       next_stop (s, s->sample);
       info = advance (s);
-      if (info != 0 || r->istat[4] >= r->nt)
+      if (info != 0 || r->istat[GS_N_OUTPUTS] >= r->nt)
         break;
       jumped = jumps (s);
       if ((info = samples (s, &acted)) != 0 || (info = gs_events_at_stop (s, &happened)) != 0
@@ -403,11 +406,11 @@ static void
 tell_time (gs_run *s)
 {
   const gsmbp_run *r = s->r;
-  if (r->istat[6] != 7)
+  if (r->istat[GS_FAILED] != GS_AT_EVENT)
     return;
   const gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
   if (*e.newest > 0)
-    r->rstat[7] = fmax (r->rstat[7], e.latest[*e.newest - 1]);
+    r->rstat[GS_T_REACHED] = fmax (r->rstat[GS_T_REACHED], e.latest[*e.newest - 1]);
 }
 
 int
@@ -424,11 +427,11 @@ gs_implicit_run (const gsmbp_run *r, const gs_method *by)
       info = go (&s);
       if (info == ROUTINE)
         tell_time (&s);
-      if (info != FINISHED && r->istat[4] < r->nt)   /* the last state, as GSSIM leaves it */
+      if (info != FINISHED && r->istat[GS_N_OUTPUTS] < r->nt)   /* the last state, as by GSSIM */
         {
           gs_turn_on (&s, s.x);
-          memcpy (r->xout + (size_t) r->ldx * r->istat[4], s.x, sizeof (double) * r->nx);
-          memcpy (r->vout + (size_t) r->ldv * r->istat[4], s.v, sizeof (double) * r->nv);
+          memcpy (r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], s.x, sizeof (double) * r->nx);
+          memcpy (r->vout + (size_t) r->ldv * r->istat[GS_N_OUTPUTS], s.v, sizeof (double) * r->nv);
         }
     }
   release (&s);

@@ -5,7 +5,6 @@
 #include <stddef.h>
 #include "gsmbp_implicit.h"
 
-enum { INPUTS = 1, RHS, PRJ, CON, PARTITION, BEGINNING = 8 };   /* ISTAT(7) */
 /* INFO */
 enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_RATES,
        ENDED = 11 };

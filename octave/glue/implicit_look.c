@@ -87,8 +87,8 @@ gs_function (gs_run *s, int i, double t, const double *x, double *g)
   *g = e.now[i - 1];
   if (info != 0)
     {
-      r->istat[5] = info;
-      r->istat[6] = INPUTS;
+      r->istat[GS_FAILED_INFO] = info;
+      r->istat[GS_FAILED] = GS_AT_INPUTS;
     }
   return info != 0 ? ROUTINE : FINISHED;
 }
@@ -180,8 +180,8 @@ search (gs_run *s, double from, double *to, int *found)
       sizes[8] = { r->nq, r->nu, r->nx, r->nv, r->nlam, r->nt, r->nb, 0 };
   memcpy (s->event, s->nodes + (size_t) r->nx * (GS_NODES - 1), sizeof (double) * r->nx);
   ((evn_type *) r->gsevn) (r->rhs, r->prj, r->con, r->kin, r->cmd, r->clo, r->vin, r->evt, &none,
-                           &r->iopt[1], &from, &end, &side, &h, s->known, sizes, r->ip, r->rp,
-                           r->cst, s->v, r->ropt, s->event, s->nodes, r->w, s->p, r->istat,
+                           &r->iopt[GS_LOOPS], &from, &end, &side, &h, s->known, sizes, r->ip,
+                           r->rp, r->cst, s->v, r->ropt, s->event, s->nodes, r->w, s->p, r->istat,
                            r->rstat, wholes (s), reals (s), no_gauss, found, &info);
   if (info == 0 && *found > 0)
     *to = end;
@@ -206,9 +206,9 @@ gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
       const gs_events e = gs_events_planned (s);
       if (gs_reports (&e, which - 1))
         return info;
-      s->r->istat[5] = 10;   /* as GSEVN: they accumulate */
-      s->r->istat[6] = 7;
-      s->r->istat[18] = which;
+      s->r->istat[GS_FAILED_INFO] = 10;   /* as GSEVN: they accumulate */
+      s->r->istat[GS_FAILED] = GS_AT_EVENT;
+      s->r->istat[GS_CAUSE] = which;
       return ROUTINE;
     }
   gs_recall (s);

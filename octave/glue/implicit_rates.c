@@ -46,8 +46,8 @@ gs_take_inputs (gs_run *s, double t, int side, const double *x, double *v)
                           r->rp, r->cst, v, r->w, &info);
   if (info != 0)
     {
-      r->istat[5] = info;
-      r->istat[6] = INPUTS;
+      r->istat[GS_FAILED_INFO] = info;
+      r->istat[GS_FAILED] = GS_AT_INPUTS;
     }
   return info;
 }

@@ -134,14 +134,14 @@ public:
   // whether runs with these options can be in lanes
   static bool fits (const std::vector<int>& iopt)
   {
-    return emitted ("rhs_w") && iopt[0] != 0
-           && (S.nlam == 0 || iopt[1] <= 2);   // else it would be the right side of one run
+    return emitted ("rhs_w") && iopt[GS_METHOD] != 0
+           && (S.nlam == 0 || iopt[GS_LOOPS] <= 2);   // else it would be the right side of one run
   }
 
   // how many event functions are looked at in lanes; 0: each run looks by itself
   static int looks_at (const run_setting& s, const std::vector<int>& ip)
   {
-    if (s.iopt[0] == 4 || ip[GS_EVENTS] == 0 || ip[GS_V0] != 0 || ip[GS_FEEDBACK] != 0)
+    if (s.iopt[GS_METHOD] == 4 || ip[GS_EVENTS] == 0 || ip[GS_V0] != 0 || ip[GS_FEEDBACK] != 0)
       return 0;
     return emitted ("evt_w") ? ip[ip[GS_EVENTS] - 1] : 0;
   }

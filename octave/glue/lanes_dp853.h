@@ -50,12 +50,12 @@ lane_group::rates_8 (void)
 bool
 lane_group::begun_8 (void)
 {
-  const int many = m_iopt[0] == 9 ? 100 : 500;
+  const int many = m_iopt[GS_METHOD] == 9 ? 100 : 500;
   fortran {gslnk_} (&m_s.nx, m_fresh.begin (), m_new.begin (), m_f.begin (),
                     m_x.begin (), m_xs.begin (), &m_ropt[1], &m_ropt[3], &many, m_c.begin (),
                     m_slow.begin ());
   part_where (m_slow);
-  if (m_prj && m_iopt[4] == 1)
+  if (m_prj && m_iopt[GS_WATCH] == 1)
     look_ahead ();
   fortran {gslna_} (&m_s.nx, m_runs.begin (), m_c.begin (), m_limit.begin (),
                     m_step.begin (), m_h.begin (), m_tn.begin (), m_at.begin (), m_slow.begin ());
@@ -142,7 +142,7 @@ lane_group::found_8 (int lane)
   double *f = l.stages (), *v = l.inputs ();
   int info = l.ier != 0 ? 3 : 0;
   m_f.get (lane, f, s.nx);
-  r.istat[0] += m_calls[lane];
+  r.istat[GS_N_RHS] += m_calls[lane];
   if (info == 0 && ! fine (f, s.nx))
     info = 8;
   if (info == 0 && l.lm[1] == 1)
@@ -154,7 +154,7 @@ lane_group::found_8 (int lane)
                         l.state (), &m_siz[0], &m_siz[1], &m_siz[2], &m_siz[3], &m_siz[4],
                         l.ip.data (), l.rp.data (), &r.cst[0], v, &m_ropt[1], &m_ropt[3], f,
                         &r.w[0], l.partition (), &r.istat[0], &r.rstat[0]);
-      if (r.istat[13] > 0 && m_iopt[0] == 9)
+      if (r.istat[GS_IS_STIFF] > 0 && m_iopt[GS_METHOD] == 9)
         info = 5;
     }
   if (info == 0 && l.m[0] <= 0)
@@ -200,8 +200,8 @@ lane_group::ready_8 (int lane)
       else if (info == 0 && l.lm[5] > 0)
         {
           info = 3;
-          r.istat[5] = 3;
-          r.istat[6] = 8;
+          r.istat[GS_FAILED_INFO] = 3;
+          r.istat[GS_FAILED] = GS_AT_START;
         }
     }
   if (info == 0 && taken == 0)
@@ -248,7 +248,7 @@ lane_group::after_8 (int lane)
 {
   lane_run& l = m_l[lane];
   m_xn.get (lane, l.next (), m_s.nx);
-  l.r.istat[0] += m_calls[lane];
+  l.r.istat[GS_N_RHS] += m_calls[lane];
   // rows within the step and events in it need all stages
   const bool all = m_tim[l.istp[1]] < l.tn || l.ip[GS_EVENTS] > 0;
   if (all)

@@ -60,7 +60,7 @@ lane_group::run_all (void)
     if (! m_l[k].started)   // it goes on with numbers that are good
       take_numbers (k);
   while (any () && ! left ())
-    if (m_iopt[0] == 4)
+    if (m_iopt[GS_METHOD] == 4)
       step_4 ();
     else
       step_8 ();
@@ -92,7 +92,7 @@ lane_group::fill (int lane)
       l.busy = true;
     else
       finish (l);
-  if (! l.busy || m_iopt[0] != 4)   // the next step of rk4 writes all that it reads
+  if (! l.busy || m_iopt[GS_METHOD] != 4)   // the next step of rk4 writes all that it reads
     park (lane);
   if (! l.busy)
     return;
@@ -127,7 +127,7 @@ lane_group::park (int lane, int known)
 {
   for (int k = 0; k < m_s.nx; k++)
     m_h(k, lane) = 0;
-  for (int k = known * m_s.nx; k < (m_iopt[0] == 4 ? 4 : 12) * m_s.nx; k++)
+  for (int k = known * m_s.nx; k < (m_iopt[GS_METHOD] == 4 ? 4 : 12) * m_s.nx; k++)
     m_f(k, lane) = 0;
   m_step(0, lane) = 0;
   m_active[lane] = 0;
@@ -180,7 +180,7 @@ lane_group::to_next_stop (lane_run& l)
   const run_setting& s = m_s;
   run_room& r = l.r;
   int acted = 0;
-  r.rstat[7] = l.t;
+  r.rstat[GS_T_REACHED] = l.t;
   fortran {gssto_} (s.out, s.ctl, s.cmd, s.clo, s.vin, s.evt, s.rst, &m_iopt[0], &l.t,
                     l.state (), l.siz, &l.tim[0], l.ip.data (), l.rp.data (), &r.cst[0],
                     l.inputs (), &r.w[0], &r.xout[0], &r.vout[0], l.stp, l.istp, &acted,
@@ -192,7 +192,7 @@ lane_group::to_next_stop (lane_run& l)
       l.lm[0] = 1;
       l.lm[1] = 0;
     }
-  if (m_iopt[0] == 4)
+  if (m_iopt[GS_METHOD] == 4)
     {
       l.ta = l.t;
       l.hr = m_ropt[0];
@@ -213,8 +213,8 @@ lane_group::stopped (lane_run& l)
   if (ier == 0)
     return to_next_stop (l);
   r.info = 3;
-  r.istat[5] = ier;
-  r.istat[6] = 1;
+  r.istat[GS_FAILED_INFO] = ier;
+  r.istat[GS_FAILED] = GS_AT_INPUTS;
   return false;
 }
 
@@ -223,10 +223,10 @@ void
 lane_group::finish (lane_run& l)
 {
   run_room& r = l.r;
-  if (r.info >= 0 && r.istat[4] < m_s.nt)
+  if (r.info >= 0 && r.istat[GS_N_OUTPUTS] < m_s.nt)
     {
-      std::copy_n (l.state (), m_s.nx, &r.xout[std::size_t (m_s.nx) * r.istat[4]]);
-      std::copy_n (l.inputs (), S.nv, &r.vout[std::size_t (S.nv) * r.istat[4]]);
+      std::copy_n (l.state (), m_s.nx, &r.xout[std::size_t (m_s.nx) * r.istat[GS_N_OUTPUTS]]);
+      std::copy_n (l.inputs (), S.nv, &r.vout[std::size_t (S.nv) * r.istat[GS_N_OUTPUTS]]);
     }
   m_source.done (l);
 }
@@ -252,8 +252,8 @@ lane_group::inputs_of (int lane, double t, int side, const double *x)
     {
       l.ier = info;
       m_failed = true;
-      l.r.istat[5] = info;
-      l.r.istat[6] = 1;
+      l.r.istat[GS_FAILED_INFO] = info;
+      l.r.istat[GS_FAILED] = GS_AT_INPUTS;
       rest (lane);
       return;
     }
@@ -285,8 +285,8 @@ lane_group::told (int lane, int info, double t)
     {
       l.ier = info;
       m_failed = true;
-      istat[5] = info;
-      istat[6] = 2;
+      istat[GS_FAILED_INFO] = info;
+      istat[GS_FAILED] = GS_AT_RHS;
       rest (lane);
     }
 }

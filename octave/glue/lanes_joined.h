@@ -22,21 +22,21 @@ lane_group::join (int lane)
 {
   lane_run& l = m_l[lane];
   l.joined = l.busy && l.partition ()[0] <= 0 && closes (l)
-             && (m_iopt[0] != 4 || l.ip[GS_EVENTS] == 0);
+             && (m_iopt[GS_METHOD] != 4 || l.ip[GS_EVENTS] == 0);
   m_runs(0, lane) = l.joined;
   if (! l.joined)
     return;
   m_c(c_t, lane) = l.t;
   m_c(c_stop, lane) = l.stp[0];
   m_c(c_side, lane) = l.istp[0];
-  m_c(c_limit, lane) = m_iopt[3] > 0 ? m_iopt[3] : 1e300;
-  m_c(c_calls, lane) = l.r.istat[0];
-  m_c(c_good, lane) = l.r.istat[1];
+  m_c(c_limit, lane) = m_iopt[GS_MOST_STEPS] > 0 ? m_iopt[GS_MOST_STEPS] : 1e300;
+  m_c(c_calls, lane) = l.r.istat[GS_N_RHS];
+  m_c(c_good, lane) = l.r.istat[GS_N_STEPS];
   m_c(c_moved, lane) = 0;
   m_c(c_pivot, lane) = m_c(c_largest, lane) = 0;
   if (S.nlam > 0)
     join_loops (lane);
-  if (m_iopt[0] == 4)
+  if (m_iopt[GS_METHOD] == 4)
     join_4 (lane);
   else
     join_8 (lane);
@@ -50,8 +50,8 @@ lane_group::join_8 (int lane)
   m_c(c_next, lane) = l.m[0];
   m_c(c_longest, lane) = l.hmax;
   m_c(c_due, lane) = m_tim[l.istp[1]];
-  m_c(c_least, lane) = l.r.rstat[5];
-  m_c(c_most, lane) = l.r.rstat[6];
+  m_c(c_least, lane) = l.r.rstat[GS_H_LEAST];
+  m_c(c_most, lane) = l.r.rstat[GS_H_LARGEST];
   m_c(c_others, lane) = n[2];
   m_c(c_bound, lane) = n[15];
   m_c(c_free, lane) = n[16];
@@ -60,7 +60,7 @@ lane_group::join_8 (int lane)
   m_c(c_last, lane) = l.m[1];
   m_c(c_near, lane) = l.m[2];
   m_c(c_far, lane) = l.m[3];
-  m_c(c_then, lane) = l.r.rstat[8];
+  m_c(c_then, lane) = l.r.rstat[GS_H_NEXT];
   m_c(c_stiff, lane) = n[13];
   if (l.ip[GS_EVENTS] > 0)
     join_events (lane);
@@ -70,7 +70,7 @@ lane_group::join_8 (int lane)
 static double
 next_look (const lane_run& l)
 {
-  return l.r.istat[13] == 0 ? l.r.istat[17] : 1e300;
+  return l.r.istat[GS_IS_STIFF] == 0 ? l.r.istat[GS_N_DIVERGED] : 1e300;
 }
 
 void
@@ -103,13 +103,13 @@ lane_group::part (int lane)
   n[1] = int (m_c(c_good, lane));
   if (m_c(c_moved, lane) > 0)
     {
-      l.r.rstat[7] = l.t;
+      l.r.rstat[GS_T_REACHED] = l.t;
       if (l.ier == 0)   // else they tell what has just failed
         n[5] = n[6] = 0;
     }
   if (S.nlam > 0)
     part_loops (lane);
-  if (m_iopt[0] == 4)
+  if (m_iopt[GS_METHOD] == 4)
     part_4 (lane);
   else
     part_8 (lane);
@@ -124,9 +124,9 @@ lane_group::part_8 (int lane)
   l.m[1] = m_c(c_last, lane);
   l.m[2] = m_c(c_near, lane);
   l.m[3] = m_c(c_far, lane);
-  l.r.rstat[5] = m_c(c_least, lane);
-  l.r.rstat[6] = m_c(c_most, lane);
-  l.r.rstat[8] = m_c(c_then, lane);
+  l.r.rstat[GS_H_LEAST] = m_c(c_least, lane);
+  l.r.rstat[GS_H_LARGEST] = m_c(c_most, lane);
+  l.r.rstat[GS_H_NEXT] = m_c(c_then, lane);
   l.lm[0] = int (m_c(c_fresh, lane));
   l.lm[1] = int (m_c(c_behind, lane));
   l.lm[3] = 0;

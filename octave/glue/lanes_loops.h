@@ -12,9 +12,9 @@ lane_group::closes (const lane_run& l) const
 {
   if (S.nlam == 0)
     return S.nq == S.nu;
-  const int way = m_iopt[1];
-  return m_prj && way == 2 && m_iopt[4] == (m_iopt[2] == 1)
-         && l.lm[5] <= 0 && l.lm[2] == 0 && (m_iopt[0] == 4 || m_ropt[1] >= l.m[5]);
+  const int way = m_iopt[GS_LOOPS];
+  return m_prj && way == 2 && m_iopt[GS_WATCH] == (m_iopt[GS_DRIFT] == 1)
+         && l.lm[5] <= 0 && l.lm[2] == 0 && (m_iopt[GS_METHOD] == 4 || m_ropt[1] >= l.m[5]);
 }
 
 void
@@ -27,9 +27,9 @@ lane_group::join_loops (int lane)
   m_c(c_largest, lane) = p[13];
   for (int k = 0; k < 5; k++)
     m_c(c_drift + k, lane) = rstat[k];
-  m_c(c_smallest, lane) = rstat[13];
-  m_c(c_smallest_at, lane) = rstat[14];
-  m_c(c_projections, lane) = l.r.istat[3];
+  m_c(c_smallest, lane) = rstat[GS_R_PIVOT];
+  m_c(c_smallest_at, lane) = rstat[GS_T_PIVOT];
+  m_c(c_projections, lane) = l.r.istat[GS_N_PROJECTIONS];
   m_c(c_past, lane) = l.m[7];
   m_c(c_turn, lane) = l.m[10];
   m_c(c_known, lane) = 0;
@@ -43,9 +43,9 @@ lane_group::part_loops (int lane)
   m_p.get (lane, l.partition (), 24 + 18 * S.nq + 7 * S.nlam + 2 * S.nlam * S.nq);
   for (int k = 0; k < 5; k++)
     rstat[k] = m_c(c_drift + k, lane);
-  rstat[13] = m_c(c_smallest, lane);
-  rstat[14] = m_c(c_smallest_at, lane);
-  l.r.istat[3] = int (m_c(c_projections, lane));
+  rstat[GS_R_PIVOT] = m_c(c_smallest, lane);
+  rstat[GS_T_PIVOT] = m_c(c_smallest_at, lane);
+  l.r.istat[GS_N_PROJECTIONS] = int (m_c(c_projections, lane));
   l.m[10] = m_c(c_turn, lane);
 }
 
@@ -89,11 +89,11 @@ lane_group::project (void)
     }
   if (! some)
     return;
-  if (m_iopt[4] == 1)
+  if (m_iopt[GS_WATCH] == 1)
     know_jacobians ();
   std::copy_n (m_xn.begin (), m_numbers, m_new.begin ());
   onto_constraints ();
-  if (m_iopt[4] == 1)
+  if (m_iopt[GS_WATCH] == 1)
     watch_loops ();
   for (int k = 0; k < lane_count; k++)
     if (m_r(0, k) == 1 && m_slow(0, k) > 0)
@@ -108,7 +108,7 @@ lane_group::project (void)
         m_c(c_projections, k)++;
         m_c(c_projected, k) = std::max (m_c(c_projected, k), m_res(0, k));
       }
-  if (m_iopt[4] != 1)
+  if (m_iopt[GS_WATCH] != 1)
     return;
   fortran {gsllu_} (&S.nlam, &S.nq, m_r.begin (), m_tn.begin (), m_xn.begin (),
                     m_long.begin (), m_rank.begin (), m_least.begin (), m_gap.begin (),
@@ -137,7 +137,7 @@ lane_group::onto_constraints (void)
   for (int k = 0; k < lane_count; k++)
     if (m_live(0, k) > 0)
       m_slow(0, k) = 1;
-  if (m_iopt[0] != 4)
+  if (m_iopt[GS_METHOD] != 4)
     fortran {gsllj_} (&S.nq, m_x.begin (), m_xn.begin (), m_new.begin (), &m_ropt[1],
                       &m_ropt[3], m_slow.begin ());
 }
@@ -151,7 +151,7 @@ lane_group::watch_loops (void)
   fortran {gsllt_} (&S.nlam, &S.nq, m_hn.begin (), m_hc.begin (), m_long.begin (),
                     m_turn.begin ());
   for (int k = 0; k < lane_count; k++)
-    m_margin(0, k) = m_iopt[0] == 4 ? 0.01 : m_tn(0, k) < m_c(c_stop, k) ? m_l[k].m[6] : 0;
+    m_margin(0, k) = m_iopt[GS_METHOD] == 4 ? 0.01 : m_tn(0, k) < m_c(c_stop, k) ? m_l[k].m[6] : 0;
   fortran {gsllc_} (&S.nq, m_xn.begin (), m_gap.begin (), m_rank.begin (),
                     m_least.begin (), m_turn.begin (), m_margin.begin (), m_p.begin (),
                     m_slow.begin ());

@@ -77,7 +77,7 @@ lane_group::judge_all_4 (void)
     if (! all && ! m_l[k].joined && m_l[k].steps)
       {
         m_xn.get (k, m_l[k].next (), m_s.nx);
-        m_l[k].r.istat[0] += m_calls[k];
+        m_l[k].r.istat[GS_N_RHS] += m_calls[k];
         after_4 (k);
       }
     else if (m_c(c_number, k) > m_c(c_count, k) && m_l[k].joined)
@@ -94,14 +94,14 @@ lane_group::ready_4 (int lane)
   lane_run& l = m_l[lane];
   run_room& r = l.r;
   fortran {gsrkt_} (&l.ta, &l.stp[0], &l.istp[0], &l.h, &l.k, &l.n, &l.t, &l.tn, &l.at);
-  if (m_iopt[3] > 0 && r.istat[1] >= m_iopt[3])
+  if (m_iopt[GS_MOST_STEPS] > 0 && r.istat[GS_N_STEPS] >= m_iopt[GS_MOST_STEPS])
     {
       end (lane, 1);
       return m_l[lane].busy && ready_4 (lane);
     }
   m_step(0, lane) = l.h;
   m_c(c_t, lane) = l.t;
-  m_c(c_good, lane) = r.istat[1];
+  m_c(c_good, lane) = r.istat[GS_N_STEPS];
   m_c(c_look, lane) = next_look (l);
   m_tn(0, lane) = l.tn;
   return true;
@@ -127,14 +127,14 @@ lane_group::watch_4 (void)
       {
         run_room& r = m_l[k].r;
         const int good = int (m_c(c_good, k));
-        r.istat[17] = good + std::min (1000, std::max (10, 9 * good));
+        r.istat[GS_N_DIVERGED] = good + std::min (1000, std::max (10, 9 * good));
         if (rho[k] * std::fabs (m_step(0, k)) > 2.78)
           {
-            r.istat[13] = 1;
-            r.istat[14] = state[k];
-            r.rstat[17] = m_c(c_t, k);
-            r.rstat[18] = rho[k];
-            r.rstat[19] = std::fabs (m_step(0, k));
+            r.istat[GS_IS_STIFF] = 1;
+            r.istat[GS_STIFF_STATE] = state[k];
+            r.rstat[GS_T_STIFF] = m_c(c_t, k);
+            r.rstat[GS_R_STIFF] = rho[k];
+            r.rstat[GS_H_STIFF] = std::fabs (m_step(0, k));
           }
         m_c(c_look, k) = next_look (m_l[k]);
       }
@@ -209,7 +209,7 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
   for (int k = 0; k < lane_count; k++)
     {
       if (due[k])   // others may have no run
-        m_l[k].r.istat[12]++;
+        m_l[k].r.istat[GS_N_STABILITY]++;
       goes(0, k) = due[k] && fine (k);
       rho[k] = 0;
       state[k] = 1;
@@ -225,7 +225,7 @@ lane_group::eigenvalues (const bool *due, double *rho, int *state)
         if (goes(0, k) > 0)
           {
             const double growth = m_a(0, k) / d;
-            m_l[k].r.istat[12]++;
+            m_l[k].r.istat[GS_N_STABILITY]++;
             state[k] = int (m_b(0, k));
             rho[k] = growth > 0 && fine (k) ? g.settled (k, growth, turn) : 0;
             goes(0, k) = growth > 0 && fine (k) && rho[k] <= 0

@@ -210,7 +210,8 @@ go (gs_loops *w, const double *scale, double *x, int from, int n)
 static int
 go_on (gs_run *s, gs_loops *w, const double *scale, double t, double *x, int speeds)
 {
-  double last = HUGE_VAL, rounding = 8 * DBL_EPSILON / s->r->ropt[1], *before = &s->r->rstat[4];
+  double last = HUGE_VAL, rounding = 8 * DBL_EPSILON / s->r->ropt[1],
+         *before = &s->r->rstat[GS_R_BEFORE];
   for (int turn = 0; turn < TURNS; turn++)
     {
       if (gs_constraints (s, w, t, x, w->here) != 0 || (turn == 0 && take_matrix (w) != 0))
@@ -240,6 +241,6 @@ gs_settle (gs_run *s, gs_loops *w, const gs_factors *by, const double *scale, do
   int positions = go_on (s, w, scale, t, x, 0);
   int speeds = positions < 0 ? -1 : go_on (s, w, scale, t, x, 1);
   int whole = positions == 0 && speeds == 0 && w->nq == w->n && s->r->columns == 0;
-  s->r->istat[3] += whole;
+  s->r->istat[GS_N_PROJECTIONS] += whole;
   return speeds < 0 ? -1 : ! whole;
 }

@@ -117,14 +117,13 @@ simulation::read_options (arguments& a)
   for (std::size_t i = 6; i < iopt.size (); i++)
     if (iopt[i] < 1 || iopt[i] > S.nlam)
       error ("%s: there is no constraint %d", a.who ().c_str (), iopt[i]);
-  iopt[4] = S.nlam > 0 && iopt[2] == 1 && emitted ("kin");
-  iopt[5] = int (iopt.size ()) - 6;
+  iopt[GS_WATCH] = S.nlam > 0 && iopt[GS_DRIFT] == 1 && emitted ("kin");
+  iopt[GS_ON_SPEEDS] = int (iopt.size ()) - 6;
 }
 
 void
 simulation::make_room (const reals& guess)
 {
-  const int statistics = 20;
   ldx = std::max (1, nx);
   ldv = std::max (1, S.nv);
   lw = 2 * S.nu * (plan->ip[GS_DERIVATIVES] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu
@@ -132,8 +131,8 @@ simulation::make_room (const reals& guess)
   w = room (lw);
   xout.assign (std::size_t (ldx) * nt, no_number);   // where a run is left
   vout = room (ldv * nt);
-  rstat = room (statistics);
-  istat.assign (statistics, 0);
+  rstat = room (GS_MEASURED);
+  istat.assign (GS_COUNTED, 0);
   for (int i = 0; i < S.nu; i++)
     w[i] = guess[i];
   if (carries ())
@@ -146,11 +145,11 @@ simulation::find_routines (void)
 {
   auto needed = [] (bool is, const char *name) { return is ? routine (name).f : gsmbp_absent; };
   const bool loops = S.nlam > 0, euler = S.nq > S.nu;
-  const bool partition = loops && (iopt[1] == 3 || iopt[1] == 6);
+  const bool partition = loops && (iopt[GS_LOOPS] == 3 || iopt[GS_LOOPS] == 6);
   // coordinate partitioning keeps the loops closed by itself, but CVODE projects in every way
-  const bool project = iopt[1] != 1
-                       && (euler || (loops && (iopt[1] != 3 || ! library.empty ())));
-  const bool drift = loops && iopt[2] == 1, sampled = S.nctl > 0, events = S.nev > 0;
+  const bool project = iopt[GS_LOOPS] != 1
+                       && (euler || (loops && (iopt[GS_LOOPS] != 3 || ! library.empty ())));
+  const bool drift = loops && iopt[GS_DRIFT] == 1, sampled = S.nctl > 0, events = S.nev > 0;
   const std::vector<int>& ip = plan->ip;
   const bool planned = ip[GS_V0] == 2;
   rhs = routine (audit ? "rha" : "rhs").f;
@@ -163,7 +162,7 @@ simulation::find_routines (void)
         prj = reinterpret_cast<gsmbp_sub> (gsmbp_projection_with_columns);
     }
   con = needed (partition || drift, "con");
-  kin = needed (partition || iopt[4], "kin");
+  kin = needed (partition || iopt[GS_WATCH], "kin");
   cmd = needed (planned, "cmd");
   clo = needed (planned && ip[GS_CLOSED] == 1, "clo");
   out = needed (sampled && S.ny > 0, "out");
@@ -313,7 +312,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool res
 void
 simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
-  if (iopt[0] != 0)
+  if (iopt[GS_METHOD] != 0)
     by_gssim (r, ip, rp);
   go_on (r, ip, rp);
 }
@@ -322,7 +321,7 @@ void
 simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
 {
 #if ! defined (GSMBP_QUAD)
-  const bool stiff = iopt[0] == 0;
+  const bool stiff = iopt[GS_METHOD] == 0;
   if (stiff || r.info == 5)   // found to be bound by stability
     by_implicit (r, ip, rp, ! stiff);
 #endif
@@ -336,23 +335,36 @@ simulation::integrate (void)
   seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
 }
 
+// of runs, a column each, by the names of their rows
+static octave_scalar_map
+named_statistics (const Matrix& counts, const Matrix& values)
+{
+  octave_scalar_map all;
+#define GS_NAMED_COUNT(k, name) all.assign (#name, octave_value (counts.row (k)));
+#define GS_NAMED_VALUE(k, name) all.assign (#name, octave_value (values.row (k)));
+  GS_COUNTS (GS_NAMED_COUNT)
+  GS_VALUES (GS_NAMED_VALUE)
+  return all;
+}
+
 octave_value_list
 simulation::results (void)
 {
-  Matrix counters (octave_idx_type (istat.size ()), 1);
-  for (std::size_t i = 0; i < istat.size (); i++)
-    counters(i) = istat[i];
-  const int n = std::min (nt, istat[4] + 1);   // behind the rows so far the last state, if any
+  Matrix counts (GS_COUNTED, 1);
+  for (int i = 0; i < GS_COUNTED; i++)
+    counts(i) = istat[i];
+  // after the rows so far the last state, if any
+  const int n = std::min (nt, istat[GS_N_OUTPUTS] + 1);
   Matrix inputs = S.nv > 0 ? result (vout, S.nv, n) : Matrix (0, n);
-  octave_value_list list = ovl (result (xout, nx, n), inputs, counters,
-                                result (rstat, int (rstat.size ())), info, seconds,
-                                std::string (&text[0]));
-  list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[4]));
+  octave_value_list list = ovl (result (xout, nx, n), inputs,
+                                named_statistics (counts, result (rstat, GS_MEASURED)), info,
+                                seconds, std::string (&text[0]));
+  list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[GS_N_OUTPUTS]));
   list.append (events (*plan, nx));
   list.append (lost_columns (*columns));
   list.append (watched_turns (*columns));
   list.append (kept_inputs (*columns));
-  list.append (given_inputs (*columns, tout, xout, vout, ldx, ldv, istat[4]));
+  list.append (given_inputs (*columns, tout, xout, vout, ldx, ldv, istat[GS_N_OUTPUTS]));
   list.append (event_columns (*columns));
   return list;
 }

@@ -100,8 +100,8 @@ sweep_rows::next (lane_run& l)
   l.r.breaks.assign (breaks, breaks + m_r->nb);
   l.r.xout.resize (std::size_t (s->ldx) * s->tout.n);
   l.r.vout.resize (std::size_t (s->ldv) * s->tout.n);
-  l.r.rstat.assign (m_r->rstat, m_r->rstat + 20);
-  l.r.istat.assign (m_r->istat, m_r->istat + 20);
+  l.r.rstat.assign (m_r->rstat, m_r->rstat + GS_MEASURED);
+  l.r.istat.assign (m_r->istat, m_r->istat + GS_COUNTED);
   l.r.w.assign (m_r->w, m_r->w + s->lw);
   l.r.info = 0;
   return true;

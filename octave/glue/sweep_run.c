@@ -194,7 +194,7 @@ gs_make_room (const gs_sweep *s)
   r->xout = room (s->ldx * nt);
   r->vout = room (s->ldv * nt);
   r->yout = room (S->ny * nt);
-  r->rstat = room (20);
+  r->rstat = room (GS_MEASURED);
   r->w = room (s->lw);
   r->rp = room (s->rp.n);
   r->par = room (S->npar);
@@ -202,7 +202,7 @@ gs_make_room (const gs_sweep *s)
   r->options = room (s->ropt.n + s->atol.n);
   r->ip = calloc ((size_t) s->nip + 1, sizeof (int));
   r->iopt = calloc ((size_t) s->niopt + 1, sizeof (int));
-  r->istat = calloc (20, sizeof (int));
+  r->istat = calloc (GS_COUNTED, sizeof (int));
   return r;
 }
 
@@ -267,9 +267,9 @@ static void
 refused (const gs_sweep *s, gs_room *r, int verdict)
 {
   r->info = 3;
-  r->istat[5] = verdict;
-  r->istat[6] = 9;
-  r->rstat[7] = s->t0;
+  r->istat[GS_FAILED_INFO] = verdict;
+  r->istat[GS_FAILED] = GS_BEFORE_START;
+  r->rstat[GS_T_REACHED] = s->t0;
 }
 
 /* the start of a run on its constraints */
@@ -286,7 +286,7 @@ take_start (const gs_sweep *s, gs_room *r)
   double *work = room (gs_start_room (S));
   const int verdict = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
   free (work);
-  r->rstat[7] = s->t0;
+  r->rstat[GS_T_REACHED] = s->t0;
   r->info = work ? 0 : 7;
   if (verdict != GS_START_TAKEN)
     refused (s, r, verdict);
@@ -323,8 +323,8 @@ prepare (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info
   zero (r->w, s->lw);
   zero (r->xout, s->ldx * s->tout.n);
   zero (r->vout, s->ldv * s->tout.n);
-  zero (r->rstat, 20);
-  memset (r->istat, 0, 20 * sizeof (int));
+  zero (r->rstat, GS_MEASURED);
+  memset (r->istat, 0, GS_COUNTED * sizeof (int));
   r->text[0] = 0;
   r->info = 0;
   if (info == 0)
@@ -401,7 +401,7 @@ row_time (const gs_sweep *s, const gs_room *r, const double *switches, long long
 {
   const double t = s->tout.x[k];
   const int left = -1;
-  for (int i = 0; i < S->nsw && k > 0 && k < r->istat[4]; i++)
+  for (int i = 0; i < S->nsw && k > 0 && k < r->istat[GS_N_OUTPUTS]; i++)
     if (switches[i] >= t && switches[i] <= t)
       return gslft_ (&t, &left);
   return t;
@@ -655,22 +655,23 @@ no_start (const gs_sweep *s, const gs_room *r, char *why)
   static const char *const reasons[] = { "only method \"dp853\" begins there",
     "at rest it may go on in more than one way",
     "no motion with these speeds was found that leaves it" };
-  double t = r->rstat[7];
-  if (r->istat[6] == 8)
+  double t = r->rstat[GS_T_REACHED];
+  if (r->istat[GS_FAILED] == GS_AT_START)
     snprintf (why, GS_WHY, "expected a start where the constraints are independent; at t = %.9g s "
-              "they lose rank: %s; start beside that position", t, reasons[r->istat[5] - 1]);
-  else if (r->istat[5] == GS_START_DEVICE)
+              "they lose rank: %s; start beside that position", t,
+              reasons[r->istat[GS_FAILED_INFO] - 1]);
+  else if (r->istat[GS_FAILED_INFO] == GS_START_DEVICE)
     snprintf (why, GS_WHY, "a device cannot be there");
-  else if (r->istat[5] == GS_START_SAMPLES)
+  else if (r->istat[GS_FAILED_INFO] == GS_START_SAMPLES)
     snprintf (why, GS_WHY, "sampled devices: expected periods above 0, delays of 0 or more and "
               "fewer than 2e9 samples behind the start");
-  else if (r->istat[5] >= GS_START_STOP)
+  else if (r->istat[GS_FAILED_INFO] >= GS_START_STOP)
     {
       int n;
-      const char *name = name_of_event (s, r->istat[5] - GS_START_STOP + 1, &n);
+      const char *name = name_of_event (s, r->istat[GS_FAILED_INFO] - GS_START_STOP + 1, &n);
       snprintf (why, GS_WHY, "the start is beyond an end of the stop %.*s", n, name);
     }
-  else if (r->istat[5] == GS_START_NONE)
+  else if (r->istat[GS_FAILED_INFO] == GS_START_NONE)
     snprintf (why, GS_WHY, "no state on the constraints was found near this one at t = %.9g s", t);
   else
     snprintf (why, GS_WHY, "expected a state on the constraints at t = %.9g s", t);
@@ -693,23 +694,26 @@ no_routine (const gs_sweep *s, const gs_room *r, char *why)
   static const char *const routine[]
       = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
           "OUT or a sampled device", "an event" };
-  int who = r->istat[6] >= 1 && r->istat[6] <= 7 ? r->istat[6] : 1;
+  int who = r->istat[GS_FAILED] >= 1 && r->istat[GS_FAILED] <= 7 ? r->istat[GS_FAILED] : 1;
   int n = 0;
-  const char *name = who == 7 && r->istat[18] >= 1 ? name_of_event (s, r->istat[18], &n) : "";
+  const char *name
+      = who == 7 && r->istat[GS_CAUSE] >= 1 ? name_of_event (s, r->istat[GS_CAUSE], &n) : "";
   snprintf (why, GS_WHY, "%s%s%.*s%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
-            n > 0 ? ", " : "", n, name, n > 0 ? "," : "", r->istat[5], r->rstat[7],
-            cause (who, r->istat[5], has_sticks (s, r)));
+            n > 0 ? ", " : "", n, name, n > 0 ? "," : "", r->istat[GS_FAILED_INFO],
+            r->rstat[GS_T_REACHED],
+            cause (who, r->istat[GS_FAILED_INFO], has_sticks (s, r)));
 }
 
 static void
 failed_call (const gs_sweep *s, const gs_room *r, char *why)
 {
-  if (r->istat[6] == 9 || (r->istat[6] == 8 && r->istat[5] < 4))
+  if (r->istat[GS_FAILED] == GS_BEFORE_START
+      || (r->istat[GS_FAILED] == GS_AT_START && r->istat[GS_FAILED_INFO] < 4))
     no_start (s, r, why);
-  else if (r->istat[6] == 8)
+  else if (r->istat[GS_FAILED] == GS_AT_START)
     snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no motion "
               "with the speeds that it leaves was found, how it goes on is not determined",
-              r->rstat[7]);
+              r->rstat[GS_T_REACHED]);
   else
     no_routine (s, r, why);
 }
@@ -718,7 +722,7 @@ failed_call (const gs_sweep *s, const gs_room *r, char *why)
 static void
 failure (const gs_sweep *s, const gs_room *r, char *why)
 {
-  double t = r->rstat[7];
+  double t = r->rstat[GS_T_REACHED];
   switch (r->info)
     {
     case 1:
@@ -736,7 +740,7 @@ failure (const gs_sweep *s, const gs_room *r, char *why)
       break;
     case 6:
       snprintf (why, GS_WHY, "the method stopped at t = %.9g s with flag %d: %.300s", t,
-                r->istat[18], r->text);
+                r->istat[GS_CAUSE], r->text);
       break;
     case 7:
       snprintf (why, GS_WHY, "there was no memory for the method");
@@ -778,9 +782,9 @@ gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int
 void
 gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
 {
-  if (s->implicit_method && r->iopt[0] != 0 && r->info == 5)
+  if (s->implicit_method && r->iopt[GS_METHOD] != 0 && r->info == 5)
     by_implicit (s, r, 1);
-  long long reached = r->istat[4];
+  long long reached = r->istat[GS_N_OUTPUTS];
   int ended = r->info == 11;
   if (ended)
     reached = stay (s, r, reached);
@@ -788,7 +792,7 @@ gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
   int ok = r->info == 0;
   if (! ok)
     failure (s, r, why);
-  fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[7], reached, row);
+  fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[GS_T_REACHED], reached, row);
 }
 
 void
@@ -796,7 +800,7 @@ gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why
 {
   if (! gs_begin_row (s, r, i, NULL, 0, row, why))
     return;
-  if (r->info == 0 && r->iopt[0] != 0)
+  if (r->info == 0 && r->iopt[GS_METHOD] != 0)
     by_gssim (s, r);
   else if (r->info == 0 && s->implicit_method)
     by_implicit (s, r, 0);

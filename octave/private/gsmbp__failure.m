@@ -1,37 +1,38 @@
-## [text, id] = gsmbp__failure (m, info, counts, values, said, last)
-## Why a run of the model M, which has its parameters, ended: INFO, ISTAT (COUNTS) and RSTAT
-## (VALUES) of GSSIM, what its method SAID, and the LAST state, a struct with x and v (empty where
-## there is none).  ID: that of an error that says so.
+## [text, id] = gsmbp__failure (m, info, stats, said, last)
+## Why a run of the model M, which has its parameters, ended: INFO of GSSIM, its statistics STATS
+## (share/c/gsmbp/statistics.h), what its method SAID, and the LAST state, a
+## struct with x and v (empty where there is none).  ID: that of an error that says so.
 
-function [text, id] = gsmbp__failure (m, info, counts, values, said, last)
+function [text, id] = gsmbp__failure (m, info, stats, said, last)
   id = "gsmbp:info";
-  at = sprintf ("at t = %.9g s", values(8));
+  at = sprintf ("at t = %.9g s", stats.reached);
   switch (info)
     case 1
       text = ["more steps than option maxsteps allows, " at];
     case 2
       text = ["the step became too small " at ": a singularity, or too small a tolerance"];
     case 3
-      if (counts(7) == 8 && counts(6) < 4)
-        [text, id] = deal (gsmbp__no_beginning (m, values(8), last, counts(6)), "gsmbp:start");
+      if (stats.failed == 8 && stats.failed_info < 4)
+        text = gsmbp__no_beginning (m, stats.reached, last, stats.failed_info);
+        id = "gsmbp:start";
         return;
-      elseif (counts(7) == 8)
+      elseif (stats.failed == 8)
         text = sprintf (["an event %s, where the constraints lose rank: no motion with the " ...
                          "speeds that it leaves was found, how it goes on is not determined"], at);
         return;
       endif
       routine = ...
           {"the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates", ...
-                 "OUT or a sampled device", "an event"}{counts(7)};
-      if (counts(7) == 7 && counts(19) > 0)
-        routine = [routine ", " m.events(counts(19)).name ","];
+                 "OUT or a sampled device", "an event"}{stats.failed};
+      if (stats.failed == 7 && stats.cause > 0)
+        routine = [routine ", " m.events(stats.cause).name ","];
       endif
-      text = sprintf ("%s failed with INFO = %d %s: %s", routine, counts(6), at,
-                      cause (m, counts(7), counts(6)));
+      text = sprintf ("%s failed with INFO = %d %s: %s", routine, stats.failed_info, at,
+                      cause (m, stats.failed, stats.failed_info));
     case 4
       text = ["the state is no longer finite " at ": take smaller steps"];
     case 6
-      text = sprintf ("the method stopped %s with flag %d: %s", at, counts(19), said);
+      text = sprintf ("the method stopped %s with flag %d: %s", at, stats.cause, said);
     case 7
       text = "there was no memory for the method";
     case 8
@@ -43,12 +44,12 @@ function [text, id] = gsmbp__failure (m, info, counts, values, said, last)
     otherwise
       text = sprintf ("GSSIM: INFO = %d", info);
   endswitch
-  if (info != 1 && counts(14) > 0)
+  if (info != 1 && stats.stiff)
     text = [text "; the steps are bound by stability"];
   endif
-  text = [text, fastest(m, values(8), last, info), no_derivative(m, values(8), last, info)];
+  text = [text, fastest(m, stats.reached, last, info), no_derivative(m, stats.reached, last, info)];
   if (! isempty (last))
-    text = [text, gsmbp__outside(m, values(8), last.x, last.v)];
+    text = [text, gsmbp__outside(m, stats.reached, last.x, last.v)];
   endif
 endfunction
 

@@ -8,11 +8,11 @@ function e = gsmbp__many_runs (who, p, rows)
   m = p.m;
   good = strcmp (rows.broken, "");
   e = struct ("t", p.times(:));
-  [e.x, e.v, e.y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+  [e.x, e.v, e.y, info, counted, margins, stats, seconds, lanes, events, said] = ...
       run_all (p, m, rows, good);
-  [e, cut] = judged (e, p, rows, ! good, counts, values, info, said);
+  [e, cut] = judged (e, p, rows, ! good, stats, info, said);
   for i = cut'   # here, where nobody else has them: they are not copied, which takes seconds
-    bad = counts(5,i)+1:numel (e.t);
+    bad = stats.outputs(i)+1:numel (e.t);
     [e.x(bad,:,i), e.v(bad,:,i), e.y(bad,:,i)] = deal (NaN);
   endfor
   if (! isempty (m.events))
@@ -20,12 +20,12 @@ function e = gsmbp__many_runs (who, p, rows)
                        events(4,:)');
     e.counted = counted_of (numel (m.events), counted);
     warn_of_more (who, m, sum (e.counted.count, 2), accumarray (events(1,:)', 1, [rows.n, 1]));
-    e.sharp = sharp_runs (e, p, rows, counts);
+    e.sharp = sharp_runs (e, p, rows, stats);
   endif
   if (! isempty (m.state_margins))
     e = with_margins (who, e, p, rows, margins');
   endif
-  [e.calls, e.accepted, e.rejected] = deal (counts(1,:)', counts(2,:)', counts(3,:)');
+  [e.calls, e.accepted, e.rejected] = deal (stats.calls', stats.accepted', stats.rejected');
   done = sprintf ("with %d of %d runs at their end", nnz (e.ok), rows.n);
   e.cut = info(1,:)' == 9 | info(1,:)' == 10;
   e.stopped = gsmbp__stopped (who, m, max ([0, info(1,e.cut)]), done, true);
@@ -36,7 +36,7 @@ function e = gsmbp__many_runs (who, p, rows)
 endfunction
 
 ## the runs whose parameters break no rule of the scene, GOOD; NaN and zeros for the others
-function [x, v, y, counts, values, info, counted, margins, seconds, lanes, events, said] = ...
+function [x, v, y, info, counted, margins, stats, seconds, lanes, events, said] = ...
       run_all (p, m, rows, good)
   n = {[numel(p.times), m.sizes.nx], [numel(p.times), m.sizes.nv], ...
        [numel(p.times), m.sizes.ny], 20, 20, 2, 3 * numel(m.events), 2 * numel(m.state_margins)};
@@ -61,6 +61,7 @@ function [x, v, y, counts, values, info, counted, margins, seconds, lanes, event
     said(good) = text;
   endif
   [x, v, y, counts, values, info, counted, margins] = parts{:};
+  stats = p.m.module ("statistics", counts, values);
 endfunction
 
 ## SOME, of size K for each of the good ones of all runs, and NONE for the others
@@ -112,14 +113,14 @@ function warn_of_more (who, m, count, listed)
 endfunction
 
 ## ports whose friction falls too steeply for the method of their run (gsmbp__sharp_ports)
-function list = sharp_runs (e, p, rows, counts)
+function list = sharp_runs (e, p, rows, stats)
   list = struct ([]);
-  for i = find (any (e.counted.count, 2) & counts(5,:)' > 0)'
+  for i = find (any (e.counted.count, 2) & stats.outputs' > 0)'
+    k = stats.outputs(i);
     run = struct ("run", i, "method", p.method, "atol", p.atol, "happened", ...
-                  find (e.counted.count(i,:)), "t", e.t(counts(5,i)), "x", e.x(counts(5,i),:,i), ...
-                  "v", e.v(counts(5,i),:,i));
+                  find (e.counted.count(i,:)), "t", e.t(k), "x", e.x(k,:,i), "v", e.v(k,:,i));
     if (strcmp (p.method, "auto"))
-      run.method = {"dp853", "radau"}{1 + (counts(14,i) > 0)};
+      run.method = {"dp853", "radau"}{1 + stats.stiff(i)};
     endif
     if (any (strcmp (run.method, {"radau", "cvode"})))
       list = [list, gsmbp__sharp_ports(gsmbp__run_model (p.m, rows, i), run)];
@@ -129,40 +130,40 @@ endfunction
 
 ## which runs came to their end; BROKEN: those whose parameters break a rule; CUT: those whose rows
 ## behind the last one are to be NaN: a state where a run ended is none at a time asked for
-function [e, cut] = judged (e, p, rows, broken, counts, values, info, said)
+function [e, cut] = judged (e, p, rows, broken, stats, info, said)
   ended = info(1,:)' == 11;   # by an event of the user
   e.ok = (info(1,:)' == 0 | ended) & info(2,:)' == 0 & ! broken;
-  e.reached = values(8,:)';
+  e.reached = stats.reached';
   e.reached(e.ok & ! ended) = e.t(end);
   e.reason = rows.broken;
   e.reached(broken) = e.t(1);
-  idle = ! broken & counts(1,:)' == 0 & any (info(1,:)' == [9, 10], 2);   # not begun, perhaps many
+  idle = ! broken & stats.calls' == 0 & any (info(1,:)' == [9, 10], 2);   # not begun, perhaps many
   e.reason(idle & info(1,:)' == 9) = {"not begun: interrupted by Ctrl-C"};
   e.reason(idle & info(1,:)' == 10) = {"not begun: ended by option timeout"};
   failed = find (! e.ok)';
   for i = failed(cellfun ("isempty", e.reason(failed)))
-    e.reason{i} = reason (p, rows, i, info(:,i), counts(:,i), values(:,i), said{i}, ...
-                          last_of (e, i, counts));
+    own = structfun (@(row) row(i), stats, "UniformOutput", false);
+    e.reason{i} = reason (p, rows, i, info(:,i), own, said{i}, last_of (e, i, own.outputs + 1));
   endfor
   cut = find (! e.ok & ! idle);
 endfunction
 
 ## why run I failed, as gsmbp_simulate says it of the model with its parameters
-function text = reason (p, rows, i, info, counts, values, said, last)
+function text = reason (p, rows, i, info, stats, said, last)
   if (info(2) != 0)
     text = ["its parameters cannot be: " p.m.module("meaning", "pre", info(2))];
     return;
   endif
   m = gsmbp__run_model (p.m, rows, i);
-  if (info(1) == 3 && counts(7) == 9 && counts(6) == 5)   # GS_START_SAMPLES of glue/start.h
+  if (info(1) == 3 && stats.failed == 9 && stats.failed_info == 5)   # GS_START_SAMPLES of start.h
     text = ["sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 " ...
             "samples behind the start"];
-  elseif (info(1) == 3 && counts(7) == 9)
+  elseif (info(1) == 3 && stats.failed == 9)
     text = off_constraints (m, p, rows, i);
-  elseif (info(1) == 3 && counts(7) == 7 && counts(6) == 13 && ! isempty (last))
-    text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, counts(19));
+  elseif (info(1) == 3 && stats.failed == 7 && stats.failed_info == 13 && ! isempty (last))
+    text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, stats.cause);
   else
-    text = gsmbp__failure (m, info(1), counts, values, said, last);
+    text = gsmbp__failure (m, info(1), stats, said, last);
   endif
 endfunction
 
@@ -181,8 +182,7 @@ function text = off_constraints (m, p, rows, i)
   end_try_catch
 endfunction
 
-function last = last_of (e, i, counts)
-  k = counts(5,i) + 1;
+function last = last_of (e, i, k)
   last = [];
   if (k <= rows (e.x) && all (abs ([e.x(k,:,i), e.v(k,:,i)]) <= 1e300))
     last = struct ("x", e.x(k,:,i)', "v", e.v(k,:,i)');

@@ -1,40 +1,32 @@
-## s = gsmbp__run_stats (s, m, result, method, counts, values)
-## The statistics of a run of the model M by METHOD, as gsmbp_simulate tells them, beside what S has
-## already.  COUNTS, VALUES: ISTAT and RSTAT of share/fortran/integrate/gssim.f.
+## s = gsmbp__run_stats (s, m, result, method, all)
+## The statistics of a run of the model M by METHOD, as gsmbp_simulate returns them, added to those
+## in S.  ALL: as the module returns them (share/c/gsmbp/statistics.h).
 
-function s = gsmbp__run_stats (s, m, result, method, counts, values)
-  s.calls = counts(1);
-  s.accepted = counts(2);
-  s.rejected = counts(3);
-  s.repeated = counts(12);
-  s.projections = counts(4);
-  s.rank_losses = counts(8);
-  s.rank_loss_times = values(10:11)';
-  s.singular_positions = counts(11);
-  s.singular_times = values(16:17)';
-  s.loose = counts(20);
-  s.least_pivot = values(14);
-  s.least_pivot_at = values(15);
-  s.angle_singularities = counts(9);
-  s.angle_times = values(12:13)';
-  s.partition_changes = counts(10);
+function s = gsmbp__run_stats (s, m, result, method, all)
+  for name = {"calls", "accepted", "rejected", "repeated", "projections", "rank_losses", ...
+              "singular_positions", "loose", "least_pivot", "least_pivot_at", ...
+              "angle_singularities", "partition_changes", "jacobians", "newton", ...
+              "smallest_step", "largest_step", "reached"}
+    s.(name{1}) = all.(name{1});
+  endfor
+  s.rank_loss_times = [all.first_rank_loss, all.last_rank_loss];
+  s.singular_times = [all.first_singular, all.last_singular];
+  s.angle_times = [all.first_angles, all.last_angles];
   s.method = method;
-  s.jacobians = counts(16) * any (strcmp (method, {"cvode", "radau"}));
-  s.newton = counts(17) * any (strcmp (method, {"cvode", "radau", "gauss"}));
-  s.stiff = stiffness (m, counts, values);
-  s.smallest_step = values(6);
-  s.largest_step = values(7);
-  s.drift = struct ("phi", values(1), "phidot", values(2), "phi_at", values(3), "phidot_at", ...
-                    values(4), "before_projection", values(5));
-  s.reached = values(8);
+  s.jacobians *= any (strcmp (method, {"cvode", "radau"}));
+  s.newton *= any (strcmp (method, {"cvode", "radau", "gauss"}));
+  s.stiff = stiffness (m, all);
+  s.drift = struct ("phi", all.phi, "phidot", all.phidot, "phi_at", all.phi_at, "phidot_at", ...
+                    all.phidot_at, "before_projection", all.before_projection);
   s.margins = gsmbp__margins (m, result.t, result.x, result.v);
 endfunction
 
 ## of derivatives, behind the states, it is that of their state: their columns have its eigenvalues
-function s = stiffness (m, counts, values)
+function s = stiffness (m, all)
   s = struct ("time", NaN, "eigenvalue", NaN, "state", "", "step", NaN);
-  if (counts(14) > 0)
-    state = m.states{mod (counts(15) - 1, m.sizes.nx) + 1};
-    s = struct ("time", values(18), "eigenvalue", values(19), "state", state, "step", values(20));
+  if (all.stiff)
+    s = struct ("time", all.stiff_at, "eigenvalue", all.stiff_eigenvalue, ...
+                "state", m.states{mod(all.stiff_state - 1, m.sizes.nx) + 1}, ...
+                "step", all.stiff_step);
   endif
 endfunction

@@ -60,8 +60,8 @@ moved (gsf_instance *a, double t)
 {
   const gs_scene *s = a->m->scene;
   const double *x = a->ahead, *xn = x + s->nx;
-  double jump[3] = { 0 }, rstat[20] = { 0 };
-  int istat[20] = { 0 };
+  double jump[3] = { 0 }, rstat[GS_MEASURED] = { 0 };
+  int istat[GS_COUNTED] = { 0 };
   gspst (s->nq, s->nu, s->nlam, a->iopt, a->w);
   a->w[GS_WAY] = 0;
   gsjmp (s->nq, s->nu, x, xn, a->d[GSF_TOLERANCE], a->atol, jump);

@@ -128,12 +128,13 @@ ports (gsf_instance *a)
 int
 gsf_take_samples (gsf_instance *a, int *acted)
 {
-  int istat[20] = { 0 };
+  int istat[GS_COUNTED] = { 0 };
   a->d[GSF_T_NEXT] = 2e300;
   *acted = 0;
   int info = gsdue (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
                     a->w, istat, a->d + GSF_T_NEXT, acted);
-  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, istat[GS_FAILED] == 6 ? "out" : "inputs",
+  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR,
+                                          istat[GS_FAILED] == GS_AT_OUTPUT ? "out" : "inputs",
                                           istat[GS_FAILED_INFO]);
 }
 

@@ -59,11 +59,11 @@ copy (gsf_instance *a, int back)
 static int
 events (gsf_instance *a, int k)
 {
-  int istat[20] = { 0 };
+  int istat[GS_COUNTED] = { 0 };
   const int info = gsevr (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
                           a->v, a->w, istat, k);
   if (info != 0)
-    return gsf_failed (a, GSF_ERROR, istat[GS_FAILED] == 7 ? "rst" : "inputs", info);
+    return gsf_failed (a, GSF_ERROR, istat[GS_FAILED] == GS_AT_EVENT ? "rst" : "inputs", info);
   gsf_tally (a);
   return GSF_OK;
 }

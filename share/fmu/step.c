@@ -22,7 +22,7 @@ why_failed (gsf_instance *a, const gs_run *run, int info)
       if (which == 7 && run->istat[GS_FAILED_INFO] == 10)
         return gsf_fail (a, GSF_ERROR, "events accumulate at t = %.15g s: event %s happens again "
                          "and again", t,
-                         a->m->events[a->m->own[run->istat[GS_ACCUMULATES] - 1 - a->m->nports]]);
+                         a->m->events[a->m->own[run->istat[GS_CAUSE] - 1 - a->m->nports]]);
       if (which == 7 && run->istat[GS_FAILED_INFO] == 9)
         return gsf_fail (a, GSF_ERROR, "100 events and more at one instant after t = %.15g s", t);
       return gsf_failed (a, GSF_ERROR, routines[which], run->istat[GS_FAILED_INFO]);
@@ -178,7 +178,7 @@ go_ahead (gsf_instance *a, double t)
 int
 gsf_begin_step (gsf_instance *a)
 {
-  int istat[20] = { 0 };
+  int istat[GS_COUNTED] = { 0 };
   gsent (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v, a->w, istat);
   a->known = 0;
   return gsf_happens (a, -1);

@@ -44,7 +44,7 @@ gsent (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real 
   const int info = gsdue (s, t, x, nx, ip, rp, cst, v, w, istat, &ts, &acted);
   gskep (1, s->nv, is, rs);
   istat[GS_FAILED_INFO] = 0;
-  istat[GS_FAILED] = 0;
+  istat[GS_FAILED] = GS_AT_NOTHING;
   if (info != 0)
     return;
   gsenf (s, &a, t, x, v, cst);
@@ -81,7 +81,7 @@ gsend (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, c
   const gs_events a = gs_planned_events (nx, ip, rp);
   gsent (s, t, x, nx, ip, rp, cst, v, w, istat);
   istat[GS_FAILED_INFO] = gsinp (s, t, -1, x, nx, ip, rp, cst, v, w);
-  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 1 : 0;
+  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? GS_AT_INPUTS : GS_AT_NOTHING;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
   int k = gsenf (s, &a, t, x, v, cst), side = k > 0 ? 1 : -1;
@@ -99,6 +99,6 @@ gsend (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, c
         return info;
     }
   istat[GS_FAILED_INFO] = gsinp (s, t, side, x, nx, ip, rp, cst, v, w);
-  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 1 : 0;
+  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? GS_AT_INPUTS : GS_AT_NOTHING;
   return istat[GS_FAILED_INFO];
 }

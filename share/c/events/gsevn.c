@@ -33,7 +33,7 @@ static int
 failed (const gs_system *g, int info)
 {
   g->istat[GS_FAILED_INFO] = info;
-  g->istat[GS_FAILED] = 1;
+  g->istat[GS_FAILED] = GS_AT_INPUTS;
   return info;
 }
 
@@ -460,7 +460,7 @@ again (const gs_system *g, const gs_step *e, gs_real th, gs_real te, int side, c
       if (info != 0)
         {
           g->istat[GS_FAILED_INFO] = info;
-          g->istat[GS_FAILED] = 3;
+          g->istat[GS_FAILED] = GS_AT_PRJ;
         }
     }
   return info;

@@ -11,7 +11,7 @@ gsevr (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, c
   if (ip[GS_EVENTS] <= 0)
     return 0;
   istat[GS_FAILED_INFO] = gsinp (s, t, 1, x, nx, ip, rp, cst, v, w);
-  istat[GS_FAILED] = 1;
+  istat[GS_FAILED] = GS_AT_INPUTS;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
   const int info = gsevk (s, t, x, nx, ip, rp, cst, v, istat, k);
@@ -27,9 +27,9 @@ gsevk (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp, c
   int *ie = ip + ip[GS_EVENTS] - 1;
   gs_real *re = rp + ip[GS_EVENTS + 1] - 1;
   istat[GS_FAILED_INFO] = gsres (s, t, x, nx, v, cst, k, ie, re);
-  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? 7 : 0;
-  if (istat[GS_FAILED] != 0)
-    istat[GS_ACCUMULATES]
+  istat[GS_FAILED] = istat[GS_FAILED_INFO] != 0 ? GS_AT_EVENT : GS_AT_NOTHING;
+  if (istat[GS_FAILED] != GS_AT_NOTHING)
+    istat[GS_CAUSE]
         = istat[GS_FAILED_INFO] == 13 ? ie[8] : *gs_events_of (nx, ie, re).newest;
   return istat[GS_FAILED_INFO];
 }

@@ -97,10 +97,10 @@ gsusz (const gs_system *s, const gs_events *a, gs_real t, gs_real h, int but, co
         && (i + 1 == but ? at_once (a, i, t + h) : drowned (s, a, i, h, t + h, g[i])))
       {
         if (info == 0 || gs_told (a, i)[GS_TOLD_CHANGED] > 0)
-          s->istat[GS_ACCUMULATES] = i + 1;
+          s->istat[GS_CAUSE] = i + 1;
         info = 10;
         s->istat[GS_FAILED_INFO] = info;
-        s->istat[GS_FAILED] = 7;
+        s->istat[GS_FAILED] = GS_AT_EVENT;
       }
   return info;
 }

@@ -189,7 +189,7 @@ gs_repeats_until (const gs_events *a, int i)
 /* a step in which gsevn looks for events */
 typedef struct
 {
-  int method;   /* as iopt[0]; 12: a step of gspsg, whose polynomial has the states within */
+  int method;   /* as iopt[GS_METHOD]; 12: gspsg, whose polynomial has the states within */
   gs_real t, h; /* where the step begins, its length [s] */
   gs_real tn;   /* its end, on exit of gsevn the time of the event [s] */
   int side;     /* of tn: < 0 if a jump of the inputs may lie there */
@@ -214,7 +214,7 @@ int gsevf (const gs_events *p, int i, int j, gs_real older, gs_real before, gs_r
 
 /* the first event within the step e; if there is one the step is done again up to it. found: its
  * number, 0 none, -1 the step is too long to see what happens, -2 it is
- * not wanted: nothing is done. info: what failed, as istat[5] and istat[6] */
+ * not wanted: nothing is done. info: what failed, as istat[GS_FAILED_INFO] and istat[GS_FAILED] */
 int gsevn (const gs_system *g, gs_step *e, int *found);
 
 /* for gsevn: quiet: 1 if no event function comes close to 0 in the step e of gsdp8, beside what a
@@ -306,11 +306,12 @@ int gsusn (const gs_events *a, gs_real t, gs_real h);
 int gsusz (const gs_system *s, const gs_events *a, gs_real t, gs_real h, int but, const gs_real *g);
 
 /* gsres under the inputs of a run, from the right; nothing where the scene has no events. info:
- * what failed, as istat[5] and istat[6] */
+ * what failed, as istat[GS_FAILED_INFO] and istat[GS_FAILED] */
 int gsevr (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
            const gs_real *cst, gs_real *v, gs_real *w, int *istat, int k);
 
-/* gsres within a run; info: what failed, as istat[5] and istat[6]; istat[18]: the event that did */
+/* gsres within a run; info: what failed, as istat[GS_FAILED_INFO] and istat[GS_FAILED];
+ * istat[GS_CAUSE]: the event that did */
 int gsevk (const gs_scene *s, gs_real t, gs_real *x, int nx, int *ip, gs_real *rp,
            const gs_real *cst, gs_real *v, int *istat, int k);
 

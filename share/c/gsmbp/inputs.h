@@ -126,7 +126,7 @@ int gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, g
 void gskep (int back, int nv, int *is, gs_real *rs);
 
 /* sampled devices at a stop of a run; ts: when one acts or gives out next [s]; acted: 1 if
- * something was due. info: what failed, as istat[5] and istat[6] */
+ * something was due. info: what failed, as istat[GS_FAILED_INFO] and istat[GS_FAILED] */
 int gsdue (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real *rp,
            const gs_real *cst, gs_real *v, gs_real *w, int *istat, gs_real *ts, int *acted);
 

@@ -17,9 +17,9 @@ extern "C" {
 enum
 {
   GS_DONE = 0,         /* all output times reached */
-  GS_TOO_MANY,         /* more than iopt[3] steps */
+  GS_TOO_MANY,         /* more than iopt[GS_MOST_STEPS] steps */
   GS_TOO_SMALL,        /* the step became too small */
-  GS_ROUTINE_FAILED,   /* see istat[5] and istat[6] */
+  GS_ROUTINE_FAILED,   /* see istat[GS_FAILED_INFO] and istat[GS_FAILED] */
   GS_NOT_FINITE,       /* the state is no longer finite */
   GS_STIFF,            /* steps are bound by stability (method 9) */
   GS_RATE_NOT_FINITE=8, /* a rate is not finite at the start, behind a stop or behind the end */
@@ -46,9 +46,9 @@ typedef struct
   int nb;             /* breaks */
   const gs_real *tbrk; /* nb: rising, times at which the inputs may jump [s]; gssim stops
                          where the scene switches by itself */
-  const int *iopt;    /* 6 + iopt[5]: method (4, 8, 9), way of the loops (1 .. 6), 1 to record the
-                         drift, most steps (0: any), 1 to watch for singular positions, number of
-                         constraints on speeds alone, then their numbers from 1 */
+  const int *iopt;    /* 6 + iopt[GS_ON_SPEEDS]: method (4, 8, 9), way of the loops (1 .. 6), 1 to
+                         record the drift, most steps (0: any), 1 to watch for singular positions,
+                         number of constraints on speeds alone, then their numbers from 1 */
   const gs_real *ropt; /* 3: step [s] (method 8: the first one, or 0), relative tolerance, largest
                          step [s] or 0 */
   const gs_real *atol; /* nx: absolute tolerances, in the units of the states (method 8) */
@@ -61,8 +61,8 @@ typedef struct
                          at t the outputs of the same side are those of <name>_out at
                          gslft (t, -1), functions.h */
   int ldv;            /* >= max(1,nv) */
-  int istat[20];      /* statistics, written */
-  gs_real rstat[20];
+  int istat[GS_COUNTED];      /* statistics, written */
+  gs_real rstat[GS_MEASURED];
   gs_real *w;         /* lw: workspace; first nu entries: the guess of the planned motion */
   int lw;             /* >= gs_room */
   gs_real beyond;     /* method 8: the last step may end so far behind the last output time [s];
@@ -247,7 +247,7 @@ void gsse1 (int ntop, int n, const gs_real *a, const gs_real *p, const gs_real *
 int gshin (const gs_system *g, gs_real t, gs_real hmax, const gs_real *x, gs_real *w, gs_real *h);
 
 /* the right-hand side xd under its inputs; states of x that the partition completes are completed
- * first. info: what failed, as istat[5] and istat[6] */
+ * first. info: what failed, as istat[GS_FAILED_INFO] and istat[GS_FAILED] */
 int gsfun (const gs_system *g, gs_real t, int side, gs_real *x, gs_real *xd);
 
 /* gsfun with the inputs as they go on from the time tv to tf */

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* after a step: x onto the constraints in the way iopt[1] says; drift, rank and the choice of
+/* after a step: x onto the constraints as iopt[GS_LOOPS] says; drift, rank and the choice of
  * independent speeds are looked after. jump: how far a coordinate [0] and a speed [1] may be
  * moved, 0 for any way, and how far the least pivot may fall beside its largest value [2].
  * info: what failed; 3 constraints not fulfilled, or only by a jump; 4 the least pivot fell */
@@ -43,7 +43,7 @@ void gspls (int m, int r, int rank, const gs_real *y, const gs_real *piv, const 
 /* a first or new choice of the dependent speeds at x. info: what con returned */
 int gspnw (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p);
 
-/* the same within a run: istat[5], istat[6] tell if con fails */
+/* the same within a run: istat[GS_FAILED_INFO], istat[GS_FAILED] tell if con fails */
 int gspcn (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p,
            int *istat);
 

@@ -20,14 +20,14 @@ gsdue (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real 
     return 0;
   *acted = 1;
   istat[GS_FAILED_INFO] = gsinp (s, t, 1, x, nx, ip, rp, cst, v, w);
-  istat[GS_FAILED] = 1;
+  istat[GS_FAILED] = GS_AT_INPUTS;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
   istat[GS_FAILED_INFO] = gssmp (s, t, x, cst, v, is, rs);
-  istat[GS_FAILED] = 6;
+  istat[GS_FAILED] = GS_AT_OUTPUT;
   if (istat[GS_FAILED_INFO] != 0)
     return istat[GS_FAILED_INFO];
-  istat[GS_FAILED] = 0;
+  istat[GS_FAILED] = GS_AT_NOTHING;
   *ts = gsnxt (s->nv, is, rs);
   return 0;
 }

@@ -28,10 +28,10 @@ what_is_due (gs_course *c)
     return info;
   info = gsinp (g->s, c->t, 1, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w);
   g->istat[GS_FAILED_INFO] = info;
-  g->istat[GS_FAILED] = 1;
+  g->istat[GS_FAILED] = GS_AT_INPUTS;
   if (info != 0)
     return info;
-  g->istat[GS_FAILED] = 0;
+  g->istat[GS_FAILED] = GS_AT_NOTHING;
   info = gsevr (g->s, c->t, c->x, g->nx, g->ip, g->rp, g->cst, g->v, g->w, g->istat, 0);
   if (info != 0)
     return info;
@@ -58,7 +58,7 @@ singular (gs_course *c)
   if (a->begin == 2 || (a->begin == 1 && g->iopt[GS_METHOD] == 4))
     {
       g->istat[GS_FAILED_INFO] = a->begin;
-      g->istat[GS_FAILED] = 8;
+      g->istat[GS_FAILED] = GS_AT_START;
       return a->begin;
     }
 

@@ -55,7 +55,7 @@ gsdpo (gs_course *c, gs_real tn, int side, gs_real h, gs_real *off)
       if (info != 0)
         {
           g->istat[GS_FAILED_INFO] = info;
-          g->istat[GS_FAILED] = 1;
+          g->istat[GS_FAILED] = GS_AT_INPUTS;
           return info;
         }
     }

@@ -17,7 +17,7 @@ trial (gs_course *c, int *taken)
       if (c->a.begin > 0)
         {
           c->g.istat[GS_FAILED_INFO] = 3;
-          c->g.istat[GS_FAILED] = 8;
+          c->g.istat[GS_FAILED] = GS_AT_START;
           return GS_ROUTINE_FAILED;
         }
       return gsdpt (c, gs_min (gs_min (c->next, c->hmax), hlim), taken);

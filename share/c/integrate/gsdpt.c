@@ -69,7 +69,7 @@ accept (gs_course *c, const gs_step *e, gs_real err, int loose, int event, gs_re
   g->rstat[GS_H_NEXT] = c->next;
   g->istat[GS_N_STEPS]++;
   g->istat[GS_FAILED_INFO] = 0;
-  g->istat[GS_FAILED] = 0;
+  g->istat[GS_FAILED] = GS_AT_NOTHING;
   g->istat[GS_N_LOOSE] += loose;
   c->a.begin = -gs_least (1, event);
   c->fresh = dense > 0 && e->side > 0 && g->ip[GS_EVENTS] == 0 ? 2 : 1;
@@ -122,7 +122,7 @@ reject (gs_course *c, gs_real h, gs_real err, int failed, gs_real dense)
     c->next = dense;
   else if (failed != 0)
     g->p[GS_DEPENDENT] = -1;
-  if (failed == 4 && g->istat[GS_FAILED] == 3)
+  if (failed == 4 && g->istat[GS_FAILED] == GS_AT_PRJ)
     {
       c->next = GS_R (0.7) * h;
       c->repeated++;
@@ -163,7 +163,7 @@ gsdpt (gs_course *c, gs_real htry, int *taken)
       failed = gsevn (g, &e, &event);
       if (event < 0)
         err = e.off > 1 ? gs_min (GS_R (1e10), e.off) : GS_R (1e10);
-      if (failed == 10 && g->istat[GS_FAILED] == 7)
+      if (failed == 10 && g->istat[GS_FAILED] == GS_AT_EVENT)
         return GS_ROUTINE_FAILED;
       if (event == -2)
         {

@@ -1,8 +1,8 @@
 /* GSFUN: the right-hand side under its inputs: v by GSINP, xd by rhs.
  *
- * v is kept where it is constant. istat[0] counts the calls, istat[7] those where the constraints
- * lost rank (rhs returned 2: its result is usable, multipliers are not unique), istat[8] those
- * close to a singularity of orientation angles (rhs returned 3). */
+ * v is kept where it is constant. istat[GS_N_RHS] counts the calls, istat[GS_N_RANK_LOST]
+ * those where the constraints lost rank (rhs returned 2: its result is usable, multipliers are not
+ * unique), istat[GS_N_ANGLES] those close to a singularity of orientation angles (3). */
 
 #include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
@@ -43,7 +43,7 @@ gsfut (const gs_system *g, gs_real t, gs_real tv, gs_real tf, int side, gs_real 
   if (g->p[GS_WAY] > 0)
     info = gsprt (g->s, t, x, g->cst, g->p);
   if (info != 0)
-    return failed (g, info, 5);
+    return failed (g, info, GS_AT_PARTITION);
   if (g->ip[GS_V0] != 0 || g->ip[GS_FEEDBACK] != 0)
     {
       if (tf >= tv && tf <= tv)
@@ -52,13 +52,13 @@ gsfut (const gs_system *g, gs_real t, gs_real tv, gs_real tf, int side, gs_real 
         info = gsinc (g, tv, tf, x);
     }
   if (info != 0)
-    return failed (g, info, 1);
+    return failed (g, info, GS_AT_INPUTS);
   info = g->s->rhs (gslft (t, side), x, g->v, g->cst, xd);
   g->istat[GS_N_RHS]++;
   if (info == 2 || info == 3)
     count (g, info + 5, t);
   else if (info != 0)
-    return failed (g, info, 2);
+    return failed (g, info, GS_AT_RHS);
   return 0;
 }
 

@@ -19,7 +19,7 @@ does_not_lead_out (gs_course *c)
   if (! (gap > GS_R (1e-6) + GS_R (1e2) * g->ropt[1]))
     return 0;
   g->istat[GS_FAILED_INFO] = 4 - gs_most (0, c->a.begin);
-  g->istat[GS_FAILED] = 8;
+  g->istat[GS_FAILED] = GS_AT_START;
   return 1;
 }
 
@@ -59,7 +59,7 @@ count (gs_course *c, gs_real tn)
       g->istat[GS_N_PASSED]++;
       if (g->istat[GS_N_PASSED] == 1)
         g->rstat[GS_T_PASSED] = a->tmin;
-      g->rstat[GS_T_PASSED + 1] = a->tmin;
+      g->rstat[GS_T_PASSED_LAST] = a->tmin;
       a->counted = a->tmin + GS_R (0.1) * a->d;
     }
   if (tn >= a->tc + a->d)
@@ -71,7 +71,7 @@ count (gs_course *c, gs_real tn)
   g->rstat[GS_T_REACHED] = tn;
   g->istat[GS_N_STEPS]++;
   g->istat[GS_FAILED_INFO] = 0;
-  g->istat[GS_FAILED] = 0;
+  g->istat[GS_FAILED] = GS_AT_NOTHING;
 }
 
 int
@@ -177,7 +177,7 @@ gspou (gs_course *c, gs_real tn)
       gspth (g->nx, a->ns, g->nx, c->x, a->d, b, c->f, x);
       int info = gsinp (g->s, t, 1, x, g->nx, g->ip, g->rp, g->cst, v, g->w);
       g->istat[GS_FAILED_INFO] = info;
-      g->istat[GS_FAILED] = 1;
+      g->istat[GS_FAILED] = GS_AT_INPUTS;
       if (info != 0)
         return info;
       g->istat[GS_N_OUTPUTS] = c->it + 1;

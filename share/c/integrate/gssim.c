@@ -2,15 +2,15 @@
  *       x' = rhs(t, x, v(t,x)),  x(t0) = x0
  * and leaves the states and inputs at the times tout.
  *
- * The ways of the loops, iopt[1]: 1 x is left to the terms of Baumgarte within rhs; 2 x is moved
+ * The ways of the loops, iopt[GS_LOOPS]: 1 x is left to the terms of Baumgarte in rhs; 2 x is moved
  * onto the constraints (prj) at t0 and after every step; 3 coordinate partitioning: before every
  * call of rhs the dependent coordinates and speeds are computed from the independent ones (GSPRT),
  * whose errors alone steer the step; 4 null space, 5 zero-eigenvalue theorem: as 2 (that rhs
  * solves in this way is a parameter in cst); 6 Kane with dependent speeds: as 2, and before every
  * call of rhs the dependent speeds are computed from the independent ones. Euler parameters (nq >
- * nu) are normalized by prj, that is, not in the way 1. With iopt[4] = 1 positions where the
+ * nu) are normalized by prj, that is, not in the way 1. With iopt[GS_WATCH] = 1 positions where the
  * constraints lose rank are watched for, and close to them (method 8) or where constraints are
- * redundant the ways 2, 4, 5 and 6 borrow from the way 3 (needs con, kin and iopt[2] = 1).
+ * redundant the ways 2, 4, 5 and 6 borrow from the way 3 (needs con, kin and iopt[GS_DRIFT] = 1).
  *
  * Every stop (break, sample, the last output time; method 4: every output time) is met exactly,
  * and so is every event; there the integration starts again. Time is t0 + k*h within each way from
@@ -41,8 +41,9 @@
  * stepped over. It ends with GS_TOO_SMALL also where 20000 steps one after the other are a ten
  * thousandth of what they were far from a singular position.
  *
- * In the cases GS_TOO_MANY to GS_STIFF and GS_RATE_NOT_FINITE the first istat[4] columns of xout
- * are valid; where there is another it holds the state at rstat[7], and that of vout the inputs. */
+ * In the cases GS_TOO_MANY to GS_STIFF and GS_RATE_NOT_FINITE the first istat[GS_N_OUTPUTS] columns
+ * of xout are valid; where there is another it holds the state at rstat[GS_T_REACHED], and that of
+ * vout the inputs. */
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -84,7 +85,7 @@ stop_to_stop (gs_course *c)
       if (info != 0)
         {
           r->istat[GS_FAILED_INFO] = info;
-          r->istat[GS_FAILED] = 1;
+          r->istat[GS_FAILED] = GS_AT_INPUTS;
           return GS_ROUTINE_FAILED;
         }
     }

@@ -9,9 +9,6 @@
  * steps (method 9: 100) with no run of 6 others between, the eigenvalue itself decides, from 4/h
  * on. Fewer steps are no loss: a system that comes to rest is soon there.
  *
- * istat[15]: steps that looked so, istat[16]: steps that did not since, istat[17]: when the next
- * look is due.
- *
  * Hairer, Wanner, Solving Ordinary Differential Equations II, section IV.2 (stiffness
  * detection). */
 
@@ -38,18 +35,18 @@ suspect (const gs_system *g, gs_real h, const gs_real *x, const gs_real *w)
     }
   if (gs_abs (h) * gs_sqrt (a) > 5 * gs_sqrt (b))
     {
-      istat[GS_STIFF_MEMORY]++;
-      istat[GS_STIFF_MEMORY + 1] = 0;
+      istat[GS_SEEN_STIFF]++;
+      istat[GS_SEEN_FREE] = 0;
     }
   else
     {
-      istat[GS_STIFF_MEMORY + 1]++;
-      if (istat[GS_STIFF_MEMORY + 1] >= 6)
-        istat[GS_STIFF_MEMORY] = 0;
+      istat[GS_SEEN_FREE]++;
+      if (istat[GS_SEEN_FREE] >= 6)
+        istat[GS_SEEN_STIFF] = 0;
     }
-  if (istat[GS_STIFF_MEMORY] < (g->iopt[GS_METHOD] == 9 ? 100 : 500))
+  if (istat[GS_SEEN_STIFF] < (g->iopt[GS_METHOD] == 9 ? 100 : 500))
     return 0;
-  istat[GS_STIFF_MEMORY] = 0;
+  istat[GS_SEEN_STIFF] = 0;
   return 1;
 }
 
@@ -58,12 +55,12 @@ gsstd (const gs_system *g, gs_real t, gs_real h, const gs_real *x, gs_real *w)
 {
   int *istat = g->istat;
   gs_real limit = 4;
-  if (istat[GS_IS_STIFF] > 0 || istat[GS_N_STEPS] < istat[GS_STIFF_MEMORY + 2])
+  if (istat[GS_IS_STIFF] > 0 || istat[GS_N_STEPS] < istat[GS_NEXT_LOOK])
     return;
   if (g->iopt[GS_METHOD] == 4)
     {
       const int n = gs_least (1000, istat[GS_N_STEPS]);
-      istat[GS_STIFF_MEMORY + 2] = istat[GS_N_STEPS] + gs_least (1000, gs_most (10, 9 * n));
+      istat[GS_NEXT_LOOK] = istat[GS_N_STEPS] + gs_least (1000, gs_most (10, 9 * n));
       limit = GS_R (2.78);
     }
   else if (! suspect (g, h, x, w))

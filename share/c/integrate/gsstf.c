@@ -89,8 +89,8 @@ largest (const gs_system *g, gs_real t, const gs_real *x, gs_real h, gs_real *w,
 void
 gsstf (const gs_system *g, gs_real t, const gs_real *x, gs_real h, gs_real *w, gs_real *rho, int *k)
 {
-  int istat[20] = { 0 };
-  gs_real rstat[20] = { 0 };
+  int istat[GS_COUNTED] = { 0 };
+  gs_real rstat[GS_MEASURED] = { 0 };
   gs_system own = *g;
   own.istat = istat;
   own.rstat = rstat;

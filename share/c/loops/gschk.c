@@ -1,10 +1,8 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/loops.h"
+#include "gsmbp/system.h"
 
 #include <string.h>
-
-/* what istat[6] calls the routine that failed */
-enum { NONE = 0, PRJ = 3, CON = 4, PRT = 5 };
 
 /* the arguments of gschk, for its parts */
 typedef struct
@@ -27,13 +25,13 @@ complete (check *c)
   if (c->p[GS_WAY] > 0 && c->p[GS_DEPENDENT] < 0)
     {
       info = gspnw (c->s, c->t, c->x, c->cst, c->p);
-      c->istat[6] = CON;
+      c->istat[GS_FAILED] = GS_AT_CON;
     }
   if (info == 0 && c->p[GS_WAY] > 1)
     {
       /* twice: the speeds then belong to the last position */
       info = gsprt (c->s, c->t, c->x, c->cst, c->p);
-      c->istat[6] = PRT;
+      c->istat[GS_FAILED] = GS_AT_PARTITION;
       if (info == 0)
         info = gsprt (c->s, c->t, c->x, c->cst, c->p);
     }
@@ -45,11 +43,11 @@ static int
 project (check *c)
 {
   int info = c->s->prj (c->t, c->x, c->cst, c->a.phi);
-  c->istat[3]++;
-  c->istat[6] = PRJ;
+  c->istat[GS_N_PROJECTIONS]++;
+  c->istat[GS_FAILED] = GS_AT_PRJ;
   if (info != 0 && info != 2)
     return info;
-  c->rstat[4] = gs_max (c->rstat[4], gs_abs (c->a.phi[0]));
+  c->rstat[GS_R_BEFORE] = gs_max (c->rstat[GS_R_BEFORE], gs_abs (c->a.phi[0]));
   return 0;
 }
 
@@ -71,10 +69,10 @@ drift (check *c)
   gs_partition *a = &c->a;
   gs_real *x = c->x, big = 1, gap = 0, rate = 0;
   int info = s->con (c->t, x, x + s->nq, c->cst, a->phi, a->phit, a->hc, s->nlam, a->gam);
-  c->istat[6] = CON;
+  c->istat[GS_FAILED] = GS_AT_CON;
   if (info != 0 && info != 2)
     return info;
-  c->istat[6] = NONE;
+  c->istat[GS_FAILED] = GS_AT_NOTHING;
   for (int i = 0; i < s->nq; i++)
     big = gs_max (big, gs_abs (x[i]));
   for (int i = 0; i < s->nlam; i++)
@@ -85,20 +83,20 @@ drift (check *c)
       gap = gs_max (gap, gs_abs (a->phi[i]));
       rate = gs_max (rate, gs_abs (v));
     }
-  if (c->iopt[1] != 1 && ! (gap <= GS_R (1e-6) * big))
+  if (c->iopt[GS_LOOPS] != 1 && ! (gap <= GS_R (1e-6) * big))
     {
-      c->istat[6] = c->iopt[1] == 3 ? PRT : PRJ;
+      c->istat[GS_FAILED] = c->iopt[GS_LOOPS] == 3 ? GS_AT_PARTITION : GS_AT_PRJ;
       return 3;
     }
-  if (gap > c->rstat[0])
+  if (gap > c->rstat[GS_R_PHI])
     {
-      c->rstat[0] = gap;
-      c->rstat[2] = c->t;
+      c->rstat[GS_R_PHI] = gap;
+      c->rstat[GS_T_PHI] = c->t;
     }
-  if (rate > c->rstat[1])
+  if (rate > c->rstat[GS_R_RATE])
     {
-      c->rstat[1] = rate;
-      c->rstat[3] = c->t;
+      c->rstat[GS_R_RATE] = rate;
+      c->rstat[GS_T_RATE] = c->t;
     }
   return 0;
 }
@@ -112,9 +110,9 @@ passages (check *c, gs_real *least, gs_real *tmin)
   gspas (c->s, c->t, c->x, c->cst, c->p, tmin, &s);
   if (s >= 0 && s < GS_R (0.01) * c->p[GS_LARGEST])
     {
-      if (++c->istat[10] == 1)
-        c->rstat[15] = *tmin;
-      c->rstat[16] = *tmin;
+      if (++c->istat[GS_N_PASSED] == 1)
+        c->rstat[GS_T_PASSED] = *tmin;
+      c->rstat[GS_T_PASSED_LAST] = *tmin;
     }
   if (s >= 0 && s < *least)
     *least = s;
@@ -127,25 +125,25 @@ rank_of (check *c)
   gs_real *p = c->p, least, tmin = c->t;
   int rank, change;
   gsprc (c->s, c->t, c->x, c->cst, p, &rank, &least, &change);
-  c->istat[9] += change;
+  c->istat[GS_N_PARTITIONS] += change;
   if (rank < p[GS_RANK])
     least = 0;
   if (least < c->jump[2] * p[GS_LARGEST])
     {
-      c->istat[6] = PRJ;
+      c->istat[GS_FAILED] = GS_AT_PRJ;
       return 4;
     }
   p[GS_RANK] = gs_max (p[GS_RANK], rank);
   p[GS_PIVOT] = least;
   p[GS_LARGEST] = gs_max (p[GS_LARGEST], least);
-  if (c->iopt[0] == 4 && c->iopt[4] == 1 && least < GS_R (0.01) * p[GS_LARGEST])
-    c->istat[19]++;
-  if (c->iopt[4] == 1)
+  if (c->iopt[GS_METHOD] == 4 && c->iopt[GS_WATCH] == 1 && least < GS_R (0.01) * p[GS_LARGEST])
+    c->istat[GS_N_LOOSE]++;
+  if (c->iopt[GS_WATCH] == 1)
     passages (c, &least, &tmin);
-  if (least < c->rstat[13])
+  if (least < c->rstat[GS_R_PIVOT])
     {
-      c->rstat[13] = least;
-      c->rstat[14] = tmin;
+      c->rstat[GS_R_PIVOT] = least;
+      c->rstat[GS_T_PIVOT] = tmin;
     }
   return 0;
 }
@@ -156,13 +154,13 @@ move (check *c)
 {
   const gs_scene *s = c->s;
   memcpy (c->a.before, c->x, (s->nq + s->nu) * sizeof *c->x);
-  int way = c->iopt[1], info = complete (c);
+  int way = c->iopt[GS_LOOPS], info = complete (c);
   if (info == 0 && way != 1 && (way != 3 || s->nq > s->nu))
     info = project (c);
   if (info == 0 && c->jump[0] > 0 && way != 1 && jumped (c))
     info = 3;
   if (info == 0)
-    c->istat[6] = NONE;
+    c->istat[GS_FAILED] = GS_AT_NOTHING;
   return info;
 }
 
@@ -171,10 +169,10 @@ static int
 run (check *c)
 {
   const gs_scene *s = c->s;
-  int way = c->iopt[1], info = move (c);
+  int way = c->iopt[GS_LOOPS], info = move (c);
   if (info != 0)
     return info;
-  if (s->nlam == 0 || (c->iopt[2] != 1 && way != 3 && way != 6))
+  if (s->nlam == 0 || (c->iopt[GS_DRIFT] != 1 && way != 3 && way != 6))
     return 0;
   info = drift (c);
   return info != 0 ? info : rank_of (c);
@@ -191,7 +189,7 @@ noted (int (*part) (check *), const gs_scene *s, gs_real t, gs_real *x, const in
               gs_partition_of (s->nq, s->nu, s->nlam, p) };
   int info = part (&c);
   if (info != 0)
-    istat[5] = info;
+    istat[GS_FAILED_INFO] = info;
   return info;
 }
 

@@ -1,5 +1,6 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/loops.h"
+#include "gsmbp/system.h"
 #include "gsmbp/solve.h"
 
 int
@@ -19,8 +20,8 @@ int
 gspcn (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p, int *istat)
 {
   int info = gspnw (s, t, x, cst, p);
-  istat[5] = info;
-  istat[6] = info == 0 ? 0 : 4;
+  istat[GS_FAILED_INFO] = info;
+  istat[GS_FAILED] = info == 0 ? GS_AT_NOTHING : GS_AT_CON;
   return info;
 }
 

@@ -1,4 +1,5 @@
 /* run.c: gssim and gsfol for the module, their arguments one by one. */
+#include <string.h>
 #include <time.h>
 
 #include "gsmbp/inputs.h"
@@ -58,12 +59,16 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_ask *ask, int nx, d
     }
   else
     info = gssim (&own, &r);
-  for (int i = 0; i < 20; i++)
-    {
-      istat[i] = r.istat[i];
-      rstat[i] = r.rstat[i];
-    }
+  memcpy (istat, r.istat, sizeof r.istat);
+  memcpy (rstat, r.rstat, sizeof r.rstat);
   return info;
+}
+
+/* the names of istat, or those of rstat, with blanks between */
+const char *
+gs_loop_statistics (int measured)
+{
+  return measured ? GS_VALUES (GS_ROW_NAME) : GS_COUNTS (GS_ROW_NAME);
 }
 
 /* of the structure that Python fills as well */

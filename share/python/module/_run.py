@@ -15,6 +15,7 @@ from ._motion import Piecewise, as_piecewise
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
 METHODS = {'rk4': 4, 'dp853': 8}
+COUNTS, VALUES = (LIBRARY.gs_loop_statistics(k).decode().split() for k in (0, 1))
 RECORDED = 10000   # events
 WRONG_MODE = 13    # INFO of GSRES: one that is given contradicts the state
 ENDED = 11         # what a run says that an event of the user has ended
@@ -501,9 +502,10 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
     if p.ends.failure is not None:
         raise p.ends.failure
-    if run['info'] == 3 and run['counts'][6] == 7 and run['counts'][5] == WRONG_MODE:
-        raise ValueError('%s: %s' % (who, _wrong_mode(model, times[0], x[:NX], modes,
-                                                      int(run['counts'][18]) - 1)))
+    s = run['stats']
+    if run['info'] == 3 and s['failed'] == 7 and s['failed_info'] == WRONG_MODE:
+        raise ValueError('%s: %s' % (
+            who, _wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
     return _result(who, model, p, run, method, kept, audit, errors)
 
 
@@ -581,10 +583,10 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     nx, nt = len(x), len(times)
     ip, rp = p.laid()
     out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
-           'v': np.zeros((max(1, NV), nt), order='F'), 'counts': np.zeros(20, np.intc),
-           'values': np.zeros(20), 'times': times}
+           'v': np.zeros((max(1, NV), nt), order='F'), 'times': times}
     if LIBRARY.gs_due_from(SCENE, ctypes.c_double(times[0]), at(model.cst), at(ip), at(rp)) != 0:
         raise ValueError('%s: a sampled device has more than 2e9 samples behind it' % p.who)
+    counts, values = np.zeros(len(COUNTS), np.intc), np.zeros(len(VALUES))
     room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
     w = np.zeros(max(room, NU) + 20)
     if NQ == NU:
@@ -598,8 +600,8 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
             SCENE, pointer('rha') if audit else None, p.callback, p.ends.ask, number(nx),
             ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
             at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
-            at(out['x']), at(out['v']), at(out['counts']), at(out['values']), at(w),
-            number(len(w)))
+            at(out['x']), at(out['v']), at(counts), at(values), at(w), number(len(w)))
+    out['stats'] = dict(zip(COUNTS + VALUES, counts.tolist() + values.tolist()))
     out['seconds'] = time.perf_counter() - begun
     return out
 
@@ -607,9 +609,9 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
 # ----------------------------------------------------------------------------- what comes back
 
 def _result(who, model, p, run, method, kept, audit, errors):
-    wanted = int(run['counts'][4])
+    wanted = run['stats']['outputs']
     ended = _ended(run)
-    reached = int(run['counts'][4])
+    reached = run['stats']['outputs']
     t, v = run['times'][:reached], run['v'][:NV, :reached]
     x = run['x'][:NX, :reached]
     r = Result(t=t, x=x, v=v, y=None, samples=None, events=None, audit=None)
@@ -650,72 +652,69 @@ def _ended(run):
     if run['info'] != ENDED:
         return None
     run['info'] = 0
-    last = run['values'][7]
+    last = run['stats']['reached']
     number = int(_recorded(run)[2])
-    k = int(run['counts'][4])
+    k = run['stats']['outputs']
     if k == 0 or run['times'][k - 1] < last:
         run['times'] = np.array(run['times'], float)
         run['times'][k] = last
-        run['counts'][4] += 1
+        run['stats']['outputs'] += 1
     return TABLE['events'][number - 1]['name']
 
 
 def _stats(model, run, method):
-    counts, values = run['counts'].tolist(), run['values'].tolist()
-    names = {'calls': 0, 'accepted': 1, 'rejected': 2, 'projections': 3, 'rank_losses': 7,
-             'angle_singularities': 8, 'partition_changes': 9, 'singular_positions': 10,
-             'repeated': 11, 'loose': 19}
-    stats = {name: counts[k] for name, k in names.items()}
-    names = {'phi': 0, 'phidot': 1, 'phi_at': 2, 'phidot_at': 3, 'before_projection': 4,
-             'smallest_step': 5, 'largest_step': 6, 'reached': 7, 'least_pivot': 13,
-             'least_pivot_at': 14}
-    stats.update((name, values[k]) for name, k in names.items())
-    stats['rank_loss_times'] = values[9:11]
-    stats['angle_times'] = values[11:13]
-    stats['singular_times'] = values[15:17]
+    s = run['stats']
+    stats = {name: s[name] for name in (
+        'calls', 'accepted', 'rejected', 'projections', 'rank_losses', 'angle_singularities',
+        'partition_changes', 'singular_positions', 'repeated', 'loose', 'phi', 'phidot', 'phi_at',
+        'phidot_at', 'before_projection', 'smallest_step', 'largest_step', 'reached',
+        'least_pivot', 'least_pivot_at')}
+    stats['rank_loss_times'] = [s['first_rank_loss'], s['last_rank_loss']]
+    stats['angle_times'] = [s['first_angles'], s['last_angles']]
+    stats['singular_times'] = [s['first_singular'], s['last_singular']]
     stats['stiff'] = None
-    if counts[13] > 0:
-        stats['stiff'] = {'time': values[17], 'eigenvalue': values[18], 'step': values[19],
-                          'state': model.states[counts[14] - 1]}
+    if s['stiff']:
+        stats['stiff'] = {'time': s['stiff_at'], 'eigenvalue': s['stiff_eigenvalue'],
+                          'step': s['stiff_step'], 'state': model.states[s['stiff_state'] - 1]}
     stats.update(method=method, seconds=run['seconds'])
     return stats
 
 
 def failure(run):
     """Why a run ended before its time."""
-    counts, info = run['counts'], run['info']
-    at = 'at t = %.9g s' % run['values'][7]
+    s, info = run['stats'], run['info']
+    at = 'at t = %.9g s' % s['reached']
     if info == 3:
-        text = _failed(int(counts[6]), int(counts[5]), at, _at_work(run))
+        text = _failed(s['failed'], s['failed_info'], at, _at_work(run))
     else:
         text = {1: 'more steps than maxsteps allows, ' + at,
                 2: 'the step became too small %s: a singularity, or too small a tolerance' % at,
                 4: 'the state is no longer finite %s: take smaller steps' % at,
                 8: 'a rate of the states is not finite ' + at}.get(info, 'GSSIM: INFO = %d' % info)
-    if info != 1 and counts[13] > 0:
+    if info != 1 and s['stiff']:
         text += '; the steps are bound by stability'
     return text
 
 
 def outside(model, run):
     """What is added to that where devices were outside their margins in the last state."""
-    k = int(run['counts'][4])
+    k = run['stats']['outputs']
     if k >= len(run['times']):
         return ''
     x, v = run['x'][:NX, k:k + 1], run['v'][:NV, k:k + 1]
     if not (np.isfinite(x).all() and np.isfinite(v).all()):
         return ''
     return ''.join('; outside a margin: ' + sentence
-                   for sentence, _ in margins(model, run['values'][7:8], x, v))
+                   for sentence, _ in margins(model, np.array([run['stats']['reached']]), x, v))
 
 
 def _at_work(run):
     """', name,' of the event at which a run has failed, '' where that is not known."""
-    counts, number = run['counts'], 0
-    if counts[6] != 7:
+    s = run['stats']
+    if s['failed'] != 7:
         return ''
-    if counts[5] == 10:
-        number = int(counts[18])
+    if s['failed_info'] == 10:
+        number = s['cause']
     else:
         number = int(_recorded(run)[3])
     return ', %s,' % TABLE['events'][number - 1]['name'] if number > 0 else ''

@@ -195,7 +195,7 @@ given_modes (void)
                 starts[k].speed);
       compare (&a, what, starts[k].wrong ? 3 : 0);
       if (starts[k].wrong)
-        holds (a.run.istat[GS_FAILED_INFO] == 13 && a.run.istat[GS_ACCUMULATES] == 1,
+        holds (a.run.istat[GS_FAILED_INFO] == 13 && a.run.istat[GS_CAUSE] == 1,
                "... contradicts the state");
     }
 }
