@@ -27,8 +27,8 @@ typedef struct
   const externals *f;
   gs_run run;
   int iopt[12], ip[MOST_IP];
-  double ropt[3], atol[MOST_X], x0[MOST_X], tout[MOST_T], tbrk[20], rp[MOST_RP], cst[1000];
-  double xout[MOST_X * MOST_T], vout[MOST_X * MOST_T], w[MOST_W];
+  gs_real ropt[3], atol[MOST_X], x0[MOST_X], tout[MOST_T], tbrk[20], rp[MOST_RP], cst[1000];
+  gs_real xout[MOST_X * MOST_T], vout[MOST_X * MOST_T], w[MOST_W];
   int nip, nrp; /* places of ip and rp that are used */
   int info;
 } test;
@@ -40,72 +40,75 @@ static int calls; /* for scenes that count, 0 before each run */
 /* ------------------------------------------------------------ what the Fortran calls */
 
 static void
-f_rhs (const double *t, const double *x, const double *v, const double *cst, double *xd, int *info)
+f_rhs (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd,
+       int *info)
 {
   *info = bridged->rhs (*t, x, v, cst, xd);
 }
 
 static void
-f_prj (const double *t, double *x, const double *cst, double *res, int *info)
+f_prj (const gs_real *t, gs_real *x, const gs_real *cst, gs_real *res, int *info)
 {
   *info = bridged->prj (*t, x, cst, res);
 }
 
 static void
-f_con (const double *t, const double *q, const double *u, const double *cst, double *phi,
-       double *phit, double *hc, const int *ldh, double *gam, int *info)
+f_con (const gs_real *t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+       gs_real *phit, gs_real *hc, const int *ldh, gs_real *gam, int *info)
 {
   *info = bridged->con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
 }
 
 static void
-f_kin (const double *t, const double *q, const double *u, const double *cst, double *qdot)
+f_kin (const gs_real *t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   bridged->kin (*t, q, u, cst, qdot);
 }
 
 static void
-f_cmd (const double *t, const double *qj, const double *xi, const double *cst, double *v,
-       double *xid, int *info)
+f_cmd (const gs_real *t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v,
+       gs_real *xid, int *info)
 {
   *info = bridged->cmd (*t, qj, xi, cst, v, xid);
 }
 
 static void
-f_clo (const double *t, double *qj, const double *cst, double *res, int *info)
+f_clo (const gs_real *t, gs_real *qj, const gs_real *cst, gs_real *res, int *info)
 {
   *info = bridged->clo (*t, qj, cst, res);
 }
 
 static void
-f_vin (const double *t, const int *side, const double *x, const int *nx, const int *nv,
-       const int *ip, const double *rp, const double *cst, double *v, int *info)
+f_vin (const gs_real *t, const int *side, const gs_real *x, const int *nx, const int *nv,
+       const int *ip, const gs_real *rp, const gs_real *cst, gs_real *v, int *info)
 {
   (void)ip, (void)rp, (void)cst;
   *info = bridged->vin (*t, *side, x, *nx, *nv, bridged->data, v);
 }
 
 static void
-f_out (const double *t, const double *x, const double *v, const double *cst, double *y, int *info)
+f_out (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y,
+       int *info)
 {
   *info = bridged->out (*t, x, v, cst, y);
 }
 
 static void
-f_ctl (const int *k, const double *t, const double *y, double *xk, const double *cst, double *v)
+f_ctl (const int *k, const gs_real *t, const gs_real *y, gs_real *xk, const gs_real *cst,
+       gs_real *v)
 {
   bridged->ctl (*k, *t, y, xk, cst, v);
 }
 
 static void
-f_evt (const double *t, const double *x, const double *v, const int *mode, const double *cst,
-       double *gv)
+f_evt (const gs_real *t, const gs_real *x, const gs_real *v, const int *mode, const gs_real *cst,
+       gs_real *gv)
 {
   bridged->evt (*t, x, v, mode, cst, gv);
 }
 
 static void
-f_rst (const double *t, double *x, double *v, int *mode, const int *k, const double *cst,
+f_rst (const gs_real *t, gs_real *x, gs_real *v, int *mode, const int *k, const gs_real *cst,
        int *info)
 {
   *info = bridged->rst (*t, x, v, mode, *k, cst);
@@ -116,15 +119,15 @@ static const externals through = { (sub *)f_rhs, (sub *)f_prj, (sub *)f_con, (su
                             (sub *)f_ctl, (sub *)f_evt, (sub *)f_rst };
 
 void gssim_ (sub *rhs, sub *prj, sub *con, sub *kin, sub *cmd, sub *clo, sub *vin, sub *out,
-             sub *ctl, sub *evt, sub *rst, const int *siz, const double *tim, const double *x0,
-             const int *iopt, const double *ropt, int *ip, double *rp, const double *cst,
-             double *xout, double *vout, int *istat, double *rstat, double *w, int *info);
+             sub *ctl, sub *evt, sub *rst, const int *siz, const gs_real *tim, const gs_real *x0,
+             const int *iopt, const gs_real *ropt, int *ip, gs_real *rp, const gs_real *cst,
+             gs_real *xout, gs_real *vout, int *istat, gs_real *rstat, gs_real *w, int *info);
 
 static int
 run_fortran (const externals *f, const gs_scene *s, gs_run *r)
 {
   const int siz[] = { s->nq, s->nu, r->nx, s->nv, s->nlam, r->nt, r->nb, r->lw };
-  double tim[1 + MOST_T + 20], ropt[3 + MOST_X];
+  gs_real tim[1 + MOST_T + 20], ropt[3 + MOST_X];
   int info = 0;
   bridged = s;
   tim[0] = r->t0;
@@ -165,7 +168,7 @@ aim (test *a)
 
 /* a run of method 8 until tend with nt outputs, inputs 0, no plans; f: null for `through` */
 static inline void
-make (test *a, const gs_scene *s, const externals *f, double tend, int nt)
+make (test *a, const gs_scene *s, const externals *f, gs_real tend, int nt)
 {
   memset (a, 0, sizeof *a);
   aim (a);
@@ -190,15 +193,15 @@ make (test *a, const gs_scene *s, const externals *f, double tend, int nt)
 
 /* the polynomial that begins at ip[place]: np pieces of k coefficients, breaks and coefficients */
 static inline void
-polynomial (test *a, int place, int nc, int np, int k, const double *brk, const double *coef)
+polynomial (test *a, int place, int nc, int np, int k, const gs_real *brk, const gs_real *coef)
 {
   int *ip = a->ip + place;
   ip[0] = np;
   ip[1] = k;
   ip[2] = a->nrp + 1;
   ip[3] = ip[2] + np + 1;
-  memcpy (a->rp + a->nrp, brk, (np + 1) * sizeof (double));
-  memcpy (a->rp + a->nrp + np + 1, coef, nc * np * k * sizeof (double));
+  memcpy (a->rp + a->nrp, brk, (np + 1) * sizeof (gs_real));
+  memcpy (a->rp + a->nrp + np + 1, coef, nc * np * k * sizeof (gs_real));
   a->nrp += np + 1 + nc * np * k;
 }
 
@@ -220,12 +223,12 @@ events (test *a, int ne, const int *kind, const int *input, int nr)
 /* the plan of the samples: nc devices with periods and delays, held outputs of each and their
  * inputs, memory nxk, np places on the way, ns records */
 static inline void
-samples (test *a, int nc, const double *period, const double *delay, const int *held,
-         const int *anew, const int *input, int nxk, const double *memory, int np, int ns)
+samples (test *a, int nc, const gs_real *period, const gs_real *delay, const int *held,
+         const int *anew, const int *input, int nxk, const gs_real *memory, int np, int ns)
 {
   const gs_scene *s = a->s;
   int *is = a->ip + a->nip, nh = 0;
-  double *rs = a->rp + a->nrp;
+  gs_real *rs = a->rp + a->nrp;
   for (int k = 0; k < nc; k++)
     nh += held[k];
   a->ip[GS_SAMPLES] = a->nip + 1;
@@ -237,9 +240,9 @@ samples (test *a, int nc, const double *period, const double *delay, const int *
   memcpy (is + 10 + nc, held, nc * sizeof (int));
   memcpy (is + 10 + 2 * nc, anew, nc * sizeof (int));
   memcpy (is + 10 + 3 * nc, input, nh * sizeof (int));
-  memcpy (rs, period, nc * sizeof (double));
-  memcpy (rs + nc, delay, nc * sizeof (double));
-  memcpy (rs + 2 * nc + nh, memory, nxk * sizeof (double));
+  memcpy (rs, period, nc * sizeof (gs_real));
+  memcpy (rs + nc, delay, nc * sizeof (gs_real));
+  memcpy (rs + 2 * nc + nh, memory, nxk * sizeof (gs_real));
   a->nip += 11 + 4 * nc + nh + 2 * np;
   a->nrp += 2 * nc + 2 * (nh + nxk) + s->ny + s->nv + 2 * np * (1 + nh) + ns * (1 + nxk + s->nv);
 }
@@ -311,18 +314,19 @@ compare (test *a, const char *what, int info)
 {
   begin (what);
   compare_silently (a);
-  same_int (a->info, info);
+  if (! QUAD) /* where rounding ends a run in double precision it does not in quad */
+    same_int (a->info, info);
   finish ();
   if (getenv ("COUNTS"))
     {
       for (int i = 0; i < 20; i++)
         printf (" %d", a->run.istat[i]);
-      printf (" t %g\n", a->run.rstat[GS_T_REACHED]);
+      printf (" t %g\n", (double)a->run.rstat[GS_T_REACHED]);
     }
 }
 
 /* seconds of the run in Fortran, or in C */
-static inline double
+static inline gs_real
 seconds (const test *a, int in_c)
 {
   static test copy;

@@ -8,15 +8,15 @@
 enum { MOST = 5 };
 
 /* cst: a length; con fails from cst[1] on, loses rank from cst[2] on; prj fails from cst[3] on */
-typedef void phi_function (double t, const double *q, const double *cst, double *phi,
-                           double *phit, double *dq);
+typedef void phi_function (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi,
+                           gs_real *phit, gs_real *dq);
 
 /* ------------------------------------------------------------
  * scenes: phi, its rate and its derivatives dq (nlam,nq) */
 
 /* a point on a circle */
 static void
-circle (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+circle (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi, gs_real *phit, gs_real *dq)
 {
   (void)t;
   phi[0] = q[0] * q[0] + q[1] * q[1] - cst[0] * cst[0];
@@ -27,53 +27,53 @@ circle (double t, const double *q, const double *cst, double *phi, double *phit,
 
 /* four bars, of which the long ones are 2 and cst[0]: a parallelogram or nearly one */
 static void
-four_bar (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+four_bar (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi, gs_real *phit, gs_real *dq)
 {
-  const double length[] = { 1.0, cst[0], -1.0 };
+  const gs_real length[] = { 1.0, cst[0], -1.0 };
   (void)t;
   phi[0] = -2.0;
   phi[1] = 0.0;
   phit[0] = phit[1] = 0.0;
   for (int i = 0; i < 3; i++)
     {
-      phi[0] += length[i] * cos (q[i]);
-      phi[1] += length[i] * sin (q[i]);
-      dq[2 * i] = -length[i] * sin (q[i]);
-      dq[1 + 2 * i] = length[i] * cos (q[i]);
+      phi[0] += length[i] * gs_cos (q[i]);
+      phi[1] += length[i] * gs_sin (q[i]);
+      dq[2 * i] = -length[i] * gs_sin (q[i]);
+      dq[1 + 2 * i] = length[i] * gs_cos (q[i]);
     }
 }
 
 /* a blade x, y, angle, slide on moving ground: one constraint twice, its row 2 on speeds alone */
 static void
-blade (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+blade (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi, gs_real *phit, gs_real *dq)
 {
   memset (dq, 0, 12 * sizeof *dq);
-  phi[0] = q[1] - cst[0] * sin (q[3]) - 0.1 * t;
+  phi[0] = q[1] - cst[0] * gs_sin (q[3]) - 0.1 * t;
   phi[1] = 0.0;
   phi[2] = 3.0 * phi[0];
   phit[0] = -0.1;
   phit[1] = 0.0;
   phit[2] = -0.3;
   dq[0 + 3] = 1.0;
-  dq[0 + 9] = -cst[0] * cos (q[3]);
-  dq[1 + 0] = sin (q[2]);
-  dq[1 + 3] = -cos (q[2]);
+  dq[0 + 9] = -cst[0] * gs_cos (q[3]);
+  dq[1 + 0] = gs_sin (q[2]);
+  dq[1 + 3] = -gs_cos (q[2]);
   dq[2 + 3] = 3.0;
-  dq[2 + 9] = -3.0 * cst[0] * cos (q[3]);
+  dq[2 + 9] = -3.0 * cst[0] * gs_cos (q[3]);
 }
 
 /* Euler parameters and a slide: one direction cosine follows the slide */
 static void
-body (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+body (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi, gs_real *phit, gs_real *dq)
 {
   (void)t;
-  phi[0] = 2 * (q[1] * q[3] + q[0] * q[2]) - cst[0] * sin (q[4]);
+  phi[0] = 2 * (q[1] * q[3] + q[0] * q[2]) - cst[0] * gs_sin (q[4]);
   phit[0] = 0.0;
   dq[0] = 2 * q[2];
   dq[1] = 2 * q[3];
   dq[2] = 2 * q[0];
   dq[3] = 2 * q[1];
-  dq[4] = -cst[0] * cos (q[4]);
+  dq[4] = -cst[0] * gs_cos (q[4]);
 }
 
 static const gs_scene *scene;   /* what the routines below belong to */
@@ -81,7 +81,7 @@ static phi_function *phi_of;
 
 /* qdot = u, or Euler parameters by angular speeds in the body */
 static void
-kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   int turning = scene->nq - scene->nu;
   (void)t;
@@ -98,10 +98,10 @@ kin (double t, const double *q, const double *u, const double *cst, double *qdot
 }
 
 static int
-con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
-     double *hc, int ldh, double *gam)
+con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi, gs_real *phit,
+     gs_real *hc, int ldh, gs_real *gam)
 {
-  double dq[MOST * MOST], unit[MOST] = { 0 }, qdot[MOST];
+  gs_real dq[MOST * MOST], unit[MOST] = { 0 }, qdot[MOST];
   if (t >= cst[1])
     return 1;
   phi_of (t, q, cst, phi, phit, dq);
@@ -124,21 +124,21 @@ con (double t, const double *q, const double *u, const double *cst, double *phi,
 
 /* onto one constraint after the other */
 static inline int
-prj (double t, double *x, const double *cst, double *res)
+prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
   int nq = scene->nq, nu = scene->nu, nlam = scene->nlam;
-  double phi[MOST], phit[MOST], hc[MOST * MOST], gam[MOST], du[MOST], qdot[MOST], s = 0.0;
-  double most = 0.0;
+  gs_real phi[MOST], phit[MOST], hc[MOST * MOST], gam[MOST], du[MOST], qdot[MOST], s = 0.0;
+  gs_real most = 0.0;
   if (t >= cst[3])
     return 5;
   for (int k = 0; k < 60 * nlam; k++)
     {
       int i = k % nlam;
-      double h2 = 0.0, gap;
+      gs_real h2 = 0.0, gap;
       if (con (t, x, x + nq, cst, phi, phit, hc, nlam, gam) == 1)
         return 1;
       if (k < nlam)
-        most = fabs (phi[i]) > most ? fabs (phi[i]) : most;
+        most = gs_abs (phi[i]) > most ? gs_abs (phi[i]) : most;
       gap = -phit[i];
       for (int j = 0; j < nu; j++)
         {
@@ -161,7 +161,7 @@ prj (double t, double *x, const double *cst, double *res)
       for (int i = 0; i < 4; i++)
         s += x[i] * x[i];
       for (int i = 0; i < 4; i++)
-        x[i] /= sqrt (s);
+        x[i] /= gs_sqrt (s);
     }
   *res = most;
   return 0;
@@ -169,20 +169,20 @@ prj (double t, double *x, const double *cst, double *res)
 
 /* the same as Fortran calls them */
 static void
-con_ (const double *t, const double *q, const double *u, const double *cst, double *phi,
-      double *phit, double *hc, const int *ldh, double *gam, int *info)
+con_ (const gs_real *t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+      gs_real *phit, gs_real *hc, const int *ldh, gs_real *gam, int *info)
 {
   *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
 }
 
 static inline void
-kin_ (const double *t, const double *q, const double *u, const double *cst, double *qdot)
+kin_ (const gs_real *t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   kin (*t, q, u, cst, qdot);
 }
 
 static inline void
-prj_ (const double *t, double *x, const double *cst, double *res, int *info)
+prj_ (const gs_real *t, gs_real *x, const gs_real *cst, gs_real *res, int *info)
 {
   *info = prj (*t, x, cst, res);
 }
@@ -192,7 +192,7 @@ static const struct
   const char *what;
   phi_function *phi;
   int nq, nu, nlam, alone;
-  double length, x[2 * MOST];
+  gs_real length, x[2 * MOST];
 } list[] = {
   { "circle", circle, 2, 2, 1, 0, 1.3, { 1.3, 0.0, 0.0, 1.0 } },
   { "parallelogram", four_bar, 3, 3, 2, 0, 2.0, { -0.8, 0.0, -0.8, 1.0, 0.0, 1.0 } },

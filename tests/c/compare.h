@@ -3,24 +3,32 @@
 #ifndef COMPARE_H
 #define COMPARE_H
 
-#include <math.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "gsmbp/real.h"
+
 /* numbers that the Fortran is handed by address */
 #define I(x) (&(int){ x })
-#define D(x) (&(double){ x })
+#define D(x) (&(gs_real){ x })
+
+enum { QUAD = GS_DIGITS > 53 };
+/* the largest difference of C and Fortran relative to the largest entry */
+static const double allowed = QUAD ? 1e-30 : 1e-14;
+/* MAX and MIN of gfortran, of NaN and a number, depend on the precision: in quad they are not those
+ * of C, and 0 is in the place of NaN and of what makes it */
+#define NOT_A_NUMBER (QUAD ? 0 : NAN)
 
 static uint64_t seed = 20240229;
 
 /* between -1 and 1 */
-static inline double
+static inline gs_real
 chance (void)
 {
   seed = seed * 6364136223846793005u + 1442695040888963407u;
-  return (double)(int64_t)(seed >> 11) / 4503599627370496.0 - 1.0;
+  return (gs_real)(int64_t)(seed >> 11) / 4503599627370496.0 - 1.0;
 }
 
 /* between 0 and n - 1 */
@@ -35,7 +43,7 @@ pick (int n)
 typedef struct
 {
   int n;
-  double *c, *f; /* for the C, for the Fortran, with GUARD entries behind them to be left alone */
+  gs_real *c, *f; /* for the C, for the Fortran, with GUARD entries behind them to be left alone */
 } pair;
 
 enum { GUARD = 2 };
@@ -43,7 +51,7 @@ enum { GUARD = 2 };
 static inline pair
 pair_of (int n)
 {
-  size_t size = sizeof (double) * (n + GUARD);
+  size_t size = sizeof (gs_real) * (n + GUARD);
   pair x = { n, malloc (size), malloc (size) };
   for (int i = 0; i < n + GUARD; i++)
     x.c[i] = x.f[i] = chance ();
@@ -53,7 +61,7 @@ pair_of (int n)
 static inline void
 both (pair x)
 {
-  memcpy (x.f, x.c, sizeof (double) * x.n);
+  memcpy (x.f, x.c, sizeof (gs_real) * x.n);
 }
 
 static inline void guarded (pair x);
@@ -72,7 +80,7 @@ static struct
 {
   const char *what;
   int cases, wrong;
-  double worst;
+  gs_real worst;
 } record;
 
 static inline void
@@ -83,18 +91,18 @@ begin (const char *what)
 }
 
 static inline void
-same_numbers (int n, const double *c, const double *f)
+same_numbers (int n, const gs_real *c, const gs_real *f)
 {
-  double most = 0, off = 0;
+  gs_real most = 0, off = 0;
   record.cases++;
   for (int i = 0; i < n; i++)
-    if (fabs (f[i]) > most && fabs (f[i]) <= 1e300)
-      most = fabs (f[i]);
+    if (gs_abs (f[i]) > most && gs_abs (f[i]) <= 1e300)
+      most = gs_abs (f[i]);
   for (int i = 0; i < n; i++)
     if (c[i] != f[i] && ! (isnan (c[i]) && isnan (f[i])))
       {
-        double d = fabs (c[i] - f[i]) / most;
-        if (! (d <= 1e-14))
+        gs_real d = gs_abs (c[i] - f[i]) / most;
+        if (! (d <= allowed))
           record.wrong++;
         off = d > off || isnan (d) ? d : off;
       }
@@ -105,7 +113,7 @@ same_numbers (int n, const double *c, const double *f)
 static inline void
 guarded (pair x)
 {
-  if (memcmp (x.c + x.n, x.f + x.n, GUARD * sizeof (double)) != 0 && record.wrong++ == 0)
+  if (memcmp (x.c + x.n, x.f + x.n, GUARD * sizeof (gs_real)) != 0 && record.wrong++ == 0)
     printf ("  %s: writes beyond an array\n", record.what);
 }
 
@@ -127,7 +135,8 @@ static inline void
 finish (void)
 {
   printf ("%sok %s: %d comparisons, largest difference %.1e of the largest entry\n",
-          record.wrong || record.cases == 0 ? "not " : "", record.what, record.cases, record.worst);
+          record.wrong || record.cases == 0 ? "not " : "", record.what, record.cases,
+          (double)record.worst);
 }
 
 /* a condition by itself */

@@ -4,20 +4,20 @@
 
 void gsevt_ (), gsrst_ (), gsimp_ (), gsstk_ (), gsfre_ (), gsevh_ (), gspth_ (), gsjmp_ (),
   gshld_ (), gsipt_ (), gsipm_ (), gsevg_ (), gshjc_ (), gsipb_ (), gsipc_ ();
-double gsevp_ ();
+gs_real gsevp_ ();
 
 /* a symmetric matrix of order n, positive definite but for some cases */
 static void
 masses (int n, pair a)
 {
-  double b[64];
+  gs_real b[64];
   const int less = pick (8) == 0;
   for (int i = 0; i < n * n; i++)
     b[i] = chance ();
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++)
       {
-        double s = less ? 0 : i == j ? 0.3 : 0;
+        gs_real s = less ? 0 : i == j ? 0.3 : 0;
         for (int k = less ? 1 : 0; k < n; k++)
           s += b[i + n * k] * b[j + n * k];
         a.c[i + n * j] = s;
@@ -69,10 +69,10 @@ some_ports (void)
   rows (p.n, p.nr, p.h);
   for (int i = 0; i < p.k; i++)
     {
-      double *prm = p.prm.c + 4 * i;
-      prm[0] = p.kind[i] == 1 ? fabs (prm[0]) : -fabs (prm[0]) - 0.01;
-      prm[1] = fabs (prm[1]) + 0.01;
-      prm[2] = fabs (prm[2]);
+      gs_real *prm = p.prm.c + 4 * i;
+      prm[0] = p.kind[i] == 1 ? gs_abs (prm[0]) : -gs_abs (prm[0]) - 0.01;
+      prm[1] = gs_abs (prm[1]) + 0.01;
+      prm[2] = gs_abs (prm[2]);
       prm[3] = pick (2) ? 0.9 : 1e-3;
       if (pick (4) == 0)
         p.s.c[i] = prm[pick (2)];
@@ -166,7 +166,7 @@ within_steps (void)
   for (int i = 0; i < 300; i++)
     {
       int n = pick (6), ns = 8 + 4 * pick (2);
-      const double h = chance (), b = pick (4) ? 0.5 * (chance () + 1) : 1;
+      const gs_real h = chance (), b = pick (4) ? 0.5 * (chance () + 1) : 1;
       pair x = pair_of (n), xd = pair_of (n), xn = pair_of (n), z = pair_of (n), q = pair_of (12),
            f = pair_of (13 * n), jump = pair_of (2);
       gsevh (n, h, b, x.c, xd.c, xn.c, f.c, z.c);
@@ -195,8 +195,8 @@ within_steps (void)
 static const ports *here;
 
 static int
-stk (double t, const double *x, const double *v, const double *cst, double *ud, double *lam,
-     double *hold)
+stk (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *ud, gs_real *lam,
+     gs_real *hold)
 {
   (void)cst;
   for (int i = 0; i < here->n; i++)
@@ -209,15 +209,15 @@ stk (double t, const double *x, const double *v, const double *cst, double *ud, 
 }
 
 static void
-stk_ (const double *t, const double *x, const double *v, const double *cst, double *ud,
-      double *lam, double *hold, int *info)
+stk_ (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *ud,
+      gs_real *lam, gs_real *hold, int *info)
 {
   *info = stk (*t, x, v, cst, ud, lam, hold);
 }
 
 static void
-hld (double t, const double *x, const double *v, const double *cst, double *row, int ldr,
-     double *s, double *sd, double *prm)
+hld (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *row, int ldr,
+     gs_real *s, gs_real *sd, gs_real *prm)
 {
   (void)t, (void)x, (void)cst;
   for (int i = 0; i < here->k; i++)
@@ -226,34 +226,34 @@ hld (double t, const double *x, const double *v, const double *cst, double *row,
         row[i + ldr * j] = here->h.f[here->m + i + here->nr * j];
       s[i] = here->s.f[i];
       sd[i] = here->sd.f[i] * (2 + v[i]);
-      memcpy (prm + 4 * i, here->prm.f + 4 * i, 4 * sizeof (double));
+      memcpy (prm + 4 * i, here->prm.f + 4 * i, 4 * sizeof (gs_real));
     }
 }
 
 static void
-hld_ (const double *t, const double *x, const double *v, const double *cst, double *row,
-      const int *ldr, double *s, double *sd, double *prm)
+hld_ (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *row,
+      const int *ldr, gs_real *s, gs_real *sd, gs_real *prm)
 {
   hld (*t, x, v, cst, row, *ldr, s, sd, prm);
 }
 
 static void
-mas (double t, const double *q, const double *cst, double *m, int ldm)
+mas (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m, int ldm)
 {
   (void)t, (void)q, (void)cst;
   for (int j = 0; j < here->n; j++)
-    memcpy (m + ldm * j, here->a.f + here->n * j, here->n * sizeof (double));
+    memcpy (m + ldm * j, here->a.f + here->n * j, here->n * sizeof (gs_real));
 }
 
 static void
-mas_ (const double *t, const double *q, const double *cst, double *m, const int *ldm)
+mas_ (const gs_real *t, const gs_real *q, const gs_real *cst, gs_real *m, const int *ldm)
 {
   mas (*t, q, cst, m, *ldm);
 }
 
 static int
-con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
-     double *hc, int ldh, double *gam)
+con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi, gs_real *phit,
+     gs_real *hc, int ldh, gs_real *gam)
 {
   (void)q, (void)u, (void)cst;
   for (int i = 0; i < here->m; i++)
@@ -267,8 +267,8 @@ con (double t, const double *q, const double *u, const double *cst, double *phi,
 }
 
 static void
-con_ (const double *t, const double *q, const double *u, const double *cst, double *phi,
-      double *phit, double *hc, const int *ldh, double *gam, int *info)
+con_ (const gs_real *t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+      gs_real *phit, gs_real *hc, const int *ldh, gs_real *gam, int *info)
 {
   *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
 }
@@ -285,16 +285,16 @@ ports_of_a_scene (void)
       const int ipl[4] = { 2, 1, 3, 4 };
       gs_scene s = { .nq = n, .nu = n, .nx = 2 * n, .nv = nv, .nlam = p.m, .mas = mas, .con = con,
                      .stk = stk, .hld = hld };
-      const double t = chance ();
+      const gs_real t = chance ();
       pair x = pair_of (2 * n), v = pair_of (nv);
       pair w = pair_of (3 * n * n + 3 * n * p.nr + p.k * n + p.nr * p.nr + nv + n + 6 * n
                         + 14 * p.nr + 10 * p.k + 4);
       int info = 0;
       here = &p;
-      const double before = x.c[n];
+      const gs_real before = x.c[n];
       const ports was = p;
       int made = gsipt (&s, t, x.c, v.c, p.mode, l, 0, p.k, p.kind, ipl, w.c);
-      gsipt_ (stk_, hld_, mas_, con_, &t, x.f, v.f, p.fmode, &l, (double *)0, &n, &n, &nv, &p.m,
+      gsipt_ (stk_, hld_, mas_, con_, &t, x.f, v.f, p.fmode, &l, (gs_real *)0, &n, &n, &nv, &p.m,
               &p.k, p.kind, ipl, w.f, &info);
       same_int (made, info);
       same (x);

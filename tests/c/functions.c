@@ -3,14 +3,13 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/sines.h"
 
-#include <float.h>
 
-double gseps_ (void), gsflr_ (const double *);
-int gsfin_ (const int *, const double *);
+gs_real gseps_ (void), gsflr_ (const gs_real *);
+int gsfin_ (const int *, const gs_real *);
 void gsgln_ (), gslgp_ (), gsglq_ (), gslgi_ (), gssc_ (), gsscl_ (), gsscv_ ();
 void gsatv_ (), gsatl_ ();
 
-static const double odd[] = { 0.0,     -0.0,   0.5,  -0.5,  1.0,      -1.0,       1e5,      -1e5,
+static const gs_real odd[] = { 0.0,     -0.0,   0.5,  -0.5,  1.0,      -1.0,       1e5,      -1e5,
                               1.00001e5, -2e5, 1e22, -1e300, 1e-300, INFINITY, -INFINITY, NAN,
                               1e300,   DBL_MAX, 1.5707963267948966, 3.14159265358979312 };
 enum { ODD = sizeof odd / sizeof *odd };
@@ -21,12 +20,12 @@ numbers (void)
   begin ("gseps");
   same_numbers (1, D (gseps ()), D (gseps_ ()));
   finish ();
-  holds (gseps () == DBL_EPSILON, "gseps is DBL_EPSILON");
+  holds (gseps () == GS_EPSILON, "gseps is GS_EPSILON");
 
   begin ("gsflr");
   for (int i = 0; i < 1000; i++)
     {
-      double x = i < ODD ? odd[i] : i < 500 ? 1e3 * chance () : floor (50 * chance ());
+      gs_real x = i < ODD ? odd[i] : i < 500 ? 1e3 * chance () : gs_floor (50 * chance ());
       same_numbers (1, D (gsflr (x)), D (gsflr_ (&x)));
     }
   finish ();
@@ -50,7 +49,7 @@ numbers (void)
 static void
 gauss (void)
 {
-  double c[12], wt[12];
+  gs_real c[12], wt[12];
   begin ("gsgln");
   for (int ns = 8; ns <= 12; ns += 4)
     {
@@ -68,7 +67,7 @@ gauss (void)
   for (int n = 2; n <= 13; n++)
     for (int k = 0; k < 20; k++)
       {
-        double x = k < 2 ? 1.0 - 2 * k : 1.5 * chance ();
+        gs_real x = k < 2 ? 1.0 - 2 * k : 1.5 * chance ();
         pair p = pair_of (n);
         gslgp (n, x, p.c);
         gslgp_ (&n, &x, p.f);
@@ -81,7 +80,7 @@ gauss (void)
   for (int ns = 8; ns <= 12; ns += 4)
     for (int k = 0; k < 50; k++)
       {
-        double ca = k ? chance () : -1.0, cb = k ? 1.2 * chance () : 1.0;
+        gs_real ca = k ? chance () : -1.0, cb = k ? 1.2 * chance () : 1.0;
         pair b = pair_of (ns);
         gsgln (ns, c, wt);
         gsglq (ns, c, wt, ca, cb, b.c);
@@ -95,7 +94,7 @@ gauss (void)
   for (int n = 0; n <= 14; n++)
     for (int k = 0; k < 50; k++)
       {
-        double ca = chance (), cb = chance ();
+        gs_real ca = chance (), cb = chance ();
         pair z = pair_of (n), b = pair_of (n);
         if (k % 2) /* places as far from cb on both sides */
           {
@@ -113,17 +112,17 @@ gauss (void)
 }
 
 /* an angle by chance: of all sizes, next to multiples of pi/2, an odd number */
-static double
+static gs_real
 angle (int i)
 {
-  static const double size[] = { 0.7, 4.0, 1e2, 1e4, 1e5, 1.1e5, 1e9, 1e22 };
-  double x = size[i % 8] * chance ();
+  static const gs_real size[] = { 0.7, 4.0, 1e2, 1e4, 1e5, 1.1e5, 1e9, 1e22 };
+  gs_real x = size[i % 8] * chance ();
   if (i < ODD)
     return odd[i];
-  return i % 3 ? x : nearbyint (x / 1.5707963267948966) * 1.5707963267948966;
+  return i % 3 ? x : gs_round (x / 1.5707963267948966) * 1.5707963267948966;
 }
 
-typedef void pair_function (double x, double *s, double *c);
+typedef void pair_function (gs_real x, gs_real *s, gs_real *c);
 
 static void
 one_angle (const char *what, pair_function *c, void (*fortran) ())
@@ -131,7 +130,7 @@ one_angle (const char *what, pair_function *c, void (*fortran) ())
   begin (what);
   for (int i = 0; i < 20000; i++)
     {
-      double x = angle (i);
+      gs_real x = angle (i);
       pair y = pair_of (2);
       c (x, y.c, y.c + 1);
       fortran (&x, y.f, y.f + 1);
@@ -176,7 +175,7 @@ points (void)
       pair y = pair_of (8 * n), x = pair_of (8 * n), a = pair_of (8 * n);
       for (int i = 0; i < 8 * n; i++)
         {
-          double size = pow (10.0, (wide ? 290.0 : 1.0) * chance ());
+          gs_real size = gs_pow (10.0, (wide ? 290.0 : 1.0) * chance ());
           x.c[i] = pick (5) ? size * chance () : pick (2) ? -0.0 : 0.0;
           y.c[i] = x.c[i] == 0.0 || pick (5) ? size * chance () : pick (2) ? -0.0 : 0.0;
         }

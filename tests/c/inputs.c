@@ -3,11 +3,11 @@
 
 void gspln_ (), gsppl_ (), gsbak_ (), gsfol_ (), gsinp_ (), gssmp_ (), gsdue_ (),
   gskep_ ();
-double gsnxt_ ();
+gs_real gsnxt_ ();
 
 /* times: before, at, between and behind the breaks */
-static double
-some_time (int np, const double *brk)
+static gs_real
+some_time (int np, const gs_real *brk)
 {
   const int k = pick (np + 1);
   switch (pick (5))
@@ -21,7 +21,7 @@ some_time (int np, const double *brk)
 }
 
 static void
-breaks (int np, double *brk)
+breaks (int np, gs_real *brk)
 {
   brk[0] = chance ();
   for (int i = 1; i <= np; i++)
@@ -36,7 +36,7 @@ polynomials (void)
     {
       int nc = pick (4), np = pick (8) ? 1 + pick (6) : 0, k = pick (9) ? 1 + pick (6) : 0;
       int nd = pick (9) - 1, side = pick (2) ? 1 : -1, ldf = pick (9) ? nc + 1 : 0, info = 0;
-      double brk[10], coef[200], t;
+      gs_real brk[10], coef[200], t;
       pair f = pair_of (8 * 10);
       breaks (np, brk);
       for (int j = 0; j < nc * np * k; j++)
@@ -54,7 +54,7 @@ polynomials (void)
     {
       const int ipl[3] = { 2, 4, 1 };
       int na = pick (4), nu = 4, np = 2, k = 4, r = 1 + pick (3), side = pick (3) - 1, info = 0;
-      double brk[3], coef[24], t;
+      gs_real brk[3], coef[24], t;
       pair qj = pair_of (16), f = pair_of (12);
       breaks (np, brk);
       for (int j = 0; j < 24; j++)
@@ -75,16 +75,16 @@ polynomials (void)
  * on one of two branches */
 
 static int
-chain_clo (double t, double *qj, const double *cst, double *res)
+chain_clo (gs_real t, gs_real *qj, const gs_real *cst, gs_real *res)
 {
-  const double w = cst[0] * sin (3 * qj[0]), wd = 3 * cst[0] * cos (3 * qj[0]) * qj[2];
+  const gs_real w = cst[0] * gs_sin (3 * qj[0]), wd = 3 * cst[0] * gs_cos (3 * qj[0]) * qj[2];
   (void)t;
   *res = 0;
-  if (! (fabs (w) < 1))
+  if (! (gs_abs (w) < 1))
     return 3;
-  const double s = qj[1] >= 0 ? 1 : -1;
-  qj[1] = s * sqrt (1 - w * w);
-  qj[3] = -s * w * wd / sqrt (1 - w * w);
+  const gs_real s = qj[1] >= 0 ? 1 : -1;
+  qj[1] = s * gs_sqrt (1 - w * w);
+  qj[3] = -s * w * wd / gs_sqrt (1 - w * w);
   return 0;
 }
 
@@ -99,7 +99,7 @@ chains (void)
     {
       const int ipl[1] = { 1 };
       int np = 2, k = 3, r = 2, na = 1, nu = 2, side, info = 0;
-      double brk[3] = { 0, 1, 2 }, coef[6], cst[1] = { pick (3) ? 0.9 : 0 };
+      gs_real brk[3] = { 0, 1, 2 }, coef[6], cst[1] = { pick (3) ? 0.9 : 0 };
       pair qj = pair_of (6), w = pair_of (9);
       for (int j = 0; j < 6; j++)
         coef[j] = chance ();
@@ -108,7 +108,7 @@ chains (void)
       w.c[1] = w.f[1] = 0;
       for (int n = 0; n < 5; n++)
         {
-          double t = n * 0.4 + 0.3 * chance ();
+          gs_real t = n * 0.4 + 0.3 * chance ();
           side = pick (2) ? 1 : -1;
           t = n == 3 ? 1 : t;
           gsfol_ (through.clo, &t, &side, &nu, &r, &na, ipl, &np, &k, brk, coef, cst, qj.f, w.f,
@@ -126,16 +126,16 @@ chains (void)
 /* a plan into a dead point, by which the chain cannot go: both say so, when the halved step has
  * become 0 by rounding */
 static int
-dead_point_clo (double t, double *qj, const double *cst, double *res)
+dead_point_clo (gs_real t, gs_real *qj, const gs_real *cst, gs_real *res)
 {
   static int calls;
   (void)t, (void)cst;
   *res = 0;
   if (calls++ > 100000)
     exit (1);
-  if (! (fabs (qj[0]) <= 1))
+  if (! (gs_abs (qj[0]) <= 1))
     return 3;
-  qj[1] = sqrt (1 - qj[0] * qj[0]);
+  qj[1] = gs_sqrt (1 - qj[0] * qj[0]);
   qj[3] = qj[0] < 1 ? -qj[0] * qj[2] / qj[1] : 0;
   return 0;
 }
@@ -144,13 +144,13 @@ static void
 dead_points (void)
 {
   const gs_scene s = { .nq = 2, .nu = 2, .clo = dead_point_clo };
-  double brk[2] = { 0, 10 }, coef[2] = { 1, 0 }, far = 1.5;
+  gs_real brk[2] = { 0, 10 }, coef[2] = { 1, 0 }, far = 1.5;
   const int one = 1, two = 2;
   int stops = 1;
   bridged = &s;
-  for (double t = 0.5; t < 1; t += 0.01)
+  for (gs_real t = 0.5; t < 1; t += 0.01)
     {
-      double qj[6] = { 0, 1 }, w[9] = { 0 }, qf[6] = { 0, 1 }, wf[9] = { 0 };
+      gs_real qj[6] = { 0, 1 }, w[9] = { 0 }, qf[6] = { 0, 1 }, wf[9] = { 0 };
       int found = 0;
       gsfol (&s, t, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
       int info = gsfol (&s, 1.5, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
@@ -166,7 +166,7 @@ dead_points (void)
 /* ------------------------------------------------------------ */
 
 static int
-any_out (double t, const double *x, const double *v, const double *cst, double *y)
+any_out (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y)
 {
   y[0] = x[0] + v[0];
   y[1] = t * x[1] - v[1];
@@ -174,7 +174,7 @@ any_out (double t, const double *x, const double *v, const double *cst, double *
 }
 
 static void
-any_ctl (int k, double t, const double *y, double *xk, const double *cst, double *v)
+any_ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, gs_real *v)
 {
   (void)cst;
   xk[0] += 0.1 * y[0] + k;
@@ -184,7 +184,7 @@ any_ctl (int k, double t, const double *y, double *xk, const double *cst, double
 }
 
 static int
-any_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
+any_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
 {
   (void)data;
   for (int i = 0; i < nv; i++)
@@ -205,9 +205,9 @@ samples_of_a_run (void)
     {
       const int held[3] = { 1, pick (2), 1 }, anew[3] = { pick (2), pick (2), pick (2) };
       const int input[3] = { 2, held[1] ? 1 : 3, 3 };
-      const double period[3] = { 0.1, 0.02 * (1 + pick (4)), 0.3 };
-      const double delay[3] = { pick (2) * 0.15, 0, pick (2) * 0.02 }, memory[2] = { 0.1, 0.2 };
-      double ts, tf, t = 0;
+      const gs_real period[3] = { 0.1, 0.02 * (1 + pick (4)), 0.3 };
+      const gs_real delay[3] = { pick (2) * 0.15, 0, pick (2) * 0.02 }, memory[2] = { 0.1, 0.2 };
+      gs_real ts, tf, t = 0;
       make (&c, &sampled, NULL, 1, 1);
       samples (&c, 3, period, delay, held, anew, input, 2, memory, pick (4), pick (20));
       c.ip[GS_V0] = 3 * pick (2);
@@ -215,17 +215,17 @@ samples_of_a_run (void)
       f = c;
       for (int n = 0; n < 20; n++, t = ts)
         {
-          double x[4] = { chance (), chance (), t, 1 };
+          gs_real x[4] = { chance (), chance (), t, 1 };
           int acted, actf, info = 0;
           int *is = c.ip + c.ip[GS_SAMPLES] - 1;
-          double *rs = c.rp + c.ip[GS_SAMPLES + 1] - 1;
+          gs_real *rs = c.rp + c.ip[GS_SAMPLES + 1] - 1;
           if (n % 3 == 1)   // on trial, and back
             {
               gskep (0, 3, is, rs);
               gsdue (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts, &acted);
               gskep (1, 3, is, rs);
               int *isf = f.ip + f.ip[GS_SAMPLES] - 1;
-              double *rsf = f.rp + f.ip[GS_SAMPLES + 1] - 1;
+              gs_real *rsf = f.rp + f.ip[GS_SAMPLES + 1] - 1;
               gskep_ (I (0), I (3), isf, rsf);
               gsdue_ (through.out, through.ctl, through.cmd, through.clo, through.vin, &t, x, I (2),
                       I (4), I (3), f.ip, f.rp, f.cst, f.vout, f.w, f.run.istat, &tf, &actf, &info);

@@ -9,7 +9,7 @@ typedef struct
 {
   gs_scene s;
   int iopt[8];
-  double t, cst[4], jump[3];
+  gs_real t, cst[4], jump[3];
   pair x, p, rstat;
   int ic[20], jf[20];
 } test;
@@ -27,7 +27,7 @@ open_scene (test *r, int k, int way)
   r->x = pair_of (r->s.nx);
   r->p = pair_of (24 + 8 * nu + 10 * nq + 7 * nlam + 2 * nlam * nu);
   r->rstat = pair_of (20);
-  memcpy (r->x.c, list[k].x, sizeof (double) * r->s.nx);
+  memcpy (r->x.c, list[k].x, sizeof (gs_real) * r->s.nx);
   both (r->x);
   for (int i = 0; i < 20; i++)
     r->rstat.c[i] = i == 13 ? 1e300 : 0.0;
@@ -60,9 +60,9 @@ same_test (test *r)
 
 /* on by h, with an error of the coordinates */
 static void
-advance (test *r, double h, double error)
+advance (test *r, gs_real h, gs_real error)
 {
-  double qdot[MOST];
+  gs_real qdot[MOST];
   kin (r->t, r->x.c, r->x.c + r->s.nq, r->cst, qdot);
   for (int i = 0; i < r->s.nq; i++)
     r->x.c[i] += h * qdot[i] + error * chance ();
@@ -105,7 +105,7 @@ checks (void)
     for (int way = 1; way <= 6; way++)
       for (int v = 0; v < 6; v++)
         {
-          static const double size[] = { 0.02, 0.016, 0.3, 0.05, 0.05, 0.05 };
+          static const gs_real size[] = { 0.02, 0.016, 0.3, 0.05, 0.05, 0.05 };
           test r;
           open_scene (&r, k, way);
           r.iopt[0] = v == 1 ? 4 : 8;
@@ -147,7 +147,7 @@ partitions (void)
       int info, made, within = k % 2;
       open_scene (&r, k % (SCENES - 2), k % 3 ? 3 : 6);
       gs_scene *s = &r.s;
-      advance (&r, 0.5 * chance (), pow (10.0, -pick (6)));
+      advance (&r, 0.5 * chance (), gs_pow (10.0, -pick (6)));
       r.cst[k % 7 == 0 ? 1 : 2] = k % 5 ? 1e9 : -1e9;
       if (within)
         {
@@ -223,7 +223,7 @@ passages (void)
       test r;
       open_scene (&r, k % 5, 3);
       gs_scene *s = &r.s;
-      double h = 0.02 + 0.4 * fabs (chance ());
+      gs_real h = 0.02 + 0.4 * gs_abs (chance ());
       for (int i = 0; i < 30; i++)
         {
           pair out = pair_of (2), turn = pair_of (1), hc = pair_of (s->nlam * s->nu);
@@ -268,7 +268,7 @@ algebra (void)
       for (int i = 0; i < nlam * nu; i++)
         hc.c[i] = k == 0 ? 0.0 : k % 3 == 0 && i % nlam == 0 ? 0.0 : hc.c[i];
       for (int i = 0; i < nlam; i++)
-        size.c[i] = k % 2 ? 0.0 : fabs (size.c[i]);
+        size.c[i] = k % 2 ? 0.0 : gs_abs (size.c[i]);
       both (size);
       gslpv (nu, nlam, hc.c, size.c, y.c, piv.c, beta.c, d.c, &rank, least.c);
       gslpv_ (&nu, &nlam, hc.c, size.f, y.f, piv.f, beta.f, d.f, &found, least.f);

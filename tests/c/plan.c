@@ -9,7 +9,8 @@ void gsinp_ ();
 enum { NU = 2, NX = 5, NV = 6 };
 
 static int
-any_cmd (double t, const double *qj, const double *xi, const double *cst, double *v, double *xid)
+any_cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v,
+         gs_real *xid)
 {
   (void)cst;
   for (int i = 0; i < NV; i++)
@@ -19,7 +20,7 @@ any_cmd (double t, const double *qj, const double *xi, const double *cst, double
 }
 
 static void
-some_ctp (const double *cst, double *period, double *delay)
+some_ctp (const gs_real *cst, gs_real *period, gs_real *delay)
 {
   for (int k = 0; k < 2; k++)
     {
@@ -30,7 +31,7 @@ some_ctp (const double *cst, double *period, double *delay)
 
 static const int event_inputs[2] = { 4, 6 }, event_kinds[2] = { 1, 2 };
 static const int held_counts[2] = { 1, 1 }, again[2] = { 0, 1 }, held_inputs[2] = { 2, 5 };
-static const double starts[3] = { 0.5, -0.25, 2 };
+static const gs_real starts[3] = { 0.5, -0.25, 2 };
 static gs_scene scene = {
   .nq = NU, .nu = NU, .nx = NX, .nv = NV, .ny = 1, .cmd = any_cmd, .ctp = some_ctp,
   .event_inputs = event_inputs, .event_kinds = event_kinds, .held_counts = held_counts,
@@ -40,13 +41,13 @@ static gs_scene scene = {
 /* all numbers that a plan is made of */
 typedef struct
 {
-  double constants[NV], table[3 + NV * 2 * 3], motion[3 + NU * 2 * 3], reference[2 + NX],
+  gs_real constants[NV], table[3 + NV * 2 * 3], motion[3 + NU * 2 * 3], reference[2 + NX],
     gain[2 + NV * NX], limits[2 * NV], memory[3];
   int planned[NU], modes[2];
 } numbers;
 
 static void
-fill (int n, double *x)
+fill (int n, gs_real *x)
 {
   for (int i = 0; i < n; i++)
     x[i] = chance ();
@@ -56,11 +57,11 @@ static gs_plan
 some_plan (numbers *a)
 {
   gs_plan p = { .s = &scene, .nx = NX, .inputs = pick (3), .derivatives = 2 };
-  fill (sizeof *a / sizeof (double) - 2, (double *)a);
-  memcpy (a->table, (double[]){ 0, 1, 2 }, 3 * sizeof (double));
-  memcpy (a->motion, (double[]){ 0, 1, 2 }, 3 * sizeof (double));
-  memcpy (a->reference, (double[]){ 0, 1 }, 2 * sizeof (double));
-  memcpy (a->gain, (double[]){ 0, 1 }, 2 * sizeof (double));
+  fill (sizeof *a / sizeof (gs_real) - 2, (gs_real *)a);
+  memcpy (a->table, (gs_real[]){ 0, 1, 2 }, 3 * sizeof (gs_real));
+  memcpy (a->motion, (gs_real[]){ 0, 1, 2 }, 3 * sizeof (gs_real));
+  memcpy (a->reference, (gs_real[]){ 0, 1 }, 2 * sizeof (gs_real));
+  memcpy (a->gain, (gs_real[]){ 0, 1 }, 2 * sizeof (gs_real));
   for (int i = 0; i < NV; i++)
     a->limits[i + NV] = a->limits[i] + 0.5;
   a->planned[0] = 2;
@@ -124,8 +125,8 @@ by_hand (test *f, const gs_plan *p, const numbers *a)
     }
   if (scene.nctl > 0)
     {
-      double *held = f->rp + f->nrp + 4;
-      samples (f, 2, (double[]){ 0.1, 0.25 }, (double[]){ 0, 0.05 }, held_counts, again,
+      gs_real *held = f->rp + f->nrp + 4;
+      samples (f, 2, (gs_real[]){ 0.1, 0.25 }, (gs_real[]){ 0, 0.05 }, held_counts, again,
                held_inputs, 3, p->memory ? p->memory : starts, p->on_the_way, p->instants);
       held[0] = p->constants ? a->constants[1] : 0;
       held[1] = p->constants ? a->constants[4] : 0;
@@ -142,13 +143,13 @@ by_hand (test *f, const gs_plan *p, const numbers *a)
 
 /* places of the samples and the events in both, and that nothing is behind the last one */
 static void
-same_parts (const gs_plan *p, int *ip, double *rp, test *f)
+same_parts (const gs_plan *p, int *ip, gs_real *rp, test *f)
 {
   if (scene.nctl > 0)
     {
       gs_samples c = gs_planned_samples (&scene, ip, rp), d = gs_planned_samples (&scene, f->ip,
                                                                                   f->rp);
-      same_int (gs_due_from (&scene, 0, (double[]){ 0.1, 0, 0.25, 0.05 }, ip, rp), 0);
+      same_int (gs_due_from (&scene, 0, (gs_real[]){ 0.1, 0, 0.25, 0.05 }, ip, rp), 0);
       if (p->inputs == 1 && ! p->constants)   /* told by the table */
         gspln (NV, 2, 3, p->table.numbers, p->table.numbers + 3, 0, 1, 0, d.v, NV);
       for (int k = 0; k < 2 && p->inputs == 1 && ! p->constants; k++)
@@ -183,12 +184,12 @@ plans (void)
       numbers a;
       const gs_plan p = some_plan (&a);
       int *ip = calloc (gs_wholes (&p), sizeof *ip);   /* lengths: with the address sanitizer */
-      double *rp = calloc (gs_reals (&p), sizeof *rp);
+      gs_real *rp = calloc (gs_reals (&p), sizeof *rp);
       gs_lay (&p, ip, rp);
       by_hand (&f, &p, &a);
       for (int n = 0; n < 5; n++)
         {
-          double t = chance () + 1, x[NX], w[100] = { 0 }, g[100] = { 0 };
+          gs_real t = chance () + 1, x[NX], w[100] = { 0 }, g[100] = { 0 };
           pair v = pair_of (NV);
           int info = 0, nu = NU, nx = NX, nv = NV, side = 1;
           fill (NX, x);
@@ -215,23 +216,23 @@ first_samples (void)
   scene.nev = 0;
   const gs_plan p = { .s = &scene, .nx = NX };
   int ip[100] = { 0 };
-  double rp[200] = { 0 };
+  gs_real rp[200] = { 0 };
   gs_lay (&p, ip, rp);
   const int *next = gs_planned_samples (&scene, ip, rp).next;
   for (int k = -300; k <= 300; k++)
     {
-      const double period = 0.1, t = k * period;
-      const double cst[4] = { period, 0, 0.7, 0 };
+      const gs_real period = GS_R (0.1), t = k * period;
+      const gs_real cst[4] = { period, 0, GS_R (0.7), 0 };
       same_int (gs_due_from (&scene, t, cst, ip, rp), 0);
       same_int (next[0], k);
       same_int (next[1], (int)(k >= 0 ? (k + 6) / 7 : -(-k / 7)));
       gs_due_from (&scene, t + 0.01, cst, ip, rp);
       same_int (next[0], k + 1);
     }
-  same_int (gs_due_from (&scene, 0, (double[]){ 0.1, 0, 0, 0 }, ip, rp), 2);
-  same_int (gs_due_from (&scene, 0, (double[]){ 0.1, -1, 1, 0 }, ip, rp), 1);
-  same_int (gs_due_from (&scene, 0, (double[]){ NAN, 0, 1, 0 }, ip, rp), 1);
-  same_int (gs_due_from (&scene, 3e9, (double[]){ 1, 0, 2, 0 }, ip, rp), -1);
+  same_int (gs_due_from (&scene, 0, (gs_real[]){ 0.1, 0, 0, 0 }, ip, rp), 2);
+  same_int (gs_due_from (&scene, 0, (gs_real[]){ 0.1, -1, 1, 0 }, ip, rp), 1);
+  same_int (gs_due_from (&scene, 0, (gs_real[]){ NAN, 0, 1, 0 }, ip, rp), 1);
+  same_int (gs_due_from (&scene, 3e9, (gs_real[]){ 1, 0, 2, 0 }, ip, rp), -1);
   scene.nctl = 0;
   same_int (gs_due_from (&scene, 0, rp, ip, rp), 0);
   finish ();

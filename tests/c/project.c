@@ -12,37 +12,37 @@ static int mass_is_singular;
 
 /* a positive definite matrix that depends on the position */
 static void
-mas (double t, const double *q, const double *cst, double *m, int ldm)
+mas (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m, int ldm)
 {
   (void)t;
   (void)cst;
   for (int j = 0; j < scene->nu; j++)
     for (int i = 0; i < scene->nu; i++)
-      m[i + ldm * j] = mass_is_singular ? 0.0 : i == j ? 2.0 + 0.3 * i : 0.2 * cos (q[i] - q[j]);
+      m[i + ldm * j] = mass_is_singular ? 0.0 : i == j ? 2.0 + 0.3 * i : 0.2 * gs_cos (q[i] - q[j]);
 }
 
 static void
-mas_ (const double *t, const double *q, const double *cst, double *m, const int *ldm)
+mas_ (const gs_real *t, const gs_real *q, const gs_real *cst, gs_real *m, const int *ldm)
 {
   mas (*t, q, cst, m, *ldm);
 }
 
 static void
-gad (double t, const double *qj, const double *cst, double *g)
+gad (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g)
 {
   for (int i = 0; i < scene->nlam; i++)
     g[i] = cst[0] * qj[scene->nu + i] * qj[2 * scene->nu + i] - t;
 }
 
 static void
-gad_ (const double *t, const double *qj, const double *cst, double *g)
+gad_ (const gs_real *t, const gs_real *qj, const gs_real *cst, gs_real *g)
 {
   gad (*t, qj, cst, g);
 }
 
 /* scene k of chains.h, with its routines; cst as there */
 static void
-choose (gs_scene *s, int k, double *cst)
+choose (gs_scene *s, int k, gs_real *cst)
 {
   *s = scene_of (k);
   s->mas = mas;
@@ -87,11 +87,11 @@ projections (void)
   for (int k = 0; k < 600; k++)
     {
       gs_scene s;
-      double cst[4];
+      gs_real cst[4];
       const int one = k % 5;
       choose (&s, one, cst);
       const int nq = s.nq, nu = s.nu, m = s.nlam, quasi = nq > nu, ns = quasi;
-      const double size = pow (10.0, -pick (7)), t = k % 13 ? 0.1 : 1.0;
+      const gs_real size = gs_pow (10.0, -pick (7)), t = k % 13 ? 0.1 : 1.0;
       pair x = pair_of (s.nx), res = pair_of (1);
       pair w = pair_of (2 * nu * nu + 2 * nu * m + m * m + 5 * nu + 10 * m + 2 * nq);
       for (int i = 0; i < s.nx; i++)
@@ -118,9 +118,9 @@ projections (void)
 
 /* two rows that cannot hold together, q1 = 0 and q1 = a gap: beyond 1e-9 there is no such
  * position */
-static double gap;
+static gs_real gap;
 static void
-two_rows (double t, const double *q, const double *cst, double *phi, double *phit, double *dq)
+two_rows (gs_real t, const gs_real *q, const gs_real *cst, gs_real *phi, gs_real *phit, gs_real *dq)
 {
   (void)t;
   (void)cst;
@@ -134,7 +134,7 @@ static void
 impossible (void)
 {
   const int nq = 2, m = 2, none = 0;
-  const double t = 0.0, cst[4] = { 1.0, 1e9, 1e9, 1e9 };
+  const gs_real t = 0.0, cst[4] = { 1.0, 1e9, 1e9, 1e9 };
   gs_scene s = { .nq = 2, .nu = 2, .nx = 4, .nlam = 2, .con = con, .kin = kin, .mas = mas };
   begin ("gsprj");
   scene = &s;
@@ -143,7 +143,7 @@ impossible (void)
   for (int k = 0; k <= 12; k++)
     {
       pair x = pair_of (4), res = pair_of (1), w = pair_of (100);
-      gap = 3.0 * pow (0.1, k);
+      gap = 3.0 * gs_pow (0.1, k);
       int info = 0, made = gsprj (&s, t, x.c, 0, 0, sets, cst, res.c, w.c);
       gsprj_ (con_, mas_, kin_, &t, x.f, &nq, &nq, &m, &none, &none, sets, cst, res.f, w.f, &info);
       same_int (made, info);
@@ -167,11 +167,11 @@ motions (void)
   for (int k = 0; k < 400; k++)
     {
       gs_scene s;
-      double cst[4];
+      gs_real cst[4];
       const int one = k % 4, r = pick (4);
       choose (&s, one, cst);
       const int nu = s.nu, m = s.nlam;
-      const double t = 0.3 * chance ();
+      const gs_real t = 0.3 * chance ();
       pair qj = pair_of (nu * (r + 2)), res = pair_of (1);
       pair w = pair_of (m * m + m * nu + 4 * m);
       int ic[MOST], jf[MOST], info = 0;

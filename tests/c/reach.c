@@ -9,7 +9,7 @@ void gseig_ (), gshes_ (), gshqr_ (), gshqs_ (), gsiks_ (), gsikz_ (), gsiko_ ()
   gsikl_ (), gsikr_ (), gsike_ (), gsikh_ (), gsikc_ (), gsikm_ (), gsikv_ (), gsikx_ (), gsikn_ (),
   gsikj_ (), gsika_ (), gsiki_ (), gsipz_ (), gsigd_ (), gsigs_ ();
 int gsikq_ ();
-double gsikk_ ();
+gs_real gsikk_ ();
 
 static int seen[3];
 
@@ -42,13 +42,13 @@ eigenvalues (void)
         {
           int row = i % lda, col = i / lda;
           if (kind == 1)
-            a.c[i] = floor (3 * a.c[i]);
+            a.c[i] = gs_floor (3 * a.c[i]);
           if (kind == 2 && col == n / 2)
             a.c[i] = 0.0;
           if (kind == 3)
             a.c[i] = row == (col + 1) % n;
           if (kind == 4)
-            a.c[i] *= pow (10.0, row % 7 - 3);
+            a.c[i] *= gs_pow (10.0, row % 7 - 3);
         }
       both (a), both (wr), both (wi), both (w);
       int made = gseig (n, a.c, lda, wr.c, wi.c, w.c);
@@ -75,7 +75,7 @@ conics (void)
       if (k % 7 == 2)
         co.c[4] = -co.c[0] - co.c[2], co.c[1] = co.c[3] = 0.0;
       for (int i = 0; i < 5; i++)
-        co.c[i] = k % 50 == 3 ? 0.0 : k % 50 == 4 ? NAN : co.c[i];
+        co.c[i] = k % 50 == 3 ? 0.0 : k % 50 == 4 ? NOT_A_NUMBER : co.c[i];
       both (co);
       gscir (co.c, sc.c, rad.c);
       gscir_ (co.f, sc.f, rad.f);
@@ -103,11 +103,11 @@ branches (void)
       pair qc = pair_of (n * nb), rad = pair_of (nm * nb), lim = pair_of (nm);
       pair res = pair_of (2 * nb), qs = pair_of (8 * nb), dst = pair_of (2);
       for (int i = 0; i < nm * nb; i++)
-        rad.c[i] = pick (20) ? fabs (rad.c[i]) : pick (2) ? 1e-15 : -fabs (rad.c[i]);
+        rad.c[i] = pick (20) ? gs_abs (rad.c[i]) : pick (2) ? 1e-15 : -gs_abs (rad.c[i]);
       for (int i = 0; i < nm; i++)
         lim.c[i] = pick (2) ? 1e-14 : 1e-24;
       for (int i = 0; i < 2 * nb; i++)
-        res.c[i] = fabs (res.c[i]) * (k % 3 ? 1e-12 : 1e-9);
+        res.c[i] = gs_abs (res.c[i]) * (k % 3 ? 1e-12 : 1e-9);
       for (int i = n; i < n * nb && k % 2; i++)
         qc.c[i] = pick (4) ? qc.c[i - n] : qc.c[i];
       both (qc), both (rad), both (lim), both (res), both (qs);
@@ -127,7 +127,7 @@ branches (void)
 typedef struct
 {
   int kind[6];
-  double ka[18], pa[18], r[9], p[3], q[6]; /* q makes the displacement r, p */
+  gs_real ka[18], pa[18], r[9], p[3], q[6]; /* q makes the displacement r, p */
 } arm;
 
 /* an arm by chance of n joints and a pose that it reaches; way 1: slides too, 2: axes of a wrist
@@ -136,20 +136,20 @@ static arm
 arm_of (int n, int way)
 {
   arm a;
-  double e[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, x[3] = { 0 };
+  gs_real e[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, x[3] = { 0 };
   for (int i = 0; i < 18; i++)
     a.ka[i] = chance (), a.pa[i] = chance ();
   for (int j = 0; j < 6; j++)
     {
-      double *k = a.ka + 3 * j, d = sqrt (k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
+      gs_real *k = a.ka + 3 * j, d = gs_sqrt (k[0] * k[0] + k[1] * k[1] + k[2] * k[2]);
       for (int i = 0; i < 3; i++)
         k[i] /= d;
       a.kind[j] = way == 1 ? pick (2) : 1;
       a.q[j] = 3 * chance ();
       if (way == 2 && j > 3)
-        memcpy (a.pa + 3 * j, a.pa + 9, 3 * sizeof (double));
+        memcpy (a.pa + 3 * j, a.pa + 9, 3 * sizeof (gs_real));
       if (j >= n)
-        a.kind[j] = 0, a.q[j] = 0.0, memset (k, 0, 3 * sizeof (double));
+        a.kind[j] = 0, a.q[j] = 0.0, memset (k, 0, 3 * sizeof (gs_real));
     }
   for (int j = 0; j < 6 && way == 4; j++)
     for (int i = 0; i < 3; i++)
@@ -158,7 +158,7 @@ arm_of (int n, int way)
     a.q[4] = 3e-8 * a.q[4];
   for (int j = 5; j >= 0; j--)
     {
-      double s = sin (a.q[j]), c = cos (a.q[j]), *k = a.ka + 3 * j, zero[3];
+      gs_real s = gs_sin (a.q[j]), c = gs_cos (a.q[j]), *k = a.ka + 3 * j, zero[3];
       for (int l = 0; l < 3; l++)
         {
           memset (zero, 0, sizeof zero);
@@ -167,7 +167,7 @@ arm_of (int n, int way)
           if (! a.kind[j])
             x[l] += a.q[j] * k[l];
         }
-      double none[3] = { 1, 0, 0 };
+      gs_real none[3] = { 1, 0, 0 };
       if (a.kind[j])
         gsikt (k, a.pa + 3 * j, s, c, x, none);
     }
@@ -225,11 +225,11 @@ distances (void)
 
 /* solutions, the first one twice: how many become one? */
 static int
-twice (const arm *a, const double *solutions, int n)
+twice (const arm *a, const gs_real *solutions, int n)
 {
   pair q = pair_of (96);
   int nc = n + 1, nf = n + 1, info, again = 0;
-  memcpy (q.c, solutions, 6 * n * sizeof (double));
+  memcpy (q.c, solutions, 6 * n * sizeof (gs_real));
   for (int i = 0; i < 6; i++)
     q.c[i + 6 * n] = q.c[i] + 1e-15;
   both (q);
@@ -273,7 +273,7 @@ generals (void)
         rad.c[i] = 1e-9 * rad.c[i];
       lim.c[0] = 1e-14, lim.c[1] = k % 2 ? 1e-14 : 1e-24;
       nc = nf = k % 2, bc[0] = bf[0] = 1;
-      memcpy (qs.c, guess.c, 6 * sizeof (double));
+      memcpy (qs.c, guess.c, 6 * sizeof (gs_real));
       both (guess), both (rad), both (lim), both (qs);
       int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc,
                         bc, 1);
@@ -301,12 +301,12 @@ singulars (void)
       arm a = arm_of (6, 4);
       int nc = k % 2, nf = nc, bc[4] = { 1 }, bf[4] = { 1 }, info = 1, near = 0;
       pair guess = pair_of (24), qs = pair_of (24);
-      double rad[] = { 1e-9, 1e-9, k % 3 ? 1e-9 : -1e-4, 1e-9 }, lim[] = { 1e-14 };
+      gs_real rad[] = { 1e-9, 1e-9, k % 3 ? 1e-9 : -1e-4, 1e-9 }, lim[] = { 1e-14 };
       for (int i = 0; i < 24; i++)
         guess.c[i] = a.q[i % 6] + 1e-6 * guess.c[i];
       for (int j = 0; j < 4; j++)
         guess.c[6 * j + 5] += 0.3 * j, guess.c[6 * j + 3] -= 0.3 * j;
-      memcpy (qs.c, guess.c, 6 * sizeof (double));
+      memcpy (qs.c, guess.c, 6 * sizeof (gs_real));
       both (guess), both (qs);
       int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 4, 1, guess.c, rad, lim, qs.c, &nc, bc, 1);
       gsikz_ (I (6), a.kind, a.ka, a.pa, a.r, a.p, I (4), I (1), guess.f, rad, lim, qs.f, &nf, bf,
@@ -333,7 +333,7 @@ places (void)
       int nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
       arm a = arm_of (3, k % 2);
       pair qc = pair_of (6), qs = pair_of (6), x0 = pair_of (3);
-      double rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
+      gs_real rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
       for (int i = 0; i < 6; i++)
         qc.c[i] = a.q[i % 3] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
       both (qc), both (qs), both (x0);
@@ -343,7 +343,7 @@ places (void)
       same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
       same (qs);
       for (int i = 0; i < 3; i++)
-        miss = fmax (miss, fabs (sin (0.5 * (qs.c[i] - a.q[i]))));
+        miss = gs_fmax (miss, gs_abs (gs_sin (0.5 * (qs.c[i] - a.q[i]))));
       good += miss < 1e-11;
       drop (qc), drop (qs), drop (x0);
     }
@@ -362,7 +362,7 @@ fewer (void)
       int n = 2 + k % 4, nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
       arm a = arm_of (n, k % 2);
       pair qc = pair_of (2 * n), qs = pair_of (2 * n);
-      double rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
+      gs_real rad[] = { 1e-9, 1e-9 }, lim[] = { 1e-14 }, miss = 0.0;
       for (int i = 0; i < 2 * n; i++)
         qc.c[i] = a.q[i % n] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
       both (qc), both (qs);
@@ -371,7 +371,7 @@ fewer (void)
       same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
       same (qs);
       for (int i = 0; i < n; i++)
-        miss = fmax (miss, fabs (sin (0.5 * (qs.c[i] - a.q[i]))));
+        miss = gs_fmax (miss, gs_abs (gs_sin (0.5 * (qs.c[i] - a.q[i]))));
       good += miss < 1e-12;
       drop (qc), drop (qs);
     }
@@ -382,16 +382,16 @@ fewer (void)
 /* ------------------------------------------------------------ three joints, guesses */
 
 static void
-centre (const double *p, const double *r, const double *qg, const double *cst, const double *qa,
-        double *miss, double *jc)
+centre (const gs_real *p, const gs_real *r, const gs_real *qg, const gs_real *cst,
+        const gs_real *qa, gs_real *miss, gs_real *jc)
 {
   (void)r, (void)qg, (void)cst;
   for (int i = 0; i < 3; i++)
     {
-      miss[i] = p[i] - sin (qa[0] + i) - cos (qa[1] * (i + 1)) - 0.5 * sin (qa[2] - i);
-      jc[i] = cos (qa[0] + i);
-      jc[i + 3] = -(i + 1) * sin (qa[1] * (i + 1));
-      jc[i + 6] = 0.5 * cos (qa[2] - i);
+      miss[i] = p[i] - gs_sin (qa[0] + i) - gs_cos (qa[1] * (i + 1)) - 0.5 * gs_sin (qa[2] - i);
+      jc[i] = gs_cos (qa[0] + i);
+      jc[i + 3] = -(i + 1) * gs_sin (qa[1] * (i + 1));
+      jc[i + 6] = 0.5 * gs_cos (qa[2] - i);
     }
 }
 
@@ -414,60 +414,61 @@ centres (void)
 }
 
 static void
-pnt (double t, const double *q, const double *cst, double *place, double *axes)
+pnt (gs_real t, const gs_real *q, const gs_real *cst, gs_real *place, gs_real *axes)
 {
-  double s = sin (q[1]), c = cos (q[1]);
+  gs_real s = gs_sin (q[1]), c = gs_cos (q[1]);
   (void)t, (void)cst;
-  memcpy (place, (double[]){ q[0] + c, s + q[2], q[3] }, 3 * sizeof (double));
-  memcpy (axes, (double[]){ c, s, 0, -s, c, 0, 0, 0, 1 }, 9 * sizeof (double));
+  memcpy (place, (gs_real[]){ q[0] + c, s + q[2], q[3] }, 3 * sizeof (gs_real));
+  memcpy (axes, (gs_real[]){ c, s, 0, -s, c, 0, 0, 0, 1 }, 9 * sizeof (gs_real));
 }
 
 static void
-jpt (double t, const double *q, const double *u, const double *cst, double *jac, double *gam)
+jpt (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *jac, gs_real *gam)
 {
   (void)t, (void)u, (void)cst, (void)gam;
-  memset (jac, 0, 24 * sizeof (double));
-  jac[0] = 1, jac[6] = -sin (q[1]), jac[7] = cos (q[1]), jac[11] = 1, jac[13] = 1, jac[20] = 1;
+  memset (jac, 0, 24 * sizeof (gs_real));
+  jac[0] = 1, jac[6] = -gs_sin (q[1]), jac[7] = gs_cos (q[1]);
+  jac[11] = 1, jac[13] = 1, jac[20] = 1;
 }
 
 static void
-kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   (void)t, (void)q, (void)cst;
-  memcpy (qdot, u, 4 * sizeof (double));
+  memcpy (qdot, u, 4 * sizeof (gs_real));
 }
 
 static int
-con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
-     double *hc, int ldh, double *gam)
+con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi, gs_real *phit,
+     gs_real *hc, int ldh, gs_real *gam)
 {
   (void)t, (void)u, (void)cst, (void)phit, (void)gam;
   phi[0] = q[0] + q[2] - 0.3 * q[3];
   hc[0] = hc[2 * ldh] = 1, hc[ldh] = 0, hc[3 * ldh] = -0.3;
-  return fabs (q[0]) > 50.0 ? -3 : 0;
+  return gs_abs (q[0]) > 50.0 ? -3 : 0;
 }
 
 static void
-pnt_ (double *t, double *q, double *cst, double *place, double *axes)
+pnt_ (gs_real *t, gs_real *q, gs_real *cst, gs_real *place, gs_real *axes)
 {
   pnt (*t, q, cst, place, axes);
 }
 
 static void
-jpt_ (double *t, double *q, double *u, double *cst, double *jac, double *gam)
+jpt_ (gs_real *t, gs_real *q, gs_real *u, gs_real *cst, gs_real *jac, gs_real *gam)
 {
   jpt (*t, q, u, cst, jac, gam);
 }
 
 static void
-kin_ (double *t, double *q, double *u, double *cst, double *qdot)
+kin_ (gs_real *t, gs_real *q, gs_real *u, gs_real *cst, gs_real *qdot)
 {
   kin (*t, q, u, cst, qdot);
 }
 
 static void
-con_ (double *t, double *q, double *u, double *cst, double *phi, double *phit, double *hc,
-      int *ldh, double *gam, int *info)
+con_ (gs_real *t, gs_real *q, gs_real *u, gs_real *cst, gs_real *phi, gs_real *phit, gs_real *hc,
+      int *ldh, gs_real *gam, int *info)
 {
   *info = con (*t, q, u, cst, phi, phit, hc, *ldh, gam);
 }

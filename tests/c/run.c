@@ -9,12 +9,12 @@ static test a;
 static struct
 {
   const char *what;
-  double from;
+  gs_real from;
   int info, nth; /* nth > 0: from the nth call on instead */
 } fault;
 
 static int
-fails (const char *what, double t)
+fails (const char *what, gs_real t)
 {
   if (! fault.what || strcmp (fault.what, what) != 0)
     return 0;
@@ -23,7 +23,7 @@ fails (const char *what, double t)
 }
 
 static void
-wrong (const char *what, double from, int info)
+wrong (const char *what, gs_real from, int info)
 {
   fault.what = what;
   fault.from = from;
@@ -42,20 +42,20 @@ compare_wrong (const char *what, int info, int which, int said)
 /* ------------------------------------------------------------ a pendulum with a torque v */
 
 static int
-pendulum_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+pendulum_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
   (void)cst;
   xd[0] = x[1];
-  xd[1] = -9.81 * sin (x[0]) - 0.1 * x[1] + v[0];
+  xd[1] = -9.81 * gs_sin (x[0]) - 0.1 * x[1] + v[0];
   if (fails ("nan", t))
-    xd[1] = sqrt (-1.0 - t * t);
+    xd[1] = gs_sqrt (-1.0 - t * t);
   if (fails ("huge", t))
     xd[1] = 1e304;
   return fails ("rhs", t) + (x[0] > 0.5 ? 2 : x[0] < -0.5 ? 3 : 0);
 }
 
 static int
-pendulum_out (double t, const double *x, const double *v, const double *cst, double *y)
+pendulum_out (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y)
 {
   (void)v, (void)cst;
   y[0] = x[0];
@@ -65,11 +65,11 @@ pendulum_out (double t, const double *x, const double *v, const double *cst, dou
 
 /* device 1 holds the reference, device 2 reads it, device 3 has a delay */
 static void
-pendulum_ctl (int k, double t, const double *y, double *xk, const double *cst, double *v)
+pendulum_ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, gs_real *v)
 {
   (void)cst;
   if (k == 1)
-    v[1] = 0.3 * sin (t);
+    v[1] = 0.3 * gs_sin (t);
   else if (k == 2)
     {
       xk[0] += 0.01 * (v[1] - y[0]);
@@ -84,31 +84,31 @@ pendulum_ctl (int k, double t, const double *y, double *xk, const double *cst, d
 }
 
 static int
-pendulum_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
+pendulum_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
 {
-  const double *amplitude = data;
+  const gs_real *amplitude = data;
   for (int i = 0; i < nv; i++)
-    v[i] = *amplitude * (t > 1 || (t >= 1 && side >= 0) ? -1 : 1) * cos (3 * t) - x[nx - 1];
+    v[i] = *amplitude * (t > 1 || (t >= 1 && side >= 0) ? -1 : 1) * gs_cos (3 * t) - x[nx - 1];
   return fails ("vin", t);
 }
 
 static int
-pendulum_cmd (double t, const double *qj, const double *xi, const double *cst, double *v,
-              double *xid)
+pendulum_cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v,
+              gs_real *xid)
 {
   (void)cst;
-  v[0] = qj[2] + 9.81 * sin (qj[0]) + 0.1 * qj[1] + 0.01 * xi[0];
+  v[0] = qj[2] + 9.81 * gs_sin (qj[0]) + 0.1 * qj[1] + 0.01 * xi[0];
   xid[0] = 0;
   return fails ("cmd", t);
 }
 
-static double amplitude = 2;
+static gs_real amplitude = 2;
 static const gs_scene pendulum = { .name = "pendulum", .nq = 1, .nu = 1, .nx = 2, .nv = 1, .ny = 2,
                                    .rhs = pendulum_rhs, .out = pendulum_out, .ctl = pendulum_ctl,
                                    .vin = pendulum_vin, .cmd = pendulum_cmd, .data = &amplitude };
 
 static void
-start_pendulum (double tend, int nt)
+start_pendulum (gs_real tend, int nt)
 {
   make (&a, &pendulum, NULL, tend, nt);
   a.x0[0] = 0.4;
@@ -149,13 +149,13 @@ tree (void)
 static void
 inputs (void)
 {
-  const double brk[4] = { 0, 1, 2.5, 4 };
-  const double table[6] = { 1, -2, 0.5, 3, 0, 1 };
+  const gs_real brk[4] = { 0, 1, 2.5, 4 };
+  const gs_real table[6] = { 1, -2, 0.5, 3, 0, 1 };
   start_pendulum (5, 40);
   a.ip[GS_V0] = 1;
   polynomial (&a, GS_TABLE, 1, 3, 2, brk, table);
   a.run.nb = 3;
-  memcpy (a.tbrk, (double[]){ 1, 2.5, 4 }, 3 * sizeof (double));
+  memcpy (a.tbrk, (gs_real[]){ 1, 2.5, 4 }, 3 * sizeof (gs_real));
   compare (&a, "a table with breaks", 0);
 
   start_pendulum (5, 40);
@@ -163,13 +163,13 @@ inputs (void)
   a.ropt[0] = 0.02;
   a.ip[GS_V0] = 3;
   a.run.nb = 2;
-  memcpy (a.tbrk, (double[]){ 0, 1 }, 2 * sizeof (double));
+  memcpy (a.tbrk, (gs_real[]){ 0, 1 }, 2 * sizeof (gs_real));
   compare (&a, "inputs of the user with breaks, method 4", 0);
 
   for (int limits = 0; limits <= 1; limits++)
     {
-      const double gain[8] = { 1, 0.1, 0, 2, 5, 1, -0.1, 0.3 }, x0[4] = { 0.1, 0.2, 0, 0.1 };
-      const double pieces[3] = { 0, 2, 5 }, whole[2] = { 0, 5 };
+      const gs_real gain[8] = { 1, 0.1, 0, 2, 5, 1, -0.1, 0.3 }, x0[4] = { 0.1, 0.2, 0, 0.1 };
+      const gs_real pieces[3] = { 0, 2, 5 }, whole[2] = { 0, 5 };
       start_pendulum (5, 40);
       a.ip[GS_V0] = 1;
       polynomial (&a, GS_TABLE, 1, 3, 2, brk, table);
@@ -185,14 +185,14 @@ inputs (void)
       compare (&a, limits ? "feedback within limits" : "feedback", 0);
     }
 
-  const double motion[6] = { 0.05, 0.3, 0.1, 0.5, 0.4, 1.3 };
+  const gs_real motion[6] = { 0.05, 0.3, 0.1, 0.5, 0.4, 1.3 };
   start_pendulum (5, 40);
   a.ip[GS_V0] = 2;
   a.ip[GS_DERIVATIVES] = 2;
   a.ip[GS_PLANNED] = 1;
   a.ip[GS_NUMBERS] = 1;
   a.ip[GS_INTERNAL] = 2;
-  polynomial (&a, GS_MOTION, 1, 2, 3, (double[]){ 0, 2, 5 }, motion);
+  polynomial (&a, GS_MOTION, 1, 2, 3, (gs_real[]){ 0, 2, 5 }, motion);
   compare (&a, "a planned motion", 0);
 }
 
@@ -201,7 +201,7 @@ sampled (void)
 {
   static const gs_scene more = { .name = "sampled", .nq = 1, .nu = 1, .nx = 2, .nv = 4, .ny = 2,
                                  .rhs = pendulum_rhs, .out = pendulum_out, .ctl = pendulum_ctl };
-  const double period[3] = { 0.1, 0.05, 0.03 }, delay[3] = { 0, 0, 0.07 };
+  const gs_real period[3] = { 0.1, 0.05, 0.03 }, delay[3] = { 0, 0, 0.07 };
   const int held[3] = { 1, 1, 2 }, anew[3] = { 0, 1, 0 }, input[4] = { 2, 1, 3, 4 };
   for (int method = 4; method <= 8; method += 4)
     for (int np = 4; np >= 2; np -= 2)
@@ -210,14 +210,14 @@ sampled (void)
         a.x0[0] = 0.4;
         a.iopt[GS_METHOD] = method;
         a.ropt[0] = 0.01;
-        samples (&a, 3, period, delay, held, anew, input, 2, (double[]){ 0.1, 0.2 }, np, 50);
+        samples (&a, 3, period, delay, held, anew, input, 2, (gs_real[]){ 0.1, 0.2 }, np, 50);
         if (np == 2)
           compare_wrong ("samples without enough places", 3, 6, -1);
         else
           compare (&a, method == 4 ? "samples, method 4" : "samples, method 8", 0);
       }
   make (&a, &more, NULL, 2, 30);
-  samples (&a, 3, period, delay, held, anew, input, 2, (double[]){ 0.1, 0.2 }, 4, 0);
+  samples (&a, 3, period, delay, held, anew, input, 2, (gs_real[]){ 0.1, 0.2 }, 4, 0);
   wrong ("out", 0.75, 7);
   compare_wrong ("samples, out fails", 3, 6, 7);
 }
@@ -225,10 +225,10 @@ sampled (void)
 /* ------------------------------------------------------------ what goes wrong */
 
 static int
-stiff_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+stiff_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
   (void)v, (void)cst;
-  xd[0] = -1e3 * (x[0] - cos (t)) + x[1];
+  xd[0] = -1e3 * (x[0] - gs_cos (t)) + x[1];
   xd[1] = -x[1];
   xd[2] = 700 * x[3];
   xd[3] = -700 * x[2] - 900 * x[3];
@@ -256,14 +256,14 @@ stability (void)
 
 /* no step is good whose end is not finite: the run ends where that begins, in finite numbers */
 static void
-not_finite (const char *what, double from, const char *said, int info)
+not_finite (const char *what, gs_real from, const char *said, int info)
 {
   start_pendulum (5, 40);
   wrong (what, from, 1);
   compare (&a, said, info);
-  const double *last = a.xout + a.run.ldx * a.run.istat[4];
-  holds (fabs (a.run.rstat[GS_T_REACHED] - from) <= 1e-9 && fabs (last[0]) <= 1e3
-         && fabs (last[1]) <= 1e3, "... where that begins, with the last finite state");
+  const gs_real *last = a.xout + a.run.ldx * a.run.istat[4];
+  holds (gs_abs (a.run.rstat[GS_T_REACHED] - from) <= 1e-9 && gs_abs (last[0]) <= 1e3
+         && gs_abs (last[1]) <= 1e3, "... where that begins, with the last finite state");
 }
 
 static void
@@ -286,7 +286,8 @@ faults (void)
   start_pendulum (5, 40);
   a.iopt[GS_METHOD] = 4;
   a.ropt[0] = 0.1;
-  compare (&a, "no rate, method 4", 4);
+  if (! QUAD)
+    compare (&a, "no rate, method 4", 4);
   wrong ("huge", 1, 1);
   start_pendulum (5, 40);
   a.iopt[GS_METHOD] = 4;
@@ -316,7 +317,7 @@ arguments (void)
   static const gs_scene bad = { .name = "bad", .nq = -1, .nu = -1, .nx = 2, .nv = -1, .nlam = -1,
                                 .rhs = pendulum_rhs };
   enum { T0, TOUT, TBRK, METHOD, WAY, STEP, ATOL };
-  static const struct { int info, what; double value; } given[]
+  static const struct { int info, what; gs_real value; } given[]
     = { { -103, 0, 1 }, { -105, 0, 0 }, { -106, 0, 0 }, { -107, 0, -1 }, { -108, 0, 9 },
         { -13, T0, NAN }, { -14, 0, INFINITY }, { -13, TOUT, NAN }, { -13, TOUT, -1 },
         { -13, TOUT, 7 }, { -13, TBRK, NAN }, { -13, TBRK, 3 }, { -15, METHOD, 7 },
@@ -324,7 +325,7 @@ arguments (void)
         { -16, ATOL, -1 } };
   for (int i = 0; i < (int)(sizeof given / sizeof *given); i++)
     {
-      const double value = given[i].value;
+      const gs_real value = given[i].value;
       start_pendulum (5, 3);
       a.run.nb = 2;
       a.tbrk[1] = 2;
@@ -360,11 +361,11 @@ arguments (void)
  * coordinates, whose centre moves sideways by cst[1]*sin(3*t); cst[0]: the way of the loops */
 
 static int
-point_con (double t, const double *q, const double *u, const double *cst, double *phi,
-           double *phit, double *hc, int ldh, double *gam)
+point_con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+           gs_real *phit, gs_real *hc, int ldh, gs_real *gam)
 {
-  const double x = q[0] - cst[1] * sin (3 * t), xt = -3 * cst[1] * cos (3 * t),
-               xtt = 9 * cst[1] * sin (3 * t);
+  const gs_real x = q[0] - cst[1] * gs_sin (3 * t), xt = -3 * cst[1] * gs_cos (3 * t),
+               xtt = 9 * cst[1] * gs_sin (3 * t);
   phi[0] = x * x + q[1] * q[1] - 1;
   phit[0] = 2 * x * xt;
   hc[0] = 2 * x;
@@ -374,7 +375,7 @@ point_con (double t, const double *q, const double *u, const double *cst, double
 }
 
 static void
-same_rates (double t, const double *q, const double *u, const double *cst, double *qdot)
+same_rates (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   (void)t, (void)q, (void)cst;
   qdot[0] = u[0];
@@ -382,10 +383,10 @@ same_rates (double t, const double *q, const double *u, const double *cst, doubl
 }
 
 static int
-point_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+point_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
-  const double m[4] = { 2, 0, 0, 2 }, f[2] = { v[0], -2 * 9.81 };
-  double phi, phit, h[2], gam, lam, w[200];
+  const gs_real m[4] = { 2, 0, 0, 2 }, f[2] = { v[0], -2 * 9.81 };
+  gs_real phi, phit, h[2], gam, lam, w[200];
   point_con (t, x, x + 2, cst, &phi, &phit, h, 1, &gam);
   if (cst[0] == 1)
     gam -= 20 * (h[0] * x[2] + h[1] * x[3] + phit) + 100 * phi;
@@ -395,9 +396,9 @@ point_rhs (double t, const double *x, const double *v, const double *cst, double
 }
 
 static int
-point_prj (double t, double *x, const double *cst, double *res)
+point_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
-  double phi = 0, phit, h[2], gam;
+  gs_real phi = 0, phit, h[2], gam;
   if (fails ("prj", t))
     return fails ("prj", t);
   for (int k = 0; k < 10; k++)
@@ -405,14 +406,14 @@ point_prj (double t, double *x, const double *cst, double *res)
       point_con (t, x, x + 2, cst, &phi, &phit, h, 1, &gam);
       if (k == 0)
         *res = phi;
-      const double s = phi / (h[0] * h[0] + h[1] * h[1]);
+      const gs_real s = phi / (h[0] * h[0] + h[1] * h[1]);
       x[0] -= s * h[0];
       x[1] -= s * h[1];
-      if (fabs (phi) < 1e-14)
+      if (gs_abs (phi) < 1e-14)
         break;
     }
   point_con (t, x, x + 2, cst, &phi, &phit, h, 1, &gam);
-  const double s = (h[0] * x[2] + h[1] * x[3] + phit) / (h[0] * h[0] + h[1] * h[1]);
+  const gs_real s = (h[0] * x[2] + h[1] * x[3] + phit) / (h[0] * h[0] + h[1] * h[1]);
   x[2] -= s * h[0];
   x[3] -= s * h[1];
   return 0;
@@ -423,7 +424,7 @@ static const gs_scene point = { .name = "point", .nq = 2, .nu = 2, .nx = 4, .nv 
                                 .kin = same_rates, .vin = pendulum_vin, .data = &amplitude };
 
 static void
-start_point (int way, int method, double moves, double tend, int nt)
+start_point (int way, int method, gs_real moves, gs_real tend, int nt)
 {
   make (&a, &point, NULL, tend, nt);
   a.iopt[GS_METHOD] = method;
@@ -472,7 +473,7 @@ loop (void)
 /* ------------------------------------------------------------ Euler parameters, a sleigh */
 
 static void
-body_kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+body_kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   (void)t, (void)cst;
   qdot[0] = 0.5 * (-q[1] * u[0] - q[2] * u[1] - q[3] * u[2]);
@@ -482,9 +483,9 @@ body_kin (double t, const double *q, const double *u, const double *cst, double 
 }
 
 static int
-body_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+body_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
-  const double *u = x + 4;
+  const gs_real *u = x + 4;
   (void)v;
   body_kin (t, x, u, cst, xd);
   xd[4] = (2 - 3) * u[1] * u[2] / 1.0;
@@ -494,9 +495,9 @@ body_rhs (double t, const double *x, const double *v, const double *cst, double 
 }
 
 static int
-body_prj (double t, double *x, const double *cst, double *res)
+body_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
-  const double s = sqrt (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
+  const gs_real s = gs_sqrt (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]);
   (void)t, (void)cst;
   *res = s - 1;
   for (int i = 0; i < 4; i++)
@@ -505,41 +506,41 @@ body_prj (double t, double *x, const double *cst, double *res)
 }
 
 static int
-sleigh_con (double t, const double *q, const double *u, const double *cst, double *phi,
-            double *phit, double *hc, int ldh, double *gam)
+sleigh_con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+            gs_real *phit, gs_real *hc, int ldh, gs_real *gam)
 {
   (void)t, (void)cst;
   phi[0] = phit[0] = 0;
-  hc[0] = -sin (q[2]);
-  hc[ldh] = cos (q[2]);
+  hc[0] = -gs_sin (q[2]);
+  hc[ldh] = gs_cos (q[2]);
   hc[2 * ldh] = -0.3;
-  gam[0] = (cos (q[2]) * u[0] + sin (q[2]) * u[1]) * u[2];
+  gam[0] = (gs_cos (q[2]) * u[0] + gs_sin (q[2]) * u[1]) * u[2];
   return 0;
 }
 
 static void
-sleigh_kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+sleigh_kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   (void)t, (void)q, (void)cst;
-  memcpy (qdot, u, 3 * sizeof (double));
+  memcpy (qdot, u, 3 * sizeof (gs_real));
 }
 
 static int
-sleigh_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+sleigh_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
-  const double m[9] = { 2, 0, 0, 0, 2, 0, 0, 0, 0.5 }, f[3] = { v[0] * cos (x[2]), 0, 0.2 };
-  double phi, phit, h[3], gam, lam, w[300];
+  const gs_real m[9] = { 2, 0, 0, 0, 2, 0, 0, 0, 0.5 }, f[3] = { v[0] * gs_cos (x[2]), 0, 0.2 };
+  gs_real phi, phit, h[3], gam, lam, w[300];
   sleigh_con (t, x, x + 3, cst, &phi, &phit, h, 1, &gam);
-  memcpy (xd, x + 3, 3 * sizeof (double));
+  memcpy (xd, x + 3, 3 * sizeof (gs_real));
   return gskkt (3, 1, m, 3, h, 1, f, &gam, xd + 3, &lam, w);
 }
 
 static int
-sleigh_prj (double t, double *x, const double *cst, double *res)
+sleigh_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
-  double phi, phit, h[3], gam;
+  gs_real phi, phit, h[3], gam;
   sleigh_con (t, x, x + 3, cst, &phi, &phit, h, 1, &gam);
-  const double s = (h[0] * x[3] + h[1] * x[4] + h[2] * x[5]) / (1 + 0.09);
+  const gs_real s = (h[0] * x[3] + h[1] * x[4] + h[2] * x[5]) / (1 + 0.09);
   for (int i = 0; i < 3; i++)
     x[3 + i] -= s * h[i];
   *res = 0;
@@ -559,7 +560,7 @@ other_states (void)
       make (&a, &body, NULL, 5, 30);
       a.iopt[GS_METHOD] = method;
       a.ropt[0] = 0.01;
-      memcpy (a.x0, (double[]){ 1, 0.1, 0, 0, 0.1, 3, 0.2 }, 7 * sizeof (double));
+      memcpy (a.x0, (gs_real[]){ 1, 0.1, 0, 0, 0.1, 3, 0.2 }, 7 * sizeof (gs_real));
       compare (&a, "a body with Euler parameters", 0);
       for (int way = 1; way <= 6; way++)
         {
@@ -580,19 +581,19 @@ other_states (void)
  * coupler and rocker; v a torque at the crank; cst[0]: the way of the loops; [1]: gravity; [2]:
  * how much longer the ground is than the coupler; nlam = 3: the first constraint again */
 
-static const double r = 0.2, d = 0.3;
+static const gs_real r = 0.2, d = 0.3;
 
 static int
-bars_con (double t, const double *q, const double *u, const double *cst, double *phi,
-          double *phit, double *hc, int ldh, double *gam)
+bars_con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi,
+          gs_real *phit, gs_real *hc, int ldh, gs_real *gam)
 {
   for (int k = 0; k < bridged->nlam; k++)
     {
       const int y = k == 1;
-      const double f[3] = { y ? sin (q[0]) : cos (q[0]), y ? sin (q[1]) : cos (q[1]),
-                            y ? sin (q[2]) : cos (q[2]) };
-      const double g[3] = { y ? cos (q[0]) : -sin (q[0]), y ? cos (q[1]) : -sin (q[1]),
-                            y ? cos (q[2]) : -sin (q[2]) };
+      const gs_real f[3] = { y ? gs_sin (q[0]) : gs_cos (q[0]), y ? gs_sin (q[1]) : gs_cos (q[1]),
+                            y ? gs_sin (q[2]) : gs_cos (q[2]) };
+      const gs_real g[3] = { y ? gs_cos (q[0]) : -gs_sin (q[0]), y ? gs_cos (q[1]) : -gs_sin (q[1]),
+                            y ? gs_cos (q[2]) : -gs_sin (q[2]) };
       phi[k] = r * f[0] + d * f[1] - r * f[2] - (y ? 0 : d + cst[2]);
       phit[k] = 0;
       hc[k] = r * g[0];
@@ -604,10 +605,10 @@ bars_con (double t, const double *q, const double *u, const double *cst, double 
 }
 
 static void
-bars_matrix (const double *q, double *m)
+bars_matrix (const gs_real *q, gs_real *m)
 {
-  const double c = 2 * r * d / 2 * cos (q[0] - q[1]);
-  memset (m, 0, 9 * sizeof (double));
+  const gs_real c = 2 * r * d / 2 * gs_cos (q[0] - q[1]);
+  memset (m, 0, 9 * sizeof (gs_real));
   m[0] = 0.014 + 2 * r * r;
   m[1] = m[3] = c;
   m[4] = 0.01 + 2 * d * d / 4;
@@ -615,17 +616,17 @@ bars_matrix (const double *q, double *m)
 }
 
 static int
-bars_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+bars_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
-  const double s = 2 * r * d / 2 * sin (x[0] - x[1]), g = cst[1];
-  double m[9], phi[3], phit[3], h[9], gam[3], lam[3], f[3], w[600];
+  const gs_real s = 2 * r * d / 2 * gs_sin (x[0] - x[1]), g = cst[1];
+  gs_real m[9], phi[3], phit[3], h[9], gam[3], lam[3], f[3], w[600];
   const int nlam = bridged->nlam;
   bars_con (t, x, x + 3, cst, phi, phit, h, nlam, gam);
   bars_matrix (x, m);
-  f[0] = -s * x[4] * x[4] - g * 2.5 * r * cos (x[0]) + v[0];
-  f[1] = s * x[3] * x[3] - g * d * cos (x[1]);
-  f[2] = -g * 0.5 * r * cos (x[2]);
-  memcpy (xd, x + 3, 3 * sizeof (double));
+  f[0] = -s * x[4] * x[4] - g * 2.5 * r * gs_cos (x[0]) + v[0];
+  f[1] = s * x[3] * x[3] - g * d * gs_cos (x[1]);
+  f[2] = -g * 0.5 * r * gs_cos (x[2]);
+  memcpy (xd, x + 3, 3 * sizeof (gs_real));
   for (int k = 0; k < nlam && cst[0] == 1; k++)
     gam[k] -= 20 * (h[k] * x[3] + h[k + nlam] * x[4] + h[k + 2 * nlam] * x[5]) + 100 * phi[k];
   if (fails ("rhs", t))
@@ -635,22 +636,22 @@ bars_rhs (double t, const double *x, const double *v, const double *cst, double 
 
 /* the least change of coordinates, then of speeds */
 static int
-bars_prj (double t, double *x, const double *cst, double *res)
+bars_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
-  const double one[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, zero[3] = { 0 };
-  double phi[3], phit[3], h[9], gam[3], lam[3], dx[3], b[3], w[600];
+  const gs_real one[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, zero[3] = { 0 };
+  gs_real phi[3], phit[3], h[9], gam[3], lam[3], dx[3], b[3], w[600];
   const int nlam = bridged->nlam;
   *res = 0;
   if (fails ("prj", t))
     return fails ("prj", t);
   for (int k = 0; k < 12; k++)
     {
-      double most = 0;
+      gs_real most = 0;
       bars_con (t, x, x + 3, cst, phi, phit, h, nlam, gam);
       for (int i = 0; i < nlam; i++)
         {
           b[i] = -phi[i];
-          most = fmax (most, fabs (phi[i]));
+          most = gs_fmax (most, gs_abs (phi[i]));
         }
       if (k == 0)
         *res = most;
@@ -671,28 +672,28 @@ bars_prj (double t, double *x, const double *cst, double *res)
 }
 
 static int
-bars_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
+bars_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
 {
   const int behind = t > 1.07 || (t >= 1.07 && side >= 0), info = fails ("vin", t);
   (void)x, (void)nx, (void)nv, (void)data;
-  v[0] = behind ? 0.2 : 0.05 * sin (3 * t);
+  v[0] = behind ? 0.2 : 0.05 * gs_sin (3 * t);
   return info;
 }
 
 /* the rocker of a planned crank */
 static int
-bars_clo (double t, double *qj, const double *cst, double *res)
+bars_clo (gs_real t, gs_real *qj, const gs_real *cst, gs_real *res)
 {
-  double x[6] = { qj[0], qj[1], qj[2], 0, 0, 0 };
+  gs_real x[6] = { qj[0], qj[1], qj[2], 0, 0, 0 };
   (void)t, (void)cst;
   for (int k = 0; k < 30; k++)
     {
-      double phi[3], phit[3], h[9], gam[3];
+      gs_real phi[3], phit[3], h[9], gam[3];
       bars_con (0, x, x + 3, cst, phi, phit, h, 3, gam);
-      const double det = h[3] * h[7] - h[4] * h[6];
+      const gs_real det = h[3] * h[7] - h[4] * h[6];
       x[1] -= (phi[0] * h[7] - phi[1] * h[6]) / det;
       x[2] -= (h[3] * phi[1] - h[4] * phi[0]) / det;
-      *res = fmax (fabs (phi[0]), fabs (phi[1]));
+      *res = gs_fmax (gs_abs (phi[0]), gs_abs (phi[1]));
       if (*res < 1e-15)
         {
           qj[1] = x[1];
@@ -706,10 +707,11 @@ bars_clo (double t, double *qj, const double *cst, double *res)
 }
 
 static int
-bars_cmd (double t, const double *qj, const double *xi, const double *cst, double *v, double *xid)
+bars_cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v,
+          gs_real *xid)
 {
   (void)t, (void)xi, (void)cst, (void)xid;
-  v[0] = 0.1 * qj[3] + 0.05 * cos (qj[1]) + 0.01 * qj[2];
+  v[0] = 0.1 * qj[3] + 0.05 * gs_cos (qj[1]) + 0.01 * qj[2];
   return 0;
 }
 
@@ -719,7 +721,7 @@ static const gs_scene bars = { .name = "bars", .nlam = 2, BARS };
 static const gs_scene redundant = { .name = "redundant", .nlam = 3, BARS };
 
 static void
-start_bars (const gs_scene *s, int way, int method, double angle, double tend, int nt)
+start_bars (const gs_scene *s, int way, int method, gs_real angle, gs_real tend, int nt)
 {
   bridged = s;
   make (&a, s, NULL, tend, nt);
@@ -762,10 +764,10 @@ singular (void)
     for (int k = 2; k <= 7; k++)
       {
         start_bars (&bars, way, 8, 0.4, 3, 60);
-        a.cst[2] = (k % 2 ? -1 : 1) * pow (10, -k);
+        a.cst[2] = (k % 2 ? -1 : 1) * gs_pow (10, -k);
         a.ropt[1] = way == 4 ? 1e-10 : 1e-8;
         bars_prj (0, a.x0, a.cst, a.xout);
-        snprintf (what, sizeof what, "almost a parallelogram, %.0e, way %d", a.cst[2], way);
+        snprintf (what, sizeof what, "almost a parallelogram, %.0e, way %d", (double)a.cst[2], way);
         compare (&a, what, way == 4 && k >= 6 ? 2 : 0); /* rounding errors above the tolerance */
       }
   start_bars (&bars, 3, 8, 0.4, 3, 60);
@@ -794,7 +796,7 @@ starts (void)
   compare_wrong ("a start in one, method 4", 3, 8, 1);
   start_bars (&bars, 2, 8, 0, 2, 30);
   a.cst[1] = 9.81;
-  memset (a.x0 + 3, 0, 3 * sizeof (double));
+  memset (a.x0 + 3, 0, 3 * sizeof (gs_real));
   compare_wrong ("a start at rest in one", 3, 8, 2);
   start_bars (&bars, 2, 8, 0, 2, 30);
   a.x0[3] = 4;
@@ -806,7 +808,7 @@ starts (void)
 static void
 closed_plan (void)
 {
-  const double motion[8] = { 0.3, 0.1, 0.2, 0.4, 0.5, 0.7, 0.8, 1.1375 };
+  const gs_real motion[8] = { 0.3, 0.1, 0.2, 0.4, 0.5, 0.7, 0.8, 1.1375 };
   for (int method = 4; method <= 8; method += 4)
     {
       start_bars (&bars, 3, method, 0.8, 1.2, 20);
@@ -817,7 +819,7 @@ closed_plan (void)
       a.ip[GS_NUMBERS] = 1;
       a.w[1] = 0.1;
       a.w[2] = 0.7;
-      polynomial (&a, GS_MOTION, 1, 2, 4, (double[]){ 0, 0.5, 1.2 }, motion);
+      polynomial (&a, GS_MOTION, 1, 2, 4, (gs_real[]){ 0, 0.5, 1.2 }, motion);
       a.run.nb = 1;
       a.tbrk[0] = 0.5;
       compare (&a, "a planned motion of a closed chain", 0);
@@ -832,34 +834,35 @@ closed_plan (void)
 static const int kind[3] = { 1, 1, 2 };
 
 static void
-blocks_ports (double t, const double *x, const int *mode, double *s, double *sd, double *prm,
-              double *hold, double *ud)
+blocks_ports (gs_real t, const gs_real *x, const int *mode, gs_real *s, gs_real *sd, gs_real *prm,
+              gs_real *hold, gs_real *ud)
 {
-  const double m[4] = { 1, 0, 0, 2 }, fc[2] = { 2, 1.5 };
-  const double spring = 30 * (x[1] - x[0] - 1), push = 8 * sin (7 * t) + 3 * sin (2 * t);
-  double f[2] = { spring - fc[0] * mode[0], push - spring - fc[1] * mode[1] }, lam[1], g[3] = { 0 };
-  double h[6] = { 1, 0, 1, 0, 1, 0 }, w[400];
+  const gs_real m[4] = { 1, 0, 0, 2 }, fc[2] = { 2, 1.5 };
+  const gs_real spring = 30 * (x[1] - x[0] - 1), push = 8 * gs_sin (7 * t) + 3 * gs_sin (2 * t);
+  gs_real f[2] = { spring - fc[0] * mode[0], push - spring - fc[1] * mode[1] };
+  gs_real lam[1], g[3] = { 0 };
+  gs_real h[6] = { 1, 0, 1, 0, 1, 0 }, w[400];
   int act[3] = { mode[0] == 0, mode[1] == 0, mode[2] != 0 };
   s[0] = s[2] = x[0];
   s[1] = x[1];
   sd[0] = sd[2] = x[2];
   sd[1] = x[3];
-  memcpy (prm, (double[]){ 2.2, 0.05, 0, 0, 1.5, 0.05, 0, 0, -0.3, 0.25, 0.6, 0.02 },
-          12 * sizeof (double));
+  memcpy (prm, (gs_real[]){ 2.2, 0.05, 0, 0, 1.5, 0.05, 0, 0, -0.3, 0.25, 0.6, 0.02 },
+          12 * sizeof (gs_real));
   gsstk (2, 0, 3, m, 2, h, 3, f, g, act, ud, lam, hold, w);
 }
 
 static void
-modes_of (const double *v, int *mode)
+modes_of (const gs_real *v, int *mode)
 {
   for (int i = 0; i < 3; i++)
-    mode[i] = (int)lround (v[i]);
+    mode[i] = (int)gs_lround (v[i]);
 }
 
 static int
-blocks_rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+blocks_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
-  double s[3], sd[3], prm[12], hold[3];
+  gs_real s[3], sd[3], prm[12], hold[3];
   int mode[3];
   (void)cst;
   modes_of (v, mode);
@@ -870,10 +873,10 @@ blocks_rhs (double t, const double *x, const double *v, const double *cst, doubl
 }
 
 static void
-blocks_evt (double t, const double *x, const double *v, const int *mode, const double *cst,
-            double *gv)
+blocks_evt (gs_real t, const gs_real *x, const gs_real *v, const int *mode, const gs_real *cst,
+            gs_real *gv)
 {
-  double s[3], sd[3], prm[12], hold[3], ud[2];
+  gs_real s[3], sd[3], prm[12], hold[3], ud[2];
   (void)v, (void)cst;
   blocks_ports (t, x, mode, s, sd, prm, hold, ud);
   gsevt (3, kind, mode, s, sd, prm, hold, gv);
@@ -882,10 +885,10 @@ blocks_evt (double t, const double *x, const double *v, const int *mode, const d
 }
 
 static int
-blocks_rst (double t, double *x, double *v, int *mode, int k, const double *cst)
+blocks_rst (gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *cst)
 {
-  const double m[4] = { 1, 0, 0, 2 }, h[6] = { 1, 0, 1, 0, 1, 0 };
-  double s[3], sd[3], prm[12], hold[3], ud[2], w[400];
+  const gs_real m[4] = { 1, 0, 0, 2 }, h[6] = { 1, 0, 1, 0, 1, 0 };
+  gs_real s[3], sd[3], prm[12], hold[3], ud[2], w[400];
   (void)cst;
   if (k == -3)
     return fails ("rst", t);
@@ -900,11 +903,11 @@ blocks_rst (double t, double *x, double *v, int *mode, int k, const double *cst)
 
 /* the modes stand in its place; it may fail where steps of 0.01 look for events, but no stage is */
 static int
-blocks_vin (double t, int side, const double *x, int nx, int nv, void *data, double *v)
+blocks_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
 {
-  const double past = fmod (t, 0.01);
+  const gs_real past = gs_fmod (t, 0.01);
   (void)side, (void)x, (void)nx, (void)data;
-  memset (v, 0, nv * sizeof (double));
+  memset (v, 0, nv * sizeof (gs_real));
   return fault.nth > 0 || (past > 6e-4 && past < 8e-4) ? fails ("vin", t) : 0;
 }
 

@@ -19,18 +19,18 @@ what_is_said (void)
 
 /* n rows and m columns of any numbers that depend on a state */
 static void
-any_matrix (double t, const double *x, int n, int m, double phase, double *a, int lda)
+any_matrix (gs_real t, const gs_real *x, int n, int m, gs_real phase, gs_real *a, int lda)
 {
   for (int j = 0; j < m; j++)
     for (int i = 0; i < n; i++)
-      a[i + lda * j] = sin (phase + t + 1.7 * i - 2.3 * j + x[(i + j) % scene->nx]);
+      a[i + lda * j] = gs_sin (phase + t + 1.7 * i - 2.3 * j + x[(i + j) % scene->nx]);
 }
 
 /* ------------------------------------------------------------ what the scenes lack */
 
 static int
-rhp (double t, const double *x, const double *v, const double *cst, double *p, int ldp, double *a,
-     int lda, double *b, int ldb, double *xd)
+rhp (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p, int ldp,
+     gs_real *a, int lda, gs_real *b, int ldb, gs_real *xd)
 {
   const int nx = scene->nx, nv = scene->nv;
   any_matrix (t, x, nx, parameters, cst[0], p, ldp);
@@ -41,15 +41,16 @@ rhp (double t, const double *x, const double *v, const double *cst, double *p, i
 }
 
 static void
-rhp_ (const double *t, const double *x, const double *v, const double *cst, double *p,
-      const int *ldp, double *a, const int *lda, double *b, const int *ldb, double *xd, int *info)
+rhp_ (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p,
+      const int *ldp, gs_real *a, const int *lda, gs_real *b, const int *ldb, gs_real *xd,
+      int *info)
 {
   *info = rhp (*t, x, v, cst, p, *ldp, a, *lda, b, *ldb, xd);
 }
 
 static int
-adj (double t, const double *x, const double *v, const double *cst, const double *l, double *xb,
-     double *vb, double *pb)
+adj (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, const gs_real *l,
+     gs_real *xb, gs_real *vb, gs_real *pb)
 {
   const int nx = scene->nx, nv = scene->nv;
   any_matrix (t, l, nx, 1, cst[0] + x[0] + (nv > 0 ? v[nv - 1] : 0.0), xb, nx);
@@ -59,17 +60,18 @@ adj (double t, const double *x, const double *v, const double *cst, const double
 }
 
 static void
-adj_ (const double *t, const double *x, const double *v, const double *cst, const double *l,
-      double *xb, double *vb, double *pb, int *info)
+adj_ (const gs_real *t, const gs_real *x, const gs_real *v, const gs_real *cst, const gs_real *l,
+      gs_real *xb, gs_real *vb, gs_real *pb, int *info)
 {
   *info = adj (*t, x, v, cst, l, xb, vb, pb);
 }
 
 static void
-tangents (double t, const double *x, const double *cst, double *dp, int ldp, double *dv, int ldv)
+tangents (gs_real t, const gs_real *x, const gs_real *cst, gs_real *dp, int ldp, gs_real *dv,
+          int ldv)
 {
   const int m = scene->nlam;
-  double phi[MOST], phit[MOST], dq[MOST * MOST];
+  gs_real phi[MOST], phit[MOST], dq[MOST * MOST];
   phi_of (t, x, cst, phi, phit, dq);
   for (int j = 0; j < scene->nq; j++)
     for (int i = 0; i < m; i++)
@@ -78,14 +80,14 @@ tangents (double t, const double *x, const double *cst, double *dp, int ldp, dou
 }
 
 static void
-tan_ (const double *t, const double *x, const double *cst, double *dp, const int *ldp, double *dv,
-      const int *ldv)
+tan_ (const gs_real *t, const gs_real *x, const gs_real *cst, gs_real *dp, const int *ldp,
+      gs_real *dv, const int *ldv)
 {
   tangents (*t, x, cst, dp, *ldp, dv, *ldv);
 }
 
 static void
-by_parameters (double t, const double *x, const double *cst, double *pp, int ldpp, double *pv,
+by_parameters (gs_real t, const gs_real *x, const gs_real *cst, gs_real *pp, int ldpp, gs_real *pv,
                int ldpv)
 {
   any_matrix (t, x, scene->nlam, parameters, cst[0], pp, ldpp);
@@ -93,8 +95,8 @@ by_parameters (double t, const double *x, const double *cst, double *pp, int ldp
 }
 
 static void
-cop_ (const double *t, const double *x, const double *cst, double *pp, const int *ldpp, double *pv,
-      const int *ldpv)
+cop_ (const gs_real *t, const gs_real *x, const gs_real *cst, gs_real *pp, const int *ldpp,
+      gs_real *pv, const int *ldpv)
 {
   by_parameters (*t, x, cst, pp, *ldpp, pv, *ldpv);
 }
@@ -120,7 +122,7 @@ rates (void)
   for (int k = 0; k < 500; k++)
     {
       const int nx = 1 + pick (8), nv = pick (3), ntop = pick (2) * (nx / 2);
-      const double t = chance (), cst[1] = { chance () };
+      const gs_real t = chance (), cst[1] = { chance () };
       const gs_scene s = { .nx = nx, .nv = nv, .rhp = rhp };
       int col[COLUMNS], info = 0;
       const int nc = columns (col), np = parameters;
@@ -162,8 +164,8 @@ projections (void)
       scene = &s;
       phi_of = list[one].phi;
       const int nx = s.nx, nq = s.nq, nu = s.nu, m = s.nlam, ns = nq > nu, n = m + ns;
-      const double t = 0.1, far = 1e9;
-      const double cst[4] = { list[one].length, k % 17 ? far : 0.0, k % 13 ? far : 0.0, far };
+      const gs_real t = 0.1, far = 1e9;
+      const gs_real cst[4] = { list[one].length, k % 17 ? far : 0.0, k % 13 ? far : 0.0, far };
       int col[COLUMNS], ic[MOST + 1], jf[MOST + 1], info = 0;
       const int nc = columns (col), np = parameters;
       pair x = pair_of (nx * (1 + nc));
@@ -185,20 +187,20 @@ projections (void)
 }
 
 /* what D*S + R misses, 0 for rows of zeros */
-static double
-missed (int m, int n, int nc, const double *d, const double *y, const double *r)
+static gs_real
+missed (int m, int n, int nc, const gs_real *d, const gs_real *y, const gs_real *r)
 {
-  double most = 0.0;
+  gs_real most = 0.0;
   for (int i = 0; i < m; i++)
     for (int k = 0; k < nc; k++)
       {
-        double e = r[i + m * k], size = 0.0;
+        gs_real e = r[i + m * k], size = 0.0;
         for (int j = 0; j < n; j++)
           {
             e += d[i + m * j] * y[j + n * k];
-            size += fabs (d[i + m * j]);
+            size += gs_abs (d[i + m * j]);
           }
-        most = size > 0.0 && fabs (e) > most ? fabs (e) : most;
+        most = size > 0.0 && gs_abs (e) > most ? gs_abs (e) : most;
       }
   return most;
 }
@@ -207,13 +209,13 @@ static void
 least_squares (void)
 {
   int done = 0, dependent = 0;
-  double most = 0.0;
+  gs_real most = 0.0;
   begin ("gsspl");
   for (int k = 0; k < 300; k++)
     {
       const int n = 1 + pick (6), m = 1 + pick (n), nc = pick (5);
       pair d = pair_of (m * n), y = pair_of (n * nc), r = pair_of (m * nc), g = pair_of (m * m);
-      double given[6 * 5];
+      gs_real given[6 * 5];
       int ic[6], jf[6], info = 0;
       for (int i = 0; i < m; i++)
         d.c[i + m * i] += 3.0;
@@ -223,7 +225,7 @@ least_squares (void)
         else if (k % 4 == 1 && m > 1)
           d.c[m - 1 + m * j] = d.c[m * j];
       both (d);
-      memcpy (given, r.c, m * nc * sizeof (double));
+      memcpy (given, r.c, m * nc * sizeof (gs_real));
       const int made = gsspl (m, n, nc, d.c, m, y.c, n, r.c, m, g.c, ic);
       gsspl_ (&m, &n, &nc, d.f, &m, y.f, &n, r.f, &m, g.f, jf, &info);
       same_int (made, info);
@@ -231,7 +233,7 @@ least_squares (void)
       same (r);
       same (g);
       if (made == 0)
-        most = fmax (most, missed (m, n, nc, d.c, y.c, given));
+        most = gs_fmax (most, missed (m, n, nc, d.c, y.c, given));
       done += made == 0;
       dependent += made == 9;
       pair all[] = { d, y, r, g };
@@ -247,7 +249,7 @@ static void
 coefficients (void)
 {
   pair a = pair_of (144), b = pair_of (12), c = pair_of (12), all[] = { a, b, c };
-  double off = 0.0, whole = 0.0;
+  gs_real off = 0.0, whole = 0.0;
   begin ("gsadt");
   for (int i = 0; i < 144; i++)
     a.c[i] = 0.0;
@@ -262,20 +264,20 @@ coefficients (void)
   finish ();
   for (int i = 0; i < 12; i++)
     {
-      double row = 0.0;
+      gs_real row = 0.0;
       for (int j = 0; j < 12; j++)
         row += a.c[i + 12 * j];
-      off = fmax (off, fabs (row - c.c[i]));
+      off = gs_fmax (off, gs_abs (row - c.c[i]));
       whole += b.c[i];
     }
-  holds (off <= 1e-14 && fabs (whole - 1.0) <= 1e-14, "... rows of a add up to c, b to 1");
+  holds (off <= 1e-14 && gs_abs (whole - 1.0) <= 1e-14, "... rows of a add up to c, b to 1");
   for (int i = 0; i < 3; i++)
     drop (all[i]);
 }
 
 /* inputs that are kept, or a table with a break at 0.5; without pieces it fails */
 static void
-table (int kind, int nv, int *ip, double *rp)
+table (int kind, int nv, int *ip, gs_real *rp)
 {
   memset (ip, 0, 40 * sizeof (int));
   ip[GS_V0] = kind > 0;
@@ -296,10 +298,10 @@ steps (void)
     {
       const int nx = 1 + pick (8), nv = 1 + pick (2), np = 1 + pick (PARAMETERS), nu = 1;
       const int kind = k % 20 == 7 ? 2 : pick (2), side = pick (2) ? 1 : -1;
-      const double tn = pick (2) ? 0.5 : 0.6, h = 0.3, t = tn - h, cst[1] = { chance () };
+      const gs_real tn = pick (2) ? 0.5 : 0.6, h = 0.3, t = tn - h, cst[1] = { chance () };
       const gs_scene s = { .nu = nu, .nx = nx, .nv = nv, .adj = adj };
       int ip[40], info = 0;
-      double rp[10];
+      gs_real rp[10];
       pair x = pair_of (nx), kk = pair_of (12 * nx), v = pair_of (nv), lx = pair_of (nx);
       pair pb = pair_of (np), w = pair_of (15 * nx + nv + np);
       pair wi = pair_of (2 * nu + 5 * nx + nv * nx + 20);

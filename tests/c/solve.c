@@ -34,20 +34,20 @@ general (int m, int n, int ld, int kind)
 {
   pair a = pair_of (ld * n);
   int row = m ? pick (m) : 0, other = m ? pick (m) : 0;
-  double scale = 2 * chance ();
+  gs_real scale = 2 * chance ();
   for (int j = 0; m > 0 && j < n; j++)
     {
-      double *col = a.c + ld * j;
+      gs_real *col = a.c + ld * j;
       for (int i = 0; i < m && kind == 4; i++)
-        col[i] *= pow (10.0, 4 * i % 13 - 6);
+        col[i] *= gs_pow (10.0, 4 * i % 13 - 6);
       for (int i = 0; i < m && kind == 5; i++)
-        col[i] = floor (4 * col[i]);
+        col[i] = gs_floor (4 * col[i]);
       if (kind == 1)
         col[row] = row == other ? col[row] : scale * col[other];
       if (kind == 2)
         col[row] = 0.0;
       if (kind == 3 && j == n / 2)
-        col[row] = row % 2 ? NAN : INFINITY;
+        col[row] = row % 2 || QUAD ? NOT_A_NUMBER : INFINITY;
       if (kind == 6 && row != other)
         col[row] = col[other] + 1e-10 * col[row];
     }
@@ -66,18 +66,18 @@ symmetric (int n, int ld, int kind)
   for (int j = 0; j < n; j++)
     for (int i = j; i < n; i++)
       {
-        double s = 0.0;
+        gs_real s = 0.0;
         for (int k = 0; k < rank; k++)
           s += b.c[i + n * k] * b.c[j + n * k];
         s += i != j || kind == 1 ? 0.0 : kind == 5 ? 1e-13 : 0.1;
         if (kind == 2 && i == j && i == n / 2)
           s -= 4.0;
         if (kind == 4)
-          s *= pow (10.0, (3 * i + 3 * j) % 9 - 4);
+          s *= gs_pow (10.0, (3 * i + 3 * j) % 9 - 4);
         if ((kind == 6 && (i == n / 2 || j == n / 2)) || kind == 7)
           s = 0.0;
         if (kind == 3 && j == n / 2 && i == j)
-          s = NAN;
+          s = NOT_A_NUMBER;
         a.c[i + ld * j] = s;
       }
   both (a);
@@ -101,7 +101,7 @@ report (int low, int high)
 {
   finish ();
   for (int i = low; i <= high; i++)
-    if (seen[i] == 0)
+    if (seen[i] == 0 && ! QUAD)   /* which cases are singular depends on rounding */
       printf ("not ok %s: no case with info %d\n", record.what, i);
   memset (seen, 0, sizeof seen);
 }
@@ -109,17 +109,17 @@ report (int low, int high)
 /* ------------------------------------------------------------
  * square systems, factors */
 
-typedef int square_c (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw);
+typedef int square_c (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb, int *iw);
 
 static int
-spd (int n, int nrhs, double *a, int lda, double *b, int ldb, int *iw)
+spd (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb, int *iw)
 {
   (void)iw;
   return gsspd (n, nrhs, a, lda, b, ldb);
 }
 
 static void
-spd_ (int *n, int *nrhs, double *a, int *lda, double *b, int *ldb, int *iw, int *info)
+spd_ (int *n, int *nrhs, gs_real *a, int *lda, gs_real *b, int *ldb, int *iw, int *info)
 {
   (void)iw;
   gsspd_ (n, nrhs, a, lda, b, ldb, info);
@@ -171,7 +171,7 @@ scales (void)
         {
           int power = (int)(1010 * chance ());
           for (int j = 0; j < n; j++)
-            a.c[i + n * j] = ldexp (a.c[i + n * j], power);
+            a.c[i + n * j] = gs_ldexp (a.c[i + n * j], power);
         }
       both (a);
       same_int (gsleq (n, 1, a.c, n, b.c, n, iw),
@@ -184,7 +184,7 @@ scales (void)
 }
 
 static void
-cholesky (const char *what, int (*c) (int, double *, int), void (*f) ())
+cholesky (const char *what, int (*c) (int, gs_real *, int), void (*f) ())
 {
   begin (what);
   for (int k = 0; k < 30 * SIZES; k++)
@@ -201,7 +201,7 @@ cholesky (const char *what, int (*c) (int, double *, int), void (*f) ())
 }
 
 static void
-lu (const char *what, int (*c) (int, double *, int, int *), void (*f) ())
+lu (const char *what, int (*c) (int, gs_real *, int, int *), void (*f) ())
 {
   begin (what);
   for (int k = 0; k < 30 * SIZES; k++)
@@ -260,7 +260,7 @@ products (void)
   for (int n = 0; n < 20; n++)
     {
       pair x = pair_of (n), y = pair_of (n);
-      double c = chance (), s = chance ();
+      gs_real c = chance (), s = chance ();
       gsrot (n, x.c, y.c, c, s);
       gsrot_ (&n, x.f, y.f, &c, &s);
       same (x);
@@ -290,45 +290,45 @@ products (void)
 /* ------------------------------------------------------------
  * orthogonal factors */
 
-typedef void qr_c (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv,
-                   double *beta, double *siz, int *rank);
+typedef void qr_c (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *piv,
+                   gs_real *beta, gs_real *siz, int *rank);
 
 static void
-qrp (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv, double *beta,
-     double *siz, int *rank)
+qrp (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *piv, gs_real *beta,
+     gs_real *siz, int *rank)
 {
   (void)grp;
   gsqrp (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
 static void
-qrc (int n, int m, double *y, int ldy, double tol, const int *grp, double *piv, double *beta,
-     double *siz, int *rank)
+qrc (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *piv, gs_real *beta,
+     gs_real *siz, int *rank)
 {
   (void)grp;
   gsqrc (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
 static void
-qrp_ (int *n, int *m, double *y, int *ldy, double *tol, int *grp, double *piv, double *beta,
-      double *siz, int *rank)
+qrp_ (int *n, int *m, gs_real *y, int *ldy, gs_real *tol, int *grp, gs_real *piv, gs_real *beta,
+      gs_real *siz, int *rank)
 {
   (void)grp;
   gsqrp_ (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
 static void
-qrc_ (int *n, int *m, double *y, int *ldy, double *tol, int *grp, double *piv, double *beta,
-      double *siz, int *rank)
+qrc_ (int *n, int *m, gs_real *y, int *ldy, gs_real *tol, int *grp, gs_real *piv, gs_real *beta,
+      gs_real *siz, int *rank)
 {
   (void)grp;
   gsqrc_ (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
-static double
+static gs_real
 tolerance (void)
 {
-  static const double t[] = { 0.0, 1e-11, 1e-7, 1e-3 };
+  static const gs_real t[] = { 0.0, 1e-11, 1e-7, 1e-3 };
   return t[pick (4)];
 }
 
@@ -341,7 +341,7 @@ reflections (const char *what, qr_c *c, void (*f) ())
     {
       int n = sizes[k % SIZES], m = sizes[pick (SIZES)], ldy = leading (n), rank, found;
       int most = n < m ? n : m, grp[20];
-      double tol = tolerance ();
+      gs_real tol = tolerance ();
       pair h = general (m, n, m, k / SIZES % KINDS), y = pair_of (ldy * m), piv = pair_of (m);
       pair beta = pair_of (most), siz = pair_of (m), b = pair_of (n);
       for (int i = 0; i < n; i++) /* general's dependent rows as columns */
@@ -380,7 +380,7 @@ one_reflection (void)
     {
       int n = 1 + pick (8), m = 1 + pick (8), col = pick (n < m ? n : m), ldy = leading (n);
       pair y = pair_of (ldy * m), beta = pair_of (1);
-      double d = 0.0;
+      gs_real d = 0.0;
       for (int i = col; i < n; i++)
         d += y.c[i + ldy * col] * y.c[i + ldy * col];
       gshrf (n, m, col, y.c, ldy, d, beta.c);
@@ -426,7 +426,7 @@ rows (void)
       pair siz = pair_of (m);
       groups (m, grp);
       for (int i = 0; i < m; i++)
-        siz.c[i] = fabs (siz.c[i]) * pow (10.0, -pick (8));
+        siz.c[i] = gs_abs (siz.c[i]) * gs_pow (10.0, -pick (8));
       both (siz);
       gsgrp (m, grp, 1e-3, siz.c);
       gsgrp_ (&m, grp, D (1e-3), siz.f);
@@ -459,7 +459,7 @@ rows (void)
       pair tol = pair_of (1);
       groups (m, grp);
       for (int i = 0; i < m; i++)
-        phi.c[i] *= pow (10.0, -(k % 25));
+        phi.c[i] *= gs_pow (10.0, -(k % 25));
       gsrtl (n, m, h.c, ldh, phi.c, grp, tol.c, w.c);
       gsrtl_ (&n, &m, h.f, &ldh, phi.c, grp, tol.f, w.f);
       same (tol);
@@ -477,7 +477,7 @@ rows (void)
 typedef struct
 {
   int n, m, lda, ldh, grp[20];
-  double tol;
+  gs_real tol;
   pair a, h, f, g, ud, lam, w;
 } chain;
 
@@ -562,9 +562,9 @@ simple_tolerances (void)
   report (0, 3);
 }
 
-typedef int way_c (int n, int m, const double *a, int lda, const double *h, int ldh,
-                   const double *f, const double *g, double tol, const int *grp, double *ud,
-                   double *lam, double *w);
+typedef int way_c (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh,
+                   const gs_real *f, const gs_real *g, gs_real tol, const int *grp, gs_real *ud,
+                   gs_real *lam, gs_real *w);
 
 static void
 way (const char *what, way_c *c, void (*f) (), int smallest)
@@ -609,7 +609,7 @@ four_ways (void)
       int way = k & 1 ? 7 : 2, n = k & 2 ? -1 : 2, m = k & 4 ? -1 : 2, lda = k & 8 ? 1 : 2;
       int ldh = k & 16 ? 1 : 2, grp[1] = { 0 }, info;
       pair w = pair_of (60);
-      double *x = w.c + 40;
+      gs_real *x = w.c + 40;
       if (k)
         {
           int made = gsacr (way, n, m, x, lda, x, ldh, x, x, 1e-9, grp, x, x, w.c);
@@ -651,7 +651,7 @@ parts (void)
       pair l = pair_of (ldl * s.n), z = pair_of (2 * s.n), y = pair_of (s.m * s.n);
       pair d = pair_of (s.m);
       for (int j = 0; j < s.n; j++)
-        memcpy (l.c + ldl * j, s.a.c + s.lda * j, sizeof (double) * s.n);
+        memcpy (l.c + ldl * j, s.a.c + s.lda * j, sizeof (gs_real) * s.n);
       begun = gschf (s.n, l.c, ldl);
       both (l);
       info = begun;

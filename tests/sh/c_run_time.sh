@@ -8,17 +8,20 @@ mkdir "$work/c" "$work/clang"
 
 c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"
 strict="-Wall -Wextra -pedantic -Werror"
+# those of the drivers, and more
+strictest="$strict -Wshadow -Wconversion -Wsign-conversion"
 # the drivers, and emitted subroutines that Fortran and C call alike: not optimized
 driver="$c -O0 $strict"
 
 # -- it compiles
 fortran_objects "$work/fortran" >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
-(cd "$work/c" && gcc $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
+(cd "$work/c" &&
+  gcc $c $strictest -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
 told $? 'gcc compiles share/c without a warning' "$report"
 if command -v clang >/dev/null; then
   (cd "$work/clang" &&
-    clang $c $strict -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
+    clang $c $strictest -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
   told $? 'clang compiles share/c without a warning' "$report"
 fi
 for header in share/c/gsmbp/*.h; do

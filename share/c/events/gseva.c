@@ -5,7 +5,6 @@
  * them, is twice and more what it may be off; to this comes what functions may fall by between
  * points, from their second differences. A function of the user that has just had its event, or one
  * of a port that is not above 0, is not quiet. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -80,7 +79,7 @@ apart (const gs_system *g, gs_step *e, const gs_events *p)
       e->method = 3;
       if ((info = gsevb (g, e, b, 1)) != 0)
         break;
-      memcpy (p->last, p->now, p->ne * sizeof (gs_real));
+      gs_copy (p->ne, p->now, p->last);
       e->method = 5;
       if ((info = gsevb (g, e, b, 1)) != 0)
         break;
@@ -95,8 +94,8 @@ static int
 clear (const gs_system *g, const gs_step *e, const gs_events *p, int *info)
 {
   gs_real c = 1, d;
-  memcpy (p->last, p->g, p->ne * sizeof (gs_real));
-  memcpy (p->before, p->g, p->ne * sizeof (gs_real));
+  gs_copy (p->ne, p->g, p->last);
+  gs_copy (p->ne, p->g, p->before);
   for (int j = 1; j <= 8; j++)
     {
       const gs_real b = gsevp (j, 8), a = j > 1 ? b - gsevp (j - 1, 8) : b;
@@ -153,7 +152,7 @@ gsevy (const gs_system *g, const gs_step *e, int again, gs_real *off)
   int info = again ? gsdp8 (g, e->t, e->tn, e->side, e->h, e->x, p.end, off, e->f) : 0;
   if (info != 0)
     return info;
-  memcpy (e->f + nx, p.xdn, nx * sizeof (gs_real));
+  gs_copy (nx, p.xdn, e->f + nx);
   info = gsdpe (g, e->t, e->h, e->x, e->f, 1, p.end);
   if (info != 0)
     return info;

@@ -1,6 +1,6 @@
 /* GSEVG, GSHJC: derivatives of event functions, and of accelerations where ports are held. */
-#include <string.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/loops.h"
 
@@ -9,7 +9,7 @@ gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const gs_
        const gs_real *prm, const gs_real *hold, const gs_real *d, const gs_real *z, gs_real *g)
 {
   const int port = k - 1, ld = 6 * nh;
-  const gs_real side = mode[port], *const p = prm + 4 * port;
+  const gs_real side = (gs_real)mode[port], *const p = prm + 4 * port;
   d += 6 * port;
   z += n + port;
   if (kind[port] == 1 && mode[port] != 0)
@@ -35,9 +35,9 @@ gshjp (int n, int l, int m, gs_real *a, int way)
   if (l == n)
     return;
   for (int j = 1; j < m && way > 0; j++)
-    memmove (a + l * j, a + n * j, l * sizeof (gs_real));
+    gs_move (l, a + n * j, a + l * j);
   for (int j = m - 1; j > 0 && way < 0; j--)
-    memmove (a + n * j, a + l * j, l * sizeof (gs_real));
+    gs_move (l, a + l * j, a + n * j);
 }
 
 int

@@ -169,7 +169,7 @@ first_event (const gs_system *g, gs_step *e, search *l)
       l->first = so ? found : 0;
       l->thf = so ? th : 2;
       be = so ? th * (1 - GS_R (1e-9)) : 1;
-      l->ns = (int) gs_max (8, be * l->many);
+      l->ns = (int) gs_max (8, be * (gs_real)l->many);
       if (! so)
         otherwise (g, l, found);
     }
@@ -294,8 +294,8 @@ gsevn (const gs_system *g, gs_step *e, int *found)
     }
   if (info == 0 && *found == 0)
     {
-      memcpy (a.mark, a.marks, a.ne * sizeof (int));
-      memcpy (a.g, a.last, a.ne * sizeof (gs_real));
+      memcpy (a.mark, a.marks, (size_t)a.ne * sizeof (int));
+      gs_copy (a.ne, a.last, a.g);
       *a.since = 0;
       info = gsusz (g, &a, e->t, e->h, 0, a.last);
       gsusc (&a);
@@ -588,7 +588,7 @@ gsevs (const gs_system *g, gs_step *e, int i, gs_real start, gs_real *err)
       return 0;
     }
   e->tn = te;
-  memcpy (e->xn, a.end, g->nx * sizeof (gs_real));
+  gs_copy (g->nx, a.end, e->xn);
   return 0;
 }
 
@@ -600,7 +600,7 @@ gsevm (const gs_system *g, const gs_step *e, int i, gs_real th, gs_real *tm)
   *tm = GS_R (0.5);
   for (int k = 1; k <= 7; k++)
     {
-      const gs_real c = GS_R (0.125) * k;
+      const gs_real c = GS_R (0.125) * (gs_real)k;
       int info = gsevb (g, e, c * th, 1);
       if (info != 0)
         return info;
@@ -627,10 +627,10 @@ gsevb (const gs_system *g, const gs_step *e, gs_real b, int side)
 gs_real
 gsevp (int j, int ns)
 {
-  gs_real b = (gs_real)gs_most (1, j) / ns;
+  gs_real b = (gs_real)gs_most (1, j) / (gs_real)ns;
   b = GS_R (0.5) * b * (1 + b);
   if (j < 1)
-    b *= gs_pow (GS_R (0.25), 1 - j);
+    b *= gs_pow (GS_R (0.25), (gs_real)(1 - j));
   return j < -24 ? 0 : b;
 }
 

@@ -31,7 +31,7 @@ gsevt (int k, const int *kind, const int *mode, const gs_real *s, const gs_real 
     if (kind[i] == 1 && mode[i] == 0)
       gv[i] = prm[0] - gs_abs (hold[i]);
     else if (kind[i] == 1)
-      gv[i] = mode[i] * sd[i] + GS_R (1e-9) * prm[1];
+      gv[i] = (gs_real)mode[i] * sd[i] + GS_R (1e-9) * prm[1];
     else if (mode[i] == 0)
       {
         const gs_real tiny = GS_R (1e-12) * gstvl (s[i], prm);

@@ -1,18 +1,16 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 
-#include <string.h>
-
 void
 gshld (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, const int *mode,
        const gs_real *cst, int nh, const int *kind, const int *ipl, gs_real *vm, gs_real *ud,
        gs_real *lam, gs_real *hold, gs_real *row, gs_real *pos, gs_real *sd, gs_real *prm)
 {
   int held = 0;
-  memcpy (vm, v, s->nv * sizeof (gs_real));
+  gs_copy (s->nv, v, vm);
   for (int i = 0; i < nh; i++)
     {
-      vm[ipl[i] - 1] = mode[i];
+      vm[ipl[i] - 1] = (gs_real)mode[i];
       hold[i] = 0;
       held |= (kind[i] == 2 && mode[i] != 0) || (kind[i] == 1 && mode[i] == 0);
     }
@@ -50,9 +48,9 @@ gsipt (const gs_scene *s, gs_real t, gs_real *x, gs_real *v, int *mode, int k, c
   info = gsrst (nu, m, nh, k, kind, mode, pos, sd, prm, hold, a, nu, h, m + nh, phit, u, ww);
   if (info != 0)
     return info;
-  memcpy (x + s->nq, u, nu * sizeof (gs_real));
+  gs_copy (nu, u, x + s->nq);
   for (int i = 0; i < nh; i++)
-    v[ipl[i] - 1] = mode[i];
+    v[ipl[i] - 1] = (gs_real)mode[i];
   return 0;
 }
 
@@ -61,8 +59,8 @@ gsipm (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, int n
        const gs_real *row, gs_real *a, gs_real *h, gs_real *phit, gs_real *u, gs_real *w)
 {
   const int nq = s->nq, nu = s->nu, m = s->nlam;
-  memcpy (w, x, nq * sizeof (gs_real));
-  memcpy (u, x + nq, nu * sizeof (gs_real));
+  gs_copy (nq, x, w);
+  gs_copy (nu, x + nq, u);
   s->mas (t, w, cst, a, nu);
   if (m > 0)
     {
@@ -71,6 +69,6 @@ gsipm (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, int n
         return info;
     }
   for (int j = 0; j < nu; j++)
-    memcpy (h + m + (m + nh) * j, row + nh * j, nh * sizeof (gs_real));
+    gs_copy (nh, row + nh * j, h + m + (m + nh) * j);
   return 0;
 }

@@ -5,7 +5,6 @@
  * constraints as well, by two steps of Newton for the coordinates (where the speeds are their
  * rates) and one for the speeds. A port that is one of the speeds keeps both by itself where there
  * are no loops: x stays. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -82,7 +81,7 @@ move (const gs_scene *s, int job, gs_real t, gs_real *x, const gs_real *cst, con
         h[l + m * j] = h[nlam + i + m * j];
       g[l++] = job == 1 ? end_of (p, i) - p->s[i] : -p->sd[i];
     }
-  memset (f, 0, nu * sizeof (gs_real));
+  gs_zero (nu, f);
   info = gskkt (nu, l, a, nu, h, m, f, g, d, lam, ww);
   if (info != 0 && info != 2)
     return info;
@@ -122,7 +121,7 @@ gsevo (const gs_scene *s, int method, gs_real t, gs_real *x, int nx, int *ip, gs
     held |= (e.kind[i] == 1 && e.mode[i] == 0) || (e.kind[i] == 2 && e.mode[i] != 0);
   if (! held)
     return 0;
-  memcpy (e.z, x, nx * sizeof (gs_real));
+  gs_copy (nx, x, e.z);
   int info = s->rst (t, x, v, e.mode, -5, cst);
   for (int i = 0; i < nx; i++)
     {
@@ -135,6 +134,6 @@ gsevo (const gs_scene *s, int method, gs_real t, gs_real *x, int nx, int *ip, gs
     }
   if (info == 0)
     return moved;
-  memcpy (x, e.z, nx * sizeof (gs_real));
+  gs_copy (nx, e.z, x);
   return 0;
 }

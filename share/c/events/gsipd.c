@@ -3,8 +3,6 @@
 #include "gsmbp/events.h"
 #include "gsmbp/solve.h"
 
-#include <string.h>
-
 int
 gsipa (int i, int k, const int *kind, const int *ma)
 {
@@ -17,10 +15,10 @@ gsipk (int nu, int nlam, int nh, int k, const int *kind, const int *ma,
        const gs_real *row, const gs_real *a, const gs_real *h, gs_real *c)
 {
   const int n = nu + nlam + nh;
-  memset (c, 0, n * n * sizeof (gs_real));
+  gs_zero (n * n, c);
   for (int j = 0; j < nu; j++)
     {
-      memcpy (c + n * j, a + nu * j, nu * sizeof (gs_real));
+      gs_copy (nu, a + nu * j, c + n * j);
       for (int i = 0; i < nlam + nh; i++)
         if (i < nlam || gsipa (i - nlam + 1, k, kind, ma))
           {
@@ -41,7 +39,7 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
        const gs_real *phit, gs_real *c, gs_real *p, gs_real *ud, int *iw, gs_real *r, int *hit)
 {
   const int n = nu + nlam + nh;
-  memset (r, 0, nu * nc * sizeof (gs_real));
+  gs_zero (nu * nc, r);
   for (int i = 0; i < nu; i++)
     r[i + nu * (nq + i)] = 1;
   *hit = -1;
@@ -61,7 +59,7 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
     return 0;
   *hit = gs_most (0, k);
   gsipk (nu, nlam, nh, k, kind, ma, row, a, h, c);
-  memset (p, 0, n * sizeof (gs_real));
+  gs_zero (n, p);
   for (int i = nu; i < n; i++)
     {
       if (i < nu + nlam)
@@ -72,7 +70,7 @@ gsipb (int nq, int nu, int nlam, int nh, int nc, int k, const int *kind, const i
         p[i] -= c[i + n * j] * x[nq + j];
     }
   const int info = gsleq (n, 1, c, n, p, n, iw) == 0 ? 0 : 2;
-  memmove (p, p + nu, (nlam + nh) * sizeof (gs_real));
+  gs_move (nlam + nh, p + nu, p);
   for (int i = 0; i < nu; i++)
     ud[i] = ua[i] - x[nq + i];
   return info;
@@ -103,6 +101,6 @@ gsipc (int nq, int nu, int nlam, int nxv, int nh, int np, int hit, int k, const 
   if (gsleq (n, nc, c, n, b, n, iw) != 0)
     return 2;
   for (int j = 0; j < nc; j++)
-    memcpy (r + nu * j, b + n * j, nu * sizeof (gs_real));
+    gs_copy (nu, b + n * j, r + nu * j);
   return 0;
 }

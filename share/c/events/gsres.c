@@ -5,6 +5,7 @@
  * to 0 at the same instant, or by what another one sets, follows that one. */
 #include <string.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 
 /* event l > 0 is counted; its record with the state before it, or a null pointer where there is no
@@ -21,8 +22,8 @@ new_record (const gs_events *a, gs_real t, const gs_real *x, int nx, int l)
     return NULL;
   gs_real *r = a->record + (*a->count - 1) * (3 + 2 * nx);
   r[0] = t;
-  r[1] = l;
-  memcpy (r + 3, x, nx * sizeof (gs_real));
+  r[1] = (gs_real)l;
+  gs_copy (nx, x, r + 3);
   return r;
 }
 
@@ -101,7 +102,7 @@ gsres (const gs_scene *s, gs_real t, gs_real *x, int nx, gs_real *v, const gs_re
        int *ie, gs_real *re)
 {
   const gs_events a = gs_events_of (nx, ie, re);
-  const size_t state = nx * sizeof (gs_real);
+  const size_t state = (size_t)nx * sizeof (gs_real);
   int l = k == 0 && a.given == 1 ? -1 : k;
   int sticks = l == 0;      /* does anything come to rest? */
   gs_real *stuck = NULL;    /* ... and its record */
@@ -145,7 +146,7 @@ gsres (const gs_scene *s, gs_real t, gs_real *x, int nx, gs_real *v, const gs_re
         }
       if (r)
         {
-          r[2] = a.mode[l - 1];
+          r[2] = (gs_real)a.mode[l - 1];
           memcpy (r + 3 + nx, x, state);
         }
       s->evt (t, x, v, a.mode, cst, a.g);

@@ -59,7 +59,7 @@ gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mo
         continue;
       mode[i] = 0;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if (way * hold[i] > -(1 - GS_R (1e-9)) * prm[4 * i])
+      if ((gs_real)way * hold[i] > -(1 - GS_R (1e-9)) * prm[4 * i])
         return;
       mode[i] = way;
     }
@@ -71,7 +71,7 @@ gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mo
         continue;
       mode[i] = down < up ? -1 : 1;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if (mode[i] * hold[i] < -GS_R (1e-9) * largest (nh, kind, hold, prm))
+      if ((gs_real)mode[i] * hold[i] < -GS_R (1e-9) * largest (nh, kind, hold, prm))
         return;
       mode[i] = 0;
     }

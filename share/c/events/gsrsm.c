@@ -38,7 +38,7 @@ gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const gs_real *row,
           if (loose)
             e = e + p[1];
           e = gs_max (e, GS_R (1e-6) * p[1]);
-          if (gs_abs (sd[i]) > e && mode[i] * sd[i] <= 0)
+          if (gs_abs (sd[i]) > e && (gs_real)mode[i] * sd[i] <= 0)
             mode[i] = sd[i] < 0 ? -1 : 1;
         }
       else if (mode[i] != 0)

@@ -68,7 +68,7 @@ gsrst (int n, int m, int k, int l, const int *kind, int *mode, const gs_real *s,
       if (gs_abs (sd[i]) <= GS_R (1e-9) * stop[3]
           && gs_min (stop[1] - s[i], s[i] - stop[0]) <= GS_R (1e-9) * gstvl (s[i], stop))
         mode[i] = end;
-      if (end * sd[i] <= 0 || mode[i] != 0)
+      if ((gs_real)end * sd[i] <= 0 || mode[i] != 0)
         return 0;
       gs_real e = stop[2];
       if (e * gs_abs (sd[i]) <= stop[3])
@@ -108,7 +108,7 @@ pulling (int m, int k, int l, const int *kind, const int *mode, const gs_real *l
       r++;
     else if (kind[i] == 2 && mode[i] != 0)
       {
-        if (mode[i] * lam[r] > 0 && bad < 0)
+        if ((gs_real)mode[i] * lam[r] > 0 && bad < 0)
           bad = i;
         r++;
       }

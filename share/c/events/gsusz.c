@@ -1,6 +1,5 @@
 /* GSUSB, GSUSA, GSUSN, GSUSZ, GSUSF: what is remembered of events of the user, and whether they
  * accumulate. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -14,7 +13,7 @@ gsusb (const gs_events *a, int i, gs_real t, const gs_real *x)
   for (int k = 3; k > 0; k--)
     r[GS_TOLD_TIMES + k] = r[GS_TOLD_TIMES + k - 1];
   r[GS_TOLD_TIMES] = t;
-  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (gs_real));
+  gs_copy (a->nx, x, r + GS_TOLD_STATE);
 }
 
 void
@@ -25,7 +24,7 @@ gsusa (const gs_events *a, int i, const gs_real *x)
   for (int k = 0; k < a->nx; k++)
     if (gs_abs (r[GS_TOLD_STATE + k] - x[k]) > 0)
       r[GS_TOLD_CHANGED] = 1;
-  memcpy (r + GS_TOLD_STATE, x, a->nx * sizeof (gs_real));
+  gs_copy (a->nx, x, r + GS_TOLD_STATE);
 }
 
 /* The rate of the function is the difference quotient of second order along the rates of the
@@ -41,10 +40,10 @@ gsusf (const gs_system *s, const gs_events *a, int i, gs_real fell, gs_real d)
   for (int side = -1; side <= 1; side += 2)
     {
       for (int j = 0; j < a->nx; j++)
-        a->z[j] = x[j] + side * d * a->end[j];
-      if (gsevv (s, t + side * d, 1, a->z, a->mode, a->before) != 0)
+        a->z[j] = x[j] + (gs_real)side * d * a->end[j];
+      if (gsevv (s, t + (gs_real)side * d, 1, a->z, a->mode, a->before) != 0)
         return 1;
-      rate += side * a->before[i] / (2 * d);
+      rate += (gs_real)side * a->before[i] / (2 * d);
     }
   return ! (rate < -GS_R (0.01) * fell);
 }

@@ -43,7 +43,7 @@ gslgp (int n, gs_real x, gs_real *p)
   p[0] = 1;
   p[1] = x;
   for (int j = 2; j < n; j++)
-    p[j] = ((2 * j - 1) * x * p[j - 1] - (j - 1) * p[j - 2]) / j;
+    p[j] = ((gs_real)(2 * j - 1) * x * p[j - 1] - (gs_real)(j - 1) * p[j - 2]) / (gs_real)j;
 }
 
 /* By polynomials of Legendre, one degree after the other, of all points together. */
@@ -62,7 +62,7 @@ gsglq (int ns, const gs_real *c, const gs_real *wt, gs_real ca, gs_real cb, gs_r
   for (int j = 2; j <= ns; j++)
     {
       gs_real s = (pb[j] - pb[j - 2]) - (pa[j] - pa[j - 2]);
-      gs_real x = (2 * j - 1) / (gs_real)j, y = (j - 1) / (gs_real)j;
+      gs_real x = (gs_real)(2 * j - 1) / (gs_real)j, y = (gs_real)(j - 1) / (gs_real)j;
       for (int k = 0; k < ns; k++)
         {
           b[k] += p[k] * s;

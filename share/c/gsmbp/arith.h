@@ -3,8 +3,11 @@
 #ifndef GSMBP_ARITH_H
 #define GSMBP_ARITH_H
 
-#include "gsmbp/real.h"
+#include <stddef.h>
+#include <string.h>
+
 #include "gsmbp/expressions.h"
+#include "gsmbp/real.h"
 
 static inline int
 gs_most (int a, int b)
@@ -16,6 +19,27 @@ static inline int
 gs_least (int a, int b)
 {
   return a < b ? a : b;
+}
+
+/* y := x; the two do not overlap */
+static inline void
+gs_copy (int n, const gs_real *x, gs_real *y)
+{
+  memcpy (y, x, (size_t)n * sizeof *y);
+}
+
+/* y := x; the two may overlap */
+static inline void
+gs_move (int n, const gs_real *x, gs_real *y)
+{
+  memmove (y, x, (size_t)n * sizeof *y);
+}
+
+/* y := 0 */
+static inline void
+gs_zero (int n, gs_real *y)
+{
+  memset (y, 0, (size_t)n * sizeof *y);
 }
 
 /* s + x'*y, summed from the first entry on */

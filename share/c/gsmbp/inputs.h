@@ -89,7 +89,7 @@ gs_samples_of (int nv, int *is, gs_real *rs)
   a.sent = a.when + a.np;
   a.record = a.sent + a.np * a.nh;
   a.kept = a.sender + a.np;
-  a.keeps = a.record + (size_t) a.ns * (1 + a.nxk + nv);
+  a.keeps = a.record + (ptrdiff_t)a.ns * (1 + a.nxk + nv);
   return a;
 }
 

@@ -12,8 +12,8 @@
 #include <float.h>
 #include <math.h>
 
-/* GS_R (a): a literal; GS_R2 (a, b): a, or b where numbers are of single precision;
- * GS_REAL (name): the name of the library's function or constant */
+/* GS_R (a): a literal; GS_LIBRARY (name): a function of the mathematical library; GS_EPSILON: the
+ * distance from 1 to the next number; GS_DIGITS: binary digits of a number */
 #if defined(GSMBP_FLOAT) && defined(GSMBP_QUAD)
 #error "expected one of GSMBP_FLOAT and GSMBP_QUAD; found both: define one or none"
 #elif defined(GSMBP_FLOAT)
@@ -37,16 +37,17 @@ typedef double gs_real;
 #define GS_DIGITS DBL_MANT_DIG
 #endif
 
-/* on some processors double is of single precision (AVR) */
+/* GS_R2 (a, b): a, or b in single precision; on some processors that is what double is (AVR) */
 #if GS_DIGITS < 53
 #define GS_R2(a, b) GS_R (b)
 #else
 #define GS_R2(a, b) GS_R (a)
 #endif
 
-/* above all numbers that mean something, and below: their reciprocals are finite, too */
+/* beyond all numbers of a scene, and below all but 0; the reciprocals of both are finite */
 #define GS_HUGE GS_R2 (1e300, 1e37)
 #define GS_TINY GS_R2 (1e-300, 1e-37)
+#define GS_INFINITY ((gs_real)HUGE_VAL)
 
 #define gs_abs(x) GS_LIBRARY (fabs) (x)
 #define gs_acos(x) GS_LIBRARY (acos) (x)

@@ -10,7 +10,7 @@ gsdue (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real 
        const gs_real *cst, gs_real *v, gs_real *w, int *istat, gs_real *ts, int *acted)
 {
   *acted = 0;
-  *ts = GS_R (2e300);
+  *ts = 2 * GS_HUGE;
   if (ip[GS_SAMPLES] <= 0)
     return 0;
   int *is = ip + ip[GS_SAMPLES] - 1;

@@ -6,7 +6,6 @@
  * rates at both ends times the step, but for a tenth of the larger rate (and 1e-6): else another
  * branch may have been met, and half the step is tried. qj stays on its branch when info is not
  * 0. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
@@ -42,7 +41,7 @@ gsfol (const gs_scene *s, gs_real t, int side, int r, int na, const int *ipl, in
         tn = t;
       const int atend = gs_abs (tn - t) <= 0;
       const gs_real dt = tn - w[0];
-      memcpy (old, qj, 2 * nu * sizeof (gs_real));
+      gs_copy (2 * nu, qj, old);
       if (w[1] > 0)
         for (int i = 0; i < nu; i++)
           qj[i] += dt * qj[i + nu];
@@ -90,5 +89,5 @@ gsppl (gs_real t, int side, int nu, int r, int na, const int *ipl, int np, int k
 void
 gsbak (int nu, const gs_real *w, gs_real *qj)
 {
-  memcpy (qj, w, 2 * nu * sizeof (gs_real));
+  gs_copy (2 * nu, w, qj);
 }

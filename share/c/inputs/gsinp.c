@@ -65,7 +65,7 @@ held (int nx, const int *ip, const gs_real *rp, gs_real *v)
   const int *ie = ip + ip[GS_EVENTS] - 1, ne = ie[0], *mode = ie + 10, *input = mode + ne;
   for (int i = 0; i < ne; i++)
     if (input[i] > 0)
-      v[input[i] - 1] = mode[i];
+      v[input[i] - 1] = (gs_real)mode[i];
   const int ns = ie[9], *switched = ie + 10 + 6 * ne + ns, *on = switched + ns;
   const gs_real *value = rp + ip[GS_EVENTS + 1] - 1 + 6 * ne + 3 * nx + ie[1] * (3 + 2 * nx);
   for (int i = 0; i < ns; i++)

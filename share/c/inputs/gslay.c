@@ -58,7 +58,7 @@ put (const gs_real *numbers, int n, gs_real *rp, place *at)
 {
   const int first = at->r + 1;
   if (n > 0)
-    memcpy (rp + at->r, numbers, n * sizeof (gs_real));
+    gs_copy (n, numbers, rp + at->r);
   at->r += n;
   return first;
 }
@@ -81,7 +81,7 @@ lay_inputs (const gs_plan *p, int *ip, gs_real *rp, place *at)
   ip[GS_V0] = p->inputs;
   ip[GS_DERIVATIVES] = p->derivatives;
   if (p->constants)
-    memcpy (rp, p->constants, s->nv * sizeof (gs_real));
+    gs_copy (s->nv, p->constants, rp);
   at->r = gs_most (1, s->nv);
   if (p->inputs == 0)
     ip[GS_TABLE + 3] = 1;
@@ -92,7 +92,7 @@ lay_inputs (const gs_plan *p, int *ip, gs_real *rp, place *at)
       ip[GS_CLOSED] = s->nlam > 0 && p->motion.nc < s->nu;
       ip[GS_PLANNED] = p->motion.nc;
       ip[GS_INTERNAL] = s->nq + s->nu + 1;
-      memcpy (ip + GS_NUMBERS, p->planned, p->motion.nc * sizeof (int));
+      memcpy (ip + GS_NUMBERS, p->planned, (size_t)p->motion.nc * sizeof (int));
       at->i += p->motion.nc;
     }
   ip[GS_FEEDBACK] = p->gain.np > 0;

@@ -70,7 +70,7 @@ gspln (int nc, int np, int k, const gs_real *brk, const gs_real *coef, gs_real t
   gs_real fact = 1;
   for (int j = 1; j <= nd; j++)
     {
-      fact = info == 1 ? 0 : fact * j;
+      fact = info == 1 ? 0 : fact * (gs_real)j;
       for (int i = 0; i < nc; i++)
         f[i + ldf * j] *= fact;
     }

@@ -6,6 +6,7 @@
  * outputs that those ahead of it have left. */
 #include <string.h>
 
+#include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/inputs.h"
 
@@ -51,7 +52,7 @@ send (const gs_samples *a, int k, int first)
   if (l < 0)
     return 0;
   a->sender[l] = k + 1;
-  a->when[l] = (a->next[k] - 1) * a->period[k] + a->delay[k];
+  a->when[l] = (gs_real)(a->next[k] - 1) * a->period[k] + a->delay[k];
   for (int j = first; j < first + a->held[k]; j++)
     a->sent[j + a->nh * l] = a->v[a->input[j] - 1];
   return 1;
@@ -65,8 +66,8 @@ record (const gs_samples *a, int nv, gs_real t, const gs_real *v)
     return;
   gs_real *r = a->record + (*a->count - 1) * (1 + a->nxk + nv);
   r[0] = t;
-  memcpy (r + 1, a->memory, a->nxk * sizeof (gs_real));
-  memcpy (r + 1 + a->nxk, v, nv * sizeof (gs_real));
+  gs_copy (a->nxk, a->memory, r + 1);
+  gs_copy (nv, v, r + 1 + a->nxk);
 }
 
 int
@@ -81,7 +82,7 @@ gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
   int first = 0;
   for (int k = 0; k < a.nc; first += a.held[k], k++)
     {
-      if (! (a.next[k] * a.period[k] <= late))
+      if (! ((gs_real)a.next[k] * a.period[k] <= late))
         continue;
       if (a.ny > 0 && old + a.anew[k] > 1)
         {
@@ -90,7 +91,7 @@ gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
             return info;
           old = 0;
         }
-      memcpy (a.v, v, s->nv * sizeof (gs_real));
+      gs_copy (s->nv, v, a.v);
       s->ctl (k + 1, t, a.y, a.memory, cst, a.v);
       a.next[k]++;
       if (a.delay[k] > 0)
@@ -114,20 +115,27 @@ gssmp (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
 }
 
 static void
-keep (int back, size_t n, void *what, void *kept)
+keep (int back, int n, gs_real *what, gs_real *kept)
 {
   if (n > 0)
-    memcpy (back ? what : kept, back ? kept : what, n);
+    gs_copy (n, back ? kept : what, back ? what : kept);
+}
+
+static void
+keep_integers (int back, int n, int *what, int *kept)
+{
+  if (n > 0)
+    memcpy (back ? what : kept, back ? kept : what, (size_t)n * sizeof *what);
 }
 
 void
 gskep (int back, int nv, int *is, gs_real *rs)
 {
   const gs_samples a = gs_samples_of (nv, is, rs);
-  const size_t whole = sizeof (int), real = sizeof (gs_real), nk = a.nh + a.nxk;
-  keep (back, whole, a.count, a.kept);
-  keep (back, whole * a.nc, a.next, a.kept + 1);
-  keep (back, whole * a.np, a.sender, a.kept + 1 + a.nc);
-  keep (back, real * nk, a.value, a.keeps);
-  keep (back, real * a.np * (1 + a.nh), a.when, a.keeps + nk);
+  const int nk = a.nh + a.nxk;
+  keep_integers (back, 1, a.count, a.kept);
+  keep_integers (back, a.nc, a.next, a.kept + 1);
+  keep_integers (back, a.np, a.sender, a.kept + 1 + a.nc);
+  keep (back, nk, a.value, a.keeps);
+  keep (back, a.np * (1 + a.nh), a.when, a.keeps + nk);
 }

@@ -41,7 +41,7 @@ next_minimum (const gs_system *g, gs_real t, const gs_real *x, gs_real way, gs_r
   gs_real s1 = s0, s2;
   for (int k = 1; k <= 9; k++)
     {
-      gspvt (g, t, x, t, way, GS_R (0.125) * k, TWO, f, xt, &s2);
+      gspvt (g, t, x, t, way, GS_R (0.125) * (gs_real)k, TWO, f, xt, &s2);
       if (k > 1 && s1 < s0 && s1 <= s2)
         return 3 * s1 - 2 * gs_max (s0, s2) > GS_R (0.25) * g->p[GS_LARGEST] ? 0 : k;
       s0 = s1;
@@ -68,8 +68,8 @@ gsahd (const gs_system *g, gs_real t, const gs_real *x, gs_real *h, gs_real rest
       int k = next_minimum (g, t, x, way, s0, f, xt);
       if (k == 0)
         return;
-      from = GS_R (0.125) * (k - 2);
-      to = GS_R (0.125) * k;
+      from = GS_R (0.125) * (gs_real)(k - 2);
+      to = GS_R (0.125) * (gs_real)k;
     }
   gspmn (g, t, x, t, way, from, to, TWO, f, xt, &cs, &smin);
   if (smin > GS_R (0.2) * big)

@@ -4,7 +4,6 @@
  * The state is first moved without a partition: completed from others it would be moved close to a
  * singular position. Whether it lies in one GSPBG tells by the speeds, and by the accelerations
  * where these hardly move the constraints. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -45,7 +44,7 @@ singular (gs_course *c)
   const gs_system *g = &c->g;
   gs_passage *a = &c->a;
   gs_real *siz = c->f + g->nx;
-  memset (c->f, 0, g->nx * sizeof (gs_real));
+  gs_zero (g->nx, c->f);
   gspbg (g->s, c->t, c->x, c->hmax, g->cst, c->f, c->xn, c->fn, c->hc, siz, g->p, &a->begin);
   if (a->begin < 0)
     {
@@ -63,7 +62,7 @@ singular (gs_course *c)
     }
 
   /* dependent constraints: see gssim */
-  if (c->job < 2 && g->p[GS_RANK] < g->s->nlam)
+  if (c->job < 2 && g->p[GS_RANK] < (gs_real)g->s->nlam)
     {
       c->job = 2;
       g->p[GS_WAY] = c->job;

@@ -166,7 +166,8 @@ gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_
         return info;
     }
 
-  const gs_real *counts = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < nu ? g->p + GS_PARTS + nu : 0;
+  const gs_real *counts
+      = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < (gs_real)nu ? g->p + GS_PARTS + nu : 0;
   gs_real e5 = 0, e3 = 0;
   int n = nx;
   for (int i = 0; i < nx; i++)
@@ -191,6 +192,7 @@ gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_
   gs_real s = e5 + GS_R (0.01) * e3;
   if (! (s > 0))
     s = 1;
-  *err = gsfin (nx, xn) != 0 ? GS_R (1e307) : gs_abs (h) * e5 / gs_sqrt (gs_most (1, n) * s);
+  *err = gsfin (nx, xn) != 0 ? GS_R2 (1e307, 3e38)
+                             : gs_abs (h) * e5 / gs_sqrt ((gs_real)gs_most (1, n) * s);
   return 0;
 }

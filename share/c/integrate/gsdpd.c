@@ -176,7 +176,7 @@ gsdpn (const gs_system *g, const gs_real *x, const gs_real *xn, const gs_real *z
 {
   const int nu = g->s->nu, top = g->s->nq + nu;
   const gs_real *counts
-      = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < nu ? g->p + GS_PARTS + nu : 0;
+      = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < (gs_real)nu ? g->p + GS_PARTS + nu : 0;
   gs_real e = 0;
   int n = 0;
   for (int i = 0; i < g->nx; i++)
@@ -188,5 +188,5 @@ gsdpn (const gs_system *g, const gs_real *x, const gs_real *xn, const gs_real *z
       e += off * off;
       n++;
     }
-  return GS_R (0.3) * gs_sqrt (e / gs_most (1, n));
+  return GS_R (0.3) * gs_sqrt (e / (gs_real)gs_most (1, n));
 }

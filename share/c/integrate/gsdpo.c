@@ -1,7 +1,6 @@
 /* GSDPO: the outputs within a step of GSDP8, from its polynomial (GSDPD), moved onto the
  * constraints as the ends of steps are. */
 #include <stddef.h>
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -16,11 +15,11 @@ static int
 polynomial (gs_course *c, gs_real tn, int side, gs_real h, gs_real *z, gs_real *off)
 {
   const gs_system *g = &c->g;
-  const size_t nx = g->nx;
+  const int nx = g->nx;
   if (*off >= 0)
     {
-      memmove (c->f + 5 * nx, c->f + nx, 4 * nx * sizeof (gs_real));
-      memcpy (c->f + nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, nx * sizeof (gs_real));
+      gs_move (4 * nx, c->f + nx, c->f + 5 * nx);
+      gs_copy (nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, c->f + nx);
       return 0;
     }
   *off = 1;
@@ -42,11 +41,11 @@ gsdpo (gs_course *c, gs_real tn, int side, gs_real h, gs_real *off)
   gs_real jump[3];
   int k = c->it;
   gsjmp (g->s->nq, g->s->nu, c->x, c->xn, g->ropt[1], g->atol, jump);
-  int info = polynomial (c, tn, side, h, r->xout + (size_t)r->ldx * k, off);
+  int info = polynomial (c, tn, side, h, r->xout + (ptrdiff_t)r->ldx * k, off);
   for (; info == 0 && k < r->nt && r->tout[k] < tn; k++)
     {
       const gs_real t = r->tout[k];
-      gs_real *x = r->xout + (size_t)r->ldx * k, *v = r->vout + (size_t)r->ldv * k;
+      gs_real *x = r->xout + (ptrdiff_t)r->ldx * k, *v = r->vout + (ptrdiff_t)r->ldv * k;
       gsdpv (g->nx, h, (t - c->t) / h, c->x, c->xn, c->f, x);
       info = gsmov (g->s, t, x, g->iopt, jump, g->cst, g->p, g->istat, g->rstat);
       if (info != 0)

@@ -1,6 +1,5 @@
 /* GSDPS: from one stop to the next by the method of Dormand and Prince, or through a singular
  * position. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
@@ -62,7 +61,7 @@ gsdpf (gs_course *c)
 {
   const gs_system *g = &c->g;
   if (c->fresh == 2)
-    memcpy (c->f, c->f + g->nx, g->nx * sizeof (gs_real));
+    gs_copy (g->nx, c->f + g->nx, c->f);
   else if (gsfun (g, c->t, 1, c->x, c->f) != 0)
     return GS_ROUTINE_FAILED;
   if (gsfin (g->nx, c->f) != 0)

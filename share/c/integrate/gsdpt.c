@@ -1,7 +1,6 @@
 /* GSDPT: one trial step of GSDP8 within a run, onto the constraints and up to an event in it; the
  * outputs within it; the length of the next one. */
 #include <stddef.h>
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -80,7 +79,7 @@ accept (gs_course *c, const gs_step *e, gs_real err, int loose, int event, gs_re
       && ! moved)
     {
       c->fresh = 2;   /* gsevn knows the rates where the step ends */
-      memcpy (c->f + g->nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, g->nx * sizeof *c->f);
+      gs_copy (g->nx, gs_planned_events (g->nx, g->ip, g->rp).xdn, c->f + g->nx);
     }
   c->after = 1;
   c->repeated = 0;

@@ -71,7 +71,7 @@ gsinc (const gs_system *g, gs_real tv, gs_real tf, const gs_real *x)
   gs_real *vk = g->v + nv, z[6];
   for (int k = 0; k < 6; k++)
     {
-      gs_real s = gs_sin (gs_atan (1) * (2 * k + 1) / 6);
+      gs_real s = gs_sin (gs_atan (1) * (gs_real)(2 * k + 1) / 6);
       z[k] = -(s * s);
     }
   for (int i = 0; i < nv; i++)

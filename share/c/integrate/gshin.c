@@ -8,7 +8,7 @@
 static gs_real
 scale (const gs_system *g, int i, gs_real x)
 {
-  return gs_max (g->atol[i] + g->ropt[1] * gs_abs (x), GS_R (1e-200));
+  return gs_max (g->atol[i] + g->ropt[1] * gs_abs (x), GS_R2 (1e-200, 1e-30));
 }
 
 int

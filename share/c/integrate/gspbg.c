@@ -80,7 +80,7 @@ gspbg (const gs_scene *s, gs_real t, const gs_real *x, gs_real hmax, const gs_re
     *state = 1;
   if (rank > nr && rest == 1)
     *state = 2;
-  p[GS_RANK] = rank;
+  p[GS_RANK] = (gs_real)rank;
   p[GS_TIMES + 5] = here;
   p[GS_PIVOT] = here;
   p[GS_LARGEST] = far;
@@ -187,7 +187,7 @@ gspbc (const gs_system *g, gs_real t, const gs_real *x, const gs_passage *a, con
       gs_real s = 0;
       gslgp (ns, c[k], p);
       for (int j = 0; j < ns; j++)
-        s += (j + GS_R (0.5)) * p[j] * p0[j];
+        s += ((gs_real)j + GS_R (0.5)) * p[j] * p0[j];
       b[k] = wt[k] * s;
     }
   g->s->kin (t, x, x + nq, g->cst, xw);

@@ -172,7 +172,7 @@ gspou (gs_course *c, gs_real tn)
   for (; r->tout[c->it] < tn; c->it++)
     {
       const gs_real t = r->tout[c->it];
-      gs_real *x = r->xout + (size_t)r->ldx * c->it, *v = r->vout + (size_t)r->ldv * c->it;
+      gs_real *x = r->xout + (ptrdiff_t)r->ldx * c->it, *v = r->vout + (ptrdiff_t)r->ldv * c->it;
       gsglq (a->ns, points, wt, (c->t - a->tc) / a->d, (t - a->tc) / a->d, b);
       gspth (g->nx, a->ns, g->nx, c->x, a->d, b, c->f, x);
       int info = gsinp (g->s, t, 1, x, g->nx, g->ip, g->rp, g->cst, v, g->w);

@@ -18,7 +18,7 @@ gspmn (const gs_system *g, gs_real t, const gs_real *x, gs_real tc, gs_real d, g
       const gs_real middle = *cs;
       for (int k = -6; k <= 6; k++)
         {
-          gs_real s = middle + k * w, sp;
+          gs_real s = middle + (gs_real)k * w, sp;
           if (! (s >= ca - GS_R (0.1) * w && s <= cb + GS_R (0.1) * w))
             continue;
           gspvt (g, t, x, tc, d, s, ns, f, xt, &sp);

@@ -211,5 +211,5 @@ gsper (const gs_system *g, const gs_real *x, const gs_real *d, gs_real tol, gs_r
       if (s > 0)
         *err += (d[i] / s) * (d[i] / s);
     }
-  *err = gs_sqrt (*err / gs_most (1, n));
+  *err = gs_sqrt (*err / (gs_real)gs_most (1, n));
 }

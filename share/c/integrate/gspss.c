@@ -58,7 +58,8 @@ passage (gs_course *c, gs_real *hlim, int *taken)
         return give_up (a);
       gs_real fac = GS_R (0.5);
       if (failed == 0)
-        fac = GS_R (0.9) * gs_pow (gs_max (a->err, GS_R (1e-8)), GS_R (-1.0) / (a->ns + 1));
+        fac = GS_R (0.9)
+              * gs_pow (gs_max (a->err, GS_R (1e-8)), -1 / (gs_real)(a->ns + 1));
       if (failed == 0 && good_enough (a))
         {
           int again;

@@ -60,8 +60,8 @@ equal_steps (gs_course *c, gs_real *ta, gs_real *hr, gs_real h, int *n)
       gs_step e = { .method = c->g.iopt[GS_METHOD], .h = h, .side = 1, .x = c->x, .xn = c->xn,
                     .f = c->f };
       int event;
-      c->t = e.t = *ta + (k - 1) * h;
-      e.tn = *ta + k * h;
+      c->t = e.t = *ta + (gs_real)(k - 1) * h;
+      e.tn = *ta + (gs_real)k * h;
       if (k == all)
         {
           e.tn = c->tb;
@@ -97,7 +97,7 @@ gsrks (gs_course *c)
       const gs_real at_most = gs_min (hr, most), many = (c->tb - ta) / at_most * (1 - GS_R (1e-9));
       n = gs_most (1, (int) gs_min (many, GS_R (2e9)) + 1);
       /* the first, then longer ones */
-      const gs_real h = many > GS_R (2e9) ? at_most : (c->tb - ta) / n;
+      const gs_real h = many > GS_R (2e9) ? at_most : (c->tb - ta) / (gs_real)n;
       rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
       rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
       int info = equal_steps (c, &ta, &hr, h, &n);

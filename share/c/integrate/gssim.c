@@ -107,8 +107,8 @@ gssim (const gs_scene *s, gs_run *run)
   const int k = run->istat[GS_N_OUTPUTS];
   if (info != 0 && k < run->nt)
     {
-      memcpy (run->xout + (size_t)run->ldx * k, c.x, run->nx * sizeof (gs_real));
-      memcpy (run->vout + (size_t)run->ldv * k, c.g.v, s->nv * sizeof (gs_real));
+      gs_copy (run->nx, c.x, run->xout + (ptrdiff_t)run->ldx * k);
+      gs_copy (s->nv, c.g.v, run->vout + (ptrdiff_t)run->ldv * k);
     }
   return info;
 }
@@ -178,7 +178,7 @@ gsini (const gs_scene *s, gs_run *run, gs_course *c)
   run->rstat[GS_R_PIVOT] = 1;
   run->last.h = 0;
   run->w[s->nu * (run->ip[GS_DERIVATIVES] + 1) + 1] = 0; /* for gsfol: a guess */
-  memcpy (c->x, run->x0, run->nx * sizeof (gs_real));
+  gs_copy (run->nx, run->x0, c->x);
   gspst (s->nq, s->nu, s->nlam, run->iopt, c->g.p);
   c->t = run->t0;
   c->hmax = run->tout[run->nt - 1] - run->t0;

@@ -24,7 +24,7 @@ begin (const gs_system *g, const gs_real *x, gs_real *dir, gs_real *z, gs_real *
       unit[i] = rtol > 0 ? gs_abs (x[i]) + g->atol[i] / rtol : gs_abs (x[i]) + 1;
       if (! (unit[i] > 0))
         unit[i] = 1;
-      dir[i] = unit[i] * (GS_R (0.5) + gs_fmod (GS_R (0.618) * (i + 1), 1));
+      dir[i] = unit[i] * (GS_R (0.5) + gs_fmod (GS_R (0.618) * (gs_real)(i + 1), 1));
     }
 }
 

@@ -1,6 +1,5 @@
 /* GSSTO: at a stop of a run: the output, the samples and events that are due there, and the next
  * stop. */
-#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
@@ -12,8 +11,8 @@ static void
 output (gs_course *c)
 {
   gs_run *r = c->run;
-  memcpy (r->xout + (size_t)r->ldx * c->it, c->x, r->nx * sizeof (gs_real));
-  memcpy (r->vout + (size_t)r->ldv * c->it, c->g.v, c->g.s->nv * sizeof (gs_real));
+  gs_copy (r->nx, c->x, r->xout + (ptrdiff_t)r->ldx * c->it);
+  gs_copy (c->g.s->nv, c->g.v, r->vout + (ptrdiff_t)r->ldv * c->it);
   c->it++;
   r->istat[GS_N_OUTPUTS] = c->it;
 }
@@ -22,7 +21,7 @@ gs_real
 gs_next_break (const gs_course *c)
 {
   const gs_run *r = c->run;
-  gs_real t = c->ib < r->nb ? r->tbrk[c->ib] : HUGE_VAL;
+  gs_real t = c->ib < r->nb ? r->tbrk[c->ib] : GS_INFINITY;
   for (int k = 0; k < c->g.s->nsw; k++)
     if (c->switches[k] > c->t && c->switches[k] < t)
       t = c->switches[k];

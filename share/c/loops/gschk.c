@@ -2,8 +2,6 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/system.h"
 
-#include <string.h>
-
 /* the arguments of gschk, for its parts */
 typedef struct
 {
@@ -126,14 +124,14 @@ rank_of (check *c)
   int rank, change;
   gsprc (c->s, c->t, c->x, c->cst, p, &rank, &least, &change);
   c->istat[GS_N_PARTITIONS] += change;
-  if (rank < p[GS_RANK])
+  if ((gs_real)rank < p[GS_RANK])
     least = 0;
   if (least < c->jump[2] * p[GS_LARGEST])
     {
       c->istat[GS_FAILED] = GS_AT_PRJ;
       return 4;
     }
-  p[GS_RANK] = gs_max (p[GS_RANK], rank);
+  p[GS_RANK] = gs_max (p[GS_RANK], (gs_real)rank);
   p[GS_PIVOT] = least;
   p[GS_LARGEST] = gs_max (p[GS_LARGEST], least);
   if (c->iopt[GS_METHOD] == 4 && c->iopt[GS_WATCH] == 1 && least < GS_R (0.01) * p[GS_LARGEST])
@@ -153,7 +151,7 @@ static int
 move (check *c)
 {
   const gs_scene *s = c->s;
-  memcpy (c->a.before, c->x, (s->nq + s->nu) * sizeof *c->x);
+  gs_copy (s->nq + s->nu, c->x, c->a.before);
   int way = c->iopt[GS_LOOPS], info = complete (c);
   if (info == 0 && way != 1 && (way != 3 || s->nq > s->nu))
     info = project (c);

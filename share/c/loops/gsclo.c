@@ -5,8 +5,6 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <string.h>
-
 int
 gsclo (const gs_scene *s, gs_real t, gs_real *qj, int r, const int *id, const int *ia,
        const gs_real *cst, gs_real *res, gs_real *w, int *iw)
@@ -87,5 +85,5 @@ void
 gsclm (int nlam, const int *id, const gs_real *h, gs_real *m)
 {
   for (int j = 0; j < nlam; j++)
-    memcpy (m + nlam * j, h + nlam * (id[j] - 1), nlam * sizeof (gs_real));
+    gs_copy (nlam, h + nlam * (id[j] - 1), m + nlam * j);
 }

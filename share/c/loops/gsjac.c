@@ -2,8 +2,6 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <string.h>
-
 int
 gsjac (int nu, int nlam, int nq, int nz, const gs_real *lm, const gs_real *lb, const gs_real *lc,
        gs_real *k, gs_real *z, int *iw, int info)
@@ -32,13 +30,13 @@ gsjdf (int nu, int nlam, int nz, const gs_real *lm, const gs_real *h, const gs_r
 {
   gs_real tol;
   gsrtl (nu, nlam, h, nlam, phi, grp, &tol, w);
-  memcpy (hc, h, nlam * nu * sizeof (gs_real));
+  gs_copy (nlam * nu, h, hc);
   for (int j = 0; j < nz; j++, z += nu + nlam)
     {
       if (gsacr (1, nu, nlam, lm, nu, hc, nlam, z, z + nu, tol, grp, ud, lam, w) == 1)
         return 1;
-      memcpy (z, ud, nu * sizeof (gs_real));
-      memcpy (z + nu, lam, nlam * sizeof (gs_real));
+      gs_copy (nu, ud, z);
+      gs_copy (nlam, lam, z + nu);
     }
   return 0;
 }
@@ -48,9 +46,9 @@ gsjrw (int nu, int nq, int nx, int nv, int quasi, const gs_real *z, int ldz, gs_
        gs_real *b, int ldb)
 {
   for (int j = 0; j < nx; j++)
-    memcpy (a + nq + lda * j, z + ldz * j, nu * sizeof (gs_real));
+    gs_copy (nu, z + ldz * j, a + nq + lda * j);
   for (int j = 0; j < nv; j++)
-    memcpy (b + nq + ldb * j, z + ldz * (nx + j), nu * sizeof (gs_real));
+    gs_copy (nu, z + ldz * (nx + j), b + nq + ldb * j);
   if (quasi == 1)
     return;
   for (int i = 0; i < nu; i++)

@@ -1,8 +1,6 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/loops.h"
 
-#include <string.h>
-
 /* where the search is: pivots below smin are wanted */
 typedef struct
 {
@@ -26,12 +24,12 @@ remember (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs
 {
   int nq = s->nq;
   gs_real *path = gs_partition_of (nq, s->nu, s->nlam, p).path;
-  memmove (end_of (p, 2), end_of (p, 1), 4 * sizeof *p);
-  memmove (path, path + 2 * nq, 4 * nq * sizeof *p);
+  gs_move (4, end_of (p, 1), end_of (p, 2));
+  gs_move (4 * nq, path + 2 * nq, path);
   p[GS_STEPS] += 1;
   end_of (p, 0)[0] = t;
   end_of (p, 0)[1] = p[GS_PIVOT];
-  memcpy (path + 4 * nq, x, nq * sizeof *p);
+  gs_copy (nq, x, path + 4 * nq);
   s->kin (t, x, x + nq, cst, path + 5 * nq);
 }
 
@@ -85,7 +83,7 @@ sample (search *f, gs_real t)
   if (info != 0 && info != 2)
     return;
   gslpv (s->nu, s->nlam, a->hc, a->size, a->y, a->piv, a->beta, a->siz, &rank, &least);
-  if (rank < f->p[GS_RANK])
+  if ((gs_real)rank < f->p[GS_RANK])
     least = 0;
   if (least < f->smin)
     {
@@ -121,7 +119,7 @@ gspas (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
       if (l > 0)
         w *= GS_R (0.125);
       for (int k = 1; k < 16; k++)
-        sample (&f, begin + k * w);
+        sample (&f, begin + (gs_real)k * w);
       /* within one step: only what falls below both ends is followed */
       if (within && ! (f.tmin < now[0]))
         break;

@@ -75,8 +75,8 @@ gsprc (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
   if (volume (s, p, *rank, &a) < GS_R (0.8))
     {
       *change = p[GS_DEPENDENT] >= 0;
-      p[GS_DEPENDENT] = *rank;
-      p[GS_DISPLACED] = *rank;
+      p[GS_DEPENDENT] = (gs_real)*rank;
+      p[GS_DISPLACED] = (gs_real)*rank;
       for (int j = 0; j < s->nu; j++)
         {
           a.order[j] = a.piv[j];
@@ -87,7 +87,7 @@ gsprc (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
     return;
 
   if (p[GS_NONHOLONOMIC] > 0)
-    p[GS_DISPLACED] = displacements (s, &a);
+    p[GS_DISPLACED] = (gs_real)displacements (s, &a);
   gspwt (s, t, x, cst, p, a.displ, a.du);
 }
 

@@ -6,8 +6,6 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/solve.h"
 
-#include <string.h>
-
 int
 gsprj (const gs_scene *s, gs_real t, gs_real *x, int quasi, int ns, const int *iset,
        const gs_real *cst, gs_real *res, gs_real *w)
@@ -18,14 +16,14 @@ gsprj (const gs_scene *s, gs_real t, gs_real *x, int quasi, int ns, const int *i
          *const u = q + nq, *const dq = u + nu, *const ww = dq + nq;
   *res = 0;
   gsnrm (ns, iset, x, res);
-  memcpy (q, x, nq * sizeof (gs_real));
-  memcpy (u, x + nq, nu * sizeof (gs_real));
+  gs_copy (nq, x, q);
+  gs_copy (nu, x + nq, u);
   int info = gspjq (s, t, q, u, quasi, ns, iset, cst, res, w, h, p, pt, g, f, dx, lam, ww, dq);
   if (info == 0)
     info = gspju (s, t, q, u, cst, w, h, p, pt, f, dx, lam, ww);
   if (info != 0)
     return info;
-  memcpy (x, q, nq * sizeof (gs_real));
+  gs_copy (nq, q, x);
   for (int i = 0; i < nu; i++)
     x[nq + i] = u[i] + dx[i];
   return 0;

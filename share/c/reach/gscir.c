@@ -64,7 +64,7 @@ gsciq (const gs_real *co, gs_real size, gs_real *far, gs_real *a)
   *far = 0;
   for (int k = 1; k <= 16; k++)
     {
-      gs_real th = GS_R (0.3) + k * pi / 8;
+      gs_real th = GS_R (0.3) + (gs_real)k * pi / 8;
       gscif (co, th, &f, &fd);
       if (gs_abs (f) > big)
         {
@@ -119,7 +119,7 @@ aberth (const gs_real *a, int k, gs_real *zr, gs_real *zi, gs_real moved)
       }
   gs_real wr = f[2] - (f[0] * sr - f[1] * si), wi = f[3] - (f[0] * si + f[1] * sr);
   gs_real d = wr * wr + wi * wi;
-  if (! (d > GS_R (1e-290)))
+  if (! (d > GS_R2 (1e-290, 1e-37)))
     return moved;
   gs_real dr = (f[0] * wr + f[1] * wi) / d, di = (f[1] * wr - f[0] * wi) / d;
   zr[k] = zr[k] - dr;
@@ -138,13 +138,13 @@ gscie (const gs_real *a, gs_real *zr, gs_real *zi)
     {
       gs_real t = gs_abs (a[k] / a[4]);
       if (t > 0)
-        ring = gs_max (ring, gs_pow (t, GS_R (1.0) / (4 - k)));
+        ring = gs_max (ring, gs_pow (t, GS_R (1.0) / (gs_real)(4 - k)));
     }
   ring = gs_max (ring, GS_R (1e-3));
   for (int k = 0; k < 4; k++)
     {
-      zr[k] = ring * gs_cos (GS_R (1.5708) * (k + 1) + GS_R (0.4));
-      zi[k] = ring * gs_sin (GS_R (1.5708) * (k + 1) + GS_R (0.4));
+      zr[k] = ring * gs_cos (GS_R (1.5708) * (gs_real)(k + 1) + GS_R (0.4));
+      zi[k] = ring * gs_sin (GS_R (1.5708) * (gs_real)(k + 1) + GS_R (0.4));
     }
   for (int i = 0; i < 100; i++)
     {

@@ -1,5 +1,6 @@
 /* Double and singular solutions of inverse kinematics. As gsigd.f. */
 #include <string.h>
+#include "gsmbp/arith.h"
 #include "gsmbp/reach.h"
 
 static const int turning[] = { 1, 1, 1, 1, 1, 1 };
@@ -35,7 +36,7 @@ gsigd (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
           info = 2;
           --*ns;
           memcpy (q + 6 * j, x, sizeof x);
-          memmove (q + 6 * k, q + 6 * (k + 1), 6 * (*ns - k) * sizeof (gs_real));
+          gs_move (6 * (*ns - k), q + 6 * (k + 1), q + 6 * k);
           break;
         }
   return gsigs (6, turning, ka, pa, r, p, q, *ns, info);

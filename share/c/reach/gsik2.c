@@ -32,7 +32,7 @@ walk (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, c
       else if (gs_abs (b.g) <= gs_min (gs_abs (at.g), gs_abs (gbb)))
         *info = gsiql (kind, ka, pa, r, p, b.q, b.z, b.u, b.g, h, nb, qs, ns, br, *info);
       if (*nw < 400)
-        memcpy (qw + 6 * (*nw)++, q, 6 * sizeof (gs_real));
+        gs_copy (6, q, qw + 6 * (*nw)++);
       if (! (gs_abs (at.g) <= GS_R (1e-3)))
         return 0;
       if (closed)
@@ -61,7 +61,7 @@ gsik2 (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, 
     {
       place at = first;
       for (int i = 0; i < 6; i++)
-        at.z[i] = way * first.z[i];
+        at.z[i] = (gs_real)way * first.z[i];
       if (walk (kind, ka, pa, r, p, at, nb, qs, ns, br, &info, nw, qw))
         return info;
     }
@@ -72,7 +72,7 @@ gsik2 (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, 
 static void
 step (const gs_real *b, const gs_real *v, const gs_real *sv, const gs_real *e, gs_real *d)
 {
-  memset (d, 0, 6 * sizeof (gs_real));
+  gs_zero (6, d);
   for (int k = 0; k < 5; k++)
     {
       gs_real t = 0;

@@ -45,9 +45,9 @@ closest (gs_ikc *ikc, int n, const gs_real *p, const gs_real *r, const gs_real *
       if (fn < f)
         {
           mu = gs_max (GS_R (0.1) * mu, GS_R (1e-15));
-          memcpy (q, qn, n * sizeof (gs_real));
+          gs_copy (n, qn, q);
           memcpy (e, en, sizeof e);
-          memcpy (j, jn, 3 * n * sizeof (gs_real));
+          gs_copy (3 * n, jn, j);
           f = fn;
           continue;
         }

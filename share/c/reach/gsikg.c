@@ -19,8 +19,8 @@ neighbour (int l, const gs_real *ka, const gs_real *pc, gs_real *kb, gs_real *pb
     {
       for (int i = 1; i <= 3; i++)
         {
-          kb[i - 1] = ka[i - 1] + GS_R (3e-6) * l * gs_sin (1 * (7 * i + 3 * j * l));
-          pb[i - 1] = pc[i - 1] + GS_R (3e-6) * l * gs_cos (1 * (5 * i + 4 * j * l));
+          kb[i - 1] = ka[i - 1] + GS_R (3e-6) * (gs_real)l * gs_sin ((gs_real)(7 * i + 3 * j * l));
+          pb[i - 1] = pc[i - 1] + GS_R (3e-6) * (gs_real)l * gs_cos ((gs_real)(5 * i + 4 * j * l));
         }
       gs_real size = gs_sqrt (kb[0] * kb[0] + kb[1] * kb[1] + kb[2] * kb[2]);
       for (int i = 0; i < 3; i++)
@@ -116,7 +116,7 @@ gsigc (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
     {
       gsiko (6, kind, ka, pa, r, p, qc + 6 * k, z, &s);
       m += s <= GS_R (1e-4);
-      memcpy (q + 6 * k, qc + 6 * k, 6 * sizeof (gs_real));
+      gs_copy (6, qc + 6 * k, q + 6 * k);
       br[k] = k + 1;
     }
   if (m == 0)
@@ -128,7 +128,7 @@ gsigc (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
       gsiko (6, kind, ka, pa, r, p, q + 6 * k, z, &s);
       if (! (s <= GS_R (1e-4)))
         continue;
-      memcpy (qc, q + 6 * k, 6 * sizeof (gs_real));
+      gs_copy (6, q + 6 * k, qc);
       gsik4 (6, kind, ka, pa, r, p, qc, z, 16, q, ns, br, 0);
       gsik2 (kind, ka, pa, r, p, qc, 16, q, ns, br, 0, &nw, qw);
     }
@@ -149,8 +149,8 @@ gsik6 (const gs_real *r, const gs_real *p, gs_real *ka, gs_real *pa)
       k[i] = turned (r, i, ka + 15);
       x[i] = turned (r, i, pa + 15) + p[i];
     }
-  memmove (ka + 3, ka, 15 * sizeof (gs_real));
-  memmove (pa + 3, pa, 15 * sizeof (gs_real));
+  gs_move (15, ka, ka + 3);
+  gs_move (15, pa, pa + 3);
   memcpy (ka, k, sizeof k);
   memcpy (pa, x, sizeof x);
 }
@@ -163,8 +163,8 @@ gsikb (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *p,
   *regular += gsik1 (ka, pa, r, p, k0, p0, r, p, 1, l0, qc, ns, w, iw) == 0;
   for (int j = 0; j < 6; j++)
     {
-      memcpy (kb + 3 * j, ka + 3 * (5 - j), 3 * sizeof (gs_real));
-      memcpy (pb + 3 * j, pa + 3 * (5 - j), 3 * sizeof (gs_real));
+      gs_copy (3, ka + 3 * (5 - j), kb + 3 * j);
+      gs_copy (3, pa + 3 * (5 - j), pb + 3 * j);
     }
   for (int i = 0; i < 3; i++)
     for (int l = 0; l < 3; l++)
@@ -378,7 +378,8 @@ gsikc (const gs_real *h, gs_real *shift, gs_real *a, gs_real *s2, gs_real *x, in
   int info = 1;
   for (int k = 1; k <= 8; k++)
     {
-      gs_real th = GS_R (0.37) + GS_R (0.785398) * k, c = gs_cos (th), s = gs_sin (th), big = 0;
+      gs_real th = GS_R (0.37) + GS_R (0.785398) * (gs_real)k, big = 0;
+      gs_real c = gs_cos (th), s = gs_sin (th);
       gsikm (h, -c, -s, 1, s2);
       gsikm (h, c, s, 1, x);
       gsikm (h, -2 * s, 2 * c, 0, x + 144);
@@ -386,7 +387,7 @@ gsikc (const gs_real *h, gs_real *shift, gs_real *a, gs_real *s2, gs_real *x, in
         continue;
       for (int i = 0; i < 288; i++)
         big = gs_max (big, gs_abs (x[i]));
-      if (! (big <= GS_R (1e200) && (least < 0 || big < least)))
+      if (! (big <= GS_R2 (1e200, 1e30) && (least < 0 || big < least)))
         continue;
       least = big;
       *shift = th;
@@ -468,7 +469,7 @@ gsikv (const gs_real *ka, const gs_real *pa, const gs_real *r, const gs_real *f,
   gssvd (12, 12, w, 12, w + 144, 12, s, GS_R (1e-14), &rank);
   gsikx (w + 144 + 132, q + 3, q + 4);
   right_side (f, g, q, b);
-  memcpy (w, g, 14 * 8 * sizeof (gs_real));
+  gs_copy (14 * 8, g, w);
   gssvd (14, 8, w, 14, w + 112, 8, s, GS_R (1e-12), &rank);
   for (int k = 0; k < rank; k++)
     {
@@ -680,7 +681,7 @@ gsika (const gs_real *q, gs_real *qc, int *ns)
     return;
   int k = *ns;
   for (; k >= 1 && qc[6 * (k - 1)] > q[0]; k--)
-    memcpy (qc + 6 * k, qc + 6 * (k - 1), 6 * sizeof (gs_real));
-  memcpy (qc + 6 * k, q, 6 * sizeof (gs_real));
+    gs_copy (6, qc + 6 * (k - 1), qc + 6 * k);
+  gs_copy (6, q, qc + 6 * k);
   (*ns)++;
 }

@@ -1,8 +1,6 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/reach.h"
 
-#include <string.h>
-
 /* what is large for every radicand */
 static gs_real
 large (int nm, const gs_real *lim)
@@ -81,7 +79,7 @@ gsiks (int n, int nb, int nm, const gs_real *qc, const gs_real *rad, const gs_re
       *near = *near || gs_max (res[2 * k], res[2 * k + 1]) > GS_R (1e-13);
       if (gsikq (n, qc + n * k, qs, ldq, *ns) == 0)
         {
-          memcpy (qs + ldq * *ns, qc + n * k, n * sizeof (gs_real));
+          gs_copy (n, qc + n * k, qs + ldq * *ns);
           br[(*ns)++] = k + 1;
         }
       info = edge ? 2 : info;

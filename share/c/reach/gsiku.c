@@ -26,7 +26,7 @@ gsiku (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, 
   for (int k = 1; k <= (nb == 0 ? 8 : nb); k++)
     {
       for (int i = 0; i < 6; i++)
-        q[i] = nb == 0 ? GS_R (1.1) * (k * (2 * i + 3) % 7 - 3) : qc[i + 6 * (k - 1)];
+        q[i] = nb == 0 ? GS_R (1.1) * (gs_real)(k * (2 * i + 3) % 7 - 3) : qc[i + 6 * (k - 1)];
       gsiky (kind, ka, px, r, d, q, e, &f);
       if (! (least < 0 || f < least))
         continue;

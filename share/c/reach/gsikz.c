@@ -36,8 +36,8 @@ marks (int nm, const gs_real *rad, const gs_real *lim)
 static void
 six (int n, const gs_real *q, gs_real *x)
 {
-  memset (x, 0, 6 * sizeof (gs_real));
-  memcpy (x, q, n * sizeof (gs_real));
+  gs_zero (6, x);
+  gs_copy (n, q, x);
 }
 
 /* places as those of a point on the last axis: px (3,6), d (3) */
@@ -131,7 +131,7 @@ gsipz (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, 
       for (int j = 0; j < 3; j++)
         p6[i + 3 * j] = pa[i + 3 * j] - x0[i];
     }
-  memcpy (a6, ka, 9 * sizeof (gs_real));
+  gs_copy (9, ka, a6);
   for (int k = 0; k < nb; k++)
     {
       six (3, qc + 3 * k, c6 + 6 * k);
@@ -139,7 +139,7 @@ gsipz (const int *kind, const gs_real *ka, const gs_real *pa, const gs_real *r, 
     }
   info = gsikz (6, k6, a6, p6, r, d, nb, nm, c6, rad, lim, s6, ns, br, info);
   for (int k = 0; k < nb; k++)
-    memcpy (qs + 3 * k, s6 + 6 * k, 3 * sizeof (gs_real));
+    gs_copy (3, s6 + 6 * k, qs + 3 * k);
   return info;
 }
 
@@ -154,7 +154,7 @@ refined (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_
   gsikj (kind, ka, pa, r, p, q, w, e, &miss);
   gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
   if (! good || (miss <= GS_R (1e-14) * size && gsikk (n, kind, q, solution) > GS_R (1e-2)))
-    memcpy (q, solution, n * sizeof (gs_real));
+    gs_copy (n, solution, q);
   return good || miss <= GS_R (1e-11);
 }
 
@@ -178,13 +178,13 @@ gsik5 (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_re
       if (! keep)
         continue;
       br[*ns] = br[k];
-      memcpy (qs + n * *ns, q, n * sizeof (gs_real));
+      gs_copy (n, q, qs + n * *ns);
       (*ns)++;
     }
   for (int k = *ns; k < m; k++)
     {
       br[k] = 0;
-      memset (qs + n * k, 0, n * sizeof (gs_real));
+      gs_zero (n, qs + n * k);
     }
 }
 
@@ -201,7 +201,7 @@ gsik4 (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_re
     for (int way = -1; way <= 1; way += 2)
       {
         for (int i = 0; i < 6; i++)
-          q[i] = i < n ? q0[i] + way * h * z[i] : way * h * z[i];
+          q[i] = i < n ? q0[i] + (gs_real)way * h * z[i] : (gs_real)way * h * z[i];
         gsikn (n, kind, ka, pa, r, p, q, w, iw, &good);
         if (good)
           info = gsikp (n, kind, ka, pa, r, p, q, nb, qs, ns, br, info);
@@ -285,12 +285,12 @@ gsikp (int n, const int *kind, const gs_real *ka, const gs_real *pa, const gs_re
     if (gsik7 (n, kind, ka, pa, r, p, q, qs + n * k, &closer))
       {
         if (closer)
-          memcpy (qs + n * k, q, n * sizeof (gs_real));
+          gs_copy (n, q, qs + n * k);
         return info;
       }
   int full = *ns >= nb, at = full ? worst (n, kind, ka, pa, r, p, most, qs, *ns) : *ns;
   if (at >= 0)
-    memcpy (qs + n * at, q, n * sizeof (gs_real));
+    gs_copy (n, q, qs + n * at);
   if (full)
     return info;
   int l = free_number (nb, *ns, br);

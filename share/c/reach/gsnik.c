@@ -3,8 +3,6 @@
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
 
-#include <string.h>
-
 /* x within its limits */
 static gs_real
 within (gs_real x, gs_real low, gs_real high)
@@ -45,8 +43,8 @@ gsnit (const gs_scene *g, gs_real t, int nq, int nu, int nlam, int npt, int k, i
           mu = better ? gs_max (GS_R (0.1) * mu, GS_R (1e-14)) : 8 * mu;
           if (! better)
             continue;
-          memcpy (q, qn, nq * sizeof (gs_real));
-          memcpy (res, resn, nr * sizeof (gs_real));
+          gs_copy (nq, qn, q);
+          gs_copy (nr, resn, res);
           *f = fn;
         }
     }
@@ -70,7 +68,7 @@ gsnik (const gs_scene *g, gs_real t, int nq, int nu, int nlam, int npt, int k, i
       if (n > 0)
         {
           for (int i = 0; i < nu; i++)
-            s[i] = far * gs_sin (1 * (2 * (i + 1) + 3 * n * (i + 1) + n));
+            s[i] = far * gs_sin ((gs_real)(2 * (i + 1) + 3 * n * (i + 1) + n));
           g->kin (t, best, s, cst, q);
           for (int i = 0; i < nq; i++)
             q[i] = best[i] + q[i];
@@ -83,17 +81,17 @@ gsnik (const gs_scene *g, gs_real t, int nq, int nu, int nlam, int npt, int k, i
       if (n == 0 || f < GS_R (0.999) * fb)
         {
           fb = f;
-          memcpy (best, q, nq * sizeof (gs_real));
+          gs_copy (nq, q, best);
         }
       if (fb <= GS_R (1e-9))
         break;
     }
-  memcpy (q, best, nq * sizeof (gs_real));
+  gs_copy (nq, best, q);
   int info = 0;
   if (fb > GS_R (1e-9) && nlam > 0)
     info = gsnit (g, t, nq, nu, nlam, npt, k, job, p, r, q, qlo, qhi, iv, ns, iset, cst,
                   GS_R (1e3), w, wp, &f, dst);
-  memset (u, 0, nu * sizeof (gs_real));
+  gs_zero (nu, u);
   if (info >= 0)
     info = gsnir (g, t, nu, nlam, npt, k, job, p, r, q, u, cst, 1, w, nr, wp, &f, dst);
   return info < 0 ? info : ! (f <= GS_R (1e-9));
@@ -176,7 +174,7 @@ gsnij (const gs_scene *g, gs_real t, const gs_real *q, int nu, int nlam, int npt
   const int n = 3 + 3 * job;
   g->jpt (t, q, u, cst, w, w + 6 * npt * nu);
   for (int i = 0; i < nu; i++)
-    memcpy (j + nr * i, w + 6 * ((k - 1) * nu + i), n * sizeof (gs_real));
+    gs_copy (n, w + 6 * ((k - 1) * nu + i), j + nr * i);
   if (nlam == 0)
     return 0;
   gs_real *phi = w + 6 * npt * (nu + 1), *h = phi + 2 * nlam;

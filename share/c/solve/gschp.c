@@ -6,7 +6,7 @@
 int
 gschp (int n, gs_real *a, int lda)
 {
-  gs_real eps = n * gseps ();
+  gs_real eps = (gs_real)n * gseps ();
   for (int j = 0; j < n; j++)
     {
       gs_real *col = a + lda * j, s = col[j], d = s;

@@ -39,7 +39,7 @@ copy_lower (int n, const gs_real *a, int lda, gs_real *l, int ldl)
 static int
 tiny_pivot (int n, const gs_real *a, int lda, const gs_real *l, int ldl)
 {
-  gs_real small = GS_R (1e4) * n * gseps ();
+  gs_real small = GS_R (1e4) * (gs_real)n * gseps ();
   for (int j = 0; j < n; j++)
     if (l[j + ldl * j] * l[j + ldl * j] <= small * a[j + lda * j])
       return 1;
@@ -151,7 +151,7 @@ gsaug (int n, int m, const gs_real *a, int lda, const gs_real *h, int ldh, const
     z[n + j] = l[j + ldl * j];
   if (gschf (n, l, ldl) == 0)
     worst = worst_pivot (n, l, ldl, z + n, 1);
-  if (worst >= first && worst > GS_R (1e2) * n * gseps ())
+  if (worst >= first && worst > GS_R (1e2) * (gs_real)n * gseps ())
     return 0;
 
   /* they do not help: A alone */

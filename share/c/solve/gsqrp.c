@@ -42,7 +42,7 @@ gsqrg (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *
   for (int j = 0; j < m; j++)
     {
       siz[j] = gs_dot (n, 0, y + ldy * j, y + ldy * j);
-      piv[j] = j + 1;
+      piv[j] = (gs_real)(j + 1);
       big = gs_max (big, siz[j]);
     }
   gsgrp (m, grp, GS_R (1e-6), siz);
@@ -108,7 +108,7 @@ gsqrc (int n, int m, gs_real *y, int ldy, gs_real tol, gs_real *piv, gs_real *be
 {
   gs_real big = 0, d;
   for (int j = 0; j < m; j++)
-    piv[j] = j + 1;
+    piv[j] = (gs_real)(j + 1);
   *rank = 0;
   for (int k = 0; k < gs_least (n, m); k++)
     {

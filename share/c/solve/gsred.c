@@ -10,7 +10,7 @@ gsred (int n, int r, const gs_real *a, int lda, gs_real *b, gs_real *z)
   gs_real tol = 0;
   for (int j = 0; j < n; j++)
     tol = gs_max (tol, a[j + lda * j]);
-  tol = GS_R (10.0) * n * gseps () * tol;
+  tol = 10 * (gs_real)n * gseps () * tol;
   int info = gsspd (n - r, 1, b + r + n * r, n, z + r, n) != 0;
   for (int j = r; j < n; j++)
     if (! (b[j + n * j] * b[j + n * j] > tol))

@@ -11,9 +11,9 @@ typedef struct
   gs_scene s, audit; /* audit: with the two states of an audit */
   externals f, faudit;
   int npar, nctl, nxk;
-  void (*par) (double *par);
-  void (*pre) (const double *par, double *cst, int *info);
-  void (*ctp) (const double *cst, double *period, double *delay);
+  void (*par) (gs_real *par);
+  void (*pre) (const gs_real *par, gs_real *cst, int *info);
+  void (*ctp) (const gs_real *cst, gs_real *period, gs_real *delay);
 } emitted;
 
 #endif

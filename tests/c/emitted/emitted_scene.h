@@ -5,16 +5,16 @@
 #define JOIN(a, b, c) JOIN3 (a, b, c)
 #define F(routine) JOIN (SCENE, _, routine##_)
 
-extern void F (par) (double *);
-extern void F (pre) (const double *, double *, int *);
-extern void F (rhs) (const double *, const double *, const double *, const double *, double *,
+extern void F (par) (gs_real *);
+extern void F (pre) (const gs_real *, gs_real *, int *);
+extern void F (rhs) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,
                      int *);
-extern void F (rha) (const double *, const double *, const double *, const double *, double *,
+extern void F (rha) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,
                      int *);
-extern void F (kin) (const double *, const double *, const double *, const double *, double *);
+extern void F (kin) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *);
 
 static int
-rhs (double t, const double *x, const double *v, const double *cst, double *xd)
+rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
   int info = 0;
   F (rhs) (&t, x, v, cst, xd, &info);
@@ -23,7 +23,7 @@ rhs (double t, const double *x, const double *v, const double *cst, double *xd)
 
 #ifdef HAS_rha
 static int
-rha (double t, const double *x, const double *v, const double *cst, double *xd)
+rha (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *xd)
 {
   int info = 0;
   F (rha) (&t, x, v, cst, xd, &info);
@@ -32,15 +32,15 @@ rha (double t, const double *x, const double *v, const double *cst, double *xd)
 #endif
 
 static void
-kin (double t, const double *q, const double *u, const double *cst, double *qdot)
+kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *qdot)
 {
   F (kin) (&t, q, u, cst, qdot);
 }
 
 #ifdef HAS_prj
-extern void F (prj) (const double *, double *, const double *, double *, int *);
+extern void F (prj) (const gs_real *, gs_real *, const gs_real *, gs_real *, int *);
 static int
-prj (double t, double *x, const double *cst, double *res)
+prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
 {
   int info = 0;
   F (prj) (&t, x, cst, res, &info);
@@ -49,11 +49,11 @@ prj (double t, double *x, const double *cst, double *res)
 #endif
 
 #ifdef HAS_con
-extern void F (con) (const double *, const double *, const double *, const double *, double *,
-                     double *, double *, const int *, double *, int *);
+extern void F (con) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,
+                     gs_real *, gs_real *, const int *, gs_real *, int *);
 static int
-con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
-     double *hc, int ldh, double *gam)
+con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst, gs_real *phi, gs_real *phit,
+     gs_real *hc, int ldh, gs_real *gam)
 {
   int info = 0;
   F (con) (&t, q, u, cst, phi, phit, hc, &ldh, gam, &info);
@@ -62,10 +62,10 @@ con (double t, const double *q, const double *u, const double *cst, double *phi,
 #endif
 
 #ifdef HAS_cmd
-extern void F (cmd) (const double *, const double *, const double *, const double *, double *,
-                     double *, int *);
+extern void F (cmd) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,
+                     gs_real *, int *);
 static int
-cmd (double t, const double *qj, const double *xi, const double *cst, double *v, double *xid)
+cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst, gs_real *v, gs_real *xid)
 {
   int info = 0;
   F (cmd) (&t, qj, xi, cst, v, xid, &info);
@@ -74,9 +74,9 @@ cmd (double t, const double *qj, const double *xi, const double *cst, double *v,
 #endif
 
 #ifdef HAS_clo
-extern void F (clo) (const double *, double *, const double *, double *, int *);
+extern void F (clo) (const gs_real *, gs_real *, const gs_real *, gs_real *, int *);
 static int
-clo (double t, double *qj, const double *cst, double *res)
+clo (gs_real t, gs_real *qj, const gs_real *cst, gs_real *res)
 {
   int info = 0;
   F (clo) (&t, qj, cst, res, &info);
@@ -85,10 +85,10 @@ clo (double t, double *qj, const double *cst, double *res)
 #endif
 
 #ifdef HAS_out
-extern void F (out) (const double *, const double *, const double *, const double *, double *,
+extern void F (out) (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,
                      int *);
 static int
-out (double t, const double *x, const double *v, const double *cst, double *y)
+out (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y)
 {
   int info = 0;
   F (out) (&t, x, v, cst, y, &info);
@@ -97,29 +97,30 @@ out (double t, const double *x, const double *v, const double *cst, double *y)
 #endif
 
 #ifdef HAS_ctl
-extern void F (ctl) (const int *, const double *, const double *, double *, const double *,
-                     double *);
-extern void F (ctp) (const double *, double *, double *);
+extern void F (ctl) (const int *, const gs_real *, const gs_real *, gs_real *, const gs_real *,
+                     gs_real *);
+extern void F (ctp) (const gs_real *, gs_real *, gs_real *);
 static void
-ctl (int k, double t, const double *y, double *xk, const double *cst, double *v)
+ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, gs_real *v)
 {
   F (ctl) (&k, &t, y, xk, cst, v);
 }
 #endif
 
 #ifdef HAS_evt
-extern void F (evt) (const double *, const double *, const double *, const int *, const double *,
-                     double *);
-extern void F (rst) (const double *, double *, double *, int *, const int *, const double *,
+extern void F (evt) (const gs_real *, const gs_real *, const gs_real *, const int *,
+                     const gs_real *, gs_real *);
+extern void F (rst) (const gs_real *, gs_real *, gs_real *, int *, const int *, const gs_real *,
                      int *);
 static void
-evt (double t, const double *x, const double *v, const int *mode, const double *cst, double *gv)
+evt (gs_real t, const gs_real *x, const gs_real *v, const int *mode, const gs_real *cst,
+     gs_real *gv)
 {
   F (evt) (&t, x, v, mode, cst, gv);
 }
 
 static int
-rst (double t, double *x, double *v, int *mode, int k, const double *cst)
+rst (gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *cst)
 {
   int info = 0;
   F (rst) (&t, x, v, mode, &k, cst, &info);

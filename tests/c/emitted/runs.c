@@ -8,13 +8,13 @@ extern const emitted emitted_four_bar, emitted_slider_crank, emitted_event_crank
     emitted_user_wheel, emitted_event_instant;
 
 static test a;
-static double par[100];
+static gs_real par[100];
 
 /* a run as of bridge.h, without Baumgarte's terms but in way 1; x0 is moved onto the constraints */
 static void
-start (const emitted *e, int method, int way, const double *x0, double tend, int nt)
+start (const emitted *e, int method, int way, const gs_real *x0, gs_real tend, int nt)
 {
-  double res;
+  gs_real res;
   int info;
   make (&a, &e->s, &e->f, tend, nt);
   a.iopt[GS_METHOD] = method;
@@ -27,7 +27,7 @@ start (const emitted *e, int method, int way, const double *x0, double tend, int
         par[e->npar - 2] = par[e->npar - 3] = 0;
     }
   e->pre (par, a.cst, &info);
-  memcpy (a.x0, x0, a.s->nx * sizeof (double));
+  memcpy (a.x0, x0, a.s->nx * sizeof (gs_real));
   if (a.s->nlam > 0)
     e->s.prj (0, a.x0, a.cst, &res);
 }
@@ -37,8 +37,8 @@ static void
 sample (const emitted *e, const int *held, const int *input, int ns)
 {
   const int anew[10] = { 0 };
-  const double memory[20] = { 0 };
-  double period[10], delay[10];
+  const gs_real memory[20] = { 0 };
+  gs_real period[10], delay[10];
   e->ctp (a.cst, period, delay);
   samples (&a, e->nctl, period, delay, held, anew, input, e->nxk, memory, e->nctl, ns);
 }
@@ -53,7 +53,7 @@ seen (int n, int least, const char *what)
 
 /* ------------------------------------------------------------ */
 
-static const double four_bar_x0[6] = { 1, -0.1, 1.4, 6, -1, 2 };
+static const gs_real four_bar_x0[6] = { 1, -0.1, 1.4, 6, -1, 2 };
 
 static void
 four_bar (void)
@@ -72,7 +72,7 @@ four_bar (void)
       }
   for (int closed = 0; closed <= 1; closed++)
     {
-      const double motion[4] = { 2, 1, 1, 2 }, gain[6] = { 0.3, 0, 0, 0.05, 0, 0 },
+      const gs_real motion[4] = { 2, 1, 1, 2 }, gain[6] = { 0.3, 0, 0, 0.05, 0, 0 },
                    x0[12] = { 0, 0, 0, 0, 0, 0, 1, -0.1, 1.4, 0, 0, 0 };
       start (e, 8, 2, four_bar_x0, 1, 50);
       a.iopt[GS_LOOPS] = 3;
@@ -85,12 +85,12 @@ four_bar (void)
           a.ip[GS_DERIVATIVES] = 2;
           a.ip[GS_PLANNED] = 1;
           a.ip[GS_NUMBERS] = 1;
-          memcpy (a.w, four_bar_x0, 3 * sizeof (double));
-          polynomial (&a, GS_MOTION, 1, 2, 2, (double[]){ 0, 0.5, 1 }, motion);
+          memcpy (a.w, four_bar_x0, 3 * sizeof (gs_real));
+          polynomial (&a, GS_MOTION, 1, 2, 2, (gs_real[]){ 0, 0.5, 1 }, motion);
         }
       a.ip[GS_FEEDBACK] = 1;
-      polynomial (&a, GS_REFERENCE, 6, 1, 2, (double[]){ 0, 1 }, x0);
-      polynomial (&a, GS_GAIN, 6, 1, 1, (double[]){ 0, 1 }, gain);
+      polynomial (&a, GS_REFERENCE, 6, 1, 2, (gs_real[]){ 0, 1 }, x0);
+      polynomial (&a, GS_GAIN, 6, 1, 1, (gs_real[]){ 0, 1 }, gain);
       compare (&a, closed ? "four_bar, planned with feedback" : "four_bar, feedback", 0);
     }
 }
@@ -99,9 +99,9 @@ static void
 slider_crank (void)
 {
   const emitted *e = &emitted_slider_crank;
-  const double x0[7] = { 0.1, -0.04, 0.7, 0, 0, 0, 0 };
-  const double volts[3] = { 6, 12, -3 };
-  const double motion[8] = { 0, 0, 2. / 3, 0, 0, 4. / 3, 0.1, 0.1 + 2. / 3 };
+  const gs_real x0[7] = { 0.1, -0.04, 0.7, 0, 0, 0, 0 };
+  const gs_real volts[3] = { 6, 12, -3 };
+  const gs_real motion[8] = { 0, 0, 2. / 3, 0, 0, 4. / 3, 0.1, 0.1 + 2. / 3 };
   for (int way = 1; way <= 6; way++)
     {
       e->par (par);
@@ -110,7 +110,7 @@ slider_crank (void)
       a.run.nb = 2;
       a.tbrk[0] = 0.8;
       a.tbrk[1] = 2;
-      polynomial (&a, GS_TABLE, 1, 3, 1, (double[]){ 0, 0.8, 2, 3 }, volts);
+      polynomial (&a, GS_TABLE, 1, 3, 1, (gs_real[]){ 0, 0.8, 2, 3 }, volts);
       compare (&a, "slider_crank, a table of volts", 0);
     }
   e->par (par);
@@ -121,8 +121,8 @@ slider_crank (void)
   a.ip[GS_PLANNED] = 1;
   a.ip[GS_NUMBERS] = 1;
   a.ip[GS_INTERNAL] = 7;
-  memcpy (a.w, x0, 3 * sizeof (double));
-  polynomial (&a, GS_MOTION, 1, 2, 4, (double[]){ 0, 1, 2 }, motion);
+  memcpy (a.w, x0, 3 * sizeof (gs_real));
+  polynomial (&a, GS_MOTION, 1, 2, 4, (gs_real[]){ 0, 1, 2 }, motion);
   a.run.nb = 1;
   a.tbrk[0] = 1;
   compare (&a, "slider_crank, a planned motion through the motor", 0);
@@ -135,7 +135,7 @@ static void
 event_crank (void)
 {
   const emitted *e = &emitted_event_crank;
-  const double x0[6] = { 0.5, -0.1, 0.84, 0, 0, 0 };
+  const gs_real x0[6] = { 0.5, -0.1, 0.84, 0, 0, 0 };
   char what[80];
   for (int way = 2; way <= 6; way += way == 3 ? 3 : 1)
     for (int method = 4; method <= 8; method += 4)
@@ -167,7 +167,7 @@ event_pendulum (void)
     {
       e->par (par);
       par[1] = 0.01;
-      start (e, method, 1, (double[]){ 2, 0.03, 0, 0 }, 3, 60);
+      start (e, method, 1, (gs_real[]){ 2, 0.03, 0, 0 }, 3, 60);
       a.rp[2] = 0.1;
       sample (e, (int[]){ 1 }, (int[]){ 4 }, 200);
       events (&a, 2, (int[]){ 2, 1 }, (int[]){ 1, 2 }, 100);
@@ -180,13 +180,13 @@ event_pendulum (void)
 static void
 given_modes (void)
 {
-  static const struct { double at, speed; int mode, wrong; } starts[]
+  static const struct { gs_real at, speed; int mode, wrong; } starts[]
     = { { 0, 1, 1, 0 }, { 0, 0, 1, 0 }, { 0, 1, 0, 1 }, { 0, -1, 1, 1 } };
   char what[80];
   for (int k = 0; k < 4; k++)
     {
       emitted_event_slide.par (par);
-      start (&emitted_event_slide, 8, 1, (double[]){ starts[k].at, starts[k].speed }, 2, 10);
+      start (&emitted_event_slide, 8, 1, (gs_real[]){ starts[k].at, starts[k].speed }, 2, 10);
       events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
       int *ie = a.ip + a.ip[GS_EVENTS] - 1;
       ie[4] = 1;
@@ -210,7 +210,7 @@ rough_steps (void)
       {
         const emitted *e = &emitted_event_ball;
         e->par (par);
-        start (e, method, 1, (double[]){ k == 2 ? 1e-6 : 1, 0, k == 2 ? 1e-3 : 0, 5 }, 5, 20);
+        start (e, method, 1, (gs_real[]){ k == 2 ? 1e-6 : 1, 0, k == 2 ? 1e-3 : 0, 5 }, 5, 20);
         a.ropt[0] = method == 4 ? 0.02 * (1 + 5 * k) : 0.1;
         events (&a, 2, (int[]){ 2, 2 }, (int[]){ 1, 2 }, 150);
         snprintf (what, sizeof what, "event_ball, method %d", method);
@@ -218,7 +218,7 @@ rough_steps (void)
         e = &emitted_event_slide;
         e->par (par);
         par[1] = 1.001 + 0.01 * k;
-        start (e, method, 1, (double[]){ 0, k == 1 }, 20, k == 2 ? 2 : 20);
+        start (e, method, 1, (gs_real[]){ 0, k == 1 }, 20, k == 2 ? 2 : 20);
         a.ropt[0] = method == 4 ? 0.25 : 0;
         events (&a, 1, (int[]){ 1 }, (int[]){ 2 }, 100);
         snprintf (what, sizeof what, "event_slide, method %d", method);
@@ -226,14 +226,14 @@ rough_steps (void)
         e = &emitted_event_blocks;
         e->par (par);
         par[0] = 0.05;
-        start (e, method, 1, (double[12]){ [11] = 0.1 * k }, 8, 10);
+        start (e, method, 1, (gs_real[12]){ [11] = 0.1 * k }, 8, 10);
         a.ropt[0] = method == 4 ? 0.05 : 0;
         events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
         snprintf (what, sizeof what, "event_blocks, method %d", method);
         compare (&a, what, 0);
       }
   /* numbers that overflow */
-  start (&emitted_event_blocks, 8, 1, (double[12]){ [10] = 1e214, [11] = 1e252 }, 8, 10);
+  start (&emitted_event_blocks, 8, 1, (gs_real[12]){ [10] = 1e214, [11] = 1e252 }, 8, 10);
   events (&a, 6, (int[]){ 1, 1, 1, 1, 1, 1 }, (int[]){ 1, 2, 3, 4, 5, 6 }, 200);
   compare (&a, "event_blocks, speeds of 1e252 m/s", 2);
 }
@@ -248,7 +248,7 @@ user_events (void)
     const emitted *e;
     const char *name;
     int ne, kind[8], input[8], least;
-    double x0[6], tend;
+    gs_real x0[6], tend;
   } runs[] = {
     { &emitted_user_bounce, "user_bounce", 3, { 3, 5, 4 }, { 0 }, 4, { 1, 0 }, 2.5 },
     { &emitted_user_count, "user_count", 3, { 3, 3, 3 }, { 0 }, 10, { 1, 2, 0, 5 }, 60 },
@@ -282,9 +282,9 @@ user_dips (void)
   for (int k = 0; k < 300; k++)
     {
       e->par (par);
-      par[2] = 2 + pow (10, -2 - k % 7) * chance ();
-      start (e, 8, 1, (double[]){ 0, 0 }, 20, 4);
-      a.ropt[1] = pow (10, -3 - k % 5);
+      par[2] = 2 + gs_pow (10, -2 - k % 7) * chance ();
+      start (e, 8, 1, (gs_real[]){ 0, 0 }, 20, 4);
+      a.ropt[1] = gs_pow (10, -3 - k % 5);
       events (&a, 2, (int[]){ 5, 5 }, (int[]){ 0, 0 }, 50);
       compare_silently (&a);
       told += a.ip[a.ip[GS_EVENTS] + 1] > 0;
@@ -302,10 +302,10 @@ sampled_crank (void)
       e->par (par);
       if (delayed)
         par[1] = par[4] = 4e-4;
-      start (e, 8, 2, (double[]){ 0.3, -0.1, 0.84, 0, 0, 0 }, 0.3, 60);
+      start (e, 8, 2, (gs_real[]){ 0.3, -0.1, 0.84, 0, 0, 0 }, 0.3, 60);
       a.ip[GS_V0] = 1;
-      polynomial (&a, GS_TABLE, 8, 1, 2, (double[]){ 0, 1 },
-                  (double[]){ 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0.3, 6, 0, 0 });
+      polynomial (&a, GS_TABLE, 8, 1, 2, (gs_real[]){ 0, 1 },
+                  (gs_real[]){ 0, 0, 0, 0, 6, 0, 0, 0, 0, 0, 0, 0, 0.3, 6, 0, 0 });
       sample (e, (int[]){ 2, 2, 2 }, (int[]){ 1, 2, 3, 4, 7, 8 }, 100);
       compare (&a, delayed ? "sampled_crank, with delays" : "sampled_crank", 0);
     }
@@ -319,7 +319,7 @@ event_instant (void)
   for (int method = 4; method <= 8; method += 4)
     {
       e->par (par);
-      start (e, method, 1, (double[]){ 0.1, 0 }, 0.5, 10);
+      start (e, method, 1, (gs_real[]){ 0.1, 0 }, 0.5, 10);
       sample (e, (int[]){ 1 }, (int[]){ 1 }, 20);
       events (&a, 5, (int[]){ 4, 5, 3, 3, 5 }, (int[5]){ 0 }, 20);
       compare (&a, method == 4 ? "event_instant, method 4" : "event_instant, method 8", 0);
@@ -331,13 +331,13 @@ static void
 passage_events (void)
 {
   const emitted *e = &emitted_passage_events;
-  static const double hi[7] = { 100, 3.1, 3.14, 3.15, 3.2, 9.5, 3.14159265358979312 };
+  static const gs_real hi[7] = { 100, 3.1, 3.14, 3.15, 3.2, 9.5, 3.14159265358979312 };
   for (int i = 0; i < 7; i++)
     {
       e->par (par);
       par[2] = 0.2;
       par[3] = hi[i];
-      start (e, 8, 2, (double[]){ 1, 1, -1, 6, 6, -6 }, 5, 60);
+      start (e, 8, 2, (gs_real[]){ 1, 1, -1, 6, 6, -6 }, 5, 60);
       sample (e, (int[]){ 2 }, (int[]){ 3, 4 }, 50);
       events (&a, 2, (int[]){ 1, 2 }, (int[]){ 1, 2 }, 20);
       compare (&a, "passage_events", i < 6 ? 0 : 3);
@@ -352,7 +352,7 @@ static void
 parallelograms (void)
 {
   const emitted *e = &emitted_parallelograms3;
-  const double x0[14] = { 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 };
+  const gs_real x0[14] = { 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 };
   char what[80];
   for (int way = 2; way <= 6; way++)
     {
@@ -371,11 +371,11 @@ parallelograms (void)
 static void
 speed (const char *what, int n)
 {
-  double c = 1e9, f = 1e9;
+  gs_real c = 1e9, f = 1e9;
   for (int k = 0; k < n; k++)
     {
-      c = fmin (c, seconds (&a, 1));
-      f = fmin (f, seconds (&a, 0));
+      c = gs_fmin (c, seconds (&a, 1));
+      f = gs_fmin (f, seconds (&a, 0));
     }
   printf ("   %s: C %.3f ms, Fortran %.3f ms, ratio %.3f\n", what, 1e3 * c, 1e3 * f, c / f);
 }
@@ -392,14 +392,14 @@ speeds (int n)
   speed ("four_bar, partitioning", n);
   emitted_event_pendulum.par (par);
   par[1] = 0.01;
-  start (&emitted_event_pendulum, 8, 1, (double[]){ 2, 0.03, 0, 0 }, 3, 60);
+  start (&emitted_event_pendulum, 8, 1, (gs_real[]){ 2, 0.03, 0, 0 }, 3, 60);
   sample (&emitted_event_pendulum, (int[]){ 1 }, (int[]){ 4 }, 200);
   events (&a, 2, (int[]){ 2, 1 }, (int[]){ 1, 2 }, 100);
   a.run.lw = gs_room (a.s, a.run.nx, 0);
   speed ("event_pendulum", n);
   emitted_parallelograms3.par (par);
   start (&emitted_parallelograms3, 8, 3,
-         (double[]){ 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 }, 6, 100);
+         (gs_real[]){ 1, 1, 1, 1, -1, -1, -1, 5, 5, 5, 5, -5, -5, -5 }, 6, 100);
   a.run.lw = gs_room (a.s, a.run.nx, 0);
   speed ("parallelograms3, partitioning", n);
 }
