@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "gsmbp/failures.h"
 #include "gsmbp/options.h"
 #include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"

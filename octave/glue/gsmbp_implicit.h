@@ -4,6 +4,7 @@
    argument of GSSIM with that name means. */
 #ifndef GSMBP_GLUE_RUN_H
 #define GSMBP_GLUE_RUN_H
+#include "gsmbp/failures.h"
 #include "gsmbp/options.h"
 #include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"

@@ -453,7 +453,7 @@ again (gs_run *s, double h, double by, int anew)
   w->wish = h * by;
   w->after_rejection = 1;
   if (w->wish <= 16 * DBL_EPSILON * fabs (s->t) || w->wish < 1e-300)
-    return GS_TOO_SMALL;
+    return GS_NO_STEP;
   return anew && ! w->fresh && take_jacobian (s) != 0 ? FATAL : AGAIN;
 }
 

@@ -2,6 +2,7 @@
 // JSON tells, and why one is not there.
 #pragma once
 
+#include "host/failure.h"
 #include "info.h"
 #include "signature.h"
 
@@ -231,6 +232,27 @@ meaning (const std::string& call, int info)
       found = m;
   return found ? found->text
                : "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
+}
+
+// (INFO of a run, its statistics, the name of the event that failed, whether ports have friction,
+// what its method said): why it ended
+static octave_value_list
+do_failure (arguments& a, int)
+{
+  const int info = a.integers ("info", 1)[0];
+  const octave_scalar_map stats = a.value ("statistics").scalar_map_value ();
+  int istat[GS_COUNTED];
+#define GS_FROM_FIELD(k, name) istat[k] = stats.contents (#name).int_value ();
+  GS_COUNTS (GS_FROM_FIELD)
+  const std::string event = a.value ("event").string_value ();
+  const bool sticks = a.value ("sticks").bool_value ();
+  const std::string said = a.value ("said").string_value (),
+                    told = meaning (gs_failed_routine (istat), istat[GS_FAILED_INFO]);
+  const gs_failed_run run = { info, istat, stats.contents ("reached").double_value (),
+                              told.c_str (), event.c_str (), sticks, said.c_str () };
+  char text[1000];
+  gs_failure (&run, text, sizeof text);
+  return ovl (std::string (text));
 }
 
 static octave_value_list

@@ -91,7 +91,7 @@ samples (gs_run *s, int *acted)
   ((due_type *)r->gsdue) (r->out, r->ctl, r->cmd, r->clo, r->vin, &s->t, s->x, &r->nu, &r->nx,
                           &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &s->sample, acted,
                           &info);
-  return info != 0 ? ROUTINE : FINISHED;
+  return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* time, state and statistics at the start */
@@ -124,10 +124,10 @@ singular_start (gs_run *s)
   size_t room = r->nx + 2 * (size_t) r->nq + (size_t) r->nlam * (r->nu + 1);
   int state = 0, side = 1, info = 0;
   if (r->nlam == 0 || r->iopt[GS_WATCH] != 1 || r->iopt[GS_LOOPS] == 1 || r->resume)
-    return FINISHED;
+    return GS_DONE;
   double *f = calloc (room, sizeof (double));
   if (! f)
-    return MEMORY;
+    return GS_OUT_OF_MEMORY;
   double *xt = f + r->nx, *xw = xt + r->nq, *siz = xw + r->nq, *hc = siz + r->nlam;
   pbg_type *look = (pbg_type *) r->gspbg;
   look (r->con, r->kin, &s->t, s->x, &hmax, &r->nq, &r->nu, &r->nlam, r->cst, f, xt, xw, hc, siz,
@@ -147,7 +147,7 @@ singular_start (gs_run *s)
       r->istat[GS_FAILED_INFO] = state;
       r->istat[GS_FAILED] = GS_AT_START;
     }
-  return info != 0 || state > 0 ? ROUTINE : FINISHED;
+  return info != 0 || state > 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* the start, as GSSIM; INFO */
@@ -161,10 +161,10 @@ begin (gs_run *s)
   double job = s->p[0];
   s->p[0] = 0;   /* completed from others it would be moved close to a singular position */
   if (gs_check (s, r->iopt, s->t, s->x, gs_no_jump) != 0)
-    return ROUTINE;
+    return GS_ROUTINE_FAILED;
   s->p[0] = job;
   if (gs_take_inputs (s, s->t, 1, s->x, s->v) != 0)
-    return ROUTINE;
+    return GS_ROUTINE_FAILED;
   if ((info = gs_first_events (s)) != 0 || (info = singular_start (s)) != 0)
     return info;
   if (r->nlam > 0 && r->iopt[GS_WATCH] == 1 && r->iopt[GS_LOOPS] != 1 && s->p[0] < 2
@@ -178,7 +178,7 @@ begin (gs_run *s)
         {
           r->istat[GS_FAILED_INFO] = info;
           r->istat[GS_FAILED] = GS_AT_CON;
-          return ROUTINE;
+          return GS_ROUTINE_FAILED;
         }
     }
   r->istat[GS_FAILED] = GS_AT_NOTHING;
@@ -202,13 +202,13 @@ put_out (gs_run *s, double t, const double *x)
   double *column = r->xout + (size_t) r->ldx * k;
   memcpy (column, x, sizeof (double) * r->nx);
   if (gs_projects (r) && gs_check (s, s->project, t, column, gs_no_jump) != 0)
-    return ROUTINE;
+    return GS_ROUTINE_FAILED;
   if (gs_take_inputs (s, t, gs_side_at (s, t), column, s->v) != 0)
-    return ROUTINE;
+    return GS_ROUTINE_FAILED;
   memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * r->nv);
   gs_turn_on (s, column);
   r->istat[GS_N_OUTPUTS] = k + 1;
-  return FINISHED;
+  return GS_DONE;
 }
 
 int
@@ -219,11 +219,11 @@ gs_put_out (gs_run *s, double limit)
     {
       double t = r->tout[r->istat[GS_N_OUTPUTS]];
       if (t < s->t && s->by->between (s, t, s->between) < 0)
-        return METHOD_FAILED;
+        return GS_METHOD_FAILED;
       if (put_out (s, t, t < s->t ? s->between : s->x) != 0)
-        return ROUTINE;
+        return GS_ROUTINE_FAILED;
     }
-  return FINISHED;
+  return GS_DONE;
 }
 
 /* the output times up to here; at the end of the run an event of the user that lies there; INFO */
@@ -231,11 +231,11 @@ static int
 arrive (gs_run *s)
 {
   const gsmbp_run *r = s->r;
-  int info = FINISHED;
+  int info = GS_DONE;
   if (s->t >= r->tout[r->nt - 1]
-      && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == FINISHED)
+      && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == GS_DONE)
     info = gs_events_at_end (s);
-  return info != FINISHED ? info : gs_put_out (s, s->t);
+  return info != GS_DONE ? info : gs_put_out (s, s->t);
 }
 
 /* after a step, up to an EVENT or none: statistics, drift, the output times that it passed; INFO */
@@ -250,18 +250,18 @@ accept (gs_run *s, int event)
   r->rstat[GS_T_REACHED] = s->t;
   r->rstat[GS_H_NEXT] = s->next;
   if (! gs_all_finite (r->nx, s->y))
-    return INFINITE;
+    return GS_NOT_FINITE;
   s->still = s->h <= 16 * DBL_EPSILON * fabs (s->t) ? s->still + 1 : 0;
   if (s->still >= 20)   /* a method might go on for ever */
-    return SMALL;
+    return GS_TOO_SMALL;
   memcpy (s->x, s->y, sizeof (double) * r->nx);
   if (! event && s->by->moves)
     gs_onto_held (s, s->t, s->x);
   memcpy (s->trial, s->x, sizeof (double) * r->nx);
   if (r->nlam > 0 && (r->iopt[GS_DRIFT] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)
-    return ROUTINE;
-  return event && gs_ended_by_event (s) ? ENDED : arrive (s);
+    return GS_ROUTINE_FAILED;
+  return event && gs_ended_by_event (s) ? GS_ENDED : arrive (s);
 }
 
 /* does the scene switch where the run stands? Then its rates differ on both sides. */
@@ -303,11 +303,11 @@ static int
 failure (gs_run *s, int flag)
 {
   s->r->istat[GS_CAUSE] = flag;
-  return s->r->istat[GS_FAILED] != GS_AT_NOTHING     ? ROUTINE
-         : flag == GS_TOO_SMALL  ? SMALL
-         : flag == GS_NO_RATES   ? NO_RATES
-         : flag == GS_NO_MEMORY  ? MEMORY
-                                 : METHOD_FAILED;
+  return s->r->istat[GS_FAILED] != GS_AT_NOTHING     ? GS_ROUTINE_FAILED
+         : flag == GS_NO_STEP  ? GS_TOO_SMALL
+         : flag == GS_NO_RATES   ? GS_RATE_NOT_FINITE
+         : flag == GS_NO_MEMORY  ? GS_OUT_OF_MEMORY
+                                 : GS_METHOD_FAILED;
 }
 
 /* one step, up to an EVENT in it; INFO */
@@ -315,7 +315,7 @@ static int
 next_step (gs_run *s, int *event)
 {
   double from = s->t;
-  int flag = s->by->step (s), info = FINISHED;
+  int flag = s->by->step (s), info = GS_DONE;
   *event = 0;
   if (flag >= 0 && gs_has_events (s))
     info = gs_events_in_step (s, from, event, &flag);
@@ -328,7 +328,7 @@ start_again (gs_run *s)
 {
   s->by->count (s);
   int flag = s->by->restart (s);
-  return flag < 0 ? failure (s, flag) : FINISHED;
+  return flag < 0 ? failure (s, flag) : GS_DONE;
 }
 
 /* from here to the next stop; INFO */
@@ -347,12 +347,12 @@ advance (gs_run *s)
       const int most = r->iopt[GS_MOST_STEPS];
       if (most > 0
           && r->istat[GS_N_STEPS] + r->istat[GS_N_REJECTED] + s->by->rejected (s) >= most)
-        return STEPS;
+        return GS_TOO_MANY;
       if ((info = next_step (s, &event)) != 0 || (info = accept (s, event)) != 0
           || (event && (info = start_again (s)) != 0))
         return info;
     }
-  return FINISHED;
+  return GS_DONE;
 }
 
 /* stop at T, a break or a sample, unless the stop is nearer; times that differ by rounding are one
@@ -417,7 +417,7 @@ int
 gs_implicit_run (const gsmbp_run *r, const gs_method *by)
 {
   gs_run s = { 0 };
-  int info = MEMORY;
+  int info = GS_OUT_OF_MEMORY;
   s.r = r;
   s.by = by;
   if (r->length > 0)
@@ -425,9 +425,9 @@ gs_implicit_run (const gsmbp_run *r, const gs_method *by)
   if (allocate (&s))
     {
       info = go (&s);
-      if (info == ROUTINE)
+      if (info == GS_ROUTINE_FAILED)
         tell_time (&s);
-      if (info != FINISHED && r->istat[GS_N_OUTPUTS] < r->nt)   /* the last state, as by GSSIM */
+      if (info != GS_DONE && r->istat[GS_N_OUTPUTS] < r->nt)   /* the last state, as by GSSIM */
         {
           gs_turn_on (&s, s.x);
           memcpy (r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], s.x, sizeof (double) * r->nx);

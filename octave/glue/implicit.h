@@ -5,15 +5,11 @@
 #include <stddef.h>
 #include "gsmbp_implicit.h"
 
-/* INFO */
-enum { FINISHED, STEPS, SMALL, ROUTINE, INFINITE, METHOD_FAILED = 6, MEMORY, NO_RATES,
-       ENDED = 11 };
-
 typedef struct gs_run gs_run;
 
 /* flags: no step, however short, is good; the rates at the state of the run are no numbers; there
  * is no memory */
-enum { GS_TOO_SMALL = -1000, GS_NO_RATES, GS_NO_MEMORY };
+enum { GS_NO_STEP = -1000, GS_NO_RATES, GS_NO_MEMORY };
 
 /* A method.  What begins and what steps gives a flag, below zero where it failed. */
 typedef struct

@@ -54,7 +54,7 @@ happen (gs_run *s, double t, double *x, int k)
   int info = 0;
   ((evr_type *) r->gsevr) (r->cmd, r->clo, r->vin, r->evt, r->rst, &t, x, &r->nu, &r->nx, &r->nv,
                            r->ip, r->rp, r->cst, s->v, r->w, r->istat, &k, &info);
-  return info != 0 ? ROUTINE : FINISHED;
+  return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 void
@@ -71,7 +71,7 @@ gs_onto_held (gs_run *s, double t, double *x)
 int
 gs_first_events (gs_run *s)
 {
-  return gs_has_events (s) && ! s->r->resume ? happen (s, s->t, s->x, 0) : FINISHED;
+  return gs_has_events (s) && ! s->r->resume ? happen (s, s->t, s->x, 0) : GS_DONE;
 }
 
 int
@@ -85,10 +85,10 @@ gs_events_at_stop (gs_run *s, int *acted)
 {
   *acted = 0;
   if (! gs_has_events (s))
-    return FINISHED;
+    return GS_DONE;
   int so_far = *gs_events_planned (s).count, info = happen (s, s->t, s->x, -1);
   *acted = *gs_events_planned (s).count > so_far;
-  return info != 0 ? info : gs_ended_by_event (s) ? ENDED : FINISHED;
+  return info != 0 ? info : gs_ended_by_event (s) ? GS_ENDED : GS_DONE;
 }
 
 int
@@ -97,14 +97,14 @@ gs_events_at_end (gs_run *s)
   const gsmbp_run *r = s->r;
   int info = 0;
   if (! gs_has_events (s))
-    return FINISHED;
+    return GS_DONE;
   const int so_far = *gs_events_planned (s).count;
   ((end_type *) r->gsend) (r->out, r->ctl, r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x,
                            &r->nu, &r->nx, &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
                            &info);
   if (*gs_events_planned (s).count > so_far)
     s->side = 1;   /* the row is behind it */
-  return info != 0 ? ROUTINE : gs_ended_by_event (s) ? ENDED : FINISHED;
+  return info != 0 ? GS_ROUTINE_FAILED : gs_ended_by_event (s) ? GS_ENDED : GS_DONE;
 }
 
 /* ------------------------------------------------------------
@@ -136,7 +136,7 @@ act (gs_run *s, const place *p)
   if (! s->by->dense)
     memcpy (s->event, s->y, sizeof (double) * s->r->nx);
   else if (gs_projects (s->r) && gs_check (s, s->project, p->t, s->event, gs_no_jump) != 0)
-    return ROUTINE;
+    return GS_ROUTINE_FAILED;
   int info = gs_put_out (s, nextafter (p->t, -HUGE_VAL));
   return info != 0 ? info : happen (s, p->t, s->event, p->i);
 }
@@ -169,7 +169,7 @@ rises (gs_run *s, const place *p, int *is)
   double g, by;
   *is = 0;
   if (! gs_is_own (&e, p->i - 1) || gs_rate (s, p->t, s->event, s->work) != 0)
-    return FINISHED;
+    return GS_DONE;
   int info = gs_climbs (s, p->i, p->t, s->event, s->work, 1e-3 * (p->end - p->begin), &g, &by);
   *is = by > 0;
   return info;
@@ -196,7 +196,7 @@ highest (gs_run *s, const place *p, double *at, double *most, int *flag)
       const double t = p->begin + 0.125 * k * (p->t - p->begin);
       *flag = s->by->between (s, t, s->between);
       if (*flag < 0)
-        return FINISHED;
+        return GS_DONE;
       int info = gs_function (s, p->i, t, s->between, &g);
       if (info != 0)
         return info;
@@ -204,7 +204,7 @@ highest (gs_run *s, const place *p, double *at, double *most, int *flag)
         *at = t;
       *most = fmax (*most, g);
     }
-  return FINISHED;
+  return GS_DONE;
 }
 
 /* Has the function of the event at P been above 0 on the way there, where it is highest on the
@@ -215,7 +215,7 @@ static int
 rose (gs_run *s, place *p, int *so, int *flag)
 {
   gs_events e = gs_events_planned (s);
-  int i = p->i - 1, info = FINISHED;
+  int i = p->i - 1, info = GS_DONE;
   double g = -1, at = p->t;
   *so = ! gs_is_own (&e, i) || s->marks[i] == 1 || s->rising[i] || e.fresh[i] >= 2;
   if (*so)
@@ -273,7 +273,7 @@ needs_step (const gs_events *e, const place *p)
 static int
 up_to (gs_run *s, place *p, int *taken, int *flag)
 {
-  int info = s->by->dense ? FINISHED : gs_locate (s, p, flag);
+  int info = s->by->dense ? GS_DONE : gs_locate (s, p, flag);
   gs_events e = gs_events_planned (s);
   double g;
   *taken = ! (info == 0 && *flag >= 0 && ! s->by->dense && s->t >= p->t && p->g > 0
@@ -345,7 +345,7 @@ gs_events_in_step (gs_run *s, double from, int *event, int *flag)
       if (p.begin > from && (*flag < 0 || p.end < p.begin))
         {
           on_from_told (s, &p, event, flag);
-          return FINISHED;
+          return GS_DONE;
         }
       if (*flag < 0 || found == 0)
         break;
@@ -366,7 +366,7 @@ gs_events_in_step (gs_run *s, double from, int *event, int *flag)
           *flag = 0;
           s->t = p.t;
           s->y = s->event;
-          return FINISHED;
+          return GS_DONE;
         }
       s->y = s->by->dense ? end : s->y;
     }

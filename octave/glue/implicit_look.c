@@ -90,7 +90,7 @@ gs_function (gs_run *s, int i, double t, const double *x, double *g)
       r->istat[GS_FAILED_INFO] = info;
       r->istat[GS_FAILED] = GS_AT_INPUTS;
     }
-  return info != 0 ? ROUTINE : FINISHED;
+  return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* What is known of the event functions before a step is looked at, to be looked at again. */
@@ -138,7 +138,7 @@ take_rising (gs_run *s, double t, double h)
 {
   gs_events e = gs_events_planned (s);
   double g, by;
-  int info = FINISHED;
+  int info = GS_DONE;
   for (int i = 0; i < e.ne && info == 0; i++)
     {
       s->rising[i] = 0;
@@ -185,7 +185,7 @@ search (gs_run *s, double from, double *to, int *found)
                            r->rstat, wholes (s), reals (s), no_gauss, found, &info);
   if (info == 0 && *found > 0)
     *to = end;
-  return info != 0 ? ROUTINE : FINISHED;
+  return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
@@ -196,7 +196,7 @@ gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
   const double end = *to;
   *found = 0;
   if ((*flag = take_nodes (s, told, from, *to)) < 0)
-    return FINISHED;
+    return GS_DONE;
   int info = take_rising (s, from, end - from), which;
   remember (s);
   if (info != 0 || (info = search (s, from, to, found)) != 0 || (which = sunk (s)) == 0)
@@ -209,11 +209,11 @@ gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
       s->r->istat[GS_FAILED_INFO] = 10;   /* as GSEVN: they accumulate */
       s->r->istat[GS_FAILED] = GS_AT_EVENT;
       s->r->istat[GS_CAUSE] = which;
-      return ROUTINE;
+      return GS_ROUTINE_FAILED;
     }
   gs_recall (s);
   *found = -1;
-  return FINISHED;
+  return GS_DONE;
 }
 
 /* the step from FROM once more, to TO at most; a flag */
@@ -238,7 +238,7 @@ slope_of (gs_run *s, int i, double from, double t, double g, double *slope)
 {
   double d = 1e-3 * (t - from), before;
   int info = s->by->between (s, t - d, s->event) < 0
-               ? METHOD_FAILED
+               ? GS_METHOD_FAILED
                : gs_function (s, i, t - d, s->event, &before);
   *slope = (g - before) / d;
   return info;
@@ -249,7 +249,7 @@ static int
 tried (gs_run *s, place *p, int *flag)
 {
   *flag = gs_once_more (s, p->from, p->t);
-  return *flag < 0 || s->t < p->t ? FINISHED : gs_function (s, p->i, p->t, s->y, &p->g);
+  return *flag < 0 || s->t < p->t ? GS_DONE : gs_function (s, p->i, p->t, s->y, &p->g);
 }
 
 /* an event of the user has happened: a little later than P its function is not above 0 */
@@ -257,7 +257,7 @@ static int
 past (gs_run *s, place *p, int *flag)
 {
   const gs_events e = gs_events_planned (s);
-  int info = FINISHED, own = gs_is_own (&e, p->i - 1);
+  int info = GS_DONE, own = gs_is_own (&e, p->i - 1);
   double least = DBL_EPSILON * fmax (fabs (p->from), fabs (p->end));
   for (int k = 0; k < 8 && own && info == 0 && *flag >= 0 && p->g > 0 && p->t < p->end; k++)
     {

@@ -31,16 +31,6 @@ typedef struct
   const int *kind, *mode;
 } gs_start;
 
-/* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
-   (of the usual sizes) although they are not; no state on them was found; a device cannot be
-   there; a period or a delay of a sampled device cannot be, or there are too many samples behind it
-   (gs_due_from); the first of the stops (GS_START_STOP and its number less 1) is beyond its end */
-enum
-{
-  GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_SAMPLES,
-  GS_START_STOP
-};
-
 /* what A has to know of the planned events E: nothing where no stop is among them */
 static void
 gs_start_events (gs_start *a, const gs_events *e)

@@ -1,6 +1,7 @@
 /* One run of a sweep without Octave; sweep_run.h says what it is. */
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
+#include "host/failure.h"
 #include "gsmbp_scene.h"
 #include "start.h"
 
@@ -266,7 +267,7 @@ set_breaks (const gs_sweep *s, gs_room *r)
 static void
 refused (const gs_sweep *s, gs_room *r, int verdict)
 {
-  r->info = 3;
+  r->info = GS_ROUTINE_FAILED;
   r->istat[GS_FAILED_INFO] = verdict;
   r->istat[GS_FAILED] = GS_BEFORE_START;
   r->rstat[GS_T_REACHED] = s->t0;
@@ -287,7 +288,7 @@ take_start (const gs_sweep *s, gs_room *r)
   const int verdict = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
   free (work);
   r->rstat[GS_T_REACHED] = s->t0;
-  r->info = work ? 0 : 7;
+  r->info = work ? GS_DONE : GS_OUT_OF_MEMORY;
   if (verdict != GS_START_TAKEN)
     refused (s, r, verdict);
 }
@@ -572,109 +573,26 @@ fill (const gs_sweep *s, gs_room *r, int ok, double reached_time, long long reac
       row[at++] = value_at (s, r, s->number[k], i, reached);
 }
 
-/* that argument K of a subroutine is out of range, as handles.h names it */
-static const char *
-out_of_range (const char *name, int k)
-{
-#define OUT_OF_RANGE(what) "argument " what " is out of range or not finite"
-  static const struct { const char *name, *text[3]; } known[] = {
-    { "pre", { OUT_OF_RANGE ("par (the parameters)") } },
-    { "cmd", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("qj (the motion)"),
-               OUT_OF_RANGE ("xi (the internal states)") } },
-    { "prj", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("x (the states)") } },
-    { "con", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("q (the coordinates)"),
-               OUT_OF_RANGE ("u (the speeds)") } },
-    { "", { OUT_OF_RANGE ("t"), OUT_OF_RANGE ("x (the states)"), OUT_OF_RANGE ("v (the inputs)") } }
-  };
-  size_t i = 0, last = sizeof known / sizeof *known - 1;
-  while (i < last && strcmp (name, known[i].name) != 0)
-    i++;
-  return k >= 1 && k <= 3 && known[i].text[k - 1] ? known[i].text[k - 1]
-                                                  : OUT_OF_RANGE ("of the Fortran subroutine");
-#undef OUT_OF_RANGE
-}
-
-/* what INFO of a subroutine says */
+/* what INFO of a subroutine says; a null pointer: not known */
 static const char *
 meaning (const char *name, int info)
 {
-  const char *text
-      = "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
-  if (info < 0)
-    return out_of_range (name, -info);
+  const char *text = NULL;
   for (const gsmbp_meaning *m = S->meanings; m->name; m++)
     if (strcmp (name, m->name) == 0 && (m->info == info || (m->and_above && info > m->info)))
       text = m->text;
   return text;
 }
 
-/* the sentence for INFO of the routine with that number, ISTAT(6) and ISTAT(7) of GSSIM, as
-   gsmbp__failure.m has it; STICKS: do ports of the scene have friction with events */
-static const char *
-cause (int number, int info, int sticks)
-{
-  if (number == 7 && info == 9 && sticks)
-    return "more than 100 events at one instant; does friction fall within a speed vs below the "
-           "tolerance of the speeds (atol)? remedy: a larger vs, or method \"dp853\"";
-  static const struct { int number, info; const char *text; } known[] = {
-    { 7, 9, "more than 100 events at one instant" },
-    { 7, 13, "a mode that is given contradicts the state" },
-    { 7, 12, "a reset gives a state a value that the loops do not leave it; expected resets of "
-      "independent coordinates and speeds" },
-    { 7, 10, "an event comes faster and faster until its intervals are nothing beside the time (a "
-      "reset that brings its expression back to zero); expected a rest, or a stop" },
-    { 3, 3, "no position that closes the loops was found nearby; the mechanism may be at the end "
-      "of its range" },
-    { 5, 3, "no position that closes the loops was found nearby; the mechanism may be at the end "
-      "of its range" },
-    { 3, 4, "no step leads away from a position where the constraints lose rank" }
-  };
-  static const char *const names[] = { "cmd", "rhs", "prj", "con", "prj", "out", "rst" };
-  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-    if (known[k].number == number && known[k].info == info)
-      return known[k].text;
-  return meaning (names[number - 1], info);
-}
-
-/* the name of event function K, from 1 on, and its length in N */
-static const char *
-name_of_event (const gs_sweep *s, int k, int *n)
+/* the name of event function K, from 1 on, into NAME, of SIZE bytes; "" for 0 */
+static void
+name_of_event (const gs_sweep *s, int k, char *name, int size)
 {
   long long length;
-  const char *name = gs_text (s->job, "event_names", &length);
-  while (name && --k > 0)
-    name = strchr (name, '\n') ? strchr (name, '\n') + 1 : NULL;
-  *n = name ? (int) strcspn (name, "\n") : 0;
-  return name ? name : "";
-}
-
-/* of a start that was not taken and of one that is left nowhere, what gsmbp_simulate begins with */
-static void
-no_start (const gs_sweep *s, const gs_room *r, char *why)
-{
-  static const char *const reasons[] = { "only method \"dp853\" begins there",
-    "at rest it may go on in more than one way",
-    "no motion with these speeds was found that leaves it" };
-  double t = r->rstat[GS_T_REACHED];
-  if (r->istat[GS_FAILED] == GS_AT_START)
-    snprintf (why, GS_WHY, "expected a start where the constraints are independent; at t = %.9g s "
-              "they lose rank: %s; start beside that position", t,
-              reasons[r->istat[GS_FAILED_INFO] - 1]);
-  else if (r->istat[GS_FAILED_INFO] == GS_START_DEVICE)
-    snprintf (why, GS_WHY, "a device cannot be there");
-  else if (r->istat[GS_FAILED_INFO] == GS_START_SAMPLES)
-    snprintf (why, GS_WHY, "sampled devices: expected periods above 0, delays of 0 or more and "
-              "fewer than 2e9 samples behind the start");
-  else if (r->istat[GS_FAILED_INFO] >= GS_START_STOP)
-    {
-      int n;
-      const char *name = name_of_event (s, r->istat[GS_FAILED_INFO] - GS_START_STOP + 1, &n);
-      snprintf (why, GS_WHY, "the start is beyond an end of the stop %.*s", n, name);
-    }
-  else if (r->istat[GS_FAILED_INFO] == GS_START_NONE)
-    snprintf (why, GS_WHY, "no state on the constraints was found near this one at t = %.9g s", t);
-  else
-    snprintf (why, GS_WHY, "expected a state on the constraints at t = %.9g s", t);
+  const char *from = k > 0 ? gs_text (s->job, "event_names", &length) : NULL;
+  while (from && --k > 0)
+    from = strchr (from, '\n') ? strchr (from, '\n') + 1 : NULL;
+  snprintf (name, (size_t) size, "%.*s", from ? (int) strcspn (from, "\n") : 0, from ? from : "");
 }
 
 static int
@@ -687,70 +605,19 @@ has_sticks (const gs_sweep *s, const gs_room *r)
   return 0;
 }
 
-/* a subroutine that failed, or an event with its name */
-static void
-no_routine (const gs_sweep *s, const gs_room *r, char *why)
-{
-  static const char *const routine[]
-      = { "the inputs", "RHS", "PRJ", "CON", "the computation of the dependent coordinates",
-          "OUT or a sampled device", "an event" };
-  int who = r->istat[GS_FAILED] >= 1 && r->istat[GS_FAILED] <= 7 ? r->istat[GS_FAILED] : 1;
-  int n = 0;
-  const char *name
-      = who == 7 && r->istat[GS_CAUSE] >= 1 ? name_of_event (s, r->istat[GS_CAUSE], &n) : "";
-  snprintf (why, GS_WHY, "%s%s%.*s%s failed with INFO = %d at t = %.9g s: %s", routine[who - 1],
-            n > 0 ? ", " : "", n, name, n > 0 ? "," : "", r->istat[GS_FAILED_INFO],
-            r->rstat[GS_T_REACHED],
-            cause (who, r->istat[GS_FAILED_INFO], has_sticks (s, r)));
-}
-
-static void
-failed_call (const gs_sweep *s, const gs_room *r, char *why)
-{
-  if (r->istat[GS_FAILED] == GS_BEFORE_START
-      || (r->istat[GS_FAILED] == GS_AT_START && r->istat[GS_FAILED_INFO] < 4))
-    no_start (s, r, why);
-  else if (r->istat[GS_FAILED] == GS_AT_START)
-    snprintf (why, GS_WHY, "an event at t = %.9g s, where the constraints lose rank: no motion "
-              "with the speeds that it leaves was found, how it goes on is not determined",
-              r->rstat[GS_T_REACHED]);
-  else
-    no_routine (s, r, why);
-}
-
-/* why a run ended, as gsmbp_simulate says it */
+/* why a run ended */
 static void
 failure (const gs_sweep *s, const gs_room *r, char *why)
 {
-  double t = r->rstat[GS_T_REACHED];
-  switch (r->info)
-    {
-    case 1:
-      snprintf (why, GS_WHY, "more steps than option maxsteps allows, at t = %.9g s", t);
-      break;
-    case 2:
-      snprintf (why, GS_WHY, "the step became too small at t = %.9g s: a singularity, or too "
-                "small a tolerance", t);
-      break;
-    case 3:
-      failed_call (s, r, why);
-      break;
-    case 4:
-      snprintf (why, GS_WHY, "the state is no longer finite at t = %.9g s: take smaller steps", t);
-      break;
-    case 6:
-      snprintf (why, GS_WHY, "the method stopped at t = %.9g s with flag %d: %.300s", t,
-                r->istat[GS_CAUSE], r->text);
-      break;
-    case 7:
-      snprintf (why, GS_WHY, "there was no memory for the method");
-      break;
-    case 8:
-      snprintf (why, GS_WHY, "a rate of the states is not finite at t = %.9g s", t);
-      break;
-    default:
-      snprintf (why, GS_WHY, "GSSIM: INFO = %d", r->info);
-    }
+  char event[200];
+  const int *istat = r->istat, info = istat[GS_FAILED_INFO];
+  const int at_event = istat[GS_FAILED] == GS_AT_EVENT;
+  const int stop = istat[GS_FAILED] == GS_BEFORE_START ? info - GS_START_STOP + 1 : 0;
+  name_of_event (s, at_event ? istat[GS_CAUSE] : stop, event, sizeof event);
+  const gs_failed_run run = { r->info, istat, r->rstat[GS_T_REACHED],
+                              meaning (gs_failed_routine (istat), info), event,
+                              at_event && has_sticks (s, r), r->text };
+  gs_failure (&run, why, GS_WHY);
 }
 
 /* one that was not begun */
@@ -774,7 +641,12 @@ gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int
   info = prepare (s, r, i, cst, info);
   if (info == 0)
     return 1;
-  snprintf (why, GS_WHY, "its parameters cannot be: %s", meaning ("pre", info));
+  int istat[GS_COUNTED] = { 0 };
+  istat[GS_FAILED] = GS_AT_PRE;
+  istat[GS_FAILED_INFO] = info;
+  const int said = snprintf (why, GS_WHY, "its parameters cannot be: ");
+  gs_cause (&(gs_failed_run){ .istat = istat, .meaning = meaning ("pre", info) }, why + said,
+            GS_WHY - said);
   never (s, r, row);
   return 0;
 }
@@ -782,14 +654,14 @@ gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int
 void
 gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
 {
-  if (s->implicit_method && r->iopt[GS_METHOD] != 0 && r->info == 5)
+  if (s->implicit_method && r->iopt[GS_METHOD] != 0 && r->info == GS_STIFF)
     by_implicit (s, r, 1);
   long long reached = r->istat[GS_N_OUTPUTS];
-  int ended = r->info == 11;
+  int ended = r->info == GS_ENDED;
   if (ended)
     reached = stay (s, r, reached);
   outputs (s, r, reached);
-  int ok = r->info == 0;
+  int ok = r->info == GS_DONE;
   if (! ok)
     failure (s, r, why);
   fill (s, r, ok, ok && ! ended ? s->tout.x[s->tout.n - 1] : r->rstat[GS_T_REACHED], reached, row);

@@ -7,8 +7,10 @@ function part = gsmbp__archive (precision)
   fortran = gsmbp__place ("share", "fortran");
   solve = {"lapack", "plain"}{1 + strcmp(precision, "quad")};
   c = gsmbp__place ("share", "c");
+  engine = gsmbp__place ("share", "engine", "host");
   sources = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", solve, ...
                                                                   "*.f")); ...
-             glob(fullfile (c, "gsmbp", "*.h")); {fullfile(c, "inputs", "gslay.c")}];
+             glob(fullfile (c, "gsmbp", "*.h")); ...
+             {fullfile(c, "inputs", "gslay.c")}; glob(fullfile (engine, "*.[ch]"))];
   part = {"libgsmbp.a", [gsmbp__mkoctfile("F77") " " flags], sources};
 endfunction

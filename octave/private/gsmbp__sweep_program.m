@@ -74,6 +74,8 @@ function take_sources (who, m, folder)
     take (who, file{1}, fullfile (folder, "c", "gsmbp"));
   endfor
   take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
+  take (who, gsmbp__place ("share", "engine", "host", "failure.c"), fullfile (folder, "c"));
+  take (who, gsmbp__place ("share", "engine", "host", "failure.h"), fullfile (folder, "c", "host"));
   put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
   if (! isempty (m.sources{2}))
     put (who, fullfile (folder, "input.f"), fileread (m.sources{2}));

@@ -87,7 +87,7 @@ completed (gsf_instance *a, work *k)
   const int m = s->nlam, r = (int)a->p[GS_DEPENDENT], r2 = (int)a->p[GS_DISPLACED];
   int rank, info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, p.phi, p.phit, p.hc, m, p.gam);
   if (info != 0 && info != 2)
-    return gsf_failed (a, GSF_DISCARD, "con", info);
+    return gsf_failed (a, GSF_DISCARD, GS_AT_CON, info);
   a->m->tan (a->d[GSF_T], a->x, a->cst, k->dp, m, k->dq, m);
   if (r2 > 0)
     {
@@ -177,7 +177,7 @@ linear (gsf_instance *a, work *w)
   int info = a->m->jac (gsf_time (a), a->x, a->v, a->cst, w->a, s->nx, w->b, s->nx, w->c, ny, w->d,
                         ny);
   if (! gsf_is_usable (info))
-    return gsf_failed (a, GSF_DISCARD, "jac", info);
+    return gsf_failed (a, GSF_DISCARD, GS_AT_JAC, info);
   product (s, s->nx, w->a, w->b, w, w->dxd);
   product (s, s->ny, w->c, w->d, w, w->dy);
   return GSF_OK;

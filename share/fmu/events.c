@@ -70,10 +70,8 @@ gsf_happens (gsf_instance *a, int k)
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
   int info = gsres (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
-  if (info == 9)
-    return gsf_fail (a, GSF_ERROR, "100 events and more at t = %.15g s", a->d[GSF_T]);
   if (info != 0)
-    return gsf_failed (a, GSF_ERROR, "rst", info);
+    return gsf_failed (a, GSF_ERROR, GS_AT_EVENT, info);
   ie[4] = 1;
   gsf_tally (a);
   return own ? gsf_after_own (a) : GSF_OK;
@@ -133,8 +131,7 @@ gsf_take_samples (gsf_instance *a, int *acted)
   *acted = 0;
   int info = gsdue (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
                     a->w, istat, a->d + GSF_T_NEXT, acted);
-  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR,
-                                          istat[GS_FAILED] == GS_AT_OUTPUT ? "out" : "inputs",
+  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, istat[GS_FAILED],
                                           istat[GS_FAILED_INFO]);
 }
 

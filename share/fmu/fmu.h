@@ -188,7 +188,7 @@ typedef struct
   double *atol, *xout, *vout;
   int *iopt;
   int known;       /* which of v and xd, v and y belong to the state: GSF_HAS_... */
-  char text[400];  /* what went wrong */
+  char text[440];  /* what went wrong */
 } gsf_instance;
 
 size_t gsf_partition_size (const gs_scene *s);
@@ -199,8 +199,12 @@ void gsf_terminate (gsf_instance *a);
 
 /* a status with its sentence */
 int gsf_fail (gsf_instance *a, int status, const char *format, ...);
-/* ... of a routine that returned info */
-int gsf_failed (gsf_instance *a, int status, const char *routine, int info);
+/* ... of a routine (GS_AT_RHS, ...) that returned info */
+int gsf_failed (gsf_instance *a, int status, int routine, int info);
+/* the name of event function k, "" below 0 */
+void gsf_event_name (const gsf_model *m, int k, char *name, int size);
+/* an error: why a run ended at t, by gs_failure; event: the name of the one that failed, or "" */
+int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *event);
 
 /* may a function be called here: kinds of FMU as bits, phases? are there values where n are
  * expected, and as many as expected? */

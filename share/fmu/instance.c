@@ -7,6 +7,7 @@
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/partition.h"
+#include "host/failure.h"
 #include "plan.h"
 
 #include <math.h>
@@ -226,17 +227,43 @@ gsf_fail (gsf_instance *a, int status, const char *format, ...)
   return status;
 }
 
-int
-gsf_failed (gsf_instance *a, int status, const char *routine, int info)
+void
+gsf_event_name (const gsf_model *m, int k, char *name, int size)
 {
-  const char *text = "see the manual of GSMBP";
-  if (info < 0)
-    text = "a number is not finite, or too large";
+  name[0] = 0;
+  if (k >= m->nports)
+    snprintf (name, (size_t) size, "%s", m->events[m->own[k - m->nports]]);
+  else if (k >= 0)   /* a port has the variable NAME.mode */
+    {
+      const char *mode = m->names[gsf_first (m, GSF_MODE) + k];
+      snprintf (name, (size_t) size, "%.*s", (int) (strrchr (mode, '.') - mode), mode);
+    }
+}
+
+int
+gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *event)
+{
+  const gs_scene *s = a->m->scene;
+  gs_failed_run run = { info, istat, t, 0, event, 0, "" };
+  const char *routine = gs_failed_routine (istat);
   for (int k = 0; k < a->m->ninfos; k++)
-    if (a->m->infos[k].info == info && strcmp (a->m->infos[k].routine, routine) == 0)
-      text = a->m->infos[k].text;
-  return gsf_fail (a, status, "%s failed at t = %.15g s, INFO = %d: %s", routine, a->d[GSF_T],
-                   info, text);
+    if (a->m->infos[k].info == istat[GS_FAILED_INFO]
+        && strcmp (a->m->infos[k].routine, routine) == 0)
+      run.meaning = a->m->infos[k].text;
+  for (int k = 0; k < a->m->nports; k++)
+    run.sticks |= s->event_kinds[k] == 1;
+  gs_failure (&run, a->text, sizeof a->text);
+  return GSF_ERROR;
+}
+
+int
+gsf_failed (gsf_instance *a, int status, int routine, int info)
+{
+  int istat[GS_COUNTED] = { 0 };
+  istat[GS_FAILED] = routine;
+  istat[GS_FAILED_INFO] = info;
+  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
+  return status;
 }
 
 static const char *

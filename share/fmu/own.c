@@ -140,8 +140,14 @@ happened (gsf_instance *a, int k)
   else
     a->low[k] = 0;
   if (a->low[k] >= GSF_MOST_LOW)
-    return gsf_fail (a, GSF_ERROR, "events accumulate at t = %.15g s: event %s happens again and "
-                     "again", a->d[GSF_T], a->m->events[a->m->own[k - a->m->nports]]);
+    {
+      int istat[GS_COUNTED] = { 0 };
+      istat[GS_FAILED] = GS_AT_EVENT;
+      istat[GS_FAILED_INFO] = 10;
+      char event[200];
+      gsf_event_name (a->m, k, event, sizeof event);
+      return gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], event);
+    }
   enters (a, k, a->g[k] > little (a, k) ? GSF_ARMED : rises (a, k) ? GSF_LEFT : GSF_BELOW);
   return GSF_OK;
 }

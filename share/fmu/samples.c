@@ -63,7 +63,7 @@ events (gsf_instance *a, int k)
   const int info = gsevr (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
                           a->v, a->w, istat, k);
   if (info != 0)
-    return gsf_failed (a, GSF_ERROR, istat[GS_FAILED] == GS_AT_EVENT ? "rst" : "inputs", info);
+    return gsf_failed (a, GSF_ERROR, istat[GS_FAILED], info);
   gsf_tally (a);
   return GSF_OK;
 }

@@ -16,9 +16,12 @@ within_stops (gsf_instance *a, double *pos, double *speed, double *ends, double 
     {
       const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6;
       if (s->event_kinds[k] == 2 && (pos[k] < low - near || pos[k] > high + near))
-        return gsf_fail (a, GSF_ERROR,
-                         "the start is beyond an end of a stop, %s: expected %g to %g, found %g",
-                         a->m->names[gsf_first (a->m, GSF_MODE) + k], low, high, pos[k]);
+        {
+          char event[200];
+          gsf_event_name (a->m, k, event, sizeof event);
+          return gsf_fail (a, GSF_ERROR, "the start is beyond an end of the stop %s: expected %g "
+                           "to %g, found %g (m or rad)", event, low, high, pos[k]);
+        }
     }
   return GSF_OK;
 }
@@ -60,7 +63,7 @@ within_margins (gsf_instance *a, double *margin)
   for (int k = 0; k < a->m->nmargins; k++)
     if (! holds (a, k, margin))
       return gsf_fail (a, GSF_ERROR,
-                       "a device cannot start there: %s: expected above 0, found %g",
+                       "a device cannot be there: %s: expected above 0, found %.6g",
                        a->m->margins[k], margin[k]);
   return GSF_OK;
 }

@@ -29,7 +29,7 @@ gsf_inputs (gsf_instance *a)
 {
   int info = gsinp (a->m->scene, a->d[GSF_T], 1, a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
                     a->w);
-  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, "inputs", info);
+  return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, GS_AT_INPUTS, info);
 }
 
 /* 2: constraints are dependent, 3: angles are close to their singularity: results are usable */
@@ -49,7 +49,7 @@ gsf_rates (gsf_instance *a)
     return GSF_OK;
   int info = s->rhs (gsf_time (a), a->x, a->v, a->cst, a->xd);
   if (! gsf_is_usable (info))
-    return gsf_failed (a, GSF_DISCARD, "rhs", info);
+    return gsf_failed (a, GSF_DISCARD, GS_AT_RHS, info);
   if (gsfin (s->nx, a->xd) != 0)
     return gsf_fail (a, GSF_DISCARD, "the rate of state %d is not finite at t = %.15g s",
                      gsfin (s->nx, a->xd), a->d[GSF_T]);
@@ -67,7 +67,7 @@ gsf_outputs (gsf_instance *a)
     return GSF_OK;
   int info = s->out ? s->out (gsf_time (a), a->x, a->v, a->cst, a->y) : 0;
   if (! gsf_is_usable (info))
-    return gsf_failed (a, GSF_DISCARD, "out", info);
+    return gsf_failed (a, GSF_DISCARD, GS_AT_OUTPUT, info);
   a->known |= GSF_HAS_OUTPUTS;
   return GSF_OK;
 }
@@ -139,7 +139,7 @@ gsf_choose (gsf_instance *a)
     {
       int info = gspnw (s, a->d[GSF_T], a->x, a->cst, a->p);
       if (info != 0)
-        return gsf_failed (a, GSF_ERROR, "con", info);
+        return gsf_failed (a, GSF_ERROR, GS_AT_CON, info);
     }
   return number_states (a);
 }
@@ -185,7 +185,7 @@ complete_from (gsf_instance *a, const double *x)
         return gsf_fail (a, GSF_DISCARD, "no state on the constraints was found at t = %.15g s: "
                          "the step is too long, or a singular position is near", a->d[GSF_T]);
       if (info != 0)
-        return gsf_failed (a, GSF_DISCARD, "con", info);
+        return gsf_failed (a, GSF_DISCARD, GS_AT_CON, info);
     }
   return GSF_OK;
 }
@@ -331,7 +331,7 @@ close_loops (gsf_instance *a)
     return GSF_ERROR;
   int info = s->prj ? s->prj (a->d[GSF_T], a->x, a->cst, res) : 0;
   if (info != 0 && info != 2)
-    return gsf_failed (a, GSF_ERROR, "prj", info);
+    return gsf_failed (a, GSF_ERROR, GS_AT_PRJ, info);
   return GSF_OK;
 }
 
@@ -346,7 +346,7 @@ prepare (gsf_instance *a)
     return gsf_fail (a, GSF_ERROR, "parameters: %s", rule);
   int info = m->pre (a->par, a->cst);
   if (info != 0)
-    return gsf_failed (a, GSF_ERROR, "pre", info);
+    return gsf_failed (a, GSF_ERROR, GS_AT_PRE, info);
   gsf_next_switch (a);
   gsf_forget (a);
   m->start (a->par, a->x);

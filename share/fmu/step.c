@@ -6,46 +6,25 @@
 #include "plan.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { GSF_MOST_STEPS = 10000000 };
 
-static const char *const routines[] = { "", "inputs", "rhs", "prj", "con", "gsprt", "out", "rst" };
-
 static int
-why_failed (gsf_instance *a, const gs_run *run, int info)
+failed (gsf_instance *a, const gs_run *run, int info)
 {
-  const int which = run->istat[GS_FAILED];
-  const double t = run->rstat[GS_T_REACHED];
-  if (info == GS_ROUTINE_FAILED && which > 0 && which < 8)
-    {
-      if (which == 7 && run->istat[GS_FAILED_INFO] == 10)
-        return gsf_fail (a, GSF_ERROR, "events accumulate at t = %.15g s: event %s happens again "
-                         "and again", t,
-                         a->m->events[a->m->own[run->istat[GS_CAUSE] - 1 - a->m->nports]]);
-      if (which == 7 && run->istat[GS_FAILED_INFO] == 9)
-        return gsf_fail (a, GSF_ERROR, "100 events and more at one instant after t = %.15g s", t);
-      return gsf_failed (a, GSF_ERROR, routines[which], run->istat[GS_FAILED_INFO]);
-    }
-  const char *why = "an argument of the integrator is out of range";
-  if (info == GS_ROUTINE_FAILED)
-    why = "the constraints lose rank where the step starts";
-  else if (info == GS_TOO_MANY)
-    why = "10000000 steps were not enough: the scene is too stiff for an explicit method";
-  else if (info == GS_TOO_SMALL)
-    why = "the step became too small: a singular position, or a jump of the equations";
-  else if (info > 0)
-    why = "a state or a rate is not finite";
-  return gsf_fail (a, GSF_ERROR, "the run ended at t = %.15g s: %s", t, why);
-}
-
-static int
-run_failed (gsf_instance *a, const gs_run *run, int info)
-{
-  const int status = why_failed (a, run, info);
+  char event[200];
+  gsf_event_name (a->m, run->istat[GS_FAILED] == GS_AT_EVENT ? run->istat[GS_CAUSE] - 1 : -1,
+                  event, sizeof event);
+  gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED], event);
+  const size_t n = strlen (a->text);
+  if (info == GS_TOO_MANY)
+    snprintf (a->text + n, sizeof a->text - n, ": %d in a communication step of an FMU; take "
+              "shorter ones", GSF_MOST_STEPS);
   if (info > 0 && gsfin (a->m->scene->nx, run->xout) == 0)
     gsf_outside (a, run->rstat[GS_T_REACHED], run->xout, run->vout);
-  return status;
+  return GSF_ERROR;
 }
 
 /* the options of a run */
@@ -143,7 +122,7 @@ run_on (gsf_instance *a, double t, double h)
   run.beyond = gsf_beyond (a, t, h);
   int info = gssim (s, &run);
   if (info != GS_DONE && info != GS_ENDED)
-    return run_failed (a, &run, info);
+    return failed (a, &run, info);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
   gsf_keep (a, &run.last);
   arrive (a, info == GS_DONE ? t : run.rstat[GS_T_REACHED]);

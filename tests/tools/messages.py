@@ -20,7 +20,7 @@ CALLS = {
     'm': r'(?<![\w."])(error|warning|refuse) \(',
     'cc': r'(?<!\w)(error|error_with_id|warning_with_id) \(',
 }
-# functions whose texts are parts of messages: file, function
+# functions whose texts are parts of messages: file, function ('': all of the file)
 TEXTS = [
     ('gsmbp/emit/info.mac', 'gs__info_sentences'),
     ('gsmbp/emit/info.mac', 'gs__bad_arguments'),
@@ -38,12 +38,11 @@ TEXTS = [
     ('gsmbp/scene/beam_limits.mac', 'gs__section_notes'),
     ('gsmbp/scene/beam_limits.mac', 'gs__moments_left_out'),
     ('gsmbp/scene/beam_limits.mac', 'gs__data_notes'),
-    ('octave/private/gsmbp__failure.m', 'gsmbp__failure'),
-    ('octave/private/gsmbp__failure.m', 'cause'),
+    ('share/engine/host/failure.c', ''),
+    ('octave/private/gsmbp__failure.m', 'dependent_rows'),
     ('octave/private/gsmbp__failure.m', 'fastest'),
     ('octave/private/gsmbp__outside.m', 'gsmbp__outside'),
     ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
-    ('octave/private/gsmbp__no_beginning.m', 'gsmbp__no_beginning'),
     ('octave/private/gsmbp__fits.m', 'gsmbp__fits'),
     ('octave/private/gsmbp__margins.m', 'sentence'),
     ('octave/private/gsmbp__doubts.m', 'outside'),
@@ -115,7 +114,7 @@ def plain(text):
 
 def kind_of(path):
     end = path.rsplit('.', 1)[1]
-    return 'cc' if end == 'h' else end
+    return 'cc' if end in ('h', 'c') else end
 
 
 def sources():
@@ -152,10 +151,13 @@ def texts(path, name):
     """(line, fixed words) of the texts of a function"""
     kind = kind_of(path)
     text = uncommented(read(path), kind)
-    begin = re.search(r'(?m)^' + name + r'\b|^function [^\n]*\b' + name + r'\b', text)
+    begin = re.search(r'(?m)^' + name + r'\b|^function [^\n]*\b' + name + r'\b' if name else '',
+                      text)
     if begin is None:
         sys.exit('messages.py: %s: no function %s' % (path, name))
-    end = re.compile(r'\$\s*$|^endfunction', re.M).search(text, begin.end()).end()
+    end = len(text)
+    if name:
+        end = re.compile(r'\$\s*$|^endfunction', re.M).search(text, begin.end()).end()
     for m in re.finditer(r'"(?:\\.|[^"\\])*"(?:[\s.\[]*"(?:\\.|[^"\\])*")*',
                          text[begin.start():end], re.S):
         for p in pieces(m.group(0), kind):

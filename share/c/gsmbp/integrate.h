@@ -12,20 +12,6 @@
 extern "C" {
 #endif
 
-/* what gssim returns; -i: argument i of GSSIM is out of range, -100-k: SIZ(k), -109: ldx, -110:
- * ldv */
-enum
-{
-  GS_DONE = 0,         /* all output times reached */
-  GS_TOO_MANY,         /* more than iopt[GS_MOST_STEPS] steps */
-  GS_TOO_SMALL,        /* the step became too small */
-  GS_ROUTINE_FAILED,   /* see istat[GS_FAILED_INFO] and istat[GS_FAILED] */
-  GS_NOT_FINITE,       /* the state is no longer finite */
-  GS_STIFF,            /* steps are bound by stability (method 9) */
-  GS_RATE_NOT_FINITE=8, /* a rate is not finite at the start, behind a stop or behind the end */
-  GS_ENDED = 11        /* an event of the user has ended the run */
-};
-
 /* a step of gsdp8 with its polynomial, see gsdpv */
 typedef struct
 {

@@ -11,7 +11,7 @@
   ROW (GS_N_PROJECTIONS, projections)             /* calls of prj */                               \
   ROW (GS_N_OUTPUTS, outputs)                     /* output times reached */                       \
   ROW (GS_FAILED_INFO, failed_info)               /* info of the routine that failed */            \
-  ROW (GS_FAILED, failed)                         /* which one, see below */                       \
+  ROW (GS_FAILED, failed)                         /* which one, see failures.h */                  \
   ROW (GS_N_RANK_LOST, rank_losses)               /* calls of rhs where constraints lost rank */   \
   ROW (GS_N_ANGLES, angle_singularities)          /* ... near a singularity of angles */           \
   ROW (GS_N_PARTITIONS, partition_changes)        /* choices of other independent speeds */        \
@@ -63,14 +63,4 @@ enum { GS_VALUES (GS_ROW_CONSTANT) GS_MEASURED };
 /* the memory of gsstd, of explicit methods: steps that looked bound by stability, steps since that
  * did not, when the next look is due */
 enum { GS_SEEN_STIFF = GS_N_JACOBIANS, GS_SEEN_FREE, GS_NEXT_LOOK };
-
-/* istat[GS_FAILED]. GS_AT_START: in a singular position; info is 1 where method 4 does not begin
- * there, 2 at rest, 3 where no motion with these speeds leaves it, 4 so after an event.
- * GS_AT_EVENT: info is 10 where events accumulate, 13 where the mode given contradicts the state.
- * GS_BEFORE_START: a host does not take the start. */
-enum
-{
-  GS_AT_NOTHING, GS_AT_INPUTS, GS_AT_RHS, GS_AT_PRJ, GS_AT_CON, GS_AT_PARTITION, GS_AT_OUTPUT,
-  GS_AT_EVENT, GS_AT_START, GS_BEFORE_START
-};
 #endif

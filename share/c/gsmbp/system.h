@@ -2,6 +2,7 @@
 #ifndef GSMBP_SYSTEM_H
 #define GSMBP_SYSTEM_H
 
+#include "gsmbp/failures.h"
 #include "gsmbp/options.h"
 #include "gsmbp/real.h"
 #include "gsmbp/scene.h"

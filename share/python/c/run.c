@@ -5,6 +5,7 @@
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
+#include "host/failure.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
 typedef int gs_ask (void);
@@ -69,6 +70,15 @@ const char *
 gs_loop_statistics (int measured)
 {
   return measured ? GS_VALUES (GS_ROW_NAME) : GS_COUNTS (GS_ROW_NAME);
+}
+
+/* gs_failure with its structure member by member */
+void
+gs_loop_failure (int info, const int *istat, double t, const char *meaning, const char *event,
+                 int sticks, char *text, int size)
+{
+  const gs_failed_run f = { info, istat, t, meaning, event, sticks, "" };
+  gs_failure (&f, text, size);
 }
 
 /* of the structure that Python fills as well */

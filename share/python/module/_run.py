@@ -17,7 +17,8 @@ WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
 METHODS = {'rk4': 4, 'dp853': 8}
 COUNTS, VALUES = (LIBRARY.gs_loop_statistics(k).decode().split() for k in (0, 1))
 RECORDED = 10000   # events
-WRONG_MODE = 13    # INFO of GSRES: one that is given contradicts the state
+AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
+WRONG_MODE = 13    # where the mode that is given contradicts the state
 ENDED = 11         # what a run says that an event of the user has ended
 VIN = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.c_int,
                        ctypes.POINTER(ctypes.c_double), ctypes.c_int, ctypes.c_int,
@@ -503,7 +504,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     if p.ends.failure is not None:
         raise p.ends.failure
     s = run['stats']
-    if run['info'] == 3 and s['failed'] == 7 and s['failed_info'] == WRONG_MODE:
+    if run['info'] == 3 and s['failed'] == AT_EVENT and s['failed_info'] == WRONG_MODE:
         raise ValueError('%s: %s' % (
             who, _wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
     return _result(who, model, p, run, method, kept, audit, errors)
@@ -601,6 +602,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
             ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
             at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
             at(out['x']), at(out['v']), at(counts), at(values), at(w), number(len(w)))
+    out['istat'] = counts
     out['stats'] = dict(zip(COUNTS + VALUES, counts.tolist() + values.tolist()))
     out['seconds'] = time.perf_counter() - begun
     return out
@@ -682,18 +684,17 @@ def _stats(model, run, method):
 
 def failure(run):
     """Why a run ended before its time."""
-    s, info = run['stats'], run['info']
-    at = 'at t = %.9g s' % s['reached']
-    if info == 3:
-        text = _failed(s['failed'], s['failed_info'], at, _at_work(run))
-    else:
-        text = {1: 'more steps than maxsteps allows, ' + at,
-                2: 'the step became too small %s: a singularity, or too small a tolerance' % at,
-                4: 'the state is no longer finite %s: take smaller steps' % at,
-                8: 'a rate of the states is not finite ' + at}.get(info, 'GSSIM: INFO = %d' % info)
-    if info != 1 and s['stiff']:
-        text += '; the steps are bound by stability'
-    return text
+    s, text = run['stats'], ctypes.create_string_buffer(1000)
+    routine = LIBRARY.gs_failed_routine(at(run['istat'])).decode()
+    event, sticks = '', False
+    if s['failed'] == AT_EVENT:
+        event = TABLE['events'][s['cause'] - 1]['name'] if s['cause'] > 0 else ''
+        sticks = any(event['kind'] == 'stick' for event in TABLE['events'])
+    LIBRARY.gs_loop_failure(
+        ctypes.c_int(run['info']), at(run['istat']), ctypes.c_double(s['reached']),
+        meaning(routine, s['failed_info']).encode(), event.encode(), ctypes.c_int(sticks), text,
+        ctypes.c_int(len(text)))
+    return text.value.decode()
 
 
 def outside(model, run):
@@ -706,47 +707,6 @@ def outside(model, run):
         return ''
     return ''.join('; outside a margin: ' + sentence
                    for sentence, _ in margins(model, np.array([run['stats']['reached']]), x, v))
-
-
-def _at_work(run):
-    """', name,' of the event at which a run has failed, '' where that is not known."""
-    s = run['stats']
-    if s['failed'] != 7:
-        return ''
-    if s['failed_info'] == 10:
-        number = s['cause']
-    else:
-        number = int(_recorded(run)[3])
-    return ', %s,' % TABLE['events'][number - 1]['name'] if number > 0 else ''
-
-
-def _failed(number, info, at, name):
-    if number == 8:
-        if info == 4:
-            return 'an event %s, where the constraints lose rank: how it goes on is not ' \
-                'determined' % at
-        return 'the start %s lies in a singular position that it does not leave' % at
-    routine = ('the inputs', 'RHS', 'PRJ', 'CON', 'the dependent coordinates',
-               'OUT or a sampled device', 'an event')[number - 1]
-    if number == 7 and info == 9:
-        cause = 'more than 100 events at one instant'
-        if any(event['kind'] == 'stick' for event in TABLE['events']):
-            cause += '; does friction fall within a speed vs below the tolerance of the speeds ' \
-                '(atol)? remedy: a larger vs, or method "dp853"'
-    elif number == 7 and info == 10:
-        cause = 'an event comes faster and faster until its intervals are nothing beside the ' \
-            'time (a reset that brings its expression back to zero); expected a rest, or a stop'
-    elif number == 7 and info == 12:
-        cause = 'a reset gives a state a value that the loops do not leave it; expected resets ' \
-            'of independent coordinates and speeds'
-    elif number in (3, 5) and info == 3:
-        cause = 'no position that closes the loops was found nearby; the mechanism may be at ' \
-            'the end of its range'
-    elif number == 3 and info == 4:
-        cause = 'no step leads away from a position where the constraints lose rank'
-    else:
-        cause = meaning(('cmd', 'rhs', 'prj', 'con', 'prj', 'out', 'rst')[number - 1], info)
-    return '%s%s failed with INFO = %d %s: %s' % (routine, name, info, at, cause)
 
 
 def _samples(run):

@@ -1,0 +1,43 @@
+/* gsmbp/failures.h: how a run ends, and what failed in it. */
+#ifndef GSMBP_FAILURES_H
+#define GSMBP_FAILURES_H
+
+/* what gssim, an implicit method or a host returns; -i: argument i of GSSIM is out of range,
+ * -100-k: SIZ(k), -109: ldx, -110: ldv */
+enum
+{
+  GS_DONE = 0,           /* all output times reached */
+  GS_TOO_MANY,           /* more than iopt[GS_MOST_STEPS] steps */
+  GS_TOO_SMALL,          /* the step became too small */
+  GS_ROUTINE_FAILED,     /* see istat[GS_FAILED] */
+  GS_NOT_FINITE,         /* the state is no longer finite */
+  GS_STIFF,              /* steps are bound by stability (method 9) */
+  GS_METHOD_FAILED,      /* an implicit method stopped with the flag istat[GS_CAUSE] */
+  GS_OUT_OF_MEMORY,
+  GS_RATE_NOT_FINITE,    /* at the start, after a stop or after the end */
+  GS_INTERRUPTED,        /* Ctrl-C */
+  GS_TIMED_OUT,
+  GS_ENDED               /* an event of the user has ended the run */
+};
+
+/* istat[GS_FAILED], what failed with istat[GS_FAILED_INFO]. GS_AT_START: in a singular position;
+ * info is 1 where the method does not begin there, 2 at rest, 3 where no motion with these speeds
+ * leaves it, 4 so after an event. GS_BEFORE_START: a host did not take the start; info is a
+ * verdict. GS_AT_EVENT: info is 10 where events accumulate, 13 where the given mode contradicts
+ * the state. */
+enum
+{
+  GS_AT_NOTHING, GS_AT_INPUTS, GS_AT_RHS, GS_AT_PRJ, GS_AT_CON, GS_AT_PARTITION, GS_AT_OUTPUT,
+  GS_AT_EVENT, GS_AT_START, GS_BEFORE_START, GS_AT_PRE, GS_AT_JAC
+};
+
+/* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
+ * (of the usual sizes) although they are not; no state on them was found; a device cannot be
+ * there; a period or a delay of a sampled device cannot be, or there are too many samples after it
+ * (gs_due_from); the first of the stops (GS_START_STOP and its number less 1) is beyond its end */
+enum
+{
+  GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_SAMPLES,
+  GS_START_STOP
+};
+#endif
