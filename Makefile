@@ -21,14 +21,14 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test check test-processors test-whole \
         test-random test-malformed test-identify test-writers \
-        test-reach test-c test-before test-sweep test-mpi bench bench-c bench-loops bench-passages \
+        test-reach test-c test-precision test-before test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
         bench-points bench-reach bench-robots bench-peers same doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-environment check-report check-screen check-notebook check-portable packages-fmu \
-        check-fmu packages-mpi packages-slurm check-slurm
+        check-fmu packages-mpi packages-slurm check-slurm packages-cross
 
 define HELP
 make examples              derive, emit, compile, run and plot the examples
@@ -47,7 +47,10 @@ make test-random           2000 scenes made by chance against each of two indepe
 make test-malformed        300 malformed scenes against their verdicts, mutants of the examples, 6000
                            values of wrong types in options (make test takes 25, and 100)
 make test-c                emitted C against emitted Fortran of all scenes (make test takes a
-                           sample); SCENES="FILE.mac ...": these only
+                           sample); SCENES="FILE.mac ...": these only; PRECISION=quad: both in quad
+                           precision
+make test-precision        the run time in C in quad and in single precision, on a Cortex-M4F and an
+                           AVR, emulated (make test takes a part)
 make test-before           some 4200 runs of all scenes by every method against those of an earlier
                            commit (make test takes a share); SCENES=NAME: scenes with this in
                            their names
@@ -145,7 +148,7 @@ packages:
 
 # with what only the tests, the manual, its PDF, the check of reports (a browser) need
 packages-test packages-manual packages-pdf packages-report packages-screen packages-fmu packages-mpi \
-packages-slurm: packages-%:
+packages-slurm packages-cross: packages-%:
 	@share/make/packages $*
 
 # the Lisp files of the package as one compiled file; does nothing if it is newer than they are
@@ -203,7 +206,10 @@ test-random: packages-test compiled
 
 SCENES ?= $(wildcard examples/*/*.mac tests/scenes/*.mac tests/bench/systems/*.mac)
 test-c: packages-test compiled
-	@tests/tools/c_pairs $(SCENES)
+	@GSMBP_PRECISION=$(PRECISION) tests/tools/c_pairs $(SCENES)
+
+test-precision: packages-test packages-cross compiled
+	@GSMBP_WHOLE=yes tests/run sh/precision
 
 test-before: packages-test compiled
 	@tests/before/run check $(if $(filter command line environment,$(origin SCENES)),$(SCENES))

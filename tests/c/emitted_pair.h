@@ -1,38 +1,42 @@
 /* What the programs of tests/tools/c_driver.py share: random numbers, comparisons. */
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "gsmbp/real.h"
+
+/* the largest difference of C and Fortran relative to the largest entry */
+static const double allowed = GS_DIGITS > 53 ? 1e-30 : 1e-14;
+
 static long calls, entries, same;
-static double largest;
+static gs_real largest;
 static int failed;
 
-static double
+static gs_real
 chance (void)
 {
   static unsigned long long s = 88172645463325252ULL;
   s ^= s << 13;
   s ^= s >> 7;
   s ^= s << 17;
-  return (double)(s >> 11) / 9007199254740992.0;
+  return (gs_real)(s >> 11) / 9007199254740992.0;
 }
 
-static double
-number (double size)
+static gs_real
+number (gs_real size)
 {
   return size * (2 * chance () - 1);
 }
 
 /* a number about a start value */
-static double
-near (double start)
+static gs_real
+near (gs_real start)
 {
-  return start + number (0.1 * fabs (start) + 0.2);
+  return start + number (0.1 * gs_abs (start) + 0.2);
 }
 
 static void
-fill_number (double *x, int n)
+fill_number (gs_real *x, int n)
 {
   for (int i = 0; i < n; i++)
     x[i] = number (1);
@@ -47,27 +51,27 @@ same_info (int f, int c)
   failed = 1;
 }
 
-/* arrays are equal to 1e-14 of the largest entry; what is not finite is so in both */
+/* arrays are equal to `allowed` of the largest entry; what is not finite is so in both */
 static void
-same_double (const double *f, const double *c, int n, const char *what)
+same_reals (const gs_real *f, const gs_real *c, int n, const char *what)
 {
-  double most = 0, worst = 0;
+  gs_real most = 0, worst = 0;
   for (int i = 0; i < n; i++)
-    if (isfinite (f[i]) && fabs (f[i]) > most)
-      most = fabs (f[i]);
+    if (isfinite (f[i]) && gs_abs (f[i]) > most)
+      most = gs_abs (f[i]);
   for (int i = 0; i < n; i++)
     {
       entries++;
       if (memcmp (f + i, c + i, sizeof *f) == 0 || (isnan (f[i]) && isnan (c[i])))
         same++;
-      else if (! (fabs (f[i] - c[i]) <= worst * most))
-        worst = isfinite (f[i] - c[i]) && most > 0 ? fabs (f[i] - c[i]) / most : 1;
+      else if (! (gs_abs (f[i] - c[i]) <= worst * most))
+        worst = isfinite (f[i] - c[i]) && most > 0 ? gs_abs (f[i] - c[i]) / most : 1;
     }
   if (worst > largest)
     largest = worst;
-  if (worst <= 1e-14)
+  if (worst <= allowed)
     return;
-  printf ("%s differs by %.1e\n", what, worst);
+  printf ("%s differs by %.1e\n", what, (double)worst);
   failed = 1;
 }
 
@@ -87,6 +91,6 @@ same_int (const int *f, const int *c, int n, const char *what)
 static int
 told (const char *name)
 {
-  printf ("%s %ld %ld %ld %.1e\n", name, calls, entries, same, largest);
+  printf ("%s %ld %ld %ld %.1e\n", name, calls, entries, same, (double)largest);
   return failed;
 }

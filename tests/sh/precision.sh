@@ -1,38 +1,120 @@
-# The run time in C in another precision than double (share/c/gsmbp/real.h).
+# The run time in C and emitted C in another precision than double (share/c/gsmbp/real.h).
 # Quad: what share/fortran gives in quad precision, to 1e-30 of the largest entry: the drivers of
-# tests/c call both. What the Fortran gives is compared with closed forms in run_time.sh and
-# order.sh.
+# tests/c call both, and those of c_pair emitted routines. What the Fortran gives is compared with
+# closed forms in run_time.sh and order.sh.
+# Single: share/c without a warning, constants within range; inverse dynamics of the PUMA 560 to
+# 1e-6 of the largest generalized force, here and, where compilers and emulators are installed, on a
+# Cortex-M4F, without arithmetic in double precision, and on an AVR, where double is single.
 . tests/tools/check.sh
 root=$PWD
 work_folder
+strict='-std=c99 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror'
+sources="$(echo "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c)"
 
-# objects FOLDER FLAGS...: those of share/c in a new folder; quad precision is computed by a library:
-# no level of optimization matters
-objects() {
-  into=$1
-  shift
-  mkdir "$into" && (cd "$into" && gcc -std=c99 -O0 -Wall -Wextra "$@" -I"$root/share/c" \
-    -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c)
-}
-
-quad() {
-  has_all 'share/c in quad precision' gfortran || return
-  echo '#include <quadmath.h>' | gcc -E -o "$work/seen" - 2>"$report" ||
-    { echo 'ok left out without quadmath.h: share/c in quad precision'; return; }
-  objects "$work/quad" -DGSMBP_QUAD -Wshadow -Wconversion -Werror >"$report" 2>&1
+# quad precision is computed by a library: no level of optimization matters
+quad_run_times() {
+  mkdir -p "$work/pair/time/c" "$work/pair/time/fortran"
+  (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$root/share/c" -c $sources &&
+    ar rcs ../c.a ./*.o) >"$report" 2>&1
   told $? 'share/c compiles in quad precision without a warning' "$report"
-  mkdir "$work/fortran" && (cd "$work/fortran" && gfortran -O0 -frecursive -freal-8-real-16 \
-    -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f) >"$report" 2>&1
+  (cd "$work/pair/time/fortran" && gfortran -O0 -frecursive -freal-8-real-16 \
+    -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f &&
+    ar rcs ../fortran.a ./*.o) >"$report" 2>&1
   told $? 'share/fortran compiles in quad precision' "$report"
-  drivers='functions inputs plan project sensitivity events'
-  whole && drivers="$drivers solve loops reach run"
+}
+has_quadmath() {
+  echo '#include <quadmath.h>' | gcc -E -o "$work/seen" - 2>"$report" && return
+  echo "ok left out without quadmath.h: $1"
+  return 1
+}
+quad() {
+  has_quadmath 'share/c in quad precision' || return
+  quad_run_times
+  drivers='functions inputs plan project sensitivity events' scenes=tests/scenes/event_crank.mac
+  if whole; then
+    drivers="$drivers solve loops reach run"
+    scenes="$scenes tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac"
+  fi
   for name in $drivers; do
     gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/$name" \
-      "tests/c/$name.c" "$work"/quad/*.o "$work"/fortran/*.o -lgfortran -lquadmath -lm \
-      >"$report" 2>&1 || told 1 "tests/c/$name.c compiles in quad precision" "$report"
+      "tests/c/$name.c" "$work/pair/time/c.a" "$work/pair/time/fortran.a" -lgfortran -lquadmath \
+      -lm >"$report" 2>&1 || told 1 "tests/c/$name.c compiles in quad precision" "$report"
     echo "quad precision, tests/c/$name.c:"
     "$work/$name" || echo "not ok $name ended with an error"
+  done
+  GSMBP_STATES=5 GSMBP_PRECISION=quad tests/tools/c_pair "$work/pair" $scenes >"$report" 2>&1
+  told $? 'emitted C and emitted Fortran in quad precision' "$report"
+}
+
+# -- single precision
+float_warnings() {
+  for compiler in gcc clang; do
+    [ $compiler = gcc ] || whole || continue
+    has $compiler 'warnings of share/c in single precision' || continue
+    for file in $sources; do
+      $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/c "$file"
+    done >"$report" 2>&1
+    result "$compiler: share/c in single precision without a warning"
+  done
+}
+puma() {
+  mkdir "$work/puma"
+  share/make/maxima "$report" "load(\"$root/gsmbp/gsmbp.mac\")\$
+    load(\"$root/tests/bench/systems/puma6.mac\")\$
+    gsmbp_c(scene, [inverse], ['directory = \"$work/puma\", 'precision = any])\$"
+  told $? 'the PUMA 560 is emitted for any precision' "$report"
+  routines="tests/c/precision/inverse.c $work/puma/puma6.c $(echo share/c/functions/*.c)"
+  flags="-std=c99 -O2 -Wall -Wextra -Werror -Ishare/c -I$work/puma"
+  gcc $flags -pedantic -DREFERENCE -o "$work/reference" $routines -lm >"$report" 2>&1 &&
+    "$work/reference" >"$work/puma/reference.h"
+  told $? 'its inverse dynamics in double precision' "$report"
+}
+# exact WHERE MOST: the last line of $report is a number of 0 to MOST
+exact() {
+  worst=$(sed 's/\x1b\[[0-9;]*m//g; s/\.*$//' "$report" | grep -E '^-?[0-9]+$' | tail -n 1)
+  [ -n "$worst" ] && [ "$worst" -ge 0 ] && [ "$worst" -le "$2" ]
+  told $? "inverse dynamics, $1: error ${worst:-none} of 1e-9, at most $2" "$report"
+}
+here() {
+  gcc $flags -pedantic -DGSMBP_FLOAT -o "$work/single" $routines -lm >"$report" 2>&1 &&
+    "$work/single" >"$report" 2>&1
+  exact 'single precision' 1000
+  has_quadmath 'inverse dynamics in quad precision' || return
+  gcc $flags -DGSMBP_QUAD -o "$work/quad_puma" $routines -lquadmath -lm >"$report" 2>&1 &&
+    "$work/quad_puma" >"$report" 2>&1
+  exact 'quad precision' 0
+}
+cortex() {
+  has_all 'single precision on a Cortex-M4F' arm-none-eabi-gcc qemu-system-arm || return
+  arm="arm-none-eabi-gcc $flags -pedantic -Wdouble-promotion -DGSMBP_FLOAT -mcpu=cortex-m4
+    -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
+  $arm --specs=rdimon.specs -nostartfiles -o "$work/cortex" \
+    -Wl,--section-start=.vectors=0,-Ttext=0x400,-Tdata=0x20000000,-ereset \
+    tests/c/precision/cortex_m.c $routines -lm >"$report" 2>&1 &&
+    timeout 60 qemu-system-arm -M mps2-an386 -nographic -kernel "$work/cortex" \
+      -semihosting-config enable=on,target=native </dev/null >"$report" 2>&1
+  exact 'a Cortex-M4F' 1000
+  mkdir "$work/arm"
+  units=$work/puma/puma6.c
+  whole && units="$units $sources"
+  for file in $units; do
+    $arm -Wno-maybe-uninitialized -c -o "$work/arm/$(basename "$file").o" "$file"
+  done >"$report" 2>&1
+  arm-none-eabi-nm "$work"/arm/*.o | grep -E ' U __aeabi_(d|f2d)' >>"$report"
+  result 'no arithmetic in double precision on a Cortex-M4F'
+}
+avr() {
+  has_all 'single precision on an AVR' avr-gcc simavr || return
+  for precision in -DGSMBP_FLOAT ''; do   # an AVR's double is single
+    avr-gcc $flags -Os -mmcu=atmega2560 $precision -o "$work/avr" $routines -lm >"$report" 2>&1 &&
+      timeout 60 simavr -m atmega2560 -f 16000000 "$work/avr" >"$report" 2>&1
+    exact "an AVR${precision:+, $precision}" 1000
   done
 }
 
 quad
+float_warnings
+puma
+here
+cortex
+avr

@@ -7,8 +7,8 @@ line
     NAME calls entries same largest
 
 with the number of entries compared, of those that are equal bit for bit, and the largest
-difference beside the largest entry of its array; it ends with 1 where that is above 1e-14 or an
-INFO differs.
+difference beside the largest entry of its array; it ends with 1 where that is above 1e-14 (in quad
+1e-30) or an INFO differs.
 """
 import json
 import re
@@ -81,10 +81,10 @@ def argument(scene, routine, name, shape):
         value = whole_value(scene, routine, name)
         return [f"int f_{name} = {value};"], f"&f_{name}", f"f_{name}", []
     if not dims and intent == "in":
-        return [f"double f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
+        return [f"gs_real f_{name} = number (1);"], f"&f_{name}", f"f_{name}", []
     if name == "CST" and not routine.endswith("_W"):
         return [], "cst_f", "cst_c", []
-    kind = "int" if whole else "double"
+    kind = "int" if whole else "gs_real"
     lines = [f"static {kind} f_{name}[{n}], c_{name}[{n}];"]
     if name == "CST" and intent == "in":   # of each state
         lines.append(f"for (int i = 0; i < {n}; i++) f_CST[i] = cst_f[i/{scene.wide}];")
@@ -94,7 +94,7 @@ def argument(scene, routine, name, shape):
         lines.append(fill(name, n))
     lines.append(f"memcpy (c_{name}, f_{name}, sizeof c_{name});")
     checks = [] if intent == "in" else [
-        f"same_{kind} (f_{name}, c_{name}, {n}, \"{routine} {name}\");"]
+        f"same_{'int' if whole else 'reals'} (f_{name}, c_{name}, {n}, \"{routine} {name}\");"]
     if name == "PAR" and not routine.endswith("_W"):
         return lines, f"f_{name}", f"(void *)c_{name}", checks
     return lines, f"f_{name}", f"c_{name}", checks
@@ -108,7 +108,7 @@ def pose(scene, routine):
         if reached and points["name"].endswith("_PNT"):
             shapes = dict(zip(points["arguments"], points["shapes"]))
             np, nr = [scene.size(a, of(shapes[a])[2]) for a in "PR"]
-            return [f"double pose_T = 0, pose_Q[{scene.d['nq']}], pose_P[{np}], pose_R[{nr}];",
+            return [f"gs_real pose_T = 0, pose_Q[{scene.d['nq']}], pose_P[{np}], pose_R[{nr}];",
                     f"fill_state_like (pose_Q, {scene.d['nq']});",
                     f"{points['name'].lower()}_ (&pose_T, pose_Q, cst_f, pose_P, pose_R);"] + [
                     f"memcpy (f_{a}, pose_{a} + {n - k}, sizeof f_{a}); "
@@ -118,7 +118,7 @@ def pose(scene, routine):
 
 
 def prototype(routine):
-    types = ["int *" if of(s)[0] else "double *" for s in routine["shapes"]]
+    types = ["int *" if of(s)[0] else "gs_real *" for s in routine["shapes"]]
     return f"extern void {routine['name'].lower()}_ ({', '.join(types) or 'void'});"
 
 
@@ -148,19 +148,19 @@ def main():
     print('#include "emitted_pair.h"')
     print(f'#include "{scene.name}.h"')
     print("\n".join(prototype(r) for r in scene.routines))
-    print(f"static double par[{d['npar'] + 1}], cst_f[{d['ncst'] + 1}], cst_c[{d['ncst'] + 1}];")
-    print(f"static const double initial[] = {{ {', '.join(map(repr, initial))} }};")
-    print("static void\nfill_state_like (double *x, int n)\n{\n  for (int i = 0; i < n; i++)\n"
+    print(f"static gs_real par[{d['npar'] + 1}], cst_f[{d['ncst'] + 1}], cst_c[{d['ncst'] + 1}];")
+    print(f"static const gs_real initial[] = {{ {', '.join(map(repr, initial))} }};")
+    print("static void\nfill_state_like (gs_real *x, int n)\n{\n  for (int i = 0; i < n; i++)\n"
           f"    x[i] = i < {d['nx']} ? near (initial[i]) : number (1);\n}}")
-    print("static void\nfill_motion_like (double *x, int n)\n{\n  for (int i = 0; i < n; i++)\n"
+    print("static void\nfill_motion_like (gs_real *x, int n)\n{\n  for (int i = 0; i < n; i++)\n"
           f"    x[i] = i < {d['nq']} ? near (initial[i]) : number (1);\n}}")
     print("int\nmain (int argc, char **argv)\n{\n  int states = argc > 1 ? atoi (argv[1]) : 10;")
-    print(f"  static double par_c[{d['npar'] + 1}];")
+    print(f"  static gs_real par_c[{d['npar'] + 1}];")
     print(f"  {scene.name}_par_ (par);\n  {scene.name}_par ((void *)par_c);")
-    print(f'  same_double (par, par_c, {d["npar"]}, "PAR");')
+    print(f'  same_reals (par, par_c, {d["npar"]}, "PAR");')
     print(f"  int info_f = 0;\n  {scene.name}_pre_ (par, cst_f, &info_f);")
     print(f"  int info_c = {scene.name}_pre ((void *)par_c, cst_c);\n  same_info (info_f, info_c);")
-    print(f'  same_double (cst_f, cst_c, {d["ncst"]}, "CST");')
+    print(f'  same_reals (cst_f, cst_c, {d["ncst"]}, "CST");')
     print("  for (int state = 0; state < states; state++)\n    {")
     for r in others:
         for line in call(scene, r):

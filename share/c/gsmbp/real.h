@@ -47,7 +47,7 @@ typedef double gs_real;
 /* beyond all numbers of a scene, and below all but 0; the reciprocals of both are finite */
 #define GS_HUGE GS_R2 (1e300, 1e37)
 #define GS_TINY GS_R2 (1e-300, 1e-37)
-#define GS_INFINITY ((gs_real)HUGE_VAL)
+#define GS_INFINITY ((gs_real)INFINITY)
 
 #define gs_abs(x) GS_LIBRARY (fabs) (x)
 #define gs_acos(x) GS_LIBRARY (acos) (x)

@@ -6,7 +6,7 @@
 
 /* the squared length of e */
 static gs_real
-square (const gs_real *e)
+squared_length (const gs_real *e)
 {
   return e[0] * e[0] + e[1] * e[1] + e[2] * e[2];
 }
@@ -34,14 +34,14 @@ closest (gs_ikc *ikc, int n, const gs_real *p, const gs_real *r, const gs_real *
 {
   gs_real qn[3] = { 0 }, e[3], en[3], j[9] = { 0 }, jn[9] = { 0 }, s[3], mu = GS_R (1e-4);
   ikc (p, r, qg, cst, q, e, j);
-  gs_real f = square (e);
+  gs_real f = squared_length (e);
   for (int it = 0; it < 1000; it++)
     {
       step (n, j, e, mu, s);
       for (int i = 0; i < n; i++)
         qn[i] = q[i] + s[i];
       ikc (p, r, qg, cst, qn, en, jn);
-      gs_real fn = square (en);
+      gs_real fn = squared_length (en);
       if (fn < f)
         {
           mu = gs_max (GS_R (0.1) * mu, GS_R (1e-15));
