@@ -19,10 +19,10 @@
 #include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"
 
-#if defined (GSMBP_QUAD) && defined (__SIZEOF_FLOAT128__)
+#if defined (GSMBP_MODULE_QUAD) && defined (__SIZEOF_FLOAT128__)
 # include <quadmath.h>
 #endif
-typedef gs_real number;
+typedef gs_value number;
 
 typedef std::vector<number> reals;
 

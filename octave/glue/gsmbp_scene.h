@@ -9,12 +9,12 @@ extern "C" {
 typedef void (*gsmbp_sub) (void);
 
 /* a number of the Fortran: double, or IEEE quadruple, which is long double on ARM64 */
-#if ! defined (GSMBP_QUAD)
-typedef double gs_real;
+#if ! defined (GSMBP_MODULE_QUAD)
+typedef double gs_value;
 #elif defined (__SIZEOF_FLOAT128__)
-typedef __float128 gs_real;
+typedef __float128 gs_value;
 #elif LDBL_MANT_DIG == 113
-typedef long double gs_real;
+typedef long double gs_value;
 #else
 # error "this compiler has no quadruple precision: build with precision double"
 #endif

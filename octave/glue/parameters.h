@@ -3,7 +3,7 @@
 
 #include "info.h"
 
-#if defined (GSMBP_QUAD)
+#if defined (GSMBP_MODULE_QUAD)
 // the shortest decimal that reads back as x: 0.2 is one fifth
 static number
 decimal (double x)

@@ -276,7 +276,7 @@ events (run_plan& plan, int nx)
   return ovl (part_of (plan, a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), numbers);
 }
 
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
 // who runs by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
 static gsmbp_run_function *
 implicit_run (const std::string& library)

@@ -30,7 +30,7 @@ struct simulation : run_room, run_setting
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of an implicit method; "": GSSIM alone
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
   gsmbp_run_function *implicit_method = nullptr;
 #endif
   std::vector<int> implicit;   // the largest order; 1 if loops are in index 2; the states that the
@@ -46,7 +46,7 @@ private:
   void by_gssim (run_room& r, std::vector<int>& ip, number *rp) const;
   void by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
                  const int *counts, const number *options) const;
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
 };
@@ -77,7 +77,7 @@ simulation::simulation (arguments& a)
   reals guess = a.vector ("guess", S.nu);
   input = a.value ("input function");
   library = a.value ("library").string_value ();
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
   if (! library.empty ())
     implicit_method = implicit_run (library);
 #endif
@@ -219,7 +219,7 @@ simulation::by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const 
   the_exit = nullptr;
 }
 
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
 // the scene's side of a run by an implicit method
 static void
 take_scene (gsmbp_run& g)
@@ -320,7 +320,7 @@ simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 void
 simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
 {
-#if ! defined (GSMBP_QUAD)
+#if ! defined (GSMBP_MODULE_QUAD)
   const bool stiff = iopt[GS_METHOD] == 0;
   if (stiff || r.info == 5)   // found to be bound by stability
     by_implicit (r, ip, rp, ! stiff);

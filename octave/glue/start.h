@@ -3,19 +3,20 @@
 #ifndef GSMBP_GLUE_START_H
 #define GSMBP_GLUE_START_H
 #include "gsmbp_scene.h"
+#include "gsmbp/limits.h"
 #include "gsmbp/plan.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
-typedef void gs_con_type (const gs_real *t, const gs_real *q, const gs_real *u, gs_real *cst,
-                          gs_real *phi, gs_real *phit, gs_real *rows, const int *ld,
-                          gs_real *gamma, int *info);
-typedef void gs_prj_type (const gs_real *t, gs_real *x, gs_real *cst, gs_real *off, int *info);
-typedef void gs_evt_type (const gs_real *t, const gs_real *x, const gs_real *v, const int *mode,
-                          gs_real *cst, gs_real *g);
-typedef void gs_mar_type (const gs_real *t, const gs_real *x, const gs_real *v, gs_real *cst,
-                          gs_real *margins, gs_real *sizes);
+typedef void gs_con_type (const gs_value *t, const gs_value *q, const gs_value *u, gs_value *cst,
+                          gs_value *phi, gs_value *phit, gs_value *rows, const int *ld,
+                          gs_value *gamma, int *info);
+typedef void gs_prj_type (const gs_value *t, gs_value *x, gs_value *cst, gs_value *off, int *info);
+typedef void gs_evt_type (const gs_value *t, const gs_value *x, const gs_value *v, const int *mode,
+                          gs_value *cst, gs_value *g);
+typedef void gs_mar_type (const gs_value *t, const gs_value *x, const gs_value *v, gs_value *cst,
+                          gs_value *margins, gs_value *sizes);
 
 /* CON, PRJ, MAR, EVT: null pointers where they were not emitted; NOMINAL: usual sizes of the
    states; CHECK: is the start one that should be closed, and where devices can be?  KIND, MODE: of
@@ -65,7 +66,7 @@ gs_larger (double a, double b)
 
 /* X, with Euler parameters of length one in Y; by how much the length of one is off */
 static double
-gs_unit_sets (const gsmbp_scene *s, const gs_real *x, gs_real *y)
+gs_unit_sets (const gsmbp_scene *s, const gs_value *x, gs_value *y)
 {
   double most = 0;
   for (int i = 0; i < s->nx; i++)
@@ -85,10 +86,10 @@ gs_unit_sets (const gsmbp_scene *s, const gs_real *x, gs_real *y)
 
 /* row I of the constraints at X, where the usual sizes make SIZE of it */
 static double
-gs_row_off (const gs_start *a, int i, const gs_real *x, const gs_real *phi, double size)
+gs_row_off (const gs_start *a, int i, const gs_value *x, const gs_value *phi, double size)
 {
   const int m = a->scene->nlam;
-  const gs_real *u = x + a->scene->nq, *phit = phi + m, *rows = phit + 2 * m;
+  const gs_value *u = x + a->scene->nq, *phit = phi + m, *rows = phit + 2 * m;
   double rate = (double) phit[i], fast = 0;
   for (int j = 0; j < a->scene->nu; j++)
     {
@@ -101,7 +102,7 @@ gs_row_off (const gs_start *a, int i, const gs_real *x, const gs_real *phi, doub
 
 /* what the usual speeds make of row I */
 static double
-gs_row_size (const gs_start *a, int i, const gs_real *rows)
+gs_row_size (const gs_start *a, int i, const gs_value *rows)
 {
   double sum = 0;
   for (int j = 0; j < a->scene->nu; j++)
@@ -114,11 +115,11 @@ gs_row_size (const gs_start *a, int i, const gs_real *rows)
 
 /* how far the state X is from its constraints, as octave/private/gsmbp__residuals.m */
 static double
-gs_start_off (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst, gs_real *w)
+gs_start_off (const gs_start *a, gs_value t, const gs_value *x, gs_value *cst, gs_value *w)
 {
   const gsmbp_scene *s = a->scene;
   const int m = s->nlam;
-  gs_real *phi = w + s->nx, *rows = phi + 3 * m;
+  gs_value *phi = w + s->nx, *rows = phi + 3 * m;
   double most = gs_unit_sets (s, x, w), largest = 0;
   int info = 0;
   if (m == 0 || ! a->con)
@@ -138,7 +139,7 @@ gs_start_off (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst, gs_r
 
 /* how far X is from where it was, in usual sizes */
 static double
-gs_start_moved (const gs_start *a, const gs_real *x, const gs_real *was)
+gs_start_moved (const gs_start *a, const gs_value *x, const gs_value *was)
 {
   double most = 0;
   for (int i = 0; i < a->scene->nx; i++)
@@ -149,17 +150,17 @@ gs_start_moved (const gs_start *a, const gs_real *x, const gs_real *was)
 /* margin K of the devices, as gsmbp__margins.m: is there a state beside X, by 1e-6 of a usual size,
    where it holds? */
 static int
-gs_margin_beside (const gs_start *a, gs_real t, const gs_real *x, const gs_real *v, gs_real *cst,
-                  int k, gs_real *w)
+gs_margin_beside (const gs_start *a, gs_value t, const gs_value *x, const gs_value *v,
+                  gs_value *cst, int k, gs_value *w)
 {
   const gsmbp_scene *s = a->scene;
-  gs_real *y = w, *g = w + s->nx, *size = g + s->nsm;
+  gs_value *y = w, *g = w + s->nx, *size = g + s->nsm;
   for (int j = 0; j < 2 * s->nx; j++)
     {
       int i = j / 2;
       for (int l = 0; l < s->nx; l++)
         y[l] = x[l];
-      y[i] = (double) x[i] + (j % 2 == 0 ? 1 : -1) * 1e-6 * a->nominal[i];
+      y[i] = (double) x[i] + (j % 2 == 0 ? 1 : -1) * gs_limits.margin_near * a->nominal[i];
       ((gs_mar_type *) a->mar) (&t, y, v, cst, g, size);
       if (g[k] >= 0)
         return 1;
@@ -170,16 +171,16 @@ gs_margin_beside (const gs_start *a, gs_real t, const gs_real *x, const gs_real 
 /* the margins of the devices in the state X at T under the inputs V: PASSED, 1 where one is, LEAST,
    the least values so far (W: gs_margins_room numbers).  How many are passed */
 static int
-gs_margins (const gs_start *a, gs_real t, const gs_real *x, const gs_real *v, gs_real *cst,
-            double *passed, double *least, gs_real *w)
+gs_margins (const gs_start *a, gs_value t, const gs_value *x, const gs_value *v, gs_value *cst,
+            double *passed, double *least, gs_value *w)
 {
   const gsmbp_scene *s = a->scene;
-  gs_real *g = w + s->nx, *size = g + s->nsm;
+  gs_value *g = w + s->nx, *size = g + s->nsm;
   int many = 0;
   ((gs_mar_type *) a->mar) (&t, x, v, cst, g, size);
   for (int k = 0; k < s->nsm; k++)
     {
-      double now = (double) g[k], rounding = -1e-9 * (double) size[k];
+      double now = (double) g[k], rounding = -gs_limits.margin_rounding * (double) size[k];
       if (! isnan (least[k]) && ! (now >= least[k]))
         least[k] = now;
       if (now >= rounding || passed[k] > 0)
@@ -193,12 +194,12 @@ gs_margins (const gs_start *a, gs_real t, const gs_real *x, const gs_real *v, gs
 
 /* is a device where it cannot be at the start X? */
 static int
-gs_start_outside (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
+gs_start_outside (const gs_start *a, gs_value t, const gs_value *x, gs_value *cst)
 {
   const gsmbp_scene *s = a->scene;
   const int n = s->nsm;
-  gs_real *w = a->check && a->mar && n > 0
-                 ? (gs_real *) calloc (gs_margins_room (s) + s->nv + 1, sizeof (gs_real)) : NULL;
+  gs_value *w = a->check && a->mar && n > 0
+                 ? (gs_value *) calloc (gs_margins_room (s) + s->nv + 1, sizeof (gs_value)) : NULL;
   double *some = w ? (double *) calloc (2 * n, sizeof (double)) : NULL;
   int many = some ? gs_margins (a, t, x, w + gs_margins_room (s), cst, some, some + n, w) : 0;
   free (w);
@@ -209,15 +210,15 @@ gs_start_outside (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
 /* X at T moved onto the constraints, by PRJ, unless it is there but for rounding; a verdict (W:
    gs_start_room numbers) */
 static int
-gs_close_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
+gs_close_start (const gs_start *a, gs_value t, gs_value *x, gs_value *cst, gs_value *w)
 {
   const gsmbp_scene *s = a->scene;
-  gs_real *was = w + s->nx + s->nlam * (4 + s->nu);
+  gs_value *was = w + s->nx + s->nlam * (4 + s->nu);
   int info = 0;
   if (s->nlam == 0 && s->nq == s->nu)
     return GS_START_TAKEN;
   double off = gs_start_off (a, t, x, cst, w);
-  if (a->check && ! (off <= 1e-6))
+  if (a->check && ! (off <= gs_limits.off_constraints))
     return GS_START_OFF;
   if (off <= 100 * DBL_EPSILON && (a->check || s->nlam == 0 || a->con))
     return GS_START_TAKEN;
@@ -228,7 +229,7 @@ gs_close_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real 
   ((gs_prj_type *) a->prj) (&t, x, cst, w, &info);
   for (int i = 0; i < s->nx; i++)
     x[i] = (double) x[i];
-  if ((info != 0 && info != 2) || ! (gs_start_off (a, t, x, cst, w) <= 1e-6))
+  if ((info != 0 && info != 2) || ! (gs_start_off (a, t, x, cst, w) <= gs_limits.off_constraints))
     return GS_START_NONE;
   return a->check && ! (gs_start_moved (a, x, was) <= 1e-3) ? GS_START_FAR : GS_START_TAKEN;
 }
@@ -236,16 +237,16 @@ gs_close_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real 
 /* the first stop that is beyond its end at the start X and that the modes leave free, from 1 on, as
    octave/private/gsmbp__check_stops.m; 0: none is */
 static int
-gs_start_beyond (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
+gs_start_beyond (const gs_start *a, gs_value t, const gs_value *x, gs_value *cst)
 {
   const gsmbp_scene *s = a->scene;
-  gs_real *g = a->evt && a->ne > 0
-                 ? (gs_real *) calloc (a->ne + s->nv + 1, sizeof (gs_real)) : NULL;
+  gs_value *g = a->evt && a->ne > 0
+                 ? (gs_value *) calloc (a->ne + s->nv + 1, sizeof (gs_value)) : NULL;
   int *mode = g ? (int *) calloc (s->nmode + 1, sizeof (int)) : NULL, found = 0;
   if (mode)
     ((gs_evt_type *) a->evt) (&t, x, g + a->ne, mode, cst, g);
   for (int k = a->ne; mode && k > 0; k--)
-    if (a->kind[k-1] == 2 && ! (a->mode && a->mode[k-1] != 0) && g[k-1] < -1e-6)
+    if (a->kind[k-1] == 2 && ! (a->mode && a->mode[k-1] != 0) && g[k-1] < -gs_limits.past_stop)
       found = k;
   free (g);
   free (mode);
@@ -254,7 +255,7 @@ gs_start_beyond (const gs_start *a, gs_real t, const gs_real *x, gs_real *cst)
 
 /* the same, and where devices and stops can be */
 static int
-gs_take_start (const gs_start *a, gs_real t, gs_real *x, gs_real *cst, gs_real *w)
+gs_take_start (const gs_start *a, gs_value t, gs_value *x, gs_value *cst, gs_value *w)
 {
   int verdict = gs_close_start (a, t, x, cst, w);
   if (verdict != GS_START_TAKEN)

@@ -12,10 +12,10 @@ function gsmbp__check_stops (who, m, t, x, modes)
   endif
   none = zeros (m.sizes.nv, 1);
   inside = m.evt (t, x, none, zeros (m.sizes.nmode, 1));
-  k = stops(find (inside(stops) < -1e-6, 1));
+  k = stops(find (inside(stops) < -gsmbp__run_limit ("past_stop"), 1));
   if (! isempty (k))
     [~, place, ~, ends] = m.hld (t, x, none);
-    error (["%s: %s: the start is beyond an end of the stop %s: expected %g to %g, found %g " ...
-            "(m or rad)"], who, m.name, m.events(k).name, ends(1:2,k), place(k));
+    error ("%s: %s: %s", who, m.name, ...
+           gsmbp__refusal ("past_stop", m.events(k).name, ends(1:2,k), place(k)));
   endif
 endfunction

@@ -20,7 +20,7 @@ function plan = gsmbp__event_plan (who, m, o, plan)
   endif
   gsmbp__no_mode_given (who, m, plan.constants, o.modes);
   plan.modes = double (o.modes(:)');
-  plan.events = 10000;
+  plan.events = gsmbp__run_limit ("recorded_events");
   plan.event_inputs = [m.events.input];
   plan.event_kinds = 1 + strcmp ({m.events.kind}, "stop");
   plan = user_events (m, plan);

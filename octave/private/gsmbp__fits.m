@@ -3,7 +3,8 @@
 ## finite), "positive", "whole" (a whole number >= 0), "numbers" (an array of real,
 ## finite ones), "list" (a vector of such), "text", "names" (a text or a cell array of
 ## texts), or one of the words of a cell array; [low, high]: a number within; "tolerance": a
-## number above 0 and below 1; "nonnegative": a finite number >= 0; "any": WHO looks at it later.
+## number above 0 and below 1; "nonnegative": a finite number >= 0; "steps": maxsteps;
+## "any": WHO looks at it later.  Texts: share/c/gsmbp/options.h.
 
 function gsmbp__fits (who, what, value, kind)
   numbers = isnumeric (value) && isreal (value) && all (isfinite (value(:)));
@@ -15,33 +16,32 @@ function gsmbp__fits (who, what, value, kind)
     fits = ischar (value) && any (strcmp (value, kind));
     wanted = ["one of \"" strjoin(kind, "\", \"") "\""];
   else
+    table = gsmbp__run_table ("GS_KINDS");
+    wanted = [table(strcmp (table(:,1), kind),2), {""}]{1};
     switch (kind)
       case "flag"
-        truth = one || (islogical (value) && isscalar (value));
-        [wanted, fits] = deal ("true or false", truth && any (value == [0, 1]));
+        fits = (one || (islogical (value) && isscalar (value))) && any (value == [0, 1]);
       case "number"
-        [wanted, fits] = deal ("a finite number", one);
+        fits = one;
       case "positive"
-        [wanted, fits] = deal ("a finite number above 0", one && value > 0);
+        fits = one && value > 0;
       case "nonnegative"
-        [wanted, fits] = deal ("a finite number >= 0", one && value >= 0);
+        fits = one && value >= 0;
       case "tolerance"
-        [wanted, fits] = deal ("a number above 0 and below 1", one && value > 0 && value < 1);
+        fits = one && value > 0 && value < 1;
       case "any"
-        [wanted, fits] = deal ("", true);
-      case "whole"
-        whole = one && value >= 0 && value == fix (value);
-        [wanted, fits] = deal ("a whole number >= 0", whole);
+        fits = true;
+      case {"whole", "steps"}
+        most = [Inf, gsmbp__run_limit("fixed_steps")](1 + strcmp (kind, "steps"));
+        fits = one && value >= 0 && value == fix (value) && value <= most;
       case "numbers"
-        [wanted, fits] = deal ("finite numbers", numbers);
+        fits = numbers;
       case "list"
-        list = numbers && (isempty (value) || isvector (value));
-        [wanted, fits] = deal ("a vector of finite numbers", list);
+        fits = numbers && (isempty (value) || isvector (value));
       case "text"
-        [wanted, fits] = deal ("a text", ischar (value) && rows (value) <= 1);
+        fits = ischar (value) && rows (value) <= 1;
       case "names"
-        listed = ischar (value) || iscellstr (value);
-        [wanted, fits] = deal ("a name or a list of names", listed);
+        fits = ischar (value) || iscellstr (value);
     endswitch
   endif
   if (! fits)

@@ -50,11 +50,11 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
   endif
 
   if (isempty (o.gain) && ! isempty (o.reference))
-    error ("%s: a reference needs a gain, with which the inputs follow it", who);
+    error ("%s: %s", who, gsmbp__refusal ("reference_alone"));
   endif
   if (! isempty (o.gain))
     if (isempty (o.reference))
-      error ("%s: a gain needs a reference, the state about which it acts", who);
+      error ("%s: %s", who, gsmbp__refusal ("gain_alone"));
     endif
     plan.reference = pieces (as_pp (who, o.reference, [d.nx 1], "the reference"));
     plan.gain = pieces (as_pp (who, o.gain, [d.nv d.nx], "the gain"));
@@ -76,8 +76,7 @@ function bounds = limits (who, m, o)
   if (isempty (given))
     return;
   elseif (isempty (o.gain))
-    error (["%s: option limits bounds what a state feedback gives and needs option gain; " ...
-            "without feedback give an input that keeps to its limits"], who);
+    error ("%s: option limits %s", who, gsmbp__refusal ("limits_alone"));
   elseif (! isnumeric (given) || any (isnan (given(:))) || ! isreal (given))
     error ("%s: option limits: expected real numbers, found %s", who, gsmbp__shown (given));
   endif
@@ -93,8 +92,8 @@ function bounds = limits (who, m, o)
   endif
   k = find (! (given(:,1) < given(:,2)), 1);
   if (! isempty (k))
-    error ("%s: option limits: of %s the lower limit must be below the upper one; found %g and %g",
-           who, m.inputs{k}, given(k,1), given(k,2));
+    error ("%s: option limits: %s", who, ...
+           gsmbp__refusal ("limits_order", m.inputs{k}, given(k,1), given(k,2)));
   endif
   bounds = max (min (given, 1e300), -1e300)(:)';
 endfunction

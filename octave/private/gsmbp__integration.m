@@ -4,12 +4,10 @@
 ## WAY: of the loops.
 
 function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, way)
-  methods = struct ("rk4", 4, "dp853", 8, "cvode", 0, "radau", 0, "gauss", 0, "auto", 9);
-  if (! (ischar (o.method) && isfield (methods, o.method)))
-    error (["%s: method must be \"dp853\", \"rk4\", \"cvode\", \"radau\", \"gauss\" or " ...
-            "\"auto\", found %s"], who, gsmbp__shown (o.method));
-  endif
+  methods = gsmbp__run_table ("GS_METHODS");
+  gsmbp__fits (who, "option method", o.method, methods(:,1)');
   method = o.method;
+  number = str2double (methods{strcmp (methods(:,1), method),2});
   if (strcmp (m.precision, "quad") && ! any (strcmp (method, {"dp853", "rk4"})))
     error ("%s: method \"%s\" works in double precision; %s was built in quad", who, method, ...
            m.name);
@@ -20,23 +18,20 @@ function [iopt, ropt, atol, method, order] = gsmbp__integration (who, o, d, m, w
   endif
   gsmbp__fits (who, "option step", o.step, {"nonnegative", "positive"}{1 + fixed});
   gsmbp__fits (who, "option maxstep", o.maxstep, "nonnegative");
-  if (o.maxsteps > 2e9)
-    error ("%s: option maxsteps: expected a whole number from 0 (no limit) to 2e9, found %g", ...
-           who, o.maxsteps);
-  endif
   if (fixed && ! isnan (o.rtol) && isempty (o.audit))
     warning ("gsmbp:option", ["%s: option rtol: method \"%s\" has steps of one length and does " ...
                               "not use it; the option \"step\" sets its error"], who, method);
   endif
   if (isnan (o.rtol))
-    o.rtol = 1e-10;
+    options = gsmbp__run_table ("GS_OPTIONS");
+    o.rtol = str2double (options{strcmp (options(:,1), "rtol"),3});
   endif
   [o.rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, method);
   order = maxorder (who, o.maxorder, method);
   if (o.drift && ! any (strcmp (m.subroutines, "con")))
     error ("%s: option drift needs the subroutine CON, which %s was emitted without", who, m.name);
   endif
-  iopt = [methods.(method), way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
+  iopt = [number, way, logical(o.drift), o.maxsteps, 0, 0, m.speed_rows'];
   ropt = [o.step, o.rtol, o.maxstep];
 endfunction
 

@@ -3,7 +3,7 @@
 ## loop_method.  O: the options of gsmbp_simulate.
 
 function [m, way, index2] = gsmbp__loop_way (who, o, m)
-  words = {"baumgarte", "projection", "partitioning", "nullspace", "svd", "kane", "index2"};
+  words = gsmbp__run_table ("GS_LOOP_METHODS")(:,1)';
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   euler = d.nq > d.nu;
@@ -21,8 +21,8 @@ function [m, way, index2] = gsmbp__loop_way (who, o, m)
   endif
   way = find (strcmp (word, words));
   if (isempty (way))
-    error ("%s: option loops must be one of %s; found: %s", who, strjoin (words, ", "), ...
-           gsmbp__shown (word));
+    error ("%s: option loops %s", who, ...
+           gsmbp__refusal ("loops", strjoin (words, ", "), gsmbp__shown (word)));
   endif
   if (! isempty (o.loops) && d.nlam == 0 && ! euler && way < 7)
     warning ("gsmbp:option", ["%s: option loops: %s is an open chain without constraints and " ...

@@ -13,7 +13,8 @@ function list = gsmbp__margins (m, t, x, v)
   [g, s] = m.module ("margins", m.cst, numel (t), t(:), x, v);
   g = g';
   s = s';
-  for k = find (any (! (g >= -1e-9 * s), 1))   # below that is no rounding error
+  rounding = gsmbp__run_limit ("margin_rounding");
+  for k = find (any (! (g >= -rounding * s), 1))
     passed = @(i) ! at_it (m, t(i), x(i,:)', v(i,:)', k);
     [least, i] = min (g(:,k));
     if (any (isnan (g(:,k))))
@@ -21,7 +22,7 @@ function list = gsmbp__margins (m, t, x, v)
       least = NaN;
     endif
     if (passed (i))
-      first = find (! (g(:,k) >= -1e-9 * s(:,k)))';
+      first = find (! (g(:,k) >= -rounding * s(:,k)))';
       while (! passed (first(1)))
         first(1) = [];
       endwhile
@@ -31,11 +32,11 @@ function list = gsmbp__margins (m, t, x, v)
   endfor
 endfunction
 
-## true if the margin holds where one state is moved by 1e-6 of its usual size: what steps of an
+## true if the margin holds where one state is moved a little (limits.h): what steps of an
 ## integrator or a projection leave is no fault
 function yes = at_it (m, t, x, v, k)
   yes = false;
-  for step = [diag(m.nominal), -diag(m.nominal)] * 1e-6
+  for step = [diag(m.nominal), -diag(m.nominal)] * gsmbp__run_limit ("margin_near")
     yes = yes || m.mar (t, x + step, v)(k) >= 0;
   endfor
 endfunction

@@ -8,8 +8,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   d = m.sizes;
   p.times = times = gsmbp__times (who, times);
   if (numel (times) < 2)
-    error (["%s: the times must be two or more, that of x0 first; found %.15g alone " ...
-            "(from 0 on: [0, %.15g])"], who, times, times);
+    error ("%s: %s", who, gsmbp__refusal ("one_time", sprintf ("%.15g alone", times)));
   endif
   [m, way, index2] = gsmbp__loop_way (who, o, m);
   [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
@@ -53,14 +52,13 @@ endfunction
 ## the number of steps: of a fixed length what GSSIM (gsarg.f) counts to, else what time resolves
 function check_number (who, method, ropt, span)
   fixed = any (strcmp (method, {"rk4", "gauss"}));
-  most = [1e15, 2e9](1 + fixed);
+  most = gsmbp__run_limit ({"controlled_steps", "fixed_steps"}{1 + fixed});
   steps = [ropt(1) * fixed, ropt(3)];
   steps(steps == 0) = Inf;
   [step, which] = min (steps);
   if (span / step > most)
-    error (["%s: option %s: %g s in steps of %g s are %.3g steps of %s; expected %.0e at the " ...
-            "most: longer steps, or shorter runs"], who, {"step", "maxstep"}{which}, span, step, ...
-           span / step, method, most);
+    error ("%s: option %s: %s", who, {"step", "maxstep"}{which}, ...
+           gsmbp__refusal ("too_many_steps", span, step, span / step, method, most));
   endif
 endfunction
 

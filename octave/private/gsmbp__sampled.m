@@ -27,12 +27,12 @@ function plan = gsmbp__sampled (who, m, o, times, plan)
     memory = vertcat (m.controllers.starts);
   endif
   if (! (isnumeric (memory) && numel (memory) == d.nxk && all (isfinite (memory(:)))))
-    error ("%s: option memory: expected %d finite numbers, found %s", who, d.nxk, ...
-           gsmbp__shown (memory));
+    error ("%s: option memory: %s", who, ...
+           gsmbp__refusal ("memory", d.nxk, gsmbp__shown (memory)));
   endif
   check_memory (who, m, double (memory(:)'));
   plan.memory = double (memory(:)');
-  if (any (max (abs (times([1, end]))) ./ period > 2e9))
+  if (any (max (abs (times([1, end]))) ./ period > gsmbp__run_limit ("fixed_steps")))
     error ("%s: more than 2e9 samples", who);
   endif
   plan.on_the_way = gsmbp__on_the_way (period, delay);

@@ -1,31 +1,31 @@
 ## table = gsmbp__simulate_options (drift)
-## Return the options of gsmbp_simulate: name, default (DRIFT for "drift"), kind. The default NaN of
-## rtol is 1e-10; no user can give it, so that a tolerance that is not used can be reported.
+## Return the options of gsmbp_simulate (share/c/gsmbp/options.h): name, default (DRIFT for
+## "drift"), kind. The default NaN of rtol is that of the table; no user can give it, so that a
+## tolerance that is not used can be reported.
 
 function table = gsmbp__simulate_options (drift)
-  table = {"method", "dp853", {"dp853", "rk4", "cvode", "radau", "gauss", "auto"}
-           "step", [], "any"
-           "rtol", NaN, "tolerance"
-           "atol", [], "any"
-           "maxstep", 0, "nonnegative"
-           "maxsteps", 0, "whole"
-           "timeout", 0, "nonnegative"
-           "maxorder", [], "any"
-           "loops", "", "any"
-           "projection", [], "flag"
-           "drift", drift, "flag"
-           "input", [], "any"
-           "motion", [], "any"
-           "gain", [], "any"
-           "reference", [], "any"
-           "limits", [], "any"
-           "breaks", [], "list"
-           "memory", [], "list"
-           "samples", true, "flag"
-           "modes", [], "list"
-           "audit", [], "positive"
-           "sensitivity", {}, "names"
-           "fixed", {}, "names"
-           "dx0", [], "numbers"
-           "start", "check", {"check", "project"}};
+  rows = gsmbp__run_table ("GS_OPTIONS");
+  table = [rows(:,1), cellfun(@default, rows(:,3), rows(:,2), "UniformOutput", false), ...
+           cellfun(@kind, rows(:,2), "UniformOutput", false)];
+  table{strcmp (rows(:,1), "drift"),2} = drift;
+  table{strcmp (rows(:,1), "rtol"),2} = NaN;
+  table{strcmp (rows(:,1), "loops"),2} = "";
+endfunction
+
+function value = default (text, kind)
+  value = str2double (text);
+  if (any (strcmp (text, {"true", "false"})))
+    value = strcmp (text, "true");
+  elseif (strcmp (text, "none"))
+    value = {[], {}}{1 + strcmp(kind, "names")};
+  elseif (isnan (value))
+    value = text;
+  endif
+endfunction
+
+## words for an option of words
+function value = kind (value)
+  if (any (strcmp (value, {"method", "start"})))
+    value = gsmbp__run_table (["GS_" toupper(value) "S"])(:,1)';
+  endif
 endfunction

@@ -27,8 +27,8 @@ function within_margins (who, m, t, x)
   list = gsmbp__margins (m, t, x', zeros (1, m.sizes.nv));
   if (! isempty (list))
     error ("gsmbp:start",
-           "%s: %s: a device cannot be there: %s; \"start\", \"project\" takes devices as they are",
-           who, m.name, strjoin ({list.said}, "; "));
+           "%s: %s: %s; \"start\", \"project\" takes devices as they are",
+           who, m.name, gsmbp__refusal ("device", strjoin ({list.said}, "; ")));
   endif
 endfunction
 
@@ -39,8 +39,8 @@ function [x, start] = closed (who, m, t, x, check, start)
   [names, scaled, found] = gsmbp__residuals (m, t, x);
   [start.residual, k] = max ([abs(scaled); 0]);
   start.row = [names; {""}]{k};
-  if (check && ! (start.residual <= 1e-6))
-    refuse (who, m, t, ["found " gsmbp__worst(names, scaled, found, 1e-6)]);
+  if (check && ! (start.residual <= gsmbp__run_limit ("off_constraints")))
+    refuse (who, m, t, ["found " worst(names, scaled, found)]);
   endif
   ## what is closed to rounding stays as it is
   seen = d.nlam == 0 || any (strcmp (m.subroutines, "con"));
@@ -51,26 +51,26 @@ endfunction
 
 function refuse (who, m, t, found)
   error ("gsmbp:start",
-         ["%s: %s: expected a state on the constraints at t = %.9g s, %s; " ...
-          "close it by gsmbp_assemble, or have it moved: \"start\", \"project\""],
-         who, m.name, t, found);
+         "%s: %s: %s; close it by gsmbp_assemble, or have it moved: \"start\", \"project\"",
+         who, m.name, gsmbp__refusal ("off_constraints", t, found));
 endfunction
 
 ## an angle beyond 1e15 rad has lost its sine to rounding
 function no_lost_angle (who, argument, m, x)
-  k = find (strcmp (m.units.coordinates, "rad") & abs (x(1:m.sizes.nq)) > 1e15, 1);
+  k = find (strcmp (m.units.coordinates, "rad") & ...
+            abs (x(1:m.sizes.nq)) > gsmbp__run_limit ("largest_angle"), 1);
   if (! isempty (k))
-    error ("%s: argument %s(%d), %s: expected an angle of at most 1e15 rad, found %g", who,
-           argument, k, m.coordinates{k}, x(k));
+    error ("%s: argument %s(%d), %s: %s", who, argument, k, m.coordinates{k}, ...
+           gsmbp__refusal ("largest_angle", x(k)));
   endif
 endfunction
 
 function no_zero_orientation (who, m, x)
   for set = m.orientation'
-    if (! (norm (x(set)) > 1e-3))
-      error (["%s: %s: expected Euler parameters of length 1, found (%s) = %s, " ...
-              "which is no orientation"],
-             who, m.name, strjoin (m.coordinates(set)', ", "), mat2str (x(set)', 6));
+    if (! (norm (x(set)) > gsmbp__run_limit ("short_orientation")))
+      error ("%s: %s: %s", who, m.name, ...
+             gsmbp__refusal ("orientation", strjoin (m.coordinates(set)', ", "), ...
+                             mat2str (x(set)', 6)));
     endif
   endfor
 endfunction
@@ -89,7 +89,7 @@ function [y, start] = moved (who, m, t, x, check, start)
   on_them (who, m, t, y, info);
   [start.moved, k] = max (abs (y - x) ./ m.nominal);
   start.state = m.states{k};
-  if (start.moved > 1e-3 && check)
+  if (start.moved > gsmbp__run_limit ("moved_start") && check)
     refuse (who, m, t, sprintf (["found one that %s puts off them by %.3g only, but that must " ...
                                  "be moved by %.3g in %s (close to a singular position)"],
                                 start.row, start.residual, start.moved, start.state));
@@ -103,11 +103,15 @@ function on_them (who, m, t, y, info)
   if (all (abs (y) <= 1e300))
     [names, scaled, found] = gsmbp__residuals (m, t, y);
   endif
-  if (! all (abs (scaled) <= 1e-6) || ! any (info == [0, 2]))
+  if (! all (abs (scaled) <= gsmbp__run_limit ("off_constraints")) || ! any (info == [0, 2]))
     error ("gsmbp:start",
            ["%s: %s: no state on the constraints was found near this one at t = %.9g s (%s); " ...
             "found %s; try gsmbp_assemble with another guess, or check the lengths"],
            who, m.name, t, gsmbp__info (m, "prj", info),
-           gsmbp__worst (names, scaled, found, 1e-6));
+           worst (names, scaled, found));
   endif
+endfunction
+
+function text = worst (names, scaled, found)
+  text = gsmbp__worst (names, scaled, found, gsmbp__run_limit ("off_constraints"));
 endfunction

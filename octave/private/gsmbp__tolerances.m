@@ -11,8 +11,8 @@ function [rtol, atol] = gsmbp__tolerances (who, m, rtol, atol, method)
   fits = isnumeric (atol) && isreal (atol) && any (numel (atol) == [0, 1, m.sizes.nx]) ...
          && (isempty (atol) || isvector (atol));
   if (! (fits && all (atol(:) >= 0) && all (isfinite (atol(:)))))
-    error ("%s: option atol: expected one number or %d numbers, finite and >= 0, found %s", who,
-           m.sizes.nx, gsmbp__shown (atol));
+    error ("%s: option atol: %s", who, ...
+           gsmbp__refusal ("atol", m.sizes.nx, gsmbp__shown (atol)));
   endif
   rounding = struct ("double", eps, "quad", 2 ^ -112).(m.precision);
   least = 10 * rounding;

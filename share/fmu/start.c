@@ -1,6 +1,8 @@
 /* start.c: where no run can start: a port beyond an end of its stop, a device where its laws do not
  * hold; devices that leave the range of their laws later. */
 #include "fmu.h"
+#include "gsmbp/limits.h"
+#include "gsmbp/refusals.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,13 +16,12 @@ within_stops (gsf_instance *a, double *pos, double *speed, double *ends, double 
   s->hld (a->d[GSF_T], a->x, a->v, a->cst, row, a->m->nports, pos, speed, ends);
   for (int k = 0; k < a->m->nports; k++)
     {
-      const double low = ends[4 * k], high = ends[4 * k + 1], near = 1e-6;
+      const double low = ends[4 * k], high = ends[4 * k + 1], near = gs_limits.past_stop;
       if (s->event_kinds[k] == 2 && (pos[k] < low - near || pos[k] > high + near))
         {
           char event[200];
           gsf_event_name (a->m, k, event, sizeof event);
-          return gsf_fail (a, GSF_ERROR, "the start is beyond an end of the stop %s: expected %g "
-                           "to %g, found %g (m or rad)", event, low, high, pos[k]);
+          return gsf_fail (a, GSF_ERROR, gs_refusals.past_stop, event, low, high, pos[k]);
         }
     }
   return GSF_OK;
@@ -32,10 +33,10 @@ is_kept (gsf_instance *a, int k, double *margin, double *size)
 {
   const gsf_model *m = a->m;
   m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
-  int kept = margin[k] >= -1e-9 * size[k];
+  int kept = margin[k] >= -gs_limits.margin_rounding * size[k];
   for (int i = 0; i < 2 * m->scene->nx && ! kept; i++)
     {
-      const double x = a->x[i / 2], step = 1e-6 * m->nominal[i / 2];
+      const double x = a->x[i / 2], step = gs_limits.margin_near * m->nominal[i / 2];
       a->x[i / 2] = i % 2 ? x - step : x + step;
       m->mar (a->d[GSF_T], a->x, a->v, a->cst, margin, size);
       kept = margin[k] >= 0;

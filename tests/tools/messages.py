@@ -39,6 +39,7 @@ TEXTS = [
     ('gsmbp/scene/beam_limits.mac', 'gs__moments_left_out'),
     ('gsmbp/scene/beam_limits.mac', 'gs__data_notes'),
     ('share/engine/host/failure.c', ''),
+    ('share/c/gsmbp/refusals.h', ''),
     ('octave/private/gsmbp__failure.m', 'dependent_rows'),
     ('octave/private/gsmbp__failure.m', 'fastest'),
     ('octave/private/gsmbp__outside.m', 'gsmbp__outside'),

@@ -1,6 +1,73 @@
-/* gsmbp/options.h: the options of a run. */
+/* gsmbp/options.h: the options of a run. Octave reads the rows, Python has them from its
+ * library. */
 #ifndef GSMBP_OPTIONS_H
 #define GSMBP_OPTIONS_H
+
+/* ROW (name, kind, default): kinds of GS_KINDS, or the words of GS_METHODS, GS_STARTS; default
+ * none: what the run needs */
+#define GS_OPTIONS(ROW)                                                                            \
+  ROW (method, method, dp853)       /* of the integration */                                       \
+  ROW (step, any, none)             /* fixed, or the first one [s]: above 0, or nonnegative */     \
+  ROW (rtol, tolerance, 1e-10)      /* relative tolerance */                                       \
+  ROW (atol, any, none)             /* absolute tolerance, one or one for each state */            \
+  ROW (maxstep, nonnegative, 0)     /* largest step [s]; 0: no limit */                            \
+  ROW (maxsteps, steps, 0)          /* most steps; 0: no limit */                                  \
+  ROW (timeout, nonnegative, 0)     /* wall time [s]; 0: no limit */                               \
+  ROW (maxorder, any, none)         /* of implicit methods */                                      \
+  ROW (loops, any, none)            /* constraint method, a word of GS_LOOP_METHODS */             \
+  ROW (projection, flag, none)      /* the older word for it */                                    \
+  ROW (drift, flag, none)           /* are the constraints watched? */                             \
+  ROW (input, any, none)            /* constants, piecewise polynomial or function */              \
+  ROW (motion, any, none)           /* reference trajectory */                                     \
+  ROW (gain, any, none)             /* state feedback about the reference */                       \
+  ROW (reference, any, none)                                                                       \
+  ROW (limits, any, none)           /* of what the feedback gives */                               \
+  ROW (breaks, list, none)          /* times at which inputs jump [s] */                           \
+  ROW (memory, list, none)          /* of sampled devices */                                       \
+  ROW (samples, flag, true)         /* are their instants recorded? */                             \
+  ROW (modes, list, none)           /* of events of ports */                                       \
+  ROW (audit, positive, none)       /* an energy that is usual in the scene [J] */                 \
+  ROW (sensitivity, names, none)    /* derivatives by parameters and starts */                     \
+  ROW (fixed, names, none)                                                                         \
+  ROW (dx0, numbers, none)                                                                         \
+  ROW (start, start, check)         /* is it checked, or moved onto the constraints? */
+
+/* ROW (kind, text): what a message expects of a value */
+#define GS_KINDS(ROW)                                                                              \
+  ROW (flag, "true or false")                                                                      \
+  ROW (number, "a finite number")                                                                  \
+  ROW (positive, "a finite number above 0")                                                        \
+  ROW (nonnegative, "a finite number >= 0")                                                        \
+  ROW (tolerance, "a number above 0 and below 1")                                                  \
+  ROW (whole, "a whole number >= 0")                                                               \
+  ROW (steps, "a whole number from 0 (no limit) to 2e9")                                           \
+  ROW (numbers, "finite numbers")                                                                  \
+  ROW (list, "a vector of finite numbers")                                                         \
+  ROW (text, "a text")                                                                             \
+  ROW (names, "a name or a list of names")
+
+/* ROW (word, number): iopt[GS_METHOD]; 0: by an implicit method alone, which Python has not */
+#define GS_METHODS(ROW)                                                                            \
+  ROW (dp853, 8)                                                                                   \
+  ROW (rk4, 4)                                                                                     \
+  ROW (cvode, 0)                                                                                   \
+  ROW (radau, 0)                                                                                   \
+  ROW (gauss, 0)                                                                                   \
+  ROW (auto, 9)
+
+#define GS_STARTS(ROW)                                                                             \
+  ROW (check, 0)                                                                                   \
+  ROW (project, 1)
+
+/* ROW (word, number): iopt[GS_LOOPS]; index2, of radau and auto alone, has that of projection */
+#define GS_LOOP_METHODS(ROW)                                                                       \
+  ROW (baumgarte, 1)                                                                               \
+  ROW (projection, 2)                                                                              \
+  ROW (partitioning, 3)                                                                            \
+  ROW (nullspace, 4)                                                                               \
+  ROW (svd, 5)                                                                                     \
+  ROW (kane, 6)                                                                                    \
+  ROW (index2, 2)
 
 /* iopt: IOPT of GSSIM */
 enum

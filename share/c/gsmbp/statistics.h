@@ -56,7 +56,6 @@
   ROW (GS_H_STIFF, stiff_step)                    /* and the step [s] */
 
 #define GS_ROW_CONSTANT(constant, name) constant,
-#define GS_ROW_NAME(constant, name) #name " "
 enum { GS_COUNTS (GS_ROW_CONSTANT) GS_COUNTED };
 enum { GS_VALUES (GS_ROW_CONSTANT) GS_MEASURED };
 

@@ -4,7 +4,9 @@
 
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
+#include "gsmbp/limits.h"
 #include "gsmbp/plan.h"
+#include "gsmbp/refusals.h"
 #include "host/failure.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
@@ -65,11 +67,20 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_ask *ask, int nx, d
   return info;
 }
 
-/* the names of istat, or those of rstat, with blanks between */
+#define ONE(constant, name) #name "\n"
+#define TWO(name, value) #name "\t" #value "\n"
+#define TEXT(name, text) #name "\t" text "\n"
+#define THREE(name, kind, value) #name "\t" #kind "\t" #value "\n"
+
+/* the tables that hosts share, a line for each row, tabs between its parts */
 const char *
-gs_loop_statistics (int measured)
+gs_loop_table (int which)
 {
-  return measured ? GS_VALUES (GS_ROW_NAME) : GS_COUNTS (GS_ROW_NAME);
+  static const char *const tables[] = {
+    GS_COUNTS (ONE), GS_VALUES (ONE), GS_OPTIONS (THREE), GS_KINDS (TEXT), GS_METHODS (TWO),
+    GS_LOOP_METHODS (TWO), GS_LIMITS (TWO), GS_REFUSALS (TEXT)
+  };
+  return tables[which];
 }
 
 /* gs_failure with its structure member by member */

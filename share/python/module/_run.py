@@ -11,12 +11,9 @@ from ._ends import Ends
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
 from ._motion import Piecewise, as_piecewise
+from ._tables import COUNTS, DEFAULT, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
-WAYS = ('baumgarte', 'projection', 'partitioning', 'nullspace', 'svd', 'kane')
-METHODS = {'rk4': 4, 'dp853': 8}
-COUNTS, VALUES = (LIBRARY.gs_loop_statistics(k).decode().split() for k in (0, 1))
-RECORDED = 10000   # events
 AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
 WRONG_MODE = 13    # where the mode that is given contradicts the state
 ENDED = 11         # what a run says that an event of the user has ended
@@ -115,53 +112,58 @@ def residuals(model, t, x):
     return names, np.concatenate([scaled, (con.phi / size)[rows], (con.hc @ u + con.phit) / fast])
 
 
-def _vector(who, what, given, n):
+def _vector(who, what, given, n, text='finite numbers'):
     a = np.asarray(given)
     if a.dtype.kind not in 'fiub' or a.shape != (n,) or not np.isfinite(a).all():
-        raise ValueError('%s: %s: expected %d finite numbers; found %s' % (
-            who, what, n, a.shape if a.shape != (n,) else a.tolist()))
+        raise ValueError('%s: %s: expected %d %s, found %s' % (
+            who, what, n, text, a.shape if a.shape != (n,) else a.tolist()))
     return a.astype(float)
 
 
 def rising(who, given):
     """Times as an array."""
     times = np.atleast_1d(np.asarray(given))
-    if (times.dtype.kind not in 'fiu' or times.ndim != 1 or not np.isfinite(times).all()
-            or not (np.diff(times.astype(float)) > 0).all()):
-        raise ValueError('%s: times: expected rising finite times [s]; found %s' % (
-            who, np.array2string(times, threshold=6)))
+    wrong = None
+    if times.dtype.kind not in 'fiu' or times.ndim != 1:
+        wrong = repr(given)
+    elif not times.size:
+        wrong = 'none'
+    elif not np.isfinite(times).all():
+        k = int(np.flatnonzero(~np.isfinite(times))[0])
+        wrong = '%g as number %d' % (times[k], k + 1)
+    if wrong:
+        raise ValueError('%s: %s' % (who, REFUSALS.times % wrong))
+    late = np.flatnonzero(~(np.diff(times.astype(float)) > 0))
+    if len(late):
+        k = int(late[0])
+        raise ValueError('%s: %s' % (
+            who, REFUSALS.rising_times % (k + 1, times[k], times[k + 1])))
     return np.ascontiguousarray(times, float)
-
-
-def _is_number(x):
-    x = np.asarray(x)
-    return x.shape == () and x.dtype.kind in 'fiub' and bool(np.isfinite(x))
 
 
 def _start(who, model, t, x0, start, modes):
     if start not in ('check', 'project'):
         raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
-    x = _vector(who, 'x0', x0, NX)
+    x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME)
     for places in TABLE.get('orientation') or []:
         own = np.array(places) - 1
-        if not np.linalg.norm(x[own]) > 1e-3:
-            raise ValueError(
-                '%s: expected Euler parameters of length 1, found (%s) = %s, which is no '
-                'orientation' % (who, ', '.join(model.states[i] for i in own), x[own].tolist()))
+        if not np.linalg.norm(x[own]) > LIMITS.short_orientation:
+            raise ValueError('%s: %s' % (who, REFUSALS.orientation % (
+                ', '.join(model.states[i] for i in own), x[own].tolist())))
     if NLAM or NQ != NU:
         names, scaled = residuals(model, t, x)
         k = int(np.argmax(np.abs(scaled))) if len(scaled) else 0
-        far = len(scaled) and not abs(scaled[k]) <= 1e-6
+        far = len(scaled) and not abs(scaled[k]) <= LIMITS.off_constraints
         if start == 'check' and far:
-            raise ValueError(
-                '%s: expected a state on the constraints at t = %.9g s; %s is off by %.3g; '
-                'start="project" moves it onto them' % (who, t, names[k], scaled[k]))
+            found = 'found %s = %.3g (relative)' % (names[k], scaled[k])
+            raise ValueError('%s: %s; start="project" moves it onto them' % (
+                who, REFUSALS.off_constraints % (t, found)))
         if 'prj' in ROUTINES and (start == 'project'
                                   or np.abs(scaled).max(initial=0) > 100 * np.finfo(float).eps):
             x = model.prj(t, x)[0]
     if start == 'check':
         for sentence, _ in margins(model, np.array([t]), x[:, None], np.zeros((NV, 1))):
-            raise ValueError('%s: a device cannot be there: %s' % (who, sentence))
+            raise ValueError('%s: %s' % (who, REFUSALS.device % sentence))
     _stops(who, model, t, x, modes)
     return x
 
@@ -176,11 +178,10 @@ def _stops(who, model, t, x, modes):
     inside = model.evt(t, x, np.zeros(len(events), np.intc))
     port = model.hld(t, x)
     for k, event in enumerate(events):
-        if event['kind'] == 'stop' and inside[k] < -1e-6 and not (
+        if event['kind'] == 'stop' and inside[k] < -LIMITS.past_stop and not (
                 modes is not None and np.size(modes) > k and np.ravel(modes)[k]):
-            raise ValueError(
-                '%s: the start is beyond an end of the stop %s: expected %g to %g, found %g' % (
-                    who, event['name'], *port.prm[:2, k], port.s[k]))
+            raise ValueError('%s: %s' % (who, REFUSALS.past_stop % (
+                event['name'], *port.prm[:2, k], port.s[k])))
 
 
 def margins(model, t, x, v):
@@ -190,8 +191,8 @@ def margins(model, t, x, v):
         return []
     kept, size = model.mar(t, x, v)
     found = []
-    for k in np.flatnonzero((~(kept >= -1e-9 * size)).any(axis=1)):
-        for i in np.flatnonzero(~(kept[k] >= -1e-9 * size[k])):
+    for k in np.flatnonzero((~(kept >= -LIMITS.margin_rounding * size)).any(axis=1)):
+        for i in np.flatnonzero(~(kept[k] >= -LIMITS.margin_rounding * size[k])):
             if _passed(model, t[i], x[:, i], v[:, i], k):
                 found.append(('%s: expected above 0, found %.6g' % (texts[k], kept[k, i]), t[i]))
                 break
@@ -200,7 +201,7 @@ def margins(model, t, x, v):
 
 def _passed(model, t, x, v, k):
     """Is the margin passed, not just reached: is it not kept anywhere close by?"""
-    steps = np.diag(model.nominal) * 1e-6
+    steps = np.diag(model.nominal) * LIMITS.margin_near
     near = np.concatenate([x[:, None] + steps, x[:, None] - steps], axis=1)
     return not (model.mar(t, near, v)[0][k] >= 0).any()
 
@@ -328,10 +329,11 @@ class _Plan:
 
     def feedback(self, gain, reference, limits):
         if (gain is None) != (reference is None):
-            raise ValueError('%s: gain and reference go together' % self.who)
+            why = REFUSALS.reference_alone if gain is None else REFUSALS.gain_alone
+            raise ValueError('%s: %s' % (self.who, why))
         if gain is None:
             if limits is not None:
-                raise ValueError('%s: limits bound what a feedback gives and need gain' % self.who)
+                raise ValueError('%s: limits %s' % (self.who, REFUSALS.limits_alone))
             return
         self.pieces('reference', constant(self.who, 'reference', reference, (NX,)))
         self.pieces('gain', constant(self.who, 'gain', gain, (NV, NX)))
@@ -346,9 +348,12 @@ class _Plan:
                 bounds = np.stack([-bounds, bounds], axis=1)
         except ValueError:
             bounds = np.zeros(0)
-        if bounds.shape != (NV, 2) or not (bounds[:, 0] < bounds[:, 1]).all():
-            raise ValueError('%s: limits: expected one number above 0, %d, or the shape (%d, 2), '
-                             'lower below upper; found %r' % (self.who, NV, NV, given))
+        if bounds.shape != (NV, 2):
+            raise ValueError('%s: limits: expected 1, %d or %d x 2 numbers, found %r' % (
+                self.who, NV, NV, given))
+        for k in np.flatnonzero(~(bounds[:, 0] < bounds[:, 1])):
+            raise ValueError('%s: limits: %s' % (
+                self.who, REFUSALS.limits_order % (self.model.inputs[k], *bounds[k])))
         return bounds
 
     def samples(self, times, memory, keep):
@@ -377,7 +382,7 @@ class _Plan:
                 raise ValueError('%s: modes: %s has no events' % (self.who, NAME))
             return
         self.model._has('evt', 'rst')
-        self.given.events = RECORDED
+        self.given.events = int(LIMITS.recorded_events)
         if modes is not None:
             given = np.asarray(modes)
             if given.shape != (n,) or not np.isin(given, (-1, 0, 1)).all():
@@ -450,10 +455,12 @@ def planned_motion(who, given):
 
 # --------------------------------------------------------------------------------------- the run
 
-def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=None, maxstep=0.0,
-             maxsteps=0, loops=None, drift=None, start='check', input=None, motion=None, gain=None,
-             reference=None, limits=None, breaks=(), memory=None, samples=True, modes=None,
-             audit=None, errors='raise'):
+def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=DEFAULT.atol,
+             step=DEFAULT.step, maxstep=DEFAULT.maxstep, maxsteps=DEFAULT.maxsteps,
+             loops=DEFAULT.loops, drift=DEFAULT.drift, start=DEFAULT.start, input=DEFAULT.input,
+             motion=DEFAULT.motion, gain=DEFAULT.gain, reference=DEFAULT.reference,
+             limits=DEFAULT.limits, breaks=(), memory=DEFAULT.memory, samples=DEFAULT.samples,
+             modes=DEFAULT.modes, audit=DEFAULT.audit, errors='raise'):
     """A run from the state x0 at times[0]; the states at all times come back.
 
     method: "dp853" (step control) or "rk4" (fixed step [s]); rtol, atol: tolerances, atol one
@@ -474,17 +481,17 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
     who = NAME + '.simulate'
     times = rising(who, times)
     if len(times) < 2:
-        raise ValueError('%s: times: expected two or more, that of x0 first' % who)
+        raise ValueError('%s: %s' % (who, REFUSALS.one_time % ('%.15g alone' % times[0])))
     if errors not in ('raise', 'return'):
         raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
     model, way = _way(who, self, loops)
     x = _start(who, model, times[0], x0, start, modes)
-    iopt, ropt, atol = _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift)
+    iopt, ropt, atol = _options(who, model, times[-1] - times[0], method, way, rtol, atol, step,
+                                maxstep, maxsteps, drift)
     kept = (float(ropt[1]), atol.copy()) if method != 'rk4' else (np.nan, np.full(NX, np.nan))
     if audit is not None:
         model._has('rha', 'ene')
-        if not (_is_number(audit) and audit > 0):
-            raise ValueError('%s: audit: expected an energy above 0 [J]; found %r' % (who, audit))
+        check(who, 'audit', audit)
         x = np.append(x, [0.0, 0.0])
         atol = np.append(atol, [ropt[1] * audit] * 2)
     p = _Plan(who, model, len(x))
@@ -512,7 +519,7 @@ def simulate(self, x0, times, *, method='dp853', rtol=1e-10, atol=None, step=Non
 
 def _way(who, model, loops):
     if loops is not None and loops not in WAYS:
-        raise ValueError('%s: loops: expected one of %s; found %r' % (who, ', '.join(WAYS), loops))
+        raise ValueError('%s: loops %s' % (who, REFUSALS.loops % (', '.join(WAYS), repr(loops))))
     euler = NQ > NU
     if loops is None:
         loops = WAYS['prj' in ROUTINES and (NLAM > 0 or euler)]
@@ -535,19 +542,26 @@ def _breaks(who, given):
     return times.ravel().tolist()
 
 
-def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift):
+def _check_count(who, method, step, maxstep, span):
+    """The number of steps: what the run time counts to, or what time resolves."""
+    fixed = method == 'rk4'
+    most = LIMITS.fixed_steps if fixed else LIMITS.controlled_steps
+    steps = [(step * fixed, 'step'), (maxstep, 'maxstep'), (math.inf, '')]
+    longest, name = min((h, name) for h, name in steps if h > 0)
+    if span / longest > most:
+        raise ValueError('%s: %s: %s' % (who, name, REFUSALS.too_many_steps % (
+            span, longest, span / longest, method, most)))
+
+
+def _options(who, model, span, method, way, rtol, atol, step, maxstep, maxsteps, drift):
     if method not in METHODS:
         raise ValueError('%s: method: expected "dp853" or "rk4"; found %r' % (who, method))
     if step is None:
         step = 1e-3 if method == 'rk4' else 0.0
-    for name, number in (('step', step), ('maxstep', maxstep), ('maxsteps', maxsteps)):
-        if not (_is_number(number) and number >= 0):
-            raise ValueError('%s: %s: expected a number >= 0; found %r' % (who, name, number))
-    if maxsteps != int(maxsteps) or maxsteps >= 2**31:
-        raise ValueError('%s: maxsteps: expected a whole number below 2^31; found %r' % (
-            who, maxsteps))
-    if method == 'rk4' and step == 0:
-        raise ValueError('%s: step: expected a number above 0; found 0' % who)
+    check(who, 'step', step, 'positive' if method == 'rk4' else 'nonnegative')
+    check(who, 'maxstep', maxstep)
+    check(who, 'maxsteps', maxsteps)
+    _check_count(who, method, step, maxstep, span)
     rtol, atol = _tolerances(who, model, rtol, atol, method)
     watched = NLAM > 0 and 'con' in ROUTINES if drift is None else bool(drift)
     rows = TABLE.get('speed_rows') or []
@@ -559,8 +573,7 @@ def _options(who, model, method, way, rtol, atol, step, maxstep, maxsteps, drift
 def _tolerances(who, model, rtol, atol, method):
     """rtol, atol, neither below what the precision can keep: it is raised, with a warning."""
     least = 10 * np.finfo(float).eps
-    if not (_is_number(rtol) and 0 < rtol < 1):
-        raise ValueError('%s: rtol: expected a number above 0 and below 1; found %r' % (who, rtol))
+    check(who, 'rtol', rtol)
     small = ['rtol = %g' % rtol] if rtol < least else []
     rtol = max(float(rtol), least)
     given, atol = atol, rtol * model.nominal if atol is None else np.asarray(atol)
@@ -568,8 +581,7 @@ def _tolerances(who, model, rtol, atol, method):
         atol = np.full(NX, atol)
     if atol.dtype.kind not in 'fiu' or atol.shape != (NX,) or not (
             np.isfinite(atol).all() and (atol >= 0).all()):
-        raise ValueError('%s: atol: expected one finite number >= 0 or %d of them; found %r' % (
-            who, NX, given))
+        raise ValueError('%s: atol: %s' % (who, REFUSALS.atol % (NX, repr(given))))
     low = np.flatnonzero(atol < least * model.nominal * (1 - 1e-9))
     if len(low):
         small.append('atol = %g of %s' % (atol[low[0]], model.states[low[0]]))

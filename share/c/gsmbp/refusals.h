@@ -1,0 +1,34 @@
+/* gsmbp/refusals.h: why a run is refused before it begins, in all hosts. ROW (name, format): the
+ * format is that of C, Octave and Python; Octave reads the rows, Python has them from its
+ * library. */
+#ifndef GSMBP_REFUSALS_H
+#define GSMBP_REFUSALS_H
+
+#define GS_REFUSALS(ROW)                                                                           \
+  ROW (largest_angle, "expected an angle of at most 1e15 rad, found %g")                           \
+  ROW (off_constraints, "expected a state on the constraints at t = %.9g s, %s")                   \
+  ROW (orientation, "expected Euler parameters of length 1, found (%s) = %s, which is no "         \
+       "orientation")                                                                              \
+  ROW (past_stop, "the start is beyond an end of the stop %s: expected %g to %g, found %g "        \
+       "(m or rad)")                                                                               \
+  ROW (device, "a device cannot be there: %s")                                                     \
+  ROW (one_time, "the times must be two or more, that of x0 first; found %s")                      \
+  ROW (times, "the times must be a vector of finite numbers, found %s")                            \
+  ROW (rising_times, "the times must be strictly increasing; number %d is %.15g, the next "        \
+       "%.15g")                                                                                    \
+  ROW (atol, "expected one number or %d numbers, finite and >= 0, found %s")                       \
+  ROW (too_many_steps, "%g s in steps of %g s are %.3g steps of %s; expected %.0e at the "         \
+       "most: longer steps, or shorter runs")                                                      \
+  ROW (loops, "must be one of %s; found: %s")                                                      \
+  ROW (gain_alone, "a gain needs a reference, the state about which it acts")                      \
+  ROW (reference_alone, "a reference needs a gain, with which the inputs follow it")               \
+  ROW (limits_alone, "bounds what a state feedback gives and needs option gain; without "          \
+       "feedback give an input that keeps to its limits")                                          \
+  ROW (limits_order, "of %s the lower limit must be below the upper one; found %g and %g")         \
+  ROW (memory, "expected %d finite numbers, found %s")
+
+#define GS_REFUSAL_MEMBER(name, text) const char *name;
+#define GS_REFUSAL_TEXT(name, text) text,
+static const struct { GS_REFUSALS (GS_REFUSAL_MEMBER) } gs_refusals
+    = { GS_REFUSALS (GS_REFUSAL_TEXT) };
+#endif
