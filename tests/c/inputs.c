@@ -63,8 +63,9 @@ polynomials (void)
       gsppl_ (&t, &side, &nu, &r, &na, ipl, &np, &k, brk, coef, f.f, qj.f, &info);
       same_int (gsppl (t, side, nu, r, na, ipl, np, k, brk, coef, f.c, qj.c), info);
       same (qj);
-      gsbak (nu, brk, qj.c);
-      gsbak_ (&nu, brk, qj.f);
+      gsbak (nu, coef, qj.c);
+      gsbak_ (&nu, coef, qj.f);
+      same (qj);
       drop (qj);
       drop (f);
     }

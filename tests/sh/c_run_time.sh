@@ -92,8 +92,22 @@ gcc $driver -o "$work/runs" tests/c/emitted/runs.c "$work"/emitted/*.o "$work"/c
   "$work"/fortran/*.o -lgfortran -lm >"$report" 2>&1 && "$work/runs"
 told $? 'runs of emitted scenes' "$report"
 
-# -- every function of share/c, static ones too, is run by a driver
 whole || exit 0
+
+# -- no driver reads or writes beyond an array, or does what C leaves undefined
+mkdir "$work/checked"
+checks='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
+(cd "$work/checked" && gcc $c $checks -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
+  >"$report" 2>&1
+for file in tests/c/*.c tests/c/emitted/runs.c; do
+  more=
+  [ "$file" = tests/c/emitted/runs.c ] && more=$(ls "$work"/emitted/*.o)
+  gcc $c $checks -o "$work/checks" "$file" $more "$work"/checked/*.o "$work"/fortran/*.o \
+    -lgfortran -lm && "$work/checks" 2>&1 | grep -E '^(not ok|==|[^ ]*: runtime error)'
+done >>"$report" 2>&1
+result 'share/c under the address and the undefined behaviour sanitizer'
+
+# -- every function of share/c, static ones too, is run by a driver
 mkdir "$work/cover"
 (cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
   >"$report" 2>&1
