@@ -2,9 +2,10 @@
 # Quad: what share/fortran gives in quad precision, to 1e-30 of the largest entry: the drivers of
 # tests/c call both, and those of c_pair emitted routines. What the Fortran gives is compared with
 # closed forms in run_time.sh and order.sh.
-# Single: share/c without a warning, constants within range; inverse dynamics of the PUMA 560 to
-# 1e-6 of the largest generalized force, here and, where compilers and emulators are installed, on a
-# Cortex-M4F, without arithmetic in double precision, and on an AVR, where double is single.
+# Single: share/c without a warning, constants within range; runs to 1e-3 (at length); inverse
+# dynamics of the PUMA 560 to 1e-6 of the largest generalized force, here and, where compilers and
+# emulators are installed, on a Cortex-M4F, without arithmetic in double precision, and on an AVR,
+# where double is single.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -112,8 +113,50 @@ avr() {
   done
 }
 
+# runs of a tree, a loop and a port that sticks: states after 1 s beside those in double precision
+runs() {
+  mkdir "$work/runs" "$work/runs/single" "$work/runs/double"
+  files='tests/bench/systems/pend4 examples/four_bar/four_bar tests/scenes/event_slide'
+  share/make/maxima "$report" "load(\"$root/gsmbp/gsmbp.mac\")\$ $(for file in $files; do
+    echo "load(\"$root/$file.mac\")\$
+      gsmbp_c(scene, all, ['directory = \"$work/runs\", 'precision = any])\$"
+  done)"
+  told $? 'scenes are emitted for any precision' "$report"
+  (cd "$work/runs/double" && gcc $strict -O1 -I"$root/share/c" -c $sources && cd ../single &&
+    gcc $strict -O1 -DGSMBP_FLOAT -I"$root/share/c" -c $sources) >"$report" 2>&1
+  told $? 'share/c compiles in double and in single precision' "$report"
+  for file in $files; do
+    scene=${file##*/}
+    for key in initial nominal; do
+      tr -d '\n' <"$work/runs/$scene.json" |
+        sed "s/.*\"$key\": *\[\([^]]*\)\].*/static const double $key[] = { \1 };\n/"
+    done >"$work/runs/start.h"
+    for method in 4 8; do
+      for way in 2 3; do run "$scene" $method $way; done
+    done
+  done
+}
+# run SCENE METHOD WAY
+run() {
+  for precision in double single; do
+    macro= rtol=1e-9
+    [ $precision = double ] || { macro=-DGSMBP_FLOAT rtol=1e-4; }
+    gcc -std=c99 -O1 -Wall -Wextra $macro -DSCENE="$1" -DMETHOD="$2" -DWAY="$3" -DRTOL=$rtol \
+      -Ishare/c -I"$work/runs" -o "$work/run" tests/c/precision/run.c "$work/runs/$1.c" \
+      "$work/runs/$precision"/*.o -lm && "$work/run" || echo failed
+  done >"$report" 2>&1
+  awk 'NR == 1 { n = NF; for (i = 1; i <= n; i++) x[i] = $i }
+    NR == 2 { for (i = 3; i <= n; i++) {
+        d = $i - x[i]; if (d < 0) d = -d; if (d > off) off = d
+        s = x[i] < 0 ? -x[i] : x[i]; if (s > most) most = s }
+      good = NF == n && n > 3 && $1 == "0" && x[1] == "0" && off <= 1e-3*most }
+    END { exit ! good }' "$report"
+  told $? "$1 in single precision, method $2, way $3: within 1e-3" "$report"
+}
+
 quad
 float_warnings
+whole && runs
 puma
 here
 cortex

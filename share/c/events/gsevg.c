@@ -14,7 +14,7 @@ gsevg (int n, int nh, int nc, int k, const int *kind, const int *mode, const gs_
   z += n + port;
   if (kind[port] == 1 && mode[port] != 0)
     for (int j = 0; j < nc; j++, d += ld)
-      g[j] = side * d[1] + GS_R (1e-9) * d[3];
+      g[j] = side * d[1] + GS_R2 (1e-9, 1e-5) * d[3];
   else if (kind[port] == 2 && mode[port] == 0)
     {
       const gs_real r = p[1] - p[0], a = (p[1] - s[port]) / r, b = (s[port] - p[0]) / r;
@@ -66,7 +66,7 @@ gshjd (int nu, int nlam, int nh, int *act, gs_real *k)
         }
       for (int j = 0; j < nu && r < nu; j++)
         left += v[j] * v[j];
-      if (r < nu && left > GS_R (1e-20) * size)
+      if (r < nu && left > GS_R2 (1e-20, 1e-10) * size)
         {
           for (int j = 0; j < nu; j++)
             v[j] /= gs_sqrt (left);

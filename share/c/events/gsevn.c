@@ -168,7 +168,7 @@ first_event (const gs_system *g, gs_step *e, search *l)
         return info;
       l->first = so ? found : 0;
       l->thf = so ? th : 2;
-      be = so ? th * (1 - GS_R (1e-9)) : 1;
+      be = so ? th * (1 - GS_R2 (1e-9, 1e-6)) : 1;
       l->ns = (int) gs_max (8, be * (gs_real)l->many);
       if (! so)
         otherwise (g, l, found);
@@ -399,7 +399,7 @@ gsevi (const gs_system *g, const gs_step *e, gs_real begin, gs_real *c, int i)
   int kept = 0; /* the end that stayed: 1 c, -1 a */
   for (int k = 0; k < 60; k++)
     {
-      if (*c - a <= GS_R (1e-12) || ga - gb <= 0)
+      if (*c - a <= GS_R2 (1e-12, 1e-6) || ga - gb <= 0)
         return 0;
       gs_real d = (ga * *c - gb * a) / (ga - gb);
       if (! (d > a && d < *c))

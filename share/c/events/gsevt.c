@@ -31,13 +31,13 @@ gsevt (int k, const int *kind, const int *mode, const gs_real *s, const gs_real 
     if (kind[i] == 1 && mode[i] == 0)
       gv[i] = prm[0] - gs_abs (hold[i]);
     else if (kind[i] == 1)
-      gv[i] = (gs_real)mode[i] * sd[i] + GS_R (1e-9) * prm[1];
+      gv[i] = (gs_real)mode[i] * sd[i] + GS_R2 (1e-9, 1e-5) * prm[1];
     else if (mode[i] == 0)
       {
-        const gs_real tiny = GS_R (1e-12) * gstvl (s[i], prm);
+        const gs_real tiny = GS_R2 (1e-12, 1e-7) * gstvl (s[i], prm);
         gv[i] = (prm[1] - s[i]) * (s[i] - prm[0]) / (prm[1] - prm[0]);
         const gs_real way = s[i] - prm[0] < prm[1] - s[i] ? -sd[i] : sd[i];
-        if (gv[i] <= tiny && gv[i] >= -GS_R (1e6) * tiny && way <= GS_R (1e-9) * prm[3])
+        if (gv[i] <= tiny && gv[i] >= -GS_R (1e6) * tiny && way <= GS_R2 (1e-9, 1e-5) * prm[3])
           gv[i] = tiny;
       }
     else

@@ -99,7 +99,7 @@ gshpj (const gs_scene *s, gs_real t, gs_real *x, const gs_real *v, const gs_real
   gs_real off, fast;
   s->hld (t, x, v, cst, row, nh, pos, sd, prm);
   away (s->nu, s->nlam, &p, &off, &fast);
-  for (int k = 0; k < 2 && s->nq == s->nu && off > GS_R (1e-14); k++)
+  for (int k = 0; k < 2 && s->nq == s->nu && off > GS_R2 (1e-14, 1e-6); k++)
     {
       int info = move (s, 1, t, x, cst, &p, a, h, phit, u, w);
       if (info != 0)
@@ -108,7 +108,7 @@ gshpj (const gs_scene *s, gs_real t, gs_real *x, const gs_real *v, const gs_real
       away (s->nu, s->nlam, &p, &off, &fast);
       fast = gs_max (fast, 1);
     }
-  return fast > GS_R (1e-14) ? move (s, 2, t, x, cst, &p, a, h, phit, u, w) : 0;
+  return fast > GS_R2 (1e-14, 1e-6) ? move (s, 2, t, x, cst, &p, a, h, phit, u, w) : 0;
 }
 
 int

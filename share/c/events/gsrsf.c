@@ -26,7 +26,7 @@ gshlj (int nu, int nh, int i, const int *kind, const int *mode, const gs_real *r
             b += y * y;
             c += x * y;
           }
-        found |= c * c >= (1 - GS_R (1e-12)) * a * b;
+        found |= c * c >= (1 - GS_R2 (1e-12, 1e-6)) * a * b;
       }
   return found;
 }
@@ -54,12 +54,13 @@ gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mo
   for (int i = 0; i < nh; i++)
     {
       const int way = mode[i];
-      if (kind[i] != 1 || way == 0 || gs_abs (sd[i]) > GS_R (1.000001e-9) * prm[4 * i + 1]
+      if (kind[i] != 1 || way == 0
+          || gs_abs (sd[i]) > GS_R2 (1.000001e-9, 1.00001e-5) * prm[4 * i + 1]
           || gshlj (s->nu, nh, i, kind, mode, row))
         continue;
       mode[i] = 0;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if ((gs_real)way * hold[i] > -(1 - GS_R (1e-9)) * prm[4 * i])
+      if ((gs_real)way * hold[i] > -(1 - GS_R2 (1e-9, 1e-5)) * prm[4 * i])
         return;
       mode[i] = way;
     }
@@ -67,11 +68,12 @@ gsrsf (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *v, int *mo
     {
       const gs_real up = prm[4 * i + 1] - pos[i], down = pos[i] - prm[4 * i];
       if (kind[i] != 2 || mode[i] != 0 || gs_min (up, down) > gsate (pos[i], prm + 4 * i)
-          || gs_abs (sd[i]) > GS_R (1e-9) * prm[4 * i + 3] || gshlj (s->nu, nh, i, kind, mode, row))
+          || gs_abs (sd[i]) > GS_R2 (1e-9, 1e-5) * prm[4 * i + 3]
+          || gshlj (s->nu, nh, i, kind, mode, row))
         continue;
       mode[i] = down < up ? -1 : 1;
       gshld (s, t, x, v, mode, cst, nh, kind, ipl, vm, ud, lam, hold, row, pos, sd, prm);
-      if ((gs_real)mode[i] * hold[i] < -GS_R (1e-9) * largest (nh, kind, hold, prm))
+      if ((gs_real)mode[i] * hold[i] < -GS_R2 (1e-9, 1e-5) * largest (nh, kind, hold, prm))
         return;
       mode[i] = 0;
     }

@@ -37,7 +37,7 @@ gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const gs_real *row,
         {
           if (loose)
             e = e + p[1];
-          e = gs_max (e, GS_R (1e-6) * p[1]);
+          e = gs_max (e, GS_R2 (1e-6, 1e-4) * p[1]);
           if (gs_abs (sd[i]) > e && (gs_real)mode[i] * sd[i] <= 0)
             mode[i] = sd[i] < 0 ? -1 : 1;
         }
@@ -47,7 +47,7 @@ gsrsm (int nu, int nlam, int nh, const int *kind, int *mode, const gs_real *row,
           if (loose)
             e = e + GS_R (1e2) * p[3];
           e = gs_max (e, p[3]);
-          if (gs_abs (sd[i]) > e || gap > GS_R (1e-2) || (gap > GS_R (1e-6) && ! loose))
+          if (gs_abs (sd[i]) > e || gap > GS_R (1e-2) || (gap > GS_R2 (1e-6, 1e-4) && ! loose))
             mode[i] = 0;
         }
     }

@@ -19,7 +19,8 @@
 gs_real
 gsate (gs_real s, const gs_real *prm)
 {
-  return gs_min (GS_R (1e-9) * gstvl (s, prm), GS_R (1e-9) * prm[3] + GS_R (1e-12) * gs_abs (s));
+  return gs_min (GS_R2 (1e-9, 1e-5) * gstvl (s, prm),
+                 GS_R2 (1e-9, 1e-5) * prm[3] + GS_R2 (1e-12, 1e-6) * gs_abs (s));
 }
 
 /* the modes at the start */
@@ -28,7 +29,7 @@ start (int k, const int *kind, int *mode, const gs_real *s, const gs_real *sd, c
 {
   for (int i = 0; i < k; i++, prm += 4)
     {
-      gs_real e = GS_R (1e-9) * prm[1];
+      gs_real e = GS_R2 (1e-9, 1e-5) * prm[1];
       mode[i] = 0;
       if (kind[i] == 1 && sd[i] > e)
         mode[i] = 1;
@@ -65,8 +66,8 @@ gsrst (int n, int m, int k, int l, const int *kind, int *mode, const gs_real *s,
     {
       const gs_real *stop = prm + 4 * i;
       const int end = stop[1] - s[i] < s[i] - stop[0] ? 1 : -1;
-      if (gs_abs (sd[i]) <= GS_R (1e-9) * stop[3]
-          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= GS_R (1e-9) * gstvl (s[i], stop))
+      if (gs_abs (sd[i]) <= GS_R2 (1e-9, 1e-5) * stop[3]
+          && gs_min (stop[1] - s[i], s[i] - stop[0]) <= GS_R2 (1e-9, 1e-5) * gstvl (s[i], stop))
         mode[i] = end;
       if ((gs_real)end * sd[i] <= 0 || mode[i] != 0)
         return 0;
@@ -130,7 +131,7 @@ slide (int n, int k, const int *kind, int *mode, const gs_real *h, int ldh, cons
             x += row * u[j];
             size = size + gs_abs (row * u[j]) + gs_abs (row * du[j]);
           }
-        if (gs_abs (x) > GS_R (1e-10) * size)
+        if (gs_abs (x) > GS_R2 (1e-10, 1e-5) * size)
           mode[i] = x < 0 ? -1 : 1;
       }
 }

@@ -51,8 +51,8 @@ levels_like (const gs_events *a, int i, gs_real size)
     {
       const gs_real like = gs_copysign (1, a->last[j]) * gs_copysign (1, a->last[i]);
       if (gs_is_own (a, j) && j != i
-          && gs_abs (a->last[j] - like * a->last[i]) <= GS_R (1e-8) * gs_abs (a->last[i])
-          && gs_abs (a->g[j] - like * a->g[i]) <= GS_R (1e-8) * size)
+          && gs_abs (a->last[j] - like * a->last[i]) <= GS_R2 (1e-8, 1e-5) * gs_abs (a->last[i])
+          && gs_abs (a->g[j] - like * a->g[i]) <= GS_R2 (1e-8, 1e-5) * size)
         {
           a->level[j] = a->g[j];
           if (like < 0)
@@ -74,7 +74,7 @@ gsusl (const gs_events *a, int l, int k, gs_real g, const gs_real *v)
   if (l == k || gs_abs (a->g[i] - old) > 0)
     a->level[i] = 0;
   if (l == k && gs_abs (g - old) <= GS_R (1e-2) * size
-      && gs_abs (a->g[i] - g) <= gs_max (GS_R (0.5) * gs_abs (g), GS_R (1e-8) * size))
+      && gs_abs (a->g[i] - g) <= gs_max (GS_R (0.5) * gs_abs (g), GS_R2 (1e-8, 1e-5) * size))
     {
       a->level[i] = a->g[i];
       levels_like (a, i, size);

@@ -70,13 +70,13 @@ drowned (const gs_system *s, const gs_events *a, int i, gs_real h, gs_real end, 
   if (a->mark[i] + a->marks[i] != 0 || ! (end >= gs_accumulates_from (a, i)))
     return 0;
   return gsusf (s, a, i, -g / gs_max (GS_TINY, end - told[GS_TOLD_TIMES]),
-                GS_R (5e-6) * gs_max (h, s->rstat[GS_H_LARGEST]));
+                GS_R2 (5e-6, 1e-4) * gs_max (h, s->rstat[GS_H_LARGEST]));
 }
 
 int
 gsusn (const gs_events *a, gs_real t, gs_real h)
 {
-  const gs_real shortest = GS_R (1e-9) * gs_max (gs_abs (t), gs_abs (t + h));
+  const gs_real shortest = GS_R2 (1e-9, 1e-5) * gs_max (gs_abs (t), gs_abs (t + h));
   gs_real most = 8;
   for (int i = 0; i < a->ne; i++)
     {

@@ -168,7 +168,7 @@ gs_accumulates_from (const gs_events *a, int i)
     return from;
   if (t[0] - t[1] < t[1] - t[2] && t[1] - t[2] < t[2] - t[3])
     from = gs_fmin (from, t[0] + 2 * (t[0] - t[1]));
-  return all < GS_R (1e-8) * gs_abs (t[0]) ? gs_fmin (from, t[0] + 10 * all) : from;
+  return all < GS_R2 (1e-8, 1e-5) * gs_abs (t[0]) ? gs_fmin (from, t[0] + 10 * all) : from;
 }
 
 /* The mean interval of the last four events of function i (from 0), of the user; 0: there are not

@@ -46,7 +46,7 @@ gspln (int nc, int np, int k, const gs_real *brk, const gs_real *coef, gs_real t
   int info = faulty (nc, np, k, t, nd, ldf);
   if (info != 0)
     return info;
-  gs_real tol = GS_R (1e-12) * (brk[np] - brk[0]);
+  gs_real tol = GS_R2 (1e-12, 1e-6) * (brk[np] - brk[0]);
   if (t < brk[0] - tol || t > brk[np] + tol)
     info = 1;
   int p = piece (np, brk, t, side);

@@ -23,7 +23,9 @@ gshin (const gs_system *g, gs_real t, gs_real hmax, const gs_real *x, gs_real *w
       d0 += (x[i] / s) * (x[i] / s);
       d1 += (xd[i] / s) * (xd[i] / s);
     }
-  *h = d0 > GS_R (1e-10) && d1 > GS_R (1e-10) ? GS_R (0.01) * gs_sqrt (d0 / d1) : GS_R (1e-6);
+  *h = GS_R2 (1e-6, 1e-4);
+  if (d0 > GS_R2 (1e-10, 1e-5) && d1 > GS_R2 (1e-10, 1e-5))
+    *h = GS_R (0.01) * gs_sqrt (d0 / d1);
   *h = gs_min (*h, hmax);
   for (int i = 0; i < nx; i++)
     z[i] = x[i] + *h * xd[i];
@@ -37,8 +39,8 @@ gshin (const gs_system *g, gs_real t, gs_real hmax, const gs_real *x, gs_real *w
     }
   d2 = gs_sqrt (d2) / *h;
   gs_real s = gs_max (d2, gs_sqrt (d1)); /* not d2 where that is no number */
-  if (s <= GS_R (1e-15))
-    s = gs_max (GS_R (1e-6), GS_R (1e-3) * *h);
+  if (s <= GS_R2 (1e-15, 1e-7))
+    s = gs_max (GS_R2 (1e-6, 1e-4), GS_R (1e-3) * *h);
   else
     s = gs_pow (GS_R (0.01) / s, GS_R (0.125));
   *h = gs_min (gs_min (100 * *h, s), hmax);

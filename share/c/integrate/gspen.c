@@ -16,7 +16,7 @@ does_not_lead_out (gs_course *c)
   const gs_system *g = &c->g;
   gs_real gap;
   gspbc (g, c->t, c->x, &c->a, c->f, c->xn, &gap);
-  if (! (gap > GS_R (1e-6) + GS_R (1e2) * g->ropt[1]))
+  if (! (gap > GS_R2 (1e-6, 1e-3) + GS_R (1e2) * g->ropt[1]))
     return 0;
   g->istat[GS_FAILED_INFO] = 4 - gs_most (0, c->a.begin);
   g->istat[GS_FAILED] = GS_AT_START;

@@ -94,7 +94,8 @@ gsrks (gs_course *c)
   gs_real ta = c->t, hr = c->g.ropt[0];
   for (int n = 1; n > 0;)
     {
-      const gs_real at_most = gs_min (hr, most), many = (c->tb - ta) / at_most * (1 - GS_R (1e-9));
+      const gs_real at_most = gs_min (hr, most);
+      const gs_real many = (c->tb - ta) / at_most * (1 - GS_R2 (1e-9, 1e-6));
       n = gs_most (1, (int) gs_min (many, GS_R (2e9)) + 1);
       /* the first, then longer ones */
       const gs_real h = many > GS_R (2e9) ? at_most : (c->tb - ta) / (gs_real)n;

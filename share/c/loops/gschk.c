@@ -81,7 +81,7 @@ drift (check *c)
       gap = gs_max (gap, gs_abs (a->phi[i]));
       rate = gs_max (rate, gs_abs (v));
     }
-  if (c->iopt[GS_LOOPS] != 1 && ! (gap <= GS_R (1e-6) * big))
+  if (c->iopt[GS_LOOPS] != 1 && ! (gap <= GS_R2 (1e-6, 1e-3) * big))
     {
       c->istat[GS_FAILED] = c->iopt[GS_LOOPS] == 3 ? GS_AT_PARTITION : GS_AT_PRJ;
       return 3;

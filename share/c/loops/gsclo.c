@@ -28,11 +28,11 @@ gsclq (const gs_scene *s, gs_real t, gs_real *qj, const int *id, const gs_real *
       if (info != 0)
         return info;
       if (k == 60)
-        return *res > GS_R (1e-9) ? 2 : 0;
+        return *res > GS_R2 (1e-9, 1e-4) ? 2 : 0;
       *res = 0;
       for (int i = 0; i < n; i++)
         *res = gs_max (*res, gs_abs (p[i]));
-      if (*res <= 0 || (k > 1 && *res >= old && *res <= GS_R (1e-11)))
+      if (*res <= 0 || (k > 1 && *res >= old && *res <= GS_R2 (1e-11, 1e-5)))
         return 0;
       old = *res;
       gsclm (n, id, h, m);

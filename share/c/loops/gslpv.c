@@ -21,10 +21,10 @@ gslpv (int nu, int nlam, const gs_real *hc, gs_real *size, gs_real *y, gs_real *
     big = 1;
   for (int i = 0; i < nlam; i++)
     {
-      size[i] = gs_max (size[i], GS_R (1e-6) * big);
+      size[i] = gs_max (size[i], GS_R2 (1e-6, 1e-3) * big);
       for (int j = 0; j < nu; j++)
         y[i + nlam * j] = hc[i + nlam * j] / size[i];
     }
-  gsqrc (nlam, nu, y, nlam, GS_R (1e-7), piv, beta, d, rank);
+  gsqrc (nlam, nu, y, nlam, GS_R2 (1e-7, 1e-4), piv, beta, d, rank);
   *least = *rank > 0 ? d[*rank - 1] / d[0] : 0;
 }

@@ -54,7 +54,7 @@ displacements (const gs_scene *s, gs_partition *a)
       for (int j = 0; j < s->nu; j++)
         a->y[i + s->nlam * j] = part * a->hc[i + s->nlam * j];
     }
-  gsqrc (s->nlam, s->nu, a->y, s->nlam, GS_R (1e-7), a->displ, a->beta, a->siz, &rank);
+  gsqrc (s->nlam, s->nu, a->y, s->nlam, GS_R2 (1e-7, 1e-4), a->displ, a->beta, a->siz, &rank);
   return rank;
 }
 
@@ -112,7 +112,7 @@ gspwt (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
       s->kin (t, x, w, cst, qdot);
       w[k] = 0;
       for (int i = 0; i < s->nq; i++)
-        if (gs_abs (qdot[i]) > GS_R (1e-12))
+        if (gs_abs (qdot[i]) > GS_R2 (1e-12, 1e-6))
           a.counts[i] = 1;
     }
 }

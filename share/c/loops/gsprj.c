@@ -68,7 +68,7 @@ gspjq (const gs_scene *s, gs_real t, gs_real *q, const gs_real *u, int quasi, in
         }
       if (k == 1)
         *res = gs_max (*res, r);
-      if (r <= 4 * gseps () || (k > 2 && r >= old && r <= GS_R (1e-11)))
+      if (r <= 4 * gseps () || (k > 2 && r >= old && r <= GS_R2 (1e-11, 1e-5)))
         return 0;
       old = r;
       s->mas (t, q, cst, a, nu);
@@ -78,7 +78,7 @@ gspjq (const gs_scene *s, gs_real t, gs_real *q, const gs_real *u, int quasi, in
       move (s, t, q, dx, quasi, cst, dq);
       gsnrm (ns, iset, q, &err);
     }
-  return old > GS_R (1e-9) ? 3 : 0;
+  return old > GS_R2 (1e-9, 1e-4) ? 3 : 0;
 }
 
 int

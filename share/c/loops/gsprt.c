@@ -53,7 +53,7 @@ positions (const gs_scene *s, gs_real t, gs_real *x, const gs_real *cst, int r2,
       gs_real part = gs_min (1, GS_R (0.5) / gs_max (d, GS_R (0.5)));
       for (int i = 0; i < s->nq; i++)
         x[i] += part * a->dq[i];
-      closed = d <= near || (k > 0 && d >= GS_R (0.25) * old && d <= GS_R (1e-8) * big);
+      closed = d <= near || (k > 0 && d >= GS_R (0.25) * old && d <= GS_R2 (1e-8, 1e-4) * big);
       old = d;
     }
   return 3;

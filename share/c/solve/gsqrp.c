@@ -24,7 +24,7 @@ most_left (int n, int m, int k, const gs_real *y, int ldy, gs_real tol, gs_real 
         gs_real s = gs_dot (n - k, 0, y + k + ldy * j, y + k + ldy * j);
         if (s > best * siz[j])
           {
-            best = s / siz[j] * (1 + GS_R (1e-8));
+            best = s / siz[j] * (1 + GS_R2 (1e-8, 1e-5));
             p = j;
             *left = s;
           }
@@ -45,7 +45,7 @@ gsqrg (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *
       piv[j] = (gs_real)(j + 1);
       big = gs_max (big, siz[j]);
     }
-  gsgrp (m, grp, GS_R (1e-6), siz);
+  gsgrp (m, grp, GS_R2 (1e-6, 1e-4), siz);
   gs_real small = gs_min (tol / GS_R (5e2), GS_R (2e2) * gseps ());
   small = small * small * big;
 
@@ -92,7 +92,7 @@ longest (int n, int m, int k, const gs_real *y, int ldy, gs_real *left)
   for (int j = k; j < m; j++)
     {
       gs_real s = gs_dot (n - k, 0, y + k + ldy * j, y + k + ldy * j);
-      if (s > *left * (1 + GS_R (1e-8)))
+      if (s > *left * (1 + GS_R2 (1e-8, 1e-5)))
         {
           p = j;
           *left = s;

@@ -154,7 +154,7 @@ beginning (const gs_real *a, int lda, int l, int en, gs_real x, gs_real y, gs_re
         return m;
       gs_real f = gs_abs (d[-lda]) * (gs_abs (c[1]) + gs_abs (c[2]));
       gs_real g = gs_abs (c[0]) * (gs_abs (d[-lda - 1]) + gs_abs (u) + gs_abs (d[1 + lda]));
-      if (f <= GS_R (2e-16) * g)
+      if (f <= GS_R2 (2e-16, 1e-7) * g)
         return m;
     }
 }
