@@ -80,6 +80,14 @@ here() {
   gcc $flags -pedantic -DGSMBP_FLOAT -o "$work/single" $routines -lm >"$report" 2>&1 &&
     "$work/single" >"$report" 2>&1
   exact 'single precision' 1000
+  mkdir "$work/for_double"
+  for file in puma6.c puma6.h; do
+    sed 's/gs_real/double/g; s/GS_R (\([^)]*\))/\1/g' "$work/puma/$file" >"$work/for_double/$file"
+  done
+  gcc -std=c99 -fsyntax-only -Ishare/c "$work/for_double/puma6.c" >"$report" 2>&1
+  told $? 'C for double compiles' "$report"
+  check 'C for double is refused in single precision' fails \
+    gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -Ishare/c "$work/for_double/puma6.c" 2>"$report"
   has_quadmath 'inverse dynamics in quad precision' || return
   gcc $flags -DGSMBP_QUAD -o "$work/quad_puma" $routines -lquadmath -lm >"$report" 2>&1 &&
     "$work/quad_puma" >"$report" 2>&1

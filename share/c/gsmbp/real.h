@@ -37,6 +37,11 @@ typedef double gs_real;
 #define GS_DIGITS DBL_MANT_DIG
 #endif
 
+/* C that was emitted for double stops here, also where compilers only warn of it */
+#if (defined(GSMBP_FLOAT) || defined(GSMBP_QUAD)) && defined(__GNUC__) && ! defined(__cplusplus)
+#pragma GCC diagnostic error "-Wincompatible-pointer-types"
+#endif
+
 /* GS_R2 (a, b): a, or b in single precision; on some processors that is what double is (AVR) */
 #if GS_DIGITS < 53
 #define GS_R2(a, b) GS_R (b)
