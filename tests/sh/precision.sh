@@ -1,7 +1,7 @@
 # The run time in C and emitted C in another precision than double (share/c/gsmbp/real.h).
 # Quad: what share/fortran gives in quad precision, to 1e-30 of the largest entry: the drivers of
-# tests/c call both, and those of c_pair emitted routines. What the Fortran gives is compared with
-# closed forms in run_time.sh and order.sh.
+# tests/c call both, and those of c_pair emitted routines; closed forms (those of the Fortran:
+# run_time.sh, order.sh).
 # Single: share/c without a warning, constants within range; runs to 1e-3 (at length); inverse
 # dynamics of the PUMA 560 to 1e-6 of the largest generalized force, here and, where compilers and
 # emulators are installed, on a Cortex-M4F, without arithmetic in double precision, and on an AVR,
@@ -18,6 +18,8 @@ quad_run_times() {
   (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$root/share/c" -c $sources &&
     ar rcs ../c.a ./*.o) >"$report" 2>&1
   told $? 'share/c compiles in quad precision without a warning' "$report"
+  nm "$work"/pair/time/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
+  result 'share/c in quad precision writes no data of its own'
   (cd "$work/pair/time/fortran" && gfortran -O0 -frecursive -freal-8-real-16 \
     -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f &&
     ar rcs ../fortran.a ./*.o) >"$report" 2>&1
@@ -36,6 +38,9 @@ quad() {
     drivers="$drivers solve loops reach run"
     scenes="$scenes tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac"
   fi
+  gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/order" \
+    tests/c/precision/order.c "$work/pair/time/c.a" -lquadmath -lm >"$report" 2>&1 && "$work/order"
+  told $? 'quad precision: closed forms' "$report"
   for name in $drivers; do
     gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/$name" \
       "tests/c/$name.c" "$work/pair/time/c.a" "$work/pair/time/fortran.a" -lgfortran -lquadmath \
@@ -52,9 +57,7 @@ float_warnings() {
   for compiler in gcc clang; do
     [ $compiler = gcc ] || whole || continue
     has $compiler 'warnings of share/c in single precision' || continue
-    for file in $sources; do
-      $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/c "$file"
-    done >"$report" 2>&1
+    $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/c $sources >"$report" 2>&1
     result "$compiler: share/c in single precision without a warning"
   done
 }
@@ -109,8 +112,8 @@ cortex() {
   for file in $units; do
     $arm -Wno-maybe-uninitialized -c -o "$work/arm/$(basename "$file").o" "$file"
   done >"$report" 2>&1
-  arm-none-eabi-nm "$work"/arm/*.o | grep -E ' U __aeabi_(d|f2d)' >>"$report"
-  result 'no arithmetic in double precision on a Cortex-M4F'
+  arm-none-eabi-nm "$work"/arm/*.o | grep -E ' [bBdDC] | U __aeabi_(d|f2d)' >>"$report"
+  result 'no arithmetic in double precision and no data of its own on a Cortex-M4F'
 }
 avr() {
   has_all 'single precision on an AVR' avr-gcc simavr || return
