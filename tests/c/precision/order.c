@@ -1,6 +1,6 @@
-/* What share/c computes in quad precision against closed forms: the sines; a system with a symmetric
- * positive definite matrix; the integrators on y' = y cos t, z' = -2 t z^2, whose orders hold down to
- * errors that only coefficients good to 30 digits give. Prints ok or not ok. */
+/* What share/c computes in quad precision against closed forms: the sines; a system with a
+ * symmetric positive definite matrix; the integrators on y' = y cos t, z' = -2 t z^2, whose orders
+ * hold down to errors that only coefficients good to 30 digits give. Prints ok or not ok. */
 #include <stdio.h>
 
 #include "gsmbp/integrate.h"
