@@ -56,8 +56,8 @@ function par = merged (m, pairs)
     [name, value] = deal (names{i}, values{i});
     gsmbp__known_parameter ("gsmbp_set", m, name);
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
-      error ("gsmbp_set: %s: parameter %s must be one finite number, found: %s", m.name, name, ...
-             gsmbp__shown (value));
+      error ("gsmbp_set: %s: %s", m.name, ...
+             gsmbp__refusal ("parameter", name, gsmbp__shown (value)));
     endif
     par.(name) = double (value);
   endfor

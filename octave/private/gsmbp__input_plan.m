@@ -39,9 +39,9 @@ function [plan, breaks, callback] = gsmbp__input_plan (who, o, m)
     if (! (isnumeric (constants) && isreal (constants) && numel (constants) == d.nv ...
              && isvector (constants) && all (isfinite (constants(:)))))
       free = m.inputs(gsmbp__free_inputs (m))';
-      error (["%s: input: expected %d finite numbers (%s), a piecewise polynomial, a " ...
-              "function handle or \"user\", found %s"], who, numel (free), strjoin (free, ", "), ...
-             gsmbp__shown (constants));
+      error ("%s: input: %s", who, ...
+             gsmbp__refusal ("input", numel (free), strjoin (free, ", "), ...
+                             "a function handle or \"user\"", gsmbp__shown (constants)));
     endif
     plan.constants = double (constants(:)');
   endif
@@ -114,7 +114,6 @@ function pp = as_pp (who, value, dims, what)
             && all (isfinite (value(:))))
     pp = mkpp ([0 1], double (value(:)), numel (value));
   else
-    error ("%s: %s: expected %d x %d finite numbers or a piecewise polynomial, found %s", who, ...
-           what, dims, gsmbp__shown (value));
+    error ("%s: %s: %s", who, what, gsmbp__refusal ("matrix", dims, gsmbp__shown (value)));
   endif
 endfunction

@@ -13,8 +13,8 @@ function gsmbp__no_mode_given (who, m, inputs, modes)
     given = inputs(:, m.events(k).input);
     wrong = find (given != 0 & given != modes(k), 1);
     if (! isempty (wrong))
-      error (["%s: the mode of %s is no input: expected 0 in its place, or that of option " ...
-              "modes; found %g"], who, m.events(k).name, given(wrong));
+      error ("%s: %s", who, ...
+             gsmbp__refusal ("given_mode", m.events(k).name, given(wrong)));
     endif
   endfor
 endfunction

@@ -34,8 +34,7 @@ function [rtol, atol] = gsmbp__tolerances (who, m, rtol, atol, method)
     atol(low) = least * m.nominal(low);
   endif
   if (! isempty (small) && ! strcmp (method, "rk4"))
-    warning ("gsmbp:tolerance", ["%s: %s: %s is below what %s precision can keep; " ...
-                                 "it was raised to %.2g (atol: times m.nominal)"],
-             who, m.name, strjoin (small, ", "), m.precision, least);
+    warning ("gsmbp:tolerance", "%s: %s: %s", who, m.name, ...
+             gsmbp__refusal ("low_tolerance", strjoin (small, ", "), m.precision, least));
   endif
 endfunction

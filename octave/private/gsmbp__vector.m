@@ -30,7 +30,10 @@ function x = gsmbp__vector (who, name, x, n, what = "", names = {})
     if (numel (names) == n)
       called = [", " names{k}];
     endif
-    said = {"is not finite", "is too large (at most 1e300)"}{1 + isfinite (x(k))};
-    error ("%s: %s(%d)%s %s: %g", who, name, k, called, said, x(k));
+    called = sprintf ("%s(%d)%s", name, k, called);
+    if (isfinite (x(k)))
+      error ("%s: %s is too large (at most 1e300): %g", who, called, x(k));
+    endif
+    error ("%s: %s", who, gsmbp__refusal ("not_finite", called, x(k)));
   endif
 endfunction

@@ -12,12 +12,13 @@ function text = gsmbp__wrong_mode (m, t, x, modes, k)
     why = moves;
     if (! strcmp (m.events(k).kind, "stop"))
       wanted = sign (speed);
-    elseif (abs (place - ends(1 + (modes(k) > 0))) > 1e-6 * travel (place, ends))
+    elseif (abs (place - ends(1 + (modes(k) > 0))) ...
+              > gsmbp__run_limit ("past_stop") * travel (place, ends))
       why = sprintf ("which is at %.6g between %.6g and %.6g (m or rad)", place, ends);
     endif
   endif
-  text = sprintf ("option modes: expected %d of %s, %s; found %d", wanted, m.events(k).name, why,
-                  modes(k));
+  text = ["option modes: ", ...
+          gsmbp__refusal("wrong_mode", wanted, m.events(k).name, why, modes(k))];
 endfunction
 
 ## GSTVL in share/fortran/events

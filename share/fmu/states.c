@@ -8,11 +8,14 @@
  * their length before they are used. */
 #include "fmu.h"
 #include "gsmbp/functions.h"
+#include "gsmbp/limits.h"
 #include "gsmbp/loops.h"
+#include "gsmbp/refusals.h"
 #include "gsmbp/solve.h"
 #include "plan.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* a set is chosen anew where the volume of its columns is below this part of the best one's after a
@@ -88,15 +91,24 @@ length (const gsf_instance *a, const double *x, int set)
 }
 
 static int
+no_orientation (gsf_instance *a, const double *x, const int *set)
+{
+  const char *const *names = a->m->names + 1 + a->m->npar + a->m->nin;
+  char called[300], found[120];
+  snprintf (called, sizeof called, "%s, %s, %s, %s", names[set[0]], names[set[1]], names[set[2]],
+            names[set[3]]);
+  snprintf (found, sizeof found, "[%g %g %g %g]", x[set[0]], x[set[1]], x[set[2]], x[set[3]]);
+  return gsf_fail (a, GSF_DISCARD, gs_refusals.orientation, called, found);
+}
+
+static int
 normalize (gsf_instance *a, double *x)
 {
   for (int set = 0; set < a->m->nsets; set++)
     {
       double n = length (a, x, set);
-      if (! (n > 1e-3 && n < 1e3))
-        return gsf_fail (a, GSF_DISCARD, "expected Euler parameters of the length 1 (%s, ...); "
-                         "found the length %g", a->m->names[1 + a->m->npar + a->m->nin
-                                                            + a->m->sets[4 * set]], n);
+      if (! (n > gs_limits.short_orientation && n < 1e3))
+        return no_orientation (a, x, a->m->sets + 4 * set);
       for (int k = 0; k < 4; k++)
         x[a->m->sets[4 * set + k]] /= n;
     }
@@ -383,7 +395,7 @@ gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, d
     return gsf_fail (a, GSF_ERROR, "expected a start time and a later stop time; found %g and %g",
                      t0, t1);
   if (given && ! (tolerance > 0 && tolerance < 1))
-    return gsf_fail (a, GSF_ERROR, "tolerance: expected a number between 0 and 1, found %g",
+    return gsf_fail (a, GSF_ERROR, "tolerance: expected a number above 0 and below 1, found %g",
                      tolerance);
   a->d[GSF_T] = t0;
   a->d[GSF_T1] = stops ? t1 : 1e300;

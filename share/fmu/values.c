@@ -1,6 +1,7 @@
 /* values.c: values of variables by reference. */
 #include "fmu.h"
 #include "gsmbp/functions.h"
+#include "gsmbp/refusals.h"
 #include "plan.h"
 
 #include <math.h>
@@ -101,8 +102,7 @@ can_be (gsf_instance *a, unsigned reference, double value)
 {
   const gsf_model *m = a->m;
   if (! (fabs (value) <= 1e300))
-    return gsf_fail (a, GSF_ERROR, "%s: expected a finite number, found %g", m->names[reference],
-                     value);
+    return gsf_fail (a, GSF_ERROR, gs_refusals.not_finite, m->names[reference], value);
   for (int k = 0; k < m->nbounds; k++)
     if (m->bounds[k].reference == (int)reference
         && ! (value >= m->bounds[k].low && value <= m->bounds[k].high))

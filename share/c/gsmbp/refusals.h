@@ -5,6 +5,8 @@
 #define GSMBP_REFUSALS_H
 
 #define GS_REFUSALS(ROW)                                                                           \
+  ROW (parameter, "parameter %s must be one finite number, found: %s")                             \
+  ROW (not_finite, "%s is not finite: %g")                                                         \
   ROW (largest_angle, "expected an angle of at most 1e15 rad, found %g")                           \
   ROW (off_constraints, "expected a state on the constraints at t = %.9g s, %s")                   \
   ROW (orientation, "expected Euler parameters of length 1, found (%s) = %s, which is no "         \
@@ -20,6 +22,13 @@
   ROW (too_many_steps, "%g s in steps of %g s are %.3g steps of %s; expected %.0e at the "         \
        "most: longer steps, or shorter runs")                                                      \
   ROW (loops, "must be one of %s; found: %s")                                                      \
+  ROW (input, "expected %d finite numbers (%s), a piecewise polynomial, %s, found %s")             \
+  ROW (given_mode, "the mode of %s is no input: expected 0 in its place, or that of option "       \
+       "modes; found %g")                                                                          \
+  ROW (wrong_mode, "expected %d of %s, %s; found %d")                                              \
+  ROW (matrix, "expected %d x %d finite numbers or a piecewise polynomial, found %s")              \
+  ROW (low_tolerance, "%s is below what %s precision can keep; it was raised to %.2g (atol: "      \
+       "times m.nominal)")                                                                         \
   ROW (gain_alone, "a gain needs a reference, the state about which it acts")                      \
   ROW (reference_alone, "a reference needs a gain, with which the inputs follow it")               \
   ROW (limits_alone, "bounds what a state feedback gives and needs option gain; without "          \

@@ -9,6 +9,7 @@ from . import _inverse, _rules, _run
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
+from ._tables import REFUSALS
 
 Linear = collections.namedtuple('Linear', 'a b c d')
 
@@ -156,13 +157,12 @@ def _unknown(name, names):
     for row in TABLE.get('dependent') or []:
         if row['name'] == name:
             return '%s: parameter %s is made of others, %s' % (NAME, name, row['expression'])
-    return '%s: unknown parameter %s%s' % (NAME, name, nearest(name, names) or (
-        '; expected one of ' + ', '.join(names)))
+    return '%s: unknown parameter "%s"%s' % (NAME, name, nearest(name, names) or (
+        '; known: ' + ', '.join(names)))
 
 
 def _number(name, given):
     x = np.asarray(given)
     if x.shape != () or x.dtype.kind not in 'fiub' or not np.isfinite(x):
-        raise ValueError('%s: parameter %s: expected a finite number; found %r' % (
-            NAME, name, given))
+        raise ValueError('%s: %s' % (NAME, REFUSALS.parameter % (name, repr(given))))
     return float(x)

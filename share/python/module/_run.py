@@ -11,7 +11,7 @@ from ._ends import Ends
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
 from ._motion import Piecewise, as_piecewise
-from ._tables import COUNTS, DEFAULT, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check
+from ._tables import COUNTS, DEFAULT, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check, expected
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
@@ -112,11 +112,16 @@ def residuals(model, t, x):
     return names, np.concatenate([scaled, (con.phi / size)[rows], (con.hc @ u + con.phit) / fast])
 
 
-def _vector(who, what, given, n, text='finite numbers'):
+def _vector(who, what, given, n, text='finite numbers', names=None):
     a = np.asarray(given)
-    if a.dtype.kind not in 'fiub' or a.shape != (n,) or not np.isfinite(a).all():
+    numbers = a.dtype.kind in 'fiub' and a.shape == (n,)
+    if names and numbers:
+        for k in np.flatnonzero(~np.isfinite(a)):
+            called = '%s[%d], %s' % (what, k, names[k])
+            raise ValueError('%s: %s' % (who, REFUSALS.not_finite % (called, a[k])))
+    if not numbers or not np.isfinite(a).all():
         raise ValueError('%s: %s: expected %d %s, found %s' % (
-            who, what, n, text, a.shape if a.shape != (n,) else a.tolist()))
+            who, what, n, text, a.tolist() if numbers else a.shape))
     return a.astype(float)
 
 
@@ -143,8 +148,9 @@ def rising(who, given):
 
 def _start(who, model, t, x0, start, modes):
     if start not in ('check', 'project'):
-        raise ValueError('%s: start: expected "check" or "project"; found %r' % (who, start))
-    x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME)
+        raise ValueError('%s: start: expected one of "check", "project", found %r' % (who, start))
+    x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME, model.states)
+    _no_lost_angle(who, model, x)
     for places in TABLE.get('orientation') or []:
         own = np.array(places) - 1
         if not np.linalg.norm(x[own]) > LIMITS.short_orientation:
@@ -166,6 +172,13 @@ def _start(who, model, t, x0, start, modes):
             raise ValueError('%s: %s' % (who, REFUSALS.device % sentence))
     _stops(who, model, t, x, modes)
     return x
+
+
+def _no_lost_angle(who, model, x):
+    for k, (name, unit) in enumerate(model.units['coordinates'].items()):
+        if unit == 'rad' and abs(x[k]) > LIMITS.largest_angle:
+            raise ValueError('%s: x0[%d], %s: %s' % (
+                who, k, name, REFUSALS.largest_angle % x[k]))
 
 
 def _stops(who, model, t, x, modes):
@@ -280,12 +293,12 @@ class _Plan:
             self.given.inputs = 1
             self.pieces('table', poly if poly.n == NV else self.spread(poly, free))
         else:
-            a = np.atleast_1d(np.asarray(given))
-            if a.dtype.kind not in 'fiub':
-                raise ValueError('%s: input: expected %d numbers (%s), a piecewise polynomial or a '
-                                 'function v = f(t, x); found %r' % (
-                                     self.who, NV, ', '.join(self.model.inputs), given))
-            self.put('constants', _vector(self.who, 'input', self.constants(a, free), NV))
+            a = self.constants(np.atleast_1d(np.asarray(given)), free)
+            if a.dtype.kind not in 'fiub' or a.shape != (NV,) or not np.isfinite(a).all():
+                names = [self.model.inputs[k] for k in free]
+                raise ValueError('%s: input: %s' % (self.who, REFUSALS.input % (
+                    len(names), ', '.join(names), 'a function v = f(t, x)', repr(given))))
+            self.put('constants', a.astype(float))
 
     @staticmethod
     def constants(a, free):
@@ -397,9 +410,8 @@ class _Plan:
             if event['input'] > 0 and 'constants' in self.held:
                 found = self.held['constants'][event['input'] - 1]
                 if found not in (0, wanted):
-                    raise ValueError(
-                        '%s: the mode of %s is no input: expected 0 in its place, or that of '
-                        'modes; found %g' % (self.who, event['name'], found))
+                    raise ValueError('%s: %s' % (
+                        self.who, REFUSALS.given_mode % (event['name'], found)))
 
 
 def _wrong_mode(model, t, x, modes, k):
@@ -412,9 +424,9 @@ def _wrong_mode(model, t, x, modes, k):
         if event['kind'] != 'stop':
             wanted = 1 if port.sd[k] > 0 else -1
         elif (abs(port.s[k] - (high if modes[k] > 0 else low))
-              > 1e-6 * _travel(port.s[k], low, high)):
+              > LIMITS.past_stop * _travel(port.s[k], low, high)):
             why = 'which is at %.6g between %.6g and %.6g (m or rad)' % (port.s[k], low, high)
-    return 'modes: expected %d of %s, %s; found %d' % (wanted, event['name'], why, modes[k])
+    return 'modes: ' + REFUSALS.wrong_mode % (wanted, event['name'], why, modes[k])
 
 
 def _travel(place, low, high):
@@ -435,8 +447,8 @@ def constant(who, what, given, shape):
         return as_piecewise(who, what, given, int(np.prod(shape)))
     a = np.asarray(given, float)
     if a.shape != shape or not np.isfinite(a).all():
-        raise ValueError('%s: %s: expected the shape %s, finite; found %s' % (
-            who, what, shape, a.shape))
+        shape = (shape + (1,))[:2]
+        raise ValueError('%s: %s: %s' % (who, what, REFUSALS.matrix % (*shape, a.shape)))
     return Piecewise([0, 1], a.ravel(order='F')[:, None, None])
 
 
@@ -538,7 +550,7 @@ def _way(who, model, loops):
 def _breaks(who, given):
     times = np.atleast_1d(np.asarray(given))
     if times.size and (times.dtype.kind not in 'fiu' or not np.isfinite(times).all()):
-        raise ValueError('%s: breaks: expected finite times [s]; found %r' % (who, given))
+        raise ValueError('%s: breaks: %s' % (who, expected('breaks', given)))
     return times.ravel().tolist()
 
 
@@ -555,7 +567,8 @@ def _check_count(who, method, step, maxstep, span):
 
 def _options(who, model, span, method, way, rtol, atol, step, maxstep, maxsteps, drift):
     if method not in METHODS:
-        raise ValueError('%s: method: expected "dp853" or "rk4"; found %r' % (who, method))
+        raise ValueError('%s: method: expected one of "%s", found %r' % (
+            who, '", "'.join(METHODS), method))
     if step is None:
         step = 1e-3 if method == 'rk4' else 0.0
     check(who, 'step', step, 'positive' if method == 'rk4' else 'nonnegative')
@@ -587,8 +600,8 @@ def _tolerances(who, model, rtol, atol, method):
         small.append('atol = %g of %s' % (atol[low[0]], model.states[low[0]]))
     if small and method != 'rk4':
         warnings.warn(
-            '%s: %s is below what double precision can keep; it was raised to %.2g (atol: times '
-            'm.nominal)' % (who, ', '.join(small), least), RunWarning, stacklevel=5)
+            '%s: %s' % (who, REFUSALS.low_tolerance % (', '.join(small), 'double', least)),
+            RunWarning, stacklevel=5)
     return rtol, np.maximum(atol, least * model.nominal)
 
 

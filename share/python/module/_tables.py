@@ -38,8 +38,13 @@ _FITS = {'positive': lambda x: x > 0, 'nonnegative': lambda x: x >= 0,
          'steps': lambda x: 0 <= x <= LIMITS.fixed_steps and x == int(x)}
 
 
+def expected(name, value, kind=None):
+    """What an option should be, and what was found."""
+    return 'expected %s; found %r' % (_EXPECTED[kind or KIND[name]], value)
+
+
 def check(who, name, value, kind=None):
     """Refuse the number of an option that is not of its kind."""
     kind = kind or KIND[name]
     if not (is_number(value) and _FITS[kind](value)):
-        raise ValueError('%s: %s: expected %s; found %r' % (who, name, _EXPECTED[kind], value))
+        raise ValueError('%s: %s: %s' % (who, name, expected(name, value, kind)))
