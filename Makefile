@@ -6,7 +6,7 @@ MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | \
                     grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
 GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
-                  version.texi fields.texi
+                  version.texi fields.texi options.texi
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
@@ -326,7 +326,8 @@ MANUAL_SOURCES := $(wildcard share/manual/*.css share/manual/figures/* share/man
 doc: manual $(MANUAL).html $(MANUAL).pdf
 manual: $(MANUAL)-index.lisp
 
-share/manual/functions.txt: $(MAXIMA_SOURCES) $(wildcard octave/*.m) $(MANUAL_SOURCES) | compiled
+share/manual/functions.txt: $(MAXIMA_SOURCES) $(wildcard octave/*.m) $(MANUAL_SOURCES) \
+                            share/c/gsmbp/options.h | compiled
 	share/make/manual sources
 
 $(MANUAL)-index.lisp: share/manual/functions.txt | packages-manual

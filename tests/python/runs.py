@@ -7,6 +7,7 @@ import math
 import multiprocessing
 import os
 import pickle
+import re
 import signal
 import sys
 import threading
@@ -293,6 +294,19 @@ def others():
                 '0.0], which is no orientation'], top.simulate, np.zeros(7), [0, 1], start=start)
 
 
+def options():
+    """Options, their defaults and the stub are those of the table of all hosts."""
+    from slider_crank import _tables
+    simulate = inspect.signature(slider_crank.Model.simulate).parameters
+    own = {name: p.default for name, p in simulate.items()
+           if p.kind == p.KEYWORD_ONLY and name not in ('errors', 'breaks')}
+    wanted = {name: getattr(_tables.DEFAULT, name) for name in own if name in _tables.KIND}
+    holds('options of simulate: %s' % ', '.join(own), len(own) > 15 and own == wanted)
+    with open(slider_crank.__file__ + 'i', encoding='utf-8') as stub:
+        text = re.search(r'def simulate\((.*?)\) ->', stub.read(), re.S).group(1)
+    holds('... those of the stub', set(re.findall(r'(\w+):', text)) | {'self'} == set(simulate))
+
+
 def parameters():
     m = slider_crank.Model(l1=0.1)
     holds('parameters by name', m.parameters['l1'] == 0.1
@@ -496,6 +510,6 @@ def interrupted():
         signal.signal(number, handler)
 
 
-for test in (ball, own, rows, crank, sampled, switched, others, parameters, elsewhere,
+for test in (ball, own, rows, crank, sampled, switched, others, options, parameters, elsewhere,
              threads, interrupted):
     test()

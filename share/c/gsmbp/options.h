@@ -6,31 +6,31 @@
 /* ROW (name, kind, default): kinds of GS_KINDS, or the words of GS_METHODS, GS_STARTS; default
  * none: what the run needs */
 #define GS_OPTIONS(ROW)                                                                            \
-  ROW (method, method, dp853)       /* of the integration */                                       \
-  ROW (step, any, none)             /* fixed, or the first one [s]: above 0, or nonnegative */     \
+  ROW (method, method, dp853)       /* of integration */                                           \
+  ROW (step, any, none)             /* of rk4, gauss [s], 1e-3; of others the first one */         \
   ROW (rtol, tolerance, 1e-10)      /* relative tolerance */                                       \
   ROW (atol, any, none)             /* absolute tolerance, one or one for each state */            \
   ROW (maxstep, nonnegative, 0)     /* largest step [s]; 0: no limit */                            \
   ROW (maxsteps, steps, 0)          /* most steps; 0: no limit */                                  \
   ROW (timeout, nonnegative, 0)     /* wall time [s]; 0: no limit */                               \
   ROW (maxorder, any, none)         /* of implicit methods */                                      \
-  ROW (loops, any, none)            /* constraint method, a word of GS_LOOP_METHODS */             \
-  ROW (projection, flag, none)      /* the older word for it */                                    \
-  ROW (drift, flag, none)           /* are the constraints watched? */                             \
+  ROW (loops, any, none)            /* constraint method */                                        \
+  ROW (projection, flag, none)      /* older words for "loops" */                                  \
+  ROW (drift, flag, none)           /* watch the constraints; true with loops */                   \
   ROW (input, any, none)            /* constants, piecewise polynomial or function */              \
   ROW (motion, any, none)           /* reference trajectory */                                     \
   ROW (gain, any, none)             /* state feedback about the reference */                       \
-  ROW (reference, any, none)                                                                       \
+  ROW (reference, any, none)        /* the state that the feedback acts about */                   \
   ROW (limits, any, none)           /* of what the feedback gives */                               \
   ROW (breaks, list, none)          /* times at which inputs jump [s] */                           \
   ROW (memory, list, none)          /* of sampled devices */                                       \
-  ROW (samples, flag, true)         /* are their instants recorded? */                             \
+  ROW (samples, flag, true)         /* record the instants of sampled devices */                   \
   ROW (modes, list, none)           /* of events of ports */                                       \
   ROW (audit, positive, none)       /* an energy that is usual in the scene [J] */                 \
   ROW (sensitivity, names, none)    /* derivatives by parameters and starts */                     \
-  ROW (fixed, names, none)                                                                         \
-  ROW (dx0, numbers, none)                                                                         \
-  ROW (start, start, check)         /* is it checked, or moved onto the constraints? */
+  ROW (fixed, names, none)          /* coordinates held at the start meanwhile */                  \
+  ROW (dx0, numbers, none)          /* derivatives at the start */                                 \
+  ROW (start, start, check)         /* check x0, or move it onto the constraints */
 
 /* ROW (kind, text): what a message expects of a value */
 #define GS_KINDS(ROW)                                                                              \
