@@ -159,7 +159,7 @@ ensemble::begins (int i, run_room& r) const
 bool
 ensemble::refused (int i, int verdict) const
 {
-  m_info[2 * i] = 3;
+  m_info[2 * i] = GS_ROUTINE_FAILED;
   counts_of (i)[GS_FAILED_INFO] = verdict;
   counts_of (i)[GS_FAILED] = GS_BEFORE_START;
   values_of (i)[GS_T_REACHED] = double (m_s.t0);
@@ -209,7 +209,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
                 reals& one)
 {
   const std::size_t nt = m_s.nt, reached = r.istat[GS_N_OUTPUTS];
-  const bool ended = r.info == 11;
+  const bool ended = r.info == GS_ENDED;
   const std::size_t rows = ended ? nt : std::min (nt, reached + (r.info != 0));
   double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
   const reals switches = S.ny > 0 ? switch_times (r.cst) : reals ();
@@ -236,7 +236,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
       m_s.plan->counted (ip, rp, m_counted + std::size_t (3) * S.nev * i);
     }
   m_info[2 * i] = r.info;
-  if (r.info == 6)
+  if (r.info == GS_METHOD_FAILED)
     m_results.said[i] = &r.text[0];
   for (int j = 0; j < GS_COUNTED; j++)
     counts_of (i)[j] = r.istat[j];

@@ -19,7 +19,7 @@ class patience
 public:
 
   // INFO
-  enum reason { none = 0, interrupted = 9, timed_out = 10, failed = 11 };
+  enum reason { none = 0, interrupted = GS_INTERRUPTED, timed_out = GS_TIMED_OUT, failed };
 
   // what runs from FIRST to LAST (time or number of runs); WHAT: its unit
   patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what);

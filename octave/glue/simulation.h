@@ -322,7 +322,7 @@ simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
 {
 #if ! defined (GSMBP_MODULE_QUAD)
   const bool stiff = iopt[GS_METHOD] == 0;
-  if (stiff || r.info == 5)   // found to be bound by stability
+  if (stiff || r.info == GS_STIFF)   // found to be bound by stability
     by_implicit (r, ip, rp, ! stiff);
 #endif
 }

@@ -231,7 +231,8 @@ gs_close_start (const gs_start *a, gs_value t, gs_value *x, gs_value *cst, gs_va
     x[i] = (double) x[i];
   if ((info != 0 && info != 2) || ! (gs_start_off (a, t, x, cst, w) <= gs_limits.off_constraints))
     return GS_START_NONE;
-  return a->check && ! (gs_start_moved (a, x, was) <= 1e-3) ? GS_START_FAR : GS_START_TAKEN;
+  const int far = a->check && ! (gs_start_moved (a, x, was) <= gs_limits.moved_start);
+  return far ? GS_START_FAR : GS_START_TAKEN;
 }
 
 /* the first stop that is beyond its end at the start X and that the modes leave free, from 1 on, as
