@@ -34,9 +34,13 @@ function m = gsmbp_set (m, varargin)
   gsmbp__model ("gsmbp_set", m);
   old = m;
   m.par = merged (m, varargin);
+  others = any ([struct2cell(m.par){:}] != [struct2cell(old.par){:}]);
+  if (others)
+    gsmbp__need_checks (m);
+  endif
   gsmbp__check_values (m);
   m = gsmbp__handles (m);
-  if (any ([struct2cell(m.par){:}] != [struct2cell(old.par){:}]))
+  if (others)
     m.initial = moved (old, m);
   endif
 endfunction

@@ -62,9 +62,9 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "program", do_program },
         { "program at", do_program_at }, { "program part", do_program_part },
         { "program time", do_program_time }, { "par", do_par }, { "pre", do_pre },
-        { "failure", do_failure }, { "meaning", do_meaning }, { "spline", do_spline },
-        { "kkt", do_kkt }, { "solve", do_solve }, { "interrupt", do_interrupt },
-        { "guarded", do_guarded },
+        { "chk", do_chk }, { "ini", do_ini }, { "failure", do_failure },
+        { "meaning", do_meaning }, { "spline", do_spline }, { "kkt", do_kkt },
+        { "solve", do_solve }, { "interrupt", do_interrupt }, { "guarded", do_guarded },
         { "calls", do_calls } };
 
 // what the handle CALL is; a null pointer: none

@@ -34,16 +34,23 @@ do_par (arguments&, int)
   return ovl (result (par, S.npar));
 }
 
+// the values of the scene, and those of `given`, where they are others
+static reals
+parameter_values (const Matrix& given, int column)
+{
+  reals par = room (S.npar);
+  routine ("par") (&par[0]);
+  for (int i = 0; i < S.npar; i++)
+    if (double (par[i]) != given(i,column))
+      par[i] = decimal (given(i,column));
+  return par;
+}
+
 static octave_value_list
 do_pre (arguments& a, int nargout)
 {
-  Matrix given = a.matrix ("par", S.npar, 1);
-  reals par = room (S.npar);
+  reals par = parameter_values (a.matrix ("par", S.npar, 1), 0);
   reals cst = room (S.ncst);
-  routine ("par") (&par[0]);
-  for (int i = 0; i < S.npar; i++)
-    if (double (par[i]) != given(i))
-      par[i] = decimal (given(i));
   int info = 0;
   routine ("pre") (&par[0], &cst[0], &info);
   uint8NDArray bytes (dim_vector (cst.size () * sizeof (number), 1));
@@ -51,4 +58,38 @@ do_pre (arguments& a, int nargout)
   octave_value_list out = ovl (bytes);
   finish (out, info, nargout, "pre");
   return out;
+}
+
+// par (npar x n), number of rules -> the values of the rules (rules x n), the number of the first
+// rule that each column breaks, INFO of CHK (1 x n)
+static octave_value_list
+do_chk (arguments& a, int)
+{
+  const Matrix given = a.value ("par").matrix_value ();
+  const int rules = a.integers ("rules", 1)[0], n = given.columns ();
+  if (given.rows () != S.npar)
+    error ("%s.chk: argument par: expected %d rows, found %d", S.name, S.npar, int (given.rows ()));
+  Matrix values (rules, n), first (1, n), infos (1, n);
+  for (int j = 0; j < n; j++)
+    {
+      reals par = parameter_values (given, j), r = room (rules);
+      int k = 0, info = 0;
+      routine ("chk") (&par[0], &r[0], &k, &info);
+      for (int i = 0; i < rules; i++)
+        values(i,j) = double (r[i]);
+      first(j) = k;
+      infos(j) = info;
+    }
+  return ovl (values, first, infos);
+}
+
+// par, numbers of links and of derivatives of masses -> the initial state, masses, derivatives
+static octave_value_list
+do_ini (arguments& a, int)
+{
+  reals par = parameter_values (a.matrix ("par", S.npar, 1), 0);
+  std::vector<int> sizes = a.integers ("sizes", 2);
+  reals x = room (S.nx), w = room (sizes[0]), d = room (sizes[1]);
+  routine ("ini") (&par[0], &x[0], &w[0], &d[0]);
+  return ovl (result (x, S.nx), result (w, sizes[0]), result (d, sizes[1]));
 }

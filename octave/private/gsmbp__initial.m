@@ -8,11 +8,10 @@ function x = gsmbp__initial (m)
   if (isfield (m.json, "initial") && numel (m.json.initial) == m.sizes.nx)
     x = double (m.json.initial(:));
   endif
-  for row = gsmbp__rows (m.json, "starts")
-    value = gsmbp__value (m, row{1}, []);
-    if (isreal (value) && isfinite (value))
-      x(row{1}.state) = value;
-    endif
-  endfor
+  if (isfield (m.json, "starts") && any (strcmp (m.subroutines, "ini")))
+    made = m.json.starts(:);
+    value = gsmbp__made (m)(made);
+    x(made(isfinite (value))) = value(isfinite (value));
+  endif
   x = gsmbp__settle (m, 0, x);
 endfunction

@@ -13,21 +13,33 @@ function [f, slopes] = gsmbp__mass (who, m, name)
   if (! strcmp (name, "all"))
     chosen = numbers (who, name, known);
   endif
-  f = 0;
+  [values, slopes_of] = masses (who, m, list);
+  f = sum (values(chosen));
   slopes = struct ();
-  for row = list(chosen)(:)'
-    row = row{1};
-    f += gsmbp__value (m, row, []);
-    names = cellstr (row.parameters);
-    texts = cellstr (row.slopes);
-    for k = 1:numel (texts) * ! isempty (row.slopes)
-      row.value = texts{k};
-      if (! isfield (slopes, names{k}))
-        slopes.(names{k}) = 0;
+  for k = chosen(:)'
+    names = cellstr (list{k}.parameters);
+    for i = 1:numel (slopes_of{k})
+      if (! isfield (slopes, names{i}))
+        slopes.(names{i}) = 0;
       endif
-      slopes.(names{k}) += gsmbp__value (m, row, []);
+      slopes.(names{i}) += slopes_of{k}(i);
     endfor
   endfor
+endfunction
+
+## the mass of each link, its derivatives by the parameters that it is made of
+function [values, slopes] = masses (who, m, list)
+  n = cellfun (@(row) numel (row.parameters), list);
+  if (any (n) && ! any (strcmp (m.subroutines, "ini")))
+    error ("%s: mass: %s was derived without the masses of its links: derive it again", who, ...
+           m.name);
+  endif
+  values = cellfun (@(row) row.value, list)(:);
+  slopes = repmat ({zeros(0, 1)}, size (list));
+  if (any (n))
+    [~, values, all] = gsmbp__made (m);
+    slopes = mat2cell (all(:), n, 1);
+  endif
 endfunction
 
 function k = numbers (who, name, known)

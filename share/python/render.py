@@ -16,7 +16,7 @@ def routines(table):
     cut = len(table['name']) + 1
     every = [(row['name'][cut:].lower(), row) for row in table['subroutines']]
     return [(name, row) for name, row in every
-            if not name.endswith(('_v', '_w')) and name not in ('par', 'pre')]
+            if not name.endswith(('_v', '_w')) and name not in ('par', 'pre', 'chk', 'ini')]
 
 
 def arguments(row):
@@ -57,6 +57,13 @@ def loops(table):
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
              '{ return %s_pre ((const %s_parameters *)p, c); }' % (name, name)]
+    emitted = [row['name'].lower() for row in table['subroutines']]
+    if name + '_chk' in emitted:
+        lines += ['int gs_loop_chk (const double *p, double *r, int *k)',
+                  '{ return %s_chk ((const %s_parameters *)p, r, k); }' % (name, name)]
+    if name + '_ini' in emitted:
+        lines += ['void gs_loop_ini (const double *p, double *x, double *w, double *d)',
+                  '{ %s_ini ((const %s_parameters *)p, x, w, d); }' % (name, name)]
     for short, row in routines(table):
         lines += [''] + loop(name, short, row)
     return lines

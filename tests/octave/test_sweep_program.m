@@ -9,8 +9,6 @@ function test_sweep_program ()
   tidy = onCleanup (@() {confirm_recursive_rmdir(false, "local"), rmdir(folder, "s")});
   back = without_mpi ();
   axis = gsmbp_hand ("motor_pendulum");
-  axis.json.rules = struct ("place", "link arm", "rule", "positive", "parameters", {{"m", "l"}}, ...
-                            "values", {{"p1*p2^2"}});
   vary = struct ("m", [-0.2, 1.2], "l", {{"normal", 0.5, 0.01}});
   keep = {"rms q", "at 0.1 q", "whole drive.i", "min q_d", "mean drive.i", "peak q", "max q"};
   same (folder, "axis", axis, {[0.1 0 0], 0:0.1:0.5, "vary", vary, "input", 3, "keep", keep, ...

@@ -125,5 +125,5 @@ def many(short, row, arguments):
 
 for one in scene.table['subroutines']:
     word = one['name'][len(scene.table['name']) + 1:].lower()
-    if word not in ('par', 'pre') and not word.endswith(('_v', '_w')):
+    if word not in ('par', 'pre', 'chk', 'ini') and not word.endswith(('_v', '_w')):
         check(word, one)

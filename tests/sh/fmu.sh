@@ -7,9 +7,6 @@
 work_folder
 has_all FMUs zip unzip || exit 0
 
-{ gcc -std=c99 -Wall -Wextra -Werror -Ishare/fmu -o "$work/rules" tests/fmu/rules.c -lm &&
-  "$work/rules"; } >"$report" 2>&1
-result 'the rules for values of parameters, at the edges of what they allow'
 share/fmu/derive tests/scenes/switch_circuit.mac "$work/fmu" >"$report" 2>&1
 told $? 'switch_circuit becomes FMUs' "$report"
 unzip -q -o "$work/fmu/switch_circuit_fmi2.fmu" -d "$work/switch"

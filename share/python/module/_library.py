@@ -308,7 +308,8 @@ class Kept:
 
 ROUTINES = {}
 for _row in TABLE['subroutines']:
-    if not _row['name'].endswith(('_V', NAME.upper() + '_PAR', NAME.upper() + '_PRE')):
+    if not _row['name'].endswith(('_V', *(NAME.upper() + s for s in (
+            '_PAR', '_PRE', '_CHK', '_INI')))):
         _routine = Routine(_row)
         ROUTINES[_routine.name] = _routine
         globals()[_routine.kind.__name__] = _routine.kind   # where pickle looks for it

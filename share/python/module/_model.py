@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import _inverse, _rules, _run
+from . import _checks, _inverse, _run
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -42,14 +42,17 @@ class Model(Routines):
         names = _names('parameters')
         values = np.zeros(max(1, len(names)))
         LIBRARY.gs_loop_par(at(values))
+        stated = values.copy()
         for name, given in parameters.items():
             if name not in names:
                 raise KeyError(_unknown(name, names))
             values[names.index(name)] = _number(name, given)
         object.__setattr__(self, '_parameters', types.MappingProxyType(
             dict(zip(names, values[:len(names)].tolist()))))
+        if (values != stated).any():
+            _checks.need_routines()
         if parameters:
-            self._check(parameters)
+            self._check(values, parameters)
         object.__setattr__(self, 'cst', np.zeros(max(1, SIZES['ncst'])))
         info = LIBRARY.gs_loop_pre(at(values), at(self.cst))
         if info != 0:
@@ -57,18 +60,14 @@ class Model(Routines):
                 'pre', info)), info)
         self.cst.flags.writeable = False
 
-    def _check(self, given):
-        for row in TABLE.get('rules') or []:
-            if not set(row['parameters']) & set(given):
-                continue
-            for sentence in _rules.broken([row], self._parameters):
-                raise ValueError('%s: %s' % (NAME, sentence))
-            if row['rule'] == 'rather_nonnegative':
-                x = _rules.value(row['values'][0], **_rules.numbered(
-                    'p', [self._parameters[n] for n in row['parameters']]))
-                if x < 0:
-                    warnings.warn('%s: %s is negative, it gives energy to the motion: %g' % (
-                        NAME, row['place'], x), RuntimeWarning, stacklevel=4)
+    @staticmethod
+    def _check(values, given):
+        results, sentence = _checks.checked(values)
+        if sentence:
+            raise ValueError('%s: %s' % (NAME, sentence))
+        for place, value in _checks.negative(results, given):
+            warnings.warn('%s: %s is negative, it gives energy to the motion: %g' % (
+                NAME, place, value), RuntimeWarning, stacklevel=4)
 
     @property
     def parameters(self):

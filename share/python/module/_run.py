@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-from . import _rules
+from . import _checks
 from ._ends import Ends
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
@@ -50,12 +50,7 @@ def meaning(name, info):
 
 def initial(model):
     """The states where the scene starts."""
-    x = np.array(TABLE['initial'], float)
-    for row in TABLE.get('starts') or []:
-        start = _rules.row_value(row, model.parameters)
-        if math.isfinite(start):
-            x[row['state'] - 1] = start
-    return _settled(model, x)
+    return _settled(model, _checks.start(np.array([*model.parameters.values(), 0.0])))
 
 
 def _settled(model, x):

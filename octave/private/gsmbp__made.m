@@ -1,0 +1,11 @@
+## [x, masses, slopes] = gsmbp__made (m)
+## What the scene makes of the parameters m.par by its routine INI: the initial state, the masses of
+## the links [kg] in the order of m.json.masses, their derivatives by the parameters that each is
+## made of, one mass after the other.
+
+function [x, masses, slopes] = gsmbp__made (m)
+  rows = gsmbp__rows (m.json, "masses");
+  slopes = sum (cellfun (@(row) numel (row.parameters), rows));
+  [x, masses, slopes] = m.module ("ini", cellfun (@double, struct2cell (m.par)), ...
+                                  [numel(rows), slopes]);
+endfunction

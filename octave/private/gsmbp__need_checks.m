@@ -1,0 +1,13 @@
+## gsmbp__need_checks (m)
+## Stop if the model M was emitted without the routines that check other values of its parameters
+## (CHK) and move its initial state with them (INI).
+
+function gsmbp__need_checks (m)
+  for need = {"rules", "starts"; "chk", "ini"}
+    if (! isempty (gsmbp__rows (m.json, need{1})) && ! any (strcmp (m.subroutines, need{2})))
+      error (["%s: the scene was emitted without the subroutine %s, by which other values of " ...
+              "its parameters are checked: derive it again, without the option \"without\""], ...
+             m.name, upper (need{2}));
+    endif
+  endfor
+endfunction
