@@ -19,8 +19,10 @@ function s = gsmbp__collocation_solve (who, m, p, mesh, guess, o)
   folder = fullfile (fileparts (fileparts (m.file)), "common");
   r = gsmbp__ipopt (who, folder, q, o);
   s = taken_apart (c, r);
-  s.stopped = {"", "timeout"}{1 + (r.limit && time () >= o.ends)};
-  if (r.interrupted)
+  s.stopped = "";
+  if (r.limit && time () >= o.ends)   # the clock of "guarded" interrupts Ipopt, too
+    s.stopped = "timeout";
+  elseif (r.interrupted)
     s.stopped = "interrupted";
   endif
   s.c = c;

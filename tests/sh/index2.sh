@@ -155,8 +155,8 @@ main (void)
 }
 END
 (cd octave/glue && gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror \
-  -Wno-unused-function -I. -o "$work/stages" "$work/stages.c" radau_index2.c settle.c \
-  radau_rule.c radau_solve.c radau_order.c -lm -lpthread) >"$report" 2>&1
+  -Wno-unused-function -I. -I../../share/c -o "$work/stages" "$work/stages.c" \
+  radau_index2.c settle.c radau_rule.c radau_solve.c radau_order.c -lm -lpthread) >"$report" 2>&1
 told $? 'the stages compile' "$report"
 "$work/stages" >"$report" 2>&1
 [ "$(cat "$report")" = 'small small 1' ]
