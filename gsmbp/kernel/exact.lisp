@@ -63,3 +63,13 @@
         (cond (factor (if negative (list -1 symbol) (list symbol)))
               (negative (list '(mtimes simp) -1 symbol))
               (t symbol))))))
+
+;;; true if no principal minor of a symmetric 3x3 matrix of exact numbers is negative
+(defun $gs__exact_semidefinite (matrix)
+  (destructuring-bind ((a h g) (h2 b f) (g2 f2 c))
+      (mapcar #'(lambda (row) (mapcar #'gs-rational (cdr row))) (cdr matrix))
+    (declare (ignore h2 g2 f2))
+    (let ((bc (- (* b c) (* f f))))
+      (notany #'minusp
+              (list a b c bc (- (* a c) (* g g)) (- (* a b) (* h h))
+                    (+ (* a bc) (- (* h (- (* h c) (* f g)))) (* g (- (* h f) (* b g)))))))))

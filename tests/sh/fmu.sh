@@ -10,7 +10,7 @@ has_all FMUs zip unzip || exit 0
 share/fmu/derive tests/scenes/switch_circuit.mac "$work/fmu" >"$report" 2>&1
 told $? 'switch_circuit becomes FMUs' "$report"
 unzip -q -o "$work/fmu/switch_circuit_fmi2.fmu" -d "$work/switch"
-python3 tests/fmu/switch.py "$work/switch"
+to_the_end python3 tests/fmu/switch.py "$work/switch"
 for scene in event_crank $(whole && echo sampled_drive); do
   share/fmu/derive tests/scenes/$scene.mac "$work/fmu" >"$report" 2>&1
   told $? "$scene becomes FMUs" "$report"
@@ -23,7 +23,7 @@ for scene in user_bounce user_thermostat user_crank event_instant; do
   told $? "$scene becomes FMUs" "$report"
   for standard in 2 3; do
     unzip -q -o "$work/fmu/${scene}_fmi$standard.fmu" -d "$work/$scene$standard"
-    python3 tests/fmu/events.py $scene "$work/$scene$standard" $standard
+    to_the_end python3 tests/fmu/events.py $scene "$work/$scene$standard" $standard
   done
 done
 tests/fmu/drive "$work/fmu" user_bounce 0.4 40

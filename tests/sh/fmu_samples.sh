@@ -18,7 +18,7 @@ share/fmu/derive tests/scenes/event_pendulum.mac "$work/fmu" >"$report" 2>&1
 told $? 'event_pendulum becomes FMUs' "$report"
 for standard in 2 3; do
   unzip -q -o "$work/fmu/event_pendulum_fmi$standard.fmu" -d "$work/pendulum$standard"
-  python3 tests/fmu/events.py event_pendulum "$work/pendulum$standard" $standard
+  to_the_end python3 tests/fmu/events.py event_pendulum "$work/pendulum$standard" $standard
 done
 # delays: none; an output that comes between points; one that comes at points of half a period
 for late in 0 0.03 0.05; do
@@ -27,7 +27,7 @@ for late in 0 0.03 0.05; do
     --path "$root/tests/octave" "$root/tests/fmu/samples.m" "$work/$late" $late >"$report" 2>&1
   told $? "gsmbp_simulate runs with the delay $late s" "$report"
   for standard in 2 3; do
-    python3 tests/fmu/samples.py sampled_inputs "$work/unpacked$standard" $standard \
+    to_the_end python3 tests/fmu/samples.py sampled_inputs "$work/unpacked$standard" $standard \
       "$work/$late" $late
   done
 done

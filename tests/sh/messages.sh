@@ -2,7 +2,7 @@
 # not.
 . tests/tools/check.sh
 dir=$(mktemp -d "${GSMBP_TEST_DIR:-/tmp}/messages.XXXXXX")
-/usr/bin/python3 tests/tools/messages.py
+to_the_end /usr/bin/python3 tests/tools/messages.py
 grep -v 'places: expected 3 x k finite numbers' share/manual/errors.texi \
   >"$dir/less.texi"
 /usr/bin/python3 tests/tools/messages.py "$dir/less.texi" >"$dir/log"

@@ -21,6 +21,10 @@ whole() { [ -n "${GSMBP_WHOLE:-}" ]; }
 
 fails() { ! "$@"; }
 
+# to_the_end COMMAND...: one that prints its own results; `not ok` if it ends with an error, which
+# could be before them
+to_the_end() { "$@" || echo "not ok $2 comes to its end: expected exit code 0, found $?"; }
+
 # result WHAT: `ok WHAT` if the file $report is empty, else `not ok WHAT` and its first lines
 result() {
   if [ ! -s "$report" ]; then echo "ok $1"; return; fi
