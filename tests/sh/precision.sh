@@ -31,7 +31,7 @@ has_quadmath() {
   return 1
 }
 quad() {
-  has_quadmath 'share/c in quad precision' || return
+  has_quadmath 'share/c in quad precision' || return 0
   quad_run_times
   drivers='functions inputs plan project sensitivity events' scenes=tests/scenes/event_crank.mac
   if whole; then
@@ -91,13 +91,13 @@ here() {
   told $? 'C for double compiles' "$report"
   check 'C for double is refused in single precision' fails \
     gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -Ishare/c "$work/for_double/puma6.c" 2>"$report"
-  has_quadmath 'inverse dynamics in quad precision' || return
+  has_quadmath 'inverse dynamics in quad precision' || return 0
   gcc $flags -DGSMBP_QUAD -o "$work/quad_puma" $routines -lquadmath -lm >"$report" 2>&1 &&
     "$work/quad_puma" >"$report" 2>&1
   exact 'quad precision' 0
 }
 cortex() {
-  has_all 'single precision on a Cortex-M4F' arm-none-eabi-gcc qemu-system-arm || return
+  has_all 'single precision on a Cortex-M4F' arm-none-eabi-gcc qemu-system-arm || return 0
   arm="arm-none-eabi-gcc $flags -pedantic -Wdouble-promotion -DGSMBP_FLOAT -mcpu=cortex-m4
     -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
   $arm --specs=rdimon.specs -nostartfiles -o "$work/cortex" \
@@ -116,7 +116,7 @@ cortex() {
   result 'no arithmetic in double precision and no data of its own on a Cortex-M4F'
 }
 avr() {
-  has_all 'single precision on an AVR' avr-gcc simavr || return
+  has_all 'single precision on an AVR' avr-gcc simavr || return 0
   for precision in -DGSMBP_FLOAT ''; do   # an AVR's double is single
     avr-gcc $flags -Os -mmcu=atmega2560 $precision -o "$work/avr" $routines -lm >"$report" 2>&1 &&
       timeout 60 simavr -m atmega2560 -f 16000000 "$work/avr" >"$report" 2>&1
