@@ -31,7 +31,7 @@ function text = broken (m, rules, par, k, info)
   endif
   text = rules{k}.broken;
   if (info == 2)
-    text = [rules{k}.place, " must be real and finite"];
+    text = gsmbp__refusal ("not_real", rules{k}.place);
   endif
   text = sprintf ("%s; found: %s", text, found (m, rules{k}, par));
 endfunction

@@ -10,14 +10,10 @@ function gsmbp__fits (who, what, value, kind)
   numbers = isnumeric (value) && isreal (value) && all (isfinite (value(:)));
   one = numbers && isscalar (value);
   if (isnumeric (kind))
-    wanted = sprintf ("a number from %g to %g", kind);
     fits = one && value >= kind(1) && value <= kind(2);
   elseif (iscell (kind))
     fits = ischar (value) && any (strcmp (value, kind));
-    wanted = ["one of \"" strjoin(kind, "\", \"") "\""];
   else
-    table = gsmbp__run_table ("GS_KINDS");
-    wanted = [table(strcmp (table(:,1), kind),2), {""}]{1};
     switch (kind)
       case "flag"
         fits = (one || (islogical (value) && isscalar (value))) && any (value == [0, 1]);
@@ -45,6 +41,17 @@ function gsmbp__fits (who, what, value, kind)
     endswitch
   endif
   if (! fits)
-    error ("%s: %s: expected %s, found %s", who, what, wanted, gsmbp__shown (value));
+    error ("%s: %s: expected %s, found %s", who, what, wanted (kind), gsmbp__shown (value));
+  endif
+endfunction
+
+function text = wanted (kind)
+  if (isnumeric (kind))
+    text = sprintf ("a number from %g to %g", kind);
+  elseif (iscell (kind))
+    text = ["one of \"" strjoin(kind, "\", \"") "\""];
+  else
+    kinds = gsmbp__run_table ("GS_KINDS");
+    text = kinds{strcmp (kinds(:,1), kind),2};
   endif
 endfunction

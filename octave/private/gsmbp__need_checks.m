@@ -5,9 +5,7 @@
 function gsmbp__need_checks (m)
   for need = {"rules", "starts"; "chk", "ini"}
     if (! isempty (gsmbp__rows (m.json, need{1})) && ! any (strcmp (m.subroutines, need{2})))
-      error (["%s: the scene was emitted without the subroutine %s, by which other values of " ...
-              "its parameters are checked: derive it again, without the option \"without\""], ...
-             m.name, upper (need{2}));
+      error ("%s: %s", m.name, gsmbp__refusal ("unchecked", upper (need{2})));
     endif
   endfor
 endfunction

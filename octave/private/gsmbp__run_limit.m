@@ -2,7 +2,10 @@
 ## Return a limit of runs (share/c/gsmbp/limits.h).
 
 function value = gsmbp__run_limit (name)
-  persistent limits = [gsmbp__run_table("GS_LIMITS")(:,1), ...
-                       num2cell(str2double (gsmbp__run_table ("GS_LIMITS")(:,2)))]'(:)';
-  value = struct (limits{:}).(name);
+  persistent limits = numbers (gsmbp__run_table ("GS_LIMITS"));
+  value = limits.(name);
+endfunction
+
+function limits = numbers (rows)
+  limits = cell2struct (num2cell (str2double (rows(:,2))), rows(:,1), 1);
 endfunction

@@ -11,15 +11,18 @@ function rows = gsmbp__run_table (table)
 endfunction
 
 function rows = read_rows (table)
-  text = "";
-  for file = {"options.h", "limits.h", "refusals.h"}
-    text = [text, fileread(gsmbp__place ("share", "c", "gsmbp", file{1}))];
-  endfor
+  persistent text = texts ();
   pattern = ['#define ' table '\(ROW\)((?:[^\n]*\\\n)*[^\n]*)'];
   body = regexprep (regexp (text, pattern, "tokens", "once"){1}, '/\*.*?\*/|\\\n', "");
   found = [regexp(body, 'ROW \(((?:[^()"]|"(?:\\.|[^"\\])*")*)\)', "tokens"){:}];
   found = cellfun (@parts, found, "UniformOutput", false);
   rows = vertcat (found{:});
+endfunction
+
+function text = texts ()
+  text = cellfun (@(file) fileread (gsmbp__place ("share", "c", "gsmbp", file)), ...
+                  {"options.h", "limits.h", "refusals.h"}, "UniformOutput", false);
+  text = [text{:}];
 endfunction
 
 ## name, text, or name, word, ...

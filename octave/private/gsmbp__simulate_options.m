@@ -4,10 +4,15 @@
 ## tolerance that is not used can be reported.
 
 function table = gsmbp__simulate_options (drift)
+  persistent made = read_table ();
+  table = made;
+  table{strcmp (table(:,1), "drift"),2} = drift;
+endfunction
+
+function table = read_table ()
   rows = gsmbp__run_table ("GS_OPTIONS");
   table = [rows(:,1), cellfun(@default, rows(:,3), rows(:,2), "UniformOutput", false), ...
            cellfun(@kind, rows(:,2), "UniformOutput", false)];
-  table{strcmp (rows(:,1), "drift"),2} = drift;
   table{strcmp (rows(:,1), "rtol"),2} = NaN;
   table{strcmp (rows(:,1), "loops"),2} = "";
 endfunction

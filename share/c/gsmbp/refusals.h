@@ -6,6 +6,9 @@
 
 #define GS_REFUSALS(ROW)                                                                           \
   ROW (parameter, "parameter %s must be one finite number, found: %s")                             \
+  ROW (unchecked, "the scene was emitted without the subroutine %s, by which other values of its " \
+       "parameters are checked: derive it again, without the option \"without\"")                  \
+  ROW (not_real, "%s must be real and finite")                                                     \
   ROW (not_finite, "%s is not finite: %g")                                                         \
   ROW (largest_angle, "expected an angle of at most 1e15 rad, found %g")                           \
   ROW (off_constraints, "expected a state on the constraints at t = %.9g s, %s")                   \

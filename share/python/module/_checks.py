@@ -7,6 +7,7 @@ import ctypes
 import numpy as np
 
 from ._library import LIBRARY, NAME, SIZES, TABLE, at
+from ._tables import REFUSALS
 
 RULES = TABLE.get('rules') or []
 MASSES = TABLE.get('masses') or []
@@ -18,10 +19,7 @@ def need_routines():
     """Refuse other values of parameters where CHK or INI was not emitted."""
     for part, suffix in (('rules', 'CHK'), ('starts', 'INI')):
         if TABLE.get(part) and not has(suffix):
-            raise AttributeError(
-                '%s: the scene was emitted without the subroutine %s, by which other values of its '
-                'parameters are checked: derive it again, without the option "without"' % (
-                    NAME, suffix))
+            raise AttributeError('%s: %s' % (NAME, REFUSALS.unchecked % suffix))
 
 
 def has(suffix):
@@ -37,7 +35,7 @@ def checked(values):
     if first.value == 0:
         return results, None
     rule = RULES[first.value - 1]
-    text = rule['broken'] if info == 1 else rule['place'] + ' must be real and finite'
+    text = rule['broken'] if info == 1 else REFUSALS.not_real % rule['place']
     return results, '%s; found: %s' % (text, ', '.join(
         '%s = %g' % (row['name'], value) for name in rule['parameters']
         for row, value in zip(TABLE['parameters'], values) if row['name'] == name))
