@@ -27,8 +27,8 @@ import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # what only compilers, Octave or the documentation read
-NOT_DERIVED = {'c', 'catalogue', 'fmu', 'fortran', 'manual', 'package_c', 'python', 'report',
-               'sweep'}
+NOT_DERIVED = {'c', 'catalogue', 'engine', 'fmu', 'fortran', 'manual', 'package_c', 'python',
+               'report', 'sweep'}
 ENDINGS = '.f', '.json'
 DAYS, MOST = 30, 1500
 
