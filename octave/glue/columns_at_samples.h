@@ -100,13 +100,13 @@ gsmbp_control_with_columns (const int *device, const number *t, const number *y,
   int from = 0;
   for (int i = 0; i < *device - 1; i++)
     from += s.held[i];
-  if (*c.plan->at (s.delay + *device - 1) > 0)
+  if (s.delay[*device - 1] > 0)
     {
       int place = s.np - 1;   // where GSSMP puts it: the last free one
       while (place > 0 && s.sender[place] != 0)
         place--;
-      const double when = s.next[*device - 1] * double (*c.plan->at (s.period + *device - 1))
-                          + double (*c.plan->at (s.delay + *device - 1));
+      const double when = s.next[*device - 1] * double (s.period[*device - 1])
+                          + double (s.delay[*device - 1]);
       c.sent.push_back ({ place, from, from + s.held[*device - 1], when, now });
       return;
     }

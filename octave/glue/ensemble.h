@@ -46,7 +46,7 @@ private:
   void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
              reals& one);
 
-#if defined (GSMBP_MODULE_QUAD)
+#if defined (GSMBP_QUAD)
   static bool in_lanes (const simulation&) { return false; }
 #else
   static bool in_lanes (const simulation& s)
@@ -102,7 +102,7 @@ ensemble::over (int i)
 int
 ensemble::constants (const known_row& row, reals& cst) const
 {
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   if (row.group)
     return row.group->constants (row.place, cst);
 #endif
@@ -189,7 +189,7 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unse
   if (S.nctl > 0)   // their periods are the run's own
     {
       std::lock_guard<std::mutex> guard (m_plan);
-      if (! m_s.plan->due_from (double (m_s.t0), r.cst))
+      if (! m_s.plan->due_from (m_s.t0, r.cst))
         return refused (i, GS_START_SAMPLES);
       m_s.plan->begin (ip, rp);
     }
@@ -244,7 +244,7 @@ ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unse
     values_of (i)[j] = double (r.rstat[j]);
 }
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 bool
 ensemble::next (lane_run& l, int thread)
@@ -273,7 +273,7 @@ ensemble::done (lane_run& l)
 void
 ensemble::work (int thread, int most)
 {
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   if (m_lanes)
     {
       lane_rows mine (*this, thread);
@@ -299,7 +299,7 @@ void
 ensemble::run_all (int threads)
 {
   const int most = (m_rows.n - 1) / threads + 1;
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   if (m_lanes && ! m_rows.table.isempty () && emitted ("pre_w"))
     m_groups.reset (new row_groups (m_rows.varied (), m_common, threads, most, is_over));
 #endif

@@ -19,9 +19,6 @@
 #include "gsmbp/statistics.h"
 #include "gsmbp_scene.h"
 
-#if defined (GSMBP_MODULE_QUAD) && defined (__SIZEOF_FLOAT128__)
-# include <quadmath.h>
-#endif
 typedef gs_value number;
 
 typedef std::vector<number> reals;

@@ -1,6 +1,9 @@
 /* The scene's part of a module, compiled for every scene with gsmbp_sizes.h,
    which gsmbp_build writes from the JSON:
-     GSMBP_DECLARE  extern void pendulum_par_ (void), ...;
+     GSMBP_DECLARE  extern void pendulum_par_ (void); ...
+     GSMBP_BY_VALUE GS_FORTRAN_rhs (pendulum_rhs_) ...: those that runs call
+     GSMBP_RUN      the members of gs_scene by name: .nq = 1, .rhs = gs_fortran_rhs, ...
+     GSMBP_AUDITED  gs_fortran_rha, or 0
      GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
      GSMBP_MODES    the numbers of the inputs that are modes, then 0
      GSMBP_TABLE    the members of gsmbp_scene by name: .name = "pendulum", .nq = 1, ...
@@ -9,15 +12,19 @@
      GSMBP_INSTALL  Gpendulum_1a2b3c4d, the symbol that Octave looks up  */
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
+#include "host/fortran_scene.h"
 
 GSMBP_DECLARE
+GSMBP_BY_VALUE
 
+static const gs_scene run = { GSMBP_RUN };
 static const int sets[] = { GSMBP_SETS };
 static const int modes[] = { GSMBP_MODES };
 static const gsmbp_routine routines[] = { GSMBP_ROUTINES { 0, 0, 0 } };
 static const gsmbp_meaning meanings[] = { GSMBP_MEANINGS { 0, 0, 0, 0 } };
 const gsmbp_scene gsmbp_the_scene
-    = { GSMBP_TABLE, .sets = sets, .modes = modes, .routines = routines, .meanings = meanings };
+    = { GSMBP_TABLE, .run = &run, .audited = GSMBP_AUDITED, .sets = sets, .modes = modes,
+        .routines = routines, .meanings = meanings };
 
 #if ! defined (GSMBP_NO_OCTAVE)   /* the program of a sweep has none */
 extern void *Ggsmbp_module (void *library, _Bool relative);

@@ -2,22 +2,14 @@
    sizes from the JSON and the emitted subroutines. */
 #ifndef GSMBP_GLUE_SCENE_H
 #define GSMBP_GLUE_SCENE_H
-#include <float.h>
+#include "gsmbp/scene.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
 typedef void (*gsmbp_sub) (void);
 
-/* a number of the Fortran: double, or IEEE quadruple, which is long double on ARM64 */
-#if ! defined (GSMBP_MODULE_QUAD)
-typedef double gs_value;
-#elif defined (__SIZEOF_FLOAT128__)
-typedef __float128 gs_value;
-#elif LDBL_MANT_DIG == 113
-typedef long double gs_value;
-#else
-# error "this compiler has no quadruple precision: build with precision double"
-#endif
+/* a number of the Fortran */
+typedef gs_real gs_value;
 
 /* The sizes, as the JSON's "dimensions" name them: the one place where they are listed.
    gsmbp__compile.m writes an initializer by name for each. */
@@ -55,6 +47,8 @@ typedef struct
   int nsp;           /* parameters of RHP, INP, ILP, OUP, COP */
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
+  const gs_scene *run; /* as the run time in C takes it */
+  gs_rhs *audited;   /* the rates of an audit, RHA */
   const int *sets;   /* ... four numbers of coordinates each */
   const int *modes;  /* nmode: the numbers of the inputs that are modes of devices with events */
   const gsmbp_routine *routines;   /* as they were emitted; the last has no name */

@@ -8,7 +8,7 @@
 
 #include "gsmbp/plan.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 extern "C"
 {

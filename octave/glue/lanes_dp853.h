@@ -3,7 +3,7 @@
 
 #include "lanes_events.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 // one trial step of every run, as GSDPS does it
 void

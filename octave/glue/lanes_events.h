@@ -5,7 +5,7 @@
 
 #include "lanes_loops.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 gs_events
 lane_group::events_of (lane_run& l)

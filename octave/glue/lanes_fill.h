@@ -4,7 +4,7 @@
 
 #include "lane_group.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 lane_group::lane_group (const run_setting& s, const std::vector<int>& ip, lane_source& source,
                         int most)

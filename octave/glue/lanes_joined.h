@@ -4,7 +4,7 @@
 
 #include "lanes_fill.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 // places in m_c, those of GSLNA less 1
 enum

@@ -4,7 +4,7 @@
 
 #include "lanes_joined.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 // whether what GSPSS and GSCHK do for the run is done in vectors
 bool

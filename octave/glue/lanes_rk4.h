@@ -3,7 +3,7 @@
 
 #include "lanes_dp853.h"
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 void
 lane_group::begin_way (lane_run& l)

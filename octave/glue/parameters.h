@@ -3,7 +3,7 @@
 
 #include "info.h"
 
-#if defined (GSMBP_MODULE_QUAD)
+#if defined (GSMBP_QUAD)
 // the shortest decimal that reads back as x: 0.2 is one fifth
 static number
 decimal (double x)
@@ -15,10 +15,10 @@ decimal (double x)
       if (std::strtod (text, nullptr) == x)
         break;
     }
-# if defined (__SIZEOF_FLOAT128__)
-  return strtoflt128 (text, nullptr);
-# else
+# if LDBL_MANT_DIG == 113
   return std::strtold (text, nullptr);
+# else
+  return strtoflt128 (text, nullptr);
 # endif
 }
 #else

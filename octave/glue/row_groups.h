@@ -33,7 +33,7 @@ struct known_row
   int place;
 };
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 
 class row_group
 {

@@ -129,10 +129,9 @@ outputs_at (const reals& cst, int k, const number *t, const number *x, int ldx, 
 
 // numbers of RP from a place in the plan on
 static Matrix
-part_of (run_plan& plan, const double *place, int rows, int cols)
+part_of (const number *from, int rows, int cols)
 {
   Matrix m (rows, cols);
-  const number *from = m.isempty () ? nullptr : plan.at (place);
   for (octave_idx_type i = 0; i < m.numel (); i++)
     m.xelem (i) = double (from[i]);
   return m;
@@ -256,8 +255,8 @@ samples (const reals& cst, run_plan& plan, const reals& tout, const reals& xout,
   const reals t = row_times (cst, tout, reached);
   Matrix y = outputs_at (cst, reached, &t[0], &xout[0], ldx, &vout[0], ldv);
   r.assign ("y", y);
-  r.assign ("memory", part_of (plan, a.memory, S.nxk, 1));
-  r.assign ("record", part_of (plan, a.record, 1 + S.nxk + S.nv, std::min (a.ns, *a.count)));
+  r.assign ("memory", part_of (a.memory, S.nxk, 1));
+  r.assign ("record", part_of (a.record, 1 + S.nxk + S.nv, std::min (a.ns, *a.count)));
   r.assign ("instants", *a.count);
   return octave_value (r);
 }
@@ -273,10 +272,10 @@ events (run_plan& plan, int nx)
   Matrix numbers (1, 2);
   numbers(0) = *a.count;
   numbers(1) = *a.ended;
-  return ovl (part_of (plan, a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), numbers);
+  return ovl (part_of (a.record, 3 + 2 * nx, std::min (a.nr, *a.count)), numbers);
 }
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 // who runs by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
 static gsmbp_run_function *
 implicit_run (const std::string& library)

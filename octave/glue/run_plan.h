@@ -15,15 +15,15 @@ public:
   run_plan (const octave_scalar_map& given, int nx);
 
   // periods, delays and first samples of a run from T0 on; false where they cannot be
-  bool due_from (double t0, const reals& cst);
+  bool due_from (number t0, const reals& cst);
 
   // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
   // written, stays as it is: it takes most of their room, and the time of a short run.
   void begin (std::vector<int>& own_ip, unset_reals& own_rp) const;
 
-  // the parts of the plan: in IP, and in a copy of RP in double precision
-  gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &m_rp[0]); }
-  gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &m_rp[0]); }
+  // the parts of the plan, in IP and RP
+  gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &rp[0]); }
+  gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &rp[0]); }
 
   // time, number and mode after it of each event of a run with those
   std::vector<double> events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const;
@@ -34,29 +34,22 @@ public:
   // of each event function whether its event changes what follows
   std::vector<char> changing_events (void);
 
-  // the place in RP of one in that copy
-  number *at (const double *place) { return &rp[place - &m_rp[0]]; }
-
   std::vector<int> ip;
   zero_reals rp;   // the records of long runs with samples are most of it
 
 private:
 
-  typedef std::vector<double> doubles;
-
-  const double *numbers (const char *name, int size);
+  const number *numbers (const char *name, int size);
   const int *wholes (const char *name, int size);
   gs_pieces pieces (const char *name);
   int whole (const char *name) { return m_given.contents (name).int_value (); }
   void read_scene (void);
-  void copy_but_samples (int instants);
 
   octave_scalar_map m_given;
-  std::list<doubles> m_numbers;            // what m_scene and gs_plan point to
+  std::list<reals> m_numbers;              // what m_scene and gs_plan point to
   std::list<std::vector<int>> m_wholes;
   gs_scene m_scene;
   int m_nx;
-  zeros<double> m_rp;
   std::size_t m_record[2] = { 0, 0 };      // where in it the record of the events begins and ends
   std::size_t m_first, m_latest, m_times;  // ... where those of gs_events are, in RP and in IP
 };
@@ -94,7 +87,7 @@ run_plan::counted (const std::vector<int>& own_ip, const unset_reals& own_rp, do
 }
 
 // SIZE numbers of a field, a null pointer where it is []
-const double *
+const number *
 run_plan::numbers (const char *name, int size)
 {
   Matrix m = m_given.contents (name).matrix_value ();
@@ -109,10 +102,10 @@ run_plan::numbers (const char *name, int size)
 const int *
 run_plan::wholes (const char *name, int size)
 {
-  const double *x = numbers (name, size);
+  const number *x = numbers (name, size);
   m_wholes.emplace_back ();
-  if (x)
-    m_wholes.back ().assign (x, x + size);
+  for (int k = 0; x && k < size; k++)
+    m_wholes.back ().push_back (int (x[k]));
   return x ? m_wholes.back ().data () : nullptr;
 }
 
@@ -137,18 +130,6 @@ run_plan::pieces (const char *name)
   return p;
 }
 
-// CTP in double precision, as gs_due_from calls it
-static const reals *the_constants = nullptr;
-
-extern "C" void
-gsmbp_periods (const double *, double *period, double *delay)
-{
-  reals p = room (S.nctl), d = room (S.nctl);
-  routine ("ctp") (&(*the_constants)[0], &p[0], &d[0]);
-  std::copy (p.begin (), p.end (), period);
-  std::copy (d.begin (), d.end (), delay);
-}
-
 std::vector<char>
 run_plan::changing_events (void)
 {
@@ -159,17 +140,7 @@ run_plan::changing_events (void)
 void
 run_plan::read_scene (void)
 {
-  m_scene = gs_scene ();
-  m_scene.nq = S.nq;
-  m_scene.nu = S.nu;
-  m_scene.nx = S.nx;
-  m_scene.nv = S.nv;
-  m_scene.ny = S.ny;
-  m_scene.nlam = S.nlam;
-  m_scene.ctp = gsmbp_periods;
-  m_scene.nev = S.nev;
-  m_scene.nctl = S.nctl;
-  m_scene.nxk = S.nxk;
+  m_scene = *S.run;
   if (S.nev > 0)
     {
       m_scene.event_inputs = wholes ("event_inputs", S.nev);
@@ -186,20 +157,6 @@ run_plan::read_scene (void)
         m_scene.nheld += m_scene.held_counts[k];
       m_scene.held_inputs = wholes ("held_inputs", m_scene.nheld);
     }
-}
-
-// from M_RP to RP, but the record of the samples, in which nothing stands yet
-void
-run_plan::copy_but_samples (int instants)
-{
-  std::size_t first = m_rp.size (), behind = first;
-  if (S.nctl > 0)
-    {
-      first = samples ().record - &m_rp[0];
-      behind = first + std::size_t (instants) * (1 + S.nxk + S.nv);
-    }
-  std::copy_n (m_rp.begin (), first, rp.begin ());
-  std::copy (m_rp.begin () + behind, m_rp.end (), rp.begin () + behind);
 }
 
 run_plan::run_plan (const octave_scalar_map& given, int nx)
@@ -224,31 +181,21 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
   p.modes = wholes ("modes", S.nev);
   p.events = whole ("events");
   ip.assign (gs_wholes (&p), 0);
-  m_rp = zeros<double> (gs_reals (&p));
-  gs_lay (&p, &ip[0], &m_rp[0]);
-  rp = zero_reals (m_rp.size ());
-  copy_but_samples (p.instants);
+  rp = zero_reals (gs_reals (&p));
+  gs_lay (&p, &ip[0], &rp[0]);
   if (ip[GS_EVENTS] > 0)
     {
       const gs_events e = events ();
-      m_record[0] = e.record - &m_rp[0];
-      m_record[1] = e.level - &m_rp[0];
-      m_first = e.first - &m_rp[0];
-      m_latest = e.latest - &m_rp[0];
+      m_record[0] = e.record - &rp[0];
+      m_record[1] = e.level - &rp[0];
+      m_first = e.first - &rp[0];
+      m_latest = e.latest - &rp[0];
       m_times = e.times - &ip[0];
     }
 }
 
 bool
-run_plan::due_from (double t0, const reals& cst)
+run_plan::due_from (number t0, const reals& cst)
 {
-  if (S.nctl == 0)
-    return true;
-  the_constants = &cst;
-  if (gs_due_from (&m_scene, t0, nullptr, &ip[0], &m_rp[0]) != 0)
-    return false;
-  gs_samples a = samples ();
-  std::copy_n (a.value, a.nh, at (a.value));
-  routine ("ctp") (&cst[0], at (a.period), at (a.delay));
-  return true;
+  return gs_due_from (&m_scene, t0, &cst[0], &ip[0], &rp[0]) == 0;
 }

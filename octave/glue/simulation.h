@@ -30,7 +30,7 @@ struct simulation : run_room, run_setting
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of an implicit method; "": GSSIM alone
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   gsmbp_run_function *implicit_method = nullptr;
 #endif
   std::vector<int> implicit;   // the largest order; 1 if loops are in index 2; the states that the
@@ -46,7 +46,7 @@ private:
   void by_gssim (run_room& r, std::vector<int>& ip, number *rp) const;
   void by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
                  const int *counts, const number *options) const;
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
 };
@@ -77,13 +77,13 @@ simulation::simulation (arguments& a)
   reals guess = a.vector ("guess", S.nu);
   input = a.value ("input function");
   library = a.value ("library").string_value ();
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   if (! library.empty ())
     implicit_method = implicit_run (library);
 #endif
   implicit = a.integers ("largest order, index 2, states that inputs follow", -1);
   timeout = double (a.scalar ("timeout"));
-  if (! plan->due_from (double (t0), cst))
+  if (! plan->due_from (t0, cst))
     error ("%s: more than 2e9 samples", "gsmbp_simulate");
   breaks = breaks_of (cst);
   if (carries ())
@@ -219,7 +219,7 @@ simulation::by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const 
   the_exit = nullptr;
 }
 
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
 // the scene's side of a run by an implicit method
 static void
 take_scene (gsmbp_run& g)
@@ -320,7 +320,7 @@ simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 void
 simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
 {
-#if ! defined (GSMBP_MODULE_QUAD)
+#if ! defined (GSMBP_QUAD)
   const bool stiff = iopt[GS_METHOD] == 0;
   if (stiff || r.info == GS_STIFF)   // found to be bound by stability
     by_implicit (r, ip, rp, ! stiff);

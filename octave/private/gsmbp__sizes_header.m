@@ -27,13 +27,21 @@ function text = gsmbp__sizes_header (json, symbol, has_input)
   members{end+1} = sprintf (".redundant = %d", redundant (json));
   members{end+1} = sprintf (".np = %d, .nbase = %d, .nsp = %d, .nsets = %d", np, base, by, ...
                             rows (sets));
-  [routines, meanings, declared] = subroutines (json);
+  [routines, meanings, declared, names] = subroutines (json);
   if (has_input)
+    names{end+1} = "vin";
     declared{end+1} = "gsvin_";
-    members{end+1} = ".vin = gsvin_";
+    members{end+1} = ".vin = (gsmbp_sub) gsvin_";
   endif
+  [by_value, run] = of_the_run (json, names, declared);
+  others = declared(! by_value);
+  audited = {"0", "gs_fortran_rha"}{1 + any(strcmp (names, "rha"))};
   text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
-          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", declared{:}), "\n", ...
+          "#define GSMBP_DECLARE ", sprintf("extern void %s (void); ", others{:}), "\n", ...
+          "#define GSMBP_BY_VALUE ", ...
+          sprintf("GS_FORTRAN_%s (%s) ", [names(by_value); declared(by_value)]{:}), "\n", ...
+          "#define GSMBP_RUN ", run, "\n", ...
+          "#define GSMBP_AUDITED ", audited, "\n", ...
           "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
           "#define GSMBP_MODES ", sprintf("%d, ", modes), "\n", ...
           "#define GSMBP_TABLE ", strjoin(members, ", "), "\n", ...
@@ -67,9 +75,24 @@ function text = left_out (json)
   text = strrep (undo_string_escapes ([text "\n"]), "?", "\\?");
 endfunction
 
+## which subroutines are members of the scene as runs take it (gs_scene), and its members in C
+function [by_value, run] = of_the_run (json, names, declared)
+  header = fileread (gsmbp__place ("share", "engine", "host", "fortran_scene.h"));
+  known = [regexp(header, '#define GS_FORTRAN_([a-z]\w+)', "tokens"){:}];
+  by_value = ismember (names, known);
+  members = {[".name = \"" json.name "\""]};
+  for name = {"nq", "nu", "nx", "nv", "ny", "nlam", "nsw", "nev", "nctl", "nxk"}
+    members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
+  endfor
+  for name = setdiff (names(by_value), {"rha"})
+    members{end+1} = sprintf (".%s = gs_fortran_%s", name{[1, 1]});
+  endfor
+  run = strjoin (members, ", ");
+endfunction
+
 ## rows of C: the emitted subroutines by the ends of their names, the sentences of their INFO
-function [routines, meanings, declared] = subroutines (json)
-  routines = meanings = declared = {};
+function [routines, meanings, declared, names] = subroutines (json)
+  routines = meanings = declared = names = {};
   list = json.subroutines;
   if (! iscell (list))
     list = num2cell (list);
@@ -78,7 +101,9 @@ function [routines, meanings, declared] = subroutines (json)
     full = tolower (row{1}.name);
     name = full(numel (json.name)+2:end);
     declared{end+1} = [full "_"];
-    routines{end+1} = sprintf ("{ \"%s\", %s_, \"%s\" }, ", name, full, gsmbp__signature (row{1}));
+    names{end+1} = name;
+    routines{end+1} = sprintf ("{ \"%s\", (gsmbp_sub) %s_, \"%s\" }, ", name, full, ...
+                               gsmbp__signature (row{1}));
     if (isfield (row{1}, "info") && ! isempty (row{1}.info))
       told = row{1}.info([row{1}.info.code] > 0)(:)';
       meanings = [meanings, arrayfun(@(one) sentence (name, one), told, "UniformOutput", false)];

@@ -75,7 +75,9 @@ function take_sources (who, m, folder)
   endfor
   take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
   take (who, gsmbp__place ("share", "engine", "host", "failure.c"), fullfile (folder, "c"));
-  take (who, gsmbp__place ("share", "engine", "host", "failure.h"), fullfile (folder, "c", "host"));
+  for file = {"failure.h", "fortran_scene.h"}
+    take (who, gsmbp__place ("share", "engine", "host", file{1}), fullfile (folder, "c", "host"));
+  endfor
   put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
   if (! isempty (m.sources{2}))
     put (who, fullfile (folder, "input.f"), fileread (m.sources{2}));

@@ -1,7 +1,8 @@
 /* gsmbp/real.h: gs_real, the type of all numbers that are not integers: double, or
  *
  *   float       where GSMBP_FLOAT is defined, for processors without arithmetic in double precision
- *   __float128  where GSMBP_QUAD is defined: gcc with libquadmath (link with -lquadmath)
+ *   __float128  where GSMBP_QUAD is defined: gcc with libquadmath (link with -lquadmath); long
+ *               double where that is IEEE quadruple (ARM64)
  *
  * All files of a program are compiled with the same choice. Literals that are not small integers
  * are written GS_R (0.1), functions of the mathematical library gs_sin (x): both are of this type.
@@ -22,6 +23,14 @@ typedef float gs_real;
 #define GS_LIBRARY(name) name##f
 #define GS_EPSILON FLT_EPSILON
 #define GS_DIGITS FLT_MANT_DIG
+#elif defined(GSMBP_QUAD) && LDBL_MANT_DIG == 113
+typedef long double gs_real;
+#define GS_R(a) a##L
+#define GS_LIBRARY(name) name##l
+#define GS_EPSILON LDBL_EPSILON
+#define GS_DIGITS LDBL_MANT_DIG
+#elif defined(GSMBP_QUAD) && ! defined(__SIZEOF_FLOAT128__)
+#error "this compiler has no quadruple precision: build in double precision"
 #elif defined(GSMBP_QUAD)
 #include <quadmath.h>
 typedef __float128 gs_real;

@@ -171,12 +171,13 @@ gs_lay (const gs_plan *p, int *ip, gs_real *rp)
 }
 
 /* the number of the first sample at t0 or later: sample k is at k*period; a start that differs from
- * one by rounding only is one */
+ * one by rounding only is one; in quad precision by rounding to double, which hosts have t0 in */
 static gs_real
 first_sample (gs_real t0, gs_real period)
 {
   gs_real k = gs_floor (t0 / period + GS_R (0.5));
-  return gs_abs (k * period - t0) <= 8 * GS_EPSILON * gs_abs (t0) ? k : gs_ceil (t0 / period);
+  const gs_real rounding = 8 * gs_max (GS_EPSILON, DBL_EPSILON) * gs_abs (t0);
+  return gs_abs (k * period - t0) <= rounding ? k : gs_ceil (t0 / period);
 }
 
 /* what is held before the first samples: the values of the table at t0, from the right, as GSPLN
