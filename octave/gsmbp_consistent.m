@@ -207,7 +207,7 @@ endfunction
 ## gradient of the second term and a square root of its matrix of second derivatives; the
 ## pseudo-inertia is linear in its ten parameters: of the unit vectors it is E
 function [grad, U] = barrier (s, x)
-  persistent E = cell2mat (arrayfun (@(j) gsmbp__pseudo ((1:10 == j)')(:), 1:10, ...
+  persistent E = cell2mat (arrayfun (@(j) vec (gsmbp__pseudo ((1:10 == j)')), 1:10, ...
                                      "UniformOutput", false));
   grad = zeros (numel (x), 1);
   U = zeros (16 * numel (s.links) + numel (s.scalar), numel (x));

@@ -93,8 +93,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
            "internal", m.initial(d.nq+d.nu+1:end), "numbers"
            "limits", [], "any"};
   o = gsmbp__options (who, table, varargin);
-  if (any (strcmp (m.subroutines, "inq"))
-      && prod (gsmbp__pp (who, motion).dim) == numel (m.json.given))
+  if (any (strcmp (m.subroutines, "inq")) && states_given (who, m, motion))
     times = gsmbp__vector (who, "times", times, numel (times))';
     r = gsmbp__inverse_modes (who, m, motion, times, checked (who, m, o));
     return;
@@ -179,6 +178,12 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     r.y = gsmbp__outputs (m, r.t, r.x, r.v);
   endif
   r = gsmbp__named (m, r);
+endfunction
+
+## a motion of the coordinates that the scene takes as given?
+function yes = states_given (who, m, motion)
+  pp = gsmbp__pp (who, motion);
+  yes = prod (pp.dim) == numel (m.json.given);
 endfunction
 
 ## none, where the inputs are not determined: limits that were asked for are an error

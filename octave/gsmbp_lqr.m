@@ -163,7 +163,7 @@ function [k, o] = controlled (m, options)
     return;
   endif
   names = cellstr (names);
-  k = gsmbp__which (names, m.inputs)(:)';
+  k = vec (gsmbp__which (names, m.inputs), 2);
   if (! all (k))
     error ("gsmbp_lqr: option \"inputs\": expected the name of an input, found %s", ...
            gsmbp__unknown (names{find (! k, 1)}, m.inputs));

@@ -77,7 +77,8 @@ function r = gsmbp_mobility (m, x, t = 0)
   gsmbp__model (who, m);
   d = m.sizes;
   t = gsmbp__vector (who, "t", t, 1);
-  q = gsmbp__guess (who, m, "x", x, zeros (d.nx - d.nq, 1))(1:d.nq);
+  q = gsmbp__guess (who, m, "x", x, zeros (d.nx - d.nq, 1));
+  q = q(1:d.nq);
   one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, ...
                 "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), ...
                 "singular", []);

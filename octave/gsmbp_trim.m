@@ -181,8 +181,9 @@ function check_time (p, z)
   for later = [0.618, 3.7, 19.1]
     k = find (! (abs (gsmbp__rest_equations (p, z, p.t + later)) <= 10 * limit), 1);
     if (! isempty (k))
+      names = gsmbp__rest_names (p);
       warning ("gsmbp:trim", "%s: %s: an equilibrium at t = %g s alone: %s changes with time",
-               p.who, p.m.name, p.t, gsmbp__rest_names (p){k});
+               p.who, p.m.name, p.t, names{k});
       return;
     endif
   endfor

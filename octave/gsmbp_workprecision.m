@@ -108,7 +108,8 @@ function [o, rest] = read_options (m, pairs)
             "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\""], who, measured{1});
   endif
   own = ismember (names, table(:,1));
-  known = sort ([table(:,1); gsmbp__simulate_options(false)(:,1)])';
+  run = gsmbp__simulate_options (false);
+  known = sort ([table(:,1); run(:,1)])';
   k = find (! ismember (names, known), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));

@@ -6,7 +6,8 @@ function a = gsmbp__audit (m, r, w)
     a = struct ("balance", [], "passed", [], "error", NaN);
     return;
   endif
-  energy = gsmbp__energies (m, r.t, r.x, r.v)(:,1:3);   # kinetic, potential, in devices
+  energy = gsmbp__energies (m, r.t, r.x, r.v);
+  energy = energy(:,1:3);   # kinetic, potential, in devices
   stored = sum (energy, 2);
   lost = zeros (rows (r.x), 1);   # in impacts
   if (isfield (r, "events"))

@@ -49,7 +49,7 @@ function needed (who, m, o)
            m.json.controllers(1).name);
   elseif (! isempty (gsmbp__switch_times (m)))
     error ("%s: %s: expected a scene that does not switch, found a switch at t = %.9g s", who, ...
-           m.name, gsmbp__switch_times (m)(1));
+           m.name, min (gsmbp__switch_times (m)));
   elseif (o.intervals < 1)
     error ("%s: option intervals: expected a whole number above 0, found 0", who);
   endif

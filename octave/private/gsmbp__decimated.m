@@ -24,7 +24,8 @@ function [w, t] = gsmbp__decimated (who, w, t, n)
   [Y, b, measured, group] = deal (cell (groups, 1));
   for g = 1:groups
     own = w.group == g;
-    all = gsmbp__zero_phase ([w.Y(own,:), w.b(own), w.measured(own)], h, cutoff, 4)(keep,:);
+    all = gsmbp__zero_phase ([w.Y(own,:), w.b(own), w.measured(own)], h, cutoff, 4);
+    all = all(keep,:);
     [Y{g}, b{g}, measured{g}] = deal (all(:,1:end-2), all(:,end-1), all(:,end));
     group{g} = repmat (g, numel (keep), 1);
   endfor

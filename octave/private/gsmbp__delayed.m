@@ -9,7 +9,7 @@ function law = gsmbp__delayed (who, law, T, k)
     law.T = T;
     return;
   endif
-  time_of = @(v) gsmbp__phases (given, v, law.sign).T;
+  time_of = @(v) getfield (gsmbp__phases (given, v, law.sign), "T");
   room = given(1) - gsmbp__ramps_length (given, 0, -given(2), -given(3));
   if (! (room > 0))
     error (["%s: coordinate %d cannot take %.6g s, as long as the others, without a stop " ...

@@ -50,7 +50,8 @@ function yes = plans_actuated (m, c)
   motion = c.args{1};
   yes = gsmbp__of_values (motion);
   if (! yes)
-    yes = prod (gsmbp__pp ("gsmbp_optimize", motion).dim) == m.sizes.nact;
+    pp = gsmbp__pp ("gsmbp_optimize", motion);
+    yes = prod (pp.dim) == m.sizes.nact;
   endif
 endfunction
 

@@ -13,7 +13,8 @@ function list = gsmbp__event_list (m, record)
                  record(3 + (1:nx),:)', "after", record(3 + all + (1:nx),:)');
   hits = find (any (list.before != list.after, 2));
   if (any (strcmp (m.subroutines, "ene")) && ! isempty (hits))
-    energy = @(x) sum (gsmbp__energies (m, list.t(hits), x(hits,:), [])(:,1:3), 2);
-    list.loss(hits) = energy (list.before) - energy (list.after);
+    energy = @(x) gsmbp__energies (m, list.t(hits), x(hits,:), []);
+    lost = energy (list.before) - energy (list.after);
+    list.loss(hits) = sum (lost(:,1:3), 2);
   endif
 endfunction

@@ -37,7 +37,8 @@ function text = dependent_rows (m, t, last)
   [U, S] = svd (H);
   s = [diag(S); zeros(d.nlam - min (size (S)), 1)];
   lost = s <= 1e-3 * max (s);
-  names = gsmbp__row_names (m)(any (abs (U(:,lost)) > 0.1, 2));
+  names = gsmbp__row_names (m);
+  names = names(any (abs (U(:,lost)) > 0.1, 2));
   text = ["; found in rows " strjoin(names', ", ")];
 endfunction
 

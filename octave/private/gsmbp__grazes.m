@@ -40,7 +40,8 @@ endfunction
 
 ## time and number of the events that change what follows
 function e = changing (m, e)
-  is = gsmbp__event_changes (m)(e.number);
+  changing = gsmbp__event_changes (m);
+  is = changing(e.number);
   e = struct ("t", e.t(is), "number", e.number(is));
 endfunction
 

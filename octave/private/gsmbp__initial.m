@@ -10,7 +10,8 @@ function x = gsmbp__initial (m)
   endif
   if (isfield (m.json, "starts") && any (strcmp (m.subroutines, "ini")))
     made = m.json.starts(:);
-    value = gsmbp__made (m)(made);
+    value = gsmbp__made (m);
+    value = value(made);
     x(made(isfinite (value))) = value(isfinite (value));
   endif
   x = gsmbp__settle (m, 0, x);

@@ -95,8 +95,9 @@ endfunction
 function text = arrow (k, at, i)
   text = "";
   if (isfinite (at))
+    color = gsmbp__colors (i);
     text = sprintf (["set arrow %d from first %.9g, graph 0 to first %.9g, graph 1 nohead " ...
-                     "lw 0.8 dt 3 lc rgb '%s'"], k, at, at, gsmbp__colors (i){i});
+                     "lw 0.8 dt 3 lc rgb '%s'"], k, at, at, color{i});
   endif
 endfunction
 

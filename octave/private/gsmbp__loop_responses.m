@@ -64,7 +64,8 @@ endfunction
 function list = curves (t, p, i, name, small, steps)
   axes_ = {"x1y1", "x1y2"}{1 + small};
   aside = {"", " (right)"}{1 + small};
-  color = gsmbp__colors (i){i};
+  color = gsmbp__colors (i);
+  color = color{i};
   list = {};
   if (! isempty (t.machine))
     list{1} = sprintf ("$%sM using 1:%d axes %s with lines lw 2 lc rgb '%s' title %s", name, ...

@@ -102,7 +102,8 @@ endfunction
 function t = late (c, t)
   [F, H, S] = deal (c.plant.a, c.plant.b, c.plant.c);
   w = gsmbp__frequencies (struct ("A", F, "h", 0), c.delay, []);
-  crossover = gsmbp__loop_margins (gsmbp__loop_response (c, 1), w).crossover;
+  margins = gsmbp__loop_margins (gsmbp__loop_response (c, 1), w);
+  crossover = margins.crossover;
   n = 40;
   h = c.delay / n;
   N = min (ceil (15 / min (crossover, 1 / c.delay) / h), 20000);

@@ -3,7 +3,8 @@
 ## loop_method.  O: the options of gsmbp_simulate.
 
 function [m, way, index2] = gsmbp__loop_way (who, o, m)
-  words = gsmbp__run_table ("GS_LOOP_METHODS")(:,1)';
+  words = gsmbp__run_table ("GS_LOOP_METHODS");
+  words = words(:,1)';
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
   euler = d.nq > d.nu;

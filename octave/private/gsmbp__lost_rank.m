@@ -20,6 +20,7 @@ function [rows, rank] = gsmbp__lost_rank (m, t, x)
   rank = sum (s > 1e-4 * max ([s; eps]));
   if (rank < m.mobility.rank)
     lost = rank + 1:m.mobility.rank;
-    rows = gsmbp__row_names (m)(any (abs (U(:,lost)) > 0.1, 2))';
+    rows = gsmbp__row_names (m);
+    rows = rows(any (abs (U(:,lost)) > 0.1, 2))';
   endif
 endfunction

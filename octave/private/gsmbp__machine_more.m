@@ -23,7 +23,8 @@ function list = missing (d, j)
   list = item ({}, {}, {}, {});
   slow = gsmbp__bisected (@(f) any_pair (d, j, f), 0.05, 1);
   if (slow > 0)
-    c = gsmbp__machine_cycles (d.model, d.axes, gsmbp__machine_paced (d.tasks, slow), 101)(j);
+    c = gsmbp__machine_cycles (d.model, d.axes, gsmbp__machine_paced (d.tasks, slow), 101);
+    c = c(j);
     best = gsmbp__machine_drives (d.asked, c);
     list(end+1) = item ("speed", name, slow, sprintf (["%s: the motion at %.3g of its speed: " ...
                                                        "then %s keeps all limits"], name, slow, ...
@@ -46,8 +47,9 @@ function list = missing (d, j)
 endfunction
 
 function yes = any_pair (d, j, f)
-  c = gsmbp__machine_cycles (d.model, d.axes, gsmbp__machine_paced (d.tasks, f), 101)(j);
-  yes = ! isempty (gsmbp__machine_drives (d.asked, c).order);
+  c = gsmbp__machine_cycles (d.model, d.axes, gsmbp__machine_paced (d.tasks, f), 101);
+  drives = gsmbp__machine_drives (d.asked, c(j));
+  yes = ! isempty (drives.order);
 endfunction
 
 ## half the period and delay; encoders without steps: by runs

@@ -10,7 +10,8 @@ function top = gsmbp__machine_peak (c, i, plant)
     return;
   endif
   w = logspace (-4, 0, 800) * pi / c.period * (1 - 1e-9);
-  S = 1 ./ abs (1 + gsmbp__loop_response (c, i)(w));
+  L = gsmbp__loop_response (c, i);
+  S = 1 ./ abs (1 + L (w));
   [top, k] = max (S);
   if (k > 1 && k < numel (w))   # the parabola through the three highest
     p = polyfit (-1:1, S(k-1:k+1), 2);

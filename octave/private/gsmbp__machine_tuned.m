@@ -67,5 +67,6 @@ function plant = sampled (sys, s)
   p = struct ("A", sys.a, "B", sys.b, "C", sys.c, "driven", {sys.inname}, "states", ...
               {sys.stname}, "measured", {sys.outname});
   o = struct ("period", s.period, "delay", s.delay);
-  plant = gsmbp__sampled_plant ("gsmbp_design", p, o).plant;
+  p = gsmbp__sampled_plant ("gsmbp_design", p, o);
+  plant = p.plant;
 endfunction

@@ -42,7 +42,8 @@ function yes = at_it (m, t, x, v, k)
 endfunction
 
 function text = sentence (m, x, k, least)
-  row = gsmbp__rows (m.json, "margin_values"){k};
+  row = gsmbp__rows (m.json, "margin_values");
+  row = row{k};
   states = double (row.states(:))';
   pairs = arrayfun (@(i) sprintf ("%s = %.6g", m.states{i}, x(i)), states, ...
                     "UniformOutput", false);

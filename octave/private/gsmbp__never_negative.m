@@ -6,7 +6,8 @@
 function list = gsmbp__never_negative (m, s, e)
   positive = ! cellfun (@isempty, regexp (s.names(:)', '_(m|Ixx|Iyy|Izz|friction|rotor)$'));
   fine = all (s.K >= 0, 2) & ! any (s.K(:,! positive), 2) & any (s.K, 2);
-  names = gsmbp__names (m.json.base_parameters)(fine);
+  names = gsmbp__names (m.json.base_parameters);
+  names = names(fine);
   list = find (ismember (e.names, names) | ismember (e.kind, {"coulomb", "viscous", "rotor", ...
                                                               "motor"}))';
 endfunction

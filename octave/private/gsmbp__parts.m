@@ -6,7 +6,8 @@ function list = gsmbp__parts (who, kind, list)
   if (isempty (list))
     list = gsmbp_catalogue (kind);
   endif
-  fields = [{"name"}; gsmbp__catalogue_fields(kind)(:,1)];
+  known = gsmbp__catalogue_fields (kind);
+  fields = [{"name"}; known(:,1)];
   if (! isstruct (list))
     error ("%s: option %s: expected a list of gsmbp_catalogue (\"%s\"), found %s", who, kind, ...
            kind, gsmbp__shown (list));

@@ -26,7 +26,7 @@ function p = gsmbp__plant (who, m, e, o)
     [inputs, outputs, states] = deal (m.inputs, sys.outname, m.states(states));
     v = double (e.v(:));
     held = vertcat (m.controllers.outputs);
-    y = e.x(gsmbp__which (outputs, m.states)(gsmbp__which (outputs, m.states) > 0));
+    y = e.x(nonzeros (gsmbp__which (outputs, m.states)));
     if (m.sizes.ny > 0)
       y = m.out (0, e.x, v)(gsmbp__which (outputs, m.outputs));
     endif
@@ -89,7 +89,7 @@ function k = chosen (who, option, names, known, default)
     k = default;
     return;
   endif
-  k = gsmbp__which (names, known)(:)';
+  k = vec (gsmbp__which (names, known), 2);
   if (! all (k))
     error ("%s: option %s: unknown name %s", who, option,
            gsmbp__unknown (names{find (! k, 1)}, known));

@@ -48,7 +48,8 @@ function q = position (m, q, held, values)
     q(held) = values;
   elseif (isequal (sort (held(:)), sort (m.actuated(:))))
     [planned, order] = sort (held(:));
-    q = gsmbp__whole_motion ("gsmbp_optimize", m, values(order)(:), planned, true, 0, q)(:,1);
+    jet = gsmbp__whole_motion ("gsmbp_optimize", m, values(order)(:), planned, true, 0, q);
+    q = jet(:,1);
   else
     q(held) = values;
     q = gsmbp_assemble (m, q, "hold", m.coordinates(held))(1:d.nq);

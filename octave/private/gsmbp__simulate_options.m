@@ -31,6 +31,7 @@ endfunction
 ## words for an option of words
 function value = kind (value)
   if (any (strcmp (value, {"method", "start"})))
-    value = gsmbp__run_table (["GS_" toupper(value) "S"])(:,1)';
+    words = gsmbp__run_table (["GS_" toupper(value) "S"]);
+    value = words(:,1)';
   endif
 endfunction

@@ -17,7 +17,8 @@ function [o, rest] = gsmbp__sweep_options (who, m, pairs)
            "resume", false, "flag"
            "chunk", 16384, "whole"};
   [names, values] = gsmbp__pairs (who, "option", pairs);
-  known = setdiff (gsmbp__simulate_options (false)(:,1), {"timeout"});
+  known = gsmbp__simulate_options (false);
+  known = setdiff (known(:,1), {"timeout"});
   k = find (! ismember (names, [table(:,1); known]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, sort ([table(:,1); known])'));

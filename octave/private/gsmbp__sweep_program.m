@@ -115,9 +115,10 @@ endfunction
 
 function text = makefile (library, lanes)
   [flags, common] = gsmbp__fortran_flags ("double");
+  processor = gsmbp__processor ();
   text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
-                 "@runtime@", common, "@processor@", gsmbp__processor ()(2:end), "@method@", ...
-                 library, "@lanes@", lanes);
+                 "@runtime@", common, "@processor@", processor(2:end), "@method@", library, ...
+                 "@lanes@", lanes);
 endfunction
 
 ## a file of share/sweep, its marks filled in

@@ -19,7 +19,8 @@ function f = gsmbp__total (who, regression, d, sigma)
             "a shorter part of the data"], who, numel (s.c));
   endif
   w = regression (gsmbp__on_splines (d, s.B, s.c));
-  p = gsmbp__least_squares (who, w.Y, w.b, w.names).p;
+  plain = gsmbp__least_squares (who, w.Y, w.b, w.names);
+  p = plain.p;
   f = struct ("p", p, "c", s.c, "noise", sigma(:), "noise_q", s.noise(:), "converged", false);
   [f.intervals, f.steps] = deal (s.intervals, 0);
   while (! f.converged && f.steps < 30)

@@ -82,7 +82,8 @@ function [json, text, held] = joined (who, json, c, name, k, held)
                 "starts", starts (c), "outputs", drives(:), "reads", reads(:), ...
                 "again", json.dimensions.nctl > 1, ...
                 "rounds", rounds (c), "possible", []);
-  before = [gsmbp__rows(json, "controllers"){:}];
+  before = gsmbp__rows (json, "controllers");
+  before = [before{:}];
   json.controllers = [before, one];
   if (! isfield (json, "input_starts"))
     json.input_starts = zeros (nv, 1);
@@ -122,7 +123,7 @@ function unit = unit_of (c, i, units)
 endfunction
 
 function k = places (who, c, field, names, known, what)
-  k = gsmbp__which (names, known)(:)';
+  k = vec (gsmbp__which (names, known), 2);
   if (! all (k))
     error ("%s: the controller %s: %s: expected the name of an %s; found %s", who, c.name, field,
            what, gsmbp__unknown (names{find (! k, 1)}, known));

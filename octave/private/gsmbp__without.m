@@ -11,7 +11,7 @@ function keep = gsmbp__without (who, m, t, x, v, names, A, k)
     gone = find (abs (rate) > 1e-9 * m.nominal(1:d.nq))';
   else
     names = cellstr (names)(:)';
-    gone = gsmbp__which (names, m.coordinates)(:)';
+    gone = vec (gsmbp__which (names, m.coordinates), 2);
     if (! all (gone))
       error ("%s: option \"drop\": expected the name of a coordinate or \"running\", found %s", ...
              who, gsmbp__unknown (names{find (! gone, 1)}, m.coordinates));
