@@ -24,4 +24,5 @@ struct run_setting
   reals ropt, atol;
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
   int ldx, ldv, lw;
+  gs_scene scene;   // the routines for the run time in C
 };

@@ -5,6 +5,7 @@
 #include "run_parts.h"
 #include "run_room.h"
 #include "columns_at_samples.h"
+#include "engine_run.h"
 
 // The arguments of GSSIM by their names, and who integrates.
 struct simulation : run_room, run_setting
@@ -30,6 +31,7 @@ struct simulation : run_room, run_setting
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // of an implicit method; "": GSSIM alone
+  bool by_c;             // by the run time in C
 #if ! defined (GSMBP_QUAD)
   gsmbp_run_function *implicit_method = nullptr;
 #endif
@@ -43,16 +45,17 @@ private:
   void read_options (arguments& a);
   void make_room (const reals& guess);
   void find_routines (void);
-  void by_gssim (run_room& r, std::vector<int>& ip, number *rp) const;
-  void by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
-                 const int *counts, const number *options) const;
+  void fill_scene (void);
+  void by_fortran (run_room& r, std::vector<int>& ip, number *rp) const;
+  void by_fortran (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
+                   const int *counts, const number *options) const;
 #if ! defined (GSMBP_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
 };
 
 simulation::simulation (arguments& a)
-  : seconds (0)
+  : by_c (run_by_c ()), seconds (0)
 {
   cst = a.constants ();
   t0 = a.scalar ("t0");
@@ -90,6 +93,7 @@ simulation::simulation (arguments& a)
     with_run (*columns, *plan, cst, ropt[1], atol);
   make_room (guess);
   find_routines ();
+  fill_scene ();
 }
 
 reals
@@ -126,8 +130,7 @@ simulation::make_room (const reals& guess)
 {
   ldx = std::max (1, nx);
   ldv = std::max (1, S.nv);
-  lw = 2 * S.nu * (plan->ip[GS_DERIVATIVES] + 1) + 24 * nx + S.nv * nx + 2 * S.nv + 8 * S.nu
-       + 10 * S.nq + 7 * S.nlam + 3 * S.nlam * S.nu + 60;
+  lw = gs_room (S.run, nx, plan->ip[GS_DERIVATIVES]);
   w = room (lw);
   xout.assign (std::size_t (ldx) * nt, no_number);   // where a run is left
   vout = room (ldv * nt);
@@ -190,8 +193,30 @@ simulation::find_routines (void)
     vin = reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns);
 }
 
+// those routines in which this run differs from others of its scene
 void
-simulation::by_gssim (run_room& r, std::vector<int>& ip, number *rp) const
+simulation::fill_scene (void)
+{
+  scene = *S.run;
+  scene.nsw = 0;   // the breaks of a run have these times
+  if (audit)
+    scene.rhs = S.audited;
+  if (plan->ip[GS_V0] == 3 && input.is_function_handle ())
+    scene.vin = gs_octave_vin;
+  if (! carries ())
+    return;
+  scene.rhs = gs_columns_rhs;
+  scene.prj = scene.prj ? gs_columns_prj : nullptr;
+  scene.out = scene.out ? gs_columns_out : nullptr;
+  scene.ctl = scene.ctl ? gs_columns_ctl : nullptr;
+  scene.evt = scene.evt ? gs_columns_evt : nullptr;
+  scene.rst = scene.rst ? gs_columns_rst : nullptr;
+  if (vin == reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns))
+    scene.vin = gs_columns_vin;
+}
+
+void
+simulation::by_fortran (run_room& r, std::vector<int>& ip, number *rp) const
 {
   const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, int (r.breaks.size ()), lw};
   reals times (1, t0), options = ropt;
@@ -199,13 +224,13 @@ simulation::by_gssim (run_room& r, std::vector<int>& ip, number *rp) const
   times.insert (times.end (), tout.begin (), tout.begin () + nt);
   times.insert (times.end (), r.breaks.begin (), r.breaks.end ());
   options.insert (options.end (), atol.begin (), atol.end ());
-  by_gssim (r, &ip[0], rp, sizes, &times[0], &counts[0], &options[0]);
+  by_fortran (r, &ip[0], rp, sizes, &times[0], &counts[0], &options[0]);
 }
 
 // what is left behind by the jump out of the right-hand side are frames of Fortran
 void
-simulation::by_gssim (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
-                      const int *counts, const number *options) const
+simulation::by_fortran (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
+                        const int *counts, const number *options) const
 {
   const gsmbp_sub rates = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
   std::jmp_buf out;
@@ -312,8 +337,10 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool res
 void
 simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
-  if (iopt[GS_METHOD] != 0)
-    by_gssim (r, ip, rp);
+  if (iopt[GS_METHOD] != 0 && by_c)
+    r.info = run_gssim (*this, r, &ip[0], rp);
+  else if (iopt[GS_METHOD] != 0)
+    by_fortran (r, ip, rp);
   go_on (r, ip, rp);
 }
 

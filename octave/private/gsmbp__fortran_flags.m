@@ -1,8 +1,8 @@
-## [flags, common] = gsmbp__fortran_flags (precision)
-## The options of the compiler for the Fortran of a scene, and for that of the run time, which all
-## scenes share, in that PRECISION, "double" or "quad".
+## [flags, common, c] = gsmbp__fortran_flags (precision)
+## The options of the compiler for the Fortran of a scene, for that of the run time, which all
+## scenes share, and for the run time in C, in that PRECISION, "double" or "quad".
 
-function [flags, common] = gsmbp__fortran_flags (precision)
+function [flags, common, c] = gsmbp__fortran_flags (precision)
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
   ## are not packed into vectors: a copy of a number that is computed so may
   ## differ in its last bit (M would not be symmetric), GSSC is slower, and
@@ -16,8 +16,11 @@ function [flags, common] = gsmbp__fortran_flags (precision)
   flags = ["-O3 -fno-tree-slp-vectorize" processor " -fopenmp-simd" widest() " -frecursive -fPIC"];
   common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
             flags(4:end)];
+  c = ["-std=c99 -O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
+       processor " -fPIC"];
   if (strcmp (precision, "quad"))
     flags = common = ["-O2" processor " -freal-8-real-16 -frecursive -fPIC"];
+    c = ["-std=c99 -O2" processor " -DGSMBP_QUAD -fPIC"];
   endif
 endfunction
 

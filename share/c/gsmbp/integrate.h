@@ -54,6 +54,9 @@ typedef struct
   gs_real beyond;     /* method 8: the last step may end so far behind the last output time [s];
                          0: it ends there, as always in the GSSIM of Fortran */
   gs_dense last;      /* written where it did, else its h is 0; it lies in w */
+  int (*ask) (void *asked, gs_real t); /* called before every step; what is not 0 ends the run with
+                         that info; a null pointer: none */
+  void *asked;
 } gs_run;
 
 /* one step through a position where the constraints lose rank, and what is remembered from one such
@@ -120,6 +123,9 @@ int gsarg (const gs_scene *s, const gs_run *run);
 /* the next time at which inputs may jump or the scene switches, above 1e300: none; the last one */
 gs_real gs_next_break (const gs_course *c);
 gs_real gs_last_break (const gs_course *c);
+
+/* before a step: what run->ask returns, or 0 */
+int gs_ask (const gs_course *c);
 
 /* workspace, state, partition and memory of a run; statistics are 0 */
 void gsini (const gs_scene *s, gs_run *run, gs_course *c);

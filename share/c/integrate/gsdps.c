@@ -34,15 +34,15 @@ gsdps (gs_course *c)
 {
   do
     {
-      if (c->fresh > 0)
+      int info = gs_ask (c), taken;
+      if (info == 0 && c->fresh > 0)
         {
-          int info = gsdpf (c);
+          info = gsdpf (c);
           c->fresh = 0;
-          if (info != 0)
-            return info;
         }
-      int taken;
-      const int info = trial (c, &taken);
+      if (info != 0)
+        return info;
+      info = trial (c, &taken);
       if (taken == 1)
         {
           gs_real *x = c->x;

@@ -67,7 +67,9 @@ equal_steps (gs_course *c, gs_real *ta, gs_real *hr, gs_real h, int *n)
           e.tn = c->tb;
           e.side = c->side;
         }
-      int info = step (c, &e, &event);
+      int info = gs_ask (c);
+      if (info == 0)
+        info = step (c, &e, &event);
       if (info != 0)
         return info;
       if (event < 0)

@@ -59,6 +59,12 @@ gs_room (const gs_scene *s, int nx, int r)
          + 7 * s->nlam + 3 * s->nlam * s->nu + 60 + s->nsw;
 }
 
+int
+gs_ask (const gs_course *c)
+{
+  return c->run->ask ? c->run->ask (c->run->asked, c->t) : 0;
+}
+
 /* from stop to stop. info as gssim */
 static int
 stop_to_stop (gs_course *c)

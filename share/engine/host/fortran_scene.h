@@ -1,10 +1,9 @@
-/* host/fortran_scene.h: the subroutines of a scene that was emitted in Fortran, as the routines of
- * a gs_scene.
+/* host/fortran_scene.h: subroutines of a scene emitted in Fortran as routines of a gs_scene.
  *
- * GS_FORTRAN_rhs (pendulum_rhs_) defines gs_fortran_rhs, a gs_rhs that calls the subroutine
- * pendulum_rhs_ with its arguments by address; so do the others for the members of gs_scene with
- * their names. gs_fortran_rha is a gs_rhs with the rates of an audit, gs_fortran_vin calls the
- * user's GSVIN: its data is a gs_fortran_inputs. One file of a program includes this one. */
+ * GS_FORTRAN_rhs (name, pendulum_rhs_) defines the function name, static, a gs_rhs that calls the
+ * subroutine pendulum_rhs_ with its arguments by address; so do the others for the members of
+ * gs_scene with their names. The rates of an audit, rha, are a gs_rhs, too. vin calls the user's
+ * GSVIN; its data is a gs_fortran_inputs. */
 #ifndef GSMBP_HOST_FORTRAN_SCENE_H
 #define GSMBP_HOST_FORTRAN_SCENE_H
 
@@ -17,7 +16,7 @@ typedef struct
   const gs_real *rp, *cst;
 } gs_fortran_inputs;
 
-#define GS_FORTRAN_RATES(name, sub)                                                                \
+#define GS_FORTRAN_rhs(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    int *);                                                                         \
   static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y)  \
@@ -26,11 +25,10 @@ typedef struct
     sub (&t, x, v, cst, y, &info);                                                                 \
     return info;                                                                                   \
   }
-#define GS_FORTRAN_rhs(sub) GS_FORTRAN_RATES (gs_fortran_rhs, sub)
-#define GS_FORTRAN_rha(sub) GS_FORTRAN_RATES (gs_fortran_rha, sub)
-#define GS_FORTRAN_out(sub) GS_FORTRAN_RATES (gs_fortran_out, sub)
+#define GS_FORTRAN_rha(name, sub) GS_FORTRAN_rhs (name, sub)
+#define GS_FORTRAN_out(name, sub) GS_FORTRAN_rhs (name, sub)
 
-#define GS_FORTRAN_CLOSED(name, sub)                                                               \
+#define GS_FORTRAN_prj(name, sub)                                                                  \
   extern void sub (const gs_real *, gs_real *, const gs_real *, gs_real *, int *);                 \
   static int name (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)                        \
   {                                                                                                \
@@ -38,155 +36,151 @@ typedef struct
     sub (&t, x, cst, res, &info);                                                                  \
     return info;                                                                                   \
   }
-#define GS_FORTRAN_prj(sub) GS_FORTRAN_CLOSED (gs_fortran_prj, sub)
-#define GS_FORTRAN_clo(sub) GS_FORTRAN_CLOSED (gs_fortran_clo, sub)
+#define GS_FORTRAN_clo(name, sub) GS_FORTRAN_prj (name, sub)
 
-#define GS_FORTRAN_con(sub)                                                                        \
+#define GS_FORTRAN_con(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    gs_real *, gs_real *, const int *, gs_real *, int *);                           \
-  static int gs_fortran_con (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,    \
-                             gs_real *phi, gs_real *phit, gs_real *hc, int ldh, gs_real *gam)      \
+  static int name (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,              \
+                   gs_real *phi, gs_real *phit, gs_real *hc, int ldh, gs_real *gam)                \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, q, u, cst, phi, phit, hc, &ldh, gam, &info);                                          \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_kin(sub)                                                                        \
+#define GS_FORTRAN_kin(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *); \
-  static void gs_fortran_kin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,   \
-                              gs_real *qdot)                                                       \
+  static void name (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,             \
+                    gs_real *qdot)                                                                 \
   {                                                                                                \
     sub (&t, q, u, cst, qdot);                                                                     \
   }
 
-#define GS_FORTRAN_cmd(sub)                                                                        \
+#define GS_FORTRAN_cmd(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    gs_real *, int *);                                                              \
-  static int gs_fortran_cmd (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst,  \
-                             gs_real *v, gs_real *xid)                                             \
+  static int name (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst,            \
+                   gs_real *v, gs_real *xid)                                                       \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, qj, xi, cst, v, xid, &info);                                                          \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_ctl(sub)                                                                        \
+#define GS_FORTRAN_ctl(name, sub)                                                                  \
   extern void sub (const int *, const gs_real *, const gs_real *, gs_real *, const gs_real *,      \
                    gs_real *);                                                                     \
-  static void gs_fortran_ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, \
-                              gs_real *v)                                                          \
+  static void name (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst,           \
+                    gs_real *v)                                                                    \
   {                                                                                                \
     sub (&k, &t, y, xk, cst, v);                                                                   \
   }
 
-#define GS_FORTRAN_ctp(sub)                                                                        \
+#define GS_FORTRAN_ctp(name, sub)                                                                  \
   extern void sub (const gs_real *, gs_real *, gs_real *);                                         \
-  static void gs_fortran_ctp (const gs_real *cst, gs_real *period, gs_real *delay)                 \
+  static void name (const gs_real *cst, gs_real *period, gs_real *delay)                           \
   {                                                                                                \
     sub (cst, period, delay);                                                                      \
   }
 
-#define GS_FORTRAN_swi(sub)                                                                        \
+#define GS_FORTRAN_swi(name, sub)                                                                  \
   extern void sub (const gs_real *, gs_real *);                                                    \
-  static void gs_fortran_swi (const gs_real *cst, gs_real *ts) { sub (cst, ts); }
+  static void name (const gs_real *cst, gs_real *ts) { sub (cst, ts); }
 
-#define GS_FORTRAN_evt(sub)                                                                        \
+#define GS_FORTRAN_evt(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const int *,                 \
                    const gs_real *, gs_real *);                                                    \
-  static void gs_fortran_evt (gs_real t, const gs_real *x, const gs_real *v, const int *mode,      \
-                              const gs_real *cst, gs_real *gv)                                     \
+  static void name (gs_real t, const gs_real *x, const gs_real *v, const int *mode,                \
+                    const gs_real *cst, gs_real *gv)                                               \
   {                                                                                                \
     sub (&t, x, v, mode, cst, gv);                                                                 \
   }
 
-#define GS_FORTRAN_rst(sub)                                                                        \
+#define GS_FORTRAN_rst(name, sub)                                                                  \
   extern void sub (const gs_real *, gs_real *, gs_real *, int *, const int *, const gs_real *,     \
                    int *);                                                                         \
-  static int gs_fortran_rst (gs_real t, gs_real *x, gs_real *v, int *mode, int k,                  \
-                             const gs_real *cst)                                                   \
+  static int name (gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *cst)        \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, x, v, mode, &k, cst, &info);                                                          \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_mas(sub)                                                                        \
+#define GS_FORTRAN_mas(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, gs_real *, const int *);     \
-  static void gs_fortran_mas (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m,         \
-                              int ldm)                                                             \
+  static void name (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m, int ldm)          \
   {                                                                                                \
     sub (&t, q, cst, m, &ldm);                                                                     \
   }
 
-#define GS_FORTRAN_gad(sub)                                                                        \
+#define GS_FORTRAN_gad(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, gs_real *);                  \
-  static void gs_fortran_gad (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g)        \
+  static void name (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g)                  \
   {                                                                                                \
     sub (&t, qj, cst, g);                                                                          \
   }
 
-#define GS_FORTRAN_stk(sub)                                                                        \
+#define GS_FORTRAN_stk(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    gs_real *, gs_real *, int *);                                                   \
-  static int gs_fortran_stk (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,    \
-                             gs_real *ud, gs_real *lam, gs_real *hold)                             \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *ud, \
+                   gs_real *lam, gs_real *hold)                                                    \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, x, v, cst, ud, lam, hold, &info);                                                     \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_hld(sub)                                                                        \
+#define GS_FORTRAN_hld(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    const int *, gs_real *, gs_real *, gs_real *);                                  \
-  static void gs_fortran_hld (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,   \
-                              gs_real *row, int ldr, gs_real *s, gs_real *sd, gs_real *prm)        \
+  static void name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,             \
+                    gs_real *row, int ldr, gs_real *s, gs_real *sd, gs_real *prm)                  \
   {                                                                                                \
     sub (&t, x, v, cst, row, &ldr, s, sd, prm);                                                    \
   }
 
-#define GS_FORTRAN_pnt(sub)                                                                        \
+#define GS_FORTRAN_pnt(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, gs_real *, gs_real *);       \
-  static void gs_fortran_pnt (gs_real t, const gs_real *q, const gs_real *cst, gs_real *place,     \
-                              gs_real *axes)                                                       \
+  static void name (gs_real t, const gs_real *q, const gs_real *cst, gs_real *place,               \
+                    gs_real *axes)                                                                 \
   {                                                                                                \
     sub (&t, q, cst, place, axes);                                                                 \
   }
 
-#define GS_FORTRAN_jpt(sub)                                                                        \
+#define GS_FORTRAN_jpt(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    gs_real *);                                                                     \
-  static void gs_fortran_jpt (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,   \
-                              gs_real *jac, gs_real *gam)                                          \
+  static void name (gs_real t, const gs_real *q, const gs_real *u, const gs_real *cst,             \
+                    gs_real *jac, gs_real *gam)                                                    \
   {                                                                                                \
     sub (&t, q, u, cst, jac, gam);                                                                 \
   }
 
-#define GS_FORTRAN_rhp(sub)                                                                        \
+#define GS_FORTRAN_rhp(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
                    const int *, gs_real *, const int *, gs_real *, const int *, gs_real *, int *); \
-  static int gs_fortran_rhp (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,    \
-                             gs_real *p, int ldp, gs_real *a, int lda, gs_real *b, int ldb,        \
-                             gs_real *xd)                                                          \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p,  \
+                   int ldp, gs_real *a, int lda, gs_real *b, int ldb, gs_real *xd)                 \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, x, v, cst, p, &ldp, a, &lda, b, &ldb, xd, &info);                                     \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_adj(sub)                                                                        \
+#define GS_FORTRAN_adj(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
                    const gs_real *, gs_real *, gs_real *, gs_real *, int *);                       \
-  static int gs_fortran_adj (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,    \
-                             const gs_real *l, gs_real *xb, gs_real *vb, gs_real *pb)              \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst,              \
+                   const gs_real *l, gs_real *xb, gs_real *vb, gs_real *pb)                        \
   {                                                                                                \
     int info = 0;                                                                                  \
     sub (&t, x, v, cst, l, xb, vb, pb, &info);                                                     \
     return info;                                                                                   \
   }
 
-#define GS_FORTRAN_SLOPES(name, sub)                                                               \
+#define GS_FORTRAN_tan(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, gs_real *, const int *,      \
                    gs_real *, const int *);                                                        \
   static void name (gs_real t, const gs_real *x, const gs_real *cst, gs_real *d, int ldd,          \
@@ -194,14 +188,12 @@ typedef struct
   {                                                                                                \
     sub (&t, x, cst, d, &ldd, v, &ldv);                                                            \
   }
-#define GS_FORTRAN_tan(sub) GS_FORTRAN_SLOPES (gs_fortran_tan, sub)
-#define GS_FORTRAN_cop(sub) GS_FORTRAN_SLOPES (gs_fortran_cop, sub)
+#define GS_FORTRAN_cop(name, sub) GS_FORTRAN_tan (name, sub)
 
-#define GS_FORTRAN_vin(sub)                                                                        \
+#define GS_FORTRAN_vin(name, sub)                                                                  \
   extern void sub (const gs_real *, const int *, const gs_real *, const int *, const int *,        \
                    const int *, const gs_real *, const gs_real *, gs_real *, int *);               \
-  static int gs_fortran_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *data,    \
-                             gs_real *v)                                                           \
+  static int name (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)  \
   {                                                                                                \
     const gs_fortran_inputs *d = (const gs_fortran_inputs *) data;                                 \
     int info = 0;                                                                                  \

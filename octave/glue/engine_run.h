@@ -1,0 +1,71 @@
+// A run by the run time in C (share/c).
+#pragma once
+
+#include "run_parts.h"
+#include "run_room.h"
+#include "columns_at_samples.h"
+#include "gsmbp/integrate.h"
+#include "host/fortran_scene.h"
+
+// routines of this module in the place of those of the scene
+GS_FORTRAN_rhs (gs_columns_rhs, gsmbp_rates_with_columns)
+GS_FORTRAN_prj (gs_columns_prj, gsmbp_projection_with_columns)
+GS_FORTRAN_out (gs_columns_out, gsmbp_outputs_with_columns)
+GS_FORTRAN_ctl (gs_columns_ctl, gsmbp_control_with_columns)
+GS_FORTRAN_evt (gs_columns_evt, gsmbp_events_watched)
+GS_FORTRAN_rst (gs_columns_rst, gsmbp_reset_with_columns)
+GS_FORTRAN_vin (gs_columns_vin, gsmbp_inputs_with_columns)
+GS_FORTRAN_vin (gs_octave_vin, gsmbp_call_input)
+
+// which run time integrates: GSMBP_ENGINE=c, or fortran (the default)
+static bool
+run_by_c (void)
+{
+  const char *word = std::getenv ("GSMBP_ENGINE");
+  const std::string engine = word && *word ? word : "fortran";
+  if (engine != "c" && engine != "fortran")
+    error ("gsmbp_simulate: GSMBP_ENGINE: expected c or fortran; found \"%s\"; "
+           "unsetenv (\"GSMBP_ENGINE\") takes the default", engine.c_str ());
+  return engine == "c";
+}
+
+// before a step: INFO where the run is to end, else 0
+extern "C" int
+gsmbp_patience (void *, number t)
+{
+  return patience::asked () && the_patience->look (double (t)) ? the_patience->why () : 0;
+}
+
+// by gssim; INFO
+static int
+run_gssim (const run_setting& s, run_room& r, int *ip, number *rp)
+{
+  gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
+  gs_scene scene = s.scene;
+  scene.data = &of_vin;
+  gs_run run = gs_run ();
+  run.nx = s.nx;
+  run.t0 = s.t0;
+  run.x0 = &r.x0[0];
+  run.nt = s.nt;
+  run.tout = &s.tout[0];
+  run.nb = int (r.breaks.size ());
+  run.tbrk = r.breaks.data ();
+  run.iopt = &s.iopt[0];
+  run.ropt = &s.ropt[0];
+  run.atol = &s.atol[0];
+  run.ip = ip;
+  run.rp = rp;
+  run.cst = &r.cst[0];
+  run.xout = &r.xout[0];
+  run.ldx = s.ldx;
+  run.vout = &r.vout[0];
+  run.ldv = s.ldv;
+  run.w = &r.w[0];
+  run.lw = s.lw;
+  run.ask = gsmbp_patience;
+  const int info = gssim (&scene, &run);
+  std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
+  std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
+  return info;
+}
