@@ -75,7 +75,7 @@ function take_sources (who, m, folder)
   endfor
   take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
   take (who, gsmbp__place ("share", "engine", "host", "failure.c"), fullfile (folder, "c"));
-  for file = {"failure.h", "fortran_scene.h"}
+  for file = {"failure.h", "fortran_scene.h", "text.h"}
     take (who, gsmbp__place ("share", "engine", "host", file{1}), fullfile (folder, "c", "host"));
   endfor
   put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));

@@ -6,6 +6,7 @@
 #define GSF_FMU_H
 
 #include "gsmbp/integrate.h"
+#include "host/start.h"
 
 #include <stddef.h>
 
@@ -13,8 +14,6 @@ typedef int gsf_jac (double t, const double *x, const double *v, const double *c
                      int lda, double *b, int ldb, double *c, int ldc, double *d, int ldd);
 typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, int ldp,
                       double *dv, int ldv);
-typedef void gsf_mar (double t, const double *x, const double *v, const double *cst, double *g,
-                      double *s);
 
 /* what INFO of a routine means */
 typedef struct
@@ -42,7 +41,7 @@ typedef struct
   void (*start) (const double *par, double *x);     /* states as the scene starts them */
   gsf_jac *jac;                                     /* null: none */
   gsf_tan *tan;
-  gsf_mar *mar;                                     /* null: no margins */
+  gs_mar *mar;                                      /* null: no margins */
   int nmargins;
   const char *const *margins;                       /* what must be above 0 */
   const double *nominal;                            /* nx */
@@ -187,8 +186,11 @@ typedef struct
   double *v, *xd, *y, *g, *w;
   double *atol, *xout, *vout;
   int *iopt;
+  gs_description about;   /* for starts and margins: */
+  const char **events;    /* nev: names of event functions, */
+  char *event_text;       /* those of ports */
   int known;       /* which of v and xd, v and y belong to the state: GSF_HAS_... */
-  char text[440];  /* what went wrong */
+  char text[1000]; /* what went wrong */
 } gsf_instance;
 
 size_t gsf_partition_size (const gs_scene *s);
@@ -201,8 +203,10 @@ void gsf_terminate (gsf_instance *a);
 int gsf_fail (gsf_instance *a, int status, const char *format, ...);
 /* ... of a routine (GS_AT_RHS, ...) that returned info */
 int gsf_failed (gsf_instance *a, int status, int routine, int info);
+/* what INFO of a routine means, or null */
+const char *gsf_meaning (const char *routine, int info);
 /* the name of event function k, "" below 0 */
-void gsf_event_name (const gsf_model *m, int k, char *name, int size);
+const char *gsf_event_name (const gsf_instance *a, int k);
 /* an error: why a run ended at t, by gs_failure; event: the name of the one that failed, or "" */
 int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *event);
 
@@ -217,6 +221,10 @@ int gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expecte
 int gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, double t1);
 int gsf_enter (gsf_instance *a);
 int gsf_exit (gsf_instance *a);
+/* what the two below need of the scene; 0: no memory */
+int gsf_describe (gsf_instance *a);
+/* the state onto the constraints */
+int gsf_close (gsf_instance *a);
 /* is the start within the stops and margins of the devices? */
 int gsf_possible (gsf_instance *a);
 /* a warning where a device has left the range of its laws since the last call */

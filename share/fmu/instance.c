@@ -122,13 +122,6 @@ wholes (const gsf_model *m)
          + gsf_plan_wholes (m);
 }
 
-/* workspace of a run, of the settled states, of the partition */
-static size_t
-room (const gs_scene *s)
-{
-  return gs_room (s, s->nx, 0) + s->nx * (s->nx + 3);
-}
-
 static void
 divide_workspace (gsf_instance *a)
 {
@@ -157,8 +150,9 @@ gsf_new (const gsf_model *m, int kind)
   a->kept_d = calloc (a->nd, sizeof (double));
   a->kept_i = calloc (a->ni, sizeof (int));
   a->iopt = calloc (6 + m->nspeedrows, sizeof (int));
-  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->scene->nev + 8 + room (s), sizeof (double));
-  if (! a->d || ! a->i || ! a->kept_d || ! a->kept_i || ! a->iopt || ! a->v)
+  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->scene->nev + 8
+                 + gs_room (s, s->nx, 0), sizeof (double));
+  if (! gsf_describe (a) || ! a->d || ! a->i || ! a->kept_d || ! a->kept_i || ! a->iopt || ! a->v)
     {
       gsf_free (a);
       return NULL;
@@ -181,6 +175,8 @@ gsf_free (gsf_instance *a)
   free (a->kept_i);
   free (a->iopt);
   free (a->v);
+  free (a->events);
+  free (a->event_text);
   free (a);
 }
 
@@ -227,17 +223,14 @@ gsf_fail (gsf_instance *a, int status, const char *format, ...)
   return status;
 }
 
-void
-gsf_event_name (const gsf_model *m, int k, char *name, int size)
+const char *
+gsf_meaning (const char *routine, int info)
 {
-  name[0] = 0;
-  if (k >= m->nports)
-    snprintf (name, (size_t) size, "%s", m->events[m->own[k - m->nports]]);
-  else if (k >= 0)   /* a port has the variable NAME.mode */
-    {
-      const char *mode = m->names[gsf_first (m, GSF_MODE) + k];
-      snprintf (name, (size_t) size, "%.*s", (int) (strrchr (mode, '.') - mode), mode);
-    }
+  const gsf_model *m = &gsf_the_model;
+  for (int k = 0; k < m->ninfos; k++)
+    if (m->infos[k].info == info && strcmp (m->infos[k].routine, routine) == 0)
+      return m->infos[k].text;
+  return NULL;
 }
 
 int
@@ -245,11 +238,7 @@ gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const cha
 {
   const gs_scene *s = a->m->scene;
   gs_failed_run run = { info, istat, t, 0, event, 0, "" };
-  const char *routine = gs_failed_routine (istat);
-  for (int k = 0; k < a->m->ninfos; k++)
-    if (a->m->infos[k].info == istat[GS_FAILED_INFO]
-        && strcmp (a->m->infos[k].routine, routine) == 0)
-      run.meaning = a->m->infos[k].text;
+  run.meaning = gsf_meaning (gs_failed_routine (istat), istat[GS_FAILED_INFO]);
   for (int k = 0; k < a->m->nports; k++)
     run.sticks |= s->event_kinds[k] == 1;
   gs_failure (&run, a->text, sizeof a->text);

@@ -59,15 +59,12 @@ int
 gsf_plan_samples (gsf_instance *a, double t0)
 {
   const gs_scene *s = a->m->scene;
-  const int k = gs_due_from (s, t0, a->cst, a->ip, a->rp);
+  gs_start start;
+  if (gs_check_samples (&a->about, t0, a->cst, a->ip, a->rp, &start) != GS_START_TAKEN)
+    return gsf_fail (a, GSF_ERROR, "%s", start.text);
   if (s->nctl == 0)
     return GSF_OK;
   const gs_samples plan = gsf_samples (a);
-  if (k > 0)
-    return gsf_fail (a, GSF_ERROR, "sampled device %d: expected a period > 0 and a delay >= 0;"
-                     " found %g s and %g s", k, plan.period[k - 1], plan.delay[k - 1]);
-  if (k < 0)
-    return gsf_fail (a, GSF_ERROR, "sampled device %d: more than 2e9 samples", -k);
   for (int i = 0; i < s->nctl; i++)
     if (! (plan.delay[i] <= (GSF_ON_THE_WAY - 2) * plan.period[i]))
       return gsf_fail (a, GSF_ERROR, "sampled device %d: an FMU holds delays of at most %d "

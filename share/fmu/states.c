@@ -91,24 +91,17 @@ length (const gsf_instance *a, const double *x, int set)
 }
 
 static int
-no_orientation (gsf_instance *a, const double *x, const int *set)
-{
-  const char *const *names = a->m->names + 1 + a->m->npar + a->m->nin;
-  char called[300], found[120];
-  snprintf (called, sizeof called, "%s, %s, %s, %s", names[set[0]], names[set[1]], names[set[2]],
-            names[set[3]]);
-  snprintf (found, sizeof found, "[%g %g %g %g]", x[set[0]], x[set[1]], x[set[2]], x[set[3]]);
-  return gsf_fail (a, GSF_DISCARD, gs_refusals.orientation, called, found);
-}
-
-static int
 normalize (gsf_instance *a, double *x)
 {
   for (int set = 0; set < a->m->nsets; set++)
     {
       double n = length (a, x, set);
       if (! (n > gs_limits.short_orientation && n < 1e3))
-        return no_orientation (a, x, a->m->sets + 4 * set);
+        {
+          gs_start s;
+          gs_refuse_orientation (&a->about, set, x, &s);
+          return gsf_fail (a, GSF_DISCARD, "%s", s.text);
+        }
       for (int k = 0; k < 4; k++)
         x[a->m->sets[4 * set + k]] /= n;
     }
@@ -276,77 +269,6 @@ gsf_set_states (gsf_instance *a, const double *z)
 
 /* ---------------------------------------------------------------------------------------- start */
 
-/* the Jacobian of the rates of the settled states by these, by differences; 0 if it fails */
-static int
-settling (gsf_instance *a, const double *x, double *f, double *j)
-{
-  const gsf_model *m = a->m;
-  const gs_scene *s = m->scene;
-  const int n = m->nsettled;
-  double *y = a->w + n + n * n;
-  if (! gsf_is_usable (s->rhs (a->d[GSF_T], x, a->v, a->cst, a->xd)))
-    return 0;
-  for (int i = 0; i < n; i++)
-    f[i] = a->xd[m->settled[i]];
-  for (int k = 0; k < n; k++)
-    {
-      memcpy (y, x, s->nx * sizeof (double));
-      y[m->settled[k]] += 1e-3 * m->nominal[m->settled[k]];
-      double h = y[m->settled[k]] - x[m->settled[k]];
-      if (! gsf_is_usable (s->rhs (a->d[GSF_T], y, a->v, a->cst, a->xd)))
-        return 0;
-      for (int i = 0; i < n; i++)
-        j[i + n * k] = (a->xd[m->settled[i]] - f[i]) / h;
-    }
-  return gsfin (n, f) == 0 && gsfin (n * n, j) == 0;
-}
-
-/* the settled states that nobody set: where their rates vanish with all inputs zero; as they are
- * where there is no such place */
-static void
-settle (gsf_instance *a)
-{
-  const gsf_model *m = a->m;
-  const int n = m->nsettled, nx = m->scene->nx;
-  double *f = a->w, *j = f + n, *x = j + n * n + nx;
-  int *order = a->place;   /* chosen afterwards */
-  memset (a->v, 0, m->scene->nv * sizeof (double));
-  memcpy (x, a->x, nx * sizeof (double));
-  for (int turn = 0; turn < 20; turn++)
-    {
-      if (! settling (a, x, f, j) || gsleq (n, 1, j, n, f, n, order) != 0)
-        return;
-      int small = 1;
-      for (int i = 0; i < n; i++)
-        {
-          double *y = x + m->settled[i];
-          *y -= f[i];
-          small &= fabs (f[i]) <= 1e-12 * (m->nominal[m->settled[i]] + fabs (*y));
-        }
-      if (! small)
-        continue;
-      for (int i = 0; i < n; i++)
-        if (! a->set[m->settled[i]])
-          a->x[m->settled[i]] = x[m->settled[i]];
-      return;
-    }
-}
-
-/* the state onto the constraints */
-static int
-close_loops (gsf_instance *a)
-{
-  const gs_scene *s = a->m->scene;
-  double res[1];
-  int status = normalize (a, a->x);
-  if (status)
-    return GSF_ERROR;
-  int info = s->prj ? s->prj (a->d[GSF_T], a->x, a->cst, res) : 0;
-  if (info != 0 && info != 2)
-    return gsf_failed (a, GSF_ERROR, GS_AT_PRJ, info);
-  return GSF_OK;
-}
-
 /* cst, the state, modes and the choice of coordinates from parameters and starts */
 static int
 prepare (gsf_instance *a)
@@ -365,10 +287,9 @@ prepare (gsf_instance *a)
   for (int i = 0; i < s->nx; i++)
     if (a->set[i])
       a->x[i] = a->xs[i];
-  if (close_loops (a))
+  if (gsf_close (a))
     return GSF_ERROR;
-  if (m->nsettled > 0)
-    settle (a);
+  gs_settle_states (&a->about, a->d[GSF_T], a->cst, a->set, a->x);
   if (gsf_plan_samples (a, a->d[GSF_T]) || gsf_begin_events (a))
     return GSF_ERROR;
   if (s->nlam > 0)

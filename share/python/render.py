@@ -3,6 +3,7 @@
 loops(table): C source, a function for each subroutine that calls it for many states;
 stubs(table): the methods of Model with their types, for type checkers and editors.
 """
+import json
 import keyword
 
 
@@ -52,7 +53,7 @@ def count(sizes):
 
 def loops(table):
     name = table['name'].lower()
-    lines = ['#include "%s.h"' % table['name'], '#include "loop.h"', '',
+    lines = ['#include "%s.h"' % table['name'], '#include "host/start.h"', '#include "loop.h"', '',
              'const gs_scene *gs_loop_scene (void) { return &%s_scene; }' % name,
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
@@ -66,7 +67,7 @@ def loops(table):
                   '{ %s_ini ((const %s_parameters *)p, x, w, d); }' % (name, name)]
     for short, row in routines(table):
         lines += [''] + loop(name, short, row)
-    return lines
+    return lines + [''] + description(table)
 
 
 def loop(scene, short, row):
@@ -112,6 +113,65 @@ def spoken(row, texts):
         elif name != 'info':
             spoken_.append(texts.get(name, str(rows.get(name))))
     return spoken_
+
+
+# -------------------------------------------------------- what a start needs of the scene, in C
+
+def description(table):
+    """gs_loop_description, a gs_description of host/start.h."""
+    size, name = table['dimensions'], table['name'].lower()
+
+    def names(part):
+        return [c_text(row['name']) for row in table.get(part) or []]
+    sets = [k - 1 for places in table.get('orientation') or [] for k in places]
+    lists = {
+        'nominal': ('double', [repr(float(a)) for a in table.get('nominal') or [1] * size['nx']]),
+        'sets': ('int', sets), 'speedrows': ('int', table.get('speed_rows') or []),
+        'settled': ('int', [k - 1 for k in table.get('settled') or []]),
+        'angles': ('int', [int(row['unit'] == 'rad') for row in table['coordinates']]),
+        'states': ('char *const', names('states')),
+        'constraints': ('char *const', names('multipliers')),
+        'events': ('char *const', names('events')),
+        'devices': ('char *const', names('controllers')),
+        'margins': ('char *const', [c_text(one) for one in table.get('state_margins') or []]),
+        'parameters': ('char *const', names('parameters')),
+        'margin_values': ('int', margin_values(table))}
+    counts = {'nmargins': len(lists['margins'][1]), 'nsets': len(sets) // 4,
+              'nspeedrows': len(lists['speedrows'][1]), 'nsettled': len(lists['settled'][1]),
+              'scene': '&%s_scene' % name, 'projection': 'projection'}
+    if 'mar' in [short for short, _ in routines(table)]:
+        counts['mar'] = name + '_mar'
+    lines = ['static const char *projection (int info)', '{', '  switch (info)', '    {',
+             *('    case %d: return %s;' % case for case in projection_infos(table)),
+             '    default: return 0;', '    }', '}']
+    for member, (kind, entries) in lists.items():
+        if entries:
+            lines += ['static const %s %s[] = {' % (kind, member)]
+            lines += ['  %s,' % one for one in entries] + ['};']
+    members = {**counts, **{member: member for member, (_, entries) in lists.items() if entries}}
+    return lines + ['const gs_description gs_loop_description = {',
+                    *('  .%s = %s,' % pair for pair in members.items()), '};']
+
+
+def projection_infos(table):
+    """[(INFO of PRJ, what it means)]."""
+    return [(info['code'], c_text(info['meaning'])) for short, row in routines(table)
+            if short == 'prj' for info in row['info'] if info['code'] > 0]
+
+
+def margin_values(table):
+    """How many states the message of each margin shows, these, how many parameters, these."""
+    known = [row['name'] for row in table['parameters']]
+    numbers = []
+    for row in table.get('margin_values') or []:
+        own = [known.index(one) for one in row['parameters'] if one in known]
+        numbers += [len(row['states']), *(k - 1 for k in row['states']), len(own), *own]
+    return numbers
+
+
+def c_text(text):
+    """A constant of C."""
+    return json.dumps(text, ensure_ascii=True).replace('?', '\\?')
 
 
 # ------------------------------------------------------------------------------------ stubs

@@ -16,7 +16,7 @@
 
 static int lines;        /* of the log */
 static int warnings;
-static char last[500];
+static char last[1000];
 
 static void
 logged (int status, const char *text)

@@ -290,8 +290,8 @@ def others():
         warnings.simplefilter('error')
         for start in ('check', 'project'):
             refuses('top: no orientation, %s' % start, ValueError, [
-                'expected Euler parameters of length 1, found (e0, e1, e2, e3) = [0.0, 0.0, 0.0, '
-                '0.0], which is no orientation'], top.simulate, np.zeros(7), [0, 1], start=start)
+                'expected Euler parameters of length 1, found (e0, e1, e2, e3) = [0 0 0 0], which '
+                'is no orientation'], top.simulate, np.zeros(7), [0, 1], start=start)
 
 
 def options():

@@ -34,10 +34,12 @@ enum
 /* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
  * (of the usual sizes) although they are not; no state on them was found; a device cannot be
  * there; a period or a delay of a sampled device cannot be, or there are too many samples after it
- * (gs_due_from); the first of the stops (GS_START_STOP and its number less 1) is beyond its end */
+ * (gs_due_from); an angle is beyond 1e15 rad; Euler parameters have no direction; it must be moved,
+ * but there is no PRJ; no memory; the first of the stops (GS_START_STOP and its number less 1) is
+ * beyond its end */
 enum
 {
   GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_SAMPLES,
-  GS_START_STOP
+  GS_START_ANGLE, GS_START_ORIENTATION, GS_START_NO_PROJECTION, GS_START_NO_MEMORY, GS_START_STOP
 };
 #endif

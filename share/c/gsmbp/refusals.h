@@ -14,6 +14,8 @@
   ROW (off_constraints, "expected a state on the constraints at t = %.9g s, %s")                   \
   ROW (orientation, "expected Euler parameters of length 1, found (%s) = %s, which is no "         \
        "orientation")                                                                              \
+  ROW (no_projection, "the start must be moved onto the constraints, which needs the subroutine " \
+       "PRJ (request projection); %s was emitted without it")                                     \
   ROW (past_stop, "the start is beyond an end of the stop %s: expected %g to %g, found %g "        \
        "(m or rad)")                                                                               \
   ROW (device, "a device cannot be there: %s")                                                     \
@@ -37,6 +39,8 @@
   ROW (limits_alone, "bounds what a state feedback gives and needs option gain; without "          \
        "feedback give an input that keeps to its limits")                                          \
   ROW (limits_order, "of %s the lower limit must be below the upper one; found %g and %g")         \
+  ROW (period, "%s: expected a period > 0 and a delay >= 0, found %g s and %g s")                  \
+  ROW (too_many_samples, "%s: expected at most 2e9 samples before the start, found more")          \
   ROW (memory, "expected %d finite numbers, found %s")
 
 #define GS_REFUSAL_MEMBER(name, text) const char *name;

@@ -1,25 +1,8 @@
 /* failure.c: why a run ended, the one catalogue of these messages, for all hosts. */
-#include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "host/failure.h"
-
-typedef struct
-{
-  char *text;
-  int size, length;
-} writer;
-
-static void
-put (writer *w, const char *format, ...)
-{
-  va_list values;
-  va_start (values, format);
-  if (w->length < w->size - 1)
-    w->length += vsnprintf (w->text + w->length, (size_t)(w->size - w->length), format, values);
-  va_end (values);
-}
+#include "host/text.h"
 
 /* by istat[GS_FAILED]: the routine, its name in a message */
 static const struct { const char *name, *shown; } routines[] = {
@@ -66,17 +49,17 @@ gs_failed_routine (const int *istat)
 }
 
 static void
-put_argument (writer *w, const char *routine, int k)
+put_argument (gs_writer *w, const char *routine, int k)
 {
   int i = 0, last = (int)(sizeof arguments / sizeof arguments[0]) - 1;
   while (i < last && strcmp (arguments[i].name, routine) != 0)
     i++;
   const char *name = k <= 3 ? arguments[i].argument[k - 1] : 0;
-  put (w, "argument %s is out of range or not finite", name ? name : "of the subroutine");
+  gs_put (w, "argument %s is out of range or not finite", name ? name : "of the subroutine");
 }
 
 static void
-put_cause (writer *w, const gs_failed_run *f)
+put_cause (gs_writer *w, const gs_failed_run *f)
 {
   const int failed = f->istat[GS_FAILED], info = f->istat[GS_FAILED_INFO];
   const char *text = f->meaning;
@@ -86,67 +69,67 @@ put_cause (writer *w, const gs_failed_run *f)
   if (info < 0)
     put_argument (w, gs_failed_routine (f->istat), -info);
   else
-    put (w, "%s", text ? text : "no sentence for this number: see ERROR INDICATOR in the head of "
-                                "the subroutine");
+    gs_put (w, "%s", text ? text : "no sentence for this number: see ERROR INDICATOR in the head "
+                                   "of the subroutine");
   if (failed == GS_AT_EVENT && info == 9 && f->sticks)
-    put (w, "; does friction fall within a speed vs below the tolerance of the speeds (atol)? "
-         "remedy: a larger vs, or method \"dp853\"");
+    gs_put (w, "; does friction fall within a speed vs below the tolerance of the speeds (atol)? "
+            "remedy: a larger vs, or method \"dp853\"");
 }
 
 void
 gs_cause (const gs_failed_run *f, char *text, int size)
 {
-  writer w = { text, size, 0 };
+  gs_writer w = { text, size, 0 };
   text[0] = 0;
   put_cause (&w, f);
 }
 
 static void
-put_singular_start (writer *w, const gs_failed_run *f)
+put_singular_start (gs_writer *w, const gs_failed_run *f)
 {
   static const char *const reasons[] = { "only method \"dp853\" begins there",
     "at rest it may go on in more than one way",
     "no motion with these speeds was found that leaves it" };
   const int info = f->istat[GS_FAILED_INFO];
   if (info >= 1 && info <= 3)
-    put (w, "expected a start where the constraints are independent; at t = %.9g s they lose rank: "
-         "%s; start beside that position", f->t, reasons[info - 1]);
+    gs_put (w, "expected a start where the constraints are independent; at t = %.9g s they lose "
+            "rank: %s; start beside that position", f->t, reasons[info - 1]);
   else
-    put (w, "an event at t = %.9g s, where the constraints lose rank: no motion with the speeds "
-         "that it leaves was found, how it goes on is not determined", f->t);
+    gs_put (w, "an event at t = %.9g s, where the constraints lose rank: no motion with the speeds "
+            "that it leaves was found, how it goes on is not determined", f->t);
 }
 
 static void
-put_refused_start (writer *w, const gs_failed_run *f)
+put_refused_start (gs_writer *w, const gs_failed_run *f)
 {
   const int verdict = f->istat[GS_FAILED_INFO];
   if (verdict == GS_START_DEVICE)
-    put (w, "a device cannot be there");
+    gs_put (w, "a device cannot be there");
   else if (verdict == GS_START_SAMPLES)
-    put (w, "sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 "
-         "samples behind the start");
+    gs_put (w, "sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 "
+            "samples behind the start");
   else if (verdict >= GS_START_STOP)
-    put (w, "the start is beyond an end of the stop %s", f->event ? f->event : "");
+    gs_put (w, "the start is beyond an end of the stop %s", f->event ? f->event : "");
   else if (verdict == GS_START_NONE)
-    put (w, "no state on the constraints was found near this one at t = %.9g s", f->t);
+    gs_put (w, "no state on the constraints was found near this one at t = %.9g s", f->t);
   else
-    put (w, "expected a state on the constraints at t = %.9g s", f->t);
+    gs_put (w, "expected a state on the constraints at t = %.9g s", f->t);
 }
 
 /* the routine that failed, or the event by its name */
 static void
-put_routine (writer *w, const gs_failed_run *f)
+put_routine (gs_writer *w, const gs_failed_run *f)
 {
   const int failed = f->istat[GS_FAILED];
-  put (w, "%s", routines[failed].shown);
+  gs_put (w, "%s", routines[failed].shown);
   if (failed == GS_AT_EVENT && f->event && f->event[0])
-    put (w, ", %s,", f->event);
-  put (w, " failed with INFO = %d at t = %.9g s: ", f->istat[GS_FAILED_INFO], f->t);
+    gs_put (w, ", %s,", f->event);
+  gs_put (w, " failed with INFO = %d at t = %.9g s: ", f->istat[GS_FAILED_INFO], f->t);
   put_cause (w, f);
 }
 
 static void
-put_failed_call (writer *w, const gs_failed_run *f)
+put_failed_call (gs_writer *w, const gs_failed_run *f)
 {
   const int failed = f->istat[GS_FAILED];
   if (failed == GS_AT_START)
@@ -160,16 +143,16 @@ put_failed_call (writer *w, const gs_failed_run *f)
 void
 gs_failure (const gs_failed_run *f, char *text, int size)
 {
-  writer w = { text, size, 0 };
+  gs_writer w = { text, size, 0 };
   text[0] = 0;
   switch (f->info)
     {
     case GS_TOO_MANY:
-      put (&w, "more steps than option maxsteps allows, at t = %.9g s", f->t);
+      gs_put (&w, "more steps than option maxsteps allows, at t = %.9g s", f->t);
       return;
     case GS_TOO_SMALL:
-      put (&w, "the step became too small at t = %.9g s: a singularity, or too small a tolerance",
-           f->t);
+      gs_put (&w, "the step became too small at t = %.9g s: a singularity, or too small a "
+              "tolerance", f->t);
       break;
     case GS_ROUTINE_FAILED:
       put_failed_call (&w, f);
@@ -177,27 +160,27 @@ gs_failure (const gs_failed_run *f, char *text, int size)
         return;
       break;
     case GS_NOT_FINITE:
-      put (&w, "the state is no longer finite at t = %.9g s: take smaller steps", f->t);
+      gs_put (&w, "the state is no longer finite at t = %.9g s: take smaller steps", f->t);
       break;
     case GS_METHOD_FAILED:
-      put (&w, "the method stopped at t = %.9g s with flag %d: %s", f->t, f->istat[GS_CAUSE],
-           f->said ? f->said : "");
+      gs_put (&w, "the method stopped at t = %.9g s with flag %d: %s", f->t, f->istat[GS_CAUSE],
+              f->said ? f->said : "");
       break;
     case GS_OUT_OF_MEMORY:
-      put (&w, "there was no memory for the method");
+      gs_put (&w, "there was no memory for the method");
       break;
     case GS_RATE_NOT_FINITE:
-      put (&w, "a rate of the states is not finite at t = %.9g s", f->t);
+      gs_put (&w, "a rate of the states is not finite at t = %.9g s", f->t);
       break;
     case GS_INTERRUPTED:
-      put (&w, "interrupted by Ctrl-C at t = %.9g s", f->t);
+      gs_put (&w, "interrupted by Ctrl-C at t = %.9g s", f->t);
       break;
     case GS_TIMED_OUT:
-      put (&w, "ended by option timeout at t = %.9g s", f->t);
+      gs_put (&w, "ended by option timeout at t = %.9g s", f->t);
       break;
     default:
-      put (&w, "GSSIM: INFO = %d", f->info);
+      gs_put (&w, "GSSIM: INFO = %d", f->info);
     }
   if (f->istat[GS_IS_STIFF] > 0)
-    put (&w, "; the steps are bound by stability");
+    gs_put (&w, "; the steps are bound by stability");
 }

@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import _checks, _inverse, _run
+from . import _checks, _inverse, _run, _start
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -53,6 +53,8 @@ class Model(Routines):
             _checks.need_routines()
         if parameters:
             self._check(values, parameters)
+        values.flags.writeable = False
+        object.__setattr__(self, '_values', values)
         object.__setattr__(self, 'cst', np.zeros(max(1, SIZES['ncst'])))
         info = LIBRARY.gs_loop_pre(at(values), at(self.cst))
         if info != 0:
@@ -121,7 +123,7 @@ class Model(Routines):
     @property
     def initial(self):
         """The states where the scene starts."""
-        return _run.initial(self)
+        return _start.initial(self)
 
     @explained
     def linearize(self, t, x, v=None):

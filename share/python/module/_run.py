@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 
-from . import _checks
+from . import _start
 from ._ends import Ends
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
@@ -48,65 +48,6 @@ def meaning(name, info):
 
 # ------------------------------------------------------------------------------------- the start
 
-def initial(model):
-    """The states where the scene starts."""
-    return _settled(model, _checks.start(np.array([*model.parameters.values(), 0.0])))
-
-
-def _settled(model, x):
-    """The states that the table calls settled where their rates vanish, with inputs zero."""
-    own = np.array(TABLE.get('settled') or [], int) - 1
-    if not len(own) or 'rhs' not in ROUTINES:
-        return x
-    y = x
-    with warnings.catch_warnings():
-        warnings.simplefilter('ignore')
-        if 'prj' in ROUTINES:
-            try:
-                y = model.prj(0, x)[0]
-            except Error:
-                pass
-        for _ in range(20):
-            f = model.rhs(0, y, **NO_INPUTS)
-            steps = 1e-3 * model.nominal[own]
-            moved = np.asfortranarray(np.tile(y[:, None], len(own)))
-            moved[own, np.arange(len(own))] += steps
-            slope = (model.rhs(0, moved, **NO_INPUTS)[own] - f[own, None]) / steps
-            if not np.isfinite(slope).all() or np.linalg.matrix_rank(slope) < len(own):
-                return x
-            step = np.linalg.solve(slope, f[own])
-            y = y.copy()
-            y[own] -= step
-            if (np.abs(step) <= 1e-12 * (model.nominal[own] + np.abs(y[own]))).all():
-                x[own] = y[own]
-                return x
-    return x
-
-
-def residuals(model, t, x):
-    """(names, scaled): how far a state is from its constraints, beside the usual sizes."""
-    names, scaled = [], []
-    x = np.array(x, float)
-    for places in TABLE.get('orientation') or []:
-        own = np.array(places) - 1
-        length = np.linalg.norm(x[own])
-        names.append('length of (%s) - 1' % ', '.join(model.states[i] for i in own))
-        scaled.append(length - 1)
-        x[own] /= length
-    if NLAM == 0 or 'con' not in ROUTINES:
-        return names, np.array(scaled)
-    u = x[NQ:NQ + NU]
-    con = model.con(t, x[:NQ], u)
-    size = np.sqrt(con.hc ** 2 @ model.nominal[NQ:NQ + NU] ** 2)
-    size = np.maximum(size, 1e-3 * size.max())
-    size[~(size > 0)] = 1
-    fast = np.maximum(np.maximum(size, np.abs(con.hc) @ np.abs(u)), np.abs(con.phit))
-    labels = model.multipliers or ['constraint %d' % (i + 1) for i in range(NLAM)]
-    rows = [i for i in range(NLAM) if i + 1 not in (TABLE.get('speed_rows') or [])]
-    names += [labels[i] for i in rows] + ['rate of ' + label for label in labels]
-    return names, np.concatenate([scaled, (con.phi / size)[rows], (con.hc @ u + con.phit) / fast])
-
-
 def _vector(who, what, given, n, text='finite numbers', names=None):
     a = np.asarray(given)
     numbers = a.dtype.kind in 'fiub' and a.shape == (n,)
@@ -141,77 +82,12 @@ def rising(who, given):
     return np.ascontiguousarray(times, float)
 
 
-def _start(who, model, t, x0, start, modes):
+def _start_of(who, model, t, x0, start, modes):
     if start not in ('check', 'project'):
         raise ValueError('%s: start: expected one of "check", "project", found %r' % (who, start))
     x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME, model.states)
-    _no_lost_angle(who, model, x)
-    for places in TABLE.get('orientation') or []:
-        own = np.array(places) - 1
-        if not np.linalg.norm(x[own]) > LIMITS.short_orientation:
-            raise ValueError('%s: %s' % (who, REFUSALS.orientation % (
-                ', '.join(model.states[i] for i in own), x[own].tolist())))
-    if NLAM or NQ != NU:
-        names, scaled = residuals(model, t, x)
-        k = int(np.argmax(np.abs(scaled))) if len(scaled) else 0
-        far = len(scaled) and not abs(scaled[k]) <= LIMITS.off_constraints
-        if start == 'check' and far:
-            found = 'found %s = %.3g (relative)' % (names[k], scaled[k])
-            raise ValueError('%s: %s; start="project" moves it onto them' % (
-                who, REFUSALS.off_constraints % (t, found)))
-        if 'prj' in ROUTINES and (start == 'project'
-                                  or np.abs(scaled).max(initial=0) > 100 * np.finfo(float).eps):
-            x = model.prj(t, x)[0]
-    if start == 'check':
-        for sentence, _ in margins(model, np.array([t]), x[:, None], np.zeros((NV, 1))):
-            raise ValueError('%s: %s' % (who, REFUSALS.device % sentence))
-    _stops(who, model, t, x, modes)
+    _start.take(who, model, t, x, start == 'check', modes)
     return x
-
-
-def _no_lost_angle(who, model, x):
-    for k, (name, unit) in enumerate(model.units['coordinates'].items()):
-        if unit == 'rad' and abs(x[k]) > LIMITS.largest_angle:
-            raise ValueError('%s: x0[%d], %s: %s' % (
-                who, k, name, REFUSALS.largest_angle % x[k]))
-
-
-def _stops(who, model, t, x, modes):
-    """No port may be beyond an end of its stop, but one that modes say is in contact."""
-    events = TABLE.get('events') or []
-    if not events or 'evt' not in ROUTINES:
-        return
-    if not any(event['kind'] == 'stop' for event in events):
-        return
-    inside = model.evt(t, x, np.zeros(len(events), np.intc))
-    port = model.hld(t, x)
-    for k, event in enumerate(events):
-        if event['kind'] == 'stop' and inside[k] < -LIMITS.past_stop and not (
-                modes is not None and np.size(modes) > k and np.ravel(modes)[k]):
-            raise ValueError('%s: %s' % (who, REFUSALS.past_stop % (
-                event['name'], *port.prm[:2, k], port.s[k])))
-
-
-def margins(model, t, x, v):
-    """[(sentence, time)]: margins of devices that are not kept at some of the times."""
-    texts = TABLE.get('state_margins') or []
-    if not texts or 'mar' not in ROUTINES:
-        return []
-    kept, size = model.mar(t, x, v)
-    found = []
-    for k in np.flatnonzero((~(kept >= -LIMITS.margin_rounding * size)).any(axis=1)):
-        for i in np.flatnonzero(~(kept[k] >= -LIMITS.margin_rounding * size[k])):
-            if _passed(model, t[i], x[:, i], v[:, i], k):
-                found.append(('%s: expected above 0, found %.6g' % (texts[k], kept[k, i]), t[i]))
-                break
-    return found
-
-
-def _passed(model, t, x, v, k):
-    """Is the margin passed, not just reached: is it not kept anywhere close by?"""
-    steps = np.diag(model.nominal) * LIMITS.margin_near
-    near = np.concatenate([x[:, None] + steps, x[:, None] - steps], axis=1)
-    return not (model.mar(t, near, v)[0][k] >= 0).any()
 
 
 # -------------------------------------------------------------------------------------- the plan
@@ -372,15 +248,13 @@ class _Plan:
                 raise ValueError('%s: memory: %s has no sampled devices' % (self.who, NAME))
             return
         self.model._has('ctl', 'ctp')
-        period, delay = self.model.ctp()
-        if not ((period > 0).all() and (delay >= 0).all()):
-            raise ValueError('%s: periods must be > 0 and delays >= 0' % self.who)
+        period, delay = map(np.ascontiguousarray, self.model.ctp())
         if memory is not None:
             self.put('memory', _vector(self.who, 'memory', memory, SIZES['nxk']))
-        self.given.on_the_way = int(((delay > 0) * (np.floor(delay / period + 1e-9) + 2)).sum())
-        span = times[-1] - times[0]
-        self.given.instants = keep * int(
-            ((1 + (delay > 0)) * (np.floor(span / period) + 2)).sum())
+        devices = ctypes.c_int(len(period)), at(period), at(delay)
+        self.given.on_the_way = LIBRARY.gs_pending(*devices)
+        span = ctypes.c_double(times[-1] - times[0])
+        self.given.instants = keep * int(LIBRARY.gs_instants(*devices, span))
 
     def events(self, modes):
         """The plan of the ports that stick or hit stops, see gsres."""
@@ -407,26 +281,6 @@ class _Plan:
                 if found not in (0, wanted):
                     raise ValueError('%s: %s' % (
                         self.who, REFUSALS.given_mode % (event['name'], found)))
-
-
-def _wrong_mode(model, t, x, modes, k):
-    """Why the mode of event k (from 0), of those that are given, contradicts the state (gsrsm)."""
-    wanted, why, event = 0, 'which has no mode', TABLE['events'][k]
-    if event['kind'] != 'event':
-        port = model.hld(t, x)
-        why = 'which moves at %.6g (m/s or rad/s)' % port.sd[k]
-        low, high = port.prm[:2, k]
-        if event['kind'] != 'stop':
-            wanted = 1 if port.sd[k] > 0 else -1
-        elif (abs(port.s[k] - (high if modes[k] > 0 else low))
-              > LIMITS.past_stop * _travel(port.s[k], low, high)):
-            why = 'which is at %.6g between %.6g and %.6g (m or rad)' % (port.s[k], low, high)
-    return 'modes: ' + REFUSALS.wrong_mode % (wanted, event['name'], why, modes[k])
-
-
-def _travel(place, low, high):
-    """That of a stop which errors at its nearer end are beside (gstvl)."""
-    return min(high - low, max(1.0, abs(high if high - place < place - low else low)))
 
 
 def free_inputs():
@@ -492,7 +346,7 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     if errors not in ('raise', 'return'):
         raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
     model, way = _way(who, self, loops)
-    x = _start(who, model, times[0], x0, start, modes)
+    x = _start_of(who, model, times[0], x0, start, modes)
     iopt, ropt, atol = _options(who, model, times[-1] - times[0], method, way, rtol, atol, step,
                                 maxstep, maxsteps, drift)
     kept = (float(ropt[1]), atol.copy()) if method != 'rk4' else (np.nan, np.full(NX, np.nan))
@@ -520,7 +374,7 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     s = run['stats']
     if run['info'] == 3 and s['failed'] == AT_EVENT and s['failed_info'] == WRONG_MODE:
         raise ValueError('%s: %s' % (
-            who, _wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
+            who, _start.wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
     return _result(who, model, p, run, method, kept, audit, errors)
 
 
@@ -605,8 +459,7 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
     ip, rp = p.laid()
     out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
            'v': np.zeros((max(1, NV), nt), order='F'), 'times': times}
-    if LIBRARY.gs_due_from(SCENE, ctypes.c_double(times[0]), at(model.cst), at(ip), at(rp)) != 0:
-        raise ValueError('%s: a sampled device has more than 2e9 samples behind it' % p.who)
+    _start.samples(p.who, model, times[0], ip, rp)
     counts, values = np.zeros(len(COUNTS), np.intc), np.zeros(len(VALUES))
     room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
     w = np.zeros(max(room, NU) + 20)
@@ -722,11 +575,10 @@ def outside(model, run):
     k = run['stats']['outputs']
     if k >= len(run['times']):
         return ''
-    x, v = run['x'][:NX, k:k + 1], run['v'][:NV, k:k + 1]
+    x, v = run['x'][:NX, k], run['v'][:, k]
     if not (np.isfinite(x).all() and np.isfinite(v).all()):
         return ''
-    return ''.join('; outside a margin: ' + sentence
-                   for sentence, _ in margins(model, np.array([run['stats']['reached']]), x, v))
+    return _start.outside(model, run['stats']['reached'], x, v)
 
 
 def _samples(run):
@@ -795,8 +647,8 @@ def _tell(who, model, r, method):
     if s['angle_singularities'] > 0:
         told.append('came within 0.05 rad of a singularity of its orientation angles at t = %.6g s'
                     % s['angle_times'][0])
-    for sentence, at in margins(model, r.t, r.x, r.v) if len(r.t) else []:
-        told.append('%s, passed first at t = %.6g s' % (sentence, at))
+    for sentence, first in _start.margins(model, r.t, r.x, r.v):
+        told.append('%s, passed first at t = %.6g s' % (sentence, first))
     if s['stiff']:
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
