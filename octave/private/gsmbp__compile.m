@@ -15,7 +15,7 @@ function file = gsmbp__compile (json, source, folder, precision, symbol, input)
   if (! isempty (input))
     own{end+1} = input;
   endif
-  flags = strjoin ({w.f77, w.flags, w.common_flags, OCTAVE_VERSION()});
+  flags = strjoin ({w.flags, w.archive{2}, OCTAVE_VERSION()});
   made = gsmbp__built (who, file, flags, [own; w.runtime; w.generic; w.scene], ...
                        @(place) scene (who, w, json, source, symbol, input, place));
   if (made)   # modules of earlier contents

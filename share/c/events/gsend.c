@@ -4,7 +4,8 @@
  * here: an event belongs to the run if its function is not above 0 there, else to one that goes on
  * from there. So does one that a jump of the inputs at t brings about, as within a run (GSSTO,
  * k = -1). No other event happens: ports find their modes where a run begins. Behind an event v is
- * from the right. What a sample at t takes back is no event, either. */
+ * from the right. What a sample at t takes back is no event, either: it is computed with states
+ * alone where a run carries derivatives. */
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/functions.h"
@@ -41,7 +42,9 @@ gsent (const gs_scene *s, gs_real t, const gs_real *x, int nx, int *ip, gs_real 
   for (int i = 0; i < a.ne; i++)
     a.marks[i] = a.mark[i] == 1 && a.now[i] <= 0;
   gskep (0, s->nv, is, rs);
+  *a.search = *a.tells == 1;
   const int info = gsdue (s, t, x, nx, ip, rp, cst, v, w, istat, &ts, &acted);
+  *a.search = 0;
   gskep (1, s->nv, is, rs);
   istat[GS_FAILED_INFO] = 0;
   istat[GS_FAILED] = GS_AT_NOTHING;

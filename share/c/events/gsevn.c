@@ -12,7 +12,8 @@
  * way: there may be an earlier one. Where a function of the user has just had its
  * event more points are closer and closer to the beginning of the step.
  * From there on the step itself is made as long as it must be, by the secant method, so that the
- * state at the event is as accurate as any other. */
+ * state at the event is as accurate as any other. Where a run carries derivatives they follow in
+ * the last such step alone. */
 #include <string.h>
 
 #include "gsmbp/arith.h"
@@ -113,7 +114,9 @@ rose (const gs_system *g, gs_step *e, int i, gs_real th, int *so)
   int info = gsevm (g, e, i, th, &tm);
   if (info != 0)
     return failed (g, info);
+  *a.search = *a.tells == 1;
   info = tried (g, e, tm * th, &te, &a, &err);
+  *a.search = 0;
   *so = a.now[i - 1] > 0;
   return info == 0 ? as_it_was (g, e) : info;
 }
@@ -539,7 +542,8 @@ further (int k, gs_real d, gs_real lo, gs_real hi, gs_real *th, int *there)
   return gs_abs (*th - old) > 0;
 }
 
-/* e made again up to the zero of function i, from the fraction th on; there: it has one */
+/* e made again up to the zero of function i, from the fraction th on, on exit where e was made last;
+ * there: it has one */
 static int
 secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, gs_real *th, gs_real *te,
         gs_real *err, int *there)
@@ -566,8 +570,10 @@ secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, gs_real
       const gs_real d = gs_abs (slope) > 0 ? gc / slope : 1;
       *there = gs_abs (d * e->h) <= least || (hi - lo) * e->h <= least;
       if (*there || ! further (k, d, lo, hi, th, there))
-        return 0;
+        break;
     }
+  *th = old;
+  return 0;
 }
 
 int
@@ -576,7 +582,11 @@ gsevs (const gs_system *g, gs_step *e, int i, gs_real start, gs_real *err)
   *err = 0;
   const gs_events a = plan (g);
   gs_real th = start, te = e->tn;
+  *a.search = *a.tells == 1;
   int there, info = secant (g, e, &a, i, &th, &te, err, &there);
+  *a.search = 0;
+  if (info == 0 && *a.tells == 1)
+    info = tried (g, e, th, &te, &a, err);
   if (info == 0)
     info = past (g, e, i, th, &te, &a, err);
   if (info != 0)

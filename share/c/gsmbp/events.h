@@ -21,7 +21,8 @@ typedef struct
   int given;      /* 1 if the modes at the start are given */
   int *tells;     /* 1: behind the events of an instant rst is called once more, with k = -2; 2:
                      only events of the user are recorded, and counted */
-  int *search;    /* 1 while the time of an event is looked for (GSEVN in Fortran) */
+  int *search;    /* where tells is 1: 1 while the time of an event is looked for, of which states
+                     alone matter */
   int *cause;     /* while rst is called: what gsres was called with */
   int *ended;     /* the number of the event function that ends the run, 0: none does */
   int ns;         /* inputs that are switched at events of the user */
