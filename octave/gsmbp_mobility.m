@@ -91,10 +91,11 @@ function r = gsmbp_mobility (m, x, t = 0)
     ## the rows on positions: speeds do not matter here
     [names, scaled, found] = gsmbp__residuals (m, t, [q; zeros(d.nx - d.nq, 1)]);
     places = cellfun (@isempty, strfind (names, "rate of "));
-    if (! all (abs (scaled(places)) <= 1e-6))
+    scaled(! places) = 0;
+    if (! all (abs (scaled) <= 1e-6))
       error ("gsmbp:start", ["gsmbp_mobility: %s: expected a closed state at t = %.9g s, found " ...
                              "%s; close it by gsmbp_assemble"], m.name, t,
-             gsmbp__worst (names(places), scaled(places), found(places), 1e-6));
+             m.module ("worst", scaled, found, 1e-6));
     endif
     ## rows have units of their own: a row counts by its direction
     size_ = sqrt (sum (H .^ 2, 2));

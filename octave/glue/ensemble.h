@@ -4,7 +4,6 @@
 
 #include "lanes.h"
 #include "ensemble_rows.h"
-#include "start.h"
 
 class ensemble
 {
@@ -13,7 +12,7 @@ public:
   // lanes: whether runs are in lanes where they can be
   ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
     : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
-      m_done (0), m_common (rows.common ()), m_start (start_of (s, rows)),
+      m_done (0), m_common (rows.common ()), m_about (*S.about), m_modes (nullptr),
       m_out (S.ny > 0 ? routine ("out") : fortran { nullptr })
   {
     m_x = m_results.x.fortran_vec ();
@@ -24,6 +23,13 @@ public:
     m_info = m_results.info.fortran_vec ();
     m_counted = m_results.counted.fortran_vec ();
     m_margins = m_results.margins.fortran_vec ();
+    m_said = m_results.said.data ();
+    m_about.nominal = rows.nominal.data ();
+    if (s.plan->ip[GS_EVENTS] > 0)
+      {
+        const gs_events e = s.plan->events ();
+        m_modes = e.given ? e.mode : nullptr;
+      }
   }
 
   void run_all (int threads);
@@ -37,9 +43,8 @@ private:
   bool over (int i);
   int constants (const known_row& row, reals& cst) const;
   bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
-  static gs_start start_of (const simulation& s, const ensemble_rows& rows);
   bool begins (int i, run_room& r) const;
-  bool refused (int i, int verdict) const;   // false
+  bool refused (int i, const gs_start& start) const;   // false
   double *counts_of (int i) const { return m_counts + std::size_t (GS_COUNTED) * i; }
   double *values_of (int i) const { return m_values + std::size_t (GS_MEASURED) * i; }
   void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
@@ -80,10 +85,12 @@ private:
   const bool m_lanes;
   ensemble_results m_results;
   double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info, *m_counted, *m_margins;
+  std::string *m_said;
   std::atomic<int> m_next, m_done;
   std::mutex m_plan;
   const reals m_common;              // the parameters of all runs
-  const gs_start m_start;
+  gs_description m_about;            // the scene with the nominal magnitudes of these runs
+  const int *m_modes;                // given ones of ports
   const fortran m_out;
 };
 
@@ -113,56 +120,48 @@ ensemble::constants (const known_row& row, reals& cst) const
   return info;
 }
 
-gs_start
-ensemble::start_of (const simulation& s, const ensemble_rows& rows)
-{
-  auto sub = [] (const char *name) {
-    const gsmbp_routine *f = emitted (name);
-    return f ? f->sub : nullptr;
-  };
-  gs_start a = { &S, sub ("con"), sub ("prj"), sub ("mar"), rows.nominal.data (), rows.check,
-                 sub ("evt"), 0, nullptr, nullptr };
-  if (s.plan->ip[GS_EVENTS] > 0)
-    {
-      const gs_events e = s.plan->events ();
-      gs_start_events (&a, &e);
-    }
-  return a;
-}
-
 // the margins of the devices in the first ROWS, of which those behind REACHED are as that one
 void
 ensemble::margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const
 {
-  if (S.nsm == 0 || ! m_start.mar)
+  if (S.nsm == 0)
     return;
-  reals work = room (gs_margins_room (&S)), cst = r.cst;
   double *passed = m_margins + std::size_t (2) * S.nsm * i;
+  std::vector<int> so_far (S.nsm, 0);
   for (std::size_t k = 0; k < rows; k++)
     {
       const std::size_t at = std::min (k, reached);
-      gs_margins (&m_start, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at], &cst[0],
-                  passed, passed + S.nsm, &work[0]);
+      if (gs_margins_at (&m_about, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at],
+                         &r.cst[0], so_far.data (), passed + S.nsm) < 0)
+        throw std::bad_alloc ();
     }
+  std::copy (so_far.begin (), so_far.end (), passed);
 }
 
-// the start of run I on its constraints; false where it cannot be taken: INFO 3, as GSSIM, ISTAT(7)
-// = 9 and a verdict of start.h
+// the start of run I on its constraints; false where it cannot be taken: INFO 3, as GSSIM, a
+// verdict and its message
 bool
 ensemble::begins (int i, run_room& r) const
 {
-  reals work = room (gs_start_room (&S));
-  const int verdict = gs_take_start (&m_start, m_s.t0, &r.x0[0], &r.cst[0], &work[0]);
-  return verdict == GS_START_TAKEN || refused (i, verdict);
+  gs_start_given g = gs_start_given ();
+  gs_start start;
+  g.t = m_s.t0;
+  g.cst = &r.cst[0];
+  g.check = m_rows.check;
+  g.modes = m_modes;
+  const std::vector<double> par = m_rows.parameters (i);
+  g.par = par.data ();
+  return gs_take_start (&m_about, &g, &r.x0[0], &start) == GS_START_TAKEN || refused (i, start);
 }
 
 bool
-ensemble::refused (int i, int verdict) const
+ensemble::refused (int i, const gs_start& start) const
 {
   m_info[2 * i] = GS_ROUTINE_FAILED;
-  counts_of (i)[GS_FAILED_INFO] = verdict;
+  counts_of (i)[GS_FAILED_INFO] = start.verdict;
   counts_of (i)[GS_FAILED] = GS_BEFORE_START;
   values_of (i)[GS_T_REACHED] = double (m_s.t0);
+  m_said[i] = start.text;
   return false;
 }
 
@@ -189,8 +188,9 @@ ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unse
   if (S.nctl > 0)   // their periods are the run's own
     {
       std::lock_guard<std::mutex> guard (m_plan);
-      if (! m_s.plan->due_from (m_s.t0, r.cst))
-        return refused (i, GS_START_SAMPLES);
+      gs_start start;
+      if (! m_s.plan->due_from (m_s.t0, r.cst, start))
+        return refused (i, start);
       m_s.plan->begin (ip, rp);
     }
   else

@@ -36,6 +36,14 @@ struct ensemble_rows
         p[k] = decimal (par(k));
     return p;
   }
+  // the parameters of run I, for messages
+  std::vector<double> parameters (int i) const
+  {
+    std::vector<double> p (par.data (), par.data () + S.npar);
+    for (std::size_t k = 0; k < which.size () && ! table.isempty (); k++)
+      p[which[k] - 1] = table(i, k);
+    return p;
+  }
   void put (int i, reals& p) const
   {
     for (std::size_t k = 0; k < which.size (); k++)
@@ -56,8 +64,8 @@ struct ensemble_results
 {
   NDArray x, v, y;
   Matrix counts, values, info, counted;   // COUNTED: as run_plan has it
-  Matrix margins;   // of devices, as start.h has it: which were passed, then the least values
-  std::vector<std::string> said;             // by an implicit method that failed
+  Matrix margins;   // of devices, as gs_margins_at has it: which were passed, then the least values
+  std::vector<std::string> said;             // of refused starts, by implicit methods that failed
   std::vector<std::vector<double>> events;   // of each run time, number, mode after it, one by one
 
   ensemble_results (int n, int nt)

@@ -8,6 +8,7 @@
 #include "parameters.h"
 #include "runtime.h"
 #include "simulation.h"
+#include "starts.h"
 #include "ensemble.h"
 #include "job.h"
 #include "adjoint.h"
@@ -54,7 +55,10 @@ do_guarded (arguments& a, int nargout)
 // for the functions of octave/ and for tests
 static const struct { const char *name; octave_value_list (*call) (arguments&, int); } services[]
     = { { "sim", do_sim }, { "ensemble", do_ensemble }, { "job", do_job },
-        { "periods", do_periods }, { "statistics", do_statistics },
+        { "periods", do_periods }, { "start", do_start }, { "settle", do_settle },
+        { "residuals", do_residuals }, { "worst", do_worst }, { "pending", do_pending },
+        { "wrong mode", do_wrong_mode }, { "passed margins", do_passed_margins },
+        { "statistics", do_statistics },
         { "forward", do_forward },
         { "backward", do_backward },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },

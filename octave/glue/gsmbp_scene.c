@@ -4,6 +4,8 @@
      GSMBP_BY_VALUE GS_FORTRAN_rhs (run_rhs, pendulum_rhs_) ...: those that runs call
      GSMBP_RUN      the members of gs_scene by name: .nq = 1, .rhs = run_rhs, ...
      GSMBP_AUDITED  run_rha, or 0
+     GSMBP_LISTS    arrays of what a start needs of the scene, GSMBP_ABOUT its members by name
+     GSMBP_KINDS    the kinds of the event functions (gs_scene), then 0
      GSMBP_SETS     four numbers of coordinates for each set of Euler parameters, then 0
      GSMBP_MODES    the numbers of the inputs that are modes, then 0
      GSMBP_TABLE    the members of gsmbp_scene by name: .name = "pendulum", .nq = 1, ...
@@ -13,17 +15,40 @@
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
 #include "host/fortran_scene.h"
+#include "host/start.h"
+#include <string.h>
 
 GSMBP_DECLARE
 GSMBP_BY_VALUE
 
+static const int kinds[] = { GSMBP_KINDS };
 static const gs_scene run = { GSMBP_RUN };
+GSMBP_LISTS
 static const int sets[] = { GSMBP_SETS };
 static const int modes[] = { GSMBP_MODES };
 static const gsmbp_routine routines[] = { GSMBP_ROUTINES { 0, 0, 0 } };
 static const gsmbp_meaning meanings[] = { GSMBP_MEANINGS { 0, 0, 0, 0 } };
+
+const char *
+gsmbp_meaning_of (const char *name, int info)
+{
+  const char *text = 0;
+  for (const gsmbp_meaning *m = meanings; m->name; m++)
+    if (strcmp (name, m->name) == 0 && (m->info == info || (m->and_above && info > m->info)))
+      text = m->text;
+  return text;
+}
+
+static const char *
+projection (int info)
+{
+  return gsmbp_meaning_of ("prj", info);
+}
+
+static const gs_description about = { .scene = &run, .projection = projection, GSMBP_ABOUT };
 const gsmbp_scene gsmbp_the_scene
-    = { GSMBP_TABLE, .run = &run, .audited = GSMBP_AUDITED, .sets = sets, .modes = modes,
+    = { GSMBP_TABLE, .run = &run, .about = &about, .audited = GSMBP_AUDITED, .sets = sets,
+        .modes = modes,
         .routines = routines, .meanings = meanings };
 
 #if ! defined (GSMBP_NO_OCTAVE)   /* the program of a sweep has none */

@@ -6,6 +6,7 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+struct gs_description;
 typedef void (*gsmbp_sub) (void);
 
 /* a number of the Fortran */
@@ -48,6 +49,7 @@ typedef struct
   gsmbp_sub vin;     /* the user's inputs, GSVIN */
   int nsets;         /* of Euler parameters */
   const gs_scene *run; /* as the run time in C takes it */
+  const struct gs_description *about;   /* as the start of a run does (host/start.h) */
   gs_rhs *audited;   /* the rates of an audit, RHA */
   const int *sets;   /* ... four numbers of coordinates each */
   const int *modes;  /* nmode: the numbers of the inputs that are modes of devices with events */
@@ -55,6 +57,9 @@ typedef struct
   const gsmbp_meaning *meanings;   /* the last has no name */
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
+
+/* what INFO of a subroutine says; a null pointer: not known */
+const char *gsmbp_meaning_of (const char *name, int info);
 #ifdef __cplusplus
 }
 #endif

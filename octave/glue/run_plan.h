@@ -4,6 +4,7 @@
 
 #include "arguments.h"
 #include "gsmbp/plan.h"
+#include "host/start.h"
 
 #include <list>
 
@@ -14,8 +15,9 @@ public:
   // the fields of gs_plan, and those of gs_scene that are for the plan; [] is none
   run_plan (const octave_scalar_map& given, int nx);
 
-  // periods, delays and first samples of a run from T0 on; false where they cannot be
-  bool due_from (number t0, const reals& cst);
+  // periods, delays and first samples of a run from T0 on; false where they cannot be: START says
+  // why
+  bool due_from (number t0, const reals& cst, gs_start& start);
 
   // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
   // written, stays as it is: it takes most of their room, and the time of a short run.
@@ -195,7 +197,7 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
 }
 
 bool
-run_plan::due_from (number t0, const reals& cst)
+run_plan::due_from (number t0, const reals& cst, gs_start& start)
 {
-  return gs_due_from (&m_scene, t0, &cst[0], &ip[0], &rp[0]) == 0;
+  return gs_check_samples (S.about, t0, &cst[0], &ip[0], &rp[0], &start) == GS_START_TAKEN;
 }

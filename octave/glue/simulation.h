@@ -86,8 +86,9 @@ simulation::simulation (arguments& a)
 #endif
   implicit = a.integers ("largest order, index 2, states that inputs follow", -1);
   timeout = double (a.scalar ("timeout"));
-  if (! plan->due_from (t0, cst))
-    error ("%s: more than 2e9 samples", "gsmbp_simulate");
+  gs_start start;
+  if (! plan->due_from (t0, cst, start))
+    error ("gsmbp_simulate: %s", start.text);
   breaks = breaks_of (cst);
   if (carries ())
     with_run (*columns, *plan, cst, ropt[1], atol);

@@ -2,8 +2,8 @@
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
 #include "host/failure.h"
+#include "host/start.h"
 #include "gsmbp_scene.h"
-#include "start.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -229,12 +229,6 @@ zero (double *x, long long n)
   memset (x, 0, (size_t) n * sizeof (double));
 }
 
-static void
-periods (const double *cst, double *period, double *delay)
-{
-  ((void (*) (const double *, double *, double *)) emitted ("ctp")) (cst, period, delay);
-}
-
 static int
 before (const void *a, const void *b)
 {
@@ -252,7 +246,7 @@ set_breaks (const gs_sweep *s, gs_room *r)
   r->nb = n;
   if (S->nsw == 0)
     return;
-  ((void (*) (const double *, double *)) emitted ("swi")) (r->cst, at);
+  S->run->swi (r->cst, at);
   for (int k = 0; k < S->nsw; k++)
     if (at[k] > s->t0 && at[k] < s->tout.x[s->tout.n - 1])
       all[n++] = at[k];
@@ -263,34 +257,51 @@ set_breaks (const gs_sweep *s, gs_room *r)
       all[r->nb++] = all[k];
 }
 
-/* a start that is not taken: INFO as GSSIM, a verdict of start.h */
+/* a start that is not taken: INFO as GSSIM, a verdict and its message */
 static void
-refused (const gs_sweep *s, gs_room *r, int verdict)
+refused (const gs_sweep *s, gs_room *r, const gs_start *start)
 {
-  r->info = GS_ROUTINE_FAILED;
-  r->istat[GS_FAILED_INFO] = verdict;
+  r->info = start->verdict == GS_START_NO_MEMORY ? GS_OUT_OF_MEMORY : GS_ROUTINE_FAILED;
+  r->istat[GS_FAILED_INFO] = start->verdict;
   r->istat[GS_FAILED] = GS_BEFORE_START;
   r->rstat[GS_T_REACHED] = s->t0;
+  snprintf (r->text, sizeof r->text, "%s", start->text);
+}
+
+/* what a start needs of the scene, with the nominal magnitudes of the job */
+static gs_description
+description (const gs_sweep *s)
+{
+  gs_description d = *S->about;
+  d.nominal = s->nominal.x;
+  return d;
 }
 
 /* the start of a run on its constraints */
 static void
 take_start (const gs_sweep *s, gs_room *r)
 {
-  gs_start start = { S, emitted ("con"), emitted ("prj"), emitted ("mar"), s->nominal.x,
-                     s->check_start, emitted ("evt"), 0, NULL, NULL };
+  const gs_description d = description (s);
+  gs_start_given g = { .t = s->t0, .cst = r->cst, .par = r->par, .check = s->check_start };
+  gs_start start;
   if (s->ip[GS_EVENTS] > 0)
     {
-      const gs_events e = gs_planned_events (S->nx, s->ip, s->rp.x);
-      gs_start_events (&start, &e);
+      const gs_events e = gs_planned_events (S->nx, s->ip, (double *) s->rp.x);
+      g.modes = e.given ? e.mode : NULL;
     }
-  double *work = room (gs_start_room (S));
-  const int verdict = work ? gs_take_start (&start, s->t0, r->x0, r->cst, work) : GS_START_TAKEN;
-  free (work);
   r->rstat[GS_T_REACHED] = s->t0;
-  r->info = work ? GS_DONE : GS_OUT_OF_MEMORY;
-  if (verdict != GS_START_TAKEN)
-    refused (s, r, verdict);
+  if (gs_take_start (&d, &g, r->x0, &start) != GS_START_TAKEN)
+    refused (s, r, &start);
+}
+
+/* the first samples of the sampled devices */
+static void
+take_samples (const gs_sweep *s, gs_room *r)
+{
+  const gs_description d = description (s);
+  gs_start start;
+  if (gs_check_samples (&d, s->t0, r->cst, r->ip, r->rp, &start) != GS_START_TAKEN && r->info == 0)
+    refused (s, r, &start);
 }
 
 /* the plan of a run and what came of it; the record of the events, of which nothing is read before
@@ -333,11 +344,7 @@ prepare (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info
   copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
   gs_take_plan (s, s->ip, s->rp.x, r->ip, r->rp);
   if (S->nctl > 0 && info == 0)
-    {
-      gs_scene scene = { .nv = S->nv, .nctl = S->nctl, .ctp = periods };
-      if (gs_due_from (&scene, s->t0, r->cst, r->ip, r->rp) != 0 && r->info == 0)
-        refused (s, r, GS_START_SAMPLES);
-    }
+    take_samples (s, r);
   r->times[0] = s->t0;
   copy (r->times + 1, s->tout.x, s->tout.n);
   set_breaks (s, r);
@@ -415,7 +422,7 @@ outputs (const gs_sweep *s, gs_room *r, long long reached)
   gsmbp_sub out = S->ny > 0 ? emitted ("out") : NULL;
   double switches[S->nsw + 1];
   if (S->nsw > 0)
-    ((void (*) (const double *, double *)) emitted ("swi")) (r->cst, switches);
+    S->run->swi (r->cst, switches);
   for (long long k = 0; k < s->tout.n; k++)
     {
       double *y = r->yout + S->ny * k, *x = r->xout + s->ldx * k, *v = r->vout + s->ldv * k;
@@ -462,22 +469,18 @@ value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long lon
 static double
 of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
 {
-  const gs_start start = { .scene = S, .mar = emitted ("mar"), .nominal = s->nominal.x };
-  double *work = start.mar ? room (gs_margins_room (S) + 2 * S->nsm) : NULL, least = NAN;
-  if (! work)
-    return NAN;
-  double *passed = work + gs_margins_room (S), *all = passed + S->nsm;
+  const gs_description d = description (s);
+  int passed[S->nsm + 1], fails = ! d.mar;
+  double least[S->nsm + 1];
   for (int k = 0; k < S->nsm; k++)
     {
       passed[k] = 1;   /* those need not be found */
-      all[k] = HUGE_VAL;
+      least[k] = HUGE_VAL;
     }
-  for (long long k = 0; k < reached; k++)
-    gs_margins (&start, s->tout.x[k], r->xout + s->ldx * k, r->vout + s->ldv * k, r->cst, passed,
-                all, work);
-  least = all[number - 1];
-  free (work);
-  return least;
+  for (long long k = 0; k < reached && ! fails; k++)
+    fails = gs_margins_at (&d, s->tout.x[k], r->xout + s->ldx * k, r->vout + s->ldv * k, r->cst,
+                           passed, least) < 0;
+  return fails ? NAN : least[number - 1];
 }
 
 /* sum of the trapezoidal rule as gsmbp__kept has it, of the POWER 1 or 2 */
@@ -573,28 +576,6 @@ fill (const gs_sweep *s, gs_room *r, int ok, double reached_time, long long reac
       row[at++] = value_at (s, r, s->number[k], i, reached);
 }
 
-/* what INFO of a subroutine says; a null pointer: not known */
-static const char *
-meaning (const char *name, int info)
-{
-  const char *text = NULL;
-  for (const gsmbp_meaning *m = S->meanings; m->name; m++)
-    if (strcmp (name, m->name) == 0 && (m->info == info || (m->and_above && info > m->info)))
-      text = m->text;
-  return text;
-}
-
-/* the name of event function K, from 1 on, into NAME, of SIZE bytes; "" for 0 */
-static void
-name_of_event (const gs_sweep *s, int k, char *name, int size)
-{
-  long long length;
-  const char *from = k > 0 ? gs_text (s->job, "event_names", &length) : NULL;
-  while (from && --k > 0)
-    from = strchr (from, '\n') ? strchr (from, '\n') + 1 : NULL;
-  snprintf (name, (size_t) size, "%.*s", from ? (int) strcspn (from, "\n") : 0, from ? from : "");
-}
-
 static int
 has_sticks (const gs_sweep *s, const gs_room *r)
 {
@@ -609,14 +590,11 @@ has_sticks (const gs_sweep *s, const gs_room *r)
 static void
 failure (const gs_sweep *s, const gs_room *r, char *why)
 {
-  char event[200];
-  const int *istat = r->istat, info = istat[GS_FAILED_INFO];
-  const int at_event = istat[GS_FAILED] == GS_AT_EVENT;
-  const int stop = istat[GS_FAILED] == GS_BEFORE_START ? info - GS_START_STOP + 1 : 0;
-  name_of_event (s, at_event ? istat[GS_CAUSE] : stop, event, sizeof event);
+  const int *istat = r->istat, at_event = istat[GS_FAILED] == GS_AT_EVENT;
+  const char *event = at_event && istat[GS_CAUSE] > 0 ? S->about->events[istat[GS_CAUSE] - 1] : "";
   const gs_failed_run run = { r->info, istat, r->rstat[GS_T_REACHED],
-                              meaning (gs_failed_routine (istat), info), event,
-                              at_event && has_sticks (s, r), r->text };
+                              gsmbp_meaning_of (gs_failed_routine (istat), istat[GS_FAILED_INFO]),
+                              event, at_event && has_sticks (s, r), r->text };
   gs_failure (&run, why, GS_WHY);
 }
 
@@ -645,8 +623,8 @@ gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int
   istat[GS_FAILED] = GS_AT_PRE;
   istat[GS_FAILED_INFO] = info;
   const int said = snprintf (why, GS_WHY, "its parameters cannot be: ");
-  gs_cause (&(gs_failed_run){ .istat = istat, .meaning = meaning ("pre", info) }, why + said,
-            GS_WHY - said);
+  const gs_failed_run failed = { .istat = istat, .meaning = gsmbp_meaning_of ("pre", info) };
+  gs_cause (&failed, why + said, GS_WHY - said);
   never (s, r, row);
   return 0;
 }

@@ -35,7 +35,7 @@ typedef struct
   double *cst, *x0, *xout, *vout, *yout, *rstat, *w, *rp, *par, *times, *options;
   int nb;   /* breaks behind the output times in times */
   int *ip, *istat, *iopt;
-  char text[400];
+  char text[2400];   /* of a refused start, or of an implicit method that failed */
   int info;
 } gs_room;
 

@@ -9,5 +9,6 @@ function p = gsmbp__for_all_delays (p, names, table)
   endif
   [~, which] = ismember (names, fieldnames (p.m.par)');
   [period, delay] = p.m.module ("periods", cellfun (@double, struct2cell (p.m.par)), which, table);
-  p.arguments{11}.on_the_way = gsmbp__on_the_way (period, delay);
+  places = @(k) p.m.module ("pending", period(:,k), delay(:,k), 0);
+  p.arguments{11}.on_the_way = max (arrayfun (places, 1:columns (period)));
 endfunction

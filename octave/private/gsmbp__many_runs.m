@@ -155,31 +155,15 @@ function text = reason (p, rows, i, info, stats, said, last)
     return;
   endif
   m = gsmbp__run_model (p.m, rows, i);
-  if (info(1) == 3 && stats.failed == 9 && stats.failed_info == 5)   # GS_START_SAMPLES of start.h
-    text = ["sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 " ...
-            "samples behind the start"];
-  elseif (info(1) == 3 && stats.failed == 9)
-    text = off_constraints (m, p, rows, i);
-  elseif (info(1) == 3 && stats.failed == 7 && stats.failed_info == 13 && ! isempty (last))
+  if (info(1) == 3 && stats.failed == 7 && stats.failed_info == 13 && ! isempty (last))
     text = gsmbp__wrong_mode (m, p.times(1), last.x, p.o.modes, stats.cause);
   else
     text = gsmbp__failure (m, info(1), stats, said, last);
+    if (info(1) == 3 && stats.failed == 9)   # GS_BEFORE_START of gsmbp/failures.h
+      [~, remedy] = gsmbp__verdict (stats.failed_info);
+      text = [text remedy];
+    endif
   endif
-endfunction
-
-## a start that is not taken (glue/start.h)
-function text = off_constraints (m, p, rows, i)
-  x = p.x0;
-  if (! isempty (rows.starts))
-    x = rows.starts(i,:);
-  endif
-  text = sprintf ("expected a state on the constraints at t = %.9g s", p.times(1));
-  try
-    x = gsmbp__start ("gsmbp_ensemble", m, p.times(1), x, p.o.start);
-    gsmbp__check_stops ("gsmbp_ensemble", m, p.times(1), x, p.o.modes);
-  catch err
-    text = regexprep (err.message, "^gsmbp_ensemble: [^:]*: ", "");
-  end_try_catch
 endfunction
 
 function last = last_of (e, i, k)

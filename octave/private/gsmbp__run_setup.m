@@ -14,7 +14,7 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   [iopt, p.ropt, atol, p.method, order] = gsmbp__integration (who, o, d, m, way);
   t0 = times(1);
   check_number (who, p.method, p.ropt, times(end) - t0);
-  [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start);
+  [x0, p.start] = gsmbp__start (who, m, t0, x0, o.start, o.modes);
   if (isempty (o.motion))
     o.of_time = of_time (o.input);
     o.input = gsmbp__all_inputs (who, m, o.input, t0, x0);
@@ -25,7 +25,6 @@ function p = gsmbp__run_setup (who, m, x0, times, o)
   endif
   plan = gsmbp__sampled (who, m, o, times, plan);
   plan = gsmbp__event_plan (who, m, o, plan);
-  gsmbp__check_stops (who, m, t0, x0, o.modes);
   p.carried = gsmbp__carried (who, m, o, t0, x0, atol);
   o.rtol = p.ropt(2);
   [p.x0, p.atol] = audit_states (who, m, o, [x0(:); p.carried.x0], [atol(:); p.carried.atol]);

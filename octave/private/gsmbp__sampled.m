@@ -35,9 +35,9 @@ function plan = gsmbp__sampled (who, m, o, times, plan)
   if (any (max (abs (times([1, end]))) ./ period > gsmbp__run_limit ("fixed_steps")))
     error ("%s: more than 2e9 samples", who);
   endif
-  plan.on_the_way = gsmbp__on_the_way (period, delay);
+  [plan.on_the_way, instants] = m.module ("pending", period, delay, times(end) - times(1));
   if (o.samples)
-    plan.instants = sum ((1 + (delay > 0)) .* (floor ((times(end) - times(1)) ./ period) + 2));
+    plan.instants = instants;
   endif
   plan.held_counts = cellfun (@numel, {m.controllers.outputs});
   plan.again = double ([m.controllers.again]);

@@ -39,12 +39,16 @@ function text = gsmbp__sizes_header (json, symbol, has_input)
   called = cellfun (@(name, sub) sprintf ("GS_FORTRAN_%s (run_%s, %s) ", name, name, sub), ...
                     names(by_value), declared(by_value), "UniformOutput", false);
   audited = {"0", "run_rha"}{1 + any(strcmp (names, "rha"))};
+  [lists, about] = gsmbp__start_tables (json, names);
   text = [sprintf("#define GSMBP_INSTALL G%s\n", symbol), ...
           "#define GSMBP_DECLARE ", others{:}, "\n", ...
           "#define GSMBP_BY_VALUE ", called{:}, "\n", ...
           "#define GSMBP_RUN ", run, "\n", ...
           "#define GSMBP_AUDITED ", audited, "\n", ...
+          "#define GSMBP_LISTS ", lists, "\n", ...
+          "#define GSMBP_ABOUT ", about, "\n", ...
           "#define GSMBP_SETS ", strjoin(cellstr (num2str ([sets'(:); 0])), ", "), "\n", ...
+          "#define GSMBP_KINDS ", sprintf("%d, ", kinds (json)), "\n", ...
           "#define GSMBP_MODES ", sprintf("%d, ", modes), "\n", ...
           "#define GSMBP_TABLE ", strjoin(members, ", "), "\n", ...
           "#define GSMBP_ROUTINES ", routines{:}, "\n#define GSMBP_MEANINGS ", meanings{:}, "\n"];
@@ -86,10 +90,21 @@ function [by_value, run] = of_the_run (json, names, declared)
   for name = {"nq", "nu", "nx", "nv", "ny", "nlam", "nsw", "nev", "nctl", "nxk"}
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor
-  for name = setdiff (names(by_value), {"rha"})
+  for name = setdiff (names(by_value), {"rha", "mar"})
     members{end+1} = sprintf (".%s = run_%s", name{[1, 1]});
   endfor
+  if (isfield (json, "events") && ! isempty (json.events))
+    members{end+1} = ".event_kinds = kinds";
+  endif
   run = strjoin (members, ", ");
+endfunction
+
+## of each event function: 1 friction, 2 a stop, 3 the user's
+function list = kinds (json)
+  list = 0;
+  if (isfield (json, "events") && ! isempty (json.events))
+    list = [1 + strcmp({json.events.kind}, "stop") + 2 * strcmp({json.events.kind}, "event"), 0];
+  endif
 endfunction
 
 ## rows of C: the emitted subroutines by the ends of their names, the sentences of their INFO

@@ -35,17 +35,9 @@ function records = run_records (s, p, library)
   kept = s.kept;
   records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
-             "groups", gsmbp__event_groups(m); "event_names", event_lines(m); "nominal", m.nominal
+             "groups", gsmbp__event_groups(m); "nominal", m.nominal
              "par", cellfun(@double, struct2cell (m.par))
              "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
-endfunction
-
-function text = event_lines (m)
-  names = {};
-  if (! isempty (m.events))
-    names = {m.events.name};
-  endif
-  text = sprintf ("%s\n", names{:});
 endfunction
 
 function records = plan_records (p)
@@ -61,7 +53,7 @@ function take_sources (who, m, folder)
   parts = {"gsmbp_scene.?", "gsmbp_implicit.h", "implicit*.?", "gsmbp_radau.c", "radau_*", ...
            "gsmbp_cvode.c", "sundials_calls.h", "header_cvode.h", "find_header", ...
            "gsmbp_gauss.c", "gauss_*", "rows.h", ...
-           "settle.?", "start.h", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
+           "settle.?", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
   for file = glob (fullfile (gsmbp__place ("octave", "glue"), parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor
@@ -74,9 +66,12 @@ function take_sources (who, m, folder)
     take (who, file{1}, fullfile (folder, "c", "gsmbp"));
   endfor
   take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
-  take (who, gsmbp__place ("share", "engine", "host", "failure.c"), fullfile (folder, "c"));
-  for file = {"failure.h", "fortran_scene.h", "text.h"}
-    take (who, gsmbp__place ("share", "engine", "host", file{1}), fullfile (folder, "c", "host"));
+  host = @(file) gsmbp__place ("share", "engine", "host", file);
+  for file = {"failure.c", "start.c", "residuals.c", "margins.c"}
+    take (who, host (file{1}), fullfile (folder, "c"));
+  endfor
+  for file = {"failure.h", "fortran_scene.h", "start.h", "text.h"}
+    take (who, host (file{1}), fullfile (folder, "c", "host"));
   endfor
   put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
   if (! isempty (m.sources{2}))

@@ -15,12 +15,12 @@ endfunction
 
 ## a motion of all coordinates of a closed chain must fulfil its constraints
 function consistent (who, m, t, one)
-  [names, scaled, found] = gsmbp__residuals (m, t, ...
+  [~, scaled, found] = gsmbp__residuals (m, t, ...
       [one(:,1); one(:,2); zeros(m.sizes.nx - 2 * m.sizes.nu, 1)]);
   if (! all (abs (scaled) <= 1e-6))
     error ("gsmbp:start", ...
            ["%s: %s: expected a planned motion on the constraints, found at t = %.9g s " "%s"], ...
-           who, m.name, t, gsmbp__worst (names, scaled, found, 1e-6));
+           who, m.name, t, m.module ("worst", scaled, found, 1e-6));
   endif
 endfunction
 

@@ -139,7 +139,7 @@ function stepped (drive, ball)
     e = gsmbp_ensemble (drive, [0; 0], [1, 1.1], "input", 1, "parameters", ...
                         struct ("period", [0.1, 1e-12, 0.1]), "lanes", lanes);
     gsmbp_check (["samples beyond count: " e.reason{2}], isequal (e.ok', [true, false, true]) ...
-                 && any (strfind (e.reason{2}, "fewer than 2e9 samples behind the start")));
+                 && any (strfind (e.reason{2}, "expected at most 2e9 samples before the start")));
   end
   w = gsmbp_sweep (drive, [0; 0], t, "input", 1, "vary", struct ("late", [0.01, 0.5]), "runs", 8);
   gsmbp_check ("of a sweep", all (w.ok));

@@ -22,9 +22,9 @@ enum
 
 /* istat[GS_FAILED], what failed with istat[GS_FAILED_INFO]. GS_AT_START: in a singular position;
  * info is 1 where the method does not begin there, 2 at rest, 3 where no motion with these speeds
- * leaves it, 4 so after an event. GS_BEFORE_START: a host did not take the start; info is a
- * verdict. GS_AT_EVENT: info is 10 where events accumulate, 13 where the given mode contradicts
- * the state. */
+ * leaves it, 4 so after an event. GS_BEFORE_START: the start was refused; info is a verdict.
+ * GS_AT_EVENT: info is 10 where events accumulate, 13 where the given mode contradicts the
+ * state. */
 enum
 {
   GS_AT_NOTHING, GS_AT_INPUTS, GS_AT_RHS, GS_AT_PRJ, GS_AT_CON, GS_AT_PARTITION, GS_AT_OUTPUT,
@@ -35,8 +35,7 @@ enum
  * (of the usual sizes) although they are not; no state on them was found; a device cannot be
  * there; a period or a delay of a sampled device cannot be, or there are too many samples after it
  * (gs_due_from); an angle is beyond 1e15 rad; Euler parameters have no direction; it must be moved,
- * but there is no PRJ; no memory; the first of the stops (GS_START_STOP and its number less 1) is
- * beyond its end */
+ * but there is no PRJ; no memory; a stop is passed */
 enum
 {
   GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_SAMPLES,

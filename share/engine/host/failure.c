@@ -99,23 +99,6 @@ put_singular_start (gs_writer *w, const gs_failed_run *f)
             "that it leaves was found, how it goes on is not determined", f->t);
 }
 
-static void
-put_refused_start (gs_writer *w, const gs_failed_run *f)
-{
-  const int verdict = f->istat[GS_FAILED_INFO];
-  if (verdict == GS_START_DEVICE)
-    gs_put (w, "a device cannot be there");
-  else if (verdict == GS_START_SAMPLES)
-    gs_put (w, "sampled devices: expected periods above 0, delays of 0 or more and fewer than 2e9 "
-            "samples behind the start");
-  else if (verdict >= GS_START_STOP)
-    gs_put (w, "the start is beyond an end of the stop %s", f->event ? f->event : "");
-  else if (verdict == GS_START_NONE)
-    gs_put (w, "no state on the constraints was found near this one at t = %.9g s", f->t);
-  else
-    gs_put (w, "expected a state on the constraints at t = %.9g s", f->t);
-}
-
 /* the routine that failed, or the event by its name */
 static void
 put_routine (gs_writer *w, const gs_failed_run *f)
@@ -135,7 +118,7 @@ put_failed_call (gs_writer *w, const gs_failed_run *f)
   if (failed == GS_AT_START)
     put_singular_start (w, f);
   else if (failed == GS_BEFORE_START)
-    put_refused_start (w, f);
+    gs_put (w, "%s", f->said ? f->said : "");
   else if (failed >= GS_AT_INPUTS && failed <= GS_AT_JAC)
     put_routine (w, f);
 }

@@ -17,7 +17,7 @@ typedef struct
   const char *meaning; /* of istat[GS_FAILED_INFO] in gs_failed_routine; null: none known */
   const char *event;   /* the name of the event that failed; null: not known */
   int sticks;          /* do ports have friction with events? */
-  const char *said;    /* by an implicit method that stopped */
+  const char *said;    /* by an implicit method that stopped; why a start was refused */
 } gs_failed_run;
 
 /* the routine of the scene that failed, in lower case without its name ("rhs"); "": none of it */

@@ -2,8 +2,9 @@
  *
  * GS_FORTRAN_rhs (name, pendulum_rhs_) defines the function name, static, a gs_rhs that calls the
  * subroutine pendulum_rhs_ with its arguments by address; so do the others for the members of
- * gs_scene with their names. The rates of an audit, rha, are a gs_rhs, too. vin calls the user's
- * GSVIN; its data is a gs_fortran_inputs. */
+ * gs_scene with their names. The rates of an audit, rha, are a gs_rhs, too, margins of
+ * devices, mar, a gs_mar of host/start.h. vin calls the user's GSVIN; its data is a
+ * gs_fortran_inputs. */
 #ifndef GSMBP_HOST_FORTRAN_SCENE_H
 #define GSMBP_HOST_FORTRAN_SCENE_H
 
@@ -95,6 +96,15 @@ typedef struct
                     const gs_real *cst, gs_real *gv)                                               \
   {                                                                                                \
     sub (&t, x, v, mode, cst, gv);                                                                 \
+  }
+
+#define GS_FORTRAN_mar(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
+                   gs_real *);                                                                     \
+  static void name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *g, \
+                    gs_real *size)                                                                 \
+  {                                                                                                \
+    sub (&t, x, v, cst, g, size);                                                                  \
   }
 
 #define GS_FORTRAN_rst(name, sub)                                                                  \

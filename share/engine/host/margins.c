@@ -127,22 +127,31 @@ gs_passed_text (const gs_description *d, gs_real t, const gs_real *x, const gs_r
   return many;
 }
 
-/* the margins that are passed first in column j are added to the list of n; its new length */
-static int
-add_passed (const gs_description *d, const int *passed, int j, gs_passed_margin *list, int n)
+/* a margin counts where its smallest value in the run is one that is passed */
+static void
+take_smallest (const gs_real *g, int j, int n, gs_passed_margin *list)
 {
-  for (int k = 0; k < d->nmargins; k++)
+  for (int k = 0; k < n; k++)
     {
-      int listed = 0;
-      for (int i = 0; i < n; i++)
-        listed |= list[i].k == k;
-      if (passed[k] && ! listed)
-        list[n++] = (gs_passed_margin){ k, j, j, HUGE_VAL };
+      const double value = (double)g[k];
+      if (isnan (list[k].least) || value >= list[k].least)
+        continue;
+      list[k].least = value;
+      list[k].at = j;
     }
-  return n;
 }
 
-/* a margin counts where its smallest value in the run is one that is passed */
+/* those of n that are passed, one after the other */
+static int
+gather (const int *passed, int n, gs_passed_margin *list)
+{
+  int many = 0;
+  for (int k = 0; k < n; k++)
+    if (passed[k])
+      list[many++] = list[k];
+  return many;
+}
+
 int
 gs_margins_of_run (const gs_description *d, int n, const gs_real *t, const gs_real *x, int ldx,
                    const gs_real *v, int ldv, const gs_real *cst, gs_passed_margin *list)
@@ -150,23 +159,19 @@ gs_margins_of_run (const gs_description *d, int n, const gs_real *t, const gs_re
   if (! d->mar || d->nmargins == 0)
     return 0;
   gs_real *w = room (d);
-  int *passed = calloc ((size_t)d->nmargins, sizeof *passed), many = 0;
+  int *passed = calloc ((size_t)d->nmargins, sizeof *passed);
+  for (int k = 0; k < d->nmargins; k++)
+    list[k] = (gs_passed_margin){ k, -1, 0, HUGE_VAL };
   for (int j = 0; j < n && w && passed; j++)
-    if (passed_here (d, t[j], x + ldx * j, v + ldv * j, cst, passed, w) > 0)
-      many = add_passed (d, passed, j, list, many);
-  for (int j = 0; j < n && w && passed && many > 0; j++)
     {
-      d->mar (t[j], x + ldx * j, v + ldv * j, cst, w, w + d->nmargins);
-      for (int i = 0; i < many; i++)
-        {
-          const double value = (double)w[list[i].k];
-          if (isnan (list[i].least) || value >= list[i].least)
-            continue;
-          list[i].least = value;
-          list[i].at = j;
-        }
+      passed_here (d, t[j], x + ldx * j, v + ldv * j, cst, passed, w);
+      take_smallest (w, j, d->nmargins, list);
+      for (int k = 0; k < d->nmargins; k++)
+        if (passed[k] && list[k].first < 0)
+          list[k].first = j;
     }
+  const int many = w && passed ? gather (passed, d->nmargins, list) : -1;
   free (w);
   free (passed);
-  return w && passed ? many : -1;
+  return many;
 }

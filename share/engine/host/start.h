@@ -20,7 +20,7 @@ typedef void gs_mar (gs_real t, const gs_real *x, const gs_real *v, const gs_rea
 
 /* what a start needs of a scene besides its table; numbers of states count from 0, those of
  * constraints from 1. A null pointer: the host does not have it. */
-typedef struct
+typedef struct gs_description
 {
   const gs_scene *scene;
   gs_mar *mar;                      /* margins of devices, */
