@@ -10,14 +10,14 @@
 #include "host/failure.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
-typedef int gs_ask (void);
+typedef int gs_question (void);
 
 /* the run that asks: only one of the main thread of Python does, so that there is one at a time, or
  * one within the function of inputs of another */
 typedef struct
 {
   gs_rhs *rates;
-  gs_ask *ask;
+  gs_question *ask;
   clock_t next;
   int calls, info;
 } gs_asking;
@@ -37,7 +37,7 @@ asking_rates (double t, const double *x, const double *v, const double *cst, dou
 /* a run; rhs, vin: in the place of the scene's, or null pointers; ask may be one as well. info as
  * gssim */
 int
-gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_ask *ask, int nx, double t0,
+gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *ask, int nx, double t0,
              const double *x0, int nt, const double *tout, int nb, const double *tbrk,
              const int *iopt, const double *ropt, const double *atol, int *ip, double *rp,
              const double *cst, double *xout, double *vout, int *istat, double *rstat, double *w,
