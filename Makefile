@@ -24,7 +24,7 @@ DESTDIR :=
         test-reach test-c test-precision test-before test-sweep test-mpi bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
-        bench-points bench-reach bench-robots bench-peers same doc manual \
+        bench-points bench-reach bench-robots bench-peers same architecture doc manual \
         install uninstall package clean packages-manual packages-pdf packages-report \
         packages-screen \
         check-environment check-report check-screen check-notebook check-portable packages-fmu \
@@ -108,6 +108,8 @@ make bench-peers           tests/bench/peers.md and figures: whole runs of the P
                            links, of a slider-crank, time against error beside SciPy, MuJoCo,
                            Drake and CasADi's code in the same integrator, all from PyPI (make
                            bench PEERS=1 has it, too); BENCH_SYSTEMS="puma6": this only
+make architecture          lines and bytes of the program below the JSON, folder by folder, in the
+                           commit of tests/data/before/base and now
 make same BASE=COMMIT      is the Fortran of every scene byte for byte what COMMIT emitted?
 make check-report          the page of a run of every example, opened in a browser (headless
                            Chromium): no error, every equation laid out, the player moves
@@ -294,6 +296,9 @@ bench-robots: packages compiled
 # PATTERN: only the scenes whose path holds it
 same: | packages
 	@tests/tools/same '$(BASE)' '$(PATTERN)'
+
+architecture:
+	@tests/tools/architecture
 
 check-fmu: packages-fmu compiled
 	@tests/fmu/check $(FMUS)
