@@ -36,13 +36,10 @@ gsmbp_patience (void *, number t)
   return patience::asked () && the_patience->look (double (t)) ? the_patience->why () : 0;
 }
 
-// by gssim; INFO
-static int
-run_gssim (const run_setting& s, run_room& r, int *ip, number *rp)
+// as the run time takes it; its statistics are those of R
+static gs_run
+engine_run (const run_setting& s, run_room& r, int *ip, number *rp)
 {
-  gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
-  gs_scene scene = s.scene;
-  scene.data = &of_vin;
   gs_run run = gs_run ();
   run.nx = s.nx;
   run.t0 = s.t0;
@@ -64,8 +61,39 @@ run_gssim (const run_setting& s, run_room& r, int *ip, number *rp)
   run.w = &r.w[0];
   run.lw = s.lw;
   run.ask = gsmbp_patience;
+  std::copy_n (r.istat.begin (), int (GS_COUNTED), run.istat);
+  std::copy_n (r.rstat.begin (), int (GS_MEASURED), run.rstat);
+  return run;
+}
+
+// by gssim; INFO
+static int
+run_gssim (const run_setting& s, run_room& r, int *ip, number *rp)
+{
+  gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
+  gs_scene scene = s.scene;
+  scene.data = &of_vin;
+  gs_run run = engine_run (s, r, ip, rp);
   const int info = gssim (&scene, &run);
   std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
   std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
   return info;
 }
+
+#if ! defined (GSMBP_QUAD)
+// by an implicit method; INFO
+static int
+run_implicit (const run_setting& s, run_room& r, int *ip, number *rp, gs_implicit_method *by,
+              const gs_implicit& options)
+{
+  gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
+  gs_scene scene = s.scene;
+  scene.data = &of_vin;
+  scene.nsw = S.nsw;   // at these breaks its rates may jump
+  gs_run run = engine_run (s, r, ip, rp);
+  const int info = by (&scene, &run, &options);
+  std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
+  std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
+  return info;
+}
+#endif

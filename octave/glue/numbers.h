@@ -24,7 +24,7 @@
 #include <dlfcn.h>
 
 #include "fortran.h"
-#include "gsmbp_implicit.h"
+#include "host/implicit/implicit.h"
 
 static const double no_number = std::numeric_limits<double>::quiet_NaN ();
 

@@ -276,21 +276,23 @@ events (run_plan& plan, int nx)
 }
 
 #if ! defined (GSMBP_QUAD)
-// who runs by an implicit method, in a library of its own: libgsmbp_cvode.so has gsmbp_cvode
-static gsmbp_run_function *
+// who runs by an implicit method: "radau", "gauss", or libgsmbp_cvode.so, which has gs_cvode
+static gs_implicit_method *
 implicit_run (const std::string& library)
 {
-  static gsmbp_run_function *run = nullptr;
+  static gs_implicit_method *run = nullptr;
   static std::string loaded;
+  if (library == "radau" || library == "gauss")
+    return library == "radau" ? gs_radau : gs_gauss;
   if (loaded != library)
     {
-      std::string name = library.substr (library.rfind ("libgsmbp_") + 3);
+      std::string name = "gs_" + library.substr (library.rfind ("libgsmbp_") + 9);
       name.resize (name.rfind (".so"));
       void *handle = dlopen (library.c_str (), RTLD_NOW | RTLD_LOCAL);
       void *address = handle ? dlsym (handle, name.c_str ()) : nullptr;
       if (! address)
         error ("gsmbp_simulate: cannot load %s: %s", library.c_str (), dlerror ());
-      run = reinterpret_cast<gsmbp_run_function *> (address);
+      run = reinterpret_cast<gs_implicit_method *> (address);
       loaded = library;
     }
   return run;

@@ -30,10 +30,10 @@ struct simulation : run_room, run_setting
   int nb;
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
-  std::string library;   // of an implicit method; "": GSSIM alone
+  std::string library;   // an implicit method, or its library; "": GSSIM alone
   bool by_c;             // by the run time in C
 #if ! defined (GSMBP_QUAD)
-  gsmbp_run_function *implicit_method = nullptr;
+  gs_implicit_method *implicit_method = nullptr;
 #endif
   std::vector<int> implicit;   // the largest order; 1 if loops are in index 2; the states that the
                                // inputs of a motion follow, from 1 on
@@ -246,92 +246,14 @@ simulation::by_fortran (run_room& r, int *ip, number *rp, const int *sizes, cons
 }
 
 #if ! defined (GSMBP_QUAD)
-// the scene's side of a run by an implicit method
-static void
-take_scene (gsmbp_run& g)
-{
-  g.gsfun = gsfun_;
-  g.gsinp = gsinp_;
-  g.gschk = gschk_;
-  g.gsjmp = gsjmp_;
-  g.gspst = gspst_;
-  g.gspnw = gspnw_;
-  g.gspbg = gspbg_;
-  g.gsdue = gsdue_;
-  g.gsevn = gsevn_;
-  g.gsend = gsend_;
-  g.gsevo = gsevo_;
-  g.gsevr = gsevr_;
-  g.gsevv = gsevv_;
-  g.gsusg = gsusg_;
-  g.nq = S.nq;
-  g.nu = S.nu;
-  g.nv = S.nv;
-  g.ny = S.ny;
-  g.nlam = S.nlam;
-}
-
 // from the start, or on from where GSSIM found its steps bound by stability
 void
 simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const
 {
-  auto there = [] (const char *name) {
-    const gsmbp_routine *f = emitted (name);
-    return f ? f->sub : nullptr;
-  };
-  gsmbp_run g = gsmbp_run ();
-  reals times = tout, stops = r.breaks, options = ropt, absolute = atol;
-  std::vector<int> counts = iopt;
-  take_scene (g);
-  g.rhs = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
-  g.prj = prj;
-  g.con = con;
-  g.kin = kin;
-  g.cmd = cmd;
-  g.clo = clo;
-  g.vin = vin;
-  g.out = out;
-  g.ctl = ctl;
-  g.evt = evt;
-  g.rst = rst;
-  g.jac = there ("jac");
-  g.lin = there ("lin");
-  g.bia = there ("bia");
-  g.mas = there ("mas");
-  g.gradients = there ("con");
-  g.tan = there ("tan");
-  g.nx = nx;
-  g.columns = columns->count ();
-  g.resume = resume;
-  g.order = implicit[0];
-  g.index2 = implicit[1];
-  g.followed = int (implicit.size ()) - 2;
-  g.follows = implicit.data () + 2;
-  g.t0 = t0;
-  g.x0 = &r.x0[0];
-  g.nt = nt;
-  g.nb = int (stops.size ());
-  g.switches = S.nsw;
-  g.tout = &times[0];
-  g.tbrk = stops.data ();
-  g.iopt = &counts[0];
-  g.ropt = &options[0];
-  g.atol = &absolute[0];
-  g.ip = &ip[0];
-  g.rp = rp;
-  g.cst = &r.cst[0];
-  g.xout = &r.xout[0];
-  g.vout = &r.vout[0];
-  g.ldx = ldx;
-  g.ldv = ldv;
-  g.istat = &r.istat[0];
-  g.rstat = &r.rstat[0];
-  g.w = &r.w[0];
-  g.text = &r.text[0];
-  g.length = int (r.text.size ());
-  r.info = implicit_method (&g);
-  if (r.info != 0 && the_patience->why () != patience::none)
-    r.info = the_patience->why ();
+  const gs_implicit o = { implicit[0], implicit[1], resume, columns->count (),
+                          int (implicit.size ()) - 2, implicit.data () + 2, &r.text[0],
+                          int (r.text.size ()) };
+  r.info = run_implicit (*this, r, &ip[0], rp, implicit_method, o);
 }
 #endif
 

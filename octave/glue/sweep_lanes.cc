@@ -52,7 +52,9 @@ class sweep_rows : public lane_source
 {
 public:
 
-  sweep_rows (gs_lanes& all, int thread, gs_room *r) : m_all (all), m_thread (thread), m_r (r) { }
+  sweep_rows (gs_lanes& all, int thread, gs_sweep_room *r)
+    : m_all (all), m_thread (thread), m_r (r)
+  { }
   bool next (lane_run& l);
   void done (lane_run& l);
   int over (void) { return 0; }
@@ -64,7 +66,7 @@ private:
 
   gs_lanes& m_all;
   const int m_thread;
-  gs_room *m_r;
+  gs_sweep_room *m_r;
 };
 
 bool
@@ -143,7 +145,7 @@ gs_open_lanes (const gs_sweep *s, long long first, long long n, int threads, dou
 int
 gs_run_lanes (gs_lanes *l, int thread)
 {
-  gs_room *r = gs_make_room (l->s);
+  gs_sweep_room *r = gs_make_room (l->s);
   if (! r)
     return 1;
   sweep_rows mine (*l, thread, r);

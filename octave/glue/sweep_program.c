@@ -103,7 +103,7 @@ run_rows (void *data)
         stop ("no memory");
       return NULL;
     }
-  gs_room *r = gs_make_room (w->sweep);
+  gs_sweep_room *r = gs_make_room (w->sweep);
   if (! r)
     stop ("no memory");
   for (;;)

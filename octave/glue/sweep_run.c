@@ -2,6 +2,7 @@
 #include "sweep_run.h"
 #include "gsmbp/plan.h"
 #include "host/failure.h"
+#include "host/fortran_scene.h"
 #include "host/start.h"
 #include "gsmbp_scene.h"
 
@@ -13,9 +14,7 @@
 static const gsmbp_scene *const S = &gsmbp_the_scene;
 
 extern double gslft_ (const double *t, const int *side);
-extern void gssim_ (void), gsfun_ (void), gsinp_ (void), gschk_ (void), gsjmp_ (void),
-    gspst_ (void), gspnw_ (void), gspbg_ (void), gsdue_ (void),
-    gsend_ (void), gsevn_ (void), gsevo_ (void), gsevr_ (void), gsevv_ (void), gsusg_ (void);
+extern void gssim_ (void);
 static void absent (void) { }
 
 /* an emitted subroutine by the end of its name, a null pointer where there is none */
@@ -68,9 +67,13 @@ find_method (gs_sweep *s, char *why)
   long long n;
   const char *method = gs_text (s->job, "library", &n);
   s->implicit_method = NULL;
-#if defined (GS_IMPLICIT)   /* that of the library libgsmbp_NAME, GS_IMPLICIT_NAME */
-  if (strcmp (method, GS_IMPLICIT_NAME) == 0)
-    s->implicit_method = GS_IMPLICIT;
+  if (strcmp (method, "radau") == 0)
+    s->implicit_method = gs_radau;
+  if (strcmp (method, "gauss") == 0)
+    s->implicit_method = gs_gauss;
+#if defined (GS_CVODE)
+  if (strcmp (method, "cvode") == 0)
+    s->implicit_method = gs_cvode;
 #endif
   if (n == 0 || s->implicit_method)
     return 0;
@@ -183,10 +186,10 @@ room (long long n)
   return calloc ((size_t) (n < 1 ? 1 : n), sizeof (double));
 }
 
-gs_room *
+gs_sweep_room *
 gs_make_room (const gs_sweep *s)
 {
-  gs_room *r = calloc (1, sizeof *r);
+  gs_sweep_room *r = calloc (1, sizeof *r);
   if (! r)
     return NULL;
   long long nt = s->tout.n;
@@ -208,7 +211,7 @@ gs_make_room (const gs_sweep *s)
 }
 
 void
-gs_free_room (gs_room *r)
+gs_free_room (gs_sweep_room *r)
 {
   void *all[] = { r->cst, r->x0, r->xout, r->vout, r->yout, r->rstat, r->w, r->rp, r->par, r->times,
                   r->options, r->ip, r->iopt, r->istat, r };
@@ -238,7 +241,7 @@ before (const void *a, const void *b)
 
 /* breaks of the inputs and the times at which the scene switches, behind the output times */
 static void
-set_breaks (const gs_sweep *s, gs_room *r)
+set_breaks (const gs_sweep *s, gs_sweep_room *r)
 {
   double *all = r->times + 1 + s->tout.n, *at = all + s->tbrk.n;
   int n = (int) s->tbrk.n;
@@ -259,7 +262,7 @@ set_breaks (const gs_sweep *s, gs_room *r)
 
 /* a start that is not taken: INFO as GSSIM, a verdict and its message */
 static void
-refused (const gs_sweep *s, gs_room *r, const gs_start *start)
+refused (const gs_sweep *s, gs_sweep_room *r, const gs_start *start)
 {
   r->info = start->verdict == GS_START_NO_MEMORY ? GS_OUT_OF_MEMORY : GS_ROUTINE_FAILED;
   r->istat[GS_FAILED_INFO] = start->verdict;
@@ -279,7 +282,7 @@ description (const gs_sweep *s)
 
 /* the start of a run on its constraints */
 static void
-take_start (const gs_sweep *s, gs_room *r)
+take_start (const gs_sweep *s, gs_sweep_room *r)
 {
   const gs_description d = description (s);
   gs_start_given g = { .t = s->t0, .cst = r->cst, .par = r->par, .check = s->check_start };
@@ -296,7 +299,7 @@ take_start (const gs_sweep *s, gs_room *r)
 
 /* the first samples of the sampled devices */
 static void
-take_samples (const gs_sweep *s, gs_room *r)
+take_samples (const gs_sweep *s, gs_sweep_room *r)
 {
   const gs_description d = description (s);
   gs_start start;
@@ -323,7 +326,7 @@ gs_take_plan (const gs_sweep *s, const int *from_ip, const double *from, int *ip
 
 /* the room of run I; INFO of PRE: that of the constants CST if they are known */
 static int
-prepare (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info)
+prepare (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cst, int info)
 {
   copy (r->par, s->par.x, S->npar);
   for (long long k = 0; k < s->varied; k++)
@@ -360,7 +363,7 @@ typedef void simulate (gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gs
                        double *, double *, int *);
 
 static void
-by_gssim (const gs_sweep *s, gs_room *r)
+by_gssim (const gs_sweep *s, gs_sweep_room *r)
 {
   const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, r->nb, s->lw };
   const gsmbp_sub *f = s->sub;
@@ -371,26 +374,26 @@ by_gssim (const gs_sweep *s, gs_room *r)
 
 /* from the start, or on from where GSSIM found its steps bound by stability */
 static void
-by_implicit (const gs_sweep *s, gs_room *r, int resume)
+by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
 {
-  const gsmbp_sub *f = s->sub;
-  gsmbp_run g = {
-    .rhs = f[0], .prj = f[1], .con = f[2], .kin = f[3], .cmd = f[4], .clo = f[5], .vin = f[6],
-    .out = f[7], .ctl = f[8], .evt = f[9], .rst = f[10], .jac = emitted ("jac"),
-    .lin = emitted ("lin"), .bia = emitted ("bia"), .mas = emitted ("mas"),
-    .gradients = emitted ("con"), .tan = emitted ("tan"), .index2 = s->index2,
-    .gsfun = gsfun_, .gsinp = gsinp_, .gschk = gschk_, .gsjmp = gsjmp_, .gspst = gspst_,
-    .gspnw = gspnw_, .gspbg = gspbg_, .gsdue = gsdue_, .gsend = gsend_, .gsevn = gsevn_,
-    .gsevo = gsevo_, .gsevr = gsevr_, .gsevv = gsevv_, .gsusg = gsusg_, .nq = S->nq, .nu = S->nu,
-    .nx = s->nx, .nv = S->nv, .ny = S->ny, .nlam = S->nlam, .resume = resume, .order = s->order,
-    .followed = (int) s->followed, .follows = s->follows, .t0 = s->t0, .x0 = r->x0,
-    .nt = (int) s->tout.n, .nb = r->nb, .switches = S->nsw, .tout = r->times + 1,
-    .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
+  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
+  gs_scene scene = *S->run;
+  scene.data = &data;
+  gs_run g = {
+    .nx = s->nx, .t0 = s->t0, .x0 = r->x0, .nt = (int) s->tout.n, .tout = r->times + 1,
+    .nb = r->nb, .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
     .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
-    .vout = r->vout, .ldx = s->ldx, .ldv = s->ldv, .istat = r->istat, .rstat = r->rstat, .w = r->w,
-    .text = r->text, .length = (int) sizeof r->text
+    .ldx = s->ldx, .vout = r->vout, .ldv = s->ldv, .w = r->w, .lw = s->lw
   };
-  r->info = s->implicit_method (&g);
+  memcpy (g.istat, r->istat, sizeof g.istat);
+  memcpy (g.rstat, r->rstat, sizeof g.rstat);
+  const gs_implicit o = {
+    .order = s->order, .index2 = s->index2, .resume = resume, .followed = (int) s->followed,
+    .follows = s->follows, .text = r->text, .length = (int) sizeof r->text
+  };
+  r->info = s->implicit_method (&scene, &g, &o);
+  memcpy (r->istat, g.istat, sizeof g.istat);
+  memcpy (r->rstat, g.rstat, sizeof g.rstat);
 }
 
 static int
@@ -405,7 +408,7 @@ fine (const double *x, int n)
 /* the time that stands for row K: where the scene switches it has what was before, as the inputs in
    it, but for the first one and those behind its end */
 static double
-row_time (const gs_sweep *s, const gs_room *r, const double *switches, long long k)
+row_time (const gs_sweep *s, const gs_sweep_room *r, const double *switches, long long k)
 {
   const double t = s->tout.x[k];
   const int left = -1;
@@ -417,7 +420,7 @@ row_time (const gs_sweep *s, const gs_room *r, const double *switches, long long
 
 /* outputs at the times that were reached, not a number where there are none */
 static void
-outputs (const gs_sweep *s, gs_room *r, long long reached)
+outputs (const gs_sweep *s, gs_sweep_room *r, long long reached)
 {
   gsmbp_sub out = S->ny > 0 ? emitted ("out") : NULL;
   double switches[S->nsw + 1];
@@ -441,7 +444,7 @@ outputs (const gs_sweep *s, gs_room *r, long long reached)
 
 /* a run that an event of the user has ended stays there: how many rows there are now */
 static long long
-stay (const gs_sweep *s, gs_room *r, long long reached)
+stay (const gs_sweep *s, gs_sweep_room *r, long long reached)
 {
   for (long long k = reached + 1; k < s->tout.n; k++)
     {
@@ -454,7 +457,7 @@ stay (const gs_sweep *s, gs_room *r, long long reached)
 
 /* state, input or output NUMBER (from 1) at time K; not a number from REACHED on */
 static double
-value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long long reached)
+value_at (const gs_sweep *s, const gs_sweep_room *r, int number, long long k, long long reached)
 {
   int j = number - 1;
   if (k >= reached)
@@ -467,7 +470,7 @@ value_at (const gs_sweep *s, const gs_room *r, int number, long long k, long lon
 
 /* the least value of margin NUMBER of the devices */
 static double
-of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
+of_margins (const gs_sweep *s, gs_sweep_room *r, int number, long long reached)
 {
   const gs_description d = description (s);
   int passed[S->nsm + 1], fails = ! d.mar;
@@ -485,7 +488,7 @@ of_margins (const gs_sweep *s, gs_room *r, int number, long long reached)
 
 /* sum of the trapezoidal rule as gsmbp__kept has it, of the POWER 1 or 2 */
 static double
-mean (const gs_sweep *s, const gs_room *r, int number, long long reached, int power)
+mean (const gs_sweep *s, const gs_sweep_room *r, int number, long long reached, int power)
 {
   double sum = 0, before = 0;
   const double *t = s->tout.x;
@@ -502,7 +505,7 @@ mean (const gs_sweep *s, const gs_room *r, int number, long long reached, int po
 
 /* the largest of SIGN times the value, or of its modulus where SIGN is 0; numbers alone count */
 static double
-largest (const gs_sweep *s, const gs_room *r, int number, long long reached, int sign)
+largest (const gs_sweep *s, const gs_sweep_room *r, int number, long long reached, int sign)
 {
   double most = NAN;
   for (long long k = 0; k < s->tout.n; k++)
@@ -517,7 +520,7 @@ largest (const gs_sweep *s, const gs_room *r, int number, long long reached, int
 
 /* of the events in the group NUMBER: when the first or the last one was, or how many there were */
 static double
-of_events (const gs_sweep *s, const gs_room *r, int way, int number)
+of_events (const gs_sweep *s, const gs_sweep_room *r, int way, int number)
 {
   const gs_events a = gs_planned_events (s->nx, r->ip, r->rp);
   int count = 0;
@@ -534,7 +537,7 @@ of_events (const gs_sweep *s, const gs_room *r, int way, int number)
 }
 
 static double
-kept (const gs_sweep *s, gs_room *r, long long k, long long reached)
+kept (const gs_sweep *s, gs_sweep_room *r, long long k, long long reached)
 {
   int number = s->number[k];
   switch (s->way[k])
@@ -562,7 +565,7 @@ kept (const gs_sweep *s, gs_room *r, long long k, long long reached)
 
 /* the row: ok, the time that was reached, what is kept, whole runs */
 static void
-fill (const gs_sweep *s, gs_room *r, int ok, double reached_time, long long reached,
+fill (const gs_sweep *s, gs_sweep_room *r, int ok, double reached_time, long long reached,
       double *row)
 {
   long long at = 0;
@@ -577,7 +580,7 @@ fill (const gs_sweep *s, gs_room *r, int ok, double reached_time, long long reac
 }
 
 static int
-has_sticks (const gs_sweep *s, const gs_room *r)
+has_sticks (const gs_sweep *s, const gs_sweep_room *r)
 {
   const gs_events e = gs_planned_events (s->nx, r->ip, r->rp);
   for (int k = 0; k < e.ne; k++)
@@ -588,7 +591,7 @@ has_sticks (const gs_sweep *s, const gs_room *r)
 
 /* why a run ended */
 static void
-failure (const gs_sweep *s, const gs_room *r, char *why)
+failure (const gs_sweep *s, const gs_sweep_room *r, char *why)
 {
   const int *istat = r->istat, at_event = istat[GS_FAILED] == GS_AT_EVENT;
   const char *event = at_event && istat[GS_CAUSE] > 0 ? S->about->events[istat[GS_CAUSE] - 1] : "";
@@ -600,14 +603,14 @@ failure (const gs_sweep *s, const gs_room *r, char *why)
 
 /* one that was not begun */
 static void
-never (const gs_sweep *s, gs_room *r, double *row)
+never (const gs_sweep *s, gs_sweep_room *r, double *row)
 {
   fill (s, r, 0, s->t0, 0, row);
 }
 
 int
-gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int info, double *row,
-              char *why)
+gs_begin_row (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cst, int info,
+              double *row, char *why)
 {
   why[0] = 0;
   if (s->broken[i])
@@ -630,7 +633,7 @@ gs_begin_row (const gs_sweep *s, gs_room *r, long long i, const double *cst, int
 }
 
 void
-gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
+gs_end_row (const gs_sweep *s, gs_sweep_room *r, double *row, char *why)
 {
   if (s->implicit_method && r->iopt[GS_METHOD] != 0 && r->info == GS_STIFF)
     by_implicit (s, r, 1);
@@ -646,7 +649,7 @@ gs_end_row (const gs_sweep *s, gs_room *r, double *row, char *why)
 }
 
 void
-gs_sweep_row (const gs_sweep *s, gs_room *r, long long i, double *row, char *why)
+gs_sweep_row (const gs_sweep *s, gs_sweep_room *r, long long i, double *row, char *why)
 {
   if (! gs_begin_row (s, r, i, NULL, 0, row, why))
     return;

@@ -12,6 +12,9 @@ function part = gsmbp__archive (precision)
                                                                   "*.f")); ...
              glob(fullfile (c, "gsmbp", "*.h")); glob(fullfile (c, "*", "*.c")); ...
              glob(fullfile (c, "*", "*", "*.c")); glob(fullfile (engine, "*.[ch]"))];
+  if (strcmp (precision, "double"))
+    sources = [sources; glob(fullfile (engine, "implicit", "*.[ch]"))];
+  endif
   words = strjoin ({gsmbp__mkoctfile("F77"), flags, gsmbp__mkoctfile("CC"), own});
   part = {"libgsmbp.a", words, sources};
 endfunction

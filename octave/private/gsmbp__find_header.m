@@ -1,11 +1,12 @@
 ## [words, found] = gsmbp__find_header (library)
-## The WORDS by which Octave's C compiler finds what glue/header_LIBRARY.h includes, "cvode" or
-## "ipopt" (glue/find_header), and whether it is installed.
+## The WORDS by which Octave's C compiler finds what header_LIBRARY.h includes, "cvode" or "ipopt"
+## (share/make/find_header), and whether it is installed.
 
 function [words, found] = gsmbp__find_header (library)
   quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
-  glue = @(file) quote (gsmbp__place ("octave", "glue", file));
-  [status, words] = system (["sh " glue("find_header") " " glue(["header_" library ".h"]) " " ...
+  folder = {{"octave", "glue"}, {"share", "engine", "host", "cvode"}}{1 + strcmp(library, "cvode")};
+  [status, words] = system (["sh " quote(gsmbp__place ("share", "make", "find_header")) " " ...
+                             quote(gsmbp__place (folder{:}, ["header_" library ".h"])) " " ...
                              strtrim(mkoctfile ("-p", "CC"))]);
   found = status == 0;
   words = strtrim (words);

@@ -39,8 +39,8 @@ endfunction
 function order = maxorder (who, order, method)
   orders = struct ("radau", [5, 9, 13], "auto", [5, 9, 13], "gauss", [4, 6, 8]);
   if (any (strcmp (method, {"dp853", "rk4"})) && ! isempty (order))
-    error ("%s: option maxorder: method %s has one order alone, found %s", who, method, ...
-           gsmbp__shown (order));
+    error ("%s: option maxorder: %s", who, ...
+           gsmbp__refusal ("one_order", method, gsmbp__shown (order)));
   elseif (isfield (orders, method))
     orders = orders.(method);
   else
@@ -50,8 +50,8 @@ function order = maxorder (who, order, method)
     order = orders(end - strcmp (method, "gauss"));
   endif
   if (! (isnumeric (order) && isscalar (order) && any (order == orders)))
-    error ("%s: option maxorder: expected one of %s, found %s", who, ...
-           strjoin (arrayfun (@num2str, orders, "uniformoutput", false), ", "), ...
-           gsmbp__shown (order));
+    numbers = strjoin (arrayfun (@num2str, orders, "uniformoutput", false), ", ");
+    error ("%s: option maxorder: %s", who, gsmbp__refusal ("order", numbers, ...
+                                                            gsmbp__shown (order)));
   endif
 endfunction

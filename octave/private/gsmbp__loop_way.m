@@ -59,11 +59,9 @@ endfunction
 ## what index 2 needs
 function check_index2 (who, o, m)
   if (m.sizes.nlam == 0)
-    error (["%s: option loops: %s has no loops; expected another way of them, or none, found " ...
-            "\"index2\""], who, m.name);
+    error ("%s: option loops: %s", who, gsmbp__refusal ("no_loops", m.name));
   elseif (! any (strcmp (o.method, {"radau", "auto"})))
-    error (["%s: the way \"index2\" of the loops is for method \"radau\" (or \"auto\"), " ...
-            "found method %s"], who, gsmbp__shown (o.method));
+    error ("%s: %s", who, gsmbp__refusal ("index2_method", gsmbp__shown (o.method)));
   endif
   for name = {"mas", "con", "tan"}
     if (! any (strcmp (m.subroutines, name{1})))

@@ -11,7 +11,7 @@ function file = gsmbp__sweep_program (who, s, p, records, folder)
   gsmbp__sweep_place (who, folder, records{1,2});
   folder = make_absolute_filename (folder);
   gsmbp__folder (who, folder);
-  library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');
+  library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');   # the method
   records = [records; run_records(s, p, library); plan_records(p)];
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
@@ -50,28 +50,20 @@ function records = plan_records (p)
 endfunction
 
 function take_sources (who, m, folder)
-  parts = {"gsmbp_scene.?", "gsmbp_implicit.h", "implicit*.?", "gsmbp_radau.c", "radau_*", ...
-           "gsmbp_cvode.c", "sundials_calls.h", "header_cvode.h", "find_header", ...
-           "gsmbp_gauss.c", "gauss_*", "rows.h", ...
-           "settle.?", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
+  parts = {"gsmbp_scene.?", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
   for file = glob (fullfile (gsmbp__place ("octave", "glue"), parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor
+  take (who, gsmbp__place ("share", "make", "find_header"), fullfile (folder, "glue"));
   fortran = gsmbp__place ("share", "fortran");
   for file = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", "lapack", ...
                                                                    "*.f"))]'
     take (who, file{1}, fullfile (folder, "fortran"));
   endfor
-  for file = glob (gsmbp__place ("share", "c", "gsmbp", "*.h"))'
-    take (who, file{1}, fullfile (folder, "c", "gsmbp"));
-  endfor
-  take (who, gsmbp__place ("share", "c", "inputs", "gslay.c"), fullfile (folder, "c"));
-  host = @(file) gsmbp__place ("share", "engine", "host", file);
-  for file = {"failure.c", "start.c", "residuals.c", "margins.c"}
-    take (who, host (file{1}), fullfile (folder, "c"));
-  endfor
-  for file = {"failure.h", "fortran_scene.h", "start.h", "text.h"}
-    take (who, host (file{1}), fullfile (folder, "c", "host"));
+  for home = {gsmbp__place("share", "c"), gsmbp__place("share", "engine")}
+    for file = glob (fullfile (home{1}, {"*", "*/*"}, "*.[ch]"))'
+      take (who, file{1}, fullfile (folder, "c", fileparts (file{1}(numel (home{1})+2:end))));
+    endfor
   endfor
   put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
   if (! isempty (m.sources{2}))
@@ -109,11 +101,9 @@ function is = has_lanes (m)
 endfunction
 
 function text = makefile (library, lanes)
-  [flags, common] = gsmbp__fortran_flags ("double");
-  processor = gsmbp__processor ();
+  [flags, common, of_c] = gsmbp__fortran_flags ("double");
   text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
-                 "@runtime@", common, "@processor@", processor(2:end), "@method@", library, ...
-                 "@lanes@", lanes);
+                 "@runtime@", common, "@engine@", of_c, "@method@", library, "@lanes@", lanes);
 endfunction
 
 ## a file of share/sweep, its marks filled in

@@ -27,7 +27,9 @@ import render  # noqa: E402
 NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, 'src', '*', 'table.json'))[0]))
 with open(os.path.join(HERE, 'src', NAME, 'table.json'), encoding='utf-8') as file:
     TABLE = json.load(file)
-FLAGS = ['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-g0']
+FLAGS = ['-std=c99', '-O2', '-fPIC', '-ffp-contract=off', '-fcx-limited-range', '-g0']
+SUNDIALS = ['sundials_cvode', 'sundials_nvecserial', 'sundials_sunmatrixdense',
+            'sundials_sunlinsoldense']
 
 
 def run_time(compiler, folder):
@@ -38,7 +40,7 @@ def run_time(compiler, folder):
     os.chdir(os.path.join(HERE, 'c'))
     try:
         names = [name for name in sorted(glob.glob('**/*.[ch]', recursive=True))
-                 if os.path.dirname(name) != 'scene']
+                 if os.path.dirname(name) not in ('scene', 'host/cvode')]
         texts = b''
         for name in names:
             with open(name, 'rb') as file:
@@ -52,6 +54,22 @@ def run_time(compiler, folder):
     finally:
         os.chdir(before)
     return sorted(glob.glob(os.path.join(folder, '**', '*.o'), recursive=True))
+
+
+def build_cvode(compiler, common, target):
+    """The library of method "cvode", where SUNDIALS is installed: the other methods need none."""
+    home = os.path.join(HERE, 'c')
+    found = subprocess.run(
+        ['sh', os.path.join(HERE, 'find_header'), os.path.join(home, 'host/cvode/header_cvode.h'),
+         *compiler.compiler_so], check=False, stdout=subprocess.PIPE)
+    words = found.stdout.decode().split()
+    if found.returncode != 0:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        own = compiler.compile([os.path.join(home, 'host', 'cvode', 'cvode.c')], output_dir=folder,
+                               include_dirs=[home], extra_postargs=[*FLAGS, *words])
+        compiler.link_shared_object(own + common, os.path.join(target, '_cvode.so'),
+                                    libraries=[*SUNDIALS, 'm'], extra_postargs=words)
 
 
 class Build(build_py):
@@ -75,9 +93,11 @@ class Build(build_py):
             objects = compiler.compile(
                 sources + [loops], output_dir=folder,
                 include_dirs=[home, os.path.join(home, 'scene')], extra_postargs=FLAGS)
-            objects += run_time(compiler, os.path.join(folder, 'common'))
-            compiler.link_shared_object(objects, os.path.join(target, '_scene.so'),
+            kept = os.path.join(folder, 'common')   # those of the module lie there itself
+            common = run_time(compiler, kept)
+            compiler.link_shared_object(objects + common, os.path.join(target, '_scene.so'),
                                         libraries=['m'])
+            build_cvode(compiler, [o for o in common if os.path.dirname(o) != kept], target)
 
 
 class Wheel(bdist_wheel):

@@ -22,14 +22,15 @@ end
 
 function library = build_arkode (root, out)
   library = fullfile (out, "libgsmbp_arkode.so");
-  glue = fullfile (root, "octave", "glue", {"implicit.c", "implicit_rates.c", ...
-                                                       "implicit_events.c", "implicit_look.c"});
-  sources = [{fullfile(root, "tests", "bench", "arkode", "gsmbp_arkode.c")}; glue(:)]';
+  share = fullfile (root, "share");
+  sources = [{fullfile(root, "tests", "bench", "arkode", "gsmbp_arkode.c")}
+             glob(fullfile (share, "engine", "host", "implicit", "implicit*.c"))
+             glob(fullfile (share, "c", {"*", "solve/plain"}, "*.c"))]';
   command = sprintf (["%s -std=gnu11 -O2 -march=native -fcx-limited-range -fPIC -shared -I%s " ...
                       "-I%s -o %s %s -lsundials_arkode -lsundials_nvecserial " ...
                       "-lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm"], ...
-                     strtrim (mkoctfile ("-p", "CC")), fullfile (root, "octave", "glue"), ...
-                     fullfile (root, "share", "c"), library, strjoin (sources, " "));
+                     strtrim (mkoctfile ("-p", "CC")), fullfile (share, "engine"), ...
+                     fullfile (share, "c"), library, strjoin (sources, " "));
   [status, text] = system ([command " 2>&1"]);
   if (status != 0)
     error ("bench-devices: %s\n%s", command, text);

@@ -122,7 +122,7 @@ check 'XDG_CACHE_HOME is absolute' said env -u GSMBP_CACHE XDG_CACHE_HOME=x HOME
 folder=$work/xdg/gsmbp
 check 'or below XDG_CACHE_HOME' said env -u GSMBP_CACHE XDG_CACHE_HOME="$work/xdg"
 
-# -- Octave: a module, and the library of method "gauss", the smallest of the parts
+# -- Octave: a module, and the generic part of all
 has script 'the cache in Octave' || exit 0
 cp octave/hand/motor_pendulum.* "$work"
 mkdir "$work/octave"
@@ -136,13 +136,13 @@ cd '$work'; FOLDER=\$1 exec octave-cli -qf --no-history --path "\${2:-$root}/oct
   r = gsmbp_simulate (m, m.initial, 0:0.1:1, "input", 12, "method", "gauss", "step", 1e-3);
   printf ("%.17g %.17g %.17g", r.x(end,:));' </dev/null
 END
-# run FOLDER [SOURCES]: the same on a terminal; again ...: after its library was removed
+# run FOLDER [SOURCES]: the same on a terminal; again ...: after its generic part was removed
 cat >"$work/run" <<END
 script -qec "sh '$work/octave_run' '\$1' '\${2:-$root}'" /dev/null </dev/null | tr -d '\r' |
   sed 's/.*\[K//'
 END
 cat >"$work/again" <<END
-rm -f "$work/\$1"/double/common/libgsmbp_gauss.so*
+rm -rf "$work/\$1"/double/common/gsmbp_module.o* "$work/\$1"/double/motor_pendulum
 . '$work/run'
 END
 run() { sh "$work/run" "$@"; }
@@ -160,7 +160,7 @@ run one >"$report" 2>&1
 first=$(tail -n 1 "$report")
 check 'a run' test "$(echo "$first" | wc -w)" = 3
 gives 'a new folder' '' run two
-for file in libgsmbp.a gsmbp_module.o libgsmbp_gauss.so; do
+for file in libgsmbp.a gsmbp_module.o; do
   cmp "$work/one/double/common/$file" "$work/two/double/common/$file"
 done >"$report" 2>&1
 result 'and the same bytes'
@@ -173,7 +173,7 @@ head -c 9000 "$work/entry" >"$entry"
 gives 'a truncated file' user again one
 mkdir "$work/sources"
 cp -R octave share "$work/sources"
-echo '/* changed */' >>"$work/sources/octave/glue/gauss_rule.c"
+echo '/* changed */' >>"$work/sources/octave/glue/job.h"
 gives 'a changed source' user again one "$work/sources"
 gives 'the same change' '' again two "$work/sources"
 rm "$entry"
@@ -182,7 +182,7 @@ gives 'two at once' user again two
 wait
 check 'the other one: the same numbers' test "$(tail -n 1 "$work/said")" = "$first"
 rm "$entry"
-rm -f "$work"/one/double/common/libgsmbp_gauss.so*
+rm -rf "$work"/one/double/common/gsmbp_module.o* "$work"/one/double/motor_pendulum
 setsid sh "$work/octave_run" one >"$work/said" 2>&1 &
 child=$!
 until [ -e "$work"/one/double/common/.new-* ] || ! kill -0 $child; do sleep 0.01; done

@@ -1,6 +1,6 @@
-# The stages of octave/glue/radau_index2.c on a point on a circle that grows, with a mass matrix
-# that depends on its place: what the defects say of multipliers and speeds, the matrix of Newton's
-# method.
+# The stages of radau_index2.c of share/engine/host/implicit on a point on a circle that grows,
+# with a mass matrix that depends on its place: what the defects say of multipliers and speeds, the
+# matrix of Newton's method.
 . tests/tools/check.sh
 work_folder
 
@@ -11,39 +11,38 @@ cat >"$work/stages.c" <<'END'
 
 enum { Q = 2, M = 2, ALL = 5 };   /* two coordinates, a state of a device; a row twice */
 
-int gs_own_states (const gsmbp_run *r) { return r->nx; }
+int gs_own_states (const gs_stepper *s) { return s->r->nx; }
 
 /* q1^2 + q2^2 = 1 + t/10, twice */
-static void
-con (const double *t, const double *q, const double *u, double *cst, double *phi, double *phit,
-     double *hc, const int *ldh, double *gam, int *info)
+static int
+con (double t, const double *q, const double *u, const double *cst, double *phi, double *phit,
+     double *hc, int ldh, double *gam)
 {
   (void) u, (void) cst, (void) gam;
   for (int k = 0; k < M; k++)
     {
-      phi[k] = (k + 1) * (q[0] * q[0] + q[1] * q[1] - 1 - *t / 10);
+      phi[k] = (k + 1) * (q[0] * q[0] + q[1] * q[1] - 1 - t / 10);
       phit[k] = (k + 1) * -0.1;
       for (int j = 0; j < Q; j++)
-        hc[k + *ldh * j] = (k + 1) * 2 * q[j];
+        hc[k + ldh * j] = (k + 1) * 2 * q[j];
     }
-  *info = 0;
+  return 0;
 }
 
 static void
-mas (const double *t, const double *q, double *cst, double *m, const int *ldm)
+mas (double t, const double *q, const double *cst, double *m, int ldm)
 {
   (void) t, (void) cst;
-  m[0] = 2 + q[0] * q[0], m[1] = m[*ldm] = 0.3 * q[1], m[1 + *ldm] = 1 + q[1] * q[1];
+  m[0] = 2 + q[0] * q[0], m[1] = m[ldm] = 0.3 * q[1], m[1 + ldm] = 1 + q[1] * q[1];
 }
 
 static void
-tan_ (const double *t, const double *x, double *cst, double *dp, const int *ldp, double *dv,
-      const int *ldv)
+tan_ (double t, const double *x, const double *cst, double *dp, int ldp, double *dv, int ldv)
 {
   (void) t, (void) cst;
   for (int k = 0; k < M; k++)
     for (int j = 0; j < Q; j++)
-      dp[k + *ldp * j] = (k + 1) * 2 * x[j], dv[k + *ldv * j] = (k + 1) * 2 * x[Q + j];
+      dp[k + ldp * j] = (k + 1) * 2 * x[j], dv[k + ldv * j] = (k + 1) * 2 * x[Q + j];
 }
 
 static double
@@ -64,14 +63,13 @@ static double
 not_a_force (const double *x, const double *d)
 {
   double m[Q * Q];
-  int n = Q;
-  mas (NULL, x, NULL, m, &n);
+  mas (0, x, NULL, m, Q);
   return (m[0] * d[0] + m[Q] * d[1]) * x[1] - (m[1] * d[0] + m[1 + Q] * d[1]) * x[0];
 }
 
 /* G of stages at some states against what index 2 says */
 static double
-defects (gs_run *s, gs_index2 *w, const radau_rule *rule)
+defects (gs_stepper *s, gs_index2 *w, const radau_rule *rule)
 {
   double x[STAGES][ALL], g[STAGES * ALL], before[STAGES * ALL], h = 0.1, worst = 0;
   for (int i = 0; i < rule->stages; i++)
@@ -100,7 +98,7 @@ defects (gs_run *s, gs_index2 *w, const radau_rule *rule)
 
 /* (SHIFT - J) X = R with the matrix of index 2 against its equations */
 static double
-newton (gs_run *s, gs_loops *loops, gs_index2 *w)
+newton (gs_stepper *s, gs_loops *loops, gs_index2 *w)
 {
   double J[ALL * ALL], A[ALL * ALL], x[ALL], r[ALL], miss[Q], shift = 7, worst = 0;
   int pivots[ALL];
@@ -134,10 +132,11 @@ newton (gs_run *s, gs_loops *loops, gs_index2 *w)
 int
 main (void)
 {
-  gsmbp_run r = { .nq = Q, .nu = Q, .nx = ALL, .nlam = M, .gradients = (gsmbp_sub) con,
-                  .mas = (gsmbp_sub) mas, .tan = (gsmbp_sub) tan_ };
+  const gs_scene scene
+      = { .nq = Q, .nu = Q, .nx = ALL, .nlam = M, .con = con, .mas = mas, .tan = tan_ };
+  gs_run r = { .nx = ALL };
   double x[ALL] = { 0.6, 0.8, -0.8, 0.6625, 3 }, worst[2] = { 0, 0 };
-  gs_run s = { .r = &r, .x = x };
+  gs_stepper s = { .scene = &scene, .r = &r, .x = x };
   int failed;
   gs_loops *loops = gs_new_loops (&s, &failed);
   gs_index2 *w = gs_new_index2 (loops);
@@ -154,8 +153,8 @@ main (void)
   return 0;
 }
 END
-(cd octave/glue && gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror \
-  -Wno-unused-function -I. -I../../share/c -o "$work/stages" "$work/stages.c" \
+(cd share/engine/host/implicit && gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra \
+  -Werror -I. -I../.. -I../../../c -o "$work/stages" "$work/stages.c" \
   radau_index2.c settle.c radau_rule.c radau_solve.c radau_order.c -lm -lpthread) >"$report" 2>&1
 told $? 'the stages compile' "$report"
 "$work/stages" >"$report" 2>&1

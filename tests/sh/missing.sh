@@ -41,9 +41,10 @@ in_its_place() {
 here() { PATH=$bin "$@" >"$report" 2>&1; }
 make_() { here make --no-print-directory "$@"; }
 
-mkdir -p "$work/project/gsmbp" "$work/project/octave/glue" "$work/project/share"
+mkdir -p "$work/project/gsmbp" "$work/project/octave/glue" "$work/project/share/engine/host/cvode"
 cp Makefile "$work/project" && cp -R share/make "$work/project/share"
-cp octave/glue/find_header octave/glue/header_* "$work/project/octave/glue"
+cp octave/glue/header_* "$work/project/octave/glue"
+cp share/engine/host/cvode/header_* "$work/project/share/engine/host/cvode"
 cd "$work/project" || exit 1
 cat >gsmbp/gsmbp.mac <<'E1'
 gsmbp_fortran(name, requests, options) := block([folder : rhs(first(options))],

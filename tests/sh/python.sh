@@ -1,12 +1,13 @@
-# gsmbp_package(scene, python): ten scenes become modules; one is installed by pip as its README
+# gsmbp_package(scene, python): eleven scenes become modules; one is installed by pip as its README
 # says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
-# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py; where GSMBP_TIMES
-# is set, how long 1e5 states take beside a loop in C.
+# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py, by implicit methods:
+# tests/python/implicit.py; where GSMBP_TIMES is set, how long 1e5 states take beside a loop in C.
 . tests/tools/check.sh
 root=$PWD
 work_folder
 python=/usr/bin/python3
 scenes='tests/scenes/event_ball tests/scenes/sampled_crank tests/scenes/switch_circuit
+  tests/scenes/stiff_loop
   examples/slider_crank/slider_crank examples/robot_joint/robot_joint
   examples/spinning_top/spinning_top tests/bench/systems/puma6'
 
@@ -26,7 +27,7 @@ sed 's/@name@/own_events/' tests/data/own_events.in >"$work/own_events.mac"
 statements="$statements kill(scene)\$ load(\"$work/own_events.mac\")\$
   gsmbp_package(scene, python, directory = \"$work/folders/own_events\")\$"
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of ten scenes' "$report"
+told $? 'gsmbp_package(scene, python) of eleven scenes' "$report"
 check 'the same scene, the same bytes' diff -r "$work/folders/puma6" "$work/again/puma6"
 grep -rlE "$root|$work" "$work/folders" >"$report"
 result 'nothing of this machine is in them'
@@ -49,7 +50,8 @@ for stub in "$work"/environment/lib/python3*/site-packages/slider_crank/*.pyi; d
 done >"$report" 2>&1
 result 'its stubs are Python'
 
-# -- the others are built in place, quickly
+# -- the others are built in place, quickly; one as where SUNDIALS is missing
+echo exit 1 >"$work/folders/run/find_header"
 for folder in "$work"/folders/*; do
   name=${folder##*/}
   [ -n "${GSMBP_TIMES:-}" ] || sed -i 's/-O2/-O0/' "$folder/setup.py"
@@ -64,6 +66,14 @@ for name in c run; do
     >"$report" 2>&1
   told $? "the scene $name, as another folder or file is called" "$report"
 done
+(cd / && $python -c 'import run
+m = run.Model()
+try:
+    m.simulate(m.initial, [0, 0.1], method="cvode")
+except ImportError as error:
+    print(error)') >"$report" 2>&1
+grep -q '^run.simulate: method "cvode" needs SUNDIALS 6 or 7, .*libsundials-dev' "$report"
+told $? 'method cvode of a module that was built without SUNDIALS names the package' "$report"
 $python -c 'import keyword, sys
 taken = set(open("share/python/taken").read().split())
 names = [*sys.stdlib_module_names, *keyword.kwlist]
@@ -87,6 +97,8 @@ done
 
 timeout 200 $python tests/python/runs.py
 told $? 'runs.py ends'
+timeout 200 $python tests/python/implicit.py
+told $? 'implicit.py ends'
 
 # -- 1e5 states beside a loop in C, where times are asked for (make bench-c)
 [ -n "${GSMBP_TIMES:-}" ] || exit 0

@@ -1,7 +1,8 @@
-# The rules of octave/glue/radau_rule.c: places in (0, 1], quadrature of the order 2*S - 1, stages
-# of the order S, the inverse of A from its eigenvalues and eigenvectors.
+# The rules of radau_rule.c of share/engine/host/implicit: places in (0, 1], quadrature of the order
+# 2*S - 1, stages of the order S, the inverse of A from its eigenvalues and eigenvectors.
 . tests/tools/check.sh
 work_folder
+home=share/engine/host/implicit
 
 cat >"$work/rules.c" <<'EOF'
 #include <math.h>
@@ -43,8 +44,8 @@ main (void)
   return 0;
 }
 EOF
-gcc -std=gnu11 -Wall -Wextra -Werror -Ioctave/glue -o "$work/rules" "$work/rules.c" \
-  octave/glue/radau_rule.c -lm >"$report" 2>&1
+gcc -std=gnu11 -Wall -Wextra -Werror -I$home -o "$work/rules" "$work/rules.c" \
+  $home/radau_rule.c -lm >"$report" 2>&1
 told $? 'the rules compile' "$report"
 "$work/rules" >"$report"
 for s in 3 5 7; do
@@ -138,8 +139,8 @@ main (void)
   return 0;
 }
 EOF
-gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror -Ioctave/glue \
-  -o "$work/solve" "$work/solve.c" octave/glue/radau_solve.c octave/glue/radau_order.c -lm \
+gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra -Werror -I$home \
+  -o "$work/solve" "$work/solve.c" $home/radau_solve.c $home/radau_order.c -lm \
   >"$report" 2>&1
 told $? 'the linear systems compile' "$report"
 "$work/solve" >"$report" 2>&1

@@ -4,13 +4,13 @@
  * Most steps of GSDP8 are quiet, which GSEVA tells; in the others states are those of its
  * polynomial of order 7 (GSDPE), and a step is repeated where this is off by ten tolerances.
  * Eight points of that polynomial (of the cubic one through both ends of a step of GSRK4, of that
- * of GSPSG), not evenly spaced
- * (what repeats itself would hide between them), tell whether an event function falls to 0, and up
- * to 2048 where it has a lowest value that they do not resolve (ports that stick let steps grow,
- * whatever the inputs do), or its last events say so (GSUSN: where these are too few the step is
- * too long); its zero by the method of Illinois. The part before it is looked at again in the same
- * way: there may be an earlier one. Where a function of the user has just had its
- * event more points are closer and closer to the beginning of the step.
+ * of GSPSG or GSEVQ), not evenly spaced (what repeats itself would hide between them), tell
+ * whether an event function falls to 0, and up to 2048 where it has a lowest value that they do
+ * not resolve (ports that stick let steps grow, whatever the inputs do), or its last events say so
+ * (GSUSN: where these are too few the step is too long); its zero by the method of Illinois. The
+ * part before it is looked at again in the same way: there may be an earlier one. Where a function
+ * of the user has just had its event more points are closer and closer to the beginning of the
+ * step.
  * From there on the step itself is made as long as it must be, by the secant method, so that the
  * state at the event is as accurate as any other. Where a run carries derivatives they follow in
  * the last such step alone. */
@@ -27,6 +27,13 @@ static gs_events
 plan (const gs_system *g)
 {
   return gs_events_of (g->nx, g->ip + g->ip[GS_EVENTS] - 1, g->rp + g->ip[GS_EVENTS + 1] - 1);
+}
+
+/* are the states of the step those of a polynomial, and the step is not made again? */
+static int
+is_polynomial (const gs_step *e)
+{
+  return e->method == 12 || e->method == 0;
 }
 
 /* the inputs failed */
@@ -48,7 +55,7 @@ ends (const gs_system *g, const gs_step *e, gs_real *xdn)
       if (info != 0)
         return info;
     }
-  return e->method == 12 ? 0 : gsfun (g, e->tn, e->side, e->xn, xdn);
+  return is_polynomial (e) ? 0 : gsfun (g, e->tn, e->side, e->xn, xdn);
 }
 
 /* in e, or up to its event `first`: the number of a function that has not risen above 0 since its
@@ -109,7 +116,7 @@ rose (const gs_system *g, gs_step *e, int i, gs_real th, int *so)
   const gs_events a = plan (g);
   gs_real te, err, tm;
   *so = 1;
-  if (e->method == 12 || ! gs_is_own (&a, i - 1) || a.mark[i - 1] == 1)
+  if (is_polynomial (e) || ! gs_is_own (&a, i - 1) || a.mark[i - 1] == 1)
     return 0;
   int info = gsevm (g, e, i, th, &tm);
   if (info != 0)
@@ -215,7 +222,7 @@ up_to (const gs_system *g, gs_step *e, search *l, int *found, int *again)
     *found = -1;
   if (e->tn - e->t > instant)
     *a.since = 0;
-  if (info == 0 && *found > 0 && e->tn - e->t > instant)
+  if (info == 0 && *found > 0 && e->method != 0 && e->tn - e->t > instant)
     above_before (&a);
   return info == 0 && *found > 0 ? gsusz (g, &a, e->t, e->tn - e->t, first, a.now) : info;
 }
@@ -269,7 +276,7 @@ gsevn (const gs_system *g, gs_step *e, int *found)
   search l = { .is_long = is_long && e->h > GS_R (1e-2) * largest && largest > 0 };
   int quiet = 0, again, info = ends (g, e, a.xdn);
   *found = 0;
-  for (int i = 0; i < a.ne; i++)
+  for (int i = 0; i < a.ne && e->method != 0; i++)
     if (a.fresh[i] >= 2)
       a.fresh[i] = 3 - a.fresh[i];
   if (info == 0)
@@ -443,7 +450,7 @@ again (const gs_system *g, const gs_step *e, gs_real th, gs_real te, int side, c
   const int way = g->iopt[GS_LOOPS];
   gs_real res;
   int info = 0;
-  if (e->method == 12)
+  if (is_polynomial (e))
     {
       gsevx (g->nx, e, th, a->xdn, a->end);
       return 0;
@@ -542,8 +549,8 @@ further (int k, gs_real d, gs_real lo, gs_real hi, gs_real *th, int *there)
   return gs_abs (*th - old) > 0;
 }
 
-/* e made again up to the zero of function i, from the fraction th on, on exit where e was made last;
- * there: it has one */
+/* e made again up to the zero of function i, from the fraction th on, on exit where e was made
+ * last; there: it has one */
 static int
 secant (const gs_system *g, const gs_step *e, const gs_events *a, int i, gs_real *th, gs_real *te,
         gs_real *err, int *there)
@@ -591,7 +598,7 @@ gsevs (const gs_system *g, gs_step *e, int i, gs_real start, gs_real *err)
     info = past (g, e, i, th, &te, &a, err);
   if (info != 0)
     return info;
-  if (a.now[i - 1] > 0 && e->method != 12 && a.fresh[i - 1] < 2
+  if (a.now[i - 1] > 0 && ! is_polynomial (e) && a.fresh[i - 1] < 2
       && (gs_is_own (&a, i - 1) || has_just_gone (e, te, &a, i - 1) || ! there))
     {
       *err = -1;
@@ -647,6 +654,11 @@ gsevp (int j, int ns)
 void
 gsevx (int nx, const gs_step *e, gs_real b, const gs_real *xdn, gs_real *z)
 {
+  if (e->method == 0)
+    {
+      gsevq (nx, b, e->f, z);
+      return;
+    }
   if (e->method == 8)
     {
       gsdpu (nx, e->h, b, e->x, e->f, e->xn, xdn, e->f + nx, z);
@@ -678,6 +690,27 @@ gsevh (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xd, const 
     return;
   for (int i = 0; i < nx; i++)
     z[i] = xn[i];
+}
+
+void
+gsevq (int nx, gs_real b, const gs_real *w, gs_real *z)
+{
+  gs_real c[8];
+  for (int j = 0; j < 8; j++)
+    c[j] = GS_R (0.5) * (1 - gs_cos ((gs_real)j * gs_acos (-1) / 7));
+  for (int i = 0; i < nx; i++)
+    z[i] = 0;
+  for (int j = 1; j < 8; j++)
+    {
+      gs_real f = 1;
+      for (int k = 0; k < 8; k++)
+        if (k != j)
+          f = f * (b - c[k]) / (c[j] - c[k]);
+      for (int i = 0; i < nx; i++)
+        z[i] += f * (w[i + (size_t)nx * j] - w[i]);
+    }
+  for (int i = 0; i < nx; i++)
+    z[i] += w[i];
 }
 
 int

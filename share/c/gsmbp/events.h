@@ -190,7 +190,8 @@ gs_repeats_until (const gs_events *a, int i)
 /* a step in which gsevn looks for events */
 typedef struct
 {
-  int method;   /* as iopt[GS_METHOD]; 12: gspsg, whose polynomial has the states within */
+  int method;   /* as iopt[GS_METHOD]; 12: gspsg, whose polynomial has the states within; 0: of an
+                 * implicit method, its states at the points of gsevq are in f (nx,8) */
   gs_real t, h; /* where the step begins, its length [s] */
   gs_real tn;   /* its end, on exit of gsevn the time of the event [s] */
   int side;     /* of tn: < 0 if a jump of the inputs may lie there */
@@ -267,6 +268,11 @@ void gsevh (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *xd, c
  * of a polynomial of order 5: it has the rates of the stages 7 and 10 as well, at 1/4 and 3/5 */
 void gsevc (int nx, gs_real h, gs_real b, const gs_real *x, const gs_real *f, const gs_real *xn,
             const gs_real *xdn, gs_real *z);
+
+/* the polynomial of order 7 at the fraction b of a step, from the states w (nx,8) at the fractions
+ * (1 - cos(i*pi/7))/2, i = 0 ... 7; as what it is away from the first one, without rounding errors
+ * there */
+void gsevq (int nx, gs_real b, const gs_real *w, gs_real *z);
 
 /* event functions gv under the inputs of a run. info: that of the inputs */
 int gsevv (const gs_system *g, gs_real t, int side, const gs_real *x, const int *mode, gs_real *gv);

@@ -46,7 +46,7 @@
   ROW (text, "a text")                                                                             \
   ROW (names, "a name or a list of names")
 
-/* ROW (word, number): iopt[GS_METHOD]; 0: by an implicit method alone, which Python has not */
+/* ROW (word, number): iopt[GS_METHOD]; 0: by an implicit method alone (share/engine/host) */
 #define GS_METHODS(ROW)                                                                            \
   ROW (dp853, 8)                                                                                   \
   ROW (rk4, 4)                                                                                     \

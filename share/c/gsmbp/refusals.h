@@ -27,6 +27,13 @@
   ROW (too_many_steps, "%g s in steps of %g s are %.3g steps of %s; expected %.0e at the "         \
        "most: longer steps, or shorter runs")                                                      \
   ROW (loops, "must be one of %s; found: %s")                                                      \
+  ROW (one_order, "method %s has one order alone, found %s")                                       \
+  ROW (order, "expected one of %s, found %s")                                                      \
+  ROW (index2_method, "the way \"index2\" of the loops is for method \"radau\" (or \"auto\"), " \
+       "found method %s")                                                                          \
+  ROW (no_loops, "%s has no loops; expected another way of them, or none, found \"index2\"")       \
+  ROW (no_sundials, "method \"cvode\" needs SUNDIALS 6 or 7, which is not installed (Debian: "     \
+       "libsundials-dev)")                                                                         \
   ROW (input, "expected %d finite numbers (%s), a piecewise polynomial, %s, found %s")             \
   ROW (given_mode, "the mode of %s is no input: expected 0 in its place, or that of option "       \
        "modes; found %g")                                                                          \

@@ -28,6 +28,16 @@ typedef int gs_out (gs_real t, const gs_real *x, const gs_real *v, const gs_real
 typedef void gs_ctl (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst,
                      gs_real *v);
 typedef void gs_mas (gs_real t, const gs_real *q, const gs_real *cst, gs_real *m, int ldm);
+/* of the tree: M and the derivatives of its generalized forces by speeds, b, and coordinates, c (ld
+ * rows each); these forces without accelerations */
+typedef void gs_lin (gs_real t, const gs_real *q, const gs_real *u, const gs_real *ud,
+                     const gs_real *v, const gs_real *cst, gs_real *m, gs_real *b, gs_real *c,
+                     int ld);
+typedef void gs_bia (gs_real t, const gs_real *q, const gs_real *u, const gs_real *v,
+                     const gs_real *cst, gs_real *b);
+/* rates and outputs by states and inputs */
+typedef int gs_jac (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *a,
+                    int lda, gs_real *b, int ldb, gs_real *c, int ldc, gs_real *d, int ldd);
 typedef void gs_gad (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g);
 typedef int gs_stk (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *ud,
                     gs_real *lam, gs_real *hold);
@@ -73,6 +83,9 @@ typedef struct
   gs_evt *evt;
   gs_rst *rst;
   gs_mas *mas;
+  gs_lin *lin; /* for implicit methods, as the next two */
+  gs_bia *bia;
+  gs_jac *jac;
   gs_gad *gad;
   gs_stk *stk;
   gs_hld *hld;

@@ -124,6 +124,38 @@ typedef struct
     sub (&t, q, cst, m, &ldm);                                                                     \
   }
 
+#define GS_FORTRAN_lin(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
+                   const gs_real *, const gs_real *, gs_real *, gs_real *, gs_real *,              \
+                   const int *);                                                                   \
+  static void name (gs_real t, const gs_real *q, const gs_real *u, const gs_real *ud,              \
+                    const gs_real *v, const gs_real *cst, gs_real *m, gs_real *b, gs_real *c,      \
+                    int ld)                                                                        \
+  {                                                                                                \
+    sub (&t, q, u, ud, v, cst, m, b, c, &ld);                                                      \
+  }
+
+#define GS_FORTRAN_bia(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
+                   const gs_real *, gs_real *);                                                    \
+  static void name (gs_real t, const gs_real *q, const gs_real *u, const gs_real *v,               \
+                    const gs_real *cst, gs_real *b)                                                \
+  {                                                                                                \
+    sub (&t, q, u, v, cst, b);                                                                     \
+  }
+
+#define GS_FORTRAN_jac(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
+                   const int *, gs_real *, const int *, gs_real *, const int *, gs_real *,         \
+                   const int *, int *);                                                            \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *a,  \
+                   int lda, gs_real *b, int ldb, gs_real *c, int ldc, gs_real *d, int ldd)         \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, x, v, cst, a, &lda, b, &ldb, c, &ldc, d, &ldd, &info);                                \
+    return info;                                                                                   \
+  }
+
 #define GS_FORTRAN_gad(name, sub)                                                                  \
   extern void sub (const gs_real *, const gs_real *, const gs_real *, gs_real *);                  \
   static void name (gs_real t, const gs_real *qj, const gs_real *cst, gs_real *g)                  \

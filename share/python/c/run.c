@@ -1,4 +1,4 @@
-/* run.c: gssim and gsfol for the module, their arguments one by one. */
+/* run.c: runs and gsfol for the module, their arguments one by one. */
 #include <string.h>
 #include <time.h>
 
@@ -8,6 +8,7 @@
 #include "gsmbp/plan.h"
 #include "gsmbp/refusals.h"
 #include "host/failure.h"
+#include "host/implicit/implicit.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
 typedef int gs_question (void);
@@ -34,15 +35,30 @@ asking_rates (double t, const double *x, const double *v, const double *cst, dou
   return asking.info != 0 ? asking.info : asking.rates (t, x, v, cst, xd);
 }
 
-/* a run; rhs, vin: in the place of the scene's, or null pointers; ask may be one as well. info as
- * gssim */
+/* by gssim, or by an implicit method: from the beginning, or where gssim finds steps bound by
+ * stability */
+static int
+integrate (const gs_scene *s, gs_run *r, gs_implicit_method *by, gs_implicit *options)
+{
+  int info = GS_STIFF;
+  options->resume = r->iopt[GS_METHOD] != 0;
+  if (options->resume)
+    info = gssim (s, r);
+  return info == GS_STIFF && by ? by (s, r, options) : info;
+}
+
+/* a run; rhs, vin: in the place of the scene's, or null pointers; ask may be one as well, and by,
+ * an implicit method; choice: its largest order, 1 for loops in index 2, how many states the inputs
+ * follow, which ones; said (size): what it says where it fails. info as gssim */
 int
 gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *ask, int nx, double t0,
              const double *x0, int nt, const double *tout, int nb, const double *tbrk,
              const int *iopt, const double *ropt, const double *atol, int *ip, double *rp,
              const double *cst, double *xout, double *vout, int *istat, double *rstat, double *w,
-             int lw)
+             int lw, gs_implicit_method *by, const int *choice, char *said, int size)
 {
+  gs_implicit o = { .order = choice[0], .index2 = choice[1], .followed = choice[2],
+                    .follows = choice + 3, .text = said, .length = size };
   gs_scene own = *s;
   gs_run r = { .nx = nx, .t0 = t0, .x0 = x0, .nt = nt, .tout = tout, .nb = nb, .tbrk = tbrk,
                .iopt = iopt, .ropt = ropt, .atol = atol, .ip = ip, .rp = rp, .cst = cst,
@@ -57,11 +73,11 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *ask, int 
       const gs_asking outer = asking;
       asking = (gs_asking){ .rates = own.rhs, .ask = ask, .next = clock () };
       own.rhs = asking_rates;
-      info = gssim (&own, &r);
+      info = integrate (&own, &r, by, &o);
       asking = outer;
     }
   else
-    info = gssim (&own, &r);
+    info = integrate (&own, &r, by, &o);
   memcpy (istat, r.istat, sizeof r.istat);
   memcpy (rstat, r.rstat, sizeof r.rstat);
   return info;
@@ -86,9 +102,9 @@ gs_loop_table (int which)
 /* gs_failure with its structure member by member */
 void
 gs_loop_failure (int info, const int *istat, double t, const char *meaning, const char *event,
-                 int sticks, char *text, int size)
+                 int sticks, const char *said, char *text, int size)
 {
-  const gs_failed_run f = { info, istat, t, meaning, event, sticks, "" };
+  const gs_failed_run f = { info, istat, t, meaning, event, sticks, said };
   gs_failure (&f, text, size);
 }
 

@@ -79,8 +79,9 @@ class Model(Routines):
     def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
     def simulate(self, x0: ArrayLike, times: ArrayLike, *, method: str = ..., rtol: float = ...,
                  atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
-                 maxstep: float = ..., maxsteps: int = ..., loops: Optional[str] = ...,
-                 drift: Optional[bool] = ..., start: str = ..., input: Optional[Input] = ...,
+                 maxstep: float = ..., maxsteps: int = ..., maxorder: Optional[int] = ...,
+                 loops: Optional[str] = ..., drift: Optional[bool] = ..., start: str = ...,
+                 input: Optional[Input] = ...,
                  motion: Optional[Piecewise] = ..., gain: Any = ..., reference: Any = ...,
                  limits: Optional[ArrayLike] = ..., breaks: Sequence[float] = ...,
                  memory: Optional[ArrayLike] = ..., samples: bool = ...,

@@ -8,10 +8,12 @@ import numpy as np
 
 from . import _start
 from ._ends import Ends
+from ._implicit import Choice, check_index2
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
 from ._motion import Piecewise, as_piecewise
-from ._tables import COUNTS, DEFAULT, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check, expected
+from ._tables import (COUNTS, DEFAULT, FIXED, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check,
+                      expected)
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
@@ -318,15 +320,21 @@ def planned_motion(who, given):
 
 def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=DEFAULT.atol,
              step=DEFAULT.step, maxstep=DEFAULT.maxstep, maxsteps=DEFAULT.maxsteps,
-             loops=DEFAULT.loops, drift=DEFAULT.drift, start=DEFAULT.start, input=DEFAULT.input,
-             motion=DEFAULT.motion, gain=DEFAULT.gain, reference=DEFAULT.reference,
+             maxorder=DEFAULT.maxorder, loops=DEFAULT.loops, drift=DEFAULT.drift,
+             start=DEFAULT.start, input=DEFAULT.input, motion=DEFAULT.motion,
+             gain=DEFAULT.gain, reference=DEFAULT.reference,
              limits=DEFAULT.limits, breaks=(), memory=DEFAULT.memory, samples=DEFAULT.samples,
              modes=DEFAULT.modes, audit=DEFAULT.audit, errors='raise'):
     """A run from the state x0 at times[0]; the states at all times come back.
 
-    method: "dp853" (step control) or "rk4" (fixed step [s]); rtol, atol: tolerances, atol one
-    number or one for each state; maxstep [s], maxsteps: 0 for none.
-    loops: "projection", "baumgarte", "partitioning", "nullspace", "svd", "kane".
+    method: "dp853" (step control) or "rk4" (fixed step [s]); for stiff scenes "radau", "cvode"
+    (BDF; needs SUNDIALS where the module is built) or "auto": dp853 that goes on with radau where
+    its steps are bound by stability; for long runs that keep their energy "gauss" (fixed step).
+    rtol, atol: tolerances, atol one number or one for each state; maxstep [s], maxsteps: 0 for
+    none. maxorder: of radau and auto 5, 9 or 13 (default), of cvode 1 to 5 (default), of gauss 4,
+    6 (default) or 8.
+    loops: "projection", "baumgarte", "partitioning", "nullspace", "svd", "kane"; of radau and auto
+    also "index2".
     drift: whether constraints are watched (default where the scene has loops).
     start: "check": x0 must fulfil the constraints; "project": it is moved onto them.
     input: nv constants (without those of sampled devices and modes if you like), a Piecewise (plan,
@@ -345,11 +353,12 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
         raise ValueError('%s: %s' % (who, REFUSALS.one_time % ('%.15g alone' % times[0])))
     if errors not in ('raise', 'return'):
         raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
-    model, way = _way(who, self, loops)
+    model, way, index2 = _way(who, self, loops, method)
     x = _start_of(who, model, times[0], x0, start, modes)
     iopt, ropt, atol = _options(who, model, times[-1] - times[0], method, way, rtol, atol, step,
                                 maxstep, maxsteps, drift)
-    kept = (float(ropt[1]), atol.copy()) if method != 'rk4' else (np.nan, np.full(NX, np.nan))
+    choice = Choice(who, method, maxorder, index2)
+    kept = (float(ropt[1]), atol.copy()) if method not in FIXED else (np.nan, np.full(NX, np.nan))
     if audit is not None:
         model._has('rha', 'ene')
         check(who, 'audit', audit)
@@ -368,22 +377,30 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     p.events(modes)
     p.jumps = frozenset(float(b) for b in [*p.breaks, *_breaks(who, breaks)])
     stops = sorted(b for b in p.jumps if times[0] < b < times[-1])
-    run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None)
+    run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None, choice)
     if p.ends.failure is not None:
         raise p.ends.failure
     s = run['stats']
     if run['info'] == 3 and s['failed'] == AT_EVENT and s['failed_info'] == WRONG_MODE:
         raise ValueError('%s: %s' % (
             who, _start.wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
-    return _result(who, model, p, run, method, kept, audit, errors)
+    return _result(who, model, p, run, choice.taken(s), kept, audit, errors)
 
 
-def _way(who, model, loops):
+def _way(who, model, loops, method):
+    """The model with its parameter loop_method, the number of the method of its loops, whether they
+    are in index 2."""
     if loops is not None and loops not in WAYS:
         raise ValueError('%s: loops %s' % (who, REFUSALS.loops % (', '.join(WAYS), repr(loops))))
     euler = NQ > NU
     if loops is None:
         loops = WAYS['prj' in ROUTINES and (NLAM > 0 or euler)]
+        if method == 'gauss' and NLAM > 0 and not euler and {'kin', 'con'} <= ROUTINES.keys():
+            loops = 'partitioning'   # the steps are those of the independent coordinates alone
+    index2 = loops == 'index2'
+    if index2:
+        check_index2(who, model, method)
+        loops = 'projection'
     way = WAYS.index(loops) + 1
     if NLAM == 0:
         way = 1 + (way > 1 and euler)
@@ -393,7 +410,7 @@ def _way(who, model, loops):
     wanted = max(1, way - 2)
     if model.parameters.get('loop_method', wanted) != wanted:
         model = model.changed(loop_method=wanted)
-    return model, way
+    return model, way, index2
 
 
 def _breaks(who, given):
@@ -405,7 +422,7 @@ def _breaks(who, given):
 
 def _check_count(who, method, step, maxstep, span):
     """The number of steps: what the run time counts to, or what time resolves."""
-    fixed = method == 'rk4'
+    fixed = method in FIXED
     most = LIMITS.fixed_steps if fixed else LIMITS.controlled_steps
     steps = [(step * fixed, 'step'), (maxstep, 'maxstep'), (math.inf, '')]
     longest, name = min((h, name) for h, name in steps if h > 0)
@@ -419,8 +436,8 @@ def _options(who, model, span, method, way, rtol, atol, step, maxstep, maxsteps,
         raise ValueError('%s: method: expected one of "%s", found %r' % (
             who, '", "'.join(METHODS), method))
     if step is None:
-        step = 1e-3 if method == 'rk4' else 0.0
-    check(who, 'step', step, 'positive' if method == 'rk4' else 'nonnegative')
+        step = 1e-3 if method in FIXED else 0.0
+    check(who, 'step', step, 'positive' if method in FIXED else 'nonnegative')
     check(who, 'maxstep', maxstep)
     check(who, 'maxsteps', maxsteps)
     _check_count(who, method, step, maxstep, span)
@@ -434,7 +451,7 @@ def _options(who, model, span, method, way, rtol, atol, step, maxstep, maxsteps,
 
 def _tolerances(who, model, rtol, atol, method):
     """rtol, atol, neither below what the precision can keep: it is raised, with a warning."""
-    least = 10 * np.finfo(float).eps
+    least = (100 if method in ('cvode', 'auto') else 10) * np.finfo(float).eps
     check(who, 'rtol', rtol)
     small = ['rtol = %g' % rtol] if rtol < least else []
     rtol = max(float(rtol), least)
@@ -454,11 +471,11 @@ def _tolerances(who, model, rtol, atol, method):
     return rtol, np.maximum(atol, least * model.nominal)
 
 
-def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
+def _run(model, p, x, times, stops, iopt, ropt, atol, audit, choice):
     nx, nt = len(x), len(times)
     ip, rp = p.laid()
     out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
-           'v': np.zeros((max(1, NV), nt), order='F'), 'times': times}
+           'v': np.zeros((max(1, NV), nt), order='F'), 'times': times, 'said': choice.said}
     _start.samples(p.who, model, times[0], ip, rp)
     counts, values = np.zeros(len(COUNTS), np.intc), np.zeros(len(VALUES))
     room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
@@ -474,7 +491,8 @@ def _run(model, p, x, times, stops, iopt, ropt, atol, audit):
             SCENE, pointer('rha') if audit else None, p.callback, p.ends.ask, number(nx),
             ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
             at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
-            at(out['x']), at(out['v']), at(counts), at(values), at(w), number(len(w)))
+            at(out['x']), at(out['v']), at(counts), at(values), at(w), number(len(w)),
+            choice.address, at(choice.numbers), choice.said, number(len(choice.said)))
     out['istat'] = counts
     out['stats'] = dict(zip(COUNTS + VALUES, counts.tolist() + values.tolist()))
     out['seconds'] = time.perf_counter() - begun
@@ -551,6 +569,8 @@ def _stats(model, run, method):
     if s['stiff']:
         stats['stiff'] = {'time': s['stiff_at'], 'eigenvalue': s['stiff_eigenvalue'],
                           'step': s['stiff_step'], 'state': model.states[s['stiff_state'] - 1]}
+    stats['jacobians'] = s['jacobians'] * (method in ('cvode', 'radau'))
+    stats['newton'] = s['newton'] * (method in ('cvode', 'radau', 'gauss'))
     stats.update(method=method, seconds=run['seconds'])
     return stats
 
@@ -565,8 +585,8 @@ def failure(run):
         sticks = any(event['kind'] == 'stick' for event in TABLE['events'])
     LIBRARY.gs_loop_failure(
         ctypes.c_int(run['info']), at(run['istat']), ctypes.c_double(s['reached']),
-        meaning(routine, s['failed_info']).encode(), event.encode(), ctypes.c_int(sticks), text,
-        ctypes.c_int(len(text)))
+        meaning(routine, s['failed_info']).encode(), event.encode(), ctypes.c_int(sticks),
+        run['said'], text, ctypes.c_int(len(text)))
     return text.value.decode()
 
 
@@ -641,15 +661,16 @@ def _tell(who, model, r, method):
         told.append('passed %d positions where its constraints lose rank, the first at t = %.6g s: '
                     'it may go on in more than one way there' % (
                         s['singular_positions'], s['singular_times'][0]))
-    elif s['loose'] > 0 and method == 'rk4':
-        told.append('came close to a position where its constraints lose rank at t = %.6g s: rk4, '
-                    'unlike dp853, does not watch its accuracy there' % s['least_pivot_at'])
+    elif s['loose'] > 0 and method != 'dp853':
+        told.append('came close to a position where its constraints lose rank at t = %.6g s: %s, '
+                    'unlike dp853, does not watch its accuracy there' % (
+                        s['least_pivot_at'], method))
     if s['angle_singularities'] > 0:
         told.append('came within 0.05 rad of a singularity of its orientation angles at t = %.6g s'
                     % s['angle_times'][0])
     for sentence, first in _start.margins(model, r.t, r.x, r.v):
         told.append('%s, passed first at t = %.6g s' % (sentence, first))
-    if s['stiff']:
+    if s['stiff'] and method in ('dp853', 'rk4'):
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
     for text in told:

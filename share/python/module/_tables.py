@@ -10,8 +10,9 @@ from ._library import LIBRARY
     [line.split('\t') for line in LIBRARY.gs_loop_table(k).decode().splitlines()]
     for k in range(8))
 COUNTS, VALUES = ([name for name, in rows] for rows in (_COUNTS, _VALUES))
-METHODS = {word: int(number) for word, number in _METHODS if number in ('4', '8')}
-WAYS = tuple(word for word, _ in _LOOPS if word != 'index2')
+METHODS = {word: int(number) for word, number in _METHODS}
+WAYS = tuple(word for word, _ in _LOOPS)
+FIXED = ('rk4', 'gauss')   # methods with steps of one length
 LIMITS = SimpleNamespace(**{name: float(value) for name, value in _LIMITS})
 REFUSALS = SimpleNamespace(**dict(_REFUSALS))
 _EXPECTED = dict(_KINDS)

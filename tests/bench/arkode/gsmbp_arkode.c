@@ -11,7 +11,7 @@
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include "sundials_calls.h"
+#include "host/cvode/sundials_calls.h"
 
 typedef struct
 {
@@ -25,14 +25,14 @@ typedef struct
 static int
 moved (sunrealtype t, N_Vector y, void *data)
 {
-  gs_run *s = data;
+  gs_stepper *s = data;
   int info = gs_moved (s, t, N_VGetArrayPointer (y), s->trial);
   memcpy (N_VGetArrayPointer (y), s->trial, sizeof (double) * s->r->nx);
   return info;
 }
 
 static int
-open_ (gs_run *s)
+open_ (gs_stepper *s)
 {
   int nx = s->r->nx;
   dirk *b = s->memory = calloc (1, sizeof (dirk));
@@ -47,7 +47,7 @@ open_ (gs_run *s)
 }
 
 static void
-close_ (gs_run *s)
+close_ (gs_stepper *s)
 {
   dirk *b = s->memory;
   if (b->memory)
@@ -62,7 +62,7 @@ close_ (gs_run *s)
 }
 
 static int
-hears (gs_run *s)
+hears (gs_stepper *s)
 {
   dirk *b = s->memory;
 #if SUNDIALS_VERSION_MAJOR == 6
@@ -73,9 +73,9 @@ hears (gs_run *s)
 }
 
 static int
-begin (gs_run *s)
+begin (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  const gs_run *r = s->r;
   dirk *b = s->memory;
   int flag;
   memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
@@ -86,15 +86,15 @@ begin (gs_run *s)
       || (flag = ARKStepSetLinearSolver (m, b->solver, b->matrix)) < 0
       || (flag = ARKStepSetJacFn (m, jacobian)) < 0
       || (flag = ARKStepSetMaxNumSteps (m, -1)) < 0 || (flag = ARKStepSetMaxHnilWarns (m, -1)) < 0
-      || (flag = ARKStepSetOrder (m, r->order)) < 0
+      || (flag = ARKStepSetOrder (m, s->o->order)) < 0
       || (flag = ARKStepSetInitStep (m, r->ropt[0])) < 0
       || (flag = ARKStepSetMaxStep (m, r->ropt[2])) < 0)
     return flag;
-  return gs_projects (r) ? ARKStepSetPostprocessStepFn (m, moved) : 0;
+  return gs_projects (s) ? ARKStepSetPostprocessStepFn (m, moved) : 0;
 }
 
 static int
-restart (gs_run *s)
+restart (gs_stepper *s)
 {
   dirk *b = s->memory;
   memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * s->r->nx);
@@ -102,7 +102,7 @@ restart (gs_run *s)
 }
 
 static int
-step (gs_run *s)
+step (gs_stepper *s)
 {
   dirk *b = s->memory;
   int flag = ARKStepSetStopTime (b->memory, s->stop);
@@ -115,7 +115,7 @@ step (gs_run *s)
 }
 
 static int
-between (gs_run *s, double t, double *x)
+between (gs_stepper *s, double t, double *x)
 {
   dirk *b = s->memory;
   int flag = ARKStepGetDky (b->memory, t, 0, b->dense);
@@ -124,7 +124,7 @@ between (gs_run *s, double t, double *x)
 }
 
 static long
-rejected (gs_run *s)
+rejected (gs_stepper *s)
 {
   long tests = 0;
   ARKStepGetNumErrTestFails (((dirk *) s->memory)->memory, &tests);
@@ -132,15 +132,15 @@ rejected (gs_run *s)
 }
 
 static void
-count (gs_run *s)
+count (gs_stepper *s)
 {
   (void) s;
 }
 
 int
-gsmbp_arkode (const gsmbp_run *r)
+gs_arkode (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method arkstep
-    = { open_, close_, begin, restart, step, NULL, between, rejected, count, 1 };   /* no events */
-  return gs_implicit_run (r, &arkstep);
+    = { open_, close_, begin, restart, step, NULL /* no events */, between, rejected, count, 1, 0 };
+  return gs_implicit_run (scene, run, options, &arkstep);
 }

@@ -1,14 +1,9 @@
 /* Linear equations of loops: M, and rows M^-1 rows' of constraints that may depend on each
    other. */
-#ifndef GSMBP_GLUE_ROWS_H
-#define GSMBP_GLUE_ROWS_H
+#ifndef GS_HOST_ROWS_H
+#define GS_HOST_ROWS_H
 #include <math.h>
 #include <string.h>
-
-/* CON and MAS */
-typedef void con_type (const double *t, const double *q, const double *u, double *cst, double *phi,
-                       double *phit, double *hc, const int *ldh, double *gam, int *info);
-typedef void mas_type (const double *t, const double *q, double *cst, double *m, const int *ldm);
 
 typedef struct
 {
@@ -20,13 +15,13 @@ typedef struct
 } gs_rows;
 
 /* how many numbers it needs, and their places in ROOM */
-static size_t
+static inline size_t
 rows_room (size_t n, size_t m)
 {
   return m * m + n * m + 3 * m;
 }
 
-static void
+static inline void
 place_rows (gs_rows *w, int n, int m, int *order, double *room)
 {
   w->n = n;
@@ -40,7 +35,7 @@ place_rows (gs_rows *w, int n, int m, int *order, double *room)
 }
 
 /* A = L L'; 0: A is not positive definite */
-static int
+static inline int
 cholesky (int n, double *a)
 {
   for (int j = 0; j < n; j++)
@@ -58,7 +53,7 @@ cholesky (int n, double *a)
   return 1;
 }
 
-static void
+static inline void
 forward (int n, const double *l, double *x)
 {
   for (int j = 0; j < n; j++)
@@ -69,7 +64,7 @@ forward (int n, const double *l, double *x)
     }
 }
 
-static void
+static inline void
 backward (int n, const double *l, double *x)
 {
   for (int j = n - 1; j >= 0; j--)
@@ -81,7 +76,7 @@ backward (int n, const double *l, double *x)
 }
 
 /* S = ROWS M^-1 ROWS' in the order of the rows; MASS: factors of M */
-static void
+static inline void
 gram (gs_rows *w, const double *rows, const double *mass)
 {
   int n = w->n, m = w->m;
@@ -103,7 +98,7 @@ gram (gs_rows *w, const double *rows, const double *mass)
 }
 
 /* rows and columns A and B change places */
-static void
+static inline void
 exchange (gs_rows *w, int a, int b)
 {
   int m = w->m, number = w->order[a];
@@ -117,7 +112,7 @@ exchange (gs_rows *w, int a, int b)
 }
 
 /* column K of the factors of S, whose pivot is above zero */
-static void
+static inline void
 take_column (gs_rows *w, int k)
 {
   int m = w->m;
@@ -131,7 +126,7 @@ take_column (gs_rows *w, int k)
 
 /* SCALE: what the diagonals of S are measured by, the largest so far; a row that has always been
    nothing stays nothing */
-static void
+static inline void
 take_scale_of_rows (gs_rows *w)
 {
   double big = 0;
@@ -145,7 +140,7 @@ take_scale_of_rows (gs_rows *w)
 }
 
 /* S = L L', its rows in the order of their pivots, as far as they are independent */
-static void
+static inline void
 factorize_rows (gs_rows *w, const double *rows, const double *mass)
 {
   int m = w->m;
@@ -168,7 +163,7 @@ factorize_rows (gs_rows *w, const double *rows, const double *mass)
 }
 
 /* ... the rows that are so in LIKE, in its order; 0: they depend on each other */
-static int
+static inline int
 factorize_like (gs_rows *w, const gs_rows *like, const double *rows, const double *mass)
 {
   memcpy (w->order, like->order, sizeof (int) * w->m);
@@ -183,7 +178,7 @@ factorize_like (gs_rows *w, const gs_rows *like, const double *rows, const doubl
 }
 
 /* what solves S X = X; zero for rows that depend on others */
-static void
+static inline void
 solve_rows (gs_rows *w, double *x)
 {
   int m = w->m, r = w->rank;

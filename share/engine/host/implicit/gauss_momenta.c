@@ -28,7 +28,7 @@ gs_settled (gs_settling *k, double change)
 
 /* the first guess: the polynomials of the step before, or what is known at the start */
 static int
-predict (gs_run *s, gs_momenta *w)
+predict (gs_stepper *s, gs_momenta *w)
 {
   int n = w->n, m = w->m, stages = w->rule->stages, all = n * stages;
   double *uf[2] = { w->u, w->f };
@@ -76,7 +76,7 @@ predict_forces (gs_momenta *w)
 
 /* the multipliers, corrected by what the positions at the points of Lobatto miss */
 static int
-correct_forces (gs_run *s, gs_momenta *w, double h)
+correct_forces (gs_stepper *s, gs_momenta *w, double h)
 {
   const gauss_rule *rule = w->rule;
   int n = w->n, m = w->m, stages = rule->stages;
@@ -104,7 +104,7 @@ correct_forces (gs_run *s, gs_momenta *w, double h)
 /* Stage I: its state X, by M there its speeds, its rate.  CHANGE: the largest change of a state by
  * one of them.  Rounding of positions beside H is in the multipliers, not in what they do. */
 static int
-stage (gs_run *s, gs_momenta *w, int i, double h, double *change)
+stage (gs_stepper *s, gs_momenta *w, int i, double h, double *change)
 {
   const gauss_rule *rule = w->rule;
   int n = w->n, m = w->m;
@@ -141,7 +141,7 @@ stage (gs_run *s, gs_momenta *w, int i, double h, double *change)
 
 /* the stages; 0, a flag, GS_NO_END */
 static int
-solve (gs_run *s, gs_momenta *w, double h)
+solve (gs_stepper *s, gs_momenta *w, double h)
 {
   gs_settling so_far = { HUGE_VAL, 0 };
   if (predict (s, w) != 0)
@@ -165,7 +165,7 @@ solve (gs_run *s, gs_momenta *w, double h)
 
 /* coordinates and momenta at the end, and what rounding took from them */
 static void
-sum_up (gs_run *s, gs_momenta *w, double h, double *x)
+sum_up (gs_stepper *s, gs_momenta *w, double h, double *x)
 {
   const gauss_rule *rule = w->rule;
   int n = w->n, m = w->m;
@@ -191,7 +191,7 @@ sum_up (gs_run *s, gs_momenta *w, double h, double *x)
 
 /* what a step finds of its start, X at T: masses, the gradients of the constraints */
 static int
-place_at (gs_run *s, gs_momenta *w, double t, const double *x)
+place_at (gs_stepper *s, gs_momenta *w, double t, const double *x)
 {
   if (! mass_at (s, w, t, x, w->masses))
     return -1;
@@ -205,7 +205,7 @@ place_at (gs_run *s, gs_momenta *w, double t, const double *x)
 
 /* the speeds at the end from the momenta, these on the constraints */
 static int
-put_on (gs_run *s, gs_momenta *w, double t, double *x)
+put_on (gs_stepper *s, gs_momenta *w, double t, double *x)
 {
   int n = w->n, m = w->m;
   double *u = x + n, *rows = w->rows;
@@ -242,7 +242,7 @@ put_on (gs_run *s, gs_momenta *w, double t, double *x)
  * the method */
 
 static int
-one_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
+one_step (gs_stepper *s, gs_momenta *w, double h, double t, double *x)
 {
   int n = w->n;
   memcpy (w->before, w->p, sizeof (double) * 3 * n);
@@ -255,7 +255,7 @@ one_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
 }
 
 int
-gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
+gs_momenta_step (gs_stepper *s, gs_momenta *w, double h, double t, double *x)
 {
   int n = w->n, turned = 0;
   if (fabs (h - s->h) > 1e-9 * h)
@@ -278,7 +278,7 @@ gs_momenta_step (gs_run *s, gs_momenta *w, double h, double t, double *x)
 }
 
 int
-gs_take_back (gs_run *s, gs_momenta *w)
+gs_take_back (gs_stepper *s, gs_momenta *w)
 {
   memcpy (w->p, w->before, sizeof (double) * 3 * w->n);   /* and what was lost */
   w->known = 0;
@@ -286,7 +286,7 @@ gs_take_back (gs_run *s, gs_momenta *w)
 }
 
 int
-gs_momenta_between (gs_run *s, gs_momenta *w, longer at, double *x)
+gs_momenta_between (gs_stepper *s, gs_momenta *w, longer at, double *x)
 {
   longer b[GAUSS], v[GAUSS + 2];
   int n = w->n, stages = w->rule->stages;
@@ -310,18 +310,19 @@ gs_momenta_between (gs_run *s, gs_momenta *w, longer at, double *x)
  * whether, and from where */
 
 int
-gs_has_momenta (const gsmbp_run *r)
+gs_has_momenta (const gs_stepper *s)
 {
-  int loops = r->nlam > 0;
-  return r->lin && r->bia && r->mas && r->nq == r->nu && r->nx == 2 * r->nu && r->columns == 0
-         && r->nu > 0 && ! gs_has_ports (r)
-         && (! loops || (r->iopt[GS_LOOPS] == 3 && r->iopt[GS_ON_SPEEDS] == 0));
+  const gs_scene *scene = s->scene;
+  const int *iopt = s->r->iopt;
+  return scene->lin && scene->bia && scene->mas && scene->nq == scene->nu
+         && s->r->nx == 2 * scene->nu && s->o->columns == 0 && scene->nu > 0 && ! gs_has_ports (s)
+         && (scene->nlam == 0 || (iopt[GS_LOOPS] == 3 && iopt[GS_ON_SPEEDS] == 0));
 }
 
 gs_momenta *
-gs_new_momenta (const gs_run *s, const gauss_rule *rule, const double *size)
+gs_new_momenta (const gs_stepper *s, const gauss_rule *rule, const double *size)
 {
-  size_t n = s->r->nu, m = s->r->nlam, k = GAUSS + 1;
+  size_t n = s->scene->nu, m = s->scene->nlam, k = GAUSS + 1;
   gs_momenta *w = calloc (1, sizeof (gs_momenta));
   double *next = calloc (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 5 * m
                          + (k + 3) * n * m + m * m, sizeof (double));
@@ -360,14 +361,14 @@ gs_free_momenta (gs_momenta *w)
 }
 
 int
-gs_restart_momenta (gs_run *s, gs_momenta *w)
+gs_restart_momenta (gs_stepper *s, gs_momenta *w)
 {
   int n = w->n;
   memset (w->lost_q, 0, sizeof (double) * n);
   memset (w->lost_p, 0, sizeof (double) * n);
   w->known = w->remembered = 0;
   w->large = 0;
-  ((mas_type *) s->r->mas) (&s->t, s->x, s->r->cst, w->mass, &n);
+  s->scene->mas (s->t, s->x, s->r->cst, w->mass, n);
   for (int i = 0; i < n; i++)
     {
       longer sum = 0;
@@ -389,7 +390,7 @@ gs_restart_momenta (gs_run *s, gs_momenta *w)
 
 /* (dM/dt) u of LIN against differences of MAS, at the state X */
 static int
-same_mass (gs_run *s, gs_momenta *w, const double *x)
+same_mass (gs_stepper *s, gs_momenta *w, const double *x)
 {
   int n = w->n;
   double e = 1e-5, t = s->t, bound = 0, gap = 0, *sum = w->f, *q = w->trial;
@@ -399,7 +400,7 @@ same_mass (gs_run *s, gs_momenta *w, const double *x)
       double at = t + side * e;
       for (int l = 0; l < n; l++)
         q[l] = x[l] + side * e * x[n + l];
-      ((mas_type *) s->r->mas) (&at, q, s->r->cst, w->mass, &n);
+      s->scene->mas (at, q, s->r->cst, w->mass, n);
       for (int i = 0; i < n; i++)
         for (int j = 0; j < n; j++)
           {
@@ -418,7 +419,7 @@ same_mass (gs_run *s, gs_momenta *w, const double *x)
 }
 
 int
-gs_agree (gs_run *s, gs_momenta *w)
+gs_agree (gs_stepper *s, gs_momenta *w)
 {
   int n = w->n, m = w->m;
   double bound = 0, gap = 0, *x = w->x, *miss = w->pi;

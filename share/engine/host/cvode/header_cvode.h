@@ -1,6 +1,6 @@
 /* CVODE of SUNDIALS 6 and 7. */
-#ifndef GSMBP_GLUE_HEADER_CVODE_H
-#define GSMBP_GLUE_HEADER_CVODE_H
+#ifndef GS_HOST_HEADER_CVODE_H
+#define GS_HOST_HEADER_CVODE_H
 #include <cvode/cvode.h>
 #include <sundials/sundials_version.h>
 

@@ -142,7 +142,7 @@ split (int n, real inverse[STAGES][STAGES], radau_rule *rule)
   const double *known = roots[(n - 3) / 2];
   for (int k = 0; k <= rule->pairs; k++)
     {
-      number guess = k == 0 ? known[0] : known[2 * k - 1] + known[2 * k] * 1.0iL;
+      number guess = k == 0 ? known[0] : known[2 * k - 1] + known[2 * k] * I;
       number v[STAGES], w[STAGES], product = 0, root = 0;
       eigenvector (n, inverse, 0, guess, v);
       root = eigenvector (n, inverse, 1, guess, w);

@@ -1,45 +1,60 @@
-/* The run of GSSIM (stops at breaks, inputs, loops, statistics; the same routines of share/fortran)
+/* The run of gssim (stops at breaks, inputs, loops, statistics; the same routines of the run time)
    by an implicit method, for stiff scenes.  Output times may lie between the steps: there the
    method's state is moved onto the constraints as well. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "gsmbp/loops.h"
 #include "gsmbp/plan.h"
 #include "implicit_parts.h"
-
-/* the Fortran routines: the addresses carry no types, these do */
-typedef void pst_type (const int *nq, const int *nu, const int *nlam, const int *iopt, double *p);
-typedef void pnw_type (gsmbp_sub con, gsmbp_sub kin, const double *t, double *x, const int *nq,
-                       const int *nu, const int *nlam, double *cst, double *p, int *info);
-typedef void pbg_type (gsmbp_sub con, gsmbp_sub kin, const double *t, const double *x,
-                       const double *hmax, const int *nq, const int *nu, const int *nlam,
-                       double *cst, const double *f, double *xt, double *xw, double *hc,
-                       double *siz, double *p, int *state);
-typedef void due_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin,
-                       const double *t, const double *x, const int *nu, const int *nx,
-                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w,
-                       int *istat, double *ts, int *acted, int *info);
 
 /* ------------------------------------------------------------
  * the run */
 
-static int
-allocate (gs_run *s)
+/* how many numbers the partition has */
+static size_t
+partition_room (const gs_scene *s)
 {
-  const gsmbp_run *r = s->r;
-  size_t nx = r->nx, nv = r->nv + 1, ny = r->ny + 1,
-         np = 24 + 8 * r->nu + 10 * r->nq + 7 * r->nlam + 2 * r->nlam * r->nu;
-  int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (r);
-  s->x = calloc ((8 + GS_NODES) * nx + r->nq + 2 * nv + np + nx * nv + ny * nx + ny * nv + 2 * ne,
-                 sizeof (double));
+  return 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu;
+}
+
+static int
+by_time (const void *a, const void *b)
+{
+  const double left = *(const double *) a, right = *(const double *) b;
+  return (left > right) - (left < right);
+}
+
+/* where steps end: the breaks of the run, and where the scene switches by itself */
+static void
+take_stops (gs_stepper *s)
+{
+  const gs_run *r = s->r;
+  s->nstops = r->nb + s->scene->nsw;
+  if (r->nb > 0)
+    memcpy (s->stops, r->tbrk, sizeof (double) * r->nb);
+  if (s->scene->nsw > 0)
+    s->scene->swi (r->cst, s->stops + r->nb);
+  qsort (s->stops, s->nstops, sizeof (double), by_time);
+}
+
+static int
+allocate (gs_stepper *s)
+{
+  gs_run *r = s->r;
+  size_t nx = r->nx, nv = s->scene->nv + 1, ny = s->scene->ny + 1, nq = s->scene->nq,
+         np = partition_room (s->scene), stops = r->nb + s->scene->nsw;
+  int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (s);
+  s->x = calloc ((8 + GS_NODES) * nx + nq + 3 * nv + np + nx * nv + ny * nx + ny * nv + 2 * ne
+                   + stops, sizeof (double));
   s->project = calloc (2 * n + 3 * ne, sizeof (int));
   if (! s->x || ! s->project)
     return 0;
   s->trial = s->x + nx;
   s->between = s->trial + nx;
   s->v = s->between + nx;
-  s->dv = s->v + nv;
+  s->dv = s->v + 2 * nv;
   s->p = s->dv + nv;
   s->b = s->p + np;
   s->c = s->b + nx * nv;
@@ -49,21 +64,26 @@ allocate (gs_run *s)
   s->event = s->known + nx;
   s->nodes = s->event + nx;
   s->turns = s->nodes + GS_NODES * nx;
-  s->levels = s->turns + r->nq;
+  s->levels = s->turns + nq;
+  s->stops = s->levels + 2 * ne;
   s->watch = s->project + n;
   s->marks = s->watch + n;
   s->rising = s->marks + 2 * ne;
   memcpy (s->project, r->iopt, n * sizeof (int));
   memcpy (s->watch, r->iopt, n * sizeof (int));
-  s->project[1] = 2;
-  s->project[2] = 0;
-  s->watch[1] = s->watch[2] = 1;
-  s->watch[0] = 4;   /* as method 4: steps are not steered by singular positions */
+  s->project[GS_LOOPS] = 2;
+  s->project[GS_DRIFT] = 0;
+  s->watch[GS_LOOPS] = s->watch[GS_DRIFT] = 1;
+  s->watch[GS_METHOD] = 4;   /* steps are not steered by singular positions */
+  s->g = (gs_system){ .s = s->scene, .nx = r->nx, .iopt = r->iopt, .ropt = r->ropt,
+                      .atol = r->atol, .ip = r->ip, .rp = r->rp, .cst = r->cst, .v = s->v,
+                      .w = r->w, .p = s->p, .istat = r->istat, .rstat = r->rstat };
+  take_stops (s);
   return s->by->open (s);
 }
 
 static void
-release (gs_run *s)
+release (gs_stepper *s)
 {
   s->by->close (s);
   free (s->x);
@@ -71,35 +91,34 @@ release (gs_run *s)
 }
 
 int
-gs_acts (const gs_run *s)
+gs_acts (const gs_stepper *s)
 {
   return s->r->ip[GS_SAMPLES] > 0 || gs_has_events (s);
 }
 
 int
-gs_projects (const gsmbp_run *r)
+gs_projects (const gs_stepper *s)
 {
-  return r->iopt[GS_LOOPS] != 1 && (r->nlam > 0 || r->nq > r->nu);
+  const gs_scene *scene = s->scene;
+  return s->r->iopt[GS_LOOPS] != 1 && (scene->nlam > 0 || scene->nq > scene->nu);
 }
 
 /* the sampled devices; ACTED: did any? INFO */
 static int
-samples (gs_run *s, int *acted)
+samples (gs_stepper *s, int *acted)
 {
-  const gsmbp_run *r = s->r;
-  int info = 0;
-  ((due_type *)r->gsdue) (r->out, r->ctl, r->cmd, r->clo, r->vin, &s->t, s->x, &r->nu, &r->nx,
-                          &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat, &s->sample, acted,
-                          &info);
+  gs_run *r = s->r;
+  int info = gsdue (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
+                    &s->sample, acted);
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* time, state and statistics at the start */
 static void
-start (gs_run *s)
+start (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
-  if (r->resume)
+  gs_run *r = s->r;
+  if (s->o->resume)
     {
       s->t = r->rstat[GS_T_REACHED];
       memcpy (s->x, r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], sizeof (double) * r->nx);
@@ -117,29 +136,25 @@ start (gs_run *s)
 
 /* does the run start where the constraints lose rank? BDF does not begin there: INFO */
 static int
-singular_start (gs_run *s)
+singular_start (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   double hmax = r->tout[r->nt - 1] - s->t;
-  size_t room = r->nx + 2 * (size_t) r->nq + (size_t) r->nlam * (r->nu + 1);
-  int state = 0, side = 1, info = 0;
-  if (r->nlam == 0 || r->iopt[GS_WATCH] != 1 || r->iopt[GS_LOOPS] == 1 || r->resume)
+  size_t room = r->nx + 2 * (size_t) s->scene->nq + (size_t) s->scene->nlam * (s->scene->nu + 1);
+  int state = 0, info = 0;
+  if (s->scene->nlam == 0 || r->iopt[GS_WATCH] != 1 || r->iopt[GS_LOOPS] == 1 || s->o->resume)
     return GS_DONE;
   double *f = calloc (room, sizeof (double));
   if (! f)
     return GS_OUT_OF_MEMORY;
-  double *xt = f + r->nx, *xw = xt + r->nq, *siz = xw + r->nq, *hc = siz + r->nlam;
-  pbg_type *look = (pbg_type *) r->gspbg;
-  look (r->con, r->kin, &s->t, s->x, &hmax, &r->nq, &r->nu, &r->nlam, r->cst, f, xt, xw, hc, siz,
-        s->p, &state);
+  double *xt = f + r->nx, *xw = xt + s->scene->nq, *siz = xw + s->scene->nq,
+         *hc = siz + s->scene->nlam;
+  gspbg (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
   if (state < 0)   /* at rest: by the accelerations */
     {
-      ((fun_type *) r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &s->t, &side, s->x,
-                               &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, r->ip, r->rp, r->cst, s->v,
-                               f, r->w, s->p, r->istat, r->rstat, &info);
+      info = gsfun (&s->g, s->t, 1, s->x, f);
       if (info == 0)
-        look (r->con, r->kin, &s->t, s->x, &hmax, &r->nq, &r->nu, &r->nlam, r->cst, f, xt, xw, hc,
-              siz, s->p, &state);
+        gspbg (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
     }
   free (f);
   if (info == 0 && state > 0)
@@ -152,12 +167,12 @@ singular_start (gs_run *s)
 
 /* the start, as GSSIM; INFO */
 static int
-begin (gs_run *s)
+begin (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int info, acted;
   start (s);
-  ((pst_type *) r->gspst) (&r->nq, &r->nu, &r->nlam, r->iopt, s->p);
+  gspst (s->scene->nq, s->scene->nu, s->scene->nlam, r->iopt, s->p);
   double job = s->p[0];
   s->p[0] = 0;   /* completed from others it would be moved close to a singular position */
   if (gs_check (s, r->iopt, s->t, s->x, gs_no_jump) != 0)
@@ -167,13 +182,12 @@ begin (gs_run *s)
     return GS_ROUTINE_FAILED;
   if ((info = gs_first_events (s)) != 0 || (info = singular_start (s)) != 0)
     return info;
-  if (r->nlam > 0 && r->iopt[GS_WATCH] == 1 && r->iopt[GS_LOOPS] != 1 && s->p[0] < 2
-      && s->p[2] < r->nlam)
+  if (s->scene->nlam > 0 && r->iopt[GS_WATCH] == 1 && r->iopt[GS_LOOPS] != 1 && s->p[0] < 2
+      && s->p[2] < s->scene->nlam)
     s->p[0] = 2;   /* dependent constraints: see METHOD of GSSIM */
   if (s->p[0] > 0)
     {
-      ((pnw_type *)r->gspnw) (r->con, r->kin, &s->t, s->x, &r->nq, &r->nu, &r->nlam, r->cst, s->p,
-                              &info);
+      info = gspnw (s->scene, s->t, s->x, r->cst, s->p);
       if (info != 0)
         {
           r->istat[GS_FAILED_INFO] = info;
@@ -186,35 +200,35 @@ begin (gs_run *s)
 }
 
 void
-gs_turn_on (const gs_run *s, double *x)
+gs_turn_on (const gs_stepper *s, double *x)
 {
-  for (int l = 0; l < s->r->nq; l++)
+  for (int l = 0; l < s->scene->nq; l++)
     if (s->turns[l] != 0)
       x[l] += 2 * 3.14159265358979323846264338327950288L * s->turns[l];
 }
 
 /* the state X at the output time T: a column of the result */
 static int
-put_out (gs_run *s, double t, const double *x)
+put_out (gs_stepper *s, double t, const double *x)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int k = r->istat[GS_N_OUTPUTS];
   double *column = r->xout + (size_t) r->ldx * k;
   memcpy (column, x, sizeof (double) * r->nx);
-  if (gs_projects (r) && gs_check (s, s->project, t, column, gs_no_jump) != 0)
+  if (gs_projects (s) && gs_check (s, s->project, t, column, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
   if (gs_take_inputs (s, t, gs_side_at (s, t), column, s->v) != 0)
     return GS_ROUTINE_FAILED;
-  memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * r->nv);
+  memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * s->scene->nv);
   gs_turn_on (s, column);
   r->istat[GS_N_OUTPUTS] = k + 1;
   return GS_DONE;
 }
 
 int
-gs_put_out (gs_run *s, double limit)
+gs_put_out (gs_stepper *s, double limit)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   while (r->istat[GS_N_OUTPUTS] < r->nt && r->tout[r->istat[GS_N_OUTPUTS]] <= limit)
     {
       double t = r->tout[r->istat[GS_N_OUTPUTS]];
@@ -228,9 +242,9 @@ gs_put_out (gs_run *s, double limit)
 
 /* the output times up to here; at the end of the run an event of the user that lies there; INFO */
 static int
-arrive (gs_run *s)
+arrive (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int info = GS_DONE;
   if (s->t >= r->tout[r->nt - 1]
       && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == GS_DONE)
@@ -240,9 +254,9 @@ arrive (gs_run *s)
 
 /* after a step, up to an EVENT or none: statistics, drift, the output times that it passed; INFO */
 static int
-accept (gs_run *s, int event)
+accept (gs_stepper *s, int event)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   r->istat[GS_N_STEPS]++;
   r->istat[GS_FAILED_INFO] = r->istat[GS_FAILED] = GS_AT_NOTHING;
   r->rstat[GS_H_LEAST] = fmin (r->rstat[GS_H_LEAST], s->h);
@@ -258,7 +272,7 @@ accept (gs_run *s, int event)
   if (! event && s->by->moves)
     gs_onto_held (s, s->t, s->x);
   memcpy (s->trial, s->x, sizeof (double) * r->nx);
-  if (r->nlam > 0 && (r->iopt[GS_DRIFT] == 1 || s->p[0] > 0)
+  if (s->scene->nlam > 0 && (r->iopt[GS_DRIFT] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
   return event && gs_ended_by_event (s) ? GS_ENDED : arrive (s);
@@ -266,11 +280,11 @@ accept (gs_run *s, int event)
 
 /* does the scene switch where the run stands? Then its rates differ on both sides. */
 static int
-switched (gs_run *s)
+switched (gs_stepper *s)
 {
   const int n = s->r->nx;
   double *left = s->work, *right = s->work + n;
-  if (s->r->switches == 0)
+  if (s->scene->nsw == 0)
     return 0;
   int info = gs_rate (s, s->stop, s->x, left);
   s->side = 1;
@@ -284,15 +298,15 @@ switched (gs_run *s)
 
 /* do the inputs jump at the break where the run stands? A user's routine may do what it likes. */
 static int
-jumps (gs_run *s)
+jumps (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   if (r->ip[GS_V0] == 3)
     return 1;
   if (gs_take_inputs (s, s->t, -1, s->x, s->dv) != 0
       || gs_take_inputs (s, s->t, 1, s->x, s->v) != 0)
     return 1;   /* the next step will say what is wrong */
-  for (int k = 0; k < r->nv; k++)
+  for (int k = 0; k < s->scene->nv; k++)
     if (! (fabs (s->v[k] - s->dv[k]) <= 1e-11 * (fabs (s->v[k]) + fabs (s->dv[k]))))
       return 1;
   return switched (s);
@@ -300,7 +314,7 @@ jumps (gs_run *s)
 
 /* the flag of a method; INFO */
 static int
-failure (gs_run *s, int flag)
+failure (gs_stepper *s, int flag)
 {
   s->r->istat[GS_CAUSE] = flag;
   return s->r->istat[GS_FAILED] != GS_AT_NOTHING     ? GS_ROUTINE_FAILED
@@ -312,7 +326,7 @@ failure (gs_run *s, int flag)
 
 /* one step, up to an EVENT in it; INFO */
 static int
-next_step (gs_run *s, int *event)
+next_step (gs_stepper *s, int *event)
 {
   double from = s->t;
   int flag = s->by->step (s), info = GS_DONE;
@@ -324,7 +338,7 @@ next_step (gs_run *s, int *event)
 
 /* the method, behind a jump; INFO */
 static int
-start_again (gs_run *s)
+start_again (gs_stepper *s)
 {
   s->by->count (s);
   int flag = s->by->restart (s);
@@ -333,9 +347,9 @@ start_again (gs_run *s)
 
 /* from here to the next stop; INFO */
 static int
-advance (gs_run *s)
+advance (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int event, info;
   if (s->stop - s->t <= 16 * DBL_EPSILON * fmax (fabs (s->t), fabs (s->stop)))
     {
@@ -358,7 +372,7 @@ advance (gs_run *s)
 /* stop at T, a break or a sample, unless the stop is nearer; times that differ by rounding are one
  */
 static void
-next_stop (gs_run *s, double t)
+next_stop (gs_stepper *s, double t)
 {
   double fuzz = 8 * DBL_EPSILON * fabs (s->stop);
   if (t > s->stop + fuzz)
@@ -368,9 +382,9 @@ next_stop (gs_run *s, double t)
 }
 
 static int
-go (gs_run *s)
+go (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int ib = 0, acted, jumped, happened, info, flag;
   double end = r->tout[r->nt - 1];
   if ((info = begin (s)) != 0)
@@ -383,11 +397,11 @@ go (gs_run *s)
     return failure (s, flag);
   while (r->istat[GS_N_OUTPUTS] < r->nt)
     {
-      while (ib < r->nb && r->tbrk[ib] <= s->t)
+      while (ib < s->nstops && s->stops[ib] <= s->t)
         ib++;
       s->stop = end;
       s->side = -1;
-      next_stop (s, ib < r->nb ? r->tbrk[ib] : HUGE_VAL);
+      next_stop (s, ib < s->nstops ? s->stops[ib] : HUGE_VAL);
       next_stop (s, s->sample);
       info = advance (s);
       if (info != 0 || r->istat[GS_N_OUTPUTS] >= r->nt)
@@ -403,9 +417,9 @@ go (gs_run *s)
 
 /* an event that failed has been later than the last step */
 static void
-tell_time (gs_run *s)
+tell_time (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   if (r->istat[GS_FAILED] != GS_AT_EVENT)
     return;
   const gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
@@ -414,24 +428,24 @@ tell_time (gs_run *s)
 }
 
 int
-gs_implicit_run (const gsmbp_run *r, const gs_method *by)
+gs_implicit_run (const gs_scene *scene, gs_run *r, const gs_implicit *o, const gs_method *by)
 {
-  gs_run s = { 0 };
+  gs_stepper s = { .scene = scene, .r = r, .o = o, .by = by };
   int info = GS_OUT_OF_MEMORY;
-  s.r = r;
-  s.by = by;
-  if (r->length > 0)
-    r->text[0] = 0;
+  if (o->length > 0)
+    o->text[0] = 0;
   if (allocate (&s))
     {
       info = go (&s);
+      info = s.asked != 0 ? s.asked : info;
       if (info == GS_ROUTINE_FAILED)
         tell_time (&s);
       if (info != GS_DONE && r->istat[GS_N_OUTPUTS] < r->nt)   /* the last state, as by GSSIM */
         {
+          size_t k = r->istat[GS_N_OUTPUTS];
           gs_turn_on (&s, s.x);
-          memcpy (r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], s.x, sizeof (double) * r->nx);
-          memcpy (r->vout + (size_t) r->ldv * r->istat[GS_N_OUTPUTS], s.v, sizeof (double) * r->nv);
+          memcpy (r->xout + r->ldx * k, s.x, sizeof (double) * r->nx);
+          memcpy (r->vout + r->ldv * k, s.v, sizeof (double) * scene->nv);
         }
     }
   release (&s);

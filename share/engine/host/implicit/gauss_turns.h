@@ -1,6 +1,6 @@
 /* Whole turns of coordinates, which gauss_momenta.c keeps apart. */
-#ifndef GSMBP_GLUE_GAUSS_TURNS_H
-#define GSMBP_GLUE_GAUSS_TURNS_H
+#ifndef GS_HOST_GAUSS_TURNS_H
+#define GS_HOST_GAUSS_TURNS_H
 #include <float.h>
 #include "gauss_rates.h"
 
@@ -20,7 +20,7 @@ same_numbers (int n, const double *a, const double *b, double bound, double far)
 
 /* do efforts and constraints at the state X say the same where coordinates are TURNS farther? */
 static int
-same_turned (gs_run *s, gs_momenta *w, double t, const double *x, const double *turns)
+same_turned (gs_stepper *s, gs_momenta *w, double t, const double *x, const double *turns)
 {
   int n = w->n, m = w->m;
   double *other = w->trial, *bias = w->pi, *rows = w->turned, far = 0, bound = 0;
@@ -30,8 +30,8 @@ same_turned (gs_run *s, gs_momenta *w, double t, const double *x, const double *
       other[l] += turn_ * turns[l];
       far = fmax (far, fabs (other[l]));
     }
-  ((bia_type *) s->r->bia) (&t, x, x + n, s->v, s->r->cst, w->bias);
-  ((bia_type *) s->r->bia) (&t, other, x + n, s->v, s->r->cst, bias);
+  s->scene->bia (t, x, x + n, s->v, s->r->cst, w->bias);
+  s->scene->bia (t, other, x + n, s->v, s->r->cst, bias);
   if (! same_numbers (n, w->bias, bias, w->large, far))
     return 0;
   if (m == 0)
@@ -47,7 +47,7 @@ same_turned (gs_run *s, gs_momenta *w, double t, const double *x, const double *
 
 /* which coordinates are angles, of which one turn, or some, change nothing at the start */
 static void
-find_turning (gs_run *s, gs_momenta *w)
+find_turning (gs_stepper *s, gs_momenta *w)
 {
   static const int tried[] = { 1, -1, 3, -10, 100 };
   double *turns = w->old;
@@ -65,7 +65,7 @@ find_turning (gs_run *s, gs_momenta *w)
 
 /* what turns on by more than half a turn in X loses a whole one */
 static void
-take_turns (gs_run *s, gs_momenta *w, double *x)
+take_turns (gs_stepper *s, gs_momenta *w, double *x)
 {
   for (int l = 0; l < w->n; l++)
     if (w->turning[l] && fabs (x[l]) > 0.51 * (double) turn_)
@@ -80,7 +80,7 @@ take_turns (gs_run *s, gs_momenta *w, double *x)
 
 /* no turns are kept apart from here on, in the state X */
 static void
-give_turns (gs_run *s, gs_momenta *w, double *x)
+give_turns (gs_stepper *s, gs_momenta *w, double *x)
 {
   for (int l = 0; l < w->n; l++)
     {

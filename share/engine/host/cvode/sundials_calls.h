@@ -1,12 +1,12 @@
 /* What integrators of SUNDIALS call: the emitted rates and Jacobian; a positive result: they try a
    smaller step.  Their own words instead of a print on the terminal. */
-#ifndef GSMBP_GLUE_SUNDIALS_CALLS_H
-#define GSMBP_GLUE_SUNDIALS_CALLS_H
+#ifndef GS_HOST_SUNDIALS_CALLS_H
+#define GS_HOST_SUNDIALS_CALLS_H
 #include <stdio.h>
 #include "header_cvode.h"
 #include <nvector/nvector_serial.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include "implicit.h"
+#include "host/implicit/implicit_run.h"
 
 static int
 rate (sunrealtype t, N_Vector y, N_Vector yd, void *data)
@@ -25,9 +25,9 @@ jacobian (sunrealtype t, N_Vector y, N_Vector yd, SUNMatrix J, void *data, N_Vec
 static void
 keep (int code, const char *message, void *data)
 {
-  const gsmbp_run *r = ((gs_run *) data)->r;
-  if (code < 0 && r->length > 0)
-    snprintf (r->text, r->length, "%s", message);
+  const gs_implicit *o = ((gs_stepper *) data)->o;
+  if (code < 0 && o->length > 0)
+    snprintf (o->text, o->length, "%s", message);
 }
 
 #if SUNDIALS_VERSION_MAJOR == 6
@@ -48,7 +48,7 @@ said (int line, const char *function, const char *file, const char *message, SUN
 
 /* in the place of every handler that the method has */
 static int
-hear (SUNContext context, gs_run *s)
+hear (SUNContext context, gs_stepper *s)
 {
   SUNContext_ClearErrHandlers (context);
   return SUNContext_PushErrHandler (context, said, s);

@@ -5,25 +5,11 @@
 #include <string.h>
 #include "implicit_look.h"
 
-/* the Fortran routines: the addresses carry no types, these do */
-typedef void evn_type (gsmbp_sub rhs, gsmbp_sub prj, gsmbp_sub con, gsmbp_sub kin, gsmbp_sub cmd,
-                       gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, const int *method,
-                       const int *way, const double *t, double *tn, const int *side,
-                       const double *h, double *x, const int *siz, int *ip, double *rp,
-                       double *cst, double *v, double *ropt, double *xn, double *w, double *wi,
-                       double *p, int *istat, double *rstat, int *ie, double *re, double *gauss,
-                       int *found, int *info);
-typedef void evv_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, const double *t,
-                       const int *side, const double *x, const int *nu, const int *nx,
-                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w,
-                       const int *mode, double *gv, int *info);
-typedef void usg_type (const int *nx, int *ie, double *re);
-
 enum { TURNS = 12 };
 
 /* the state at T within the step, or at its end */
 static int
-state_at (gs_run *s, double t, double *x)
+state_at (gs_stepper *s, double t, double *x)
 {
   if (t < s->t)
     return s->by->between (s, t, x);
@@ -52,7 +38,7 @@ points (double *c, double *d)
  * value alone where S->known is one of them (TOLD): of such a state, again and again, slopes of
  * what is stiff would go astray.  A flag */
 static int
-take_nodes (gs_run *s, int told, double from, double to)
+take_nodes (gs_stepper *s, int told, double from, double to)
 {
   int n = s->r->nx, flag = 0;
   double c[GS_NODES], d[GS_NODES], h = to - from, *rate = s->work;
@@ -76,14 +62,12 @@ take_nodes (gs_run *s, int told, double from, double to)
 
 /* event function I at T in the state X; INFO */
 int
-gs_function (gs_run *s, int i, double t, const double *x, double *g)
+gs_function (gs_stepper *s, int i, double t, const double *x, double *g)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   gs_events e = gs_events_planned (s);
-  int side = gs_side_at (s, t), info = 0;
-  ((evv_type *) r->gsevv) (r->cmd, r->clo, r->vin, r->evt, &t, &side, x, &r->nu, &r->nx, &r->nv,
-                           r->ip, r->rp, r->cst, s->v, r->w, e.mode, e.now, &info);
-  ((usg_type *) r->gsusg) (&r->nx, wholes (s), reals (s));
+  int info = gsevv (&s->g, t, gs_side_at (s, t), x, e.mode, e.now);
+  gsusg (&e);
   *g = e.now[i - 1];
   if (info != 0)
     {
@@ -95,7 +79,7 @@ gs_function (gs_run *s, int i, double t, const double *x, double *g)
 
 /* What is known of the event functions before a step is looked at, to be looked at again. */
 static void
-remember (gs_run *s)
+remember (gs_stepper *s)
 {
   gs_events e = gs_events_planned (s);
   memcpy (s->marks, e.mark, e.ne * sizeof (int));
@@ -105,7 +89,7 @@ remember (gs_run *s)
 }
 
 void
-gs_recall (gs_run *s)
+gs_recall (gs_stepper *s)
 {
   gs_events e = gs_events_planned (s);
   memcpy (e.mark, s->marks, e.ne * sizeof (int));
@@ -115,7 +99,7 @@ gs_recall (gs_run *s)
 }
 
 int
-gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, double d, double *g,
+gs_climbs (gs_stepper *s, int i, double t, const double *x, const double *rate, double d, double *g,
            double *by)
 {
   double at[2] = { 0, 0 }, *beside = s->between, clear = fmax (d, gs_shortest (t, t));
@@ -134,7 +118,7 @@ gs_climbs (gs_run *s, int i, double t, const double *x, const double *rate, doub
 /* S->rising: which functions of the user have just had their event at T (or the run begins), in
  * S->known, and rise from there above 0 before T + H, by the rates of take_nodes; INFO */
 static int
-take_rising (gs_run *s, double t, double h)
+take_rising (gs_stepper *s, double t, double h)
 {
   gs_events e = gs_events_planned (s);
   double g, by;
@@ -154,7 +138,7 @@ take_rising (gs_run *s, double t, double h)
 /* the first of these that has fallen all the same in the part that was looked at, 0: none. The
  * step is too long to see what happens just behind the event. */
 static int
-sunk (const gs_run *s)
+sunk (const gs_stepper *s)
 {
   gs_events e = gs_events_planned (s);
   for (int i = 0; i < e.ne; i++)
@@ -172,26 +156,22 @@ gs_shortest (double from, double to)
 
 /* GSEVN between FROM and TO */
 static int
-search (gs_run *s, double from, double *to, int *found)
+search (gs_stepper *s, double from, double *to, int *found)
 {
-  const gsmbp_run *r = s->r;
-  double h = *to - from, end = *to, no_gauss[3] = { 0, 0, 0 };
-  int none = 0, side = gs_side_at (s, *to), info = 0,
-      sizes[8] = { r->nq, r->nu, r->nx, r->nv, r->nlam, r->nt, r->nb, 0 };
+  gs_run *r = s->r;
+  gs_step e = { .t = from, .h = *to - from, .tn = *to, .side = gs_side_at (s, *to),
+                .x = s->known, .xn = s->event, .f = s->nodes };
   memcpy (s->event, s->nodes + (size_t) r->nx * (GS_NODES - 1), sizeof (double) * r->nx);
-  ((evn_type *) r->gsevn) (r->rhs, r->prj, r->con, r->kin, r->cmd, r->clo, r->vin, r->evt, &none,
-                           &r->iopt[GS_LOOPS], &from, &end, &side, &h, s->known, sizes, r->ip,
-                           r->rp, r->cst, s->v, r->ropt, s->event, s->nodes, r->w, s->p, r->istat,
-                           r->rstat, wholes (s), reals (s), no_gauss, found, &info);
+  int info = gsevn (&s->g, &e, found);
   if (info == 0 && *found > 0)
-    *to = end;
+    *to = e.tn;
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
  * state there, S->event, on the polynomial; FOUND as GSEVN.  A flag of the method in *FLAG, INFO */
 int
-gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
+gs_look (gs_stepper *s, int told, double from, double *to, int *found, int *flag)
 {
   const double end = *to;
   *found = 0;
@@ -218,7 +198,7 @@ gs_look (gs_run *s, int told, double from, double *to, int *found, int *flag)
 
 /* the step from FROM once more, to TO at most; a flag */
 int
-gs_once_more (gs_run *s, double from, double to)
+gs_once_more (gs_stepper *s, double from, double to)
 {
   double stop = s->stop;
   int side = s->side;
@@ -234,7 +214,7 @@ gs_once_more (gs_run *s, double from, double to)
 
 /* The slope of function I behind the step to T, where it is G */
 static int
-slope_of (gs_run *s, int i, double from, double t, double g, double *slope)
+slope_of (gs_stepper *s, int i, double from, double t, double g, double *slope)
 {
   double d = 1e-3 * (t - from), before;
   int info = s->by->between (s, t - d, s->event) < 0
@@ -246,7 +226,7 @@ slope_of (gs_run *s, int i, double from, double t, double g, double *slope)
 
 /* the step to P->t once more; a flag of the method in *FLAG, INFO */
 static int
-tried (gs_run *s, place *p, int *flag)
+tried (gs_stepper *s, place *p, int *flag)
 {
   *flag = gs_once_more (s, p->from, p->t);
   return *flag < 0 || s->t < p->t ? GS_DONE : gs_function (s, p->i, p->t, s->y, &p->g);
@@ -254,7 +234,7 @@ tried (gs_run *s, place *p, int *flag)
 
 /* an event of the user has happened: a little later than P its function is not above 0 */
 static int
-past (gs_run *s, place *p, int *flag)
+past (gs_stepper *s, place *p, int *flag)
 {
   const gs_events e = gs_events_planned (s);
   int info = GS_DONE, own = gs_is_own (&e, p->i - 1);
@@ -270,7 +250,7 @@ past (gs_run *s, place *p, int *flag)
 /* The step again, as long as it must be for the function to be 0 at its end, by the secant method
  * from its zero on the polynomial on.  S->t < P->t: the method made a shorter one of it. */
 int
-gs_locate (gs_run *s, place *p, int *flag)
+gs_locate (gs_stepper *s, place *p, int *flag)
 {
   double slope = 0, t = 0, g = 0, least = 2 * DBL_EPSILON * fmax (fabs (p->from), fabs (p->end));
   /* one that is no time away from the beginning of the step: a step must have a length */

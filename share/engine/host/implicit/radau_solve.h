@@ -1,4 +1,4 @@
-/* The linear systems of gsmbp_radau.c: (ROOT/H*I - J) X = B, real and complex; columns one after
+/* The linear systems of radau.c: (ROOT/H*I - J) X = B, real and complex; columns one after
    the other.
 
    States whose rows and columns of J are short are eliminated first, along lists that are made once

@@ -15,12 +15,11 @@
 enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
 
 gs_loops *
-gs_new_loops (const gs_run *s, int *failed)
+gs_new_loops (const gs_stepper *s, int *failed)
 {
-  const gsmbp_run *r = s->r;
-  size_t n = r->nu, m = r->nlam, own = gs_own_states (r);
+  size_t n = s->scene->nu, m = s->scene->nlam, own = gs_own_states (s);
   *failed = 0;
-  if (m == 0 || ! r->mas || ! r->gradients)
+  if (m == 0 || ! s->scene->mas || ! s->scene->con)
     return NULL;
   *failed = 1;
   gs_loops *w = calloc (1, sizeof (gs_loops));
@@ -32,7 +31,7 @@ gs_new_loops (const gs_run *s, int *failed)
   *failed = 0;
   w->n = n;
   w->m = m;
-  w->nq = r->nq;
+  w->nq = s->scene->nq;
   w->own = own;
   w->pivots = order + m;
   w->numbers = w->mass = next;
@@ -59,19 +58,17 @@ gs_free_loops (gs_loops *w)
 }
 
 int
-gs_constraints (gs_run *s, gs_loops *w, double t, const double *x, double *rows)
+gs_constraints (gs_stepper *s, gs_loops *w, double t, const double *x, double *rows)
 {
-  int info = 0;
-  ((con_type *) s->r->gradients) (&t, x, x + w->nq, s->r->cst, w->gap, w->phit, rows, &w->m,
-                                  w->gamma, &info);
+  int info = s->scene->con (t, x, x + w->nq, s->r->cst, w->gap, w->phit, rows, w->m, w->gamma);
   return info == 0 || info == 2 ? 0 : -1;
 }
 
 int
-gs_take_loops (gs_run *s, gs_loops *w)
+gs_take_loops (gs_stepper *s, gs_loops *w)
 {
   w->of = w->gram.rank = 0;
-  ((mas_type *) s->r->mas) (&s->t, s->x, s->r->cst, w->mass, &w->n);
+  s->scene->mas (s->t, s->x, s->r->cst, w->mass, w->n);
   if (! cholesky (w->n, w->mass) || gs_constraints (s, w, s->t, s->x, w->rows) != 0)
     return -1;
   factorize_rows (&w->gram, w->rows, w->mass);
@@ -208,7 +205,7 @@ go (gs_loops *w, const double *scale, double *x, int from, int n)
 /* Turns until they are no more than rounding, SPEEDS or positions; 0, or 1: something is left, or
    -1: it leads too far. */
 static int
-go_on (gs_run *s, gs_loops *w, const double *scale, double t, double *x, int speeds)
+go_on (gs_stepper *s, gs_loops *w, const double *scale, double t, double *x, int speeds)
 {
   double last = HUGE_VAL, rounding = 8 * DBL_EPSILON / s->r->ropt[1],
          *before = &s->r->rstat[GS_R_BEFORE];
@@ -233,14 +230,15 @@ go_on (gs_run *s, gs_loops *w, const double *scale, double t, double *x, int spe
 }
 
 int
-gs_settle (gs_run *s, gs_loops *w, const gs_factors *by, const double *scale, double t, double *x)
+gs_settle (gs_stepper *s, gs_loops *w, const gs_factors *by, const double *scale, double t,
+           double *x)
 {
   responses (w, by);
   if (! w->held)
     return -1;
   int positions = go_on (s, w, scale, t, x, 0);
   int speeds = positions < 0 ? -1 : go_on (s, w, scale, t, x, 1);
-  int whole = positions == 0 && speeds == 0 && w->nq == w->n && s->r->columns == 0;
+  int whole = positions == 0 && speeds == 0 && w->nq == w->n && s->o->columns == 0;
   s->r->istat[GS_N_PROJECTIONS] += whole;
   return speeds < 0 ? -1 : ! whole;
 }

@@ -1,6 +1,6 @@
 /* The rule of collocation at the points of Gauss (gauss_rule.c), with what loops need beside it. */
-#ifndef GSMBP_GLUE_GAUSS_RULE_H
-#define GSMBP_GLUE_GAUSS_RULE_H
+#ifndef GS_HOST_GAUSS_RULE_H
+#define GS_HOST_GAUSS_RULE_H
 
 enum { GAUSS = 4 };   /* the most stages */
 typedef long double longer;

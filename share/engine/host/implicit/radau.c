@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "implicit.h"
+#include "implicit_run.h"
 #include "gsmbp/inputs.h"
 #include "radau_index2.h"
 #include "radau_rule.h"
@@ -46,7 +46,7 @@ typedef struct
  * tolerances and order */
 
 static void
-take_order (gs_run *s, int stages)
+take_order (gs_stepper *s, int stages)
 {
   radau *w = s->memory;
   w->stages = stages;
@@ -58,7 +58,7 @@ take_order (gs_run *s, int stages)
 
 /* what an error is measured by, at the state of the run */
 static void
-take_scale (gs_run *s)
+take_scale (gs_stepper *s)
 {
   radau *w = s->memory;
   for (int i = 0; i < w->n; i++)
@@ -79,14 +79,14 @@ norm (const radau *w, int columns, const double *d)
  * one step */
 
 static int
-no_index2 (gs_run *s)
+no_index2 (gs_stepper *s)
 {
-  snprintf (s->r->text, s->r->length, "loops in index 2 need M of the tree positive definite");
+  snprintf (s->o->text, s->o->length, "loops in index 2 need M of the tree positive definite");
   return FATAL;
 }
 
 static int
-take_jacobian (gs_run *s)
+take_jacobian (gs_stepper *s)
 {
   radau *w = s->memory;
   w->jacobians++;
@@ -195,30 +195,30 @@ predict (radau *w, double h)
 
 /* the inputs at the stages, where they follow the time alone: once for all turns */
 static int
-stage_inputs (gs_run *s, double h)
+stage_inputs (gs_stepper *s, double h)
 {
   radau *w = s->memory;
   int info = 0;
-  for (int i = 0; info == 0 && s->r->nv > 0 && i < w->stages; i++)
+  for (int i = 0; info == 0 && s->scene->nv > 0 && i < w->stages; i++)
     {
-      memcpy (w->v + s->r->nv * i, s->v, sizeof (double) * s->r->nv);
+      memcpy (w->v + s->scene->nv * i, s->v, sizeof (double) * s->scene->nv);
       if (s->r->ip[GS_V0] != 0)
-        info = gs_inputs (s, s->t + w->rule->c[i + 1] * h, w->v + s->r->nv * i);
+        info = gs_inputs (s, s->t + w->rule->c[i + 1] * h, w->v + s->scene->nv * i);
     }
   return info;
 }
 
 static int
-stage_rate (gs_run *s, int i, double h, const double *x, double *xd)
+stage_rate (gs_stepper *s, int i, double h, const double *x, double *xd)
 {
   radau *w = s->memory;
   double t = s->t + w->rule->c[i + 1] * h;
-  return w->of_time ? gs_rate_by (s, t, x, w->v + s->r->nv * i, xd) : gs_rate (s, t, x, xd);
+  return w->of_time ? gs_rate_by (s, t, x, w->v + s->scene->nv * i, xd) : gs_rate (s, t, x, xd);
 }
 
 /* G: what the stages Z miss */
 static int
-defects (gs_run *s, double h)
+defects (gs_stepper *s, double h)
 {
   radau *w = s->memory;
   const radau_rule *rule = w->rule;
@@ -273,9 +273,9 @@ correct (radau *w)
 
 /* are the inputs at the last state no numbers? */
 static int
-no_inputs (const gs_run *s)
+no_inputs (const gs_stepper *s)
 {
-  for (int k = 0; k < s->r->nv; k++)
+  for (int k = 0; k < s->scene->nv; k++)
     if (! (fabs (s->v[k]) <= 1e300))
       return 1;
   return 0;
@@ -305,7 +305,7 @@ converges (radau *w, double size, double last, double *ratio, double *shrink)
 /* The stages of the step H.  SHRINK: by what the step is to be multiplied where they were not
  * found. */
 static int
-stages (gs_run *s, double h, double *shrink)
+stages (gs_stepper *s, double h, double *shrink)
 {
   radau *w = s->memory;
   double last = 0, ratio = 0;
@@ -344,7 +344,7 @@ filter (radau *w, double *e)
 
 /* the estimated error beside the tolerance */
 static int
-estimate (gs_run *s, double h, double *error)
+estimate (gs_stepper *s, double h, double *error)
 {
   radau *w = s->memory;
   const radau_rule *rule = w->rule;
@@ -378,7 +378,7 @@ estimate (gs_run *s, double h, double *error)
 
 /* the step to be taken where H is wished: to STOP (TO, else it is HUGE_VAL), or half way to it */
 static double
-landing (const gs_run *s, double h, double *to)
+landing (const gs_stepper *s, double h, double *to)
 {
   double way = s->stop - s->t;
   *to = h >= way * (1 - 1e-10) ? s->stop : HUGE_VAL;
@@ -399,7 +399,7 @@ next_length (const radau *w, double h, double error)
 /* Order: up where the iteration hardly needs its second turn and steps do not change much, down
  * where it is slow. */
 static void
-next_order (gs_run *s, double growth)
+next_order (gs_stepper *s, double growth)
 {
   radau *w = s->memory;
   w->risen++;
@@ -411,7 +411,7 @@ next_order (gs_run *s, double growth)
       w->quiet = 10;
     }
   else if ((w->turns == 1 || w->theta <= 0.002) && growth > 0.8 && growth < 1.2
-           && 2 * w->stages + 3 <= s->r->order)
+           && 2 * w->stages + 3 <= s->o->order)
     {
       take_order (s, w->stages + 2);
       w->risen = 0;
@@ -421,7 +421,7 @@ next_order (gs_run *s, double growth)
 /* The step H, to TO or by its length, is good: what the next one begins with.  Factors may stay
  * where the iteration is quick and the step would hardly be longer. */
 static void
-keep (gs_run *s, double h, double to, double error)
+keep (gs_stepper *s, double h, double to, double error)
 {
   radau *w = s->memory;
   double *swap = w->past, wish = next_length (w, h, error), growth = wish / h;
@@ -447,7 +447,7 @@ keep (gs_run *s, double h, double to, double error)
 
 /* The step H was not good: one BY times as long, with a Jacobian of its state if ANEW. */
 static int
-again (gs_run *s, double h, double by, int anew)
+again (gs_stepper *s, double h, double by, int anew)
 {
   radau *w = s->memory;
   w->wish = h * by;
@@ -459,7 +459,7 @@ again (gs_run *s, double h, double by, int anew)
 
 /* after stages that were not found */
 static int
-diverged (gs_run *s, double h, double by, int outcome)
+diverged (gs_stepper *s, double h, double by, int outcome)
 {
   radau *w = s->memory;
   w->diverged++;
@@ -475,7 +475,7 @@ diverged (gs_run *s, double h, double by, int outcome)
 /* X1, of the step H to T, along what the scene does under forces of its constraints; as
    gs_settle */
 static int
-settle (gs_run *s, double h, double t)
+settle (gs_stepper *s, double h, double t)
 {
   radau *w = s->memory;
   double *end = w->error;
@@ -491,13 +491,13 @@ settle (gs_run *s, double h, double t)
 
 /* X1: the end of the step H, at TO or by its length, on the constraints */
 static int
-end_of_step (gs_run *s, double h, double to)
+end_of_step (gs_stepper *s, double h, double to)
 {
   radau *w = s->memory;
   double *end = w->error, t = to < HUGE_VAL ? to : s->t + h;
   for (int l = 0; l < w->n; l++)
     w->x1[l] = s->x[l] + w->z[l + w->n * (w->stages - 1)];
-  if (! gs_projects (s->r) || settle (s, h, t) == 0)
+  if (! gs_projects (s) || settle (s, h, t) == 0)
     return 0;
   int info = gs_moved (s, t, w->x1, end);
   memcpy (w->x1, end, sizeof (double) * w->n);
@@ -506,7 +506,7 @@ end_of_step (gs_run *s, double h, double to)
 
 /* one step of the length that is wished, if it is good; 0, a flag or AGAIN */
 static int
-attempt (gs_run *s)
+attempt (gs_stepper *s)
 {
   radau *w = s->memory;
   double most = s->r->ropt[2] > 0 ? s->r->ropt[2] : HUGE_VAL,
@@ -534,7 +534,7 @@ attempt (gs_run *s)
 }
 
 static int
-step (gs_run *s)
+step (gs_stepper *s)
 {
   radau *w = s->memory;
   take_scale (s);
@@ -551,7 +551,7 @@ step (gs_run *s)
 
 /* nothing is known of how its polynomial goes on: that was of the last step, from here as well */
 static int
-again_ (gs_run *s)
+again_ (gs_stepper *s)
 {
   radau *w = s->memory;
   w->past_stages = 0;
@@ -563,15 +563,16 @@ again_ (gs_run *s)
  * the method */
 
 static int
-open_ (gs_run *s)
+open_ (gs_stepper *s)
 {
-  size_t n = s->r->nx, own = gs_own_states (s->r), m = n * STAGES;
+  size_t n = s->r->nx, own = gs_own_states (s), m = n * STAGES;
   radau *w = s->memory = calloc (1, sizeof (radau));
   if (! w)
     return 0;
   w->n = n;
   w->own = own;
-  w->J = calloc (3 * own * own + own + 4 * m + 4 * n + STAGES * (size_t) s->r->nv, sizeof (double));
+  w->J = calloc (3 * own * own + own + 4 * m + 4 * n + STAGES * (size_t) s->scene->nv,
+                 sizeof (double));
   w->lus = calloc (PAIRS * own * own + n + own, sizeof (double complex));
   w->pivots = calloc (own * (PAIRS + 1), sizeof (int));
   if (! w->J || ! w->lus || ! w->pivots || ! gsmbp_new_order (&w->order, own))
@@ -580,7 +581,7 @@ open_ (gs_run *s)
   w->loops = gs_new_loops (s, &failed);
   if (failed)
     return 0;
-  if (s->r->index2 && w->loops && ! (w->index2 = gs_new_index2 (w->loops)))
+  if (s->o->index2 && w->loops && ! (w->index2 = gs_new_index2 (w->loops)))
     return 0;
   w->ordered = w->J + own * own;
   w->ordered_x = w->ordered + own * own;
@@ -600,7 +601,7 @@ open_ (gs_run *s)
 }
 
 static void
-close_ (gs_run *s)
+close_ (gs_stepper *s)
 {
   radau *w = s->memory;
   if (! w)
@@ -616,7 +617,7 @@ close_ (gs_run *s)
 
 /* a first step that changes the state by a hundredth of it */
 static int
-restart (gs_run *s)
+restart (gs_stepper *s)
 {
   radau *w = s->memory;
   take_scale (s);
@@ -636,18 +637,18 @@ restart (gs_run *s)
 }
 
 static int
-begin (gs_run *s)
+begin (gs_stepper *s)
 {
   radau *w = s->memory;
-  take_order (s, s->r->order >= 9 && s->r->ropt[1] < 1e-6 ? 5 : 3);
+  take_order (s, s->o->order >= 9 && s->r->ropt[1] < 1e-6 ? 5 : 3);
   int flag = restart (s);
-  if (s->r->ropt[0] > 0 && ! s->r->resume)
+  if (s->r->ropt[0] > 0 && ! s->o->resume)
     w->wish = s->r->ropt[0];
   return flag;
 }
 
 static int
-between (gs_run *s, double t, double *x)
+between (gs_stepper *s, double t, double *x)
 {
   const radau *w = s->memory;
   memcpy (x, s->y, sizeof (double) * w->n);
@@ -656,13 +657,13 @@ between (gs_run *s, double t, double *x)
 }
 
 static long
-rejected (gs_run *s)
+rejected (gs_stepper *s)
 {
   return ((radau *) s->memory)->tests;
 }
 
 static void
-count (gs_run *s)
+count (gs_stepper *s)
 {
   radau *w = s->memory;
   int *istat = s->r->istat;
@@ -675,9 +676,9 @@ count (gs_run *s)
 }
 
 int
-gsmbp_radau (const gsmbp_run *r)
+gs_radau (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method collocation
     = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1 };
-  return gs_implicit_run (r, &collocation);
+  return gs_implicit_run (scene, run, options, &collocation);
 }

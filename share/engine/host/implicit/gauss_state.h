@@ -1,16 +1,10 @@
 /* What the steps of method gauss in coordinates and momenta keep (gauss_momenta.c). */
-#ifndef GSMBP_GLUE_GAUSS_STATE_H
-#define GSMBP_GLUE_GAUSS_STATE_H
+#ifndef GS_HOST_GAUSS_STATE_H
+#define GS_HOST_GAUSS_STATE_H
 #include "gauss_momenta.h"
 #include "rows.h"
 
 enum { TURNS = 100, BEFORE = 3 };
-
-typedef void lin_type (const double *t, const double *q, const double *u, const double *ud,
-                       const double *v, double *cst, double *m, double *b, double *c,
-                       const int *ld);
-typedef void bia_type (const double *t, const double *q, const double *u, const double *v,
-                       double *cst, double *b);
 
 struct gs_momenta
 {

@@ -13,7 +13,7 @@
 #include <sundials/sundials_dense.h>
 #include <sundials/sundials_linearsolver.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include "settle.h"
+#include "host/implicit/settle.h"
 #include "sundials_calls.h"
 
 typedef struct
@@ -24,7 +24,7 @@ typedef struct
   SUNLinearSolver solver;
   sunindextype *pivots;
   void *memory;
-  gs_run *run;
+  gs_stepper *run;
   gs_loops *loops;              /* null: there are none */
   double gamma, *scale;         /* the factors are those of I - GAMMA*J; of errors */
   int settles;                  /* are the constraints known where J is of? */
@@ -45,7 +45,7 @@ solve_own (const void *of, double *x)
 
 /* X along what the scene does under forces of its constraints; as gs_settle */
 static int
-settle (gs_run *s, double t, double *x)
+settle (gs_stepper *s, double t, double *x)
 {
   bdf *b = s->memory;
   gs_factors by = { .shift = 1 / b->gamma, .solve = solve_own, .of = b };
@@ -60,12 +60,12 @@ static int
 projection (sunrealtype t, N_Vector y, N_Vector correction, sunrealtype eps, N_Vector err,
             void *data)
 {
-  gs_run *s = data;
+  gs_stepper *s = data;
   const double *x = N_VGetArrayPointer (y);
   double *c = N_VGetArrayPointer (correction);
   (void) eps, (void) err;
   memcpy (c, x, sizeof (double) * s->r->nx);
-  int left = gs_projects (s->r) ? settle (s, t, c) : 0, info = 0;
+  int left = gs_projects (s) ? settle (s, t, c) : 0, info = 0;
   if (left != 0)
     info = gs_moved (s, t, left > 0 ? c : x, s->trial);
   if (left != 0)
@@ -111,9 +111,9 @@ solve (SUNLinearSolver solver, SUNMatrix A, N_Vector x, N_Vector given, sunrealt
  * the method */
 
 static int
-open_ (gs_run *s)
+open_ (gs_stepper *s)
 {
-  int nx = s->r->nx, own = gs_own_states (s->r);
+  int nx = s->r->nx, own = gs_own_states (s);
   bdf *b = s->memory = calloc (1, sizeof (bdf));
   if (! b || SUNContext_Create (SUN_COMM_NULL, &b->context) != 0)
     return 0;
@@ -142,7 +142,7 @@ open_ (gs_run *s)
 }
 
 static void
-close_ (gs_run *s)
+close_ (gs_stepper *s)
 {
   bdf *b = s->memory;
   if (! b)
@@ -165,7 +165,7 @@ close_ (gs_run *s)
 }
 
 static int
-hears (gs_run *s)
+hears (gs_stepper *s)
 {
   bdf *b = s->memory;
 #if SUNDIALS_VERSION_MAJOR == 6
@@ -181,9 +181,9 @@ hears (gs_run *s)
 static const double tight = 0.1, finest = 1e-14;
 
 static int
-begin (gs_run *s)
+begin (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   bdf *b = s->memory;
   void *m = b->memory;
   double rtol = fmax (tight * r->ropt[1], fmin (finest, r->ropt[1]));
@@ -195,12 +195,13 @@ begin (gs_run *s)
       || (flag = CVodeSetUserData (m, s)) < 0 || (flag = CVodeSVtolerances (m, rtol, b->atol)) < 0
       || (flag = CVodeSetLinearSolver (m, b->solver, b->matrix)) < 0
       || (flag = CVodeSetMaxNumSteps (m, -1)) < 0 || (flag = CVodeSetMaxHnilWarns (m, -1)) < 0
-      || (flag = CVodeSetInitStep (m, r->resume ? 0 : r->ropt[0])) < 0
-      || (flag = CVodeSetMaxStep (m, r->ropt[2])) < 0 || (flag = CVodeSetMaxOrd (m, r->order)) < 0)
+      || (flag = CVodeSetInitStep (m, s->o->resume ? 0 : r->ropt[0])) < 0
+      || (flag = CVodeSetMaxStep (m, r->ropt[2])) < 0
+      || (flag = CVodeSetMaxOrd (m, s->o->order)) < 0)
     return flag;
   if ((flag = CVodeSetJacFn (m, jacobian)) < 0)
     return flag;
-  if ((gs_projects (r) || gs_has_ports (r))
+  if ((gs_projects (s) || gs_has_ports (s))
       && ((flag = CVodeSetProjFn (m, projection)) < 0
           || (flag = CVodeSetProjErrEst (m, SUNFALSE)) < 0))
     return flag;
@@ -208,7 +209,7 @@ begin (gs_run *s)
 }
 
 static int
-restart (gs_run *s)
+restart (gs_stepper *s)
 {
   bdf *b = s->memory;
   int flag;
@@ -218,7 +219,7 @@ restart (gs_run *s)
 }
 
 static int
-step (gs_run *s)
+step (gs_stepper *s)
 {
   bdf *b = s->memory;
   int flag = CVodeSetStopTime (b->memory, s->stop);
@@ -232,14 +233,14 @@ step (gs_run *s)
 
 /* from the state of the run */
 static int
-again (gs_run *s)
+again (gs_stepper *s)
 {
   int flag = restart (s);
   return flag < 0 ? flag : step (s);
 }
 
 static int
-between (gs_run *s, double t, double *x)
+between (gs_stepper *s, double t, double *x)
 {
   bdf *b = s->memory;
   int flag = CVodeGetDky (b->memory, t, 0, b->dense);
@@ -248,7 +249,7 @@ between (gs_run *s, double t, double *x)
 }
 
 static long
-rejected (gs_run *s)
+rejected (gs_stepper *s)
 {
   long tests = 0;
   CVodeGetNumErrTestFails (((bdf *) s->memory)->memory, &tests);
@@ -257,7 +258,7 @@ rejected (gs_run *s)
 
 /* CVODE forgets its counts when it starts again */
 static void
-count (gs_run *s)
+count (gs_stepper *s)
 {
   long n = 0, failed = 0, jacobians = 0, newton = 0, diverged = 0, projections = 0;
   void *m = ((bdf *) s->memory)->memory;
@@ -265,7 +266,7 @@ count (gs_run *s)
   CVodeGetNumJacEvals (m, &jacobians);
   CVodeGetNumNonlinSolvIters (m, &newton);
   CVodeGetNumNonlinSolvConvFails (m, &diverged);
-  if (gs_projects (s->r))
+  if (gs_projects (s))
     CVodeGetNumProjFails (m, &projections);
   n = failed + diverged + projections;
   s->r->istat[GS_N_REJECTED] += n;
@@ -276,9 +277,9 @@ count (gs_run *s)
 }
 
 int
-gsmbp_cvode (const gsmbp_run *r)
+gs_cvode (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method bdf_
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 1 };
-  return gs_implicit_run (r, &bdf_);
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 1, 0 };
+  return gs_implicit_run (scene, run, options, &bdf_);
 }

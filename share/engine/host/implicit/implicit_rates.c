@@ -1,25 +1,11 @@
 /* What a method of implicit.c calls: rates of the states, inputs, the Jacobian, the way onto the
-   constraints; the routines of share/fortran do it. */
+   constraints; the run time does it. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
 #include "gsmbp/inputs.h"
+#include "gsmbp/loops.h"
 #include "implicit_parts.h"
-
-/* the Fortran routines: the addresses carry no types, these do */
-typedef void inp_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, const double *t,
-                       const int *side, const double *x, const int *nu, const int *nx,
-                       const int *nv, int *ip, double *rp, double *cst, double *v, double *w,
-                       int *info);
-typedef void chk_type (gsmbp_sub prj, gsmbp_sub con, gsmbp_sub kin, const double *t, double *x,
-                       const int *nq, const int *nu, const int *nx, const int *nlam,
-                       const int *iopt, const double *jump, double *cst, double *p, int *istat,
-                       double *rstat, int *info);
-typedef void jmp_type (const int *nq, const int *nu, const double *x, const double *xn,
-                       const double *rtol, const double *atol, double *jump);
-typedef void jac_type (const double *t, const double *x, const double *v, double *cst, double *a,
-                       const int *lda, double *b, const int *ldb, double *c, const int *ldc,
-                       double *d, const int *ldd, int *info);
 
 int
 gs_all_finite (int n, const double *x)
@@ -31,19 +17,17 @@ gs_all_finite (int n, const double *x)
 }
 
 int
-gs_side_at (const gs_run *s, double t)
+gs_side_at (const gs_stepper *s, double t)
 {
   return s->side < 0 && t >= s->stop ? -1 : 1;
 }
 
 /* the inputs at T into V; INFO of GSINP */
 int
-gs_take_inputs (gs_run *s, double t, int side, const double *x, double *v)
+gs_take_inputs (gs_stepper *s, double t, int side, const double *x, double *v)
 {
-  const gsmbp_run *r = s->r;
-  int info = 0;
-  ((inp_type *)r->gsinp) (r->cmd, r->clo, r->vin, &t, &side, x, &r->nu, &r->nx, &r->nv, r->ip,
-                          r->rp, r->cst, v, r->w, &info);
+  gs_run *r = s->r;
+  int info = gsinp (s->scene, t, side, x, r->nx, r->ip, r->rp, r->cst, v, r->w);
   if (info != 0)
     {
       r->istat[GS_FAILED_INFO] = info;
@@ -54,13 +38,10 @@ gs_take_inputs (gs_run *s, double t, int side, const double *x, double *v)
 
 /* X at T moved onto the constraints, at most by JUMP; or looked after, by OPTIONS */
 int
-gs_check (gs_run *s, const int *options, double t, double *x, const double *jump)
+gs_check (gs_stepper *s, const int *options, double t, double *x, const double *jump)
 {
-  const gsmbp_run *r = s->r;
-  int info = 0;
-  ((chk_type *)r->gschk) (r->prj, r->con, r->kin, &t, x, &r->nq, &r->nu, &r->nx, &r->nlam, options,
-                          jump, r->cst, s->p, r->istat, r->rstat, &info);
-  return info;
+  gs_run *r = s->r;
+  return gschk (s->scene, t, x, options, jump, r->cst, s->p, r->istat, r->rstat);
 }
 
 /* ------------------------------------------------------------
@@ -74,63 +55,68 @@ outcome (int info)
 
 /* the rate XD under the inputs that IP asks for, or, where it asks for none, V */
 static int
-rate (gs_run *s, double t, const double *x, int *ip, double *v, double *xd)
+rate (gs_stepper *s, double t, const double *x, int *ip, double *v, double *xd)
 {
-  const gsmbp_run *r = s->r;
-  int side = gs_side_at (s, t), info = 0;
+  gs_run *r = s->r;
+  int side = gs_side_at (s, t);
+  gs_system g = s->g;
+  if (r->ask && s->asked == 0)
+    s->asked = r->ask (r->asked, t);
+  if (s->asked != 0)
+    return -1;
+  g.ip = ip;
+  g.v = v;
   if (side < 0)
     t = s->stop;
-  memcpy (s->trial, x, sizeof (double) * r->nx);   /* GSFUN may complete it */
-  ((fun_type *)r->gsfun) (r->rhs, r->con, r->kin, r->cmd, r->clo, r->vin, &t, &side, s->trial,
-                          &r->nq, &r->nu, &r->nx, &r->nv, &r->nlam, ip, r->rp, r->cst, v, xd, r->w,
-                          s->p, r->istat, r->rstat, &info);
+  memcpy (s->trial, x, sizeof (double) * r->nx);   /* gsfun may complete it */
+  int info = gsfun (&g, t, side, s->trial, xd);
   return info != 0 ? outcome (info) : ! gs_all_finite (r->nx, xd);
 }
 
 int
-gs_rate (gs_run *s, double t, const double *x, double *xd)
+gs_rate (gs_stepper *s, double t, const double *x, double *xd)
 {
   return rate (s, t, x, s->r->ip, s->v, xd);
 }
 
 int
-gs_inputs_at (gs_run *s, double t, const double *x, double *v)
+gs_inputs_at (gs_stepper *s, double t, const double *x, double *v)
 {
   return outcome (gs_take_inputs (s, t, gs_side_at (s, t), x, v));
 }
 
 int
-gs_inputs (gs_run *s, double t, double *v)
+gs_inputs (gs_stepper *s, double t, double *v)
 {
   return gs_inputs_at (s, t, s->x, v);
 }
 
 int
-gs_rate_by (gs_run *s, double t, const double *x, double *v, double *xd)
+gs_rate_by (gs_stepper *s, double t, const double *x, double *v, double *xd)
 {
   int none[2] = { 0, 0 };   /* GS_V0, GS_FEEDBACK: kept as they are */
   return rate (s, t, x, none, v, xd);
 }
 
 int
-gs_inputs_of_time (const gs_run *s)
+gs_inputs_of_time (const gs_stepper *s)
 {
   const int *ip = s->r->ip;
-  return ip[GS_FEEDBACK] == 0 && (ip[GS_V0] < 2 || (ip[GS_V0] == 2 && s->r->followed == 0));
+  return ip[GS_FEEDBACK] == 0 && (ip[GS_V0] < 2 || (ip[GS_V0] == 2 && s->o->followed == 0));
 }
 
 int
-gs_own_states (const gsmbp_run *r)
+gs_own_states (const gs_stepper *s)
 {
-  return r->nx / (1 + r->columns);
+  return s->r->nx / (1 + s->o->columns);
 }
 
 /* A += B dV/dX(J) at the inputs S->v; by differences, exact for a gain */
 static int
-add_slope (gs_run *s, double t, double *x, int j, double *A)
+add_slope (gs_stepper *s, double t, double *x, int j, double *A)
 {
-  const gsmbp_run *r = s->r;
-  int side = gs_side_at (s, t), n = gs_own_states (r);
+  gs_run *r = s->r;
+  int side = gs_side_at (s, t), n = gs_own_states (s);
   double old = x[j], h = (r->ip[GS_V0] >= 2 ? 1e-7 : 1)
                          * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
   if (! (h > 0))
@@ -139,7 +125,7 @@ add_slope (gs_run *s, double t, double *x, int j, double *A)
   h = x[j] - old;
   int info = gs_take_inputs (s, t, side, x, s->dv);
   x[j] = old;
-  for (int k = 0; info == 0 && k < r->nv; k++)
+  for (int k = 0; info == 0 && k < s->scene->nv; k++)
     {
       double slope = (s->dv[k] - s->v[k]) / h;
       for (int i = 0; slope != 0 && i < n; i++)
@@ -151,21 +137,21 @@ add_slope (gs_run *s, double t, double *x, int j, double *A)
 /* A += B dV/dX: the inputs follow the state by a gain or by the user's routine; those of a planned
  * motion follow some states of devices */
 static int
-add_feedback (gs_run *s, double t, double *x, double *A)
+add_feedback (gs_stepper *s, double t, double *x, double *A)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int planned = r->ip[GS_V0] == 2 && r->ip[GS_FEEDBACK] == 0, info = 0;
-  int n = planned ? r->followed : gs_own_states (r);
+  int n = planned ? s->o->followed : gs_own_states (s);
   for (int k = 0; info == 0 && k < n; k++)
-    info = add_slope (s, t, x, planned ? r->follows[k] - 1 : k, A);
+    info = add_slope (s, t, x, planned ? s->o->follows[k] - 1 : k, A);
   return info;
 }
 
 /* without the emitted Jacobian: by differences */
 static int
-differences (gs_run *s, double t, const double *x, double *A)
+differences (gs_stepper *s, double t, const double *x, double *A)
 {
-  int n = gs_own_states (s->r), info;
+  int n = gs_own_states (s), info;
   double *f = s->work, *g = s->work + s->r->nx, *beside = s->work + 2 * s->r->nx;
   if ((info = gs_rate (s, t, x, f)) != 0)
     return info;
@@ -184,10 +170,11 @@ differences (gs_run *s, double t, const double *x, double *A)
 
 /* the emitted one, at the inputs of the state */
 static int
-emitted (gs_run *s, double t, const double *x, double *A)
+emitted (gs_stepper *s, double t, const double *x, double *A)
 {
-  const gsmbp_run *r = s->r;
-  int side = gs_side_at (s, t), ldy = r->ny > 0 ? r->ny : 1, info = 0, n = gs_own_states (r);
+  gs_run *r = s->r;
+  int side = gs_side_at (s, t), ldy = s->scene->ny > 0 ? s->scene->ny : 1, info = 0;
+  int n = gs_own_states (s);
   memcpy (s->trial, x, sizeof (double) * r->nx);
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
       && (info = gs_take_inputs (s, t, side, s->trial, s->v)) != 0)
@@ -195,12 +182,11 @@ emitted (gs_run *s, double t, const double *x, double *A)
   double at = t;
   if (side < 0)   /* as GSLFT: what switches at the stop has not yet */
     at = s->stop - fmax (2 * DBL_EPSILON * fabs (s->stop), 1e-300);
-  ((jac_type *)r->jac) (&at, s->trial, s->v, r->cst, A, &n, s->b, &n, s->c, &ldy, s->d, &ldy,
-                        &info);
+  info = s->scene->jac (at, s->trial, s->v, r->cst, A, n, s->b, n, s->c, ldy, s->d, ldy);
   if (info != 0 && info != 2
       && info != 3) /* lost rank, a singularity of angles: usable, as with RHS */
     return outcome (info);
-  if (r->nv > 0 && ! gs_inputs_of_time (s)
+  if (s->scene->nv > 0 && ! gs_inputs_of_time (s)
       && (info = add_feedback (s, t, s->trial, A)) != 0)
     return info;
   return ! gs_all_finite (n * n, A);
@@ -208,25 +194,25 @@ emitted (gs_run *s, double t, const double *x, double *A)
 
 /* is the emitted Jacobian that of the states? not if GSFUN completes them */
 static int
-has_jacobian (const gs_run *s)
+has_jacobian (const gs_stepper *s)
 {
-  return s->r->jac && s->p[0] == 0;
+  return s->scene->jac && s->p[0] == 0;
 }
 
 int
-gs_jacobian (gs_run *s, double t, const double *x, double *A)
+gs_jacobian (gs_stepper *s, double t, const double *x, double *A)
 {
   return has_jacobian (s) ? emitted (s, t, x, A) : differences (s, t, x, A);
 }
 
 int
-gs_completes (const gs_run *s)
+gs_completes (const gs_stepper *s)
 {
   return s->p[0] > 0;
 }
 
 int
-gs_completed (gs_run *s, double t, const double *x, double *completed)
+gs_completed (gs_stepper *s, double t, const double *x, double *completed)
 {
   int info = gs_rate (s, t, x, s->work);
   memcpy (completed, s->trial, sizeof (double) * s->r->nx);
@@ -235,11 +221,11 @@ gs_completed (gs_run *s, double t, const double *x, double *completed)
 
 /* ... and no jump to another branch, as GSSIM */
 int
-gs_moved (gs_run *s, double t, const double *x, double *moved)
+gs_moved (gs_stepper *s, double t, const double *x, double *moved)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   double jump[3];
-  ((jmp_type *) r->gsjmp) (&r->nq, &r->nu, s->x, x, &r->ropt[1], r->atol, jump);
+  gsjmp (s->scene->nq, s->scene->nu, s->x, x, r->ropt[1], r->atol, jump);
   jump[2] = 0;
   memcpy (moved, x, sizeof (double) * r->nx);
   return outcome (gs_check (s, s->project, t, moved, jump));

@@ -6,40 +6,24 @@
 #include <string.h>
 #include "implicit_look.h"
 
-/* the Fortran routine: the address carries no type, this does */
-typedef void evr_type (gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin, gsmbp_sub evt, gsmbp_sub rst,
-                       const double *t, double *x, const int *nu, const int *nx, const int *nv,
-                       int *ip, double *rp, double *cst, double *v, double *w, int *istat,
-                       const int *k, int *info);
-
-typedef void evo_type (gsmbp_sub rst, const int *method, const double *t, double *x, const int *nx,
-                       int *ip, double *rp, double *cst, double *v, const double *rtol,
-                       const double *atol, int *moved);
-
-typedef void end_type (gsmbp_sub out, gsmbp_sub ctl, gsmbp_sub cmd, gsmbp_sub clo, gsmbp_sub vin,
-                       gsmbp_sub evt, gsmbp_sub rst,
-                       const double *t, double *x, const int *nu, const int *nx, const int *nv,
-                       int *ip, double *rp, double *cst, double *v, double *w, int *istat,
-                       int *info);
-
 int
-gs_has_events (const gs_run *s)
+gs_has_events (const gs_stepper *s)
 {
   return s->r->ip[GS_EVENTS] > 0;
 }
 
 int
-gs_event_functions (const gsmbp_run *r)
+gs_event_functions (const gs_stepper *s)
 {
-  return r->ip[GS_EVENTS] > 0 ? gs_planned_events (r->nx, r->ip, r->rp).ne : 0;
+  return gs_has_events (s) ? gs_events_planned (s).ne : 0;
 }
 
 int
-gs_has_ports (const gsmbp_run *r)
+gs_has_ports (const gs_stepper *s)
 {
-  if (r->ip[GS_EVENTS] <= 0)
+  if (! gs_has_events (s))
     return 0;
-  gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
+  gs_events e = gs_events_planned (s);
   for (int i = 0; i < e.ne; i++)
     if (! gs_is_own (&e, i))
       return 1;
@@ -48,40 +32,36 @@ gs_has_ports (const gsmbp_run *r)
 
 /* event K at T, 0 the start, -1 inputs may have jumped: X behind it; INFO */
 static int
-happen (gs_run *s, double t, double *x, int k)
+happen (gs_stepper *s, double t, double *x, int k)
 {
-  const gsmbp_run *r = s->r;
-  int info = 0;
-  ((evr_type *) r->gsevr) (r->cmd, r->clo, r->vin, r->evt, r->rst, &t, x, &r->nu, &r->nx, &r->nv,
-                           r->ip, r->rp, r->cst, s->v, r->w, r->istat, &k, &info);
+  gs_run *r = s->r;
+  int info = gsevr (s->scene, t, x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat, k);
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 void
-gs_onto_held (gs_run *s, double t, double *x)
+gs_onto_held (gs_stepper *s, double t, double *x)
 {
-  const gsmbp_run *r = s->r;
-  const int tolerances = 8;
-  int moved;
-  if (gs_has_ports (r) && gs_take_inputs (s, t, gs_side_at (s, t), x, s->v) == 0)
-    ((evo_type *) r->gsevo) (r->rst, &tolerances, &t, x, &r->nx, r->ip, r->rp, r->cst, s->v,
-                             &r->ropt[1], r->atol, &moved);
+  gs_run *r = s->r;
+  const int by_tolerances = 8;
+  if (gs_has_ports (s) && gs_take_inputs (s, t, gs_side_at (s, t), x, s->v) == 0)
+    gsevo (s->scene, by_tolerances, t, x, r->nx, r->ip, r->rp, r->cst, s->v, r->ropt[1], r->atol);
 }
 
 int
-gs_first_events (gs_run *s)
+gs_first_events (gs_stepper *s)
 {
-  return gs_has_events (s) && ! s->r->resume ? happen (s, s->t, s->x, 0) : GS_DONE;
+  return gs_has_events (s) && ! s->o->resume ? happen (s, s->t, s->x, 0) : GS_DONE;
 }
 
 int
-gs_ended_by_event (const gs_run *s)
+gs_ended_by_event (const gs_stepper *s)
 {
   return gs_ended (s->r->ip);
 }
 
 int
-gs_events_at_stop (gs_run *s, int *acted)
+gs_events_at_stop (gs_stepper *s, int *acted)
 {
   *acted = 0;
   if (! gs_has_events (s))
@@ -92,16 +72,13 @@ gs_events_at_stop (gs_run *s, int *acted)
 }
 
 int
-gs_events_at_end (gs_run *s)
+gs_events_at_end (gs_stepper *s)
 {
-  const gsmbp_run *r = s->r;
-  int info = 0;
+  gs_run *r = s->r;
   if (! gs_has_events (s))
     return GS_DONE;
   const int so_far = *gs_events_planned (s).count;
-  ((end_type *) r->gsend) (r->out, r->ctl, r->cmd, r->clo, r->vin, r->evt, r->rst, &s->t, s->x,
-                           &r->nu, &r->nx, &r->nv, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
-                           &info);
+  int info = gsend (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat);
   if (*gs_events_planned (s).count > so_far)
     s->side = 1;   /* the row is behind it */
   return info != 0 ? GS_ROUTINE_FAILED : gs_ended_by_event (s) ? GS_ENDED : GS_DONE;
@@ -112,7 +89,7 @@ gs_events_at_end (gs_run *s)
 
 /* do the events behind the first COUNT of the record change anything but what is told of them? */
 static int
-changed (const gs_run *s, int count)
+changed (const gs_stepper *s, int count)
 {
   gs_events e = gs_events_planned (s);
   if (*e.count > e.nr || gs_ended_by_event (s))
@@ -127,7 +104,7 @@ changed (const gs_run *s, int count)
  * then the rows before it, and what happens at event I, where other functions may have risen above
  * 0 before it; INFO */
 static int
-act (gs_run *s, const place *p)
+act (gs_stepper *s, const place *p)
 {
   gs_events e = gs_events_planned (s);
   for (int i = 0; i < e.ne && p->t - p->begin > gs_shortest (p->begin, p->t); i++)
@@ -135,7 +112,7 @@ act (gs_run *s, const place *p)
       e.mark[i] |= e.marks[i];
   if (! s->by->dense)
     memcpy (s->event, s->y, sizeof (double) * s->r->nx);
-  else if (gs_projects (s->r) && gs_check (s, s->project, p->t, s->event, gs_no_jump) != 0)
+  else if (gs_projects (s) && gs_check (s, s->project, p->t, s->event, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
   int info = gs_put_out (s, nextafter (p->t, -HUGE_VAL));
   return info != 0 ? info : happen (s, p->t, s->event, p->i);
@@ -143,7 +120,7 @@ act (gs_run *s, const place *p)
 
 /* the step as it was; FLAG */
 static int
-as_it_was (gs_run *s, place *p)
+as_it_was (gs_stepper *s, place *p)
 {
   int flag = s->by->dense ? 0 : gs_once_more (s, p->from, p->end);
   if (! s->by->dense)
@@ -153,7 +130,7 @@ as_it_was (gs_run *s, place *p)
 
 /* from the event at P, which changed nothing, on; FLAG */
 static int
-go_on (gs_run *s, place *p)
+go_on (gs_stepper *s, place *p)
 {
   memcpy (s->known, s->event, sizeof (double) * s->r->nx);
   p->begin = p->t;
@@ -163,7 +140,7 @@ go_on (gs_run *s, place *p)
 /* Does function I rise along the motion where the polynomial of the method, by its error, lets it
  * fall? INFO */
 static int
-rises (gs_run *s, const place *p, int *is)
+rises (gs_stepper *s, const place *p, int *is)
 {
   const gs_events e = gs_events_planned (s);
   double g, by;
@@ -178,7 +155,7 @@ rises (gs_run *s, const place *p, int *is)
 /* The polynomial alone says that there is an event at P: the sign of its function at the end of the
  * step, as it was, is all that counts (as GSEVN: its flag is 2 or 3) */
 static void
-by_its_end (gs_run *s, const place *p)
+by_its_end (gs_stepper *s, const place *p)
 {
   gs_events e = gs_events_planned (s);
   e.fresh[p->i - 1] = 3 - (e.fresh[p->i - 1] == 1);
@@ -187,7 +164,7 @@ by_its_end (gs_run *s, const place *p)
 /* Where the function of the event at P is highest on the polynomial of the step, of seven points on
  * the way there, and how high; a flag of the method in *FLAG, INFO */
 static int
-highest (gs_run *s, const place *p, double *at, double *most, int *flag)
+highest (gs_stepper *s, const place *p, double *at, double *most, int *flag)
 {
   double g;
   *most = -HUGE_VAL;
@@ -212,7 +189,7 @@ highest (gs_run *s, const place *p, double *at, double *most, int *flag)
  * dense polynomial it must be so by more than that may be off.  Else by_its_end.  A flag of the
  * method in *FLAG, INFO */
 static int
-rose (gs_run *s, place *p, int *so, int *flag)
+rose (gs_stepper *s, place *p, int *so, int *flag)
 {
   gs_events e = gs_events_planned (s);
   int i = p->i - 1, info = GS_DONE;
@@ -243,7 +220,7 @@ rose (gs_run *s, place *p, int *so, int *flag)
 /* is there an event at P, as far as the polynomial and the rates there tell? TAKEN: 0 if not, -1 if
  * the step is too long to say so; INFO */
 static int
-believed (gs_run *s, place *p, int *taken, int *flag)
+believed (gs_stepper *s, place *p, int *taken, int *flag)
 {
   int so, risen = 0, info = rose (s, p, &so, flag);
   *taken = so;
@@ -271,7 +248,7 @@ needs_step (const gs_events *e, const place *p)
 /* the step up to the event at P; TAKEN: 0 if its function does not fall, -1 if it does later in the
  * step, which is too long to see where; INFO */
 static int
-up_to (gs_run *s, place *p, int *taken, int *flag)
+up_to (gs_stepper *s, place *p, int *taken, int *flag)
 {
   int info = s->by->dense ? GS_DONE : gs_locate (s, p, flag);
   gs_events e = gs_events_planned (s);
@@ -293,7 +270,7 @@ up_to (gs_run *s, place *p, int *taken, int *flag)
 
 /* the first event behind P->begin; *FOUND 0: there is none, -1: look again */
 static int
-next_event (gs_run *s, place *p, int *found, int *flag)
+next_event (gs_stepper *s, place *p, int *found, int *flag)
 {
   p->t = p->end;
   int taken = -1, told = s->by->dense && p->begin > p->from;
@@ -319,7 +296,7 @@ next_event (gs_run *s, place *p, int *found, int *flag)
 /* The step made again ends before the last event that was told, or could not be made: on from that
  * event, as from one that changes something.  The functions are as they were behind it. */
 static void
-on_from_told (gs_run *s, const place *p, int *event, int *flag)
+on_from_told (gs_stepper *s, const place *p, int *event, int *flag)
 {
   gs_recall (s);
   memcpy (s->event, s->known, sizeof (double) * s->r->nx);
@@ -330,7 +307,7 @@ on_from_told (gs_run *s, const place *p, int *event, int *flag)
 }
 
 int
-gs_events_in_step (gs_run *s, double from, int *event, int *flag)
+gs_events_in_step (gs_stepper *s, double from, int *event, int *flag)
 {
   place p = { .from = from, .begin = from, .end = s->t };
   int info, found;

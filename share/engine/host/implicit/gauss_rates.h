@@ -1,22 +1,21 @@
 /* The emitted routines as gauss_momenta.c calls them. */
-#ifndef GSMBP_GLUE_GAUSS_RATES_H
-#define GSMBP_GLUE_GAUSS_RATES_H
+#ifndef GS_HOST_GAUSS_RATES_H
+#define GS_HOST_GAUSS_RATES_H
 #include "gauss_state.h"
 #include "gsmbp/inputs.h"
 
 static int
-mass_at (gs_run *s, gs_momenta *w, double t, const double *q, double *mass)
+mass_at (gs_stepper *s, gs_momenta *w, double t, const double *q, double *mass)
 {
-  ((mas_type *) s->r->mas) (&t, q, s->r->cst, mass, &w->n);
+  s->scene->mas (t, q, s->r->cst, mass, w->n);
   return cholesky (w->n, mass);
 }
 
 /* constraints and their gradients, ROWS; 0 or a flag */
 static int
-constraints_at (gs_run *s, gs_momenta *w, double t, const double *q, double *phi, double *rows)
+constraints_at (gs_stepper *s, gs_momenta *w, double t, const double *q, double *phi, double *rows)
 {
-  int info = 0;
-  ((con_type *) s->r->con) (&t, q, w->zero, s->r->cst, phi, w->phit, rows, &w->m, w->gamma, &info);
+  int info = s->scene->con (t, q, w->zero, s->r->cst, phi, w->phit, rows, w->m, w->gamma);
   return info == 0 || info == 2 ? 0 : -1;
 }
 
@@ -31,16 +30,16 @@ add_forces (const gs_momenta *w, const double *rows, double factor, const double
 
 /* at the state X: M, and F = -B + (dM/dt) u; 0 or a flag */
 static int
-rate_at (gs_run *s, gs_momenta *w, double t, const double *x, double *f)
+rate_at (gs_stepper *s, gs_momenta *w, double t, const double *x, double *f)
 {
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   int n = w->n;
   const double *u = x + n;
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0) && gs_inputs_at (s, t, x, s->v) != 0)
     return -1;
-  ((lin_type *) r->lin) (&t, x, u, w->zero, s->v, r->cst, w->mass, w->B, w->C0, &n);
-  ((lin_type *) r->lin) (&t, x, u, u, s->v, r->cst, w->mass, w->B, w->C, &n);
-  ((bia_type *) r->bia) (&t, x, u, s->v, r->cst, w->bias);
+  s->scene->lin (t, x, u, w->zero, s->v, r->cst, w->mass, w->B, w->C0, n);
+  s->scene->lin (t, x, u, u, s->v, r->cst, w->mass, w->B, w->C, n);
+  s->scene->bia (t, x, u, s->v, r->cst, w->bias);
   r->istat[GS_N_RHS]++;
   for (int i = 0; i < n; i++)
     {

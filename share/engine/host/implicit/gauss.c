@@ -16,7 +16,7 @@
 #include <string.h>
 #include "gauss_momenta.h"
 #include "gauss_rule.h"
-#include "implicit.h"
+#include "implicit_run.h"
 
 enum { TURNS = 100 };
 
@@ -39,7 +39,7 @@ typedef struct
 
 /* the first guess of the rates: the polynomial of the step before, or the rate at the state */
 static int
-predict (gs_run *s)
+predict (gs_stepper *s)
 {
   gauss *w = s->memory;
   int n = w->n, info = 0;
@@ -60,7 +60,7 @@ predict (gs_run *s)
 
 /* state I of the stages, from the rates of the turn before */
 static void
-stage (const gs_run *s, int i, double h)
+stage (const gs_stepper *s, int i, double h)
 {
   gauss *w = s->memory;
   for (int l = 0; l < w->n; l++)
@@ -74,7 +74,7 @@ stage (const gs_run *s, int i, double h)
 
 /* one turn of the iteration; CHANGE: the largest change of a state, beside its usual size */
 static int
-turn (gs_run *s, double h, double *change)
+turn (gs_stepper *s, double h, double *change)
 {
   gauss *w = s->memory;
   int n = w->n, info;
@@ -92,16 +92,16 @@ turn (gs_run *s, double h, double *change)
 }
 
 static int
-no_end (gs_run *s)
+no_end (gs_stepper *s)
 {
-  snprintf (s->r->text, s->r->length, "%s",
+  snprintf (s->o->text, s->o->length, "%s",
             "the iteration does not end: take a shorter step, or radau for a stiff scene");
   return -2;
 }
 
 /* the rates of the stages; below zero where the iteration does not end */
 static int
-solve (gs_run *s, double h)
+solve (gs_stepper *s, double h)
 {
   gauss *w = s->memory;
   gs_settling so_far = { HUGE_VAL, 0 };
@@ -119,7 +119,7 @@ solve (gs_run *s, double h)
 
 /* X at the end, and what rounding took from it */
 static void
-sum_up (gs_run *s, double h)
+sum_up (gs_stepper *s, double h)
 {
   gauss *w = s->memory;
   for (int l = 0; l < w->n; l++)
@@ -136,14 +136,14 @@ sum_up (gs_run *s, double h)
 /* the state at T on the constraints: completed from the independent coordinates, or moved; what
  * has changed has lost nothing */
 static int
-on_constraints (gs_run *s, double t)
+on_constraints (gs_stepper *s, double t)
 {
   gauss *w = s->memory;
   double *on = w->old;
   int info = gs_completes (s) ? gs_completed (s, t, w->x, on)
-             : gs_projects (s->r) ? gs_moved (s, t, w->x, on)
+             : gs_projects (s) ? gs_moved (s, t, w->x, on)
              : 0;
-  if (info != 0 || ! (gs_completes (s) || gs_projects (s->r)))
+  if (info != 0 || ! (gs_completes (s) || gs_projects (s)))
     return info;
   for (int l = 0; l < w->n; l++)
     if (on[l] != w->x[l])
@@ -160,10 +160,10 @@ on_constraints (gs_run *s, double t)
 /* the next way: to the stop or the next output time, in whole steps; not to one that is only just
  * behind an event (that of the event in another run): it lies within the first step */
 static void
-next_way (gs_run *s)
+next_way (gs_stepper *s)
 {
   gauss *w = s->memory;
-  const gsmbp_run *r = s->r;
+  gs_run *r = s->r;
   double to = s->stop, h = r->ropt[2] > 0 ? fmin (r->ropt[0], r->ropt[2]) : r->ropt[0];
   int k = r->istat[GS_N_OUTPUTS];
   while (k < r->nt && r->tout[k] - s->t < 1e-6 * h)
@@ -178,7 +178,7 @@ next_way (gs_run *s)
 }
 
 static int
-step_of_states (gs_run *s, double h, double t)
+step_of_states (gs_stepper *s, double h, double t)
 {
   gauss *w = s->memory;
   if (fabs (h - s->h) > 1e-9 * h)
@@ -194,12 +194,12 @@ step_of_states (gs_run *s, double h, double t)
 
 /* the step H to T */
 static int
-step_to (gs_run *s, double h, double t)
+step_to (gs_stepper *s, double h, double t)
 {
   gauss *w = s->memory;
   int flag = w->momenta ? gs_momenta_step (s, w->momenta, h, t, w->x) : step_of_states (s, h, t);
   if (flag == -1 && s->r->istat[GS_FAILED] == GS_AT_NOTHING)
-    snprintf (s->r->text, s->r->length, "there are no rates at a stage: take a shorter step");
+    snprintf (s->o->text, s->o->length, "there are no rates at a stage: take a shorter step");
   if (flag != 0)
     return flag == GS_NO_END ? no_end (s) : flag;
   s->t = t;
@@ -209,7 +209,7 @@ step_to (gs_run *s, double h, double t)
 }
 
 static int
-step (gs_run *s)
+step (gs_stepper *s)
 {
   gauss *w = s->memory;
   if (w->done >= w->steps || s->t != w->at)   /* one was made again, shorter */
@@ -221,7 +221,7 @@ step (gs_run *s)
 }
 
 static int
-again (gs_run *s)
+again (gs_stepper *s)
 {
   gauss *w = s->memory;
   double h = s->stop == w->at ? (w->to - w->from) / w->steps : s->stop - s->t;
@@ -233,7 +233,7 @@ again (gs_run *s)
 }
 
 static int
-restart (gs_run *s)
+restart (gs_stepper *s)
 {
   gauss *w = s->memory;
   memset (w->lost, 0, sizeof (double) * w->n);
@@ -244,10 +244,10 @@ restart (gs_run *s)
 
 /* are the steps those of coordinates and momenta? Where the emitted routines agree. */
 static int
-by_momenta (gs_run *s)
+by_momenta (gs_stepper *s)
 {
   gauss *w = s->memory;
-  if (! gs_has_momenta (s->r))
+  if (! gs_has_momenta (s))
     return 0;
   w->momenta = gs_new_momenta (s, &w->rule, w->size);
   if (! w->momenta)
@@ -263,10 +263,10 @@ by_momenta (gs_run *s)
 }
 
 static int
-begin (gs_run *s)
+begin (gs_stepper *s)
 {
   gauss *w = s->memory;
-  gsmbp_gauss_rule (&w->rule, s->r->order);
+  gsmbp_gauss_rule (&w->rule, s->o->order);
   if (s->p[0] == 2)
     s->p[0] = 3;   /* GSPRT: the partition is kept as long as it may be */
   for (int l = 0; l < w->n; l++)
@@ -276,7 +276,7 @@ begin (gs_run *s)
 }
 
 static int
-open_ (gs_run *s)
+open_ (gs_stepper *s)
 {
   size_t n = s->r->nx;
   gauss *w = s->memory = calloc (1, sizeof (gauss));
@@ -295,7 +295,7 @@ open_ (gs_run *s)
 }
 
 static void
-close_ (gs_run *s)
+close_ (gs_stepper *s)
 {
   gauss *w = s->memory;
   if (! w)
@@ -307,7 +307,7 @@ close_ (gs_run *s)
 
 /* output times hardly lie between steps, but an event may: there the polynomial of the stages */
 static int
-between (gs_run *s, double t, double *x)
+between (gs_stepper *s, double t, double *x)
 {
   gauss *w = s->memory;
   longer b[GAUSS], at = 1 - (s->t - t) / s->h;
@@ -325,14 +325,14 @@ between (gs_run *s, double t, double *x)
 }
 
 static long
-rejected (gs_run *s)
+rejected (gs_stepper *s)
 {
   (void) s;
   return 0;
 }
 
 static void
-count (gs_run *s)
+count (gs_stepper *s)
 {
   gauss *w = s->memory;
   s->r->istat[GS_N_NEWTON] += w->turns + (w->momenta ? gs_momenta_turns (w->momenta) : 0);
@@ -340,9 +340,9 @@ count (gs_run *s)
 }
 
 int
-gsmbp_gauss (const gsmbp_run *r)
+gs_gauss (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method collocation
     = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0 };
-  return gs_implicit_run (r, &collocation);
+  return gs_implicit_run (scene, run, options, &collocation);
 }

@@ -21,9 +21,6 @@
 #include <stdlib.h>
 #include "radau_index2.h"
 
-typedef void tan_type (const double *t, const double *x, double *cst, double *dp, const int *ldp,
-                       double *dv, const int *ldv);
-
 /* the constraints at a stage */
 typedef struct
 {
@@ -123,11 +120,11 @@ gs_index2_along (gs_index2 *w, double *f)
 }
 
 static void
-take_slope (gs_run *s, gs_index2 *w)
+take_slope (gs_stepper *s, gs_index2 *w)
 {
   gs_loops *l = w->loops;
   int n = l->n, m = l->m;
-  ((tan_type *) s->r->tan) (&s->t, s->x, s->r->cst, w->DP, &m, w->DV, &m);
+  s->scene->tan (s->t, s->x, s->r->cst, w->DP, m, w->DV, m);
   memset (l->slope, 0, sizeof (double) * n * l->nq);
   for (int j = 0; j < l->nq; j++)
     {
@@ -138,7 +135,7 @@ take_slope (gs_run *s, gs_index2 *w)
 }
 
 void
-gs_index2_jacobian (gs_run *s, gs_index2 *w, double *J)
+gs_index2_jacobian (gs_stepper *s, gs_index2 *w, double *J)
 {
   size_t n = w->loops->n, nq = w->loops->nq, own = w->loops->own;
   take_slope (s, w);
@@ -163,7 +160,7 @@ gs_index2_speeds (const gs_index2 *w, double complex *x)
 }
 
 int
-gs_index2_stage (gs_run *s, gs_index2 *w, int i, double t, const double *x)
+gs_index2_stage (gs_stepper *s, gs_index2 *w, int i, double t, const double *x)
 {
   gs_loops *l = w->loops;
   gs_stage *at = &w->at[i];
@@ -171,7 +168,7 @@ gs_index2_stage (gs_run *s, gs_index2 *w, int i, double t, const double *x)
     return -1;
   gs_rates_missed (l, at->rows, x);
   memcpy (at->missed, l->gap, sizeof (double) * l->m);
-  ((mas_type *) s->r->mas) (&t, x, s->r->cst, at->mass, &l->n);
+  s->scene->mas (t, x, s->r->cst, at->mass, l->n);
   return ! cholesky (l->n, at->mass)
          || ! factorize_like (&at->gram, &l->gram, at->rows, at->mass);
 }

@@ -1,0 +1,35 @@
+/* host/implicit/implicit.h: a run by an implicit method, for stiff scenes (radau, cvode) and for
+ * long runs that keep their energy (gauss), in double precision. Calling rules: gsmbp/scene.h.
+ *
+ * scene, run: as gssim takes them. The emitted jac, lin, bia, mas, con and tan are used where the
+ * scene has them. The result is that of gssim, or GS_METHOD_FAILED with the flag of the method in
+ * istat[GS_CAUSE], GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
+#ifndef GS_HOST_IMPLICIT_H
+#define GS_HOST_IMPLICIT_H
+#include "gsmbp/integrate.h"
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* what the implicit methods have beside the options of gssim */
+typedef struct
+{
+  int order;          /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6, 8 */
+  int index2;         /* 1: loops in index 2, for Radau alone; the scene has mas, con and tan */
+  int resume;         /* 1: the run goes on where gssim ended with GS_STIFF */
+  int columns;        /* of derivatives that are behind the states, among the nx of the run */
+  int followed;       /* how many states of devices the inputs of a planned motion follow */
+  const int *follows; /* followed: which ones, from 1 on */
+  char *text;         /* what the method said when it failed, or a null pointer; */
+  int length;         /* ... room in it */
+} gs_implicit;
+
+typedef int gs_implicit_method (const gs_scene *scene, gs_run *run, const gs_implicit *options);
+
+/* collocation of Radau, IIA; BDF, CVODE of SUNDIALS (host/cvode); collocation of Gauss */
+extern gs_implicit_method gs_radau, gs_cvode, gs_gauss;
+
+#ifdef __cplusplus
+}
+#endif
+#endif
