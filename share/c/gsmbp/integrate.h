@@ -174,6 +174,9 @@ int gsrk4 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, gs_re
 int gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
            gs_real *xn, gs_real *err, gs_real *w);
 
+/* z := the sum of n products a[k]*f[k], n 1 to 9 or 12, of nx numbers each; z overlaps none */
+void gs_sum (int nx, int n, const gs_real *a, const gs_real *const *f, gs_real *z);
+
 /* behind a step of gsdp8, arguments as there, its polynomial of order 7: f (nx,13): on entry its
  * stages; on exit column 1 holds the rates at tn, 5 to 8 the coefficients that gsdpv takes; columns
  * 0, 11 and 12 stay. xn: as it was moved onto the constraints; z (nx): workspace. info as gsfun */

@@ -126,25 +126,58 @@ gsadt (gs_real *aa, gs_real *bb, gs_real *cc)
     bb[k] = b[k - 4];
 }
 
-/* the sum of a[0]*stage 1 and a[1], ... times the stages from .. to - 1, of one state */
-static inline gs_real
-sum (const gs_real *a, const gs_real *w, int nx, int from, int to)
+/* each number of terms has a loop of its own: a third of the instructions of a loop over terms */
+#define SUM_1 a[0] * f[0][i]
+#define SUM_2 SUM_1 + a[1] * f[1][i]
+#define SUM_3 SUM_2 + a[2] * f[2][i]
+#define SUM_4 SUM_3 + a[3] * f[3][i]
+#define SUM_5 SUM_4 + a[4] * f[4][i]
+#define SUM_6 SUM_5 + a[5] * f[5][i]
+#define SUM_7 SUM_6 + a[6] * f[6][i]
+#define SUM_8 SUM_7 + a[7] * f[7][i]
+#define SUM_9 SUM_8 + a[8] * f[8][i]
+#define SUM_12 SUM_9 + a[9] * f[9][i] + a[10] * f[10][i] + a[11] * f[11][i]
+#define ROW(n)                                                                                     \
+  case n:                                                                                          \
+    for (int i = 0; i < nx; i++)                                                                   \
+      z[i] = SUM_##n;                                                                              \
+    break;
+
+void
+gs_sum (int nx, int n, const gs_real *a, const gs_real *const *f, gs_real *restrict z)
 {
-  gs_real s = a[0] * w[0];
-  w += nx * from;
-  for (int j = from; j < to; j++, w += nx)
-    s += *++a * *w;
-  return s;
+  switch (n)
+    {
+      ROW (1)
+      ROW (2)
+      ROW (3)
+      ROW (4)
+      ROW (5)
+      ROW (6)
+      ROW (7)
+      ROW (8)
+      ROW (9)
+      ROW (12)
+    }
 }
 
-/* for state i: the differences to the formulae of order 5 and 3; xn */
+/* the sum of a[0]*stage 1 and a[1], ... times the stages from .. to - 1 */
 static void
-finish (int nx, gs_real h, gs_real x, const gs_real *w, gs_real *xn, gs_real *d5, gs_real *d3)
+sum (int nx, const gs_real *a, const gs_real *w, int from, int to, gs_real *z)
 {
-  gs_real s = sum (b, w, nx, 5, 12);
-  *xn = x + h * s;
-  *d3 = s - g1 * w[0] - g9 * w[8 * nx] - g12 * w[11 * nx];
-  *d5 = sum (e, w, nx, 5, 12);
+  const gs_real *f[9] = { w };
+  for (int j = from; j < to; j++)
+    f[1 + j - from] = w + nx * j;
+  gs_sum (nx, 1 + to - from, a, f, z);
+}
+
+/* stage k, from 1: its state z */
+static void
+begin_stage (int nx, int k, gs_real h, const gs_real *x, const gs_real *w, gs_real *restrict z)
+{
+  sum (nx, stage[k - 1].a, w, stage[k - 1].from, k, z);
+  for (int i = 0; i < nx; i++)
+    z[i] = x[i] + h * z[i];
 }
 
 int
@@ -156,10 +189,7 @@ gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_
   *err = 0;
   for (int k = 1; k < 12; k++)
     {
-      const gs_real *a = stage[k - 1].a;
-      const int from = stage[k - 1].from;
-      for (int i = 0; i < nx; i++)
-        z[i] = x[i] + h * sum (a, w + i, nx, from, k);
+      begin_stage (nx, k, h, x, w, z);
       int info = k < 11 ? gsfun (g, t + stage[k - 1].c * h, 1, z, w + nx * k)
                         : gsfun (g, tn, side, z, w + nx * k);
       if (info != 0)
@@ -168,12 +198,15 @@ gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_
 
   const gs_real *counts
       = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < (gs_real)nu ? g->p + GS_PARTS + nu : 0;
-  gs_real e5 = 0, e3 = 0;
+  gs_real e5 = 0, e3 = 0, *to5 = w + nx, *by = w + 2 * nx;   /* these stages are free */
   int n = nx;
+  sum (nx, b, w, 5, 12, by);
+  sum (nx, e, w, 5, 12, to5);
   for (int i = 0; i < nx; i++)
     {
-      gs_real d5, d3;
-      finish (nx, h, x[i], w + i, xn + i, &d5, &d3);
+      gs_real d5 = to5[i];   /* the differences to the formulae of order 5 and 3 */
+      gs_real d3 = by[i] - g1 * w[i] - g9 * w[i + 8 * nx] - g12 * w[i + 11 * nx];
+      xn[i] = x[i] + h * by[i];
       if (counts && i < nq + nu && counts[i] <= 0)
         {
           n--;

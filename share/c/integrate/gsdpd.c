@@ -104,13 +104,33 @@ static const gs_real d[4][12] = {
     -GS_R (1.4972683625798562581422125275538788376e2) }
 };
 
-static inline gs_real
-sum (int n, const int *columns, const gs_real *a, const gs_real *f, int nx)
+/* the sum of a[j] times the columns of f */
+static void
+sum (int nx, int n, const int *columns, const gs_real *a, const gs_real *f, gs_real *z)
 {
-  gs_real s = a[0] * f[nx * columns[0]];
-  for (int j = 1; j < n; j++)
-    s += a[j] * f[nx * columns[j]];
-  return s;
+  const gs_real *from[8];
+  for (int j = 0; j < n; j++)
+    from[j] = f + nx * columns[j];
+  gs_sum (nx, n, a, from, z);
+}
+
+/* the four highest coefficients, to the columns of f from `to` on, which are among those that they
+ * are made of: eight states at a time */
+static void
+coefficients (int nx, gs_real *f, int to)
+{
+  gs_real r[4][8];
+  for (int first = 0; first < nx; first += 8)
+    {
+      const int many = gs_least (8, nx - first);
+      const gs_real *from[12];
+      for (int j = 0; j < 12; j++)
+        from[j] = f + first + nx * column[j];
+      for (int k = 0; k < 4; k++)
+        gs_sum (many, 12, d[k], from, r[k]);
+      for (int k = 0; k < 4; k++)
+        gs_copy (many, r[k], f + first + nx * (to + k));
+    }
 }
 
 int
@@ -128,18 +148,13 @@ gsdpe (const gs_system *g, gs_real t, gs_real h, const gs_real *x, gs_real *f, i
   int info = 0;
   for (int k = 0; k < 3 && info == 0; k++)
     {
+      sum (nx, 8, stage[k].column, stage[k].a, f, z);
       for (int i = 0; i < nx; i++)
-        z[i] = x[i] + h * sum (8, stage[k].column, stage[k].a, f + i, nx);
+        z[i] = x[i] + h * z[i];
       info = gsfun (g, t + stage[k].c * h, 1, z, f + nx * (2 + k));
     }
-  for (int i = 0; i < nx && info == 0; i++)
-    {
-      gs_real r[4];
-      for (int k = 0; k < 4; k++)
-        r[k] = sum (12, column, d[k], f + i, nx);
-      for (int k = 0; k < 4; k++)
-        f[i + nx * (to + k)] = r[k];
-    }
+  if (info == 0)
+    coefficients (nx, f, to);
   return info;
 }
 
