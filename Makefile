@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test check test-processors test-whole \
         test-random test-malformed test-identify test-writers \
-        test-reach test-c test-precision test-before test-sweep test-mpi bench bench-c bench-loops bench-passages \
+        test-reach test-c test-precision test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
         bench-points bench-reach bench-robots bench-peers same architecture doc manual \
@@ -68,6 +68,8 @@ make test-mpi              the program of a sweep under mpirun -n 2, a rank kill
                            chance: the table of one rank; SEED, COUNT
 make check-slurm           the same by the script for Slurm, in a cluster of this machine's own
                            (as root)
+make gate                  may the run time in C take the place of the Fortran run time: speed and
+                           errors of whole runs by both; SCENES="event_arm ...": these only
 make bench-c               speed of emitted C beside emitted Fortran, of the module of Python
                            beside C
 make bench                 tests/bench/report.md, report.json and figures
@@ -215,6 +217,9 @@ test-precision: packages-test packages-cross compiled
 
 test-before: packages-test compiled
 	@tests/before/run check $(if $(filter command line environment,$(origin SCENES)),$(SCENES))
+
+gate: packages-test compiled
+	@tests/gate/gate.py $(if $(filter command line environment,$(origin SCENES)),$(SCENES))
 
 test-malformed: packages-test compiled
 	@{ tests/malformed/judge.py hand; \

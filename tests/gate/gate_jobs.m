@@ -1,0 +1,72 @@
+## gate_jobs (scenes, folder)
+## Write into FOLDER the runs of tests/gate: for each of the SCENES (before_scenes) NAME.dp853 and
+## NAME.rk4, what the run time gets from gsmbp_simulate, lines "WORD COUNT NUMBERS"; "quad" is the
+## last state of the same run in quad precision, by dp853 with a tolerance of 1e-18. The
+## compilers and their options are in the file flags.
+
+function gate_jobs (scenes, folder)
+  write_flags (folder);
+  for scene = scenes
+    [m, given] = before_model (scene);
+    exact = before_model (scene, "precision", "quad");
+    runs = before_plan (m, given);
+    for run = runs(ismember ({runs.name}, {"dp853 -", "rk4 -"}))
+      write_job (m, exact, run, fullfile (folder, [scene.file "." run.method]));
+    end
+  end
+end
+
+function write_job (m, exact, run, file)
+  times = 0:0.01:0.5;
+  options = run.problem;
+  if (m.sizes.nlam > 0)
+    options = [{"start", "project"}, options];
+  end
+  a = arguments_of (m, run.x0, times, [options, {"method", run.method}]);
+  method = {"method", "rk4"};   # the same steps
+  if (strcmp (run.method, "dp853"))
+    method = {"rtol", 1e-18, "atol", 1e-20 * m.nominal};
+  end
+  q = gsmbp_simulate (exact, a{3}(1:m.sizes.nx), times, options{:}, method{:});
+  [ip, rp, iopt, sizes, needed] = m.module ("job", a{:});
+  job = {"t0", a{2}; "x0", a{3}; "tout", a{5}; "tbrk", a{6}(1:a{7}(2)); "iopt", iopt
+         "ropt", a{9}; "atol", a{10}; "guess", a{12}; "ip", ip; "rp", rp; "sizes", sizes
+         "called", needed; "cst", typecast(a{1}, "double"); "quad", q.x(end,:)
+         "nominal", m.nominal}';
+  f = fopen (file, "w");
+  for field = job
+    fprintf (f, "%s %d", field{1}, numel (field{2}));
+    fprintf (f, " %.17g", field{2});
+    fprintf (f, "\n");
+  end
+  fclose (f);
+end
+
+## what gsmbp_simulate calls the module with
+function a = arguments_of (m, x0, times, options)
+  global gate_arguments
+  module = m.module;
+  m.module = @(varargin) forwarded (module, varargin{:});
+  gsmbp_simulate (m, x0, times, options{:});
+  a = gate_arguments;
+end
+
+function varargout = forwarded (module, varargin)
+  global gate_arguments
+  if (strcmp (varargin{1}, "sim"))
+    gate_arguments = varargin(2:end);
+  end
+  [varargout{1:nargout}] = module (varargin{:});
+end
+
+## of private functions, which only their own folder has
+function write_flags (folder)
+  here = cd (fullfile (fileparts (which ("gsmbp_build")), "private"));
+  [scene, common, c] = gsmbp__fortran_flags ("double");
+  words = {"fc", gsmbp__mkoctfile("F77"); "cc", gsmbp__mkoctfile("CC"); "scene", scene
+           "common", common; "c", c}';
+  cd (here);
+  f = fopen (fullfile (folder, "flags"), "w");
+  fprintf (f, "%s %s\n", words{:});
+  fclose (f);
+end
