@@ -39,8 +39,8 @@ function [inner, span, held] = between (p, s, v)
   high = p.high(v);
   span = high - low;
   some = ! isfinite (span);
-  width = gsmbp__input_width (s.v(:,q));
-  span(some) = width(some);
+  moved = gsmbp__input_width (s.v(:,q));
+  span(some) = moved(some);
   inner = ! at_limits (s.v(:,q), low, high, 1e-3 * span) & span > 0;
   held = any (at_limits (s.x(:,q), p.low(1:c.d.nx), p.high(1:c.d.nx), ...
                          1e-6 * width (s.x)), 1);
