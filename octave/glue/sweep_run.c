@@ -280,18 +280,24 @@ description (const gs_sweep *s)
   return d;
 }
 
+/* the modes of ports that are given, or a null pointer */
+static const int *
+given_modes (const gs_sweep *s)
+{
+  if (s->ip[GS_EVENTS] == 0)
+    return NULL;
+  const gs_events e = gs_planned_events (S->nx, s->ip, (double *) s->rp.x);
+  return e.given ? e.mode : NULL;
+}
+
 /* the start of a run on its constraints */
 static void
 take_start (const gs_sweep *s, gs_sweep_room *r)
 {
   const gs_description d = description (s);
-  gs_start_given g = { .t = s->t0, .cst = r->cst, .par = r->par, .check = s->check_start };
+  const gs_start_given g = { .t = s->t0, .cst = r->cst, .par = r->par, .check = s->check_start,
+                             .modes = given_modes (s) };
   gs_start start;
-  if (s->ip[GS_EVENTS] > 0)
-    {
-      const gs_events e = gs_planned_events (S->nx, s->ip, (double *) s->rp.x);
-      g.modes = e.given ? e.mode : NULL;
-    }
   r->rstat[GS_T_REACHED] = s->t0;
   if (gs_take_start (&d, &g, r->x0, &start) != GS_START_TAKEN)
     refused (s, r, &start);
@@ -589,6 +595,17 @@ has_sticks (const gs_sweep *s, const gs_sweep_room *r)
   return 0;
 }
 
+/* which mode contradicts the state, the last one of the run */
+static void
+wrong_mode (const gs_sweep *s, const gs_sweep_room *r, char *why)
+{
+  const gs_description d = description (s);
+  const gs_start_given g = { .t = s->t0, .cst = r->cst, .modes = given_modes (s) };
+  const int said = snprintf (why, GS_WHY, "modes: ");
+  gs_wrong_mode (&d, &g, r->xout + s->ldx * r->istat[GS_N_OUTPUTS], r->istat[GS_CAUSE] - 1,
+                 why + said, GS_WHY - said);
+}
+
 /* why a run ended */
 static void
 failure (const gs_sweep *s, const gs_sweep_room *r, char *why)
@@ -598,7 +615,10 @@ failure (const gs_sweep *s, const gs_sweep_room *r, char *why)
   const gs_failed_run run = { r->info, istat, r->rstat[GS_T_REACHED],
                               gsmbp_meaning_of (gs_failed_routine (istat), istat[GS_FAILED_INFO]),
                               event, at_event && has_sticks (s, r), r->text };
-  gs_failure (&run, why, GS_WHY);
+  if (r->info == GS_ROUTINE_FAILED && at_event && istat[GS_FAILED_INFO] == GS_WRONG_MODE)
+    wrong_mode (s, r, why);
+  else
+    gs_failure (&run, why, GS_WHY);
 }
 
 /* one that was not begun */

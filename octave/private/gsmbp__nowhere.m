@@ -4,7 +4,6 @@
 function text = gsmbp__nowhere (values)
   text = "";
   if (any (isnan (values(:))))
-    text = [" (no number: an element has no direction there, as a disc that lies flat on its " ...
-            "plane or a cylinder or spring between two points that coincide)"];
+    text = gsmbp__refusal ("no_number");
   endif
 endfunction

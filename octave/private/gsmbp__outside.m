@@ -4,6 +4,6 @@
 function text = gsmbp__outside (m, t, x, v)
   text = "";
   for one = gsmbp__margins (m, t, x', v')
-    text = [text "; outside a margin: " one.said];
+    text = [text gsmbp__refusal("outside", one.said)];
   endfor
 endfunction

@@ -124,7 +124,5 @@ void
 gsf_outside (gsf_instance *a, double t, const double *x, const double *v)
 {
   const size_t n = strlen (a->text);
-  const char *first = "; outside a margin: ";
-  gs_passed_text (&a->about, t, x, v, a->cst, NULL, first, first, a->text + n,
-                  (int)(sizeof a->text - n));
+  gs_outside_text (&a->about, t, x, v, a->cst, NULL, a->text + n, (int)(sizeof a->text - n));
 }

@@ -21,7 +21,6 @@ OTHER = {
     ('fmu', 68): 'variables are set one by one',
     ('fmu', 73): 'the variable has bounds',
     ('sweep', 42): 'no audit of many runs',
-    ('sweep', 64): 'found by the run itself',
     **{('sweep', k): 'a range of parameters' for k in (68, 70, 71)},
 }
 

@@ -46,7 +46,6 @@ TEXTS = [
     ('octave/private/gsmbp__failure.m', 'dependent_rows'),
     ('octave/private/gsmbp__failure.m', 'fastest'),
     ('octave/private/gsmbp__verdict.m', 'gsmbp__verdict'),
-    ('octave/private/gsmbp__outside.m', 'gsmbp__outside'),
     ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
     ('octave/private/gsmbp__fits.m', 'wanted'),
     ('share/c/gsmbp/options.h', ''),

@@ -23,13 +23,14 @@ enum
 /* istat[GS_FAILED], what failed with istat[GS_FAILED_INFO]. GS_AT_START: in a singular position;
  * info is 1 where the method does not begin there, 2 at rest, 3 where no motion with these speeds
  * leaves it, 4 so after an event. GS_BEFORE_START: the start was refused; info is a verdict.
- * GS_AT_EVENT: info is 10 where events accumulate, 13 where the given mode contradicts the
- * state. */
+ * GS_AT_EVENT: info is 10 where events accumulate, GS_WRONG_MODE where the given mode contradicts
+ * the state. */
 enum
 {
   GS_AT_NOTHING, GS_AT_INPUTS, GS_AT_RHS, GS_AT_PRJ, GS_AT_CON, GS_AT_PARTITION, GS_AT_OUTPUT,
   GS_AT_EVENT, GS_AT_START, GS_BEFORE_START, GS_AT_PRE, GS_AT_JAC
 };
+enum { GS_WRONG_MODE = 13 };
 
 /* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
  * (of the usual sizes) although they are not; no state on them was found; a device cannot be

@@ -14,6 +14,9 @@
   ROW (off_constraints, "expected a state on the constraints at t = %.9g s, %s")                   \
   ROW (orientation, "expected Euler parameters of length 1, found (%s) = %s, which is no "         \
        "orientation")                                                                              \
+  ROW (no_number, " (no number: an element has no direction there, as a disc that lies flat on "  \
+       "its plane or a cylinder or spring between two points that coincide)")                     \
+  ROW (outside, "; outside a margin: %s")                                                          \
   ROW (no_projection, "the start must be moved onto the constraints, which needs the subroutine " \
        "PRJ (request projection); %s was emitted without it")                                     \
   ROW (past_stop, "the start is beyond an end of the stop %s: expected %g to %g, found %g "        \

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "gsmbp/limits.h"
+#include "gsmbp/refusals.h"
 #include "host/start.h"
 #include "host/text.h"
 
@@ -102,16 +103,15 @@ gs_margin_text (const gs_description *d, int k, double value, const gs_real *x, 
   put_values (&w, d, k, x, par);
 }
 
-int
-gs_passed_text (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
-                const gs_real *cst, const double *par, const char *first, const char *next,
-                char *text, int size)
+/* the margins that are passed at x, each as the format has it, with a text between them */
+static int
+put_passed (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
+            const gs_real *cst, const double *par, const char *format, const char *between,
+            gs_writer *w)
 {
   const size_t n = (size_t)d->nmargins;
   int *passed = calloc (n + 1, sizeof *passed);
   double *least = malloc ((n + 1) * sizeof *least);
-  gs_writer w = { text, size, 0 };
-  text[0] = 0;
   for (size_t k = 0; k < n && least; k++)
     least[k] = HUGE_VAL;
   const int many = passed && least ? gs_margins_at (d, t, x, v, cst, passed, least) : -1;
@@ -120,11 +120,30 @@ gs_passed_text (const gs_description *d, gs_real t, const gs_real *x, const gs_r
       {
         char one[600];
         gs_margin_text (d, k, least[k], x, par, one, sizeof one);
-        gs_put (&w, "%s%s", w.length > 0 ? next : first, one);
+        gs_put (w, "%s", w->length > 0 ? between : "");
+        gs_put (w, format, one);
       }
   free (passed);
   free (least);
   return many;
+}
+
+int
+gs_passed_text (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
+                const gs_real *cst, const double *par, char *text, int size)
+{
+  gs_writer w = { text, size, 0 };
+  text[0] = 0;
+  return put_passed (d, t, x, v, cst, par, "%s", "; ", &w);
+}
+
+void
+gs_outside_text (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
+                 const gs_real *cst, const double *par, char *text, int size)
+{
+  gs_writer w = { text, size, 0 };
+  text[0] = 0;
+  put_passed (d, t, x, v, cst, par, gs_refusals.outside, "", &w);
 }
 
 /* a margin counts where its smallest value in the run is one that is passed */

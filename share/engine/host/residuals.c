@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "gsmbp/limits.h"
+#include "gsmbp/refusals.h"
 #include "host/start.h"
 #include "host/text.h"
 
@@ -216,6 +216,5 @@ gs_worst_residuals (const gs_description *d, const double *scaled, const double 
   if (n > most)
     gs_put (&w, " and %d more", n - most);
   if (nowhere)
-    gs_put (&w, " (no number: an element has no direction there, as a disc that lies flat on its "
-            "plane or a cylinder or spring between two points that coincide)");
+    gs_put (&w, "%s", gs_refusals.no_number);
 }

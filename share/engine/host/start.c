@@ -222,7 +222,7 @@ gs_check_margins (const gs_description *d, const gs_start_given *g, const gs_rea
 {
   char all[2000];
   gs_real *v = calloc ((size_t)d->scene->nv + 1, sizeof *v);
-  const int many = v ? gs_passed_text (d, g->t, x, g->v ? g->v : v, g->cst, g->par, "", "; ", all,
+  const int many = v ? gs_passed_text (d, g->t, x, g->v ? g->v : v, g->cst, g->par, all,
                                        sizeof all) : -1;
   free (v);
   if (many < 0)

@@ -136,11 +136,14 @@ int gs_margins_at (const gs_description *d, gs_real t, const gs_real *x, const g
 void gs_margin_text (const gs_description *d, int k, double value, const gs_real *x,
                      const double *par, char *text, int size);
 
-/* the margins that are passed in the state x under the inputs v as text: "" if none is, else first,
- * the text of the first one, next, that of the second one, ...; how many; -1: no memory */
+/* the margins that are passed in the state x under the inputs v, as text: how many; -1: no
+ * memory */
 int gs_passed_text (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
-                    const gs_real *cst, const double *par, const char *first, const char *next,
-                    char *text, int size);
+                    const gs_real *cst, const double *par, char *text, int size);
+
+/* the same as what the message of a failed run adds; "" where none is passed */
+void gs_outside_text (const gs_description *d, gs_real t, const gs_real *x, const gs_real *v,
+                      const gs_real *cst, const double *par, char *text, int size);
 
 /* one that is passed in a run: margin k first in column first, its smallest value in column at */
 typedef struct

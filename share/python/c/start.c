@@ -64,6 +64,5 @@ void
 gs_loop_outside (double t, const double *x, const double *v, const double *cst, const double *par,
                  char *text, int size)
 {
-  const char *first = "; outside a margin: ";
-  gs_passed_text (&gs_loop_description, t, x, v, cst, par, first, first, text, size);
+  gs_outside_text (&gs_loop_description, t, x, v, cst, par, text, size);
 }

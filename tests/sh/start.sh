@@ -1,0 +1,33 @@
+# How a run starts, in C (share/engine/host): compiles without a warning; a particle on a circle
+# against closed forms, under the sanitizers, in quad precision too.
+. tests/tools/check.sh
+root=$PWD
+work_folder
+mkdir "$work/host"
+strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
+c="-std=c99 -I$root/share/c -I$root/share/engine"
+for compiler in gcc clang; do
+  command -v $compiler >/dev/null || continue
+  (cd "$work/host" && for file in start residuals settled margins failure; do
+    $compiler $c $strict -O2 -c "$root/share/engine/host/$file.c"
+  done) >"$report" 2>&1
+  told $? "$compiler compiles it without a warning" "$report"
+done
+for header in host/start.h host/failure.h; do
+  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only -include $header - \
+    </dev/null
+done >"$report" 2>&1
+result 'the headers compile as C++'
+for kind in double quad; do
+  case $kind in
+    double) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' library= ;;
+    quad) flags=-DGSMBP_QUAD library=-lquadmath ;;
+  esac
+  gcc $c $flags -g -Wall -Wextra -Werror -o "$work/$kind" tests/c/host/start.c \
+    share/engine/host/start.c share/engine/host/residuals.c share/engine/host/settled.c \
+    share/engine/host/margins.c share/c/inputs/gslay.c share/c/solve/gsleq.c \
+    share/c/solve/gslup.c share/c/solve/plain/gsluf.c share/c/functions/gsfin.c \
+    share/c/functions/gseps.c $library -lm >"$report" 2>&1
+  told $? "the program compiles in $kind precision" "$report"
+  to_the_end "$work/$kind"
+done
