@@ -5,6 +5,7 @@
 #include "run_room.h"
 #include "columns_at_samples.h"
 #include "gsmbp/integrate.h"
+#include "host/engine.h"
 #include "host/fortran_scene.h"
 
 // routines of this module in the place of those of the scene
@@ -17,16 +18,15 @@ GS_FORTRAN_rst (gs_columns_rst, gsmbp_reset_with_columns)
 GS_FORTRAN_vin (gs_columns_vin, gsmbp_inputs_with_columns)
 GS_FORTRAN_vin (gs_octave_vin, gsmbp_call_input)
 
-// which run time integrates: GSMBP_ENGINE=c, or fortran (the default)
+// does the run time in C integrate?
 static bool
 run_by_c (void)
 {
-  const char *word = std::getenv ("GSMBP_ENGINE");
-  const std::string engine = word && *word ? word : "fortran";
-  if (engine != "c" && engine != "fortran")
+  const int by_c = gs_engine_is_c ();
+  if (by_c < 0)
     error ("gsmbp_simulate: GSMBP_ENGINE: expected c or fortran; found \"%s\"; "
-           "unsetenv (\"GSMBP_ENGINE\") takes the default", engine.c_str ());
-  return engine == "c";
+           "unsetenv (\"GSMBP_ENGINE\") takes the default", std::getenv ("GSMBP_ENGINE"));
+  return by_c == 1;
 }
 
 // before a step: INFO where the run is to end, else 0

@@ -1,6 +1,8 @@
 /* One run of a sweep without Octave; sweep_run.h says what it is. */
 #include "sweep_run.h"
+#include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
+#include "host/engine.h"
 #include "host/failure.h"
 #include "host/fortran_scene.h"
 #include "host/start.h"
@@ -43,6 +45,16 @@ wholes (const gs_job *job, const char *name, long long *count)
   for (long long i = 0; k && i < *count; i++)
     k[i] = (int) x[i];
   return k;
+}
+
+static int
+find_engine (gs_sweep *s, char *why)
+{
+  s->by_c = gs_engine_is_c ();
+  if (s->by_c < 0)
+    snprintf (why, GS_WHY, "GSMBP_ENGINE: expected c or fortran; found \"%s\"; "
+              "unset GSMBP_ENGINE takes the default", getenv ("GSMBP_ENGINE"));
+  return s->by_c < 0;
 }
 
 static int
@@ -168,7 +180,7 @@ gs_open_sweep (gs_sweep *s, const gs_job *job, char *why)
   if (read_kept (s) || s->nx != S->nx || s->par.n != S->npar || s->runs < 1
       || s->nominal.n != S->nx || s->x0.n != S->nx || s->atol.n != S->nx || s->niopt < 6)
     return snprintf (why, GS_WHY, "the job is not whole"), 1;
-  return find_subs (s, why) || find_method (s, why) || find_broken (s, why);
+  return find_engine (s, why) || find_subs (s, why) || find_method (s, why) || find_broken (s, why);
 }
 
 void
@@ -369,7 +381,7 @@ typedef void simulate (gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gs
                        double *, double *, int *);
 
 static void
-by_gssim (const gs_sweep *s, gs_sweep_room *r)
+by_fortran (const gs_sweep *s, gs_sweep_room *r)
 {
   const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, r->nb, s->lw };
   const gsmbp_sub *f = s->sub;
@@ -378,13 +390,10 @@ by_gssim (const gs_sweep *s, gs_sweep_room *r)
                          r->vout, r->istat, r->rstat, r->w, &r->info);
 }
 
-/* from the start, or on from where GSSIM found its steps bound by stability */
-static void
-by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
+/* the run as the run time in C takes it, with its statistics so far */
+static gs_run
+run_of (const gs_sweep *s, gs_sweep_room *r)
 {
-  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
-  gs_scene scene = *S->run;
-  scene.data = &data;
   gs_run g = {
     .nx = s->nx, .t0 = s->t0, .x0 = r->x0, .nt = (int) s->tout.n, .tout = r->times + 1,
     .nb = r->nb, .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
@@ -393,13 +402,42 @@ by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
   };
   memcpy (g.istat, r->istat, sizeof g.istat);
   memcpy (g.rstat, r->rstat, sizeof g.rstat);
+  return g;
+}
+
+static void
+keep_statistics (gs_sweep_room *r, const gs_run *g)
+{
+  memcpy (r->istat, g->istat, sizeof g->istat);
+  memcpy (r->rstat, g->rstat, sizeof g->rstat);
+}
+
+static void
+by_c (const gs_sweep *s, gs_sweep_room *r)
+{
+  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
+  gs_scene scene = *S->run;
+  scene.data = &data;
+  scene.nsw = 0;   /* the breaks have these times */
+  gs_run g = run_of (s, r);
+  r->info = gssim (&scene, &g);
+  keep_statistics (r, &g);
+}
+
+/* from the start, or on from where gssim found its steps bound by stability */
+static void
+by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
+{
+  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
+  gs_scene scene = *S->run;
+  scene.data = &data;
+  gs_run g = run_of (s, r);
   const gs_implicit o = {
     .order = s->order, .index2 = s->index2, .resume = resume, .followed = (int) s->followed,
     .follows = s->follows, .text = r->text, .length = (int) sizeof r->text
   };
   r->info = s->implicit_method (&scene, &g, &o);
-  memcpy (r->istat, g.istat, sizeof g.istat);
-  memcpy (r->rstat, g.rstat, sizeof g.rstat);
+  keep_statistics (r, &g);
 }
 
 static int
@@ -673,8 +711,10 @@ gs_sweep_row (const gs_sweep *s, gs_sweep_room *r, long long i, double *row, cha
 {
   if (! gs_begin_row (s, r, i, NULL, 0, row, why))
     return;
-  if (r->info == 0 && r->iopt[GS_METHOD] != 0)
-    by_gssim (s, r);
+  if (r->info == 0 && r->iopt[GS_METHOD] != 0 && s->by_c)
+    by_c (s, r);
+  else if (r->info == 0 && r->iopt[GS_METHOD] != 0)
+    by_fortran (s, r);
   else if (r->info == 0 && s->implicit_method)
     by_implicit (s, r, 0);
   gs_end_row (s, r, row, why);
