@@ -10,6 +10,7 @@ function test_gauss ()
   told (gsmbp_fixture ("gauss_bars"), gsmbp_fixture ("gauss_told"));
   crank (gsmbp_hand ("hand_crank"));
   inputs (gsmbp_hand ("motor_pendulum"));
+  sampled (gsmbp_fixture ("sampled_crank"));
   failures (m, gsmbp_hand ("motor_pendulum"));
 end
 
@@ -136,6 +137,18 @@ function inputs (m)
     r = gauss (m, [0.1; 0; 0], 0:0.25:1, "step", 5e-3, "maxorder", 8, given{1}{:});
     e = state_gap (r, gsmbp_simulate (m, [0.1; 0; 0], 0:0.25:1, "rtol", 1e-13, given{1}{:}));
     gsmbp_check (sprintf ("inputs, found %.2g", e), e < 1e-9);
+  end
+end
+
+## a drive that gives nothing at the start, whose effort is in no bias force of the tree; rows at
+## and just behind samples
+function sampled (m)
+  t = [0, 0.1, 0.3 * (1 + eps), 0.4, 0.5];
+  exact = gsmbp_simulate (m, zeros (6, 1), t, "rtol", 1e-12);
+  for loops = {"partitioning", "projection"}
+    r = gauss (m, zeros (6, 1), t, "loops", loops{1});
+    e = max (max (abs (r.x - exact.x)) ./ max (abs (exact.x)));
+    gsmbp_check (sprintf ("samples, %s, found %.2g", loops{1}, e), e < 1e-8);
   end
 end
 

@@ -140,7 +140,7 @@ def inputs():
             ('a planned motion', joint, start, {'motion': move}),
             ('samples', sampled, x, {})):
         exact = run(model, x0, t, rtol=1e-12, **options)
-        for method in STIFF:
+        for method in ALL:
             r = run(model, x0, t, rtol=1e-9, method=method, **options)
             close('%s, %s' % (what, method), gap(r, exact), 0, 1e-5)
     r = run(m, about, t, input=12, method='radau', audit=1.0)

@@ -27,6 +27,7 @@ typedef struct
   gs_momenta *momenta;          /* if the steps are those of coordinates and momenta */
   double *k, *old, *x, *size;   /* rates of the stages, of the turn before; a state; usual sizes */
   double *lost, *before;        /* what rounding took from the state, and did before the step */
+  double *start;                /* the state where the last step began */
   double from, to;              /* the way that whole steps of H lead along, */
   long steps, done;             /* ... how many there are, how many are done, */
   double at;                    /* ... and where the last one ended */
@@ -202,6 +203,7 @@ step_to (gs_stepper *s, double h, double t)
     snprintf (s->o->text, s->o->length, "there are no rates at a stage: take a shorter step");
   if (flag != 0)
     return flag == GS_NO_END ? no_end (s) : flag;
+  memcpy (w->start, s->x, sizeof (double) * w->n);
   s->t = t;
   s->h = s->next = h;
   s->y = w->x;
@@ -283,7 +285,7 @@ open_ (gs_stepper *s)
   if (! w)
     return 0;
   w->n = n;
-  w->k = calloc ((2 * GAUSS + 4) * n, sizeof (double));
+  w->k = calloc ((2 * GAUSS + 5) * n, sizeof (double));
   if (! w->k)
     return 0;
   w->old = w->k + GAUSS * n;
@@ -291,6 +293,7 @@ open_ (gs_stepper *s)
   w->size = w->x + n;
   w->lost = w->size + n;
   w->before = w->lost + n;
+  w->start = w->before + n;
   return 1;
 }
 
@@ -305,21 +308,22 @@ close_ (gs_stepper *s)
   free (w);
 }
 
-/* output times hardly lie between steps, but an event may: there the polynomial of the stages */
+/* events lie within steps, output times only just behind an event or a sample: there the polynomial
+   of the stages */
 static int
 between (gs_stepper *s, double t, double *x)
 {
   gauss *w = s->memory;
   longer b[GAUSS], at = 1 - (s->t - t) / s->h;
   if (w->momenta)
-    return gs_momenta_between (s, w->momenta, at, x);
+    return gs_momenta_between (s, w->momenta, w->start, at, x);
   gsmbp_gauss_weights (&w->rule, at, b);
   for (int l = 0; l < w->n; l++)
     {
       longer sum = 0;
       for (int j = 0; j < w->rule.stages; j++)
         sum += b[j] * w->k[l + w->n * j];
-      x[l] = s->x[l] + s->h * sum;
+      x[l] = w->start[l] + s->h * sum;
     }
   return 0;
 }

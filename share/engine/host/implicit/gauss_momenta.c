@@ -286,7 +286,7 @@ gs_take_back (gs_stepper *s, gs_momenta *w)
 }
 
 int
-gs_momenta_between (gs_stepper *s, gs_momenta *w, longer at, double *x)
+gs_momenta_between (gs_stepper *s, gs_momenta *w, const double *start, longer at, double *x)
 {
   longer b[GAUSS], v[GAUSS + 2];
   int n = w->n, stages = w->rule->stages;
@@ -294,13 +294,13 @@ gs_momenta_between (gs_stepper *s, gs_momenta *w, longer at, double *x)
   gsmbp_gauss_values (w->rule, at, v);
   for (int l = 0; l < n; l++)
     {
-      longer q = 0, u = v[0] * s->x[n + l] + v[stages + 1] * s->y[n + l];
+      longer q = 0, u = v[0] * start[n + l] + v[stages + 1] * s->y[n + l];
       for (int j = 0; j < stages; j++)
         {
           q += b[j] * w->u[l + n * j];
           u += v[j + 1] * w->u[l + n * j];
         }
-      x[l] = s->x[l] + s->h * q;
+      x[l] = start[l] + s->h * q;
       x[n + l] = u;
     }
   return 0;
@@ -418,51 +418,94 @@ same_mass (gs_stepper *s, gs_momenta *w, const double *x)
   return gap <= 1e-6 * bound;
 }
 
+/* what M u' + B at T and X under the inputs V is beside a force of the constraints, into MISS; XD:
+   the rates there.  BOUND: how large its terms are; 0 or a flag */
+static int
+forces_missed (gs_stepper *s, gs_momenta *w, double t, const double *x, const double *v,
+               const double *xd, double *miss, double *bound)
+{
+  int n = w->n, m = w->m;
+  *bound = 0;
+  s->scene->bia (t, x, x + n, v, s->r->cst, w->bias);
+  s->scene->mas (t, x, s->r->cst, w->mass, n);
+  for (int i = 0; i < n; i++)
+    {
+      miss[i] = w->bias[i];
+      *bound = fmax (*bound, fabs (w->bias[i]));
+      for (int j = 0; j < n; j++)
+        {
+          miss[i] += w->mass[i + n * j] * xd[n + j];
+          *bound = fmax (*bound, fabs (w->mass[i + n * j] * xd[n + j]));
+        }
+    }
+  if (! mass_at (s, w, t, x, w->masses))
+    return -1;
+  if (m == 0)
+    return 0;
+  if (constraints_at (s, w, t, x, w->phi, w->rows) != 0)
+    return -1;
+  factorize_rows (&w->gram, w->rows, w->masses);
+  memcpy (w->trial, miss, sizeof (double) * n);
+  forward (n, w->masses, w->trial);
+  backward (n, w->masses, w->trial);
+  for (int k = 0; k < m; k++)
+    {
+      w->phi[k] = 0;
+      for (int j = 0; j < n; j++)
+        w->phi[k] += w->rows[k + m * j] * w->trial[j];
+    }
+  solve_rows (&w->gram, w->phi);
+  add_forces (w, w->rows, -1, w->phi, miss);
+  return 0;
+}
+
+/* is it one, and are the speeds the rates of the coordinates? */
+static int
+same_forces (gs_stepper *s, gs_momenta *w, double t, const double *x, const double *v,
+             const double *xd)
+{
+  int n = w->n;
+  double bound, gap = 0, *miss = w->pi;
+  for (int i = 0; i < n; i++)
+    if (! (fabs (xd[i] - x[n + i]) <= 1e-12 * w->size[n + i]))
+      return 0;
+  if (forces_missed (s, w, t, x, v, xd, miss, &bound) != 0)
+    return 0;
+  for (int i = 0; i < n; i++)
+    gap = fabs (miss[i]) <= gap ? gap : fabs (miss[i]);   /* what is no number stays */
+  return gap <= 1e-8 * bound;
+}
+
+/* The same elsewhere, for forces that vanish at the start: at the end of the run, in another state,
+   under other inputs. */
+static int
+same_elsewhere (gs_stepper *s, gs_momenta *w)
+{
+  const gs_run *r = s->r;
+  int n = w->n;
+  double t = r->tout[r->nt - 1], *x = w->x, *v = s->dv;
+  for (int l = 0; l < n; l++)
+    {
+      x[l] = s->x[l] + 0.1 * w->size[l] / (1 + 0.3 * l);
+      x[n + l] = s->x[n + l] + w->size[n + l] * (l % 2 ? -0.7 : 1) / (1 + 0.3 * l);
+    }
+  for (int k = 0; k < s->scene->nv; k++)
+    v[k] = s->v[k] + (1 + fabs (s->v[k])) / (1 + 0.3 * k);
+  int info = s->scene->rhs (t, x, v, r->cst, s->work);
+  return (info == 0 || info == 2 || info == 3) && same_forces (s, w, t, x, v, s->work);
+}
+
 int
 gs_agree (gs_stepper *s, gs_momenta *w)
 {
-  int n = w->n, m = w->m;
-  double bound = 0, gap = 0, *x = w->x, *miss = w->pi;
+  int n = w->n;
+  double *x = w->x;
   memcpy (x, s->x, sizeof (double) * 2 * n);
   for (int l = 0; l < n; l++)   /* some speeds of the usual sizes */
     x[n + l] = w->size[n + l] * (l % 2 ? -0.7 : 1) / (1 + 0.3 * l);
-  if (! same_mass (s, w, x) || gs_rate (s, s->t, s->x, s->work) != 0
-      || rate_at (s, w, s->t, s->x, w->f) != 0)
-    return 0;
-  for (int i = 0; i < n; i++)   /* M u' + B is a force of constraints */
-    {
-      miss[i] = w->bias[i];
-      bound = fmax (bound, fabs (w->bias[i]));
-      for (int j = 0; j < n; j++)
-        {
-          miss[i] += w->mass[i + n * j] * s->work[n + j];
-          bound = fmax (bound, fabs (w->mass[i + n * j] * s->work[n + j]));
-        }
-      if (! (fabs (s->work[i] - s->x[n + i]) <= 1e-12 * w->size[n + i]))
-        return 0;   /* no rates of the coordinates */
-    }
-  if (! mass_at (s, w, s->t, s->x, w->masses))
-    return 0;
-  if (m > 0)
-    {
-      if (constraints_at (s, w, s->t, s->x, w->phi, w->rows) != 0)
-        return 0;
-      factorize_rows (&w->gram, w->rows, w->masses);
-      memcpy (w->trial, miss, sizeof (double) * n);
-      forward (n, w->masses, w->trial);
-      backward (n, w->masses, w->trial);
-      for (int k = 0; k < m; k++)
-        {
-          w->phi[k] = 0;
-          for (int j = 0; j < n; j++)
-            w->phi[k] += w->rows[k + m * j] * w->trial[j];
-        }
-      solve_rows (&w->gram, w->phi);
-      add_forces (w, w->rows, -1, w->phi, miss);
-    }
-  for (int i = 0; i < n; i++)
-    gap = fmax (gap, fabs (miss[i]));
-  return gap <= 1e-8 * bound;
+  return same_mass (s, w, x) && gs_rate (s, s->t, s->x, s->work) == 0
+         && rate_at (s, w, s->t, s->x, w->f) == 0
+         && same_forces (s, w, s->t, s->x, s->v, s->work) && same_elsewhere (s, w);
 }
 
 long

@@ -11,7 +11,8 @@ extern int gs_has_momenta (const gs_stepper *s);
 /* a null pointer: no memory */
 extern gs_momenta *gs_new_momenta (const gs_stepper *s, const gauss_rule *rule, const double *size);
 extern void gs_free_momenta (gs_momenta *w);
-/* Do the emitted routines agree at the state of the run? 0: other terms are in its rates */
+/* Do the emitted routines agree at the state of the run, and elsewhere? 0: other terms are in its
+   rates */
 extern int gs_agree (gs_stepper *s, gs_momenta *w);
 /* from the state of the run, where nothing is known of the steps before; a flag */
 extern int gs_restart_momenta (gs_stepper *s, gs_momenta *w);
@@ -21,8 +22,9 @@ extern int gs_momenta_step (gs_stepper *s, gs_momenta *w, double h, double t, do
 /* the momenta and constraints as they were before the last step, to be made again from the time and
    state of the run; a flag */
 extern int gs_take_back (gs_stepper *s, gs_momenta *w);
-/* X: the state at the fraction AT of the last step, whose end is Y */
-extern int gs_momenta_between (gs_stepper *s, gs_momenta *w, longer at, double *x);
+/* X: the state at the fraction AT of the last step, from START to Y */
+extern int gs_momenta_between (gs_stepper *s, gs_momenta *w, const double *start, longer at,
+                               double *x);
 extern long gs_momenta_turns (gs_momenta *w);   /* then from zero */
 
 /* Has an iteration ended, after a turn that changed the states by CHANGE beside their sizes?  It
