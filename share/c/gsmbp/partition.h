@@ -11,7 +11,8 @@
 enum
 {
   GS_WAY = 0,       /* 0 no partition, 1 for speeds alone (Kane with dependent speeds), 2 for
-                       coordinates and speeds (coordinate partitioning) */
+                       coordinates and speeds (coordinate partitioning), 3 as 2, but it is kept as
+                       long as it may be */
   GS_DEPENDENT,     /* the number of dependent speeds, < 0 if no set has been chosen */
   GS_RANK,          /* the largest rank that the constraints had so far */
   GS_STEPS,         /* the memory of gspas: the number of steps, */

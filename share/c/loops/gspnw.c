@@ -61,7 +61,9 @@ displacements (const gs_scene *s, gs_partition *a)
 /* By column pivoting of HC, each row divided by the largest size it had so far (one that vanishes
  * now is seen to vanish). A set that has been chosen is kept as long as the volume that its columns
  * span is at least 0.8 of the best one's (the product of the diagonals of their triangular
- * factors): where it is much less, errors of the independent ones are multiplied. */
+ * factors): where it is much less, errors of the independent ones are multiplied. With
+ * p[GS_WAY] = 3 it is kept down to 0.05: every change costs a method that keeps the energy some of
+ * that. */
 void
 gsprc (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_real *p, int *rank,
        gs_real *least, int *change)
@@ -72,7 +74,7 @@ gsprc (const gs_scene *s, gs_real t, const gs_real *x, const gs_real *cst, gs_re
   if (p[GS_WAY] <= 0)
     return;
 
-  if (volume (s, p, *rank, &a) < GS_R (0.8))
+  if (volume (s, p, *rank, &a) < (p[GS_WAY] > GS_R (2.5) ? GS_R (0.05) : GS_R (0.8)))
     {
       *change = p[GS_DEPENDENT] >= 0;
       p[GS_DEPENDENT] = (gs_real)*rank;
