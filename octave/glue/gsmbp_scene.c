@@ -39,17 +39,10 @@ gsmbp_meaning_of (const char *name, int info)
   return text;
 }
 
-static const char *
-projection (int info)
-{
-  return gsmbp_meaning_of ("prj", info);
-}
-
-static const gs_description about = { .scene = &run, .projection = projection, GSMBP_ABOUT };
+static const gs_description about = { .scene = &run, .meaning = gsmbp_meaning_of, GSMBP_ABOUT };
 const gsmbp_scene gsmbp_the_scene
     = { GSMBP_TABLE, .run = &run, .about = &about, .audited = GSMBP_AUDITED, .sets = sets,
-        .modes = modes,
-        .routines = routines, .meanings = meanings };
+        .modes = modes, .routines = routines };
 
 #if ! defined (GSMBP_NO_OCTAVE)   /* the program of a sweep has none */
 extern void *Ggsmbp_module (void *library, _Bool relative);

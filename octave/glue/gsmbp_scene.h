@@ -54,7 +54,6 @@ typedef struct
   const int *sets;   /* ... four numbers of coordinates each */
   const int *modes;  /* nmode: the numbers of the inputs that are modes of devices with events */
   const gsmbp_routine *routines;   /* as they were emitted; the last has no name */
-  const gsmbp_meaning *meanings;   /* the last has no name */
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 

@@ -226,16 +226,12 @@ meaning (const std::string& call, int info)
     return "ok";
   if (info < 0)
     return fortran_argument (call, -info) + " is out of range or not finite";
-  const gsmbp_meaning *found = nullptr;
-  for (const gsmbp_meaning *m = S.meanings; m->name; m++)
-    if (call == m->name && (m->info == info || (m->and_above && m->info < info)))
-      found = m;
-  return found ? found->text
+  const char *found = gsmbp_meaning_of (call.c_str (), info);
+  return found ? found
                : "no sentence for this number: see ERROR INDICATOR in the head of the subroutine";
 }
 
-// (INFO of a run, its statistics, the name of the event that failed, whether ports have friction,
-// what its method said): why it ended
+// (INFO of a run, its statistics, what its method said): why it ended
 static octave_value_list
 do_failure (arguments& a, int)
 {
@@ -244,12 +240,9 @@ do_failure (arguments& a, int)
   int istat[GS_COUNTED];
 #define GS_FROM_FIELD(k, name) istat[k] = stats.contents (#name).int_value ();
   GS_COUNTS (GS_FROM_FIELD)
-  const std::string event = a.value ("event").string_value ();
-  const bool sticks = a.value ("sticks").bool_value ();
-  const std::string said = a.value ("said").string_value (),
-                    told = meaning (gs_failed_routine (istat), istat[GS_FAILED_INFO]);
-  const gs_failed_run run = { info, istat, stats.contents ("reached").double_value (),
-                              told.c_str (), event.c_str (), sticks, said.c_str () };
+  const std::string said = a.value ("said").string_value ();
+  const gs_failed_run run = { S.about, info, istat, stats.contents ("reached").double_value (),
+                              said.c_str () };
   char text[1000];
   gs_failure (&run, text, sizeof text);
   return ovl (std::string (text));

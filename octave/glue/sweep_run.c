@@ -623,16 +623,6 @@ fill (const gs_sweep *s, gs_sweep_room *r, int ok, double reached_time, long lon
       row[at++] = value_at (s, r, s->number[k], i, reached);
 }
 
-static int
-has_sticks (const gs_sweep *s, const gs_sweep_room *r)
-{
-  const gs_events e = gs_planned_events (s->nx, r->ip, r->rp);
-  for (int k = 0; k < e.ne; k++)
-    if (e.kind[k] == 1)
-      return 1;
-  return 0;
-}
-
 /* which mode contradicts the state, the last one of the run */
 static void
 wrong_mode (const gs_sweep *s, const gs_sweep_room *r, char *why)
@@ -648,12 +638,10 @@ wrong_mode (const gs_sweep *s, const gs_sweep_room *r, char *why)
 static void
 failure (const gs_sweep *s, const gs_sweep_room *r, char *why)
 {
-  const int *istat = r->istat, at_event = istat[GS_FAILED] == GS_AT_EVENT;
-  const char *event = at_event && istat[GS_CAUSE] > 0 ? S->about->events[istat[GS_CAUSE] - 1] : "";
-  const gs_failed_run run = { r->info, istat, r->rstat[GS_T_REACHED],
-                              gsmbp_meaning_of (gs_failed_routine (istat), istat[GS_FAILED_INFO]),
-                              event, at_event && has_sticks (s, r), r->text };
-  if (r->info == GS_ROUTINE_FAILED && at_event && istat[GS_FAILED_INFO] == GS_WRONG_MODE)
+  const int *istat = r->istat;
+  const gs_failed_run run = { S->about, r->info, istat, r->rstat[GS_T_REACHED], r->text };
+  if (r->info == GS_ROUTINE_FAILED && istat[GS_FAILED] == GS_AT_EVENT
+      && istat[GS_FAILED_INFO] == GS_WRONG_MODE)
     wrong_mode (s, r, why);
   else
     gs_failure (&run, why, GS_WHY);
@@ -684,7 +672,7 @@ gs_begin_row (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cs
   istat[GS_FAILED] = GS_AT_PRE;
   istat[GS_FAILED_INFO] = info;
   const int said = snprintf (why, GS_WHY, "its parameters cannot be: ");
-  const gs_failed_run failed = { .istat = istat, .meaning = gsmbp_meaning_of ("pre", info) };
+  const gs_failed_run failed = { .d = S->about, .istat = istat };
   gs_cause (&failed, why + said, GS_WHY - said);
   never (s, r, row);
   return 0;

@@ -6,7 +6,7 @@ function reason = gsmbp__broken_rules (m, table)
   gsmbp__need_checks (m);
   names = fieldnames (table);
   values = cellfun (@(name) double (table.(name)(:))', names, "UniformOutput", false);
-  par = repmat (cellfun (@double, struct2cell (m.par)), 1, numel (values{1}));
+  par = repmat (gsmbp__par (m), 1, numel (values{1}));
   [~, place] = ismember (names, fieldnames (m.par));
   par(place,:) = vertcat (values{:});
   [reason, negative] = gsmbp__checked (m, par, names);

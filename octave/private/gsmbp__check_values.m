@@ -3,7 +3,7 @@
 ## for each value that should not be negative.
 
 function gsmbp__check_values (m)
-  par = cellfun (@double, struct2cell (m.par));
+  par = gsmbp__par (m);
   [reason, negative] = gsmbp__checked (m, par, fieldnames (m.par));
   if (! isempty (reason{1}))
     error ("gsmbp_set: %s: %s", m.name, reason{1});

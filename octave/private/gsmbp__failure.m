@@ -5,13 +5,7 @@
 
 function [text, id] = gsmbp__failure (m, info, stats, said, last)
   id = "gsmbp:info";
-  event = "";
-  sticks = false;
-  if (! isempty (m.events))
-    sticks = any (strcmp ({m.events.kind}, "stick"));
-    event = [{""}, {m.events.name}]{1 + max(0, stats.cause) * (stats.failed == 7)};
-  endif
-  text = m.module ("failure", info, stats, event, sticks, said);
+  text = m.module ("failure", info, stats, said);
   if (info == 3 && stats.failed == 8)
     if (stats.failed_info < 4)
       id = "gsmbp:start";

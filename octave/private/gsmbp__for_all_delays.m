@@ -8,7 +8,7 @@ function p = gsmbp__for_all_delays (p, names, table)
     return;
   endif
   [~, which] = ismember (names, fieldnames (p.m.par)');
-  [period, delay] = p.m.module ("periods", cellfun (@double, struct2cell (p.m.par)), which, table);
+  [period, delay] = p.m.module ("periods", gsmbp__par (p.m), which, table);
   places = @(k) p.m.module ("pending", period(:,k), delay(:,k), 0);
   p.arguments{11}.on_the_way = max (arrayfun (places, 1:columns (period)));
 endfunction

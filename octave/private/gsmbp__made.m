@@ -6,6 +6,6 @@
 function [x, masses, slopes] = gsmbp__made (m)
   rows = gsmbp__rows (m.json, "masses");
   slopes = sum (cellfun (@(row) numel (row.parameters), rows));
-  [x, masses, slopes] = m.module ("ini", cellfun (@double, struct2cell (m.par)), ...
+  [x, masses, slopes] = m.module ("ini", gsmbp__par (m), ...
                                   [numel(rows), slopes]);
 endfunction

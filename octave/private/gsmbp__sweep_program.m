@@ -36,7 +36,7 @@ function records = run_records (s, p, library)
   records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
              "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
              "groups", gsmbp__event_groups(m); "nominal", m.nominal
-             "par", cellfun(@double, struct2cell (m.par))
+             "par", gsmbp__par(m)
              "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
 endfunction
 

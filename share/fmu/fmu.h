@@ -205,10 +205,8 @@ int gsf_fail (gsf_instance *a, int status, const char *format, ...);
 int gsf_failed (gsf_instance *a, int status, int routine, int info);
 /* what INFO of a routine means, or null */
 const char *gsf_meaning (const char *routine, int info);
-/* the name of event function k, "" below 0 */
-const char *gsf_event_name (const gsf_instance *a, int k);
-/* an error: why a run ended at t, by gs_failure; event: the name of the one that failed, or "" */
-int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *event);
+/* an error: why a run ended at t, by gs_failure */
+int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t);
 
 /* may a function be called here: kinds of FMU as bits, phases? are there values where n are
  * expected, and as many as expected? */

@@ -234,14 +234,9 @@ gsf_meaning (const char *routine, int info)
 }
 
 int
-gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *event)
+gsf_run_failed (gsf_instance *a, int info, const int *istat, double t)
 {
-  const gs_scene *s = a->m->scene;
-  gs_failed_run run = { info, istat, t, 0, event, 0, "" };
-  run.meaning = gsf_meaning (gs_failed_routine (istat), istat[GS_FAILED_INFO]);
-  for (int k = 0; k < a->m->nports; k++)
-    run.sticks |= s->event_kinds[k] == 1;
-  gs_failure (&run, a->text, sizeof a->text);
+  gs_failure (&(gs_failed_run){ &a->about, info, istat, t, "" }, a->text, sizeof a->text);
   return GSF_ERROR;
 }
 
@@ -251,7 +246,7 @@ gsf_failed (gsf_instance *a, int status, int routine, int info)
   int istat[GS_COUNTED] = { 0 };
   istat[GS_FAILED] = routine;
   istat[GS_FAILED_INFO] = info;
-  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
+  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T]);
   return status;
 }
 

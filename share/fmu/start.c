@@ -28,12 +28,6 @@ event_names (const gsf_model *m, const char **names)
   return text;
 }
 
-static const char *
-projection (int info)
-{
-  return gsf_meaning ("prj", info);
-}
-
 int
 gsf_describe (gsf_instance *a)
 {
@@ -45,15 +39,9 @@ gsf_describe (gsf_instance *a)
     .nsets = m->nsets, .sets = m->sets, .nspeedrows = m->nspeedrows, .speedrows = m->speedrows,
     .nsettled = m->nsettled, .settled = m->settled,
     .states = m->names + gsf_first (m, GSF_STATE), .events = a->events, .margins = m->margins,
-    .projection = projection
+    .meaning = gsf_meaning
   };
   return a->event_text != NULL;
-}
-
-const char *
-gsf_event_name (const gsf_instance *a, int k)
-{
-  return k >= 0 ? a->events[k] : "";
 }
 
 static gs_start_given

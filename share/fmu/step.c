@@ -14,8 +14,7 @@ enum { GSF_MOST_STEPS = 10000000 };
 static int
 failed (gsf_instance *a, const gs_run *run, int info)
 {
-  const int event = run->istat[GS_FAILED] == GS_AT_EVENT ? run->istat[GS_CAUSE] - 1 : -1;
-  gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED], gsf_event_name (a, event));
+  gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED]);
   const size_t n = strlen (a->text);
   if (info == GS_TOO_MANY)
     snprintf (a->text + n, sizeof a->text - n, ": %d in a communication step of an FMU; take "

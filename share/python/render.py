@@ -53,7 +53,8 @@ def count(sizes):
 
 def loops(table):
     name = table['name'].lower()
-    lines = ['#include "%s.h"' % table['name'], '#include "host/start.h"', '#include "loop.h"', '',
+    lines = ['#include <string.h>', '#include "%s.h"' % table['name'], '#include "host/start.h"',
+             '#include "loop.h"', '',
              'const gs_scene *gs_loop_scene (void) { return &%s_scene; }' % name,
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
@@ -138,12 +139,10 @@ def description(table):
         'margin_values': ('int', margin_values(table))}
     counts = {'nmargins': len(lists['margins'][1]), 'nsets': len(sets) // 4,
               'nspeedrows': len(lists['speedrows'][1]), 'nsettled': len(lists['settled'][1]),
-              'scene': '&%s_scene' % name, 'projection': 'projection'}
+              'scene': '&%s_scene' % name, 'meaning': 'gs_loop_meaning'}
     if 'mar' in [short for short, _ in routines(table)]:
         counts['mar'] = name + '_mar'
-    lines = ['static const char *projection (int info)', '{', '  switch (info)', '    {',
-             *('    case %d: return %s;' % case for case in projection_infos(table)),
-             '    default: return 0;', '    }', '}']
+    lines = meanings(table)
     for member, (kind, entries) in lists.items():
         if entries:
             lines += ['static const %s %s[] = {' % (kind, member)]
@@ -153,10 +152,18 @@ def description(table):
                     *('  .%s = %s,' % pair for pair in members.items()), '};']
 
 
-def projection_infos(table):
-    """[(INFO of PRJ, what it means)]."""
-    return [(info['code'], c_text(info['meaning'])) for short, row in routines(table)
-            if short == 'prj' for info in row['info'] if info['code'] > 0]
+def meanings(table):
+    """gs_loop_meaning: what INFO of a subroutine means; one that is not listed counts as 1."""
+    cut = len(table['name']) + 1
+    infos = [(row['name'][cut:].lower(), info['code'], c_text(info['meaning']))
+             for row in table['subroutines'] for info in row['info']]
+    return ['static const struct { const char *routine; int info; const char *text; } infos[] = {',
+            *('  { "%s", %d, %s },' % info for info in infos), '  { 0, 0, 0 }', '};',
+            'const char *gs_loop_meaning (const char *routine, int info)', '{',
+            '  const char *text = 0;', '  for (int k = 0; infos[k].routine; k++)',
+            '    if (strcmp (infos[k].routine, routine) == 0', '        && (infos[k].info == info '
+            '|| (info > 0 && infos[k].info == 1 && ! text)))',
+            '      text = infos[k].text;', '  return text;', '}']
 
 
 def margin_values(table):

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "host/failure.h"
+#include "host/start.h"
 #include "host/text.h"
 
 /* by istat[GS_FAILED]: the routine, its name in a message */
@@ -58,11 +59,21 @@ put_argument (gs_writer *w, const char *routine, int k)
   gs_put (w, "argument %s is out of range or not finite", name ? name : "of the subroutine");
 }
 
+/* do ports have friction with events? */
+static int
+sticks (const gs_scene *s)
+{
+  for (int k = 0; k < s->nev; k++)
+    if (s->event_kinds[k] == 1)
+      return 1;
+  return 0;
+}
+
 static void
 put_cause (gs_writer *w, const gs_failed_run *f)
 {
   const int failed = f->istat[GS_FAILED], info = f->istat[GS_FAILED_INFO];
-  const char *text = f->meaning;
+  const char *text = f->d->meaning (gs_failed_routine (f->istat), info);
   for (size_t k = 0; k < sizeof causes / sizeof causes[0]; k++)
     if (causes[k].failed == failed && causes[k].info == info)
       text = causes[k].text;
@@ -71,7 +82,7 @@ put_cause (gs_writer *w, const gs_failed_run *f)
   else
     gs_put (w, "%s", text ? text : "no sentence for this number: see ERROR INDICATOR in the head "
                                    "of the subroutine");
-  if (failed == GS_AT_EVENT && info == 9 && f->sticks)
+  if (failed == GS_AT_EVENT && info == 9 && sticks (f->d->scene))
     gs_put (w, "; does friction fall within a speed vs below the tolerance of the speeds (atol)? "
             "remedy: a larger vs, or method \"dp853\"");
 }
@@ -103,10 +114,10 @@ put_singular_start (gs_writer *w, const gs_failed_run *f)
 static void
 put_routine (gs_writer *w, const gs_failed_run *f)
 {
-  const int failed = f->istat[GS_FAILED];
+  const int failed = f->istat[GS_FAILED], event = f->istat[GS_CAUSE];
   gs_put (w, "%s", routines[failed].shown);
-  if (failed == GS_AT_EVENT && f->event && f->event[0])
-    gs_put (w, ", %s,", f->event);
+  if (failed == GS_AT_EVENT && event > 0)
+    gs_put (w, ", %s,", f->d->events[event - 1]);
   gs_put (w, " failed with INFO = %d at t = %.9g s: ", f->istat[GS_FAILED_INFO], f->t);
   put_cause (w, f);
 }

@@ -9,21 +9,21 @@
 extern "C" {
 #endif
 
+struct gs_description;
+
 typedef struct
 {
+  const struct gs_description *d; /* the scene: events, what INFO means (host/start.h) */
   int info;            /* of the run */
-  const int *istat;    /* GS_COUNTED */
+  const int *istat;    /* GS_COUNTED; [GS_CAUSE]: the event that failed, from 1; 0: not known */
   double t;            /* the time reached [s] */
-  const char *meaning; /* of istat[GS_FAILED_INFO] in gs_failed_routine; null: none known */
-  const char *event;   /* the name of the event that failed; null: not known */
-  int sticks;          /* do ports have friction with events? */
   const char *said;    /* by an implicit method that stopped; why a start was refused */
 } gs_failed_run;
 
 /* the routine of the scene that failed, in lower case without its name ("rhs"); "": none of it */
 const char *gs_failed_routine (const int *istat);
 
-/* why its routine failed, alone; only istat and meaning are read */
+/* why its routine failed, alone; only d and istat are read */
 void gs_cause (const gs_failed_run *f, char *text, int size);
 
 /* why a run ended, into text of the given size, cut to it */

@@ -41,7 +41,8 @@ typedef struct gs_description
   const char *const *parameters;    /* npar */
   const int *margin_values;         /* for each margin how many states its message shows, these, how
                                        many parameters, these (from 0) */
-  const char *(*projection) (int info);   /* what INFO of PRJ means */
+  /* what INFO of a routine ("rhs") means; null: not known */
+  const char *(*meaning) (const char *routine, int info);
 } gs_description;
 
 /* a start that is asked for */

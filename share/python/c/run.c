@@ -7,7 +7,6 @@
 #include "gsmbp/limits.h"
 #include "gsmbp/plan.h"
 #include "gsmbp/refusals.h"
-#include "host/failure.h"
 #include "host/implicit/implicit.h"
 
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
@@ -97,15 +96,6 @@ gs_loop_table (int which)
     GS_LOOP_METHODS (TWO), GS_LIMITS (TWO), GS_REFUSALS (TEXT)
   };
   return tables[which];
-}
-
-/* gs_failure with its structure member by member */
-void
-gs_loop_failure (int info, const int *istat, double t, const char *meaning, const char *event,
-                 int sticks, const char *said, char *text, int size)
-{
-  const gs_failed_run f = { info, istat, t, meaning, event, sticks, said };
-  gs_failure (&f, text, size);
 }
 
 /* of the structure that Python fills as well */

@@ -1,6 +1,7 @@
-/* start.c: the start of a run (host/start.h) for the module, its arguments one by one. */
+/* start.c: the start of a run and why one failed, for the module, their arguments one by one. */
 #include <stdio.h>
 
+#include "host/failure.h"
 #include "host/start.h"
 
 /* made of the table by render.py */
@@ -65,4 +66,11 @@ gs_loop_outside (double t, const double *x, const double *v, const double *cst, 
                  char *text, int size)
 {
   gs_outside_text (&gs_loop_description, t, x, v, cst, par, text, size);
+}
+
+/* why a run ended */
+void
+gs_loop_failure (int info, const int *istat, double t, const char *said, char *text, int size)
+{
+  gs_failure (&(gs_failed_run){ &gs_loop_description, info, istat, t, said }, text, size);
 }

@@ -42,7 +42,7 @@ def _loaded():
 LIBRARY = _loaded()
 LIBRARY.gs_loop_scene.restype = ctypes.c_void_p
 LIBRARY.gs_instants.restype = ctypes.c_double
-LIBRARY.gs_loop_table.restype = LIBRARY.gs_failed_routine.restype = ctypes.c_char_p
+LIBRARY.gs_loop_table.restype = LIBRARY.gs_loop_meaning.restype = ctypes.c_char_p
 SCENE = ctypes.c_void_p(LIBRARY.gs_loop_scene())
 
 

@@ -41,11 +41,8 @@ class Result:
 
 def meaning(name, info):
     """INFO of a subroutine in a sentence."""
-    for row in TABLE['subroutines']:
-        if row['name'] == '%s_%s' % (NAME.upper(), name.upper()):
-            found = {i['code']: i['meaning'] for i in row['info']}
-            return found.get(info, found.get(1, 'failed') if info > 0 else 'failed')
-    return 'failed'
+    found = LIBRARY.gs_loop_meaning(name.lower().encode(), ctypes.c_int(info))
+    return (found or b'failed').decode()
 
 
 # ------------------------------------------------------------------------------------- the start
@@ -577,15 +574,9 @@ def _stats(model, run, method):
 
 def failure(run):
     """Why a run ended before its time."""
-    s, text = run['stats'], ctypes.create_string_buffer(1000)
-    routine = LIBRARY.gs_failed_routine(at(run['istat'])).decode()
-    event, sticks = '', False
-    if s['failed'] == AT_EVENT:
-        event = TABLE['events'][s['cause'] - 1]['name'] if s['cause'] > 0 else ''
-        sticks = any(event['kind'] == 'stick' for event in TABLE['events'])
+    text = ctypes.create_string_buffer(1000)
     LIBRARY.gs_loop_failure(
-        ctypes.c_int(run['info']), at(run['istat']), ctypes.c_double(s['reached']),
-        meaning(routine, s['failed_info']).encode(), event.encode(), ctypes.c_int(sticks),
+        ctypes.c_int(run['info']), at(run['istat']), ctypes.c_double(run['stats']['reached']),
         run['said'], text, ctypes.c_int(len(text)))
     return text.value.decode()
 

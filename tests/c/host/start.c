@@ -85,9 +85,9 @@ hld (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real 
 }
 
 static const char *
-projection (int info)
+meaning (const char *routine, int info)
 {
-  return info == 1 ? "too near to the centre" : 0;
+  return strcmp (routine, "prj") == 0 && info == 1 ? "too near to the centre" : 0;
 }
 
 static const int kinds[] = { 2 }, settled[] = { 4 }, angles[] = { 0, 1 },
@@ -102,7 +102,7 @@ static const gs_scene scene = { .name = "circle", .nq = 2, .nu = 2, .nx = 5, .nl
 static const gs_description circle = {
   .scene = &scene, .mar = mar, .nmargins = 1, .nominal = nominal, .nsettled = 1, .settled = settled,
   .angles = angles, .states = states, .constraints = names, .events = walls, .margins = high,
-  .parameters = limits, .margin_values = margin_values, .projection = projection
+  .parameters = limits, .margin_values = margin_values, .meaning = meaning
 };
 
 /* the verdict on a start from there */
