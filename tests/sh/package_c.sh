@@ -29,6 +29,13 @@ builds() {
   told $? "${folder##*/}: make test, make example, $what" "$report"
   check "${folder##*/}: its values" grep -qE '^([6-9]|[1-9][0-9]) passed, 0 failed$' "$report"
   check "${folder##*/}: a run of two seconds" grep -q '^info 0, .* t = 2 s$' "$report"
+  grep '^ [0-9.]* ' "$report" >"$work/explicit"
+  "$folder/example/simulate" radau >"$work/radau" 2>&1
+  tail -n 1 "$work/radau" | grep -q '^info 0, .* t = 2 s$' &&
+    grep '^ [0-9.]* ' "$work/radau" | paste -d ' ' - "$work/explicit" | awk '
+      { for (k = 1; k <= NF/2; k++) { d = $k - $(k + NF/2); n++
+          if (d*d > 1e-8*(1 + $k*$k)) exit 1 } } END { exit n < 21 }'
+  told $? "${folder##*/}: the same by radau" "$work/radau"
 }
 for name in rolling_disc $others; do
   check "$name: the run time of slider_crank" \

@@ -1,8 +1,9 @@
 /* simulate.c: two seconds of @name@ from its start, inputs zero, by the method of Dormand and
- * Prince; prints the states at 21 times. */
+ * Prince, or of Radau (simulate radau); prints the states at 21 times. */
 #include "@name@.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
+#include "host/implicit/implicit.h"
 
 #include "start.h"
 
@@ -14,15 +15,17 @@
 enum { NX = @NAME@_NX, NV = @NAME@_NV, TIMES = 21 };
 
 int
-main (void)
+main (int count, char **words)
 {
+  const int radau = count > 1 && strcmp (words[1], "radau") == 0;
+  const gs_implicit implicit = { .order = 13 };
   const gs_scene *s = &@prefix@_scene;
   @prefix@_parameters par;
   double *cst = calloc (@NAME@_NCST + 1, sizeof *cst);
   double times[TIMES], x0[NX], atol[NX], ropt[3] = { 0, 1e-9, 0 };
   double *x = calloc (NX * TIMES, sizeof *x), *v = calloc ((NV + 1) * TIMES, sizeof *v), res;
   const int loops = s->nlam > 0 && s->con && s->prj;
-  int iopt[6] = { 8, loops || s->nq > s->nu ? WAY : 1, loops, 0, loops && s->kin, 0 };
+  int iopt[6] = { radau ? 0 : 8, loops || s->nq > s->nu ? WAY : 1, loops, 0, loops && s->kin, 0 };
   /* all inputs are zero; samples are not recorded */
   const gs_plan plan = { .s = s, .nx = NX, .on_the_way = 8 * s->nctl, .events = 1000 };
   int *ip = calloc (gs_wholes (&plan), sizeof *ip);
@@ -45,7 +48,7 @@ main (void)
   run.lw = gs_room (s, NX, 0);
   run.w = calloc (run.lw, sizeof *run.w);
   if (info == 0)
-    info = gssim (s, &run);
+    info = radau ? gs_radau (s, &run, &implicit) : gssim (s, &run);
   for (int k = 0; k < run.istat[GS_N_OUTPUTS]; k++)
     {
       printf ("%4.1f", times[k]);

@@ -216,7 +216,7 @@ gs_once_more (gs_stepper *s, double from, double to)
 static int
 slope_of (gs_stepper *s, int i, double from, double t, double g, double *slope)
 {
-  double d = 1e-3 * (t - from), before;
+  double d = 1e-3 * (t - from), before = 0;
   int info = s->by->between (s, t - d, s->event) < 0
                ? GS_METHOD_FAILED
                : gs_function (s, i, t - d, s->event, &before);
