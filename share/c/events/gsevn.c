@@ -707,7 +707,7 @@ gsevq (int nx, gs_real b, const gs_real *w, gs_real *z)
         if (k != j)
           f = f * (b - c[k]) / (c[j] - c[k]);
       for (int i = 0; i < nx; i++)
-        z[i] += f * (w[i + (size_t)nx * j] - w[i]);
+        z[i] += f * (w[i + nx * j] - w[i]);
     }
   for (int i = 0; i < nx; i++)
     z[i] += w[i];
