@@ -12,6 +12,7 @@ import warnings
 import numpy as np
 
 import event_ball
+import event_pulled
 import own_events
 import robot_joint
 import sampled_crank
@@ -68,6 +69,22 @@ def own():
             holds('%s: %s happens %d times' % (method, name, len(times)), len(found) == len(times))
             close('%s: when %s happens [s]' % (method, name), found, times, 2e-8)
         holds('%s: what ended it is told' % method, r.stats['stopped'] == 'event done')
+
+
+def sharp():
+    """Where friction falls too steeply for an implicit method a warning says so; else the events
+    are right."""
+    for method, vs, atol, warns in (('radau', 1e-8, 1e-6, True), ('radau', 1e-8, 1e-9, False),
+                                    ('radau', 1e-10, 1e-12, True), ('dp853', 1e-10, 1e-6, False)):
+        m = event_pulled.Model(vs=vs)
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter('always')
+            r = m.simulate([0, 0], np.linspace(0, 3, 31), method=method, atol=atol,
+                           errors='return')
+        found = any('F falls from its breakaway within vs = %.3g' % vs in str(one.message)
+                    for one in told)
+        holds('%s, vs = %g, atol = %g: warned of, or 8 events' % (method, vs, atol),
+              found == warns and (warns or len(r.events['t']) == 8))
 
 
 def circuit():
@@ -226,5 +243,5 @@ def ends():
     holds('four threads, the same bits', all(np.array_equal(x, wanted) for x in found))
 
 
-for test in (ball, own, circuit, loops, inputs, energy, refused, ends):
+for test in (ball, own, sharp, circuit, loops, inputs, energy, refused, ends):
     test()

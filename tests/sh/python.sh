@@ -1,4 +1,4 @@
-# gsmbp_package(scene, python): eleven scenes become modules; one is installed by pip as its README
+# gsmbp_package(scene, python): twelve scenes become modules; one is installed by pip as its README
 # says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
 # the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py, by implicit methods:
 # tests/python/implicit.py; where GSMBP_TIMES is set, how long 1e5 states take beside a loop in C.
@@ -7,7 +7,7 @@ root=$PWD
 work_folder
 python=/usr/bin/python3
 scenes='tests/scenes/event_ball tests/scenes/sampled_crank tests/scenes/switch_circuit
-  tests/scenes/stiff_loop
+  tests/scenes/stiff_loop tests/scenes/event_pulled
   examples/slider_crank/slider_crank examples/robot_joint/robot_joint
   examples/spinning_top/spinning_top tests/bench/systems/puma6'
 
@@ -27,7 +27,7 @@ sed 's/@name@/own_events/' tests/data/own_events.in >"$work/own_events.mac"
 statements="$statements kill(scene)\$ load(\"$work/own_events.mac\")\$
   gsmbp_package(scene, python, directory = \"$work/folders/own_events\")\$"
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of eleven scenes' "$report"
+told $? 'gsmbp_package(scene, python) of twelve scenes' "$report"
 check 'the same scene, the same bytes' diff -r "$work/folders/puma6" "$work/again/puma6"
 grep -rlE "$root|$work" "$work/folders" >"$report"
 result 'nothing of this machine is in them'

@@ -1,6 +1,6 @@
-/* gsmbp/refusals.h: why a run is refused before it begins, in all hosts. ROW (name, format): the
- * format is that of C, Octave and Python; Octave reads the rows, Python has them from its
- * library. */
+/* gsmbp/refusals.h: why a run is refused before it begins, or warned of, in all hosts. ROW (name,
+ * format): the format is that of C, Octave and Python; Octave reads the rows, Python has them from
+ * its library. */
 #ifndef GSMBP_REFUSALS_H
 #define GSMBP_REFUSALS_H
 
@@ -44,6 +44,9 @@
   ROW (matrix, "expected %d x %d finite numbers or a piecewise polynomial, found %s")              \
   ROW (low_tolerance, "%s is below what %s precision can keep; it was raised to %.2g (atol: "      \
        "times m.nominal)")                                                                         \
+  ROW (sharp_friction, "%s falls from its breakaway within vs = %.3g, the tolerance of its speed " \
+       "(atol) is %.3g%s: %s may report events that are none; expected atol below vs, and vs at "  \
+       "least %.3g; remedy: method \"auto\" or \"dp853\", or a larger vs")                         \
   ROW (gain_alone, "a gain needs a reference, the state about which it acts")                      \
   ROW (reference_alone, "a reference needs a gain, with which the inputs follow it")               \
   ROW (limits_alone, "bounds what a state feedback gives and needs option gain; without "          \

@@ -7,6 +7,7 @@ import numpy as np
 from ._library import HERE, LIBRARY, NAME, SIZES, TABLE
 from ._tables import REFUSALS, is_number
 
+SPEEDS = slice(SIZES['nq'], SIZES['nq'] + SIZES['nu'])   # among the states
 ORDERS = {'radau': (5, 9, 13), 'auto': (5, 9, 13), 'gauss': (4, 6, 8), 'cvode': (1, 2, 3, 4, 5)}
 
 
@@ -69,3 +70,22 @@ def check_index2(who, model, method):
     if method not in ('radau', 'auto'):
         raise ValueError('%s: loops: %s' % (who, REFUSALS.index2_method % repr(method)))
     model._has('mas', 'con', 'tan')
+
+
+def sharp_friction(model, r, method):
+    """Ports whose friction falls from its breakaway within a speed that the method cannot resolve
+    (gsmbp__sharp_ports of Octave): a message for each."""
+    events = TABLE.get('events') or []
+    if method not in ('radau', 'cvode') or not events or not len(r.t):
+        return []
+    happened = {events[k]['name'] for k in r.events['number']}
+    ports = [k for k, event in enumerate(events)
+             if event['kind'] == 'stick' and event['name'] in happened]
+    told = []
+    held = model.hld(r.t[-1], r.x[:, -1], r.v[:, -1]) if ports else None
+    for k in ports:
+        row, vs = np.abs(held.row[k]), held.prm[1, k]
+        atol, least = row @ r.stats['atol'][SPEEDS], 5e-9 * row @ model.nominal[SPEEDS]
+        if 0 < vs and (vs <= atol or vs < least):
+            told.append(REFUSALS.sharp_friction % (events[k]['name'], vs, atol, '', method, least))
+    return told

@@ -8,7 +8,7 @@ import numpy as np
 
 from . import _start
 from ._ends import Ends
-from ._implicit import Choice, check_index2
+from ._implicit import Choice, check_index2, sharp_friction
 from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
                        pointer)
 from ._motion import Piecewise, as_piecewise
@@ -664,5 +664,6 @@ def _tell(who, model, r, method):
     if s['stiff'] and method in ('dp853', 'rk4'):
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
+    told += sharp_friction(model, r, method)
     for text in told:
         warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=5)
