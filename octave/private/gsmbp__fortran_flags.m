@@ -16,10 +16,8 @@ function [flags, common, c] = gsmbp__fortran_flags (precision)
   flags = ["-O3 -fno-tree-slp-vectorize" processor " -fopenmp-simd" widest() " -frecursive -fPIC"];
   common = ["-O2 -fno-tree-loop-distribute-patterns -falign-functions=64 -falign-loops=32" ...
             flags(4:end)];
-  ## complex products of the implicit methods are without tests for what is no number
-  c = ["-std=c99 -O2 -ffp-contract=fast -fno-tree-loop-distribute-patterns" ...
-       " -falign-functions=64 -falign-loops=32 -fcx-limited-range" ...
-       processor " -fPIC"];
+  c = ["-std=c99 -O2 -ffp-contract=fast -falign-functions=64 -falign-loops=32" ...
+       limited_range() processor " -fPIC"];
   if (strcmp (precision, "quad"))
     flags = common = ["-O2" processor " -freal-8-real-16 -frecursive -fPIC"];
     c = ["-std=c99 -O2" processor " -DGSMBP_QUAD -fPIC"];
@@ -33,4 +31,15 @@ function option = widest ()
   if (! isempty (regexp (computer (), 'x86_64|i.86', "once")))
     option = " -mprefer-vector-width=512";
   endif
+endfunction
+
+## complex products of the implicit methods are without tests for what is no number, where the
+## compiler has an option for that (clang before 18 has none)
+function option = limited_range ()
+  persistent known = [];
+  option = " -fcx-limited-range";
+  if (isempty (known))
+    known = system ([gsmbp__mkoctfile("CC") option " -E -x c /dev/null >/dev/null 2>&1"]) == 0;
+  endif
+  option = option(1:end*known);
 endfunction
