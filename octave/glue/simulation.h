@@ -235,6 +235,7 @@ simulation::by_fortran (run_room& r, int *ip, number *rp, const int *sizes, cons
 {
   const gsmbp_sub rates = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
   std::jmp_buf out;
+  std::jmp_buf *const outer = the_exit;   // of a run in whose function of inputs this one is
   the_exit = &out;
   if (setjmp (out) == 0)
     fortran {gssim_} (rates, prj, con, kin, cmd, clo, vin, this->out, ctl, evt, rst,
@@ -242,7 +243,7 @@ simulation::by_fortran (run_room& r, int *ip, number *rp, const int *sizes, cons
                       &r.vout[0], &r.istat[0], &r.rstat[0], &r.w[0], &r.info);
   else
     r.info = the_patience->why ();
-  the_exit = nullptr;
+  the_exit = outer;
 }
 
 #if ! defined (GSMBP_QUAD)
@@ -319,17 +320,45 @@ simulation::results (void)
   return list;
 }
 
+// What the routines of a run in Octave read; it may be one within the function of inputs of another,
+// whose it is again afterwards.
+class current_run
+{
+public:
+
+  current_run (simulation& run, const reals& jumps, std::exception_ptr& failure)
+    : m_input (the_input), m_breaks (the_breaks), m_failure (the_failure), m_columns (the_columns)
+  {
+    the_input = &run.input;
+    the_breaks = &jumps;
+    the_failure = &failure;
+    the_columns = run.columns.get ();
+  }
+  ~current_run (void)
+  {
+    the_input = m_input;
+    the_breaks = m_breaks;
+    the_failure = m_failure;
+    the_columns = m_columns;
+  }
+  current_run (const current_run&) = delete;
+
+private:
+
+  const octave_value *const m_input;
+  const reals *const m_breaks;
+  std::exception_ptr *const m_failure;
+  carried *const m_columns;
+};
+
 static octave_value_list
 do_sim (arguments& a, int)
 {
   simulation run (a);
   std::exception_ptr failure;
-  the_input = &run.input;
   reals jumps = run.tbrk;
   jumps.insert (jumps.end (), run.breaks.begin (), run.breaks.end ());
-  the_breaks = &jumps;
-  the_failure = &failure;
-  the_columns = run.columns.get ();
+  current_run current (run, jumps, failure);
   {
     patience p (run.rhs, run.timeout, double (run.t0), double (run.tout[run.nt - 1]), "s");
     run.integrate ();

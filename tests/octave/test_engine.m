@@ -1,6 +1,7 @@
 ## Both run times, GSMBP_ENGINE=c and fortran, integrate alike: INFO, events, calls; states differ
 ## by rounding at most. In quad precision, with derivatives, and where a run is ended by its timeout
-## or by an error of its input, too. Another word is refused.
+## or by an error of its input, too; one run may be within the input of another. Another word is
+## refused.
 
 function test_engine ()
   before = getenv ("GSMBP_ENGINE");
@@ -17,6 +18,7 @@ function test_engine ()
       alike (["quad " method{1}], quad, {"method", method{1}}, 1e-15);
     end
     ended (gsmbp_fixture ("case_03a"));
+    within (gsmbp_fixture ("case_03a"));
     setenv ("GSMBP_ENGINE", "c99");
     gsmbp_check ("another word", strcmp (gsmbp_complaint (@() of (m, {})), ...
       ["gsmbp_simulate: GSMBP_ENGINE: expected c or fortran; found \"c99\"; " ...
@@ -61,6 +63,30 @@ function ended (m)
     text = gsmbp_complaint (@() of (m, {"method", method{1}, "input", @(t, x) late(t, m)}));
     gsmbp_check (["an error of the input, " method{1}], ! isempty (strfind (text, "too late")));
   end
+end
+
+## a function of inputs may simulate the same model itself
+function within (m)
+  for engine = {"c", "fortran"}
+    setenv ("GSMBP_ENGINE", engine{1});
+    for method = {"dp853", "rk4", "radau"}
+      [one, two] = deal (of (m, {"method", method{1}, "input", @(t, x) pushed (t, m)}, 0.01), ...
+                         of (m, {"method", method{1}, "input", @(t, x) looked (t, m)}, 0.01));
+      gsmbp_check (sprintf ("a run within the input of another, %s, %s", engine{:}, method{1}), ...
+                   isequal (one.x, two.x) && isequal (one.v, two.v));
+    end
+    text = gsmbp_complaint (@() of (m, {"input", @(t, x) looked (t, m, @(t, x) late (1, m))}));
+    gsmbp_check (["an error of the input of that, " engine{1}], any (strfind (text, "too late")));
+  end
+end
+
+function v = pushed (t, m)
+  v = (1 + t) * ones (m.sizes.nv, 1);
+end
+
+function v = looked (t, m, input = @(t, x) pushed (0, m))
+  of (m, {"input", input}, 1e-3);
+  v = pushed (t, m);
 end
 
 function v = late (t, m)
