@@ -243,7 +243,7 @@ do_failure (arguments& a, int)
   const std::string said = a.value ("said").string_value ();
   const gs_failed_run run = { S.about, info, istat, stats.contents ("reached").double_value (),
                               said.c_str () };
-  char text[1000];
+  char text[2500];   // the message of a refused start fits (gs_start)
   gs_failure (&run, text, sizeof text);
   return ovl (std::string (text));
 }

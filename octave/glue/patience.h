@@ -1,7 +1,8 @@
 // Runs that are ended from outside, by Ctrl-C or after a wall time, with the rows so far, and that
 // tell a terminal how far they are.  Octave takes SIGINT in a thread of its own and counts it in
 // octave_interrupt_state; of other signals, SIGTERM, octave_signal_caught tells.  These and one
-// word are all that a call of the right-hand side looks at.
+// word are all that a run looks at: the run time in C before a step, the one in Fortran at a call
+// of the right-hand side.
 #pragma once
 
 #include "numbers.h"

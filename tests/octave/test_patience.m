@@ -14,6 +14,7 @@ function test_patience ()
   late(end+1) = by_signal (axis, "rk4", {"input", 1, "method", "rk4"});
   late(end+1) = by_signal (axis, "radau", {"input", 1, "method", "radau", "maxstep", 1e-3});
   late(end+1) = by_signal (axis, "auto", {"input", 1, "method", "auto", "maxstep", 1e-3});
+  late(end+1) = by_signal (gsmbp_fixture ("gauss_arms"), "gauss, by momenta", {"method", "gauss"});
   late(end+1) = by_signal (gsmbp_fixture ("case_02a_motor"), "loops", {"maxstep", 1e-3});
   late(end+1) = by_signal (gsmbp_fixture ("sampled_drive"), "samples", {"maxstep", 1e-3});
   late(end+1) = by_signal (gsmbp_fixture ("event_ball"), "events", {"maxstep", 1e-3});

@@ -213,19 +213,23 @@ def refused():
 
 def ends():
     """Ctrl-C and threads, as by other methods."""
-    m = slider_crank.Model()
+    m, loop = slider_crank.Model(), stiff_loop.Model(c=0.0, k=1e3)   # gauss: by momenta
+    closed = run(loop, loop.initial, [0, 1e-9], start='project').x[:, 0]
     old = signal.signal(signal.SIGINT, signal.default_int_handler)
-    for method, step in (('radau', None), ('gauss', 1e-4)):
+    for model, x, method, options in ((m, m.initial, 'radau', {'input': 12}),
+                                      (m, m.initial, 'gauss', {'input': 12, 'step': 1e-4}),
+                                      (loop, closed, 'gauss', {'step': 1e-3})):
         timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
         timer.start()
         begun = time.monotonic()
         try:
-            run(m, m.initial, np.linspace(0, 3600, 601), input=12, method=method, step=step)
+            run(model, x, np.linspace(0, 3600, 601), method=method, **options)
             seconds = 'a result'
         except KeyboardInterrupt:
             seconds = time.monotonic() - begun - 0.2
         timer.join()
-        holds('Ctrl-C ends a run by %s at once (%s s)' % (method, seconds),
+        holds('Ctrl-C ends a run of %s by %s at once (%s s)' % (
+            type(model).__module__, method, seconds),
               seconds != 'a result' and seconds < 1)
     signal.signal(signal.SIGINT, old)
     wanted = run(m, m.initial, [0, 0.5], input=12, method='radau').x

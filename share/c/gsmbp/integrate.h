@@ -54,8 +54,9 @@ typedef struct
   gs_real beyond;     /* method 8: the last step may end so far behind the last output time [s];
                          0: it ends there, as always in the GSSIM of Fortran */
   gs_dense last;      /* written where it did, else its h is 0; it lies in w */
-  int (*ask) (void *asked, gs_real t); /* called before every step; what is not 0 ends the run with
-                         that info; a null pointer: none */
+  int (*ask) (void *asked, gs_real t); /* called before every step, by implicit methods at every
+                         rate, too; what is not 0 ends the run with that info; a null pointer: none
+                         */
   void *asked;
 } gs_run;
 

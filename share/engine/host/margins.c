@@ -183,7 +183,8 @@ gs_margins_of_run (const gs_description *d, int n, const gs_real *t, const gs_re
     list[k] = (gs_passed_margin){ k, -1, 0, HUGE_VAL };
   for (int j = 0; j < n && w && passed; j++)
     {
-      passed_here (d, t[j], x + ldx * j, v + ldv * j, cst, passed, w);
+      passed_here (d, t[j], x + (size_t)ldx * (size_t)j, v + (size_t)ldv * (size_t)j, cst, passed,
+                   w);
       take_smallest (w, j, d->nmargins, list);
       for (int k = 0; k < d->nmargins; k++)
         if (passed[k] && list[k].first < 0)

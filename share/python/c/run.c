@@ -12,26 +12,23 @@
 /* asked some twenty times a second of processor time: 0, or the info by which the run is to end */
 typedef int gs_question (void);
 
-/* the run that asks: only one of the main thread of Python does, so that there is one at a time, or
- * one within the function of inputs of another */
 typedef struct
 {
-  gs_rhs *rates;
-  gs_question *ask;
+  gs_question *question;
   clock_t next;
-  int calls, info;
+  int calls;
 } gs_asking;
-static gs_asking asking;
 
+/* ask of gs_run */
 static int
-asking_rates (double t, const double *x, const double *v, const double *cst, double *xd)
+ask (void *data, double t)
 {
-  if (++asking.calls % 32 == 0 && asking.info == 0 && clock () >= asking.next)
-    {
-      asking.info = asking.ask ();
-      asking.next = clock () + CLOCKS_PER_SEC / 20;
-    }
-  return asking.info != 0 ? asking.info : asking.rates (t, x, v, cst, xd);
+  gs_asking *a = data;
+  (void)t;
+  if (++a->calls % 8 != 0 || clock () < a->next)
+    return 0;
+  a->next = clock () + CLOCKS_PER_SEC / 20;
+  return a->question ();
 }
 
 /* by gssim, or by an implicit method: from the beginning, or where gssim finds steps bound by
@@ -46,11 +43,11 @@ integrate (const gs_scene *s, gs_run *r, gs_implicit_method *by, gs_implicit *op
   return info == GS_STIFF && by ? by (s, r, options) : info;
 }
 
-/* a run; rhs, vin: in the place of the scene's, or null pointers; ask may be one as well, and by,
+/* a run; rhs, vin: in the place of the scene's, or null pointers; question may be one, too, and by,
  * an implicit method; choice: its largest order, 1 for loops in index 2, how many states the inputs
  * follow, which ones; said (size): what it says where it fails. info as gssim */
 int
-gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *ask, int nx, double t0,
+gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *question, int nx, double t0,
              const double *x0, int nt, const double *tout, int nb, const double *tbrk,
              const int *iopt, const double *ropt, const double *atol, int *ip, double *rp,
              const double *cst, double *xout, double *vout, int *istat, double *rstat, double *w,
@@ -66,17 +63,13 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *ask, int 
   if (rhs)
     own.rhs = rhs;
   own.vin = vin;
-  int info;
-  if (ask)
+  gs_asking asking = { .question = question, .next = clock () };
+  if (question)
     {
-      const gs_asking outer = asking;
-      asking = (gs_asking){ .rates = own.rhs, .ask = ask, .next = clock () };
-      own.rhs = asking_rates;
-      info = integrate (&own, &r, by, &o);
-      asking = outer;
+      r.ask = ask;
+      r.asked = &asking;
     }
-  else
-    info = integrate (&own, &r, by, &o);
+  const int info = integrate (&own, &r, by, &o);
   memcpy (istat, r.istat, sizeof r.istat);
   memcpy (rstat, r.rstat, sizeof r.rstat);
   return info;

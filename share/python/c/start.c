@@ -55,8 +55,8 @@ gs_loop_margins (int n, const double *t, const double *x, int ldx, const double 
   for (int i = 0; i < many; i++)
     {
       first[i] = list[i].first;
-      gs_margin_text (d, list[i].k, list[i].least, x + ldx * list[i].at, par, text + size * i,
-                      size);
+      gs_margin_text (d, list[i].k, list[i].least, x + (size_t)ldx * (size_t)list[i].at, par,
+                      text + size * i, size);
     }
   return many;
 }

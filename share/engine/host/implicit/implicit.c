@@ -362,8 +362,8 @@ advance (gs_stepper *s)
       if (most > 0
           && r->istat[GS_N_STEPS] + r->istat[GS_N_REJECTED] + s->by->rejected (s) >= most)
         return GS_TOO_MANY;
-      if ((info = next_step (s, &event)) != 0 || (info = accept (s, event)) != 0
-          || (event && (info = start_again (s)) != 0))
+      if ((info = gs_asked (s, s->t)) != 0 || (info = next_step (s, &event)) != 0
+          || (info = accept (s, event)) != 0 || (event && (info = start_again (s)) != 0))
         return info;
     }
   return GS_DONE;

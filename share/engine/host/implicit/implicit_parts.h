@@ -7,6 +7,8 @@
 static const double gs_no_jump[3] = { 0, 0, 0 };
 
 extern int gs_all_finite (int n, const double *x);
+/* what ends the run at T, or 0: before a step and at every rate (a step may need none: gauss) */
+extern int gs_asked (gs_stepper *s, double t);
 /* below 0 where the limits from the left are wanted at T */
 extern int gs_side_at (const gs_stepper *s, double t);
 /* the inputs at T into V; INFO of GSINP */

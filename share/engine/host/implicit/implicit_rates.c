@@ -47,6 +47,15 @@ gs_check (gs_stepper *s, const int *options, double t, double *x, const double *
 /* ------------------------------------------------------------
  * what a method calls */
 
+int
+gs_asked (gs_stepper *s, double t)
+{
+  gs_run *r = s->r;
+  if (r->ask && s->asked == 0)
+    s->asked = r->ask (r->asked, t);
+  return s->asked;
+}
+
 static int
 outcome (int info)
 {
@@ -60,9 +69,7 @@ rate (gs_stepper *s, double t, const double *x, int *ip, double *v, double *xd)
   gs_run *r = s->r;
   int side = gs_side_at (s, t);
   gs_system g = s->g;
-  if (r->ask && s->asked == 0)
-    s->asked = r->ask (r->asked, t);
-  if (s->asked != 0)
+  if (gs_asked (s, t) != 0)
     return -1;
   g.ip = ip;
   g.v = v;
