@@ -476,8 +476,8 @@ same_forces (gs_stepper *s, gs_momenta *w, double t, const double *x, const doub
   return gap <= 1e-8 * bound;
 }
 
-/* The same elsewhere, for forces that vanish at the start: at the end of the run, in another state,
-   under other inputs. */
+/* The same elsewhere, for forces that vanish at the start: at the end of the run, in a state beside
+   the start, under other inputs. */
 static int
 same_elsewhere (gs_stepper *s, gs_momenta *w)
 {
@@ -486,8 +486,8 @@ same_elsewhere (gs_stepper *s, gs_momenta *w)
   double t = r->tout[r->nt - 1], *x = w->x, *v = s->dv;
   for (int l = 0; l < n; l++)
     {
-      x[l] = s->x[l] + 0.1 * w->size[l] / (1 + 0.3 * l);
-      x[n + l] = s->x[n + l] + w->size[n + l] * (l % 2 ? -0.7 : 1) / (1 + 0.3 * l);
+      x[l] = s->x[l] + 1e-3 * w->size[l] / (1 + 0.3 * l);
+      x[n + l] = s->x[n + l] + 1e-3 * w->size[n + l] * (l % 2 ? -0.7 : 1) / (1 + 0.3 * l);
     }
   for (int k = 0; k < s->scene->nv; k++)
     v[k] = s->v[k] + (1 + fabs (s->v[k])) / (1 + 0.3 * k);
