@@ -320,8 +320,8 @@ simulation::results (void)
   return list;
 }
 
-// What the routines of a run in Octave read; it may be one within the function of inputs of another,
-// whose it is again afterwards.
+// What the routines of a run in Octave read; it may be one within the function of inputs of
+// another, whose it is again afterwards.
 class current_run
 {
 public:

@@ -41,8 +41,8 @@
  * stepped over. It ends with GS_TOO_SMALL also where 20000 steps one after the other are a ten
  * thousandth of what they were far from a singular position.
  *
- * In the cases GS_TOO_MANY to GS_STIFF and GS_RATE_NOT_FINITE, and where ask ends the run, the first
- * istat[GS_N_OUTPUTS] columns of xout are valid; where there is another it holds the state at
+ * In the cases GS_TOO_MANY to GS_STIFF and GS_RATE_NOT_FINITE, and where ask ends the run, the
+ * first istat[GS_N_OUTPUTS] columns of xout are valid; where there is another it holds the state at
  * rstat[GS_T_REACHED], and that of vout the inputs. */
 #include <string.h>
 
