@@ -97,14 +97,16 @@ def table(json_file):
     """gate_scene.h: the scene as both run times take it."""
     d = json.loads(json_file.read_text())
     header = (ROOT / 'share/engine/host/fortran_scene.h').read_text()
-    known = re.findall(r'#define GS_FORTRAN_([a-z]\w+)', header)
+    members = (ROOT / 'share/c/gsmbp/scene.h').read_text()
+    known = {*re.findall(r'#define GS_FORTRAN_([a-z]\w+)', header)} & {
+        *re.findall(r'^  gs_\w+ \*(\w+);', members, re.M)}
     there = {row['name'].lower()[len(d['name']) + 1:]: row['name'].lower() + '_'
              for row in d['subroutines']}
     called = 'rhs prj con kin cmd clo vin out ctl evt rst'.split()
     sizes = [f'.{n} = {d["dimensions"].get(n, 0)}'
              for n in 'nq nu nx nv ny nlam nsw nev nctl nxk'.split()]
-    members = [f'.{n} = run_{n}' for n in there if n in known and n != 'rha']
-    lines = [f'GS_FORTRAN_{n} (run_{n}, {there[n]})' for n in there if n in known and n != 'rha']
+    members = [f'.{n} = run_{n}' for n in there if n in known]
+    lines = [f'GS_FORTRAN_{n} (run_{n}, {there[n]})' for n in there if n in known]
     subs = ', '.join(f'(subroutine *) {there[n]}' if n in there else 'absent' for n in called)
     return '\n'.join(lines + [f'static const gs_scene scene = {{ {", ".join(sizes + members)} }};',
                               f'static subroutine *const subroutines[] = {{ {subs} }};', ''])
