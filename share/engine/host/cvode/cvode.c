@@ -280,6 +280,6 @@ int
 gs_cvode (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method bdf_
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 1, 0 };
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 1, 0, 0 };
   return gs_implicit_run (scene, run, options, &bdf_);
 }

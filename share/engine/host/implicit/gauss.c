@@ -268,6 +268,12 @@ static int
 begin (gs_stepper *s)
 {
   gauss *w = s->memory;
+  const int order = s->o->order;
+  if (order != 4 && order != 6 && order != 8)
+    {
+      snprintf (s->o->text, s->o->length, "expected order 4, 6 or 8; found %d", order);
+      return -1;
+    }
   gsmbp_gauss_rule (&w->rule, s->o->order);
   if (s->p[0] == 2)
     s->p[0] = 3;   /* GSPRT: the partition is kept as long as it may be */
@@ -347,6 +353,6 @@ int
 gs_gauss (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0 };
+    = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0, 1 };
   return gs_implicit_run (scene, run, options, &collocation);
 }

@@ -427,11 +427,26 @@ tell_time (gs_stepper *s)
     r->rstat[GS_T_REACHED] = fmax (r->rstat[GS_T_REACHED], e.latest[*e.newest - 1]);
 }
 
+/* are the arguments within their ranges? INFO as gssim */
+static int
+check_arguments (const gs_scene *scene, const gs_run *r, const gs_method *by)
+{
+  gs_run checked = *r;
+  int iopt[GS_ON_SPEEDS + 1];
+  memcpy (iopt, r->iopt, sizeof iopt);
+  iopt[GS_METHOD] = by->fixed ? 4 : 8;
+  checked.iopt = iopt;
+  return gsarg (scene, &checked);
+}
+
 int
 gs_implicit_run (const gs_scene *scene, gs_run *r, const gs_implicit *o, const gs_method *by)
 {
   gs_stepper s = { .scene = scene, .r = r, .o = o, .by = by };
-  int info = GS_OUT_OF_MEMORY;
+  int info = check_arguments (scene, r, by);
+  if (info != 0)
+    return info;
+  info = GS_OUT_OF_MEMORY;
   if (o->length > 0)
     o->text[0] = 0;
   if (allocate (&s))

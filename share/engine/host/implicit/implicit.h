@@ -2,8 +2,9 @@
  * long runs that keep their energy (gauss), in double precision. Calling rules: gsmbp/scene.h.
  *
  * scene, run: as gssim takes them. The emitted jac, lin, bia, mas, con and tan are used where the
- * scene has them. The result is that of gssim, or GS_METHOD_FAILED with the flag of the method in
- * istat[GS_CAUSE], GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
+ * scene has them. iopt[GS_METHOD] is 0, with resume 9. The result is that of gssim, or
+ * GS_METHOD_FAILED with the flag of the method in istat[GS_CAUSE] (an order that it does not have,
+ * too), GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
 #ifndef GS_HOST_IMPLICIT_H
 #define GS_HOST_IMPLICIT_H
 #include "gsmbp/integrate.h"

@@ -25,6 +25,7 @@ typedef struct
   void (*count) (gs_stepper *);            /* its statistics into ISTAT, then from zero */
   int dense;                           /* is the state within a step as accurate as its end? */
   int moves;                           /* is X moved behind steps to where ports are held? */
+  int fixed;                           /* are all steps of the length ropt[0]? */
 } gs_method;
 
 struct gs_stepper

@@ -640,6 +640,12 @@ static int
 begin (gs_stepper *s)
 {
   radau *w = s->memory;
+  const int order = s->o->order;
+  if (order != 5 && order != 9 && order != 13)
+    {
+      snprintf (s->o->text, s->o->length, "expected order 5, 9 or 13; found %d", order);
+      return FATAL;
+    }
   take_order (s, s->o->order >= 9 && s->r->ropt[1] < 1e-6 ? 5 : 3);
   int flag = restart (s);
   if (s->r->ropt[0] > 0 && ! s->o->resume)
@@ -679,6 +685,6 @@ int
 gs_radau (const gs_scene *scene, gs_run *run, const gs_implicit *options)
 {
   static const gs_method collocation
-    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1 };
+    = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1, 0 };
   return gs_implicit_run (scene, run, options, &collocation);
 }
