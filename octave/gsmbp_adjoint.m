@@ -57,17 +57,17 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
     print_usage ();
   endif
   who = "gsmbp_adjoint";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x0", x0, "times", times);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x0", x0, "times", times);
   o = options (who, m, varargin);
   d = m.sizes;
-  times = gsmbp__times (who, times);
-  [x0, ~] = gsmbp__start (who, m, times(1), x0, o.start);
-  [rtol, atol] = gsmbp__tolerances (who, m, o.rtol, o.atol, "dp853");
-  o.input = gsmbp__all_inputs (who, m, o.input, times(1), x0);
-  [plan, breaks] = gsmbp__input_plan (who, o, m);
-  S0 = gsmbp__carried (who, m, o, times(1), x0, atol);
-  breaks = [breaks, gsmbp__switch_times(m)];
+  times = gs.given.given_times (who, times);
+  [x0, ~] = gs.start.consistent_start (who, m, times(1), x0, o.start);
+  [rtol, atol] = gs.run.error_tolerances (who, m, o.rtol, o.atol, "dp853");
+  o.input = gs.run.whole_input (who, m, o.input, times(1), x0);
+  [plan, breaks] = gs.run.input_plan (who, o, m);
+  S0 = gs.linear.carried_columns (who, m, o, times(1), x0, atol);
+  breaks = [breaks, gs.run.switch_times(m)];
   stops = unique ([times(:)', breaks(breaks > times(1) & breaks < times(end))]);
   [~, at] = ismember (times(:)', stops);
   clock_ = tic ();
@@ -104,7 +104,7 @@ function a = gsmbp_adjoint (m, x0, times, goal, varargin)
   a.run = r;
 endfunction
 
-## the options, completed by those that gsmbp__carried and gsmbp__input_plan read
+## the options, completed by those that gs.linear.carried_columns and gs.run.input_plan read
 function o = options (who, m, given)
   if (! any (strcmp (m.subroutines, "adj")))
     error (["%s: %s was emitted without the subroutine ADJ: derive it with the request " ...
@@ -123,7 +123,7 @@ function o = options (who, m, given)
            "dx0", [], "numbers"
            "timeout", 0, "nonnegative"
            "start", "check", {"check", "project"}};
-  o = gsmbp__options (who, table, given);
+  o = gs.given.call_options (who, table, given);
   o.sensitivity = m.json.sensitivity;
   o.method = "dp853";
   o.of_time = false;
@@ -134,10 +134,10 @@ function o = options (who, m, given)
 endfunction
 
 function cut_short (who, m, info, way, at)
-  word = gsmbp__stopped (who, m, info, "", false);
+  word = gs.run.stopped_word (who, m, info, "", false);
   if (! isempty (word))
     error ("gsmbp:stopped", "%s: %s: %s on the way %s at t = %.9g s; half of it is no result", ...
-           who, m.name, gsmbp__stopped_by (word), way, at);
+           who, m.name, gs.run.stopped_text (word), way, at);
   endif
 endfunction
 
@@ -149,19 +149,19 @@ function r = run_of (m, o, times, x)
   if (isstruct (o.input))
     t = r.t';   # at a jump a row has what was before it, but for the first one
     left = [false, ismember(t(2:end), o.input.breaks(2:end-1))];
-    t(left) = gsmbp__just_before (t(left));
+    t(left) = gs.run.just_before (t(left));
     r.v = reshape (ppval (o.input, t), m.sizes.nv, [])';
   elseif (! isempty (o.input))
     r.v = repmat (o.input(:)', numel (r.t), 1);
   endif
-  r.y = gsmbp__outputs (m, gsmbp__row_times (m, r.t), r.x, r.v);
+  r.y = gs.run.output_values (m, gs.run.row_times (m, r.t), r.x, r.v);
 endfunction
 
 ## of goals with three results, or two; anything else that goes wrong in them is the user's to see
 function [J, gx, gy] = results (who, goal, r)
   wanted = sprintf ("%s: argument goal: expected a function [J, Jx, Jy] = goal (r)", who);
   if (! is_function_handle (goal))
-    error ("%s, found %s", wanted, gsmbp__shown (goal));
+    error ("%s, found %s", wanted, gs.text.shown_value (goal));
   endif
   gy = [];
   fewer = "nargin != nargout|too many outputs|undefined in return list|not enough";
@@ -206,7 +206,7 @@ endfunction
 function [wx, wp] = at_outputs (m, r, gx, gy, np)
   wx = gx';
   wp = zeros (np, 1);
-  t = gsmbp__row_times (m, r.t);
+  t = gs.run.row_times (m, r.t);
   for i = find (any (gy, 2))'
     [~, ~, C] = m.jac (t(i), r.x(i,:)', r.v(i,:)');
     wx(:,i) += C' * gy(i,:)';

@@ -49,16 +49,16 @@ function [m, table, misfit] = gsmbp_adopt (m, e, names, varargin)
     print_usage ();
   endif
   who = "gsmbp_adopt";
-  gsmbp__model (who, m);
-  gsmbp__estimates (who, e);
-  gsmbp__fits (who, "argument names", names, "names");
+  gs.given.check_model (who, m);
+  gs.given.check_estimates (who, e);
+  gs.given.check_kind (who, "argument names", names, "names");
   names = cellstr (names)(:)';
-  o = gsmbp__options (who, {"map", {}, "names"; "spread", 1, "positive"
+  o = gs.given.call_options (who, {"map", {}, "names"; "spread", 1, "positive"
                              "file", "", "text"}, varargin);
   for name = [names, o.map(2:2:end)]
     if (! isfield (m.par, name{1}))
       error ("%s: %s: unknown parameter %s", who, m.name, ...
-             gsmbp__unknown (name{1}, fieldnames (m.par)'));
+             gs.text.nearest_word (name{1}, fieldnames (m.par)'));
     endif
   endfor
   only_in_p (who, m, names);
@@ -72,7 +72,7 @@ function [m, table, misfit] = gsmbp_adopt (m, e, names, varargin)
     text = cellfun (@(r) sprintf ("%s,%.17g,%.17g,%.17g,%d\n", r.name, r.value, r.sigma, ...
                                   r.before, r.determined), num2cell (table), ...
                     "UniformOutput", false);
-    gsmbp__write (who, o.file, ["name,value,sigma,before,determined\n", [text{:}]]);
+    gs.files.write_text (who, o.file, ["name,value,sigma,before,determined\n", [text{:}]]);
   endif
 endfunction
 
@@ -84,7 +84,7 @@ function only_in_p (who, m, names)
   for name = names
     other = m;
     other.par.(name{1}) += 1e-3 * max (abs (other.par.(name{1})), 1e-3);
-    other = gsmbp__handles (other);
+    other = gs.model.model_handles (other);
     if (norm (other.reg (at{:}) - Y, Inf) > 1e-9 * norm (Y, Inf))
       error (["%s: %s: parameter %s is in the factors of the base parameters (a length, " ...
               "gravity): expected masses, centres, inertias or friction"], who, m.name, name{1});
@@ -96,8 +96,8 @@ endfunction
 function [theta, J, misfit] = fitted (who, m, e, base, weight, names, spread)
   theta = cellfun (@(n) m.par.(n), names)';
   size_of = max (abs (theta), 1e-3 * max ([abs(theta); 1e-3]));
-  own = ismember (gsmbp__names (m.json.base_parameters), e.names(base));
-  standard = gsmbp__standard (m);
+  own = ismember (gs.given.names_and_units (m.json.base_parameters), e.names(base));
+  standard = gs.identify.standard_parameters (m);
   all = cell2mat (struct2cell (m.par));
   [~, places] = ismember (names, fieldnames (m.par));
   of = @(x) base_of (standard, all, places, x)(own);
@@ -162,7 +162,7 @@ function table = told (m, e, names, theta, J, o)
     at = find (strcmp (e.names, o.map{k}));
     if (isempty (at))
       error ("gsmbp_adopt: option map: unknown estimate %s", ...
-             gsmbp__unknown (o.map{k}, e.names(:)'));
+             gs.text.nearest_word (o.map{k}, e.names(:)'));
     endif
     table(end+1) = struct ("name", o.map{k+1}, "value", e.p(at), "sigma", e.sigma(at), "before", ...
                            m.par.(o.map{k+1}), "determined", true);

@@ -40,12 +40,12 @@ function f = gsmbp_along (path, times, side = 1)
     print_usage ();
   endif
   if (! (isstruct (path) && isscalar (path) && all (isfield (path, {"kind", "s", "times"}))))
-    error ("gsmbp_along: expected a path of gsmbp_path, found %s", gsmbp__shown (path));
+    error ("gsmbp_along: expected a path of gsmbp_path, found %s", gs.text.shown_value (path));
   endif
   s = reshape (gsmbp_evaluate (path.s, times, 2, side), [], 3)';
   f = struct ("s", s);
   if (strcmp (path.kind, "spline"))
-    f = gsmbp__on_spline (path, s, f);
+    f = gs.plan.along_spline (path, s, f);
     return;
   endif
   [f.p, f.v, f.a] = place (path, s);
@@ -60,7 +60,7 @@ function f = gsmbp_along (path, times, side = 1)
   f.alpha = axis * (ratio * s(3,:));
   f.R = zeros (3, 3, columns (s));
   for k = 1:columns (s)
-    f.R(:,:,k) = path.rotation * gsmbp__rotated (ratio * s(1,k) * path.axis);
+    f.R(:,:,k) = path.rotation * gs.plan.rotation_matrix (ratio * s(1,k) * path.axis);
   endfor
 endfunction
 

@@ -82,7 +82,7 @@ function gsmbp_animate (m, result, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_animate";
-  gsmbp__no_words (who, "result", result);
+  gs.given.refuse_words (who, "result", result);
   table = {"times", [], "numbers"
            "speed", 1, "positive"
            "fps", 20, "positive"
@@ -93,7 +93,7 @@ function gsmbp_animate (m, result, file, varargin)
            "centres", true, "flag"
            "points", true, "flag"
            "width", 720, "positive"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   moving = numel (file) > 4 && strcmp (tolower (file(end-3:end)), ".gif");
   if (! moving && ! (numel (file) > 4 && strcmpi (file(end-3:end), ".png")))
     error ("%s: argument file must end in .gif or .png, found: %s", who, file);
@@ -103,7 +103,7 @@ function gsmbp_animate (m, result, file, varargin)
     m.skeleton.parts = struct ("name", {}, "kind", {}, "bodies", {});
   endif
   named = named_points (m, o);
-  o = gsmbp__animation_options (who, o, m.skeleton, t, named);
+  o = gs.draw.animation_options (who, o, m.skeleton, t, named);
   rows_drawn = poses (t, o, moving);
   rows_traced = unique ([rows_drawn, round(linspace (1, numel (t), min (numel (t), 1000)))]);
   points = @(list) cell2mat (reshape (arrayfun (@(k) drawn (m, t(k), q(k,:)', named), list, ...
@@ -114,23 +114,23 @@ function gsmbp_animate (m, result, file, varargin)
     path = reshape (points (rows_traced)(:,o.trace,:), 3, []);
   endif
 
-  table = gsmbp__beside (who, [file(1:end-4) ".csv"]);
-  guard = onCleanup (@() gsmbp__discard (table));
+  table = gs.files.new_beside (who, [file(1:end-4) ".csv"]);
+  guard = onCleanup (@() gs.files.discard_file (table));
   gsmbp_csv (table, heads (m, named), [t(rows_drawn), reshape(p, [], numel (rows_drawn))']);
-  [m.skeleton.color, m.skeleton.entry] = gsmbp__entries (m.skeleton.body);
-  m.skeleton.marks = gsmbp__marks (m.skeleton, o.centres, named, links_of (m, named));
-  m.skeleton.between = gsmbp__between (m.skeleton, p);
+  [m.skeleton.color, m.skeleton.entry] = gs.draw.legend_entries (m.skeleton.body);
+  m.skeleton.marks = gs.draw.joint_marks (m.skeleton, o.centres, named, links_of (m, named));
+  m.skeleton.between = gs.draw.parts_between (m.skeleton, p);
   entries = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
-  s = gsmbp__stage (gsmbp__seen (m.skeleton, p), path, o, ...
+  s = gs.draw.picture_stage (gs.draw.seen_points (m.skeleton, p), path, o, ...
                     numel (entries) + numel (m.skeleton.marks.key) + ! isempty (path), ...
                     max (cellfun (@numel, [entries, {o.traced, "mass centre"}])));
-  lines = gsmbp__axes (s, o);
+  lines = gs.draw.axis_lines (s, o);
   n = numel (rows_drawn);
   if (moving)
     digits = max (2, ceil (-log10 (min ([diff(t(rows_drawn))(:); 1]) + 1e-12)));
     for k = 1:n
       lines = [lines, ...
-               gsmbp__picture(m.skeleton, p(:,:,k), 1, path, s, ...
+               gs.draw.picture_lines(m.skeleton, p(:,:,k), 1, path, s, ...
                        sprintf("%s   t = %.*f s", o.title, digits, t(rows_drawn(k))), o)];
     endfor
     terminal = sprintf (["gif animate optimize delay %d loop 0 noenhanced size %d,%d font " ...
@@ -142,11 +142,11 @@ function gsmbp_animate (m, result, file, varargin)
     shades(end) = 1;
     order = {"", ", light to dark"}{1 + (n > 1)};
     lines = [lines, ...
-             gsmbp__picture(m.skeleton, p, shades, path, s, ...
+             gs.draw.picture_lines(m.skeleton, p, shades, path, s, ...
                      sprintf("%s   t = %s s%s", o.title, instants, order), o)];
     terminal = sprintf ("pngcairo noenhanced size %d,%d font 'FreeSans,12'", s.pixels);
   endif
-  gsmbp__gnuplot (who, file, terminal, lines, table);
+  gs.files.run_gnuplot (who, file, terminal, lines, table);
 endfunction
 
 ## ------------------------------------------------------- what is to be drawn
@@ -154,7 +154,7 @@ endfunction
 ## times and coordinates of the result
 function [t, q] = motion (who, m, result)
   if (isfield (m, "sizes"))
-    gsmbp__moving (who, m);
+    gs.given.check_moving (who, m);
   endif
   if (! isfield (m, "ske") || ! isfield (m, "skeleton") || isempty (m.skeleton.points))
     error (["%s: argument m has no handle ske: emit the scene with the request " ...
@@ -165,7 +165,7 @@ function [t, q] = motion (who, m, result)
     error (["%s: argument result must be a struct with the fields t and q or x, found: " "%s"], ...
            who, class (result));
   endif
-  t = gsmbp__times (who, result.t)';
+  t = gs.given.given_times (who, result.t)';
   field = {"x", "q"}{1 + isfield(result, "q")};
   q = result.(field);
   if (rows (q) != numel (t) || columns (q) < m.sizes.nq ...

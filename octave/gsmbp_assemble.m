@@ -68,23 +68,23 @@ function x = gsmbp_assemble (m, guess, varargin)
     print_usage ();
   endif
   who = "gsmbp_assemble";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "guess", guess);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "guess", guess);
   table = {"hold", {}, "names"
            "time", 0, "number"
            "tolerance", 1e-10, "positive"
            "branches", 0, "whole"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   x = guessed (who, m, guess);
   settled = isequal (numel (guess), m.sizes.nq) || is_settled (m, o.time, x);
   held = held_coordinates (who, m, o.hold);
   whole_orientations (who, m, held);
   if (m.sizes.nlam == 0)
     if (m.sizes.nq > m.sizes.nu)
-      x = gsmbp__unit_orientations (m, x);
+      x = gs.start.unit_orientations (m, x);
     endif
   elseif (o.branches == 0)
-    [x, complaint, other] = gsmbp__close_loops (m, x, o, held);
+    [x, complaint, other] = gs.start.close_loops (m, x, o, held);
     complaint = [complaint, other(1:end*isempty (complaint))];
     if (! isempty (complaint))
       error ("%s: %s: %s", who, m.name, complaint);
@@ -98,13 +98,13 @@ function x = gsmbp_assemble (m, guess, varargin)
   endfor
   if (settled)
     for k = 1:columns (x)
-      x(:,k) = gsmbp__settle (m, o.time, x(:,k));
+      x(:,k) = gs.start.settled_state (m, o.time, x(:,k));
     endfor
   endif
 endfunction
 
 function warn_of_limits (who, m, x, held)
-  limits = gsmbp__scene_limits (m, m.coordinates);
+  limits = gs.model.scene_limits (m, m.coordinates);
   for k = find (held)'
     if (! (limits(k,1) <= x(k) && x(k) <= limits(k,2)))
       warning ("gsmbp:limits", ["%s: %s: option hold: %s = %.6g %s is outside the limits of " ...
@@ -115,7 +115,7 @@ function warn_of_limits (who, m, x, held)
 endfunction
 
 function warn_of_lost_rank (who, m, t, x)
-  [rows, rank] = gsmbp__lost_rank (m, t, x);
+  [rows, rank] = gs.start.lost_rank (m, t, x);
   if (! isempty (rows))
     warning ("gsmbp:singular", ["%s: %s: at the position found %d of the %d constraints that " ...
                                 "are independent elsewhere are so, lost in rows %s: a " ...
@@ -127,13 +127,13 @@ endfunction
 
 ## filters of sensors and observers are where their rates vanish
 function yes = is_settled (m, t, x)
-  y = gsmbp__settle (m, t, x);
+  y = gs.start.settled_state (m, t, x);
   yes = all (abs (y - x) <= 1e-9 * (m.nominal + abs (x)));
 endfunction
 
 function x = guessed (who, m, guess)
   d = m.sizes;
-  x = gsmbp__guess (who, m, "guess", guess, m.initial(d.nq + 1:d.nx));
+  x = gs.given.given_guess (who, m, "guess", guess, m.initial(d.nq + 1:d.nx));
   for set = m.orientation'
     if (! any (x(set)))
       error (["%s: %s: expected a guess of the Euler parameters (%s), found zeros, which " ...
@@ -162,7 +162,7 @@ function held = held_coordinates (who, m, names)
     k = strcmp (m.coordinates, name{1});
     if (! any (k))
       error ("%s: option hold: %s has no coordinate %s", who, m.name,
-             gsmbp__unknown (name{1}, m.coordinates));
+             gs.text.nearest_word (name{1}, m.coordinates));
     endif
     held |= k(:);
   endfor
@@ -181,7 +181,7 @@ function found = branches (who, m, guess, o, held)
   first = "";
   for k = 1:columns (guesses)
     try
-      [x, complaint] = gsmbp__close_loops (m, guesses(:,k), o, held, k > 1);
+      [x, complaint] = gs.start.close_loops (m, guesses(:,k), o, held, k > 1);
     catch err
       complaint = err.message;
     end_try_catch

@@ -230,10 +230,10 @@ function m = gsmbp_build (name, varargin)
            "build", "", "text"
            "input", "", "text"
            "controller", [], "any"};
-  options = gsmbp__options ("gsmbp_build", table, varargin);
+  options = gs.given.call_options ("gsmbp_build", table, varargin);
   if (! (isstruct (options.parameters) && isscalar (options.parameters)))
     error (["gsmbp_build: option parameters: expected a struct of names and values, " ...
-            "found %s"], gsmbp__shown (options.parameters));
+            "found %s"], gs.text.shown_value (options.parameters));
   endif
   folder = make_absolute_filename (options.directory);
   source = fullfile (folder, [name ".f"]);
@@ -250,7 +250,7 @@ function m = gsmbp_build (name, varargin)
     build = default_build (folder);
   endif
   build = make_absolute_filename (build);
-  [json, texts] = gsmbp__scene_files (name, source, description);
+  [json, texts] = gs.model.scene_files (name, source, description);
   if (! isempty (options.controller))
     [json, source, texts] = controlled (json, texts{1}, options.controller, build);
   endif
@@ -264,10 +264,10 @@ function m = gsmbp_build (name, varargin)
   symbol = sprintf ("gsmbp_%s_%s_%s_%s", options.precision(1), tolower (json.name), place, ...
                     contents);
   before = stat (fullfile (build, options.precision, json.name, [symbol ".oct"]));
-  file = gsmbp__compile (json, source, build, options.precision, symbol, input);
-  gsmbp__load_module (symbol, file, before);
+  file = gs.model.compile_module (json, source, build, options.precision, symbol, input);
+  gs.files.load_module (symbol, file, before);
 
-  m = gsmbp__described (json);
+  m = gs.model.read_description (json);
   m.precision = options.precision;
   m.directory = folder;
   m.file = file;
@@ -275,11 +275,11 @@ function m = gsmbp_build (name, varargin)
   m.sources = {source, input};
   m.module = str2func (symbol);
   m.json = json;
-  m.unique = gsmbp__unique (m);
-  [names, m.units.parameters] = gsmbp__names (json.parameters);
+  m.unique = gs.model.unique_routines (m);
+  [names, m.units.parameters] = gs.given.names_and_units (json.parameters);
   m.par = cell2struct (num2cell (m.module ("par")), names, 1);
-  m = gsmbp__handles (m);
-  m.initial = gsmbp__initial (m);
+  m = gs.model.model_handles (m);
+  m.initial = gs.model.initial_state (m);
   m = gsmbp_set (m, options.parameters);
   warn_of_start (m);
 endfunction
@@ -288,18 +288,18 @@ endfunction
 function [json, source, texts] = controlled (json, text, list, build)
   said = hash ("md5", jsonencode (struct ("c", {list}, "text", text)))(1:12);
   place = fullfile (build, "controlled", said);
-  [json, source, text] = gsmbp__with_controller (json, text, list, place);
+  [json, source, text] = gs.model.with_controller (json, text, list, place);
   texts = {text};
 endfunction
 
 ## the start of the scene may be where a device cannot be; in loops it is a guess, closed later
 function warn_of_start (m)
   inputs = zeros (1, m.sizes.nv);
-  [~, off] = gsmbp__residuals (m, 0, m.initial);
+  [~, off] = gs.start.constraint_residuals (m, 0, m.initial);
   if (any (abs (off) > 1e-6))
     return;
   endif
-  for one = gsmbp__margins (m, 0, m.initial', inputs)
+  for one = gs.start.range_margins (m, 0, m.initial', inputs)
     warning ("gsmbp_build: %s starts outside a margin: %s; another start, or m.initial", m.name,
              one.said);
   endfor
@@ -308,7 +308,7 @@ endfunction
 ## where Maxima writes if it runs in the working directory; where `make` has written
 function folder = default_directory (name)
   folder = make_absolute_filename ("fortran_out");
-  made = gsmbp__place ("fortran_out");
+  made = gs.files.own_place ("fortran_out");
   there = @(place) exist (fullfile (place, [name ".f"]), "file") == 2;
   if (! there (folder) && there (made))
     folder = made;

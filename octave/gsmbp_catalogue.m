@@ -54,17 +54,17 @@ function list = gsmbp_catalogue (kind, file)
     print_usage ();
   endif
   who = "gsmbp_catalogue";
-  gsmbp__fits (who, "argument kind", kind, ...
+  gs.given.check_kind (who, "argument kind", kind, ...
                {"motors", "gears", "screws", "amplifiers", "cylinders"});
   if (nargin < 2)
-    file = gsmbp__place ("share", "catalogue", [kind ".csv"]);
+    file = gs.files.own_place ("share", "catalogue", [kind ".csv"]);
   endif
-  gsmbp__fits (who, "argument file", file, "text");
-  [lines, numbers] = gsmbp__csv_lines (who, file);
+  gs.given.check_kind (who, "argument file", file, "text");
+  [lines, numbers] = gs.text.csv_lines (who, file);
   if (isempty (lines))
     error ("%s: %s: expected a line with the heads of the columns, found none", who, file);
   endif
-  fields = gsmbp__catalogue_fields (kind);
+  fields = gs.drive.catalogue_fields (kind);
   [place, factor] = heads (who, file, numbers(1), lines{1}, fields);
   [list, names] = deal ([], {});
   for k = 2:numel (lines)
@@ -84,12 +84,12 @@ endfunction
 function [place, factor] = heads (who, file, number, line, fields)
   known = [{"name"}; fields(:,1)]';
   [place, factor] = deal (zeros (1, numel (known)), ones (1, numel (known)));
-  [names, units] = gsmbp__csv_heads (line);
+  [names, units] = gs.text.csv_heads (line);
   for c = 1:numel (names)
     at = sprintf ("%s: line %d, column %d", file, number, c);
     k = find (strcmp (known, names{c}));
     if (isempty (k))
-      error ("%s: %s: unknown column %s", who, at, gsmbp__unknown (names{c}, known));
+      error ("%s: %s: unknown column %s", who, at, gs.text.nearest_word (names{c}, known));
     elseif (place(k) > 0)
       error ("%s: %s: the column %s is there twice", who, at, names{c});
     endif
@@ -107,12 +107,12 @@ function [place, factor] = heads (who, file, number, line, fields)
 endfunction
 
 function factor = unit_factor (who, at, text, wanted)
-  [factor, powers, unknown] = gsmbp__unit (text);
+  [factor, powers, unknown] = gs.text.unit_in_si (text);
   if (! isempty (unknown))
     error ("%s: %s: %s is no unit that is known; expected a unit like %s", who, at, unknown, ...
            wanted);
   endif
-  [~, right] = gsmbp__unit (wanted);
+  [~, right] = gs.text.unit_in_si (wanted);
   if (! isequal (powers, right))
     error ("%s: %s: expected a unit like %s, found %s", who, at, wanted, text);
   endif

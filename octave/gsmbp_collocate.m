@@ -113,18 +113,18 @@ function r = gsmbp_collocate (m, x0, xf, varargin)
     print_usage ();
   endif
   who = "gsmbp_collocate";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x0", x0, "xf", xf);
-  [p, o] = gsmbp__collocation_problem (who, m, x0, xf, varargin);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x0", x0, "xf", xf);
+  [p, o] = gs.collocation.read_problem (who, m, x0, xf, varargin);
   o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
   [s, found] = refined (who, m, p, o);
   found.singular = rmfield (found.singular(! [found.singular.held]), "held");
-  r = gsmbp__collocation_result (m, s, found);
+  r = gs.collocation.motion_result (m, s, found);
   r.solved = s.solved && s.error <= o.accuracy;
   r.stopped = s.stopped;
-  gsmbp__stopped (who, m, 9 * strcmp (s.stopped, "interrupted"), "", false);
+  gs.run.stopped_word (who, m, 9 * strcmp (s.stopped, "interrupted"), "", false);
   if (! isempty (s.stopped))
-    r.ended = [gsmbp__stopped_by(s.stopped) s.how_far];
+    r.ended = [gs.run.stopped_text(s.stopped) s.how_far];
   elseif (s.solved && ! r.solved)
     r.ended = sprintf (["stopped at the limit of %d refinements: the estimated error of the " ...
                         "states is %.2g"], o.refinements, s.error);
@@ -138,11 +138,11 @@ endfunction
 ## solved on finer and finer meshes; jumps and singular arcs
 function [s, r] = refined (who, m, p, o)
   r = struct ("active", [], "meshes", [], "switches", zeros (0, 1), "singular", ...
-              gsmbp__collocation_singular (m, p, []));
+              gs.collocation.find_singular (m, p, []));
   n = o.intervals;
-  mesh = struct ("rule", gsmbp__collocation_rule (o.method), ...
+  mesh = struct ("rule", gs.collocation.quadrature_rule (o.method), ...
                  "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
-  guess = gsmbp__collocation_guess (who, m, p, o.guess);
+  guess = gs.collocation.first_guess (who, m, p, o.guess);
   before = [];
   for k = 0:o.refinements
     [cut, s, errors, q, found] = m.module ("guarded", @() meshed (who, m, p, mesh, guess, o, r), ...
@@ -155,7 +155,7 @@ function [s, r] = refined (who, m, p, o)
     if (! isempty (r.switches) || ! s.solved || s.error <= o.accuracy)
       break;
     endif
-    mesh = gsmbp__collocation_finer (mesh, errors, o.accuracy);
+    mesh = gs.collocation.finer_mesh (mesh, errors, o.accuracy);
     guess = before = s;
   endfor
 endfunction
@@ -166,7 +166,7 @@ function [s, errors, p, r] = meshed (who, m, p, mesh, guess, o, r)
   if (! isempty (s.stopped))
     return;
   endif
-  [polished, r.switches] = gsmbp__collocation_polish (who, m, p, s, o);
+  [polished, r.switches] = gs.collocation.polish_switches (who, m, p, s, o);
   if (! isempty (r.switches))
     s = polished;
     r.meshes = [r.meshes, mesh_of(s)];
@@ -178,13 +178,13 @@ function [s, errors, p, r] = meshed (who, m, p, mesh, guess, o, r)
 endfunction
 
 function [s, errors, r] = one_mesh (who, m, p, mesh, guess, o, r)
-  s = gsmbp__collocation_solve (who, m, p, mesh, guess, o);
+  s = gs.collocation.solve_mesh (who, m, p, mesh, guess, o);
   errors = [];
   if (! isempty (s.stopped) && ! isempty (r.meshes))   # the mesh before is given back
     return;
   endif
-  [s.error, errors] = gsmbp__collocation_errors (m, s);
-  r.active = gsmbp__collocation_active (m, p, s);
+  [s.error, errors] = gs.collocation.mesh_errors (m, s);
+  r.active = gs.collocation.active_limits (m, p, s);
   r.meshes = [r.meshes, mesh_of(s)];
 endfunction
 
@@ -199,7 +199,7 @@ function [s, r] = so_far (who, m, s, before, cut, r, found)
                                               columns (before.c.left), before.error));
   elseif (cut)
     error ("gsmbp:stopped", "%s: %s: %s before there was a solution", who, m.name, ...
-           gsmbp__stopped_by (word));
+           gs.run.stopped_text (word));
   else
     s.how_far = " on the first mesh";
     r = found;
@@ -216,8 +216,8 @@ endfunction
 ## singular arcs: solved again where the inputs there were not yet made smooth
 function [s, errors, p, r] = smoothed (who, m, p, mesh, s, errors, o, r)
   again = ! isfield (p, "singular");
-  r.singular = gsmbp__collocation_singular (m, p, s);
-  p.singular = gsmbp__collocation_arcs (p, s, r.singular, o.regularize);
+  r.singular = gs.collocation.find_singular (m, p, s);
+  p.singular = gs.collocation.singular_arcs (p, s, r.singular, o.regularize);
   if (isempty (p.singular))
     p = rmfield (p, "singular");
     return;

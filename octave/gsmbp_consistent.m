@@ -66,9 +66,9 @@ function c = gsmbp_consistent (m, e, varargin)
     print_usage ();
   endif
   who = "gsmbp_consistent";
-  gsmbp__model (who, m);
-  gsmbp__estimates (who, e);
-  o = gsmbp__options (who, {"gap", 0.1, "positive"; "iterations", 500, "whole"}, varargin);
+  gs.given.check_model (who, m);
+  gs.given.check_estimates (who, e);
+  o = gs.given.call_options (who, {"gap", 0.1, "positive"; "iterations", 500, "whole"}, varargin);
   s = problem (who, m, e);
   g = max (sumsq (e.R * (s.K * s.x) - e.z) / s.count, o.gap / s.count);
   x = s.x;
@@ -92,8 +92,8 @@ endfunction
 ## unknowns x (standard parameters, further columns), K with p = K*x, pseudo-inertias of links with
 ## their places in x, places of what has to be above 0, a start
 function s = problem (who, m, e)
-  s = gsmbp__standard (m);
-  names = gsmbp__names (m.json.base_parameters);
+  s = gs.identify.standard_parameters (m);
+  names = gs.given.names_and_units (m.json.base_parameters);
   base = strcmp (e.kind, "base");
   if (! isequal (e.names(base), names))
     error (["%s: expected estimates of all %d base parameters of %s, found %d: fix none of " ...
@@ -117,7 +117,8 @@ endfunction
 
 ## the inverse of P0 of each link, scales of the scalars
 function s = with_start (who, m, s)
-  P = arrayfun (@(k) gsmbp__pseudo (s.x(s.place(:,k))), 1:numel (s.links), "UniformOutput", false);
+  P = arrayfun (@(k) gs.identify.pseudo_inertia (s.x(s.place(:,k))), 1:numel (s.links), ...
+      "UniformOutput", false);
   mass = sum (cellfun (@(p) abs (p(4,4)), P)) / numel (P) + realmin;
   way = sqrt (sum (cellfun (@(p) abs (trace (p(1:3,1:3))), P)) / (3 * mass * numel (P))) + 1e-9;
   s.D = diag ([way way way 1]) * sqrt (mass);
@@ -130,7 +131,7 @@ function s = with_start (who, m, s)
       endif
       l = max (l, 1e-2 * max (1, max (l)));
       P{k} = s.D * V * diag (l) * V' * s.D;
-      s.x(s.place(:,k)) = gsmbp__ten (P{k});
+      s.x(s.place(:,k)) = gs.identify.ten_parameters (P{k});
     endif
     s.inverse{k} = inv ((P{k} + P{k}') / 2);
   endfor
@@ -170,7 +171,7 @@ endfunction
 function f = merit (s, e, A, x, g)
   f = sumsq (A * x - e.z) / 2;
   for k = 1:numel (s.links)
-    P = gsmbp__pseudo (x(s.place(:,k)));
+    P = gs.identify.pseudo_inertia (x(s.place(:,k)));
     f += g * (s.inverse{k}(:)' * P(:) - 2 * sum (log (diag (chol (P)))));
   endfor
   y = x(s.scalar);
@@ -186,8 +187,8 @@ function change = along (s, e, A, x, d, g)
   linear = sum (dy ./ s.first);
   l = dy ./ y;
   for k = 1:numel (s.links)
-    C = chol (gsmbp__pseudo (x(s.place(:,k))));
-    dP = gsmbp__pseudo (d(s.place(:,k)));
+    C = chol (gs.identify.pseudo_inertia (x(s.place(:,k))));
+    dP = gs.identify.pseudo_inertia (d(s.place(:,k)));
     linear += s.inverse{k}(:)' * dP(:);
     W = C' \ dP / C;
     l = [l; eig((W + W') / 2)];
@@ -207,13 +208,13 @@ endfunction
 ## gradient of the second term and a square root of its matrix of second derivatives; the
 ## pseudo-inertia is linear in its ten parameters: of the unit vectors it is E
 function [grad, U] = barrier (s, x)
-  persistent E = cell2mat (arrayfun (@(j) vec (gsmbp__pseudo ((1:10 == j)')), 1:10, ...
+  persistent E = cell2mat (arrayfun (@(j) vec (gs.identify.pseudo_inertia ((1:10 == j)')), 1:10, ...
                                      "UniformOutput", false));
   grad = zeros (numel (x), 1);
   U = zeros (16 * numel (s.links) + numel (s.scalar), numel (x));
   for k = 1:numel (s.links)
     at = s.place(:,k);
-    C = chol (gsmbp__pseudo (x(at)));
+    C = chol (gs.identify.pseudo_inertia (x(at)));
     invC = inv (C);
     pull = s.inverse{k} - invC * invC';
     grad(at) = E' * pull(:);
@@ -231,7 +232,7 @@ endfunction
 
 function list = links_of (s, x)
   for k = 1:numel (s.links)
-    P = gsmbp__pseudo (x(s.place(:,k)));
+    P = gs.identify.pseudo_inertia (x(s.place(:,k)));
     one.name = s.names{s.links(k)}(1:end-2);
     one.mass = P(4,4);
     one.centre = P(1:3,4) / one.mass;

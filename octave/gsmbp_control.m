@@ -102,12 +102,12 @@ function c = gsmbp_control (m, e, method, varargin)
     print_usage ();
   endif
   who = "gsmbp_control";
-  gsmbp__no_words (who, "e", e);
+  gs.given.refuse_words (who, "e", e);
   if (isempty (which ("lqr")))
     pkg load control
   endif
   methods_ = {"lqr", "lqg", "place", "output", "hinf"};
-  gsmbp__fits (who, "argument method", method, methods_);
+  gs.given.check_kind (who, "argument method", method, methods_);
   table = {"measured", {}, "names"; "inputs", {}, "names"
            "Q", 1, "numbers"; "Qi", 1, "numbers"; "R", 1, "numbers"
            "W", 1, "numbers"; "V", 1, "numbers"
@@ -118,9 +118,9 @@ function c = gsmbp_control (m, e, method, varargin)
            "limits", Inf, "any"; "step_in", 0, "numbers"; "step_out", 0, "numbers"
            "weights", {}, "any"; "start", [], "numbers"
            "name", "ctl", "text"; "reduced", "auto", "names"; "drop", {}, "names"};
-  o = gsmbp__options (who, table, varargin);
-  p = gsmbp__plant (who, m, e, o);
-  p = gsmbp__sampled_plant (who, p, o);
+  o = gs.given.call_options (who, table, varargin);
+  p = gs.control.linear_plant (who, m, e, o);
+  p = gs.control.sampled_plant (who, p, o);
   try
     c = finished (who, p, o, designed (who, p, o, method), method);
   catch err
@@ -131,11 +131,11 @@ endfunction
 function c = designed (who, p, o, method)
   switch (method)
     case "output"
-      c = gsmbp__output_feedback (who, p, o);
+      c = gs.control.output_feedback (who, p, o);
     case "hinf"
-      c = gsmbp__hinf (who, p, o);
+      c = gs.control.hinf_law (who, p, o);
     otherwise
-      c = gsmbp__state_feedback (who, p, o, method);
+      c = gs.control.state_feedback (who, p, o, method);
   endswitch
 endfunction
 
@@ -148,13 +148,13 @@ function c = finished (who, p, o, c, method)
     c.(field{1}) = p.(field{1});
   endfor
   nu = numel (c.driven);
-  c.limits = gsmbp__two_limits (who, o.limits, c.driven, c.u0);
+  c.limits = gs.given.two_limits (who, o.limits, c.driven, c.u0);
   c.step_in = spread (who, "step_in", o.step_in, numel (c.measured));
   c.step_out = spread (who, "step_out", o.step_out, nu);
-  [c.poles, worst] = gsmbp__closed_poles (c);
+  [c.poles, worst] = gs.control.closed_poles (c);
   if (! (worst < 0))
     error ("gsmbp:unstable", ["%s: the closed loop is not stable: poles %s"], who, ...
-           gsmbp__pole_text (c.poles, c.period));
+           gs.text.pole_text (c.poles, c.period));
   endif
 endfunction
 
@@ -165,7 +165,7 @@ function v = spread (who, what, v, n)
   v = double (v(:));
   if (numel (v) != n || any (v < 0) || ! all (isfinite (v)))
     error ("%s: option %s: expected 1 or %d numbers that are not negative, found %s", who, what, ...
-           n, gsmbp__shown (v));
+           n, gs.text.shown_value (v));
   endif
 endfunction
 

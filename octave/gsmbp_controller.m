@@ -51,23 +51,23 @@ function files = gsmbp_controller (c, folder, scene)
     scene = "";
   endif
   if (isstruct (c) && isfield (c, "scene"))
-    gsmbp__controller_name (who, c);
-    files = gsmbp__target (who, c, folder, scene);
+    gs.controller.check_name (who, c);
+    files = gs.controller.target_files (who, c, folder, scene);
     return;
   endif
-  gsmbp__check_controller (who, c);
+  gs.controller.check_controller (who, c);
   if (! isempty (scene))
     error ("%s: the controller %s (%s) is linear: expected no scene, found %s", who, c.name, ...
-           c.method, gsmbp__shown (scene));
+           c.method, gs.text.shown_value (scene));
   endif
-  gsmbp__folder (who, folder);
+  gs.files.make_folder (who, folder);
   file = @(kind) fullfile (folder, [c.name kind]);
   files = {file(".f"), file(".c"), file(".h")};
-  gsmbp__write (who, files{1}, [gsmbp__controller_fortran(c, upper (c.name)), ...
-                                 gsmbp__controller_start(c, upper (c.name))]);
-  [text, header] = gsmbp__controller_c (c, c.name);
-  gsmbp__write (who, files{2}, text);
-  gsmbp__write (who, files{3}, header);
+  gs.files.write_text (who, files{1}, [gs.controller.text_in_fortran(c, upper (c.name)), ...
+                                 gs.controller.start_text(c, upper (c.name))]);
+  [text, header] = gs.controller.text_in_c (c, c.name);
+  gs.files.write_text (who, files{2}, text);
+  gs.files.write_text (who, files{3}, header);
 endfunction
 
 %!testif ; ! isempty (pkg ("list", "control"))

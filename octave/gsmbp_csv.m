@@ -36,14 +36,14 @@ function gsmbp_csv (file, names, data, chosen)
   endif
   if (isstruct (names))
     m = names;
-    gsmbp__model ("gsmbp_csv", m);
+    gs.given.check_model ("gsmbp_csv", m);
     if (nargin < 4)
       chosen = {};
       if (isstruct (data) && isfield (data, "of"))
         chosen = fieldnames (data.of);
       endif
     endif
-    panels = gsmbp__panels ("gsmbp_csv", m, data, chosen);
+    panels = gs.model.named_panels ("gsmbp_csv", m, data, chosen);
     names = {"t [s]"};
     data = data.t;
     for p = panels
@@ -53,14 +53,14 @@ function gsmbp_csv (file, names, data, chosen)
   endif
   if (! (isnumeric (data) || islogical (data)) || ! isreal (data) || ndims (data) > 2)
     error ("gsmbp_csv: %s: argument data: expected a real matrix, found %s", file, ...
-           gsmbp__shown (data));
+           gs.text.shown_value (data));
   elseif (numel (names) != columns (data))
     error ("gsmbp_csv: %s: %d column heads for %d columns", file, numel (names), columns (data));
   endif
   parted = cellfun (@(h) any (ismember (h, ",\"\r\n")), names);
   names(parted) = strcat ('"', strrep (names(parted), '"', '""'), '"');
   row = [repmat("%.17g,", 1, columns (data))(1:end-1) "\n"];
-  gsmbp__write ("gsmbp_csv", file, [strjoin(names(:)', ","), "\n", sprintf(row, data')]);
+  gs.files.write_text ("gsmbp_csv", file, [strjoin(names(:)', ","), "\n", sprintf(row, data')]);
 endfunction
 
 %!test

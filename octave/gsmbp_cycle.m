@@ -46,14 +46,14 @@ function c = gsmbp_cycle (m, varargin)
     c = of_table (who, m, varargin);
     return;
   endif
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   if (numel (varargin) < 1 || numel (varargin) > 2)
     print_usage ();
   endif
   r = varargin{1};
   if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"t", "x", "v"}))))
     error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, ...
-           gsmbp__shown (r));
+           gs.text.shown_value (r));
   endif
   load_alone (who, m);
   [column, k] = moved (who, m, varargin(2:end));
@@ -61,14 +61,14 @@ function c = gsmbp_cycle (m, varargin)
 endfunction
 
 function c = of_table (who, table, pairs)
-  o = gsmbp__options (who, {"unit", "rad", {"rad", "m"}; "inertia", NaN, "positive"
+  o = gs.given.call_options (who, {"unit", "rad", {"rad", "m"}; "inertia", NaN, "positive"
                             "position", [], "numbers"}, pairs);
   if (! (isreal (table) && columns (table) == 4 && rows (table) > 1))
     error (["%s: argument table: expected a row of time, speed, acceleration and torque for " ...
-            "each of two or more times, found %s"], who, gsmbp__shown (table));
+            "each of two or more times, found %s"], who, gs.text.shown_value (table));
   endif
-  gsmbp__finite_table (who, "argument table", table);
-  c.t = gsmbp__times (who, table(:,1))';
+  gs.given.check_table (who, "argument table", table);
+  c.t = gs.given.given_times (who, table(:,1))';
   c.position = o.position(:);
   if (isempty (c.position))
     c.position = NaN (size (c.t));
@@ -82,7 +82,7 @@ endfunction
 
 ## what a motor in the scene adds would count twice
 function load_alone (who, m)
-  for d = gsmbp__rows (m.json, "devices")
+  for d = gs.model.json_rows (m.json, "devices")
     [name, entry] = deal (d{1}.name, d{1}.entry);
     for letter = {"J", "B", "tc", "Tc"}
       parameter = [name "_" letter{1}];
@@ -115,10 +115,10 @@ function [column, k] = moved (who, m, name)
     [column, k] = deal (1, list);
     return;
   endif
-  gsmbp__fits (who, "argument name", name{1}, "text");
+  gs.given.check_kind (who, "argument name", name{1}, "text");
   column = find (strcmp (names, name{1}));
   if (isempty (column))
-    error ("%s: argument name: unknown coordinate %s", who, gsmbp__unknown (name{1}, names));
+    error ("%s: argument name: unknown coordinate %s", who, gs.text.nearest_word (name{1}, names));
   endif
   k = list(column);
 endfunction
@@ -149,7 +149,7 @@ endfunction
 ## inputs that are not the efforts of ideal sources: 1, else 0
 function given = others (m)
   given = ones (m.sizes.nv, 1);
-  for d = gsmbp__rows (m.json, "devices")
+  for d = gs.model.json_rows (m.json, "devices")
     if (strcmp (d{1}.entry, "drive"))
       given(strncmp (m.inputs, [d{1}.name "."], numel (d{1}.name) + 1)) = 0;
     endif

@@ -64,34 +64,34 @@ function r = gsmbp_cylinder (cycle, varargin)
     print_usage ();
   endif
   who = "gsmbp_cylinder";
-  gsmbp__no_words (who, "cycle", cycle);
+  gs.given.refuse_words (who, "cycle", cycle);
   table = {"cylinders", [], "any"
            "supply", [], "positive"; "back", 0, "nonnegative"
            "flow", Inf, "positive"; "rated", Inf, "positive"; "drop", 35e5, "positive"
            "goal", "mass", {"mass", "cost", "energy", "flow_peak"}
            "ends", 1, "positive"; "safety", 3.5, "positive"; "dead", 0, "nonnegative"
            "E", 2.1e11, "positive"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (isempty (o.supply))
     error ("%s: expected the option supply, the pressure [Pa], found none", who);
   endif
   check_cycle (who, cycle);
-  list = gsmbp__parts (who, "cylinders", o.cylinders);
+  list = gs.drive.given_parts (who, "cylinders", o.cylinders);
   found = arrayfun (@(one) held (cycle, one, o), list);
   r.goal = o.goal;
   r.cylinders = found;
-  r.order = gsmbp__ranked (found, o.goal);
+  r.order = gs.drive.rank_choices (found, o.goal);
   r.best = [];
   if (isempty (r.order))
     warning ("gsmbp:drive", "%s: none of the %d cylinders keeps all limits; %s", who, ...
-             numel (found), gsmbp__nearest (found));
+             numel (found), gs.drive.nearest_choice (found));
   else
     r.best = found(r.order(1));
   endif
 endfunction
 
 function check_cycle (who, c)
-  gsmbp__sound_cycle (who, c);
+  gs.given.check_load_cycle (who, c);
   if (! strcmp (c.unit, "m"))
     error ("%s: the axis turns; expected a cycle of one that slides", who);
   elseif (any (isnan (c.position)))

@@ -37,14 +37,15 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   endif
   given = nargin > 1;
   if (given)
-    gsmbp__fits ("gsmbp_derive", "argument folder", folder, "text");
+    gs.given.check_kind ("gsmbp_derive", "argument folder", folder, "text");
   else
     folder = tempname ();
     guard = onCleanup (@() remove (folder));
   endif
   start = tic ();
   try
-    text = gsmbp__by_maxima ("gsmbp_derive", gsmbp__place ("share", "make", "derive"), scene, ...
+    text = gs.model.run_maxima ("gsmbp_derive", gs.files.own_place ("share", "make", "derive"), ...
+        scene, ...
                              folder);
   catch problem
     if (! given)

@@ -139,27 +139,27 @@ function r = gsmbp_design (m, varargin)
   if (isempty (which ("ss")))
     pkg load control
   endif
-  gsmbp__model (who, m);
-  s = gsmbp__machine_limits (gsmbp__machine_asked (who, varargin));
-  d = struct ("asked", s, "axes", gsmbp__machine_axes (who, m, s));
-  d.tasks = gsmbp__machine_motions (who, m, d.axes, s.motion);
-  d = gsmbp__machine_checked (who, m, d);
-  d = gsmbp__machine_balanced (m, d);
-  d = gsmbp__machine_attempts (who, d);
-  d = gsmbp__machine_yield (d);
+  gs.given.check_model (who, m);
+  s = gs.machine.sort_limits (gs.machine.read_request (who, varargin));
+  d = struct ("asked", s, "axes", gs.machine.read_axes (who, m, s));
+  d.tasks = gs.drive.task_motions (who, m, d.axes, s.motion);
+  d = gs.machine.check_design (who, m, d);
+  d = gs.machine.add_springs (m, d);
+  d = gs.machine.attempt_designs (who, d);
+  d = gs.proof.yield_share (d);
   if (d.found)
-    d.holding = gsmbp__machine_holding (d);
+    d.holding = gs.drive.holding_torques (d);
   endif
-  d.decisions = gsmbp__machine_decisions (d);
-  d.notes = gsmbp__machine_notes (d);
-  d = gsmbp__machine_more (d);
+  d.decisions = gs.machine.list_decisions (d);
+  d.notes = gs.machine.list_notes (d);
+  d = gs.machine.more_options (d);
   if (! isempty (s.file))
-    gsmbp__machine_page (who, d, s.file);
+    gs.machine.write_page (who, d, s.file);
   endif
   if (! isempty (d.unmet))
     warning ("gsmbp:design", "%s: %s: not met: %s", who, m.name, strjoin ({d.unmet.said}, "; "));
   endif
-  r = gsmbp__machine_result (d);
+  r = gs.machine.design_result (d);
 endfunction
 
 %!shared m

@@ -97,27 +97,27 @@ function r = gsmbp_drive (cycle, varargin)
     print_usage ();
   endif
   who = "gsmbp_drive";
-  gsmbp__no_words (who, "cycle", cycle);
+  gs.given.refuse_words (who, "cycle", cycle);
   table = {"motors", [], "any"; "gears", [], "any"; "screws", [], "any"; "amplifiers", [], "any"
            "goal", "mass", {"mass", "energy", "energy_no_recovery", "cost", "power_peak", ...
                             "torque_rms"}
            "inertia_ratio", Inf, "positive"; "support", {}, "any"
            "device", {}, "names"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   check_cycle (who, cycle, o);
   [motors, gears, amplifiers] = lists_of (who, cycle, o);
   pairs = cell (1, 0);
   for motor = motors
     for gear = gears
       for k = 1:max (1, numel (amplifiers))
-        pairs{end+1} = gsmbp__pair (cycle, motor, gear, amplifiers(k:min (k, end)), ...
+        pairs{end+1} = gs.drive.motor_and_gear (cycle, motor, gear, amplifiers(k:min (k, end)), ...
                                     o.inertia_ratio);
       endfor
     endfor
   endfor
   [r.cycle, r.goal, r.pairs] = deal (cycle, o.goal, [pairs{:}]);
-  r.order = gsmbp__ranked (r.pairs, o.goal);
-  r.motors = arrayfun (@(motor) gsmbp__ratio (cycle, motor), motors);
+  r.order = gs.drive.rank_choices (r.pairs, o.goal);
+  r.motors = arrayfun (@(motor) gs.drive.best_ratio (cycle, motor), motors);
   [r.catalogues.motors, r.catalogues.gears] = deal (motors, gears);
   r.best = best_of (who, r, o);
   if (nargout == 0)
@@ -127,7 +127,7 @@ function r = gsmbp_drive (cycle, varargin)
 endfunction
 
 function check_cycle (who, c, o)
-  gsmbp__sound_cycle (who, c);
+  gs.given.check_load_cycle (who, c);
   if (isfinite (o.inertia_ratio) && isnan (c.inertia))
     error (["%s: option inertia_ratio: the cycle knows no inertia; expected one of gsmbp_cycle " ...
             "(..., \"inertia\", value)"], who);
@@ -142,17 +142,17 @@ endfunction
 
 ## motors, gears (screws as such), amplifiers
 function [motors, gears, amplifiers] = lists_of (who, c, o)
-  motors = gsmbp__parts (who, "motors", o.motors);
+  motors = gs.drive.given_parts (who, "motors", o.motors);
   if (strcmp (c.unit, "m"))
-    support = gsmbp__screw_support (who, o.support);
-    gears = arrayfun (@(s) as_gear (s, support), gsmbp__parts (who, "screws", o.screws));
+    support = gs.drive.screw_support (who, o.support);
+    gears = arrayfun (@(s) as_gear (s, support), gs.drive.given_parts (who, "screws", o.screws));
   else
-    gears = gsmbp__parts (who, "gears", o.gears);
+    gears = gs.drive.given_parts (who, "gears", o.gears);
     [gears.F_buckling, gears.omega_critical] = deal (Inf);
   endif
   amplifiers = [];
   if (! isempty (o.amplifiers))
-    amplifiers = gsmbp__parts (who, "amplifiers", o.amplifiers);
+    amplifiers = gs.drive.given_parts (who, "amplifiers", o.amplifiers);
   endif
 endfunction
 
@@ -161,14 +161,14 @@ function g = as_gear (s, support)
   g = struct ("name", s.name, "ratio", 2 * pi / s.lead, "eta", s.eta, "eta_back", s.eta_back, ...
               "J_in", s.J, "T_cont", s.F_cont, "T_peak", s.F_peak, "omega_in_max", s.omega_max, ...
               "mass", s.mass, "cost", s.cost);
-  [g.F_buckling, g.omega_critical] = gsmbp__screw_limits (s, support);
+  [g.F_buckling, g.omega_critical] = gs.drive.screw_limits (s, support);
 endfunction
 
 function best = best_of (who, r, o)
   best = [];
   if (isempty (r.order))
     warning ("gsmbp:drive", "%s: none of the %d pairs keeps all limits; %s", who, ...
-             numel (r.pairs), gsmbp__nearest (r.pairs));
+             numel (r.pairs), gs.drive.nearest_choice (r.pairs));
     return;
   endif
   best = r.pairs(r.order(1));

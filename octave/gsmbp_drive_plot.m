@@ -35,9 +35,10 @@ function gsmbp_drive_plot (file, r, kind = "plane", pair = [])
   endif
   who = "gsmbp_drive_plot";
   if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"pairs", "motors", "catalogues"}))))
-    error ("%s: argument r: expected a result of gsmbp_drive, found %s", who, gsmbp__shown (r));
+    error ("%s: argument r: expected a result of gsmbp_drive, found %s", who, ...
+        gs.text.shown_value (r));
   endif
-  gsmbp__fits (who, "argument kind", kind, {"plane", "motors"});
+  gs.given.check_kind (who, "argument kind", kind, {"plane", "motors"});
   if (strcmp (kind, "motors"))
     motors (file, r);
   else
@@ -57,7 +58,7 @@ function k = chosen (who, r, pair)
   endif
   if (isempty (k) || ! (isnumeric (k) && isscalar (k) && any (k == 1:numel (r.pairs))))
     error ("%s: argument pair: expected a name in r.pairs or a number from 1 to %d, found %s", who,
-           numel (r.pairs), gsmbp__shown (pair));
+           numel (r.pairs), gs.text.shown_value (pair));
   endif
 endfunction
 
@@ -66,7 +67,7 @@ function plane (file, r, k)
   p = r.pairs(k);
   m = r.catalogues.motors(strcmp ({r.catalogues.motors.name}, p.motor));
   g = r.catalogues.gears(strcmp ({r.catalogues.gears.name}, p.gear));
-  T = gsmbp__motor_torque (c, m, g);
+  T = gs.drive.motor_torque (c, m, g);
   w = p.ratio * c.omega;
   side = sign (w) + (w == 0);
   grid = linspace (0, m.omega_max, 200)';

@@ -96,22 +96,22 @@ function e = gsmbp_ensemble (m, x0, times, varargin)
     print_usage ();
   endif
   who = "gsmbp_ensemble";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x0", x0, "times", times);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x0", x0, "times", times);
   [own, rest] = read_options (who, varargin);
   rows = rows_of (who, m, own);
   if (isempty (x0) && ! isempty (rows.starts))
     x0 = rows.starts(1,:);
   endif
-  p = gsmbp__run_of_many (who, m, x0, times, rest);
-  gsmbp__no_mode_given (who, m, rows.inputs, p.o.modes);
-  p = gsmbp__for_all_delays (p, fieldnames (own.parameters)', rows.table);
-  e = gsmbp__many_runs (who, p, rows);
+  p = gs.run.plan_many (who, m, x0, times, rest);
+  gs.given.refuse_given_modes (who, m, rows.inputs, p.o.modes);
+  p = gs.run.longest_delays (p, fieldnames (own.parameters)', rows.table);
+  e = gs.run.many_runs (who, p, rows);
   if (isfield (e, "sharp"))
-    gsmbp__sharp_friction (who, m, e.sharp, rows.n);
+    gs.events.sharp_friction (who, m, e.sharp, rows.n);
     e = rmfield (e, "sharp");
   endif
-  e.of = @(name) gsmbp__of_ensemble (who, m, e.x, e.v, e.y, name);
+  e.of = @(name) gs.run.ensemble_values (who, m, e.x, e.v, e.y, name);
   e.final = permute (e.x(end,:,:), [3, 2, 1]);
   e.parameters = own.parameters;
 endfunction
@@ -123,15 +123,15 @@ function [own, rest] = read_options (who, pairs)
            "inputs", [], "any"
            "threads", nproc(), "whole"
            "lanes", true, "flag"};
-  [names, values] = gsmbp__pairs (who, "option", pairs);
-  known = gsmbp__simulate_options (false);
+  [names, values] = gs.given.name_value_pairs (who, "option", pairs);
+  known = gs.run.option_table (false);
   k = find (! ismember (names, [table(:,1); known(:,1)]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, ...
-           gsmbp__unknown (names{k}, sort ([table(:,1); known(:,1)])'));
+           gs.text.nearest_word (names{k}, sort ([table(:,1); known(:,1)])'));
   endif
   mine = ismember (names, table(:,1));
-  own = gsmbp__options (who, table, [names(mine); values(mine)](:)');
+  own = gs.given.call_options (who, table, [names(mine); values(mine)](:)');
   rest = [names(! mine); values(! mine)](:)';
   given = rest(2 * find (ismember (rest(1:2:end), {"input", "motion"})));
   if (! isempty (own.inputs) && ! all (cellfun (@isempty, given)))
@@ -143,7 +143,7 @@ endfunction
 function rows = rows_of (who, m, own)
   if (! (isstruct (own.parameters) && isscalar (own.parameters)))
     error (["%s: option parameters: expected a struct with a field of values for each " ...
-            "parameter, found %s"], who, gsmbp__shown (own.parameters));
+            "parameter, found %s"], who, gs.text.shown_value (own.parameters));
   endif
   if (! (own.threads >= 1))
     error ("%s: option threads: expected a whole number above 0, found %g", who, own.threads);
@@ -165,14 +165,14 @@ function rows = rows_of (who, m, own)
                  "lanes", own.lanes, ...
                  "broken", {repmat({""}, lengths(1), 1)});
   for name = names
-    gsmbp__known_parameter (who, m, name{1});
+    gs.given.check_parameter (who, m, name{1});
     values = own.parameters.(name{1})(:);
     finite (who, ["parameter " name{1}], values);
     rows.which(end+1,1) = find (strcmp (fieldnames (m.par), name{1}));
     rows.table(:,end+1) = double (values);
   endfor
   if (! isempty (names))
-    rows.broken = gsmbp__broken_rules (m, own.parameters);
+    rows.broken = gs.model.broken_rules (m, own.parameters);
   endif
 endfunction
 
@@ -198,7 +198,7 @@ endfunction
 ## those of all inputs; in the columns of modes and of what sampled devices hold what the runs begin
 ## with, as gsmbp_simulate has it
 function v = all_inputs (who, m, given)
-  free = gsmbp__free_inputs (m);
+  free = gs.model.free_inputs (m);
   if (columns (given) == m.sizes.nv)
     free = 1:m.sizes.nv;
   endif
@@ -217,12 +217,12 @@ endfunction
 
 function finite (who, what, x)
   if (! (isnumeric (x) && isreal (x)))
-    error ("%s: %s: expected real numbers, found %s", who, what, gsmbp__shown (x));
+    error ("%s: %s: expected real numbers, found %s", who, what, gs.text.shown_value (x));
   endif
   k = find (any (! isfinite (x), 2), 1);
   if (! isempty (k))
     error ("%s: %s: expected finite numbers, found %s in row %d", who, what, ...
-           gsmbp__shown (x(k,:)), k);
+           gs.text.shown_value (x(k,:)), k);
   endif
 endfunction
 

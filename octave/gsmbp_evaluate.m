@@ -33,10 +33,10 @@ function f = gsmbp_evaluate (motion, times, nd = 0, side = 1)
   if (nargin < 2)
     print_usage ();
   endif
-  motion = gsmbp__pp ("gsmbp_evaluate", motion);
-  gsmbp__fits ("gsmbp_evaluate", "argument times", times, "numbers");
-  gsmbp__fits ("gsmbp_evaluate", "argument nd", nd, "whole");
-  gsmbp__fits ("gsmbp_evaluate", "argument side", side, "number");
+  motion = gs.given.given_polynomial ("gsmbp_evaluate", motion);
+  gs.given.check_kind ("gsmbp_evaluate", "argument times", times, "numbers");
+  gs.given.check_kind ("gsmbp_evaluate", "argument nd", nd, "whole");
+  gs.given.check_kind ("gsmbp_evaluate", "argument side", side, "number");
   [times, nd, side] = deal (double (times), double (nd), double (side));
   n = prod (motion.dim);
   k = motion.order;

@@ -68,8 +68,8 @@ function x = gsmbp_excite (m, varargin)
     print_usage ();
   endif
   who = "gsmbp_excite";
-  gsmbp__model (who, m);
-  gsmbp__open_chain (who, m);
+  gs.given.check_model (who, m);
+  gs.given.check_open_chain (who, m);
   table = {"speed", [], "any"; "acceleration", Inf, "any"; "position", [], "any"
            "effort", Inf, "any"; "goal", "condition", {"condition", "determinant"}
            "sigma", 1, "numbers"; "period", 10, "positive"; "harmonics", 5, [2, 50]
@@ -77,7 +77,7 @@ function x = gsmbp_excite (m, varargin)
            "iterations", 20, "whole"; "samples", [], "positive"
            "coulomb", false, "any"; "viscous", false, "any"; "rotor", false, "any"
            "offset", false, "any"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   o.motors = struct ("coordinate", {});
   o = limits_of (who, m, o);
   [coarse, fine] = deal (series (o, o.samples), series (o, 20 * o.harmonics));
@@ -116,19 +116,19 @@ function o = limits_of (who, m, o)
     endif
     if (! (isnumeric (v) && isreal (v) && numel (v) == n && all (v > 0)))
       error ("%s: option %s: expected one number above 0 or %d, found %s", who, name{1}, n, ...
-             gsmbp__shown (o.(name{1})));
+             gs.text.shown_value (o.(name{1})));
     endif
     o.(name{1}) = v;
   endfor
   p = o.position;
   if (isempty (p))
-    p = gsmbp__scene_limits (m, m.coordinates);
+    p = gs.model.scene_limits (m, m.coordinates);
   elseif (isscalar (p))
     p = repmat ([-p, p], n, 1);
   endif
   if (! (isnumeric (p) && isreal (p) && isequal (size (p), [n, 2]) && all (p(:,1) < p(:,2))))
     error ("%s: option position: expected %d x 2, least below largest, found %s", who, n, ...
-           gsmbp__shown (o.position));
+           gs.text.shown_value (o.position));
   elseif (! all (isfinite (p(:))))
     k = find (! all (isfinite (p), 2), 1);
     error ("%s: %s has no limits: give option position, or limits in the scene", who, ...
@@ -179,7 +179,7 @@ endfunction
 ## the goal, and how far the efforts pass their limits, as a penalty
 function f = goal_of (who, m, o, coarse, fine, y)
   c = scaled (o, fine, y);
-  w = gsmbp__regression (who, m, motion_at (coarse, c), o);
+  w = gs.identify.regression_rows (who, m, motion_at (coarse, c), o);
   A = w.Y ./ o.sigma(w.group);
   l = svd (A);
   if (strcmp (o.goal, "condition"))
@@ -241,7 +241,7 @@ function x = told (who, m, o, coarse, fine, c, x)
   H = o.harmonics;
   [x.offset, x.sine, x.cosine] = deal (c.offset, c.wave(:,1:H), c.wave(:,H+1:end));
   x.period = o.period;
-  w = gsmbp__regression (who, m, motion_at (coarse, c), o);
+  w = gs.identify.regression_rows (who, m, motion_at (coarse, c), o);
   A = w.Y ./ o.sigma(w.group);
   x.condition = cond (A);
   x.condition_scaled = cond (A ./ norm (A, "columns"));

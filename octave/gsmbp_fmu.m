@@ -30,8 +30,8 @@ function files = gsmbp_fmu (scene, folder = "fmu_out")
   if (nargin < 1 || ! ischar (scene))
     print_usage ();
   endif
-  gsmbp__fits ("gsmbp_fmu", "argument folder", folder, "text");
-  gsmbp__by_maxima ("gsmbp_fmu", gsmbp__place ("share", "fmu", "derive"), scene, folder);
+  gs.given.check_kind ("gsmbp_fmu", "argument folder", folder, "text");
+  gs.model.run_maxima ("gsmbp_fmu", gs.files.own_place ("share", "fmu", "derive"), scene, folder);
   [~, name] = fileparts (scene);
   files = {fullfile(folder, [name "_fmi2.fmu"]), fullfile(folder, [name "_fmi3.fmu"])};
 endfunction

@@ -118,20 +118,20 @@ function e = gsmbp_identify (m, data, varargin)
     print_usage ();
   endif
   who = "gsmbp_identify";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   if (ischar (data))
-    gsmbp__sound_data (who, m, data, {});   # before the options say what they miss
+    gs.identify.sound_data (who, m, data, {});   # before the options say what they miss
   endif
-  gsmbp__open_chain (who, m);
+  gs.given.check_open_chain (who, m);
   table = {"sigma", [], "numbers"; "weights", "equal", {"equal", "residual"}
            "coulomb", false, "any"; "viscous", false, "any"; "rotor", false, "any"
            "offset", false, "any"; "motors", [], "any"; "fixed", {}, "names"
            "decimate", 1, "whole"; "method", "plain", {"plain", "total"}};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   o.motors = motors_of (who, m, o.motors);
-  data = gsmbp__sound_data (who, m, data, {o.motors.coordinate});
-  regression = @(d) without (who, gsmbp__regression (who, m, d, o), o.fixed);
-  [w, t] = gsmbp__decimated (who, regression (data), data.t, o.decimate);
+  data = gs.identify.sound_data (who, m, data, {o.motors.coordinate});
+  regression = @(d) without (who, gs.identify.regression_rows (who, m, d, o), o.fixed);
+  [w, t] = gs.identify.decimate_rows (who, regression (data), data.t, o.decimate);
   [f, noise, scale] = solved (who, w, o, m.sizes.nu + numel (o.motors));
   e = result (m, w, f, noise, scale, numel (t));
   e.t = t;
@@ -139,7 +139,7 @@ function e = gsmbp_identify (m, data, varargin)
     [e, data] = in_total (who, m, data, e, regression, o);
   endif
   e.options = o;
-  e.doubts = gsmbp__doubts (m, data, e, regression);
+  e.doubts = gs.identify.list_doubts (m, data, e, regression);
   for said = e.doubts
     warning ("gsmbp:identify", "%s: %s: %s", who, m.name, said{1});
   endfor
@@ -153,8 +153,8 @@ function [e, data] = in_total (who, m, data, plain, regression, o)
   elseif (isfield (data, "raw"))
     [data.t, data.q, data.tau] = deal (data.raw.t, data.raw.q, data.raw.tau);
   endif
-  f = gsmbp__total (who, regression, data, o.sigma(:));
-  l = gsmbp__least_squares (who, f.w.Y ./ f.noise(f.w.group), f.w.b ./ f.noise(f.w.group), ...
+  f = gs.identify.total_squares (who, regression, data, o.sigma(:));
+  l = gs.identify.least_squares (who, f.w.Y ./ f.noise(f.w.group), f.w.b ./ f.noise(f.w.group), ...
                             f.w.names);
   [l.p, l.covariance, l.R] = deal (f.p, f.covariance, chol (inv (f.covariance)));
   l.z = l.R * l.p;
@@ -168,7 +168,7 @@ endfunction
 function list = units_of (m, w)
   list = w.units(:);
   for k = find (cellfun (@isempty, list))'
-    for j = gsmbp__rows (m.json, "joints")
+    for j = gs.model.json_rows (m.json, "joints")
       c = find (strcmp (m.coordinates, cellstr (j{1}.coordinates){1}));
       if (strcmp ([j{1}.name "_friction"], w.names{k}) && ! isempty (c))
         list{k} = {"N*m*s/rad", "N*s/m"}{1 + strncmp(m.units.coordinates{c}, "m", 1)};
@@ -184,14 +184,14 @@ function list = motors_of (who, m, given)
   endif
   if (! (isstruct (given) && all (isfield (given, {"coordinate", "ratio", "current", "voltage"}))))
     error (["%s: option motors: expected a struct array with the fields coordinate, ratio, " ...
-            "current, voltage, found %s"], who, gsmbp__shown (given));
+            "current, voltage, found %s"], who, gs.text.shown_value (given));
   endif
   for a = given(:)'
     if (! any (strcmp (m.coordinates, a.coordinate)))
       error ("%s: option motors: unknown coordinate %s", who, ...
-             gsmbp__unknown (a.coordinate, m.coordinates(:)'));
+             gs.text.nearest_word (a.coordinate, m.coordinates(:)'));
     endif
-    gsmbp__fits (who, "option motors: ratio", a.ratio, "number");
+    gs.given.check_kind (who, "option motors: ratio", a.ratio, "number");
     inductance = isfield (a, "inductance") && ! isempty (a.inductance) && a.inductance;
     list(end+1) = struct ("coordinate", a.coordinate, "ratio", a.ratio, "current", a.current, ...
                           "voltage", a.voltage, "inductance", inductance);
@@ -206,7 +206,8 @@ function w = without (who, w, fixed)
   for name = cellstr (fixed)(:)'
     k = find (strcmp (w.names, name{1}));
     if (isempty (k))
-      error ("%s: option fixed: unknown parameter %s", who, gsmbp__unknown (name{1}, w.names(:)'));
+      error ("%s: option fixed: unknown parameter %s", who, gs.text.nearest_word (name{1}, ...
+          w.names(:)'));
     elseif (isnan (w.p(k)))
       error ("%s: option fixed: the model has no value of %s", who, name{1});
     endif
@@ -225,12 +226,12 @@ function [f, noise, scale] = solved (who, w, o, groups)
       noise = repmat (noise, groups, 1);
     elseif (numel (noise) != groups || any (noise <= 0))
       error ("%s: option sigma: expected one number above 0 or %d, found %s", who, groups, ...
-             gsmbp__shown (o.sigma));
+             gs.text.shown_value (o.sigma));
     endif
-    f = gsmbp__least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
+    f = gs.identify.least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
     return;
   endif
-  f = gsmbp__least_squares (who, w.Y, w.b, w.names);
+  f = gs.identify.least_squares (who, w.Y, w.b, w.names);
   if (strcmp (o.weights, "equal"))
     scale = max (f.rss / max (1, rows (w.Y) - columns (w.Y)), (eps * norm (w.b) + 1e-150) ^ 2) ...
             * w.estimated ^ 2;
@@ -243,7 +244,7 @@ function [f, noise, scale] = solved (who, w, o, groups)
     noise(g,1) = max (w.estimated * sqrt (sumsq (own) / max (1, numel (own) - share)), ...
                       eps * norm (w.b(w.group == g)) + 1e-150);
   endfor
-  f = gsmbp__least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
+  f = gs.identify.least_squares (who, w.Y ./ noise(w.group), w.b ./ noise(w.group), w.names);
 endfunction
 
 function e = result (m, w, f, noise, scale, nt)

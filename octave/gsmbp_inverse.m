@@ -80,8 +80,8 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     print_usage ();
   endif
   who = "gsmbp_inverse";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "motion", motion, "times", times);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "motion", motion, "times", times);
   d = m.sizes;
   if (isempty (times))
     error ("%s: argument times: expected one time or more, found none", who);
@@ -92,19 +92,19 @@ function r = gsmbp_inverse (m, motion, times, varargin)
            "quasistatic", false, "flag"
            "internal", m.initial(d.nq+d.nu+1:end), "numbers"
            "limits", [], "any"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (any (strcmp (m.subroutines, "inq")) && states_given (who, m, motion))
-    times = gsmbp__vector (who, "times", times, numel (times))';
-    r = gsmbp__inverse_modes (who, m, motion, times, checked (who, m, o));
+    times = gs.given.given_vector (who, "times", times, numel (times))';
+    r = gs.plan.inverse_modes (who, m, motion, times, checked (who, m, o));
     return;
   endif
-  [pp, planned] = gsmbp__motion (who, m, motion);
+  [pp, planned] = gs.given.given_motion (who, m, motion);
   o = checked (who, m, o);
-  times = gsmbp__vector (who, "times", times, numel (times))';
+  times = gs.given.given_vector (who, "times", times, numel (times))';
   static = o.quasistatic && quasi_static (who, m);
   has = @(name) any (strcmp (m.subroutines, name)) ...
                 && ! (static && any (strcmp (name, {"cmd", "cmx"})));
-  gsmbp__continuous (who, m, pp, planned, times, o.quasistatic);
+  gs.plan.check_continuous (who, m, pp, planned, times, o.quasistatic);
   nt = numel (times);
   qj = zeros (d.nu, m.order + 1, nt);
   closed = d.nlam > 0 && numel (planned) < d.nu;
@@ -120,7 +120,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   if (static)
     r.margins = zeros (nt, numel (m.static_margins));
   endif
-  at = @(jet, t, guess) gsmbp__whole_motion (who, m, jet, planned, closed, t, guess);
+  at = @(jet, t, guess) gs.plan.whole_motion (who, m, jet, planned, closed, t, guess);
   jet_at = @(t, side) permute (gsmbp_evaluate (pp, t, m.order, side), [1, 3, 2]);
   motion_at = @(t, guess) at (jet_at (t, 1), t, guess);
   jets = jet_at (times, o.side);
@@ -162,7 +162,7 @@ function r = gsmbp_inverse (m, motion, times, varargin)
   endif
   if (known)
     texts = {m.margins, m.static_margins}{1 + static};
-    r.violations = gsmbp__violations (m, r, texts, o.limits);
+    r.violations = gs.plan.limit_violations (m, r, texts, o.limits);
   else
     r.violations = unknown_violations (who, m, o);
   endif
@@ -175,14 +175,14 @@ function r = gsmbp_inverse (m, motion, times, varargin)
     r.v = zeros (nt, 0);
     told_without (who, m, r);
   elseif (! isempty (r.x))
-    r.y = gsmbp__outputs (m, r.t, r.x, r.v);
+    r.y = gs.run.output_values (m, r.t, r.x, r.v);
   endif
-  r = gsmbp__named (m, r);
+  r = gs.model.named_results (m, r);
 endfunction
 
 ## a motion of the coordinates that the scene takes as given?
 function yes = states_given (who, m, motion)
-  pp = gsmbp__pp (who, motion);
+  pp = gs.given.given_polynomial (who, motion);
   yes = prod (pp.dim) == numel (m.json.given);
 endfunction
 
@@ -190,7 +190,7 @@ endfunction
 function list = unknown_violations (who, m, o)
   reason = "the command takes no inputs from outside (option input)";
   if (! any (o.input != 0))
-    reason = ["no inputs v: " gsmbp__why_left_out(m, "command")];
+    reason = ["no inputs v: " gs.text.why_left_out(m, "command")];
   endif
   if (o.limited)
     error ("%s: option limits: the inputs are not determined: %s", who, reason);
@@ -198,7 +198,7 @@ function list = unknown_violations (who, m, o)
     warning ("gsmbp:inverse", ["%s: not compared with the limits of the inputs in the scene: " ...
                                "%s"], who, reason);
   endif
-  list = gsmbp__violations (m, struct ("v", []), {}, []);
+  list = gs.plan.limit_violations (m, struct ("v", []), {}, []);
 endfunction
 
 ## states of devices that a result without inputs does not tell, and why
@@ -221,7 +221,7 @@ function yes = quasi_static (who, m)
   yes = any (strcmp (m.subroutines, "cmq"));
   if (! yes && m.order > 2)
     error (["%s: option quasistatic: %s has no subroutine CMQ: %s"], who, m.name, ...
-           gsmbp__why_left_out (m, "quasi_static"));
+           gs.text.why_left_out (m, "quasi_static"));
   endif
 endfunction
 
@@ -241,17 +241,17 @@ function o = checked (who, m, o)
             "coordinates by %d speeds; derive it with angles of orientation"], who, m.name, ...
            d.nq, d.nu);
   endif
-  o.guess = gsmbp__vector (who, "option guess", o.guess, d.nq, "", m.coordinates);
-  o.internal = gsmbp__vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
+  o.guess = gs.given.given_vector (who, "option guess", o.guess, d.nq, "", m.coordinates);
+  o.internal = gs.given.given_vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
                               m.states(d.nq+d.nu+1:end));
-  o.input = gsmbp__vector (who, "option input", o.input, d.nv, "", m.inputs);
+  o.input = gs.given.given_vector (who, "option input", o.input, d.nv, "", m.inputs);
   o.limited = ! isempty (o.limits);
-  o.limits = gsmbp__bounds (who, "option limits", o.limits, d.nv);
+  o.limits = gs.given.given_bounds (who, "option limits", o.limits, d.nv);
   if (! o.limited)
-    o.limits = gsmbp__scene_limits (m, m.inputs);
+    o.limits = gs.model.scene_limits (m, m.inputs);
   endif
   if (! (isscalar (o.side) && any (o.side == [-1, 1])))
-    error ("%s: option side: expected 1 or -1, found %s", who, gsmbp__shown (o.side));
+    error ("%s: option side: expected 1 or -1, found %s", who, gs.text.shown_value (o.side));
   endif
 endfunction
 

@@ -65,27 +65,28 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
     print_usage ();
   endif
   who = "gsmbp_linear";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   if (! any (strcmp (m.subroutines, "jac")))
-    gsmbp__no_jacobian (who, m);
+    gs.given.need_jacobian (who, m);
   endif
   if (nargin < 4 || isempty (v))
     v = zeros (m.sizes.nv, 1);
   endif
-  gsmbp__no_words (who, "t", t, "x", x, "v", v);
+  gs.given.refuse_words (who, "t", t, "x", x, "v", v);
   d = m.sizes;
   table = {"reduced", "auto", "names"
            "drop", {}, "names"
            "start", "check", {"check", "project"}};
-  o = gsmbp__options (who, table, varargin);
-  t = gsmbp__vector (who, "t", t, 1);
-  x = gsmbp__start (who, m, t, x, o.start);
-  v = gsmbp__vector (who, "v", v, d.nv, sprintf (" (the inputs %s)", strjoin (m.inputs', ", ")),
+  o = gs.given.call_options (who, table, varargin);
+  t = gs.given.given_vector (who, "t", t, 1);
+  x = gs.start.consistent_start (who, m, t, x, o.start);
+  v = gs.given.given_vector (who, "v", v, d.nv, sprintf (" (the inputs %s)", ...
+      strjoin (m.inputs', ", ")),
                      m.inputs);
   if (isempty (which ("ss")))
     pkg load control
   endif
-  [A, B, C, D] = gsmbp__jacobian (who, m, t, x, v);
+  [A, B, C, D] = gs.linear.model_jacobian (who, m, t, x, v);
   outputs = m.outputs;
   warn_of_derivatives (who, m, [C, D]);
   if (d.ny == 0)
@@ -101,11 +102,11 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   endif
   dropping = ! isempty (o.drop);
   if (dropping && ischar (o.reduced))
-    [q, u] = gsmbp__free_speeds (m, t, x, []);
+    [q, u] = gs.linear.free_velocities (m, t, x, []);
     o.reduced = [q, d.nq + u];
   endif
   if ((d.nlam > 0 || d.nq > d.nu) && ! strcmp (o.reduced, "none"))
-    [T, independent] = gsmbp__tangent (who, m, t, x, o.reduced, zeros (0, 2));
+    [T, independent] = gs.linear.loop_tangent (who, m, t, x, o.reduced, zeros (0, 2));
   elseif (named && ! all (ismember (1:d.nq, o.reduced)))
     error (["gsmbp_linear: %s: option \"reduced\": without constraints all coordinates are " ...
             "independent; expected \"auto\" or all of %s"], m.name, strjoin (m.coordinates', ", "));
@@ -113,7 +114,7 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   [A, B, C] = deal (A(independent,:) * T, B(independent,:), C * T);
   dropped = {};
   if (dropping)
-    keep = gsmbp__without (who, m, t, x, v, o.drop, A, independent);
+    keep = gs.linear.without_states (who, m, t, x, v, o.drop, A, independent);
     dropped = m.states(independent(! keep))(:)';
     seen = ! any (abs (C(:,! keep)) > 1e-12 * max (abs (C), [], 2), 2);
     warn_of_outputs (m, outputs(! seen), dropped);
@@ -126,7 +127,8 @@ endfunction
 
 ## the rates have their derivatives, an output may have none
 function warn_of_derivatives (who, m, J)
-  text = gsmbp__not_finite (J, strcat ({"output "}, m.outputs(:)), [m.states(:); m.inputs(:)]);
+  text = gs.text.not_finite_entries (J, strcat ({"output "}, m.outputs(:)), [m.states(:); ...
+      m.inputs(:)]);
   if (! isempty (text))
     warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
   endif
@@ -145,10 +147,10 @@ endfunction
 ## where the NAMES of the option "reduced" stand among the states
 function k = state_numbers (m, names)
   names = cellstr (names);
-  k = gsmbp__which (names, m.states);
+  k = gs.given.places_of (names, m.states);
   if (! all (k) || isempty (k))
     error ("gsmbp_linear: option \"reduced\": %s has no state %s", m.name,
-           gsmbp__unknown ([names(! k)(:); {""}]{1}, m.states));
+           gs.text.nearest_word ([names(! k)(:); {""}]{1}, m.states));
   endif
 endfunction
 

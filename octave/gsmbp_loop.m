@@ -45,17 +45,17 @@ function r = gsmbp_loop (c, file, mc, run, varargin)
   who = "gsmbp_loop";
   if (! (isstruct (c) && isscalar (c) && all (isfield (c, {"plant", "A", "G", "driven", "x0"}))))
     error ("%s: argument c: expected a controller of gsmbp_control or gsmbp_pid, found %s", who, ...
-           gsmbp__shown (c));
+           gs.text.shown_value (c));
   endif
   if (isfield (c, "schedule"))
     error (["%s: %s is a schedule: its loop is another at each point; expected one of its " ...
             "controllers, c.schedule.laws{k}"], who, c.name);
   endif
-  o = gsmbp__options (who, {"size", [24, 27], "numbers"}, varargin);
+  o = gs.given.call_options (who, {"size", [24, 27], "numbers"}, varargin);
   w = frequencies (c);
   for i = 1:numel (c.driven)
-    f = gsmbp__loop_response (c, i);
-    one = gsmbp__loop_margins (f, w);
+    f = gs.control.loop_response (c, i);
+    one = gs.control.loop_margins (f, w);
     one.input = c.driven{i};
     all_(i) = one;
     L(i,:) = f (w);
@@ -64,8 +64,8 @@ function r = gsmbp_loop (c, file, mc, run, varargin)
     if (nargin < 4)
       [mc, run] = deal ([]);
     endif
-    gsmbp__no_words (who, "mc", mc, "run", run);
-    gsmbp__loop_page (who, file, c, w, L, all_, mc, run, o.size);
+    gs.given.refuse_words (who, "mc", mc, "run", run);
+    gs.control.loop_page (who, file, c, w, L, all_, mc, run, o.size);
   endif
   if (nargout > 0 || nargin == 1)
     r = all_;
@@ -81,7 +81,7 @@ function w = frequencies (c)
   endif
   p.A = diag ([real(s); 0]) + 1i * diag ([imag(s); 0]);
   p.h = h;
-  w = gsmbp__frequencies (p, c.delay * (h == 0), []);
+  w = gs.control.frequency_grid (p, c.delay * (h == 0), []);
 endfunction
 
 %!testif ; ! isempty (pkg ("list", "control"))

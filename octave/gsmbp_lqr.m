@@ -48,22 +48,22 @@ function design = gsmbp_lqr (m, motion, times, Q, R, varargin)
   if (nargin < 5)
     print_usage ();
   endif
-  gsmbp__model ("gsmbp_lqr", m);
-  gsmbp__no_words ("gsmbp_lqr", "motion", motion, "times", times);
-  gsmbp__fits ("gsmbp_lqr", "argument Q", Q, "numbers");
-  gsmbp__fits ("gsmbp_lqr", "argument R", R, "numbers");
+  gs.given.check_model ("gsmbp_lqr", m);
+  gs.given.refuse_words ("gsmbp_lqr", "motion", motion, "times", times);
+  gs.given.check_kind ("gsmbp_lqr", "argument Q", Q, "numbers");
+  gs.given.check_kind ("gsmbp_lqr", "argument R", R, "numbers");
   [Q, R] = deal (double (Q), double (R));
   d = m.sizes;
   [hands, o] = controlled (m, varargin);
   n = numel (hands);
   if (! isequal (size (Q), [d.nx d.nx]) || ! isequal (size (R), [n n]))
     error ("gsmbp_lqr: %s: expected Q as %d x %d and R as %d x %d; found %s and %s", m.name, ...
-           d.nx, d.nx, n, n, gsmbp__shown (size (Q)), gsmbp__shown (size (R)));
+           d.nx, d.nx, n, n, gs.text.shown_value (size (Q)), gs.text.shown_value (size (R)));
   endif
   if (isempty (which ("lqr")))
     pkg load control
   endif
-  times = gsmbp__times ("gsmbp_lqr", times);
+  times = gs.given.given_times ("gsmbp_lqr", times);
   nominal = gsmbp_inverse (m, motion, times);
   nt = numel (times);
   gains = zeros (nt, d.nv * d.nx);
@@ -110,12 +110,13 @@ function [gains, design] = varying (m, motion, times, hands, Q, R, o)
   last = linear_at (m, motion, times(end), hands, "auto");
   chosen = last.chosen;
   if (isempty (o.Qend))
-    [~, P] = gsmbp__riccati ("gsmbp_lqr", last.A, last.B, last.T' * Q * last.T, R, 0);
+    [~, P] = gs.control.riccati_solution ("gsmbp_lqr", last.A, last.B, last.T' * Q * last.T, R, 0);
   else
-    Qend = gsmbp__weight ("gsmbp_lqr", "Qend", o.Qend, d.nx, 0);
+    Qend = gs.given.weight_matrix ("gsmbp_lqr", "Qend", o.Qend, d.nx, 0);
     P = last.T' * Qend * last.T;
   endif
-  P = gsmbp__riccati_along (@(t) matrices (m, motion, t, hands, chosen, Q, R), times, o.steps, P);
+  P = gs.control.riccati_along (@(t) matrices (m, motion, t, hands, chosen, Q, R), times, ...
+      o.steps, P);
   gains = zeros (numel (times), d.nv * d.nx);
   at = linear_at (m, motion, times, hands, chosen);
   for i = 1:numel (times)
@@ -153,7 +154,7 @@ endfunction
 function [k, o] = controlled (m, options)
   table = {"inputs", {}, "names"; "design", "frozen", {"frozen", "varying"}
            "Qend", [], "numbers"; "steps", 20, "whole"};
-  o = gsmbp__options ("gsmbp_lqr", table, options);
+  o = gs.given.call_options ("gsmbp_lqr", table, options);
   names = o.inputs;
   if (isempty (names))
     k = 1:m.sizes.nv;
@@ -163,10 +164,10 @@ function [k, o] = controlled (m, options)
     return;
   endif
   names = cellstr (names);
-  k = vec (gsmbp__which (names, m.inputs), 2);
+  k = vec (gs.given.places_of (names, m.inputs), 2);
   if (! all (k))
     error ("gsmbp_lqr: option \"inputs\": expected the name of an input, found %s", ...
-           gsmbp__unknown (names{find (! k, 1)}, m.inputs));
+           gs.text.nearest_word (names{find (! k, 1)}, m.inputs));
   endif
 endfunction
 

@@ -47,16 +47,16 @@ function r = gsmbp_mck (m, t, x, v, varargin)
     print_usage ();
   endif
   who = "gsmbp_mck";
-  gsmbp__model (who, m);
-  gsmbp__moving (who, m);
+  gs.given.check_model (who, m);
+  gs.given.check_moving (who, m);
   if (! any (strcmp (m.subroutines, "mas")))
     error ("%s: %s was emitted without the subroutine MAS: add the request mass", who, m.name);
   endif
   if (nargin < 4)
     v = [];
   endif
-  gsmbp__no_words (who, "t", t, "x", x, "v", v);
-  x = gsmbp__start (who, m, gsmbp__vector (who, "t", t, 1), x, "check");
+  gs.given.refuse_words (who, "t", t, "x", x, "v", v);
+  x = gs.start.consistent_start (who, m, gs.given.given_vector (who, "t", t, 1), x, "check");
   [sys, T, k] = gsmbp_linear (m, t, x, v, varargin{:});
   d = m.sizes;
   q = k <= d.nq;

@@ -67,22 +67,23 @@ function d = gsmbp_measured (m, data, varargin)
     print_usage ();
   endif
   who = "gsmbp_measured";
-  gsmbp__model (who, m);
-  gsmbp__open_chain (who, m);
-  o = gsmbp__options (who, {"columns", {}, "names"; "also", {}, "names"
+  gs.given.check_model (who, m);
+  gs.given.check_open_chain (who, m);
+  o = gs.given.call_options (who, {"columns", {}, "names"; "also", {}, "names"
                             "cutoff", [], "any"; "order", 4, "whole"
                             "drop", [], "nonnegative"}, varargin);
   if (o.order < 2 || mod (o.order, 2) != 0)
     error ("%s: option order: expected an even number from 2 on, found %d", who, o.order);
   elseif (! (isempty (o.cutoff) || any (strcmp (o.cutoff, {"auto", "spline"}))))
-    gsmbp__fits (who, "option cutoff: \"auto\", \"spline\" or a frequency", o.cutoff, "positive");
+    gs.given.check_kind (who, "option cutoff: \"auto\", \"spline\" or a frequency", o.cutoff, ...
+        "positive");
   endif
   if (ischar (data))
     d = of_file (who, m, data, o);
   else
     d = of_struct (who, m, data);
   endif
-  d.t = gsmbp__times (who, d.t)';
+  d.t = gs.given.given_times (who, d.t)';
   d.raw = struct ("t", d.t, "q", d.q, "tau", d.tau);
   d = smoothed (who, d, o);
 endfunction
@@ -90,14 +91,14 @@ endfunction
 function d = of_struct (who, m, data)
   if (! (isstruct (data) && isscalar (data) && all (isfield (data, {"t", "q", "tau"}))))
     error ("%s: argument data: expected a file or a struct with the fields t, q, tau, found %s", ...
-           who, gsmbp__shown (data));
+           who, gs.text.shown_value (data));
   endif
   d.t = data.t(:);
   for name = {"q", "u", "ud", "tau"}
     d.(name{1}) = [];
     if (isfield (data, name{1}) && ! isempty (data.(name{1})))
       x = data.(name{1});
-      gsmbp__data_table (who, m, name{1}, x, numel (d.t));
+      gs.identify.check_data (who, m, name{1}, x, numel (d.t));
       d.(name{1}) = double (x);
     endif
   endfor
@@ -108,7 +109,7 @@ function d = of_struct (who, m, data)
 endfunction
 
 function d = of_file (who, m, file, o)
-  [heads, values, units] = gsmbp__csv_columns (who, file);
+  [heads, values, units] = gs.text.csv_columns (who, file);
   names = m.coordinates(:)';
   take = @(list, needed, unit) taken (who, file, heads, values, units, list, o.columns, needed, ...
                                       unit);
@@ -157,11 +158,11 @@ function f = factor (who, at, unit, wanted)
   if (isempty (unit))
     return;
   endif
-  [f, powers, unknown] = gsmbp__unit (unit);
+  [f, powers, unknown] = gs.text.unit_in_si (unit);
   if (! isempty (unknown))
     error ("%s: %s: %s is no unit that is known", who, at, unknown);
   endif
-  [~, right] = gsmbp__unit (wanted);
+  [~, right] = gs.text.unit_in_si (wanted);
   if (! isempty (wanted) && ! isequal (powers, right))
     error ("%s: %s: expected a unit like %s, found %s", who, at, wanted, unit);
   endif
@@ -176,7 +177,7 @@ function d = smoothed (who, d, o)
   elseif (! isempty (o.cutoff))
     uniform (who, d.t, "option cutoff");
     o.cutoff = cutoff_of (who, d, o, h);
-    pass = @(x) gsmbp__zero_phase (x, h, o.cutoff, o.order);
+    pass = @(x) gs.identify.zero_phase (x, h, o.cutoff, o.order);
     for name = {"q", "u", "ud"}
       if (! isempty (d.(name{1})))
         d.(name{1}) = pass (d.(name{1}));
@@ -203,11 +204,11 @@ function d = smoothed (who, d, o)
 endfunction
 
 function d = by_spline (who, d)
-  s = gsmbp__smoothed (d.t, d.q);
+  s = gs.identify.smooth_spline (d.t, d.q);
   if (isempty (s))
     error ("%s: %d times are too few for a smooth motion through them", who, numel (d.t));
   endif
-  d = gsmbp__on_splines (d, s.B, s.c);
+  d = gs.identify.spline_derivatives (d, s.B, s.c);
 endfunction
 
 ## times that are seconds and called milliseconds, or the other way
@@ -223,7 +224,7 @@ endfunction
 function f = cutoff_of (who, d, o, h)
   f = o.cutoff;
   if (strcmp (f, "auto"))
-    f = gsmbp__best_cutoff (d.t, d.q, o.order);
+    f = gs.identify.best_cutoff (d.t, d.q, o.order);
     if (isempty (f))
       error ("%s: option cutoff: %d times are too few to propose one", who, numel (d.t));
     endif
@@ -236,17 +237,18 @@ endfunction
 function d = with_derivatives (who, d, h, smooth)
   if (isempty (d.u))
     uniform (who, d.t, "speeds by differences");
-    [d.u, dd] = gsmbp__differences (d.q, h);
+    [d.u, dd] = gs.identify.time_differences (d.q, h);
     if (isempty (d.ud))
       d.ud = dd;
     endif
   elseif (isempty (d.ud))
     uniform (who, d.t, "accelerations by differences");
-    d.ud = gsmbp__differences (d.u, h);
+    d.ud = gs.identify.time_differences (d.u, h);
   endif
   if (numfields (d.other) > 0)
     uniform (who, d.t, "derivatives of other columns");
-    d.other_d = structfun (@(x) gsmbp__differences (x, h), smooth, "UniformOutput", false);
+    d.other_d = structfun (@(x) gs.identify.time_differences (x, h), smooth, "UniformOutput", ...
+        false);
   endif
 endfunction
 

@@ -74,10 +74,10 @@ function r = gsmbp_mobility (m, x, t = 0)
     print_usage ();
   endif
   who = "gsmbp_mobility";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   d = m.sizes;
-  t = gsmbp__vector (who, "t", t, 1);
-  q = gsmbp__guess (who, m, "x", x, zeros (d.nx - d.nq, 1));
+  t = gs.given.given_vector (who, "t", t, 1);
+  q = gs.given.given_guess (who, m, "x", x, zeros (d.nx - d.nq, 1));
   q = q(1:d.nq);
   one = struct ("reactions", {reactions_of(m)}, "gruebler", d.nu, "rows", 0, "rank", 0, ...
                 "mobility", d.nu, "redundant", 0, "unique", true (1, 0), "removed", struct ([]), ...
@@ -89,7 +89,7 @@ function r = gsmbp_mobility (m, x, t = 0)
   if (d.nlam > 0)
     [~, ~, H] = m.con (t, q, zeros (d.nu, 1));
     ## the rows on positions: speeds do not matter here
-    [names, scaled, found] = gsmbp__residuals (m, t, [q; zeros(d.nx - d.nq, 1)]);
+    [names, scaled, found] = gs.start.constraint_residuals (m, t, [q; zeros(d.nx - d.nq, 1)]);
     places = cellfun (@isempty, strfind (names, "rate of "));
     scaled(! places) = 0;
     if (! all (abs (scaled) <= 1e-6))

@@ -76,9 +76,9 @@ function c = gsmbp_model_control (m, law, varargin)
     print_usage ();
   endif
   who = "gsmbp_model_control";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   laws = {"computed torque", "feedforward", "impedance", "cartesian impedance", "references"};
-  gsmbp__fits (who, "argument law", law, laws);
+  gs.given.check_kind (who, "argument law", law, laws);
   if (strcmp (law, "references"))
     c = references (who, m, varargin{1});
     return;
@@ -89,24 +89,24 @@ function c = gsmbp_model_control (m, law, varargin)
            "name", "ctl", "text"; "measured", {}, "names"; "inputs", {}, "names"
            "parameters", struct(), "any"; "trim", [], "any"; "frame", "", "text"
            "axes", "ground", {"ground", "tool"}; "damping", 0, "numbers"};
-  o = gsmbp__options (who, table, varargin);
-  gsmbp__controller_name (who, o);
+  o = gs.given.call_options (who, table, varargin);
+  gs.controller.check_name (who, o);
   check_scene (who, m, o);
   check_gains (who, law, o);
-  if (gsmbp__ideal_efforts (m, o) && ! strcmp (law, "cartesian impedance"))
-    c = gsmbp__at_efforts (who, m, o, law);
+  if (gs.control.ideal_efforts (m, o) && ! strcmp (law, "cartesian impedance"))
+    c = gs.control.effort_law (who, m, o, law);
     measured_ = 1:m.sizes.nu;
   else
-    c = gsmbp__through_drives (who, m, o, law);
+    c = gs.control.drive_law (who, m, o, law);
     measured_ = c.through.independent;
   endif
   c.measured = measured (who, m, o, measured_);
   if (strcmp (law, "cartesian impedance"))
-    c = gsmbp__of_tool (who, m, o, c);
+    c = gs.control.tool_law (who, m, o, c);
   else
     c = of_coordinates (who, m, o, c, measured_);
   endif
-  c.limits = gsmbp__two_limits (who, o.limits, c.driven, zeros (size (c.u0)));
+  c.limits = gs.given.two_limits (who, o.limits, c.driven, zeros (size (c.u0)));
   c.u0 = within (who, o, c);
   c.step_out = repmat (o.step_out, numel (c.driven), 1);
   c.cst = [];
@@ -135,7 +135,7 @@ function c = of_coordinates (who, m, o, c, k)
   endif
   c.references = c.units = cell (0, 1);
   for j = 0:order
-    c.references = [c.references; strcat(m.coordinates(k), gsmbp__derivative_name (j))];
+    c.references = [c.references; strcat(m.coordinates(k), gs.text.derivative_name (j))];
     c.units = [c.units; cellfun(@(u) derived (u, j), m.units.coordinates(k)(:), ...
                                 "UniformOutput", false)];
   endfor
@@ -166,16 +166,16 @@ function pp = references (who, m, plan)
     error (["%s: %s has no inputs that are references of its coordinates; expected the model " ...
             "of gsmbp_build (name, \"controller\", c)"], who, m.name);
   endif
-  plan = gsmbp__pp (who, plan, n, ["argument plan (" strjoin(base', ", ") ")"]);
+  plan = gs.given.given_polynomial (who, plan, n, ["argument plan (" strjoin(base', ", ") ")"]);
   all_ = zeros (numel (free), plan.pieces, plan.order);
   d = plan;
   k = 0;
-  at = gsmbp__which (strcat (base, "_ref"), names);
+  at = gs.given.places_of (strcat (base, "_ref"), names);
   while (all (at))
     all_(at,:,plan.order-d.order+1:end) = reshape (d.coefs, n, plan.pieces, d.order);
     d = ppder (d);
     k += 1;
-    at = gsmbp__which (strcat (base, gsmbp__derivative_name (k)), names);
+    at = gs.given.places_of (strcat (base, gs.text.derivative_name (k)), names);
   endwhile
   pp = mkpp (plan.breaks, reshape (all_, [], plan.order), numel (free));
 endfunction
@@ -235,16 +235,16 @@ function v = spread (who, name, v, n)
   v = double (v(:));
   if (numel (v) != n || any (v < 0) || ! all (isfinite (v)))
     error ("%s: option %s: expected %snumbers that are not negative, found %s", who, name, ...
-           {sprintf("1 or %d ", n), "1 of "}{1 + (n == 1)}, gsmbp__shown (v));
+           {sprintf("1 or %d ", n), "1 of "}{1 + (n == 1)}, gs.text.shown_value (v));
   endif
 endfunction
 
 ## outputs that are coordinates and speeds
 function names = measured (who, m, o, k)
-  names = gsmbp__asked_names (o.measured);
+  names = gs.given.asked_names (o.measured);
   wanted = [m.coordinates(k); m.speeds(k)];
   if (isempty (names))
-    list = gsmbp__rows (m.json, "outputs");
+    list = gs.model.json_rows (m.json, "outputs");
     said = cellfun (@(row) row.expression, list, "UniformOutput", false);
     for k = 1:numel (wanted)
       at = find (strcmp (said, wanted{k}), 1);
@@ -255,9 +255,10 @@ function names = measured (who, m, o, k)
       names{k,1} = list{at}.name;
     endfor
   endif
-  if (! all (gsmbp__which (names, m.outputs)))
+  if (! all (gs.given.places_of (names, m.outputs)))
     error ("%s: option measured: expected names of outputs, found %s", who, ...
-           gsmbp__unknown (names{find (! gsmbp__which (names, m.outputs), 1)}, m.outputs));
+           gs.text.nearest_word (names{find (! gs.given.places_of (names, m.outputs), 1)}, ...
+               m.outputs));
   endif
   if (numel (names) != numel (wanted))
     error ("%s: option measured: expected %d outputs (%s), found %d", who, numel (wanted), ...
@@ -268,7 +269,7 @@ endfunction
 
 ## an output of another unit than its coordinate or speed is none of it, nor is another one of them
 function is_one (who, m, names, wanted)
-  rows = gsmbp__rows (m.json, "outputs");
+  rows = gs.model.json_rows (m.json, "outputs");
   listed = cellfun (@(row) row.name, rows, "UniformOutput", false);
   for k = 1:numel (names)
     said = rows{strcmp (listed, names{k})}.expression;

@@ -92,25 +92,26 @@ function r = gsmbp_modes (m, x, varargin)
     print_usage ();
   endif
   who = "gsmbp_modes";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x", x);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x", x);
   if (! any (strcmp (m.subroutines, "jac")))
-    gsmbp__no_jacobian (who, m);
+    gs.given.need_jacobian (who, m);
   endif
   table = {"hold", {}, "names"; "steady", false, "flag"
            "spin", "", "text"; "speeds", [], "numbers"
            "file", "", "text"; "orders", [1, 2, 3], "numbers"
            "time", 0, "number"; "input", [], "numbers"
            "start", "check", {"check", "project"}};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   [held, spin] = what_is_held (who, m, o);
   p = struct ("m", m, "t", o.time, "steady", o.steady, "start", o.start, "held", held);
-  p.v = gsmbp__vector (who, "option input", merge (isempty (o.input), zeros (m.sizes.nv, 1), ...
+  p.v = gs.given.given_vector (who, "option input", merge (isempty (o.input), ...
+      zeros (m.sizes.nv, 1), ...
                        o.input), m.sizes.nv, sprintf (" (the inputs %s)", ...
                        strjoin (m.inputs', ", ")), m.inputs);
   rest = m.initial(m.sizes.nq+1:end);
   rest(1:m.sizes.nu) = 0;
-  x = gsmbp__guess (who, m, "x", x, rest);
+  x = gs.given.given_guess (who, m, "x", x, rest);
   if (isempty (spin))
     [one, doubt] = modes_at (p, x);
   else
@@ -137,13 +138,13 @@ function [held, spin] = what_is_held (who, m, o)
   if (isempty (spin) && ! isempty (o.file))
     error ("%s: option \"file\" is of a Campbell diagram: expected \"spin\" and \"speeds\"", who);
   endif
-  names = gsmbp__asked_names (o.hold)';
+  names = gs.given.asked_names (o.hold)';
   if (! isempty (spin))
     names = [names(! strcmp (names, spin)), {spin}];
   endif
   held = zeros (numel (names), 2);
   for k = 1:numel (names)
-    held(k,:) = gsmbp__own_speed (who, m, "hold", names{k});
+    held(k,:) = gs.given.speed_and_value (who, m, "hold", names{k});
   endfor
   if (! isempty (held) && ! all (ismember ({"lin", "mas"}, m.subroutines)))
     error (["%s: %s was emitted without the subroutines LIN and MAS, which \"hold\" needs: add " ...
@@ -154,12 +155,12 @@ endfunction
 ## modes of the one state X; DOUBT: its largest acceleration, "" where there is none
 function [r, doubt] = modes_at (p, x)
   [m, who] = deal (p.m, "gsmbp_modes");
-  x = gsmbp__start (who, m, p.t, x, p.start);
+  x = gs.start.consistent_start (who, m, p.t, x, p.start);
   if (p.steady)
     x = steady (p, x);
   endif
-  [T, k] = gsmbp__tangent (who, m, p.t, x, "auto", p.held);
-  [A, xd] = gsmbp__held (who, m, p.t, x, p.v, p.held);
+  [T, k] = gs.linear.loop_tangent (who, m, p.t, x, "auto", p.held);
+  [A, xd] = gs.linear.held_jacobian (who, m, p.t, x, p.v, p.held);
   A = A(k,:) * T;
   doubt = acceleration (m, k, A, xd);
   A = without_rounding (A .* m.nominal(k)' ./ m.nominal(k));   # in nominal magnitudes
@@ -218,8 +219,8 @@ function x = steady (p, x)
   [m, d] = deal (p.m, p.m.sizes);
   speeds = d.nq + (1:d.nu);
   for round_ = 1:30
-    [A, xd] = gsmbp__held ("gsmbp_modes", m, p.t, x, p.v, p.held);
-    [T, k] = gsmbp__tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
+    [A, xd] = gs.linear.held_jacobian ("gsmbp_modes", m, p.t, x, p.v, p.held);
+    [T, k] = gs.linear.loop_tangent ("gsmbp_modes", m, p.t, x, "auto", p.held);
     z = find (! ismember (k, speeds));
     f = find (k > d.nq);
     J = A(k(f),:) * T(:,z);

@@ -31,8 +31,8 @@ function t = gsmbp_names (m)
   if (nargin != 1)
     print_usage ();
   endif
-  gsmbp__model ("gsmbp_names", m);
-  t = gsmbp__table (m);
+  gs.given.check_model ("gsmbp_names", m);
+  t = gs.model.name_table (m);
   if (nargout == 0)
     wide = @(list) max ([cellfun(@numel, list), 1]);
     form = sprintf ("%%-%ds  %%-%ds  %%-%ds  %%s\n", wide ({t.name}), wide ({t.unit}), ...

@@ -71,15 +71,15 @@ function o = gsmbp_operational (m, name, t, q, u, varargin)
     print_usage ();
   endif
   who = "gsmbp_operational";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "t", t, "q", q, "u", u);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "t", t, "q", q, "u", u);
   table = {"rows", 1:6, "numbers"; "frame", "ground", "text"; "independent", {}, "names"
            "inputs", [], "numbers"};
-  options = gsmbp__options (who, table, varargin);
+  options = gs.given.call_options (who, table, varargin);
   k = options.rows(:)';
   if (isempty (k) || any (k != fix (k)) || any (k < 1 | k > 6) || numel (unique (k)) != numel (k))
     error ("%s: option rows: expected different numbers from 1 to 6, found %s", who, ...
-           gsmbp__shown (options.rows));
+           gs.text.shown_value (options.rows));
   endif
   p = gsmbp_point (m, name, t, q, u, "frame", options.frame, "independent", options.independent);
   if (isempty (options.independent))

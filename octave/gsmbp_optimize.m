@@ -125,23 +125,23 @@ function [r, info] = gsmbp_optimize (m, free, goal, varargin)
     print_usage ();
   endif
   who = "gsmbp_optimize";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   given = [varargin, cell(1, max (0, 2 - numel (varargin)))];
-  o = gsmbp__options (who, known_options (), given(3:end));
+  o = gs.given.call_options (who, known_options (), given(3:end));
   P = problem (who, m, free, goal, given{1:2});
   checked (P, o);
   o.ends = time () + {o.timeout, Inf}{1 + (o.timeout == 0)};
   o.guard = @(f) m.module ("guarded", f, o.ends - time ());
   P.places = further (P, o);
   o.watch = @(f) m.module ("guarded", f, Inf);
-  [cut, best, ends, told] = o.watch (@() gsmbp__design_choices (who, P, o));
+  [cut, best, ends, told] = o.watch (@() gs.optimize.try_choices (who, P, o));
   if (cut)
-    gsmbp__stopped (who, m, 9, "", false);
+    gs.run.stopped_word (who, m, 9, "", false);
     error ("gsmbp:stopped", "%s: %s: interrupted by Ctrl-C between evaluations", who, m.name);
   endif
   best.starts = ends;
-  gsmbp__stopped (who, m, 9 * strcmp (best.stopped, "interrupted"), "", false);
-  [r, info] = gsmbp__design_result (who, best, o, P, told);
+  gs.run.stopped_word (who, m, 9 * strcmp (best.stopped, "interrupted"), "", false);
+  [r, info] = gs.optimize.best_result (who, best, o, P, told);
   if (nargout < 2 && info == 2)
     error ("gsmbp:infeasible", "%s: %s: %s", who, m.name, r.ended);
   elseif (any (info == [1, 3]))
@@ -164,11 +164,11 @@ endfunction
 
 function P = problem (who, m, free, goal, demands, cases)
   P.who = who;
-  P.free = gsmbp__free_variables (who, m, free);
-  P.cases = gsmbp__design_cases (who, m, cases);
-  P.goal = gsmbp__design_rows (who, "goal", goal, P.cases, true);
-  P.demands = gsmbp__design_rows (who, "demands", demands, P.cases, false);
-  P.table = gsmbp__table (m);
+  P.free = gs.optimize.free_variables (who, m, free);
+  P.cases = gs.optimize.read_cases (who, m, cases);
+  P.goal = gs.optimize.goal_rows (who, "goal", goal, P.cases, true);
+  P.demands = gs.optimize.goal_rows (who, "demands", demands, P.cases, false);
+  P.table = gs.model.name_table (m);
   P.also = {};
   if (any (strcmp ({P.cases.kind}, "rest")))
     P.also = {"frequency1", "damping1", "decay"};
@@ -185,7 +185,7 @@ function P = problem (who, m, free, goal, demands, cases)
   P.folder = fullfile (fileparts (fileparts (m.file)), "common");
   P.why = {};
   for c = P.cases
-    [P.exact.(c.name), why] = gsmbp__design_exact (m, P.free, c, fields (P, c));
+    [P.exact.(c.name), why] = gs.optimize.exact_slopes (m, P.free, c, fields (P, c));
     if (! isempty (why))
       P.why{end+1} = why;
     endif
@@ -212,7 +212,7 @@ function list = fields (P, c)
         list{end+1} = "state_margins";
       else
         error ("%s: case %s: unknown quantity %s", P.who, c.name, ...
-               gsmbp__unknown (name{1}, [{P.table.name}, P.also]));
+               gs.text.nearest_word (name{1}, [{P.table.name}, P.also]));
       endif
     endfor
   endfor
@@ -242,7 +242,7 @@ function checked (P, o)
     error ("%s: option starts: expected a whole number, at least 1, found %g", P.who, o.starts);
   elseif (! (isnumeric (o.seconds) && isscalar (o.seconds) && o.seconds > 0))
     error ("%s: option seconds: expected a number above 0, found %s", P.who, ...
-           gsmbp__shown (o.seconds));
+           gs.text.shown_value (o.seconds));
   endif
   if (o.nodes < 1)
     error ("%s: option nodes: expected at least 1, found %d", P.who, o.nodes);

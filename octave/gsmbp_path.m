@@ -53,19 +53,19 @@ function path = gsmbp_path (kind, points, varargin)
     print_usage ();
   endif
   who = "gsmbp_path";
-  gsmbp__fits (who, "argument kind", kind, {"line", "circle", "spline"});
-  gsmbp__fits (who, "argument points", points, "numbers");
+  gs.given.check_kind (who, "argument kind", kind, {"line", "circle", "spline"});
+  gs.given.check_kind (who, "argument points", points, "numbers");
   check_points (who, kind, points);
   table = {"speed", [], "positive"; "acceleration", [], "positive"; "jerk", [], "positive"
            "rotations", [], "numbers"; "start", 0, "number"; "end", 0, "number"; "at", 0, "number"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (isempty (o.speed) || isempty (o.acceleration))
     error ("%s: expected the options \"speed\" and \"acceleration\"", who);
   endif
   path = struct ("kind", kind, "points", double (points));
   if (strcmp (kind, "spline"))
     matrices = rotations (who, o.rotations, columns (points));
-    path = gsmbp__space_spline (who, path, matrices);
+    path = gs.plan.space_spline (who, path, matrices);
   else
     matrices = rotations (who, o.rotations, 2);
     path.length = norm (diff (path.points(:,1:2), 1, 2));
@@ -145,7 +145,7 @@ function [R, axis, angle] = turning (matrices)
     return;
   endif
   R = matrices(:,:,1);
-  [~, axis, angle] = gsmbp__rotation_vector (R' * matrices(:,:,2));
+  [~, axis, angle] = gs.plan.rotation_vector (R' * matrices(:,:,2));
 endfunction
 
 %!test <a line with its orientation: half way at half time>

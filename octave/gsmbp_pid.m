@@ -62,11 +62,11 @@ function c = gsmbp_pid (m, e, kind, varargin)
     print_usage ();
   endif
   who = "gsmbp_pid";
-  gsmbp__no_words (who, "e", e);
+  gs.given.refuse_words (who, "e", e);
   if (isempty (which ("lqr")))
     pkg load control
   endif
-  gsmbp__fits (who, "argument kind", kind, {"p", "pi", "pd", "pid"});
+  gs.given.check_kind (who, "argument kind", kind, {"p", "pi", "pd", "pid"});
   table = {"pm", [], "positive"; "gm", [], "positive"; "ms", [], "positive"
            "Ti", [], "positive"; "Td", [], "positive"; "N", 10, "positive"
            "bp", 1, "number"; "bd", 0, "number"
@@ -74,10 +74,10 @@ function c = gsmbp_pid (m, e, kind, varargin)
            "measured", {}, "names"; "inputs", {}, "names"
            "limits", Inf, "any"; "step_in", 0, "nonnegative"; "step_out", 0, "nonnegative"
            "name", "pid", "text"; "reduced", "auto", "names"; "drop", {}, "names"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   goal = what_is_asked (who, kind, o);
   [o.integral, o.track] = deal ({});
-  p = gsmbp__plant (who, m, e, o);
+  p = gs.control.linear_plant (who, m, e, o);
   if (numel (p.measured) != 1 || numel (p.driven) != 1)
     error (["%s: expected one measurement and one input, found %s and %s (options measured, " ...
             "inputs)"], who, strjoin (p.measured', ", "), strjoin (p.driven', ", "));
@@ -85,19 +85,19 @@ function c = gsmbp_pid (m, e, kind, varargin)
   p.references = strcat (p.measured, "_ref");
   p.r0 = p.y0;
   if (o.period > 0)
-    p = gsmbp__sampled_plant (who, p, o);
+    p = gs.control.sampled_plant (who, p, o);
   else
     [p.h, p.plant] = deal (0, ss (p.A, p.B, p.C, 0, "statename", p.states, "inputname", ...
                                   p.driven, "outputname", p.measured));
   endif
-  [K, Ti, Td] = gsmbp__pid_tuned (who, p, o, kind, goal);
+  [K, Ti, Td] = gs.control.pid_tuned (who, p, o, kind, goal);
   c = controller (p, o, kind, K, Ti, Td);
-  c.limits = gsmbp__two_limits (who, o.limits, c.driven, c.u0);
-  c.margins = gsmbp__loop_margins (gsmbp__loop_response (c, 1), ...
-                                   gsmbp__frequencies (p, o.delay, [Ti, Td]));
+  c.limits = gs.given.two_limits (who, o.limits, c.driven, c.u0);
+  c.margins = gs.control.loop_margins (gs.control.loop_response (c, 1), ...
+                                   gs.control.frequency_grid (p, o.delay, [Ti, Td]));
   c.poles = [];
   if (o.period > 0 || o.delay == 0)
-    c.poles = gsmbp__closed_poles (c);
+    c.poles = gs.control.closed_poles (c);
   endif
 endfunction
 

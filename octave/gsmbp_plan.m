@@ -101,11 +101,12 @@ function [motion, laws] = gsmbp_plan (kind, varargin)
                               [-20 70 -84 35 0 0 0 0]).(kind));
     case {"trapezoid", "double_s"}
       numbers (varargin{1}, "the positions");
-      [motion, laws] = gsmbp__limited ("gsmbp_plan", double (varargin{1}), varargin(2:end), ...
+      [motion, laws] = gs.plan.limited_motion ("gsmbp_plan", double (varargin{1}), ...
+          varargin(2:end), ...
                                        strcmp (kind, "double_s"));
     case {"cubic", "blends"}
       [q, times] = columns_at (varargin{1:2});
-      motion = gsmbp__via ("gsmbp_plan", kind, q, times, varargin(3:end));
+      motion = gs.plan.via_points ("gsmbp_plan", kind, q, times, varargin(3:end));
     case "profile"
       motion = profile (varargin{:});
     case "table"
@@ -132,13 +133,13 @@ function counted (kind, given)
   texts = find (cellfun (@ischar, given), 1);
   if (n < table{k,2} || n > table{k,3} || any (texts <= table{k,2}))
     error ("gsmbp_plan: %s: expected %s, found %s", kind, table{k,4}, ...
-           strjoin (cellfun (@gsmbp__shown, given, "UniformOutput", false), ", "));
+           strjoin (cellfun (@gs.text.shown_value, given, "UniformOutput", false), ", "));
   endif
 endfunction
 
 ## positions, a column for each of the times
 function [q, times] = columns_at (q, times)
-  times = gsmbp__times ("gsmbp_plan", times);
+  times = gs.given.given_times ("gsmbp_plan", times);
   numbers (q, "the positions");
   if (columns (q) != numel (times) || numel (times) < 2)
     error (["gsmbp_plan: expected a column of positions for each of the %d times (two " ...
@@ -165,12 +166,12 @@ endfunction
 function motion = profile (rate, order = 1, start = [])
   if (! (isstruct (rate) && isfield (rate, "form") && strcmp (rate.form, "pp")))
     error ("gsmbp_plan: the profile must be a piecewise polynomial, as of mkpp, found %s", ...
-           gsmbp__shown (rate));
+           gs.text.shown_value (rate));
   endif
-  gsmbp__fits ("gsmbp_plan", "argument start", start, "numbers");
+  gs.given.check_kind ("gsmbp_plan", "argument start", start, "numbers");
   if (! (isnumeric (order) && isscalar (order) && any (order == [1 2 3])))
     error (["gsmbp_plan: the order of the profile must be 1 (velocity), 2 " ...
-            "(acceleration) or 3 (jerk), found %s"], gsmbp__shown (order));
+            "(acceleration) or 3 (jerk), found %s"], gs.text.shown_value (order));
   endif
   n = prod (rate.dim);
   if (isempty (start))
@@ -200,7 +201,7 @@ function pp = integral_of (pp, start)
 endfunction
 
 function motion = table (times, values, order = 1)
-  times = gsmbp__times ("gsmbp_plan", times);
+  times = gs.given.given_times ("gsmbp_plan", times);
   numbers (values, "the values");
   nt = numel (times);
   if (rows (values) == 1 && columns (values) == nt)
@@ -210,7 +211,7 @@ function motion = table (times, values, order = 1)
     error (["gsmbp_plan: expected a row of values for each of the %d times (two or " ...
             "more), found %d x %d"], nt, rows (values), columns (values));
   endif
-  gsmbp__fits ("gsmbp_plan", "argument order", order, "whole");
+  gs.given.check_kind ("gsmbp_plan", "argument order", order, "whole");
   n = columns (values);
   h = diff (times)';
   switch (order)
@@ -227,7 +228,7 @@ function motion = table (times, values, order = 1)
       times = pp.breaks;
     otherwise
       error ("gsmbp_plan: the order of a table must be 0, 1 or 3, found %s", ...
-             gsmbp__shown (order));
+             gs.text.shown_value (order));
   endswitch
   motion = mkpp (times, coefs, n);
 endfunction
@@ -235,9 +236,9 @@ endfunction
 function numbers (x, what)
   if (! (isnumeric (x) && isreal (x) && ndims (x) == 2))
     error ("gsmbp_plan: %s must be a matrix of finite real numbers, found %s", what, ...
-           gsmbp__shown (x));
+           gs.text.shown_value (x));
   endif
-  gsmbp__finite_table ("gsmbp_plan", what, x);
+  gs.given.check_table ("gsmbp_plan", what, x);
 endfunction
 
 %!test <quintic: values, speeds, accelerations at the ends>

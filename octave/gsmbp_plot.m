@@ -71,9 +71,9 @@ function gsmbp_plot (file, t, varargin)
            "scale", "linear", {"linear", "semilogy", "semilogx", "loglog"}
            "head", head, "text"
            "size", [], "numbers"; "dpi", 160, "positive"; "fontsize", 10, "positive"};
-  o = gsmbp__options (who, table, rest);
+  o = gs.given.call_options (who, table, rest);
   if (! (isnumeric (t) && isreal (t)))
-    error ("%s: argument t: expected real numbers, found %s", who, gsmbp__shown (t));
+    error ("%s: argument t: expected real numbers, found %s", who, gs.text.shown_value (t));
   endif
   t = t(:);
   check (who, t, panels);
@@ -84,19 +84,19 @@ function gsmbp_plot (file, t, varargin)
     data = [data, panels{i}.y];
     heads = [heads, heads_of(panels{i})];
   endfor
-  table = gsmbp__beside (who, [file(1:end-numel (kind)) ".csv"]);
-  guard = onCleanup (@() gsmbp__discard (table));
+  table = gs.files.new_beside (who, [file(1:end-numel (kind)) ".csv"]);
+  guard = onCleanup (@() gs.files.discard_file (table));
   gsmbp_csv (table, heads, data);
   size = size_of (who, o, numel (panels));
-  gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (kind), size, o), ...
-                  gsmbp__drawn (table, panels, o, size), table);
+  gs.files.run_gnuplot (who, file, gs.files.gnuplot_terminal (tolower (kind), size, o), ...
+                  gs.draw.plot_lines (table, panels, o, size), table);
 endfunction
 
 ## abscissa, panels, the options behind them, column head of the abscissa
 function [t, panels, rest, head] = what_to_draw (who, t, args)
   head = "t";
   if (isstruct (t))
-    gsmbp__model (who, t);
+    gs.given.check_model (who, t);
     head = "t [s]";
     m = t;
     result = args{1};
@@ -108,12 +108,12 @@ function [t, panels, rest, head] = what_to_draw (who, t, args)
     endif
     if (! (isstruct (result) && all (isfield (result, {"t", "x", "v"}))))
       error ("%s: argument result: expected a struct with the fields t, x, v, found %s", who, ...
-             gsmbp__shown (result));
+             gs.text.shown_value (result));
     endif
     if (! isfield (result, "of"))
-      result = gsmbp__named (m, result);
+      result = gs.model.named_results (m, result);
     endif
-    [t, panels, rest] = deal (result.t, gsmbp__panels (who, m, result, names), args);
+    [t, panels, rest] = deal (result.t, gs.model.named_panels (who, m, result, names), args);
     return;
   endif
   first = find (cellfun (@ischar, args), 1);
@@ -135,7 +135,7 @@ function size = size_of (who, o, n)
   if (! isempty (o.size))
     if (numel (o.size) != 2 || any (o.size < 2) || any (o.size > 200))
       error ("%s: option size: expected width and height from 2 to 200 cm, found %s", who, ...
-             gsmbp__shown (o.size));
+             gs.text.shown_value (o.size));
     endif
     size = double (o.size(:)');
   endif
@@ -149,15 +149,16 @@ function check (who, t, panels)
     p = panels{i};
     if (! (isstruct (p) && isscalar (p) && all (isfield (p, {"y", "names", "label"}))))
       error ("%s: panel %d must be a struct with the fields y, names, label, found %s", who, ...
-             i, gsmbp__shown (p));
+             i, gs.text.shown_value (p));
     endif
     if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
       error (["%s: panel %d: expected numbers y, a list of names and a text label, found " ...
-              "%s, %s and %s"], who, i, gsmbp__shown (p.y), gsmbp__shown (p.names), ...
-             gsmbp__shown (p.label));
+              "%s, %s and %s"], who, i, gs.text.shown_value (p.y), ...
+                  gs.text.shown_value (p.names), ...
+             gs.text.shown_value (p.label));
     endif
     if (isfield (p, "heading"))
-      gsmbp__fits (who, sprintf ("panel %d: heading", i), p.heading, "text");
+      gs.given.check_kind (who, sprintf ("panel %d: heading", i), p.heading, "text");
     endif
     if (isfield (p, "style"))
       check_style (who, sprintf ("panel %d: style", i), p);
@@ -180,7 +181,8 @@ function check_style (who, what, p)
            numel (p.names), numel (styles));
   endif
   for style = styles(:)'
-    gsmbp__fits (who, what, style{1}, {"lines", "linespoints", "points", "steps", "fsteps"});
+    gs.given.check_kind (who, what, style{1}, {"lines", "linespoints", "points", "steps", ...
+        "fsteps"});
   endfor
 endfunction
 

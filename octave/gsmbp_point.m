@@ -92,14 +92,14 @@ function p = gsmbp_point (m, name, t, q, varargin)
     print_usage ();
   endif
   who = "gsmbp_point";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "t", t, "q", q);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "t", t, "q", q);
   first = find (cellfun (@ischar, varargin), 1);
   if (isempty (first))
     first = numel (varargin) + 1;
   endif
   motion = varargin(1:first-1);
-  options = gsmbp__options (who, {"frame", "ground", "text"; "independent", {}, "names"}, ...
+  options = gs.given.call_options (who, {"frame", "ground", "text"; "independent", {}, "names"}, ...
                             varargin(first:end));
   if (numel (motion) > 2)
     print_usage ();
@@ -115,7 +115,7 @@ function p = gsmbp_point (m, name, t, q, varargin)
   endif
   p.position = A' * P(:,k);
   p.rotation = A' * axes_ (k);
-  [p.euler_parameters, p.roll_pitch_yaw] = gsmbp__turn (p.rotation);
+  [p.euler_parameters, p.roll_pitch_yaw] = gs.plan.euler_parameters (p.rotation);
   if (! isempty (motion))
     p = moving (who, m, p, k, A, turning, t, q, options, motion{:});
   elseif (! isempty (options.independent))
@@ -127,7 +127,7 @@ endfunction
 ## TURNING (0: with none)
 function p = moving (who, m, p, k, A, turning, t, q, options, u, ud = [])
   n = m.sizes.nu;
-  u = gsmbp__vector (who, "u", u, n, "", m.speeds);
+  u = gs.given.given_vector (who, "u", u, n, "", m.speeds);
   [J, dJu] = m.jpt (t, q, u);
   block = @(k) J(:,n*(k-1)+1:n*k);
   w = zeros (3, 1);
@@ -139,10 +139,10 @@ function p = moving (who, m, p, k, A, turning, t, q, options, u, ud = [])
   B = blkdiag (A, A);
   V = B' * J * u;
   if (! isempty (ud))
-    a = B' * (J * gsmbp__vector (who, "ud", ud, n, "", m.speeds) + dJu);
+    a = B' * (J * gs.given.given_vector (who, "ud", ud, n, "", m.speeds) + dJu);
   endif
   if (! isempty (options.independent))
-    [T, c] = gsmbp__independent (who, "option independent", m, t, q, u, ...
+    [T, c] = gs.linear.independent_speeds (who, "option independent", m, t, q, u, ...
                                   options.independent);
     dJu += J * c;
     J *= T;
@@ -184,11 +184,11 @@ endfunction
 
 function k = number (who, m, what, name)
   if (! ischar (name))
-    error ("%s: argument name: expected a text, found %s", who, gsmbp__shown (name));
+    error ("%s: argument name: expected a text, found %s", who, gs.text.shown_value (name));
   endif
   k = find (strcmp (name, m.points));
   if (isempty (k))
-    error ("%s: unknown %s %s", who, what, gsmbp__unknown (name, m.points));
+    error ("%s: unknown %s %s", who, what, gs.text.nearest_word (name, m.points));
   endif
 endfunction
 

@@ -73,22 +73,22 @@ function [q, info] = gsmbp_reach (m, name, P, R = [], varargin)
     print_usage ();
   endif
   who = "gsmbp_reach";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "P", P, "R", R);
-  options = gsmbp__options (who, {"start", [], "numbers"; "branch", 0, "whole"; ...
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "P", P, "R", R);
+  options = gs.given.call_options (who, {"start", [], "numbers"; "branch", 0, "whole"; ...
                                   "limits", [], "numbers"; ...
                                   "method", "auto", {"auto", "closed", "newton"}; ...
                                   "given", [], "numbers"; "time", 0, "number"}, varargin);
   turned = ! isempty (R);
-  [P, R] = gsmbp__poses (who, P, R);
-  job = gsmbp__reach_job (who, m, name, columns (P), turned, options);
+  [P, R] = gs.plan.given_poses (who, P, R);
+  job = gs.plan.reach_job (who, m, name, columns (P), turned, options);
   k = columns (P);
   q = NaN (m.sizes.nq, k);
   info = struct ("status", {cell(1, k)}, "distance", zeros (2, k), "branch", zeros (1, k), ...
                  "solutions", {cell(1, k)}, "free", zeros (m.sizes.nu, k));
   before = job.start;
   for i = 1:k
-    one = gsmbp__reach_one (who, m, job, P(:,i), R(:,:,i), i, before);
+    one = gs.plan.reach_pose (who, m, job, P(:,i), R(:,:,i), i, before);
     q(:,i) = one.q;
     info.status{i} = one.status;
     info.distance(:,i) = one.distance;

@@ -50,11 +50,12 @@ function r = gsmbp_reduced (m, t, q, u, names, v = [])
     print_usage ();
   endif
   who = "gsmbp_reduced";
-  gsmbp__model (who, m);
-  gsmbp__moving (who, m);
-  gsmbp__fits (who, "argument names", names, "names");
-  u = gsmbp__vector (who, "u", u, m.sizes.nu, "", m.speeds);
-  [r.T, r.c, r.independent] = gsmbp__independent (who, "argument names", m, t, q, u, names);
+  gs.given.check_model (who, m);
+  gs.given.check_moving (who, m);
+  gs.given.check_kind (who, "argument names", names, "names");
+  u = gs.given.given_vector (who, "u", u, m.sizes.nu, "", m.speeds);
+  [r.T, r.c, r.independent] = gs.linear.independent_speeds (who, "argument names", m, t, q, u, ...
+      names);
   M = m.mas (t, q);
   r.M = r.T' * M * r.T;
   r.M = (r.M + r.M') / 2;

@@ -58,30 +58,30 @@ function gsmbp_report (m, r, file, varargin)
     print_usage ();
   endif
   who = "gsmbp_report";
-  gsmbp__no_words (who, "r", r);
+  gs.given.refuse_words (who, "r", r);
   table = {"page", "", "text"
            "scene", "", "text"
            "workprecision", [], "any"
            "frames", 500, "positive"
            "title", "", "text"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (! (numel (file) > 5 && strcmpi (file(end-4:end), ".html")))
     error ("%s: argument file must end in .html, found: %s", who, file);
   endif
   check_result (who, m, r);
-  [head, foot, drawing] = gsmbp__report_page (who, m, o);
-  parts = {run_summary(r, o), gsmbp__report_player(who, m, r, drawing, o), ...
-           gsmbp__report_setup(m, r), ...
-           gsmbp__report_figures(m, r), gsmbp__report_tables(m, r), ...
-           gsmbp__report_precision(who, o.workprecision)};
-  gsmbp__write (who, make_absolute_filename (file), [head, parts{:}, foot]);
+  [head, foot, drawing] = gs.report.page_parts (who, m, o);
+  parts = {run_summary(r, o), gs.report.motion_player(who, m, r, drawing, o), ...
+           gs.report.setup_section(m, r), ...
+           gs.report.run_figures(m, r), gs.report.page_tables(m, r), ...
+           gs.report.precision_section(who, o.workprecision)};
+  gs.files.write_text (who, make_absolute_filename (file), [head, parts{:}, foot]);
 endfunction
 
 function check_result (who, m, r)
   if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"t", "x"})) && isnumeric (r.x) ...
            && isnumeric (r.t)))
     error ("%s: argument r must be a result of gsmbp_simulate, with t and x, found: %s", who,
-           gsmbp__shown (r));
+           gs.text.shown_value (r));
   endif
   if (isfield (r, "ud") && isfield (r, "tau"))
     error (["%s: argument r must be a result of gsmbp_simulate, found one of gsmbp_inverse: " ...
@@ -98,7 +98,7 @@ endfunction
 function text = run_summary (r, o)
   text = sprintf ("<h2>The run</h2>\n");
   if (! isempty (o.title))
-    text = [text, sprintf("<p>%s</p>\n", gsmbp__html (o.title))];
+    text = [text, sprintf("<p>%s</p>\n", gs.text.html_escaped (o.title))];
   endif
   said = sprintf ("From t = %.6g s to %.6g s, %d instants", r.t(1), r.t(end), numel (r.t));
   if (isfield (r, "stats") && isfield (r.stats, "method"))
@@ -107,7 +107,7 @@ function text = run_summary (r, o)
       said = sprintf ("%s, rtol %.3g", said, r.stats.rtol);
     endif
   endif
-  text = [text, sprintf("<p>%s.</p>\n", gsmbp__html (said))];
+  text = [text, sprintf("<p>%s.</p>\n", gs.text.html_escaped (said))];
 endfunction
 
 %!function [m, r] = motor (varargin)

@@ -54,19 +54,19 @@ function [motion, told] = gsmbp_retime (m, path, varargin)
     print_usage ();
   endif
   who = "gsmbp_retime";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "path", path);
-  [path, planned] = gsmbp__motion (who, m, path);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "path", path);
+  [path, planned] = gs.given.given_motion (who, m, path);
   table = {"speed", [], "any"; "effort", [], "any"; "input", [], "any"
            "start", 0, "nonnegative"; "end", 0, "nonnegative"; "rtol", 3e-7, "tolerance"
            "points", 250, "positive"; "guess", m.initial(1:m.sizes.nq), "numbers"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (m.sizes.nq != m.sizes.nu)
     error ("%s: %s has Euler parameters: a planned motion cannot state its coordinates", ...
         who, m.name);
   endif
   moving (who, path);
-  limits = gsmbp__limits (who, m, o, numel (planned));
+  limits = gs.plan.motion_limits (who, m, o, numel (planned));
   cells = ceil (o.points);
   told = one_way (who, m, path, planned, limits, o, cells, []);
   doublings = 0;
@@ -98,8 +98,8 @@ endfunction
 
 function told = one_way (who, m, path, planned, limits, o, cells, about)
   s = places (path, cells, about);
-  rows = gsmbp__path_rows (who, m, path, planned, limits, s, o.guess);
-  [x, told.limited] = gsmbp__fastest (who, s, rows, [o.start, o.end] .^ 2);
+  rows = gs.plan.path_limits (who, m, path, planned, limits, s, o.guess);
+  [x, told.limited] = gs.plan.fastest_rates (who, s, rows, [o.start, o.end] .^ 2);
   told.s = s;
   told.singular = rows.singular;
   told.rate = sqrt (x);

@@ -43,19 +43,20 @@ function c = gsmbp_schedule (laws, signal, values, varargin)
     print_usage ();
   endif
   who = "gsmbp_schedule";
-  gsmbp__no_words (who, "values", values);
-  o = gsmbp__options (who, {"start", 1, "number"}, varargin);
+  gs.given.refuse_words (who, "values", values);
+  o = gs.given.call_options (who, {"start", 1, "number"}, varargin);
   if (! (iscell (laws) && numel (laws) > 1))
     error ("%s: argument laws: expected a cell array of two or more controllers, found %s", who, ...
-           gsmbp__shown (laws));
+           gs.text.shown_value (laws));
   endif
   c = laws{1};
   for k = 1:numel (laws)
-    gsmbp__check_controller (who, laws{k});
+    gs.controller.check_controller (who, laws{k});
     for field = {"method", "measured", "driven", "references", "period", "delay"}
       if (! isequal (laws{k}.(field{1}), c.(field{1})))
         error ("%s: controller %d has another %s than the first: expected %s, found %s", who, k, ...
-               field{1}, gsmbp__shown (c.(field{1})), gsmbp__shown (laws{k}.(field{1})));
+               field{1}, gs.text.shown_value (c.(field{1})), ...
+                   gs.text.shown_value (laws{k}.(field{1})));
       endif
     endfor
     if (rows (laws{k}.A) != rows (c.A))
@@ -63,16 +64,16 @@ function c = gsmbp_schedule (laws, signal, values, varargin)
               "found %d"], who, k, rows (c.A), rows (laws{k}.A));
     endif
   endfor
-  gsmbp__fits (who, "argument signal", signal, "text");
+  gs.given.check_kind (who, "argument signal", signal, "text");
   j = find (strcmp (signal, c.measured));
   if (isempty (j))
     error ("%s: argument signal: expected one of what is measured, found %s", who, ...
-           gsmbp__unknown (signal, c.measured));
+           gs.text.nearest_word (signal, c.measured));
   endif
-  gsmbp__fits (who, "argument values", values, "numbers");
+  gs.given.check_kind (who, "argument values", values, "numbers");
   if (numel (values) != numel (laws) || ! all (diff (values(:)) > 0))
     error ("%s: argument values: expected %d strictly increasing numbers, found %s", who, ...
-           numel (laws), gsmbp__shown (values));
+           numel (laws), gs.text.shown_value (values));
   endif
   if (! any (o.start == 1:numel (laws)))
     error ("%s: option start: expected the number of one of the %d laws, found %g", who, ...

@@ -60,21 +60,21 @@ function s = gsmbp_sensitivity (m, x, v, varargin)
     print_usage ();
   endif
   who = "gsmbp_sensitivity";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   if (nargin < 3 || isempty (v))
     v = zeros (m.sizes.nv, 1);
   endif
-  gsmbp__no_words (who, "x", x, "v", v);
+  gs.given.refuse_words (who, "x", x, "v", v);
   table = {"hold", {}, "names"
            "free", {}, "names"
            "time", 0, "number"};
-  o = gsmbp__options (who, table, varargin);
+  o = gs.given.call_options (who, table, varargin);
   if (! all (ismember ({"rhp", "jac"}, m.subroutines)))
     error (["%s: %s was emitted without the subroutine RHP: derive it with the request " ...
             "sensitivity(p, ...) of gsmbp_fortran"], who, m.name);
   endif
-  x = gsmbp__start (who, m, o.time, x, "check");
-  v = gsmbp__vector (who, "v", v, m.sizes.nv, " (the inputs)", m.inputs);
+  x = gs.start.consistent_start (who, m, o.time, x, "check");
+  v = gs.given.given_vector (who, "v", v, m.sizes.nv, " (the inputs)", m.inputs);
   [dx, dv] = at_rest (who, m, o, x, v);
   dy = of_outputs (m, o.time, x, v, dx, dv);
   s.names = cellstr (m.json.sensitivity)(:)';
@@ -93,7 +93,7 @@ function [dx, dv] = at_rest (who, m, o, x, v)
   hold_ = numbers (who, "hold", o.hold, m.states);
   free = numbers (who, "free", o.free, m.inputs);
   [P, A, B, rates] = m.rhp (o.time, x, v);
-  gsmbp__need_derivatives ([who, ": ", m.name], [A, B, P], ...
+  gs.given.need_derivatives ([who, ": ", m.name], [A, B, P], ...
                            strcat ({"rate of "}, m.states(:)), ...
                            [m.states(:); m.inputs(:); cellstr(m.json.sensitivity)(:)]);
   if (any (x(d.nq+(1:d.nu))) || ! (max (abs (rates ./ m.nominal)) < 1e-6))
@@ -145,10 +145,10 @@ function k = numbers (who, option, names, known)
   if (isequal (names, {""}))
     names = {};
   endif
-  k = gsmbp__which (names, known);
+  k = gs.given.places_of (names, known);
   if (! all (k))
     error ("%s: option \"%s\": unknown name %s", who, option, ...
-           gsmbp__unknown (names{find (! k, 1)}, known));
+           gs.text.nearest_word (names{find (! k, 1)}, known));
   endif
 endfunction
 
@@ -162,9 +162,9 @@ endfunction
 
 ## poles, and their derivatives by perturbation; frequencies and damping of those that oscillate
 function [e, de, w, dw, z, dz] = of_poles (who, m, t, x, v, dx, dv, names)
-  [~, free] = gsmbp__tangent (who, m, t, x, "auto", zeros (0, 2));
+  [~, free] = gs.linear.loop_tangent (who, m, t, x, "auto", zeros (0, 2));
   reduced = @(m, x, v) m.jac (t, x, v)(free,:) ...
-                       * gsmbp__tangent (who, m, t, x, free, zeros (0, 2));
+                       * gs.linear.loop_tangent (who, m, t, x, free, zeros (0, 2));
   [V, e, W] = eig (reduced (m, x, v), "vector");
   [~, order] = sort (abs (e));
   [V, e, W] = deal (V(:,order), e(order), W(:,order));

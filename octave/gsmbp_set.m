@@ -31,15 +31,15 @@ function m = gsmbp_set (m, varargin)
   if (nargin < 2)
     print_usage ();
   endif
-  gsmbp__model ("gsmbp_set", m);
+  gs.given.check_model ("gsmbp_set", m);
   old = m;
   m.par = merged (m, varargin);
   others = any ([struct2cell(m.par){:}] != [struct2cell(old.par){:}]);
   if (others)
-    gsmbp__need_checks (m);
+    gs.model.need_checks (m);
   endif
-  gsmbp__check_values (m);
-  m = gsmbp__handles (m);
+  gs.model.check_values (m);
+  m = gs.model.model_handles (m);
   if (others)
     m.initial = moved (old, m);
   endif
@@ -47,7 +47,7 @@ endfunction
 
 ## the start that the scene states, where it was as stated
 function x = moved (old, m)
-  [before, after] = deal (gsmbp__initial (old), gsmbp__initial (m));
+  [before, after] = deal (gs.model.initial_state (old), gs.model.initial_state (m));
   x = old.initial;
   stated = abs (x - before) <= 1e-9 * (m.nominal + abs (before));
   x(stated) = after(stated);
@@ -55,13 +55,13 @@ endfunction
 
 function par = merged (m, pairs)
   par = m.par;
-  [names, values] = gsmbp__pairs (["gsmbp_set: " m.name], "parameter", pairs);
+  [names, values] = gs.given.name_value_pairs (["gsmbp_set: " m.name], "parameter", pairs);
   for i = 1:numel (names)
     [name, value] = deal (names{i}, values{i});
-    gsmbp__known_parameter ("gsmbp_set", m, name);
+    gs.given.check_parameter ("gsmbp_set", m, name);
     if (! (isnumeric (value) && isscalar (value) && isreal (value) && isfinite (value)))
       error ("gsmbp_set: %s: %s", m.name, ...
-             gsmbp__refusal ("parameter", name, gsmbp__shown (value)));
+             gs.text.refusal_text ("parameter", name, gs.text.shown_value (value)));
     endif
     par.(name) = double (value);
   endfor

@@ -298,31 +298,31 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     print_usage ();
   endif
   who = "gsmbp_simulate";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x0", x0, "times", times);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x0", x0, "times", times);
   d = m.sizes;
   has = @(name) any (strcmp (m.subroutines, name));
-  o = gsmbp__options (who, gsmbp__simulate_options (has ("con") && d.nlam > 0), varargin);
-  p = gsmbp__run_setup (who, m, x0, times, o);
+  o = gs.given.call_options (who, gs.run.option_table (has ("con") && d.nlam > 0), varargin);
+  p = gs.run.plan_run (who, m, x0, times, o);
   [m, o, x0, times, method, carried] = deal (p.m, p.o, p.x0, p.times, p.method, p.carried);
   [ropt, atol, s.start] = deal (p.ropt, p.atol, p.start);
   [x, v, stats, info, seconds, text, sampled, events, number, lost, turns, held, ...
    followed, moved] = m.module ("sim", p.arguments{:});
   if (info == 3 && stats.failed == 7 && stats.failed_info == 13)
     error ("%s: %s: %s", who, m.name,
-           gsmbp__wrong_mode (m, times(1), x0(1:d.nx), o.modes, stats.cause));
+           gs.events.wrong_mode (m, times(1), x0(1:d.nx), o.modes, stats.cause));
   endif
   if (strcmp (method, "auto"))
     method = {"dp853", "radau"}{1 + stats.stiff};
   endif
 
   reached = stats.outputs;
-  [times, reached, info, ender] = gsmbp__ended (m, times, reached, info, stats.reached, ...
+  [times, reached, info, ender] = gs.run.ended_early (m, times, reached, info, stats.reached, ...
                                                 number(2));
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
-  [names, given] = gsmbp__pairs (who, "option", varargin);
+  [names, given] = gs.given.name_value_pairs (who, "option", varargin);
   result.options = cell2struct (given(:), names(:), 1);
   if (isstruct (sampled))
     result.y = sampled.y';
@@ -334,27 +334,28 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
     s.instants = sampled.instants;
   endif
   if (! isempty (m.events))
-    result.events = gsmbp__event_list (m, events);
+    result.events = gs.events.event_list (m, events);
     s.events = number(1);
   endif
   if (! isempty (o.audit))
-    result.audit = gsmbp__audit (m, result, x(d.nx+1:end,1:reached)');
+    result.audit = gs.run.energy_audit (m, result, x(d.nx+1:end,1:reached)');
   endif
   if (isstruct (sampled))
-    s.held = gsmbp__held_samples (m, result, o.memory);
+    s.held = gs.run.held_samples (m, result, o.memory);
   endif
-  result.stats = gsmbp__run_stats (s, m, result, method, stats);
+  result.stats = gs.run.named_statistics (s, m, result, method, stats);
   if (! isfield (result, "y"))
-    at = gsmbp__row_times (m, result.t, p.times);
-    result.y = gsmbp__outputs (m, at, result.x, result.v);
+    at = gs.run.row_times (m, result.t, p.times);
+    result.y = gs.run.output_values (m, at, result.x, result.v);
     result.unique = m.unique.outputs;
   endif
-  result = gsmbp__named (m, result);
+  result = gs.model.named_results (m, result);
   if (! isempty (carried.names))
     if (! isempty (turns))
-      lost = gsmbp__grazes (m, result, lost, turns, @(t) states_alone (m, x0, t, varargin), atol);
+      lost = gs.events.grazing_events (m, result, lost, turns, @(t) states_alone (m, x0, t, ...
+          varargin), atol);
     endif
-    result = gsmbp__derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, ...
+    result = gs.linear.run_derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, ...
                                  followed, moved);
   endif
   result.stats.seconds = seconds;
@@ -363,20 +364,20 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   if (any (strcmp (result.stats.method, {"rk4", "gauss"})))
     [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
   endif
-  gsmbp__run_warnings (who, m, result.stats, columns (events));
+  gs.run.warn_of (who, m, result.stats, columns (events));
   if (! isempty (m.events) && ! isempty (result.t))
     run = struct ("run", 1, "method", result.stats.method, "atol", atol, "happened", ...
                   unique (result.events.number), "t", result.t(end), "x", result.x(end,:), ...
                   "v", result.v(end,:));
-    gsmbp__sharp_friction (who, m, gsmbp__sharp_ports (m, run), 1);
+    gs.events.sharp_friction (who, m, gs.events.sharp_ports (m, run), 1);
   endif
   at = sprintf ("at t = %.9g of %.9g s", stats.reached, times(end));
-  result.stats.stopped = gsmbp__stopped (who, m, info, at, nargout < 2);
+  result.stats.stopped = gs.run.stopped_word (who, m, info, at, nargout < 2);
   if (! isempty (ender))
     result.stats.stopped = ["event " ender];
   endif
   if (info != 0 && nargout < 2 && isempty (result.stats.stopped))
-    [text, id] = gsmbp__failure (m, info, stats, text, last_state (m, reached, x, v));
+    [text, id] = gs.run.failure_text (m, info, stats, text, last_state (m, reached, x, v));
     error (id, "%s: %s: %s", who, m.name, text);
   endif
 endfunction

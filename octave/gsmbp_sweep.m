@@ -138,49 +138,49 @@ function w = gsmbp_sweep (m, x0, times, varargin)
     print_usage ();
   endif
   who = "gsmbp_sweep";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "x0", x0, "times", times);
-  [o, rest] = gsmbp__sweep_options (who, m, varargin);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "x0", x0, "times", times);
+  [o, rest] = gs.sweep.sweep_options (who, m, varargin);
   names = fieldnames (o.vary)';
-  cellfun (@(name) gsmbp__known_parameter (who, m, name), names);
-  times = gsmbp__times (who, times);
-  kept = gsmbp__kept (who, m, o.keep, times);
+  cellfun (@(name) gs.given.check_parameter (who, m, name), names);
+  times = gs.given.given_times (who, times);
+  kept = gs.sweep.kept_results (who, m, o.keep, times);
   check_loop (who, m, o, kept);
-  p = gsmbp__run_of_many (who, m, x0, times, rest);   # before anything is on the disk
+  p = gs.run.plan_many (who, m, x0, times, rest);   # before anything is on the disk
   plain = kept(! [kept.whole]);
   rest_of = isempty (o.file) * nnz ([kept.whole]) * numel (times);   # of whole runs
-  table = gsmbp__sweep_plan (who, o, numel (plain) + rest_of);
-  p = gsmbp__for_all_delays (p, names, table);
+  table = gs.sweep.plan_table (who, o, numel (plain) + rest_of);
+  p = gs.run.longest_delays (p, names, table);
   w = struct ("names", {[names, {plain.what}]}, "units", {[units_of(m, names), {plain.unit}]});
   check_demands (who, o.demand, w.names);
   told_of_signs (who, m, names, w.units, table);
   s = struct ("who", who, "m", m, "times", times, "plan", p, "names", {names}, "table", table, ...
               "kept", kept, "threads", o.threads, "lanes", o.lanes, ...
               "chunk", o.chunk, "timeout", o.timeout, "loop", o.loop);
-  told = gsmbp__sweep_told (m, x0, times, rest, o, kept);
-  records = gsmbp__sweep_records (told, w.names, w.units, kept, table, times);
+  told = gs.sweep.describe_sweep (m, x0, times, rest, o, kept);
+  records = gs.sweep.record_names (told, w.names, w.units, kept, table, times);
   if (! isempty (o.program))
-    gsmbp__sharp_friction (who, m, sharp_at_start (s), rows (table));
-    w = struct ("program", gsmbp__sweep_program (who, s, p, records, o.program));
+    gs.events.sharp_friction (who, m, sharp_at_start (s), rows (table));
+    w = struct ("program", gs.sweep.build_program (who, s, p, records, o.program));
     return;
   elseif (isempty (o.file))
-    r = gsmbp__sweep_runs (who, s, []);
+    r = gs.sweep.run_blocks (who, s, []);
   else
-    r = gsmbp__sweep_on_disk (who, s, gsmbp__sweep_journal (who, m, o, told, records));
+    r = gs.sweep.read_results (who, s, gs.sweep.open_journal (who, m, o, told, records));
   endif
   w.stopped = said_if_stopped (who, m, o, r);
   told_of_margins (who, m, r.outside, rows (table));
-  gsmbp__sharp_friction (who, m, r.sharp, rows (table));
+  gs.events.sharp_friction (who, m, r.sharp, rows (table));
   w.values = [table, r.values];
   [w.ok, w.reached, w.reason, w.seconds] = deal (r.ok, r.reached, r.reason, r.seconds);
-  [w, out] = gsmbp__sweep_statistics (w, table, r.values, o);
+  [w, out] = gs.sweep.statistics_of (w, table, r.values, o);
   if (isempty (w.stopped))
-    gsmbp__most_failed (who, m, w.ok, w.reason);
+    gs.run.most_failed (who, m, w.ok, w.reason);
     told_of_left_out (who, m, o.runs, {plain.what}, out);
   endif
   w.yield = yield (w, o.demand, r.made);
   if (strcmp (o.plan, "corners"))
-    w.corner = gsmbp__sweep_corners (w, table, r.values);
+    w.corner = gs.sweep.corner_values (w, table, r.values);
   endif
   if (isempty (o.file))
     w.whole = rmfield (kept([kept.whole]), {"what", "of", "whole", "way", "number", "time"});
@@ -203,7 +203,7 @@ function check_loop (who, m, o, kept)
   asked = {kept([kept.way] == 0).what};
   if (! (isempty (o.loop) || is_function_handle (o.loop)))
     error (["%s: option loop: expected a function of the model that gives a controller, found " ...
-            "%s"], who, gsmbp__shown (o.loop));
+            "%s"], who, gs.text.shown_value (o.loop));
   elseif (isempty (asked) != isempty (o.loop))
     error (["%s: margins in option keep (%s) and option loop, a function of the model that " ...
             "gives a controller, belong together"], who, strjoin (asked, ", "));
@@ -224,7 +224,7 @@ function check_law (who, m, loop)
   end_try_catch
   if (! (isstruct (law) && isscalar (law) && isfield (law, "plant")))
     error (["%s: option loop: expected that it gives a controller of gsmbp_control or " ...
-            "gsmbp_pid, found %s"], who, gsmbp__shown (law));
+            "gsmbp_pid, found %s"], who, gs.text.shown_value (law));
   endif
 endfunction
 
@@ -245,7 +245,7 @@ function stopped = said_if_stopped (who, m, o, r)
   if (! isempty (stopped))
     how = {"; \"resume\", true goes on", ""}{1 + isempty(o.file)};
     warning ("gsmbp:stopped", "%s: %s: %s with %d of %d runs made%s", who, m.name, ...
-             gsmbp__stopped_by (stopped), nnz (r.made), numel (r.made), how);
+             gs.run.stopped_text (stopped), nnz (r.made), numel (r.made), how);
   endif
 endfunction
 
@@ -267,11 +267,11 @@ function list = sharp_at_start (s)
   if (isempty (m.events) || ! any (strcmp (p.method, {"radau", "cvode"})))
     return;
   endif
-  all_ = gsmbp__sweep_rows (s, 1:rows (s.table));
+  all_ = gs.sweep.run_rows (s, 1:rows (s.table));
   for i = find (strcmp (all_.broken, ""))'
     run = struct ("run", i, "method", p.method, "atol", p.atol, "happened", ...
                   1:numel (m.events), "t", s.times(1), "x", p.x0, "v", m.input_starts);
-    list = [list, gsmbp__sharp_ports(gsmbp__run_model (m, all_, i), run)];
+    list = [list, gs.events.sharp_ports(gs.run.model_of_row (m, all_, i), run)];
   endfor
 endfunction
 
@@ -290,16 +290,16 @@ endfunction
 function check_demands (who, demands, names)
   if (! (iscell (demands) && (isempty (demands) || columns (demands) == 3)))
     error (["%s: option demand: expected a cell with rows of what is kept, lower and upper " ...
-            "limit, found %s"], who, gsmbp__shown (demands));
+            "limit, found %s"], who, gs.text.shown_value (demands));
   endif
   for row = demands'
     if (! (ischar (row{1}) && any (strcmp (names, row{1}))))
-      error ("%s: option demand: unknown %s", who, gsmbp__unknown (row{1}, names));
+      error ("%s: option demand: unknown %s", who, gs.text.nearest_word (row{1}, names));
     elseif (! (isscalar (row{2}) && isscalar (row{3}) && isreal ([row{2:3}]) ...
                && row{2} <= row{3}))
       error (["%s: option demand: %s: expected a lower limit and an upper one that is not " ...
-              "below it, found %s and %s"], who, row{1}, gsmbp__shown (row{2}), ...
-             gsmbp__shown (row{3}));
+              "below it, found %s and %s"], who, row{1}, gs.text.shown_value (row{2}), ...
+             gs.text.shown_value (row{3}));
     endif
   endfor
 endfunction

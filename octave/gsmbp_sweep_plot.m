@@ -40,9 +40,10 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
   endif
   who = "gsmbp_sweep_plot";
   if (! (isstruct (w) && isscalar (w) && all (isfield (w, {"names", "values", "correlation"}))))
-    error ("%s: argument w: expected a result of gsmbp_sweep, found %s", who, gsmbp__shown (w));
+    error ("%s: argument w: expected a result of gsmbp_sweep, found %s", who, ...
+        gs.text.shown_value (w));
   endif
-  gsmbp__fits (who, "argument kind", kind, {"scatter", "tornado", "indices"});
+  gs.given.check_kind (who, "argument kind", kind, {"scatter", "tornado", "indices"});
   [~, ~, ending] = fileparts (file);
   if (! any (strcmpi (ending, {".png", ".pdf", ".svg", ".eps"})))
     error ("%s: the file must end in .png, .pdf, .svg or .eps, found: %s", who, file);
@@ -57,11 +58,12 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
     case "indices"
       [lines, heads, data, size, rows_of] = indices (who, w, s);
   endswitch
-  table = gsmbp__beside (who, [file(1:end-numel (ending)) ".csv"]);
-  guard = onCleanup (@() gsmbp__discard (table));
+  table = gs.files.new_beside (who, [file(1:end-numel (ending)) ".csv"]);
+  guard = onCleanup (@() gs.files.discard_file (table));
   write_table (table, heads, rows_of, data);
   look = struct ("dpi", 160, "fontsize", 10);
-  gsmbp__gnuplot (who, file, gsmbp__drawing_terminal (tolower (ending), size, look), lines, table);
+  gs.files.run_gnuplot (who, file, gs.files.gnuplot_terminal (tolower (ending), size, look), ...
+      lines, table);
 endfunction
 
 ## the numbers of a figure, each row behind a name where there are such
@@ -71,7 +73,7 @@ function write_table (file, heads, names, data)
     return;
   endif
   row = @(k) [names{k}, sprintf(",%.17g", data(k,:)), "\n"];
-  gsmbp__write ("gsmbp_sweep_plot", file, ...
+  gs.files.write_text ("gsmbp_sweep_plot", file, ...
                 [strjoin(heads, ","), "\n", arrayfun(row, 1:rows (data), ...
                                                      "UniformOutput", false){:}]);
 endfunction
@@ -84,7 +86,7 @@ function s = chosen (who, w, name)
   if (! isempty (name))
     s.at = k + find (strcmp (w.names(k+1:end), name), 1);
     if (isempty (s.at))
-      error ("%s: argument name: unknown %s", who, gsmbp__unknown (name, w.names(k+1:end)));
+      error ("%s: argument name: unknown %s", who, gs.text.nearest_word (name, w.names(k+1:end)));
     endif
   endif
   if (s.at > columns (w.values))
@@ -103,7 +105,7 @@ function s = chosen (who, w, name)
 endfunction
 
 function text = label (name, unit)
-  text = gsmbp__label ([name, [" [" unit "]"](1:end*! isempty (unit))]);
+  text = gs.text.plot_label ([name, [" [" unit "]"](1:end*! isempty (unit))]);
 endfunction
 
 function lines = begun (n, wide)
@@ -112,7 +114,7 @@ function lines = begun (n, wide)
 endfunction
 
 function text = quoted (text)
-  text = [gsmbp__quoted(text) " noenhanced"];
+  text = [gs.text.gnuplot_quoted(text) " noenhanced"];
 endfunction
 
 function [lines, heads, data, size] = scatter (w, s)
@@ -156,7 +158,7 @@ function [tics, letters] = tics_of (x, most)
   range = max (x) - min (x);
   if (! (range > 1e-9 * max (abs (x))))   # it does not vary
     [text, letters] = told (x(1), x(1));
-    tics = [gsmbp__quoted(text), sprintf(" %.9g", x(1))];
+    tics = [gs.text.gnuplot_quoted(text), sprintf(" %.9g", x(1))];
     return;
   endif
   ten = 10 ^ floor (log10 (range / 4.1));
@@ -167,7 +169,8 @@ function [tics, letters] = tics_of (x, most)
   if (numel (at) > 2 && letters > most)   # more have no room
     [at, texts] = deal (at([1, end]), texts([1, end]));
   endif
-  tics = strjoin (cellfun (@(text, x) sprintf ("%s %.9g", gsmbp__quoted (text), x), texts, ...
+  tics = strjoin (cellfun (@(text, x) sprintf ("%s %.9g", gs.text.gnuplot_quoted (text), x), ...
+      texts, ...
                            num2cell (at), "UniformOutput", false), ", ");
 endfunction
 
@@ -221,7 +224,8 @@ endfunction
 function lines = barred (names, bars, from, said, keys)
   k = numel (names);
   y = (k:-1:1)';
-  tics = strjoin (arrayfun (@(i) sprintf ("%s %d", gsmbp__quoted (names{i}), y(i)), 1:k, ...
+  tics = strjoin (arrayfun (@(i) sprintf ("%s %d", gs.text.gnuplot_quoted (names{i}), y(i)), ...
+      1:k, ...
                             "UniformOutput", false), ", ");
   lines = {"set encoding utf8", "set border 1 lc rgb '#4d4d4d'", "set tics nomirror out", ...
            ["set ytics (" tics ") noenhanced scale 0"], sprintf("set yrange [0.4:%g]", k + 0.6), ...
@@ -239,7 +243,7 @@ function lines = barred (names, bars, from, said, keys)
                             "'#4d4d4d' front"], from, from), ...
                    sprintf(["plot $d1 with boxxyerror lc rgb '#00459a' title %s, " ...
                             "$d2 with boxxyerror lc rgb '#cc3318' title %s"], ...
-                           gsmbp__quoted (keys{1}), gsmbp__quoted (keys{2}))}];
+                           gs.text.gnuplot_quoted (keys{1}), gs.text.gnuplot_quoted (keys{2}))}];
 endfunction
 
 function [lines, heads, data, size, names] = indices (who, w, s)

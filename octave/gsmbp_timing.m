@@ -52,17 +52,17 @@ function s = gsmbp_timing (m, t, x, varargin)
     print_usage ();
   endif
   who = "gsmbp_timing";
-  gsmbp__model (who, m);
-  gsmbp__no_words (who, "t", t, "x", x);
+  gs.given.check_model (who, m);
+  gs.given.refuse_words (who, "t", t, "x", x);
   d = m.sizes;
   table = {"input", zeros(d.nv, 1), "numbers"
            "qj", [], "numbers"
            "seconds", 0.02, "positive"
            "print", true, "flag"};
-  o = gsmbp__options (who, table, varargin);
-  t = gsmbp__vector (who, "t", t, 1);
-  x = gsmbp__vector (who, "x", x, d.nx, sprintf (" (the states of %s)", m.name), m.states);
-  o.input = gsmbp__vector (who, "option input", o.input, d.nv, "", m.inputs);
+  o = gs.given.call_options (who, table, varargin);
+  t = gs.given.given_vector (who, "t", t, 1);
+  x = gs.given.given_vector (who, "x", x, d.nx, sprintf (" (the states of %s)", m.name), m.states);
+  o.input = gs.given.given_vector (who, "option input", o.input, d.nv, "", m.inputs);
   q = x(1:d.nq);
   u = x(d.nq + (1:d.nu));
   zero = zeros (d.nu, 1);

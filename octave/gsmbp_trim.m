@@ -69,25 +69,25 @@ function r = gsmbp_trim (m, x, v, varargin)
   if (nargin < 2)
     print_usage ();
   endif
-  gsmbp__model ("gsmbp_trim", m);
+  gs.given.check_model ("gsmbp_trim", m);
   if (nargin < 3)
     v = [];
   endif
-  gsmbp__no_words ("gsmbp_trim", "x", x, "v", v);
+  gs.given.refuse_words ("gsmbp_trim", "x", x, "v", v);
   table = {"hold", {}, "names"
            "free", {}, "names"
            "steady", {}, "names"
            "time", 0, "number"
            "tolerance", 1e-9, "tolerance"
            "margins", "check", {"check", "ignore"}};
-  o = gsmbp__options ("gsmbp_trim", table, varargin);
-  p = gsmbp__rest_problem (m, x, v, o);
+  o = gs.given.call_options ("gsmbp_trim", table, varargin);
+  p = gs.linear.rest_problem (m, x, v, o);
   check_rest (p, p.z);
   check_derivatives (p, p.z);
-  [z, way] = gsmbp__rest_solve (p);
+  [z, way] = gs.linear.rest_solve (p);
   check_rest (p, z);
-  if (! (gsmbp__rest_worst (p, z) <= 1))
-    gsmbp__rest_refuse (p, z);
+  if (! (gs.linear.rest_worst (p, z) <= 1))
+    gs.linear.rest_refuse (p, z);
   endif
   check_derivatives (p, z);
   free = spaces (p, z);
@@ -116,15 +116,15 @@ function [p, z] = nearest (p, z, free)
   endif
   q = p;
   q.fixed = keep;
-  y = gsmbp__rest_newton (q, merge (ismember ((1:numel (z))', keep), p.z, z));
-  if (gsmbp__rest_worst (p, y) <= 1)
+  y = gs.linear.rest_newton (q, merge (ismember ((1:numel (z))', keep), p.z, z));
+  if (gs.linear.rest_worst (p, y) <= 1)
     [p, z] = deal (q, y);
   endif
 endfunction
 
 ## unknowns that are states of devices whose rates depend on nothing that may change
 function k = undriven (p, z)
-  [~, J] = gsmbp__rest_equations (p, z);
+  [~, J] = gs.linear.rest_equations (p, z);
   own = p.own(:)';
   device = find (own > p.m.sizes.nq + p.m.sizes.nu);
   [~, row] = ismember (own(device), p.rows);
@@ -133,8 +133,8 @@ endfunction
 
 ## what Newton's method needs
 function check_derivatives (p, z)
-  [~, J] = gsmbp__rest_equations (p, z);
-  gsmbp__need_derivatives ([p.who, ": ", p.m.name], J, gsmbp__rest_names (p), unknowns (p));
+  [~, J] = gs.linear.rest_equations (p, z);
+  gs.given.need_derivatives ([p.who, ": ", p.m.name], J, gs.text.rest_names (p), unknowns (p));
 endfunction
 
 ## with all speeds zero no constraint may move, nor begin to
@@ -143,12 +143,12 @@ function check_rest (p, z)
   if (d.nlam == 0 || ! isempty (p.steady))
     return;
   endif
-  x = gsmbp__rest_state (p, z);
+  x = gs.linear.rest_state (p, z);
   [~, phit, ~, gam, ~] = p.m.con (p.t, x(1:d.nq), zeros (d.nu, 1));
   for found = {phit, -gam; "moves at %g", "starts with an acceleration of %g"; "/s", "/s^2"}
     k = find (! (abs (found{1}) <= p.tolerance), 1);
     if (! isempty (k))
-      rate = sprintf ([found{2} "%s%s"], found{1}(k), gsmbp__constraint_unit (p.m, k), found{3});
+      rate = sprintf ([found{2} "%s%s"], found{1}(k), gs.text.constraint_unit (p.m, k), found{3});
       error (["%s: %s: no state at rest at t = %g s: with all speeds zero the constraint %s " ...
               "%s, " ...
               "it is driven with time; take a time at which it rests (option \"time\"), or let " ...
@@ -160,7 +160,7 @@ endfunction
 
 ## no device may be where its laws do not hold
 function check_margins (p, r)
-  list = gsmbp__margins (p.m, p.t, r.x', r.v');
+  list = gs.start.range_margins (p.m, p.t, r.x', r.v');
   if (isempty (list))
     return;
   endif
@@ -173,15 +173,15 @@ endfunction
 ## the same state some other times
 function check_time (p, z)
   if (! isempty (p.steady))
-    gsmbp__steady_check (p, z);
+    gs.linear.steady_check (p, z);
     return;
   endif
-  [f, J] = gsmbp__rest_equations (p, z);
+  [f, J] = gs.linear.rest_equations (p, z);
   limit = max (p.tolerance * p.usual, 1e3 * eps * (abs (J) * max (abs (z), p.size)));
   for later = [0.618, 3.7, 19.1]
-    k = find (! (abs (gsmbp__rest_equations (p, z, p.t + later)) <= 10 * limit), 1);
+    k = find (! (abs (gs.linear.rest_equations (p, z, p.t + later)) <= 10 * limit), 1);
     if (! isempty (k))
-      names = gsmbp__rest_names (p);
+      names = gs.text.rest_names (p);
       warning ("gsmbp:trim", "%s: %s: an equilibrium at t = %g s alone: %s changes with time",
                p.who, p.m.name, p.t, names{k});
       return;
@@ -191,9 +191,9 @@ endfunction
 
 function r = result (p, z, way)
   [m, d] = deal (p.m, p.m.sizes);
-  [x, v] = gsmbp__rest_state (p, z);
+  [x, v] = gs.linear.rest_state (p, z);
   xd = m.rhs (p.t, x, v);
-  f = gsmbp__rest_equations (p, z);
+  f = gs.linear.rest_equations (p, z);
   r = struct ("x", x, "v", v, "ud", xd(d.nq + (1:d.nu)), "lambda", zeros (0, 1), ...
               "phi", zeros (0, 1), "residual", max ([abs(f) ./ p.usual; 0]), "way", way, ...
               "running", {names_of(p, xd)});
@@ -212,7 +212,7 @@ endfunction
 ## what can be moved without effect on the equations: an orthonormal basis, in units of the
 ## usual sizes
 function free = spaces (p, z)
-  [~, J] = gsmbp__rest_equations (p, z);
+  [~, J] = gs.linear.rest_equations (p, z);
   row = abs (J) * p.size;
   row(! (row > 1e-20 * max ([row; 0]))) = 1;   # a row of noise is none
   [~, S, V] = svd (J .* p.size' ./ row);

@@ -36,15 +36,16 @@ function v = gsmbp_validate (m, e, data, varargin)
     print_usage ();
   endif
   who = "gsmbp_validate";
-  gsmbp__model (who, m);
+  gs.given.check_model (who, m);
   if (ischar (data))
-    gsmbp__sound_data (who, m, data, {});   # before the options say what they miss
+    gs.identify.sound_data (who, m, data, {});   # before the options say what they miss
   endif
-  gsmbp__open_chain (who, m);
-  gsmbp__estimates (who, e);
-  o = gsmbp__options (who, {"file", "", "text"}, varargin);
-  data = gsmbp__sound_data (who, m, data, {});
-  w = gsmbp__regression (who, m, data, setfield (e.options, "motors", e.options.motors([])));
+  gs.given.check_open_chain (who, m);
+  gs.given.check_estimates (who, e);
+  o = gs.given.call_options (who, {"file", "", "text"}, varargin);
+  data = gs.identify.sound_data (who, m, data, {});
+  w = gs.identify.regression_rows (who, m, data, setfield (e.options, "motors", ...
+      e.options.motors([])));
   p = w.p;
   for k = 1:numel (e.names)
     at = strcmp (w.names, e.names{k});

@@ -59,8 +59,8 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
   if (nargin < 3)
     print_usage ();
   endif
-  gsmbp__model ("gsmbp_workprecision", m);
-  gsmbp__no_words ("gsmbp_workprecision", "x0", x0, "times", times);
+  gs.given.check_model ("gsmbp_workprecision", m);
+  gs.given.refuse_words ("gsmbp_workprecision", "x0", x0, "times", times);
   [o, rest] = read_options (m, varargin);
   check_runs (m, x0, times, o, rest);
   truth = reference (m, x0, times, o, rest);
@@ -101,20 +101,20 @@ function [o, rest] = read_options (m, pairs)
            "file", "", "text"
            "seconds", 0.1, "nonnegative"
            "reference", 1e-18, "tolerance"};
-  [names, values] = gsmbp__pairs (who, "option", pairs);
+  [names, values] = gs.given.name_value_pairs (who, "option", pairs);
   measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
   if (! isempty (measured))
     error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
             "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\""], who, measured{1});
   endif
   own = ismember (names, table(:,1));
-  run = gsmbp__simulate_options (false);
+  run = gs.run.option_table (false);
   known = sort ([table(:,1); run(:,1)])';
   k = find (! ismember (names, known), 1);
   if (! isempty (k))
-    error ("%s: unknown option %s", who, gsmbp__unknown (names{k}, known));
+    error ("%s: unknown option %s", who, gs.text.nearest_word (names{k}, known));
   endif
-  o = gsmbp__options (who, table, [names(own); values(own)](:)');
+  o = gs.given.call_options (who, table, [names(own); values(own)](:)');
   if (radau && ! any (ismember (table(1:6,1), names)))
     o.radau = 10 .^ -(4:2:12);
   endif
@@ -139,7 +139,7 @@ function check_own (who, m, o)
   endfor
   if (! isempty (o.index2) && m.sizes.nlam == 0)
     error ("%s: option index2: %s has no loops; expected none, found %s", who, m.name, ...
-           gsmbp__shown (o.index2));
+           gs.text.shown_value (o.index2));
   endif
   [~, ~, ending] = fileparts ([o.file, ""]);
   if (! (isempty (o.file) || any (strcmpi (ending, {".png", ".pdf", ".svg", ".eps"}))))
@@ -161,8 +161,8 @@ endfunction
 function laid_out (m, x0, times, options, name)
   who = "gsmbp_workprecision";
   try
-    gsmbp__run_setup (who, m, x0, times, ...
-                      gsmbp__options (who, gsmbp__simulate_options (false), options));
+    gs.run.plan_run (who, m, x0, times, ...
+                      gs.given.call_options (who, gs.run.option_table (false), options));
   catch err
     err.message = regexprep (err.message, "option (step|rtol)", ["option " name]);
     rethrow (err);
@@ -209,7 +209,7 @@ function tell_first (m, stats, id)
   endfor
   lastwarn ("", "");
   for s = stats
-    gsmbp__run_warnings ("gsmbp_workprecision", m, s{1}, Inf);
+    gs.run.warn_of ("gsmbp_workprecision", m, s{1}, Inf);
     if (! isempty (lastwarn ()))
       break;
     endif

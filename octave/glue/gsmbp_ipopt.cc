@@ -1,5 +1,5 @@
 // Ipopt for Octave by its interface in C (Debian: coinor-libipopt-dev), built when it is first
-// asked for (octave/private/gsmbp__ipopt.m).
+// asked for (octave/+gs/+run/run_ipopt.m).
 //
 // [x, status, J, g, lambda, zl, zu, log, text, interrupted] = gsmbp_ipopt_solve (x0, low, high,
 //   glow, ghigh, jac, hess, f, options, most, seconds): jac, hess: rows and columns of the entries
@@ -331,7 +331,7 @@ set_options (IpoptProblem nlp, const Cell& options)
 }
 }
 
-DEFUN_DLD (gsmbp_ipopt_solve, args, , "Called by gsmbp__ipopt; not for direct use.")
+DEFUN_DLD (gsmbp_ipopt_solve, args, , "Called by gs.run.run_ipopt; not for direct use.")
 {
   if (args.length () != 11)
     error ("gsmbp_ipopt_solve: expected 11 arguments, found %d", int (args.length ()));

@@ -13,7 +13,7 @@ typedef void (*gsmbp_sub) (void);
 typedef gs_real gs_value;
 
 /* The sizes, as the JSON's "dimensions" name them: the one place where they are listed.
-   gsmbp__compile.m writes an initializer by name for each. */
+   gs.model.compile_module.m writes an initializer by name for each. */
 #define GSMBP_SIZES(X)                                                                             \
   X (nq) X (nu) X (nv) X (nx) X (ny) X (ne) X (nlam) X (ncst) X (npar) X (nqj) X (nact) X (na)     \
   X (nmar) X (nxk) X (nctl) X (nev) X (nmode) X (nsm) X (nsw)

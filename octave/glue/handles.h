@@ -64,7 +64,8 @@ absent (const std::string& call, const char *request)
 //   cst, ld, k, info: the constants, the leading dimension of the array before it (of all arrays,
 //             behind k, the number of states), the number of states, the indicator
 // and the results in the order of the handle where that is another.  A subroutine that is not here
-// has its arguments from the JSON (gsmbp__signature.m); the table says what that does not.  What
+// has its arguments from the JSON (gs.model.routine_signature.m); the table says what that does
+// not.  What
 // nobody asks for (PRE) is no handle.
 struct known_routine { const char *name, *request, *slots, *results; };
 static const known_routine known[]

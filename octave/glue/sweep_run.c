@@ -530,7 +530,7 @@ of_margins (const gs_sweep *s, gs_sweep_room *r, int number, long long reached)
   return fails ? NAN : least[number - 1];
 }
 
-/* sum of the trapezoidal rule as gsmbp__kept has it, of the POWER 1 or 2 */
+/* sum of the trapezoidal rule as gs.sweep.kept_results has it, of the POWER 1 or 2 */
 static double
 mean (const gs_sweep *s, const gs_sweep_room *r, int number, long long reached, int power)
 {

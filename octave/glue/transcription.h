@@ -1,4 +1,5 @@
-// The program of an optimal motion (gsmbp_collocate) as octave/private/gsmbp__transcription.m lays
+// The program of an optimal motion (gsmbp_collocate) as
+// octave/+gs/+collocation/transcribe_problem.m lays
 // it out: what it is made of, and a point taken apart.
 #pragma once
 

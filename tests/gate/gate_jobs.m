@@ -62,8 +62,8 @@ end
 ## of private functions, which only their own folder has
 function write_flags (folder)
   here = cd (fullfile (fileparts (which ("gsmbp_build")), "private"));
-  [scene, common, c] = gsmbp__fortran_flags ("double");
-  words = {"fc", gsmbp__mkoctfile("F77"); "cc", gsmbp__mkoctfile("CC"); "scene", scene
+  [scene, common, c] = gs.model.fortran_flags ("double");
+  words = {"fc", gs.files.mkoctfile_word("F77"); "cc", gs.files.mkoctfile_word("CC"); "scene", scene
            "common", common; "c", c}';
   cd (here);
   f = fopen (fullfile (folder, "flags"), "w");

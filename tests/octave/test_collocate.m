@@ -85,7 +85,7 @@ function program (m)
   cd (fullfile (fileparts (which ("gsmbp_collocate")), "private"));   # its functions are not public
   worst = [0 0 0];
   for name = {"lobatto", "radau"}
-    mesh.rule = gsmbp__collocation_rule (name{1});
+    mesh.rule = gs.collocation.quadrature_rule (name{1});
     mesh.breaks = [1 1 2 2; 0 0.4 0 0.7; 0.4 1 0.7 1];
     p = struct ("t0", 0.1, "goal_time", 0.3);
     p.parameters = struct ("name", {"l1", "m3"});
@@ -95,8 +95,8 @@ function program (m)
                     "products", [2 2 0.3; 5 1 -0.7]);
     p.singular = struct ("input", 1, "from", 0, "until", 1, "weight", 40);
     p.final = struct ("x", (1:m.sizes.nx)', "y", 0.3 * ones (numel (m.outputs), 1));
-    c = gsmbp__transcription (m, p, mesh);
-    f = gsmbp__transcribed (m, c);
+    c = gs.collocation.transcribe_problem (m, p, mesh);
+    f = gs.collocation.compile_transcription (m, c);
     z = [0.5 + 0.3 * sin((1:c.n-2)'); 0.21; 1.1];
     l = cos (1:c.m)';
     at = f ("places");

@@ -100,7 +100,7 @@ function left_out (m, png)
   end
   bad{end+1} = told (@gsmbp_trim, {m, [0.1, 0, 0], "steady", "s"}, ...
                      "^gsmbp_trim: argument v: expected no text, found \"steady\"");
-  report ("gsmbp__no_words", bad);
+  report ("gs.given.refuse_words", bad);
 end
 
 function leave (before, folder)

@@ -122,77 +122,97 @@ check 'XDG_CACHE_HOME is absolute' said env -u GSMBP_CACHE XDG_CACHE_HOME=x HOME
 folder=$work/xdg/gsmbp
 check 'or below XDG_CACHE_HOME' said env -u GSMBP_CACHE XDG_CACHE_HOME="$work/xdg"
 
-# -- Octave: a module, and the generic part of all
+# -- Octave: a module in two folders
 has script 'the cache in Octave' || exit 0
 cp octave/hand/motor_pendulum.* "$work"
 mkdir "$work/octave"
 [ -z "$users" ] || cp -Rp "$users" "$work/octave"   # what other tests have compiled
 export GSMBP_CACHE="$work/octave"
 objects=$GSMBP_CACHE/objects
-# octave_run FOLDER [SOURCES]: the end of a run with its build folder, to the last bit
+# on_terminal SCRIPT FOLDER ...: what it writes on one
+on_terminal() { script -qec "sh $*" /dev/null </dev/null | tr -d '\r' | sed 's/.*\[K//'; }
+# octave_run FOLDER: the end of a run with its build folder, to the last bit
 cat >"$work/octave_run" <<END
-cd '$work'; FOLDER=\$1 exec octave-cli -qf --no-history --path "\${2:-$root}/octave" --eval '
+cd '$work'; FOLDER=\$1 exec octave-cli -qf --no-history --path "$root/octave" --eval '
   m = gsmbp_build ("motor_pendulum", "build", getenv ("FOLDER"), "directory", ".");
   r = gsmbp_simulate (m, m.initial, 0:0.1:1, "input", 12, "method", "gauss", "step", 1e-3);
   printf ("%.17g %.17g %.17g", r.x(end,:));' </dev/null
 END
-# run FOLDER [SOURCES]: the same on a terminal; again ...: after its generic part was removed
-cat >"$work/run" <<END
-script -qec "sh '$work/octave_run' '\$1' '\${2:-$root}'" /dev/null </dev/null | tr -d '\r' |
-  sed 's/.*\[K//'
-END
-cat >"$work/again" <<END
-rm -rf "$work/\$1"/double/common/gsmbp_module.o* "$work/\$1"/double/motor_pendulum
-. '$work/run'
-END
-run() { sh "$work/run" "$@"; }
-again() { sh "$work/again" "$@"; }
-# gives WHAT TOLD COMMAND ...: the same numbers, after the line `... once for this TOLD`
-gives() {
-  subject=$1 told=$2
-  shift 2
-  "$@" >"$report" 2>&1
-  check "$subject: the same numbers" test "$(tail -n 1 "$report")" = "$first"
-  check "$subject: compiled for: ${told:-nobody}" test "$told" = \
-    "$(sed -n 's/^gsmbp_[a-z]*: compiling the run time, once for this //p' "$report")"
-}
-run one >"$report" 2>&1
+on_terminal "$work/octave_run" one >"$report" 2>&1
 first=$(tail -n 1 "$report")
 check 'a run' test "$(echo "$first" | wc -w)" = 3
-gives 'a new folder' '' run two
+on_terminal "$work/octave_run" two >"$report" 2>&1
+check 'a new folder: the same numbers' test "$(tail -n 1 "$report")" = "$first"
+check 'a new folder: nothing is compiled' fails grep -q 'compiling the run time' "$report"
 for file in libgsmbp.a gsmbp_module.o; do
   cmp "$work/one/double/common/$file" "$work/two/double/common/$file"
 done >"$report" 2>&1
 result 'and the same bytes'
+
+# -- Octave: how it keeps a part of the run time, by one that compiles in no time (each time in a
+# second at least, to be interrupted)
+awk 'BEGIN { print "const double part[] = {"; for (k = 0; k < 4000; k++) print k ".125,"
+             print "};" }' >"$work/part.c"
+# octave_part FOLDER [SOURCE]: the sum of what is built there
+cat >"$work/octave_part" <<END
+cd '$work'; FOLDER=\$1 SOURCE=\${2:-$work/part.c} exec octave-cli -qf --no-history \
+  --path "$root/octave" --eval '
+  [folder, source, cc] = deal (getenv ("FOLDER"), getenv ("SOURCE"), "gcc -O1 -c");
+  made = @(place) {"part.o", system(sprintf ("sleep 1; %s -o %s/part.o %s", cc, place, source))}{1};
+  gs.files.build_once ("gsmbp_build", fullfile (folder, "part.o"), cc, {source}, made, cc);
+  printf ("%s", hash ("md5", fileread (fullfile (folder, "part.o"))));' </dev/null
+END
+run() { on_terminal "$work/octave_part" "$@"; }
+# again FOLDER ...: the same after what was built there was removed
+again() {
+  rm -f "$work/$1"/part.o*
+  run "$@"
+}
+# gives WHAT TOLD COMMAND ...: the same sum, after the line `... once for this TOLD`
+gives() {
+  subject=$1 told=$2
+  shift 2
+  "$@" >"$report" 2>&1
+  check "$subject: the same file" test "$(tail -n 1 "$report")" = "$first"
+  check "$subject: compiled for: ${told:-nobody}" test "$told" = \
+    "$(sed -n 's/^gsmbp_[a-z]*: compiling the run time, once for this //p' "$report")"
+}
+run three >"$report" 2>&1
+first=$(tail -n 1 "$report")
+check 'a part of the run time' test "$(printf %s "$first" | wc -c)" = 32
+gives 'a new folder' '' run four
 entry=$(ls -t "$objects"/* | head -n 1)
 cp "$entry" "$work/entry"
 printf '\377' | dd of="$entry" bs=1 seek=9000 conv=notrunc 2>/dev/null
-gives 'a flipped byte' user again one
-gives 'and then' '' again two
+gives 'a flipped byte' user again three
+gives 'and then' '' again four
 head -c 9000 "$work/entry" >"$entry"
-gives 'a truncated file' user again one
+gives 'a truncated file' user again three
 mkdir "$work/sources"
-cp -R octave share "$work/sources"
-echo '/* changed */' >>"$work/sources/octave/glue/job.h"
-gives 'a changed source' user again one "$work/sources"
-gives 'the same change' '' again two "$work/sources"
+{ cat "$work/part.c" && echo '/* changed */'; } >"$work/sources/part.c"
+gives 'a changed source' user again three "$work/sources/part.c"
+gives 'the same change' '' again four "$work/sources/part.c"
 rm "$entry"
-again one >"$work/said" 2>&1 &
-gives 'two at once' user again two
+again three >"$work/said" 2>&1 &
+gives 'two at once' user again four
 wait
-check 'the other one: the same numbers' test "$(tail -n 1 "$work/said")" = "$first"
+check 'the other one: the same file' test "$(tail -n 1 "$work/said")" = "$first"
 rm "$entry"
-rm -rf "$work"/one/double/common/gsmbp_module.o* "$work"/one/double/motor_pendulum
-setsid sh "$work/octave_run" one >"$work/said" 2>&1 &
+rm -f "$work"/three/part.o*
+setsid sh "$work/octave_part" three >"$work/said" 2>&1 &
 child=$!
-until [ -e "$work"/one/double/common/.new-* ] || ! kill -0 $child; do sleep 0.01; done
+until [ -e "$work"/three/.new-* ] || ! kill -0 $child; do sleep 0.01; done
 sleep 0.3
 kill -9 -$child
 check 'killed while it compiles: nothing is kept' fails test -e "$entry"
-gives 'after it' user again one
+gives 'after it' user again three
+cat >"$work/again" <<END
+rm -f "$work/\$1"/part.o*
+script -qec "sh '$work/octave_part' '\$1'" /dev/null </dev/null | tr -d '\r' | sed 's/.*\[K//'
+END
 chmod a-w "$objects"
 gives 'a folder that cannot be written' 'folder (no cache folder)' without_root_powers \
-  sh "$work/again" one
+  sh "$work/again" three
 chmod u+w "$objects"
 gives 'no HOME' 'folder (no cache folder)' env -u HOME -u GSMBP_CACHE \
-  -u XDG_CACHE_HOME sh "$work/again" one
+  -u XDG_CACHE_HOME sh "$work/again" three

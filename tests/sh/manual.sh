@@ -55,7 +55,7 @@ for path in sorted(glob.glob('octave/gsmbp_*.m')):
     text = open(path).read()
     help_text = ''.join(re.findall(r'(?m)^##.*$', text))
     if path.endswith('gsmbp_simulate.m'):
-        text = open('octave/private/gsmbp__simulate_options.m').read()
+        text = open('octave/+gs/+run/option_table.m').read()
     for table in re.findall(r'table = (?:\[)?\{(.*?)\};', text, re.S):
         for word in re.findall(r'(?m)^\s*"(\w+)", ', '  ' + table):
             if '"%s"' % word not in help_text:

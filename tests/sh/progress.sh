@@ -13,8 +13,8 @@ e = gsmbp_ensemble (m, m.initial, [0 100], "input", 1, "maxstep", 1e-3, "timeout
 w = gsmbp_sweep (m, m.initial, [0 20], "input", 1, "maxstep", 1e-3, "timeout", 4, "chunk", 20, ...
                  "vary", struct ("m", [1 2]), "runs", 1e5, "keep", {"final q"});
 gsmbp_derive ("$work/slider_crank.mac", "$work/out");
-cd ("$root/octave/private");   # what gsmbp_build runs its compilers by
-gsmbp__run ("gsmbp_build", "sleep 2.5", "compiling a scene", 4);
+# what gsmbp_build runs its compilers by
+gs.files.run_command ("gsmbp_build", "sleep 2.5", "compiling a scene", 4);
 E1
 # a derivation that tells every stage, not those alone that come after ten seconds
 { printf '?\\*gs\\-patience\\* : 0$\n'; cat examples/slider_crank/slider_crank.mac

@@ -18,7 +18,7 @@ only Maxima 'openw|opena|writefile|stringout|:direction :output|rename-file|with
   'gsmbp/(kernel/(files|statements|compiled|progress)|show/choose_modes).(mac|lisp)' \
   $(files gsmbp share -name '*.mac' -o -name '*.lisp')
 only Octave 'fopen \(.*"[wa]|\<rename \(|copyfile|movefile|dlmwrite|csvwrite|imwrite|\<save \(' \
-  'octave/private/gsmbp__(write|rename).m' $(files octave -name '*.m')
+  'octave/.gs/.files/(write_text|rename_new).m' $(files octave -name '*.m')
 only C '\<rename \(|freopen|mkstemp' 'octave/glue/sweep_place.c' \
   $(files octave share -name '*.c' -o -name '*.cc' -o -name '*.h')
 only C 'fopen \(.*"[wa]|O_CREAT|H5Fcreate' 'octave/glue/sweep_(files|table|program).c' \

@@ -33,7 +33,7 @@ result() {
   head -n 8 "$report"
 }
 
-# gfortran for comparisons bit for bit: statements apart, as in modules (gsmbp__fortran_flags)
+# gfortran for comparisons bit for bit: statements apart, as in modules (gs.model.fortran_flags)
 fortran_apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 
 # fortran_objects FOLDER: those of share/fortran by $fortran_apart in a new folder, from the cache

@@ -1,5 +1,5 @@
-"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md, share/c/README.md and
-tests/README.md true?
+"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md, share/c/README.md,
+octave/+gs/README.md and tests/README.md true?
 
 One line `ok WHAT` or `not ok WHAT: what is missing or too much` a check.
 guide.py ROOT --callers prints who calls each routine of share/fortran.
@@ -160,7 +160,7 @@ def check_named_files():
     sources = files_of('gsmbp/*.mac', 'gsmbp/*.lisp', 'gsmbp/*/*.mac', 'gsmbp/*/*.lisp',
                        'gsmbp/README.md', 'tests/README.md', 'share/fortran/README.md', 'CHANGES')
     for path in sources:
-        for name in re.findall(r'\b([a-z]\w*/[\w/]+\.(?:mac|lisp|f|m|md|sh|py))\b', text_of(path)):
+        for name in re.findall(r'\b([a-z]\w*/[\w/+]+\.(?:mac|lisp|f|m|md|sh|py))\b', text_of(path)):
             places = ['', 'gsmbp', 'share', 'share/fortran/solve', os.path.dirname(path)]
             made = 'fortran_out' in name or 'any/where' in name
             if not made and not any(files_of(os.path.join(p, name)) for p in places):
@@ -180,6 +180,14 @@ def check_named_functions():
     named = set(re.findall(r'`(gs(?:mbp)?_\w+)[`(]', text_of('gsmbp/README.md')))
     report('functions that gsmbp/README.md names are defined',
            {n for n in named - defined if not files_of('octave/%s.m' % n)})
+
+
+def check_rooms():
+    """octave/+gs/README.md names each room once"""
+    named = re.findall(r'(?m)^\| `(\+\w+)` \|', text_of('octave/+gs/README.md'))
+    rooms = {os.path.basename(os.path.dirname(p)) for p in files_of('octave/+gs/*/*.m')}
+    report('octave/+gs/README.md has the rooms',
+           (rooms ^ set(named)) | {n for n in named if named.count(n) > 1})
 
 
 def check_version():
@@ -207,4 +215,5 @@ else:
     check_heads()
     check_named_files()
     check_named_functions()
+    check_rooms()
     check_version()

@@ -43,22 +43,22 @@ TEXTS = [
     ('share/engine/host/start.c', ''),
     ('share/engine/host/margins.c', ''),
     ('share/c/gsmbp/refusals.h', ''),
-    ('octave/private/gsmbp__failure.m', 'dependent_rows'),
-    ('octave/private/gsmbp__failure.m', 'fastest'),
-    ('octave/private/gsmbp__verdict.m', 'gsmbp__verdict'),
-    ('octave/private/gsmbp__close_loops.m', 'gsmbp__close_loops'),
-    ('octave/private/gsmbp__fits.m', 'wanted'),
+    ('octave/+gs/+run/failure_text.m', 'dependent_rows'),
+    ('octave/+gs/+run/failure_text.m', 'fastest'),
+    ('octave/+gs/+start/verdict_words.m', 'verdict_words'),
+    ('octave/+gs/+start/close_loops.m', 'close_loops'),
+    ('octave/+gs/+given/check_kind.m', 'wanted'),
     ('share/c/gsmbp/options.h', ''),
-    ('octave/private/gsmbp__doubts.m', 'outside'),
-    ('octave/private/gsmbp__doubts.m', 'large'),
-    ('octave/private/gsmbp__doubts.m', 'impossible'),
-    ('octave/private/gsmbp__doubts.m', 'noisy'),
-    ('octave/private/gsmbp__exchanged.m', 'gsmbp__exchanged'),
-    ('octave/private/gsmbp__late_efforts.m', 'gsmbp__late_efforts'),
-    ('octave/private/gsmbp__rescaled_efforts.m', 'gsmbp__rescaled_efforts'),
-    ('octave/private/gsmbp__wrong_rates.m', 'gsmbp__wrong_rates'),
-    ('octave/private/gsmbp__close_loops.m', 'branch_end'),
-    ('octave/private/gsmbp__close_loops.m', 'not_free'),
+    ('octave/+gs/+identify/list_doubts.m', 'outside'),
+    ('octave/+gs/+identify/list_doubts.m', 'large'),
+    ('octave/+gs/+identify/list_doubts.m', 'impossible'),
+    ('octave/+gs/+identify/list_doubts.m', 'noisy'),
+    ('octave/+gs/+identify/exchanged_signals.m', 'exchanged_signals'),
+    ('octave/+gs/+identify/late_efforts.m', 'late_efforts'),
+    ('octave/+gs/+identify/rescaled_efforts.m', 'rescaled_efforts'),
+    ('octave/+gs/+identify/wrong_rates.m', 'wrong_rates'),
+    ('octave/+gs/+start/close_loops.m', 'branch_end'),
+    ('octave/+gs/+start/close_loops.m', 'not_free'),
 ]
 FORMAT = re.compile(r'%[-+0-9.*]*l?[a-zA-Z]|~:\[|~\d*[a-zA-Z%\]*;]|~\n\s*')
 
@@ -123,7 +123,7 @@ def kind_of(path):
 
 def sources():
     for pattern in ('gsmbp/*.mac', 'gsmbp/*/*.mac', 'gsmbp/*.lisp', 'gsmbp/*/*.lisp', 'octave/*.m',
-                    'octave/private/*.m', 'octave/glue/*.h', 'octave/glue/*.cc'):
+                    'octave/+gs/*/*.m', 'octave/glue/*.h', 'octave/glue/*.cc'):
         for path in sorted(glob.glob(os.path.join(ROOT, pattern))):
             yield os.path.relpath(path, ROOT)
 

@@ -16,6 +16,11 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   readers     functions that read words of Fortran
   layouts     places of the plan of a run (IP, RP) by number outside of the run time, whose file
               share/c/inputs/gslay.c lays it out for everybody
+  crowded     rooms of octave/+gs with more than 40 files
+  nameless    names in them of one word
+  shadows     functions in files of octave/ with the name of one in a room, which Octave 7 would
+              call in its place
+  indexed     results of functions in rooms that are indexed at once, which Octave 7 cannot
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
 import contextlib
@@ -128,6 +133,43 @@ def layouts(root):
                             yield '%s:%d' % (path, k)
 
 
+def rooms(root):
+    """{room: its files}"""
+    top = os.path.join(root, 'octave', '+gs')
+    return {room: [f for f in os.listdir(os.path.join(top, room)) if f.endswith('.m')]
+            for room in sorted(os.listdir(top)) if room.startswith('+')}
+
+
+def files_of_octave(root):
+    """(path, text) of its functions"""
+    for folder, _, files in os.walk(os.path.join(root, 'octave')):
+        for f in sorted(files):
+            if f.endswith('.m'):
+                with open(os.path.join(folder, f), errors='replace') as text:
+                    yield os.path.relpath(os.path.join(folder, f), root), text.read()
+
+
+def shadows(root):
+    known = {f[:-2] for files in rooms(root).values() for f in files}
+    for path, text in files_of_octave(root):
+        for name in re.findall(r'(?m)^ *function\s+(?:[^=(\n]*=\s*)?(\w+)', text):
+            if name in known and not path.endswith('/%s.m' % name):
+                yield '%s %s' % (path, name)
+
+
+def indexed(root):
+    """calls gs.room.name (...) with an index behind them; brackets in strings count as well, so
+    that a call is left out where they do not match"""
+    for path, text in files_of_octave(root):
+        for call in re.finditer(r'(?m)^(?! *(?:#|function)).*?\bgs\.\w+\.\w+ ?(?=\()', text):
+            depth, k = 1, call.end() + 1
+            while depth and k < len(text):
+                depth += (text[k] in '([{') - (text[k] in ')]}')
+                k += 1
+            if re.match(r"[({]|\.[a-zA-Z(]", text[k:k+2]):
+                yield '%s:%d' % (path, text.count('\n', 0, call.end()) + 1)
+
+
 def place(definition):
     return '%s:%d %s' % (definition.file, definition.line, definition.name)
 
@@ -153,6 +195,10 @@ def found(root):
         'unprinted': ['%s %s' % f for f in unprinted(root)],
         'readers': sorted({place(d) for d in code if READER.search(d.body.split(d.name, 1)[-1])}),
         'layouts': list(layouts(root)),
+        'crowded': [room for room, files in rooms(root).items() if len(files) > 40],
+        'nameless': [f for files in rooms(root).values() for f in files if '_' not in f],
+        'shadows': list(shadows(root)),
+        'indexed': list(indexed(root)),
     }
 
 

@@ -74,7 +74,7 @@ def check_index2(who, model, method):
 
 def sharp_friction(model, r, method):
     """Ports whose friction falls from its breakaway within a speed that the method cannot resolve
-    (gsmbp__sharp_ports of Octave): a message for each."""
+    (gs.events.sharp_ports of Octave): a message for each."""
     events = TABLE.get('events') or []
     if method not in ('radau', 'cvode') or not events or not len(r.t):
         return []

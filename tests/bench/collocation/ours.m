@@ -9,13 +9,13 @@ function ours (root, out, sizes)
   asked = {"goal", "effort", "time", 2, "states", {"p", -2, 2}, "method", "lobatto"};
   cd (fullfile (root, "octave", "private"));   # the parts of gsmbp_collocate are not public
   for n = sizes
-    [p, o] = gsmbp__collocation_problem ("ours", m, zeros (1, 4), [1 pi 0 0], asked);
-    mesh = struct ("rule", gsmbp__collocation_rule ("lobatto"), ...
+    [p, o] = gs.collocation.read_problem ("ours", m, zeros (1, 4), [1 pi 0 0], asked);
+    mesh = struct ("rule", gs.collocation.quadrature_rule ("lobatto"), ...
                    "breaks", [ones(1, n); (0:n-1) / n; (1:n) / n]);
-    guess = gsmbp__collocation_guess ("ours", m, p, []);
+    guess = gs.collocation.first_guess ("ours", m, p, []);
     [setup, f, c] = set_up (m, p, mesh);
     seconds = evaluation (f, c);
-    s = gsmbp__collocation_solve ("ours", m, p, mesh, guess, o);
+    s = gs.collocation.solve_mesh ("ours", m, p, mesh, guess, o);
     printf ("%d %.3f %.4f %d %.14g\n", n, 1e3 * setup, 1e3 * seconds, rows (s.log) - 1, s.J);
   end
 end
@@ -24,8 +24,8 @@ function [least, f, c] = set_up (m, p, mesh)
   least = Inf;
   for k = 1:5
     begin = tic ();
-    c = gsmbp__transcription (m, p, mesh);
-    f = gsmbp__transcribed (m, c);
+    c = gs.collocation.transcribe_problem (m, p, mesh);
+    f = gs.collocation.compile_transcription (m, c);
     f ("places");
     least = min (least, toc (begin));
   end

@@ -1,0 +1,19 @@
+## text = gs.controller.start_text (c, name)
+## Fortran 77 of NAME_START( Z, U, PER, DEL ): memory and outputs of the controller C at the trim,
+## its period and delay.
+
+function text = start_text (c, name)
+  number = @gs.text.fortran_number;
+  out = {sprintf("      SUBROUTINE %s_START( Z, U, PER, DEL )", name), ...
+         sprintf("C     Memory and outputs of %s at the trim, its period and delay [s].", name), ...
+         "      IMPLICIT NONE", "      INTEGER            I", ...
+         sprintf("      DOUBLE PRECISION   Z(%d), U(%d), PER, DEL", ...
+                 max ([rows(c.A), numel(c.driven)], 1)), "C", ...
+         sprintf("      DO 10 I = 1, %d", max (rows (c.A), 1)), "         Z(I) = 0.0D0", ...
+         "   10 CONTINUE"};
+  for k = 1:numel (c.driven)
+    out{end+1} = sprintf ("      U(%d) = %s", k, number (c.u0(k)));
+  endfor
+  out = [out, {["      PER = " number(c.period)], ["      DEL = " number(c.delay)], "      END"}];
+  text = sprintf ("%s\n", out{:});
+endfunction

@@ -1,0 +1,14 @@
+## [words, found] = gs.files.find_header (library)
+## The WORDS by which Octave's C compiler finds what header_LIBRARY.h includes, "cvode" or "ipopt"
+## (share/make/find_header), and whether it is installed.
+
+function [words, found] = find_header (library)
+  quote = @(file) ["'" strrep(file, "'", "'\\''") "'"];
+  folder = {{"octave", "glue"}, {"share", "engine", "host", "cvode"}}{1 + strcmp(library, "cvode")};
+  [status, words] = system (["sh " quote(gs.files.own_place ("share", "make", ...
+      "find_header")) " " ...
+                             quote(gs.files.own_place (folder{:}, ["header_" library ".h"])) " " ...
+                             strtrim(mkoctfile ("-p", "CC"))]);
+  found = status == 0;
+  words = strtrim (words);
+endfunction

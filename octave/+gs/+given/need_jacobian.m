@@ -1,0 +1,13 @@
+## gs.given.need_jacobian (who, m)
+## The error of WHO where the model M has no subroutine JAC: it says why, and what could help.
+
+function need_jacobian (who, m)
+  if (! isempty (m.events))
+    error (["%s: %s has events (%s), where its rates jump: there is no Jacobian but at given " ...
+            "modes; derive it with request sensitivity(PARAMETER): then v holds the modes (0: " ...
+            "a port holds, -1 or 1: it slips); or take variants of these devices without " ...
+            "events, where they have one (a self-locking gear has none)"], who, m.name, ...
+           strjoin ({m.events.name}, ", "));
+  endif
+  error ("%s: %s was emitted without the subroutine JAC: add the request jacobian", who, m.name);
+endfunction

@@ -1,0 +1,116 @@
+## file = gs.sweep.build_program (who, s, p, records, folder)
+## The program of a sweep in a FOLDER of its own: Fortran and C, a Makefile, the job, a script for
+## Slurm; built there.  S: as of gs.sweep.run_blocks; P: a run (gs.run.plan_many); RECORDS: of
+## gs.sweep.record_names.  FILE: the program.
+
+function file = build_program (who, s, p, records, folder)
+  m = s.m;
+  if (! strcmp (m.precision, "double"))
+    error ("%s: option program: expected a model in double precision, found %s", who, m.precision);
+  endif
+  gs.sweep.check_place (who, folder, records{1,2});
+  folder = make_absolute_filename (folder);
+  gs.files.make_folder (who, folder);
+  library = regexprep (p.arguments{14}, '.*libgsmbp_(\w+)\.so$', '$1');   # the method
+  records = [records; run_records(s, p, library); plan_records(p)];
+  take_sources (who, m, folder);
+  put (who, fullfile (folder, "gsmbp_sizes.h"), ...
+       gs.model.sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
+  put (who, fullfile (folder, "Makefile"), makefile (library, {"", "yes"}{1 + has_lanes(m)}));
+  gs.files.write_text (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", ...
+      m.name));
+  gs.files.write_text (who, fullfile (folder, "sweep.job"), gs.sweep.job_text (records));
+  take_archive (who, m, fullfile (folder, "build"));
+  gs.files.run_command (who, sprintf ("cd '%s' && make", strrep (folder, "'", "'\\''")));
+  file = fullfile (folder, "sweep");
+endfunction
+
+## numbers, and the runs whose parameters break a rule of the scene
+function records = run_records (s, p, library)
+  m = p.m;
+  [~, which] = ismember (s.names, fieldnames (m.par));
+  broken = gs.model.broken_rules (m, cell2struct (num2cell (s.table, 1), s.names, 2));
+  lines = cellfun (@(i, why) sprintf ("%d\t%s\n", i, strrep (why, "\n", " ")), ...
+                   num2cell (find (! strcmp (broken, ""))), broken(! strcmp (broken, "")), ...
+                   "UniformOutput", false);
+  kept = s.kept;
+  records = {"symbol", m.symbol; "library", library; "broken", [lines{:}, ""]; "which", which
+             "way", [kept.way]; "number", [kept.number]; "time", [kept.time]
+             "groups", gs.events.group_names(m); "nominal", m.nominal
+             "par", gs.model.parameter_values(m)
+             "check_start", strcmp(p.o.start, "check"); "lanes", s.lanes};
+endfunction
+
+function records = plan_records (p)
+  [a, m] = deal (p.arguments, p.m);
+  [ip, rp, iopt, sizes, called] = m.module ("job", a{:});
+  records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
+             "atol", a{10}; "guess", a{12}; "order", a{15}(1); "index2", a{15}(2)
+             "follows", a{15}(3:end); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes
+             "called", called};
+endfunction
+
+function take_sources (who, m, folder)
+  parts = {"gsmbp_scene.?", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
+  for file = glob (fullfile (gs.files.own_place ("octave", "glue"), parts))'
+    take (who, file{1}, fullfile (folder, "glue"));
+  endfor
+  take (who, gs.files.own_place ("share", "make", "find_header"), fullfile (folder, "glue"));
+  fortran = gs.files.own_place ("share", "fortran");
+  for file = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", "lapack", ...
+                                                                   "*.f"))]'
+    take (who, file{1}, fullfile (folder, "fortran"));
+  endfor
+  for home = {gs.files.own_place("share", "c"), gs.files.own_place("share", "engine")}
+    for file = glob (fullfile (home{1}, {"*", "*/*"}, "*.[ch]"))'
+      take (who, file{1}, fullfile (folder, "c", fileparts (file{1}(numel (home{1})+2:end))));
+    endfor
+  endfor
+  put (who, fullfile (folder, "scene.f"), fileread (m.sources{1}));
+  if (! isempty (m.sources{2}))
+    put (who, fullfile (folder, "input.f"), fileread (m.sources{2}));
+  endif
+endfunction
+
+## the program links what the modules share, where that is there; else make makes it
+function take_archive (who, m, folder)
+  gs.files.make_folder (who, folder);
+  part = gs.model.runtime_archive ("double");
+  [name, flags, sources] = part{:};
+  made = fullfile (fileparts (fileparts (m.file)), "common", name);
+  if (gs.files.is_built (made, flags, sources))
+    put (who, fullfile (folder, name), fileread (made));
+  else
+    gs.files.discard_file (fullfile (folder, name));
+  endif
+endfunction
+
+function take (who, file, folder)
+  [~, name, kind] = fileparts (file);
+  put (who, fullfile (folder, [name kind]), fileread (file));
+endfunction
+
+## a file that says the same keeps its time: make compiles what has changed
+function put (who, file, text)
+  if (! exist (file, "file") || ! strcmp (fileread (file), text))
+    gs.files.write_text (who, file, text);
+  endif
+endfunction
+
+function is = has_lanes (m)
+  is = any (strcmp (m.subroutines, "rhs_w"));
+endfunction
+
+function text = makefile (library, lanes)
+  [flags, common, of_c] = gs.model.fortran_flags ("double");
+  text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
+                 "@runtime@", common, "@engine@", of_c, "@method@", library, "@lanes@", lanes);
+endfunction
+
+## a file of share/sweep, its marks filled in
+function text = filled (name, varargin)
+  text = fileread (gs.files.own_place ("share", "sweep", name));
+  for k = 1:2:numel (varargin)
+    text = strrep (text, varargin{k}, varargin{k+1});
+  endfor
+endfunction

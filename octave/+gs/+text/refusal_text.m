@@ -1,0 +1,7 @@
+## text = gs.text.refusal_text (name, value, ...)
+## Return why a run is refused, in the words of all hosts (share/c/gsmbp/refusals.h).
+
+function text = refusal_text (name, varargin)
+  rows = gs.text.table_rows ("GS_REFUSALS");
+  text = sprintf (rows{strcmp (rows(:,1), name),2}, varargin{:});
+endfunction

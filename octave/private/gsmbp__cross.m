@@ -1,6 +1,0 @@
-## K = gsmbp__cross (r)
-## The matrix of the cross product: K*x = r x X for any X; R is a column or a row of three.
-
-function K = gsmbp__cross (r)
-  K = [0, -r(3), r(2); r(3), 0, -r(1); -r(2), r(1), 0];
-endfunction

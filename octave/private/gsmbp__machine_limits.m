@@ -1,9 +1,0 @@
-## s = gsmbp__machine_limits (s)
-## The catalogue of the specification S within its supply: voltage and current of the amplifiers.
-
-function s = gsmbp__machine_limits (s)
-  for k = 1:numel (s.motors)
-    s.motors(k).V_max = min (s.motors(k).V_max, s.supply);
-    s.motors(k).T_peak = min (s.motors(k).T_peak, s.motors(k).Kt * s.current);
-  endfor
-endfunction

@@ -1,7 +1,0 @@
-## d = gsmbp__on_splines (d, B, c)
-## The data D with the motion whose coefficients C (a column for each coordinate) are those of the
-## splines B: q, u, ud.
-
-function d = gsmbp__on_splines (d, B, c)
-  [d.q, d.u, d.ud] = deal (B{1} * c, B{2} * c, B{3} * c);
-endfunction

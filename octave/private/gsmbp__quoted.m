@@ -1,6 +1,0 @@
-## text = gsmbp__quoted (text)
-## A string of gnuplot.
-
-function text = gsmbp__quoted (text)
-  text = ["'" strrep(text, "'", "''") "'"];
-endfunction

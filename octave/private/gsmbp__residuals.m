@@ -1,9 +1,0 @@
-## [names, scaled, found] = gsmbp__residuals (m, t, x)
-## How far the state X of the model M at the time T [s] is from its constraints: a
-## row for each set of Euler parameters, each constraint on positions and the rate of each
-## constraint.  FOUND: in the unit of the row; SCALED: relative to nominal magnitudes
-## (host/start.h).  There are no rows of constraints where CON was not emitted.
-
-function [names, scaled, found] = gsmbp__residuals (m, t, x)
-  [scaled, found, names] = m.module ("residuals", m.cst, gsmbp__par (m), t, x, m.nominal);
-endfunction

@@ -1,9 +1,0 @@
-## label = gsmbp__row_names (m)
-## A name for each constraint of the model M: that of its multiplier.
-
-function label = gsmbp__row_names (m)
-  label = arrayfun (@(k) sprintf ("phi(%d)", k), (1:m.sizes.nlam)', "UniformOutput", false);
-  if (numel (m.multipliers) == m.sizes.nlam)
-    label = m.multipliers(:);
-  endif
-endfunction
