@@ -59,13 +59,10 @@ function varargout = forwarded (module, varargin)
   [varargout{1:nargout}] = module (varargin{:});
 end
 
-## of private functions, which only their own folder has
 function write_flags (folder)
-  here = cd (fullfile (fileparts (which ("gsmbp_build")), "private"));
   [scene, common, c] = gs.model.fortran_flags ("double");
   words = {"fc", gs.files.mkoctfile_word("F77"); "cc", gs.files.mkoctfile_word("CC"); "scene", scene
            "common", common; "c", c}';
-  cd (here);
   f = fopen (fullfile (folder, "flags"), "w");
   fprintf (f, "%s %s\n", words{:});
   fclose (f);

@@ -80,9 +80,6 @@ end
 
 ## the derivatives of the whole program, two phases, both rules, parameters
 function program (m)
-  where = pwd ();
-  back = onCleanup (@() cd (where));
-  cd (fullfile (fileparts (which ("gsmbp_collocate")), "private"));   # its functions are not public
   worst = [0 0 0];
   for name = {"lobatto", "radau"}
     mesh.rule = gs.collocation.quadrature_rule (name{1});

@@ -18,8 +18,8 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
               share/c/inputs/gslay.c lays it out for everybody
   crowded     rooms of octave/+gs with more than 40 files
   nameless    names in them of one word
-  shadows     functions in files of octave/ with the name of one in a room, which Octave 7 would
-              call in its place
+  shadows     functions in files of octave/ with the name of one in a room, or of a room that the
+              file uses: Octave 7 would take them in its place
   indexed     results of functions in rooms that are indexed at once, which Octave 7 cannot
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
@@ -153,7 +153,8 @@ def shadows(root):
     known = {f[:-2] for files in rooms(root).values() for f in files}
     for path, text in files_of_octave(root):
         for name in re.findall(r'(?m)^ *function\s+(?:[^=(\n]*=\s*)?(\w+)', text):
-            if name in known and not path.endswith('/%s.m' % name):
+            used = re.search(r'\bgs\.%s\.' % name, text)
+            if used or (name in known and not path.endswith('/%s.m' % name)):
                 yield '%s %s' % (path, name)
 
 

@@ -38,7 +38,7 @@ function [R, D] = calculated (P, c, p, by)
   m = P.model(p);
   switch (c.kind)
     case "run"
-      [R, D] = run (P, m, args, options, p, by);
+      [R, D] = simulated (P, m, args, options, p, by);
     case "inverse"
       R = gsmbp_inverse (m, args{:}, options{:});
       R.t = R.t(:);
@@ -78,7 +78,7 @@ function rough = by_differences (P, c, p)
   endfor
 endfunction
 
-function [R, D] = run (P, m, args, options, p, by)
+function [R, D] = simulated (P, m, args, options, p, by)
   D = struct ();
   x0 = args{2}(:);
   for k = find (strcmp ({P.free.kind}, "state"))

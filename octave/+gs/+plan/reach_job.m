@@ -16,7 +16,7 @@ function job = reach_job (who, m, name, k, turned, options)
   job.whole = turned;
   alone = frame && ! turned;   # a place without axes: IKN does not know it
   [job.closed, job.rows, order] = by_formula (who, m, name, options, alone);
-  job.given = given (who, m, k, order, options.given, job.closed);
+  job.given = given_values (who, m, k, order, options.given, job.closed);
   if (! job.closed && ! is_emitted (m, "nik"))
     error (["%s: %s%s has no closed form here: emit the model with the request reach", ...
             "%s"], who, {"", "the place of "}{1 + alone}, name, ...
@@ -69,7 +69,7 @@ function [closed, places, names] = by_formula (who, m, name, options, alone)
   endif
 endfunction
 
-function v = given (who, m, k, names, v, closed)
+function v = given_values (who, m, k, names, v, closed)
   n = closed * numel (names);
   if (n == 0)
     if (! isempty (v))

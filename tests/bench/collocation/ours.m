@@ -7,7 +7,6 @@ function ours (root, out, sizes)
   gsmbp_derive (fullfile (root, "tests", "scenes", "optimal_cart.mac"), out);
   m = gsmbp_build ("optimal_cart", "directory", out);
   asked = {"goal", "effort", "time", 2, "states", {"p", -2, 2}, "method", "lobatto"};
-  cd (fullfile (root, "octave", "private"));   # the parts of gsmbp_collocate are not public
   for n = sizes
     [p, o] = gs.collocation.read_problem ("ours", m, zeros (1, 4), [1 pi 0 0], asked);
     mesh = struct ("rule", gs.collocation.quadrature_rule ("lobatto"), ...
