@@ -14,7 +14,8 @@
     (when (sb-ext:process-p code) (setq code (sb-ext:process-exit-code code)))
     (cond ((not (integerp code)) 1) ((> code 255) (ash code -8)) (t code))))
 ;; the exit code of a task of share/make/place, which says nothing; 40 words at a time, because the
-;; command line of GCL is short. Lisp ignores Ctrl-C while a process runs; the process reports it.
+;; command line of GCL is short. Lisp ignores Ctrl-C while a process runs; the process reports it,
+;; by 130, or by 0 where it had not yet begun (77 is done).
 (defun $gs__place_code (task words)
   (let ((script (concatenate 'string (symbol-value '$gs__share) "make/place")))
     (do ((l (cdr words) (nthcdr 40 l)) (code 0))
@@ -24,7 +25,9 @@
                (format nil "~{~a~^ ~}"
                        (mapcar #'$gs__shell_word
                                (list* script "" task (subseq l 0 (min 40 (length l))))))))
-      (when (eql code 130) (gs-interrupt)))))
+      (case code
+        ((0 130) (gs-interrupt))
+        (77 (setq code 0))))))
 ;; a folder, made if it is not there; what fails is found when its files are written
 (defun $gs__make_folder (folder)
   (ignore-errors (ensure-directories-exist (concatenate 'string ($gs__folder folder) "/")))

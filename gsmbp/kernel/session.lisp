@@ -119,10 +119,14 @@
 
 ;;; ------------------------------------------------------------------------------------- interrupts
 
+;;; Where a public function was called from: what it calls may write into strings and files.
+(defvar *gs-output* nil)
+
 ;;; Return to Maxima's prompt.
 (defun gs-interrupt ()
-  (fresh-line *standard-output*)
-  (format t "gsmbp: interrupted~%")
+  (let ((output (or *gs-output* *standard-output*)))
+    (fresh-line output)
+    (format output "gsmbp: interrupted~%"))
   (throw 'macsyma-quit 'maxima-error))
 
 ;;; f called so that Ctrl-C ends in Maxima's next prompt. The interrupt of GCL is an error like any
@@ -150,19 +154,22 @@
 (defun gs-apart (f)
   (if *gs-apart*
       (funcall f)
-      (let ((*gs-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
-            (minus (get 'mminus 'rbp)) (mark (cons bindlist loclist))
-            (changed (gs-changed-options)))
-        (unwind-protect (progn
-          (mbind (car changed) (cdr changed) nil)
-          (gs-check-session)
-          (setq declared (gs-declared-symbols))
-          (dolist (d declared) (setf (symbol-plist (car d)) (gs-undeclared (cdr d))))
-          (setf (get 'mminus 'rbp) 100)
-          (gs-interruptible #'(lambda () (gs-without-facts f))))
-          (setf (get 'mminus 'rbp) minus)
-          (errlfun1 mark)
-          (dolist (d declared) (setf (symbol-plist (car d)) (cdr d)))))))
+      (let ((*gs-output* *standard-output*))
+        (gs-interruptible #'(lambda () (gs-in-environment f))))))
+(defun gs-in-environment (f)
+  (let ((*gs-apart* t) ($optionset nil) (*print-base* 10) (*read-base* 10) (declared nil)
+        (minus (get 'mminus 'rbp)) (mark (cons bindlist loclist))
+        (changed (gs-changed-options)))
+    (unwind-protect (progn
+      (mbind (car changed) (cdr changed) nil)
+      (gs-check-session)
+      (setq declared (gs-declared-symbols))
+      (dolist (d declared) (setf (symbol-plist (car d)) (gs-undeclared (cdr d))))
+      (setf (get 'mminus 'rbp) 100)
+      (gs-without-facts f))
+      (setf (get 'mminus 'rbp) minus)
+      (errlfun1 mark)
+      (dolist (d declared) (setf (symbol-plist (car d)) (cdr d))))))
 
 ;;; gs__apart(e): e evaluated in that environment
 (defmspec $gs__apart (form) (let ((e (cadr form))) (gs-apart #'(lambda () (meval e)))))
