@@ -20,13 +20,12 @@ DESTDIR :=
 .SECONDARY:
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test check test-processors test-whole \
-        test-random test-malformed test-identify test-writers \
-        test-reach test-c test-precision test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
+        test-random test-malformed test-identify test-writers test-reach test-c test-precision \
+        test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
-        bench-points bench-reach bench-robots bench-peers same architecture doc manual \
-        install uninstall package clean packages-manual packages-pdf packages-report \
-        packages-screen \
+        bench-points bench-reach bench-robots bench-peers same architecture doc manual install \
+        uninstall package clean packages-manual packages-pdf packages-report packages-screen \
         check-environment check-report check-screen check-notebook check-portable packages-fmu \
         check-fmu packages-mpi packages-slurm check-slurm packages-cross
 

@@ -122,8 +122,8 @@ function gsmbp_animate (m, result, file, varargin)
   m.skeleton.between = gs.draw.parts_between (m.skeleton, p);
   entries = m.skeleton.entry(! cellfun (@isempty, m.skeleton.entry));
   s = gs.draw.picture_stage (gs.draw.seen_points (m.skeleton, p), path, o, ...
-                    numel (entries) + numel (m.skeleton.marks.key) + ! isempty (path), ...
-                    max (cellfun (@numel, [entries, {o.traced, "mass centre"}])));
+                             numel (entries) + numel (m.skeleton.marks.key) + ! isempty (path), ...
+                             max (cellfun (@numel, [entries, {o.traced, "mass centre"}])));
   lines = gs.draw.axis_lines (s, o);
   n = numel (rows_drawn);
   if (moving)

@@ -55,7 +55,7 @@ function list = gsmbp_catalogue (kind, file)
   endif
   who = "gsmbp_catalogue";
   gs.given.check_kind (who, "argument kind", kind, ...
-               {"motors", "gears", "screws", "amplifiers", "cylinders"});
+                       {"motors", "gears", "screws", "amplifiers", "cylinders"});
   if (nargin < 2)
     file = gs.files.own_place ("share", "catalogue", [kind ".csv"]);
   endif

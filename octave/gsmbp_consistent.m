@@ -118,7 +118,7 @@ endfunction
 ## the inverse of P0 of each link, scales of the scalars
 function s = with_start (who, m, s)
   P = arrayfun (@(k) gs.identify.pseudo_inertia (s.x(s.place(:,k))), 1:numel (s.links), ...
-      "UniformOutput", false);
+                "UniformOutput", false);
   mass = sum (cellfun (@(p) abs (p(4,4)), P)) / numel (P) + realmin;
   way = sqrt (sum (cellfun (@(p) abs (trace (p(1:3,1:3))), P)) / (3 * mass * numel (P))) + 1e-9;
   s.D = diag ([way way way 1]) * sqrt (mass);

@@ -62,7 +62,7 @@ endfunction
 
 function c = of_table (who, table, pairs)
   o = gs.given.call_options (who, {"unit", "rad", {"rad", "m"}; "inertia", NaN, "positive"
-                            "position", [], "numbers"}, pairs);
+                                   "position", [], "numbers"}, pairs);
   if (! (isreal (table) && columns (table) == 4 && rows (table) > 1))
     error (["%s: argument table: expected a row of time, speed, acceleration and torque for " ...
             "each of two or more times, found %s"], who, gs.text.shown_value (table));

@@ -45,8 +45,7 @@ function [cpu, wall] = gsmbp_derive (scene, folder)
   start = tic ();
   try
     text = gs.model.run_maxima ("gsmbp_derive", gs.files.own_place ("share", "make", "derive"), ...
-        scene, ...
-                             folder);
+                                scene, folder);
   catch problem
     if (! given)
       problem.message = regexprep (problem.message, " \\(log: [^()]*\\)$", "");

@@ -111,7 +111,7 @@ function r = gsmbp_drive (cycle, varargin)
     for gear = gears
       for k = 1:max (1, numel (amplifiers))
         pairs{end+1} = gs.drive.motor_and_gear (cycle, motor, gear, amplifiers(k:min (k, end)), ...
-                                    o.inertia_ratio);
+                                                o.inertia_ratio);
       endfor
     endfor
   endfor

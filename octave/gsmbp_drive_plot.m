@@ -36,7 +36,7 @@ function gsmbp_drive_plot (file, r, kind = "plane", pair = [])
   who = "gsmbp_drive_plot";
   if (! (isstruct (r) && isscalar (r) && all (isfield (r, {"pairs", "motors", "catalogues"}))))
     error ("%s: argument r: expected a result of gsmbp_drive, found %s", who, ...
-        gs.text.shown_value (r));
+           gs.text.shown_value (r));
   endif
   gs.given.check_kind (who, "argument kind", kind, {"plane", "motors"});
   if (strcmp (kind, "motors"))

@@ -155,7 +155,7 @@ function [e, data] = in_total (who, m, data, plain, regression, o)
   endif
   f = gs.identify.total_squares (who, regression, data, o.sigma(:));
   l = gs.identify.least_squares (who, f.w.Y ./ f.noise(f.w.group), f.w.b ./ f.noise(f.w.group), ...
-                            f.w.names);
+                                 f.w.names);
   [l.p, l.covariance, l.R] = deal (f.p, f.covariance, chol (inv (f.covariance)));
   l.z = l.R * l.p;
   e = result (m, f.w, l, f.noise, 1, numel (data.t));
@@ -207,7 +207,7 @@ function w = without (who, w, fixed)
     k = find (strcmp (w.names, name{1}));
     if (isempty (k))
       error ("%s: option fixed: unknown parameter %s", who, gs.text.nearest_word (name{1}, ...
-          w.names(:)'));
+                                                                                  w.names(:)'));
     elseif (isnan (w.p(k)))
       error ("%s: option fixed: the model has no value of %s", who, name{1});
     endif

@@ -243,7 +243,7 @@ function o = checked (who, m, o)
   endif
   o.guess = gs.given.given_vector (who, "option guess", o.guess, d.nq, "", m.coordinates);
   o.internal = gs.given.given_vector (who, "option internal", o.internal, d.nx - d.nq - d.nu, "",
-                              m.states(d.nq+d.nu+1:end));
+                                      m.states(d.nq+d.nu+1:end));
   o.input = gs.given.given_vector (who, "option input", o.input, d.nv, "", m.inputs);
   o.limited = ! isempty (o.limits);
   o.limits = gs.given.given_bounds (who, "option limits", o.limits, d.nv);

@@ -81,8 +81,8 @@ function [sys, T, independent, dropped] = gsmbp_linear (m, t, x, v, varargin)
   t = gs.given.given_vector (who, "t", t, 1);
   x = gs.start.consistent_start (who, m, t, x, o.start);
   v = gs.given.given_vector (who, "v", v, d.nv, sprintf (" (the inputs %s)", ...
-      strjoin (m.inputs', ", ")),
-                     m.inputs);
+                                                         strjoin (m.inputs', ", ")),
+                             m.inputs);
   if (isempty (which ("ss")))
     pkg load control
   endif
@@ -128,7 +128,7 @@ endfunction
 ## the rates have their derivatives, an output may have none
 function warn_of_derivatives (who, m, J)
   text = gs.text.not_finite_entries (J, strcat ({"output "}, m.outputs(:)), [m.states(:); ...
-      m.inputs(:)]);
+                                                                             m.inputs(:)]);
   if (! isempty (text))
     warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, text);
   endif

@@ -116,7 +116,7 @@ function [gains, design] = varying (m, motion, times, hands, Q, R, o)
     P = last.T' * Qend * last.T;
   endif
   P = gs.control.riccati_along (@(t) matrices (m, motion, t, hands, chosen, Q, R), times, ...
-      o.steps, P);
+                                o.steps, P);
   gains = zeros (numel (times), d.nv * d.nx);
   at = linear_at (m, motion, times, hands, chosen);
   for i = 1:numel (times)

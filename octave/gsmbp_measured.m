@@ -70,13 +70,13 @@ function d = gsmbp_measured (m, data, varargin)
   gs.given.check_model (who, m);
   gs.given.check_open_chain (who, m);
   o = gs.given.call_options (who, {"columns", {}, "names"; "also", {}, "names"
-                            "cutoff", [], "any"; "order", 4, "whole"
-                            "drop", [], "nonnegative"}, varargin);
+                                   "cutoff", [], "any"; "order", 4, "whole"
+                                   "drop", [], "nonnegative"}, varargin);
   if (o.order < 2 || mod (o.order, 2) != 0)
     error ("%s: option order: expected an even number from 2 on, found %d", who, o.order);
   elseif (! (isempty (o.cutoff) || any (strcmp (o.cutoff, {"auto", "spline"}))))
     gs.given.check_kind (who, "option cutoff: \"auto\", \"spline\" or a frequency", o.cutoff, ...
-        "positive");
+                         "positive");
   endif
   if (ischar (data))
     d = of_file (who, m, data, o);
@@ -248,7 +248,7 @@ function d = with_derivatives (who, d, h, smooth)
   if (numfields (d.other) > 0)
     uniform (who, d.t, "derivatives of other columns");
     d.other_d = structfun (@(x) gs.identify.time_differences (x, h), smooth, "UniformOutput", ...
-        false);
+                           false);
   endif
 endfunction
 

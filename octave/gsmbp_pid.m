@@ -94,7 +94,7 @@ function c = gsmbp_pid (m, e, kind, varargin)
   c = controller (p, o, kind, K, Ti, Td);
   c.limits = gs.given.two_limits (who, o.limits, c.driven, c.u0);
   c.margins = gs.control.loop_margins (gs.control.loop_response (c, 1), ...
-                                   gs.control.frequency_grid (p, o.delay, [Ti, Td]));
+                                       gs.control.frequency_grid (p, o.delay, [Ti, Td]));
   c.poles = [];
   if (o.period > 0 || o.delay == 0)
     c.poles = gs.control.closed_poles (c);

@@ -102,8 +102,7 @@ function [motion, laws] = gsmbp_plan (kind, varargin)
     case {"trapezoid", "double_s"}
       numbers (varargin{1}, "the positions");
       [motion, laws] = gs.plan.limited_motion ("gsmbp_plan", double (varargin{1}), ...
-          varargin(2:end), ...
-                                       strcmp (kind, "double_s"));
+                                               varargin(2:end), strcmp (kind, "double_s"));
     case {"cubic", "blends"}
       [q, times] = columns_at (varargin{1:2});
       motion = gs.plan.via_points ("gsmbp_plan", kind, q, times, varargin(3:end));

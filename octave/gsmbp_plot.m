@@ -89,7 +89,7 @@ function gsmbp_plot (file, t, varargin)
   gsmbp_csv (table, heads, data);
   size = size_of (who, o, numel (panels));
   gs.files.run_gnuplot (who, file, gs.files.gnuplot_terminal (tolower (kind), size, o), ...
-                  gs.draw.plot_lines (table, panels, o, size), table);
+                        gs.draw.plot_lines (table, panels, o, size), table);
 endfunction
 
 ## abscissa, panels, the options behind them, column head of the abscissa
@@ -154,8 +154,7 @@ function check (who, t, panels)
     if (! (iscellstr (p.names) && ischar (p.label) && isnumeric (p.y) && isreal (p.y)))
       error (["%s: panel %d: expected numbers y, a list of names and a text label, found " ...
               "%s, %s and %s"], who, i, gs.text.shown_value (p.y), ...
-                  gs.text.shown_value (p.names), ...
-             gs.text.shown_value (p.label));
+                  gs.text.shown_value (p.names), gs.text.shown_value (p.label));
     endif
     if (isfield (p, "heading"))
       gs.given.check_kind (who, sprintf ("panel %d: heading", i), p.heading, "text");
@@ -182,7 +181,7 @@ function check_style (who, what, p)
   endif
   for style = styles(:)'
     gs.given.check_kind (who, what, style{1}, {"lines", "linespoints", "points", "steps", ...
-        "fsteps"});
+                                               "fsteps"});
   endfor
 endfunction
 

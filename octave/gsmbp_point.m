@@ -100,7 +100,7 @@ function p = gsmbp_point (m, name, t, q, varargin)
   endif
   motion = varargin(1:first-1);
   options = gs.given.call_options (who, {"frame", "ground", "text"; "independent", {}, "names"}, ...
-                            varargin(first:end));
+                                   varargin(first:end));
   if (numel (motion) > 2)
     print_usage ();
   endif

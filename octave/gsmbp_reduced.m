@@ -55,7 +55,7 @@ function r = gsmbp_reduced (m, t, q, u, names, v = [])
   gs.given.check_kind (who, "argument names", names, "names");
   u = gs.given.given_vector (who, "u", u, m.sizes.nu, "", m.speeds);
   [r.T, r.c, r.independent] = gs.linear.independent_speeds (who, "argument names", m, t, q, u, ...
-      names);
+                                                            names);
   M = m.mas (t, q);
   r.M = r.T' * M * r.T;
   r.M = (r.M + r.M') / 2;

@@ -318,7 +318,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
 
   reached = stats.outputs;
   [times, reached, info, ender] = gs.run.ended_early (m, times, reached, info, stats.reached, ...
-                                                number(2));
+                                                      number(2));
   result.t = times(1:reached)';
   result.x = x(1:d.nx,1:reached)';
   result.v = v(:,1:reached)';
@@ -356,7 +356,7 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
           varargin), atol);
     endif
     result = gs.linear.run_derivatives (m, result, carried, x(d.nx+1:end,1:reached), lost, held, ...
-                                 followed, moved);
+                                        followed, moved);
   endif
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);

@@ -41,7 +41,7 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
   who = "gsmbp_sweep_plot";
   if (! (isstruct (w) && isscalar (w) && all (isfield (w, {"names", "values", "correlation"}))))
     error ("%s: argument w: expected a result of gsmbp_sweep, found %s", who, ...
-        gs.text.shown_value (w));
+           gs.text.shown_value (w));
   endif
   gs.given.check_kind (who, "argument kind", kind, {"scatter", "tornado", "indices"});
   [~, ~, ending] = fileparts (file);
@@ -63,7 +63,7 @@ function gsmbp_sweep_plot (file, w, kind = "scatter", name = "")
   write_table (table, heads, rows_of, data);
   look = struct ("dpi", 160, "fontsize", 10);
   gs.files.run_gnuplot (who, file, gs.files.gnuplot_terminal (tolower (ending), size, look), ...
-      lines, table);
+                        lines, table);
 endfunction
 
 ## the numbers of a figure, each row behind a name where there are such
@@ -74,8 +74,8 @@ function write_table (file, heads, names, data)
   endif
   row = @(k) [names{k}, sprintf(",%.17g", data(k,:)), "\n"];
   gs.files.write_text ("gsmbp_sweep_plot", file, ...
-                [strjoin(heads, ","), "\n", arrayfun(row, 1:rows (data), ...
-                                                     "UniformOutput", false){:}]);
+                       [strjoin(heads, ","), "\n", arrayfun(row, 1:rows (data), ...
+                                                            "UniformOutput", false){:}]);
 endfunction
 
 ## the runs that came to their end and have a number there: parameters P, the quantity Z, names and
@@ -170,8 +170,7 @@ function [tics, letters] = tics_of (x, most)
     [at, texts] = deal (at([1, end]), texts([1, end]));
   endif
   tics = strjoin (cellfun (@(text, x) sprintf ("%s %.9g", gs.text.gnuplot_quoted (text), x), ...
-      texts, ...
-                           num2cell (at), "UniformOutput", false), ", ");
+                           texts, num2cell (at), "UniformOutput", false), ", ");
 endfunction
 
 ## a number of an axis whose largest is MOST, as times a power of ten where that is small or large;
@@ -225,8 +224,7 @@ function lines = barred (names, bars, from, said, keys)
   k = numel (names);
   y = (k:-1:1)';
   tics = strjoin (arrayfun (@(i) sprintf ("%s %d", gs.text.gnuplot_quoted (names{i}), y(i)), ...
-      1:k, ...
-                            "UniformOutput", false), ", ");
+                            1:k, "UniformOutput", false), ", ");
   lines = {"set encoding utf8", "set border 1 lc rgb '#4d4d4d'", "set tics nomirror out", ...
            ["set ytics (" tics ") noenhanced scale 0"], sprintf("set yrange [0.4:%g]", k + 0.6), ...
            sprintf("set xlabel %s", quoted (said)), ...

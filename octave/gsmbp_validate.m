@@ -45,7 +45,7 @@ function v = gsmbp_validate (m, e, data, varargin)
   o = gs.given.call_options (who, {"file", "", "text"}, varargin);
   data = gs.identify.sound_data (who, m, data, {});
   w = gs.identify.regression_rows (who, m, data, setfield (e.options, "motors", ...
-      e.options.motors([])));
+                                                           e.options.motors([])));
   p = w.p;
   for k = 1:numel (e.names)
     at = strcmp (w.names, e.names{k});

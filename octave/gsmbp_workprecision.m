@@ -162,7 +162,7 @@ function laid_out (m, x0, times, options, name)
   who = "gsmbp_workprecision";
   try
     gs.run.plan_run (who, m, x0, times, ...
-                      gs.given.call_options (who, gs.run.option_table (false), options));
+                     gs.given.call_options (who, gs.run.option_table (false), options));
   catch err
     err.message = regexprep (err.message, "option (step|rtol)", ["option " name]);
     rethrow (err);

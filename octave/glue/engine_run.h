@@ -66,15 +66,16 @@ engine_run (const run_setting& s, run_room& r, int *ip, number *rp)
   return run;
 }
 
-// by gssim; INFO
+// INTEGRATE (scene, run): its INFO
+template <typename integrator>
 static int
-run_gssim (const run_setting& s, run_room& r, int *ip, number *rp)
+run_engine (const run_setting& s, run_room& r, int *ip, number *rp, integrator integrate)
 {
   gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
   gs_scene scene = s.scene;
   scene.data = &of_vin;
   gs_run run = engine_run (s, r, ip, rp);
-  const int info = gssim (&scene, &run);
+  const int info = integrate (&scene, &run);
   std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
   std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
   return info;
@@ -86,14 +87,9 @@ static int
 run_implicit (const run_setting& s, run_room& r, int *ip, number *rp, gs_implicit_method *by,
               const gs_implicit& options)
 {
-  gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
-  gs_scene scene = s.scene;
-  scene.data = &of_vin;
-  scene.nsw = S.nsw;   // at these breaks its rates may jump
-  gs_run run = engine_run (s, r, ip, rp);
-  const int info = by (&scene, &run, &options);
-  std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
-  std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
-  return info;
+  return run_engine (s, r, ip, rp, [&] (gs_scene *scene, gs_run *run) {
+    scene->nsw = S.nsw;   // at these breaks its rates may jump
+    return by (scene, run, &options);
+  });
 }
 #endif

@@ -262,7 +262,7 @@ void
 simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
   if (iopt[GS_METHOD] != 0 && by_c)
-    r.info = run_gssim (*this, r, &ip[0], rp);
+    r.info = run_engine (*this, r, &ip[0], rp, gssim);
   else if (iopt[GS_METHOD] != 0)
     by_fortran (r, ip, rp);
   go_on (r, ip, rp);

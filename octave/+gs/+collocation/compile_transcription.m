@@ -1,10 +1,8 @@
 ## f = gs.collocation.compile_transcription (m, c)
 ## The program of gs.collocation.transcribe_problem C, compiled (glue/collocation.h): f (what, z,
-## factor, lambda)
-## is its goal "f", "grad", the equations "g", the triplets of "jac" and "hess"; "places" tells
-## where these stand, "functions" those of DAE at all points; "native" is what gs.run.run_ipopt
-## takes
-## instead, to call it without Octave; "time" what all of them take so [s].
+## factor, lambda) is its goal "f", "grad", the equations "g", the triplets of "jac" and "hess";
+## "places" tells where these stand, "functions" those of DAE at all points; "native" is what
+## gs.run.run_ipopt takes instead, to call it without Octave; "time" what all of them take so [s].
 
 function f = compile_transcription (m, c)
   own = c.stage(c.mesh.rule.own,:);

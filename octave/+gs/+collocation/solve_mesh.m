@@ -1,9 +1,8 @@
 ## s = gs.collocation.solve_mesh (who, m, p, mesh, guess, o)
 ## The program of gs.collocation.transcribe_problem on MESH solved by Ipopt from GUESS (t from 0 to
-## 1, x, v, ud,
-## lambda, T, parameters).  S: c, z, t, x, ud, lambda, v, T, parameters, F (functions), g, low,
-## high, multipliers, stopped ("", "interrupted", "timeout" at O.ends), and what gs.run.run_ipopt
-## tells.
+## 1, x, v, ud, lambda, T, parameters).  S: c, z, t, x, ud, lambda, v, T, parameters, F (functions),
+## g, low, high, multipliers, stopped ("", "interrupted", "timeout" at O.ends), and what
+## gs.run.run_ipopt tells.
 
 function s = solve_mesh (who, m, p, mesh, guess, o)
   c = gs.collocation.transcribe_problem (m, p, mesh);

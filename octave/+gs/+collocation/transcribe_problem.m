@@ -1,8 +1,7 @@
 ## c = gs.collocation.transcribe_problem (m, p, mesh)
 ## An optimal motion as a sparse non-linear program: where its unknowns, equations and derivatives
 ## stand.  P: the problem (gs.collocation.read_problem); MESH: breaks (of each phase from 0 to 1,
-## one row
-## of intervals: [phase; begin; end]) and rule (gs.collocation.quadrature_rule).
+## one row of intervals: [phase; begin; end]) and rule (gs.collocation.quadrature_rule).
 ##
 ## Unknowns: at each point states, accelerations, multipliers, inputs; then the durations of the
 ## phases, then the parameters.  Equations: at each point of a stage the residuals of the motion and

@@ -1,8 +1,7 @@
 ## [lines, aside] = gs.control.drawn_responses (t)
 ## Two panels of the page of gsmbp_loop in the language of gnuplot, of the responses T
 ## (gs.control.step_responses): what is measured, what is given.  What changes by less than a tenth
-## of the
-## rest has the axis at the right; ASIDE: whether something has.
+## of the rest has the axis at the right; ASIDE: whether something has.
 
 function [lines, aside] = drawn_responses (t)
   lines = {};

@@ -41,7 +41,7 @@ function p = linear_plant (who, m, e, o)
            {"", ", those of the scene follow what option drop takes out"}{1 + ! isempty(o.drop)});
   endif
   gs.given.need_derivatives ([who, ": plant"], [sys.c(k,:), sys.d(k,j)], ...
-                           strcat ({"output "}, outputs(k)(:)), [states(:); inputs(j)(:)]);
+                             strcat ({"output "}, outputs(k)(:)), [states(:); inputs(j)(:)]);
   direct = find (any (sys.d(k,j), 2), 1);
   if (! isempty (direct))
     error ("%s: the output %s follows the inputs directly, without a state between", who, ...

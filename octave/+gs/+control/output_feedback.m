@@ -98,8 +98,8 @@ function F = first (who, q, o, p)
   tries{end+1} = zeros (nu, ny);
   try
     tries{end+1} = gs.control.riccati_solution (who, q.A, q.B, ...
-        q.Q + 1e-9 * norm (q.Q) * eye (rows (q.A)), ...
-                                   q.R, q.h) * pinv (q.C);
+                                                q.Q + 1e-9 * norm (q.Q) * eye (rows (q.A)), ...
+                                                q.R, q.h) * pinv (q.C);
   end_try_catch
   [~, k] = min (cellfun (@(F) worst (q, F), tries));
   F = tries{k};

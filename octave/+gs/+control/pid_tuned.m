@@ -236,8 +236,7 @@ function d = missed (q, Ti, phase, wanted, rough)
   K = gain (q, Ti, 0, phase, rough);
   if (K != 0)
     r = gs.control.loop_margins (@(w) K * response (q.p, w, q.o.delay) .* shape (q, w, Ti, 0), ...
-        q.w, ...
-                             K * q.P .* shape (q, q.w, Ti, 0), false);
+                                 q.w, K * q.P .* shape (q, q.w, Ti, 0), false);
     d = log (r.gain / wanted);
   endif
 endfunction

@@ -19,7 +19,7 @@ function c = state_feedback (who, p, o, method)
     Q = blkdiag (gs.given.weight_matrix (who, "Q", o.Q, n, 0), zeros (N - n), ...
                  gs.given.weight_matrix (who, "Qi", o.Qi, ni, 1));
     K = gs.control.riccati_solution (who, F, H, Q, gs.given.weight_matrix (who, "R", o.R, nu, ...
-        1), p.h);
+                                                                           1), p.h);
     poles = eig (F - H * K);
   endif
   c = struct ("K", K, "L", []);

@@ -30,7 +30,7 @@ function files = target_files (who, c, folder, scene)
   endif
   t = struct ("json", json, "name", name, "nz", rows (c.A), "cst", json.dimensions.ncst, ...
               "drives", vec (gs.given.places_of (c.driven, ...
-                  gs.given.names_and_units (json.inputs)), 2), ...
+                                                 gs.given.names_and_units (json.inputs)), 2), ...
               "values", values_of (c, json));
   files = {write_fortran(who, c, t, folder, place)};
   files = [files, write_c(who, c, t, folder, place)];
@@ -41,7 +41,7 @@ endfunction
 function values = values_of (c, json)
   values = [json.parameters.value];
   [known, at] = ismember (gs.given.names_and_units (json.parameters), ...
-      fieldnames (c.scene.parameters));
+                          fieldnames (c.scene.parameters));
   believed = struct2cell (c.scene.parameters);
   values(known) = [believed{at(known)}];
 endfunction
@@ -65,7 +65,7 @@ function derive (who, c, scene, place)
   statements = ["load(\"%s\")$\nrequests : [%s]$\n" ...
                 "gsmbp_c(scene, requests, [directory = \"%s\"])$\n"];
   gs.files.write_text (who, copy, sprintf (statements, plain (make_absolute_filename (scene)), ...
-                                    strjoin (asked, ", "), plain (place)));
+                                           strjoin (asked, ", "), plain (place)));
   warning ("off", "gsmbp:derive", "local");   # said when the model was derived
   gs.model.run_maxima (who, gs.files.own_place ("share", "make", "derive"), copy, place);
 endfunction

@@ -1,7 +1,6 @@
 ## pieces = gs.draw.part_symbol (one, q, s)
 ## The lines and areas that draw ONE part (of gs.draw.parts_between) with its points Q on the stage
-## S, a
-## struct array: points, style of gnuplot's lines, filled, color, tint (1: the colour itself).
+## S, a struct array: points, style of gnuplot's lines, filled, color, tint (1: the colour itself).
 
 function pieces = part_symbol (one, q, s)
   if (strcmp (one.kind, "disc"))

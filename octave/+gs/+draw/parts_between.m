@@ -1,9 +1,8 @@
 ## list = gs.draw.parts_between (skeleton, p)
 ## The parts of the skeleton that stand between its bodies, for gs.draw.part_symbol: kind, columns
-## in the
-## points P (3 x columns x poses), bodies (numbers, one for each point), color, least and largest
-## (length in these poses [m]), beside (-1, 0, 1: to which side of the line where two of them have
-## the same ends in all poses).
+## in the points P (3 x columns x poses), bodies (numbers, one for each point), color, least and
+## largest (length in these poses [m]), beside (-1, 0, 1: to which side of the line where two of
+## them have the same ends in all poses).
 
 function list = parts_between (skeleton, p)
   list = struct ("kind", {}, "columns", {}, "bodies", {}, "color", {}, "least", {}, "largest", ...

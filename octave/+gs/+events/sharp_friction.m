@@ -1,7 +1,6 @@
 ## gs.events.sharp_friction (who, m, list, n)
 ## A warning of WHO for each port in LIST (gs.events.sharp_ports) of N runs of the model M: events
-## of
-## its friction may be none.
+## of its friction may be none.
 
 function sharp_friction (who, m, list, n)
   while (! isempty (list))
@@ -13,6 +12,6 @@ function sharp_friction (who, m, list, n)
     list(own) = [];
     warning ("gsmbp:events", "%s: %s: %s", who, m.name, ...
              gs.text.refusal_text ("sharp_friction", m.events(one.event).name, one.vs, one.atol, ...
-                             where, one.method, one.least));
+                                   where, one.method, one.least));
   endwhile
 endfunction

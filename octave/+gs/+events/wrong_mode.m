@@ -4,6 +4,5 @@
 
 function text = wrong_mode (m, t, x, modes, k)
   text = ["option modes: ", m.module("wrong mode", m.cst, gs.model.parameter_values (m), t, x, ...
-      m.nominal, ...
-                                     double (modes), k)];
+                                     m.nominal, double (modes), k)];
 endfunction

@@ -1,8 +1,7 @@
 ## [yes, key] = gs.files.is_built (target, flags, sources)
 ## Whether the file TARGET is there as gs.files.build_once made it with these FLAGS of these
-## contents of
-## the SOURCES; KEY: a sum of both.  Times in whole seconds would not tell what was edited in the
-## second of a build; a module that is cut short would end Octave when it is loaded.
+## contents of the SOURCES; KEY: a sum of both.  Times in whole seconds would not tell what was
+## edited in the second of a build; a module that is cut short would end Octave when it is loaded.
 
 function [yes, key] = is_built (target, flags, sources)
   sums = cellfun (@(file) hash ("md5", fileread (file)), sources, "UniformOutput", false);

@@ -1,8 +1,8 @@
 ## new = gs.files.new_beside (who, file)
 ## The name NEW next to FILE under which its content is made before gs.files.rename_new puts it in
-## place;
-## a symbolic link is followed.  The folder is made if it is not there; parts that killed processes
-## left in it are removed.  FILE has to be a regular file or a new name, else it is an error of WHO.
+## place; a symbolic link is followed.  The folder is made if it is not there; parts that killed
+## processes left in it are removed.  FILE has to be a regular file or a new name, else it is an
+## error of WHO.
 
 function new = new_beside (who, file)
   target = file;

@@ -4,6 +4,6 @@
 function check_model (who, m)
   if (! (isstruct (m) && isscalar (m) && all (isfield (m, {"module", "sizes", "subroutines"}))))
     error ("%s: argument m: expected a model of gsmbp_build, found %s", who, ...
-        gs.text.shown_value (m));
+           gs.text.shown_value (m));
   endif
 endfunction

@@ -1,10 +1,8 @@
 ## cutoff = gs.identify.best_cutoff (t, q, order)
 ## Return the cutoff [Hz] of the filter gs.identify.zero_phase of an ORDER with which accelerations
-## by
-## differences of the positions Q at the times T have the least error: what the filter takes from
+## by differences of the positions Q at the times T have the least error: what the filter takes from
 ## the smooth motion (gs.identify.smooth_spline), less what of this is noise, and the noise that it
-## leaves;
-## each over the accelerations of its coordinate.  [] where the times are too few.
+## leaves; each over the accelerations of its coordinate.  [] where the times are too few.
 
 function cutoff = best_cutoff (t, q, order)
   s = gs.identify.smooth_spline (t, q, 1);

@@ -1,8 +1,7 @@
 ## yes = gs.identify.bodies_near (s, e)
 ## Whether bodies have the estimates E of all base parameters: the standard parameters that are
 ## nearest to those of the model (S: gs.identify.standard_parameters), by their sizes, are those of
-## bodies. Where
-## not, there may be others.
+## bodies. Where not, there may be others.
 
 function yes = bodies_near (s, e)
   size_ = abs (s.nominal);

@@ -1,8 +1,8 @@
 ## list = gs.identify.late_efforts (m, data, w)
 ## Sentences of the efforts of measured DATA that are late or early against the motion.  W: what
 ## gs.identify.regression_rows gives.  An effort that is late by T is to first degree its own value
-## less T
-## times its rate, so that T is the factor of a further column, the rate of the estimated effort.
+## less T times its rate, so that T is the factor of a further column, the rate of the estimated
+## effort.
 ## Dry and viscous friction, inertia and a constant in every joint, which the model may lack, are
 ## let to explain the rest first.
 

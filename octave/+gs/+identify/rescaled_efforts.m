@@ -1,8 +1,7 @@
 ## list = gs.identify.rescaled_efforts (m, w)
 ## Sentences of the efforts that fit the others much better times a factor: another unit, a wrong
 ## constant of a motor.  W: what gs.identify.regression_rows gives of the data.  The factor is one
-## more
-## unknown of the regression; parameters that both efforts hold tell it.
+## more unknown of the regression; parameters that both efforts hold tell it.
 
 function list = rescaled_efforts (m, w)
   list = {};

@@ -1,10 +1,9 @@
 ## s = gs.identify.smooth_spline (t, q, more)
 ## Smooth the columns of Q, sampled at the times T, by quintic splines of equal intervals: intervals
 ## (their number), B (gs.identify.spline_basis), c (a column for each of Q), R (R'*R = B'*B), noise
-## (the
-## standard deviation of what is left of each).  Akaike's criterion, corrected for few rows, takes
-## the number that each column asks for; MORE times the largest of these are used.  [] where no
-## number of intervals fits.
+## (the standard deviation of what is left of each).  Akaike's criterion, corrected for few rows,
+## takes the number that each column asks for; MORE times the largest of these are used.  [] where
+## no number of intervals fits.
 ## Source: Hurvich and Tsai, Biometrika 76 (1989).
 
 function s = smooth_spline (t, q, more = 1.5)

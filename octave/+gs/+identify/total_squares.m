@@ -1,12 +1,10 @@
 ## f = gs.identify.total_squares (who, regression, d, sigma)
 ## Least squares of the motion and the parameters together (total least squares): positions D.q and
 ## efforts D.tau are both measured with noise, the motion is a spline (gs.identify.smooth_spline),
-## and steps
-## of Gauss and Newton from the plain estimate find both.  REGRESSION makes of a motion what
-## gs.identify.regression_rows gives; SIGMA: of the efforts, [] where it follows from the data.  F:
-## p,
-## covariance, noise (of each effort), noise_q (of each coordinate), w (the regression of the motion
-## found), motion (the data with it), intervals (of the spline), steps, converged.
+## and steps of Gauss and Newton from the plain estimate find both.  REGRESSION makes of a motion
+## what gs.identify.regression_rows gives; SIGMA: of the efforts, [] where it follows from the data.
+## F: p, covariance, noise (of each effort), noise_q (of each coordinate), w (the regression of the
+## motion found), motion (the data with it), intervals (of the spline), steps, converged.
 ## The variance of each measured column is what is left of it over its rows less the unknowns that
 ## these rows determine.
 ## Source: Seber and Wild, Nonlinear Regression, 1989, chapter 10 (errors in variables); Foerstner

@@ -5,5 +5,5 @@
 function [A, B, C, D] = model_jacobian (who, m, t, x, v)
   [A, B, C, D] = m.jac (t, x, v);
   gs.given.need_derivatives ([who, ": ", m.name], [A, B], strcat ({"rate of "}, m.states(:)), ...
-                           [m.states(:); m.inputs(:)]);
+                             [m.states(:); m.inputs(:)]);
 endfunction

@@ -1,11 +1,11 @@
 ## r = gs.linear.run_derivatives (m, r, carried, S, lost, held, given, moved)
 ## The result R of a run of M with the derivatives that it carried (gs.linear.carried_columns):
-## structs dx, dy
-## and dv by the names of what they are by, a row for each time.  S: the columns at all times; LOST:
-## of each one why there is none from some event on (0: there is), which event, when: NaN from there
-## on, and stats.lost, a struct array with name, time, event and text.  HELD: the derivatives of the
-## inputs that sampled devices hold, a column from each time on: time, inputs by columns.  GIVEN:
-## those of the inputs that follow a planned motion or feedback, a column for each time, or none.
+## structs dx, dy and dv by the names of what they are by, a row for each time.  S: the columns at
+## all times; LOST: of each one why there is none from some event on (0: there is), which event,
+## when: NaN from there on, and stats.lost, a struct array with name, time, event and text.  HELD:
+## the derivatives of the inputs that sampled devices hold, a column from each time on: time, inputs
+## by columns.  GIVEN: those of the inputs that follow a planned motion or feedback, a column for
+## each time, or none.
 ## MOVED: those of the times of the events, a column for each: r.events.dt, a struct by the names.
 
 function r = run_derivatives (m, r, carried, S, lost, held, given, moved)

@@ -1,7 +1,6 @@
 ## p = gs.linear.steady_problem (p, names, free)
 ## The problem P of gs.linear.rest_problem where the coordinates NAMES run on at the constant speeds
-## of
-## its state, which are unknowns if they are among the states FREE.  Coordinates that a motion
+## of its state, which are unknowns if they are among the states FREE.  Coordinates that a motion
 ## drives with time run on with it.
 
 function p = steady_problem (p, names, free)

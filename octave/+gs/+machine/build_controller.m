@@ -4,7 +4,7 @@
 
 function [c, mc, smooth] = build_controller (who, d, laws, feedforward)
   c = gs.machine.axis_controllers (who, d.asked, d.axes, d.poses(1), laws, [d.motors.V_max], ...
-                                 feedforward);
+                                   feedforward);
   place = {"directory", d.model.directory, "parameters", d.model.par};
   mc = gsmbp_build (d.model.name, "controller", c, place{:});
   smooth = mc;

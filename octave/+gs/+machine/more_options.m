@@ -72,7 +72,7 @@ function list = tried (d, other, what, said)
     other = gs.machine.tune_loops ("gsmbp_design", other);
   endif
   [~, other.machine] = gs.machine.build_controller ("gsmbp_design", other, other.laws, ...
-      d.feedforward);
+                                                    d.feedforward);
   p = gs.proof.prove_at (other, struct ());
   list = item ({}, {}, {}, {});
   own = @(m) m(strcmp ({m.name}, "tracking error"));

@@ -64,5 +64,5 @@ function text = voltages (d, i)
   said = ["Voltages, " d.tasks(i).name];
   text = [sprintf("<p>%s</p>\n", gs.text.html_escaped (said)), ...
           gs.text.svg_plot(said, r.t, v, strcat ({d.axes.motor}, ".v"), ...
-                          {"time [s]", "voltage [V]"})];
+                           {"time [s]", "voltage [V]"})];
 endfunction

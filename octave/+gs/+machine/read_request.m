@@ -30,7 +30,7 @@ function s = read_request (who, given)
   endfor
   if (! all (s.accuracy(:) > 0))
     error ("%s: accuracy: expected numbers above 0, found %s", who, ...
-        gs.text.shown_value (s.accuracy));
+           gs.text.shown_value (s.accuracy));
   elseif (s.Ms <= 1)
     error ("%s: Ms: expected a number above 1, found %g", who, s.Ms);
   elseif (s.tries < 1)

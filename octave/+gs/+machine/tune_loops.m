@@ -37,5 +37,5 @@ endfunction
 
 function c = of_pose (who, d, k)
   c = gs.machine.axis_controllers (who, d.asked, d.axes, d.poses(k), d.laws, ...
-                                 Inf (1, numel (d.axes)), false);
+                                   Inf (1, numel (d.axes)), false);
 endfunction

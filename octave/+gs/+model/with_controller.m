@@ -181,7 +181,7 @@ endfunction
 
 function list = full_names (json)
   list = cellfun (@(row) row.name, gs.model.json_rows (json, "subroutines"), "UniformOutput", ...
-      false);
+                  false);
 endfunction
 
 ## CTD: derivatives of the sample of one of them; BEFORE: the scene without them

@@ -42,7 +42,7 @@ function r = one (who, here, row, cases, goal)
     r.cases = find (strcmp (rest{end}, {cases.name}));
     if (isempty (r.cases))
       error ("%s: %s: unknown load case %s", who, here, gs.text.nearest_word (rest{end}, ...
-          {cases.name}));
+                                                                              {cases.name}));
     endif
     r.text = [r.text " in " rest{end}];
     rest(end) = [];

@@ -28,7 +28,7 @@ function D = inverse_slopes (P, c, m, R, p, by)
     S(sub2ind (size (S), column(is_column), find (is_column))) = 1;
     if (d.nlam > 0)
       [one, T, L] = gs.linear.loop_slopes (P.who, m, R.t(i), motion, R.tau(i,:), R.lambda(i,:), ...
-                                        planned, one, S);
+                                           planned, one, S);
       D.lambda(i,:,:) = reshape (L, 1, d.nlam, n);
     else
       T = of_tree (m, R.t(i), motion, one, is_column, column);
@@ -76,6 +76,6 @@ function Q = moved (P, c, t, p, by, nu, k)
   at = @(p) gsmbp_evaluate (c.args{1}(gs.optimize.values_struct (P, p)), t, k);
   for j = find (by)
     Q(:,:,:,j) = gs.optimize.value_slope (@(s) at (gs.optimize.replace_value (p, j, s)), ...
-        P.free(j), p(j));
+                                          P.free(j), p(j));
   endfor
 endfunction

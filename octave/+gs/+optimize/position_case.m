@@ -65,7 +65,7 @@ function D = derivatives (P, m, c, R, p, by, held)
     at = @(p) rowwise (c, c.args{2}(gs.optimize.values_struct (P, p)), numel (held));
     for k = find (by)
       V(:,:,k) = gs.optimize.value_slope (@(s) at (gs.optimize.replace_value (p, k, s)), ...
-          P.free(k), p(k));
+                                          P.free(k), p(k));
     endfor
   endif
   [has, column] = ismember ({P.free.name}, cellstr (m.json.sensitivity));

@@ -38,8 +38,7 @@ function [best, ends] = solve_design (who, P, o)
     end_try_catch
     r.solver = used;
     ends(end+1) = struct ("values", gs.optimize.values_struct (P, r.p), "J", r.e.J, "solved", ...
-        r.solved, ...
-                          "violation", r.violation, "ended", r.ended);
+                          r.solved, "violation", r.violation, "ended", r.ended);
     if (isempty (best) || (r.violation <= 1e-6) > (best.violation <= 1e-6) ...
         || ((r.violation <= 1e-6) == (best.violation <= 1e-6) && r.e.J < best.e.J))
       best = r;

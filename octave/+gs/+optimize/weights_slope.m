@@ -1,7 +1,6 @@
 ## d = gs.optimize.weights_slope (t)
 ## How the weights of an integral over the times T (gs.optimize.integral_weights), a column, change
-## with the last
-## time: differences of order 4.
+## with the last time: differences of order 4.
 
 function d = weights_slope (t)
   h = 1e-3 * (t(end) - t(end-1));

@@ -1,8 +1,7 @@
 ## [x, limited] = gs.plan.fastest_rates (who, s, rows, ends)
 ## The largest x = s'^2 at the places S that the limits of gs.plan.path_limits allow, from and to
-## the
-## values ENDS: backwards the sets from which the end can be reached, then forwards in them, with a
-## constant s'' between two places and the limits in the middle.
+## the values ENDS: backwards the sets from which the end can be reached, then forwards in them,
+## with a constant s'' between two places and the limits in the middle.
 
 function [x, limited] = fastest_rates (who, s, rows, ends)
   n = numel (s);

@@ -1,7 +1,6 @@
 ## pp = gs.plan.law_pieces (laws, q, begin)
 ## Laws (as of gs.plan.speed_profile) of several coordinates from positions Q and the time BEGIN on,
-## as
-## one piecewise polynomial; one that ends first stays.
+## as one piecewise polynomial; one that ends first stays.
 
 function pp = law_pieces (laws, q, begin)
   ends = arrayfun (@(l) {[0, cumsum(l.durations)]}, laws(:)');

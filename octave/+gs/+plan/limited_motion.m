@@ -1,8 +1,7 @@
 ## [motion, laws] = gs.plan.limited_motion (who, q, pairs, jerk)
 ## Moves from column to column of Q within limits of speed and acceleration, of jerk where JERK
 ## is true: a piecewise polynomial, and the law (as of gs.plan.speed_profile) of each coordinate
-## (row)
-## and move (column).
+## (row) and move (column).
 
 function [motion, laws] = limited_motion (who, q, pairs, jerk)
   [n, k] = deal (rows (q), columns (q));
@@ -71,7 +70,7 @@ function laws = laws_of (who, o, h, ends, n)
   endif
   for i = 1:n
     laws(i) = gs.plan.speed_profile (h(i), ends(i,1), ends(i,2), o.speed(i), o.acceleration(i), ...
-                              o.jerk(i));
+                                     o.jerk(i));
   endfor
   T = max ([laws.T]);
   if (strcmp (o.synchronized, "time"))

@@ -11,7 +11,7 @@ function runs = carried_runs (d, names)
     size_ = cellfun (@(name) values.(name), names);
     ## with the parameter the machine starts elsewhere, its currents hold it
     r = gs.proof.run_motion (d, d.model, d.machine, i, own, "sensitivity", names, "dx0", ...
-                            start_slopes (d, own, names, size_));
+                             start_slopes (d, own, names, size_));
     for k = 1:numel (names)
       r.slopes(:,:,k) = r.dx.(names{k}) * size_(k);
     endfor

@@ -18,7 +18,7 @@ function Ms = loops_at (d, changes)
       one.trim = gsmbp_trim (one.model, pose.trim.x, pose.trim.v, "hold", {d.axes.coordinate}, ...
                              "free", inputs);
       c = gs.machine.axis_controllers ("gsmbp_design", d.asked, d.axes, one, d.laws, ...
-                                     Inf (1, numel (d.axes)), false);
+                                       Inf (1, numel (d.axes)), false);
       Ms(j,k) = gs.machine.resonance_peak (c, j, c.plant);
     endfor
   endfor

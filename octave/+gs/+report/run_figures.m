@@ -56,5 +56,5 @@ function text = figure_of (title, t, y, names, unit)
     quantity = sprintf ("%s [%s]", quantity, unit);
   endif
   text = gs.text.svg_plot (sprintf ("%s: %s", title, strjoin (names(:)', ", ")), t(:)(few), ...
-                          y(few,:), names(:)', {"time [s]", quantity});
+                           y(few,:), names(:)', {"time [s]", quantity});
 endfunction

@@ -1,7 +1,6 @@
 ## text = gs.report.still_picture (d, place, turn)
 ## One instant of a scene (gs.report.drawn_scene) as SVG, for browsers without WebGL: solids by
-## their
-## axes, pairs by lines, as the player's camera sees them at the start, without perspective.
+## their axes, pairs by lines, as the player's camera sees them at the start, without perspective.
 
 function text = still_picture (d, place, turn)
   [az, el] = deal (d.view(1), d.view(2));

@@ -24,7 +24,7 @@ function [plan, breaks, callback] = input_plan (who, o, m)
     if (! (isfield (o.input, "dim") && prod (o.input.dim) == d.nv))
       free = m.inputs(gs.model.free_inputs (m))';
       gs.given.given_polynomial (who, o.input, numel (free), sprintf ("the input (%s)", ...
-          strjoin (free, ", ")));
+                                                                      strjoin (free, ", ")));
     endif
     plan.table = pieces (gs.given.given_polynomial (who, o.input, d.nv, "the input"));
   elseif (is_function_handle (o.input))
@@ -116,6 +116,6 @@ function pp = as_pp (who, value, dims, what)
     pp = mkpp ([0 1], double (value(:)), numel (value));
   else
     error ("%s: %s: %s", who, what, gs.text.refusal_text ("matrix", dims, ...
-        gs.text.shown_value (value)));
+                                                          gs.text.shown_value (value)));
   endif
 endfunction

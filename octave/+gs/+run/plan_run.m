@@ -2,8 +2,7 @@
 ## A run of the model M from X0 at TIMES(1) by the options O of gsmbp_simulate, checked and laid
 ## out: a struct with M (its way of the loops set), O (completed), X0 and ATOL (with the states of
 ## an audit and of derivatives), TIMES, METHOD, ROPT, START (see gs.start.consistent_start),
-## CARRIED, and
-## ARGUMENTS of the module's "sim".
+## CARRIED, and ARGUMENTS of the module's "sim".
 
 function p = plan_run (who, m, x0, times, o)
   d = m.sizes;

@@ -55,7 +55,7 @@ function file = glue (who, folder)
                      {"gsmbp_ipopt.cc"; "gsmbp_program.h"; "header_ipopt.h"}, ...
                      "UniformOutput", false);
   gs.files.build_once (who, file, OCTAVE_VERSION (), sources, ...
-                @(place) compile (who, sources{1}, place));
+                       @(place) compile (who, sources{1}, place));
 endfunction
 
 function new = compile (who, source, place)
@@ -66,6 +66,5 @@ function new = compile (who, source, place)
     error ("%s: Ipopt is not installed (Debian: coinor-libipopt-dev)", who);
   endif
   gs.files.run_command (who, sprintf ("cd %s && mkoctfile -g0 -o new.oct %s -lipopt", ...
-      quote (place), ...
-                            quote (source)));
+                                      quote (place), quote (source)));
 endfunction

@@ -6,5 +6,5 @@
 
 function [names, scaled, found] = constraint_residuals (m, t, x)
   [scaled, found, names] = m.module ("residuals", m.cst, gs.model.parameter_values (m), t, x, ...
-      m.nominal);
+                                     m.nominal);
 endfunction

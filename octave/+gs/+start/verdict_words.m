@@ -3,9 +3,8 @@
 ## Octave.
 
 function [word, remedy] = verdict_words (number)
-  words = {"taken", "off", "far", "none", "device", "samples", "angle", "orientation", ...
-           "projection", "memory", "stop"};
-  word = words{number+1};
+  words = gs.text.table_rows ("GS_VERDICTS");
+  word = lower (words{number+1});
   close = "; close it by gsmbp_assemble, or have it moved: \"start\", \"project\"";
   remedies = struct ("off", close, "far", close, "none", ...
                      "; try gsmbp_assemble with another guess, or check the lengths", "device", ...

@@ -18,7 +18,7 @@ function file = build_program (who, s, p, records, folder)
        gs.model.sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
   put (who, fullfile (folder, "Makefile"), makefile (library, {"", "yes"}{1 + has_lanes(m)}));
   gs.files.write_text (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", ...
-      m.name));
+                                                                      m.name));
   gs.files.write_text (who, fullfile (folder, "sweep.job"), gs.sweep.job_text (records));
   take_archive (who, m, fullfile (folder, "build"));
   gs.files.run_command (who, sprintf ("cd '%s' && make", strrep (folder, "'", "'\\''")));

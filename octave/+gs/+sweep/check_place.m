@@ -1,7 +1,7 @@
 ## gs.sweep.check_place (who, folder, told)
 ## An error of WHO unless FOLDER can take the program of the sweep that TOLD
-## (gs.sweep.describe_sweep)
-## tells of: one that is new, empty or of such a program, without runs of another sweep.
+## (gs.sweep.describe_sweep) tells of: one that is new, empty or of such a program, without runs of
+## another sweep.
 
 function check_place (who, folder, told)
   if (exist (folder, "file") == 2)

@@ -10,7 +10,7 @@ function call = file_functions (who, m)
            "sweep_files.h"};
   sources = cellfun (@(f) gs.files.own_place ("octave", "glue", f), parts, "UniformOutput", false);
   gs.files.build_once (who, file, OCTAVE_VERSION (), sources, ...
-                @(place) compile (who, sources, place));
+                       @(place) compile (who, sources, place));
   if (! strcmp (loaded, file))
     gs.files.load_module ("gsmbp_sweep_files", file, []);
     loaded = file;
@@ -25,6 +25,6 @@ function new = compile (who, sources, place)
   cc = strtrim (mkoctfile ("-p", "CC"));
   gs.files.run_command (who, sprintf (["cd %s && %s -std=gnu99 -O2 -fPIC %s -c %s %s %s && " ...
                              "mkoctfile -g0 -o new.oct %s sweep_files.o sweep_place.o " ...
-                             "sweep_table.o %s"], quote (place), cc, words, ...
+                                       "sweep_table.o %s"], quote (place), cc, words, ...
                             cellfun (quote, sources(1:4), "UniformOutput", false){:}, links));
 endfunction

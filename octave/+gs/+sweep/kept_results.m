@@ -108,8 +108,7 @@ function kept = of_events (who, m, word, name, way)
                           "\"count\" are of events)"], name, name);
     endif
     error ("%s: option keep: unknown event %s%s", who, gs.text.nearest_word (name, ...
-        unique (names)), ...
-           way_out);
+        unique (names)), way_out);
   endif
   mine = gs.events.group_names (m) == k;
   parts = {@(c) min(c.first(:,mine), [], 2), @(c) max(c.last(:,mine), [], 2), ...

@@ -1,8 +1,7 @@
 ## j = gs.sweep.open_journal (who, m, o, told, records)
 ## The folder beside the file of a sweep, O.file with ".parts", where its finished chunks are: a
-## struct with CALL (gs.sweep.file_functions), FOLDER, JOB, and DONE, whether the file is finished. 
-## One
-## of another sweep than TOLD is an error, as is one that is there and O.resume is false.
+## struct with CALL (gs.sweep.file_functions), FOLDER, JOB, and DONE, whether the file is finished.
+## One of another sweep than TOLD is an error, as is one that is there and O.resume is false.
 
 function j = open_journal (who, m, o, told, records)
   j.call = gs.sweep.file_functions (who, m);

@@ -1,7 +1,6 @@
 ## text = gs.sweep.read_description (who, option, file)
 ## What the finished table of a sweep in FILE says of itself (gs.sweep.describe_sweep); an error of
-## WHO
-## about its OPTION where it is no such table.
+## WHO about its OPTION where it is no such table.
 
 function text = read_description (who, option, file)
   text = "";

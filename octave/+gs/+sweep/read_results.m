@@ -1,7 +1,6 @@
 ## r = gs.sweep.read_results (who, s, j)
 ## The runs of a sweep (gs.sweep.run_blocks) by its journal J, the table in J.file, and the folder
-## of
-## the chunks gone when it is there.
+## of the chunks gone when it is there.
 
 function r = read_results (who, s, j)
   if (j.done)

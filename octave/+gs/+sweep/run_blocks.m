@@ -64,7 +64,7 @@ function how_far (who, m, n, before, missing, seconds)
   done = n - before - missing;
   if (seconds > 2 && done > 0)
     gs.text.tell_progress ("%s: %s: %d of %d runs, %.0f s left", who, m.name, n - missing, n, ...
-                 ceil (seconds / done * missing));
+                           ceil (seconds / done * missing));
   endif
 endfunction
 
@@ -127,7 +127,7 @@ function b = chunk (s, i, left)
       parts{k} = kept(k).of (e.counted);
     else
       parts{k} = kept(k).of (e.t, gs.run.ensemble_values (s.who, s.m, e.x, e.v, e.y, ...
-          kept(k).name)).';
+                                                          kept(k).name)).';
     endif
     parts{k}(! (e.ok | kept(k).whole),:) = NaN;
   endfor

@@ -22,7 +22,7 @@ function [o, rest] = sweep_options (who, m, pairs)
   k = find (! ismember (names, [table(:,1); known]), 1);
   if (! isempty (k))
     error ("%s: unknown option %s", who, gs.text.nearest_word (names{k}, sort ([table(:,1); ...
-        known])'));
+                                                                                known])'));
   endif
   mine = ismember (names, table(:,1));
   o = gs.given.call_options (who, table, [names(mine); values(mine)](:)');

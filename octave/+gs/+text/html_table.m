@@ -4,8 +4,7 @@
 function text = html_table (heads, cells)
   row = @(tag, list) ["<tr>", sprintf(["<" tag ">%s</" tag ">"], ...
                                       cellfun (@gs.text.html_escaped, list, "UniformOutput", ...
-                                          false){:}), ...
-                      sprintf("</tr>\n")];
+                                               false){:}), sprintf("</tr>\n")];
   text = row ("th", heads);
   for k = 1:rows (cells)
     text = [text, row("td", cells(k,:))];

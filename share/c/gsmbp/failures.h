@@ -32,14 +32,20 @@ enum
 };
 enum { GS_WRONG_MODE = 13 };
 
-/* verdicts: taken; its constraints are off by more than 1e-6; it must be moved by more than 1e-3
- * (of the usual sizes) although they are not; no state on them was found; a device cannot be
- * there; a period or a delay of a sampled device cannot be, or there are too many samples after it
- * (gs_due_from); an angle is beyond 1e15 rad; Euler parameters have no direction; it must be moved,
- * but there is no PRJ; no memory; a stop is passed */
-enum
-{
-  GS_START_TAKEN, GS_START_OFF, GS_START_FAR, GS_START_NONE, GS_START_DEVICE, GS_START_SAMPLES,
-  GS_START_ANGLE, GS_START_ORIENTATION, GS_START_NO_PROJECTION, GS_START_NO_MEMORY, GS_START_STOP
-};
+/* verdicts on a start, GS_START_<name>, which hosts know by these names */
+#define GS_VERDICTS(ROW)                                                                           \
+  ROW (TAKEN)                                                                                      \
+  ROW (OFF)           /* its constraints are off by more than 1e-6 */                              \
+  ROW (FAR)           /* they are not, but it must be moved by more than 1e-3 (of usual sizes) */  \
+  ROW (NONE)          /* no state on them was found */                                             \
+  ROW (DEVICE)        /* a device cannot be there */                                               \
+  ROW (SAMPLES)       /* a period or a delay cannot be, or too many samples (gs_due_from) */       \
+  ROW (ANGLE)         /* an angle is beyond 1e15 rad */                                            \
+  ROW (ORIENTATION)   /* Euler parameters have no direction */                                     \
+  ROW (NO_PROJECTION) /* it must be moved, but there is no PRJ */                                  \
+  ROW (NO_MEMORY)                                                                                  \
+  ROW (STOP)          /* a stop is passed */
+#define GS_VERDICT_NUMBER(name) GS_START_##name,
+enum { GS_VERDICTS (GS_VERDICT_NUMBER) GS_VERDICT_COUNT };
+#undef GS_VERDICT_NUMBER
 #endif

@@ -75,6 +75,7 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *question,
   return info;
 }
 
+#define NAME(name) #name "\n"
 #define ONE(constant, name) #name "\n"
 #define TWO(name, value) #name "\t" #value "\n"
 #define TEXT(name, text) #name "\t" text "\n"
@@ -86,7 +87,7 @@ gs_loop_table (int which)
 {
   static const char *const tables[] = {
     GS_COUNTS (ONE), GS_VALUES (ONE), GS_OPTIONS (THREE), GS_KINDS (TEXT), GS_METHODS (TWO),
-    GS_LOOP_METHODS (TWO), GS_LIMITS (TWO), GS_REFUSALS (TEXT)
+    GS_LOOP_METHODS (TWO), GS_LIMITS (TWO), GS_REFUSALS (TEXT), GS_VERDICTS (NAME)
   };
   return tables[which];
 }

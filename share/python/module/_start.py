@@ -5,13 +5,14 @@ import numpy as np
 
 from . import _checks
 from ._library import LIBRARY, NAME, SIZES, TABLE, at
+from ._tables import VERDICTS
 
 _SIZE = 2400
-# verdicts of gsmbp/failures.h, and what a call of Python may do about them
-_ANGLE = 6
-_REMEDIES = {1: '; start="project" moves it onto them', 2: '; start="project" moves it onto them',
-             3: '; try another start, or check the lengths',
-             4: '; start="project" takes devices as they are'}
+# what a call of Python may do about a verdict of gsmbp/failures.h
+_REMEDIES = {'OFF': '; start="project" moves it onto them',
+             'FAR': '; start="project" moves it onto them',
+             'NONE': '; try another start, or check the lengths',
+             'DEVICE': '; start="project" takes devices as they are'}
 
 
 def _text():
@@ -39,10 +40,11 @@ def take(who, model, t, x, check, modes):
     verdict = LIBRARY.gs_loop_start(
         ctypes.c_double(t), at(model.cst), at(model._values), ctypes.c_int(check),
         given if given is None else at(given), at(x), ctypes.byref(state), *text)
-    if verdict == _ANGLE:
+    word = VERDICTS[verdict]
+    if word == 'ANGLE':
         who += ': x0[%d], %s' % (state.value, model.states[state.value])
-    if verdict:
-        raise ValueError('%s: %s%s' % (who, text[0].value.decode(), _REMEDIES.get(verdict, '')))
+    if word != 'TAKEN':
+        raise ValueError('%s: %s%s' % (who, text[0].value.decode(), _REMEDIES.get(word, '')))
 
 
 def samples(who, model, t, ip, rp):

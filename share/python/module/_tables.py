@@ -1,15 +1,15 @@
-"""What all hosts of runs share, as the library has it (gsmbp/options.h, limits.h, refusals.h and
-statistics.h)."""
+"""What all hosts of runs share, as the library has it (gsmbp/options.h, limits.h, refusals.h,
+statistics.h and failures.h)."""
 from types import SimpleNamespace
 
 import numpy as np
 
 from ._library import LIBRARY
 
-(_COUNTS, _VALUES, _OPTIONS, _KINDS, _METHODS, _LOOPS, _LIMITS, _REFUSALS) = (
+(_COUNTS, _VALUES, _OPTIONS, _KINDS, _METHODS, _LOOPS, _LIMITS, _REFUSALS, _VERDICTS) = (
     [line.split('\t') for line in LIBRARY.gs_loop_table(k).decode().splitlines()]
-    for k in range(8))
-COUNTS, VALUES = ([name for name, in rows] for rows in (_COUNTS, _VALUES))
+    for k in range(9))
+COUNTS, VALUES, VERDICTS = ([name for name, in rows] for rows in (_COUNTS, _VALUES, _VERDICTS))
 METHODS = {word: int(number) for word, number in _METHODS}
 WAYS = tuple(word for word, _ in _LOOPS)
 FIXED = ('rk4', 'gauss')   # methods with steps of one length
