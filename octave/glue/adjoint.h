@@ -83,7 +83,7 @@ do_forward (arguments& a, int)
   reals atol = a.vector ("atol", S.nx), w = room (13 * S.nx), xn = room (S.nx);
   std::vector<double> kept;
   const int ns = int (stops.size ());
-  patience p (nullptr, double (a.scalar ("timeout")), double (stops[0]), double (stops[ns - 1]),
+  patience p (double (a.scalar ("timeout")), double (stops[0]), double (stops[ns - 1]),
               "s");
   Matrix counts (ns, 1, 0.0), states (S.nx, ns, no_number);
   auto keep_state = [&] (int i) { for (int j = 0; j < S.nx; j++) states(j, i) = double (x[j]); };
@@ -150,7 +150,7 @@ do_backward (arguments& a, int)
   std::fill (pb.begin (), pb.end (), number (0));
   int at = int (record.columns ());
   const double from = at > 0 ? record(1, at - 1) : 0, to = at > 0 ? record(0, 0) : 1;
-  patience patient (nullptr, double (a.scalar ("timeout")), from, to, "s, backward");
+  patience patient (double (a.scalar ("timeout")), from, to, "s, backward");
   for (int i = int (counts.numel ()) - 1; i >= 0; i--)
     {
       for (; i < int (counts.numel ()) - 1 && at > int (counts(i)); )

@@ -5,7 +5,6 @@
 #include "run_room.h"
 #include "columns_at_samples.h"
 #include "gsmbp/integrate.h"
-#include "host/engine.h"
 #include "host/fortran_scene.h"
 
 // routines of this module in the place of those of the scene
@@ -17,17 +16,6 @@ GS_FORTRAN_evt (gs_columns_evt, gsmbp_events_watched)
 GS_FORTRAN_rst (gs_columns_rst, gsmbp_reset_with_columns)
 GS_FORTRAN_vin (gs_columns_vin, gsmbp_inputs_with_columns)
 GS_FORTRAN_vin (gs_octave_vin, gsmbp_call_input)
-
-// does the run time in C integrate?
-static bool
-run_by_c (void)
-{
-  const int by_c = gs_engine_is_c ();
-  if (by_c < 0)
-    error ("gsmbp_simulate: GSMBP_ENGINE: expected c or fortran; found \"%s\"; "
-           "unsetenv (\"GSMBP_ENGINE\") takes the default", std::getenv ("GSMBP_ENGINE"));
-  return by_c == 1;
-}
 
 // before a step: INFO where the run is to end, else 0
 extern "C" int

@@ -343,7 +343,7 @@ do_ensemble (arguments& a, int)
     error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
   auto begin = std::chrono::steady_clock::now ();
   ensemble all (s, rows, lanes);
-  patience p (s.rhs, s.timeout, 0, rows.n, "runs");
+  patience p (s.timeout, 0, rows.n, "runs");
   all.run_all (threads);
   p.settle ();
   double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();

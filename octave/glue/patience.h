@@ -1,15 +1,13 @@
 // Runs that are ended from outside, by Ctrl-C or after a wall time, with the rows so far, and that
 // tell a terminal how far they are.  Octave takes SIGINT in a thread of its own and counts it in
 // octave_interrupt_state; of other signals, SIGTERM, octave_signal_caught tells.  These and one
-// word are all that a run looks at: the run time in C before a step, the one in Fortran at a call
-// of the right-hand side.
+// word are all that a run looks at, before each step.
 #pragma once
 
 #include "numbers.h"
 
 #include <atomic>
 #include <condition_variable>
-#include <csetjmp>
 #include <csignal>
 #include <mutex>
 #include <thread>
@@ -23,14 +21,14 @@ public:
   enum reason { none = 0, interrupted = GS_INTERRUPTED, timed_out = GS_TIMED_OUT, failed };
 
   // what runs from FIRST to LAST (time or number of runs); WHAT: its unit
-  patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what);
+  patience (double timeout, double first, double last, const char *what);
   ~patience (void);
   patience (const patience&) = delete;
 
   reason why (void) const { return reason (m_why.load ()); }
   void stop (reason why);
   void reached (double at) { m_at = at; }
-  // at a call of the right-hand side: is it over?
+  // before a step: is it over?
   bool look (double t);
   // behind the runs: what Octave ends by is thrown; a Ctrl-C that ended them is dealt with; one
   // within half a second of such a one is left to Octave, so that whatever called them ends, too
@@ -53,7 +51,6 @@ public:
     return octave_interrupt_state > 0;   // sig_atomic_t, std::atomic<int> since Octave 9
   }
 
-  gsmbp_sub rates;
   const bool in_time;   // the time of the run is how far it is
 
 private:
@@ -133,11 +130,9 @@ private:
 
 std::atomic<int> patience::word (0);
 static patience *the_patience = nullptr;
-// where a run of GSSIM is left from; a null pointer: INFO < 0 ends it
-static thread_local std::jmp_buf *the_exit = nullptr;
 
-patience::patience (gsmbp_sub rhs, double timeout, double first, double last, const char *what)
-  : rates (rhs), in_time (*what == 's'), m_outer (the_patience),
+patience::patience (double timeout, double first, double last, const char *what)
+  : in_time (*what == 's'), m_outer (the_patience),
     m_owner (std::this_thread::get_id ()), m_why (none), m_at (first), m_begin (clock::now ()),
     m_timeout (timeout), m_first (first), m_last (last), m_what (what), m_terminal (isatty (2)),
     m_shown (false), m_over (false)
@@ -257,18 +252,4 @@ patience::show (void)
   m_shown = true;
   int quiet = 0;
   word.compare_exchange_strong (quiet, tell);
-}
-
-// The right-hand side as a run calls it.  A run of GSSIM, which owns nothing, is left by a jump.
-extern "C" void
-gsmbp_patient_rates (const number *t, number *x, number *v, number *cst, number *xd, int *info)
-{
-  if (patience::asked () && the_patience->look (double (*t)))
-    {
-      if (the_exit)
-        std::longjmp (*the_exit, 1);
-      *info = -1000;
-      return;
-    }
-  fortran {the_patience->rates} (t, x, v, cst, xd, info);
 }

@@ -1,4 +1,4 @@
-// A run: what gsmbp_simulate hands over, the subroutines that it needs, GSSIM, an implicit method
+// A run: what gsmbp_simulate hands over, the subroutines that it needs, gssim, an implicit method
 // where that is asked for or steps are bound by stability, what comes back.
 #pragma once
 
@@ -31,7 +31,6 @@ struct simulation : run_room, run_setting
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // an implicit method, or its library; "": GSSIM alone
-  bool by_c;             // by the run time in C
 #if ! defined (GSMBP_QUAD)
   gs_implicit_method *implicit_method = nullptr;
 #endif
@@ -46,16 +45,13 @@ private:
   void make_room (const reals& guess);
   void find_routines (void);
   void fill_scene (void);
-  void by_fortran (run_room& r, std::vector<int>& ip, number *rp) const;
-  void by_fortran (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
-                   const int *counts, const number *options) const;
 #if ! defined (GSMBP_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
 };
 
 simulation::simulation (arguments& a)
-  : by_c (run_by_c ()), seconds (0)
+  : seconds (0)
 {
   cst = a.constants ();
   t0 = a.scalar ("t0");
@@ -216,36 +212,6 @@ simulation::fill_scene (void)
     scene.vin = gs_columns_vin;
 }
 
-void
-simulation::by_fortran (run_room& r, std::vector<int>& ip, number *rp) const
-{
-  const int sizes[] = {S.nq, S.nu, nx, S.nv, S.nlam, nt, int (r.breaks.size ()), lw};
-  reals times (1, t0), options = ropt;
-  std::vector<int> counts = iopt;
-  times.insert (times.end (), tout.begin (), tout.begin () + nt);
-  times.insert (times.end (), r.breaks.begin (), r.breaks.end ());
-  options.insert (options.end (), atol.begin (), atol.end ());
-  by_fortran (r, &ip[0], rp, sizes, &times[0], &counts[0], &options[0]);
-}
-
-// what is left behind by the jump out of the right-hand side are frames of Fortran
-void
-simulation::by_fortran (run_room& r, int *ip, number *rp, const int *sizes, const number *times,
-                        const int *counts, const number *options) const
-{
-  const gsmbp_sub rates = reinterpret_cast<gsmbp_sub> (gsmbp_patient_rates);
-  std::jmp_buf out;
-  std::jmp_buf *const outer = the_exit;   // of a run in whose function of inputs this one is
-  the_exit = &out;
-  if (setjmp (out) == 0)
-    fortran {gssim_} (rates, prj, con, kin, cmd, clo, vin, this->out, ctl, evt, rst,
-                      sizes, times, &r.x0[0], counts, options, ip, rp, &r.cst[0], &r.xout[0],
-                      &r.vout[0], &r.istat[0], &r.rstat[0], &r.w[0], &r.info);
-  else
-    r.info = the_patience->why ();
-  the_exit = outer;
-}
-
 #if ! defined (GSMBP_QUAD)
 // from the start, or on from where GSSIM found its steps bound by stability
 void
@@ -261,10 +227,8 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool res
 void
 simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
-  if (iopt[GS_METHOD] != 0 && by_c)
+  if (iopt[GS_METHOD] != 0)
     r.info = run_engine (*this, r, &ip[0], rp, gssim);
-  else if (iopt[GS_METHOD] != 0)
-    by_fortran (r, ip, rp);
   go_on (r, ip, rp);
 }
 
@@ -360,7 +324,7 @@ do_sim (arguments& a, int)
   jumps.insert (jumps.end (), run.breaks.begin (), run.breaks.end ());
   current_run current (run, jumps, failure);
   {
-    patience p (run.rhs, run.timeout, double (run.t0), double (run.tout[run.nt - 1]), "s");
+    patience p (run.timeout, double (run.t0), double (run.tout[run.nt - 1]), "s");
     run.integrate ();
     if (run.info != 0 && p.why () != patience::none)
       run.info = p.why ();

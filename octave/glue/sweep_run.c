@@ -2,7 +2,6 @@
 #include "sweep_run.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
-#include "host/engine.h"
 #include "host/failure.h"
 #include "host/fortran_scene.h"
 #include "host/start.h"
@@ -16,7 +15,6 @@
 static const gsmbp_scene *const S = &gsmbp_the_scene;
 
 extern double gslft_ (const double *t, const int *side);
-extern void gssim_ (void);
 static void absent (void) { }
 
 /* an emitted subroutine by the end of its name, a null pointer where there is none */
@@ -45,16 +43,6 @@ wholes (const gs_job *job, const char *name, long long *count)
   for (long long i = 0; k && i < *count; i++)
     k[i] = (int) x[i];
   return k;
-}
-
-static int
-find_engine (gs_sweep *s, char *why)
-{
-  s->by_c = gs_engine_is_c ();
-  if (s->by_c < 0)
-    snprintf (why, GS_WHY, "GSMBP_ENGINE: expected c or fortran; found \"%s\"; "
-              "unset GSMBP_ENGINE takes the default", getenv ("GSMBP_ENGINE"));
-  return s->by_c < 0;
 }
 
 static int
@@ -180,7 +168,7 @@ gs_open_sweep (gs_sweep *s, const gs_job *job, char *why)
   if (read_kept (s) || s->nx != S->nx || s->par.n != S->npar || s->runs < 1
       || s->nominal.n != S->nx || s->x0.n != S->nx || s->atol.n != S->nx || s->niopt < 6)
     return snprintf (why, GS_WHY, "the job is not whole"), 1;
-  return find_engine (s, why) || find_subs (s, why) || find_method (s, why) || find_broken (s, why);
+  return find_subs (s, why) || find_method (s, why) || find_broken (s, why);
 }
 
 void
@@ -375,21 +363,6 @@ prepare (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cst, in
   return info;
 }
 
-typedef void simulate (gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub,
-                       gsmbp_sub, gsmbp_sub, gsmbp_sub, gsmbp_sub, const int *, double *, double *,
-                       int *, double *, int *, double *, double *, double *, double *, int *,
-                       double *, double *, int *);
-
-static void
-by_fortran (const gs_sweep *s, gs_sweep_room *r)
-{
-  const int sizes[] = { S->nq, S->nu, s->nx, S->nv, S->nlam, (int) s->tout.n, r->nb, s->lw };
-  const gsmbp_sub *f = s->sub;
-  ((simulate *) gssim_) (f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10], sizes,
-                         r->times, r->x0, r->iopt, r->options, r->ip, r->rp, r->cst, r->xout,
-                         r->vout, r->istat, r->rstat, r->w, &r->info);
-}
-
 /* the run as the run time in C takes it, with its statistics so far */
 static gs_run
 run_of (const gs_sweep *s, gs_sweep_room *r)
@@ -413,7 +386,7 @@ keep_statistics (gs_sweep_room *r, const gs_run *g)
 }
 
 static void
-by_c (const gs_sweep *s, gs_sweep_room *r)
+by_explicit (const gs_sweep *s, gs_sweep_room *r)
 {
   gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
   gs_scene scene = *S->run;
@@ -699,10 +672,8 @@ gs_sweep_row (const gs_sweep *s, gs_sweep_room *r, long long i, double *row, cha
 {
   if (! gs_begin_row (s, r, i, NULL, 0, row, why))
     return;
-  if (r->info == 0 && r->iopt[GS_METHOD] != 0 && s->by_c)
-    by_c (s, r);
-  else if (r->info == 0 && r->iopt[GS_METHOD] != 0)
-    by_fortran (s, r);
+  if (r->info == 0 && r->iopt[GS_METHOD] != 0)
+    by_explicit (s, r);
   else if (r->info == 0 && s->implicit_method)
     by_implicit (s, r, 0);
   gs_end_row (s, r, row, why);

@@ -25,7 +25,6 @@ typedef struct
   long long nip, niopt, followed, varied, runs, kept, wholes, columns;
   int nx, ldx, ldv, lw, order, index2, check_start;
   int lanes;                             /* 1: in lanes, where they can be */
-  int by_c;                              /* 1: by the run time in C, 0: by the Fortran one */
   double t0;
   gsmbp_sub sub[GS_SUBS];
   gs_implicit_method *implicit_method;   /* a null pointer: GSSIM alone */
