@@ -1,329 +1,143 @@
-// Many runs of a scene by one plan, on all cores: parameters, starts and constant inputs differ
-// from run to run.  A run is a function of its own row alone, whoever runs it and when.
+// Many runs of a scene by one plan (host/ensemble): what Octave hands over, and what comes back.
 #pragma once
 
-#include "lanes.h"
-#include "ensemble_rows.h"
+#include "host/ensemble/ensemble.h"
+#include "parameters.h"
+#include "simulation.h"
 
-class ensemble
+#include <numeric>
+
+// what differs from run to run, a row for each; no rows: as in the run of the beginning
+struct ensemble_rows
 {
-public:
+  int n;
+  std::vector<int> which;            // the parameters that a column stands for
+  Matrix nominal;
+  int check;                         // should starts be closed, or are they moved from anywhere?
+  reals common, table, starts, inputs;   // the parameters of all runs; columns of the others
 
-  // lanes: whether runs are in lanes where they can be
-  ensemble (const simulation& s, const ensemble_rows& rows, bool lanes)
-    : m_s (s), m_rows (rows), m_lanes (lanes && in_lanes (s)), m_results (rows.n, s.nt), m_next (0),
-      m_done (0), m_common (rows.common ()), m_about (*S.about), m_modes (nullptr),
-      m_out (S.ny > 0 ? routine ("out") : fortran { nullptr })
+  ensemble_rows (arguments& a)
+    : n (a.integer_within ("runs", 1, 2000000000)), which (a.integers ("parameters", -1))
   {
-    m_x = m_results.x.fortran_vec ();
-    m_v = m_results.v.fortran_vec ();
-    m_y = m_results.y.fortran_vec ();
-    m_counts = m_results.counts.fortran_vec ();
-    m_values = m_results.values.fortran_vec ();
-    m_info = m_results.info.fortran_vec ();
-    m_counted = m_results.counted.fortran_vec ();
-    m_margins = m_results.margins.fortran_vec ();
-    m_said = m_results.said.data ();
-    m_about.nominal = rows.nominal.data ();
-    if (s.plan->ip[GS_EVENTS] > 0)
-      {
-        const gs_events e = s.plan->events ();
-        m_modes = e.given ? e.mode : nullptr;
-      }
+    common = parameter_values (a.matrix ("par", S.npar, 1), 0);
+    table = columns_of (a, int (which.size ()), "table", decimal);
+    starts = columns_of (a, S.nx, "starts", plain);
+    inputs = columns_of (a, S.nv, "inputs", plain);
+    nominal = a.matrix ("nominal", S.nx, 1);
+    check = a.integer_within ("check", 0, 1);
   }
 
-  void run_all (int threads);
-  const ensemble_results& results (void) const { return m_results; }
-  bool in_lanes (void) const { return m_lanes; }
+  gs_rows rows (void) const
+  {
+    return { n, &common[0], int (which.size ()), which.data (), columns (table), columns (starts),
+             columns (inputs), nullptr };
+  }
 
 private:
 
-  void work (int thread, int most);
-  static bool is_over (void) { return the_patience->why () != patience::none; }
-  bool over (int i);
-  int constants (const known_row& row, reals& cst) const;
-  bool prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp);
-  bool begins (int i, run_room& r) const;
-  bool refused (int i, const gs_start& start) const;   // false
-  double *counts_of (int i) const { return m_counts + std::size_t (GS_COUNTED) * i; }
-  double *values_of (int i) const { return m_values + std::size_t (GS_MEASURED) * i; }
-  void margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const;
-  void keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
-             reals& one);
+  static number plain (double x) { return x; }
 
-#if defined (GSMBP_QUAD)
-  static bool in_lanes (const simulation&) { return false; }
-#else
-  static bool in_lanes (const simulation& s)
+  gs_table columns (const reals& all) const
   {
-    return lane_group::fits (s.iopt) && ! s.audit && ! s.carries ();
+    return { all.empty () ? nullptr : all.data (), 1, n };
   }
 
-  // a thread's
-  struct lane_rows : lane_source
+  reals columns_of (arguments& a, int many, const char *name, number (*as) (double)) const
   {
-    ensemble& all;
-    const int thread;
-
-    lane_rows (ensemble& e, int k) : all (e), thread (k) { }
-    bool next (lane_run& l) { return all.next (l, thread); }
-    void done (lane_run& l) { all.done (l); }
-    int over (void)
-    {
-      return patience::asked () && the_patience->look (0) ? the_patience->why () : patience::none;
-    }
-  };
-
-  bool next (lane_run& l, int thread);
-  void done (lane_run& l);
-
-  std::unique_ptr<row_groups> m_groups;   // none: PRE is called for each run
-#endif
-
-  const simulation& m_s;
-  const ensemble_rows& m_rows;
-  const bool m_lanes;
-  ensemble_results m_results;
-  double *m_x, *m_v, *m_y, *m_counts, *m_values, *m_info, *m_counted, *m_margins;
-  std::string *m_said;
-  std::atomic<int> m_next, m_done;
-  std::mutex m_plan;
-  const reals m_common;              // the parameters of all runs
-  gs_description m_about;            // the scene with the nominal magnitudes of these runs
-  const int *m_modes;                // given ones of ports
-  const fortran m_out;
+    const Matrix m = a.value (name).matrix_value ();
+    if (! m.isempty () && (m.rows () != n || m.columns () != many))
+      error ("%s: argument %s: expected %d x %d, found %s", a.who ().c_str (), name, n, many,
+             m.dims ().str ().c_str ());
+    reals x (m.numel ());
+    std::transform (m.data (), m.data () + m.numel (), x.begin (), as);
+    return x;
+  }
 };
 
-// whether all is to end before run I
-bool
-ensemble::over (int i)
+// what comes back, a column or a page for each run
+struct ensemble_results
 {
-  if (! is_over ())
-    return false;
-  m_info[2 * i] = the_patience->why ();   // no calls
-  values_of (i)[GS_T_REACHED] = double (m_s.t0);
-  return true;
+  const int n;
+  NDArray x, v, y;
+  Matrix counts, values, info, counted, margins;
+  std::vector<char *> said;      // of refused starts, by implicit methods that failed
+  std::vector<double *> events;  // of each run time, number, mode after it, one by one
+  std::vector<int> many;
+  gs_results all;
+
+  ensemble_results (int runs, int nt)
+    : n (runs), x (dim_vector (nt, S.nx, n), no_number), v (dim_vector (nt, S.nv, n), no_number),
+      y (dim_vector (nt, S.ny, n), no_number), counts (GS_COUNTED, n, 0.0),
+      values (GS_MEASURED, n, 0.0), info (2, n, 0.0), counted (3 * S.nev, n, 0.0),
+      margins (2 * S.nsm, n, 0.0), said (n), events (n), many (n)
+  {
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < S.nsm; k++)
+        margins(S.nsm + k, i) = HUGE_VAL;
+    all = { x.fortran_vec (), v.fortran_vec (), y.fortran_vec (), counts.fortran_vec (),
+            values.fortran_vec (), info.fortran_vec (), counted.fortran_vec (),
+            margins.fortran_vec (), events.data (), many.data (), said.data (), 0 };
+  }
+  ~ensemble_results (void)
+  {
+    std::for_each (said.begin (), said.end (), std::free);
+    std::for_each (events.begin (), events.end (), std::free);
+  }
+  ensemble_results (const ensemble_results&) = delete;
+
+  // a column of texts, {} if there is none
+  Cell all_said (void) const
+  {
+    if (std::none_of (said.begin (), said.end (), [] (const char *s) { return s; }))
+      return Cell ();
+    Cell texts (n, 1);
+    for (int i = 0; i < n; i++)
+      texts(i) = said[i] ? said[i] : "";
+    return texts;
+  }
+
+  // a column for each event: run, time, number, mode after it
+  Matrix all_events (void) const
+  {
+    Matrix list (4, std::accumulate (many.begin (), many.end (), 0));
+    double *to = list.fortran_vec ();
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < many[i]; k++, to += 4)
+        {
+          to[0] = i + 1;
+          std::copy_n (events[i] + 3 * k, 3, to + 1);
+        }
+    return list;
+  }
+};
+
+extern "C" void
+gsmbp_runs_done (void *, int done)
+{
+  the_patience->reached (done);
 }
 
-// the constants of a run; INFO of PRE
-int
-ensemble::constants (const known_row& row, reals& cst) const
+// the run S as all runs of an ensemble have it; its arrays are those of S
+static gs_ensemble
+ensemble_of (simulation& s, const gs_description& about, const gs_lane_routines& lanes,
+             const ensemble_rows& rows)
 {
-#if ! defined (GSMBP_QUAD)
-  if (row.group)
-    return row.group->constants (row.place, cst);
-#endif
-  int info = 0;
-  reals par = m_common;
-  m_rows.put (row.i, par);
-  routine ("pre") (&par[0], &cst[0], &info);
-  return info;
-}
-
-// the margins of the devices in the first ROWS, of which those behind REACHED are as that one
-void
-ensemble::margins (int i, std::size_t rows, std::size_t reached, const run_room& r) const
-{
-  if (S.nsm == 0)
-    return;
-  double *passed = m_margins + std::size_t (2) * S.nsm * i;
-  std::vector<int> so_far (S.nsm, 0);
-  for (std::size_t k = 0; k < rows; k++)
-    {
-      const std::size_t at = std::min (k, reached);
-      if (gs_margins_at (&m_about, m_s.tout[k], &r.xout[m_s.ldx * at], &r.vout[m_s.ldv * at],
-                         &r.cst[0], so_far.data (), passed + S.nsm) < 0)
-        throw std::bad_alloc ();
-    }
-  std::copy (so_far.begin (), so_far.end (), passed);
-}
-
-// the start of run I on its constraints; false where it cannot be taken: INFO 3, as GSSIM, a
-// verdict and its message
-bool
-ensemble::begins (int i, run_room& r) const
-{
-  gs_start_given g = gs_start_given ();
-  gs_start start;
-  g.t = m_s.t0;
-  g.cst = &r.cst[0];
-  g.check = m_rows.check;
-  g.modes = m_modes;
-  const std::vector<double> par = m_rows.parameters (i);
-  g.par = par.data ();
-  return gs_take_start (&m_about, &g, &r.x0[0], &start) == GS_START_TAKEN || refused (i, start);
-}
-
-bool
-ensemble::refused (int i, const gs_start& start) const
-{
-  m_info[2 * i] = GS_ROUTINE_FAILED;
-  counts_of (i)[GS_FAILED_INFO] = start.verdict;
-  counts_of (i)[GS_FAILED] = GS_BEFORE_START;
-  values_of (i)[GS_T_REACHED] = double (m_s.t0);
-  m_said[i] = start.text;
-  return false;
-}
-
-// the room of a run; false where its parameters or its start cannot be, or all is to end
-bool
-ensemble::prepare (const known_row& row, run_room& r, std::vector<int>& ip, unset_reals& rp)
-{
-  const ensemble_rows& m = m_rows;
-  const int i = row.i;
-  if (over (i))
-    return false;
-  r = m_s;
-  if (! m.table.isempty ())
-    {
-      m_info[2 * i + 1] = constants (row, r.cst);
-      if (m_info[2 * i + 1] != 0)
-        return false;
-      r.breaks = m_s.breaks_of (r.cst);
-    }
-  for (int k = 0; k < S.nx && ! m.starts.isempty (); k++)
-    r.x0[k] = m.starts(i, k);
-  if (! begins (i, r))
-    return false;
-  if (S.nctl > 0)   // their periods are the run's own
-    {
-      std::lock_guard<std::mutex> guard (m_plan);
-      gs_start start;
-      if (! m_s.plan->due_from (m_s.t0, r.cst, start))
-        return refused (i, start);
-      m_s.plan->begin (ip, rp);
-    }
-  else
-    m_s.plan->begin (ip, rp);
-  for (int k = 0; k < S.nv && ! m.inputs.isempty (); k++)
-    rp[ip[GS_TABLE + 3] - 1 + k] = m.inputs(i, k);
-  for (int k = 0; k < S.nu && S.nq == S.nu; k++)
-    r.w[k] = r.x0[k];
-  return true;
-}
-
-// the rows that were reached, and the last state of a run that ended before its time; one that an
-// event of the user has ended (INFO 11) stays there
-void
-ensemble::keep (int i, const run_room& r, const std::vector<int>& ip, const unset_reals& rp,
-                reals& one)
-{
-  const std::size_t nt = m_s.nt, reached = r.istat[GS_N_OUTPUTS];
-  const bool ended = r.info == GS_ENDED;
-  const std::size_t rows = ended ? nt : std::min (nt, reached + (r.info != 0));
-  double *x = m_x + S.nx * nt * i, *v = m_v + S.nv * nt * i, *y = m_y + S.ny * nt * i;
-  const reals switches = S.ny > 0 ? switch_times (r.cst) : reals ();
-  for (std::size_t k = 0; k < rows; k++)
-    {
-      const std::size_t at = std::min (k, ended ? reached : k);
-      const number *state = &r.xout[m_s.ldx * at], *input = &r.vout[m_s.ldv * at];
-      for (int j = 0; j < S.nx; j++)
-        x[nt * j + k] = double (state[j]);
-      for (int j = 0; j < S.nv; j++)
-        v[nt * j + k] = double (input[j]);
-      int info = 0;
-      if (S.ny == 0 || (k >= reached && ! ended) || ! fine (state, S.nx) || ! fine (input, S.nv))
-        continue;
-      const number t = k < reached ? row_time (switches, &m_s.tout[0], int (k)) : m_s.tout[k];
-      m_out (&t, state, input, &r.cst[0], &one[0], &info);
-      for (int j = 0; j < S.ny && (info == 0 || info == 2); j++)
-        y[nt * j + k] = double (one[j]);
-    }
-  margins (i, ended ? nt : std::min (nt, reached), reached, r);
-  if (S.nev > 0)
-    {
-      m_results.events[i] = m_s.plan->events_of (ip, rp);
-      m_s.plan->counted (ip, rp, m_counted + std::size_t (3) * S.nev * i);
-    }
-  m_info[2 * i] = r.info;
-  if (r.info == GS_METHOD_FAILED)
-    m_results.said[i] = &r.text[0];
-  for (int j = 0; j < GS_COUNTED; j++)
-    counts_of (i)[j] = r.istat[j];
-  for (int j = 0; j < GS_MEASURED; j++)
-    values_of (i)[j] = double (r.rstat[j]);
-}
-
-#if ! defined (GSMBP_QUAD)
-
-bool
-ensemble::next (lane_run& l, int thread)
-{
-  known_row row;
-  do
-    if (! next_row (m_groups.get (), thread, m_next, m_rows.n, row))
-      return false;
-  while (! prepare (row, l.r, l.ip, l.rp));
-  l.i = row.i;
-  return true;
-}
-
-void
-ensemble::done (lane_run& l)
-{
-  reals one = room (S.ny);
-  m_s.go_on (l.r, l.ip, l.rp.data ());
-  keep (l.i, l.r, l.ip, l.rp, one);
-  the_patience->reached (++m_done);
-}
-
-#endif
-
-// one run after the other, until none is left, or in lanes, MOST of them
-void
-ensemble::work (int thread, int most)
-{
-#if ! defined (GSMBP_QUAD)
-  if (m_lanes)
-    {
-      lane_rows mine (*this, thread);
-      std::unique_ptr<lane_group> group (new lane_group (m_s, m_s.plan->ip, mine, most));
-      group->run_all ();
-      return;
-    }
-#endif
-  run_room r;
-  std::vector<int> ip;
-  unset_reals rp;
-  reals one = room (S.ny);
-  for (int i = m_next++; i < m_rows.n; i = m_next++)
-    if (prepare ({ i, nullptr, 0 }, r, ip, rp))
-      {
-        m_s.run (r, ip, rp.data ());
-        keep (i, r, ip, rp, one);
-        the_patience->reached (++m_done);
-      }
-}
-
-void
-ensemble::run_all (int threads)
-{
-  const int most = (m_rows.n - 1) / threads + 1;
-#if ! defined (GSMBP_QUAD)
-  if (m_lanes && ! m_rows.table.isempty () && emitted ("pre_w"))
-    m_groups.reset (new row_groups (m_rows.varied (), m_common, threads, most, is_over));
-#endif
-  std::exception_ptr failed;   // no memory: Octave is told, behind all threads
-  auto guarded = [&] (int k) {
-    try
-      {
-        work (k, most);
-      }
-    catch (...)
-      {
-        std::lock_guard<std::mutex> guard (m_plan);
-        failed = std::current_exception ();
-        m_next = m_rows.n;
-      }
-  };
-  std::vector<std::thread> others;
-  for (int k = 1; k < threads; k++)
-    others.emplace_back (guarded, k);
-  guarded (0);
-  for (std::thread& t : others)
-    t.join ();
-  if (failed)
-    std::rethrow_exception (failed);
+  gs_ensemble e = gs_ensemble ();
+  e.scene = S.run;
+  e.about = &about;
+  e.pre = gsmbp_constants;
+  e.lanes = &lanes;
+  e.npar = S.npar;
+  e.ncst = S.ncst;
+  e.fortran_inputs = 1;
+  e.run = engine_run (s, s, s.plan->ip.data (), s.plan->rp.data ());
+  e.run.nb = s.nb;   // the breaks of the inputs alone
+  e.run.tbrk = &s.tbrk[0];
+  e.wholes = s.plan->ip.size ();
+  e.reals = s.plan->rp.size ();
+  e.guess = &s.w[0];
+  e.check = rows.check;
+  return e;
 }
 
 // (those of "sim", number of runs, numbers of the parameters, values of all parameters, table,
@@ -336,20 +150,35 @@ static octave_value_list
 do_ensemble (arguments& a, int)
 {
   simulation s (a);
-  ensemble_rows rows (a);
-  int threads = a.integer_within ("threads", 1, 10000);
-  bool lanes = a.integer_within ("lanes", 0, 1) == 1;
+  ensemble_rows given (a);
+  const int threads = a.integer_within ("threads", 1, 10000);
+  const bool wanted = a.integer_within ("lanes", 0, 1) == 1;
   if (s.input.is_function_handle () || s.carries () || s.audit)
     error ("%s.ensemble: no functions of Octave, derivatives, audits", S.name);
-  auto begin = std::chrono::steady_clock::now ();
-  ensemble all (s, rows, lanes);
+  gs_lane_routines lanes = gs_lane_routines ();
+  if (wanted)
+    gsmbp_lanes (&lanes);
+  gs_description about = *S.about;
+  about.nominal = given.nominal.data ();
+  gs_ensemble e = ensemble_of (s, about, lanes, given);
+#if ! defined (GSMBP_QUAD)
+  const gs_implicit options = { s.implicit[0], s.implicit[1], 0, 0, int (s.implicit.size ()) - 2,
+                                s.implicit.data () + 2, nullptr, 0 };
+  e.method = s.implicit_method;
+  e.implicit = &options;
+#endif
+  const gs_rows rows = given.rows ();
+  ensemble_results r (rows.n, s.nt);
+  const auto begin = std::chrono::steady_clock::now ();
   patience p (s.timeout, 0, rows.n, "runs");
-  all.run_all (threads);
+  const int failed = gs_run_ensemble (&e, &rows, threads, gs_keep_member, &r.all, gsmbp_runs_done);
   p.settle ();
-  double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
-  const ensemble_results& r = all.results ();
-  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, all.in_lanes (), r.all_events (),
-              r.counted, r.all_said (), r.margins);
+  if (failed || r.all.no_memory)
+    throw std::bad_alloc ();
+  const double took = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin)
+                        .count ();
+  return ovl (r.x, r.v, r.y, r.counts, r.values, r.info, took, gs_ensemble_in_lanes (&e) == 1,
+              r.all_events (), r.counted, r.all_said (), r.margins);
 }
 
 // (counts, values of runs as do_ensemble has them, a column each): a struct of rows

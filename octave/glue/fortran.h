@@ -23,19 +23,6 @@ typedef gs_value number;
 
 typedef std::vector<number> reals;
 
-// numbers of which those that nobody writes take no memory: they are not zero at first
-template <typename T>
-struct as_it_is : std::allocator<T>
-{
-  template <typename U> struct rebind { typedef as_it_is<U> other; };
-  template <typename U> void construct (U *) { }
-  template <typename U, typename... From> void construct (U *at, From&&... from)
-  {
-    ::new (static_cast<void *> (at)) U (std::forward<From> (from)...);
-  }
-};
-typedef std::vector<number, as_it_is<number>> unset_reals;
-
 // numbers that are zero at first: memory that nobody writes to is not touched
 template <typename T>
 class zeros
@@ -88,7 +75,6 @@ struct fortran
 extern "C"
 {
   number gslft_ (const number *t, const int *side);
-  void gssim_ (void);
   void gspln_ (void);
   void gskkt_ (void);
   void gsacc_ (void);
@@ -101,18 +87,6 @@ extern "C"
   void gsleq_ (void);
   void gsfun_ (void);
   void gsinp_ (void);
-  void gschk_ (void);
-  void gsjmp_ (void);
-  void gspst_ (void);
-  void gspnw_ (void);
-  void gspbg_ (void);
-  void gsdue_ (void);
-  void gsevn_ (void);
-  void gsend_ (void);
-  void gsevo_ (void);
-  void gsevr_ (void);
-  void gsevv_ (void);
-  void gsusg_ (void);
 }
 
 static const gsmbp_scene& S = gsmbp_the_scene;

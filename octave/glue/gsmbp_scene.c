@@ -14,8 +14,7 @@
      GSMBP_INSTALL  Gpendulum_1a2b3c4d, the symbol that Octave looks up  */
 #include "gsmbp_scene.h"
 #include "gsmbp_sizes.h"
-#include "host/fortran_scene.h"
-#include "host/start.h"
+#include "host/ensemble/ensemble.h"
 #include <string.h>
 
 GSMBP_DECLARE
@@ -43,6 +42,33 @@ static const gs_description about = { .scene = &run, .meaning = gsmbp_meaning_of
 const gsmbp_scene gsmbp_the_scene
     = { GSMBP_TABLE, .run = &run, .about = &about, .audited = GSMBP_AUDITED, .sets = sets,
         .modes = modes, .routines = routines };
+
+gsmbp_sub
+gsmbp_emitted (const char *name)
+{
+  for (const gsmbp_routine *r = routines; r->name; r++)
+    if (strcmp (name, r->name) == 0)
+      return r->sub;
+  return 0;
+}
+
+int
+gsmbp_constants (const gs_value *par, gs_value *cst)
+{
+  int info = 0;
+  ((void (*) (const gs_value *, gs_value *, int *)) gsmbp_emitted ("pre")) (par, cst, &info);
+  return info;
+}
+
+void
+gsmbp_lanes (gs_lane_routines *lanes)
+{
+  lanes->rhs = (gs_rhs_w *) gsmbp_emitted ("rhs_w");
+  lanes->evt = (gs_evt_w *) gsmbp_emitted ("evt_w");
+  lanes->con = (gs_con_w *) gsmbp_emitted ("con_w");
+  lanes->prj = (gs_prj_w *) gsmbp_emitted ("prj_w");
+  lanes->pre = (gs_pre_w *) gsmbp_emitted ("pre_w");
+}
 
 #if ! defined (GSMBP_NO_OCTAVE)   /* the program of a sweep has none */
 extern void *Ggsmbp_module (void *library, _Bool relative);

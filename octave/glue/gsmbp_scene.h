@@ -57,6 +57,15 @@ typedef struct
 } gsmbp_scene;
 extern const gsmbp_scene gsmbp_the_scene;
 
+/* an emitted subroutine by the end of its name, a null pointer where there is none */
+gsmbp_sub gsmbp_emitted (const char *name);
+
+/* those that an ensemble calls (host/ensemble/ensemble.h): constants from parameters, info; the
+   routines over lanes */
+struct gs_lane_routines;
+int gsmbp_constants (const gs_value *par, gs_value *cst);
+void gsmbp_lanes (struct gs_lane_routines *lanes);
+
 /* what INFO of a subroutine says; a null pointer: not known */
 const char *gsmbp_meaning_of (const char *name, int info);
 #ifdef __cplusplus

@@ -125,7 +125,7 @@ static const known_routine known[]
         { "jpi", "independent_jacobians", "", "" },
         { "pnt_v", "batch", "", "" },
         { "jpt_v", "batch", "", "" },
-        { "rhs_w", "", "", "" },            // runs in lanes call them (lanes.h)
+        { "rhs_w", "", "", "" },            // runs in lanes call them
         { "con_w", "", "", "" },
         { "prj_w", "", "", "" },
         { "evt_w", "", "", "" },

@@ -19,22 +19,12 @@ public:
   // why
   bool due_from (number t0, const reals& cst, gs_start& start);
 
-  // IP and RP of a run of its own.  The record of its events, of which nothing is read before it is
-  // written, stays as it is: it takes most of their room, and the time of a short run.
-  void begin (std::vector<int>& own_ip, unset_reals& own_rp) const;
-
   // the parts of the plan, in IP and RP
   gs_samples samples (void) { return gs_planned_samples (&m_scene, &ip[0], &rp[0]); }
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &rp[0]); }
 
-  // time, number and mode after it of each event of a run with those
-  std::vector<double> events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const;
-  // of each event function how many events it had, when the first and the last one was, into three
-  // columns of TO, one behind the other; not a number where there was none
-  void counted (const std::vector<int>& own_ip, const unset_reals& own_rp, double *to) const;
-
   // of each event function whether its event changes what follows
-  std::vector<int> changing_events (void);
+  std::vector<char> changing_events (void);
 
   std::vector<int> ip;
   zero_reals rp;   // the records of long runs with samples are most of it
@@ -52,41 +42,7 @@ private:
   std::list<std::vector<int>> m_wholes;
   gs_scene m_scene;
   int m_nx;
-  std::size_t m_record[2] = { 0, 0 };      // where in it the record of the events begins and ends
-  std::size_t m_first, m_latest, m_times;  // ... where those of gs_events are, in RP and in IP
 };
-
-void
-run_plan::begin (std::vector<int>& own_ip, unset_reals& own_rp) const
-{
-  own_ip = ip;
-  own_rp.resize (rp.size ());
-  std::copy_n (rp.begin (), m_record[0], own_rp.begin ());
-  std::copy (rp.begin () + m_record[1], rp.end (), own_rp.begin () + m_record[1]);
-}
-
-std::vector<double>
-run_plan::events_of (const std::vector<int>& own_ip, const unset_reals& own_rp) const
-{
-  const int *e = &own_ip[own_ip[GS_EVENTS] - 1];
-  const std::size_t many = std::min (e[1], e[2]), width = 3 + 2 * std::size_t (m_nx);
-  std::vector<double> list (3 * many);
-  for (std::size_t k = 0; k < list.size (); k++)
-    list[k] = double (own_rp[m_record[0] + k / 3 * width + k % 3]);
-  return list;
-}
-
-void
-run_plan::counted (const std::vector<int>& own_ip, const unset_reals& own_rp, double *to) const
-{
-  for (int k = 0; k < S.nev; k++)
-    {
-      const int times = own_ip[m_times + k];
-      to[k] = times;
-      to[S.nev + k] = times > 0 ? double (own_rp[m_first + k]) : no_number;
-      to[2 * S.nev + k] = times > 0 ? double (own_rp[m_latest + k]) : no_number;
-    }
-}
 
 // SIZE numbers of a field, a null pointer where it is []
 const number *
@@ -132,11 +88,11 @@ run_plan::pieces (const char *name)
   return p;
 }
 
-std::vector<int>
+std::vector<char>
 run_plan::changing_events (void)
 {
   const int *given = m_given.contains ("event_changes") ? wholes ("event_changes", S.nev) : nullptr;
-  return given ? std::vector<int> (given, given + S.nev) : std::vector<int> (S.nev, 1);
+  return given ? std::vector<char> (given, given + S.nev) : std::vector<char> (S.nev, 1);
 }
 
 void
@@ -185,15 +141,6 @@ run_plan::run_plan (const octave_scalar_map& given, int nx)
   ip.assign (gs_wholes (&p), 0);
   rp = zero_reals (gs_reals (&p));
   gs_lay (&p, &ip[0], &rp[0]);
-  if (ip[GS_EVENTS] > 0)
-    {
-      const gs_events e = events ();
-      m_record[0] = e.record - &rp[0];
-      m_record[1] = e.level - &rp[0];
-      m_first = e.first - &rp[0];
-      m_latest = e.latest - &rp[0];
-      m_times = e.times - &ip[0];
-    }
 }
 
 bool

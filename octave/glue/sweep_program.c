@@ -7,7 +7,7 @@
    made again, so that a start after an end of whatever kind goes on.  At the end they become the
    table FILE.  It is the same for any number of ranks and threads. */
 #define _GNU_SOURCE
-#include "sweep_lanes.h"
+#include "sweep_run.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -43,81 +43,13 @@ now (void)
   return (double) t.tv_sec + 1e-9 * (double) t.tv_nsec;
 }
 
-/* ---- a chunk: its runs are dealt to the threads one by one */
+/* ---- a chunk: its runs, made by the threads */
 
 typedef struct
 {
-  const gs_sweep *sweep;
   gs_chunk c;
   char (*why)[GS_WHY];
-  pthread_mutex_t lock;
-  long long next;
-  gs_lanes *lanes;   /* a null pointer: one run after the other */
-  int thread;        /* the next one's number */
 } chunk_work;
-
-/* runs side by side, in a program that has them */
-#if defined (GS_LANES)
-static gs_lanes *
-open_lanes (const chunk_work *w, int threads)
-{
-  if (! w->sweep->lanes || ! gs_fit_lanes (w->sweep))
-    return NULL;
-  return gs_open_lanes (w->sweep, w->c.first, w->c.n, threads, w->c.values, w->why);
-}
-
-static int
-run_lanes (chunk_work *w)
-{
-  pthread_mutex_lock (&w->lock);
-  int thread = w->thread++;
-  pthread_mutex_unlock (&w->lock);
-  return gs_run_lanes (w->lanes, thread);
-}
-
-static void
-close_lanes (chunk_work *w)
-{
-  if (w->lanes)
-    gs_close_lanes (w->lanes);
-}
-#else
-static gs_lanes *
-open_lanes (const chunk_work *w, int threads)
-{
-  (void) w, (void) threads;
-  return NULL;
-}
-
-static int run_lanes (chunk_work *w) { (void) w; return 1; }
-static void close_lanes (chunk_work *w) { (void) w; }
-#endif
-
-static void *
-run_rows (void *data)
-{
-  chunk_work *w = data;
-  if (w->lanes)
-    {
-      if (run_lanes (w) != 0)
-        stop ("no memory");
-      return NULL;
-    }
-  gs_sweep_room *r = gs_make_room (w->sweep);
-  if (! r)
-    stop ("no memory");
-  for (;;)
-    {
-      pthread_mutex_lock (&w->lock);
-      long long k = w->next++;
-      pthread_mutex_unlock (&w->lock);
-      if (k >= w->c.n)
-        break;
-      gs_sweep_row (w->sweep, r, w->c.first + k, w->c.values + w->c.columns * k, w->why[k]);
-    }
-  gs_free_room (r);
-  return NULL;
-}
 
 /* the lines of those that failed */
 static void
@@ -137,26 +69,16 @@ told (chunk_work *w)
 static void
 run_chunk (const gs_sweep *s, const char *folder, int threads, long long first, long long n)
 {
-  chunk_work w = { .sweep = s, .c = { first, n, s->columns, 0, NULL, NULL }, .lanes = NULL };
-  pthread_t others[threads];
+  chunk_work w = { .c = { first, n, s->columns, 0, NULL, NULL } };
   char why[GS_WHY] = "";
   w.c.values = calloc ((size_t) (n * s->columns), sizeof (double));
   w.why = calloc ((size_t) n, GS_WHY);
-  if (! w.c.values || ! w.why)
+  if (! w.c.values || ! w.why
+      || gs_sweep_rows (s, first, (int) n, threads, w.c.values, w.why) != 0)
     stop ("no memory");
-  pthread_mutex_init (&w.lock, NULL);
-  w.lanes = open_lanes (&w, threads);
-  for (int k = 1; k < threads; k++)
-    if (pthread_create (&others[k], NULL, run_rows, &w) != 0)
-      stop ("cannot begin a thread");
-  run_rows (&w);
-  for (int k = 1; k < threads; k++)
-    pthread_join (others[k], NULL);
-  close_lanes (&w);
   told (&w);
   if (gs_write_chunk (folder, &w.c, why) != 0)
     stop (why);
-  pthread_mutex_destroy (&w.lock);
   gs_free_chunk (&w.c);
   free (w.why);
 }

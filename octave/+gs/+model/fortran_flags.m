@@ -1,8 +1,9 @@
-## [flags, common, c] = gs.model.fortran_flags (precision)
+## [flags, common, c, lanes] = gs.model.fortran_flags (precision)
 ## The options of the compiler for the Fortran of a scene, for that of the run time, which all
-## scenes share, and for the run time in C, in that PRECISION, "double" or "quad".
+## scenes share, for the run time in C and for its loops over lanes (share/engine/host/lanes), in
+## that PRECISION, "double" or "quad".
 
-function [flags, common, c] = fortran_flags (precision)
+function [flags, common, c, lanes] = fortran_flags (precision)
   ## never -ffast-math: it deletes the tests for what is no number.  Statements
   ## are not packed into vectors: a copy of a number that is computed so may
   ## differ in its last bit (M would not be symmetric), GSSC is slower, and
@@ -18,6 +19,8 @@ function [flags, common, c] = fortran_flags (precision)
             flags(4:end)];
   c = ["-std=c99 -O2 -ffp-contract=fast -falign-functions=64 -falign-loops=32" ...
        limited_range() processor " -fPIC"];
+  lanes = [strrep(c, " -O2 ", " -O3 ") " -fno-tree-slp-vectorize -fopenmp-simd " ...
+           "-DGS_OPENMP_SIMD" widest()];
   if (strcmp (precision, "quad"))
     flags = common = ["-O2" processor " -freal-8-real-16 -frecursive -fPIC"];
     c = ["-std=c99 -O2" processor " -DGSMBP_QUAD -fPIC"];

@@ -3,19 +3,17 @@
 ## file, the words and flags of the compilers, what it is made of (as gs.files.is_built takes them).
 
 function part = runtime_archive (precision)
-  [~, flags, own] = gs.model.fortran_flags (precision);
+  [~, flags, own, lanes] = gs.model.fortran_flags (precision);
   fortran = gs.files.own_place ("share", "fortran");
   solve = {"lapack", "plain"}{1 + strcmp(precision, "quad")};
   c = gs.files.own_place ("share", "c");
   engine = gs.files.own_place ("share", "engine", "host");
+  folders = {".", "ensemble", "implicit", "lanes"}(1:end-2*strcmp (precision, "quad"));
   sources = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", solve, ...
                                                                   "*.f")); ...
              glob(fullfile (c, "gsmbp", "*.h")); glob(fullfile (c, "*", "*.c")); ...
-             glob(fullfile (c, "*", "*", "*.c")); glob(fullfile (engine, "*.[ch]")); ...
-             glob(fullfile (engine, "derivatives", "*.[ch]"))];
-  if (strcmp (precision, "double"))
-    sources = [sources; glob(fullfile (engine, "implicit", "*.[ch]"))];
-  endif
-  words = strjoin ({gs.files.mkoctfile_word("F77"), flags, gs.files.mkoctfile_word("CC"), own});
+             glob(fullfile (c, "*", "*", "*.c")); glob(fullfile (engine, folders, "*.[ch]"))];
+  words = strjoin ({gs.files.mkoctfile_word("F77"), flags, gs.files.mkoctfile_word("CC"), own, ...
+                    lanes});
   part = {"libgsmbp.a", words, sources};
 endfunction

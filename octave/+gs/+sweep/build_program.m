@@ -16,7 +16,7 @@ function file = build_program (who, s, p, records, folder)
   take_sources (who, m, folder);
   put (who, fullfile (folder, "gsmbp_sizes.h"), ...
        gs.model.sizes_header (m.json, m.symbol, ! isempty (m.sources{2})));
-  put (who, fullfile (folder, "Makefile"), makefile (library, {"", "yes"}{1 + has_lanes(m)}));
+  put (who, fullfile (folder, "Makefile"), makefile (library));
   gs.files.write_text (who, fullfile (folder, "sweep.slurm"), filled ("sweep.slurm", "@name@", ...
                                                                       m.name));
   gs.files.write_text (who, fullfile (folder, "sweep.job"), gs.sweep.job_text (records));
@@ -43,15 +43,14 @@ endfunction
 
 function records = plan_records (p)
   [a, m] = deal (p.arguments, p.m);
-  [ip, rp, iopt, sizes, called] = m.module ("job", a{:});
+  [ip, rp, iopt, sizes] = m.module ("job", a{:});
   records = {"cst", typecast(m.cst, "double"); "t0", a{2}; "x0", a{3}; "tbrk", a{6}; "ropt", a{9}
              "atol", a{10}; "guess", a{12}; "order", a{15}(1); "index2", a{15}(2)
-             "follows", a{15}(3:end); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes
-             "called", called};
+             "follows", a{15}(3:end); "ip", ip; "rp", rp; "iopt", iopt; "sizes", sizes};
 endfunction
 
 function take_sources (who, m, folder)
-  parts = {"gsmbp_scene.?", "sweep_*", "lane*.h", "row_groups.h", "run_room.h", "fortran.h"};
+  parts = {"gsmbp_scene.?", "sweep_*"};
   for file = glob (fullfile (gs.files.own_place ("octave", "glue"), parts))'
     take (who, file{1}, fullfile (folder, "glue"));
   endfor
@@ -97,12 +96,8 @@ function put (who, file, text)
   endif
 endfunction
 
-function is = has_lanes (m)
-  is = any (strcmp (m.subroutines, "rhs_w"));
-endfunction
-
-function text = makefile (library, lanes)
-  [flags, common, of_c] = gs.model.fortran_flags ("double");
+function text = makefile (library)
+  [flags, common, of_c, lanes] = gs.model.fortran_flags ("double");
   text = filled ("Makefile", "@fortran@", strtrim (mkoctfile ("-p", "F77")), "@scene@", flags, ...
                  "@runtime@", common, "@engine@", of_c, "@method@", library, "@lanes@", lanes);
 endfunction

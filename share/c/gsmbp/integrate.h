@@ -5,6 +5,7 @@
 #ifndef GSMBP_INTEGRATE_H
 #define GSMBP_INTEGRATE_H
 
+#include "gsmbp/events.h"
 #include "gsmbp/real.h"
 #include "gsmbp/system.h"
 
@@ -142,6 +143,21 @@ int gssto (gs_course *c, int *acted);
  * 4 */
 int gsrks (gs_course *c);
 
+/* gsrks in parts: n equal steps of the length h, at most hr, from ta to the next stop, of which the
+ * k-th (from 1) is next */
+typedef struct
+{
+  gs_real ta, hr, h; /* [s] */
+  int k, n;
+} gs_equal_steps;
+
+/* from w->ta by w->hr; before the next step e: c->t is where it begins; after gsrk4 made it: up to
+ * an event in it, onto the constraints, and on to the next one; k > n: the stop is reached, c->t
+ * is to be set. info as gssim */
+void gs_cut_way (gs_course *c, gs_equal_steps *w);
+gs_step gs_begin_equal (gs_course *c, const gs_equal_steps *w);
+int gs_end_equal (gs_course *c, gs_step *e, gs_equal_steps *w);
+
 /* from one stop to the next by the method of Dormand and Prince, or through a singular position,
  * which may end before or behind it. info as gssim: 0, 1, 2, 3, 5, 8 */
 int gsdps (gs_course *c);
@@ -153,6 +169,11 @@ int gsdpf (gs_course *c);
  * it, the outputs within it, and the length of the next one; taken: 1 if it was good. info as
  * gssim: 0, 1, 2, 3 */
 int gsdpt (gs_course *c, gs_real htry, int *taken);
+
+/* gsdpt in two parts, between which whoever calls them makes the step e of gsdp8: before it, its
+ * length and its end; after it, with its err and what failed in it, or 0. info as gssim */
+int gs_begin_trial (gs_course *c, gs_real htry, gs_step *e);
+int gs_end_trial (gs_course *c, gs_step *e, gs_real err, int failed, int *taken);
 
 /* before a trial step of the length h: the partition that its stages need. info as gssim: 0, 3 */
 int gsdpp (gs_course *c, gs_real h);

@@ -131,26 +131,28 @@ reject (gs_course *c, gs_real h, gs_real err, int failed, gs_real dense)
 }
 
 int
-gsdpt (gs_course *c, gs_real htry, int *taken)
+gs_begin_trial (gs_course *c, gs_real htry, gs_step *e)
 {
   const gs_system *g = &c->g;
   const int steps = g->istat[GS_N_STEPS] + g->istat[GS_N_REJECTED], most = g->iopt[GS_MOST_STEPS];
-  gs_step e = lengthen (c, htry);
-  *taken = 0;
-  c->last = e.h;
-  int info = gsdpp (c, e.h);
+  *e = lengthen (c, htry);
+  c->last = e->h;
+  int info = gsdpp (c, e->h);
   if (info != 0)
     return info;
   if (most > 0 && steps >= most)
     return GS_TOO_MANY;
-  if (e.h <= 16 * gseps () * gs_max (gs_abs (c->t), gs_abs (c->tb)) && e.tn < c->tb)
+  if (e->h <= 16 * gseps () * gs_max (gs_abs (c->t), gs_abs (c->tb)) && e->tn < c->tb)
     return GS_TOO_SMALL;
-  if (c->slow > 20000)
-    return GS_TOO_SMALL;
+  return c->slow > 20000 ? GS_TOO_SMALL : 0;
+}
 
-  gs_real err;
-  int failed = gsdp8 (g, c->t, e.tn, e.side, e.h, c->x, c->xn, &err, c->f);
+int
+gs_end_trial (gs_course *c, gs_step *e, gs_real err, int failed, int *taken)
+{
+  const gs_system *g = &c->g;
   const gs_real strict = err;
+  *taken = 0;
   if (g->iopt[GS_WATCH] == 1 && g->p[GS_PIVOT] < GS_R (0.25) * g->p[GS_LARGEST])
     err = err * g->ropt[1] / gs_max (g->ropt[1], c->loose);
   const int loose = strict > 1 && err <= 1;
@@ -158,10 +160,10 @@ gsdpt (gs_course *c, gs_real htry, int *taken)
   int event = 0;
   if (g->ip[GS_EVENTS] > 0 && failed == 0 && err <= 1)
     {
-      e.rows = c->run->tout[c->it] < e.tn;
-      failed = gsevn (g, &e, &event);
+      e->rows = c->run->tout[c->it] < e->tn;
+      failed = gsevn (g, e, &event);
       if (event < 0)
-        err = e.off > 1 ? gs_min (GS_R (1e10), e.off) : GS_R (1e10);
+        err = e->off > 1 ? gs_min (GS_R (1e10), e->off) : GS_R (1e10);
       if (failed == 10 && g->istat[GS_FAILED] == GS_AT_EVENT)
         return GS_ROUTINE_FAILED;
       if (event == -2)
@@ -171,15 +173,15 @@ gsdpt (gs_course *c, gs_real htry, int *taken)
         }
     }
   if (failed == 0 && err <= 1)
-    failed = gsdpc (c, e.tn);
+    failed = gsdpc (c, e->tn);
   gs_real dense = 0;
-  if (failed == 0 && err <= 1 && c->run->tout[c->it] < e.tn)
+  if (failed == 0 && err <= 1 && c->run->tout[c->it] < e->tn)
     {
-      const gs_real h = event > 0 ? e.tn - c->t : e.h;
+      const gs_real h = event > 0 ? e->tn - c->t : e->h;
       gs_real off = -1;
       if (g->ip[GS_EVENTS] > 0 && event == 0)
-        off = e.rows_off;
-      failed = gsdpo (c, e.tn, e.side, h, &off);
+        off = e->rows_off;
+      failed = gsdpo (c, e->tn, e->side, h, &off);
       if (failed != 0 && failed != INACCURATE)
         g->p[GS_STEPS] = 0;
       dense = h
@@ -187,13 +189,26 @@ gsdpt (gs_course *c, gs_real htry, int *taken)
     }
   if (failed != 0 || ! (err <= 1))
     {
-      c->strict |= e.tn > c->tb && failed != 0 && failed != INACCURATE;
-      return reject (c, e.h, err, failed, dense);
+      c->strict |= e->tn > c->tb && failed != 0 && failed != INACCURATE;
+      return reject (c, e->h, err, failed, dense);
     }
   *taken = 1;
   if (c->it >= c->run->nt)
-    c->run->last = (gs_dense){ .t = c->t, .h = e.h, .x = c->x, .xn = c->xn, .f = c->f };
-  return accept (c, &e, err, loose, event, dense);
+    c->run->last = (gs_dense){ .t = c->t, .h = e->h, .x = c->x, .xn = c->xn, .f = c->f };
+  return accept (c, e, err, loose, event, dense);
+}
+
+int
+gsdpt (gs_course *c, gs_real htry, int *taken)
+{
+  gs_step e;
+  *taken = 0;
+  const int info = gs_begin_trial (c, htry, &e);
+  if (info != 0)
+    return info;
+  gs_real err;
+  const int failed = gsdp8 (&c->g, c->t, e.tn, e.side, e.h, c->x, c->xn, &err, c->f);
+  return gs_end_trial (c, &e, err, failed, taken);
 }
 
 /* The partition that the stages need, where the least pivot is below the share near of its largest

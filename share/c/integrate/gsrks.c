@@ -12,19 +12,14 @@
 
 static const gs_real nojump[3] = { 0, 0, 0 };
 
-/* one step from c->t to e->tn, or to the event in it; event: its number, 0, or -1: too long,
- * nothing is done. info as gssim */
+/* gsrk4 made the step e: up to the event in it, onto the constraints; event: its number, 0, or -1:
+ * too long, nothing is done. info as gssim */
 static int
-step (gs_course *c, gs_step *e, int *event)
+accept (gs_course *c, gs_step *e, int *event)
 {
   const gs_system *g = &c->g;
   const gs_scene *s = g->s;
   *event = 0;
-  if (g->iopt[GS_MOST_STEPS] > 0 && g->istat[GS_N_STEPS] >= g->iopt[GS_MOST_STEPS])
-    return GS_TOO_MANY;
-  gsstd (g, c->t, e->h, c->x, c->f);
-  if (gsrk4 (g, c->t, e->tn, e->side, e->h, c->x, c->xn, c->f) != 0)
-    return GS_ROUTINE_FAILED;
   if (g->ip[GS_EVENTS] > 0)
     {
       if (gsevn (g, e, event) != 0)
@@ -49,61 +44,76 @@ step (gs_course *c, gs_step *e, int *event)
   return *event > 0 && gs_ended (g->ip) ? GS_ENDED : 0;
 }
 
-/* n steps of the length h from *ta on; n: how many were not taken, *ta and *hr being changed. info
- * as gssim */
-static int
-equal_steps (gs_course *c, gs_real *ta, gs_real *hr, gs_real h, int *n)
+void
+gs_cut_way (gs_course *c, gs_equal_steps *w)
 {
-  const int all = *n;
-  for (int k = 1; k <= all; k++, --*n)
+  gs_real *rstat = c->g.rstat;
+  const gs_real most = c->g.ropt[2] > 0 ? c->g.ropt[2] : c->g.ropt[0];
+  const gs_real at_most = gs_min (w->hr, most);
+  const gs_real many = (c->tb - w->ta) / at_most * (1 - GS_R2 (1e-9, 1e-6));
+  w->k = 1;
+  w->n = gs_most (1, (int) gs_min (many, GS_R (2e9)) + 1);
+  /* the first, then longer ones */
+  w->h = many > GS_R (2e9) ? at_most : (c->tb - w->ta) / (gs_real)w->n;
+  rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], w->h);
+  rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], w->h);
+}
+
+gs_step
+gs_begin_equal (gs_course *c, const gs_equal_steps *w)
+{
+  gs_step e = { .method = c->g.iopt[GS_METHOD], .h = w->h, .side = 1, .x = c->x, .xn = c->xn,
+                .f = c->f };
+  c->t = e.t = w->ta + (gs_real)(w->k - 1) * w->h;
+  e.tn = w->ta + (gs_real)w->k * w->h;
+  if (w->k == w->n)
     {
-      gs_step e = { .method = c->g.iopt[GS_METHOD], .h = h, .side = 1, .x = c->x, .xn = c->xn,
-                    .f = c->f };
-      int event;
-      c->t = e.t = *ta + (gs_real)(k - 1) * h;
-      e.tn = *ta + (gs_real)k * h;
-      if (k == all)
-        {
-          e.tn = c->tb;
-          e.side = c->side;
-        }
-      int info = gs_ask (c);
-      if (info == 0)
-        info = step (c, &e, &event);
-      if (info != 0)
-        return info;
-      if (event < 0)
-        {
-          *ta = c->t;
-          *hr = GS_R (0.1) * h;
-          return 0;
-        }
-      if (e.tn < c->tb && (event > 0 || *hr < c->g.ropt[0]))
-        {
-          *ta = e.tn;
-          *hr = c->g.ropt[0];
-          return 0;
-        }
+      e.tn = c->tb;
+      e.side = c->side;
     }
+  return e;
+}
+
+int
+gs_end_equal (gs_course *c, gs_step *e, gs_equal_steps *w)
+{
+  int event;
+  const int info = accept (c, e, &event);
+  if (info != 0)
+    return info;
+  if (event < 0)
+    {
+      w->ta = c->t;
+      w->hr = GS_R (0.1) * w->h;
+      gs_cut_way (c, w);
+    }
+  else if (e->tn < c->tb && (event > 0 || w->hr < c->g.ropt[0]))
+    {
+      w->ta = e->tn;
+      w->hr = c->g.ropt[0];
+      gs_cut_way (c, w);
+    }
+  else
+    w->k++;
   return 0;
 }
 
 int
 gsrks (gs_course *c)
 {
-  gs_real *rstat = c->g.rstat;
-  const gs_real most = c->g.ropt[2] > 0 ? c->g.ropt[2] : c->g.ropt[0];
-  gs_real ta = c->t, hr = c->g.ropt[0];
-  for (int n = 1; n > 0;)
+  const gs_system *g = &c->g;
+  gs_equal_steps w = { .ta = c->t, .hr = g->ropt[0] };
+  for (gs_cut_way (c, &w); w.k <= w.n;)
     {
-      const gs_real at_most = gs_min (hr, most);
-      const gs_real many = (c->tb - ta) / at_most * (1 - GS_R2 (1e-9, 1e-6));
-      n = gs_most (1, (int) gs_min (many, GS_R (2e9)) + 1);
-      /* the first, then longer ones */
-      const gs_real h = many > GS_R (2e9) ? at_most : (c->tb - ta) / (gs_real)n;
-      rstat[GS_H_LEAST] = gs_min (rstat[GS_H_LEAST], h);
-      rstat[GS_H_LARGEST] = gs_max (rstat[GS_H_LARGEST], h);
-      int info = equal_steps (c, &ta, &hr, h, &n);
+      gs_step e = gs_begin_equal (c, &w);
+      int info = gs_ask (c);
+      if (info == 0 && g->iopt[GS_MOST_STEPS] > 0 && g->istat[GS_N_STEPS] >= g->iopt[GS_MOST_STEPS])
+        info = GS_TOO_MANY;
+      if (info != 0)
+        return info;
+      gsstd (g, c->t, e.h, c->x, c->f);
+      info = gsrk4 (g, c->t, e.tn, e.side, e.h, c->x, c->xn, c->f) != 0 ? GS_ROUTINE_FAILED
+                                                                        : gs_end_equal (c, &e, &w);
       if (info != 0)
         return info;
     }
