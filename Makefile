@@ -21,7 +21,7 @@ DESTDIR :=
 .SECONDEXPANSION:
 .PHONY: help packages packages-test compiled examples test check test-processors test-whole \
         test-random test-malformed test-identify test-writers test-reach test-c test-precision \
-        test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
+        test-lineage test-before test-sweep test-mpi gate bench bench-c bench-loops bench-passages \
         bench-devices bench-stiff bench-abbreviate bench-flexible bench-sensitivity bench-runs \
         bench-long bench-index2 bench-ensemble bench-sweep bench-control bench-collocation \
         bench-points bench-reach bench-robots bench-peers same architecture doc manual install \
@@ -50,6 +50,8 @@ make test-c                emitted C against emitted Fortran of all scenes (make
                            precision
 make test-precision        the run time in C in quad and in single precision, on a Cortex-M4F and an
                            AVR, emulated (make test takes a part)
+make test-lineage          programs in Fortran alone of all scenes, built without a compiler of C, beside
+                           emitted C (make test takes a sample)
 make test-before           some 4200 runs of all scenes by every method against those of an earlier
                            commit (make test takes a share); SCENES=NAME: scenes with this in
                            their names
@@ -213,6 +215,9 @@ test-c: packages-test compiled
 
 test-precision: packages-test packages-cross compiled
 	@GSMBP_WHOLE=yes tests/run sh/precision
+
+test-lineage: packages-test compiled
+	@GSMBP_WHOLE=yes tests/run sh/lineage
 
 test-before: packages-test compiled
 	@tests/before/run check $(if $(filter command line environment,$(origin SCENES)),$(SCENES))

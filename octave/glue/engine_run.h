@@ -3,18 +3,10 @@
 
 #include "run_parts.h"
 #include "run_room.h"
-#include "columns_at_samples.h"
 #include "gsmbp/integrate.h"
 #include "host/fortran_scene.h"
 
-// routines of this module in the place of those of the scene
-GS_FORTRAN_rhs (gs_columns_rhs, gsmbp_rates_with_columns)
-GS_FORTRAN_prj (gs_columns_prj, gsmbp_projection_with_columns)
-GS_FORTRAN_out (gs_columns_out, gsmbp_outputs_with_columns)
-GS_FORTRAN_ctl (gs_columns_ctl, gsmbp_control_with_columns)
-GS_FORTRAN_evt (gs_columns_evt, gsmbp_events_watched)
-GS_FORTRAN_rst (gs_columns_rst, gsmbp_reset_with_columns)
-GS_FORTRAN_vin (gs_columns_vin, gsmbp_inputs_with_columns)
+// inputs by a function of Octave in the place of those of the scene
 GS_FORTRAN_vin (gs_octave_vin, gsmbp_call_input)
 
 // before a step: INFO where the run is to end, else 0
@@ -41,7 +33,7 @@ engine_run (const run_setting& s, run_room& r, int *ip, number *rp)
   run.atol = &s.atol[0];
   run.ip = ip;
   run.rp = rp;
-  run.cst = &r.cst[0];
+  run.cst = s.carried ? s.carried : &r.cst[0];
   run.xout = &r.xout[0];
   run.ldx = s.ldx;
   run.vout = &r.vout[0];
@@ -61,7 +53,8 @@ run_engine (const run_setting& s, run_room& r, int *ip, number *rp, integrator i
 {
   gs_fortran_inputs of_vin = { ip, rp, &r.cst[0] };
   gs_scene scene = s.scene;
-  scene.data = &of_vin;
+  if (! s.carried)
+    scene.data = &of_vin;
   gs_run run = engine_run (s, r, ip, rp);
   const int info = integrate (&scene, &run);
   std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());

@@ -78,11 +78,9 @@ extern "C"
   void gspln_ (void);
   void gskkt_ (void);
   void gsacc_ (void);
-  void gssen_ (void);
   void gsad8_ (void);
   void gsdp8_ (void);
   void gshin_ (void);
-  void gsspj_ (void);
   void gsspd_ (void);
   void gsleq_ (void);
   void gsfun_ (void);

@@ -24,7 +24,7 @@ public:
   gs_events events (void) { return gs_planned_events (m_nx, &ip[0], &rp[0]); }
 
   // of each event function whether its event changes what follows
-  std::vector<char> changing_events (void);
+  std::vector<int> changing_events (void);
 
   std::vector<int> ip;
   zero_reals rp;   // the records of long runs with samples are most of it
@@ -88,11 +88,11 @@ run_plan::pieces (const char *name)
   return p;
 }
 
-std::vector<char>
+std::vector<int>
 run_plan::changing_events (void)
 {
   const int *given = m_given.contains ("event_changes") ? wholes ("event_changes", S.nev) : nullptr;
-  return given ? std::vector<char> (given, given + S.nev) : std::vector<char> (S.nev, 1);
+  return given ? std::vector<int> (given, given + S.nev) : std::vector<int> (S.nev, 1);
 }
 
 void

@@ -25,4 +25,5 @@ struct run_setting
   gsmbp_sub rhs, prj, con, kin, cmd, clo, vin, out, ctl, evt, rst;
   int ldx, ldv, lw;
   gs_scene scene;   // the routines for the run time in C
+  const number *carried = nullptr;   // constants of a run that carries derivatives
 };

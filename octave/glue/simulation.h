@@ -4,7 +4,7 @@
 
 #include "run_parts.h"
 #include "run_room.h"
-#include "columns_at_samples.h"
+#include "run_columns.h"
 #include "engine_run.h"
 
 // The arguments of GSSIM by their names, and who integrates.
@@ -13,7 +13,7 @@ struct simulation : run_room, run_setting
   simulation (arguments& a);
 
   void integrate (void);
-  bool carries (void) const { return columns->count () > 0; }
+  bool carries (void) const { return columns.count () > 0; }
   octave_value_list results (void);
 
   // where a run with these constants ends its steps
@@ -24,7 +24,7 @@ struct simulation : run_room, run_setting
   // where one ended by GSSIM
   void go_on (run_room& r, std::vector<int>& ip, number *rp) const;
 
-  std::unique_ptr<carried> columns;   // by parameters, behind the states
+  run_columns columns;                // by parameters, behind the states
   bool audit;                         // the two states of an audit stand behind the others
   reals tbrk;
   int nb;
@@ -37,6 +37,7 @@ struct simulation : run_room, run_setting
   std::vector<int> implicit;   // the largest order; 1 if loops are in index 2; the states that the
                                // inputs of a motion follow, from 1 on
   double timeout;              // wall time [s]; 0: none
+  gs_fortran_inputs given_inputs;   // data of the inputs of a run that carries columns
   double seconds;
 
 private:
@@ -45,6 +46,7 @@ private:
   void make_room (const reals& guess);
   void find_routines (void);
   void fill_scene (void);
+  void carry (const reals& guess);
 #if ! defined (GSMBP_QUAD)
   void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
 #endif
@@ -57,13 +59,13 @@ simulation::simulation (arguments& a)
   t0 = a.scalar ("t0");
   x0 = a.vector ("x0", -1);
   nx = int (x0.size ());
-  columns = columns_of (a.value ("columns").matrix_value (), cst);
+  columns = run_columns (a.value ("columns").matrix_value ());
   audit = nx == S.nx + 2 && ! carries ();
   info = 0;
   text.assign (400, 0);
-  if (nx != S.nx * (1 + columns->count ()) && ! audit)
+  if (nx != S.nx * (1 + columns.count ()) && ! audit)
     error ("%s: argument x0: expected %d numbers, found %d", a.who ().c_str (),
-           S.nx * (1 + columns->count ()), nx);
+           S.nx * (1 + columns.count ()), nx);
   tout = a.vector ("times", -1);
   tbrk = a.vector ("breaks", -1);
   Matrix counts = a.matrix ("counts", 2, 1);
@@ -86,11 +88,11 @@ simulation::simulation (arguments& a)
   if (! plan->due_from (t0, cst, start))
     error ("gsmbp_simulate: %s", start.text);
   breaks = breaks_of (cst);
-  if (carries ())
-    with_run (*columns, *plan, cst, ropt[1], atol);
   make_room (guess);
   find_routines ();
   fill_scene ();
+  if (carries ())
+    carry (guess);
 }
 
 reals
@@ -135,8 +137,6 @@ simulation::make_room (const reals& guess)
   istat.assign (GS_COUNTED, 0);
   for (int i = 0; i < S.nu; i++)
     w[i] = guess[i];
-  if (carries ())
-    std::copy (guess.begin (), guess.begin () + S.nu, columns->wi.begin ());
 }
 
 // those that the run calls; one that it needs and the scene has not is an error
@@ -154,40 +154,18 @@ simulation::find_routines (void)
   const bool planned = ip[GS_V0] == 2;
   rhs = routine (audit ? "rha" : "rhs").f;
   prj = needed (project, "prj");
-  if (carries ())
-    {
-      rhs = reinterpret_cast<gsmbp_sub> (gsmbp_rates_with_columns);
-      columns->prj = prj;
-      if (project)
-        prj = reinterpret_cast<gsmbp_sub> (gsmbp_projection_with_columns);
-    }
   con = needed (partition || drift, "con");
   kin = needed (partition || iopt[GS_WATCH], "kin");
   cmd = needed (planned, "cmd");
   clo = needed (planned && ip[GS_CLOSED] == 1, "clo");
   out = needed (sampled && S.ny > 0, "out");
   ctl = needed (sampled, "ctl");
-  if (carries () && sampled)
-    {
-      ctl = reinterpret_cast<gsmbp_sub> (gsmbp_control_with_columns);
-      if (S.ny > 0)
-        out = reinterpret_cast<gsmbp_sub> (gsmbp_outputs_with_columns);
-    }
   evt = needed (events, "evt");
   rst = needed (events, "rst");
-  if (carries () && events)
-    {
-      rst = reinterpret_cast<gsmbp_sub> (gsmbp_reset_with_columns);
-      evt = reinterpret_cast<gsmbp_sub> (gsmbp_events_watched);
-    }
   vin = gsmbp_absent;
   if (ip[GS_V0] == 3)
     vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
                                       : user_input ();
-  columns->cmd = cmd;
-  columns->clo = clo;
-  if (carries () && takes_inputs (*columns, *plan))
-    vin = reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns);
 }
 
 // those routines in which this run differs from others of its scene
@@ -200,16 +178,15 @@ simulation::fill_scene (void)
     scene.rhs = S.audited;
   if (plan->ip[GS_V0] == 3 && input.is_function_handle ())
     scene.vin = gs_octave_vin;
-  if (! carries ())
-    return;
-  scene.rhs = gs_columns_rhs;
-  scene.prj = scene.prj ? gs_columns_prj : nullptr;
-  scene.out = scene.out ? gs_columns_out : nullptr;
-  scene.ctl = scene.ctl ? gs_columns_ctl : nullptr;
-  scene.evt = scene.evt ? gs_columns_evt : nullptr;
-  scene.rst = scene.rst ? gs_columns_rst : nullptr;
-  if (vin == reinterpret_cast<gsmbp_sub> (gsmbp_inputs_with_columns))
-    scene.vin = gs_columns_vin;
+}
+
+// the run carries its columns
+void
+simulation::carry (const reals& guess)
+{
+  given_inputs = { plan->ip.data (), plan->rp.data (), cst.data () };
+  columns.open (scene, *plan, cst, guess, ropt[1], atol, &given_inputs);
+  carried = columns.constants ();
 }
 
 #if ! defined (GSMBP_QUAD)
@@ -217,7 +194,7 @@ simulation::fill_scene (void)
 void
 simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const
 {
-  const gs_implicit o = { implicit[0], implicit[1], resume, columns->count (),
+  const gs_implicit o = { implicit[0], implicit[1], resume, columns.count (),
                           int (implicit.size ()) - 2, implicit.data () + 2, &r.text[0],
                           int (r.text.size ()) };
   r.info = run_implicit (*this, r, &ip[0], rp, implicit_method, o);
@@ -276,11 +253,11 @@ simulation::results (void)
                                 seconds, std::string (&text[0]));
   list.append (samples (cst, *plan, tout, xout, vout, ldx, ldv, istat[GS_N_OUTPUTS]));
   list.append (events (*plan, nx));
-  list.append (lost_columns (*columns));
-  list.append (watched_turns (*columns));
-  list.append (kept_inputs (*columns));
-  list.append (given_inputs (*columns, tout, xout, vout, ldx, ldv, istat[GS_N_OUTPUTS]));
-  list.append (event_columns (*columns));
+  list.append (columns.lost ());
+  list.append (columns.turns ());
+  list.append (columns.held ());
+  list.append (columns.followed (istat[GS_N_OUTPUTS], tout, xout, ldx, vout, ldv));
+  list.append (columns.events ());
   return list;
 }
 
@@ -291,19 +268,17 @@ class current_run
 public:
 
   current_run (simulation& run, const reals& jumps, std::exception_ptr& failure)
-    : m_input (the_input), m_breaks (the_breaks), m_failure (the_failure), m_columns (the_columns)
+    : m_input (the_input), m_breaks (the_breaks), m_failure (the_failure)
   {
     the_input = &run.input;
     the_breaks = &jumps;
     the_failure = &failure;
-    the_columns = run.columns.get ();
   }
   ~current_run (void)
   {
     the_input = m_input;
     the_breaks = m_breaks;
     the_failure = m_failure;
-    the_columns = m_columns;
   }
   current_run (const current_run&) = delete;
 
@@ -312,7 +287,6 @@ private:
   const octave_value *const m_input;
   const reals *const m_breaks;
   std::exception_ptr *const m_failure;
-  carried *const m_columns;
 };
 
 static octave_value_list

@@ -41,12 +41,15 @@ result 'every file of share/c has its Fortran'
 
 # -- and one routine for each; gsnon stands where the table of a scene has a null pointer; gsus[itu]
 # are in a header (gs_told, gs_accumulates_from, gs_risen of gsmbp/events.h), gshp[os] parts of
-# gshpj, gsdt[ab], gsrk[lqt] and gsste parts of gsdpt, gsrks and gsstd
+# gshpj, gsdt[ab], gsrk[lqt] and gsste parts of gsdpt, gsrks and gsstd; the driver of programs in
+# Fortran alone has no C
 nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >"$work/routines"
 nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
   grep -vxFf "$work/routines" |
   grep -vxE -e 'gsnon|gsev[dq]|gshp[os]|gsus[itu]' \
-    -e 'gsdt[ab]|gsrk[lqt]|gsste' >"$report"
+    -e 'gsdt[ab]|gsrk[lqt]|gsste' \
+    -e "$(awk '/^ +SUBROUTINE/ { sub(/\(.*/, "", $2); print tolower($2) }' \
+      share/fortran/drive/*.f | paste -sd '|')" >"$report"
 result 'every routine of share/fortran is in share/c'
 
 # -- what is in the objects

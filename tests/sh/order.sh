@@ -1,5 +1,5 @@
-# The integrators built in quad precision: their orders down to errors of 1e-28, which only
-# coefficients good to 30 digits give.
+# The steps of the driver in Fortran (share/fortran/drive) in quad precision: their orders down to
+# errors of 1e-28, which only coefficients good to 30 digits give.
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cat >"$work/order.f" <<'F'
@@ -7,14 +7,11 @@ C     y' = y*cos(t), z' = -2*t*z**2: errors at t = 1 with N and 2*N
 C     steps of each method, and the order between the two
       PROGRAM ORDER
       IMPLICIT NONE
-      INTEGER            N, K, I, J, IST(20), INFO, IP(31)
-      DOUBLE PRECISION   X(2), XN(2), W(2,13), WI(100), V(1), CST(1),
-     $                   RP(1), ATOL(2), ERR, T, H, E(2), P(9), RST(20)
-      EXTERNAL           RHS, NONE
-      DO 10 I = 1, 31
-         IP(I) = 0
-   10 CONTINUE
-      P(1)    = 0.0D0
+      INTEGER            N, K, I, J, IST(6), INFO
+      DOUBLE PRECISION   X(2), XN(2), W(2,13), V(1), CST(1), ATOL(2),
+     $                   ERR, T, H, E(2)
+      EXTERNAL           RHS, GSNON
+      IST(5)  = 0
       ATOL(1) = 1.0D0
       ATOL(2) = 1.0D0
       DO 50 K = 4, 8, 4
@@ -26,15 +23,13 @@ C     steps of each method, and the order between the two
             DO 30 I = 1, N
                T = DBLE( I - 1 )*H
                IF ( K.EQ.4 ) THEN
-                  CALL GSRK4( RHS, NONE, NONE, NONE, NONE, NONE, T,
-     $                        T + H, 1, H, X, 1, 1, 2, 0, 0, IP, RP,
-     $                        CST, V, XN, W, WI, P, IST, RST, INFO )
+                  CALL GSDST4( RHS, GSNON, T, T + H, 1, H, X, 2, 0,
+     $                         CST, V, XN, W, IST, INFO )
                ELSE
                   CALL RHS( T, X, V, CST, W, INFO )
-                  CALL GSDP8( RHS, NONE, NONE, NONE, NONE, NONE, T,
-     $                        T + H, 1, H, X, 1, 1, 2, 0, 0, IP, RP,
-     $                        CST, V, 1.0D0, ATOL, XN, ERR, W, WI, P,
-     $                        IST, RST, INFO )
+                  CALL GSDST8( RHS, GSNON, T, T + H, 1, H, X, 2, 0,
+     $                         CST, 1.0D0, ATOL, V, XN, ERR, W, IST,
+     $                         INFO )
                END IF
                X(1) = XN(1)
                X(2) = XN(2)
@@ -54,11 +49,10 @@ C     steps of each method, and the order between the two
       XD(1) = X(1)*COS( T )
       XD(2) = -2.0D0*T*X(2)**2
       END
-      SUBROUTINE NONE
-      END
 F
-gfortran -O0 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/*/*.f \
-  share/fortran/solve/plain/*.f 2>"$work/log" ||
+gfortran -O0 -freal-8-real-16 -o "$work/order" "$work/order.f" share/fortran/drive/*.f \
+  $(python3 tests/tools/closure.py | grep -v -e lapack -e drive | sed 's|^|share/fortran/|') \
+  2>"$work/log" ||
   { echo "not ok quad build"; cat "$work/log"; exit 1; }
 "$work/order" | awk '
   { order = $1 == 4 ? 4 : 8

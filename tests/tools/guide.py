@@ -2,7 +2,8 @@
 octave/+gs/README.md and tests/README.md true?
 
 One line `ok WHAT` or `not ok WHAT: what is missing or too much` a check.
-guide.py ROOT --callers prints who calls each routine of share/fortran.
+guide.py ROOT --callers prints who calls each routine of share/fortran; --write-callers writes it
+into the index of share/fortran/README.md, out of which the rows of deleted routines go.
 """
 import glob
 import os
@@ -79,6 +80,22 @@ def index_of_fortran():
             index[row.group(1), folder + row.group(2)] = (
                 {who.strip() for who in row.group(3).split(',')} - {''})
     return index
+
+
+def write_callers():
+    """the index of share/fortran/README.md with the callers of today, of the routines of today"""
+    units = routines()
+    truth, folder, lines = callers(units), '', []
+    for line in text_of('share/fortran/README.md').splitlines():
+        heading = re.match(r'## `(\w+/)`', line)
+        folder = heading.group(1) if heading else folder
+        row = re.match(r'(\| `(\w+)` \| `([\w/.]+)` \|.*\| )[^|]* \|$', line)
+        if row and (row.group(2), folder + row.group(3)) in units:
+            line = '%s%s |' % (row.group(1), ', '.join(sorted(truth[row.group(2)])))
+        if not row or (row.group(2), folder + row.group(3)) in units:
+            lines.append(line)
+    with open(os.path.join(ROOT, 'share/fortran/README.md'), 'w') as f:
+        f.write('\n'.join(lines) + '\n')
 
 
 def check_fortran():
@@ -199,7 +216,9 @@ def check_version():
            if {cited, changes} != {version} else [])
 
 
-if sys.argv[2:] == ['--callers']:
+if sys.argv[2:] == ['--write-callers']:
+    write_callers()
+elif sys.argv[2:] == ['--callers']:
     units = routines()
     who = callers(units)
     for name, file in sorted(units, key=lambda u: (u[1], u[0])):

@@ -20,6 +20,8 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   nameless    names in them of one word
   shadows     functions in files of octave/ with the name of one in a room, or of a room that the
               file uses: Octave 7 would take them in its place
+  strays      files of share/fortran that neither emitted routines nor its driver need (closure.py),
+              against those that tests/data/fortran_leaving.txt still lists
   indexed     results of functions in rooms that are indexed at once, which Octave 7 cannot
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
@@ -30,6 +32,7 @@ import re
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import closure
 import deps
 
 SOURCES = ('.mac', '.lisp', '.m', '.py', '.sh', '.f', '.F', '.cc', '.c', '.h', '.awk')
@@ -82,6 +85,13 @@ def is_source(path):
     script = '.' not in os.path.basename(path)
     made = '/out/' in path or '/compiled/' in path or '/build/' in path
     return (path.endswith(SOURCES) or script) and not path.startswith(DATA) and not made
+
+
+def strays(root):
+    """files of share/fortran that nobody needs and that are not listed, and the other way round"""
+    with open(os.path.join(root, 'tests/data/fortran_leaving.txt')) as f:
+        listed = {line.strip() for line in f if line[0] != '#'}
+    return closure.needed(root)[1] ^ listed
 
 
 def fields_of(structure):
@@ -200,6 +210,7 @@ def found(root):
         'nameless': [f for files in rooms(root).values() for f in files if '_' not in f],
         'shadows': list(shadows(root)),
         'indexed': list(indexed(root)),
+        'strays': sorted(strays(root)),
     }
 
 

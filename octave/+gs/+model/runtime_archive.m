@@ -8,7 +8,8 @@ function part = runtime_archive (precision)
   solve = {"lapack", "plain"}{1 + strcmp(precision, "quad")};
   c = gs.files.own_place ("share", "c");
   engine = gs.files.own_place ("share", "engine", "host");
-  folders = {".", "ensemble", "implicit", "lanes"}(1:end-2*strcmp (precision, "quad"));
+  folders = {".", "derivatives", "ensemble", "implicit", "lanes"};
+  folders = folders(1:end-2*strcmp (precision, "quad"));
   sources = [glob(fullfile (fortran, "*", "*.f")); glob(fullfile (fortran, "solve", solve, ...
                                                                   "*.f")); ...
              glob(fullfile (c, "gsmbp", "*.h")); glob(fullfile (c, "*", "*.c")); ...

@@ -33,7 +33,7 @@ function text = sizes_header (json, symbol, has_input)
     declared{end+1} = "gsvin_";
     members{end+1} = ".vin = (gsmbp_sub) gsvin_";
   endif
-  [by_value, run] = of_the_run (json, names, declared);
+  [by_value, run] = of_the_run (json, names, declared, by);
   others = cellfun (@(sub) sprintf ("extern void %s (void); ", sub), declared(! by_value), ...
                     "UniformOutput", false);
   called = cellfun (@(name, sub) sprintf ("GS_FORTRAN_%s (run_%s, %s) ", name, name, sub), ...
@@ -82,11 +82,11 @@ function text = left_out (json)
 endfunction
 
 ## which subroutines are members of the scene as runs take it (gs_scene), and its members in C
-function [by_value, run] = of_the_run (json, names, declared)
+function [by_value, run] = of_the_run (json, names, declared, by)
   header = fileread (gs.files.own_place ("share", "engine", "host", "fortran_scene.h"));
   known = [regexp(header, '#define GS_FORTRAN_([a-z]\w+)', "tokens"){:}];
   by_value = ismember (names, known);
-  members = {[".name = \"" json.name "\""]};
+  members = {[".name = \"" json.name "\""], sprintf(".nsp = %d", by)};
   for name = {"nq", "nu", "nx", "nv", "ny", "nlam", "nsw", "nev", "nctl", "nxk"}
     members{end+1} = sprintf (".%s = %d", name{1}, size_of (json.dimensions, name{1}));
   endfor

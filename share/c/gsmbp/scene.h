@@ -63,6 +63,26 @@ typedef void gs_tangent (gs_real t, const gs_real *x, const gs_real *cst, gs_rea
                          gs_real *dv, int ldv);
 typedef void gs_cop (gs_real t, const gs_real *x, const gs_real *cst, gs_real *pp, int ldpp,
                      gs_real *pv, int ldpv);
+/* ... through samples, events and planned motions: of outputs by parameters, p (ny rows); of held
+ * outputs v and memory after the sample of device k by v and memory before it, outputs and
+ * parameters, d (nv+nxk rows); of event function k by states, inputs, parameters and time, g; of
+ * the speeds behind event k of ports, where speeds are ua and modes ma, by coordinates, speeds,
+ * parameters and time before it, r (nu rows); of states and inputs behind event k of the user by
+ * states, inputs, parameters and time before it, r (nx+nv rows), and the states behind it where no
+ * constraint moves them, xa; of the command by states of devices and by parameters, vx, vp (nv
+ * rows each) */
+typedef int gs_oup (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p,
+                    int ldp);
+typedef void gs_ctd (int k, gs_real t, const gs_real *y, const gs_real *xk, const gs_real *cst,
+                     const gs_real *v, gs_real *d);
+typedef int gs_evp (gs_real t, const gs_real *x, const gs_real *v, const int *mode, int k,
+                    const gs_real *cst, gs_real *g);
+typedef int gs_rsp (gs_real t, const gs_real *x, const gs_real *v, const int *mode, int k,
+                    const gs_real *ua, const int *ma, const gs_real *cst, gs_real *r);
+typedef int gs_urp (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, int k,
+                    gs_real *r, gs_real *xa);
+typedef int gs_cmp (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst,
+                    gs_real *vx, int ldvx, gs_real *vp, int ldvp);
 /* the nsw times at which the scene switches */
 typedef void gs_swi (const gs_real *cst, gs_real *ts);
 /* inputs of the user: side < 0 is the limit from the left; data is the scene's */
@@ -98,6 +118,13 @@ typedef struct
   gs_adj *adj; /* for gsad8 */
   gs_tangent *tan; /* for gsspj, as the next */
   gs_cop *cop;
+  gs_oup *oup; /* for runs with derivatives (share/engine/host/derivatives), as the next five */
+  gs_ctd *ctd;
+  gs_evp *evp;
+  gs_rsp *rsp;
+  gs_urp *urp;
+  gs_cmp *cmp;
+  int nsp;     /* parameters of all of these */
   gs_swi *swi; /* for gssim, which ends its steps there */
   int nsw;
   /* for the plan of a run (plan.h); numbers of inputs count from 1 */

@@ -232,6 +232,70 @@ typedef struct
   }
 #define GS_FORTRAN_cop(name, sub) GS_FORTRAN_tan (name, sub)
 
+#define GS_FORTRAN_oup(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
+                   const int *, int *);                                                            \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *p,  \
+                   int ldp)                                                                        \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, x, v, cst, p, &ldp, &info);                                                           \
+    return info;                                                                                   \
+  }
+
+#define GS_FORTRAN_ctd(name, sub)                                                                  \
+  extern void sub (const int *, const gs_real *, const gs_real *, const gs_real *,                 \
+                   const gs_real *, const gs_real *, gs_real *);                                   \
+  static void name (int k, gs_real t, const gs_real *y, const gs_real *xk, const gs_real *cst,     \
+                    const gs_real *v, gs_real *d)                                                  \
+  {                                                                                                \
+    sub (&k, &t, y, xk, cst, v, d);                                                                \
+  }
+
+#define GS_FORTRAN_evp(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const int *, const int *,    \
+                   const gs_real *, gs_real *, int *);                                             \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const int *mode, int k,          \
+                   const gs_real *cst, gs_real *g)                                                 \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, x, v, mode, &k, cst, g, &info);                                                       \
+    return info;                                                                                   \
+  }
+
+#define GS_FORTRAN_rsp(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const int *, const int *,    \
+                   const gs_real *, const int *, const gs_real *, gs_real *, int *);               \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const int *mode, int k,          \
+                   const gs_real *ua, const int *ma, const gs_real *cst, gs_real *r)               \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, x, v, mode, &k, ua, ma, cst, r, &info);                                               \
+    return info;                                                                                   \
+  }
+
+#define GS_FORTRAN_urp(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *,             \
+                   const int *, gs_real *, gs_real *, int *);                                      \
+  static int name (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, int k,       \
+                   gs_real *r, gs_real *xa)                                                        \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, x, v, cst, &k, r, xa, &info);                                                         \
+    return info;                                                                                   \
+  }
+
+#define GS_FORTRAN_cmp(name, sub)                                                                  \
+  extern void sub (const gs_real *, const gs_real *, const gs_real *, const gs_real *, gs_real *,  \
+                   const int *, gs_real *, const int *, int *);                                    \
+  static int name (gs_real t, const gs_real *qj, const gs_real *xi, const gs_real *cst,            \
+                   gs_real *vx, int ldvx, gs_real *vp, int ldvp)                                   \
+  {                                                                                                \
+    int info = 0;                                                                                  \
+    sub (&t, qj, xi, cst, vx, &ldvx, vp, &ldvp, &info);                                            \
+    return info;                                                                                   \
+  }
+
 #define GS_FORTRAN_vin(name, sub)                                                                  \
   extern void sub (const gs_real *, const int *, const gs_real *, const int *, const int *,        \
                    const int *, const gs_real *, const gs_real *, gs_real *, int *);               \

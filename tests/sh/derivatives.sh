@@ -1,0 +1,49 @@
+# Runs that carry derivatives, in C (share/engine/host/derivatives): compiles without a warning;
+# emitted scenes against closed forms and differences, two runs at once, under the sanitizers and in
+# quad precision.
+. tests/tools/check.sh
+root=$PWD
+work_folder
+cat >"$work/oscillator.mac" <<'M'
+scene : gsmbp_scene("oscillator", link(block, mass = m),
+  prismatic(rail, ground, block, axis = x, coordinate = x),
+  spring(back, stiffness = c, joint = rail), damper(loss, joint = rail, damping = d),
+  parameters = [m = 2*kg, c = 5*N/m, d = 0*N*s/m])$
+requests : '[all, adjoint, sensitivity]$
+M
+statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
+for scene in "$work/oscillator" tests/scenes/sensitivity_ball tests/scenes/sensitivity_bounce \
+  tests/scenes/sensitivity_sampled tests/scenes/sensitivity_crank; do
+  statements="$statements kill(scene, requests)\$ load(\"$(realpath $scene.mac)\")\$
+    gsmbp_c(scene, requests, 'directory = \"$work\", precision = any)\$"
+done
+share/make/maxima "$work/log" "$statements" >"$report" 2>&1
+told $? 'the scenes are emitted in C' "$report"
+
+strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
+c="-std=c99 -I$root/share/c -I$root/share/engine -I$work"
+for compiler in gcc clang; do
+  command -v $compiler >/dev/null || continue
+  (mkdir "$work/$compiler" && cd "$work/$compiler" &&
+    $compiler $c $strict -O2 -c "$root"/share/engine/host/derivatives/*.c) >"$report" 2>&1
+  told $? "$compiler compiles it without a warning" "$report"
+done
+nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
+result 'it has no data of its own'
+g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only \
+  -include host/derivatives/derivatives.h - </dev/null >"$report" 2>&1
+result 'its header compiles as C++'
+for kind in double quad; do
+  case $kind in
+    double) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' library= ;;
+    quad) flags=-DGSMBP_QUAD library=-lquadmath ;;
+  esac
+  # one by one, for ccache
+  (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
+    gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/carried_runs.c "$work"/*.c \
+      "$root"/share/engine/host/derivatives/*.c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c &&
+    gcc $flags -o "../$kind" ./*.o -pthread $library -lm) \
+    >"$report" 2>&1
+  told $? "the program compiles in $kind precision" "$report"
+  to_the_end "$work/$kind"
+done
