@@ -177,8 +177,10 @@
 ## where the modules go (default: @file{build} in that directory; where one must not
 ## write there, @file{fortran_out/build} of the working directory)
 ## @item "input"
-## a Fortran file with SUBROUTINE GSVIN (see @file{share/fortran/inputs/gsinp.f}),
-## used by @code{gsmbp_simulate} with input @code{"user"}
+## a Fortran file with SUBROUTINE GSVIN( T, SIDE, X, NX, NV, IP, RP, CST, V, INFO ), used by
+## @code{gsmbp_simulate} with input @code{"user"}: the inputs V(NV) at the time T [s] (SIDE < 0: the
+## limit from the left, where they jump) and the states X(NX). CST are the constants of PRE; IP and
+## RP belong to the run. A run ends where INFO is not 0
 ## @item "controller"
 ## a controller with a period (@code{gsmbp_control}, @code{gsmbp_pid}), or a cell array of them: the
 ## machine with it as a further sampled device, which reads outputs of the scene and holds inputs.

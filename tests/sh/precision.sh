@@ -20,8 +20,10 @@ quad_run_times() {
   told $? 'share/c compiles in quad precision without a warning' "$report"
   nm "$work"/pair/time/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
   result 'share/c in quad precision writes no data of its own'
+  base_fortran "$work/base"
   (cd "$work/pair/time/fortran" && gfortran -O0 -frecursive -freal-8-real-16 \
-    -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f &&
+    -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f \
+    $(find "$work/base" -name '*.f') &&
     ar rcs ../fortran.a ./*.o) >"$report" 2>&1
   told $? 'share/fortran compiles in quad precision' "$report"
 }
@@ -44,7 +46,7 @@ quad() {
   for name in $drivers; do
     gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/$name" \
       "tests/c/$name.c" "$work/pair/time/c.a" "$work/pair/time/fortran.a" -lgfortran -lquadmath \
-      -lm >"$report" 2>&1 || told 1 "tests/c/$name.c compiles in quad precision" "$report"
+      -lm >"$report" 2>&1 || { unlinked "tests/c/$name.c in quad precision"; continue; }
     echo "quad precision, tests/c/$name.c:"
     "$work/$name" || echo "not ok $name ended with an error"
   done

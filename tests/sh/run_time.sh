@@ -1,6 +1,6 @@
 # The routines of share/fortran that emitted wrappers call, by themselves: projection, motions of
-# closed chains, Jacobians through loops, impacts, instants of samples, against closed forms; in
-# double and in quad precision.
+# closed chains, Jacobians through loops, impacts, against closed forms; in double and in quad
+# precision.
 . tests/tools/check.sh
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -14,7 +14,6 @@ cat >"$work/alone.f" <<'F'
       CALL JACOBI
       CALL SYSTMS
       CALL IMPACT
-      CALL SAMPLE
       END
       SUBROUTINE TELL( WHAT, ERR )
       CHARACTER*(*) WHAT
@@ -372,69 +371,6 @@ C     speed becomes -e times itself, the impulse moves the other
       CALL TELL( 'GSIPT: an impact with restitution', E )
       END
 C
-C     a device that counts its samples, of a period of 0.1 s: sample 3 is
-C     due at 0.3 s, and at instants that differ from it by rounding; not
-C     before. Its output is held from then on; with a delay of 0.05 s it
-C     arrives at 0.35 s.
-      SUBROUTINE SAMPLE
-      EXTERNAL SMOUT, SMCTL
-      DOUBLE PRECISION T, X(1), V(1), CST(1), S(60), E, LATER(5), EPS,
-     $                 GSEPS
-      INTEGER IS(40), INFO, I, L
-      EXTERNAL GSEPS
-      EPS = GSEPS()
-      LATER(1) = -1.0D-6
-      LATER(2) = -4.0D0*EPS
-      LATER(3) = 0.0D0
-      LATER(4) = 4.0D0*EPS
-      LATER(5) = 1.0D-6
-      E = 0.0D0
-      DO 40 L = 1, 10
-         DO 10 I = 1, 40
-            IS(I) = 0
-   10    CONTINUE
-         DO 20 I = 1, 60
-            S(I) = 0.0D0
-   20    CONTINUE
-         IS(1) = 1
-         IS(2) = 1
-         IS(4) = 1
-         IS(5) = 1
-         IS(11) = 3
-         IS(12) = 1
-         IS(14) = 1
-         V(1) = -7.0D0
-         S(1) = 0.1D0
-         IF ( L.GT.5 ) S(2) = 0.05D0
-         T = 0.3D0*( 1.0D0 + LATER(L-5*( ( L - 1 )/5 )) )
-         CALL GSSMP( SMOUT, SMCTL, T, X, 1, 1, CST, V, IS, S, INFO )
-         E = E + ABS( INFO )
-         I = 1
-         IF ( L.EQ.1 .OR. L.EQ.6 ) I = 0
-         E = E + ABS( IS(11) - 3 - I )
-         IF ( L.LE.5 ) E = E + ABS( V(1) + 7.0D0 - I*10.0D0 )
-         IF ( L.GT.5 ) E = E + ABS( V(1) + 7.0D0 )
-         IF ( L.GT.6 ) THEN
-            T = 0.35D0*( 1.0D0 + LATER(L-5) )
-            CALL GSSMP( SMOUT, SMCTL, T, X, 1, 1, CST, V, IS, S, INFO )
-            E = E + ABS( INFO ) + ABS( V(1) - 3.0D0 )
-         END IF
-   40 CONTINUE
-      CALL TELL( 'GSSMP: samples and delayed outputs at their instants',
-     $           E )
-      END
-      SUBROUTINE SMOUT( T, X, V, CST, Y, INFO )
-      DOUBLE PRECISION T, X(*), V(*), CST(*), Y(*)
-      INTEGER INFO
-      INFO = 0
-      END
-      SUBROUTINE SMCTL( K, T, Y, XK, CST, V )
-      INTEGER K
-      DOUBLE PRECISION T, Y(*), XK(*), CST(*), V(*)
-      XK(1) = XK(1) + 3.0D0
-      V(1) = XK(1)
-      END
-C
       SUBROUTINE IMMAS( T, Q, CST, M, LDM )
       INTEGER LDM
       DOUBLE PRECISION T, Q(2), CST(1), M(LDM,2)
@@ -477,5 +413,5 @@ for precision in double quad; do
     { error = $1; sub(/^ *[^ ]+ /, "")
       print (error + 0 <= least ? "ok " : "not ok ") $0, "in " precision, "precision: error", error,
         "(at most " least ")" }
-    END { if (NR != 13) print "not ok " NR " of thirteen answers in " precision " precision" }'
+    END { if (NR != 12) print "not ok " NR " of twelve answers in " precision " precision" }'
 done

@@ -36,11 +36,27 @@ result() {
 # gfortran for comparisons bit for bit: statements apart, as in modules (gs.model.fortran_flags)
 fortran_apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 
-# fortran_objects FOLDER: those of share/fortran by $fortran_apart in a new folder, from the cache
-# folder if they are kept there (share/make/cache)
+# base_fortran FOLDER: into a new folder what share/fortran had at the commit of
+# tests/data/before/base and has no more; lacking=yes where that commit is not there
+base_fortran() {
+  base=$(cat tests/data/before/base) into=$1 lacking=
+  mkdir -p "$into" && git cat-file -e "$base" 2>/dev/null || { lacking=yes; return; }
+  git archive "$base" share/fortran | tar -x -C "$into" --strip-components=2
+  rm -rf "$into/README.md" "$into/solve/lapack"
+  (cd share/fortran && find . -name '*.f') | (cd "$into" && xargs rm -f)
+}
+# unlinked WHAT: a driver that does not link: it needs what only that commit has
+unlinked() {
+  if [ -z "$lacking" ]; then told 1 "$1 compiles" "$report"; return; fi
+  echo "ok left out without the commit of tests/data/before/base: $1"
+}
+
+# fortran_objects FOLDER [BASE]: those of share/fortran, and of the folder BASE of base_fortran, by
+# $fortran_apart in a new folder, from the cache folder if they are kept there (share/make/cache)
 fortran_objects() {
-  into=$1
-  set -- "$PWD"/share/fortran/*/*.f "$PWD"/share/fortran/solve/plain/*.f
+  into=$1 base=${2:-none}
+  set -- "$PWD"/share/fortran/*/*.f "$PWD"/share/fortran/solve/plain/*.f \
+    $(find "$base" -name '*.f' 2>/dev/null)
   key=$(cat "$@" | share/make/cache key $fortran_apart -fPIC)
   share/make/cache take "$key" "$into" && return
   mkdir "$into" && (cd "$into" && $fortran_apart -fPIC -c "$@") || return
