@@ -78,13 +78,8 @@ extern "C"
   void gspln_ (void);
   void gskkt_ (void);
   void gsacc_ (void);
-  void gsad8_ (void);
-  void gsdp8_ (void);
-  void gshin_ (void);
   void gsspd_ (void);
   void gsleq_ (void);
-  void gsfun_ (void);
-  void gsinp_ (void);
 }
 
 static const gsmbp_scene& S = gsmbp_the_scene;

@@ -1,6 +1,6 @@
-# Runs that carry derivatives, in C (share/engine/host/derivatives): compiles without a warning;
-# emitted scenes against closed forms and differences, two runs at once, under the sanitizers and in
-# quad precision.
+# Runs that carry derivatives and their adjoint, in C (share/engine/host): compiles without a
+# warning; emitted scenes against closed forms and differences, two runs at once, under the
+# sanitizers and in quad precision.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -25,14 +25,17 @@ c="-std=c99 -I$root/share/c -I$root/share/engine -I$work"
 for compiler in gcc clang; do
   command -v $compiler >/dev/null || continue
   (mkdir "$work/$compiler" && cd "$work/$compiler" &&
-    $compiler $c $strict -O2 -c "$root"/share/engine/host/derivatives/*.c) >"$report" 2>&1
+    $compiler $c $strict -O2 -c "$root"/share/engine/host/derivatives/*.c \
+      "$root/share/engine/host/adjoint.c") >"$report" 2>&1
   told $? "$compiler compiles it without a warning" "$report"
 done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'it has no data of its own'
-g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only \
-  -include host/derivatives/derivatives.h - </dev/null >"$report" 2>&1
-result 'its header compiles as C++'
+for header in host/derivatives/derivatives.h host/adjoint.h; do
+  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only -include $header - \
+    </dev/null
+done >"$report" 2>&1
+result 'its headers compile as C++'
 for kind in double quad; do
   case $kind in
     double) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' library= ;;
@@ -41,7 +44,8 @@ for kind in double quad; do
   # one by one, for ccache
   (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
     gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/carried_runs.c "$work"/*.c \
-      "$root"/share/engine/host/derivatives/*.c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c &&
+      "$root"/share/engine/host/derivatives/*.c "$root/share/engine/host/adjoint.c" \
+      "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c &&
     gcc $flags -o "../$kind" ./*.o -pthread $library -lm) \
     >"$report" 2>&1
   told $? "the program compiles in $kind precision" "$report"

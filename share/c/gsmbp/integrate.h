@@ -192,7 +192,8 @@ int gsrk4 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, gs_re
            gs_real *w);
 
 /* one trial step of Dormand and Prince of order 8, as gsrk4; err: the error beside the tolerance,
- * good if <= 1. w (nx,13): column 0 the rates at x, on entry */
+ * good if <= 1. w (nx,13): column 0 the rates at x, on entry; on exit the twelve stages, and the
+ * state of the last one */
 int gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
            gs_real *xn, gs_real *err, gs_real *w);
 

@@ -161,24 +161,26 @@ gs_sum (int nx, int n, const gs_real *a, const gs_real *const *f, gs_real *restr
     }
 }
 
-/* the sum of a[0]*stage 1 and a[1], ... times the stages from .. to - 1 */
+/* n numbers of the sum of a[0]*stage 1 and a[1], ... times the stages from .. to - 1 */
 static void
-sum (int nx, const gs_real *a, const gs_real *w, int from, int to, gs_real *z)
+sum (int n, int nx, const gs_real *a, const gs_real *w, int from, int to, gs_real *z)
 {
   const gs_real *f[9] = { w };
   for (int j = from; j < to; j++)
     f[1 + j - from] = w + nx * j;
-  gs_sum (nx, 1 + to - from, a, f, z);
+  gs_sum (n, 1 + to - from, a, f, z);
 }
 
 /* stage k, from 1: its state z */
 static void
 begin_stage (int nx, int k, gs_real h, const gs_real *x, const gs_real *w, gs_real *restrict z)
 {
-  sum (nx, stage[k - 1].a, w, stage[k - 1].from, k, z);
+  sum (nx, nx, stage[k - 1].a, w, stage[k - 1].from, k, z);
   for (int i = 0; i < nx; i++)
     z[i] = x[i] + h * z[i];
 }
+
+enum { PIECE = 32 }; /* numbers of the error that are summed at a time */
 
 int
 gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_real *x,
@@ -198,15 +200,16 @@ gsdp8 (const gs_system *g, gs_real t, gs_real tn, int side, gs_real h, const gs_
 
   const gs_real *counts
       = g->p[GS_WAY] > 0 && g->p[GS_DEPENDENT] < (gs_real)nu ? g->p + GS_PARTS + nu : 0;
-  gs_real e5 = 0, e3 = 0, *to5 = w + nx, *by = w + 2 * nx;   /* these stages are free */
+  gs_real e5 = 0, e3 = 0, to5[PIECE]; /* all stages stay, for gsad8 */
   int n = nx;
-  sum (nx, b, w, 5, 12, by);
-  sum (nx, e, w, 5, 12, to5);
+  sum (nx, nx, b, w, 5, 12, xn);
   for (int i = 0; i < nx; i++)
     {
-      gs_real d5 = to5[i];   /* the differences to the formulae of order 5 and 3 */
-      gs_real d3 = by[i] - g1 * w[i] - g9 * w[i + 8 * nx] - g12 * w[i + 11 * nx];
-      xn[i] = x[i] + h * by[i];
+      if (i % PIECE == 0)
+        sum (gs_least (PIECE, nx - i), nx, e, w + i, 5, 12, to5);
+      gs_real d5 = to5[i % PIECE]; /* the differences to the formulae of order 5 and 3 */
+      gs_real d3 = xn[i] - g1 * w[i] - g9 * w[i + 8 * nx] - g12 * w[i + 11 * nx];
+      xn[i] = x[i] + h * xn[i];
       if (counts && i < nq + nu && counts[i] <= 0)
         {
           n--;

@@ -14,10 +14,12 @@
 #define FINE 1e-19
 #define STEP GS_R (1e-8)
 #define ROUGH 1e-14
+#define BACK 1e-28
 #else
 #define FINE 1e-10
 #define STEP GS_R (1e-4)
 #define ROUGH 2e-7
+#define BACK 1e-12
 #endif
 
 /* constants of a scene with its parameters, of which number k is h more; the pointer is kept */
@@ -49,6 +51,8 @@ job_of (const gs_scene *s, const gs_real *cst, int ncst, gs_real end, int nc, co
   return j;
 }
 
+static void backwards (const char *what, job *j);
+
 /* ---------------------------------------------------------------------------------- oscillator */
 
 /* x = a*cos (w*t), w = sqrt (c/m): by c, m and the start a */
@@ -68,6 +72,7 @@ oscillator (void)
   close_to ("... by the mass", column_of (&j, 1, 1, 0), -by_w * w / (2 * m), FINE);
   close_to ("... by the start", column_of (&j, 1, 2, 0), gs_cos (w * t), FINE);
   close_to ("its speed by the start", column_of (&j, 1, 2, 1), -w * gs_sin (w * t), FINE);
+  backwards ("the oscillator runs forward", &j);
 }
 
 /* --------------------------------------------------------------------------------------- events */
@@ -248,6 +253,79 @@ closed_chain (void)
   run_job (&j);
   check ("a slider-crank runs", j.info == 0);
   compare_differences ("the slider-crank", &j, sensitivity_crank_constants, crank_start);
+  j.loops = 0;
+  run_job (&j);
+  check ("... with Baumgarte's method, too", j.info == 0);
+  backwards ("the slider-crank runs forward", &j);
+}
+
+/* ------------------------------------------------------------------------------------ backwards */
+
+/* the run of j forward and backwards: the derivatives of each state at its end by its parameters
+   and its start, beside those of columns along the same steps, which differ by rounding alone */
+static void
+backwards (const char *what, job *j)
+{
+  const int nx = j->s->nx;
+  const gs_plan plan = { .s = j->s, .nx = nx, .constants = j->inputs };
+  int *ip = zeros ((size_t)gs_wholes (&plan), sizeof *ip);
+  gs_real *rp = zeros ((size_t)gs_reals (&plan), sizeof *rp), atol[MOST], states[MOST], t,
+          by_start[MOST], by_parameters[MOST], worst = 0, size = 0;
+  gs_kept_steps kept;
+  const gs_adjoint_run run = { .scene = j->s, .cst = j->cst, .ip = ip, .rp = rp };
+  gs_lay (&plan, ip, rp);
+  for (int i = 0; i < nx; i++)
+    atol[i] = j->rtol;
+  check (what, gs_adjoint_forward (&run, j->x0, 2, j->tout, j->rtol, atol, &kept, states, &t) == 0
+                 && t == j->tout[1]);
+  run_along (j, &kept);
+  for (int i = 0; i < nx; i++)
+    {
+      gs_real weights[2 * MOST] = { 0 };
+      weights[nx + i] = 1;
+      check ("... and back", gs_adjoint_backward (&run, &kept, weights, by_start, by_parameters,
+                                                  &t) == 0 && t == j->tout[0]);
+      for (int k = 0; k < j->nc; k++)
+        {
+          gs_real sum = j->col[k] > 0 ? by_parameters[j->col[k] - 1] : 0;
+          for (int l = 0; l < nx; l++)
+            sum += by_start[l] * j->x0[nx * (k + 1) + l];
+          worst = gs_fmax (worst, gs_abs (sum - column_of (j, 1, k, i)));
+          size = gs_fmax (size, gs_abs (sum));
+        }
+    }
+  close_to ("... gives what columns give, relative to the largest,", worst / size, 0, BACK);
+  gs_adjoint_free (&kept);
+  free (ip);
+  free (rp);
+}
+
+/* ends the run from the third call on */
+static int
+ask_thrice (void *asked, gs_real t)
+{
+  int *calls = asked;
+  (void)t;
+  return ++*calls < 3 ? 0 : GS_INTERRUPTED;
+}
+
+static void
+interrupted (void)
+{
+  const gs_plan plan = { .s = &oscillator_scene, .nx = 2 };
+  int *ip = zeros ((size_t)gs_wholes (&plan), sizeof *ip), calls = 0;
+  gs_real *rp = zeros ((size_t)gs_reals (&plan), sizeof *rp), states[4], t;
+  const gs_real x0[] = { 1, 0 }, atol[] = { GS_R (1e-9), GS_R (1e-9) }, stops[] = { 0, 100 };
+  gs_kept_steps kept;
+  const gs_adjoint_run run = { .scene = &oscillator_scene, .cst = oscillator_constants (0, 0),
+                               .ip = ip, .rp = rp, .ask = ask_thrice, .asked = &calls };
+  gs_lay (&plan, ip, rp);
+  const int info = gs_adjoint_forward (&run, x0, 2, stops, GS_R (1e-9), atol, &kept, states, &t);
+  check ("a run forward is ended by ask", info == GS_INTERRUPTED && calls == 3 && kept.steps > 0
+                                            && kept.steps <= 3 && t > 0 && t < 100);
+  gs_adjoint_free (&kept);
+  free (ip);
+  free (rp);
 }
 
 /* ------------------------------------------------------------------------------ several threads */
@@ -289,6 +367,7 @@ main (void)
   impacts ();
   sampled ();
   closed_chain ();
+  interrupted ();
   at_once ();
   return 0;
 }

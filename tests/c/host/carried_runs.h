@@ -7,6 +7,7 @@
 
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
+#include "host/adjoint.h"
 #include "host/derivatives/derivatives.h"
 
 enum { MOST = 256 };
@@ -111,6 +112,47 @@ run_job (void *given)
   free (rp);
   free (v);
   return NULL;
+}
+
+/* the run with its columns once more, by the steps that another one has taken: its last states with
+   the derivatives of these very steps, into row 1 of j->x */
+static void
+run_along (job *j, const gs_kept_steps *kept)
+{
+  const int n = j->s->nx, nx = n * (1 + j->nc);
+  const gs_plan plan = { .s = j->s, .nx = nx, .constants = j->inputs };
+  int *ip = zeros ((size_t)gs_wholes (&plan), sizeof *ip), istat[GS_COUNTED] = { 0 };
+  gs_real *rp = zeros ((size_t)gs_reals (&plan), sizeof *rp), ropt[3] = { 0, j->rtol, 0 },
+          rstat[GS_MEASURED] = { 0 }, v[32], err, *x = j->x + MOST,
+          *w = zeros ((size_t)nx * 13, sizeof *w),
+          *of_inputs = zeros ((size_t)gs_room (j->s, nx, 0), sizeof *of_inputs);
+  gs_real p[64] = { 0 }, atol[MOST], next[MOST];
+  const char *missing = NULL;
+  gs_lay (&plan, ip, rp);
+  for (int i = 0; i < nx; i++)
+    atol[i] = j->rtol;
+  const gs_derivatives_given columns
+      = { .scene = j->s, .cst = j->cst, .ncst = j->ncst, .nc = j->nc, .col = j->col, .ip = ip,
+          .rp = rp, .rtol = j->rtol, .atol = atol };
+  gs_derivatives *d = gs_derivatives_open (&columns, &missing);
+  const gs_system g = { .s = gs_derivatives_scene (d), .nx = nx, .ropt = ropt, .atol = atol,
+                        .ip = ip, .rp = rp, .cst = gs_derivatives_constants (d), .v = v,
+                        .w = of_inputs, .p = p, .istat = istat, .rstat = rstat };
+  memcpy (v, j->inputs, sizeof j->inputs);
+  memcpy (x, j->x0, (size_t)nx * sizeof *x);
+  for (int k = 0; k < kept->steps; k++)
+    {
+      const gs_real *one = kept->numbers + (4 + 13 * n) * k;
+      if (gsfun (&g, one[0], 1, x, w) != 0
+          || gsdp8 (&g, one[0], one[1], one[3] < 0 ? -1 : 1, one[2], x, next, &err, w) != 0)
+        printf ("not ok step %d can be taken again\n", k);
+      memcpy (x, next, (size_t)nx * sizeof *x);
+    }
+  gs_derivatives_close (d);
+  free (ip);
+  free (rp);
+  free (w);
+  free (of_inputs);
 }
 
 /* state i at output time r, its derivative by column k */
