@@ -87,7 +87,8 @@ set_breaks (const gs_ensemble *e, gs_member *m)
   const int nsw = e->scene->nsw;
   gs_real *at = m->breaks + all->nb;
   int n = all->nb;
-  gs_copy (n, all->tbrk, m->breaks);
+  for (int k = 0; k < n; k++)
+    m->breaks[k] = all->tbrk[k];
   if (nsw > 0)
     {
       e->scene->swi (m->cst, at);

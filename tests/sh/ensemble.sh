@@ -1,0 +1,54 @@
+# Ensembles in C (share/engine/host/ensemble, host/lanes): compile without a warning; emitted scenes
+# against single runs and a closed form, by several threads, interrupted, under the sanitizers and
+# in quad precision.
+. tests/tools/check.sh
+root=$PWD
+work_folder
+cat >"$work/oscillator.mac" <<'M'
+scene : gsmbp_scene("oscillator", link(block, mass = m),
+  prismatic(rail, ground, block, axis = x, coordinate = x),
+  spring(back, stiffness = c, joint = rail), damper(loss, joint = rail, damping = d),
+  parameters = [m = 2*kg, c = 5*N/m, d = 0*N*s/m])$
+requests : '[all]$
+M
+statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
+for scene in "$work/oscillator" tests/scenes/sensitivity_bounce tests/scenes/sensitivity_crank; do
+  statements="$statements kill(scene, requests)\$ load(\"$(realpath $scene.mac)\")\$
+    gsmbp_c(scene, requests, 'directory = \"$work\", precision = any)\$"
+done
+share/make/maxima "$work/log" "$statements" >"$report" 2>&1
+told $? 'the scenes are emitted in C' "$report"
+
+host=$root/share/engine/host
+strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
+c="-std=c99 -I$root/share/c -I$root/share/engine -I$work -I$root/tests/c/host"
+for compiler in gcc clang; do
+  command -v $compiler >/dev/null || continue
+  for flags in -O2 '-O3 -fopenmp-simd -DGS_OPENMP_SIMD'; do
+    (mkdir -p "$work/$compiler" && cd "$work/$compiler" &&
+      $compiler $c $strict $flags -c "$host"/ensemble/*.c "$host"/lanes/*.c) >"$report" 2>&1
+    told $? "$compiler $flags compiles them without a warning" "$report"
+  done
+done
+nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
+result 'they have no data of their own'
+g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only \
+  -include host/ensemble/ensemble.h - </dev/null >"$report" 2>&1
+result 'the header compiles as C++'
+
+for kind in sane threads quad; do
+  sources="$host/lanes/*.c $host/implicit/*.c" library=
+  case $kind in
+    sane) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' ;;
+    threads) flags='-fsanitize=thread' ;;
+    quad) flags=-DGSMBP_QUAD library=-lquadmath sources= ;;
+  esac
+  # one by one, for ccache
+  (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
+    gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/ensemble_runs.c \
+      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c $sources "$root"/share/c/*/*.c \
+      "$root"/share/c/*/*/*.c &&
+    gcc $flags -o "../$kind" ./*.o -pthread $library -lm) >"$report" 2>&1
+  told $? "the program compiles, $kind" "$report"
+  to_the_end "$work/$kind"
+done
