@@ -1,7 +1,8 @@
 # gsmbp_package(scene, python): twelve scenes become modules; one is installed by pip as its README
 # says, without network, its wheel is for every Python 3; what they compute is what the Fortran of
-# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py, by implicit methods:
-# tests/python/implicit.py; where GSMBP_TIMES is set, how long 1e5 states take beside a loop in C.
+# the scene gives, bit for bit; runs, refusals, threads: tests/python/runs.py, many of them:
+# tests/python/ensembles.py, by implicit methods: tests/python/implicit.py; where GSMBP_TIMES is
+# set, how long 1e5 states take beside a loop in C.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -97,6 +98,8 @@ done
 
 timeout 200 $python tests/python/runs.py
 told $? 'runs.py ends'
+timeout 200 $python tests/python/ensembles.py
+told $? 'ensembles.py ends'
 timeout 200 $python tests/python/implicit.py
 told $? 'implicit.py ends'
 

@@ -20,7 +20,8 @@ def run_time(root, folder):
     target, home = os.path.join(folder, 'libmodules.so'), os.path.join(root, 'share')
     if not os.path.exists(target):
         sources = glob.glob(home + '/c/**/*.c', recursive=True) + glob.glob(home + '/python/c/*.c')
-        sources += glob.glob(home + '/engine/host/*.c')
+        for part in ('', 'ensemble/', 'lanes/'):
+            sources += glob.glob(home + '/engine/host/' + part + '*.c')
         folders = ['-I' + home + place for place in ('/c', '/engine', '/python/c')]
         subprocess.run(FLAGS + ['-o', target] + folders + sources, check=True)
     return target

@@ -55,6 +55,18 @@ class Result:
     events: Optional[dict[str, Any]]
     audit: Optional[dict[str, Any]]
 
+class Ensemble:
+    t: Real
+    x: Real
+    v: Real
+    y: Optional[Real]
+    ok: NDArray[np.bool_]
+    reached: Real
+    reason: list[str]
+    stats: dict[str, Any]
+    parameters: dict[str, Real]
+    events: Optional[dict[str, Any]]
+
 Input = Union[ArrayLike, Piecewise, Callable[[float, Real], ArrayLike]]
 
 class Model(Routines):
@@ -87,6 +99,15 @@ class Model(Routines):
                  memory: Optional[ArrayLike] = ..., samples: bool = ...,
                  modes: Optional[Sequence[int]] = ..., audit: Optional[float] = ...,
                  errors: str = ...) -> Result: ...
+    def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
+                 parameters: Optional[Mapping[str, ArrayLike]] = ...,
+                 starts: Optional[ArrayLike] = ..., inputs: Optional[ArrayLike] = ...,
+                 threads: int = ..., method: str = ..., rtol: float = ...,
+                 atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
+                 maxstep: float = ..., maxsteps: int = ..., maxorder: Optional[int] = ...,
+                 loops: Optional[str] = ..., drift: Optional[bool] = ..., start: str = ...,
+                 input: Union[ArrayLike, Piecewise, None] = ...,
+                 breaks: Sequence[float] = ...) -> Ensemble: ...
     def inverse(self, motion: Piecewise, times: ArrayLike, *, side: int = ...,
                 guess: Optional[ArrayLike] = ..., internal: Optional[ArrayLike] = ...
                 ) -> Inverse: ...

@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import _checks, _inverse, _run, _start
+from . import _checks, _ensemble, _inverse, _run, _start
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -132,6 +132,7 @@ class Model(Routines):
         return Linear(*(self.jac(t, x) if v is None else self.jac(t, x, v)))
 
     simulate = explained(_run.simulate)
+    ensemble = explained(_ensemble.ensemble)
     inverse = explained(_inverse.inverse)
 
 
