@@ -74,8 +74,6 @@ struct fortran
 
 extern "C"
 {
-  number gslft_ (const number *t, const int *side);
-  void gspln_ (void);
   void gskkt_ (void);
   void gsacc_ (void);
   void gsspd_ (void);

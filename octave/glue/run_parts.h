@@ -4,6 +4,7 @@
 
 #include "patience.h"
 #include "run_plan.h"
+#include "gsmbp/functions.h"
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
 // cross Fortran frames; it is kept and thrown again behind the run.
@@ -94,7 +95,7 @@ row_time (const reals& switches, const number *tout, int k)
 {
   const int side
     = k > 0 && std::find (switches.begin (), switches.end (), tout[k]) != switches.end () ? -1 : 1;
-  return gslft_ (&tout[k], &side);
+  return gslft (tout[k], side);
 }
 
 // the output times as they stand for the rows

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "arguments.h"
+#include "gsmbp/inputs.h"
 
 static octave_value_list
 do_spline (arguments& a, int)
@@ -17,7 +18,7 @@ do_spline (arguments& a, int)
   for (octave_idx_type j = 0; j < times.numel (); j++)
     {
       number t = times(j);
-      fortran {gspln_} (&nc, &np, &k, &brk[0], &coef[0], &t, &side, &nd, &one[0], &ld, &info);
+      info = gspln (nc, np, k, &brk[0], &coef[0], t, side, nd, &one[0], ld);
       if (info < 0)
         error ("gspln: INFO = %d", info);
       worst = std::max (worst, info);

@@ -20,8 +20,7 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   nameless    names in them of one word
   shadows     functions in files of octave/ with the name of one in a room, or of a room that the
               file uses: Octave 7 would take them in its place
-  strays      files of share/fortran that neither emitted routines nor its driver need (closure.py),
-              against those that tests/data/fortran_leaving.txt still lists
+  strays      files of share/fortran that neither emitted routines nor its driver need (closure.py)
   indexed     results of functions in rooms that are indexed at once, which Octave 7 cannot
 tests/sh/structure.sh holds them against tests/data/structure.txt.
 """
@@ -88,10 +87,8 @@ def is_source(path):
 
 
 def strays(root):
-    """files of share/fortran that nobody needs and that are not listed, and the other way round"""
-    with open(os.path.join(root, 'tests/data/fortran_leaving.txt')) as f:
-        listed = {line.strip() for line in f if line[0] != '#'}
-    return closure.needed(root)[1] ^ listed
+    """files of share/fortran that neither emitted routines nor the driver need"""
+    return closure.needed(root)[1]
 
 
 def fields_of(structure):
