@@ -341,7 +341,7 @@ doc: manual $(MANUAL).html $(MANUAL).pdf
 manual: $(MANUAL)-index.lisp
 
 share/manual/functions.txt: $(MAXIMA_SOURCES) $(wildcard octave/*.m) $(MANUAL_SOURCES) \
-                            share/c/gsmbp/options.h | compiled
+                            share/engine/core/gsmbp/options.h | compiled
 	share/make/manual sources
 
 $(MANUAL)-index.lisp: share/manual/functions.txt | packages-manual

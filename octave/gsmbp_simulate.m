@@ -289,7 +289,7 @@
 ## not finite; a run that fails, unless info is taken.
 ## Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I
 ## (dp853, rk4); II, and J. Comput. Appl. Math. 111, 1999 (radau); SUNDIALS (cvode);
-## the constraint methods and the rest are own, as share/c describes them.
+## the constraint methods and the rest are own, as share/engine/core describes them.
 ## @seealso{gsmbp_build, gsmbp_plan, gsmbp_assemble, gsmbp_inverse}
 ## @end deftypefn
 

@@ -1,4 +1,4 @@
-// A run by the run time in C (share/c).
+// A run by the run time in C (share/engine/core).
 #pragma once
 
 #include "run_parts.h"
@@ -17,10 +17,10 @@ gsmbp_patience (void *, number t)
 }
 
 // as the run time takes it; its statistics are those of R
-static gs_run
+static gs_integration
 engine_run (const run_setting& s, run_room& r, int *ip, number *rp)
 {
-  gs_run run = gs_run ();
+  gs_integration run = gs_integration ();
   run.nx = s.nx;
   run.t0 = s.t0;
   run.x0 = &r.x0[0];
@@ -55,7 +55,7 @@ run_engine (const run_setting& s, run_room& r, int *ip, number *rp, integrator i
   gs_scene scene = s.scene;
   if (! s.carried)
     scene.data = &of_vin;
-  gs_run run = engine_run (s, r, ip, rp);
+  gs_integration run = engine_run (s, r, ip, rp);
   const int info = integrate (&scene, &run);
   std::copy_n (run.istat, int (GS_COUNTED), r.istat.begin ());
   std::copy_n (run.rstat, int (GS_MEASURED), r.rstat.begin ());
@@ -68,7 +68,7 @@ static int
 run_implicit (const run_setting& s, run_room& r, int *ip, number *rp, gs_implicit_method *by,
               const gs_implicit& options)
 {
-  return run_engine (s, r, ip, rp, [&] (gs_scene *scene, gs_run *run) {
+  return run_engine (s, r, ip, rp, [&] (gs_scene *scene, gs_integration *run) {
     scene->nsw = S.nsw;   // at these breaks its rates may jump
     return by (scene, run, &options);
   });

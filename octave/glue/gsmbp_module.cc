@@ -1,6 +1,6 @@
 // The generic part of a module: takes Octave's arrays apart, checks size and
-// finiteness of every argument, calls the emitted Fortran and the run times of share/c and
-// share/fortran.  Compiled once for double and once, with GSMBP_QUAD defined,
+// finiteness of every argument, calls the emitted Fortran and the run times of share/engine/core
+// and share/fortran.  Compiled once for double and once, with GSMBP_QUAD defined,
 // for quad precision (Fortran under -freal-8-number-16): doubles in, doubles out.
 
 #include "calls.h"

@@ -1,5 +1,5 @@
 // What a run is, for the program of a sweep, which has no Octave: its plan laid out, the numbers
-// that gssim takes.
+// that gs_integrate takes.
 #pragma once
 
 #include "simulation.h"

@@ -95,7 +95,7 @@ row_time (const reals& switches, const number *tout, int k)
 {
   const int side
     = k > 0 && std::find (switches.begin (), switches.end (), tout[k]) != switches.end () ? -1 : 1;
-  return gslft (tout[k], side);
+  return gs_time_beside (tout[k], side);
 }
 
 // the output times as they stand for the rows

@@ -1,5 +1,5 @@
 // The plan of a run: what gsmbp_simulate says of its inputs, samples and events, laid out in IP and
-// RP by gs_lay of share/c, which alone knows where they stand.
+// RP by gs_lay of share/engine/core, which alone knows where they stand.
 #pragma once
 
 #include "arguments.h"

@@ -1,4 +1,4 @@
-// A run by GSSIM: what all runs of a plan have in common, and the room of one.
+// A run by gs_integrate: what all runs of a plan have in common, and the room of one.
 #pragma once
 
 #include "fortran.h"
@@ -13,7 +13,7 @@ struct run_room
   std::vector<char> text;   // what an implicit method said when it failed
 };
 
-// The arguments of GSSIM by their names, as far as they are those of all runs
+// The arguments of gs_integrate by their names, as far as they are those of all runs
 struct run_setting
 {
   number t0;

@@ -18,9 +18,9 @@ do_spline (arguments& a, int)
   for (octave_idx_type j = 0; j < times.numel (); j++)
     {
       number t = times(j);
-      info = gspln (nc, np, k, &brk[0], &coef[0], t, side, nd, &one[0], ld);
+      info = gs_polynomials_at (nc, np, k, &brk[0], &coef[0], t, side, nd, &one[0], ld);
       if (info < 0)
-        error ("gspln: INFO = %d", info);
+        error ("gs_polynomials_at: INFO = %d", info);
       worst = std::max (worst, info);
       for (int d = 0; d <= nd; d++)
         for (int i = 0; i < nc; i++)
@@ -32,7 +32,7 @@ do_spline (arguments& a, int)
 static octave_value_list
 do_kkt (arguments& a, int)
 {
-  Matrix sizes = a.matrix ("sizes", 4, 1);   // N M repetitions way (0: GSKKT)
+  Matrix sizes = a.matrix ("sizes", 4, 1);   // N M repetitions way (0: gs_solve_kkt)
   int n = int (sizes (0)), m = int (sizes (1)), times = int (sizes (2)), way = int (sizes (3)),
       info = 0;
   int lda = std::max (1, n), ldh = std::max (1, m);

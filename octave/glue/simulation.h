@@ -1,5 +1,5 @@
-// A run: what gsmbp_simulate hands over, the subroutines that it needs, gssim, an implicit method
-// where that is asked for or steps are bound by stability, what comes back.
+// A run: what gsmbp_simulate hands over, the subroutines that it needs, gs_integrate, an implicit
+// method where that is asked for or steps are bound by stability, what comes back.
 #pragma once
 
 #include "run_parts.h"
@@ -7,7 +7,7 @@
 #include "run_columns.h"
 #include "engine_run.h"
 
-// The arguments of GSSIM by their names, and who integrates.
+// The arguments of gs_integrate by their names, and who integrates.
 struct simulation : run_room, run_setting
 {
   simulation (arguments& a);
@@ -21,7 +21,7 @@ struct simulation : run_room, run_setting
 
   // a run in its own room, with the plan IP, RP; several may go on at a time
   void run (run_room& r, std::vector<int>& ip, number *rp) const;
-  // where one ended by GSSIM
+  // where one ended by gs_integrate
   void go_on (run_room& r, std::vector<int>& ip, number *rp) const;
 
   run_columns columns;                // by parameters, behind the states
@@ -30,7 +30,7 @@ struct simulation : run_room, run_setting
   int nb;
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
-  std::string library;   // an implicit method, or its library; "": GSSIM alone
+  std::string library;   // an implicit method, or its library; "": gs_integrate alone
 #if ! defined (GSMBP_QUAD)
   gs_implicit_method *implicit_method = nullptr;
 #endif
@@ -190,7 +190,7 @@ simulation::carry (const reals& guess)
 }
 
 #if ! defined (GSMBP_QUAD)
-// from the start, or on from where GSSIM found its steps bound by stability
+// from the start, or on from where gs_integrate found its steps bound by stability
 void
 simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const
 {
@@ -205,7 +205,7 @@ void
 simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
 {
   if (iopt[GS_METHOD] != 0)
-    r.info = run_engine (*this, r, &ip[0], rp, gssim);
+    r.info = run_engine (*this, r, &ip[0], rp, gs_integrate);
   go_on (r, ip, rp);
 }
 

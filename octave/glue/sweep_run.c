@@ -190,7 +190,7 @@ find_outputs (gs_view *w)
 static double
 value_at (const gs_view *w, int number, long long k)
 {
-  const gs_run *r = &w->m->run;
+  const gs_integration *r = &w->m->run;
   int j = number - 1;
   if (k >= w->reached)
     return NAN;
@@ -205,7 +205,7 @@ static double
 of_margins (const gs_view *w, int number)
 {
   const gs_description *d = w->e->about;
-  const gs_run *r = &w->m->run;
+  const gs_integration *r = &w->m->run;
   int passed[S->nsm + 1], fails = ! d->mar;
   double least[S->nsm + 1];
   for (int k = 0; k < S->nsm; k++)
@@ -316,7 +316,7 @@ fill (const gs_view *w, int ok, double reached_time, double *row)
 static void
 wrong_mode (const gs_view *w, char *why)
 {
-  const gs_run *r = &w->m->run;
+  const gs_integration *r = &w->m->run;
   const gs_events a = gs_planned_events (S->nx, w->e->run.ip, w->e->run.rp);
   const gs_start_given g = { .t = r->t0, .cst = r->cst, .modes = a.given ? a.mode : NULL };
   const int said = snprintf (why, GS_WHY, "modes: ");

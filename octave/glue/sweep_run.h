@@ -25,7 +25,7 @@ typedef struct
   int nx, ldx, ldv, lw, order, index2, check_start;
   int lanes;                             /* 1: in lanes, where they can be */
   double t0;
-  gs_implicit_method *implicit_method;   /* a null pointer: GSSIM alone */
+  gs_implicit_method *implicit_method;   /* a null pointer: gs_integrate alone */
   const char **broken;                   /* for each run: why its parameters cannot be, or null, */
   char *reasons;                         /* ... their texts */
 } gs_sweep;

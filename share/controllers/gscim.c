@@ -166,7 +166,7 @@ gscim (const gs_machine *m, const gs_sample *s, const gs_tool *tool, double *qg,
       for (int i = 0; i < na; i++)
         a[i] = a[i] + tr[l + n * i] * f;
     }
-  info = gsleq (na, 1, mr, na, a, na, iw);
+  info = gs_solve_general (na, 1, mr, na, a, na, iw);
   if (info == 0)
     info = gsmot (m, s->t, s->q, s->u, a, qg, qj);
   return info != 0 ? info : m->command (s->t, qj, m->cst, v);

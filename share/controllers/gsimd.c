@@ -19,7 +19,7 @@ gsimd (const gs_machine *m, const gs_sample *s, const gs_gains *k, double *qg, d
       double d = k->zeta > 0.0 ? 2.0 * k->zeta * sqrt (k->kp[i] * mr[i + na * i]) : k->kd[i];
       a[i] = k->kp[i] * (s->qr[i] - s->q[i]) + d * (s->ur[i] - s->u[i]);
     }
-  info = gsleq (na, 1, mr, na, a, na, iw);
+  info = gs_solve_general (na, 1, mr, na, a, na, iw);
   if (info != 0)
     return info;
   for (int i = 0; i < na; i++)

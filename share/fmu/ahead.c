@@ -51,7 +51,7 @@ int
 gsf_reaches (const gsf_instance *a, double t)
 {
   const double end = a->d[GSF_AHEAD_T] + a->d[GSF_AHEAD_H];
-  return a->d[GSF_AHEAD_H] > 0 && t <= end + 8 * gseps () * fabs (end);
+  return a->d[GSF_AHEAD_H] > 0 && t <= end + 8 * gs_epsilon () * fabs (end);
 }
 
 /* xout onto the constraints, as the ends of steps are */
@@ -62,10 +62,10 @@ moved (gsf_instance *a, double t)
   const double *x = a->ahead, *xn = x + s->nx;
   double jump[3] = { 0 }, rstat[GS_MEASURED] = { 0 };
   int istat[GS_COUNTED] = { 0 };
-  gspst (s->nq, s->nu, s->nlam, a->iopt, a->w);
+  gs_partition_none (s->nq, s->nu, s->nlam, a->iopt, a->w);
   a->w[GS_WAY] = 0;
-  gsjmp (s->nq, s->nu, x, xn, a->d[GSF_TOLERANCE], a->atol, jump);
-  return gsmov (s, t, a->xout, a->iopt, jump, a->cst, a->w, istat, rstat);
+  gs_largest_move (s->nq, s->nu, x, xn, a->d[GSF_TOLERANCE], a->atol, jump);
+  return gs_move_onto (s, t, a->xout, a->iopt, jump, a->cst, a->w, istat, rstat);
 }
 
 int
@@ -73,7 +73,7 @@ gsf_look (gsf_instance *a, double t)
 {
   const int nx = a->m->scene->nx;
   const double h = a->d[GSF_AHEAD_H], *x = a->ahead, *xn = x + nx;
-  gsdpv (nx, h, (t - a->d[GSF_AHEAD_T]) / h, x, xn, x + 2 * nx, a->xout);
+  gs_dense_at (nx, h, (t - a->d[GSF_AHEAD_T]) / h, x, xn, x + 2 * nx, a->xout);
   if (t < a->d[GSF_AHEAD_T] + h)
     return moved (a, t) == 0;
   memcpy (a->xout, xn, nx * sizeof (double));

@@ -77,7 +77,7 @@ minus (int m, int nq, const double *d, const double *dq, double *b)
     }
 }
 
-/* the dependent displacements and speeds of dx, as gsprt completes them */
+/* the dependent displacements and speeds of dx, as gs_complete_state completes them */
 static int
 completed (gsf_instance *a, work *k)
 {
@@ -91,11 +91,11 @@ completed (gsf_instance *a, work *k)
   a->m->tan (a->d[GSF_T], a->x, a->cst, k->dp, m, k->dq, m);
   if (r2 > 0)
     {
-      gspfa (m, r2, p.hc, p.displ, p.rows, p.y, p.piv, p.beta, p.siz, &rank);
+      gs_partition_factors (m, r2, p.hc, p.displ, p.rows, p.y, p.piv, p.beta, p.siz, &rank);
       minus (m, s->nq, k->dp, k->dx, k->w);
       for (int i = 0; i < m; i++)
         k->w[i] *= p.rows[i];
-      gspls (m, r2, rank, p.y, p.piv, p.beta, k->w, s->nu, p.displ, p.du);
+      gs_partition_solve (m, r2, rank, p.y, p.piv, p.beta, k->w, s->nu, p.displ, p.du);
       s->kin (a->d[GSF_T], a->x, p.du, a->cst, p.dq);
       for (int i = 0; i < s->nq; i++)
         k->dx[i] += p.dq[i];
@@ -107,8 +107,8 @@ completed (gsf_instance *a, work *k)
       for (int j = 0; j < s->nu; j++)
         k->w[i] -= p.hc[i + m * j] * du[j];
     }
-  gspfa (m, r, p.hc, p.order, ones, p.y, p.piv, p.beta, p.siz, &rank);
-  gspls (m, r, rank, p.y, p.piv, p.beta, k->w, s->nu, p.order, p.du);
+  gs_partition_factors (m, r, p.hc, p.order, ones, p.y, p.piv, p.beta, p.siz, &rank);
+  gs_partition_solve (m, r, rank, p.y, p.piv, p.beta, k->w, s->nu, p.order, p.du);
   for (int j = 0; j < s->nu; j++)
     du[j] += p.du[j];
   return GSF_OK;

@@ -33,7 +33,7 @@ double
 gsf_time (const gsf_instance *a)
 {
   const double t = a->d[GSF_T], due = a->d[GSF_T_SWITCH];
-  return t >= due ? gslft (due, -1) : t;
+  return t >= due ? gs_time_beside (due, -1) : t;
 }
 
 int
@@ -69,7 +69,7 @@ gsf_happens (gsf_instance *a, int k)
     memset (gsf_events (a).fresh, 0, s->nev * sizeof (int));
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
-  int info = gsres (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
+  int info = gs_resolve_event (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, GS_AT_EVENT, info);
   ie[4] = 1;
@@ -129,8 +129,8 @@ gsf_take_samples (gsf_instance *a, int *acted)
   int istat[GS_COUNTED] = { 0 };
   a->d[GSF_T_NEXT] = 2e300;
   *acted = 0;
-  int info = gsdue (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
-                    a->w, istat, a->d + GSF_T_NEXT, acted);
+  int info = gs_samples_due (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
+                             a->v, a->w, istat, a->d + GSF_T_NEXT, acted);
   return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, istat[GS_FAILED],
                                           istat[GS_FAILED_INFO]);
 }

@@ -40,7 +40,7 @@ gsf_plan (gsf_instance *a)
   const gs_events e = gsf_events (a);
   *e.tells = 2;
   for (int k = a->m->nports; k < a->m->scene->nev; k++)
-    e.kind[k] = 4;   /* gssim comes back at each */
+    e.kind[k] = 4;   /* gs_integrate comes back at each */
 }
 
 gs_samples

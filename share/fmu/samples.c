@@ -25,7 +25,7 @@ gsf_sample_near (const gsf_instance *a, double *t, double h)
     {
       const double period = plan.period[k / 2], delay = k % 2 ? plan.delay[k / 2] : 0;
       const double due = round ((*t - delay) / period) * period + delay;
-      if (fabs (due - *t) > fmax (16 * gseps () * fabs (*t), 1e-9 * fmin (h, period)))
+      if (fabs (due - *t) > fmax (16 * gs_epsilon () * fabs (*t), 1e-9 * fmin (h, period)))
         continue;
       *t = due;
       return 1;
@@ -41,8 +41,8 @@ is_due (const gsf_instance *a)
   const double t = a->d[GSF_T];
   return s->nctl > 0 && a->i[GSF_KIND] == GSF_COSIMULATION && a->i[GSF_ENDED] == 0
          && (a->i[GSF_PHASE] & (GSF_STEP | GSF_DONE))
-         && gsnxt (s->nv, a->ip + a->ip[GS_SAMPLES] - 1, a->rp + a->ip[GS_SAMPLES + 1] - 1)
-              <= t + 8 * gseps () * fabs (t);
+         && gs_next_sample (s->nv, a->ip + a->ip[GS_SAMPLES] - 1, a->rp + a->ip[GS_SAMPLES + 1] - 1)
+                <= t + 8 * gs_epsilon () * fabs (t);
 }
 
 /* the arrays of the instance are copied; back: as they were kept */
@@ -60,8 +60,8 @@ static int
 events (gsf_instance *a, int k)
 {
   int istat[GS_COUNTED] = { 0 };
-  const int info = gsevr (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
-                          a->v, a->w, istat, k);
+  const int info = gs_resolve_under_inputs (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip,
+                                            a->rp, a->cst, a->v, a->w, istat, k);
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, istat[GS_FAILED], info);
   gsf_tally (a);

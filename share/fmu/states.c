@@ -2,10 +2,10 @@
  * which the others follow from.
  *
  * Of a closed chain the importer's states are independent coordinates and speeds; the dependent
- * ones are completed by Newton's method (gsprt) from where they were in the state before. Where
- * Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all coordinates
- * are states, of which those that depend on others are guesses. Euler parameters are divided by
- * their length before they are used. */
+ * ones are completed by Newton's method (gs_complete_state) from where they were in the state
+ * before. Where Euler parameters, quasi-speeds or constraints on speeds alone are in the scene all
+ * coordinates are states, of which those that depend on others are guesses. Euler parameters are
+ * divided by their length before they are used. */
 #include "fmu.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/limits.h"
@@ -30,8 +30,8 @@
 int
 gsf_inputs (gsf_instance *a)
 {
-  int info = gsinp (a->m->scene, a->d[GSF_T], 1, a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v,
-                    a->w);
+  int info = gs_inputs_of_run (a->m->scene, a->d[GSF_T], 1, a->x, a->m->scene->nx, a->ip, a->rp,
+                               a->cst, a->v, a->w);
   return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, GS_AT_INPUTS, info);
 }
 
@@ -53,9 +53,9 @@ gsf_rates (gsf_instance *a)
   int info = s->rhs (gsf_time (a), a->x, a->v, a->cst, a->xd);
   if (! gsf_is_usable (info))
     return gsf_failed (a, GSF_DISCARD, GS_AT_RHS, info);
-  if (gsfin (s->nx, a->xd) != 0)
+  if (gs_not_finite (s->nx, a->xd) != 0)
     return gsf_fail (a, GSF_DISCARD, "the rate of state %d is not finite at t = %.15g s",
-                     gsfin (s->nx, a->xd), a->d[GSF_T]);
+                     gs_not_finite (s->nx, a->xd), a->d[GSF_T]);
   a->known |= GSF_HAS_RATES;
   return GSF_OK;
 }
@@ -142,7 +142,7 @@ gsf_choose (gsf_instance *a)
   const gs_scene *s = a->m->scene;
   if (s->nlam > 0)
     {
-      int info = gspnw (s, a->d[GSF_T], a->x, a->cst, a->p);
+      int info = gs_partition_choose (s, a->d[GSF_T], a->x, a->cst, a->p);
       if (info != 0)
         return gsf_failed (a, GSF_ERROR, GS_AT_CON, info);
     }
@@ -154,7 +154,7 @@ begin_partition (gsf_instance *a)
 {
   const gsf_model *m = a->m;
   int iopt[6] = { 8, 3, 1, 0, 0, 0 };
-  gspst (m->scene->nq, m->scene->nu, m->scene->nlam, iopt, a->p);
+  gs_partition_none (m->scene->nq, m->scene->nu, m->scene->nlam, iopt, a->p);
   double *rows = gs_partition_of (m->scene->nq, m->scene->nu, m->scene->nlam, a->p).rows;
   for (int k = 0; k < m->nspeedrows; k++)
     {
@@ -185,7 +185,7 @@ complete_from (gsf_instance *a, const double *x)
   /* twice: the speeds then belong to the last position */
   for (int k = 0; k < 2 && s->nlam > 0; k++)
     {
-      int info = gsprt (s, a->d[GSF_T], a->x, a->cst, a->p);
+      int info = gs_complete_state (s, a->d[GSF_T], a->x, a->cst, a->p);
       if (info == 3)
         return gsf_fail (a, GSF_DISCARD, "no state on the constraints was found at t = %.15g s: "
                          "the step is too long, or a singular position is near", a->d[GSF_T]);
@@ -222,13 +222,13 @@ volume (gsf_instance *a)
   int info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, b.phi, b.phit, b.hc, s->nlam, b.gam);
   if (info != 0 && info != 2)
     return -1;
-  gslpv (s->nu, s->nlam, b.hc, b.size, b.y, b.piv, b.beta, b.siz, &rank, &least);
+  gs_constraint_pivots (s->nu, s->nlam, b.hc, b.size, b.y, b.piv, b.beta, b.siz, &rank, &least);
   if ((int)p[GS_DEPENDENT] != rank)
     return -1;
   for (int j = 0; j < rank; j++)
     for (int i = 0; i < s->nlam; i++)
       b.y[i + s->nlam * j] = b.hc[i + s->nlam * ((int)b.order[j] - 1)] / b.size[i];
-  gsvol (s->nlam, rank, b.y, b.siz, &ratio);
+  gs_volume (s->nlam, rank, b.y, b.siz, &ratio);
   return ratio;
 }
 
@@ -256,7 +256,7 @@ gsf_margins (gsf_instance *a, double *chosen, double *normal)
 int
 gsf_set_states (gsf_instance *a, const double *z)
 {
-  const int n = gsf_ns (a->m), wrong = gsfin (n, z);
+  const int n = gsf_ns (a->m), wrong = gs_not_finite (n, z);
   if (wrong != 0)
     return gsf_fail (a, GSF_ERROR, "continuous state %d: expected a finite number, found %g",
                      wrong, z[wrong - 1]);

@@ -1,5 +1,5 @@
 /* step.c: a communication step of co-simulation, by the integrator of Dormand and Prince of the run
- * time, with projection onto the constraints, events and samples (gssim). */
+ * time, with projection onto the constraints, events and samples (gs_integrate). */
 #include "fmu.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
@@ -12,14 +12,14 @@
 enum { GSF_MOST_STEPS = 10000000 };
 
 static int
-failed (gsf_instance *a, const gs_run *run, int info)
+failed (gsf_instance *a, const gs_integration *run, int info)
 {
   gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED]);
   const size_t n = strlen (a->text);
   if (info == GS_TOO_MANY)
     snprintf (a->text + n, sizeof a->text - n, ": %d in a communication step of an FMU; take "
               "shorter ones", GSF_MOST_STEPS);
-  if (info > 0 && gsfin (a->m->scene->nx, run->xout) == 0)
+  if (info > 0 && gs_not_finite (a->m->scene->nx, run->xout) == 0)
     gsf_outside (a, run->rstat[GS_T_REACHED], run->xout, run->vout);
   return GSF_ERROR;
 }
@@ -80,7 +80,7 @@ gsf_can_step (gsf_instance *a, double t, double h)
 static double
 rounding (const gsf_instance *a, double t)
 {
-  return a->m->nown > 0 ? 16 * gseps () * fabs (t) : 0;
+  return a->m->nown > 0 ? 16 * gs_epsilon () * fabs (t) : 0;
 }
 
 /* the end of a run to the communication point t: a little behind it, but not behind a sample, which
@@ -98,7 +98,7 @@ run_on (gsf_instance *a, double t, double h)
 {
   const gs_scene *s = a->m->scene;
   const double ropt[3] = { a->d[GSF_H], a->d[GSF_TOLERANCE], 0 }, end = end_of_run (a, t);
-  gs_run run;
+  gs_integration run;
   memset (&run, 0, sizeof run);
   run.nx = run.ldx = s->nx;
   run.t0 = a->d[GSF_T];
@@ -117,7 +117,7 @@ run_on (gsf_instance *a, double t, double h)
   run.w = a->w;
   run.lw = gs_room (s, s->nx, 0);
   run.beyond = gsf_beyond (a, t, h);
-  int info = gssim (s, &run);
+  int info = gs_integrate (s, &run);
   if (info != GS_DONE && info != GS_ENDED)
     return failed (a, &run, info);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
@@ -155,7 +155,8 @@ int
 gsf_begin_step (gsf_instance *a)
 {
   int istat[GS_COUNTED] = { 0 };
-  gsent (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst, a->v, a->w, istat);
+  gs_event_before_sample (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
+                          a->v, a->w, istat);
   a->known = 0;
   return gsf_happens (a, -1);
 }

@@ -25,7 +25,7 @@ typedef struct
 {
   const gs_scene *s;
   const externals *f;
-  gs_run run;
+  gs_integration run;
   int iopt[12], ip[MOST_IP];
   gs_real ropt[3], atol[MOST_X], x0[MOST_X], tout[MOST_T], tbrk[20], rp[MOST_RP], cst[1000];
   gs_real xout[MOST_X * MOST_T], vout[MOST_X * MOST_T], w[MOST_W];
@@ -124,7 +124,7 @@ void gssim_ (sub *rhs, sub *prj, sub *con, sub *kin, sub *cmd, sub *clo, sub *vi
              gs_real *xout, gs_real *vout, int *istat, gs_real *rstat, gs_real *w, int *info);
 
 static int
-run_fortran (const externals *f, const gs_scene *s, gs_run *r)
+run_fortran (const externals *f, const gs_scene *s, gs_integration *r)
 {
   const int siz[] = { s->nq, s->nu, r->nx, s->nv, s->nlam, r->nt, r->nb, r->lw };
   gs_real tim[1 + MOST_T + 20], ropt[3 + MOST_X];
@@ -151,7 +151,7 @@ run_fortran (const externals *f, const gs_scene *s, gs_run *r)
 static void
 aim (test *a)
 {
-  gs_run *r = &a->run;
+  gs_integration *r = &a->run;
   r->x0 = a->x0;
   r->tout = a->tout;
   r->tbrk = a->tbrk;
@@ -300,7 +300,7 @@ compare_silently (test *a)
   calls = 0;
   f.info = run_fortran (f.f, f.s, &f.run);
   calls = 0;
-  a->info = gssim (a->s, &a->run);
+  a->info = gs_integrate (a->s, &a->run);
   if (a->info < 0)
     same_int (a->info, f.info);
   else
@@ -335,7 +335,7 @@ seconds (const test *a, int in_c)
   aim (&copy);
   clock_gettime (CLOCK_MONOTONIC, &from);
   if (in_c)
-    gssim (copy.s, &copy.run);
+    gs_integrate (copy.s, &copy.run);
   else
     run_fortran (copy.f, copy.s, &copy.run);
   clock_gettime (CLOCK_MONOTONIC, &to);

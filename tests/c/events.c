@@ -1,4 +1,5 @@
-/* share/c/events and what of share/c/integrate is called by itself, against share/fortran */
+/* share/engine/core/events and what of share/engine/core/integrate is called by itself, against
+   share/fortran */
 #include "bridge.h"
 #include "gsmbp/events.h"
 
@@ -96,24 +97,25 @@ drop_ports (ports p)
 static void
 what_happens (void)
 {
-  begin ("gsevt, gsrst, gsimp");
+  begin ("gs_port_functions, gs_port_reset, gs_port_impulse");
   for (int i = 0; i < 4000; i++)
     {
       ports p = some_ports ();
       int l = pick (p.k + 2) - 1, info = 0;
-      gsevt (p.k, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c, p.gv.c);
+      gs_port_functions (p.k, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c, p.gv.c);
       gsevt_ (&p.k, p.kind, p.mode, p.s.f, p.sd.f, p.prm.f, p.hold.f, p.gv.f);
       same (p.gv);
       gsrst_ (&p.n, &p.m, &p.k, &l, p.kind, p.fmode, p.s.f, p.sd.f, p.prm.f, p.hold.f, p.a.f, &p.n,
               p.h.f, &p.nr, p.phit.f, p.u.f, p.w.f, &info);
-      same_int (gsrst (p.n, p.m, p.k, l, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c, p.a.c,
-                       p.n, p.h.c, p.nr, p.phit.c, p.u.c, p.w.c), info);
+      same_int (gs_port_reset (p.n, p.m, p.k, l, p.kind, p.mode, p.s.c, p.sd.c, p.prm.c, p.hold.c,
+                               p.a.c, p.n, p.h.c, p.nr, p.phit.c, p.u.c, p.w.c),
+                info);
       same (p.u);
       l = pick (p.k + 1);
       gsimp_ (&p.n, &p.m, &p.k, &l, D (0.3), p.kind, p.fmode, p.a.f, &p.n, p.h.f, &p.nr, p.phit.f,
               p.u.f, p.w.f, &info);
-      int found = gsimp (p.n, p.m, p.k, l, 0.3, p.kind, p.mode, p.a.c, p.n, p.h.c, p.nr, p.phit.c,
-                         p.u.c, p.w.c);
+      int found = gs_port_impulse (p.n, p.m, p.k, l, 0.3, p.kind, p.mode, p.a.c, p.n, p.h.c, p.nr,
+                                   p.phit.c, p.u.c, p.w.c);
       if (found || info)
         same_int (found, info);
       same (p.u);
@@ -127,7 +129,7 @@ what_happens (void)
 static void
 held_ports (void)
 {
-  begin ("gsstk, gsfre");
+  begin ("gs_port_holding, gs_port_is_free");
   for (int i = 0; i < 4000; i++)
     {
       ports p = some_ports ();
@@ -137,8 +139,9 @@ held_ports (void)
         act[j] = pick (2);
       gsstk_ (&p.n, &p.m, &p.k, p.a.f, &p.n, p.h.f, &p.nr, f.f, g.f, act, ud.f, lam.f, p.hold.f,
               p.w.f, &info);
-      same_int (gsstk (p.n, p.m, p.k, p.a.c, p.n, p.h.c, p.nr, f.c, g.c, act, ud.c, lam.c, p.hold.c,
-                       p.w.c), info);
+      same_int (gs_port_holding (p.n, p.m, p.k, p.a.c, p.n, p.h.c, p.nr, f.c, g.c, act, ud.c, lam.c,
+                                 p.hold.c, p.w.c),
+                info);
       same (ud);
       same (lam);
       same (p.hold);
@@ -147,7 +150,7 @@ held_ports (void)
       for (int row = 1; row <= p.nr; row++)
         {
           gsfre_ (&p.n, &p.m, p.a.f, &p.n, p.h.f, &p.nr, &row, p.w.f, &freef);
-          gsfre (p.n, p.m, p.a.c, p.n, p.h.c, p.nr, row, p.w.c, &freec);
+          gs_port_is_free (p.n, p.m, p.a.c, p.n, p.h.c, p.nr, row, p.w.c, &freec);
           same_int (freec, freef);
         }
       drop (f);
@@ -162,23 +165,23 @@ held_ports (void)
 static void
 within_steps (void)
 {
-  begin ("gsevh, gsevp, gspth, gsjmp");
+  begin ("gs_event_cubic, gs_event_point, gs_passage_path, gs_largest_move");
   for (int i = 0; i < 300; i++)
     {
       int n = pick (6), ns = 8 + 4 * pick (2);
       const gs_real h = chance (), b = pick (4) ? 0.5 * (chance () + 1) : 1;
       pair x = pair_of (n), xd = pair_of (n), xn = pair_of (n), z = pair_of (n), q = pair_of (12),
            f = pair_of (13 * n), jump = pair_of (2);
-      gsevh (n, h, b, x.c, xd.c, xn.c, f.c, z.c);
+      gs_event_cubic (n, h, b, x.c, xd.c, xn.c, f.c, z.c);
       gsevh_ (&n, &h, &b, x.f, xd.f, xn.f, f.f, z.f);
       same (z);
-      gspth (n, ns, n, x.c, h, q.c, f.c, z.c);
+      gs_passage_path (n, ns, n, x.c, h, q.c, f.c, z.c);
       gspth_ (&n, &ns, &n, x.f, &h, q.f, f.f, z.f);
       same (z);
-      gsjmp (n / 2, n - n / 2, x.c, xn.c, 1e-3, q.c, jump.c);
+      gs_largest_move (n / 2, n - n / 2, x.c, xn.c, 1e-3, q.c, jump.c);
       gsjmp_ (I (n / 2), I (n - n / 2), x.f, xn.f, D (1e-3), q.f, jump.f);
       same (jump);
-      same_numbers (1, D (gsevp (i, 300)), D (gsevp_ (&i, I (300))));
+      same_numbers (1, D (gs_event_point (i, 300)), D (gsevp_ (&i, I (300))));
       drop (x);
       drop (xd);
       drop (xn);
@@ -277,7 +280,8 @@ static void
 ports_of_a_scene (void)
 {
   int jumps = 0, wrong = 0;
-  begin ("gshld, gsipt, gsipm, gsrsf, gsrsm, gshpj");
+  begin ("gs_ports_held, gs_impact, gs_impact_matrices, gs_release_port, gs_correct_modes, "
+         "gs_hold_position");
   for (int i = 0; i < 2000; i++)
     {
       ports p = some_ports ();
@@ -293,7 +297,7 @@ ports_of_a_scene (void)
       here = &p;
       const gs_real before = x.c[n];
       const ports was = p;
-      int made = gsipt (&s, t, x.c, v.c, p.mode, l, 0, p.k, p.kind, ipl, w.c);
+      int made = gs_impact (&s, t, x.c, v.c, p.mode, l, 0, p.k, p.kind, ipl, w.c);
       gsipt_ (stk_, hld_, mas_, con_, &t, x.f, v.f, p.fmode, &l, (gs_real *)0, &n, &n, &nv, &p.m,
               &p.k, p.kind, ipl, w.f, &info);
       same_int (made, info);
@@ -318,7 +322,7 @@ ports_of_a_scene (void)
 static void
 derivatives_of_functions (void)
 {
-  begin ("gsevg");
+  begin ("gs_port_gradient");
   for (int i = 0; i < 1000; i++)
     {
       const int n = pick (5), nh = 1 + pick (4), nc = 1 + pick (4), k = 1 + pick (nh);
@@ -330,7 +334,7 @@ derivatives_of_functions (void)
           kind[j] = 1 + pick (2);
           mode[j] = pick (3) - 1;
         }
-      gsevg (n, nh, nc, k, kind, mode, s.c, prm.c, hold.c, d.c, z.c, g.c);
+      gs_port_gradient (n, nh, nc, k, kind, mode, s.c, prm.c, hold.c, d.c, z.c, g.c);
       gsevg_ (&n, &nh, &nc, &k, kind, mode, s.f, prm.f, hold.f, d.f, z.f, g.f);
       same (g);
       pair all[] = { s, prm, hold, d, z, g };
@@ -344,7 +348,7 @@ static void
 derivatives_of_what_happens (void)
 {
   int hits[3] = { 0 };
-  begin ("gsipb, gsipc");
+  begin ("gs_impact_gradient, gs_impact_columns");
   for (int i = 0; i < 2000; i++)
     {
       ports p = some_ports ();
@@ -358,8 +362,9 @@ derivatives_of_what_happens (void)
       pair b = pair_of (n * nc);
       for (int j = 0; j < p.k; j++)
         after[j] = pick (3) - 1;
-      int made = gsipb (nq, nu, p.m, p.k, nc, l, p.kind, p.mode, after, p.s.c, p.sd.c, p.prm.c, x.c,
-                        ua.c, row.c, p.a.c, h.c, p.phit.c, c.c, q.c, ud.c, ic, r.c, &hit);
+      int made = gs_impact_gradient (nq, nu, p.m, p.k, nc, l, p.kind, p.mode, after, p.s.c, p.sd.c,
+                                     p.prm.c, x.c, ua.c, row.c, p.a.c, h.c, p.phit.c, c.c, q.c,
+                                     ud.c, ic, r.c, &hit);
       gsipb_ (&nq, &nu, &p.m, &p.k, &nc, &l, p.kind, p.mode, after, p.s.f, p.sd.f, p.prm.f, x.f,
               ua.f, row.f, p.a.f, h.f, p.phit.f, c.f, q.f, ud.f, jf, r.f, &fhit, &info);
       same_int (made, info);
@@ -369,8 +374,8 @@ derivatives_of_what_happens (void)
         {
           same_numbers (p.nr, q.c, q.f);
           same (ud);
-          made = gsipc (nq, nu, p.m, nxv, p.k, np, hit, l, p.kind, after, p.sd.c, p.prm.c, row.c,
-                        p.a.c, h.c, d.c, e.c, c.c, b.c, ic, r.c);
+          made = gs_impact_columns (nq, nu, p.m, nxv, p.k, np, hit, l, p.kind, after, p.sd.c,
+                                    p.prm.c, row.c, p.a.c, h.c, d.c, e.c, c.c, b.c, ic, r.c);
           gsipc_ (&nq, &nu, &p.m, &nxv, &p.k, &np, &hit, &l, p.kind, after, p.sd.f, p.prm.f, row.f,
                   p.a.f, h.f, d.f, e.f, c.f, b.f, jf, r.f, &info);
           same_int (made, info);
@@ -392,7 +397,7 @@ static void
 jacobians_of_held_ports (void)
 {
   int infos[4] = { 0 };
-  begin ("gshjc, gshjd, gshjp");
+  begin ("gs_held_jacobian, gs_held_duplicates, gs_held_repack");
   for (int i = 0; i < 1000; i++)
     {
       const int nu = 2 + pick (4), m = pick (nu), nh = 1 + pick (3), nq = nu + pick (2),
@@ -418,7 +423,7 @@ jacobians_of_held_ports (void)
         for (int j = 0; j < nu; j++)
           k.c[l + n * j] = l == j ? 4 : 0.5 / (l + j);
       both (k);
-      const int made = gshjc (nu, m, nh, nq, nz, held, lm.c, lb.c, lc.c, k.c, z.c, c);
+      const int made = gs_held_jacobian (nu, m, nh, nq, nz, held, lm.c, lb.c, lc.c, k.c, z.c, c);
       gshjc_ (&nu, &m, &nh, &nq, &nz, fheld, lm.f, lb.f, lc.f, k.f, z.f, f, &info);
       same_int (made, info);
       for (int j = 0; j < nh; j++)

@@ -1,4 +1,4 @@
-/* share/c/functions against share/fortran/functions */
+/* share/engine/core/functions against share/fortran/functions */
 #include "compare.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/sines.h"
@@ -17,20 +17,20 @@ enum { ODD = sizeof odd / sizeof *odd };
 static void
 numbers (void)
 {
-  begin ("gseps");
-  same_numbers (1, D (gseps ()), D (gseps_ ()));
+  begin ("gs_epsilon");
+  same_numbers (1, D (gs_epsilon ()), D (gseps_ ()));
   finish ();
-  holds (gseps () == GS_EPSILON, "gseps is GS_EPSILON");
+  holds (gs_epsilon () == GS_EPSILON, "gs_epsilon is GS_EPSILON");
 
-  begin ("gsflr");
+  begin ("gs_whole_below");
   for (int i = 0; i < 1000; i++)
     {
       gs_real x = i < ODD ? odd[i] : i < 500 ? 1e3 * chance () : gs_floor (50 * chance ());
-      same_numbers (1, D (gsflr (x)), D (gsflr_ (&x)));
+      same_numbers (1, D (gs_whole_below (x)), D (gsflr_ (&x)));
     }
   finish ();
 
-  begin ("gsfin");
+  begin ("gs_not_finite");
   for (int n = 0; n < 5; n++)
     for (int i = 0; i < ODD; i++)
       for (int k = 0; k < n; k++)
@@ -39,10 +39,10 @@ numbers (void)
           x.c[k] = odd[i];
           x.c[n - 1] = pick (3) ? 0.0 : NAN;
           x.c[n] = x.f[n] = NAN; /* behind the end */
-          same_int (gsfin (n, x.c), gsfin_ (&n, x.c));
+          same_int (gs_not_finite (n, x.c), gsfin_ (&n, x.c));
           drop (x);
         }
-  same_int (gsfin (0, odd), 0);
+  same_int (gs_not_finite (0, odd), 0);
   finish ();
 }
 
@@ -50,11 +50,11 @@ static void
 gauss (void)
 {
   gs_real c[12], wt[12];
-  begin ("gsgln");
+  begin ("gs_gauss_points");
   for (int ns = 8; ns <= 12; ns += 4)
     {
       pair x = pair_of (12), w = pair_of (12);
-      gsgln (ns, x.c, w.c);
+      gs_gauss_points (ns, x.c, w.c);
       gsgln_ (&ns, x.f, w.f);
       same (x);
       same (w);
@@ -63,34 +63,34 @@ gauss (void)
     }
   finish ();
 
-  begin ("gslgp");
+  begin ("gs_legendre");
   for (int n = 2; n <= 13; n++)
     for (int k = 0; k < 20; k++)
       {
         gs_real x = k < 2 ? 1.0 - 2 * k : 1.5 * chance ();
         pair p = pair_of (n);
-        gslgp (n, x, p.c);
+        gs_legendre (n, x, p.c);
         gslgp_ (&n, &x, p.f);
         same (p);
         drop (p);
       }
   finish ();
 
-  begin ("gsglq");
+  begin ("gs_gauss_weights");
   for (int ns = 8; ns <= 12; ns += 4)
     for (int k = 0; k < 50; k++)
       {
         gs_real ca = k ? chance () : -1.0, cb = k ? 1.2 * chance () : 1.0;
         pair b = pair_of (ns);
-        gsgln (ns, c, wt);
-        gsglq (ns, c, wt, ca, cb, b.c);
+        gs_gauss_points (ns, c, wt);
+        gs_gauss_weights (ns, c, wt, ca, cb, b.c);
         gsglq_ (&ns, c, wt, &ca, &cb, b.f);
         same (b);
         drop (b);
       }
   finish ();
 
-  begin ("gslgi");
+  begin ("gs_interpolation_weights");
   for (int n = 0; n <= 14; n++)
     for (int k = 0; k < 50; k++)
       {
@@ -102,7 +102,7 @@ gauss (void)
             for (int i = 0; i < n; i++)
               z.c[i] = i;
           }
-        gslgi (n, z.c, ca, cb, b.c);
+        gs_interpolation_weights (n, z.c, ca, cb, b.c);
         gslgi_ (&n, z.c, &ca, &cb, b.f);
         same (b);
         drop (z);
@@ -143,7 +143,7 @@ one_angle (const char *what, pair_function *c, void (*fortran) ())
 static void
 blocks (void)
 {
-  begin ("gsscv");
+  begin ("gs_sine_cosine_blocks");
   for (int k = 0; k < 200; k++)
     {
       int n = pick (7);
@@ -152,7 +152,7 @@ blocks (void)
         x.c[i] = k % 4 ? 6e4 / (1 + k) * chance () : angle (ODD + pick (5000));
       if (n > 0 && k % 10 == 0)
         x.c[pick (8 * n)] = odd[pick (ODD)];
-      gsscv (n, x.c, s.c, c.c);
+      gs_sine_cosine_blocks (n, x.c, s.c, c.c);
       gsscv_ (&n, x.c, s.f, c.f);
       same (s);
       same (c);
@@ -168,7 +168,7 @@ blocks (void)
 static void
 points (void)
 {
-  begin ("gsatv");
+  begin ("gs_atan2_blocks");
   for (int k = 0; k < 400; k++)
     {
       int n = pick (7), wide = k % 3 == 0;
@@ -181,7 +181,7 @@ points (void)
         }
       if (n > 0 && k % 10 == 0)
         (pick (2) ? x.c : y.c)[pick (8 * n)] = odd[pick (ODD)];
-      gsatv (n, y.c, x.c, a.c);
+      gs_atan2_blocks (n, y.c, x.c, a.c);
       gsatv_ (&n, y.c, x.c, a.f);
       same (a);
       drop (y);
@@ -194,12 +194,12 @@ points (void)
 static void
 one_point (void)
 {
-  begin ("gsatl");
+  begin ("gs_atan2_point");
   for (int i = 0; i < ODD; i++)
     for (int k = 0; k < ODD; k++)
       {
         pair a = pair_of (1);
-        gsatl (odd[i], odd[k], a.c);
+        gs_atan2_point (odd[i], odd[k], a.c);
         gsatl_ (odd + i, odd + k, a.f);
         same (a);
         drop (a);
@@ -212,9 +212,9 @@ main (void)
 {
   numbers ();
   gauss ();
-  one_angle ("gssc", gssc, gssc_);
+  one_angle ("gs_sine_cosine", gs_sine_cosine, gssc_);
   one_angle ("gs_sines, in line", gs_sines, gssc_);
-  one_angle ("gsscl", gsscl, gsscl_);
+  one_angle ("gs_sine_cosine_far", gs_sine_cosine_far, gsscl_);
   blocks ();
   points ();
   one_point ();

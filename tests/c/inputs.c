@@ -1,4 +1,5 @@
-/* share/c/inputs against share/fortran/inputs: polynomials, planned motions, sampled devices */
+/* share/engine/core/inputs against share/fortran/inputs: polynomials, planned motions, sampled
+   devices */
 #include "bridge.h"
 
 void gspln_ (), gsppl_ (), gsbak_ (), gsfol_ (), gsinp_ (), gssmp_ (), gsdue_ (),
@@ -31,7 +32,7 @@ breaks (int np, gs_real *brk)
 static void
 polynomials (void)
 {
-  begin ("gspln");
+  begin ("gs_polynomials_at");
   for (int i = 0; i < 2000; i++)
     {
       int nc = pick (4), np = pick (8) ? 1 + pick (6) : 0, k = pick (9) ? 1 + pick (6) : 0;
@@ -43,13 +44,13 @@ polynomials (void)
         coef[j] = chance ();
       t = pick (20) ? some_time (np, brk) : NAN;
       gspln_ (&nc, &np, &k, brk, coef, &t, &side, &nd, f.f, &ldf, &info);
-      same_int (gspln (nc, np, k, brk, coef, t, side, nd, f.c, ldf), info);
+      same_int (gs_polynomials_at (nc, np, k, brk, coef, t, side, nd, f.c, ldf), info);
       same (f);
       drop (f);
     }
   finish ();
 
-  begin ("gsppl, gsbak");
+  begin ("gs_planned_rows, gs_motion_back");
   for (int i = 0; i < 300; i++)
     {
       const int ipl[3] = { 2, 4, 1 };
@@ -61,9 +62,9 @@ polynomials (void)
         coef[j] = chance ();
       t = i == 0 ? NAN : some_time (np, brk);
       gsppl_ (&t, &side, &nu, &r, &na, ipl, &np, &k, brk, coef, f.f, qj.f, &info);
-      same_int (gsppl (t, side, nu, r, na, ipl, np, k, brk, coef, f.c, qj.c), info);
+      same_int (gs_planned_rows (t, side, nu, r, na, ipl, np, k, brk, coef, f.c, qj.c), info);
       same (qj);
-      gsbak (nu, coef, qj.c);
+      gs_motion_back (nu, coef, qj.c);
       gsbak_ (&nu, coef, qj.f);
       same (qj);
       drop (qj);
@@ -94,7 +95,7 @@ static const gs_scene chain = { .nq = 2, .nu = 2, .nx = 4, .nv = 3, .ny = 2, .cl
 static void
 chains (void)
 {
-  begin ("gsfol");
+  begin ("gs_follow_motion");
   bridged = &chain;
   for (int i = 0; i < 300; i++)
     {
@@ -114,7 +115,9 @@ chains (void)
           t = n == 3 ? 1 : t;
           gsfol_ (through.clo, &t, &side, &nu, &r, &na, ipl, &np, &k, brk, coef, cst, qj.f, w.f,
                   &info);
-          same_int (gsfol (&chain, t, side, r, na, ipl, np, k, brk, coef, cst, qj.c, w.c), info);
+          same_int (
+              gs_follow_motion (&chain, t, side, r, na, ipl, np, k, brk, coef, cst, qj.c, w.c),
+              info);
           same (qj);
           same (w);
         }
@@ -153,15 +156,15 @@ dead_points (void)
     {
       gs_real qj[6] = { 0, 1 }, w[9] = { 0 }, qf[6] = { 0, 1 }, wf[9] = { 0 };
       int found = 0;
-      gsfol (&s, t, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
-      int info = gsfol (&s, 1.5, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
+      gs_follow_motion (&s, t, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
+      int info = gs_follow_motion (&s, 1.5, 1, 1, 1, I (1), 1, 2, brk, coef, NULL, qj, w);
       gsfol_ (through.clo, &t, &one, &two, &one, &one, I (1), &one, &two, brk, coef, brk, qf, wf,
               &found);
       gsfol_ (through.clo, &far, &one, &two, &one, &one, I (1), &one, &two, brk, coef, brk, qf, wf,
               &found);
       stops = stops && info > 0 && found == info && qf[0] == qj[0] && qf[1] == qj[1];
     }
-  holds (stops, "gsfol: a chain stops at a dead point");
+  holds (stops, "gs_follow_motion: a chain stops at a dead point");
 }
 
 /* ------------------------------------------------------------ */
@@ -200,7 +203,7 @@ static void
 samples_of_a_run (void)
 {
   static test c, f;
-  begin ("gsdue, gssmp, gskep, gsnxt");
+  begin ("gs_samples_due, gs_sample, gs_sample_keep, gs_next_sample");
   bridged = &sampled;
   for (int i = 0; i < 60; i++)
     {
@@ -222,9 +225,10 @@ samples_of_a_run (void)
           gs_real *rs = c.rp + c.ip[GS_SAMPLES + 1] - 1;
           if (n % 3 == 1)   // on trial, and back
             {
-              gskep (0, 3, is, rs);
-              gsdue (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts, &acted);
-              gskep (1, 3, is, rs);
+              gs_sample_keep (0, 3, is, rs);
+              gs_samples_due (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts,
+                              &acted);
+              gs_sample_keep (1, 3, is, rs);
               int *isf = f.ip + f.ip[GS_SAMPLES] - 1;
               gs_real *rsf = f.rp + f.ip[GS_SAMPLES + 1] - 1;
               gskep_ (I (0), I (3), isf, rsf);
@@ -234,8 +238,9 @@ samples_of_a_run (void)
             }
           gsdue_ (through.out, through.ctl, through.cmd, through.clo, through.vin, &t, x, I (2),
                   I (4), I (3), f.ip, f.rp, f.cst, f.vout, f.w, f.run.istat, &tf, &actf, &info);
-          same_int (gsdue (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat, &ts,
-                           &acted), info);
+          same_int (gs_samples_due (&sampled, t, x, 4, c.ip, c.rp, c.cst, c.vout, c.w, c.run.istat,
+                                    &ts, &acted),
+                    info);
           same_int (acted, actf);
           same_numbers (1, &ts, &tf);
           same_numbers (c.nrp, c.rp, f.rp);
@@ -244,7 +249,7 @@ samples_of_a_run (void)
             same_int (c.ip[k], f.ip[k]);
           for (int k = 0; k < 20; k++)
             same_int (c.run.istat[k], f.run.istat[k]);
-          same_numbers (1, D (gsnxt (3, is, rs)), D (gsnxt_ (I (3), is, rs)));
+          same_numbers (1, D (gs_next_sample (3, is, rs)), D (gsnxt_ (I (3), is, rs)));
         }
     }
   finish ();
@@ -288,14 +293,14 @@ instants (void)
       a.held[0] = a.input[0] = 1;
       a.period[0] = (gs_real)1 / 10;
       a.delay[0] = delayed ? (gs_real)1 / 20 : 0;
-      info = gssmp (&s, (gs_real)3 / 10 * (1 + later[i % 5]), x, cst, v, is, rs);
+      info = gs_sample (&s, (gs_real)3 / 10 * (1 + later[i % 5]), x, cst, v, is, rs);
       wrong += info != 0 || a.next[0] != 3 + due || v[0] != found;
       if (! delayed || ! due)
         continue;
-      info = gssmp (&s, (gs_real)7 / 20 * (1 + later[i % 5]), x, cst, v, is, rs);
+      info = gs_sample (&s, (gs_real)7 / 20 * (1 + later[i % 5]), x, cst, v, is, rs);
       wrong += info != 0 || v[0] != 3;
     }
-  holds (wrong == 0, "gssmp: samples and delayed outputs at their instants");
+  holds (wrong == 0, "gs_sample: samples and delayed outputs at their instants");
 }
 
 int

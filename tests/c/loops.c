@@ -1,4 +1,4 @@
-/* share/c/loops against share/fortran/loops, on small scenes that both call */
+/* share/engine/core/loops against share/fortran/loops, on small scenes that both call */
 #include "chains.h"
 #include "gsmbp/loops.h"
 
@@ -34,7 +34,7 @@ open_scene (test *r, int k, int way)
   both (r->rstat);
   scene = &r->s;
   phi_of = list[k].phi;
-  gspst (nq, nu, nlam, r->iopt, r->p.c);
+  gs_partition_none (nq, nu, nlam, r->iopt, r->p.c);
   gspst_ (&nq, &nu, &nlam, r->iopt, r->p.f);
   same (r->p);
 }
@@ -87,7 +87,8 @@ check_step (test *r)
 {
   gs_scene *s = &r->s;
   int info;
-  int made = gschk (s, r->t, r->x.c, r->iopt, r->jump, r->cst, r->p.c, r->ic, r->rstat.c);
+  int made
+      = gs_check_constraints (s, r->t, r->x.c, r->iopt, r->jump, r->cst, r->p.c, r->ic, r->rstat.c);
   gschk_ (prj_, con_, kin_, &r->t, r->x.f, &s->nq, &s->nu, &s->nx, &s->nlam, r->iopt, r->jump,
           r->cst, r->p.f, r->jf, r->rstat.f, &info);
   same_int (made, info);
@@ -100,7 +101,7 @@ static void
 checks (void)
 {
   int passed = 0, changed = 0, close = 0;
-  begin ("gspst, gschk");
+  begin ("gs_partition_none, gs_check_constraints");
   for (int k = 0; k < SCENES; k++)
     for (int way = 1; way <= 6; way++)
       for (int v = 0; v < 6; v++)
@@ -135,12 +136,13 @@ checks (void)
   holds (changed > 3, "... with new choices");
 }
 
-/* gspnw or gspcn, then gsprt from beside the constraints */
+/* gs_partition_choose or gs_partition_choose_in_run, then gs_complete_state from beside the
+   constraints */
 static void
 partitions (void)
 {
   int found = 0, lost = 0;
-  begin ("gspnw, gspcn, gsprt");
+  begin ("gs_partition_choose, gs_partition_choose_in_run, gs_complete_state");
   for (int k = 0; k < 300; k++)
     {
       test r;
@@ -151,19 +153,19 @@ partitions (void)
       r.cst[k % 7 == 0 ? 1 : 2] = k % 5 ? 1e9 : -1e9;
       if (within)
         {
-          made = gspcn (s, r.t, r.x.c, r.cst, r.p.c, r.ic);
+          made = gs_partition_choose_in_run (s, r.t, r.x.c, r.cst, r.p.c, r.ic);
           gspcn_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, r.jf, &info);
         }
       else
         {
-          made = gspnw (s, r.t, r.x.c, r.cst, r.p.c);
+          made = gs_partition_choose (s, r.t, r.x.c, r.cst, r.p.c);
           gspnw_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &info);
         }
       same_int (made, info);
       same_test (&r);
       advance (&r, 0.1, k % 6 ? 0.01 : 2.0);
       r.cst[1] = k % 11 ? 1e9 : r.t;
-      made = gsprt (s, r.t, r.x.c, r.cst, r.p.c);
+      made = gs_complete_state (s, r.t, r.x.c, r.cst, r.p.c);
       gsprt_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &info);
       same_int (made, info);
       same_test (&r);
@@ -179,13 +181,13 @@ partitions (void)
 static void
 choices (void)
 {
-  begin ("gsprc, gspwt");
+  begin ("gs_partition_rank, gs_partition_weights");
   for (int k = 0; k < 200; k++)
     {
       test r;
       open_scene (&r, k % (SCENES - 2), k % 3 ? 3 : 6);
       gs_scene *s = &r.s;
-      gspnw (s, 0.0, r.x.c, r.cst, r.p.c);
+      gs_partition_choose (s, 0.0, r.x.c, r.cst, r.p.c);
       both (r.p);
       for (int i = 0; i < 6; i++)
         {
@@ -196,14 +198,14 @@ choices (void)
           both (r.p);
           int rank, change, found, other;
           pair least = pair_of (1);
-          gsprc (s, r.t, r.x.c, r.cst, r.p.c, &rank, least.c, &change);
+          gs_partition_rank (s, r.t, r.x.c, r.cst, r.p.c, &rank, least.c, &change);
           gsprc_ (kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, &found, least.f,
                   &other);
           same_int (rank, found);
           same_int (change, other);
           same (least);
           same (r.p);
-          gspwt (s, r.t, r.x.c, r.cst, r.p.c, c.order, c.du);
+          gs_partition_weights (s, r.t, r.x.c, r.cst, r.p.c, c.order, c.du);
           gspwt_ (kin_, &r.t, r.x.f, &s->nq, &s->nu, r.cst, r.p.f, f.order, f.du);
           same (r.p);
           drop (least);
@@ -217,7 +219,7 @@ static void
 passages (void)
 {
   int found = 0;
-  begin ("gspas, gspch");
+  begin ("gs_follow_pivot, gs_jacobian_turn");
   for (int k = 0; k < 60; k++)
     {
       test r;
@@ -231,7 +233,7 @@ passages (void)
           check_step (&r);
           level (&r);
           r.cst[1] = pick (9) ? 1e9 : r.t; /* con fails now and then */
-          gspas (s, r.t, r.x.c, r.cst, r.p.c, out.c, out.c + 1);
+          gs_follow_pivot (s, r.t, r.x.c, r.cst, r.p.c, out.c, out.c + 1);
           gspas_ (con_, kin_, &r.t, r.x.f, &s->nq, &s->nu, &s->nlam, r.cst, r.p.f, out.f,
                   out.f + 1);
           r.cst[1] = 1e9;
@@ -240,7 +242,7 @@ passages (void)
           found += out.c[1] >= 0.0;
           for (int job = 1; job >= 0; job--)
             {
-              gspch (s->nq, s->nu, s->nlam, r.p.c, hc.c, job, turn.c);
+              gs_jacobian_turn (s->nq, s->nu, s->nlam, r.p.c, hc.c, job, turn.c);
               gspch_ (&s->nq, &s->nu, &s->nlam, r.p.f, hc.f, &job, turn.f);
               same (turn);
               same (hc);
@@ -259,7 +261,7 @@ passages (void)
 static void
 algebra (void)
 {
-  begin ("gslpv");
+  begin ("gs_constraint_pivots");
   for (int k = 0; k < 200; k++)
     {
       int nu = 1 + pick (6), nlam = 1 + pick (6), rank, found, most = nu < nlam ? nu : nlam;
@@ -270,7 +272,7 @@ algebra (void)
       for (int i = 0; i < nlam; i++)
         size.c[i] = k % 2 ? 0.0 : gs_abs (size.c[i]);
       both (size);
-      gslpv (nu, nlam, hc.c, size.c, y.c, piv.c, beta.c, d.c, &rank, least.c);
+      gs_constraint_pivots (nu, nlam, hc.c, size.c, y.c, piv.c, beta.c, d.c, &rank, least.c);
       gslpv_ (&nu, &nlam, hc.c, size.f, y.f, piv.f, beta.f, d.f, &found, least.f);
       same_int (rank, found);
       pair all[] = { size, y, piv, beta, d, least, hc };
@@ -281,7 +283,7 @@ algebra (void)
     }
   finish ();
 
-  begin ("gsvol");
+  begin ("gs_volume");
   for (int k = 0; k < 200; k++)
     {
       int r = pick (5), m = r + pick (3);
@@ -290,7 +292,7 @@ algebra (void)
         for (int i = 0; i < m; i++)
           y.c[i] = 0.0;
       both (y);
-      gsvol (m, r, y.c, siz.c, ratio.c);
+      gs_volume (m, r, y.c, siz.c, ratio.c);
       gsvol_ (&m, &r, y.f, siz.f, ratio.f);
       same (ratio);
       drop (y);
@@ -303,7 +305,7 @@ algebra (void)
 static void
 least_squares (void)
 {
-  begin ("gspfa, gspls");
+  begin ("gs_partition_factors, gs_partition_solve");
   for (int k = 0; k < 200; k++)
     {
       int nu = 1 + pick (6), m = 1 + pick (6), r = pick ((nu < m ? nu : m) + 1), rank, found;
@@ -314,11 +316,11 @@ least_squares (void)
         order.c[i] = 1 + (i + k) % nu;
       for (int i = 0; i < m && k % 4 == 0 && nu > 1; i++)
         hc.c[i] = hc.c[i + m];
-      gspfa (m, r, hc.c, order.c, rows.c, y.c, piv.c, beta.c, siz.c, &rank);
+      gs_partition_factors (m, r, hc.c, order.c, rows.c, y.c, piv.c, beta.c, siz.c, &rank);
       gspfa_ (&m, &r, hc.c, order.c, rows.c, y.f, piv.f, beta.f, siz.f, &found);
       same_int (rank, found);
       same (y);
-      gspls (m, r, rank, y.c, piv.c, beta.c, b.c, nu, order.c, du.c);
+      gs_partition_solve (m, r, rank, y.c, piv.c, beta.c, b.c, nu, order.c, du.c);
       gspls_ (&m, &r, &rank, y.f, piv.f, beta.f, b.f, &nu, order.c, du.f);
       same (du);
       pair all[] = { hc, order, rows, y, piv, beta, siz, b, du };

@@ -1,5 +1,6 @@
-/* share/c/inputs/gslay.c: plans laid out by gs_lay, and by hand as the head of GSINP says: the same
- * inputs, the first by the C, the others by the Fortran; no plan is longer than it says. */
+/* share/engine/core/inputs/lay_plan.c: plans laid out by gs_lay, and by hand as the head of GSINP
+ * says: the same inputs, the first by the C, the others by the Fortran; no plan is longer than it
+ * says. */
 #include "bridge.h"
 
 #include "gsmbp/plan.h"
@@ -151,7 +152,7 @@ same_parts (const gs_plan *p, int *ip, gs_real *rp, test *f)
                                                                                   f->rp);
       same_int (gs_due_from (&scene, 0, (gs_real[]){ 0.1, 0, 0.25, 0.05 }, ip, rp), 0);
       if (p->inputs == 1 && ! p->constants)   /* told by the table */
-        gspln (NV, 2, 3, p->table.numbers, p->table.numbers + 3, 0, 1, 0, d.v, NV);
+        gs_polynomials_at (NV, 2, 3, p->table.numbers, p->table.numbers + 3, 0, 1, 0, d.v, NV);
       for (int k = 0; k < 2 && p->inputs == 1 && ! p->constants; k++)
         d.value[k] = d.v[d.input[k] - 1];
       same_numbers (2 * 2 + 2 + 3, c.period, d.period);
@@ -195,7 +196,7 @@ plans (void)
           fill (NX, x);
           gsinp_ (through.cmd, through.clo, through.vin, &t, &side, x, &nu, &nx, &nv, f.ip, f.rp,
                   f.cst, v.f, g, &info);
-          same_int (gsinp (&scene, t, side, x, NX, ip, rp, f.cst, v.c, w), info);
+          same_int (gs_inputs_of_run (&scene, t, side, x, NX, ip, rp, f.cst, v.c, w), info);
           same (v);
           drop (v);
         }

@@ -1,5 +1,5 @@
-/* The routines of share/c/loops that emitted subroutines call: projection, motions of closed
- * chains, Jacobians; on the scenes of chains.h and on numbers by chance */
+/* The routines of share/engine/core/loops that emitted subroutines call: projection, motions of
+ * closed chains, Jacobians; on the scenes of chains.h and on numbers by chance */
 #include "chains.h"
 #include "gsmbp/loops.h"
 
@@ -60,16 +60,16 @@ static const int sets[8] = { 1, 2, 3, 4, 4, 2, 1, 3 };
 static void
 norms (void)
 {
-  begin ("gsnrm, gsnrq");
+  begin ("gs_normalize_sets, gs_normalize_set");
   for (int k = 0; k < 100; k++)
     {
       const int ns = pick (3);
       pair q = pair_of (5), err = pair_of (1);
-      gsnrm (ns, sets, q.c, err.c);
+      gs_normalize_sets (ns, sets, q.c, err.c);
       gsnrm_ (&ns, sets, q.f, err.f);
       same (q);
       same (err);
-      gsnrq (q.c + 1, err.c);
+      gs_normalize_set (q.c + 1, err.c);
       gsnrq_ (q.f + 1, err.f);
       same (q);
       same (err);
@@ -83,7 +83,7 @@ static void
 projections (void)
 {
   int seen[6] = { 0 };
-  begin ("gsprj, gspjq, gspju");
+  begin ("gs_project, gs_project_position, gs_project_speeds");
   for (int k = 0; k < 600; k++)
     {
       gs_scene s;
@@ -101,7 +101,7 @@ projections (void)
         cst[0] *= 4; /* four bars that do not close */
       mass_is_singular = k % 50 == 49;
       cst[1] = k % 17 ? 1e9 : 0.05;
-      int info = 0, made = gsprj (&s, t, x.c, quasi, ns, sets, cst, res.c, w.c);
+      int info = 0, made = gs_project (&s, t, x.c, quasi, ns, sets, cst, res.c, w.c);
       gsprj_ (con_, mas_, kin_, &t, x.f, &nq, &nu, &m, &quasi, &ns, sets, cst, res.f, w.f, &info);
       same_int (made, info);
       same (x);
@@ -136,7 +136,7 @@ impossible (void)
   const int nq = 2, m = 2, none = 0;
   const gs_real t = 0.0, cst[4] = { 1.0, 1e9, 1e9, 1e9 };
   gs_scene s = { .nq = 2, .nu = 2, .nx = 4, .nlam = 2, .con = con, .kin = kin, .mas = mas };
-  begin ("gsprj");
+  begin ("gs_project");
   scene = &s;
   phi_of = two_rows;
   int right = 0;
@@ -144,7 +144,7 @@ impossible (void)
     {
       pair x = pair_of (4), res = pair_of (1), w = pair_of (100);
       gap = 3.0 * gs_pow (0.1, k);
-      int info = 0, made = gsprj (&s, t, x.c, 0, 0, sets, cst, res.c, w.c);
+      int info = 0, made = gs_project (&s, t, x.c, 0, 0, sets, cst, res.c, w.c);
       gsprj_ (con_, mas_, kin_, &t, x.f, &nq, &nq, &m, &none, &none, sets, cst, res.f, w.f, &info);
       same_int (made, info);
       same (x);
@@ -163,7 +163,7 @@ motions (void)
   int seen[3] = { 0 };
   static const int id[][4] = { { 2 }, { 2, 3 }, { 3, 1 }, { 2, 4, 3 } };
   static const int ia[][4] = { { 1 }, { 1 }, { 2 }, { 1 } };
-  begin ("gsclo, gsclq, gscld, gsclm");
+  begin ("gs_close_motion, gs_close_positions, gs_close_derivatives, gs_close_matrix");
   for (int k = 0; k < 400; k++)
     {
       gs_scene s;
@@ -180,7 +180,7 @@ motions (void)
       both (qj);
       res.c[0] = res.f[0] = 0.0;
       cst[1] = k % 17 ? 1e9 : -1e9;
-      int made = gsclo (&s, t, qj.c, r, id[one], ia[one], cst, res.c, w.c, ic);
+      int made = gs_close_motion (&s, t, qj.c, r, id[one], ia[one], cst, res.c, w.c, ic);
       gsclo_ (con_, gad_, &t, qj.f, &nu, &m, &r, id[one], ia[one], cst, res.f, w.f, jf, &info);
       same_int (made, info);
       same (qj);
@@ -208,7 +208,7 @@ static void
 jacobians (void)
 {
   int seen = 0;
-  begin ("gsjac, gsjdf");
+  begin ("gs_loop_jacobian, gs_loop_jacobian_deficient");
   for (int k = 0; k < 400; k++)
     {
       const int nu = 1 + pick (5), m = pick (nu + 1), nq = nu + pick (2);
@@ -229,14 +229,15 @@ jacobians (void)
         definite (nu, lm);
       for (int i = 0; i < n * n && k % 7 == 0; i++)
         kk.c[i] = kk.f[i] = 0.0;
-      int made = gsjac (nu, m, nq, nz, lm.c, lb.c, lc.c, kk.c, z.c, ic, info);
+      int made = gs_loop_jacobian (nu, m, nq, nz, lm.c, lb.c, lc.c, kk.c, z.c, ic, info);
       gsjac_ (&nu, &m, &nq, &nz, lm.f, lb.f, lc.f, kk.f, z.f, jf, &info);
       same_int (made, info);
       same (z);
       same (kk);
       if (made > 0)
         {
-          made = gsjdf (nu, m, nz, lm.c, h.c, phi.c, grp, z.c, hc.c, ud.c, lam.c, w.c);
+          made = gs_loop_jacobian_deficient (nu, m, nz, lm.c, h.c, phi.c, grp, z.c, hc.c, ud.c,
+                                             lam.c, w.c);
           gsjdf_ (&nu, &m, &nz, lm.f, h.f, phi.f, grp, z.f, hc.f, ud.f, lam.f, w.f, &info);
           same_int (made, info);
           same (z);
@@ -253,7 +254,7 @@ jacobians (void)
 static void
 rows (void)
 {
-  begin ("gsjrw, gsjth");
+  begin ("gs_rate_rows, gs_rate_rows_through");
   for (int k = 0; k < 200; k++)
     {
       const int nu = 1 + pick (5), quasi = pick (2), nq = nu + quasi, nv = pick (3);
@@ -261,11 +262,11 @@ rows (void)
       const int ldz = nu + pick (3), lda = nq + nu + pick (2), nr = 1 + pick (lda), ldb = nr + 1;
       pair z = pair_of (ldz * nz), a = pair_of (lda * nz), by = pair_of (ldb * nu);
       pair b = pair_of (lda * nv);
-      gsjrw (nu, nq, nx, nv, quasi, z.c, ldz, a.c, lda, b.c, lda);
+      gs_rate_rows (nu, nq, nx, nv, quasi, z.c, ldz, a.c, lda, b.c, lda);
       gsjrw_ (&nu, &nq, &nx, &nv, &quasi, z.f, &ldz, a.f, &lda, b.f, &lda);
       same (a);
       same (b);
-      gsjth (nr, nu, nz, by.c, ldb, z.c, ldz, a.c, lda);
+      gs_rate_rows_through (nr, nu, nz, by.c, ldb, z.c, ldz, a.c, lda);
       gsjth_ (&nr, &nu, &nz, by.f, &ldb, z.f, &ldz, a.f, &lda);
       same (a);
       drop (z);

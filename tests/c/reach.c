@@ -1,4 +1,5 @@
-/* share/c/reach and its eigenvalues against share/fortran/reach and share/fortran/solve/plain */
+/* share/engine/core/reach and its eigenvalues against share/fortran/reach and
+   share/fortran/solve/plain */
 #include "compare.h"
 #include "gsmbp/reach.h"
 #include "gsmbp/solve.h"
@@ -33,7 +34,7 @@ whole (int n, const int *c, const int *f)
 static void
 eigenvalues (void)
 {
-  begin ("gseig, gshes, gshqr, gshqs");
+  begin ("gs_eigenvalues, gs_hessenberg, gs_hessenberg_eigenvalues, gs_hessenberg_step");
   for (int k = 0; k < 300; k++)
     {
       int n = k % 25, lda = n + 1 + pick (2), kind = k / 25 % 5, info;
@@ -51,7 +52,7 @@ eigenvalues (void)
             a.c[i] *= gs_pow (10.0, row % 7 - 3);
         }
       both (a), both (wr), both (wi), both (w);
-      int made = gseig (n, a.c, lda, wr.c, wi.c, w.c);
+      int made = gs_eigenvalues (n, a.c, lda, wr.c, wi.c, w.c);
       gseig_ (&n, a.f, &lda, wr.f, wi.f, w.f, &info);
       same_int (made, info);
       same (a), same (wr), same (wi), same (w);
@@ -66,7 +67,7 @@ static void
 conics (void)
 {
   int real = 0;
-  begin ("gscir, gscif, gsciq, gscie");
+  begin ("gs_circle_angles, gs_circle_sum, gs_circle_quartic, gs_quartic_roots");
   for (int k = 0; k < 500; k++)
     {
       pair co = pair_of (5), sc = pair_of (8), rad = pair_of (4);
@@ -77,7 +78,7 @@ conics (void)
       for (int i = 0; i < 5; i++)
         co.c[i] = k % 50 == 3 ? 0.0 : k % 50 == 4 ? NOT_A_NUMBER : co.c[i];
       both (co);
-      gscir (co.c, sc.c, rad.c);
+      gs_circle_angles (co.c, sc.c, rad.c);
       gscir_ (co.f, sc.f, rad.f);
       same (sc), same (rad);
       for (int i = 0; i < 4; i++)
@@ -85,7 +86,7 @@ conics (void)
       drop (co), drop (sc), drop (rad);
     }
   finish ();
-  holds (real > 100, "gscir finds roots");
+  holds (real > 100, "gs_circle_angles finds roots");
 }
 
 /* ------------------------------------------------------------ branches */
@@ -93,7 +94,7 @@ conics (void)
 static void
 branches (void)
 {
-  begin ("gsiks, gsikq");
+  begin ("gs_reach_branches, gs_reach_which");
   memset (seen, 0, sizeof seen);
   for (int k = 0; k < 600; k++)
     {
@@ -111,7 +112,8 @@ branches (void)
       for (int i = n; i < n * nb && k % 2; i++)
         qc.c[i] = pick (4) ? qc.c[i - n] : qc.c[i];
       both (qc), both (rad), both (lim), both (res), both (qs);
-      int made = gsiks (n, nb, nm, qc.c, rad.c, lim.c, res.c, qs.c, ldq, &nc, bc, dst.c, &nearc);
+      int made = gs_reach_branches (n, nb, nm, qc.c, rad.c, lim.c, res.c, qs.c, ldq, &nc, bc, dst.c,
+                                    &nearc);
       gsiks_ (&n, &nb, &nm, qc.f, rad.f, lim.f, res.f, qs.f, &ldq, &nf, bf, dst.f, &nearf, &info);
       outcome (made, info);
       same_int (nc, nf), same_int (nearc, nearf), whole (8, bc, bf);
@@ -119,7 +121,7 @@ branches (void)
       drop (qc), drop (rad), drop (lim), drop (res), drop (qs), drop (dst);
     }
   finish ();
-  holds (seen[0] && seen[1] && seen[2], "gsiks ends in each way");
+  holds (seen[0] && seen[1] && seen[2], "gs_reach_branches ends in each way");
 }
 
 /* ------------------------------------------------------------ six joints */
@@ -163,13 +165,13 @@ arm_of (int n, int way)
         {
           memset (zero, 0, sizeof zero);
           if (a.kind[j])
-            gsikt (k, zero, s, c, zero, e + 3 * l);
+            gs_turn_line (k, zero, s, c, zero, e + 3 * l);
           if (! a.kind[j])
             x[l] += a.q[j] * k[l];
         }
       gs_real none[3] = { 1, 0, 0 };
       if (a.kind[j])
-        gsikt (k, a.pa + 3 * j, s, c, x, none);
+        gs_turn_line (k, a.pa + 3 * j, s, c, x, none);
     }
   memcpy (a.r, e, sizeof e);
   for (int i = 0; i < 3; i++)
@@ -181,7 +183,8 @@ static void
 newtons (void)
 {
   int good = 0;
-  begin ("gsikn, gsiki, gsikj, gsikt, gsiko, gsikk");
+  begin ("gs_arm_refine, gs_arm_refine_step, gs_arm_missed, gs_turn_line, gs_reach_least_move, "
+         "gs_reach_difference");
   for (int k = 0; k < 200; k++)
     {
       int n = k % 3 ? 6 : 2 + k / 3 % 4;
@@ -191,31 +194,31 @@ newtons (void)
       for (int i = 0; i < 6; i++)
         q.c[i] = i < n ? a.q[i] + 0.1 * q.c[i] : 0.0;
       both (q), both (w);
-      gsikn (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, w.c, iw, &gc);
+      gs_arm_refine (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, w.c, iw, &gc);
       gsikn_ (&n, a.kind, a.ka, a.pa, a.r, a.p, q.f, w.f, iw, &gf);
       same_int (gc, gf);
       good += gc;
-      gsiko (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, z.c, s.c);
+      gs_reach_least_move (n, a.kind, a.ka, a.pa, a.r, a.p, q.c, z.c, s.c);
       gsiko_ (&n, a.kind, a.ka, a.pa, a.r, a.p, q.f, z.f, s.f);
-      z.c[0] += gsikk (n, a.kind, q.c, a.q), z.f[0] += gsikk_ (&n, a.kind, q.f, a.q);
+      z.c[0] += gs_reach_difference (n, a.kind, q.c, a.q), z.f[0] += gsikk_ (&n, a.kind, q.f, a.q);
       same (q), same (w), same (z), same (s);
       drop (q), drop (w), drop (z), drop (s);
     }
   finish ();
-  holds (good > 100, "gsikn finds positions");
+  holds (good > 100, "gs_arm_refine finds positions");
 }
 
 static void
 distances (void)
 {
-  begin ("gsiku, gsiky");
+  begin ("gs_reach_closest, gs_reach_closest_near");
   for (int k = 0; k < 24; k++)
     {
       arm a = arm_of (6, k % 4);
       int nb = k % 3;
       pair x0 = pair_of (3), qc = pair_of (12), dst = pair_of (2);
       both (x0), both (qc);
-      gsiku (a.kind, a.ka, a.pa, a.r, a.p, x0.c, nb, qc.c, dst.c);
+      gs_reach_closest (a.kind, a.ka, a.pa, a.r, a.p, x0.c, nb, qc.c, dst.c);
       gsiku_ (a.kind, a.ka, a.pa, a.r, a.p, x0.f, &nb, qc.f, dst.f);
       same (dst);
       drop (x0), drop (qc), drop (dst);
@@ -233,11 +236,11 @@ twice (const arm *a, const gs_real *solutions, int n)
   for (int i = 0; i < 6; i++)
     q.c[i + 6 * n] = q.c[i] + 1e-15;
   both (q);
-  same_int (gsigd (a->ka, a->pa, a->r, a->p, q.c, &nc),
+  same_int (gs_arm_doubles (a->ka, a->pa, a->r, a->p, q.c, &nc),
             (gsigd_ (a->ka, a->pa, a->r, a->p, q.f, &nf, &info), info));
   same_int (nc, nf);
   same (q);
-  same_int (gsigs (6, a->kind, a->ka, a->pa, a->r, a->p, q.c, nc, 0),
+  same_int (gs_arm_singular (6, a->kind, a->ka, a->pa, a->r, a->p, q.c, nc, 0),
             (gsigs_ (I (6), a->kind, a->ka, a->pa, a->r, a->p, q.f, &nf, &again), again));
   drop (q);
   return n + 1 - nc;
@@ -249,7 +252,8 @@ static void
 generals (void)
 {
   int found = 0, more = 0, ones = 0;
-  begin ("gsikg and its parts, gsikz, gsikp, gsigd, gsigs");
+  begin ("gs_arm_angles and its parts, gs_reach_refine, gs_reach_put, gs_arm_doubles, "
+         "gs_arm_singular");
   for (int k = 0; k < 24; k++)
     {
       arm a = arm_of (6, k % 3 == 1 ? 0 : k % 4);
@@ -258,7 +262,7 @@ generals (void)
       pair qc = pair_of (96), w = pair_of (1200);
       int iw[24], nc, nf, bc[16] = { 0 }, bf[16] = { 0 }, info = 1;
       both (qc), both (w);
-      same_int (gsikg (a.ka, a.pa, a.r, a.p, qc.c, &nc, w.c, iw),
+      same_int (gs_arm_angles (a.ka, a.pa, a.r, a.p, qc.c, &nc, w.c, iw),
                 (gsikg_ (a.ka, a.pa, a.r, a.p, qc.f, &nf, w.f, iw, &info), info));
       info = 1;
       same_int (nc, nf);
@@ -275,8 +279,8 @@ generals (void)
       nc = nf = k % 2, bc[0] = bf[0] = 1;
       memcpy (qs.c, guess.c, 6 * sizeof (gs_real));
       both (guess), both (rad), both (lim), both (qs);
-      int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c, qs.c, &nc,
-                        bc, 1);
+      int made = gs_reach_refine (6, a.kind, a.ka, a.pa, a.r, a.p, 2, 2, guess.c, rad.c, lim.c,
+                                  qs.c, &nc, bc, 1);
       gsikz_ (I (6), a.kind, a.ka, a.pa, a.r, a.p, I (2), I (2), guess.f, rad.f, lim.f, qs.f, &nf,
               bf, &info);
       same_int (made, info), same_int (nc, nf), whole (16, bc, bf);
@@ -285,8 +289,8 @@ generals (void)
       drop (qc), drop (w), drop (guess), drop (rad), drop (lim), drop (qs);
     }
   finish ();
-  holds (found > 30 && more > 0, "gsikg and gsikz find positions");
-  holds (ones > 5, "gsigd makes double solutions one");
+  holds (found > 30 && more > 0, "gs_arm_angles and gs_reach_refine find positions");
+  holds (ones > 5, "gs_arm_doubles makes double solutions one");
 }
 
 /* close to singular positions: solutions along the curve on which the tool hardly moves, from a
@@ -295,7 +299,9 @@ static void
 singulars (void)
 {
   int found = 0;
-  begin ("gsikz, gsik0, gsik2, gsik3, gsik4, gsik5, gsik7, gsik8, gsik9");
+  begin ("gs_reach_refine, gs_reach_size, gs_reach_curve, gs_reach_onto_curve, "
+         "gs_reach_beside_singular, gs_reach_refine_all, gs_reach_same, gs_reach_distance, "
+         "gs_reach_between");
   for (int k = 0; k < 20; k++)
     {
       arm a = arm_of (6, 4);
@@ -308,18 +314,19 @@ singulars (void)
         guess.c[6 * j + 5] += 0.3 * j, guess.c[6 * j + 3] -= 0.3 * j;
       memcpy (qs.c, guess.c, 6 * sizeof (gs_real));
       both (guess), both (qs);
-      int made = gsikz (6, a.kind, a.ka, a.pa, a.r, a.p, 4, 1, guess.c, rad, lim, qs.c, &nc, bc, 1);
+      int made = gs_reach_refine (6, a.kind, a.ka, a.pa, a.r, a.p, 4, 1, guess.c, rad, lim, qs.c,
+                                  &nc, bc, 1);
       gsikz_ (I (6), a.kind, a.ka, a.pa, a.r, a.p, I (4), I (1), guess.f, rad, lim, qs.f, &nf, bf,
               &info);
       same_int (made, info), same_int (nc, nf), whole (4, bc, bf);
       same (qs);
       for (int j = 0; j < nc; j++)
-        near |= gsikk (6, a.kind, qs.c + 6 * j, a.q) < 1e-6;
+        near |= gs_reach_difference (6, a.kind, qs.c + 6 * j, a.q) < 1e-6;
       found += near;
       drop (guess), drop (qs);
     }
   finish ();
-  holds (found > 17, "gsikz finds positions close to singular ones");
+  holds (found > 17, "gs_reach_refine finds positions close to singular ones");
 }
 
 /* three joints that bring a point to a place: one solution refined, others looked for beside it */
@@ -327,7 +334,7 @@ static void
 places (void)
 {
   int good = 0;
-  begin ("gsipz");
+  begin ("gs_reach_refine_place");
   for (int k = 0; k < 40; k++)
     {
       int nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
@@ -337,7 +344,8 @@ places (void)
       for (int i = 0; i < 6; i++)
         qc.c[i] = a.q[i % 3] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
       both (qc), both (qs), both (x0);
-      int made = gsipz (a.kind, a.ka, a.pa, a.r, a.p, x0.c, 2, 1, qc.c, rad, lim, qs.c, &nc, bc, 0);
+      int made = gs_reach_refine_place (a.kind, a.ka, a.pa, a.r, a.p, x0.c, 2, 1, qc.c, rad, lim,
+                                        qs.c, &nc, bc, 0);
       gsipz_ (a.kind, a.ka, a.pa, a.r, a.p, x0.f, I (2), I (1), qc.f, rad, lim, qs.f, &nf, bf,
               &info);
       same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
@@ -348,7 +356,7 @@ places (void)
       drop (qc), drop (qs), drop (x0);
     }
   finish ();
-  holds (good > 30, "gsipz refines solutions");
+  holds (good > 30, "gs_reach_refine_place refines solutions");
 }
 
 /* arms of two to five joints: one solution refined, others looked for beside it */
@@ -356,7 +364,7 @@ static void
 fewer (void)
 {
   int good = 0;
-  begin ("gsikz, gsikp, fewer joints");
+  begin ("gs_reach_refine, gs_reach_put, fewer joints");
   for (int k = 0; k < 40; k++)
     {
       int n = 2 + k % 4, nc = 1, nf = 1, bc[2] = { 1, 0 }, bf[2] = { 1, 0 }, info = 0;
@@ -366,7 +374,8 @@ fewer (void)
       for (int i = 0; i < 2 * n; i++)
         qc.c[i] = a.q[i % n] + 1e-3 * qc.c[i], qs.c[i] = qc.c[i];
       both (qc), both (qs);
-      int made = gsikz (n, a.kind, a.ka, a.pa, a.r, a.p, 2, 1, qc.c, rad, lim, qs.c, &nc, bc, 0);
+      int made = gs_reach_refine (n, a.kind, a.ka, a.pa, a.r, a.p, 2, 1, qc.c, rad, lim, qs.c, &nc,
+                                  bc, 0);
       gsikz_ (&n, a.kind, a.ka, a.pa, a.r, a.p, I (2), I (1), qc.f, rad, lim, qs.f, &nf, bf, &info);
       same_int (made, info), same_int (nc, nf), whole (2, bc, bf);
       same (qs);
@@ -376,7 +385,7 @@ fewer (void)
       drop (qc), drop (qs);
     }
   finish ();
-  holds (good > 30, "gsikz refines solutions of fewer joints");
+  holds (good > 30, "gs_reach_refine refines solutions of fewer joints");
 }
 
 /* ------------------------------------------------------------ three joints, guesses */
@@ -398,14 +407,14 @@ centre (const gs_real *p, const gs_real *r, const gs_real *qg, const gs_real *cs
 static void
 centres (void)
 {
-  begin ("gsikd");
+  begin ("gs_reach_beyond");
   for (int k = 0; k < 60; k++)
     {
       int nb = 1 + pick (3), at = pick (3), nc = 3 + at;
       pair p = pair_of (3), qc = pair_of (nc * nb), dst = pair_of (1);
       p.c[0] *= k % 2 ? 1 : 10;
       both (p), both (qc);
-      gsikd (centre, 3, nc, nb, at, p.c, p.c, p.c, p.c, qc.c, dst.c);
+      gs_reach_beyond (centre, 3, nc, nb, at, p.c, p.c, p.c, p.c, qc.c, dst.c);
       gsikd_ (centre, I (3), &nc, &nb, &at, p.f, p.f, p.f, p.f, qc.f, dst.f);
       same (dst);
       drop (p), drop (qc), drop (dst);
@@ -478,7 +487,7 @@ poses (void)
 {
   const gs_scene scene = { .nq = 4, .nu = 4, .nlam = 1, .con = con, .kin = kin, .pnt = pnt,
                            .jpt = jpt };
-  begin ("gsnik and its parts");
+  begin ("gs_reach_point and its parts");
   memset (seen, 0, sizeof seen);
   for (int k = 0; k < 120; k++)
     {
@@ -496,8 +505,8 @@ poses (void)
       if (k % 20 == 7)
         lo.c[0] = hi.c[0] = 60.0;
       both (p), both (r), both (q), both (lo), both (hi), both (w);
-      int made = gsnik (&scene, 0.0, 4, 4, nlam, 1, 1, job, p.c, r.c, q.c, lo.c, hi.c, iv, 0, iv,
-                        NULL, w.c, dst.c);
+      int made = gs_reach_point (&scene, 0.0, 4, 4, nlam, 1, 1, job, p.c, r.c, q.c, lo.c, hi.c, iv,
+                                 0, iv, NULL, w.c, dst.c);
       gsnik_ (pnt_, jpt_, kin_, con_, D (0.0), I (4), I (4), &nlam, I (1), I (1), &job, p.f, r.f,
               q.f, lo.f, hi.f, iv, I (0), iv, NULL, w.f, dst.f, &info);
       outcome (made, info);
@@ -507,7 +516,7 @@ poses (void)
       drop (p), drop (r), drop (q), drop (lo), drop (hi), drop (w), drop (dst), drop (aim);
     }
   finish ();
-  holds (seen[0] && seen[1], "gsnik reaches poses, and does not");
+  holds (seen[0] && seen[1], "gs_reach_point reaches poses, and does not");
 }
 
 int

@@ -351,10 +351,10 @@ arguments (void)
   start_pendulum (5, 3); /* what the Fortran does not have */
   a.run.lw = 3000;
   a.run.ldx = 1;
-  holds (gssim (a.s, &a.run) == -109, "ldx out of range");
+  holds (gs_integrate (a.s, &a.run) == -109, "ldx out of range");
   a.run.ldx = a.run.nx;
   a.run.ldv = 0;
-  holds (gssim (a.s, &a.run) == -110, "ldv out of range");
+  holds (gs_integrate (a.s, &a.run) == -110, "ldv out of range");
 }
 
 /* ------------------------------------------------------------ a point on a circle, in Cartesian
@@ -392,7 +392,7 @@ point_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs
     gam -= 20 * (h[0] * x[2] + h[1] * x[3] + phit) + 100 * phi;
   xd[0] = x[2];
   xd[1] = x[3];
-  return gskkt (2, 1, m, 2, h, 1, f, &gam, xd + 2, &lam, w);
+  return gs_solve_kkt (2, 1, m, 2, h, 1, f, &gam, xd + 2, &lam, w);
 }
 
 static int
@@ -532,7 +532,7 @@ sleigh_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, g
   gs_real phi, phit, h[3], gam, lam, w[300];
   sleigh_con (t, x, x + 3, cst, &phi, &phit, h, 1, &gam);
   memcpy (xd, x + 3, 3 * sizeof (gs_real));
-  return gskkt (3, 1, m, 3, h, 1, f, &gam, xd + 3, &lam, w);
+  return gs_solve_kkt (3, 1, m, 3, h, 1, f, &gam, xd + 3, &lam, w);
 }
 
 static int
@@ -631,7 +631,8 @@ bars_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_
     gam[k] -= 20 * (h[k] * x[3] + h[k + nlam] * x[4] + h[k + 2 * nlam] * x[5]) + 100 * phi[k];
   if (fails ("rhs", t))
     return fails ("rhs", t);
-  return gsacc (cst[0] > 3 ? (int)cst[0] - 2 : 1, 3, nlam, m, 3, h, nlam, f, gam, xd + 3, lam, w);
+  return gs_solve_accelerations (cst[0] > 3 ? (int)cst[0] - 2 : 1, 3, nlam, m, 3, h, nlam, f, gam,
+                                 xd + 3, lam, w);
 }
 
 /* the least change of coordinates, then of speeds */
@@ -655,7 +656,7 @@ bars_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
         }
       if (k == 0)
         *res = most;
-      if (gskkt (3, nlam, one, 3, h, nlam, zero, b, dx, lam, w) == 1)
+      if (gs_solve_kkt (3, nlam, one, 3, h, nlam, zero, b, dx, lam, w) == 1)
         return 1;
       for (int i = 0; i < 3; i++)
         x[i] += dx[i];
@@ -665,7 +666,7 @@ bars_prj (gs_real t, gs_real *x, const gs_real *cst, gs_real *res)
   bars_con (t, x, x + 3, cst, phi, phit, h, nlam, gam);
   for (int k = 0; k < nlam; k++)
     b[k] = -(h[k] * x[3] + h[k + nlam] * x[4] + h[k + 2 * nlam] * x[5]);
-  gskkt (3, nlam, one, 3, h, nlam, zero, b, dx, lam, w);
+  gs_solve_kkt (3, nlam, one, 3, h, nlam, zero, b, dx, lam, w);
   for (int i = 0; i < 3; i++)
     x[3 + i] += dx[i];
   return 0;
@@ -849,7 +850,7 @@ blocks_ports (gs_real t, const gs_real *x, const int *mode, gs_real *s, gs_real 
   sd[1] = x[3];
   memcpy (prm, (gs_real[]){ 2.2, 0.05, 0, 0, 1.5, 0.05, 0, 0, -0.3, 0.25, 0.6, 0.02 },
           12 * sizeof (gs_real));
-  gsstk (2, 0, 3, m, 2, h, 3, f, g, act, ud, lam, hold, w);
+  gs_port_holding (2, 0, 3, m, 2, h, 3, f, g, act, ud, lam, hold, w);
 }
 
 static void
@@ -879,7 +880,7 @@ blocks_evt (gs_real t, const gs_real *x, const gs_real *v, const int *mode, cons
   gs_real s[3], sd[3], prm[12], hold[3], ud[2];
   (void)v, (void)cst;
   blocks_ports (t, x, mode, s, sd, prm, hold, ud);
-  gsevt (3, kind, mode, s, sd, prm, hold, gv);
+  gs_port_functions (3, kind, mode, s, sd, prm, hold, gv);
   if (fails ("evt", t))
     gv[0] = -1;
 }
@@ -893,7 +894,7 @@ blocks_rst (gs_real t, gs_real *x, gs_real *v, int *mode, int k, const gs_real *
   if (k == -3)
     return fails ("rst", t);
   blocks_ports (t, x, mode, s, sd, prm, hold, ud);
-  int info = gsrst (2, 0, 3, k, kind, mode, s, sd, prm, hold, m, 2, h, 3, NULL, x + 2, w);
+  int info = gs_port_reset (2, 0, 3, k, kind, mode, s, sd, prm, hold, m, 2, h, 3, NULL, x + 2, w);
   if (fails ("evt", t))
     mode[0] = 0;
   for (int i = 0; i < 3; i++)

@@ -1,5 +1,6 @@
-/* The routines of share/c for derivatives by parameters against those of share/fortran: rates of
- * columns, their way onto the constraints, steps backwards; on numbers by chance and chains.h */
+/* The routines of share/engine/core for derivatives by parameters against those of share/fortran:
+ * rates of columns, their way onto the constraints, steps backwards; on numbers by chance and
+ * chains.h */
 #include "chains.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
@@ -118,7 +119,7 @@ static void
 rates (void)
 {
   int good = 0, lost = 0, other = 0;
-  begin ("gssen, gsse4, gsse1");
+  begin ("gs_rates_with_columns, gs_columns_times_four, gs_columns_times_one");
   for (int k = 0; k < 500; k++)
     {
       const int nx = 1 + pick (8), nv = pick (3), ntop = pick (2) * (nx / 2);
@@ -132,7 +133,7 @@ rates (void)
       fault = (int[]){ 1, 2, -6 }[pick (3)];
       failing = k % 5 == 0;
       calls = 0;
-      const int made = gssen (&s, t, ntop, np, nc, col, x.c, v.c, cst, w.c, xd.c);
+      const int made = gs_rates_with_columns (&s, t, ntop, np, nc, col, x.c, v.c, cst, w.c, xd.c);
       calls = 0;
       gssen_ (rhp_, &t, &ntop, &nx, &nv, &np, &nc, col, x.f, v.f, cst, w.f, xd.f, &info);
       same_int (made, info);
@@ -154,7 +155,7 @@ projections (void)
 {
   static const int sets[4] = { 1, 2, 3, 4 };
   int seen[10] = { 0 };
-  begin ("gsspj");
+  begin ("gs_project_columns");
   for (int k = 0; k < 600; k++)
     {
       const int one = k % (SCENES - 1);
@@ -173,7 +174,7 @@ projections (void)
       for (int i = 0; i < nx; i++)
         x.c[i] = list[one].x[i] + 0.1 * x.c[i];
       both (x);
-      const int made = gsspj (&s, t, ns, sets, np, nc, col, x.c, cst, w.c, ic);
+      const int made = gs_project_columns (&s, t, ns, sets, np, nc, col, x.c, cst, w.c, ic);
       gsspj_ (con_, tan_, cop_, &t, &nx, &nq, &nu, &m, &ns, sets, &np, &nc, col, x.f, cst, w.f, jf,
               &info);
       same_int (made, info);
@@ -210,7 +211,7 @@ least_squares (void)
 {
   int done = 0, dependent = 0;
   gs_real most = 0.0;
-  begin ("gsspl");
+  begin ("gs_columns_onto");
   for (int k = 0; k < 300; k++)
     {
       const int n = 1 + pick (6), m = 1 + pick (n), nc = pick (5);
@@ -226,7 +227,7 @@ least_squares (void)
           d.c[m - 1 + m * j] = d.c[m * j];
       both (d);
       memcpy (given, r.c, m * nc * sizeof (gs_real));
-      const int made = gsspl (m, n, nc, d.c, m, y.c, n, r.c, m, g.c, ic);
+      const int made = gs_columns_onto (m, n, nc, d.c, m, y.c, n, r.c, m, g.c, ic);
       gsspl_ (&m, &n, &nc, d.f, &m, y.f, &n, r.f, &m, g.f, jf, &info);
       same_int (made, info);
       same (y);
@@ -250,14 +251,14 @@ coefficients (void)
 {
   pair a = pair_of (144), b = pair_of (12), c = pair_of (12), all[] = { a, b, c };
   gs_real off = 0.0, whole = 0.0;
-  begin ("gsadt");
+  begin ("gs_dp853_table");
   for (int i = 0; i < 144; i++)
     a.c[i] = 0.0;
   for (int i = 0; i < 12; i++)
     b.c[i] = c.c[i] = i == 11;
   for (int i = 0; i < 3; i++)
     both (all[i]);
-  gsadt (a.c, b.c, c.c);
+  gs_dp853_table (a.c, b.c, c.c);
   gsadt_ (a.f, b.f, c.f);
   for (int i = 0; i < 3; i++)
     same (all[i]);
@@ -293,7 +294,7 @@ static void
 steps (void)
 {
   int good = 0, failed = 0, refused = 0;
-  begin ("gsad8");
+  begin ("gs_step_back_dp853");
   for (int k = 0; k < 400; k++)
     {
       const int nx = 1 + pick (8), nv = 1 + pick (2), np = 1 + pick (PARAMETERS), nu = 1;
@@ -311,8 +312,8 @@ steps (void)
       fault = (int[]){ 1, 3, -4 }[pick (3)];
       failing = k % 3 == 0 ? 1 + pick (12) : 0;
       calls = 0;
-      const int made = gsad8 (&s, t, tn, side, h, x.c, kk.c, np, ip, rp, cst, v.c, lx.c, pb.c, w.c,
-                              wi.c);
+      const int made = gs_step_back_dp853 (&s, t, tn, side, h, x.c, kk.c, np, ip, rp, cst, v.c,
+                                           lx.c, pb.c, w.c, wi.c);
       calls = 0;
       gsad8_ (adj_, &t, &tn, &side, &h, x.f, kk.f, &nu, &nx, &nv, &np, ip, rp, cst, v.f, lx.f,
               pb.f, w.f, wi.f, &info);

@@ -1,4 +1,4 @@
-/* share/c/solve against share/fortran/solve/plain */
+/* share/engine/core/solve against share/fortran/solve/plain */
 #include "compare.h"
 #include "gsmbp/solve.h"
 
@@ -115,7 +115,7 @@ static int
 spd (int n, int nrhs, gs_real *a, int lda, gs_real *b, int ldb, int *iw)
 {
   (void)iw;
-  return gsspd (n, nrhs, a, lda, b, ldb);
+  return gs_solve_spd (n, nrhs, a, lda, b, ldb);
 }
 
 static void
@@ -162,7 +162,7 @@ squares (const char *what, square_c *c, void (*f) (), int definite)
 static void
 scales (void)
 {
-  begin ("gsleq, rows of any size");
+  begin ("gs_solve_general, rows of any size");
   for (int k = 0; k < 200; k++)
     {
       int n = 1 + pick (6), iw[6], info;
@@ -174,7 +174,7 @@ scales (void)
             a.c[i + n * j] = gs_ldexp (a.c[i + n * j], power);
         }
       both (a);
-      same_int (gsleq (n, 1, a.c, n, b.c, n, iw),
+      same_int (gs_solve_general (n, 1, a.c, n, b.c, n, iw),
                 (gsleq_ (&n, I (1), a.f, &n, b.f, &n, iw, &info), info));
       same (b);
       drop (a);
@@ -222,7 +222,7 @@ lu (const char *what, int (*c) (int, gs_real *, int, int *), void (*f) ())
 static void
 triangles (void)
 {
-  begin ("gstrs");
+  begin ("gs_solve_triangular");
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int n = sizes[k % SIZES], m = pick (5), ldl = leading (n), ldb = leading (n), trans = k % 2;
@@ -230,7 +230,7 @@ triangles (void)
       for (int i = 0; i < n; i++)
         l.c[i + ldl * i] += 3.0;
       both (l);
-      gstrs (n, m, l.c, ldl, b.c, ldb, trans);
+      gs_solve_triangular (n, m, l.c, ldl, b.c, ldb, trans);
       gstrs_ (&n, &m, l.f, &ldl, b.f, &ldb, &trans);
       same (b);
       drop (l);
@@ -242,12 +242,12 @@ triangles (void)
 static void
 products (void)
 {
-  begin ("gsmul");
+  begin ("gs_symmetric_times");
   for (int k = 0; k < 10 * SIZES; k++)
     {
       int n = sizes[k % SIZES], lda = leading (n);
       pair a = symmetric (n, lda, 0), x = pair_of (n), y = pair_of (n);
-      gsmul (n, a.c, lda, x.c, y.c);
+      gs_symmetric_times (n, a.c, lda, x.c, y.c);
       gsmul_ (&n, a.f, &lda, x.f, y.f);
       same (y);
       drop (a);
@@ -256,12 +256,12 @@ products (void)
     }
   finish ();
 
-  begin ("gsrot");
+  begin ("gs_rotate_plane");
   for (int n = 0; n < 20; n++)
     {
       pair x = pair_of (n), y = pair_of (n);
       gs_real c = chance (), s = chance ();
-      gsrot (n, x.c, y.c, c, s);
+      gs_rotate_plane (n, x.c, y.c, c, s);
       gsrot_ (&n, x.f, y.f, &c, &s);
       same (x);
       same (y);
@@ -270,13 +270,13 @@ products (void)
     }
   finish ();
 
-  begin ("gsred");
+  begin ("gs_solve_reduced");
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int n = sizes[k % SIZES], r = n ? pick (n + 1) : 0, lda = leading (n), info;
       pair a = symmetric (n, lda, k % 2 ? 0 : 7), b = symmetric (n, n, k / SIZES % KINDS);
       pair z = pair_of (n);
-      int made = gsred (n, r, a.c, lda, b.c, z.c);
+      int made = gs_solve_reduced (n, r, a.c, lda, b.c, z.c);
       gsred_ (&n, &r, a.f, &lda, b.f, z.f, &info);
       outcome (made, info);
       same (z);
@@ -298,7 +298,7 @@ qrp (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *pi
      gs_real *siz, int *rank)
 {
   (void)grp;
-  gsqrp (n, m, y, ldy, tol, piv, beta, siz, rank);
+  gs_qr_pivoted (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
 static void
@@ -306,7 +306,7 @@ qrc (int n, int m, gs_real *y, int ldy, gs_real tol, const int *grp, gs_real *pi
      gs_real *siz, int *rank)
 {
   (void)grp;
-  gsqrc (n, m, y, ldy, tol, piv, beta, siz, rank);
+  gs_qr_columns (n, m, y, ldy, tol, piv, beta, siz, rank);
 }
 
 static void
@@ -358,7 +358,7 @@ reflections (const char *what, qr_c *c, void (*f) ())
       same (siz);
       full += rank == most;
       less += rank < most;
-      gsqmv (n, rank, y.c, ldy, beta.c, b.c, k % 2);
+      gs_qr_times (n, rank, y.c, ldy, beta.c, b.c, k % 2);
       gsqmv_ (&n, &rank, y.f, &ldy, beta.f, b.f, I (k % 2));
       same (b);
       drop (h);
@@ -375,7 +375,7 @@ reflections (const char *what, qr_c *c, void (*f) ())
 static void
 one_reflection (void)
 {
-  begin ("gshrf");
+  begin ("gs_reflection");
   for (int k = 0; k < 200; k++)
     {
       int n = 1 + pick (8), m = 1 + pick (8), col = pick (n < m ? n : m), ldy = leading (n);
@@ -383,7 +383,7 @@ one_reflection (void)
       gs_real d = 0.0;
       for (int i = col; i < n; i++)
         d += y.c[i + ldy * col] * y.c[i + ldy * col];
-      gshrf (n, m, col, y.c, ldy, d, beta.c);
+      gs_reflection (n, m, col, y.c, ldy, d, beta.c);
       gshrf_ (&n, &m, I (col + 1), y.f, &ldy, &d, beta.f);
       same (y);
       same (beta);
@@ -396,14 +396,14 @@ one_reflection (void)
 static void
 singular_values (void)
 {
-  begin ("gssvd");
+  begin ("gs_singular_values");
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int m = sizes[k % SIZES], n = sizes[pick (SIZES)], ldb = leading (m), ldv = leading (n);
       int rank, found;
       pair b = general (m, n, ldb, k / SIZES % KINDS == 3 ? 0 : k / SIZES % KINDS);
       pair v = pair_of (ldv * n), s = pair_of (n);
-      gssvd (m, n, b.c, ldb, v.c, ldv, s.c, 1e-11, &rank);
+      gs_singular_values (m, n, b.c, ldb, v.c, ldv, s.c, 1e-11, &rank);
       gssvd_ (&m, &n, b.f, &ldb, v.f, &ldv, s.f, D (1e-11), &found);
       same_int (rank, found);
       same (b);
@@ -419,7 +419,7 @@ singular_values (void)
 static void
 rows (void)
 {
-  begin ("gsgrp");
+  begin ("gs_group_sizes");
   for (int k = 0; k < 100; k++)
     {
       int m = 1 + pick (12), grp[12];
@@ -428,20 +428,20 @@ rows (void)
       for (int i = 0; i < m; i++)
         siz.c[i] = gs_abs (siz.c[i]) * gs_pow (10.0, -pick (8));
       both (siz);
-      gsgrp (m, grp, 1e-3, siz.c);
+      gs_group_sizes (m, grp, 1e-3, siz.c);
       gsgrp_ (&m, grp, D (1e-3), siz.f);
       same (siz);
       drop (siz);
     }
   finish ();
 
-  begin ("gsrow");
+  begin ("gs_scaled_rows");
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int m = 1 + pick (8), n = sizes[k % SIZES], ldh = leading (m), grp[8];
       pair h = general (m, n, ldh, k / SIZES % KINDS), y = pair_of (m * n), d = pair_of (m);
       groups (m, grp);
-      gsrow (n, m, h.c, ldh, grp, y.c, d.c);
+      gs_scaled_rows (n, m, h.c, ldh, grp, y.c, d.c);
       gsrow_ (&n, &m, h.f, &ldh, grp, y.f, d.f);
       same (y);
       same (d);
@@ -451,7 +451,7 @@ rows (void)
     }
   finish ();
 
-  begin ("gsrtl");
+  begin ("gs_rank_tolerance");
   for (int k = 0; k < 20 * SIZES; k++)
     {
       int m = 1 + pick (8), n = sizes[k % SIZES], ldh = leading (m), grp[8];
@@ -460,7 +460,7 @@ rows (void)
       groups (m, grp);
       for (int i = 0; i < m; i++)
         phi.c[i] *= gs_pow (10.0, -(k % 25));
-      gsrtl (n, m, h.c, ldh, phi.c, grp, tol.c, w.c);
+      gs_rank_tolerance (n, m, h.c, ldh, phi.c, grp, tol.c, w.c);
       gsrtl_ (&n, &m, h.f, &ldh, phi.c, grp, tol.f, w.f);
       same (tol);
       drop (h);
@@ -534,12 +534,13 @@ static void
 simple_tolerances (void)
 {
   int info;
-  begin ("gskkt");
+  begin ("gs_solve_kkt");
   for (int k = 0; k < CASES; k++)
     {
       chain s = chain_of (k, 0);
       shorter (&s);
-      int made = gskkt (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c, s.ud.c, s.lam.c, s.w.c);
+      int made = gs_solve_kkt (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c, s.ud.c, s.lam.c,
+                               s.w.c);
       gskkt_ (&s.n, &s.m, s.a.f, &s.lda, s.h.f, &s.ldh, s.f.f, s.g.f, s.ud.f, s.lam.f, s.w.f,
               &info);
       same_chain (&s, made, info);
@@ -547,13 +548,13 @@ simple_tolerances (void)
     }
   report (0, 2);
 
-  begin ("gsacc");
+  begin ("gs_solve_accelerations");
   for (int k = 0; k < 2 * CASES; k++)
     {
       chain s = chain_of (k / 2, 0);
       int way = pick (6); /* 0 and 5 are out of range */
-      int made = gsacc (way, s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c, s.ud.c, s.lam.c,
-                        s.w.c);
+      int made = gs_solve_accelerations (way, s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c,
+                                         s.ud.c, s.lam.c, s.w.c);
       gsacc_ (&way, &s.n, &s.m, s.a.f, &s.lda, s.h.f, &s.ldh, s.f.f, s.g.f, s.ud.f, s.lam.f,
               s.w.f, &info);
       same_chain (&s, made, info);
@@ -574,7 +575,7 @@ way (const char *what, way_c *c, void (*f) (), int smallest)
     {
       chain s = chain_of (k, smallest);
       int info;
-      if (c == gskkr)
+      if (c == gs_solve_kkt_groups)
         shorter (&s);
       int made = c (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c, s.tol, s.grp, s.ud.c,
                     s.lam.c, s.w.c);
@@ -589,13 +590,13 @@ way (const char *what, way_c *c, void (*f) (), int smallest)
 static void
 four_ways (void)
 {
-  begin ("gsacr");
+  begin ("gs_solve_accelerations_groups");
   for (int k = 0; k < 2 * CASES; k++)
     {
       chain s = chain_of (k / 2, 0);
       int way = 1 + pick (4), info;
-      int made = gsacr (way, s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.g.c, s.tol, s.grp,
-                        s.ud.c, s.lam.c, s.w.c);
+      int made = gs_solve_accelerations_groups (way, s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c,
+                                                s.g.c, s.tol, s.grp, s.ud.c, s.lam.c, s.w.c);
       gsacr_ (&way, &s.n, &s.m, s.a.f, &s.lda, s.h.f, &s.ldh, s.f.f, s.g.f, &s.tol, s.grp, s.ud.f,
               s.lam.f, s.w.f, &info);
       same_chain (&s, made, info);
@@ -603,7 +604,7 @@ four_ways (void)
     }
   report (0, 2);
 
-  begin ("gsacr, gskkr: arguments out of range");
+  begin ("gs_solve_accelerations_groups, gs_solve_kkt_groups: arguments out of range");
   for (int k = 0; k < 32; k++)
     {
       int way = k & 1 ? 7 : 2, n = k & 2 ? -1 : 2, m = k & 4 ? -1 : 2, lda = k & 8 ? 1 : 2;
@@ -612,13 +613,14 @@ four_ways (void)
       gs_real *x = w.c + 40;
       if (k)
         {
-          int made = gsacr (way, n, m, x, lda, x, ldh, x, x, 1e-9, grp, x, x, w.c);
+          int made = gs_solve_accelerations_groups (way, n, m, x, lda, x, ldh, x, x, 1e-9, grp, x,
+                                                    x, w.c);
           gsacr_ (&way, &n, &m, x, &lda, x, &ldh, x, x, D (1e-9), grp, x, x, w.f, &info);
           same_int (made, info);
         }
       if (k & 30)
         {
-          int made = gskkr (n, m, x, lda, x, ldh, x, x, 1e-9, grp, x, x, w.c);
+          int made = gs_solve_kkt_groups (n, m, x, lda, x, ldh, x, x, 1e-9, grp, x, x, w.c);
           gskkr_ (&n, &m, x, &lda, x, &ldh, x, x, D (1e-9), grp, x, x, w.f, &info);
           same_int (made, info);
         }
@@ -627,15 +629,16 @@ four_ways (void)
   finish ();
 }
 
-/* the parts of gskkr */
+/* the parts of gs_solve_kkt_groups */
 static void
 parts (void)
 {
-  begin ("gslam");
+  begin ("gs_least_multipliers");
   for (int k = 0; k < CASES; k++)
     {
       chain s = chain_of (k, 1);
-      gslam (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.tol, s.grp, s.ud.c, s.lam.c, s.w.c);
+      gs_least_multipliers (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.f.c, s.tol, s.grp, s.ud.c,
+                            s.lam.c, s.w.c);
       gslam_ (&s.n, &s.m, s.a.f, &s.lda, s.h.f, &s.ldh, s.f.f, &s.tol, s.grp, s.ud.f, s.lam.f,
               s.w.f);
       same (s.lam);
@@ -643,7 +646,7 @@ parts (void)
     }
   finish ();
 
-  begin ("gsaug");
+  begin ("gs_kkt_augmented");
   for (int k = 0; k < CASES; k++)
     {
       chain s = chain_of (k, 1);
@@ -652,11 +655,11 @@ parts (void)
       pair d = pair_of (s.m);
       for (int j = 0; j < s.n; j++)
         memcpy (l.c + ldl * j, s.a.c + s.lda * j, sizeof (gs_real) * s.n);
-      begun = gschf (s.n, l.c, ldl);
+      begun = gs_cholesky_factor (s.n, l.c, ldl);
       both (l);
       info = begun;
-      int made = gsaug (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.g.c, s.grp, l.c, ldl, z.c, y.c,
-                        d.c, begun);
+      int made = gs_kkt_augmented (s.n, s.m, s.a.c, s.lda, s.h.c, s.ldh, s.g.c, s.grp, l.c, ldl,
+                                   z.c, y.c, d.c, begun);
       gsaug_ (&s.n, &s.m, s.a.f, &s.lda, s.h.f, &s.ldh, s.g.f, s.grp, l.f, &ldl, z.f, y.f, d.f,
               &info);
       outcome (made, info);
@@ -670,16 +673,16 @@ parts (void)
     }
   report (0, 1);
 
-  begin ("gslnm");
+  begin ("gs_least_norm");
   for (int k = 0; k < 200; k++)
     {
       int m = 1 + pick (8), r = pick (m + 1), ldy = leading (m), rank;
       pair y = pair_of (ldy * m), piv = pair_of (m), c = pair_of (r), lam = pair_of (m);
       pair t = pair_of (m * m), q = pair_of (m), beta = pair_of (m), s = pair_of (m);
-      gsqrp (m, m, y.c, ldy, 0.0, piv.c, beta.c, s.c, &rank);
+      gs_qr_pivoted (m, m, y.c, ldy, 0.0, piv.c, beta.c, s.c, &rank);
       both (y);
       both (piv);
-      gslnm (m, r, y.c, ldy, piv.c, c.c, lam.c, t.c, q.c, beta.c, s.c);
+      gs_least_norm (m, r, y.c, ldy, piv.c, c.c, lam.c, t.c, q.c, beta.c, s.c);
       gslnm_ (&m, &r, y.f, &ldy, piv.f, c.f, lam.f, t.f, q.f, beta.f, s.f);
       same (lam);
       pair all[] = { y, piv, c, lam, t, q, beta, s };
@@ -692,26 +695,28 @@ parts (void)
 int
 main (void)
 {
-  squares ("gsleq, gslqf, gslqs, gslq3, gslqc, gslq4", gsleq, gsleq_, 0);
+  squares ("gs_solve_general, gs_lu_scaled, gs_lu_solution, gs_lu_three_rows, gs_lu_one_column, "
+           "gs_lu_four_columns",
+           gs_solve_general, gsleq_, 0);
   scales ();
-  squares ("gsspd", spd, spd_, 1);
-  cholesky ("gschp", gschp, gschp_);
-  cholesky ("gschf", gschf, gschf_);
-  lu ("gslup", gslup, gslup_);
-  lu ("gsluf", gsluf, gsluf_);
+  squares ("gs_solve_spd", spd, spd_, 1);
+  cholesky ("gs_cholesky", gs_cholesky, gschp_);
+  cholesky ("gs_cholesky_factor", gs_cholesky_factor, gschf_);
+  lu ("gs_lu_pivoted", gs_lu_pivoted, gslup_);
+  lu ("gs_lu_factor", gs_lu_factor, gsluf_);
   triangles ();
   products ();
-  reflections ("gsqrg, gsqmv", gsqrg, gsqrg_);
-  reflections ("gsqrp", qrp, qrp_);
-  reflections ("gsqrc", qrc, qrc_);
+  reflections ("gs_qr_groups, gs_qr_times", gs_qr_groups, gsqrg_);
+  reflections ("gs_qr_pivoted", qrp, qrp_);
+  reflections ("gs_qr_columns", qrc, qrc_);
   one_reflection ();
   singular_values ();
   rows ();
   simple_tolerances ();
-  way ("gskkr", gskkr, gskkr_, 0);
-  way ("gsnul", gsnul, gsnul_, 1);
-  way ("gszev", gszev, gszev_, 1);
-  way ("gskds", gskds, gskds_, 1);
+  way ("gs_solve_kkt_groups", gs_solve_kkt_groups, gskkr_, 0);
+  way ("gs_solve_null_space", gs_solve_null_space, gsnul_, 1);
+  way ("gs_solve_zero_eigenvectors", gs_solve_zero_eigenvectors, gszev_, 1);
+  way ("gs_solve_dependent_speeds", gs_solve_dependent_speeds, gskds_, 1);
   four_ways ();
   parts ();
   return 0;

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """gate.py [SCENE ...]: may the run time in C take the place of the Fortran run time? Whole runs of
 twelve scenes by dp853 and rk4, by the Fortran run time of the commit in tests/data/before/base,
-which is built from git in a temporary folder, and by share/c as it is here, both with the same
+which is built from git in a temporary folder, and by share/engine/core as it is here, both with the same
 emitted Fortran, in turn in one process: the least of 40 processor times each. The table has calls
 of RHS, instructions as valgrind counts them, where it is there, and the error of the last state
 against quad precision in nominal magnitudes, too. The last line is "gate: passed" or what missed.
@@ -83,9 +83,9 @@ def archives(work, flags, name, change):
                                 capture_output=True, check=True).stdout
         subprocess.run(['tar', '-x', '-C', base], input=packed, check=True)
     fortran = [*base.glob('share/fortran/*/*.f'), *base.glob('share/fortran/solve/lapack/*.f')]
-    c = [*ROOT.glob('share/c/*/*.c'), *ROOT.glob('share/c/*/*/*.c')]
+    c = [*ROOT.glob('share/engine/core/*/*.c'), *ROOT.glob('share/engine/core/*/*/*.c')]
     for part, words, sources in (('fortran', flags['fc'] + ' ' + flags['common'], fortran),
-                                 ('c', f'{flags["cc"]} {flags["c"]} -I{ROOT}/share/c', c)):
+                                 ('c', f'{flags["cc"]} {flags["c"]} -I{ROOT}/share/engine/core', c)):
         place = work / name / part
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir(parents=True)
@@ -97,7 +97,7 @@ def table(json_file):
     """gate_scene.h: the scene as both run times take it."""
     d = json.loads(json_file.read_text())
     header = (ROOT / 'share/engine/host/fortran_scene.h').read_text()
-    members = (ROOT / 'share/c/gsmbp/scene.h').read_text()
+    members = (ROOT / 'share/engine/core/gsmbp/scene.h').read_text()
     known = {*re.findall(r'#define GS_FORTRAN_([a-z]\w+)', header)} & {
         *re.findall(r'^  gs_\w+ \*(\w+);', members, re.M)}
     there = {row['name'].lower()[len(d['name']) + 1:]: row['name'].lower() + '_'
@@ -121,7 +121,7 @@ def program(work, flags, build, folder, name, change):
     run(*change(f'{flags["fc"]} {flags["scene"]}').split(), '-c', '-o', place / 'scene.o',
         folder / f'{short}.f')
     run(*change(f'{flags["cc"]} {flags["c"]}').replace('-std=c99', '-std=gnu11').split(),
-        f'-I{place}', f'-I{ROOT}/share/c', f'-I{ROOT}/share/engine', '-c', '-o', place / 'gate.o',
+        f'-I{place}', f'-I{ROOT}/share/engine/core', f'-I{ROOT}/share/engine', '-c', '-o', place / 'gate.o',
         HERE / 'gate.c')
     run(*flags['fc'].split(), '-o', place / 'gate', place / 'gate.o', place / 'scene.o',
         work / build / 'fortran/all.a', work / build / 'c/all.a', '-llapack', '-lblas', '-lm')

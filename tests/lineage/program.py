@@ -119,7 +119,7 @@ main (void)
                            .events = 1000 }};
     int *ip = calloc (gs_wholes (&plan), sizeof *ip);
     double *rp = calloc (gs_reals (&plan) + NV + 8, sizeof *rp);
-    gs_run run = {{ .nx = NX, .x0 = x0, .nt = NT, .tout = times, .iopt = iopt, .ropt = ropt,
+    gs_integration run = {{ .nx = NX, .x0 = x0, .nt = NT, .tout = times, .iopt = iopt, .ropt = ropt,
                    .atol = atol, .ip = ip, .rp = rp, .cst = cst, .xout = x, .ldx = NX,
                    .vout = vout, .ldv = NV > 1 ? NV : 1 }};
     for (int k = 0; k < NT; k++)

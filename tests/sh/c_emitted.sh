@@ -1,6 +1,7 @@
-# Emitted C99 (gsmbp_c): a sample of scenes compiles without a warning, calls nothing but share/c
-# and libm, writes no data of its own, and gives what the emitted Fortran gives (tests/tools/c_pair;
-# `make test-c` takes all scenes). A constant that is changed in the C is found.
+# Emitted C99 (gsmbp_c): a sample of scenes compiles without a warning, calls nothing but
+# share/engine/core and libm, writes no data of its own, and gives what the emitted Fortran gives
+# (tests/tools/c_pair; `make test-c` takes all scenes). A constant that is changed in the C is
+# found.
 . tests/tools/check.sh
 work_folder
 

@@ -1,13 +1,13 @@
-# The run time in C (share/c): compiles without a warning, writes no data of its own, calls nothing
-# but the mathematical library, and gives bit for bit, or to 1e-14 of the largest entry, what
-# share/fortran gives, or gave at the commit of tests/data/before/base: the drivers of tests/c call
-# both. Every public routine is in a driver.
+# The run time in C (share/engine/core): compiles without a warning, writes no data of its own,
+# calls nothing but the mathematical library, and gives bit for bit, or to 1e-14 of the largest
+# entry, what share/fortran gives, or gave at the commit of tests/data/before/base: the drivers of
+# tests/c call both. Every public routine is in a driver.
 . tests/tools/check.sh
 root=$PWD
 work_folder
 mkdir "$work/c" "$work/clang"
 
-c="-std=c99 -O2 -ffp-contract=off -I$root/share/c"
+c="-std=c99 -O2 -ffp-contract=off -I$root/share/engine/core"
 strict="-Wall -Wextra -pedantic -Werror"
 # those of the drivers, and more
 strictest="$strict -Wshadow -Wconversion -Wsign-conversion"
@@ -19,33 +19,33 @@ base_fortran "$work/base"
 fortran_objects "$work/fortran" "$work/base" >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 (cd "$work/c" &&
-  gcc $c $strictest -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
-told $? 'gcc compiles share/c without a warning' "$report"
+  gcc $c $strictest -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) >"$report" 2>&1
+told $? 'gcc compiles share/engine/core without a warning' "$report"
 if command -v clang >/dev/null; then
   (cd "$work/clang" &&
-    clang $c $strictest -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) >"$report" 2>&1
-  told $? 'clang compiles share/c without a warning' "$report"
+    clang $c $strictest -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) >"$report" 2>&1
+  told $? 'clang compiles share/engine/core without a warning' "$report"
 fi
-for header in share/c/gsmbp/*.h; do
-  [ "$header" = share/c/gsmbp/arith.h ] && continue
-  g++ -x c++ $strict -Wno-pragmas -Ishare/c -fsyntax-only -include "$header" - </dev/null
+for header in share/engine/core/gsmbp/*.h; do
+  [ "$header" = share/engine/core/gsmbp/arith.h ] && continue
+  g++ -x c++ $strict -Wno-pragmas -Ishare/engine/core -fsyntax-only -include "$header" - </dev/null
 done >"$report" 2>&1
 result 'the headers compile as C++'
 
 # -- one file in C for each in Fortran, no more (arith.h and the like are headers)
-# but gslay.c: who calls GSSIM in Fortran lays the plan of a run out
-for file in share/c/*/*.c share/c/*/*/*.c; do
-  [ "$file" = share/c/inputs/gslay.c ] && continue
-  fortran=${file#share/c/}
+# but lay_plan.c: who calls GSSIM in Fortran lays the plan of a run out
+for file in share/engine/core/*/*.c share/engine/core/*/*/*.c; do
+  [ "$file" = share/engine/core/inputs/lay_plan.c ] && continue
+  fortran=${file#share/engine/core/}
   [ -f "share/fortran/${fortran%.c}.f" ] || [ -f "$work/base/${fortran%.c}.f" ] ||
     echo "$file has no Fortran"
 done >"$report"
-result 'every file of share/c has its Fortran'
+result 'every file of share/engine/core has its Fortran'
 
 # -- and one routine for each; gsnon stands where the table of a scene has a null pointer; gsus[itu]
 # are in a header (gs_told, gs_accumulates_from, gs_risen of gsmbp/events.h), gshp[os] parts of
-# gshpj, gsdt[ab], gsrk[lqt] and gsste parts of gsdpt, gsrks and gsstd; the driver of programs in
-# Fortran alone has no C
+# gs_hold_position, gsdt[ab], gsrk[lqt] and gsste parts of gs_dp853_trial, gs_run_rk4 and
+# gs_watch_stiffness; the driver of programs in Fortran alone has no C
 nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >"$work/routines"
 nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
   grep -vxFf "$work/routines" |
@@ -53,17 +53,17 @@ nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
     -e 'gsdt[ab]|gsrk[lqt]|gsste' \
     -e "$(awk '/^ +SUBROUTINE/ { sub(/\(.*/, "", $2); print tolower($2) }' \
       share/fortran/drive/*.f | paste -sd '|')" >"$report"
-result 'every routine of share/fortran is in share/c'
+result 'every routine of share/fortran is in share/engine/core'
 
 # -- what is in the objects
 nm "$work"/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
-result 'share/c writes no data of its own'
+result 'share/engine/core writes no data of its own'
 nm -D --defined-only "$(gcc -print-file-name=libm.so.6)" | awk '{ sub(/@.*/, "", $3); print $3 }' \
   >"$work/library"
 printf '%s\n' memcpy memmove memset __stack_chk_fail _GLOBAL_OFFSET_TABLE_ >>"$work/library"
 nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >>"$work/library"
 nm "$work"/c/*.o | awk '$1 == "U" { print $2 }' | sort -u | grep -vxFf "$work/library" >"$report"
-result 'share/c calls nothing but itself and libm'
+result 'share/engine/core calls nothing but itself and libm'
 
 # -- the drivers
 for file in tests/c/*.c; do
@@ -102,7 +102,7 @@ whole || exit 0
 # -- no driver reads or writes beyond an array, or does what C leaves undefined
 mkdir "$work/checked"
 checks='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
-(cd "$work/checked" && gcc $c $checks -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
+(cd "$work/checked" && gcc $c $checks -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) \
   >"$report" 2>&1
 for file in tests/c/*.c tests/c/emitted/runs.c; do
   more=
@@ -110,11 +110,11 @@ for file in tests/c/*.c tests/c/emitted/runs.c; do
   gcc $c $checks -o "$work/checks" "$file" $more "$work"/checked/*.o "$work"/fortran/*.o \
     -lgfortran -lm && "$work/checks" 2>&1 | grep -E '^(not ok|==|[^ ]*: runtime error)'
 done >>"$report" 2>&1
-result 'share/c under the address and the undefined behaviour sanitizer'
+result 'share/engine/core under the address and the undefined behaviour sanitizer'
 
-# -- every function of share/c, static ones too, is run by a driver
+# -- every function of share/engine/core, static ones too, is run by a driver
 mkdir "$work/cover"
-(cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c) \
+(cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) \
   >"$report" 2>&1
 for file in tests/c/*.c tests/c/emitted/runs.c; do
   more=
@@ -127,4 +127,4 @@ done
     /^Lines executed:0.00%/ && name { print name }
     /^File/ { name = "" }' \
   >"$report"
-result 'every function of share/c is run by a driver'
+result 'every function of share/engine/core is run by a driver'

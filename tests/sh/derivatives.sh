@@ -21,7 +21,7 @@ share/make/maxima "$work/log" "$statements" >"$report" 2>&1
 told $? 'the scenes are emitted in C' "$report"
 
 strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
-c="-std=c99 -I$root/share/c -I$root/share/engine -I$work"
+c="-std=c99 -I$root/share/engine/core -I$root/share/engine -I$work"
 for compiler in gcc clang; do
   command -v $compiler >/dev/null || continue
   (mkdir "$work/$compiler" && cd "$work/$compiler" &&
@@ -32,7 +32,7 @@ done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'it has no data of its own'
 for header in host/derivatives/derivatives.h host/adjoint.h; do
-  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only -include $header - \
+  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only -include $header - \
     </dev/null
 done >"$report" 2>&1
 result 'its headers compile as C++'
@@ -45,7 +45,7 @@ for kind in double quad; do
   (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
     gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/carried_runs.c "$work"/*.c \
       "$root"/share/engine/host/derivatives/*.c "$root/share/engine/host/adjoint.c" \
-      "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c &&
+      "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c &&
     gcc $flags -o "../$kind" ./*.o -pthread $library -lm) \
     >"$report" 2>&1
   told $? "the program compiles in $kind precision" "$report"

@@ -21,7 +21,7 @@ told $? 'the scenes are emitted in C' "$report"
 
 host=$root/share/engine/host
 strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
-c="-std=c99 -I$root/share/c -I$root/share/engine -I$work -I$root/tests/c/host"
+c="-std=c99 -I$root/share/engine/core -I$root/share/engine -I$work -I$root/tests/c/host"
 for compiler in gcc clang; do
   command -v $compiler >/dev/null || continue
   for flags in -O2 '-O3 -fopenmp-simd -DGS_OPENMP_SIMD'; do
@@ -32,7 +32,7 @@ for compiler in gcc clang; do
 done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'they have no data of their own'
-g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/c -Ishare/engine -fsyntax-only \
+g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only \
   -include host/ensemble/ensemble.h - </dev/null >"$report" 2>&1
 result 'the header compiles as C++'
 
@@ -46,8 +46,8 @@ for kind in sane threads quad; do
   # one by one, for ccache
   (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
     gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/ensemble_runs.c \
-      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c $sources "$root"/share/c/*/*.c \
-      "$root"/share/c/*/*/*.c &&
+      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c $sources "$root"/share/engine/core/*/*.c \
+      "$root"/share/engine/core/*/*/*.c &&
     gcc $flags -o "../$kind" ./*.o -pthread $library -lm) >"$report" 2>&1
   told $? "the program compiles, $kind" "$report"
   to_the_end "$work/$kind"

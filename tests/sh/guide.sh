@@ -1,7 +1,7 @@
 #!/bin/sh
-# The maps are true: gsmbp/README.md, share/fortran/README.md, share/c/README.md and tests/README.md
-# name every file and routine that is there and none that is not; comments name files that exist;
-# one version.
+# The maps are true: gsmbp/README.md, share/fortran/README.md, share/engine/core/README.md and
+# tests/README.md name every file and routine that is there and none that is not; comments name
+# files that exist; one version.
 /usr/bin/python3 tests/tools/guide.py .
 
 # in a checkout: nothing that a command writes is under version control

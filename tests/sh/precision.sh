@@ -1,25 +1,25 @@
-# The run time in C and emitted C in another precision than double (share/c/gsmbp/real.h).
+# The run time in C and emitted C in another precision than double (share/engine/core/gsmbp/real.h).
 # Quad: what share/fortran gives in quad precision, to 1e-30 of the largest entry: the drivers of
 # tests/c call both, and those of c_pair emitted routines; closed forms (those of the Fortran:
 # run_time.sh, order.sh).
-# Single: share/c without a warning, constants within range; runs to 1e-3 (at length); inverse
-# dynamics of the PUMA 560 to 1e-6 of the largest generalized force, here and, where compilers and
-# emulators are installed, on a Cortex-M4F, without arithmetic in double precision, and on an AVR,
-# where double is single.
+# Single: share/engine/core without a warning, constants within range; runs to 1e-3 (at length);
+# inverse dynamics of the PUMA 560 to 1e-6 of the largest generalized force, here and, where
+# compilers and emulators are installed, on a Cortex-M4F, without arithmetic in double precision,
+# and on an AVR, where double is single.
 . tests/tools/check.sh
 root=$PWD
 work_folder
 strict='-std=c99 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror'
-sources="$(echo "$root"/share/c/*/*.c "$root"/share/c/*/*/*.c)"
+sources="$(echo "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c)"
 
 # quad precision is computed by a library: no level of optimization matters
 quad_run_times() {
   mkdir -p "$work/pair/time/c" "$work/pair/time/fortran"
-  (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$root/share/c" -c $sources &&
+  (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$root/share/engine/core" -c $sources &&
     ar rcs ../c.a ./*.o) >"$report" 2>&1
-  told $? 'share/c compiles in quad precision without a warning' "$report"
+  told $? 'share/engine/core compiles in quad precision without a warning' "$report"
   nm "$work"/pair/time/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
-  result 'share/c in quad precision writes no data of its own'
+  result 'share/engine/core in quad precision writes no data of its own'
   base_fortran "$work/base"
   (cd "$work/pair/time/fortran" && gfortran -O0 -frecursive -freal-8-real-16 \
     -c "$root"/share/fortran/*/*.f "$root"/share/fortran/solve/plain/*.f \
@@ -33,18 +33,18 @@ has_quadmath() {
   return 1
 }
 quad() {
-  has_quadmath 'share/c in quad precision' || return 0
+  has_quadmath 'share/engine/core in quad precision' || return 0
   quad_run_times
   drivers='functions inputs plan project sensitivity events' scenes=tests/scenes/event_crank.mac
   if whole; then
     drivers="$drivers solve loops reach run"
     scenes="$scenes tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac"
   fi
-  gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/order" \
+  gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/engine/core -o "$work/order" \
     tests/c/precision/order.c "$work/pair/time/c.a" -lquadmath -lm >"$report" 2>&1 && "$work/order"
   told $? 'quad precision: closed forms' "$report"
   for name in $drivers; do
-    gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/c -o "$work/$name" \
+    gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/engine/core -o "$work/$name" \
       "tests/c/$name.c" "$work/pair/time/c.a" "$work/pair/time/fortran.a" -lgfortran -lquadmath \
       -lm >"$report" 2>&1 || { unlinked "tests/c/$name.c in quad precision"; continue; }
     echo "quad precision, tests/c/$name.c:"
@@ -58,9 +58,9 @@ quad() {
 float_warnings() {
   for compiler in gcc clang; do
     [ $compiler = gcc ] || whole || continue
-    has $compiler 'warnings of share/c in single precision' || continue
-    $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/c $sources >"$report" 2>&1
-    result "$compiler: share/c in single precision without a warning"
+    has $compiler 'warnings of share/engine/core in single precision' || continue
+    $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/engine/core $sources >"$report" 2>&1
+    result "$compiler: share/engine/core in single precision without a warning"
   done
 }
 puma() {
@@ -69,8 +69,8 @@ puma() {
     load(\"$root/tests/bench/systems/puma6.mac\")\$
     gsmbp_c(scene, [inverse], ['directory = \"$work/puma\", 'precision = any])\$"
   told $? 'the PUMA 560 is emitted for any precision' "$report"
-  routines="tests/c/precision/inverse.c $work/puma/puma6.c $(echo share/c/functions/*.c)"
-  flags="-std=c99 -O2 -Wall -Wextra -Werror -Ishare/c -I$work/puma"
+  routines="tests/c/precision/inverse.c $work/puma/puma6.c $(echo share/engine/core/functions/*.c)"
+  flags="-std=c99 -O2 -Wall -Wextra -Werror -Ishare/engine/core -I$work/puma"
   gcc $flags -pedantic -DREFERENCE -o "$work/reference" $routines -lm >"$report" 2>&1 &&
     "$work/reference" >"$work/puma/reference.h"
   told $? 'its inverse dynamics in double precision' "$report"
@@ -89,10 +89,10 @@ here() {
   for file in puma6.c puma6.h; do
     sed 's/gs_real/double/g; s/GS_R (\([^)]*\))/\1/g' "$work/puma/$file" >"$work/for_double/$file"
   done
-  gcc -std=c99 -fsyntax-only -Ishare/c "$work/for_double/puma6.c" >"$report" 2>&1
+  gcc -std=c99 -fsyntax-only -Ishare/engine/core "$work/for_double/puma6.c" >"$report" 2>&1
   told $? 'C for double compiles' "$report"
   check 'C for double is refused in single precision' fails \
-    gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -Ishare/c "$work/for_double/puma6.c" 2>"$report"
+    gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -Ishare/engine/core "$work/for_double/puma6.c" 2>"$report"
   has_quadmath 'inverse dynamics in quad precision' || return 0
   gcc $flags -DGSMBP_QUAD -o "$work/quad_puma" $routines -lquadmath -lm >"$report" 2>&1 &&
     "$work/quad_puma" >"$report" 2>&1
@@ -135,9 +135,9 @@ runs() {
       gsmbp_c(scene, all, ['directory = \"$work/runs\", 'precision = any])\$"
   done)"
   told $? 'scenes are emitted for any precision' "$report"
-  (cd "$work/runs/double" && gcc $strict -O1 -I"$root/share/c" -c $sources && cd ../single &&
-    gcc $strict -O1 -DGSMBP_FLOAT -I"$root/share/c" -c $sources) >"$report" 2>&1
-  told $? 'share/c compiles in double and in single precision' "$report"
+  (cd "$work/runs/double" && gcc $strict -O1 -I"$root/share/engine/core" -c $sources && cd ../single &&
+    gcc $strict -O1 -DGSMBP_FLOAT -I"$root/share/engine/core" -c $sources) >"$report" 2>&1
+  told $? 'share/engine/core compiles in double and in single precision' "$report"
   for file in $files; do
     scene=${file##*/}
     for key in initial nominal; do
@@ -155,7 +155,7 @@ run() {
     macro= rtol=1e-9
     [ $precision = double ] || { macro=-DGSMBP_FLOAT rtol=1e-4; }
     gcc -std=c99 -O1 -Wall -Wextra $macro -DSCENE="$1" -DMETHOD="$2" -DWAY="$3" -DRTOL=$rtol \
-      -Ishare/c -I"$work/runs" -o "$work/run" tests/c/precision/run.c "$work/runs/$1.c" \
+      -Ishare/engine/core -I"$work/runs" -o "$work/run" tests/c/precision/run.c "$work/runs/$1.c" \
       "$work/runs/$precision"/*.o -lm && "$work/run" || echo failed
   done >"$report" 2>&1
   awk 'NR == 1 { n = NF; for (i = 1; i <= n; i++) x[i] = $i }

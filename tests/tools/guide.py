@@ -1,4 +1,4 @@
-"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md, share/c/README.md,
+"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md, share/engine/core/README.md,
 octave/+gs/README.md and tests/README.md true?
 
 One line `ok WHAT` or `not ok WHAT: what is missing or too much` a check.
@@ -111,26 +111,26 @@ def check_fortran():
             for (name, file), who in index.items() if name in truth and truth[name] != who])
 
 
-# -- share/c
+# -- share/engine/core
 
 def check_c():
     """the index has the routines that the headers declare, each in the file that defines it"""
     declared = set(re.findall(r'\b(gs[a-z0-9]+) \(', '\n'.join(
-        without_comments(path) for path in files_of('share/c/gsmbp/*.h') if 'arith' not in path)))
+        without_comments(path) for path in files_of('share/engine/core/gsmbp/*.h') if 'arith' not in path)))
     defined = {}
-    for path in files_of('share/c/*/*.c', 'share/c/*/*/*.c'):
+    for path in files_of('share/engine/core/*/*.c', 'share/engine/core/*/*/*.c'):
         for name in re.findall(r'(?m)^(gs[a-z0-9]+) \(', without_comments(path)):
-            defined[name] = os.path.relpath(path, 'share/c')
+            defined[name] = os.path.relpath(path, 'share/engine/core')
     folder, index = '', {}
-    for line in text_of('share/c/README.md').splitlines():
+    for line in text_of('share/engine/core/README.md').splitlines():
         heading = re.match(r'## `(\w+/)`', line)
         folder = heading.group(1) if heading else folder
         row = re.match(r'\| `(gs\w+)` \| `([\w/.]+\.c)` \|', line)
         if row:
             index[row.group(1)] = folder + row.group(2)
-    report('share/c: every routine has its prototype, every prototype its routine',
+    report('share/engine/core: every routine has its prototype, every prototype its routine',
            declared ^ set(defined))
-    report('share/c/README.md: the index has every routine and its file',
+    report('share/engine/core/README.md: the index has every routine and its file',
            {n for n in set(index) | set(defined) if index.get(n) != defined.get(n)})
 
 

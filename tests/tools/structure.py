@@ -15,7 +15,7 @@ One line `FIGURE NUMBER` each, or with --where the places behind one figure:
   unprinted   ... in that folder, beside the files that print statements
   readers     functions that read words of Fortran
   layouts     places of the plan of a run (IP, RP) by number outside of the run time, whose file
-              share/c/inputs/gslay.c lays it out for everybody
+              share/engine/core/inputs/lay_plan.c lays it out for everybody
   crowded     rooms of octave/+gs with more than 40 files
   nameless    names in them of one word
   shadows     functions in files of octave/ with the name of one in a room, or of a room that the

@@ -86,7 +86,7 @@ function files = write_c (who, c, t, folder, place)
     texts(end+1,:) = {file, fileread(fullfile (place, file))};
   endfor
   needed = gs.controller.target_needs ([source, texts{3,2}], "c");
-  headers = glob (gs.files.own_place ("share", "c", "gsmbp", "*.h"))';
+  headers = glob (gs.files.own_place ("share", "engine", "core", "gsmbp", "*.h"))';
   parts = [needed, {gs.files.own_place("share", "controllers", "controllers.h")}, headers];
   for file = parts
     [~, base, kind] = fileparts (file{1});

@@ -4,7 +4,7 @@
 ## finite ones), "list" (a vector of such), "text", "names" (a text or a cell array of
 ## texts), or one of the words of a cell array; [low, high]: a number within; "tolerance": a
 ## number above 0 and below 1; "nonnegative": a finite number >= 0; "steps": maxsteps;
-## "any": WHO looks at it later.  Texts: share/c/gsmbp/options.h.
+## "any": WHO looks at it later.  Texts: share/engine/core/gsmbp/options.h.
 
 function check_kind (who, what, value, kind)
   numbers = isnumeric (value) && isreal (value) && all (isfinite (value(:)));

@@ -1,6 +1,6 @@
 ## [text, id] = gs.run.failure_text (m, info, stats, said, last)
 ## Why a run of the model M, which has its parameters, ended: INFO of GSSIM, its statistics STATS
-## (share/c/gsmbp/statistics.h), what its method SAID, and the LAST state, a
+## (share/engine/core/gsmbp/statistics.h), what its method SAID, and the LAST state, a
 ## struct with x and v (empty where there is none).  ID: that of an error that says so.
 
 function [text, id] = failure_text (m, info, stats, said, last)

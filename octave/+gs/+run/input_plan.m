@@ -1,7 +1,7 @@
 ## [plan, breaks, callback] = gs.run.input_plan (who, o, m)
-## What the inputs are in a run: the fields of gs_plan (share/c/gsmbp/plan.h, which says what they
-## mean; [] is none) as a struct, the breaks and the function to call back.  O: the options of
-## gsmbp_simulate.  Where these numbers lie in IP and RP the run time knows alone.
+## What the inputs are in a run: the fields of gs_plan (share/engine/core/gsmbp/plan.h, which says
+#what they # mean; [] is none) as a struct, the breaks and the function to call back.  O: the
+#options of # gsmbp_simulate.  Where these numbers lie in IP and RP the run time knows alone.
 
 function [plan, breaks, callback] = input_plan (who, o, m)
   d = m.sizes;

@@ -1,6 +1,6 @@
 ## s = gs.run.named_statistics (s, m, result, method, all)
 ## The statistics of a run of the model M by METHOD, as gsmbp_simulate returns them, added to those
-## in S.  ALL: as the module returns them (share/c/gsmbp/statistics.h).
+## in S.  ALL: as the module returns them (share/engine/core/gsmbp/statistics.h).
 
 function s = named_statistics (s, m, result, method, all)
   for name = {"calls", "accepted", "rejected", "repeated", "projections", "rank_losses", ...

@@ -1,6 +1,6 @@
 ## table = gs.run.option_table (drift)
-## Return the options of gsmbp_simulate (share/c/gsmbp/options.h): name, default (DRIFT for
-## "drift"), kind. The default NaN of rtol is that of the table; no user can give it, so that a
+## Return the options of gsmbp_simulate (share/engine/core/gsmbp/options.h): name, default (DRIFT
+#for # "drift"), kind. The default NaN of rtol is that of the table; no user can give it, so that a
 ## tolerance that is not used can be reported.
 
 function table = option_table (drift)

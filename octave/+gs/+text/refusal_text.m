@@ -1,5 +1,5 @@
 ## text = gs.text.refusal_text (name, value, ...)
-## Return why a run is refused, in the words of all hosts (share/c/gsmbp/refusals.h).
+## Return why a run is refused, in the words of all hosts (share/engine/core/gsmbp/refusals.h).
 
 function text = refusal_text (name, varargin)
   rows = gs.text.table_rows ("GS_REFUSALS");

@@ -1,5 +1,5 @@
 ## value = gs.text.run_limit (name)
-## Return a limit of runs (share/c/gsmbp/limits.h).
+## Return a limit of runs (share/engine/core/gsmbp/limits.h).
 
 function value = run_limit (name)
   persistent limits = numbers (gs.text.table_rows ("GS_LIMITS"));

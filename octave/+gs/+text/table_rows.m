@@ -1,6 +1,6 @@
 ## rows = gs.text.table_rows (table)
-## Return the rows of the TABLE GS_... of options, limits, refusals or verdicts in share/c/gsmbp,
-## which all hosts of runs share: a cell array of texts, a row each.
+## Return the rows of the TABLE GS_... of options, limits, refusals or verdicts in
+#share/engine/core/gsmbp, # which all hosts of runs share: a cell array of texts, a row each.
 
 function rows = table_rows (table)
   persistent known = struct ();
@@ -20,7 +20,7 @@ function rows = read_rows (table)
 endfunction
 
 function text = texts ()
-  text = cellfun (@(file) fileread (gs.files.own_place ("share", "c", "gsmbp", file)), ...
+  text = cellfun (@(file) fileread (gs.files.own_place ("share", "engine", "core", "gsmbp", file)), ...
                   {"options.h", "limits.h", "refusals.h", "failures.h"}, "UniformOutput", false);
   text = [text{:}];
 endfunction

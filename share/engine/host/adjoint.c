@@ -14,7 +14,8 @@ typedef struct
   const gs_adjoint_run *run;
   int istat[GS_COUNTED];
   gs_real ropt[3], rstat[GS_MEASURED];
-  gs_real *block, *x, *xn, *w; /* the state, the next one; (nx,13) stages, or what gsad8 takes */
+  gs_real *block, *x, *xn, *w; /* the state, the next one; (nx,13) stages, or what
+                                  gs_step_back_dp853 takes */
   gs_real t, h;                /* the time, the next step, 0 before the first one [s] */
 } course;
 
@@ -48,7 +49,8 @@ begin (course *c, const gs_adjoint_run *run, gs_real t, gs_real rtol, const gs_r
   c->g.p = c->g.v + inputs;
   c->g.w = c->g.p + GS_PARTS;
   gs_copy (nx, x, c->x);
-  gsinp (s, t, 1, x, nx, run->ip, run->rp, run->cst, c->g.v, c->g.w); /* fails again at a step */
+  gs_inputs_of_run (s, t, 1, x, nx, run->ip, run->rp, run->cst, c->g.v, c->g.w); /* fails again at a
+                                                                                    step */
   return 0;
 }
 
@@ -89,14 +91,14 @@ keep_step (const course *c, gs_kept_steps *kept, gs_real tn, gs_real length, int
 static int
 try_step (course *c, gs_kept_steps *kept, gs_real end)
 {
-  if (gsfun (&c->g, c->t, 1, c->x, c->w) != 0)
+  if (gs_rates_at (&c->g, c->t, 1, c->x, c->w) != 0)
     return GS_TOO_SMALL; /* no step is short enough where the rates fail */
-  if (c->h <= 0 && gshin (&c->g, c->t, end - c->t, c->x, c->w, &c->h) != 0)
+  if (c->h <= 0 && gs_first_step (&c->g, c->t, end - c->t, c->x, c->w, &c->h) != 0)
     c->h = end - c->t;
   const int last = c->t + (gs_real)1.01 * c->h >= end, side = last ? -1 : 1;
   const gs_real length = last ? end - c->t : c->h, tn = last ? end : c->t + c->h;
   gs_real err = 0;
-  const int info = gsdp8 (&c->g, c->t, tn, side, length, c->x, c->xn, &err, c->w);
+  const int info = gs_step_dp853 (&c->g, c->t, tn, side, length, c->x, c->xn, &err, c->w);
   if (info != 0 || ! (err >= 0))
     err = (gs_real)1e10;
   const gs_real factor = err > 0 ? (gs_real)(0.9 * pow ((double)err, -0.125)) : 6;
@@ -148,9 +150,9 @@ step_back (course *c, const gs_kept_steps *kept, int step, gs_real *by_start,
 {
   const gs_scene *s = c->g.s;
   const gs_real *one = kept->numbers + (ptrdiff_t)(4 + 13 * s->nx) * step;
-  const int info = gsad8 (s, one[0], one[1], one[3] < 0 ? -1 : 1, one[2], one + 4, one + 4 + s->nx,
-                          s->nsp, c->g.ip, c->g.rp, c->g.cst, c->g.v, by_start, by_parameters,
-                          c->w, c->g.w);
+  const int info = gs_step_back_dp853 (s, one[0], one[1], one[3] < 0 ? -1 : 1, one[2], one + 4,
+                                       one + 4 + s->nx, s->nsp, c->g.ip, c->g.rp, c->g.cst, c->g.v,
+                                       by_start, by_parameters, c->w, c->g.w);
   c->t = one[0];
   return info != 0 ? info : ask (c, c->t);
 }

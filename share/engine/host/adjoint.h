@@ -1,7 +1,7 @@
 /* host/adjoint.h: derivatives of goals of a run by its start and its parameters, backwards: a run
  * whose steps are kept, and the way back through them, at a cost that does not depend on the number
- * of parameters. Steps are those of gsdp8, without projection, events and samples; inputs depend on
- * time alone. Shapes, units: gsmbp/scene.h. */
+ * of parameters. Steps are those of gs_step_dp853, without projection, events and samples; inputs
+ * depend on time alone. Shapes, units: gsmbp/scene.h. */
 #ifndef GSMBP_HOST_ADJOINT_H
 #define GSMBP_HOST_ADJOINT_H
 

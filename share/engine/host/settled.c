@@ -47,7 +47,7 @@ linearize (const settling *w)
       for (int i = 0; i < n; i++)
         w->slope[i + n * k] = (w->xd[d->settled[i]] - w->f[i]) / h;
     }
-  return gsfin (n, w->f) == 0 && gsfin (n * n, w->slope) == 0;
+  return gs_not_finite (n, w->f) == 0 && gs_not_finite (n * n, w->slope) == 0;
 }
 
 /* Newton's method; 1 if it has found where the rates vanish */
@@ -58,7 +58,7 @@ find (const settling *w)
   const int n = d->nsettled;
   for (int turn = 0; turn < TURNS; turn++)
     {
-      if (! linearize (w) || gsleq (n, 1, w->slope, n, w->f, n, w->order) != 0)
+      if (! linearize (w) || gs_solve_general (n, 1, w->slope, n, w->f, n, w->order) != 0)
         return 0;
       int small = 1;
       for (int i = 0; i < n; i++)
@@ -82,7 +82,7 @@ close_state (const settling *w, const gs_real *x)
   gs_real res;
   memcpy (w->x, x, (size_t)s->nx * sizeof *x);
   memcpy (w->moved, x, (size_t)s->nx * sizeof *x);
-  if (s->prj && s->prj (w->t, w->moved, w->cst, &res) == 0 && gsfin (s->nx, w->moved) == 0)
+  if (s->prj && s->prj (w->t, w->moved, w->cst, &res) == 0 && gs_not_finite (s->nx, w->moved) == 0)
     memcpy (w->x, w->moved, (size_t)s->nx * sizeof *x);
 }
 

@@ -325,7 +325,7 @@ gs_instants (int n, const double *period, const double *delay, double span)
   return instants;
 }
 
-/* that of a stop which errors at its nearer end are beside (gstvl) */
+/* that of a stop which errors at its nearer end are beside (gs_stop_travel) */
 static double
 travel (double place, double low, double high)
 {

@@ -42,13 +42,13 @@ main (int count, char **words)
     times[k] = 0.1 * k;
   for (int k = 0; k < NX; k++)
     atol[k] = 1e-9 * nominal[k];
-  gs_run run = { .nx = NX, .x0 = x0, .nt = TIMES, .tout = times, .iopt = iopt, .ropt = ropt,
+  gs_integration run = { .nx = NX, .x0 = x0, .nt = TIMES, .tout = times, .iopt = iopt, .ropt = ropt,
                  .atol = atol, .ip = ip, .rp = rp, .cst = cst, .xout = x, .ldx = NX, .vout = v,
                  .ldv = NV > 1 ? NV : 1 };
   run.lw = gs_room (s, NX, 0);
   run.w = calloc (run.lw, sizeof *run.w);
   if (info == 0)
-    info = radau ? gs_radau (s, &run, &implicit) : gssim (s, &run);
+    info = radau ? gs_radau (s, &run, &implicit) : gs_integrate (s, &run);
   for (int k = 0; k < run.istat[GS_N_OUTPUTS]; k++)
     {
       printf ("%4.1f", times[k]);

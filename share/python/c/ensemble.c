@@ -7,7 +7,7 @@
 extern const gs_description gs_loop_description;
 extern int gs_loop_pre (const double *par, double *cst);
 
-/* ask of gs_run: what Python has written ends all runs */
+/* ask of gs_integration: what Python has written ends all runs */
 static int
 ask (void *over, double t)
 {

@@ -1,4 +1,4 @@
-/* run.c: runs and gsfol for the module, their arguments one by one. */
+/* run.c: runs and gs_follow_motion for the module, their arguments one by one. */
 #include <string.h>
 #include <time.h>
 
@@ -19,7 +19,7 @@ typedef struct
   int calls;
 } gs_asking;
 
-/* ask of gs_run */
+/* ask of gs_integration */
 static int
 ask (void *data, double t)
 {
@@ -31,21 +31,21 @@ ask (void *data, double t)
   return a->question ();
 }
 
-/* by gssim, or by an implicit method: from the beginning, or where gssim finds steps bound by
- * stability */
+/* by gs_integrate, or by an implicit method: from the beginning, or where gs_integrate finds steps
+ * bound by stability */
 static int
-integrate (const gs_scene *s, gs_run *r, gs_implicit_method *by, gs_implicit *options)
+integrate (const gs_scene *s, gs_integration *r, gs_implicit_method *by, gs_implicit *options)
 {
   int info = GS_STIFF;
   options->resume = r->iopt[GS_METHOD] != 0;
   if (options->resume)
-    info = gssim (s, r);
+    info = gs_integrate (s, r);
   return info == GS_STIFF && by ? by (s, r, options) : info;
 }
 
 /* a run; rhs, vin: in the place of the scene's, or null pointers; question may be one, too, and by,
  * an implicit method; choice: its largest order, 1 for loops in index 2, how many states the inputs
- * follow, which ones; said (size): what it says where it fails. info as gssim */
+ * follow, which ones; said (size): what it says where it fails. info as gs_integrate */
 int
 gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *question, int nx, double t0,
              const double *x0, int nt, const double *tout, int nb, const double *tbrk,
@@ -56,7 +56,7 @@ gs_loop_run (const gs_scene *s, gs_rhs *rhs, gs_vin *vin, gs_question *question,
   gs_implicit o = { .order = choice[0], .index2 = choice[1], .followed = choice[2],
                     .follows = choice + 3, .text = said, .length = size };
   gs_scene own = *s;
-  gs_run r = { .nx = nx, .t0 = t0, .x0 = x0, .nt = nt, .tout = tout, .nb = nb, .tbrk = tbrk,
+  gs_integration r = { .nx = nx, .t0 = t0, .x0 = x0, .nt = nt, .tout = tout, .nb = nb, .tbrk = tbrk,
                .iopt = iopt, .ropt = ropt, .atol = atol, .ip = ip, .rp = rp, .cst = cst,
                .xout = xout, .ldx = nx, .vout = vout, .ldv = s->nv > 1 ? s->nv : 1, .w = w,
                .lw = lw };
@@ -129,11 +129,11 @@ gs_loop_room (const gs_scene *s, int nx, int r)
   return gs_room (s, nx, r);
 }
 
-/* the planned motion qj (nu,0:r) of a closed chain at t, see gsfol */
+/* the planned motion qj (nu,0:r) of a closed chain at t, see gs_follow_motion */
 int
 gs_loop_follow (const gs_scene *s, double t, int side, int r, int na, const int *ipl, int np,
                 int k, const double *brk, const double *coef, const double *cst, double *qj,
                 double *w)
 {
-  return gsfol (s, t, side, r, na, ipl, np, k, brk, coef, cst, qj, w);
+  return gs_follow_motion (s, t, side, r, na, ipl, np, k, brk, coef, cst, qj, w);
 }

@@ -240,7 +240,7 @@ class _Plan:
         return bounds
 
     def samples(self, times, memory, keep):
-        """The plan of the sampled devices, see gssmp."""
+        """The plan of the sampled devices, see gs_sample."""
         devices = TABLE.get('controllers') or []
         if not devices:
             if memory is not None:
@@ -256,7 +256,7 @@ class _Plan:
         self.given.instants = keep * int(LIBRARY.gs_instants(*devices, span))
 
     def events(self, modes):
-        """The plan of the ports that stick or hit stops, see gsres."""
+        """The plan of the ports that stick or hit stops, see gs_resolve_event."""
         n = len(TABLE.get('events') or [])
         if not n:
             if modes is not None:

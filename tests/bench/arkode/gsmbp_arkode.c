@@ -75,7 +75,7 @@ hears (gs_stepper *s)
 static int
 begin (gs_stepper *s)
 {
-  const gs_run *r = s->r;
+  const gs_integration *r = s->r;
   dirk *b = s->memory;
   int flag;
   memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
@@ -138,7 +138,7 @@ count (gs_stepper *s)
 }
 
 int
-gs_arkode (const gs_scene *scene, gs_run *run, const gs_implicit *options)
+gs_arkode (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method arkstep
     = { open_, close_, begin, restart, step, NULL /* no events */, between, rejected, count, 1, 0 };

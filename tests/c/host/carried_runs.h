@@ -1,5 +1,5 @@
-/* carried_runs.h: runs of emitted scenes with columns of derivatives, by gssim, for carried_runs.c
- * and its like. */
+/* carried_runs.h: runs of emitted scenes with columns of derivatives, by gs_integrate, for
+ * carried_runs.c and its like. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,12 +97,12 @@ run_job (void *given)
             missing ? missing : "(memory)");
   else if (j->info == 0)
     {
-      gs_run run = { .nx = nx, .x0 = j->x0, .nt = j->nt, .tout = j->tout, .iopt = iopt,
+      gs_integration run = { .nx = nx, .x0 = j->x0, .nt = j->nt, .tout = j->tout, .iopt = iopt,
                      .ropt = ropt, .atol = atol, .ip = ip, .rp = rp,
                      .cst = gs_derivatives_constants (d), .xout = j->x, .ldx = MOST, .vout = v,
                      .ldv = j->s->nv + 1, .lw = gs_room (j->s, nx, 0) };
       run.w = zeros ((size_t)run.lw, sizeof *run.w);
-      j->info = gssim (gs_derivatives_scene (d), &run);
+      j->info = gs_integrate (gs_derivatives_scene (d), &run);
       j->calls = run.istat[GS_N_RHS];
       read_columns (j, d);
       free (run.w);
@@ -143,8 +143,8 @@ run_along (job *j, const gs_kept_steps *kept)
   for (int k = 0; k < kept->steps; k++)
     {
       const gs_real *one = kept->numbers + (4 + 13 * n) * k;
-      if (gsfun (&g, one[0], 1, x, w) != 0
-          || gsdp8 (&g, one[0], one[1], one[3] < 0 ? -1 : 1, one[2], x, next, &err, w) != 0)
+      if (gs_rates_at (&g, one[0], 1, x, w) != 0
+          || gs_step_dp853 (&g, one[0], one[1], one[3] < 0 ? -1 : 1, one[2], x, next, &err, w) != 0)
         printf ("not ok step %d can be taken again\n", k);
       memcpy (x, next, (size_t)nx * sizeof *x);
     }

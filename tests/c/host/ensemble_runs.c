@@ -40,7 +40,7 @@ SUBJECT (sensitivity_bounce, SENSITIVITY_BOUNCE, 2, GS_R (0.05), 2, 1, 0)
 /* the crank lies along the x axis */
 SUBJECT (sensitivity_crank, SENSITIVITY_CRANK, 5, 0, 0.4, 0, 0, GS_R (0.7))
 
-/* each run is that of gssim, or of the implicit method, by itself */
+/* each run is that of gs_integrate, or of the implicit method, by itself */
 static void
 against_single (const given *g, const found *f, const char *of)
 {

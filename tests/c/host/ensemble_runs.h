@@ -66,7 +66,7 @@ scattered (int k)
 static void
 plan_runs (given *g)
 {
-  gs_run *r = &g->e.run;
+  gs_integration *r = &g->e.run;
   static const gs_real none[8] = { 0 };
   const gs_plan plan = { .s = g->j->s, .nx = r->nx, .constants = none, .events = 60 };
   g->e.wholes = (size_t)gs_wholes (&plan);
@@ -197,7 +197,7 @@ single (const given *g, int i, gs_real *x, int *info)
     x0[k] = g->starts[i * nx + k];
   if (gs_take_start (&g->about, &at, x0, &start) != GS_START_TAKEN)
     abort ();
-  gs_run r = g->e.run;
+  gs_integration r = g->e.run;
   r.x0 = x0;
   r.cst = cst;
   r.xout = x;
@@ -208,7 +208,8 @@ single (const given *g, int i, gs_real *x, int *info)
   memcpy (r.ip, g->e.run.ip, wholes * sizeof (int));
   memcpy (r.rp, g->e.run.rp, reals * sizeof (gs_real));
   memcpy (r.w, x0, (size_t)j->s->nu * sizeof (gs_real));
-  *info = g->iopt[GS_METHOD] == 0 ? g->e.method (&scene, &r, &g->implicit) : gssim (&scene, &r);
+  *info = g->iopt[GS_METHOD] == 0 ? g->e.method (&scene, &r, &g->implicit)
+                                  : gs_integrate (&scene, &r);
   free (r.ip);
   free (r.rp);
   free (r.w);

@@ -24,7 +24,7 @@ least_step (int m, int n, const double *h, const double *b, double *d)
             a[i + m * j] += h[i + m * k] * h[j + m * k];
         }
     }
-  if (gsleq (m, 1, a, m, y, m, iw) != 0)
+  if (gs_solve_general (m, 1, a, m, y, m, iw) != 0)
     abort ();
   for (int k = 0; k < n; k++)
     {

@@ -75,7 +75,7 @@ inverse_dynamics (gs_real *tau)
         }
       puma6_inv (0, q, u, ud, v, cst, tau + N * state);
     }
-  return gsfin (STATES * N, tau) == 0 ? 0 : -1;
+  return gs_not_finite (STATES * N, tau) == 0 ? 0 : -1;
 }
 
 int

@@ -1,6 +1,6 @@
-/* What share/c computes in quad precision against closed forms: the sines; a system with a
- * symmetric positive definite matrix; the integrators on y' = y cos t, z' = -2 t z^2, whose orders
- * hold down to errors that only coefficients good to 30 digits give. Prints ok or not ok. */
+/* What share/engine/core computes in quad precision against closed forms: the sines; a system with
+ * a symmetric positive definite matrix; the integrators on y' = y cos t, z' = -2 t z^2, whose
+ * orders hold down to errors that only coefficients good to 30 digits give. Prints ok or not ok. */
 #include <stdio.h>
 
 #include "gsmbp/integrate.h"
@@ -41,10 +41,10 @@ system_of_equations (void)
         a[i + N * j] = (gs_real)(i < j ? i + 1 : j + 1) / 7;
         b[i] += a[i + N * j] * (gs_real)(j * j + 1);
       }
-  int info = gsspd (N, 1, a, N, b, N);
+  int info = gs_solve_spd (N, 1, a, N, b, N);
   for (int i = 0; i < N; i++)
     off = gs_fmax (off, gs_abs (b[i] - (gs_real)(i * i + 1)));
-  told ("gsspd", info == 0 ? off : 1, 1e-30);
+  told ("gs_solve_spd", info == 0 ? off : 1, 1e-30);
 }
 
 static int
@@ -74,9 +74,9 @@ error_of (int method, int n)
       gs_real t = (gs_real)i * h;
       info = rhs (t, x, v, rp, w);
       if (method == 4)
-        info = gsrk4 (&g, t, t + h, 1, h, x, xn, w);
+        info = gs_step_rk4 (&g, t, t + h, 1, h, x, xn, w);
       else
-        info = gsdp8 (&g, t, t + h, 1, h, x, xn, &err, w);
+        info = gs_step_dp853 (&g, t, t + h, 1, h, x, xn, &err, w);
       x[0] = xn[0];
       x[1] = xn[1];
     }

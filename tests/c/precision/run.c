@@ -1,6 +1,7 @@
 /* A run of an emitted scene (C for any precision) from its start, inputs zero: prints the info of
- * gssim, the steps and the states at the end. Made by tests/sh/precision.sh: SCENE, the prefix of
- * the names; METHOD, 4 or 8; WAY, how loops are kept; RTOL; start.h: initial and nominal. */
+ * gs_integrate, the steps and the states at the end. Made by tests/sh/precision.sh: SCENE, the
+ * prefix of the names; METHOD, 4 or 8; WAY, how loops are kept; RTOL; start.h: initial and
+ * nominal. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -42,13 +43,13 @@ main (void)
     }
   if (info == 0 && s->prj)
     info = s->prj (0, x0, cst, &res);
-  gs_run run = { .nx = nx, .x0 = x0, .nt = 1, .tout = &end, .iopt = iopt, .ropt = ropt,
+  gs_integration run = { .nx = nx, .x0 = x0, .nt = 1, .tout = &end, .iopt = iopt, .ropt = ropt,
                  .atol = atol, .ip = ip, .rp = rp, .cst = cst, .xout = x, .ldx = nx, .vout = v,
                  .ldv = s->nv > 1 ? s->nv : 1 };
   run.lw = gs_room (s, nx, 0);
   run.w = calloc ((size_t)run.lw, sizeof *run.w);
   if (info == 0)
-    info = gssim (s, &run);
+    info = gs_integrate (s, &run);
   printf ("%d %d", info, run.istat[GS_N_STEPS]);
   for (int k = 0; k < nx; k++)
     printf (" %.9e", (double)x[k]);

@@ -177,13 +177,13 @@ hears (gs_stepper *s)
 
 /* What CVODE is told of the tolerances.  Its error test is one of a step: over a run, and in the
    steps of low order after every start, errors of BDF add up to some 100 times what is asked for,
-   those of GSDP8 do not. */
+   those of gs_step_dp853 do not. */
 static const double tight = 0.1, finest = 1e-14;
 
 static int
 begin (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   bdf *b = s->memory;
   void *m = b->memory;
   double rtol = fmax (tight * r->ropt[1], fmin (finest, r->ropt[1]));
@@ -277,7 +277,7 @@ count (gs_stepper *s)
 }
 
 int
-gs_cvode (const gs_scene *scene, gs_run *run, const gs_implicit *options)
+gs_cvode (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method bdf_
     = { open_, close_, begin, restart, step, again, between, rejected, count, 1, 0, 0 };

@@ -92,8 +92,8 @@ struct gs_derivatives
   gs_sent_outputs *sent;
   int nsent;
 
-  /* workspaces: of gssen and gsspj; of gsinp of the inner scene and of the outer one; of input
-     columns; of each file by its name */
+  /* workspaces: of gs_rates_with_columns and gs_project_columns; of gs_inputs_of_run of the inner
+     scene and of the outer one; of input columns; of each file by its name */
   gs_real *w, *w2, *wi, *w3, *change;
   int *iw;
   struct { gs_real *v, *gains, *moves, *wanted, *f, *xi; } slopes;

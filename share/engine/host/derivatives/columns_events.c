@@ -8,7 +8,8 @@ gs_columns_rates_at (gs_derivatives *d, gs_real t, const gs_real *x, int side, g
                      gs_real *f)
 {
   const gs_real *cst = gs_columns_constants (d);
-  int info = gsinp (&d->outer, t, side, x, d->inner.nx * (1 + d->nc), d->ip, d->rp, cst, v, d->w3);
+  int info = gs_inputs_of_run (&d->outer, t, side, x, d->inner.nx * (1 + d->nc), d->ip, d->rp, cst,
+                               v, d->w3);
   if (info == 0)
     info = d->inner.rhs (t, x, v, cst, f);
   return info == 2 || info == 3 ? 0 : info;

@@ -1,11 +1,11 @@
 /* columns_inputs.c: inputs that depend on parameters or states in a run with columns: those that
  * are held (vp), feedback, a planned motion. Feedback is evaluated here, at the states alone, and
- * its gain kept: the gsinp of the run sees a vin. */
+ * its gain kept: the gs_inputs_of_run of the run sees a vin. */
 #include <stdlib.h>
 
 #include "host/derivatives/columns.h"
 
-/* what cmp says of the planned motion that gsinp has left in its workspace */
+/* what cmp says of the planned motion that gs_inputs_of_run has left in its workspace */
 static int
 planned_columns (gs_derivatives *d, gs_real t, const gs_real *x)
 {
@@ -21,14 +21,15 @@ gs_columns_vin (gs_real t, int side, const gs_real *x, int nx, int nv, void *dat
 {
   gs_derivatives *d = (gs_derivatives *)data;
   const int *ip = d->own_ip, *gain = ip + GS_GAIN, nk = nv * d->inner.nx;
-  int info = gsinp (&d->inner, t, side, x, d->inner.nx, ip, d->rp, gs_columns_constants (d), v,
-                    d->wi);
+  int info = gs_inputs_of_run (&d->inner, t, side, x, d->inner.nx, ip, d->rp,
+                               gs_columns_constants (d), v, d->wi);
   (void)nx;
   if (info == 0 && ip[GS_V0] == 2 && ! gs_states_alone (d))
     info = planned_columns (d, t, x);
   if (info == 0 && ip[GS_FEEDBACK] == 1)
-    info = gs_least (0, gspln (nk, gain[0], gain[1], d->rp + gain[2] - 1, d->rp + gain[3] - 1, t,
-                               side, 0, d->gain, gs_most (1, nk)));
+    info = gs_least (0,
+                     gs_polynomials_at (nk, gain[0], gain[1], d->rp + gain[2] - 1,
+                                        d->rp + gain[3] - 1, t, side, 0, d->gain, gs_most (1, nk)));
   return info;
 }
 

@@ -11,8 +11,8 @@ gs_columns_drop_lost (const gs_derivatives *d, gs_real *x)
       gs_zero (d->inner.nx, gs_column_in (d, x, k));
 }
 
-/* what the rates get through inputs that depend on parameters and states; gssen leaves dxd/dv
-   behind dxd/dx and dxd/dp in its workspace */
+/* what the rates get through inputs that depend on parameters and states; gs_rates_with_columns
+   leaves dxd/dv behind dxd/dx and dxd/dp in its workspace */
 static void
 add_inputs (gs_derivatives *d, const gs_real *x, const gs_real *v, gs_real *xd)
 {
@@ -41,7 +41,7 @@ gs_columns_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cs
       gs_zero (s->nx * d->nc, xd + s->nx);
       return info;
     }
-  const int info = gssen (s, t, d->top, s->nsp, d->nc, d->col, x, v, cst, d->w, xd);
+  const int info = gs_rates_with_columns (s, t, d->top, s->nsp, d->nc, d->col, x, v, cst, d->w, xd);
   if (d->has_samples || d->own_ip || (d->has_events && d->events.ns > 0))
     add_inputs (d, x, v, xd);
   gs_columns_drop_lost (d, xd);
@@ -51,8 +51,8 @@ gs_columns_rhs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cs
 static int
 onto_constraints (gs_derivatives *d, gs_real t, gs_real *x)
 {
-  return gsspj (&d->inner, t, d->nsets, d->sets, d->inner.nsp, d->nc, d->col, x,
-                gs_columns_constants (d), d->w2, d->iw);
+  return gs_project_columns (&d->inner, t, d->nsets, d->sets, d->inner.nsp, d->nc, d->col, x,
+                             gs_columns_constants (d), d->w2, d->iw);
 }
 
 int

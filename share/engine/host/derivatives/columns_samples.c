@@ -107,12 +107,12 @@ static void
 send (gs_derivatives *d, int k)
 {
   const gs_samples *a = &d->samples;
-  int from = 0, place = a->np - 1; /* where gssmp puts it: the last free one */
+  int from = 0, place = a->np - 1; /* where gs_sample puts it: the last free one */
   for (int i = 0; i < k - 1; i++)
     from += a->held[i];
   while (place > 0 && a->sender[place] != 0)
     place--;
-  if (d->nsent >= a->np) /* gssmp says that there is no place */
+  if (d->nsent >= a->np) /* gs_sample says that there is no place */
     return;
   gs_sent_outputs *one = d->sent + d->nsent++;
   one->place = place;

@@ -14,7 +14,8 @@ polynomial (gs_derivatives *d, const int *where, int n, gs_real t, int side, int
 {
   const int ld = gs_most (1, n);
   gs_real *f = d->slopes.f;
-  gspln (n, where[0], where[1], d->rp + where[2] - 1, d->rp + where[3] - 1, t, side, nd, f, ld);
+  gs_polynomials_at (n, where[0], where[1], d->rp + where[2] - 1, d->rp + where[3] - 1, t, side, nd,
+                     f, ld);
   gs_copy (n, f + ld * nd, to);
 }
 
@@ -24,7 +25,8 @@ without_feedback (gs_derivatives *d, gs_real t, int side, const gs_real *x, gs_r
 {
   const int feedback = d->own_ip[GS_FEEDBACK];
   d->own_ip[GS_FEEDBACK] = 0;
-  gsinp (&d->inner, t, side, x, d->inner.nx, d->own_ip, d->rp, gs_columns_constants (d), v, d->wi);
+  gs_inputs_of_run (&d->inner, t, side, x, d->inner.nx, d->own_ip, d->rp, gs_columns_constants (d),
+                    v, d->wi);
   d->own_ip[GS_FEEDBACK] = feedback;
 }
 

@@ -1,12 +1,12 @@
 /* host/derivatives/derivatives.h: runs that carry derivatives of their states by parameters and by
- * start values: gssen in the place of the right-hand side, gsspj after the projection, the jumps
- * at events and samples.
+ * start values: gs_rates_with_columns in the place of the right-hand side, gs_project_columns after
+ * the projection, the jumps at events and samples.
  *
  * gs_derivatives_open makes of a scene, its constants and the plan of a run another scene and other
- * constants. A run of nx*(1 + nc) states with both (gssim, gs_radau, gs_cvode) has after its nx
- * states a column of nx derivatives for each of the nc parameters or start values; x0 holds those
- * at the start, atol what counts for each. The routines of that scene find what they need by the
- * address of these constants: there is no static data, and runs on several threads do not meet.
+ * constants. A run of nx*(1 + nc) states with both (gs_integrate, gs_radau, gs_cvode) has after its
+ * nx states a column of nx derivatives for each of the nc parameters or start values; x0 holds
+ * those at the start, atol what counts for each. The routines of that scene find what they need by
+ * the address of these constants: there is no static data, and runs on several threads do not meet.
  * Shapes, units: gsmbp/scene.h; columns are in the units of the states per unit of the
  * parameter. */
 #ifndef GSMBP_HOST_DERIVATIVES_H
@@ -19,7 +19,7 @@ extern "C" {
 #endif
 
 /* what a run of nx*(1 + nc) states has; arrays are copied, but for ip and rp, those
- * of the gs_run, laid out by gs_lay */
+ * of the gs_integration, laid out by gs_lay */
 typedef struct
 {
   const gs_scene *scene; /* with the routines of request sensitivity; its data goes to its vin */

@@ -58,10 +58,11 @@ typedef struct
   const gs_lane_routines *lanes; /* a null pointer: every run by itself */
   int npar, ncst;                /* parameters, constants */
   int fortran_inputs;            /* 1: the data of scene->vin are a gs_fortran_inputs of each run */
-  gs_run run;                    /* nx, t0, x0, nt, tout, nb, tbrk, iopt, ropt, atol, ip, rp, cst,
-                                    ldx, ldv, lw, ask, asked; the others are each run's own. ip, rp
-                                    are the plan from which each run begins; ask is called by all
-                                    threads; what is not 0 ends all runs with that info */
+  gs_integration run;                    /* nx, t0, x0, nt, tout, nb, tbrk, iopt, ropt, atol, ip,
+                                    rp, cst, ldx, ldv, lw, ask, asked; the others are each run's
+                                    own. ip, rp are the plan from which each run begins; ask is
+                                    called by all threads; what is not 0 ends all runs with that
+                                    info */
   size_t wholes, reals;          /* the lengths of ip and rp */
   const gs_real *guess;          /* nu: of a planned motion; a null pointer: 0 */
   int check;                     /* 1: starts must be on the constraints; 0: they are moved there */
@@ -96,8 +97,8 @@ typedef struct
   int begun;                /* 1; 0: it ended before its first step: broken, pre or info says why */
   const char *broken;       /* that of its row */
   int pre;                  /* info of pre */
-  int info;                 /* how it ended, as gssim */
-  gs_run run;               /* statistics in it */
+  int info;                 /* how it ended, as gs_integrate */
+  gs_integration run;               /* statistics in it */
   char text[2400];          /* why its start was refused; what a method said that failed */
   gs_scene scene;           /* as it calls it */
   gs_fortran_inputs inputs;

@@ -18,7 +18,7 @@ room (size_t n)
 int
 gs_make_member (const gs_ensemble *e, gs_member *m)
 {
-  const gs_run *all = &e->run;
+  const gs_integration *all = &e->run;
   const gs_scene *s = e->scene;
   const size_t nt = (size_t)all->nt;
   memset (m, 0, sizeof *m);
@@ -83,7 +83,7 @@ before (const void *a, const void *b)
 static void
 set_breaks (const gs_ensemble *e, gs_member *m)
 {
-  const gs_run *all = &e->run;
+  const gs_integration *all = &e->run;
   const int nsw = e->scene->nsw;
   gs_real *at = m->breaks + all->nb;
   int n = all->nb;
@@ -110,7 +110,7 @@ set_breaks (const gs_ensemble *e, gs_member *m)
 static void
 take_plan (const gs_ensemble *e, gs_member *m)
 {
-  gs_run *r = &m->run;
+  gs_integration *r = &m->run;
   const gs_real *from = e->run.rp;
   memcpy (r->ip, e->run.ip, e->wholes * sizeof (int));
   size_t first = e->reals, next = e->reals;
@@ -128,8 +128,8 @@ take_plan (const gs_ensemble *e, gs_member *m)
 static void
 empty (const gs_ensemble *e, gs_member *m)
 {
-  gs_run *r = &m->run;
-  const gs_run *all = &e->run;
+  gs_integration *r = &m->run;
+  const gs_integration *all = &e->run;
   memset (r->istat, 0, sizeof r->istat);
   memset (r->rstat, 0, sizeof r->rstat);
   for (ptrdiff_t k = 0; k < (ptrdiff_t)all->ldx * all->nt; k++)
@@ -162,7 +162,7 @@ refused (gs_member *m, const gs_start *start)
 static int
 take_start (const gs_ensemble *e, gs_member *m)
 {
-  gs_run *r = &m->run;
+  gs_integration *r = &m->run;
   gs_start_given g = { .t = r->t0, .cst = m->cst, .par = m->par, .check = e->check };
   gs_start start;
   if (e->run.ip[GS_EVENTS] > 0)
@@ -179,7 +179,7 @@ take_start (const gs_ensemble *e, gs_member *m)
 static int
 take_inputs (const gs_ensemble *e, const gs_rows *rows, gs_member *m)
 {
-  gs_run *r = &m->run;
+  gs_integration *r = &m->run;
   gs_start start;
   if (e->scene->nctl > 0
       && gs_check_samples (e->about, r->t0, m->cst, r->ip, r->rp, &start) != GS_START_TAKEN)
@@ -194,7 +194,7 @@ int
 gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *known,
                  gs_member *m)
 {
-  const gs_run *all = &e->run;
+  const gs_integration *all = &e->run;
   const gs_scene *s = e->scene;
   m->row = known->row;
   empty (e, m);
@@ -229,7 +229,7 @@ gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *
   return 1;
 }
 
-/* resume: on from where gssim found its steps bound by stability */
+/* resume: on from where gs_integrate found its steps bound by stability */
 static void
 by_implicit (const gs_ensemble *e, gs_member *m, int resume)
 {
@@ -254,7 +254,7 @@ gs_run_member (const gs_ensemble *e, gs_member *m)
 {
   if (e->run.iopt[GS_METHOD] != 0)
     {
-      m->info = gssim (&m->scene, &m->run);
+      m->info = gs_integrate (&m->scene, &m->run);
       gs_go_on (e, m);
     }
   else if (e->method)

@@ -20,7 +20,7 @@ void gs_free_member (gs_member *m);
 int gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *known,
                      gs_member *m);
 
-/* it is made; on from where gssim or the lanes ended it, by the implicit method */
+/* it is made; on from where gs_integrate or the lanes ended it, by the implicit method */
 void gs_run_member (const gs_ensemble *e, gs_member *m);
 void gs_go_on (const gs_ensemble *e, gs_member *m);
 

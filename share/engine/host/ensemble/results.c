@@ -29,7 +29,7 @@ row_time (const gs_ensemble *e, const gs_member *m, int k)
   e->scene->swi (m->cst, at);
   for (int i = 0; i < e->scene->nsw; i++)
     if (at[i] >= t && at[i] <= t)
-      return gslft (t, -1);
+      return gs_time_beside (t, -1);
   return t;
 }
 
@@ -37,7 +37,7 @@ int
 gs_outputs_at (const gs_ensemble *e, const gs_member *m, int k, int at, gs_real *y)
 {
   const gs_scene *s = e->scene;
-  const gs_run *r = &m->run;
+  const gs_integration *r = &m->run;
   const gs_real *x = r->xout + (ptrdiff_t)r->ldx * at, *v = r->vout + (ptrdiff_t)r->ldv * at;
   gs_real one[s->ny + 1];
   if (s->ny == 0 || ! s->out || ! fine (x, s->nx) || ! fine (v, s->nv))
@@ -55,7 +55,7 @@ static void
 keep_rows (const gs_ensemble *e, const gs_member *m, int rows, gs_results *to)
 {
   const gs_scene *s = e->scene;
-  const gs_run *r = &m->run;
+  const gs_integration *r = &m->run;
   const ptrdiff_t nt = r->nt, i = m->row;
   const int reached = r->istat[GS_N_OUTPUTS], ended = m->info == GS_ENDED;
   gs_real y[s->ny + 1];
@@ -78,7 +78,7 @@ keep_rows (const gs_ensemble *e, const gs_member *m, int rows, gs_results *to)
 static void
 keep_margins (const gs_ensemble *e, const gs_member *m, int rows, gs_results *to)
 {
-  const gs_run *r = &m->run;
+  const gs_integration *r = &m->run;
   const int n = e->about->nmargins, reached = r->istat[GS_N_OUTPUTS];
   if (n == 0 || ! to->margins)
     return;
@@ -139,7 +139,7 @@ void
 gs_keep_member (void *results, const gs_ensemble *e, gs_member *m)
 {
   gs_results *to = results;
-  const gs_run *r = &m->run;
+  const gs_integration *r = &m->run;
   const int reached = r->istat[GS_N_OUTPUTS], ended = m->info == GS_ENDED;
   if (to->info)
     {

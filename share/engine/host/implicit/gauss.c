@@ -164,7 +164,7 @@ static void
 next_way (gs_stepper *s)
 {
   gauss *w = s->memory;
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   double to = s->stop, h = r->ropt[2] > 0 ? fmin (r->ropt[0], r->ropt[2]) : r->ropt[0];
   int k = r->istat[GS_N_OUTPUTS];
   while (k < r->nt && r->tout[k] - s->t < 1e-6 * h)
@@ -276,7 +276,7 @@ begin (gs_stepper *s)
     }
   gsmbp_gauss_rule (&w->rule, s->o->order);
   if (s->p[0] == 2)
-    s->p[0] = 3;   /* GSPRT: the partition is kept as long as it may be */
+    s->p[0] = 3;   /* gs_complete_state: the partition is kept as long as it may be */
   for (int l = 0; l < w->n; l++)
     w->size[l] = s->r->ropt[1] > 0 && s->r->atol[l] > 0 ? s->r->atol[l] / s->r->ropt[1] : 1;
   int flag = by_momenta (s);
@@ -350,7 +350,7 @@ count (gs_stepper *s)
 }
 
 int
-gs_gauss (const gs_scene *scene, gs_run *run, const gs_implicit *options)
+gs_gauss (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method collocation
     = { open_, close_, begin, restart, step, again, between, rejected, count, 0, 0, 1 };

@@ -481,7 +481,7 @@ same_forces (gs_stepper *s, gs_momenta *w, double t, const double *x, const doub
 static int
 same_elsewhere (gs_stepper *s, gs_momenta *w)
 {
-  const gs_run *r = s->r;
+  const gs_integration *r = s->r;
   int n = w->n;
   double t = r->tout[r->nt - 1], *x = w->x, *v = s->dv;
   for (int l = 0; l < n; l++)

@@ -32,7 +32,7 @@ add_forces (const gs_momenta *w, const double *rows, double factor, const double
 static int
 rate_at (gs_stepper *s, gs_momenta *w, double t, const double *x, double *f)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int n = w->n;
   const double *u = x + n;
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0) && gs_inputs_at (s, t, x, s->v) != 0)

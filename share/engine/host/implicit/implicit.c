@@ -1,5 +1,5 @@
-/* The run of gssim (stops at breaks, inputs, loops, statistics; the same routines of the run time)
-   by an implicit method, for stiff scenes.  Output times may lie between the steps: there the
+/* The run of gs_integrate (stops at breaks, inputs, loops, statistics; the same routines of the run
+   time) by an implicit method, for stiff scenes.  Output times may lie between the steps: there the
    method's state is moved onto the constraints as well. */
 #include <float.h>
 #include <math.h>
@@ -30,7 +30,7 @@ by_time (const void *a, const void *b)
 static void
 take_stops (gs_stepper *s)
 {
-  const gs_run *r = s->r;
+  const gs_integration *r = s->r;
   s->nstops = r->nb + s->scene->nsw;
   if (r->nb > 0)
     memcpy (s->stops, r->tbrk, sizeof (double) * r->nb);
@@ -42,7 +42,7 @@ take_stops (gs_stepper *s)
 static int
 allocate (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   size_t nx = r->nx, nv = s->scene->nv + 1, ny = s->scene->ny + 1, nq = s->scene->nq,
          np = partition_room (s->scene), stops = r->nb + s->scene->nsw;
   int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (s);
@@ -107,9 +107,9 @@ gs_projects (const gs_stepper *s)
 static int
 samples (gs_stepper *s, int *acted)
 {
-  gs_run *r = s->r;
-  int info = gsdue (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat,
-                    &s->sample, acted);
+  gs_integration *r = s->r;
+  int info = gs_samples_due (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w,
+                             r->istat, &s->sample, acted);
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
@@ -117,7 +117,7 @@ samples (gs_stepper *s, int *acted)
 static void
 start (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   if (s->o->resume)
     {
       s->t = r->rstat[GS_T_REACHED];
@@ -138,7 +138,7 @@ start (gs_stepper *s)
 static int
 singular_start (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   double hmax = r->tout[r->nt - 1] - s->t;
   size_t room = r->nx + 2 * (size_t) s->scene->nq + (size_t) s->scene->nlam * (s->scene->nu + 1);
   int state = 0, info = 0;
@@ -149,12 +149,12 @@ singular_start (gs_stepper *s)
     return GS_OUT_OF_MEMORY;
   double *xt = f + r->nx, *xw = xt + s->scene->nq, *siz = xw + s->scene->nq,
          *hc = siz + s->scene->nlam;
-  gspbg (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
+  gs_starts_singular (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
   if (state < 0)   /* at rest: by the accelerations */
     {
-      info = gsfun (&s->g, s->t, 1, s->x, f);
+      info = gs_rates_at (&s->g, s->t, 1, s->x, f);
       if (info == 0)
-        gspbg (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
+        gs_starts_singular (s->scene, s->t, s->x, hmax, r->cst, f, xt, xw, hc, siz, s->p, &state);
     }
   free (f);
   if (info == 0 && state > 0)
@@ -165,14 +165,14 @@ singular_start (gs_stepper *s)
   return info != 0 || state > 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
-/* the start, as GSSIM; INFO */
+/* the start, as gs_integrate; INFO */
 static int
 begin (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int info, acted;
   start (s);
-  gspst (s->scene->nq, s->scene->nu, s->scene->nlam, r->iopt, s->p);
+  gs_partition_none (s->scene->nq, s->scene->nu, s->scene->nlam, r->iopt, s->p);
   double job = s->p[0];
   s->p[0] = 0;   /* completed from others it would be moved close to a singular position */
   if (gs_check (s, r->iopt, s->t, s->x, gs_no_jump) != 0)
@@ -184,10 +184,10 @@ begin (gs_stepper *s)
     return info;
   if (s->scene->nlam > 0 && r->iopt[GS_WATCH] == 1 && r->iopt[GS_LOOPS] != 1 && s->p[0] < 2
       && s->p[2] < s->scene->nlam)
-    s->p[0] = 2;   /* dependent constraints: see METHOD of GSSIM */
+    s->p[0] = 2;   /* dependent constraints: see METHOD of gs_integrate */
   if (s->p[0] > 0)
     {
-      info = gspnw (s->scene, s->t, s->x, r->cst, s->p);
+      info = gs_partition_choose (s->scene, s->t, s->x, r->cst, s->p);
       if (info != 0)
         {
           r->istat[GS_FAILED_INFO] = info;
@@ -211,7 +211,7 @@ gs_turn_on (const gs_stepper *s, double *x)
 static int
 put_out (gs_stepper *s, double t, const double *x)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int k = r->istat[GS_N_OUTPUTS];
   double *column = r->xout + (size_t) r->ldx * k;
   memcpy (column, x, sizeof (double) * r->nx);
@@ -228,7 +228,7 @@ put_out (gs_stepper *s, double t, const double *x)
 int
 gs_put_out (gs_stepper *s, double limit)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   while (r->istat[GS_N_OUTPUTS] < r->nt && r->tout[r->istat[GS_N_OUTPUTS]] <= limit)
     {
       double t = r->tout[r->istat[GS_N_OUTPUTS]];
@@ -244,7 +244,7 @@ gs_put_out (gs_stepper *s, double limit)
 static int
 arrive (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int info = GS_DONE;
   if (s->t >= r->tout[r->nt - 1]
       && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == GS_DONE)
@@ -256,7 +256,7 @@ arrive (gs_stepper *s)
 static int
 accept (gs_stepper *s, int event)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   r->istat[GS_N_STEPS]++;
   r->istat[GS_FAILED_INFO] = r->istat[GS_FAILED] = GS_AT_NOTHING;
   r->rstat[GS_H_LEAST] = fmin (r->rstat[GS_H_LEAST], s->h);
@@ -300,7 +300,7 @@ switched (gs_stepper *s)
 static int
 jumps (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   if (r->ip[GS_V0] == 3)
     return 1;
   if (gs_take_inputs (s, s->t, -1, s->x, s->dv) != 0
@@ -349,7 +349,7 @@ start_again (gs_stepper *s)
 static int
 advance (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int event, info;
   if (s->stop - s->t <= 16 * DBL_EPSILON * fmax (fabs (s->t), fabs (s->stop)))
     {
@@ -384,7 +384,7 @@ next_stop (gs_stepper *s, double t)
 static int
 go (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int ib = 0, acted, jumped, happened, info, flag;
   double end = r->tout[r->nt - 1];
   if ((info = begin (s)) != 0)
@@ -419,7 +419,7 @@ go (gs_stepper *s)
 static void
 tell_time (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   if (r->istat[GS_FAILED] != GS_AT_EVENT)
     return;
   const gs_events e = gs_planned_events (r->nx, r->ip, r->rp);
@@ -427,20 +427,21 @@ tell_time (gs_stepper *s)
     r->rstat[GS_T_REACHED] = fmax (r->rstat[GS_T_REACHED], e.latest[*e.newest - 1]);
 }
 
-/* are the arguments within their ranges? INFO as gssim */
+/* are the arguments within their ranges? INFO as gs_integrate */
 static int
-check_arguments (const gs_scene *scene, const gs_run *r, const gs_method *by)
+check_arguments (const gs_scene *scene, const gs_integration *r, const gs_method *by)
 {
-  gs_run checked = *r;
+  gs_integration checked = *r;
   int iopt[GS_ON_SPEEDS + 1];
   memcpy (iopt, r->iopt, sizeof iopt);
   iopt[GS_METHOD] = by->fixed ? 4 : 8;
   checked.iopt = iopt;
-  return gsarg (scene, &checked);
+  return gs_check_arguments (scene, &checked);
 }
 
 int
-gs_implicit_run (const gs_scene *scene, gs_run *r, const gs_implicit *o, const gs_method *by)
+gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o,
+                 const gs_method *by)
 {
   gs_stepper s = { .scene = scene, .r = r, .o = o, .by = by };
   int info = check_arguments (scene, r, by);
@@ -455,7 +456,8 @@ gs_implicit_run (const gs_scene *scene, gs_run *r, const gs_implicit *o, const g
       info = s.asked != 0 ? s.asked : info;
       if (info == GS_ROUTINE_FAILED)
         tell_time (&s);
-      if (info != GS_DONE && r->istat[GS_N_OUTPUTS] < r->nt)   /* the last state, as by GSSIM */
+      if (info != GS_DONE
+          && r->istat[GS_N_OUTPUTS] < r->nt) /* the last state, as by gs_integrate */
         {
           size_t k = r->istat[GS_N_OUTPUTS];
           gs_turn_on (&s, s.x);

@@ -1,10 +1,10 @@
 /* host/implicit/implicit.h: a run by an implicit method, for stiff scenes (radau, cvode) and for
  * long runs that keep their energy (gauss), in double precision. Calling rules: gsmbp/scene.h.
  *
- * scene, run: as gssim takes them. The emitted jac, lin, bia, mas, con and tan are used where the
- * scene has them. iopt[GS_METHOD] is 0, with resume 9. The result is that of gssim, or
- * GS_METHOD_FAILED with the flag of the method in istat[GS_CAUSE] (an order that it does not have,
- * too), GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
+ * scene, run: as gs_integrate takes them. The emitted jac, lin, bia, mas, con and tan are used
+ * where the scene has them. iopt[GS_METHOD] is 0, with resume 9. The result is that of
+ * gs_integrate, or GS_METHOD_FAILED with the flag of the method in istat[GS_CAUSE] (an order that
+ * it does not have, too), GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
 #ifndef GS_HOST_IMPLICIT_H
 #define GS_HOST_IMPLICIT_H
 #include "gsmbp/integrate.h"
@@ -12,12 +12,12 @@
 extern "C" {
 #endif
 
-/* what the implicit methods have beside the options of gssim */
+/* what the implicit methods have beside the options of gs_integrate */
 typedef struct
 {
   int order;          /* the largest order: of BDF 1 to 5, of Radau 5, 9 or 13; of Gauss 4, 6, 8 */
   int index2;         /* 1: loops in index 2, for Radau alone; the scene has mas, con and tan */
-  int resume;         /* 1: the run goes on where gssim ended with GS_STIFF */
+  int resume;         /* 1: the run goes on where gs_integrate ended with GS_STIFF */
   int columns;        /* of derivatives that are behind the states, among the nx of the run */
   int followed;       /* how many states of devices the inputs of a planned motion follow */
   const int *follows; /* followed: which ones, from 1 on */
@@ -25,7 +25,8 @@ typedef struct
   int length;         /* ... room in it */
 } gs_implicit;
 
-typedef int gs_implicit_method (const gs_scene *scene, gs_run *run, const gs_implicit *options);
+typedef int gs_implicit_method (const gs_scene *scene, gs_integration *run,
+                                const gs_implicit *options);
 
 /* collocation of Radau, IIA; BDF, CVODE of SUNDIALS (host/cvode); collocation of Gauss */
 extern gs_implicit_method gs_radau, gs_cvode, gs_gauss;

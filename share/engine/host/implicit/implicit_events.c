@@ -1,7 +1,7 @@
-/* Events of a run by an implicit method: looked for on the polynomial of a step by GSEVN; then the
-   step is made again, as long as it must be (a method of one step; the polynomial of BDF is as
-   accurate as its steps).  Behind one that changes nothing, which is only told, the step stands
-   as it was. */
+/* Events of a run by an implicit method: looked for on the polynomial of a step by gs_first_event;
+   then the step is made again, as long as it must be (a method of one step; the polynomial of BDF
+   is as accurate as its steps).  Behind one that changes nothing, which is only told, the step
+   stands as it was. */
 #include <math.h>
 #include <string.h>
 #include "implicit_look.h"
@@ -34,18 +34,20 @@ gs_has_ports (const gs_stepper *s)
 static int
 happen (gs_stepper *s, double t, double *x, int k)
 {
-  gs_run *r = s->r;
-  int info = gsevr (s->scene, t, x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat, k);
+  gs_integration *r = s->r;
+  int info = gs_resolve_under_inputs (s->scene, t, x, r->nx, r->ip, r->rp, r->cst, s->v, r->w,
+                                      r->istat, k);
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 void
 gs_onto_held (gs_stepper *s, double t, double *x)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   const int by_tolerances = 8;
   if (gs_has_ports (s) && gs_take_inputs (s, t, gs_side_at (s, t), x, s->v) == 0)
-    gsevo (s->scene, by_tolerances, t, x, r->nx, r->ip, r->rp, r->cst, s->v, r->ropt[1], r->atol);
+    gs_hold_after_step (s->scene, by_tolerances, t, x, r->nx, r->ip, r->rp, r->cst, s->v,
+                        r->ropt[1], r->atol);
 }
 
 int
@@ -74,11 +76,12 @@ gs_events_at_stop (gs_stepper *s, int *acted)
 int
 gs_events_at_end (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   if (! gs_has_events (s))
     return GS_DONE;
   const int so_far = *gs_events_planned (s).count;
-  int info = gsend (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat);
+  int info
+      = gs_event_at_end (s->scene, s->t, s->x, r->nx, r->ip, r->rp, r->cst, s->v, r->w, r->istat);
   if (*gs_events_planned (s).count > so_far)
     s->side = 1;   /* the row is behind it */
   return info != 0 ? GS_ROUTINE_FAILED : gs_ended_by_event (s) ? GS_ENDED : GS_DONE;
@@ -153,7 +156,7 @@ rises (gs_stepper *s, const place *p, int *is)
 }
 
 /* The polynomial alone says that there is an event at P: the sign of its function at the end of the
- * step, as it was, is all that counts (as GSEVN: its flag is 2 or 3) */
+ * step, as it was, is all that counts (as gs_first_event: its flag is 2 or 3) */
 static void
 by_its_end (gs_stepper *s, const place *p)
 {
@@ -235,7 +238,7 @@ believed (gs_stepper *s, place *p, int *taken, int *flag)
 }
 
 /* Is function I that of the user, or of a port that has just begun to slide or rebounded, where the
- * step to the event is hardly one?  These must be 0 on the step itself (GSEVS) */
+ * step to the event is hardly one?  These must be 0 on the step itself (gs_event_secant) */
 static int
 needs_step (const gs_events *e, const place *p)
 {

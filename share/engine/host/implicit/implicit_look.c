@@ -1,5 +1,5 @@
-/* Where an event is in a step of an implicit method: on the polynomial of the step, by GSEVN; then
-   by the step made again. */
+/* Where an event is in a step of an implicit method: on the polynomial of the step, by
+   gs_first_event; then by the step made again. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -17,7 +17,7 @@ state_at (gs_stepper *s, double t, double *x)
   return 0;
 }
 
-/* C: the points of GSEVQ; D: what their values give the slope at the first one */
+/* C: the points of gs_event_septic; D: what their values give the slope at the first one */
 static void
 points (double *c, double *d)
 {
@@ -33,10 +33,10 @@ points (double *c, double *d)
     }
 }
 
-/* S->nodes: the states between FROM and TO at the points of GSEVQ, bent so that value and slope at
- * the first are those of S->known: where an event has just been, its sign is decided there.  The
- * value alone where S->known is one of them (TOLD): of such a state, again and again, slopes of
- * what is stiff would go astray.  A flag */
+/* S->nodes: the states between FROM and TO at the points of gs_event_septic, bent so that value and
+ * slope at the first are those of S->known: where an event has just been, its sign is decided
+ * there.  The value alone where S->known is one of them (TOLD): of such a state, again and again,
+ * slopes of what is stiff would go astray.  A flag */
 static int
 take_nodes (gs_stepper *s, int told, double from, double to)
 {
@@ -64,10 +64,10 @@ take_nodes (gs_stepper *s, int told, double from, double to)
 int
 gs_function (gs_stepper *s, int i, double t, const double *x, double *g)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   gs_events e = gs_events_planned (s);
-  int info = gsevv (&s->g, t, gs_side_at (s, t), x, e.mode, e.now);
-  gsusg (&e);
+  int info = gs_event_values (&s->g, t, gs_side_at (s, t), x, e.mode, e.now);
+  gs_user_values_now (&e);
   *g = e.now[i - 1];
   if (info != 0)
     {
@@ -154,22 +154,23 @@ gs_shortest (double from, double to)
   return 1e3 * DBL_EPSILON * fmax (fabs (from), fabs (to));
 }
 
-/* GSEVN between FROM and TO */
+/* gs_first_event between FROM and TO */
 static int
 search (gs_stepper *s, double from, double *to, int *found)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   gs_step e = { .t = from, .h = *to - from, .tn = *to, .side = gs_side_at (s, *to),
                 .x = s->known, .xn = s->event, .f = s->nodes };
   memcpy (s->event, s->nodes + (size_t) r->nx * (GS_NODES - 1), sizeof (double) * r->nx);
-  int info = gsevn (&s->g, &e, found);
+  int info = gs_first_event (&s->g, &e, found);
   if (info == 0 && *found > 0)
     *to = e.tn;
   return info != 0 ? GS_ROUTINE_FAILED : GS_DONE;
 }
 
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
- * state there, S->event, on the polynomial; FOUND as GSEVN.  A flag of the method in *FLAG, INFO */
+ * state there, S->event, on the polynomial; FOUND as gs_first_event.  A flag of the method in
+ * *FLAG, INFO */
 int
 gs_look (gs_stepper *s, int told, double from, double *to, int *found, int *flag)
 {
@@ -186,7 +187,7 @@ gs_look (gs_stepper *s, int told, double from, double *to, int *found, int *flag
       const gs_events e = gs_events_planned (s);
       if (gs_reports (&e, which - 1))
         return info;
-      s->r->istat[GS_FAILED_INFO] = 10;   /* as GSEVN: they accumulate */
+      s->r->istat[GS_FAILED_INFO] = 10;   /* as gs_first_event: they accumulate */
       s->r->istat[GS_FAILED] = GS_AT_EVENT;
       s->r->istat[GS_CAUSE] = which;
       return GS_ROUTINE_FAILED;

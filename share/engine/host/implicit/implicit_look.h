@@ -22,8 +22,8 @@ extern int gs_function (gs_stepper *s, int i, double t, const double *x, double 
 extern int gs_climbs (gs_stepper *s, int i, double t, const double *x, const double *rate, double d,
                       double *g, double *by);
 /* The first event between FROM, where the state is S->known, and TO: its function FOUND, TO and the
-   state there, S->event, on the polynomial; FOUND as GSEVN.  TOLD: S->known is a state of that
-   polynomial, where an event was only told.  A flag of the method in *FLAG, INFO */
+   state there, S->event, on the polynomial; FOUND as gs_first_event.  TOLD: S->known is a state of
+   that polynomial, where an event was only told.  A flag of the method in *FLAG, INFO */
 extern int gs_look (gs_stepper *s, int told, double from, double *to, int *found, int *flag);
 /* the event functions as they were before it looked */
 extern void gs_recall (gs_stepper *s);

@@ -11,7 +11,7 @@ extern int gs_all_finite (int n, const double *x);
 extern int gs_asked (gs_stepper *s, double t);
 /* below 0 where the limits from the left are wanted at T */
 extern int gs_side_at (const gs_stepper *s, double t);
-/* the inputs at T into V; INFO of GSINP */
+/* the inputs at T into V; INFO of gs_inputs_of_run */
 extern int gs_take_inputs (gs_stepper *s, double t, int side, const double *x, double *v);
 /* X at T moved onto the constraints, at most by JUMP; or looked after, by OPTIONS */
 extern int gs_check (gs_stepper *s, const int *options, double t, double *x, const double *jump);

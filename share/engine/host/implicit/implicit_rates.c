@@ -22,12 +22,12 @@ gs_side_at (const gs_stepper *s, double t)
   return s->side < 0 && t >= s->stop ? -1 : 1;
 }
 
-/* the inputs at T into V; INFO of GSINP */
+/* the inputs at T into V; INFO of gs_inputs_of_run */
 int
 gs_take_inputs (gs_stepper *s, double t, int side, const double *x, double *v)
 {
-  gs_run *r = s->r;
-  int info = gsinp (s->scene, t, side, x, r->nx, r->ip, r->rp, r->cst, v, r->w);
+  gs_integration *r = s->r;
+  int info = gs_inputs_of_run (s->scene, t, side, x, r->nx, r->ip, r->rp, r->cst, v, r->w);
   if (info != 0)
     {
       r->istat[GS_FAILED_INFO] = info;
@@ -40,8 +40,8 @@ gs_take_inputs (gs_stepper *s, double t, int side, const double *x, double *v)
 int
 gs_check (gs_stepper *s, const int *options, double t, double *x, const double *jump)
 {
-  gs_run *r = s->r;
-  return gschk (s->scene, t, x, options, jump, r->cst, s->p, r->istat, r->rstat);
+  gs_integration *r = s->r;
+  return gs_check_constraints (s->scene, t, x, options, jump, r->cst, s->p, r->istat, r->rstat);
 }
 
 /* ------------------------------------------------------------
@@ -50,7 +50,7 @@ gs_check (gs_stepper *s, const int *options, double t, double *x, const double *
 int
 gs_asked (gs_stepper *s, double t)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   if (r->ask && s->asked == 0)
     s->asked = r->ask (r->asked, t);
   return s->asked;
@@ -66,7 +66,7 @@ outcome (int info)
 static int
 rate (gs_stepper *s, double t, const double *x, int *ip, double *v, double *xd)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int side = gs_side_at (s, t);
   gs_system g = s->g;
   if (gs_asked (s, t) != 0)
@@ -75,8 +75,8 @@ rate (gs_stepper *s, double t, const double *x, int *ip, double *v, double *xd)
   g.v = v;
   if (side < 0)
     t = s->stop;
-  memcpy (s->trial, x, sizeof (double) * r->nx);   /* gsfun may complete it */
-  int info = gsfun (&g, t, side, s->trial, xd);
+  memcpy (s->trial, x, sizeof (double) * r->nx);   /* gs_rates_at may complete it */
+  int info = gs_rates_at (&g, t, side, s->trial, xd);
   return info != 0 ? outcome (info) : ! gs_all_finite (r->nx, xd);
 }
 
@@ -122,7 +122,7 @@ gs_own_states (const gs_stepper *s)
 static int
 add_slope (gs_stepper *s, double t, double *x, int j, double *A)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int side = gs_side_at (s, t), n = gs_own_states (s);
   double old = x[j], h = (r->ip[GS_V0] >= 2 ? 1e-7 : 1)
                          * fmax (fabs (old), r->ropt[1] > 0 ? r->atol[j] / r->ropt[1] : 1);
@@ -146,7 +146,7 @@ add_slope (gs_stepper *s, double t, double *x, int j, double *A)
 static int
 add_feedback (gs_stepper *s, double t, double *x, double *A)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int planned = r->ip[GS_V0] == 2 && r->ip[GS_FEEDBACK] == 0, info = 0;
   int n = planned ? s->o->followed : gs_own_states (s);
   for (int k = 0; info == 0 && k < n; k++)
@@ -179,7 +179,7 @@ differences (gs_stepper *s, double t, const double *x, double *A)
 static int
 emitted (gs_stepper *s, double t, const double *x, double *A)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   int side = gs_side_at (s, t), ldy = s->scene->ny > 0 ? s->scene->ny : 1, info = 0;
   int n = gs_own_states (s);
   memcpy (s->trial, x, sizeof (double) * r->nx);
@@ -187,7 +187,7 @@ emitted (gs_stepper *s, double t, const double *x, double *A)
       && (info = gs_take_inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
   double at = t;
-  if (side < 0)   /* as GSLFT: what switches at the stop has not yet */
+  if (side < 0) /* as gs_time_beside: what switches at the stop has not yet */
     at = s->stop - fmax (2 * DBL_EPSILON * fabs (s->stop), 1e-300);
   info = s->scene->jac (at, s->trial, s->v, r->cst, A, n, s->b, n, s->c, ldy, s->d, ldy);
   if (info != 0 && info != 2
@@ -199,7 +199,7 @@ emitted (gs_stepper *s, double t, const double *x, double *A)
   return ! gs_all_finite (n * n, A);
 }
 
-/* is the emitted Jacobian that of the states? not if GSFUN completes them */
+/* is the emitted Jacobian that of the states? not if gs_rates_at completes them */
 static int
 has_jacobian (const gs_stepper *s)
 {
@@ -226,13 +226,13 @@ gs_completed (gs_stepper *s, double t, const double *x, double *completed)
   return info;
 }
 
-/* ... and no jump to another branch, as GSSIM */
+/* ... and no jump to another branch, as gs_integrate */
 int
 gs_moved (gs_stepper *s, double t, const double *x, double *moved)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   double jump[3];
-  gsjmp (s->scene->nq, s->scene->nu, s->x, x, r->ropt[1], r->atol, jump);
+  gs_largest_move (s->scene->nq, s->scene->nu, s->x, x, r->ropt[1], r->atol, jump);
   jump[2] = 0;
   memcpy (moved, x, sizeof (double) * r->nx);
   return outcome (gs_check (s, s->project, t, moved, jump));

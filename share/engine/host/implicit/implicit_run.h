@@ -31,7 +31,7 @@ typedef struct
 struct gs_stepper
 {
   const gs_scene *scene;
-  gs_run *r;
+  gs_integration *r;
   const gs_implicit *o;
   gs_system g;           /* all of it, as the run time takes it */
   const gs_method *by;
@@ -41,7 +41,7 @@ struct gs_stepper
   double *stops;         /* rising: the breaks, and where the scene switches by itself */
   int nstops;
   int still;             /* steps in succession that hardly move the time */
-  int asked;             /* what is not 0 is to end the run (ASK of gs_run) */
+  int asked;             /* what is not 0 is to end the run (ASK of gs_integration) */
   double t, h, next;     /* the last step's end, its length and that of the next */
   const double *y;       /* the state there, as the method leaves it */
   double *known, *event, *nodes;   /* a state within a step, at an event; GS_NODES of a step */
@@ -50,10 +50,11 @@ struct gs_stepper
   double *turns;         /* whole turns by which coordinates are farther than in the states */
   double *x, *trial, *between, *v, *p, *b, *c, *d, *dv, *work;
   int *project,
-      *watch; /* IOPT for GSCHK: to move a state onto the constraints; to look after what is left */
+      *watch; /* IOPT for gs_check_constraints: to move a state onto the constraints; to look after
+      *what is left */
 };
 
-enum { GS_NODES = 8 };   /* of GSEVQ */
+enum { GS_NODES = 8 };   /* of gs_event_septic */
 
 /* What a method calls; 0, above 0: a smaller step may do, below 0: it is over */
 extern int gs_rate (gs_stepper *s, double t, const double *x, double *xd);
@@ -72,7 +73,7 @@ extern int gs_own_states (const gs_stepper *s);
 extern int gs_moved (gs_stepper *s, double t, const double *x, double *moved);
 /* X at T to where the ports that are held are held, by no more than the errors of steps */
 extern void gs_onto_held (gs_stepper *s, double t, double *x);
-/* does GSFUN complete the state from independent coordinates? X at T so */
+/* does gs_rates_at complete the state from independent coordinates? X at T so */
 extern int gs_completes (const gs_stepper *s);
 extern int gs_completed (gs_stepper *s, double t, const double *x, double *completed);
 /* do sampled devices or events act on the states as they are? */
@@ -82,6 +83,6 @@ extern int gs_has_ports (const gs_stepper *s);
 /* is the state moved onto constraints (or Euler parameters onto their sphere)? */
 extern int gs_projects (const gs_stepper *s);
 
-extern int gs_implicit_run (const gs_scene *scene, gs_run *r, const gs_implicit *o,
+extern int gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o,
                             const gs_method *by);
 #endif

@@ -682,7 +682,7 @@ count (gs_stepper *s)
 }
 
 int
-gs_radau (const gs_scene *scene, gs_run *run, const gs_implicit *options)
+gs_radau (const gs_scene *scene, gs_integration *run, const gs_implicit *options)
 {
   static const gs_method collocation
     = { open_, close_, begin, restart, step, again_, between, rejected, count, 0, 1, 0 };

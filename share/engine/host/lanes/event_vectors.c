@@ -1,5 +1,5 @@
-/* Where gseva looks for events within a step of gsdp8, all lanes at once. Points are 1 to 8, where
- * the step ends. */
+/* Where gs_events_quiet looks for events within a step of gs_step_dp853, all lanes at once. Points
+ * are 1 to 8, where the step ends. */
 #include "host/lanes/lanes.h"
 
 #include <math.h>
@@ -8,18 +8,18 @@
 #include "gsmbp/functions.h"
 
 /* The states z at point j of the steps and their times stage_t: of degree 3 on the cubic polynomial
- * through both ends (gsevh), of degree 5 on that of gsevc. */
+ * through both ends (gs_event_cubic), of degree 5 on that of gs_event_quintic. */
 void
 gs_event_states (gs_lane_group *g, int j, int degree)
 {
   const int nx = g->nx;
-  const double b = gsevp (j, 8), p = b * b * (3 - 2 * b), e = b * (1 - b), *h = g->step;
+  const double b = gs_event_point (j, 8), p = b * b * (3 - 2 * b), e = b * (1 - b), *h = g->step;
   const double more = degree == 5 ? e * e : 0;
   gs_lane q, r;
   for (int l = 0; l < GS_LANES; l++)
     {
       const double t = g->t[l] + b * h[l];
-      g->stage_t[l] = j == 8 && g->at[l] < 0 ? gslft (t, -1) : t;
+      g->stage_t[l] = j == 8 && g->at[l] < 0 ? gs_time_beside (t, -1) : t;
       q[l] = h[l] * b * (1 - b) * (1 - b);
       r[l] = h[l] * b * b * (b - 1);
     }
@@ -46,7 +46,7 @@ gs_event_states (gs_lane_group *g, int j, int degree)
 typedef struct
 {
   double a, c;      /* its distance from the last point, and that one's from the one before */
-  double d;         /* half of the share of the error in the middle (gsevz) */
+  double d;         /* half of the share of the error in the middle (gs_event_cubic_error) */
   int first;        /* 1 for the first point */
   int third;        /* 1 from the third one on */
 } point;
@@ -54,14 +54,14 @@ typedef struct
 static point
 point_of (int j)
 {
-  const double b = gsevp (j, 8), before = j > 1 ? gsevp (j - 1, 8) : 0;
-  point p = { .a = b - before, .c = 1, .d = gsevz (b), .first = j == 1, .third = j > 2 };
+  const double b = gs_event_point (j, 8), before = j > 1 ? gs_event_point (j - 1, 8) : 0;
+  point p = { .a = b - before, .c = 1, .d = gs_event_cubic_error (b), .first = j == 1, .third = j > 2 };
   if (j > 1)
-    p.d = gs_max (p.d, gsevz (before));
+    p.d = gs_max (p.d, gs_event_cubic_error (before));
   if (j > 2)
     {
-      p.d = gs_max (p.d, gsevz (gsevp (j - 2, 8)));
-      p.c = before - gsevp (j - 2, 8);
+      p.d = gs_max (p.d, gs_event_cubic_error (gs_event_point (j - 2, 8)));
+      p.c = before - gs_event_point (j - 2, 8);
     }
   else if (j > 1)
     p.c = before;
@@ -126,9 +126,10 @@ look_again (gs_lane_group *g, const point *p, int i)
     }
 }
 
-/* What gseva sees at point j: mark is 1 where a function has been above 0 since its last event,
- * noise its rounding errors (gsevf), bend its second divided difference; quiet becomes how far the
- * polynomials may be apart for the step to be quiet; loud 1 where a function is not known. */
+/* What gs_events_quiet sees at point j: mark is 1 where a function has been above 0 since its last
+ * event, noise its rounding errors (gs_event_too_fast), bend its second divided difference; quiet
+ * becomes how far the polynomials may be apart for the step to be quiet; loud 1 where a function is
+ * not known. */
 void
 gs_look_at_events (gs_lane_group *g, int j)
 {
@@ -147,7 +148,7 @@ gs_look_at_events (gs_lane_group *g, int j)
 void
 gs_events_apart (gs_lane_group *g, int j)
 {
-  const double d = gsevz (gsevp (j, 8));
+  const double d = gs_event_cubic_error (gs_event_point (j, 8));
   for (int i = 0; i < g->events; i++)
     for (int l = 0; l < GS_LANES; l++)
       {
@@ -156,7 +157,7 @@ gs_events_apart (gs_lane_group *g, int j)
       }
 }
 
-/* At the end of a step: loud is 1 where it is not quiet, as gseva says. */
+/* At the end of a step: loud is 1 where it is not quiet, as gs_events_quiet says. */
 void
 gs_judge_events (gs_lane_group *g)
 {

@@ -1,4 +1,4 @@
-/* The look ahead of runs in lanes for singular positions: gspss where there is none. */
+/* The look ahead of runs in lanes for singular positions: gs_take_passage where there is none. */
 #include "host/lanes/lanes.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ is_close (const gs_lane_group *g, int lane)
 static int
 see_far (gs_lane_group *g, const double *h)
 {
-  const gs_run *all = &g->e->run;
+  const gs_integration *all = &g->e->run;
   int some = 0;
   for (int k = 0; k < GS_LANES; k++)
     {
@@ -44,7 +44,7 @@ see_far (gs_lane_group *g, const double *h)
   for (int k = 0; k < GS_LANES; k++)
     if (g->live[k] > 0 && g->slow[k] <= 0)
       {
-        const double rest = 2 * (all->tout[all->nt - 1] - g->t[k]);   /* as gsahd */
+        const double rest = 2 * (all->tout[all->nt - 1] - g->t[k]);   /* as gs_passage_ahead */
         g->turn[k] = g->turned[k];
         g->limit[k] = gs_min (h[k], g->turned[k]);
         g->way[k] = is_close (g, k) ? g->turned[k] : gs_min (g->turned[k], rest);
@@ -100,7 +100,8 @@ spread (gs_lane_group *g, int lane, double middle, double width, double *at)
     }
 }
 
-/* the least pivot along the way of one run, as gspmn finds it, by the lanes of all, at its place */
+/* the least pivot along the way of one run, as gs_passage_least_pivot finds it, by the lanes of
+   all, at its place */
 static double
 search (gs_lane_group *g, int lane, double from, double to, double *at)
 {

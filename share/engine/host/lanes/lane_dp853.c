@@ -13,13 +13,13 @@ swap_states (gs_course *c)
   c->xn = x;
 }
 
-/* of a run whose rates are completed from independent coordinates (gsprt) */
+/* of a run whose rates are completed from independent coordinates (gs_complete_state) */
 static void
 rates_by_itself (gs_lane_group *g, int lane)
 {
   gs_lane_run *l = &g->run[lane];
   gs_course *c = &l->c;
-  l->failed = gsfun (&c->g, c->t, 1, c->x, c->f);
+  l->failed = gs_rates_at (&c->g, c->t, 1, c->x, c->f);
   gs_lane_state (g, lane);
   gs_put_lane (g->f, lane, c->f, g->nx);
 }
@@ -53,7 +53,7 @@ find_rates (gs_lane_group *g)
       rates_by_itself (g, k);
 }
 
-/* gsdpf after its call of the right-hand side. info as gssim */
+/* gs_dp853_before after its call of the right-hand side. info as gs_integrate */
 static int
 judge_rates (gs_lane_group *g, int lane)
 {
@@ -64,18 +64,18 @@ judge_rates (gs_lane_group *g, int lane)
   c->g.istat[GS_N_RHS] += g->calls[lane];
   if (l->failed)
     return GS_ROUTINE_FAILED;
-  if (gsfin (nx, c->f) != 0)
+  if (gs_not_finite (nx, c->f) != 0)
     return GS_RATE_NOT_FINITE;
   if (c->after == 1)
     {
       gs_get_lane (g->f + 11 * nx, lane, c->f + 11 * nx, nx);
       gs_get_lane (g->xs, lane, c->f + 12 * nx, nx);
-      gsstd (&c->g, c->t, c->last, c->x, c->f);
+      gs_watch_stiffness (&c->g, c->t, c->last, c->x, c->f);
       if (c->g.istat[GS_IS_STIFF] > 0 && g->method == 9)
         return GS_STIFF;
     }
   if (c->next <= 0
-      && gshin (&c->g, c->t, gs_min (c->hmax, c->tb - c->t), c->x, c->f, &c->next) != 0)
+      && gs_first_step (&c->g, c->t, gs_min (c->hmax, c->tb - c->t), c->x, c->f, &c->next) != 0)
     return GS_ROUTINE_FAILED;
   return 0;
 }
@@ -95,12 +95,12 @@ rates_are_found (gs_lane_group *g, int lane)
 }
 
 /* a passage of a singular position, if one is next; ended: 1 if the run is at its end, whose info
- * it has then. info as gssim */
+ * it has then. info as gs_integrate */
 static int
 pass (gs_lane_group *g, gs_lane_run *l, gs_real *most, int *taken, int *ended)
 {
   gs_course *c = &l->c;
-  const int info = gspss (c, gs_min (c->next, c->hmax), most, taken);
+  const int info = gs_take_passage (c, gs_min (c->next, c->hmax), most, taken);
   *ended = 0;
   if (*taken == 1)
     {
@@ -186,7 +186,7 @@ make_stages (gs_lane_group *g)
     }
 }
 
-/* gsdpt after the step of a run that has not joined */
+/* gs_dp853_trial after the step of a run that has not joined */
 static void
 judge_step (gs_lane_group *g, int lane, double err)
 {
@@ -247,14 +247,14 @@ judge_all (gs_lane_group *g)
       }
 }
 
-/* a step whose stages are completed from independent coordinates (gsprt) */
+/* a step whose stages are completed from independent coordinates (gs_complete_state) */
 static void
 by_itself (gs_lane_group *g, int lane)
 {
   gs_lane_run *l = &g->run[lane];
   gs_course *c = &l->c;
   gs_real err = 0;
-  l->failed = gsdp8 (&c->g, c->t, l->e.tn, l->e.side, l->e.h, c->x, c->xn, &err, c->f);
+  l->failed = gs_step_dp853 (&c->g, c->t, l->e.tn, l->e.side, l->e.h, c->x, c->xn, &err, c->f);
   gs_put_lane (g->f + 11 * g->nx, lane, c->f + 11 * g->nx, g->nx);
   gs_put_lane (g->xs, lane, c->f + 12 * g->nx, g->nx);
   judge_step (g, lane, err);

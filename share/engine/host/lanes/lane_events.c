@@ -1,5 +1,6 @@
-/* The events of the runs in lanes that have joined: what gsevn does where a step has none, by the
- * event functions of all lanes at once. Where they do not say so the run parts, and gsevn looks. */
+/* The events of the runs in lanes that have joined: what gs_first_event does where a step has none,
+ * by the event functions of all lanes at once. Where they do not say so the run parts, and
+ * gs_first_event looks. */
 #include "host/lanes/lanes.h"
 
 #include <math.h>
@@ -23,7 +24,8 @@ events_of (const gs_lane_run *l)
   return gs_planned_events (l->m.run.nx, l->m.run.ip, l->m.run.rp);
 }
 
-/* From when on gsusz may say that events of function i accumulate; a little before. */
+/* From when on gs_user_accumulates may say that events of function i accumulate; a little
+   before. */
 static double
 accumulate_from (const gs_events *a, int i)
 {
@@ -49,7 +51,8 @@ has_others (const gs_lane_run *l, int nh, int i)
   return many > 1;
 }
 
-/* Are such ports held? After each step the state is moved to where they are held (gsevo). */
+/* Are such ports held? After each step the state is moved to where they are held
+   (gs_hold_after_step). */
 static int
 moves_held (const gs_events *a, const gs_lane_run *l)
 {
@@ -132,7 +135,7 @@ gs_look_for_events (gs_lane_group *g)
   if (! some)
     return;
   for (int k = 0; k < GS_LANES; k++)
-    g->stage_t[k] = g->at[k] < 0 ? gslft (g->tn[k], -1) : g->tn[k];
+    g->stage_t[k] = g->at[k] < 0 ? gs_time_beside (g->tn[k], -1) : g->tn[k];
   gs_lane_rates (g, g->xn, g->fn);
   for (int k = 0; k < GS_LANES; k++)
     g->loud[k] = g->info[k] != 0 || past_repeats (g, k);
@@ -152,7 +155,7 @@ gs_look_for_events (gs_lane_group *g)
   gs_part_failed (g);
 }
 
-/* What gsevn and gs_end_trial remember of good steps without an event. */
+/* What gs_first_event and gs_end_trial remember of good steps without an event. */
 void
 gs_remember_quiet (gs_lane_group *g)
 {

@@ -1,4 +1,5 @@
-/* The largest eigenvalues of right-hand sides, as gsstf finds them, all lanes at once. */
+/* The largest eigenvalues of right-hand sides, as gs_largest_eigenvalue finds them, all lanes at
+   once. */
 #include "host/lanes/lanes.h"
 
 #include <float.h>

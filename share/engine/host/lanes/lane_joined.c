@@ -96,7 +96,7 @@ part_dp853 (gs_lane_group *g, int lane)
     gs_part_events (g, lane);
 }
 
-/* the trial step of a run that parts, as gsdpt and gsrks know it */
+/* the trial step of a run that parts, as gs_dp853_trial and gs_run_rk4 know it */
 static void
 set_step (gs_lane_group *g, int lane)
 {

@@ -6,7 +6,7 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/partition.h"
 
-/* whether what gspss and gschk do for the run is done in vectors */
+/* whether what gs_take_passage and gs_check_constraints do for the run is done in vectors */
 int
 gs_lane_closes (const gs_lane_group *g, const gs_lane_run *l)
 {
@@ -95,7 +95,7 @@ gs_know_jacobians (gs_lane_group *g)
       }
 }
 
-/* some turns of gsprj, then it is left to each alone */
+/* some turns of gs_project, then it is left to each alone */
 static void
 onto_constraints (gs_lane_group *g)
 {

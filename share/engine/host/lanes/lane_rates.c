@@ -35,8 +35,8 @@ static void
 set_inputs (gs_lane_group *g, int lane, double t, int side, const double *x)
 {
   gs_course *c = &g->run[lane].c;
-  const gs_run *r = c->run;
-  const int info = gsinp (c->g.s, t, side, x, r->nx, r->ip, r->rp, r->cst, c->g.v, r->w);
+  const gs_integration *r = c->run;
+  const int info = gs_inputs_of_run (c->g.s, t, side, x, r->nx, r->ip, r->rp, r->cst, c->g.v, r->w);
   if (info != 0)
     fail (g, lane, info, GS_AT_INPUTS);
   else
@@ -50,7 +50,7 @@ gs_lane_rates (gs_lane_group *g, gs_lane *x, gs_lane *xd)
   g->w->rhs (g->stage_t, x[0], g->v[0], g->cst[0], xd[0], g->info, &g->width, &n);
 }
 
-/* what gsfut says of an info that is not 0 */
+/* what gs_rates_from says of an info that is not 0 */
 static void
 count (gs_lane_group *g, int lane, int info, double t)
 {
@@ -71,7 +71,7 @@ void
 gs_stage_rates (gs_lane_group *g, gs_lane *xd, const double *t, gs_lane *x, int last)
 {
   for (int k = 0; k < GS_LANES; k++)
-    g->stage_t[k] = last && g->at[k] < 0 ? gslft (t[k], -1) : t[k];
+    g->stage_t[k] = last && g->at[k] < 0 ? gs_time_beside (t[k], -1) : t[k];
   for (int k = 0; g->of_time && k < GS_LANES; k++)
     if (g->active[k])
       {

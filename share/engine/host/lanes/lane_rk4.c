@@ -42,7 +42,7 @@ begin_others (gs_lane_group *g)
         continue;
       g->at[k] = l->e.side;
       if (l->busy && (l->alone || g->of_time))
-        gsstd (&l->c.g, l->c.t, l->e.h, l->c.x, l->c.f);
+        gs_watch_stiffness (&l->c.g, l->c.t, l->e.h, l->c.x, l->c.f);
     }
   return some;
 }
@@ -67,7 +67,8 @@ begin_steps (gs_lane_group *g)
   return begin_others (g);
 }
 
-/* gsstd before a step, for the runs where a look is due; the rates at their states are known */
+/* gs_watch_stiffness before a step, for the runs where a look is due; the rates at their states are
+   known */
 static void
 watch_steps (gs_lane_group *g)
 {
@@ -84,7 +85,7 @@ watch_steps (gs_lane_group *g)
   for (int k = 0; k < GS_LANES; k++)
     if (due[k])
       {
-        gs_run *r = &g->run[k].m.run;
+        gs_integration *r = &g->run[k].m.run;
         const int good = (int)g->good[k];
         const double h = fabs (g->step[k]);
         r->istat[GS_NEXT_LOOK] = good + gs_least (1000, gs_most (10, 9 * gs_least (1000, good)));
@@ -119,7 +120,7 @@ make_stages (gs_lane_group *g)
     }
 }
 
-/* gsrks after the step of a run that has not joined */
+/* gs_run_rk4 after the step of a run that has not joined */
 static void
 after_step (gs_lane_group *g, int lane)
 {
@@ -176,7 +177,7 @@ by_itself (gs_lane_group *g, int lane)
 {
   gs_lane_run *l = &g->run[lane];
   gs_course *c = &l->c;
-  l->failed = gsrk4 (&c->g, l->e.t, l->e.tn, l->e.side, l->e.h, c->x, c->xn, c->f);
+  l->failed = gs_step_rk4 (&c->g, l->e.t, l->e.tn, l->e.side, l->e.h, c->x, c->xn, c->f);
   after_step (g, lane);
 }
 

@@ -40,7 +40,7 @@ gs_start_lanes (gs_lane_group *g)
 int
 gs_left_lanes (gs_lane_group *g)
 {
-  const gs_run *all = &g->e->run;
+  const gs_integration *all = &g->e->run;
   const int info = all->ask ? all->ask (all->asked, all->t0) : 0;
   if (info == 0)
     return 0;
@@ -60,7 +60,7 @@ to_next_stop (gs_lane_group *g, gs_lane_run *l)
   gs_course *c = &l->c;
   int acted;
   c->g.rstat[GS_T_REACHED] = c->t;
-  l->m.info = gssto (c, &acted);
+  l->m.info = gs_integration_stop (c, &acted);
   if (l->m.info != 0 || c->it >= c->run->nt)
     return 0;
   if (acted == 1)
@@ -80,9 +80,9 @@ int
 gs_lane_stopped (gs_lane_group *g, gs_lane_run *l)
 {
   gs_course *c = &l->c;
-  gs_run *r = c->run;
+  gs_integration *r = c->run;
   const int failed
-    = gsinp (c->g.s, c->t, c->side, c->x, r->nx, r->ip, r->rp, r->cst, c->g.v, r->w);
+      = gs_inputs_of_run (c->g.s, c->t, c->side, c->x, r->nx, r->ip, r->rp, r->cst, c->g.v, r->w);
   if (failed == 0)
     return to_next_stop (g, l);
   l->m.info = GS_ROUTINE_FAILED;
@@ -91,27 +91,27 @@ gs_lane_stopped (gs_lane_group *g, gs_lane_run *l)
   return 0;
 }
 
-/* the begin of gssim; 0 where the run has ended */
+/* the begin of gs_integrate; 0 where the run has ended */
 static int
 begin (gs_lane_group *g, gs_lane_run *l)
 {
   gs_member *m = &l->m;
   l->c.x = NULL;
-  m->info = gsarg (&m->scene, &m->run);
+  m->info = gs_check_arguments (&m->scene, &m->run);
   if (m->info != 0)
     return 0;
-  gsini (&m->scene, &m->run, &l->c);
-  m->info = gsbgn (&l->c);
+  gs_integration_init (&m->scene, &m->run, &l->c);
+  m->info = gs_integration_start (&l->c);
   return m->info == 0 && to_next_stop (g, l);
 }
 
-/* the run is over: where it came to if that is not its end; gssim says the same of one whose
+/* the run is over: where it came to if that is not its end; gs_integrate says the same of one whose
  * arguments are out of range */
 static void
 finish (gs_lane_group *g, gs_lane_run *l)
 {
   gs_member *m = &l->m;
-  gs_run *r = &m->run;
+  gs_integration *r = &m->run;
   const int k = r->istat[GS_N_OUTPUTS];
   if (m->info >= 0 && l->c.x && k < r->nt)
     {

@@ -1,6 +1,6 @@
 /* host/lanes/lanes.h: GS_LANES runs of an ensemble at a time, in double precision: their right-hand
  * sides at once by the emitted rhs_w, each with parameters, inputs, time and a step of its own.
- * Between them each run does what gssim does; one that has ended makes room for the next.
+ * Between them each run does what gs_integrate does; one that has ended makes room for the next.
  *
  * A run that has joined does not even do that by itself: what it remembers from step to step is in
  * the columns of the group, in vectors with that of the others. It parts where a step is none of
@@ -94,7 +94,7 @@ typedef struct
   gs_lane stiff;               /* istat[GS_IS_STIFF] */
   gs_lane pivot, highest;      /* p[GS_PIVOT], p[GS_LARGEST] */
   gs_lane from, equal, number, count; /* rk4: way.ta, h, k, n */
-  gs_lane look;                /* rk4: after how many steps gsstd is to look */
+  gs_lane look;                /* rk4: after how many steps gs_watch_stiffness is to look */
 
   /* of their event functions; 0: each run looks by itself */
   int events;
@@ -162,7 +162,7 @@ void gs_part_lane (gs_lane_group *g, int lane);
 /* runs whose step has failed, or is above 0 in slow; or 3 in g->r */
 void gs_part_slow (gs_lane_group *g);
 void gs_part_failed (gs_lane_group *g);
-/* after how many steps gsstd is to look at a run */
+/* after how many steps gs_watch_stiffness is to look at a run */
 double gs_next_look (const gs_lane_run *l);
 
 /* ---------------------------------------------------- lane_events.c, vectors in event_vectors.c */

@@ -20,10 +20,10 @@ largest_of (int n, gs_lane *x, double *most)
     }
 }
 
-/* Turn number turn of gsprj from what prj_w gives at xn: constraints phi, their rates and Jacobian
- * hn, the steps dq and du. live is 1 where there is something to do, slow where it has to be done
- * by itself; res becomes |phi| of the first turn, gap of the last one, left what is left of the
- * rates. 1 if another turn is wanted. */
+/* Turn number turn of gs_project from what prj_w gives at xn: constraints phi, their rates and
+ * Jacobian hn, the steps dq and du. live is 1 where there is something to do, slow where it has to
+ * be done by itself; res becomes |phi| of the first turn, gap of the last one, left what is left of
+ * the rates. 1 if another turn is wanted. */
 int
 gs_project_turn (gs_lane_group *g, int turn)
 {
@@ -91,8 +91,8 @@ gs_project_turn (gs_lane_group *g, int turn)
   return again;
 }
 
-/* gsjmp: slow is 1 where the way of the projection, to xn after the step from x to what g->rates
- * keeps, is a jump. */
+/* gs_largest_move: slow is 1 where the way of the projection, to xn after the step from x to what
+ * g->rates keeps, is a jump. */
 void
 gs_find_jumps (gs_lane_group *g)
 {
@@ -120,8 +120,8 @@ gs_find_jumps (gs_lane_group *g)
     }
 }
 
-/* gspch: how far the Jacobians ha and hb differ relative to the sizes of their rows, the largest of
- * the rows: turned. */
+/* gs_jacobian_turn: how far the Jacobians ha and hb differ relative to the sizes of their rows, the
+ * largest of the rows: turned. */
 void
 gs_lane_turns (gs_lane_group *g, gs_lane *ha, gs_lane *hb, gs_lane *size)
 {
@@ -143,8 +143,8 @@ gs_lane_turns (gs_lane_group *g, gs_lane *ha, gs_lane *hb, gs_lane *size)
     }
 }
 
-/* gschk after the projection: slow is 1 where it is not the usual case. margin: how far the least
- * pivot may fall relative to its largest value. */
+/* gs_check_constraints after the projection: slow is 1 where it is not the usual case. margin: how
+ * far the least pivot may fall relative to its largest value. */
 void
 gs_find_unusual (gs_lane_group *g)
 {
@@ -160,7 +160,7 @@ gs_find_unusual (gs_lane_group *g)
       const int bad = g->rank[l] < p[GS_RANK][l] || s < g->margin[l] * p[GS_LARGEST][l]
                       || ! (g->gap[l] <= 1e-6 * big[l])
                       || (g->turned[l] > 0.3 && p[GS_STEPS][l] >= 1);
-      /* a minimum between the last steps, see gspas */
+      /* a minimum between the last steps, see gs_follow_pivot */
       const int least = p[GS_STEPS][l] >= 2 && p[NOW][l] <= p[THEN][l] && p[NOW][l] < s
                         && p[NOW][l] <= 0.5 * gs_max (p[GS_LARGEST][l], s);
       g->slow[l] = bad || least ? 1 : g->slow[l];
@@ -184,7 +184,7 @@ put_rows (gs_lane_group *g, int to, gs_lane *from, int n)
       g->p[to + i][l] = g->r[l] > 0.5 && g->r[l] < 1.5 ? from[i][l] : g->p[to + i][l];
 }
 
-/* What gschk remembers of a step, in the lanes where r is 1. */
+/* What gs_check_constraints remembers of a step, in the lanes where r is 1. */
 void
 gs_remember_loops (gs_lane_group *g)
 {

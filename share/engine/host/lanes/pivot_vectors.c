@@ -6,7 +6,7 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/partition.h"
 
-/* gspsw: live is 1 where it would look ahead, of the lanes that are fresh. */
+/* gs_passage_watch: live is 1 where it would look ahead, of the lanes that are fresh. */
 void
 gs_want_look (gs_lane_group *g)
 {
@@ -24,7 +24,7 @@ gs_want_look (gs_lane_group *g)
     }
 }
 
-/* Positions q at stage_t = t + tau, by rates that are linear in time (gsprd). */
+/* Positions q at stage_t = t + tau, by rates that are linear in time (gs_passage_linear). */
 void
 gs_positions_ahead (gs_lane_group *g)
 {
@@ -109,7 +109,7 @@ scale (gs_lane_group *g, gs_lane *hc, gs_lane *size)
     }
 }
 
-/* the largest column that is left, as gsqrc takes them: a lane picks its own by numbers */
+/* the largest column that is left, as gs_qr_columns takes them: a lane picks its own by numbers */
 static void
 pick (gs_lane_group *g, columns *c, int first)
 {
@@ -177,8 +177,8 @@ take_out (gs_lane_group *g, const columns *c)
     }
 }
 
-/* gslpv: rank and lowest pivot of the Jacobians hc, whose rows have had the lengths size so far;
- * g->lengths becomes these with the rows of hc. */
+/* gs_constraint_pivots: rank and lowest pivot of the Jacobians hc, whose rows have had the lengths
+ * size so far; g->lengths becomes these with the rows of hc. */
 void
 gs_lane_pivots (gs_lane_group *g, gs_lane *hc, gs_lane *size)
 {

@@ -10,7 +10,7 @@ void
 gs_lane_method (gs_lane_group *g)
 {
   double a[12][12] = { { 0 } }, b[12] = { 0 }, c[12] = { 0 };   /* a[k][i]: of rate k in stage i */
-  gsadt (a[0], b, c);
+  gs_dp853_table (a[0], b, c);
   for (int i = 0; i < 12; i++)
     {
       g->terms[i] = 0;
@@ -72,7 +72,7 @@ gs_stage_states (gs_lane_group *g, int stage)
     }
 }
 
-/* The states xn at the end of the step and its errors err, as gsdp8 has them. */
+/* The states xn at the end of the step and its errors err, as gs_step_dp853 has them. */
 void
 gs_estimate_errors (gs_lane_group *g)
 {
@@ -124,9 +124,10 @@ gs_estimate_errors (gs_lane_group *g)
     }
 }
 
-/* gsdpf for all lanes after the right-hand sides g->rates: those of lanes that wanted them are the
- * first stage; whether they are finite and stability binds the last step, where so many steps that
- * look bound are too many: slow is 1 where gsdpf has to look by itself. */
+/* gs_dp853_before for all lanes after the right-hand sides g->rates: those of lanes that wanted
+ * them are the first stage; whether they are finite and stability binds the last step, where so
+ * many steps that look bound are too many: slow is 1 where gs_dp853_before has to look by
+ * itself. */
 void
 gs_take_rates (gs_lane_group *g, int many)
 {

@@ -1,7 +1,0 @@
-#include "gsmbp/functions.h"
-
-void
-gsatl (gs_real y, gs_real x, gs_real *a)
-{
-  *a = gs_atan2 (y, x);
-}

@@ -1,9 +1,0 @@
-#include "gsmbp/functions.h"
-
-
-
-gs_real
-gseps (void)
-{
-  return GS_EPSILON;
-}

@@ -1,8 +1,0 @@
-#include "gsmbp/functions.h"
-
-gs_real
-gsflr (gs_real x)
-{
-  gs_real whole = gs_trunc (x);
-  return whole > x ? whole - 1 : whole;
-}

@@ -1,8 +1,0 @@
-#include "gsmbp/functions.h"
-#include "gsmbp/sines.h"
-
-void
-gssc (gs_real x, gs_real *s, gs_real *c)
-{
-  gs_sines (x, s, c);
-}

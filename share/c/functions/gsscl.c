@@ -1,8 +1,0 @@
-#include "gsmbp/functions.h"
-
-void
-gsscl (gs_real x, gs_real *s, gs_real *c)
-{
-  *s = gs_sin (x);
-  *c = gs_cos (x);
-}

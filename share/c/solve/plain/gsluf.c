@@ -1,7 +1,0 @@
-#include "gsmbp/solve.h"
-
-int
-gsluf (int n, gs_real *a, int lda, int *iw)
-{
-  return gslup (n, a, lda, iw);
-}
