@@ -12,6 +12,7 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+CORE = f"{ROOT}/share/engine/core"
 ROUTINES = ("INV", "MAS", "BIA", "FWD", "RHS")
 
 PROGRAM = """
@@ -133,8 +134,8 @@ def ratios(system, folder, flags):
     with open(f"{folder}/time.c", "w") as f:
         f.write(program(description))
     run("gfortran", *flags, "-frecursive", "-c", f"{name}.f", "-o", "f.o", cwd=folder)
-    run("gcc", "-std=c99", *flags, f"-I{ROOT}/share/engine/core", "-c", f"{name}.c", "-o", "c.o", cwd=folder)
-    run("gcc", "-O1", f"-I{ROOT}/share/engine/core", "time.c", "f.o", "c.o", "fortran.a", "c.a",
+    run("gcc", "-std=c99", *flags, f"-I{CORE}", "-c", f"{name}.c", "-o", "c.o", cwd=folder)
+    run("gcc", "-O1", f"-I{CORE}", "time.c", "f.o", "c.o", "fortran.a", "c.a",
         "-lgfortran", "-lm", "-o", "timed", cwd=folder)
     for line in run(f"{folder}/timed").splitlines():
         routine, fortran, c = line.split()
@@ -144,7 +145,8 @@ def ratios(system, folder, flags):
 def libraries(folder, flags):
     """the run times in both languages, as archives"""
     for archive, compiler, sources in (
-            ("c.a", ["gcc", "-std=c99", f"-I{ROOT}/share/engine/core"], "share/engine/core/*/*.c share/engine/core/*/*/*.c"),
+            ("c.a", ["gcc", "-std=c99", f"-I{CORE}"],
+             "share/engine/core/*/*.c share/engine/core/*/*/*.c"),
             ("fortran.a", ["gfortran", "-frecursive"],
              "share/fortran/*/*.f share/fortran/solve/plain/*.f")):
         os.makedirs(f"{folder}/{archive}.d")

@@ -1,11 +1,11 @@
 #!/usr/bin/python3
 """gate.py [SCENE ...]: may the run time in C take the place of the Fortran run time? Whole runs of
 twelve scenes by dp853 and rk4, by the Fortran run time of the commit in tests/data/before/base,
-which is built from git in a temporary folder, and by share/engine/core as it is here, both with the same
-emitted Fortran, in turn in one process: the least of 40 processor times each. The table has calls
-of RHS, instructions as valgrind counts them, where it is there, and the error of the last state
-against quad precision in nominal magnitudes, too. The last line is "gate: passed" or what missed.
-GSMBP_TEST_DIR, if given, keeps what is derived and compiled."""
+which is built from git in a temporary folder, and by share/engine/core as it is here, both with the
+same emitted Fortran, in turn in one process: the least of 40 processor times each. The table has
+calls of RHS, instructions as valgrind counts them, where it is there, and the error of the last
+state against quad precision in nominal magnitudes, too. The last line is "gate: passed" or what
+missed. GSMBP_TEST_DIR, if given, keeps what is derived and compiled."""
 import json
 import os
 import pathlib
@@ -18,6 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = ROOT / 'tests/gate'
+CORE = ROOT / 'share/engine/core'
 SCENES = ('ident_scara', 'examples/puma560', 'examples/four_bar', 'examples/balanced_linkage',
           'examples/stewart', 'event_arm', 'event_blocks', 'sampled_drive', 'saturated_digital',
           'fluid_hydraulic', 'flexible_full', 'flexible_slider_crank')
@@ -83,9 +84,9 @@ def archives(work, flags, name, change):
                                 capture_output=True, check=True).stdout
         subprocess.run(['tar', '-x', '-C', base], input=packed, check=True)
     fortran = [*base.glob('share/fortran/*/*.f'), *base.glob('share/fortran/solve/lapack/*.f')]
-    c = [*ROOT.glob('share/engine/core/*/*.c'), *ROOT.glob('share/engine/core/*/*/*.c')]
+    c = [*CORE.glob('*/*.c'), *CORE.glob('*/*/*.c')]
     for part, words, sources in (('fortran', flags['fc'] + ' ' + flags['common'], fortran),
-                                 ('c', f'{flags["cc"]} {flags["c"]} -I{ROOT}/share/engine/core', c)):
+                                 ('c', f'{flags["cc"]} {flags["c"]} -I{CORE}', c)):
         place = work / name / part
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir(parents=True)
@@ -97,7 +98,7 @@ def table(json_file):
     """gate_scene.h: the scene as both run times take it."""
     d = json.loads(json_file.read_text())
     header = (ROOT / 'share/engine/host/fortran_scene.h').read_text()
-    members = (ROOT / 'share/engine/core/gsmbp/scene.h').read_text()
+    members = (CORE / 'gsmbp/scene.h').read_text()
     known = {*re.findall(r'#define GS_FORTRAN_([a-z]\w+)', header)} & {
         *re.findall(r'^  gs_\w+ \*(\w+);', members, re.M)}
     there = {row['name'].lower()[len(d['name']) + 1:]: row['name'].lower() + '_'
@@ -121,7 +122,7 @@ def program(work, flags, build, folder, name, change):
     run(*change(f'{flags["fc"]} {flags["scene"]}').split(), '-c', '-o', place / 'scene.o',
         folder / f'{short}.f')
     run(*change(f'{flags["cc"]} {flags["c"]}').replace('-std=c99', '-std=gnu11').split(),
-        f'-I{place}', f'-I{ROOT}/share/engine/core', f'-I{ROOT}/share/engine', '-c', '-o', place / 'gate.o',
+        f'-I{place}', f'-I{CORE}', f'-I{ROOT}/share/engine', '-c', '-o', place / 'gate.o',
         HERE / 'gate.c')
     run(*flags['fc'].split(), '-o', place / 'gate', place / 'gate.o', place / 'scene.o',
         work / build / 'fortran/all.a', work / build / 'c/all.a', '-llapack', '-lblas', '-lm')

@@ -7,7 +7,8 @@ root=$PWD
 work_folder
 mkdir "$work/c" "$work/clang"
 
-c="-std=c99 -O2 -ffp-contract=off -I$root/share/engine/core"
+core=$root/share/engine/core
+c="-std=c99 -O2 -ffp-contract=off -I$core"
 strict="-Wall -Wextra -pedantic -Werror"
 # those of the drivers, and more
 strictest="$strict -Wshadow -Wconversion -Wsign-conversion"
@@ -19,11 +20,11 @@ base_fortran "$work/base"
 fortran_objects "$work/fortran" "$work/base" >"$report" 2>&1
 told $? 'share/fortran compiles' "$report"
 (cd "$work/c" &&
-  gcc $c $strictest -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) >"$report" 2>&1
+  gcc $c $strictest -c "$core"/*/*.c "$core"/*/*/*.c) >"$report" 2>&1
 told $? 'gcc compiles share/engine/core without a warning' "$report"
 if command -v clang >/dev/null; then
   (cd "$work/clang" &&
-    clang $c $strictest -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) >"$report" 2>&1
+    clang $c $strictest -c "$core"/*/*.c "$core"/*/*/*.c) >"$report" 2>&1
   told $? 'clang compiles share/engine/core without a warning' "$report"
 fi
 for header in share/engine/core/gsmbp/*.h; do
@@ -31,29 +32,6 @@ for header in share/engine/core/gsmbp/*.h; do
   g++ -x c++ $strict -Wno-pragmas -Ishare/engine/core -fsyntax-only -include "$header" - </dev/null
 done >"$report" 2>&1
 result 'the headers compile as C++'
-
-# -- one file in C for each in Fortran, no more (arith.h and the like are headers)
-# but lay_plan.c: who calls GSSIM in Fortran lays the plan of a run out
-for file in share/engine/core/*/*.c share/engine/core/*/*/*.c; do
-  [ "$file" = share/engine/core/inputs/lay_plan.c ] && continue
-  fortran=${file#share/engine/core/}
-  [ -f "share/fortran/${fortran%.c}.f" ] || [ -f "$work/base/${fortran%.c}.f" ] ||
-    echo "$file has no Fortran"
-done >"$report"
-result 'every file of share/engine/core has its Fortran'
-
-# -- and one routine for each; gsnon stands where the table of a scene has a null pointer; gsus[itu]
-# are in a header (gs_told, gs_accumulates_from, gs_risen of gsmbp/events.h), gshp[os] parts of
-# gs_hold_position, gsdt[ab], gsrk[lqt] and gsste parts of gs_dp853_trial, gs_run_rk4 and
-# gs_watch_stiffness; the driver of programs in Fortran alone has no C
-nm "$work"/c/*.o | awk '$2 == "T" { print $3 }' >"$work/routines"
-nm "$work"/fortran/*.o | awk '$2 == "T" { sub(/_$/, "", $3); print $3 }' |
-  grep -vxFf "$work/routines" |
-  grep -vxE -e 'gsnon|gsev[dq]|gshp[os]|gsus[itu]' \
-    -e 'gsdt[ab]|gsrk[lqt]|gsste' \
-    -e "$(awk '/^ +SUBROUTINE/ { sub(/\(.*/, "", $2); print tolower($2) }' \
-      share/fortran/drive/*.f | paste -sd '|')" >"$report"
-result 'every routine of share/fortran is in share/engine/core'
 
 # -- what is in the objects
 nm "$work"/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
@@ -102,7 +80,7 @@ whole || exit 0
 # -- no driver reads or writes beyond an array, or does what C leaves undefined
 mkdir "$work/checked"
 checks='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=undefined'
-(cd "$work/checked" && gcc $c $checks -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) \
+(cd "$work/checked" && gcc $c $checks -c "$core"/*/*.c "$core"/*/*/*.c) \
   >"$report" 2>&1
 for file in tests/c/*.c tests/c/emitted/runs.c; do
   more=
@@ -114,7 +92,7 @@ result 'share/engine/core under the address and the undefined behaviour sanitize
 
 # -- every function of share/engine/core, static ones too, is run by a driver
 mkdir "$work/cover"
-(cd "$work/cover" && gcc $c -O0 --coverage -c "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c) \
+(cd "$work/cover" && gcc $c -O0 --coverage -c "$core"/*/*.c "$core"/*/*/*.c) \
   >"$report" 2>&1
 for file in tests/c/*.c tests/c/emitted/runs.c; do
   more=

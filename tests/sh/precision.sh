@@ -10,12 +10,13 @@
 root=$PWD
 work_folder
 strict='-std=c99 -Wall -Wextra -Wshadow -Wconversion -Wsign-conversion -Werror'
-sources="$(echo "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c)"
+core=$root/share/engine/core
+sources="$(echo "$core"/*/*.c "$core"/*/*/*.c)"
 
 # quad precision is computed by a library: no level of optimization matters
 quad_run_times() {
   mkdir -p "$work/pair/time/c" "$work/pair/time/fortran"
-  (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$root/share/engine/core" -c $sources &&
+  (cd "$work/pair/time/c" && gcc $strict -O0 -DGSMBP_QUAD -I"$core" -c $sources &&
     ar rcs ../c.a ./*.o) >"$report" 2>&1
   told $? 'share/engine/core compiles in quad precision without a warning' "$report"
   nm "$work"/pair/time/c/*.o | awk '$2 ~ /^[bBdDC]$/ { print }' >"$report"
@@ -40,11 +41,11 @@ quad() {
     drivers="$drivers solve loops reach run"
     scenes="$scenes tests/scenes/sampled_crank.mac tests/scenes/reach_legs.mac"
   fi
-  gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/engine/core -o "$work/order" \
+  gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -I$core -o "$work/order" \
     tests/c/precision/order.c "$work/pair/time/c.a" -lquadmath -lm >"$report" 2>&1 && "$work/order"
   told $? 'quad precision: closed forms' "$report"
   for name in $drivers; do
-    gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -Ishare/engine/core -o "$work/$name" \
+    gcc -std=c99 -O0 -Wall -Wextra -Werror -DGSMBP_QUAD -I$core -o "$work/$name" \
       "tests/c/$name.c" "$work/pair/time/c.a" "$work/pair/time/fortran.a" -lgfortran -lquadmath \
       -lm >"$report" 2>&1 || { unlinked "tests/c/$name.c in quad precision"; continue; }
     echo "quad precision, tests/c/$name.c:"
@@ -59,7 +60,7 @@ float_warnings() {
   for compiler in gcc clang; do
     [ $compiler = gcc ] || whole || continue
     has $compiler 'warnings of share/engine/core in single precision' || continue
-    $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -Ishare/engine/core $sources >"$report" 2>&1
+    $compiler $strict -pedantic -fsyntax-only -DGSMBP_FLOAT -I$core $sources >"$report" 2>&1
     result "$compiler: share/engine/core in single precision without a warning"
   done
 }
@@ -70,7 +71,7 @@ puma() {
     gsmbp_c(scene, [inverse], ['directory = \"$work/puma\", 'precision = any])\$"
   told $? 'the PUMA 560 is emitted for any precision' "$report"
   routines="tests/c/precision/inverse.c $work/puma/puma6.c $(echo share/engine/core/functions/*.c)"
-  flags="-std=c99 -O2 -Wall -Wextra -Werror -Ishare/engine/core -I$work/puma"
+  flags="-std=c99 -O2 -Wall -Wextra -Werror -I$core -I$work/puma"
   gcc $flags -pedantic -DREFERENCE -o "$work/reference" $routines -lm >"$report" 2>&1 &&
     "$work/reference" >"$work/puma/reference.h"
   told $? 'its inverse dynamics in double precision' "$report"
@@ -89,10 +90,10 @@ here() {
   for file in puma6.c puma6.h; do
     sed 's/gs_real/double/g; s/GS_R (\([^)]*\))/\1/g' "$work/puma/$file" >"$work/for_double/$file"
   done
-  gcc -std=c99 -fsyntax-only -Ishare/engine/core "$work/for_double/puma6.c" >"$report" 2>&1
+  gcc -std=c99 -fsyntax-only -I$core "$work/for_double/puma6.c" >"$report" 2>&1
   told $? 'C for double compiles' "$report"
   check 'C for double is refused in single precision' fails \
-    gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -Ishare/engine/core "$work/for_double/puma6.c" 2>"$report"
+    gcc -std=c99 -fsyntax-only -DGSMBP_FLOAT -I$core "$work/for_double/puma6.c" 2>"$report"
   has_quadmath 'inverse dynamics in quad precision' || return 0
   gcc $flags -DGSMBP_QUAD -o "$work/quad_puma" $routines -lquadmath -lm >"$report" 2>&1 &&
     "$work/quad_puma" >"$report" 2>&1
@@ -135,8 +136,8 @@ runs() {
       gsmbp_c(scene, all, ['directory = \"$work/runs\", 'precision = any])\$"
   done)"
   told $? 'scenes are emitted for any precision' "$report"
-  (cd "$work/runs/double" && gcc $strict -O1 -I"$root/share/engine/core" -c $sources && cd ../single &&
-    gcc $strict -O1 -DGSMBP_FLOAT -I"$root/share/engine/core" -c $sources) >"$report" 2>&1
+  (cd "$work/runs/double" && gcc $strict -O1 -I"$core" -c $sources && cd ../single &&
+    gcc $strict -O1 -DGSMBP_FLOAT -I"$core" -c $sources) >"$report" 2>&1
   told $? 'share/engine/core compiles in double and in single precision' "$report"
   for file in $files; do
     scene=${file##*/}
@@ -155,7 +156,7 @@ run() {
     macro= rtol=1e-9
     [ $precision = double ] || { macro=-DGSMBP_FLOAT rtol=1e-4; }
     gcc -std=c99 -O1 -Wall -Wextra $macro -DSCENE="$1" -DMETHOD="$2" -DWAY="$3" -DRTOL=$rtol \
-      -Ishare/engine/core -I"$work/runs" -o "$work/run" tests/c/precision/run.c "$work/runs/$1.c" \
+      -I$core -I"$work/runs" -o "$work/run" tests/c/precision/run.c "$work/runs/$1.c" \
       "$work/runs/$precision"/*.o -lm && "$work/run" || echo failed
   done >"$report" 2>&1
   awk 'NR == 1 { n = NF; for (i = 1; i <= n; i++) x[i] = $i }

@@ -105,7 +105,8 @@ told $? 'implicit.py ends'
 
 # -- 1e5 states beside a loop in C, where times are asked for (make bench-c)
 [ -n "${GSMBP_TIMES:-}" ] || exit 0
-gcc -std=c99 -O2 -ffp-contract=off -Ishare/engine/core -I"$work/folders/puma6/c/scene" -o "$work/loop" \
-  tests/python/loop.c "$work/folders/puma6/c/scene/puma6.c" share/engine/core/*/*.c share/engine/core/*/*/*.c -lm \
+core=share/engine/core
+gcc -std=c99 -O2 -ffp-contract=off -I$core -I"$work/folders/puma6/c/scene" -o "$work/loop" \
+  tests/python/loop.c "$work/folders/puma6/c/scene/puma6.c" $core/*/*.c $core/*/*/*.c -lm \
   >"$report" 2>&1 && timeout 100 $python tests/python/speed.py "$work/loop"
 told $? 'speed.py ends' "$report"

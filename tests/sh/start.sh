@@ -5,7 +5,8 @@ root=$PWD
 work_folder
 mkdir "$work/host"
 strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
-c="-std=c99 -I$root/share/engine/core -I$root/share/engine"
+core=$root/share/engine/core
+c="-std=c99 -I$core -I$root/share/engine"
 for compiler in gcc clang; do
   command -v $compiler >/dev/null || continue
   (cd "$work/host" && for file in start residuals settled margins failure; do
@@ -14,7 +15,7 @@ for compiler in gcc clang; do
   told $? "$compiler compiles it without a warning" "$report"
 done
 for header in host/start.h host/failure.h; do
-  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only -include $header - \
+  g++ -x c++ -Wall -Wextra -Wno-pragmas -I"$core" -Ishare/engine -fsyntax-only -include $header - \
     </dev/null
 done >"$report" 2>&1
 result 'the headers compile as C++'
@@ -25,9 +26,9 @@ for kind in double quad; do
   esac
   gcc $c $flags -g -Wall -Wextra -Werror -o "$work/$kind" tests/c/host/start.c \
     share/engine/host/start.c share/engine/host/residuals.c share/engine/host/settled.c \
-    share/engine/host/margins.c share/engine/core/inputs/lay_plan.c share/engine/core/solve/solve_general.c \
-    share/engine/core/solve/lu_pivoted.c share/engine/core/solve/plain/lu_factor.c share/engine/core/functions/not_finite.c \
-    share/engine/core/functions/epsilon.c $library -lm >"$report" 2>&1
+    share/engine/host/margins.c "$core"/inputs/lay_plan.c "$core"/solve/solve_general.c \
+    "$core"/solve/lu_pivoted.c "$core"/solve/plain/lu_factor.c "$core"/functions/not_finite.c \
+    "$core"/functions/epsilon.c $library -lm >"$report" 2>&1
   told $? "the program compiles in $kind precision" "$report"
   to_the_end "$work/$kind"
 done

@@ -1,5 +1,5 @@
-"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md, share/engine/core/README.md,
-octave/+gs/README.md and tests/README.md true?
+"""guide.py ROOT: are the maps gsmbp/README.md, share/fortran/README.md,
+share/engine/core/README.md, octave/+gs/README.md and tests/README.md true?
 
 One line `ok WHAT` or `not ok WHAT: what is missing or too much` a check.
 guide.py ROOT --callers prints who calls each routine of share/fortran; --write-callers writes it
@@ -113,19 +113,23 @@ def check_fortran():
 
 # -- share/engine/core
 
+PROTOTYPE = r'(?m)^(?!static|typedef)[a-z]\w*[ \w*]*?\b(gs_\w+) \([^;{]*\);'
+
 def check_c():
     """the index has the routines that the headers declare, each in the file that defines it"""
-    declared = set(re.findall(r'\b(gs[a-z0-9]+) \(', '\n'.join(
-        without_comments(path) for path in files_of('share/engine/core/gsmbp/*.h') if 'arith' not in path)))
+    declared = set()
+    for path in files_of('share/engine/core/gsmbp/*.h'):
+        if 'arith' not in path:
+            declared |= set(re.findall(PROTOTYPE, without_comments(path)))
     defined = {}
     for path in files_of('share/engine/core/*/*.c', 'share/engine/core/*/*/*.c'):
-        for name in re.findall(r'(?m)^(gs[a-z0-9]+) \(', without_comments(path)):
+        for name in re.findall(r'(?m)^(gs_\w+) \(', without_comments(path)):
             defined[name] = os.path.relpath(path, 'share/engine/core')
     folder, index = '', {}
     for line in text_of('share/engine/core/README.md').splitlines():
         heading = re.match(r'## `(\w+/)`', line)
         folder = heading.group(1) if heading else folder
-        row = re.match(r'\| `(gs\w+)` \| `([\w/.]+\.c)` \|', line)
+        row = re.match(r'\| `(gs_\w+)` \| `([\w/.]+\.c)` \|', line)
         if row:
             index[row.group(1)] = folder + row.group(2)
     report('share/engine/core: every routine has its prototype, every prototype its routine',

@@ -3,7 +3,7 @@
 ## Fortran (solve/plain, so that no library is needed), or "c", with the C of share/controllers.
 
 function files = target_needs (text, kind)
-  home = gs.files.own_place ("share", {"fortran", "c"}{1 + (kind == "c")});
+  home = gs.files.own_place ("share", {"fortran", "engine/core"}{1 + (kind == "c")});
   all_ = [glob(fullfile (home, "*", ["*." kind])); ...
           glob(fullfile (home, "solve", "plain", ["*." kind]))];
   defines = '^ +(?:\w[\w ]* +)?(?:SUBROUTINE|FUNCTION) +(GS\w+)';

@@ -20,7 +20,7 @@ function rows = read_rows (table)
 endfunction
 
 function text = texts ()
-  text = cellfun (@(file) fileread (gs.files.own_place ("share", "engine", "core", "gsmbp", file)), ...
+  text = cellfun (@(file) fileread (gs.files.own_place ("share", "engine/core/gsmbp", file)), ...
                   {"options.h", "limits.h", "refusals.h", "failures.h"}, "UniformOutput", false);
   text = [text{:}];
 endfunction

@@ -173,7 +173,7 @@ gs_failure (const gs_failed_run *f, char *text, int size)
       gs_put (&w, "ended by option timeout at t = %.9g s", f->t);
       break;
     default:
-      gs_put (&w, "gs_integrate: INFO = %d", f->info);
+      gs_put (&w, "the run ended with INFO = %d", f->info);
     }
   if (f->istat[GS_IS_STIFF] > 0)
     gs_put (&w, "; the steps are bound by stability");

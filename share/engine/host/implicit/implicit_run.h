@@ -51,7 +51,7 @@ struct gs_stepper
   double *x, *trial, *between, *v, *p, *b, *c, *d, *dv, *work;
   int *project,
       *watch; /* IOPT for gs_check_constraints: to move a state onto the constraints; to look after
-      *what is left */
+                 what is left */
 };
 
 enum { GS_NODES = 8 };   /* of gs_event_septic */
