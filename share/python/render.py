@@ -136,12 +136,19 @@ def description(table):
         'devices': ('char *const', names('controllers')),
         'margins': ('char *const', [c_text(one) for one in table.get('state_margins') or []]),
         'parameters': ('char *const', names('parameters')),
+        'followed': ('int', table.get('internal') or []),
         'margin_values': ('int', margin_values(table))}
     counts = {'nmargins': len(lists['margins'][1]), 'nsets': len(sets) // 4,
               'nspeedrows': len(lists['speedrows'][1]), 'nsettled': len(lists['settled'][1]),
               'scene': '&%s_scene' % name, 'meaning': 'gs_loop_meaning'}
-    if 'mar' in [short for short, _ in routines(table)]:
-        counts['mar'] = name + '_mar'
+    parameters = [row['name'] for row in table['parameters']]
+    counts.update(
+        ncst=size['ncst'], npar=size['npar'], pre='gs_loop_pre', order=table['command_order'],
+        loop_method=parameters.index('loop_method') if 'loop_method' in parameters else -1,
+        nfollowed=len(lists['followed'][1]))
+    for member, short in ('mar', 'mar'), ('audited', 'rha'):
+        if short in [one for one, _ in routines(table)]:
+            counts[member] = '%s_%s' % (name, short)
     lines = meanings(table)
     for member, (kind, entries) in lists.items():
         if entries:

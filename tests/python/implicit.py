@@ -186,9 +186,10 @@ def refused():
     for method, order in (('radau', 4), ('auto', 6), ('gauss', 5), ('cvode', 6), ('radau', True),
                           ('gauss', '6')):
         if method != 'cvode' or SUNDIALS:
+            wanted = 'one of' if type(order) is int else 'a whole number'
             refuses('order %r of %s' % (order, method), ValueError,
-                    ['maxorder: expected one of', 'found %r' % (order,)], m.simulate, m.initial, t,
-                    method=method, maxorder=order)
+                    ['maxorder: expected %s' % wanted, 'found %r' % (order,)], m.simulate,
+                    m.initial, t, method=method, maxorder=order)
     refuses('an order of dp853', ValueError, ['method dp853 has one order alone, found 5'],
             m.simulate, m.initial, t, maxorder=5)
     refuses('index 2 by dp853', ValueError, ['"index2"', 'is for method "radau"'], m.simulate,

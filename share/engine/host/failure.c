@@ -73,7 +73,7 @@ static void
 put_cause (gs_writer *w, const gs_failed_run *f)
 {
   const int failed = f->istat[GS_FAILED], info = f->istat[GS_FAILED_INFO];
-  const char *text = f->d->meaning (gs_failed_routine (f->istat), info);
+  const char *text = f->d->meaning ? f->d->meaning (gs_failed_routine (f->istat), info) : NULL;
   for (size_t k = 0; k < sizeof causes / sizeof causes[0]; k++)
     if (causes[k].failed == failed && causes[k].info == info)
       text = causes[k].text;

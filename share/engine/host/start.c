@@ -93,7 +93,7 @@ none_near (const gs_description *d, const gs_start_given *g, int info, int finit
            const double *scaled, const double *found, gs_start *s)
 {
   gs_writer w = { s->text, sizeof s->text, 0 };
-  const char *meaning = d->meaning ("prj", info);
+  const char *meaning = d->meaning ? d->meaning ("prj", info) : NULL;
   gs_put (&w, "no state on the constraints was found near this one at t = %.9g s (PRJ: INFO = %d",
           (double)g->t, info);
   gs_put (&w, meaning ? ": %s)" : ")", meaning);

@@ -43,6 +43,14 @@ typedef struct gs_description
                                        many parameters, these (from 0) */
   /* what INFO of a routine ("rhs") means; null: not known */
   const char *(*meaning) (const char *routine, int info);
+  /* for whole runs (host/run) */
+  int ncst, npar;                   /* constants, parameters */
+  int (*pre) (const gs_real *par, gs_real *cst); /* the constants of parameters */
+  int loop_method;                  /* the parameter of the ways nullspace, svd, kane, from 0; -1 */
+  gs_rhs *audited;                  /* rates with the two states of an audit; null: not there */
+  int order;                        /* highest derivative of a planned motion that cmd reads */
+  int nfollowed;
+  const int *followed;              /* states of devices that inputs of a motion follow, from 1 */
 } gs_description;
 
 /* a start that is asked for */

@@ -8,17 +8,13 @@ import numpy as np
 
 from . import _start
 from ._ends import Ends
-from ._implicit import Choice, check_index2, sharp_friction
-from ._library import (Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, address, at,
-                       pointer)
+from ._implicit import cvode, sharp_friction
+from ._library import Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, at
 from ._motion import Piecewise, as_piecewise
-from ._tables import (COUNTS, DEFAULT, FIXED, LIMITS, METHODS, REFUSALS, VALUES, WAYS, check,
-                      expected)
+from ._structures import Inputs, Options, Result as Found, Start
+from ._tables import DEFAULT, FIXED, METHODS, REFUSALS, WAYS, check, expected, is_number
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
-AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
-WRONG_MODE = 13    # where the mode that is given contradicts the state
-ENDED = 11         # what a run says that an event of the user has ended
 VIN = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.c_int,
                        ctypes.POINTER(ctypes.c_double), ctypes.c_int, ctypes.c_int,
                        ctypes.c_void_p, ctypes.POINTER(ctypes.c_double))
@@ -81,68 +77,24 @@ def rising(who, given):
     return np.ascontiguousarray(times, float)
 
 
-def _start_of(who, model, t, x0, start, modes):
-    if start not in ('check', 'project'):
-        raise ValueError('%s: start: expected one of "check", "project", found %r' % (who, start))
-    x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME, model.states)
-    _start.take(who, model, t, x, start == 'check', modes)
-    return x
-
-
 # -------------------------------------------------------------------------------------- the plan
 
-class _Pieces(ctypes.Structure):
-    """gs_pieces of plan.h."""
-
-    _fields_ = [(n, ctypes.c_int) for n in ('nc', 'np', 'k')] + [('numbers', ctypes.c_void_p)]
-
-
-class _Given(ctypes.Structure):
-    """gs_plan of plan.h."""
-
-    _fields_ = [
-        ('s', ctypes.c_void_p), ('nx', ctypes.c_int), ('inputs', ctypes.c_int),
-        ('derivatives', ctypes.c_int), ('constants', ctypes.c_void_p), ('table', _Pieces),
-        ('motion', _Pieces), ('planned', ctypes.c_void_p), ('reference', _Pieces),
-        ('gain', _Pieces), ('limits', ctypes.c_void_p), ('memory', ctypes.c_void_p),
-        ('on_the_way', ctypes.c_int), ('instants', ctypes.c_int), ('modes', ctypes.c_void_p),
-        ('events', ctypes.c_int)]
-
-
-if LIBRARY.gs_loop_plan_size() != ctypes.sizeof(_Given):
-    raise ImportError('%s: the library was built with another plan.h' % NAME)
-
-
 class _Plan:
-    """What the plan of a run is made of (plan.h), its breaks, a callback."""
+    """The inputs of a run as the engine takes them (gs_run_inputs), a function that it calls."""
 
-    def __init__(self, who, model, nx):
+    def __init__(self, who, model):
         self.who, self.model = who, model
-        self.given = _Given(s=SCENE, nx=nx, derivatives=TABLE['command_order'])
-        self.held, self.breaks, self.jumps = {}, [], frozenset()
-        self.callback, self.ends = None, Ends()
-
-    def put(self, name, numbers, kind=float):
-        """An array of the plan, kept as long as it is."""
-        self.held[name] = np.ascontiguousarray(numbers, kind).ravel(order='F')
-        setattr(self.given, name, address(self.held[name]))
+        self.given, self.ends = Inputs(), Ends()
 
     def pieces(self, name, poly):
-        self.held[name] = np.append(poly.flat(), 0.0)
-        setattr(self.given, name, _Pieces(*poly.coefficients.shape, address(self.held[name])))
-        self.breaks += poly.breaks[1:-1].tolist()
+        self.given.put_pieces(name, poly)
 
-    def laid(self):
-        """ip and rp."""
-        given = ctypes.byref(self.given)
-        ip = np.zeros(LIBRARY.gs_wholes(given), np.intc)
-        rp = np.zeros(LIBRARY.gs_reals(given))
-        LIBRARY.gs_lay(given, at(ip), at(rp))
-        return ip, rp
+    def put(self, name, numbers, kind=float):
+        self.given.put(name, numbers, kind)
 
     def motion(self, given):
         poly, planned = planned_motion(self.who, given)
-        self.given.inputs = 2
+        self.given.kind = 2
         self.put('planned', planned, np.intc)
         self.pieces('motion', poly)
 
@@ -153,14 +105,14 @@ class _Plan:
         if given is None:
             given = np.zeros(NV)
         if callable(given) and not isinstance(given, Piecewise) and not hasattr(given, 'c'):
-            self.given.inputs = 3
-            self.callback = self.called(given, free)
+            self.given.kind = 3
+            self.given.keep('function', self.called(given, free))
             if TABLE.get('controllers'):
                 self.put('constants', self.told(given, free, t0, x0[:NX]))
         elif isinstance(given, Piecewise) or hasattr(given, 'c'):
             poly = as_piecewise(self.who, 'input', given, getattr(given, 'n', NV)
                                 if getattr(given, 'n', NV) in (NV, len(free)) else NV)
-            self.given.inputs = 1
+            self.given.kind = 1
             self.pieces('table', poly if poly.n == NV else self.spread(poly, free))
         else:
             a = self.constants(np.atleast_1d(np.asarray(given)), free)
@@ -184,13 +136,6 @@ class _Plan:
         whole[free] = poly.coefficients
         return Piecewise(poly.breaks, whole)
 
-    def beside(self, t, side):
-        """Where a function has the limit of a side: just before a jump, or behind it."""
-        if t not in self.jumps:
-            return t
-        apart = max(2 * np.finfo(float).eps * abs(t), 1e-300)
-        return t - apart if side < 0 else t + apart
-
     def told(self, function, free, t, x):
         """What a function v = f(t, x) gives, in all places."""
         given = function(t, x.copy())
@@ -207,7 +152,7 @@ class _Plan:
             np.ctypeslib.as_array(v, (max(1, nv),))[:nv] = self.told(function, free, t, own)
 
         def vin(t, side, x, nx, nv, data, v):
-            return self.ends.call(inputs, self.beside(t, side), x, nx, v, nv)
+            return self.ends.call(inputs, t, x, nx, v, nv)
         return VIN(vin)
 
     def feedback(self, gain, reference, limits):
@@ -239,47 +184,28 @@ class _Plan:
                 self.who, REFUSALS.limits_order % (self.model.inputs[k], *bounds[k])))
         return bounds
 
-    def samples(self, times, memory, keep):
-        """The plan of the sampled devices, see gs_sample."""
-        devices = TABLE.get('controllers') or []
-        if not devices:
-            if memory is not None:
-                raise ValueError('%s: memory: %s has no sampled devices' % (self.who, NAME))
-            return
-        self.model._has('ctl', 'ctp')
-        period, delay = map(np.ascontiguousarray, self.model.ctp())
-        if memory is not None:
-            self.put('memory', _vector(self.who, 'memory', memory, SIZES['nxk']))
-        devices = ctypes.c_int(len(period)), at(period), at(delay)
-        self.given.on_the_way = LIBRARY.gs_pending(*devices)
-        span = ctypes.c_double(times[-1] - times[0])
-        self.given.instants = keep * int(LIBRARY.gs_instants(*devices, span))
 
-    def events(self, modes):
-        """The plan of the ports that stick or hit stops, see gs_resolve_event."""
-        n = len(TABLE.get('events') or [])
-        if not n:
-            if modes is not None:
-                raise ValueError('%s: modes: %s has no events' % (self.who, NAME))
-            return
-        self.model._has('evt', 'rst')
-        self.given.events = int(LIMITS.recorded_events)
-        if modes is not None:
-            given = np.asarray(modes)
-            if given.shape != (n,) or not np.isin(given, (-1, 0, 1)).all():
-                raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1; found %r' % (
-                    self.who, n, modes))
-            self.put('modes', given, np.intc)
-        self.no_mode_given(np.zeros(n) if modes is None else given)
+def _memory(who, given):
+    """The memory of the sampled devices at the start, as it is given."""
+    if given is None:
+        return None
+    if not TABLE.get('controllers'):
+        raise ValueError('%s: memory: %s has no sampled devices' % (who, NAME))
+    return _vector(who, 'memory', given, SIZES['nxk'])
 
-    def no_mode_given(self, modes):
-        """In the place of a mode, among all inputs, is 0 or what modes has."""
-        for event, wanted in zip(TABLE['events'], modes):
-            if event['input'] > 0 and 'constants' in self.held:
-                found = self.held['constants'][event['input'] - 1]
-                if found not in (0, wanted):
-                    raise ValueError('%s: %s' % (
-                        self.who, REFUSALS.given_mode % (event['name'], found)))
+
+def _modes(who, given):
+    """Modes of the ports that stick or hit stops, as they are given."""
+    if given is None:
+        return None
+    n = len(TABLE.get('events') or [])
+    if not n:
+        raise ValueError('%s: modes: %s has no events' % (who, NAME))
+    modes = np.asarray(given)
+    if modes.shape != (n,) or not np.isin(modes, (-1, 0, 1)).all():
+        raise ValueError('%s: modes: expected %d numbers, each -1, 0 or 1; found %r' % (
+            who, n, given))
+    return modes
 
 
 def free_inputs():
@@ -348,66 +274,59 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     times = rising(who, times)
     if len(times) < 2:
         raise ValueError('%s: %s' % (who, REFUSALS.one_time % ('%.15g alone' % times[0])))
-    if errors not in ('raise', 'return'):
-        raise ValueError('%s: errors: expected "raise" or "return"; found %r' % (who, errors))
-    model, way, index2 = _way(who, self, loops, method)
-    x = _start_of(who, model, times[0], x0, start, modes)
-    iopt, ropt, atol = _options(who, model, times[-1] - times[0], method, way, rtol, atol, step,
-                                maxstep, maxsteps, drift)
-    choice = Choice(who, method, maxorder, index2)
-    kept = (float(ropt[1]), atol.copy()) if method not in FIXED else (np.nan, np.full(NX, np.nan))
-    if audit is not None:
-        model._has('rha', 'ene')
-        check(who, 'audit', audit)
-        x = np.append(x, [0.0, 0.0])
-        atol = np.append(atol, [ropt[1] * audit] * 2)
-    p = _Plan(who, model, len(x))
+    _word(who, 'errors', errors, ('raise', 'return'))
+    _word(who, 'start', start, ('check', 'project'))
+    x = _vector(who, 'x0', x0, NX, 'numbers (the states of %s)' % NAME, self.states)
+    options = _options(who, self, method, rtol, atol, step, maxstep, maxsteps, maxorder, loops,
+                       drift, audit)
+    options.project, options.samples = start == 'project', bool(samples)
+    given = Start(nt=len(times))
+    for name, value in (('times', times), ('x0', x), ('par', self._values), ('cst', self.cst),
+                        ('memory', _memory(who, memory))):
+        given.put(name, value)
+    given.put('modes', _modes(who, modes), np.intc)
+    p = _Plan(who, self)
     if motion is not None and input is not None:
         raise ValueError('%s: give input or motion, not both' % who)
     if motion is not None:
-        model._has('cmd')
         p.motion(motion)
     else:
         p.inputs(input, times[0], x)
     p.feedback(gain, reference, limits)
-    p.samples(times, memory, bool(samples))
-    p.events(modes)
-    p.jumps = frozenset(float(b) for b in [*p.breaks, *_breaks(who, breaks)])
-    stops = sorted(b for b in p.jumps if times[0] < b < times[-1])
-    run = _run(model, p, x, times, stops, iopt, ropt, atol, audit is not None, choice)
-    if p.ends.failure is not None:
-        raise p.ends.failure
-    s = run['stats']
-    if run['info'] == 3 and s['failed'] == AT_EVENT and s['failed_info'] == WRONG_MODE:
-        raise ValueError('%s: %s' % (
-            who, _start.wrong_mode(model, times[0], x[:NX], modes, s['cause'] - 1)))
-    return _result(who, model, p, run, choice.taken(s), kept, audit, errors)
+    p.given.put('breaks', _breaks(who, breaks))
+    p.given.nbreaks = len(p.given.kept['breaks'])
+    found = Found()
+    begun = time.perf_counter()
+    with p.ends:
+        LIBRARY.gs_loop_run(options.address(), given.address(), p.given.address(), p.ends.ask,
+                            found.address())
+    try:
+        if p.ends.failure is not None:
+            raise p.ends.failure
+        _refuse(who, self, found)
+        return _result(who, self, found, time.perf_counter() - begun, audit, errors)
+    finally:
+        LIBRARY.gs_free_result(found.address())
 
 
-def _way(who, model, loops, method):
-    """The model with its parameter loop_method, the number of the method of its loops, whether they
-    are in index 2."""
-    if loops is not None and loops not in WAYS:
-        raise ValueError('%s: loops %s' % (who, REFUSALS.loops % (', '.join(WAYS), repr(loops))))
-    euler = NQ > NU
-    if loops is None:
-        loops = WAYS['prj' in ROUTINES and (NLAM > 0 or euler)]
-        if method == 'gauss' and NLAM > 0 and not euler and {'kin', 'con'} <= ROUTINES.keys():
-            loops = 'partitioning'   # the steps are those of the independent coordinates alone
-    index2 = loops == 'index2'
-    if index2:
-        check_index2(who, model, method)
-        loops = 'projection'
-    way = WAYS.index(loops) + 1
-    if NLAM == 0:
-        way = 1 + (way > 1 and euler)
-    needs = [(), ('prj',), ('con', 'kin') + ('prj',) * euler, ('prj',), ('prj',),
-             ('con', 'kin', 'prj')][way - 1]
-    model._has('rhs', *needs)
-    wanted = max(1, way - 2)
-    if model.parameters.get('loop_method', wanted) != wanted:
-        model = model.changed(loop_method=wanted)
-    return model, way, index2
+def _word(who, name, given, words):
+    if given not in words:
+        raise ValueError('%s: %s: expected one of "%s", found %r' % (
+            who, name, '", "'.join(words), given))
+
+
+def _refuse(who, model, found):
+    """What the engine refuses before the run, or warns of."""
+    if found.warning:
+        warnings.warn('%s: %s' % (who, found.warning.decode()), RunWarning, stacklevel=4)
+    why, option, text = found.refused, (found.option or b'').decode(), found.text.decode()
+    if not why:
+        return
+    if why == Found.ROUTINE:
+        model._has(option)
+    if why == Found.START:
+        text = _start.refusal(found.start.verdict, found.start.state, text, model)
+    raise ValueError('%s: %s%s' % (who, option and option + ': ', text))
 
 
 def _breaks(who, given):
@@ -417,143 +336,75 @@ def _breaks(who, given):
     return times.ravel().tolist()
 
 
-def _check_count(who, method, step, maxstep, span):
-    """The number of steps: what the run time counts to, or what time resolves."""
-    fixed = method in FIXED
-    most = LIMITS.fixed_steps if fixed else LIMITS.controlled_steps
-    steps = [(step * fixed, 'step'), (maxstep, 'maxstep'), (math.inf, '')]
-    longest, name = min((h, name) for h, name in steps if h > 0)
-    if span / longest > most:
-        raise ValueError('%s: %s: %s' % (who, name, REFUSALS.too_many_steps % (
-            span, longest, span / longest, method, most)))
+def _options(who, model, method, rtol, atol, step, maxstep, maxsteps, maxorder, loops, drift,
+             audit):
+    """As the engine takes them (gs_run_options); it looks at what they mean together."""
+    _word(who, 'method', method, METHODS)
+    if loops is not None and loops not in WAYS:
+        raise ValueError('%s: loops %s' % (who, REFUSALS.loops % (', '.join(WAYS), repr(loops))))
+    if step is not None:
+        check(who, 'step', step, 'positive' if method in FIXED else 'nonnegative')
+    if maxorder is not None and (isinstance(maxorder, bool) or not is_number(maxorder)):
+        raise ValueError('%s: maxorder: %s' % (who, expected('maxorder', maxorder, 'whole')))
+    for name, value in (('maxstep', maxstep), ('maxsteps', maxsteps), ('rtol', rtol)):
+        check(who, name, value)
+    if audit is not None:
+        model._has('rha', 'ene')
+        check(who, 'audit', audit)
+    options = Options(
+        method=method.encode(), loops=loops and loops.encode(), rtol=rtol, maxstep=maxstep,
+        step=math.nan if step is None else step, maxsteps=maxsteps,
+        maxorder=math.nan if maxorder is None else maxorder,
+        drift=-1 if drift is None else bool(drift), audit=audit or 0, cvode=cvode(who, method))
+    options.put('atol', _tolerances(who, atol))
+    return options
 
 
-def _options(who, model, span, method, way, rtol, atol, step, maxstep, maxsteps, drift):
-    if method not in METHODS:
-        raise ValueError('%s: method: expected one of "%s", found %r' % (
-            who, '", "'.join(METHODS), method))
-    if step is None:
-        step = 1e-3 if method in FIXED else 0.0
-    check(who, 'step', step, 'positive' if method in FIXED else 'nonnegative')
-    check(who, 'maxstep', maxstep)
-    check(who, 'maxsteps', maxsteps)
-    _check_count(who, method, step, maxstep, span)
-    rtol, atol = _tolerances(who, model, rtol, atol, method)
-    watched = NLAM > 0 and 'con' in ROUTINES if drift is None else bool(drift)
-    rows = TABLE.get('speed_rows') or []
-    iopt = [METHODS[method], way, int(watched), int(maxsteps),
-            int(watched and NLAM > 0 and 'kin' in ROUTINES), len(rows), *rows]
-    return np.array(iopt, np.intc), np.array([step, rtol, maxstep], float), atol
-
-
-def _tolerances(who, model, rtol, atol, method):
-    """rtol, atol, neither below what the precision can keep: it is raised, with a warning."""
-    least = (100 if method in ('cvode', 'auto') else 10) * np.finfo(float).eps
-    check(who, 'rtol', rtol)
-    small = ['rtol = %g' % rtol] if rtol < least else []
-    rtol = max(float(rtol), least)
-    given, atol = atol, rtol * model.nominal if atol is None else np.asarray(atol)
+def _tolerances(who, given):
+    """One for each state, or None."""
+    if given is None:
+        return None
+    atol = np.asarray(given)
     if atol.shape == ():
         atol = np.full(NX, atol)
     if atol.dtype.kind not in 'fiu' or atol.shape != (NX,) or not (
             np.isfinite(atol).all() and (atol >= 0).all()):
         raise ValueError('%s: atol: %s' % (who, REFUSALS.atol % (NX, repr(given))))
-    low = np.flatnonzero(atol < least * model.nominal * (1 - 1e-9))
-    if len(low):
-        small.append('atol = %g of %s' % (atol[low[0]], model.states[low[0]]))
-    if small and method != 'rk4':
-        warnings.warn(
-            '%s: %s' % (who, REFUSALS.low_tolerance % (', '.join(small), 'double', least)),
-            RunWarning, stacklevel=5)
-    return rtol, np.maximum(atol, least * model.nominal)
-
-
-def _run(model, p, x, times, stops, iopt, ropt, atol, audit, choice):
-    nx, nt = len(x), len(times)
-    ip, rp = p.laid()
-    out = {'ip': ip, 'rp': rp, 'x': np.zeros((nx, nt), order='F'),
-           'v': np.zeros((max(1, NV), nt), order='F'), 'times': times, 'said': choice.said}
-    _start.samples(p.who, model, times[0], ip, rp)
-    counts, values = np.zeros(len(COUNTS), np.intc), np.zeros(len(VALUES))
-    room = LIBRARY.gs_loop_room(SCENE, ctypes.c_int(nx), ctypes.c_int(p.given.derivatives))
-    w = np.zeros(max(room, NU) + 20)
-    if NQ == NU:
-        w[:NU] = x[:NQ]
-    stops = np.array(stops + [0.0])
-    x, atol = np.ascontiguousarray(x), np.ascontiguousarray(atol)
-    number = ctypes.c_int
-    begun = time.perf_counter()
-    with p.ends:
-        out['info'] = LIBRARY.gs_loop_run(
-            SCENE, pointer('rha') if audit else None, p.callback, p.ends.ask, number(nx),
-            ctypes.c_double(times[0]), at(x), number(nt), at(times), number(len(stops) - 1),
-            at(stops), at(iopt), at(ropt), at(atol), at(ip), at(rp), at(model.cst),
-            at(out['x']), at(out['v']), at(counts), at(values), at(w), number(len(w)),
-            choice.address, at(choice.numbers), choice.said, number(len(choice.said)))
-    out['istat'] = counts
-    out['stats'] = dict(zip(COUNTS + VALUES, counts.tolist() + values.tolist()))
-    out['seconds'] = time.perf_counter() - begun
-    return out
+    return atol
 
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _result(who, model, p, run, method, kept, audit, errors):
-    wanted = run['stats']['outputs']
-    ended = _ended(run)
-    reached = run['stats']['outputs']
-    t, v = run['times'][:reached], run['v'][:NV, :reached]
-    x = run['x'][:NX, :reached]
-    r = Result(t=t, x=x, v=v, y=None, samples=None, events=None, audit=None)
-    r.stats = _stats(model, run, method)
-    r.stats['rtol'], r.stats['atol'] = kept
-    text = failure(run) + outside(model, run) if run['info'] != 0 else None
+def _result(who, model, found, seconds, audit, errors):
+    rows, method = found.rows, found.method.decode()
+    v, x = found.array('v', (max(1, NV), rows))[:NV], found.array('x', (found.nx, rows))
+    r = Result(t=found.array('times', (rows,)), x=x[:NX], v=v, y=None, samples=None, events=None,
+               audit=None)
+    s = found.statistics()
+    r.stats = _stats(model, s, method, seconds)
+    r.stats['rtol'], r.stats['atol'] = found.rtol, found.array('atol', (NX,))
+    if method in FIXED:
+        r.stats['rtol'], r.stats['atol'] = np.nan, np.full(NX, np.nan)
+    text = found.text.decode() if found.info else None
     r.stats['failure'] = text
-    r.stats['stopped'] = ended and 'event %s' % ended
+    r.stats['stopped'] = None
+    if found.ended:
+        r.stats['stopped'] = 'event %s' % TABLE['events'][found.ended - 1]['name']
     if text is not None and errors != 'return':
-        raise Error('%s: %s' % (who, text), run['info'], r)
-    with warnings.catch_warnings():
-        warnings.simplefilter('ignore')
-        if NY and 'out' in ROUTINES and reached:
-            r.y = model.out(_row_times(model, t, wanted), x, v)
+        raise Error('%s: %s' % (who, text), found.info, r)
+    if NY and 'out' in ROUTINES and rows:
+        r.y = found.array('y', (NY, rows))
     if TABLE.get('controllers'):
-        r.samples = _samples(run)
+        r.samples = _samples(found)
     if TABLE.get('events'):
-        r.events = _events(model, run, len(run['x']))
+        r.events = _events(model, found)
     if audit is not None:
-        r.audit = _audit(model, r, run['x'][NX:, :reached])
+        r.audit = _audit(model, r, x[NX:])
     _tell(who, model, r, method)
     return r
 
 
-def _row_times(model, t, wanted):
-    """The times that stand for the rows: where the scene switches a row has what was before, as the
-    inputs in it, but for the first one and that of an event which ends the run."""
-    if 'swi' not in ROUTINES:
-        return t
-    left = np.isin(t, model.swi())
-    left[0] = False
-    left[wanted:] = False
-    return np.where(left, t - np.maximum(2 * np.finfo(float).eps * np.abs(t), 1e-300), t)
-
-
-def _ended(run):
-    """Where an event of the user has ended a run: its name, and the state there is the last row."""
-    if run['info'] != ENDED:
-        return None
-    run['info'] = 0
-    last = run['stats']['reached']
-    number = int(_recorded(run)[2])
-    k = run['stats']['outputs']
-    if k == 0 or run['times'][k - 1] < last:
-        run['times'] = np.array(run['times'], float)
-        run['times'][k] = last
-        run['stats']['outputs'] += 1
-    return TABLE['events'][number - 1]['name']
-
-
-def _stats(model, run, method):
-    s = run['stats']
+def _stats(model, s, method, seconds):
     stats = {name: s[name] for name in (
         'calls', 'accepted', 'rejected', 'projections', 'rank_losses', 'angle_singularities',
         'partition_changes', 'singular_positions', 'repeated', 'loose', 'phi', 'phidot', 'phi_at',
@@ -568,56 +419,27 @@ def _stats(model, run, method):
                           'step': s['stiff_step'], 'state': model.states[s['stiff_state'] - 1]}
     stats['jacobians'] = s['jacobians'] * (method in ('cvode', 'radau'))
     stats['newton'] = s['newton'] * (method in ('cvode', 'radau', 'gauss'))
-    stats.update(method=method, seconds=run['seconds'])
+    stats.update(method=method, seconds=seconds)
     return stats
 
 
-def failure(run):
-    """Why a run ended before its time."""
-    text = ctypes.create_string_buffer(1000)
-    LIBRARY.gs_loop_failure(
-        ctypes.c_int(run['info']), at(run['istat']), ctypes.c_double(run['stats']['reached']),
-        run['said'], text, ctypes.c_int(len(text)))
-    return text.value.decode()
-
-
-def outside(model, run):
-    """What is added to that where devices were outside their margins in the last state."""
-    k = run['stats']['outputs']
-    if k >= len(run['times']):
-        return ''
-    x, v = run['x'][:NX, k], run['v'][:, k]
-    if not (np.isfinite(x).all() and np.isfinite(v).all()):
-        return ''
-    return _start.outside(model, run['stats']['reached'], x, v)
-
-
-def _samples(run):
+def _samples(found):
     """t, memory (nxk, n), v (nv, n) after each instant; memory at the end; how many there were."""
     sizes, nxk = np.zeros(3, np.intc), SIZES['nxk']
-    first = LIBRARY.gs_loop_samples(SCENE, at(run['ip']), at(run['rp']), at(sizes))
+    first = LIBRARY.gs_loop_samples(SCENE, found.pointer('ip'), found.pointer('rp'), at(sizes))
     places, count, memory = sizes.tolist()
-    record = _records(run, first, 1 + nxk + NV, min(places, count))
+    record = found.array('rp', (1 + nxk + NV, min(places, count)), first)
     return {'t': record[0], 'memory': record[1:1 + nxk], 'v': record[1 + nxk:],
-            'end': run['rp'][memory:memory + nxk].copy(), 'count': count}
+            'end': found.array('rp', (nxk,), memory), 'count': count}
 
 
-def _records(run, first, width, n):
-    return run['rp'][first:first + n * width].reshape(width, n, order='F')
-
-
-def _recorded(run):
-    """The records of events, a column each; how many events there were; the numbers of the one that
-    ended the run and of the last one, 0 where there was none."""
-    sizes, nx = np.zeros(4, np.intc), len(run['x'])
-    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), at(run['ip']), at(run['rp']), at(sizes))
-    return (_records(run, first, 3 + 2 * nx, int(min(sizes[0], sizes[1]))), *sizes[1:].tolist())
-
-
-def _events(model, run, nx):
+def _events(model, found):
     """t, number (from 0), device, mode after, states before and after, energy lost [J]."""
-    record, all_ = _recorded(run)[:2]
-    count = record.shape[1]
+    sizes, nx = np.zeros(2, np.intc), found.nx
+    first = LIBRARY.gs_loop_events(ctypes.c_int(nx), found.pointer('ip'), found.pointer('rp'),
+                                   at(sizes))
+    count = int(sizes.min())
+    record = found.array('rp', (3 + 2 * nx, count), first)
     numbers = record[1].astype(int) - 1
     before, after = record[3:3 + NX], record[3 + nx:3 + nx + NX]
     loss = np.zeros(count)
@@ -625,7 +447,7 @@ def _events(model, run, nx):
         loss = (model.ene(record[0], before) - model.ene(record[0], after))[:3].sum(axis=0)
         loss[(before == after).all(axis=0)] = 0
     return {'t': record[0], 'number': numbers, 'mode': record[2].astype(int), 'before': before,
-            'after': after, 'loss': loss, 'count': all_,
+            'after': after, 'loss': loss, 'count': int(sizes[1]),
             'device': [TABLE['events'][k]['name'] for k in numbers]}
 
 

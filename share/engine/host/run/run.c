@@ -1,0 +1,273 @@
+/* run.c: a whole run, from its options to its results. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gsmbp/expressions.h"
+#include "gsmbp/functions.h"
+#include "gsmbp/refusals.h"
+#include "host/failure.h"
+#include "host/run/run_parts.h"
+#include "host/text.h"
+
+/* ---------------------------------------------------------------------------------------- room */
+
+static size_t
+many (int a, int b)
+{
+  return (size_t)(a > 1 ? a : 1) * (size_t)(b > 1 ? b : 1);
+}
+
+static int
+make_room (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  const gs_scene *s = w->d->scene;
+  const size_t x = many (r->nx, r->nt), v = many (r->ldv, r->nt), y = many (s->ny, r->nt);
+  const size_t nx = many (r->nx, 1), nt = many (r->nt, 1), cst = many (w->d->ncst, 1);
+  const size_t numbers = x + v + y + 2 * nx + nt + cst;
+  const size_t wholes = many (GS_ON_SPEEDS + 1 + w->d->nspeedrows, 1);
+  r->room = malloc (numbers * sizeof (gs_real) + wholes * sizeof (int));
+  if (! r->room)
+    return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the run");
+  memset (r->room, 0, numbers * sizeof (gs_real) + wholes * sizeof (int));
+  r->x = r->room;
+  r->v = r->x + x;
+  r->y = r->v + v;
+  r->atol = w->atol = r->y + y;
+  w->x0 = r->atol + nx;
+  r->times = w->x0 + nx;
+  r->cst = r->times + nt;
+  w->iopt = (int *)(r->cst + cst);
+  memcpy (r->times, w->s->times, nt * sizeof (gs_real));
+  memcpy (w->x0, w->s->x0, (size_t)s->nx * sizeof (gs_real));
+  return 0;
+}
+
+void
+gs_free_result (gs_run_result *r)
+{
+  free (r->room);
+  free (r->ip);
+  free (r->rp);
+  r->room = NULL;
+  r->ip = NULL;
+  r->rp = NULL;
+}
+
+/* --------------------------------------------------------------------------------------- start */
+
+static int
+take_start (gs_whole_run *w)
+{
+  const gs_start_given g = { .t = w->s->times[0], .cst = w->r->cst, .par = w->s->par,
+                             .check = ! w->o->project, .modes = w->s->modes };
+  if (gs_take_start (w->d, &g, w->x0, &w->r->start) == GS_START_TAKEN)
+    return 0;
+  return gs_refuse (w->r, GS_REFUSED_START, "", "%s", w->r->start.text);
+}
+
+static int
+lay_plan (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  r->ip = calloc ((size_t)gs_wholes (&w->plan) + 1, sizeof *r->ip);
+  r->rp = calloc ((size_t)gs_reals (&w->plan) + 1, sizeof *r->rp);
+  w->lw = gs_room (w->d->scene, r->nx, w->plan.derivatives);
+  w->w = calloc ((size_t)w->lw + 1, sizeof *w->w);
+  if (! r->ip || ! r->rp || ! w->w)
+    return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the plan");
+  gs_lay (&w->plan, r->ip, r->rp);
+  gs_start first;
+  if (gs_check_samples (w->d, w->s->times[0], r->cst, r->ip, r->rp, &first) == GS_START_TAKEN)
+    return 0;
+  return gs_refuse (r, GS_REFUSED_SAMPLES, "", "%s", first.text);
+}
+
+/* ----------------------------------------------------------------------------------------- run */
+
+/* a function of inputs, asked for a side of a jump, is called just before it or behind it, whatever
+ * it has in the jump itself */
+static int
+beside_jumps (gs_real t, int side, const gs_real *x, int nx, int nv, void *data, gs_real *v)
+{
+  const gs_whole_run *w = data;
+  for (int k = 0; k < w->njumps; k++)
+    if (w->jumps[k] >= t && w->jumps[k] <= t)
+      {
+        const gs_real apart = gs_max (2 * GS_EPSILON * gs_abs (t), GS_TINY);
+        return w->in->function (side < 0 ? t - apart : t + apart, side, x, nx, nv, w->in->data, v);
+      }
+  return w->in->function (t, side, x, nx, nv, w->in->data, v);
+}
+
+static gs_integration
+integration (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  return (gs_integration){
+    .nx = r->nx, .t0 = w->s->times[0], .x0 = w->x0, .nt = r->nt, .tout = w->s->times,
+    .nb = w->nb, .tbrk = w->breaks, .iopt = w->iopt, .ropt = w->ropt, .atol = w->atol,
+    .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->x, .ldx = r->nx, .vout = r->v,
+    .ldv = r->ldv, .w = w->w, .lw = w->lw, .ask = w->o->ask, .asked = w->o->asked
+  };
+}
+
+/* by gs_integrate, or by an implicit method: from the start, or where steps were found to be bound
+ * by stability */
+static void
+integrate (gs_whole_run *w)
+{
+  const gs_description *d = w->d;
+  gs_run_result *r = w->r;
+  gs_scene scene = *d->scene;
+  gs_integration run = integration (w);
+  const gs_implicit more = {
+    .order = w->order, .index2 = w->index2, .resume = w->iopt[GS_METHOD] != 0,
+    .followed = d->nfollowed, .follows = d->followed, .text = w->said,
+    .length = (int)sizeof w->said
+  };
+  if (w->o->audit > 0)
+    scene.rhs = d->audited;
+  if (w->in->kind == 3)
+    {
+      scene.vin = beside_jumps;
+      scene.data = w;
+    }
+  if (scene.nq == scene.nu)
+    memcpy (w->w, w->x0, (size_t)scene.nu * sizeof (gs_real));
+  r->info = more.resume ? gs_integrate (&scene, &run) : GS_STIFF;
+  if (r->info == GS_STIFF && w->by)
+    r->info = w->by (&scene, &run, &more);
+  memcpy (r->istat, run.istat, sizeof r->istat);
+  memcpy (r->rstat, run.rstat, sizeof r->rstat);
+}
+
+/* -------------------------------------------------------------------------------- what it gives */
+
+/* where an event of the user has ended the run its state is the last row */
+static void
+end_by_event (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  r->rows = r->istat[GS_N_OUTPUTS];
+  if (r->info != GS_ENDED)
+    return;
+  const gs_real last = r->rstat[GS_T_REACHED];
+  r->ended = *gs_planned_events (r->nx, r->ip, r->rp).ended;
+  if (r->rows == 0 || r->times[r->rows - 1] < last)
+    r->times[r->rows++] = last;
+}
+
+static int
+finite (const gs_real *x, int n)
+{
+  return gs_not_finite (n, x) == 0;
+}
+
+/* The outputs of a row. Where the scene switches a row has what was before, as the inputs in it,
+ * but for the first one and that of an event which ends the run. */
+static void
+output (const gs_whole_run *w, int k, const gs_real *switches)
+{
+  gs_run_result *r = w->r;
+  const gs_scene *s = w->d->scene;
+  const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
+  gs_real *y = r->y + (size_t)s->ny * (size_t)k, t = r->times[k];
+  int info = 1;
+  for (int i = 0; i < s->nsw && k > 0 && k < r->istat[GS_N_OUTPUTS]; i++)
+    if (switches[i] >= r->times[k] && switches[i] <= r->times[k])
+      t = gs_time_beside (r->times[k], -1);
+  if (s->out && finite (x, s->nx) && finite (v, s->nv))
+    info = s->out (t, x, v, r->cst, y);
+  for (int i = 0; i < s->ny && info != 0 && info != 2; i++)
+    y[i] = (gs_real)NAN;
+}
+
+static void
+outputs (const gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  gs_real *switches = malloc (many (s->nsw, 1) * sizeof *switches);
+  if (switches && s->nsw > 0)
+    s->swi (w->r->cst, switches);
+  for (int k = 0; switches && s->ny > 0 && k < w->r->rows; k++)
+    output (w, k, switches);
+  free (switches);
+}
+
+/* which of the given modes contradicts the state, the last one of the run */
+static void
+refuse_mode (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  const gs_start_given g = { .t = w->s->times[0], .cst = r->cst, .modes = w->s->modes };
+  char why[2000];
+  gs_wrong_mode (w->d, &g, r->x + (size_t)r->nx * (size_t)r->istat[GS_N_OUTPUTS],
+                 r->istat[GS_CAUSE] - 1, why, (int)sizeof why);
+  gs_refuse (r, GS_REFUSED_MODE, "modes", "%s", why);
+}
+
+/* why it failed; devices that are outside their margins in its last state */
+static void
+tell_failure (gs_whole_run *w)
+{
+  gs_run_result *r = w->r;
+  const int k = r->istat[GS_N_OUTPUTS];
+  const double t = (double)r->rstat[GS_T_REACHED];
+  const gs_failed_run failed = { w->d, r->info, r->istat, t, w->said };
+  if (r->info == GS_ROUTINE_FAILED && r->istat[GS_FAILED] == GS_AT_EVENT
+      && r->istat[GS_FAILED_INFO] == GS_WRONG_MODE && w->s->modes)
+    {
+      refuse_mode (w);
+      return;
+    }
+  gs_failure (&failed, r->text, (int)sizeof r->text);
+  if (k >= r->nt)
+    return;
+  const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
+  const int said = (int)strlen (r->text);
+  if (finite (x, w->d->scene->nx) && finite (v, w->d->scene->nv))
+    gs_outside_text (w->d, r->rstat[GS_T_REACHED], x, v, r->cst, w->s->par, r->text + said,
+                     (int)sizeof r->text - said);
+}
+
+/* ---------------------------------------------------------------------------------------- whole */
+
+static int
+prepare (gs_whole_run *w)
+{
+  const gs_run_options *o = w->o;
+  if (o->audit > 0 && ! w->d->audited)
+    return gs_refuse (w->r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
+  return make_room (w) || gs_choose_method (w) || gs_choose_tolerances (w) || gs_choose_loops (w)
+         || take_start (w) || gs_lay_inputs (w) || lay_plan (w);
+}
+
+int
+gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
+        const gs_run_inputs *in, gs_run_result *r)
+{
+  gs_whole_run w = { .d = d, .o = o, .s = s, .in = in, .r = r };
+  memset (r, 0, sizeof *r);
+  r->nx = d->scene->nx + (o->audit > 0 ? 2 : 0);
+  r->nt = s->nt;
+  r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
+  if (! prepare (&w))
+    {
+      integrate (&w);
+      if (strcmp (r->method, "auto") == 0)
+        r->method = r->istat[GS_IS_STIFF] ? "radau" : "dp853";
+      end_by_event (&w);
+      if (r->info == GS_DONE || r->info == GS_ENDED)
+        r->info = GS_DONE;
+      else
+        tell_failure (&w);
+      if (! r->refused)
+        outputs (&w);
+    }
+  free (w.jumps);
+  free (w.w);
+  return r->refused || r->info != GS_DONE;
+}

@@ -1,0 +1,106 @@
+/* run_loops.c: how the constraints of a run are kept, and the routines that this needs. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gsmbp/options.h"
+#include "gsmbp/refusals.h"
+#include "host/run/run_parts.h"
+
+#define ROW_NUMBER(word, number) { #word, number },
+static const struct { const char *word; int number; } ways[] = { GS_LOOP_METHODS (ROW_NUMBER) };
+
+enum { WAYS = sizeof ways / sizeof *ways };
+
+/* one that the scene lacks */
+static int
+lacks (gs_whole_run *w, int there, const char *routine)
+{
+  return ! there && gs_refuse (w->r, GS_REFUSED_ROUTINE, routine, "the run needs it");
+}
+
+/* the way where none is given: constraints and Euler parameters are projected where PRJ is there;
+ * the steps of gauss are those of the independent coordinates alone */
+static const char *
+needed_way (const gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  const int euler = s->nq > s->nu;
+  if (strcmp (w->o->method, "gauss") == 0 && s->nlam > 0 && ! euler && s->kin && s->con)
+    return "partitioning";
+  return s->prj && (s->nlam > 0 || euler) ? "projection" : "baumgarte";
+}
+
+static int
+check_index2 (gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  if (s->nlam == 0)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.no_loops, s->name);
+  if (strcmp (w->o->method, "radau") != 0 && strcmp (w->o->method, "auto") != 0)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", gs_refusals.index2_method, w->o->method);
+  return lacks (w, s->mas != NULL, "mas") || lacks (w, s->con != NULL, "con")
+         || lacks (w, s->tan != NULL, "tan");
+}
+
+static int
+check_routines (gs_whole_run *w, int way)
+{
+  const gs_scene *s = w->d->scene;
+  const int euler = s->nq > s->nu, splits = way == 3 || way == 6;
+  const int projects = way > 1 && (way != 3 || euler);
+  return lacks (w, s->rhs != NULL, "rhs") || (splits && lacks (w, s->con != NULL, "con"))
+         || (splits && lacks (w, s->kin != NULL, "kin"))
+         || (projects && lacks (w, s->prj != NULL, "prj"));
+}
+
+/* the constants with the parameter loop_method that the way needs */
+static int
+set_loop_method (gs_whole_run *w, int way)
+{
+  const gs_description *d = w->d;
+  const double wanted = way > 3 ? way - 2 : 1;
+  memcpy (w->r->cst, w->s->cst, (size_t)d->ncst * sizeof (gs_real));
+  if (d->loop_method < 0 || ! w->s->par)
+    return 0;
+  const double found = w->s->par[d->loop_method];
+  if (found >= wanted && found <= wanted)
+    return 0;
+  gs_real *par = malloc ((size_t)(d->npar + 1) * sizeof *par);
+  for (int k = 0; par && k < d->npar; k++)
+    par[k] = (gs_real)w->s->par[k];
+  if (par)
+    par[d->loop_method] = (gs_real)wanted;
+  if (! par || ! d->pre || d->pre (par, w->r->cst) != 0)
+    gs_refuse (w->r, GS_REFUSED_OPTION, "loops", "its parameter loop_method cannot be %g", wanted);
+  free (par);
+  return w->r->refused;
+}
+
+int
+gs_choose_loops (gs_whole_run *w)
+{
+  const gs_scene *s = w->d->scene;
+  const char *word = w->o->loops ? w->o->loops : needed_way (w);
+  int k = 0;
+  while (k < WAYS && strcmp (ways[k].word, word) != 0)
+    k++;
+  if (k == WAYS)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "loops", "there is no way %s", word);
+  w->index2 = strcmp (word, "index2") == 0;
+  int way = ways[k].number;
+  if (w->index2 && check_index2 (w))
+    return 1;
+  if (s->nlam == 0)   /* nothing but Euler parameters to look after */
+    way = way > 1 && s->nq > s->nu ? 2 : 1;
+  const int watched = w->o->drift < 0 ? s->nlam > 0 && s->con : w->o->drift;
+  w->iopt[GS_LOOPS] = way;
+  w->iopt[GS_DRIFT] = watched;
+  w->iopt[GS_WATCH] = watched && s->nlam > 0 && s->kin;
+  w->iopt[GS_ON_SPEEDS] = w->d->nspeedrows;
+  for (int i = 0; i < w->d->nspeedrows; i++)
+    w->iopt[GS_ON_SPEEDS + 1 + i] = w->d->speedrows[i];
+  if (w->o->drift > 0 && lacks (w, s->con != NULL, "con"))
+    return 1;
+  return check_routines (w, way) || set_loop_method (w, way);
+}

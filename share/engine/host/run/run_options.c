@@ -1,0 +1,226 @@
+/* run_options.c: the options of a run: method, steps, tolerances. */
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "gsmbp/expressions.h"
+#include "gsmbp/limits.h"
+#include "gsmbp/options.h"
+#include "gsmbp/refusals.h"
+#include "host/run/run_parts.h"
+#include "host/text.h"
+
+#define ROW_DEFAULT(name, kind, value) { #name, #value },
+#define ROW_NUMBER(word, number) { #word, number },
+static const struct { const char *name, *value; } defaults[] = { GS_OPTIONS (ROW_DEFAULT) };
+static const struct { const char *word; int number; } methods[] = { GS_METHODS (ROW_NUMBER) };
+
+enum { METHODS = sizeof methods / sizeof *methods, OPTIONS = sizeof defaults / sizeof *defaults };
+
+int
+gs_refuse (gs_run_result *r, int refused, const char *option, const char *format, ...)
+{
+  va_list values;
+  va_start (values, format);
+  vsnprintf (r->text, sizeof r->text, format, values);
+  va_end (values);
+  r->refused = refused;
+  r->option = option;
+  return 1;
+}
+
+static const char *
+default_of (const char *name)
+{
+  for (int k = 0; k < OPTIONS; k++)
+    if (strcmp (defaults[k].name, name) == 0)
+      return defaults[k].value;
+  return "";
+}
+
+static double
+number_of (const char *name)
+{
+  char *end;
+  const char *text = default_of (name);
+  const double x = strtod (text, &end);
+  return end == text ? (double)NAN : x;
+}
+
+gs_run_options
+gs_default_options (void)
+{
+  gs_run_options o = { 0 };
+  o.method = default_of ("method");
+  o.step = number_of ("step");
+  o.rtol = number_of ("rtol");
+  o.maxstep = number_of ("maxstep");
+  o.maxsteps = number_of ("maxsteps");
+  o.maxorder = number_of ("maxorder");
+  o.drift = -1;
+  o.project = strcmp (default_of ("start"), "project") == 0;
+  o.samples = strcmp (default_of ("samples"), "true") == 0;
+  return o;
+}
+
+static int
+is (const gs_whole_run *w, const char *method)
+{
+  return strcmp (w->o->method, method) == 0;
+}
+
+/* the orders of the implicit methods; default: the last one, of gauss that before it */
+static const int *
+orders_of (const gs_whole_run *w, int *n)
+{
+  static const int radau[] = { 5, 9, 13 }, gauss[] = { 4, 6, 8 }, bdf[] = { 1, 2, 3, 4, 5 };
+  *n = is (w, "cvode") ? 5 : 3;
+  return is (w, "cvode") ? bdf : is (w, "gauss") ? gauss : radau;
+}
+
+static int
+choose_order (gs_whole_run *w)
+{
+  int n;
+  const int *orders = orders_of (w, &n);
+  const double given = w->o->maxorder;
+  if (is (w, "dp853") || is (w, "rk4"))
+    {
+      if (! isnan (given))
+        {
+          char found[40];
+          snprintf (found, sizeof found, "%g", given);
+          return gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.one_order,
+                            w->o->method, found);
+        }
+      return 0;
+    }
+  w->order = orders[n - 1 - is (w, "gauss")];
+  for (int k = 0; k < n && ! isnan (given); k++)
+    if (given >= orders[k] && given <= orders[k])
+      {
+        w->order = orders[k];
+        return 0;
+      }
+  if (isnan (given))
+    return 0;
+  char all[80], found[40];
+  gs_writer list = { all, (int)sizeof all, 0 };
+  for (int k = 0; k < n; k++)
+    gs_put (&list, k > 0 ? ", %d" : "%d", orders[k]);
+  snprintf (found, sizeof found, "%g", given);
+  return gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.order, all, found);
+}
+
+/* who integrates where gs_integrate does not; in double precision alone */
+static int
+choose_implicit (gs_whole_run *w)
+{
+  if (is (w, "dp853") || is (w, "rk4"))
+    return 0;
+#if defined (GSMBP_QUAD) || defined (GSMBP_FLOAT)
+  return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "%s works in double precision alone",
+                    w->o->method);
+#else
+  w->by = is (w, "gauss") ? gs_gauss : is (w, "cvode") ? w->o->cvode : gs_radau;
+  if (w->by == NULL)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "%s", gs_refusals.no_sundials);
+  return 0;
+#endif
+}
+
+/* the number of steps: what the run time counts to, or what time resolves */
+static int
+count_steps (gs_whole_run *w)
+{
+  const gs_run_start *s = w->s;
+  const double span = (double)(s->times[s->nt - 1] - s->times[0]);
+  const double most = w->fixed ? gs_limits.fixed_steps : gs_limits.controlled_steps;
+  const double step = w->fixed ? (double)w->ropt[0] : 0, maxstep = w->o->maxstep;
+  const int by_step = step > 0 && (step <= maxstep || ! (maxstep > 0));
+  const double longest = by_step ? step : maxstep;
+  if (! (longest > 0) || ! (span / longest > most))
+    return 0;
+  return gs_refuse (w->r, GS_REFUSED_OPTION, by_step ? "step" : "maxstep",
+                    gs_refusals.too_many_steps, span, longest, span / longest, w->o->method, most);
+}
+
+int
+gs_choose_method (gs_whole_run *w)
+{
+  const gs_run_options *o = w->o;
+  int k = 0;
+  while (k < METHODS && ! is (w, methods[k].word))
+    k++;
+  if (k == METHODS)
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "there is no method %s", o->method);
+  w->r->method = methods[k].word;
+  w->iopt[GS_METHOD] = methods[k].number;
+  w->iopt[GS_MOST_STEPS] = (int)o->maxsteps;
+  w->fixed = is (w, "rk4") || is (w, "gauss");
+  const double step = isnan (o->step) ? w->fixed ? 1e-3 : 0 : o->step;
+  if (! (step >= 0 && step <= DBL_MAX) || (w->fixed && ! (step > 0)))
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "step", "expected a length [s]; found %g", step);
+  if (! (o->maxstep >= 0) || ! (o->maxsteps >= 0 && o->maxsteps <= gs_limits.fixed_steps))
+    return gs_refuse (w->r, GS_REFUSED_OPTION, o->maxstep >= 0 ? "maxsteps" : "maxstep",
+                      "expected 0 or more; found %g", o->maxstep >= 0 ? o->maxsteps : o->maxstep);
+  w->ropt[0] = (gs_real)step;
+  w->ropt[2] = (gs_real)o->maxstep;
+  return count_steps (w) || choose_order (w) || choose_implicit (w);
+}
+
+#if defined (GSMBP_QUAD)
+static const char precision[] = "quad";
+#elif defined (GSMBP_FLOAT)
+static const char precision[] = "single";
+#else
+static const char precision[] = "double";
+#endif
+
+/* The least tolerance that the precision can keep: ten units of rounding (the error estimate of a
+ * step of dp853 rounds to about one), a hundred with cvode (its Newton iteration and the projection
+ * within it leave more). Below that steps are rejected for rounding errors, at any length. */
+static gs_real
+least_tolerance (const gs_whole_run *w)
+{
+  return (is (w, "cvode") || is (w, "auto") ? 100 : 10) * GS_EPSILON;
+}
+
+int
+gs_choose_tolerances (gs_whole_run *w)
+{
+  const int nx = w->d->scene->nx;
+  const double rtol = isnan (w->o->rtol) ? number_of ("rtol") : w->o->rtol;
+  const gs_real least = least_tolerance (w);
+  char small[200] = "";
+  gs_writer told = { small, (int)sizeof small, 0 };
+  if (! (rtol > 0 && rtol < 1))
+    return gs_refuse (w->r, GS_REFUSED_OPTION, "rtol",
+                      "expected a number above 0 and below 1; found %g", rtol);
+  if ((gs_real)rtol < least)
+    gs_put (&told, "rtol = %g", rtol);
+  w->ropt[1] = gs_max ((gs_real)rtol, least);
+  int low = 0;
+  for (int k = 0; k < nx; k++)
+    {
+      const gs_real nominal = (gs_real)w->d->nominal[k];
+      const gs_real given = w->o->atol ? w->o->atol[k] : w->ropt[1] * nominal;
+      if (! (given >= 0 && given <= GS_HUGE))
+        return gs_refuse (w->r, GS_REFUSED_OPTION, "atol",
+                          "expected finite numbers >= 0; found %g of %s", (double)given,
+                          w->d->states[k]);
+      if (given < least * nominal * (1 - GS_R (1e-9)) && low++ == 0)
+        gs_put (&told, "%satol = %g of %s", *small ? ", " : "", (double)given, w->d->states[k]);
+      w->atol[k] = gs_max (given, least * nominal);
+    }
+  if (*small && ! is (w, "rk4"))
+    snprintf (w->r->warning, sizeof w->r->warning, gs_refusals.low_tolerance, small, precision,
+              (double)least);
+  w->r->rtol = (double)w->ropt[1];
+  for (int k = nx; k < w->r->nx; k++)   /* of an audit */
+    w->atol[k] = w->ropt[1] * (gs_real)w->o->audit;
+  return 0;
+}

@@ -1,0 +1,40 @@
+/* run_parts.h: what the files of a run share. */
+#ifndef GS_RUN_PARTS_H
+#define GS_RUN_PARTS_H
+
+#include "host/run/run.h"
+
+/* a run on its way */
+typedef struct
+{
+  const gs_description *d;
+  const gs_run_options *o;
+  const gs_run_start *s;
+  const gs_run_inputs *in;
+  gs_run_result *r;
+  int fixed;            /* the method has steps of one length */
+  int index2;           /* loops in index 2 */
+  int order;            /* the largest one of an implicit method */
+  gs_implicit_method *by; /* ... or a null pointer */
+  int *iopt;            /* as gs_integration has them; in the room of the result, as the next */
+  gs_real ropt[3];
+  gs_real *atol, *x0;   /* nx */
+  int nb;               /* breaks within the run, */
+  gs_real *breaks;      /* rising */
+  int njumps;           /* all of them, */
+  gs_real *jumps;       /* with those at its ends */
+  gs_plan plan;
+  gs_real *w;           /* workspace, */
+  int lw;
+  char said[400];       /* by an implicit method that stopped */
+} gs_whole_run;
+
+/* a refusal: 1 */
+int gs_refuse (gs_run_result *r, int refused, const char *option, const char *format, ...);
+
+/* 0, or 1 where the run is refused; in this order: */
+int gs_choose_method (gs_whole_run *w);     /* method, order, lengths and number of steps */
+int gs_choose_tolerances (gs_whole_run *w);
+int gs_choose_loops (gs_whole_run *w);      /* iopt, and r->cst */
+int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
+#endif

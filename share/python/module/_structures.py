@@ -1,0 +1,103 @@
+"""The structures of host/run/run.h, by which a run goes to the engine and comes back."""
+import ctypes
+
+import numpy as np
+
+from ._library import LIBRARY, NAME, address
+from ._tables import COUNTS, VALUES
+
+_INT, _REAL, _TEXT, _AT = ctypes.c_int, ctypes.c_double, ctypes.c_char_p, ctypes.c_void_p
+
+
+class _Structure(ctypes.Structure):
+    """One whose arrays live as long as it does."""
+
+    def __init__(self, **fields):
+        super().__init__(**fields)
+        self.kept = {}
+
+    def address(self):
+        return ctypes.byref(self)
+
+    def keep(self, name, value):
+        """A function as a member."""
+        self.kept[name] = value
+        setattr(self, name, ctypes.cast(value, _AT))
+
+    def put(self, name, numbers, kind=float):
+        """An array, by columns; None: a null pointer."""
+        if numbers is not None:
+            self.kept[name] = np.ascontiguousarray(
+                np.asarray(numbers, kind).ravel(order='F'), kind)
+            setattr(self, name, address(self.kept[name]))
+
+
+class _Pieces(ctypes.Structure):
+    _fields_ = [('nc', _INT), ('np', _INT), ('k', _INT), ('numbers', _AT)]
+
+
+class Options(_Structure):
+    """gs_run_options."""
+
+    _fields_ = [('method', _TEXT), ('loops', _TEXT), ('step', _REAL), ('rtol', _REAL),
+                ('atol', _AT), ('maxstep', _REAL), ('maxsteps', _REAL), ('maxorder', _REAL),
+                ('drift', _INT), ('project', _INT), ('samples', _INT), ('audit', _REAL),
+                ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
+
+
+class Start(_Structure):
+    """gs_run_start."""
+
+    _fields_ = [('nt', _INT), *((name, _AT) for name in (
+        'times', 'x0', 'par', 'cst', 'modes', 'memory'))]
+
+
+class Inputs(_Structure):
+    """gs_run_inputs."""
+
+    _fields_ = [('kind', _INT), ('constants', _AT), ('table', _Pieces), ('motion', _Pieces),
+                ('planned', _AT), ('reference', _Pieces), ('gain', _Pieces), ('limits', _AT),
+                ('function', _AT), ('data', _AT), ('nbreaks', _INT), ('breaks', _AT)]
+
+    def put_pieces(self, name, poly):
+        self.kept[name] = poly.flat()
+        setattr(self, name, _Pieces(*poly.coefficients.shape, address(self.kept[name])))
+
+
+class _Taken(ctypes.Structure):
+    """gs_start."""
+
+    _fields_ = [('verdict', _INT), ('residual', _REAL), ('moved', _REAL), ('state', _INT),
+                ('row', ctypes.c_char * 300), ('text', ctypes.c_char * 2400)]
+
+
+class Result(_Structure):
+    """gs_run_result; refused: 0, or as below."""
+
+    OPTION, ROUTINE, START, MODE, SAMPLES = range(1, 6)
+    _fields_ = [('refused', _INT), ('info', _INT), ('option', _TEXT),
+                ('text', ctypes.c_char * 2400), ('warning', ctypes.c_char * 400),
+                ('start', _Taken), ('method', _TEXT),
+                *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
+                ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
+                ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
+                *((name, _AT) for name in ('ip', 'rp', 'room'))]
+
+    def pointer(self, name):
+        return ctypes.c_void_p(getattr(self, name))
+
+    def array(self, name, shape, first=0):
+        """A copy of the numbers of this shape, by columns, from the one of index FIRST on."""
+        n = int(np.prod(shape))
+        if n == 0:
+            return np.zeros(shape)
+        room = (ctypes.c_double * n).from_address(getattr(self, name) + 8 * first)
+        return np.frombuffer(room).reshape(shape, order='F').copy(order='F')
+
+    def statistics(self):
+        return dict(zip(COUNTS + VALUES, [*self.istat, *self.rstat]))
+
+
+for _k, _kind in enumerate((Options, Start, Inputs, Result)):
+    if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
+        raise ImportError('%s: the library was built with another run.h' % NAME)
