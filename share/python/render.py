@@ -3,7 +3,6 @@
 loops(table): C source, a function for each subroutine that calls it for many states;
 stubs(table): the methods of Model with their types, for type checkers and editors.
 """
-import json
 import keyword
 
 
@@ -56,6 +55,8 @@ def loops(table):
     lines = ['#include <string.h>', '#include "%s.h"' % table['name'], '#include "host/start.h"',
              '#include "loop.h"', '',
              'const gs_scene *gs_loop_scene (void) { return &%s_scene; }' % name,
+             'extern const gs_description %s_about;' % name,
+             'const gs_description *gs_loop_about (void) { return &%s_about; }' % name,
              'void gs_loop_par (double *p) { %s_par ((%s_parameters *)p); }' % (name, name),
              'int gs_loop_pre (const double *p, double *c)',
              '{ return %s_pre ((const %s_parameters *)p, c); }' % (name, name)]
@@ -68,7 +69,7 @@ def loops(table):
                   '{ %s_ini ((const %s_parameters *)p, x, w, d); }' % (name, name)]
     for short, row in routines(table):
         lines += [''] + loop(name, short, row)
-    return lines + [''] + description(table)
+    return lines
 
 
 def loop(scene, short, row):
@@ -114,78 +115,6 @@ def spoken(row, texts):
         elif name != 'info':
             spoken_.append(texts.get(name, str(rows.get(name))))
     return spoken_
-
-
-# -------------------------------------------------------- what a start needs of the scene, in C
-
-def description(table):
-    """gs_loop_description, a gs_description of host/start.h."""
-    size, name = table['dimensions'], table['name'].lower()
-
-    def names(part):
-        return [c_text(row['name']) for row in table.get(part) or []]
-    sets = [k - 1 for places in table.get('orientation') or [] for k in places]
-    lists = {
-        'nominal': ('double', [repr(float(a)) for a in table.get('nominal') or [1] * size['nx']]),
-        'sets': ('int', sets), 'speedrows': ('int', table.get('speed_rows') or []),
-        'settled': ('int', [k - 1 for k in table.get('settled') or []]),
-        'angles': ('int', [int(row['unit'] == 'rad') for row in table['coordinates']]),
-        'states': ('char *const', names('states')),
-        'constraints': ('char *const', names('multipliers')),
-        'events': ('char *const', names('events')),
-        'devices': ('char *const', names('controllers')),
-        'margins': ('char *const', [c_text(one) for one in table.get('state_margins') or []]),
-        'parameters': ('char *const', names('parameters')),
-        'followed': ('int', table.get('internal') or []),
-        'margin_values': ('int', margin_values(table))}
-    counts = {'nmargins': len(lists['margins'][1]), 'nsets': len(sets) // 4,
-              'nspeedrows': len(lists['speedrows'][1]), 'nsettled': len(lists['settled'][1]),
-              'scene': '&%s_scene' % name, 'meaning': 'gs_loop_meaning'}
-    parameters = [row['name'] for row in table['parameters']]
-    counts.update(
-        ncst=size['ncst'], npar=size['npar'], pre='gs_loop_pre', order=table['command_order'],
-        loop_method=parameters.index('loop_method') if 'loop_method' in parameters else -1,
-        nfollowed=len(lists['followed'][1]))
-    for member, short in ('mar', 'mar'), ('audited', 'rha'):
-        if short in [one for one, _ in routines(table)]:
-            counts[member] = '%s_%s' % (name, short)
-    lines = meanings(table)
-    for member, (kind, entries) in lists.items():
-        if entries:
-            lines += ['static const %s %s[] = {' % (kind, member)]
-            lines += ['  %s,' % one for one in entries] + ['};']
-    members = {**counts, **{member: member for member, (_, entries) in lists.items() if entries}}
-    return lines + ['const gs_description gs_loop_description = {',
-                    *('  .%s = %s,' % pair for pair in members.items()), '};']
-
-
-def meanings(table):
-    """gs_loop_meaning: what INFO of a subroutine means; one that is not listed counts as 1."""
-    cut = len(table['name']) + 1
-    infos = [(row['name'][cut:].lower(), info['code'], c_text(info['meaning']))
-             for row in table['subroutines'] for info in row['info']]
-    return ['static const struct { const char *routine; int info; const char *text; } infos[] = {',
-            *('  { "%s", %d, %s },' % info for info in infos), '  { 0, 0, 0 }', '};',
-            'const char *gs_loop_meaning (const char *routine, int info)', '{',
-            '  const char *text = 0;', '  for (int k = 0; infos[k].routine; k++)',
-            '    if (strcmp (infos[k].routine, routine) == 0', '        && (infos[k].info == info '
-            '|| (info > 0 && infos[k].info == 1 && ! text)))',
-            '      text = infos[k].text;', '  return text;', '}']
-
-
-def margin_values(table):
-    """How many states the message of each margin shows, these, how many parameters, these."""
-    known = [row['name'] for row in table['parameters']]
-    numbers = []
-    for row in table.get('margin_values') or []:
-        own = [known.index(one) for one in row['parameters'] if one in known]
-        numbers += [len(row['states']), *(k - 1 for k in row['states']), len(own), *own]
-    return numbers
-
-
-def c_text(text):
-    """A constant of C."""
-    return json.dumps(text, ensure_ascii=True).replace('?', '\\?')
 
 
 # ------------------------------------------------------------------------------------ stubs

@@ -53,19 +53,16 @@ done
 builds event_crank 'sanitizers of gcc' CC=gcc \
   CFLAGS="-O0 -g -fsanitize=address,undefined -fno-sanitize-recover=all" \
   LDFLAGS=-fsanitize=address,undefined
-# what cannot be is refused: gauss of order 13, radau of order 20 and without a tolerance
-while read -r info change; do
-  sed -i.kept "$change" "$work/event_crank/example/simulate.c"
-  make -C "$work/event_crank" example/simulate CFLAGS="-O0 -g -fsanitize=address,undefined" \
-    LDFLAGS=-fsanitize=address,undefined >"$report" 2>&1
-  "$work/event_crank/example/simulate" radau >>"$report" 2>&1
-  check "by radau with $change: info $info" grep -q "^info $info, 0 steps" "$report"
-  mv "$work/event_crank/example/simulate.c.kept" "$work/event_crank/example/simulate.c"
+# what cannot be is refused
+while read -r words wanted; do
+  "$work/event_crank/example/simulate" $(echo "$words" | tr _ ' ') >"$report" 2>&1
+  check "by $words: $wanted" grep -q "$wanted" "$report"
 done <<EOF
--16 s/gs_radau (/gs_gauss (/
-6 s/ropt.3. = { 0,/ropt[3] = { 1e-3,/;s/gs_radau (/gs_gauss (/
-6 s/order = 13/order = 20/
--16 s/{ 0, 1e-9, 0 }/{ 0, 0, 0 }/
+gauss_13 maxorder: expected one of 4, 6, 8, found 13
+radau_20 maxorder: expected one of 5, 9, 13, found 20
+dp853_5 maxorder: method dp853 has one order alone, found 5
+cvode method: method "cvode" needs SUNDIALS
+euler method: there is no method euler
 EOF
 if has clang 'packages by clang'; then
   make -s -C "$work/slider_crank" clean

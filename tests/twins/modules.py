@@ -36,7 +36,7 @@ def built(root, folder, name):
         render.write(os.path.join(home, 'loops.c'), render.loops(json.load(f)))
     c = os.path.join(home, 'c')
     target = os.path.join(home, 'src', name, '_scene.so')
-    sources = [os.path.join(home, 'loops.c'), os.path.join(c, 'scene', name + '.c')]
+    sources = [os.path.join(home, 'loops.c'), *glob.glob(os.path.join(c, 'scene', '*.c'))]
     subprocess.run(FLAGS + ['-o', target, '-I' + c, '-I' + c + '/scene'] + sources + [
         os.path.join(folder, 'libmodules.so'), '-Wl,-rpath,' + folder, '-lm'], check=True)
     return importlib.import_module(name)

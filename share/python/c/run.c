@@ -28,8 +28,8 @@ ask (void *data, double t)
   return a->question ();
 }
 
-/* made of the table by render.py */
-extern const gs_description gs_loop_description;
+/* in loops.c, made by render.py */
+extern const gs_description *gs_loop_about (void);
 
 /* a run; question may be a null pointer */
 int
@@ -42,7 +42,7 @@ gs_loop_run (gs_run_options *o, const gs_run_start *s, const gs_run_inputs *in,
       o->ask = ask;
       o->asked = &asking;
     }
-  return gs_run (&gs_loop_description, o, s, in, r);
+  return gs_run (gs_loop_about (), o, s, in, r);
 }
 
 /* bytes of the structures that Python fills and reads as well */
