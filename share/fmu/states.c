@@ -31,7 +31,7 @@ int
 gsf_inputs (gsf_instance *a)
 {
   int info = gs_inputs_of_run (a->m->scene, a->d[GSF_T], 1, a->x, a->m->scene->nx, a->ip, a->rp,
-                            a->cst, a->v, a->w);
+                               a->cst, a->v, a->w);
   return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, GS_AT_INPUTS, info);
 }
 

@@ -135,10 +135,12 @@ by_fortran (void)
 void __attribute__ ((noinline))
 by_c (void)
 {
-  gs_integration r = { .nx = (int) sizes.x[0], .t0 = t0.x[0], .x0 = x0.x, .nt = tout.n, .tout = tout.x,
-               .nb = tbrk.n, .tbrk = tbrk.x, .iopt = my_iopt, .ropt = ropt.x, .atol = atol_.x,
-               .ip = my_ip, .rp = my_rp, .cst = cst.x, .xout = xout, .ldx = (int) sizes.x[1],
-               .vout = vout, .ldv = (int) sizes.x[2], .w = w, .lw = (int) sizes.x[3] };
+  gs_integration r = {
+    .nx = (int) sizes.x[0], .t0 = t0.x[0], .x0 = x0.x, .nt = tout.n, .tout = tout.x, .nb = tbrk.n,
+    .tbrk = tbrk.x, .iopt = my_iopt, .ropt = ropt.x, .atol = atol_.x, .ip = my_ip, .rp = my_rp,
+    .cst = cst.x, .xout = xout, .ldx = (int) sizes.x[1], .vout = vout, .ldv = (int) sizes.x[2], .w
+    = w, .lw = (int) sizes.x[3]
+  };
   begin ();
   info = gs_integrate (&scene, &r);
   memcpy (istat, r.istat, sizeof istat);

@@ -3,9 +3,9 @@
  * Steps end at a stop as it is just before (gs_time_beside); what the event functions are at t
  * itself counts here: an event belongs to the run if its function is not above 0 there, else to one
  * that goes on from there. So does one that a jump of the inputs at t brings about, as within a run
- * (gs_integration_stop, k = -1). No other event happens: ports find their modes where a run begins. Behind
- * an event v is from the right. What a sample at t takes back is no event, either: it is computed
- * with states alone where a run carries derivatives. */
+ * (gs_integration_stop, k = -1). No other event happens: ports find their modes where a run begins.
+ * Behind an event v is from the right. What a sample at t takes back is no event, either: it is
+ * computed with states alone where a run carries derivatives. */
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"
 #include "gsmbp/functions.h"

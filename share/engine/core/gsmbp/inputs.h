@@ -95,8 +95,8 @@ gs_samples_of (int nv, int *is, gs_real *rs)
 
 /* the inputs v (nv) at t; side < 0: from the left at a jump. w: 2*nu*(r+1) + 5*nx + nv*nx + 20, its
  * first nu*(r+1) entries hold the planned motion. info: what cmd, clo or vin returned */
-int gs_inputs_of_run (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
-                   const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w);
+int gs_inputs_of_run (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx,
+                      const int *ip, const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w);
 
 /* planned motion qj (nu,0:r) of a closed chain at t, of which na coordinates, numbers ipl, are
  * planned: the others by clo, on one branch. w: time of qj, 1 or 0 (qj is a guess), na*(r+1) + 2*nu

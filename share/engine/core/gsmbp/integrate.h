@@ -249,9 +249,9 @@ void gs_dp853_table (gs_real *a, gs_real *b, gs_real *c);
 
 /* one step of gs_step_dp853 backwards, t, tn, side, h, x as there: from the derivatives lx (nx) of
  * a goal by the state at tn to those by x, and, added up, those by parameters, pb (np). k (nx,12):
- * the right-hand sides of its stages; ip, rp, wi: as gs_inputs_of_run, of whose inputs those are taken
- * that depend on time alone; v (nv): kept where it is constant. w: 15*nx + nv + np. info: that of
- * gs_inputs_of_run or of adj */
+ * the right-hand sides of its stages; ip, rp, wi: as gs_inputs_of_run, of whose inputs those are
+ * taken that depend on time alone; v (nv): kept where it is constant. w: 15*nx + nv + np. info:
+ * that of gs_inputs_of_run or of adj */
 int gs_step_back_dp853 (const gs_scene *s, gs_real t, gs_real tn, int side, gs_real h,
                         const gs_real *x, const gs_real *k, int np, const int *ip,
                         const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *lx, gs_real *pb,

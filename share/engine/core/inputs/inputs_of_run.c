@@ -1,6 +1,6 @@
-/* gs_inputs_of_run: the inputs v at time t during a run: constants, a table, a planned motion carried
- * through the actuators, or a routine of the user; with or without linear state feedback along a
- * reference, v = v0(t) - K(t)*(x - x0(t)),
+/* gs_inputs_of_run: the inputs v at time t during a run: constants, a table, a planned motion
+ * carried through the actuators, or a routine of the user; with or without linear state feedback
+ * along a reference, v = v0(t) - K(t)*(x - x0(t)),
  * within limits where these are given; held outputs of sampled devices; modes of events. */
 #include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
@@ -76,7 +76,7 @@ held (int nx, const int *ip, const gs_real *rp, gs_real *v)
 
 int
 gs_inputs_of_run (const gs_scene *s, gs_real t, int side, const gs_real *x, int nx, const int *ip,
-               const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w)
+                  const gs_real *rp, const gs_real *cst, gs_real *v, gs_real *w)
 {
   int info = 0;
   if (ip[GS_V0] == 0)

@@ -89,7 +89,8 @@ stop_to_stop (gs_course *c)
         return info;
 
       /* the inputs at the stop, from the left, for the record */
-      info = gs_inputs_of_run (c->g.s, c->t, c->side, c->x, r->nx, r->ip, r->rp, r->cst, c->g.v, r->w);
+      info = gs_inputs_of_run (c->g.s, c->t, c->side, c->x, r->nx, r->ip, r->rp, r->cst, c->g.v,
+                               r->w);
       if (info != 0)
         {
           r->istat[GS_FAILED_INFO] = info;

@@ -1,5 +1,5 @@
-/* gs_integration_start: the start of a run: x is moved onto the constraints, what is due happens, and it is
- * looked whether the constraints have less than their rank there.
+/* gs_integration_start: the start of a run: x is moved onto the constraints, what is due happens,
+ * and it is looked whether the constraints have less than their rank there.
  *
  * The state is first moved without a partition: completed from others it would be moved close to a
  * singular position. Whether it lies in one gs_starts_singular tells by the speeds, and by the

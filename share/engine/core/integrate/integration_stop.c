@@ -1,5 +1,5 @@
-/* gs_integration_stop: at a stop of a run: the output, the samples and events that are due there, and the
- * next stop. */
+/* gs_integration_stop: at a stop of a run: the output, the samples and events that are due there,
+ * and the next stop. */
 
 #include "gsmbp/arith.h"
 #include "gsmbp/events.h"

@@ -79,8 +79,8 @@ gs_inputs_continued (const gs_system *g, gs_real tv, gs_real tf, const gs_real *
     g->v[i] = 0;
   for (int k = 0; k < 6; k++)
     {
-      int info = gs_inputs_of_run (g->s, tv + z[k] * (tf - tv), 1, x, g->nx, g->ip, g->rp, g->cst, vk,
-                                g->w);
+      int info = gs_inputs_of_run (g->s, tv + z[k] * (tf - tv), 1, x, g->nx, g->ip, g->rp, g->cst,
+                                   vk, g->w);
       if (info != 0)
         return info;
       gs_real s = 1;

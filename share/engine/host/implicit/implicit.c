@@ -440,7 +440,8 @@ check_arguments (const gs_scene *scene, const gs_integration *r, const gs_method
 }
 
 int
-gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o, const gs_method *by)
+gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o,
+                 const gs_method *by)
 {
   gs_stepper s = { .scene = scene, .r = r, .o = o, .by = by };
   int info = check_arguments (scene, r, by);

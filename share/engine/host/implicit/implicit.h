@@ -25,7 +25,8 @@ typedef struct
   int length;         /* ... room in it */
 } gs_implicit;
 
-typedef int gs_implicit_method (const gs_scene *scene, gs_integration *run, const gs_implicit *options);
+typedef int gs_implicit_method (const gs_scene *scene, gs_integration *run,
+                                const gs_implicit *options);
 
 /* collocation of Radau, IIA; BDF, CVODE of SUNDIALS (host/cvode); collocation of Gauss */
 extern gs_implicit_method gs_radau, gs_cvode, gs_gauss;
