@@ -196,7 +196,7 @@ simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool res
 {
   const gs_implicit o = { implicit[0], implicit[1], resume, columns.count (),
                           int (implicit.size ()) - 2, implicit.data () + 2, &r.text[0],
-                          int (r.text.size ()) };
+                          r.text.size () };
   r.info = run_implicit (*this, r, &ip[0], rp, implicit_method, o);
 }
 #endif

@@ -168,8 +168,226 @@ typedef struct
 static long long
 column (const gs_view *w, long long k)
 {
-  const long long last = w->m->run.istat[GS_N_OUTPUTS];
-  return w->m->info == GS_ENDED && k > last ? last : k;
+  void *all[] = { r->cst, r->x0, r->xout, r->vout, r->yout, r->rstat, r->w, r->rp, r->par, r->times,
+                  r->options, r->ip, r->iopt, r->istat, r };
+  for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
+    free (all[k]);
+}
+
+static void
+copy (double *to, const double *from, long long n)
+{
+  if (n > 0)
+    memcpy (to, from, (size_t) n * sizeof (double));
+}
+
+static void
+zero (double *x, long long n)
+{
+  memset (x, 0, (size_t) n * sizeof (double));
+}
+
+static int
+before (const void *a, const void *b)
+{
+  const double x = *(const double *) a, y = *(const double *) b;
+  return (x > y) - (x < y);
+}
+
+/* breaks of the inputs and the times at which the scene switches, behind the output times */
+static void
+set_breaks (const gs_sweep *s, gs_sweep_room *r)
+{
+  double *all = r->times + 1 + s->tout.n, *at = all + s->tbrk.n;
+  int n = (int) s->tbrk.n;
+  copy (all, s->tbrk.x, n);
+  r->nb = n;
+  if (S->nsw == 0)
+    return;
+  S->run->swi (r->cst, at);
+  for (int k = 0; k < S->nsw; k++)
+    if (at[k] > s->t0 && at[k] < s->tout.x[s->tout.n - 1])
+      all[n++] = at[k];
+  qsort (all, (size_t) n, sizeof *all, before);
+  r->nb = 0;
+  for (int k = 0; k < n; k++)
+    if (r->nb == 0 || all[k] > all[r->nb - 1])
+      all[r->nb++] = all[k];
+}
+
+/* a start that is not taken: INFO as gs_integrate, a verdict and its message */
+static void
+refused (const gs_sweep *s, gs_sweep_room *r, const gs_start *start)
+{
+  r->info = start->verdict == GS_START_NO_MEMORY ? GS_OUT_OF_MEMORY : GS_ROUTINE_FAILED;
+  r->istat[GS_FAILED_INFO] = start->verdict;
+  r->istat[GS_FAILED] = GS_BEFORE_START;
+  r->rstat[GS_T_REACHED] = s->t0;
+  snprintf (r->text, sizeof r->text, "%s", start->text);
+}
+
+/* what a start needs of the scene, with the nominal magnitudes of the job */
+static gs_description
+description (const gs_sweep *s)
+{
+  gs_description d = *S->about;
+  d.nominal = s->nominal.x;
+  return d;
+}
+
+/* the modes of ports that are given, or a null pointer */
+static const int *
+given_modes (const gs_sweep *s)
+{
+  if (s->ip[GS_EVENTS] == 0)
+    return NULL;
+  const gs_events e = gs_planned_events (S->nx, s->ip, (double *) s->rp.x);
+  return e.given ? e.mode : NULL;
+}
+
+/* the start of a run on its constraints */
+static void
+take_start (const gs_sweep *s, gs_sweep_room *r)
+{
+  const gs_description d = description (s);
+  const gs_start_given g = { .t = s->t0, .cst = r->cst, .par = r->par, .check = s->check_start,
+                             .modes = given_modes (s) };
+  gs_start start;
+  r->rstat[GS_T_REACHED] = s->t0;
+  if (gs_take_start (&d, &g, r->x0, &start) != GS_START_TAKEN)
+    refused (s, r, &start);
+}
+
+/* the first samples of the sampled devices */
+static void
+take_samples (const gs_sweep *s, gs_sweep_room *r)
+{
+  const gs_description d = description (s);
+  gs_start start;
+  if (gs_check_samples (&d, s->t0, r->cst, r->ip, r->rp, &start) != GS_START_TAKEN && r->info == 0)
+    refused (s, r, &start);
+}
+
+/* the plan of a run and what came of it; the record of the events, of which nothing is read before
+   it is written, stays as it is: it takes most of the room */
+void
+gs_take_plan (const gs_sweep *s, const int *from_ip, const double *from, int *ip, double *rp)
+{
+  memcpy (ip, from_ip, (size_t) s->nip * sizeof (int));
+  if (ip[GS_EVENTS] == 0)
+    {
+      copy (rp, from, s->rp.n);
+      return;
+    }
+  gs_events e = gs_planned_events (S->nx, ip, rp);
+  long long behind = e.level - rp;
+  copy (rp, from, e.record - rp);
+  copy (rp + behind, from + behind, s->rp.n - behind);
+}
+
+/* the room of run I; INFO of PRE: that of the constants CST if they are known */
+static int
+prepare (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cst, int info)
+{
+  copy (r->par, s->par.x, S->npar);
+  for (long long k = 0; k < s->varied; k++)
+    r->par[s->which[k] - 1] = s->samples.x[s->varied * i + k];
+  copy (r->cst, cst ? cst : s->cst.x, s->cst.n);
+  if (! cst)
+    ((void (*) (double *, double *, int *)) emitted ("pre")) (r->par, r->cst, &info);
+  copy (r->x0, s->x0.x, S->nx);
+  zero (r->w, s->lw);
+  zero (r->xout, s->ldx * s->tout.n);
+  zero (r->vout, s->ldv * s->tout.n);
+  zero (r->rstat, GS_MEASURED);
+  memset (r->istat, 0, GS_COUNTED * sizeof (int));
+  r->text[0] = 0;
+  r->info = 0;
+  if (info == 0)
+    take_start (s, r);
+  copy (r->w, S->nq == S->nu ? r->x0 : s->guess.x, S->nu);
+  gs_take_plan (s, s->ip, s->rp.x, r->ip, r->rp);
+  if (S->nctl > 0 && info == 0)
+    take_samples (s, r);
+  r->times[0] = s->t0;
+  copy (r->times + 1, s->tout.x, s->tout.n);
+  set_breaks (s, r);
+  copy (r->options, s->ropt.x, s->ropt.n);
+  copy (r->options + s->ropt.n, s->atol.x, s->atol.n);
+  memcpy (r->iopt, s->iopt, (size_t) s->niopt * sizeof (int));
+  return info;
+}
+
+/* the run as the run time in C takes it, with its statistics so far */
+static gs_run
+run_of (const gs_sweep *s, gs_sweep_room *r)
+{
+  gs_run g = {
+    .nx = s->nx, .t0 = s->t0, .x0 = r->x0, .nt = (int) s->tout.n, .tout = r->times + 1,
+    .nb = r->nb, .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
+    .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
+    .ldx = s->ldx, .vout = r->vout, .ldv = s->ldv, .w = r->w, .lw = s->lw
+  };
+  memcpy (g.istat, r->istat, sizeof g.istat);
+  memcpy (g.rstat, r->rstat, sizeof g.rstat);
+  return g;
+}
+
+static void
+keep_statistics (gs_sweep_room *r, const gs_run *g)
+{
+  memcpy (r->istat, g->istat, sizeof g->istat);
+  memcpy (r->rstat, g->rstat, sizeof g->rstat);
+}
+
+static void
+by_explicit (const gs_sweep *s, gs_sweep_room *r)
+{
+  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
+  gs_scene scene = *S->run;
+  scene.data = &data;
+  scene.nsw = 0;   /* the breaks have these times */
+  gs_run g = run_of (s, r);
+  r->info = gs_integrate (&scene, &g);
+  keep_statistics (r, &g);
+}
+
+/* from the start, or on from where gs_integrate found its steps bound by stability */
+static void
+by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
+{
+  gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
+  gs_scene scene = *S->run;
+  scene.data = &data;
+  gs_run g = run_of (s, r);
+  const gs_implicit o = {
+    .order = s->order, .index2 = s->index2, .resume = resume, .followed = (int) s->followed,
+    .follows = s->follows, .text = r->text, .length = sizeof r->text
+  };
+  r->info = s->implicit_method (&scene, &g, &o);
+  keep_statistics (r, &g);
+}
+
+static int
+fine (const double *x, int n)
+{
+  for (int i = 0; i < n; i++)
+    if (! (fabs (x[i]) <= 1e300))
+      return 0;
+  return 1;
+}
+
+/* the time that stands for row K: where the scene switches it has what was before, as the inputs in
+   it, but for the first one and those behind its end */
+static double
+row_time (const gs_sweep *s, const gs_sweep_room *r, const double *switches, long long k)
+{
+  const double t = s->tout.x[k];
+  const int left = -1;
+  for (int i = 0; i < S->nsw && k > 0 && k < r->istat[GS_N_OUTPUTS]; i++)
+    if (switches[i] >= t && switches[i] <= t)
+      return gslft_ (&t, &left);
+  return t;
 }
 
 /* outputs at the times that were reached, not a number where there are none */

@@ -12,7 +12,6 @@
 #include "plan.h"
 
 #include <math.h>
-#include <string.h>
 
 /* steps go this many communication steps beyond at most: what happens in short times is seen */
 enum { GSF_FARTHEST = 20 };
@@ -36,14 +35,14 @@ gsf_beyond (const gsf_instance *a, double t, double h)
 void
 gsf_keep (gsf_instance *a, const gs_dense *e)
 {
-  const size_t nx = a->m->scene->nx;
+  const int nx = a->m->scene->nx;
   a->d[GSF_AHEAD_H] = e->h;
   if (! (e->h > 0))
     return;
   a->d[GSF_AHEAD_T] = e->t;
-  memcpy (a->ahead, e->x, nx * sizeof (double));
-  memcpy (a->ahead + nx, e->xn, nx * sizeof (double));
-  memcpy (a->ahead + 2 * nx, e->f, 9 * nx * sizeof (double));
+  gs_copy (nx, e->x, a->ahead);
+  gs_copy (nx, e->xn, a->ahead + nx);
+  gs_copy (9 * nx, e->f, a->ahead + 2 * nx);
 }
 
 /* but for rounding, as samples are met */
@@ -76,6 +75,6 @@ gsf_look (gsf_instance *a, double t)
   gs_dense_at (nx, h, (t - a->d[GSF_AHEAD_T]) / h, x, xn, x + 2 * nx, a->xout);
   if (t < a->d[GSF_AHEAD_T] + h)
     return moved (a, t) == 0;
-  memcpy (a->xout, xn, nx * sizeof (double));
+  gs_copy (nx, xn, a->xout);
   return 1;
 }

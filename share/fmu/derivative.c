@@ -5,7 +5,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* arrays of one call */
 typedef struct
@@ -17,19 +16,13 @@ typedef struct
   double *w;
 } work;
 
-static int
-most (int a, int b)
-{
-  return a > b ? a : b;
-}
-
 static double *
 divide (const gs_scene *s, work *k)
 {
   const int nx = s->nx, nv = s->nv, ny = s->ny, m = s->nlam, nq = s->nq;
-  size_t n = 2 * nx + nv + ny + nx * (nx + nv + 2) + (ny + 1) * (nx + nv) + 2 * (m + 1) * nq + 2 * m
-             + nx + 8;
-  double *all = calloc (n, sizeof (double));
+  const int n = 2 * nx + nv + ny + nx * (nx + nv + 2) + (ny + 1) * (nx + nv) + 2 * (m + 1) * nq
+                + 2 * m + nx + 8;
+  double *all = calloc ((size_t)n, sizeof (double));
   if (! all)
     return NULL;
   k->dx = all;
@@ -39,8 +32,8 @@ divide (const gs_scene *s, work *k)
   k->a = k->dy + ny;
   k->b = k->a + nx * nx;
   k->c = k->b + nx * nv;
-  k->d = k->c + most (1, ny) * nx;
-  k->dp = k->d + most (1, ny) * nv;
+  k->d = k->c + gs_most (1, ny) * nx;
+  k->dp = k->d + gs_most (1, ny) * nv;
   k->dq = k->dp + m * nq;
   k->w = k->dq + m * nq;
   return all;
@@ -156,7 +149,7 @@ seeds (gsf_instance *a, size_t nk, const unsigned *knowns, const double *seed, w
 static void
 product (const gs_scene *s, int n, const double *a, const double *b, const work *w, double *y)
 {
-  const int ld = most (1, n);
+  const int ld = gs_most (1, n);
   for (int j = 0; j < s->nx; j++)
     for (int i = 0; i < n; i++)
       y[i] += a[i + ld * j] * w->dx[j];
@@ -169,7 +162,7 @@ static int
 linear (gsf_instance *a, work *w)
 {
   const gs_scene *s = a->m->scene;
-  const int ny = most (1, s->ny);
+  const int ny = gs_most (1, s->ny);
   for (int set = 0; set < a->m->nsets; set++)
     normalized (a, set, w->dx);
   if (s->nlam > 0 && completed (a, w))

@@ -11,7 +11,6 @@
 #include "gsmbp/system.h"
 
 #include <math.h>
-#include <string.h>
 
 #define GSF_LEVEL 1e-10
 
@@ -56,6 +55,14 @@ set_levels (gsf_instance *a)
   return GSF_OK;
 }
 
+/* n numbers of events := 0 */
+static void
+clear (int n, int *k)
+{
+  for (int i = 0; i < n; i++)
+    k[i] = 0;
+}
+
 int
 gsf_happens (gsf_instance *a, int k)
 {
@@ -66,7 +73,7 @@ gsf_happens (gsf_instance *a, int k)
   if (own)
     gsf_before_own (a);
   if (k < 0)
-    memset (gsf_events (a).fresh, 0, s->nev * sizeof (int));
+    clear (s->nev, gsf_events (a).fresh);
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
   int info = gs_resolve_event (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
@@ -85,7 +92,7 @@ gsf_begin_events (gsf_instance *a)
   int *ie = a->ip + a->ip[GS_EVENTS] - 1;
   ie[4] = 0;
   *gsf_events (a).since = 0;
-  memset (gsf_events (a).mode, 0, a->m->scene->nev * sizeof (int));
+  clear (a->m->scene->nev, gsf_events (a).mode);
   if (gsf_happens (a, 0) || set_levels (a))
     return GSF_ERROR;
   gsf_begin_own (a);
@@ -169,7 +176,7 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
     return GSF_ERROR;
   if (a->d[GSF_T_SWITCH] < a->d[GSF_T_NEXT])
     a->d[GSF_T_NEXT] = a->d[GSF_T_SWITCH];
-  memcpy (a->w, a->z, ns * sizeof (double));
+  gs_copy (ns, a->z, a->w);
   gsf_take (a);
   for (int k = 0; k < ns; k++)
     *changed |= ! (a->w[k] == a->z[k]);
@@ -215,7 +222,7 @@ gsf_completed (gsf_instance *a, int *event)
   *event = 0;
   if (status)
     return status;
-  memcpy (a->xr, a->x, a->m->scene->nx * sizeof (double));
+  gs_copy (a->m->scene->nx, a->x, a->xr);
   *event = gsf_margins (a, &range, &normal);
   if (a->m->scene->nev == 0)
     return GSF_OK;

@@ -326,7 +326,7 @@ fmi2SetTime (fmi2Component component, fmi2Real t)
 
 #define AS_MANY(expected, array)                                                                   \
   NEED (n, array, array);                                                                          \
-  if (gsf_as_many (c->a, __func__, n, expected))                                                   \
+  if (gsf_as_many (c->a, __func__, n, (size_t)(expected)))                                         \
     return tell (c, GSF_ERROR)
 
 fmi2Status

@@ -37,7 +37,7 @@ enum { EXCHANGE = 1 << GSF_EXCHANGE, COSIMULATION = 1 << GSF_COSIMULATION, BOTH 
     return tell (c, GSF_ERROR)
 #define AS_MANY(n, expected, array)                                                                \
   NEED (n, array, array);                                                                          \
-  if (gsf_as_many (c->a, __func__, n, expected))                                                   \
+  if (gsf_as_many (c->a, __func__, n, (size_t)(expected)))                                         \
     return tell (c, GSF_ERROR)
 
 typedef const fmi3ValueReference references_t[];
@@ -391,7 +391,7 @@ fmi3Status
 fmi3SetContinuousStates (fmi3Instance component, const fmi3Float64 x[], size_t n)
 {
   ENTER (EXCHANGE, GSF_CONTINUOUS | GSF_EVENT);
-  AS_MANY (n, (size_t)gsf_ns (c->a->m), x);
+  AS_MANY (n, gsf_ns (c->a->m), x);
   return tell (c, gsf_set_states (c->a, x));
 }
 
@@ -399,7 +399,7 @@ fmi3Status
 fmi3GetContinuousStates (fmi3Instance component, fmi3Float64 x[], size_t n)
 {
   ENTER (EXCHANGE, GSF_READY);
-  AS_MANY (n, (size_t)gsf_ns (c->a->m), x);
+  AS_MANY (n, gsf_ns (c->a->m), x);
   int status = c->a->i[GSF_STALE] == 1 ? gsf_fresh (c->a) : GSF_OK;
   if (status == GSF_OK && n > 0)
     memcpy (x, c->a->z, n * sizeof (double));
@@ -410,7 +410,7 @@ fmi3Status
 fmi3GetNominalsOfContinuousStates (fmi3Instance component, fmi3Float64 x[], size_t n)
 {
   ENTER (EXCHANGE, GSF_READY);
-  AS_MANY (n, (size_t)gsf_ns (c->a->m), x);
+  AS_MANY (n, gsf_ns (c->a->m), x);
   for (size_t k = 0; k < n; k++)
     x[k] = gsf_nominal (c->a, (int)k);
   return fmi3OK;
@@ -420,7 +420,7 @@ fmi3Status
 fmi3GetContinuousStateDerivatives (fmi3Instance component, fmi3Float64 xd[], size_t n)
 {
   ENTER (EXCHANGE, GSF_READY);
-  AS_MANY (n, (size_t)gsf_ns (c->a->m), xd);
+  AS_MANY (n, gsf_ns (c->a->m), xd);
   int status = gsf_rates (c->a);
   for (size_t k = 0; k < n && status == GSF_OK; k++)
     xd[k] = c->a->xd[c->a->place[k]];
@@ -431,7 +431,7 @@ fmi3Status
 fmi3GetEventIndicators (fmi3Instance component, fmi3Float64 z[], size_t n)
 {
   ENTER (EXCHANGE, GSF_READY);
-  AS_MANY (n, (size_t)gsf_nz (c->a->m), z);
+  AS_MANY (n, gsf_nz (c->a->m), z);
   return n == 0 ? fmi3OK : tell (c, gsf_indicators (c->a, z));
 }
 
@@ -440,7 +440,7 @@ fmi3GetNumberOfEventIndicators (fmi3Instance component, size_t *n)
 {
   ENTER (BOTH, GSF_ANY);
   NEED (1, n, n);
-  *n = gsf_nz (c->a->m);
+  *n = (size_t)gsf_nz (c->a->m);
   return fmi3OK;
 }
 
@@ -449,7 +449,7 @@ fmi3GetNumberOfContinuousStates (fmi3Instance component, size_t *n)
 {
   ENTER (BOTH, GSF_ANY);
   NEED (1, n, n);
-  *n = gsf_ns (c->a->m);
+  *n = (size_t)gsf_ns (c->a->m);
   return fmi3OK;
 }
 

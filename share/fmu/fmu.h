@@ -5,6 +5,7 @@
 #ifndef GSF_FMU_H
 #define GSF_FMU_H
 
+#include "gsmbp/arith.h"
 #include "gsmbp/integrate.h"
 #include "host/start.h"
 
@@ -193,7 +194,7 @@ typedef struct
   char text[1000]; /* what went wrong */
 } gsf_instance;
 
-size_t gsf_partition_size (const gs_scene *s);
+int gsf_partition_size (const gs_scene *s);
 gsf_instance *gsf_new (const gsf_model *m, int kind);
 void gsf_free (gsf_instance *a);
 void gsf_reset (gsf_instance *a);

@@ -3,7 +3,6 @@
  * All that changes lies in two arrays, d and i, so that a saved state is a copy of them. */
 #include "fmu.h"
 
-#include "gsmbp/arith.h"
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/partition.h"
@@ -60,10 +59,10 @@ gsf_locate (const gsf_model *m, unsigned reference, int *place)
 {
   for (int block = 0; block < GSF_BLOCKS; block++)
     {
-      unsigned n = gsf_count (m, block);
+      const unsigned n = (unsigned)gsf_count (m, block);
       if (reference < n)
         {
-          *place = reference;
+          *place = (int)reference;
           return block;
         }
       reference -= n;
@@ -73,7 +72,7 @@ gsf_locate (const gsf_model *m, unsigned reference, int *place)
 
 /* --------------------------------------------------------------------------------------- memory */
 
-size_t
+int
 gsf_partition_size (const gs_scene *s)
 {
   return s->nlam > 0 ? 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu : 0;
@@ -107,7 +106,7 @@ divide (gsf_instance *a)
   a->ip = a->tally + m->nown;
 }
 
-static size_t
+static int
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
@@ -115,11 +114,17 @@ numbers (const gsf_model *m)
          + m->nown + gsf_partition_size (s) + gsf_plan_numbers (m);
 }
 
-static size_t
+static int
 wholes (const gsf_model *m)
 {
   return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + 2 * m->scene->nev + m->nown
          + gsf_plan_wholes (m);
+}
+
+static int
+workspace (const gs_scene *s)
+{
+  return 3 * s->nv + 3 * s->nx + s->ny + 2 * s->nev + 8 + gs_room (s, s->nx, 0);
 }
 
 static void
@@ -143,15 +148,14 @@ gsf_new (const gsf_model *m, int kind)
   if (! a)
     return NULL;
   a->m = m;
-  a->nd = numbers (m);
-  a->ni = wholes (m);
+  a->nd = (size_t)numbers (m);
+  a->ni = (size_t)wholes (m);
   a->d = calloc (a->nd, sizeof (double));
   a->i = calloc (a->ni, sizeof (int));
   a->kept_d = calloc (a->nd, sizeof (double));
   a->kept_i = calloc (a->ni, sizeof (int));
-  a->iopt = calloc (6 + m->nspeedrows, sizeof (int));
-  a->v = calloc (3 * s->nv + 3 * s->nx + s->ny + 2 * m->scene->nev + 8
-                 + gs_room (s, s->nx, 0), sizeof (double));
+  a->iopt = calloc ((size_t)(6 + m->nspeedrows), sizeof (int));
+  a->v = calloc ((size_t)workspace (s), sizeof (double));
   if (! gsf_describe (a) || ! a->d || ! a->i || ! a->kept_d || ! a->kept_i || ! a->iopt || ! a->v)
     {
       gsf_free (a);
@@ -197,7 +201,7 @@ gsf_reset (gsf_instance *a)
   a->d[GSF_T_SWITCH] = 2e300;
   a->m->par (a->par);
   a->m->start (a->par, a->xs);
-  memcpy (a->x, a->xs, a->m->scene->nx * sizeof (double));
+  gs_copy (a->m->scene->nx, a->xs, a->x);
   gsf_plan (a);
 }
 
@@ -330,7 +334,7 @@ header_of (const gsf_instance *a)
   strncpy (h.token, a->m->token, sizeof h.token - 1);
   h.nd = a->nd;
   h.ni = a->ni;
-  h.kind = a->i[GSF_KIND];
+  h.kind = (size_t)a->i[GSF_KIND];
   return h;
 }
 

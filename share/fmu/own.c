@@ -13,7 +13,6 @@
 #include "plan.h"
 
 #include <math.h>
-#include <string.h>
 
 enum { GSF_ARMED, GSF_LEFT, GSF_BELOW };
 enum { GSF_MOST_LOW = 10 };   /* so many without rising accumulate */
@@ -54,8 +53,8 @@ gsf_tally (gsf_instance *a)
         a->i[GSF_ENDED] = own + 1;
     }
   const int gone = *e.count > GSF_KEPT ? *e.count - GSF_KEPT : 0;
-  memmove (e.record, e.record + gone * (3 + 2 * m->scene->nx),
-           (*e.count - gone) * (3 + 2 * m->scene->nx) * sizeof (double));
+  const int row = 3 + 2 * m->scene->nx;
+  gs_move ((*e.count - gone) * row, e.record + gone * row, e.record);
   *e.count -= gone;
 }
 

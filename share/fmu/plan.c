@@ -16,14 +16,14 @@ plan_of (const gsf_model *m)
   return p;
 }
 
-size_t
+int
 gsf_plan_numbers (const gsf_model *m)
 {
   const gs_plan p = plan_of (m);
   return gs_reals (&p);
 }
 
-size_t
+int
 gsf_plan_wholes (const gsf_model *m)
 {
   const gs_plan p = plan_of (m);

@@ -11,8 +11,8 @@ enum { GSF_ON_THE_WAY = 32 };
 /* records of events of the user: those that are kept, and as many as an instant may have */
 enum { GSF_KEPT = 32, GSF_RECORDS = GSF_KEPT + 104 };
 
-size_t gsf_plan_numbers (const gsf_model *m);
-size_t gsf_plan_wholes (const gsf_model *m);
+int gsf_plan_numbers (const gsf_model *m);
+int gsf_plan_wholes (const gsf_model *m);
 
 /* the plan without values: places, starts */
 void gsf_plan (gsf_instance *a);

@@ -16,7 +16,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /* a set is chosen anew where the volume of its columns is below this part of the best one's after a
  * step; within one, below GSF_RANGE */
@@ -166,7 +165,7 @@ begin_partition (gsf_instance *a)
 void
 gsf_take (gsf_instance *a)
 {
-  memcpy (a->xr, a->x, a->m->scene->nx * sizeof (double));
+  gs_copy (a->m->scene->nx, a->x, a->xr);
   for (int k = 0; k < gsf_ns (a->m); k++)
     a->z[k] = a->x[a->place[k]];
 }
@@ -176,7 +175,7 @@ static int
 complete_from (gsf_instance *a, const double *x)
 {
   const gs_scene *s = a->m->scene;
-  memmove (a->x, x, s->nx * sizeof (double));
+  gs_move (s->nx, x, a->x);
   for (int k = 0; k < gsf_ns (a->m); k++)
     a->x[a->place[k]] = a->z[k];
   int status = normalize (a, a->x);
@@ -203,7 +202,7 @@ gsf_complete (gsf_instance *a)
   if (status && a->m->scene->nlam > 0)
     status = complete_from (a, a->xr);
   if (status)
-    memcpy (a->x, a->xr, a->m->scene->nx * sizeof (double));
+    gs_copy (a->m->scene->nx, a->xr, a->x);
   else
     a->i[GSF_STALE] = 0;
   return status;
@@ -217,7 +216,7 @@ volume (gsf_instance *a)
   const gs_scene *s = a->m->scene;
   double *p = a->w, least, ratio;
   int rank;
-  memcpy (p, a->p, gsf_partition_size (s) * sizeof (double));
+  gs_copy (gsf_partition_size (s), a->p, p);
   gs_partition b = gs_partition_of (s->nq, s->nu, s->nlam, p);
   int info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, b.phi, b.phit, b.hc, s->nlam, b.gam);
   if (info != 0 && info != 2)
@@ -260,7 +259,7 @@ gsf_set_states (gsf_instance *a, const double *z)
   if (wrong != 0)
     return gsf_fail (a, GSF_ERROR, "continuous state %d: expected a finite number, found %g",
                      wrong, z[wrong - 1]);
-  memcpy (a->z, z, n * sizeof (double));
+  gs_copy (n, z, a->z);
   a->known = 0;
   if (a->i[GSF_STALE] == 0)
     a->i[GSF_STALE] = 2;

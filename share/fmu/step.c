@@ -48,7 +48,7 @@ static void
 arrive (gsf_instance *a, double t)
 {
   double range, normal;
-  memcpy (a->x, a->xout, a->m->scene->nx * sizeof (double));
+  gs_copy (a->m->scene->nx, a->xout, a->x);
   a->d[GSF_T] = t;
   gsf_next_switch (a);
   a->known = 0;

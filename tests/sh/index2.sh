@@ -154,7 +154,7 @@ main (void)
 }
 END
 (cd share/engine/host/implicit && gcc -std=gnu11 -O1 -fsanitize=address,undefined -Wall -Wextra \
-  -Werror -I. -I../.. -I../../../c -o "$work/stages" "$work/stages.c" \
+  -Werror -I. -I../.. -I../../core -o "$work/stages" "$work/stages.c" \
   radau_index2.c settle.c radau_rule.c radau_solve.c radau_order.c -lm -lpthread) >"$report" 2>&1
 told $? 'the stages compile' "$report"
 "$work/stages" >"$report" 2>&1

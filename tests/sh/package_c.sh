@@ -4,7 +4,7 @@
 . tests/tools/check.sh
 root=$PWD
 work_folder
-strict="-O1 -Wall -Wextra -pedantic -Werror"
+strict="-O1 -Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
 others=$(whole && echo sampled_crank reach_scara)
 for scene in examples/slider_crank/slider_crank tests/scenes/event_crank \

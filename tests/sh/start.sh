@@ -1,19 +1,10 @@
-# How a run starts, in C (share/engine/host): compiles without a warning; a particle on a circle
-# against closed forms, under the sanitizers, in quad precision too.
+# How a run starts, in C (share/engine/host): a particle on a circle against closed forms, under the
+# sanitizers, in quad precision too.
 . tests/tools/check.sh
 root=$PWD
 work_folder
-mkdir "$work/host"
-strict="-Wall -Wextra -pedantic -Wshadow -Wconversion -Wsign-conversion -Werror"
 core=$root/share/engine/core
 c="-std=c99 -I$core -I$root/share/engine"
-for compiler in gcc clang; do
-  command -v $compiler >/dev/null || continue
-  (cd "$work/host" && for file in start residuals settled margins failure; do
-    $compiler $c $strict -O2 -c "$root/share/engine/host/$file.c"
-  done) >"$report" 2>&1
-  told $? "$compiler compiles it without a warning" "$report"
-done
 for header in host/start.h host/failure.h; do
   g++ -x c++ -Wall -Wextra -Wno-pragmas -I"$core" -Ishare/engine -fsyntax-only -include $header - \
     </dev/null

@@ -123,12 +123,12 @@ between (gs_stepper *s, double t, double *x)
   return flag;
 }
 
-static long
+static int
 rejected (gs_stepper *s)
 {
   long tests = 0;
   ARKStepGetNumErrTestFails (((dirk *) s->memory)->memory, &tests);
-  return tests;
+  return (int) tests;
 }
 
 static void

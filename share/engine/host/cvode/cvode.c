@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <cvode/cvode_proj.h>
 #include <nvector/nvector_serial.h>
 #include <sundials/sundials_dense.h>
@@ -64,12 +63,12 @@ projection (sunrealtype t, N_Vector y, N_Vector correction, sunrealtype eps, N_V
   const double *x = N_VGetArrayPointer (y);
   double *c = N_VGetArrayPointer (correction);
   (void) eps, (void) err;
-  memcpy (c, x, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, x, c);
   int left = gs_projects (s) ? settle (s, t, c) : 0, info = 0;
   if (left != 0)
     info = gs_moved (s, t, left > 0 ? c : x, s->trial);
   if (left != 0)
-    memcpy (c, s->trial, sizeof (double) * s->r->nx);
+    gs_copy (s->r->nx, s->trial, c);
   if (info == 0)
     gs_onto_held (s, t, c);
   for (int i = 0; info == 0 && i < s->r->nx; i++)
@@ -114,7 +113,7 @@ static int
 open_ (gs_stepper *s)
 {
   int nx = s->r->nx, own = gs_own_states (s);
-  bdf *b = s->memory = calloc (1, sizeof (bdf));
+  bdf *b = s->memory = gs_allocate (1, sizeof (bdf));
   if (! b || SUNContext_Create (SUN_COMM_NULL, &b->context) != 0)
     return 0;
   b->y = N_VNew_Serial (nx, b->context);
@@ -124,8 +123,8 @@ open_ (gs_stepper *s)
   b->memory = CVodeCreate (CV_BDF, b->context);
   if (! b->y || ! b->dense || ! b->atol || ! b->matrix || ! b->memory)
     return 0;
-  b->pivots = calloc (own, sizeof (sunindextype));
-  b->scale = calloc (nx, sizeof (double));
+  b->pivots = gs_allocate (own, sizeof (sunindextype));
+  b->scale = gs_allocate (nx, sizeof (double));
   b->solver = SUNLinSolNewEmpty (b->context);
   if (! b->solver || ! b->pivots || ! b->scale)
     return 0;
@@ -188,7 +187,7 @@ begin (gs_stepper *s)
   void *m = b->memory;
   double rtol = fmax (tight * r->ropt[1], fmin (finest, r->ropt[1]));
   int flag;
-  memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * r->nx);
+  gs_copy (r->nx, s->x, N_VGetArrayPointer (b->y));
   for (int i = 0; i < r->nx; i++)
     N_VGetArrayPointer (b->atol)[i] = rtol / r->ropt[1] * r->atol[i];
   if ((flag = hears (s)) < 0 || (flag = CVodeInit (m, rate, s->t, b->y)) < 0
@@ -213,7 +212,7 @@ restart (gs_stepper *s)
 {
   bdf *b = s->memory;
   int flag;
-  memcpy (N_VGetArrayPointer (b->y), s->x, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->x, N_VGetArrayPointer (b->y));
   return (flag = CVodeReInit (b->memory, s->t, b->y)) < 0 ? flag
                                                            : CVodeSetInitStep (b->memory, 0);
 }
@@ -244,36 +243,38 @@ between (gs_stepper *s, double t, double *x)
 {
   bdf *b = s->memory;
   int flag = CVodeGetDky (b->memory, t, 0, b->dense);
-  memcpy (x, N_VGetArrayPointer (b->dense), sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, N_VGetArrayPointer (b->dense), x);
   return flag;
 }
 
-static long
+/* one of its counts */
+static int
+counted (int (*count_of) (void *, long *), void *memory)
+{
+  long n = 0;
+  count_of (memory, &n);
+  return (int) n;
+}
+
+static int
 rejected (gs_stepper *s)
 {
-  long tests = 0;
-  CVodeGetNumErrTestFails (((bdf *) s->memory)->memory, &tests);
-  return tests;
+  return counted (CVodeGetNumErrTestFails, ((bdf *) s->memory)->memory);
 }
 
 /* CVODE forgets its counts when it starts again */
 static void
 count (gs_stepper *s)
 {
-  long n = 0, failed = 0, jacobians = 0, newton = 0, diverged = 0, projections = 0;
+  int *istat = s->r->istat;
   void *m = ((bdf *) s->memory)->memory;
-  CVodeGetNumErrTestFails (m, &failed);
-  CVodeGetNumJacEvals (m, &jacobians);
-  CVodeGetNumNonlinSolvIters (m, &newton);
-  CVodeGetNumNonlinSolvConvFails (m, &diverged);
-  if (gs_projects (s))
-    CVodeGetNumProjFails (m, &projections);
-  n = failed + diverged + projections;
-  s->r->istat[GS_N_REJECTED] += n;
-  s->r->istat[GS_N_REPEATED] += projections;
-  s->r->istat[GS_N_JACOBIANS] += jacobians;
-  s->r->istat[GS_N_NEWTON] += newton;
-  s->r->istat[GS_N_DIVERGED] += diverged;
+  const int projections = gs_projects (s) ? counted (CVodeGetNumProjFails, m) : 0,
+            diverged = counted (CVodeGetNumNonlinSolvConvFails, m);
+  istat[GS_N_REJECTED] += rejected (s) + diverged + projections;
+  istat[GS_N_REPEATED] += projections;
+  istat[GS_N_JACOBIANS] += counted (CVodeGetNumJacEvals, m);
+  istat[GS_N_NEWTON] += counted (CVodeGetNumNonlinSolvIters, m);
+  istat[GS_N_DIVERGED] += diverged;
 }
 
 int

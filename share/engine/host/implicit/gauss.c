@@ -13,7 +13,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "gauss_momenta.h"
 #include "gauss_rule.h"
 #include "implicit_run.h"
@@ -29,10 +28,10 @@ typedef struct
   double *lost, *before;        /* what rounding took from the state, and did before the step */
   double *start;                /* the state where the last step began */
   double from, to;              /* the way that whole steps of H lead along, */
-  long steps, done;             /* ... how many there are, how many are done, */
+  double steps, done;           /* ... how many there are, how many are done, */
   double at;                    /* ... and where the last one ended */
   int known;                    /* is there a step before, of the same length? */
-  long turns;
+  int turns;
 } gauss;
 
 /* ------------------------------------------------------------
@@ -45,7 +44,7 @@ predict (gs_stepper *s)
   gauss *w = s->memory;
   int n = w->n, info = 0;
   double *before = w->old;
-  memcpy (before, w->k, sizeof (double) * n * w->rule.stages);
+  gs_copy (n * w->rule.stages, w->k, before);
   if (! w->known && (info = gs_rate (s, s->t, s->x, before)) != 0)
     return info;
   for (int i = 0; i < w->rule.stages; i++)
@@ -54,7 +53,7 @@ predict (gs_stepper *s)
         longer sum = w->known ? 0 : before[l];
         for (int j = 0; w->known && j < w->rule.stages; j++)
           sum += w->rule.ahead[i][j] * before[l + n * j];
-        w->k[l + n * i] = sum;
+        w->k[l + n * i] = (double) sum;
       }
   return 0;
 }
@@ -69,7 +68,7 @@ stage (const gs_stepper *s, int i, double h)
       longer sum = 0;
       for (int j = 0; j < w->rule.stages; j++)
         sum += w->rule.a[i][j] * w->old[l + w->n * j];
-      w->x[l] = s->x[l] + (w->lost[l] + h * sum);
+      w->x[l] = (double) (s->x[l] + (w->lost[l] + h * sum));
     }
 }
 
@@ -80,7 +79,7 @@ turn (gs_stepper *s, double h, double *change)
   gauss *w = s->memory;
   int n = w->n, info;
   *change = 0;
-  memcpy (w->old, w->k, sizeof (double) * n * w->rule.stages);
+  gs_copy (n * w->rule.stages, w->k, w->old);
   for (int i = 0; i < w->rule.stages; i++)
     {
       stage (s, i, h);
@@ -128,9 +127,7 @@ sum_up (gs_stepper *s, double h)
       longer sum = 0;
       for (int j = 0; j < w->rule.stages; j++)
         sum += w->rule.b[j] * w->k[l + w->n * j];
-      longer end = s->x[l] + (w->lost[l] + h * sum);
-      w->x[l] = end;
-      w->lost[l] = end - w->x[l];
+      gs_round_off (s->x[l] + (w->lost[l] + h * sum), &w->x[l], &w->lost[l]);
     }
 }
 
@@ -175,7 +172,7 @@ next_way (gs_stepper *s)
   w->to = to;
   w->done = 0;
   w->at = s->t;
-  w->steps = lround (fmax (1, ceil ((to - s->t) / h * (1 - 1e-9))));
+  w->steps = fmax (1, ceil ((to - s->t) / h * (1 - 1e-9)));
 }
 
 static int
@@ -184,7 +181,7 @@ step_of_states (gs_stepper *s, double h, double t)
   gauss *w = s->memory;
   if (fabs (h - s->h) > 1e-9 * h)
     w->known = 0;
-  memcpy (w->before, w->lost, sizeof (double) * w->n);
+  gs_copy (w->n, w->lost, w->before);
   int flag = solve (s, h);
   if (flag != 0)
     return flag;
@@ -203,7 +200,7 @@ step_to (gs_stepper *s, double h, double t)
     snprintf (s->o->text, s->o->length, "there are no rates at a stage: take a shorter step");
   if (flag != 0)
     return flag == GS_NO_END ? no_end (s) : flag;
-  memcpy (w->start, s->x, sizeof (double) * w->n);
+  gs_copy (w->n, s->x, w->start);
   s->t = t;
   s->h = s->next = h;
   s->y = w->x;
@@ -230,7 +227,7 @@ again (gs_stepper *s)
   w->known = 0;
   if (w->momenta && gs_take_back (s, w->momenta) != 0)
     return -1;
-  memcpy (w->lost, w->before, sizeof (double) * w->n);
+  gs_copy (w->n, w->before, w->lost);
   return step_to (s, h, s->stop);
 }
 
@@ -238,7 +235,7 @@ static int
 restart (gs_stepper *s)
 {
   gauss *w = s->memory;
-  memset (w->lost, 0, sizeof (double) * w->n);
+  gs_zero (w->n, w->lost);
   w->known = 0;
   w->done = w->steps = 0;
   return w->momenta ? gs_restart_momenta (s, w->momenta) : 0;
@@ -286,12 +283,12 @@ begin (gs_stepper *s)
 static int
 open_ (gs_stepper *s)
 {
-  size_t n = s->r->nx;
-  gauss *w = s->memory = calloc (1, sizeof (gauss));
+  ptrdiff_t n = s->r->nx;
+  gauss *w = s->memory = gs_allocate (1, sizeof (gauss));
   if (! w)
     return 0;
-  w->n = n;
-  w->k = calloc ((2 * GAUSS + 5) * n, sizeof (double));
+  w->n = s->r->nx;
+  w->k = gs_allocate ((2 * GAUSS + 5) * n, sizeof (double));
   if (! w->k)
     return 0;
   w->old = w->k + GAUSS * n;
@@ -329,12 +326,12 @@ between (gs_stepper *s, double t, double *x)
       longer sum = 0;
       for (int j = 0; j < w->rule.stages; j++)
         sum += b[j] * w->k[l + w->n * j];
-      x[l] = w->start[l] + s->h * sum;
+      x[l] = (double) (w->start[l] + s->h * sum);
     }
   return 0;
 }
 
-static long
+static int
 rejected (gs_stepper *s)
 {
   (void) s;

@@ -12,7 +12,6 @@
    An angle that turns on loses digits as it grows, and the energy with them.  Coordinates that
    nothing but whole turns of leaves alone are therefore kept within half a turn, the turns apart;
    every step looks whether that is still so. */
-#include <stdlib.h>
 #include "gauss_turns.h"
 
 int
@@ -36,21 +35,21 @@ predict (gs_stepper *s, gs_momenta *w)
     {
       if (rate_at (s, w, s->t, s->x, w->f) != 0)
         return -1;
-      memcpy (w->u, s->x + n, sizeof (double) * n);
+      gs_copy (n, s->x + n, w->u);
       w->remembered = 0;
-      memset (w->force, 0, sizeof (double) * m * stages);
+      gs_zero (m * stages, w->force);
     }
   for (int which = 0; which < 2; which++)
     {
       double *y = uf[which];
-      memcpy (w->old, y, sizeof (double) * all);
+      gs_copy (all, y, w->old);
       for (int i = 0; i < stages; i++)
         for (int l = 0; l < n; l++)
           {
             longer sum = w->known ? 0 : w->old[l];
             for (int j = 0; w->known && j < stages; j++)
               sum += w->rule->ahead[i][j] * w->old[l + n * j];
-            y[l + n * i] = sum;
+            y[l + n * i] = (double) sum;
           }
     }
   return 0;
@@ -63,7 +62,7 @@ predict_forces (gs_momenta *w)
   int all = w->m * w->rule->stages;
   double *f[BEFORE];
   for (int k = 0; k < BEFORE; k++)
-    f[k] = w->past + (size_t) all * k;
+    f[k] = w->past + (ptrdiff_t) all * k;
   for (int l = 0; l < all; l++)
     {
       f[2][l] = f[1][l], f[1][l] = f[0][l], f[0][l] = w->force[l];
@@ -87,7 +86,7 @@ correct_forces (gs_stepper *s, gs_momenta *w, double h)
           longer sum = 0;
           for (int j = 0; j < stages; j++)
             sum += rule->to[k][j] * w->u[l + n * j];
-          w->x[l] = s->x[l] + (w->lost_q[l] + h * sum);
+          w->x[l] = (double) (s->x[l] + (w->lost_q[l] + h * sum));
         }
       if (constraints_at (s, w, s->t + (double) rule->at[k + 1] * h, w->x, w->phi + m * k,
                           w->rows + n * m * (k + 1)) != 0)
@@ -117,8 +116,8 @@ stage (gs_stepper *s, gs_momenta *w, int i, double h, double *change)
           q += rule->a[i][j] * w->u[l + n * j];
           p += rule->a[i][j] * w->f[l + n * j];
         }
-      w->x[l] = s->x[l] + (w->lost_q[l] + h * q);
-      w->pi[l] = w->p[l] + (w->lost_p[l] + h * p);
+      w->x[l] = (double) (s->x[l] + (w->lost_q[l] + h * q));
+      w->pi[l] = (double) (w->p[l] + (w->lost_p[l] + h * p));
     }
   for (int k = 0; k < rule->stages && m > 0; k++)
     add_forces (w, w->rows + n * m * k, -h * (double) rule->force[i][k], w->force + m * k, w->pi);
@@ -131,7 +130,7 @@ stage (gs_stepper *s, gs_momenta *w, int i, double h, double *change)
       *change = fmax (*change, h * fabs (w->pi[l] - u[l]) / w->size[l]);
       u[l] = w->x[n + l] = w->pi[l];
     }
-  memcpy (w->pi, w->f + n * i, sizeof (double) * n);
+  gs_copy (n, w->f + n * i, w->pi);
   if (rate_at (s, w, t, w->x, w->f + n * i) != 0)
     return -1;
   for (int l = 0; l < n; l++)
@@ -180,12 +179,8 @@ sum_up (gs_stepper *s, gs_momenta *w, double h, double *x)
       for (int k = 0; k < rule->stages; k++)
         for (int i = 0; i < m; i++)
           p -= rule->weight[k] * w->rows[i + m * l + n * m * k] * w->force[i + m * k];
-      q = s->x[l] + (w->lost_q[l] + h * q);
-      p = w->p[l] + (w->lost_p[l] + h * p);
-      x[l] = q;
-      w->lost_q[l] = q - x[l];
-      w->p[l] = p;
-      w->lost_p[l] = p - w->p[l];
+      gs_round_off (s->x[l] + (w->lost_q[l] + h * q), &x[l], &w->lost_q[l]);
+      gs_round_off (w->p[l] + (w->lost_p[l] + h * p), &w->p[l], &w->lost_p[l]);
     }
 }
 
@@ -211,7 +206,7 @@ put_on (gs_stepper *s, gs_momenta *w, double t, double *x)
   double *u = x + n, *rows = w->rows;
   if (place_at (s, w, t, x) != 0)
     return -1;
-  memcpy (u, w->p, sizeof (double) * n);
+  gs_copy (n, w->p, u);
   forward (n, w->masses, u);
   backward (n, w->masses, u);
   if (m == 0)
@@ -228,9 +223,7 @@ put_on (gs_stepper *s, gs_momenta *w, double t, double *x)
       longer sum = 0;
       for (int k = 0; k < m; k++)
         sum += (longer) rows[k + m * j] * w->phi[k];
-      sum = w->p[j] + (w->lost_p[j] - sum);
-      w->p[j] = sum;
-      w->lost_p[j] = sum - w->p[j];
+      gs_round_off (w->p[j] + (w->lost_p[j] - sum), &w->p[j], &w->lost_p[j]);
       u[j] = w->p[j];
     }
   forward (n, w->masses, u);
@@ -245,7 +238,7 @@ static int
 one_step (gs_stepper *s, gs_momenta *w, double h, double t, double *x)
 {
   int n = w->n;
-  memcpy (w->before, w->p, sizeof (double) * 3 * n);
+  gs_copy (3 * n, w->p, w->before);
   int flag = solve (s, w, h);
   if (flag != 0)
     return flag;
@@ -280,7 +273,7 @@ gs_momenta_step (gs_stepper *s, gs_momenta *w, double h, double t, double *x)
 int
 gs_take_back (gs_stepper *s, gs_momenta *w)
 {
-  memcpy (w->p, w->before, sizeof (double) * 3 * w->n);   /* and what was lost */
+  gs_copy (3 * w->n, w->before, w->p);   /* and what was lost */
   w->known = 0;
   return place_at (s, w, s->t, s->x);
 }
@@ -300,8 +293,8 @@ gs_momenta_between (gs_stepper *s, gs_momenta *w, const double *start, longer at
           q += b[j] * w->u[l + n * j];
           u += v[j + 1] * w->u[l + n * j];
         }
-      x[l] = start[l] + s->h * q;
-      x[n + l] = u;
+      x[l] = (double) (start[l] + s->h * q);
+      x[n + l] = (double) u;
     }
   return 0;
 }
@@ -322,21 +315,21 @@ gs_has_momenta (const gs_stepper *s)
 gs_momenta *
 gs_new_momenta (const gs_stepper *s, const gauss_rule *rule, const double *size)
 {
-  size_t n = s->scene->nu, m = s->scene->nlam, k = GAUSS + 1;
-  gs_momenta *w = calloc (1, sizeof (gs_momenta));
-  double *next = calloc (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 5 * m
+  const ptrdiff_t n = s->scene->nu, m = s->scene->nlam, k = GAUSS + 1;
+  gs_momenta *w = gs_allocate (1, sizeof (gs_momenta));
+  double *next = gs_allocate (14 * n + 5 * n * n + 3 * k * n + (BEFORE + 2) * k * m + 5 * m
                          + (k + 3) * n * m + m * m, sizeof (double));
-  int *order = calloc (m + n + 1, sizeof (int));
+  int *order = gs_allocate (m + n + 1, sizeof (int));
   double *gram;
   if (! w || ! next || ! order)
     return free (order), free (next), free (w), NULL;
   w->turning = order + m;
   w->rule = rule;
-  w->n = n;
-  w->m = m;
+  w->n = s->scene->nu;
+  w->m = s->scene->nlam;
   w->size = size;
   w->numbers = next;
-  struct { double **place; size_t room; } parts[]
+  struct { double **place; ptrdiff_t room; } parts[]
     = { { &w->p, n }, { &w->lost_q, n }, { &w->lost_p, n }, { &w->x, 2 * n }, { &w->pi, n },
         { &w->bias, n }, { &w->zero, n }, { &w->trial, 2 * n }, { &w->mass, n * n },
         { &w->masses, n * n }, { &w->B, n * n }, { &w->C, n * n }, { &w->C0, n * n },
@@ -346,7 +339,7 @@ gs_new_momenta (const gs_stepper *s, const gauss_rule *rule, const double *size)
         { &gram, rows_room (n, m) } };
   for (size_t i = 0; i < sizeof parts / sizeof parts[0]; next += parts[i++].room)
     *parts[i].place = next;
-  place_rows (&w->gram, n, m, order, gram);
+  place_rows (&w->gram, w->n, w->m, order, gram);
   return w;
 }
 
@@ -364,8 +357,8 @@ int
 gs_restart_momenta (gs_stepper *s, gs_momenta *w)
 {
   int n = w->n;
-  memset (w->lost_q, 0, sizeof (double) * n);
-  memset (w->lost_p, 0, sizeof (double) * n);
+  gs_zero (n, w->lost_q);
+  gs_zero (n, w->lost_p);
   w->known = w->remembered = 0;
   w->large = 0;
   s->scene->mas (s->t, s->x, s->r->cst, w->mass, n);
@@ -377,14 +370,13 @@ gs_restart_momenta (gs_stepper *s, gs_momenta *w)
           sum += (longer) w->mass[i + n * j] * s->x[n + j];
           w->large = fmax (w->large, fabs (w->mass[i + n * j]) * w->size[n + j]);
         }
-      w->p[i] = sum;
-      w->lost_p[i] = sum - w->p[i];
+      gs_round_off (sum, &w->p[i], &w->lost_p[i]);
     }
   if (gs_inputs_at (s, s->t, s->x, s->v) != 0)
     return -1;
   find_turning (s, w);
   take_turns (s, w, s->x);
-  memcpy (w->x, s->x, sizeof (double) * 2 * n);
+  gs_copy (2 * n, s->x, w->x);
   return put_on (s, w, s->t, w->x);
 }
 
@@ -394,7 +386,7 @@ same_mass (gs_stepper *s, gs_momenta *w, const double *x)
 {
   int n = w->n;
   double e = 1e-5, t = s->t, bound = 0, gap = 0, *sum = w->f, *q = w->trial;
-  memset (sum, 0, sizeof (double) * n);
+  gs_zero (n, sum);
   for (int side = -1; side <= 1; side += 2)
     {
       double at = t + side * e;
@@ -445,7 +437,7 @@ forces_missed (gs_stepper *s, gs_momenta *w, double t, const double *x, const do
   if (constraints_at (s, w, t, x, w->phi, w->rows) != 0)
     return -1;
   factorize_rows (&w->gram, w->rows, w->masses);
-  memcpy (w->trial, miss, sizeof (double) * n);
+  gs_copy (n, miss, w->trial);
   forward (n, w->masses, w->trial);
   backward (n, w->masses, w->trial);
   for (int k = 0; k < m; k++)
@@ -500,7 +492,7 @@ gs_agree (gs_stepper *s, gs_momenta *w)
 {
   int n = w->n;
   double *x = w->x;
-  memcpy (x, s->x, sizeof (double) * 2 * n);
+  gs_copy (2 * n, s->x, x);
   for (int l = 0; l < n; l++)   /* some speeds of the usual sizes */
     x[n + l] = w->size[n + l] * (l % 2 ? -0.7 : 1) / (1 + 0.3 * l);
   return same_mass (s, w, x) && gs_rate (s, s->t, s->x, s->work) == 0
@@ -508,10 +500,10 @@ gs_agree (gs_stepper *s, gs_momenta *w)
          && same_forces (s, w, s->t, s->x, s->v, s->work) && same_elsewhere (s, w);
 }
 
-long
+int
 gs_momenta_turns (gs_momenta *w)
 {
-  long turns = w->turns;
+  int turns = w->turns;
   w->turns = 0;
   return turns;
 }

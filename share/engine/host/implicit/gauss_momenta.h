@@ -25,7 +25,7 @@ extern int gs_take_back (gs_stepper *s, gs_momenta *w);
 /* X: the state at the fraction AT of the last step, from START to Y */
 extern int gs_momenta_between (gs_stepper *s, gs_momenta *w, const double *start, longer at,
                                double *x);
-extern long gs_momenta_turns (gs_momenta *w);   /* then from zero */
+extern int gs_momenta_turns (gs_momenta *w);   /* then from zero */
 
 /* Has an iteration ended, after a turn that changed the states by CHANGE beside their sizes?  It
    ends where the changes are rounding and do not fall: at once where they are tiny, else (states

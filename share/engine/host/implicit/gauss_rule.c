@@ -159,7 +159,8 @@ gsmbp_gauss_values (const gauss_rule *w, longer at, longer *b)
 {
   longer c[GAUSS + 2] = { 0 };
   int n = w->stages + 2;
-  memcpy (c + 1, w->c, w->stages * sizeof (longer));
+  for (int j = 0; j < w->stages; j++)
+    c[j + 1] = w->c[j];
   c[n - 1] = 1;
   for (int j = 0; j < n; j++)
     {

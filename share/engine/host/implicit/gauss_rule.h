@@ -5,6 +5,14 @@
 enum { GAUSS = 4 };   /* the most stages */
 typedef long double longer;
 
+/* X: the number A; LOST: what its rounding takes away */
+static inline void
+gs_round_off (longer a, double *x, double *lost)
+{
+  *x = (double) a;
+  *lost = (double) (a - *x);
+}
+
 typedef struct
 {
   int stages;

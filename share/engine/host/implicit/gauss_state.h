@@ -23,6 +23,6 @@ struct gs_momenta
   gs_rows gram;                 /* rows M^-1 rows' at the start */
   double large;                 /* the largest momentum of usual speeds, at the start */
   int known, remembered;        /* is there a step before; how many sets of multipliers */
-  long turns;
+  int turns;
 };
 #endif

@@ -24,10 +24,10 @@ same_turned (gs_stepper *s, gs_momenta *w, double t, const double *x, const doub
 {
   int n = w->n, m = w->m;
   double *other = w->trial, *bias = w->pi, *rows = w->turned, far = 0, bound = 0;
-  memcpy (other, x, sizeof (double) * 2 * n);
+  gs_copy (2 * n, x, other);
   for (int l = 0; l < n; l++)
     {
-      other[l] += turn_ * turns[l];
+      other[l] = (double) (other[l] + turn_ * turns[l]);
       far = fmax (far, fabs (other[l]));
     }
   s->scene->bia (t, x, x + n, s->v, s->r->cst, w->bias);
@@ -54,7 +54,7 @@ find_turning (gs_stepper *s, gs_momenta *w)
   for (int l = 0; l < w->n; l++)
     {
       w->turning[l] = gs_inputs_of_time (s) && ! gs_acts (s);
-      memset (turns, 0, sizeof (double) * w->n);
+      gs_zero (w->n, turns);
       for (size_t k = 0; w->turning[l] && k < sizeof tried / sizeof tried[0]; k++)
         {
           turns[l] = tried[k];
@@ -71,10 +71,8 @@ take_turns (gs_stepper *s, gs_momenta *w, double *x)
     if (w->turning[l] && fabs (x[l]) > 0.51 * (double) turn_)
       {
         double turns = rint (x[l] / (double) turn_);
-        longer rest = x[l] + (w->lost_q[l] - turns * turn_);
         s->turns[l] += turns;
-        x[l] = rest;
-        w->lost_q[l] = rest - x[l];
+        gs_round_off (x[l] + (w->lost_q[l] - turns * turn_), &x[l], &w->lost_q[l]);
       }
 }
 
@@ -84,10 +82,9 @@ give_turns (gs_stepper *s, gs_momenta *w, double *x)
 {
   for (int l = 0; l < w->n; l++)
     {
-      longer whole = x[l] + (w->lost_q[l] + s->turns[l] * turn_);
-      x[l] = whole;
-      w->lost_q[l] = whole - x[l];
-      w->turning[l] = s->turns[l] = 0;
+      gs_round_off (x[l] + (w->lost_q[l] + s->turns[l] * turn_), &x[l], &w->lost_q[l]);
+      s->turns[l] = 0;
+      w->turning[l] = 0;
     }
 }
 #endif

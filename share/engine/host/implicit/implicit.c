@@ -13,10 +13,11 @@
  * the run */
 
 /* how many numbers the partition has */
-static size_t
+static ptrdiff_t
 partition_room (const gs_scene *s)
 {
-  return 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu;
+  const ptrdiff_t nu = s->nu;
+  return 24 + 8 * nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * nu;
 }
 
 static int
@@ -33,22 +34,22 @@ take_stops (gs_stepper *s)
   const gs_integration *r = s->r;
   s->nstops = r->nb + s->scene->nsw;
   if (r->nb > 0)
-    memcpy (s->stops, r->tbrk, sizeof (double) * r->nb);
+    gs_copy (r->nb, r->tbrk, s->stops);
   if (s->scene->nsw > 0)
     s->scene->swi (r->cst, s->stops + r->nb);
-  qsort (s->stops, s->nstops, sizeof (double), by_time);
+  qsort (s->stops, (size_t) s->nstops, sizeof (double), by_time);
 }
 
 static int
 allocate (gs_stepper *s)
 {
-  gs_integration *r = s->r;
-  size_t nx = r->nx, nv = s->scene->nv + 1, ny = s->scene->ny + 1, nq = s->scene->nq,
-         np = partition_room (s->scene), stops = r->nb + s->scene->nsw;
+  gs_run *r = s->r;
+  const ptrdiff_t nx = r->nx, nv = s->scene->nv + 1, ny = s->scene->ny + 1, nq = s->scene->nq,
+                  np = partition_room (s->scene), stops = r->nb + s->scene->nsw;
   int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (s);
-  s->x = calloc ((8 + GS_NODES) * nx + nq + 3 * nv + np + nx * nv + ny * nx + ny * nv + 2 * ne
+  s->x = gs_allocate ((8 + GS_NODES) * nx + nq + 3 * nv + np + nx * nv + ny * nx + ny * nv + 2 * ne
                    + stops, sizeof (double));
-  s->project = calloc (2 * n + 3 * ne, sizeof (int));
+  s->project = gs_allocate (2 * n + 3 * ne, sizeof (int));
   if (! s->x || ! s->project)
     return 0;
   s->trial = s->x + nx;
@@ -69,8 +70,8 @@ allocate (gs_stepper *s)
   s->watch = s->project + n;
   s->marks = s->watch + n;
   s->rising = s->marks + 2 * ne;
-  memcpy (s->project, r->iopt, n * sizeof (int));
-  memcpy (s->watch, r->iopt, n * sizeof (int));
+  for (int k = 0; k < n; k++)
+    s->project[k] = s->watch[k] = r->iopt[k];
   s->project[GS_LOOPS] = 2;
   s->project[GS_DRIFT] = 0;
   s->watch[GS_LOOPS] = s->watch[GS_DRIFT] = 1;
@@ -121,14 +122,14 @@ start (gs_stepper *s)
   if (s->o->resume)
     {
       s->t = r->rstat[GS_T_REACHED];
-      memcpy (s->x, r->xout + (size_t) r->ldx * r->istat[GS_N_OUTPUTS], sizeof (double) * r->nx);
+      gs_copy (r->nx, r->xout + (ptrdiff_t) r->ldx * r->istat[GS_N_OUTPUTS], s->x);
       r->istat[GS_N_JACOBIANS] = r->istat[GS_N_NEWTON] = r->istat[GS_N_DIVERGED] = 0;
       return;
     }
   s->t = r->t0;
-  memcpy (s->x, r->x0, sizeof (double) * r->nx);
+  gs_copy (r->nx, r->x0, s->x);
   memset (r->istat, 0, GS_COUNTED * sizeof (int));
-  memset (r->rstat, 0, GS_MEASURED * sizeof (double));
+  gs_zero (GS_MEASURED, r->rstat);
   r->rstat[GS_R_PIVOT] = 1;
   r->rstat[GS_H_LEAST] = r->tout[r->nt - 1] - r->t0;
   r->rstat[GS_T_REACHED] = r->t0;
@@ -140,11 +141,12 @@ singular_start (gs_stepper *s)
 {
   gs_integration *r = s->r;
   double hmax = r->tout[r->nt - 1] - s->t;
-  size_t room = r->nx + 2 * (size_t) s->scene->nq + (size_t) s->scene->nlam * (s->scene->nu + 1);
+  const ptrdiff_t nlam = s->scene->nlam,
+                  room = r->nx + 2 * s->scene->nq + nlam * (s->scene->nu + 1);
   int state = 0, info = 0;
   if (s->scene->nlam == 0 || r->iopt[GS_WATCH] != 1 || r->iopt[GS_LOOPS] == 1 || s->o->resume)
     return GS_DONE;
-  double *f = calloc (room, sizeof (double));
+  double *f = gs_allocate (room, sizeof (double));
   if (! f)
     return GS_OUT_OF_MEMORY;
   double *xt = f + r->nx, *xw = xt + s->scene->nq, *siz = xw + s->scene->nq,
@@ -204,7 +206,7 @@ gs_turn_on (const gs_stepper *s, double *x)
 {
   for (int l = 0; l < s->scene->nq; l++)
     if (s->turns[l] != 0)
-      x[l] += 2 * 3.14159265358979323846264338327950288L * s->turns[l];
+      x[l] = (double) (x[l] + 2 * 3.14159265358979323846264338327950288L * s->turns[l]);
 }
 
 /* the state X at the output time T: a column of the result */
@@ -213,13 +215,13 @@ put_out (gs_stepper *s, double t, const double *x)
 {
   gs_integration *r = s->r;
   int k = r->istat[GS_N_OUTPUTS];
-  double *column = r->xout + (size_t) r->ldx * k;
-  memcpy (column, x, sizeof (double) * r->nx);
+  double *column = r->xout + (ptrdiff_t) r->ldx * k;
+  gs_copy (r->nx, x, column);
   if (gs_projects (s) && gs_check (s, s->project, t, column, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
   if (gs_take_inputs (s, t, gs_side_at (s, t), column, s->v) != 0)
     return GS_ROUTINE_FAILED;
-  memcpy (r->vout + (size_t) r->ldv * k, s->v, sizeof (double) * s->scene->nv);
+  gs_copy (s->scene->nv, s->v, r->vout + (ptrdiff_t) r->ldv * k);
   gs_turn_on (s, column);
   r->istat[GS_N_OUTPUTS] = k + 1;
   return GS_DONE;
@@ -268,10 +270,10 @@ accept (gs_stepper *s, int event)
   s->still = s->h <= 16 * DBL_EPSILON * fabs (s->t) ? s->still + 1 : 0;
   if (s->still >= 20)   /* a method might go on for ever */
     return GS_TOO_SMALL;
-  memcpy (s->x, s->y, sizeof (double) * r->nx);
+  gs_copy (r->nx, s->y, s->x);
   if (! event && s->by->moves)
     gs_onto_held (s, s->t, s->x);
-  memcpy (s->trial, s->x, sizeof (double) * r->nx);
+  gs_copy (r->nx, s->x, s->trial);
   if (s->scene->nlam > 0 && (r->iopt[GS_DRIFT] == 1 || s->p[0] > 0)
       && gs_check (s, s->watch, s->t, s->trial, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
@@ -459,10 +461,10 @@ gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o,
       if (info != GS_DONE
           && r->istat[GS_N_OUTPUTS] < r->nt) /* the last state, as by gs_integrate */
         {
-          size_t k = r->istat[GS_N_OUTPUTS];
+          const ptrdiff_t k = r->istat[GS_N_OUTPUTS];
           gs_turn_on (&s, s.x);
-          memcpy (r->xout + r->ldx * k, s.x, sizeof (double) * r->nx);
-          memcpy (r->vout + r->ldv * k, s.v, sizeof (double) * scene->nv);
+          gs_copy (r->nx, s.x, r->xout + r->ldx * k);
+          gs_copy (scene->nv, s.v, r->vout + r->ldv * k);
         }
     }
   release (&s);

@@ -22,7 +22,7 @@ typedef struct
   int followed;       /* how many states of devices the inputs of a planned motion follow */
   const int *follows; /* followed: which ones, from 1 on */
   char *text;         /* what the method said when it failed, or a null pointer; */
-  int length;         /* ... room in it */
+  size_t length;      /* ... room in it */
 } gs_implicit;
 
 typedef int gs_implicit_method (const gs_scene *scene, gs_integration *run,

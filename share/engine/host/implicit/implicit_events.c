@@ -3,7 +3,6 @@
    is as accurate as its steps).  Behind one that changes nothing, which is only told, the step
    stands as it was. */
 #include <math.h>
-#include <string.h>
 #include "implicit_look.h"
 
 int
@@ -114,7 +113,7 @@ act (gs_stepper *s, const place *p)
     if (gs_is_own (&e, i))
       e.mark[i] |= e.marks[i];
   if (! s->by->dense)
-    memcpy (s->event, s->y, sizeof (double) * s->r->nx);
+    gs_copy (s->r->nx, s->y, s->event);
   else if (gs_projects (s) && gs_check (s, s->project, p->t, s->event, gs_no_jump) != 0)
     return GS_ROUTINE_FAILED;
   int info = gs_put_out (s, nextafter (p->t, -HUGE_VAL));
@@ -135,7 +134,7 @@ as_it_was (gs_stepper *s, place *p)
 static int
 go_on (gs_stepper *s, place *p)
 {
-  memcpy (s->known, s->event, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->event, s->known);
   p->begin = p->t;
   return as_it_was (s, p);
 }
@@ -302,7 +301,7 @@ static void
 on_from_told (gs_stepper *s, const place *p, int *event, int *flag)
 {
   gs_recall (s);
-  memcpy (s->event, s->known, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->known, s->event);
   s->t = p->begin;
   s->y = s->event;
   *event = 1;
@@ -319,7 +318,7 @@ gs_events_in_step (gs_stepper *s, double from, int *event, int *flag)
   for (int i = 0; i < e.ne; i++)
     e.fresh[i] = e.fresh[i] >= 2 ? 3 - e.fresh[i] : e.fresh[i];
   *event = *flag = 0;
-  memcpy (s->known, s->x, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->x, s->known);
   while ((info = next_event (s, &p, &found, flag)) == 0)
     {
       if (p.begin > from && (*flag < 0 || p.end < p.begin))
@@ -337,7 +336,7 @@ gs_events_in_step (gs_stepper *s, double from, int *event, int *flag)
       *event = changed (s, so_far);
       if (! *event && (*flag = go_on (s, &p)) < 0)   /* on from the event, too */
         {
-          memcpy (s->event, s->known, sizeof (double) * s->r->nx);
+          gs_copy (s->r->nx, s->known, s->event);
           *event = 1;
         }
       if (*event || p.end <= p.t)

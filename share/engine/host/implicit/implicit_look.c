@@ -2,7 +2,6 @@
    gs_first_event; then by the step made again. */
 #include <float.h>
 #include <math.h>
-#include <string.h>
 #include "implicit_look.h"
 
 enum { TURNS = 12 };
@@ -13,7 +12,7 @@ state_at (gs_stepper *s, double t, double *x)
 {
   if (t < s->t)
     return s->by->between (s, t, x);
-  memcpy (x, s->y, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->y, x);
   return 0;
 }
 
@@ -82,20 +81,26 @@ static void
 remember (gs_stepper *s)
 {
   gs_events e = gs_events_planned (s);
-  memcpy (s->marks, e.mark, e.ne * sizeof (int));
-  memcpy (s->marks + e.ne, e.fresh, e.ne * sizeof (int));
-  memcpy (s->levels, e.g, e.ne * sizeof (double));
-  memcpy (s->levels + e.ne, e.level, e.ne * sizeof (double));
+  for (int i = 0; i < e.ne; i++)
+    {
+      s->marks[i] = e.mark[i];
+      s->marks[e.ne + i] = e.fresh[i];
+    }
+  gs_copy (e.ne, e.g, s->levels);
+  gs_copy (e.ne, e.level, s->levels + e.ne);
 }
 
 void
 gs_recall (gs_stepper *s)
 {
   gs_events e = gs_events_planned (s);
-  memcpy (e.mark, s->marks, e.ne * sizeof (int));
-  memcpy (e.fresh, s->marks + e.ne, e.ne * sizeof (int));
-  memcpy (e.g, s->levels, e.ne * sizeof (double));
-  memcpy (e.level, s->levels + e.ne, e.ne * sizeof (double));
+  for (int i = 0; i < e.ne; i++)
+    {
+      e.mark[i] = s->marks[i];
+      e.fresh[i] = s->marks[e.ne + i];
+    }
+  gs_copy (e.ne, s->levels, e.g);
+  gs_copy (e.ne, s->levels + e.ne, e.level);
 }
 
 int
@@ -161,7 +166,7 @@ search (gs_stepper *s, double from, double *to, int *found)
   gs_integration *r = s->r;
   gs_step e = { .t = from, .h = *to - from, .tn = *to, .side = gs_side_at (s, *to),
                 .x = s->known, .xn = s->event, .f = s->nodes };
-  memcpy (s->event, s->nodes + (size_t) r->nx * (GS_NODES - 1), sizeof (double) * r->nx);
+  gs_copy (r->nx, s->nodes + (size_t) r->nx * (GS_NODES - 1), s->event);
   int info = gs_first_event (&s->g, &e, found);
   if (info == 0 && *found > 0)
     *to = e.tn;

@@ -2,7 +2,6 @@
    constraints; the run time does it. */
 #include <float.h>
 #include <math.h>
-#include <string.h>
 #include "gsmbp/inputs.h"
 #include "gsmbp/loops.h"
 #include "implicit_parts.h"
@@ -75,7 +74,7 @@ rate (gs_stepper *s, double t, const double *x, int *ip, double *v, double *xd)
   g.v = v;
   if (side < 0)
     t = s->stop;
-  memcpy (s->trial, x, sizeof (double) * r->nx);   /* gs_rates_at may complete it */
+  gs_copy (r->nx, x, s->trial);   /* gs_rates_at may complete it */
   int info = gs_rates_at (&g, t, side, s->trial, xd);
   return info != 0 ? outcome (info) : ! gs_all_finite (r->nx, xd);
 }
@@ -136,7 +135,7 @@ add_slope (gs_stepper *s, double t, double *x, int j, double *A)
     {
       double slope = (s->dv[k] - s->v[k]) / h;
       for (int i = 0; slope != 0 && i < n; i++)
-        A[i + (size_t) n * j] += s->b[i + (size_t) n * k] * slope;
+        A[i + (ptrdiff_t) n * j] += s->b[i + (ptrdiff_t) n * k] * slope;
     }
   return outcome (info);
 }
@@ -162,14 +161,14 @@ differences (gs_stepper *s, double t, const double *x, double *A)
   double *f = s->work, *g = s->work + s->r->nx, *beside = s->work + 2 * s->r->nx;
   if ((info = gs_rate (s, t, x, f)) != 0)
     return info;
-  memcpy (beside, x, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, x, beside);
   for (int j = 0; j < n; j++)
     {
       beside[j] = x[j] + sqrt (DBL_EPSILON * fmax (1e-5, fabs (x[j])));
       if ((info = gs_rate (s, t, beside, g)) != 0)
         return info;
       for (int i = 0; i < n; i++)
-        A[i + (size_t) n * j] = (g[i] - f[i]) / (beside[j] - x[j]);
+        A[i + (ptrdiff_t) n * j] = (g[i] - f[i]) / (beside[j] - x[j]);
       beside[j] = x[j];
     }
   return 0;
@@ -182,7 +181,7 @@ emitted (gs_stepper *s, double t, const double *x, double *A)
   gs_integration *r = s->r;
   int side = gs_side_at (s, t), ldy = s->scene->ny > 0 ? s->scene->ny : 1, info = 0;
   int n = gs_own_states (s);
-  memcpy (s->trial, x, sizeof (double) * r->nx);
+  gs_copy (r->nx, x, s->trial);
   if ((r->ip[GS_V0] != 0 || r->ip[GS_FEEDBACK] != 0)
       && (info = gs_take_inputs (s, t, side, s->trial, s->v)) != 0)
     return outcome (info);
@@ -222,7 +221,7 @@ int
 gs_completed (gs_stepper *s, double t, const double *x, double *completed)
 {
   int info = gs_rate (s, t, x, s->work);
-  memcpy (completed, s->trial, sizeof (double) * s->r->nx);
+  gs_copy (s->r->nx, s->trial, completed);
   return info;
 }
 
@@ -234,7 +233,7 @@ gs_moved (gs_stepper *s, double t, const double *x, double *moved)
   double jump[3];
   gs_largest_move (s->scene->nq, s->scene->nu, s->x, x, r->ropt[1], r->atol, jump);
   jump[2] = 0;
-  memcpy (moved, x, sizeof (double) * r->nx);
+  gs_copy (r->nx, x, moved);
   return outcome (gs_check (s, s->project, t, moved, jump));
 }
 

@@ -3,7 +3,9 @@
 #ifndef GS_HOST_IMPLICIT_RUN_H
 #define GS_HOST_IMPLICIT_RUN_H
 #include <stddef.h>
+#include "gsmbp/arith.h"
 #include "host/implicit/implicit.h"
+#include "allocate.h"
 
 typedef struct gs_stepper gs_stepper;
 
@@ -21,7 +23,7 @@ typedef struct
   int (*step) (gs_stepper *);              /* to STOP at most: T, Y, H, NEXT */
   int (*again) (gs_stepper *);             /* instead of the last step one from T to STOP at most */
   int (*between) (gs_stepper *, double t, double *x);   /* the state within the last step */
-  long (*rejected) (gs_stepper *);         /* steps that failed the test of their error */
+  int (*rejected) (gs_stepper *);         /* steps that failed the test of their error */
   void (*count) (gs_stepper *);            /* its statistics into ISTAT, then from zero */
   int dense;                           /* is the state within a step as accurate as its end? */
   int moves;                           /* is X moved behind steps to where ports are held? */

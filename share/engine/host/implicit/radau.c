@@ -10,7 +10,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "implicit_run.h"
 #include "gsmbp/inputs.h"
 #include "radau_index2.h"
@@ -37,9 +36,9 @@ typedef struct
   int fresh, stale;                                 /* Jacobian: of this state; to be taken anew */
   int first, after_rejection, quiet;                /* QUIET: steps without a change of order */
   int wait;                                         /* ... after the next fall behind a rise */
-  long risen;                                       /* steps since the order rose */
+  int risen;                                        /* steps since the order rose */
   double past_h, wish, old_h, old_error;
-  long tests, jacobians, newton, diverged, projections;   /* rejected steps by cause, work */
+  int tests, jacobians, newton, diverged, projections;   /* rejected steps by cause, work */
 } radau;
 
 /* ------------------------------------------------------------
@@ -111,7 +110,7 @@ take_jacobian (gs_stepper *s)
 static int
 factors (radau *w, double h, int k)
 {
-  size_t n = w->own;
+  const ptrdiff_t n = w->own;
   return k == 0 ? gsmbp_real_factors (&w->order, w->rule->root / h, w->ordered, w->lu, w->pivots)
                 : gsmbp_complex_factors (&w->order, w->rule->roots[k - 1] / h, w->ordered,
                                          w->lus + n * n * (k - 1), w->pivots + n * k);
@@ -158,7 +157,7 @@ solve_real (const radau *w, double *x)
 static void
 solve_pair (const radau *w, int k, double complex *x)
 {
-  size_t n = w->own;
+  const ptrdiff_t n = w->own;
   for (int i = 0; i < w->n; i += w->own)
     gsmbp_complex_solve (&w->order, w->lus + n * n * k, w->pivots + n * (k + 1), x + i,
                          w->ordered_y);
@@ -188,7 +187,7 @@ add_past (const radau *w, double at, double *x)
 static void
 predict (radau *w, double h)
 {
-  memset (w->z, 0, sizeof (double) * w->n * w->stages);
+  gs_zero (w->n * w->stages, w->z);
   for (int i = 0; w->past_stages > 0 && i < w->stages; i++)
     add_past (w, 1 + w->rule->c[i + 1] * h / w->past_h, w->z + w->n * i);
 }
@@ -201,7 +200,7 @@ stage_inputs (gs_stepper *s, double h)
   int info = 0;
   for (int i = 0; info == 0 && s->scene->nv > 0 && i < w->stages; i++)
     {
-      memcpy (w->v + s->scene->nv * i, s->v, sizeof (double) * s->scene->nv);
+      gs_copy (s->scene->nv, s->v, w->v + s->scene->nv * i);
       if (s->r->ip[GS_V0] != 0)
         info = gs_inputs (s, s->t + w->rule->c[i + 1] * h, w->v + s->scene->nv * i);
     }
@@ -248,25 +247,26 @@ static void
 correct (radau *w)
 {
   const radau_rule *rule = w->rule;
-  size_t n = w->n;
+  const int n = w->n;
   double *y0 = w->error;
-  memset (y0, 0, sizeof (double) * n);
+  gs_zero (n, y0);
   for (int i = 0; i < w->stages; i++)
-    for (size_t l = 0; l < n; l++)
+    for (int l = 0; l < n; l++)
       y0[l] += rule->left[i] * w->g[l + n * i];
   solve_real (w, y0);
   for (int i = 0; i < w->stages; i++)
-    for (size_t l = 0; l < n; l++)
+    for (int l = 0; l < n; l++)
       w->dz[l + n * i] = rule->right[i] * y0[l];
   for (int k = 0; k < rule->pairs; k++)
     {
-      memset (w->y, 0, sizeof (double complex) * n);
+      for (int l = 0; l < n; l++)
+        w->y[l] = 0;
       for (int i = 0; i < w->stages; i++)
-        for (size_t l = 0; l < n; l++)
+        for (int l = 0; l < n; l++)
           w->y[l] += rule->lefts[k][i] * w->g[l + n * i];
       solve_pair (w, k, w->y);
       for (int i = 0; i < w->stages; i++)
-        for (size_t l = 0; l < n; l++)
+        for (int l = 0; l < n; l++)
           w->dz[l + n * i] += 2 * creal (rule->rights[k][i] * w->y[l]);
     }
 }
@@ -482,10 +482,10 @@ settle (gs_stepper *s, double h, double t)
   gs_factors by = { .shift = w->rule->root / h, .solve = solve_own, .of = w };
   if (! w->settles || gs_completes (s))
     return -1;
-  memcpy (end, w->x1, sizeof (double) * w->n);
+  gs_copy (w->n, w->x1, end);
   int left = gs_settle (s, w->loops, &by, w->scale, t, end);
   if (left >= 0)
-    memcpy (w->x1, end, sizeof (double) * w->n);
+    gs_copy (w->n, end, w->x1);
   return left;
 }
 
@@ -500,7 +500,7 @@ end_of_step (gs_stepper *s, double h, double to)
   if (! gs_projects (s) || settle (s, h, t) == 0)
     return 0;
   int info = gs_moved (s, t, w->x1, end);
-  memcpy (w->x1, end, sizeof (double) * w->n);
+  gs_copy (w->n, end, w->x1);
   return info;
 }
 
@@ -565,17 +565,17 @@ again_ (gs_stepper *s)
 static int
 open_ (gs_stepper *s)
 {
-  size_t n = s->r->nx, own = gs_own_states (s), m = n * STAGES;
-  radau *w = s->memory = calloc (1, sizeof (radau));
+  const ptrdiff_t n = s->r->nx, own = gs_own_states (s), m = n * STAGES;
+  radau *w = s->memory = gs_allocate (1, sizeof (radau));
   if (! w)
     return 0;
-  w->n = n;
-  w->own = own;
-  w->J = calloc (3 * own * own + own + 4 * m + 4 * n + STAGES * (size_t) s->scene->nv,
+  w->n = s->r->nx;
+  w->own = gs_own_states (s);
+  w->J = gs_allocate (3 * own * own + own + 4 * m + 4 * n + STAGES * (ptrdiff_t) s->scene->nv,
                  sizeof (double));
-  w->lus = calloc (PAIRS * own * own + n + own, sizeof (double complex));
-  w->pivots = calloc (own * (PAIRS + 1), sizeof (int));
-  if (! w->J || ! w->lus || ! w->pivots || ! gsmbp_new_order (&w->order, own))
+  w->lus = gs_allocate (PAIRS * own * own + n + own, sizeof (double complex));
+  w->pivots = gs_allocate (own * (PAIRS + 1), sizeof (int));
+  if (! w->J || ! w->lus || ! w->pivots || ! gsmbp_new_order (&w->order, w->own))
     return 0;
   int failed;
   w->loops = gs_new_loops (s, &failed);
@@ -657,12 +657,12 @@ static int
 between (gs_stepper *s, double t, double *x)
 {
   const radau *w = s->memory;
-  memcpy (x, s->y, sizeof (double) * w->n);
+  gs_copy (w->n, s->y, x);
   add_past (w, 1 + (t - s->t) / w->past_h, x);
   return 0;
 }
 
-static long
+static int
 rejected (gs_stepper *s)
 {
   return ((radau *) s->memory)->tests;

@@ -18,7 +18,6 @@
      w = u + SLOPE q,   SLOPE = W DV,
 
    do not go across: the states and no multipliers are in the linear systems. */
-#include <stdlib.h>
 #include "radau_index2.h"
 
 /* the constraints at a stage */
@@ -54,11 +53,11 @@ place_stages (gs_index2 *w, int n, int m, double *room)
 gs_index2 *
 gs_new_index2 (gs_loops *loops)
 {
-  size_t n = loops->n, m = loops->m, nq = loops->nq;
-  gs_index2 *w = calloc (1, sizeof (gs_index2));
-  int *orders = calloc (STAGES * m, sizeof (int));
-  size_t stage = n * n + n * m + m + rows_room (n, m);
-  double *next = calloc (n * nq + 2 * m * nq + m + n + STAGES * stage, sizeof (double));
+  const ptrdiff_t n = loops->n, m = loops->m, nq = loops->nq;
+  gs_index2 *w = gs_allocate (1, sizeof (gs_index2));
+  int *orders = gs_allocate (STAGES * m, sizeof (int));
+  const ptrdiff_t stage = n * n + n * m + m + rows_room (n, m);
+  double *next = gs_allocate (n * nq + 2 * m * nq + m + n + STAGES * stage, sizeof (double));
   if (! w || ! orders || ! next)
     return free (next), free (orders), free (w), NULL;
   w->loops = loops;
@@ -68,7 +67,7 @@ gs_new_index2 (gs_loops *loops)
   w->DV = w->DP + m * nq;
   w->part = w->DV + m * nq;
   w->speeds = w->part + m;
-  place_stages (w, n, m, w->speeds + n);
+  place_stages (w, loops->n, loops->m, w->speeds + n);
   return w;
 }
 
@@ -88,7 +87,7 @@ take_away (gs_index2 *w, gs_rows *gram, const double *mass, double *v)
 {
   int n = gram->n;
   double *d = w->speeds;
-  memset (d, 0, sizeof (double) * n);
+  gs_zero (n, d);
   solve_rows (gram, w->part);
   for (int k = 0; k < gram->m; k++)
     for (int j = 0; j < n; j++)
@@ -125,7 +124,7 @@ take_slope (gs_stepper *s, gs_index2 *w)
   gs_loops *l = w->loops;
   int n = l->n, m = l->m;
   s->scene->tan (s->t, s->x, s->r->cst, w->DP, m, w->DV, m);
-  memset (l->slope, 0, sizeof (double) * n * l->nq);
+  gs_zero (n * l->nq, l->slope);
   for (int j = 0; j < l->nq; j++)
     {
       for (int k = 0; k < m; k++)
@@ -137,15 +136,15 @@ take_slope (gs_stepper *s, gs_index2 *w)
 void
 gs_index2_jacobian (gs_stepper *s, gs_index2 *w, double *J)
 {
-  size_t n = w->loops->n, nq = w->loops->nq, own = w->loops->own;
+  const ptrdiff_t n = w->loops->n, nq = w->loops->nq, own = w->loops->own;
   take_slope (s, w);
-  for (size_t j = 0; j < own; j++)
+  for (ptrdiff_t j = 0; j < own; j++)
     gs_index2_along (w, J + own * j);
-  for (size_t j = 0; j < nq; j++)
-    for (size_t i = 0; i < n; i++)
+  for (ptrdiff_t j = 0; j < nq; j++)
+    for (ptrdiff_t i = 0; i < n; i++)
       {
         double factor = w->loops->slope[i + n * j];
-        for (size_t l = 0; factor != 0 && l < own; l++)
+        for (ptrdiff_t l = 0; factor != 0 && l < own; l++)
           J[l + own * j] -= factor * J[l + own * (nq + i)];
       }
 }
@@ -167,7 +166,7 @@ gs_index2_stage (gs_stepper *s, gs_index2 *w, int i, double t, const double *x)
   if (gs_constraints (s, l, t, x, at->rows) != 0)
     return -1;
   gs_rates_missed (l, at->rows, x);
-  memcpy (at->missed, l->gap, sizeof (double) * l->m);
+  gs_copy (l->m, l->gap, at->missed);
   s->scene->mas (t, x, s->r->cst, at->mass, l->n);
   return ! cholesky (l->n, at->mass)
          || ! factorize_like (&at->gram, &l->gram, at->rows, at->mass);
@@ -179,7 +178,7 @@ gs_index2_defects (gs_index2 *w, const radau_rule *rule, double h, double *g, in
   for (int i = 0; i < rule->stages; i++)
     {
       gs_stage *at = &w->at[i];
-      double *u = g + (size_t) n * i + w->loops->nq;
+      double *u = g + (ptrdiff_t) n * i + w->loops->nq;
       look_across (w, at->rows, u);
       for (int j = 0; j < rule->stages; j++)
         for (int k = 0; k < w->loops->m; k++)

@@ -1,23 +1,24 @@
 /* The order of elimination of radau_solve.h: pivots on the diagonal, each time the one whose row
    and column are shortest (Markowitz), as long as lists cost less than what is left as a dense
    matrix. */
-#include <stdlib.h>
 #include <string.h>
 #include "radau_solve.h"
+#include "allocate.h"
 
 int
 gsmbp_new_order (radau_order *o, int n)
 {
   memset (o, 0, sizeof *o);
   o->n = n;
-  o->order = calloc (3 * n + 2 + 2 * (size_t) n * n, sizeof (int));
-  o->places = calloc ((size_t) n * n + 1, 1);
+  const ptrdiff_t places = (ptrdiff_t) n * n;
+  o->order = gs_allocate (3 * n + 2 + 2 * places, sizeof (int));
+  o->places = gs_allocate (places + 1, 1);
   if (! o->order || ! o->places)
     return 0;
   o->row_from = o->order + n;
   o->column_from = o->row_from + n + 1;
   o->rows = o->column_from + n + 1;
-  o->columns = o->rows + (size_t) n * n;
+  o->columns = o->rows + places;
   for (int i = 0; i < n; i++)
     o->order[i] = i;
   return 1;
@@ -84,7 +85,7 @@ eliminate (radau_order *o, char *fill, int k)
 static void
 as_places (radau_order *o)
 {
-  int *place = calloc (o->n + 1, sizeof (int));
+  int *place = gs_allocate (o->n + 1, sizeof (int));
   if (! place)
     {
       o->sparse = 0;
@@ -103,13 +104,15 @@ static void
 make (radau_order *o)
 {
   int n = o->n, best;
-  char *fill = o->plain ? NULL : malloc ((size_t) n * n + 1);
+  const ptrdiff_t places = (ptrdiff_t) n * n;
+  char *fill = o->plain ? NULL : gs_allocate (places + 1, 1);
   for (int i = 0; i < n; i++)
     o->order[i] = i;
   o->sparse = 0;
   if (! fill)
     return;
-  memcpy (fill, o->places, (size_t) n * n);
+  for (ptrdiff_t k = 0; k < places; k++)
+    fill[k] = o->places[k];
   while (o->sparse < n && (best = next (o, fill, o->sparse)) >= 0)
     {
       int p = o->order[best];
@@ -125,14 +128,17 @@ void
 gsmbp_take_order (radau_order *o, const double *J, double *ordered)
 {
   int n = o->n, other = o->plain == 1;
-  for (size_t k = 0; k < (size_t) n * n; k++)
+  for (ptrdiff_t k = 0; k < (ptrdiff_t) n * n; k++)
     if (J[k] != 0 && ! o->places[k])
-      o->places[k] = other = 1;
+      {
+        o->places[k] = 1;
+        other = 1;
+      }
   if (other)
     make (o);
   if (o->plain)
     o->plain = 2;   /* it is in the order already */
   for (int j = 0; j < n; j++)
     for (int i = 0; i < n; i++)
-      ordered[i + (size_t) n * j] = J[o->order[i] + (size_t) n * o->order[j]];
+      ordered[i + (ptrdiff_t) n * j] = J[o->order[i] + (ptrdiff_t) n * o->order[j]];
 }

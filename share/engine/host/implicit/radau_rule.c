@@ -149,13 +149,19 @@ split (int n, real inverse[STAGES][STAGES], radau_rule *rule)
       for (int i = 0; i < n; i++)
         product += w[i] * v[i];
       for (int i = 0; i < n && k == 0; i++)
-        rule->right[i] = creall (v[i]), rule->left[i] = creall (w[i] / product);
+        {
+          rule->right[i] = (double) creall (v[i]);
+          rule->left[i] = (double) creall (w[i] / product);
+        }
       for (int i = 0; i < n && k > 0; i++)
-        rule->rights[k - 1][i] = v[i], rule->lefts[k - 1][i] = w[i] / product;
+        {
+          rule->rights[k - 1][i] = (double complex) v[i];
+          rule->lefts[k - 1][i] = (double complex) (w[i] / product);
+        }
       if (k == 0)
-        rule->root = creall (root);
+        rule->root = (double) creall (root);
       else
-        rule->roots[k - 1] = root;
+        rule->roots[k - 1] = (double complex) root;
     }
 }
 
@@ -178,7 +184,7 @@ estimate (int n, const real *c, real a[STAGES][STAGES], real inverse[STAGES][STA
       real sum = 0;
       for (int i = 0; i < n; i++)
         sum += (creall (b[i]) - a[n - 1][i]) * inverse[i][j];
-      rule->estimate[j] = sum;
+      rule->estimate[j] = (double) sum;
     }
 }
 
@@ -192,7 +198,10 @@ compute (int n, radau_rule *rule)
   places (n, c);
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++)
-      rule->a[i][j] = a[i][j] = area (n, c, j, c[i]);
+      {
+        a[i][j] = area (n, c, j, c[i]);
+        rule->a[i][j] = (double) a[i][j];
+      }
   for (int j = 0; j < n; j++)
     {
       number m[STAGES][STAGES], b[STAGES] = { 0 };
@@ -202,8 +211,11 @@ compute (int n, radau_rule *rule)
       b[j] = 1;
       solve (n, m, b);
       for (int i = 0; i < n; i++)
-        rule->inverse[i][j] = inverse[i][j] = creall (b[i]);
-      rule->c[j + 1] = c[j];
+        {
+          inverse[i][j] = creall (b[i]);
+          rule->inverse[i][j] = (double) inverse[i][j];
+        }
+      rule->c[j + 1] = (double) c[j];
     }
   split (n, inverse, rule);
   estimate (n, c, a, inverse, rule);

@@ -1,6 +1,5 @@
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 #include "radau_solve.h"
 
 /* Both kinds of number by one text: columns are eliminated by those to their left as a whole. */
@@ -89,19 +88,21 @@
     int info = ALONG_LISTS (o, J, shift, lu);                                                      \
     if (info == SMALL_PIVOT)                                                                       \
       o->plain = 1;                                                                                \
-    return info != 0 ? info : OF_DENSE (n - m, n, lu + m + n * m, pivot);                          \
+    if (info != 0)                                                                                 \
+      return info;                                                                                 \
+    return OF_DENSE (o->n - o->sparse, o->n, lu + m + n * m, pivot);                               \
   }
 
 #define SOLVE(NAME, NUMBER, OF_DENSE)                                                              \
   void NAME (const radau_order *o, const NUMBER *lu, const int *pivot, NUMBER *x, NUMBER *work)    \
   {                                                                                                \
-    ptrdiff_t n = o->n, m = o->sparse, d = n - m;                                                  \
+    ptrdiff_t n = o->n, m = o->sparse;                                                             \
     for (ptrdiff_t k = 0; k < n; k++)                                                              \
       work[k] = x[o->order[k]];                                                                    \
     for (ptrdiff_t k = 0; k < m; k++)                                                              \
       for (int i = o->row_from[k]; i < o->row_from[k + 1]; i++)                                    \
         work[o->rows[i]] -= lu[o->rows[i] + n * k] * work[k];                                      \
-    OF_DENSE (d, n, lu + m + n * m, pivot, work + m);                                              \
+    OF_DENSE (o->n - o->sparse, o->n, lu + m + n * m, pivot, work + m);                            \
     for (ptrdiff_t k = m - 1; k >= 0; k--)                                                         \
       {                                                                                            \
         for (int j = o->column_from[k]; j < o->column_from[k + 1]; j++)                            \

@@ -7,6 +7,7 @@
 #ifndef GSMBP_RADAU_SOLVE_H
 #define GSMBP_RADAU_SOLVE_H
 #include <complex.h>
+#include <stddef.h>
 
 typedef struct
 {

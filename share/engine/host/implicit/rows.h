@@ -3,7 +3,7 @@
 #ifndef GS_HOST_ROWS_H
 #define GS_HOST_ROWS_H
 #include <math.h>
-#include <string.h>
+#include <stddef.h>
 
 typedef struct
 {
@@ -15,8 +15,8 @@ typedef struct
 } gs_rows;
 
 /* how many numbers it needs, and their places in ROOM */
-static inline size_t
-rows_room (size_t n, size_t m)
+static inline ptrdiff_t
+rows_room (ptrdiff_t n, ptrdiff_t m)
 {
   return m * m + n * m + 3 * m;
 }
@@ -28,8 +28,8 @@ place_rows (gs_rows *w, int n, int m, int *order, double *room)
   w->m = m;
   w->order = order;
   w->S = room;
-  w->solved = w->S + (size_t) m * m;
-  w->scale = w->solved + (size_t) n * m;
+  w->solved = w->S + (ptrdiff_t) m * m;
+  w->scale = w->solved + (ptrdiff_t) n * m;
   w->side = w->scale + m;
   w->most = w->side + m;
 }
@@ -166,7 +166,8 @@ factorize_rows (gs_rows *w, const double *rows, const double *mass)
 static inline int
 factorize_like (gs_rows *w, const gs_rows *like, const double *rows, const double *mass)
 {
-  memcpy (w->order, like->order, sizeof (int) * w->m);
+  for (int k = 0; k < w->m; k++)
+    w->order[k] = like->order[k];
   gram (w, rows, mass);
   for (w->rank = 0; w->rank < like->rank; w->rank++)
     {
@@ -196,7 +197,8 @@ solve_rows (gs_rows *w, double *x)
         y[i] -= w->S[j + m * i] * y[j];
       y[i] /= w->S[i + m * i];
     }
-  memset (x, 0, sizeof (double) * m);
+  for (int i = 0; i < m; i++)
+    x[i] = 0;
   for (int i = 0; i < r; i++)
     x[w->order[i]] = y[i];
 }

@@ -9,7 +9,6 @@
 
    whose springs hold: positions by the coordinates of D, speeds by its speeds over SHIFT. */
 #include <float.h>
-#include <stdlib.h>
 #include "settle.h"
 
 enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
@@ -17,22 +16,22 @@ enum { TURNS = 5, FAR = 100 };   /* at most; in tolerances */
 gs_loops *
 gs_new_loops (const gs_stepper *s, int *failed)
 {
-  size_t n = s->scene->nu, m = s->scene->nlam, own = gs_own_states (s);
+  const ptrdiff_t n = s->scene->nu, m = s->scene->nlam, own = gs_own_states (s);
   *failed = 0;
   if (m == 0 || ! s->scene->mas || ! s->scene->con)
     return NULL;
   *failed = 1;
-  gs_loops *w = calloc (1, sizeof (gs_loops));
-  int *order = calloc (2 * m, sizeof (int));
-  double *next = calloc (n * n + 2 * n * m + own * m + m * m + 4 * m + rows_room (n, m),
+  gs_loops *w = gs_allocate (1, sizeof (gs_loops));
+  int *order = gs_allocate (2 * m, sizeof (int));
+  double *next = gs_allocate (n * n + 2 * n * m + own * m + m * m + 4 * m + rows_room (n, m),
                          sizeof (double));
   if (! w || ! order || ! next)
     return free (order), free (next), free (w), NULL;
   *failed = 0;
-  w->n = n;
-  w->m = m;
+  w->n = s->scene->nu;
+  w->m = s->scene->nlam;
   w->nq = s->scene->nq;
-  w->own = own;
+  w->own = gs_own_states (s);
   w->pivots = order + m;
   w->numbers = w->mass = next;
   w->rows = w->mass + n * n;
@@ -43,7 +42,7 @@ gs_new_loops (const gs_stepper *s, int *failed)
   w->phit = w->gap + m;
   w->gamma = w->phit + m;
   w->side = w->gamma + m;
-  place_rows (&w->gram, n, m, order, w->side + m);
+  place_rows (&w->gram, w->n, w->m, order, w->side + m);
   return w;
 }
 
@@ -67,7 +66,8 @@ gs_constraints (gs_stepper *s, gs_loops *w, double t, const double *x, double *r
 int
 gs_take_loops (gs_stepper *s, gs_loops *w)
 {
-  w->of = w->gram.rank = 0;
+  w->of = 0;
+  w->gram.rank = 0;
   s->scene->mas (s->t, s->x, s->r->cst, w->mass, w->n);
   if (! cholesky (w->n, w->mass) || gs_constraints (s, w, s->t, s->x, w->rows) != 0)
     return -1;
@@ -131,11 +131,11 @@ is_held (gs_loops *w, const gs_factors *by)
 {
   int n = w->n;
   double *d = w->D, *u = d + w->nq, *free_ = w->here;
-  memset (d, 0, sizeof (double) * w->own);
+  gs_zero (w->own, d);
   for (int k = 0; k < w->gram.rank; k++)
     for (int j = 0; j < n; j++)
       u[j] += w->rows[w->gram.order[k] + w->m * j] / sqrt (w->gram.most[w->gram.order[k]]);
-  memcpy (free_, u, sizeof (double) * n);
+  gs_copy (n, u, free_);
   forward (n, w->mass, free_);
   backward (n, w->mass, free_);
   respond (w, by, d);
@@ -156,10 +156,10 @@ responses (gs_loops *w, const gs_factors *by)
   w->held = w->gram.rank > 0 && is_held (w, by);
   if (! w->held)
     return;
-  memset (w->D, 0, sizeof (double) * w->own * w->m);
+  gs_zero (w->own * w->m, w->D);
   for (int k = 0; k < w->gram.rank; k++)
     {
-      double *d = w->D + (size_t) w->own * k;
+      double *d = w->D + (ptrdiff_t) w->own * k;
       for (int j = 0; j < w->n; j++)
         d[w->nq + j] = w->rows[w->gram.order[k] + w->m * j];
       respond (w, by, d);
@@ -177,7 +177,7 @@ take_matrix (gs_loops *w)
         w->B[i + r * k] = 0;
         for (int j = 0; j < w->n; j++)
           w->B[i + r * k] += w->here[w->gram.order[i] + w->m * j]
-                             * w->D[w->nq + j + (size_t) w->own * k];
+                             * w->D[w->nq + j + (ptrdiff_t) w->own * k];
       }
   return gsmbp_dense_factors (r, w->B, w->pivots);
 }
@@ -195,7 +195,7 @@ go (gs_loops *w, const double *scale, double *x, int from, int n)
     {
       double d = 0;
       for (int k = 0; k < r; k++)
-        d += w->D[l + (size_t) w->own * k] * w->side[k];
+        d += w->D[l + (ptrdiff_t) w->own * k] * w->side[k];
       x[l] -= d;
       most = fmax (most, fabs (d * scale[l]));
     }
