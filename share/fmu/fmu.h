@@ -16,6 +16,11 @@ typedef int gsf_jac (double t, const double *x, const double *v, const double *c
 typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, int ldp,
                       double *dv, int ldv);
 
+/* a run by another method than that of gs_integrate: its info; said: what the method said where it
+ * failed, cut to the room */
+typedef int gsf_integrate (const gs_scene *s, gs_run *run, char *said, size_t room);
+extern gsf_integrate gsf_radau;
+
 /* what INFO of a routine means */
 typedef struct
 {
@@ -43,6 +48,7 @@ typedef struct
   gsf_jac *jac;                                     /* null: none */
   gsf_tan *tan;
   gs_mar *mar;                                      /* null: no margins */
+  gsf_integrate *integrate;                         /* null: gs_integrate */
   int nmargins;
   const char *const *margins;                       /* what must be above 0 */
   const double *nominal;                            /* nx */
@@ -206,8 +212,8 @@ int gsf_fail (gsf_instance *a, int status, const char *format, ...);
 int gsf_failed (gsf_instance *a, int status, int routine, int info);
 /* what INFO of a routine means, or null */
 const char *gsf_meaning (const char *routine, int info);
-/* an error: why a run ended at t, by gs_failure */
-int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t);
+/* an error: why a run ended at t, by gs_failure; said: by a method of its own, or "" */
+int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *said);
 
 /* may a function be called here: kinds of FMU as bits, phases? are there values where n are
  * expected, and as many as expected? */

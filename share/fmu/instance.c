@@ -238,9 +238,9 @@ gsf_meaning (const char *routine, int info)
 }
 
 int
-gsf_run_failed (gsf_instance *a, int info, const int *istat, double t)
+gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *said)
 {
-  gs_failure (&(gs_failed_run){ &a->about, info, istat, t, "" }, a->text, sizeof a->text);
+  gs_failure (&(gs_failed_run){ &a->about, info, istat, t, said }, a->text, sizeof a->text);
   return GSF_ERROR;
 }
 
@@ -250,7 +250,7 @@ gsf_failed (gsf_instance *a, int status, int routine, int info)
   int istat[GS_COUNTED] = { 0 };
   istat[GS_FAILED] = routine;
   istat[GS_FAILED_INFO] = info;
-  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T]);
+  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
   return status;
 }
 

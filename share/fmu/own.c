@@ -144,7 +144,7 @@ happened (gsf_instance *a, int k)
       istat[GS_FAILED] = GS_AT_EVENT;
       istat[GS_FAILED_INFO] = 10;
       istat[GS_CAUSE] = k + 1;
-      return gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T]);
+      return gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
     }
   enters (a, k, a->g[k] > little (a, k) ? GSF_ARMED : rises (a, k) ? GSF_LEFT : GSF_BELOW);
   return GSF_OK;

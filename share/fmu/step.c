@@ -1,5 +1,6 @@
 /* step.c: a communication step of co-simulation, by the integrator of Dormand and Prince of the run
- * time, with projection onto the constraints, events and samples (gs_integrate). */
+ * time (gs_integrate) or by the method of the FMU (radau.c), with projection onto the constraints,
+ * events and samples. */
 #include "fmu.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
@@ -12,9 +13,9 @@
 enum { GSF_MOST_STEPS = 10000000 };
 
 static int
-failed (gsf_instance *a, const gs_integration *run, int info)
+failed (gsf_instance *a, const gs_run *run, int info, const char *said)
 {
-  gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED]);
+  gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED], said);
   const size_t n = strlen (a->text);
   if (info == GS_TOO_MANY)
     snprintf (a->text + n, sizeof a->text - n, ": %d in a communication step of an FMU; take "
@@ -31,7 +32,7 @@ options (gsf_instance *a)
   const gsf_model *m = a->m;
   const gs_scene *s = m->scene;
   int *iopt = a->iopt;
-  iopt[GS_METHOD] = 8;
+  iopt[GS_METHOD] = m->integrate ? 0 : 8;
   iopt[GS_LOOPS] = s->prj ? 2 : 1;
   iopt[GS_DRIFT] = s->con != 0;
   iopt[GS_MOST_STEPS] = GSF_MOST_STEPS;
@@ -117,9 +118,11 @@ run_on (gsf_instance *a, double t, double h)
   run.w = a->w;
   run.lw = gs_room (s, s->nx, 0);
   run.beyond = gsf_beyond (a, t, h);
-  int info = gs_integrate (s, &run);
+  char said[400] = "";
+  int info = a->m->integrate ? a->m->integrate (s, &run, said, sizeof said)
+                             : gs_integrate (s, &run);
   if (info != GS_DONE && info != GS_ENDED)
-    return failed (a, &run, info);
+    return failed (a, &run, info, said);
   a->d[GSF_H] = run.rstat[GS_H_NEXT];
   gsf_keep (a, &run.last);
   arrive (a, info == GS_DONE ? t : run.rstat[GS_T_REACHED]);

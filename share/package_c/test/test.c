@@ -44,7 +44,7 @@ difference (int n, const double *a, const double *b)
 static void
 compare (const test *t, const double *cst)
 {
-  double *out = calloc (t->n + 1, sizeof *out);
+  double *out = calloc ((size_t)t->n + 1, sizeof *out);
   char text[80];
   int info = t->call (t->in, out, cst);
   printf ("%s: INFO = %d:", t->name, info);
