@@ -2,7 +2,7 @@
 
 The wheel is py3-none-<platform>. The scene is the folder that holds table.json; render.py makes
 of the table what the module does not read at run time: the loops over states in C, the stubs for
-type checkers.
+type checkers; stub.py the rest of these.
 """
 import glob
 import json
@@ -23,6 +23,7 @@ except ImportError:
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)   # pip does not
 import render  # noqa: E402
+import stub  # noqa: E402
 
 NAME = os.path.basename(os.path.dirname(glob.glob(os.path.join(HERE, 'src', '*', 'table.json'))[0]))
 with open(os.path.join(HERE, 'src', NAME, 'table.json'), encoding='utf-8') as file:
@@ -80,6 +81,8 @@ class Build(build_py):
         target = os.path.join(self.build_lib, NAME)
         os.makedirs(target, exist_ok=True)
         render.write(os.path.join(target, '_routines.pyi'), render.stubs(TABLE))
+        render.write(os.path.join(target, '__init__.pyi'),
+                     stub.filled(os.path.join(HERE, 'c'), os.path.join(HERE, 'src', NAME)))
         self.build_scene(target)
 
     def build_scene(self, target):

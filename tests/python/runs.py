@@ -1,6 +1,7 @@
 """What a module does beside calling subroutines: runs, plans, parameters, refusals.
 
 python3 runs.py: the modules that it imports must be installed."""
+import ast
 import copy
 import inspect
 import math
@@ -276,7 +277,8 @@ def others():
 
 
 def options():
-    """Options, their defaults and the stub are those of the table of all hosts."""
+    """Options, their defaults and the stub are those of the table of all hosts, statistics those of
+    the stub."""
     from slider_crank import _tables
     simulate = inspect.signature(slider_crank.Model.simulate).parameters
     own = {name: p.default for name, p in simulate.items()
@@ -286,6 +288,24 @@ def options():
     with open(slider_crank.__file__ + 'i', encoding='utf-8') as stub:
         text = re.search(r'def simulate\((.*?)\) ->', stub.read(), re.S).group(1)
     holds('... those of the stub', set(re.findall(r'(\w+):', text)) | {'self'} == set(simulate))
+    with open(slider_crank.__file__ + 'i', encoding='utf-8') as stub:
+        classes = {one.name: one.body for one in ast.parse(stub.read()).body
+                   if isinstance(one, ast.ClassDef)}
+    stubbed, = (one.args for one in classes['Model'] if getattr(one, 'name', '') == 'simulate')
+    holds('... with its defaults', all(
+        ast.literal_eval(default) == simulate[one.arg].default
+        for one, default in zip(stubbed.kwonlyargs, stubbed.kw_defaults)))
+    words = {one.arg: [word.value for word in ast.walk(one.annotation)
+                       if isinstance(word, ast.Constant)] for one in stubbed.kwonlyargs}
+    holds('... and the words of methods and loops',
+          words['method'] == list(_tables.METHODS) and words['loops'] == list(_tables.WAYS))
+    m = slider_crank.Model()
+    stats = m.simulate(m.initial, [0, 0.01]).stats
+    typed = {one.target.id: one.annotation.id for one in classes['Statistics']
+             if isinstance(one.annotation, ast.Name)}
+    holds('statistics: those of the stub', stats.keys() == {
+        one.target.id for one in classes['Statistics']} and all(
+            type(stats[name]).__name__ == kind for name, kind in typed.items() if kind != 'Real'))
 
 
 def parameters():

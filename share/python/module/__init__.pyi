@@ -1,4 +1,4 @@
-from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Literal, Mapping, NamedTuple, Optional, TypedDict, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,12 +45,27 @@ class Inverse(NamedTuple):
     x: Optional[Real]
     margins: Optional[Real]
 
+class Statistics(TypedDict):
+    # statistics
+    jacobians: int
+    newton: int
+    rank_loss_times: list[float]
+    angle_times: list[float]
+    singular_times: list[float]
+    stiff: Optional[dict[str, Any]]
+    method: str
+    seconds: float
+    rtol: float
+    atol: Real
+    failure: Optional[str]
+    stopped: Optional[str]
+
 class Result:
     t: Real
     x: Real
     v: Real
     y: Optional[Real]
-    stats: dict[str, Any]
+    stats: Statistics
     samples: Optional[dict[str, Any]]
     events: Optional[dict[str, Any]]
     audit: Optional[dict[str, Any]]
@@ -89,25 +104,7 @@ class Model(Routines):
     def changed(self, /, **parameters: float) -> Model: ...
     def kept(self, name: str) -> Any: ...
     def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
-    def simulate(self, x0: ArrayLike, times: ArrayLike, *, method: str = ..., rtol: float = ...,
-                 atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
-                 maxstep: float = ..., maxsteps: int = ..., maxorder: Optional[int] = ...,
-                 loops: Optional[str] = ..., drift: Optional[bool] = ..., start: str = ...,
-                 input: Optional[Input] = ...,
-                 motion: Optional[Piecewise] = ..., gain: Any = ..., reference: Any = ...,
-                 limits: Optional[ArrayLike] = ..., breaks: Sequence[float] = ...,
-                 memory: Optional[ArrayLike] = ..., samples: bool = ...,
-                 modes: Optional[Sequence[int]] = ..., audit: Optional[float] = ...,
-                 errors: str = ...) -> Result: ...
-    def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
-                 parameters: Optional[Mapping[str, ArrayLike]] = ...,
-                 starts: Optional[ArrayLike] = ..., inputs: Optional[ArrayLike] = ...,
-                 threads: int = ..., method: str = ..., rtol: float = ...,
-                 atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
-                 maxstep: float = ..., maxsteps: int = ..., maxorder: Optional[int] = ...,
-                 loops: Optional[str] = ..., drift: Optional[bool] = ..., start: str = ...,
-                 input: Union[ArrayLike, Piecewise, None] = ...,
-                 breaks: Sequence[float] = ...) -> Ensemble: ...
+    # simulate
     def inverse(self, motion: Piecewise, times: ArrayLike, *, side: int = ...,
                 guess: Optional[ArrayLike] = ..., internal: Optional[ArrayLike] = ...
                 ) -> Inverse: ...
