@@ -64,9 +64,10 @@ def statistics(home, run):
 
 
 def filled(home, module):
-    """The lines of __init__.pyi in the folder of the module, those that are made in their places."""
+    """The lines of __init__.pyi in the folder of the module with those that are made."""
     run = ast.parse(read(module, '_run.py')).body
-    made = {'    # simulate': simulate(home, run), '    # statistics': statistics(home, run)}
+    made = {'    # simulate': simulate(home, run),
+            '    # statistics': statistics(home, run)}
     lines = []
     for line in read(module, '__init__.pyi').splitlines():
         lines += made.get(line, [line])

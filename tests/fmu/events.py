@@ -1,7 +1,8 @@
-"""events.py SCENE FOLDER STANDARD: the FMU of a scene with events of the user, unpacked in FOLDER,
+"""events.py SCENE FOLDER STANDARD [ERROR]: the FMU of a scene with events of the user, in FOLDER,
 against closed forms (user_bounce, user_thermostat) or what holds (others), in both kinds:
 co-simulation with steps that end nowhere near an event, model exchange by classical Runge-Kutta,
-whose step ends where an indicator changes its sign. Prints a line `ok` or `not ok` a check."""
+whose step ends where an indicator changes its sign. ERROR: of user_bounce in short steps where each
+is a run of its own. Prints a line `ok` or `not ok` a check."""
 import math
 import sys
 
@@ -82,7 +83,7 @@ def bounce():
         wanted.append(wanted[-1] + 2*v/g)
     wanted.pop()
     for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-12),
-                               ('short steps', cosimulation, 0.0017, 1e-12),
+                               ('short steps', cosimulation, 0.0017, float((sys.argv + [1e-12])[4])),
                                ('model exchange', exchange, 0.0113, 1e-9)):
         each, times = counted('hit')
         a, end = run({'y': 1.0}, 5.0, h, each)

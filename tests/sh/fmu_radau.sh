@@ -31,5 +31,6 @@ for standard in 2 3; do
   result "FMI $standard.0: one with radau has none of gauss"
 done
 fmus user_bounce radau
-to_the_end python3 tests/fmu/events.py user_bounce "$work/radau/user_bounce3" 3
+# Newton's method ends at a part of the tolerance, which is 1e-10
+to_the_end python3 tests/fmu/events.py user_bounce "$work/radau/user_bounce3" 3 1e-10
 tests/fmu/drive "$work/radau" user_bounce 0.4 10
