@@ -83,7 +83,8 @@ def bounce():
         wanted.append(wanted[-1] + 2*v/g)
     wanted.pop()
     for kind, run, h, most in (('co-simulation', cosimulation, 0.0713, 1e-12),
-                               ('short steps', cosimulation, 0.0017, float((sys.argv + [1e-12])[4])),
+                               ('short steps', cosimulation, 0.0017,
+                                float((sys.argv + [1e-12])[4])),
                                ('model exchange', exchange, 0.0113, 1e-9)):
         each, times = counted('hit')
         a, end = run({'y': 1.0}, 5.0, h, each)
