@@ -60,8 +60,9 @@ function take_sources (who, m, folder)
                                                                    "*.f"))]'
     take (who, file{1}, fullfile (folder, "fortran"));
   endfor
-  for home = {gs.files.own_place("share", "engine", "core"), gs.files.own_place("share", "engine")}
-    for file = glob (fullfile (home{1}, {"*", "*/*"}, "*.[ch]"))'
+  for home = {gs.files.own_place("share", "engine", "core"), gs.files.own_place("share", "engine")
+              {"*", "*/*"}, {"host", "host/*"}}
+    for file = glob (fullfile (home{1}, home{2}, "*.[ch]"))'
       take (who, file{1}, fullfile (folder, "c", fileparts (file{1}(numel (home{1})+2:end))));
     endfor
   endfor

@@ -7,6 +7,7 @@
  * it does not have, too), GS_OUT_OF_MEMORY, GS_RATE_NOT_FINITE. */
 #ifndef GS_HOST_IMPLICIT_H
 #define GS_HOST_IMPLICIT_H
+#include <stddef.h>
 #include "gsmbp/integrate.h"
 #ifdef __cplusplus
 extern "C" {
