@@ -25,12 +25,12 @@ function library = build_arkode (root, out)
   share = fullfile (root, "share");
   sources = [{fullfile(root, "tests", "bench", "arkode", "gsmbp_arkode.c")}
              glob(fullfile (share, "engine", "host", "implicit", "implicit*.c"))
-             glob(fullfile (share, "c", {"*", "solve/plain"}, "*.c"))]';
+             glob(fullfile (share, "engine", "core", {"*", "solve/plain"}, "*.c"))]';
   command = sprintf (["%s -std=gnu11 -O2 -march=native -fcx-limited-range -fPIC -shared -I%s " ...
                       "-I%s -o %s %s -lsundials_arkode -lsundials_nvecserial " ...
                       "-lsundials_sunmatrixdense -lsundials_sunlinsoldense -lm"], ...
                      strtrim (mkoctfile ("-p", "CC")), fullfile (share, "engine"), ...
-                     fullfile (share, "c"), library, strjoin (sources, " "));
+                     fullfile (share, "engine", "core"), library, strjoin (sources, " "));
   [status, text] = system ([command " 2>&1"]);
   if (status != 0)
     error ("bench-devices: %s\n%s", command, text);
