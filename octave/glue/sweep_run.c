@@ -319,10 +319,10 @@ prepare (const gs_sweep *s, gs_sweep_room *r, long long i, const double *cst, in
 }
 
 /* the run as the run time in C takes it, with its statistics so far */
-static gs_run
+static gs_integration
 run_of (const gs_sweep *s, gs_sweep_room *r)
 {
-  gs_run g = {
+  gs_integration g = {
     .nx = s->nx, .t0 = s->t0, .x0 = r->x0, .nt = (int) s->tout.n, .tout = r->times + 1,
     .nb = r->nb, .tbrk = r->times + 1 + s->tout.n, .iopt = r->iopt, .ropt = r->options,
     .atol = r->options + s->ropt.n, .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->xout,
@@ -334,7 +334,7 @@ run_of (const gs_sweep *s, gs_sweep_room *r)
 }
 
 static void
-keep_statistics (gs_sweep_room *r, const gs_run *g)
+keep_statistics (gs_sweep_room *r, const gs_integration *g)
 {
   memcpy (r->istat, g->istat, sizeof g->istat);
   memcpy (r->rstat, g->rstat, sizeof g->rstat);
@@ -347,7 +347,7 @@ by_explicit (const gs_sweep *s, gs_sweep_room *r)
   gs_scene scene = *S->run;
   scene.data = &data;
   scene.nsw = 0;   /* the breaks have these times */
-  gs_run g = run_of (s, r);
+  gs_integration g = run_of (s, r);
   r->info = gs_integrate (&scene, &g);
   keep_statistics (r, &g);
 }
@@ -359,7 +359,7 @@ by_implicit (const gs_sweep *s, gs_sweep_room *r, int resume)
   gs_fortran_inputs data = { .ip = r->ip, .rp = r->rp, .cst = r->cst };
   gs_scene scene = *S->run;
   scene.data = &data;
-  gs_run g = run_of (s, r);
+  gs_integration g = run_of (s, r);
   const gs_implicit o = {
     .order = s->order, .index2 = s->index2, .resume = resume, .followed = (int) s->followed,
     .follows = s->follows, .text = r->text, .length = sizeof r->text

@@ -18,7 +18,7 @@ typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, 
 
 /* a run by another method than that of gs_integrate: its info; said: what the method said where it
  * failed, cut to the room */
-typedef int gsf_integrate (const gs_scene *s, gs_run *run, char *said, size_t room);
+typedef int gsf_integrate (const gs_scene *s, gs_integration *run, char *said, size_t room);
 extern gsf_integrate gsf_radau;
 
 /* what INFO of a routine means */

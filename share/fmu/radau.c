@@ -4,7 +4,7 @@
 #include "host/implicit/implicit.h"
 
 int
-gsf_radau (const gs_scene *s, gs_run *run, char *said, size_t room)
+gsf_radau (const gs_scene *s, gs_integration *run, char *said, size_t room)
 {
   const gs_implicit options = { .order = 13, .text = said, .length = room };
   return gs_radau (s, run, &options);

@@ -13,7 +13,7 @@
 enum { GSF_MOST_STEPS = 10000000 };
 
 static int
-failed (gsf_instance *a, const gs_run *run, int info, const char *said)
+failed (gsf_instance *a, const gs_integration *run, int info, const char *said)
 {
   gsf_run_failed (a, info, run->istat, run->rstat[GS_T_REACHED], said);
   const size_t n = strlen (a->text);

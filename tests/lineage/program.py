@@ -129,7 +129,7 @@ main (void)
     gs_lay (&plan, ip, rp);
     run.lw = gs_room (s, NX, 0);
     run.w = calloc (run.lw, sizeof *run.w);
-    info = gssim (s, &run);
+    info = gs_integrate (s, &run);
     printf ("%s %d 0 %d\\n", name, info, run.istat[GS_N_OUTPUTS]);
     for (int k = 0; k < NX * run.istat[GS_N_OUTPUTS]; k++)
       printf ("%s_x %.16e\\n", name, x[k]);

@@ -20,7 +20,9 @@ def run_time(root, folder):
     target, home = os.path.join(folder, 'libmodules.so'), os.path.join(root, 'share')
     if not os.path.exists(target):
         sources = glob.glob(home + '/engine/core/**/*.c', recursive=True)
-        sources += glob.glob(home + '/engine/host/*.c') + glob.glob(home + '/python/c/*.c')
+        sources += glob.glob(home + '/python/c/*.c')
+        for part in ('', 'run/', 'implicit/', 'ensemble/', 'lanes/'):
+            sources += glob.glob(home + '/engine/host/' + part + '*.c')
         folders = ['-I' + home + place for place in ('/engine/core', '/engine', '/python/c')]
         subprocess.run(FLAGS + ['-o', target] + folders + sources, check=True)
     return target

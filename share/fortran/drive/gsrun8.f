@@ -48,7 +48,7 @@ C             1   the scene has ports that stick or hit stops: this
 C                 driver cannot run it;
 C             2   the scene has events of the user: likewise;
 C             3   the scene has sampled devices: likewise (for these
-C                 scenes emit C: gsmbp_c, and the run time share/c);
+C                 scenes emit C: gsmbp_c, and the run time share/engine);
 C             4   NB is less than SIZ(9): times at which the scene
 C                 switches are missing in TB;
 C             5   the limit of steps is reached at T;

@@ -52,7 +52,7 @@ main (int count, char **words)
     times[k] = 0.1 * k;
   for (int k = 0; k < NX; k++)
     atol[k] = 1e-9 * nominal[k];
-  gs_run run = { .nx = NX, .x0 = x0, .nt = TIMES, .tout = times, .iopt = iopt, .ropt = ropt,
+  gs_integration run = { .nx = NX, .x0 = x0, .nt = TIMES, .tout = times, .iopt = iopt, .ropt = ropt,
                  .atol = atol, .ip = ip, .rp = rp, .cst = cst, .xout = x, .ldx = NX, .vout = v,
                  .ldv = NV > 1 ? NV : 1 };
   run.lw = gs_room (s, NX, 0);

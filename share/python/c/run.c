@@ -36,16 +36,6 @@ int
 gs_loop_run (gs_run_options *o, const gs_run_start *s, const gs_run_inputs *in,
              gs_question *question, gs_run_result *r)
 {
-  gs_implicit o = { .order = choice[0], .index2 = choice[1], .followed = choice[2],
-                    .follows = choice + 3, .text = said, .length = (size_t)size };
-  gs_scene own = *s;
-  gs_run r = { .nx = nx, .t0 = t0, .x0 = x0, .nt = nt, .tout = tout, .nb = nb, .tbrk = tbrk,
-               .iopt = iopt, .ropt = ropt, .atol = atol, .ip = ip, .rp = rp, .cst = cst,
-               .xout = xout, .ldx = nx, .vout = vout, .ldv = s->nv > 1 ? s->nv : 1, .w = w,
-               .lw = lw };
-  if (rhs)
-    own.rhs = rhs;
-  own.vin = vin;
   gs_asking asking = { .question = question, .next = clock () };
   if (question)
     {

@@ -8,16 +8,17 @@ import warnings
 import numpy as np
 
 from . import _checks
-from ._implicit import Choice
-from ._library import LIBRARY, NAME, SCENE, SIZES, TABLE, address, at
+from ._library import LIBRARY, NAME, SIZES, TABLE, address, at
 from ._motion import Piecewise
-from ._run import (ENDED, NQ, NU, NV, NX, NY, RunWarning, _Plan, _breaks, _options, _vector, _way,
+from ._run import (NV, NX, NY, RunWarning, _Plan, _breaks, _options, _refuse, _vector, _word,
                    free_inputs, meaning, rising)
 from ._start import _REMEDIES
+from ._structures import Result as Found, Results, Rows, Start
 from ._tables import COUNTS, DEFAULT, REFUSALS, VALUES, VERDICTS, is_number
 
 BEFORE_START = 9   # what failed was the start: GS_BEFORE_START of gsmbp/failures.h
 INTERRUPTED = 9    # info of runs that are ended from outside
+ENDED = 11         # of one that an event of the user has ended
 
 
 class Ensemble:
@@ -32,18 +33,6 @@ class Ensemble:
 
     def __repr__(self):
         return '<%d runs, %d complete>' % (len(self.ok), self.ok.sum())
-
-
-class _Results(ctypes.Structure):
-    """gs_results of ensemble.h."""
-
-    _fields_ = [(name, ctypes.c_void_p) for name in (
-        'x', 'v', 'y', 'counts', 'values', 'info', 'counted', 'margins', 'events', 'nevents',
-        'said')] + [('no_memory', ctypes.c_int)]
-
-
-if LIBRARY.gs_loop_results_size() != ctypes.sizeof(_Results):
-    raise ImportError('%s: the library was built with another ensemble.h' % NAME)
 
 
 # ----------------------------------------------------------------------------------- the rows
@@ -98,6 +87,16 @@ class _Differing:
             whole[:, free] = self.inputs
             self.inputs = whole
 
+    def structure(self):
+        """As the engine takes them (gs_rows)."""
+        rows = Rows(n=self.n, varied=len(self.columns))
+        rows.put('which', self.which, np.intc)
+        for name in 'table', 'starts', 'inputs':
+            rows.put_table(name, getattr(self, name))
+        texts = (ctypes.c_char_p * self.n)(*[b and b.encode() for b in self.broken])
+        rows.keep('broken', texts)
+        return rows
+
     def _count(self, who):
         sizes = {'parameter ' + name: len(c) for name, c in self.columns.items() if len(c) != 1}
         sizes.update({name: len(a) for name, a in (('starts', self.starts),
@@ -145,8 +144,7 @@ def ensemble(self, times, *, x0=None, parameters=None, starts=None, inputs=None,
     times = rising(who, times)
     if len(times) < 2:
         raise ValueError('%s: %s' % (who, REFUSALS.one_time % ('%.15g alone' % times[0])))
-    if start not in ('check', 'project'):
-        raise ValueError('%s: start: expected one of "check", "project", found %r' % (who, start))
+    _word(who, 'start', start, ('check', 'project'))
     if isinstance(threads, bool) or not is_number(threads) or threads != int(threads) \
             or not 0 <= threads <= 10000:
         raise ValueError('%s: threads: expected a whole number from 0 (all processors) to 10000; '
@@ -156,21 +154,20 @@ def ensemble(self, times, *, x0=None, parameters=None, starts=None, inputs=None,
                          'Python cannot run on several threads' % who)
     if input is not None and inputs is not None:
         raise ValueError('%s: give input or inputs, not both' % who)
-    model, way, index2 = _way(who, self, loops, method)
-    rows = _Differing(who, model, parameters, starts, inputs)
-    x = _vector(who, 'x0', model.initial if x0 is None else x0, NX,
-                'numbers (the states of %s)' % NAME, model.states)
-    iopt, ropt, atol = _options(who, model, times[-1] - times[0], method, way, rtol, atol, step,
-                                maxstep, maxsteps, drift)
-    p = _Plan(who, model, NX)
+    rows = _Differing(who, self, parameters, starts, inputs)
+    x = _vector(who, 'x0', self.initial if x0 is None else x0, NX,
+                'numbers (the states of %s)' % NAME, self.states)
+    options = _options(who, self, method, rtol, atol, step, maxstep, maxsteps, maxorder, loops,
+                       drift, None)
+    options.project = start == 'project'
+    given = Start(nt=len(times))
+    for name, value in (('times', times), ('x0', x), ('par', self._values), ('cst', self.cst)):
+        given.put(name, value)
+    p = _Plan(who, self)
     p.inputs(input, times[0], x)
-    p.samples(times, None, False)
-    p.events(None)
-    stops = sorted({b for b in [*p.breaks, *_breaks(who, breaks)] if times[0] < b < times[-1]})
-    options = iopt, ropt, np.ascontiguousarray(atol)
-    choice = Choice(who, method, maxorder, index2)
-    run = _run_all(model, p, rows, x, times, stops, options, choice, start == 'check',
-                   int(threads) or _processors())
+    p.given.put('breaks', _breaks(who, breaks))
+    p.given.nbreaks = len(p.given.kept['breaks'])
+    run = _run_all(who, self, options, given, p.given, rows, int(threads) or _processors())
     return _told(who, _result(rows, times, run))
 
 
@@ -193,34 +190,23 @@ def _arrays(n, nt):
     return a
 
 
-def _run_all(model, p, rows, x, times, stops, options, choice, check, threads):
+def _run_all(who, model, options, start, inputs, rows, threads):
     """The arrays of all runs, with reasons of those that were refused, and how long they took."""
-    a = _arrays(rows.n, len(times))
-    results = _Results(**{name: address(array) for name, array in a.items()})
-    ip, rp = p.laid()
-    room = max(LIBRARY.gs_loop_room(SCENE, ctypes.c_int(NX), ctypes.c_int(p.given.derivatives)), NU)
-    sizes = np.array([len(model.parameters), SIZES['ncst'], len(ip), len(rp), rows.n,
-                      len(rows.columns), threads, check], np.intc)
-    broken = (ctypes.c_char_p * rows.n)(*[b and b.encode() for b in rows.broken])
-    over, stops, x = np.zeros(1, np.intc), np.array(stops + [0.0]), np.ascontiguousarray(x)
-
-    def where(array):
-        return None if array is None or not array.size else at(array)
-    arguments = (
-        SCENE, at(sizes), at(over), ctypes.c_double(times[0]), at(x), ctypes.c_int(len(times)),
-        at(times), ctypes.c_int(len(stops) - 1), at(stops), *map(at, options), at(ip), at(rp),
-        at(model.cst), ctypes.c_int(room + 20), choice.address, at(choice.numbers),
-        at(model._values), at(rows.which), where(rows.table), where(rows.starts),
-        where(rows.inputs), broken, ctypes.byref(results))
-    said, begun = a.pop('said'), time.perf_counter()
+    a = _arrays(rows.n, start.nt)
+    results = Results(**{name: address(array) for name, array in a.items()})
+    said, begun, over, found = a.pop('said'), time.perf_counter(), np.zeros(1, np.intc), Found()
     try:
-        failed = _in_a_thread(over, LIBRARY.gs_loop_ensemble, arguments)
+        _in_a_thread(over, LIBRARY.gs_loop_ensemble, (
+            options.address(), start.address(), inputs.address(), rows.structure().address(),
+            ctypes.c_int(threads), at(over), results.address(), found.address()))
         a['said'] = [ctypes.string_at(int(text)) if text else b'' for text in said]
     finally:
         LIBRARY.gs_loop_forget(at(said), ctypes.c_int(rows.n))
+        LIBRARY.gs_free_result(found.address())
     a['seconds'] = time.perf_counter() - begun
-    if failed:
-        raise MemoryError('%s: %d runs of %d times' % (p.who, rows.n, len(times)))
+    _refuse(who, model, found)
+    if found.info:
+        raise MemoryError('%s: %d runs of %d times' % (who, rows.n, start.nt))
     return a
 
 

@@ -20,7 +20,7 @@ class _Structure(ctypes.Structure):
         return ctypes.byref(self)
 
     def keep(self, name, value):
-        """A function as a member."""
+        """A function or an array of ctypes as a member."""
         self.kept[name] = value
         setattr(self, name, ctypes.cast(value, _AT))
 
@@ -64,6 +64,31 @@ class Inputs(_Structure):
         setattr(self, name, _Pieces(*poly.coefficients.shape, address(self.kept[name])))
 
 
+class _Table(ctypes.Structure):
+    _fields_ = [('x', _AT), ('row', ctypes.c_ssize_t), ('column', ctypes.c_ssize_t)]
+
+
+class Rows(_Structure):
+    """gs_rows of host/ensemble/ensemble.h."""
+
+    _fields_ = [('n', _INT), ('par', _AT), ('varied', _INT), ('which', _AT), ('table', _Table),
+                ('starts', _Table), ('inputs', _Table), ('broken', _AT)]
+
+    def put_table(self, name, numbers):
+        """An array with a row for each run; None: nothing differs."""
+        if numbers is not None and numbers.size:
+            self.kept[name] = np.ascontiguousarray(numbers, float)
+            setattr(self, name, _Table(address(self.kept[name]), numbers.shape[1], 1))
+
+
+class Results(_Structure):
+    """gs_results of the same."""
+
+    _fields_ = [(name, _AT) for name in (
+        'x', 'v', 'y', 'counts', 'values', 'info', 'counted', 'margins', 'events', 'nevents',
+        'said')] + [('no_memory', _INT)]
+
+
 class _Taken(ctypes.Structure):
     """gs_start."""
 
@@ -101,3 +126,6 @@ class Result(_Structure):
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
+for _k, _kind in enumerate((Rows, Results)):
+    if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
+        raise ImportError('%s: the library was built with another ensemble.h' % NAME)

@@ -43,7 +43,7 @@ take_stops (gs_stepper *s)
 static int
 allocate (gs_stepper *s)
 {
-  gs_run *r = s->r;
+  gs_integration *r = s->r;
   const ptrdiff_t nx = r->nx, nv = s->scene->nv + 1, ny = s->scene->ny + 1, nq = s->scene->nq,
                   np = partition_room (s->scene), stops = r->nb + s->scene->nsw;
   int n = 6 + r->iopt[GS_ON_SPEEDS], ne = gs_event_functions (s);

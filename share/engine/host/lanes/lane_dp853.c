@@ -261,7 +261,7 @@ by_itself (gs_lane_group *g, int lane)
 }
 
 void
-gs_step_dp853 (gs_lane_group *g)
+gs_lanes_step_dp853 (gs_lane_group *g)
 {
   find_rates (g);
   if (begin_steps (g))

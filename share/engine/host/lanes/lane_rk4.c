@@ -182,7 +182,7 @@ by_itself (gs_lane_group *g, int lane)
 }
 
 void
-gs_step_rk4 (gs_lane_group *g)
+gs_lanes_step_rk4 (gs_lane_group *g)
 {
   if (begin_steps (g))
     {

@@ -153,7 +153,7 @@ gs_run_lanes (const gs_ensemble *e, const gs_lane_source *source, int most)
   if (! failed)
     gs_start_lanes (g);
   while (! failed && gs_any_lane (g) && ! gs_left_lanes (g))
-    (g->method == 4 ? gs_step_rk4 : gs_step_dp853) (g);
+    (g->method == 4 ? gs_lanes_step_rk4 : gs_lanes_step_dp853) (g);
   gs_free_lanes (g);
   free (room);
   return failed;

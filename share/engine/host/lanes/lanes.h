@@ -209,7 +209,7 @@ void gs_positions_ahead (gs_lane_group *g);
 /* ------------------------------------------------------ lane_dp853.c, vectors in step_vectors.c */
 
 /* one trial step of every run */
-void gs_step_dp853 (gs_lane_group *g);
+void gs_lanes_step_dp853 (gs_lane_group *g);
 
 void gs_lane_method (gs_lane_group *g);
 void gs_stage_states (gs_lane_group *g, int stage);
@@ -223,7 +223,7 @@ void gs_take_states (gs_lane_group *g);
 /* ---------------------------------------- lane_rk4.c, lane_growth.c, vectors in equal_vectors.c */
 
 /* one step of every run */
-void gs_step_rk4 (gs_lane_group *g);
+void gs_lanes_step_rk4 (gs_lane_group *g);
 /* of runs whose look is due the largest eigenvalue and the state (from 1) that moves most */
 void gs_lane_eigenvalues (gs_lane_group *g, const int *due, double *rho, int *state);
 

@@ -102,8 +102,8 @@ beside_jumps (gs_real t, int side, const gs_real *x, int nx, int nv, void *data,
   return w->in->function (t, side, x, nx, nv, w->in->data, v);
 }
 
-static gs_integration
-integration (gs_whole_run *w)
+gs_integration
+gs_prepared_run (gs_whole_run *w)
 {
   gs_run_result *r = w->r;
   return (gs_integration){
@@ -111,6 +111,16 @@ integration (gs_whole_run *w)
     .nb = w->nb, .tbrk = w->breaks, .iopt = w->iopt, .ropt = w->ropt, .atol = w->atol,
     .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->x, .ldx = r->nx, .vout = r->v,
     .ldv = r->ldv, .w = w->w, .lw = w->lw, .ask = w->o->ask, .asked = w->o->asked
+  };
+}
+
+gs_implicit
+gs_prepared_implicit (gs_whole_run *w)
+{
+  return (gs_implicit){
+    .order = w->order, .index2 = w->index2, .resume = w->iopt[GS_METHOD] != 0,
+    .followed = w->d->nfollowed, .follows = w->d->followed, .text = w->said,
+    .length = sizeof w->said
   };
 }
 
@@ -122,12 +132,8 @@ integrate (gs_whole_run *w)
   const gs_description *d = w->d;
   gs_run_result *r = w->r;
   gs_scene scene = *d->scene;
-  gs_integration run = integration (w);
-  const gs_implicit more = {
-    .order = w->order, .index2 = w->index2, .resume = w->iopt[GS_METHOD] != 0,
-    .followed = d->nfollowed, .follows = d->followed, .text = w->said,
-    .length = (int)sizeof w->said
-  };
+  gs_integration run = gs_prepared_run (w);
+  const gs_implicit more = gs_prepared_implicit (w);
   if (w->o->audit > 0)
     scene.rhs = d->audited;
   if (w->in->kind == 3)
@@ -161,7 +167,7 @@ end_by_event (gs_whole_run *w)
 }
 
 static int
-finite (const gs_real *x, int n)
+all_finite (const gs_real *x, int n)
 {
   return gs_not_finite (n, x) == 0;
 }
@@ -179,7 +185,7 @@ output (const gs_whole_run *w, int k, const gs_real *switches)
   for (int i = 0; i < s->nsw && k > 0 && k < r->istat[GS_N_OUTPUTS]; i++)
     if (switches[i] >= r->times[k] && switches[i] <= r->times[k])
       t = gs_time_beside (r->times[k], -1);
-  if (s->out && finite (x, s->nx) && finite (v, s->nv))
+  if (s->out && all_finite (x, s->nx) && all_finite (v, s->nv))
     info = s->out (t, x, v, r->cst, y);
   for (int i = 0; i < s->ny && info != 0 && info != 2; i++)
     y[i] = (gs_real)NAN;
@@ -228,21 +234,34 @@ tell_failure (gs_whole_run *w)
     return;
   const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
   const int said = (int)strlen (r->text);
-  if (finite (x, w->d->scene->nx) && finite (v, w->d->scene->nv))
+  if (all_finite (x, w->d->scene->nx) && all_finite (v, w->d->scene->nv))
     gs_outside_text (w->d, r->rstat[GS_T_REACHED], x, v, r->cst, w->s->par, r->text + said,
                      (int)sizeof r->text - said);
 }
 
 /* ---------------------------------------------------------------------------------------- whole */
 
-static int
-prepare (gs_whole_run *w)
+int
+gs_prepare_run (gs_whole_run *w)
 {
-  const gs_run_options *o = w->o;
-  if (o->audit > 0 && ! w->d->audited)
-    return gs_refuse (w->r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
+  const gs_description *d = w->d;
+  gs_run_result *r = w->r;
+  const int audit = w->o->audit > 0;
+  memset (r, 0, sizeof *r);
+  r->nx = d->scene->nx + (audit ? 2 : 0);
+  r->nt = w->s->nt;
+  r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
+  if (audit && ! d->audited)
+    return gs_refuse (r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
   return make_room (w) || gs_choose_method (w) || gs_choose_tolerances (w) || gs_choose_loops (w)
-         || take_start (w) || gs_lay_inputs (w) || lay_plan (w);
+         || gs_lay_inputs (w) || lay_plan (w);
+}
+
+void
+gs_forget_run (gs_whole_run *w)
+{
+  free (w->jumps);
+  free (w->w);
 }
 
 int
@@ -250,11 +269,7 @@ gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
         const gs_run_inputs *in, gs_run_result *r)
 {
   gs_whole_run w = { .d = d, .o = o, .s = s, .in = in, .r = r };
-  memset (r, 0, sizeof *r);
-  r->nx = d->scene->nx + (o->audit > 0 ? 2 : 0);
-  r->nt = s->nt;
-  r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
-  if (! prepare (&w))
+  if (! gs_prepare_run (&w) && ! take_start (&w))
     {
       integrate (&w);
       if (strcmp (r->method, "auto") == 0)
@@ -267,7 +282,6 @@ gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
       if (! r->refused)
         outputs (&w);
     }
-  free (w.jumps);
-  free (w.w);
+  gs_forget_run (&w);
   return r->refused || r->info != GS_DONE;
 }

@@ -54,12 +54,19 @@ check_routines (gs_whole_run *w, int way)
          || (projects && lacks (w, s->prj != NULL, "prj"));
 }
 
-/* the constants with the parameter loop_method that the way needs */
+gs_real
+gs_wanted_loop_method (const gs_whole_run *w)
+{
+  const int way = w->iopt[GS_LOOPS];
+  return way > 3 ? (gs_real)(way - 2) : 1;
+}
+
+/* the constants with that parameter */
 static int
-set_loop_method (gs_whole_run *w, int way)
+set_loop_method (gs_whole_run *w)
 {
   const gs_description *d = w->d;
-  const double wanted = way > 3 ? way - 2 : 1;
+  const double wanted = (double)gs_wanted_loop_method (w);
   memcpy (w->r->cst, w->s->cst, (size_t)d->ncst * sizeof (gs_real));
   if (d->loop_method < 0 || ! w->s->par)
     return 0;
@@ -102,5 +109,5 @@ gs_choose_loops (gs_whole_run *w)
     w->iopt[GS_ON_SPEEDS + 1 + i] = w->d->speedrows[i];
   if (w->o->drift > 0 && lacks (w, s->con != NULL, "con"))
     return 1;
-  return check_routines (w, way) || set_loop_method (w, way);
+  return check_routines (w, way) || set_loop_method (w);
 }

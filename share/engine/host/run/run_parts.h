@@ -37,4 +37,14 @@ int gs_choose_method (gs_whole_run *w);     /* method, order, lengths and number
 int gs_choose_tolerances (gs_whole_run *w);
 int gs_choose_loops (gs_whole_run *w);      /* iopt, and r->cst */
 int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
+
+/* the parameter loop_method as the way of the loops needs it */
+gs_real gs_wanted_loop_method (const gs_whole_run *w);
+
+/* all of these, room, r->ip, r->rp; then the run as gs_integrate takes it, and what an implicit
+ * method has beside it */
+int gs_prepare_run (gs_whole_run *w);
+gs_integration gs_prepared_run (gs_whole_run *w);
+gs_implicit gs_prepared_implicit (gs_whole_run *w);
+void gs_forget_run (gs_whole_run *w);
 #endif
