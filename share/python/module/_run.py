@@ -15,9 +15,6 @@ from ._structures import Inputs, Options, Result as Found, Start
 from ._tables import DEFAULT, FIXED, METHODS, REFUSALS, WAYS, check, expected, is_number
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
-AT_EVENT = 7       # what failed was an event: GS_AT_EVENT of gsmbp/failures.h, with the INFO
-WRONG_MODE = 13    # where the mode that is given contradicts the state
-ENDED = 11         # what a run says that an event of the user has ended
 # what the statistics of a result have as the run time has it (stub.py)
 STATISTICS = ('calls', 'accepted', 'rejected', 'projections', 'rank_losses', 'angle_singularities',
               'partition_changes', 'singular_positions', 'repeated', 'loose', 'phi', 'phidot',
@@ -412,34 +409,7 @@ def _result(who, model, found, seconds, audit, errors):
     return r
 
 
-def _row_times(model, t, wanted):
-    """The times that stand for the rows: where the scene switches a row has what was before, as the
-    inputs in it, but for the first one and that of an event which ends the run."""
-    if 'swi' not in ROUTINES:
-        return t
-    left = np.isin(t, model.swi())
-    left[0] = False
-    left[wanted:] = False
-    return np.where(left, t - np.maximum(2 * np.finfo(float).eps * np.abs(t), 1e-300), t)
-
-
-def _ended(run):
-    """Where an event of the user has ended a run: its name, and the state there is the last row."""
-    if run['info'] != ENDED:
-        return None
-    run['info'] = 0
-    last = run['stats']['reached']
-    number = int(_recorded(run)[2])
-    k = run['stats']['outputs']
-    if k == 0 or run['times'][k - 1] < last:
-        run['times'] = np.array(run['times'], float)
-        run['times'][k] = last
-        run['stats']['outputs'] += 1
-    return TABLE['events'][number - 1]['name']
-
-
-def _stats(model, run, method):
-    s = run['stats']
+def _stats(model, s, method, seconds):
     stats = {name: s[name] for name in STATISTICS}
     stats['rank_loss_times'] = [s['first_rank_loss'], s['last_rank_loss']]
     stats['angle_times'] = [s['first_angles'], s['last_angles']]
