@@ -6,7 +6,7 @@ MAXIMA_SOURCES := $(shell find gsmbp share -name '*.mac' -o -name '*.lisp' | \
                     grep -v -e '/compiled/' -e gsmbp-index) \
                   share/make/maxima share/make/derive
 GENERATED      := maxima.texi octave.texi entries.texi elements.texi laws.texi units.texi \
-                  version.texi fields.texi options.texi
+                  version.texi fields.texi options.texi methods.texi
 RUN_SOURCES    := $(shell find octave share/fortran -type f 2>/dev/null)
 
 # where `make install` puts things: the user's Maxima folder, or $(DESTDIR)$(PREFIX)/share when
@@ -341,7 +341,7 @@ doc: manual $(MANUAL).html $(MANUAL).pdf
 manual: $(MANUAL)-index.lisp
 
 share/manual/functions.txt: $(MAXIMA_SOURCES) $(wildcard octave/*.m) $(MANUAL_SOURCES) \
-                            share/engine/core/gsmbp/options.h | compiled
+                            share/engine/core/gsmbp/options.h share/engine/core/gsmbp/methods.h | compiled
 	share/make/manual sources
 
 $(MANUAL)-index.lisp: share/manual/functions.txt | packages-manual

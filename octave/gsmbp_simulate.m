@@ -361,7 +361,8 @@ function [result, info] = gsmbp_simulate (m, x0, times, varargin)
   result.stats.seconds = seconds;
   result.stats.rtol = ropt(2);
   result.stats.atol = atol(1:d.nx);
-  if (any (strcmp (result.stats.method, {"rk4", "gauss"})))
+  row = gs.run.method_row (result.stats.method);
+  if (row.fixed)
     [result.stats.rtol, result.stats.atol] = deal (NaN, NaN (d.nx, 1));
   endif
   gs.run.warn_of (who, m, result.stats, columns (events));

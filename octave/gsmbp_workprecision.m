@@ -84,28 +84,40 @@ function [w, best] = gsmbp_workprecision (m, x0, times, varargin)
 endfunction
 
 function list = ways ()
-  list = {"rk4", "gauss", "dp853", "cvode", "radau", "index2"};
+  rows = gs.text.table_rows ("GS_METHODS");
+  rows = rows(! strcmp (rows(:,4), "both"),:);
+  fixed = strcmp (rows(:,3), "fixed");
+  list = [rows(fixed,1)', rows(! fixed,1)', {"index2"}];
+endfunction
+
+## are its steps of one length?
+function yes = is_fixed (method)
+  yes = false;
+  if (! strcmp (method, "index2"))
+    row = gs.run.method_row (method);
+    yes = row.fixed;
+  endif
 endfunction
 
 ## its own options, and those for gsmbp_simulate
 function [o, rest] = read_options (m, pairs)
   who = "gsmbp_workprecision";
   radau = strcmp (m.precision, "double");   # quad has none
-  table = {"rk4", 10 .^ -(2:0.5:4), "list"
-           "gauss", [], "list"
-           "dp853", 10 .^ -(4:2:14), "list"
-           "cvode", [], "list"
-           "radau", [], "list"
-           "index2", [], "list"
-           "print", true, "flag"
+  table = [ways()', repmat({[], "list"}, numel (ways ()), 1)];
+  table{strcmp (table(:,1), "rk4"),2} = 10 .^ -(2:0.5:4);
+  table{strcmp (table(:,1), "dp853"),2} = 10 .^ -(4:2:14);
+  measures = ['"' strjoin(table(:,1)', '", "') '"'];
+  many = rows (table);
+  table = [table
+           {"print", true, "flag"
            "file", "", "text"
            "seconds", 0.1, "nonnegative"
-           "reference", 1e-18, "tolerance"};
+           "reference", 1e-18, "tolerance"}];
   [names, values] = gs.given.name_value_pairs (who, "option", pairs);
   measured = intersect (names, {"method", "step", "rtol", "atol", "drift"});
   if (! isempty (measured))
     error (["%s: option \"%s\" is what is measured: expected the steps or tolerances in " ...
-            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\""], who, measured{1});
+            "%s"], who, measured{1}, measures);
   endif
   own = ismember (names, table(:,1));
   run = gs.run.option_table (false);
@@ -115,12 +127,12 @@ function [o, rest] = read_options (m, pairs)
     error ("%s: unknown option %s", who, gs.text.nearest_word (names{k}, known));
   endif
   o = gs.given.call_options (who, table, [names(own); values(own)](:)');
-  if (radau && ! any (ismember (table(1:6,1), names)))
+  if (radau && ! any (ismember (table(1:many,1), names)))
     o.radau = 10 .^ -(4:2:12);
   endif
-  if (all (cellfun (@(name) isempty (o.(name)), table(1:6,1))))
+  if (all (cellfun (@(name) isempty (o.(name)), table(1:many,1))))
     error (["%s: nothing to measure: expected steps or tolerances in one of the options " ...
-            "\"rk4\", \"gauss\", \"dp853\", \"cvode\", \"radau\", \"index2\", found none"], who);
+            "%s, found none"], who, measures);
   endif
   check_own (who, m, o);
   rest = [names(! own); values(! own)](:)';
@@ -130,7 +142,7 @@ endfunction
 function check_own (who, m, o)
   for name = ways ()
     x = o.(name{1});
-    steps = any (strcmp (name{1}, {"rk4", "gauss"}));
+    steps = is_fixed (name{1});
     k = find (! (x > 0 & (x < 1 | steps)), 1);
     if (! isempty (k))
       error ("%s: option %s: expected %s, found %g", who, name{1}, ...
@@ -218,7 +230,7 @@ endfunction
 
 ## those of one measurement
 function options = options_of (rest, method, step)
-  name = {"rtol", "step"}{1 + any(strcmp (method, {"rk4", "gauss"}))};
+  name = {"rtol", "step"}{1 + is_fixed(method)};
   options = [rest, {"method", method, name, step, "drift", false}];
   if (strcmp (method, "index2"))
     options = [in_index2(rest), {name, step, "drift", false}];
@@ -316,9 +328,11 @@ function figure_of (file, m, w)
     of = strcmp ({w.method}, methods{k});
     y(of,k) = max ([w(of).error]', 1e-17);
   endfor
-  labels = struct ("rk4", "RK4", "gauss", "Gauss", "dp853", "DOP853", "cvode", "CVODE", "radau", ...
-                   "Radau IIA", "index2", "Radau IIA, index 2");
-  names = cellfun (@(n) labels.(n), methods, "UniformOutput", false);
+  labels = {"rk4", "RK4"; "gauss", "Gauss"; "dp853", "DOP853"; "cvode", "CVODE"
+            "radau", "Radau IIA"; "index2", "Radau IIA, index 2"};
+  names = methods;
+  [known, k] = ismember (methods, labels(:,1));
+  names(known) = labels(k(known),2);
   label = {"largest error of a state", "largest error [rad, m]"}{1 + (m.sizes.nq > 0)};
   gsmbp_plot (file, x, struct ("y", y, "names", {names}, "label", label, "style", ...
                                "linespoints"), "xlabel",

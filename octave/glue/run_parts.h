@@ -277,14 +277,14 @@ events (run_plan& plan, int nx)
 }
 
 #if ! defined (GSMBP_QUAD)
-// who runs by an implicit method: "radau", "gauss", or libgsmbp_cvode.so, which has gs_cvode
+// who runs by an implicit method: one of the engine, or libgsmbp_cvode.so, which has gs_cvode
 static gs_implicit_method *
 implicit_run (const std::string& library)
 {
   static gs_implicit_method *run = nullptr;
   static std::string loaded;
-  if (library == "radau" || library == "gauss")
-    return library == "radau" ? gs_radau : gs_gauss;
+  if (gs_implicit_method *own = gs_method_named (library.c_str ()))
+    return own;
   if (loaded != library)
     {
       std::string name = "gs_" + library.substr (library.rfind ("libgsmbp_") + 9);

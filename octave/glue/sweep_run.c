@@ -35,11 +35,7 @@ find_method (gs_sweep *s, char *why)
 {
   long long n;
   const char *method = gs_text (s->job, "library", &n);
-  s->implicit_method = NULL;
-  if (strcmp (method, "radau") == 0)
-    s->implicit_method = gs_radau;
-  if (strcmp (method, "gauss") == 0)
-    s->implicit_method = gs_gauss;
+  s->implicit_method = gs_method_named (method);
 #if defined (GS_CVODE)
   if (strcmp (method, "cvode") == 0)
     s->implicit_method = gs_cvode;

@@ -8,11 +8,13 @@ import re
 
 # types of the kinds of options.h, and of options of kind "any"
 KINDS = {'flag': 'bool', 'tolerance': 'float', 'positive': 'float', 'nonnegative': 'float',
-         'steps': 'int', 'list': 'ArrayLike'}
+         'steps': 'int', 'list': 'ArrayLike', 'numbers': 'ArrayLike',
+         'names': 'Union[str, Sequence[str]]'}
 OPTIONS = {'step': 'float', 'atol': 'ArrayLike', 'maxorder': 'int', 'input': 'Input',
            'motion': 'Piecewise', 'gain': 'Any', 'reference': 'Any', 'limits': 'ArrayLike',
            'errors': "Literal['raise', 'return']"}
-WORDS = {'method': 'GS_METHODS', 'start': 'GS_STARTS', 'loops': 'GS_LOOP_METHODS'}
+WORDS = {'method': ('methods.h', 'GS_METHODS'), 'start': ('options.h', 'GS_STARTS'),
+         'loops': ('options.h', 'GS_LOOP_METHODS')}
 
 
 def read(*path):
@@ -31,7 +33,7 @@ def annotated(home, name, default):
     kinds = {row[0]: row[1:] for row in rows(home, 'options.h', 'GS_OPTIONS')}
     kind, value = kinds.get(name, ('any', None))
     if name in WORDS:
-        words = [row[0] for row in rows(home, 'options.h', WORDS[name])]
+        words = [row[0] for row in rows(home, *WORDS[name])]
         kind = 'Literal[%s]' % ', '.join(map(repr, words))
     else:
         kind = OPTIONS[name] if kind == 'any' else KINDS[kind]

@@ -23,8 +23,8 @@ for kind in double quad; do
     quad) flags=-DGSMBP_QUAD library=-lquadmath more= ;;
   esac
   gcc $c $flags -g -O0 -pthread -o "$work/$kind" tests/c/host/run.c \
-    share/engine/host/run/*.c share/engine/host/*.c $more $core/*/*.c $core/*/*/*.c \
-    $library -lm >"$report" 2>&1
+    share/engine/host/run/*.c share/engine/host/derivatives/*.c share/engine/host/*.c $more \
+    $core/*/*.c $core/*/*/*.c $library -lm >"$report" 2>&1
   told $? "the program compiles in $kind precision" "$report"
   to_the_end "$work/$kind"
 done

@@ -21,7 +21,7 @@ def run_time(root, folder):
     if not os.path.exists(target):
         sources = glob.glob(home + '/engine/core/**/*.c', recursive=True)
         sources += glob.glob(home + '/python/c/*.c')
-        for part in ('', 'run/', 'implicit/', 'ensemble/', 'lanes/'):
+        for part in ('', 'run/', 'implicit/', 'derivatives/', 'ensemble/', 'lanes/'):
             sources += glob.glob(home + '/engine/host/' + part + '*.c')
         folders = ['-I' + home + place for place in ('/engine/core', '/engine', '/python/c')]
         subprocess.run(FLAGS + ['-o', target] + folders + sources, check=True)

@@ -5,7 +5,8 @@
 
 function library = implicit_library (who, m, method)
   library = method;
-  if (! strcmp (method, "cvode"))
+  row = gs.run.method_row (method);
+  if (! strcmp (row.by, "library"))
     return;
   endif
   common = fullfile (fileparts (fileparts (m.file)), "common");

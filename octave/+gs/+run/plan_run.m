@@ -32,7 +32,8 @@ function p = plan_run (who, m, x0, times, o)
   ends = breaks(breaks == t0 | breaks == times(end));   # of them only a function of Octave is told
   breaks = breaks(breaks > t0 & breaks < times(end));
   library = "";
-  if (! any (strcmp (p.method, {"dp853", "rk4"})))
+  row = gs.run.method_row (p.method);
+  if (! strcmp (row.by, "core"))
     library = gs.model.implicit_library (who, m, strrep (p.method, "auto", "radau"));
   endif
   guess = zeros (d.nu, 1);
@@ -50,7 +51,8 @@ endfunction
 
 ## the number of steps: of a fixed length what GSSIM (gsarg.f) counts to, else what time resolves
 function check_number (who, method, ropt, span)
-  fixed = any (strcmp (method, {"rk4", "gauss"}));
+  row = gs.run.method_row (method);
+  fixed = row.fixed;
   most = gs.text.run_limit ({"controlled_steps", "fixed_steps"}{1 + fixed});
   steps = [ropt(1) * fixed, ropt(3)];
   steps(steps == 0) = Inf;

@@ -21,7 +21,8 @@ endfunction
 
 function text = texts ()
   text = cellfun (@(file) fileread (gs.files.own_place ("share", "engine/core/gsmbp", file)), ...
-                  {"options.h", "limits.h", "refusals.h", "failures.h"}, "UniformOutput", false);
+                  {"options.h", "methods.h", "limits.h", "refusals.h", "failures.h"}, ...
+                  "UniformOutput", false);
   text = [text{:}];
 endfunction
 

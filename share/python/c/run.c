@@ -45,6 +45,14 @@ gs_loop_run (gs_run_options *o, const gs_run_start *s, const gs_run_inputs *in,
   return gs_run (gs_loop_about (), o, s, in, r);
 }
 
+/* the same up to its first step */
+int
+gs_loop_prepare (const gs_run_options *o, const gs_run_start *s, const gs_run_inputs *in,
+                 gs_run_result *r)
+{
+  return gs_run_prepare (gs_loop_about (), o, s, in, r);
+}
+
 /* bytes of the structures that Python fills and reads as well */
 int
 gs_loop_size (int which)
@@ -59,13 +67,14 @@ gs_loop_size (int which)
 #define TWO(name, value) #name "\t" #value "\n"
 #define TEXT(name, text) #name "\t" text "\n"
 #define THREE(name, kind, value) #name "\t" #kind "\t" #value "\n"
+#define SIX(name, a, b, c, d, e) #name "\t" #a "\t" #b "\t" #c "\t" #d "\t" #e "\n"
 
 /* the tables that hosts share, a line for each row, tabs between its parts */
 const char *
 gs_loop_table (int which)
 {
   static const char *const tables[] = {
-    GS_COUNTS (ONE), GS_VALUES (ONE), GS_OPTIONS (THREE), GS_KINDS (TEXT), GS_METHODS (TWO),
+    GS_COUNTS (ONE), GS_VALUES (ONE), GS_OPTIONS (THREE), GS_KINDS (TEXT), GS_METHODS (SIX),
     GS_LOOP_METHODS (TWO), GS_LIMITS (TWO), GS_REFUSALS (TEXT), GS_VERDICTS (NAME)
   };
   return tables[which];

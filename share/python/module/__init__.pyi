@@ -69,6 +69,16 @@ class Result:
     samples: Optional[dict[str, Any]]
     events: Optional[dict[str, Any]]
     audit: Optional[dict[str, Any]]
+    dx: dict[str, Real]
+    dv: dict[str, Real]
+    dy: dict[str, Real]
+
+class Adjoint(NamedTuple):
+    J: Real
+    dJ: dict[str, Real]
+    dx0: Real
+    run: Result
+    steps: int
 
 class Ensemble:
     t: Real
@@ -105,6 +115,20 @@ class Model(Routines):
     def kept(self, name: str) -> Any: ...
     def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
     # simulate
+    def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
+                 parameters: Optional[Mapping[str, ArrayLike]] = ...,
+                 starts: Optional[ArrayLike] = ..., inputs: Optional[ArrayLike] = ...,
+                 threads: int = ..., method: str = ..., rtol: float = ...,
+                 atol: Optional[ArrayLike] = ..., step: Optional[float] = ...,
+                 maxstep: float = ..., maxsteps: int = ..., maxorder: Optional[int] = ...,
+                 loops: Optional[str] = ..., drift: Optional[bool] = ..., start: str = ...,
+                 input: Union[ArrayLike, Piecewise, None] = ...,
+                 breaks: Sequence[float] = ...) -> Ensemble: ...
+    def adjoint(self, x0: ArrayLike, times: ArrayLike, goal: Callable[[Result], tuple[Any, ...]],
+                *, rtol: float = ..., atol: Optional[ArrayLike] = ..., start: str = ...,
+                input: Union[None, ArrayLike, Piecewise] = ...,
+                fixed: Union[None, str, Sequence[str]] = ..., dx0: Optional[ArrayLike] = ...
+                ) -> Adjoint: ...
     def inverse(self, motion: Piecewise, times: ArrayLike, *, side: int = ...,
                 guess: Optional[ArrayLike] = ..., internal: Optional[ArrayLike] = ...
                 ) -> Inverse: ...

@@ -5,14 +5,14 @@ import os
 import numpy as np
 
 from ._library import HERE, LIBRARY, NAME, SIZES, TABLE
-from ._tables import REFUSALS, is_number
+from ._tables import PLACE, REFUSALS
 
 SPEEDS = slice(SIZES['nq'], SIZES['nq'] + SIZES['nu'])   # among the states
 
 
 def cvode(who, method):
     """CVODE in C for a run by this method, None where it needs none."""
-    return ctypes.cast(_sundials(who).gs_cvode, ctypes.c_void_p) if method == 'cvode' else None
+    return ctypes.cast(_sundials(who).gs_cvode, ctypes.c_void_p) if PLACE[method] == 'library' else None
 
 
 def _sundials(who):

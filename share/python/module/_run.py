@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 from . import _start
+from ._derivatives import Carried
 from ._ends import Ends
 from ._implicit import cvode, sharp_friction
 from ._library import Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, at
@@ -31,7 +32,8 @@ class RunWarning(RuntimeWarning):
 
 class Result:
     """What a run gives: t (nt,), x (nx, nt) states, v (nv, nt) inputs, y (ny, nt) outputs (None
-    where the scene has none), stats (a dict); samples and events: dicts of arrays, or None."""
+    where the scene has none), stats (a dict); samples and events: dicts of arrays, or None; with
+    sensitivity dx (nx, nt), dv, dy: dicts by the names."""
 
     def __init__(self, **fields):
         self.__dict__.update(fields)
@@ -89,7 +91,7 @@ class _Plan:
 
     def __init__(self, who, model):
         self.who, self.model = who, model
-        self.given, self.ends = Inputs(), Ends()
+        self.given, self.table, self.ends = Inputs(), None, Ends()
 
     def pieces(self, name, poly):
         self.given.put_pieces(name, poly)
@@ -118,7 +120,8 @@ class _Plan:
             poly = as_piecewise(self.who, 'input', given, getattr(given, 'n', NV)
                                 if getattr(given, 'n', NV) in (NV, len(free)) else NV)
             self.given.kind = 1
-            self.pieces('table', poly if poly.n == NV else self.spread(poly, free))
+            self.table = poly if poly.n == NV else self.spread(poly, free)
+            self.pieces('table', self.table)
         else:
             a = self.constants(np.atleast_1d(np.asarray(given)), free)
             if a.dtype.kind not in 'fiub' or a.shape != (NV,) or not np.isfinite(a).all():
@@ -252,7 +255,8 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
              start=DEFAULT.start, input=DEFAULT.input, motion=DEFAULT.motion,
              gain=DEFAULT.gain, reference=DEFAULT.reference,
              limits=DEFAULT.limits, breaks=(), memory=DEFAULT.memory, samples=DEFAULT.samples,
-             modes=DEFAULT.modes, audit=DEFAULT.audit, errors='raise'):
+             modes=DEFAULT.modes, audit=DEFAULT.audit, sensitivity=DEFAULT.sensitivity,
+             fixed=DEFAULT.fixed, dx0=DEFAULT.dx0, errors='raise'):
     """A run from the state x0 at times[0]; the states at all times come back.
 
     method: "dp853" (step control) or "rk4" (fixed step [s]); for stiff scenes "radau", "cvode"
@@ -272,6 +276,11 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     memory: of the sampled devices; samples: whether their instants are recorded; modes: of the
     ports that stick or hit stops.
     audit: an energy usual in the scene [J]; the result then has audit, the balance at the times.
+    sensitivity: names of parameters and of states, for their start values, by which derivatives are
+    carried: the result then has dx, dv, dy, dicts of arrays like x, v, y by these names. Scenes
+    without events. dx0 (nx, n): what the start has of the n names (default: nothing; a state by its
+    own start 1); fixed: coordinates of a closed chain that keep their derivatives at the start
+    (default: the actuated ones), the others follow from the constraints.
     errors: "raise", or "return": a run that fails comes back as far as it went, with its failure in
     stats["failure"].
     """
@@ -300,6 +309,9 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     p.feedback(gain, reference, limits)
     p.given.put('breaks', _breaks(who, breaks))
     p.given.nbreaks = len(p.given.kept['breaks'])
+    carried = Carried.of(who, self, sensitivity, fixed, dx0, motion is not None, input)
+    if carried:
+        carried.ask(options)
     found = Found()
     begun = time.perf_counter()
     with p.ends:
@@ -309,7 +321,7 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
         if p.ends.failure is not None:
             raise p.ends.failure
         _refuse(who, self, found)
-        return _result(who, self, found, time.perf_counter() - begun, audit, errors)
+        return _result(who, self, found, time.perf_counter() - begun, audit, errors, carried)
     finally:
         LIBRARY.gs_free_result(found.address())
 
@@ -380,7 +392,7 @@ def _tolerances(who, given):
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _result(who, model, found, seconds, audit, errors):
+def _result(who, model, found, seconds, audit, errors, carried):
     rows, method = found.rows, found.method.decode()
     v, x = found.array('v', (max(1, NV), rows))[:NV], found.array('x', (found.nx, rows))
     r = Result(t=found.array('times', (rows,)), x=x[:NX], v=v, y=None, samples=None, events=None,
@@ -405,8 +417,21 @@ def _result(who, model, found, seconds, audit, errors):
         r.events = _events(model, found)
     if audit is not None:
         r.audit = _audit(model, r, x[NX:])
+    if carried:
+        carried.found(r, found, _row_times(model, r.t, s['outputs']))
     _tell(who, model, r, method)
     return r
+
+
+def _row_times(model, t, wanted):
+    """The times that stand for the rows: where the scene switches a row has what was before, as the
+    inputs in it, but for the first one and that of an event which ends the run."""
+    if 'swi' not in ROUTINES:
+        return t
+    left = np.isin(t, model.swi())
+    left[0] = False
+    left[wanted:] = False
+    return np.where(left, t - np.maximum(2 * np.finfo(float).eps * np.abs(t), 1e-300), t)
 
 
 def _stats(model, s, method, seconds):
@@ -487,6 +512,9 @@ def _tell(who, model, r, method):
     if s['stiff'] and method in ('dp853', 'rk4'):
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
+    for one in s.get('lost', ()):
+        told.append('no derivatives by %(name)s from t = %(time).6g s on: the equations there have '
+                    'none' % one)
     told += sharp_friction(model, r, method)
     for text in told:
         warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=5)

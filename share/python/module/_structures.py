@@ -42,7 +42,8 @@ class Options(_Structure):
     _fields_ = [('method', _TEXT), ('loops', _TEXT), ('step', _REAL), ('rtol', _REAL),
                 ('atol', _AT), ('maxstep', _REAL), ('maxsteps', _REAL), ('maxorder', _REAL),
                 ('drift', _INT), ('project', _INT), ('samples', _INT), ('audit', _REAL),
-                ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
+                ('ncolumns', _INT), ('columns', _AT), ('sizes', _AT), ('dx0', _AT),
+                ('fixed', _AT), ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
 
 
 class Start(_Structure):
@@ -99,14 +100,14 @@ class _Taken(ctypes.Structure):
 class Result(_Structure):
     """gs_run_result; refused: 0, or as below."""
 
-    OPTION, ROUTINE, START, MODE, SAMPLES = range(1, 6)
+    OPTION, ROUTINE, START, MODE, SAMPLES, COLUMNS = range(1, 7)
     _fields_ = [('refused', _INT), ('info', _INT), ('option', _TEXT),
                 ('text', ctypes.c_char * 2400), ('warning', ctypes.c_char * 400),
                 ('start', _Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
                 ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
-                *((name, _AT) for name in ('ip', 'rp', 'room'))]
+                *((name, _AT) for name in ('ip', 'rp', 'derivatives', 'room'))]
 
     def pointer(self, name):
         return ctypes.c_void_p(getattr(self, name))

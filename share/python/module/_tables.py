@@ -1,5 +1,5 @@
-"""What all hosts of runs share, as the library has it (gsmbp/options.h, limits.h, refusals.h,
-statistics.h and failures.h)."""
+"""What all hosts of runs share, as the library has it (gsmbp/options.h, methods.h, limits.h,
+refusals.h, statistics.h and failures.h)."""
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,9 +10,12 @@ from ._library import LIBRARY
     [line.split('\t') for line in LIBRARY.gs_loop_table(k).decode().splitlines()]
     for k in range(9))
 COUNTS, VALUES, VERDICTS = ([name for name, in rows] for rows in (_COUNTS, _VALUES, _VERDICTS))
-METHODS = {word: int(number) for word, number in _METHODS}
+METHODS = {word: int(number) for word, number, *_ in _METHODS}
+FIXED = [row[0] for row in _METHODS if row[2] == 'fixed']   # methods with steps of one length
+PLACE = {row[0]: row[3] for row in _METHODS}                # of their code
+ORDERS = {row[0]: tuple(map(int, row[4].split())) for row in _METHODS if row[4] != 'none'}
+ORDER = {row[0]: int(row[5]) for row in _METHODS}
 WAYS = tuple(word for word, _ in _LOOPS)
-FIXED = ('rk4', 'gauss')   # methods with steps of one length
 LIMITS = SimpleNamespace(**{name: float(value) for name, value in _LIMITS})
 REFUSALS = SimpleNamespace(**dict(_REFUSALS))
 _EXPECTED = dict(_KINDS)

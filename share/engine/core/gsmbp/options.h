@@ -3,11 +3,11 @@
 #ifndef GSMBP_OPTIONS_H
 #define GSMBP_OPTIONS_H
 
-/* ROW (name, kind, default): kinds of GS_KINDS, or the words of GS_METHODS, GS_STARTS; default
- * none: what the run needs */
+/* ROW (name, kind, default): kinds of GS_KINDS, or the words of GS_METHODS (methods.h) and of
+ * GS_STARTS; default none: what the run needs */
 #define GS_OPTIONS(ROW)                                                                            \
   ROW (method, method, dp853)       /* of integration */                                           \
-  ROW (step, any, none)             /* of rk4, gauss [s], 1e-3; of others the first one */         \
+  ROW (step, any, none)             /* of fixed steps [s], 1e-3; otherwise the first one */        \
   ROW (rtol, tolerance, 1e-10)      /* relative tolerance */                                       \
   ROW (atol, any, none)             /* absolute tolerance, one or one for each state */            \
   ROW (maxstep, nonnegative, 0)     /* largest step [s]; 0: no limit */                            \
@@ -45,15 +45,6 @@
   ROW (list, "a vector of finite numbers")                                                         \
   ROW (text, "a text")                                                                             \
   ROW (names, "a name or a list of names")
-
-/* ROW (word, number): iopt[GS_METHOD]; 0: by an implicit method alone (share/engine/host) */
-#define GS_METHODS(ROW)                                                                            \
-  ROW (dp853, 8)                                                                                   \
-  ROW (rk4, 4)                                                                                     \
-  ROW (cvode, 0)                                                                                   \
-  ROW (radau, 0)                                                                                   \
-  ROW (gauss, 0)                                                                                   \
-  ROW (auto, 9)
 
 #define GS_STARTS(ROW)                                                                             \
   ROW (check, 0)                                                                                   \

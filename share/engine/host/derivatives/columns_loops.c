@@ -202,6 +202,32 @@ fit (gs_derivatives *d, gs_real *x, int speeds)
   return (! moved && ! set) || (! moved && rows_hold (d, x, &r)) || follow (d, x, &r);
 }
 
+/* coordinates or speeds of the start, as gs_derivatives_start */
+static int
+start_rows (gs_derivatives *d, gs_real *x, int speeds)
+{
+  const int from = speeds ? d->inner.nq : 0, n = speeds ? d->inner.nu : d->inner.nq;
+  const loop_rows r = { from, n, speeds ? d->rows.hc : d->rows.dp, d->loops.b };
+  next_to_columns (d, x, speeds);
+  if (! follow (d, x, &r))
+    return GS_START_CHOICE;
+  next_to_columns (d, x, speeds);
+  return rows_hold (d, x, &r) ? 0 : GS_START_CONTRADICTION;
+}
+
+int
+gs_derivatives_start (gs_derivatives *d, gs_real t, gs_real *x, const int *fixed)
+{
+  if (d->inner.nlam == 0)
+    return 0;
+  if (d->inner.nq != d->inner.nu || read_rows (d, t, x) != 0)
+    return GS_START_UNDEFINED;
+  for (int i = 0; i < d->inner.nq; i++)
+    d->loops.set[i] = d->loops.set[d->inner.nq + i] = fixed[i];
+  const int found = start_rows (d, x, 0);
+  return found != 0 ? found : start_rows (d, x, 1);
+}
+
 void
 gs_columns_through_loops (gs_derivatives *d, gs_real t, gs_real *x, int k)
 {

@@ -49,6 +49,17 @@ void gs_derivatives_close (gs_derivatives *d);
 const gs_scene *gs_derivatives_scene (const gs_derivatives *d);
 const gs_real *gs_derivatives_constants (const gs_derivatives *d);
 
+/* The columns of the start x (nx,1+nc) of a closed chain made consistent with its constraints:
+ * coordinates with fixed (nq) of 1, and their speeds, keep their derivatives, the others follow. 0,
+ * or why they do not: */
+enum
+{
+  GS_START_CHOICE = 1,    /* too few are fixed, */
+  GS_START_CONTRADICTION, /* too many */
+  GS_START_UNDEFINED      /* con fails, or speeds are not the rates of the coordinates */
+};
+int gs_derivatives_start (gs_derivatives *d, gs_real t, gs_real *x, const int *fixed);
+
 /* ---------------------------------------------------------------------------- behind the run */
 
 /* why column k (from 0) has no derivatives from some event on: 0: it has; */

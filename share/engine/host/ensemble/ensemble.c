@@ -136,6 +136,7 @@ gs_run_ensemble (const gs_ensemble *e, const gs_rows *rows, int threads, gs_take
 {
   if (rows->n < 1)
     return 0;
+  threads = threads < 1 ? 1 : threads < rows->n ? threads : rows->n;
   ensemble all = { .e = e, .rows = rows, .take = take, .to = to, .progress = progress,
                    .most = (rows->n - 1) / threads + 1 };
   worker *workers = calloc ((size_t)threads, sizeof *workers);

@@ -124,18 +124,15 @@ compute_constants (const gs_row_groups *all, row_group *g)
 }
 #endif
 
-/* the next row of a group; the lock is held */
+/* the next row of a group, its place in it; the lock is held */
 static int
-take (gs_row_groups *all, row_group *g, gs_real *cst, gs_known_row *row)
+take (gs_row_groups *all, row_group *g, int *place)
 {
   while (g->left < 0)
     pthread_cond_wait (&all->known, &all->lock);
   if (g->left == 0)
     return 0;
-  const int place = g->size - g->left--;
-  for (int k = 0; k < all->e->ncst; k++)
-    cst[k] = g->cst[GS_LANES * k + place];
-  *row = (gs_known_row){ g->first + place, cst, g->info[place] };
+  *place = g->size - g->left--;
   return 1;
 }
 
@@ -158,23 +155,35 @@ fill (gs_row_groups *all, row_group *g)
   return 1;
 }
 
+/* the next row of a thread and the group that it is of, a null pointer where there is none */
+static row_group *
+next_of_groups (gs_row_groups *all, int thread, int *place)
+{
+  row_group *own = &all->groups[thread];
+  if (take (all, own, place) || (fill (all, own) && take (all, own, place)))
+    return own;
+  for (int k = 0; k < all->threads; k++)
+    if (take (all, &all->groups[k], place))
+      return &all->groups[k];
+  return NULL;
+}
+
+/* A row of the group of another thread is taken only where no group gets new rows: its constants
+ * stay as they are. */
 int
 gs_next_row (gs_row_groups *all, int thread, gs_real *cst, gs_known_row *row)
 {
+  int place = 0;
   pthread_mutex_lock (&all->lock);
-  int is = 0;
-  if (all->at_once)
-    {
-      row_group *own = &all->groups[thread];
-      is = take (all, own, cst, row) || (fill (all, own) && take (all, own, cst, row));
-      for (int k = 0; k < all->threads && ! is; k++)
-        is = take (all, &all->groups[k], cst, row);
-    }
-  else if (all->next < all->rows->n)
-    {
-      *row = (gs_known_row){ all->next++, NULL, 0 };
-      is = 1;
-    }
+  const row_group *g = all->at_once ? next_of_groups (all, thread, &place) : NULL;
+  const int first = g ? g->first + place : all->next;
+  const int is = g || (! all->at_once && first < all->rows->n);
+  all->next += is && ! g;
   pthread_mutex_unlock (&all->lock);
+  *row = (gs_known_row){ first, NULL, 0 };
+  for (int k = 0; g && k < all->e->ncst; k++)
+    cst[k] = g->cst[GS_LANES * k + place];
+  if (g)
+    *row = (gs_known_row){ first, cst, g->info[place] };
   return is;
 }

@@ -1,5 +1,5 @@
-/* host/ensemble/run_rows.h: many runs on threads, for all hosts: what differs from run to run is a table
- * (host/ensemble/ensemble.h), all else is said as for one run (host/run/run.h). */
+/* host/ensemble/run_rows.h: many runs on threads, for all hosts: what differs from run to run is a
+ * table (host/ensemble/ensemble.h), all else is said as for one run (host/run/run.h). */
 #ifndef GSMBP_HOST_ENSEMBLE_RUN_ROWS_H
 #define GSMBP_HOST_ENSEMBLE_RUN_ROWS_H
 

@@ -9,6 +9,7 @@
 #define GS_HOST_IMPLICIT_H
 #include <stddef.h>
 #include "gsmbp/integrate.h"
+#include "gsmbp/methods.h"
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -29,8 +30,16 @@ typedef struct
 typedef int gs_implicit_method (const gs_scene *scene, gs_integration *run,
                                 const gs_implicit *options);
 
-/* collocation of Radau, IIA; BDF, CVODE of SUNDIALS (host/cvode); collocation of Gauss */
-extern gs_implicit_method gs_radau, gs_cvode, gs_gauss;
+/* gs_radau, gs_gauss, ...; of a library by itself gs_cvode (host/cvode) */
+#define GS_DECLARED_core(word)
+#define GS_DECLARED_both(word)
+#define GS_DECLARED_engine(word) extern gs_implicit_method gs_##word;
+#define GS_DECLARED_library(word) extern gs_implicit_method gs_##word;
+#define GS_DECLARED(word, number, steps, by, orders, order) GS_DECLARED_##by (word)
+GS_METHODS (GS_DECLARED)
+
+/* the method of the engine with this name; a null pointer: it has none */
+gs_implicit_method *gs_method_named (const char *name);
 
 #ifdef __cplusplus
 }

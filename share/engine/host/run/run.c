@@ -42,12 +42,18 @@ make_room (gs_whole_run *w)
   w->iopt = (int *)(r->cst + cst);
   memcpy (r->times, w->s->times, nt * sizeof (gs_real));
   memcpy (w->x0, w->s->x0, (size_t)s->nx * sizeof (gs_real));
+  if (w->o->dx0 && w->o->ncolumns > 0)
+    memcpy (w->x0 + s->nx, w->o->dx0,
+            (size_t)s->nx * (size_t)w->o->ncolumns * sizeof (gs_real));
   return 0;
 }
 
 void
 gs_free_result (gs_run_result *r)
 {
+  if (r->derivatives)
+    gs_derivatives_close (r->derivatives);
+  r->derivatives = NULL;
   free (r->room);
   free (r->ip);
   free (r->rp);
@@ -79,6 +85,8 @@ lay_plan (gs_whole_run *w)
   if (! r->ip || ! r->rp || ! w->w)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the plan");
   gs_lay (&w->plan, r->ip, r->rp);
+  if (w->d->scene->nq == w->d->scene->nu)   /* the guess of a planned motion */
+    memcpy (w->w, w->x0, (size_t)w->d->scene->nu * sizeof (gs_real));
   gs_start first;
   if (gs_check_samples (w->d, w->s->times[0], r->cst, r->ip, r->rp, &first) == GS_START_TAKEN)
     return 0;
@@ -119,6 +127,7 @@ gs_prepared_implicit (gs_whole_run *w)
 {
   return (gs_implicit){
     .order = w->order, .index2 = w->index2, .resume = w->iopt[GS_METHOD] != 0,
+    .columns = w->o->ncolumns,
     .followed = w->d->nfollowed, .follows = w->d->followed, .text = w->said,
     .length = sizeof w->said
   };
@@ -141,8 +150,11 @@ integrate (gs_whole_run *w)
       scene.vin = beside_jumps;
       scene.data = w;
     }
-  if (scene.nq == scene.nu)
-    memcpy (w->w, w->x0, (size_t)scene.nu * sizeof (gs_real));
+  if (r->derivatives)
+    {
+      scene = *gs_derivatives_scene (r->derivatives);
+      run.cst = gs_derivatives_constants (r->derivatives);
+    }
   r->info = more.resume ? gs_integrate (&scene, &run) : GS_STIFF;
   if (r->info == GS_STIFF && w->by)
     r->info = w->by (&scene, &run, &more);
@@ -248,7 +260,7 @@ gs_prepare_run (gs_whole_run *w)
   gs_run_result *r = w->r;
   const int audit = w->o->audit > 0;
   memset (r, 0, sizeof *r);
-  r->nx = d->scene->nx + (audit ? 2 : 0);
+  r->nx = d->scene->nx * (1 + w->o->ncolumns) + (audit ? 2 : 0);
   r->nt = w->s->nt;
   r->ldv = d->scene->nv > 1 ? d->scene->nv : 1;
   if (audit && ! d->audited)
@@ -264,12 +276,30 @@ gs_forget_run (gs_whole_run *w)
   free (w->w);
 }
 
+/* all before the first step */
+static int
+begin (gs_whole_run *w)
+{
+  return gs_prepare_run (w) || take_start (w) || gs_open_columns (w);
+}
+
+int
+gs_run_prepare (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
+                const gs_run_inputs *in, gs_run_result *r)
+{
+  gs_whole_run w = { .d = d, .o = o, .s = s, .in = in, .r = r };
+  if (! begin (&w))
+    memcpy (r->x, w.x0, (size_t)r->nx * sizeof (gs_real));
+  gs_forget_run (&w);
+  return r->refused;
+}
+
 int
 gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
         const gs_run_inputs *in, gs_run_result *r)
 {
   gs_whole_run w = { .d = d, .o = o, .s = s, .in = in, .r = r };
-  if (! gs_prepare_run (&w) && ! take_start (&w))
+  if (! begin (&w))
     {
       integrate (&w);
       if (strcmp (r->method, "auto") == 0)

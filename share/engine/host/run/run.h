@@ -8,6 +8,7 @@
 
 #include "gsmbp/integrate.h"
 #include "gsmbp/plan.h"
+#include "host/derivatives/derivatives.h"
 #include "host/implicit/implicit.h"
 #include "host/start.h"
 
@@ -31,6 +32,12 @@ typedef struct
   int samples;          /* 1: instants of sampled devices are recorded */
   double audit;         /* an energy usual in the scene [J]: the run has two more states, what came
                            in and what passed [J]; 0: none */
+  int ncolumns;         /* derivatives that are carried: the run has nx more states for each, */
+  const int *columns;   /* ncolumns: by which parameter of rhp (from 1), 0: by a start value, */
+  const double *sizes;  /* ncolumns: nominal magnitudes of these, */
+  const gs_real *dx0;   /* (nx,ncolumns): those of the start; a null pointer: 0, */
+  const int *fixed;     /* nq: 1 where a coordinate of a closed chain keeps them, the others follow
+                           from the constraints */
   gs_implicit_method *cvode; /* where SUNDIALS is there, else a null pointer */
   int (*ask) (void *asked, gs_real t); /* as in gs_integration */
   void *asked;
@@ -66,7 +73,7 @@ typedef struct
 
 /* why a run was not begun */
 enum { GS_NOT_REFUSED, GS_REFUSED_OPTION, GS_REFUSED_ROUTINE, GS_REFUSED_START, GS_REFUSED_MODE,
-       GS_REFUSED_SAMPLES };
+       GS_REFUSED_SAMPLES, GS_REFUSED_COLUMNS };
 
 typedef struct
 {
@@ -78,7 +85,7 @@ typedef struct
   gs_start start;       /* what was found at the start */
   const char *method;   /* of the last step */
   int ended;            /* number of the event of the user that has ended it (from 1), or 0 */
-  int nx, nt, ldv;      /* states (with those of an audit), times */
+  int nx, nt, ldv;      /* states (with those of an audit, of derivatives), times */
   int rows;             /* times reached: columns of the results that are there; where the run has
                            failed the next one has its last state */
   double rtol;
@@ -93,6 +100,7 @@ typedef struct
   gs_real rstat[GS_MEASURED];
   int *ip;              /* the plan, with records of samples and events: gs_planned_samples, */
   gs_real *rp;          /* gs_planned_events */
+  gs_derivatives *derivatives; /* what a run that carried some has found besides, or null */
   void *room;           /* where all of these lie */
 } gs_run_result;
 
@@ -104,6 +112,11 @@ gs_run_options gs_default_options (void);
 int gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
             const gs_run_inputs *in, gs_run_result *r);
 void gs_free_result (gs_run_result *r);
+
+/* the same up to the first step: r->x has the start in its first column, r->ip and r->rp the
+ * plan */
+int gs_run_prepare (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
+                    const gs_run_inputs *in, gs_run_result *r);
 
 #ifdef __cplusplus
 }

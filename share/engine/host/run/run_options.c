@@ -8,15 +8,18 @@
 
 #include "gsmbp/expressions.h"
 #include "gsmbp/limits.h"
+#include "gsmbp/methods.h"
 #include "gsmbp/options.h"
 #include "gsmbp/refusals.h"
 #include "host/run/run_parts.h"
 #include "host/text.h"
 
 #define ROW_DEFAULT(name, kind, value) { #name, #value },
-#define ROW_NUMBER(word, number) { #word, number },
+#define ROW_METHOD(word, number, steps, by, orders, order)                                         \
+  { #word, #steps, #by, #orders, number, order },
 static const struct { const char *name, *value; } defaults[] = { GS_OPTIONS (ROW_DEFAULT) };
-static const struct { const char *word; int number; } methods[] = { GS_METHODS (ROW_NUMBER) };
+static const struct { const char *word, *steps, *by, *orders; int number, order; } methods[]
+    = { GS_METHODS (ROW_METHOD) };
 
 enum { METHODS = sizeof methods / sizeof *methods, OPTIONS = sizeof defaults / sizeof *defaults };
 
@@ -72,60 +75,53 @@ is (const gs_whole_run *w, const char *method)
   return strcmp (w->o->method, method) == 0;
 }
 
-/* the orders of the implicit methods; default: the last one, of gauss that before it */
-static const int *
-orders_of (const gs_whole_run *w, int *n)
+/* is the order among those of method k? all: these with commas */
+static int
+has_order (int k, double order, char *all, size_t size)
 {
-  static const int radau[] = { 5, 9, 13 }, gauss[] = { 4, 6, 8 }, bdf[] = { 1, 2, 3, 4, 5 };
-  *n = is (w, "cvode") ? 5 : 3;
-  return is (w, "cvode") ? bdf : is (w, "gauss") ? gauss : radau;
+  gs_writer list = { all, (int)size, 0 };
+  int found = 0;
+  char *end;
+  const char *p = methods[k].orders;
+  for (long one = strtol (p, &end, 10); end > p; p = end, one = strtol (p, &end, 10))
+    {
+      gs_put (&list, list.length > 0 ? ", %ld" : "%ld", one);
+      found = found || ((double)one <= order && order <= (double)one);
+    }
+  return found;
 }
 
 static int
-choose_order (gs_whole_run *w)
+choose_order (gs_whole_run *w, int k)
 {
-  int n;
-  const int *orders = orders_of (w, &n);
-  const double given = w->o->maxorder;
-  if (is (w, "dp853") || is (w, "rk4"))
+  char all[80] = "", found[40];
+  w->order = methods[k].order;
+  if (isnan (w->o->maxorder))
+    return 0;
+  snprintf (found, sizeof found, "%g", w->o->maxorder);
+  if (has_order (k, w->o->maxorder, all, sizeof all))
     {
-      if (! isnan (given))
-        {
-          char found[40];
-          snprintf (found, sizeof found, "%g", given);
-          return gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.one_order,
-                            w->o->method, found);
-        }
+      w->order = (int)w->o->maxorder;
       return 0;
     }
-  w->order = orders[n - 1 - is (w, "gauss")];
-  for (int k = 0; k < n && ! isnan (given); k++)
-    if (given >= orders[k] && given <= orders[k])
-      {
-        w->order = orders[k];
-        return 0;
-      }
-  if (isnan (given))
-    return 0;
-  char all[80], found[40];
-  gs_writer list = { all, (int)sizeof all, 0 };
-  for (int k = 0; k < n; k++)
-    gs_put (&list, k > 0 ? ", %d" : "%d", orders[k]);
-  snprintf (found, sizeof found, "%g", given);
-  return gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.order, all, found);
+  return *all ? gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.order, all, found)
+              : gs_refuse (w->r, GS_REFUSED_OPTION, "maxorder", gs_refusals.one_order,
+                           w->o->method, found);
 }
 
 /* who integrates where gs_integrate does not; in double precision alone */
 static int
-choose_implicit (gs_whole_run *w)
+choose_implicit (gs_whole_run *w, int k)
 {
-  if (is (w, "dp853") || is (w, "rk4"))
+  const char *by = methods[k].by;
+  if (strcmp (by, "core") == 0)
     return 0;
 #if defined (GSMBP_QUAD) || defined (GSMBP_FLOAT)
   return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "%s works in double precision alone",
                     w->o->method);
 #else
-  w->by = is (w, "gauss") ? gs_gauss : is (w, "cvode") ? w->o->cvode : gs_radau;
+  w->by = strcmp (by, "library") == 0 ? w->o->cvode
+          : gs_method_named (strcmp (by, "both") == 0 ? "radau" : w->o->method);
   if (w->by == NULL)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "%s", gs_refusals.no_sundials);
   return 0;
@@ -160,7 +156,7 @@ gs_choose_method (gs_whole_run *w)
   w->r->method = methods[k].word;
   w->iopt[GS_METHOD] = methods[k].number;
   w->iopt[GS_MOST_STEPS] = (int)o->maxsteps;
-  w->fixed = is (w, "rk4") || is (w, "gauss");
+  w->fixed = strcmp (methods[k].steps, "fixed") == 0;
   const double step = isnan (o->step) ? w->fixed ? 1e-3 : 0 : o->step;
   if (! (step >= 0 && step <= DBL_MAX) || (w->fixed && ! (step > 0)))
     return gs_refuse (w->r, GS_REFUSED_OPTION, "step", "expected a length [s]; found %g", step);
@@ -169,7 +165,7 @@ gs_choose_method (gs_whole_run *w)
                       "expected 0 or more; found %g", o->maxstep >= 0 ? o->maxsteps : o->maxstep);
   w->ropt[0] = (gs_real)step;
   w->ropt[2] = (gs_real)o->maxstep;
-  return count_steps (w) || choose_order (w) || choose_implicit (w);
+  return count_steps (w) || choose_order (w, k) || choose_implicit (w, k);
 }
 
 #if defined (GSMBP_QUAD)
@@ -220,7 +216,8 @@ gs_choose_tolerances (gs_whole_run *w)
     snprintf (w->r->warning, sizeof w->r->warning, gs_refusals.low_tolerance, small, precision,
               (double)least);
   w->r->rtol = (double)w->ropt[1];
-  for (int k = nx; k < w->r->nx; k++)   /* of an audit */
-    w->atol[k] = w->ropt[1] * (gs_real)w->o->audit;
+  for (int k = nx; k < w->r->nx; k++)   /* of an audit, of derivatives */
+    w->atol[k] = w->o->audit > 0 ? w->ropt[1] * (gs_real)w->o->audit
+                                 : w->atol[k % nx] / (gs_real)w->o->sizes[k / nx - 1];
   return 0;
 }

@@ -41,6 +41,9 @@ int gs_lay_inputs (gs_whole_run *w);        /* plan, breaks */
 /* the parameter loop_method as the way of the loops needs it */
 gs_real gs_wanted_loop_method (const gs_whole_run *w);
 
+/* the scene with columns of derivatives, r->derivatives; those of w->x0 onto the constraints */
+int gs_open_columns (gs_whole_run *w);
+
 /* all of these, room, r->ip, r->rp; then the run as gs_integrate takes it, and what an implicit
  * method has beside it */
 int gs_prepare_run (gs_whole_run *w);
