@@ -32,8 +32,8 @@ done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'it has no data of its own'
 for header in host/derivatives/derivatives.h host/adjoint.h; do
-  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only -include $header - \
-    </dev/null
+  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only \
+    -include $header - </dev/null
 done >"$report" 2>&1
 result 'its headers compile as C++'
 for kind in double quad; do

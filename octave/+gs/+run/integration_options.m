@@ -1,5 +1,5 @@
 ## [iopt, ropt, atol, method, order] = gs.run.integration_options (who, o, d, m, way)
-## The arrays iopt and ropt of gs_run (share/engine/core/gsmbp/options.h), the absolute
+## The arrays iopt and ropt of gs_integration (share/engine/core/gsmbp/options.h), the absolute
 #tolerances and the # method, the largest order.  O: the options of gsmbp_simulate, D: the sizes of
 #the model M, # WAY: of the loops.
 

@@ -12,7 +12,9 @@ SPEEDS = slice(SIZES['nq'], SIZES['nq'] + SIZES['nu'])   # among the states
 
 def cvode(who, method):
     """CVODE in C for a run by this method, None where it needs none."""
-    return ctypes.cast(_sundials(who).gs_cvode, ctypes.c_void_p) if PLACE[method] == 'library' else None
+    if PLACE[method] != 'library':
+        return None
+    return ctypes.cast(_sundials(who).gs_cvode, ctypes.c_void_p)
 
 
 def _sundials(who):

@@ -55,7 +55,8 @@ static point
 point_of (int j)
 {
   const double b = gs_event_point (j, 8), before = j > 1 ? gs_event_point (j - 1, 8) : 0;
-  point p = { .a = b - before, .c = 1, .d = gs_event_cubic_error (b), .first = j == 1, .third = j > 2 };
+  point p
+      = { .a = b - before, .c = 1, .d = gs_event_cubic_error (b), .first = j == 1, .third = j > 2 };
   if (j > 1)
     p.d = gs_max (p.d, gs_event_cubic_error (before));
   if (j > 2)
