@@ -1,16 +1,18 @@
 """Runs of modules that carry derivatives, and the adjoint: a pendulum against reference values of
-28 digits, a closed chain and a digital controller against differences of whole runs, the adjoint
-beside the columns; refusals; threads.
+28 digits, a closed chain and a digital controller against differences of whole runs, events against
+closed forms, the adjoint beside the columns; refusals; threads.
 
 python3 derivatives.py REFERENCE: the modules that it imports must be installed."""
 import inspect
 import json
 import sys
 import threading
+import warnings
 
 import numpy as np
 
 import case_d1a
+import sensitivity_ball
 import sensitivity_bounce
 import sensitivity_crank
 import sensitivity_sampled
@@ -138,12 +140,57 @@ def refusals():
             dx0=[[0.0], [0.0]])
     refuses('an audit beside', ValueError, ['audit'], m.simulate, x0, times, sensitivity='l',
             audit=1.0)
-    refuses('events', ValueError, ['events', 'hit'], sensitivity_bounce.Model().simulate,
-            [1.0, 0.0], times, sensitivity='g')
     for word in ('sensitivity', 'fixed', 'dx0'):
         holds('simulate has the argument %s' % word,
               word in inspect.signature(case_d1a.Model.simulate).parameters)
     holds('adjoint has a text', 'goal:' in case_d1a.Model.adjoint.__doc__)
+
+
+def ball(name, m, x0, event):
+    """It falls from rest at 1 m above lo, at 0.9 s it is on its way up."""
+    g, e, t = 9.81, 0.8, 0.9
+    t1 = np.sqrt(2 / g)
+    s = t - t1
+    by_t1 = e * g * s - e * g * t1 + g * s
+    r = m.simulate(x0, [0, 0.3, t], sensitivity=['g', 'lo', 'e'], rtol=1e-12)
+    wanted = {'g': e * t1 * s - s ** 2 / 2 - by_t1 * t1 / (2 * g), 'lo': 1 - by_t1 / (g * t1),
+              'e': g * t1 * s}
+    times = {'g': -t1 / (2 * g), 'lo': -1 / (g * t1), 'e': 0}
+    first = [EVENT['name'] for EVENT in sensitivity_of(m)['events']].index(event)
+    k = list(r.events['number']).index(first)
+    for p in wanted:
+        close('%s: its height by %s' % (name, p), r.dx[p][0, -1], wanted[p], 1e-9)
+        close('%s: its impact by %s' % (name, p), r.events['dt'][p][k], times[p], 1e-9)
+    holds('%s: nothing is lost' % name, r.stats['lost'] == [])
+
+
+def sensitivity_of(m):
+    return sys.modules[type(m).__module__].table
+
+
+def through_events():
+    ball('a ball on a stop', sensitivity_ball.Model(), [1.1, 0, 0, 0], 'floor')
+    ball('a ball that an event throws back', sensitivity_bounce.Model(), [1.1, 0], 'hit')
+    m = sensitivity_ball.Model(g=-9.81, lo=-2)
+    for off in (0, 1e-9, -1e-11):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter('always')
+            r = m.simulate([0, 0, -np.sqrt(4 * 9.81) * (1 + off), 0], [0, 0.2, 1],
+                           sensitivity=['g', 'e'])
+        holds('grazing the floor within %g: told by name, no numbers from there on' % off,
+              np.isnan(r.dx['g'][:, 2]).all() and np.isfinite(r.dx['g'][:, 1]).all()
+              and abs(r.stats['lost'][0]['time'] - np.sqrt(4 / 9.81)) < 1e-3
+              and any('no derivatives by g' in str(w.message) and 'event of floor' in str(w.message)
+                      and 'only grazes' in str(w.message) for w in told))
+    r = m.simulate([0, 0, -np.sqrt(4 * 9.81) * (1 - 1e-6), 0], [0, 1], sensitivity='g')
+    close('passing above the floor is none', r.dx['g'][:, 1], [-0.5, 0, -1, 0], 1e-12)
+    m = sensitivity_ball.Model()
+    refuses('a start on a stop that moves with a parameter', ValueError,
+            ['starts on the stop floor'], m.simulate, [0.1, 0, 0, 0], [0, 1], sensitivity='lo')
+    r = m.simulate([0.1, 0, 0, 0], [0, 1], sensitivity='lo', dx0=[[1], [0], [0], [0]])
+    close('... and where the start moves with it', r.dx['lo'][:, 1], [1, 0, 0, 0], 1e-12)
+    refuses('the adjoint through events', (ValueError, AttributeError), ['sensitivity_ball'],
+            m.adjoint, [1.1, 0, 0, 0], [0, 1], lambda r: (0, r.x))
 
 
 def at_once(alone):
@@ -169,5 +216,6 @@ with open(sys.argv[1], encoding='utf-8') as file:
 chain()
 controller()
 backwards()
+through_events()
 refusals()
 at_once(carried)

@@ -72,7 +72,10 @@ def _refuse(who):
     if 'adj' not in ROUTINES:
         raise AttributeError('%s: %s was emitted without the subroutine ADJ: derive it with the '
                              'request adjoint of gsmbp_package' % (who, NAME))
-    devices = TABLE.get('controllers') or []
+    devices, events = TABLE.get('controllers') or [], TABLE.get('events') or []
+    if events:
+        raise ValueError('%s: no adjoint through events; %s has %s' % (
+            who, NAME, events[0]['name']))
     if devices:
         raise ValueError('%s: no adjoint through samples; %s has sampled devices (%s)' % (
             who, NAME, devices[0]['name']))

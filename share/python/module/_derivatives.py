@@ -4,10 +4,16 @@ import re
 
 import numpy as np
 
+from ._grazing import CHANGES, EVENTS, grazed
 from ._library import LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 
 NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
 KNOWN = list(TABLE.get('sensitivity') or [])   # parameters of RHP, in its order
+WHY = (
+    '', 'the motion only grazes there',
+    'another event at the same instant would come at another time',
+    'the equations there have no derivatives',
+    'what it resets is moved onto the constraints of a loop, which leave a choice')
 _ADDRESS = ctypes.POINTER(ctypes.c_double)
 
 
@@ -30,11 +36,8 @@ def _refuse(who, model, motion, given):
         raise AttributeError('%s: sensitivity: %s was emitted without the subroutine RHP: derive '
                              'it with the request sensitivity of gsmbp_package' % (who, NAME))
     model._has(*('con', 'tan', 'cop') * (NLAM > 0), *('ctd',) * bool(devices),
-               *('cmp',) * motion)
-    if TABLE.get('events'):
-        bad = 'events; expected a scene without them (%s has %s)' % (
-            NAME, TABLE['events'][0]['name'])
-    elif any(d.get('rounds') for d in devices):
+               *('cmp',) * motion, *('evp',) * bool(EVENTS))
+    if any(d.get('rounds') for d in devices):
         bad = ('device %s, which rounds (the derivative of a step is 0, or none); expected a '
                'variant without rounding, as plain' % next(
                    d['name'] for d in devices if d.get('rounds')))
@@ -123,24 +126,57 @@ class Carried:
         options.put('fixed', self.fixed, np.intc)
         options.put('sizes', self.sizes)
         options.put('dx0', self.start)
+        options.put('changes', CHANGES, np.intc)
 
-    def found(self, r, result, times):
-        """dx, dv, dy of the run r: dicts by the names; result: that of the engine; times: those
-        that stand for its rows. stats['lost'] says where there are none."""
+    def found(self, r, result, times, alone):
+        """dx, dv, dy of the run r, and dt of its events: dicts by the names; result: that of the
+        engine; times: those that stand for its rows; alone: the run of the states alone, at other
+        times. stats['lost'] says where there are none."""
         n, self.run = len(r.t), result.pointer('derivatives')
         S = result.array('x', (result.nx, n))[NX:].reshape(NX, self.n, n, order='F')
         V = self._inputs(r, result)
         Y = self._outputs(r, S, V, times)
-        r.stats['lost'] = []
-        for k in range(self.n):   # NaN where a column was lost
-            event, at_ = ctypes.c_int(), ctypes.c_double()
-            if LIBRARY.gs_derivatives_lost(self.run, ctypes.c_int(k), ctypes.byref(event),
-                                           ctypes.byref(at_)):
-                r.stats['lost'].append({'name': self.names[k], 'time': at_.value})
+        moved = self._moved(r)
+        lost = self._lost(r, alone)
+        r.stats['lost'] = [
+            {'name': self.names[k], 'time': t, 'text': WHY[why],
+             'event': EVENTS[number - 1]['name'] if EVENTS else ''}
+            for k, (why, number, t) in enumerate(lost) if why]
+        for k, (why, _, t) in enumerate(lost):   # NaN where a column was lost
+            if why:
                 for a in (S, V, Y):
-                    a[:, k, r.t >= at_.value] = np.nan
+                    a[:, k, r.t >= t] = np.nan
+                moved[k, r.events['t'] >= t if EVENTS else []] = np.nan
+        if EVENTS:
+            r.events['dt'] = dict(zip(self.names, moved))
         r.dx, r.dv, r.dy = ({name: a[:, k].copy() for k, name in enumerate(self.names)}
                             for a in (S, V, Y))
+
+    def _moved(self, r):
+        """Derivatives of the times of the events, a row for each column."""
+        n, numbers = len(r.events['t']) if EVENTS else 0, _ADDRESS()
+        count = LIBRARY.gs_derivatives_of_events(self.run, ctypes.byref(numbers))
+        if not count:
+            return np.zeros((self.n, n))
+        return np.ctypeslib.as_array(numbers, (count, self.n)).T.copy()
+
+    def _lost(self, r, alone):
+        """Of each column why it was given up (0: it was not), at which event, when."""
+        lost = []
+        for k in range(self.n):
+            event, time = ctypes.c_int(), ctypes.c_double()
+            why = LIBRARY.gs_derivatives_lost(self.run, ctypes.c_int(k), ctypes.byref(event),
+                                              ctypes.byref(time))
+            lost.append((why, event.value, time.value))
+        numbers = _ADDRESS()
+        count = LIBRARY.gs_derivatives_turns(self.run, ctypes.byref(numbers))
+        if not count or len(r.t) < 2:
+            return lost
+        turns = np.ctypeslib.as_array(numbers, (count, 2)).copy()
+        found = grazed(self.model, r, turns, alone, r.stats['atol'])
+        if found:
+            lost = [one if one[0] and one[2] <= found[1] else (1, *found) for one in lost]
+        return lost
 
     def _inputs(self, r, result):
         """Those of held outputs, and of inputs that follow a motion or feedback."""

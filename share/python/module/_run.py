@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _start
 from ._derivatives import Carried
+from ._grazing import starts_on_stops
 from ._ends import Ends
 from ._implicit import cvode, sharp_friction
 from ._library import Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, at
@@ -277,8 +278,9 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     ports that stick or hit stops.
     audit: an energy usual in the scene [J]; the result then has audit, the balance at the times.
     sensitivity: names of parameters and of states, for their start values, by which derivatives are
-    carried: the result then has dx, dv, dy, dicts of arrays like x, v, y by these names. Scenes
-    without events. dx0 (nx, n): what the start has of the n names (default: nothing; a state by its
+    carried: the result then has dx, dv, dy, dicts of arrays like x, v, y by these names, and
+    events["dt"], of the times of the events; stats["lost"] says what has none from where on. dx0
+    (nx, n): what the start has of the n names (default: nothing; a state by its
     own start 1); fixed: coordinates of a closed chain that keep their derivatives at the start
     (default: the actuated ones), the others follow from the constraints.
     errors: "raise", or "return": a run that fails comes back as far as it went, with its failure in
@@ -312,6 +314,18 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
     carried = Carried.of(who, self, sensitivity, fixed, dx0, motion is not None, input)
     if carried:
         carried.ask(options)
+        if any(e['kind'] == 'stop' for e in TABLE.get('events') or []):
+            _prepared(who, self, options, given, p.given, carried)
+
+    def alone(at_times):
+        with warnings.catch_warnings():
+            warnings.simplefilter('ignore')
+            return simulate(
+                self, x, at_times, method=method, rtol=rtol, atol=atol, step=step,
+                maxstep=maxstep, maxsteps=maxsteps, maxorder=maxorder, loops=loops, drift=drift,
+                start=start, input=input, motion=motion, gain=gain, reference=reference,
+                limits=limits, breaks=breaks, memory=memory, samples=False, modes=modes,
+                errors='return')
     found = Found()
     begun = time.perf_counter()
     with p.ends:
@@ -321,9 +335,24 @@ def simulate(self, x0, times, *, method=DEFAULT.method, rtol=DEFAULT.rtol, atol=
         if p.ends.failure is not None:
             raise p.ends.failure
         _refuse(who, self, found)
-        return _result(who, self, found, time.perf_counter() - begun, audit, errors, carried)
+        return _result(who, self, found, time.perf_counter() - begun, audit, errors, carried,
+                       alone)
     finally:
         LIBRARY.gs_free_result(found.address())
+
+
+def _prepared(who, model, options, start, inputs, carried):
+    """Refuse a start with derivatives that leave the stops that it is on."""
+    found = Found()
+    try:
+        LIBRARY.gs_loop_prepare(options.address(), start.address(), inputs.address(),
+                                found.address())
+        _refuse(who, model, found)
+        first = found.array('x', (found.nx,))
+    finally:
+        LIBRARY.gs_free_result(found.address())
+    starts_on_stops(who, model, start.kept['times'][0], first[:NX], carried.names,
+                    first[NX:].reshape(NX, carried.n, order='F'), carried.sizes)
 
 
 def _word(who, name, given, words):
@@ -392,7 +421,7 @@ def _tolerances(who, given):
 
 # ----------------------------------------------------------------------------- what comes back
 
-def _result(who, model, found, seconds, audit, errors, carried):
+def _result(who, model, found, seconds, audit, errors, carried, alone):
     rows, method = found.rows, found.method.decode()
     v, x = found.array('v', (max(1, NV), rows))[:NV], found.array('x', (found.nx, rows))
     r = Result(t=found.array('times', (rows,)), x=x[:NX], v=v, y=None, samples=None, events=None,
@@ -418,7 +447,7 @@ def _result(who, model, found, seconds, audit, errors, carried):
     if audit is not None:
         r.audit = _audit(model, r, x[NX:])
     if carried:
-        carried.found(r, found, _row_times(model, r.t, s['outputs']))
+        carried.found(r, found, _row_times(model, r.t, s['outputs']), alone)
     _tell(who, model, r, method)
     return r
 
@@ -513,8 +542,8 @@ def _tell(who, model, r, method):
         told.append('at t = %(time).6g s the steps, %(step).3g s, are bound by stability (largest '
                     'eigenvalue about %(eigenvalue).3g 1/s, of %(state)s)' % s['stiff'])
     for one in s.get('lost', ()):
-        told.append('no derivatives by %(name)s from t = %(time).6g s on: the equations there have '
-                    'none' % one)
+        told.append('no derivatives by %(name)s from t = %(time).6g s on (event of %(event)s): '
+                    '%(text)s' % one)
     told += sharp_friction(model, r, method)
     for text in told:
         warnings.warn('%s: %s' % (who, text), RunWarning, stacklevel=5)

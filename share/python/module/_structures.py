@@ -43,7 +43,7 @@ class Options(_Structure):
                 ('atol', _AT), ('maxstep', _REAL), ('maxsteps', _REAL), ('maxorder', _REAL),
                 ('drift', _INT), ('project', _INT), ('samples', _INT), ('audit', _REAL),
                 ('ncolumns', _INT), ('columns', _AT), ('sizes', _AT), ('dx0', _AT),
-                ('fixed', _AT), ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
+                ('fixed', _AT), ('changes', _AT), ('cvode', _AT), ('ask', _AT), ('asked', _AT)]
 
 
 class Start(_Structure):

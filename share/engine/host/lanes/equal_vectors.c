@@ -11,13 +11,15 @@ gs_begin_equals (gs_lane_group *g)
   for (int l = 0; l < GS_LANES; l++)
     {
       const int runs = g->runs[l] > 0, last = g->number[l] >= g->count[l];
-      const double t = runs ? g->from[l] + (g->number[l] - 1) * g->equal[l] : g->t[l];
-      const double tn = last ? g->stop[l] : g->from[l] + g->number[l] * g->equal[l];
-      g->step[l] = runs ? g->equal[l] : 0;
-      g->t[l] = t;
-      g->at[l] = last ? g->side[l] : 1;
-      g->tn[l] = runs ? tn : t;
-      g->slow[l] = runs && g->good[l] >= g->allowed[l] ? 1 : 0;
+      const int over = g->good[l] >= g->allowed[l];
+      const double h = g->equal[l], begin = g->from[l] + (g->number[l] - 1) * h;
+      const double later = g->from[l] + g->number[l] * h, now = g->t[l];
+      const double tn = last ? g->stop[l] : later, side = g->side[l];
+      g->step[l] = runs ? h : 0;
+      g->t[l] = runs ? begin : now;
+      g->at[l] = last ? side : 1;
+      g->tn[l] = runs ? tn : now;
+      g->slow[l] = runs & over ? 1 : 0;
     }
 }
 

@@ -85,8 +85,12 @@ gs_project_turn (gs_lane_group *g, int turn)
           for (int l = 0; l < GS_LANES; l++)
             s[l] += hc[l] * du[l];
         }
+      GS_EACH_LANE
       for (int l = 0; l < GS_LANES; l++)
-        g->left[l] = fu[l] > 0 ? gs_max (g->left[l], fabs (s[l])) : g->left[l];
+        {
+          const double most = gs_max (g->left[l], fabs (s[l]));
+          g->left[l] = fu[l] > 0 ? most : g->left[l];
+        }
     }
   return again;
 }
@@ -138,6 +142,7 @@ gs_lane_turns (gs_lane_group *g, gs_lane *ha, gs_lane *hb, gs_lane *size)
           for (int l = 0; l < GS_LANES; l++)
             s[l] += (a[l] - b[l]) * (a[l] - b[l]);
         }
+      GS_EACH_LANE
       for (int l = 0; l < GS_LANES; l++)
         g->turned[l] = gs_max (g->turned[l], sqrt (s[l]) / size[i][l]);
     }
@@ -167,21 +172,25 @@ gs_find_unusual (gs_lane_group *g)
     }
 }
 
-/* the rows of the partition that become those of a later one */
-static void
-shift (gs_lane_group *g, int to, int from, int n)
-{
-  for (int i = 0; i < n; i++)
-    for (int l = 0; l < GS_LANES; l++)
-      g->p[to + i][l] = g->r[l] > 0.5 && g->r[l] < 1.5 ? g->p[from + i][l] : g->p[to + i][l];
-}
-
+/* the rows of the partition become these, where r is 1 */
 static void
 put_rows (gs_lane_group *g, int to, gs_lane *from, int n)
 {
   for (int i = 0; i < n; i++)
-    for (int l = 0; l < GS_LANES; l++)
-      g->p[to + i][l] = g->r[l] > 0.5 && g->r[l] < 1.5 ? from[i][l] : g->p[to + i][l];
+    {
+      const double *r = g->r, *one = from[i];
+      double *p = g->p[to + i];
+      GS_EACH_LANE
+      for (int l = 0; l < GS_LANES; l++)
+        p[l] = (r[l] > 0.5) & (r[l] < 1.5) ? one[l] : p[l];
+    }
+}
+
+/* ... those of a later one */
+static void
+shift (gs_lane_group *g, int to, int from, int n)
+{
+  put_rows (g, to, g->p + from, n);
 }
 
 /* What gs_check_constraints remembers of a step, in the lanes where r is 1. */

@@ -2,6 +2,7 @@
 #include "host/lanes/lanes.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "gsmbp/arith.h"
 #include "gsmbp/partition.h"
@@ -121,26 +122,30 @@ pick (gs_lane_group *g, columns *c, int first)
     }
   for (int j = 0; j < n; j++)
     {
+      const double number = j + 1;
       gs_lane s;
       product (m, g->y + m * j, g->y + m * j, s);
       GS_EACH_LANE
       for (int l = 0; l < GS_LANES; l++)
         {
-          const int larger = s[l] > c->most[l] * (1 + 1e-8);
-          c->column[l] = larger ? j + 1 : c->column[l];
-          c->most[l] = larger ? s[l] : c->most[l];
+          const double most = c->most[l], column = c->column[l], now = s[l];
+          const int larger = now > most * (1 + 1e-8);
+          c->column[l] = larger ? number : column;
+          c->most[l] = larger ? now : most;
         }
     }
+  if (first)
+    memcpy (c->first, c->most, sizeof (gs_lane));
   GS_EACH_LANE
   for (int l = 0; l < GS_LANES; l++)
     {
-      const double most = c->most[l], begin = first ? most : c->first[l];
-      const double ranked = most > 1e-14 * begin ? c->ranked[l] : 0;
-      c->first[l] = begin;
+      const double most = c->most[l], last = c->last[l], so_far = c->ranked[l];
+      const double ranked = most > 1e-14 * c->first[l] ? so_far : 0;
+      const double length = ranked > 0 ? most : 1e300;
       c->ranked[l] = ranked;
       g->rank[l] += ranked;
-      c->last[l] = ranked > 0 ? most : c->last[l];
-      c->one[l] = 1 / sqrt (ranked > 0 ? most : 1e300);
+      c->last[l] = ranked > 0 ? most : last;
+      c->one[l] = 1 / sqrt (length);
     }
 }
 
@@ -156,10 +161,13 @@ take_out (gs_lane_group *g, const columns *c)
         w[l] = 0;
       for (int j = 0; j < n; j++)
         {
-          const double *y = g->y[i + m * j];
+          const double *y = g->y[i + m * j], number = j + 1;
           GS_EACH_LANE
           for (int l = 0; l < GS_LANES; l++)
-            w[l] = fabs (c->column[l] - (j + 1)) < 0.5 ? y[l] * c->one[l] : w[l];
+            {
+              const double here = y[l] * c->one[l];
+              w[l] = fabs (c->column[l] - number) < 0.5 ? here : w[l];
+            }
         }
     }
   for (int j = 0; j < n; j++)

@@ -154,17 +154,19 @@ gs_take_rates (gs_lane_group *g, int many)
   for (int l = 0; l < GS_LANES; l++)
     {
       const int looks_bound = fabs (g->last[l]) * sqrt (a[l]) > 5 * sqrt (b[l]);
-      const double s = g->bound[l], p = g->unbound[l];
-      const double bound = looks_bound ? s + 1 : p >= 5 ? 0 : s, unbound = looks_bound ? 0 : p + 1;
+      const double s = g->bound[l], p = g->unbound[l], more = s + 1, longer = p + 1;
+      const double wants = g->wants[l], after = g->after[l], stiff = g->stiff[l];
+      const double called = g->called[l], all = called + g->fresh[l], free = p >= 5 ? 0 : s;
+      const double bound = looks_bound ? more : free, unbound = looks_bound ? 0 : longer;
       double slow = g->next[l] <= 0 ? 1 : bad[l];
-      slow = g->after[l] > 0 && g->stiff[l] <= 0 && bound >= many ? 1 : slow;
-      slow = g->wants[l] <= 0 ? 0 : slow;
-      const int stays = g->after[l] <= 0 || g->wants[l] <= 0 || g->stiff[l] > 0 || slow > 0;
+      slow = (after > 0) & (stiff <= 0) & (bound >= many) ? 1 : slow;
+      slow = wants <= 0 ? 0 : slow;
+      const int stays = (after <= 0) | (wants <= 0) | (stiff > 0) | (slow > 0);
       g->slow[l] = slow;
       g->bound[l] = stays ? s : bound;
       g->unbound[l] = stays ? p : unbound;
-      g->called[l] = slow <= 0 ? g->called[l] + g->fresh[l] : g->called[l];
-      g->wants[l] = slow <= 0 ? 0 : g->wants[l];
+      g->called[l] = slow <= 0 ? all : called;
+      g->wants[l] = slow <= 0 ? 0 : wants;
     }
 }
 
@@ -223,22 +225,26 @@ gs_end_trials (gs_lane_group *g)
       const double error = gs_min (1e300, gs_max (1e-16, g->err[l]));
       const double fac = 0.9 / sqrt (sqrt (sqrt (error)));
       const double longer = h * gs_max (gs_min (6, fac), 1.0 / 3);
-      const int good = g->r[l] > 0.5 && g->r[l] < 1.5, again = g->r[l] > 1.5 && g->r[l] < 2.5;
-      const double after = h >= 0.99 * z || longer > z ? longer : z;
-      const double next = again ? h * gs_min (0.9, gs_max (0.2, fac)) : good ? after : z;
+      const double shorter = h * gs_min (0.9, gs_max (0.2, fac)), r = g->r[l], tn = g->tn[l];
+      const int good = (r > 0.5) & (r < 1.5), again = (r > 1.5) & (r < 2.5);
+      const int is_far = g->pivot[l] >= 0.25 * g->highest[l];
+      const double after = (h >= 0.99 * z) | (longer > z) ? longer : z;
+      const double kept = good ? after : z, next = again ? shorter : kept;
+      const double least = gs_min (g->least[l], h), largest = gs_max (g->largest[l], h);
+      const double near = again ? 0.25 : g->near[l];
       g->next[l] = next;
-      g->t[l] = good ? g->tn[l] : g->t[l];
-      g->least[l] = good ? gs_min (g->least[l], h) : g->least[l];
-      g->largest[l] = good ? gs_max (g->largest[l], h) : g->largest[l];
-      g->good[l] = good ? g->good[l] + 1 : g->good[l];
+      g->t[l] = good ? tn : g->t[l];
+      g->least[l] = good ? least : g->least[l];
+      g->largest[l] = good ? largest : g->largest[l];
+      g->good[l] += good ? 1 : 0;
       g->wants[l] = good ? 1 : g->wants[l];
       g->after[l] = good ? 1 : g->after[l];
       g->then[l] = good ? next : g->then[l];
       g->moved[l] = good ? 1 : g->moved[l];
-      g->far[l] = good && g->pivot[l] >= 0.25 * g->highest[l] ? next : g->far[l];
-      g->others[l] = again ? g->others[l] + 1 : g->others[l];
-      g->near[l] = good ? 0.05 : again ? 0.25 : g->near[l];
-      g->called[l] = good || again ? g->called[l] + 11 : g->called[l];
+      g->far[l] = good & is_far ? next : g->far[l];
+      g->others[l] += again ? 1 : 0;
+      g->near[l] = good ? 0.05 : near;
+      g->called[l] += good | again ? 11 : 0;
     }
   gs_take_states (g);
 }
@@ -253,6 +259,6 @@ gs_take_states (gs_lane_group *g)
       double *x = g->x[i];
       GS_EACH_LANE
       for (int l = 0; l < GS_LANES; l++)
-        x[l] = r[l] > 0.5 && r[l] < 1.5 ? xn[l] : x[l];
+        x[l] = (r[l] > 0.5) & (r[l] < 1.5) ? xn[l] : x[l];
     }
 }

@@ -38,6 +38,8 @@ typedef struct
   const gs_real *dx0;   /* (nx,ncolumns): those of the start; a null pointer: 0, */
   const int *fixed;     /* nq: 1 where a coordinate of a closed chain keeps them, the others follow
                            from the constraints */
+  const int *changes;   /* nev: 0 where an event changes neither states nor inputs; a null pointer:
+                           where its kind is 5 */
   gs_implicit_method *cvode; /* where SUNDIALS is there, else a null pointer */
   int (*ask) (void *asked, gs_real t); /* as in gs_integration */
   void *asked;

@@ -47,7 +47,8 @@ gs_open_columns (gs_whole_run *w)
   const gs_derivatives_given given = {
     .scene = w->d->scene, .cst = r->cst, .ncst = w->d->ncst, .nc = o->ncolumns,
     .col = o->columns, .nsets = w->d->nsets, .sets = sets, .ip = r->ip, .rp = r->rp,
-    .guess = w->w, .rtol = w->ropt[1], .atol = w->atol
+    .guess = w->w, .rtol = w->ropt[1], .atol = w->atol,
+    .changes = o->changes
   };
   r->derivatives = sets ? gs_derivatives_open (&given, &missing) : NULL;
   free (sets);
