@@ -33,7 +33,7 @@ program arcs
     case (7); x = sign(1d0, x); y = 1 + 1d-3*(s - 0.5d0)
     case (8); x = 10**(2*s)*x; y = y*1d-310
     end select
-    call gs_atan2_blocks(n, y, x, a)
+    call gsatv(n, y, x, a)
     worst = 0
     do j = 1, n
       worst = max(worst, maxval(off(a(:,j), atan2(real(y(:,j), 16), real(x(:,j), 16)))))
@@ -48,7 +48,7 @@ program arcs
     do j = 1, 14
       y(:,1) = [0.3d0, odd(i), -0.3d0, 1d0, 2d0, -2d0, 0d0, -0d0]
       x(:,1) = [0.4d0, odd(j), 0.4d0, -3d0, 1d0, -1d0, -1d0, -1d0]
-      call gs_atan2_blocks(1, y, x, a)
+      call gsatv(1, y, x, a)
       if (.not. all(same(a(:,1), atan2(y(:,1), x(:,1))))) then
         good = .false.
         print '(a,2es12.4)', 'differs at', odd(i), odd(j)

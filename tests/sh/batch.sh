@@ -46,11 +46,11 @@ program sines
       x = size(k)*(2*x - 1)
       if (near == 1) x = anint(x/half)*half
       if (way < 2) then
-        call gs_sine_cosine_blocks(n, x, s, c)
+        call gsscv(n, x, s, c)
       else
         do j = 1, n
           do i = 1, 8
-            call gs_sine_cosine(x(i,j), s(i,j), c(i,j))
+            call gssc(x(i,j), s(i,j), c(i,j))
           end do
         end do
       end if
@@ -63,15 +63,15 @@ program sines
     end do
   end do
   x(:,1) = [0d0, 0.5d0, 1d0, half, -half, 1d-300, -2d0, 1d5]
-  call gs_sine_cosine_blocks(1, x, s, c)
+  call gsscv(1, x, s, c)
   print '(a,l2)', 'zeros', s(1,1) == 0 .and. c(1,1) == 1 .and. s(6,1) == x(6,1)
   x(3,1) = 1/(x(1,1)*0)
-  call gs_sine_cosine_blocks(1, x, s, c)
+  call gsscv(1, x, s, c)
   print '(a,l2)', 'others', c(1,1) == 1 .and. s(3,1) /= s(3,1) &
     .and. abs(s(7,1) - sin(-2d0)) < 1d-15
-  call gs_sine_cosine(-0d0, s(1,1), c(1,1))
-  call gs_sine_cosine(x(3,1), s(3,1), c(3,1))
-  call gs_sine_cosine(x(6,1), s(6,1), c(6,1))
+  call gssc(-0d0, s(1,1), c(1,1))
+  call gssc(x(3,1), s(3,1), c(3,1))
+  call gssc(x(6,1), s(6,1), c(6,1))
   print '(a,l2)', 'one_angle', s(1,1) == 0 .and. c(1,1) == 1 &
     .and. s(3,1) /= s(3,1) .and. c(3,1) /= c(3,1) .and. s(6,1) == x(6,1)
 contains
@@ -82,7 +82,7 @@ contains
   end function
 end program
 F
-gfortran -O2 $native -fopenmp-simd -c "$functions"/gs_sine_cosine*.f &&
+gfortran -O2 $native -fopenmp-simd -c "$functions"/gssc*.f &&
   gfortran -O1 -o sines sines.f90 gsscv.o gssc.o gsscl.o && ./sines >values ||
   echo 'not ok the program runs'
 awk 'NF == 4 {

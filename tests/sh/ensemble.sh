@@ -46,7 +46,8 @@ for kind in sane threads quad; do
   # one by one, for ccache
   (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
     gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/ensemble_runs.c \
-      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c $sources "$root"/share/engine/core/*/*.c \
+      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c "$host"/run/*.c \
+      "$host"/derivatives/*.c $sources "$root"/share/engine/core/*/*.c \
       "$root"/share/engine/core/*/*/*.c &&
     gcc $flags -o "../$kind" ./*.o -pthread $library -lm) >"$report" 2>&1
   told $? "the program compiles, $kind" "$report"

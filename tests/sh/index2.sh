@@ -134,7 +134,7 @@ main (void)
 {
   const gs_scene scene
       = { .nq = Q, .nu = Q, .nx = ALL, .nlam = M, .con = con, .mas = mas, .tan = tan_ };
-  gs_run r = { .nx = ALL };
+  gs_integration r = { .nx = ALL };
   double x[ALL] = { 0.6, 0.8, -0.8, 0.6625, 3 }, worst[2] = { 0, 0 };
   gs_stepper s = { .scene = &scene, .r = &r, .x = x };
   int failed;

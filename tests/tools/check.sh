@@ -37,17 +37,15 @@ result() {
 fortran_apart='gfortran -O2 -ffp-contract=off -fno-tree-slp-vectorize -frecursive'
 
 # base_fortran FOLDER: into a new folder what share/fortran had at the commit of
-# tests/data/before/base and has no more, but share/engine/core has; lacking=yes where there is no
-# such commit
+# tests/data/before/base and has no more, but for its lanes; lacking=yes where there is no such
+# commit
 base_fortran() {
   base=$(cat tests/data/before/base) into=$1 lacking=
   mkdir -p "$into" && git cat-file -e "$base" 2>/dev/null || { lacking=yes; return; }
   git archive "$base" share/fortran | tar -x -C "$into" --strip-components=2
   rm -rf "$into/README.md" "$into/solve/lapack"
   (cd share/fortran && find . -name '*.f') | (cd "$into" && xargs rm -f)
-  (cd "$into" && find . -name '*.f') | while read -r file; do
-    [ -f "share/engine/core/${file%.f}.c" ] || rm "$into/$file"
-  done
+  rm -f "$into"/integrate/gslan.f "$into"/integrate/gslev.f "$into"/integrate/gsllp.f
 }
 # unlinked WHAT: a driver that does not link: it needs what only that commit has
 unlinked() {
