@@ -20,7 +20,6 @@ def run_time(root, folder):
     target, home = os.path.join(folder, 'libmodules.so'), os.path.join(root, 'share')
     if not os.path.exists(target):
         sources = glob.glob(home + '/engine/core/**/*.c', recursive=True)
-        sources += glob.glob(home + '/python/c/*.c')
         for part in ('', 'run/', 'implicit/', 'derivatives/', 'ensemble/', 'lanes/'):
             sources += glob.glob(home + '/engine/host/' + part + '*.c')
         folders = ['-I' + home + place for place in ('/engine/core', '/engine', '/python/c')]
@@ -38,7 +37,8 @@ def built(root, folder, name):
         render.write(os.path.join(home, 'loops.c'), render.loops(json.load(f)))
     c = os.path.join(home, 'c')
     target = os.path.join(home, 'src', name, '_scene.so')
-    sources = [os.path.join(home, 'loops.c'), *glob.glob(os.path.join(c, 'scene', '*.c'))]
+    sources = [os.path.join(home, 'loops.c'), *glob.glob(os.path.join(c, 'scene', '*.c')),
+               *glob.glob(os.path.join(c, '*.c'))]   # what asks for the scene
     subprocess.run(FLAGS + ['-o', target, '-I' + c, '-I' + c + '/scene'] + sources + [
         os.path.join(folder, 'libmodules.so'), '-Wl,-rpath,' + folder, '-lm'], check=True)
     return importlib.import_module(name)
