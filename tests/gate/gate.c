@@ -30,12 +30,12 @@ typedef struct
   double *x;
 } array;
 
-static array t0, x0, tout, tbrk, iopt, ropt, atol_, guess, ip, rp, sizes, called, cst, quad,
+static array t0, x0, tout, tbrk, iopt, ropt, atol_, guess, ip, rp, sizes, cst, quad,
     nominal;
 static const struct { const char *name; array *to; } fields[] = {
   { "t0", &t0 }, { "x0", &x0 }, { "tout", &tout }, { "tbrk", &tbrk }, { "iopt", &iopt },
   { "ropt", &ropt }, { "atol", &atol_ }, { "guess", &guess }, { "ip", &ip }, { "rp", &rp },
-  { "sizes", &sizes }, { "called", &called }, { "cst", &cst }, { "quad", &quad },
+  { "sizes", &sizes }, { "cst", &cst }, { "quad", &quad },
   { "nominal", &nominal }
 };
 
@@ -126,7 +126,7 @@ by_fortran (void)
   const int counts[] = { scene.nq, scene.nu, (int) sizes.x[0], scene.nv, scene.nlam, tout.n,
                          tbrk.n, (int) sizes.x[3] };
   for (int k = 0; k < 11; k++)
-    f[k] = called.x[k] != 0 ? subroutines[k] : absent;
+    f[k] = subroutines[k];
   begin ();
   gssim_ (f[0], f[1], f[2], f[3], f[4], f[5], f[6], f[7], f[8], f[9], f[10], counts, times, x0.x,
           my_iopt, options, my_ip, my_rp, cst.x, xout, vout, istat, rstat, w, &info);

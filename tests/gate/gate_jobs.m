@@ -28,10 +28,10 @@ function write_job (m, exact, run, file)
     method = {"rtol", 1e-18, "atol", 1e-20 * m.nominal};
   end
   q = gsmbp_simulate (exact, a{3}(1:m.sizes.nx), times, options{:}, method{:});
-  [ip, rp, iopt, sizes, needed] = m.module ("job", a{:});
+  [ip, rp, iopt, sizes] = m.module ("job", a{:});
   job = {"t0", a{2}; "x0", a{3}; "tout", a{5}; "tbrk", a{6}(1:a{7}(2)); "iopt", iopt
          "ropt", a{9}; "atol", a{10}; "guess", a{12}; "ip", ip; "rp", rp; "sizes", sizes
-         "called", needed; "cst", typecast(a{1}, "double"); "quad", q.x(end,:)
+         "cst", typecast(a{1}, "double"); "quad", q.x(end,:)
          "nominal", m.nominal}';
   f = fopen (file, "w");
   for field = job
