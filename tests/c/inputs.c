@@ -255,58 +255,9 @@ samples_of_a_run (void)
   finish ();
 }
 
-/* ------------------------------------------------------------ a device that counts its samples */
-
-static int
-no_outputs (gs_real t, const gs_real *x, const gs_real *v, const gs_real *cst, gs_real *y)
-{
-  (void)t, (void)x, (void)v, (void)cst, (void)y;
-  return 0;
-}
-
-static void
-count_by_three (int k, gs_real t, const gs_real *y, gs_real *xk, const gs_real *cst, gs_real *v)
-{
-  (void)k, (void)t, (void)y, (void)cst;
-  v[0] = xk[0] += 3;
-}
-
-/* of a period of 0.1 s: sample 3 is due at 0.3 s, and at instants that differ from it by rounding;
- * not before. Its output is held from then on; with a delay of 0.05 s it arrives at 0.35 s. */
-static void
-instants (void)
-{
-  const gs_scene s = { .nv = 1, .nctl = 1, .out = no_outputs, .ctl = count_by_three };
-  const gs_real later[] = { -1e-6, -4 * GS_EPSILON, 0, 4 * GS_EPSILON, 1e-6 };
-  const gs_real x[1] = { 0 }, cst[1] = { 0 };
-  int wrong = 0;
-  for (int i = 0; i < 10; i++)
-    {
-      const int delayed = i > 4, due = i % 5 > 0;
-      const gs_real found = due && ! delayed ? 3 : -7;
-      int is[40] = { 0 }, info;
-      gs_real rs[60] = { 0 }, v[1] = { -7 };
-      gs_samples a;
-      is[0] = is[1] = is[3] = is[4] = 1; /* a device, a memory, an output, one pending */
-      a = gs_samples_of (1, is, rs);
-      a.next[0] = 3;
-      a.held[0] = a.input[0] = 1;
-      a.period[0] = (gs_real)1 / 10;
-      a.delay[0] = delayed ? (gs_real)1 / 20 : 0;
-      info = gs_sample (&s, (gs_real)3 / 10 * (1 + later[i % 5]), x, cst, v, is, rs);
-      wrong += info != 0 || a.next[0] != 3 + due || v[0] != found;
-      if (! delayed || ! due)
-        continue;
-      info = gs_sample (&s, (gs_real)7 / 20 * (1 + later[i % 5]), x, cst, v, is, rs);
-      wrong += info != 0 || v[0] != 3;
-    }
-  holds (wrong == 0, "gs_sample: samples and delayed outputs at their instants");
-}
-
 int
 main (void)
 {
-  instants ();
   polynomials ();
   chains ();
   dead_points ();
