@@ -1,7 +1,7 @@
 // Derivatives of goals of a run backwards (gsmbp_adjoint), by share/engine/host/adjoint.h.
 #pragma once
 
-#include "engine_run.h"
+#include "run_parts.h"
 #include "host/adjoint.h"
 
 // what both ways need: constants, plan

@@ -130,7 +130,7 @@ ensemble_of (simulation& s, const gs_description& about, const gs_lane_routines&
   e.npar = S.npar;
   e.ncst = S.ncst;
   e.fortran_inputs = 1;
-  e.run = engine_run (s, s, s.plan->ip.data (), s.plan->rp.data ());
+  e.run = s.run ();
   e.run.nb = s.nb;   // the breaks of the inputs alone
   e.run.tbrk = &s.tbrk[0];
   e.wholes = s.plan->ip.size ();

@@ -66,15 +66,11 @@ gsmbp_call_input (const number *t, const int *side, const number *x, const int *
     }
 }
 
-extern "C" void gsmbp_absent (void) { }
-
-static gsmbp_sub
-user_input (void)
+// before a step: INFO where the run is to end, else 0
+extern "C" int
+gsmbp_patience (void *, number t)
 {
-  if (! S.vin)
-    error_with_id ("gsmbp:absent",
-                   "%s.input: the model was built without option \"input\" of gsmbp_build", S.name);
-  return S.vin;
+  return patience::asked () && the_patience->look (double (t)) ? the_patience->why () : 0;
 }
 
 // the times at which the scene switches

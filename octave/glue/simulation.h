@@ -3,31 +3,37 @@
 #pragma once
 
 #include "run_parts.h"
-#include "run_room.h"
 #include "run_columns.h"
-#include "engine_run.h"
+#include "gsmbp/integrate.h"
+#include "host/fortran_scene.h"
+
+// inputs by a function of Octave in the place of those of the scene
+GS_FORTRAN_vin (gs_octave_vin, gsmbp_call_input)
 
 // The arguments of gs_integrate by their names, and who integrates.
-struct simulation : run_room, run_setting
+struct simulation
 {
   simulation (arguments& a);
 
   void integrate (void);
   bool carries (void) const { return columns.count () > 0; }
+  gs_integration run (void);   // as the engine takes it; its statistics are those so far
   octave_value_list results (void);
 
-  // where a run with these constants ends its steps
-  reals breaks_of (const reals& constants) const;
-
-  // a run in its own room, with the plan IP, RP; several may go on at a time
-  void run (run_room& r, std::vector<int>& ip, number *rp) const;
-  // where one ended by gs_integrate
-  void go_on (run_room& r, std::vector<int>& ip, number *rp) const;
-
+  number t0;
+  int nx, nt, nb, ldx, ldv, lw;
+  reals cst, x0, tout, ropt, atol;
+  reals tbrk;               // breaks of the inputs, nb of them within the run
+  reals breaks;             // these, and times at which the scene switches
+  std::vector<int> iopt;
+  reals xout, vout, rstat, w;
+  std::vector<int> istat;
+  int info;
+  std::vector<char> text;   // what an implicit method said when it failed
+  gs_scene scene;
+  const number *carried = nullptr;    // constants of a run that carries derivatives
   run_columns columns;                // by parameters, behind the states
   bool audit;                         // the two states of an audit stand behind the others
-  reals tbrk;
-  int nb;
   std::unique_ptr<run_plan> plan;
   octave_value input;    // the user's inputs as a function of Octave
   std::string library;   // an implicit method, or its library; "": gs_integrate alone
@@ -43,12 +49,14 @@ struct simulation : run_room, run_setting
 private:
 
   void read_options (arguments& a);
+  void find_breaks (void);
   void make_room (const reals& guess);
-  void find_routines (void);
+  void check_routines (void);
   void fill_scene (void);
   void carry (const reals& guess);
+  template <typename integrator> void run_by (gs_scene one, integrator integrate);
 #if ! defined (GSMBP_QUAD)
-  void by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const;
+  void by_implicit (bool resume);
 #endif
 };
 
@@ -87,27 +95,25 @@ simulation::simulation (arguments& a)
   gs_start start;
   if (! plan->due_from (t0, cst, start))
     error ("gsmbp_simulate: %s", start.text);
-  breaks = breaks_of (cst);
+  find_breaks ();
   make_room (guess);
-  find_routines ();
+  check_routines ();
   fill_scene ();
   if (carries ())
     carry (guess);
 }
 
-reals
-simulation::breaks_of (const reals& constants) const
+void
+simulation::find_breaks (void)
 {
-  reals all (tbrk.begin (), tbrk.begin () + nb);
+  breaks.assign (tbrk.begin (), tbrk.begin () + nb);
   if (S.nsw == 0)
-    return all;
-  reals at = room (S.nsw);
-  routine ("swi") (&constants[0], &at[0]);
-  std::copy_if (at.begin (), at.begin () + S.nsw, std::back_inserter (all), [this] (number t)
-                { return t > t0 && t < tout[nt - 1]; });
-  std::sort (all.begin (), all.end ());
-  all.erase (std::unique (all.begin (), all.end ()), all.end ());
-  return all;
+    return;
+  for (number t : switch_times (cst))
+    if (t > t0 && t < tout[nt - 1])
+      breaks.push_back (t);
+  std::sort (breaks.begin (), breaks.end ());
+  breaks.erase (std::unique (breaks.begin (), breaks.end ()), breaks.end ());
 }
 
 // method, way of the loops, drift, steps; from 7 on constraints on speeds
@@ -139,11 +145,11 @@ simulation::make_room (const reals& guess)
     w[i] = guess[i];
 }
 
-// those that the run calls; one that it needs and the scene has not is an error
+// a routine that the run needs and the scene has not is an error
 void
-simulation::find_routines (void)
+simulation::check_routines (void)
 {
-  auto needed = [] (bool is, const char *name) { return is ? routine (name).f : gsmbp_absent; };
+  auto need = [] (bool is, const char *name) { if (is) routine (name); };
   const bool loops = S.nlam > 0, euler = S.nq > S.nu;
   const bool partition = loops && (iopt[GS_LOOPS] == 3 || iopt[GS_LOOPS] == 6);
   // coordinate partitioning keeps the loops closed by itself, but CVODE projects in every way
@@ -152,20 +158,19 @@ simulation::find_routines (void)
   const bool drift = loops && iopt[GS_DRIFT] == 1, sampled = S.nctl > 0, events = S.nev > 0;
   const std::vector<int>& ip = plan->ip;
   const bool planned = ip[GS_V0] == 2;
-  rhs = routine (audit ? "rha" : "rhs").f;
-  prj = needed (project, "prj");
-  con = needed (partition || drift, "con");
-  kin = needed (partition || iopt[GS_WATCH], "kin");
-  cmd = needed (planned, "cmd");
-  clo = needed (planned && ip[GS_CLOSED] == 1, "clo");
-  out = needed (sampled && S.ny > 0, "out");
-  ctl = needed (sampled, "ctl");
-  evt = needed (events, "evt");
-  rst = needed (events, "rst");
-  vin = gsmbp_absent;
-  if (ip[GS_V0] == 3)
-    vin = input.is_function_handle () ? reinterpret_cast<gsmbp_sub> (gsmbp_call_input)
-                                      : user_input ();
+  need (true, audit ? "rha" : "rhs");
+  need (project, "prj");
+  need (partition || drift, "con");
+  need (partition || iopt[GS_WATCH], "kin");
+  need (planned, "cmd");
+  need (planned && ip[GS_CLOSED] == 1, "clo");
+  need (sampled && S.ny > 0, "out");
+  need (sampled, "ctl");
+  need (events, "evt");
+  need (events, "rst");
+  if (ip[GS_V0] == 3 && ! input.is_function_handle () && ! S.vin)
+    error_with_id ("gsmbp:absent",
+                   "%s.input: the model was built without option \"input\" of gsmbp_build", S.name);
 }
 
 // those routines in which this run differs from others of its scene
@@ -189,41 +194,74 @@ simulation::carry (const reals& guess)
   carried = columns.constants ();
 }
 
+gs_integration
+simulation::run (void)
+{
+  gs_integration r = gs_integration ();
+  r.nx = nx;
+  r.t0 = t0;
+  r.x0 = &x0[0];
+  r.nt = nt;
+  r.tout = &tout[0];
+  r.nb = int (breaks.size ());
+  r.tbrk = breaks.data ();
+  r.iopt = &iopt[0];
+  r.ropt = &ropt[0];
+  r.atol = &atol[0];
+  r.ip = plan->ip.data ();
+  r.rp = plan->rp.data ();
+  r.cst = carried ? carried : &cst[0];
+  r.xout = &xout[0];
+  r.ldx = ldx;
+  r.vout = &vout[0];
+  r.ldv = ldv;
+  r.w = &w[0];
+  r.lw = lw;
+  r.ask = gsmbp_patience;
+  std::copy_n (istat.begin (), int (GS_COUNTED), r.istat);
+  std::copy_n (rstat.begin (), int (GS_MEASURED), r.rstat);
+  return r;
+}
+
+// INTEGRATE (scene, run)
+template <typename integrator>
+void
+simulation::run_by (gs_scene one, integrator integrate)
+{
+  gs_fortran_inputs of_vin = { plan->ip.data (), plan->rp.data (), &cst[0] };
+  if (! carried)
+    one.data = &of_vin;
+  gs_integration r = run ();
+  info = integrate (&one, &r);
+  std::copy_n (r.istat, int (GS_COUNTED), istat.begin ());
+  std::copy_n (r.rstat, int (GS_MEASURED), rstat.begin ());
+}
+
 #if ! defined (GSMBP_QUAD)
 // from the start, or on from where gs_integrate found its steps bound by stability
 void
-simulation::by_implicit (run_room& r, std::vector<int>& ip, number *rp, bool resume) const
+simulation::by_implicit (bool resume)
 {
   const gs_implicit o = { implicit[0], implicit[1], resume, columns.count (),
-                          int (implicit.size ()) - 2, implicit.data () + 2, &r.text[0],
-                          r.text.size () };
-  r.info = run_implicit (*this, r, &ip[0], rp, implicit_method, o);
+                          int (implicit.size ()) - 2, implicit.data () + 2, &text[0],
+                          text.size () };
+  gs_scene one = scene;
+  one.nsw = S.nsw;   // at these breaks its rates may jump
+  run_by (one, [&] (gs_scene *s, gs_integration *r) { return implicit_method (s, r, &o); });
 }
 #endif
-
-void
-simulation::run (run_room& r, std::vector<int>& ip, number *rp) const
-{
-  if (iopt[GS_METHOD] != 0)
-    r.info = run_engine (*this, r, &ip[0], rp, gs_integrate);
-  go_on (r, ip, rp);
-}
-
-void
-simulation::go_on (run_room& r, std::vector<int>& ip, number *rp) const
-{
-#if ! defined (GSMBP_QUAD)
-  const bool stiff = iopt[GS_METHOD] == 0;
-  if (stiff || r.info == GS_STIFF)   // found to be bound by stability
-    by_implicit (r, ip, rp, ! stiff);
-#endif
-}
 
 void
 simulation::integrate (void)
 {
   auto begin = std::chrono::steady_clock::now ();
-  run (*this, plan->ip, plan->rp.data ());
+  const bool steps = iopt[GS_METHOD] != 0;
+  if (steps)
+    run_by (scene, gs_integrate);
+#if ! defined (GSMBP_QUAD)
+  if (! steps || info == GS_STIFF)
+    by_implicit (steps);
+#endif
   seconds = std::chrono::duration<double> (std::chrono::steady_clock::now () - begin).count ();
 }
 
