@@ -13,7 +13,7 @@ from ._structures import Result as Found, Start
 from ._tables import DEFAULT
 
 NX, NV, NY, NLAM = (SIZES[k] for k in ('nx', 'nv', 'ny', 'nlam'))
-TOO_SMALL, NO_MEMORY = 2, 7   # of gsmbp/failures.h
+NO_MEMORY = 7   # of gsmbp/failures.h
 LIBRARY.gs_loop_keep_steps.restype = ctypes.c_void_p
 LIBRARY.gs_loop_forget_steps.restype = None
 

@@ -4,7 +4,7 @@ import os
 
 import numpy as np
 
-from ._library import HERE, LIBRARY, NAME, SIZES, TABLE
+from ._library import HERE, NAME, SIZES, TABLE
 from ._tables import PLACE, REFUSALS
 
 SPEEDS = slice(SIZES['nq'], SIZES['nq'] + SIZES['nu'])   # among the states

@@ -11,7 +11,7 @@ from ._derivatives import Carried
 from ._grazing import starts_on_stops
 from ._ends import Ends
 from ._implicit import cvode, sharp_friction
-from ._library import Error, LIBRARY, NAME, NO_INPUTS, ROUTINES, SCENE, SIZES, TABLE, at
+from ._library import Error, LIBRARY, NAME, ROUTINES, SCENE, SIZES, TABLE, at
 from ._motion import Piecewise, as_piecewise
 from ._structures import Inputs, Options, Result as Found, Start
 from ._tables import DEFAULT, FIXED, METHODS, REFUSALS, WAYS, check, expected, is_number

@@ -4,7 +4,7 @@ import ctypes
 import numpy as np
 
 from . import _checks
-from ._library import LIBRARY, NAME, SIZES, TABLE, at
+from ._library import LIBRARY, NAME, TABLE, at
 from ._tables import VERDICTS
 
 _SIZE = 2400

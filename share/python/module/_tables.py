@@ -13,8 +13,6 @@ COUNTS, VALUES, VERDICTS = ([name for name, in rows] for rows in (_COUNTS, _VALU
 METHODS = {word: int(number) for word, number, *_ in _METHODS}
 FIXED = [row[0] for row in _METHODS if row[2] == 'fixed']   # methods with steps of one length
 PLACE = {row[0]: row[3] for row in _METHODS}                # of their code
-ORDERS = {row[0]: tuple(map(int, row[4].split())) for row in _METHODS if row[4] != 'none'}
-ORDER = {row[0]: int(row[5]) for row in _METHODS}
 WAYS = tuple(word for word, _ in _LOOPS)
 LIMITS = SimpleNamespace(**{name: float(value) for name, value in _LIMITS})
 REFUSALS = SimpleNamespace(**dict(_REFUSALS))

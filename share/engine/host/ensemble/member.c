@@ -237,7 +237,7 @@ by_implicit (const gs_ensemble *e, gs_member *m, int resume)
   gs_implicit o = *e->implicit;
   o.resume = resume;
   o.text = m->text;
-  o.length = (int) sizeof m->text;
+  o.length = sizeof m->text;
   scene.nsw = e->scene->nsw;   /* at these breaks its rates may jump */
   m->info = e->method (&scene, &m->run, &o);
 }

@@ -28,10 +28,9 @@ make_room (gs_whole_run *w)
   const size_t nx = many (r->nx, 1), nt = many (r->nt, 1), cst = many (w->d->ncst, 1);
   const size_t numbers = x + v + y + 2 * nx + nt + cst;
   const size_t wholes = many (GS_ON_SPEEDS + 1 + w->d->nspeedrows, 1);
-  r->room = malloc (numbers * sizeof (gs_real) + wholes * sizeof (int));
+  r->room = calloc (1, numbers * sizeof (gs_real) + wholes * sizeof (int));
   if (! r->room)
     return gs_refuse (r, GS_REFUSED_START, "", "there was no memory for the run");
-  memset (r->room, 0, numbers * sizeof (gs_real) + wholes * sizeof (int));
   r->x = r->room;
   r->v = r->x + x;
   r->y = r->v + v;

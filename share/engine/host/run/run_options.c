@@ -155,7 +155,6 @@ gs_choose_method (gs_whole_run *w)
     return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "there is no method %s", o->method);
   w->r->method = methods[k].word;
   w->iopt[GS_METHOD] = methods[k].number;
-  w->iopt[GS_MOST_STEPS] = (int)o->maxsteps;
   w->fixed = strcmp (methods[k].steps, "fixed") == 0;
   const double step = isnan (o->step) ? w->fixed ? 1e-3 : 0 : o->step;
   if (! (step >= 0 && step <= DBL_MAX) || (w->fixed && ! (step > 0)))
@@ -163,6 +162,7 @@ gs_choose_method (gs_whole_run *w)
   if (! (o->maxstep >= 0) || ! (o->maxsteps >= 0 && o->maxsteps <= gs_limits.fixed_steps))
     return gs_refuse (w->r, GS_REFUSED_OPTION, o->maxstep >= 0 ? "maxsteps" : "maxstep",
                       "expected 0 or more; found %g", o->maxstep >= 0 ? o->maxsteps : o->maxstep);
+  w->iopt[GS_MOST_STEPS] = (int)o->maxsteps;
   w->ropt[0] = (gs_real)step;
   w->ropt[2] = (gs_real)o->maxstep;
   return count_steps (w) || choose_order (w, k) || choose_implicit (w, k);
