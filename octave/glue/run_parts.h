@@ -4,7 +4,7 @@
 
 #include "patience.h"
 #include "run_plan.h"
-#include "gsmbp/functions.h"
+#include "host/output_rows.h"
 
 // A subroutine of the user in Octave: v = f (t, x).  An exception may not
 // cross Fortran frames; it is kept and thrown again behind the run.
@@ -84,16 +84,6 @@ switch_times (const reals& cst)
   return at;
 }
 
-// The time that stands for row K of the output times: where the scene switches the row has what was
-// before, as the inputs in it, but for the first one.
-static number
-row_time (const reals& switches, const number *tout, int k)
-{
-  const int side
-    = k > 0 && std::find (switches.begin (), switches.end (), tout[k]) != switches.end () ? -1 : 1;
-  return gs_time_beside (tout[k], side);
-}
-
 // the output times as they stand for the rows
 static reals
 row_times (const reals& cst, const reals& tout, int rows)
@@ -101,7 +91,7 @@ row_times (const reals& cst, const reals& tout, int rows)
   const reals switches = switch_times (cst);
   reals t = room (rows);
   for (int k = 0; k < rows; k++)
-    t[k] = row_time (switches, &tout[0], k);
+    t[k] = gs_row_time (&tout[0], k, rows, S.nsw, switches.data ());
   return t;
 }
 

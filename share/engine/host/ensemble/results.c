@@ -7,43 +7,21 @@
 #include "gsmbp/arith.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/plan.h"
-
-static int
-fine (const gs_real *x, int n)
-{
-  for (int i = 0; i < n; i++)
-    if (! (gs_abs (x[i]) <= GS_HUGE))
-      return 0;
-  return 1;
-}
-
-/* The time that stands for output k: where the scene switches the row has what was before, as the
- * inputs in it, but for the first one and those after the end of the run. */
-static gs_real
-row_time (const gs_ensemble *e, const gs_member *m, int k)
-{
-  const gs_real t = m->run.tout[k];
-  gs_real at[e->scene->nsw + 1];
-  if (e->scene->nsw == 0 || k == 0 || k >= m->run.istat[GS_N_OUTPUTS])
-    return t;
-  e->scene->swi (m->cst, at);
-  for (int i = 0; i < e->scene->nsw; i++)
-    if (at[i] >= t && at[i] <= t)
-      return gs_time_beside (t, -1);
-  return t;
-}
+#include "host/output_rows.h"
 
 int
 gs_outputs_at (const gs_ensemble *e, const gs_member *m, int k, int at, gs_real *y)
 {
   const gs_scene *s = e->scene;
   const gs_integration *r = &m->run;
-  const gs_real *x = r->xout + (ptrdiff_t)r->ldx * at, *v = r->vout + (ptrdiff_t)r->ldv * at;
-  gs_real one[s->ny + 1];
-  if (s->ny == 0 || ! s->out || ! fine (x, s->nx) || ! fine (v, s->nv))
+  gs_real switches[s->nsw + 1], one[s->ny + 1];
+  if (s->ny == 0)
     return 0;
-  const int info = s->out (row_time (e, m, k), x, v, m->cst, one);
-  if (info != 0 && info != 2)
+  if (s->nsw > 0)
+    s->swi (m->cst, switches);
+  if (! gs_outputs (s, gs_row_time (r->tout, k, r->istat[GS_N_OUTPUTS], s->nsw, switches),
+                    r->xout + (ptrdiff_t)r->ldx * at, r->vout + (ptrdiff_t)r->ldv * at, m->cst,
+                    one))
     return 0;
   gs_copy (s->ny, one, y);
   return 1;

@@ -8,6 +8,7 @@
 #include "gsmbp/functions.h"
 #include "gsmbp/refusals.h"
 #include "host/failure.h"
+#include "host/output_rows.h"
 #include "host/run/run_parts.h"
 #include "host/text.h"
 
@@ -177,41 +178,22 @@ end_by_event (gs_whole_run *w)
     r->times[r->rows++] = last;
 }
 
-static int
-all_finite (const gs_real *x, int n)
-{
-  return gs_not_finite (n, x) == 0;
-}
-
-/* The outputs of a row. Where the scene switches a row has what was before, as the inputs in it,
- * but for the first one and that of an event which ends the run. */
-static void
-output (const gs_whole_run *w, int k, const gs_real *switches)
-{
-  gs_run_result *r = w->r;
-  const gs_scene *s = w->d->scene;
-  const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
-  gs_real *y = r->y + (size_t)s->ny * (size_t)k, t = r->times[k];
-  int info = 1;
-  for (int i = 0; i < s->nsw && k > 0 && k < r->istat[GS_N_OUTPUTS]; i++)
-    if (switches[i] >= r->times[k] && switches[i] <= r->times[k])
-      t = gs_time_beside (r->times[k], -1);
-  if (s->out && all_finite (x, s->nx) && all_finite (v, s->nv))
-    info = s->out (t, x, v, r->cst, y);
-  for (int i = 0; i < s->ny && info != 0 && info != 2; i++)
-    y[i] = (gs_real)NAN;
-}
-
 static void
 outputs (const gs_whole_run *w)
 {
+  const gs_run_result *r = w->r;
   const gs_scene *s = w->d->scene;
-  gs_real *switches = malloc (many (s->nsw, 1) * sizeof *switches);
-  if (switches && s->nsw > 0)
-    s->swi (w->r->cst, switches);
-  for (int k = 0; switches && s->ny > 0 && k < w->r->rows; k++)
-    output (w, k, switches);
-  free (switches);
+  gs_real switches[s->nsw + 1];
+  if (s->nsw > 0)
+    s->swi (r->cst, switches);
+  for (int k = 0; s->ny > 0 && k < r->rows; k++)
+    {
+      const gs_real t = gs_row_time (r->times, k, r->istat[GS_N_OUTPUTS], s->nsw, switches);
+      gs_real *y = r->y + (ptrdiff_t)s->ny * k;
+      if (! gs_outputs (s, t, r->x + (ptrdiff_t)r->nx * k, r->v + (ptrdiff_t)r->ldv * k, r->cst, y))
+        for (int i = 0; i < s->ny; i++)
+          y[i] = (gs_real)NAN;
+    }
 }
 
 /* which of the given modes contradicts the state, the last one of the run */
@@ -245,7 +227,7 @@ tell_failure (gs_whole_run *w)
     return;
   const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
   const int said = (int)strlen (r->text);
-  if (all_finite (x, w->d->scene->nx) && all_finite (v, w->d->scene->nv))
+  if (gs_not_finite (w->d->scene->nx, x) == 0 && gs_not_finite (w->d->scene->nv, v) == 0)
     gs_outside_text (w->d, r->rstat[GS_T_REACHED], x, v, r->cst, w->s->par, r->text + said,
                      (int)sizeof r->text - said);
 }
