@@ -23,8 +23,7 @@ struct simulation
   number t0;
   int nx, nt, nb, ldx, ldv, lw;
   reals cst, x0, tout, ropt, atol;
-  reals tbrk;               // breaks of the inputs, nb of them within the run
-  reals breaks;             // these, and times at which the scene switches
+  reals tbrk;   // breaks of the inputs, nb of them within the run
   std::vector<int> iopt;
   reals xout, vout, rstat, w;
   std::vector<int> istat;
@@ -49,7 +48,6 @@ struct simulation
 private:
 
   void read_options (arguments& a);
-  void find_breaks (void);
   void make_room (const reals& guess);
   void check_routines (void);
   void fill_scene (void);
@@ -95,25 +93,11 @@ simulation::simulation (arguments& a)
   gs_start start;
   if (! plan->due_from (t0, cst, start))
     error ("gsmbp_simulate: %s", start.text);
-  find_breaks ();
   make_room (guess);
   check_routines ();
   fill_scene ();
   if (carries ())
     carry (guess);
-}
-
-void
-simulation::find_breaks (void)
-{
-  breaks.assign (tbrk.begin (), tbrk.begin () + nb);
-  if (S.nsw == 0)
-    return;
-  for (number t : switch_times (cst))
-    if (t > t0 && t < tout[nt - 1])
-      breaks.push_back (t);
-  std::sort (breaks.begin (), breaks.end ());
-  breaks.erase (std::unique (breaks.begin (), breaks.end ()), breaks.end ());
 }
 
 // method, way of the loops, drift, steps; from 7 on constraints on speeds
@@ -178,7 +162,6 @@ void
 simulation::fill_scene (void)
 {
   scene = *S.run;
-  scene.nsw = 0;   // the breaks of a run have these times
   if (audit)
     scene.rhs = S.audited;
   if (plan->ip[GS_V0] == 3 && input.is_function_handle ())
@@ -203,8 +186,8 @@ simulation::run (void)
   r.x0 = &x0[0];
   r.nt = nt;
   r.tout = &tout[0];
-  r.nb = int (breaks.size ());
-  r.tbrk = breaks.data ();
+  r.nb = nb;
+  r.tbrk = tbrk.data ();
   r.iopt = &iopt[0];
   r.ropt = &ropt[0];
   r.atol = &atol[0];
@@ -245,9 +228,7 @@ simulation::by_implicit (bool resume)
   const gs_implicit o = { implicit[0], implicit[1], resume, columns.count (),
                           int (implicit.size ()) - 2, implicit.data () + 2, &text[0],
                           text.size () };
-  gs_scene one = scene;
-  one.nsw = S.nsw;   // at these breaks its rates may jump
-  run_by (one, [&] (gs_scene *s, gs_integration *r) { return implicit_method (s, r, &o); });
+  run_by (scene, [&] (gs_scene *s, gs_integration *r) { return implicit_method (s, r, &o); });
 }
 #endif
 
@@ -332,8 +313,8 @@ do_sim (arguments& a, int)
 {
   simulation run (a);
   std::exception_ptr failure;
-  reals jumps = run.tbrk;
-  jumps.insert (jumps.end (), run.breaks.begin (), run.breaks.end ());
+  reals jumps = switch_times (run.cst);
+  jumps.insert (jumps.end (), run.tbrk.begin (), run.tbrk.end ());
   current_run current (run, jumps, failure);
   {
     patience p (run.timeout, double (run.t0), double (run.tout[run.nt - 1]), "s");

@@ -104,7 +104,7 @@ typedef struct
   gs_fortran_inputs inputs;
   double *par;              /* npar: its parameters, for messages, */
   gs_real *values;          /* ... for pre */
-  gs_real *cst, *x0, *breaks; /* the arrays that run reads */
+  gs_real *cst, *x0;        /* the arrays that run reads */
 } gs_member;
 
 /* takes a run that ended; called by the thread that made it, for every row once, in any order */

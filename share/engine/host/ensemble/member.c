@@ -19,13 +19,11 @@ int
 gs_make_member (const gs_ensemble *e, gs_member *m)
 {
   const gs_integration *all = &e->run;
-  const gs_scene *s = e->scene;
   const size_t nt = (size_t)all->nt;
   memset (m, 0, sizeof *m);
   m->run = *all;
   m->cst = room ((size_t)e->ncst);
   m->x0 = room ((size_t)all->nx);
-  m->breaks = room ((size_t)(all->nb + s->nsw));
   m->values = room ((size_t)e->npar);
   m->par = malloc (((size_t)e->npar + 1) * sizeof (double));
   m->run.xout = room ((size_t)all->ldx * nt);
@@ -33,8 +31,8 @@ gs_make_member (const gs_ensemble *e, gs_member *m)
   m->run.w = room ((size_t)all->lw);
   m->run.rp = room (e->reals);
   m->run.ip = malloc ((e->wholes + 1) * sizeof (int));
-  if (m->cst && m->x0 && m->breaks && m->values && m->par && m->run.xout && m->run.vout && m->run.w
-      && m->run.rp && m->run.ip)
+  if (m->cst && m->x0 && m->values && m->par && m->run.xout && m->run.vout && m->run.w && m->run.rp
+      && m->run.ip)
     return 0;
   gs_free_member (m);
   return GS_OUT_OF_MEMORY;
@@ -43,8 +41,8 @@ gs_make_member (const gs_ensemble *e, gs_member *m)
 void
 gs_free_member (gs_member *m)
 {
-  void *all[] = { m->cst, m->x0, m->breaks, m->values, m->par, m->run.xout, m->run.vout, m->run.w,
-                  m->run.rp, m->run.ip };
+  void *all[] = { m->cst, m->x0, m->values, m->par, m->run.xout, m->run.vout, m->run.w, m->run.rp,
+                  m->run.ip };
   for (size_t k = 0; k < sizeof all / sizeof all[0]; k++)
     free (all[k]);
   memset (m, 0, sizeof *m);
@@ -70,39 +68,6 @@ constants (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *known,
   if (! rows->table.x || known->cst)
     return known->cst ? known->info : 0;
   return e->pre (m->values, m->cst);
-}
-
-static int
-before (const void *a, const void *b)
-{
-  const gs_real x = *(const gs_real *)a, y = *(const gs_real *)b;
-  return (x > y) - (x < y);
-}
-
-/* breaks of the inputs, and where the scene switches within the run */
-static void
-set_breaks (const gs_ensemble *e, gs_member *m)
-{
-  const gs_integration *all = &e->run;
-  const int nsw = e->scene->nsw;
-  gs_real *at = m->breaks + all->nb;
-  int n = all->nb;
-  for (int k = 0; k < n; k++)
-    m->breaks[k] = all->tbrk[k];
-  if (nsw > 0)
-    {
-      e->scene->swi (m->cst, at);
-      for (int k = 0; k < nsw; k++)
-        if (at[k] > all->t0 && at[k] < all->tout[all->nt - 1])
-          m->breaks[n++] = at[k];
-      qsort (m->breaks, (size_t)n, sizeof *at, before);
-      int different = 0;
-      for (int k = 0; k < n; k++)
-        if (different == 0 || m->breaks[k] > m->breaks[different - 1])
-          m->breaks[different++] = m->breaks[k];
-      n = different;
-    }
-  m->run.nb = n;
 }
 
 /* The plan from which the run begins. The record of its events, of which nothing is read before it
@@ -140,7 +105,6 @@ empty (const gs_ensemble *e, gs_member *m)
   r->rstat[GS_T_REACHED] = all->t0;
   r->cst = m->cst;
   r->x0 = m->x0;
-  r->tbrk = m->breaks;
   m->info = 0;
   m->pre = 0;
   m->begun = 0;
@@ -207,7 +171,6 @@ gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *
   m->pre = constants (e, rows, known, m);
   if (m->pre != 0)
     return 0;
-  set_breaks (e, m);
   gs_copy (all->nx, all->x0, m->x0);
   for (int k = 0; k < s->nx && rows->starts.x; k++)
     m->x0[k] = entry (&rows->starts, m->row, k);
@@ -221,7 +184,6 @@ gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *
   else if (e->guess)
     gs_copy (s->nu, e->guess, m->run.w);
   m->scene = *s;
-  m->scene.nsw = 0;   /* its breaks have these times */
   m->inputs = (gs_fortran_inputs){ .ip = m->run.ip, .rp = m->run.rp, .cst = m->cst };
   if (e->fortran_inputs)
     m->scene.data = &m->inputs;
@@ -233,13 +195,11 @@ gs_begin_member (const gs_ensemble *e, const gs_rows *rows, const gs_known_row *
 static void
 by_implicit (const gs_ensemble *e, gs_member *m, int resume)
 {
-  gs_scene scene = m->scene;
   gs_implicit o = *e->implicit;
   o.resume = resume;
   o.text = m->text;
   o.length = sizeof m->text;
-  scene.nsw = e->scene->nsw;   /* at these breaks its rates may jump */
-  m->info = e->method (&scene, &m->run, &o);
+  m->info = e->method (&m->scene, &m->run, &o);
 }
 
 void
