@@ -62,7 +62,7 @@ gauss_13 maxorder: expected one of 4, 6, 8, found 13
 radau_20 maxorder: expected one of 5, 9, 13, found 20
 dp853_5 maxorder: method dp853 has one order alone, found 5
 cvode method: method "cvode" needs SUNDIALS
-euler method: there is no method euler
+euler method: expected one of dp853, rk4, .*, auto, found euler
 EOF
 if has clang 'packages by clang'; then
   make -s -C "$work/slider_crank" clean

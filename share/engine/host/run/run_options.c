@@ -144,15 +144,28 @@ count_steps (gs_whole_run *w)
                     gs_refusals.too_many_steps, span, longest, span / longest, w->o->method, most);
 }
 
+/* its row in the table, or METHODS */
+static int
+method_named (gs_whole_run *w)
+{
+  char all[200] = "";
+  gs_writer list = { all, (int)sizeof all, 0 };
+  int k = 0;
+  for (; k < METHODS && ! is (w, methods[k].word); k++)
+    gs_put (&list, k > 0 ? ", %s" : "%s", methods[k].word);
+  if (k == METHODS)
+    gs_refuse (w->r, GS_REFUSED_OPTION, "method", "expected one of %s, found %s", all,
+               w->o->method);
+  return k;
+}
+
 int
 gs_choose_method (gs_whole_run *w)
 {
   const gs_run_options *o = w->o;
-  int k = 0;
-  while (k < METHODS && ! is (w, methods[k].word))
-    k++;
+  const int k = method_named (w);
   if (k == METHODS)
-    return gs_refuse (w->r, GS_REFUSED_OPTION, "method", "there is no method %s", o->method);
+    return 1;
   w->r->method = methods[k].word;
   w->iopt[GS_METHOD] = methods[k].number;
   w->fixed = strcmp (methods[k].steps, "fixed") == 0;
