@@ -131,8 +131,8 @@
 ##
 ## Other fields: @code{gsmbp_version} and @code{scene_hash} (the version of GSMBP that
 ## emitted the scene, and a hash of what was written in it; "" where the JSON has none),
-## @code{par} (parameter values; change them with
-## @code{gsmbp_set}), @code{coordinates}, @code{speeds}, @code{states},
+## @code{par} (parameter values, to read; @code{gsmbp_set} changes them), @code{coordinates},
+## @code{speeds}, @code{states},
 ## @code{inputs}, @code{outputs}, @code{multipliers}, @code{points} (names), @code{unique} (a struct
 ## with @code{multipliers}, @code{outputs}: which of them the motion determines, the
 ## others are one of many values and depend on where a loop is cut), @code{units} (a
