@@ -197,7 +197,7 @@ endfunction
 %!test <a motor in the scene would count twice>
 %! n = m;
 %! n.json.devices = struct ("name", "M", "entry", "dc_motor");
-%! n.par.M_J = 1e-4;
+%! n.par.M_J = n.applied.M_J = 1e-4;
 %! r = struct ("t", 0, "x", 0, "v", 0);
 %! fail ("gsmbp_cycle (n, r)", "counts M_J = 0.0001 of dc_motor M");
 %!test <a table>
