@@ -78,10 +78,10 @@ completed (gsf_instance *a, work *k)
   gs_partition p = gs_partition_of (s->nq, s->nu, s->nlam, a->p);
   double *du = k->dx + s->nq, *ones = k->w + s->nlam;
   const int m = s->nlam, r = (int)a->p[GS_DEPENDENT], r2 = (int)a->p[GS_DISPLACED];
-  int rank, info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, p.phi, p.phit, p.hc, m, p.gam);
+  int rank, info = s->con (*a->t, a->x, a->x + s->nq, a->cst, p.phi, p.phit, p.hc, m, p.gam);
   if (info != 0 && info != 2)
     return gsf_failed (a, GSF_DISCARD, GS_AT_CON, info);
-  a->m->tan (a->d[GSF_T], a->x, a->cst, k->dp, m, k->dq, m);
+  a->m->tan (*a->t, a->x, a->cst, k->dp, m, k->dq, m);
   if (r2 > 0)
     {
       gs_partition_factors (m, r2, p.hc, p.displ, p.rows, p.y, p.piv, p.beta, p.siz, &rank);
@@ -89,7 +89,7 @@ completed (gsf_instance *a, work *k)
       for (int i = 0; i < m; i++)
         k->w[i] *= p.rows[i];
       gs_partition_solve (m, r2, rank, p.y, p.piv, p.beta, k->w, s->nu, p.displ, p.du);
-      s->kin (a->d[GSF_T], a->x, p.du, a->cst, p.dq);
+      s->kin (*a->t, a->x, p.du, a->cst, p.dq);
       for (int i = 0; i < s->nq; i++)
         k->dx[i] += p.dq[i];
     }

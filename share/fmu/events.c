@@ -5,7 +5,6 @@
  * last event, else a little below where that event left it. So a stop that was just left is not hit
  * by rounding errors, and is met again where it comes back before it has risen. */
 #include "fmu.h"
-#include "plan.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/system.h"
@@ -24,14 +23,14 @@ gsf_next_switch (gsf_instance *a)
     return;
   s->swi (a->cst, ts);
   for (int k = 0; k < s->nsw; k++)
-    if (ts[k] > a->d[GSF_T] && ts[k] < a->d[GSF_T_SWITCH])
+    if (ts[k] > *a->t && ts[k] < a->d[GSF_T_SWITCH])
       a->d[GSF_T_SWITCH] = ts[k];
 }
 
 double
 gsf_time (const gsf_instance *a)
 {
-  const double t = a->d[GSF_T], due = a->d[GSF_T_SWITCH];
+  const double t = *a->t, due = a->d[GSF_T_SWITCH];
   return t >= due ? gs_time_beside (due, -1) : t;
 }
 
@@ -55,45 +54,21 @@ set_levels (gsf_instance *a)
   return GSF_OK;
 }
 
-/* n numbers of events := 0 */
-static void
-clear (int n, int *k)
-{
-  for (int i = 0; i < n; i++)
-    k[i] = 0;
-}
-
 int
 gsf_happens (gsf_instance *a, int k)
 {
-  const gs_scene *s = a->m->scene;
-  const int own = a->m->nown > 0 && k != 0 && a->i[GSF_KIND] == GSF_EXCHANGE;
-  if (gsf_inputs (a))
-    return GSF_ERROR;
+  const int own = a->m->nown > 0 && a->i[GSF_KIND] == GSF_EXCHANGE;
   if (own)
     gsf_before_own (a);
-  if (k < 0)
-    clear (s->nev, gsf_events (a).fresh);
-  int *ie = a->ip + a->ip[GS_EVENTS] - 1;
-  double *re = a->rp + a->ip[GS_EVENTS + 1] - 1;
-  int info = gs_resolve_event (s, a->d[GSF_T], a->x, s->nx, a->v, a->cst, k, ie, re);
-  if (info != 0)
-    return gsf_failed (a, GSF_ERROR, GS_AT_EVENT, info);
-  ie[4] = 1;
-  gsf_tally (a);
+  if (gs_step_event (&a->run, k))
+    return gsf_run_says (a);
   return own ? gsf_after_own (a) : GSF_OK;
 }
 
 int
 gsf_begin_events (gsf_instance *a)
 {
-  if (a->m->scene->nev == 0)
-    return GSF_OK;
-  int *ie = a->ip + a->ip[GS_EVENTS] - 1;
-  ie[4] = 0;
-  *gsf_events (a).since = 0;
-  clear (a->m->scene->nev, gsf_events (a).mode);
-  if (gsf_happens (a, 0) || set_levels (a))
+  if (a->m->scene->nev > 0 && set_levels (a))
     return GSF_ERROR;
   gsf_begin_own (a);
   return GSF_OK;
@@ -136,8 +111,8 @@ gsf_take_samples (gsf_instance *a, int *acted)
   int istat[GS_COUNTED] = { 0 };
   a->d[GSF_T_NEXT] = 2e300;
   *acted = 0;
-  int info = gs_samples_due (a->m->scene, a->d[GSF_T], a->x, a->m->scene->nx, a->ip, a->rp, a->cst,
-                             a->v, a->w, istat, a->d + GSF_T_NEXT, acted);
+  int info = gs_samples_due (a->m->scene, *a->t, a->x, a->m->scene->nx, a->run.r.ip,
+                             a->run.r.rp, a->cst, a->v, a->w, istat, a->d + GSF_T_NEXT, acted);
   return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, istat[GS_FAILED],
                                           istat[GS_FAILED_INFO]);
 }
@@ -165,10 +140,10 @@ gsf_event (gsf_instance *a, int *changed, int *nominals)
   *changed = *nominals = 0;
   if (status)
     return GSF_ERROR;
-  if (a->m->scene->nev > 0 && ! (a->d[GSF_T] == a->d[GSF_T_EVENT]))
+  if (a->m->scene->nev > 0 && ! (*a->t == a->d[GSF_T_EVENT]))
     *gsf_events (a).since = 0;
-  a->d[GSF_T_EVENT] = a->d[GSF_T];
-  const int switched = a->d[GSF_T] >= a->d[GSF_T_SWITCH];
+  a->d[GSF_T_EVENT] = *a->t;
+  const int switched = *a->t >= a->d[GSF_T_SWITCH];
   gsf_next_switch (a);
   /* what a switch alone would bring about does not count where samples are due, too */
   if ((! switched && ports (a)) || gsf_take_samples (a, &acted)

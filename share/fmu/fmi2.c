@@ -291,7 +291,7 @@ fmi2NewDiscreteStates (fmi2Component component, fmi2EventInfo *info)
   memset (info, 0, sizeof *info);
   info->valuesOfContinuousStatesChanged = changed;
   info->nominalsOfContinuousStatesChanged = nominals;
-  info->terminateSimulation = c->a->i[GSF_ENDED] > 0;
+  info->terminateSimulation = *c->a->run.ended > 0;
   info->nextEventTimeDefined = c->a->d[GSF_T_NEXT] < 1e300;
   info->nextEventTime = info->nextEventTimeDefined ? c->a->d[GSF_T_NEXT] : 0;
   return tell (c, status);
@@ -410,7 +410,7 @@ fmi2DoStep (fmi2Component component, fmi2Real t, fmi2Real h, fmi2Boolean nothing
   int status = gsf_can_step (c->a, t, h);
   if (status == GSF_OK)
     status = gsf_step (c->a, t + h);
-  if (status <= GSF_WARNING && c->a->i[GSF_ENDED] > 0)
+  if (status <= GSF_WARNING && *c->a->run.ended > 0)
     status = gsf_ended (c->a, GSF_DISCARD);
   return tell (c, status);
 }
@@ -429,7 +429,7 @@ fmi2GetRealStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Real 
   NEED (1, value, value);
   if (kind != fmi2LastSuccessfulTime)
     return fmi2Discard;
-  *value = c->a->d[GSF_T];
+  *value = *c->a->t;
   return fmi2OK;
 }
 
@@ -441,7 +441,7 @@ fmi2GetBooleanStatus (fmi2Component component, const fmi2StatusKind kind, fmi2Bo
   if (kind != fmi2Terminated)
     return fmi2Discard;
   gsf_hide_samples (c->a);
-  *value = c->a->i[GSF_ENDED] > 0;
+  *value = *c->a->run.ended > 0;
   return fmi2OK;
 }
 

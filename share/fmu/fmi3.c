@@ -351,7 +351,7 @@ fmi3UpdateDiscreteStates (fmi3Instance component, fmi3Boolean *again, fmi3Boolea
   NEED (1, defined, next);
   int changed, others, status = gsf_event (c->a, &changed, &others);
   *again = fmi3False;
-  *terminate = c->a->i[GSF_ENDED] > 0;
+  *terminate = *c->a->run.ended > 0;
   *nominals = others != 0;
   *values = changed != 0;
   *defined = c->a->d[GSF_T_NEXT] < 1e300;
@@ -474,8 +474,8 @@ fmi3DoStep (fmi3Instance component, fmi3Float64 t, fmi3Float64 h, fmi3Boolean no
   int status = gsf_can_step (c->a, t, h);
   if (status == GSF_OK)
     status = gsf_step (c->a, t + h);
-  *last = c->a->d[GSF_T];
-  *terminate = status <= GSF_WARNING && c->a->i[GSF_ENDED] > 0;
+  *last = *c->a->t;
+  *terminate = status <= GSF_WARNING && *c->a->run.ended > 0;
   *early = *terminate && c->early && *last < t + h;
   return tell (c, status);
 }

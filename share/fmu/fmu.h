@@ -7,7 +7,7 @@
 
 #include "gsmbp/arith.h"
 #include "gsmbp/integrate.h"
-#include "host/start.h"
+#include "host/run/stepped.h"
 
 #include <stddef.h>
 
@@ -15,11 +15,6 @@ typedef int gsf_jac (double t, const double *x, const double *v, const double *c
                      int lda, double *b, int ldb, double *c, int ldc, double *d, int ldd);
 typedef void gsf_tan (double t, const double *x, const double *cst, double *dp, int ldp,
                       double *dv, int ldv);
-
-/* a run by another method than that of gs_integrate: its info; said: what the method said where it
- * failed, cut to the room */
-typedef int gsf_integrate (const gs_scene *s, gs_integration *run, char *said, size_t room);
-extern gsf_integrate gsf_radau;
 
 /* what INFO of a routine means */
 typedef struct
@@ -48,7 +43,8 @@ typedef struct
   gsf_jac *jac;                                     /* null: none */
   gsf_tan *tan;
   gs_mar *mar;                                      /* null: no margins */
-  gsf_integrate *integrate;                         /* null: gs_integrate */
+  const char *method;                               /* of co-simulation, a word of GS_METHODS; */
+  gs_implicit_method *integrate;                    /* null: gs_integrate */
   int nmargins;
   const char *const *margins;                       /* what must be above 0 */
   const double *nominal;                            /* nx */
@@ -140,59 +136,51 @@ enum
   GSF_PHASE = 0,
   GSF_KIND,
   GSF_STALE,      /* 1: parameters or starts were set, 2: a state or the time */
-  GSF_ENDED,      /* the event of the user, from 1, that has ended the run, or 0 */
-  GSF_QUIET,      /* communication steps since an input has changed */
-  GSF_WHOLES = 8
+  GSF_WHOLES
 };
+/* in a communication step */
+enum { GSF_MOST_STEPS = 10000000 };
 /* numbers */
 enum
 {
-  GSF_T = 0,
-  GSF_T1,         /* where it stops, or 1e300 */
+  GSF_T1 = 0,     /* where it stops, or 1e300 */
   GSF_TOLERANCE,
-  GSF_H,          /* the next step of co-simulation */
   GSF_T_EVENT,    /* the last event */
   GSF_T_NEXT,     /* the next one that is known, or 2e300 */
   GSF_T_SWITCH,   /* the next time at which the scene switches, or 2e300 */
-  GSF_AHEAD_T,    /* where the step behind which the time of co-simulation is has begun, */
-  GSF_AHEAD_H,    /* its length; 0: there is none */
-  GSF_NUMBERS = 10
+  GSF_NUMBERS
 };
 
 typedef struct
 {
   const gsf_model *m;
-  size_t nd, ni;   /* lengths of the two arrays: all that is saved with a state */
-  double *d;
-  int *i;
+  gs_stepped_run run; /* its two arrays are what is saved with a state; of it: */
+  double *t;       /* the time now */
+  double *cst;
+  double *x;       /* nx: the state now */
+  double *v, *w;   /* inputs, workspace */
+  double *d;       /* what is the FMU's among the numbers, */
+  int *i;          /* the whole numbers of the run */
   /* parts of d */
-  double *par, *cst;
+  double *par;
+  double *memory;  /* nxk: of sampled devices at the start */
   double *xs;      /* nx: starts, as they were set */
   double *xr;      /* nx: that of the last event or completed step */
-  double *x;       /* nx: the state now */
   double *z;       /* ns: states of model exchange */
   double *p;       /* the partition of a closed chain */
   double *level;   /* nev: an event is where its function falls below */
   double *size;    /* nev: functions of the user: the largest value so far */
-  double *when;    /* nown: its last event */
-  double *ahead;   /* (nx,11): the states at both ends of that step, its polynomial */
-  double *rp;
   /* parts of i */
   int *set;        /* nx: 1 where the start was set */
   int *place;      /* ns: numbers of the states that z holds */
   int *passed;     /* nmargins: 1 where a margin was passed at the end of the last step */
   int *phase;      /* nev: functions of the user in model exchange: GSF_ARMED, ... */
   int *low;        /* nev: events since it has last risen */
-  int *tally;      /* nown: events so far */
-  int *ip;
-  /* what d and i are before the samples that they show */
-  double *kept_d;
-  int *kept_i;
-  int shown;       /* 1: they show those at the communication point */
+  void *kept;      /* the instance as it was before the samples that it shows */
+  int shown;       /* 1: it shows those at the communication point */
   /* workspace */
-  double *v, *xd, *y, *g, *w;
-  double *atol, *xout, *vout;
-  int *iopt;
+  double *xd, *y, *g;
+  double *xout;    /* nx + nev + 2 */
   gs_description about;   /* for starts and margins: */
   const char **events;    /* nev: names of event functions, */
   char *event_text;       /* those of ports */
@@ -212,8 +200,8 @@ int gsf_fail (gsf_instance *a, int status, const char *format, ...);
 int gsf_failed (gsf_instance *a, int status, int routine, int info);
 /* what INFO of a routine means, or null */
 const char *gsf_meaning (const char *routine, int info);
-/* an error: why a run ended at t, by gs_failure; said: by a method of its own, or "" */
-int gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *said);
+/* an error: what the run says */
+int gsf_run_says (gsf_instance *a);
 
 /* may a function be called here: kinds of FMU as bits, phases? are there values where n are
  * expected, and as many as expected? */
@@ -226,16 +214,10 @@ int gsf_as_many (gsf_instance *a, const char *function, size_t n, size_t expecte
 int gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, double t1);
 int gsf_enter (gsf_instance *a);
 int gsf_exit (gsf_instance *a);
-/* what the two below need of the scene; 0: no memory */
+/* what a run needs of the scene; 0: no memory */
 int gsf_describe (gsf_instance *a);
-/* the state onto the constraints */
-int gsf_close (gsf_instance *a);
-/* is the start within the stops and margins of the devices? */
-int gsf_possible (gsf_instance *a);
 /* a warning where a device has left the range of its laws since the last call */
 int gsf_watch (gsf_instance *a);
-/* adds to the text a margin that is passed at t in the state x under the inputs v */
-void gsf_outside (gsf_instance *a, double t, const double *x, const double *v);
 
 /* values by reference */
 int gsf_get (gsf_instance *a, unsigned reference, double *value);
@@ -270,10 +252,11 @@ int gsf_begin_events (gsf_instance *a);
 int gsf_event (gsf_instance *a, int *changed, int *nominals);
 int gsf_completed (gsf_instance *a, int *event);
 
-/* events of the user: where they are at the start; the records of those that have happened into
- * tally, when and GSF_ENDED */
+/* event k of the user (from 0): how often it has happened, when it last did */
+int gsf_tally (const gsf_instance *a, int k);
+double gsf_when (const gsf_instance *a, int k);
+/* events of the user: where they are at the start */
 void gsf_begin_own (gsf_instance *a);
-void gsf_tally (gsf_instance *a);
 /* in model exchange: before and after functions in a->g happen; where those that have risen count
  * anew; as gsf_fail where events accumulate */
 void gsf_before_own (gsf_instance *a);
@@ -294,26 +277,25 @@ int gsf_is_overridden (const gsf_instance *a, int k);
  * that ends the run */
 int gsf_can_step (gsf_instance *a, double t, double h);
 int gsf_step (gsf_instance *a, double t);
-/* events of the user that inputs have brought about since the last step */
-int gsf_begin_step (gsf_instance *a);
 
 /* what sampled devices do at this instant, and when the next one is */
 int gsf_take_samples (gsf_instance *a, int *acted);
-/* co-simulation: the values after the samples at the communication point, those before them; is
- * there a sample at t but for rounding, in a communication step of the length h [s]? Then t becomes
- * its time */
+/* co-simulation: the values after the samples at the communication point, those before them */
 int gsf_show_samples (gsf_instance *a);
 void gsf_hide_samples (gsf_instance *a);
-int gsf_sample_near (const gsf_instance *a, double *t, double h);
 
-/* steps beyond a communication point: how far one to the point t may go, in a communication step
- * of the length h [s]; one is kept, dropped; does it reach t? the state there into xout, 0: it
- * could not be moved onto the constraints */
-double gsf_beyond (const gsf_instance *a, double t, double h);
-void gsf_keep (gsf_instance *a, const gs_dense *e);
-void gsf_forget (gsf_instance *a);
-int gsf_reaches (const gsf_instance *a, double t);
-int gsf_look (gsf_instance *a, double t);
+/* the parts of its plan; only where the scene has such devices */
+static inline gs_samples
+gsf_samples (const gsf_instance *a)
+{
+  return gs_planned_samples (a->m->scene, a->run.r.ip, a->run.r.rp);
+}
+
+static inline gs_events
+gsf_events (const gsf_instance *a)
+{
+  return gs_planned_events (a->m->scene->nx, a->run.r.ip, a->run.r.rp);
+}
 
 /* sum over the knowns of the derivative of unknown times seed */
 int gsf_directional (gsf_instance *a, size_t nu, const unsigned *unknowns, size_t nk,

@@ -1,13 +1,12 @@
 /* instance.c: one instance of the FMU: its memory, its start, what it says, saved states.
  *
- * All that changes lies in two arrays, d and i, so that a saved state is a copy of them. */
+ * All that changes lies in the two arrays of its run, so that a saved state is a copy of them. */
 #include "fmu.h"
 
 #include "gsmbp/inputs.h"
 #include "gsmbp/integrate.h"
 #include "gsmbp/partition.h"
 #include "host/failure.h"
-#include "plan.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -78,66 +77,62 @@ gsf_partition_size (const gs_scene *s)
   return s->nlam > 0 ? 24 + 8 * s->nu + 10 * s->nq + 7 * s->nlam + 2 * s->nlam * s->nu : 0;
 }
 
-/* the arrays within d and i, which may be null: then their lengths are found */
+/* parts of the FMU among what the run saves */
 static void
 divide (gsf_instance *a)
 {
   const gsf_model *m = a->m;
   const gs_scene *s = m->scene;
-  double *d = a->d + GSF_NUMBERS;
-  a->par = d;
-  a->cst = a->par + m->npar;
-  a->xs = a->cst + m->ncst;
+  a->d = a->run.own;
+  a->par = a->d + GSF_NUMBERS;
+  a->memory = a->par + m->npar;
+  a->xs = a->memory + s->nxk;
   a->xr = a->xs + s->nx;
-  a->x = a->xr + s->nx;
-  a->z = a->x + s->nx;
+  a->z = a->xr + s->nx;
   a->level = a->z + gsf_ns (m);
   a->size = a->level + s->nev;
-  a->when = a->size + s->nev;
-  a->ahead = a->when + m->nown;
-  a->p = a->ahead + 11 * s->nx;
-  a->rp = a->p + gsf_partition_size (s);
+  a->p = a->size + s->nev;
+  a->i = a->run.own_wholes;
   a->set = a->i + GSF_WHOLES;
   a->place = a->set + s->nx;
   a->passed = a->place + gsf_ns (m);
   a->phase = a->passed + m->nmargins;
   a->low = a->phase + s->nev;
-  a->tally = a->low + s->nev;
-  a->ip = a->tally + m->nown;
+  a->t = a->run.clock + GS_STEP_NOW;
+  a->cst = a->run.r.cst;
+  a->x = a->run.x;
+  a->v = a->run.v;
+  a->w = a->run.w;
 }
 
 static int
 numbers (const gsf_model *m)
 {
   const gs_scene *s = m->scene;
-  return GSF_NUMBERS + m->npar + m->ncst + 14 * s->nx + gsf_ns (m) + 2 * s->nev
-         + m->nown + gsf_partition_size (s) + gsf_plan_numbers (m);
+  return GSF_NUMBERS + m->npar + s->nxk + 2 * s->nx + gsf_ns (m) + 2 * s->nev
+         + gsf_partition_size (s);
 }
 
 static int
 wholes (const gsf_model *m)
 {
-  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + 2 * m->scene->nev + m->nown
-         + gsf_plan_wholes (m);
+  return GSF_WHOLES + m->scene->nx + gsf_ns (m) + m->nmargins + 2 * m->scene->nev;
 }
 
+/* memory and the method of the run; 0: no memory */
 static int
-workspace (const gs_scene *s)
-{
-  return 3 * s->nv + 3 * s->nx + s->ny + 2 * s->nev + 8 + gs_room (s, s->nx, 0);
-}
-
-static void
-divide_workspace (gsf_instance *a)
+make_room (gsf_instance *a)
 {
   const gs_scene *s = a->m->scene;
-  a->xd = a->v + 2 * s->nv + 1;
-  a->y = a->xd + s->nx;
-  a->g = a->y + s->ny + 1;
-  a->atol = a->g + a->m->scene->nev;
-  a->xout = a->atol + s->nx;
-  a->vout = a->xout + s->nx + a->m->scene->nev + 2;
-  a->w = a->vout + s->nv + 1;
+  a->run.o = gs_default_options ();
+  a->run.o.method = a->m->method;
+  a->run.o.maxsteps = GSF_MOST_STEPS;
+  a->run.o.project = 1;
+  if (! gsf_describe (a) || gs_step_open (&a->run, &a->about, numbers (a->m), wholes (a->m)))
+    return 0;
+  a->kept = malloc (gsf_bytes (a));
+  a->xd = calloc ((size_t)(2 * s->nx + s->ny + 2 * s->nev + 3), sizeof (double));
+  return a->kept && a->xd;
 }
 
 gsf_instance *
@@ -148,21 +143,15 @@ gsf_new (const gsf_model *m, int kind)
   if (! a)
     return NULL;
   a->m = m;
-  a->nd = (size_t)numbers (m);
-  a->ni = (size_t)wholes (m);
-  a->d = calloc (a->nd, sizeof (double));
-  a->i = calloc (a->ni, sizeof (int));
-  a->kept_d = calloc (a->nd, sizeof (double));
-  a->kept_i = calloc (a->ni, sizeof (int));
-  a->iopt = calloc ((size_t)(6 + m->nspeedrows), sizeof (int));
-  a->v = calloc ((size_t)workspace (s), sizeof (double));
-  if (! gsf_describe (a) || ! a->d || ! a->i || ! a->kept_d || ! a->kept_i || ! a->iopt || ! a->v)
+  if (! make_room (a))
     {
       gsf_free (a);
       return NULL;
     }
   divide (a);
-  divide_workspace (a);
+  a->y = a->xd + s->nx;
+  a->g = a->y + s->ny + 1;
+  a->xout = a->g + s->nev;
   a->i[GSF_KIND] = kind;
   gsf_reset (a);
   return a;
@@ -173,12 +162,9 @@ gsf_free (gsf_instance *a)
 {
   if (! a)
     return;
-  free (a->d);
-  free (a->i);
-  free (a->kept_d);
-  free (a->kept_i);
-  free (a->iopt);
-  free (a->v);
+  gs_step_close (&a->run);
+  free (a->kept);
+  free (a->xd);
   free (a->events);
   free (a->event_text);
   free (a);
@@ -189,8 +175,8 @@ gsf_reset (gsf_instance *a)
 {
   const int kind = a->i[GSF_KIND];
   a->shown = 0;
-  memset (a->d, 0, a->nd * sizeof (double));
-  memset (a->i, 0, a->ni * sizeof (int));
+  memset (a->run.numbers, 0, a->run.nnumbers * sizeof (double));
+  memset (a->run.wholes, 0, a->run.nwholes * sizeof (int));
   a->known = 0;
   a->i[GSF_KIND] = kind;
   a->i[GSF_PHASE] = GSF_MADE;
@@ -202,7 +188,8 @@ gsf_reset (gsf_instance *a)
   a->m->par (a->par);
   a->m->start (a->par, a->xs);
   gs_copy (a->m->scene->nx, a->xs, a->x);
-  gsf_plan (a);
+  if (a->m->scene->nxk > 0)
+    gs_copy (a->m->scene->nxk, a->m->scene->memory, a->memory);
 }
 
 void
@@ -238,10 +225,9 @@ gsf_meaning (const char *routine, int info)
 }
 
 int
-gsf_run_failed (gsf_instance *a, int info, const int *istat, double t, const char *said)
+gsf_run_says (gsf_instance *a)
 {
-  gs_failure (&(gs_failed_run){ &a->about, info, istat, t, said }, a->text, sizeof a->text);
-  return GSF_ERROR;
+  return gsf_fail (a, GSF_ERROR, "%s", a->run.r.text);
 }
 
 int
@@ -250,7 +236,8 @@ gsf_failed (gsf_instance *a, int status, int routine, int info)
   int istat[GS_COUNTED] = { 0 };
   istat[GS_FAILED] = routine;
   istat[GS_FAILED_INFO] = info;
-  gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
+  gs_failure (&(gs_failed_run){ &a->about, GS_ROUTINE_FAILED, istat, *a->t, "" }, a->text,
+              sizeof a->text);
   return status;
 }
 
@@ -332,8 +319,8 @@ header_of (const gsf_instance *a)
   header h;
   memset (&h, 0, sizeof h);
   strncpy (h.token, a->m->token, sizeof h.token - 1);
-  h.nd = a->nd;
-  h.ni = a->ni;
+  h.nd = a->run.nnumbers;
+  h.ni = a->run.nwholes;
   h.kind = (size_t)a->i[GSF_KIND];
   return h;
 }
@@ -341,7 +328,7 @@ header_of (const gsf_instance *a)
 size_t
 gsf_bytes (const gsf_instance *a)
 {
-  return sizeof (header) + a->nd * sizeof (double) + a->ni * sizeof (int);
+  return sizeof (header) + a->run.nnumbers * sizeof (double) + a->run.nwholes * sizeof (int);
 }
 
 void *
@@ -353,8 +340,9 @@ gsf_save (gsf_instance *a, void *old)
     return NULL;
   gsf_hide_samples (a);
   memcpy (b, &h, sizeof h);
-  memcpy (b + sizeof h, a->d, a->nd * sizeof (double));
-  memcpy (b + sizeof h + a->nd * sizeof (double), a->i, a->ni * sizeof (int));
+  memcpy (b + sizeof h, a->run.numbers, a->run.nnumbers * sizeof (double));
+  memcpy (b + sizeof h + a->run.nnumbers * sizeof (double), a->run.wholes,
+          a->run.nwholes * sizeof (int));
   return b;
 }
 
@@ -372,8 +360,8 @@ gsf_restore (gsf_instance *a, const void *state)
     return gsf_fail (a, GSF_ERROR, "expected a state saved by an instance of this FMU and kind");
   const char *b = (const char *)state + sizeof (header);
   a->shown = 0;
-  memcpy (a->d, b, a->nd * sizeof (double));
-  memcpy (a->i, b + a->nd * sizeof (double), a->ni * sizeof (int));
+  memcpy (a->run.numbers, b, a->run.nnumbers * sizeof (double));
+  memcpy (a->run.wholes, b + a->run.nnumbers * sizeof (double), a->run.nwholes * sizeof (int));
   a->known = 0;
   return GSF_OK;
 }

@@ -10,7 +10,7 @@
  * "A little" is 1e-10 of its largest value so far. What happens again and again without rising
  * has infinitely many events: an error. */
 #include "fmu.h"
-#include "plan.h"
+#include "host/failure.h"
 
 #include <math.h>
 
@@ -33,37 +33,30 @@ enters (gsf_instance *a, int k, int phase)
 
 /* ---------------------------------------------------------------------------------- both kinds */
 
-void
-gsf_tally (gsf_instance *a)
+int
+gsf_tally (const gsf_instance *a, int k)
 {
-  const gsf_model *m = a->m;
-  if (m->nown == 0)
-    return;
-  const gs_events e = gsf_events (a);
-  for (int j = 0; j < *e.count; j++)
-    {
-      double *r = e.record + j * (3 + 2 * m->scene->nx);
-      const int own = m->own[lround (r[1]) - 1 - m->nports];
-      if (r[2] < 0)   /* counted already */
-        continue;
-      r[2] = -1;
-      a->tally[own]++;
-      a->when[own] = r[0];
-      if (m->ends[own] && a->i[GSF_ENDED] == 0)
-        a->i[GSF_ENDED] = own + 1;
-    }
-  const int gone = *e.count > GSF_KEPT ? *e.count - GSF_KEPT : 0;
-  const int row = 3 + 2 * m->scene->nx;
-  gs_move ((*e.count - gone) * row, e.record + gone * row, e.record);
-  *e.count -= gone;
+  int n = 0;
+  for (int i = a->m->nports; i < a->m->scene->nev; i++)
+    n += a->m->own[i - a->m->nports] == k ? a->run.tally[i] : 0;
+  return n;
+}
+
+double
+gsf_when (const gsf_instance *a, int k)
+{
+  double t = -HUGE_VAL;
+  for (int i = a->m->nports; i < a->m->scene->nev; i++)
+    t = a->m->own[i - a->m->nports] == k ? fmax (t, a->run.when[i]) : t;
+  return t;
 }
 
 int
 gsf_ended (gsf_instance *a, int status)
 {
-  const int own = a->i[GSF_ENDED] - 1;
-  return gsf_fail (a, status, "event %s has ended the run at t = %.15g s", a->m->events[own],
-                   a->when[own]);
+  const int k = *a->run.ended - 1;
+  return gsf_fail (a, status, "event %s has ended the run at t = %.15g s",
+                   a->m->events[a->m->own[k - a->m->nports]], a->run.when[k]);
 }
 
 int
@@ -84,12 +77,6 @@ void
 gsf_begin_own (gsf_instance *a)
 {
   const gsf_model *m = a->m;
-  for (int k = 0; k < m->nown; k++)
-    {
-      a->tally[k] = 0;
-      a->when[k] = a->d[GSF_T];
-    }
-  a->i[GSF_ENDED] = 0;
   for (int k = m->nports; k < m->scene->nev; k++)
     {
       a->size[k] = fabs (a->g[k]);
@@ -144,7 +131,9 @@ happened (gsf_instance *a, int k)
       istat[GS_FAILED] = GS_AT_EVENT;
       istat[GS_FAILED_INFO] = 10;
       istat[GS_CAUSE] = k + 1;
-      return gsf_run_failed (a, GS_ROUTINE_FAILED, istat, a->d[GSF_T], "");
+      gs_failure (&(gs_failed_run){ &a->about, GS_ROUTINE_FAILED, istat, *a->t, "" }, a->text,
+                  sizeof a->text);
+      return GSF_ERROR;
     }
   enters (a, k, a->g[k] > little (a, k) ? GSF_ARMED : rises (a, k) ? GSF_LEFT : GSF_BELOW);
   return GSF_OK;

@@ -1,5 +1,5 @@
-/* start.c: what the start of a run needs of the scene (host/start.h); the state onto the
- * constraints; stops and margins of devices, those that are passed later. */
+/* start.c: what a run needs of the scene (host/start.h); margins of devices that are passed in
+ * it. */
 #include "fmu.h"
 
 #include <math.h>
@@ -28,6 +28,14 @@ event_names (const gsf_model *m, const char **names)
   return text;
 }
 
+/* for gs_choose_method: that of this FMU, which has no other */
+gs_implicit_method *
+gs_method_named (const char *name)
+{
+  (void)name;
+  return gsf_the_model.integrate;
+}
+
 int
 gsf_describe (gsf_instance *a)
 {
@@ -39,43 +47,9 @@ gsf_describe (gsf_instance *a)
     .nsets = m->nsets, .sets = m->sets, .nspeedrows = m->nspeedrows, .speedrows = m->speedrows,
     .nsettled = m->nsettled, .settled = m->settled,
     .states = m->names + gsf_first (m, GSF_STATE), .events = a->events, .margins = m->margins,
-    .meaning = gsf_meaning
+    .meaning = gsf_meaning, .ncst = m->ncst, .npar = m->npar, .loop_method = -1
   };
   return a->event_text != NULL;
-}
-
-static gs_start_given
-given (const gsf_instance *a, const double *v)
-{
-  return (gs_start_given){ .t = a->d[GSF_T], .cst = a->cst, .v = v };
-}
-
-/* a status by the verdict on a start */
-static int
-judged (gsf_instance *a, const gs_start *s)
-{
-  return s->verdict == GS_START_TAKEN ? GSF_OK : gsf_fail (a, GSF_ERROR, "%s", s->text);
-}
-
-int
-gsf_close (gsf_instance *a)
-{
-  const gs_start_given g = given (a, NULL);
-  gs_start s;
-  gs_close_start (&a->about, &g, a->x, &s);
-  return judged (a, &s);
-}
-
-int
-gsf_possible (gsf_instance *a)
-{
-  if (gsf_inputs (a))
-    return GSF_ERROR;
-  const gs_start_given g = given (a, a->v);
-  gs_start s;
-  if (gs_check_margins (&a->about, &g, a->x, &s) == GS_START_TAKEN)
-    gs_check_stops (&a->about, &g, a->x, &s);
-  return judged (a, &s);
 }
 
 int
@@ -90,7 +64,7 @@ gsf_watch (gsf_instance *a)
   for (int k = 0; k < n && status == GSF_OK; k++)
     least[k] = HUGE_VAL;
   if (status == GSF_OK
-      && gs_margins_at (&a->about, a->d[GSF_T], a->x, a->v, a->cst, passed, least) < 0)
+      && gs_margins_at (&a->about, *a->t, a->x, a->v, a->cst, passed, least) < 0)
     status = gsf_fail (a, GSF_ERROR, "out of memory");
   for (int k = 0; k < n && status == GSF_OK; k++)
     {
@@ -101,16 +75,9 @@ gsf_watch (gsf_instance *a)
         continue;
       gs_margin_text (&a->about, k, least[k], a->x, NULL, text, sizeof text);
       status = gsf_fail (a, GSF_WARNING, "a device has left the range of its laws at or before "
-                         "t = %.9g s: %s", a->d[GSF_T], text);
+                         "t = %.9g s: %s", *a->t, text);
     }
   free (passed);
   free (least);
   return status;
-}
-
-void
-gsf_outside (gsf_instance *a, double t, const double *x, const double *v)
-{
-  const size_t n = strlen (a->text);
-  gs_outside_text (&a->about, t, x, v, a->cst, NULL, a->text + n, (int)(sizeof a->text - n));
 }

@@ -12,7 +12,6 @@
 #include "gsmbp/loops.h"
 #include "gsmbp/refusals.h"
 #include "gsmbp/solve.h"
-#include "plan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -29,8 +28,8 @@
 int
 gsf_inputs (gsf_instance *a)
 {
-  int info = gs_inputs_of_run (a->m->scene, a->d[GSF_T], 1, a->x, a->m->scene->nx, a->ip, a->rp,
-                               a->cst, a->v, a->w);
+  int info = gs_inputs_of_run (a->m->scene, *a->t, 1, a->x, a->m->scene->nx, a->run.r.ip,
+                               a->run.r.rp, a->cst, a->v, a->w);
   return info == 0 ? GSF_OK : gsf_failed (a, GSF_ERROR, GS_AT_INPUTS, info);
 }
 
@@ -54,7 +53,7 @@ gsf_rates (gsf_instance *a)
     return gsf_failed (a, GSF_DISCARD, GS_AT_RHS, info);
   if (gs_not_finite (s->nx, a->xd) != 0)
     return gsf_fail (a, GSF_DISCARD, "the rate of state %d is not finite at t = %.15g s",
-                     gs_not_finite (s->nx, a->xd), a->d[GSF_T]);
+                     gs_not_finite (s->nx, a->xd), *a->t);
   a->known |= GSF_HAS_RATES;
   return GSF_OK;
 }
@@ -132,7 +131,7 @@ number_states (gsf_instance *a)
     return GSF_OK;
   return gsf_fail (a, GSF_ERROR, "the constraints have another rank at t = %.15g s than where the "
                    "scene was derived (%d states are independent, expected %d): a singular "
-                   "position, or other lengths; co-simulation may go on", a->d[GSF_T], n, ns);
+                   "position, or other lengths; co-simulation may go on", *a->t, n, ns);
 }
 
 int
@@ -141,7 +140,7 @@ gsf_choose (gsf_instance *a)
   const gs_scene *s = a->m->scene;
   if (s->nlam > 0)
     {
-      int info = gs_partition_choose (s, a->d[GSF_T], a->x, a->cst, a->p);
+      int info = gs_partition_choose (s, *a->t, a->x, a->cst, a->p);
       if (info != 0)
         return gsf_failed (a, GSF_ERROR, GS_AT_CON, info);
     }
@@ -184,10 +183,10 @@ complete_from (gsf_instance *a, const double *x)
   /* twice: the speeds then belong to the last position */
   for (int k = 0; k < 2 && s->nlam > 0; k++)
     {
-      int info = gs_complete_state (s, a->d[GSF_T], a->x, a->cst, a->p);
+      int info = gs_complete_state (s, *a->t, a->x, a->cst, a->p);
       if (info == 3)
         return gsf_fail (a, GSF_DISCARD, "no state on the constraints was found at t = %.15g s: "
-                         "the step is too long, or a singular position is near", a->d[GSF_T]);
+                         "the step is too long, or a singular position is near", *a->t);
       if (info != 0)
         return gsf_failed (a, GSF_DISCARD, GS_AT_CON, info);
     }
@@ -218,7 +217,7 @@ volume (gsf_instance *a)
   int rank;
   gs_copy (gsf_partition_size (s), a->p, p);
   gs_partition b = gs_partition_of (s->nq, s->nu, s->nlam, p);
-  int info = s->con (a->d[GSF_T], a->x, a->x + s->nq, a->cst, b.phi, b.phit, b.hc, s->nlam, b.gam);
+  int info = s->con (*a->t, a->x, a->x + s->nq, a->cst, b.phi, b.phit, b.hc, s->nlam, b.gam);
   if (info != 0 && info != 2)
     return -1;
   gs_constraint_pivots (s->nu, s->nlam, b.hc, b.size, b.y, b.piv, b.beta, b.siz, &rank, &least);
@@ -280,16 +279,18 @@ prepare (gsf_instance *a)
   int info = m->pre (a->par, a->cst);
   if (info != 0)
     return gsf_failed (a, GSF_ERROR, GS_AT_PRE, info);
-  gsf_next_switch (a);
-  gsf_forget (a);
   m->start (a->par, a->x);
   for (int i = 0; i < s->nx; i++)
     if (a->set[i])
       a->x[i] = a->xs[i];
-  if (gsf_close (a))
-    return GSF_ERROR;
-  gs_settle_states (&a->about, a->d[GSF_T], a->cst, a->set, a->x);
-  if (gsf_plan_samples (a, a->d[GSF_T]) || gsf_begin_events (a))
+  const double times[] = { *a->t, a->d[GSF_T1] };
+  const gs_run_start start = { .nt = times[1] < 1e300 ? 2 : 1, .times = times, .x0 = a->x,
+                               .par = a->par, .cst = a->cst, .memory = a->memory };
+  a->run.o.rtol = a->d[GSF_TOLERANCE];
+  if (gs_step_begin (&a->run, &start) || (m->nsettled > 0 && gs_step_settle (&a->run, a->set)))
+    return gsf_run_says (a);
+  gsf_next_switch (a);
+  if (gsf_begin_events (a))
     return GSF_ERROR;
   if (s->nlam > 0)
     begin_partition (a);
@@ -317,10 +318,10 @@ gsf_setup (gsf_instance *a, int given, double tolerance, double t0, int stops, d
   if (given && ! (tolerance > 0 && tolerance < 1))
     return gsf_fail (a, GSF_ERROR, "tolerance: expected a number above 0 and below 1, found %g",
                      tolerance);
-  a->d[GSF_T] = t0;
+  *a->t = t0;
   a->d[GSF_T1] = stops ? t1 : 1e300;
   if (given)
-    a->d[GSF_TOLERANCE] = tolerance < 3e-15 ? 3e-15 : tolerance;
+    a->d[GSF_TOLERANCE] = tolerance;
   a->i[GSF_STALE] = 1;
   a->known = 0;
   return GSF_OK;
@@ -338,9 +339,10 @@ gsf_exit (gsf_instance *a)
 {
   a->i[GSF_STALE] = 1;
   a->known = 0;
-  int status = gsf_fresh (a);
-  if (status || gsf_possible (a))
+  if (gsf_fresh (a))
     return GSF_ERROR;
+  if (gs_step_check (&a->run))
+    return gsf_run_says (a);
   a->i[GSF_PHASE] = a->i[GSF_KIND] == GSF_EXCHANGE ? GSF_EVENT : GSF_STEP;
   return GSF_OK;
 }

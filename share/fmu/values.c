@@ -2,7 +2,6 @@
 #include "fmu.h"
 #include "gsmbp/functions.h"
 #include "gsmbp/refusals.h"
-#include "plan.h"
 
 #include <math.h>
 
@@ -50,10 +49,10 @@ get_computed (gsf_instance *a, int block, int k, double *value)
       *value = gsf_events (a).mode[k];
       break;
     case GSF_TALLY:
-      *value = a->tally[k];
+      *value = gsf_tally (a, k);
       break;
     case GSF_WHEN:
-      *value = a->when[k];
+      *value = gsf_when (a, k);
       break;
     case GSF_OVERRIDDEN:
       *value = gsf_is_overridden (a, a->m->switched[k]);
@@ -81,13 +80,13 @@ gsf_get (gsf_instance *a, unsigned reference, double *value)
     case GSF_BLOCKS:
       return no_variable (a, reference);
     case GSF_TIME:
-      *value = a->d[GSF_T];
+      *value = *a->t;
       return GSF_OK;
     case GSF_PARAMETER:
       *value = a->par[k];
       return GSF_OK;
     case GSF_INPUT:
-      *value = a->rp[a->m->inputs[k]];
+      *value = a->run.inputs[a->m->inputs[k]];
       return GSF_OK;
     case GSF_INDICATOR:
       return gsf_indicator (a, k, value);
@@ -140,7 +139,7 @@ set_start (gsf_instance *a, int block, unsigned reference, int k, double value)
   if (block == GSF_PARAMETER)
     a->par[k] = value;
   else if (block == GSF_MEMORY)
-    gsf_samples (a).memory[k] = value;
+    a->memory[k] = value;
   else
     {
       a->xs[k] = value;
@@ -170,9 +169,7 @@ gsf_set (gsf_instance *a, unsigned reference, double value)
                      a->m->names[reference]);
   if (a->i[GSF_PHASE] == GSF_DONE)
     return gsf_fail (a, GSF_ERROR, "%s: the instance is terminated", a->m->names[reference]);
-  if (! (a->rp[a->m->inputs[k]] == value))
-    gsf_forget (a);
-  a->rp[a->m->inputs[k]] = value;
+  gs_step_set (&a->run, a->m->inputs[k], value);
   return GSF_OK;
 }
 
@@ -181,9 +178,9 @@ gsf_set_time (gsf_instance *a, double t)
 {
   if (! (fabs (t) <= 1e300))
     return gsf_fail (a, GSF_ERROR, "time: expected a finite number, found %g", t);
-  if (! (t == a->d[GSF_T]))
+  if (! (t == *a->t))
     {
-      a->d[GSF_T] = t;
+      *a->t = t;
       a->known = 0;
       if (a->i[GSF_STALE] == 0)
         a->i[GSF_STALE] = 2;

@@ -1,8 +1,7 @@
 /* short_steps.h: of drive.c: what short communication steps cost, in calls of the right-hand side,
- * and that a step which goes beyond one is dropped where an input changes. Other methods than that
- * of gs_integrate make no such step. */
+ * and that a step which goes beyond one is dropped where an input changes. */
 
-#include "fmu/plan.h"
+#include "fmu/fmu.h"
 
 static long calls;
 static gs_scene counted_scene;
@@ -49,7 +48,7 @@ static int
 some_steps (gsf_instance *a, double end, int n, int first, int last_one, int changes)
 {
   int bad = 0;
-  for (int k = first; k < last_one && ! bad && a->i[GSF_ENDED] == 0; k++)
+  for (int k = first; k < last_one && ! bad && *a->run.ended == 0; k++)
     {
       if (changes > 0 && k % (n / changes) == 0)
         bad = put_inputs (a, given * (1 + 0.1 * (k / (n / changes) % 2)));
@@ -115,7 +114,7 @@ at_samples (void)
   for (int k = 1; k <= 300 && ! bad; k++)
     {
       const double t = k * gsf_samples (a).period[0] / 10;
-      gsf_forget (b);
+      gs_step_forget (&b->run);
       bad = gsf_step (a, t) > GSF_WARNING || gsf_step (b, t) > GSF_WARNING;
       for (int i = 0; i < m->scene->nheld && ! bad; i++)
         {
@@ -139,7 +138,7 @@ short_steps (double end)
   const long few = stepped (end, 1, 0, x), all = stepped (end, 1000, 0, y);
   snprintf (text, sizeof text, "1000 communication steps, %ld calls; one, %ld; off by %.1e", all,
             few, apart (x, y));
-  told (few > 0 && all > 0 && (m->integrate || all <= 1000 + 4 * few) && apart (x, y) < 1e-6, text);
+  told (few > 0 && all > 0 && all <= 1000 + 4 * few && apart (x, y) < 1e-6, text);
   taken_back (end);
   if (m->nin == 0)
     return;
@@ -149,6 +148,6 @@ short_steps (double end)
   const long long_ones = stepped (end, 10, 10, x), ten = stepped (end, 1000, 10, y);
   snprintf (text, sizeof text, "... inputs that change at each, %ld calls; ten times, %ld, off by "
             "%.1e", each, ten, apart (x, y));
-  told (each > 0 && ten > 0 && (m->integrate || ten <= 1500 + 4 * long_ones) && apart (x, y) < 1e-6,
+  told (each > 0 && ten > 0 && ten <= 1500 + 4 * long_ones && apart (x, y) < 1e-6,
         text);
 }

@@ -110,31 +110,7 @@ beside_jumps (gs_real t, int side, const gs_real *x, int nx, int nv, void *data,
   return w->in->function (t, side, x, nx, nv, w->in->data, v);
 }
 
-gs_integration
-gs_prepared_run (gs_whole_run *w)
-{
-  gs_run_result *r = w->r;
-  return (gs_integration){
-    .nx = r->nx, .t0 = w->s->times[0], .x0 = w->x0, .nt = r->nt, .tout = w->s->times,
-    .nb = w->nb, .tbrk = w->breaks, .iopt = w->iopt, .ropt = w->ropt, .atol = w->atol,
-    .ip = r->ip, .rp = r->rp, .cst = r->cst, .xout = r->x, .ldx = r->nx, .vout = r->v,
-    .ldv = r->ldv, .w = w->w, .lw = w->lw, .ask = w->o->ask, .asked = w->o->asked
-  };
-}
-
-gs_implicit
-gs_prepared_implicit (gs_whole_run *w)
-{
-  return (gs_implicit){
-    .order = w->order, .index2 = w->index2, .resume = w->iopt[GS_METHOD] != 0,
-    .columns = w->o->ncolumns,
-    .followed = w->d->nfollowed, .follows = w->d->followed, .text = w->said,
-    .length = sizeof w->said
-  };
-}
-
-/* by gs_integrate, or by an implicit method: from the start, or where steps were found to be bound
- * by stability */
+/* with the states, routines and columns that the options ask for */
 static void
 integrate (gs_whole_run *w)
 {
@@ -142,7 +118,6 @@ integrate (gs_whole_run *w)
   gs_run_result *r = w->r;
   gs_scene scene = *d->scene;
   gs_integration run = gs_prepared_run (w);
-  const gs_implicit more = gs_prepared_implicit (w);
   if (w->o->audit > 0)
     scene.rhs = d->audited;
   if (w->in->kind == 3)
@@ -155,11 +130,7 @@ integrate (gs_whole_run *w)
       scene = *gs_derivatives_scene (r->derivatives);
       run.cst = gs_derivatives_constants (r->derivatives);
     }
-  r->info = more.resume ? gs_integrate (&scene, &run) : GS_STIFF;
-  if (r->info == GS_STIFF && w->by)
-    r->info = w->by (&scene, &run, &more);
-  memcpy (r->istat, run.istat, sizeof r->istat);
-  memcpy (r->rstat, run.rstat, sizeof r->rstat);
+  gs_integrate_by (w, &scene, &run);
 }
 
 /* -------------------------------------------------------------------------------- what it gives */
@@ -196,40 +167,19 @@ outputs (const gs_whole_run *w)
     }
 }
 
-/* which of the given modes contradicts the state, the last one of the run */
-static void
+/* does a given mode contradict the state, the last one of the run? Then it is refused */
+static int
 refuse_mode (gs_whole_run *w)
 {
   gs_run_result *r = w->r;
+  if (r->info != GS_ROUTINE_FAILED || r->istat[GS_FAILED] != GS_AT_EVENT
+      || r->istat[GS_FAILED_INFO] != GS_WRONG_MODE || ! w->s->modes)
+    return 0;
   const gs_start_given g = { .t = w->s->times[0], .cst = r->cst, .modes = w->s->modes };
   char why[2000];
   gs_wrong_mode (w->d, &g, r->x + (size_t)r->nx * (size_t)r->istat[GS_N_OUTPUTS],
                  r->istat[GS_CAUSE] - 1, why, (int)sizeof why);
-  gs_refuse (r, GS_REFUSED_MODE, "modes", "%s", why);
-}
-
-/* why it failed; devices that are outside their margins in its last state */
-static void
-tell_failure (gs_whole_run *w)
-{
-  gs_run_result *r = w->r;
-  const int k = r->istat[GS_N_OUTPUTS];
-  const double t = (double)r->rstat[GS_T_REACHED];
-  const gs_failed_run failed = { w->d, r->info, r->istat, t, w->said };
-  if (r->info == GS_ROUTINE_FAILED && r->istat[GS_FAILED] == GS_AT_EVENT
-      && r->istat[GS_FAILED_INFO] == GS_WRONG_MODE && w->s->modes)
-    {
-      refuse_mode (w);
-      return;
-    }
-  gs_failure (&failed, r->text, (int)sizeof r->text);
-  if (k >= r->nt)
-    return;
-  const gs_real *x = r->x + (size_t)r->nx * (size_t)k, *v = r->v + (size_t)r->ldv * (size_t)k;
-  const int said = (int)strlen (r->text);
-  if (gs_not_finite (w->d->scene->nx, x) == 0 && gs_not_finite (w->d->scene->nv, v) == 0)
-    gs_outside_text (w->d, r->rstat[GS_T_REACHED], x, v, r->cst, w->s->par, r->text + said,
-                     (int)sizeof r->text - said);
+  return gs_refuse (r, GS_REFUSED_MODE, "modes", "%s", why);
 }
 
 /* ---------------------------------------------------------------------------------------- whole */
@@ -247,7 +197,7 @@ gs_prepare_run (gs_whole_run *w)
   if (audit && ! d->audited)
     return gs_refuse (r, GS_REFUSED_ROUTINE, "rha", "the run needs it");
   return make_room (w) || gs_choose_method (w) || gs_choose_tolerances (w) || gs_choose_loops (w)
-         || gs_lay_inputs (w) || lay_plan (w);
+         || gs_set_loop_method (w) || gs_lay_inputs (w) || lay_plan (w);
 }
 
 void
@@ -288,8 +238,8 @@ gs_run (const gs_description *d, const gs_run_options *o, const gs_run_start *s,
       end_by_event (&w);
       if (r->info == GS_DONE || r->info == GS_ENDED)
         r->info = GS_DONE;
-      else
-        tell_failure (&w);
+      else if (! refuse_mode (&w))
+        gs_tell_failure (&w);
       if (! r->refused)
         outputs (&w);
     }

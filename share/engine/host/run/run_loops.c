@@ -1,4 +1,4 @@
-/* run_loops.c: how the constraints of a run are kept, and the routines that this needs. */
+/* run_loops.c: how the constraints of a run are kept; the routines that the run needs. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,7 +51,9 @@ check_routines (gs_whole_run *w, int way)
   const int projects = way > 1 && (way != 3 || euler);
   return lacks (w, s->rhs != NULL, "rhs") || (splits && lacks (w, s->con != NULL, "con"))
          || (splits && lacks (w, s->kin != NULL, "kin"))
-         || (projects && lacks (w, s->prj != NULL, "prj"));
+         || (projects && lacks (w, s->prj != NULL, "prj"))
+         || (s->nctl > 0 && (lacks (w, s->ctl != NULL, "ctl") || lacks (w, s->ctp != NULL, "ctp")))
+         || (s->nev > 0 && (lacks (w, s->evt != NULL, "evt") || lacks (w, s->rst != NULL, "rst")));
 }
 
 gs_real
@@ -62,12 +64,12 @@ gs_wanted_loop_method (const gs_whole_run *w)
 }
 
 /* the constants with that parameter */
-static int
-set_loop_method (gs_whole_run *w)
+int
+gs_set_loop_method (gs_whole_run *w)
 {
   const gs_description *d = w->d;
   const double wanted = (double)gs_wanted_loop_method (w);
-  memcpy (w->r->cst, w->s->cst, (size_t)d->ncst * sizeof (gs_real));
+  memmove (w->r->cst, w->s->cst, (size_t)d->ncst * sizeof (gs_real));
   if (d->loop_method < 0 || ! w->s->par)
     return 0;
   const double found = w->s->par[d->loop_method];
@@ -109,5 +111,5 @@ gs_choose_loops (gs_whole_run *w)
     w->iopt[GS_ON_SPEEDS + 1 + i] = w->d->speedrows[i];
   if (w->o->drift > 0 && lacks (w, s->con != NULL, "con"))
     return 1;
-  return check_routines (w, way) || set_loop_method (w);
+  return check_routines (w, way);
 }

@@ -78,8 +78,6 @@ plan_samples (gs_whole_run *w)
   const int n = s->nctl;
   if (n == 0)
     return 0;
-  if (! s->ctl || ! s->ctp)
-    return gs_refuse (w->r, GS_REFUSED_ROUTINE, s->ctl ? "ctp" : "ctl", "the run needs it");
   gs_real *both = malloc (2 * (size_t)n * sizeof *both);
   double *period = malloc (2 * (size_t)n * sizeof *period);
   if (both && period)
@@ -104,8 +102,6 @@ plan_events (gs_whole_run *w)
   const gs_scene *s = w->d->scene;
   if (s->nev == 0)
     return 0;
-  if (! s->evt || ! s->rst)
-    return gs_refuse (w->r, GS_REFUSED_ROUTINE, s->evt ? "rst" : "evt", "the run needs it");
   w->plan.events = (int)gs_limits.recorded_events;
   w->plan.modes = w->s->modes;
   return no_mode_given (w);
