@@ -101,10 +101,6 @@ int gs_step_on (gs_stepped_run *a, gs_real until);
 int gs_step_event (gs_stepped_run *a, int k);
 int gs_step_jump (gs_stepped_run *a);
 
-/* Is there a sample at t but for rounding, at the end of a step of the length h? t becomes its
- * time. */
-int gs_step_sample_near (const gs_stepped_run *a, gs_real *t, gs_real h);
-
 /* Count the recorded events of the user in tally, when and ended; forget the part of the last step
  * that is later than now. gs_step_event and gs_step_set do it. */
 void gs_step_tally (gs_stepped_run *a);

@@ -18,8 +18,10 @@ gs_step_set (gs_stepped_run *a, int k, gs_real value)
 
 /* ---------------------------------------------------------------------------------------- times */
 
-int
-gs_step_sample_near (const gs_stepped_run *a, gs_real *t, gs_real h)
+/* is there a sample at t but for rounding, at the end of a step of the length h? t becomes its
+ * time */
+static int
+sample_near (const gs_stepped_run *a, gs_real *t, gs_real h)
 {
   const gs_scene *s = a->parts->whole.d->scene;
   if (s->nctl == 0)
@@ -49,7 +51,7 @@ rounding (const gs_stepped_run *a, gs_real t)
 static gs_real
 end_of_run (const gs_stepped_run *a, gs_real t)
 {
-  return gs_step_sample_near (a, &t, 0) ? t : t + rounding (a, t);
+  return sample_near (a, &t, 0) ? t : t + rounding (a, t);
 }
 
 /* --------------------------------------------------------------------------------------- events */
@@ -191,7 +193,7 @@ gs_step_on (gs_stepped_run *a, gs_real until)
   a->r.text[0] = 0;
   if (check_time (a, t) || (! *a->parts->checked && gs_step_check (a)))
     return 1;
-  gs_step_sample_near (a, &t, h);
+  sample_near (a, &t, h);
   if (gs_abs (stop - t) <= GS_R (1e-9) * h)
     t = stop;
   if (*a->parts->quiet < 2)
