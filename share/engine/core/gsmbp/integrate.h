@@ -13,8 +13,7 @@
 extern "C" {
 #endif
 
-/* a step of gs_step_dp853 with its polynomial, see gs_dense_at; of an implicit method f (nx,8) are
- * its states at the points of gs_event_septic */
+/* a step of gs_step_dp853 with its polynomial, see gs_dense_at */
 typedef struct
 {
   gs_real t, h;       /* where it begins, its length [s] */
@@ -53,9 +52,8 @@ typedef struct
   gs_real rstat[GS_MEASURED];
   gs_real *w;         /* lw: workspace; first nu entries: the guess of the planned motion */
   int lw;             /* >= gs_room */
-  gs_real beyond;     /* method 8, radau and cvode: the last step may end so far behind the last
-                         output time [s]; 0: it ends there, as always in the gs_integrate of
-                         Fortran */
+  gs_real beyond;     /* method 8: the last step may end so far behind the last output time [s];
+                         0: it ends there, as always in the gs_integrate of Fortran */
   gs_dense last;      /* written where it did, else its h is 0; it lies in w */
   int (*ask) (void *asked, gs_real t); /* called before every step, by implicit methods at every
                          rate, too; what is not 0 ends the run with that info; a null pointer: none

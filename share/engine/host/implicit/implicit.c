@@ -249,8 +249,7 @@ arrive (gs_stepper *s)
   gs_integration *r = s->r;
   int info = GS_DONE;
   if (s->t >= r->tout[r->nt - 1]
-      && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == GS_DONE
-      && ! (s->t > r->tout[r->nt - 1]))
+      && (info = gs_put_out (s, nextafter (s->t, -HUGE_VAL))) == GS_DONE)
     info = gs_events_at_end (s);
   return info != GS_DONE ? info : gs_put_out (s, s->t);
 }
@@ -359,7 +358,7 @@ advance (gs_stepper *s)
       s->t = s->stop;
       return arrive (s);
     }
-  while (s->t < s->stop && r->istat[GS_N_OUTPUTS] < r->nt)
+  while (s->t < s->stop)
     {
       const int most = r->iopt[GS_MOST_STEPS];
       if (most > 0
@@ -384,40 +383,6 @@ next_stop (gs_stepper *s, double t)
     s->stop = t;
 }
 
-/* where the step to the end of the run may end, before the break or sample SOON */
-static double
-farthest (const gs_stepper *s, double soon)
-{
-  const gs_integration *r = s->r;
-  const double end = r->tout[r->nt - 1];
-  if (s->o->resume || s->by->fixed || ! (r->beyond > 0) || s->stop < end
-      || soon <= end + 8 * DBL_EPSILON * fabs (end))
-    return s->stop;
-  return fmin (end + r->beyond, soon);
-}
-
-/* the last step if it ends beyond the run: its states at the points of gs_event_septic; a flag */
-static int
-keep_last (gs_stepper *s)
-{
-  gs_integration *r = s->r;
-  double *f = r->w + r->lw - GS_NODES * r->nx;
-  int flag = 0;
-  if (! (s->t > r->tout[r->nt - 1]))
-    return 0;
-  for (int j = 0; j < GS_NODES && flag >= 0; j++)
-    {
-      double *x = f + r->nx * j, b = 0.5 * (1 + cos (j * acos (-1) / (GS_NODES - 1)));
-      gs_copy (r->nx, s->x, x);
-      if (j < GS_NODES - 1)
-        flag = s->by->between (s, s->t - b * s->h, x);
-      gs_turn_on (s, x);
-    }
-  r->last = (gs_dense){ .t = s->t - s->h, .h = s->h, .x = f, .xn = f + r->nx * (GS_NODES - 1),
-                        .f = f };
-  return flag;
-}
-
 static int
 go (gs_stepper *s)
 {
@@ -440,7 +405,6 @@ go (gs_stepper *s)
       s->side = -1;
       next_stop (s, ib < s->nstops ? s->stops[ib] : HUGE_VAL);
       next_stop (s, s->sample);
-      s->stop = farthest (s, fmin (ib < s->nstops ? s->stops[ib] : HUGE_VAL, s->sample));
       info = advance (s);
       if (info != 0 || r->istat[GS_N_OUTPUTS] >= r->nt)
         break;
@@ -450,7 +414,7 @@ go (gs_stepper *s)
         break;
     }
   s->by->count (s);
-  return info == GS_DONE && (flag = keep_last (s)) < 0 ? failure (s, flag) : info;
+  return info;
 }
 
 /* an event that failed has been later than the last step */
@@ -486,7 +450,6 @@ gs_implicit_run (const gs_scene *scene, gs_integration *r, const gs_implicit *o,
   if (info != 0)
     return info;
   info = GS_OUT_OF_MEMORY;
-  r->last.h = 0;
   if (o->length > 0)
     o->text[0] = 0;
   if (allocate (&s))

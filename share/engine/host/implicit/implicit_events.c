@@ -274,20 +274,11 @@ up_to (gs_stepper *s, place *p, int *taken, int *flag)
 static int
 next_event (gs_stepper *s, place *p, int *found, int *flag)
 {
-  const double end = s->r->tout[s->r->nt - 1];
   p->t = p->end;
   int taken = -1, told = s->by->dense && p->begin > p->from;
   int info = gs_look (s, told, p->begin, &p->t, found, flag);
   if (info != 0 || *found == 0)
     return info;
-  if (p->end > end && *flag >= 0)   /* no step goes beyond the run to an event */
-    {
-      gs_recall (s);
-      *flag = gs_once_more (s, p->from, end);
-      p->end = s->t;
-      *found = -1;
-      return info;
-    }
   p->i = *found;
   if (*found > 0)
     info = believed (s, p, &taken, flag);
