@@ -2,21 +2,9 @@
 # every refusal, under the sanitizers; in quad precision, too.
 . tests/tools/check.sh
 work_folder
-core=share/engine/core
-c="-std=c99 -I$core -Ishare/engine"
-g++ -x c++ -Wall -Wextra -Wno-pragmas -I$core -Ishare/engine -fsyntax-only -include host/run/run.h \
-  - </dev/null >"$report" 2>&1
-told $? 'the header compiles as C++' "$report"
-for kind in double quad; do
-  case $kind in
-    double)
-      flags='-fsanitize=address,undefined -fno-sanitize-recover=all' library=
-      more=share/engine/host/implicit/*.c ;;
-    quad) flags=-DGSMBP_QUAD library=-lquadmath more= ;;
-  esac
-  gcc $c $flags -g -O0 -pthread -o "$work/$kind" tests/c/host/run.c \
-    share/engine/host/run/*.c share/engine/host/derivatives/*.c share/engine/host/*.c $more \
-    $core/*/*.c $core/*/*/*.c $library -lm >"$report" 2>&1
-  told $? "the program compiles in $kind precision" "$report"
+headers_in_cplusplus host/run/run.h
+for kind in sane quad; do
+  engine_program $kind "$work/$kind" tests/c/host/run.c
+  told $? "the program compiles, $kind" "$report"
   to_the_end "$work/$kind"
 done
