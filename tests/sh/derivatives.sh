@@ -31,23 +31,9 @@ for compiler in gcc clang; do
 done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'it has no data of its own'
-for header in host/derivatives/derivatives.h host/adjoint.h; do
-  g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only \
-    -include $header - </dev/null
-done >"$report" 2>&1
-result 'its headers compile as C++'
-for kind in double quad; do
-  case $kind in
-    double) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' library= ;;
-    quad) flags=-DGSMBP_QUAD library=-lquadmath ;;
-  esac
-  # one by one, for ccache
-  (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
-    gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/carried_runs.c "$work"/*.c \
-      "$root"/share/engine/host/derivatives/*.c "$root/share/engine/host/adjoint.c" \
-      "$root"/share/engine/core/*/*.c "$root"/share/engine/core/*/*/*.c &&
-    gcc $flags -o "../$kind" ./*.o -pthread $library -lm) \
-    >"$report" 2>&1
-  told $? "the program compiles in $kind precision" "$report"
+headers_in_cplusplus host/derivatives/derivatives.h host/adjoint.h
+for kind in sane quad; do
+  engine_program $kind "$work/$kind" -I"$work" tests/c/host/carried_runs.c "$work"/*.c
+  told $? "the program compiles, $kind" "$report"
   to_the_end "$work/$kind"
 done

@@ -32,24 +32,11 @@ for compiler in gcc clang; do
 done
 nm "$work"/gcc/*.o | awk '$2 ~ /^[bBdDC]$/' >"$report"
 result 'they have no data of their own'
-g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only \
-  -include host/ensemble/ensemble.h - </dev/null >"$report" 2>&1
-result 'the header compiles as C++'
+headers_in_cplusplus host/ensemble/ensemble.h
 
 for kind in sane threads quad; do
-  sources="$host/lanes/*.c $host/implicit/*.c" library=
-  case $kind in
-    sane) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' ;;
-    threads) flags='-fsanitize=thread' ;;
-    quad) flags=-DGSMBP_QUAD library=-lquadmath sources= ;;
-  esac
-  # one by one, for ccache
-  (mkdir "$work/$kind.o" && cd "$work/$kind.o" &&
-    gcc $c $flags -O0 -g -Wall -Wextra -Werror -c "$root"/tests/c/host/ensemble_runs.c \
-      "$work"/*.c "$host"/*.c "$host"/ensemble/*.c "$host"/run/*.c \
-      "$host"/derivatives/*.c $sources "$root"/share/engine/core/*/*.c \
-      "$root"/share/engine/core/*/*/*.c &&
-    gcc $flags -o "../$kind" ./*.o -pthread $library -lm) >"$report" 2>&1
+  engine_program $kind "$work/$kind" -I"$work" -Itests/c/host tests/c/host/ensemble_runs.c \
+    "$work"/*.c
   told $? "the program compiles, $kind" "$report"
   to_the_end "$work/$kind"
 done

@@ -1,5 +1,6 @@
 # The rules of radau_rule.c of share/engine/host/implicit: places in (0, 1], quadrature of the order
-# 2*S - 1, stages of the order S, the inverse of A from its eigenvalues and eigenvectors.
+# 2*S - 1, stages of the order S, the inverse of A from its eigenvalues and eigenvectors, the rule
+# of the estimate of the order S.
 . tests/tools/check.sh
 work_folder
 home=share/engine/host/implicit
@@ -15,7 +16,7 @@ main (void)
   for (int s = 3; s <= 7; s += 2)
     {
       const radau_rule *r = gsmbp_radau_rule (s);
-      double stages = 0, end = 0, inverse = 0, split = 0;
+      double stages = 0, end = 0, inverse = 0, split = 0, weights = 0;
       for (int q = 1; q <= 2 * s - 1; q++)
         for (int i = 0; i < s; i++)
           {
@@ -38,8 +39,16 @@ main (void)
             inverse = fmax (inverse, fabs (one));
             split = fmax (split, fabs (a));
           }
-      printf ("%d %d %d %d %d %d\n", s, stages < 1e-15, end < 1e-15, inverse < 1e-13,
-              split < 1e-11, r->c[0] == 0 && r->c[1] > 0 && r->c[s] == 1);
+      for (int q = 1; q <= s; q++)   /* the rule that the error is estimated by */
+        {
+          double sum = (q == 1 ? 1 / r->root : 0) - 1.0 / q;
+          for (int j = 0; j < s; j++)
+            for (int i = 0; i < s; i++)
+              sum += ((i == s - 1) + r->estimate[i]) * r->a[i][j] * pow (r->c[j + 1], q - 1);
+          weights = fmax (weights, fabs (sum));
+        }
+      printf ("%d %d %d %d %d %d %d\n", s, stages < 1e-15, end < 1e-15, inverse < 1e-13,
+              split < 1e-11, weights < 1e-14, r->c[0] == 0 && r->c[1] > 0 && r->c[s] == 1);
     }
   return 0;
 }
@@ -49,7 +58,7 @@ gcc -std=gnu11 -Wall -Wextra -Werror -I$home -o "$work/rules" "$work/rules.c" \
 told $? 'the rules compile' "$report"
 "$work/rules" >"$report"
 for s in 3 5 7; do
-  grep -qx "$s 1 1 1 1 1" "$report"
+  grep -qx "$s 1 1 1 1 1 1" "$report"
   told $? "the rule of $s stages has order $((2 * s - 1)), its stages order $s" "$report"
 done
 

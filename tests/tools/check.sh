@@ -65,6 +65,44 @@ fortran_objects() {
   share/make/cache add "$key" "$into" || :   # there may be no cache folder
 }
 
+# engine_program KIND FILE WORD...: the program FILE of the sources WORD with all of share/engine,
+# not optimized, every warning an error: sane (under the sanitizers of addresses and undefined
+# behaviour), threads (under that of threads), quad (in quad precision). The library of a kind is
+# made once for all tests of a run.
+engine_program() {
+  kind=$1 file=$2 library=$GSMBP_TEST_DIR/engine_$1.a
+  shift 2
+  case $kind in
+    sane) flags='-fsanitize=address,undefined -fno-sanitize-recover=all' ;;
+    threads) flags=-fsanitize=thread ;;
+    quad) flags=-DGSMBP_QUAD ;;
+  esac
+  flags="-std=c99 -O0 -g -Wall -Wextra -Werror -I$PWD/share/engine/core -I$PWD/share/engine $flags"
+  (flock 9 && { [ -s "$library" ] || engine_library; }) 9>"$library.lock" >"$report" 2>&1 &&
+    gcc $flags -o "$file" "$@" "$library" -pthread $([ "$kind" != quad ] || echo -lquadmath) -lm \
+      >"$report" 2>&1
+}
+engine_library() {
+  host=$PWD/share/engine/host
+  set -- "$PWD"/share/engine/core/*/*.c "$PWD"/share/engine/core/*/*/*.c "$host"/*.c \
+    "$host"/run/*.c "$host"/derivatives/*.c "$host"/ensemble/*.c
+  [ "$kind" = quad ] || set -- "$@" "$host"/implicit/*.c "$host"/lanes/*.c
+  objects=$(mktemp -d) && trap 'rm -rf "$objects"' EXIT && cd "$objects" || return
+  for source; do   # one by one, for ccache
+    gcc $flags -c "$source" || return
+  done
+  ar rcs new.a ./*.o && mv new.a "$library"
+}
+
+# headers_in_cplusplus HEADER...: those of share/engine compile as C++
+headers_in_cplusplus() {
+  for header; do
+    g++ -x c++ -Wall -Wextra -Wno-pragmas -Ishare/engine/core -Ishare/engine -fsyntax-only \
+      -include "$header" - </dev/null
+  done >"$report" 2>&1
+  result 'the headers compile as C++'
+}
+
 # work_folder: a folder $work for the test, gone at its end, and in it the file $report
 work_folder() {
   work=$(mktemp -d) || exit 1

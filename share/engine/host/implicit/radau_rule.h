@@ -1,4 +1,4 @@
-/* The collocation rules of Radau, IIA: their numbers, computed once.
+/* The collocation rules of Radau, IIA: their numbers.
 
    X' = f: the stages X(I) = X0 + Z(I) at the times C(I)*H of a step solve Z = H*A*F(X0 + Z);
    the last one is the end of the step.  Hairer, Wanner: Solving Ordinary Differential Equations

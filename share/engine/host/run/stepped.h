@@ -18,8 +18,8 @@
  * structure itself stays where it is. No two threads use a run at a time. Shapes, units:
  * gsmbp/scene.h.
  *
- * While no input changes a step of the method may end later than the time that is asked for, by 20
- * times the way there at most: the states at the next times come from its polynomial. Where an
+ * While no input changes a step of dp853 may end later than the time that is asked for, by 20 times
+ * the way there at most: the states at the next times come from its polynomial. Where an
  * input changes the run goes on from the time now instead. */
 #ifndef GSMBP_HOST_STEPPED_H
 #define GSMBP_HOST_STEPPED_H

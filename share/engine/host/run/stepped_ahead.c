@@ -27,7 +27,6 @@ gs_step_beyond (const gs_stepped_run *a, gs_real t, gs_real h)
   return gs_min (FARTHEST * h, left);
 }
 
-/* of an implicit method e has the states at the points of gs_event_septic */
 void
 gs_step_keep (gs_stepped_run *a, const gs_dense *e)
 {
@@ -37,11 +36,6 @@ gs_step_keep (gs_stepped_run *a, const gs_dense *e)
   if (! (e->h > 0))
     return;
   a->clock[GS_STEP_AHEAD] = e->t;
-  if (a->parts->whole.iopt[GS_METHOD] == 0)
-    {
-      gs_copy (8 * nx, e->f, to);
-      return;
-    }
   gs_copy (nx, e->x, to);
   gs_copy (nx, e->xn, to + nx);
   gs_copy (9 * nx, e->f, to + 2 * nx);
@@ -64,17 +58,14 @@ move (gs_stepped_run *a, gs_real t, const gs_real *x, const gs_real *xn)
 int
 gs_step_within (gs_stepped_run *a, gs_real t)
 {
-  const int nx = a->r.nx, implicit = a->parts->whole.iopt[GS_METHOD] == 0;
+  const int nx = a->r.nx;
   const gs_real h = a->clock[GS_STEP_AHEAD_LENGTH], from = a->clock[GS_STEP_AHEAD];
-  const gs_real *x = a->parts->ahead, *xn = x + nx * (implicit ? 7 : 1);
+  const gs_real *x = a->parts->ahead, *xn = x + nx;
   if (! (t < from + h))
     {
       gs_copy (nx, xn, a->r.x);
       return 0;
     }
-  if (implicit)
-    gs_event_septic (nx, (t - from) / h, x, a->r.x);
-  else
-    gs_dense_at (nx, h, (t - from) / h, x, xn, x + 2 * nx, a->r.x);
+  gs_dense_at (nx, h, (t - from) / h, x, xn, x + 2 * nx, a->r.x);
   return move (a, t, x, xn);
 }
