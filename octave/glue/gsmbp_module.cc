@@ -12,6 +12,7 @@
 #include "ensemble.h"
 #include "job.h"
 #include "adjoint.h"
+#include "linear.h"
 #include "collocation.h"
 
 static bool the_interrupt_is_old = false;   // a run ended by it
@@ -61,6 +62,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "statistics", do_statistics },
         { "forward", do_forward },
         { "backward", do_backward },
+        { "linear", do_linear },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
         { "program", do_program },

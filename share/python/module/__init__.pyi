@@ -1,4 +1,5 @@
-from typing import Any, Callable, Literal, Mapping, NamedTuple, Optional, TypedDict, Union
+from typing import (Any, Callable, Literal, Mapping, NamedTuple, Optional, Sequence, TypedDict,
+                    Union)
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,6 +33,18 @@ class Linear(NamedTuple):
     b: Real
     c: Real
     d: Real
+
+class LinearModel(NamedTuple):
+    a: Real
+    b: Real
+    c: Real
+    d: Real
+    states: tuple[str, ...]
+    inputs: tuple[str, ...]
+    outputs: tuple[str, ...]
+    tangent: Real
+    independent: NDArray[np.int64]
+    dropped: tuple[str, ...]
 
 class Inverse(NamedTuple):
     t: Real
@@ -114,6 +127,10 @@ class Model(Routines):
     def changed(self, /, **parameters: float) -> Model: ...
     def kept(self, name: str) -> Any: ...
     def linearize(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None) -> Linear: ...
+    def linear(self, t: float, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+               reduced: Union[str, Sequence[str]] = 'auto',
+               drop: Union[str, Sequence[str]] = (),
+               start: Literal['check', 'project'] = 'check') -> LinearModel: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

@@ -1,4 +1,5 @@
-"""The structures of host/run/run.h, by which a run goes to the engine and comes back."""
+"""The structures of host/run/run.h and host/linear/linear.h, by which a run or a linear model goes
+to the engine and comes back."""
 import ctypes
 
 import numpy as np
@@ -90,7 +91,7 @@ class Results(_Structure):
         'said')] + [('no_memory', _INT)]
 
 
-class _Taken(ctypes.Structure):
+class Taken(_Structure):
     """gs_start."""
 
     _fields_ = [('verdict', _INT), ('residual', _REAL), ('moved', _REAL), ('state', _INT),
@@ -103,7 +104,7 @@ class Result(_Structure):
     OPTION, ROUTINE, START, MODE, SAMPLES, COLUMNS = range(1, 7)
     _fields_ = [('refused', _INT), ('info', _INT), ('option', _TEXT),
                 ('text', ctypes.c_char * 2400), ('warning', ctypes.c_char * 400),
-                ('start', _Taken), ('method', _TEXT),
+                ('start', Taken), ('method', _TEXT),
                 *((name, _INT) for name in ('ended', 'nx', 'nt', 'ldv', 'rows')),
                 ('rtol', _REAL), *((name, _AT) for name in ('atol', 'times', 'x', 'v', 'y', 'cst')),
                 ('istat', _INT * len(COUNTS)), ('rstat', _REAL * len(VALUES)),
@@ -124,9 +125,42 @@ class Result(_Structure):
         return dict(zip(COUNTS + VALUES, [*self.istat, *self.rstat]))
 
 
+class Place(_Structure):
+    """gs_linear_place of host/linear/linear.h."""
+
+    _fields_ = [('t', _REAL), *((name, _AT) for name in ('cst', 'x', 'v'))]
+
+
+class Asked(_Structure):
+    """gs_linear_asked of the same."""
+
+    NAMED, AUTO, NONE = range(3)
+    _fields_ = [('reduced', _INT), ('nwanted', _INT), ('wanted', _AT), ('running', _INT),
+                ('ndrop', _INT), ('drop', _AT)]
+
+
+class Linear(_Structure):
+    """gs_linear_model of the same."""
+
+    _fields_ = [('n', _INT), ('m', _INT), ('ndropped', _INT), *((name, _AT) for name in (
+        'independent', 'dropped', 'seen', 'a', 'b', 'c', 'd', 'tangent')),
+                ('row', _INT), ('column', _INT)]
+
+
+class Told(_Structure):
+    """gs_linear_told of the same."""
+
+    FOUND, NO_MEMORY, ABSENT, FAILED, DERIVATIVE, REFUSED = range(6)
+    _fields_ = [('verdict', _INT), ('info', _INT), ('row', _INT), ('column', _INT),
+                ('routine', _TEXT), ('text', ctypes.c_char * 2400)]
+
+
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
 for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
+for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken)):
+    if LIBRARY.gs_loop_linear_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
+        raise ImportError('%s: the library was built with another linear.h' % NAME)

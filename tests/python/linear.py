@@ -1,0 +1,83 @@
+"""Linear models of modules beside those of Octave: an arm, a four-bar, a motor, a hydraulic
+cylinder, a disc that rolls, a free body in Euler parameters; closed forms; refusals.
+
+python3 linear.py FILE: of linear.m; the modules that it imports must be installed."""
+import importlib
+import inspect
+import json
+import sys
+
+import numpy as np
+
+from checks import close, holds, refuses
+
+
+def matrix(part):
+    return np.reshape(np.array(part['numbers'], float), np.atleast_1d(part['size']).astype(int),
+                      order='F')
+
+
+def listed(names):
+    return tuple([names] if isinstance(names, str) else names)
+
+
+def beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    r = m.linear(0, one['x'], np.atleast_1d(one['v']) if np.size(one['v']) else None, **options)
+    what = '%s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': states, outputs, what is dropped', (
+        r.states == listed(one['states']) and r.outputs == listed(one['outputs'])
+        and r.dropped == listed(one['dropped'])
+        and r.independent.tolist() == np.atleast_1d(one['independent']).tolist()))
+    for part in ('a', 'b', 'c', 'd', 'tangent'):
+        wanted = matrix(one[part])
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(getattr(r, part) / size, 0),
+              np.append(wanted / size, 0), 1e-13)
+
+
+def shapes():
+    import case_03a
+    m = case_03a.Model()
+    x = np.array(m.simulate(m.initial, [0, 0.1], start='project').x[:, -1])
+    r, h = m.linear(0, x), 1e-6
+    ends = [m.rhs(0, x[:, None] + s * h * r.tangent)[r.independent] for s in (1, -1)]
+    close('four-bar: its rates along the tangent beside differences', r.a,
+          (ends[0] - ends[1]) / (2 * h), 1e-7 * np.abs(r.a).max())
+    signature = str(inspect.signature(m.linear))
+    holds('inspect knows the arguments of linear', signature == (
+        "(t, x, v=None, *, reduced='auto', drop=(), start='check')"))
+    holds('linear has a help text', 'gsmbp_linear' in m.linear.__doc__)
+
+
+def refused():
+    import case_03a
+    import control_arm
+    m, arm = case_03a.Model(), control_arm.Model()
+    x = m.initial
+    refuses('a state off the constraints', ValueError, ['linear', 'on the constraints', 'project'],
+            m.linear, 0, x + 0.1)
+    refuses('an unknown option', TypeError, ['linear: argument reduce ', 'did you mean reduced'],
+            m.linear, 0, x, reduce='auto')
+    refuses('an unknown state', ValueError, ['reduced: expected', 'found', 'did you mean'],
+            m.linear, 0, x, reduced='tetha', start='project')
+    refuses('too many independent states', ValueError, ['do not determine the motion here'],
+            m.linear, 0, x, reduced=list(m.coordinates), start='project')
+    refuses('a part of the coordinates of a tree', ValueError, ['without constraints all', 'q2'],
+            arm.linear, 0, arm.initial, reduced='q1')
+    refuses('a coordinate on which something depends', ValueError,
+            ['q1 cannot be dropped: the rate of q1_d depends on it'],
+            arm.linear, 0, [0.4, -0.7, 0, 0], drop='q1')
+    refuses('a coordinate that is none', ValueError, ['drop: expected "running"', "'q3'"],
+            arm.linear, 0, arm.initial, drop=['q3'])
+    refuses('a state that is too short', ValueError, ['x: expected 4 numbers'],
+            arm.linear, 0, arm.initial[:3])
+
+
+with open(sys.argv[1], encoding='utf-8') as file:
+    for scene, models in json.load(file).items():
+        for one in [models] if isinstance(models, dict) else models:
+            beside_octave(scene, one)
+shapes()
+refused()
