@@ -104,9 +104,10 @@ endfunction
 
 ## the linear model of host/linear/linear.h
 function r = model_of (who, m, t, x, v, varargin)
-  [told, text, row, column, A, B, C, D, T, independent, dropped, seen, output, by] = ...
-      m.module ("linear", m.cst, gs.model.parameter_values (m), t, x, m.nominal, v, varargin{:});
-  gs.linear.heed_verdict (who, m, told, text, row, column);
+  at = gs.linear.state_place (m, t, x, v);
+  [verdict, text, A, B, C, D, T, independent, dropped, seen, output, by] = ...
+      m.module ("linear", at{:}, varargin{:});
+  gs.linear.heed_verdict (who, m, verdict, text);
   if (output > 0)
     warning ("gsmbp:derivative", "%s: %s: %s", who, m.name, gs.text.refusal_text ( ...
         "no_derivative", ["output " m.outputs{output}], [m.states(:); m.inputs(:)]{by}));

@@ -62,7 +62,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "statistics", do_statistics },
         { "forward", do_forward },
         { "backward", do_backward },
-        { "linear", do_linear },
+        { "linear", do_linear }, { "trim", do_trim },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
         { "program", do_program },

@@ -40,15 +40,51 @@ heed (const gs_linear_told& told)
     say_rank (told.routine);
 }
 
-// (those of asked_start, inputs, 0: names, 1: auto, 2: none, wanted states, whether what runs is
-// dropped, coordinates that are dropped): the verdict, its text, row and column; A, B, C, D, T, the
-// numbers of the states, those dropped, the outputs that are left, row and column of an output
-// without a finite derivative
+// texts as C takes them, as long as this lives
+class texts
+{
+public:
+  texts (arguments& a, const char *name, int n)
+  {
+    const Array<std::string> list = a.value (name).cellstr_value ();
+    for (octave_idx_type k = 0; k < list.numel (); k++)
+      m_list.push_back (list(k));
+    m_list.resize (std::size_t (n) + 1);
+    for (const std::string& text : m_list)
+      m_pointers.push_back (text.c_str ());
+  }
+  texts (const texts&) = delete;
+  const char *const *data (void) const { return m_pointers.data (); }
+
+private:
+  std::vector<std::string> m_list;
+  std::vector<const char *> m_pointers;
+};
+
+// (those of asked_start, inputs, names of the inputs, units of states and constraints)
+struct asked_place
+{
+  asked_start start;
+  const reals v;
+  const texts inputs, units, constraints;
+  const gs_linear_place at;
+
+  asked_place (arguments& a)
+    : start (a), v (a.vector ("v", S.nv)), inputs (a, "inputs", S.nv), units (a, "units", S.nx),
+      constraints (a, "constraints", S.nlam),
+      at ({ start.t, &start.cst[0], &start.x[0], &v[0], inputs.data (), units.data (),
+            constraints.data () })
+  { }
+};
+
+// (those of asked_place, 0: names, 1: auto, 2: none, wanted states, whether what runs is
+// dropped, coordinates that are dropped): the verdict, its text; A, B, C, D, T, the numbers of the
+// states, those dropped, the outputs that are left, row and column of an output without a finite
+// derivative
 static octave_value_list
 do_linear (arguments& a, int)
 {
-  asked_start s (a);
-  const reals v = a.vector ("v", S.nv);
+  const asked_place p (a);
   gs_linear_asked asked = gs_linear_asked ();
   asked.reduced = a.integer_within ("reduced", 0, 2);
   const std::vector<int> wanted = from_zero (a, "wanted");
@@ -64,12 +100,52 @@ do_linear (arguments& a, int)
   gs_linear_model r = { 0, 0, 0, independent.data (), dropped.data (), seen.data (), &A[0], &B[0],
                         &C[0], &D[0], &T[0], -1, -1 };
   gs_linear_told told;
-  const gs_linear_place at = { s.t, &s.cst[0], &s.x[0], &v[0] };
-  gs_linear (&s.about, &at, &asked, &r, &told);
+  gs_linear (&p.start.about, &p.at, &asked, &r, &told);
   heed (told);
-  octave_value_list list = ovl (told.verdict, told.text, told.row + 1, told.column + 1);
+  octave_value_list list = ovl (told.verdict, told.text);
   return list.append (ovl (result (A, r.n, r.n), result (B, r.n, S.nv), result (C, r.m, r.n),
                            result (D, r.m, S.nv), result (T, nx, r.n),
                            from_one (r.independent, r.n), from_one (r.dropped, r.ndropped),
                            from_one (r.seen, r.m), r.row + 1, r.column + 1));
+}
+
+// flags as numbers from 1
+static RowVector
+marked (const std::vector<int>& flags, int n)
+{
+  std::vector<int> list;
+  for (int k = 0; k < n; k++)
+    if (flags[k])
+      list.push_back (k);
+  return from_one (list.data (), int (list.size ()));
+}
+
+// (those of asked_place, states that are held, free inputs, free speeds, whether it is a steady
+// motion, coordinates that run and their speeds, whether margins count, tolerance): the verdict,
+// its text; the state, the inputs, what is left, the way, the coordinates that run, what can be
+// moved, a warning
+static octave_value_list
+do_trim (arguments& a, int)
+{
+  const asked_place p (a);
+  const std::vector<int> hold = from_zero (a, "hold"), free = from_zero (a, "free");
+  const std::vector<int> speeds = from_zero (a, "speeds");
+  const bool steady = a.integer_within ("steady", 0, 1) == 1;
+  const std::vector<int> running = from_zero (a, "running");
+  const bool margins = a.integer_within ("margins", 0, 1) == 1;
+  std::vector<int> modes;
+  for (int k = 0; k < S.nmode; k++)
+    modes.push_back (S.modes[k] - 1);
+  const gs_trim_asked asked
+      = { int (hold.size ()), int (free.size ()), int (speeds.size ()), hold.data (), free.data (),
+          speeds.data (), steady, int (running.size () / 2), running.data (), int (modes.size ()),
+          modes.data (), margins, a.value ("tolerance").double_value (), p.start.par.data () };
+  reals x (S.nx + 1), v (S.nv + 1);
+  std::vector<int> runs (S.nq + 1), moved (S.nx + S.nv + 1);
+  gs_trim_found found = { &x[0], &v[0], 0, 0, runs.data (), moved.data (), "" };
+  gs_linear_told told;
+  gs_trim (&p.start.about, &p.at, &asked, &found, &told);
+  heed (told);
+  return ovl (told.verdict, told.text, result (x, S.nx), result (v, S.nv), found.residual,
+              found.way + 1, marked (runs, S.nq), marked (moved, S.nx + S.nv), found.warning);
 }

@@ -1,4 +1,5 @@
-## linear (FILE): linear models of scenes by gsmbp_linear, written as JSON, for linear.py.
+## linear (FILE): linear models, equilibria and steady motions of scenes by gsmbp_linear and
+## gsmbp_trim, written as JSON, for linear.py.
 
 function linear (file)
   warning ("off", "all");
@@ -23,7 +24,7 @@ function linear (file)
   m = gsmbp_fixture ("orient_free");
   r.orient_free = {model(m, m.initial, zeros (m.sizes.nv, 1))};
   fid = fopen (file, "w");
-  fputs (fid, jsonencode (r));
+  fputs (fid, jsonencode (struct ("linear", r, "trim", trims ())));
   fclose (fid);
 end
 
@@ -34,4 +35,28 @@ function r = model (m, x, v, varargin)
               "b", part (sys.b), "c", part (sys.c), "d", part (sys.d), "tangent", part (T), ...
               "independent", k - 1, "states", {sys.stname}, "outputs", {sys.outname}, ...
               "dropped", {dropped});
+end
+
+function r = trims ()
+  r = struct ();
+  m = gsmbp_fixture ("control_arm");
+  r.control_arm = {trim(m, [0.4; -0.7; 0; 0], [], "hold", {"q1", "q2"}, "free", {"t1", "t2"})};
+  m = gsmbp_fixture ("case_03a");
+  r.case_03a = {trim(m, [1.1; -0.74; 1.23], [], "hold", "theta", "free", "tau_a"), ...
+                trim(m, [1.1; -0.74; 1.23], [])};
+  m = gsmbp_fixture ("case_02a_motor");
+  r.case_02a_motor = {trim(m, m.initial, [], "hold", "theta", "free", m.inputs{1})};
+  m = gsmbp_fixture ("trim_hydraulic");
+  r.trim_hydraulic = {trim(m, m.initial, [], "hold", "x", "free", m.inputs{1})};
+  m = gsmbp_fixture ("steady_disc");
+  x = m.initial;
+  x(strcmp (m.states, "spin_d")) = 2;
+  r.steady_disc = {trim(m, x, [], "steady", "spin")};
+end
+
+function r = trim (m, x, v, varargin)
+  s = gsmbp_trim (m, x, v, varargin{:});
+  r = struct ("guess", x(:)', "inputs", v(:)', "options", {varargin}, "x", s.x(:)', ...
+              "v", s.v(:)', "lambda", s.lambda(:)', "way", s.way, "running", {s.running}, ...
+              "indifferent", {s.indifferent}, "unique", s.unique(:)');
 end

@@ -1,4 +1,4 @@
-"""Linear models of modules beside those of Octave: an arm, a four-bar, a motor, a hydraulic
+"""Linear models, equilibria and steady motions of modules beside those of Octave: an arm, a four-bar, a motor, a hydraulic
 cylinder, a disc that rolls, a free body in Euler parameters; closed forms; refusals.
 
 python3 linear.py FILE: of linear.m; the modules that it imports must be installed."""
@@ -37,6 +37,25 @@ def beside_octave(name, one):
               np.append(wanted / size, 0), 1e-13)
 
 
+def trim_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    r = m.trim(one['guess'], **options)
+    what = 'trim of %s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': way, what runs, what can be moved', (
+        r.way == one['way'] and r.running == listed(one['running'])
+        and r.indifferent == listed(one['indifferent'])
+        and r.unique.tolist() == [bool(k) for k in np.atleast_1d(one['unique'])]))
+    for part, found in (('x', r.x), ('v', r.v), ('lambda', r.lam)):
+        wanted = np.atleast_1d(np.array(one[part], float))
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
+              1e-11)
+    rates = m.rhs(0, r.x, r.v)[m.sizes['nq']:]
+    holds(what + ': nothing is accelerated', r.running
+          or np.abs(rates / m.nominal[m.sizes['nq']:]).max() < 1e-7)
+
+
 def shapes():
     import case_03a
     m = case_03a.Model()
@@ -49,6 +68,10 @@ def shapes():
     holds('inspect knows the arguments of linear', signature == (
         "(t, x, v=None, *, reduced='auto', drop=(), start='check')"))
     holds('linear has a help text', 'gsmbp_linear' in m.linear.__doc__)
+    signature = str(inspect.signature(m.trim))
+    holds('inspect knows the arguments of trim', signature == (
+        "(x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e-09, "
+        "margins='check')"))
 
 
 def refused():
@@ -73,11 +96,22 @@ def refused():
             arm.linear, 0, arm.initial, drop=['q3'])
     refuses('a state that is too short', ValueError, ['x: expected 4 numbers'],
             arm.linear, 0, arm.initial[:3])
+    refuses('an equilibrium that is none', ArithmeticError,
+            ['no equilibrium found near the guess', 'acceleration of q1_d = -', 'rad/s^2',
+             'these inputs act on it: t1, t2, push'],
+            arm.trim, [0.4, -0.7], hold=['q1', 'q2'])
+    refuses('an input that is none', ValueError,
+            ["free: expected the name of an input; found 'T1'; did you mean t1"],
+            arm.trim, x[:2], free='T1')
+    refuses('a tolerance that is none', ValueError, ['tolerance: expected', '2'],
+            arm.trim, x[:2], tolerance=2)
 
 
 with open(sys.argv[1], encoding='utf-8') as file:
-    for scene, models in json.load(file).items():
+    FOUND = json.load(file)
+for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave)):
+    for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
-            beside_octave(scene, one)
+            beside(scene, one)
 shapes()
 refused()

@@ -1,5 +1,6 @@
-# Linear models of modules of Python beside those of Octave (tests/python/linear.m, linear.py): an
-# arm, a four-bar, a motor, a hydraulic cylinder, a disc that rolls, a free body; refusals.
+# Linear models and equilibria of modules of Python beside those of Octave (tests/python/linear.m,
+# linear.py): an arm, a four-bar, a motor, a hydraulic cylinder, a disc that rolls, a free body;
+# refusals.
 . tests/tools/check.sh
 root=$PWD
 work_folder

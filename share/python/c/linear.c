@@ -22,12 +22,20 @@ gs_loop_linear (const gs_linear_place *at, const gs_linear_asked *asked, gs_line
   return gs_linear (gs_loop_about (), at, asked, model, told);
 }
 
+int
+gs_loop_trim (const gs_linear_place *at, const gs_trim_asked *asked, gs_trim_found *found,
+              gs_linear_told *told)
+{
+  return gs_trim (gs_loop_about (), at, asked, found, told);
+}
+
 /* bytes of the structures that Python fills and reads as well */
 int
 gs_loop_linear_size (int which)
 {
   static const size_t sizes[] = { sizeof (gs_linear_place), sizeof (gs_linear_asked),
                                   sizeof (gs_linear_model), sizeof (gs_linear_told),
-                                  sizeof (gs_start) };
+                                  sizeof (gs_start), sizeof (gs_trim_asked),
+                                  sizeof (gs_trim_found) };
   return (int)sizes[which];
 }

@@ -46,6 +46,18 @@ class LinearModel(NamedTuple):
     independent: NDArray[np.int64]
     dropped: tuple[str, ...]
 
+class Trim(NamedTuple):
+    x: Real
+    v: Real
+    ud: Real
+    lam: Optional[Real]
+    phi: Real
+    residual: float
+    way: str
+    running: tuple[str, ...]
+    indifferent: tuple[str, ...]
+    unique: NDArray[np.bool_]
+
 class Inverse(NamedTuple):
     t: Real
     q: Real
@@ -131,6 +143,10 @@ class Model(Routines):
                reduced: Union[str, Sequence[str]] = 'auto',
                drop: Union[str, Sequence[str]] = (),
                start: Literal['check', 'project'] = 'check') -> LinearModel: ...
+    def trim(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+             hold: Union[str, Sequence[str]] = (), free: Union[str, Sequence[str]] = (),
+             steady: Union[str, Sequence[str]] = (), time: float = 0.0, tolerance: float = 1e-9,
+             margins: Literal['check', 'ignore'] = 'check') -> Trim: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

@@ -7,11 +7,11 @@ import numpy as np
 
 from . import _run, _start
 from ._arguments import nearest
-from ._library import DependentWarning, Error, LIBRARY, MODES, NAME, SIZES, TABLE
+from ._library import DependentWarning, Error, LIBRARY, NAME, SIZES, TABLE, at
 from ._structures import Asked, Linear, Place, Taken, Told
 from ._tables import REFUSALS
 
-NQ, NU, NX, NV, NY, NLAM = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny', 'nlam'))
+NQ, NU, NX, NV, NY = (SIZES[k] for k in ('nq', 'nu', 'nx', 'nv', 'ny'))
 
 LinearModel = collections.namedtuple(
     'LinearModel', 'a b c d states inputs outputs tangent independent dropped')
@@ -34,7 +34,8 @@ def linear(self, t, x, v=None, *, reduced='auto', drop=(), start='check'):
     """
     who = NAME + '.linear'
     self._has('jac')
-    t, x, v = state(who, self, t, x, v, start)
+    t, x, v = numbers(who, self, t, x, v)
+    x = on_constraints(who, self, t, x, start)
     asked = Asked(reduced=Asked.NAMED, running=_word(drop) == 'running')
     if _word(reduced) in ('auto', 'none'):
         asked.reduced = Asked.AUTO if reduced == 'auto' else Asked.NONE
@@ -47,7 +48,7 @@ def linear(self, t, x, v=None, *, reduced='auto', drop=(), start='check'):
     return _made(who, self, place(self, t, x, v), asked)
 
 
-def _made(who, model, at, asked):
+def _made(who, model, here, asked):
     ny = NY or NX
     found, told = Linear(), Told()
     sizes = {'a': NX * NX, 'b': NX * NV, 'c': ny * NX, 'd': ny * NV, 'tangent': NX * NX}
@@ -55,7 +56,7 @@ def _made(who, model, at, asked):
         found.put(name, np.zeros(max(1, size)))
     for name, size in (('independent', NX), ('dropped', NX), ('seen', ny)):
         found.put(name, np.zeros(size), np.intc)
-    LIBRARY.gs_loop_linear(at.address(), asked.address(), found.address(), told.address())
+    LIBRARY.gs_loop_linear(here.address(), asked.address(), found.address(), told.address())
     heed(who, model, told)
     if found.row >= 0:
         warnings.warn('%s: %s' % (who, REFUSALS.no_derivative % (
@@ -82,31 +83,41 @@ def _matrix(numbers, rows, columns):
 
 # ------------------------------------------------------------------------- what others use as well
 
-def state(who, model, t, x, v, start):
-    """The time, the states on the constraints, and the inputs of a calculation at a state."""
+def numbers(who, model, t, x, v):
+    """The time, the states (or the coordinates, then at rest as the scene starts) and the inputs of
+    a calculation at a state."""
     t = _run._vector(who, 't', [t] if np.ndim(t) == 0 else t, 1, 'time [s]')[0]
+    if np.shape(x) == (NQ,) and NQ != NX:
+        x = np.concatenate([x, np.zeros(NU), model.initial[NQ + NU:]])
     x = _run._vector(who, 'x', x, NX, 'numbers (the states of %s)' % NAME, model.states)
-    if v is None and MODES:
-        raise TypeError('%s: argument v is missing: expected the inputs; %s is a mode (-1, 0 or 1) '
-                        'of a device with events' % (who, TABLE['inputs'][MODES[0]]['name']))
     v = np.zeros(NV) if v is None else _run._vector(
         who, 'v', v, NV, 'numbers (the inputs of %s)' % NAME, model.inputs)
-    _run._word(who, 'start', start, ('check', 'project'))
-    found, x = Taken(), np.ascontiguousarray(x)
-    verdict = LIBRARY.gs_loop_start(
-        ctypes.c_double(t), _run.at(model.cst), _run.at(model._values),
-        ctypes.c_int(start == 'check'), _run.at(x), found.address())
-    if verdict != 0:
-        raise ValueError('%s: %s' % (who, _start.refusal(
-            verdict, found.state, found.text.decode(), model).replace('x0[', 'x[')))
     return t, x, v
 
 
+def on_constraints(who, model, t, x, start):
+    """The states as every calculation takes them."""
+    _run._word(who, 'start', start, ('check', 'project'))
+    found, x = Taken(), np.ascontiguousarray(x)
+    verdict = LIBRARY.gs_loop_start(
+        ctypes.c_double(t), at(model.cst), at(model._values), ctypes.c_int(start == 'check'), at(x),
+        found.address())
+    if verdict != 0:
+        raise ValueError('%s: %s' % (who, _start.refusal(
+            verdict, found.state, found.text.decode(), model).replace('x0[', 'x[')))
+    return x
+
+
 def place(model, t, x, v):
-    at = Place(t=t)
-    for name, numbers in (('cst', model.cst), ('x', x), ('v', v)):
-        at.put(name, numbers if len(numbers) else np.zeros(1))
-    return at
+    """It as the calculations of host/linear take it."""
+    here = Place(t=t)
+    for name, given in (('cst', model.cst), ('x', x), ('v', v)):
+        here.put(name, given if len(given) else np.zeros(1))
+    here.put_texts('inputs', model.inputs)
+    here.put_texts('units', [model.units['states'][name] for name in model.states])
+    here.put_texts('constraints', [{'N': 'm', 'N*m': 'rad'}.get(
+        model.units['multipliers'][name], '') for name in model.multipliers])
+    return here
 
 
 def _word(given):
@@ -116,32 +127,49 @@ def _word(given):
 def put_names(who, asked, member, option, given, known, expected):
     """Names as numbers into an array of the structure: how many."""
     names = [given] if isinstance(given, str) else list(given)
+    if not names:
+        raise ValueError('%s: %s: expected %s; found none' % (who, option, expected))
+    places_ = places(who, option, names, known, expected)
+    asked.put(member, places_, np.intc)
+    return len(places_)
+
+
+def places(who, option, given, known, expected):
+    """Where names stand among those that are known."""
+    names = [given] if isinstance(given, str) else list(given)
     for name in names:
         if name not in known:
             raise ValueError('%s: %s: expected %s; found %r%s' % (
                 who, option, expected, name, nearest(str(name), known)))
-    if not names:
-        raise ValueError('%s: %s: expected %s; found none' % (who, option, expected))
-    asked.put(member, [known.index(name) for name in names], np.intc)
-    return len(names)
+    return [known.index(name) for name in names]
 
 
 def _by(model, column):
     return (model.states + model.inputs)[column]
 
 
-def heed(who, model, told):
-    """Raise what is wrong with a calculation of host/linear/linear.h."""
+def speed_of(who, model, option, name):
+    """Where a coordinate stands and the speed that is its rate."""
+    q, = places(who, option, [name], model.coordinates, 'the name of a coordinate')
+    if name + '_d' in model.speeds:
+        return q, model.speeds.index(name + '_d')
+    if NQ == NU and not TABLE.get('angles'):
+        return q, q
+    raise ValueError('%s: %s: %s has no speed of its own; expected a coordinate of a joint whose '
+                     'speeds are rates of coordinates' % (who, option, name))
+
+
+def heed(who, model, told, kind=ValueError):
+    """Raise what is wrong with a calculation of host/linear/linear.h: kind, what it refuses."""
     if told.verdict == Told.NO_MEMORY:
         raise MemoryError(who)
     routine = (told.routine or b'').decode()
     if told.verdict == Told.ABSENT:
         model._has(routine)
     if told.verdict == Told.REFUSED:
-        raise ValueError('%s: %s' % (who, told.text.decode()))
-    if told.verdict == Told.DERIVATIVE:
-        raise Error('%s: %s' % (who, REFUSALS.no_derivative % (
-            'rate of ' + model.states[told.row], _by(model, told.column))))
+        raise kind('%s: %s' % (who, told.text.decode()))
+    if told.verdict in (Told.DERIVATIVE, Told.MARGIN):
+        raise Error('%s: %s' % (who, told.text.decode()))
     if routine:
         text = '%s: %s: INFO = %d: %s' % (who, routine, told.info,
                                           _run.meaning(routine, told.info))

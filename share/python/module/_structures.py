@@ -128,7 +128,11 @@ class Result(_Structure):
 class Place(_Structure):
     """gs_linear_place of host/linear/linear.h."""
 
-    _fields_ = [('t', _REAL), *((name, _AT) for name in ('cst', 'x', 'v'))]
+    _fields_ = [('t', _REAL), *((name, _AT) for name in (
+        'cst', 'x', 'v', 'inputs', 'units', 'constraints'))]
+
+    def put_texts(self, name, texts):
+        self.keep(name, (_TEXT * (len(texts) + 1))(*[text.encode() for text in texts]))
 
 
 class Asked(_Structure):
@@ -150,9 +154,25 @@ class Linear(_Structure):
 class Told(_Structure):
     """gs_linear_told of the same."""
 
-    FOUND, NO_MEMORY, ABSENT, FAILED, DERIVATIVE, REFUSED = range(6)
-    _fields_ = [('verdict', _INT), ('info', _INT), ('row', _INT), ('column', _INT),
-                ('routine', _TEXT), ('text', ctypes.c_char * 2400)]
+    FOUND, NO_MEMORY, ABSENT, FAILED, DERIVATIVE, MARGIN, REFUSED = range(7)
+    _fields_ = [('verdict', _INT), ('info', _INT), ('routine', _TEXT),
+                ('text', ctypes.c_char * 2400)]
+
+
+class TrimAsked(_Structure):
+    """gs_trim_asked of the same."""
+
+    _fields_ = [('nhold', _INT), ('ninputs', _INT), ('nspeeds', _INT), ('hold', _AT),
+                ('inputs', _AT), ('speeds', _AT), ('steady', _INT), ('nrunning', _INT),
+                ('running', _AT), ('nmodes', _INT), ('modes', _AT), ('margins', _INT),
+                ('tolerance', _REAL), ('par', _AT)]
+
+
+class TrimFound(_Structure):
+    """gs_trim_found of the same."""
+
+    _fields_ = [('x', _AT), ('v', _AT), ('residual', _REAL), ('way', _INT), ('running', _AT),
+                ('indifferent', _AT), ('warning', ctypes.c_char * 400)]
 
 
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
@@ -161,6 +181,6 @@ for _k, _kind in enumerate((Options, Start, Inputs, Result)):
 for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
-for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken)):
+for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound)):
     if LIBRARY.gs_loop_linear_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another linear.h' % NAME)

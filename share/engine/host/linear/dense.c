@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "gsmbp/functions.h"
+#include "gsmbp/refusals.h"
 #include "gsmbp/solve.h"
 #include "host/linear/linear_parts.h"
 
@@ -12,10 +13,10 @@ struct gs_block
 };
 
 gs_work
-gs_work_begin (const gs_description *d, gs_real t, const gs_real *cst, gs_linear_told *told)
+gs_work_begin (const gs_description *d, const gs_linear_place *at, gs_linear_told *told)
 {
-  *told = (gs_linear_told){ .row = -1, .column = -1 };
-  return (gs_work){ .d = d, .s = d->scene, .t = t, .cst = cst, .told = told };
+  *told = (gs_linear_told){ .verdict = GS_LINEAR_FOUND };
+  return (gs_work){ .d = d, .s = d->scene, .t = at->t, .cst = at->cst, .at = at, .told = told };
 }
 
 void
@@ -71,10 +72,22 @@ gs_work_failed (gs_work *w, int verdict, const char *routine, int info)
 }
 
 gs_writer
-gs_work_refused (gs_work *w)
+gs_work_refused (gs_work *w, int verdict)
 {
-  w->told->verdict = GS_LINEAR_REFUSED;
+  w->told->verdict = verdict;
   return (gs_writer){ w->told->text, sizeof w->told->text, 0 };
+}
+
+int
+gs_no_derivative (gs_work *w, const char *of, const char *row, int column)
+{
+  const int nx = w->s->nx;
+  char name[300];
+  gs_writer said = gs_work_refused (w, GS_LINEAR_DERIVATIVE);
+  snprintf (name, sizeof name, "%s%s", of, row);
+  gs_put (&said, gs_refusals.no_derivative, name,
+          column < nx ? w->d->states[column] : w->at->inputs[column - nx]);
+  return w->told->verdict;
 }
 
 /* ------------------------------------------------------------------------------------- matrices */

@@ -100,7 +100,7 @@ refuse_any (gs_work *w, const dropping *p)
     for (int i = 0; i < n && ! p->keep[j]; i++)
       if (p->keep[i] && p->depends[i + n * j])
         {
-          gs_writer said = gs_work_refused (w);
+          gs_writer said = gs_work_refused (w, GS_LINEAR_REFUSED);
           gs_put (&said, "%s cannot be dropped: the rate of %s depends on it; only what nothing "
                   "depends on can be (a coordinate that is ignorable)",
                   w->d->states[p->own[j]], w->d->states[p->own[i]]);
@@ -112,7 +112,7 @@ refuse_any (gs_work *w, const dropping *p)
 static int
 refuse_changed (gs_work *w, const dropping *p, int i, int j)
 {
-  gs_writer said = gs_work_refused (w);
+  gs_writer said = gs_work_refused (w, GS_LINEAR_REFUSED);
   int many = 0;
   for (int k = 0; k < p->n; k++)
     if (! p->keep[k])

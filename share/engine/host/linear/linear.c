@@ -20,17 +20,17 @@ jacobians (gs_work *w, const gs_linear_place *at, whole *all, gs_linear_model *m
 {
   const gs_scene *s = w->s;
   const int ny = all->ny = outputs_of (s);
-  gs_linear_told *told = w->told;
+  int row, column;
   all->a = gs_numbers (w, s->nx * (s->nx + s->nv));
   all->c = gs_numbers (w, ny * (s->nx + s->nv));
   if (! all->a || ! all->c)
-    return told->verdict;
+    return w->told->verdict;
   all->b = all->a + s->nx * s->nx;
   all->d = all->c + ny * s->nx;
   if (gs_jacobian_there (w, at->x, at->v, all->a, all->b, s->ny ? all->c : NULL, all->d) != 0)
-    return told->verdict;
-  if (gs_first_not_finite (s->nx, s->nx + s->nv, all->a, &told->row, &told->column))
-    return told->verdict = GS_LINEAR_DERIVATIVE;
+    return w->told->verdict;
+  if (gs_first_not_finite (s->nx, s->nx + s->nv, all->a, &row, &column))
+    return gs_no_derivative (w, "rate of ", w->d->states[row], column);
   model->row = model->column = -1;
   if (s->ny > 0)
     gs_first_not_finite (ny, s->nx + s->nv, all->c, &model->row, &model->column);
@@ -51,7 +51,7 @@ check_all_named (gs_work *w, const gs_linear_asked *asked)
   for (int i = 0; i < s->nq; i++)
     if (! gs_is_among (i, asked->nwanted, asked->wanted))
       {
-        gs_writer said = gs_work_refused (w);
+        gs_writer said = gs_work_refused (w, GS_LINEAR_REFUSED);
         gs_put (&said, "option \"reduced\": without constraints all coordinates are independent; "
                 "expected \"auto\" or all of ");
         for (int k = 0; k < s->nq; k++)
@@ -180,7 +180,7 @@ int
 gs_linear (const gs_description *d, const gs_linear_place *at, const gs_linear_asked *asked,
            gs_linear_model *model, gs_linear_told *told)
 {
-  gs_work w = gs_work_begin (d, at->t, at->cst, told);
+  gs_work w = gs_work_begin (d, at, told);
   gs_real *rows = gs_numbers (&w, d->scene->nx * d->scene->nx);
   whole all = { 0 };
   model->ndropped = 0;
@@ -191,5 +191,14 @@ gs_linear (const gs_description *d, const gs_linear_place *at, const gs_linear_a
       if (asked->running || asked->ndrop > 0)
         drop (&w, at, asked, model);
     }
+  return gs_work_end (&w);
+}
+
+int
+gs_linear_tangent (const gs_description *d, const gs_linear_place *at, const int *wanted,
+                   int nwanted, gs_real *tangent, int *independent, int *n, gs_linear_told *told)
+{
+  gs_work w = gs_work_begin (d, at, told);
+  gs_loop_tangent (&w, at->x, wanted, nwanted, 0, NULL, tangent, independent, n);
   return gs_work_end (&w);
 }

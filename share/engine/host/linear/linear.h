@@ -18,23 +18,26 @@ enum
   GS_LINEAR_NO_MEMORY,
   GS_LINEAR_ABSENT,     /* the scene has no subroutine of the name routine */
   GS_LINEAR_FAILED,     /* it ended with info */
-  GS_LINEAR_DERIVATIVE, /* the rate of state row has no finite derivative by column: a state, or
-                           nx + an input */
-  GS_LINEAR_REFUSED     /* text says why */
+  GS_LINEAR_DERIVATIVE, /* one is not finite: text says which, */
+  GS_LINEAR_MARGIN,     /* a device cannot be there, */
+  GS_LINEAR_REFUSED     /* or what else is wrong */
 };
 
 typedef struct
 {
-  int verdict, info, row, column;
+  int verdict, info;
   const char *routine;   /* also where constraints were dependent (info 2) and all was found */
   char text[2400];
 } gs_linear_told;
 
-/* where, and about what */
+/* where, and names and units for messages */
 typedef struct
 {
   gs_real t;
-  const gs_real *cst, *x, *v; /* x: nx, v: nv */
+  const gs_real *cst, *x, *v;     /* x: nx, v: nv */
+  const char *const *inputs;      /* nv */
+  const char *const *units;       /* nx, of the states, */
+  const char *const *constraints; /* nlam, of the constraints, "" where it is not known */
 } gs_linear_place;
 
 /* which states of a linear model are independent */
@@ -64,6 +67,46 @@ typedef struct
 /* the verdict */
 int gs_linear (const gs_description *d, const gs_linear_place *at, const gs_linear_asked *asked,
                gs_linear_model *model, gs_linear_told *told);
+
+/* T (nx,n) and the n independent states of the deviations that the constraints allow; wanted: those
+ * that are wanted, null: they are chosen by the Jacobian. The verdict */
+int gs_linear_tangent (const gs_description *d, const gs_linear_place *at, const int *wanted,
+                       int nwanted, gs_real *tangent, int *independent, int *n,
+                       gs_linear_told *told);
+
+/* ------------------------------------------------------------------ equilibria, steady motions */
+
+typedef struct
+{
+  int nhold, ninputs, nspeeds;
+  const int *hold;      /* nhold states that stay as they are */
+  const int *inputs;    /* ninputs that are free, */
+  const int *speeds;    /* nspeeds states that are, of a steady motion */
+  int steady, nrunning;
+  const int *running;   /* (2,nrunning): coordinates that run on, where steady is 1, their speeds */
+  int nmodes;
+  const int *modes;     /* nmodes inputs that are none: they cannot help */
+  int margins;          /* 1: no device may be where its laws do not hold */
+  double tolerance;
+  const double *par;    /* npar: shown in messages */
+} gs_trim_asked;
+
+enum { GS_TRIM_NEWTON, GS_TRIM_LEVENBERG, GS_TRIM_TRANSIENT };
+
+/* the arrays are the caller's */
+typedef struct
+{
+  gs_real *x, *v;       /* nx, nv */
+  double residual;      /* the largest rate or constraint, in usual sizes */
+  int way;              /* by which it was found */
+  int *running;         /* nq: 1 where a coordinate runs */
+  int *indifferent;     /* nx + nv: 1 where a state or a free input can be moved without effect */
+  char warning[400];    /* what holds at the time alone; "": nothing */
+} gs_trim_found;
+
+/* an equilibrium, or a steady motion, near the guess at->x, at->v: the verdict */
+int gs_trim (const gs_description *d, const gs_linear_place *at, const gs_trim_asked *asked,
+             gs_trim_found *found, gs_linear_told *told);
 
 #ifdef __cplusplus
 }

@@ -15,14 +15,14 @@ typedef struct
   const gs_scene *s;
   gs_real t;
   const gs_real *cst;
+  const gs_linear_place *at;
   gs_linear_told *told;
   gs_block *blocks; /* the newest first */
 } gs_work;
 
 /* ----------------------------------------------------------------------------- memory, verdicts */
 
-gs_work gs_work_begin (const gs_description *d, gs_real t, const gs_real *cst,
-                       gs_linear_told *told);
+gs_work gs_work_begin (const gs_description *d, const gs_linear_place *at, gs_linear_told *told);
 /* frees all; the verdict */
 int gs_work_end (gs_work *w);
 
@@ -32,9 +32,11 @@ int *gs_places (gs_work *w, int n);
 /* frees what is newer than the block */
 void gs_work_back (gs_work *w, gs_block *to);
 
-/* the verdict; what has been written since */
+/* the verdict; the text that says why, to be written */
 int gs_work_failed (gs_work *w, int verdict, const char *routine, int info);
-gs_writer gs_work_refused (gs_work *w);
+gs_writer gs_work_refused (gs_work *w, int verdict);
+/* the derivative of the row by the column, a state or nx + an input, is not finite */
+int gs_no_derivative (gs_work *w, const char *of, const char *row, int column);
 
 /* ------------------------------------------------------------------------------------- matrices */
 
@@ -137,8 +139,13 @@ void gs_rest_at (const gs_rest *p, const gs_real *z, gs_real t, gs_real *f, gs_r
 /* Newton's method, damped, from z */
 void gs_rest_newton (const gs_rest *p, gs_real *z);
 
-/* x with what follows, by the constraints, from its coordinates and speeds f */
+/* the largest part of a step, in usual sizes, that keeps the unknowns within their bounds */
+gs_real gs_rest_bound (const gs_rest *p, const gs_real *step);
+
+/* x at the time t with what follows, by the constraints, from its coordinates and speeds f; the
+ * coordinates alone, with those held where they are: 0 where the loops do not close */
 void gs_follow_rest (gs_work *w, gs_real t, const gs_free_velocities *f, gs_real *x);
+int gs_close_rest (gs_work *w, const gs_free_velocities *held, gs_real *x);
 
 /* ------------------------------------------------------------------------------ what is dropped */
 

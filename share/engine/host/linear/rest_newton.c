@@ -166,9 +166,8 @@ gs_rest_at (const gs_rest *p, const gs_real *z, gs_real t, gs_real *f, gs_real *
 
 /* ------------------------------------------------------------------------------ Newton's method */
 
-/* the largest part of a step that keeps the unknowns within their bounds */
-static gs_real
-bound (const gs_rest *p, const gs_real *step)
+gs_real
+gs_rest_bound (const gs_rest *p, const gs_real *step)
 {
   const gs_description *d = p->w->d;
   gs_real part = 1;
@@ -252,7 +251,7 @@ static int
 damped (const gs_rest *p, const corrector *c, const gs_real *z, const gs_real *step, gs_real length,
         gs_real *damping, gs_real *next, gs_real *other)
 {
-  const gs_real most = largest (c->n, step), part = bound (p, step);
+  const gs_real most = largest (c->n, step), part = gs_rest_bound (p, step);
   gs_real h = 4 * *damping < 1 ? 4 * *damping : 1;
   h = part < h ? part : h;
   for (; h > GS_R (1e-9); h /= 2)
@@ -299,27 +298,57 @@ gs_rest_newton (const gs_rest *p, gs_real *z)
 
 /* ------------------------------------------------------------------------- what follows from it */
 
-void
-gs_follow_rest (gs_work *w, gs_real t, const gs_free_velocities *f, gs_real *x)
+/* unknowns of x that follow from the constraints alone: how many; the last one below end */
+static int
+list_others (const gs_scene *s, const gs_free_velocities *f, int end, int *own)
+{
+  int n = 0;
+  for (int i = 0; i < end; i++)
+    if (i < s->nq ? ! gs_is_among (i, f->nq, f->q) : ! gs_is_among (i - s->nq, f->nu, f->u))
+      own[n++] = i;
+  return n;
+}
+
+/* x with the others that stand below end; the largest equation that is left */
+static gs_real
+follow (gs_work *w, const gs_free_velocities *f, int end, gs_real *x)
 {
   const gs_scene *s = w->s;
   gs_block *begin = w->blocks;
-  int *own = gs_places (w, s->nq + s->nu), n = 0;
-  gs_real *size = gs_numbers (w, s->nq + s->nu), *z = gs_numbers (w, s->nq + s->nu);
-  gs_real *v = gs_numbers (w, s->nv), now = w->t;
-  if (own && size && z && v && ! (s->nlam == 0 && s->nq == s->nu))
+  int *own = gs_places (w, end);
+  gs_real *size = gs_numbers (w, end), *z = gs_numbers (w, end), *v = gs_numbers (w, s->nv);
+  gs_real *left = gs_numbers (w, 2 * s->nlam + w->d->nsets), most = (gs_real)HUGE_VAL;
+  if (own && size && z && v && left)
     {
-      for (int i = 0; i < s->nq + s->nu; i++)
-        if (i < s->nq ? ! gs_is_among (i, f->nq, f->q) : ! gs_is_among (i - s->nq, f->nu, f->u))
-          own[n++] = i;
+      const int n = list_others (s, f, end, own);
+      const gs_rest p = { w, x, v, n, 0, 0, own, NULL, NULL, NULL, size, end > s->nq };
       for (int i = 0; i < n; i++)
         {
           size[i] = (gs_real)w->d->nominal[own[i]];
           z[i] = x[own[i]];
         }
-      w->t = t;
-      gs_rest_newton (&(gs_rest){ w, x, v, n, 0, 0, own, NULL, NULL, NULL, size, 1 }, z);
-      w->t = now;
+      gs_rest_newton (&p, z);
+      gs_rest_at (&p, z, w->t, left, NULL);
+      const int ne = gs_rest_equations (&p);
+      most = gs_not_finite (ne, left) ? (gs_real)HUGE_VAL : largest (ne, left);
     }
   gs_work_back (w, begin);
+  return most;
+}
+
+void
+gs_follow_rest (gs_work *w, gs_real t, const gs_free_velocities *f, gs_real *x)
+{
+  const gs_scene *s = w->s;
+  const gs_real now = w->t;
+  w->t = t;
+  if (s->nlam > 0 || s->nq > s->nu)
+    follow (w, f, s->nq + s->nu, x);
+  w->t = now;
+}
+
+int
+gs_close_rest (gs_work *w, const gs_free_velocities *held, gs_real *x)
+{
+  return follow (w, held, w->s->nq, x) <= GS_R (1e-10);
 }

@@ -108,7 +108,7 @@ with_devices (const gs_scene *s, const gs_free_velocities *f, int *own)
 static int
 undetermined (gs_work *w, int n, const int *own, int left)
 {
-  gs_writer said = gs_work_refused (w);
+  gs_writer said = gs_work_refused (w, GS_LINEAR_REFUSED);
   for (int i = 0; i < n; i++)
     gs_put (&said, "%s%s", i ? ", " : "", w->d->states[own[i]]);
   gs_put (&said, " do not determine the motion here: the constraints leave %d free states, %d are "
