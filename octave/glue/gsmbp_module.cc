@@ -63,6 +63,7 @@ static const struct { const char *name; octave_value_list (*call) (arguments&, i
         { "forward", do_forward },
         { "backward", do_backward },
         { "linear", do_linear }, { "trim", do_trim },
+        { "tangent", do_tangent }, { "modes", do_modes },
         { "outputs", do_outputs }, { "places", do_places }, { "margins", do_margins },
         { "energies", do_energies },
         { "program", do_program },

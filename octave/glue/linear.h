@@ -149,3 +149,85 @@ do_trim (arguments& a, int)
   return ovl (told.verdict, told.text, result (x, S.nx), result (v, S.nv), found.residual,
               found.way + 1, marked (runs, S.nq), marked (moved, S.nx + S.nv), found.warning);
 }
+
+// (those of asked_place, wanted states, or none): the verdict, its text; T, the numbers of the
+// independent states
+static octave_value_list
+do_tangent (arguments& a, int)
+{
+  const asked_place p (a);
+  const std::vector<int> wanted = from_zero (a, "wanted");
+  std::vector<int> independent (S.nx + 1);
+  reals T (S.nx * S.nx + 1);
+  int n = 0;
+  gs_linear_told told;
+  gs_linear_tangent (&p.start.about, &p.at, wanted.empty () ? nullptr : wanted.data (),
+                     int (wanted.size ()), &T[0], independent.data (), &n, &told);
+  heed (told);
+  return ovl (told.verdict, told.text, result (T, S.nx, n), from_one (independent.data (), n));
+}
+
+// pairs of numbers as complex ones
+static ComplexMatrix
+complex_result (const reals& z, int rows, int cols)
+{
+  ComplexMatrix m (rows, cols);
+  for (octave_idx_type i = 0; i < m.numel (); i++)
+    m.xelem (i) = Complex (double (z[2 * i]), double (z[2 * i + 1]));
+  return m;
+}
+
+static reals
+as_pairs (const ComplexNDArray& m)
+{
+  reals z (2 * m.numel () + 1, number (0));
+  for (octave_idx_type i = 0; i < m.numel (); i++)
+    {
+      z[2 * i] = m(i).real ();
+      z[2 * i + 1] = m(i).imag ();
+    }
+  return z;
+}
+
+// the eigenvalues and eigenvectors of r.square, by Octave, and what they say: a list of
+// eigenvalues, frequencies, damping ratios, shapes, real eigenvalues, how many are zero
+static octave_value_list
+modes_of (const asked_place& p, const gs_vibrations& r, const reals& square)
+{
+  const int k = r.nfelt, rows = S.nq > 0 ? S.nq : S.nx;
+  reals values (1), vectors (1);
+  if (k > 0)
+    {
+      const octave_value_list e = octave::feval ("eig", ovl (result (square, k, k), "vector"), 2);
+      vectors = as_pairs (e(0).complex_array_value ());
+      values = as_pairs (e(1).complex_array_value ());
+    }
+  reals e (2 * k + 1), frequency (k + 1), damping (k + 1), shapes (2 * rows * k + 1), real (k + 1);
+  gs_modes m = { 0, 0, 0, &e[0], &frequency[0], &damping[0], &shapes[0], &real[0] };
+  gs_linear_told told;
+  gs_modes_of (&p.start.about, &p.at, &r, &values[0], &vectors[0], &m, &told);
+  heed (told);
+  return ovl (complex_result (e, m.n, 1), result (frequency, m.n), result (damping, m.n),
+              complex_result (shapes, rows, m.n), result (real, m.nreal), m.rigid);
+}
+
+// (those of asked_place, coordinates that are held and their speeds, whether the state is moved to
+// a steady one): the verdict, its text, the state, why it is no equilibrium; those of modes_of
+static octave_value_list
+do_modes (arguments& a, int)
+{
+  const asked_place p (a);
+  const std::vector<int> held = from_zero (a, "held");
+  const int steady = a.integer_within ("steady", 0, 1), nx = S.nx;
+  std::vector<int> independent (nx + 1), felt (nx + 1);
+  reals x (nx + 1), A (nx * nx + 1), square (nx * nx + 1), T (nx * nx + 1);
+  const gs_vibrations_asked asked = { steady, int (held.size () / 2), held.data () };
+  gs_vibrations r = { 0, 0, independent.data (), felt.data (), &x[0], &A[0], &square[0], &T[0],
+                      "" };
+  gs_linear_told told;
+  gs_vibrate (&p.start.about, &p.at, &asked, &r, &told);
+  heed (told);
+  octave_value_list list = ovl (told.verdict, told.text, result (x, nx), r.doubt);
+  return list.append (told.verdict == 0 ? modes_of (p, r, square)
+                                        : octave_value_list (6, Matrix ()));
+}

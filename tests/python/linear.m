@@ -24,7 +24,8 @@ function linear (file)
   m = gsmbp_fixture ("orient_free");
   r.orient_free = {model(m, m.initial, zeros (m.sizes.nv, 1))};
   fid = fopen (file, "w");
-  fputs (fid, jsonencode (struct ("linear", r, "trim", trims ())));
+  fputs (fid, jsonencode (struct ("linear", r, "trim", trims (), ...
+                               "modes", vibrations ())));
   fclose (fid);
 end
 
@@ -59,4 +60,34 @@ function r = trim (m, x, v, varargin)
   r = struct ("guess", x(:)', "inputs", v(:)', "options", {varargin}, "x", s.x(:)', ...
               "v", s.v(:)', "lambda", s.lambda(:)', "way", s.way, "running", {s.running}, ...
               "indifferent", {s.indifferent}, "unique", s.unique(:)');
+end
+
+function r = vibrations ()
+  r = struct ();
+  m = gsmbp_fixture ("control_arm");
+  r.control_arm = {vibration(m, [-pi/2; 0]), vibration(m, [-pi/2; 0.3], "hold", "q2"), ...
+                   vibration(m, [-1.2; 0.4], "steady", true)};
+  m = gsmbp_fixture ("case_03a");
+  r.case_03a = {vibration(m, gsmbp_trim (m, [-1.1; -0.74; 1.23], []).x)};
+  m = gsmbp_fixture ("case_02a_motor");
+  r.case_02a_motor = {vibration(m, gsmbp_trim (m, [-1.4; 1.2; -0.5], []).x)};
+  m = gsmbp_fixture ("trim_hydraulic");
+  s = gsmbp_trim (m, m.initial, [], "hold", "x", "free", m.inputs{1});
+  r.trim_hydraulic = {vibration(m, s.x, "input", s.v)};
+  m = gsmbp_fixture ("modes_arm");
+  x = m.initial;
+  x(strcmp (m.states, "theta_d")) = 5;
+  r.modes_arm = {vibration(m, x, "hold", {"q1", "q2", "theta"}), ...
+                 vibration(m, [0.4; -1.2; x(3:end)], "hold", {"q1", "theta"}, "steady", true)};
+end
+
+function r = vibration (m, x, varargin)
+  s = gsmbp_modes (m, x, varargin{:});
+  parts = @(z) struct ("re", real (z(:))', "im", imag (z(:))');
+  v = [varargin(2:2:end)(strcmp (varargin(1:2:end), "input")), {[]}]{1};
+  k = 2 * find (! strcmp (varargin(1:2:end), "input"));
+  r = struct ("guess", x(:)', "inputs", v(:)', "options", {varargin(sort ([k - 1, k]))}, ...
+              "frequency", s.frequency', "damping", s.damping', "eigenvalues", ...
+              parts (s.eigenvalues), "shapes", parts (s.shapes), "real", s.real', "rigid", ...
+              s.rigid, "x", s.x');
 end

@@ -1,11 +1,13 @@
-"""Linear models, equilibria and steady motions of modules beside those of Octave: an arm, a four-bar, a motor, a hydraulic
-cylinder, a disc that rolls, a free body in Euler parameters; closed forms; refusals.
+"""Linear models, equilibria, steady motions and modes of modules beside those of Octave: an arm, a
+four-bar, a motor, a hydraulic cylinder, a disc that rolls, a bead on a disc that spins, a free
+body in Euler parameters; closed forms; refusals.
 
 python3 linear.py FILE: of linear.m; the modules that it imports must be installed."""
 import importlib
 import inspect
 import json
 import sys
+import warnings
 
 import numpy as np
 
@@ -56,6 +58,26 @@ def trim_beside_octave(name, one):
           or np.abs(rates / m.nominal[m.sizes['nq']:]).max() < 1e-7)
 
 
+def modes_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore')
+        r = m.modes(one['guess'], np.atleast_1d(one['inputs']) if np.size(one['inputs']) else None,
+                    **options)
+    what = 'modes of %s%s beside Octave' % (name, ''.join(', %s %s' % o for o in options.items()))
+    holds(what + ': how many', r.rigid == one['rigid'] and r.frequency.size + r.real.size > 0)
+    for part in ('x', 'frequency', 'damping', 'real', 'eigenvalues', 'shapes'):
+        wanted = one[part]
+        if isinstance(wanted, dict):
+            wanted = np.array(wanted['re'], float) + 1j * np.array(wanted['im'], float)
+        wanted = np.ravel(np.array(wanted, complex))
+        found = getattr(r, part).ravel(order='F')
+        size = np.abs(wanted).max(initial=1e-9)
+        close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
+              1e-9)
+
+
 def shapes():
     import case_03a
     m = case_03a.Model()
@@ -72,6 +94,27 @@ def shapes():
     holds('inspect knows the arguments of trim', signature == (
         "(x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e-09, "
         "margins='check')"))
+    signature = str(inspect.signature(m.modes))
+    holds('inspect knows the arguments of modes', signature == (
+        "(x, v=None, *, hold=(), steady=False, time=0.0, start='check')"))
+
+
+def pendulum():
+    """The arm hanging down, its elbow held: a compound pendulum."""
+    import control_arm
+    m = control_arm.Model()
+    p = m.parameters
+    length = p['l1'] + p['l2'] / 2
+    inertia = (p['m1'] * p['l1'] ** 2 / 3 + p['m2'] * (p['l2'] ** 2 / 12 + length ** 2))
+    torque = p['g'] * (p['m1'] * p['l1'] / 2 + p['m2'] * length)
+    r = m.modes([-np.pi / 2, 0], hold='q2')
+    close('arm, elbow held: frequency', r.frequency, np.sqrt(torque / inertia), 1e-12)
+    close('arm, elbow held: damping', r.damping * 2 * r.frequency * inertia, p['d'], 1e-12)
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter('always')
+        m.modes([0, 0])
+    holds('no equilibrium is a warning', 'found q1_d with an acceleration of -' in str(
+        told[0].message) and 'rad/s^2' in str(told[0].message))
 
 
 def refused():
@@ -109,9 +152,11 @@ def refused():
 
 with open(sys.argv[1], encoding='utf-8') as file:
     FOUND = json.load(file)
-for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave)):
+for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
+                     ('modes', modes_beside_octave)):
     for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
             beside(scene, one)
 shapes()
+pendulum()
 refused()

@@ -1,17 +1,18 @@
-# Linear models and equilibria of modules of Python beside those of Octave (tests/python/linear.m,
-# linear.py): an arm, a four-bar, a motor, a hydraulic cylinder, a disc that rolls, a free body;
+# Linear models, equilibria and modes of modules of Python beside those of Octave (tests/python:
+# linear.m, linear.py): an arm, a four-bar, a motor, a hydraulic cylinder, discs, a free body;
 # refusals.
 . tests/tools/check.sh
 root=$PWD
 work_folder
 python=/usr/bin/python3
 statements="load(\"$root/gsmbp/gsmbp.mac\")\$"
-for scene in control_arm case_03a case_02a_motor trim_hydraulic steady_disc orient_free; do
+for scene in control_arm case_03a case_02a_motor trim_hydraulic steady_disc modes_arm \
+  orient_free; do
   statements="$statements kill(scene, requests)\$ load(\"$root/tests/scenes/$scene.mac\")\$
     gsmbp_package(scene, python, directory = \"$work/folders/$scene\")\$"
 done
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of six scenes' "$report"
+told $? 'gsmbp_package(scene, python) of seven scenes' "$report"
 for folder in "$work"/folders/*; do
   name=${folder##*/}
   sed -i 's/-O2/-O0/' "$folder/setup.py"

@@ -46,6 +46,7 @@ TEXTS = [
     ('share/engine/host/linear/dropped.c', ''),
     ('share/engine/host/linear/linear.c', ''),
     ('share/engine/host/linear/trim_told.c', ''),
+    ('share/engine/host/linear/vibrations.c', ''),
     ('share/engine/core/gsmbp/refusals.h', ''),
     ('octave/+gs/+run/failure_text.m', 'dependent_rows'),
     ('octave/+gs/+run/failure_text.m', 'fastest'),

@@ -29,6 +29,20 @@ gs_loop_trim (const gs_linear_place *at, const gs_trim_asked *asked, gs_trim_fou
   return gs_trim (gs_loop_about (), at, asked, found, told);
 }
 
+int
+gs_loop_vibrate (const gs_linear_place *at, const gs_vibrations_asked *asked, gs_vibrations *found,
+                 gs_linear_told *told)
+{
+  return gs_vibrate (gs_loop_about (), at, asked, found, told);
+}
+
+int
+gs_loop_modes (const gs_linear_place *at, const gs_vibrations *found, double *values,
+               const double *vectors, gs_modes *modes, gs_linear_told *told)
+{
+  return gs_modes_of (gs_loop_about (), at, found, values, vectors, modes, told);
+}
+
 /* bytes of the structures that Python fills and reads as well */
 int
 gs_loop_linear_size (int which)
@@ -36,6 +50,7 @@ gs_loop_linear_size (int which)
   static const size_t sizes[] = { sizeof (gs_linear_place), sizeof (gs_linear_asked),
                                   sizeof (gs_linear_model), sizeof (gs_linear_told),
                                   sizeof (gs_start), sizeof (gs_trim_asked),
-                                  sizeof (gs_trim_found) };
+                                  sizeof (gs_trim_found), sizeof (gs_vibrations_asked),
+                                  sizeof (gs_vibrations), sizeof (gs_modes) };
   return (int)sizes[which];
 }

@@ -7,6 +7,7 @@
     m.adjoint(x0, times, goal)    derivatives of goals of a run, backwards
     m.linear(t, x, v)             a linear model in independent states
     m.trim(x, v)                  an equilibrium or a steady motion
+    m.modes(x)                    small vibrations
     m.states, m.units, ...        names and units
 
 All numbers are in SI units. An argument may have one more dimension, of k states, at its end.
@@ -16,13 +17,14 @@ from ._ensemble import Ensemble
 from ._library import DependentWarning, Error, TABLE as table
 from ._linear import LinearModel
 from ._model import Model
+from ._modes import Modes
 from ._motion import Piecewise, plan, table as table_of
 from ._run import Result, RunWarning
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Piecewise', 'plan', 'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Piecewise', 'plan', 'table_of', 'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Piecewise):
+             Trim, Modes, Piecewise):
     _one.__module__ = __name__

@@ -58,6 +58,15 @@ class Trim(NamedTuple):
     indifferent: tuple[str, ...]
     unique: NDArray[np.bool_]
 
+class Modes(NamedTuple):
+    frequency: Real
+    damping: Real
+    shapes: NDArray[np.complex128]
+    eigenvalues: NDArray[np.complex128]
+    real: Real
+    rigid: int
+    x: Real
+
 class Inverse(NamedTuple):
     t: Real
     q: Real
@@ -147,6 +156,9 @@ class Model(Routines):
              hold: Union[str, Sequence[str]] = (), free: Union[str, Sequence[str]] = (),
              steady: Union[str, Sequence[str]] = (), time: float = 0.0, tolerance: float = 1e-9,
              margins: Literal['check', 'ignore'] = 'check') -> Trim: ...
+    def modes(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
+              hold: Union[str, Sequence[str]] = (), steady: bool = False, time: float = 0.0,
+              start: Literal['check', 'project'] = 'check') -> Modes: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

@@ -5,7 +5,7 @@ import warnings
 
 import numpy as np
 
-from . import _adjoint, _checks, _ensemble, _inverse, _linear, _run, _start, _trim
+from . import _adjoint, _checks, _ensemble, _inverse, _linear, _modes, _run, _start, _trim
 from ._arguments import explained, nearest
 from ._library import Error, Kept, LIBRARY, NAME, ROUTINES, SIZES, TABLE, at
 from ._routines import Routines
@@ -137,6 +137,7 @@ class Model(Routines):
     inverse = explained(_inverse.inverse)
     linear = explained(_linear.linear)
     trim = explained(_trim.trim)
+    modes = explained(_modes.modes)
 
 
 def _again(parameters):

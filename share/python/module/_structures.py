@@ -175,12 +175,33 @@ class TrimFound(_Structure):
                 ('indifferent', _AT), ('warning', ctypes.c_char * 400)]
 
 
+class VibrationsAsked(_Structure):
+    """gs_vibrations_asked of the same."""
+
+    _fields_ = [('steady', _INT), ('nheld', _INT), ('held', _AT)]
+
+
+class Vibrations(_Structure):
+    """gs_vibrations of the same."""
+
+    _fields_ = [('n', _INT), ('nfelt', _INT), *((name, _AT) for name in (
+        'independent', 'felt', 'x', 'a', 'square', 'tangent')), ('doubt', ctypes.c_char * 300)]
+
+
+class Modes(_Structure):
+    """gs_modes of the same."""
+
+    _fields_ = [('n', _INT), ('nreal', _INT), ('rigid', _INT), *((name, _AT) for name in (
+        'eigenvalues', 'frequency', 'damping', 'shapes', 'real'))]
+
+
 for _k, _kind in enumerate((Options, Start, Inputs, Result)):
     if LIBRARY.gs_loop_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another run.h' % NAME)
 for _k, _kind in enumerate((Rows, Results)):
     if LIBRARY.gs_loop_rows_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another ensemble.h' % NAME)
-for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound)):
+for _k, _kind in enumerate((Place, Asked, Linear, Told, Taken, TrimAsked, TrimFound,
+                             VibrationsAsked, Vibrations, Modes)):
     if LIBRARY.gs_loop_linear_size(ctypes.c_int(_k)) != ctypes.sizeof(_kind):
         raise ImportError('%s: the library was built with another linear.h' % NAME)

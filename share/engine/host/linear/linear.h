@@ -108,6 +108,47 @@ typedef struct
 int gs_trim (const gs_description *d, const gs_linear_place *at, const gs_trim_asked *asked,
              gs_trim_found *found, gs_linear_told *told);
 
+/* ----------------------------------------------------------------------------------- vibrations */
+
+typedef struct
+{
+  int steady;             /* 1: the state is first moved to where nothing but what is held moves at
+                             other than constant speed */
+  int nheld;
+  const int *held;        /* (2,nheld): coordinates that keep their motion, their speeds */
+} gs_vibrations_asked;
+
+/* small vibrations about a state; the arrays are the caller's, of the largest size */
+typedef struct
+{
+  int n, nfelt;
+  int *independent;       /* nx: n states */
+  int *felt;              /* nx: nfelt of these n, on which something depends */
+  gs_real *x;             /* nx: the state */
+  gs_real *a;             /* (n,n): the rates of the n states by them, in nominal magnitudes */
+  gs_real *square;        /* (nfelt,nfelt): rows and columns of it, whose eigenvalues count */
+  gs_real *tangent;       /* (nx,n): dx of the independent deviations */
+  char doubt[300];        /* why the state is no equilibrium and no steady motion; "": it is one */
+} gs_vibrations;
+
+int gs_vibrate (const gs_description *d, const gs_linear_place *at,
+                const gs_vibrations_asked *asked, gs_vibrations *r, gs_linear_told *told);
+
+/* the modes; complex numbers are pairs, as in C and Fortran */
+typedef struct
+{
+  int n, nreal, rigid;    /* modes that oscillate, eigenvalues that are real, that are zero */
+  gs_real *eigenvalues;   /* (2,n): by rising frequency, imaginary parts above 0 */
+  gs_real *frequency, *damping;
+  gs_real *shapes;        /* (2,nq,n), of a scene without coordinates (2,nx,n) */
+  gs_real *real;          /* nreal, ascending */
+} gs_modes;
+
+/* modes of the eigenvalues e (2,nfelt) and eigenvectors v (2,nfelt,nfelt) of r->square, which a
+ * host has from its library; e is changed. The verdict */
+int gs_modes_of (const gs_description *d, const gs_linear_place *at, const gs_vibrations *r,
+                 gs_real *e, const gs_real *v, gs_modes *modes, gs_linear_told *told);
+
 #ifdef __cplusplus
 }
 #endif

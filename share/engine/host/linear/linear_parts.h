@@ -154,4 +154,14 @@ int gs_close_rest (gs_work *w, const gs_free_velocities *held, gs_real *x);
 int gs_without_states (gs_work *w, const gs_linear_place *at, const gs_linear_asked *asked, int n,
                        const int *own, const gs_real *a, int *keep);
 
+/* ------------------------------------------------------------------------------- what is held */
+
+/* the Jacobian a (nx,nx) of the rates xd (nx) by the states, where efforts of any size hold speeds
+ * as they are (held, (2,nheld)): the accelerations that these give are taken out */
+int gs_held_rates (gs_work *w, const gs_real *x, const gs_real *v, int nheld, const int *held,
+                      gs_real *a, gs_real *xd);
+
+/* the unit of the rate of a state */
+void gs_put_rate_unit (const gs_work *w, int state, gs_writer *unit);
+
 #endif

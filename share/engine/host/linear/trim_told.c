@@ -24,16 +24,20 @@ gs_trim_equation (const gs_trim_problem *p, int i, gs_writer *name)
 }
 
 void
+gs_put_rate_unit (const gs_work *w, int state, gs_writer *unit)
+{
+  const char *own = w->at->units[state];
+  const int length = (int)strlen (own), rate = length > 2 && ! strcmp (own + length - 2, "/s");
+  gs_put (unit, "%.*s/s%s", rate ? length - 2 : length, own, rate ? "^2" : "");
+}
+
+void
 gs_trim_unit (const gs_trim_problem *p, int i, gs_writer *unit)
 {
   const gs_work *w = p->w;
   const int k = i - p->rest.nrows, n = w->s->nlam;
   if (k < 0)
-    {
-      const char *own = w->at->units[p->rows[i]];
-      const int length = (int)strlen (own), rate = length > 2 && ! strcmp (own + length - 2, "/s");
-      gs_put (unit, "%.*s/s%s", rate ? length - 2 : length, own, rate ? "^2" : "");
-    }
+    gs_put_rate_unit (w, p->rows[i], unit);
   else if (k < (p->rest.moves ? 2 : 1) * n)
     gs_put (unit, "%s%s", w->at->constraints[k % n], k < n ? "" : "/s");
   else
@@ -247,7 +251,7 @@ gs_trim_refuse (const gs_trim_problem *p, const gs_real *z)
   return w->told->verdict;
 }
 
-/* ------------------------------------------------------------------------------------ some time later */
+/* ------------------------------------------------------------------------------ some time later */
 
 /* an equilibrium the same state some other times, or a warning */
 static void
