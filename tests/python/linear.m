@@ -1,5 +1,5 @@
-## linear (FILE): linear models, equilibria and steady motions of scenes by gsmbp_linear and
-## gsmbp_trim, written as JSON, for linear.py.
+## linear (FILE): linear models, equilibria, modes and inverse kinematics of scenes by Octave's
+## functions, written as JSON, for linear.py.
 
 function linear (file)
   warning ("off", "all");
@@ -25,7 +25,7 @@ function linear (file)
   r.orient_free = {model(m, m.initial, zeros (m.sizes.nv, 1))};
   fid = fopen (file, "w");
   fputs (fid, jsonencode (struct ("linear", r, "trim", trims (), ...
-                               "modes", vibrations ())));
+                               "modes", vibrations (), "reach", reaches ())));
   fclose (fid);
 end
 
@@ -90,4 +90,39 @@ function r = vibration (m, x, varargin)
               "frequency", s.frequency', "damping", s.damping', "eigenvalues", ...
               parts (s.eigenvalues), "shapes", parts (s.shapes), "real", s.real', "rigid", ...
               s.rigid, "x", s.x');
+end
+
+function r = reaches ()
+  m = gsmbp_fixture ("reach_puma");
+  q = [0.3, 0.5, 0.9; -0.6, -0.2, 0.3; 0.8, 0.6, 0.4; 0.2, 0.1, -0.4; 0.7, 0.4, 0; 0.1, 0.3, 0.6];
+  P = zeros (3, 4);
+  R = repmat (eye (3), 1, 1, 4);
+  for k = 1:3
+    [P(:,k), R(:,:,k)] = m.pnt (0, q(:,k));
+  end
+  P(:,4) = [3; 0; 0];
+  limits = [-0.2, 7; repmat([-3, 3], 5, 1)];
+  r.reach_puma = {one_reach(m, "tool", P, R), ...
+                  one_reach(m, "tool", P, R, "start", q(:,1) + 0.1), ...
+                  one_reach(m, "tool", P, R, "branch", 2), ...
+                  one_reach(m, "tool", P, R, "limits", limits), ...
+                  one_reach(m, "tool", P, R, "method", "newton", "start", q(:,1) + 0.1), ...
+                  one_reach(m, "tool", P(:,1:3), [], "start", q(:,1))};
+  m = gsmbp_fixture ("reach_crank");
+  q = gsmbp_assemble (m, [0.7; -1; 0.5], "hold", "q1")(1:3);
+  r.reach_crank = {one_reach(m, "pin", m.pnt (0, q), [], "start", [0.5; -0.8; 0.5])};
+  m = gsmbp_fixture ("reach_seven");
+  q = [0.3; 0.5; -0.2; 1.1; 0.4; 0.6; -0.3];
+  [P, R] = m.pnt (0, q);
+  r.reach_seven = {one_reach(m, m.points{1}, P, R, "given", q(strcmp (m.coordinates, ...
+                                                       m.json.reach.given{1})), "start", q)};
+end
+
+function r = one_reach (m, name, P, R, varargin)
+  [q, s] = gsmbp_reach (m, name, P, R, varargin{:});
+  part = @(a) struct ("size", size (a), "numbers", a(:)');
+  r = struct ("name", name, "P", part (P), "R", part (R), "options", {varargin}, ...
+              "q", part (q), "status", {s.status}, "distance", part (s.distance), ...
+              "branch", s.branch, "solutions", {cellfun(@columns, s.solutions)}, ...
+              "free", part (abs (s.free)));
 end

@@ -15,6 +15,7 @@ from checks import close, holds, refuses
 
 
 def matrix(part):
+    """A matrix of Octave; null in JSON is NaN."""
     return np.reshape(np.array(part['numbers'], float), np.atleast_1d(part['size']).astype(int),
                       order='F')
 
@@ -76,6 +77,29 @@ def modes_beside_octave(name, one):
         size = np.abs(wanted).max(initial=1e-9)
         close('%s: %s' % (what, part), np.append(found / size, 0), np.append(wanted / size, 0),
               1e-9)
+
+
+def reach_beside_octave(name, one):
+    m = importlib.import_module(name).Model()
+    options = dict(zip(one['options'][::2], one['options'][1::2]))
+    if 'given' in options:
+        options['given'] = [options['given']]
+    R = matrix(one['R']) if np.size(one['R']['numbers']) else None
+    r = m.reach(one['name'], matrix(one['P']), R, **options)
+    what = 'reach of %s, %s beside Octave' % (name, ', '.join(options))
+    holds(what + ': status, branches, how many solutions', (
+        r.status == listed(one['status'])
+        and r.branch.tolist() == np.atleast_1d(one['branch']).tolist()
+        and [s.shape[1] for s in r.solutions] == np.atleast_1d(one['solutions']).tolist()))
+    for part, found in (('q', r.q), ('distance', r.distance), ('free', np.abs(r.free))):
+        wanted = matrix(one[part])
+        holds(what + ': %s is known where it is' % part,
+              (np.isnan(found) == np.isnan(wanted)).all())
+        close('%s: %s' % (what, part), np.nan_to_num(found), np.nan_to_num(wanted), 1e-9)
+    for k, q in enumerate(r.q.T):
+        if np.isfinite(q).all():
+            close(what + ': the tool is there', np.ravel(m.pnt(0, q)[0])[:3],
+                  matrix(one['P'])[:, k], 1e-9)
 
 
 def shapes():
@@ -146,14 +170,32 @@ def refused():
     refuses('an input that is none', ValueError,
             ["free: expected the name of an input; found 'T1'; did you mean t1"],
             arm.trim, x[:2], free='T1')
+    refuses('names that are none', ValueError, ['hold: expected names; found 1'],
+            arm.trim, x[:2], hold=1)
     refuses('a tolerance that is none', ValueError, ['tolerance: expected', '2'],
             arm.trim, x[:2], tolerance=2)
+
+    import reach_puma
+    import reach_crank
+    m = reach_puma.Model()
+    refuses('a tool that is none', ValueError, ["unknown point 'tol'; did you mean tool"],
+            m.reach, 'tol', [0, 0, 0])
+    refuses('axes that are no rotation', ValueError, ['axes of pose 0', 'rotation matrix', 'det 8'],
+            m.reach, 'tool', [0.3, 0, 0.5], 2 * np.eye(3))
+    refuses('places of another shape', ValueError, ['P: expected places', '(2,)'],
+            m.reach, 'tool', [0, 0])
+    refuses('a branch that is none', ValueError, ['branch: expected one of the 8 branches', '9'],
+            m.reach, 'tool', [0.3, 0, 0.5], np.eye(3), branch=9)
+    refuses('axes of a point', ValueError, ['pin is a point, not a frame'],
+            reach_crank.Model().reach, 'pin', [0.3, 0, 0], np.eye(3))
+    refuses('an unknown option', TypeError, ['argument limit is unknown', 'did you mean limits'],
+            m.reach, 'tool', [0, 0, 0], limit=0)
 
 
 with open(sys.argv[1], encoding='utf-8') as file:
     FOUND = json.load(file)
 for part, beside in (('linear', beside_octave), ('trim', trim_beside_octave),
-                     ('modes', modes_beside_octave)):
+                     ('modes', modes_beside_octave), ('reach', reach_beside_octave)):
     for scene, models in FOUND[part].items():
         for one in [models] if isinstance(models, dict) else models:
             beside(scene, one)

@@ -1,6 +1,6 @@
-# Linear models, equilibria and modes of modules of Python beside those of Octave (tests/python:
-# linear.m, linear.py): an arm, a four-bar, a motor, a hydraulic cylinder, discs, a free body;
-# refusals.
+# Linear models, equilibria, modes and inverse kinematics of modules of Python beside those of
+# Octave (tests/python: linear.m, linear.py): arms, a four-bar, a motor, a hydraulic cylinder,
+# discs, a free body; refusals.
 . tests/tools/check.sh
 root=$PWD
 work_folder
@@ -11,8 +11,12 @@ for scene in control_arm case_03a case_02a_motor trim_hydraulic steady_disc mode
   statements="$statements kill(scene, requests)\$ load(\"$root/tests/scenes/$scene.mac\")\$
     gsmbp_package(scene, python, directory = \"$work/folders/$scene\")\$"
 done
+for scene in reach_puma reach_crank reach_seven; do
+  statements="$statements kill(scene, requests)\$ load(\"$root/tests/scenes/$scene.mac\")\$
+    gsmbp_package(scene, python, requests, directory = \"$work/folders/$scene\")\$"
+done
 share/make/maxima "$work/log" "$statements" >"$report" 2>&1
-told $? 'gsmbp_package(scene, python) of seven scenes' "$report"
+told $? 'gsmbp_package(scene, python) of ten scenes' "$report"
 for folder in "$work"/folders/*; do
   name=${folder##*/}
   sed -i 's/-O2/-O0/' "$folder/setup.py"

@@ -8,6 +8,7 @@
     m.linear(t, x, v)             a linear model in independent states
     m.trim(x, v)                  an equilibrium or a steady motion
     m.modes(x)                    small vibrations
+    m.reach(name, P, R)           inverse kinematics
     m.states, m.units, ...        names and units
 
 All numbers are in SI units. An argument may have one more dimension, of k states, at its end.
@@ -19,12 +20,13 @@ from ._linear import LinearModel
 from ._model import Model
 from ._modes import Modes
 from ._motion import Piecewise, plan, table as table_of
+from ._reach import Reach
 from ._run import Result, RunWarning
 from ._trim import Trim
 
 __all__ = ['Model', 'Error', 'DependentWarning', 'RunWarning', 'Result', 'Ensemble', 'Adjoint',
-           'LinearModel', 'Trim', 'Modes', 'Piecewise', 'plan', 'table_of', 'table']
+           'LinearModel', 'Trim', 'Modes', 'Reach', 'Piecewise', 'plan', 'table_of', 'table']
 __version__ = table['gsmbp_version']
 for _one in (Model, Error, DependentWarning, RunWarning, Result, Ensemble, Adjoint, LinearModel,
-             Trim, Modes, Piecewise):
+             Trim, Modes, Reach, Piecewise):
     _one.__module__ = __name__

@@ -67,6 +67,14 @@ class Modes(NamedTuple):
     rigid: int
     x: Real
 
+class Reach(NamedTuple):
+    q: Real
+    status: tuple[str, ...]
+    distance: Real
+    branch: NDArray[np.int64]
+    solutions: tuple[Real, ...]
+    free: Real
+
 class Inverse(NamedTuple):
     t: Real
     q: Real
@@ -159,6 +167,11 @@ class Model(Routines):
     def modes(self, x: ArrayLike, v: Optional[ArrayLike] = None, *,
               hold: Union[str, Sequence[str]] = (), steady: bool = False, time: float = 0.0,
               start: Literal['check', 'project'] = 'check') -> Modes: ...
+    def reach(self, name: str, P: ArrayLike, R: Optional[ArrayLike] = None, *,
+              start: Optional[ArrayLike] = None, branch: int = 0,
+              limits: Optional[ArrayLike] = None,
+              method: Literal['auto', 'closed', 'newton'] = 'auto',
+              given: Optional[ArrayLike] = None, time: float = 0.0) -> Reach: ...
     # simulate
     def ensemble(self, times: ArrayLike, *, x0: Optional[ArrayLike] = ...,
                  parameters: Optional[Mapping[str, ArrayLike]] = ...,

@@ -42,7 +42,7 @@ def linear(self, t, x, v=None, *, reduced='auto', drop=(), start='check'):
     else:
         asked.nwanted = put_names(who, asked, 'wanted', 'reduced', reduced, self.states,
                                   '"auto", "none" or names of states')
-    if not asked.running and len(drop):
+    if not asked.running and listed(who, 'drop', drop):
         asked.ndrop = put_names(who, asked, 'drop', 'drop', drop, self.coordinates,
                                 '"running" or names of coordinates')
     return _made(who, self, place(self, t, x, v), asked)
@@ -126,7 +126,7 @@ def _word(given):
 
 def put_names(who, asked, member, option, given, known, expected):
     """Names as numbers into an array of the structure: how many."""
-    names = [given] if isinstance(given, str) else list(given)
+    names = listed(who, option, given)
     if not names:
         raise ValueError('%s: %s: expected %s; found none' % (who, option, expected))
     places_ = places(who, option, names, known, expected)
@@ -134,9 +134,17 @@ def put_names(who, asked, member, option, given, known, expected):
     return len(places_)
 
 
+def listed(who, option, given):
+    """Names as a list, of one name too."""
+    names = [given] if isinstance(given, str) else given
+    if not isinstance(names, (list, tuple)) or not all(isinstance(n, str) for n in names):
+        raise ValueError('%s: %s: expected names; found %r' % (who, option, given))
+    return list(names)
+
+
 def places(who, option, given, known, expected):
     """Where names stand among those that are known."""
-    names = [given] if isinstance(given, str) else list(given)
+    names = listed(who, option, given)
     for name in names:
         if name not in known:
             raise ValueError('%s: %s: expected %s; found %r%s' % (

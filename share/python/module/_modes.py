@@ -35,7 +35,7 @@ def modes(self, x, v=None, *, hold=(), steady=False, time=0.0, start='check'):
     if not isinstance(steady, (bool, np.bool_)):
         raise ValueError('%s: steady: expected True or False; found %r' % (who, steady))
     pairs = [_linear.speed_of(who, self, 'hold', name)
-             for name in ([hold] if isinstance(hold, str) else hold)]
+             for name in _linear.listed(who, 'hold', hold)]
     asked = VibrationsAsked(steady=bool(steady), nheld=len(pairs))
     asked.put('held', [k for pair in pairs for k in pair] or [0], np.intc)
     here, found, told = _linear.place(self, t, x, v), Vibrations(), Told()

@@ -36,7 +36,8 @@ def trim(self, x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e
     check(who, 'tolerance', tolerance, 'tolerance')
     _run._word(who, 'margins', margins, ('check', 'ignore'))
     t, x, v = _linear.numbers(who, self, time, x, v)
-    asked = TrimAsked(steady=bool(len(steady)), margins=margins == 'check', tolerance=tolerance)
+    steady = _linear.listed(who, 'steady', steady)
+    asked = TrimAsked(steady=bool(steady), margins=margins == 'check', tolerance=tolerance)
     for member, numbers in _asked(who, self, hold, free, steady).items():
         asked.put(member, numbers or [0], np.intc)
         if 'n' + member in dict(TrimAsked._fields_):
@@ -56,16 +57,16 @@ def trim(self, x, v=None, *, hold=(), free=(), steady=(), time=0.0, tolerance=1e
 
 def _asked(who, model, hold, free, steady):
     """The names as numbers."""
-    for name in [free] if isinstance(free, str) else free:
+    for name in _linear.listed(who, 'free', free):
         if name in [model.inputs[k] for k in MODES]:
             raise ValueError('%s: free: %s is the mode of an event (0: holds, -1 or 1: slips), no '
                              'input; v holds it' % (who, name))
     known, expected = model.inputs, 'the name of an input'
-    if len(steady):
+    if steady:
         known, expected = known + model.speeds, 'the name of an input or a speed'
     numbers = _linear.places(who, 'free', free, known, expected)
     pairs = [_linear.speed_of(who, model, 'steady', name)
-             for name in ([steady] if isinstance(steady, str) else steady)]
+             for name in steady]
     return {'hold': _linear.places(who, 'hold', hold, model.states, 'the name of a state'),
             'inputs': [k for k in numbers if k < NV],
             'speeds': [NQ + k - NV for k in numbers if k >= NV],
