@@ -65,8 +65,8 @@ deviations (const gs_vibrations *r, const gs_real *e, const gs_real *v, gs_real 
       z[2 * r->felt[j] + c] = v[2 * j + c];
 }
 
-/* shape (2,told) of these deviations, the largest amplitude 1, zero where states of devices vibrate
- * alone; x: (2,nx) */
+/* shape (2,told) of these deviations, the largest amplitude 1 (of equal ones, but for rounding, the
+ * first), zero where states of devices vibrate alone; x: (2,nx) */
 static void
 shape_of (const gs_work *w, const gs_vibrations *r, int told, const gs_real *z, gs_real *x,
           gs_real *shape)
@@ -85,7 +85,7 @@ shape_of (const gs_work *w, const gs_vibrations *r, int told, const gs_real *z, 
       all = gs_max (all, share);
       if (i < told)
         own = gs_max (own, share);
-      if (i < told && size_of (x + 2 * i) > size_of (x + 2 * top))
+      if (i < told && size_of (x + 2 * i) > size_of (x + 2 * top) * (1 + GS_R (1e-9)))
         top = i;
     }
   const gs_real re = x[2 * top], im = x[2 * top + 1], square = re * re + im * im;
